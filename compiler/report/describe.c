@@ -8,6 +8,8 @@
 
 // ---- helpers ----
 
+const char *describe_separator(size_t i, size_t n) { return i == 0 ? "" : i + 1 < n ? ", " : " and "; }
+
 const char *describe_count(Arena *arena, size_t n, const char *one, const char *many)
 {
     return format_in(arena, "%lu %s", (unsigned long)n, n == 1 ? one : many);
@@ -17,8 +19,8 @@ const char *describe_window(Arena *arena, const Window *w)
 {
     static const char *const name[SM_STAT_COUNT] = {"the average", "the median", "the smallest", "the largest", "the range"};
 
-    return format_in(arena, "%s of `%s` over the last %lu steps", name[w->stat], source_text(arena, w->sample->span),
-                     (unsigned long)w->size);
+    return format_in(arena, "%s of `%s` over the last %s", name[w->stat], source_text(arena, w->sample->span),
+                     w->size == 1 ? "step" : format_in(arena, "%lu steps", (unsigned long)w->size));
 }
 
 static uint32_t line_of(Span span) { return source_position(span.src, span.at).line; }
@@ -66,7 +68,7 @@ static const char *assignment(Arena *arena, const Stmt *s)
 
 static const char *simple(Arena *arena, const Stmt *s)
 {
-    return s->kind == ST_ASSIGN ? assignment(arena, s) : format_in(arena, "leaves for ^%s^", s->target->name->text);
+    return s->kind == ST_ASSIGN ? assignment(arena, s) : format_in(arena, "goes to ^%s^", s->target->name->text);
 }
 
 // ---- conditionals ----

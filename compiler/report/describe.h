@@ -6,11 +6,13 @@
 #include "compiler/report/doc.h"
 #include "compiler/sema/program.h"
 
-// Adds a description of a block, one line per statement: "leaves for ^Hold^ if `pressure > 500`".
+// Adds a description of a block, one line per statement: "goes to ^Hold^ if `pressure > 500`".
 void describe_block(DocList *l, const Stmts *block);
 
 // "the average of `pressure` over the last 10 steps".
 const char *describe_window(Arena *arena, const Window *w);
+// Separates item i of n in a sentence: "", ", " or " and ".
+const char *describe_separator(size_t i, size_t n);
 // "1 state", "2 states".
 const char *describe_count(Arena *arena, size_t n, const char *one, const char *many);
 

@@ -37,7 +37,7 @@ static const char *unguarded(const Analysis *a, const Transition *t)
 {
     const Transition *before = t->number > 0 ? &a->transition.at[t->number - 1] : NULL;
 
-    return before && before->from == t->from && before->block == t->block ? "otherwise" : "at once";
+    return before && before->from == t->from && before->block == t->block ? "otherwise" : "always";
 }
 
 // most: as for condition_brief; 0: the whole text.
@@ -146,7 +146,7 @@ const char *edge_count_text(const Diagram *d, const DiagramEdge *e)
 {
     const char *text = count_text(d, "taken", edge_count(d, e));
 
-    return e->guard.n > 1 ? format_in(d->a->arena, "any of these: %s", text) : text;
+    return e->guard.n > 1 ? format_in(d->a->arena, "together: %s", text) : text;
 }
 
 // Adds the count below the last guard of an edge.

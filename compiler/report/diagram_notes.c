@@ -36,7 +36,7 @@ static void add_legend(const Diagram *d, SvgNotes *n)
     for (size_t e = 0; d->o->counts && e < d->edge.n; e++)
         unrun = unrun || edge_count(d, &d->edge.at[e]) == 0;
     if (unrun)
-        add_note(d, n, 0, "Dotted: where no script has been.");
+        add_note(d, n, 0, "Dotted: not covered by any script.");
 }
 
 void svg_number_notes(Diagram *d, SvgNotes *out)

@@ -136,8 +136,8 @@ static void put_state_title(Buf *out, const Diagram *d, const DiagramNode *n)
 {
     buf_str(out, "<title>");
     xml_put(out, n->state->name->text);
-    buf_printf(out, "%s%s%s%s", n->state->number == 1 ? ", where it starts" : "", n->state->is_abort ? ", @abort" : "",
-               n->state->is_safe ? ", @safe" : "", n->reached ? "" : ", never reached");
+    buf_printf(out, "%s%s%s%s", n->state->number == 1 ? ", initial state" : "", n->state->is_abort ? ", @abort" : "",
+               n->state->is_safe ? ", @safe" : "", n->reached ? "" : ", unreachable");
     if (d->o->counts)
         buf_printf(out, "\n%s", count_text(d, "entered", node_count(d, n)));
     for (size_t i = 0; i < n->stub_in.n; i++) {
@@ -172,7 +172,7 @@ static void put_start(Buf *out, const DiagramNode *n)
 {
     const Point tip = {n->box.x + n->box.w / 2, n->box.y};
 
-    buf_printf(out, "<g><title>it starts here</title><circle class=\"g-start\" cx=\"%ld\" cy=\"%ld\" r=\"5\"/>", (long)tip.x,
+    buf_printf(out, "<g><title>initial state</title><circle class=\"g-start\" cx=\"%ld\" cy=\"%ld\" r=\"5\"/>", (long)tip.x,
                (long)tip.y - 24);
     buf_printf(out, "<path class=\"g-line\" d=\"M%ld %ldv-16\"/>", (long)tip.x, (long)tip.y - 6);
     put_head(out, tip, DOWN);
@@ -330,7 +330,7 @@ static void put_description(Buf *out, const Diagram *d)
 {
     buf_str(out, "<title>State diagram of ");
     xml_put(out, d->a->p->name->text);
-    buf_printf(out, "</title>\n<desc>%lu %s, %lu %s between them. It starts in ", (unsigned long)d->nodes,
+    buf_printf(out, "</title>\n<desc>%lu %s, %lu %s. The initial state is ", (unsigned long)d->nodes,
                d->nodes == 1 ? "state" : "states",
                (unsigned long)d->a->transition.n, d->a->transition.n == 1 ? "transition" : "transitions");
     xml_put(out, d->node[0].state->name->text);

@@ -51,7 +51,7 @@ typedef struct DocLine {
 typedef struct DocList {
     Arena *arena;
     const char *key;
-    const char *label;        // precedes the list, such as "When it enters"; or NULL
+    const char *label;        // precedes the list, such as "On entry, the machine"; or NULL
     VEC(DocLine) line;
 } DocList;
 

@@ -67,9 +67,9 @@ static void put_state(const Flight *f, const LogDescription *d, const LogEvent *
 static void put_fault(const Flight *f, const char *task, const LogEvent *e, Buf *out)
 {
     if (e->a == 0)
-        buf_printf(out, "%s works again, after %s", task, describe_count(f->arena, e->b, "failure", "failures"));
+        buf_printf(out, "%s recovered after %s", task, describe_count(f->arena, e->b, "failure", "failures"));
     else
-        buf_printf(out, "%s fails: %s", task, e->a <= 0x7FFFFFFF ? sm_result_text((SmResult)-(int32_t)e->a) : "?");
+        buf_printf(out, "%s failed: %s", task, e->a <= 0x7FFFFFFF ? sm_result_text((SmResult)-(int32_t)e->a) : "?");
 }
 
 // Writes the name of a kind of event that this version does not know.
@@ -86,8 +86,8 @@ static void put_unknown(const LogDescription *d, const LogEvent *e, Buf *out)
 
 static const char *kept_words(uint32_t a)
 {
-    return a == 0 ? "" : a == 1 ? ", with the state vector that was kept" :
-        "; what was kept of the state vector could not be used: it is damaged or of another layout";
+    return a == 0 ? "" : a == 1 ? " with the saved state vector" :
+        "; the saved state vector could not be used: it is damaged or has another layout";
 }
 
 void flight_event(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
@@ -97,17 +97,18 @@ void flight_event(const Flight *f, const LogDescription *d, const LogEvent *e, B
     switch (e->kind) {
     case LOG_EVENT_START:
         buf_printf(out, "the application started%s%s", kept_words(e->a),
-                   e->b ? ", after the watchdog bit" : "");
+                   e->b ? ", after a watchdog reset" : "");
         break;
     case LOG_EVENT_STATE: put_state(f, d, e, out); break;
     case LOG_EVENT_MODE: buf_printf(out, "%s: %s -> %s", task, mode_name(f->arena, e->a), mode_name(f->arena, e->b)); break;
     case LOG_EVENT_FAULT: put_fault(f, task, e, out); break;
     case LOG_EVENT_OVERRUN:
-        buf_printf(out, "%s is late by %lu us, and left out %s", name_of(f, &d->executor, "executor", e->source),
+        buf_printf(out, "%s was late by %lu us and skipped %s", name_of(f, &d->executor, "executor", e->source),
                    (unsigned long)e->b, describe_count(f->arena, e->a, "tick", "ticks"));
         break;
     case LOG_EVENT_REFUSED:
-        buf_printf(out, "%s does not step: time does not advance (%lu so far)", machine_name(f, d, e->source), (unsigned long)e->a);
+        buf_printf(out, "%s did not step because time did not advance (%s so far)", machine_name(f, d, e->source),
+                   describe_count(f->arena, e->a, "time", "times"));
         break;
     case LOG_EVENT_STOP: buf_str(out, "the application was stopped"); break;
     default: put_unknown(d, e, out); break;
@@ -227,7 +228,7 @@ static void put_session(const Flight *f, size_t number, const LogSession *s, Buf
     put_events(f, s, out);
     if (s->records == 0)
         return;
-    buf_str(out, "\n  elements: smallest .. largest, from first to last\n");
+    buf_str(out, "\n  elements: minimum .. maximum, from first to last value\n");
     for (size_t i = 0; i < flight_elements(f, s->d); i++)
         put_values(f, s, flight_element(f, s->d, i), out);
 }

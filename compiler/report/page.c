@@ -2,6 +2,7 @@
 // The order of a report, and helpers that its sections share.
 #include "compiler/report/page.h"
 
+#include "compiler/report/page_text.h"
 uint32_t report_line(Span span) { return span.src ? source_position(span.src, span.at).line : 0; }
 
 const char *report_number(Arena *arena, double x)
@@ -40,8 +41,7 @@ static void report_source(Report *r, Doc *d)
     doc_source(d, r->analysis.p->src);
     if (!sv->from_machine && sv->element.n) {
         doc_heading(d, NULL, format_in(r->arena, "State vector `%s`", report_file_name(sv->element.at[0]->span.src->name)));
-        doc_paragraph(
-            d, "The elements that this machine lists are described above; the whole state vector is not part of this report.");
+        doc_paragraph(d, TEXT_STATE_VECTOR);
     }
 }
 

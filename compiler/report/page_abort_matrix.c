@@ -2,11 +2,13 @@
 // By state: whether the machine can abort from there, by what, how fast, and what that depends on (analysis/abort.h).
 #include "compiler/analysis/abort.h"
 #include "compiler/report/page.h"
+#include "compiler/report/page_text.h"
 
 static const DocColumn abort_columns[] = {
-    {"state", "State"}, {"verdict", "Can it abort?"}, {"alone", "Without a command?"}, {"steps", "Steps, once a condition holds"}, {"hangs_on", "What it hangs on"}};
+    {"state", "State"}, {"verdict", "Can it abort?"}, {"alone", "Without a command?"}, {"steps", "Worst-case steps"},
+    {"depends_on", "Depends on"}};
 static const DocColumn way_columns[] = {
-    {"state", "State"}, {"to", "To"}, {"guard", "When"}, {"watches", "Watches"}, {"steps", "Steps, once it holds"}, {"line", "Line"}};
+    {"state", "State"}, {"to", "To"}, {"guard", "Condition"}, {"reads", "Reads"}, {"steps", "Worst-case steps"}, {"line", "Line"}};
 
 static bool has_command(const AbortRow *row)
 {
@@ -20,10 +22,10 @@ static bool has_command(const AbortRow *row)
 static const char *verdict_text(const AbortRow *row, bool commands)
 {
     switch (row->verdict) {
-    case ABORT_ITSELF: return commands ? "it is an abort state" : "";
-    case ABORT_UNREACHED: return commands ? "the machine never comes here" : "";
+    case ABORT_ITSELF: return commands ? "is an abort state" : "";
+    case ABORT_UNREACHED: return commands ? "unreachable" : "";
     case ABORT_NO_PATH: return "no";
-    case ABORT_LATER: return commands ? "only through states that may wait" : "";
+    case ABORT_LATER: return commands ? "only through states that can wait" : "";
     case ABORT_BY_COMMAND: return commands ? "yes" : "no";
     case ABORT_ONE_SENSOR: return commands && has_command(row) ? "yes" : "not if one sensor fails";
     case ABORT_OK: return "yes";
@@ -37,16 +39,16 @@ static const char *hangs_on(const Report *r, const AbortRow *row)
 
     buf_init(&b, r->arena);
     if (row->blind)
-        buf_printf(&b, "none fires when `%s` reads %s", row->blind->name->text, row->blind_at);
+        buf_printf(&b, "no transition fires if `%s` reads %s", row->blind->name->text, row->blind_at);
     if (row->single)
-        buf_printf(&b, "%sall hang on `%s`: none fires if it sticks at %s", b.n ? "; " : "", row->single->name->text,
+        buf_printf(&b, "%severy transition depends on `%s`: none fires if it is stuck at %s", b.n ? "; " : "", row->single->name->text,
                    report_number(r->arena, trace_number(SM_F64, sm_bits(row->stuck))));
     return buf_text(&b);
 }
 
 static void put_steps(const Report *r, DocTable *t, uint32_t steps)
 {
-    cell_plain(t, steps == 0 ? "" : steps == ABORT_NOT_BOUNDED ? "not bounded" : format_in(r->arena, "%lu", (unsigned long)steps));
+    cell_plain(t, steps == 0 ? "" : steps == ABORT_NOT_BOUNDED ? "unbounded" : format_in(r->arena, "%lu", (unsigned long)steps));
 }
 
 static void put_row(const Report *r, DocTable *t, const AbortRow *row)
@@ -80,7 +82,7 @@ static void put_way(const Report *r, DocTable *t, const AbortRow *row, const Abo
         cell_code(t, w->guard);
     else
         cell_plain(t, "always");
-    cell_text(t, w->possible ? watches(r, w) : "can never be made");
+    cell_text(t, w->possible ? watches(r, w) : "can never be taken");
     put_steps(r, t, w->steps);
     cell_line(t, report_line(w->first->stmt->span));
 }
@@ -98,11 +100,10 @@ static void put_ways(const Report *r, Doc *d, const AbortMatrix *x)
 {
     DocTable *t;
 
-    doc_heading(d, "abort-ways", "The ways to abort");
+    doc_heading(d, "abort-transitions", "Transitions that abort");
     if (has_unbounded(x))
-        doc_paragraph(d, "\"Not bounded\": from the state that such a way leads to, the machine can go nowhere but to an abort state, "
-                         "but may first wait there, or on the way, for something that need not come.");
-    t = DOC_TABLE_OF(d, "ways", way_columns);
+        doc_paragraph(d, TEXT_ABORT_UNBOUNDED);
+    t = DOC_TABLE_OF(d, "transitions", way_columns);
     for (size_t i = 0; i < x->n; i++)
         for (size_t w = 0; w < x->row[i].way.n; w++)
             put_way(r, t, &x->row[i], &x->row[i].way.at[w]);
@@ -115,15 +116,10 @@ void report_abort(Report *r, Doc *d)
 
     doc_section(d, "abort", "Abort matrix");
     if (!x.declared) {
-        doc_paragraph(d, "No state is marked `@abort`, so nothing can be said about how this machine aborts. Write the mark behind "
-                         "the header of the "
-                         "state where it goes when something is wrong, as in `[Abort] @abort`.");
+        doc_paragraph(d, TEXT_ABORT_UNDECLARED);
         return;
     }
-    doc_paragraph(d, "From which states the machine can abort, and whether it still can when one sensor is dead, sticks, or leaves "
-                     "its range: with people who give commands, and without. Steps are those at worst, from the one in which the condition holds to the first in the abort "
-                     "state. How long a counter, a timer or a rolling statistic takes until its condition holds comes before, "
-                     "and is not counted.");
+    doc_paragraph(d, TEXT_ABORT);
     t = DOC_TABLE_OF(d, "abort", abort_columns);
     for (size_t i = 0; i < x.n; i++)
         put_row(r, t, &x.row[i]);

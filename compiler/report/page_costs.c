@@ -4,13 +4,14 @@
 #include "compiler/report/comment.h"
 #include "compiler/report/describe.h"
 #include "compiler/report/page.h"
+#include "compiler/report/page_text.h"
 
 static const DocColumn step_columns[] = {
-    {"state", "State"}, {"first", "Its first step"}, {"later", "Any other step"}, {"dearest", "Dearest lines of its longest step"},
+    {"state", "State"}, {"first", "First step"}, {"later", "Later steps"}, {"lines", "Most expensive lines of the longest step"},
     {"cycles", "Cycles on an Uno"}};
 static const DocColumn byte_columns[] = {{"part", "Part"}, {"bytes", "Bytes"}};
-static const DocColumn board_columns[] = {{"part", "Part"}, {"takes", "Takes"}};
-static const DocColumn way_columns[] = {{"block", "In"}, {"line", "Line"}, {"text", "Statement"}, {"instructions", "Instructions"}};
+static const DocColumn board_columns[] = {{"part", "Part"}, {"value", "Value"}};
+static const DocColumn way_columns[] = {{"block", "Block"}, {"line", "Line"}, {"text", "Statement"}, {"instructions", "Instructions"}};
 
 // ---- where the time goes ----
 
@@ -97,17 +98,14 @@ static void put_board(const Report *r, Doc *d)
     DocTable *t;
 
     doc_heading(d, "board", "On an Arduino Uno");
-    doc_paragraph(
-        d, "What the worst step takes on an ATmega328P at 16 MHz. It is an estimate: of each instruction the most that was seen in "
-           "measurements counts, whatever numbers it works on. Real steps take less, a third to three quarters of it in tests; that none can "
-           "take more is not proved. What emitted C takes there depends on its compiler and is not estimated.");
+    doc_paragraph(d, TEXT_COSTS_BOARD);
     t = DOC_TABLE_OF(d, "board", board_columns);
     t->narrow = true;
-    cell_plain(t, "Worst step, image in EEPROM");
+    cell_plain(t, "Longest step, image in EEPROM");
     cell_plain(t, report_cycles(r, r->eeprom.worst));
-    cell_plain(t, "Worst step, image in flash");
+    cell_plain(t, "Longest step, image in flash");
     cell_plain(t, report_cycles(r, r->flash.worst));
-    cell_plain(t, "Stack below a step, the most that was seen");
+    cell_plain(t, "Stack of a step, largest measured");
     cell_plain(t, format_in(r->arena, "%lu bytes", (unsigned long)cycles_stack()));
     if (report_fits_uno(r))
         return;
@@ -129,15 +127,13 @@ static void put_bytes(const Report *r, Doc *d)
     DocTable *t;
 
     doc_heading(d, "bytes", "Memory");
-    doc_paragraph(
-        d, "RAM of this machine on the VM of a computer with pointers of 64 bits; a board with shorter ones needs a little less. "
-           "The state vector, which the application shares, comes on top.");
+    doc_paragraph(d, TEXT_COSTS_MEMORY);
     t = DOC_TABLE_OF(d, "bytes", byte_columns);
     t->narrow = true;
     bytes(t, "Windows of rolling statistics", c->windows);
-    bytes(t, "Locals, and values on the way", c->locals);
-    bytes(t, "The VM's own", c->own);
-    bytes(t, "RAM in all", c->ram);
+    bytes(t, "Locals and temporary values", c->locals);
+    bytes(t, "State of the VM", c->own);
+    bytes(t, "RAM in total", c->ram);
     bytes(t, "State vector", r->analysis.p->sv->size);
     bytes(t, "Image, in flash or RAM", (uint32_t)r->image_size);
     bytes(t, "of which code", c->code);
@@ -145,16 +141,10 @@ static void put_bytes(const Report *r, Doc *d)
 
 void report_cost(Report *r, Doc *d)
 {
-    doc_section(d, "cost", "What it costs");
-    doc_paragraph(
-        d, "Instructions of the VM in the longest step of each state, found on the very image that flies; no step can take more. "
-           "The first step of a state runs `.entry` too, and a step that leaves runs `.exit`.");
+    doc_section(d, "cost", "Costs");
+    doc_paragraph(d, TEXT_COSTS);
     if (r->cost.sample)
-        doc_paragraph(
-            d, format_in(r->arena,
-                         "%s of each step give the windows their samples; what a sample takes beyond its instruction depends on "
-                         "the window.",
-                         describe_count(r->arena, r->cost.sample, "instruction", "instructions")));
+        doc_paragraph(d, format_in(r->arena, TEXT_COSTS_SAMPLES, describe_count(r->arena, r->cost.sample, "instruction", "instructions")));
     put_steps(r, d);
     put_way(r, d);
     put_board(r, d);

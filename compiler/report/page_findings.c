@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The findings of the analyses: all groups of warnings, even if disabled elsewhere, and those that an @allow covers, with its reason.
 #include "compiler/report/page.h"
+#include "compiler/report/page_text.h"
 
 FindingCount report_count_findings(const Report *r)
 {
@@ -53,15 +54,15 @@ static void put_finding(const Report *r, Doc *d, const Diag *diag, size_t number
     doc_excerpt(d, diag->span, diag->label);
     put_notes(r, d, diag, number);
     if (diag->edits.n)
-        doc_paragraph(d, "What to do is certain: `smc fix` makes the edit.");
+        doc_paragraph(d, TEXT_FINDING_FIXABLE);
 }
 
 // ---- the tables ----
 
 static const DocColumn finding_columns[] = {
-    {"number", "No."}, {"name", "Name"}, {"group", "Group"}, {"place", "Place"}, {"message", "What was found"}, {"code", "Code"}};
+    {"number", "No."}, {"name", "Name"}, {"group", "Group"}, {"position", "Position"}, {"message", "Finding"}, {"code", "Code"}};
 static const DocColumn allowed_columns[] = {
-    {"number", "No."}, {"name", "Name"}, {"place", "Place"}, {"message", "What was found"}, {"reason", "Why it is allowed"}};
+    {"number", "No."}, {"name", "Name"}, {"position", "Position"}, {"message", "Finding"}, {"reason", "Reason"}};
 
 static void put_row(const Report *r, DocTable *t, const Diag *diag, size_t number)
 {
@@ -87,10 +88,8 @@ static const char *step_text(const Report *r)
     const unsigned long step = (unsigned long)r->analysis.step;
 
     if (r->analysis.step == 0)
-        return r->runs > 1 ? "How far time advances in a step is not known: the scripts do not have one `delta_t`. With `--step` the analyses find more."
-                           : "How far time advances in a step is not known. With `--step` the analyses find more.";
-    return format_in(r->arena, r->step_given ? "Time advances by %lu in a step, as given with `--step`."
-                                             : "Time advances by %lu in a step, as in the scripts (`delta_t`).", step);
+        return r->runs > 1 ? TEXT_STEP_DIFFERS : TEXT_STEP_UNKNOWN;
+    return format_in(r->arena, r->step_given ? TEXT_STEP_GIVEN : TEXT_STEP_OF_SCRIPTS, step);
 }
 
 void report_findings(Report *r, Doc *d)
@@ -100,17 +99,15 @@ void report_findings(Report *r, Doc *d)
     DocTable *t;
 
     doc_section(d, "findings", "Findings");
-    doc_paragraph(d, format_in(r->arena, "%s %s",
-        open ? "What the analyses found, of all groups. `smc explain` with a name or code prints what it means and what to do."
-        : allowed ? "The analyses of all groups found nothing that is not allowed with a reason."
-                  : "The analyses of all groups found nothing.", step_text(r)));
+    doc_paragraph(d, format_in(r->arena, "%s %s", open ? TEXT_FINDINGS_OPEN : allowed ? TEXT_FINDINGS_ALLOWED : TEXT_FINDINGS_NONE,
+                               step_text(r)));
     if (open) {
         t = DOC_TABLE_OF(d, "findings", finding_columns);
         for (size_t i = 0; i < open; i++)
             put_row(r, t, diags->list.at[i], i + 1);
     }
     if (allowed) {
-        doc_heading(d, "allowed", "Allowed with a reason");
+        doc_heading(d, "allowed", "Allowed findings");
         t = DOC_TABLE_OF(d, "allowed", allowed_columns);
         for (size_t i = 0; i < allowed; i++)
             put_row(r, t, diags->allowed.at[i], open + i + 1);

@@ -31,12 +31,12 @@ static const char *scripts_text(const Report *r)
 static const char *coverage_text(const Report *r)
 {
     const Coverage c = report_coverage(r);
-    const char *text = format_in(r->arena, "%lu of %lu states, %lu of %lu ways", (unsigned long)c.states_seen, (unsigned long)c.states,
+    const char *text = format_in(r->arena, "%lu of %lu states, transitions between %lu of %lu pairs of states", (unsigned long)c.states_seen, (unsigned long)c.states,
                                  (unsigned long)c.ways_seen, (unsigned long)c.ways);
 
     if (c.ways_shared == 0)
         return text;
-    return format_in(r->arena, "%s; of %lu it is not seen by which transition", text, (unsigned long)c.ways_shared);
+    return format_in(r->arena, "%s; %lu pairs have several transitions, some of which may not be covered", text, (unsigned long)c.ways_shared);
 }
 
 static const char *findings_text(const Report *r)
@@ -66,38 +66,34 @@ static void put_facts(const Report *r, Doc *d)
     fact(t, "Findings", findings_text(r));
     fact(t, "Scripts", scripts_text(r));
     if (r->runs)
-        fact(t, "Seen by scripts", coverage_text(r));
+        fact(t, "Covered by scripts", coverage_text(r));
     fact(t, "Longest step", format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst, state));
     fact(t, "On an Arduino Uno", report_fits_uno(r) ? format_in(r->arena, "about %s", report_cycles(r, r->eeprom.worst))
-                                                 : "does not fit its memory");
+                                                 : "does not fit into its memory");
     fact(t, "Memory on the VM", format_in(r->arena, "%lu bytes on a 64-bit computer", (unsigned long)r->cost.ram));
     fact(t, "Image", format_in(r->arena, "%lu bytes", (unsigned long)r->image_size));
     fact(t, "Image CRC", format_in(r->arena, "%08lx", (unsigned long)smvm_uint(r->image, SMVM_CRC_AT, 4)));
     fact(t, "Source identity", identity(r));
-    fact(t, "State vector", p->sv->from_machine ? "the machine's own" : format_in(r->arena, "%s (layout %08lx)", p->sv->name->text,
+    fact(t, "State vector", p->sv->from_machine ? "declared in the machine" : format_in(r->arena, "%s (layout %08lx)", p->sv->name->text,
                                                                                (unsigned long)p->sv->hash));
 }
 
 // ---- in words ----
 
 // The names of the variables for which `wanted` is true, in backticks, with "and" before the last.
-static const char *names(const Report *r, bool (*wanted)(const Program *p, const Var *v), size_t *n)
+static const char *variable_names(const Report *r, bool (*wanted)(const Program *p, const Var *v), size_t *n)
 {
     const Program *p = r->analysis.p;
-    size_t left;
+    VEC(const Var *) v = {NULL, 0, 0};
     Buf out;
 
-    *n = 0;
     buf_init(&out, r->arena);
     for (size_t i = 0; i < p->var.n; i++)
-        *n += wanted(p, p->var.at[i]);
-    left = *n;
-    for (size_t i = 0; i < p->var.n; i++)
-        if (wanted(p, p->var.at[i])) {
-            buf_printf(&out, "`%s`", p->var.at[i]->name->text);
-            left--;
-            buf_str(&out, left > 1 ? ", " : left == 1 ? " and " : "");
-        }
+        if (wanted(p, p->var.at[i]))
+            vec_push(r->arena, &v, p->var.at[i]);
+    for (size_t i = 0; i < v.n; i++)
+        buf_printf(&out, "%s`%s`", describe_separator(i, v.n), v.at[i]->name->text);
+    *n = v.n;
     return buf_text(&out);
 }
 
@@ -105,20 +101,25 @@ static bool is_element(const Program *p, const Var *v) { return v->kind == VAR_E
 static bool is_input(const Program *p, const Var *v) { return is_element(p, v) && v->read && !v->written; }
 static bool is_output(const Program *p, const Var *v) { return is_element(p, v) && v->written; }
 
+// The names of the states that no transition leaves.
 static const char *final_states(const Report *r, size_t *n)
 {
     const Program *p = r->analysis.p;
-    bool *left = ARENA_ARRAY(r->arena, bool, p->state.n + 1u);
+    const Transitions *t = &r->analysis.transition;
+    bool *is_left = ARENA_ARRAY(r->arena, bool, p->state.n + 1u);         // by State.number
+    VEC(const State *) final = {NULL, 0, 0};
     Buf out;
 
-    *n = 0;
-    for (size_t i = 0; i < r->analysis.transition.n; i++)
-        if (r->analysis.transition.at[i].from != r->analysis.transition.at[i].to)
-            left[r->analysis.transition.at[i].from->number] = true;
     buf_init(&out, r->arena);
+    for (size_t i = 0; i < t->n; i++)
+        if (t->at[i].from != t->at[i].to)
+            is_left[t->at[i].from->number] = true;
     for (size_t i = 0; i < p->state.n; i++)
-        if (!left[i + 1])
-            buf_printf(&out, "%s^%s^", (*n)++ ? ", " : "", p->state.at[i]->name->text);
+        if (!is_left[i + 1])
+            vec_push(r->arena, &final, p->state.at[i]);
+    for (size_t i = 0; i < final.n; i++)
+        buf_printf(&out, "%s^%s^", describe_separator(i, final.n), final.at[i]->name->text);
+    *n = final.n;
     return buf_text(&out);
 }
 
@@ -126,17 +127,17 @@ static void put_words(Report *r, Doc *d)
 {
     const Program *p = r->analysis.p;
     size_t reads, writes, final;
-    const char *read = names(r, is_input, &reads), *written = names(r, is_output, &writes), *last = final_states(r, &final);
+    const char *read = variable_names(r, is_input, &reads), *written = variable_names(r, is_output, &writes), *last = final_states(r, &final);
     Buf b;
 
     buf_init(&b, r->arena);
-    buf_printf(&b, "The machine has %s and begins in ^%s^. ", describe_count(r->arena, p->state.n, "state", "states"),
+    buf_printf(&b, "The machine has %s and starts in ^%s^. ", describe_count(r->arena, p->state.n, "state", "states"),
                p->state.at[0]->name->text);
     if (reads)
-        buf_printf(&b, "It watches %s. ", read);
-    buf_printf(&b, writes ? "It drives %s. " : "It writes no element of the state vector%s. ", writes ? written : "");
+        buf_printf(&b, "It reads %s. ", read);
+    buf_printf(&b, writes ? "It writes %s. " : "It writes no element of the state vector%s. ", writes ? written : "");
     if (final)
-        buf_printf(&b, final == 1 ? "Once in %s, it stays there." : "Once in one of %s, it stays there.", last);
+        buf_printf(&b, final == 1 ? "It never leaves %s." : "It never leaves its final states %s.", last);
     doc_paragraph(d, buf_text(&b));
 }
 
@@ -164,7 +165,7 @@ static void put_diagram(Report *r, Doc *d)
 
 void report_overview(Report *r, Doc *d)
 {
-    doc_section(d, "overview", "At a glance");
+    doc_section(d, "overview", "Overview");
     doc_quote(d, comment_of_file(r->arena, r->analysis.p->src));
     put_words(r, d);
     put_facts(r, d);

@@ -3,15 +3,16 @@
 #include "compiler/report/comment.h"
 #include "compiler/report/diagram.h"
 #include "compiler/report/page.h"
+#include "compiler/report/page_text.h"
 
 static const DocColumn run_columns[] = {{"script", "Script"},
                                         {"result", "Result"},
                                         {"steps", "Steps"},
-                                        {"asserts", "Asserts that held"},
-                                        {"states", "States it was in"}};
-static const DocColumn visit_columns[] = {{"step", "Step"}, {"g", "G"}, {"state", "State that began"}, {"stayed", "Stayed for"}};
+                                        {"asserts", "Asserts passed"},
+                                        {"states", "States visited"}};
+static const DocColumn visit_columns[] = {{"step", "Step"}, {"g", "G"}, {"state", "State entered"}, {"duration", "Duration"}};
 static const DocColumn cover_columns[] = {
-    {"state", "State"}, {"entered", "Times it began"}, {"steps", "Steps in it"}, {"scripts", "Scripts that were there"}};
+    {"state", "State"}, {"entered", "Times entered"}, {"steps", "Steps"}, {"scripts", "Scripts"}};
 
 static const char *outcome_text(const ReportRun *run)
 {
@@ -19,10 +20,10 @@ static const char *outcome_text(const ReportRun *run)
         return "does not compile";
     switch (run->result.outcome) {
     case SCRIPT_PASSED: return "passed";
-    case SCRIPT_FAILED: return "failed: an assert did not hold";
-    case SCRIPT_ENDLESS: return "failed: it did not end";
-    case SCRIPT_TIME_OVER: return "failed: the time ran out";
-    case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: return "failed: the engine broke";
+    case SCRIPT_FAILED: return "failed: an assert was false";
+    case SCRIPT_ENDLESS: return "failed: did not stop";
+    case SCRIPT_TIME_OVER: return "failed: G would overflow";
+    case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: return "failed: error in the engine";
     }
     return "";
 }
@@ -72,8 +73,8 @@ static void put_cover(const Report *r, Doc *d)
     const Program *p = r->analysis.p;
     DocTable *t;
 
-    doc_heading(d, "cover", "States that the scripts have seen");
-    t = DOC_TABLE_OF(d, "cover", cover_columns);
+    doc_heading(d, "states-covered", "States visited by the scripts");
+    t = DOC_TABLE_OF(d, "states", cover_columns);
     for (size_t s = 0; s < p->state.n; s++) {
         uint64_t entered = 0, spent = 0, scripts = 0;
         for (size_t i = 0; i < r->runs; i++)
@@ -100,8 +101,8 @@ static void put_ways(const Report *r, Doc *d)
 
     if (t->n == 0)
         return;
-    doc_heading(d, "ways", "Ways that the scripts have gone");
-    table = DOC_TABLE_OF(d, "ways", way_columns);
+    doc_heading(d, "transitions-covered", "Transitions taken by the scripts");
+    table = DOC_TABLE_OF(d, "transitions", way_columns);
     for (size_t i = 0; i < t->n; i++) {
         uint64_t taken = 0;
         size_t same = 0;
@@ -112,7 +113,7 @@ static void put_ways(const Report *r, Doc *d)
         cell_state(table, t->at[i].from->name->text);
         cell_state(table, t->at[i].to->name->text);
         cell_number(table, taken);
-        cell_plain(table, taken == 0 ? "never gone"
+        cell_plain(table, taken == 0 ? "never taken"
                           : same > 1 ? format_in(r->arena, "%lu transitions, counted together", (unsigned long)same)
                                      : "");
     }
@@ -171,7 +172,7 @@ static void put_shared_ways(const Report *r, Doc *d)
         buf_char(&out, ')');
     }
     if (out.n)
-        doc_paragraph(d, format_in(r->arena, "Of transitions between the same two states it is not seen which was made:%s. Some of them may never have been.", buf_text(&out)));
+        doc_paragraph(d, format_in(r->arena, TEXT_SHARED, buf_text(&out)));
 }
 
 static void put_diagram(Report *r, Doc *d)
@@ -183,16 +184,15 @@ static void put_diagram(Report *r, Doc *d)
     const DiagramOptions o = {NULL, &counts, &size};
     Buf svg;
 
-    doc_heading(d, "seen", "Where no script has been");
+    doc_heading(d, "not-covered", "Not covered by the scripts");
     if (c.states_seen == c.states && c.ways_seen == c.ways) {
-        doc_paragraph(d, c.ways_shared ? "The scripts have been in every state, and have gone from each to every other it leads to."
-                                       : "Nowhere: the scripts have been in every state and gone every way from one state to another.");
+        doc_paragraph(d, c.ways_shared ? TEXT_COVERED_ALL_EDGES : TEXT_COVERED_ALL);
         put_shared_ways(r, d);
         return;
     }
     buf_init(&svg, r->arena);
     diagram_svg(&r->analysis, &o, &svg);
-    figure = doc_figure(d, buf_text(&svg), "Dotted: states in which no script has been, and ways that none has gone.");
+    figure = doc_figure(d, buf_text(&svg), "Dotted: states that no script has visited, and transitions that none has taken.");
     figure->low = report_is_low(size);
     put_shared_ways(r, d);
 }
@@ -212,7 +212,7 @@ static void put_visits(const Report *r, Doc *d, const ReportRun *run)
         if (i + 1 < t->visit.n)
             cell_number(table, t->visit.at[i + 1].g - t->visit.at[i].g);
         else
-            cell_plain(table, "the end");
+            cell_plain(table, "until the end");
     }
     table->narrow = true;
     if (t->visits > SHOWN)
@@ -237,7 +237,7 @@ static void put_plot(const Report *r, Doc *d, const ReportRun *run)
     const char *same = unchanged(r, run);
 
     doc_figure(d, plot_run(r->arena, &run->trace),
-               format_in(r->arena, "Values after each step; circles mark where a state began.%s%s%s", *same ? " Unchanged: " : "",
+               format_in(r->arena, "Values after each step. A circle marks the start of a state.%s%s%s", *same ? " Unchanged: " : "",
                          same, *same ? "." : ""));
 }
 
@@ -282,7 +282,7 @@ void report_scripts(Report *r, Doc *d)
 {
     doc_section(d, "scripts", "Scripts");
     if (r->runs == 0) {
-        doc_paragraph(d, "No script was run. Name some behind the machine, as in `smc report tank.sm tank.ss`.");
+        doc_paragraph(d, TEXT_SCRIPTS_NONE);
         return;
     }
     put_runs(r, d);

@@ -3,6 +3,7 @@
 #include "compiler/report/comment.h"
 #include "compiler/report/describe.h"
 #include "compiler/report/page.h"
+#include "compiler/report/page_text.h"
 
 static bool is_reached(const Report *r, const State *s)
 {
@@ -21,9 +22,9 @@ static void put_badge(const Report *r, const State *s, DocPart *heading)
     else if (s->is_safe)
         heading->badge = "safe to stay";
     else if (!is_reached(r, s))
-        heading->badge = "never reached";
+        heading->badge = "unreachable";
     else if (s->number == 1)
-        heading->badge = "begins here";
+        heading->badge = "initial state";
 }
 
 // ---- predecessors ----
@@ -52,7 +53,7 @@ static void put_sources(const Report *r, Doc *d, const Sources *s)
     buf_init(&b, r->arena);
     buf_str(&b, "Entered from ");
     for (size_t i = 0; i < s->from.n; i++)
-        buf_printf(&b, "%s^%s^", i == 0 ? "" : i + 1 < s->from.n ? ", " : " and ", s->from.at[i]->name->text);
+        buf_printf(&b, "%s^%s^", describe_separator(i, s->from.n), s->from.at[i]->name->text);
     buf_char(&b, '.');
     doc_paragraph(d, buf_text(&b));
 }
@@ -61,7 +62,7 @@ static void put_sources(const Report *r, Doc *d, const Sources *s)
 
 static void put_blocks(const Report *r, Doc *d, const State *s)
 {
-    static const char *const label[BLOCK_COUNT] = {"When it enters, it", "At each step, it", "When it leaves, it"};
+    static const char *const label[BLOCK_COUNT] = {"On entry, the machine", "In each step, the machine", "On exit, the machine"};
     static const char *const key[BLOCK_COUNT] = {"entry", "step", "exit"};
     bool any = false;
 
@@ -71,7 +72,7 @@ static void put_blocks(const Report *r, Doc *d, const State *s)
             any = true;
         }
     if (!any)
-        doc_paragraph(d, "In this state the machine does nothing, and stays.");
+        doc_paragraph(d, TEXT_STATE_EMPTY);
 }
 
 void report_states(Report *r, Doc *d)
@@ -79,12 +80,8 @@ void report_states(Report *r, Doc *d)
     const Program *p = r->analysis.p;
     const Sources *from = find_sources(r);
 
-    doc_section(d, "states", "What it does in each state");
-    doc_paragraph(
-        d, "The machine is run again and again; each time is a step. What stands under \"at each step\" is done from top to "
-           "bottom, in "
-           "the step in which the machine enters too. The first way out whose condition holds is taken, and nothing behind it is "
-           "done any more; the state it leads to begins with the next step. `T` is the time since the state began, `G` the time.");
+    doc_section(d, "states", "States");
+    doc_paragraph(d, TEXT_STATES);
     for (size_t i = 0; i < p->state.n; i++) {
         const State *s = p->state.at[i];
         put_badge(r, s, doc_heading(d, NULL, format_in(r->arena, "%u. %s", (unsigned)s->number, s->name->text)));
@@ -97,13 +94,13 @@ void report_states(Report *r, Doc *d)
 // ---- transitions ----
 
 static const DocColumn transition_columns[] = {
-    {"number", "No."}, {"from", "From"}, {"to", "To"}, {"when", "When"}, {"block", "In"}, {"line", "Line"}, {"note", "Remark"},
-    {"comment", "What its author wrote"}};
+    {"number", "No."}, {"from", "From"}, {"to", "To"}, {"when", "Condition"}, {"block", "Block"}, {"line", "Line"}, {"note", "Remark"},
+    {"comment", "Comment"}};
 
 static const char *remark(const Report *r, const Transition *t)
 {
     if (!r->analysis.stmt[t->stmt->number].reached)
-        return "can never be made";
+        return "can never be taken";
     return t->to->is_abort ? "abort" : "";
 }
 
@@ -141,10 +138,10 @@ void report_transitions(Report *r, Doc *d)
 
     doc_section(d, "transitions", "Transitions");
     if (t->n == 0) {
-        doc_paragraph(d, "There are none: the machine stays in its first state.");
+        doc_paragraph(d, TEXT_TRANSITIONS_NONE);
         return;
     }
-    doc_paragraph(d, "In the order of the file. Of two that could be made in one step, the upper one is made.");
+    doc_paragraph(d, TEXT_TRANSITIONS);
     table = DOC_TABLE_OF(d, "transitions", transition_columns);
     for (size_t i = 0; i < t->n; i++)
         put_transition(r, table, &t->at[i]);

@@ -3,6 +3,7 @@
 #include "compiler/report/comment.h"
 #include "compiler/report/describe.h"
 #include "compiler/report/page.h"
+#include "compiler/report/page_text.h"
 
 // ---- uses of variables by state ----
 
@@ -67,7 +68,7 @@ static const DocColumn element_columns[] = {{"name", "Element"},
                                             {"type", "Type"},
                                             {"role", "Role"},
                                             {"range", "Healthy range"},
-                                            {"comment", "Meaning, as its author wrote"},
+                                            {"comment", "Comment"},
                                             {"read", "Read in"},
                                             {"written", "Written in"}};
 
@@ -76,10 +77,10 @@ static const char *role(const Program *p, const Var *v)
     if (v == p->g)
         return "time";
     if (v == p->s)
-        return "number of the state";
+        return "state number";
     if (v->written)
         return v->read ? "output, read back" : "output";
-    return v->read ? "input" : "not used";
+    return v->read ? "input" : "unused";
 }
 
 static const char *name_of(Arena *arena, const Var *v)
@@ -139,13 +140,13 @@ static const char *readers_of(const Report *r, const Var *v, Use *use)
 static const DocColumn parameter_columns[] = {{"name", "Parameter"},
                                               {"type", "Type"},
                                               {"value", "Value"},
-                                              {"formula", "Written as"},
-                                              {"comment", "Meaning, as its author wrote"},
+                                              {"formula", "Formula"},
+                                              {"comment", "Comment"},
                                               {"read", "Read in"},
                                               {"line", "Line"}};
 
 static const DocColumn local_columns[] = {
-    {"name", "Local"}, {"type", "Type"}, {"value", "Begins as"}, {"comment", "Meaning, as its author wrote"}, {"read", "Read in"},
+    {"name", "Local"}, {"type", "Type"}, {"value", "Initial value"}, {"comment", "Comment"}, {"read", "Read in"},
     {"written", "Written in"}, {"line", "Line"}};
 
 static bool is_parameter(const Var *v) { return v->kind == VAR_LOCAL && !v->written; }
@@ -168,7 +169,7 @@ static void put_parameters(const Report *r, Doc *d, Use *use)
     if (count(p, is_parameter) == 0)
         return;
     doc_heading(d, "parameters", "Parameters");
-    doc_paragraph(d, "Numbers with a name that the machine itself never changes.");
+    doc_paragraph(d, TEXT_PARAMETERS);
     t = DOC_TABLE_OF(d, "parameters", parameter_columns);
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
@@ -191,8 +192,8 @@ static void put_locals(const Report *r, Doc *d, Use *use)
 
     if (count(p, is_memory) == 0)
         return;
-    doc_heading(d, "locals", "What it remembers");
-    doc_paragraph(d, "Variables of the machine's own. They keep their values from step to step and from state to state.");
+    doc_heading(d, "locals", "Locals");
+    doc_paragraph(d, TEXT_LOCALS);
     t = DOC_TABLE_OF(d, "locals", local_columns);
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
@@ -210,7 +211,7 @@ static void put_locals(const Report *r, Doc *d, Use *use)
 
 // ---- windows ----
 
-static const DocColumn window_columns[] = {{"call", "Call"}, {"meaning", "What it gives"}, {"steps", "Steps"}, {"line", "Line"}};
+static const DocColumn window_columns[] = {{"call", "Call"}, {"meaning", "Meaning"}, {"steps", "Steps"}, {"line", "Line"}};
 
 static void put_windows(const Report *r, Doc *d)
 {
@@ -220,9 +221,7 @@ static void put_windows(const Report *r, Doc *d)
     if (w->n == 0)
         return;
     doc_heading(d, "windows", "Rolling statistics");
-    doc_paragraph(d, "Every window takes a sample at the start of every step, in whatever state the machine is. Until it is full, "
-                     "statistics are "
-                     "over the samples there are.");
+    doc_paragraph(d, TEXT_WINDOWS);
     t = DOC_TABLE_OF(d, "windows", window_columns);
     for (size_t i = 0; i < w->n; i++) {
         cell_code(t, source_text(r->arena, w->at[i].span));

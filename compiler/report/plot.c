@@ -246,9 +246,9 @@ static void put_row(Plot *p, const TraceSeries *s, long top)
     put_trace(p, &r);
     put_circles(p, &r);
     if (s->infinite)
-        plot_text(p, "dim", "end", PLOT_RIGHT, top + PLOT_TITLE - 50, "beyond all numbers at times");
+        plot_text(p, "dim", "end", PLOT_RIGHT, top + PLOT_TITLE - 50, "infinite at times");
     else if (s->nan)
-        plot_text(p, "dim", "end", PLOT_RIGHT, top + PLOT_TITLE - 50, "no number (nan) where the line is broken");
+        plot_text(p, "dim", "end", PLOT_RIGHT, top + PLOT_TITLE - 50, "not a number (nan) in the gaps");
 }
 
 // ---- a strip of a bool ----

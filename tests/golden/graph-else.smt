@@ -21,7 +21,7 @@ bool on
 -- stdout --
 <svg xmlns="http://www.w3.org/2000/svg" class="smc-graph" role="img" stroke-width="1.4" width="240" height="254" viewBox="0 0 240 254">
 <title>State diagram of app</title>
-<desc>2 states, 3 transitions between them. It starts in Coast.</desc>
+<desc>2 states, 3 transitions. The initial state is Coast.</desc>
 <style>
 .smc-graph text{font-family:Helvetica,Arial,sans-serif;font-size:11px}
 .smc-graph .g-name{font-size:13px;font-weight:bold;text-anchor:middle}
@@ -69,10 +69,10 @@ bool on
 }
 </style>
 <rect class="g-back" width="240" height="254" rx="8"/>
-<g><title>it starts here</title><circle class="g-start" cx="120" cy="18" r="5"/><path class="g-line" d="M120 36v-16"/><path class="g-head" d="M120 42l-4 -9h8z"/></g>
+<g><title>initial state</title><circle class="g-start" cx="120" cy="18" r="5"/><path class="g-line" d="M120 36v-16"/><path class="g-head" d="M120 42l-4 -9h8z"/></g>
 <g class="g-edge"><title>Coast to Drogue: T &gt; 2000 and highest - pad &gt; 300 and roll_median(baro, 9) &lt; highest - 10
 or: not (T &gt; 2000 and highest - pad &gt; 300 and roll_median(baro, 9) &lt; highest - 10) and T &gt; 25000
 or: not (T &gt; 2000 and highest - pad &gt; 300 and roll_median(baro, 9) &lt; highest - 10) and not (T &gt; 25000) and (baro &lt; 3 or T &gt; 30000)</title><path class="g-line" d="M120 76V96M120 184V198"/><path class="g-head" d="M120 204l-4 -9h8z"/><text class="g-guard g-mid" x="120" y="109">T &gt; 2000 and highest - pad &gt; 300</text><text class="g-guard g-mid" x="120" y="123">and roll_median(baro, 9)</text><text class="g-guard g-mid" x="120" y="137">&lt; highest - 10</text><path class="g-rule" d="M26 143h189"/><text class="g-guard g-mid" x="120" y="158">else, T &gt; 25000</text><path class="g-rule" d="M26 164h189"/><text class="g-guard g-mid" x="120" y="179">else, baro &lt; 3 or T &gt; 30000</text></g>
-<g class="g-node"><title>Coast, where it starts</title><rect class="g-box g-state" x="82" y="42" width="76" height="34" rx="6"/><text class="g-name" x="120" y="64">Coast</text></g>
+<g class="g-node"><title>Coast, initial state</title><rect class="g-box g-state" x="82" y="42" width="76" height="34" rx="6"/><text class="g-name" x="120" y="64">Coast</text></g>
 <g class="g-node"><title>Drogue</title><rect class="g-box g-state" x="77" y="204" width="86" height="34" rx="6"/><text class="g-name" x="120" y="226">Drogue</text></g>
 </svg>

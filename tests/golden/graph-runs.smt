@@ -2,7 +2,7 @@
 # often any of them was made. A script that fails is told, and counts as far as it came.
 args graph --format=dot tank.sm tank.ss
 args graph --format=mermaid tank.sm tank.ss wrong.ss
-args graph tank.sm tank.ss | grep -o 'never taken\|any of these: taken twice\|taken once\|Dotted: [a-z ]*\|entered [a-z]*' | sort | uniq -c
+args graph tank.sm tank.ss | grep -o 'never taken\|together: taken twice\|taken once\|Dotted: [a-z ]*\|entered [a-z]*' | sort | uniq -c
 args graph tank.sm broken.ss -o x.svg
 
 -- tank.sm --
@@ -59,7 +59,7 @@ digraph "tank" { // drawn by smc
     "Abort" [label="Abort\nentered once", style="filled", shape=octagon, color="#b5320f", fillcolor="#fdeae4", peripheries=2];
     "Done" [label="Done\nnever entered", style="filled,rounded,dotted", color="#0c7268", fillcolor="#e3f3f1", peripheries=2];
     "Idle" -> "Fill" [label="armed\ntaken once"];
-    "Fill" -> "Abort" [label="pressure > 800\nor\nT > 60\nany of these: taken once"];
+    "Fill" -> "Abort" [label="pressure > 800\nor\nT > 60\ntogether: taken once"];
     "Fill" -> "Done" [label="pressure > 500 and armed\nnever taken", style=dotted];
 }
 stateDiagram-v2
@@ -75,13 +75,13 @@ stateDiagram-v2
     [*] --> s1
     s1 --> s2 : armed (taken 2 times)
     s2 --> s3 : pressure #62; 800
-    s2 --> s3 : T #62; 60 (any of these: taken once)
+    s2 --> s3 : T #62; 60 (together: taken once)
     s2 --> s4 : pressure #62; 500 and armed (never taken)
     class s1 safe
     class s3 abort
     class s4 safe
     class s4 unrun
-      1 Dotted: where no script has been
+      1 Dotted: not covered by any script
       3 entered once
       2 never taken
       4 taken once

@@ -31,7 +31,7 @@ bool valve
 -- stdout --
 <svg xmlns="http://www.w3.org/2000/svg" class="smc-graph" role="img" stroke-width="1.4" width="539" height="392" viewBox="0 0 539 392">
 <title>State diagram of tank</title>
-<desc>5 states, 7 transitions between them. It starts in Idle.</desc>
+<desc>5 states, 7 transitions. The initial state is Idle.</desc>
 <style>
 .smc-graph text{font-family:Helvetica,Arial,sans-serif;font-size:11px}
 .smc-graph .g-name{font-size:13px;font-weight:bold;text-anchor:middle}
@@ -79,7 +79,7 @@ bool valve
 }
 </style>
 <rect class="g-back" width="539" height="392" rx="8"/>
-<g><title>it starts here</title><circle class="g-start" cx="113" cy="18" r="5"/><path class="g-line" d="M113 36v-16"/><path class="g-head" d="M113 42l-4 -9h8z"/></g>
+<g><title>initial state</title><circle class="g-start" cx="113" cy="18" r="5"/><path class="g-line" d="M113 36v-16"/><path class="g-head" d="M113 42l-4 -9h8z"/></g>
 <g class="g-edge"><title>Idle to Fill: armed</title><path class="g-line" d="M113 76V138M113 156V170"/><path class="g-head" d="M113 176l-4 -9h8z"/><text class="g-guard g-mid" x="113" y="151">armed</text></g>
 <g class="g-edge"><title>Fill to Abort: pressure &gt; 800 or pressure &lt; 1
 or: T &gt; 60000</title><path class="g-line" d="M113 210V250M113 289V336"/><path class="g-head" d="M113 342l-4 -9h8z"/><text class="g-guard g-mid" x="113" y="263">pressure &gt; 800 or pressure &lt; 1</text><path class="g-rule" d="M26 269h175"/><text class="g-guard g-mid" x="113" y="284">T &gt; 60000</text></g>
@@ -87,9 +87,9 @@ or: T &gt; 60000</title><path class="g-line" d="M113 210V250M113 289V336"/><path
 <g class="g-edge"><title>Fill to Fill: pressure == 499</title><path class="g-line" d="M151 185c28 -10 32 16 6 16"/><path class="g-head" d="M151 201l9 -4v8z"/><text class="g-guard" x="183" y="197">pressure == 499</text></g>
 <g class="g-edge g-never"><title>Abort to Idle: 1 &gt; 2 (never)</title><path class="g-line" d="M142 342C142 315 413 315 413 289V250V210V176V156M413 138C413 110 128 110 128 82"/><path class="g-head" d="M128 76l-4 9h8z"/><text class="g-guard g-mid" x="413" y="151">1 &gt; 2</text></g>
 <g class="g-edge g-never"><title>Lost to Idle: on entry (never)</title><path class="g-line" d="M485 176V156M485 138C485 110 142 110 142 82"/><path class="g-head" d="M142 76l-4 9h8z"/><text class="g-guard g-mid" x="485" y="151">on entry</text></g>
-<g class="g-node"><title>Idle, where it starts</title><rect class="g-box g-state" x="75" y="42" width="76" height="34" rx="6"/><text class="g-name" x="113" y="64">Idle</text></g>
+<g class="g-node"><title>Idle, initial state</title><rect class="g-box g-state" x="75" y="42" width="76" height="34" rx="6"/><text class="g-name" x="113" y="64">Idle</text></g>
 <g class="g-node"><title>Fill</title><rect class="g-box g-state" x="75" y="176" width="76" height="34" rx="6"/><text class="g-name" x="113" y="198">Fill</text></g>
 <g class="g-node"><title>Abort, @abort</title><path class="g-box g-abort" d="M86 342h54l11 11v12l-11 11h-54l-11 -11v-12z"/><text class="g-name" x="113" y="364">Abort</text></g>
 <g class="g-node"><title>Done, @safe</title><rect class="g-box g-safe" x="270" y="342" width="76" height="34" rx="17"/><rect class="g-in g-safe" x="274" y="346" width="68" height="26" rx="13"/><text class="g-name" x="308" y="364">Done</text></g>
-<g class="g-node g-never"><title>Lost, never reached</title><rect class="g-box g-state" x="447" y="176" width="76" height="34" rx="6"/><text class="g-name" x="485" y="198">Lost</text></g>
+<g class="g-node g-never"><title>Lost, unreachable</title><rect class="g-box g-state" x="447" y="176" width="76" height="34" rx="6"/><text class="g-name" x="485" y="198">Lost</text></g>
 </svg>

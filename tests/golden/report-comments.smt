@@ -44,14 +44,14 @@ U32  bad = 0
     valve = false
 -- stdout --
 ...
-The machine has 3 states and begins in `Full`. It watches `level` and `key`. It drives `valve`.
-Once in `Abort`, it stays there.
+The machine has 3 states and starts in `Full`. It reads `level` and `key`. It writes `valve`. It
+never leaves `Abort`.
 
 ...
-1. Full [begins here]
+1. Full [initial state]
 The tank is full.
 
-  At each step, it
+  In each step, the machine
     - if `level > 90`:
       # Counted.
       # too full
@@ -65,26 +65,26 @@ The tank is full.
         # from the start
         # again
       - sets `valve` to `false`
-    - leaves for `Hold` if `level > 95 or level < 0`
+    - goes to `Hold` if `level > 95 or level < 0`
       # nearly over
       # or no sensor
       # only this
-    - leaves for `Abort` if `bad > 3`
+    - goes to `Abort` if `bad > 3`
       # three in a row
-    - leaves for `Hold` if `key`
+    - goes to `Hold` if `key`
       # said once
     - otherwise: sets `valve` to `false`
-    - leaves for `Abort` if `T > 1800000`
+    - goes to `Abort` if `T > 1800000`
       # half an hour
 
 2. Hold
-  At each step, it
-    - leaves for `Abort` if `key`
+  In each step, the machine
+    - goes to `Abort` if `key`
 
 Entered from `Full`.
 
 3. Abort [abort, safe to stay]
-  When it enters, it
+  On entry, the machine
     - sets `valve` to `false`
 
 Entered from `Full` and `Hold`.
@@ -92,9 +92,10 @@ Entered from `Full` and `Hold`.
 Transitions
 -----------
 
-In the order of the file. Of two that could be made in one step, the upper one is made.
+In the order of the file, which is their priority: if several can be taken in one step, the machine
+takes the first of them.
 
-  No.  From  To     When                     In     Line  Remark  What its author wrote
+  No.  From  To     Condition                Block  Line  Remark  Comment
     1  Full  Hold   level > 95 or level < 0  .step    27          only this
     2  Full  Abort  bad > 3                  .step    29  abort   three in a row
     3  Full  Hold   key                      .step    30          said once
@@ -105,25 +106,25 @@ In the order of the file. Of two that could be made in one step, the upper one i
 Abort matrix
 ------------
 
-From which states the machine can abort, and whether it still can when one sensor is dead, sticks,
-or leaves its range: with people who give commands, and without. Steps are those at worst, from the
-one in which the condition holds to the first in the abort state. How long a counter, a timer or a
-rolling statistic takes until its condition holds comes before, and is not counted.
+From which states the machine can abort, and whether it still can if one sensor is dead, stuck or
+out of range: with commands, and without. The steps are the worst case, from the step in which a
+condition becomes true to the first step of the abort state. They do not include the time that a
+counter, a timer or a rolling statistic takes until its condition is true.
 
-  State  Can it abort?         Without a command?  Steps, once a condition holds
-  Full   yes                   yes                 1
-  Hold   yes                   no                  1
-  Abort  it is an abort state
+  State  Can it abort?      Without a command?  Worst-case steps
+  Full   yes                yes                 1
+  Hold   yes                no                  1
+  Abort  is an abort state
 
-The ways to abort
-"Not bounded": from the state that such a way leads to, the machine can go nowhere but to an abort
-state, but may first wait there, or on the way, for something that need not come.
+Transitions that abort
+"Unbounded": every path from the target state leads to an abort state, but on the way the machine
+can wait for a condition that may never become true.
 
-  State  To     When                     Watches              Steps, once it holds  Line
-  Full   Hold   level > 95 or level < 0  `level`              not bounded             27
-  Full   Abort  bad > 3                  `level`              1                       29
-  Full   Hold   key                      a switch or command  not bounded             30
-  Full   Abort  T > 1800000              time                 1                       31
-  Hold   Abort  key                      a switch or command  1                       35
+  State  To     Condition                Reads                Worst-case steps  Line
+  Full   Hold   level > 95 or level < 0  `level`              unbounded           27
+  Full   Abort  bad > 3                  `level`              1                   29
+  Full   Hold   key                      a switch or command  unbounded           30
+  Full   Abort  T > 1800000              time                 1                   31
+  Hold   Abort  key                      a switch or command  1                   35
 
 ...

@@ -36,50 +36,50 @@ a
 =
 Design review of the state machine in a.sm
 
-At a glance
------------
+Overview
+--------
 
-The machine has 1 state and begins in `Idle`. It watches `x`. It drives `valve`. Once in `Idle`, it
-stays there.
+The machine has 1 state and starts in `Idle`. It reads `x`. It writes `valve`. It never leaves
+`Idle`.
 
-  States             1
-  Transitions        0
+  States              1
+  Transitions         0
   Findings          [..]
-  Scripts            0 of 2 passed
-  Seen by scripts    1 of 1 states, 0 of 0 ways
-  Longest step       5 instructions, in Idle
-  On an Arduino Uno  about [..] ms
-  Memory on the VM   56 bytes on a 64-bit computer
-  Image              76 bytes
-  Image CRC          f712cd1a
-  Source identity    2f257f5f61796867
-  State vector       the machine's own
+  Scripts             0 of 2 passed
+  Covered by scripts  1 of 1 states, transitions between 0 of 0 pairs of states
+  Longest step        5 instructions, in Idle
+  On an Arduino Uno   about [..] ms
+  Memory on the VM    56 bytes on a 64-bit computer
+  Image               76 bytes
+  Image CRC           f712cd1a
+  Source identity     2f257f5f61796867
+  State vector        declared in the machine
 
-What it does in each state
---------------------------
+States
+------
 
-The machine is run again and again; each time is a step. What stands under "at each step" is done
-from top to bottom, in the step in which the machine enters too. The first way out whose condition
-holds is taken, and nothing behind it is done any more; the state it leads to begins with the next
-step. `T` is the time since the state began, `G` the time.
+The machine runs in steps. In each step it executes the statements of its state from top to bottom,
+also in the step in which it enters the state. The first transition whose condition is true is
+taken, and the statements after it are skipped. The next step runs the state to which the
+transition leads. `T` is the time since the machine entered the state, `G` is the time.
 
-1. Idle [begins here]
-  At each step, it
+1. Idle [initial state]
+  In each step, the machine
     - sets `valve` to `x > 5`
 
 Transitions
 -----------
 
-There are none: the machine stays in its first state.
+The machine has no transitions: it stays in its first state.
 
 Inputs, outputs and parameters
 ------------------------------
 
-  Element  Type  Role                 Read in  Written in
+  Element  Type  Role          Read in  Written in
   G        U64   time
-  S        U32   number of the state
-  x        F32   input                Idle
-  valve    bool  output                        Idle
+  S        U32   state number
+  x        F32   input         Idle
+  valve    bool  output                 Idle
 
 Findings
 --------
@@ -87,43 +87,43 @@ Findings
 Abort matrix
 ------------
 
-No state is marked `@abort`, so nothing can be said about how this machine aborts. Write the mark
-behind the header of the state where it goes when something is wrong, as in `[Abort] @abort`.
+No state is marked `@abort`, so the report cannot show how this machine aborts. Put the mark after
+the header of the state that handles failures, as in `[Abort] @abort`.
 
-What it costs
--------------
+Costs
+-----
 
-Instructions of the VM in the longest step of each state, found on the very image that flies; no
-step can take more. The first step of a state runs `.entry` too, and a step that leaves runs
+VM instructions in the longest step of each state, computed from the image that flies. No step can
+take more. The first step of a state also runs `.entry`, and a step that leaves the state also runs
 `.exit`.
 
-  State  Its first step  Any other step  Dearest lines of its longest step  Cycles on an Uno
-  Idle                5               5  line 8: 5[..]
+  State  First step  Later steps  Most expensive lines of the longest step  Cycles on an Uno
+  Idle            5            5  line 8: 5[..]
 
 The longest step, in `Idle`
-  In     Line  Statement      Instructions
+  Block  Line  Statement      Instructions
   .step     8  valve = x > 5             5
 
 On an Arduino Uno
-What the worst step takes on an ATmega328P at 16 MHz. It is an estimate: of each instruction the
-most that was seen in measurements counts, whatever numbers it works on. Real steps take less, a
-third to three quarters of it in tests; that none can take more is not proved. What emitted C takes
-there depends on its compiler and is not estimated.
+The longest step on an ATmega328P at 16 MHz. This is an estimate: for each instruction it assumes
+the highest cost that was measured, for any operands. In tests, real steps took between a third and
+three quarters of the estimate. It is not proved that no step can take longer. The cost of emitted
+C depends on the compiler and is not estimated.
 
-  Part                                        Takes
-  Worst step, image in EEPROM[..] ms
-  Worst step, image in flash[..] ms
-  Stack below a step, the most that was seen[..] bytes
+  Part                               Value
+  Longest step, image in EEPROM[..] ms
+  Longest step, image in flash[..] ms
+  Stack of a step, largest measured[..] bytes
 
 Memory
-RAM of this machine on the VM of a computer with pointers of 64 bits; a board with shorter ones
-needs a little less. The state vector, which the application shares, comes on top.
+RAM of this machine on the VM of a 64-bit computer. A board with shorter pointers needs slightly
+less. The state vector is shared with the application and is not included.
 
   Part                           Bytes
   Windows of rolling statistics      0
-  Locals, and values on the way      0
-  The VM's own                      56
-  RAM in all                        56
+  Locals and temporary values        0
+  State of the VM                   56
+  RAM in total                      56
   State vector                      24
   Image, in flash or RAM            76
   of which code                      9
@@ -131,16 +131,16 @@ needs a little less. The state vector, which the application shares, comes on to
 Scripts
 -------
 
-  Script  Result                          Steps  Asserts that held  States it was in
-  bad.ss  failed: an assert did not hold      6                  5  1 of 1
-  odd.ss  does not compile                    0                  0  0 of 1
+  Script  Result                       Steps  Asserts passed  States visited
+  bad.ss  failed: an assert was false      6               5  1 of 1
+  odd.ss  does not compile                 0               0  0 of 1
 
-States that the scripts have seen
-  State  Times it began  Steps in it  Scripts that were there
-  Idle                1            6                        1
+States visited by the scripts
+  State  Times entered  Steps  Scripts
+  Idle               1      6        1
 
-Where no script has been
-Nowhere: the scripts have been in every state and gone every way from one state to another.
+Not covered by the scripts
+The scripts visit every state and take every transition.
 
 bad.ss [failed]
 assert failed after step 6 (G = 50, state Idle) [E0750]
@@ -157,8 +157,8 @@ assert failed after step 6 (G = 50, state Idle) [E0750]
      6  50  Idle    true
   the machine has been in state 'Idle' from the start
 
-  Step  G  State that began  Stayed for
-     1  0  Idle              the end
+  Step  G  State entered  Duration
+     1  0  Idle           until the end
 
 odd.ss [failed]
 unknown element 'y' [E0204]

@@ -26,15 +26,15 @@ G == 500: @stop
 Findings
 --------
 
-What the analyses found, of all groups. `smc explain` with a name or code prints what it means and
-what to do. Time advances by 10 in a step, as in the scripts (`delta_t`).
+Findings of all groups of warnings. `smc explain` with a name or code prints what a finding means
+and what to do. Time advances by 10 per step, the `delta_t` of the scripts.
 
-  No.  Name            Group          Place     What was found                                                           Code
+  No.  Name            Group          Position  Finding                                                                  Code
     1  unused-element  on by default  a.sm:5:5  element 'unused' is never used                                           W0203
     2  never-written   on by default  a.sm:8:5  local 'wait' is never assigned, so it is a constant: mark it @read_only  W0207
 
-Allowed with a reason
-  No.  Name            Place     What was found                 Why it is allowed
+Allowed findings
+  No.  Name            Position  Finding                        Reason
     3  unused-element  a.sm:4:5  element 'spare' is never used  wired, for the next flight
 
 element 'unused' is never used [W0203 unused-element]

@@ -53,7 +53,7 @@ Idle.exit:
 a
 ...
 The longest step, in `Idle`
-  In     Line  Statement            Instructions
+  Block  Line  Statement            Instructions
   .step     8  x > 5: -> Done                  2
   .step     9  T > 5: -> Done                  2
   .step        -> of several lines             1

@@ -57,66 +57,66 @@ fill
 ====
 Design review of the state machine in fill.sm
 
-At a glance
------------
+Overview
+--------
 
 Fills a tank.
 
-The machine has 4 states and begins in `Idle`. It watches `level`. It drives `valve`. Once in one
-of `Done`, `Abort`, it stays there.
+The machine has 4 states and starts in `Idle`. It reads `level`. It writes `valve`. It never leaves
+its final states `Done` and `Abort`.
 
-  States             4
-  Transitions        3
+  States              4
+  Transitions         3
   Findings          [..]
-  Scripts            1 of 1 passed
-  Seen by scripts    3 of 4 states, 2 of 3 ways
-  Longest step       16 instructions, in Fill
-  On an Arduino Uno  about [..] ms
-  Memory on the VM   120 bytes on a 64-bit computer
-  Image              161 bytes
-  Image CRC          6677e475
-  Source identity    5acf0981b6a5ecb5
-  State vector       the machine's own
+  Scripts             1 of 1 passed
+  Covered by scripts  3 of 4 states, transitions between 2 of 3 pairs of states
+  Longest step        16 instructions, in Fill
+  On an Arduino Uno   about [..] ms
+  Memory on the VM    120 bytes on a 64-bit computer
+  Image               161 bytes
+  Image CRC           6677e475
+  Source identity     5acf0981b6a5ecb5
+  State vector        declared in the machine
 
-What it does in each state
---------------------------
+States
+------
 
-The machine is run again and again; each time is a step. What stands under "at each step" is done
-from top to bottom, in the step in which the machine enters too. The first way out whose condition
-holds is taken, and nothing behind it is done any more; the state it leads to begins with the next
-step. `T` is the time since the state began, `G` the time.
+The machine runs in steps. In each step it executes the statements of its state from top to bottom,
+also in the step in which it enters the state. The first transition whose condition is true is
+taken, and the statements after it are skipped. The next step runs the state to which the
+transition leads. `T` is the time since the machine entered the state, `G` is the time.
 
-1. Idle [begins here]
+1. Idle [initial state]
 Nothing flows.
 
-  At each step, it
+  In each step, the machine
     - if `level < 10 and T > 1000`:
       - adds `1` to `pulses`
-      - leaves for `Fill`
+      - goes to `Fill`
 
 2. Fill
-  When it enters, it
+  On entry, the machine
     - sets `valve` to `true`
 
-  At each step, it
-    - leaves for `Done` if `roll_median(level, 5) > full - margin`
+  In each step, the machine
+    - goes to `Done` if `roll_median(level, 5) > full - margin`
       # The gauge is noisy.
-    - leaves for `Abort` if `T > 60000`
+    - goes to `Abort` if `T > 60000`
     - otherwise, if `T > 50000`: sets `valve` to `false`
     - otherwise: sets `valve` to `T < 40000`
 
-  When it leaves, it
+  On exit, the machine
     - sets `valve` to `false`
 
 Entered from `Idle`.
 
 3. Done [safe to stay]
-In this state the machine does nothing, and stays.
+This state has no statements: the machine does nothing and stays.
 
 Entered from `Fill`.
 
 4. Abort [abort, safe to stay]
-  When it enters, it
+  On entry, the machine
     - sets `valve` to `false`
 
 Entered from `Fill`.
@@ -124,9 +124,10 @@ Entered from `Fill`.
 Transitions
 -----------
 
-In the order of the file. Of two that could be made in one step, the upper one is made.
+In the order of the file, which is their priority: if several can be taken in one step, the machine
+takes the first of them.
 
-  No.  From  To     When                                   In     Line  Remark
+  No.  From  To     Condition                              Block  Line  Remark
     1  Idle  Fill   level < 10 and T > 1000                .step    19
     2  Fill  Done   roll_median(level, 5) > full - margin  .step    27
     3  Fill  Abort  T > 60000                              .step    28  abort
@@ -134,30 +135,30 @@ In the order of the file. Of two that could be made in one step, the upper one i
 Inputs, outputs and parameters
 ------------------------------
 
-  Element   Type  Role                 Healthy range  Meaning, as its author wrote  Read in     Written in
-  time (G)  U64   time                                ms
-  S         U32   number of the state
-  level     F32   input                0 to 100       percent                       Idle, Fill
-  valve     bool  output                              lets fuel in                              Fill, Abort
+  Element   Type  Role          Healthy range  Comment       Read in     Written in
+  time (G)  U64   time                         ms
+  S         U32   state number
+  level     F32   input         0 to 100       percent       Idle, Fill
+  valve     bool  output                       lets fuel in              Fill, Abort
 
 Parameters
-Numbers with a name that the machine itself never changes.
+Named values that the machine never changes.
 
-  Parameter  Type  Value  Written as  Meaning, as its author wrote  Read in  Line
-  full       F64   95                 percent                       Fill       10
-  margin     F64   5      100 - full                                Fill       11
+  Parameter  Type  Value  Formula     Comment  Read in  Line
+  full       F64   95                 percent  Fill       10
+  margin     F64   5      100 - full           Fill       11
 
-What it remembers
-Variables of the machine's own. They keep their values from step to step and from state to state.
+Locals
+Variables of the machine. They keep their values from step to step and from state to state.
 
-  Local   Type  Begins as  Read in  Written in  Line
-  pulses  U32   0          Idle     Idle          12
+  Local   Type  Initial value  Read in  Written in  Line
+  pulses  U32   0              Idle     Idle          12
 
 Rolling statistics
-Every window takes a sample at the start of every step, in whatever state the machine is. Until it
-is full, statistics are over the samples there are.
+Every window takes a sample at the start of every step, in every state. Until it is full, its
+statistic covers the samples taken so far.
 
-  Call                   What it gives                                Steps  Line
+  Call                   Meaning                                      Steps  Line
   roll_median(level, 5)  the median of `level` over the last 5 steps      5    27
 
 Findings
@@ -166,24 +167,24 @@ Findings
 Abort matrix
 ------------
 ...
-What it costs
--------------
+Costs
+-----
 
-Instructions of the VM in the longest step of each state, found on the very image that flies; no
-step can take more. The first step of a state runs `.entry` too, and a step that leaves runs
+VM instructions in the longest step of each state, computed from the image that flies. No step can
+take more. The first step of a state also runs `.entry`, and a step that leaves the state also runs
 `.exit`.
 
-3 instructions of each step give the windows their samples; what a sample takes beyond its
+Of each step, 3 instructions take the samples of windows. What a sample costs in addition to its
 instruction depends on the window.
 
-  State  Its first step  Any other step  Dearest lines of its longest step             Cycles on an Uno
-  Idle                8               8  line 17: 5, line 27 (samples): 3[..]
-  Fill               16              13  line 31: 5, line 27 (samples): 3, line 24: 3[..]
-  Done                3               3  line 27 (samples): 3[..]
-  Abort               6               3  line 27 (samples): 3, line 40: 3[..]
+  State  First step  Later steps  Most expensive lines of the longest step      Cycles on an Uno
+  Idle            8            8  line 17: 5, line 27 (samples): 3[..]
+  Fill           16           13  line 31: 5, line 27 (samples): 3, line 24: 3[..]
+  Done            3            3  line 27 (samples): 3[..]
+  Abort           6            3  line 27 (samples): 3, line 40: 3[..]
 
 The longest step, in `Fill`
-  In       Line  Statement                                       Instructions
+  Block    Line  Statement                                       Instructions
   samples    27  roll_median(level, 5) > full - margin: -> Done             3
   .entry     24  valve = true                                               3
   .step      27  roll_median(level, 5) > full - margin: -> Done             2
@@ -192,25 +193,25 @@ The longest step, in `Fill`
   .step      31  valve = T < 40000                                          5
 
 On an Arduino Uno
-What the worst step takes on an ATmega328P at 16 MHz. It is an estimate: of each instruction the
-most that was seen in measurements counts, whatever numbers it works on. Real steps take less, a
-third to three quarters of it in tests; that none can take more is not proved. What emitted C takes
-there depends on its compiler and is not estimated.
+The longest step on an ATmega328P at 16 MHz. This is an estimate: for each instruction it assumes
+the highest cost that was measured, for any operands. In tests, real steps took between a third and
+three quarters of the estimate. It is not proved that no step can take longer. The cost of emitted
+C depends on the compiler and is not estimated.
 
-  Part                                        Takes
-  Worst step, image in EEPROM[..] ms
-  Worst step, image in flash[..] ms
-  Stack below a step, the most that was seen[..] bytes
+  Part                               Value
+  Longest step, image in EEPROM[..] ms
+  Longest step, image in flash[..] ms
+  Stack of a step, largest measured[..] bytes
 
 Memory
-RAM of this machine on the VM of a computer with pointers of 64 bits; a board with shorter ones
-needs a little less. The state vector, which the application shares, comes on top.
+RAM of this machine on the VM of a 64-bit computer. A board with shorter pointers needs slightly
+less. The state vector is shared with the application and is not included.
 
   Part                           Bytes
   Windows of rolling statistics     56
-  Locals, and values on the way      0
-  The VM's own                      64
-  RAM in all                       120
+  Locals and temporary values        0
+  State of the VM                   64
+  RAM in total                     120
   State vector                      24
   Image, in flash or RAM           161
   of which code                     72
@@ -218,27 +219,27 @@ needs a little less. The state vector, which the application shares, comes on to
 Scripts
 -------
 
-  Script   Result  Steps  Asserts that held  States it was in
-  fill.ss  passed    201                  1  3 of 4
+  Script   Result  Steps  Asserts passed  States visited
+  fill.ss  passed    201               1  3 of 4
 
-States that the scripts have seen
-  State  Times it began  Steps in it  Scripts that were there
-  Idle                1           12                        1
-  Fill                1           94                        1
-  Done                1           95                        1
-  Abort               0            0  none
+States visited by the scripts
+  State  Times entered  Steps  Scripts
+  Idle               1     12        1
+  Fill               1     94        1
+  Done               1     95        1
+  Abort              0      0  none
 
-Ways that the scripts have gone
+Transitions taken by the scripts
   From  To     Times  Remark
   Idle  Fill       1
   Fill  Done       1
-  Fill  Abort      0  never gone
+  Fill  Abort      0  never taken
 
-Where no script has been
+Not covered by the scripts
 fill.ss [passed]
 A tank that fills.
 
-  Step      G  State that began  Stayed for
+  Step      G  State entered       Duration
      1      0  Idle                    1200
     13   1200  Fill                    9400
-   107  10600  Done              the end
+   107  10600  Done           until the end

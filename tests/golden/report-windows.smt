@@ -32,7 +32,7 @@ delta_t 1000
 true: p = G
 G == 120000: @stop
 -- stdout --
- On an Arduino Uno does not fit its memory
+ On an Arduino Uno does not fit into its memory
  size U16 256 sizes of windows 7
  Windows alone more than its 2048 bytes of memory
  On an Arduino Uno about

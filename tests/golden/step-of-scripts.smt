@@ -5,10 +5,10 @@ args test -Wflight -Werror a.sm a.ss
 args test -Wflight -Werror --step=100 a.sm other.ss
 args build -Wflight --step=100 a.sm
 args test -Wflight -Werror a.sm a.ss other.ss
-args report a.sm a.ss --format=text | tr '\n' ' ' | grep -oE '  window-not-full  |(Time advances|How far time)[^.]*[.]'
-args report a.sm other.ss --step=100 --format=text | tr '\n' ' ' | grep -oE '  window-not-full  |(Time advances|How far time)[^.]*[.]'
-args report a.sm a.ss other.ss --format=text | tr '\n' ' ' | grep -oE '  window-not-full  |(Time advances|How far time)[^.]*[.]'
-args report a.sm --format=text | tr '\n' ' ' | grep -oE '  window-not-full  |(Time advances|How far time)[^.]*[.]'
+args report a.sm a.ss --format=text | tr '\n' ' ' | grep -oE '  window-not-full  |(Time advances|The time per step)[^.]*[.]'
+args report a.sm other.ss --step=100 --format=text | tr '\n' ' ' | grep -oE '  window-not-full  |(Time advances|The time per step)[^.]*[.]'
+args report a.sm a.ss other.ss --format=text | tr '\n' ' ' | grep -oE '  window-not-full  |(Time advances|The time per step)[^.]*[.]'
+args report a.sm --format=text | tr '\n' ' ' | grep -oE '  window-not-full  |(Time advances|The time per step)[^.]*[.]'
 args report a.sm --step=x --format=text
 args test a.sm a.ss --step=0
 
@@ -37,12 +37,12 @@ G == 2900: @assert S == 2
 G == 3000: @stop
 -- stdout --
 2 passed, 0 failed
-Time advances by 100 in a step, as in the scripts (`delta_t`).
+Time advances by 100 per step, the `delta_t` of the scripts.
   window-not-full  
-Time advances by 100 in a step, as given with `--step`.
+Time advances by 100 per step, the value of `--step`.
   window-not-full  
-How far time advances in a step is not known: the scripts do not have one `delta_t`.
-How far time advances in a step is not known.
+The time per step is unknown, because the scripts do not all have the same `delta_t`.
+The time per step is unknown.
 -- stderr --
 a.sm:7:5: warning: this guard can be true too early: the window of 'roll_avg(p, 20)' has 12 of 20 samples [W0965 window-not-full]
     7 |     T > 1000 and roll_avg(p, 20) > 500: -> Run

@@ -41,14 +41,14 @@ for part in '<rect class="s0" x="64" y="0" width="266.9" height="22"/>' '<rect c
     '<circle class="begin" cx="330.9" cy="98.9"' '<circle class="begin" cx="375.1" cy="98.9"'; do
     grep -qF -- "$part" rare.svg && ok || no "rare.svg: no $part"
 done
-"$smc" log rare.log | grep -q 'f32 .* 0 .. 9, from 0 to 9, nan in 2 records' && ok || no "records of what is no number are not told"
-"$smc" log rare.log --format svg f32 >nan.svg && grep -q 'no number (nan) where the line is broken' nan.svg &&
-    grep -q 'class="trace" d="M64 [^M]*M[^M]*"' nan.svg && ok || no "the line of what is no number has no gap"
+"$smc" log rare.log | grep -q 'f32 .* 0 .. 9, from 0 to 9, nan in 2 records' && ok || no "records with nan are not counted"
+"$smc" log rare.log --format svg f32 >nan.svg && grep -q 'not a number (nan) in the gaps' nan.svg &&
+    grep -q 'class="trace" d="M64 [^M]*M[^M]*"' nan.svg && ok || no "the curve has no gap at nan"
 "$smc" log rare.log >rare.txt
-for part in 'works again, after 1 failure$' 'left out 1 tick$'; do
+for part in 'recovered after 1 failure$' 'skipped 1 tick$'; do
     grep -q "$part" rare.txt && ok || no "rare.txt: no $part"
 done
-"$smc" log rare.log | grep -q 'started; what was kept of the state vector could not be used' && ok || no "a kept vector that was not used is not told"
+"$smc" log rare.log | grep -q 'started; the saved state vector could not be used' && ok || no "a saved state vector that could not be used is not reported"
 
 rm -f out.csv
 "$smc" log flight.log -o out.csv 2>err && head -1 out.csv | grep -q '^session,seconds,time,state' && ok || no "the format is not taken from the ending"

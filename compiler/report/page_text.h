@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The paragraphs of the page, by section.  They contain markup (doc.h).  Those with % are formats of format_in: their arguments are listed
+// here and checked by the compiler.  Titles of columns are in the tables of page_*.c.
+#ifndef SMC_PAGE_TEXT_H
+#define SMC_PAGE_TEXT_H
+
+// ---- states ----
+
+#define TEXT_STATES \
+    "The machine runs in steps. In each step it executes the statements of its state from top to bottom, also in the step in which " \
+    "it enters the state. The first transition whose condition is true is taken, and the statements after it are skipped. The next " \
+    "step runs the state to which the transition leads. `T` is the time since the machine entered the state, `G` is the time."
+#define TEXT_STATE_EMPTY "This state has no statements: the machine does nothing and stays."
+
+// ---- transitions ----
+
+#define TEXT_TRANSITIONS \
+    "In the order of the file, which is their priority: if several can be taken in one step, the machine takes the first of them."
+#define TEXT_TRANSITIONS_NONE "The machine has no transitions: it stays in its first state."
+
+// ---- inputs, outputs and parameters ----
+
+#define TEXT_PARAMETERS "Named values that the machine never changes."
+#define TEXT_LOCALS "Variables of the machine. They keep their values from step to step and from state to state."
+#define TEXT_WINDOWS \
+    "Every window takes a sample at the start of every step, in every state. Until it is full, its statistic covers the samples " \
+    "taken so far."
+
+// ---- findings ----
+
+#define TEXT_FINDINGS_OPEN "Findings of all groups of warnings. `smc explain` with a name or code prints what a finding means and what to do."
+#define TEXT_FINDINGS_ALLOWED "All findings are allowed, each with a reason."
+#define TEXT_FINDINGS_NONE "The analyses of all groups found nothing."
+#define TEXT_STEP_UNKNOWN "The time per step is unknown. With `--step` the analyses find more."
+#define TEXT_STEP_DIFFERS "The time per step is unknown, because the scripts do not all have the same `delta_t`. With `--step` the analyses find more."
+#define TEXT_STEP_GIVEN "Time advances by %lu per step, the value of `--step`."               // time per step
+#define TEXT_STEP_OF_SCRIPTS "Time advances by %lu per step, the `delta_t` of the scripts."   // time per step
+#define TEXT_FINDING_FIXABLE "`smc fix` can make the edit."
+
+// ---- abort matrix ----
+
+#define TEXT_ABORT \
+    "From which states the machine can abort, and whether it still can if one sensor is dead, stuck or out of range: with commands, " \
+    "and without. The steps are the worst case, from the step in which a condition becomes true to the first step of the abort " \
+    "state. They do not include the time that a counter, a timer or a rolling statistic takes until its condition is true."
+#define TEXT_ABORT_UNDECLARED \
+    "No state is marked `@abort`, so the report cannot show how this machine aborts. Put the mark after the header of the state " \
+    "that handles failures, as in `[Abort] @abort`."
+#define TEXT_ABORT_UNBOUNDED \
+    "\"Unbounded\": every path from the target state leads to an abort state, but on the way the machine can wait for a condition that " \
+    "may never become true."
+
+// ---- costs ----
+
+#define TEXT_COSTS \
+    "VM instructions in the longest step of each state, computed from the image that flies. No step can take more. The first step of " \
+    "a state also runs `.entry`, and a step that leaves the state also runs `.exit`."
+#define TEXT_COSTS_SAMPLES \
+    "Of each step, %s take the samples of windows. What a sample costs in addition to its instruction depends on the window."    // "5 instructions"
+#define TEXT_COSTS_BOARD \
+    "The longest step on an ATmega328P at 16 MHz. This is an estimate: for each instruction it assumes the highest cost that was " \
+    "measured, for any operands. In tests, real steps took between a third and three quarters of the estimate. It is not proved that " \
+    "no step can take longer. The cost of emitted C depends on the compiler and is not estimated."
+#define TEXT_COSTS_MEMORY \
+    "RAM of this machine on the VM of a 64-bit computer. A board with shorter pointers needs slightly less. The state vector is shared " \
+    "with the application and is not included."
+
+// ---- scripts ----
+
+#define TEXT_SCRIPTS_NONE "No script was run. Name scripts after the machine, as in `smc report tank.sm tank.ss`."
+#define TEXT_COVERED_ALL "The scripts visit every state and take every transition."
+#define TEXT_COVERED_ALL_EDGES "The scripts visit every state and go from each state to every state to which its transitions lead."
+#define TEXT_SHARED \
+    "If several transitions lead from one state to another, a run does not show which of them was taken:%s. Some of them may never " \
+    "have been taken."                                          // " from ^A^ to ^B^ (lines 3, 5), from …"
+
+// ---- source ----
+
+#define TEXT_STATE_VECTOR "The elements that this machine lists are described above. The rest of the state vector is not part of this report."
+
+#endif
