@@ -43,6 +43,8 @@ static int judge(Cli *c, const char *path, const Log *log)
         cli_remark(c, "%s: %llu bytes are damaged; what is whole is shown", path, (unsigned long long)log->damaged);
     else if (log->torn)
         cli_remark(c, "%s: its last %llu bytes are no whole block; all before them is shown", path, (unsigned long long)log->torn);
+    if (log->unread)
+        cli_remark(c, "%s: too many checksums are wrong; the last %llu bytes were not read", path, (unsigned long long)log->unread);
     return EXIT_OK;
 }
 

@@ -85,6 +85,7 @@ typedef struct Log {
     uint64_t damaged;             // bytes outside undamaged blocks
     uint64_t places;              // number of contiguous ranges of such bytes
     uint64_t torn;                // how many of `damaged` are in the range at the end of the file
+    uint64_t unread;              // bytes at the end of the file that were not read, because too many checksums before them are wrong
     bool newer;                   // the file contains a description of a later, unknown version
 } Log;
 

@@ -5,8 +5,9 @@
 //   2. Walks the blocks in order.  The checksum of a block is tried with the current session, then with the next session, whose own
 //      description may be damaged.  Bytes that do not begin a block are skipped one by one.
 //
-// A crafted file could force a checksum over all following bytes at every byte.  So the bytes in failed checksums are counted, and reading
-// stops at a number that real damage does not reach.
+// A crafted file could force a checksum over all following bytes at every byte.  So each of the two steps counts the bytes in failed
+// checksums and stops at a number that real damage does not reach.  The walk reads no further than the search for descriptions: without
+// them it could not assign blocks to sessions.  The rest of the file is reported as unread, because it can contain undamaged blocks.
 #include <string.h>
 
 #include "compiler/base/buf.h"
@@ -22,7 +23,8 @@ typedef struct Reader {
     VEC(LogSession *) sessions;   // the session of each description in `found`; a repeated description repeats its session
     LogSession *now;              // the current session
     size_t *other;                // by index into `sessions`: the next index with a different session
-    uint64_t fruitless;           // bytes covered by failed checksums
+    uint64_t fruitless;           // bytes covered by failed checksums in this step
+    uint32_t searched;            // end of the part of the file in which all descriptions are known
     uint32_t damage;              // end of the last undamaged block: a damaged range begins here
     Log *log;
 } Reader;
@@ -70,14 +72,13 @@ static void find_descriptions(Reader *r)
 
     while (pos < r->n && has_patience(r)) {
         const uint8_t *mark = memchr(r->bytes + pos, LOG_MARK, r->n - pos);
-        if (!mark)
-            return;
-        pos = (uint32_t)(mark - r->bytes);
-        if (is_head(r, pos, &length) && try_description(r, pos, length))
+        pos = mark ? (uint32_t)(mark - r->bytes) : r->n;
+        if (mark && is_head(r, pos, &length) && try_description(r, pos, length))
             pos += LOG_HEAD + length + LOG_CHECK;
-        else
+        else if (mark)
             pos++;
     }
+    r->searched = pos;
 }
 
 // ---- sessions ----
@@ -203,7 +204,8 @@ static void walk(Reader *r)
 {
     uint32_t pos = 0;
 
-    while (pos < r->n && has_patience(r)) {
+    r->fruitless = 0;
+    while (pos < r->searched && has_patience(r)) {
         const uint32_t size = take_block(r, pos);
         if (size > 0) {
             end_damage(r, pos);
@@ -213,7 +215,8 @@ static void walk(Reader *r)
         while (r->next < r->found.n && r->found.at[r->next]->pos < pos)
             r->next++;                                    // this description was inside another block
     }
-    end_damage(r, r->n);
+    end_damage(r, pos);
+    r->log->unread = r->n - pos;
 }
 
 Log *log_read(Arena *arena, const uint8_t *bytes, uint32_t n)

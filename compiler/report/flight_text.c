@@ -131,6 +131,8 @@ static void put_file(const Flight *f, Buf *out)
     if (log->damaged)
         buf_printf(out, ", %s damaged in %s", count(f->arena, log->damaged, "byte", "bytes"),
                    count(f->arena, log->places, "place", "places"));
+    if (log->unread)
+        buf_printf(out, ", %s not read", count(f->arena, log->unread, "byte", "bytes"));
     buf_char(out, '\n');
 }
 

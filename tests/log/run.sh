@@ -62,11 +62,15 @@ says 2 "as in 'smc log flight.log'"
 says 2 "csv" flight.log --format html
 says 3 "cannot read 'nothing.log'" nothing.log
 
-# What is damaged is told, what is whole is shown.
+# Damage is reported, and undamaged parts are shown.
 head -c 20000 flight.log >torn.log
 says 0 "are no whole block" torn.log
 { head -c 9000 flight.log; printf xxxx; tail -c +9005 flight.log; } >damaged.log
 says 0 "bytes are damaged; what is whole is shown" damaged.log
+# A file that was crafted to cost time: 100 heads that claim 24,700 bytes of events each.
+{ head -c 5000 flight.log; i=0; while [ $i -lt 100 ]; do printf '\245E\174\140\0\0'; i=$((i + 1)); done; tail -c +5001 flight.log; } >crafted.log
+says 0 "bytes were not read" crafted.log
+grep -q ', [0-9]* bytes not read$' out && ok || no "the summary of crafted.log does not count unread bytes"
 : >empty.log
 says 1 "it is empty" empty.log
 printf 'time,altitude\n0,1\n' >other.log
