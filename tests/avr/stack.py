@@ -16,17 +16,17 @@ import sys
 
 # Who calls through a pointer, and whom.
 CALLS = [
-    ("pin|smvm_runner_fits", "place_of|avr_pin_place"),
-    ("end", "fits|smvm_runner_fits"),
-    ("hello|main", "may_update"),
-    ("main", "pin|hello|image|begin|data|end|activate|confirm|erase|read|restart|events"),
-    ("begin", "leave_slot"),
-    ("put|main", "may_write"),
-    ("is_authentic|is_whole|end|confirm", "is_authentic"),             # the store's, and the firmware's
+    ("answer_pin|smvm_runner_fits", "avr_physical_pin"),
+    ("answer_end", "fits|smvm_runner_fits"),
+    ("answer_hello|main", "may_update"),
+    ("main", "answer_(pin|hello|image|begin|data|end|activate|confirm|erase|read|restart|events)"),
+    ("answer_begin", "leave_slot"),
+    ("write_memory|main", "may_write"),
+    ("is_authentic|is_signed|is_intact|answer_end|answer_confirm", "is_authentic"),     # the store's, and the firmware's
     (r"__vector_\d+", "tick"),
 ]
 ROUNDS = {"divide": 7, "short": 7}       # who pushes in a loop, and how often: a division, each byte of its result
-HELD = ("start", "run")                  # in what these call no step begins (`held` in firmware.c)
+PAUSED = ("start_board", "run_image")    # in what these call no step begins (`is_paused` in firmware.c)
 
 SKIPS = ("cpse", "sbrc", "sbrs", "sbic", "sbis")
 READS = ("cp", "cpc", "cpi", "cpse", "push", "st", "std", "sts", "out", "sbrc", "sbrs")      # their first operand
@@ -226,7 +226,7 @@ def deepest(needs):
 def main():
     code = Code(sys.argv[1], sys.argv[2])
     held = deepest(Walk(code).function(0, CLOSED).deepest)
-    beside = Walk(code, HELD).function(0, CLOSED).deepest[OPEN]
+    beside = Walk(code, PAUSED).function(0, CLOSED).deepest[OPEN]
     vectors = [Walk(code).function(at, CLOSED).deepest for at, name in code.functions.items() if name.startswith("__vector_")]
     step = deepest(n for v in vectors for n in v)
     short = deepest(v[CLOSED] for v in vectors)
