@@ -147,25 +147,6 @@ HintResult hint_report_missing_colon(HintCase *c)
     return HINT_READ;
 }
 
-HintResult hint_report_text_after_guard(HintCase *c)
-{
-    if (parser_at_end_of_statement(c->p))
-        return HINT_NONE;
-    hint_explain(c->p, HINT_AT_END, NULL);
-    return HINT_SKIPPED;
-}
-
-HintResult hint_report_if_without_body(HintCase *c)
-{
-    Parser *p = c->p;
-
-    if (!p->has_if)
-        return HINT_NONE;
-    diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p)), DIAG_label_text,
-               "insert '{', and write '}' below the statements that depend on it");
-    return HINT_SKIPPED;
-}
-
 static bool is_label_name(const AstExpr *e) { return e->kind == AST_NAME && hint_is_label(e->name->text) && !e->name->declared; }
 
 static Diag *report_label_without_dot(Parser *p, AstExpr *e)
@@ -177,33 +158,43 @@ static Diag *report_label_without_dot(Parser *p, AstExpr *e)
     return d;
 }
 
-// valveOpen == true: a value alone on its line
-HintResult hint_report_no_effect(HintCase *c)
+// step on a line of its own
+HintResult hint_report_label_alone(HintCase *c)
+{
+    if (c->p->has_if || !is_label_name(c->e) || !parser_at_end_of_statement(c->p))
+        return HINT_NONE;
+    report_label_without_dot(c->p, c->e);
+    return HINT_READ;
+}
+
+// ---- a value alone on its line ----
+
+// The next line continues the condition.
+HintResult hint_skip_rest_of_guard(HintCase *c)
 {
     Parser *p = c->p;
-    AstExpr *e = c->e;
-    Diag *d;
 
-    if (is_label_name(e)) {
-        report_label_without_dot(p, e);
-        return HINT_READ;
-    }
-    e->alone = p->kind == FILE_SM && (e->kind == AST_NAME || e->kind == AST_CALL);
-    if (e->alone)
-        return HINT_READ;
-    d = parser_report(p, DIAG_no_effect, e->span);
-    if (p->tok.kind == TOK_AND || p->tok.kind == TOK_OR) {         // the next line continues the guard
-        diag_label(p->diags, d, DIAG_label_line_break);
-        do
-            parser_next(p);
-        while (!p->tok.first && p->tok.kind != TOK_RBRACE);
-    } else if (e->kind == AST_BINARY && p->kind == FILE_SS)
-        diag_label(p->diags, d, DIAG_label_text, format_in(p->arena, "to check this, write @assert %s", parser_text(p, e->span)));
-    else if (e->kind == AST_BINARY && e->op == SM_OP_EQ && e->a->kind == AST_NAME)
-        diag_label(p->diags, d, DIAG_label_store,
-                   format_in(p->arena, "%s = %s", e->a->name->text, parser_text(p, e->b->span)));
+    diag_label(p->diags, hint_message(c), DIAG_label_line_break);
+    do
+        parser_next(p);
+    while (!p->tok.first && p->tok.kind != TOK_RBRACE);
+    return HINT_READ;
+}
+
+// valveOpen == true
+HintResult hint_report_comparison_alone(HintCase *c)
+{
+    Parser *p = c->p;
+    const AstExpr *e = c->e;
+
+    if (e->kind != AST_BINARY)
+        return HINT_NONE;
+    if (p->kind == FILE_SS)
+        diag_label(p->diags, hint_message(c), DIAG_label_text, format_in(p->arena, "to check this, write @assert %s", parser_text(p, e->span)));
+    else if (e->op == SM_OP_EQ && e->a->kind == AST_NAME)
+        diag_label(p->diags, hint_message(c), DIAG_label_store, format_in(p->arena, "%s = %s", e->a->name->text, parser_text(p, e->b->span)));
     else
-        diag_label(p->diags, d, DIAG_label_statements);
+        return HINT_NONE;
     return HINT_READ;
 }
 

@@ -38,6 +38,7 @@ typedef enum HintPlace {
     HINT_AFTER_ASSIGNMENT,    // after the assignment p->sign, at a : or {
     HINT_AT_TARGET,           // expects the name of a state after ->
     HINT_AFTER_GUARD,         // expects : or { after the condition e
+    HINT_AT_LONE_VALUE,       // has read the value e as a statement of its own; general message
     HINT_AFTER_ELSE,          // expects : or { after `else`
     HINT_AFTER_COLON,         // expects a statement directly after the colon of the condition e, or of `else`: NULL
     HINT_AT_END,              // expects the end of a statement; general message

@@ -303,15 +303,31 @@ static bool may_begin_statement(const Parser *p)
                              p->tok.kind == TOK_IF);
 }
 
+// A value, or a guard after `if`, is a statement of its own.
+static void report_lone_value(Parser *p, AstExpr *e)
+{
+    if (p->has_if)
+        diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p)), DIAG_label_text,
+                   "insert '{', and write '}' below the statements that depend on it");
+    else if (p->kind == FILE_SM && (e->kind == AST_NAME || e->kind == AST_CALL))
+        e->alone = true;                      // the checker knows what is declared, and reports it
+    else
+        hint_explain(p, HINT_AT_LONE_VALUE, e);
+}
+
 // The guard, or `else`, is followed by neither : nor {.
 static void parse_bare_body(Parser *p, const AstStmt *s, AstStmts *into)
 {
     if (p->failed)
         return;
-    if (s->arms->has_else)
+    if (s->arms->has_else) {
         hint_explain(p, HINT_AFTER_ELSE, NULL);
-    else
-        hint_explain(p, HINT_AFTER_GUARD, s->value);
+    } else if (hint_explain(p, HINT_AFTER_GUARD, s->value) == HINT_NONE) {
+        if (parser_at_end_of_statement(p))
+            report_lone_value(p, s->value);
+        else
+            hint_explain(p, HINT_AT_END, NULL);
+    }
     if (!p->failed && may_begin_statement(p))
         parse_statement(p, into);
     else
