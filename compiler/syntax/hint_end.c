@@ -18,12 +18,6 @@ HintResult hint_skip_reported_line(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// 60,000 can mean sixty thousand; 0,125 and 3,14 cannot.
-static bool may_be_thousands(const Parser *p)
-{
-    return p->ahead.len == 3 && p->lex.src->text[p->last.at] != '0';
-}
-
 // 3,14
 HintResult hint_report_decimal_comma(HintCase *c)
 {
@@ -36,7 +30,7 @@ HintResult hint_report_decimal_comma(HintCase *c)
     before = parser_text(p, parser_span(p, &p->last));
     after = parser_text(p, parser_span(p, &p->ahead));
     d = parser_fail(p, DIAG_decimal_comma, parser_here(p));
-    if (may_be_thousands(p)) {
+    if (p->ahead.len == 3 && *before != '0') {         // 60,000 can mean sixty thousand; 0,125 and 3,14 cannot
         diag_label(p->diags, d, DIAG_label_comma_in_number, before, after, before, after);
     } else {
         diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "%s.%s", before, after));
@@ -80,7 +74,7 @@ HintResult hint_report_unit(HintCase *c)
 
 HintResult hint_report_allow_after(HintCase *c)
 {
-    if (!annotation_is_allow(&c->p->tok))
+    if (!parser_is_allow(&c->p->tok))
         return HINT_NONE;
     diag_label(c->p->diags, hint_message(c), DIAG_label_allow_before);
     return HINT_READ;

@@ -10,46 +10,46 @@ enum {
     LINE_MAX = 1000           // bytes; a longer line gets no hint, so that hostile text cannot cost time quadratic in its length
 };
 
-typedef struct Line {
+typedef struct HintLine {
     const Source *src;
     const char *text;         // of the source
     uint32_t from, end;       // end: without the line end and blanks before it
     const char *line_end;     // the line end of this line
-} Line;
+} HintLine;
 
 static bool is_blank(char c) { return c == ' ' || c == '\t'; }
 static bool is_word(char c) { return is_letter(c) || is_digit(c); }
 
-static uint32_t skip_blanks(const Line *l, uint32_t p)
+static uint32_t skip_blanks(const HintLine *l, uint32_t p)
 {
     while (p < l->end && is_blank(l->text[p]))
         p++;
     return p;
 }
 
-static uint32_t skip_word(const Line *l, uint32_t p)
+static uint32_t skip_word(const HintLine *l, uint32_t p)
 {
     while (p < l->end && is_word(l->text[p]))
         p++;
     return p;
 }
 
-static uint32_t before_blanks(const Line *l, uint32_t p)
+static uint32_t before_blanks(const HintLine *l, uint32_t p)
 {
     while (p > l->from && is_blank(l->text[p - 1]))
         p--;
     return p;
 }
 
-static bool has_text(const Line *l, uint32_t at, uint32_t end, const char *word)
+static bool has_text(const HintLine *l, uint32_t at, uint32_t end, const char *word)
 {
     return end - at == strlen(word) && memcmp(l->text + at, word, end - at) == 0;
 }
 
 // The line of `at`, or as much of it as LINE_MAX allows.
-static Line line_of(const Source *src, uint32_t at)
+static HintLine line_of(const Source *src, uint32_t at)
 {
-    Line l = {src, src->text, at, at, "\n"};
+    HintLine l = {src, src->text, at, at, "\n"};
 
     while (l.from > 0 && l.text[l.from - 1] != '\n' && at - l.from < LINE_MAX)
         l.from--;
@@ -64,7 +64,7 @@ static Line line_of(const Source *src, uint32_t at)
 }
 
 // A line end followed by the indentation of l, plus `levels`.
-static const char *new_line(Arena *arena, const Line *l, unsigned levels)
+static const char *new_line(Arena *arena, const HintLine *l, unsigned levels)
 {
     const uint32_t indent = skip_blanks(l, l->from) - l->from;
     const bool tabs = memchr(l->text + l->from, '\t', indent) != NULL;
@@ -75,11 +75,11 @@ static const char *new_line(Arena *arena, const Line *l, unsigned levels)
     return text;
 }
 
-static bool is_too_long(const Line *l) { return l->end - l->from >= LINE_MAX; }
-static Span span_of(const Line *l, uint32_t at, uint32_t end) { return (Span){l->src, at, end - at}; }
+static bool is_too_long(const HintLine *l) { return l->end - l->from >= LINE_MAX; }
+static Span span_of(const HintLine *l, uint32_t at, uint32_t end) { return (Span){l->src, at, end - at}; }
 
 // Whether x = 1, -> Idle, @assert or @stop begins at p.
-static bool begins_statement(const Line *l, uint32_t p)
+static bool begins_statement(const HintLine *l, uint32_t p)
 {
     uint32_t sign;
 
@@ -94,7 +94,7 @@ static bool begins_statement(const Line *l, uint32_t p)
 }
 
 // Whether F64 x begins at p.
-static bool begins_declaration(const Line *l, uint32_t p)
+static bool begins_declaration(const HintLine *l, uint32_t p)
 {
     const uint32_t end = skip_word(l, p);
 
@@ -107,7 +107,7 @@ static bool begins_declaration(const Line *l, uint32_t p)
 // ---- lines below ----
 
 // Moves l to the next line; false at the end of the source.
-static bool next_line(Line *l)
+static bool next_line(HintLine *l)
 {
     uint32_t p = l->end;
 
@@ -119,17 +119,17 @@ static bool next_line(Line *l)
     return true;
 }
 
-static bool is_empty_line(const Line *l)
+static bool is_empty_line(const HintLine *l)
 {
     const uint32_t p = skip_blanks(l, l->from);
 
     return p == l->end || l->text[p] == '#';
 }
 
-static uint32_t indentation(const Line *l) { return skip_blanks(l, l->from) - l->from; }
+static uint32_t indentation(const HintLine *l) { return skip_blanks(l, l->from) - l->from; }
 
 // Whether l begins with the indentation of `outer`.
-static bool is_indented_like(const Line *l, const Line *outer)
+static bool is_indented_like(const HintLine *l, const HintLine *outer)
 {
     const uint32_t indent = indentation(outer);
 
@@ -137,15 +137,15 @@ static bool is_indented_like(const Line *l, const Line *outer)
 }
 
 // The same, and a blank follows that indentation.
-static bool is_deeper(const Line *l, const Line *outer)
+static bool is_deeper(const HintLine *l, const HintLine *outer)
 {
     return is_indented_like(l, outer) && is_blank(l->text[l->from + indentation(outer)]);
 }
 
 // The next line that is not empty is indented more: perhaps it depends on the same condition.
-static bool continues_below(const Line *l)
+static bool continues_below(const HintLine *l)
 {
-    Line next = *l;
+    HintLine next = *l;
 
     while (next_line(&next))
         if (!is_empty_line(&next))
@@ -156,16 +156,16 @@ static bool continues_below(const Line *l)
 // ---- the preceding statement ----
 
 // The statement before `at`, as far as its line shows.
-typedef struct Before {
+typedef struct PriorStatement {
     enum { PLAIN, GUARDED, UNKNOWN } is;      // GUARDED: after a condition's colon on this line
     uint32_t colon;
     uint32_t begin;           // of the statement
-    bool braces;              // opened on this line and still open
-} Before;
+    bool braces;              // count_braces on this line and still open
+} PriorStatement;
 
-static Before look_before(const Line *l, uint32_t at)
+static PriorStatement find_prior_statement(const HintLine *l, uint32_t at)
 {
-    Before b = {UNKNOWN, 0, l->from, false};
+    PriorStatement b = {UNKNOWN, 0, l->from, false};
     uint32_t depth = 0;
     bool colon = false, lost = false;         // lost: earlier text on the line is not a statement, perhaps a condition
 
@@ -209,24 +209,24 @@ static Before look_before(const Line *l, uint32_t at)
 
 // ---- statements of one line ----
 
-typedef struct Shared {
+typedef struct LineStatements {
     size_t n;
     uint32_t gap[STATEMENTS_MAX], begin[STATEMENTS_MAX];  // gap: start of the separator before each statement; begin: its first byte
     uint32_t end;             // of the last one
     uint32_t trailing;        // end of a ';' after it; 0 if none
     bool clear;               // the line contains nothing else
-} Shared;
+} LineStatements;
 
 // No statement after -> or @stop is executed, so the user meant something else by a statement that follows one on its line.
-static bool leaves_block(const Line *l, uint32_t p)
+static bool leaves_block(const HintLine *l, uint32_t p)
 {
     return l->text[p] == '-' || (l->text[p] == '@' && has_text(l, p + 1, skip_word(l, p + 1), "stop"));
 }
 
 // Splits the statements from p on, up to a }, an else, a comment or the end of the line.
-static Shared split(const Line *l, uint32_t p)
+static LineStatements split_statements(const HintLine *l, uint32_t p)
 {
-    Shared s = {.end = p};
+    LineStatements s = {.end = p};
     uint32_t depth = 0, gap = 0, next;
     bool strong = false;              // the gap contains a sign or word that no expression contains
 
@@ -266,7 +266,7 @@ static Shared split(const Line *l, uint32_t p)
 }
 
 // Changes   condition: a; b   to   condition { a b } on lines of their own.
-static void put_in_braces(Diags *diags, Diag *d, const Line *l, const Before *b, const Shared *s)
+static void edit_into_braces(Diags *diags, Diag *d, const HintLine *l, const PriorStatement *b, const LineStatements *s)
 {
     const uint32_t end = s->trailing ? s->trailing : s->end, after = skip_blanks(l, end), colon = before_blanks(l, b->colon);
     const bool last = after == l->end || l->text[after] == '#';
@@ -281,9 +281,9 @@ static void put_in_braces(Diags *diags, Diag *d, const Line *l, const Before *b,
 }
 
 // Changes   a; b   to two lines.
-static void put_on_lines(Diags *diags, Diag *d, const Line *l, const Before *b, uint32_t at)
+static void edit_onto_lines(Diags *diags, Diag *d, const HintLine *l, const PriorStatement *b, uint32_t at)
 {
-    const Shared s = split(l, b->begin);
+    const LineStatements s = split_statements(l, b->begin);
 
     for (size_t i = 1; i < s.n; i++)
         if (s.gap[i] <= at && s.begin[i] >= at && !leaves_block(l, s.begin[i - 1]))
@@ -291,7 +291,7 @@ static void put_on_lines(Diags *diags, Diag *d, const Line *l, const Before *b, 
 }
 
 // Whether a -> follows p, perhaps after a comma or words.
-static bool is_transition(const Line *l, uint32_t p)
+static bool is_transition(const HintLine *l, uint32_t p)
 {
     while (p < l->end && !begins_statement(l, p))
         p++;
@@ -300,9 +300,9 @@ static bool is_transition(const Line *l, uint32_t p)
 
 uint32_t hint_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at, HintSeparator separator)
 {
-    const Line l = line_of(src, at);
-    const Before b = look_before(&l, at);
-    Shared s;
+    const HintLine l = line_of(src, at);
+    const PriorStatement b = find_prior_statement(&l, at);
+    LineStatements s;
 
     if (b.is == UNKNOWN || is_too_long(&l))
         return 0;
@@ -313,19 +313,19 @@ uint32_t hint_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at,
     }
     if (b.is == PLAIN) {
         diag_label(diags, d, DIAG_label_own_line);
-        put_on_lines(diags, d, &l, &b, at);
+        edit_onto_lines(diags, d, &l, &b, at);
         return at;
     }
     diag_label(diags, d, DIAG_label_all_in_braces);
-    s = split(&l, b.begin);
+    s = split_statements(&l, b.begin);
     if (s.clear && !continues_below(&l))
-        put_in_braces(diags, d, &l, &b, &s);
+        edit_into_braces(diags, d, &l, &b, &s);
     return s.clear ? (s.trailing ? s.trailing : s.end) : l.end;
 }
 
 bool hint_is_first_of_several(const Source *src, uint32_t at)
 {
-    const Line l = line_of(src, at);
+    const HintLine l = line_of(src, at);
     uint32_t p = at, depth = 0;
 
     for (; p < l.end && l.text[p] != '#' && l.text[p] != '}'; p++) {
@@ -345,13 +345,13 @@ bool hint_is_first_of_several(const Source *src, uint32_t at)
 enum { LEVELS_MAX = 16 };     // of indentation; a block with more gets no edit
 
 // The indentations of a block, each deeper than the one before.
-typedef struct Levels {
+typedef struct IndentLevels {
     size_t n;
     uint32_t at[LEVELS_MAX];
-} Levels;
+} IndentLevels;
 
 // Returns false if the line's indentation is between two earlier depths: it is unclear which condition the line belongs to.
-static bool enter_level(Levels *levels, uint32_t indent)
+static bool enter_indent(IndentLevels *levels, uint32_t indent)
 {
     while (levels->n > 0 && levels->at[levels->n - 1] > indent)
         if (--levels->n == 0 || levels->at[levels->n - 1] < indent)
@@ -365,7 +365,7 @@ static bool enter_level(Levels *levels, uint32_t indent)
 
 // Whether the line below a block clearly does not belong to it. Such a line is indented like the condition or less, an else exactly like
 // it.
-static bool ends_block(const Line *l, const Line *guard, uint32_t colon)
+static bool ends_block(const HintLine *l, const HintLine *guard, uint32_t colon)
 {
     const uint32_t p = skip_blanks(l, l->from);
 
@@ -375,7 +375,7 @@ static bool ends_block(const Line *l, const Line *guard, uint32_t colon)
 }
 
 // The number of parentheses open at the end of the line.
-static uint32_t open_parens(const Line *l, uint32_t depth)
+static uint32_t open_parens(const HintLine *l, uint32_t depth)
 {
     for (uint32_t p = l->from; p < l->end && l->text[p] != '#'; p++) {
         depth += l->text[p] == '(';
@@ -385,7 +385,7 @@ static uint32_t open_parens(const Line *l, uint32_t depth)
 }
 
 // The number of braces that the line opens, minus those that it closes.
-static int opened(const Line *l)
+static int count_braces(const HintLine *l)
 {
     int n = 0;
 
@@ -396,12 +396,12 @@ static int opened(const Line *l)
 
 uint32_t hint_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon)
 {
-    const Line guard = line_of(src, colon);
-    Line l = guard, last = guard;
+    const HintLine guard = line_of(src, colon);
+    HintLine l = guard, last = guard;
     const uint32_t after = skip_blanks(&guard, colon + 1), from = before_blanks(&guard, colon);
     int braces = 0;
     uint32_t parens = 0;
-    Levels levels = {0};
+    IndentLevels levels = {0};
 
     if (is_too_long(&guard) || (after < guard.end && guard.text[after] != '#'))
         return 0;
@@ -414,10 +414,10 @@ uint32_t hint_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t 
                 return 0;
             break;
         }
-        if (is_too_long(&l) || (parens == 0 && !enter_level(&levels, indentation(&l))))
+        if (is_too_long(&l) || (parens == 0 && !enter_indent(&levels, indentation(&l))))
             return 0;
         parens = open_parens(&l, parens);
-        if (strchr("{.[", c) || (braces += opened(&l)) < 0)
+        if (strchr("{.[", c) || (braces += count_braces(&l)) < 0)
             return 0;
         last = l;
     }

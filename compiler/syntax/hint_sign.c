@@ -46,19 +46,19 @@ static bool is_about_bits(const Lexer *l, const Token *t)
            lexer_byte(l, behind) != '>' && lexer_byte(l, behind) != '.';
 }
 
-// The text on one side of a & or |, up to the next sign or word that joins conditions, within the same parentheses.
-typedef struct Side {
+// The text on one side of a & or |, up to the next sign or word that find_join conditions, within the same parentheses.
+typedef struct ConditionSide {
     bool compares;            // contains a comparison
     enum { SIDE_END, SIDE_AND, SIDE_OR, SIDE_BIT_AND, SIDE_BIT_OR } until;
-} Side;
+} ConditionSide;
 
 static bool is_text(const char *s, uint32_t at, uint32_t end, const char *word)
 {
     return end - at == strlen(word) && memcmp(s + at, word, end - at) == 0;
 }
 
-// Returns what kind of sign or word at `p` joins conditions; *len: its length.
-static int joins(const Lexer *l, uint32_t p, uint32_t *len)
+// Returns what kind of sign or word at `p` find_join conditions; *len: its length.
+static int find_join(const Lexer *l, uint32_t p, uint32_t *len)
 {
     const char *s = l->src->text;
     const uint32_t end = lexer_skip_word(l, p);
@@ -79,15 +79,15 @@ static bool compares_at(const char *s, uint32_t p)
     return s[p] == '<' || s[p] == '>' || (s[p] == '=' && (s[p + 1] == '=' || (p > 0 && s[p - 1] == '!')));
 }
 
-static Side right_side(const Lexer *l, uint32_t p)
+static ConditionSide right_side(const Lexer *l, uint32_t p)
 {
     const char *s = l->src->text;
     const uint32_t most = p + HINT_FAR;
-    Side side = {false, SIDE_END};
+    ConditionSide side = {false, SIDE_END};
     uint32_t depth = 0, len = 1;
 
     for (; p < most && p < l->src->len && !strchr(":{}#\n", s[p]); p += len) {
-        int joined = joins(l, p, &len);
+        int joined = find_join(l, p, &len);
         if (depth == 0 && (joined || s[p] == ')')) {
             side.until = (unsigned)joined;
             break;
@@ -100,11 +100,11 @@ static Side right_side(const Lexer *l, uint32_t p)
 }
 
 // Scans the sides before a sign, from the start of its parentheses or of the line. Only the last one counts.
-static Side left_side(const Lexer *l, uint32_t at)
+static ConditionSide left_side(const Lexer *l, uint32_t at)
 {
     const char *s = l->src->text;
     uint32_t from = at, depth = 0, len = 1;
-    Side side = {false, SIDE_END};
+    ConditionSide side = {false, SIDE_END};
 
     while (from > l->line_start && at - from < HINT_FAR && !strchr(":{}", s[from - 1]) && (s[from - 1] != '(' || depth > 0)) {
         from--;
@@ -113,9 +113,9 @@ static Side left_side(const Lexer *l, uint32_t at)
     }
     depth = 0;
     for (uint32_t p = from; p < at; p += len) {
-        int joined = joins(l, p, &len);
+        int joined = find_join(l, p, &len);
         if (depth == 0 && joined)
-            side = (Side){false, (unsigned)joined};
+            side = (ConditionSide){false, (unsigned)joined};
         depth += s[p] == '(';
         depth -= s[p] == ')' && depth > 0;
         side.compares |= compares_at(s, p);
@@ -127,7 +127,7 @@ static Side left_side(const Lexer *l, uint32_t at)
 static bool may_be_bits(const Lexer *l, const Token *t)
 {
     const char sign = l->src->text[t->at];
-    Side left, right;
+    ConditionSide left, right;
 
     if (t->len > 1 || sign == '~')
         return t->len == 1 && l->stores && !t->first;      // at a first token l->stores describes the previous line

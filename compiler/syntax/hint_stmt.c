@@ -8,7 +8,7 @@
 // ---- text of the line ----
 
 // Returns the word or number after blanks at *at, and moves *at to its end; returns "" if there is none.
-static const char *take_word(const Parser *p, uint32_t *at)
+static const char *read_word_at(const Parser *p, uint32_t *at)
 {
     const char *text = p->lex.src->text;
     uint32_t from, end;
@@ -22,12 +22,12 @@ static const char *take_word(const Parser *p, uint32_t *at)
 }
 
 // x between a and b, where `between` is the current token.
-static const char *between_text(const Parser *p, const AstExpr *e)
+static const char *format_between(const Parser *p, const AstExpr *e)
 {
     uint32_t at = p->ahead.at;
-    const char *lo = take_word(p, &at);
-    const bool known = strcmp(take_word(p, &at), "and") == 0;
-    const char *hi = known ? take_word(p, &at) : "";
+    const char *lo = read_word_at(p, &at);
+    const bool known = strcmp(read_word_at(p, &at), "and") == 0;
+    const char *hi = known ? read_word_at(p, &at) : "";
 
     return format_in(p->arena, "write %s <= %s <= %s", *hi ? lo : "3", parser_text(p, e->span), *hi ? hi : "5");
 }
@@ -59,7 +59,7 @@ HintResult hint_report_no_statement(HintCase *c)
         return HINT_NONE;
     d = parser_fail(p, DIAG_no_statement, e->span, e->name->text);
     if (hint_is_word(&p->tok, "between"))
-        diag_label(p->diags, d, DIAG_label_text, between_text(p, e));
+        diag_label(p->diags, d, DIAG_label_text, format_between(p, e));
     else
         diag_label(p->diags, d, DIAG_label_statements);
     e->kind = AST_ERROR;
@@ -119,7 +119,7 @@ HintResult hint_report_prose_in_guard(HintCase *c)
         return HINT_NONE;
     d = parser_fail(p, DIAG_guard_without_body, parser_here(p), parser_found(p));
     if (hint_is_word(&p->tok, "between"))
-        diag_label(p->diags, d, DIAG_label_text, between_text(p, c->e));
+        diag_label(p->diags, d, DIAG_label_text, format_between(p, c->e));
     return HINT_SKIPPED;
 }
 
@@ -327,7 +327,7 @@ static bool may_follow_foreign(const Token *next)
 }
 
 // Returns the text after the name of a declaration among statements: "" or "= 3".
-static const char *value_of_decl(const Parser *p, uint32_t at)
+static const char *find_decl_value(const Parser *p, uint32_t at)
 {
     const char *text = p->lex.src->text;
     uint32_t end;
@@ -353,8 +353,8 @@ HintResult hint_report_decl_in_state(HintCase *c)
     Diag *d = parser_fail(p, DIAG_decl_in_state, parser_here(p));
     const bool word = p->tok.kind == TOK_NAME && (hint_is_word(&p->tok, "const") || hint_is_word(&p->tok, "var"));
     uint32_t at = p->ahead.at;
-    const char *type = word ? take_word(p, &at) : p->tok.text->text, *name = take_word(p, &at);
-    const char *value = value_of_decl(p, at), *initial;
+    const char *type = word ? read_word_at(p, &at) : p->tok.text->text, *name = read_word_at(p, &at);
+    const char *value = find_decl_value(p, at), *initial;
 
     if (hint_find_synonym(HINT_TYPES, type))
         type = hint_find_synonym(HINT_TYPES, type);
@@ -394,11 +394,11 @@ static void replace_arrow(Parser *p)
 }
 
 // wait(200), delay(200), sleep(2): the message repeats that number. In other languages delay takes milliseconds and sleep takes seconds.
-static const char *text_of_wait(const Parser *p)
+static const char *format_wait(const Parser *p)
 {
     static const char general[] = "put what follows in braces, under a limit to the time in the state: T >= 100 { ... }";
     uint32_t at = p->ahead.at + (p->ahead.kind == TOK_LPAREN);
-    const char *number = p->ahead.first ? "" : take_word(p, &at), *unit = "if 'G' counts milliseconds";
+    const char *number = p->ahead.first ? "" : read_word_at(p, &at), *unit = "if 'G' counts milliseconds";
 
     if (!is_digit(*number))
         return general;
@@ -451,7 +451,7 @@ static HintResult apply_word(Parser *p, HintEffect effect, const char *text)
         break;
     }
     d = parser_fail(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
-    diag_label(p->diags, d, DIAG_label_text, effect == HINT_WAIT ? text_of_wait(p) : text);
+    diag_label(p->diags, d, DIAG_label_text, effect == HINT_WAIT ? format_wait(p) : text);
     skip_header_of_loop(p);
     parser_next(p);
     return HINT_SKIPPED;

@@ -185,7 +185,7 @@ static int is_division(const Lexer *l)
 }
 
 // Replaces Python's floor division with the single / that the user meant.
-static void floor_division(Lexer *l, Token *t)
+static void read_floor_division(Lexer *l, Token *t)
 {
     Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, l->at, 2), "//");
 
@@ -242,7 +242,7 @@ HintResult hint_read_slashes(Lexer *l, Token *t)
     Diag *d;
 
     if (division == 2)
-        return floor_division(l, t), HINT_READ;
+        return read_floor_division(l, t), HINT_READ;
     d = diag_report(l->diags, DIAG_foreign_comment, lexer_span(l, at, p - at), lexer_text(l, at, p));
     if (is_percentage(l))
         diag_label(l->diags, d, DIAG_label_text, "write a percentage as a factor, as in 0.5 * x; a comment begins with #");
@@ -290,7 +290,7 @@ static bool is_name_place(const Lexer *l, uint32_t at)
 }
 
 // 5psi, 0x1G; or a name that begins with a digit
-static void number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t stop)
+static void report_number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t stop)
 {
     Diag *d = diag_report(l->diags, DIAG_number_run_on, lexer_span(l, at, stop - at), lexer_text(l, at, end),
                           lexer_text(l, end, stop));
@@ -332,12 +332,12 @@ static uint32_t rest_of_number(Lexer *l, uint32_t at, uint32_t end)
         diag_label(l->diags, diag_report(l->diags, DIAG_unit_apart, lexer_span(l, at, stop - at), whole), DIAG_label_write,
                    format_in(l->diags->arena, "%s %s", lexer_text(l, at, end), lexer_text(l, end, stop)));
     else
-        number_run_on(l, at, end, stop);
+        report_number_run_on(l, at, end, stop);
     return stop;
 }
 
 // `Hold Pressure`, `Vent-Fast`: returns the name with _ between the words; NULL if the error is a different one.
-static const char *joined(Arena *arena, Str name)
+static const char *join_header_words(Arena *arena, Str name)
 {
     char *fixed = (char *)format_in(arena, "[%s]", name->text);
 
@@ -348,7 +348,7 @@ static const char *joined(Arena *arena, Str name)
 }
 
 // `Abort @abort`: the annotations are inside the brackets. Returns the correct form; NULL if the error is a different one.
-static const char *annotations_outside(Arena *arena, Str name)
+static const char *move_annotations_outside(Arena *arena, Str name)
 {
     const char *at = strchr(name->text, '@');
     size_t n = at ? (size_t)(at - name->text) : 0;
@@ -364,14 +364,14 @@ static void report_header_name(Lexer *l, uint32_t end, Str name)
     const uint32_t from = l->at + 1;
     Span whole = lexer_span(l, l->at, end + 1 - l->at);
     Diag *d = diag_report(l->diags, DIAG_header_name, lexer_span(l, from, end - from), lexer_text(l, l->at, end + 1));
-    const char *fixed = annotations_outside(l->diags->arena, name);
+    const char *fixed = move_annotations_outside(l->diags->arena, name);
 
     if (lex_is_header_name(name->text, name->len))
         fixed = format_in(l->diags->arena, "[%s]", name->text);
     if (fixed) {
         diag_label(l->diags, d, DIAG_label_write, fixed);
         diag_edit(l->diags, d, whole, fixed);
-    } else if ((fixed = joined(l->diags->arena, name)) != NULL) {
+    } else if ((fixed = join_header_words(l->diags->arena, name)) != NULL) {
         diag_label(l->diags, d, DIAG_label_write, fixed);
     } else {
         for (size_t i = 0; i < name->len; i++)
@@ -536,7 +536,7 @@ static bool has_decimal_comma(const Lexer *l)
 }
 
 // f(a; b)
-static void semicolon_for_comma(Lexer *l, Token *t)
+static void read_semicolon_as_comma(Lexer *l, Token *t)
 {
     Diag *d = diag_report(l->diags, DIAG_foreign_operator, lexer_span(l, l->at, 1), ";", ",");
 
@@ -580,7 +580,7 @@ HintResult hint_read_semicolon(Lexer *l, Token *t)
         skip_semicolon(l);
         return HINT_SKIPPED;
     }
-    semicolon_for_comma(l, t);
+    read_semicolon_as_comma(l, t);
     return HINT_READ;
 }
 

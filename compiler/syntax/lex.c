@@ -174,16 +174,10 @@ bool lexer_is_hex_prefix(const Lexer *l, uint32_t p)
     return lexer_byte(l, p) == '0' && (lexer_byte(l, p + 1) | 0x20) == 'x';
 }
 
-static uint32_t skip_number(const Lexer *l, uint32_t p)
-{
-    if (lexer_is_hex_prefix(l, p) && is_hex(lexer_byte(l, p + 2)))
-        return skip_digits(l, p + 2, is_hex);
-    return skip_decimal(l, p);
-}
-
 static void lex_number(Lexer *l, Token *t)
 {
-    uint32_t end = skip_number(l, l->at);
+    const bool hex = lexer_is_hex_prefix(l, l->at) && is_hex(lexer_byte(l, l->at + 2));
+    uint32_t end = hex ? skip_digits(l, l->at + 2, is_hex) : skip_decimal(l, l->at);
     bool runs_on = lexer_is_word(lexer_byte(l, end)) || ((lexer_byte(l, end) == '.' || lexer_byte(l, end) == '\'') && is_digit(lexer_byte(l, end + 1)));
 
     if (!number_value(l->src->text + l->at, end - l->at, &t->number) && !runs_on)
@@ -288,15 +282,6 @@ static const Sign *find_sign(const Lexer *l)
     return NULL;
 }
 
-static void note_signs(Lexer *l)
-{
-    for (size_t row = LEX_SIGNS; row > 0; row--) {
-        uint8_t *first = &l->sign[(unsigned char)signs[row - 1].spelling[0]];
-        l->next_sign[row - 1] = *first;
-        *first = (uint8_t)row;
-    }
-}
-
 // Counts parentheses. A sign that no parentheses contain ends those that were never closed.
 static void count_parens(Lexer *l, TokenKind kind)
 {
@@ -368,12 +353,6 @@ static LexAllow allow_after(const Lexer *l, const Token *t)
            t->kind == TOK_END ? LEX_NO_ALLOW : l->allow;
 }
 
-static void lex_comment(Lexer *l, Token *t)
-{
-    lexer_skip_comment(l);
-    lexer_finish(l, t, TOK_COMMENT, l->at);
-}
-
 void lex_next(Lexer *l, Token *t)
 {
     do {
@@ -385,7 +364,8 @@ void lex_next(Lexer *l, Token *t)
         if (l->at == l->src->len)
             break;
         if (l->src->text[l->at] == '#') {
-            lex_comment(l, t);
+            lexer_skip_comment(l);
+            lexer_finish(l, t, TOK_COMMENT, l->at);
             return;
         }
     } while (!lex_one(l, t));
@@ -411,7 +391,11 @@ void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src)
     l->strings = strings;
     l->diags = diags;
     l->first = true;
-    note_signs(l);
+    for (size_t row = LEX_SIGNS; row > 0; row--) {
+        uint8_t *first = &l->sign[(unsigned char)signs[row - 1].spelling[0]];
+        l->next_sign[row - 1] = *first;
+        *first = (uint8_t)row;
+    }
     hint_init(l);
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         str_mark(strings, words[i].spelling, (uint8_t)(i + 1));

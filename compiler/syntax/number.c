@@ -10,7 +10,7 @@
 enum { E_MIN = -1022, E_MAX = 1023 };
 
 // Rounds q * 2^e. `more` means that the true value is larger by less than one unit of q. q is not 0.
-static bool assemble(uint64_t q, long e, bool more, SmF64 *value)
+static bool round_to_f64(uint64_t q, long e, bool more, SmF64 *value)
 {
     uint64_t mantissa, rest, half, bits;
     long drop = 11;                                   // 53 of the 64 bits remain
@@ -186,7 +186,7 @@ static void read_decimal(Decimal *d, const char *s, const char *end)
 }
 
 // Few digits and a small power of ten: one operation on two exact numbers, so it rounds only once.
-static bool by_shortcut(const Decimal *d, SmF64 *value)
+static bool convert_exactly(const Decimal *d, SmF64 *value)
 {
     enum { EXACT = 15 };                              // 10^15 < 2^53
     int64_t power = d->point - d->n;
@@ -202,7 +202,7 @@ static bool by_shortcut(const Decimal *d, SmF64 *value)
     return true;
 }
 
-static bool by_division(const Decimal *d, SmF64 *value)
+static bool convert_by_division(const Decimal *d, SmF64 *value)
 {
     Big top = {{0}, 0}, bottom = {{1}, 1};
     long power = (long)(d->point - d->n), shift;
@@ -214,7 +214,7 @@ static bool by_division(const Decimal *d, SmF64 *value)
     shift = 63 - (big_bits(&top) - big_bits(&bottom));            // 2^62 < quotient < 2^64
     big_shift_left(shift < 0 ? &bottom : &top, shift < 0 ? -shift : shift);
     q = big_divide(&top, &bottom);
-    return assemble(q, -shift, top.n > 0, value);
+    return round_to_f64(q, -shift, top.n > 0, value);
 }
 
 static bool decimal_value(const char *text, size_t len, SmF64 *value)
@@ -227,7 +227,7 @@ static bool decimal_value(const char *text, size_t len, SmF64 *value)
         return true;
     if (d.point > LARGEST)
         return false;
-    return by_shortcut(&d, value) || by_division(&d, value);
+    return convert_exactly(&d, value) || convert_by_division(&d, value);
 }
 
 // ---- hexadecimal ----
@@ -254,7 +254,7 @@ static bool hex_value(const char *s, const char *end, SmF64 *value)
         }
     }
     *value = sm_from_bits(0);
-    return q == 0 || assemble(q, e, more, value);
+    return q == 0 || round_to_f64(q, e, more, value);
 }
 
 bool number_value(const char *text, size_t len, SmF64 *value)

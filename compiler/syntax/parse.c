@@ -45,7 +45,7 @@ bool parser_at_end_of_statement(const Parser *p)
     return p->tok.first || parser_at_end_of_block(p) || p->last.kind == TOK_RBRACE;
 }
 
-void skip_line(Parser *p)
+void parser_skip_line(Parser *p)
 {
     while (!p->tok.first && p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END)
         parser_next(p);
@@ -61,7 +61,7 @@ static bool line_begins_with_bracket(const Source *src, uint32_t line)
     return len && *s == '[';
 }
 
-void skip_section(Parser *p)
+void parser_skip_section(Parser *p)
 {
     const Source *src = p->lex.src;
     uint32_t line = source_position(src, p->tok.at).line;
@@ -141,7 +141,7 @@ const char *parser_found(const Parser *p)
     return p->tok.first && p->tok.kind != TOK_END ? "the end of the line" : parser_describe(p, &p->tok);
 }
 
-void label_annotations(Parser *p, Diag *d, const char *const *here, size_t n)
+void parser_label_annotations(Parser *p, Diag *d, const char *const *here, size_t n)
 {
     const char *word = p->tok.text->text, *near = str_nearest(word, here, n), *list = "";
 
@@ -165,22 +165,17 @@ static int find_label(const char *word)
     return -1;
 }
 
-static int guess_label(const char *word)
-{
-    const char *synonym = hint_find_synonym(HINT_LABELS, word), *near = str_nearest(word, labels, AST_LABEL_COUNT);
-
-    return synonym ? find_label(synonym) : near ? find_label(near) : -1;
-}
-
 // Reports the current label, which is unknown; returns the label that the user probably meant, or -1.
-static int unknown_label(Parser *p)
+static int report_unknown_label(Parser *p)
 {
-    int guess = guess_label(p->tok.text->text);
-    Diag *d = parser_report(p, DIAG_label_unknown, parser_here(p), p->tok.text->text);
+    const char *word = p->tok.text->text, *synonym = hint_find_synonym(HINT_LABELS, word);
+    const char *meant = synonym ? synonym : str_nearest(word, labels, AST_LABEL_COUNT);
+    Diag *d = parser_report(p, DIAG_label_unknown, parser_here(p), word);
 
-    if (guess >= 0)
-        diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, ".%s", labels[guess]));
-    return guess;
+    if (!meant)
+        return -1;
+    diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, ".%s", meant));
+    return find_label(meant);
 }
 
 // Returns the block that the current label opens; NULL if its statements belong nowhere.
@@ -191,7 +186,7 @@ static AstBlock *open_block(Parser *p, AstSection *s)
     Diag *d;
 
     if (!known)
-        i = unknown_label(p);
+        i = report_unknown_label(p);
     if (i < 0)
         return NULL;
     if (s->block[i].present) {
@@ -236,7 +231,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
     if (p->tok.first)
         parse_block(p, &ignored);
     else
-        skip_line(p);
+        parser_skip_line(p);
     if (p->diags->errors == errors && !told)
         d = parser_report(p, DIAG_code_before_label, here, s->name->text);
     parse_block(p, &ignored);
@@ -253,7 +248,7 @@ static void parse_state(Parser *p, AstSection *s)
 {
     parse_annotations(p, AST_ON_STATE, s->name, s->name_span, &s->annotations);
     if (p->failed)
-        skip_line(p);
+        parser_skip_line(p);
     p->failed = false;
     if (!parser_at_end_of_block(p) || p->tok.kind == TOK_RBRACE)
         parse_unlabelled(p, s);
@@ -263,7 +258,7 @@ static void parse_state(Parser *p, AstSection *s)
 
 static void parse_script_section(Parser *p, AstSection *s)
 {
-    p->told_unguarded = false;
+    p->reported_unguarded = false;
     parse_block(p, &s->items);
     while (p->tok.kind == TOK_LABEL) {
         parser_report(p, DIAG_label_in_script, parser_here(p));
@@ -276,20 +271,14 @@ static void parse_script_section(Parser *p, AstSection *s)
 
 static bool is_called(const AstSection *s, const char *name) { return strcmp(s->name->text, name) == 0; }
 
-static AstSectionKind kind_in_machine(const AstSection *s)
-{
-    if (is_called(s, "state_vector"))
-        return AST_STATE_VECTOR;
-    if (is_called(s, "local"))
-        return AST_LOCAL;
-    return is_called(s, "options") || is_called(s, "all_states") ? AST_IGNORED : AST_STATE;
-}
-
 static AstSectionKind section_kind(FileKind file, const AstSection *s)
 {
     switch (file) {
     case FILE_SV: return is_called(s, "options") ? AST_OPTIONS : AST_REGION;
-    case FILE_SM: return kind_in_machine(s);
+    case FILE_SM:
+        if (is_called(s, "state_vector") || is_called(s, "local"))
+            return is_called(s, "local") ? AST_LOCAL : AST_STATE_VECTOR;
+        return is_called(s, "options") || is_called(s, "all_states") ? AST_IGNORED : AST_STATE;
     case FILE_IO: return is_called(s, "analog") || is_called(s, "digital") ? AST_PINS : AST_IGNORED;
     case FILE_SS: case FILE_APP: break;
     }
@@ -375,14 +364,6 @@ static AstSection *new_section(Parser *p, FileKind file)
     return s;
 }
 
-static void refuse_section(Parser *p, const AstFile *f, const AstSection *s)
-{
-    if (f->kind == FILE_IO)
-        refuse_pin_section(p, s);
-    else
-        parser_report(p, f->kind == FILE_SM ? DIAG_section_not_in_machine : DIAG_section_not_in_script, s->header, s->name->text);
-}
-
 static void parse_contents(Parser *p, AstFile *f, AstSection *s)
 {
     switch (s->kind) {
@@ -404,8 +385,11 @@ static void parse_contents(Parser *p, AstFile *f, AstSection *s)
         parse_pins(p, s);
         break;
     case AST_IGNORED:
-        refuse_section(p, f, s);
-        skip_section(p);
+        if (f->kind == FILE_IO)
+            parser_report_pin_section(p, s);
+        else
+            parser_report(p, f->kind == FILE_SM ? DIAG_section_not_in_machine : DIAG_section_not_in_script, s->header, s->name->text);
+        parser_skip_section(p);
         break;
     }
 }
@@ -424,7 +408,7 @@ static void parse_section(Parser *p, AstFile *f)
 
 // ---- a file ----
 
-static void start(Parser *p, Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind)
+static void init_parser(Parser *p, Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind)
 {
     memset(p, 0, sizeof *p);
     p->arena = arena;
@@ -456,11 +440,11 @@ AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *
     f->src = src;
     if (kind == FILE_APP)
         f->app = ARENA_NEW(arena, AstApp);
-    start(&p, arena, strings, diags, src, kind);
+    init_parser(&p, arena, strings, diags, src, kind);
     if (p.tok.kind != TOK_HEADER && p.tok.kind != TOK_END) {
         if (p.tok.kind != TOK_ERROR)
             diag_label(diags, parser_report(&p, DIAG_text_before_section, parser_here(&p)), DIAG_label_text, first_section[kind]);
-        skip_section(&p);
+        parser_skip_section(&p);
     }
     while (p.tok.kind == TOK_HEADER)
         if (kind == FILE_APP)

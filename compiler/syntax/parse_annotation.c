@@ -3,12 +3,12 @@
 // and what it takes. The checker handles their effects.
 #include "compiler/syntax/parser.h"
 
-typedef enum Takes { TAKES_NOTHING, TAKES_NAME, TAKES_NUMBER, TAKES_NUMBERS, TAKES_VALUE, TAKES_FINDING } Takes;
+typedef enum Arguments { TAKES_NOTHING, TAKES_NAME, TAKES_NUMBER, TAKES_NUMBERS, TAKES_VALUE, TAKES_FINDING } Arguments;
 
 #define ON(place) (1u << AST_ON_##place)
 #define ON_PINS (ON(ANALOG_INPUT) | ON(ANALOG_OUTPUT) | ON(DIGITAL_INPUT) | ON(DIGITAL_OUTPUT))
 
-static const struct { const char *spelling; Takes takes; unsigned where; } rows[] = {
+static const struct { const char *spelling; Arguments takes; unsigned where; } rows[] = {
 #define ANNOTATION(name, spelling, takes, where) {spelling, TAKES_##takes, where},
 #include "compiler/syntax/annotations.def"
 #undef ANNOTATION
@@ -18,16 +18,16 @@ static const struct { const char *spelling; Takes takes; unsigned where; } rows[
 static const unsigned families[] = {ON(ELEMENT) | ON(SV_ELEMENT) | ON(LOCAL) | ON(STATE), ON_PINS};
 
 // The declaration, header or pin that the current annotations follow.
-typedef struct Owner {
+typedef struct Annotated {
     AstPlace place;
     Str name;
     Span span;                // of the name
     AstAnnotations *all;      // the annotations found so far
-} Owner;
+} Annotated;
 
 // ---- the row of an annotation ----
 
-static unsigned family_of(AstPlace place)
+static unsigned find_family(AstPlace place)
 {
     for (size_t i = 0; i < sizeof families / sizeof *families; i++)
         if (families[i] >> place & 1u)
@@ -43,7 +43,7 @@ static int find_row(Str word, AstPlace place)
     int found = AST_ANNOTATION_COUNT;
 
     for (int i = AST_ANNOTATION_COUNT - 1; i >= 0; i--)
-        if (strcmp(rows[i].spelling, word->text) == 0 && rows[i].where & family_of(place) &&
+        if (strcmp(rows[i].spelling, word->text) == 0 && rows[i].where & find_family(place) &&
             (found == AST_ANNOTATION_COUNT || may_be_on(i, place)))
             found = i;
     return found;
@@ -54,7 +54,7 @@ static bool is_for_states_only(int row)
     return row < AST_ANNOTATION_COUNT && may_be_on(row, AST_ON_STATE) && !may_be_on(row, AST_ON_ELEMENT);
 }
 
-static size_t words_at(unsigned places, const char *words[AST_ANNOTATION_COUNT])
+static size_t list_words(unsigned places, const char *words[AST_ANNOTATION_COUNT])
 {
     size_t n = 0;
 
@@ -70,16 +70,16 @@ static bool ends_arguments(const Parser *p)
            p->tok.kind == TOK_LABEL;
 }
 
-static void unknown_annotation(Parser *p, AstPlace place)
+static void report_unknown_annotation(Parser *p, AstPlace place)
 {
     Diag *d = parser_report(p, DIAG_annotation_unknown, parser_here(p), p->tok.text->text);
     const char *here[AST_ANNOTATION_COUNT];
-    size_t n = words_at(1u << place, here);
+    size_t n = list_words(1u << place, here);
 
     if (strncmp(p->tok.text->text, "unit", 4) == 0)
         diag_label(p->diags, d, DIAG_label_text, "a unit stands in a comment");
     else
-        label_annotations(p, d, here, n);
+        parser_label_annotations(p, d, here, n);
     parser_next(p);
     while (!ends_arguments(p))
         parser_next(p);
@@ -87,7 +87,7 @@ static void unknown_annotation(Parser *p, AstPlace place)
 
 // ---- whether it is allowed there ----
 
-static void belongs_to_state(Parser *p, Diag *d, const char *word)
+static void label_place_of_state(Parser *p, Diag *d, const char *word)
 {
     diag_label(p->diags, d, DIAG_label_behind_header, word);
 }
@@ -100,7 +100,7 @@ static const char *pin_name(AstPlace place)
 }
 
 // Names the pins that the annotation is for.
-static void annotation_of_other_pins(Parser *p, const Owner *o, const AstAnnotation *a)
+static void report_annotation_of_other_pins(Parser *p, const Annotated *o, const AstAnnotation *a)
 {
     Diag *d = parser_report(p, DIAG_annotation_on_pin, a->span, rows[a->kind].spelling, pin_name(o->place));
     const char *list = NULL;
@@ -112,16 +112,16 @@ static void annotation_of_other_pins(Parser *p, const Owner *o, const AstAnnotat
 }
 
 // Returns false after a message.
-static bool may_stand(Parser *p, const Owner *o, const AstAnnotation *a)
+static bool check_place(Parser *p, const Annotated *o, const AstAnnotation *a)
 {
     const char *word = rows[a->kind].spelling;
 
     if (may_be_on((int)a->kind, o->place))
         return true;
     if (ON_PINS >> o->place & 1u)
-        annotation_of_other_pins(p, o, a);
+        report_annotation_of_other_pins(p, o, a);
     else if (is_for_states_only((int)a->kind))
-        belongs_to_state(p, parser_report(p, DIAG_annotation_of_states, a->span, word), word);
+        label_place_of_state(p, parser_report(p, DIAG_annotation_of_states, a->span, word), word);
     else if (o->place == AST_ON_STATE)
         parser_report(p, DIAG_annotation_on_state, a->span, word);
     else if (o->place == AST_ON_SV_ELEMENT)
@@ -131,7 +131,7 @@ static bool may_stand(Parser *p, const Owner *o, const AstAnnotation *a)
     return false;
 }
 
-static bool is_first_of_its_kind(Parser *p, const Owner *o, const AstAnnotation *a)
+static bool is_first_of_its_kind(Parser *p, const Annotated *o, const AstAnnotation *a)
 {
     Diag *d;
 
@@ -145,7 +145,7 @@ static bool is_first_of_its_kind(Parser *p, const Owner *o, const AstAnnotation 
 }
 
 // Line ends count as blanks. An annotation that looks as if it belonged to the declaration after it belongs to the one above.
-static void annotation_above(Parser *p, const Owner *o, const AstAnnotation *a)
+static void report_annotation_above(Parser *p, const Annotated *o, const AstAnnotation *a)
 {
     Diag *d = parser_report(p, DIAG_annotation_above, a->span, rows[a->kind].spelling, o->name->text);
 
@@ -159,7 +159,7 @@ static Span found_span(const Parser *p)
     return p->tok.first ? parser_gap(p) : parser_here(p);
 }
 
-static void take_name(Parser *p, AstAnnotation *a)
+static void parse_annotation_name(Parser *p, AstAnnotation *a)
 {
     if (p->tok.kind == TOK_NAME) {
         a->name = p->tok.text;
@@ -191,7 +191,7 @@ bool parse_signed_number(Parser *p, AstNumber *into)
     return true;
 }
 
-static void take_number(Parser *p, AstNumber *into, const char *which)
+static void parse_bound(Parser *p, AstNumber *into, const char *which)
 {
     Diag *d;
 
@@ -201,15 +201,15 @@ static void take_number(Parser *p, AstNumber *into, const char *which)
     diag_label(p->diags, d, DIAG_label_range_form);
 }
 
-static void take_numbers(Parser *p, AstAnnotation *a)
+static void parse_bounds(Parser *p, AstAnnotation *a)
 {
-    take_number(p, &a->lo, "lowest");
+    parse_bound(p, &a->lo, "lowest");
     if (a->lo.span.src)
-        take_number(p, &a->hi, "highest");
+        parse_bound(p, &a->hi, "highest");
 }
 
 // Parses one number; for a VALUE also true or false.
-static void take_value(Parser *p, AstAnnotation *a, bool truth)
+static void parse_annotation_value(Parser *p, AstAnnotation *a, bool truth)
 {
     if (truth && (p->tok.kind == TOK_TRUE || p->tok.kind == TOK_FALSE)) {
         a->is_truth = true;
@@ -223,17 +223,17 @@ static void take_value(Parser *p, AstAnnotation *a, bool truth)
 
 // ---- @allow(name, "reason") ----
 
-static void wrong_form(Parser *p, const char *expected)
+static void report_allow_form(Parser *p, const char *expected)
 {
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
     diag_label(p->diags, parser_fail(p, DIAG_allow_form, found_span(p), expected, parser_found(p)), DIAG_label_allow_form);
 }
 
-static bool take_sign(Parser *p, TokenKind kind, const char *expected)
+static bool expect_sign(Parser *p, TokenKind kind, const char *expected)
 {
     if (p->tok.kind != kind) {
-        wrong_form(p, expected);
+        report_allow_form(p, expected);
         return false;
     }
     parser_next(p);
@@ -252,7 +252,7 @@ static const char *nearest_flag(Parser *p, const char *word)
     return str_nearest(word, names, diag_flag_count);
 }
 
-static void unknown_flag(Parser *p, const AstAnnotation *a)
+static void report_unknown_flag(Parser *p, const AstAnnotation *a)
 {
     const char *near = nearest_flag(p, a->name->text);
     const DiagInfo *code = diag_find(a->name->text);
@@ -273,12 +273,12 @@ static bool is_part_of_flag(const Token *t)
                                     t->kind != TOK_ANNOTATION);
 }
 
-static void take_flag(Parser *p, AstAnnotation *a)
+static void parse_flag(Parser *p, AstAnnotation *a)
 {
     uint32_t at = p->tok.at;
 
     if (!is_part_of_flag(&p->tok) || p->tok.kind == TOK_MINUS) {
-        wrong_form(p, "the name of a warning");
+        report_allow_form(p, "the name of a warning");
         return;
     }
     while (is_part_of_flag(&p->tok))
@@ -286,7 +286,7 @@ static void take_flag(Parser *p, AstAnnotation *a)
     a->name_span = parser_since(p, at);
     a->name = str_intern(p->strings, p->lex.src->text + at, a->name_span.len);
     if (!p->failed && !diag_find_flag(a->name->text))
-        unknown_flag(p, a);
+        report_unknown_flag(p, a);
 }
 
 static bool is_blank_text(Str s)
@@ -294,7 +294,7 @@ static bool is_blank_text(Str s)
     return strspn(s->text, " \t") == s->len;
 }
 
-static void take_reason(Parser *p, AstAnnotation *a)
+static void parse_reason(Parser *p, AstAnnotation *a)
 {
     if (p->tok.kind == TOK_RPAREN || (p->tok.kind == TOK_TEXT && is_blank_text(p->tok.text))) {
         diag_label(p->diags, parser_report(p, DIAG_allow_without_reason, parser_here(p)), DIAG_label_allow_form);
@@ -304,33 +304,33 @@ static void take_reason(Parser *p, AstAnnotation *a)
         return;
     }
     a->reason = p->tok.text;
-    take_sign(p, TOK_TEXT, "a reason between quotes");
+    expect_sign(p, TOK_TEXT, "a reason between quotes");
 }
 
-static void take_finding(Parser *p, AstAnnotation *a)
+static void parse_finding(Parser *p, AstAnnotation *a)
 {
-    if (!take_sign(p, TOK_LPAREN, "'('"))
+    if (!expect_sign(p, TOK_LPAREN, "'('"))
         return;
-    take_flag(p, a);
+    parse_flag(p, a);
     if (!p->failed && p->tok.kind != TOK_RPAREN)
-        take_sign(p, TOK_COMMA, "a comma");
+        expect_sign(p, TOK_COMMA, "a comma");
     if (!p->failed)
-        take_reason(p, a);
+        parse_reason(p, a);
     if (!p->failed)
-        take_sign(p, TOK_RPAREN, "')'");
+        expect_sign(p, TOK_RPAREN, "')'");
 }
 
 // ---- arguments ----
 
-static void take_arguments(Parser *p, AstAnnotation *a)
+static void parse_annotation_arguments(Parser *p, AstAnnotation *a)
 {
     switch (rows[a->kind].takes) {
     case TAKES_NOTHING: break;
-    case TAKES_NAME:    take_name(p, a); break;
-    case TAKES_NUMBER:  take_value(p, a, false); break;
-    case TAKES_NUMBERS: take_numbers(p, a); break;
-    case TAKES_VALUE:   take_value(p, a, true); break;
-    case TAKES_FINDING: take_finding(p, a); break;
+    case TAKES_NAME:    parse_annotation_name(p, a); break;
+    case TAKES_NUMBER:  parse_annotation_value(p, a, false); break;
+    case TAKES_NUMBERS: parse_bounds(p, a); break;
+    case TAKES_VALUE:   parse_annotation_value(p, a, true); break;
+    case TAKES_FINDING: parse_finding(p, a); break;
     }
 }
 
@@ -340,7 +340,7 @@ static void take_arguments(Parser *p, AstAnnotation *a)
 static void skip_arguments(Parser *p, AstAnnotation *a)
 {
     p->failed = true;
-    take_arguments(p, a);
+    parse_annotation_arguments(p, a);
     p->failed = false;
 }
 
@@ -352,37 +352,37 @@ static bool begins_another(const Parser *p, AstPlace place)
     return p->tok.kind == TOK_TYPE;
 }
 
-static void parse_annotation(Parser *p, const Owner *o)
+static void parse_annotation(Parser *p, const Annotated *o)
 {
     AstAnnotation a = {0};
     bool first = p->tok.first, good;
     int row = find_row(p->tok.text, o->place);
 
     if (row == AST_ANNOTATION_COUNT) {
-        unknown_annotation(p, o->place);
+        report_unknown_annotation(p, o->place);
         return;
     }
     a.kind = (AstAnnotationKind)row;
     a.span = parser_here(p);
-    good = may_stand(p, o, &a);
+    good = check_place(p, o, &a);
     parser_next(p);
     first = first && !p->tok.first;
     if (good)
-        take_arguments(p, &a);
+        parse_annotation_arguments(p, &a);
     else
         skip_arguments(p, &a);
     a.span = parser_since(p, a.span.at);
     if (p->failed)
         return;
     if (first && !p->tok.first && begins_another(p, o->place))
-        annotation_above(p, o, &a);
+        report_annotation_above(p, o, &a);
     if (is_first_of_its_kind(p, o, &a) && good)
         vec_push(p->arena, o->all, a);
 }
 
 void parse_annotations(Parser *p, AstPlace place, Str owner, Span owner_span, AstAnnotations *into)
 {
-    Owner o = {place, owner, owner_span, into};
+    Annotated o = {place, owner, owner_span, into};
 
     while (!p->failed && p->tok.kind == TOK_ANNOTATION)
         parse_annotation(p, &o);
@@ -390,17 +390,17 @@ void parse_annotations(Parser *p, AstPlace place, Str owner, Span owner_span, As
 
 // ---- where annotations are not allowed ----
 
-void annotation_before_decl(Parser *p)
+void parser_report_annotation_before_decl(Parser *p)
 {
     const char *word = p->tok.text->text;
 
     if (is_for_states_only(find_row(p->tok.text, AST_ON_ELEMENT)))
-        belongs_to_state(p, parser_fail(p, DIAG_annotation_of_states, parser_here(p), word), word);
+        label_place_of_state(p, parser_fail(p, DIAG_annotation_of_states, parser_here(p), word), word);
     else
         parser_fail(p, DIAG_annotation_before, parser_here(p), word);
 }
 
-bool annotation_is_allow(const Token *t)
+bool parser_is_allow(const Token *t)
 {
     return t->kind == TOK_ANNOTATION && strcmp(t->text->text, rows[AST_ALLOW].spelling) == 0;
 }
@@ -412,20 +412,20 @@ const AstAnnotation *parse_allow(Parser *p)
 
     a->kind = AST_ALLOW;
     parser_next(p);
-    take_finding(p, a);
+    parse_finding(p, a);
     a->span = parser_since(p, span.at);
     return p->failed ? NULL : a;
 }
 
-void annotation_in_block(Parser *p)
+void parser_report_annotation_in_block(Parser *p)
 {
     static const char *const script_words[] = {"assert", "stop"};
     const char *word = p->tok.text->text, *near = str_nearest(word, script_words, 2);
     Diag *d = parser_fail(p, DIAG_annotation_here, parser_here(p), word);
 
     if (is_for_states_only(find_row(p->tok.text, AST_ON_STATE)))
-        belongs_to_state(p, d, word);
-    else if (annotation_is_allow(&p->tok))
+        label_place_of_state(p, d, word);
+    else if (parser_is_allow(&p->tok))
         diag_label(p->diags, d, DIAG_label_not_in_script);
     else if (near && p->kind == FILE_SS)
         diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "@%s", near));

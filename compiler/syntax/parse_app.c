@@ -6,19 +6,19 @@
 static bool at_section_end(const Parser *p) { return p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END; }
 
 // After an error in the entry that began at `at`: skips to the next line, and always makes progress.
-static void next_entry(Parser *p, AstApp *app, uint32_t at)
+static void recover_entry(Parser *p, AstApp *app, uint32_t at)
 {
     if (!p->failed)
         return;
     app->lost = true;
     if (p->tok.at == at && !at_section_end(p))
         parser_next(p);
-    skip_line(p);
+    parser_skip_line(p);
     p->failed = false;
 }
 
 // Reports text that begins no entry, with the nearest of the words that begin one.
-static void unknown_entry(Parser *p, DiagCode code, const char *const *words, size_t n)
+static void report_unknown_entry(Parser *p, DiagCode code, const char *const *words, size_t n)
 {
     const char *near = p->tok.kind == TOK_NAME ? str_nearest(p->tok.text->text, words, n) : NULL;
     Diag *d;
@@ -60,20 +60,20 @@ static void parse_option(Parser *p, AstApp *app)
     const char *form;
 
     if (!app_at_option(p, &o.kind)) {
-        unknown_entry(p, DIAG_app_option_unknown, option_words, AST_APP_OPTION_COUNT);
+        report_unknown_entry(p, DIAG_app_option_unknown, option_words, AST_APP_OPTION_COUNT);
         return;
     }
     form = options[o.kind].form;
     o.name_span = parser_here(p);
     parser_next(p);
-    if (options[o.kind].element && !app_take_name(p, &o.element, "the name of an element", form))
+    if (options[o.kind].element && !app_parse_name(p, &o.element, "the name of an element", form))
         return;
-    if (options[o.kind].file && !app_take_file(p, &o.file, form))
+    if (options[o.kind].file && !app_parse_file(p, &o.file, form))
         return;
-    if (options[o.kind].amount != APP_NOTHING && !app_take_amount(p, &o.amount, options[o.kind].amount, form))
+    if (options[o.kind].amount != APP_NOTHING && !app_parse_amount(p, &o.amount, options[o.kind].amount, form))
         return;
     add_option(p, app, o);
-    app_take_allows(p, o.name_span.at, app);
+    app_parse_allows(p, o.name_span.at, app);
 }
 
 // A line of [options] in another section.
@@ -99,7 +99,7 @@ static void parse_stray_option(Parser *p, AstApp *app)
 
 // ---- [start] ----
 
-static void parse_value(Parser *p, AstApp *app)
+static void parse_start_value(Parser *p, AstApp *app)
 {
     AstStmt *s = ARENA_NEW(p->arena, AstStmt);
     AstWord name = {0};
@@ -122,7 +122,7 @@ static void parse_value(Parser *p, AstApp *app)
     s->name = name.text;
     s->span = s->name_span = name.span;
     if (p->tok.kind != TOK_ASSIGN) {
-        app_wrong_form(p, "'='", "engineMode = 2");
+        app_report_form(p, "'='", "engineMode = 2");
         return;
     }
     parser_next(p);
@@ -163,12 +163,12 @@ static void parse_task(Parser *p, AstApp *app, AstAppTaskKind kind, AstAppRate *
     t.name.text = p->tok.text;
     t.name.span = parser_here(p);
     parser_next(p);
-    if (tasks[kind].named && !app_take_name(p, &t.name, kind == AST_TASK_task ? "the task's name" : "the machine's name",
+    if (tasks[kind].named && !app_parse_name(p, &t.name, kind == AST_TASK_task ? "the task's name" : "the machine's name",
                                             tasks[kind].form))
         return;
-    if (tasks[kind].file && !app_take_file(p, &t.file, tasks[kind].form))
+    if (tasks[kind].file && !app_parse_file(p, &t.file, tasks[kind].form))
         return;
-    app_take_annotations(p, tasks[kind].place, t.name.text->text, at, &t.annotations, app);
+    app_parse_annotations(p, tasks[kind].place, t.name.text->text, at, &t.annotations, app);
     if (!p->failed && r)
         vec_push(p->arena, &r->tasks, t);
 }
@@ -182,12 +182,12 @@ static void parse_rate(Parser *p, AstAppExecutor *e)
     const char *form = every ? "every 10 ms:" : "at 100 Hz:";
 
     parser_next(p);
-    if (!app_take_amount(p, &r.amount, every ? APP_TIME : APP_FREQUENCY, form))
+    if (!app_parse_amount(p, &r.amount, every ? APP_TIME : APP_FREQUENCY, form))
         return;
     if (p->tok.kind == TOK_COLON)
         parser_next(p);
     else
-        app_wrong_form(p, "':'", form);
+        app_report_form(p, "':'", form);
     r.span = parser_since(p, at);
     vec_push(p->arena, &e->rates, r);
 }
@@ -201,7 +201,7 @@ static void parse_entry(Parser *p, AstApp *app, AstAppExecutor *e)
     } else if (app_at_rate(p)) {
         parse_rate(p, e);
     } else if (!app_at_task(p, &kind)) {
-        unknown_entry(p, DIAG_app_task_unknown, task_words, sizeof task_words / sizeof *task_words);
+        report_unknown_entry(p, DIAG_app_task_unknown, task_words, sizeof task_words / sizeof *task_words);
     } else {
         if (e->rates.n == 0 && !e->lost)
             diag_label(p->diags, parser_report(p, DIAG_app_task_without_rate, parser_here(p), parser_text(p, parser_here(p))),
@@ -223,15 +223,15 @@ static void parse_executor(Parser *p, AstApp *app, AstWord name, Span header)
         (!is_identifier(name.text->text, name.text->len) || lex_is_reserved(name.text, &reserved)))
         parser_report(p, DIAG_executor_name, name.span, name.text->text);
     vec_push(p->arena, &app->executors, e);
-    app_take_annotations(p, APP_ON_EXECUTOR, name.text->text, header.at, &e->annotations, app);
+    app_parse_annotations(p, APP_ON_EXECUTOR, name.text->text, header.at, &e->annotations, app);
     own = app->allows.n;
     e->lost = e->lost || p->failed;
-    next_entry(p, app, header.at);
+    recover_entry(p, app, header.at);
     while (!at_section_end(p)) {
         uint32_t at = p->tok.at;
         parse_entry(p, app, e);
         e->lost = e->lost || p->failed;
-        next_entry(p, app, at);
+        recover_entry(p, app, at);
     }
     while (own-- > first)                         // the whole section
         app->allows.at[own].covers.len = p->tok.at - header.at;
@@ -244,7 +244,7 @@ static void parse_entries(Parser *p, AstApp *app, void (*entry)(Parser *p, AstAp
     while (!at_section_end(p)) {
         uint32_t at = p->tok.at;
         entry(p, app);
-        next_entry(p, app, at);
+        recover_entry(p, app, at);
     }
 }
 
@@ -254,7 +254,7 @@ static void parse_app_options(Parser *p, AstApp *app, AstWord name, Span header)
     while (!at_section_end(p) && !app_at_rate(p)) {
         uint32_t at = p->tok.at;
         parse_option(p, app);
-        next_entry(p, app, at);
+        recover_entry(p, app, at);
     }
     if (at_section_end(p))
         return;
@@ -266,7 +266,7 @@ static void parse_app_options(Parser *p, AstApp *app, AstWord name, Span header)
 }
 
 // A section that begins with a line of [options] or of [start] has a misspelt name.
-static const char *probably(const Parser *p)
+static const char *guess_section(const Parser *p)
 {
     AstAppOptionKind option;
 
@@ -277,7 +277,7 @@ static const char *probably(const Parser *p)
     return "options";
 }
 
-static bool is_first(Parser *p, const Span *seen, Span header, const char *name)
+static bool check_first_section(Parser *p, const Span *seen, Span header, const char *name)
 {
     if (!seen->src)
         return true;
@@ -285,9 +285,9 @@ static bool is_first(Parser *p, const Span *seen, Span header, const char *name)
     return false;
 }
 
-static bool is_options(Parser *p, const AstWord *name, Span header, const char *which)
+static bool is_section_of(Parser *p, const AstWord *name, Span header, const char *which)
 {
-    const char *meant = probably(p);
+    const char *meant = guess_section(p);
 
     if (strcmp(name->text->text, which) == 0)
         return true;
@@ -306,14 +306,14 @@ void parse_app_section(Parser *p, AstApp *app)
 
     p->failed = false;
     parser_next(p);
-    if (is_options(p, &name, header, "options")) {
-        if (is_first(p, &app->options_header, header, "options"))
+    if (is_section_of(p, &name, header, "options")) {
+        if (check_first_section(p, &app->options_header, header, "options"))
             app->options_header = header;
         parse_app_options(p, app, name, header);
-    } else if (is_options(p, &name, header, "start")) {
-        if (is_first(p, &app->start_header, header, "start"))
+    } else if (is_section_of(p, &name, header, "start")) {
+        if (check_first_section(p, &app->start_header, header, "start"))
             app->start_header = header;
-        parse_entries(p, app, parse_value);
+        parse_entries(p, app, parse_start_value);
     } else {
         parse_executor(p, app, name, header);
     }

@@ -76,7 +76,7 @@ static bool begins_entry(const Parser *p)
 
 // ---- parts of a line ----
 
-void app_wrong_form(Parser *p, const char *expected, const char *form)
+void app_report_form(Parser *p, const char *expected, const char *form)
 {
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
@@ -84,7 +84,7 @@ void app_wrong_form(Parser *p, const char *expected, const char *form)
                DIAG_label_as_in, form);
 }
 
-bool app_take_name(Parser *p, AstWord *into, const char *expected, const char *form)
+bool app_parse_name(Parser *p, AstWord *into, const char *expected, const char *form)
 {
     TokenKind reserved;
 
@@ -100,14 +100,14 @@ bool app_take_name(Parser *p, AstWord *into, const char *expected, const char *f
     if (!p->tok.first && p->tok.text && p->tok.kind != TOK_TEXT && lex_is_reserved(p->tok.text, &reserved))
         parser_fail(p, DIAG_name_reserved, parser_here(p), p->tok.text->text);
     else
-        app_wrong_form(p, expected, form);
+        app_report_form(p, expected, form);
     return false;
 }
 
-bool app_take_file(Parser *p, AstWord *into, const char *form)
+bool app_parse_file(Parser *p, AstWord *into, const char *form)
 {
     if (p->tok.kind != TOK_TEXT) {
-        app_wrong_form(p, "the name of a file in quotes", form);
+        app_report_form(p, "the name of a file in quotes", form);
         return false;
     }
     into->text = p->tok.text;
@@ -126,7 +126,7 @@ static const Unit units[] = {
 static const char *const measure_units[] = {"", "", "ns, us, ms or s", "Hz or kHz", "B or KB"};
 
 // Common spellings of units: sec, msec, MS, seconds.
-static const char *near_unit(Parser *p, AppMeasure of)
+static const char *find_unit_synonym(Parser *p, AppMeasure of)
 {
     const char *ours = p->tok.kind == TOK_NAME ? hint_find_synonym(HINT_UNITS, p->tok.text->text) : NULL;
 
@@ -146,7 +146,7 @@ static const Unit *find_unit(const Parser *p)
 
 // `every` takes a time and `at` a frequency. If the unit after the number belongs to the other keyword, returns the line written with
 // that one; else NULL.
-static const char *other_rate(Parser *p, const Unit *u, Span number, const char *form)
+static const char *find_other_rate(Parser *p, const Unit *u, Span number, const char *form)
 {
     const char *word = NULL;
 
@@ -157,7 +157,7 @@ static const char *other_rate(Parser *p, const Unit *u, Span number, const char 
     return word ? format_in(p->arena, "%s %s %s", word, parser_text(p, number), u->spelling) : NULL;
 }
 
-static bool take_unit(Parser *p, AstAmount *into, Span number, const char *form)
+static bool parse_unit(Parser *p, AstAmount *into, Span number, const char *form)
 {
     const Unit *u = find_unit(p);
     const char *near;
@@ -169,25 +169,25 @@ static bool take_unit(Parser *p, AstAmount *into, Span number, const char *form)
         return true;
     }
     if (p->tok.kind != TOK_NAME || begins_entry(p)) {
-        app_wrong_form(p, format_in(p->arena, "a unit: %s", measure_units[into->of]), form);
+        app_report_form(p, format_in(p->arena, "a unit: %s", measure_units[into->of]), form);
         return false;
     }
     d = parser_fail(p, DIAG_unit_unknown, parser_here(p), p->tok.text->text, measure_units[into->of]);
-    near = other_rate(p, u, number, form);
+    near = find_other_rate(p, u, number, form);
     if (!near)
-        near = near_unit(p, into->of);
+        near = find_unit_synonym(p, into->of);
     if (near)
         diag_label(p->diags, d, DIAG_label_did_you_mean, near);
     return false;
 }
 
-bool app_take_amount(Parser *p, AstAmount *into, AppMeasure of, const char *form)
+bool app_parse_amount(Parser *p, AstAmount *into, AppMeasure of, const char *form)
 {
     uint32_t at = p->tok.at;
     Span number;
 
     if (p->tok.kind != TOK_NUMBER) {
-        app_wrong_form(p, "a number", form);
+        app_report_form(p, "a number", form);
         return false;
     }
     into->of = of;
@@ -195,7 +195,7 @@ bool app_take_amount(Parser *p, AstAmount *into, AppMeasure of, const char *form
     into->is_exact = number_decimal(p->lex.src->text + at, p->tok.len, &into->digits, &into->exponent);
     number = parser_here(p);
     parser_next(p);
-    if (of != APP_NUMBER && !take_unit(p, into, number, form))
+    if (of != APP_NUMBER && !parse_unit(p, into, number, form))
         return false;
     into->span = parser_since(p, at);
     return true;
@@ -203,15 +203,15 @@ bool app_take_amount(Parser *p, AstAmount *into, AppMeasure of, const char *form
 
 // ---- annotations ----
 
-typedef enum Takes { TAKES_NOTHING, TAKES_ELEMENT, TAKES_STATE, TAKES_NUMBER, TAKES_OVERRUN } Takes;
+typedef enum AppArguments { TAKES_NOTHING, TAKES_ELEMENT, TAKES_STATE, TAKES_NUMBER, TAKES_OVERRUN } AppArguments;
 
-static const struct { Takes takes; bool on[APP_PLACES]; const char *form; } rows[] = {
+static const struct { AppArguments takes; bool on[APP_PLACES]; const char *form; } rows[] = {
 #define APP_ANNOTATION(name, takes, executor, task, machine, outputs, service, form) \
     {TAKES_##takes, {executor, task, machine, outputs, service, false}, form},
 #include "compiler/syntax/app.def"
 };
 
-static void unknown_annotation(Parser *p, AppPlace place)
+static void report_unknown_annotation(Parser *p, AppPlace place)
 {
     const char *here[AST_APP_ANNOTATION_COUNT + 1];
     Diag *d = parser_fail(p, DIAG_annotation_unknown, parser_here(p), p->tok.text->text);
@@ -221,30 +221,30 @@ static void unknown_annotation(Parser *p, AppPlace place)
         if (rows[i].on[place])
             here[n++] = annotations[i];
     here[n++] = "allow";
-    label_annotations(p, d, here, n);
+    parser_label_annotations(p, d, here, n);
 }
 
 // `skip`, or `catch_up` and a number.
-static bool take_overrun(Parser *p, AstAppAnnotation *a)
+static bool parse_overrun(Parser *p, AstAppAnnotation *a)
 {
     const char *form = rows[a->kind].form;
 
     if (p->tok.kind != TOK_NAME || (strcmp(p->tok.text->text, "skip") != 0 && strcmp(p->tok.text->text, "catch_up") != 0)) {
-        app_wrong_form(p, "skip or catch_up", form);
+        app_report_form(p, "skip or catch_up", form);
         return false;
     }
-    app_take_name(p, &a->word, "", form);
-    return a->word.text->text[0] == 's' || app_take_amount(p, &a->amount, APP_NUMBER, form);
+    app_parse_name(p, &a->word, "", form);
+    return a->word.text->text[0] == 's' || app_parse_amount(p, &a->amount, APP_NUMBER, form);
 }
 
-static bool take_arguments(Parser *p, AstAppAnnotation *a)
+static bool parse_annotation_arguments(Parser *p, AstAppAnnotation *a)
 {
     switch (rows[a->kind].takes) {
     case TAKES_NOTHING: return true;
-    case TAKES_ELEMENT: return app_take_name(p, &a->word, "the name of an element", rows[a->kind].form);
-    case TAKES_STATE:   return app_take_name(p, &a->word, "the name of a state", rows[a->kind].form);
-    case TAKES_NUMBER:  return app_take_amount(p, &a->amount, APP_NUMBER, rows[a->kind].form);
-    case TAKES_OVERRUN: return take_overrun(p, a);
+    case TAKES_ELEMENT: return app_parse_name(p, &a->word, "the name of an element", rows[a->kind].form);
+    case TAKES_STATE:   return app_parse_name(p, &a->word, "the name of a state", rows[a->kind].form);
+    case TAKES_NUMBER:  return app_parse_amount(p, &a->amount, APP_NUMBER, rows[a->kind].form);
+    case TAKES_OVERRUN: return parse_overrun(p, a);
     }
     return true;
 }
@@ -260,7 +260,7 @@ static bool is_first_of_its_kind(Parser *p, const AstAppAnnotation *a, const cha
     return true;
 }
 
-static void take_annotation(Parser *p, AppPlace place, const char *owner, AstAppAnnotations *into)
+static void parse_annotation(Parser *p, AppPlace place, const char *owner, AstAppAnnotations *into)
 {
     static const char *const places[] = {"an executor", "a task", "a machine", "'outputs'", "'log' and 'keep'", "'inputs'"};
     AstAppAnnotation a = {0};
@@ -269,7 +269,7 @@ static void take_annotation(Parser *p, AppPlace place, const char *owner, AstApp
     while (row < AST_APP_ANNOTATION_COUNT && strcmp(p->tok.text->text, annotations[row]) != 0)
         row++;
     if (row == AST_APP_ANNOTATION_COUNT) {
-        unknown_annotation(p, place);
+        report_unknown_annotation(p, place);
         return;
     }
     a.kind = (AstAppAnnotationKind)row;
@@ -277,16 +277,16 @@ static void take_annotation(Parser *p, AppPlace place, const char *owner, AstApp
     if (!rows[row].on[place])
         parser_fail(p, DIAG_app_annotation_place, a.span, annotations[row], places[place]);
     parser_next(p);
-    if (!take_arguments(p, &a) || p->failed)
+    if (!parse_annotation_arguments(p, &a) || p->failed)
         return;
     a.span = parser_since(p, a.span.at);
     if (is_first_of_its_kind(p, &a, owner, into))
         vec_push(p->arena, into, a);
 }
 
-void app_take_allows(Parser *p, uint32_t from, AstApp *app)
+void app_parse_allows(Parser *p, uint32_t from, AstApp *app)
 {
-    while (!p->failed && annotation_is_allow(&p->tok)) {
+    while (!p->failed && parser_is_allow(&p->tok)) {
         AstAppAllow a = {parse_allow(p), {0}};
 
         a.covers = parser_since(p, from);
@@ -295,8 +295,8 @@ void app_take_allows(Parser *p, uint32_t from, AstApp *app)
     }
 }
 
-void app_take_annotations(Parser *p, AppPlace place, const char *owner, uint32_t from, AstAppAnnotations *into, AstApp *app)
+void app_parse_annotations(Parser *p, AppPlace place, const char *owner, uint32_t from, AstAppAnnotations *into, AstApp *app)
 {
-    for (app_take_allows(p, from, app); !p->failed && p->tok.kind == TOK_ANNOTATION; app_take_allows(p, from, app))
-        take_annotation(p, place, owner, into);
+    for (app_parse_allows(p, from, app); !p->failed && p->tok.kind == TOK_ANNOTATION; app_parse_allows(p, from, app))
+        parse_annotation(p, place, owner, into);
 }

@@ -5,7 +5,7 @@
 
 // ---- sections ----
 
-void refuse_pin_section(Parser *p, const AstSection *s)
+void parser_report_pin_section(Parser *p, const AstSection *s)
 {
     static const char *const sections[] = {"analog", "digital"};
     const char *near = str_nearest(s->name->text, sections, 2);
@@ -26,7 +26,7 @@ static bool is_direction(const Token *t)
 }
 
 // batt 0 i, where the number is the current token.
-static bool wrong_order(Parser *p, Diag *d, const char *name)
+static bool label_wrong_order(Parser *p, Diag *d, const char *name)
 {
     if (!is_direction(&p->ahead) || p->ahead.first)
         return false;
@@ -55,10 +55,10 @@ static bool recover_direction(Parser *p, AstPin *pin)
     if (!goes_on)
         return false;
     parser_next(p);
-    return guess || !wrong_order(p, d, p->last.text->text);
+    return guess || !label_wrong_order(p, d, p->last.text->text);
 }
 
-static bool take_direction(Parser *p, AstPin *pin)
+static bool parse_direction(Parser *p, AstPin *pin)
 {
     bool known = is_direction(&p->tok);
 
@@ -70,12 +70,12 @@ static bool take_direction(Parser *p, AstPin *pin)
 }
 
 // Whether the next pin begins here. The missing parts of this pin must not be searched for in that one.
-static bool at_next_pin(const Parser *p)
+static bool begins_next_pin(const Parser *p)
 {
     return p->tok.first && is_direction(&p->tok) && p->ahead.kind == TOK_NUMBER;
 }
 
-static Span where_missing(const Parser *p) { return p->tok.first ? parser_gap(p) : parser_here(p); }
+static Span span_of_missing(const Parser *p) { return p->tok.first ? parser_gap(p) : parser_here(p); }
 
 enum { UNO_A0 = 14, UNO_ANALOGS = 6, MEGA_A0 = 54, MEGA_ANALOGS = 16 };      // docs/boards.md
 
@@ -103,9 +103,9 @@ static void label_printed_name(Parser *p, const AstSection *s, const AstPin *pin
         label_analog_as_digital(p, d, name, n == 1 ? *digits - '0' : 10 * (*digits - '0') + digits[1] - '0');
 }
 
-static bool take_number(Parser *p, const AstSection *s, AstPin *pin)
+static bool parse_pin_number(Parser *p, const AstSection *s, AstPin *pin)
 {
-    Span at = where_missing(p);
+    Span at = span_of_missing(p);
     const char *found = parser_found(p), *name = p->tok.kind == TOK_NAME && !p->tok.first ? p->tok.text->text : "";
 
     if (parse_signed_number(p, &pin->number))
@@ -114,9 +114,9 @@ static bool take_number(Parser *p, const AstSection *s, AstPin *pin)
     return false;
 }
 
-static bool take_element(Parser *p, AstPin *pin)
+static bool parse_pin_element(Parser *p, AstPin *pin)
 {
-    if (p->tok.kind == TOK_NAME && !at_next_pin(p)) {
+    if (p->tok.kind == TOK_NAME && !begins_next_pin(p)) {
         pin->element = p->tok.text;
         pin->element_span = parser_here(p);
         parser_next(p);
@@ -124,11 +124,11 @@ static bool take_element(Parser *p, AstPin *pin)
     }
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    parser_fail(p, DIAG_pin_element, where_missing(p), parser_text(p, pin->number.span), parser_found(p));
+    parser_fail(p, DIAG_pin_element, span_of_missing(p), parser_text(p, pin->number.span), parser_found(p));
     return false;
 }
 
-static AstPlace place_of(const AstSection *s, const AstPin *pin)
+static AstPlace find_pin_place(const AstSection *s, const AstPin *pin)
 {
     if (s->digital)
         return pin->output ? AST_ON_DIGITAL_OUTPUT : AST_ON_DIGITAL_INPUT;
@@ -144,9 +144,9 @@ static void parse_pin(Parser *p, AstSection *s)
 {
     AstPin pin = {0};
 
-    if (!take_direction(p, &pin) || !take_number(p, s, &pin) || !take_element(p, &pin))
+    if (!parse_direction(p, &pin) || !parse_pin_number(p, s, &pin) || !parse_pin_element(p, &pin))
         return;
-    parse_annotations(p, place_of(s, &pin), pin.element, pin.element_span, &pin.annotations);
+    parse_annotations(p, find_pin_place(s, &pin), pin.element, pin.element_span, &pin.annotations);
     if (!p->failed && !ends_pin(p))
         hint_explain(p, HINT_AT_PIN_END, NULL);
     vec_push(p->arena, &s->pins, pin);
@@ -161,7 +161,7 @@ void parse_pins(Parser *p, AstSection *s)
         if (p->failed && p->tok.at == at)
             parser_next(p);
         if (p->failed)
-            skip_line(p);
+            parser_skip_line(p);
     }
     p->failed = false;
 }

@@ -18,7 +18,7 @@ static const char *nearest_type(const char *word)
     return type ? type : str_nearest(word, types, sizeof types / sizeof *types);
 }
 
-static void unknown_type(Parser *p)
+static void report_unknown_type(Parser *p)
 {
     const char *near = nearest_type(p->tok.text->text);
     Diag *d = parser_report(p, DIAG_type_unknown, parser_here(p), p->tok.text->text);
@@ -31,7 +31,7 @@ static void unknown_type(Parser *p)
 static bool recover_type(Parser *p, const AstSection *s)
 {
     if (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NAME && !p->ahead.first) {
-        unknown_type(p);
+        report_unknown_type(p);
         parser_next(p);
         return true;
     }
@@ -41,7 +41,7 @@ static bool recover_type(Parser *p, const AstSection *s)
     } else if (p->tok.kind == TOK_LABEL) {
         parser_fail(p, DIAG_label_outside_state, parser_here(p), p->tok.text->text);
     } else if (p->tok.kind == TOK_ANNOTATION) {
-        annotation_before_decl(p);
+        parser_report_annotation_before_decl(p);
     } else if (p->tok.kind == TOK_ERROR) {
         p->failed = true;
     } else {
@@ -53,7 +53,7 @@ static bool recover_type(Parser *p, const AstSection *s)
 
 // ---- declarations ----
 
-static bool take_name(Parser *p, AstDecl *d)
+static bool parse_decl_name(Parser *p, AstDecl *d)
 {
     TokenKind reserved;
 
@@ -117,7 +117,7 @@ static void report_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
         hint_explain(p, HINT_AT_END, NULL);
 }
 
-static AstPlace place_of_decls(const AstSection *s)
+static AstPlace find_decl_place(const AstSection *s)
 {
     if (s->kind == AST_REGION)
         return AST_ON_SV_ELEMENT;
@@ -136,13 +136,13 @@ static void parse_decl(Parser *p, AstSection *s)
         parser_next(p);
     else if (!recover_type(p, s))
         return;
-    if (!take_name(p, &d))
+    if (!parse_decl_name(p, &d))
         return;
     if (s->kind == AST_LOCAL)
         parse_initial_value(p, &d);
     if (!p->failed)
         hint_explain(p, HINT_AFTER_DECL, NULL);
-    parse_annotations(p, place_of_decls(s), d.name, d.name_span, &d.annotations);
+    parse_annotations(p, find_decl_place(s), d.name, d.name_span, &d.annotations);
     if (!p->failed && !ends_decl(p, s, &d))
         report_after_decl(p, s, &d);
     vec_push(p->arena, &s->decls, d);
@@ -154,7 +154,7 @@ void parse_decls(Parser *p, AstSection *s)
         p->failed = false;
         parse_decl(p, s);
         if (p->failed)
-            skip_line(p);
+            parser_skip_line(p);
     }
     p->failed = false;
 }
@@ -177,7 +177,7 @@ static const char *const option_words[] = {
 
 enum { OPTION_COUNT = sizeof option_words / sizeof *option_words };
 
-static void unknown_option(Parser *p)
+static void report_unknown_option(Parser *p)
 {
     const char *word = p->tok.text->text, *synonym = hint_find_synonym(HINT_OPTIONS, word);
     const char *near = synonym ? synonym : str_nearest(word, option_words, OPTION_COUNT);
@@ -189,7 +189,7 @@ static void unknown_option(Parser *p)
     parser_next(p);
 }
 
-static bool take_option_value(Parser *p, AstOption *o, OptionTakes takes)
+static bool parse_option_argument(Parser *p, AstOption *o, OptionTakes takes)
 {
     o->value_span = parser_here(p);
     if (takes == TAKES_NUMBER && p->tok.kind == TOK_NUMBER) {
@@ -218,7 +218,7 @@ static void parse_option_value(Parser *p, AstOption *o, OptionTakes takes)
         diag_edit(p->diags, d, parser_here(p), "");
         parser_next(p);
     }
-    if (takes == TAKES_NOTHING || take_option_value(p, o, takes))
+    if (takes == TAKES_NOTHING || parse_option_argument(p, o, takes))
         return;
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
@@ -236,7 +236,7 @@ static void parse_option(Parser *p, AstSection *s)
     while (i < OPTION_COUNT && strcmp(option_words[i], o.name->text) != 0)
         i++;
     if (i == OPTION_COUNT) {
-        unknown_option(p);
+        report_unknown_option(p);
         return;
     }
     if (!(p->kind == FILE_SV ? options[i].in_sv : options[i].in_ss))
@@ -261,7 +261,7 @@ void parse_options(Parser *p, AstSection *s)
             parser_next(p);
         }
         if (p->failed)
-            skip_line(p);
+            parser_skip_line(p);
     }
     p->failed = false;
 }

@@ -44,7 +44,7 @@ static AstExpr *check_depth(Parser *p, AstExpr *e, const AstExpr *a)
 }
 
 // Counts one level of recursion; reports an error and returns false if there are too many.
-static bool enter(Parser *p)
+static bool enter_level(Parser *p)
 {
     if (p->depth < AST_DEPTH_MAX) {
         p->depth++;
@@ -213,7 +213,7 @@ static AstExpr *parse_prefixed(Parser *p)
     SmOperator op;
     AstExpr *e;
 
-    if (!enter(p))
+    if (!enter_level(p))
         return error_expr(p);
     hint_explain(p, HINT_AT_OPERAND, NULL);
     if (prefix_operator(p->tok.kind, &op)) {
@@ -268,7 +268,7 @@ static AstExpr *parse_right(Parser *p, int above)
 
     if (line_ends(p))
         return missing_value(p);
-    if (!enter(p))
+    if (!enter_level(p))
         return error_expr(p);
     e = parse_level(p, above + 1);
     p->depth--;

@@ -25,7 +25,7 @@ static bool in_script(const Parser *p) { return p->kind == FILE_SS; }
 static void parse_braces(Parser *p, AstStmts *into, Span *span);
 
 // After an error: skips to the next statement. Blocks in braces are parsed on the way, so that their } is not reported as stray.
-static void recover(Parser *p)
+static void recover_statement(Parser *p)
 {
     AstStmts ignored = {0};
     Span span;
@@ -49,31 +49,20 @@ static void finish_statement(Parser *p)
     if (!p->failed && !parser_at_end_of_statement(p))
         hint_explain(p, HINT_AT_END, NULL);
     if (p->failed && !p->tok.first)
-        recover(p);
+        recover_statement(p);
     p->lost_body = p->lost_body || p->failed;
     p->failed = false;
 }
 
 // ---- blocks ----
 
-static void after_stop(Parser *p, const AstStmts *s)
-{
-    if (p->nesting && s->n && s->at[s->n - 1]->kind == AST_STOP)
-        parser_report(p, DIAG_after_stop, parser_here(p));
-}
-
-static const AstStmt *last_of(const AstStmts *list)
-{
-    return list->n ? list->at[list->n - 1] : NULL;
-}
-
 // At the end of a list: an @allow there allows nothing.
 static void check_allows(Parser *p, const AstStmts *list)
 {
-    const AstStmt *s = last_of(list);
+    const AstStmt *last = list->n ? list->at[list->n - 1] : NULL;
 
-    if (s && s->kind == AST_ALLOWED && !p->lost_body)
-        parser_report(p, DIAG_allow_of_nothing, s->span);
+    if (last && last->kind == AST_ALLOWED && !p->lost_body)
+        parser_report(p, DIAG_allow_of_nothing, last->span);
 }
 
 void parse_block(Parser *p, AstStmts *into)
@@ -95,7 +84,8 @@ void parse_block(Parser *p, AstStmts *into)
             break;
         at = p->tok.at;
         errors = p->diags->errors;
-        after_stop(p, into);
+        if (p->nesting && into->n && into->at[into->n - 1]->kind == AST_STOP)
+            parser_report(p, DIAG_after_stop, parser_here(p));
         parse_statement(p, into);
         if (p->tok.at == at)                    // no token was consumed: the token begins no statement
             parser_next(p);
@@ -136,7 +126,7 @@ static bool enter_nesting(Parser *p)
     return false;
 }
 
-static void unguarded_braces(Parser *p)
+static void report_unguarded_braces(Parser *p)
 {
     AstStmts ignored = {0};
     Span span;
@@ -153,9 +143,9 @@ static void unguarded_braces(Parser *p)
 // Reports an item of a script that is outside every conditional.
 static void check_guarded(Parser *p, const AstStmt *s)
 {
-    if (!in_script(p) || p->nesting > 0 || p->told_unguarded || s->span.at < p->lex.hinted)
+    if (!in_script(p) || p->nesting > 0 || p->reported_unguarded || s->span.at < p->lex.hinted)
         return;
-    p->told_unguarded = true;
+    p->reported_unguarded = true;
     diag_label(p->diags, parser_report(p, DIAG_script_unguarded, s->span), DIAG_label_say_when);
 }
 
@@ -212,7 +202,7 @@ static void parse_annotated(Parser *p, AstStmts *into)
     AstStmt *s;
 
     if (!is_assert && strcmp(p->tok.text->text, "stop") != 0) {
-        annotation_in_block(p);
+        parser_report_annotation_in_block(p);
         return;
     }
     if (!in_script(p))
@@ -230,7 +220,7 @@ static void parse_annotated(Parser *p, AstStmts *into)
 // Parses the annotations here; the statement can follow on their line.
 static void parse_allows(Parser *p, AstStmts *into)
 {
-    while (annotation_is_allow(&p->tok) && !p->failed) {
+    while (parser_is_allow(&p->tok) && !p->failed) {
         AstStmt *s = new_stmt(p, AST_ALLOWED, into);
         if ((s->allow = parse_allow(p)) == NULL) {
             s->kind = AST_STMT_ERROR;
@@ -264,7 +254,7 @@ static AstExpr *parse_guard(Parser *p)
 }
 
 // The statement after the colon is missing.
-static void missing_statement(Parser *p, const AstStmt *s, AstStmts *into)
+static void recover_missing_statement(Parser *p, const AstStmt *s, AstStmts *into)
 {
     bool lines_below = p->tok.first && !parser_at_end_of_block(p) && p->tok.kind != TOK_ELSE;
 
@@ -290,7 +280,7 @@ static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *
     if (p->tok.kind == TOK_ASSIGN && !p->tok.first)
         hint_explain(p, HINT_AFTER_COLON, s->arms->has_else ? NULL : s->value);
     else if (p->tok.first || p->tok.kind == TOK_ELSE || parser_at_end_of_block(p))
-        missing_statement(p, s, into);
+        recover_missing_statement(p, s, into);
     else
         parse_statement(p, into);
     check_allows(p, into);
@@ -346,7 +336,7 @@ static void parse_body(Parser *p, const AstStmt *s, AstStmts *into, bool *braces
         parse_bare_body(p, s, into);
     }
     if (p->failed) {
-        recover(p);
+        recover_statement(p);
         p->lost_body = true;
     }
 }
@@ -416,7 +406,7 @@ static void parse_if(Parser *p, AstStmts *into, AstExpr *guard)
 }
 
 // An `else` that follows no conditional.
-static void stray_else(Parser *p)
+static void report_stray_else(Parser *p)
 {
     AstArms arms = {0};
     AstStmt s = {.arms = &arms};
@@ -452,7 +442,7 @@ static bool is_assignment_sign(TokenKind k)
 
 static void parse_statement(Parser *p, AstStmts *into)
 {
-    if (!in_script(p) && annotation_is_allow(&p->tok)) {
+    if (!in_script(p) && parser_is_allow(&p->tok)) {
         parse_allows(p, into);
         if (p->failed || p->tok.first || parser_at_end_of_block(p))
             return;
@@ -466,9 +456,9 @@ static void parse_statement(Parser *p, AstStmts *into)
     else if (p->tok.kind == TOK_ARROW)
         parse_transition(p, into);
     else if (p->tok.kind == TOK_ELSE)
-        stray_else(p);
+        report_stray_else(p);
     else if (p->tok.kind == TOK_LBRACE)
-        unguarded_braces(p);
+        report_unguarded_braces(p);
     else if (p->tok.kind == TOK_ANNOTATION)
         parse_annotated(p, into);
     else if (begins_guard(p->tok.kind))

@@ -23,7 +23,7 @@ typedef struct Parser {
     bool lost_body;               // in this block a conditional lost statements, so its `else` will look misplaced
     bool stopped;                 // parsing was abandoned: every further token is END and nothing is reported
     unsigned braces;              // open
-    bool told_unguarded;          // SS: this section's unguarded items have been reported
+    bool reported_unguarded;          // SS: this section's unguarded items have been reported
     unsigned nesting;             // of conditionals
     unsigned depth;               // of the current position in the expression
     unsigned parens;              // open at that position: line ends count as blanks
@@ -55,7 +55,7 @@ const char *parser_text(const Parser *p, Span span);    // the source text, cut 
 const char *parser_describe(const Parser *p, const Token *t);
 const char *parser_found(const Parser *p);              // describes the next token, or the end of the line before it
 // Labels the current annotation, which is unknown, with the nearest one allowed here. If none is near, the label lists all of them.
-void label_annotations(Parser *p, Diag *d, const char *const *here, size_t n);
+void parser_label_annotations(Parser *p, Diag *d, const char *const *here, size_t n);
 
 // ---- grammar ----
 
@@ -68,13 +68,13 @@ void parse_options(Parser *p, AstSection *s);
 void parse_annotations(Parser *p, AstPlace place, Str owner, Span owner_span, AstAnnotations *into);
 bool parse_signed_number(Parser *p, AstNumber *into);   // a number with or without a sign; false: none found
 void parse_pins(Parser *p, AstSection *s);
-void refuse_pin_section(Parser *p, const AstSection *s);
-bool annotation_is_allow(const Token *t);
+void parser_report_pin_section(Parser *p, const AstSection *s);
+bool parser_is_allow(const Token *t);
 const AstAnnotation *parse_allow(Parser *p);            // an @allow before a statement; NULL after a message
-void annotation_before_decl(Parser *p);                 // reports the current annotation, where a declaration should begin
-void annotation_in_block(Parser *p);                    // the same, where a statement should begin
+void parser_report_annotation_before_decl(Parser *p);                 // reports the current annotation, where a declaration should begin
+void parser_report_annotation_in_block(Parser *p);                    // the same, where a statement should begin
 void parse_app_section(Parser *p, struct AstApp *app);  // at its header
-void skip_section(Parser *p);                           // to the next line that begins with a header; does not even read tokens
-void skip_line(Parser *p);                              // to the next line, header or the end
+void parser_skip_section(Parser *p);                           // to the next line that begins with a header; does not even read tokens
+void parser_skip_line(Parser *p);                              // to the next line, header or the end
 
 #endif

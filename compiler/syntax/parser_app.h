@@ -12,12 +12,12 @@ typedef enum AppPlace { APP_ON_EXECUTOR, APP_ON_TASK, APP_ON_MACHINE, APP_ON_OUT
                        APP_PLACES } AppPlace;
 
 // Reports that `expected` is missing here, and shows the form of such a line.
-void app_wrong_form(Parser *p, const char *expected, const char *form);
+void app_report_form(Parser *p, const char *expected, const char *form);
 
 // Each returns false after a message.
-bool app_take_name(Parser *p, AstWord *into, const char *expected, const char *form);
-bool app_take_file(Parser *p, AstWord *into, const char *form);
-bool app_take_amount(Parser *p, AstAmount *into, AppMeasure of, const char *form);
+bool app_parse_name(Parser *p, AstWord *into, const char *expected, const char *form);
+bool app_parse_file(Parser *p, AstWord *into, const char *form);
+bool app_parse_amount(Parser *p, AstAmount *into, AppMeasure of, const char *form);
 
 bool app_at_option(const Parser *p, AstAppOptionKind *kind);      // a word that begins a line of [options]
 bool app_at_task(const Parser *p, AstAppTaskKind *kind);          // of a rate group
@@ -25,9 +25,9 @@ bool app_at_rate(const Parser *p);                                // `every`, `a
 
 // Parses all annotations that follow; `owner` is the name of what they annotate. The text covered by each @allow among them begins at
 // `from`.
-void app_take_annotations(Parser *p, AppPlace place, const char *owner, uint32_t from, AstAppAnnotations *into, AstApp *app);
+void app_parse_annotations(Parser *p, AppPlace place, const char *owner, uint32_t from, AstAppAnnotations *into, AstApp *app);
 
 // Parses every @allow that follows an option.
-void app_take_allows(Parser *p, uint32_t from, AstApp *app);
+void app_parse_allows(Parser *p, uint32_t from, AstApp *app);
 
 #endif
