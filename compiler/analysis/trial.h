@@ -17,7 +17,7 @@
 #define SMC_TRIAL_H
 
 #include "compiler/analysis/analysis.h"
-#include "compiler/ir/run.h"
+#include "compiler/ir/ir_run.h"
 
 typedef struct TrialInput {
     const Var *v;

@@ -73,7 +73,6 @@ static void tell_two(Narrow *n, const IrIns *i, bool told)
     }
 }
 
-static bool is_float(SmType t) { return sm_type_info[t].kind == SM_KIND_FLOAT; }
 
 static void tell_operands(Narrow *n, IrRef ref)
 {
@@ -84,7 +83,7 @@ static void tell_operands(Narrow *n, IrRef ref)
     else if (i->op == IR_store || i->op == IR_sample)
         tell(n, i->a, true);
     else if (ir_op_info[i->op].operands == 1)
-        tell(n, i->a, n->zero_sign[ref] && is_float(i->type) && i->op != IR_abs);
+        tell(n, i->a, n->zero_sign[ref] && ir_is_float(i->type) && i->op != IR_abs);
 }
 
 // ---- integers ----

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constants in emitted C keep every bit: what literal_put writes is read back by the C library and compared; and it is no
+// Constants in emitted C keep every bit: what literal_write writes is read back by the C library and compared; and it is no
 // longer than it has to be.
 #include <stdlib.h>
 #include <string.h>
@@ -35,7 +35,7 @@ typedef struct Fixture {
 static const char *written(Fixture *f, SmType type, uint64_t cell)
 {
     f->out.n = 0;
-    literal_put(&f->u, &f->out, type, cell);
+    literal_write(&f->u, &f->out, type, cell);
     return buf_text(&f->out);
 }
 

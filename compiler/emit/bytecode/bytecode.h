@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From IR to an image.  plan.c decides which IR instructions wait for their user.  select.c and jumps.c turn functions into bytecode
+// From IR to an image.  waiting.c decides which IR instructions wait for their user.  bc_select.c and jumps.c turn functions into bytecode
 // instructions with symbolic operands and labels; registers.c tracks the contents of X and Y meanwhile.  assemble.c places locals and
 // encodes instructions.  image.c and debug.c join the sections of all machines.
 #ifndef SMC_EMIT_BYTECODE_H

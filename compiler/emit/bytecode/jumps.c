@@ -3,7 +3,7 @@
 // function is placed after the others, so that X keeps its contents across guards that are false.
 #include <string.h>
 
-#include "compiler/emit/bytecode/select.h"
+#include "compiler/emit/bytecode/bc_select.h"
 #include "stdlib/convert.h"
 
 // ---- conditions ----

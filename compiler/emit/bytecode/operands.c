@@ -2,7 +2,7 @@
 // Operands of instructions: variables, statistics, constants, and slots for intermediate results.
 #include <string.h>
 
-#include "compiler/emit/bytecode/select.h"
+#include "compiler/emit/bytecode/bc_select.h"
 #include "stdlib/convert.h"
 
 static BcRef add_operand(Select *s, BcOperandKind kind, uint32_t type)

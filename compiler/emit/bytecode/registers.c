@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Emits instructions and tracks the contents of X and Y, so that a value already in a register is not loaded again.  A value in X that is
 // still needed is saved to a slot only when X is needed for something else.
-#include "compiler/emit/bytecode/select.h"
+#include "compiler/emit/bytecode/bc_select.h"
 
 // ---- register contents ----
 

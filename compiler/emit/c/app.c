@@ -2,12 +2,15 @@
 // An application as C: a header that declares the functions the user writes, and a source file of static tables on top of runtime-c, whose
 // headers document their contents.  The file's own names have no underscore, or are a user's name followed by Step, Init, Safe, Self or
 // Copy, so that no two clash.
-#include "compiler/emit/c/app_emit.h"
+#include "compiler/emit/c/app.h"
 
 #include <string.h>
 
+#include "bytecode-vm/image.h"
+#include "compiler/emit/c/emit_c.h"
 #include "compiler/emit/c/unit.h"
 #include "stdlib/convert.h"
+#include "stdlib/roll.h"
 
 // The names of the application's parts.
 typedef struct Emitter {
@@ -51,12 +54,12 @@ static void title(const Emitter *e)
 
 // ---- the header ----
 
-static void put_includes(const Emitter *e)
+static void write_includes(const Emitter *e)
 {
     buf_printf(e->out, "#include \"runtime-c/sm.h\"\n#include \"%s.h\"\n", e->app->sv->name->text);
 }
 
-static void put_prototype(const Emitter *e, const AppTask *t, uint64_t period)
+static void write_prototype(const Emitter *e, const AppTask *t, uint64_t period)
 {
     buf_printf(e->out, "\n// Every %s%s%s.\n", app_time_text(e->arena, period), t->mode ? ", as its mode says: " : "",
                t->mode ? t->mode->name->text : "");
@@ -67,28 +70,28 @@ static void put_prototype(const Emitter *e, const AppTask *t, uint64_t period)
         buf_printf(e->out, "SmResult %s_safe(const SmTick *tick);\n", t->name->text);
 }
 
-static void put_user_prototypes(const Emitter *e)
+static void write_user_prototypes(const Emitter *e)
 {
     for (size_t x = 0; x < e->app->executor.n; x++)
         for (size_t r = 0; r < e->app->executor.at[x]->rate.n; r++) {
             const AppRate *rate = e->app->executor.at[x]->rate.at[r];
             for (size_t t = 0; t < rate->task.n; t++)
                 if (rate->task.at[t]->kind == AST_TASK_task)
-                    put_prototype(e, rate->task.at[t], rate->period);
+                    write_prototype(e, rate->task.at[t], rate->period);
         }
 }
 
-static void put_header(const Emitter *e)
+static void write_header(const Emitter *e)
 {
     const char *macro = c_macro_name(e->arena, e->prefix);
 
     title(e);
     buf_printf(e->out, "#ifndef %s_APP_H_INCLUDED\n#define %s_APP_H_INCLUDED\n\n", macro, macro);
-    put_includes(e);
+    write_includes(e);
     buf_str(e->out, "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
     buf_printf(e->out, "extern SmApp %s_app;\n\n// ---- to be written by you: runtime-c/task.h tells what is expected ----\n",
                e->prefix);
-    put_user_prototypes(e);
+    write_user_prototypes(e);
     buf_str(e->out, "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
 }
 
@@ -101,7 +104,7 @@ static const char *type_of_machine(const Emitter *e, const AppMachine *m)
 
 static bool is_guarded(const Emitter *e) { return e->app->sv->lock; }
 
-static void put_one_machine(const Emitter *e, const AppMachine *m)
+static void write_one_machine(const Emitter *e, const AppMachine *m)
 {
     const char *n = m->name->text, *type = format_in(e->arena, "%s_machine", identifier(e->arena, m->program->name->text));
 
@@ -116,7 +119,38 @@ static void put_one_machine(const Emitter *e, const AppMachine *m)
     buf_printf(e->out, ", .number = %u},\n", (unsigned)m->number);
 }
 
-static void put_machines(const Emitter *e)
+// ---- a machine that runs on the VM: its image as a constant, and its memory ----
+
+static unsigned window_words(const SmvmMachine *m)
+{
+    unsigned words = 0;
+
+    for (uint32_t w = 0; w < m->windows; w++) {
+        uint32_t entry = smvm_window(m->image, m->windows_at, w);
+        words += sm_roll_words(entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS);
+    }
+    return words;
+}
+
+static void write_app_image(const AppMachine *m, const Buf *image, Buf *out)
+{
+    const char *n = m->name->text;
+    SmvmMachine vm;
+
+    smvm_machine((const uint8_t *)image->at, 0, &vm);
+    buf_printf(out, "static const uint8_t %sImage[] SMVM_IMAGE_IN = {        // %s.sm as bytecode", n, m->program->name->text);
+    emit_c_bytes(image, out);
+    buf_printf(out,
+               "\n};\nstatic uint64_t %sMemory[SMVM_WORDS(%u, %u, %u, %u)];"
+               "        // windows, their words, bytes of locals, outputs\n",
+               n, (unsigned)vm.windows, window_words(&vm), (unsigned)vm.locals, (unsigned)vm.outputs);
+    buf_printf(out,
+               "static SmvmTarget %sSelf = {.image = SMVM_IMAGE(%sImage), .size = sizeof %sImage, "
+               ".memory = %sMemory, .memory_size = sizeof %sMemory};\n",
+               n, n, n, n, n);
+}
+
+static void write_machines(const Emitter *e)
 {
     if (e->app->machine.n == 0)
         return;
@@ -124,7 +158,7 @@ static void put_machines(const Emitter *e)
     for (size_t i = 0; i < e->app->machine.n; i++) {
         const AppMachine *m = e->app->machine.at[i];
         if (m->bytecode)
-            put_app_image(m, e->image[i], e->out);
+            write_app_image(m, e->image[i], e->out);
         else
             buf_printf(e->out, "static %s %sSelf;\n", type_of_machine(e, m), m->name->text);
         if (is_guarded(e))
@@ -133,7 +167,7 @@ static void put_machines(const Emitter *e)
     }
     buf_str(e->out, "\nstatic SmMachine machines[] = {\n");
     for (size_t i = 0; i < e->app->machine.n; i++)
-        put_one_machine(e, e->app->machine.at[i]);
+        write_one_machine(e, e->app->machine.at[i]);
     buf_str(e->out, "};\n");
 }
 
@@ -174,7 +208,7 @@ static const char *quoted(const Emitter *e, Str text)
     return buf_text(&b);
 }
 
-static void put_name_table(const Emitter *e, const char *table, bool tasks)
+static void write_name_table(const Emitter *e, const char *table, bool tasks)
 {
     size_t n = tasks ? e->app->task.n : e->app->executor.n;
 
@@ -184,7 +218,7 @@ static void put_name_table(const Emitter *e, const char *table, bool tasks)
     buf_str(e->out, "};\n");
 }
 
-static void put_log(const Emitter *e)
+static void write_log(const Emitter *e)
 {
     const App *a = e->app;
 
@@ -197,8 +231,8 @@ static void put_log(const Emitter *e)
             buf_printf(e->out, "    &machines[%u],\n", (unsigned)i);
         buf_str(e->out, "};\n");
     }
-    put_name_table(e, "taskNames", true);
-    put_name_table(e, "executorNames", false);
+    write_name_table(e, "taskNames", true);
+    write_name_table(e, "executorNames", false);
     buf_printf(e->out, "static uint8_t logBuffer[%u];\n", (unsigned)a->log_room);
     buf_printf(e->out, "static SmLog flightLog = {\n    .file = \"%s\", .sv = &%s_vector, .names = &%s_names, .events = &events,\n",
                quoted(e, a->log), e->sv, e->sv);
@@ -209,7 +243,7 @@ static void put_log(const Emitter *e)
     buf_str(e->out, "    .buffer = logBuffer, .room = sizeof logBuffer\n};\n");
 }
 
-static void put_keep(const Emitter *e)
+static void write_keep(const Emitter *e)
 {
     if (!has_task(e, AST_TASK_keep))
         return;
@@ -221,7 +255,7 @@ static void put_keep(const Emitter *e)
 
 // ---- tasks ----
 
-static void put_trampoline(const Emitter *e, const char *name, const char *end, const char *call)
+static void write_trampoline(const Emitter *e, const char *name, const char *end, const char *call)
 {
     bool init = strcmp(end, "Init") == 0;
 
@@ -229,7 +263,7 @@ static void put_trampoline(const Emitter *e, const char *name, const char *end, 
                init ? "" : ", const SmTick *tick", name, call);
 }
 
-static void put_trampolines(const Emitter *e)
+static void write_trampolines(const Emitter *e)
 {
     for (size_t i = 0; i < e->app->task.n; i++) {
         const AppTask *t = e->app->task.at[i];
@@ -237,15 +271,15 @@ static void put_trampolines(const Emitter *e)
             continue;
         buf_char(e->out, '\n');
         if (t->has_init)
-            put_trampoline(e, t->name->text, "Init", "init()");
-        put_trampoline(e, t->name->text, "Step", "step(tick)");
+            write_trampoline(e, t->name->text, "Init", "init()");
+        write_trampoline(e, t->name->text, "Step", "step(tick)");
         if (t->has_safe)
-            put_trampoline(e, t->name->text, "Safe", "safe(tick)");
+            write_trampoline(e, t->name->text, "Safe", "safe(tick)");
     }
 }
 
 // .init, .step, .safe and .context of a task.
-static void put_functions(const Emitter *e, const AppTask *t)
+static void write_functions(const Emitter *e, const AppTask *t)
 {
     const char *n = t->name->text;
 
@@ -279,22 +313,22 @@ static void put_functions(const Emitter *e, const AppTask *t)
     }
 }
 
-static void put_task(const Emitter *e, const AppTask *t)
+static void write_task(const Emitter *e, const AppTask *t)
 {
     buf_printf(e->out, "    {.name = \"%s\", ", t->name->text);
-    put_functions(e, t);
+    write_functions(e, t);
     if (t->mode)
         buf_printf(e->out, ", .mode = %s", element_of(e, t->mode));
     buf_printf(e->out, ", .number = %u},\n", (unsigned)t->number);
 }
 
-static void put_tasks(const Emitter *e)
+static void write_tasks(const Emitter *e)
 {
     buf_str(e->out, "\n// ---- tasks, in the order in which they stand ----\n");
-    put_trampolines(e);
+    write_trampolines(e);
     buf_str(e->out, "\nstatic SmTask tasks[] = {\n");
     for (size_t i = 0; i < e->app->task.n; i++)
-        put_task(e, e->app->task.at[i]);
+        write_task(e, e->app->task.at[i]);
     buf_str(e->out, "};\n\nstatic SmTask *const order[] = {\n");
     for (size_t i = 0; i < e->app->task.n; i++)
         buf_printf(e->out, "    &tasks[%u],        // %s\n", (unsigned)i, e->app->task.at[i]->name->text);
@@ -303,7 +337,7 @@ static void put_tasks(const Emitter *e)
 
 // ---- executors ----
 
-static void put_rates(const Emitter *e)
+static void write_rates(const Emitter *e)
 {
     size_t task = 0;
 
@@ -319,7 +353,7 @@ static void put_rates(const Emitter *e)
     buf_str(e->out, "};\n");
 }
 
-static void put_vitals(const Emitter *e, const AppExecutor *x)
+static void write_vitals(const Emitter *e, const AppExecutor *x)
 {
     static const char *const names[APP_STATISTICS] = {".ticks", ".overruns", ".skipped", ".late", ".busy"};
     const char *before = "     .vitals = {";
@@ -333,7 +367,7 @@ static void put_vitals(const Emitter *e, const AppExecutor *x)
         buf_str(e->out, "},\n");
 }
 
-static void put_executor(const Emitter *e, const AppExecutor *x, size_t number, size_t first_rate)
+static void write_executor(const Emitter *e, const AppExecutor *x, size_t number, size_t first_rate)
 {
     buf_printf(e->out, "    {.name = \"%s\", .period = %lluu, .rate = &rates[%u], .rates = %u", x->name->text,
                (unsigned long long)x->period,
@@ -343,20 +377,20 @@ static void put_executor(const Emitter *e, const AppExecutor *x, size_t number, 
     if (x->catch_up)
         buf_printf(e->out, ", .overrun = SM_CATCH_UP, .most = %u", (unsigned)x->most);
     buf_str(e->out, ",\n");
-    put_vitals(e, x);
+    write_vitals(e, x);
     if (e->app->time)
         buf_printf(e->out, "     .time = %s, .unit = %lluu,\n", element_of(e, e->app->time), (unsigned long long)e->app->unit);
     buf_printf(e->out, "     .sv = &%s_vector, .events = &events, .number = %u},\n", e->sv, (unsigned)number);
 }
 
-static void put_executors(const Emitter *e)
+static void write_executors(const Emitter *e)
 {
     size_t rate = 0;
 
-    put_rates(e);
+    write_rates(e);
     buf_str(e->out, "\nstatic SmExecutor executors[] = {\n");
     for (size_t x = 0; x < e->app->executor.n; x++) {
-        put_executor(e, e->app->executor.at[x], x, rate);
+        write_executor(e, e->app->executor.at[x], x, rate);
         rate += e->app->executor.at[x]->rate.n;
     }
     buf_str(e->out, "};\n\nstatic SmExecutor *const threads[] = {\n");
@@ -368,7 +402,7 @@ static void put_executors(const Emitter *e)
 // ---- initial values ----
 
 // Bits, so that a number is the same whatever `double` is.  The bits of an integer are its value.
-static void put_value(const Emitter *e, const AppStart *s)
+static void c_write_value(const Emitter *e, const AppStart *s)
 {
     const Element *x = s->element;
 
@@ -378,7 +412,7 @@ static void put_value(const Emitter *e, const AppStart *s)
                const_text(e->arena, sm_cell_to_f64(x->type, s->cell)));
 }
 
-static void put_start(const Emitter *e)
+static void write_start(const Emitter *e)
 {
     if (e->app->start.n == 0)
         return;
@@ -387,13 +421,13 @@ static void put_start(const Emitter *e)
                "static void setValues(void *vector)\n{\n    %s *sv = (%s *)vector;\n\n",
                e->vector.names.sv_type, e->vector.names.sv_type);
     for (size_t i = 0; i < e->app->start.n; i++)
-        put_value(e, &e->app->start.at[i]);
+        c_write_value(e, &e->app->start.at[i]);
     buf_str(e->out, "}\n");
 }
 
 // ---- the application ----
 
-static void put_app(const Emitter *e)
+static void write_app(const Emitter *e)
 {
     buf_printf(e->out,
                "\n// ---- the application ----\n\nSmApp %s_app = {\n    .name = \"%s\", .sv = &%s_vector, .events = &events,\n"
@@ -416,7 +450,7 @@ static void put_app(const Emitter *e)
     buf_printf(e->out, "    return sm_app_main(&%s_app);\n}\n#endif\n", e->prefix);
 }
 
-static void put_code_includes(const Emitter *e)
+static void write_code_includes(const Emitter *e)
 {
     bool bytecode = false;
 
@@ -439,19 +473,19 @@ void emit_c_app(Arena *arena, const App *app, const Buf *const *image, Buf *head
     Emitter e;
 
     begin(&e, arena, app, header);
-    put_header(&e);
+    write_header(&e);
     e.out = code;
     e.image = image;
     title(&e);
-    put_code_includes(&e);
+    write_code_includes(&e);
     buf_printf(code, "\nstatic SmEvent ring[%u];\nstatic SmEvents events = {.at = ring, .room = %u, .guarded = %s};\n",
                (unsigned)app->events,
                (unsigned)app->events, is_guarded(&e) ? "true" : "false");
-    put_machines(&e);
-    put_log(&e);
-    put_keep(&e);
-    put_tasks(&e);
-    put_executors(&e);
-    put_start(&e);
-    put_app(&e);
+    write_machines(&e);
+    write_log(&e);
+    write_keep(&e);
+    write_tasks(&e);
+    write_executors(&e);
+    write_start(&e);
+    write_app(&e);
 }

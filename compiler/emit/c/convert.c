@@ -4,31 +4,22 @@
 #include "compiler/emit/c/fn.h"
 #include "stdlib/convert.h"
 
-static void put(CFn *fn, const char *text) { buf_str(&fn->line, text); }
 static unsigned bits_of(SmType t) { return sm_type_info[t].bytes * 8u; }
 static bool is_signed(SmType t) { return sm_type_info[t].kind == SM_KIND_SIGNED; }
-static bool is_float(SmType t) { return sm_type_info[t].kind == SM_KIND_FLOAT; }
 
-bool c_holds_all(SmType to, SmType from)
-{
-    if (is_signed(from) && !is_signed(to))
-        return false;
-    return bits_of(to) > bits_of(from) || (bits_of(to) == bits_of(from) && is_signed(to) == is_signed(from));
-}
-
-bool is_widening(const CFn *fn, IrRef r)
+bool c_is_widening(const CFn *fn, IrRef r)
 {
     const IrIns *i = c_ins(fn, r);
 
-    return !c_is_const(fn, r) && fn->ins[r].how == C_INLINE && i->op == IR_cvt && c_is_integer(i->type) &&
-           c_is_integer(c_ins(fn, i->a)->type) && c_holds_all(i->type, c_ins(fn, i->a)->type);
+    return !c_is_const(fn, r) && fn->ins[r].form == C_INLINE && i->op == IR_cvt && ir_is_integer(i->type) &&
+           ir_is_integer(c_ins(fn, i->a)->type) && ir_integer_contains(i->type, c_ins(fn, i->a)->type);
 }
 
-void put_assigned(CFn *fn, IrRef r)
+void c_write_assigned(CFn *fn, IrRef r)
 {
-    while (is_widening(fn, r))
+    while (c_is_widening(fn, r))
         r = c_ins(fn, r)->a;
-    put_value(fn, r, PREC_ANY);
+    c_write_value(fn, r, PREC_ANY);
 }
 
 // ---- pieces ----
@@ -40,14 +31,14 @@ static const char *const to_helper[SM_TYPE_COUNT] = {
 };
 
 // Writes a boolean as a number, with literals of type `to`.
-static void put_choice(CFn *fn, IrRef r, SmType to, int prec)
+static void write_choice(CFn *fn, IrRef r, SmType to, int prec)
 {
-    const bool opened = open_parens(fn, PREC_ANY, prec);
+    const bool opened = c_open_parens(fn, PREC_ANY, prec);
 
-    put_condition(fn, r, false, PREC_OR);
-    put(fn, to == SM_F64 && fn->u->soft ? " ? sm_from_bits(0x3FF0000000000000u /* 1.0 */) : sm_from_bits(0 /* 0.0 */)" : to == SM_F64 ? " ? 1.0 : 0.0" : to == SM_F32 ? " ? 1.0f : 0.0f" : to == SM_I64 ? " ? INT64_C(1) : 0" :
+    c_write_condition(fn, r, false, PREC_OR);
+    c_write(fn, to == SM_F64 && fn->u->soft ? " ? sm_from_bits(0x3FF0000000000000u /* 1.0 */) : sm_from_bits(0 /* 0.0 */)" : to == SM_F64 ? " ? 1.0 : 0.0" : to == SM_F32 ? " ? 1.0f : 0.0f" : to == SM_I64 ? " ? INT64_C(1) : 0" :
         to == SM_I32 ? " ? INT32_C(1) : 0" : " ? 1 : 0");
-    close_parens(fn, opened);
+    c_close_parens(fn, opened);
 }
 
 // Whether r is an inlined load of an F32 element: its checked read produces a double.
@@ -55,73 +46,73 @@ static bool is_read_here(const CFn *fn, IrRef r)
 {
     const IrIns *i = c_ins(fn, r);
 
-    return i->op == IR_load && i->type == SM_F32 && fn->u->m->var.at[i->var].space == IR_ELEMENT && fn->ins[r].how == C_INLINE;
+    return i->op == IR_load && i->type == SM_F32 && fn->u->m->var.at[i->var].space == IR_ELEMENT && fn->ins[r].form == C_INLINE;
 }
 
 // Whether a double can represent every value of integer r exactly.  A bound of 2^53 itself can be 2^53 + 1, rounded.
 static bool is_exact(const CFn *fn, IrRef r) { return fact_within(fn->ins[r].fact, -FACT_EXACT + 1, FACT_EXACT - 1); }
 
-static void put_cast(CFn *fn, SmType to, IrRef r, int prec)
+static void write_cast(CFn *fn, SmType to, IrRef r, int prec)
 {
     const SmType from = c_ins(fn, r)->type;
     bool opened;
 
     if (c_is_soft(fn, from) || (c_is_soft(fn, to) && bits_of(from) > 16)) {
-        soft_put_cast(fn, to, r);
+        soft_write_cast(fn, to, r);
         return;
     }
-    if (to == SM_F64 && c_is_integer(from) && bits_of(from) == 64 && !is_exact(fn, r)) {  // C's own cast need not round (f64.h)
+    if (to == SM_F64 && ir_is_integer(from) && bits_of(from) == 64 && !is_exact(fn, r)) {  // C's own cast need not round (f64.h)
         buf_printf(&fn->line, "%s(", helper_use(fn->u, from == SM_I64 ? "sm_from_i64" : "sm_from_u64"));
-        put_value(fn, r, PREC_ANY);
-        put(fn, ")");
+        c_write_value(fn, r, PREC_ANY);
+        c_write(fn, ")");
         return;
     }
-    opened = open_parens(fn, PREC_UNARY, prec);
+    opened = c_open_parens(fn, PREC_UNARY, prec);
     buf_printf(&fn->line, "(%s)", c_type_of(fn->u, to));
-    put_value(fn, r, PREC_PRIMARY);
-    close_parens(fn, opened);
+    c_write_value(fn, r, PREC_PRIMARY);
+    c_close_parens(fn, opened);
 }
 
-void put_double(CFn *fn, IrRef r, int prec)
+void c_write_double(CFn *fn, IrRef r, int prec)
 {
     const IrIns *i = c_ins(fn, r);
 
     if (c_is_const(fn, r) && i->type != SM_F64)
-        put_constant(fn, r, SM_F64, sm_bits(sm_cell_to_f64(i->type, c_ins(fn, r)->bits)));
+        c_write_constant(fn, r, SM_F64, sm_bits(sm_cell_to_f64(i->type, c_ins(fn, r)->bits)));
     else if (is_read_here(fn, r))
-        put_float_load(fn, r, SM_F64);
+        c_write_float_load(fn, r, SM_F64);
     else if (i->type == SM_F64)
-        put_value(fn, r, prec);
+        c_write_value(fn, r, prec);
     else if (i->type == SM_BOOL)
-        put_choice(fn, r, SM_F64, prec);
+        write_choice(fn, r, SM_F64, prec);
     else if (fn->u->soft)
-        soft_put_number(fn, r);
+        soft_write_number(fn, r);
     else
-        put_cast(fn, SM_F64, r, prec);
+        write_cast(fn, SM_F64, r, prec);
 }
 
-static void put_call_on_double(CFn *fn, const char *helper, IrRef r)
+static void write_call_on_double(CFn *fn, const char *helper, IrRef r)
 {
-    put(fn, helper_use(fn->u, helper));
-    put(fn, "(");
-    put_double(fn, r, PREC_ANY);
-    put(fn, ")");
+    c_write(fn, helper_use(fn->u, helper));
+    c_write(fn, "(");
+    c_write_double(fn, r, PREC_ANY);
+    c_write(fn, ")");
 }
 
-void put_not_zero(CFn *fn, IrRef r, bool negated, int prec)
+void c_write_not_zero(CFn *fn, IrRef r, bool negated, int prec)
 {
     const SmType type = c_ins(fn, r)->type;
     bool opened;
 
     if (c_is_soft(fn, type)) {
-        soft_put_not_zero(fn, r, negated);
+        soft_write_not_zero(fn, r, negated);
         return;
     }
-    opened = open_parens(fn, PREC_EQ, prec);
-    put_value(fn, r, PREC_REL);
-    put(fn, negated ? " == " : " != ");
-    put(fn, type == SM_F64 ? "0.0" : type == SM_F32 ? "0.0f" : "0");
-    close_parens(fn, opened);
+    opened = c_open_parens(fn, PREC_EQ, prec);
+    c_write_value(fn, r, PREC_REL);
+    c_write(fn, negated ? " == " : " != ");
+    c_write(fn, type == SM_F64 ? "0.0" : type == SM_F32 ? "0.0f" : "0");
+    c_close_parens(fn, opened);
 }
 
 // ---- integer to integer ----
@@ -136,24 +127,24 @@ static const char *const most[SM_TYPE_COUNT] = {
 };
 
 // The type in which a value is clamped: I32 if it can represent all of `from`, otherwise I64.
-static SmType clipping_type(SmType from) { return c_holds_all(SM_I32, from) ? SM_I32 : SM_I64; }
+static SmType clipping_type(SmType from) { return ir_integer_contains(SM_I32, from) ? SM_I32 : SM_I64; }
 
 // Writes r clamped to the limits of `to`.  Where a limit of the clipping type is tighter, that one is used.
-static void put_clipped(CFn *fn, IrRef r, SmType to, int prec)
+static void write_clipped(CFn *fn, IrRef r, SmType to, int prec)
 {
     const SmType from = c_ins(fn, r)->type, in = clipping_type(from);
-    const bool opened = open_parens(fn, PREC_UNARY, prec);
+    const bool opened = c_open_parens(fn, PREC_UNARY, prec);
 
-    put(fn, "(");
-    put(fn, c_type_of(fn->u, to));
-    put(fn, ")");
-    put(fn, helper_use(fn->u, from == SM_U64 ? "sm_clip_u64" : in == SM_I32 ? "sm_clip_i32" : "sm_clip_i64"));
-    put(fn, "(");
-    put_assigned(fn, r);
+    c_write(fn, "(");
+    c_write(fn, c_type_of(fn->u, to));
+    c_write(fn, ")");
+    c_write(fn, helper_use(fn->u, from == SM_U64 ? "sm_clip_u64" : in == SM_I32 ? "sm_clip_i32" : "sm_clip_i64"));
+    c_write(fn, "(");
+    c_write_assigned(fn, r);
     if (from != SM_U64)
         buf_printf(&fn->line, ", %s", is_signed(to) && bits_of(to) > bits_of(in) ? least[in] : least[to]);
-    buf_printf(&fn->line, ", %s)", from == SM_U64 || c_holds_all(in, to) ? most[to] : most[in]);
-    close_parens(fn, opened);
+    buf_printf(&fn->line, ", %s)", from == SM_U64 || ir_integer_contains(in, to) ? most[to] : most[in]);
+    c_close_parens(fn, opened);
 }
 
 // A value that is not exactly representable as an F64 is rounded to one first.
@@ -162,18 +153,18 @@ static bool goes_by_double(const CFn *fn, IrRef r, SmType to)
     return bits_of(to) == 64 && bits_of(c_ins(fn, r)->type) == 64 && !is_exact(fn, r);
 }
 
-static void put_integer(CFn *fn, IrRef r, SmType to, int prec)
+static void write_integer(CFn *fn, IrRef r, SmType to, int prec)
 {
     const SmType from = c_ins(fn, r)->type;
 
     if (goes_by_double(fn, r, to))
-        put_call_on_double(fn, to_helper[to], r);
+        write_call_on_double(fn, to_helper[to], r);
     else if (from == to)
-        put_value(fn, r, prec);
-    else if (c_holds_all(to, from) || fact_fits(fn->ins[r].fact, to))
-        put_cast(fn, to, r, prec);
+        c_write_value(fn, r, prec);
+    else if (ir_integer_contains(to, from) || fact_fits(fn->ins[r].fact, to))
+        write_cast(fn, to, r, prec);
     else
-        put_clipped(fn, r, to, prec);
+        write_clipped(fn, r, to, prec);
 }
 
 // ---- float to integer ----
@@ -206,39 +197,39 @@ static bool find_quotient(const CFn *fn, IrRef r, Quotient *q)
 {
     const IrIns *i = c_ins(fn, r), *a;
 
-    if (c_is_const(fn, r) || fn->ins[r].how != C_INLINE || i->type != SM_F64 || (i->op != IR_div && i->op != IR_mul))
+    if (c_is_const(fn, r) || fn->ins[r].form != C_INLINE || i->type != SM_F64 || (i->op != IR_div && i->op != IR_mul))
         return false;
     a = c_ins(fn, i->a);
-    if (c_is_const(fn, i->a) || fn->ins[i->a].how != C_INLINE || a->op != IR_cvt || !c_is_const(fn, i->b))
+    if (c_is_const(fn, i->a) || fn->ins[i->a].form != C_INLINE || a->op != IR_cvt || !c_is_const(fn, i->b))
         return false;
     q->x = a->a;
-    return c_is_integer(c_ins(fn, q->x)->type) && c_holds_all(SM_I32, c_ins(fn, q->x)->type) && find_divisor(fn, i, &q->d);
+    return ir_is_integer(c_ins(fn, q->x)->type) && ir_integer_contains(SM_I32, c_ins(fn, q->x)->type) && find_divisor(fn, i, &q->d);
 }
 
-static void put_quotient(CFn *fn, const Quotient *q, int prec)
+static void write_quotient(CFn *fn, const Quotient *q, int prec)
 {
-    const bool opened = open_parens(fn, PREC_MUL, prec);
+    const bool opened = c_open_parens(fn, PREC_MUL, prec);
 
     if (c_ins(fn, q->x)->type != SM_I32)
-        put_cast(fn, SM_I32, q->x, PREC_MUL);
+        write_cast(fn, SM_I32, q->x, PREC_MUL);
     else
-        put_value(fn, q->x, PREC_MUL);
+        c_write_value(fn, q->x, PREC_MUL);
     buf_printf(&fn->line, " / %ld", (long)q->d);
-    close_parens(fn, opened);
+    c_close_parens(fn, opened);
 }
 
 // Writes r truncated to an I32, whose range it must not exceed.
-static void put_cut_i32(CFn *fn, IrRef r, int prec)
+static void write_cut_i32(CFn *fn, IrRef r, int prec)
 {
     Quotient q;
 
     if (find_quotient(fn, r, &q))
-        put_quotient(fn, &q, prec);
+        write_quotient(fn, &q, prec);
     else
-        put_cast(fn, SM_I32, r, prec);
+        write_cast(fn, SM_I32, r, prec);
 }
 
-static void put_cut(CFn *fn, IrRef r, SmType to, int prec)
+static void write_cut(CFn *fn, IrRef r, SmType to, int prec)
 {
     const Fact x = fn->ins[r].fact;
     const bool fits = fits_when_cut(x, to), in_i32 = fits_when_cut(x, SM_I32);
@@ -247,74 +238,74 @@ static void put_cut(CFn *fn, IrRef r, SmType to, int prec)
 
     if ((!fits && !(bits_of(to) < 32 && in_i32)) || (fits && !find_quotient(fn, r, &q))) {
         if (fits)
-            put_cast(fn, to, r, prec);
+            write_cast(fn, to, r, prec);
         else
-            put_call_on_double(fn, to_helper[to], r);
+            write_call_on_double(fn, to_helper[to], r);
         return;
     }
-    opened = open_parens(fn, to == SM_I32 ? PREC_MUL : PREC_UNARY, prec);
+    opened = c_open_parens(fn, to == SM_I32 ? PREC_MUL : PREC_UNARY, prec);
     if (to != SM_I32)
         buf_printf(&fn->line, "(%s)", c_type_of(fn->u, to));
     if (!fits)
         buf_printf(&fn->line, "%s(", helper_use(fn->u, "sm_clip_i32"));
-    put_cut_i32(fn, r, !fits ? PREC_ANY : to == SM_I32 ? PREC_MUL : PREC_PRIMARY);
+    write_cut_i32(fn, r, !fits ? PREC_ANY : to == SM_I32 ? PREC_MUL : PREC_PRIMARY);
     if (!fits)
         buf_printf(&fn->line, ", %s, %s)", least[to], most[to]);
-    close_parens(fn, opened);
+    c_close_parens(fn, opened);
 }
 
 // ---- all conversions ----
 
-static void put_to_float(CFn *fn, IrRef r, SmType to, int prec)
+static void write_to_float(CFn *fn, IrRef r, SmType to, int prec)
 {
     const SmType from = c_ins(fn, r)->type;
-    const bool nan = is_float(from) && fn->ins[r].fact.nan;
+    const bool nan = ir_is_float(from) && fn->ins[r].fact.nan;
 
     if (from == to && !nan)
-        put_value(fn, r, prec);
+        c_write_value(fn, r, prec);
     else if (to == SM_F64 && nan)
-        put_call_on_double(fn, "sm_to_f64", r);
+        write_call_on_double(fn, "sm_to_f64", r);
     else if (to == SM_F64)
-        put_double(fn, r, prec);
+        c_write_double(fn, r, prec);
     else if (from == SM_F32) {
-        put(fn, helper_use(fn->u, "sm_no_nan_f32"));
-        put(fn, "(");
-        put_value(fn, r, PREC_ANY);
-        put(fn, ")");
+        c_write(fn, helper_use(fn->u, "sm_no_nan_f32"));
+        c_write(fn, "(");
+        c_write_value(fn, r, PREC_ANY);
+        c_write(fn, ")");
     } else if (nan)
-        put_call_on_double(fn, "sm_to_f32", r);
+        write_call_on_double(fn, "sm_to_f32", r);
     else if (from == SM_F64 || bits_of(from) < 64 || fn->u->soft)
-        put_cast(fn, SM_F32, r, prec);
+        write_cast(fn, SM_F32, r, prec);
     else {
-        put(fn, "(float)");               // rounded twice, since the language converts through F64
-        put_cast(fn, SM_F64, r, PREC_UNARY);
+        c_write(fn, "(float)");               // rounded twice, since the language converts through F64
+        write_cast(fn, SM_F64, r, PREC_UNARY);
     }
 }
 
-static void put_to_bool(CFn *fn, IrRef r, int prec)
+static void write_to_bool(CFn *fn, IrRef r, int prec)
 {
     if (fn->ins[r].fact.nan)
-        put_call_on_double(fn, "sm_to_bool", r);
+        write_call_on_double(fn, "sm_to_bool", r);
     else
-        put_not_zero(fn, r, false, prec);
+        c_write_not_zero(fn, r, false, prec);
 }
 
-void put_cvt(CFn *fn, const IrIns *i, int prec)
+void c_write_cvt(CFn *fn, const IrIns *i, int prec)
 {
     const SmType from = c_ins(fn, i->a)->type, to = i->type;
 
-    if (from == SM_F64 && put_count(fn, i->a, to))
+    if (from == SM_F64 && c_write_count(fn, i->a, to))
         return;
     if (from == SM_BOOL && to == SM_BOOL)
-        put_value(fn, i->a, prec);
+        c_write_value(fn, i->a, prec);
     else if (from == SM_BOOL)
-        put_choice(fn, i->a, to, prec);
+        write_choice(fn, i->a, to, prec);
     else if (to == SM_BOOL)
-        put_to_bool(fn, i->a, prec);
-    else if (is_float(to))
-        put_to_float(fn, i->a, to, prec);
-    else if (c_is_integer(from))
-        put_integer(fn, i->a, to, prec);
+        write_to_bool(fn, i->a, prec);
+    else if (ir_is_float(to))
+        write_to_float(fn, i->a, to, prec);
+    else if (ir_is_integer(from))
+        write_integer(fn, i->a, to, prec);
     else
-        put_cut(fn, i->a, to, prec);
+        write_cut(fn, i->a, to, prec);
 }

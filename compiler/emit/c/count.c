@@ -4,7 +4,6 @@
 #include "compiler/emit/c/fn.h"
 #include "stdlib/convert.h"
 
-static void put(CFn *fn, const char *text) { buf_str(&fn->line, text); }
 
 // A counter and its increment: a constant, or the conversion of an integer or a boolean.
 typedef struct Count {
@@ -18,7 +17,7 @@ static IrRef integer_of(const CFn *fn, IrRef r)
 {
     const IrIns *i = c_ins(fn, r);
 
-    return !c_is_const(fn, r) && fn->ins[r].how == C_INLINE && i->op == IR_cvt && c_is_integer(c_ins(fn, i->a)->type) ? i->a : IR_NONE;
+    return !c_is_const(fn, r) && fn->ins[r].form == C_INLINE && i->op == IR_cvt && ir_is_integer(c_ins(fn, i->a)->type) ? i->a : IR_NONE;
 }
 
 // The boolean that r, inlined, converts to F64; or IR_NONE.
@@ -26,7 +25,7 @@ static IrRef truth_of(const CFn *fn, IrRef r)
 {
     const IrIns *i = c_ins(fn, r);
 
-    return !c_is_const(fn, r) && fn->ins[r].how == C_INLINE && i->op == IR_cvt && c_ins(fn, i->a)->type == SM_BOOL ? i->a : IR_NONE;
+    return !c_is_const(fn, r) && fn->ins[r].form == C_INLINE && i->op == IR_cvt && c_ins(fn, i->a)->type == SM_BOOL ? i->a : IR_NONE;
 }
 
 static bool is_step(const CFn *fn, IrRef r)
@@ -49,7 +48,7 @@ static bool find_count(const CFn *fn, IrRef r, SmType to, Count *c)
     const IrIns *i = c_ins(fn, r);
     const bool swap = i->op == IR_add && !is_counted(fn, i->a, to);
 
-    if ((i->op != IR_add && i->op != IR_sub) || i->type != SM_F64 || fn->ins[r].how != C_INLINE)
+    if ((i->op != IR_add && i->op != IR_sub) || i->type != SM_F64 || fn->ins[r].form != C_INLINE)
         return false;
     c->v = swap ? i->b : i->a;
     c->by = swap ? i->a : i->b;
@@ -67,43 +66,43 @@ static bool is_up_by_one(const CFn *fn, const Count *c, SmType to)
 }
 
 // Writes the increment argument of a helper; `up`: the helper counts up by one.
-static void put_step(CFn *fn, const Count *c, bool up)
+static void write_step(CFn *fn, const Count *c, bool up)
 {
     const IrRef n = integer_of(fn, c->by);
     const double x = fn->ins[c->by].fact.lo;
 
     if (up && c->truth == IR_NONE)
         return;
-    put(fn, ", ");
+    c_write(fn, ", ");
     if (c->truth != IR_NONE) {
-        put_condition(fn, c->truth, false, up ? PREC_ANY : PREC_OR);
-        put(fn, up ? "" : c->down ? " ? -1 : 0" : " ? 1 : 0");
+        c_write_condition(fn, c->truth, false, up ? PREC_ANY : PREC_OR);
+        c_write(fn, up ? "" : c->down ? " ? -1 : 0" : " ? 1 : 0");
     } else if (c_is_const(fn, c->by)) {
-        put_constant(fn, c->by, SM_I64, sm_cell_from_f64(SM_I64, c->down ? -x : x));
+        c_write_constant(fn, c->by, SM_I64, sm_cell_from_f64(SM_I64, c->down ? -x : x));
     } else if (c->down || c_ins(fn, n)->type == SM_U64) {
-        put(fn, c->down ? "-(int64_t)" : "(int64_t)");
-        put_value(fn, n, PREC_PRIMARY);
+        c_write(fn, c->down ? "-(int64_t)" : "(int64_t)");
+        c_write_value(fn, n, PREC_PRIMARY);
     } else {
-        put_assigned(fn, n);
+        c_write_assigned(fn, n);
     }
 }
 
-bool soft_put_count(CFn *fn, const IrIns *store)
+bool soft_write_count(CFn *fn, const IrIns *store)
 {
     const IrIns *i = c_ins(fn, store->a);
     IrRef v;
     Count c;
 
-    if (!fn->u->soft || i->op != IR_cvt || i->type != SM_U64 || c_is_const(fn, store->a) || fn->ins[store->a].how != C_INLINE ||
+    if (!fn->u->soft || i->op != IR_cvt || i->type != SM_U64 || c_is_const(fn, store->a) || fn->ins[store->a].form != C_INLINE ||
         c_ins(fn, i->a)->type != SM_F64 || !find_count(fn, i->a, SM_U64, &c) || c.truth != IR_NONE ||
         !is_up_by_one(fn, &c, SM_U64))
         return false;
     v = integer_of(fn, c.v);
-    if (c_ins(fn, v)->op != IR_load || c_ins(fn, v)->var != store->var || fn->ins[v].how != C_INLINE)
+    if (c_ins(fn, v)->op != IR_load || c_ins(fn, v)->var != store->var || fn->ins[v].form != C_INLINE)
         return false;
-    put(fn, "sm_soft_count(&");
-    put_cell(fn, store->var);
-    put(fn, ")");
+    c_write(fn, "sm_soft_count(&");
+    c_write_cell(fn, store->var);
+    c_write(fn, ")");
     return true;
 }
 
@@ -114,16 +113,16 @@ static const char *helper_of(CFn *fn, const Count *c, SmType to)
     return c->truth == IR_NONE ? "sm_count_up" : "sm_count_up_if";
 }
 
-bool put_count(CFn *fn, IrRef r, SmType to)
+bool c_write_count(CFn *fn, IrRef r, SmType to)
 {
     Count c;
 
     if ((to != SM_U64 && to != SM_I64) || !find_count(fn, r, to, &c))
         return false;
-    put(fn, helper_use(fn->u, helper_of(fn, &c, to)));
-    put(fn, "(");
-    put_value(fn, integer_of(fn, c.v), PREC_ANY);
-    put_step(fn, &c, is_up_by_one(fn, &c, to));
-    put(fn, ")");
+    c_write(fn, helper_use(fn->u, helper_of(fn, &c, to)));
+    c_write(fn, "(");
+    c_write_value(fn, integer_of(fn, c.v), PREC_ANY);
+    write_step(fn, &c, is_up_by_one(fn, &c, to));
+    c_write(fn, ")");
     return true;
 }

@@ -25,14 +25,14 @@ const char *c_type_of(const CUnit *u, SmType type)
 
 // ---- the state vector ----
 
-static void put_padding(Arena *a, Buf *out, uint32_t from, uint32_t to)
+static void write_padding(Arena *a, Buf *out, uint32_t from, uint32_t to)
 {
     if (from < to)
         buf_printf(out, "    uint8_t  %s[%u];\n", c_padding_name(a, from), (unsigned)(to - from));
 }
 
 // Writes `type name;` and its comment, in columns.
-static void put_member(Buf *out, const char *type, const char *name, const char *comment)
+static void write_member(Buf *out, const char *type, const char *name, const char *comment)
 {
     const size_t start = out->n;
 
@@ -56,19 +56,19 @@ static const char *joined(Arena *a, const char *first, const char *second)
 // A vector for the runtime includes the runtime's headers; a machine is self-contained.
 static bool knows_f64(const CUnit *u) { return u->runtime && !u->m; }
 
-static void put_element(const CUnit *u, const CElement *e, Buf *out)
+static void write_element(const CUnit *u, const CElement *e, Buf *out)
 {
     Arena *a = u->arena;
     const char *name = source_name(e->member, e->name), *said = remark_at(a, e->span);
 
     // C's bool can have any size, and reading a byte other than 0 or 1 from it is undefined.
     if (e->type == SM_BOOL)
-        put_member(out, "uint8_t", e->member, joined(a, *name ? format_in(a, "bool %s", name) : "bool", said));
+        write_member(out, "uint8_t", e->member, joined(a, *name ? format_in(a, "bool %s", name) : "bool", said));
     else
-        put_member(out, knows_f64(u) && e->type == SM_F64 ? "SmF64" : c_type_of(u, e->type), e->member, joined(a, name, said));
+        write_member(out, knows_f64(u) && e->type == SM_F64 ? "SmF64" : c_type_of(u, e->type), e->member, joined(a, name, said));
 }
 
-static void put_vector_members(const CUnit *u, const CVector *sv, Buf *out)
+static void write_vector_members(const CUnit *u, const CVector *sv, Buf *out)
 {
     Arena *a = u->arena;
     uint32_t at = 0;
@@ -76,17 +76,17 @@ static void put_vector_members(const CUnit *u, const CVector *sv, Buf *out)
 
     for (size_t i = 0; i < sv->n; i++) {
         const CElement *e = &sv->at[i];
-        put_padding(a, out, at, e->offset);
+        write_padding(a, out, at, e->offset);
         if (sv->shared && e->region != region)
             buf_printf(out, "%s    // [%s]\n", i ? "\n" : "", e->region->text);
         region = e->region;
-        put_element(u, e, out);
+        write_element(u, e, out);
         at = e->offset + sm_type_info[e->type].bytes;
     }
-    put_padding(a, out, at, sv->size);
+    write_padding(a, out, at, sv->size);
 }
 
-static void put_vector_comment(const CVector *sv, Buf *out)
+static void write_vector_comment(const CVector *sv, Buf *out)
 {
     if (sv->shared)
         buf_printf(out, "// The state vector of %s.sv.  Every machine built with it declares this struct, and all of them may be used together.\n"
@@ -97,14 +97,14 @@ static void put_vector_comment(const CVector *sv, Buf *out)
                  "// anything else true.\n");
 }
 
-void put_vector_struct(const CUnit *u, Buf *out)
+void c_write_vector_struct(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
 
-    put_vector_comment(&u->sv, out);
+    write_vector_comment(&u->sv, out);
     buf_printf(out, "#if !defined(%s_LAYOUT)\n#define %s_LAYOUT 0x%08xu\n", n->sv_macro, n->sv_macro, u->sv.hash);
     buf_printf(out, "typedef struct %s {\n", n->sv_type);
-    put_vector_members(u, &u->sv, out);
+    write_vector_members(u, &u->sv, out);
     buf_printf(out, "} %s;\n\n", n->sv_type);
     buf_printf(out, "// Does not compile where the compiler puts gaps between members or has other sizes.\n"
                     "typedef char %s_layout_check[sizeof(%s) == %u ? 1 : -1];\n", n->sv_type, n->sv_type, u->sv.size);
@@ -115,7 +115,7 @@ void put_vector_struct(const CUnit *u, Buf *out)
 
 // ---- the machine ----
 
-static void put_status(const CNames *n, Buf *out)
+static void write_status(const CNames *n, Buf *out)
 {
     buf_printf(out, "typedef enum %sStatus {\n", n->type);
     buf_printf(out, "    %s_OK,\n", n->macro);
@@ -125,7 +125,7 @@ static void put_status(const CNames *n, Buf *out)
     buf_printf(out, "} %sStatus;\n", n->type);
 }
 
-static void put_states(const CUnit *u, Buf *out)
+static void write_states(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
     const size_t states = u->m->state.n;
@@ -145,7 +145,7 @@ bool c_is_output(const IrMachine *m, size_t v)
     return m->var.at[v].space == IR_ELEMENT && (m->var.at[v].writable || v == m->s);
 }
 
-static void put_stored(const CUnit *u, Buf *out)
+static void write_stored(const CUnit *u, Buf *out)
 {
     buf_printf(out, "// Which elements the last step that was not refused has stored.\n"
                     "typedef struct %sStored {\n", u->names.type);
@@ -155,19 +155,19 @@ static void put_stored(const CUnit *u, Buf *out)
     buf_printf(out, "} %sStored;\n", u->names.type);
 }
 
-static void put_local(const CUnit *u, size_t v, Buf *out)
+static void write_local(const CUnit *u, size_t v, Buf *out)
 {
     const IrVar *var = &u->m->var.at[v];
 
-    put_member(out, c_type_of(u, var->type), u->names.var[v],
+    write_member(out, c_type_of(u, var->type), u->names.var[v],
                joined(u->arena, source_name(u->names.var[v], var->name), remark_at(u->arena, var->span)));
 }
 
-static void put_window(const CUnit *u, size_t w, const char *call, Buf *out)
+static void write_window(const CUnit *u, size_t w, const char *call, Buf *out)
 {
     const IrWindow *win = &u->m->window.at[w];
 
-    put_member(out, "uint64_t", window_declaration(u, w),
+    write_member(out, "uint64_t", c_window_declaration(u, w),
                call ? call : format_in(u->arena, "samples of the last %u steps", (unsigned)win->size));
 }
 
@@ -179,51 +179,51 @@ static bool has_locals(const IrMachine *m)
     return false;
 }
 
-static void put_machine_struct(CUnit *u, Buf *out)
+static void write_machine_struct(CUnit *u, Buf *out)
 {
     const IrMachine *m = u->m;
     const char **call = remark_windows(u);
 
     buf_printf(out, "// The machine.  Copying it copies the machine; its members are for reading, and those that end in an underscore are\n"
                     "// its own business.\ntypedef struct %s {\n", u->names.type);
-    put_member(out, c_state_type(u), "state_", "what the next step runs; 0 before init");
-    put_member(out, "bool", "first_", "the next step is the state's first");
-    put_member(out, "uint64_t", "gate_", u->soft ? "time of the last step, and 1; 0 before one" : "how much time was left at the last step");
+    write_member(out, c_state_type(u), "state_", "what the next step runs; 0 before init");
+    write_member(out, "bool", "first_", "the next step is the state's first");
+    write_member(out, "uint64_t", "gate_", u->soft ? "time of the last step, and 1; 0 before one" : "how much time was left at the last step");
     if (!u->soft)
-        put_member(out, "uint64_t", "left_", "the same before a first step, when the gate is 0");
-    put_member(out, "uint64_t", "start_", "time of the state's first step");
+        write_member(out, "uint64_t", "left_", "the same before a first step, when the gate is 0");
+    write_member(out, "uint64_t", "start_", "time of the state's first step");
     if (u->track_stores)
-        put_member(out, format_in(u->arena, "%sStored", u->names.type), "stored", "what the last step that ran stored");
+        write_member(out, format_in(u->arena, "%sStored", u->names.type), "stored", "what the last step that ran stored");
     if (has_locals(m))
         buf_str(out, "\n    // [local]\n");
     for (size_t v = 0; v < m->var.n; v++)
         if (m->var.at[v].space == IR_LOCAL)
-            put_local(u, v, out);
+            write_local(u, v, out);
     if (m->window.n)
         buf_str(out, "\n    // rolling windows\n");
     for (size_t w = 0; w < m->window.n; w++)
-        put_window(u, w, call[w], out);
+        write_window(u, w, call[w], out);
     buf_printf(out, "} %s;\n", u->names.type);
 }
 
-void put_machine_types(CUnit *u, Buf *out)
+void c_write_machine_types(CUnit *u, Buf *out)
 {
-    put_status(&u->names, out);
+    write_status(&u->names, out);
     buf_char(out, '\n');
-    put_states(u, out);
+    write_states(u, out);
     buf_char(out, '\n');
     if (u->track_stores) {
-        put_stored(u, out);
+        write_stored(u, out);
         buf_char(out, '\n');
     }
     if (u->m->window.n) {
-        helper_type_put(u, "SmRoll", out);
+        helper_write_type(u, "SmRoll", out);
         buf_char(out, '\n');
     }
-    put_machine_struct(u, out);
+    write_machine_struct(u, out);
 }
 
-void put_prototypes(const CUnit *u, Buf *out)
+void c_write_prototypes(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
 

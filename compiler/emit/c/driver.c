@@ -131,7 +131,7 @@ static const char run[] =
 static char cell_type(SmType t) { return t == SM_BOOL ? 'b' : (char)('0' + sm_type_info[t].bytes); }
 
 // The row of IR variable v.
-static void put_variable_row(const CUnit *u, size_t v, Buf *out)
+static void write_variable_row(const CUnit *u, size_t v, Buf *out)
 {
     const IrVar *var = &u->m->var.at[v];
     const char *p = u->names.prefix, *member = u->names.var[v];
@@ -150,17 +150,17 @@ static void put_variable_row(const CUnit *u, size_t v, Buf *out)
 }
 
 // The row of a program variable.  The IR knows it by name unless it is a constant.
-static void put_program_row(const CUnit *u, const Map *by_name, const Var *var, Buf *out)
+static void write_program_row(const CUnit *u, const Map *by_name, const Var *var, Buf *out)
 {
     const IrVar *v = map_find(by_name, var->name);
 
     if (v)
-        put_variable_row(u, (size_t)(v - u->m->var.at), out);
+        write_variable_row(u, (size_t)(v - u->m->var.at), out);
     else
         buf_printf(out, "    { NULL, NULL, UINT64_C(%llu), 0 },\n", (unsigned long long)var->init);
 }
 
-static void put_rows(const CUnit *u, Buf *out)
+static void write_rows(const CUnit *u, Buf *out)
 {
     const Program *p = u->m->program;
     Map by_name = { 0 };
@@ -170,14 +170,14 @@ static void put_rows(const CUnit *u, Buf *out)
         map_put(&by_name, u->m->var.at[v].name, &u->m->var.at[v]);
     buf_printf(out, "static const SM_IN_FLASH Cell %s_cell[] = {\n", u->names.prefix);
     for (size_t i = 0; p && i < p->var.n; i++)
-        put_program_row(u, &by_name, p->var.at[i], out);
+        write_program_row(u, &by_name, p->var.at[i], out);
     for (size_t v = 0; !p && v < u->m->var.n; v++)
-        put_variable_row(u, v, out);
+        write_variable_row(u, v, out);
     buf_str(out, "};\n");
 }
 
 // Maps the enumerators of TankStatus to the status codes of the exchange, which has one code for no state and unfit.
-static void put_calls(const CUnit *u, Buf *out)
+static void write_calls(const CUnit *u, Buf *out)
 {
     const char *p = u->names.prefix;
 
@@ -192,17 +192,17 @@ static void put_calls(const CUnit *u, Buf *out)
     buf_printf(out, "static uint32_t %s_run_state(void) { return %s_state(&%s_m); }\n", p, p, p);
 }
 
-static void put_table(const CUnit *u, Buf *out)
+static void write_table(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
 
     buf_printf(out, "static %s %s_m;\nstatic %s %s_sv;\nstatic uint64_t %s_time;\n", n->type, n->prefix, n->sv_type, n->prefix, n->prefix);
-    put_rows(u, out);
-    put_calls(u, out);
+    write_rows(u, out);
+    write_calls(u, out);
     buf_char(out, '\n');
 }
 
-static void put_machine_row(const CUnit *u, Buf *out)
+static void write_machine_row(const CUnit *u, Buf *out)
 {
     const char *p = u->names.prefix;
 
@@ -213,7 +213,7 @@ static void put_machine_row(const CUnit *u, Buf *out)
 // ---- the whole driver ----
 
 // Appends types and code of one machine.  Counts the stdlib snippets that it needs in `helper`.
-static CUnit *put_one(Arena *arena, const IrMachine *m, size_t i, bool track_stores, bool soft, uint32_t *helper, Buf *out)
+static CUnit *write_one(Arena *arena, const IrMachine *m, size_t i, bool track_stores, bool soft, uint32_t *helper, Buf *out)
 {
     CUnit *u = ARENA_NEW(arena, CUnit);
     const char *prefix = format_in(arena, "m%u", (unsigned)i);
@@ -223,22 +223,22 @@ static CUnit *put_one(Arena *arena, const IrMachine *m, size_t i, bool track_sto
     u->fit = "machines_are_fit";
     unit_soften(u, soft);
     u->track_stores = track_stores;
-    put_vector_struct(u, out);
-    put_machine_types(u, out);
-    put_prototypes(u, out);
+    c_write_vector_struct(u, out);
+    c_write_machine_types(u, out);
+    c_write_prototypes(u, out);
     buf_char(out, '\n');
-    put_machine(u, out);
+    c_write_machine(u, out);
     buf_char(out, '\n');
     return u;
 }
 
-static void put_driver_start(bool soft, Buf *out)
+static void write_driver_start(bool soft, Buf *out)
 {
     if (soft)
-        put_soft_library(out);
-    put_guards(out, "machines", soft);
+        c_write_soft_library(out);
+    c_write_guards(out, "machines", soft);
     if (!soft)
-        put_self_test("machines_are_fit", out);
+        c_write_self_test("machines_are_fit", out);
 }
 
 void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_stores, size_t n, bool soft, Buf *code)
@@ -249,19 +249,19 @@ void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_st
 
     buf_init(&machines, arena);
     for (size_t i = 0; i < n; i++)
-        u[i] = put_one(arena, m[i], i, track_stores[i], soft, helper, &machines);
-    put_driver_start(soft, code);
+        u[i] = write_one(arena, m[i], i, track_stores[i], soft, helper, &machines);
+    write_driver_start(soft, code);
     if (n == 0)
         return;
-    helper_type_put(u[0], "SmRoll", code);
-    helpers_put(u[0], code);
+    helper_write_type(u[0], "SmRoll", code);
+    helpers_write(u[0], code);
     buf_str(code, buf_text(&machines));
     buf_str(code, common);
     for (size_t i = 0; i < n; i++)
-        put_table(u[i], code);
+        write_table(u[i], code);
     buf_str(code, "static const SM_IN_FLASH Machine machine[] = {\n");
     for (size_t i = 0; i < n; i++)
-        put_machine_row(u[i], code);
+        write_machine_row(u[i], code);
     buf_str(code, "};\n\n");
     buf_str(code, run);
 }

@@ -109,7 +109,7 @@ void unit_soften(CUnit *u, bool soft)
 }
 
 // `include`: an additional header, or NULL.
-static void put_header_start(const char *macro, const char *include, bool soft, bool runtime, Buf *out)
+static void write_header_start(const char *macro, const char *include, bool soft, bool runtime, Buf *out)
 {
     buf_printf(out, "#ifndef %s_H_INCLUDED\n#define %s_H_INCLUDED\n\n#include <stdbool.h>\n#include <stdint.h>\n\n", macro, macro);
     if (include)
@@ -119,10 +119,10 @@ static void put_header_start(const char *macro, const char *include, bool soft, 
     buf_str(out, "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
 }
 
-static void put_header_end(Buf *out) { buf_str(out, "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n"); }
+static void write_header_end(Buf *out) { buf_str(out, "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n"); }
 
 // The first line of a file.
-static void put_title(const char *what, const char *name, const char *source, Buf *out)
+static void write_title(const char *what, const char *name, const char *source, Buf *out)
 {
     buf_printf(out, "// The state %s %s.  Made by smc from %s: change that, not this file.\n", what, name, source);
 }
@@ -132,18 +132,18 @@ static const char *source_name(Arena *a, const EmitCOptions *o, const char *name
     return o && o->source ? o->source : format_in(a, "%s.%s", name, ending);
 }
 
-static void put_header(CUnit *u, const char *source, Buf *out)
+static void write_header(CUnit *u, const char *source, Buf *out)
 {
-    put_title("machine", u->m->name->text, source, out);
-    put_header_start(u->names.macro, u->runtime ? "runtime-c/machine_type.h" : NULL, u->soft, u->runtime, out);
-    put_vector_struct(u, out);
+    write_title("machine", u->m->name->text, source, out);
+    write_header_start(u->names.macro, u->runtime ? "runtime-c/machine_type.h" : NULL, u->soft, u->runtime, out);
+    c_write_vector_struct(u, out);
     buf_char(out, '\n');
-    put_machine_types(u, out);
+    c_write_machine_types(u, out);
     buf_char(out, '\n');
-    put_prototypes(u, out);
+    c_write_prototypes(u, out);
     if (u->runtime)
-        put_machine_type_prototype(u, out);
-    put_header_end(out);
+        c_write_machine_type_prototype(u, out);
+    write_header_end(out);
 }
 
 static const char *header_name(Arena *a, const EmitCOptions *o, const char *name)
@@ -151,12 +151,12 @@ static const char *header_name(Arena *a, const EmitCOptions *o, const char *name
     return o && o->header ? o->header : format_in(a, "%s.h", name);
 }
 
-static void put_helpers(CUnit *u, Buf *out)
+static void write_helpers(CUnit *u, Buf *out)
 {
     Buf texts;
 
     buf_init(&texts, u->arena);
-    helpers_put(u, &texts);
+    helpers_write(u, &texts);
     if (texts.n == 0)
         return;
     buf_str(out, "// ---- where the language means something else than C ----\n"
@@ -165,26 +165,26 @@ static void put_helpers(CUnit *u, Buf *out)
     buf_str(out, buf_text(&texts));
 }
 
-static void put_code(CUnit *u, const char *source, const char *header, Buf *out)
+static void write_code(CUnit *u, const char *source, const char *header, Buf *out)
 {
     Buf body;
 
     buf_init(&body, u->arena);
-    put_machine(u, &body);
-    put_title("machine", u->m->name->text, source, out);
+    c_write_machine(u, &body);
+    write_title("machine", u->m->name->text, source, out);
     buf_printf(out, "#include \"%s\"\n\n", header);
-    put_guards(out, u->names.prefix, u->soft);
+    c_write_guards(out, u->names.prefix, u->soft);
     buf_char(out, '\n');
     if (u->fit)
         buf_printf(out, "static bool %s(void);\n\n", u->fit);
-    put_helpers(u, out);
+    write_helpers(u, out);
     buf_str(out, buf_text(&body));
     if (u->runtime)
-        put_machine_type(u, out);
+        c_write_machine_type(u, out);
     if (!u->fit)
         return;
     buf_str(out, "\n// ---- whether this program computes as the language says ----\n\n");
-    put_self_test(u->fit, out);
+    c_write_self_test(u->fit, out);
 }
 
 void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code)
@@ -196,17 +196,17 @@ void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf
     u.runtime = o && o->runtime;
     unit_soften(&u, o && o->soft);
     u.track_stores = (o && o->track_stores) || (u.runtime && m->program && m->program->sv->lock);
-    put_header(&u, source, header);
-    put_code(&u, source, header_name(arena, o, m->name->text), code);
+    write_header(&u, source, header);
+    write_code(&u, source, header_name(arena, o, m->name->text), code);
 }
 
 // ---- the state vector alone ----
 
-static void put_runtime_header(CUnit *u, const StateVec *sv, CVectorNames *names, Buf *header)
+static void write_runtime_header(CUnit *u, const StateVec *sv, CVectorNames *names, Buf *header)
 {
     names_runtime(u->arena, &u->names, sv, names);
-    put_vector_struct(u, header);
-    put_vector_interface(u, sv, names, header);
+    c_write_vector_struct(u, header);
+    c_write_vector_interface(u, sv, names, header);
 }
 
 static void vector_unit_init(CUnit *u, Arena *arena, const StateVec *sv, const char *prefix)
@@ -235,15 +235,41 @@ void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o
     vector_unit_init(&u, arena, sv, prefix_of(arena, o ? o->prefix : NULL, sv->name->text));
     u.runtime = o && o->runtime;
     unit_soften(&u, o && o->soft);
-    put_title("vector", sv->name->text, source, header);
-    put_header_start(u.names.sv_macro, u.runtime ? "runtime-c/statevec.h" : NULL, u.soft, u.runtime, header);
+    write_title("vector", sv->name->text, source, header);
+    write_header_start(u.names.sv_macro, u.runtime ? "runtime-c/statevec.h" : NULL, u.soft, u.runtime, header);
     if (u.runtime)
-        put_runtime_header(&u, sv, &names, header);
+        write_runtime_header(&u, sv, &names, header);
     else
-        put_vector_struct(&u, header);
-    put_header_end(header);
-    put_title("vector", sv->name->text, source, code);
+        c_write_vector_struct(&u, header);
+    write_header_end(header);
+    write_title("vector", sv->name->text, source, code);
     buf_printf(code, "#include \"%s\"\n", header_name(arena, o, sv->name->text));
     if (u.runtime)
-        put_vector_tables(&u, sv, &names, code);
+        c_write_vector_tables(&u, sv, &names, code);
+}
+
+// ---- an image as a constant, for programs without files, such as Arduino sketches ----
+
+void emit_c_bytes(const Buf *image, Buf *out)
+{
+    const unsigned char *at = (const unsigned char *)image->at;
+
+    for (size_t i = 0; i < image->n; i++)
+        buf_printf(out, "%s0x%02x,", i % 16 == 0 ? "\n    " : " ", at[i]);
+}
+
+void emit_c_image(Arena *arena, const char *name, const Buf *image, const EmitCOptions *o, Buf *out)
+{
+    const char *wanted = o->prefix ? o->prefix : name, *prefix = c_identifier(arena, wanted, strlen(wanted));
+    const char *macro = c_macro_name(arena, prefix);
+
+    buf_printf(out, "// The bytecode of %s as an array.  Made by smc from %s: change that, not this file.\n", name, o->source);
+    buf_printf(out, "#ifndef %s_IMAGE_H_INCLUDED\n#define %s_IMAGE_H_INCLUDED\n\n#include <stdint.h>\n\n", macro, macro);
+    buf_printf(out,
+               "#ifdef __AVR__      // whose constants are copied into RAM, unless told to stay in flash\n#include <avr/pgmspace.h>\n"
+               "#define %s_IMAGE_IN PROGMEM\n#else\n#define %s_IMAGE_IN\n#endif\n\n",
+               macro, macro);
+    buf_printf(out, "static const uint8_t %s_image[%u] %s_IMAGE_IN = {", prefix, (unsigned)image->n, macro);
+    emit_c_bytes(image, out);
+    buf_str(out, "\n};\n\n#endif\n");
 }

@@ -17,16 +17,16 @@ static const char *prefix_of(Arena *a, const char *wanted, Str name)
     return c_identifier(a, wanted ? wanted : name->text, wanted ? strlen(wanted) : name->len);
 }
 
-static void put_title(const IoUnit *u, Buf *out)
+static void write_title(const IoUnit *u, Buf *out)
 {
     buf_printf(out, "// The pins of %s.  Made by smc from %s: change that, not this file.\n", u->io->name->text, u->source);
 }
 
-static void put_header(const IoUnit *u, Buf *out)
+static void write_header(const IoUnit *u, Buf *out)
 {
     const char *macro = c_macro_name(u->arena, u->prefix);
 
-    put_title(u, out);
+    write_title(u, out);
     buf_printf(out, "#ifndef %s_IO_H_INCLUDED\n#define %s_IO_H_INCLUDED\n\n#include \"runtime-c/io.h\"\n\n", macro, macro);
     buf_str(out, "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
     buf_printf(out, "extern SmIo %s_inputs, %s_outputs;\n", u->prefix, u->prefix);
@@ -58,7 +58,7 @@ static const char *flags(Arena *a, const Pin *p)
 }
 
 // Written as bits, so that the number is the same whatever this compiler's double is.
-static void put_number(SmF64 x, Buf *out)
+static void write_number(SmF64 x, Buf *out)
 {
     if (sm_bits(x) == 0)
         buf_str(out, ", 0");
@@ -80,13 +80,13 @@ static const char *as_written(Arena *a, const Pin *p)
     return text;
 }
 
-static void put_pin(const IoUnit *u, const Pin *p, Buf *out)
+static void write_pin(const IoUnit *u, const Pin *p, Buf *out)
 {
     buf_printf(out, "    {%s, %s, %s, %u, %u, %lu", kind_names[p->kind], type_name(p->element->type), flags(u->arena, p),
                (unsigned)p->hold, (unsigned)p->number, (unsigned long)p->element->offset);
-    put_number(pin_is_digital(p) ? sm_from_i32(0) : p->scale, out);
-    put_number(p->offset, out);
-    put_number(p->safe, out);
+    write_number(pin_is_digital(p) ? sm_from_i32(0) : p->scale, out);
+    write_number(p->offset, out);
+    write_number(p->safe, out);
     buf_printf(out, "},   // %s\n", as_written(u->arena, p));
 }
 
@@ -99,7 +99,7 @@ static size_t count(const IoMap *io, bool output)
     return n;
 }
 
-static void put_table(const IoUnit *u, bool output, Buf *out)
+static void write_table(const IoUnit *u, bool output, Buf *out)
 {
     const char *p = u->prefix, *what = output ? "output" : "input";
     const unsigned long n = (unsigned long)count(u->io, output);
@@ -111,27 +111,27 @@ static void put_table(const IoUnit *u, bool output, Buf *out)
     buf_printf(out, "\nstatic const SmIoPin %s[%lu] = {\n", what, n);
     for (size_t i = 0; i < u->io->pin.n; i++)
         if (pin_is_output(&u->io->pin.at[i]) == output)
-            put_pin(u, &u->io->pin.at[i], out);
+            write_pin(u, &u->io->pin.at[i], out);
     buf_printf(out, "};\nstatic uint8_t %s_handle[%lu];\nstatic uint16_t %s_missed[%lu];\nstatic uint64_t %s_value[%lu];\n\n", what, n, what, n, what, n);
     buf_printf(out, "SmIo %s_%ss = {%s, %lu, &%s_vector, %s_handle, %s_missed, %s_value, 0};\n", p, what, what, n, u->vector, what,
                what, what);
 }
 
 // Offsets are those of one layout: with another vector the code does not compile.
-static void put_includes(const IoUnit *u, const char *header, Buf *out)
+static void write_includes(const IoUnit *u, const char *header, Buf *out)
 {
     buf_printf(out, "#include \"%s\"\n\n#include \"%s.h\"\n\n", header, u->io->sv->name->text);
     buf_printf(out, "#if %s_SV_LAYOUT != 0x%08xu\n#error \"%s_io was made from another state vector: build it again\"\n#endif\n\n",
                c_macro_name(u->arena, u->vector), u->io->sv->hash, u->prefix);
 }
 
-static void put_code(const IoUnit *u, const char *header, Buf *out)
+static void write_code(const IoUnit *u, const char *header, Buf *out)
 {
-    put_title(u, out);
-    put_includes(u, header, out);
+    write_title(u, out);
+    write_includes(u, header, out);
     buf_str(out, "// kind, type, flags, hold, pin, place in the state vector; scale, offset and safe value as bits of a binary64.\n");
-    put_table(u, false, out);
-    put_table(u, true, out);
+    write_table(u, false, out);
+    write_table(u, true, out);
 }
 
 void emit_c_io(Arena *arena, const IoMap *io, const EmitCOptions *o, Buf *header, Buf *code)
@@ -139,6 +139,6 @@ void emit_c_io(Arena *arena, const IoMap *io, const EmitCOptions *o, Buf *header
     IoUnit u = {arena, io, prefix_of(arena, o ? o->prefix : NULL, io->name), prefix_of(arena, NULL, io->sv->name), NULL};
 
     u.source = o && o->source ? o->source : format_in(arena, "%s.io", io->name->text);
-    put_header(&u, header);
-    put_code(&u, o && o->header ? o->header : format_in(arena, "%s_io.h", io->name->text), code);
+    write_header(&u, header);
+    write_code(&u, o && o->header ? o->header : format_in(arena, "%s_io.h", io->name->text), code);
 }

@@ -6,7 +6,7 @@
 
 typedef CDominators Tree;
 
-static uint32_t meet(const Tree *t, uint32_t a, uint32_t b)
+static uint32_t nearest_common_dominator(const Tree *t, uint32_t a, uint32_t b)
 {
     while (a != b) {
         if (t->depth[a] < t->depth[b]) {
@@ -34,7 +34,7 @@ static void tree_add(Tree *t, uint32_t x, uint32_t parent)
     t->shortcut[x] = t->depth[parent] - t->depth[s] == t->depth[s] - t->depth[ss] ? ss : parent;
 }
 
-bool flow_dominates(const CFlow *w, uint32_t a, uint32_t b) { return meet(&w->dominators, a, b) == a; }
+bool flow_dominates(const CFlow *w, uint32_t a, uint32_t b) { return nearest_common_dominator(&w->dominators, a, b) == a; }
 
 static bool has_effect(const IrFn *f, const IrBlk *b)
 {
@@ -44,7 +44,7 @@ static bool has_effect(const IrFn *f, const IrBlk *b)
     return false;
 }
 
-static void find_ways(CFn *fn)
+static void find_successors(CFn *fn)
 {
     CFlow *w = &fn->flow;
     const uint32_t end = w->n - 1;
@@ -77,7 +77,7 @@ static void reach(CFlow *w, Tree *t, uint32_t from, uint32_t to)
 {
     if (to == IR_NONE)
         return;
-    t->parent[to] = w->reached[to] ? meet(t, t->parent[to], from) : from;
+    t->parent[to] = w->reached[to] ? nearest_common_dominator(t, t->parent[to], from) : from;
     w->reached[to] = true;
     w->preds[to]++;
 }
@@ -95,7 +95,7 @@ static void find_dominators(CFlow *w, Tree *t)
     }
 }
 
-static void list_meeting_points(CFlow *w, const Tree *t)
+static void list_joins(CFlow *w, const Tree *t)
 {
     for (uint32_t b = 0; b < w->n; b++)
         w->kid[b] = w->sibling[b] = IR_NONE;
@@ -144,9 +144,9 @@ void flow_init(CFn *fn)
     t.parent = ARENA_ARRAY(a, uint32_t, w->n);
     t.shortcut = ARENA_ARRAY(a, uint32_t, w->n);
     t.depth = ARENA_ARRAY(a, uint32_t, w->n);
-    find_ways(fn);
+    find_successors(fn);
     find_dominators(w, &t);
-    list_meeting_points(w, &t);
+    list_joins(w, &t);
     find_falls(a, w, &t);
     w->dominators = t;
 }

@@ -58,7 +58,7 @@ static const char soft_guards[] =
     "#pragma clang diagnostic ignored \"-Wtautological-compare\"   // conditions are as their author wrote them\n"
     "#endif\n";
 
-void put_guards(Buf *out, const char *what, bool soft)
+void c_write_guards(Buf *out, const char *what, bool soft)
 {
     buf_str(out, includes);
     buf_char(out, '\n');
@@ -105,7 +105,7 @@ static const char self_test[] =
     "    return fit;\n"
     "}\n";
 
-void put_self_test(const char *name, Buf *out)
+void c_write_self_test(const char *name, Buf *out)
 {
     buf_printf(out, self_test, name);
 }

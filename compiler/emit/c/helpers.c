@@ -24,12 +24,12 @@ const char *helper_use(CUnit *u, const char *name)
     return name;
 }
 
-void helper_type_put(CUnit *u, const char *name, Buf *out)
+void helper_write_type(CUnit *u, const char *name, Buf *out)
 {
     const int i = find(name);
 
     if (i >= 0)
-        native_put(u, stdlib_text[i].text, out);
+        native_write(u, stdlib_text[i].text, out);
 }
 
 static bool is_word(char c)
@@ -74,7 +74,7 @@ static bool stays_apart(const CUnit *u, int i)
     return !u->soft && u->helper[i] > TOO_MANY && (strncmp(name, "sm_to_", 6) == 0 || strncmp(name, "sm_read_", 8) == 0);
 }
 
-static void put_text(const CUnit *u, int i, const char *text, Buf *out)
+static void write_text(const CUnit *u, int i, const char *text, Buf *out)
 {
     static const char inlined[] = "static inline ";
     const char *at = stays_apart(u, i) ? strstr(text, inlined) : NULL;
@@ -88,7 +88,7 @@ static void put_text(const CUnit *u, int i, const char *text, Buf *out)
 static bool is_type(int i) { return strncmp(stdlib_text[i].name, "Sm", 2) == 0; }
 
 // A snippet needs only snippets before it, so a single pass from last to first finds all.
-void helpers_put(CUnit *u, Buf *out)
+void helpers_write(CUnit *u, Buf *out)
 {
     Buf text[STDLIB_TEXT_COUNT];
 
@@ -96,7 +96,7 @@ void helpers_put(CUnit *u, Buf *out)
         buf_init(&text[i], u->arena);
         if (!u->helper[i] || is_type(i) || (u->soft && stdlib_text[i].native))
             continue;
-        native_put(u, stdlib_text[i].text, &text[i]);
+        native_write(u, stdlib_text[i].text, &text[i]);
         use_dependencies(u, i, buf_text(&text[i]));
     }
     for (int i = 0; i < STDLIB_TEXT_COUNT; i++)
@@ -106,5 +106,5 @@ void helpers_put(CUnit *u, Buf *out)
         }
     for (int i = 0; i < STDLIB_TEXT_COUNT; i++)
         if (text[i].n > 0)
-            put_text(u, i, buf_text(&text[i]), out);
+            write_text(u, i, buf_text(&text[i]), out);
 }

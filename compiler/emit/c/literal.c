@@ -18,7 +18,7 @@ static void use_point(char *text)
 }
 
 // Turns 1e+300 into 1e300, 42 into 42.0.
-static void put_tidy(Buf *out, char *text)
+static void write_tidy(Buf *out, char *text)
 {
     char *e = strchr(text, 'e');
 
@@ -36,7 +36,7 @@ static void put_tidy(Buf *out, char *text)
     buf_str(out, e);
 }
 
-void literal_put_finite(Buf *out, double x)
+void literal_write_finite(Buf *out, double x)
 {
     char text[40];
 
@@ -50,40 +50,40 @@ void literal_put_finite(Buf *out, double x)
         }
     }
     use_point(text);
-    put_tidy(out, text);
+    write_tidy(out, text);
 }
 
 // Writes the bits, followed by the number as a comment for readers.
-static void put_soft_f64(CUnit *u, Buf *out, double x)
+static void write_soft_f64(CUnit *u, Buf *out, double x)
 {
     const unsigned long high = (unsigned long)(sm_bits(x) >> 32), low = (unsigned long)(sm_bits(x) & 0xffffffffu);
 
     buf_printf(out, "%s(0x%08lX%08lXu /* ", helper_use(u, "sm_from_bits"), x != x ? 0x7FF80000ul : high, x != x ? 0ul : low);
     if (x - x == 0)
-        literal_put_finite(out, x);
+        literal_write_finite(out, x);
     else
         buf_str(out, x != x ? "NaN" : x > 0 ? "infinity" : "-infinity");
     buf_str(out, " */)");
 }
 
-static void put_f64(CUnit *u, Buf *out, double x)
+static void write_f64(CUnit *u, Buf *out, double x)
 {
     if (u->soft)
-        put_soft_f64(u, out, x);
+        write_soft_f64(u, out, x);
     else if (x - x == 0)
-        literal_put_finite(out, x);
+        literal_write_finite(out, x);
     else
         buf_printf(out, "%s(%s)", helper_use(u, "sm_from_bits"), x != x ? "0x7FF8000000000000u" :
                    x > 0 ? "0x7FF0000000000000u" : "0xFFF0000000000000u");
 }
 
-static void put_f32(CUnit *u, Buf *out, float x)
+static void write_f32(CUnit *u, Buf *out, float x)
 {
     char text[40];
 
     if (!(x - x == 0)) {
         buf_str(out, u->soft ? "sm_round_f32(" : "(float)");
-        put_f64(u, out, (double)x);
+        write_f64(u, out, (double)x);
         buf_str(out, u->soft ? ")" : "");
         return;
     }
@@ -97,11 +97,11 @@ static void put_f32(CUnit *u, Buf *out, float x)
         }
     }
     use_point(text);
-    put_tidy(out, text);
+    write_tidy(out, text);
     buf_char(out, 'f');
 }
 
-static void put_signed(Buf *out, int64_t v)
+static void write_signed(Buf *out, int64_t v)
 {
     if (v == INT64_MIN)
         buf_str(out, "INT64_MIN");
@@ -111,24 +111,24 @@ static void put_signed(Buf *out, int64_t v)
         buf_printf(out, v > INT32_MAX || v < INT32_MIN ? "INT64_C(%lld)" : "%lld", (long long)v);
 }
 
-static void put_unsigned(Buf *out, uint64_t v)
+static void write_unsigned(Buf *out, uint64_t v)
 {
     buf_printf(out, v > UINT32_MAX ? "UINT64_C(%llu)" : v > INT32_MAX ? "%lluu" : "%llu", (unsigned long long)v);
 }
 
-void literal_put(CUnit *u, Buf *out, SmType type, uint64_t bits)
+void literal_write(CUnit *u, Buf *out, SmType type, uint64_t bits)
 {
     switch (type) {
     case SM_I8:
     case SM_I16:
-    case SM_I32: put_signed(out, sm_to_i64(sm_cell_to_f64(type, bits))); break;
-    case SM_I64: { int64_t v; memcpy(&v, &bits, sizeof v); put_signed(out, v); break; }
+    case SM_I32: write_signed(out, sm_to_i64(sm_cell_to_f64(type, bits))); break;
+    case SM_I64: { int64_t v; memcpy(&v, &bits, sizeof v); write_signed(out, v); break; }
     case SM_U8:
     case SM_U16:
     case SM_U32:
-    case SM_U64: put_unsigned(out, bits); break;
-    case SM_F32: put_f32(u, out, sm_f32_from_bits((uint32_t)bits)); break;
-    case SM_F64: put_f64(u, out, sm_from_bits(bits)); break;
+    case SM_U64: write_unsigned(out, bits); break;
+    case SM_F32: write_f32(u, out, sm_f32_from_bits((uint32_t)bits)); break;
+    case SM_F64: write_f64(u, out, sm_from_bits(bits)); break;
     case SM_BOOL: buf_str(out, bits ? "true" : "false"); break;
     case SM_TYPE_COUNT: break;
     }

@@ -45,7 +45,7 @@ static const char *block_comment(const CUnit *u, size_t state, BlockKind k)
                      place(u, p ? p->state.at[state]->block_span[k] : none));
 }
 
-static void put_state_block(CUnit *u, size_t i, BlockKind k, CState *s, Buf *out)
+static void write_state_block(CUnit *u, size_t i, BlockKind k, CState *s, Buf *out)
 {
     const IrFn *f = u->m->state.at[i].block[k];
     CFunction what = { f, facts_begin(u->facts, i, (int)k), NULL, NULL };
@@ -55,17 +55,17 @@ static void put_state_block(CUnit *u, size_t i, BlockKind k, CState *s, Buf *out
         return;
     what.name = format_in(u->arena, "%s_%s_%s", u->names.prefix, u->names.state[i], block_name[k]);
     what.comment = block_comment(u, i, k);
-    s->block[k] = put_function(u, &what, out);
+    s->block[k] = c_write_function(u, &what, out);
     s->has[k] = true;
 }
 
-static CState *put_blocks(CUnit *u, Buf *out)
+static CState *write_blocks(CUnit *u, Buf *out)
 {
     CState *s = ARENA_ARRAY(u->arena, CState, u->m->state.n);
 
     for (size_t i = 0; i < u->m->state.n; i++)
         for (int k = 0; k < BLOCK_COUNT; k++)
-            put_state_block(u, i, (BlockKind)k, &s[i], out);
+            write_state_block(u, i, (BlockKind)k, &s[i], out);
     return s;
 }
 
@@ -76,31 +76,31 @@ const char *c_state_type(const CUnit *u)
 
 static const char *result_type(const CUnit *u, const CSignature *s) { return s->returns_state ? c_state_type(u) : "void"; }
 
-static void put_arguments(const CSignature *s, Buf *out)
+static void write_arguments(const CSignature *s, Buf *out)
 {
     buf_printf(out, "(%s%s%s);\n", s->m ? "m" : "", s->m && s->sv ? ", " : "", s->sv ? "sv" : "");
 }
 
-static void put_parameters(const CUnit *u, const CSignature *s, Buf *out)
+static void write_parameters(const CUnit *u, const CSignature *s, Buf *out)
 {
     buf_printf(out, "(%s *m%s%s%s)", u->names.type, s->sv ? ", " : "", s->sv ? u->names.sv_type : "", s->sv ? " *sv" : "");
 }
 
 // ---- init ----
 
-static void put_initial_values(CUnit *u, Buf *out)
+static void write_initial_values(CUnit *u, Buf *out)
 {
     for (size_t v = 0; v < u->m->var.n; v++) {
         const IrVar *var = &u->m->var.at[v];
         if (var->space != IR_LOCAL)
             continue;
         buf_printf(out, "    m->%s = ", u->names.var[v]);
-        literal_put(u, out, var->type, var->init);
+        literal_write(u, out, var->type, var->init);
         buf_str(out, ";\n");
     }
 }
 
-static void put_init(CUnit *u, Buf *out)
+static void write_init(CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
     const char *s = n->var[u->m->s];
@@ -112,8 +112,8 @@ static void put_init(CUnit *u, Buf *out)
         buf_printf(out, "    if (!%s()) {\n        return %s_UNFIT;\n    }\n", u->fit, n->macro);
     buf_printf(out, "    if (state < 1 || state > %s_STATES) {\n        return %s_NO_STATE;\n    }\n", n->macro, n->macro);
     buf_printf(out, "    m->state_ = %s%s%sstate;\n    m->first_ = true;\n", u->soft ? "(" : "", u->soft ? c_state_type(u) : "", u->soft ? ")" : "");
-    put_initial_values(u, out);
-    put_empty_windows(u, out);
+    write_initial_values(u, out);
+    c_write_empty_windows(u, out);
     buf_str(out, u->track_stores ? "    memset(&m->stored, 0, sizeof m->stored);\n" : "");
     buf_printf(out, "    sv->%s = state;\n    return %s_OK;\n}\n\n", s, n->macro);
 }
@@ -140,7 +140,7 @@ static bool has_any(const CUnit *u, const CState *s, BlockKind k)
     return false;
 }
 
-static void put_case(const CUnit *u, size_t i, BlockKind k, const CState *s, CSignature as, Buf *out)
+static void write_case(const CUnit *u, size_t i, BlockKind k, const CState *s, CSignature as, Buf *out)
 {
     const CSignature *b = &s[i].block[k];
 
@@ -148,40 +148,40 @@ static void put_case(const CUnit *u, size_t i, BlockKind k, const CState *s, CSi
         return;
     buf_printf(out, "    case %s_STATE_%s:\n        %s%s_%s_%s", u->names.macro, u->names.state[i], b->returns_state ? "return " : "",
                u->names.prefix, u->names.state[i], block_name[k]);
-    put_arguments(b, out);
+    write_arguments(b, out);
     buf_str(out, b->returns_state ? "" : as.returns_state ? "        return 0;\n" : "        break;\n");
 }
 
-static void put_switch(const CUnit *u, const char *name, BlockKind k, const CState *s, size_t from, size_t to, CSignature as, Buf *out)
+static void write_switch(const CUnit *u, const char *name, BlockKind k, const CState *s, size_t from, size_t to, CSignature as, Buf *out)
 {
     buf_printf(out, "static %s %s", result_type(u, &as), name);
-    put_parameters(u, &as, out);
+    write_parameters(u, &as, out);
     buf_str(out, "\n{\n    switch (m->state_) {\n");
     for (size_t i = from; i < to; i++)
-        put_case(u, i, k, s, as, out);
+        write_case(u, i, k, s, as, out);
     buf_printf(out, "    default:\n        %s;\n    }\n}\n\n", as.returns_state ? "return 0" : "break");
 }
 
 // Compilers cannot cope with a function of ten thousand states.  Above CUT_FROM states the switch is split into functions called through a
 // table, because compilers would inline direct calls again.
-static void put_parts(const CUnit *u, const char *name, BlockKind k, const CState *s, CSignature as, Buf *out)
+static void write_parts(const CUnit *u, const char *name, BlockKind k, const CState *s, CSignature as, Buf *out)
 {
     const size_t n = u->m->state.n;
 
     for (size_t i = 0; i < n; i += PART) {
         const size_t end = i + PART < n ? i + PART : n;
         buf_printf(out, "// States %u to %u.\n", (unsigned)i + 1, (unsigned)end);
-        put_switch(u, format_in(u->arena, "%s_%u", name, (unsigned)i + 1), k, s, i, end, as, out);
+        write_switch(u, format_in(u->arena, "%s_%u", name, (unsigned)i + 1), k, s, i, end, as, out);
     }
     buf_printf(out, "static %s (*const %ss[])", result_type(u, &as), name);
-    put_parameters(u, &as, out);
+    write_parameters(u, &as, out);
     buf_str(out, " = {\n");
     for (size_t i = 0; i < n; i += PART)
         buf_printf(out, "    %s_%u,\n", name, (unsigned)i + 1);
     buf_printf(out, "};\n\nstatic %s %s", result_type(u, &as), name);
-    put_parameters(u, &as, out);
+    write_parameters(u, &as, out);
     buf_printf(out, "\n{\n    %s%ss[(m->state_ - 1) / %d]", as.returns_state ? "return " : "", name, PART);
-    put_arguments(&as, out);
+    write_arguments(&as, out);
     buf_str(out, "}\n\n");
 }
 
@@ -191,7 +191,7 @@ static const char *group_name(const CUnit *u, BlockKind k)
     return format_in(u->arena, "%s_%s", u->names.prefix, k == BLOCK_ENTRY ? "enter" : k == BLOCK_STEP ? "run" : "leave");
 }
 
-static CSignature put_group(const CUnit *u, BlockKind k, const CState *s, Buf *out)
+static CSignature write_group(const CUnit *u, BlockKind k, const CState *s, Buf *out)
 {
     const CSignature as = group_signature(u, s, k);
 
@@ -199,9 +199,9 @@ static CSignature put_group(const CUnit *u, BlockKind k, const CState *s, Buf *o
         return as;
     buf_printf(out, "// The .%s of the state%s.\n", block_name[k], as.returns_state ? "; gives the state to go to, or 0" : "");
     if (u->m->state.n > CUT_FROM)
-        put_parts(u, group_name(u, k), k, s, as, out);
+        write_parts(u, group_name(u, k), k, s, as, out);
     else
-        put_switch(u, group_name(u, k), k, s, 0, u->m->state.n, as, out);
+        write_switch(u, group_name(u, k), k, s, 0, u->m->state.n, as, out);
     return as;
 }
 
@@ -219,7 +219,7 @@ static CStep step_of(CUnit *u, const CState *s, const CSignature *sample, Buf *o
     CStep w = { { false }, { { false, false, false } }, sample, false, false };
 
     for (int k = 0; k < BLOCK_COUNT; k++) {
-        w.group[k] = put_group(u, (BlockKind)k, s, out);
+        w.group[k] = write_group(u, (BlockKind)k, s, out);
         w.has[k] = has_any(u, s, (BlockKind)k);
     }
     w.first = w.has[BLOCK_ENTRY] || u->track_stores;
@@ -227,7 +227,7 @@ static CStep step_of(CUnit *u, const CState *s, const CSignature *sample, Buf *o
     return w;
 }
 
-static void put_gate(const CUnit *u, const CStep *w, Buf *out)
+static void write_gate(const CUnit *u, const CStep *w, Buf *out)
 {
     const CNames *n = &u->names;
 
@@ -239,7 +239,7 @@ static void put_gate(const CUnit *u, const CStep *w, Buf *out)
 }
 
 // An 8-bit chip checks a flag faster than 64 bits, which can stay in memory.
-static void put_soft_gate(const CUnit *u, const CStep *w, Buf *out)
+static void write_soft_gate(const CUnit *u, const CStep *w, Buf *out)
 {
     const CNames *n = &u->names;
 
@@ -249,7 +249,7 @@ static void put_soft_gate(const CUnit *u, const CStep *w, Buf *out)
                w->first ? "        first = true;\n" : "", n->var[u->m->g], n->var[u->m->s]);
 }
 
-static void put_step_start(const CUnit *u, const CStep *w, Buf *out)
+static void write_step_start(const CUnit *u, const CStep *w, Buf *out)
 {
     const CNames *n = &u->names;
 
@@ -259,56 +259,56 @@ static void put_step_start(const CUnit *u, const CStep *w, Buf *out)
     buf_str(out, w->first ? "    bool first = false;\n" : "");
     if (w->transition)
         buf_printf(out, "    %s next = 0;      // the state to go to\n", c_state_type(u));
-    (u->soft ? put_soft_gate : put_gate)(u, w, out);
+    (u->soft ? write_soft_gate : write_gate)(u, w, out);
     if (u->track_stores)
         buf_printf(out, "    memset(&m->stored, 0, sizeof m->stored);\n    m->stored.%s = first;\n", n->var[u->m->s]);
 }
 
-static void put_call_of_group(const CUnit *u, const CStep *w, BlockKind k, const char *result, Buf *out)
+static void write_call_of_group(const CUnit *u, const CStep *w, BlockKind k, const char *result, Buf *out)
 {
     buf_printf(out, "%s%s", result, group_name(u, k));
-    put_arguments(&w->group[k], out);
+    write_arguments(&w->group[k], out);
 }
 
-static void put_step_end(const CUnit *u, const CStep *w, Buf *out)
+static void write_step_end(const CUnit *u, const CStep *w, Buf *out)
 {
     if (w->has[BLOCK_ENTRY]) {
         buf_str(out, "    if (first) {\n        ");
-        put_call_of_group(u, w, BLOCK_ENTRY, w->group[BLOCK_ENTRY].returns_state ? "next = " : "", out);
+        write_call_of_group(u, w, BLOCK_ENTRY, w->group[BLOCK_ENTRY].returns_state ? "next = " : "", out);
         buf_str(out, "    }\n");
     }
     if (w->has[BLOCK_STEP]) {
         const bool guarded = w->has[BLOCK_ENTRY] && w->group[BLOCK_ENTRY].returns_state;
         buf_str(out, guarded ? "    if (next == 0) {\n        " : "    ");
-        put_call_of_group(u, w, BLOCK_STEP, w->group[BLOCK_STEP].returns_state ? "next = " : "", out);
+        write_call_of_group(u, w, BLOCK_STEP, w->group[BLOCK_STEP].returns_state ? "next = " : "", out);
         buf_str(out, guarded ? "    }\n" : "");
     }
     if (w->transition) {
         buf_str(out, "    if (next != 0) {\n");
         if (w->has[BLOCK_EXIT]) {
             buf_str(out, "        ");
-            put_call_of_group(u, w, BLOCK_EXIT, "", out);
+            write_call_of_group(u, w, BLOCK_EXIT, "", out);
         }
         buf_printf(out, "        m->state_ = next;\n        m->first_ = true;\n%s    }\n", u->soft ? "" : "        m->left_ = left;\n        m->gate_ = 0;\n");
     }
     buf_printf(out, "    return %s_OK;\n}\n\n", u->names.macro);
 }
 
-static void put_step(CUnit *u, const CState *s, const CSignature *sample, Buf *out)
+static void write_step(CUnit *u, const CState *s, const CSignature *sample, Buf *out)
 {
     const CStep w = step_of(u, s, sample, out);
 
-    put_step_start(u, &w, out);
+    write_step_start(u, &w, out);
     if (w.sample) {
         buf_printf(out, "    %s_sample", u->names.prefix);
-        put_arguments(w.sample, out);
+        write_arguments(w.sample, out);
     }
-    put_step_end(u, &w, out);
+    write_step_end(u, &w, out);
 }
 
 // ---- the rest ----
 
-static void put_state(const CUnit *u, Buf *out)
+static void write_state(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
 
@@ -322,7 +322,7 @@ static void put_state(const CUnit *u, Buf *out)
     buf_printf(out, "    };\n\n    return state <= %s_STATES ? name[state] : \"\";\n}\n", n->macro);
 }
 
-void put_machine(CUnit *u, Buf *out)
+void c_write_machine(CUnit *u, Buf *out)
 {
     CSignature sample = { 0 };
     CState *s;
@@ -332,16 +332,16 @@ void put_machine(CUnit *u, Buf *out)
     if (u->m->sample) {
         const CFunction what = { u->m->sample, facts_begin_sample(u->facts), format_in(u->arena, "%s_sample", u->names.prefix),
                                  "// Gives every rolling window its sample of this step.\n" };
-        sample = put_function(u, &what, &code);
+        sample = c_write_function(u, &what, &code);
     }
     for (size_t w = 0; w < u->m->window.n; w++)
         u->window_sample[w] = UINT32_MAX;
-    s = put_blocks(u, &code);
-    put_statistics(u, out);
+    s = write_blocks(u, &code);
+    c_write_statistics(u, out);
     buf_str(out, "// ---- the states.  A number that a block returns is that of the state to go to; 0 is to stay. ----\n\n");
     buf_str(out, buf_text(&code));
     buf_str(out, "// ---- the machine ----\n\n");
-    put_init(u, out);
-    put_step(u, s, u->m->sample ? &sample : NULL, out);
-    put_state(u, out);
+    write_init(u, out);
+    write_step(u, s, u->m->sample ? &sample : NULL, out);
+    write_state(u, out);
 }

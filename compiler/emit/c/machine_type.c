@@ -8,67 +8,67 @@
 #include "compiler/emit/c/unit.h"
 
 // `static TYPE PREFIX_any_NAME(`
-static void put_head(const CUnit *u, const char *type, const char *name, Buf *out)
+static void write_head(const CUnit *u, const char *type, const char *name, Buf *out)
 {
     buf_printf(out, "static %s%s%s_any_%s(", type, type[0] != '\0' && type[strlen(type) - 1] == '*' ? "" : " ", u->names.prefix, name);
 }
 
-static void put_open(const CUnit *u, Buf *out)
+static void write_open(const CUnit *u, Buf *out)
 {
-    put_head(u, "SmResult", "open", out);
+    write_head(u, "SmResult", "open", out);
     buf_printf(out, "void *self, uint32_t layout, uint32_t size)\n{\n    (void)self;\n"
                     "    return layout == %s_LAYOUT && size == sizeof(%s) ? SM_OK : SM_E_LAYOUT;\n}\n\n", u->names.sv_macro, u->names.sv_type);
 }
 
-static void put_init(const CUnit *u, Buf *out)
+static void write_init(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
 
-    put_head(u, "SmResult", "init", out);
+    write_head(u, "SmResult", "init", out);
     buf_printf(out, "void *self, void *sv, uint32_t state)\n{\n"
                     "    const %sStatus s = %s_init((%s *)self, (%s *)sv, state);\n\n"
                     "    return s == %s_OK ? SM_OK : s == %s_UNFIT ? SM_E_UNSUPPORTED : SM_E_ARGUMENT;\n}\n\n",
                n->type, n->prefix, n->type, n->sv_type, n->macro, n->macro);
 }
 
-static void put_run(const CUnit *u, Buf *out)
+static void write_run(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
 
-    put_head(u, "SmResult", "run", out);
+    write_head(u, "SmResult", "run", out);
     buf_printf(out, "void *self, void *sv)\n{\n"
                     "    const %sStatus s = %s_step((%s *)self, (%s *)sv);\n\n"
                     "    return s == %s_OK ? SM_OK : s == %s_REFUSED ? SM_REFUSED : SM_E_ARGUMENT;\n}\n\n",
                n->type, n->prefix, n->type, n->sv_type, n->macro, n->macro);
 }
 
-static void put_looks(const CUnit *u, Buf *out)
+static void write_looks(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
 
-    put_head(u, "uint32_t", "state", out);
+    write_head(u, "uint32_t", "state", out);
     buf_printf(out, "const void *self)\n{\n    return %s_state((const %s *)self);\n}\n\n", n->prefix, n->type);
     buf_str(out, "// After a step that made a transition the next one is a first step.\n");
-    put_head(u, "bool", "moved", out);
+    write_head(u, "bool", "moved", out);
     buf_printf(out, "const void *self)\n{\n    return ((const %s *)self)->first_;\n}\n\n", n->type);
-    put_head(u, "uint64_t", "T", out);
+    write_head(u, "uint64_t", "T", out);
     buf_printf(out, "const void *self)\n{\n    return %s_T((const %s *)self);\n}\n\n", n->prefix, n->type);
-    put_head(u, "const char *", "name", out);
+    write_head(u, "const char *", "name", out);
     buf_printf(out, "const void *self, uint32_t state)\n{\n    (void)self;\n    return %s_state_name(state);\n}\n\n", n->prefix);
-    put_head(u, "uint32_t", "states", out);
+    write_head(u, "uint32_t", "states", out);
     buf_printf(out, "const void *self)\n{\n    (void)self;\n    return %s_STATES;\n}\n\n", n->macro);
 }
 
-static void put_range(const CUnit *u, const char *name, uint32_t from, uint32_t to, Buf *out)
+static void write_range(const CUnit *u, const char *name, uint32_t from, uint32_t to, Buf *out)
 {
-    put_head(u, "SmRange", name, out);
+    write_head(u, "SmRange", name, out);
     buf_printf(out, "const void *self)\n{\n    const SmRange range = { %u, %u };\n\n    (void)self;\n    return range;\n}\n\n", (unsigned)from,
                (unsigned)(to - from));
 }
 
 static uint32_t end_of(const IrVar *v) { return v->offset + sm_type_info[v->type].bytes; }
 
-static void put_uses(const CUnit *u, Buf *out)
+static void write_uses(const CUnit *u, Buf *out)
 {
     const IrMachine *m = u->m;
     uint32_t from = m->var.at[m->s].offset, to = from;
@@ -80,17 +80,17 @@ static void put_uses(const CUnit *u, Buf *out)
         to = end_of(&m->var.at[v]) > to ? end_of(&m->var.at[v]) : to;
     }
     buf_str(out, "// From the first element that it lists to the last.\n");
-    put_range(u, "uses", from, to, out);
-    put_range(u, "number", m->var.at[m->s].offset, end_of(&m->var.at[m->s]), out);
+    write_range(u, "uses", from, to, out);
+    write_range(u, "number", m->var.at[m->s].offset, end_of(&m->var.at[m->s]), out);
 }
 
-static void put_publish(const CUnit *u, Buf *out)
+static void write_publish(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
 
     if (!u->track_stores)
         return;
-    put_head(u, "void", "publish", out);
+    write_head(u, "void", "publish", out);
     buf_printf(out, "const void *self, const void *from, void *to)\n{\n    const %sStored *const stored = &((const %s *)self)->stored;\n"
                     "    const %s *const a = (const %s *)from;\n    %s *const b = (%s *)to;\n\n",
                n->type, n->type, n->sv_type, n->sv_type, n->sv_type, n->sv_type);
@@ -100,17 +100,17 @@ static void put_publish(const CUnit *u, Buf *out)
     buf_str(out, "}\n\n");
 }
 
-void put_machine_type(const CUnit *u, Buf *out)
+void c_write_machine_type(const CUnit *u, Buf *out)
 {
     static const char *const function[] = { "open", "init", "run", "state", "moved", "T", "name", "states", "uses", "number" };
 
     buf_str(out, "\n// ---- the machine as the flight runtime takes it (runtime-c/machine_type.h) ----\n\n");
-    put_open(u, out);
-    put_init(u, out);
-    put_run(u, out);
-    put_looks(u, out);
-    put_uses(u, out);
-    put_publish(u, out);
+    write_open(u, out);
+    write_init(u, out);
+    write_run(u, out);
+    write_looks(u, out);
+    write_uses(u, out);
+    write_publish(u, out);
     buf_printf(out, "const SmMachineType %s_machine = {\n", u->names.prefix);
     for (size_t i = 0; i < sizeof function / sizeof function[0]; i++)
         buf_printf(out, "    %s_any_%s,\n", u->names.prefix, function[i]);
@@ -120,7 +120,7 @@ void put_machine_type(const CUnit *u, Buf *out)
         buf_str(out, "    NULL,\n};\n");
 }
 
-void put_machine_type_prototype(const CUnit *u, Buf *out)
+void c_write_machine_type_prototype(const CUnit *u, Buf *out)
 {
     buf_printf(out, "\n// The machine as the flight runtime takes it; an SmMachine's self is then a %s.\n"
                     "extern const SmMachineType %s_machine;\n", u->names.type, u->names.prefix);

@@ -111,10 +111,10 @@ static int prec_of_text(Text t)
 
 // ---- writing ----
 
-static void put_range(CUnit *u, const char *from, const char *to, Buf *out);
+static void write_range(CUnit *u, const char *from, const char *to, Buf *out);
 
 // Writes the finite number with these constant bits; returns false if t is something else.
-static bool put_bits(CUnit *u, Text t, Buf *out)
+static bool write_bits(CUnit *u, Text t, Buf *out)
 {
     uint64_t bits;
 
@@ -123,7 +123,7 @@ static bool put_bits(CUnit *u, Text t, Buf *out)
     bits = strtoull(t.at, NULL, 16);
     if (!sm_lt(sm_from_bits(bits & 0x7FFFFFFFFFFFFFFFu), sm_from_bits(0x7FF0000000000000u)))
         return false;
-    literal_put(u, out, SM_F64, bits);
+    literal_write(u, out, SM_F64, bits);
     return true;
 }
 
@@ -134,81 +134,81 @@ static const Primitive *call_at(const char *p)
     return n > 0 && p[n] == '(' ? find(p, n) : NULL;
 }
 
-static void put_operand(CUnit *u, Text t, int prec, Buf *out)
+static void write_operand(CUnit *u, Text t, int prec, Buf *out)
 {
     const Primitive *call = call_at(t.at);
     const bool parens = (call && prec_of_text(t) == PRIMARY ? call->prec : prec_of_text(t)) < prec;
 
     buf_str(out, parens ? "(" : "");
-    put_range(u, t.at, t.at + t.n, out);
+    write_range(u, t.at, t.at + t.n, out);
     buf_str(out, parens ? ")" : "");
 }
 
-static void put_plain_call(CUnit *u, const Primitive *p, Text t, Buf *out)
+static void write_plain_call(CUnit *u, const Primitive *p, Text t, Buf *out)
 {
     buf_printf(out, "%s(", p->name);
-    put_range(u, t.at, t.at + t.n, out);
+    write_range(u, t.at, t.at + t.n, out);
     buf_char(out, ')');
 }
 
-static void put_number(CUnit *u, const Primitive *p, Text t, Buf *out)
+static void write_number(CUnit *u, const Primitive *p, Text t, Buf *out)
 {
     if (is_number(t)) {
         buf_put(out, t.at, t.n);
         buf_str(out, ".0");
     } else if (p->form == FORM_WIDE) {
-        put_plain_call(u, p, t, out);
+        write_plain_call(u, p, t, out);
     } else {
         buf_str(out, p->text);
-        put_operand(u, t, UNARY, out);
+        write_operand(u, t, UNARY, out);
     }
 }
 
-static void put_primitive(CUnit *u, const Primitive *p, Text a, Text b, Buf *out)
+static void write_primitive(CUnit *u, const Primitive *p, Text a, Text b, Buf *out)
 {
     switch (p->form) {
     case FORM_BINARY:
-        put_operand(u, a, p->prec == RELATION || p->prec == EQUALITY ? SUM : p->prec + (p->prec == SUM), out);
+        write_operand(u, a, p->prec == RELATION || p->prec == EQUALITY ? SUM : p->prec + (p->prec == SUM), out);
         buf_str(out, p->text);
-        put_operand(u, b, p->prec + 1, out);
+        write_operand(u, b, p->prec + 1, out);
         break;
     case FORM_SELF:
-        put_operand(u, a, PRIMARY, out);
+        write_operand(u, a, PRIMARY, out);
         buf_str(out, p->text);
-        put_operand(u, a, PRIMARY, out);
+        write_operand(u, a, PRIMARY, out);
         break;
     case FORM_CAST:
         buf_str(out, p->text);
-        put_operand(u, a, PRIMARY, out);
+        write_operand(u, a, PRIMARY, out);
         break;
-    case FORM_NUMBER: case FORM_WIDE: put_number(u, p, a, out); break;
+    case FORM_NUMBER: case FORM_WIDE: write_number(u, p, a, out); break;
     case FORM_BITS:
-        if (!put_bits(u, a, out))
-            put_plain_call(u, p, a, out);
+        if (!write_bits(u, a, out))
+            write_plain_call(u, p, a, out);
         break;
     }
 }
 
 // Writes the primitive's call at `at`; returns its end.  `tight`: a unary operator precedes it.
-static const char *put_call(CUnit *u, const Primitive *p, const char *at, bool tight, Buf *out)
+static const char *write_call(CUnit *u, const Primitive *p, const char *at, bool tight, Buf *out)
 {
     const Text a = argument(at + word_length(at) + 1);
     const bool two = p->form == FORM_BINARY;
     const Text b = two ? argument(a.at + a.n + 1) : a;
 
     buf_str(out, tight && p->prec < UNARY ? "(" : "");
-    put_primitive(u, p, a, b, out);
+    write_primitive(u, p, a, b, out);
     buf_str(out, tight && p->prec < UNARY ? ")" : "");
     return b.at + b.n + 1;
 }
 
-static const char *put_word(CUnit *u, const char *p, char before, Buf *out)
+static const char *write_word(CUnit *u, const char *p, char before, Buf *out)
 {
     const size_t n = word_length(p);
     const Primitive *call = call_at(p);
 
     if (call)
-        return put_call(u, call, p, before == '!' || before == '-', out);
+        return write_call(u, call, p, before == '!' || before == '-', out);
     if (n == 5 && memcmp(p, "SmF64", 5) == 0)
         buf_str(out, "double");
     else
@@ -216,7 +216,7 @@ static const char *put_word(CUnit *u, const char *p, char before, Buf *out)
     return p + n;
 }
 
-static const char *put_comment(const char *p, Buf *out)
+static const char *write_comment(const char *p, Buf *out)
 {
     const size_t n = strcspn(p, "\n");
 
@@ -224,22 +224,22 @@ static const char *put_comment(const char *p, Buf *out)
     return p + n;
 }
 
-static void put_range(CUnit *u, const char *from, const char *to, Buf *out)
+static void write_range(CUnit *u, const char *from, const char *to, Buf *out)
 {
     for (const char *p = from; p < to;) {
         if (p[0] == '/' && p[1] == '/')
-            p = put_comment(p, out);
+            p = write_comment(p, out);
         else if (is_word(*p))
-            p = put_word(u, p, p > from ? p[-1] : ' ', out);
+            p = write_word(u, p, p > from ? p[-1] : ' ', out);
         else
             buf_char(out, *p++);
     }
 }
 
-void native_put(CUnit *u, const char *text, Buf *out)
+void native_write(CUnit *u, const char *text, Buf *out)
 {
     if (u->soft)
         buf_str(out, text);
     else
-        put_range(u, text, text + strlen(text), out);
+        write_range(u, text, text + strlen(text), out);
 }

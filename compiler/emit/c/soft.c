@@ -8,7 +8,6 @@
 #include "soft_text.h"
 #include "stdlib/convert.h"
 
-static void put(CFn *fn, const char *text) { buf_str(&fn->line, text); }
 
 bool c_is_soft(const CFn *fn, SmType t) { return fn->u->soft && sm_type_info[t].kind == SM_KIND_FLOAT; }
 
@@ -24,61 +23,61 @@ static const char *const cut[SM_TYPE_COUNT] = {
     [SM_U8] = "(uint8_t)sm_cut_i32(", [SM_U16] = "(uint16_t)sm_cut_i32(", [SM_U32] = "sm_cut_u32(", [SM_U64] = "sm_cut_u64(",
 };
 
-static void put_arithmetic(CFn *fn, const IrIns *i)
+static void write_arithmetic(CFn *fn, const IrIns *i)
 {
-    put(fn, i->op == IR_add ? "sm_add(" : i->op == IR_sub ? "sm_sub(" : i->op == IR_mul ? "sm_mul(" : "sm_div(");
-    put_double(fn, i->a, PREC_ANY);
-    put(fn, ", ");
-    put_double(fn, i->b, PREC_ANY);
-    put(fn, ")");
+    c_write(fn, i->op == IR_add ? "sm_add(" : i->op == IR_sub ? "sm_sub(" : i->op == IR_mul ? "sm_mul(" : "sm_div(");
+    c_write_double(fn, i->a, PREC_ANY);
+    c_write(fn, ", ");
+    c_write_double(fn, i->b, PREC_ANY);
+    c_write(fn, ")");
 }
 
-void soft_put_number(CFn *fn, IrRef r)
+void soft_write_number(CFn *fn, IrRef r)
 {
-    put(fn, from_integer[c_ins(fn, r)->type]);
-    put(fn, "(");
-    put_value(fn, r, PREC_ANY);
-    put(fn, ")");
+    c_write(fn, from_integer[c_ins(fn, r)->type]);
+    c_write(fn, "(");
+    c_write_value(fn, r, PREC_ANY);
+    c_write(fn, ")");
 }
 
-void soft_put_cast(CFn *fn, SmType to, IrRef r)
+void soft_write_cast(CFn *fn, SmType to, IrRef r)
 {
-    put(fn, to == SM_F32 ? "sm_round_f32(" : cut[to]);
-    put_double(fn, r, PREC_ANY);
-    put(fn, ")");
+    c_write(fn, to == SM_F32 ? "sm_round_f32(" : cut[to]);
+    c_write_double(fn, r, PREC_ANY);
+    c_write(fn, ")");
 }
 
 // ---- arithmetic ----
 
-void soft_put_binary(CFn *fn, const IrIns *i)
+void soft_write_binary(CFn *fn, const IrIns *i)
 {
-    put(fn, i->type == SM_F32 ? "sm_round_f32(" : "");
-    put_arithmetic(fn, i);
-    put(fn, i->type == SM_F32 ? ")" : "");
+    c_write(fn, i->type == SM_F32 ? "sm_round_f32(" : "");
+    write_arithmetic(fn, i);
+    c_write(fn, i->type == SM_F32 ? ")" : "");
 }
 
-void soft_put_compare(CFn *fn, const IrIns *i, bool negated)
+void soft_write_compare(CFn *fn, const IrIns *i, bool negated)
 {
     const bool equality = ir_is_equality(i->op), swap = i->op == IR_gt || i->op == IR_ge;
 
-    put(fn, negated != (i->op == IR_ne) ? "!" : "");
-    put(fn, equality ? "sm_eq(" : i->op == IR_lt || i->op == IR_gt ? "sm_lt(" : "sm_le(");
-    put_double(fn, swap ? i->b : i->a, PREC_ANY);
-    put(fn, ", ");
-    put_double(fn, swap ? i->a : i->b, PREC_ANY);
-    put(fn, ")");
+    c_write(fn, negated != (i->op == IR_ne) ? "!" : "");
+    c_write(fn, equality ? "sm_eq(" : i->op == IR_lt || i->op == IR_gt ? "sm_lt(" : "sm_le(");
+    c_write_double(fn, swap ? i->b : i->a, PREC_ANY);
+    c_write(fn, ", ");
+    c_write_double(fn, swap ? i->a : i->b, PREC_ANY);
+    c_write(fn, ")");
 }
 
 // ---- comparisons that read only some bytes ----
 
 // The parts of such a comparison: a variable that is read, possibly through a conversion to F64, and a constant.  `op` is as if the
 // variable were the left operand.
-typedef struct Look {
+typedef struct ByteCompare {
     IrRef side, load, constant;
     IrOp op;
-} Look;
+} ByteCompare;
 
-static bool find_look(const CFn *fn, const IrIns *i, Look *l)
+static bool find_byte_compare(const CFn *fn, const IrIns *i, ByteCompare *l)
 {
     const bool swap = c_is_const(fn, i->a);
 
@@ -92,13 +91,13 @@ static bool find_look(const CFn *fn, const IrIns *i, Look *l)
     return c_ins(fn, l->load)->op == IR_load && c_is_const(fn, l->constant) && !c_is_const(fn, l->side);
 }
 
-static double number_of(const CFn *fn, const Look *l)
+static double number_of(const CFn *fn, const ByteCompare *l)
 {
     return sm_cell_to_f64(c_ins(fn, l->constant)->type, c_ins(fn, l->constant)->bits);
 }
 
 // Whether the upper half of a float is not enough: the constant has digits in the lower half, or is not a number of the float's type.
-static bool has_lower_half(const CFn *fn, const Look *l)
+static bool has_lower_half(const CFn *fn, const ByteCompare *l)
 {
     const double x = number_of(fn, l);
     const SmType t = c_ins(fn, l->load)->type;
@@ -106,28 +105,28 @@ static bool has_lower_half(const CFn *fn, const Look *l)
     return (t != SM_F64 && t != SM_F32) || (sm_bits(x) & 0xffffffffu) != 0 || !(x - x == 0) || (t == SM_F32 && (double)sm_round_f32(x) != x);
 }
 
-bool soft_looks(const CFn *fn, const IrIns *i, IrRef x)
+bool soft_compares_bytes(const CFn *fn, const IrIns *i, IrRef x)
 {
-    Look l;
+    ByteCompare l;
 
-    return find_look(fn, i, &l) && x == l.side && !has_lower_half(fn, &l);
+    return find_byte_compare(fn, i, &l) && x == l.side && !has_lower_half(fn, &l);
 }
 
 // Writes the address of the variable: the function's own copy, or the member itself, which no store changes in between.
-static void put_place(CFn *fn, const Look *l)
+static void write_address(CFn *fn, const ByteCompare *l)
 {
     const IrRef r = fn->ins[l->side].variable ? l->side : l->load;
 
-    put(fn, c_ins(fn, r)->type != SM_F32 ? "&" : "");
+    c_write(fn, c_ins(fn, r)->type != SM_F32 ? "&" : "");
     if (fn->ins[r].variable)
-        put(fn, fn->ins[r].variable);
+        c_write(fn, fn->ins[r].variable);
     else
-        put_cell(fn, c_ins(fn, r)->var);
+        c_write_cell(fn, c_ins(fn, r)->var);
 }
 
 // Compares away from zero, in the direction of the constant's sign: x > 5 is beyond 5, x >= 5 reaches 5, x < 5 does not reach it; x < -5 is
 // beyond -5.  For 0 only `beyond` is used.
-static void put_float_look(CFn *fn, const Look *l, bool negated)
+static void write_float_compare(CFn *fn, const ByteCompare *l, bool negated)
 {
     const double x = number_of(fn, l);
     const bool less = l->op == IR_lt || l->op == IR_le, strict = l->op == IR_lt || l->op == IR_gt;
@@ -138,89 +137,89 @@ static void put_float_look(CFn *fn, const Look *l, bool negated)
     const char *name = remark_constant(fn->u, c_ins(fn, l->constant)->span);
 
     buf_printf(&fn->line, "%s%s%s(", negated == out ? "!" : "", strict == out ? "sm_soft_beyond" : "sm_soft_reaches", is_f32 ? "_f32" : "");
-    put_place(fn, l);
+    write_address(fn, l);
     buf_printf(&fn->line, ", 0x%08lXu /* ", (unsigned long)((n & 0x7FFFFFFFu) | (negative ? 0x80000000u : 0)));
-    literal_put_finite(&fn->line, x);
+    literal_write_finite(&fn->line, x);
     buf_printf(&fn->line, "%s%s */)", *name ? ", " : "", name);
 }
 
-static void put_integer_look(CFn *fn, const Look *l, uint64_t n, bool negated)
+static void write_integer_compare(CFn *fn, const ByteCompare *l, uint64_t n, bool negated)
 {
     const bool less = l->op == IR_lt || l->op == IR_le, exact = l->op == IR_gt || l->op == IR_le;
     const char *name = remark_constant(fn->u, c_ins(fn, l->constant)->span);
     const bool is_time = fn->u->m->var.at[c_ins(fn, l->load)->var].space == IR_TIME;
 
-    put(fn, negated != less ? "!" : "");
-    put(fn, is_time ? "sm_soft_since(&m->start_, &" : "sm_soft_more(&");
-    put_cell(fn, is_time ? fn->u->m->g : c_ins(fn, l->load)->var);
+    c_write(fn, negated != less ? "!" : "");
+    c_write(fn, is_time ? "sm_soft_since(&m->start_, &" : "sm_soft_more(&");
+    c_write_cell(fn, is_time ? fn->u->m->g : c_ins(fn, l->load)->var);
     fn->uses_m = fn->uses_m || is_time;
     buf_printf(&fn->line, ", %lu%s%s%s)", (unsigned long)(exact ? n : n - 1), *name && exact ? " /* " : "", exact ? name : "",
                *name && exact ? " */" : "");
 }
 
-static bool is_integer_look(const CFn *fn, const Look *l)
+static bool is_integer_compare(const CFn *fn, const ByteCompare *l)
 {
     const bool exact = l->op == IR_gt || l->op == IR_le;
     const uint64_t n = c_ins(fn, l->constant)->bits;
 
     return c_ins(fn, l->load)->type == SM_U64 && c_ins(fn, l->constant)->type == SM_U64 && n <= UINT32_MAX && (exact || n > 0) &&
-           fn->ins[l->load].how == C_INLINE;
+           fn->ins[l->load].form == C_INLINE;
 }
 
-bool soft_put_look(CFn *fn, const IrIns *i, bool negated)
+bool soft_write_byte_compare(CFn *fn, const IrIns *i, bool negated)
 {
-    Look l;
+    ByteCompare l;
 
-    if (!find_look(fn, i, &l))
+    if (!find_byte_compare(fn, i, &l))
         return false;
-    if (is_integer_look(fn, &l))
-        put_integer_look(fn, &l, c_ins(fn, l.constant)->bits, negated);
+    if (is_integer_compare(fn, &l))
+        write_integer_compare(fn, &l, c_ins(fn, l.constant)->bits, negated);
     else if (!has_lower_half(fn, &l))
-        put_float_look(fn, &l, negated);
+        write_float_compare(fn, &l, negated);
     else
         return false;
     return true;
 }
 
-void soft_put_not_zero(CFn *fn, IrRef r, bool negated)
+void soft_write_not_zero(CFn *fn, IrRef r, bool negated)
 {
-    put(fn, negated ? "!sm_to_bool(" : "sm_to_bool(");
-    put_double(fn, r, PREC_ANY);
-    put(fn, ")");
+    c_write(fn, negated ? "!sm_to_bool(" : "sm_to_bool(");
+    c_write_double(fn, r, PREC_ANY);
+    c_write(fn, ")");
 }
 
 // ---- the library files ----
 
-static void put_lines(const char *const *line, Buf *out)
+static void write_lines(const char *const *line, Buf *out)
 {
     for (; *line; line++)
         buf_str(out, *line);
 }
 
-void put_soft_library(Buf *out)
+void c_write_soft_library(Buf *out)
 {
     buf_str(out, "#define SM_F64_SOFT 1\n");
-    put_lines(soft_header, out);
-    put_lines(soft_cells, out);
-    put_lines(soft_code, out);
+    write_lines(soft_header, out);
+    write_lines(soft_cells, out);
+    write_lines(soft_code, out);
 }
 
-static void put_file_title(const char *what, Buf *out)
+static void write_file_title(const char *what, Buf *out)
 {
     buf_printf(out, "// Numbers for emitted C where no `double` is an IEEE binary64: %s.  Made by smc from its stdlib: change that, not this file.\n", what);
 }
 
 void emit_c_soft_library(Buf *header, Buf *code, Buf *assembly)
 {
-    put_file_title("what may be done with them", header);
+    write_file_title("what may be done with them", header);
     buf_str(header, "#ifndef SM_F64_H              // else smc's own stdlib/f64.h has been included, as by its Arduino library, and has all of this\n");
     buf_str(header, "#ifndef SM_F64_SOFT\n#define SM_F64_SOFT 1\n#endif\n");
-    put_lines(soft_header, header);
+    write_lines(soft_header, header);
     buf_str(header, "#endif\n");
-    put_lines(soft_cells, header);
-    put_file_title("portable C", code);
+    write_lines(soft_cells, header);
+    write_file_title("portable C", code);
     buf_str(code, "#include \"sm_soft.h\"\n\n");
-    put_lines(soft_code, code);
-    put_file_title("assembly for AVR, nothing elsewhere", assembly);
-    put_lines(soft_assembly, assembly);
+    write_lines(soft_code, code);
+    write_file_title("assembly for AVR, nothing elsewhere", assembly);
+    write_lines(soft_assembly, assembly);
 }

@@ -101,23 +101,23 @@ const char *c_machine_type(Arena *arena, const char *prefix, const char *sv_type
 // ---- literal.c ----
 
 // Writes a constant as a C literal of its type; `bits` is its cell.  Infinities and NaN use a helper.
-void literal_put(CUnit *u, Buf *out, SmType type, uint64_t bits);
+void literal_write(CUnit *u, Buf *out, SmType type, uint64_t bits);
 // Writes a finite number in its usual decimal form.
-void literal_put_finite(Buf *out, double x);
+void literal_write_finite(Buf *out, double x);
 
 // ---- helpers.c ----
 
 // Counts a use of a stdlib function and returns its name.
 const char *helper_use(CUnit *u, const char *name);
 // Writes the snippets in use and those that they need, except types, which are in the header.
-void helpers_put(CUnit *u, Buf *out);
-void helper_type_put(CUnit *u, const char *name, Buf *out);
+void helpers_write(CUnit *u, Buf *out);
+void helper_write_type(CUnit *u, const char *name, Buf *out);
 size_t helper_count(void);
 
 // ---- native.c ----
 
 // Writes a snippet of stdlib with C's own operators instead of its functions on F64; unchanged if numbers are soft.
-void native_put(CUnit *u, const char *text, Buf *out);
+void native_write(CUnit *u, const char *text, Buf *out);
 
 // ---- remark.c ----
 
@@ -130,38 +130,38 @@ const char **remark_windows(CUnit *u);
 
 // ---- decl.c ----
 
-void put_vector_struct(const CUnit *u, Buf *out);
-void put_machine_types(CUnit *u, Buf *out);
-void put_prototypes(const CUnit *u, Buf *out);
+void c_write_vector_struct(const CUnit *u, Buf *out);
+void c_write_machine_types(CUnit *u, Buf *out);
+void c_write_prototypes(const CUnit *u, Buf *out);
 const char *c_type_of(const CUnit *u, SmType type);       // of a member
 bool c_is_output(const IrMachine *m, size_t v);      // whether the machine can store it: S, or an element that it may assign
 
 // ---- guard.c ----
 
 // Writes the includes, and the checks that stop a compiler that would change the meaning.
-void put_guards(Buf *out, const char *what, bool soft);
+void c_write_guards(Buf *out, const char *what, bool soft);
 // Writes the function `name`, which tests the arithmetic at run time.
-void put_self_test(const char *name, Buf *out);
+void c_write_self_test(const char *name, Buf *out);
 
 // ---- soft.c ----
 
 // Writes header and code of the soft numbers, for a single translation unit.
-void put_soft_library(Buf *out);
+void c_write_soft_library(Buf *out);
 
 // ---- window.c ----
 
 // A window's member: its name and its size in words.
-const char *window_declaration(const CUnit *u, size_t w);
-void put_empty_windows(const CUnit *u, Buf *out);
+const char *c_window_declaration(const CUnit *u, size_t w);
+void c_write_empty_windows(const CUnit *u, Buf *out);
 // Writes a function for each statistic that the code reads.
-void put_statistics(CUnit *u, Buf *out);
-uint32_t small_roll_words(uint32_t n, uint32_t kind);      // sm_roll_words with SM_ROLL_SMALL, for least memory
+void c_write_statistics(CUnit *u, Buf *out);
+uint32_t c_small_roll_words(uint32_t n, uint32_t kind);      // sm_roll_words with SM_ROLL_SMALL, for least memory
 
 // ---- vector.c ----
 
 // Write what follows the struct in the header, and the code.
-void put_vector_interface(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out);
-void put_vector_tables(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out);
+void c_write_vector_interface(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out);
+void c_write_vector_tables(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out);
 
 // ---- code.c ----
 
@@ -179,17 +179,17 @@ typedef struct CFunction {
 } CFunction;
 
 // Writes it as a static C function.
-CSignature put_function(CUnit *u, const CFunction *what, Buf *out);
+CSignature c_write_function(CUnit *u, const CFunction *what, Buf *out);
 
 // ---- machine.c ----
 
 // The type that holds a state's number or 0: the shortest possible if numbers are soft.
 const char *c_state_type(const CUnit *u);
-void put_machine(CUnit *u, Buf *out);      // the functions of all blocks, then init, step, state and state_name
+void c_write_machine(CUnit *u, Buf *out);      // the functions of all blocks, then init, step, state and state_name
 
 // ---- machine_type.c ----
 
-void put_machine_type(const CUnit *u, Buf *out);
-void put_machine_type_prototype(const CUnit *u, Buf *out);
+void c_write_machine_type(const CUnit *u, Buf *out);
+void c_write_machine_type_prototype(const CUnit *u, Buf *out);
 
 #endif

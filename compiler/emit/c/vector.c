@@ -8,7 +8,7 @@ static const char *value_type(const CUnit *u, SmType type) { return type == SM_F
 
 // ---- the header ----
 
-static void put_enum(Buf *out, const char *const *name, size_t n, const char *count)
+static void write_enum(Buf *out, const char *const *name, size_t n, const char *count)
 {
     buf_str(out, "enum {\n");
     for (size_t i = 0; i < n; i++)
@@ -16,7 +16,7 @@ static void put_enum(Buf *out, const char *const *name, size_t n, const char *co
     buf_printf(out, "    %s        // how many there are\n};\n\n", count);
 }
 
-static void put_plain(const CUnit *u, const CElement *e, const char *getter, const char *setter, Buf *out)
+static void write_plain(const CUnit *u, const CElement *e, const char *getter, const char *setter, Buf *out)
 {
     const char *p = u->names.prefix, *type = value_type(u, e->type), *truth = e->type == SM_BOOL ? " != 0" : "";
 
@@ -24,7 +24,7 @@ static void put_plain(const CUnit *u, const CElement *e, const char *getter, con
     buf_printf(out, "static inline void %s(%s value) { %s_sv.%s = value; }\n\n", setter, type, p, e->member);
 }
 
-static void put_guarded(const CUnit *u, const CElement *e, const char *getter, const char *setter, Buf *out)
+static void write_guarded(const CUnit *u, const CElement *e, const char *getter, const char *setter, Buf *out)
 {
     const char *p = u->names.prefix, *type = value_type(u, e->type), *truth = e->type == SM_BOOL ? " != 0" : "";
     const char *zero = e->type == SM_BOOL ? "false" : e->type == SM_F64 ? "sm_from_i32(0)" : "0";
@@ -36,7 +36,7 @@ static void put_guarded(const CUnit *u, const CElement *e, const char *getter, c
     buf_printf(out, "        %s_sv.%s = value;\n        sm_leave(&%s_vector);\n    }\n}\n\n", p, e->member, p);
 }
 
-static void put_variables(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
+static void write_variables(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
 {
     const char *p = u->names.prefix;
 
@@ -46,12 +46,12 @@ static void put_variables(const CUnit *u, const StateVec *sv, const CVectorNames
     buf_printf(out, "extern SmStateVec %s_vector;\nextern const SmLayout %s_layout;\n", p, p);
     buf_printf(out, "extern const SmElement %s_element[];        // by the numbers that follow\n", p);
     buf_printf(out, "extern const SmNames %s_names;\n\n", p);
-    put_enum(out, n->element, sv->element.n, format_in(u->arena, "%s_ELEMENTS", u->names.macro));
-    put_enum(out, n->region, sv->region.n, format_in(u->arena, "%s_REGIONS", u->names.macro));
+    write_enum(out, n->element, sv->element.n, format_in(u->arena, "%s_ELEMENTS", u->names.macro));
+    write_enum(out, n->region, sv->region.n, format_in(u->arena, "%s_REGIONS", u->names.macro));
 }
 
 // Functions that copy a region from and to its offset in a copy of the vector: no buffer that could be too small, no cast.
-static void put_region(const CUnit *u, const char *region, const char *reader, const char *writer, uint32_t offset, Buf *out)
+static void write_region(const CUnit *u, const char *region, const char *reader, const char *writer, uint32_t offset, Buf *out)
 {
     const char *p = u->names.prefix, *type = u->names.sv_type;
 
@@ -61,25 +61,25 @@ static void put_region(const CUnit *u, const char *region, const char *reader, c
     buf_printf(out, "    return sm_write_region(&%s_vector, &%s_layout.region[%s], (const uint8_t *)copy + %u);\n}\n\n", p, p, region, offset);
 }
 
-void put_vector_interface(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
+void c_write_vector_interface(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
 {
     const char *p = u->names.prefix;
 
-    put_variables(u, sv, n, out);
+    write_variables(u, sv, n, out);
     if (sv->lock)
         buf_printf(out, "// Each of these takes and gives back the lock.  One that cannot have it reads 0, writes nothing, and counts in %s_vector.faults.\n\n", p);
     for (size_t i = 0; i < u->sv.n; i++)
-        (sv->lock ? put_guarded : put_plain)(u, &u->sv.at[i], n->getter[i], n->setter[i], out);
+        (sv->lock ? write_guarded : write_plain)(u, &u->sv.at[i], n->getter[i], n->setter[i], out);
     buf_str(out, "// A whole region, in one go, from and to its members in a copy of the vector; the others are left as they are.\n\n");
     for (size_t r = 0; r < sv->region.n; r++)
-        put_region(u, n->region[r], n->reader[r], n->writer[r], sv->region.at[r]->offset, out);
+        write_region(u, n->region[r], n->reader[r], n->writer[r], sv->region.at[r]->offset, out);
     out->n--;                        // the blank line after the last one
     out->at[out->n] = '\0';
 }
 
 // ---- the code ----
 
-static void put_storage(const CUnit *u, const StateVec *sv, Buf *out)
+static void write_storage(const CUnit *u, const StateVec *sv, Buf *out)
 {
     const char *p = u->names.prefix;
     bool wide = false;
@@ -93,7 +93,7 @@ static void put_storage(const CUnit *u, const StateVec *sv, Buf *out)
     buf_printf(out, "SmStateVec %s_vector = {&%s_layout, &%s_sv, %s, {0}, 0};\n\n", p, p, p, sv->lock ? "true" : "false");
 }
 
-static void put_elements(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
+static void write_elements(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
 {
     buf_printf(out, "const SmElement %s_element[] = {        // offset, type, region\n", u->names.prefix);
     for (size_t r = 0; r < sv->region.n; r++)
@@ -105,7 +105,7 @@ static void put_elements(const CUnit *u, const StateVec *sv, const CVectorNames 
     buf_str(out, "};\n\n");
 }
 
-static void put_layout(const CUnit *u, const StateVec *sv, Buf *out)
+static void write_layout(const CUnit *u, const StateVec *sv, Buf *out)
 {
     const char *p = u->names.prefix, *m = u->names.macro;
     uint32_t packed = 0;
@@ -120,32 +120,32 @@ static void put_layout(const CUnit *u, const StateVec *sv, Buf *out)
     buf_printf(out, "    {0, %u, %u, 0, %s_ELEMENTS}\n};\n\n", sv->size, packed, m);
 }
 
-static void put_name_table(const CUnit *u, const char *what, Buf *out)
+static void write_name_table(const CUnit *u, const char *what, Buf *out)
 {
     buf_printf(out, "static const char *const %s_%s_names[] = {\n", u->names.prefix, what);
 }
 
-static void put_names(const CUnit *u, const StateVec *sv, Buf *out)
+static void write_names(const CUnit *u, const StateVec *sv, Buf *out)
 {
     const char *p = u->names.prefix;
 
-    put_name_table(u, "element", out);
+    write_name_table(u, "element", out);
     for (size_t i = 0; i < sv->element.n; i++)
         buf_printf(out, "    \"%s\",\n", sv->element.at[i]->name->text);
     buf_str(out, "};\n\n");
-    put_name_table(u, "region", out);
+    write_name_table(u, "region", out);
     for (size_t r = 0; r < sv->region.n; r++)
         buf_printf(out, "    \"%s\",\n", sv->region.at[r]->name->text);
     buf_printf(out, "};\n\nconst SmNames %s_names = {&%s_layout, \"%s\", %s_element_names, %s_region_names};\n", p, p, sv->name->text, p, p);
 }
 
-void put_vector_tables(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
+void c_write_vector_tables(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
 {
     buf_char(out, '\n');
     if (sv->element.n > UINT16_MAX)
         buf_str(out, "#error \"smc: the flight runtime numbers elements with 16 bits: 65,535 of them at most\"\n");
-    put_storage(u, sv, out);
-    put_elements(u, sv, n, out);
-    put_layout(u, sv, out);
-    put_names(u, sv, out);
+    write_storage(u, sv, out);
+    write_elements(u, sv, n, out);
+    write_layout(u, sv, out);
+    write_names(u, sv, out);
 }

@@ -4,4 +4,4 @@
 #include "compiler/emit/c/unit.h"
 #include "stdlib/roll.h"
 
-uint32_t small_roll_words(uint32_t n, uint32_t kind) { return sm_roll_words(n, kind); }
+uint32_t c_small_roll_words(uint32_t n, uint32_t kind) { return sm_roll_words(n, kind); }

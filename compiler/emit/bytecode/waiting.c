@@ -2,7 +2,7 @@
 // Analyses the instructions of a block before any is selected.  An operation whose result is used once waits for its user, which then
 // requests it.  A result with several uses is computed at its own position.  Users read a load directly, unless a store to its variable
 // precedes the last of them.
-#include "compiler/emit/bytecode/select.h"
+#include "compiler/emit/bytecode/bc_select.h"
 #include "stdlib/convert.h"
 
 enum { DEEPEST = 100 };       // bound on the chain of waiting operations, and so on the recursion in select.c

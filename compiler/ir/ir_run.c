@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Executes IR on doubles.  Functions are flattened once: the instructions of a block are adjacent, and operands are indices of temporaries.
-#include "compiler/ir/run.h"
+#include "compiler/ir/ir_run.h"
 
 #include <string.h>
 

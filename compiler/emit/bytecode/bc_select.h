@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shared by plan.c, operands.c, registers.c, select.c and jumps.c.  An IR instruction *waits* if its user computes it, where it is used.
+// Shared by waiting.c, operands.c, registers.c, bc_select.c and jumps.c.  An IR instruction *waits* if its user computes it, where it is used.
 // It is *placed* once its value has been computed at its own position.
 #ifndef SMC_EMIT_BYTECODE_SELECT_H
 #define SMC_EMIT_BYTECODE_SELECT_H
@@ -64,7 +64,7 @@ typedef struct Select {
     uint32_t fn;              // its number, from 1
 } Select;
 
-// ---- plan.c: facts about instructions ----
+// ---- waiting.c: facts about instructions ----
 
 static inline const IrIns *bc_ins(const Select *s, IrRef r) { return &s->f->ins.at[r]; }
 static inline bool bc_is_float(uint32_t type) { return type == SM_F32 || type == SM_F64; }
@@ -108,7 +108,7 @@ void bc_sample_x(Select *s, uint32_t window);
 uint32_t bc_label_new(Select *s);
 void bc_label_here(Select *s, uint32_t label);
 
-// ---- select.c ----
+// ---- bc_select.c ----
 
 void bc_select_ins(Select *s, IrRef r);
 void bc_to_x(Select *s, IrRef r);                     // loads or computes r into X and counts one use

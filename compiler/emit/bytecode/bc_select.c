@@ -2,7 +2,7 @@
 // IR to instructions, within a block.  Each value is computed into X.  Of two operands, one that only needs a load goes to Y. If both must
 // be computed, the deeper one is computed first and waits in a slot.  Loads, stores and most conversions cost nothing besides the load or
 // store itself: `counter = counter + 1` is three instructions.
-#include "compiler/emit/bytecode/select.h"
+#include "compiler/emit/bytecode/bc_select.h"
 #include "stdlib/convert.h"
 
 enum { MUCH_DEEPER = 3 };     // a left side deeper than the right by more than this is computed first: fewer right sides wait

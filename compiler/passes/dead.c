@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// dce: drops operations whose results are unused.
+// dse: drops a store that the same block overwrites before any load reads it.  Only two effects of a step are observable: the values of
+// variables at its end, and which elements were stored.  The later store produces both.  A load whose result is unused is no read.
+// Both walk backwards, so that one walk drops whole expressions.  They need uses and update them.
+#include "compiler/passes/pass.h"
+
+// Whether an instruction stays.  It is called for each of a block, from the last to the first, and releases the operands of what goes.
+typedef bool KeepFn(const IrFn *f, IrRef ref, Facts *facts);
+
+static void filter_block(const IrFn *f, IrBlk *blk, Facts *facts, KeepFn *keep)
+{
+    uint32_t kept = blk->ins.n, n = 0;
+
+    notes_begin_block(facts->notes);
+    for (size_t p = blk->ins.n; p-- > 0;)                      // what stays is collected at the end of the list
+        if (keep(f, blk->ins.at[p], facts))
+            blk->ins.at[--kept] = blk->ins.at[p];
+    while (kept < blk->ins.n)
+        blk->ins.at[n++] = blk->ins.at[kept++];
+    blk->ins.n = n;
+}
+
+static bool is_live(const IrFn *f, IrRef ref, Facts *facts)
+{
+    const IrIns *i = &f->ins.at[ref];
+
+    if (facts->uses[ref] > 0 || ir_op_info[i->op].effect)
+        return true;
+    if (ir_op_info[i->op].operands > 0)
+        facts->uses[i->a]--;
+    if (ir_op_info[i->op].operands > 1)
+        facts->uses[i->b]--;
+    return false;
+}
+
+// A note on a variable means that a store follows with no load in between.
+static bool is_no_dead_store(const IrFn *f, IrRef ref, Facts *facts)
+{
+    const IrIns *i = &f->ins.at[ref];
+
+    if (i->op == IR_load && facts->uses[ref] > 0)
+        notes_of(facts->notes, i->var)->stored = false;
+    if (i->op != IR_store)
+        return true;
+    if (notes_of(facts->notes, i->var)->stored) {
+        facts->uses[i->a]--;
+        return false;
+    }
+    notes_of(facts->notes, i->var)->stored = true;
+    return true;
+}
+
+void pass_dce(Arena *arena, IrFn *f, Facts *facts)
+{
+    (void)arena;
+    for (size_t b = 0; b < f->blk.n; b++)
+        filter_block(f, &f->blk.at[b], facts, is_live);
+}
+
+void pass_dse(Arena *arena, IrFn *f, Facts *facts)
+{
+    (void)arena;
+    for (size_t b = 0; b < f->blk.n; b++)
+        filter_block(f, &f->blk.at[b], facts, is_no_dead_store);
+}
