@@ -55,8 +55,8 @@ static const char *reason(SmResult result)
 int board_failed(BoardLine *b, const char *what)
 {
     if (b->host.answered)
-        return cli_say(b->c, "%s: %s", what, reason(b->host.result)), EXIT_PROBLEM;
-    cli_say(b->c, b->host.gone ? "%s: the line is gone; is the cable still in?" : "%s: the board does not answer any more", what);
+        return cli_say(b->c, TEXT_board_refuses, what, reason(b->host.result)), EXIT_PROBLEM;
+    cli_say(b->c, b->host.gone ? TEXT_line_gone : TEXT_board_silent, what);
     return EXIT_ENVIRONMENT;
 }
 
@@ -110,14 +110,14 @@ static bool speed_known(Cli *c, unsigned long *speed)
 static int greet(Cli *c, BoardLine *b, const char *port, unsigned long speed)
 {
     if (!device_hello(&b->host, &b->info)) {
-        cli_say(c, b->host.answered ? "what is at '%s' is no board of this kind" :
-                "no answer from '%s' at %lu bits a second: is it the right port, does the board run, is the speed right, has another program the line?",
+        cli_say(c, b->host.answered ? TEXT_not_a_board :
+                TEXT_no_answer,
                 port, speed);
         return EXIT_ENVIRONMENT;
     }
     if (device_is_usable(&b->info))
         return EXIT_OK;
-    cli_say(c, "the board at '%s' speaks version %u of the link, this smc knows version %u", port, (unsigned)b->info.protocol,
+    cli_say(c, TEXT_link_version, port, (unsigned)b->info.protocol,
             (unsigned)LINK_PROTOCOL);
     return EXIT_PROBLEM;
 }
@@ -129,13 +129,13 @@ int board_open(Cli *c, BoardLine *b)
     int code;
 
     if (!c->given[OPT_PORT])
-        return cli_usage(c, "%s wants --port, the serial line to the board, as in --port=/dev/ttyACM0", c->command->name);
+        return cli_usage(c, TEXT_port_required, c->command->name);
     if (!speed_known(c, &speed))
-        return cli_usage(c, "--speed wants a number of bits a second, not '%s'", c->value[OPT_SPEED]);
+        return cli_usage(c, TEXT_speed_number, c->value[OPT_SPEED]);
     memset(b, 0, sizeof *b);
     b->c = c;
     if (!os_serial_open(port, speed, &b->fd, &why))
-        return cli_say(c, "cannot open '%s': %s", port, why), EXIT_ENVIRONMENT;
+        return cli_say(c, TEXT_cannot_open, port, why), EXIT_ENVIRONMENT;
     b->line.context = b;
     b->line.send = line_send;
     b->line.receive = line_receive;

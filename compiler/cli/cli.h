@@ -62,6 +62,11 @@ int option_level(const Cli *c);                           // -O: 0, 1 or 2
 #define CLI_PRINTF
 #endif
 
+// The messages, as constants TEXT_name.
+#define CLI_TEXT(name, format) static const char TEXT_##name[] = format;
+#include "compiler/cli/texts.def"
+#undef CLI_TEXT
+
 // Prints "smc: " and a message to standard error, in the form that --message-format selects.
 CLI_PRINTF void cli_say(Cli *c, const char *format, ...);
 CLI_PRINTF void cli_remark(Cli *c, const char *format, ...);      // for a message that stops nothing

@@ -21,7 +21,7 @@ static bool find_emit(Cli *c, CompileEmit *emit)
             *emit = (CompileEmit)i;
             return true;
         }
-    cli_usage(c, "--emit is bytecode, array, c, ir, ast or tokens, not '%s'", c->value[OPT_EMIT]);
+    cli_usage(c, TEXT_emit_values, c->value[OPT_EMIT]);
     return false;
 }
 
@@ -153,11 +153,11 @@ static bool can_name_c_pair(Cli *c, const char *path)
     const size_t n = strlen(path);
 
     if (strcmp(path, "-") == 0)
-        cli_usage(c, "C is two files, a .c and a .h: standard output cannot take both");
+        cli_usage(c, TEXT_c_to_stdout);
     else if (os_is_special(path))
-        cli_usage(c, "C is two files, a .c and a .h: '%s' cannot take both", path);
+        cli_usage(c, TEXT_c_to_special, path);
     else if (os_is_folder(path))
-        cli_usage(c, "'%s' is a folder: name the .c in it, as in -o %s%s%s.c", path, path, path[n - 1] == '/' ? "" : "/", path_stem(c, c->file[0]));
+        cli_usage(c, TEXT_c_to_folder, path, path, path[n - 1] == '/' ? "" : "/", path_stem(c, c->file[0]));
     else
         return true;
     return false;
@@ -169,7 +169,7 @@ static bool is_includable(Cli *c)
     for (size_t i = 0; i < c->files; i++) {
         const char *path = output_path(c, c->file[i], ".c"), *name = file_part(path);
         if (strpbrk(name, "\"\\")) {
-            cli_usage(c, "emitted C cannot be named '%s': an #include cannot contain quotation marks or backslashes; choose another name with -o", path);
+            cli_usage(c, TEXT_c_not_includable, path);
             return false;
         }
     }
@@ -181,15 +181,15 @@ static bool is_named_c(const char *path) { return has_suffix(path, ".c") || has_
 static int check_app_use(Cli *c)
 {
     if (c->files > 1)
-        return cli_usage(c, "an application is built alone: it names its files itself");
+        return cli_usage(c, TEXT_app_built_alone);
     if (c->given[OPT_SV])
-        return cli_usage(c, "'%s' names its state vector itself: --sv has no place here", c->file[0]);
+        return cli_usage(c, TEXT_app_names_vector, c->file[0]);
     if (c->given[OPT_EMIT] && strcmp(c->value[OPT_EMIT], "c") != 0)
-        return cli_usage(c, "an application becomes C, not %s", c->value[OPT_EMIT]);
+        return cli_usage(c, TEXT_app_becomes_c, c->value[OPT_EMIT]);
     if (c->given[OPT_PREFIX])
-        return cli_usage(c, "the names of an application's C come from its files: --prefix has no place here");
+        return cli_usage(c, TEXT_app_no_prefix);
     if (c->given[OPT_OUTPUT] && strcmp(c->value[OPT_OUTPUT], "-") == 0)
-        return cli_usage(c, "an application is several files: -o names the folder for them");
+        return cli_usage(c, TEXT_app_needs_folder);
     return EXIT_OK;
 }
 
@@ -197,13 +197,13 @@ static int check_app_use(Cli *c)
 static int check_c_options(Cli *c, CompileEmit emit)
 {
     if (c->given[OPT_RUNTIME] && emit != EMIT_C)
-        return cli_usage(c, "--runtime speaks of emitted C: say --emit=c too");
+        return cli_usage(c, TEXT_runtime_needs_c);
     if (c->given[OPT_SOFT] && emit != EMIT_C)
-        return cli_usage(c, "--soft speaks of emitted C: say --emit=c too");
+        return cli_usage(c, TEXT_soft_needs_c);
     if ((c->given[OPT_MAX_RAM] || c->given[OPT_MAX_STEP] || c->given[OPT_MAX_CYCLES]) && !is_image(emit))
-        return cli_usage(c, "--max-ram, --max-step and --max-cycles speak of bytecode, not of --emit=%s", emit_name[emit]);
+        return cli_usage(c, TEXT_limits_need_image, emit_name[emit]);
     if (c->given[OPT_PREFIX] && emit_c_prefix_error(c->value[OPT_PREFIX]))
-        return cli_usage(c, "'%s' cannot be a prefix: %s", c->value[OPT_PREFIX], emit_c_prefix_error(c->value[OPT_PREFIX]));
+        return cli_usage(c, TEXT_bad_prefix, c->value[OPT_PREFIX], emit_c_prefix_error(c->value[OPT_PREFIX]));
     return EXIT_OK;
 }
 
@@ -213,7 +213,7 @@ static int check_use(Cli *c, CompileEmit emit)
     FileKind kind, first = FILE_SM;
 
     if (c->files == 0)
-        return cli_usage(c, "build wants a machine, as in 'smc build tank.sm'");
+        return cli_usage(c, TEXT_build_what);
     if (!cli_are_sources(c, true))
         return EXIT_USAGE;
     file_kind(c->file[0], &first);
@@ -225,28 +225,28 @@ static int check_use(Cli *c, CompileEmit emit)
         kind = FILE_SM;
         file_kind(c->file[i], &kind);
         if (kind == FILE_APP)
-            return cli_usage(c, "an application is built alone: it names its files itself");
+            return cli_usage(c, TEXT_app_built_alone);
         if (kind != first)
-            return cli_usage(c, "'%s' and '%s' cannot be built in one call; name a state vector with --sv", c->file[0], c->file[i]);
+            return cli_usage(c, TEXT_build_mixed, c->file[0], c->file[i]);
     }
     if (first == FILE_IO && !c->given[OPT_SV])
-        return cli_usage(c, "pins are built with their state vector, as in 'smc build %s --sv app.sv --emit=c'", c->file[0]);
+        return cli_usage(c, TEXT_pins_need_vector, c->file[0]);
     if (first == FILE_IO && emit != EMIT_C)
-        return cli_usage(c, "pins alone give C only; say --emit=c");
+        return cli_usage(c, TEXT_pins_need_c);
     if (c->given[OPT_IO] && (first != FILE_SM || !is_image(emit) || !c->given[OPT_SV]))
-        return cli_usage(c, "--io puts pins into an image, by the state vector that --sv names, as in 'smc build tank.sm --sv app.sv --io %s'", c->value[OPT_IO]);
+        return cli_usage(c, TEXT_io_needs_image, c->value[OPT_IO]);
     if (first == FILE_SS)
-        return cli_usage(c, "a state script is not built; 'smc test MACHINE.sm %s' runs it", c->file[0]);
+        return cli_usage(c, TEXT_script_not_built, c->file[0]);
     if (first == FILE_SV && (is_image(emit) || emit == EMIT_IR))
-        return cli_usage(c, "a state vector alone gives no %s; build its machines, or say --emit=c", emit == EMIT_IR ? "IR" : "bytecode");
+        return cli_usage(c, TEXT_vector_alone, emit == EMIT_IR ? "IR" : "bytecode");
     if (emit == EMIT_BYTECODE && !c->given[OPT_EMIT] && c->given[OPT_OUTPUT] && is_named_c(c->value[OPT_OUTPUT]))
-        return cli_usage(c, "'%s' is a name for C: say --emit=c for C, or --emit=array for bytecode as a C array", c->value[OPT_OUTPUT]);
+        return cli_usage(c, TEXT_name_for_c, c->value[OPT_OUTPUT]);
     if (emit == EMIT_C && c->given[OPT_OUTPUT] && !can_name_c_pair(c, c->value[OPT_OUTPUT]))
         return EXIT_USAGE;
     if (emit == EMIT_C && !is_includable(c))
         return EXIT_USAGE;
     if (emit == EMIT_C && c->files > 1 && (c->given[OPT_OUTPUT] || c->given[OPT_PREFIX]))
-        return cli_usage(c, "with several inputs %s would name several outputs", c->given[OPT_OUTPUT] ? "-o" : "--prefix");
+        return cli_usage(c, TEXT_several_outputs, c->given[OPT_OUTPUT] ? "-o" : "--prefix");
     return check_c_options(c, emit);
 }
 
@@ -264,7 +264,7 @@ static bool set_print(Cli *c)
         return true;
     for (int i = 0; i < PASS_COUNT; i++)
         known = format_in(&c->session.arena, "%s, %s", known, pass_info[i].name);
-    cli_usage(c, "there is no pass '%s'; there are %s", pass, known);
+    cli_usage(c, TEXT_no_such_pass, pass, known);
     return false;
 }
 
@@ -275,7 +275,7 @@ static bool make_folder(Cli *c)
 
     if (!c->given[OPT_OUTPUT] || *folder == '\0' || os_make_folder(folder, &why))
         return true;
-    cli_say(c, "cannot make the folder '%s': %s", cli_shown(&c->session.arena, folder), why);
+    cli_say(c, TEXT_cannot_make_folder, cli_shown(&c->session.arena, folder), why);
     return false;
 }
 

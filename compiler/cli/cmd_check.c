@@ -9,7 +9,7 @@ static int check_use(Cli *c)
     FileKind kind;
 
     if (c->files == 0)
-        return cli_usage(c, "check wants a file, as in 'smc check tank.sm'");
+        return cli_usage(c, TEXT_check_what);
     if (!cli_are_sources(c, true))
         return EXIT_USAGE;
     for (size_t i = 0; i < c->files; i++) {
@@ -19,15 +19,15 @@ static int check_use(Cli *c)
         pins = kind == FILE_IO ? c->file[i] : pins;
     }
     if (of[FILE_APP] && c->files > 1)
-        return cli_usage(c, "an application is checked alone: it names its files itself");
+        return cli_usage(c, TEXT_app_checked_alone);
     if (of[FILE_APP] && c->given[OPT_SV])
-        return cli_usage(c, "'%s' names its state vector itself: --sv has no place here", c->file[0]);
+        return cli_usage(c, TEXT_app_names_vector, c->file[0]);
     if (pins && !c->given[OPT_SV])
-        return cli_usage(c, "pins are checked with their state vector, as in 'smc check %s --sv app.sv'", pins);
+        return cli_usage(c, TEXT_pins_checked_with, pins);
     if (of[FILE_SS] && of[FILE_SM] == 0)
-        return cli_usage(c, "a script is checked together with its machine, as in 'smc check tank.sm tank.ss'");
+        return cli_usage(c, TEXT_script_checked_with);
     if (of[FILE_SS] && of[FILE_SM] > 1)
-        return cli_usage(c, "scripts are checked with one machine at a time, as in 'smc check tank.sm tank.ss'");
+        return cli_usage(c, TEXT_one_machine_and_scripts);
     return EXIT_OK;
 }
 

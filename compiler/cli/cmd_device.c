@@ -82,19 +82,18 @@ static int confirm(BoardLine *b, Buf *out)
     if (!device_running(&b->host, &b->info, &image))
         return board_failed(b, "asking what runs");
     if (image.slot == DEVICE_BUILT_IN) {
-        cli_say(b->c, "the board runs its built-in image: there is nothing to confirm");
+        cli_say(b->c, TEXT_nothing_to_confirm);
         if (device_trial(&b->host, &b->info, &image))
             board_describe(out, &image);
         return EXIT_PROBLEM;
     }
     if (!image.chosen) {
-        cli_say(b->c, "the image that runs is not the chosen one: it was erased, or another was chosen; at the next start it does not run any more, and cannot be "
-                "confirmed");
+        cli_say(b->c, TEXT_image_not_selected);
         board_describe(out, &image);
         return EXIT_PROBLEM;
     }
     if (image.state == DEVICE_CONFIRMED && b->info.may == SM_OK) {
-        cli_say(b->c, "nothing is on trial: this image runs, and was confirmed before");
+        cli_say(b->c, TEXT_already_confirmed);
         board_describe(out, &image);
         return EXIT_PROBLEM;
     }
@@ -132,7 +131,7 @@ static int erase(BoardLine *b, Buf *out)
         return board_failed(b, "it was not erased");
     if (was_there)                     // the answer was lost, so the request was sent twice
         return list(b, out);
-    cli_say(b->c, "no slot holds an image with the checksum %s", word);
+    cli_say(b->c, TEXT_no_slot_with, word);
     return EXIT_PROBLEM;
 }
 
@@ -215,14 +214,14 @@ int cmd_device(Cli *c)
     for (size_t i = 0; i < ACTIONS; i++)
         names[i] = actions[i].name;
     if (c->files == 0)
-        return cli_usage(c, "device wants to know what: info, list, confirm, erase or log");
+        return cli_usage(c, TEXT_device_what);
     if (strcmp(c->file[0], "erase") == 0 && !names_checksum(c))
-        return cli_usage(c, "erase wants the checksum of the image, as 'smc device list' shows it: eight digits");
+        return cli_usage(c, TEXT_erase_what);
     for (size_t i = 0; i < ACTIONS; i++)
         if (strcmp(c->file[0], names[i]) == 0 && c->files <= (actions[i].run == erase ? 2u : 1u))
             return run(c, i);
     near = str_nearest(c->file[0], names, ACTIONS);
-    return near && strcmp(near, c->file[0]) == 0 ? cli_usage(c, "device %s takes nothing more than --port", near)
-           : near ? cli_usage(c, "'%s' is nothing to ask a device; did you mean '%s'?", c->file[0], near)
-                  : cli_usage(c, "'%s' is nothing to ask a device: info, list, confirm, erase or log is", c->file[0]);
+    return near && strcmp(near, c->file[0]) == 0 ? cli_usage(c, TEXT_device_extra, near)
+           : near ? cli_usage(c, TEXT_device_action_near, c->file[0], near)
+                  : cli_usage(c, TEXT_device_action, c->file[0]);
 }

@@ -24,8 +24,8 @@ static int unknown_code(Cli *c, const char *name)
     for (size_t i = 0; i < diag_flag_count; i++)
         names[n++] = diag_flag[i].name;
     near = str_nearest(name, names, n);
-    return near ? cli_usage(c, "no diagnostic is called '%s'; did you mean '%s'?", name, near)
-                : cli_usage(c, "no diagnostic is called '%s'", name);
+    return near ? cli_usage(c, TEXT_no_diagnostic_near, name, near)
+                : cli_usage(c, TEXT_no_diagnostic, name);
 }
 
 static void explain_flag(const DiagFlag *flag, Buf *out)
@@ -86,7 +86,7 @@ int cmd_explain(Cli *c)
     if (c->given[OPT_ALL_PAGES])
         explain_all(&out);
     else if (c->files == 0)
-        return cli_usage(c, "explain wants the code of a diagnostic, as in 'smc explain E0204'");
+        return cli_usage(c, TEXT_explain_what);
     else
         code = explain_names(c, &out);
     return cli_print(c, 1, &out) ? code : EXIT_ENVIRONMENT;

@@ -118,7 +118,7 @@ static bool write_fixed(Fix *f, Buf *report)
 static int check_use(Cli *c)
 {
     if (c->files == 0)
-        return cli_usage(c, "fix wants a file, as in 'smc fix tank.sm'");
+        return cli_usage(c, TEXT_fix_what);
     return cli_are_sources(c, false) ? EXIT_OK : EXIT_USAGE;
 }
 

@@ -57,7 +57,7 @@ static int no_time(Cli *c, const Source *image, uint32_t cycles, uint32_t period
 {
     const uint32_t wants = (cycles + most - 1) / most;
 
-    cli_say(c, "a step of %s is estimated at up to %lu cycles; every %lu ms the board has %lu for it; --period=%lu is enough; nothing was sent",
+    cli_say(c, TEXT_step_too_slow,
             image->name, (unsigned long)cycles, (unsigned long)period, (unsigned long)(period * most), (unsigned long)wants);
     return EXIT_PROBLEM;
 }
@@ -70,18 +70,18 @@ static int fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdi
     const uint32_t every = period != 0 ? period : i->period;
 
     if (image->len > i->slot_size)
-        cli_say(c, "%s has %lu bytes, a slot of the board %lu; nothing was sent", image->name, (unsigned long)image->len,
+        cli_say(c, TEXT_image_too_large, image->name, (unsigned long)image->len,
                 (unsigned long)i->slot_size);
     else if (n.ram > i->ram)
-        cli_say(c, "%s needs more than %lu bytes of RAM, the board has %lu for machines; nothing was sent", image->name,
+        cli_say(c, TEXT_ram_too_small, image->name,
                 (unsigned long)n.ram, (unsigned long)i->ram);
     else if (i->longest != 0 && n.longest > i->longest)
-        cli_say(c, "the longest step of %s takes %lu instructions, the board allows %lu; nothing was sent", image->name,
+        cli_say(c, TEXT_step_too_long, image->name,
                 (unsigned long)n.longest, (unsigned long)i->longest);
     else if (i->tells && !i->windows && n.windows > 0)
-        cli_say(c, "%s has rolling windows (roll_...), and this board's firmware is made without; nothing was sent", image->name);
+        cli_say(c, TEXT_no_windows, image->name);
     else if (i->machines != 0 && n.machines > i->machines)
-        cli_say(c, "%s has %lu machines, the board runs %u; nothing was sent", image->name, (unsigned long)n.machines, (unsigned)i->machines);
+        cli_say(c, TEXT_too_many_machines, image->name, (unsigned long)n.machines, (unsigned)i->machines);
     else if (i->cycles != 0 && n.cycles > every * i->cycles)
         return no_time(c, image, n.cycles, every, i->cycles);
     else
@@ -101,8 +101,8 @@ static int wrong_pin(Cli *c, const Source *image, const SmvmPin *p, const SmvmPi
         buf_str(&out, " and ");
         cli_put_pin(&out, other);
     }
-    cli_say(c, other ? "%s wants %s, which are one pin of this board; nothing was sent"
-                     : "%s wants %s, which this board does not have, or needs itself, as for the line or an arming plug (docs/boards.md has a table of pins); nothing was sent",
+    cli_say(c, other ? TEXT_pins_clash
+                     : TEXT_pin_absent,
             image->name, buf_text(&out));
     return EXIT_PROBLEM;
 }
@@ -137,13 +137,11 @@ static int is_signed(Cli *c, BoardLine *b, const Source *image)
     if (!b->info.wants_signed)
         return EXIT_OK;
     if (!smvm_auth_read((SmvmBytes)image->text, &a))
-        cli_say(c, "the board takes signed images only: 'smc sign %s --key=FILE' signs it; nothing was sent", image->name);
+        cli_say(c, TEXT_must_sign, image->name);
     else if (b->info.tells_mark && a.mark != b->info.mark)
-        cli_say(c, "%s is signed with key %08lx, and the board takes only what is signed with key %08lx: 'smc sign %s --key=FILE' signs it anew, "
-                "with the file of that key; nothing was sent", image->name, (unsigned long)a.mark, (unsigned long)b->info.mark, image->name);
+        cli_say(c, TEXT_other_key, image->name, (unsigned long)a.mark, (unsigned long)b->info.mark, image->name);
     else if (a.number <= b->info.newest)
-        cli_say(c, "%s has the number %lu, and the board has confirmed number %lu: it takes higher ones only, or old images could be sent "
-                "again; 'smc sign %s --key=FILE' gives it a new number; nothing was sent",
+        cli_say(c, TEXT_old_number,
                 image->name, (unsigned long)a.number, (unsigned long)b->info.newest, image->name);
     else
         return EXIT_OK;
@@ -165,7 +163,7 @@ static int is_welcome(Cli *c, BoardLine *b, const Source *image, uint16_t period
     if (device_trial(&b->host, &b->info, &trial)) {
         if (is_same(&trial, image, period))
             return EXIT_OK;
-        cli_say(c, "nothing was sent: image %08lx is on trial; 'smc device confirm' keeps it, 'smc device erase %08lx' gives it up",
+        cli_say(c, TEXT_on_trial,
                 (unsigned long)trial.checksum, (unsigned long)trial.checksum);
         return EXIT_PROBLEM;
     }
@@ -195,15 +193,15 @@ static void say_what_runs(BoardLine *b, const DeviceImage *before)
     DeviceImage now;
 
     if (b->info.slots > 1)
-        cli_say(b->c, "the board keeps what it ran before");
+        cli_say(b->c, TEXT_keeps_previous);
     else if (!b->host.answered || !device_running(&b->host, &b->info, &now))
-        cli_say(b->c, "the board has one slot: 'smc device list' says whether its image had to give way");
+        cli_say(b->c, TEXT_slot_maybe_lost);
     else if (now.slot == before->slot)
-        cli_say(b->c, "the board keeps what it ran before");
+        cli_say(b->c, TEXT_keeps_previous);
     else
         cli_say(b->c, device_image(&b->host, before->slot, &now) && now.chosen
-                          ? "the board has one slot: until the next start its built-in image runs, then the one before again"
-                          : "the board has one slot: the image that ran before had to give way, and the built-in one runs until another is sent");
+                          ? TEXT_slot_until_start
+                          : TEXT_slot_lost);
 }
 
 static int say_failed(BoardLine *b, const Update *u, const DeviceImage *before, DeviceStep step)
@@ -214,20 +212,19 @@ static int say_failed(BoardLine *b, const Update *u, const DeviceImage *before, 
     int code;
 
     if (step == DEVICE_RUN) {
-        cli_say(b->c, "the board does not run the new image, but the one before or its built-in one, as 'smc device list' says; pins that it names may "
-                "be wanted twice, or be those of the line");
+        cli_say(b->c, TEXT_new_not_running);
         return EXIT_PROBLEM;
     }
     if (step == DEVICE_END && b->host.answered && u->rule != 0) {
-        cli_say(b->c, "the board's verifier refuses the image by rule %u at byte %lu: %s", (unsigned)u->rule, (unsigned long)u->at,
+        cli_say(b->c, TEXT_verifier_refuses, (unsigned)u->rule, (unsigned long)u->at,
                 smvm_rule_text(u->rule));
         if (u->rule == SMVM_R_FORMAT)
-            cli_say(b->c, "the board's firmware and this smc are of different versions: upload the firmware of this one (docs/boards.md)");
+            cli_say(b->c, TEXT_firmware_version);
         code = EXIT_PROBLEM;
     } else {
         code = board_failed(b, what[step]);
         if (step == DEVICE_END && b->host.answered && b->host.result == SM_E_MISSING)
-            cli_say(b->c, "a pin that it names may be none of this board's: docs/boards.md has a table of them");
+            cli_say(b->c, TEXT_pin_not_of_board);
     }
     if (step < DEVICE_ACTIVATE)
         say_what_runs(b, before);
@@ -282,8 +279,7 @@ static void warn_of_starts(Cli *c, const Source *image)
 
     for (uint32_t i = 0; smvm_machine((SmvmBytes)image->text, i, &m); i++)
         if (!smvm_state_is_safe(&m, 1))
-            cli_say(c, "warning: machine %lu of %s starts in a state that is not marked @safe: until it has left it for one that is, the board "
-                    "takes neither another image nor a confirmation; if it never does, it is gone after the three starts of its trial", (unsigned long)i + 1, image->name);
+            cli_say(c, TEXT_unsafe_start, (unsigned long)i + 1, image->name);
 }
 
 static void warn_of_no_pins(BoardLine *b, const Source *image)
@@ -291,7 +287,7 @@ static void warn_of_no_pins(BoardLine *b, const Source *image)
     SmvmPins all;
 
     if (b->info.ram_digital != 0 && !smvm_pins((SmvmBytes)image->text, &all))
-        cli_say(b->c, "warning: %s names no pins: on this board it reads nothing and moves nothing; 'smc build' takes them with --io=FILE", image->name);
+        cli_say(b->c, TEXT_no_pins, image->name);
 }
 
 // The machine is armed or not safe. Restarts discard a machine on trial that never reaches a safe state.
@@ -303,15 +299,15 @@ static int not_now(BoardLine *b)
     b->host.result = b->info.may;
     code = board_failed(b, "nothing was sent");
     if (b->info.may == SM_E_UNSAFE && device_running(&b->host, &b->info, &now) && now.state == DEVICE_TRIAL)
-        cli_say(b->c, "or let its trial end: it has %u more starts, then %s", (unsigned)now.starts,
-                b->info.slots > 1 ? "the image before it runs again" : "the built-in image runs");
+        cli_say(b->c, TEXT_trial_left, (unsigned)now.starts,
+                b->info.slots > 1 ? TEXT_previous_runs : TEXT_built_in_runs);
     return code;
 }
 
 static void warn_of_one_slot(BoardLine *b, const DeviceImage *now)
 {
     if (b->info.slots == 1 && now->slot != DEVICE_BUILT_IN)
-        cli_say(b->c, "the board has one slot: image %08lx, which runs, gives way to this one; if that does not last, the built-in image runs",
+        cli_say(b->c, TEXT_slot_replaced,
                 (unsigned long)now->checksum);
 }
 
@@ -335,7 +331,7 @@ static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v
     }
     if (!c->given[OPT_DRY_RUN])
         return update(b, image, period, &now);
-    cli_say(c, is_same(&now, image, period) ? "%s runs already; nothing was sent" : "%s would go onto the board; nothing was sent", image->name);
+    cli_say(c, is_same(&now, image, period) ? TEXT_runs_already : TEXT_would_send, image->name);
     return EXIT_OK;
 }
 
@@ -375,11 +371,11 @@ int cmd_flash(Cli *c)
     int code;
 
     if (c->files != 1)
-        return cli_usage(c, "flash wants one image, as in 'smc flash tank.smb --port=/dev/ttyACM0'");
+        return cli_usage(c, TEXT_flash_what);
     if (has_suffix(c->file[0], ".sm"))
-        return cli_usage(c, "flash wants an image: 'smc build %s' makes one", c->file[0]);
+        return cli_usage(c, TEXT_flash_source, c->file[0]);
     if (!period_known(c, &period))
-        return cli_usage(c, "--period wants whole milliseconds, 1 to 65535, as in --period=20, not '%s'", c->value[OPT_PERIOD]);
+        return cli_usage(c, TEXT_period_number, c->value[OPT_PERIOD]);
     if ((code = cli_load_image(c, c->file[0], &image, &v)) != EXIT_OK || (code = is_signed_with(c, image)) != EXIT_OK ||
         (code = board_open(c, &b)) != EXIT_OK)
         return code;

@@ -27,8 +27,8 @@ static int ends_in_time(Cli *c, const Source *image)
 
     if (length == image->len)
         return EXIT_OK;
-    cli_say(c, "%s: refused, for the image ends at byte %lu, and the file at byte %lu", image->name, (unsigned long)length, (unsigned long)image->len);
-    cli_say(c, "something was added behind it, or it is damaged: copy it again, or build it anew from its sources");
+    cli_say(c, TEXT_image_length, image->name, (unsigned long)length, (unsigned long)image->len);
+    cli_say(c, TEXT_image_extra);
     return EXIT_PROBLEM;
 }
 
@@ -38,10 +38,10 @@ int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v)
         return EXIT_ENVIRONMENT;
     if (smvm_verify((SmvmBytes)(*image)->text, (*image)->len, v) == 0)
         return ends_in_time(c, *image);
-    cli_say(c, "%s: refused, for rule %u does not hold at byte %lu: %s", (*image)->name, (unsigned)v->rule, (unsigned long)v->at,
+    cli_say(c, TEXT_image_rule, (*image)->name, (unsigned)v->rule, (unsigned long)v->at,
             smvm_rule_text(v->rule));
     if (advice(v->rule))
-        cli_say(c, "%s", advice(v->rule));
+        cli_say(c, TEXT_sentence, advice(v->rule));
     return EXIT_PROBLEM;
 }
 
@@ -50,7 +50,7 @@ int cmd_disasm(Cli *c)
     Buf out;
 
     if (c->files == 0)
-        return cli_usage(c, "disasm wants an image, as in 'smc disasm tank.smb'");
+        return cli_usage(c, TEXT_disasm_what);
     buf_init(&out, &c->session.arena);
     for (size_t i = 0; i < c->files; i++) {
         Source *image;
@@ -115,7 +115,7 @@ int cmd_verify(Cli *c)
     Buf out;
 
     if (c->files == 0)
-        return cli_usage(c, "verify wants an image, as in 'smc verify tank.smb'");
+        return cli_usage(c, TEXT_verify_what);
     if (c->given[OPT_KEY] && (worst = key_load(c, key)) != EXIT_OK)
         return worst;
     buf_init(&out, &c->session.arena);

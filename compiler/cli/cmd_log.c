@@ -24,7 +24,7 @@ static Log *read_log(Cli *c, const char *path, char **bytes)
     size_t n;
 
     if (!os_read(path, size_most, bytes, &n, &why)) {
-        cli_say(c, "cannot read '%s': %s", cli_shown(&c->session.arena, path), why);
+        cli_say(c, TEXT_cannot_read, cli_shown(&c->session.arena, path), why);
         return NULL;
     }
     return log_read(&c->session.arena, (const uint8_t *)*bytes, (uint32_t)n);
@@ -34,17 +34,17 @@ static Log *read_log(Cli *c, const char *path, char **bytes)
 static int judge(Cli *c, const char *path, const Log *log)
 {
     if (log->newer)
-        cli_remark(c, "%s: a part of it was written in a later format than this smc knows", path);
+        cli_remark(c, TEXT_log_later, path);
     if (log->session.n == 0) {
-        cli_say(c, log->size == 0 ? "%s: it is empty" : "%s: it holds nothing that a flight log begins with", path);
+        cli_say(c, log->size == 0 ? TEXT_log_empty : TEXT_log_not, path);
         return EXIT_PROBLEM;
     }
     if (log->damaged > log->torn)
-        cli_remark(c, "%s: %llu bytes are damaged; what is whole is shown", path, (unsigned long long)log->damaged);
+        cli_remark(c, TEXT_log_damaged, path, (unsigned long long)log->damaged);
     else if (log->torn)
-        cli_remark(c, "%s: its last %llu bytes are no whole block; all before them is shown", path, (unsigned long long)log->torn);
+        cli_remark(c, TEXT_log_torn, path, (unsigned long long)log->torn);
     if (log->unread)
-        cli_remark(c, "%s: too many checksums are wrong; the last %llu bytes were not read", path, (unsigned long long)log->unread);
+        cli_remark(c, TEXT_log_unread, path, (unsigned long long)log->unread);
     return EXIT_OK;
 }
 
@@ -60,16 +60,16 @@ static int choose_session(Cli *c, Flight *f, size_t format)
     if (word) {
         wanted = strtoull(word, &end, 10);
         if (word[0] < '0' || word[0] > '9' || *end)
-            return cli_usage(c, "--session wants a number, not '%s'", word);
+            return cli_usage(c, TEXT_session_number, word);
     }
     if (wanted < 1 || wanted > n) {
-        cli_say(c, "%s: there is no session %s; it has %lu", f->name, word, (unsigned long)n);
+        cli_say(c, TEXT_no_session, f->name, word, (unsigned long)n);
         return EXIT_PROBLEM;
     }
     if (word || format != TEXT)
         f->session = f->log->session.at[wanted - 1];
     if (!word && format != TEXT && n > 1)
-        cli_remark(c, "%s: this is the last of %lu sessions; --session=N gives another", f->name, (unsigned long)n);
+        cli_remark(c, TEXT_last_session, f->name, (unsigned long)n);
     return EXIT_OK;
 }
 
@@ -77,7 +77,7 @@ static int unknown(Cli *c, const Flight *f, const char *what, const char *name, 
 {
     const char *near = str_nearest(name, names, n);
 
-    cli_say(c, near ? "%s: unknown %s '%s'; did you mean '%s'?" : "%s: unknown %s '%s'", f->name, what, name, near);
+    cli_say(c, near ? TEXT_log_name_near : TEXT_log_name, f->name, what, name, near);
     return EXIT_PROBLEM;
 }
 
@@ -128,7 +128,7 @@ static int choose(Cli *c, Flight *f, size_t format)
     if (code == EXIT_OK)
         code = choose_machine(c, f);
     if (code == EXIT_OK && format == SVG && f->session->records == 0) {
-        cli_say(c, "%s: the session has no record to draw", f->name);
+        cli_say(c, TEXT_no_record, f->name);
         code = EXIT_PROBLEM;
     }
     return code;
@@ -158,7 +158,7 @@ int cmd_log(Cli *c)
 
     memset(&f, 0, sizeof f);
     if (c->files == 0)
-        return cli_usage(c, "log wants a flight log, as in 'smc log flight.log'");
+        return cli_usage(c, TEXT_log_what);
     if (!cli_format(c, formats, FORMATS, &format))
         return EXIT_USAGE;
     f.arena = &c->session.arena;

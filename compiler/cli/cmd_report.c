@@ -40,7 +40,7 @@ static int report_failed_runs(Cli *c, const Report *r)
 
     for (size_t i = 0; i < r->runs; i++)
         if (!r->run[i].script || r->run[i].result.outcome != SCRIPT_PASSED) {
-            cli_say(c, "%s failed; the report says why", r->run[i].name);
+            cli_say(c, TEXT_run_failed, r->run[i].name);
             code = EXIT_PROBLEM;
         }
     return code;
@@ -77,7 +77,7 @@ int cmd_report(Cli *c)
     if ((writer = find_format(c)) == NULL || !cli_compile_options(c, &o))
         return EXIT_USAGE;
     if (c->given[OPT_IO] && !c->given[OPT_SV])
-        return cli_usage(c, "--io names the pins of the image by the state vector that --sv names");
+        return cli_usage(c, TEXT_io_needs_vector);
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
     o.emit = EMIT_BYTECODE;

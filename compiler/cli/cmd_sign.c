@@ -18,7 +18,7 @@ static bool by_the_clock(Cli *c, uint32_t *number)
     *number = (uint32_t)seconds;
     if (seconds >= 1 && seconds <= MOST)
         return true;
-    cli_say(c, "this computer's clock is wrong: set it, or give a number with --number");
+    cli_say(c, TEXT_clock_wrong);
     return false;
 }
 
@@ -32,7 +32,7 @@ static bool given(Cli *c, uint32_t *number)
     *number = (uint32_t)n;
     if (*word == '\0' && n >= 1 && n <= MOST)
         return true;
-    cli_usage(c, "--number wants a whole number from 1 to %lu, not '%s'", (unsigned long)MOST, c->value[OPT_NUMBER]);
+    cli_usage(c, TEXT_number_range, (unsigned long)MOST, c->value[OPT_NUMBER]);
     return false;
 }
 
@@ -44,7 +44,7 @@ static int sign(Cli *c, const Source *image, const uint8_t *key, uint32_t number
     out.bytes = bytes;
     out.n = image_sign((const uint8_t *)image->text, (uint32_t)image->len, key, number, bytes);
     if (out.n == 0)
-        return cli_say(c, "%s has no room for a code: it has too many sections", image->name), EXIT_PROBLEM;
+        return cli_say(c, TEXT_too_many_sections, image->name), EXIT_PROBLEM;
     return !c->given[OPT_OUTPUT] || os_same_file(out.path, c->file[0]) ? cli_rewrite(c, &out) : cli_write(c, &out, 1);
 }
 
@@ -57,7 +57,7 @@ int cmd_sign(Cli *c)
     int code;
 
     if (c->files != 1 || !c->given[OPT_KEY])
-        return cli_usage(c, "sign wants an image and a key, as in 'smc sign tank.smb --key=rocket.key'");
+        return cli_usage(c, TEXT_sign_what);
     if (c->given[OPT_NUMBER] && !given(c, &number))
         return EXIT_USAGE;
     if (!c->given[OPT_NUMBER] && !by_the_clock(c, &number))

@@ -25,7 +25,7 @@ static void add_error(TestRun *t, const char *path, const char *message, int cod
 
 static void refuse_folder(TestRun *t, const char *path, const char *why)
 {
-    cli_say(t->c, "cannot read '%s': %s", cli_shown(t->arena, path), why);
+    cli_say(t->c, TEXT_cannot_read, cli_shown(t->arena, path), why);
     add_error(t, path, why, EXIT_ENVIRONMENT);
 }
 
@@ -59,7 +59,7 @@ static void collect_argument(TestRun *t, const char *path)
     collect(t, path, 0);
     if (t->path.n + t->result.n > before)
         return;
-    cli_say(t->c, "no .smt case is in '%s'", path);
+    cli_say(t->c, TEXT_no_case_in, path);
     add_error(t, path, "no .smt case is in it", EXIT_PROBLEM);
 }
 
@@ -91,7 +91,7 @@ static void report_absent(TestRun *t)
 {
     for (unsigned i = 0; i < ENGINE_KINDS; i++)
         if (t->absent & 1u << i)
-            cli_remark(t->c, "engine %s was left out: %s", engine_name[i], t->why_absent);
+            cli_remark(t->c, TEXT_engine_left_out, engine_name[i], t->why_absent);
 }
 
 static int write_results(TestRun *t, bool summary)
@@ -152,10 +152,10 @@ static int check_kinds(Cli *c)
     for (size_t i = 0; i < c->files; i++) {
         const char *path = c->file[i];
         if (has_suffix(path, ".sv"))
-            return cli_usage(c, "name the state vector with --sv=%s", path);
+            return cli_usage(c, TEXT_vector_with_sv, path);
         if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".smt") && strcmp(path, "-") != 0 &&
             !os_is_folder(path))
-            return cli_usage(c, "'%s' is not a kind of file that 'smc test' accepts; it takes %s", path, accepted);
+            return cli_usage(c, TEXT_test_kind, path, accepted);
     }
     return EXIT_OK;
 }
@@ -163,19 +163,19 @@ static int check_kinds(Cli *c)
 static int check_use(Cli *c, const Files *f)
 {
     if (c->files == 0)
-        return cli_usage(c, "name what to test: a machine and a script, as in 'smc test tank.sm tank.ss', or .smt cases");
+        return cli_usage(c, TEXT_test_what);
     if (check_kinds(c) != EXIT_OK)
         return EXIT_USAGE;
     if (f->machines > 1)
-        return cli_usage(c, "one machine is tested at a time");
+        return cli_usage(c, TEXT_test_one_machine);
     if (f->machines && !f->scripts && f->cases)
-        return cli_usage(c, "folders hold .smt cases; scripts are named one by one, as in 'smc test %s SCRIPT.ss'", f->machine);
+        return cli_usage(c, TEXT_test_folder_of_scripts, f->machine);
     if (f->machines && !f->scripts)
-        return cli_usage(c, "no script is named to test '%s' with, as in 'smc test %s SCRIPT.ss'", f->machine, f->machine);
+        return cli_usage(c, TEXT_test_no_script, f->machine, f->machine);
     if (f->scripts && !f->machines)
-        return cli_usage(c, "no machine is named to run the script on, as in 'smc test MACHINE.sm SCRIPT.ss'");
+        return cli_usage(c, TEXT_test_no_machine);
     if (c->given[OPT_TAP] && (is_standard_output(c, OPT_JUNIT) || is_standard_output(c, OPT_TRACE)))
-        return cli_usage(c, "--tap and %s cannot both write to standard output", is_standard_output(c, OPT_JUNIT) ? "--junit" : "--trace");
+        return cli_usage(c, TEXT_tap_and, is_standard_output(c, OPT_JUNIT) ? "--junit" : "--trace");
     return EXIT_OK;
 }
 
@@ -184,15 +184,15 @@ static int check_trace(Cli *c, const Files *f)
     const bool is_exact = c->given[OPT_TRACE_FORMAT] && strcmp(c->value[OPT_TRACE_FORMAT], "exact") == 0;
 
     if (c->given[OPT_TRACE_FORMAT] && !is_exact && strcmp(c->value[OPT_TRACE_FORMAT], "csv") != 0)
-        return cli_usage(c, "--trace-format is csv or exact, not '%s'", c->value[OPT_TRACE_FORMAT]);
+        return cli_usage(c, TEXT_trace_formats, c->value[OPT_TRACE_FORMAT]);
     if (!c->given[OPT_TRACE] && (c->given[OPT_TRACE_FORMAT] || c->given[OPT_TRACE_ELEMENTS]))
-        return cli_usage(c, "%s requires --trace=FILE", c->given[OPT_TRACE_FORMAT] ? "--trace-format" : "--trace-elements");
+        return cli_usage(c, TEXT_trace_required, c->given[OPT_TRACE_FORMAT] ? "--trace-format" : "--trace-elements");
     if (c->given[OPT_TRACE] && !f->scripts)
-        return cli_usage(c, "--trace requires a machine and a script; .smt cases have a part 'trace'");
+        return cli_usage(c, TEXT_trace_of_case);
     if (is_exact && f->scripts > 1)
-        return cli_usage(c, "--trace-format=exact does not name the script in its lines: trace one script at a time, or as csv");
+        return cli_usage(c, TEXT_exact_one_script);
     if (is_exact && c->given[OPT_TRACE_ELEMENTS])
-        return cli_usage(c, "--trace-format=exact always has every element: leave out --trace-elements");
+        return cli_usage(c, TEXT_exact_has_all);
     return EXIT_OK;
 }
 
@@ -214,9 +214,9 @@ static int read_options(TestRun *t)
 
     t->max_steps = 1000000;
     if (c->given[OPT_MAX_STEPS] && !read_steps(c->value[OPT_MAX_STEPS], &t->max_steps))
-        return cli_usage(c, "--max-steps wants a whole number from 1, not '%s'", c->value[OPT_MAX_STEPS]);
+        return cli_usage(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
     if (c->given[OPT_ENGINE] && (t->engines = engines_named(c->value[OPT_ENGINE])) == 0)
-        return cli_usage(c, "--engine is ref, vm, vm-soft, c, c-soft or all, not '%s'", c->value[OPT_ENGINE]);
+        return cli_usage(c, TEXT_engine_values, c->value[OPT_ENGINE]);
     return cli_compile_options(c, &unused) ? EXIT_OK : EXIT_USAGE;
 }
 
@@ -229,7 +229,7 @@ int cmd_test(Cli *c)
     if (code != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
         return code;
     if (c->given[OPT_TRACE] && f.cases)
-        cli_remark(c, "the trace has the scripts of '%s'; cases are not traced", f.machine);
+        cli_remark(c, TEXT_cases_not_traced, f.machine);
     if (f.machine && (ran = test_machine(&t, f.machine)) == EXIT_USAGE)
         return ran;
     for (size_t i = 0; i < c->files; i++)

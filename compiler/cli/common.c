@@ -100,7 +100,7 @@ static int write_files(Cli *c, const OsOutput *out, size_t n)
 
     if (os_write(out, n, &path, &why))
         return EXIT_OK;
-    cli_say(c, "cannot write '%s': %s", strcmp(path, "-") == 0 ? "standard output" : cli_shown(&c->session.arena, path), why);
+    cli_say(c, TEXT_cannot_write, strcmp(path, "-") == 0 ? "standard output" : cli_shown(&c->session.arena, path), why);
     return EXIT_ENVIRONMENT;
 }
 
@@ -117,7 +117,7 @@ int cli_rewrite(Cli *c, const OsOutput *out)
     const int code = write_files(c, out, 1);
 
     if (code == EXIT_OK && has_other_names)
-        cli_remark(c, "'%s' is a hard link: the file's other names still have the old contents", out->path);
+        cli_remark(c, TEXT_hard_link, out->path);
     return code;
 }
 
@@ -128,7 +128,7 @@ bool cli_print(Cli *c, int fd, const Buf *text)
     if (os_print(fd, buf_text(text), text->n, &why))
         return true;
     if (fd == 1)
-        cli_say(c, "cannot write to standard output: %s", why);
+        cli_say(c, TEXT_cannot_print, why);
     return false;
 }
 
@@ -212,7 +212,7 @@ static bool format_unknown(Cli *c, const CliFormat *format, size_t formats)
     buf_init(&list, &c->session.arena);
     for (size_t i = 0; i < formats; i++)
         buf_printf(&list, "%s%s", i == 0 ? "" : i + 1 < formats ? ", " : " or ", format[i].name);
-    cli_usage(c, "--format is %s, not '%s'", buf_text(&list), c->value[OPT_AS]);
+    cli_usage(c, TEXT_format_values, buf_text(&list), c->value[OPT_AS]);
     return false;
 }
 
@@ -231,7 +231,7 @@ static bool ends_foreign(Cli *c, const CliFormat *format, size_t formats)
     buf_init(&list, &c->session.arena);
     for (size_t i = 0; i < formats; i++)
         buf_printf(&list, "%s%s", i == 0 ? "" : i + 1 < formats ? ", " : " or ", format[i].ending[0]);
-    cli_usage(c, "'%s': %s is not among what is written here; let the name end in %s", path, foreign[f], buf_text(&list));
+    cli_usage(c, TEXT_foreign_ending, path, foreign[f], buf_text(&list));
     return true;
 }
 
@@ -240,7 +240,7 @@ static bool floods_terminal(Cli *c, const CliFormat *format)
 {
     if (c->given[OPT_OUTPUT] || !format->viewer || !os_is_terminal(1))
         return false;
-    cli_usage(c, "this is for %s, not for a terminal; name a file, as -o %s%s", format->viewer, path_stem(c, c->file[0]), format->ending[0]);
+    cli_usage(c, TEXT_not_for_terminal, format->viewer, path_stem(c, c->file[0]), format->ending[0]);
     return true;
 }
 

@@ -10,7 +10,7 @@ bool deps_named(Cli *c, const OsOutput *output)
 {
     if (c->given[OPT_DEPS_FILE] || strcmp(output->path, "-") != 0)
         return true;
-    cli_usage(c, "standard output has no name that -MD can end in .d: name the rule's file with -MF");
+    cli_usage(c, TEXT_deps_unnamed);
     return false;
 }
 

@@ -26,7 +26,7 @@ Source *cli_load(Cli *c, const char *path)
     Source *src = load(c, path, strcmp(path, "-") == 0 ? "<stdin>" : path, &why);
 
     if (!src)
-        cli_say(c, "cannot read '%s': %s", cli_shown(&c->session.arena, path), why);
+        cli_say(c, TEXT_cannot_read, cli_shown(&c->session.arena, path), why);
     return src;
 }
 
@@ -76,7 +76,7 @@ bool cli_are_sources(Cli *c, bool standard_input)
 
     for (size_t i = 0; i < c->files; i++)
         if (!file_kind(c->file[i], &kind) && !(standard_input && strcmp(c->file[i], "-") == 0)) {
-            cli_usage(c, "'%s' is no source: names end in .sm, .sv, .ss, .io or .app", c->file[i]);
+            cli_usage(c, TEXT_not_a_source, c->file[i]);
             return false;
         }
     return true;
@@ -95,7 +95,7 @@ static bool number_of(Cli *c, OptionId id, const char *spelling, uint32_t *numbe
     *number = (uint32_t)n;
     if (!c->given[id] || (*at == '\0' && n >= 1 && n <= UINT32_MAX))
         return true;
-    cli_usage(c, "%s wants a whole number from 1, not '%s'", spelling, c->value[id]);
+    cli_usage(c, TEXT_number_from_1, spelling, c->value[id]);
     return false;
 }
 

@@ -36,11 +36,11 @@ int key_load(Cli *c, uint8_t key[SMVM_KEY])
     if (!s)
         return EXIT_ENVIRONMENT;
     if (!key_is_file(s->text, s->len)) {
-        cli_say(c, "'%s' is no key: a key is %d hexadecimal digits; 'smc key FILE' makes one", path, DIGITS);
+        cli_say(c, TEXT_not_a_key, path, DIGITS);
         return EXIT_PROBLEM;
     }
     if (!os_is_private(path))
-        cli_say(c, "warning: others can read '%s'; 'chmod 600 %s' keeps it to you", path, path);
+        cli_say(c, TEXT_key_readable, path, path);
     for (unsigned i = 0; i < SMVM_KEY; i++)
         key[i] = (uint8_t)(value_of(s->text[2 * i]) << 4 | value_of(s->text[2 * i + 1]));
     return EXIT_OK;
@@ -55,11 +55,11 @@ bool key_signed(Cli *c, const Source *image, const uint8_t *key, const char *the
     if (smvm_auth_check((SmvmBytes)image->text, key, &number))
         return true;
     if (!smvm_auth_read((SmvmBytes)image->text, &a))
-        cli_say(c, "%s is not signed%s", image->name, then);
+        cli_say(c, TEXT_not_signed, image->name, then);
     else if (a.mark != mark)
-        cli_say(c, "%s is signed with key %08lx, and '%s' is key %08lx%s", image->name, (unsigned long)a.mark, c->value[OPT_KEY], (unsigned long)mark, then);
+        cli_say(c, TEXT_signed_with_other, image->name, (unsigned long)a.mark, c->value[OPT_KEY], (unsigned long)mark, then);
     else
-        cli_say(c, "%s was changed since it was signed with the key '%s'%s", image->name, c->value[OPT_KEY], then);
+        cli_say(c, TEXT_changed_since_signed, image->name, c->value[OPT_KEY], then);
     return false;
 }
 
@@ -80,11 +80,11 @@ int cmd_key(Cli *c)
     char text[DIGITS + 1];
 
     if (c->files != 1 || strcmp(c->file[0], "-") == 0)
-        return cli_usage(c, "key wants the name of a new file, as in 'smc key rocket.key'");
+        return cli_usage(c, TEXT_key_what);
     if (outputs_is_source_name(c->file[0], strlen(c->file[0])))
-        return cli_usage(c, "'%s' is the name of a source; name the key otherwise, as in 'smc key rocket.key'", c->file[0]);
+        return cli_usage(c, TEXT_key_is_source, c->file[0]);
     if (!os_random(key, sizeof key, &why))
-        return cli_say(c, "cannot make a key: %s", why), EXIT_ENVIRONMENT;
+        return cli_say(c, TEXT_cannot_make_key, why), EXIT_ENVIRONMENT;
     for (unsigned i = 0; i < SMVM_KEY; i++) {
         text[2 * i] = digit[key[i] >> 4];
         text[2 * i + 1] = digit[key[i] & 15];
@@ -92,6 +92,6 @@ int cmd_key(Cli *c)
     text[DIGITS] = '\n';
     if (os_write_private(c->file[0], text, sizeof text, &why))
         return say_mark(c, key);
-    cli_say(c, "cannot make '%s': %s", cli_shown(&c->session.arena, c->file[0]), why);
+    cli_say(c, TEXT_cannot_create, cli_shown(&c->session.arena, c->file[0]), why);
     return EXIT_ENVIRONMENT;
 }

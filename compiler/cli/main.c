@@ -33,11 +33,11 @@ static const Command *find_command(Cli *c, const char *name)
     }
     near = str_nearest(name, names, COMMANDS);
     if (has_suffix(name, ".sm") || has_suffix(name, ".sv") || has_suffix(name, ".io") || has_suffix(name, ".app"))
-        cli_usage(c, "a command comes before the file, as in 'smc check %s'", name);
+        cli_usage(c, TEXT_command_first, name);
     else if (near)
-        cli_usage(c, "unknown command '%s'; did you mean '%s'?", name, near);
+        cli_usage(c, TEXT_unknown_command_near, name, near);
     else
-        cli_usage(c, "unknown command '%s'", name);
+        cli_usage(c, TEXT_unknown_command, name);
     return NULL;
 }
 
@@ -90,7 +90,7 @@ static int dispatch(Cli *c, int argc, char **argv)
         return print(c, 1, &out, EXIT_OK);
     }
     if (argv[1][0] == '-')
-        return cli_usage(c, "unknown option '%s'; a command comes first, as in 'smc check tank.sm'", argv[1]);
+        return cli_usage(c, TEXT_option_before_command, argv[1]);
     return run_command(c, argc, argv);
 }
 

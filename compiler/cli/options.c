@@ -59,9 +59,9 @@ static bool unknown_option(Cli *c, const char *arg)
             names[n++] = option_info[i].spelling;
     near = str_nearest(head, names, n);
     if (near)
-        cli_usage(c, "unknown option '%s'; did you mean '%s'?", arg, near);
+        cli_usage(c, TEXT_unknown_option_near, arg, near);
     else
-        cli_usage(c, "unknown option '%s'", arg);
+        cli_usage(c, TEXT_unknown_option, arg);
     return false;
 }
 
@@ -71,17 +71,17 @@ static bool take_option(Cli *c, OptionId id, const char *arg, const char *value,
     const OptionInfo *o = &option_info[id];
 
     if (!applies(o, c->command))
-        return cli_usage(c, "option '%s' does not go with 'smc %s'", o->spelling, c->command->name), false;
+        return cli_usage(c, TEXT_option_of_other, o->spelling, c->command->name), false;
     if (!o->value && value)
-        return cli_usage(c, "option '%s' takes no value", o->spelling), false;
+        return cli_usage(c, TEXT_option_no_value, o->spelling), false;
     if (o->value && !value) {
         if (is_joined(o) || !next)
-            return cli_usage(c, "option '%s' wants a %s behind it", arg, o->value + is_joined(o)), false;
+            return cli_usage(c, TEXT_option_needs_value, arg, o->value + is_joined(o)), false;
         value = next;
         *took_next = true;
     }
     if (o->value && *value == '\0')
-        return cli_usage(c, "option '%s' has an empty %s", o->spelling, o->value + is_joined(o)), false;
+        return cli_usage(c, TEXT_option_empty, o->spelling, o->value + is_joined(o)), false;
     c->given[id] = true;
     c->value[id] = value;
     if (id == OPT_WARN)
@@ -98,7 +98,7 @@ static bool one_of(Cli *c, OptionId id, const char *const *allowed, size_t n, co
     for (size_t i = 0; i < n; i++)
         if (strcmp(c->value[id], allowed[i]) == 0)
             return true;
-    cli_usage(c, "%s is %s, not '%s'", option_info[id].spelling, list, c->value[id]);
+    cli_usage(c, TEXT_option_values, option_info[id].spelling, list, c->value[id]);
     return false;
 }
 
@@ -108,7 +108,7 @@ static bool sarif_fits(Cli *c)
     if (!c->given[OPT_FORMAT] || strcmp(c->value[OPT_FORMAT], "sarif") != 0 || strcmp(c->command->name, "check") == 0 ||
         strcmp(c->command->name, "build") == 0)
         return true;
-    cli_usage(c, "--message-format=sarif is for check and build");
+    cli_usage(c, TEXT_sarif_commands);
     return false;
 }
 
@@ -117,7 +117,7 @@ static bool warnings_known(Cli *c)
     const char *wrong = diag_selection_error(&c->session.arena, &c->warn);
 
     if (wrong)
-        cli_usage(c, "%s", wrong);
+        cli_usage(c, TEXT_sentence, wrong);
     c->session.warnings = diag_selection_groups(&c->warn);
     return !wrong;
 }
@@ -127,7 +127,7 @@ static bool target_is_name(Cli *c)
 {
     if (!c->given[OPT_DEPS_NAME] || os_is_name(c->value[OPT_DEPS_NAME]))
         return true;
-    cli_usage(c, "-MT: the name '%s' contains a control character", c->value[OPT_DEPS_NAME]);
+    cli_usage(c, TEXT_target_control, c->value[OPT_DEPS_NAME]);
     return false;
 }
 

@@ -372,9 +372,9 @@ static int check_name(Cli *c, const char *path, const char *option)
     if (strcmp(path, "-") == 0 || os_is_special(path))
         return EXIT_OK;
     if (is_input(c, path))
-        return cli_usage(c, "'%s' is an input of this command and cannot be its output; %s", path, another);
+        return cli_usage(c, TEXT_output_is_input, path, another);
     if (outputs_is_source_name(path, strlen(path)) || outputs_is_source_name(real, strlen(real)))
-        return cli_usage(c, "'%s' is the name of a source, and only 'smc fix' writes to sources; %s", path, another);
+        return cli_usage(c, TEXT_output_is_source, path, another);
     return EXIT_OK;
 }
 
@@ -389,15 +389,15 @@ static int check_existing(Cli *c, const char *path)
         return EXIT_OK;
     h.at = head = arena_alloc(&c->session.arena, HEAD);
     if (!os_read_head(path, head, HEAD, &h.n)) {
-        cli_say(c, "'%s' would be replaced, but cannot be read to see what it is; use another name, or remove it first", path);
+        cli_say(c, TEXT_output_unreadable, path);
         return EXIT_ENVIRONMENT;
     }
     h.is_whole = h.n < HEAD;
     if (key_is_file(h.at, h.n))
-        return cli_usage(c, "'%s' is a key, and keys are never replaced; use another name", path);
+        return cli_usage(c, TEXT_output_is_key, path);
     if (h.n == 0 || c->given[OPT_FORCE] || is_ours(&h))
         return EXIT_OK;
-    return cli_usage(c, "'%s' exists and was not written by smc; use another name, or --force to replace it", path);
+    return cli_usage(c, TEXT_output_not_ours, path);
 }
 
 static bool is_same_output(Cli *c, const char *a, const char *b)
@@ -414,7 +414,7 @@ int outputs_check(Cli *c, const OsOutput *out, size_t n)
     for (size_t i = 0; i < n && code == EXIT_OK; i++) {
         for (size_t k = 0; k < i; k++)
             if (is_same_output(c, out[k].path, out[i].path))
-                return cli_usage(c, "'%s' and '%s' would be the same file; name another", out[k].path, out[i].path);
+                return cli_usage(c, TEXT_outputs_same, out[k].path, out[i].path);
         if ((code = check_name(c, out[i].path, NULL)) == EXIT_OK)
             code = check_existing(c, out[i].path);
     }
@@ -442,7 +442,7 @@ int outputs_check_options(Cli *c)
             continue;
         for (size_t k = 0; k < i; k++)
             if (c->given[option[k].id] && is_same_output(c, path, c->value[option[k].id]))
-                return cli_usage(c, strcmp(path, "-") == 0 ? "%s and %s cannot both write to standard output" : "%s and %s name the same file",
+                return cli_usage(c, strcmp(path, "-") == 0 ? TEXT_both_to_stdout : TEXT_outputs_equal,
                                  option[k].spelling, option[i].spelling);
         code = check_name(c, path, option[i].spelling);
         if (code == EXIT_OK && !(is_build && option[i].id == OPT_OUTPUT))          // -o of a build can be the stem of several names

@@ -153,7 +153,7 @@ static bool open_engines(MachineTest *m)
     which &= ~test_absent_engines(t, which);
     if (engines_open(&m->engines, &t->c->session, m->p, which, option_level(t->c)))
         return true;
-    cli_say(t->c, "%s", m->engines.error);
+    cli_say(t->c, TEXT_sentence, m->engines.error);
     code = report_diagnostics(t, &message) == EXIT_PROBLEM ? EXIT_PROBLEM : EXIT_ENVIRONMENT;        // an image can be too large
     add_errors(m, format_in(t->arena, "%s\n%s", m->engines.error, message), code);
     return false;

@@ -37,11 +37,11 @@ static int unknown_column(TestTrace *t, const char *name)
         const Var **order = report_order(&c->session.arena, t->p);
         for (size_t i = 0; i < t->p->var.n; i++)
             buf_printf(&list, "%s%s", i ? ", " : "", order[i]->report_name->text);
-        return cli_usage(c, "--trace-elements: the machine has no '%s'; it has %s", name, buf_text(&list));
+        return cli_usage(c, TEXT_trace_no_element, name, buf_text(&list));
     }
     for (size_t i = 0; i < n; i++)
         buf_printf(&list, "%s'%s'", i == 0 ? "" : i + 1 < n ? ", " : " or ", near[i]);
-    return cli_usage(c, "--trace-elements: the machine has no '%s'; did you mean %s?", name, buf_text(&list));
+    return cli_usage(c, TEXT_trace_element_near, name, buf_text(&list));
 }
 
 static void add_column(TestTrace *t, const Var *v)
@@ -62,7 +62,7 @@ static int choose_columns(TestTrace *t, const char *list)
         const char *name = format_in(arena, "%.*s", (int)n, list);
         const Var *v = map_find(&t->p->by_name, str_c(&t->c->session.strings, name));
         if (n == 0)
-            return cli_usage(t->c, "--trace-elements takes names between commas, as in --trace-elements=pressure,valveOpen");
+            return cli_usage(t->c, TEXT_trace_names);
         if (!v)
             return unknown_column(t, name);
         if (v != t->p->g)
@@ -95,7 +95,7 @@ static void put_away(TestTrace *t)
 
 static int fails(TestTrace *t, const char *why)
 {
-    cli_say(t->c, "cannot write '%s': %s", cli_shown(&t->c->session.arena, t->c->value[OPT_TRACE]), why);
+    cli_say(t->c, TEXT_cannot_write, cli_shown(&t->c->session.arena, t->c->value[OPT_TRACE]), why);
     return EXIT_ENVIRONMENT;
 }
 
@@ -141,7 +141,7 @@ void test_trace_script(TestTrace *t, const char *path) { t->script = path; }
 void test_trace_left_out(TestTrace *t, const char *path)
 {
     if (t)
-        cli_remark(t->c, "%s did not run and is not in the trace", path);
+        cli_remark(t->c, TEXT_not_in_trace, path);
 }
 
 int test_trace_open(TestRun *run, const Program *p, TestTrace **trace)
@@ -184,8 +184,8 @@ int test_trace_close(TestTrace *t)
     if (t->error)
         return fails(t, t->error);
     if (!t->script)
-        cli_remark(t->c, "no script ran: there is nothing to write to '%s'", t->c->value[OPT_TRACE]);
+        cli_remark(t->c, TEXT_no_trace, t->c->value[OPT_TRACE]);
     if (t->rounded)
-        cli_remark(t->c, "'%s' has values in the trace that a double cannot hold: spreadsheets round them", t->rounded->report_name->text);
+        cli_remark(t->c, TEXT_trace_precision, t->rounded->report_name->text);
     return EXIT_OK;
 }

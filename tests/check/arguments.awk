@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# The {} of every diagnostic text get as many arguments where it is reported: the C compiler cannot count them.
+# Checks calls that report something to the user:
+#   1. the {} of every diagnostic get as many arguments where it is reported, because the C compiler cannot count them;
+#   2. no message of the command is written where it is printed: all are in compiler/cli/texts.def, where the C compiler checks them.
 # Input: codes.def, then the names of the source files, one a line.
 
 function complain(what) {
@@ -90,6 +92,15 @@ FILENAME !~ /codes\.def$/ {
     while ((getline line < $0) > 0)
         text = text " " plain(line)
     close($0)
+    rest = text
+    while (match(rest, /cli_(say|usage|remark)\([^(,]*, [^;]*/)) {
+        call = substr(rest, RSTART, RLENGTH)
+        rest = substr(rest, RSTART + RLENGTH)
+        if (call ~ /TEXT_/)
+            seen++
+        if (call ~ /^cli_[a-z]*\([^(,]*, (S|[^,]*\? S|[^,]*: S)/)
+            complain($0 ": a message is a literal here; it belongs into compiler/cli/texts.def")
+    }
     while (match(text, /(diag_report|diag_note|diag_step|diag_label|parser_report|parser_fail|lex_report)\(/)) {
         text = substr(text, RSTART + RLENGTH)
         check_call($0, substr(text, 1, 600))

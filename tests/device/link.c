@@ -188,7 +188,7 @@ static void an_image_is_sent_and_kept(void)
     CHECK(quiet("device", "list", NULL) == 0 && says("slot 0: no image") && says("built in: "));
     CHECK(quiet("device", "confirm", NULL) == 1 && says("nothing to confirm"));
     CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("nothing was sent"));
-    CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)") && says("without that, the image before it runs again"));
+    CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)") && says("without that, the previous image runs again"));
     CHECK(quiet("device", "info", NULL) == 0 && says("no update may begin: image ") && says(" is on trial; 'smc device confirm' keeps it"));
     CHECK(quiet("flash", images[0], "--period=7") == 1 && says("nothing was sent: image "));
     CHECK(quiet("flash", images[0], "--dry-run") == 0 && says(" runs already; nothing was sent"));
@@ -372,7 +372,7 @@ static void an_image_is_erased(void)
     char path[9];
 
     checksum_of(images[0], path);
-    CHECK(quiet("device", "erase", "12345678") == 1 && says("no slot holds an image with the checksum 12345678"));
+    CHECK(quiet("device", "erase", "12345678") == 1 && says("no slot contains an image with the checksum 12345678"));
     CHECK(quiet("device", "erase", path) == 0 && !listed(images[0], "bytes") && listed(images[1], ", runs"));
     CHECK(quiet("device", "erase", "x") == 2);
     CHECK(quiet("flash", images[0], NULL) == 0 && quiet("device", "list", NULL) == 0 && listed(images[1], ", runs again if the chosen one does not"));
@@ -429,7 +429,7 @@ static void a_board_with_a_key(void)
     CHECK(alone("sign", images[0], with, to) == 0 && alone("sign", out, with, "--number=4000000000") == 0 && forge(out));
     CHECK(quiet("flash", out, with) == 1 && says(" was changed since it was signed with the key '") && says("nothing was sent"));
     CHECK(quiet("flash", out, NULL) == 1 && says("the image was not accepted: the board takes images only that are signed with its key"));
-    CHECK(says("the board keeps what it ran before"));
+    CHECK(says("the board keeps the image that it ran before"));
     remove(key);
     CHECK(alone("key", key, NULL, NULL) == 0 && alone("sign", images[0], with, to) == 0);      // another one than the board's
     CHECK(alone("sign", out, with, "--number=4000000000") == 0);
@@ -444,8 +444,8 @@ static void nobody_answers(void)
 {
     const Trouble gone = {0, 300, 0, true};
 
-    CHECK(run(&gone, "flash", images[0], NULL) == 3 && says(": the board does not answer any more"));
-    CHECK(says("the board keeps what it ran before"));
+    CHECK(run(&gone, "flash", images[0], NULL) == 3 && says(": the board no longer answers"));
+    CHECK(says("the board keeps the image that it ran before"));
     CHECK(quiet("device", "info", NULL) == 3 && says("no answer from '"));
     start_board();
     CHECK(quiet("device", "list", NULL) == 0 && listed(images[1], ", runs, confirmed"));

@@ -36,7 +36,7 @@ executor flight
   every 10 ms
     machine m "missing.sm"
 -- stderr --
-smc: 'a.app' names its state vector itself: --sv has no place here
+smc: 'a.app' names its state vector itself: remove --sv
 Try 'smc build --help'.
 smc: an application is built alone: it names its files itself
 Try 'smc build --help'.
@@ -44,15 +44,15 @@ smc: an application is built alone: it names its files itself
 Try 'smc build --help'.
 smc: an application becomes C, not bytecode
 Try 'smc build --help'.
-smc: the names of an application's C come from its files: --prefix has no place here
+smc: the names in an application's C come from its files: remove --prefix
 Try 'smc build --help'.
-smc: an application is several files: -o names the folder for them
+smc: an application becomes several files: name the folder for them with -o
 Try 'smc build --help'.
 smc: an application is checked alone: it names its files itself
 Try 'smc check --help'.
 smc: an application is checked alone: it names its files itself
 Try 'smc check --help'.
-smc: a command comes before the file, as in 'smc check a.app'
+smc: a command precedes the file, as in 'smc check a.app'
 Try 'smc --help'.
 smc: cannot read 'nosuch.app': No such file or directory
 {"severity":"error","code":"E1035","message":"25 ms is not a multiple of 10 ms, the tick of [flight]","file":"a.app","line":4,"column":1,"endLine":4,"endColumn":13,"label":"20 ms or 30 ms would be","notes":[],"edits":[],"flag":null,"group":null}

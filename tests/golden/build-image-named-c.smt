@@ -6,7 +6,7 @@ U64 G
 U32 S
 [Idle]
 -- stderr --
-smc: 'a.c' is a name for C: say --emit=c for C, or --emit=array for bytecode as a C array
+smc: 'a.c' is a name for C: add --emit=c for C, or --emit=array for bytecode as a C array
 Try 'smc build --help'.
 -- exit --
 2

@@ -8,18 +8,18 @@ args device list --port=nowhere
 args device list --confirm
 
 -- stderr --
-smc: device wants to know what: info, list, confirm, erase or log
+smc: device requires an action: info, list, confirm, erase or log
 Try 'smc device --help'.
-smc: 'lst' is nothing to ask a device; did you mean 'list'?
+smc: 'lst' is not an action of smc device; did you mean 'list'?
 Try 'smc device --help'.
-smc: 'telephone' is nothing to ask a device: info, list, confirm, erase or log is
+smc: 'telephone' is not an action of smc device: they are info, list, confirm, erase and log
 Try 'smc device --help'.
-smc: device wants --port, the serial line to the board, as in --port=/dev/ttyACM0
+smc: device requires --port, the serial line to the board, as in --port=/dev/ttyACM0
 Try 'smc device --help'.
-smc: device list takes nothing more than --port
+smc: device list accepts nothing but --port
 Try 'smc device --help'.
 smc: cannot open 'nowhere': No such file or directory
-smc: option '--confirm' does not go with 'smc device'
+smc: option '--confirm' is not an option of 'smc device'
 Try 'smc device --help'.
 -- exit --
 2 2 2 2 2 3 2

@@ -12,9 +12,9 @@ bool open
 .step
     open = true
 -- stderr --
-smc: a.sm: refused, for rule 1 does not hold at byte 0: an image begins with the bytes 's' 'm' 'b'
+smc: a.sm: refused, because rule 1 is violated at byte 0: an image begins with the bytes 's' 'm' 'b'
 smc: it is no image; 'smc build' makes one of a machine
-smc: a.sm: refused, for rule 1 does not hold at byte 0: an image begins with the bytes 's' 'm' 'b'
+smc: a.sm: refused, because rule 1 is violated at byte 0: an image begins with the bytes 's' 'm' 'b'
 smc: it is no image; 'smc build' makes one of a machine
 smc: cannot read 'nowhere.smb': No such file or directory
 -- exit --

@@ -2,7 +2,7 @@
 args fix app.c
 
 -- stderr --
-smc: 'app.c' is no source: names end in .sm, .sv, .ss, .io or .app
+smc: 'app.c' is not a source: names of sources end in .sm, .sv, .ss, .io or .app
 Try 'smc fix --help'.
 -- exit --
 2

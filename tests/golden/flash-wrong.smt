@@ -20,20 +20,20 @@ bool open
 .step
     open = true
 -- stderr --
-smc: flash wants --port, the serial line to the board, as in --port=/dev/ttyACM0
+smc: flash requires --port, the serial line to the board, as in --port=/dev/ttyACM0
 Try 'smc flash --help'.
-smc: flash wants one image, as in 'smc flash tank.smb --port=/dev/ttyACM0'
+smc: flash requires one image, as in 'smc flash tank.smb --port=/dev/ttyACM0'
 Try 'smc flash --help'.
 smc: cannot open 'nowhere': No such file or directory
 smc: cannot open 'a.sm': it is no serial line
 smc: cannot open 'a.sm': there is no such speed (115200 is the firmware's)
-smc: --speed wants a number of bits a second, not 'fast'
+smc: --speed requires a number of bits per second, not 'fast'
 Try 'smc flash --help'.
-smc: --period wants whole milliseconds, 1 to 65535, as in --period=20, not '0'
+smc: --period requires whole milliseconds from 1 to 65535, as in --period=20, not '0'
 Try 'smc flash --help'.
-smc: --period wants whole milliseconds, 1 to 65535, as in --period=20, not '20s'
+smc: --period requires whole milliseconds from 1 to 65535, as in --period=20, not '20s'
 Try 'smc flash --help'.
-smc: flash wants an image: 'smc build a.sm' makes one
+smc: flash requires an image: 'smc build a.sm' makes one
 Try 'smc flash --help'.
 smc: cannot read 'missing.smb': No such file or directory
 -- exit --

@@ -7,7 +7,7 @@ U64 G
 U32 S
 [Idle]
 -- stderr --
-smc: graph takes one machine at a time
+smc: graph accepts one machine at a time
 Try 'smc graph --help'.
 -- exit --
 2

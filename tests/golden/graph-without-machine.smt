@@ -7,7 +7,7 @@ U64 G
 U32 S
 [Idle]
 -- stderr --
-smc: graph wants a machine, as in 'smc graph tank.sm'
+smc: graph requires a machine, as in 'smc graph tank.sm'
 Try 'smc graph --help'.
 -- exit --
 2

@@ -15,5 +15,5 @@ bool open
 -- stdout --
 -rw-------
 -- stderr --
-smc: warning: others can read 'a.key'; 'chmod 600 a.key' keeps it to you
-smc: warning: others can read 'a.key'; 'chmod 600 a.key' keeps it to you
+smc: warning: other users can read 'a.key'; 'chmod 600 a.key' makes it private
+smc: warning: other users can read 'a.key'; 'chmod 600 a.key' makes it private

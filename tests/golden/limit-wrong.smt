@@ -9,11 +9,11 @@ U64 G
 U32 S
 [Idle]
 -- stderr --
-smc: --max-step wants a whole number from 1, not 'many'
+smc: --max-step requires a whole number from 1, not 'many'
 Try 'smc build --help'.
-smc: --max-ram wants a whole number from 1, not '0'
+smc: --max-ram requires a whole number from 1, not '0'
 Try 'smc check --help'.
-smc: --max-ram, --max-step and --max-cycles speak of bytecode, not of --emit=c
+smc: --max-ram, --max-step and --max-cycles apply to bytecode, not to --emit=c
 Try 'smc build --help'.
 -- exit --
 2 2 2

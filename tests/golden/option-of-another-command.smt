@@ -10,7 +10,7 @@ bool open
 .step
     open = true
 -- stderr --
-smc: option '--engine' does not go with 'smc check'
+smc: option '--engine' is not an option of 'smc check'
 Try 'smc check --help'.
 -- exit --
 2

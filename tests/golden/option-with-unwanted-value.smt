@@ -18,7 +18,7 @@ G == 20 {
     @stop
 }
 -- stderr --
-smc: option '--tap' takes no value
+smc: option '--tap' has no value
 Try 'smc test --help'.
 -- exit --
 2

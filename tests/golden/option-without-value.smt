@@ -10,7 +10,7 @@ bool open
 .step
     open = true
 -- stderr --
-smc: option '--emit' wants a KIND behind it
+smc: option '--emit' requires a KIND after it
 Try 'smc build --help'.
 -- exit --
 2

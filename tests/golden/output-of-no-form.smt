@@ -12,11 +12,11 @@ U32 S
 -- stdout --
 <svg
 -- stderr --
-smc: 'tank.png': .png is not among what is written here; let the name end in .svg, .dot or .mmd
+smc: 'tank.png': .png is not a format that smc writes here; use a name that ends in .svg, .dot or .mmd
 Try 'smc graph --help'.
-smc: 'tank.pdf': .pdf is not among what is written here; let the name end in .svg, .dot or .mmd
+smc: 'tank.pdf': .pdf is not a format that smc writes here; use a name that ends in .svg, .dot or .mmd
 Try 'smc graph --help'.
-smc: 'tank.docx': .docx is not among what is written here; let the name end in .html, .txt or .json
+smc: 'tank.docx': .docx is not a format that smc writes here; use a name that ends in .html, .txt or .json
 Try 'smc report --help'.
 -- exit --
 2 2 2 0

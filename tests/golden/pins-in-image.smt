@@ -45,9 +45,9 @@ time.io:2:5: error: 'G' is the time, G, of machine 'hold', and cannot be an inpu
       |     ^
 hold.sm:2:5: note: machine 'hold' lists it here
 1 error
-smc: --io puts pins into an image, by the state vector that --sv names, as in 'smc build tank.sm --sv app.sv --io app.io'
+smc: --io adds pins to an image, with the state vector that --sv names, as in 'smc build tank.sm --sv app.sv --io app.io'
 Try 'smc build --help'.
-smc: --io puts pins into an image, by the state vector that --sv names, as in 'smc build tank.sm --sv app.sv --io app.io'
+smc: --io adds pins to an image, with the state vector that --sv names, as in 'smc build tank.sm --sv app.sv --io app.io'
 Try 'smc build --help'.
 smc: cannot read 'gone.io': No such file or directory
 -- exit --

@@ -21,11 +21,11 @@ pins digital
 -- stderr --
 smc: pins are built with their state vector, as in 'smc build a.io --sv app.sv --emit=c'
 Try 'smc build --help'.
-smc: pins alone give C only; say --emit=c
+smc: pins alone can only become C; add --emit=c
 Try 'smc build --help'.
 smc: pins are checked with their state vector, as in 'smc check a.io --sv app.sv'
 Try 'smc check --help'.
-smc: a command comes before the file, as in 'smc check a.io'
+smc: a command precedes the file, as in 'smc check a.io'
 Try 'smc --help'.
 -- exit --
 2 2 2 0 2 0

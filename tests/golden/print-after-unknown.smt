@@ -7,7 +7,7 @@ U64 G
 U32 S
 [Idle]
 -- stderr --
-smc: there is no pass 'folding'; there are build, fold, identity, known, simplify_cfg, cse, dse, dce, locals, windows, narrow, if_convert, empty
+smc: there is no pass 'folding'; the passes are build, fold, identity, known, simplify_cfg, cse, dse, dce, locals, windows, narrow, if_convert, empty
 Try 'smc build --help'.
 -- exit --
 2

@@ -169,8 +169,8 @@ the script has no @stop, so it would never end [E0703]
 
       1 | [options]
 -- stderr --
-smc: bad.ss failed; the report says why
-smc: odd.ss failed; the report says why
+smc: bad.ss failed; the report shows why
+smc: odd.ss failed; the report shows why
 broken.sm:6:5: error: unknown element 'x' [E0204]
     6 |     x = 1
       |     ^

@@ -10,13 +10,13 @@ U64 G
 U32 S
 [Idle]
 -- stderr --
-smc: report wants a machine, as in 'smc report tank.sm'
+smc: report requires a machine, as in 'smc report tank.sm'
 Try 'smc report --help'.
-smc: report takes one machine at a time
+smc: report accepts one machine at a time
 Try 'smc report --help'.
 smc: --format is html, text or json, not 'pdf'
 Try 'smc report --help'.
-smc: 'a.sv' is no machine (.sm) and no script (.ss); name the state vector with --sv
+smc: 'a.sv' is neither a machine (.sm) nor a script (.ss); name the state vector with --sv
 Try 'smc report --help'.
 -- exit --
 2 2 2 2

@@ -7,7 +7,7 @@ U64 G
 U32 S
 [A]
 -- stderr --
-smc: --runtime speaks of emitted C: say --emit=c too
+smc: --runtime requires --emit=c
 Try 'smc build --help'.
 -- exit --
 2

@@ -2,7 +2,7 @@
 args test --message-format=sarif a.sm a.ss
 
 -- stderr --
-smc: --message-format=sarif is for check and build
+smc: --message-format=sarif is for check and build only
 Try 'smc test --help'.
 -- exit --
 2

@@ -42,28 +42,28 @@ a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM on a 6
 b.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM on a 64-bit computer, state vector 16 bytes (layout b1dc9237)
 b.smb: signed with this key [..], number 4000000000
 -- stderr --
-smc: cannot make 'k.key': File exists
+smc: cannot create 'k.key': File exists
 smc: a.smb is not signed
-smc: a.smb is signed with key [..], and 'other.key' is key [..]
-smc: key wants the name of a new file, as in 'smc key rocket.key'
+smc: a.smb is signed with key [..], but 'other.key' is key [..]
+smc: key requires the name of a new file, as in 'smc key rocket.key'
 Try 'smc key --help'.
-smc: key wants the name of a new file, as in 'smc key rocket.key'
+smc: key requires the name of a new file, as in 'smc key rocket.key'
 Try 'smc key --help'.
-smc: sign wants an image and a key, as in 'smc sign tank.smb --key=rocket.key'
+smc: sign requires an image and a key, as in 'smc sign tank.smb --key=rocket.key'
 Try 'smc sign --help'.
-smc: sign wants an image and a key, as in 'smc sign tank.smb --key=rocket.key'
+smc: sign requires an image and a key, as in 'smc sign tank.smb --key=rocket.key'
 Try 'smc sign --help'.
-smc: 'a.sm' is no key: a key is 32 hexadecimal digits; 'smc key FILE' makes one
+smc: 'a.sm' is not a key: a key is 32 hexadecimal digits; 'smc key FILE' makes one
 smc: cannot read 'missing.key': No such file or directory
-smc: a.sm: refused, for rule 1 does not hold at byte 0: an image begins with the bytes 's' 'm' 'b'
+smc: a.sm: refused, because rule 1 is violated at byte 0: an image begins with the bytes 's' 'm' 'b'
 smc: it is no image; 'smc build' makes one of a machine
-smc: --number wants a whole number from 1 to 4000000000, not '0'
+smc: --number requires a whole number from 1 to 4000000000, not '0'
 Try 'smc sign --help'.
-smc: --number wants a whole number from 1 to 4000000000, not '4000000001'
+smc: --number requires a whole number from 1 to 4000000000, not '4000000001'
 Try 'smc sign --help'.
-smc: --number wants a whole number from 1 to 4000000000, not '7x'
+smc: --number requires a whole number from 1 to 4000000000, not '7x'
 Try 'smc sign --help'.
-smc: option '--key' does not go with 'smc build'
+smc: option '--key' is not an option of 'smc build'
 Try 'smc build --help'.
 -- exit --
 0 3 0 1 0 0 0 0 1 0 0 2 2 2 2 1 3 1 2 2 2 2

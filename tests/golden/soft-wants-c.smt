@@ -6,7 +6,7 @@ U64 G
 U32 S
 [Idle]
 -- stderr --
-smc: --soft speaks of emitted C: say --emit=c too
+smc: --soft requires --emit=c
 Try 'smc build --help'.
 -- exit --
 2

@@ -64,9 +64,9 @@ a.sm:7:5: warning: this guard can be true too early: the window of 'roll_avg(p, 
     7 |     T > 1000 and roll_avg(p, 20) > 500: -> Run
       |     ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 1 warning
-smc: --step wants a whole number from 1, not 'x'
+smc: --step requires a whole number from 1, not 'x'
 Try 'smc report --help'.
-smc: --step wants a whole number from 1, not '0'
+smc: --step requires a whole number from 1, not '0'
 Try 'smc test --help'.
 -- exit --
 0 0 1 1 0 0 0 0 0 0 2 2

@@ -5,6 +5,6 @@ args test sub
 -- stdout --
 0 passed, 1 failed
 -- stderr --
-smc: no .smt case is in 'sub'
+smc: there is no .smt case in 'sub'
 -- exit --
 1

@@ -10,7 +10,7 @@ bool open
 .step
     open = true
 -- stderr --
-smc: folders hold .smt cases; scripts are named one by one, as in 'smc test a.sm SCRIPT.ss'
+smc: folders contain .smt cases; name scripts one by one, as in 'smc test a.sm SCRIPT.ss'
 Try 'smc test --help'.
 -- exit --
 2

@@ -19,9 +19,9 @@ G == 20 {
     @stop
 }
 -- stderr --
-smc: --max-steps wants a whole number from 1, not '0'
+smc: --max-steps requires a whole number from 1, not '0'
 Try 'smc test --help'.
-smc: --max-steps wants a whole number from 1, not '1e6'
+smc: --max-steps requires a whole number from 1, not '1e6'
 Try 'smc test --help'.
 -- exit --
 2 2

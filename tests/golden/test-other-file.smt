@@ -20,15 +20,15 @@ U32 S
 1,2
 -- cases/x.smt --
 -- stderr --
-smc: 'data.csv' is not a kind of file that 'smc test' accepts; it takes a machine (.sm), state scripts (.ss), test cases (.smt) and folders of test cases
+smc: 'data.csv' is not a kind of file that 'smc test' accepts; it accepts a machine (.sm), state scripts (.ss), test cases (.smt) and folders of test cases
 Try 'smc test --help'.
-smc: 'nosuch.csv' is not a kind of file that 'smc test' accepts; it takes a machine (.sm), state scripts (.ss), test cases (.smt) and folders of test cases
+smc: 'nosuch.csv' is not a kind of file that 'smc test' accepts; it accepts a machine (.sm), state scripts (.ss), test cases (.smt) and folders of test cases
 Try 'smc test --help'.
-smc: 'nosuch' is not a kind of file that 'smc test' accepts; it takes a machine (.sm), state scripts (.ss), test cases (.smt) and folders of test cases
+smc: 'nosuch' is not a kind of file that 'smc test' accepts; it accepts a machine (.sm), state scripts (.ss), test cases (.smt) and folders of test cases
 Try 'smc test --help'.
 smc: name the state vector with --sv=a.sv
 Try 'smc test --help'.
-smc: folders hold .smt cases; scripts are named one by one, as in 'smc test a.sm SCRIPT.ss'
+smc: folders contain .smt cases; name scripts one by one, as in 'smc test a.sm SCRIPT.ss'
 Try 'smc test --help'.
 smc: no script is named to test 'a.sm' with, as in 'smc test a.sm SCRIPT.ss'
 Try 'smc test --help'.

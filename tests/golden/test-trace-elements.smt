@@ -104,7 +104,7 @@ a.sm:9:10: warning: 9007199254740993 is too large to be exact: its value is 9007
     9 | I64 n = -9007199254740993
       |          ^~~~~~~~~~~~~~~~
 3 warnings
-smc: --trace-elements takes names between commas, as in --trace-elements=pressure,valveOpen
+smc: --trace-elements requires names separated by commas, as in --trace-elements=pressure,valveOpen
 Try 'smc test --help'.
 smc: --trace-elements requires --trace=FILE
 Try 'smc test --help'.

@@ -80,7 +80,7 @@ a.sm:9:10: warning: 9007199254740993 is too large to be exact: its value is 9007
 3 warnings
 smc: --trace-format=exact does not name the script in its lines: trace one script at a time, or as csv
 Try 'smc test --help'.
-smc: --trace-format=exact always has every element: leave out --trace-elements
+smc: --trace-format=exact always has every element: remove --trace-elements
 Try 'smc test --help'.
 smc: --trace-format is csv or exact, not 'json'
 Try 'smc test --help'.

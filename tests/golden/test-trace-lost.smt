@@ -78,4 +78,4 @@ final state vector:
   T = 15000000000000005
   state = 0.000000
   step = false
-smc: 'G' has values in the trace that a double cannot hold: spreadsheets round them
+smc: 'G' has values in the trace that a double cannot represent: spreadsheets round them

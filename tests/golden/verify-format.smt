@@ -12,9 +12,9 @@ bool open
 .step
     open = true
 -- stderr --
-smc: a.smb: refused, for rule 2 does not hold at byte 3: its format version is 2
+smc: a.smb: refused, because rule 2 is violated at byte 3: its format version is 2
 smc: it was made by another version of smc: build it anew with this one, from its sources
-smc: a.smb: refused, for rule 2 does not hold at byte 3: its format version is 2
+smc: a.smb: refused, because rule 2 is violated at byte 3: its format version is 2
 smc: it was made by another version of smc: build it anew with this one, from its sources
 -- exit --
 0 1 1

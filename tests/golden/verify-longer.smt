@@ -11,7 +11,7 @@ bool open
 .step
     open = true
 -- stderr --
-smc: a.smb: refused, for the image ends at byte 72, and the file at byte 77
-smc: something was added behind it, or it is damaged: copy it again, or build it anew from its sources
+smc: a.smb: refused, because the image ends at byte 72 and the file at byte 77
+smc: data was appended to it, or it is damaged: copy it again, or build it again from its sources
 -- exit --
 0 1

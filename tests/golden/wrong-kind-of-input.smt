@@ -4,7 +4,7 @@ args build a.txt
 -- a.txt --
 hello
 -- stderr --
-smc: 'a.txt' is no source: names end in .sm, .sv, .ss, .io or .app
+smc: 'a.txt' is not a source: names of sources end in .sm, .sv, .ss, .io or .app
 Try 'smc build --help'.
 -- exit --
 2

@@ -73,7 +73,7 @@ if command -v script >/dev/null; then
     for command in report graph; do
         script -qec "'$smc' $command '$root/examples/tank/tank.sm'" /dev/null >"$out/terminal" 2>&1 </dev/null
         expect "$command at a terminal" test "$?" = 2
-        expect "$command at a terminal says what to do" grep -q "this is for a browser, not for a terminal; name a file, as -o tank\." "$out/terminal"
+        expect "$command at a terminal says what to do" grep -q "this output is for a browser, not for a terminal; name a file, as in -o tank\." "$out/terminal"
     done
 else
     skipped=$((skipped + 1))
