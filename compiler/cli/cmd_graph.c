@@ -12,7 +12,7 @@ enum { FORMATS = sizeof formats / sizeof *formats };
 
 static WriteGraph *find_format(Cli *c)
 {
-    static WriteGraph *const writer[FORMATS] = {diagram_svg, diagram_dot, diagram_mermaid};
+    static WriteGraph *const writer[FORMATS] = {diagram_write_svg, diagram_write_dot, diagram_write_mermaid};
     size_t i;
 
     return cli_format(c, formats, FORMATS, &i) ? writer[i] : NULL;
@@ -71,7 +71,7 @@ int cmd_graph(Cli *c)
         cli_report(c);
         return code;
     }
-    counts = report_counts(&r);
+    counts = report_sum_counts(&r);
     if (r.runs > 0)
         g.counts = &counts;
     buf_init(&out, r.arena);

@@ -150,7 +150,7 @@ static int write_out(Cli *c, const Flight *f, PutFlight *put)
 
 int cmd_log(Cli *c)
 {
-    static PutFlight *const writer[FORMATS] = {flight_text, flight_csv, flight_json, flight_svg};
+    static PutFlight *const writer[FORMATS] = {flight_write_text, flight_write_csv, flight_write_json, flight_write_svg};
     Flight f;
     size_t format;
     char *bytes;

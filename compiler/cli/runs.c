@@ -42,11 +42,11 @@ static void run_script(Cli *c, const Report *r, const Program *p, ReportRun *run
     const Diags machine = s->diags;
     Engine *traced;
 
-    run->name = report_file_name(ss->name);
+    run->name = report_base_name(ss->name);
     trace_init(&run->trace, &s->arena, p, &r->analysis.transition);
     diags_clear(&s->diags);
     if ((run->script = session_script(s, ss, p)) != NULL) {
-        traced = trace_engine(&run->trace, vm);
+        traced = trace_wrap_engine(&run->trace, vm);
         run->result = script_run(&s->arena, &s->diags, run->script, &traced, 1, &o);
     }
     diags_apply_allows(&s->diags);

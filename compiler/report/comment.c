@@ -2,7 +2,7 @@
 // Finds comments by lines of the source.
 #include "compiler/report/comment.h"
 
-bool comment_starts(const char *line, uint32_t len, uint32_t *at)
+bool comment_find_start(const char *line, uint32_t len, uint32_t *at)
 {
     bool quoted = false;              // inside the reason of an @allow
 
@@ -19,7 +19,7 @@ bool comment_starts(const char *line, uint32_t len, uint32_t *at)
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 // Appends the comment after its mark, without surrounding blanks.
-static void put_comment(Buf *out, const char *line, uint32_t len, uint32_t at)
+static void append_comment(Buf *out, const char *line, uint32_t len, uint32_t at)
 {
     while (at < len && (line[at] == '#' || is_blank(line[at])))
         at++;
@@ -30,25 +30,25 @@ static void put_comment(Buf *out, const char *line, uint32_t len, uint32_t at)
 
 static const char *text_or_null(const Buf *b) { return b->n ? buf_text(b) : NULL; }
 
-static const char *behind(Arena *arena, const Source *src, uint32_t number)
+static const char *comment_of_line(Arena *arena, const Source *src, uint32_t number)
 {
     uint32_t len, at;
     const char *line = source_line(src, number, &len);
     Buf out;
 
-    if (!comment_starts(line, len, &at))
+    if (!comment_find_start(line, len, &at))
         return NULL;
     buf_init(&out, arena);
-    put_comment(&out, line, len, at);
+    append_comment(&out, line, len, at);
     return text_or_null(&out);
 }
 
-const char *comment_behind(Arena *arena, Span span)
+const char *comment_after(Arena *arena, Span span)
 {
-    return span.src ? behind(arena, span.src, source_position(span.src, span.at).line) : NULL;
+    return span.src ? comment_of_line(arena, span.src, source_position(span.src, span.at).line) : NULL;
 }
 
-const char *comment_beside(Arena *arena, Span span)
+const char *comment_after_lines(Arena *arena, Span span)
 {
     uint32_t line, last;
     Buf out;
@@ -59,7 +59,7 @@ const char *comment_beside(Arena *arena, Span span)
     last = source_position(span.src, span.at + span.len).line;
     buf_init(&out, arena);
     for (; line <= last; line++) {
-        const char *text = behind(arena, span.src, line);
+        const char *text = comment_of_line(arena, span.src, line);
         if (text)
             buf_printf(&out, "%s%s", out.n ? "\n" : "", text);
     }
@@ -74,11 +74,11 @@ static bool is_comment(const Source *src, uint32_t number)
 
     while (i < len && is_blank(line[i]))
         i++;
-    return comment_starts(line, len, &at) && at == i;
+    return comment_find_start(line, len, &at) && at == i;
 }
 
 // Whether only blanks, or also a brace, precede a comment or column `len`.
-static bool is_bare(const char *line, uint32_t len)
+static bool has_no_code(const char *line, uint32_t len)
 {
     uint32_t i = 0;
 
@@ -87,7 +87,7 @@ static bool is_bare(const char *line, uint32_t len)
     return i == len || line[i] == '#';
 }
 
-Span comment_else(Span first)
+Span comment_else_line(Span first)
 {
     uint32_t line, len;
     const char *text;
@@ -97,9 +97,9 @@ Span comment_else(Span first)
         return first;
     at = source_position(first.src, first.at);
     text = source_line(first.src, at.line, &len);
-    if (at.line == 1 || !is_bare(text, at.col - 1u))
+    if (at.line == 1 || !has_no_code(text, at.col - 1u))
         return first;
-    for (line = at.line - 1; line > 1 && is_bare(source_line(first.src, line, &len), len);)
+    for (line = at.line - 1; line > 1 && has_no_code(source_line(first.src, line, &len), len);)
         line--;
     text = source_line(first.src, line, &len);
     return (Span){first.src, (uint32_t)(text - first.src->text), 0};
@@ -111,7 +111,7 @@ static bool is_indented(const char *line, uint32_t len, uint32_t at)
 }
 
 // Joins the lines of a paragraph.  An empty line, an indented one, and one that starts a list item remain separate.
-static void join(Buf *out, size_t before, bool indented)
+static void join_paragraph(Buf *out, size_t before, bool indented)
 {
     const char first = before < out->n ? out->at[before] : '\0';
     const bool apart = indented || first == '\0' || first == '-' || first == '*' || (before && out->at[before - 1] == '\n');
@@ -135,9 +135,9 @@ static const char *comment_of_lines(Arena *arena, const Source *src, uint32_t fr
         uint32_t len, at = 0;
         const char *line = source_line(src, from, &len);
         const size_t before = out.n;
-        comment_starts(line, len, &at);
-        put_comment(&out, line, len, at);
-        join(&out, before, is_indented(line, len, at));
+        comment_find_start(line, len, &at);
+        append_comment(&out, line, len, at);
+        join_paragraph(&out, before, is_indented(line, len, at));
     }
     return text_or_null(&out);
 }
@@ -152,9 +152,9 @@ const char *comment_above(Arena *arena, Span span)
     return from < line ? comment_of_lines(arena, span.src, from, line) : NULL;
 }
 
-const char *comment_at(Arena *arena, Span span)
+const char *comment_around(Arena *arena, Span span)
 {
-    const char *above = comment_above(arena, span), *beside = comment_beside(arena, span);
+    const char *above = comment_above(arena, span), *beside = comment_after_lines(arena, span);
 
     return above && beside ? format_in(arena, "%s\n%s", above, beside) : above ? above : beside;
 }

@@ -9,13 +9,13 @@
 #include "compiler/base/source.h"
 
 // Each returns NULL if there is no comment.
-const char *comment_behind(Arena *arena, Span span);      // after the code on the first line of `span`
+const char *comment_after(Arena *arena, Span span);       // after the code on the first line of `span`
 const char *comment_above(Arena *arena, Span span);       // on the lines directly above it that contain only a comment
-const char *comment_beside(Arena *arena, Span span);      // after the code, on each of its lines
-const char *comment_at(Arena *arena, Span span);          // above and beside
+const char *comment_after_lines(Arena *arena, Span span);  // after the code, on each of its lines
+const char *comment_around(Arena *arena, Span span);      // above and after
 const char *comment_of_file(Arena *arena, const Source *src);     // on the first lines of the file
 // The start of the line of the `else` whose first statement is `first`; `first` itself if it is on that line.
-Span comment_else(Span first);
-bool comment_starts(const char *line, uint32_t len, uint32_t *at);        // finds the start of a line's comment; false: it has none
+Span comment_else_line(Span first);
+bool comment_find_start(const char *line, uint32_t len, uint32_t *at);    // finds the start of a line's comment; false: it has none
 
 #endif

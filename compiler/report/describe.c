@@ -26,14 +26,14 @@ const char *describe_window(Arena *arena, const Window *w)
 static uint32_t line_of(Span span) { return source_position(span.src, span.at).line; }
 
 // Adds a sentence, with the comments above and after the statement.  Of several statements on one line only the first gets them.
-static void put_line(DocList *l, unsigned depth, Span span, const char *text)
+static void add_sentence(DocList *l, unsigned depth, Span span, const char *text)
 {
     const uint32_t line = line_of(span);
     const bool first = l->line.n == 0 || l->line.at[l->line.n - 1].line != line;
 
-    list_line(l, depth, line, text);
+    doc_list_line(l, depth, line, text);
     if (first)
-        list_comment(l, comment_at(l->arena, span));
+        doc_list_comment(l, comment_around(l->arena, span));
 }
 
 // ---- assignments ----
@@ -41,7 +41,7 @@ static void put_line(DocList *l, unsigned depth, Span span, const char *text)
 static bool is_var(const Expr *e, const Var *v) { return e->kind == EX_VAR && e->var == v; }
 
 // `x = x + c`: "adds `c` to `x`".
-static const char *changed_by(Arena *arena, const Stmt *s)
+static const char *describe_increment(Arena *arena, const Stmt *s)
 {
     const Expr *e = s->value;
 
@@ -54,9 +54,9 @@ static const char *changed_by(Arena *arena, const Stmt *s)
     return NULL;
 }
 
-static const char *assignment(Arena *arena, const Stmt *s)
+static const char *describe_assignment(Arena *arena, const Stmt *s)
 {
-    const char *changed = changed_by(arena, s);
+    const char *changed = describe_increment(arena, s);
     const Expr *e = s->value;
 
     if (changed)
@@ -66,66 +66,66 @@ static const char *assignment(Arena *arena, const Stmt *s)
     return format_in(arena, "sets `%s` to `%s`", s->var->name->text, source_text(arena, e->span));
 }
 
-static const char *simple(Arena *arena, const Stmt *s)
+static const char *describe_simple(Arena *arena, const Stmt *s)
 {
-    return s->kind == ST_ASSIGN ? assignment(arena, s) : format_in(arena, "goes to ^%s^", s->target->name->text);
+    return s->kind == ST_ASSIGN ? describe_assignment(arena, s) : format_in(arena, "goes to ^%s^", s->target->name->text);
 }
 
 // ---- conditionals ----
 
-static void put_stmts(DocList *l, const Stmts *stmts, unsigned depth);
+static void add_statements(DocList *l, const Stmts *stmts, unsigned depth);
 
 // Adds the sentence of a branch that includes its only statement, with the comments of both.
-static void put_only(DocList *l, unsigned depth, Span span, const char *text, const Stmt *only)
+static void add_short_branch(DocList *l, unsigned depth, Span span, const char *text, const Stmt *only)
 {
     DocLine *line;
     const char *comment;
 
-    put_line(l, depth, span, text);
+    add_sentence(l, depth, span, text);
     line = &l->line.at[l->line.n - 1];
-    comment = line_of(only->span) == line->line ? NULL : comment_at(l->arena, only->span);
+    comment = line_of(only->span) == line->line ? NULL : comment_around(l->arena, only->span);
     if (comment)
         line->comment = line->comment ? format_in(l->arena, "%s\n%s", line->comment, comment) : comment;
 }
 
-static void put_branch(DocList *l, const char *when, const Stmts *stmts, Span span, unsigned depth)
+static void add_branch(DocList *l, const char *when, const Stmts *stmts, Span span, unsigned depth)
 {
     const Stmt *only = stmts->n == 1 ? stmts->at[0] : NULL;
 
     if (only && only->kind == ST_TRANSITION)
-        put_only(l, depth, span, format_in(l->arena, "%s %s", simple(l->arena, only), when), only);
+        add_short_branch(l, depth, span, format_in(l->arena, "%s %s", describe_simple(l->arena, only), when), only);
     else if (only && only->kind == ST_ASSIGN)
-        put_only(l, depth, span, format_in(l->arena, "%s: %s", when, simple(l->arena, only)), only);
+        add_short_branch(l, depth, span, format_in(l->arena, "%s: %s", when, describe_simple(l->arena, only)), only);
     else {
-        put_line(l, depth, span, format_in(l->arena, stmts->n ? "%s:" : "%s: does nothing", when));
-        put_stmts(l, stmts, depth + 1);
+        add_sentence(l, depth, span, format_in(l->arena, stmts->n ? "%s:" : "%s: does nothing", when));
+        add_statements(l, stmts, depth + 1);
     }
 }
 
 // Writes a conditional and its `else if` branches, one line each, at the same depth.
-static void put_if(DocList *l, const Stmt *s, unsigned depth)
+static void add_conditional(DocList *l, const Stmt *s, unsigned depth)
 {
     const char *when = "if";
     const Stmt *last = s;
 
     for (;; s = s->otherwise.at[0], when = "otherwise, if") {
-        put_branch(l, format_in(l->arena, "%s `%s`", when, source_text(l->arena, s->value->span)), &s->then, s->span, depth);
+        add_branch(l, format_in(l->arena, "%s `%s`", when, source_text(l->arena, s->value->span)), &s->then, s->span, depth);
         last = s;
         if (s->otherwise.n != 1 || s->otherwise.at[0]->kind != ST_IF)
             break;
     }
     if (last->otherwise.n)
-        put_branch(l, "otherwise", &last->otherwise, comment_else(last->otherwise.at[0]->span), depth);
+        add_branch(l, "otherwise", &last->otherwise, comment_else_line(last->otherwise.at[0]->span), depth);
 }
 
 // Recursion is bounded by the nesting of conditionals, AST_DEPTH_MAX.
-static void put_stmts(DocList *l, const Stmts *stmts, unsigned depth)
+static void add_statements(DocList *l, const Stmts *stmts, unsigned depth)
 {
     for (size_t i = 0; i < stmts->n; i++)
         if (stmts->at[i]->kind == ST_IF)
-            put_if(l, stmts->at[i], depth);
+            add_conditional(l, stmts->at[i], depth);
         else
-            put_line(l, depth, stmts->at[i]->span, simple(l->arena, stmts->at[i]));
+            add_sentence(l, depth, stmts->at[i]->span, describe_simple(l->arena, stmts->at[i]));
 }
 
-void describe_block(DocList *l, const Stmts *block) { put_stmts(l, block, 0); }
+void describe_block(DocList *l, const Stmts *block) { add_statements(l, block, 0); }

@@ -21,12 +21,12 @@ typedef struct DiagramSize { int32_t w, h; } DiagramSize;         // CSS pixels,
 typedef struct DiagramOptions {
     const Diags *findings;        // marked on their states and transitions; or NULL
     const DiagramCounts *counts;    // or NULL
-    DiagramSize *size;              // receives the size of the picture from diagram_svg; or NULL
+    DiagramSize *size;              // receives the size of the picture from diagram_write_svg; or NULL
 } DiagramOptions;
 
 // Each appends the diagram of a->p to `out`.  `a` comes from analysis_begin; its arena provides temporary memory.
-void diagram_svg(const Analysis *a, const DiagramOptions *o, Buf *out);
-void diagram_dot(const Analysis *a, const DiagramOptions *o, Buf *out);
-void diagram_mermaid(const Analysis *a, const DiagramOptions *o, Buf *out);
+void diagram_write_svg(const Analysis *a, const DiagramOptions *o, Buf *out);
+void diagram_write_dot(const Analysis *a, const DiagramOptions *o, Buf *out);
+void diagram_write_mermaid(const Analysis *a, const DiagramOptions *o, Buf *out);
 
 #endif

@@ -3,7 +3,7 @@
 #include "compiler/report/diagram_model.h"
 
 // Escapes for use in quotes, where Graphviz also interprets entities.
-static void put_quoted(Buf *out, const char *text)
+static void write_quoted(Buf *out, const char *text)
 {
     for (; *text; text++)
         if (*text == '"' || *text == '\\')
@@ -16,14 +16,14 @@ static void put_quoted(Buf *out, const char *text)
             buf_char(out, *text);
 }
 
-static void put_findings(Buf *out, const Findings *f)
+static void write_findings(Buf *out, const DiagramFindings *f)
 {
     if (f->n == 0)
         return;
     buf_str(out, ", tooltip=\"");
     for (size_t i = 0; i < f->n; i++) {
         buf_printf(out, "%s%s: ", i ? "\\n" : "", diag_info[f->at[i]->code].id);
-        put_quoted(out, f->at[i]->text);
+        write_quoted(out, f->at[i]->text);
     }
     buf_char(out, '"');
 }
@@ -38,13 +38,13 @@ static const char *line_style(const Diagram *d, bool possible, uint64_t count, c
 
 // ---- states ----
 
-static const char *shape(const DiagramNode *n)
+static const char *shape_attributes(const DiagramNode *n)
 {
     return n->state->is_abort ? "shape=octagon, color=\"#b5320f\", fillcolor=\"#fdeae4\"" :
            n->state->is_safe  ? "color=\"#0c7268\", fillcolor=\"#e3f3f1\"" : "";
 }
 
-static void put_node(Buf *out, const Diagram *d, const DiagramNode *n)
+static void write_node(Buf *out, const Diagram *d, const DiagramNode *n)
 {
     const char *style = n->state->is_abort ? "filled" : "filled,rounded";
 
@@ -52,54 +52,54 @@ static void put_node(Buf *out, const Diagram *d, const DiagramNode *n)
     for (size_t i = 0; i < n->finding.n; i++)
         buf_printf(out, "\\n(%s)", diag_info[n->finding.at[i]->code].id);
     if (d->o->counts)
-        buf_printf(out, "\\n%s", count_text(d, "entered", node_count(d, n)));
-    buf_printf(out, "\", style=\"%s%s\"%s%s%s", style, line_style(d, n->reached, node_count(d, n), ","), *shape(n) ? ", " : "", shape(n),
+        buf_printf(out, "\\n%s", diagram_count_text(d, "entered", diagram_node_count(d, n)));
+    buf_printf(out, "\", style=\"%s%s\"%s%s%s", style, line_style(d, n->reached, diagram_node_count(d, n), ","), *shape_attributes(n) ? ", " : "", shape_attributes(n),
                n->state->is_safe ? ", peripheries=2" : "");
-    put_findings(out, &n->finding);
+    write_findings(out, &n->finding);
     buf_str(out, "];\n");
 }
 
 // ---- transitions ----
 
-static void put_guard(Buf *out, const Guard *g)
+static void write_guard(Buf *out, const DiagramGuard *g)
 {
     for (size_t i = 0; i < g->line.n; i++) {
         buf_str(out, i ? "\\n" : "");
-        put_quoted(out, g->line.at[i].text);
+        write_quoted(out, g->line.at[i].text);
     }
     for (size_t i = 0; i < g->finding.n; i++)
         buf_printf(out, " (%s)", diag_info[g->finding.at[i]->code].id);
 }
 
-static void put_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
+static void write_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
     buf_printf(out, "    \"%s\" -> \"%s\" [label=\"", d->node[e->from].state->name->text, d->node[e->to].state->name->text);
     for (size_t g = 0; g < e->guard.n; g++) {
         buf_str(out, g ? "\\nor\\n" : "");
-        put_guard(out, &e->guard.at[g]);
+        write_guard(out, &e->guard.at[g]);
     }
-    buf_printf(out, "\"%s", line_style(d, e->possible, edge_count(d, e), ", style="));
+    buf_printf(out, "\"%s", line_style(d, e->possible, diagram_edge_count(d, e), ", style="));
     for (size_t g = 0; g < e->guard.n; g++)
         if (e->guard.at[g].finding.n > 0) {
-            put_findings(out, &e->guard.at[g].finding);
+            write_findings(out, &e->guard.at[g].finding);
             break;
         }
     buf_str(out, "];\n");
 }
 
-void diagram_dot(const Analysis *a, const DiagramOptions *o, Buf *out)
+void diagram_write_dot(const Analysis *a, const DiagramOptions *o, Buf *out)
 {
-    const Diagram *d = diagram_of(a, o);
+    const Diagram *d = diagram_build(a, o);
 
     buf_str(out, "digraph \"");
-    put_quoted(out, a->p->name->text);
+    write_quoted(out, a->p->name->text);
     buf_str(out, "\" { // drawn by smc\n    graph [fontname=\"Helvetica\"];\n");
     buf_str(out, "    node [shape=box, fontname=\"Helvetica\", color=\"#46566b\", fillcolor=\"#eef3f9\"];\n");
     buf_str(out, "    edge [fontname=\"Helvetica\", fontsize=10, color=\"#6a7787\"];\n");
     buf_printf(out, "    \"/start\" [shape=point, width=0.15];\n    \"/start\" -> \"%s\";\n", d->node[0].state->name->text);
     for (size_t n = 0; n < d->nodes; n++)
-        put_node(out, d, &d->node[n]);
+        write_node(out, d, &d->node[n]);
     for (size_t e = 0; e < d->edge.n; e++)
-        put_edge(out, d, &d->edge.at[e]);
+        write_edge(out, d, &d->edge.at[e]);
     buf_str(out, "}\n");
 }

@@ -6,32 +6,32 @@
 #include "compiler/report/diagram_model.h"
 
 // A range of the source, and the list for findings in it.
-typedef struct Place { uint32_t at, end, order; Findings *finding; } Place;
-typedef VEC(Place) Places;
+typedef struct FindingRange { uint32_t at, end, order; DiagramFindings *finding; } FindingRange;
+typedef VEC(FindingRange) FindingRanges;
 
-static void add_place(Arena *arena, Places *out, Span span, Findings *finding)
+static void add_range(Arena *arena, FindingRanges *out, Span span, DiagramFindings *finding)
 {
-    Place p = {span.at, span.at + span.len, (uint32_t)out->n, finding};
+    FindingRange p = {span.at, span.at + span.len, (uint32_t)out->n, finding};
 
     if (span.src)
         vec_push(arena, out, p);
 }
 
-static int in_order(const void *a, const void *b)
+static int compare_ranges(const void *a, const void *b)
 {
-    const Place *x = a, *y = b;
+    const FindingRange *x = a, *y = b;
 
     return x->at != y->at ? (x->at < y->at ? -1 : 1) : (x->order > y->order) - (x->order < y->order);
 }
 
-static void sort_places(Places *p)
+static void sort_ranges(FindingRanges *p)
 {
     if (p->n > 0)
-        qsort(p->at, p->n, sizeof *p->at, in_order);
+        qsort(p->at, p->n, sizeof *p->at, compare_ranges);
 }
 
 // The last range that begins at or before `at`, if it extends that far.
-static const Place *place_at(const Places *p, uint32_t at)
+static const FindingRange *find_range(const FindingRanges *p, uint32_t at)
 {
     size_t low = 0, high = p->n;
 
@@ -48,38 +48,38 @@ static const Place *place_at(const Places *p, uint32_t at)
 // ---- source ranges of states and transitions ----
 
 // A transition, and its innermost guard.  If a conditional contains several transitions, the first one has the guard.
-static Places transition_places(Diagram *d)
+static FindingRanges find_transition_ranges(Diagram *d)
 {
-    Places out = {NULL, 0, 0};
+    FindingRanges out = {NULL, 0, 0};
     const Stmt *last = NULL;
 
     for (size_t e = 0; e < d->edge.n; e++)
         for (size_t g = 0; g < d->edge.at[e].guard.n; g++) {
-            Guard *guard = &d->edge.at[e].guard.at[g];
+            DiagramGuard *guard = &d->edge.at[e].guard.at[g];
             const Condition *when = guard->transition->when;
-            add_place(d->a->arena, &out, guard->transition->stmt->span, &guard->finding);
+            add_range(d->a->arena, &out, guard->transition->stmt->span, &guard->finding);
             if (when && when->stmt != last)
-                add_place(d->a->arena, &out, when->stmt->span, &guard->finding);
+                add_range(d->a->arena, &out, when->stmt->span, &guard->finding);
             last = when ? when->stmt : NULL;
         }
-    sort_places(&out);
+    sort_ranges(&out);
     return out;
 }
 
-static uint32_t end_of(const Stmts *stmts, uint32_t end)
+static uint32_t end_of_statements(const Stmts *stmts, uint32_t end)
 {
     for (size_t i = 0; i < stmts->n; i++) {
         const Stmt *s = stmts->at[i];
         if (s->span.at + s->span.len > end)
             end = s->span.at + s->span.len;
-        end = end_of(&s->otherwise, end_of(&s->then, end));
+        end = end_of_statements(&s->otherwise, end_of_statements(&s->then, end));
     }
     return end;
 }
 
-static Places state_places(Diagram *d)
+static FindingRanges find_state_ranges(Diagram *d)
 {
-    Places out = {NULL, 0, 0};
+    FindingRanges out = {NULL, 0, 0};
 
     for (size_t s = 0; s < d->nodes; s++) {
         const State *state = d->node[s].state;
@@ -89,27 +89,27 @@ static Places state_places(Diagram *d)
             const Span label = state->block_span[b];
             if (label.src && label.at + label.len > end)
                 end = label.at + label.len;
-            end = end_of(&state->block[b], end);
+            end = end_of_statements(&state->block[b], end);
         }
         span.len = end - span.at;
-        add_place(d->a->arena, &out, span, &d->node[s].finding);
+        add_range(d->a->arena, &out, span, &d->node[s].finding);
     }
-    sort_places(&out);
+    sort_ranges(&out);
     return out;
 }
 
-void diagram_mark(Diagram *d, const Diags *findings)
+void diagram_attach_findings(Diagram *d, const Diags *findings)
 {
-    const Places transitions = transition_places(d), states = state_places(d);
+    const FindingRanges transitions = find_transition_ranges(d), states = find_state_ranges(d);
 
     for (size_t i = 0; i < findings->list.n; i++) {
         const Diag *diag = findings->list.at[i];
-        const Place *at;
+        const FindingRange *at;
         if (diag->span.src != d->a->p->src)
             continue;
-        at = place_at(&transitions, diag->span.at);
+        at = find_range(&transitions, diag->span.at);
         if (!at)
-            at = place_at(&states, diag->span.at);
+            at = find_range(&states, diag->span.at);
         if (at)
             vec_push(d->a->arena, at->finding, diag);
     }

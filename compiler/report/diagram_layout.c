@@ -42,7 +42,7 @@ static uint32_t best_gap(const Layout *l, const Bands *b, const DiagramEdge *e)
     return best;
 }
 
-static void fill_gaps(const Layout *l, Bands *b)
+static void assign_gaps(const Layout *l, Bands *b)
 {
     for (int is_long = 0; is_long < 2; is_long++)         // first those with only one gap
         for (size_t e = 0; e < l->d->edge.n; e++) {
@@ -54,7 +54,7 @@ static void fill_gaps(const Layout *l, Bands *b)
         }
 }
 
-static void number_band(Layout *l, Band *band, int64_t most)
+static void number_band_layers(Layout *l, Band *band, int64_t most)
 {
     const int64_t rows = (band->load + most - 1) / most;
 
@@ -64,7 +64,7 @@ static void number_band(Layout *l, Band *band, int64_t most)
 }
 
 // Chooses the layer of the band that is filled least.
-static uint32_t take_layer(Band *band, int32_t room)
+static uint32_t choose_layer(Band *band, int32_t room)
 {
     uint32_t best = 0;
 
@@ -79,7 +79,7 @@ static uint32_t take_layer(Band *band, int32_t room)
 
 static uint32_t add_item(Layout *l, ItemKind kind, uint32_t ref, uint32_t layer)
 {
-    Item i = {kind, ref, layer, 0, BEND_SIDE, BEND_SIDE, 0, 0};
+    LayoutItem i = {kind, ref, layer, 0, BEND_SIDE, BEND_SIDE, 0, 0};
 
     if (kind == ITEM_LABEL) {
         i.left = i.right = label_room(&l->d->edge.at[ref]) / 2;
@@ -91,7 +91,7 @@ static uint32_t add_item(Layout *l, ItemKind kind, uint32_t ref, uint32_t layer)
 }
 
 // Adds the items of nodes, without layers.
-static void add_nodes(Layout *l, Bands *b)
+static void add_node_items(Layout *l, Bands *b)
 {
     uint32_t *above = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes), *below = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes);
 
@@ -103,7 +103,7 @@ static void add_nodes(Layout *l, Bands *b)
         above[edge->up ? edge->from : edge->to]++;
     }
     for (uint32_t n = 0; n < l->d->nodes; n++) {
-        Item i = {ITEM_NODE, n, 0, 0, 0, 0, 0, 0};
+        LayoutItem i = {ITEM_NODE, n, 0, 0, 0, 0, 0, 0};
         layout_size_node(l->d, n, above[n] > below[n] ? above[n] : below[n], &i);
         b->rank[l->rank[n]].load += i.left + i.right;
         vec_push(l->arena, &l->item, i);
@@ -111,16 +111,16 @@ static void add_nodes(Layout *l, Bands *b)
 }
 
 // Numbers the layers, when their number is known, and puts the nodes into theirs.
-static void begin_layers(Layout *l, Bands *b)
+static void init_layers(Layout *l, Bands *b)
 {
     for (uint32_t r = 0; r < l->ranks; r++) {
-        number_band(l, &b->rank[r], NODES_W);
-        number_band(l, &b->gap[r], LABELS_W);
+        number_band_layers(l, &b->rank[r], NODES_W);
+        number_band_layers(l, &b->gap[r], LABELS_W);
     }
     l->layer = ARENA_ARRAY(l->arena, Layer, l->layers);
     for (uint32_t n = 0; n < l->d->nodes; n++) {
-        Item *i = &l->item.at[n];
-        i->layer = take_layer(&b->rank[l->rank[n]], i->left + i->right);
+        LayoutItem *i = &l->item.at[n];
+        i->layer = choose_layer(&b->rank[l->rank[n]], i->left + i->right);
         l->layer[i->layer].n++;
     }
 }
@@ -132,7 +132,7 @@ static void add_chain(Layout *l, uint32_t edge, uint32_t label)
     uint32_t above = e->up ? e->to : e->from;
 
     for (uint32_t layer = l->item.at[above].layer + 1; layer <= l->item.at[bottom].layer; layer++) {
-        Link link = {above, bottom, edge, false};
+        LayoutLink link = {above, bottom, edge, false};
         if (layer < l->item.at[bottom].layer)
             link.below = add_item(l, layer == label ? ITEM_LABEL : ITEM_BEND, edge, layer);
         above = link.below;
@@ -145,15 +145,15 @@ void layout_items(Layout *l)
     Bands b = {ARENA_ARRAY(l->arena, Band, l->ranks), ARENA_ARRAY(l->arena, Band, l->ranks),
                ARENA_ARRAY(l->arena, uint32_t, l->d->edge.n + 1)};
 
-    add_nodes(l, &b);
-    fill_gaps(l, &b);
-    begin_layers(l, &b);
+    add_node_items(l, &b);
+    assign_gaps(l, &b);
+    init_layers(l, &b);
     l->first_link = ARENA_ARRAY(l->arena, uint32_t, l->d->edge.n + 1);
     for (uint32_t e = 0; e < l->d->edge.n; e++) {
         const DiagramEdge *edge = &l->d->edge.at[e];
         l->first_link[e] = (uint32_t)l->link.n;
         if (edge->form == EDGE_LINE)
-            add_chain(l, e, take_layer(&b.gap[b.gap_of[e]], label_room(edge)));
+            add_chain(l, e, choose_layer(&b.gap[b.gap_of[e]], label_room(edge)));
     }
     l->first_link[l->d->edge.n] = (uint32_t)l->link.n;
     for (uint32_t i = 0; i < l->layers; i++) {
@@ -177,19 +177,19 @@ static void count_links(const Layout *l, uint32_t *above, uint32_t *below)
 }
 
 // Copies the links to the lists of their other ends, item by item in the order of the layers.
-static void deal(const Layout *l, const Links *from, bool down, uint32_t *next, uint32_t *to)
+static void distribute_links(const Layout *l, const LayoutLinks *from, bool down, uint32_t *next, uint32_t *to)
 {
     for (uint32_t y = 0; y < l->layers; y++)
         for (uint32_t p = 0; p < l->layer[y].n; p++) {
             const uint32_t i = l->layer[y].item[p];
             for (uint32_t k = from->first[i]; k < from->first[i + 1]; k++) {
-                const Link *link = &l->link.at[from->at[k]];
+                const LayoutLink *link = &l->link.at[from->at[k]];
                 to[next[down ? link->below : link->above]++] = from->at[k];
             }
         }
 }
 
-static void begin_links(Layout *l)
+static void init_links(Layout *l)
 {
     uint32_t *next = ARENA_ARRAY(l->arena, uint32_t, l->item.n + 1);
 
@@ -209,10 +209,10 @@ void layout_sort_links(Layout *l)
 {
     for (size_t i = 0; i < l->item.n; i++)
         l->next[i] = l->above.first[i];
-    deal(l, &l->below, true, l->next, l->above.at);
+    distribute_links(l, &l->below, true, l->next, l->above.at);
     for (size_t i = 0; i < l->item.n; i++)
         l->next[i] = l->below.first[i];
-    deal(l, &l->above, false, l->next, l->below.at);
+    distribute_links(l, &l->above, false, l->next, l->below.at);
 }
 
 // ---- the whole layout ----
@@ -226,7 +226,7 @@ void layout_diagram(Diagram *d)
     layout_stub_hubs(d);
     layout_rank(l);
     layout_items(l);
-    begin_links(l);
+    init_links(l);
     layout_order(l);
     layout_place(l);
     layout_route(l);

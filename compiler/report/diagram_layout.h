@@ -21,20 +21,20 @@ typedef enum ItemKind {
     ITEM_BEND                     // the crossing of an edge through a layer
 } ItemKind;
 
-typedef struct Item {
+typedef struct LayoutItem {
     ItemKind kind;
     uint32_t ref;                 // NODE: Diagram.node; else Diagram.edge
     uint32_t layer, pos;          // pos: its position in the layer
     int32_t left, right, h;       // its extent from x; h: height, centred in its layer
     int32_t x;
-} Item;
+} LayoutItem;
 
 // A part of an edge, from an item to one in the next layer.
-typedef struct Link {
+typedef struct LayoutLink {
     uint32_t above, below;        // items
     uint32_t edge;
     bool crossed;                 // by a part of an edge that should be straight: this link cannot be straight
-} Link;
+} LayoutLink;
 
 typedef struct Layer {
     uint32_t *item;               // in order
@@ -43,10 +43,10 @@ typedef struct Layer {
 } Layer;
 
 // The links of each item, ordered by the items at their other ends.
-typedef struct Links {
+typedef struct LayoutLinks {
     uint32_t *first;              // by item: at[first[i]] … at[first[i + 1] - 1]
     uint32_t *at;
-} Links;
+} LayoutLinks;
 
 typedef struct Layout {
     Arena *arena;
@@ -54,12 +54,12 @@ typedef struct Layout {
     uint32_t *rank;               // by node
     uint32_t ranks;
     bool *spine;                  // by edge: it should be straight from end to end
-    VEC(Item) item;               // first the nodes, then the other items
-    VEC(Link) link;               // those of an edge are consecutive, downwards
+    VEC(LayoutItem) item;         // first the nodes, then the other items
+    VEC(LayoutLink) link;         // those of an edge are consecutive, downwards
     uint32_t *first_link;         // by edge, plus the end of the last
     Layer *layer;
     uint32_t layers;
-    Links above, below;
+    LayoutLinks above, below;
     uint32_t *next;               // by item: scratch for layout_sort_links
     uint64_t *sums;               // scratch for layout_crossings
 } Layout;
@@ -74,7 +74,7 @@ void layout_diagram(Diagram *d);
 
 void layout_stub_hubs(Diagram *d);        // before rank: edges to states with many predecessors become stubs
 void layout_rank(Layout *l);              // sets `rank` and DiagramEdge.up; edges across many ranks become stubs
-void layout_size_node(Diagram *d, uint32_t node, uint32_t lines, Item *out);
+void layout_size_node(Diagram *d, uint32_t node, uint32_t lines, LayoutItem *out);
 void layout_items(Layout *l);
 void layout_order(Layout *l);
 void layout_sort_links(Layout *l);        // sorts `above` and `below` by the current order

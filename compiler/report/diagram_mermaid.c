@@ -12,7 +12,7 @@ static bool is_plain(uint32_t c)
 }
 
 // Characters that can have a meaning in Mermaid become #NUMBER;.
-static void put_plain(Buf *out, const char *text)
+static void write_plain(Buf *out, const char *text)
 {
     const size_t n = strlen(text);
     size_t bytes;
@@ -31,16 +31,16 @@ static void put_plain(Buf *out, const char *text)
     }
 }
 
-static void put_findings(Buf *out, const Findings *f, uint32_t state)
+static void write_findings(Buf *out, const DiagramFindings *f, uint32_t state)
 {
     for (size_t i = 0; i < f->n; i++) {
         buf_printf(out, "    note right of s%lu : %s ", (unsigned long)state, diag_info[f->at[i]->code].id);
-        put_plain(out, f->at[i]->text);
+        write_plain(out, f->at[i]->text);
         buf_char(out, '\n');
     }
 }
 
-static void put_class(Buf *out, const Diagram *d, const DiagramNode *n)
+static void write_node_class(Buf *out, const Diagram *d, const DiagramNode *n)
 {
     const unsigned long s = n->state->number;
 
@@ -50,31 +50,31 @@ static void put_class(Buf *out, const Diagram *d, const DiagramNode *n)
         buf_printf(out, "    class s%lu safe\n", s);
     if (!n->reached)
         buf_printf(out, "    class s%lu never\n", s);
-    if (d->o->counts && node_count(d, n) == 0)
+    if (d->o->counts && diagram_node_count(d, n) == 0)
         buf_printf(out, "    class s%lu unrun\n", s);
-    put_findings(out, &n->finding, n->state->number);
+    write_findings(out, &n->finding, n->state->number);
 }
 
-static void put_times(Buf *out, const Diagram *d, const DiagramEdge *e, const Guard *g)
+static void write_count(Buf *out, const Diagram *d, const DiagramEdge *e, const DiagramGuard *g)
 {
     if (d->o->counts && g == &e->guard.at[e->guard.n - 1])
-        buf_printf(out, " (%s)", edge_count_text(d, e));
+        buf_printf(out, " (%s)", diagram_edge_count_text(d, e));
 }
 
-static void put_transition(Buf *out, const Diagram *d, const DiagramEdge *e, const Guard *g)
+static void write_transition(Buf *out, const Diagram *d, const DiagramEdge *e, const DiagramGuard *g)
 {
     buf_printf(out, "    s%lu --> s%lu : ", (unsigned long)e->from + 1, (unsigned long)e->to + 1);
-    put_plain(out, g->text);
+    write_plain(out, g->text);
     if (!e->possible)
         buf_str(out, " (never)");
-    put_times(out, d, e, g);
+    write_count(out, d, e, g);
     buf_char(out, '\n');
-    put_findings(out, &g->finding, e->from + 1);
+    write_findings(out, &g->finding, e->from + 1);
 }
 
-void diagram_mermaid(const Analysis *a, const DiagramOptions *o, Buf *out)
+void diagram_write_mermaid(const Analysis *a, const DiagramOptions *o, Buf *out)
 {
-    const Diagram *d = diagram_of(a, o);
+    const Diagram *d = diagram_build(a, o);
 
     buf_str(out, "stateDiagram-v2\n    %% drawn by smc\n"
                  "    classDef abort fill:#fdeae4,stroke:#b5320f,stroke-width:3px,color:#1c2430\n"
@@ -86,7 +86,7 @@ void diagram_mermaid(const Analysis *a, const DiagramOptions *o, Buf *out)
     buf_str(out, "    [*] --> s1\n");
     for (size_t e = 0; e < d->edge.n; e++)
         for (size_t g = 0; g < d->edge.at[e].guard.n; g++)
-            put_transition(out, d, &d->edge.at[e], &d->edge.at[e].guard.at[g]);
+            write_transition(out, d, &d->edge.at[e], &d->edge.at[e].guard.at[g]);
     for (size_t n = 0; n < d->nodes; n++)
-        put_class(out, d, &d->node[n]);
+        write_node_class(out, d, &d->node[n]);
 }

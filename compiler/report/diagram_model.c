@@ -4,9 +4,9 @@
 
 // ---- reachability ----
 
-typedef VEC(uint32_t) Waiting;
+typedef VEC(uint32_t) Worklist;
 
-static void reach(Diagram *d, Waiting *waiting, uint32_t node)
+static void mark_reached(Diagram *d, Worklist *waiting, uint32_t node)
 {
     if (d->node[node].reached)
         return;
@@ -15,16 +15,16 @@ static void reach(Diagram *d, Waiting *waiting, uint32_t node)
 }
 
 // A state is reachable if it is the first, or if a possible transition leads to it from a reachable state.
-static void note_reached(Diagram *d)
+static void find_reached_states(Diagram *d)
 {
-    Waiting waiting = {NULL, 0, 0};
+    Worklist waiting = {NULL, 0, 0};
 
-    reach(d, &waiting, 0);
+    mark_reached(d, &waiting, 0);
     while (waiting.n > 0) {
         const DiagramNode *n = &d->node[waiting.at[--waiting.n]];
         for (uint32_t e = n->first_edge; e < n->first_edge + n->edges; e++)
             if (d->edge.at[e].possible)
-                reach(d, &waiting, d->edge.at[e].to);
+                mark_reached(d, &waiting, d->edge.at[e].to);
     }
     for (size_t e = 0; e < d->edge.n; e++)
         d->edge.at[e].possible = d->edge.at[e].possible && d->node[d->edge.at[e].from].reached;
@@ -33,7 +33,7 @@ static void note_reached(Diagram *d)
 // ---- guards ----
 
 // The text for a transition without a guard: it depends on the transitions before it in the block.
-static const char *unguarded(const Analysis *a, const Transition *t)
+static const char *unguarded_text(const Analysis *a, const Transition *t)
 {
     const Transition *before = t->number > 0 ? &a->transition.at[t->number - 1] : NULL;
 
@@ -43,34 +43,34 @@ static const char *unguarded(const Analysis *a, const Transition *t)
 // most: as for condition_brief; 0: the whole text.
 static const char *guard_text(const Analysis *a, const Transition *t, size_t most)
 {
-    const char *text = !t->when ? unguarded(a, t) : most ? condition_brief(a->arena, t->when, most) : condition_text(a->arena, t->when);
+    const char *text = !t->when ? unguarded_text(a, t) : most ? condition_brief(a->arena, t->when, most) : condition_text(a->arena, t->when);
 
     if (t->block != BLOCK_ENTRY)
         return text;
     return t->when ? format_in(a->arena, "on entry, %s", text) : "on entry";
 }
 
-static TextLines guard_lines(const Analysis *a, const Transition *t, size_t most)
+static DiagramLines wrap_guard(const Analysis *a, const Transition *t, size_t most)
 {
-    return text_wrap(a->arena, guard_text(a, t, most), GUARD_SIZE, GUARD_W, GUARD_LINES);
+    return diagram_text_wrap(a->arena, guard_text(a, t, most), GUARD_SIZE, GUARD_W, GUARD_LINES);
 }
 
 // For an else if, the last condition matters most.  If the text does not fit, conditions around it are omitted, as long as that helps.  A
 // plain else consists of negated conditions only and is not shortened.
-static TextLines guard_fitted(const Analysis *a, const Transition *t)
+static DiagramLines fit_guard(const Analysis *a, const Transition *t)
 {
-    TextLines line = guard_lines(a, t, 0);
+    DiagramLines line = wrap_guard(a, t, 0);
 
     if (!t->when || !t->when->holds)
         return line;
-    for (size_t most = CONDITIONS_SHOWN; text_is_cut(&line) && most > 0; most--)
-        line = guard_lines(a, t, most);
-    return text_is_cut(&line) ? guard_lines(a, t, CONDITIONS_SHOWN) : line;
+    for (size_t most = CONDITIONS_SHOWN; diagram_text_is_cut(&line) && most > 0; most--)
+        line = wrap_guard(a, t, most);
+    return diagram_text_is_cut(&line) ? wrap_guard(a, t, CONDITIONS_SHOWN) : line;
 }
 
 static void add_guard(const Analysis *a, DiagramEdge *e, const Transition *t)
 {
-    const Guard g = {t, guard_text(a, t, 0), guard_fitted(a, t), a->stmt[t->stmt->number].reached, {NULL, 0, 0}, 0};
+    const DiagramGuard g = {t, guard_text(a, t, 0), fit_guard(a, t), a->stmt[t->stmt->number].reached, {NULL, 0, 0}, 0};
 
     e->possible = e->possible || g.possible;
     vec_push(a->arena, &e->guard, g);
@@ -79,7 +79,7 @@ static void add_guard(const Analysis *a, DiagramEdge *e, const Transition *t)
 static void size_label(DiagramEdge *e)
 {
     for (size_t g = 0; g < e->guard.n; g++) {
-        const TextLines *line = &e->guard.at[g].line;
+        const DiagramLines *line = &e->guard.at[g].line;
         e->label.h += (int32_t)line->n * GUARD_LINE + (g ? GUARD_GAP : 0);
         for (size_t i = 0; i < line->n; i++)
             if (line->at[i].w > e->label.w)
@@ -90,7 +90,7 @@ static void size_label(DiagramEdge *e)
 // ---- edges ----
 
 // last[s]: 1 + the current state's edge to s.  A value up to the state's first edge is from an earlier state and does not count.
-static DiagramEdge *edge_to(Diagram *d, size_t *last, const Transition *t)
+static DiagramEdge *find_or_add_edge(Diagram *d, size_t *last, const Transition *t)
 {
     const uint32_t from = t->from->number - 1, to = t->to->number - 1;
 
@@ -107,20 +107,20 @@ static DiagramEdge *edge_to(Diagram *d, size_t *last, const Transition *t)
 }
 
 // Transitions are sorted by state.
-static void gather(Diagram *d)
+static void add_edges(Diagram *d)
 {
     size_t *last = ARENA_ARRAY(d->a->arena, size_t, d->nodes), next = 0;
 
     for (size_t s = 0; s < d->nodes; s++) {
         d->node[s].first_edge = (uint32_t)d->edge.n;
         for (; next < d->a->transition.n && d->a->transition.at[next].from == d->node[s].state; next++)
-            add_guard(d->a, edge_to(d, last, &d->a->transition.at[next]), &d->a->transition.at[next]);
+            add_guard(d->a, find_or_add_edge(d, last, &d->a->transition.at[next]), &d->a->transition.at[next]);
     }
 }
 
 // ---- counts ----
 
-uint64_t edge_count(const Diagram *d, const DiagramEdge *e)
+uint64_t diagram_edge_count(const Diagram *d, const DiagramEdge *e)
 {
     uint64_t sum = 0;
 
@@ -129,12 +129,12 @@ uint64_t edge_count(const Diagram *d, const DiagramEdge *e)
     return sum;
 }
 
-uint64_t node_count(const Diagram *d, const DiagramNode *n)
+uint64_t diagram_node_count(const Diagram *d, const DiagramNode *n)
 {
     return d->o->counts ? d->o->counts->state[n->state->number - 1] : 0;
 }
 
-const char *count_text(const Diagram *d, const char *done, uint64_t count)
+const char *diagram_count_text(const Diagram *d, const char *done, uint64_t count)
 {
     return count == 0 ? format_in(d->a->arena, "never %s", done)
          : count == 1 ? format_in(d->a->arena, "%s once", done)
@@ -142,9 +142,9 @@ const char *count_text(const Diagram *d, const char *done, uint64_t count)
 }
 
 // If several transitions lead from one state to another, a run does not record which it took.
-const char *edge_count_text(const Diagram *d, const DiagramEdge *e)
+const char *diagram_edge_count_text(const Diagram *d, const DiagramEdge *e)
 {
-    const char *text = count_text(d, "taken", edge_count(d, e));
+    const char *text = diagram_count_text(d, "taken", diagram_edge_count(d, e));
 
     return e->guard.n > 1 ? format_in(d->a->arena, "together: %s", text) : text;
 }
@@ -152,8 +152,8 @@ const char *edge_count_text(const Diagram *d, const DiagramEdge *e)
 // Adds the count below the last guard of an edge.
 static void add_count(const Diagram *d, DiagramEdge *e)
 {
-    const char *text = edge_count_text(d, e);
-    const TextLine line = {text, text_width(text, GUARD_SIZE, false)};
+    const char *text = diagram_edge_count_text(d, e);
+    const DiagramLine line = {text, diagram_text_width(text, GUARD_SIZE, false)};
 
     vec_push(d->a->arena, &e->guard.at[e->guard.n - 1].line, line);
 }
@@ -162,7 +162,7 @@ static void add_count(const Diagram *d, DiagramEdge *e)
 
 enum { NAME_W = 220 };
 
-Diagram *diagram_of(const Analysis *a, const DiagramOptions *o)
+Diagram *diagram_build(const Analysis *a, const DiagramOptions *o)
 {
     Diagram *d = ARENA_NEW(a->arena, Diagram);
 
@@ -173,17 +173,17 @@ Diagram *diagram_of(const Analysis *a, const DiagramOptions *o)
     for (size_t s = 0; s < d->nodes; s++) {
         DiagramNode *n = &d->node[s];
         n->state = a->p->state.at[s];
-        n->name = text_cut(a->arena, n->state->name->text, NAME_SIZE, true, NAME_W);
-        n->name_w = text_width(n->name, NAME_SIZE, true);
+        n->name = diagram_text_cut(a->arena, n->state->name->text, NAME_SIZE, true, NAME_W);
+        n->name_w = diagram_text_width(n->name, NAME_SIZE, true);
     }
-    gather(d);
-    note_reached(d);
+    add_edges(d);
+    find_reached_states(d);
     for (size_t e = 0; e < d->edge.n; e++) {
         if (o->counts)
             add_count(d, &d->edge.at[e]);
         size_label(&d->edge.at[e]);
     }
     if (o->findings)
-        diagram_mark(d, o->findings);
+        diagram_attach_findings(d, o->findings);
     return d;
 }

@@ -9,20 +9,20 @@
 typedef struct Point { int32_t x, y; } Point;
 typedef struct Box { int32_t x, y, w, h; } Box;           // x, y: left and top
 
-typedef struct TextLine { const char *text; int32_t w; } TextLine;
-typedef VEC(TextLine) TextLines;
+typedef struct DiagramLine { const char *text; int32_t w; } DiagramLine;
+typedef VEC(DiagramLine) DiagramLines;
 
-typedef VEC(const Diag *) Findings;
+typedef VEC(const Diag *) DiagramFindings;
 
 // The condition of one transition.
-typedef struct Guard {
+typedef struct DiagramGuard {
     const Transition *transition;
     const char *text;             // the whole text; never empty
-    TextLines line;               // as shown: wrapped, at most GUARD_LINES, truncated with "…"
+    DiagramLines line;            // as shown: wrapped, at most GUARD_LINES, truncated with "…"
     bool possible;                // some run can take it
-    Findings finding;             // on the transition or its guard
+    DiagramFindings finding;      // on the transition or its guard
     uint32_t mark;                // the number of the note below the diagram that lists them
-} Guard;
+} DiagramGuard;
 
 // How an edge is drawn.
 typedef enum EdgeForm {
@@ -33,7 +33,7 @@ typedef enum EdgeForm {
 
 typedef struct DiagramEdge {
     uint32_t from, to;            // Diagram.node
-    VEC(Guard) guard;             // in file order, at least one
+    VEC(DiagramGuard) guard;      // in file order, at least one
     EdgeForm form;
     bool possible;                // some run can take it
     bool up;                      // LINE: `to` is above `from`
@@ -51,7 +51,7 @@ typedef struct DiagramNode {
     VEC(uint32_t) stub_in;        // incoming edges drawn as stubs elsewhere
     const char *from;             // "from 5 states", by stub_in; NULL: none
     int32_t from_w;
-    Findings finding;             // on the state itself, not on one of its transitions
+    DiagramFindings finding;      // on the state itself, not on one of its transitions
     uint32_t mark;
     Box box;
 } DiagramNode;
@@ -75,26 +75,26 @@ enum {
 };
 
 // Builds the diagram of the machine of `a`, without positions.
-Diagram *diagram_of(const Analysis *a, const DiagramOptions *o);
+Diagram *diagram_build(const Analysis *a, const DiagramOptions *o);
 
 // ---- diagram_text.c: the width of a text, whatever sans-serif font the reader has ----
 
-int32_t text_width(const char *text, int32_t size, bool bold);
+int32_t diagram_text_width(const char *text, int32_t size, bool bold);
 // Wraps to at most `lines` lines, none wider than w, preferably before "and" and "or".
-TextLines text_wrap(Arena *arena, const char *text, int32_t size, int32_t w, size_t lines);
-bool text_is_cut(const TextLines *lines);          // whether the last line ends with …
+DiagramLines diagram_text_wrap(Arena *arena, const char *text, int32_t size, int32_t w, size_t lines);
+bool diagram_text_is_cut(const DiagramLines *lines);  // whether the last line ends with …
 // The text, or the longest start of it that fits with "…".
-const char *text_cut(Arena *arena, const char *text, int32_t size, bool bold, int32_t w);
+const char *diagram_text_cut(Arena *arena, const char *text, int32_t size, bool bold, int32_t w);
 
 // ---- counts: of what a run has executed; 0 and false without them ----
 
-uint64_t edge_count(const Diagram *d, const DiagramEdge *e);
-uint64_t node_count(const Diagram *d, const DiagramNode *n);
-const char *count_text(const Diagram *d, const char *done, uint64_t count);       // "taken 3 times"
-const char *edge_count_text(const Diagram *d, const DiagramEdge *e);
+uint64_t diagram_edge_count(const Diagram *d, const DiagramEdge *e);
+uint64_t diagram_node_count(const Diagram *d, const DiagramNode *n);
+const char *diagram_count_text(const Diagram *d, const char *done, uint64_t count);  // "taken 3 times"
+const char *diagram_edge_count_text(const Diagram *d, const DiagramEdge *e);
 
 // ---- diagram_findings.c: assigns findings to states and transitions ----
 
-void diagram_mark(Diagram *d, const Diags *findings);
+void diagram_attach_findings(Diagram *d, const Diags *findings);
 
 #endif

@@ -9,37 +9,37 @@ enum { MARGIN = 16, NUMBER_W = 22, LINE = 15, LINES = 3, LEAST_W = 420 };
 
 static int32_t text_room(const Diagram *d) { return (d->w > LEAST_W ? d->w : LEAST_W) - 2 * MARGIN - NUMBER_W; }
 
-static void add_note(const Diagram *d, SvgNotes *n, uint32_t number, const char *text)
+static void add_note(const Diagram *d, DiagramNotes *n, uint32_t number, const char *text)
 {
-    const TextLines lines = text_wrap(d->a->arena, text, GUARD_SIZE, text_room(d), LINES);
+    const DiagramLines lines = diagram_text_wrap(d->a->arena, text, GUARD_SIZE, text_room(d), LINES);
 
     for (size_t i = 0; i < lines.n; i++) {
-        const SvgNote note = {i ? 0 : number, lines.at[i].text, d->h + (int32_t)n->line.n * LINE};
+        const DiagramNote note = {i ? 0 : number, lines.at[i].text, d->h + (int32_t)n->line.n * LINE};
         vec_push(d->a->arena, &n->line, note);
     }
 }
 
 // Returns the number of their note, or 0.
-static uint32_t add_findings(const Diagram *d, SvgNotes *n, uint32_t *marks, const Findings *f)
+static uint32_t add_findings(const Diagram *d, DiagramNotes *n, uint32_t *marks, const DiagramFindings *f)
 {
     for (size_t i = 0; i < f->n; i++)
         add_note(d, n, i ? 0 : *marks + 1, format_in(d->a->arena, "%s [%s]", f->at[i]->text, diag_info[f->at[i]->code].id));
     return f->n ? ++*marks : 0;
 }
 
-static void add_legend(const Diagram *d, SvgNotes *n)
+static void add_legend(const Diagram *d, DiagramNotes *n)
 {
     bool unrun = false;
 
     for (size_t s = 0; d->o->counts && s < d->nodes; s++)
-        unrun = unrun || node_count(d, &d->node[s]) == 0;
+        unrun = unrun || diagram_node_count(d, &d->node[s]) == 0;
     for (size_t e = 0; d->o->counts && e < d->edge.n; e++)
-        unrun = unrun || edge_count(d, &d->edge.at[e]) == 0;
+        unrun = unrun || diagram_edge_count(d, &d->edge.at[e]) == 0;
     if (unrun)
         add_note(d, n, 0, "Dotted: not covered by any script.");
 }
 
-void svg_number_notes(Diagram *d, SvgNotes *out)
+void diagram_number_notes(Diagram *d, DiagramNotes *out)
 {
     uint32_t marks = 0;
 
@@ -49,7 +49,7 @@ void svg_number_notes(Diagram *d, SvgNotes *out)
         node->mark = add_findings(d, out, &marks, &node->finding);
         for (uint32_t e = node->first_edge; e < node->first_edge + node->edges; e++)
             for (size_t g = 0; g < d->edge.at[e].guard.n; g++) {
-                Guard *guard = &d->edge.at[e].guard.at[g];
+                DiagramGuard *guard = &d->edge.at[e].guard.at[g];
                 guard->mark = add_findings(d, out, &marks, &guard->finding);
             }
     }
@@ -60,10 +60,10 @@ void svg_number_notes(Diagram *d, SvgNotes *out)
     }
 }
 
-void svg_put_notes(const SvgNotes *n, Buf *out)
+void diagram_write_notes(const DiagramNotes *n, Buf *out)
 {
     for (size_t i = 0; i < n->line.n; i++) {
-        const SvgNote *note = &n->line.at[i];
+        const DiagramNote *note = &n->line.at[i];
         const long y = note->y + LINE - 4;
         if (note->number)
             buf_printf(out, "<text class=\"g-guard\" x=\"%d\" y=\"%ld\">%lu</text>", MARGIN, y, (unsigned long)note->number);

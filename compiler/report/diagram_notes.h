@@ -5,15 +5,15 @@
 
 #include "compiler/report/diagram_model.h"
 
-typedef struct SvgNote { uint32_t number; const char *text; int32_t y; } SvgNote;     // a line; number 0: it continues, or has none
+typedef struct DiagramNote { uint32_t number; const char *text; int32_t y; } DiagramNote;  // a line; number 0: it continues, or has none
 
-typedef struct SvgNotes {
-    VEC(SvgNote) line;
+typedef struct DiagramNotes {
+    VEC(DiagramNote) line;
     int32_t w, h;                 // the size that they need; 0 if there are none
-} SvgNotes;
+} DiagramNotes;
 
 // Numbers the marks of a diagram that has been laid out, state by state.
-void svg_number_notes(Diagram *d, SvgNotes *out);
-void svg_put_notes(const SvgNotes *n, Buf *out);
+void diagram_number_notes(Diagram *d, DiagramNotes *out);
+void diagram_write_notes(const DiagramNotes *n, Buf *out);
 
 #endif

@@ -10,7 +10,7 @@ enum { SWEEPS = 24, PATIENCE = 6 };       // maximum number of sweeps; maximum w
 
 // ---- initial order ----
 
-static void append(Layout *l, uint32_t item)
+static void append_to_layer(Layout *l, uint32_t item)
 {
     Layer *layer = &l->layer[l->item.at[item].layer];
 
@@ -19,29 +19,29 @@ static void append(Layout *l, uint32_t item)
 }
 
 // Appends connected items next to each other: depth first, down the links.
-static void walk(Layout *l, bool *met, uint32_t start)
+static void append_connected(Layout *l, bool *visited, uint32_t start)
 {
     VEC(uint32_t) waiting = {NULL, 0, 0};
 
     vec_push(l->arena, &waiting, start);
     while (waiting.n > 0) {
         const uint32_t i = waiting.at[--waiting.n];
-        if (met[i])
+        if (visited[i])
             continue;
-        met[i] = true;
-        append(l, i);
+        visited[i] = true;
+        append_to_layer(l, i);
         for (uint32_t k = l->below.first[i + 1]; k-- > l->below.first[i];)
             vec_push(l->arena, &waiting, l->link.at[l->below.at[k]].below);
     }
 }
 
-static void first_order(Layout *l)
+static void set_initial_order(Layout *l)
 {
-    bool *met = ARENA_ARRAY(l->arena, bool, l->item.n);
+    bool *visited = ARENA_ARRAY(l->arena, bool, l->item.n);
 
     for (uint32_t i = 0; i < l->d->nodes; i++)
-        if (!met[i] && l->above.first[i] == l->above.first[i + 1])
-            walk(l, met, i);
+        if (!visited[i] && l->above.first[i] == l->above.first[i + 1])
+            append_connected(l, visited, i);
 }
 
 // ---- crossings ----
@@ -81,42 +81,42 @@ static uint64_t all_crossings(Layout *l)
 
 // ---- sweeps ----
 
-typedef struct Key { int64_t at; uint32_t pos, item; } Key;
+typedef struct OrderKey { int64_t at; uint32_t pos, item; } OrderKey;
 
-static int by_key(const void *a, const void *b)
+static int compare_keys(const void *a, const void *b)
 {
-    const Key *x = a, *y = b;
+    const OrderKey *x = a, *y = b;
 
     return x->at != y->at ? (x->at < y->at ? -1 : 1) : (x->pos > y->pos) - (x->pos < y->pos);
 }
 
 // The average position of an item's neighbours above (or below), in 1024ths; its own position if it has none.
-static int64_t middle(const Layout *l, uint32_t item, bool down)
+static int64_t mean_neighbour_position(const Layout *l, uint32_t item, bool down)
 {
-    const Links *links = down ? &l->above : &l->below;
+    const LayoutLinks *links = down ? &l->above : &l->below;
     const uint32_t first = links->first[item], n = links->first[item + 1] - first;
     int64_t sum = 0;
 
     for (uint32_t k = first; k < first + n; k++) {
-        const Link *link = &l->link.at[links->at[k]];
+        const LayoutLink *link = &l->link.at[links->at[k]];
         sum += l->item.at[down ? link->above : link->below].pos;
     }
     return n ? sum * 1024 / n : (int64_t)l->item.at[item].pos * 1024;
 }
 
-static void sort_layer(Layout *l, Layer *layer, bool down, Key *key)
+static void sort_layer(Layout *l, Layer *layer, bool down, OrderKey *key)
 {
     for (uint32_t p = 0; p < layer->n; p++)
-        key[p] = (Key){middle(l, layer->item[p], down), p, layer->item[p]};
+        key[p] = (OrderKey){mean_neighbour_position(l, layer->item[p], down), p, layer->item[p]};
     if (layer->n > 1)
-        qsort(key, layer->n, sizeof *key, by_key);
+        qsort(key, layer->n, sizeof *key, compare_keys);
     for (uint32_t p = 0; p < layer->n; p++) {
         layer->item[p] = key[p].item;
         l->item.at[key[p].item].pos = p;
     }
 }
 
-static void sweep(Layout *l, bool down, Key *key)
+static void sweep_layers(Layout *l, bool down, OrderKey *key)
 {
     for (uint32_t i = 1; i < l->layers; i++)
         sort_layer(l, &l->layer[down ? i : l->layers - 1 - i], down, key);
@@ -127,30 +127,30 @@ static void sweep(Layout *l, bool down, Key *key)
 enum { DEGREE = 32 };             // items with more links are not swapped: comparing two takes the product of their numbers of links
 
 // The number of crossings that swapping i with its right neighbour j would save on one side.
-static int64_t gain(const Layout *l, const Links *links, bool down, uint32_t i, uint32_t j)
+static int64_t crossings_saved(const Layout *l, const LayoutLinks *links, bool down, uint32_t i, uint32_t j)
 {
     int64_t sum = 0;
 
     for (uint32_t a = links->first[i]; a < links->first[i + 1]; a++)
         for (uint32_t b = links->first[j]; b < links->first[j + 1]; b++) {
-            const Link *x = &l->link.at[links->at[a]], *y = &l->link.at[links->at[b]];
+            const LayoutLink *x = &l->link.at[links->at[a]], *y = &l->link.at[links->at[b]];
             const uint32_t p = l->item.at[down ? x->below : x->above].pos, q = l->item.at[down ? y->below : y->above].pos;
             sum += (p > q) - (p < q);
         }
     return sum;
 }
 
-static bool has_few(const Layout *l, uint32_t i)
+static bool has_few_links(const Layout *l, uint32_t i)
 {
     return l->above.first[i + 1] - l->above.first[i] <= DEGREE && l->below.first[i + 1] - l->below.first[i] <= DEGREE;
 }
 
-static void swap_pass(Layout *l)
+static void swap_neighbours(Layout *l)
 {
     for (uint32_t y = 0; y < l->layers; y++)
         for (uint32_t p = 0; p + 1 < l->layer[y].n; p++) {
             uint32_t *pair = l->layer[y].item + p, i = pair[0], j = pair[1];
-            if (!has_few(l, i) || !has_few(l, j) || gain(l, &l->above, false, i, j) + gain(l, &l->below, true, i, j) <= 0)
+            if (!has_few_links(l, i) || !has_few_links(l, j) || crossings_saved(l, &l->above, false, i, j) + crossings_saved(l, &l->below, true, i, j) <= 0)
                 continue;
             pair[0] = j;
             pair[1] = i;
@@ -161,13 +161,13 @@ static void swap_pass(Layout *l)
 
 // ---- the best order ----
 
-static void keep(const Layout *l, uint32_t *pos)
+static void save_order(const Layout *l, uint32_t *pos)
 {
     for (size_t i = 0; i < l->item.n; i++)
         pos[i] = l->item.at[i].pos;
 }
 
-static void restore(Layout *l, const uint32_t *pos)
+static void restore_order(Layout *l, const uint32_t *pos)
 {
     for (uint32_t i = 0; i < l->item.n; i++) {
         l->item.at[i].pos = pos[i];
@@ -178,26 +178,26 @@ static void restore(Layout *l, const uint32_t *pos)
 void layout_order(Layout *l)
 {
     uint32_t *best = ARENA_ARRAY(l->arena, uint32_t, l->item.n), idle = 0;
-    Key *key = ARENA_ARRAY(l->arena, Key, l->item.n);
+    OrderKey *key = ARENA_ARRAY(l->arena, OrderKey, l->item.n);
     uint64_t fewest;
 
     l->sums = ARENA_ARRAY(l->arena, uint64_t, l->item.n + 1);
-    first_order(l);
+    set_initial_order(l);
     fewest = all_crossings(l);
-    keep(l, best);
+    save_order(l, best);
     for (int s = 0; s < SWEEPS && idle < PATIENCE && fewest > 0; s++) {
         uint64_t n;
-        sweep(l, s % 2 == 0, key);
-        swap_pass(l);
-        swap_pass(l);
+        sweep_layers(l, s % 2 == 0, key);
+        swap_neighbours(l);
+        swap_neighbours(l);
         idle++;
         if ((n = all_crossings(l)) < fewest) {
             fewest = n;
             idle = 0;
-            keep(l, best);
+            save_order(l, best);
         }
     }
-    restore(l, best);
+    restore_order(l, best);
     layout_sort_links(l);
     l->d->crossings = fewest;
 }

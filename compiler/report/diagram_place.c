@@ -11,7 +11,7 @@ enum { APART = 14 };              // minimum gap between neighbours in a layer
 typedef struct Columns {
     Layout *l;
     bool from_below, mirrored;
-    const Link **above, **below;  // by item: its link on that side that should be straight; or NULL
+    const LayoutLink **above, **below;  // by item: its link on that side that should be straight; or NULL
     uint32_t *root;               // by item: the item that represents its column
     uint32_t *next;               // by item: the next in its column, circular
     int64_t *x;                   // by item, once columns are placed
@@ -20,15 +20,15 @@ typedef struct Columns {
 // ---- links that can be straight ----
 
 // The inner parts of a long edge, and all parts of an edge of the spine.
-static bool is_inner(const Layout *l, const Link *k)
+static bool is_inner(const Layout *l, const LayoutLink *k)
 {
     return l->spine[k->edge] || (l->item.at[k->above].kind != ITEM_NODE && l->item.at[k->below].kind != ITEM_NODE);
 }
 
 // By item, the link above (or below) that should be straight; the first if there are several.
-static const Link **find_inner(const Layout *l, const Links *links)
+static const LayoutLink **find_inner(const Layout *l, const LayoutLinks *links)
 {
-    const Link **out = ARENA_ARRAY(l->arena, const Link *, l->item.n);
+    const LayoutLink **out = ARENA_ARRAY(l->arena, const LayoutLink *, l->item.n);
 
     for (size_t i = 0; i < l->item.n; i++)
         for (uint32_t k = links->first[i]; k < links->first[i + 1] && !out[i]; k++)
@@ -41,14 +41,14 @@ static int64_t pos_of(const Layout *l, uint32_t item) { return l->item.at[item].
 
 // Marks links that cross a link that should be straight: they cannot be straight.  Two links that should both be straight and cross each
 // other are not marked.
-static void mark_gap(Layout *l, uint32_t y, const Link *const *above)
+static void mark_conflicts(Layout *l, uint32_t y, const LayoutLink *const *above)
 {
     const Layer *lower = &l->layer[y + 1];
     int64_t left = -1;
     uint32_t start = 0;
 
     for (uint32_t p = 0; p < lower->n; p++) {
-        const Link *inner = above[lower->item[p]];
+        const LayoutLink *inner = above[lower->item[p]];
         int64_t right = l->layer[y].n;
         if (!inner && p + 1 < lower->n)
             continue;
@@ -56,7 +56,7 @@ static void mark_gap(Layout *l, uint32_t y, const Link *const *above)
             right = pos_of(l, inner->above);
         for (; start <= p; start++)
             for (uint32_t k = l->above.first[lower->item[start]]; k < l->above.first[lower->item[start] + 1]; k++) {
-                Link *link = &l->link.at[l->above.at[k]];
+                LayoutLink *link = &l->link.at[l->above.at[k]];
                 const int64_t at = pos_of(l, link->above);
                 link->crossed = link->crossed || ((at < left || at > right) && !is_inner(l, link));
             }
@@ -66,12 +66,12 @@ static void mark_gap(Layout *l, uint32_t y, const Link *const *above)
 
 // ---- columns ----
 
-static uint32_t in_layer(const Columns *c, const Layer *layer, uint32_t k)
+static uint32_t item_in_layer(const Columns *c, const Layer *layer, uint32_t k)
 {
     return layer->item[c->mirrored ? layer->n - 1 - k : k];
 }
 
-static void join(Columns *c, uint32_t item, uint32_t to)
+static void join_column(Columns *c, uint32_t item, uint32_t to)
 {
     c->next[to] = item;
     c->root[item] = c->root[to];
@@ -79,38 +79,38 @@ static void join(Columns *c, uint32_t item, uint32_t to)
 }
 
 // Joins an item to the item at the other end of a link, if that is right of all joined before in this layer.
-static bool try_link(Columns *c, uint32_t item, const Link *link, int64_t *used)
+static bool try_align(Columns *c, uint32_t item, const LayoutLink *link, int64_t *used)
 {
     const uint32_t to = c->from_below ? link->below : link->above;
     const int64_t at = c->mirrored ? -pos_of(c->l, to) : pos_of(c->l, to);
 
     if (link->crossed || at <= *used)
         return false;
-    join(c, item, to);
+    join_column(c, item, to);
     *used = at;
     return true;
 }
 
 // An item joins the neighbour to which its link should be straight, otherwise its median neighbour; of two medians, the further left is
 // tried first.  A neighbour whose own straight link leads to another item is not joined.
-static void align(Columns *c, uint32_t item, int64_t *used)
+static void align_item(Columns *c, uint32_t item, int64_t *used)
 {
     const Layout *l = c->l;
-    const Links *links = c->from_below ? &l->below : &l->above;
+    const LayoutLinks *links = c->from_below ? &l->below : &l->above;
     const uint32_t first = links->first[item], n = links->first[item + 1] - first;
-    const Link *inner = (c->from_below ? c->below : c->above)[item];
+    const LayoutLink *inner = (c->from_below ? c->below : c->above)[item];
 
-    if (inner && try_link(c, item, inner, used))
+    if (inner && try_align(c, item, inner, used))
         return;
     for (uint32_t k = 0; k < 2 && n > 0; k++) {
         const uint32_t m = (k == 0) != c->mirrored ? (n - 1) / 2 : n / 2;
-        const Link *link = &l->link.at[links->at[first + m]], *theirs = c->from_below ? c->above[link->below] : c->below[link->above];
-        if ((!theirs || theirs == link) && try_link(c, item, link, used))
+        const LayoutLink *link = &l->link.at[links->at[first + m]], *theirs = c->from_below ? c->above[link->below] : c->below[link->above];
+        if ((!theirs || theirs == link) && try_align(c, item, link, used))
             return;
     }
 }
 
-static void make_columns(Columns *c)
+static void align_columns(Columns *c)
 {
     const uint32_t n = c->l->layers;
 
@@ -120,55 +120,55 @@ static void make_columns(Columns *c)
         const Layer *layer = &c->l->layer[c->from_below ? n - 1 - i : i];
         int64_t used = INT32_MIN;
         for (uint32_t k = 0; k < layer->n; k++)
-            align(c, in_layer(c, layer, k), &used);
+            align_item(c, item_in_layer(c, layer, k), &used);
     }
 }
 
 // ---- distances ----
 
 // Neighbours in a layer: `from` must be at least `apart` left of `to`.  Both are columns.
-typedef struct Step { uint32_t from, to; int64_t apart; } Step;
+typedef struct Separation { uint32_t from, to; int64_t apart; } Separation;
 
-typedef struct Steps {
+typedef struct Separations {
     uint32_t *first;              // by column where the step starts: at[first[c]] … at[first[c + 1] - 1]
-    Step *at;
-} Steps;
+    Separation *at;
+} Separations;
 
-static int32_t side(const Columns *c, uint32_t item, bool right)
+static int32_t half_width(const Columns *c, uint32_t item, bool right)
 {
-    const Item *i = &c->l->item.at[item];
+    const LayoutItem *i = &c->l->item.at[item];
 
     return right != c->mirrored ? i->right : i->left;
 }
 
-static Step step_at(const Columns *c, const Layer *layer, uint32_t k)
+static Separation separation_at(const Columns *c, const Layer *layer, uint32_t k)
 {
-    const uint32_t a = in_layer(c, layer, k), b = in_layer(c, layer, k + 1);
-    Step s = {c->root[a], c->root[b], (int64_t)side(c, a, true) + side(c, b, false) + APART};
+    const uint32_t a = item_in_layer(c, layer, k), b = item_in_layer(c, layer, k + 1);
+    Separation s = {c->root[a], c->root[b], (int64_t)half_width(c, a, true) + half_width(c, b, false) + APART};
 
     return s;
 }
 
-static Steps steps_of(const Columns *c)
+static Separations find_separations(const Columns *c)
 {
     const Layout *l = c->l;
-    Steps s = {ARENA_ARRAY(l->arena, uint32_t, l->item.n + 2), ARENA_ARRAY(l->arena, Step, l->item.n + 1)};
+    Separations s = {ARENA_ARRAY(l->arena, uint32_t, l->item.n + 2), ARENA_ARRAY(l->arena, Separation, l->item.n + 1)};
 
     for (uint32_t y = 0; y < l->layers; y++)
         for (uint32_t k = 0; k + 1 < l->layer[y].n; k++)
-            s.first[step_at(c, &l->layer[y], k).from + 2]++;
+            s.first[separation_at(c, &l->layer[y], k).from + 2]++;
     for (size_t i = 2; i < l->item.n + 2; i++)
         s.first[i] += s.first[i - 1];
     for (uint32_t y = 0; y < l->layers; y++)
         for (uint32_t k = 0; k + 1 < l->layer[y].n; k++) {
-            const Step step = step_at(c, &l->layer[y], k);
+            const Separation step = separation_at(c, &l->layer[y], k);
             s.at[s.first[step.from + 1]++] = step;
         }
     return s;
 }
 
 // Columns in topological order: each after those that must be left of it.
-static uint32_t *left_to_right(const Columns *c, const Steps *s, uint32_t *n)
+static uint32_t *sort_columns(const Columns *c, const Separations *s, uint32_t *n)
 {
     const size_t items = c->l->item.n;
     uint32_t *order = ARENA_ARRAY(c->l->arena, uint32_t, items), *waits = ARENA_ARRAY(c->l->arena, uint32_t, items);
@@ -189,12 +189,12 @@ static uint32_t *left_to_right(const Columns *c, const Steps *s, uint32_t *n)
 // Places columns as far left as possible.  Then columns with free space on their right move right, close to their neighbours.
 static void place_columns(Columns *c)
 {
-    const Steps s = steps_of(c);
-    uint32_t n, *order = left_to_right(c, &s, &n);
+    const Separations s = find_separations(c);
+    uint32_t n, *order = sort_columns(c, &s, &n);
 
     for (uint32_t i = 0; i < n; i++)
         for (uint32_t k = s.first[order[i]]; k < s.first[order[i] + 1]; k++) {
-            const Step *step = &s.at[k];
+            const Separation *step = &s.at[k];
             if (c->x[step->from] + step->apart > c->x[step->to])
                 c->x[step->to] = c->x[step->from] + step->apart;
         }
@@ -214,12 +214,12 @@ static void place_columns(Columns *c)
 
 typedef struct Extent { int64_t low, high; } Extent;
 
-static Extent extent(const Columns *c)
+static Extent columns_extent(const Columns *c)
 {
     Extent e = {INT64_MAX, INT64_MIN};
 
     for (uint32_t i = 0; i < c->l->item.n; i++) {
-        const int64_t low = c->x[i] - side(c, i, false), high = c->x[i] + side(c, i, true);
+        const int64_t low = c->x[i] - half_width(c, i, false), high = c->x[i] + half_width(c, i, true);
         e.low = low < e.low ? low : e.low;
         e.high = high > e.high ? high : e.high;
     }
@@ -227,15 +227,15 @@ static Extent extent(const Columns *c)
 }
 
 // Undoes the mirroring.  Aligns the left edge of the alignment with that of the narrowest, or its right edge if it was mirrored.
-static void line_up(Columns *c, int64_t width)
+static void shift_to_narrowest(Columns *c, int64_t width)
 {
-    const Extent e = extent(c);
+    const Extent e = columns_extent(c);
 
     for (uint32_t i = 0; i < c->l->item.n; i++)
         c->x[i] = c->mirrored ? width - (c->x[i] - e.low) : c->x[i] - e.low;
 }
 
-static int32_t middle_of(int64_t a, int64_t b, int64_t c, int64_t d)
+static int32_t mean_of_middle_two(int64_t a, int64_t b, int64_t c, int64_t d)
 {
     int64_t low = a, high = a;
 
@@ -256,22 +256,22 @@ void layout_place(Layout *l)
                  ARENA_ARRAY(l->arena, uint32_t, n), ARENA_ARRAY(l->arena, uint32_t, n), NULL};
 
     for (uint32_t y = 0; y + 1 < l->layers; y++)
-        mark_gap(l, y, c.above);
+        mark_conflicts(l, y, c.above);
     for (int k = 0; k < 4; k++) {
         Extent e;
         c.from_below = k & 1;
         c.mirrored = k & 2;
         c.x = x[k] = ARENA_ARRAY(l->arena, int64_t, n);
-        make_columns(&c);
+        align_columns(&c);
         place_columns(&c);
-        e = extent(&c);
+        e = columns_extent(&c);
         narrowest = e.high - e.low < narrowest ? e.high - e.low : narrowest;
     }
     for (int k = 0; k < 4; k++) {
         c.mirrored = k & 2;
         c.x = x[k];
-        line_up(&c, narrowest);
+        shift_to_narrowest(&c, narrowest);
     }
     for (size_t i = 0; i < n; i++)
-        l->item.at[i].x = middle_of(x[0][i], x[1][i], x[2][i], x[3][i]);
+        l->item.at[i].x = mean_of_middle_two(x[0][i], x[1][i], x[2][i], x[3][i]);
 }

@@ -12,7 +12,7 @@ enum {
     LONGEST = 6                   // maximum number of ranks that a line can cross
 };
 
-static void stub(Diagram *d, uint32_t edge)
+static void make_stub(Diagram *d, uint32_t edge)
 {
     DiagramEdge *e = &d->edge.at[edge];
 
@@ -29,71 +29,71 @@ void layout_stub_hubs(Diagram *d)
     for (uint32_t e = 0; e < d->edge.n; e++) {
         const uint32_t to = d->edge.at[e].to;
         if (d->edge.at[e].form == EDGE_LINE && in[to] >= (d->node[to].state->is_abort ? HUB_ABORT : HUB))
-            stub(d, e);
+            make_stub(d, e);
     }
 }
 
 // ---- cycles ----
 
-typedef struct Visit { uint32_t node, next; } Visit;      // next: number of its edges that have been followed
+typedef struct SearchFrame { uint32_t node, next; } SearchFrame;  // next: number of its edges that have been followed
 
-typedef struct Search {
+typedef struct CycleSearch {
     Layout *l;
-    char *met;                    // 0 not visited, 1 on the current path, 2 done
-    VEC(Visit) way;
-} Search;
+    char *state;                  // 0 not visited, 1 on the current path, 2 done
+    VEC(SearchFrame) way;
+} CycleSearch;
 
-static void enter(Search *s, uint32_t node)
+static void push_node(CycleSearch *s, uint32_t node)
 {
-    Visit v = {node, 0};
+    SearchFrame v = {node, 0};
 
-    s->met[node] = 1;
+    s->state[node] = 1;
     vec_push(s->l->arena, &s->way, v);
 }
 
 // Depth-first search in file order, starting with the first state.  An edge back to a state on the current path closes a cycle.  The first
 // state stays at the top.
-static void search_from(Search *s, uint32_t start)
+static void search_from(CycleSearch *s, uint32_t start)
 {
     const Diagram *d = s->l->d;
 
-    enter(s, start);
+    push_node(s, start);
     while (s->way.n > 0) {
-        Visit *v = &s->way.at[s->way.n - 1];
+        SearchFrame *v = &s->way.at[s->way.n - 1];
         const DiagramNode *n = &d->node[v->node];
         DiagramEdge *e = &d->edge.at[n->first_edge + v->next];
         if (v->next++ == n->edges) {
-            s->met[v->node] = 2;
+            s->state[v->node] = 2;
             s->way.n--;
-        } else if (s->met[e->to] == 1 || e->to == 0)
+        } else if (s->state[e->to] == 1 || e->to == 0)
             e->up = e->to != e->from;
-        else if (s->met[e->to] == 0)
-            enter(s, e->to);
+        else if (s->state[e->to] == 0)
+            push_node(s, e->to);
     }
 }
 
-static void break_circles(Layout *l)
+static void break_cycles(Layout *l)
 {
-    Search s = {l, ARENA_ARRAY(l->arena, char, l->d->nodes), {NULL, 0, 0}};
+    CycleSearch s = {l, ARENA_ARRAY(l->arena, char, l->d->nodes), {NULL, 0, 0}};
 
     for (uint32_t n = 0; n < l->d->nodes; n++)
-        if (s.met[n] == 0)
+        if (s.state[n] == 0)
             search_from(&s, n);
 }
 
 // ---- ranks ----
 
 // The upper and lower end of a line.
-static uint32_t upper(const DiagramEdge *e) { return e->up ? e->to : e->from; }
-static uint32_t lower(const DiagramEdge *e) { return e->up ? e->from : e->to; }
+static uint32_t upper_end(const DiagramEdge *e) { return e->up ? e->to : e->from; }
+static uint32_t lower_end(const DiagramEdge *e) { return e->up ? e->from : e->to; }
 
 // By node, the lines of which it is the upper (or lower) end.
-typedef struct Ends { uint32_t *first, *edge; } Ends;
+typedef struct EdgesByEnd { uint32_t *first, *edge; } EdgesByEnd;
 
-static Ends ends_of(const Layout *l, uint32_t (*end)(const DiagramEdge *e))
+static EdgesByEnd sort_edges_by_end(const Layout *l, uint32_t (*end)(const DiagramEdge *e))
 {
     const Diagram *d = l->d;
-    Ends out = {ARENA_ARRAY(l->arena, uint32_t, d->nodes + 2), ARENA_ARRAY(l->arena, uint32_t, d->edge.n + 1)};
+    EdgesByEnd out = {ARENA_ARRAY(l->arena, uint32_t, d->nodes + 2), ARENA_ARRAY(l->arena, uint32_t, d->edge.n + 1)};
 
     for (size_t e = 0; e < d->edge.n; e++)
         if (d->edge.at[e].form == EDGE_LINE)
@@ -107,7 +107,7 @@ static Ends ends_of(const Layout *l, uint32_t (*end)(const DiagramEdge *e))
 }
 
 // Topological order: every line leads from an earlier to a later node.
-static uint32_t *downwards(const Layout *l, const Ends *out, const Ends *in)
+static uint32_t *sort_topologically(const Layout *l, const EdgesByEnd *out, const EdgesByEnd *in)
 {
     const Diagram *d = l->d;
     uint32_t *order = ARENA_ARRAY(l->arena, uint32_t, d->nodes), *waits = ARENA_ARRAY(l->arena, uint32_t, d->nodes), n = 0;
@@ -117,49 +117,49 @@ static uint32_t *downwards(const Layout *l, const Ends *out, const Ends *in)
             order[n++] = v;
     for (uint32_t i = 0; i < n; i++)
         for (uint32_t k = out->first[order[i]]; k < out->first[order[i] + 1]; k++) {
-            const uint32_t to = lower(&d->edge.at[out->edge[k]]);
+            const uint32_t to = lower_end(&d->edge.at[out->edge[k]]);
             if (--waits[to] == 0)
                 order[n++] = to;
         }
     return order;
 }
 
-static uint32_t lowest_above(const Layout *l, const Ends *in, uint32_t v)
+static uint32_t rank_below_predecessors(const Layout *l, const EdgesByEnd *in, uint32_t v)
 {
     uint32_t rank = 0;
 
     for (uint32_t k = in->first[v]; k < in->first[v + 1]; k++) {
-        const uint32_t r = l->rank[upper(&l->d->edge.at[in->edge[k]])] + 1;
+        const uint32_t r = l->rank[upper_end(&l->d->edge.at[in->edge[k]])] + 1;
         rank = r > rank ? r : rank;
     }
     return rank;
 }
 
 // The lowest rank that the lines out of v allow; its own if there are none.
-static uint32_t highest_below(const Layout *l, const Ends *out, uint32_t v)
+static uint32_t rank_above_successors(const Layout *l, const EdgesByEnd *out, uint32_t v)
 {
     uint32_t rank = UINT32_MAX;
 
     for (uint32_t k = out->first[v]; k < out->first[v + 1]; k++) {
-        const uint32_t r = l->rank[lower(&l->d->edge.at[out->edge[k]])] - 1;
+        const uint32_t r = l->rank[lower_end(&l->d->edge.at[out->edge[k]])] - 1;
         rank = r < rank ? r : rank;
     }
     return rank == UINT32_MAX ? l->rank[v] : rank;
 }
 
 // Moves a node with more lines out than in as far down as possible.
-static void sink(Layout *l, const Ends *out, const Ends *in, const uint32_t *order)
+static void sink_nodes(Layout *l, const EdgesByEnd *out, const EdgesByEnd *in, const uint32_t *order)
 {
     for (size_t i = l->d->nodes; i-- > 0;) {
         const uint32_t v = order[i], outs = out->first[v + 1] - out->first[v], ins = in->first[v + 1] - in->first[v];
         if (v != 0 && outs > ins)
-            l->rank[v] = highest_below(l, out, v);
+            l->rank[v] = rank_above_successors(l, out, v);
     }
 }
 
 // ---- parts not connected to the first state ----
 
-static void spread(const Layout *l, const Ends *out, const Ends *in, uint32_t *part, uint32_t start)
+static void mark_part(const Layout *l, const EdgesByEnd *out, const EdgesByEnd *in, uint32_t *part, uint32_t start)
 {
     VEC(uint32_t) waiting = {NULL, 0, 0};
 
@@ -168,10 +168,10 @@ static void spread(const Layout *l, const Ends *out, const Ends *in, uint32_t *p
     while (waiting.n > 0) {
         const uint32_t v = waiting.at[--waiting.n];
         for (int side = 0; side < 2; side++) {
-            const Ends *ends = side ? in : out;
+            const EdgesByEnd *ends = side ? in : out;
             for (uint32_t k = ends->first[v]; k < ends->first[v + 1]; k++) {
                 const DiagramEdge *e = &l->d->edge.at[ends->edge[k]];
-                const uint32_t to = side ? upper(e) : lower(e);
+                const uint32_t to = side ? upper_end(e) : lower_end(e);
                 if (part[to] == UINT32_MAX) {
                     part[to] = start;
                     vec_push(l->arena, &waiting, to);
@@ -184,7 +184,7 @@ static void spread(const Layout *l, const Ends *out, const Ends *in, uint32_t *p
 enum { ROW = 4 };                 // isolated states per rank
 
 // Moves every part down to end at the lowest rank in use, except the part of the first state.  Isolated states follow, ROW to a rank.
-static void settle_parts(Layout *l, const Ends *out, const Ends *in)
+static void place_parts(Layout *l, const EdgesByEnd *out, const EdgesByEnd *in)
 {
     const size_t n = l->d->nodes;
     uint32_t *part = ARENA_ARRAY(l->arena, uint32_t, n), *last = ARENA_ARRAY(l->arena, uint32_t, n), alone = 0, end = 0;
@@ -192,7 +192,7 @@ static void settle_parts(Layout *l, const Ends *out, const Ends *in)
     memset(part, 0xFF, n * sizeof *part);
     for (uint32_t v = 0; v < n; v++)
         if (part[v] == UINT32_MAX)
-            spread(l, out, in, part, v);
+            mark_part(l, out, in, part, v);
     for (uint32_t v = 0; v < n; v++)
         if (l->rank[v] > last[part[v]])
             last[part[v]] = l->rank[v];
@@ -211,7 +211,7 @@ static void settle_parts(Layout *l, const Ends *out, const Ends *in)
 // ---- the spine ----
 
 // By state, the number of lines on the longest downward path from it.  Only possible transitions count.
-static uint32_t *longest_ways(const Layout *l, const Ends *out, const uint32_t *order)
+static uint32_t *find_longest_paths(const Layout *l, const EdgesByEnd *out, const uint32_t *order)
 {
     uint32_t *way = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes);
 
@@ -225,7 +225,7 @@ static uint32_t *longest_ways(const Layout *l, const Ends *out, const uint32_t *
 }
 
 // The next line of the longest path from v; UINT32_MAX: v is its end.
-static uint32_t next_of(const Layout *l, const Ends *out, const uint32_t *way, uint32_t v)
+static uint32_t next_on_longest_path(const Layout *l, const EdgesByEnd *out, const uint32_t *way, uint32_t v)
 {
     for (uint32_t k = out->first[v]; k < out->first[v + 1]; k++) {
         const DiagramEdge *e = &l->d->edge.at[out->edge[k]];
@@ -236,15 +236,15 @@ static uint32_t next_of(const Layout *l, const Ends *out, const uint32_t *way, u
 }
 
 // The spine is the longest path from the first state, then from each other state up to the first state that is already taken.
-static void find_spine(Layout *l, const Ends *out, const uint32_t *order)
+static void find_spine(Layout *l, const EdgesByEnd *out, const uint32_t *order)
 {
-    const uint32_t *way = longest_ways(l, out, order);
+    const uint32_t *way = find_longest_paths(l, out, order);
     bool *taken = ARENA_ARRAY(l->arena, bool, l->d->nodes), *done = ARENA_ARRAY(l->arena, bool, l->d->nodes);
 
     l->spine = ARENA_ARRAY(l->arena, bool, l->d->edge.n + 1);
     for (size_t i = 0; i <= l->d->nodes; i++) {
         uint32_t v = i == 0 ? 0 : order[i - 1], e;
-        while (!done[v] && (e = next_of(l, out, way, v)) != UINT32_MAX) {
+        while (!done[v] && (e = next_on_longest_path(l, out, way, v)) != UINT32_MAX) {
             const uint32_t to = l->d->edge.at[e].to;
             done[v] = true;
             if (taken[to])
@@ -258,7 +258,7 @@ static void find_spine(Layout *l, const Ends *out, const uint32_t *order)
 // ---- stubs ----
 
 // Writes the text beside a state that is the target of stubs.
-static void name_origins(Diagram *d)
+static void set_origin_texts(Diagram *d)
 {
     for (size_t i = 0; i < d->nodes; i++) {
         DiagramNode *n = &d->node[i];
@@ -267,12 +267,12 @@ static void name_origins(Diagram *d)
         else if (n->stub_in.n > 1)
             n->from = format_in(d->a->arena, "from %lu states", (unsigned long)n->stub_in.n);
         if (n->from)
-            n->from_w = text_width(n->from, GUARD_SIZE, false);
+            n->from_w = diagram_text_width(n->from, GUARD_SIZE, false);
     }
 }
 
 // Draws the loop of a state that has stubs as one of them.
-static void join_loops(Diagram *d)
+static void turn_loops_into_stubs(Diagram *d)
 {
     for (size_t i = 0; i < d->nodes; i++) {
         const DiagramNode *n = &d->node[i];
@@ -290,24 +290,24 @@ static void join_loops(Diagram *d)
 
 void layout_rank(Layout *l)
 {
-    Ends out, in;
+    EdgesByEnd out, in;
     uint32_t *order;
 
-    break_circles(l);
-    out = ends_of(l, upper);
-    in = ends_of(l, lower);
-    order = downwards(l, &out, &in);
+    break_cycles(l);
+    out = sort_edges_by_end(l, upper_end);
+    in = sort_edges_by_end(l, lower_end);
+    order = sort_topologically(l, &out, &in);
     l->rank = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes);
     for (size_t i = 0; i < l->d->nodes; i++)
-        l->rank[order[i]] = lowest_above(l, &in, order[i]);
-    sink(l, &out, &in, order);
-    settle_parts(l, &out, &in);
+        l->rank[order[i]] = rank_below_predecessors(l, &in, order[i]);
+    sink_nodes(l, &out, &in, order);
+    place_parts(l, &out, &in);
     for (uint32_t e = 0; e < l->d->edge.n; e++) {
         const DiagramEdge *edge = &l->d->edge.at[e];
-        if (edge->form == EDGE_LINE && l->rank[lower(edge)] - l->rank[upper(edge)] > LONGEST)
-            stub(l->d, e);
+        if (edge->form == EDGE_LINE && l->rank[lower_end(edge)] - l->rank[upper_end(edge)] > LONGEST)
+            make_stub(l->d, e);
     }
     find_spine(l, &out, order);
-    name_origins(l->d);
-    join_loops(l->d);
+    set_origin_texts(l->d);
+    turn_loops_into_stubs(l->d);
 }

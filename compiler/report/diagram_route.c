@@ -17,31 +17,31 @@ enum {
 
 static bool is_beside(const DiagramEdge *e) { return e->form != EDGE_LINE; }
 
-static int32_t name_w(const Diagram *d, const DiagramEdge *e)
+static int32_t stub_name_width(const Diagram *d, const DiagramEdge *e)
 {
     return e->form == EDGE_LOOP ? 0 : d->node[e->to].name_w * GUARD_SIZE / NAME_SIZE + 1 + 2 * STUB_SIDE;
 }
 
-static int32_t row_h(const DiagramEdge *e) { return e->label.h > STUB_H ? e->label.h : STUB_H; }
+static int32_t stub_height(const DiagramEdge *e) { return e->label.h > STUB_H ? e->label.h : STUB_H; }
 
-typedef struct Rows { int32_t name_w, label_w, h; } Rows;
+typedef struct StubRows { int32_t name_w, label_w, h; } StubRows;
 
-static Rows rows_of(const Diagram *d, const DiagramNode *n)
+static StubRows measure_stubs(const Diagram *d, const DiagramNode *n)
 {
-    Rows r = {0, 0, -STUB_GAP};
+    StubRows r = {0, 0, -STUB_GAP};
 
     for (uint32_t k = 0; k < n->edges; k++) {
         const DiagramEdge *e = &d->edge.at[n->first_edge + k];
         if (!is_beside(e))
             continue;
-        r.name_w = name_w(d, e) > r.name_w ? name_w(d, e) : r.name_w;
+        r.name_w = stub_name_width(d, e) > r.name_w ? stub_name_width(d, e) : r.name_w;
         r.label_w = e->label.w > r.label_w ? e->label.w : r.label_w;
-        r.h += row_h(e) + STUB_GAP;
+        r.h += stub_height(e) + STUB_GAP;
     }
     return r;
 }
 
-static int32_t node_w(const DiagramNode *n, uint32_t lines)
+static int32_t node_width(const DiagramNode *n, uint32_t lines)
 {
     const int32_t text = n->name_w + 2 * NODE_SIDE, ports = (int32_t)(lines + 1) * PORT, w = text > ports ? text : ports;
 
@@ -49,12 +49,12 @@ static int32_t node_w(const DiagramNode *n, uint32_t lines)
 }
 
 // Sets the width of the state's box in n->box, and the size with everything beside it in `out`.
-void layout_size_node(Diagram *d, uint32_t node, uint32_t lines, Item *out)
+void layout_size_node(Diagram *d, uint32_t node, uint32_t lines, LayoutItem *out)
 {
     DiagramNode *n = &d->node[node];
-    const Rows r = rows_of(d, n);
+    const StubRows r = measure_stubs(d, n);
 
-    n->box.w = node_w(n, lines);
+    n->box.w = node_width(n, lines);
     n->box.h = NODE_H;
     out->left = out->right = n->box.w / 2;
     out->h = r.h > NODE_H ? r.h : NODE_H;
@@ -64,19 +64,19 @@ void layout_size_node(Diagram *d, uint32_t node, uint32_t lines, Item *out)
         out->left += FROM_AT + n->from_w;
 }
 
-static void place_rows(Diagram *d, const DiagramNode *n)
+static void place_stubs(Diagram *d, const DiagramNode *n)
 {
-    const Rows r = rows_of(d, n);
+    const StubRows r = measure_stubs(d, n);
     int32_t y = n->box.y + (n->box.h - r.h) / 2;
 
     for (uint32_t k = 0; k < n->edges; k++) {
         DiagramEdge *e = &d->edge.at[n->first_edge + k];
         if (!is_beside(e))
             continue;
-        e->name = (Box){n->box.x + n->box.w + STUB_AT, y + (row_h(e) - STUB_H) / 2, name_w(d, e), STUB_H};
+        e->name = (Box){n->box.x + n->box.w + STUB_AT, y + (stub_height(e) - STUB_H) / 2, stub_name_width(d, e), STUB_H};
         e->label.x = e->name.x + r.name_w + STUB_TEXT;
-        e->label.y = y + (row_h(e) - e->label.h) / 2;
-        y += row_h(e) + STUB_GAP;
+        e->label.y = y + (stub_height(e) - e->label.h) / 2;
+        y += stub_height(e) + STUB_GAP;
     }
 }
 
@@ -85,13 +85,13 @@ static void place_rows(Diagram *d, const DiagramNode *n)
 typedef struct Ports { int32_t *x; } Ports;       // by link
 
 // Places each line as near to its other end as the state's width allows, and at least PORT from the next.
-static void spread_ports(const Layout *l, const Item *i, const Links *links, uint32_t item, bool below, int32_t *port)
+static void spread_ports(const Layout *l, const LayoutItem *i, const LayoutLinks *links, uint32_t item, bool below, int32_t *port)
 {
     const uint32_t first = links->first[item], n = links->first[item + 1] - first;
     const int32_t half = l->d->node[i->ref].box.w / 2 - PORT / 2 - 2;
 
     for (uint32_t k = 0; k < n; k++) {
-        const Link *link = &l->link.at[links->at[first + k]];
+        const LayoutLink *link = &l->link.at[links->at[first + k]];
         const int32_t to = l->item.at[below ? link->below : link->above].x, low = i->x - half + (int32_t)k * PORT;
         int32_t x = to < low ? to < i->x - half ? low : low : to;
         if (k > 0 && x < port[links->at[first + k - 1]] + PORT)
@@ -109,14 +109,14 @@ static void spread_ports(const Layout *l, const Item *i, const Links *links, uin
 static void find_ports(const Layout *l, int32_t *top, int32_t *bottom)
 {
     for (uint32_t i = 0; i < l->item.n; i++) {
-        const Item *item = &l->item.at[i];
+        const LayoutItem *item = &l->item.at[i];
         if (item->kind == ITEM_NODE) {
             spread_ports(l, item, &l->above, i, false, bottom);
             spread_ports(l, item, &l->below, i, true, top);
         }
     }
     for (uint32_t k = 0; k < l->link.n; k++) {
-        const Item *above = &l->item.at[l->link.at[k].above], *below = &l->item.at[l->link.at[k].below];
+        const LayoutItem *above = &l->item.at[l->link.at[k].above], *below = &l->item.at[l->link.at[k].below];
         if (above->kind != ITEM_NODE)
             top[k] = above->x;
         if (below->kind != ITEM_NODE)
@@ -151,12 +151,12 @@ static void place_items(Layout *l)
     const Layer *last = &l->layer[l->layers - 1];
 
     for (uint32_t i = 0; i < l->item.n; i++) {
-        const Item *item = &l->item.at[i];
+        const LayoutItem *item = &l->item.at[i];
         left = item->x - item->left < left ? item->x - item->left : left;
         right = item->x + item->right > right ? item->x + item->right : right;
     }
     for (uint32_t i = 0; i < l->item.n; i++) {
-        Item *item = &l->item.at[i];
+        LayoutItem *item = &l->item.at[i];
         const int32_t middle = l->layer[item->layer].y + l->layer[item->layer].h / 2;
         Box *box = item->kind == ITEM_NODE ? &l->d->node[item->ref].box : &l->d->edge.at[item->ref].label;
         item->x += MARGIN - left;
@@ -165,7 +165,7 @@ static void place_items(Layout *l)
         box->x = item->x - box->w / 2;
         box->y = middle - box->h / 2;
         if (item->kind == ITEM_NODE)
-            place_rows(l->d, &l->d->node[item->ref]);
+            place_stubs(l->d, &l->d->node[item->ref]);
     }
     l->d->w = right - left + 2 * MARGIN;
     l->d->h = last->y + last->h + MARGIN;
@@ -184,7 +184,7 @@ static void add_point(Layout *l, DiagramEdge *e, int32_t x, int32_t y)
 static void route_down(Layout *l, DiagramEdge *e, uint32_t first, uint32_t end, const int32_t *top, const int32_t *bottom)
 {
     for (uint32_t k = first; k < end; k++) {
-        const Item *above = &l->item.at[l->link.at[k].above], *below = &l->item.at[l->link.at[k].below];
+        const LayoutItem *above = &l->item.at[l->link.at[k].above], *below = &l->item.at[l->link.at[k].below];
         const Layer *from = &l->layer[above->layer], *to = &l->layer[below->layer];
         if (k == first) {
             add_point(l, e, top[k], l->d->node[above->ref].box.y + NODE_H);
@@ -195,7 +195,7 @@ static void route_down(Layout *l, DiagramEdge *e, uint32_t first, uint32_t end, 
     }
 }
 
-static void turn_round(DiagramEdge *e)
+static void reverse_path(DiagramEdge *e)
 {
     for (size_t i = 0; i < e->way.n / 2; i++) {
         const Point p = e->way.at[i];
@@ -216,6 +216,6 @@ void layout_route(Layout *l)
         DiagramEdge *edge = &l->d->edge.at[e];
         route_down(l, edge, l->first_link[e], l->first_link[e + 1], top, bottom);
         if (edge->up)
-            turn_round(edge);
+            reverse_path(edge);
     }
 }

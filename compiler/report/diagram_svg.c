@@ -10,9 +10,9 @@
 
 // Everything with a colour, light and dark.  Shapes convey the same information as colours.
 //   STYLE(selector, light, dark)
-typedef struct Style { const char *selector, *light, *dark; } Style;
+typedef struct DiagramColour { const char *selector, *light, *dark; } DiagramColour;
 
-static const Style styles[] = {
+static const DiagramColour colours[] = {
     {".g-back", "fill:#fff", "fill:#15191f"},
     {"text", "fill:#1c2430", "fill:#e3e8ef"},
     {".g-guard", "fill:#3a4656", "fill:#c3ccd8"},
@@ -29,7 +29,7 @@ static const Style styles[] = {
 };
 
 // The part that is the same for light and dark.
-static const char shapes[] =
+static const char common_style[] =
     ".smc-graph text{font-family:Helvetica,Arial,sans-serif;font-size:11px}\n"
     ".smc-graph .g-name{font-size:13px;font-weight:bold;text-anchor:middle}\n"
     ".smc-graph .g-to{font-weight:bold;text-anchor:middle}\n"
@@ -46,7 +46,7 @@ static const char shapes[] =
     ".smc-graph .g-edge:hover .g-line{stroke-width:3}\n"
     ".smc-graph .g-bang{font-weight:bold;font-size:9px;text-anchor:middle}\n";
 
-static void put_selector(Buf *out, const char *selector)
+static void write_selector(Buf *out, const char *selector)
 {
     buf_str(out, ".smc-graph ");
     for (; *selector; selector++) {
@@ -56,14 +56,14 @@ static void put_selector(Buf *out, const char *selector)
     }
 }
 
-static void put_style(Buf *out)
+static void write_style(Buf *out)
 {
-    buf_printf(out, "<style>\n%s", shapes);
+    buf_printf(out, "<style>\n%s", common_style);
     for (int dark = 0; dark < 2; dark++) {
         buf_str(out, dark ? "@media screen and (prefers-color-scheme:dark){\n" : "");
-        for (size_t i = 0; i < sizeof styles / sizeof *styles; i++) {
-            put_selector(out, styles[i].selector);
-            buf_printf(out, "{%s}\n", dark ? styles[i].dark : styles[i].light);
+        for (size_t i = 0; i < sizeof colours / sizeof *colours; i++) {
+            write_selector(out, colours[i].selector);
+            buf_printf(out, "{%s}\n", dark ? colours[i].dark : colours[i].light);
         }
     }
     buf_str(out, "}\n</style>\n");
@@ -71,16 +71,16 @@ static void put_style(Buf *out)
 
 // ---- pieces ----
 
-static void put_text(Buf *out, const char *class, int32_t x, int32_t y, const char *text)
+static void write_text(Buf *out, const char *class, int32_t x, int32_t y, const char *text)
 {
     buf_printf(out, "<text class=\"%s\" x=\"%ld\" y=\"%ld\">", class, (long)x, (long)y);
     xml_put(out, text);
     buf_str(out, "</text>");
 }
 
-typedef enum Towards { DOWN, UP, RIGHT, LEFT } Towards;
+typedef enum ArrowDirection { DOWN, UP, RIGHT, LEFT } ArrowDirection;
 
-static void put_head(Buf *out, Point tip, Towards to)
+static void write_arrowhead(Buf *out, Point tip, ArrowDirection to)
 {
     static const char *const shape[] = {"l-4 -9h8z", "l-4 9h8z", "l-9 -4v8z", "l9 -4v8z"};
 
@@ -88,7 +88,7 @@ static void put_head(Buf *out, Point tip, Towards to)
 }
 
 // Writes the mark for all findings of one place: the number of its note, coloured by severity.  The findings are its tooltip.
-static void put_mark(Buf *out, const Findings *f, uint32_t number, int32_t x, int32_t y)
+static void write_mark(Buf *out, const DiagramFindings *f, uint32_t number, int32_t x, int32_t y)
 {
     char text[12];
 
@@ -105,7 +105,7 @@ static void put_mark(Buf *out, const Findings *f, uint32_t number, int32_t x, in
     }
     buf_printf(out, "</title><path class=\"g-mark%s\" d=\"M%ld %ldl8 14h-16z\"/>", error ? " g-error" : "", (long)x, (long)y - 8);
     snprintf(text, sizeof text, "%lu", (unsigned long)number);
-    put_text(out, "g-bang", x, y + 5, text);
+    write_text(out, "g-bang", x, y + 5, text);
     buf_str(out, "</g>");
 }
 
@@ -120,7 +120,7 @@ static const char *box_class(const DiagramNode *n)
 }
 
 // @abort: cut corners; @safe: round ends; others: rounded corners.  `in`: inset from the box.
-static void put_outline(Buf *out, const char *class, const DiagramNode *n, Box b, int32_t in)
+static void write_outline(Buf *out, const char *class, const DiagramNode *n, Box b, int32_t in)
 {
     const long x = b.x + in, y = b.y + in, w = b.w - 2 * in, h = b.h - 2 * in, cut = h / 3;
 
@@ -132,14 +132,14 @@ static void put_outline(Buf *out, const char *class, const DiagramNode *n, Box b
                    n->state->is_safe ? h / 2 : h / 5);
 }
 
-static void put_state_title(Buf *out, const Diagram *d, const DiagramNode *n)
+static void write_state_title(Buf *out, const Diagram *d, const DiagramNode *n)
 {
     buf_str(out, "<title>");
     xml_put(out, n->state->name->text);
     buf_printf(out, "%s%s%s%s", n->state->number == 1 ? ", initial state" : "", n->state->is_abort ? ", @abort" : "",
                n->state->is_safe ? ", @safe" : "", n->reached ? "" : ", unreachable");
     if (d->o->counts)
-        buf_printf(out, "\n%s", count_text(d, "entered", node_count(d, n)));
+        buf_printf(out, "\n%s", diagram_count_text(d, "entered", diagram_node_count(d, n)));
     for (size_t i = 0; i < n->stub_in.n; i++) {
         buf_str(out, i ? ", " : "\nreached from ");
         xml_put(out, d->node[d->edge.at[n->stub_in.at[i]].from].state->name->text);
@@ -147,41 +147,41 @@ static void put_state_title(Buf *out, const Diagram *d, const DiagramNode *n)
     buf_str(out, "</title>");
 }
 
-static void put_state(Buf *out, const Diagram *d, const DiagramNode *n)
+static void write_state(Buf *out, const Diagram *d, const DiagramNode *n)
 {
     const Box b = n->box;
     const int32_t middle = b.y + b.h / 2;
 
-    buf_printf(out, "<g class=\"g-node%s%s\">", n->reached ? "" : " g-never", run_class(d, node_count(d, n)));
-    put_state_title(out, d, n);
-    put_outline(out, box_class(n), n, b, 0);
+    buf_printf(out, "<g class=\"g-node%s%s\">", n->reached ? "" : " g-never", run_class(d, diagram_node_count(d, n)));
+    write_state_title(out, d, n);
+    write_outline(out, box_class(n), n, b, 0);
     if (n->state->is_safe)
-        put_outline(out, n->state->is_abort ? "g-in g-abort" : "g-in g-safe", n, b, 4);
-    put_text(out, "g-name", b.x + b.w / 2, middle + 5, n->name);
+        write_outline(out, n->state->is_abort ? "g-in g-abort" : "g-in g-safe", n, b, 4);
+    write_text(out, "g-name", b.x + b.w / 2, middle + 5, n->name);
     if (n->from) {
         const Point tip = {b.x, middle};
-        put_text(out, "g-guard g-end", b.x - 26, middle + 4, n->from);
+        write_text(out, "g-guard g-end", b.x - 26, middle + 4, n->from);
         buf_printf(out, "<path class=\"g-line\" d=\"M%ld %ldh14\"/>", (long)b.x - 22, (long)middle);
-        put_head(out, tip, RIGHT);
+        write_arrowhead(out, tip, RIGHT);
     }
-    put_mark(out, &n->finding, n->mark, b.x + b.w - 2, b.y);
+    write_mark(out, &n->finding, n->mark, b.x + b.w - 2, b.y);
     buf_str(out, "</g>\n");
 }
 
-static void put_start(Buf *out, const DiagramNode *n)
+static void write_start(Buf *out, const DiagramNode *n)
 {
     const Point tip = {n->box.x + n->box.w / 2, n->box.y};
 
     buf_printf(out, "<g><title>initial state</title><circle class=\"g-start\" cx=\"%ld\" cy=\"%ld\" r=\"5\"/>", (long)tip.x,
                (long)tip.y - 24);
     buf_printf(out, "<path class=\"g-line\" d=\"M%ld %ldv-16\"/>", (long)tip.x, (long)tip.y - 6);
-    put_head(out, tip, DOWN);
+    write_arrowhead(out, tip, DOWN);
     buf_str(out, "</g>\n");
 }
 
 // ---- transitions ----
 
-static void put_edge_title(Buf *out, const Diagram *d, const DiagramEdge *e)
+static void write_edge_title(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
     buf_str(out, "<title>");
     xml_put(out, d->node[e->from].state->name->text);
@@ -193,21 +193,21 @@ static void put_edge_title(Buf *out, const Diagram *d, const DiagramEdge *e)
         buf_str(out, e->guard.at[g].possible ? "" : " (never)");
     }
     if (d->o->counts)
-        buf_printf(out, "\n%s", edge_count_text(d, e));
+        buf_printf(out, "\n%s", diagram_edge_count_text(d, e));
     buf_str(out, "</title>");
 }
 
 // Writes the guards, each line centred in the label or aligned to its left.
-static void put_guards(Buf *out, const DiagramEdge *e, bool centred)
+static void write_guards(Buf *out, const DiagramEdge *e, bool centred)
 {
     const int32_t x = centred ? e->label.x + e->label.w / 2 : e->label.x;
     int32_t y = e->label.y;
 
     for (size_t g = 0; g < e->guard.n; g++) {
-        const Guard *guard = &e->guard.at[g];
-        put_mark(out, &guard->finding, guard->mark, e->label.x + e->label.w + 4, y + 7);
+        const DiagramGuard *guard = &e->guard.at[g];
+        write_mark(out, &guard->finding, guard->mark, e->label.x + e->label.w + 4, y + 7);
         for (size_t i = 0; i < guard->line.n; i++, y += GUARD_LINE)
-            put_text(out, centred ? "g-guard g-mid" : "g-guard", x, y + 11, guard->line.at[i].text);
+            write_text(out, centred ? "g-guard g-mid" : "g-guard", x, y + 11, guard->line.at[i].text);
         if (g + 1 < e->guard.n)
             buf_printf(out, "<path class=\"g-rule\" d=\"M%ld %ldh%ld\"/>", (long)e->label.x, (long)y + GUARD_GAP / 2,
                        (long)e->label.w);
@@ -216,7 +216,7 @@ static void put_guards(Buf *out, const DiagramEdge *e, bool centred)
 }
 
 // Point i of the path as drawn.  The path ends slightly before the tip of the arrowhead, so that the tip stays sharp.
-static Point way_point(const DiagramEdge *e, size_t i)
+static Point path_point(const DiagramEdge *e, size_t i)
 {
     const int32_t tip = e->way.at[e->way.n - 1].y, end = tip + (e->up ? 6 : -6);
     Point p = e->way.at[i];
@@ -226,79 +226,79 @@ static Point way_point(const DiagramEdge *e, size_t i)
     return p;
 }
 
-static void put_vertical(Buf *out, int32_t from, int32_t to)
+static void write_vertical(Buf *out, int32_t from, int32_t to)
 {
     if (from != to)
         buf_printf(out, "V%ld", (long)to);
 }
 
 // Writes a vertical line, interrupted for the label if it is on the line.
-static void put_straight(Buf *out, const DiagramEdge *e, Point from, Point to)
+static void write_straight(Buf *out, const DiagramEdge *e, Point from, Point to)
 {
     const int32_t above = e->label.y - 2, below = e->label.y + e->label.h + 2;
 
     if (from.x == e->label.x + e->label.w / 2 && from.y <= above && to.y >= below) {
-        put_vertical(out, from.y, above);
+        write_vertical(out, from.y, above);
         buf_printf(out, "M%ld %ld", (long)to.x, (long)below);
-        put_vertical(out, below, to.y);
+        write_vertical(out, below, to.y);
     } else if (from.x == e->label.x + e->label.w / 2 && from.y >= below && to.y <= above) {
-        put_vertical(out, from.y, below);
+        write_vertical(out, from.y, below);
         buf_printf(out, "M%ld %ld", (long)to.x, (long)above);
-        put_vertical(out, above, to.y);
+        write_vertical(out, above, to.y);
     } else {
-        put_vertical(out, from.y, to.y);
+        write_vertical(out, from.y, to.y);
     }
 }
 
-static void put_curve(Buf *out, Point from, Point to)
+static void write_curve(Buf *out, Point from, Point to)
 {
     const long middle = (from.y + to.y) / 2;
 
     if (from.x == to.x)
-        put_vertical(out, from.y, to.y);
+        write_vertical(out, from.y, to.y);
     else
         buf_printf(out, "C%ld %ld %ld %ld %ld %ld", (long)from.x, middle, (long)to.x, middle, (long)to.x, (long)to.y);
 }
 
-static void put_way(Buf *out, const DiagramEdge *e)
+static void write_path(Buf *out, const DiagramEdge *e)
 {
-    const Point start = way_point(e, 0);
+    const Point start = path_point(e, 0);
 
     buf_printf(out, "<path class=\"g-line\" d=\"M%ld %ld", (long)start.x, (long)start.y);
     for (size_t i = 0; i < e->way.n; i += 2) {
-        put_straight(out, e, way_point(e, i), way_point(e, i + 1));
+        write_straight(out, e, path_point(e, i), path_point(e, i + 1));
         if (i + 2 < e->way.n)
-            put_curve(out, way_point(e, i + 1), way_point(e, i + 2));
+            write_curve(out, path_point(e, i + 1), path_point(e, i + 2));
     }
     buf_str(out, "\"/>");
-    put_head(out, e->way.at[e->way.n - 1], e->up ? UP : DOWN);
+    write_arrowhead(out, e->way.at[e->way.n - 1], e->up ? UP : DOWN);
 }
 
 // Draws a stub: a line from a state to the name of the other state, and that name.
-static void put_beside(Buf *out, const Diagram *d, const DiagramEdge *e)
+static void write_stub(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
     const DiagramNode *from = &d->node[e->from], *to = &d->node[e->to];
     const int32_t right = from->box.x + from->box.w, middle = from->box.y + from->box.h / 2, y = e->name.y + e->name.h / 2;
     const Point tip = {e->name.x, y};
 
     buf_printf(out, "<path class=\"g-line\" d=\"M%ld %ldh8V%ldH%ld\"/>", (long)right, (long)middle, (long)y, (long)tip.x - 6);
-    put_head(out, tip, RIGHT);
-    put_outline(out, box_class(to), to, e->name, 0);
-    put_text(out, "g-to", e->name.x + e->name.w / 2, y + 4, to->name);
+    write_arrowhead(out, tip, RIGHT);
+    write_outline(out, box_class(to), to, e->name, 0);
+    write_text(out, "g-to", e->name.x + e->name.w / 2, y + 4, to->name);
 }
 
 // Draws the loop of a state without stubs.
-static void put_loop(Buf *out, const Diagram *d, const DiagramEdge *e)
+static void write_loop(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
     const DiagramNode *n = &d->node[e->from];
     const Point tip = {n->box.x + n->box.w, n->box.y + n->box.h / 2 + 8};
 
     buf_printf(out, "<path class=\"g-line\" d=\"M%ld %ldc28 -10 32 16 6 16\"/>", (long)tip.x, (long)tip.y - 16);
-    put_head(out, tip, LEFT);
+    write_arrowhead(out, tip, LEFT);
 }
 
 // Lines taken often are wider: half a pixel more for each doubling of the count, up to 6.4.
-static void put_width(Buf *out, uint64_t count)
+static void write_width(Buf *out, uint64_t count)
 {
     unsigned tenths = 14;
 
@@ -308,25 +308,25 @@ static void put_width(Buf *out, uint64_t count)
         buf_printf(out, " stroke-width=\"%u.%u\"", tenths / 10, tenths % 10);
 }
 
-static void put_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
+static void write_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
-    buf_printf(out, "<g class=\"g-edge%s%s\"", e->possible ? "" : " g-never", run_class(d, edge_count(d, e)));
-    put_width(out, edge_count(d, e));
+    buf_printf(out, "<g class=\"g-edge%s%s\"", e->possible ? "" : " g-never", run_class(d, diagram_edge_count(d, e)));
+    write_width(out, diagram_edge_count(d, e));
     buf_str(out, ">");
-    put_edge_title(out, d, e);
+    write_edge_title(out, d, e);
     if (e->form == EDGE_LINE)
-        put_way(out, e);
+        write_path(out, e);
     else if (e->form == EDGE_LOOP)
-        put_loop(out, d, e);
+        write_loop(out, d, e);
     else
-        put_beside(out, d, e);
-    put_guards(out, e, e->form == EDGE_LINE);
+        write_stub(out, d, e);
+    write_guards(out, e, e->form == EDGE_LINE);
     buf_str(out, "</g>\n");
 }
 
 // ---- the whole diagram ----
 
-static void put_description(Buf *out, const Diagram *d)
+static void write_description(Buf *out, const Diagram *d)
 {
     buf_str(out, "<title>State diagram of ");
     xml_put(out, d->a->p->name->text);
@@ -337,27 +337,27 @@ static void put_description(Buf *out, const Diagram *d)
     buf_str(out, ".</desc>\n");
 }
 
-void diagram_svg(const Analysis *a, const DiagramOptions *o, Buf *out)
+void diagram_write_svg(const Analysis *a, const DiagramOptions *o, Buf *out)
 {
-    Diagram *d = diagram_of(a, o);
-    SvgNotes notes;
+    Diagram *d = diagram_build(a, o);
+    DiagramNotes notes;
     DiagramSize size;
 
     layout_diagram(d);
-    svg_number_notes(d, &notes);
+    diagram_number_notes(d, &notes);
     size = (DiagramSize){notes.w > d->w ? notes.w : d->w, d->h + notes.h};
     if (o->size)
         *o->size = size;
     buf_str(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"smc-graph\" role=\"img\" stroke-width=\"1.4\"");
     buf_printf(out, " width=\"%ld\" height=\"%ld\" viewBox=\"0 0 %ld %ld\">\n", (long)size.w, (long)size.h, (long)size.w, (long)size.h);
-    put_description(out, d);
-    put_style(out);
+    write_description(out, d);
+    write_style(out);
     buf_printf(out, "<rect class=\"g-back\" width=\"%ld\" height=\"%ld\" rx=\"8\"/>\n", (long)size.w, (long)size.h);
-    put_start(out, &d->node[0]);
+    write_start(out, &d->node[0]);
     for (size_t e = 0; e < d->edge.n; e++)
-        put_edge(out, d, &d->edge.at[e]);
+        write_edge(out, d, &d->edge.at[e]);
     for (size_t n = 0; n < d->nodes; n++)
-        put_state(out, d, &d->node[n]);
-    svg_put_notes(&notes, out);
+        write_state(out, d, &d->node[n]);
+    diagram_write_notes(&notes, out);
     buf_str(out, "</svg>\n");
 }

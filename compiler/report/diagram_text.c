@@ -24,7 +24,7 @@ static const uint16_t letter_width[2][95] = {
 enum { OTHER_WIDTH = 1000 };      // of characters outside ASCII
 
 // The width of the character at s in thousandths of the font size, and its length in bytes.
-static int32_t letter(const char *s, size_t n, bool bold, size_t *bytes)
+static int32_t character_width(const char *s, size_t n, bool bold, size_t *bytes)
 {
     uint32_t code;
 
@@ -34,59 +34,59 @@ static int32_t letter(const char *s, size_t n, bool bold, size_t *bytes)
     return *bytes == 1 && *s >= ' ' && *s <= '~' ? letter_width[bold][*s - ' '] : OTHER_WIDTH;
 }
 
-static int32_t width_of(const char *text, size_t n, int32_t size, bool bold)
+static int32_t measure_text(const char *text, size_t n, int32_t size, bool bold)
 {
     int64_t sum = 0;
     size_t bytes;
 
     for (size_t i = 0; i < n; i += bytes)
-        sum += letter(text + i, n - i, bold, &bytes);
+        sum += character_width(text + i, n - i, bold, &bytes);
     return (int32_t)((sum * size + 999) / 1000);
 }
 
-int32_t text_width(const char *text, int32_t size, bool bold)
+int32_t diagram_text_width(const char *text, int32_t size, bool bold)
 {
-    return width_of(text, strlen(text), size, bold);
+    return measure_text(text, strlen(text), size, bold);
 }
 
 // The number of bytes from the start of the text whose width is at most w.
-static size_t fitting(const char *text, size_t n, int32_t size, bool bold, int32_t w)
+static size_t count_fitting_bytes(const char *text, size_t n, int32_t size, bool bold, int32_t w)
 {
     int64_t sum = 0;
     size_t bytes, i;
 
     for (i = 0; i < n; i += bytes) {
-        sum += letter(text + i, n - i, bold, &bytes);
+        sum += character_width(text + i, n - i, bold, &bytes);
         if (sum * size > (int64_t)w * 1000)
             break;
     }
     return i < n ? i : n;
 }
 
-static const char dots[] = "\xe2\x80\xa6";        // …
+static const char ellipsis[] = "\xe2\x80\xa6";    // …
 
-const char *text_cut(Arena *arena, const char *text, int32_t size, bool bold, int32_t w)
+const char *diagram_text_cut(Arena *arena, const char *text, int32_t size, bool bold, int32_t w)
 {
-    const size_t n = strlen(text), fits = fitting(text, n, size, bold, w);
+    const size_t n = strlen(text), fits = count_fitting_bytes(text, n, size, bold, w);
 
     if (fits == n)
         return text;
-    return format_in(arena, "%.*s%s", (int)fitting(text, n, size, bold, w - text_width(dots, size, bold)), text, dots);
+    return format_in(arena, "%.*s%s", (int)count_fitting_bytes(text, n, size, bold, w - diagram_text_width(ellipsis, size, bold)), text, ellipsis);
 }
 
-static bool is_joint(const char *s)
+static bool is_and_or(const char *s)
 {
     return strncmp(s, " and ", 5) == 0 || strncmp(s, " or ", 4) == 0;
 }
 
 // Where to end a line of which `fits` bytes would fit: at a blank, as far right as possible.  A break before "and" or "or" gains three
 // quarters of a line; one after a comma or an operator costs a third.  Without a blank, at `fits`.
-static size_t line_end(const char *text, size_t fits)
+static size_t find_line_end(const char *text, size_t fits)
 {
     size_t best = 0, found = 0;
 
     for (size_t i = 1; i <= fits; i++) {
-        const bool joint = is_joint(text + i) && strncmp(text, dots, i) != 0;         // "… and" stays together
+        const bool joint = is_and_or(text + i) && strncmp(text, ellipsis, i) != 0;    // "… and" stays together
         const size_t worth = fits + i + (joint ? fits * 3 / 4 : 0) - (strchr(",<>=+-*/", text[i - 1]) ? fits / 3 : 0);
         if (text[i] == ' ' && worth >= best) {
             best = worth;
@@ -96,34 +96,34 @@ static size_t line_end(const char *text, size_t fits)
     return found ? found : fits ? fits : 1;
 }
 
-static void add_line(Arena *arena, TextLines *out, const char *text, int32_t size)
+static void add_line(Arena *arena, DiagramLines *out, const char *text, int32_t size)
 {
-    TextLine line = {text, text_width(text, size, false)};
+    DiagramLine line = {text, diagram_text_width(text, size, false)};
 
     vec_push(arena, out, line);
 }
 
-TextLines text_wrap(Arena *arena, const char *text, int32_t size, int32_t w, size_t lines)
+DiagramLines diagram_text_wrap(Arena *arena, const char *text, int32_t size, int32_t w, size_t lines)
 {
-    TextLines out = {NULL, 0, 0};
+    DiagramLines out = {NULL, 0, 0};
 
     while (out.n + 1 < lines) {
-        const size_t n = strlen(text), fits = fitting(text, n, size, false, w);
+        const size_t n = strlen(text), fits = count_fitting_bytes(text, n, size, false, w);
         size_t end;
         if (fits == n)
             break;
-        end = line_end(text, fits);
+        end = find_line_end(text, fits);
         add_line(arena, &out, format_in(arena, "%.*s", (int)end, text), size);
         text += end + (text[end] == ' ');
     }
-    add_line(arena, &out, text_cut(arena, text, size, false, w), size);
+    add_line(arena, &out, diagram_text_cut(arena, text, size, false, w), size);
     return out;
 }
 
-bool text_is_cut(const TextLines *lines)
+bool diagram_text_is_cut(const DiagramLines *lines)
 {
     const char *last = lines->at[lines->n - 1].text;
-    const size_t n = strlen(last), tail = sizeof dots - 1;
+    const size_t n = strlen(last), tail = sizeof ellipsis - 1;
 
-    return n >= tail && strcmp(last + n - tail, dots) == 0;
+    return n >= tail && strcmp(last + n - tail, ellipsis) == 0;
 }

@@ -11,7 +11,7 @@ void doc_section(Doc *d, const char *id, const char *title)
     vec_push(d->arena, &d->section, s);
 }
 
-static DocPart *add(Doc *d, DocKind kind)
+static DocPart *add_part(Doc *d, DocKind kind)
 {
     DocSection *s = d->section.at[d->section.n - 1];
     DocPart part = {.kind = kind};
@@ -22,18 +22,18 @@ static DocPart *add(Doc *d, DocKind kind)
 
 DocPart *doc_heading(Doc *d, const char *id, const char *text)
 {
-    DocPart *p = add(d, DOC_HEADING);
+    DocPart *p = add_part(d, DOC_HEADING);
 
     p->id = id;
     p->text = text;
     return p;
 }
 
-void doc_paragraph(Doc *d, const char *text) { add(d, DOC_PARAGRAPH)->text = text; }
+void doc_paragraph(Doc *d, const char *text) { add_part(d, DOC_PARAGRAPH)->text = text; }
 
 void doc_plain(Doc *d, const char *text)
 {
-    DocPart *p = add(d, DOC_PARAGRAPH);
+    DocPart *p = add_part(d, DOC_PARAGRAPH);
 
     p->text = text;
     p->plain = true;
@@ -42,13 +42,13 @@ void doc_plain(Doc *d, const char *text)
 void doc_quote(Doc *d, const char *plain)
 {
     if (plain && *plain)
-        add(d, DOC_QUOTE)->text = plain;
+        add_part(d, DOC_QUOTE)->text = plain;
 }
 
 void doc_lines(Doc *d, const char *plain)
 {
     if (*plain)
-        add(d, DOC_LINES)->text = plain;
+        add_part(d, DOC_LINES)->text = plain;
 }
 
 void doc_excerpt(Doc *d, Span span, const char *label)
@@ -57,21 +57,21 @@ void doc_excerpt(Doc *d, Span span, const char *label)
 
     if (!span.src)
         return;
-    p = add(d, DOC_EXCERPT);
+    p = add_part(d, DOC_EXCERPT);
     p->span = span;
     p->text = label;
 }
 
 DocPart *doc_figure(Doc *d, const char *svg, const char *caption)
 {
-    DocPart *p = add(d, DOC_FIGURE);
+    DocPart *p = add_part(d, DOC_FIGURE);
 
     p->text = svg;
     p->badge = caption;
     return p;
 }
 
-void doc_source(Doc *d, const Source *src) { add(d, DOC_SOURCE)->source = src; }
+void doc_source(Doc *d, const Source *src) { add_part(d, DOC_SOURCE)->source = src; }
 
 DocTable *doc_table(Doc *d, const char *key, const DocColumn *column, size_t columns)
 {
@@ -81,7 +81,7 @@ DocTable *doc_table(Doc *d, const char *key, const DocColumn *column, size_t col
     t->key = key;
     t->column = column;
     t->columns = columns;
-    add(d, DOC_TABLE)->table = t;
+    add_part(d, DOC_TABLE)->table = t;
     return t;
 }
 
@@ -92,7 +92,7 @@ DocList *doc_list(Doc *d, const char *key, const char *label)
     l->arena = d->arena;
     l->key = key;
     l->label = label;
-    add(d, DOC_LIST)->list = l;
+    add_part(d, DOC_LIST)->list = l;
     return l;
 }
 
@@ -120,26 +120,26 @@ const char *doc_unmarked(Arena *arena, const char *text)
 
 // ---- cells ----
 
-static void cell(DocTable *t, DocCellKind kind, const char *text, uint64_t number, uint64_t most)
+static void add_cell(DocTable *t, DocCellKind kind, const char *text, uint64_t number, uint64_t most)
 {
     DocCell c = {kind, text ? text : "", number, most};
 
     vec_push(t->arena, &t->cell, c);
 }
 
-void cell_text(DocTable *t, const char *text) { cell(t, CELL_TEXT, text, 0, 0); }
-void cell_plain(DocTable *t, const char *text) { cell(t, CELL_PLAIN, text, 0, 0); }
-void cell_code(DocTable *t, const char *text) { cell(t, CELL_CODE, text, 0, 0); }
-void cell_number(DocTable *t, uint64_t n) { cell(t, CELL_NUMBER, NULL, n, 0); }
-void cell_bar(DocTable *t, uint64_t n, uint64_t most) { cell(t, CELL_BAR, NULL, n, most); }
-void cell_line(DocTable *t, uint32_t line) { cell(t, CELL_LINE, NULL, line, 0); }
-void cell_state(DocTable *t, const char *name) { cell(t, CELL_STATE, name, 0, 0); }
+void doc_cell_text(DocTable *t, const char *text) { add_cell(t, CELL_TEXT, text, 0, 0); }
+void doc_cell_plain(DocTable *t, const char *text) { add_cell(t, CELL_PLAIN, text, 0, 0); }
+void doc_cell_code(DocTable *t, const char *text) { add_cell(t, CELL_CODE, text, 0, 0); }
+void doc_cell_number(DocTable *t, uint64_t n) { add_cell(t, CELL_NUMBER, NULL, n, 0); }
+void doc_cell_bar(DocTable *t, uint64_t n, uint64_t most) { add_cell(t, CELL_BAR, NULL, n, most); }
+void doc_cell_line(DocTable *t, uint32_t line) { add_cell(t, CELL_LINE, NULL, line, 0); }
+void doc_cell_state(DocTable *t, const char *name) { add_cell(t, CELL_STATE, name, 0, 0); }
 
-void list_line(DocList *l, unsigned depth, uint32_t line, const char *text)
+void doc_list_line(DocList *l, unsigned depth, uint32_t line, const char *text)
 {
     DocLine one = {depth, text, line, NULL};
 
     vec_push(l->arena, &l->line, one);
 }
 
-void list_comment(DocList *l, const char *plain) { l->line.at[l->line.n - 1].comment = plain; }
+void doc_list_comment(DocList *l, const char *plain) { l->line.at[l->line.n - 1].comment = plain; }

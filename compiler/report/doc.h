@@ -111,16 +111,16 @@ DocList *doc_list(Doc *d, const char *key, const char *label);
 #define DOC_TABLE_OF(d, key, column) doc_table((d), (key), (column), sizeof(column) / sizeof(column)[0])
 
 // Each adds the next cell of a table.
-void cell_text(DocTable *t, const char *text);
-void cell_plain(DocTable *t, const char *text);
-void cell_code(DocTable *t, const char *text);
-void cell_number(DocTable *t, uint64_t n);
-void cell_bar(DocTable *t, uint64_t n, uint64_t most);
-void cell_line(DocTable *t, uint32_t line);
-void cell_state(DocTable *t, const char *name);
+void doc_cell_text(DocTable *t, const char *text);
+void doc_cell_plain(DocTable *t, const char *text);
+void doc_cell_code(DocTable *t, const char *text);
+void doc_cell_number(DocTable *t, uint64_t n);
+void doc_cell_bar(DocTable *t, uint64_t n, uint64_t most);
+void doc_cell_line(DocTable *t, uint32_t line);
+void doc_cell_state(DocTable *t, const char *name);
 
-void list_line(DocList *l, unsigned depth, uint32_t line, const char *text);
-void list_comment(DocList *l, const char *plain);     // for the last line
+void doc_list_line(DocList *l, unsigned depth, uint32_t line, const char *text);
+void doc_list_comment(DocList *l, const char *plain);  // for the last line
 
 // ---- writing ----
 

@@ -9,7 +9,7 @@
 
 // ---- text ----
 
-static void put_character(Buf *out, const char *text, size_t len, uint32_t code)
+static void write_character(Buf *out, const char *text, size_t len, uint32_t code)
 {
     if (len == 0)
         buf_str(out, "\xef\xbf\xbd");
@@ -34,7 +34,7 @@ void html_put(Buf *out, const char *text, size_t n)
     while (n > 0) {
         uint32_t code = 0;
         const size_t len = utf8_decode(text, n, &code), used = len ? len : 1;
-        put_character(out, text, len, code);
+        write_character(out, text, len, code);
         text += used;
         n -= used;
     }
@@ -42,7 +42,7 @@ void html_put(Buf *out, const char *text, size_t n)
 
 void html_str(Buf *out, const char *text) { html_put(out, text, strlen(text)); }
 
-static void put_state_link(Buf *out, const char *name, size_t n)
+static void write_state_link(Buf *out, const char *name, size_t n)
 {
     buf_str(out, "<a class=\"st\" href=\"#state-");
     html_put(out, name, n);
@@ -52,7 +52,7 @@ static void put_state_link(Buf *out, const char *name, size_t n)
 }
 
 // Handles markup: `code` in backticks, ^a state^.
-static void put_marked(Buf *out, const char *text)
+static void write_marked(Buf *out, const char *text)
 {
     while (*text) {
         const size_t n = strcspn(text, "`^");
@@ -64,7 +64,7 @@ static void put_marked(Buf *out, const char *text)
         text += n + 1;
         inner = strcspn(text, mark == '`' ? "`" : "^");
         if (mark == '^')
-            put_state_link(out, text, inner);
+            write_state_link(out, text, inner);
         else {
             buf_str(out, "<code>");
             html_put(out, text, inner);
@@ -74,7 +74,7 @@ static void put_marked(Buf *out, const char *text)
     }
 }
 
-static void put_line_link(Buf *out, uint32_t line)
+static void write_line_link(Buf *out, uint32_t line)
 {
     if (line)
         buf_printf(out, "<a class=\"ln\" href=\"#L%lu\">%lu</a>", (unsigned long)line, (unsigned long)line);
@@ -82,17 +82,17 @@ static void put_line_link(Buf *out, uint32_t line)
 
 // ---- tables ----
 
-static void put_bar(Buf *out, uint64_t n, uint64_t most)
+static void write_bar(Buf *out, uint64_t n, uint64_t most)
 {
     const unsigned long share = most ? (unsigned long)(n * 100 / most) : 0;
 
     buf_printf(out, "<span class=\"bar\"><i style=\"width:%lu%%\"></i></span> %llu", share, (unsigned long long)n);
 }
 
-static void put_cell(Buf *out, const DocCell *c)
+static void write_cell(Buf *out, const DocCell *c)
 {
     switch (c->kind) {
-    case CELL_TEXT: put_marked(out, c->text); break;
+    case CELL_TEXT: write_marked(out, c->text); break;
     case CELL_PLAIN: html_str(out, c->text); break;
     case CELL_CODE:
         if (*c->text) {
@@ -102,48 +102,48 @@ static void put_cell(Buf *out, const DocCell *c)
         }
         break;
     case CELL_NUMBER: buf_printf(out, "%llu", (unsigned long long)c->number); break;
-    case CELL_BAR: put_bar(out, c->number, c->most); break;
-    case CELL_LINE: put_line_link(out, (uint32_t)c->number); break;
+    case CELL_BAR: write_bar(out, c->number, c->most); break;
+    case CELL_LINE: write_line_link(out, (uint32_t)c->number); break;
     case CELL_STATE:
-        put_state_link(out, c->text, strlen(c->text));
+        write_state_link(out, c->text, strlen(c->text));
         break;
     }
 }
 
 // Prevents a line break at the hyphen of -Wflight.
-static const char *class_of(const DocCell *c)
+static const char *cell_class(const DocCell *c)
 {
     if (c->kind == CELL_PLAIN && c->text[0] == '-')
         return " class=\"b\"";
     return c->kind == CELL_NUMBER || c->kind == CELL_LINE ? " class=\"n\"" : c->kind == CELL_BAR ? " class=\"b\"" : "";
 }
 
-static void put_facts(Buf *out, const DocTable *t)
+static void write_facts(Buf *out, const DocTable *t)
 {
     buf_str(out, "<dl>\n");
     for (size_t i = 0; i + 1 < t->cell.n; i += t->columns) {
         buf_str(out, "<div><dt>");
-        put_cell(out, &t->cell.at[i]);
+        write_cell(out, &t->cell.at[i]);
         buf_str(out, "</dt><dd>");
-        put_cell(out, &t->cell.at[i + 1]);
+        write_cell(out, &t->cell.at[i + 1]);
         buf_str(out, "</dd></div>\n");
     }
     buf_str(out, "</dl>\n");
 }
 
-static void put_table(Buf *out, const DocTable *t)
+static void write_table(Buf *out, const DocTable *t)
 {
     const bool *used = doc_columns_used(t);
 
     if (t->facts) {
-        put_facts(out, t);
+        write_facts(out, t);
         return;
     }
     buf_printf(out, "<div class=\"wide\"><table%s>\n<thead><tr>", t->narrow ? " class=\"narrow\"" : "");
     for (size_t i = 0; i < t->columns; i++) {
         if (!used[i])
             continue;
-        buf_printf(out, "<th scope=\"col\"%s>", t->cell.n ? class_of(&t->cell.at[i]) : "");
+        buf_printf(out, "<th scope=\"col\"%s>", t->cell.n ? cell_class(&t->cell.at[i]) : "");
         html_str(out, t->column[i].title);
         buf_str(out, "</th>");
     }
@@ -153,8 +153,8 @@ static void put_table(Buf *out, const DocTable *t)
             buf_str(out, i ? "</tr>\n<tr>" : "<tr>");
         if (!used[i % t->columns])
             continue;
-        buf_printf(out, "<td%s>", class_of(&t->cell.at[i]));
-        put_cell(out, &t->cell.at[i]);
+        buf_printf(out, "<td%s>", cell_class(&t->cell.at[i]));
+        write_cell(out, &t->cell.at[i]);
         buf_str(out, "</td>");
     }
     buf_str(out, t->cell.n ? "</tr>\n" : "");
@@ -163,12 +163,12 @@ static void put_table(Buf *out, const DocTable *t)
 
 // ---- lists ----
 
-static void put_item(Buf *out, const DocLine *l)
+static void write_item(Buf *out, const DocLine *l)
 {
-    put_marked(out, l->text);
+    write_marked(out, l->text);
     if (l->line) {
         buf_char(out, ' ');
-        put_line_link(out, l->line);
+        write_line_link(out, l->line);
     }
     if (l->comment) {
         buf_str(out, "<span class=\"c\">");
@@ -177,7 +177,7 @@ static void put_item(Buf *out, const DocLine *l)
     }
 }
 
-static void put_list(Buf *out, const DocList *l)
+static void write_list(Buf *out, const DocList *l)
 {
     unsigned open = 0;                                // number of open lists, each inside an item of the previous one
 
@@ -196,7 +196,7 @@ static void put_list(Buf *out, const DocList *l)
         for (; open > depth; open--)
             buf_str(out, "</ul></li>\n");
         buf_str(out, "<li>");
-        put_item(out, &l->line.at[i]);
+        write_item(out, &l->line.at[i]);
     }
     for (; open > 0; open--)
         buf_str(out, "</li></ul>");
@@ -206,7 +206,7 @@ static void put_list(Buf *out, const DocList *l)
 // ---- sources ----
 
 // Writes a source line with its comment in a separate style; `from` to `to` is marked.
-static void put_source_text(Buf *out, const char *line, uint32_t len, uint32_t from, uint32_t to)
+static void write_source_text(Buf *out, const char *line, uint32_t len, uint32_t from, uint32_t to)
 {
     html_put(out, line, from);
     if (to > from) {
@@ -217,7 +217,7 @@ static void put_source_text(Buf *out, const char *line, uint32_t len, uint32_t f
     html_put(out, line + to, len - to);
 }
 
-static void put_excerpt(Buf *out, const DocPart *p)
+static void write_excerpt(Buf *out, const DocPart *p)
 {
     const LineCol at = source_position(p->span.src, p->span.at);
     uint32_t len, from = at.col - 1, to;
@@ -226,7 +226,7 @@ static void put_excerpt(Buf *out, const DocPart *p)
     from = from < len ? from : len;
     to = p->span.len < len - from ? from + p->span.len : len;
     buf_printf(out, "<pre class=\"ex\"><span class=\"no\">%lu</span>", (unsigned long)at.line);
-    put_source_text(out, line, len, from, to);
+    write_source_text(out, line, len, from, to);
     buf_str(out, "</pre>\n");
     if (p->text) {
         buf_str(out, "<p class=\"label\">");
@@ -235,14 +235,14 @@ static void put_excerpt(Buf *out, const DocPart *p)
     }
 }
 
-static void put_source(Buf *out, const Source *src)
+static void write_source(Buf *out, const Source *src)
 {
     buf_str(out, "<pre class=\"source\">");
     for (uint32_t i = 1; i <= src->lines; i++) {
         uint32_t len;
         const char *line = source_line(src, i, &len);
         uint32_t comment = len;
-        comment_starts(line, len, &comment);
+        comment_find_start(line, len, &comment);
         if (i == src->lines && len == 0)
             break;
         buf_printf(out, "<span id=\"L%lu\"><span class=\"no\">%lu</span>", (unsigned long)i, (unsigned long)i);
@@ -259,7 +259,7 @@ static void put_source(Buf *out, const Source *src)
 
 // ---- parts ----
 
-static void put_heading(Buf *out, const DocPart *p)
+static void write_heading(Buf *out, const DocPart *p)
 {
     buf_str(out, "<h3");
     if (p->id || p->state) {
@@ -271,7 +271,7 @@ static void put_heading(Buf *out, const DocPart *p)
     if (p->plain)
         html_str(out, p->text);
     else
-        put_marked(out, p->text);
+        write_marked(out, p->text);
     if (p->badge) {
         buf_printf(out, " <span class=\"badge %s\">", p->tone ? p->tone : "note");
         html_str(out, p->badge);
@@ -280,42 +280,42 @@ static void put_heading(Buf *out, const DocPart *p)
     buf_str(out, "</h3>\n");
 }
 
-static void put_in(Buf *out, const char *open, const char *text, bool marked, const char *close)
+static void write_element(Buf *out, const char *open, const char *text, bool marked, const char *close)
 {
     buf_str(out, open);
     if (marked)
-        put_marked(out, text);
+        write_marked(out, text);
     else
         html_str(out, text);
     buf_str(out, close);
 }
 
-static void put_figure(Buf *out, const DocPart *p)
+static void write_figure(Buf *out, const DocPart *p)
 {
     buf_str(out, p->low ? "<figure class=\"low\">\n" : "<figure>\n");
     buf_str(out, p->text);
     if (p->badge)
-        put_in(out, "<figcaption>", p->badge, true, "</figcaption>\n");
+        write_element(out, "<figcaption>", p->badge, true, "</figcaption>\n");
     buf_str(out, "</figure>\n");
 }
 
-static void put_part(Buf *out, const DocPart *p)
+static void write_part(Buf *out, const DocPart *p)
 {
     switch (p->kind) {
-    case DOC_HEADING: put_heading(out, p); break;
-    case DOC_PARAGRAPH: put_in(out, "<p>", p->text, !p->plain, "</p>\n"); break;
-    case DOC_QUOTE: put_in(out, "<blockquote>", p->text, false, "</blockquote>\n"); break;
-    case DOC_TABLE: put_table(out, p->table); break;
-    case DOC_LIST: put_list(out, p->list); break;
-    case DOC_EXCERPT: put_excerpt(out, p); break;
-    case DOC_LINES: put_in(out, "<pre class=\"ex\">", p->text, false, "</pre>\n"); break;
-    case DOC_FIGURE: put_figure(out, p); break;
-    case DOC_SOURCE: put_source(out, p->source); break;
+    case DOC_HEADING: write_heading(out, p); break;
+    case DOC_PARAGRAPH: write_element(out, "<p>", p->text, !p->plain, "</p>\n"); break;
+    case DOC_QUOTE: write_element(out, "<blockquote>", p->text, false, "</blockquote>\n"); break;
+    case DOC_TABLE: write_table(out, p->table); break;
+    case DOC_LIST: write_list(out, p->list); break;
+    case DOC_EXCERPT: write_excerpt(out, p); break;
+    case DOC_LINES: write_element(out, "<pre class=\"ex\">", p->text, false, "</pre>\n"); break;
+    case DOC_FIGURE: write_figure(out, p); break;
+    case DOC_SOURCE: write_source(out, p->source); break;
     }
 }
 
 // Keeps a heading and everything up to the next heading together on paper.
-static void put_section(Buf *out, const DocSection *s)
+static void write_section(Buf *out, const DocSection *s)
 {
     bool open = false;
 
@@ -327,7 +327,7 @@ static void put_section(Buf *out, const DocSection *s)
             buf_str(out, open ? "</article>\n<article>\n" : "<article>\n");
             open = true;
         }
-        put_part(out, &s->part.at[i]);
+        write_part(out, &s->part.at[i]);
     }
     buf_str(out, open ? "</article>\n</section>\n" : "</section>\n");
 }
@@ -354,7 +354,7 @@ void doc_write_html(const Doc *d, Buf *out)
     }
     buf_str(out, "</ol></nav>\n</header>\n<main>\n");
     for (size_t i = 0; i < d->section.n; i++)
-        put_section(out, d->section.at[i]);
+        write_section(out, d->section.at[i]);
     buf_str(out, "</main>\n<footer><p>Generated by ");
     html_str(out, d->maker);
     buf_str(out, ". The same sources produce the same page, byte for byte.</p></footer>\n</body>\n</html>\n");

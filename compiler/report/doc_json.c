@@ -4,13 +4,13 @@
 #include "compiler/base/json.h"
 #include "compiler/report/doc.h"
 
-static void put_key(Buf *out, const char *key)
+static void write_key(Buf *out, const char *key)
 {
     json_put_string(out, key);
     buf_str(out, ": ");
 }
 
-static void put_cell(Buf *out, const DocCell *c)
+static void write_cell(Buf *out, const DocCell *c)
 {
     if (c->kind == CELL_NUMBER || c->kind == CELL_BAR || c->kind == CELL_LINE)
         buf_printf(out, "%llu", (unsigned long long)c->number);
@@ -18,44 +18,44 @@ static void put_cell(Buf *out, const DocCell *c)
         json_put_string(out, c->kind == CELL_TEXT ? doc_unmarked(out->arena, c->text) : c->text);
 }
 
-static void put_row(Buf *out, const DocTable *t, size_t first)
+static void write_row(Buf *out, const DocTable *t, size_t first)
 {
     buf_char(out, '{');
     for (size_t i = 0; i < t->columns; i++) {
         buf_str(out, i ? ", " : "");
-        put_key(out, t->column[i].key);
-        put_cell(out, &t->cell.at[first + i]);
+        write_key(out, t->column[i].key);
+        write_cell(out, &t->cell.at[first + i]);
     }
     buf_char(out, '}');
 }
 
 // Writes pairs of name and value as one object whose keys are the names.
-static void put_facts(Buf *out, const DocTable *t)
+static void write_facts(Buf *out, const DocTable *t)
 {
     buf_str(out, "{");
     for (size_t i = 0; i + 1 < t->cell.n; i += t->columns) {
         buf_str(out, i ? ",\n      " : "\n      ");
-        put_key(out, t->cell.at[i].text);
-        put_cell(out, &t->cell.at[i + 1]);
+        write_key(out, t->cell.at[i].text);
+        write_cell(out, &t->cell.at[i + 1]);
     }
     buf_str(out, "\n    }");
 }
 
-static void put_table(Buf *out, const DocTable *t)
+static void write_table(Buf *out, const DocTable *t)
 {
     if (t->facts) {
-        put_facts(out, t);
+        write_facts(out, t);
         return;
     }
     buf_char(out, '[');
     for (size_t i = 0; i + t->columns <= t->cell.n; i += t->columns) {
         buf_str(out, i ? ",\n      " : "\n      ");
-        put_row(out, t, i);
+        write_row(out, t, i);
     }
     buf_str(out, t->cell.n ? "\n    ]" : "]");
 }
 
-static void put_list(Buf *out, const DocList *l)
+static void write_list(Buf *out, const DocList *l)
 {
     buf_char(out, '[');
     for (size_t i = 0; i < l->line.n; i++) {
@@ -72,7 +72,7 @@ static void put_list(Buf *out, const DocList *l)
 }
 
 // Writes the parts of one kind as an object by key, if there are any.
-static void put_parts(Buf *out, const DocSection *s, DocKind kind, const char *name)
+static void write_parts(Buf *out, const DocSection *s, DocKind kind, const char *name)
 {
     bool any = false;
 
@@ -85,16 +85,16 @@ static void put_parts(Buf *out, const DocSection *s, DocKind kind, const char *n
         else
             buf_printf(out, ",\n   \"%s\": {\n    ", name);
         any = true;
-        put_key(out, kind == DOC_TABLE ? p->table->key : p->list->key);
+        write_key(out, kind == DOC_TABLE ? p->table->key : p->list->key);
         if (kind == DOC_TABLE)
-            put_table(out, p->table);
+            write_table(out, p->table);
         else
-            put_list(out, p->list);
+            write_list(out, p->list);
     }
     buf_str(out, any ? "}" : "");
 }
 
-static void put_texts(Buf *out, const DocSection *s)
+static void write_texts(Buf *out, const DocSection *s)
 {
     bool any = false;
 
@@ -126,12 +126,12 @@ void doc_write_json(const Doc *d, Buf *out)
         if (!has_data(s))
             continue;
         buf_str(out, ",\n ");
-        put_key(out, s->id);
+        write_key(out, s->id);
         buf_str(out, "{\"title\": ");
         json_put_string(out, s->title);
-        put_texts(out, s);
-        put_parts(out, s, DOC_TABLE, "tables");
-        put_parts(out, s, DOC_LIST, "lists");
+        write_texts(out, s);
+        write_parts(out, s, DOC_TABLE, "tables");
+        write_parts(out, s, DOC_LIST, "lists");
         buf_char(out, '}');
     }
     buf_str(out, "\n}\n");

@@ -17,7 +17,7 @@ static size_t columns_in(const char *text, size_t n)              // one for eac
 }
 
 // Writes text; invisible characters and those that change the text direction are spelled out.
-static void put_seen(Buf *out, const char *text, size_t n)
+static void write_visible(Buf *out, const char *text, size_t n)
 {
     while (n > 0) {
         uint32_t code = 0;
@@ -33,12 +33,12 @@ static void put_seen(Buf *out, const char *text, size_t n)
     }
 }
 
-static void put_underlined(Buf *out, const char *text, char line)
+static void write_underlined(Buf *out, const char *text, char line)
 {
     const size_t start = out->n;
     size_t columns;
 
-    put_seen(out, text, strlen(text));
+    write_visible(out, text, strlen(text));
     columns = columns_in(out->at + start, out->n - start);
     buf_char(out, '\n');
     while (columns-- > 0)
@@ -47,7 +47,7 @@ static void put_underlined(Buf *out, const char *text, char line)
 }
 
 // Wraps a paragraph at WIDE columns; its line ends are preserved.
-static void put_wrapped(Buf *out, const char *text)
+static void write_wrapped(Buf *out, const char *text)
 {
     size_t column = 0;
 
@@ -58,7 +58,7 @@ static void put_wrapped(Buf *out, const char *text)
             column = 0;
         }
         buf_str(out, column ? " " : "");
-        put_seen(out, text, n);
+        write_visible(out, text, n);
         column += columns + 1;
         text += n;
         if (*text == '\n') {
@@ -72,7 +72,7 @@ static void put_wrapped(Buf *out, const char *text)
 
 // ---- tables ----
 
-static const char *cell_of(const DocTable *t, size_t i)
+static const char *cell_string(const DocTable *t, size_t i)
 {
     const DocCell *c = &t->cell.at[i];
     Buf b;
@@ -84,7 +84,7 @@ static const char *cell_of(const DocTable *t, size_t i)
     buf_init(&b, t->arena);
     for (const char *s = c->kind == CELL_TEXT ? doc_unmarked(t->arena, c->text) : c->text; *s;) {
         const size_t n = strcspn(s, "\n");
-        put_seen(&b, s, n);
+        write_visible(&b, s, n);
         s += n;
         buf_str(&b, *s ? "; " : "");
         s += *s != '\0';
@@ -99,7 +99,7 @@ static bool is_right(const DocTable *t, size_t i)     // numbers are right-align
     return k == CELL_NUMBER || k == CELL_BAR || k == CELL_LINE;
 }
 
-static void put_padded(Buf *out, const char *text, size_t wide, bool right)
+static void write_padded(Buf *out, const char *text, size_t wide, bool right)
 {
     const size_t n = columns_in(text, strlen(text)), pad = wide > n ? wide - n : 0;
 
@@ -115,7 +115,7 @@ static void end_row(Buf *out)                         // without trailing blanks
     buf_char(out, '\n');
 }
 
-static size_t *widths(const DocTable *t, const char **text)
+static size_t *measure_columns(const DocTable *t, const char **text)
 {
     size_t *wide = ARENA_ARRAY(t->arena, size_t, t->columns);
 
@@ -123,36 +123,36 @@ static size_t *widths(const DocTable *t, const char **text)
         wide[i] = strlen(t->column[i].title);
     for (size_t i = 0; i < t->cell.n; i++) {
         size_t n;
-        text[i] = cell_of(t, i);
+        text[i] = cell_string(t, i);
         n = columns_in(text[i], strlen(text[i]));
         wide[i % t->columns] = wide[i % t->columns] > n ? wide[i % t->columns] : n;
     }
     return wide;
 }
 
-static void put_head(Buf *out, const DocTable *t, const bool *used, const size_t *wide)
+static void write_head(Buf *out, const DocTable *t, const bool *used, const size_t *wide)
 {
     for (size_t i = 0; i < t->columns; i++)
         if (used[i]) {
             buf_str(out, "  ");
-            put_padded(out, t->column[i].title, wide[i], t->cell.n && is_right(t, i));
+            write_padded(out, t->column[i].title, wide[i], t->cell.n && is_right(t, i));
         }
     end_row(out);
 }
 
-static void put_table(Buf *out, const DocTable *t)
+static void write_table(Buf *out, const DocTable *t)
 {
     const char **text = ARENA_ARRAY(t->arena, const char *, t->cell.n);
-    const size_t *wide = widths(t, text);
+    const size_t *wide = measure_columns(t, text);
     const bool *used = doc_columns_used(t);
 
     if (!t->facts)
-        put_head(out, t, used, wide);
+        write_head(out, t, used, wide);
     for (size_t i = 0; i < t->cell.n; i++) {
         const size_t column = i % t->columns;
         if (used[column]) {
             buf_str(out, "  ");
-            put_padded(out, text[i], wide[column], is_right(t, i) && !t->facts);
+            write_padded(out, text[i], wide[column], is_right(t, i) && !t->facts);
         }
         if (column + 1 == t->columns)
             end_row(out);
@@ -162,19 +162,19 @@ static void put_table(Buf *out, const DocTable *t)
 
 // ---- lists, excerpts and the whole report ----
 
-static void put_comment(Buf *out, const char *comment, size_t indent)
+static void write_comment(Buf *out, const char *comment, size_t indent)
 {
     while (*comment) {
         const size_t n = strcspn(comment, "\n");
         buf_spaces(out, indent);
         buf_str(out, "# ");
-        put_seen(out, comment, n);
+        write_visible(out, comment, n);
         buf_char(out, '\n');
         comment += n + (comment[n] == '\n');
     }
 }
 
-static void put_list(Buf *out, const DocList *l)
+static void write_list(Buf *out, const DocList *l)
 {
     if (l->label)
         buf_printf(out, "  %s\n", l->label);
@@ -182,25 +182,25 @@ static void put_list(Buf *out, const DocList *l)
         buf_spaces(out, 4 + 2 * l->line.at[i].depth);
         buf_printf(out, "- %s\n", doc_unmarked(out->arena, l->line.at[i].text));
         if (l->line.at[i].comment)
-            put_comment(out, l->line.at[i].comment, 6 + 2 * l->line.at[i].depth);
+            write_comment(out, l->line.at[i].comment, 6 + 2 * l->line.at[i].depth);
     }
     buf_char(out, '\n');
 }
 
-static void put_excerpt(Buf *out, const DocPart *p)
+static void write_excerpt(Buf *out, const DocPart *p)
 {
     const LineCol at = source_position(p->span.src, p->span.at);
     uint32_t len;
     const char *line = source_line(p->span.src, at.line, &len);
 
     buf_printf(out, "  %5lu | ", (unsigned long)at.line);
-    put_seen(out, line, len);
+    write_visible(out, line, len);
     if (p->text)
         buf_printf(out, "\n        | %s", p->text);
     buf_str(out, "\n\n");
 }
 
-static void put_lines(Buf *out, const char *text)
+static void write_lines(Buf *out, const char *text)
 {
     while (*text) {
         const size_t n = strcspn(text, "\n");
@@ -212,22 +212,22 @@ static void put_lines(Buf *out, const char *text)
     buf_char(out, '\n');
 }
 
-static const char *text_of(const Buf *out, const DocPart *p)
+static const char *part_text(const Buf *out, const DocPart *p)
 {
     return p->plain || p->kind == DOC_QUOTE ? p->text : doc_unmarked(out->arena, p->text);
 }
 
-static void put_part(Buf *out, const DocPart *p)
+static void write_part(Buf *out, const DocPart *p)
 {
     switch (p->kind) {
     case DOC_HEADING:
-        buf_printf(out, "%s%s%s%s\n", text_of(out, p), p->badge ? " [" : "", p->badge ? p->badge : "", p->badge ? "]" : "");
+        buf_printf(out, "%s%s%s%s\n", part_text(out, p), p->badge ? " [" : "", p->badge ? p->badge : "", p->badge ? "]" : "");
         break;
-    case DOC_PARAGRAPH: case DOC_QUOTE: put_wrapped(out, text_of(out, p)); break;
-    case DOC_TABLE: put_table(out, p->table); break;
-    case DOC_LIST: put_list(out, p->list); break;
-    case DOC_EXCERPT: put_excerpt(out, p); break;
-    case DOC_LINES: put_lines(out, p->text); break;
+    case DOC_PARAGRAPH: case DOC_QUOTE: write_wrapped(out, part_text(out, p)); break;
+    case DOC_TABLE: write_table(out, p->table); break;
+    case DOC_LIST: write_list(out, p->list); break;
+    case DOC_EXCERPT: write_excerpt(out, p); break;
+    case DOC_LINES: write_lines(out, p->text); break;
     case DOC_FIGURE: case DOC_SOURCE: break;
     }
 }
@@ -242,15 +242,15 @@ static bool has_text(const DocSection *s)
 
 void doc_write_text(const Doc *d, Buf *out)
 {
-    put_underlined(out, d->title, '=');
+    write_underlined(out, d->title, '=');
     buf_printf(out, "%s\n\n", d->subtitle);
     for (size_t i = 0; i < d->section.n; i++) {
         const DocSection *s = d->section.at[i];
         if (!has_text(s))
             continue;
-        put_underlined(out, s->title, '-');
+        write_underlined(out, s->title, '-');
         buf_char(out, '\n');
         for (size_t k = 0; k < s->part.n; k++)
-            put_part(out, &s->part.at[k]);
+            write_part(out, &s->part.at[k]);
     }
 }

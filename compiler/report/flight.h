@@ -10,26 +10,26 @@ typedef struct Flight {
     Arena *arena;
     const char *name;             // of the file
     const Log *log;
-    const LogSession *session;    // the session to show; for flight_text NULL is all
+    const LogSession *session;    // the session to show; for flight_write_text NULL is all
     const LogElement *const *element;     // the elements to show, of that session; none: all
     size_t elements;
     const LogMachine *machine;    // its states are drawn; or NULL
 } Flight;
 
-void flight_text(const Flight *f, Buf *out);
-void flight_csv(const Flight *f, Buf *out);
-void flight_json(const Flight *f, Buf *out);
-void flight_svg(const Flight *f, Buf *out);
+void flight_write_text(const Flight *f, Buf *out);
+void flight_write_csv(const Flight *f, Buf *out);
+void flight_write_json(const Flight *f, Buf *out);
+void flight_write_svg(const Flight *f, Buf *out);
 
 // ---- internal ----
 
 // Writes nanoseconds as seconds, exactly: "12.05".
-void flight_time(Buf *out, uint64_t ns);
+void flight_write_time(Buf *out, uint64_t ns);
 // "mission: Coast -> Recovery", "task engine fails: it is in use".
-void flight_event(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out);
+void flight_write_event(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out);
 // The value as logged: NaN stays NaN, while machines read it as 0.
-double flight_number(SmType type, uint64_t cell);
-size_t flight_elements(const Flight *f, const LogDescription *d);
+double flight_value(SmType type, uint64_t cell);
+size_t flight_element_count(const Flight *f, const LogDescription *d);
 const LogElement *flight_element(const Flight *f, const LogDescription *d, size_t i);
 
 #endif

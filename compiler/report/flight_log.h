@@ -107,6 +107,6 @@ const char *log_state_name(Arena *arena, const LogMachine *m, uint32_t state);  
 // ---- inside: flight_log_description.c ----
 
 // Parses the contents of a description whose checksum is right.  False if it is inconsistent or its version is unknown.
-bool log_parse(Arena *arena, const uint8_t *bytes, uint32_t n, LogDescription *d);
+bool log_parse_description(Arena *arena, const uint8_t *bytes, uint32_t n, LogDescription *d);
 
 #endif

@@ -5,14 +5,14 @@
 #include "compiler/report/flight_log.h"
 #include "runtime-c/log_block.h"
 
-typedef struct Cursor {
+typedef struct LogCursor {
     Arena *arena;
     const uint8_t *at;
     uint32_t left;
     bool wrong;
-} Cursor;
+} LogCursor;
 
-static const uint8_t *take(Cursor *c, uint32_t n)
+static const uint8_t *read_bytes(LogCursor *c, uint32_t n)
 {
     static const uint8_t nothing[8];
     const uint8_t *at = c->at;
@@ -26,120 +26,120 @@ static const uint8_t *take(Cursor *c, uint32_t n)
     return at;
 }
 
-static uint8_t take_u8(Cursor *c) { return take(c, 1)[0]; }
-static uint16_t take_u16(Cursor *c) { return log_get16(take(c, 2)); }
-static uint32_t take_u32(Cursor *c) { return log_get32(take(c, 4)); }
-static uint64_t take_u64(Cursor *c) { return log_get64(take(c, 8)); }
+static uint8_t read_u8(LogCursor *c) { return read_bytes(c, 1)[0]; }
+static uint16_t read_u16(LogCursor *c) { return log_get16(read_bytes(c, 2)); }
+static uint32_t read_u32(LogCursor *c) { return log_get32(read_bytes(c, 4)); }
+static uint64_t read_u64(LogCursor *c) { return log_get64(read_bytes(c, 8)); }
 
 // Whether c can be part of a name.  Other bytes are replaced by '?', because they could have a meaning to a terminal or in a table.
-static bool is_plain(uint8_t c)
+static bool is_name_character(uint8_t c)
 {
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '.' || c == '-';
 }
 
-static const char *take_name(Cursor *c)
+static const char *read_name(LogCursor *c)
 {
-    const uint16_t n = take_u16(c);
-    const uint8_t *from = take(c, n);
+    const uint16_t n = read_u16(c);
+    const uint8_t *from = read_bytes(c, n);
     char *name;
 
     if (c->wrong)
         return "";
     name = arena_alloc(c->arena, (size_t)n + 1);
     for (uint16_t i = 0; i < n; i++)
-        name[i] = is_plain(from[i]) ? (char)from[i] : '?';
+        name[i] = is_name_character(from[i]) ? (char)from[i] : '?';
     name[n] = '\0';
     return name;
 }
 
 // Checks a count n of items that have at least `least` bytes each.  Fails and returns 0 if the remaining bytes are too few.
-static uint32_t take_count(Cursor *c, uint32_t n, uint32_t least)
+static uint32_t read_count(LogCursor *c, uint32_t n, uint32_t least)
 {
     if (n > c->left / least)
         c->wrong = true;
     return c->wrong ? 0 : n;
 }
 
-static LogNames take_names(Cursor *c, uint32_t n)
+static LogNames read_names(LogCursor *c, uint32_t n)
 {
-    LogNames names = {NULL, take_count(c, n, 2)};
+    LogNames names = {NULL, read_count(c, n, 2)};
 
     names.name = ARENA_ARRAY(c->arena, const char *, names.n + 1);
     for (uint32_t i = 0; i < names.n; i++)
-        names.name[i] = take_name(c);
+        names.name[i] = read_name(c);
     return names;
 }
 
-static uint32_t take_regions(Cursor *c)
+static uint32_t read_regions(LogCursor *c)
 {
-    const uint32_t n = take_count(c, take_u16(c), 4);
+    const uint32_t n = read_count(c, read_u16(c), 4);
     uint32_t elements = 0;
 
     for (uint32_t i = 0; i < n; i++) {
-        (void)take_name(c);
-        elements += take_u16(c);
+        (void)read_name(c);
+        elements += read_u16(c);
     }
     return elements;
 }
 
-static void take_elements(Cursor *c, LogDescription *d)
+static void read_elements(LogCursor *c, LogDescription *d)
 {
-    const uint32_t expected = take_regions(c);
+    const uint32_t expected = read_regions(c);
     uint32_t at = 0;
 
-    d->elements = take_count(c, take_u16(c), 3);
+    d->elements = read_count(c, read_u16(c), 3);
     d->element = ARENA_ARRAY(c->arena, LogElement, d->elements + 1);
     for (uint32_t i = 0; i < d->elements; i++) {
-        const uint8_t type = take_u8(c);
+        const uint8_t type = read_u8(c);
         c->wrong = c->wrong || type >= SM_TYPE_COUNT;
         d->element[i].type = c->wrong ? SM_U8 : (SmType)type;
         d->element[i].at = at;
-        d->element[i].name = take_name(c);
+        d->element[i].name = read_name(c);
         at += sm_type_info[d->element[i].type].bytes;
     }
     c->wrong = c->wrong || at != d->packed || d->elements != expected;
 }
 
-static void take_machines(Cursor *c, LogDescription *d)
+static void read_machines(LogCursor *c, LogDescription *d)
 {
-    d->machines = take_count(c, take_u16(c), 10);
+    d->machines = read_count(c, read_u16(c), 10);
     d->machine = ARENA_ARRAY(c->arena, LogMachine, d->machines + 1);
     for (uint32_t i = 0; i < d->machines; i++) {
         LogMachine *m = &d->machine[i];
-        m->number = take_u16(c);
-        m->name = take_name(c);
-        m->s = take_u16(c);
+        m->number = read_u16(c);
+        m->name = read_name(c);
+        m->s = read_u16(c);
         m->s = m->s < d->elements ? m->s : (uint16_t)LOG_NONE;
-        m->state = take_names(c, take_u32(c));
+        m->state = read_names(c, read_u32(c));
     }
 }
 
-static void take_kinds(Cursor *c, LogDescription *d)
+static void read_kinds(LogCursor *c, LogDescription *d)
 {
-    d->kinds = take_count(c, take_u16(c), 3);
+    d->kinds = read_count(c, read_u16(c), 3);
     d->kind = ARENA_ARRAY(c->arena, LogKindName, d->kinds + 1);
     for (uint32_t i = 0; i < d->kinds; i++) {
-        d->kind[i].kind = take_u8(c);
-        d->kind[i].name = take_name(c);
+        d->kind[i].kind = read_u8(c);
+        d->kind[i].name = read_name(c);
     }
 }
 
-bool log_parse(Arena *arena, const uint8_t *bytes, uint32_t n, LogDescription *d)
+bool log_parse_description(Arena *arena, const uint8_t *bytes, uint32_t n, LogDescription *d)
 {
-    Cursor c = {arena, bytes, n, n < LOG_IDENTITY};
+    LogCursor c = {arena, bytes, n, n < LOG_IDENTITY};
 
     d->identity = n < LOG_IDENTITY ? 0 : log_check(SM_CRC32_START, bytes, LOG_IDENTITY);
-    d->version = take_u8(&c);
+    d->version = read_u8(&c);
     if (d->version != LOG_VERSION)
         return false;
-    d->start = take_u64(&c);
-    d->layout = take_u32(&c);
-    d->vector = take_name(&c);
-    d->packed = take_u32(&c);
-    take_elements(&c, d);
-    take_machines(&c, d);
-    d->task = take_names(&c, take_u16(&c));
-    d->executor = take_names(&c, take_u16(&c));
-    take_kinds(&c, d);
+    d->start = read_u64(&c);
+    d->layout = read_u32(&c);
+    d->vector = read_name(&c);
+    d->packed = read_u32(&c);
+    read_elements(&c, d);
+    read_machines(&c, d);
+    d->task = read_names(&c, read_u16(&c));
+    d->executor = read_names(&c, read_u16(&c));
+    read_kinds(&c, d);
     return !c.wrong && c.left == 0;
 }

@@ -14,7 +14,7 @@
 #include "compiler/report/flight_log.h"
 #include "runtime-c/log_block.h"
 
-typedef struct Reader {
+typedef struct LogReader {
     Arena *arena;
     const uint8_t *bytes;
     uint32_t n;
@@ -23,16 +23,16 @@ typedef struct Reader {
     VEC(LogSession *) sessions;   // the session of each description in `found`; a repeated description repeats its session
     LogSession *now;              // the current session
     size_t *other;                // by index into `sessions`: the next index with a different session
-    uint64_t fruitless;           // bytes covered by failed checksums in this step
+    uint64_t failed_bytes;        // bytes covered by failed checksums in this step
     uint32_t searched;            // end of the part of the file in which all descriptions are known
     uint32_t damage;              // end of the last undamaged block: a damaged range begins here
     Log *log;
-} Reader;
+} LogReader;
 
-static bool has_patience(const Reader *r) { return r->fruitless <= 16 * (uint64_t)r->n + 65536; }
+static bool may_continue(const LogReader *r) { return r->failed_bytes <= 16 * (uint64_t)r->n + 65536; }
 
 // The content length of a possible block at `pos`; false if no block can begin there.
-static bool is_head(const Reader *r, uint32_t pos, uint32_t *length)
+static bool is_block_head(const LogReader *r, uint32_t pos, uint32_t *length)
 {
     if (r->n - pos < LOG_HEAD + LOG_CHECK || r->bytes[pos] != LOG_MARK)
         return false;
@@ -40,40 +40,40 @@ static bool is_head(const Reader *r, uint32_t pos, uint32_t *length)
     return *length <= r->n - pos - LOG_HEAD - LOG_CHECK;
 }
 
-static bool is_checked(Reader *r, uint32_t pos, uint32_t length, uint32_t crc)
+static bool has_valid_checksum(LogReader *r, uint32_t pos, uint32_t length, uint32_t crc)
 {
     const bool good = sm_crc32_end(log_check(crc, r->bytes + pos, LOG_HEAD + length)) == log_get32(r->bytes + pos + LOG_HEAD + length);
 
-    r->fruitless += good ? 0 : LOG_HEAD + length;
+    r->failed_bytes += good ? 0 : LOG_HEAD + length;
     return good;
 }
 
 // ---- descriptions ----
 
-static bool try_description(Reader *r, uint32_t pos, uint32_t length)
+static bool try_description(LogReader *r, uint32_t pos, uint32_t length)
 {
     LogDescription *d;
 
-    if (r->bytes[pos + 1] != LOG_DESCRIPTION || !is_checked(r, pos, length, SM_CRC32_START))
+    if (r->bytes[pos + 1] != LOG_DESCRIPTION || !has_valid_checksum(r, pos, length, SM_CRC32_START))
         return false;
     d = ARENA_NEW(r->arena, LogDescription);
     d->pos = pos;
     d->size = LOG_HEAD + length + LOG_CHECK;
-    if (log_parse(r->arena, r->bytes + pos + LOG_HEAD, length, d))
+    if (log_parse_description(r->arena, r->bytes + pos + LOG_HEAD, length, d))
         vec_push(r->arena, &r->found, d);
     else
         r->log->newer = r->log->newer || d->version > LOG_VERSION;
     return true;
 }
 
-static void find_descriptions(Reader *r)
+static void find_descriptions(LogReader *r)
 {
     uint32_t pos = 0, length;
 
-    while (pos < r->n && has_patience(r)) {
+    while (pos < r->n && may_continue(r)) {
         const uint8_t *mark = memchr(r->bytes + pos, LOG_MARK, r->n - pos);
         pos = mark ? (uint32_t)(mark - r->bytes) : r->n;
-        if (mark && is_head(r, pos, &length) && try_description(r, pos, length))
+        if (mark && is_block_head(r, pos, &length) && try_description(r, pos, length))
             pos += LOG_HEAD + length + LOG_CHECK;
         else if (mark)
             pos++;
@@ -83,26 +83,26 @@ static void find_descriptions(Reader *r)
 
 // ---- sessions ----
 
-static bool is_same(const LogDescription *a, const LogDescription *b)
+static bool is_same_session(const LogDescription *a, const LogDescription *b)
 {
     return a->start == b->start && a->layout == b->layout && a->packed == b->packed;
 }
 
-static LogSession *session_of(Reader *r, LogDescription *d)
+static LogSession *find_or_create_session(LogReader *r, LogDescription *d)
 {
     LogSession *s;
 
-    if (r->sessions.n > 0 && is_same(r->sessions.at[r->sessions.n - 1]->d, d))
+    if (r->sessions.n > 0 && is_same_session(r->sessions.at[r->sessions.n - 1]->d, d))
         return r->sessions.at[r->sessions.n - 1];
     s = ARENA_NEW(r->arena, LogSession);
     s->d = d;
     return s;
 }
 
-static void make_sessions(Reader *r)
+static void make_sessions(LogReader *r)
 {
     for (size_t i = 0; i < r->found.n; i++) {
-        LogSession *s = session_of(r, r->found.at[i]);
+        LogSession *s = find_or_create_session(r, r->found.at[i]);
         vec_push(r->arena, &r->sessions, s);
     }
     r->other = ARENA_ARRAY(r->arena, size_t, r->sessions.n + 1);
@@ -110,7 +110,7 @@ static void make_sessions(Reader *r)
         r->other[i] = i + 1 < r->sessions.n && r->sessions.at[i + 1] == r->sessions.at[i] ? r->other[i + 1] : i + 1;
 }
 
-static void enter(Reader *r, LogSession *s)
+static void enter_session(LogReader *r, LogSession *s)
 {
     if (!s->entered)
         vec_push(r->arena, &r->log->session, s);
@@ -139,7 +139,7 @@ static void note_record(LogSession *s, uint64_t time)
     s->last = time > s->last ? time : s->last;
 }
 
-static void put_item(Reader *r, LogSession *s, uint32_t pos, uint32_t length)
+static void add_item(LogReader *r, LogSession *s, uint32_t pos, uint32_t length)
 {
     LogItem item = {ITEM_RECORD, 0, r->bytes + pos + LOG_HEAD};
 
@@ -157,17 +157,17 @@ static void put_item(Reader *r, LogSession *s, uint32_t pos, uint32_t length)
     vec_push(r->arena, &s->item, item);
 }
 
-static bool try_block(Reader *r, LogSession *s, uint32_t pos, uint32_t length)
+static bool try_block(LogReader *r, LogSession *s, uint32_t pos, uint32_t length)
 {
-    if (!s || !is_length(s, r->bytes[pos + 1], length) || !is_checked(r, pos, length, s->d->identity))
+    if (!s || !is_length(s, r->bytes[pos + 1], length) || !has_valid_checksum(r, pos, length, s->d->identity))
         return false;
-    enter(r, s);
-    put_item(r, s, pos, length);
+    enter_session(r, s);
+    add_item(r, s, pos, length);
     return true;
 }
 
 // The session that follows the current one, or NULL.  Its first blocks may be here, without the description before them.
-static LogSession *coming(const Reader *r)
+static LogSession *following_session(const LogReader *r)
 {
     size_t i = r->next;
 
@@ -177,20 +177,20 @@ static LogSession *coming(const Reader *r)
 }
 
 // Processes the undamaged block at pos and returns its size, or 0 if there is none.
-static uint32_t take_block(Reader *r, uint32_t pos)
+static uint32_t read_block(LogReader *r, uint32_t pos)
 {
     uint32_t length;
 
     if (r->next < r->found.n && r->found.at[r->next]->pos == pos) {
-        enter(r, r->sessions.at[r->next]);
+        enter_session(r, r->sessions.at[r->next]);
         return r->found.at[r->next++]->size;
     }
-    if (!is_head(r, pos, &length) || (!try_block(r, r->now, pos, length) && !try_block(r, coming(r), pos, length)))
+    if (!is_block_head(r, pos, &length) || (!try_block(r, r->now, pos, length) && !try_block(r, following_session(r), pos, length)))
         return 0;
     return LOG_HEAD + length + LOG_CHECK;
 }
 
-static void end_damage(Reader *r, uint32_t pos)
+static void end_damage(LogReader *r, uint32_t pos)
 {
     if (pos == r->damage)
         return;
@@ -200,13 +200,13 @@ static void end_damage(Reader *r, uint32_t pos)
         r->log->torn = pos - r->damage;
 }
 
-static void walk(Reader *r)
+static void read_blocks(LogReader *r)
 {
     uint32_t pos = 0;
 
-    r->fruitless = 0;
-    while (pos < r->searched && has_patience(r)) {
-        const uint32_t size = take_block(r, pos);
+    r->failed_bytes = 0;
+    while (pos < r->searched && may_continue(r)) {
+        const uint32_t size = read_block(r, pos);
         if (size > 0) {
             end_damage(r, pos);
             r->damage = pos + size;
@@ -221,7 +221,7 @@ static void walk(Reader *r)
 
 Log *log_read(Arena *arena, const uint8_t *bytes, uint32_t n)
 {
-    Reader r;
+    LogReader r;
 
     memset(&r, 0, sizeof r);
     r.arena = arena;
@@ -231,7 +231,7 @@ Log *log_read(Arena *arena, const uint8_t *bytes, uint32_t n)
     r.log->size = n;
     find_descriptions(&r);
     make_sessions(&r);
-    walk(&r);
+    read_blocks(&r);
     return r.log;
 }
 

@@ -9,19 +9,19 @@
 #include "compiler/report/plot.h"
 
 // A session being converted to a plot.
-typedef struct Drawing {
+typedef struct FlightDrawing {
     const Flight *f;
     const LogSession *s;
     StrPool names;
     Program p;
     Trace t;
     double span;                  // in nanoseconds, including one period after the last record
-} Drawing;
+} FlightDrawing;
 
 // ---- time ----
 
 // Position on the time axis in slots, with fraction.
-static double place_of(const Drawing *d, uint64_t time)
+static double time_position(const FlightDrawing *d, uint64_t time)
 {
     const double share = time <= d->s->first ? 0 : (double)(time - d->s->first) / d->span;
 
@@ -29,14 +29,14 @@ static double place_of(const Drawing *d, uint64_t time)
 }
 
 // A record up to a millionth of a slot too early belongs to the next slot, because division and multiplication round its time.
-static uint64_t slot_of(const Drawing *d, uint64_t time)
+static uint64_t time_slot(const FlightDrawing *d, uint64_t time)
 {
-    const uint64_t slot = (uint64_t)(place_of(d, time) + 1e-6);
+    const uint64_t slot = (uint64_t)(time_position(d, time) + 1e-6);
 
     return slot < d->t.steps ? slot : d->t.steps - 1;
 }
 
-static void lay_out_time(Drawing *d)
+static void lay_out_time(FlightDrawing *d)
 {
     const uint64_t n = d->s->records;
     const double length = (double)(d->s->last - d->s->first);
@@ -52,7 +52,7 @@ static void lay_out_time(Drawing *d)
 
 // ---- elements ----
 
-static void put_value(TraceBucket *b, double x, bool first)
+static void add_value(TraceBucket *b, double x, bool first)
 {
     if (first || b->first != b->first)
         *b = (TraceBucket){x, x, x, x};
@@ -63,16 +63,16 @@ static void put_value(TraceBucket *b, double x, bool first)
     b->last = x;
 }
 
-static void fill(Drawing *d, TraceSeries *series, const LogElement *e)
+static void fill_series(FlightDrawing *d, TraceSeries *series, const LogElement *e)
 {
     bool *filled = ARENA_ARRAY(d->f->arena, bool, (size_t)d->t.steps);        // by slot
 
     for (size_t i = 0; i < d->s->item.n; i++) {
         const LogItem *item = &d->s->item.at[i];
         if (item->kind == ITEM_RECORD) {
-            const size_t slot = (size_t)slot_of(d, log_time(item));
-            const double x = flight_number(e->type, log_cell(item, e));
-            put_value(&series->at[slot], x, !filled[slot]);
+            const size_t slot = (size_t)time_slot(d, log_time(item));
+            const double x = flight_value(e->type, log_cell(item, e));
+            add_value(&series->at[slot], x, !filled[slot]);
             filled[slot] = true;
             series->infinite = series->infinite || (x == x && x - x != 0);
             series->nan = series->nan || x != x;
@@ -80,12 +80,12 @@ static void fill(Drawing *d, TraceSeries *series, const LogElement *e)
     }
     for (uint64_t k = 1; k < d->t.steps; k++)             // a slot without a record has the last value before it
         if (!filled[k])
-            put_value(&series->at[k], series->at[k - 1].last, true);
+            add_value(&series->at[k], series->at[k - 1].last, true);
     for (uint64_t k = 0; k < d->t.steps; k++)
         series->changes = series->changes || series->at[k].lo != series->at[0].first || series->at[k].hi != series->at[0].first;
 }
 
-static void add_series(Drawing *d, const LogElement *e)
+static void add_series(FlightDrawing *d, const LogElement *e)
 {
     TraceSeries *series = ARENA_NEW(d->f->arena, TraceSeries);
     Var *v = ARENA_NEW(d->f->arena, Var);
@@ -94,19 +94,19 @@ static void add_series(Drawing *d, const LogElement *e)
     v->type = e->type;
     v->name = str_c(&d->names, e->name);
     series->v = v;
-    fill(d, series, e);
+    fill_series(d, series, e);
     series->changes = series->changes || d->f->elements > 0;      // elements that the user asked for are always drawn
     vec_push(d->f->arena, &d->t.series, series);
 }
 
-static bool is_state(const Drawing *d, const LogElement *e)
+static bool is_state_element(const FlightDrawing *d, const LogElement *e)
 {
     return d->f->elements == 0 && d->f->machine && d->f->machine->s != LOG_NONE && e == &d->s->d->element[d->f->machine->s];
 }
 
 // ---- states ----
 
-static void add_states(Drawing *d)
+static void add_states(FlightDrawing *d)
 {
     const LogMachine *m = d->f->machine;
 
@@ -119,9 +119,9 @@ static void add_states(Drawing *d)
     }
 }
 
-static void add_visit(Drawing *d, uint32_t state, uint64_t time)
+static void add_visit(FlightDrawing *d, uint32_t state, uint64_t time)
 {
-    TraceVisit v = {NULL, slot_of(d, time), time, place_of(d, time)};
+    TraceVisit v = {NULL, time_slot(d, time), time, time_position(d, time)};
 
     if (state < 1 || state > d->p.state.n)
         return;
@@ -131,7 +131,7 @@ static void add_visit(Drawing *d, uint32_t state, uint64_t time)
         vec_push(d->f->arena, &d->t.visit, v);
 }
 
-static void visit_by_events(Drawing *d)
+static void visit_by_events(FlightDrawing *d)
 {
     for (size_t i = 0; i < d->s->item.n; i++)
         for (uint32_t k = 0; d->s->item.at[i].kind == ITEM_EVENTS && k < d->s->item.at[i].n; k++) {
@@ -142,7 +142,7 @@ static void visit_by_events(Drawing *d)
 }
 
 // Used if events are missing: finds visits by the element that stores the state's number, at the time of the record.
-static void visit_by_records(Drawing *d)
+static void visit_by_records(FlightDrawing *d)
 {
     uint64_t last = 0;
 
@@ -155,7 +155,7 @@ static void visit_by_records(Drawing *d)
     }
 }
 
-static void add_visits(Drawing *d)
+static void add_visits(FlightDrawing *d)
 {
     if (!d->f->machine)
         return;
@@ -168,7 +168,7 @@ static void add_visits(Drawing *d)
 // ---- the file ----
 
 // Writes the value of "--name" among the variables of the light page.
-static void put_variable(Buf *out, const char *name, size_t n)
+static void write_variable(Buf *out, const char *name, size_t n)
 {
     const char *at = plot_style_light;
 
@@ -182,40 +182,40 @@ static void put_variable(Buf *out, const char *name, size_t n)
 }
 
 // Writes the rules with variables replaced by their values, for viewers that do not support variables.
-static void put_style(Buf *out)
+static void write_style(Buf *out)
 {
     const char *at = plot_style, *next;
 
     while ((next = strstr(at, "var(")) != NULL) {
         const size_t n = strcspn(next + 4, ")");
         buf_put(out, at, (size_t)(next - at));
-        put_variable(out, next + 4, n);
+        write_variable(out, next + 4, n);
         at = next + 4 + n + 1;
     }
     buf_str(out, at);
 }
 
-static void put_drawing(const Drawing *d, Buf *out)
+static void write_drawing(const FlightDrawing *d, Buf *out)
 {
     Buf body;
-    const long high = plot_body(d->f->arena, &d->t, &body);
+    const long high = plot_draw_body(d->f->arena, &d->t, &body);
 
     buf_printf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot smc-flight\" width=\"%d\" height=\"", PLOT_WIDE / 10);
-    plot_tenths(out, high + PLOT_GAP);
+    plot_write_tenths(out, high + PLOT_GAP);
     buf_printf(out, "\" viewBox=\"0 0 %d ", PLOT_WIDE / 10);
-    plot_tenths(out, high + PLOT_GAP);
+    plot_write_tenths(out, high + PLOT_GAP);
     buf_str(out, "\">\n<style>\n.plot text{font-family:Helvetica,Arial,sans-serif}\n");
-    put_style(out);
+    write_style(out);
     buf_printf(out, "</style>\n%s\n<rect width=\"100%%\" height=\"100%%\" fill=\"", plot_defs);
-    put_variable(out, "--bg", 4);
+    write_variable(out, "--bg", 4);
     buf_str(out, "\"/>\n");
     buf_put(out, body.at, body.n);
     buf_str(out, "</svg>\n");
 }
 
-void flight_svg(const Flight *f, Buf *out)
+void flight_write_svg(const Flight *f, Buf *out)
 {
-    Drawing *d = ARENA_NEW(f->arena, Drawing);
+    FlightDrawing *d = ARENA_NEW(f->arena, FlightDrawing);
 
     d->f = f;
     d->s = f->session;
@@ -225,8 +225,8 @@ void flight_svg(const Flight *f, Buf *out)
     lay_out_time(d);
     add_states(d);
     add_visits(d);
-    for (size_t i = 0; i < flight_elements(f, d->s->d); i++)
-        if (!is_state(d, flight_element(f, d->s->d, i)))
+    for (size_t i = 0; i < flight_element_count(f, d->s->d); i++)
+        if (!is_state_element(d, flight_element(f, d->s->d, i)))
             add_series(d, flight_element(f, d->s->d, i));
-    put_drawing(d, out);
+    write_drawing(d, out);
 }

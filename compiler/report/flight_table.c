@@ -5,25 +5,25 @@
 #include "compiler/report/flight.h"
 #include "compiler/script/script.h"
 
-static void put_cell(const LogItem *record, const LogElement *e, Buf *out)
+static void write_cell(const LogItem *record, const LogElement *e, Buf *out)
 {
     format_cell_exact(out, e->type, log_cell(record, e));
 }
 
 // ---- CSV ----
 
-static void put_line(const Flight *f, const LogSession *s, size_t number, const LogItem *record, Buf *out)
+static void write_csv_line(const Flight *f, const LogSession *s, size_t number, const LogItem *record, Buf *out)
 {
     buf_printf(out, "%lu,", (unsigned long)number);
-    flight_time(out, log_time(record));
-    for (size_t i = 0; i < flight_elements(f, s->d); i++) {
+    flight_write_time(out, log_time(record));
+    for (size_t i = 0; i < flight_element_count(f, s->d); i++) {
         buf_char(out, ',');
-        put_cell(record, flight_element(f, s->d, i), out);
+        write_cell(record, flight_element(f, s->d, i), out);
     }
     buf_char(out, '\n');
 }
 
-void flight_csv(const Flight *f, Buf *out)
+void flight_write_csv(const Flight *f, Buf *out)
 {
     const LogSession *s = f->session;
     size_t number = 1;
@@ -31,12 +31,12 @@ void flight_csv(const Flight *f, Buf *out)
     while (number < f->log->session.n && f->log->session.at[number - 1] != s)
         number++;
     buf_str(out, "session,seconds");
-    for (size_t i = 0; i < flight_elements(f, s->d); i++)
+    for (size_t i = 0; i < flight_element_count(f, s->d); i++)
         buf_printf(out, ",%s", flight_element(f, s->d, i)->name);
     buf_char(out, '\n');
     for (size_t i = 0; i < s->item.n; i++)
         if (s->item.at[i].kind == ITEM_RECORD)
-            put_line(f, s, number, &s->item.at[i], out);
+            write_csv_line(f, s, number, &s->item.at[i], out);
 }
 
 // ---- JSON ----
@@ -50,20 +50,20 @@ static bool is_number(SmType type, uint64_t cell)
     return type == SM_F32 ? (cell >> 23 & 0xff) != 0xff : (cell >> 52 & 0x7ff) != 0x7ff;
 }
 
-static void put_record(const Flight *f, const LogSession *s, const LogItem *record, Buf *out)
+static void write_record(const Flight *f, const LogSession *s, const LogItem *record, Buf *out)
 {
     buf_str(out, "{\"time\":");
-    flight_time(out, log_time(record));
-    for (size_t i = 0; i < flight_elements(f, s->d); i++) {
+    flight_write_time(out, log_time(record));
+    for (size_t i = 0; i < flight_element_count(f, s->d); i++) {
         const LogElement *e = flight_element(f, s->d, i);
         const bool plain = is_number(e->type, log_cell(record, e));
         buf_str(out, i ? "," : ",\"values\":{");
         json_put_string(out, e->name);
         buf_str(out, plain ? ":" : ":\"");
-        put_cell(record, e, out);
+        write_cell(record, e, out);
         buf_str(out, plain ? "" : "\"");
     }
-    buf_str(out, flight_elements(f, s->d) ? "}}\n" : "}\n");
+    buf_str(out, flight_element_count(f, s->d) ? "}}\n" : "}\n");
 }
 
 static const char *kind_name(const LogDescription *d, uint8_t kind)
@@ -74,14 +74,14 @@ static const char *kind_name(const LogDescription *d, uint8_t kind)
     return NULL;
 }
 
-static void put_event(const Flight *f, const LogSession *s, const LogEvent *e, Buf *out)
+static void write_event(const Flight *f, const LogSession *s, const LogEvent *e, Buf *out)
 {
     Buf words;
 
     buf_init(&words, f->arena);
-    flight_event(f, s->d, e, &words);
+    flight_write_event(f, s->d, e, &words);
     buf_str(out, "{\"time\":");
-    flight_time(out, e->time);
+    flight_write_time(out, e->time);
     buf_str(out, ",\"event\":");
     json_put_string(out, kind_name(s->d, e->kind));
     buf_printf(out, ",\"number\":%u,\"source\":%u,\"a\":%lu,\"b\":%lu,\"text\":", (unsigned)e->kind, (unsigned)e->source,
@@ -90,14 +90,14 @@ static void put_event(const Flight *f, const LogSession *s, const LogEvent *e, B
     buf_str(out, "}\n");
 }
 
-static void put_item(const Flight *f, const LogSession *s, const LogItem *item, Buf *out)
+static void write_json_item(const Flight *f, const LogSession *s, const LogItem *item, Buf *out)
 {
     switch (item->kind) {
-    case ITEM_RECORD: put_record(f, s, item, out); break;
+    case ITEM_RECORD: write_record(f, s, item, out); break;
     case ITEM_EVENTS:
         for (uint32_t k = 0; k < item->n; k++) {
             const LogEvent e = log_event(item, k);
-            put_event(f, s, &e, out);
+            write_event(f, s, &e, out);
         }
         break;
     case ITEM_GAP: {
@@ -108,8 +108,8 @@ static void put_item(const Flight *f, const LogSession *s, const LogItem *item, 
     }
 }
 
-void flight_json(const Flight *f, Buf *out)
+void flight_write_json(const Flight *f, Buf *out)
 {
     for (size_t i = 0; i < f->session->item.n; i++)
-        put_item(f, f->session, &f->session->item.at[i], out);
+        write_json_item(f, f->session, &f->session->item.at[i], out);
 }

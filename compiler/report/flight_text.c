@@ -11,7 +11,7 @@
 
 // ---- shared ----
 
-void flight_time(Buf *out, uint64_t ns)
+void flight_write_time(Buf *out, uint64_t ns)
 {
     unsigned long fraction = (unsigned long)(ns % 1000000000u);
     int digits = 9;
@@ -24,7 +24,7 @@ void flight_time(Buf *out, uint64_t ns)
     buf_printf(out, ".%0*lu", digits, fraction);
 }
 
-size_t flight_elements(const Flight *f, const LogDescription *d) { return f->elements ? f->elements : d->elements; }
+size_t flight_element_count(const Flight *f, const LogDescription *d) { return f->elements ? f->elements : d->elements; }
 
 const LogElement *flight_element(const Flight *f, const LogDescription *d, size_t i)
 {
@@ -33,7 +33,7 @@ const LogElement *flight_element(const Flight *f, const LogDescription *d, size_
 
 // ---- events ----
 
-static const char *name_of(const Flight *f, const LogNames *names, const char *what, uint16_t number)
+static const char *numbered_name(const Flight *f, const LogNames *names, const char *what, uint16_t number)
 {
     return number < names->n && names->name[number][0] ? format_in(f->arena, "%s %s", what, names->name[number])
                                                        : format_in(f->arena, "%s %u", what, (unsigned)number);
@@ -53,7 +53,7 @@ static const char *mode_name(Arena *arena, uint32_t mode)
     return mode < 3 ? names[mode] : format_in(arena, "mode %lu (safed)", (unsigned long)mode);
 }
 
-static void put_state(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
+static void write_state(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
 {
     const LogMachine *m = log_machine(d, e->source);
 
@@ -64,7 +64,7 @@ static void put_state(const Flight *f, const LogDescription *d, const LogEvent *
         buf_printf(out, "%s -> %s", log_state_name(f->arena, m, e->a), log_state_name(f->arena, m, e->b));
 }
 
-static void put_fault(const Flight *f, const char *task, const LogEvent *e, Buf *out)
+static void write_fault(const Flight *f, const char *task, const LogEvent *e, Buf *out)
 {
     if (e->a == 0)
         buf_printf(out, "%s recovered after %s", task, describe_count(f->arena, e->b, "failure", "failures"));
@@ -73,7 +73,7 @@ static void put_fault(const Flight *f, const char *task, const LogEvent *e, Buf 
 }
 
 // Writes the name of a kind of event that this version does not know.
-static void put_unknown(const LogDescription *d, const LogEvent *e, Buf *out)
+static void write_unknown(const LogDescription *d, const LogEvent *e, Buf *out)
 {
     const char *name = "event";
 
@@ -84,26 +84,26 @@ static void put_unknown(const LogDescription *d, const LogEvent *e, Buf *out)
                (unsigned long)e->b);
 }
 
-static const char *kept_words(uint32_t a)
+static const char *restored_text(uint32_t a)
 {
     return a == 0 ? "" : a == 1 ? " with the saved state vector" :
         "; the saved state vector could not be used: it is damaged or has another layout";
 }
 
-void flight_event(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
+void flight_write_event(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
 {
-    const char *task = name_of(f, &d->task, "task", e->source);
+    const char *task = numbered_name(f, &d->task, "task", e->source);
 
     switch (e->kind) {
     case LOG_EVENT_START:
-        buf_printf(out, "the application started%s%s", kept_words(e->a),
+        buf_printf(out, "the application started%s%s", restored_text(e->a),
                    e->b ? ", after a watchdog reset" : "");
         break;
-    case LOG_EVENT_STATE: put_state(f, d, e, out); break;
+    case LOG_EVENT_STATE: write_state(f, d, e, out); break;
     case LOG_EVENT_MODE: buf_printf(out, "%s: %s -> %s", task, mode_name(f->arena, e->a), mode_name(f->arena, e->b)); break;
-    case LOG_EVENT_FAULT: put_fault(f, task, e, out); break;
+    case LOG_EVENT_FAULT: write_fault(f, task, e, out); break;
     case LOG_EVENT_OVERRUN:
-        buf_printf(out, "%s was late by %lu us and skipped %s", name_of(f, &d->executor, "executor", e->source),
+        buf_printf(out, "%s was late by %lu us and skipped %s", numbered_name(f, &d->executor, "executor", e->source),
                    (unsigned long)e->b, describe_count(f->arena, e->a, "tick", "ticks"));
         break;
     case LOG_EVENT_REFUSED:
@@ -111,7 +111,7 @@ void flight_event(const Flight *f, const LogDescription *d, const LogEvent *e, B
                    describe_count(f->arena, e->a, "time", "times"));
         break;
     case LOG_EVENT_STOP: buf_str(out, "the application was stopped"); break;
-    default: put_unknown(d, e, out); break;
+    default: write_unknown(d, e, out); break;
     }
 }
 
@@ -122,7 +122,7 @@ static const char *count(Arena *arena, uint64_t n, const char *one, const char *
     return format_in(arena, "%llu %s", (unsigned long long)n, n == 1 ? one : many);
 }
 
-static void put_file(const Flight *f, Buf *out)
+static void write_file(const Flight *f, Buf *out)
 {
     const Log *log = f->log;
 
@@ -136,14 +136,14 @@ static void put_file(const Flight *f, Buf *out)
     buf_char(out, '\n');
 }
 
-static void put_extent(const Flight *f, const LogSession *s, Buf *out)
+static void write_extent(const Flight *f, const LogSession *s, Buf *out)
 {
     buf_printf(out, "  %s", count(f->arena, s->records, "record", "records"));
     if (s->records > 0) {
         buf_str(out, " from ");
-        flight_time(out, s->first);
+        flight_write_time(out, s->first);
         buf_str(out, " s to ");
-        flight_time(out, s->last);
+        flight_write_time(out, s->last);
         buf_str(out, " s");
     }
     buf_printf(out, ", %s", count(f->arena, s->events, "event", "events"));
@@ -154,7 +154,7 @@ static void put_extent(const Flight *f, const LogSession *s, Buf *out)
     buf_char(out, '\n');
 }
 
-static void put_events(const Flight *f, const LogSession *s, Buf *out)
+static void write_events(const Flight *f, const LogSession *s, Buf *out)
 {
     if (s->events)
         buf_str(out, "\n  events\n");
@@ -162,9 +162,9 @@ static void put_events(const Flight *f, const LogSession *s, Buf *out)
         for (uint32_t k = 0; s->item.at[i].kind == ITEM_EVENTS && k < s->item.at[i].n; k++) {
             const LogEvent e = log_event(&s->item.at[i], k);
             buf_str(out, "    ");
-            flight_time(out, e.time);
+            flight_write_time(out, e.time);
             buf_str(out, " s  ");
-            flight_event(f, s->d, &e, out);
+            flight_write_event(f, s->d, &e, out);
             buf_char(out, '\n');
         }
 }
@@ -173,7 +173,7 @@ static void put_events(const Flight *f, const LogSession *s, Buf *out)
 
 typedef struct Extremes { uint64_t first, lo, hi, last; bool any, number; uint64_t nans; } Extremes;        // lo, hi: of numbers only
 
-double flight_number(SmType type, uint64_t cell)
+double flight_value(SmType type, uint64_t cell)
 {
     unsigned char memory[8] = {0};
     float f = 0;
@@ -184,12 +184,12 @@ double flight_number(SmType type, uint64_t cell)
         memcpy(&f, memory, sizeof f);
     if (type == SM_F64)
         memcpy(&d, memory, sizeof d);
-    return f != f ? (double)f : d != d ? d : trace_number(type, cell);
+    return f != f ? (double)f : d != d ? d : trace_cell_value(type, cell);
 }
 
-static void widen(Extremes *x, SmType type, uint64_t cell)
+static void extend_extremes(Extremes *x, SmType type, uint64_t cell)
 {
-    const double value = flight_number(type, cell);
+    const double value = flight_value(type, cell);
 
     if (!x->any)
         x->first = cell;
@@ -199,46 +199,46 @@ static void widen(Extremes *x, SmType type, uint64_t cell)
         x->nans++;
         return;
     }
-    if (!x->number || value < flight_number(type, x->lo))
+    if (!x->number || value < flight_value(type, x->lo))
         x->lo = cell;
-    if (!x->number || value > flight_number(type, x->hi))
+    if (!x->number || value > flight_value(type, x->hi))
         x->hi = cell;
     x->number = true;
 }
 
-static void put_values(const Flight *f, const LogSession *s, const LogElement *e, Buf *out)
+static void write_values(const Flight *f, const LogSession *s, const LogElement *e, Buf *out)
 {
     Extremes x = {0, 0, 0, 0, false, false, 0};
 
     for (size_t i = 0; i < s->item.n; i++)
         if (s->item.at[i].kind == ITEM_RECORD)
-            widen(&x, e->type, log_cell(&s->item.at[i], e));
+            extend_extremes(&x, e->type, log_cell(&s->item.at[i], e));
     buf_printf(out, "    %-24s %-5s ", e->name, sm_type_info[e->type].spelling);
     if (x.number)
-        buf_printf(out, "%s .. %s, from %s to %s", report_cell(f->arena, e->type, x.lo), report_cell(f->arena, e->type, x.hi),
-                   report_cell(f->arena, e->type, x.first), report_cell(f->arena, e->type, x.last));
+        buf_printf(out, "%s .. %s, from %s to %s", report_format_cell(f->arena, e->type, x.lo), report_format_cell(f->arena, e->type, x.hi),
+                   report_format_cell(f->arena, e->type, x.first), report_format_cell(f->arena, e->type, x.last));
     if (x.nans)
         buf_printf(out, "%snan in %s", x.number ? ", " : "", count(f->arena, x.nans, "record", "records"));
     buf_char(out, '\n');
 }
 
-static void put_session(const Flight *f, size_t number, const LogSession *s, Buf *out)
+static void write_session(const Flight *f, size_t number, const LogSession *s, Buf *out)
 {
     buf_printf(out, "\nsession %lu: %s, %s, layout %08lx\n", (unsigned long)number, s->d->vector,
                count(f->arena, s->d->elements, "element", "elements"), (unsigned long)s->d->layout);
-    put_extent(f, s, out);
-    put_events(f, s, out);
+    write_extent(f, s, out);
+    write_events(f, s, out);
     if (s->records == 0)
         return;
     buf_str(out, "\n  elements: minimum .. maximum, from first to last value\n");
-    for (size_t i = 0; i < flight_elements(f, s->d); i++)
-        put_values(f, s, flight_element(f, s->d, i), out);
+    for (size_t i = 0; i < flight_element_count(f, s->d); i++)
+        write_values(f, s, flight_element(f, s->d, i), out);
 }
 
-void flight_text(const Flight *f, Buf *out)
+void flight_write_text(const Flight *f, Buf *out)
 {
-    put_file(f, out);
+    write_file(f, out);
     for (size_t i = 0; i < f->log->session.n; i++)
         if (!f->session || f->session == f->log->session.at[i])
-            put_session(f, i + 1, f->log->session.at[i], out);
+            write_session(f, i + 1, f->log->session.at[i], out);
 }

@@ -3,9 +3,9 @@
 #include "compiler/report/page.h"
 
 #include "compiler/report/page_text.h"
-uint32_t report_line(Span span) { return span.src ? source_position(span.src, span.at).line : 0; }
+uint32_t report_line_of(Span span) { return span.src ? source_position(span.src, span.at).line : 0; }
 
-const char *report_number(Arena *arena, double x)
+const char *report_format_number(Arena *arena, double x)
 {
     Buf b;
 
@@ -14,7 +14,7 @@ const char *report_number(Arena *arena, double x)
     return buf_text(&b);
 }
 
-const char *report_cell(Arena *arena, SmType type, uint64_t cell)
+const char *report_format_cell(Arena *arena, SmType type, uint64_t cell)
 {
     Buf b;
 
@@ -23,7 +23,7 @@ const char *report_cell(Arena *arena, SmType type, uint64_t cell)
     return buf_text(&b);
 }
 
-const char *report_file_name(const char *path)
+const char *report_base_name(const char *path)
 {
     const char *name = path;
 
@@ -40,7 +40,7 @@ static void report_source(Report *r, Doc *d)
     doc_section(d, "source", "Source");
     doc_source(d, r->analysis.p->src);
     if (!sv->from_machine && sv->element.n) {
-        doc_heading(d, NULL, format_in(r->arena, "State vector `%s`", report_file_name(sv->element.at[0]->span.src->name)));
+        doc_heading(d, NULL, format_in(r->arena, "State vector `%s`", report_base_name(sv->element.at[0]->span.src->name)));
         doc_paragraph(d, TEXT_STATE_VECTOR);
     }
 }
@@ -52,16 +52,16 @@ Doc *report_build(Report *r)
 
     d->arena = r->arena;
     d->title = p->name->text;
-    d->subtitle = format_in(r->arena, "Design review of the state machine in %s", report_file_name(p->src->name));
+    d->subtitle = format_in(r->arena, "Design review of the state machine in %s", report_base_name(p->src->name));
     d->maker = r->maker;
-    report_overview(r, d);
-    report_states(r, d);
-    report_transitions(r, d);
-    report_variables(r, d);
-    report_findings(r, d);
-    report_abort(r, d);
-    report_cost(r, d);
-    report_scripts(r, d);
+    report_add_overview(r, d);
+    report_add_states(r, d);
+    report_add_transitions(r, d);
+    report_add_variables(r, d);
+    report_add_findings(r, d);
+    report_add_abort_matrix(r, d);
+    report_add_costs(r, d);
+    report_add_scripts(r, d);
     report_source(r, d);
     return d;
 }

@@ -36,14 +36,14 @@ Doc *report_build(Report *r);
 
 // ---- the sections, one file each ----
 
-void report_overview(Report *r, Doc *d);
-void report_states(Report *r, Doc *d);
-void report_transitions(Report *r, Doc *d);
-void report_variables(Report *r, Doc *d);
-void report_findings(Report *r, Doc *d);
-void report_abort(Report *r, Doc *d);
-void report_cost(Report *r, Doc *d);
-void report_scripts(Report *r, Doc *d);
+void report_add_overview(Report *r, Doc *d);
+void report_add_states(Report *r, Doc *d);
+void report_add_transitions(Report *r, Doc *d);
+void report_add_variables(Report *r, Doc *d);
+void report_add_findings(Report *r, Doc *d);
+void report_add_abort_matrix(Report *r, Doc *d);
+void report_add_costs(Report *r, Doc *d);
+void report_add_scripts(Report *r, Doc *d);
 
 // Number of findings that count, and of findings that an @allow covers.
 typedef struct FindingCount { size_t open, allowed; } FindingCount;
@@ -51,26 +51,26 @@ FindingCount report_count_findings(const Report *r);
 
 // The part of the machine that the scripts have executed.  A way is a pair of states that one or more transitions connect.
 typedef struct Coverage {
-    size_t states_seen, states, ways_seen, ways;
-    size_t ways_shared;           // seen, but by which of several transitions is unknown
+    size_t states_covered, states, pairs_covered, ways;
+    size_t pairs_shared;          // seen, but by which of several transitions is unknown
 } Coverage;
-Coverage report_coverage(const Report *r);
-DiagramCounts report_counts(const Report *r);   // how often the scripts visited states and took transitions, summed over all scripts
+Coverage report_measure_coverage(const Report *r);
+DiagramCounts report_sum_counts(const Report *r);  // how often the scripts visited states and took transitions, summed over all scripts
 
 // ---- plots (plot.c) ----
 
 // Plots the states of a run over time, and below them each series that changes.  Uses the patterns of plot_patterns.
-const char *plot_run(Arena *arena, const Trace *t);
+const char *plot_draw_run(Arena *arena, const Trace *t);
 const char *plot_patterns(Arena *arena);      // an invisible drawing that plots refer to; include it once in a page
 
 // ---- shared helpers ----
 
-bool report_is_low(DiagramSize s);              // a diagram of this size is readable on part of a printed page
-uint32_t report_line(Span span);              // line in the source; 0: none
+bool report_is_low_diagram(DiagramSize s);      // a diagram of this size is readable on part of a printed page
+uint32_t report_line_of(Span span);           // line in the source; 0: none
 bool report_fits_uno(const Report *r);                            // judged by its windows alone
-const char *report_cycles(const Report *r, uint32_t cycles);      // with their duration on an Uno
-const char *report_number(Arena *arena, double x);
-const char *report_cell(Arena *arena, SmType type, uint64_t cell);
-const char *report_file_name(const char *path);
+const char *report_format_cycles(const Report *r, uint32_t cycles);  // with their duration on an Uno
+const char *report_format_number(Arena *arena, double x);
+const char *report_format_cell(Arena *arena, SmType type, uint64_t cell);
+const char *report_base_name(const char *path);
 
 #endif

@@ -7,7 +7,7 @@
 static const DocColumn abort_columns[] = {
     {"state", "State"}, {"verdict", "Can it abort?"}, {"alone", "Without a command?"}, {"steps", "Worst-case steps"},
     {"depends_on", "Depends on"}};
-static const DocColumn way_columns[] = {
+static const DocColumn transition_columns[] = {
     {"state", "State"}, {"to", "To"}, {"guard", "Condition"}, {"reads", "Reads"}, {"steps", "Worst-case steps"}, {"line", "Line"}};
 
 static bool has_command(const AbortRow *row)
@@ -33,7 +33,7 @@ static const char *verdict_text(const AbortRow *row, bool commands)
     return "";
 }
 
-static const char *hangs_on(const Report *r, const AbortRow *row)
+static const char *dependence_text(const Report *r, const AbortRow *row)
 {
     Buf b;
 
@@ -42,25 +42,25 @@ static const char *hangs_on(const Report *r, const AbortRow *row)
         buf_printf(&b, "no transition fires if `%s` reads %s", row->blind->name->text, row->blind_at);
     if (row->single)
         buf_printf(&b, "%severy transition depends on `%s`: none fires if it is stuck at %s", b.n ? "; " : "", row->single->name->text,
-                   report_number(r->arena, trace_number(SM_F64, sm_bits(row->stuck))));
+                   report_format_number(r->arena, trace_cell_value(SM_F64, sm_bits(row->stuck))));
     return buf_text(&b);
 }
 
-static void put_steps(const Report *r, DocTable *t, uint32_t steps)
+static void add_steps_cell(const Report *r, DocTable *t, uint32_t steps)
 {
-    cell_plain(t, steps == 0 ? "" : steps == ABORT_NOT_BOUNDED ? "unbounded" : format_in(r->arena, "%lu", (unsigned long)steps));
+    doc_cell_plain(t, steps == 0 ? "" : steps == ABORT_NOT_BOUNDED ? "unbounded" : format_in(r->arena, "%lu", (unsigned long)steps));
 }
 
-static void put_row(const Report *r, DocTable *t, const AbortRow *row)
+static void add_state_row(const Report *r, DocTable *t, const AbortRow *row)
 {
-    cell_state(t, row->state->name->text);
-    cell_plain(t, verdict_text(row, true));
-    cell_plain(t, verdict_text(row, false));
-    put_steps(r, t, row->steps);
-    cell_text(t, hangs_on(r, row));
+    doc_cell_state(t, row->state->name->text);
+    doc_cell_plain(t, verdict_text(row, true));
+    doc_cell_plain(t, verdict_text(row, false));
+    add_steps_cell(r, t, row->steps);
+    doc_cell_text(t, dependence_text(r, row));
 }
 
-static const char *watches(const Report *r, const AbortWay *w)
+static const char *reads_text(const Report *r, const AbortWay *w)
 {
     Buf b;
 
@@ -74,17 +74,17 @@ static const char *watches(const Report *r, const AbortWay *w)
     return buf_text(&b);
 }
 
-static void put_way(const Report *r, DocTable *t, const AbortRow *row, const AbortWay *w)
+static void add_transition_row(const Report *r, DocTable *t, const AbortRow *row, const AbortWay *w)
 {
-    cell_state(t, row->state->name->text);
-    cell_state(t, w->first->to->name->text);
+    doc_cell_state(t, row->state->name->text);
+    doc_cell_state(t, w->first->to->name->text);
     if (*w->guard)
-        cell_code(t, w->guard);
+        doc_cell_code(t, w->guard);
     else
-        cell_plain(t, "always");
-    cell_text(t, w->possible ? watches(r, w) : "can never be taken");
-    put_steps(r, t, w->steps);
-    cell_line(t, report_line(w->first->stmt->span));
+        doc_cell_plain(t, "always");
+    doc_cell_text(t, w->possible ? reads_text(r, w) : "can never be taken");
+    add_steps_cell(r, t, w->steps);
+    doc_cell_line(t, report_line_of(w->first->stmt->span));
 }
 
 static bool has_unbounded(const AbortMatrix *x)
@@ -96,20 +96,20 @@ static bool has_unbounded(const AbortMatrix *x)
     return false;
 }
 
-static void put_ways(const Report *r, Doc *d, const AbortMatrix *x)
+static void add_transitions(const Report *r, Doc *d, const AbortMatrix *x)
 {
     DocTable *t;
 
     doc_heading(d, "abort-transitions", "Transitions that abort");
     if (has_unbounded(x))
         doc_paragraph(d, TEXT_ABORT_UNBOUNDED);
-    t = DOC_TABLE_OF(d, "transitions", way_columns);
+    t = DOC_TABLE_OF(d, "transitions", transition_columns);
     for (size_t i = 0; i < x->n; i++)
         for (size_t w = 0; w < x->row[i].way.n; w++)
-            put_way(r, t, &x->row[i], &x->row[i].way.at[w]);
+            add_transition_row(r, t, &x->row[i], &x->row[i].way.at[w]);
 }
 
-void report_abort(Report *r, Doc *d)
+void report_add_abort_matrix(Report *r, Doc *d)
 {
     const AbortMatrix x = abort_matrix(trials_of(&r->analysis));
     DocTable *t;
@@ -122,6 +122,6 @@ void report_abort(Report *r, Doc *d)
     doc_paragraph(d, TEXT_ABORT);
     t = DOC_TABLE_OF(d, "abort", abort_columns);
     for (size_t i = 0; i < x.n; i++)
-        put_row(r, t, &x.row[i]);
-    put_ways(r, d, &x);
+        add_state_row(r, t, &x.row[i]);
+    add_transitions(r, d, &x);
 }

@@ -11,11 +11,11 @@ static const DocColumn step_columns[] = {
     {"cycles", "Cycles on an Uno"}};
 static const DocColumn byte_columns[] = {{"part", "Part"}, {"bytes", "Bytes"}};
 static const DocColumn board_columns[] = {{"part", "Part"}, {"value", "Value"}};
-static const DocColumn way_columns[] = {{"block", "Block"}, {"line", "Line"}, {"text", "Statement"}, {"instructions", "Instructions"}};
+static const DocColumn longest_columns[] = {{"block", "Block"}, {"line", "Line"}, {"text", "Statement"}, {"instructions", "Instructions"}};
 
 // ---- where the time goes ----
 
-const char *report_cycles(const Report *r, uint32_t cycles)
+const char *report_format_cycles(const Report *r, uint32_t cycles)
 {
     enum { MHZ = 16 };                                // of a stock Uno
     const unsigned long hundredths = (cycles + 10 * MHZ - 1) / (10 * MHZ);
@@ -23,7 +23,7 @@ const char *report_cycles(const Report *r, uint32_t cycles)
     return format_in(r->arena, "%lu cycles, %lu.%02lu ms", (unsigned long)cycles, hundredths / 100, hundredths % 100);
 }
 
-static const char *dearest(const Report *r, const StateCost *s)
+static const char *expensive_lines_text(const Report *r, const StateCost *s)
 {
     enum { SHOWN = 3 };
     const CostLine *l = NULL;
@@ -36,17 +36,17 @@ static const char *dearest(const Report *r, const StateCost *s)
     return buf_text(&b);
 }
 
-static void put_steps(const Report *r, Doc *d)
+static void add_steps(const Report *r, Doc *d)
 {
     const Cost *c = &r->cost;
     DocTable *t = DOC_TABLE_OF(d, "steps", step_columns);
 
     for (uint32_t i = 0; i < c->states; i++) {
-        cell_state(t, r->analysis.p->state.at[i]->name->text);
-        cell_bar(t, c->state[i].first, c->worst);
-        cell_bar(t, c->state[i].later, c->worst);
-        cell_plain(t, dearest(r, &c->state[i]));
-        cell_number(t, r->eeprom.state[i].worst);
+        doc_cell_state(t, r->analysis.p->state.at[i]->name->text);
+        doc_cell_bar(t, c->state[i].first, c->worst);
+        doc_cell_bar(t, c->state[i].later, c->worst);
+        doc_cell_plain(t, expensive_lines_text(r, &c->state[i]));
+        doc_cell_number(t, r->eeprom.state[i].worst);
     }
 }
 
@@ -60,7 +60,7 @@ static const char *line_text(const Report *r, uint32_t line)     // line 0: shar
     if (line == 0)
         return "-> of several lines";
     text = source_line(r->analysis.p->src, line, &len);
-    if (comment_starts(text, len, &at))
+    if (comment_find_start(text, len, &at))
         len = at;
     while (len > 0 && (text[len - 1] == ' ' || text[len - 1] == '\t'))
         len--;
@@ -69,7 +69,7 @@ static const char *line_text(const Report *r, uint32_t line)     // line 0: shar
     return format_in(r->arena, "%.*s", (int)len, text);
 }
 
-static void put_way(const Report *r, Doc *d)
+static void add_longest_step(const Report *r, Doc *d)
 {
     enum { SHOWN = 60 };
     static const char *const block[] = {".entry", ".step", ".exit", "samples"};
@@ -78,12 +78,12 @@ static void put_way(const Report *r, Doc *d)
 
     doc_heading(d, "longest",
                 format_in(r->arena, "The longest step, in ^%s^", r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
-    t = DOC_TABLE_OF(d, "longest", way_columns);
+    t = DOC_TABLE_OF(d, "longest", longest_columns);
     for (size_t i = 0; i < s->way.n && i < SHOWN; i++) {
-        cell_plain(t, block[s->way.at[i].part]);
-        cell_line(t, s->way.at[i].line);
-        cell_code(t, line_text(r, s->way.at[i].line));
-        cell_number(t, s->way.at[i].units);
+        doc_cell_plain(t, block[s->way.at[i].part]);
+        doc_cell_line(t, s->way.at[i].line);
+        doc_cell_code(t, line_text(r, s->way.at[i].line));
+        doc_cell_number(t, s->way.at[i].units);
     }
     if (s->way.n > SHOWN)
         doc_paragraph(d, format_in(r->arena, "And %lu more.", (unsigned long)(s->way.n - SHOWN)));
@@ -93,7 +93,7 @@ static void put_way(const Report *r, Doc *d)
 
 bool report_fits_uno(const Report *r) { return r->cost.windows_small < 2048; }
 
-static void put_board(const Report *r, Doc *d)
+static void add_board(const Report *r, Doc *d)
 {
     DocTable *t;
 
@@ -101,27 +101,27 @@ static void put_board(const Report *r, Doc *d)
     doc_paragraph(d, TEXT_COSTS_BOARD);
     t = DOC_TABLE_OF(d, "board", board_columns);
     t->narrow = true;
-    cell_plain(t, "Longest step, image in EEPROM");
-    cell_plain(t, report_cycles(r, r->eeprom.worst));
-    cell_plain(t, "Longest step, image in flash");
-    cell_plain(t, report_cycles(r, r->flash.worst));
-    cell_plain(t, "Stack of a step, largest measured");
-    cell_plain(t, format_in(r->arena, "%lu bytes", (unsigned long)cycles_stack()));
+    doc_cell_plain(t, "Longest step, image in EEPROM");
+    doc_cell_plain(t, report_format_cycles(r, r->eeprom.worst));
+    doc_cell_plain(t, "Longest step, image in flash");
+    doc_cell_plain(t, report_format_cycles(r, r->flash.worst));
+    doc_cell_plain(t, "Stack of a step, largest measured");
+    doc_cell_plain(t, format_in(r->arena, "%lu bytes", (unsigned long)cycles_stack()));
     if (report_fits_uno(r))
         return;
-    cell_plain(t, "Windows alone");
-    cell_plain(t, "more than its 2048 bytes of memory");
+    doc_cell_plain(t, "Windows alone");
+    doc_cell_plain(t, "more than its 2048 bytes of memory");
 }
 
 // ---- bytes ----
 
-static void bytes(DocTable *t, const char *part, uint32_t n)
+static void add_bytes_row(DocTable *t, const char *part, uint32_t n)
 {
-    cell_plain(t, part);
-    cell_number(t, n);
+    doc_cell_plain(t, part);
+    doc_cell_number(t, n);
 }
 
-static void put_bytes(const Report *r, Doc *d)
+static void add_bytes(const Report *r, Doc *d)
 {
     const Cost *c = &r->cost;
     DocTable *t;
@@ -130,23 +130,23 @@ static void put_bytes(const Report *r, Doc *d)
     doc_paragraph(d, TEXT_COSTS_MEMORY);
     t = DOC_TABLE_OF(d, "bytes", byte_columns);
     t->narrow = true;
-    bytes(t, "Windows of rolling statistics", c->windows);
-    bytes(t, "Locals and temporary values", c->locals);
-    bytes(t, "State of the VM", c->own);
-    bytes(t, "RAM in total", c->ram);
-    bytes(t, "State vector", r->analysis.p->sv->size);
-    bytes(t, "Image, in flash or RAM", (uint32_t)r->image_size);
-    bytes(t, "of which code", c->code);
+    add_bytes_row(t, "Windows of rolling statistics", c->windows);
+    add_bytes_row(t, "Locals and temporary values", c->locals);
+    add_bytes_row(t, "State of the VM", c->own);
+    add_bytes_row(t, "RAM in total", c->ram);
+    add_bytes_row(t, "State vector", r->analysis.p->sv->size);
+    add_bytes_row(t, "Image, in flash or RAM", (uint32_t)r->image_size);
+    add_bytes_row(t, "of which code", c->code);
 }
 
-void report_cost(Report *r, Doc *d)
+void report_add_costs(Report *r, Doc *d)
 {
     doc_section(d, "cost", "Costs");
     doc_paragraph(d, TEXT_COSTS);
     if (r->cost.sample)
         doc_paragraph(d, format_in(r->arena, TEXT_COSTS_SAMPLES, describe_count(r->arena, r->cost.sample, "instruction", "instructions")));
-    put_steps(r, d);
-    put_way(r, d);
-    put_board(r, d);
-    put_bytes(r, d);
+    add_steps(r, d);
+    add_longest_step(r, d);
+    add_board(r, d);
+    add_bytes(r, d);
 }

@@ -8,7 +8,7 @@ FindingCount report_count_findings(const Report *r)
     return (FindingCount){r->analysis.diags->list.n, r->analysis.diags->allowed.n};
 }
 
-static const char *group_of(const Diag *diag)
+static const char *group_name(const Diag *diag)
 {
     static const char *const name[] = {"on by default", "-Wextra", "-Wflight"};
     const DiagFlag *flag = diag_info[diag->code].flag ? diag_find_flag(diag_info[diag->code].flag) : NULL;
@@ -16,21 +16,21 @@ static const char *group_of(const Diag *diag)
     return flag ? name[flag->group] : "";
 }
 
-static const char *name_of(const Diag *diag) { return diag_info[diag->code].flag ? diag_info[diag->code].flag : ""; }
+static const char *flag_name(const Diag *diag) { return diag_info[diag->code].flag ? diag_info[diag->code].flag : ""; }
 
 // ---- one finding in detail ----
 
-static const char *place_of(const Report *r, Span span)
+static const char *position_text(const Report *r, Span span)
 {
     LineCol at;
 
     if (!span.src)
         return "";
     at = source_position(span.src, span.at);
-    return format_in(r->arena, "%s:%lu:%lu", report_file_name(span.src->name), (unsigned long)at.line, (unsigned long)at.col);
+    return format_in(r->arena, "%s:%lu:%lu", report_base_name(span.src->name), (unsigned long)at.line, (unsigned long)at.col);
 }
 
-static void put_notes(const Report *r, Doc *d, const Diag *diag, size_t number)
+static void add_notes(const Report *r, Doc *d, const Diag *diag, size_t number)
 {
     DocList *l;
 
@@ -38,11 +38,11 @@ static void put_notes(const Report *r, Doc *d, const Diag *diag, size_t number)
         return;
     l = doc_list(d, format_in(r->arena, "notes.%lu", (unsigned long)number), NULL);
     for (size_t i = 0; i < diag->notes.n; i++)
-        list_line(l, 0, diag->notes.at[i].span.src == r->analysis.p->src ? report_line(diag->notes.at[i].span) : 0,
-                  diag->notes.at[i].text);
+        doc_list_line(l, 0, diag->notes.at[i].span.src == r->analysis.p->src ? report_line_of(diag->notes.at[i].span) : 0,
+                      diag->notes.at[i].text);
 }
 
-static void put_finding(const Report *r, Doc *d, const Diag *diag, size_t number)
+static void add_finding(const Report *r, Doc *d, const Diag *diag, size_t number)
 {
     DocPart *heading = doc_heading(d, format_in(r->arena, "finding-%lu", (unsigned long)number), diag->text);
 
@@ -52,7 +52,7 @@ static void put_finding(const Report *r, Doc *d, const Diag *diag, size_t number
     if (diag->allowed)
         doc_quote(d, format_in(r->arena, "Allowed: %s", diag->allowed));
     doc_excerpt(d, diag->span, diag->label);
-    put_notes(r, d, diag, number);
+    add_notes(r, d, diag, number);
     if (diag->edits.n)
         doc_paragraph(d, TEXT_FINDING_FIXABLE);
 }
@@ -64,22 +64,22 @@ static const DocColumn finding_columns[] = {
 static const DocColumn allowed_columns[] = {
     {"number", "No."}, {"name", "Name"}, {"position", "Position"}, {"message", "Finding"}, {"reason", "Reason"}};
 
-static void put_row(const Report *r, DocTable *t, const Diag *diag, size_t number)
+static void add_row(const Report *r, DocTable *t, const Diag *diag, size_t number)
 {
-    cell_number(t, number);
-    cell_code(t, name_of(diag));
+    doc_cell_number(t, number);
+    doc_cell_code(t, flag_name(diag));
     if (!diag->allowed)
-        cell_plain(t, group_of(diag));
-    cell_plain(t, place_of(r, diag->span));
-    cell_plain(t, diag->text);
-    cell_plain(t, diag->allowed ? diag->allowed : diag_info[diag->code].id);
+        doc_cell_plain(t, group_name(diag));
+    doc_cell_plain(t, position_text(r, diag->span));
+    doc_cell_plain(t, diag->text);
+    doc_cell_plain(t, diag->allowed ? diag->allowed : diag_info[diag->code].id);
 }
 
 // Writes findings in detail, numbered from `first`.
-static void put_all(const Report *r, Doc *d, Diag *const *diag, size_t n, size_t first)
+static void add_details(const Report *r, Doc *d, Diag *const *diag, size_t n, size_t first)
 {
     for (size_t i = 0; i < n; i++)
-        put_finding(r, d, diag[i], first + i);
+        add_finding(r, d, diag[i], first + i);
 }
 
 // Some findings assume how far time advances in a step.
@@ -92,7 +92,7 @@ static const char *step_text(const Report *r)
     return format_in(r->arena, r->step_given ? TEXT_STEP_GIVEN : TEXT_STEP_OF_SCRIPTS, step);
 }
 
-void report_findings(Report *r, Doc *d)
+void report_add_findings(Report *r, Doc *d)
 {
     const Diags *diags = r->analysis.diags;
     const size_t open = diags->list.n, allowed = diags->allowed.n;
@@ -104,14 +104,14 @@ void report_findings(Report *r, Doc *d)
     if (open) {
         t = DOC_TABLE_OF(d, "findings", finding_columns);
         for (size_t i = 0; i < open; i++)
-            put_row(r, t, diags->list.at[i], i + 1);
+            add_row(r, t, diags->list.at[i], i + 1);
     }
     if (allowed) {
         doc_heading(d, "allowed", "Allowed findings");
         t = DOC_TABLE_OF(d, "allowed", allowed_columns);
         for (size_t i = 0; i < allowed; i++)
-            put_row(r, t, diags->allowed.at[i], open + i + 1);
+            add_row(r, t, diags->allowed.at[i], open + i + 1);
     }
-    put_all(r, d, diags->list.at, open, 1);
-    put_all(r, d, diags->allowed.at, allowed, open + 1);
+    add_details(r, d, diags->list.at, open, 1);
+    add_details(r, d, diags->allowed.at, allowed, open + 1);
 }

@@ -8,7 +8,7 @@
 
 static const DocColumn fact_columns[] = {{"name", "Name"}, {"value", "Value"}};
 
-static const char *identity(const Report *r)          // as in the image
+static const char *identity_text(const Report *r)     // as in the image
 {
     SmvmReader at;
 
@@ -30,13 +30,13 @@ static const char *scripts_text(const Report *r)
 
 static const char *coverage_text(const Report *r)
 {
-    const Coverage c = report_coverage(r);
-    const char *text = format_in(r->arena, "%lu of %lu states, transitions between %lu of %lu pairs of states", (unsigned long)c.states_seen, (unsigned long)c.states,
-                                 (unsigned long)c.ways_seen, (unsigned long)c.ways);
+    const Coverage c = report_measure_coverage(r);
+    const char *text = format_in(r->arena, "%lu of %lu states, transitions between %lu of %lu pairs of states", (unsigned long)c.states_covered, (unsigned long)c.states,
+                                 (unsigned long)c.pairs_covered, (unsigned long)c.ways);
 
-    if (c.ways_shared == 0)
+    if (c.pairs_shared == 0)
         return text;
-    return format_in(r->arena, "%s; %lu pairs have several transitions, some of which may not be covered", text, (unsigned long)c.ways_shared);
+    return format_in(r->arena, "%s; %lu pairs have several transitions, some of which may not be covered", text, (unsigned long)c.pairs_shared);
 }
 
 static const char *findings_text(const Report *r)
@@ -48,33 +48,33 @@ static const char *findings_text(const Report *r)
     return format_in(r->arena, "%lu, and %lu allowed", (unsigned long)n.open, (unsigned long)n.allowed);
 }
 
-static void fact(DocTable *t, const char *name, const char *value)
+static void add_fact(DocTable *t, const char *name, const char *value)
 {
-    cell_plain(t, name);
-    cell_plain(t, value);
+    doc_cell_plain(t, name);
+    doc_cell_plain(t, value);
 }
 
-static void put_facts(const Report *r, Doc *d)
+static void add_facts(const Report *r, Doc *d)
 {
     const Program *p = r->analysis.p;
     DocTable *t = DOC_TABLE_OF(d, "facts", fact_columns);
     const char *state = p->state.at[r->cost.worst_state - 1]->name->text;
 
     t->facts = true;
-    fact(t, "States", format_in(r->arena, "%lu", (unsigned long)p->state.n));
-    fact(t, "Transitions", format_in(r->arena, "%lu", (unsigned long)r->analysis.transition.n));
-    fact(t, "Findings", findings_text(r));
-    fact(t, "Scripts", scripts_text(r));
+    add_fact(t, "States", format_in(r->arena, "%lu", (unsigned long)p->state.n));
+    add_fact(t, "Transitions", format_in(r->arena, "%lu", (unsigned long)r->analysis.transition.n));
+    add_fact(t, "Findings", findings_text(r));
+    add_fact(t, "Scripts", scripts_text(r));
     if (r->runs)
-        fact(t, "Covered by scripts", coverage_text(r));
-    fact(t, "Longest step", format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst, state));
-    fact(t, "On an Arduino Uno", report_fits_uno(r) ? format_in(r->arena, "about %s", report_cycles(r, r->eeprom.worst))
+        add_fact(t, "Covered by scripts", coverage_text(r));
+    add_fact(t, "Longest step", format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst, state));
+    add_fact(t, "On an Arduino Uno", report_fits_uno(r) ? format_in(r->arena, "about %s", report_format_cycles(r, r->eeprom.worst))
                                                  : "does not fit into its memory");
-    fact(t, "Memory on the VM", format_in(r->arena, "%lu bytes on a 64-bit computer", (unsigned long)r->cost.ram));
-    fact(t, "Image", format_in(r->arena, "%lu bytes", (unsigned long)r->image_size));
-    fact(t, "Image CRC", format_in(r->arena, "%08lx", (unsigned long)smvm_uint(r->image, SMVM_CRC_AT, 4)));
-    fact(t, "Source identity", identity(r));
-    fact(t, "State vector", p->sv->from_machine ? "declared in the machine" : format_in(r->arena, "%s (layout %08lx)", p->sv->name->text,
+    add_fact(t, "Memory on the VM", format_in(r->arena, "%lu bytes on a 64-bit computer", (unsigned long)r->cost.ram));
+    add_fact(t, "Image", format_in(r->arena, "%lu bytes", (unsigned long)r->image_size));
+    add_fact(t, "Image CRC", format_in(r->arena, "%08lx", (unsigned long)smvm_uint(r->image, SMVM_CRC_AT, 4)));
+    add_fact(t, "Source identity", identity_text(r));
+    add_fact(t, "State vector", p->sv->from_machine ? "declared in the machine" : format_in(r->arena, "%s (layout %08lx)", p->sv->name->text,
                                                                                (unsigned long)p->sv->hash));
 }
 
@@ -123,7 +123,7 @@ static const char *final_states(const Report *r, size_t *n)
     return buf_text(&out);
 }
 
-static void put_words(Report *r, Doc *d)
+static void add_summary(Report *r, Doc *d)
 {
     const Program *p = r->analysis.p;
     size_t reads, writes, final;
@@ -144,30 +144,30 @@ static void put_words(Report *r, Doc *d)
 // Below LEGIBLE, letters would be too small to read on paper.
 enum { PAPER_W = 688, LOW = 416, LEGIBLE = 65 };      // pixels between the margins of A4; 110 mm, as in page_style.c; percent
 
-bool report_is_low(DiagramSize s)
+bool report_is_low_diagram(DiagramSize s)
 {
     const int64_t h = s.w > PAPER_W ? (int64_t)s.h * PAPER_W / s.w : s.h;
 
     return h * LEGIBLE <= LOW * 100;
 }
 
-static void put_diagram(Report *r, Doc *d)
+static void add_diagram(Report *r, Doc *d)
 {
     DiagramSize size;
     const DiagramOptions o = {r->analysis.diags, NULL, &size};
     Buf svg;
 
     buf_init(&svg, r->arena);
-    diagram_svg(&r->analysis, &o, &svg);
+    diagram_write_svg(&r->analysis, &o, &svg);
     doc_section(d, "diagram", "State diagram");
-    doc_figure(d, buf_text(&svg), NULL)->low = report_is_low(size);
+    doc_figure(d, buf_text(&svg), NULL)->low = report_is_low_diagram(size);
 }
 
-void report_overview(Report *r, Doc *d)
+void report_add_overview(Report *r, Doc *d)
 {
     doc_section(d, "overview", "Overview");
     doc_quote(d, comment_of_file(r->arena, r->analysis.p->src));
-    put_words(r, d);
-    put_facts(r, d);
-    put_diagram(r, d);
+    add_summary(r, d);
+    add_facts(r, d);
+    add_diagram(r, d);
 }

@@ -11,7 +11,7 @@ static const DocColumn run_columns[] = {{"script", "Script"},
                                         {"asserts", "Asserts passed"},
                                         {"states", "States visited"}};
 static const DocColumn visit_columns[] = {{"step", "Step"}, {"g", "G"}, {"state", "State entered"}, {"duration", "Duration"}};
-static const DocColumn cover_columns[] = {
+static const DocColumn state_columns[] = {
     {"state", "State"}, {"entered", "Times entered"}, {"steps", "Steps"}, {"scripts", "Scripts"}};
 
 static const char *outcome_text(const ReportRun *run)
@@ -28,11 +28,11 @@ static const char *outcome_text(const ReportRun *run)
     return "";
 }
 
-static bool passed(const ReportRun *run) { return run->script && run->result.outcome == SCRIPT_PASSED; }
+static bool has_passed(const ReportRun *run) { return run->script && run->result.outcome == SCRIPT_PASSED; }
 
 // ---- tables ----
 
-static void put_runs(const Report *r, Doc *d)
+static void add_runs(const Report *r, Doc *d)
 {
     DocTable *t = DOC_TABLE_OF(d, "runs", run_columns);
 
@@ -41,18 +41,18 @@ static void put_runs(const Report *r, Doc *d)
         size_t visited = 0;
         for (size_t s = 0; run->script && s < r->analysis.p->state.n; s++)
             visited += run->trace.entered[s] > 0;
-        cell_plain(t, run->name);
-        cell_plain(t, outcome_text(run));
-        cell_number(t, run->result.steps);
-        cell_number(t, run->result.asserts_passed);
-        cell_plain(t, format_in(r->arena, "%lu of %lu", (unsigned long)visited, (unsigned long)r->analysis.p->state.n));
+        doc_cell_plain(t, run->name);
+        doc_cell_plain(t, outcome_text(run));
+        doc_cell_number(t, run->result.steps);
+        doc_cell_number(t, run->result.asserts_passed);
+        doc_cell_plain(t, format_in(r->arena, "%lu of %lu", (unsigned long)visited, (unsigned long)r->analysis.p->state.n));
     }
 }
 
-static const DocColumn way_columns[] = {{"from", "From"}, {"to", "To"}, {"times", "Times"}, {"note", "Remark"}};
+static const DocColumn transition_columns[] = {{"from", "From"}, {"to", "To"}, {"times", "Times"}, {"note", "Remark"}};
 
 // Whether transition i is the first from its state to its target; *same: how many lead there.  Visits only transitions of one state.
-static bool is_first_way(const Transitions *t, size_t i, size_t *same)
+static bool is_first_of_pair(const Transitions *t, size_t i, size_t *same)
 {
     size_t first = i, last = i;
 
@@ -68,13 +68,13 @@ static bool is_first_way(const Transitions *t, size_t i, size_t *same)
     return true;
 }
 
-static void put_cover(const Report *r, Doc *d)
+static void add_states_covered(const Report *r, Doc *d)
 {
     const Program *p = r->analysis.p;
     DocTable *t;
 
     doc_heading(d, "states-covered", "States visited by the scripts");
-    t = DOC_TABLE_OF(d, "states", cover_columns);
+    t = DOC_TABLE_OF(d, "states", state_columns);
     for (size_t s = 0; s < p->state.n; s++) {
         uint64_t entered = 0, spent = 0, scripts = 0;
         for (size_t i = 0; i < r->runs; i++)
@@ -83,18 +83,18 @@ static void put_cover(const Report *r, Doc *d)
                 spent += r->run[i].trace.spent[s];
                 scripts += r->run[i].trace.entered[s] > 0;
             }
-        cell_state(t, p->state.at[s]->name->text);
-        cell_number(t, entered);
-        cell_number(t, spent);
+        doc_cell_state(t, p->state.at[s]->name->text);
+        doc_cell_number(t, entered);
+        doc_cell_number(t, spent);
         if (scripts)
-            cell_number(t, scripts);
+            doc_cell_number(t, scripts);
         else
-            cell_plain(t, "none");
+            doc_cell_plain(t, "none");
     }
 }
 
 // The pairs of states between which the scripts have made a transition.  A run does not record which of several transitions between two states it took.
-static void put_ways(const Report *r, Doc *d)
+static void add_transitions_covered(const Report *r, Doc *d)
 {
     const Transitions *t = &r->analysis.transition;
     DocTable *table;
@@ -102,25 +102,25 @@ static void put_ways(const Report *r, Doc *d)
     if (t->n == 0)
         return;
     doc_heading(d, "transitions-covered", "Transitions taken by the scripts");
-    table = DOC_TABLE_OF(d, "transitions", way_columns);
+    table = DOC_TABLE_OF(d, "transitions", transition_columns);
     for (size_t i = 0; i < t->n; i++) {
         uint64_t taken = 0;
         size_t same = 0;
-        if (!is_first_way(t, i, &same))
+        if (!is_first_of_pair(t, i, &same))
             continue;
         for (size_t k = 0; k < r->runs; k++)
             taken += r->run[k].trace.taken[i];
-        cell_state(table, t->at[i].from->name->text);
-        cell_state(table, t->at[i].to->name->text);
-        cell_number(table, taken);
-        cell_plain(table, taken == 0 ? "never taken"
+        doc_cell_state(table, t->at[i].from->name->text);
+        doc_cell_state(table, t->at[i].to->name->text);
+        doc_cell_number(table, taken);
+        doc_cell_plain(table, taken == 0 ? "never taken"
                           : same > 1 ? format_in(r->arena, "%lu transitions, counted together", (unsigned long)same)
                                      : "");
     }
 }
 
 // Counts by transition.  The diagram draws one arrow from a state to another, so the count of several transitions is stored at the first.
-DiagramCounts report_counts(const Report *r)
+DiagramCounts report_sum_counts(const Report *r)
 {
     const size_t states = r->analysis.p->state.n, ways = r->analysis.transition.n;
     uint64_t *state = ARENA_ARRAY(r->arena, uint64_t, states), *way = ARENA_ARRAY(r->arena, uint64_t, ways);
@@ -134,36 +134,36 @@ DiagramCounts report_counts(const Report *r)
     return (DiagramCounts){state, way};
 }
 
-Coverage report_coverage(const Report *r)
+Coverage report_measure_coverage(const Report *r)
 {
-    const DiagramCounts counts = report_counts(r);
+    const DiagramCounts counts = report_sum_counts(r);
     const Transitions *t = &r->analysis.transition;
     Coverage c = {0, r->analysis.p->state.n, 0, 0, 0};
 
     for (size_t s = 0; s < c.states; s++)
-        c.states_seen += counts.state[s] > 0;
+        c.states_covered += counts.state[s] > 0;
     for (size_t i = 0; i < t->n; i++) {
         size_t same = 0;
-        if (!is_first_way(t, i, &same))
+        if (!is_first_of_pair(t, i, &same))
             continue;
         c.ways++;
-        c.ways_seen += counts.transition[i] > 0;
-        c.ways_shared += counts.transition[i] > 0 && same > 1;
+        c.pairs_covered += counts.transition[i] > 0;
+        c.pairs_shared += counts.transition[i] > 0 && same > 1;
     }
     return c;
 }
 
 // Names transitions whose count is shared: a run does not record which of them it took.  If none was taken, all are known to be unused.
-static void put_shared_ways(const Report *r, Doc *d)
+static void add_shared_transitions(const Report *r, Doc *d)
 {
-    const DiagramCounts counts = report_counts(r);
+    const DiagramCounts counts = report_sum_counts(r);
     const Transitions *t = &r->analysis.transition;
     Buf out;
 
     buf_init(&out, r->arena);
     for (size_t i = 0; i < t->n; i++) {
         size_t same = 0;
-        if (counts.transition[i] == 0 || !is_first_way(t, i, &same) || same < 2)
+        if (counts.transition[i] == 0 || !is_first_of_pair(t, i, &same) || same < 2)
             continue;
         buf_printf(&out, "%s from ^%s^ to ^%s^ (lines", out.n ? "," : "", t->at[i].from->name->text, t->at[i].to->name->text);
         for (size_t k = i; k < t->n && t->at[k].from == t->at[i].from; k++)
@@ -175,51 +175,51 @@ static void put_shared_ways(const Report *r, Doc *d)
         doc_paragraph(d, format_in(r->arena, TEXT_SHARED, buf_text(&out)));
 }
 
-static void put_diagram(Report *r, Doc *d)
+static void add_not_covered(Report *r, Doc *d)
 {
-    const Coverage c = report_coverage(r);
-    const DiagramCounts counts = report_counts(r);
+    const Coverage c = report_measure_coverage(r);
+    const DiagramCounts counts = report_sum_counts(r);
     DiagramSize size;
     DocPart *figure;
     const DiagramOptions o = {NULL, &counts, &size};
     Buf svg;
 
     doc_heading(d, "not-covered", "Not covered by the scripts");
-    if (c.states_seen == c.states && c.ways_seen == c.ways) {
-        doc_paragraph(d, c.ways_shared ? TEXT_COVERED_ALL_EDGES : TEXT_COVERED_ALL);
-        put_shared_ways(r, d);
+    if (c.states_covered == c.states && c.pairs_covered == c.ways) {
+        doc_paragraph(d, c.pairs_shared ? TEXT_COVERED_ALL_EDGES : TEXT_COVERED_ALL);
+        add_shared_transitions(r, d);
         return;
     }
     buf_init(&svg, r->arena);
-    diagram_svg(&r->analysis, &o, &svg);
+    diagram_write_svg(&r->analysis, &o, &svg);
     figure = doc_figure(d, buf_text(&svg), "Dotted: states that no script has visited, and transitions that none has taken.");
-    figure->low = report_is_low(size);
-    put_shared_ways(r, d);
+    figure->low = report_is_low_diagram(size);
+    add_shared_transitions(r, d);
 }
 
 // ---- one script ----
 
-static void put_visits(const Report *r, Doc *d, const ReportRun *run)
+static void add_visits(const Report *r, Doc *d, const ReportRun *run)
 {
     enum { SHOWN = 20 };
     const Trace *t = &run->trace;
     DocTable *table = DOC_TABLE_OF(d, format_in(r->arena, "visits.%s", run->name), visit_columns);
 
     for (size_t i = 0; i < t->visit.n && i < SHOWN; i++) {
-        cell_number(table, t->visit.at[i].step + 1);
-        cell_number(table, t->visit.at[i].g);
-        cell_state(table, t->visit.at[i].state->name->text);
+        doc_cell_number(table, t->visit.at[i].step + 1);
+        doc_cell_number(table, t->visit.at[i].g);
+        doc_cell_state(table, t->visit.at[i].state->name->text);
         if (i + 1 < t->visit.n)
-            cell_number(table, t->visit.at[i + 1].g - t->visit.at[i].g);
+            doc_cell_number(table, t->visit.at[i + 1].g - t->visit.at[i].g);
         else
-            cell_plain(table, "until the end");
+            doc_cell_plain(table, "until the end");
     }
     table->narrow = true;
     if (t->visits > SHOWN)
         doc_paragraph(d, format_in(r->arena, "And %llu more.", (unsigned long long)(t->visits - SHOWN)));
 }
 
-static const char *unchanged(const Report *r, const ReportRun *run)
+static const char *unchanged_text(const Report *r, const ReportRun *run)
 {
     const Trace *t = &run->trace;
     Buf b;
@@ -228,21 +228,21 @@ static const char *unchanged(const Report *r, const ReportRun *run)
     for (size_t i = 0; i < t->series.n; i++)
         if (!t->series.at[i]->changes && t->steps > 0)
             buf_printf(&b, "%s`%s` = %s", b.n ? ", " : "", t->series.at[i]->v->name->text,
-                       report_cell(r->arena, t->series.at[i]->v->type, run->result.cell[t->series.at[i]->v->index]));
+                       report_format_cell(r->arena, t->series.at[i]->v->type, run->result.cell[t->series.at[i]->v->index]));
     return buf_text(&b);
 }
 
-static void put_plot(const Report *r, Doc *d, const ReportRun *run)
+static void add_plot(const Report *r, Doc *d, const ReportRun *run)
 {
-    const char *same = unchanged(r, run);
+    const char *same = unchanged_text(r, run);
 
-    doc_figure(d, plot_run(r->arena, &run->trace),
+    doc_figure(d, plot_draw_run(r->arena, &run->trace),
                format_in(r->arena, "Values after each step. A circle marks the start of a state.%s%s%s", *same ? " Unchanged: " : "",
                          same, *same ? "." : ""));
 }
 
 // What led to a failure, as smc test shows it: the last steps with the values that the assert reads, and the last transitions.
-static void put_history(const Report *r, Doc *d, const Diag *failure)
+static void add_history(const Report *r, Doc *d, const Diag *failure)
 {
     Buf lines;
 
@@ -250,46 +250,46 @@ static void put_history(const Report *r, Doc *d, const Diag *failure)
     for (size_t i = 0; i < failure->notes.n; i++) {
         const DiagNote *note = &failure->notes.at[i];
         if (note->span.src)
-            buf_printf(&lines, "%s:%lu: ", report_file_name(note->span.src->name),
+            buf_printf(&lines, "%s:%lu: ", report_base_name(note->span.src->name),
                        (unsigned long)source_position(note->span.src, note->span.at).line);
         buf_printf(&lines, "%s\n", note->text);
     }
     doc_lines(d, buf_text(&lines));
 }
 
-static void put_run(const Report *r, Doc *d, const ReportRun *run, size_t number)
+static void add_run(const Report *r, Doc *d, const ReportRun *run, size_t number)
 {
     DocPart *heading = doc_heading(d, format_in(r->arena, "script-%lu", (unsigned long)number), run->name);
 
     heading->plain = true;
-    heading->badge = passed(run) ? "passed" : "failed";
-    heading->tone = passed(run) ? "good" : "bad";
+    heading->badge = has_passed(run) ? "passed" : "failed";
+    heading->tone = has_passed(run) ? "good" : "bad";
     if (run->script)
         doc_quote(d, comment_of_file(r->arena, run->script->src));
     for (size_t i = 0; i < run->diags.list.n; i++) {
         const Diag *said = run->diags.list.at[i];
         doc_plain(d, format_in(r->arena, "%s [%s]", said->text, diag_code_and_name(said, r->arena)));
         doc_excerpt(d, said->span, said->label);
-        put_history(r, d, said);
+        add_history(r, d, said);
     }
     if (!run->script || run->trace.steps == 0)
         return;
-    put_plot(r, d, run);
-    put_visits(r, d, run);
+    add_plot(r, d, run);
+    add_visits(r, d, run);
 }
 
-void report_scripts(Report *r, Doc *d)
+void report_add_scripts(Report *r, Doc *d)
 {
     doc_section(d, "scripts", "Scripts");
     if (r->runs == 0) {
         doc_paragraph(d, TEXT_SCRIPTS_NONE);
         return;
     }
-    put_runs(r, d);
-    put_cover(r, d);
-    put_ways(r, d);
-    put_diagram(r, d);
+    add_runs(r, d);
+    add_states_covered(r, d);
+    add_transitions_covered(r, d);
+    add_not_covered(r, d);
     doc_figure(d, plot_patterns(r->arena), NULL);
     for (size_t i = 0; i < r->runs; i++)
-        put_run(r, d, &r->run[i], i + 1);
+        add_run(r, d, &r->run[i], i + 1);
 }

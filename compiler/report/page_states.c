@@ -13,7 +13,7 @@ static bool is_reached(const Report *r, const State *s)
     return false;
 }
 
-static void put_badge(const Report *r, const State *s, DocPart *heading)
+static void set_badge(const Report *r, const State *s, DocPart *heading)
 {
     heading->state = s->name->text;
     heading->tone = s->is_abort ? "bad" : s->is_safe ? "good" : "note";
@@ -29,22 +29,22 @@ static void put_badge(const Report *r, const State *s, DocPart *heading)
 
 // ---- predecessors ----
 
-typedef struct Sources { VEC(const State *) from; } Sources;      // the predecessors of a state, each once
+typedef struct Predecessors { VEC(const State *) from; } Predecessors;  // the predecessors of a state, each once
 
-static Sources *find_sources(const Report *r)
+static Predecessors *find_predecessors(const Report *r)
 {
     const Transitions *t = &r->analysis.transition;
-    Sources *of = ARENA_ARRAY(r->arena, Sources, r->analysis.p->state.n + 1u);
+    Predecessors *of = ARENA_ARRAY(r->arena, Predecessors, r->analysis.p->state.n + 1u);
 
     for (size_t i = 0; i < t->n; i++) {
-        Sources *s = &of[t->at[i].to->number];
+        Predecessors *s = &of[t->at[i].to->number];
         if (s->from.n == 0 || s->from.at[s->from.n - 1] != t->at[i].from)     // transitions are sorted by state
             vec_push(r->arena, &s->from, t->at[i].from);
     }
     return of;
 }
 
-static void put_sources(const Report *r, Doc *d, const Sources *s)
+static void add_predecessors(const Report *r, Doc *d, const Predecessors *s)
 {
     Buf b;
 
@@ -60,7 +60,7 @@ static void put_sources(const Report *r, Doc *d, const Sources *s)
 
 // ---- a state ----
 
-static void put_blocks(const Report *r, Doc *d, const State *s)
+static void add_blocks(const Report *r, Doc *d, const State *s)
 {
     static const char *const label[BLOCK_COUNT] = {"On entry, the machine", "In each step, the machine", "On exit, the machine"};
     static const char *const key[BLOCK_COUNT] = {"entry", "step", "exit"};
@@ -75,19 +75,19 @@ static void put_blocks(const Report *r, Doc *d, const State *s)
         doc_paragraph(d, TEXT_STATE_EMPTY);
 }
 
-void report_states(Report *r, Doc *d)
+void report_add_states(Report *r, Doc *d)
 {
     const Program *p = r->analysis.p;
-    const Sources *from = find_sources(r);
+    const Predecessors *from = find_predecessors(r);
 
     doc_section(d, "states", "States");
     doc_paragraph(d, TEXT_STATES);
     for (size_t i = 0; i < p->state.n; i++) {
         const State *s = p->state.at[i];
-        put_badge(r, s, doc_heading(d, NULL, format_in(r->arena, "%u. %s", (unsigned)s->number, s->name->text)));
-        doc_quote(d, comment_at(r->arena, s->span));
-        put_blocks(r, d, s);
-        put_sources(r, d, &from[s->number]);
+        set_badge(r, s, doc_heading(d, NULL, format_in(r->arena, "%u. %s", (unsigned)s->number, s->name->text)));
+        doc_quote(d, comment_around(r->arena, s->span));
+        add_blocks(r, d, s);
+        add_predecessors(r, d, &from[s->number]);
     }
 }
 
@@ -97,7 +97,7 @@ static const DocColumn transition_columns[] = {
     {"number", "No."}, {"from", "From"}, {"to", "To"}, {"when", "Condition"}, {"block", "Block"}, {"line", "Line"}, {"note", "Remark"},
     {"comment", "Comment"}};
 
-static const char *remark(const Report *r, const Transition *t)
+static const char *remark_text(const Report *r, const Transition *t)
 {
     if (!r->analysis.stmt[t->stmt->number].reached)
         return "can never be taken";
@@ -107,31 +107,31 @@ static const char *remark(const Report *r, const Transition *t)
 // The comment after the transition, or after the guard if the transition is its only statement.
 static const char *comment_of_transition(const Report *r, const Transition *t)
 {
-    const char *own = comment_beside(r->arena, t->stmt->span);
+    const char *own = comment_after_lines(r->arena, t->stmt->span);
     const Stmt *guard = t->when && t->when->holds ? t->when->stmt : NULL;
 
-    return own || !guard || guard->then.n != 1 ? own : comment_beside(r->arena, guard->span);
+    return own || !guard || guard->then.n != 1 ? own : comment_after_lines(r->arena, guard->span);
 }
 
-static void put_transition(const Report *r, DocTable *table, const Transition *t)
+static void add_transition_row(const Report *r, DocTable *table, const Transition *t)
 {
     static const char *const block[BLOCK_COUNT] = {".entry", ".step", ".exit"};
     const char *when = condition_text(r->arena, t->when);
 
-    cell_number(table, t->number + 1u);
-    cell_state(table, t->from->name->text);
-    cell_state(table, t->to->name->text);
+    doc_cell_number(table, t->number + 1u);
+    doc_cell_state(table, t->from->name->text);
+    doc_cell_state(table, t->to->name->text);
     if (*when)
-        cell_code(table, when);
+        doc_cell_code(table, when);
     else
-        cell_plain(table, "always");
-    cell_plain(table, block[t->block]);
-    cell_line(table, report_line(t->stmt->span));
-    cell_plain(table, remark(r, t));
-    cell_plain(table, comment_of_transition(r, t));
+        doc_cell_plain(table, "always");
+    doc_cell_plain(table, block[t->block]);
+    doc_cell_line(table, report_line_of(t->stmt->span));
+    doc_cell_plain(table, remark_text(r, t));
+    doc_cell_plain(table, comment_of_transition(r, t));
 }
 
-void report_transitions(Report *r, Doc *d)
+void report_add_transitions(Report *r, Doc *d)
 {
     const Transitions *t = &r->analysis.transition;
     DocTable *table;
@@ -144,5 +144,5 @@ void report_transitions(Report *r, Doc *d)
     doc_paragraph(d, TEXT_TRANSITIONS);
     table = DOC_TABLE_OF(d, "transitions", transition_columns);
     for (size_t i = 0; i < t->n; i++)
-        put_transition(r, table, &t->at[i]);
+        add_transition_row(r, table, &t->at[i]);
 }

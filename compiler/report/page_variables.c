@@ -7,15 +7,15 @@
 
 // ---- uses of variables by state ----
 
-typedef struct Use { const State *last_read, *last_written; Buf readers, writers; } Use;      // names of states
+typedef struct VarUse { const State *last_read, *last_written; Buf readers, writers; } VarUse;  // names of states
 
-typedef struct Uses {
+typedef struct VarUses {
     Arena *arena;
-    Use *of;                      // by Var.index
+    VarUse *of;                   // by Var.index
     const State *state;
-} Uses;
+} VarUses;
 
-static void note(Buf *list, const State **last, const State *s)
+static void note_state(Buf *list, const State **last, const State *s)
 {
     if (*last == s)
         return;
@@ -25,30 +25,30 @@ static void note(Buf *list, const State **last, const State *s)
 
 static void note_read(Expr *e, void *context)
 {
-    Uses *u = context;
+    VarUses *u = context;
 
     if (e->kind == EX_VAR)
-        note(&u->of[e->var->index].readers, &u->of[e->var->index].last_read, u->state);
+        note_state(&u->of[e->var->index].readers, &u->of[e->var->index].last_read, u->state);
 }
 
 // Recursion is bounded by the nesting of conditionals, AST_DEPTH_MAX.
-static void note_stmts(Uses *u, const Stmts *stmts)
+static void note_statements(VarUses *u, const Stmts *stmts)
 {
     for (size_t i = 0; i < stmts->n; i++) {
         const Stmt *s = stmts->at[i];
         if (s->value)
             expr_walk(s->value, note_read, u);
         if (s->kind == ST_ASSIGN)
-            note(&u->of[s->var->index].writers, &u->of[s->var->index].last_written, u->state);
-        note_stmts(u, &s->then);
-        note_stmts(u, &s->otherwise);
+            note_state(&u->of[s->var->index].writers, &u->of[s->var->index].last_written, u->state);
+        note_statements(u, &s->then);
+        note_statements(u, &s->otherwise);
     }
 }
 
-static Use *find_uses(const Report *r)
+static VarUse *find_uses(const Report *r)
 {
     const Program *p = r->analysis.p;
-    Uses u = {r->arena, ARENA_ARRAY(r->arena, Use, p->var.n), NULL};
+    VarUses u = {r->arena, ARENA_ARRAY(r->arena, VarUse, p->var.n), NULL};
 
     for (size_t i = 0; i < p->var.n; i++) {
         buf_init(&u.of[i].readers, r->arena);
@@ -57,7 +57,7 @@ static Use *find_uses(const Report *r)
     for (size_t s = 0; s < p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++) {
             u.state = p->state.at[s];
-            note_stmts(&u, &u.state->block[b]);
+            note_statements(&u, &u.state->block[b]);
         }
     return u.of;
 }
@@ -72,7 +72,7 @@ static const DocColumn element_columns[] = {{"name", "Element"},
                                             {"read", "Read in"},
                                             {"written", "Written in"}};
 
-static const char *role(const Program *p, const Var *v)
+static const char *role_text(const Program *p, const Var *v)
 {
     if (v == p->g)
         return "time";
@@ -83,33 +83,33 @@ static const char *role(const Program *p, const Var *v)
     return v->read ? "input" : "unused";
 }
 
-static const char *name_of(Arena *arena, const Var *v)
+static const char *element_name(Arena *arena, const Var *v)
 {
     return v->alias ? format_in(arena, "%s (%s)", v->name->text, v->alias->text) : v->name->text;
 }
 
 static double number_of(SmF64 x)
 {
-    return trace_number(SM_F64, sm_bits(x));
+    return trace_cell_value(SM_F64, sm_bits(x));
 }
 
-static const char *range_of(Arena *arena, const Var *v)
+static const char *range_text(Arena *arena, const Var *v)
 {
     if (!v->range)
         return "";
-    return format_in(arena, "%s to %s", report_number(arena, number_of(v->range->lo)),
-                     report_number(arena, number_of(v->range->hi)));
+    return format_in(arena, "%s to %s", report_format_number(arena, number_of(v->range->lo)),
+                     report_format_number(arena, number_of(v->range->hi)));
 }
 
 // The comment at the machine's own declaration, otherwise at that in the state vector.
-static const char *comment_of(Arena *arena, const Var *v)
+static const char *comment_of_variable(Arena *arena, const Var *v)
 {
-    const char *own = comment_behind(arena, v->span);
+    const char *own = comment_after(arena, v->span);
 
-    return own || !v->element ? own : comment_behind(arena, v->element->span);
+    return own || !v->element ? own : comment_after(arena, v->element->span);
 }
 
-static void put_elements(const Report *r, Doc *d, const Use *use)
+static void add_elements(const Report *r, Doc *d, const VarUse *use)
 {
     const Program *p = r->analysis.p;
     DocTable *t = DOC_TABLE_OF(d, "elements", element_columns);
@@ -118,20 +118,20 @@ static void put_elements(const Report *r, Doc *d, const Use *use)
         const Var *v = p->var.at[i];
         if (v->kind != VAR_ELEMENT)
             continue;
-        cell_code(t, name_of(r->arena, v));
-        cell_plain(t, sm_type_info[v->type].spelling);
-        cell_plain(t, role(p, v));
-        cell_plain(t, range_of(r->arena, v));
-        cell_plain(t, comment_of(r->arena, v));
-        cell_plain(t, buf_text(&use[i].readers));
-        cell_plain(t, buf_text(&use[i].writers));
+        doc_cell_code(t, element_name(r->arena, v));
+        doc_cell_plain(t, sm_type_info[v->type].spelling);
+        doc_cell_plain(t, role_text(p, v));
+        doc_cell_plain(t, range_text(r->arena, v));
+        doc_cell_plain(t, comment_of_variable(r->arena, v));
+        doc_cell_plain(t, buf_text(&use[i].readers));
+        doc_cell_plain(t, buf_text(&use[i].writers));
     }
 }
 
 // ---- locals ----
 
 // The sizes of windows are computed at compile time; no state reads them.
-static const char *readers_of(const Report *r, const Var *v, Use *use)
+static const char *readers_text(const Report *r, const Var *v, VarUse *use)
 {
     return format_in(r->arena, "%s%s%s", buf_text(&use->readers), v->sizes && use->readers.n ? ", " : "",
                      v->sizes ? "sizes of windows" : "");
@@ -152,7 +152,7 @@ static const DocColumn local_columns[] = {
 static bool is_parameter(const Var *v) { return v->kind == VAR_LOCAL && !v->written; }
 static bool is_memory(const Var *v) { return v->kind == VAR_LOCAL && v->written; }
 
-static size_t count(const Program *p, bool (*wanted)(const Var *v))
+static size_t count_variables(const Program *p, bool (*wanted)(const Var *v))
 {
     size_t n = 0;
 
@@ -161,12 +161,12 @@ static size_t count(const Program *p, bool (*wanted)(const Var *v))
     return n;
 }
 
-static void put_parameters(const Report *r, Doc *d, Use *use)
+static void add_parameters(const Report *r, Doc *d, VarUse *use)
 {
     const Program *p = r->analysis.p;
     DocTable *t;
 
-    if (count(p, is_parameter) == 0)
+    if (count_variables(p, is_parameter) == 0)
         return;
     doc_heading(d, "parameters", "Parameters");
     doc_paragraph(d, TEXT_PARAMETERS);
@@ -175,22 +175,22 @@ static void put_parameters(const Report *r, Doc *d, Use *use)
         const Var *v = p->var.at[i];
         if (!is_parameter(v))
             continue;
-        cell_code(t, v->name->text);
-        cell_plain(t, sm_type_info[v->type].spelling);
-        cell_plain(t, report_cell(r->arena, v->type, v->init));
-        cell_code(t, v->init_value && v->init_value->kind != EX_NUMBER ? source_text(r->arena, v->init_value->span) : "");
-        cell_plain(t, comment_of(r->arena, v));
-        cell_plain(t, readers_of(r, v, &use[i]));
-        cell_line(t, report_line(v->span));
+        doc_cell_code(t, v->name->text);
+        doc_cell_plain(t, sm_type_info[v->type].spelling);
+        doc_cell_plain(t, report_format_cell(r->arena, v->type, v->init));
+        doc_cell_code(t, v->init_value && v->init_value->kind != EX_NUMBER ? source_text(r->arena, v->init_value->span) : "");
+        doc_cell_plain(t, comment_of_variable(r->arena, v));
+        doc_cell_plain(t, readers_text(r, v, &use[i]));
+        doc_cell_line(t, report_line_of(v->span));
     }
 }
 
-static void put_locals(const Report *r, Doc *d, Use *use)
+static void add_locals(const Report *r, Doc *d, VarUse *use)
 {
     const Program *p = r->analysis.p;
     DocTable *t;
 
-    if (count(p, is_memory) == 0)
+    if (count_variables(p, is_memory) == 0)
         return;
     doc_heading(d, "locals", "Locals");
     doc_paragraph(d, TEXT_LOCALS);
@@ -199,13 +199,13 @@ static void put_locals(const Report *r, Doc *d, Use *use)
         const Var *v = p->var.at[i];
         if (!is_memory(v))
             continue;
-        cell_code(t, v->name->text);
-        cell_plain(t, sm_type_info[v->type].spelling);
-        cell_plain(t, report_cell(r->arena, v->type, v->init));
-        cell_plain(t, comment_of(r->arena, v));
-        cell_plain(t, readers_of(r, v, &use[i]));
-        cell_plain(t, buf_text(&use[i].writers));
-        cell_line(t, report_line(v->span));
+        doc_cell_code(t, v->name->text);
+        doc_cell_plain(t, sm_type_info[v->type].spelling);
+        doc_cell_plain(t, report_format_cell(r->arena, v->type, v->init));
+        doc_cell_plain(t, comment_of_variable(r->arena, v));
+        doc_cell_plain(t, readers_text(r, v, &use[i]));
+        doc_cell_plain(t, buf_text(&use[i].writers));
+        doc_cell_line(t, report_line_of(v->span));
     }
 }
 
@@ -213,7 +213,7 @@ static void put_locals(const Report *r, Doc *d, Use *use)
 
 static const DocColumn window_columns[] = {{"call", "Call"}, {"meaning", "Meaning"}, {"steps", "Steps"}, {"line", "Line"}};
 
-static void put_windows(const Report *r, Doc *d)
+static void add_windows(const Report *r, Doc *d)
 {
     const Windows *w = &r->analysis.p->window;
     DocTable *t;
@@ -224,20 +224,20 @@ static void put_windows(const Report *r, Doc *d)
     doc_paragraph(d, TEXT_WINDOWS);
     t = DOC_TABLE_OF(d, "windows", window_columns);
     for (size_t i = 0; i < w->n; i++) {
-        cell_code(t, source_text(r->arena, w->at[i].span));
-        cell_text(t, describe_window(r->arena, &w->at[i]));
-        cell_number(t, w->at[i].size);
-        cell_line(t, report_line(w->at[i].span));
+        doc_cell_code(t, source_text(r->arena, w->at[i].span));
+        doc_cell_text(t, describe_window(r->arena, &w->at[i]));
+        doc_cell_number(t, w->at[i].size);
+        doc_cell_line(t, report_line_of(w->at[i].span));
     }
 }
 
-void report_variables(Report *r, Doc *d)
+void report_add_variables(Report *r, Doc *d)
 {
-    Use *use = find_uses(r);
+    VarUse *use = find_uses(r);
 
     doc_section(d, "variables", "Inputs, outputs and parameters");
-    put_elements(r, d, use);
-    put_parameters(r, d, use);
-    put_locals(r, d, use);
-    put_windows(r, d);
+    add_elements(r, d, use);
+    add_parameters(r, d, use);
+    add_locals(r, d, use);
+    add_windows(r, d);
 }

@@ -11,7 +11,7 @@
 
 // ---- helpers ----
 
-void plot_tenths(Buf *out, long x)
+void plot_write_tenths(Buf *out, long x)
 {
     buf_printf(out, "%s%ld", x < 0 ? "-" : "", (x < 0 ? -x : x) / 10);
     if (x % 10)
@@ -23,38 +23,38 @@ long plot_x(const Trace *t, double step)
     return PLOT_LEFT + (long)((double)(PLOT_RIGHT - PLOT_LEFT) * (step / (double)t->steps));
 }
 
-static void put_length(Buf *out, const char *name, long x)
+static void write_length(Buf *out, const char *name, long x)
 {
     buf_printf(out, " %s=\"", name);
-    plot_tenths(out, x);
+    plot_write_tenths(out, x);
     buf_char(out, '"');
 }
 
-void plot_line(Plot *p, const char *class_name, long x1, long y1, long x2, long y2)
+void plot_draw_line(Plot *p, const char *class_name, long x1, long y1, long x2, long y2)
 {
     buf_printf(p->out, "<line class=\"%s\"", class_name);
-    put_length(p->out, "x1", x1);
-    put_length(p->out, "y1", y1);
-    put_length(p->out, "x2", x2);
-    put_length(p->out, "y2", y2);
+    write_length(p->out, "x1", x1);
+    write_length(p->out, "y1", y1);
+    write_length(p->out, "x2", x2);
+    write_length(p->out, "y2", y2);
     buf_str(p->out, "/>\n");
 }
 
-void plot_rect(Plot *p, const char *class_name, long x, long y, long wide, long high)
+void plot_draw_rect(Plot *p, const char *class_name, long x, long y, long wide, long high)
 {
     buf_printf(p->out, "<rect class=\"%s\"", class_name);
-    put_length(p->out, "x", x);
-    put_length(p->out, "y", y);
-    put_length(p->out, "width", wide);
-    put_length(p->out, "height", high);
+    write_length(p->out, "x", x);
+    write_length(p->out, "y", y);
+    write_length(p->out, "width", wide);
+    write_length(p->out, "height", high);
     buf_str(p->out, "/>\n");
 }
 
-void plot_text(Plot *p, const char *class_name, const char *anchor, long x, long y, const char *text)
+void plot_draw_text(Plot *p, const char *class_name, const char *anchor, long x, long y, const char *text)
 {
     buf_printf(p->out, "<text class=\"%s\" text-anchor=\"%s\"", class_name, anchor);
-    put_length(p->out, "x", x);
-    put_length(p->out, "y", y);
+    write_length(p->out, "x", x);
+    write_length(p->out, "y", y);
     buf_char(p->out, '>');
     html_str(p->out, text);
     buf_str(p->out, "</text>\n");
@@ -88,15 +88,15 @@ const char *plot_label(Arena *arena, double x)
 
 // ---- a row of numbers ----
 
-typedef struct Row {
+typedef struct PlotRow {
     const TraceSeries *s;
     double lo, hi;                // range of the row
     long top;                     // of its frame
-} Row;
+} PlotRow;
 
 static bool is_finite(double x) { return x - x == 0; }
 
-static void widen(Row *r, double x)
+static void extend_row(PlotRow *r, double x)
 {
     if (!is_finite(x))
         return;
@@ -104,14 +104,14 @@ static void widen(Row *r, double x)
     r->hi = x > r->hi ? x : r->hi;
 }
 
-static Row row_of(const Trace *t, const TraceSeries *s, long top)
+static PlotRow measure_row(const Trace *t, const TraceSeries *s, long top)
 {
-    Row r = {s, 1e308 * 10, -1e308 * 10, top};
+    PlotRow r = {s, 1e308 * 10, -1e308 * 10, top};
     double margin;
 
     for (size_t i = 0; i < trace_buckets(t); i++) {
-        widen(&r, s->at[i].lo);
-        widen(&r, s->at[i].hi);
+        extend_row(&r, s->at[i].lo);
+        extend_row(&r, s->at[i].hi);
     }
     if (r.lo > r.hi)
         r.lo = r.hi = 0;                              // only infinities
@@ -121,22 +121,22 @@ static Row row_of(const Trace *t, const TraceSeries *s, long top)
     return r;
 }
 
-static long y_of(const Row *r, double x)
+static long row_y(const PlotRow *r, double x)
 {
     const double share = (x / 2 - r->lo / 2) / (r->hi / 2 - r->lo / 2);       // halved, because the difference could overflow
 
     return r->top + PLOT_ROW - (long)((double)PLOT_ROW * (!(share > 0) ? 0 : share > 1 ? 1 : share));
 }
 
-static void put_title(Plot *p, const Var *v, long top)
+static void draw_title(Plot *p, const Var *v, long top)
 {
-    const char *comment = comment_behind(p->out->arena, v->span);
+    const char *comment = comment_after(p->out->arena, v->span);
 
     if (!comment && v->element)
-        comment = comment_behind(p->out->arena, v->element->span);
+        comment = comment_after(p->out->arena, v->element->span);
     buf_str(p->out, "<text class=\"t\"");
-    put_length(p->out, "x", PLOT_LEFT + 40);
-    put_length(p->out, "y", top + PLOT_TITLE - 50);
+    write_length(p->out, "x", PLOT_LEFT + 40);
+    write_length(p->out, "y", top + PLOT_TITLE - 50);
     buf_printf(p->out, "><tspan font-weight=\"600\">%s</tspan>", v->name->text);
     if (comment) {
         buf_str(p->out, " <tspan class=\"dim\">");
@@ -146,7 +146,7 @@ static void put_title(Plot *p, const Var *v, long top)
     buf_str(p->out, "</text>\n");
 }
 
-static void put_grid(Plot *p, const Row *r)
+static void draw_grid(Plot *p, const PlotRow *r)
 {
     const double step = plot_round_step(r->lo, r->hi, 4);
     double first;
@@ -158,48 +158,48 @@ static void put_grid(Plot *p, const Row *r)
         const double x = (first + i) * step;
         if (x < r->lo || x > r->hi)
             continue;
-        plot_line(p, "grid", PLOT_LEFT, y_of(r, x), PLOT_RIGHT, y_of(r, x));
-        plot_text(p, "dim", "end", PLOT_LEFT - 60, y_of(r, x) + 40, plot_label(p->out->arena, x));
+        plot_draw_line(p, "grid", PLOT_LEFT, row_y(r, x), PLOT_RIGHT, row_y(r, x));
+        plot_draw_text(p, "dim", "end", PLOT_LEFT - 60, row_y(r, x) + 40, plot_label(p->out->arena, x));
     }
 }
 
 typedef struct Pen { Buf *out; long x, y; bool down; } Pen;
 
-static void set_down(Pen *pen, long x, long y)
+static void pen_down(Pen *pen, long x, long y)
 {
     if (pen->down)
         return;
     *pen = (Pen){pen->out, x, y, true};
     buf_char(pen->out, 'M');
-    plot_tenths(pen->out, x);
+    plot_write_tenths(pen->out, x);
     buf_char(pen->out, ' ');
-    plot_tenths(pen->out, y);
+    plot_write_tenths(pen->out, y);
 }
 
-static void lift(Pen *pen, long x)                    // draws up to x, then lifts
+static void pen_lift(Pen *pen, long x)                // draws up to x, then lifts
 {
     if (!pen->down)
         return;
     buf_char(pen->out, 'H');
-    plot_tenths(pen->out, x);
+    plot_write_tenths(pen->out, x);
     pen->down = false;
 }
 
-static void draw_to(Pen *pen, long x, long y)         // horizontally, then vertically
+static void pen_line_to(Pen *pen, long x, long y)     // horizontally, then vertically
 {
     if (y == pen->y)
         return;
     if (x != pen->x) {
         buf_char(pen->out, 'H');
-        plot_tenths(pen->out, x);
+        plot_write_tenths(pen->out, x);
     }
     buf_char(pen->out, 'V');
-    plot_tenths(pen->out, y);
+    plot_write_tenths(pen->out, y);
     pen->x = x;
     pen->y = y;
 }
 
-static void put_trace(Plot *p, const Row *r)
+static void draw_curve(Plot *p, const PlotRow *r)
 {
     const TraceBucket *b = r->s->at;
     Pen pen = {p->out, PLOT_LEFT, 0, false};
@@ -208,20 +208,20 @@ static void put_trace(Plot *p, const Row *r)
     for (size_t i = 0; i < trace_buckets(p->t); i++) {
         const long x = plot_x(p->t, (double)(i * p->t->per));
         if (b[i].first != b[i].first) {
-            lift(&pen, x);
+            pen_lift(&pen, x);
             continue;
         }
-        set_down(&pen, x, y_of(r, b[i].first));
-        draw_to(&pen, x, y_of(r, b[i].first));
-        draw_to(&pen, x, y_of(r, b[i].lo));
-        draw_to(&pen, x, y_of(r, b[i].hi));
-        draw_to(&pen, x, y_of(r, b[i].last));
+        pen_down(&pen, x, row_y(r, b[i].first));
+        pen_line_to(&pen, x, row_y(r, b[i].first));
+        pen_line_to(&pen, x, row_y(r, b[i].lo));
+        pen_line_to(&pen, x, row_y(r, b[i].hi));
+        pen_line_to(&pen, x, row_y(r, b[i].last));
     }
-    lift(&pen, PLOT_RIGHT);
+    pen_lift(&pen, PLOT_RIGHT);
     buf_str(p->out, "\"/>\n");
 }
 
-static void put_circles(Plot *p, const Row *r)
+static void draw_circles(Plot *p, const PlotRow *r)
 {
     enum { MOST = 100 };
 
@@ -230,89 +230,89 @@ static void put_circles(Plot *p, const Row *r)
         if (r->s->at[v->step / p->t->per].last != r->s->at[v->step / p->t->per].last)
             continue;
         buf_str(p->out, "<circle class=\"begin\"");
-        put_length(p->out, "cx", plot_x(p->t, v->place));
-        put_length(p->out, "cy", y_of(r, r->s->at[v->step / p->t->per].last));
+        write_length(p->out, "cx", plot_x(p->t, v->place));
+        write_length(p->out, "cy", row_y(r, r->s->at[v->step / p->t->per].last));
         buf_str(p->out, " r=\"3.4\"/>\n");
     }
 }
 
-static void put_row(Plot *p, const TraceSeries *s, long top)
+static void draw_row(Plot *p, const TraceSeries *s, long top)
 {
-    const Row r = row_of(p->t, s, top + PLOT_TITLE);
+    const PlotRow r = measure_row(p->t, s, top + PLOT_TITLE);
 
-    put_title(p, s->v, top);
-    put_grid(p, &r);
-    plot_rect(p, "frame", PLOT_LEFT, r.top, PLOT_RIGHT - PLOT_LEFT, PLOT_ROW);
-    put_trace(p, &r);
-    put_circles(p, &r);
+    draw_title(p, s->v, top);
+    draw_grid(p, &r);
+    plot_draw_rect(p, "frame", PLOT_LEFT, r.top, PLOT_RIGHT - PLOT_LEFT, PLOT_ROW);
+    draw_curve(p, &r);
+    draw_circles(p, &r);
     if (s->infinite)
-        plot_text(p, "dim", "end", PLOT_RIGHT, top + PLOT_TITLE - 50, "infinite at times");
+        plot_draw_text(p, "dim", "end", PLOT_RIGHT, top + PLOT_TITLE - 50, "infinite at times");
     else if (s->nan)
-        plot_text(p, "dim", "end", PLOT_RIGHT, top + PLOT_TITLE - 50, "not a number (nan) in the gaps");
+        plot_draw_text(p, "dim", "end", PLOT_RIGHT, top + PLOT_TITLE - 50, "not a number (nan) in the gaps");
 }
 
 // ---- a strip of a bool ----
 
-static void put_stretch(Plot *p, const char *class_name, size_t from, size_t to, long top)
+static void draw_stretch(Plot *p, const char *class_name, size_t from, size_t to, long top)
 {
     const uint64_t end = to * p->t->per < p->t->steps ? to * p->t->per : p->t->steps;
     const long x = plot_x(p->t, (double)(from * p->t->per));
 
-    plot_rect(p, class_name, x, top, plot_x(p->t, (double)end) - x, PLOT_STRIP);
+    plot_draw_rect(p, class_name, x, top, plot_x(p->t, (double)end) - x, PLOT_STRIP);
 }
 
 static int is_on(const TraceBucket *b) { return b->lo > 0 ? 2 : b->hi > 0 ? 1 : 0; }       // 1: some of the time
 
-static void put_strip(Plot *p, const TraceSeries *s, long top)
+static void draw_strip(Plot *p, const TraceSeries *s, long top)
 {
     const size_t n = trace_buckets(p->t);
     size_t from = 0;
 
-    put_title(p, s->v, top);
+    draw_title(p, s->v, top);
     top += PLOT_TITLE;
     for (size_t i = 1; i <= n; i++) {
         const int now = is_on(&s->at[from]);
         if (i < n && is_on(&s->at[i]) == now)
             continue;
         if (now)
-            put_stretch(p, now == 2 ? "on" : "both", from, i, top);
+            draw_stretch(p, now == 2 ? "on" : "both", from, i, top);
         from = i;
     }
-    plot_rect(p, "frame", PLOT_LEFT, top, PLOT_RIGHT - PLOT_LEFT, PLOT_STRIP);
+    plot_draw_rect(p, "frame", PLOT_LEFT, top, PLOT_RIGHT - PLOT_LEFT, PLOT_STRIP);
 }
 
 // ---- the whole plot ----
 
 static bool is_strip(const TraceSeries *s) { return s->v->type == SM_BOOL; }
 
-static long put_rows(Plot *p, bool strips, bool draw, long y)
+static long draw_rows(Plot *p, bool strips, bool draw, long y)
 {
     for (size_t i = 0; i < p->t->series.n; i++) {
         const TraceSeries *s = p->t->series.at[i];
         if (!s->changes || is_strip(s) != strips)
             continue;
         if (draw && strips)
-            put_strip(p, s, y);
+            draw_strip(p, s, y);
         else if (draw)
-            put_row(p, s, y);
+            draw_row(p, s, y);
         y += PLOT_TITLE + (strips ? PLOT_STRIP : PLOT_ROW) + PLOT_GAP;
     }
     return y;
 }
 
-static const char *axis_of(const Plot *p)
+static const char *axis_text(const Plot *p)
 {
     const Var *g = p->t->p->g;
-    const char *comment = p->t->axis ? NULL : comment_behind(p->out->arena, g->span);
+    const char *comment = p->t->axis ? NULL : comment_after(p->out->arena, g->span);
 
     if (p->t->axis)
         return p->t->axis;
     if (!comment && g->element)
-        comment = comment_behind(p->out->arena, g->element->span);
+        comment = comment_after(p->out->arena, g->element->span);
     return format_in(p->out->arena, "Time, G%s%s", comment ? ": " : "", comment ? comment : "");
 }
 
-static void put_time(Plot *p)
+static void draw_time_axis(Plot *p)
 {
     const Trace *t = p->t;
     const double unit = t->unit > 0 ? t->unit : 1, span = (double)(t->last_g - t->first_g) * unit, from = (double)t->first_g * unit;
@@ -321,38 +321,38 @@ static void put_time(Plot *p)
     for (int i = 0; step > 0 && i < 20 && i * step <= span; i++) {
         const long x =
             PLOT_LEFT + (long)((double)(PLOT_RIGHT - PLOT_LEFT) * (i * step / span) * ((double)(t->steps - 1) / (double)t->steps));
-        plot_line(p, "grid", x, p->bottom, x, p->bottom + 50);
-        plot_text(p, "dim", x > PLOT_RIGHT - 150 ? "end" : "middle", x, p->bottom + 170,
-                  plot_label(p->out->arena, from + i * step));
+        plot_draw_line(p, "grid", x, p->bottom, x, p->bottom + 50);
+        plot_draw_text(p, "dim", x > PLOT_RIGHT - 150 ? "end" : "middle", x, p->bottom + 170,
+                       plot_label(p->out->arena, from + i * step));
     }
-    plot_text(p, "dim", "start", PLOT_LEFT, p->bottom + 310, axis_of(p));
+    plot_draw_text(p, "dim", "start", PLOT_LEFT, p->bottom + 310, axis_text(p));
 }
 
-long plot_body(Arena *arena, const Trace *t, Buf *out)
+long plot_draw_body(Arena *arena, const Trace *t, Buf *out)
 {
     Plot p = {out, t, PLOT_BAND + PLOT_GAP, 0};
     long y;
 
     buf_init(out, arena);
-    p.bottom = put_rows(&p, true, false, put_rows(&p, false, false, p.top));
-    plot_bands(&p);
-    y = put_rows(&p, false, true, p.top);
-    put_rows(&p, true, true, y);
-    put_time(&p);
-    return plot_legend(&p, p.bottom + 420);
+    p.bottom = draw_rows(&p, true, false, draw_rows(&p, false, false, p.top));
+    plot_draw_bands(&p);
+    y = draw_rows(&p, false, true, p.top);
+    draw_rows(&p, true, true, y);
+    draw_time_axis(&p);
+    return plot_draw_legend(&p, p.bottom + 420);
 }
 
-const char *plot_run(Arena *arena, const Trace *t)
+const char *plot_draw_run(Arena *arena, const Trace *t)
 {
     Buf body, out;
-    const long y = plot_body(arena, t, &body);
+    const long y = plot_draw_body(arena, t, &body);
 
     buf_init(&out, arena);
     buf_printf(&out,
                "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" role=\"img\" aria-label=\"States and values over time\" "
                "viewBox=\"0 0 %d ",
                PLOT_WIDE / 10);
-    plot_tenths(&out, y);
+    plot_write_tenths(&out, y);
     buf_str(&out, "\">\n");
     buf_put(&out, body.at, body.n);
     buf_str(&out, "</svg>\n");

@@ -17,21 +17,21 @@ typedef struct Plot {
     long top, bottom;             // of the rows below the band
 } Plot;
 
-void plot_tenths(Buf *out, long x);                   // writes 123 as 12.3
+void plot_write_tenths(Buf *out, long x);             // writes 123 as 12.3
 long plot_x(const Trace *t, double step);             // where a step, or a fraction of one, begins
-void plot_line(Plot *p, const char *class_name, long x1, long y1, long x2, long y2);
-void plot_rect(Plot *p, const char *class_name, long x, long y, long wide, long high);
+void plot_draw_line(Plot *p, const char *class_name, long x1, long y1, long x2, long y2);
+void plot_draw_rect(Plot *p, const char *class_name, long x, long y, long wide, long high);
 // Writes text of a class; `anchor` aligns its start, middle or end at x.
-void plot_text(Plot *p, const char *class_name, const char *anchor, long x, long y, const char *text);
+void plot_draw_text(Plot *p, const char *class_name, const char *anchor, long x, long y, const char *text);
 
 // A step size with about `about` round numbers from lo to hi; 0 if there is none.
 double plot_round_step(double lo, double hi, int about);
 const char *plot_label(Arena *arena, double x);       // at most five digits
 
 extern const char plot_defs[];                        // the patterns, for the start of a drawing
-long plot_body(Arena *arena, const Trace *t, Buf *out);       // everything inside the <svg> tag; returns the height
+long plot_draw_body(Arena *arena, const Trace *t, Buf *out);  // everything inside the <svg> tag; returns the height
 
-void plot_bands(Plot *p);                             // at the top, and tinted behind the rows
-long plot_legend(Plot *p, long y);                    // returns the y of its end
+void plot_draw_bands(Plot *p);                        // at the top, and tinted behind the rows
+long plot_draw_legend(Plot *p, long y);               // returns the y of its end
 
 #endif

@@ -18,37 +18,37 @@ const char *plot_patterns(Arena *arena)
     return format_in(arena, "<svg class=\"plot\" aria-hidden=\"true\" style=\"position:absolute;width:0;height:0\">%s</svg>\n", plot_defs);
 }
 
-static void put_swatch(Plot *p, const State *s, long x, long y, long wide, long high)
+static void draw_swatch(Plot *p, const State *s, long x, long y, long wide, long high)
 {
     const unsigned n = s->number - 1u, pattern = (n + n / COLOURS) % PATTERNS;
 
-    plot_rect(p, format_in(p->out->arena, "s%u", n % COLOURS), x, y, wide, high);
+    plot_draw_rect(p, format_in(p->out->arena, "s%u", n % COLOURS), x, y, wide, high);
     if (pattern == 0)
         return;
     buf_str(p->out, "<rect x=\"");
-    plot_tenths(p->out, x);
+    plot_write_tenths(p->out, x);
     buf_str(p->out, "\" y=\"");
-    plot_tenths(p->out, y);
+    plot_write_tenths(p->out, y);
     buf_str(p->out, "\" width=\"");
-    plot_tenths(p->out, wide);
+    plot_write_tenths(p->out, wide);
     buf_str(p->out, "\" height=\"");
-    plot_tenths(p->out, high);
+    plot_write_tenths(p->out, high);
     buf_printf(p->out, "\" fill=\"url(#hatch%u)\"/>\n", pattern);
 }
 
-static long text_wide(const char *text) { return (long)strlen(text) * LETTER; }
+static long name_width(const char *text) { return (long)strlen(text) * LETTER; }
 
 // Writes the name if it fits, otherwise the number.
-static void put_name(Plot *p, const State *s, long x, long wide)
+static void draw_name(Plot *p, const State *s, long x, long wide)
 {
     const char *number = format_in(p->out->arena, "%u", (unsigned)s->number);
-    const char *text = text_wide(s->name->text) + 60 < wide ? s->name->text : text_wide(number) + 20 < wide ? number : NULL;
+    const char *text = name_width(s->name->text) + 60 < wide ? s->name->text : name_width(number) + 20 < wide ? number : NULL;
 
     if (text)
-        plot_text(p, "name", "middle", x + wide / 2, PLOT_BAND - 65, text);
+        plot_draw_text(p, "name", "middle", x + wide / 2, PLOT_BAND - 65, text);
 }
 
-static void put_band(Plot *p, size_t i)
+static void draw_band(Plot *p, size_t i)
 {
     const Trace *t = p->t;
     const TraceVisit *v = &t->visit.at[i];
@@ -57,25 +57,25 @@ static void put_band(Plot *p, size_t i)
 
     if (wide <= 0)
         return;
-    put_swatch(p, v->state, from, 0, wide, PLOT_BAND);
+    draw_swatch(p, v->state, from, 0, wide, PLOT_BAND);
     if (t->visits <= TINTS_MOST) {
-        plot_rect(p, format_in(p->out->arena, "tint s%u", (unsigned)(v->state->number - 1u) % COLOURS), from, p->top, wide,
-                  p->bottom - p->top);
+        plot_draw_rect(p, format_in(p->out->arena, "tint s%u", (unsigned)(v->state->number - 1u) % COLOURS), from, p->top, wide,
+                       p->bottom - p->top);
         if (i > 0)
-            plot_line(p, "cut", from, PLOT_BAND, from, p->bottom);
+            plot_draw_line(p, "cut", from, PLOT_BAND, from, p->bottom);
     }
-    put_name(p, v->state, from, wide);
+    draw_name(p, v->state, from, wide);
 }
 
-void plot_bands(Plot *p)
+void plot_draw_bands(Plot *p)
 {
     for (size_t i = 0; i < p->t->visit.n; i++)
-        put_band(p, i);
+        draw_band(p, i);
     if (p->t->visits > TRACE_VISITS_MAX)
-        plot_text(p, "dim", "end", PLOT_RIGHT, PLOT_BAND - 65, "the state changes too often to be drawn");
+        plot_draw_text(p, "dim", "end", PLOT_RIGHT, PLOT_BAND - 65, "the state changes too often to be drawn");
 }
 
-long plot_legend(Plot *p, long y)
+long plot_draw_legend(Plot *p, long y)
 {
     long x = PLOT_LEFT;
 
@@ -84,13 +84,13 @@ long plot_legend(Plot *p, long y)
         const char *text = format_in(p->out->arena, "%u %s", (unsigned)state->number, state->name->text);
         if (p->t->entered[s] == 0)
             continue;
-        if (x + 300 + text_wide(text) > PLOT_RIGHT && x > PLOT_LEFT) {
+        if (x + 300 + name_width(text) > PLOT_RIGHT && x > PLOT_LEFT) {
             x = PLOT_LEFT;
             y += 200;
         }
-        put_swatch(p, state, x, y, 220, 130);
-        plot_text(p, "t", "start", x + 270, y + 110, text);
-        x += 430 + text_wide(text);
+        draw_swatch(p, state, x, y, 220, 130);
+        plot_draw_text(p, "t", "start", x + 270, y + 110, text);
+        x += 430 + name_width(text);
     }
     return y + 180;
 }

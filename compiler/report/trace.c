@@ -5,7 +5,7 @@
 
 #include "stdlib/convert.h"
 
-double trace_number(SmType type, uint64_t cell)
+double trace_cell_value(SmType type, uint64_t cell)
 {
     unsigned char memory[8] = {0};
     uint64_t bits;
@@ -27,7 +27,7 @@ static void add_series(Trace *t, const Var *v)
     vec_push(t->arena, &t->series, s);
 }
 
-static void find_first(Trace *t)
+static void find_first_transitions(Trace *t)
 {
     size_t i = 0;
 
@@ -46,7 +46,7 @@ void trace_init(Trace *t, Arena *arena, const Program *p, const Transitions *tra
     t->transition = transition;
     t->first = ARENA_ARRAY(arena, size_t, p->state.n);
     t->taken = ARENA_ARRAY(arena, uint64_t, transition->n);
-    find_first(t);
+    find_first_transitions(t);
     t->per = 1;
     t->entered = ARENA_ARRAY(arena, uint64_t, p->state.n);
     t->spent = ARENA_ARRAY(arena, uint64_t, p->state.n);
@@ -59,33 +59,33 @@ void trace_init(Trace *t, Arena *arena, const Program *p, const Transitions *tra
 
 // ---- buckets ----
 
-static TraceBucket joined(const TraceBucket *a, const TraceBucket *b)
+static TraceBucket merge_buckets(const TraceBucket *a, const TraceBucket *b)
 {
     return (TraceBucket){a->first, a->lo < b->lo ? a->lo : b->lo, a->hi > b->hi ? a->hi : b->hi, b->last};
 }
 
-static void join_pairs(Trace *t)
+static void merge_bucket_pairs(Trace *t)
 {
     for (size_t i = 0; i < t->series.n; i++) {
         TraceBucket *at = t->series.at[i]->at;
         for (size_t k = 0; k < TRACE_BUCKETS / 2; k++)
-            at[k] = joined(&at[2 * k], &at[2 * k + 1]);
+            at[k] = merge_buckets(&at[2 * k], &at[2 * k + 1]);
     }
     t->per *= 2;
 }
 
-static void put_value(Trace *t, TraceSeries *s, double x)
+static void add_value(Trace *t, TraceSeries *s, double x)
 {
     TraceBucket *b = &s->at[t->steps / t->per], alone = {x, x, x, x};
 
     s->infinite = s->infinite || x - x != 0;
     s->changes = s->changes || (t->steps > 0 && x != s->at[0].first);
-    *b = t->steps % t->per == 0 ? alone : joined(b, &alone);
+    *b = t->steps % t->per == 0 ? alone : merge_buckets(b, &alone);
 }
 
 // ---- a step ----
 
-static void note_way(Trace *t, uint32_t from, uint32_t to)
+static void count_transition(Trace *t, uint32_t from, uint32_t to)
 {
     for (size_t i = t->first[from - 1]; i < t->transition->n && t->transition->at[i].from->number == from; i++)
         if (t->transition->at[i].to->number == to) {
@@ -99,7 +99,7 @@ static void note_visit(Trace *t, const State *state, uint64_t g)
     TraceVisit v = {state, t->steps, g, (double)t->steps};
 
     if (t->steps > 0)
-        note_way(t, t->last, state->number);
+        count_transition(t, t->last, state->number);
     t->entered[state->number - 1]++;
     if (t->visits++ < TRACE_VISITS_MAX)
         vec_push(t->arena, &t->visit, v);
@@ -112,7 +112,7 @@ static void note_step(Trace *t, const uint64_t *cell)
     if (number < 1 || number > t->p->state.n)
         return;
     if (t->steps == (uint64_t)TRACE_BUCKETS * t->per)
-        join_pairs(t);
+        merge_bucket_pairs(t);
     if (t->steps == 0)
         t->first_g = g;
     t->last_g = g;
@@ -121,7 +121,7 @@ static void note_step(Trace *t, const uint64_t *cell)
     t->last = (uint32_t)number;
     t->spent[number - 1]++;
     for (size_t i = 0; i < t->series.n; i++)
-        put_value(t, t->series.at[i], trace_number(t->series.at[i]->v->type, cell[t->series.at[i]->v->index]));
+        add_value(t, t->series.at[i], trace_cell_value(t->series.at[i]->v->type, cell[t->series.at[i]->v->index]));
     t->steps++;
 }
 
@@ -133,7 +133,7 @@ typedef struct TraceEngine {
     Trace *trace;
 } TraceEngine;
 
-static EngineStatus pass_on(Engine *e, EngineStatus status)
+static EngineStatus forward_status(Engine *e, EngineStatus status)
 {
     e->error = ((TraceEngine *)e->self)->inner->error;
     return status;
@@ -143,7 +143,7 @@ static EngineStatus traced_init(Engine *e, uint32_t state, EngineStep *out)
 {
     Engine *inner = ((TraceEngine *)e->self)->inner;
 
-    return pass_on(e, inner->init(inner, state, out));
+    return forward_status(e, inner->init(inner, state, out));
 }
 
 static EngineStatus traced_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
@@ -153,7 +153,7 @@ static EngineStatus traced_step(Engine *e, const EngineWrite *write, uint32_t n,
 
     if (status == ENGINE_OK)
         note_step(t->trace, out->cell);
-    return pass_on(e, status);
+    return forward_status(e, status);
 }
 
 static void traced_close(Engine *e)
@@ -163,7 +163,7 @@ static void traced_close(Engine *e)
     inner->close(inner);
 }
 
-Engine *trace_engine(Trace *t, Engine *inner)
+Engine *trace_wrap_engine(Trace *t, Engine *inner)
 {
     TraceEngine *e = ARENA_NEW(t->arena, TraceEngine);
 

@@ -48,9 +48,9 @@ typedef struct Trace {
 // transition: those of the machine, from its analysis; its states have the same numbers as p's.
 void trace_init(Trace *t, Arena *arena, const Program *p, const Transitions *transition);
 // Wraps `inner`: the returned engine does the same and records every step in t.
-Engine *trace_engine(Trace *t, Engine *inner);
+Engine *trace_wrap_engine(Trace *t, Engine *inner);
 
 size_t trace_buckets(const Trace *t);                 // number of buckets in use
-double trace_number(SmType type, uint64_t cell);
+double trace_cell_value(SmType type, uint64_t cell);
 
 #endif

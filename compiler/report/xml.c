@@ -11,7 +11,7 @@ static bool is_known(uint32_t code)
     return code >= 0x20 ? code != 0xFFFE && code != 0xFFFF : code == '\t' || code == '\n';
 }
 
-static void put_character(Buf *out, const char *s, size_t bytes, uint32_t code)
+static void write_character(Buf *out, const char *s, size_t bytes, uint32_t code)
 {
     switch (code) {
     case '&': buf_str(out, "&amp;"); break;
@@ -32,7 +32,7 @@ void xml_put(Buf *out, const char *text)
         uint32_t code;
         bytes = utf8_decode(text + i, n - i, &code);
         if (bytes > 0 && is_known(code))
-            put_character(out, text + i, bytes, code);
+            write_character(out, text + i, bytes, code);
         else
             buf_str(out, "\xef\xbf\xbd");
         bytes += bytes == 0;

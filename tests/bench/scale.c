@@ -41,7 +41,7 @@ static void draw(Session *s, const Program *p, Buf *out)
     for (size_t i = 0; i <= p->stmts; i++)
         a.stmt[i].reached = true;
     a.transition = transitions_of(&s->arena, p);
-    diagram_svg(&a, &o, out);
+    diagram_write_svg(&a, &o, out);
 }
 
 // All stages.  What they cost is the time between two entries of `at`.

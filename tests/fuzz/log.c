@@ -18,14 +18,14 @@ static void *heap(void *context, void *old, size_t size)
 
 static void show(Flight *f, Buf *out)
 {
-    flight_text(f, out);
+    flight_write_text(f, out);
     for (size_t i = 0; i < f->log->session.n; i++) {
         f->session = f->log->session.at[i];
         f->machine = f->session->d->machines ? &f->session->d->machine[0] : NULL;
-        flight_csv(f, out);
-        flight_json(f, out);
+        flight_write_csv(f, out);
+        flight_write_json(f, out);
         if (f->session->records > 0 && f->session->d->elements < 20)
-            flight_svg(f, out);
+            flight_write_svg(f, out);
     }
 }
 

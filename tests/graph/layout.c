@@ -103,7 +103,7 @@ static void check_text(const Diagram *d)
         CHECK(d->node[n].name_w + 8 <= d->node[n].box.w);
     for (size_t e = 0; e < d->edge.n; e++)
         for (size_t g = 0; g < d->edge.at[e].guard.n; g++) {
-            const TextLines *line = &d->edge.at[e].guard.at[g].line;
+            const DiagramLines *line = &d->edge.at[e].guard.at[g].line;
             CHECK(line->n >= 1 && line->n <= GUARD_LINES);
             for (size_t i = 0; i < line->n; i++)
                 CHECK(line->at[i].w <= d->edge.at[e].label.w && line->at[i].w <= GUARD_W);
@@ -168,7 +168,7 @@ static const Diagram *check_layout(const Program *p)
 {
     const DiagramOptions none = {NULL, NULL, NULL};
     Analysis a = analysed(p);
-    Diagram *d = diagram_of(&a, &none);
+    Diagram *d = diagram_build(&a, &none);
     Things t;
 
     layout_diagram(d);
@@ -211,7 +211,7 @@ static const char *drawn(const Analysis *a, const DiagramOptions *o)
     Buf out;
 
     buf_init(&out, &session.arena);
-    diagram_svg(a, o, &out);
+    diagram_write_svg(a, o, &out);
     CHECK(well_formed(buf_text(&out)));
     return buf_text(&out);
 }
@@ -350,7 +350,7 @@ static void check_name(void)
 
     CHECK(strstr(drawn(&a, &none), "State diagram of a&lt;b&gt;&amp;&quot;c"));
     buf_init(&dot, &session.arena);
-    diagram_dot(&a, &none, &dot);
+    diagram_write_dot(&a, &none, &dot);
     CHECK(strstr(buf_text(&dot), "digraph \"a<b>&amp;\\\"c\""));
 }
 
@@ -358,12 +358,12 @@ static void check_name(void)
 
 static void check_wrapping(void)
 {
-    TextLines t = text_wrap(&session.arena, "T > 500 and roll_avg(pressure, 10) > 3", GUARD_SIZE, 190, 3);
+    DiagramLines t = diagram_text_wrap(&session.arena, "T > 500 and roll_avg(pressure, 10) > 3", GUARD_SIZE, 190, 3);
 
     CHECK(t.n == 2 && strcmp(t.at[0].text, "T > 500") == 0 && strcmp(t.at[1].text, "and roll_avg(pressure, 10) > 3") == 0);
-    t = text_wrap(&session.arena, "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", GUARD_SIZE, 100, 2);
+    t = diagram_text_wrap(&session.arena, "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", GUARD_SIZE, 100, 2);
     CHECK(t.n == 2 && t.at[0].w <= 100 && t.at[1].w <= 100 && strstr(t.at[1].text, "\xe2\x80\xa6"));
-    t = text_wrap(&session.arena, "go", GUARD_SIZE, 100, 2);
+    t = diagram_text_wrap(&session.arena, "go", GUARD_SIZE, 100, 2);
     CHECK(t.n == 1 && strcmp(t.at[0].text, "go") == 0);
 }
 

@@ -109,11 +109,11 @@ int main(void)
     fake.engine.close = fake_close;
     ways = transitions_of(&s.arena, p);
     trace_init(&t, &s.arena, p, &ways);
-    run(trace_engine(&t, &fake.engine), p, &s.arena, 100000);
+    run(trace_wrap_engine(&t, &fake.engine), p, &s.arena, 100000);
     CHECK(fake.step == UINT64_MAX);
     check_series(&t);
     check_visits(&t);
-    CHECK(trace_number(SM_I8, 0xff) == -1 && trace_number(SM_BOOL, 1) == 1 && trace_number(SM_F32, 0x3fc00000) == 1.5);
+    CHECK(trace_cell_value(SM_I8, 0xff) == -1 && trace_cell_value(SM_BOOL, 1) == 1 && trace_cell_value(SM_F32, 0x3fc00000) == 1.5);
     session_free(&s);
     return test_end("report_trace");
 }
