@@ -317,12 +317,12 @@ static Span decimal_comma_after(const AstExpr *e)
 
     if (text[comma] != ',')
         return (Span){e->span.src, comma, 0};
-    while (from > e->span.at && (is_letter(text[from - 1]) || is_digit(text[from - 1]) || text[from - 1] == '.'))
+    while (from > e->span.at && (lex_is_letter(text[from - 1]) || lex_is_digit(text[from - 1]) || text[from - 1] == '.'))
         from--;
-    while (is_letter(text[end]) || is_digit(text[end]) || text[end] == '.')
+    while (lex_is_letter(text[end]) || lex_is_digit(text[end]) || text[end] == '.')
         end++;
     for (uint32_t at = from; at < end; at++)
-        if (at != comma && !is_digit(text[at]))
+        if (at != comma && !lex_is_digit(text[at]))
             return (Span){e->span.src, comma, 0};
     return (Span){e->span.src, comma, from < comma && end > comma + 1};
 }
@@ -335,9 +335,9 @@ static bool report_decimal_comma(Sema *s, const AstExpr *e)
         if (comma.len > 0) {
             const char *text = comma.src->text;
             uint32_t from = comma.at, end = comma.at + 1;
-            while (is_digit(text[from - 1]))
+            while (lex_is_digit(text[from - 1]))
                 from--;
-            while (is_digit(text[end]))
+            while (lex_is_digit(text[end]))
                 end++;
             diag_label(s->diags, diag_report(s->diags, DIAG_decimal_comma, comma), DIAG_label_decimal_point,
                        format_in(s->arena, "%.*s", (int)(comma.at - from), text + from),

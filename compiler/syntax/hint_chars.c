@@ -61,7 +61,7 @@ static bool is_inside_number(const Lexer *l, uint32_t at, uint32_t len, uint32_t
 {
     const bool may_be = code == 0xb7 || code == 0x22c5 || code == 0xa0 || code == 0x2007 || code == 0x2009 || code == 0x202f;
 
-    return may_be && at > 0 && is_digit(l->src->text[at - 1]) && is_digit(lexer_byte(l, at + len)) && l->last == TOK_NUMBER;
+    return may_be && at > 0 && lex_is_digit(l->src->text[at - 1]) && lex_is_digit(lexer_byte(l, at + len)) && l->last == TOK_NUMBER;
 }
 
 static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
@@ -144,7 +144,7 @@ static void read_text(Lexer *l, Token *t, uint32_t quote_len)
     }
     t->text = str_intern(l->strings, l->src->text + from, end - from);
     lexer_check_comment(l, from, end);
-    lexer_finish(l, t, TOK_ERROR, end + closing);
+    lexer_finish_token(l, t, TOK_ERROR, end + closing);
 }
 
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
@@ -175,7 +175,7 @@ static void label_string(Lexer *l, Diag *d, uint32_t from, uint32_t end, uint32_
     const Span whole = lexer_span(l, l->at, end + closing - l->at);
     const uint32_t remark = begins_remark(l, end + closing);
     const char *text = lexer_text(l, from, end);
-    const bool is_word = is_identifier(l->src->text + from, end - from);
+    const bool is_word = lex_is_identifier(l->src->text + from, end - from);
 
     if (remark) {
         text = format_in(l->diags->arena, "  # %.*s", (int)(end - from), l->src->text + from);
@@ -204,7 +204,7 @@ static void read_string(Lexer *l, Token *t, uint32_t quote_len)
     }
     if (lexer_is_first_report(l))
         label_string(l, diag_report(l->diags, DIAG_string, lexer_span(l, l->at, p + closing - l->at)), l->at + quote_len, p, closing);
-    lexer_finish(l, t, TOK_ERROR, p + closing);
+    lexer_finish_token(l, t, TOK_ERROR, p + closing);
 }
 
 // Reads a character that looks like a sign as that sign; skips a blank, or a byte that is not UTF-8.
@@ -218,7 +218,7 @@ static HintResult read_lookalike(Lexer *l, Token *t, uint32_t code)
         l->at += len;
         return HINT_SKIPPED;
     }
-    lexer_finish(l, t, arrow ? TOK_ARROW : lookalikes[like].kind, l->at + len + arrow);
+    lexer_finish_token(l, t, arrow ? TOK_ARROW : lookalikes[like].kind, l->at + len + arrow);
     return HINT_READ;
 }
 
@@ -240,7 +240,7 @@ HintResult hint_stray_text(Lexer *l, Token *t)
         return HINT_READ;
     }
     if (skip_foreign_letter(l, l->at)) {
-        lexer_word(l, t);
+        lexer_read_word(l, t);
         return HINT_READ;
     }
     if (c >= 0x80)

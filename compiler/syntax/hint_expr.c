@@ -114,7 +114,7 @@ HintResult hint_report_index(HintCase *c)
     Parser *p = c->p;
     Span both = parser_span(p, &p->last);
 
-    if (!hint_touches(&p->last, &p->tok) || is_identifier(p->tok.text->text, p->tok.text->len))
+    if (!hint_touches(&p->last, &p->tok) || lex_is_identifier(p->tok.text->text, p->tok.text->len))
         return HINT_NONE;
     both.len += p->tok.len;
     parser_fail(p, DIAG_no_lists, both, parser_text(p, both));
@@ -142,7 +142,7 @@ static bool separates_statements(const Parser *p)
     if (p->tok.kind != TOK_COLON || p->tok.first)
         return false;
     at += (uint32_t)strspn(text + at, " \t");
-    while (is_letter(text[at]) || is_digit(text[at]))
+    while (lex_is_letter(text[at]) || lex_is_digit(text[at]))
         at++;
     at += (uint32_t)strspn(text + at, " \t");
     return text[at] == '=' && text[at + 1] != '=' && text[at + 1] != '>';
@@ -170,7 +170,7 @@ bool hint_is_and_then(const Parser *p)
     if (p->tok.kind != TOK_AND || !hint_is_word(&p->ahead, "then") || p->ahead.first)
         return false;
     s += strspn(s, " \t");
-    return is_letter(*s) || (s[0] == '-' && s[1] == '>');
+    return lex_is_letter(*s) || (s[0] == '-' && s[1] == '>');
 }
 
 // x is 3: reads the words as the operator that they mean. If its operands are unclear, gives up the condition.

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "compiler/syntax/lex.h"
+#include "compiler/syntax/lexer.h"
 
 enum {
     STATEMENTS_MAX = 16,      // on one line; a line with more gets no edit
@@ -18,7 +18,6 @@ typedef struct HintLine {
 } HintLine;
 
 static bool is_blank(char c) { return c == ' ' || c == '\t'; }
-static bool is_word(char c) { return is_letter(c) || is_digit(c); }
 
 static uint32_t skip_blanks(const HintLine *l, uint32_t p)
 {
@@ -29,7 +28,7 @@ static uint32_t skip_blanks(const HintLine *l, uint32_t p)
 
 static uint32_t skip_word(const HintLine *l, uint32_t p)
 {
-    while (p < l->end && is_word(l->text[p]))
+    while (p < l->end && lexer_is_word(l->text[p]))
         p++;
     return p;
 }
@@ -87,7 +86,7 @@ static bool begins_statement(const HintLine *l, uint32_t p)
         return p + 1 < l->end && l->text[p + 1] == '>';
     if (l->text[p] == '@')
         return has_text(l, p + 1, skip_word(l, p + 1), "assert") || has_text(l, p + 1, skip_word(l, p + 1), "stop");
-    if (!is_letter(l->text[p]))
+    if (!lex_is_letter(l->text[p]))
         return false;
     sign = skip_blanks(l, skip_word(l, p));
     return sign < l->end && l->text[sign] == '=' && (sign + 1 == l->end || (l->text[sign + 1] != '=' && l->text[sign + 1] != '>'));
@@ -232,7 +231,7 @@ static LineStatements split_statements(const HintLine *l, uint32_t p)
 
     for (p = skip_blanks(l, p); p < l->end; p = skip_blanks(l, next)) {
         const char c = l->text[p];
-        next = is_word(c) ? skip_word(l, p) : p + 1;
+        next = lexer_is_word(c) ? skip_word(l, p) : p + 1;
         if (depth == 0 && (c == '}' || c == '#' || has_text(l, p, next, "else")))
             break;
         if (strchr(":{}?\"[", c) || (c == '@' && !begins_statement(l, p)))

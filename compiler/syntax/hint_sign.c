@@ -17,7 +17,7 @@ static bool names_state(const Lexer *l, const Token *t)
 {
     uint32_t from = hint_skip_gap(l, t->at + t->len), end = lexer_skip_word(l, from), p = hint_skip_gap(l, end);
 
-    if (l->stores || l->annotated || l->parens || !is_identifier(l->src->text + from, end - from) ||
+    if (l->stores || l->annotated || l->parens || !lex_is_identifier(l->src->text + from, end - from) ||
         !(hint_ends_line(l, p) || lexer_byte(l, p) == '}'))
         return false;
     while (lexer_byte(l, p) == '\n' || lexer_byte(l, p) == '#') {
@@ -42,7 +42,7 @@ static bool is_about_bits(const Lexer *l, const Token *t)
 {
     const uint32_t p = hint_skip_gap(l, t->at + 1), behind = hint_skip_gap(l, lexer_skip_word(l, p));
 
-    return t->len == 1 && strchr("&|~", l->src->text[t->at]) && is_digit(lexer_byte(l, p)) && lexer_byte(l, behind) != '<' &&
+    return t->len == 1 && strchr("&|~", l->src->text[t->at]) && lex_is_digit(lexer_byte(l, p)) && lexer_byte(l, behind) != '<' &&
            lexer_byte(l, behind) != '>' && lexer_byte(l, behind) != '.';
 }
 
@@ -168,7 +168,7 @@ static void report_foreign(Lexer *l, Token *t, const char *spelling, const char 
         native = ": ->";
     if (native[strlen(native) - 1] == '>')
         t->kind = TOK_ARROW;
-    blank = is_letter(*native);
+    blank = lex_is_letter(*native);
     d = diag_report(l->diags, DIAG_foreign_operator, lexer_span(l, t->at, t->len), spelling, native);
     if (may_be_bits(l, t)) {
         diag_label(l->diags, d, DIAG_label_no_bits, native);
@@ -210,7 +210,7 @@ static void skip_nested_bars(Lexer *l, Token *t)
             end = p + 1;
     d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, at, end - at), lexer_text(l, at, end));
     diag_label(l->diags, d, DIAG_label_write, "abs(x)");
-    lexer_finish(l, t, TOK_ERROR, end);
+    lexer_finish_token(l, t, TOK_ERROR, end);
 }
 
 // Whether the text between two bars is one value.
@@ -240,7 +240,7 @@ HintResult hint_read_bars(Lexer *l, Token *t)
     Diag *d;
 
     if (at == l->bar && at > 0) {
-        lexer_finish(l, t, TOK_RPAREN, end);
+        lexer_finish_token(l, t, TOK_RPAREN, end);
         return HINT_READ;
     }
     if (hint_follows_value(l, t->first) || (lexer_byte(l, end) == '|' && hint_is_gap(lexer_byte(l, end + 1))))
@@ -260,6 +260,6 @@ HintResult hint_read_bars(Lexer *l, Token *t)
     diag_edit(l->diags, d, lexer_span(l, at, 1), at > 0 && lexer_is_word(l->src->text[at - 1]) ? " abs(" : "abs(");
     diag_edit(l->diags, d, lexer_span(l, end, 1), ")");
     l->bar = end;
-    lexer_finish(l, t, TOK_LPAREN, at + 1);
+    lexer_finish_token(l, t, TOK_LPAREN, at + 1);
     return HINT_READ;
 }

@@ -15,7 +15,7 @@ static const char *read_word_at(const Parser *p, uint32_t *at)
 
     for (from = *at; text[from] == ' '; from++)
         ;
-    for (end = from; is_letter(text[end]) || is_digit(text[end]) || text[end] == '.'; end++)
+    for (end = from; lex_is_letter(text[end]) || lex_is_digit(text[end]) || text[end] == '.'; end++)
         ;
     *at = end;
     return parser_text(p, (Span){p->lex.src, from, end - from});
@@ -358,7 +358,7 @@ HintResult hint_report_decl_in_state(HintCase *c)
 
     if (hint_find_synonym(HINT_TYPES, type))
         type = hint_find_synonym(HINT_TYPES, type);
-    if (!is_identifier(name, strlen(name)))
+    if (!lex_is_identifier(name, strlen(name)))
         return HINT_SKIPPED;
     initial = *value && is_number_text(value + 1 + strspn(value + 1, " ")) ? value : "= 0";
     if (word && hint_is_word(&p->tok, "const") && initial == value)
@@ -400,7 +400,7 @@ static const char *format_wait(const Parser *p)
     uint32_t at = p->ahead.at + (p->ahead.kind == TOK_LPAREN);
     const char *number = p->ahead.first ? "" : read_word_at(p, &at), *unit = "if 'G' counts milliseconds";
 
-    if (!is_digit(*number))
+    if (!lex_is_digit(*number))
         return general;
     if (hint_is_word(&p->tok, "sleep"))
         number = hint_milliseconds(p->arena, number, "s");

@@ -32,7 +32,7 @@ static bool is_at(const HintText *row, const char *s, bool first)
 {
     if (*s != *row->spelling || strncmp(s, row->spelling, row->len) != 0)
         return false;
-    return !is_letter(*s) || (first && !lexer_is_word(s[row->len]) && !(s[row->len] & 0x80));
+    return !lex_is_letter(*s) || (first && !lexer_is_word(s[row->len]) && !(s[row->len] & 0x80));
 }
 
 void hint_init(Lexer *l)
@@ -47,7 +47,7 @@ HintResult hint_foreign_text(Lexer *l, Token *t)
     const uint8_t first = l->last == TOK_ANNOTATION ? 1 : l->first_hint[(unsigned char)*s];
     HintResult read = HINT_NONE;
 
-    if (first == 0 || (is_letter(*s) && !t->first))
+    if (first == 0 || (lex_is_letter(*s) && !t->first))
         return HINT_NONE;
     for (size_t i = first; i <= sizeof rows / sizeof *rows && read == HINT_NONE; i++) {
         const HintText *row = &rows[i - 1];
@@ -57,7 +57,7 @@ HintResult hint_foreign_text(Lexer *l, Token *t)
             t->len = (uint32_t)row->len;
             read = row->read(l, t);
         } else {
-            lexer_finish(l, t, row->kind, l->at + (uint32_t)row->len);
+            lexer_finish_token(l, t, row->kind, l->at + (uint32_t)row->len);
             hint_report_sign(l, t, row->spelling, row->native, row->label);
             read = HINT_READ;
         }
@@ -97,7 +97,7 @@ static uint32_t skip_name(const Lexer *l, uint32_t p)
     uint32_t end = lexer_skip_word(l, p);
     TokenKind reserved;
 
-    if (!is_identifier(l->src->text + p, end - p))
+    if (!lex_is_identifier(l->src->text + p, end - p))
         return p;
     return lex_is_reserved(str_intern(l->strings, l->src->text + p, end - p), &reserved) ? p : end;
 }
@@ -176,9 +176,9 @@ static int is_division(const Lexer *l)
         return is_prose(l, hint_skip_gap(l, p + 1)) ? 0 : 2;
     if (end == p)
         return 0;
-    if (hint_ends_line(l, after) ? is_digit(lexer_byte(l, p)) : strchr(":<>=!+-*/)&|{", lexer_byte(l, after)) != NULL)
+    if (hint_ends_line(l, after) ? lex_is_digit(lexer_byte(l, p)) : strchr(":<>=!+-*/)&|{", lexer_byte(l, after)) != NULL)
         return 2;
-    known = is_digit(lexer_byte(l, p)) ? skip_name(l, after) == after || hint_is_operator_word(l->src->text, after) : hint_is_declared(l, p, end);
+    known = lex_is_digit(lexer_byte(l, p)) ? skip_name(l, after) == after || hint_is_operator_word(l->src->text, after) : hint_is_declared(l, p, end);
     if (!hint_ends_line(l, after))
         return known && lexer_byte(l, after) != '.';
     return known || !is_set_off(l, l->at, p);
@@ -190,7 +190,7 @@ static void read_floor_division(Lexer *l, Token *t)
     Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, l->at, 2), "//");
 
     diag_label(l->diags, d, DIAG_label_floor);
-    lexer_finish(l, t, TOK_SLASH, l->at + 2);
+    lexer_finish_token(l, t, TOK_SLASH, l->at + 2);
 }
 
 // Changes a comment that is closed on its line, with nothing after it, to a comment of this language.
@@ -297,7 +297,7 @@ static void report_number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t s
 
     if (l->last == TOK_TYPE)
         diag_label(l->diags, d, DIAG_label_name_first);
-    else if (!lexer_is_hex_prefix(l, at) && is_identifier(l->src->text + end, stop - end) && hint_knows_word(l, end, stop) &&
+    else if (!lexer_is_hex_prefix(l, at) && lex_is_identifier(l->src->text + end, stop - end) && hint_knows_word(l, end, stop) &&
              !hint_is_time_unit(lexer_text(l, end, stop)))
         diag_label(l->diags, d, DIAG_label_multiply, lexer_text(l, at, end), lexer_text(l, end, stop));
     else if (!lexer_is_hex_prefix(l, at))
@@ -314,7 +314,7 @@ static uint32_t rest_of_number(Lexer *l, uint32_t at, uint32_t end)
     while (lexer_byte(l, stop) == '.' && lexer_is_word(lexer_byte(l, stop + 1)))
         stop = lexer_skip_word(l, stop + 1);
     whole = lexer_text(l, at, stop);
-    if (c == '_' || (before == '_' && is_digit(c)))
+    if (c == '_' || (before == '_' && lex_is_digit(c)))
         diag_report(l->diags, DIAG_number_underscore, lexer_span(l, end, 1), whole);
     else if (c == '\'')
         diag_label(l->diags, diag_report(l->diags, DIAG_number_run_on, lexer_span(l, at, stop - at), lexer_text(l, at, end), lexer_text(l, end, stop)),
@@ -416,7 +416,7 @@ HintResult hint_read_state(Lexer *l, Token *t)
     diag_edit(l->diags, d, lexer_span(l, t->at, p - t->at), written);
     t->at = from - 1;
     t->text = str_intern(l->strings, l->src->text + from, end - from);
-    lexer_finish(l, t, TOK_HEADER, end);
+    lexer_finish_token(l, t, TOK_HEADER, end);
     l->at = p;
     return HINT_READ;
 }
@@ -459,10 +459,10 @@ static uint32_t skip_plain_number(const Lexer *l, uint32_t p)
 {
     uint32_t at = p + (lexer_byte(l, p) == '-' || lexer_byte(l, p) == '+'), end = at;
 
-    while (is_digit(lexer_byte(l, end)))
+    while (lex_is_digit(lexer_byte(l, end)))
         end++;
-    if (lexer_byte(l, end) == '.' && is_digit(lexer_byte(l, end + 1)))
-        for (end++; is_digit(lexer_byte(l, end)); )
+    if (lexer_byte(l, end) == '.' && lex_is_digit(lexer_byte(l, end + 1)))
+        for (end++; lex_is_digit(lexer_byte(l, end)); )
             end++;
     return end > at ? end : p;
 }
@@ -488,7 +488,7 @@ static void report_range(Lexer *l, Token *t, Span wrong, Span lo, Span hi, uint3
 
     diag_label(l->diags, d, DIAG_label_write, format_in(arena, "@range %s", fixed));
     diag_edit(l->diags, d, lexer_span(l, t->at, end - t->at), fixed);
-    lexer_finish(l, t, TOK_ERROR, end);
+    lexer_finish_token(l, t, TOK_ERROR, end);
 }
 
 // Whether the text at p can follow a range: another annotation, a comment, or the end of the line.
@@ -530,7 +530,7 @@ static bool has_decimal_comma(const Lexer *l)
     const uint32_t from = l->at - l->line_start > HINT_FAR ? l->at - HINT_FAR : l->line_start;
 
     for (uint32_t p = from + 1; p < l->at + HINT_FAR && p + 1 < l->src->len && s[p] != '\n' && s[p] != '#'; p++)
-        if (s[p] == ',' && is_digit(s[p - 1]) && is_digit(s[p + 1]))
+        if (s[p] == ',' && lex_is_digit(s[p - 1]) && lex_is_digit(s[p + 1]))
             return true;
     return false;
 }
@@ -543,7 +543,7 @@ static void read_semicolon_as_comma(Lexer *l, Token *t)
     diag_label(l->diags, d, DIAG_label_write, ",");
     if (!has_decimal_comma(l))
         diag_edit(l->diags, d, lexer_span(l, l->at, 1), ",");
-    lexer_finish(l, t, TOK_COMMA, l->at + 1);
+    lexer_finish_token(l, t, TOK_COMMA, l->at + 1);
 }
 
 static bool is_else(const Lexer *l, uint32_t p)

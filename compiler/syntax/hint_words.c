@@ -3,12 +3,13 @@
 
 #include <string.h>
 
+#include "compiler/syntax/lexer.h"
+
 static const HintPhrase phrases[] = {
 #define HINT_PHRASE(words, native, kind) {words, native, TOK_##kind},
 #include "compiler/syntax/hints.def"
 };
 
-static bool is_word(char c) { return is_letter(c) || is_digit(c); }
 
 static uint32_t skip_blanks(const char *text, uint32_t p)
 {
@@ -19,7 +20,7 @@ static uint32_t skip_blanks(const char *text, uint32_t p)
 
 static uint32_t skip_word(const char *text, uint32_t p)
 {
-    while (is_word(text[p]))
+    while (lexer_is_word(text[p]))
         p++;
     return p;
 }
@@ -34,7 +35,7 @@ static uint32_t skip_words(const char *text, uint32_t p, const char *words)
             p = skip_blanks(text, p);
         else if (lower(text[p++]) != *words)
             return 0;
-    return is_word(text[p]) ? 0 : p;
+    return lexer_is_word(text[p]) ? 0 : p;
 }
 
 const HintPhrase *hint_phrase(const char *text, uint32_t at, uint32_t *end)
@@ -69,7 +70,7 @@ static uint32_t skip_parens(const char *text, uint32_t p)
 
 static uint32_t skip_number(const char *text, uint32_t p)
 {
-    while (is_word(text[p]) || (text[p] == '.' && is_digit(text[p + 1])))
+    while (lexer_is_word(text[p]) || (text[p] == '.' && lex_is_digit(text[p + 1])))
         p++;
     return p;
 }
@@ -80,7 +81,7 @@ uint32_t hint_skip_operand(const char *text, uint32_t at)
 
     if (text[p] == '-' || text[p] == '+')
         p = skip_blanks(text, p + 1);
-    if (is_digit(text[p]) || text[p] == '.')
+    if (lex_is_digit(text[p]) || text[p] == '.')
         return skip_number(text, p);
     end = skip_word(text, p);
     if (text[skip_blanks(text, end)] == '(')
@@ -104,9 +105,9 @@ static bool adds_another_value(const char *text, uint32_t p)
     p = skip_blanks(text, p);
     is_or = strncmp(text + p, "||", 2) == 0 ? p + 2 : skip_words(text, p, "or");
     value = skip_blanks(text, is_or ? is_or : strncmp(text + p, "&&", 2) == 0 ? p + 2 : skip_words(text, p, "and"));
-    if (value == 0 || (!is_or && !is_digit(text[value])))
+    if (value == 0 || (!is_or && !lex_is_digit(text[value])))
         return false;
-    return is_word(text[value]) && ends_condition(text, skip_number(text, value));
+    return lexer_is_word(text[value]) && ends_condition(text, skip_number(text, value));
 }
 
 bool hint_is_doubtful_comparison(const char *text, uint32_t at)
@@ -115,14 +116,14 @@ bool hint_is_doubtful_comparison(const char *text, uint32_t at)
     uint32_t end, next;
 
     if (negated)
-        return is_digit(text[skip_blanks(text, negated)]) || skip_words(text, skip_blanks(text, negated), "not");
+        return lex_is_digit(text[skip_blanks(text, negated)]) || skip_words(text, skip_blanks(text, negated), "not");
     if (text[p] && strchr("=<>", text[p]))
         return true;                                   // p = > 5
     end = hint_skip_operand(text, p);
     next = skip_blanks(text, end);
-    if (next > end && is_word(text[next]) && is_letter(text[p])) {
+    if (next > end && lexer_is_word(text[next]) && lex_is_letter(text[p])) {
         const uint32_t then = skip_words(text, next, "then");            // `is greater then 5`
-        if (then ? is_digit(text[skip_blanks(text, then)]) : !hint_is_operator_word(text, next))
+        if (then ? lex_is_digit(text[skip_blanks(text, then)]) : !hint_is_operator_word(text, next))
             return true;                               // words in a row are prose
     }
     return adds_another_value(text, end);
@@ -148,7 +149,7 @@ bool hint_stores_in_parens(const char *text, uint32_t at)
 
     while (end > 0 && (text[end - 1] == ' ' || text[end - 1] == '\t'))
         end--;
-    for (from = end; from > 0 && is_word(text[from - 1]); from--)
+    for (from = end; from > 0 && lexer_is_word(text[from - 1]); from--)
         ;
     if (open == at || close == open)
         return true;

@@ -39,7 +39,7 @@ static const Sign signs[] = {
 #undef SIGN
 };
 
-const char *token_name(TokenKind kind)
+const char *lex_token_name(TokenKind kind)
 {
     static const char *const name[] = {
 #define TOKEN(kind, name) name,
@@ -55,16 +55,16 @@ const char *token_name(TokenKind kind)
 
 // ---- characters ----
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-static bool is_hex(char c) { return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
+bool lex_is_digit(char c) { return c >= '0' && c <= '9'; }
+bool lex_is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+static bool is_hex(char c) { return lex_is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 
-bool is_identifier(const char *s, size_t n)
+bool lex_is_identifier(const char *s, size_t n)
 {
     for (size_t i = 0; i < n; i++)
         if (!lexer_is_word(s[i]))
             return false;
-    return n > 0 && !is_digit(s[0]);
+    return n > 0 && !lex_is_digit(s[0]);
 }
 
 uint32_t lexer_skip_word(const Lexer *l, uint32_t p)
@@ -126,14 +126,14 @@ static void skip_blanks(Lexer *l)
 
 // ---- tokens ----
 
-void lexer_finish(Lexer *l, Token *t, TokenKind kind, uint32_t end)
+void lexer_finish_token(Lexer *l, Token *t, TokenKind kind, uint32_t end)
 {
     t->kind = kind;
     t->len = end - t->at;
     l->at = end;
 }
 
-void lexer_word(Lexer *l, Token *t)
+void lexer_read_word(Lexer *l, Token *t)
 {
     uint32_t end = lexer_skip_word(l, l->at);
     const Word *w;
@@ -144,7 +144,7 @@ void lexer_word(Lexer *l, Token *t)
     w = word_of(t->text);
     if (w)
         t->type = w->type;
-    lexer_finish(l, t, w ? w->kind : TOK_NAME, end);
+    lexer_finish_token(l, t, w ? w->kind : TOK_NAME, end);
 }
 
 // Digits with single underscores between them.
@@ -159,14 +159,14 @@ static uint32_t skip_decimal(const Lexer *l, uint32_t p)
 {
     uint32_t e;
 
-    p = skip_digits(l, p, is_digit);
+    p = skip_digits(l, p, lex_is_digit);
     if (lexer_byte(l, p) == '.')
-        p = skip_digits(l, p + 1, is_digit);
+        p = skip_digits(l, p + 1, lex_is_digit);
     if ((lexer_byte(l, p) | 0x20) != 'e')
         return p;
     e = p + 1;
     e += lexer_byte(l, e) == '+' || lexer_byte(l, e) == '-';
-    return is_digit(lexer_byte(l, e)) ? skip_digits(l, e, is_digit) : p;
+    return lex_is_digit(lexer_byte(l, e)) ? skip_digits(l, e, lex_is_digit) : p;
 }
 
 bool lexer_is_hex_prefix(const Lexer *l, uint32_t p)
@@ -178,14 +178,14 @@ static void lex_number(Lexer *l, Token *t)
 {
     const bool hex = lexer_is_hex_prefix(l, l->at) && is_hex(lexer_byte(l, l->at + 2));
     uint32_t end = hex ? skip_digits(l, l->at + 2, is_hex) : skip_decimal(l, l->at);
-    bool runs_on = lexer_is_word(lexer_byte(l, end)) || ((lexer_byte(l, end) == '.' || lexer_byte(l, end) == '\'') && is_digit(lexer_byte(l, end + 1)));
+    bool runs_on = lexer_is_word(lexer_byte(l, end)) || ((lexer_byte(l, end) == '.' || lexer_byte(l, end) == '\'') && lex_is_digit(lexer_byte(l, end + 1)));
 
     if (!number_value(l->src->text + l->at, end - l->at, &t->number) && !runs_on)
         diag_report(l->diags, DIAG_number_too_large, lexer_span(l, l->at, end - l->at), lexer_text(l, l->at, end));
     if (runs_on)
-        lexer_finish(l, t, TOK_ERROR, hint_rest_of_token(l, t, TOK_NUMBER, end));
+        lexer_finish_token(l, t, TOK_ERROR, hint_rest_of_token(l, t, TOK_NUMBER, end));
     else
-        lexer_finish(l, t, TOK_NUMBER, end);
+        lexer_finish_token(l, t, TOK_NUMBER, end);
 }
 
 bool lex_is_header_name(const char *s, size_t n)
@@ -210,7 +210,7 @@ static void lex_open_header(Lexer *l, Token *t)
     d = diag_report(l->diags, DIAG_header_unclosed, lexer_span(l, l->at, end - l->at));
     if (end > from)
         diag_label(l->diags, d, DIAG_label_write, format_in(l->diags->arena, "[%s]", t->text->text));
-    lexer_finish(l, t, TOK_HEADER, end > from ? end : l->at + 1);
+    lexer_finish_token(l, t, TOK_HEADER, end > from ? end : l->at + 1);
 }
 
 static void lex_header(Lexer *l, Token *t)
@@ -231,7 +231,7 @@ static void lex_header(Lexer *l, Token *t)
     t->text = str_intern(l->strings, s + from, to - from);
     if (!lex_is_header_name(s + l->at + 1, end - l->at - 1) && (t->first || l->last != TOK_ASSIGN))  // x = [1, 2]: the value is missing
         hint_rest_of_token(l, t, TOK_HEADER, end);
-    lexer_finish(l, t, TOK_HEADER, end + 1);
+    lexer_finish_token(l, t, TOK_HEADER, end + 1);
 }
 
 // .name and @name
@@ -242,7 +242,7 @@ static void lex_prefixed(Lexer *l, Token *t, TokenKind kind)
     if (end == l->at + 1)
         diag_report(l->diags, kind == TOK_LABEL ? DIAG_lone_dot : DIAG_lone_at, lexer_span(l, l->at, 1));
     t->text = str_intern(l->strings, l->src->text + l->at + 1, end - l->at - 1);
-    lexer_finish(l, t, end == l->at + 1 ? TOK_ERROR : kind, end);
+    lexer_finish_token(l, t, end == l->at + 1 ? TOK_ERROR : kind, end);
 }
 
 // The reason of an @allow, or the name of a file, in quotes. It can contain what a comment can contain. Returns false if no text is
@@ -261,7 +261,7 @@ static bool lex_text(Lexer *l, Token *t)
         return false;
     t->text = str_intern(l->strings, s + from, end - from);
     lexer_check_comment(l, from, end);
-    lexer_finish(l, t, TOK_TEXT, end + 1);
+    lexer_finish_token(l, t, TOK_TEXT, end + 1);
     return true;
 }
 
@@ -299,7 +299,7 @@ static bool lex_sign(Lexer *l, Token *t)
 
     if (!s)
         return false;
-    lexer_finish(l, t, s->kind, l->at + (uint32_t)s->len);
+    lexer_finish_token(l, t, s->kind, l->at + (uint32_t)s->len);
     count_parens(l, s->kind);
     return true;
 }
@@ -323,9 +323,9 @@ static bool lex_one(Lexer *l, Token *t)
 
     if (foreign != HINT_NONE)
         return foreign == HINT_READ;
-    if (is_letter(c))
-        lexer_word(l, t);
-    else if (is_digit(c) || (c == '.' && is_digit(lexer_byte(l, l->at + 1))))
+    if (lex_is_letter(c))
+        lexer_read_word(l, t);
+    else if (lex_is_digit(c) || (c == '.' && lex_is_digit(lexer_byte(l, l->at + 1))))
         lex_number(l, t);
     else if (c == '[')
         lex_header(l, t);
@@ -365,7 +365,7 @@ void lex_next(Lexer *l, Token *t)
             break;
         if (l->src->text[l->at] == '#') {
             lexer_skip_comment(l);
-            lexer_finish(l, t, TOK_COMMENT, l->at);
+            lexer_finish_token(l, t, TOK_COMMENT, l->at);
             return;
         }
     } while (!lex_one(l, t));

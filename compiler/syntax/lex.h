@@ -52,17 +52,19 @@ typedef struct Lexer {
     Diags *diags;
     uint8_t sign[128];        // by character: 1 + the first row of the signs that begin with it; 0: none
     uint8_t next_sign[LEX_SIGNS];     // by row: 1 + the next row that begins with the same character
-    uint8_t first_hint[256];  // by character: 1 + the first row of hints.def that begins with it; 0: none
     uint32_t at;              // the next byte to read
     uint32_t line_start;      // directly after the last line end seen
     uint32_t reported_line;   // 1 + line_start of the line whose stray characters have been reported
     bool first;               // the next token is the first on its line
     bool keep_comments;       // return them as tokens
-    bool no_comment_end;      // the rest of the source contains no */
     bool config;              // a .io or .app: file names are quoted, and units follow numbers
     TokenKind last;           // kind of the last token returned
     LexAllow allow;           // the current position relative to an @allow( )
-    bool stores, annotated;   // an = precedes it on the line; an annotation does
+
+    // Only the hints read these.
+    uint8_t first_hint[256];  // by character: 1 + the first row of hints.def that begins with it; 0: none
+    bool stores, annotated;   // an = precedes the current position on its line; an annotation does
+    bool no_comment_end;      // the rest of the source contains no */
     uint32_t bar;             // position of the | that closes |x|
     uint32_t parens;          // opened on this line and still open
     uint32_t open_parens;     // opened in this statement and still open, also on earlier lines
@@ -75,14 +77,14 @@ void lex_next(Lexer *l, Token *t);          // after the last token always END
 void lex_skip_to(Lexer *l, uint32_t at);    // continues at the start of a line
 
 // How a message names tokens of a kind: "+", "if", "name".
-const char *token_name(TokenKind kind);
+const char *lex_token_name(TokenKind kind);
 
 bool lex_is_reserved(Str word, TokenKind *kind);
 
 bool lex_is_header_name(const char *s, size_t n);
 
-bool is_letter(char c);                     // A-Z a-z _
-bool is_digit(char c);
-bool is_identifier(const char *s, size_t n);
+bool lex_is_letter(char c);                     // A-Z a-z _
+bool lex_is_digit(char c);
+bool lex_is_identifier(const char *s, size_t n);
 
 #endif

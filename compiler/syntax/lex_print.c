@@ -7,7 +7,7 @@ static void put_token(const Source *src, const Token *t, Buf *out)
 {
     LineCol at = source_position(src, t->at);
 
-    buf_printf(out, "%lu:%lu\t%s\t", (unsigned long)at.line, (unsigned long)at.col, token_name(t->kind));
+    buf_printf(out, "%lu:%lu\t%s\t", (unsigned long)at.line, (unsigned long)at.col, lex_token_name(t->kind));
     for (uint32_t i = 0; i < t->len; i++) {
         char c = src->text[t->at + i];
         buf_char(out, c == '\n' || c == '\r' || c == '\t' ? ' ' : c);

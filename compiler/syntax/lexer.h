@@ -6,7 +6,7 @@
 
 #include "compiler/syntax/lex.h"
 
-static inline bool lexer_is_word(char c) { return is_letter(c) || is_digit(c); }
+static inline bool lexer_is_word(char c) { return lex_is_letter(c) || lex_is_digit(c); }
 
 // The byte at p; '\0' after the end, where every rule stops.
 static inline char lexer_byte(const Lexer *l, uint32_t p) { return p < l->src->len ? l->src->text[p] : '\0'; }
@@ -16,8 +16,8 @@ uint32_t lexer_skip_word(const Lexer *l, uint32_t p);       // letters, digits a
 const char *lexer_text(const Lexer *l, uint32_t at, uint32_t end);      // of the source, cut to a readable length
 void lexer_skip_comment(Lexer *l);                          // to the end of the line
 void lexer_end_line(Lexer *l);                              // consumes the line end
-void lexer_finish(Lexer *l, Token *t, TokenKind kind, uint32_t end);
-void lexer_word(Lexer *l, Token *t);                        // a name, or a reserved word
+void lexer_finish_token(Lexer *l, Token *t, TokenKind kind, uint32_t end);
+void lexer_read_word(Lexer *l, Token *t);                        // a name, or a reserved word
 bool lexer_is_hex_prefix(const Lexer *l, uint32_t p);       // 0x
 
 // ---- lex_chars.c ----

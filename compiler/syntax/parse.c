@@ -344,7 +344,7 @@ static void check_state_name(Parser *p, const AstSection *s)
         return;
     if (lex_is_reserved(s->name, &reserved))
         parser_report(p, DIAG_state_name_reserved, s->name_span, s->name->text);
-    else if (!is_identifier(s->name->text, s->name->len))
+    else if (!lex_is_identifier(s->name->text, s->name->len))
         parser_report(p, DIAG_state_name, s->name_span, s->name->text);
 }
 
@@ -407,6 +407,21 @@ static void parse_section(Parser *p, AstFile *f)
 }
 
 // ---- a file ----
+
+bool file_kind(const char *path, FileKind *kind)
+{
+    static const char *const ending[] = {".sv", ".sm", ".ss", ".io", ".app"};         // by FileKind
+    const size_t n = strlen(path);
+
+    for (size_t i = 0; i < sizeof ending / sizeof *ending; i++) {
+        const size_t m = strlen(ending[i]);
+        if (n >= m && strcmp(path + n - m, ending[i]) == 0) {
+            *kind = (FileKind)i;
+            return true;
+        }
+    }
+    return false;
+}
 
 static void init_parser(Parser *p, Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind)
 {

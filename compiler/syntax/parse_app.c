@@ -220,7 +220,7 @@ static void parse_executor(Parser *p, AstApp *app, AstWord name, Span header)
     e->name = name;
     e->header = header;
     if (lex_is_header_name(name.text->text, name.text->len) &&          // else reported as a header
-        (!is_identifier(name.text->text, name.text->len) || lex_is_reserved(name.text, &reserved)))
+        (!lex_is_identifier(name.text->text, name.text->len) || lex_is_reserved(name.text, &reserved)))
         parser_report(p, DIAG_executor_name, name.span, name.text->text);
     vec_push(p->arena, &app->executors, e);
     app_parse_annotations(p, APP_ON_EXECUTOR, name.text->text, header.at, &e->annotations, app);

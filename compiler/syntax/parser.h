@@ -27,10 +27,12 @@ typedef struct Parser {
     unsigned nesting;             // of conditionals
     unsigned depth;               // of the current position in the expression
     unsigned parens;              // open at that position: line ends count as blanks
-    uint32_t indented;            // lines before this position belong to a condition whose braces are missing
-    bool is_guard;                // the current expression is a condition: an = in it was meant as ==
     bool has_if;                  // the current condition begins with `if`
+
+    // For the hints.
+    bool is_guard;                // the current expression is a condition: an = in it was meant as ==
     Span sign;                    // of the last assignment
+    uint32_t indented;            // lines before this position belong to a condition whose braces are missing
 } Parser;
 
 // ---- tokens ----

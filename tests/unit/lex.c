@@ -30,7 +30,7 @@ static const char *kinds(const char *text, size_t len)
     buf_init(&out, &arena);
     lex_init(&l, &strings, &diags, src);
     for (lex_next(&l, &t); t.kind != TOK_END; lex_next(&l, &t))
-        buf_printf(&out, "%s%s%s", out.n ? " " : "", t.first ? "|" : "", token_name(t.kind));
+        buf_printf(&out, "%s%s%s", out.n ? " " : "", t.first ? "|" : "", lex_token_name(t.kind));
     lex_next(&l, &t);
     CHECK(t.kind == TOK_END && l.at == len);
     return buf_text(&out);
