@@ -14,3 +14,4 @@ F32 heater
 [analog]
 i 0 pressure, flow          #! E0330 expected the end of the line, found ','
 i 1 flow 5                  #! E0330 found the number 5
+i 2 count @scale 1,5        #! E0116 write 1.5

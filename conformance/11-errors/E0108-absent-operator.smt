@@ -12,6 +12,7 @@ F64 p
     x = p ^ 2       #! E0108 x * x
     x = p % 2       #! E0108 floor
     x = p << 2      #! E0108 multiply
+    x = p >> 2      #! E0108 divide by a power
     x = p > 1 ? 2 : 3   #! E0108 else:
     x = p // 2      #! E0108 floor(a / b)
     p & 4: x = 1    #! E0108 no bits

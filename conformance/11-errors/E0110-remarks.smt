@@ -8,6 +8,7 @@ F64 p @read_only
 F64 x -- metres per second           #! E0110
 F64 y @range 0 5 % pressure   #! E0110
 bool on
+F64 limit -- hm               #! E0110
 -- hm                         #! E0110
 [Hold]
 .step

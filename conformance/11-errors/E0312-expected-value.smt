@@ -23,3 +23,4 @@ F64 p
     x = [p]             #! E0312 there are no lists
     x =                 #! E0312 found the end of the line
 [Next]
+    p > 5 and < 6: x = 1 #! E0312 repeat what is compared before

@@ -17,5 +17,6 @@ U8 include
     include { include = 1 }
     include < p and p > 5: include = 6
     p < include > p: include = 7
+    using the                       #! E0329 cannot include another
     require the                     #! E0329 cannot include another
     require two words               #! E0328

@@ -12,3 +12,4 @@ F64 p
     x = 1 x = 2         #! E0330 'x'
     x = p = 3           #! E0330 to compare
     x = 5 ms            #! E0330 units
+    x = 5 ms: x = 1     #! E0330 units

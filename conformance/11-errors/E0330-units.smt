@@ -8,6 +8,7 @@ F64 b [K]                   #! E0330 a name cannot contain blanks; write a unit 
 F64 c (psi) @read_only      #! E0330 a name cannot contain blanks; write a unit in a comment
 F64 d psi                   #! E0330 a name cannot contain blanks; write a unit in a comment
 F64 e read_only             #! E0330 write @read_only
+F64 g-h                     #! E0330 a name consists of letters, digits and _
 F64 f
 [Hold]
 .step
