@@ -59,7 +59,7 @@ static void add_chunk(Arena *a, size_t wanted)
 }
 
 // Zeroes the chunk up to `to`, and some bytes beyond it, so that one memset serves many small allocations.
-static void clean_to(Arena *a, char *to)
+static void zero_up_to(Arena *a, char *to)
 {
     char *up = (size_t)(a->end - to) > AHEAD ? to + AHEAD : a->end;
 
@@ -67,7 +67,7 @@ static void clean_to(Arena *a, char *to)
     a->clean = up;
 }
 
-static char *take(Arena *a, size_t size)
+static char *take_from_chunk(Arena *a, size_t size)
 {
     char *p;
 
@@ -83,16 +83,16 @@ static char *take(Arena *a, size_t size)
 
 void *arena_alloc_more(Arena *a, size_t size)
 {
-    char *p = take(a, size);
+    char *p = take_from_chunk(a, size);
 
     if (a->next > a->clean)
-        clean_to(a, a->next);
+        zero_up_to(a, a->next);
     return p;
 }
 
 void *arena_room(Arena *a, size_t size)
 {
-    char *p = take(a, size);
+    char *p = take_from_chunk(a, size);
 
     if (a->next > a->clean)
         a->clean = a->next;
@@ -102,12 +102,12 @@ void *arena_room(Arena *a, size_t size)
 // The bytes to be overwritten need not be zeroed.  The rest of `room` must be.
 static void *copy(Arena *a, const void *from, size_t size, size_t room)
 {
-    char *p = take(a, room);
+    char *p = take_from_chunk(a, room);
 
     if (p + size > a->clean)
         a->clean = p + size;
     if (a->next > a->clean)
-        clean_to(a, a->next);
+        zero_up_to(a, a->next);
     if (size)
         memcpy(p, from, size);
     return p;
@@ -132,7 +132,7 @@ void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size)
         if ((size_t)(a->end - a->next) >= new_size + ALIGN) {
             a->next += (new_size + ALIGN - 1) / ALIGN * ALIGN;
             if (a->next > a->clean)
-                clean_to(a, a->next);
+                zero_up_to(a, a->next);
             return old;
         }
         a->next += (old_size + ALIGN - 1) / ALIGN * ALIGN;

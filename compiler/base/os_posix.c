@@ -33,7 +33,7 @@ void *os_alloc(void *context, void *old, size_t size)
     return realloc(old, size);
 }
 
-static bool fails(const char **why)
+static bool set_reason(const char **why)
 {
     *why = strerror(errno);
     return false;
@@ -103,7 +103,7 @@ bool os_read(const char *path, size_t most, char **text, size_t *len, const char
         return false;
     }
     if ((fd = open(path, O_RDONLY)) < 0)
-        return fails(why);
+        return set_reason(why);
     ok = read_all(fd, most, text, len, why);
     close(fd);
     return ok;
@@ -138,7 +138,7 @@ static bool write_all(int fd, const void *bytes, size_t n, const char **why)
         if (put < 0 && errno == EINTR)
             continue;
         if (put < 0)
-            return fails(why);
+            return set_reason(why);
         p += put;
         n -= (size_t)put;
     }
@@ -177,7 +177,7 @@ static int open_directly(const char *path, bool *is_own, const char **why)
 
     *is_own = fd >= 0;
     if (fd < 0 && (fd = open(path, O_WRONLY)) < 0)
-        fails(why);
+        set_reason(why);
     return fd;
 }
 
@@ -210,7 +210,7 @@ static int open_temporary(const char *target, int number, const char **why)
     strcpy(temp, target);
     strcat(temp, ".XXXXXX");
     if ((fd = mkstemp(temp)) < 0) {
-        fails(why);
+        set_reason(why);
         free(temp);
         return -1;
     }
@@ -228,9 +228,9 @@ static bool close_temporary(int fd, const char *target, bool ok, const char **wh
         fchown(fd, old.st_uid, old.st_gid) != 0)
         errno = 0;                                    // only root can change a file's owner
     if (ok && (fchmod(fd, wanted_mode(target)) != 0 || fsync(fd) != 0))
-        ok = fails(why);
+        ok = set_reason(why);
     if (close(fd) != 0 && ok)
-        ok = fails(why);
+        ok = set_reason(why);
     return ok;
 }
 
@@ -251,7 +251,7 @@ static bool write_directly(const OsOutput *out, const char **why)
         return false;
     ok = write_all(fd, out->bytes, out->n, why);
     if (!is_own && close(fd) != 0 && ok)
-        ok = fails(why);
+        ok = set_reason(why);
     return ok;
 }
 
@@ -286,7 +286,7 @@ bool os_write(const OsOutput *out, size_t n, const char **failed_path, const cha
         if (target[i]) {
             *failed_path = out[i].path;
             if (rename(os_unfinished_path((int)i), target[i]) != 0)
-                ok = fails(why);
+                ok = set_reason(why);
         }
     for (size_t i = 0; i < n && i < MOST_OUTPUTS; i++) {
         if (!ok && os_unfinished_path((int)i))
@@ -331,10 +331,10 @@ bool os_stream_close(OsStream *s, bool keep, const char **why)
     bool ok = true;
 
     if (s->is_direct)
-        return s->is_own || close(s->fd) == 0 || fails(why);
+        return s->is_own || close(s->fd) == 0 || set_reason(why);
     ok = close_temporary(s->fd, s->target, true, why);
     if (ok && keep && rename(os_unfinished_path(STREAM), s->target) != 0)
-        ok = fails(why);
+        ok = set_reason(why);
     if (!ok || !keep)
         unlink(os_unfinished_path(STREAM));
     forget_temporary(STREAM);
@@ -485,7 +485,7 @@ bool os_list(const char *path, char ***names, size_t *n, const char **why)
     if (!is_clean(path, why))
         return false;
     if ((folder = opendir(path)) == NULL)
-        return fails(why);
+        return set_reason(why);
     while ((entry = readdir(folder)) != NULL) {
         bytes += strlen(entry->d_name) + 1;
         count++;
@@ -520,7 +520,7 @@ bool os_random(void *bytes, size_t n, const char **why)
     const ssize_t got = fd >= 0 ? read(fd, bytes, n) : -1;
 
     if (fd < 0 || got < 0)
-        fails(why);
+        set_reason(why);
     else if ((size_t)got != n)
         *why = "there are too few random numbers";
     if (fd >= 0)
@@ -536,10 +536,10 @@ bool os_write_private(const char *path, const void *bytes, size_t n, const char 
     if (!is_clean(path, why))
         return false;
     if ((fd = open(path, O_WRONLY | O_CREAT | O_EXCL, S_IRUSR | S_IWUSR)) < 0)
-        return fails(why);
+        return set_reason(why);
     ok = write_all(fd, bytes, n, why);
     if (close(fd) != 0 && ok)
-        ok = fails(why);
+        ok = set_reason(why);
     if (!ok)
         unlink(path);
     return ok;

@@ -21,7 +21,7 @@
 
 extern char **environ;
 
-static bool fails(int error, const char **why)
+static bool set_reason(int error, const char **why)
 {
     *why = strerror(error);
     return false;
@@ -36,12 +36,12 @@ bool os_temp_folder(char *path, size_t n, const char **why)
 
     if (len < 0 || (size_t)len >= n) {
         path[0] = '\0';
-        return fails(ENAMETOOLONG, why);
+        return set_reason(ENAMETOOLONG, why);
     }
     os_signals_hold();
     if (mkdtemp(path))
         return true;
-    fails(errno, why);
+    set_reason(errno, why);
     path[0] = '\0';
     os_signals_resume();
     return false;
@@ -90,7 +90,7 @@ static void end_group(pid_t leader)
         wait_for(leader);
 }
 
-static void wake(int number) { (void)number; }
+static void ignore_signal(int number) { (void)number; }
 
 // Waits for the child. Returns false if a signal is pending that ends this process. All signals are blocked except while it sleeps, so
 // that none can arrive between the last check and the sleep. SIGCHLD has a handler because an ignored signal does not wake the sleep.
@@ -103,7 +103,7 @@ static bool wait_or_signal(pid_t pid, int *exit_code)
 
     memset(&action, 0, sizeof action);
     sigemptyset(&action.sa_mask);
-    action.sa_handler = wake;
+    action.sa_handler = ignore_signal;
     sigaction(SIGCHLD, &action, &before);
     sigemptyset(&blocked);
     for (int i = 0; os_signal_at(i); i++)
@@ -140,7 +140,7 @@ bool os_run(const char *const *argv, const char *output, int *exit_code, const c
     int error = posix_spawn_file_actions_init(&actions);
 
     if (error)
-        return fails(error, why);
+        return set_reason(error, why);
     os_signals_hold();
     error = posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
     if (!error)
@@ -151,7 +151,7 @@ bool os_run(const char *const *argv, const char *output, int *exit_code, const c
         error = spawn_group(&pid, argv, &actions);
     posix_spawn_file_actions_destroy(&actions);
     if (error) {
-        fails(error, why);
+        set_reason(error, why);
     } else if (!wait_or_signal(pid, exit_code)) {
         end_group(pid);
         error = EINTR;
@@ -184,14 +184,14 @@ bool os_partner_start(OsPartner *p, const char *const *argv, const char **why)
     pid_t pid = 0;
 
     if (socketpair(AF_UNIX, SOCK_STREAM, 0, pair) != 0)
-        return fails(errno, why);
+        return set_reason(errno, why);
     fcntl(pair[0], F_SETFD, FD_CLOEXEC);
     fcntl(pair[1], F_SETFD, FD_CLOEXEC);
     error = spawn_on(pair[1], argv, &pid);
     close(pair[1]);
     if (error) {
         close(pair[0]);
-        return fails(error, why);
+        return set_reason(error, why);
     }
     p->fd = pair[0];
     p->pid = pid;
@@ -203,7 +203,7 @@ bool os_partner_write(OsPartner *p, const void *bytes, size_t n, const char **wh
     for (const char *at = bytes; n > 0;) {
         const ssize_t put = send(p->fd, at, n, MSG_NOSIGNAL);
         if (put < 0 && errno != EINTR)
-            return fails(errno, why);
+            return set_reason(errno, why);
         at += put > 0 ? put : 0;
         n -= put > 0 ? (size_t)put : 0;
     }
@@ -215,7 +215,7 @@ bool os_partner_read(OsPartner *p, void *bytes, size_t n, const char **why)
     for (char *at = bytes; n > 0;) {
         const ssize_t got = recv(p->fd, at, n, 0);
         if (got < 0 && errno != EINTR)
-            return fails(errno, why);
+            return set_reason(errno, why);
         if (got == 0) {
             *why = "it ended by itself";
             return false;

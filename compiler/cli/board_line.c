@@ -44,7 +44,7 @@ static const struct { SmResult result; const char *text; } reasons[] = {
     {SM_E_UNSUPPORTED, "the board does not know this request"},
 };
 
-static const char *reason(SmResult result)
+static const char *refusal_text(SmResult result)
 {
     for (size_t i = 0; i < sizeof reasons / sizeof *reasons; i++)
         if (reasons[i].result == result)
@@ -55,12 +55,12 @@ static const char *reason(SmResult result)
 int board_failed(BoardLine *b, const char *what)
 {
     if (b->host.answered)
-        return cli_say(b->c, TEXT_board_refuses, what, reason(b->host.result)), EXIT_PROBLEM;
+        return cli_say(b->c, TEXT_board_refuses, what, refusal_text(b->host.result)), EXIT_PROBLEM;
     cli_say(b->c, b->host.gone ? TEXT_line_gone : TEXT_board_silent, what);
     return EXIT_ENVIRONMENT;
 }
 
-static void put_state(Buf *out, const DeviceImage *i)
+static void put_image_state(Buf *out, const DeviceImage *i)
 {
     if (i->runs)
         buf_str(out, ", runs");
@@ -88,14 +88,14 @@ void board_describe(Buf *out, const DeviceImage *i)
         buf_printf(out, "%lu bytes, checksum %08lx, identity ", (unsigned long)i->length, (unsigned long)i->checksum);
         for (size_t k = sizeof i->identity; k-- > 0;)          // as a number, in the form of disasm and report
             buf_printf(out, "%02x", i->identity[k]);
-        put_state(out, i);
+        put_image_state(out, i);
     }
     buf_str(out, "\n");
 }
 
 // ---- opening ----
 
-static bool speed_known(Cli *c, unsigned long *speed)
+static bool read_speed(Cli *c, unsigned long *speed)
 {
     const char *word = c->given[OPT_SPEED] ? c->value[OPT_SPEED] : NULL;
     char *end;
@@ -107,7 +107,7 @@ static bool speed_known(Cli *c, unsigned long *speed)
     return *end == '\0' && word[0] >= '0' && word[0] <= '9';
 }
 
-static int greet(Cli *c, BoardLine *b, const char *port, unsigned long speed)
+static int begin_dialogue(Cli *c, BoardLine *b, const char *port, unsigned long speed)
 {
     if (!device_hello(&b->host, &b->info)) {
         cli_say(c, b->host.answered ? TEXT_not_a_board :
@@ -130,7 +130,7 @@ int board_open(Cli *c, BoardLine *b)
 
     if (!c->given[OPT_PORT])
         return cli_usage(c, TEXT_port_required, c->command->name);
-    if (!speed_known(c, &speed))
+    if (!read_speed(c, &speed))
         return cli_usage(c, TEXT_speed_number, c->value[OPT_SPEED]);
     memset(b, 0, sizeof *b);
     b->c = c;
@@ -141,7 +141,7 @@ int board_open(Cli *c, BoardLine *b)
     b->line.receive = line_receive;
     b->line.now = line_now;
     link_host(&b->host, &b->line, WAIT, TRIES, (uint8_t)os_unlike());
-    if ((code = greet(c, b, port, speed)) != EXIT_OK)
+    if ((code = begin_dialogue(c, b, port, speed)) != EXIT_OK)
         board_close(b);
     return code;
 }

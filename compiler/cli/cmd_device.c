@@ -7,7 +7,7 @@
 
 // ---- info and list ----
 
-static bool put_may(BoardLine *b, Buf *out)
+static bool put_update_permission(BoardLine *b, Buf *out)
 {
     const DeviceInfo *i = &b->info;
     DeviceImage trial;
@@ -23,7 +23,7 @@ static bool put_may(BoardLine *b, Buf *out)
     return b->host.answered && b->host.result == SM_OK;
 }
 
-static int list(BoardLine *b, Buf *out)
+static int list_images(BoardLine *b, Buf *out)
 {
     DeviceImage image;
 
@@ -35,7 +35,7 @@ static int list(BoardLine *b, Buf *out)
     return EXIT_OK;
 }
 
-static void put_limits(Buf *out, const DeviceInfo *i)
+static void put_board_limits(Buf *out, const DeviceInfo *i)
 {
     if (i->machines != 0)
         buf_printf(out, "at most %u machines, ", (unsigned)i->machines);
@@ -47,7 +47,7 @@ static void put_limits(Buf *out, const DeviceInfo *i)
     buf_str(out, "\n");
 }
 
-static void put_key(Buf *out, const DeviceInfo *i)
+static void put_signing(Buf *out, const DeviceInfo *i)
 {
     buf_str(out, "takes signed images only");
     if (i->tells_mark)
@@ -55,7 +55,7 @@ static void put_key(Buf *out, const DeviceInfo *i)
     buf_printf(out, ", with numbers above %lu\n", (unsigned long)i->newest);
 }
 
-static int info(BoardLine *b, Buf *out)
+static int show_info(BoardLine *b, Buf *out)
 {
     const DeviceInfo *i = &b->info;
 
@@ -65,17 +65,17 @@ static int info(BoardLine *b, Buf *out)
         buf_printf(out, ", steps of up to %lu instructions", (unsigned long)i->longest);
     buf_str(out, "\n");
     if (i->tells)
-        put_limits(out, i);
+        put_board_limits(out, i);
     if (i->wants_signed)
-        put_key(out, i);
-    if (!put_may(b, out))
+        put_signing(out, i);
+    if (!put_update_permission(b, out))
         return board_failed(b, "asking what is on trial");
-    return list(b, out);
+    return list_images(b, out);
 }
 
 // ---- confirm and erase ----
 
-static int confirm(BoardLine *b, Buf *out)
+static int confirm_image(BoardLine *b, Buf *out)
 {
     DeviceImage image;
 
@@ -97,7 +97,7 @@ static int confirm(BoardLine *b, Buf *out)
         board_describe(out, &image);
         return EXIT_PROBLEM;
     }
-    if (!device_ask_about(&b->host, LINK_CONFIRM, image.checksum) || !device_image(&b->host, image.slot, &image))
+    if (!device_request_about(&b->host, LINK_CONFIRM, image.checksum) || !device_image(&b->host, image.slot, &image))
         return board_failed(b, "it was not confirmed");
     board_describe(out, &image);
     return EXIT_OK;
@@ -109,7 +109,7 @@ static bool names_checksum(const Cli *c)
     return c->files == 2 && strlen(c->file[1]) == 8 && strspn(c->file[1], "0123456789abcdefABCDEF") == 8;
 }
 
-static bool is_held(BoardLine *b, uint32_t checksum)
+static bool is_in_a_slot(BoardLine *b, uint32_t checksum)
 {
     DeviceImage image;
 
@@ -119,18 +119,18 @@ static bool is_held(BoardLine *b, uint32_t checksum)
     return false;
 }
 
-static int erase(BoardLine *b, Buf *out)
+static int erase_image(BoardLine *b, Buf *out)
 {
     const char *word = b->c->file[1];
     const uint32_t checksum = (uint32_t)strtoul(word, NULL, 16);
-    const bool was_there = is_held(b, checksum);
+    const bool was_there = is_in_a_slot(b, checksum);
 
-    if (device_ask_about(&b->host, LINK_ERASE, checksum))
-        return list(b, out);
+    if (device_request_about(&b->host, LINK_ERASE, checksum))
+        return list_images(b, out);
     if (!b->host.answered || b->host.result != SM_E_MISSING)
         return board_failed(b, "it was not erased");
     if (was_there)                     // the answer was lost, so the request was sent twice
-        return list(b, out);
+        return list_images(b, out);
     cli_say(b->c, TEXT_no_slot_with, word);
     return EXIT_PROBLEM;
 }
@@ -190,10 +190,10 @@ static int show_log(BoardLine *b, Buf *out)
 // ---- all of them ----
 
 static const struct { const char *name; int (*run)(BoardLine *b, Buf *out); } actions[] = {
-    {"info", info}, {"list", list}, {"confirm", confirm}, {"erase", erase}, {"log", show_log}};
+    {"info", show_info}, {"list", list_images}, {"confirm", confirm_image}, {"erase", erase_image}, {"log", show_log}};
 enum { ACTIONS = sizeof actions / sizeof *actions };
 
-static int run(Cli *c, size_t action)
+static int run_action(Cli *c, size_t action)
 {
     BoardLine b;
     Buf out;
@@ -218,8 +218,8 @@ int cmd_device(Cli *c)
     if (strcmp(c->file[0], "erase") == 0 && !names_checksum(c))
         return cli_usage(c, TEXT_erase_what);
     for (size_t i = 0; i < ACTIONS; i++)
-        if (strcmp(c->file[0], names[i]) == 0 && c->files <= (actions[i].run == erase ? 2u : 1u))
-            return run(c, i);
+        if (strcmp(c->file[0], names[i]) == 0 && c->files <= (actions[i].run == erase_image ? 2u : 1u))
+            return run_action(c, i);
     near = str_nearest(c->file[0], names, ACTIONS);
     return near && strcmp(near, c->file[0]) == 0 ? cli_usage(c, TEXT_device_extra, near)
            : near ? cli_usage(c, TEXT_device_action_near, c->file[0], near)

@@ -4,7 +4,7 @@
 
 #include "compiler/cli/cli.h"
 
-static void page(const DiagInfo *d, Buf *out)
+static void put_page(const DiagInfo *d, Buf *out)
 {
     buf_printf(out, "%s: ", d->id);
     diag_put_title(d, out);
@@ -34,7 +34,7 @@ static void explain_flag(const DiagFlag *flag, Buf *out)
     for (size_t i = 0; i < DIAG_COUNT; i++)
         if (diag_info[i].flag && strcmp(diag_info[i].flag, flag->name) == 0) {
             buf_char(out, '\n');
-            page(&diag_info[i], out);
+            put_page(&diag_info[i], out);
         }
 }
 
@@ -42,13 +42,13 @@ static void explain_all(Buf *out)
 {
     for (size_t i = 0; i < DIAG_COUNT; i++)
         if (diag_info[i].id) {
-            page(&diag_info[i], out);
+            put_page(&diag_info[i], out);
             buf_char(out, '\n');
         }
 }
 
 // Accepts the form at the end of a message, [W0901 abort-blind], and removes its brackets.
-static const char *bare(Cli *c, const char *name)
+static const char *remove_brackets(Cli *c, const char *name)
 {
     size_t n = strlen(name + (*name == '['));
 
@@ -62,7 +62,7 @@ static int explain_names(Cli *c, Buf *out)
     int code = EXIT_OK;
 
     for (size_t i = 0; i < c->files; i++) {
-        const char *name = bare(c, c->file[i]);
+        const char *name = remove_brackets(c, c->file[i]);
         const DiagFlag *flag = diag_find_flag(name);
         const DiagInfo *d = diag_find(name);
         if (out->n > 0 && (flag || d))
@@ -70,7 +70,7 @@ static int explain_names(Cli *c, Buf *out)
         if (flag)
             explain_flag(flag, out);
         else if (d)
-            page(d, out);
+            put_page(d, out);
         else
             code = unknown_code(c, c->file[i]);
     }

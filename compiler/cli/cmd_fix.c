@@ -27,7 +27,7 @@ static void diagnose(Fix *f)
 
 // ---- edits ----
 
-static size_t count(const Diags *d, DiagCode code)
+static size_t count_code(const Diags *d, DiagCode code)
 {
     size_t n = 0;
 
@@ -57,14 +57,14 @@ static bool is_better(const Diags *now, const Source *src, const Diags *before, 
         return true;
     for (size_t i = 0; i < before->list.n; i++) {
         const Diag *d = before->list.at[i];
-        if (d->edits.n && count(now, d->code) < count(before, d->code))
+        if (d->edits.n && count_code(now, d->code) < count_code(before, d->code))
             return true;
     }
     return false;
 }
 
 // Runs one round on one file; returns false if there was nothing to do, or it did not help.
-static bool improve(Fix *f, size_t i)
+static bool apply_edits_to(Fix *f, size_t i)
 {
     Cli *c = f->c;
     Diags before = c->session.diags;
@@ -86,14 +86,14 @@ static bool improve(Fix *f, size_t i)
     return true;
 }
 
-static void improve_all(Fix *f)
+static void apply_all_edits(Fix *f)
 {
     bool any = true;
 
     for (int round = 0; round < ROUNDS && any; round++) {
         any = false;
         for (size_t i = 0; i < f->c->files; i++)
-            any = improve(f, i) || any;
+            any = apply_edits_to(f, i) || any;
     }
 }
 
@@ -140,7 +140,7 @@ int cmd_fix(Cli *c)
     for (size_t i = 0; i < c->files; i++)
         f.was[i] = f.in.at[i].text;
     diagnose(&f);
-    improve_all(&f);
+    apply_all_edits(&f);
     buf_init(&report, &c->session.arena);
     code = write_fixed(&f, &report) ? EXIT_OK : EXIT_ENVIRONMENT;
     left = cli_report(c);

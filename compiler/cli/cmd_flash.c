@@ -18,7 +18,7 @@ typedef struct Needs { uint32_t ram, longest, machines, windows, cycles; } Needs
 // The cost of a pin in a step, in cycles of an ATmega: the maximum measured by tests/avr/run_pins.c, rounded up.
 enum { DIGITAL_CYCLES = 400, INPUT_CYCLES = 5000, OUTPUT_CYCLES = 5000 };
 
-static void need_pins(const DeviceInfo *info, const Source *image, Needs *n)
+static void add_pin_needs(const DeviceInfo *info, const Source *image, Needs *n)
 {
     SmvmPins all;
     SmvmPin p;
@@ -30,7 +30,7 @@ static void need_pins(const DeviceInfo *info, const Source *image, Needs *n)
     }
 }
 
-static void need_machine(Cli *c, const Source *image, uint32_t i, const SmvmMachine *m, Needs *n)
+static void add_machine_needs(Cli *c, const Source *image, uint32_t i, const SmvmMachine *m, Needs *n)
 {
     Cost cost;
 
@@ -48,12 +48,12 @@ static Needs needs_of(Cli *c, const DeviceInfo *info, const Source *image, const
     SmvmMachine m;
 
     for (uint32_t i = 0; smvm_machine((SmvmBytes)image->text, i, &m); i++)
-        need_machine(c, image, i, &m, &n);
-    need_pins(info, image, &n);
+        add_machine_needs(c, image, i, &m, &n);
+    add_pin_needs(info, image, &n);
     return n;
 }
 
-static int no_time(Cli *c, const Source *image, uint32_t cycles, uint32_t period, uint32_t most)
+static int refuse_slow_step(Cli *c, const Source *image, uint32_t cycles, uint32_t period, uint32_t most)
 {
     const uint32_t wants = (cycles + most - 1) / most;
 
@@ -63,7 +63,7 @@ static int no_time(Cli *c, const Source *image, uint32_t cycles, uint32_t period
 }
 
 // Checks the size limits before a byte is sent.
-static int fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
+static int image_fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
 {
     const DeviceInfo *i = &b->info;
     const Needs n = needs_of(c, i, image, v);
@@ -83,7 +83,7 @@ static int fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdi
     else if (i->machines != 0 && n.machines > i->machines)
         cli_say(c, TEXT_too_many_machines, image->name, (unsigned long)n.machines, (unsigned)i->machines);
     else if (i->cycles != 0 && n.cycles > every * i->cycles)
-        return no_time(c, image, n.cycles, every, i->cycles);
+        return refuse_slow_step(c, image, n.cycles, every, i->cycles);
     else
         return EXIT_OK;
     return EXIT_PROBLEM;
@@ -91,7 +91,7 @@ static int fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdi
 
 // ---- pins ----
 
-static int wrong_pin(Cli *c, const Source *image, const SmvmPin *p, const SmvmPin *other)
+static int refuse_pin(Cli *c, const Source *image, const SmvmPin *p, const SmvmPin *other)
 {
     Buf out;
 
@@ -108,7 +108,7 @@ static int wrong_pin(Cli *c, const Source *image, const SmvmPin *p, const SmvmPi
 }
 
 // Queries the board about each pin. An image is not sent if a board of this kind would refuse or ignore one of its pins.
-static int pins_are_there(BoardLine *b, const Source *image)
+static int pins_exist(BoardLine *b, const Source *image)
 {
     SmvmPin at[SMVM_NO_PIN] = {{0}};   // by place
     bool taken[SMVM_NO_PIN] = {false};
@@ -121,7 +121,7 @@ static int pins_are_there(BoardLine *b, const Source *image)
         if (!device_pin_place(&b->host, smvm_pin_kind(&p), (uint16_t)p.pin, &place))
             return b->host.answered && b->host.result == SM_E_UNSUPPORTED ? EXIT_OK : board_failed(b, "asking about pins");
         if (place == SMVM_NO_PIN || taken[place])
-            return wrong_pin(b->c, image, &p, place == SMVM_NO_PIN ? NULL : &at[place]);
+            return refuse_pin(b->c, image, &p, place == SMVM_NO_PIN ? NULL : &at[place]);
         taken[place] = true;
         at[place] = p;
     }
@@ -148,20 +148,20 @@ static int is_signed(Cli *c, BoardLine *b, const Source *image)
     return EXIT_PROBLEM;
 }
 
-static bool is_same(const DeviceImage *there, const Source *image, uint16_t period)
+static bool is_same_image(const DeviceImage *there, const Source *image, uint16_t period)
 {
     return there->length == image->len && there->checksum == smvm_uint((SmvmBytes)image->text, SMVM_CRC_AT, 4) && there->period == period;
 }
 
 // Whether the board itself would accept the image. If the board already runs it, or has it on trial, it is not sent and not checked.
-static int is_welcome(Cli *c, BoardLine *b, const Source *image, uint16_t period, const DeviceImage *now)
+static int is_accepted(Cli *c, BoardLine *b, const Source *image, uint16_t period, const DeviceImage *now)
 {
     DeviceImage trial;
 
-    if (is_same(now, image, period))
+    if (is_same_image(now, image, period))
         return EXIT_OK;
     if (device_trial(&b->host, &b->info, &trial)) {
-        if (is_same(&trial, image, period))
+        if (is_same_image(&trial, image, period))
             return EXIT_OK;
         cli_say(c, TEXT_on_trial,
                 (unsigned long)trial.checksum, (unsigned long)trial.checksum);
@@ -174,7 +174,7 @@ static int is_welcome(Cli *c, BoardLine *b, const Source *image, uint16_t period
 
 typedef struct Progress { uint32_t length; bool shown; } Progress;
 
-static void show(void *context, uint32_t done)
+static void show_progress(void *context, uint32_t done)
 {
     const Progress *p = context;
     const char *why;
@@ -188,7 +188,7 @@ static void show(void *context, uint32_t done)
 }
 
 // Reports the state of the previous image after an update that failed before the new one was selected.
-static void say_what_runs(BoardLine *b, const DeviceImage *before)
+static void report_running(BoardLine *b, const DeviceImage *before)
 {
     DeviceImage now;
 
@@ -204,7 +204,7 @@ static void say_what_runs(BoardLine *b, const DeviceImage *before)
                           : TEXT_slot_lost);
 }
 
-static int say_failed(BoardLine *b, const Update *u, const DeviceImage *before, DeviceStep step)
+static int report_failure(BoardLine *b, const Update *u, const DeviceImage *before, DeviceStep step)
 {
     static const char *const what[] = {
         "", "asking what is there", "the update was not begun", "sending", "the image was not accepted", "reading back",
@@ -227,11 +227,11 @@ static int say_failed(BoardLine *b, const Update *u, const DeviceImage *before, 
             cli_say(b->c, TEXT_pin_not_of_board);
     }
     if (step < DEVICE_ACTIVATE)
-        say_what_runs(b, before);
+        report_running(b, before);
     return code;
 }
 
-static int say_done(BoardLine *b, const Update *u, const DeviceImage *before)
+static int report_success(BoardLine *b, const Update *u, const DeviceImage *before)
 {
     DeviceImage now;
     Buf out;
@@ -251,7 +251,7 @@ static int say_done(BoardLine *b, const Update *u, const DeviceImage *before)
     return cli_print(b->c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }
 
-static int update(BoardLine *b, const Source *image, uint16_t period, const DeviceImage *before)
+static int send_image(BoardLine *b, const Source *image, uint16_t period, const DeviceImage *before)
 {
     Progress p = {(uint32_t)image->len, os_is_terminal(2)};
     Update u;
@@ -263,17 +263,17 @@ static int update(BoardLine *b, const Source *image, uint16_t period, const Devi
     u.checksum = smvm_uint((SmvmBytes)image->text, SMVM_CRC_AT, 4);
     u.session = (uint16_t)(os_unlike() | 1u);
     u.period = period;
-    u.progress = show;
+    u.progress = show_progress;
     u.context = &p;
     if ((step = device_update(&b->host, &b->info, &u)) != DEVICE_DONE)
-        return say_failed(b, &u, before, step);
-    if (b->c->given[OPT_CONFIRM] && !device_ask_about(&b->host, LINK_CONFIRM, u.checksum))
+        return report_failure(b, &u, before, step);
+    if (b->c->given[OPT_CONFIRM] && !device_request_about(&b->host, LINK_CONFIRM, u.checksum))
         return board_failed(b, "it runs, but was not confirmed");
-    return say_done(b, &u, before);
+    return report_success(b, &u, before);
 }
 
 // Warns about an image that cannot be confirmed as soon as it runs: it starts in a state without @safe (language.md 5.46).
-static void warn_of_starts(Cli *c, const Source *image)
+static void warn_of_unsafe_starts(Cli *c, const Source *image)
 {
     SmvmMachine m;
 
@@ -291,7 +291,7 @@ static void warn_of_no_pins(BoardLine *b, const Source *image)
 }
 
 // The machine is armed or not safe. Restarts discard a machine on trial that never reaches a safe state.
-static int not_now(BoardLine *b)
+static int refuse_now(BoardLine *b)
 {
     DeviceImage now;
     int code;
@@ -311,32 +311,32 @@ static void warn_of_one_slot(BoardLine *b, const DeviceImage *now)
                 (unsigned long)now->checksum);
 }
 
-static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
+static int flash_image(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
 {
     DeviceImage now;
-    int code = fits(c, b, image, v, period);
+    int code = image_fits(c, b, image, v, period);
 
     if (code != EXIT_OK)
         return code;
     if (b->info.may != SM_OK)
-        return not_now(b);
+        return refuse_now(b);
     if (!device_running(&b->host, &b->info, &now))
         return board_failed(b, "asking what runs");
-    if ((code = is_welcome(c, b, image, period, &now)) != EXIT_OK || (code = pins_are_there(b, image)) != EXIT_OK)
+    if ((code = is_accepted(c, b, image, period, &now)) != EXIT_OK || (code = pins_exist(b, image)) != EXIT_OK)
         return code;
-    if (!is_same(&now, image, period)) {
-        warn_of_starts(c, image);
+    if (!is_same_image(&now, image, period)) {
+        warn_of_unsafe_starts(c, image);
         warn_of_no_pins(b, image);
         warn_of_one_slot(b, &now);
     }
     if (!c->given[OPT_DRY_RUN])
-        return update(b, image, period, &now);
-    cli_say(c, is_same(&now, image, period) ? TEXT_runs_already : TEXT_would_send, image->name);
+        return send_image(b, image, period, &now);
+    cli_say(c, is_same_image(&now, image, period) ? TEXT_runs_already : TEXT_would_send, image->name);
     return EXIT_OK;
 }
 
 // Accepts "20" or "20ms"; 0: not given.
-static bool period_known(Cli *c, uint16_t *period)
+static bool read_period(Cli *c, uint16_t *period)
 {
     const char *word = c->given[OPT_PERIOD] ? c->value[OPT_PERIOD] : NULL;
     unsigned long n;
@@ -374,12 +374,12 @@ int cmd_flash(Cli *c)
         return cli_usage(c, TEXT_flash_what);
     if (has_suffix(c->file[0], ".sm"))
         return cli_usage(c, TEXT_flash_source, c->file[0]);
-    if (!period_known(c, &period))
+    if (!read_period(c, &period))
         return cli_usage(c, TEXT_period_number, c->value[OPT_PERIOD]);
     if ((code = cli_load_image(c, c->file[0], &image, &v)) != EXIT_OK || (code = is_signed_with(c, image)) != EXIT_OK ||
         (code = board_open(c, &b)) != EXIT_OK)
         return code;
-    code = flash(c, &b, image, &v, period);
+    code = flash_image(c, &b, image, &v, period);
     board_close(&b);
     return code;
 }

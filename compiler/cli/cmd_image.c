@@ -4,13 +4,13 @@
 #include "bytecode-vm/smvm.h"
 #include "compiler/cli/key.h"
 
-static void put_text(void *context, const char *text, size_t length)
+static void append_text(void *context, const char *text, size_t length)
 {
     buf_put(context, text, length);
 }
 
 // Returns what to do about a refused image; NULL if only its creator can know.
-static const char *advice(uint8_t rule)
+static const char *advice_for_rule(uint8_t rule)
 {
     switch (rule) {
     case SMVM_R_MAGIC: return "it is no image; 'smc build' makes one of a machine";
@@ -40,8 +40,8 @@ int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v)
         return ends_in_time(c, *image);
     cli_say(c, TEXT_image_rule, (*image)->name, (unsigned)v->rule, (unsigned long)v->at,
             smvm_rule_text(v->rule));
-    if (advice(v->rule))
-        cli_say(c, TEXT_sentence, advice(v->rule));
+    if (advice_for_rule(v->rule))
+        cli_say(c, TEXT_sentence, advice_for_rule(v->rule));
     return EXIT_PROBLEM;
 }
 
@@ -58,7 +58,7 @@ int cmd_disasm(Cli *c)
         int code = cli_load_image(c, c->file[i], &image, &v);
         if (code != EXIT_OK)
             return code;
-        smvm_disasm((SmvmBytes)image->text, put_text, &out);
+        smvm_disasm((SmvmBytes)image->text, append_text, &out);
     }
     return cli_print(c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }

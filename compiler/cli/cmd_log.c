@@ -31,7 +31,7 @@ static Log *read_log(Cli *c, const char *path, char **bytes)
 }
 
 // Reports damage. Returns 0, or EXIT_PROBLEM if the log contains nothing else.
-static int judge(Cli *c, const char *path, const Log *log)
+static int report_damage(Cli *c, const char *path, const Log *log)
 {
     if (log->newer)
         cli_remark(c, TEXT_log_later, path);
@@ -73,7 +73,7 @@ static int choose_session(Cli *c, Flight *f, size_t format)
     return EXIT_OK;
 }
 
-static int unknown(Cli *c, const Flight *f, const char *what, const char *name, const char *const *names, size_t n)
+static int report_unknown_name(Cli *c, const Flight *f, const char *what, const char *name, const char *const *names, size_t n)
 {
     const char *near = str_nearest(name, names, n);
 
@@ -82,14 +82,14 @@ static int unknown(Cli *c, const Flight *f, const char *what, const char *name, 
 }
 
 // The description of the shown session; of the last one, if all are shown.
-static const LogDescription *described(const Flight *f)
+static const LogDescription *description_of(const Flight *f)
 {
     return f->session ? f->session->d : f->log->session.at[f->log->session.n - 1]->d;
 }
 
 static int choose_elements(Cli *c, Flight *f)
 {
-    const LogDescription *d = described(f);
+    const LogDescription *d = description_of(f);
     const LogElement **element = ARENA_ARRAY(f->arena, const LogElement *, c->files);
     const char **names = ARENA_ARRAY(f->arena, const char *, d->elements + 1);
 
@@ -97,7 +97,7 @@ static int choose_elements(Cli *c, Flight *f)
         names[i] = d->element[i].name;
     for (size_t i = 1; i < c->files; i++)
         if ((element[i - 1] = log_find_element(d, c->file[i])) == NULL)
-            return unknown(c, f, "element", c->file[i], names, d->elements);
+            return report_unknown_name(c, f, "element", c->file[i], names, d->elements);
     f->element = element;
     f->elements = c->files - 1;
     if (f->elements)
@@ -107,7 +107,7 @@ static int choose_elements(Cli *c, Flight *f)
 
 static int choose_machine(Cli *c, Flight *f)
 {
-    const LogDescription *d = described(f);
+    const LogDescription *d = description_of(f);
     const char **names = ARENA_ARRAY(f->arena, const char *, d->machines + 1);
 
     for (uint32_t i = 0; i < d->machines; i++)
@@ -115,11 +115,11 @@ static int choose_machine(Cli *c, Flight *f)
     if (!c->given[OPT_MACHINE])
         f->machine = d->machines ? &d->machine[0] : NULL;
     else if ((f->machine = log_find_machine(d, c->value[OPT_MACHINE])) == NULL)
-        return unknown(c, f, "machine", c->value[OPT_MACHINE], names, d->machines);
+        return report_unknown_name(c, f, "machine", c->value[OPT_MACHINE], names, d->machines);
     return EXIT_OK;
 }
 
-static int choose(Cli *c, Flight *f, size_t format)
+static int choose_content(Cli *c, Flight *f, size_t format)
 {
     int code = choose_session(c, f, format);
 
@@ -165,8 +165,8 @@ int cmd_log(Cli *c)
     f.name = strcmp(c->file[0], "-") == 0 ? "<stdin>" : c->file[0];
     if ((f.log = read_log(c, c->file[0], &bytes)) == NULL)
         return EXIT_ENVIRONMENT;
-    if ((code = judge(c, f.name, f.log)) == EXIT_OK)
-        code = choose(c, &f, format);
+    if ((code = report_damage(c, f.name, f.log)) == EXIT_OK)
+        code = choose_content(c, &f, format);
     if (code == EXIT_OK)
         code = write_out(c, &f, writer[format]);
     os_alloc(NULL, bytes, 0);

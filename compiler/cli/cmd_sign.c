@@ -11,7 +11,7 @@ enum { YEAR_2020 = 1577836800 };
 #define MOST 4000000000u
 
 // Time increases on every computer that signs, so it serves as the default number.
-static bool by_the_clock(Cli *c, uint32_t *number)
+static bool number_from_clock(Cli *c, uint32_t *number)
 {
     const int64_t seconds = (int64_t)time(NULL) - YEAR_2020;
 
@@ -22,7 +22,7 @@ static bool by_the_clock(Cli *c, uint32_t *number)
     return false;
 }
 
-static bool given(Cli *c, uint32_t *number)
+static bool number_from_option(Cli *c, uint32_t *number)
 {
     uint64_t n = 0;
     const char *word = c->value[OPT_NUMBER];
@@ -36,7 +36,7 @@ static bool given(Cli *c, uint32_t *number)
     return false;
 }
 
-static int sign(Cli *c, const Source *image, const uint8_t *key, uint32_t number)
+static int sign_image(Cli *c, const Source *image, const uint8_t *key, uint32_t number)
 {
     OsOutput out = {c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : c->file[0], NULL, 0};
     uint8_t *const bytes = arena_alloc(&c->session.arena, image->len + SIGN_ROOM);
@@ -58,11 +58,11 @@ int cmd_sign(Cli *c)
 
     if (c->files != 1 || !c->given[OPT_KEY])
         return cli_usage(c, TEXT_sign_what);
-    if (c->given[OPT_NUMBER] && !given(c, &number))
+    if (c->given[OPT_NUMBER] && !number_from_option(c, &number))
         return EXIT_USAGE;
-    if (!c->given[OPT_NUMBER] && !by_the_clock(c, &number))
+    if (!c->given[OPT_NUMBER] && !number_from_clock(c, &number))
         return EXIT_ENVIRONMENT;
     if ((code = cli_load_image(c, c->file[0], &image, &v)) != EXIT_OK || (code = key_load(c, key)) != EXIT_OK)
         return code;
-    return sign(c, image, key, number);
+    return sign_image(c, image, key, number);
 }

@@ -29,7 +29,7 @@ static void refuse_folder(TestRun *t, const char *path, const char *why)
     add_error(t, path, why, EXIT_ENVIRONMENT);
 }
 
-static void collect(TestRun *t, const char *path, int depth)
+static void collect_cases(TestRun *t, const char *path, int depth)
 {
     const char *why = "folders are nested too deeply";
     char **names;
@@ -46,7 +46,7 @@ static void collect(TestRun *t, const char *path, int depth)
     for (size_t i = 0; i < n; i++) {
         const char *inner = format_in(t->arena, "%s%s%s", path, has_suffix(path, "/") ? "" : "/", names[i]);
         if (names[i][0] != '.' && (has_suffix(inner, ".smt") || os_is_folder(inner)))
-            collect(t, inner, depth + 1);
+            collect_cases(t, inner, depth + 1);
     }
     os_alloc(NULL, names, 0);
 }
@@ -56,7 +56,7 @@ static void collect_argument(TestRun *t, const char *path)
 {
     size_t before = t->path.n + t->result.n;
 
-    collect(t, path, 0);
+    collect_cases(t, path, 0);
     if (t->path.n + t->result.n > before)
         return;
     cli_say(t->c, TEXT_no_case_in, path);

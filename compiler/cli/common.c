@@ -7,17 +7,17 @@
 #include <stdio.h>
 #include <string.h>
 
-static bool speaks(const Cli *c, const char *format)
+static bool is_message_format(const Cli *c, const char *format)
 {
     return strcmp(c->given[OPT_FORMAT] ? c->value[OPT_FORMAT] : "text", format) == 0;
 }
 
 // Programs that read JSON or SARIF read these messages too.
-static void say_to_machine(Cli *c, const char *severity, const char *sentence)
+static void print_for_program(Cli *c, const char *severity, const char *sentence)
 {
     Buf out;
 
-    if (speaks(c, "sarif")) {
+    if (is_message_format(c, "sarif")) {
         vec_push(&c->session.arena, &c->said, sentence);
         return;
     }
@@ -26,17 +26,17 @@ static void say_to_machine(Cli *c, const char *severity, const char *sentence)
     fputs(buf_text(&out), stderr);
 }
 
-static void say(Cli *c, const char *severity, const char *format, va_list args)
+static void print_message(Cli *c, const char *severity, const char *format, va_list args)
 {
     char sentence[5000];
 
-    if (speaks(c, "text")) {
+    if (is_message_format(c, "text")) {
         fputs("smc: ", stderr);
         vfprintf(stderr, format, args);
         fputc('\n', stderr);
     } else {
         vsnprintf(sentence, sizeof sentence, format, args);
-        say_to_machine(c, severity, str_c(&c->session.strings, sentence)->text);
+        print_for_program(c, severity, str_c(&c->session.strings, sentence)->text);
     }
 }
 
@@ -46,7 +46,7 @@ void cli_say(Cli *c, const char *format, ...)
     va_list args;
 
     va_start(args, format);
-    say(c, "error", format, args);
+    print_message(c, "error", format, args);
     va_end(args);
     va_start(args, format);
     vsnprintf(sentence, sizeof sentence, format, args);
@@ -59,7 +59,7 @@ void cli_remark(Cli *c, const char *format, ...)
     va_list args;
 
     va_start(args, format);
-    say(c, "note", format, args);
+    print_message(c, "note", format, args);
     va_end(args);
 }
 
@@ -145,13 +145,13 @@ static bool wants_color(const Cli *c)
     return os_is_terminal(2) && !(term && strcmp(term, "dumb") == 0);
 }
 
-static void render(const Cli *c, const Diags *d, Buf *out)
+static void render_diagnostics(const Cli *c, const Diags *d, Buf *out)
 {
     DiagStyle style = {wants_color(c), 20};
 
-    if (speaks(c, "json"))
+    if (is_message_format(c, "json"))
         diags_render_json(d, out);
-    else if (speaks(c, "sarif"))
+    else if (is_message_format(c, "sarif"))
         diags_render_sarif(d, SMC_VERSION, out);
     else
         diags_render_text(d, &style, out);
@@ -167,7 +167,7 @@ int cli_report(Cli *c)
     diags_select(d, &c->warn);
     diags_sort(d);
     buf_init(&out, &c->session.arena);
-    render(c, d, &out);
+    render_diagnostics(c, d, &out);
     code = d->errors ? EXIT_PROBLEM : EXIT_OK;
     if (!cli_print(c, 2, &out) && !code)
         code = EXIT_ENVIRONMENT;
@@ -180,7 +180,7 @@ int cli_end(Cli *c, int code)
 {
     Buf out;
 
-    if (!speaks(c, "sarif") || (code == EXIT_USAGE && !c->reported))
+    if (!is_message_format(c, "sarif") || (code == EXIT_USAGE && !c->reported))
         return code;
     if (!c->reported)
         cli_report(c);

@@ -7,7 +7,7 @@
 
 typedef struct Texts { const Source *was, *is; } Texts;
 
-static bool same(const Texts *t, uint32_t i, uint32_t k)         // line i of `was` and line k of `is`
+static bool same_line(const Texts *t, uint32_t i, uint32_t k)         // line i of `was` and line k of `is`
 {
     uint32_t n, m;
     const char *a = source_line(t->was, i, &n), *b = source_line(t->is, k, &m);
@@ -22,7 +22,7 @@ static void find_change(const Texts *t, uint32_t i, uint32_t k, uint32_t *gone, 
 
     for (uint32_t both = 1; both < n + m; both++)
         for (uint32_t g = 0; g <= both; g++)
-            if (g < n && both - g < m && same(t, i + g, k + both - g)) {
+            if (g < n && both - g < m && same_line(t, i + g, k + both - g)) {
                 *gone = g;
                 *come = both - g;
                 return;
@@ -47,7 +47,7 @@ void fix_list(const Source *was, const Source *is, Buf *out)
     uint32_t i = 1, k = 1, gone, come;
 
     while (i <= was->lines || k <= is->lines) {
-        if (i <= was->lines && k <= is->lines && same(&t, i, k)) {
+        if (i <= was->lines && k <= is->lines && same_line(&t, i, k)) {
             i++, k++;
             continue;
         }

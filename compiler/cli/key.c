@@ -64,7 +64,7 @@ bool key_signed(Cli *c, const Source *image, const uint8_t *key, const char *the
 }
 
 // Prints which key it is, in the form that boards and images report.
-static int say_mark(Cli *c, const uint8_t *key)
+static int print_key_mark(Cli *c, const uint8_t *key)
 {
     Buf out;
 
@@ -91,7 +91,7 @@ int cmd_key(Cli *c)
     }
     text[DIGITS] = '\n';
     if (os_write_private(c->file[0], text, sizeof text, &why))
-        return say_mark(c, key);
+        return print_key_mark(c, key);
     cli_say(c, TEXT_cannot_create, cli_shown(&c->session.arena, c->file[0]), why);
     return EXIT_ENVIRONMENT;
 }

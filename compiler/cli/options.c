@@ -16,18 +16,18 @@ static const OptionInfo option_info[OPT_COUNT] = {
 static bool is_joined(const OptionInfo *o) { return o->value && o->value[0] == '='; }
 
 // Returns a subcommand's letter in options.def: its first letter, or a capital one if an earlier subcommand already uses it.
-static char letter(const Command *command)
+static char letter_of_command(const Command *command)
 {
     return strcmp(command->name, "flash") == 0 ? 'F' : strcmp(command->name, "device") == 0 ? 'D' : command->name[0];
 }
 
-static bool applies(const OptionInfo *o, const Command *command)
+static bool option_applies(const OptionInfo *o, const Command *command)
 {
-    return o->commands[0] == '*' || strchr(o->commands, letter(command)) != NULL;
+    return o->commands[0] == '*' || strchr(o->commands, letter_of_command(command)) != NULL;
 }
 
 // Finds the option that `arg` spells, and where its joined value starts (NULL: none). Returns OPT_COUNT for an unknown option.
-static OptionId recognise(const char *arg, const char **value)
+static OptionId find_option(const char *arg, const char **value)
 {
     *value = NULL;
     if (strcmp(arg, "-h") == 0)
@@ -55,7 +55,7 @@ static bool unknown_option(Cli *c, const char *arg)
 
     snprintf(head, sizeof head, "%.*s", (int)strcspn(arg, "="), arg);
     for (size_t i = 0; i < OPT_COUNT; i++)
-        if (applies(&option_info[i], c->command))
+        if (option_applies(&option_info[i], c->command))
             names[n++] = option_info[i].spelling;
     near = str_nearest(head, names, n);
     if (near)
@@ -70,7 +70,7 @@ static bool take_option(Cli *c, OptionId id, const char *arg, const char *value,
 {
     const OptionInfo *o = &option_info[id];
 
-    if (!applies(o, c->command))
+    if (!option_applies(o, c->command))
         return cli_usage(c, TEXT_option_of_other, o->spelling, c->command->name), false;
     if (!o->value && value)
         return cli_usage(c, TEXT_option_no_value, o->spelling), false;
@@ -91,7 +91,7 @@ static bool take_option(Cli *c, OptionId id, const char *arg, const char *value,
     return true;
 }
 
-static bool one_of(Cli *c, OptionId id, const char *const *allowed, size_t n, const char *list)
+static bool is_one_of(Cli *c, OptionId id, const char *const *allowed, size_t n, const char *list)
 {
     if (!c->given[id])
         return true;
@@ -103,7 +103,7 @@ static bool one_of(Cli *c, OptionId id, const char *const *allowed, size_t n, co
 }
 
 // A SARIF document describes one run, so only a command that reports once can write one.
-static bool sarif_fits(Cli *c)
+static bool is_sarif_allowed(Cli *c)
 {
     if (!c->given[OPT_FORMAT] || strcmp(c->value[OPT_FORMAT], "sarif") != 0 || strcmp(c->command->name, "check") == 0 ||
         strcmp(c->command->name, "build") == 0)
@@ -123,7 +123,7 @@ static bool warnings_known(Cli *c)
 }
 
 // The name is copied verbatim into a make rule; no file of that name is opened.
-static bool target_is_name(Cli *c)
+static bool is_target_a_name(Cli *c)
 {
     if (!c->given[OPT_DEPS_NAME] || os_is_name(c->value[OPT_DEPS_NAME]))
         return true;
@@ -137,8 +137,8 @@ static bool check_values(Cli *c)
     static const char *const formats[] = {"text", "json", "sarif"};
     static const char *const whens[] = {"auto", "always", "never"};
 
-    return one_of(c, OPT_OPT, levels, 3, "0, 1 or 2") && one_of(c, OPT_FORMAT, formats, 3, "text, json or sarif") &&
-           sarif_fits(c) && target_is_name(c) && one_of(c, OPT_COLOR, whens, 3, "auto, always or never") && warnings_known(c);
+    return is_one_of(c, OPT_OPT, levels, 3, "0, 1 or 2") && is_one_of(c, OPT_FORMAT, formats, 3, "text, json or sarif") &&
+           is_sarif_allowed(c) && is_target_a_name(c) && is_one_of(c, OPT_COLOR, whens, 3, "auto, always or never") && warnings_known(c);
 }
 
 bool options_parse(Cli *c, int argc, char **argv)
@@ -159,7 +159,7 @@ bool options_parse(Cli *c, int argc, char **argv)
             ended = true;
             continue;
         }
-        if ((id = recognise(arg, &value)) == OPT_COUNT)
+        if ((id = find_option(arg, &value)) == OPT_COUNT)
             return unknown_option(c, arg);
         if (!take_option(c, id, arg, value, i + 1 < argc ? argv[i + 1] : NULL, &took_next))
             return false;
@@ -173,7 +173,7 @@ void options_help(const Command *command, Buf *out)
     for (size_t i = 0; i < OPT_COUNT; i++) {
         const OptionInfo *o = &option_info[i];
         char left[64];
-        if (!applies(o, command))
+        if (!option_applies(o, command))
             continue;
         snprintf(left, sizeof left, "%s%s%s", o->spelling, !o->value || is_joined(o) ? "" : o->spelling[1] == '-' ? "=" : " ",
                  o->value ? o->value + is_joined(o) : "");

@@ -13,14 +13,14 @@ typedef struct Head { const char *at; size_t n; bool is_whole; } Head;
 // ---- recognising files of smc ----
 
 // Whether text begins with `pattern`, in which * matches any text within a line.
-static bool begins_like(const char *text, const char *end, const char *pattern)
+static bool matches_pattern(const char *text, const char *end, const char *pattern)
 {
     for (; *pattern; pattern++, text++) {
         if (*pattern == '*') {
             for (; text < end && *text != '\n'; text++)
-                if (begins_like(text, end, pattern + 1))
+                if (matches_pattern(text, end, pattern + 1))
                     return true;
-            return begins_like(text, end, pattern + 1);
+            return matches_pattern(text, end, pattern + 1);
         }
         if (text == end || *text != *pattern)
             return false;
@@ -47,7 +47,7 @@ static bool next_make_word(const char **at, const char *end, const char **word, 
     return *n > 0;
 }
 
-static bool ends_in(const char *word, size_t n, const char *ending)
+static bool ends_with(const char *word, size_t n, const char *ending)
 {
     const size_t m = strlen(ending);
 
@@ -69,7 +69,7 @@ static bool is_make_rule(const Head *h)
     if (!at || !first_end || at >= first_end || *h->at == '\t' || *h->at == ' ')
         return false;
     if (++at == first_end)
-        return ends_in(h->at, target, ".smb") || ends_in(h->at, target, ".c") || ends_in(h->at, target, ".h");
+        return ends_with(h->at, target, ".smb") || ends_with(h->at, target, ".c") || ends_with(h->at, target, ".h");
     while (next_make_word(&at, first_end, &word, &n))
         if (!outputs_is_source_name(word, n))
             return false;
@@ -262,7 +262,7 @@ static bool is_junit(const Head *h)
     const char *at = h->at, *end = h->at + h->n, *root;
     XmlOpen open = {{NULL}, 0};
 
-    if (!begins_like(at, end, mark))
+    if (!matches_pattern(at, end, mark))
         return false;
     at = root = strchr(at, '\n') + 1;
     while (!h->is_whole && end[-1] != '>')                         // '>' only ends tags
@@ -312,7 +312,7 @@ static const struct {
 static bool is_ours(const Head *h)
 {
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        if (kinds[i].mark ? begins_like(h->at, h->at + h->n, kinds[i].mark) : kinds[i].is_ours(h))
+        if (kinds[i].mark ? matches_pattern(h->at, h->at + h->n, kinds[i].mark) : kinds[i].is_ours(h))
             return true;
     return false;
 }

@@ -32,7 +32,7 @@ static void open_c(Batch *b, EngineKind kind)
         b->engine[owner[i]][kind] = engine_c_batch_engine(b->c[kind], i);
 }
 
-static void say_failed(TestRun *t, const TestResult *r)
+static void print_failed(TestRun *t, const TestResult *r)
 {
     Buf b;
 
@@ -61,7 +61,7 @@ static void test_batch(TestRun *t, const char *const *path, size_t n)
         TestResult r = case_close(b.at[i], b.engine[i]);
         vec_push(t->arena, &t->result, r);
         if ((r.status == TEST_FAILED || r.status == TEST_BROKEN) && !t->c->given[OPT_TAP])
-            say_failed(t, &r);
+            print_failed(t, &r);
     }
     for (int kind = 0; kind < ENGINE_KINDS; kind++)
         if (b.c[kind])

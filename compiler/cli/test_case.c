@@ -30,9 +30,9 @@ struct TestCase {
 
 typedef TestCase Case;
 
-static void complain(Case *c, const char *what) { buf_printf(&c->why, "%s\n", what); }
+static void add_problem(Case *c, const char *what) { buf_printf(&c->why, "%s\n", what); }
 
-static void finish(Case *c, TestStatus status, const char *message, int code)
+static void set_result(Case *c, TestStatus status, const char *message, int code)
 {
     c->result.status = status;
     c->result.message = format_in(c->t->arena, "%s", message);
@@ -40,7 +40,7 @@ static void finish(Case *c, TestStatus status, const char *message, int code)
     c->is_done = true;
 }
 
-static void out_of_memory(Case *c) { finish(c, TEST_BROKEN, "out of memory", EXIT_ENVIRONMENT); }
+static void out_of_memory(Case *c) { set_result(c, TEST_BROKEN, "out of memory", EXIT_ENVIRONMENT); }
 
 // ---- is it a case for us? ----
 
@@ -80,7 +80,7 @@ static const char *read_warnings(Case *c)
 }
 
 // Returns what is wrong with the file itself, or NULL.
-static const char *malformed(Case *c)
+static const char *find_malformed(Case *c)
 {
     const TestFile *f = c->f;
     const char *wrong;
@@ -189,7 +189,7 @@ static void compile_case(Case *c)
 
 // ---- diagnostics: missing and unexpected ----
 
-static bool mentions(const Diag *d, const char *text)
+static bool mentions_text(const Diag *d, const char *text)
 {
     if (strstr(d->text, text) || (d->label && strstr(d->label, text)))
         return true;
@@ -199,13 +199,13 @@ static bool mentions(const Diag *d, const char *text)
     return false;
 }
 
-static bool matches(const Case *c, const TestExpected *e, const Diag *d)
+static bool matches_expected(const Case *c, const TestExpected *e, const Diag *d)
 {
     return d->span.src && d->span.src == c->src[e->part] && source_position(d->span.src, d->span.at).line == e->line &&
-           strcmp(diag_info[d->code].id, e->id) == 0 && mentions(d, e->text);
+           strcmp(diag_info[d->code].id, e->id) == 0 && mentions_text(d, e->text);
 }
 
-static void complain_of_diagnostic(Case *c, const Diag *d)
+static void add_unexpected(Case *c, const Diag *d)
 {
     Buf *b = &c->why;
 
@@ -229,12 +229,12 @@ static void check_diagnostics(Case *c)
     for (size_t i = 0; i < c->s.diags.list.n; i++) {
         const Diag *d = c->s.diags.list.at[i];
         size_t j = 0;
-        while (j < c->f->expected.n && (met[j] || !matches(c, &c->f->expected.at[j], d)))
+        while (j < c->f->expected.n && (met[j] || !matches_expected(c, &c->f->expected.at[j], d)))
             j++;
         if (j < c->f->expected.n)
             met[j] = 1;
         else
-            complain_of_diagnostic(c, d);
+            add_unexpected(c, d);
     }
     for (size_t j = 0; j < c->f->expected.n; j++) {
         const TestExpected *e = &c->f->expected.at[j];
@@ -307,7 +307,7 @@ static void run_scripts(Case *c, Engine *const *emitted)
     for (int kind = 0; kind < ENGINE_KINDS; kind++)
         own &= emitted[kind] ? ~(1u << kind) : ~0u;
     if (!engines_open(&c->engines, &c->s, c->p, own, option_level(c->t->c))) {
-        complain(c, c->engines.error);
+        add_problem(c, c->engines.error);
         if (c->s.diags.errors == 0)           // otherwise an image can be too large
             c->code = EXIT_ENVIRONMENT;
         return;
@@ -337,20 +337,20 @@ static unsigned choose_engines(Case *c)
     return wanted & ~absent;
 }
 
-static void prepare(Case *c)
+static void compile_if_runnable(Case *c)
 {
     const char *wrong;
 
     if (!c->f->error && is_golden(c->f)) {
-        finish(c, TEST_SKIPPED, "not a case of smc test", EXIT_OK);
-    } else if ((wrong = malformed(c)) != NULL) {
-        finish(c, TEST_BROKEN, wrong, EXIT_PROBLEM);
+        set_result(c, TEST_SKIPPED, "not a case of smc test", EXIT_OK);
+    } else if ((wrong = find_malformed(c)) != NULL) {
+        set_result(c, TEST_BROKEN, wrong, EXIT_PROBLEM);
     } else {
         c->which = count_parts(c->f, ".ss") ? choose_engines(c) : 0;
         if (c->which || !count_parts(c->f, ".ss"))
             compile_case(c);
         else
-            finish(c, TEST_SKIPPED, "no engine it can run on", EXIT_OK);
+            set_result(c, TEST_SKIPPED, "no engine it can run on", EXIT_OK);
     }
 }
 
@@ -366,12 +366,12 @@ TestCase *case_open(TestRun *t, const char *path)
     c->result.path = path;
     c->result.suite = test_folder(t->arena, path);
     if (!os_read(path, SOURCE_MAX, &c->text, &n, &why)) {
-        finish(c, TEST_BROKEN, format_in(t->arena, "cannot read '%s': %s", cli_shown(t->arena, path), why), EXIT_ENVIRONMENT);
+        set_result(c, TEST_BROKEN, format_in(t->arena, "cannot read '%s': %s", cli_shown(t->arena, path), why), EXIT_ENVIRONMENT);
     } else if (setjmp(c->oom) == 0) {
         session_init(&c->s, os_alloc, NULL, &c->oom);
         buf_init(&c->why, &c->s.arena);
         c->f = testfile_parse(&c->s.arena, path, c->text, n);
-        prepare(c);
+        compile_if_runnable(c);
     } else {
         out_of_memory(c);
     }
@@ -386,17 +386,17 @@ bool case_wants_c(const TestCase *c, EngineKind kind, const Program **p, const I
     return !c->is_done && c->ir && c->which >> kind & 1u;
 }
 
-static void judge(Case *c, Engine *const *emitted)
+static void check_results(Case *c, Engine *const *emitted)
 {
     if (c->f->outcome == TEST_ERROR && c->s.diags.errors == 0)
-        complain(c, "should not compile, but does");
+        add_problem(c, "should not compile, but does");
     if (c->is_ready)
         run_scripts(c, emitted);
     check_diagnostics(c);
     if (c->why.n)
-        finish(c, c->code ? TEST_BROKEN : TEST_FAILED, buf_text(&c->why), c->code ? c->code : EXIT_PROBLEM);
+        set_result(c, c->code ? TEST_BROKEN : TEST_FAILED, buf_text(&c->why), c->code ? c->code : EXIT_PROBLEM);
     else
-        finish(c, TEST_PASSED, "", EXIT_OK);
+        set_result(c, TEST_PASSED, "", EXIT_OK);
 }
 
 TestResult case_close(TestCase *c, Engine *const *emitted)
@@ -404,7 +404,7 @@ TestResult case_close(TestCase *c, Engine *const *emitted)
     const double begin = os_seconds();
 
     if (!c->is_done && setjmp(c->oom) == 0)
-        judge(c, emitted);
+        check_results(c, emitted);
     else if (!c->is_done)
         out_of_memory(c);
     engines_close(&c->engines);

@@ -28,7 +28,7 @@ static const char *line_of_failure(const char *text)
 
 // ---- the end of a run, for people ----
 
-static size_t count(const TestRun *t, TestStatus status)
+static size_t count_status(const TestRun *t, TestStatus status)
 {
     size_t n = 0;
 
@@ -38,7 +38,7 @@ static size_t count(const TestRun *t, TestStatus status)
 }
 
 // If many scripts failed, their output is long; this adds one line for each at the end.
-static void put_failed(const TestRun *t, Buf *out)
+static void put_failed_scripts(const TestRun *t, Buf *out)
 {
     size_t scripts = 0;
 
@@ -54,11 +54,11 @@ static void put_failed(const TestRun *t, Buf *out)
 
 void test_write_summary(const TestRun *t, Buf *out)
 {
-    size_t skipped = count(t, TEST_SKIPPED) + t->left_out;
+    size_t skipped = count_status(t, TEST_SKIPPED) + t->left_out;
 
-    put_failed(t, out);
-    buf_printf(out, "%lu passed, %lu failed", (unsigned long)count(t, TEST_PASSED),
-               (unsigned long)(count(t, TEST_FAILED) + count(t, TEST_BROKEN)));
+    put_failed_scripts(t, out);
+    buf_printf(out, "%lu passed, %lu failed", (unsigned long)count_status(t, TEST_PASSED),
+               (unsigned long)(count_status(t, TEST_FAILED) + count_status(t, TEST_BROKEN)));
     if (skipped)
         buf_printf(out, ", %lu skipped", (unsigned long)skipped);
     buf_char(out, '\n');
@@ -167,7 +167,7 @@ static void put_testcase(Buf *out, const TestResult *r)
 typedef struct Totals { size_t by_status[TEST_SKIPPED + 1], tests; double seconds; } Totals;
 
 // Adds up one suite, or all suites if `suite` is NULL.
-static Totals add_up(const TestRun *t, const char *suite)
+static Totals add_totals(const TestRun *t, const char *suite)
 {
     Totals all = {{0}, 0, 0};
 
@@ -190,7 +190,7 @@ static void put_totals(Buf *out, const Totals *all)
 
 static void put_suite(const TestRun *t, const char *suite, Buf *out)
 {
-    const Totals all = add_up(t, suite);
+    const Totals all = add_totals(t, suite);
 
     buf_str(out, "  <testsuite");
     put_attribute(out, "name", suite, strlen(suite));
@@ -216,7 +216,7 @@ static bool is_first_of_suite(const TestRun *t, size_t i)
 
 void test_write_junit(const TestRun *t, Buf *out)
 {
-    const Totals all = add_up(t, NULL);
+    const Totals all = add_totals(t, NULL);
 
     buf_str(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"smc test\"");
     put_totals(out, &all);

@@ -29,7 +29,7 @@ static Lines lines_of_part(const TestPart *p)         // blank lines at its end 
     return (Lines){p->text, p->text + n};
 }
 
-static bool equal(TextLine a, TextLine b) { return a.n == b.n && memcmp(a.at, b.at, a.n) == 0; }
+static bool same_text(TextLine a, TextLine b) { return a.n == b.n && memcmp(a.at, b.at, a.n) == 0; }
 
 void test_check_report(const TestPart *part, const Buf *report, Buf *why)
 {
@@ -40,7 +40,7 @@ void test_check_report(const TestPart *part, const Buf *report, Buf *why)
     while (more_e || more_r) {
         more_e = next_line(&expected, &e);
         more_r = next_line(&came, &r);
-        if (more_e == more_r && (!more_e || equal(e, r)))
+        if (more_e == more_r && (!more_e || same_text(e, r)))
             continue;
         if (!differs)
             buf_str(why, "the report differs (- expected, + came):\n");
@@ -52,7 +52,7 @@ void test_check_report(const TestPart *part, const Buf *report, Buf *why)
     }
 }
 
-static size_t up_to_value(TextLine l)                 // of "STEP NAME VALUE"
+static size_t length_before_value(TextLine l)                 // of "STEP NAME VALUE"
 {
     size_t n = l.n;
 
@@ -61,15 +61,15 @@ static size_t up_to_value(TextLine l)                 // of "STEP NAME VALUE"
     return n;
 }
 
-static void complain_of_trace(TextLine wanted, const Buf *trace, Buf *why)
+static void report_missing_line(TextLine wanted, const Buf *trace, Buf *why)
 {
     Lines all = {buf_text(trace), buf_text(trace) + trace->n};
-    size_t n = up_to_value(wanted);
+    size_t n = length_before_value(wanted);
     TextLine l;
 
     buf_printf(why, "the trace has no line '%.*s' here", (int)wanted.n, wanted.at);
     while (next_line(&all, &l))
-        if (n && up_to_value(l) == n && memcmp(l.at, wanted.at, n) == 0)
+        if (n && length_before_value(l) == n && memcmp(l.at, wanted.at, n) == 0)
             buf_printf(why, "; it has '%.*s'", (int)l.n, l.at);
     buf_char(why, '\n');
 }
@@ -83,9 +83,9 @@ void test_check_trace(const TestPart *part, const Buf *trace, Buf *why)
         Lines before = came;
         bool found = e.n == 0;
         while (!found && next_line(&came, &l))
-            found = equal(e, l);
+            found = same_text(e, l);
         if (!found) {
-            complain_of_trace(e, trace, why);
+            report_missing_line(e, trace, why);
             came = before;
         }
     }

@@ -84,7 +84,7 @@ static void take_all_columns(TestTrace *t)
 
 // ---- writing ----
 
-static void put_away(TestTrace *t)
+static void write_buffered(TestTrace *t)
 {
     const char *why;
 
@@ -93,7 +93,7 @@ static void put_away(TestTrace *t)
     t->text.n = 0;
 }
 
-static int fails(TestTrace *t, const char *why)
+static int report_write_error(TestTrace *t, const char *why)
 {
     cli_say(t->c, TEXT_cannot_write, cli_shown(&t->c->session.arena, t->c->value[OPT_TRACE]), why);
     return EXIT_ENVIRONMENT;
@@ -108,7 +108,7 @@ static bool is_a_double(SmType type, uint64_t cell)
 }
 
 // Whole numbers are exact in the file, but a reader that converts them to doubles rounds some beyond 2^53.
-static void note_rounded(TestTrace *t, const uint64_t *cell)
+static void find_rounded(TestTrace *t, const uint64_t *cell)
 {
     const Var *g = t->p->g;
 
@@ -130,10 +130,10 @@ void test_trace_step(void *context, const ScriptStep *step)
         script_trace_exact(&t->text, step, t->column, t->columns);
     } else {
         script_trace_row(&t->text, t->script, step, t->column, t->columns);
-        note_rounded(t, step->cell);
+        find_rounded(t, step->cell);
     }
     if (t->text.n >= BLOCK)
-        put_away(t);
+        write_buffered(t);
 }
 
 void test_trace_script(TestTrace *t, const char *path) { t->script = path; }
@@ -166,7 +166,7 @@ int test_trace_open(TestRun *run, const Program *p, TestTrace **trace)
     if (!t->is_exact)
         script_trace_header(&t->text, p, t->column, t->columns);
     if (!os_stream_open(&t->file, c->value[OPT_TRACE], &why))
-        return fails(t, why);
+        return report_write_error(t, why);
     *trace = t;
     return EXIT_OK;
 }
@@ -178,11 +178,11 @@ int test_trace_close(TestTrace *t)
     if (!t)
         return EXIT_OK;
     if (t->script)
-        put_away(t);
+        write_buffered(t);
     if (!os_stream_close(&t->file, !t->error && t->script, &why) && !t->error)
         t->error = why;
     if (t->error)
-        return fails(t, t->error);
+        return report_write_error(t, t->error);
     if (!t->script)
         cli_remark(t->c, TEXT_no_trace, t->c->value[OPT_TRACE]);
     if (t->rounded)

@@ -6,7 +6,7 @@
 enum { HELLO_BYTES = 15, HELLO_SIGNED = HELLO_BYTES + 5, HELLO_LIMITS = HELLO_SIGNED + 7, HELLO_MARK = HELLO_LIMITS + 4, IMAGE_BYTES = 18, DATA_HEAD = 5, RESTARTS = 3 };
 
 // Sends a request.  An answer with less than `least` bytes does not follow the protocol and counts as SM_E_UNSUPPORTED.
-static bool ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n, size_t least)
+static bool send_request(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n, size_t least)
 {
     if (!link_ask(h, message, body, n))
         return false;
@@ -17,7 +17,7 @@ static bool ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n,
 
 // ---- the board and its images ----
 
-static void take_limits(const uint8_t *b, DeviceInfo *info)
+static void read_limits(const uint8_t *b, DeviceInfo *info)
 {
     info->windows = (b[0] & LINK_WINDOWS) != 0;
     info->machines = (uint8_t)(b[0] & ~LINK_WINDOWS);
@@ -31,7 +31,7 @@ bool device_hello(LinkHost *h, DeviceInfo *info)
 {
     const uint8_t *b;
 
-    if (!ask(h, LINK_HELLO, NULL, 0, HELLO_BYTES))
+    if (!send_request(h, LINK_HELLO, NULL, 0, HELLO_BYTES))
         return false;
     b = h->body;
     memset(info, 0, sizeof *info);
@@ -47,7 +47,7 @@ bool device_hello(LinkHost *h, DeviceInfo *info)
     info->newest = h->n >= HELLO_SIGNED ? sm_link_load(b + 16, 4) : 0;
     info->tells = h->n >= HELLO_LIMITS;
     if (info->tells)
-        take_limits(b + HELLO_SIGNED, info);
+        read_limits(b + HELLO_SIGNED, info);
     info->tells_mark = h->n >= HELLO_MARK;
     info->mark = info->tells_mark ? sm_link_load(b + HELLO_LIMITS, 4) : 0;
     return true;
@@ -57,7 +57,7 @@ bool device_image(LinkHost *h, uint8_t slot, DeviceImage *image)
 {
     const uint8_t *b;
 
-    if (!ask(h, LINK_IMAGE, &slot, 1, IMAGE_BYTES))
+    if (!send_request(h, LINK_IMAGE, &slot, 1, IMAGE_BYTES))
         return false;
     b = h->body;
     image->slot = slot;
@@ -95,12 +95,12 @@ bool device_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image)
     return false;
 }
 
-bool device_ask_about(LinkHost *h, LinkMessage message, uint32_t checksum)
+bool device_request_about(LinkHost *h, LinkMessage message, uint32_t checksum)
 {
     uint8_t body[4];
 
     sm_link_store(body, checksum, 4);
-    return ask(h, message, body, sizeof body, 0);
+    return send_request(h, message, body, sizeof body, 0);
 }
 
 bool device_pin_place(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *place)
@@ -108,7 +108,7 @@ bool device_pin_place(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *place
     uint8_t body[3] = {kind, 0, 0};
 
     sm_link_store(body + 1, number, 2);
-    if (!ask(h, LINK_PIN, body, sizeof body, 1))
+    if (!send_request(h, LINK_PIN, body, sizeof body, 1))
         return false;
     *place = h->body[0];
     return true;
@@ -134,25 +134,25 @@ bool device_restart(LinkHost *h, DeviceInfo *info)
 // ---- an update ----
 
 // Sends a request whose body is the session.
-static bool ask_session(LinkHost *h, const Update *u, LinkMessage message)
+static bool request_in_session(LinkHost *h, const Update *u, LinkMessage message)
 {
     uint8_t body[2];
 
     sm_link_store(body, u->session, 2);
-    return ask(h, message, body, sizeof body, 0);
+    return send_request(h, message, body, sizeof body, 0);
 }
 
-static bool begin(LinkHost *h, const Update *u)
+static bool send_begin(LinkHost *h, const Update *u)
 {
     uint8_t body[9];
 
     sm_link_store(body, u->session, 2);
     sm_link_store(body + 2, u->length, 3);
     sm_link_store(body + 5, u->checksum, 4);
-    return ask(h, LINK_BEGIN, body, sizeof body, 0);
+    return send_request(h, LINK_BEGIN, body, sizeof body, 0);
 }
 
-static bool data(LinkHost *h, const DeviceInfo *info, Update *u)
+static bool send_data(LinkHost *h, const DeviceInfo *info, Update *u)
 {
     uint8_t body[LINK_BODY_MAX];
 
@@ -161,7 +161,7 @@ static bool data(LinkHost *h, const DeviceInfo *info, Update *u)
         sm_link_store(body, u->session, 2);
         sm_link_store(body + 2, at, 3);
         memcpy(body + DATA_HEAD, u->bytes + at, n);
-        if (!ask(h, LINK_DATA, body, DATA_HEAD + n, 0))
+        if (!send_request(h, LINK_DATA, body, DATA_HEAD + n, 0))
             return false;
         at += n;
         if (u->progress)
@@ -170,9 +170,9 @@ static bool data(LinkHost *h, const DeviceInfo *info, Update *u)
     return true;
 }
 
-static bool end(LinkHost *h, Update *u)
+static bool send_end(LinkHost *h, Update *u)
 {
-    const bool ok = ask_session(h, u, LINK_END);
+    const bool ok = request_in_session(h, u, LINK_END);
 
     u->rule = h->answered && h->n >= 4 ? h->body[0] : 0;
     u->at = h->answered && h->n >= 4 ? sm_link_load(h->body + 1, 3) : 0;
@@ -186,7 +186,7 @@ static bool same_bytes(LinkHost *h, const DeviceInfo *info, const Update *u, uin
         const uint32_t most = info->body - 1u, n = u->length - at < most ? u->length - at : most;
         uint8_t body[5] = {slot, 0, 0, 0, (uint8_t)n};
         sm_link_store(body + 1, at, 3);
-        if (!ask(h, LINK_READ, body, sizeof body, n))
+        if (!send_request(h, LINK_READ, body, sizeof body, n))
             return false;
         if (h->n != n || memcmp(h->body, u->bytes + at, n) != 0) {
             h->result = SM_E_DEVICE;
@@ -212,30 +212,30 @@ static bool read_back(LinkHost *h, const DeviceInfo *info, const Update *u)
     return false;
 }
 
-static bool activate(LinkHost *h, const Update *u)
+static bool send_activate(LinkHost *h, const Update *u)
 {
     uint8_t body[4];
 
     sm_link_store(body, u->session, 2);
     sm_link_store(body + 2, u->period, 2);
-    return ask(h, LINK_ACTIVATE, body, sizeof body, 0);
+    return send_request(h, LINK_ACTIVATE, body, sizeof body, 0);
 }
 
-static DeviceStep store(LinkHost *h, const DeviceInfo *info, Update *u)
+static DeviceStep store_image(LinkHost *h, const DeviceInfo *info, Update *u)
 {
-    if (!begin(h, u))
+    if (!send_begin(h, u))
         return DEVICE_BEGIN;
-    if (!data(h, info, u))
+    if (!send_data(h, info, u))
         return DEVICE_DATA;
-    if (!end(h, u))
+    if (!send_end(h, u))
         return DEVICE_END;
     if (!read_back(h, info, u))
         return DEVICE_READ;
-    return activate(h, u) ? DEVICE_DONE : DEVICE_ACTIVATE;
+    return send_activate(h, u) ? DEVICE_DONE : DEVICE_ACTIVATE;
 }
 
 // Checks whether the image is already the chosen one, and whether it also runs.
-static bool look(LinkHost *h, const DeviceInfo *info, const Update *u, bool *chosen, bool *runs)
+static bool find_image(LinkHost *h, const DeviceInfo *info, const Update *u, bool *chosen, bool *runs)
 {
     DeviceImage image;
 
@@ -252,17 +252,17 @@ static bool look(LinkHost *h, const DeviceInfo *info, const Update *u, bool *cho
 }
 
 // A board that restarted unexpectedly has lost the session.  The update then starts again, unless the image is already chosen.
-static DeviceStep store_again(LinkHost *h, const DeviceInfo *info, Update *u, bool *runs)
+static DeviceStep store_after_restart(LinkHost *h, const DeviceInfo *info, Update *u, bool *runs)
 {
     DeviceStep step = DEVICE_LOOK;
     bool chosen;
 
     for (unsigned i = 0; i < RESTARTS; i++) {
-        if (!look(h, info, u, &chosen, runs))
+        if (!find_image(h, info, u, &chosen, runs))
             return DEVICE_LOOK;
         if (chosen)
             return DEVICE_DONE;
-        step = store(h, info, u);
+        step = store_image(h, info, u);
         if (step == DEVICE_DONE || !h->answered || h->result != SM_E_HANDLE)
             return step;
     }
@@ -275,14 +275,14 @@ DeviceStep device_update(LinkHost *h, DeviceInfo *info, Update *u)
     DeviceStep step;
 
     u->rule = 0;
-    step = store_again(h, info, u, &runs);
+    step = store_after_restart(h, info, u, &runs);
     u->was_there = step == DEVICE_DONE && runs;
     if (step != DEVICE_DONE || runs)
         return step;
     for (unsigned i = 0; i < RESTARTS; i++) {
         if (!device_restart(h, info))
             return DEVICE_RESTART;
-        if (!look(h, info, u, &chosen, &runs))
+        if (!find_image(h, info, u, &chosen, &runs))
             return DEVICE_RUN;
         if (runs)
             return DEVICE_DONE;

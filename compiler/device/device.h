@@ -43,7 +43,7 @@ bool device_is_usable(const DeviceInfo *info);
 bool device_image(LinkHost *h, uint8_t slot, DeviceImage *image);
 // The running image.
 bool device_running(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
-bool device_ask_about(LinkHost *h, LinkMessage message, uint32_t checksum);        // CONFIRM, ERASE
+bool device_request_about(LinkHost *h, LinkMessage message, uint32_t checksum);        // CONFIRM, ERASE
 // The image on trial, whether it already runs or will run from the next start on.  False with SM_OK if no image is on trial.
 bool device_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
 // The pin of the board's chip for a pin of an image (SmvmPhysicalPin).  False with SM_E_UNSUPPORTED if the board does not report it.

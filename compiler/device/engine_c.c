@@ -38,7 +38,7 @@ typedef struct Workshop {
     const char **error;
 } Workshop;
 
-static bool failed(Workshop *w, const char *what, const char *why)
+static bool set_error(Workshop *w, const char *what, const char *why)
 {
     *w->error = format_in(w->arena, "%s: %s", what, why);
     return false;
@@ -49,7 +49,7 @@ static bool workshop_open(Workshop *w)
     const char *why;
 
     if (!os_temp_folder(w->folder, sizeof w->folder, &why))
-        return failed(w, "cannot make a folder for the emitted C", why);
+        return set_error(w, "cannot make a folder for the emitted C", why);
     w->source = format_in(w->arena, "%s/machine.c", w->folder);
     w->program = format_in(w->arena, "%s/machine", w->folder);
     w->log = format_in(w->arena, "%s/log", w->folder);
@@ -61,7 +61,7 @@ static bool write_source(Workshop *w, const Buf *code)
     const OsOutput out = { w->source, code->at, code->n };
     const char *path, *why;
 
-    return os_write(&out, 1, &path, &why) ? true : failed(w, "cannot write the emitted C", why);
+    return os_write(&out, 1, &path, &why) ? true : set_error(w, "cannot write the emitted C", why);
 }
 
 typedef VEC(const char *) Words;
@@ -113,7 +113,7 @@ static const char *compiler_of(const EngineCOptions *o)
     return os_getenv("CC") ? os_getenv("CC") : "cc";
 }
 
-static const char *cannot_run(Arena *arena, const char *compiler)
+static const char *no_compiler_text(Arena *arena, const char *compiler)
 {
     return format_in(arena, "cannot run the C compiler %s (the variable CC names another)", compiler);
 }
@@ -129,15 +129,15 @@ bool engine_c_present(Arena *arena, const EngineCOptions *o, const char **why)
     vec_push(arena, &argv, "--version");
     vec_push(arena, &argv, NULL);
     if (!os_run(argv.at, "/dev/null", &exit_code, &reason))
-        *why = format_in(arena, "%s: %s", cannot_run(arena, argv.at[0]), reason);
+        *why = format_in(arena, "%s: %s", no_compiler_text(arena, argv.at[0]), reason);
     else if (exit_code != 0)
-        *why = format_in(arena, "%s: '%s --version' ended with exit code %d", cannot_run(arena, argv.at[0]), compiler_of(o), exit_code);
+        *why = format_in(arena, "%s: '%s --version' ended with exit code %d", no_compiler_text(arena, argv.at[0]), compiler_of(o), exit_code);
     else
         return true;
     return false;
 }
 
-static bool compile(Workshop *w, const EngineCOptions *o)
+static bool compile_program(Workshop *w, const EngineCOptions *o)
 {
     const char *cc = compiler_of(o), *flags = o ? o->flags : NULL, *why;
     const char *const others[] = { "-o", w->program, w->source, NULL };
@@ -145,25 +145,25 @@ static bool compile(Workshop *w, const EngineCOptions *o)
     int exit_code;
 
     if (!split_words(w->arena, cc, &argv) || (flags && !split_words(w->arena, flags, &argv)))
-        return failed(w, format_in(w->arena, "the variable CC is %s", cc), "a quote in it is not closed");
+        return set_error(w, format_in(w->arena, "the variable CC is %s", cc), "a quote in it is not closed");
     if (argv.n == 0)
-        return failed(w, "CC", "it names no compiler");
+        return set_error(w, "CC", "it names no compiler");
     if (!flags && !strstr(cc, " -O"))
         vec_push(w->arena, &argv, "-O1");
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         vec_push(w->arena, &argv, others[i]);
     if (!os_run(argv.at, w->log, &exit_code, &why))
-        return failed(w, cannot_run(w->arena, argv.at[0]), why);
+        return set_error(w, no_compiler_text(w->arena, argv.at[0]), why);
     if (exit_code != 0)
-        return failed(w, format_in(w->arena, "the C compiler %s does not accept the emitted C", argv.at[0]), read_log(w, exit_code));
+        return set_error(w, format_in(w->arena, "the C compiler %s does not accept the emitted C", argv.at[0]), read_log(w, exit_code));
     return true;
 }
 
-static bool start(Workshop *w, OsPartner *partner)
+static bool start_program(Workshop *w, OsPartner *partner)
 {
     const char *argv[] = { w->program, NULL }, *why;
 
-    return os_partner_start(partner, argv, &why) ? true : failed(w, "cannot start the compiled machine", why);
+    return os_partner_start(partner, argv, &why) ? true : set_error(w, "cannot start the compiled machine", why);
 }
 
 // Builds the program and starts it.  The folder is always removed, because a running program does not need its file.  If memory runs out,
@@ -183,7 +183,7 @@ static bool build_and_start(Arena *arena, const Buf *code, const EngineCOptions 
         longjmp(*outer, 1);
     }
     arena->oom = &here;
-    ok = workshop_open(w) && write_source(w, code) && compile(w, o) && start(w, partner);
+    ok = workshop_open(w) && write_source(w, code) && compile_program(w, o) && start_program(w, partner);
     if (w->folder[0])
         os_remove_folder(w->folder);
     arena->oom = outer;
@@ -192,7 +192,7 @@ static bool build_and_start(Arena *arena, const Buf *code, const EngineCOptions 
 
 // ---- the exchange ----
 
-static EngineStatus broken(EngineC *e, const char *why)
+static EngineStatus set_broken(EngineC *e, const char *why)
 {
     e->engine.error = format_in(e->batch->arena, "emitted C: %s", why);
     return ENGINE_BROKEN;
@@ -218,7 +218,7 @@ static void message_start(EngineC *e, uint32_t form, uint32_t command)
 static size_t answer_size(const Program *p) { return 12 + 9 * p->var.n; }
 
 // Sends the messages to both forms and decodes the answers, which must be equal except for the flags of stored elements.
-static EngineStatus exchange(EngineC *e, EngineStep *out)
+static EngineStatus exchange_step(EngineC *e, EngineStep *out)
 {
     const size_t vars = e->engine.program->var.n, size = answer_size(e->engine.program);
     const uint8_t *cell = e->answer + 12;
@@ -226,11 +226,11 @@ static EngineStatus exchange(EngineC *e, EngineStep *out)
 
     if (!os_partner_write(&e->batch->partner, e->message.at, e->message.n, &why) ||
         !os_partner_read(&e->batch->partner, e->answer, FORMS * size, &why))
-        return broken(e, why);
+        return set_broken(e, why);
     if (memcmp(e->answer, e->answer + size, size - vars) != 0)
-        return broken(e, "with and without --track-stores it does not do the same");
+        return set_broken(e, "with and without --track-stores it does not do the same");
     if (number_at(e->answer, 4) > 1)
-        return broken(e, "it does not start: the C compiler or its options change what arithmetic means");
+        return set_broken(e, "it does not start: the C compiler or its options change what arithmetic means");
     out->status = number_at(e->answer, 4) == 0 ? ENGINE_OK : ENGINE_REFUSED;
     out->next_state = (uint32_t)number_at(e->answer + 4, 4);
     out->next_is_first = number_at(e->answer + 8, 4) != 0;
@@ -248,7 +248,7 @@ static EngineStatus c_init(Engine *engine, uint32_t state, EngineStep *out)
         message_start(e, form, 0);
         buf_u32(&e->message, state);
     }
-    return exchange(e, out);
+    return exchange_step(e, out);
 }
 
 static EngineStatus c_step(Engine *engine, const EngineWrite *write, uint32_t n, EngineStep *out)
@@ -263,7 +263,7 @@ static EngineStatus c_step(Engine *engine, const EngineWrite *write, uint32_t n,
             buf_u64(&e->message, write[i].cell);
         }
     }
-    return exchange(e, out);
+    return exchange_step(e, out);
 }
 
 static void c_close_one_of_many(Engine *engine) { (void)engine; }
@@ -288,7 +288,7 @@ static void engine_init(EngineCBatch *b, size_t i, const Program *p, bool soft)
 }
 
 // The machines of a batch share a self-test: if one starts, all do.
-static bool is_fit(EngineCBatch *b, const char **error)
+static bool self_test_passes(EngineCBatch *b, const char **error)
 {
     EngineC *e = &b->at[0];
     EngineStep s;
@@ -303,7 +303,7 @@ static bool is_fit(EngineCBatch *b, const char **error)
     return false;
 }
 
-static void emit(Arena *arena, const IrMachine *const *m, size_t n, bool soft, Buf *code)
+static void emit_program(Arena *arena, const IrMachine *const *m, size_t n, bool soft, Buf *code)
 {
     const IrMachine **form = ARENA_ARRAY(arena, const IrMachine *, FORMS * n);
     bool *track_stores = ARENA_ARRAY(arena, bool, FORMS * n);
@@ -328,8 +328,8 @@ EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const I
     for (size_t i = 0; i < n; i++)
         engine_init(b, i, p[i], o && o->soft);
     buf_init(&code, arena);
-    emit(arena, m, n, o && o->soft, &code);
-    return build_and_start(arena, &code, o, &b->partner, error) && is_fit(b, error) ? b : NULL;
+    emit_program(arena, m, n, o && o->soft, &code);
+    return build_and_start(arena, &code, o, &b->partner, error) && self_test_passes(b, error) ? b : NULL;
 }
 
 Engine *engine_c_batch_engine(EngineCBatch *b, size_t i) { return &b->at[i].engine; }

@@ -8,7 +8,7 @@
 
 typedef char sign_room_is_an_entry_and_auth[SIGN_ROOM == SMVM_SECTION_ENTRY + SMVM_AUTH ? 1 : -1];
 
-static void put(uint8_t *at, uint32_t value, unsigned bytes)
+static void store_little_endian(uint8_t *at, uint32_t value, unsigned bytes)
 {
     for (; bytes > 0; bytes--, value >>= 8)
         *at++ = (uint8_t)value;
@@ -28,14 +28,14 @@ static uint32_t make_room(const uint8_t *image, uint32_t length, uint8_t *out)
     for (uint8_t i = 0; i < n; i++) {
         SmvmSection s;
         smvm_read_section(image, i, &s);
-        put(out + SMVM_HEADER + i * SMVM_SECTION_ENTRY + 2, s.at + SMVM_SECTION_ENTRY, 3);
+        store_little_endian(out + SMVM_HEADER + i * SMVM_SECTION_ENTRY + 2, s.at + SMVM_SECTION_ENTRY, 3);
     }
     entry[0] = SMVM_S_AUTH;
     entry[1] = SMVM_V_AUTH;
-    put(entry + 2, longer - SMVM_AUTH, 3);
-    put(entry + 5, SMVM_AUTH, 3);
+    store_little_endian(entry + 2, longer - SMVM_AUTH, 3);
+    store_little_endian(entry + 5, SMVM_AUTH, 3);
     out[SMVM_SECTIONS_AT]++;
-    put(out + SMVM_LENGTH_AT, longer, 3);
+    store_little_endian(out + SMVM_LENGTH_AT, longer, 3);
     return longer;
 }
 
@@ -57,9 +57,9 @@ uint32_t image_sign(const uint8_t *image, uint32_t length, const uint8_t *key, u
         memcpy(out, image, length);
     else if ((length = make_room(image, length, out)) == 0)
         return 0;
-    put(out + length - SMVM_AUTH, number, 4);
-    put(out + length - SMVM_AUTH + 4, smvm_auth_mark(key), 4);
+    store_little_endian(out + length - SMVM_AUTH, number, 4);
+    store_little_endian(out + length - SMVM_AUTH + 4, smvm_auth_mark(key), 4);
     smvm_auth_code(out, length - SMVM_CODE, key, out + length - SMVM_CODE);
-    put(out + SMVM_CRC_AT, crc_of(out, length), 4);
+    store_little_endian(out + SMVM_CRC_AT, crc_of(out, length), 4);
     return length;
 }

@@ -80,7 +80,7 @@ static bool is_new(Diags *d, DiagCode code, Span span)
 // ---- reporting ----
 
 // Returns the message of a row, with each {} replaced by the next argument.
-static const char *fill_in(Arena *arena, const char *message, va_list args)
+static const char *fill_arguments(Arena *arena, const char *message, va_list args)
 {
     Buf b;
 
@@ -96,7 +96,7 @@ static const char *fill_in(Arena *arena, const char *message, va_list args)
 }
 
 // Returns the listed source with the same name and text, else src: a file that was loaded twice counts as one.
-static const Source *file_of(const Diags *d, const Source *src)
+static const Source *listed_file(const Diags *d, const Source *src)
 {
     for (size_t i = d->files.n; src && i-- > 0; ) {
         const Source *file = d->files.at[i];
@@ -115,7 +115,7 @@ static void note_file(Diags *d, const Source *src)
 }
 
 // Counts a report; returns true if it belongs in the list.
-static bool is_wanted(Diags *d, DiagCode code, Span span)
+static bool count_report(Diags *d, DiagCode code, Span span)
 {
     size_t *count = diag_info[code].severity == DIAG_ERROR ? &d->errors : &d->warnings;
 
@@ -124,7 +124,7 @@ static bool is_wanted(Diags *d, DiagCode code, Span span)
 }
 
 // Returns the diagnostic for reports that are not wanted. All of them share one, so that a flood of reports costs no memory.
-static Diag *dropped(Diags *d)
+static Diag *dropped_report(Diags *d)
 {
     if (!d->dropped) {
         d->dropped = ARENA_NEW(d->arena, Diag);
@@ -137,10 +137,10 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
 {
     Diag *x;
 
-    span.src = file_of(d, span.src);
-    if (!is_wanted(d, code, span)) {
+    span.src = listed_file(d, span.src);
+    if (!count_report(d, code, span)) {
         d->first = span.src && d->place_cap ? find_place(d, span.src, span.at, code)->diag : NULL;
-        return dropped(d);
+        return dropped_report(d);
     }
     x = ARENA_NEW(d->arena, Diag);
     if (span.src)
@@ -148,7 +148,7 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
     x->code = code;
     x->severity = diag_info[code].severity;
     x->span = span;
-    x->text = fill_in(d->arena, diag_info[code].message, args);
+    x->text = fill_arguments(d->arena, diag_info[code].message, args);
     note_file(d, span.src);
     vec_push(d->arena, &d->list, x);
     return x;
@@ -171,7 +171,7 @@ static void add_note(Diags *d, Diag *to, Span span, unsigned step, DiagCode text
 
     if (to == d->dropped)
         return;
-    note.text = fill_in(d->arena, diag_info[text].message, args);
+    note.text = fill_arguments(d->arena, diag_info[text].message, args);
     vec_push(d->arena, &to->notes, note);
 }
 
@@ -203,7 +203,7 @@ void diag_label(Diags *d, Diag *to, DiagCode text, ...)
     if (to == d->dropped)
         return;
     va_start(args, text);
-    to->label = fill_in(d->arena, diag_info[text].message, args);
+    to->label = fill_arguments(d->arena, diag_info[text].message, args);
     va_end(args);
 }
 
@@ -257,7 +257,7 @@ static void merge(const Diags *d, Diag **to, Diag **a, size_t na, Diag **b, size
     memcpy(to, na ? a : b, (na ? na : nb) * sizeof *to);
 }
 
-static size_t at_most(size_t n, size_t limit) { return n < limit ? n : limit; }
+static size_t min_size(size_t n, size_t limit) { return n < limit ? n : limit; }
 
 void diags_sort(Diags *d)
 {
@@ -267,7 +267,7 @@ void diags_sort(Diags *d)
     for (size_t run = 1; run < n; run *= 2) {
         Diag **swap = from;
         for (size_t i = 0; i < n; i += 2 * run) {
-            size_t na = at_most(n - i, run), nb = at_most(n - i - na, run);
+            size_t na = min_size(n - i, run), nb = min_size(n - i - na, run);
             merge(d, to + i, from + i, na, from + i + na, nb);
         }
         from = to;
@@ -279,11 +279,11 @@ void diags_sort(Diags *d)
 
 // ---- lookup ----
 
-static char capital(char c) { return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c; }
+static char to_upper(char c) { return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c; }
 
 static bool same_word(const char *a, const char *b)
 {
-    while (*a && capital(*a) == capital(*b))
+    while (*a && to_upper(*a) == to_upper(*b))
         a++, b++;
     return !*a && !*b;
 }

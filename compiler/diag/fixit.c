@@ -22,7 +22,7 @@ static int compare_changes(const void *a, const void *b)
     return x->order < y->order ? -1 : 1;
 }
 
-static bool is_for(const Diag *d, const Source *src)
+static bool edits_only(const Diag *d, const Source *src)
 {
     for (size_t i = 0; i < d->edits.n; i++)
         if (d->edits.at[i].span.src != src)
@@ -30,12 +30,12 @@ static bool is_for(const Diag *d, const Source *src)
     return true;
 }
 
-static Changes collect(const Diags *d, const Source *src)
+static Changes collect_changes(const Diags *d, const Source *src)
 {
     Changes all = {0};
 
     for (size_t i = 0; i < d->list.n; i++)
-        for (size_t k = 0; is_for(d->list.at[i], src) && k < d->list.at[i]->edits.n; k++) {
+        for (size_t k = 0; edits_only(d->list.at[i], src) && k < d->list.at[i]->edits.n; k++) {
             Change c = {&d->list.at[i]->edits.at[k], i, all.n};
             vec_push(d->arena, &all, c);
         }
@@ -68,7 +68,7 @@ static void refuse_overlaps(const Changes *all, bool *refused)
 
 size_t diags_apply_edits(const Diags *d, const Source *src, Buf *out)
 {
-    Changes all = collect(d, src);
+    Changes all = collect_changes(d, src);
     bool *refused = ARENA_ARRAY(d->arena, bool, d->list.n + 1), *counted = ARENA_ARRAY(d->arena, bool, d->list.n + 1);
     uint32_t at = 0;
     size_t made = 0;

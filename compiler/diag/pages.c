@@ -28,7 +28,7 @@ static const struct { const char *title, *words; } groups[] = {
     [DIAG_GROUP_FLIGHT] = {"-Wflight", "Questions of a flight review. They use the marks `@abort`, `@safe`, `@command` and `@range`."}};
 
 // Writes how to switch a warning.
-static void put_switches(Buf *out, const DiagFlag *flag)
+static void put_how_to_switch(Buf *out, const DiagFlag *flag)
 {
     if (flag->group == DIAG_GROUP_ALL)
         buf_printf(out, "A warning: `-Wno-%s` silences it, `-Werror=%s` makes it an error.\n\n", flag->name, flag->name);
@@ -78,7 +78,7 @@ static void put_page(Buf *out, const DiagInfo *row)
     diag_put_title(row, out);
     buf_str(out, "\n\n");
     if (row->flag)
-        put_switches(out, diag_find_flag(row->flag));
+        put_how_to_switch(out, diag_find_flag(row->flag));
     buf_str(out, row->page);
     buf_char(out, '\n');
 }

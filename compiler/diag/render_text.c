@@ -13,7 +13,7 @@ enum {
 
 typedef enum Paint { PAINT_OFF, PAINT_PLACE, PAINT_ERROR, PAINT_WARNING, PAINT_NOTE, PAINT_CARET } Paint;
 
-static void paint(const DiagStyle *style, Buf *out, Paint what)
+static void set_color(const DiagStyle *style, Buf *out, Paint what)
 {
     static const char *const code[] = {"\033[0m", "\033[1m", "\033[1;31m", "\033[1;35m", "\033[1;36m", "\033[1;32m"};
 
@@ -66,10 +66,10 @@ typedef struct Excerpt {
     size_t at, end;           // the marked bytes: from <= at <= end <= to
 } Excerpt;
 
-static size_t smaller(size_t a, size_t b) { return a < b ? a : b; }
+static size_t min_size(size_t a, size_t b) { return a < b ? a : b; }
 
 // Returns the end of the bytes after `from` that fit in `columns`; *left: the columns that remain.
-static size_t fill(Buf *scratch, const Excerpt *e, size_t from, size_t columns, size_t *left)
+static size_t end_of_columns(Buf *scratch, const Excerpt *e, size_t from, size_t columns, size_t *left)
 {
     while (from < e->len) {
         size_t width, len = put_character(scratch, e->text + from, e->len - from, &width);
@@ -84,20 +84,20 @@ static size_t fill(Buf *scratch, const Excerpt *e, size_t from, size_t columns, 
 }
 
 // Shortens a long line to the text around the mark.
-static void cut(Buf *scratch, Excerpt *e)
+static void shorten_line(Buf *scratch, Excerpt *e)
 {
     size_t left;
 
-    if (fill(scratch, e, 0, WIDEST, &left) == e->len) {
+    if (end_of_columns(scratch, e, 0, WIDEST, &left) == e->len) {
         e->to = e->len;
         return;
     }
     e->from = e->at > BEFORE ? e->at - BEFORE : 0;
     while (e->from > 0 && e->from < e->at && ((unsigned char)e->text[e->from] & 0xc0) == 0x80)
         e->from++;                                                // do not split a character
-    while (fill(scratch, e, e->from, BEFORE, &left) < e->at)
+    while (end_of_columns(scratch, e, e->from, BEFORE, &left) < e->at)
         e->from++;
-    e->to = fill(scratch, e, e->at, WIDEST - BEFORE + left, &left);
+    e->to = end_of_columns(scratch, e, e->at, WIDEST - BEFORE + left, &left);
 }
 
 static Excerpt find_excerpt(Buf *scratch, Span span, LineCol where)
@@ -107,9 +107,9 @@ static Excerpt find_excerpt(Buf *scratch, Span span, LineCol where)
 
     e.text = source_line(span.src, where.line, &len);
     e.len = len;
-    e.at = smaller(where.col - 1, e.len);
-    cut(scratch, &e);
-    e.end = smaller(e.at + (span.len ? span.len : 1), e.to);      // a span over several lines ends at the end of the first
+    e.at = min_size(where.col - 1, e.len);
+    shorten_line(scratch, &e);
+    e.end = min_size(e.at + (span.len ? span.len : 1), e.to);      // a span over several lines ends at the end of the first
     return e;
 }
 
@@ -146,7 +146,7 @@ static void put_snippet(const DiagStyle *style, Buf *out, const Diag *d, LineCol
     buf_spaces(out, gutter);
     buf_str(out, " | ");
     buf_spaces(out, indent);
-    paint(style, out, PAINT_CARET);
+    set_color(style, out, PAINT_CARET);
     buf_char(out, '^');
     for (size_t i = 1; i < marked; i++)
         buf_char(out, '~');
@@ -154,7 +154,7 @@ static void put_snippet(const DiagStyle *style, Buf *out, const Diag *d, LineCol
         buf_char(out, ' ');
         put_text(out, d->label);
     }
-    paint(style, out, PAINT_OFF);
+    set_color(style, out, PAINT_OFF);
     buf_char(out, '\n');
 }
 
@@ -167,10 +167,10 @@ static void put_place(const DiagStyle *style, Buf *out, Span span)
     if (!span.src)
         return;
     where = source_position(span.src, span.at);
-    paint(style, out, PAINT_PLACE);
+    set_color(style, out, PAINT_PLACE);
     put_text(out, span.src->name);
     buf_printf(out, ":%lu:%lu: ", (unsigned long)where.line, (unsigned long)where.col);
-    paint(style, out, PAINT_OFF);
+    set_color(style, out, PAINT_OFF);
 }
 
 static void put_severity(const DiagStyle *style, Buf *out, DiagSeverity severity)
@@ -178,9 +178,9 @@ static void put_severity(const DiagStyle *style, Buf *out, DiagSeverity severity
     static const char *const word[] = {"error: ", "warning: ", "note: "};
     static const Paint color[] = {PAINT_ERROR, PAINT_WARNING, PAINT_NOTE};
 
-    paint(style, out, color[severity]);
+    set_color(style, out, color[severity]);
     buf_str(out, word[severity]);
-    paint(style, out, PAINT_OFF);
+    set_color(style, out, PAINT_OFF);
 }
 
 static void put_head(const DiagStyle *style, Buf *out, const Diag *d)

@@ -23,14 +23,14 @@ typedef struct Ref {
     const Stmt *transition;   // made by the last step, or NULL
 } Ref;
 
-static void store(Ref *r, const Var *v, uint64_t cell)
+static void store_cell(Ref *r, const Var *v, uint64_t cell)
 {
     r->cell[v->index] = cell;
     r->stored[v->index] = v->kind == VAR_ELEMENT;
 }
 
 // Executes statements in order.  Returns the target of the transition that ended them, or NULL.
-static const State *execute(Ref *r, const Stmts *list)
+static const State *execute_statements(Ref *r, const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++) {
         const Stmt *s = list->at[i];
@@ -38,10 +38,10 @@ static const State *execute(Ref *r, const Stmts *list)
 
         switch (s->kind) {
         case ST_ASSIGN:
-            store(r, s->var, ref_convert(s->var->type, ref_eval(s->value, r->cell, &r->windows)));
+            store_cell(r, s->var, ref_convert(s->var->type, ref_eval(s->value, r->cell, &r->windows)));
             break;
         case ST_IF:
-            target = execute(r, ref_true(ref_eval(s->value, r->cell, &r->windows)) ? &s->then : &s->otherwise);
+            target = execute_statements(r, ref_true(ref_eval(s->value, r->cell, &r->windows)) ? &s->then : &s->otherwise);
             break;
         case ST_TRANSITION:
             target = s->target;
@@ -59,17 +59,17 @@ static void run_blocks(Ref *r, bool first)
     const State *target = NULL;
 
     if (first)
-        target = execute(r, &r->state->block[BLOCK_ENTRY]);
+        target = execute_statements(r, &r->state->block[BLOCK_ENTRY]);
     if (!target)
-        target = execute(r, &r->state->block[BLOCK_STEP]);
+        target = execute_statements(r, &r->state->block[BLOCK_STEP]);
     if (!target)
         return;
-    execute(r, &r->state->block[BLOCK_EXIT]);
+    execute_statements(r, &r->state->block[BLOCK_EXIT]);
     r->state = target;
     r->is_first = true;
 }
 
-static EngineStatus answer(const Ref *r, EngineStatus status, EngineStep *out)
+static EngineStatus fill_step(const Ref *r, EngineStatus status, EngineStep *out)
 {
     out->status = status;
     out->next_state = r->state->number;
@@ -79,7 +79,7 @@ static EngineStatus answer(const Ref *r, EngineStatus status, EngineStep *out)
     return status;
 }
 
-static bool advances(const Ref *r, uint64_t g)
+static bool time_advances(const Ref *r, uint64_t g)
 {
     return g != UINT64_MAX && !(r->has_run && g <= r->last_g);
 }
@@ -95,19 +95,19 @@ static EngineStatus ref_step(Engine *e, const EngineWrite *write, uint32_t n, En
     memset(r->stored, 0, r->p->var.n);
     r->transition = NULL;
     g = r->cell[r->p->g->index];
-    if (!advances(r, g))                                                       // language.md 6.3
-        return answer(r, ENGINE_REFUSED, out);
+    if (!time_advances(r, g))                                                       // language.md 6.3
+        return fill_step(r, ENGINE_REFUSED, out);
     r->has_run = true;
     r->last_g = g;
     r->is_first = false;
     if (first) {                                                               // language.md 6.4
-        store(r, r->p->s, r->state->number);
+        store_cell(r, r->p->s, r->state->number);
         r->start = g;
     }
-    store(r, r->p->t, g - r->start);                                           // language.md 6.5
+    store_cell(r, r->p->t, g - r->start);                                           // language.md 6.5
     ref_windows_sample(&r->windows, r->cell);                                  // language.md 6.6
     run_blocks(r, first);                                                      // language.md 6.7 to 6.11
-    return answer(r, ENGINE_OK, out);
+    return fill_step(r, ENGINE_OK, out);
 }
 
 static EngineStatus ref_init(Engine *e, uint32_t state, EngineStep *out)
@@ -126,7 +126,7 @@ static EngineStatus ref_init(Engine *e, uint32_t state, EngineStep *out)
     r->cell[r->p->s->index] = state;
     r->is_first = true;
     r->has_run = false;
-    return answer(r, ENGINE_OK, out);
+    return fill_step(r, ENGINE_OK, out);
 }
 
 const Stmt *engine_ref_transition(const Engine *e) { return ((const Ref *)e->self)->transition; }

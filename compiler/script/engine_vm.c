@@ -26,7 +26,7 @@ typedef struct VmEngine {
 
 // ---- stepping ----
 
-static EngineStatus answer(const VmEngine *v, EngineStatus status, EngineStep *out)
+static EngineStatus fill_step(const VmEngine *v, EngineStatus status, EngineStep *out)
 {
     const Program *p = v->p;
 
@@ -43,13 +43,13 @@ static EngineStatus answer(const VmEngine *v, EngineStatus status, EngineStep *o
     return status;
 }
 
-static EngineStatus broken(Engine *e, EngineStep *out, const char *error)
+static EngineStatus set_broken(Engine *e, EngineStep *out, const char *error)
 {
     e->error = error;
     return out->status = ENGINE_BROKEN;
 }
 
-static bool both_stored(const VmEngine *v)
+static bool same_stored_flags(const VmEngine *v)
 {
     for (uint32_t i = 0; i < v->m.outputs; i++)
         if (smvm_stored(v->vm, i) != smvm_stored(v->beside, i))
@@ -58,11 +58,11 @@ static bool both_stored(const VmEngine *v)
 }
 
 // Compares the decoded run and the run in place.  Intermediate values are among the locals.
-static bool agree(const VmEngine *v)
+static bool same_state(const VmEngine *v)
 {
     return memcmp(v->sv, v->sv_beside, v->m.sv_size) == 0 && memcmp(smvm_locals(v->vm), smvm_locals(v->beside), v->m.locals) == 0
         && smvm_state(v->vm) == smvm_state(v->beside) && v->vm->first == v->beside->first && smvm_time(v->vm) == smvm_time(v->beside)
-        && both_stored(v);
+        && same_stored_flags(v);
 }
 
 static void write_cell(const VmEngine *v, const EngineWrite *w)
@@ -88,9 +88,9 @@ static EngineStatus vm_step(Engine *e, const EngineWrite *write, uint32_t n, Eng
         write_cell(v, &write[i]);
     result = smvm_step_decoded(v->decoded, v->sv);
     beside = smvm_step(v->beside, v->sv_beside);
-    if (result != beside || !agree(v))
-        return broken(e, out, "the decoded form of the image does not do what the image does");
-    answer(v, result == SM_OK ? ENGINE_OK : ENGINE_REFUSED, out);
+    if (result != beside || !same_state(v))
+        return set_broken(e, out, "the decoded form of the image does not do what the image does");
+    fill_step(v, result == SM_OK ? ENGINE_OK : ENGINE_REFUSED, out);
     if (result == SM_OK && smvm_stored_state(v->vm))
         out->stored[v->p->s->index] = 1;
     return out->status;
@@ -114,8 +114,8 @@ static EngineStatus vm_init(Engine *e, uint32_t state, EngineStep *out)
     if (result == SM_OK)
         result = init(v, v->beside, v->sv_beside, state);
     if (result != SM_OK)
-        return broken(e, out, sm_result_text(result));
-    answer(v, ENGINE_OK, out);
+        return set_broken(e, out, sm_result_text(result));
+    fill_step(v, ENGINE_OK, out);
     memset(out->stored, 0, v->p->var.n);
     return ENGINE_OK;
 }
@@ -171,7 +171,7 @@ static void find_locals(VmEngine *v)
 }
 
 // Returns NULL, or the reason why the image cannot represent the program.
-static const char *check(const VmEngine *v, Arena *arena)
+static const char *check_locals(const VmEngine *v, Arena *arena)
 {
     for (uint32_t k = 0; k < v->p->var.n; k++) {
         const Var *var = v->p->var.at[k];
@@ -181,7 +181,7 @@ static const char *check(const VmEngine *v, Arena *arena)
     return NULL;
 }
 
-static const char *bind(VmEngine *v, Arena *arena, const uint8_t *image, size_t size, uint32_t machine)
+static const char *bind_image(VmEngine *v, Arena *arena, const uint8_t *image, size_t size, uint32_t machine)
 {
     SmvmVerdict why;
     SmResult result;
@@ -211,12 +211,12 @@ Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, siz
     v->p = p;
     v->at = ARENA_ARRAY(arena, uint8_t *, p->var.n);
     v->output = ARENA_ARRAY(arena, uint32_t, p->var.n);
-    *error = bind(v, arena, image, size, machine);
+    *error = bind_image(v, arena, image, size, machine);
     if (*error)
         return NULL;
     find_elements(v, arena);
     find_locals(v);
-    *error = check(v, arena);
+    *error = check_locals(v, arena);
     if (*error)
         return NULL;
     v->engine.name = SM_F64_SOFT ? "vm-soft" : "vm";

@@ -70,7 +70,7 @@ static const char *value_text(Run *r, const Expr *e)
     return buf_text(&text);
 }
 
-static void note_step(History *h)
+static void record_step(History *h)
 {
     Run *r = &h->run;
     PastStep *s;
@@ -85,7 +85,7 @@ static void note_step(History *h)
         s->value[i] = value_text(r, h->column[i]);
 }
 
-static void note_transition(History *h)
+static void record_transition(History *h)
 {
     Run *r = &h->run;
     const Stmt *stmt = engine_ref_transition(r->engine[0]);
@@ -97,11 +97,11 @@ static void note_transition(History *h)
     h->transition[h->transitions++] = (PastTransition){r->result.steps, r->g, r->state, stmt};
 }
 
-static void note(void *context, const ScriptStep *step)
+static void record_after_step(void *context, const ScriptStep *step)
 {
     (void)step;
-    note_step(context);
-    note_transition(context);
+    record_step(context);
+    record_transition(context);
 }
 
 // The reference interpreter reads every sample of every window in each step.
@@ -117,10 +117,10 @@ static bool is_too_long(const Run *r)
 }
 
 // Runs the script again.  Returns whether its final values equal those of the failed run.
-static bool run_again(History *h)
+static bool replay(History *h)
 {
     const Run *failed = h->failed;
-    const ScriptOptions o = {failed->result.steps, note, h, true};
+    const ScriptOptions o = {failed->result.steps, record_after_step, h, true};
     Engine *ref = engine_ref_open(failed->arena, failed->p);
     Diags silent;
 
@@ -133,7 +133,7 @@ static bool run_again(History *h)
 
 // ---- notes of the diagnostic ----
 
-static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
+static size_t max_size(size_t a, size_t b) { return a > b ? a : b; }
 
 static void end_row(Buf *out)
 {
@@ -152,7 +152,7 @@ static size_t width_of(const History *h, size_t column)
     size_t width = h->column[column]->span.len;
 
     for (size_t i = 0; i < h->steps; i++)
-        width = larger(width, strlen(h->step[i].value[column]));
+        width = max_size(width, strlen(h->step[i].value[column]));
     return width;
 }
 
@@ -166,9 +166,9 @@ static void add_steps(History *h, Diag *d)
         return;
     buf_init(&table, arena);
     for (size_t i = 0; i < h->steps; i++) {
-        steps = larger(steps, strlen(count_text(arena, h->step[i].number)));
-        gs = larger(gs, strlen(count_text(arena, h->step[i].g)));
-        states = larger(states, h->step[i].state->name->len);
+        steps = max_size(steps, strlen(count_text(arena, h->step[i].number)));
+        gs = max_size(gs, strlen(count_text(arena, h->step[i].g)));
+        states = max_size(states, h->step[i].state->name->len);
     }
     buf_char(&table, '\n');
     put_right(&table, "step", steps);
@@ -218,7 +218,7 @@ static void add_state(const Run *r, Diag *d)
         diag_note(r->diags, d, (Span){0}, DIAG_note_no_transition, state->name->text);
 }
 
-static void add_stop(const Run *r, Diag *d, const ScriptSection *section, uint64_t ran, Span stop)
+static void note_stop(const Run *r, Diag *d, const ScriptSection *section, uint64_t ran, Span stop)
 {
     if (!section->state)
         diag_note(r->diags, d, stop, DIAG_note_stop_never_true);
@@ -229,14 +229,14 @@ static void add_stop(const Run *r, Diag *d, const ScriptSection *section, uint64
                   count_text(r->arena, (ran - 1) * r->s->delta_t));
 }
 
-static void add_stops(const Run *r, Diag *d)
+static void note_stops(const Run *r, Diag *d)
 {
     size_t shown = 0;
 
     for (size_t i = 0; i < r->s->section.n; i++)
         for (size_t j = 0; j < r->s->section.at[i].item.n && shown < STOPS; j++)
             if (r->s->section.at[i].item.at[j].stop) {
-                add_stop(r, d, &r->s->section.at[i], r->ran[i], r->s->section.at[i].item.at[j].stop_span);
+                note_stop(r, d, &r->s->section.at[i], r->ran[i], r->s->section.at[i].item.at[j].stop_span);
                 shown++;
             }
 }
@@ -254,12 +254,12 @@ void history_add(Run *failed, Diag *d)
     if (stop)
         add_columns(h, stop->guard);
     if (!failed->failed) {
-        add_stops(failed, d);
+        note_stops(failed, d);
         add_state(failed, d);
     }
     if (is_too_long(failed)) {
         diag_note(failed->diags, d, (Span){0}, DIAG_note_too_long);
-    } else if (!run_again(h)) {
+    } else if (!replay(h)) {
         diag_note(failed->diags, d, (Span){0}, DIAG_note_other_values, failed->engine[0]->name);
     } else {
         add_steps(h, d);

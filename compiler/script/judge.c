@@ -21,7 +21,7 @@ bool span_same_text(Span a, Span b)
     return a.len == b.len && memcmp(a.src->text + a.at, b.src->text + b.at, a.len) == 0;
 }
 
-static bool was_seen(const Operands *o, const Expr *e)
+static bool is_listed(const Operands *o, const Expr *e)
 {
     for (size_t i = 0; i < o->n; i++)
         if (o->seen[i] == e || span_same_text(o->seen[i]->span, e->span))
@@ -30,7 +30,7 @@ static bool was_seen(const Operands *o, const Expr *e)
 }
 
 // Whether the source text fits on one line of a message.
-static bool is_showable(Span s)
+static bool fits_in_message(Span s)
 {
     return s.src && s.len > 0 && s.len <= OPERAND_LENGTH && !memchr(s.src->text + s.at, '\n', s.len);
 }
@@ -45,7 +45,7 @@ void run_put_value(Run *r, const Expr *e, Buf *out)
 
 static void add_operand(Operands *o, const Expr *e)
 {
-    if (o->n == OPERANDS_MOST || !is_showable(e->span) || was_seen(o, e))
+    if (o->n == OPERANDS_MOST || !fits_in_message(e->span) || is_listed(o, e))
         return;
     buf_str(&o->text, o->n ? ", " : "");
     buf_put(&o->text, e->span.src->text + e->span.at, e->span.len);
@@ -112,7 +112,7 @@ void judge_step(Run *r)
 // ---- asserts never evaluated ----
 
 // `@assert false` states that its condition is never true, so it is intended that no step evaluates it.
-static bool is_never(const Run *r, const Expr *assert)
+static bool is_assert_false(const Run *r, const Expr *assert)
 {
     return expr_is_constant(assert) && !ref_true(ref_eval(assert, r->cell, &r->windows));
 }
@@ -120,18 +120,18 @@ static bool is_never(const Run *r, const Expr *assert)
 // Asserts that were not evaluated for the same reason.  They share one warning, at the first one.
 typedef struct Unjudged { const Expr *first; size_t n; } Unjudged;
 
-static void add_unjudged(const Run *r, const ScriptItem *item, size_t number, Unjudged *u)
+static void add_unevaluated(const Run *r, const ScriptItem *item, size_t number, Unjudged *u)
 {
     for (size_t k = 0; k < item->asserts.n; k++) {
         const Expr *assert = item->asserts.at[k];
-        if (r->judged[number + k] || is_never(r, assert))
+        if (r->judged[number + k] || is_assert_false(r, assert))
             continue;
         u->first = u->n ? u->first : assert;
         u->n++;
     }
 }
 
-static Diag *report_unjudged(const Run *r, Unjudged *u)
+static Diag *report_unevaluated(const Run *r, Unjudged *u)
 {
     Diag *d = diag_report(r->diags, DIAG_assert_never_judged, u->first->span);
 
@@ -141,7 +141,7 @@ static Diag *report_unjudged(const Run *r, Unjudged *u)
     return d;
 }
 
-static void find_unjudged(const Run *r)
+static void find_unevaluated(const Run *r)
 {
     size_t number = 0, items = 0;
 
@@ -149,12 +149,12 @@ static void find_unjudged(const Run *r)
         const ScriptSection *section = &r->s->section.at[i];
         Unjudged u = {NULL, 0};
         for (size_t j = 0; j < section->item.n; number += section->item.at[j++].asserts.n, items++) {
-            add_unjudged(r, &section->item.at[j], number, &u);
+            add_unevaluated(r, &section->item.at[j], number, &u);
             if (u.n && r->ran[i])
-                diag_label(r->diags, report_unjudged(r, &u), r->was_true[items] ? DIAG_label_stopped_before : DIAG_label_never_true);
+                diag_label(r->diags, report_unevaluated(r, &u), r->was_true[items] ? DIAG_label_stopped_before : DIAG_label_never_true);
         }
         if (u.n)
-            diag_label(r->diags, report_unjudged(r, &u), DIAG_label_never_in_state, section->state->name->text);
+            diag_label(r->diags, report_unevaluated(r, &u), DIAG_label_never_in_state, section->state->name->text);
     }
 }
 
@@ -171,7 +171,7 @@ static bool has_assert(const Script *s)
 void judge_unjudged(const Run *r)
 {
     if (r->result.outcome == SCRIPT_PASSED || r->result.outcome == SCRIPT_ENDLESS)
-        find_unjudged(r);
+        find_unevaluated(r);
     if (r->result.outcome == SCRIPT_PASSED && !r->o->is_compared && !has_assert(r->s))
         diag_report(r->diags, DIAG_script_without_assert, script_first_stop(r->s)->stop_span);
 }

@@ -9,7 +9,7 @@
 
 static bool is_nan(double x) { return x != x; }
 static bool is_infinite(double x) { return x > DBL_MAX || x < -DBL_MAX; }
-static double nothing(void) { double inf = DBL_MAX * 2; return inf - inf; }       // a NaN
+static double make_nan(void) { double inf = DBL_MAX * 2; return inf - inf; }       // a NaN
 
 bool ref_true(double x) { return x != 0 && !is_nan(x); }
 bool ref_negative(double x) { return x < 0 || (x == 0 && 1 / x < 0); }
@@ -169,7 +169,7 @@ static double ref_sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : x; }
 static double ref_min(double a, double b)
 {
     if (is_nan(a) || is_nan(b))
-        return nothing();
+        return make_nan();
     if (a == b)
         return ref_negative(a) ? a : b;               // -0 is the smaller zero
     return a < b ? a : b;
@@ -179,7 +179,7 @@ static double ref_max(double a, double b) { return -ref_min(-a, -b); }
 
 typedef struct Wide { uint64_t high, low; } Wide;
 
-static Wide product(uint64_t a, uint64_t b)           // long multiplication in halves of 32 bits; a, b < 2^54
+static Wide multiply_wide(uint64_t a, uint64_t b)           // long multiplication in halves of 32 bits; a, b < 2^54
 {
     uint64_t a1 = a >> 32, a0 = a & 0xffffffff, b1 = b >> 32, b0 = b & 0xffffffff;
     uint64_t middle = a1 * b0 + a0 * b1 + (a0 * b0 >> 32);
@@ -188,7 +188,7 @@ static Wide product(uint64_t a, uint64_t b)           // long multiplication in 
     return w;
 }
 
-static bool not_above(Wide a, Wide b) { return a.high < b.high || (a.high == b.high && a.low <= b.low); }
+static bool is_at_most(Wide a, Wide b) { return a.high < b.high || (a.high == b.high && a.low <= b.low); }
 
 // The root of f (1 <= f < 4) is k / 2^52 for the integer k nearest to the root of f * 2^104.  Bisection finds it.  The root is
 // never half-way between k and k + 1.  It is nearer to k + 1 exactly if f * 2^104, an integer, is above k * (k + 1), which is (k +
@@ -200,12 +200,12 @@ static double root_of_1_to_4(double f)
 
     while (high - low > 1) {
         uint64_t middle = low + (high - low) / 2;
-        if (not_above(product(middle, middle), wanted))
+        if (is_at_most(multiply_wide(middle, middle), wanted))
             low = middle;
         else
             high = middle;
     }
-    return (double)(not_above(wanted, product(low, low + 1)) ? low : low + 1) / power_of_two(52);
+    return (double)(is_at_most(wanted, multiply_wide(low, low + 1)) ? low : low + 1) / power_of_two(52);
 }
 
 static double ref_sqrt(double x)
@@ -213,7 +213,7 @@ static double ref_sqrt(double x)
     double scale = 1;
 
     if (x < 0)
-        return nothing();
+        return make_nan();
     if (x == 0 || is_nan(x) || is_infinite(x))
         return x;
     for (; x >= 4; x /= 4)                            // exact, as all steps by powers of two here
@@ -241,5 +241,5 @@ double ref_pure(SmBuiltin fn, const double *arg)
 #undef SM_ROLL
     case SM_FN_COUNT: break;                          // a roll call is not pure; the checker excludes it
     }
-    return nothing();
+    return make_nan();
 }

@@ -45,7 +45,7 @@ static bool is_before(double a, double b)             // the order of the sample
     return a < b || (a == b && ref_negative(a) && !ref_negative(b));
 }
 
-static void sort(double *x, size_t n)                 // shellsort: insertion sort over decreasing distances
+static void sort_samples(double *x, size_t n)                 // shellsort: insertion sort over decreasing distances
 {
     size_t gap = 1;
 
@@ -62,7 +62,7 @@ static void sort(double *x, size_t n)                 // shellsort: insertion so
 }
 
 // Pairwise summation: repeatedly replaces the list by the sums of its pairs until one is left.  An odd last element is copied.
-static double average(double *x, uint32_t n)
+static double average_of(double *x, uint32_t n)
 {
     uint32_t left = n;
 
@@ -75,11 +75,11 @@ static double average(double *x, uint32_t n)
     return x[0] / (double)n;
 }
 
-static double median(double *x, uint32_t n)
+static double median_of(double *x, uint32_t n)
 {
     double a, b, distance;
 
-    sort(x, n);
+    sort_samples(x, n);
     if (n % 2 == 1)
         return x[n / 2];
     a = x[n / 2 - 1];
@@ -92,7 +92,7 @@ static double median(double *x, uint32_t n)
     return a + distance / 2;
 }
 
-static double extreme(const double *x, uint32_t n, bool largest)
+static double extreme_of(const double *x, uint32_t n, bool largest)
 {
     double best = x[0];
 
@@ -102,9 +102,9 @@ static double extreme(const double *x, uint32_t n, bool largest)
     return best;
 }
 
-static double range(const double *x, uint32_t n)
+static double range_of(const double *x, uint32_t n)
 {
-    double low = extreme(x, n, false), high = extreme(x, n, true);
+    double low = extreme_of(x, n, false), high = extreme_of(x, n, true);
 
     return low == high ? 0 : high - low;
 }
@@ -118,11 +118,11 @@ double ref_statistic(const RefWindows *w, uint32_t window, SmStat stat)
         return 0;                                     // before the first step; no expression reads it
     memcpy(x, r->slot, r->filled * sizeof *x);
     switch (stat) {
-    case SM_STAT_AVG: return average(x, r->filled);
-    case SM_STAT_MEDIAN: return median(x, r->filled);
-    case SM_STAT_MIN: return extreme(x, r->filled, false);
-    case SM_STAT_MAX: return extreme(x, r->filled, true);
-    case SM_STAT_RANGE: return range(x, r->filled);
+    case SM_STAT_AVG: return average_of(x, r->filled);
+    case SM_STAT_MEDIAN: return median_of(x, r->filled);
+    case SM_STAT_MIN: return extreme_of(x, r->filled, false);
+    case SM_STAT_MAX: return extreme_of(x, r->filled, true);
+    case SM_STAT_RANGE: return range_of(x, r->filled);
     case SM_STAT_COUNT: break;
     }
     return 0;

@@ -134,7 +134,7 @@ static bool is_before(const Var *a, const Var *b)
     return strcmp(a->report_name->text, b->report_name->text) < 0;
 }
 
-static void sort(const Var **v, size_t n)             // shellsort: the C library's qsort may allocate heap memory
+static void sort_by_name(const Var **v, size_t n)             // shellsort: the C library's qsort may allocate heap memory
 {
     size_t gap = 1;
 
@@ -156,7 +156,7 @@ const Var **report_order(Arena *arena, const Program *p)
 
     for (size_t i = 0; i < p->var.n; i++)
         order[i] = p->var.at[i];
-    sort(order, p->var.n);
+    sort_by_name(order, p->var.n);
     return order;
 }
 

@@ -26,7 +26,7 @@ static void put_input(Run *r, const Var *v, uint64_t cell)
 }
 
 // Sets G, T and S to their values in the next step, because guards and inputs may read them.
-static void bring_up_to_date(Run *r)
+static void update_time_and_state(Run *r)
 {
     const EngineStep *last = &r->answer[0];
 
@@ -46,7 +46,7 @@ static void execute_inputs(Run *r, const ScriptItem *item)
     }
 }
 
-static void note_item(Run *r, const ScriptItem *item, size_t first_number)
+static void record_item(Run *r, const ScriptItem *item, size_t first_number)
 {
     size_t n = item->asserts.n + item->stop;
 
@@ -71,7 +71,7 @@ static void run_sections(Run *r)
             if (matches && ref_true(ref_eval(item->guard, r->cell, &r->windows))) {
                 r->was_true[items] = 1;
                 execute_inputs(r, item);
-                note_item(r, item, number);
+                record_item(r, item, number);
             }
             number += item->asserts.n;
         }
@@ -82,7 +82,7 @@ static void run_sections(Run *r)
 
 static Span start_of_script(const Run *r) { return (Span){r->s->src, 0, 0}; }
 
-static void break_run(Run *r, const Engine *e, const char *why)
+static void report_broken_engine(Run *r, const Engine *e, const char *why)
 {
     r->result.difference = why;
     diag_report(r->diags, DIAG_engine_broken, start_of_script(r), e->name, why);
@@ -97,7 +97,7 @@ static void check_answers(Run *r)
         const char *difference;
 
         if (r->answer[i].status == ENGINE_BROKEN) {
-            break_run(r, e, e->error ? e->error : "no reason given");
+            report_broken_engine(r, e, e->error ? e->error : "no reason given");
         } else if (i > 0 && (difference = engine_compare(r->arena, r->engine[0], &r->answer[0], e, &r->answer[i])) != NULL) {
             r->result.difference = difference;
             diag_report(r->diags, DIAG_engines_differ, start_of_script(r),
@@ -106,9 +106,9 @@ static void check_answers(Run *r)
         }
     }
     if (!r->over && r->answer[0].status == ENGINE_REFUSED)
-        break_run(r, r->engine[0], "refused a step although G advanced");
+        report_broken_engine(r, r->engine[0], "refused a step although G advanced");
     if (!r->over && (r->answer[0].next_state < 1 || r->answer[0].next_state > r->p->state.n))
-        break_run(r, r->engine[0], "is in a state that the machine does not have");
+        report_broken_engine(r, r->engine[0], "is in a state that the machine does not have");
 }
 
 static void init_engines(Run *r)
@@ -129,7 +129,7 @@ static void step_engines(Run *r)
         memcpy(r->cell, r->answer[0].cell, r->p->var.n * sizeof *r->cell);
 }
 
-static void show_step(Run *r)
+static void call_after_step(Run *r)
 {
     const ScriptStep step = {r->result.steps, r->g, r->state, r->cell};
 
@@ -150,13 +150,13 @@ static void run_step(Run *r)
 {
     r->writes = 0;
     r->notes = 0;
-    bring_up_to_date(r);
+    update_time_and_state(r);
     ref_windows_sample(&r->windows, r->cell);
     run_sections(r);
     step_engines(r);
     if (r->over)
         return;
-    show_step(r);
+    call_after_step(r);
     judge_step(r);
     if (!r->over)
         advance_time(r);
@@ -181,7 +181,7 @@ static Totals count_items(const Script *s)
     return t;
 }
 
-static void allocate(Run *r)
+static void allocate_run(Run *r)
 {
     Totals t = count_items(r->s);
 
@@ -220,7 +220,7 @@ static void report_time_over(Run *r)
 
 void run_to_the_end(Run *r)
 {
-    allocate(r);
+    allocate_run(r);
     r->result.cell = r->cell;
     init_engines(r);
     while (!r->over && r->result.steps < r->o->max_steps)

@@ -33,7 +33,7 @@ static bool next_line(Reader *r, Line *line)
     return true;
 }
 
-static const char *copy(Reader *r, const char *at, size_t n)
+static const char *copy_text(Reader *r, const char *at, size_t n)
 {
     char *text = arena_alloc(r->arena, n + 1);
 
@@ -41,7 +41,7 @@ static const char *copy(Reader *r, const char *at, size_t n)
     return text;
 }
 
-static void refuse(Reader *r, uint32_t line, const char *what)
+static void set_error(Reader *r, uint32_t line, const char *what)
 {
     if (!r->f->error)
         r->f->error = format_in(r->arena, "line %lu: %s", (unsigned long)line, what);
@@ -50,7 +50,7 @@ static void refuse(Reader *r, uint32_t line, const char *what)
 static bool is_blank(char c) { return c == ' ' || c == '\t'; }
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-static Line trim(Line l)
+static Line trim_blanks(Line l)
 {
     while (l.n && is_blank(l.at[0]))
         l.at++, l.n--;
@@ -63,7 +63,7 @@ static Line trim(Line l)
 
 static bool is_part_line(Line l)
 {
-    l = trim(l);
+    l = trim_blanks(l);
     return l.n > 6 && memcmp(l.at, "-- ", 3) == 0 && memcmp(l.at + l.n - 3, " --", 3) == 0;
 }
 
@@ -77,15 +77,15 @@ const TestPart *testfile_part(const TestFile *f, const char *name)
 
 static void read_part(Reader *r, Line head)
 {
-    const Line mark = trim(head);                     // "-- NAME --"
-    Line l = trim((Line){mark.at + 3, mark.n - 6});
-    TestPart p = {copy(r, l.at, l.n), r->at, 0, r->line + 1};
+    const Line mark = trim_blanks(head);                     // "-- NAME --"
+    Line l = trim_blanks((Line){mark.at + 3, mark.n - 6});
+    TestPart p = {copy_text(r, l.at, l.n), r->at, 0, r->line + 1};
     Reader before = *r;
 
     if (r->f->part.n == PARTS_MOST)
-        refuse(r, r->line, "too many parts");
+        set_error(r, r->line, "too many parts");
     if (testfile_part(r->f, p.name))
-        refuse(r, r->line, "a second part of this name");
+        set_error(r, r->line, "a second part of this name");
     while (next_line(r, &l)) {
         if (is_part_line(l)) {
             *r = before;                              // the next part begins here
@@ -94,7 +94,7 @@ static void read_part(Reader *r, Line head)
         p.n = (size_t)(r->at - p.text);
         before = *r;
     }
-    p.text = copy(r, p.text, p.n);
+    p.text = copy_text(r, p.text, p.n);
     vec_push(r->arena, &r->f->part, p);
 }
 
@@ -124,14 +124,14 @@ static void read_expected(Reader *r, size_t part, uint32_t line, Line l)
         TestExpected e = {part, line, NULL, NULL};
 
         next = find_mark(rest);
-        rest = trim((Line){rest.at, next ? (size_t)(next - rest.at) : rest.n});
+        rest = trim_blanks((Line){rest.at, next ? (size_t)(next - rest.at) : rest.n});
         if (!is_code(rest)) {
-            refuse(r, r->f->part.at[part].line + line - 1, "after #! the code of a diagnostic is expected, as in #! E0204 unknown element");
+            set_error(r, r->f->part.at[part].line + line - 1, "after #! the code of a diagnostic is expected, as in #! E0204 unknown element");
             return;
         }
-        e.id = copy(r, rest.at, 5);
-        rest = trim((Line){rest.at + 5, rest.n - 5});
-        e.text = copy(r, rest.at, rest.n);
+        e.id = copy_text(r, rest.at, 5);
+        rest = trim_blanks((Line){rest.at + 5, rest.n - 5});
+        e.text = copy_text(r, rest.at, rest.n);
         vec_push(r->arena, &r->f->expected, e);
         mark = next;
     }
@@ -154,14 +154,14 @@ static void read_header_line(Reader *r, Line l)
     TestHeader h = {NULL, NULL, r->line};
     size_t n = 0;
 
-    l = trim(l);
+    l = trim_blanks(l);
     if (l.n == 0 || l.at[0] == '#')
         return;
     while (n < l.n && !is_blank(l.at[n]))
         n++;
-    h.key = copy(r, l.at, n);
-    l = trim((Line){l.at + n, l.n - n});
-    h.value = copy(r, l.at, l.n);
+    h.key = copy_text(r, l.at, n);
+    l = trim_blanks((Line){l.at + n, l.n - n});
+    h.value = copy_text(r, l.at, l.n);
     vec_push(r->arena, &r->f->header, h);
 }
 
@@ -207,7 +207,7 @@ static uint64_t header_number(Reader *r, const char *key)
     uint64_t n = value ? read_number(value) : 0;
 
     if (value && n == 0)
-        refuse(r, header_line(r->f, key), format_in(r->arena, "%s takes a whole number from 1", key));
+        set_error(r, header_line(r->f, key), format_in(r->arena, "%s takes a whole number from 1", key));
     return n;
 }
 
@@ -228,7 +228,7 @@ static void interpret_header(Reader *r)
     else if (strcmp(expect, "error") == 0)
         f->outcome = TEST_ERROR;
     else
-        refuse(r, header_line(f, "expect"), "expect takes pass, fail or error");
+        set_error(r, header_line(f, "expect"), "expect takes pass, fail or error");
 }
 
 // ---- the file ----
@@ -251,7 +251,7 @@ TestFile *testfile_parse(Arena *arena, const char *name, const char *text, size_
             find_expected(&r, i);
     interpret_header(&r);
     if (f->part.n == 0)
-        refuse(&r, r.line, "no part was found: a part begins with a line as -- app.sm --");
+        set_error(&r, r.line, "no part was found: a part begins with a line as -- app.sm --");
     return f;
 }
 

@@ -161,7 +161,7 @@ static void prepare(Pair *p, const char *memory, uint8_t slots)
 
     pair(p, memory, slots);
     CHECK(update(p, &old_image, &u) == DEVICE_DONE && runs(&p->board, &old_image));
-    CHECK(device_ask_about(&p->host, LINK_CONFIRM, old_image.checksum));
+    CHECK(device_request_about(&p->host, LINK_CONFIRM, old_image.checksum));
 }
 
 // A good line again.
@@ -191,7 +191,7 @@ static void check_recovery(Pair *p)
     Update u;
 
     CHECK(update(p, &new_image, &u) == DEVICE_DONE && runs(&p->board, &new_image));
-    CHECK(device_ask_about(&p->host, LINK_CONFIRM, new_image.checksum));
+    CHECK(device_request_about(&p->host, LINK_CONFIRM, new_image.checksum));
     for (int i = 0; i < STORE_TRIES + 1; i++)
         CHECK(board_start(&p->board) && runs(&p->board, &new_image));
 }
@@ -239,8 +239,8 @@ static void what_is_armed_is_not_touched(const char *memory, uint8_t slots)
         p.board.may = reasons[i];
         CHECK(device_hello(&p.host, &info) && info.may == reasons[i]);
         CHECK(update(&p, &new_image, &u) == DEVICE_BEGIN && p.host.answered && p.host.result == reasons[i]);
-        CHECK(!device_ask_about(&p.host, LINK_ERASE, old_image.checksum) && p.host.result == reasons[i]);
-        CHECK(!device_ask_about(&p.host, LINK_CONFIRM, old_image.checksum) && p.host.result == reasons[i]);
+        CHECK(!device_request_about(&p.host, LINK_ERASE, old_image.checksum) && p.host.result == reasons[i]);
+        CHECK(!device_request_about(&p.host, LINK_CONFIRM, old_image.checksum) && p.host.result == reasons[i]);
         CHECK(!device_restart(&p.host, &info) && p.host.answered && p.host.result == reasons[i]);
         CHECK(device_running(&p.host, &info, &image) && image.checksum == old_image.checksum);
         CHECK(memcmp(kept, sim_nvm(memory), sizeof kept) == 0 && p.board.left == 0);
@@ -334,7 +334,7 @@ static void what_was_before_is_known_by_its_checksum(void)
     Pair p;
 
     prepare(&p, "eeprom", 2);
-    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && device_ask_about(&p.host, LINK_CONFIRM, new_image.checksum));
+    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && device_request_about(&p.host, LINK_CONFIRM, new_image.checksum));
     CHECK(device_image(&p.host, 0, &image) && image.checksum == old_image.checksum && image.before);
     CHECK(image_send(&p.board.store, &new_image) == SM_OK);
     CHECK(device_image(&p.host, 0, &image) && image.checksum == new_image.checksum && !image.before && !image.chosen);
@@ -365,7 +365,7 @@ static void a_trial_is_not_stopped_for_nothing(void)
     CHECK(update(&p, &new_image, &u) == DEVICE_DONE && p.board.left == 1);
     CHECK(update(&p, &old_image, &u) == DEVICE_BEGIN && p.host.result == SM_E_BUSY);
     CHECK(p.board.left == 1 && runs(&p.board, &new_image));
-    CHECK(device_ask_about(&p.host, LINK_CONFIRM, new_image.checksum));
+    CHECK(device_request_about(&p.host, LINK_CONFIRM, new_image.checksum));
 }
 
 static void images_are_listed_and_erased(void)
@@ -386,11 +386,11 @@ static void images_are_listed_and_erased(void)
     CHECK(device_image(&p.host, DEVICE_BUILT_IN, &image) && image.state == DEVICE_EMPTY && !image.runs);
     CHECK(!device_image(&p.host, 2, &image) && p.host.result == SM_E_MISSING);
     CHECK(update(&p, &new_image, &u) == DEVICE_DONE && u.was_there);
-    CHECK(!device_ask_about(&p.host, LINK_CONFIRM, old_image.checksum) && p.host.result == SM_E_ARGUMENT);
-    CHECK(!device_ask_about(&p.host, LINK_ERASE, 1) && p.host.result == SM_E_MISSING);
-    CHECK(device_ask_about(&p.host, LINK_ERASE, new_image.checksum) && device_restart(&p.host, &info));
+    CHECK(!device_request_about(&p.host, LINK_CONFIRM, old_image.checksum) && p.host.result == SM_E_ARGUMENT);
+    CHECK(!device_request_about(&p.host, LINK_ERASE, 1) && p.host.result == SM_E_MISSING);
+    CHECK(device_request_about(&p.host, LINK_ERASE, new_image.checksum) && device_restart(&p.host, &info));
     CHECK(runs(&p.board, &old_image) && device_running(&p.host, &info, &image) && image.checksum == old_image.checksum);
-    CHECK(device_ask_about(&p.host, LINK_ERASE, old_image.checksum) && device_restart(&p.host, &info));
+    CHECK(device_request_about(&p.host, LINK_ERASE, old_image.checksum) && device_restart(&p.host, &info));
     CHECK(device_running(&p.host, &info, &image) && image.slot == DEVICE_BUILT_IN);
 }
 
@@ -446,7 +446,7 @@ static void an_update_goes_on_after_a_restart(void)
         p.wire.taken = 0;
         p.wire.restart = at;
         CHECK(update(&p, image, &u) == DEVICE_DONE && runs(&p.board, image));
-        CHECK(device_ask_about(&p.host, LINK_CONFIRM, image->checksum));
+        CHECK(device_request_about(&p.host, LINK_CONFIRM, image->checksum));
     }
 }
 
