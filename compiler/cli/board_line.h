@@ -9,7 +9,7 @@
 typedef struct BoardLine {
     Cli *c;
     int fd;
-    Line line;
+    SerialLine line;
     LinkHost host;
     DeviceInfo info;
 } BoardLine;

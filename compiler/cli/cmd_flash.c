@@ -13,12 +13,12 @@
 #include "compiler/cli/key.h"
 
 // The requirements of the image on any computer, its state vector included. The VM's own requirements differ between computers.
-typedef struct Needs { uint32_t ram, longest, machines, windows, cycles; } Needs;
+typedef struct ImageNeeds { uint32_t ram, longest, machines, windows, cycles; } ImageNeeds;
 
 // The cost of a pin in a step, in cycles of an ATmega: the maximum measured by tests/avr/run_pins.c, rounded up.
 enum { DIGITAL_CYCLES = 400, INPUT_CYCLES = 5000, OUTPUT_CYCLES = 5000 };
 
-static void add_pin_needs(const DeviceInfo *info, const Source *image, Needs *n)
+static void add_pin_needs(const DeviceInfo *info, const Source *image, ImageNeeds *n)
 {
     SmvmPins all;
     SmvmPin p;
@@ -30,7 +30,7 @@ static void add_pin_needs(const DeviceInfo *info, const Source *image, Needs *n)
     }
 }
 
-static void add_machine_needs(Cli *c, const Source *image, uint32_t i, const SmvmMachine *m, Needs *n)
+static void add_machine_needs(Cli *c, const Source *image, uint32_t i, const SmvmMachine *m, ImageNeeds *n)
 {
     Cost cost;
 
@@ -42,9 +42,9 @@ static void add_machine_needs(Cli *c, const Source *image, uint32_t i, const Smv
     n->ram += smvm_ram_size(m) - ((uint32_t)sizeof(SmVm) + 7) / 8 * 8 - (m->windows * (uint32_t)sizeof(uint64_t *) + 7) / 8 * 8;
 }
 
-static Needs needs_of(Cli *c, const DeviceInfo *info, const Source *image, const SmvmVerdict *v)
+static ImageNeeds needs_of(Cli *c, const DeviceInfo *info, const Source *image, const SmvmVerdict *v)
 {
-    Needs n = {0, v->longest, 0, 0, 0};
+    ImageNeeds n = {0, v->longest, 0, 0, 0};
     SmvmMachine m;
 
     for (uint32_t i = 0; smvm_machine((SmvmBytes)image->text, i, &m); i++)
@@ -66,7 +66,7 @@ static int refuse_slow_step(Cli *c, const Source *image, uint32_t cycles, uint32
 static int image_fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
 {
     const DeviceInfo *i = &b->info;
-    const Needs n = needs_of(c, i, image, v);
+    const ImageNeeds n = needs_of(c, i, image, v);
     const uint32_t every = period != 0 ? period : i->period;
 
     if (image->len > i->slot_size)

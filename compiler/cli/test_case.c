@@ -28,11 +28,9 @@ struct TestCase {
     TestResult result;
 };
 
-typedef TestCase Case;
+static void add_problem(TestCase *c, const char *what) { buf_printf(&c->why, "%s\n", what); }
 
-static void add_problem(Case *c, const char *what) { buf_printf(&c->why, "%s\n", what); }
-
-static void set_result(Case *c, TestStatus status, const char *message, int code)
+static void set_result(TestCase *c, TestStatus status, const char *message, int code)
 {
     c->result.status = status;
     c->result.message = format_in(c->t->arena, "%s", message);
@@ -40,7 +38,7 @@ static void set_result(Case *c, TestStatus status, const char *message, int code
     c->is_done = true;
 }
 
-static void out_of_memory(Case *c) { set_result(c, TEST_BROKEN, "out of memory", EXIT_ENVIRONMENT); }
+static void out_of_memory(TestCase *c) { set_result(c, TEST_BROKEN, "out of memory", EXIT_ENVIRONMENT); }
 
 // ---- is it a case for us? ----
 
@@ -53,7 +51,7 @@ static size_t count_parts(const TestFile *f, const char *suffix)
     return n;
 }
 
-static const char *unknown_key(Case *c)
+static const char *unknown_key(TestCase *c)
 {
     static const char keys[] = "spec on expect steps args analyses warn advance";
 
@@ -65,7 +63,7 @@ static const char *unknown_key(Case *c)
 }
 
 // `warn extra no-dead-code`: the words after -W. Returns what is wrong with them, or NULL.
-static const char *read_warnings(Case *c)
+static const char *read_warnings(TestCase *c)
 {
     const char *words = testfile_header(c->f, "warn");
 
@@ -80,7 +78,7 @@ static const char *read_warnings(Case *c)
 }
 
 // Returns what is wrong with the file itself, or NULL.
-static const char *find_malformed(Case *c)
+static const char *find_malformed(TestCase *c)
 {
     const TestFile *f = c->f;
     const char *wrong;
@@ -110,7 +108,7 @@ static bool is_golden(const TestFile *f)
 
 // ---- compiling ----
 
-static const Source *find_source(const Case *c, const char *suffix)
+static const Source *find_source(const TestCase *c, const char *suffix)
 {
     for (size_t i = 0; i < c->f->part.n; i++)
         if (testfile_has_suffix(&c->f->part.at[i], suffix))
@@ -118,7 +116,7 @@ static const Source *find_source(const Case *c, const char *suffix)
     return NULL;
 }
 
-static bool wants_analyses(const Case *c)
+static bool wants_analyses(const TestCase *c)
 {
     const char *analyses = testfile_header(c->f, "analyses");
 
@@ -126,7 +124,7 @@ static bool wants_analyses(const Case *c)
 }
 
 // Parts of the case supply the files that an application names.
-static void open_app(Case *c, CompileInput *in)
+static void open_app(TestCase *c, CompileInput *in)
 {
     in->app = ARENA_NEW(&c->s.arena, CompileApp);
     compile_open_app(&c->s, in->at[0].text, in->app);
@@ -140,7 +138,7 @@ static void open_app(Case *c, CompileInput *in)
 }
 
 // Of an application, the only source is the .app itself.  A .sv beside a machine or pins is their vector.
-static CompileInput inputs_of(Case *c)
+static CompileInput inputs_of(TestCase *c)
 {
     const bool has_app = count_parts(c->f, ".app") > 0, has_users = count_parts(c->f, ".sm") + count_parts(c->f, ".io") > 0;
     CompileInput in = {ARENA_ARRAY(&c->s.arena, CompileSource, c->f->part.n), 0, NULL, NULL, NULL};
@@ -164,7 +162,7 @@ static CompileInput inputs_of(Case *c)
     return in;
 }
 
-static void compile_case(Case *c)
+static void compile_case(TestCase *c)
 {
     const CompileInput in = inputs_of(c);
     CompileOptions o;
@@ -199,13 +197,13 @@ static bool mentions_text(const Diag *d, const char *text)
     return false;
 }
 
-static bool matches_expected(const Case *c, const TestExpected *e, const Diag *d)
+static bool matches_expected(const TestCase *c, const TestExpected *e, const Diag *d)
 {
     return d->span.src && d->span.src == c->src[e->part] && source_position(d->span.src, d->span.at).line == e->line &&
            strcmp(diag_info[d->code].id, e->id) == 0 && mentions_text(d, e->text);
 }
 
-static void add_unexpected(Case *c, const Diag *d)
+static void add_unexpected(TestCase *c, const Diag *d)
 {
     Buf *b = &c->why;
 
@@ -220,7 +218,7 @@ static void add_unexpected(Case *c, const Diag *d)
     buf_printf(b, " [%s]\n", diag_code_and_name(d, b->arena));
 }
 
-static void check_diagnostics(Case *c)
+static void check_diagnostics(TestCase *c)
 {
     uint8_t *met = arena_alloc(&c->s.arena, c->f->expected.n);
 
@@ -259,7 +257,7 @@ static const char *outcome_text(ScriptOutcome o)
     return "";
 }
 
-static void check_outcome(Case *c, const char *script, ScriptOutcome o)
+static void check_outcome(TestCase *c, const char *script, ScriptOutcome o)
 {
     bool failed = o == SCRIPT_FAILED || o == SCRIPT_ENDLESS || o == SCRIPT_TIME_OVER;
 
@@ -276,7 +274,7 @@ static void add_to_trace(void *context, const ScriptStep *step)
     script_trace_exact(&t->text, step, t->order, t->n);
 }
 
-static void run_script(Case *c, const Script *script, const char *name, bool is_first)
+static void run_script(TestCase *c, const Script *script, const char *name, bool is_first)
 {
     const TestPart *report_part = testfile_part(c->f, "report"), *trace_part = testfile_part(c->f, "trace");
     CaseTrace trace = {report_order(&c->s.arena, c->p), c->p->var.n, {0}};
@@ -299,7 +297,7 @@ static void run_script(Case *c, const Script *script, const char *name, bool is_
         test_check_trace(trace_part, &trace.text, &c->why);
 }
 
-static void run_scripts(Case *c, Engine *const *emitted)
+static void run_scripts(TestCase *c, Engine *const *emitted)
 {
     bool is_first = true;
     unsigned own = c->which;
@@ -325,7 +323,7 @@ static void run_scripts(Case *c, Engine *const *emitted)
 // ---- the case ----
 
 // Returns the engines that the case wants and the call requests, without those that are not available.
-static unsigned choose_engines(Case *c)
+static unsigned choose_engines(TestCase *c)
 {
     const char *on = testfile_header(c->f, "on");
     const unsigned asked = c->t->engines ? c->t->engines : engines_named("all");
@@ -337,7 +335,7 @@ static unsigned choose_engines(Case *c)
     return wanted & ~absent;
 }
 
-static void compile_if_runnable(Case *c)
+static void compile_if_runnable(TestCase *c)
 {
     const char *wrong;
 
@@ -356,7 +354,7 @@ static void compile_if_runnable(Case *c)
 
 TestCase *case_open(TestRun *t, const char *path)
 {
-    Case *c = ARENA_NEW(t->arena, Case);
+    TestCase *c = ARENA_NEW(t->arena, TestCase);
     const double begin = os_seconds();
     const char *why;
     size_t n;
@@ -386,7 +384,7 @@ bool case_wants_c(const TestCase *c, EngineKind kind, const Program **p, const I
     return !c->is_done && c->ir && c->which >> kind & 1u;
 }
 
-static void check_results(Case *c, Engine *const *emitted)
+static void check_results(TestCase *c, Engine *const *emitted)
 {
     if (c->f->outcome == TEST_ERROR && c->s.diags.errors == 0)
         add_problem(c, "should not compile, but does");

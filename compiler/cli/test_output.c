@@ -164,12 +164,12 @@ static void put_testcase(Buf *out, const TestResult *r)
     buf_printf(out, "</%s>\n    </testcase>\n", element);
 }
 
-typedef struct Totals { size_t by_status[TEST_SKIPPED + 1], tests; double seconds; } Totals;
+typedef struct TestTotals { size_t by_status[TEST_SKIPPED + 1], tests; double seconds; } TestTotals;
 
 // Adds up one suite, or all suites if `suite` is NULL.
-static Totals add_totals(const TestRun *t, const char *suite)
+static TestTotals add_totals(const TestRun *t, const char *suite)
 {
-    Totals all = {{0}, 0, 0};
+    TestTotals all = {{0}, 0, 0};
 
     for (size_t i = 0; i < t->result.n; i++) {
         const TestResult *r = &t->result.at[i];
@@ -182,7 +182,7 @@ static Totals add_totals(const TestRun *t, const char *suite)
     return all;
 }
 
-static void put_totals(Buf *out, const Totals *all)
+static void put_totals(Buf *out, const TestTotals *all)
 {
     buf_printf(out, " tests=\"%lu\" failures=\"%lu\" errors=\"%lu\"", (unsigned long)all->tests,
                (unsigned long)all->by_status[TEST_FAILED], (unsigned long)all->by_status[TEST_BROKEN]);
@@ -190,7 +190,7 @@ static void put_totals(Buf *out, const Totals *all)
 
 static void put_suite(const TestRun *t, const char *suite, Buf *out)
 {
-    const Totals all = add_totals(t, suite);
+    const TestTotals all = add_totals(t, suite);
 
     buf_str(out, "  <testsuite");
     put_attribute(out, "name", suite, strlen(suite));
@@ -216,7 +216,7 @@ static bool is_first_of_suite(const TestRun *t, size_t i)
 
 void test_write_junit(const TestRun *t, Buf *out)
 {
-    const Totals all = add_totals(t, NULL);
+    const TestTotals all = add_totals(t, NULL);
 
     buf_str(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"smc test\"");
     put_totals(out, &all);

@@ -5,9 +5,9 @@
 #include "compiler/cli/test.h"
 
 typedef struct Lines { const char *at, *end; } Lines;
-typedef struct TextLine { const char *at; size_t n; } TextLine;
+typedef struct ReportLine { const char *at; size_t n; } ReportLine;
 
-static bool next_line(Lines *l, TextLine *line)
+static bool next_line(Lines *l, ReportLine *line)
 {
     const char *lf;
 
@@ -29,12 +29,12 @@ static Lines lines_of_part(const TestPart *p)         // blank lines at its end 
     return (Lines){p->text, p->text + n};
 }
 
-static bool same_text(TextLine a, TextLine b) { return a.n == b.n && memcmp(a.at, b.at, a.n) == 0; }
+static bool same_text(ReportLine a, ReportLine b) { return a.n == b.n && memcmp(a.at, b.at, a.n) == 0; }
 
 void test_check_report(const TestPart *part, const Buf *report, Buf *why)
 {
     Lines expected = lines_of_part(part), came = {buf_text(report), buf_text(report) + report->n};
-    TextLine e, r;
+    ReportLine e, r;
     bool more_e = true, more_r = true, differs = false;
 
     while (more_e || more_r) {
@@ -52,7 +52,7 @@ void test_check_report(const TestPart *part, const Buf *report, Buf *why)
     }
 }
 
-static size_t length_before_value(TextLine l)                 // of "STEP NAME VALUE"
+static size_t length_before_value(ReportLine l)                 // of "STEP NAME VALUE"
 {
     size_t n = l.n;
 
@@ -61,11 +61,11 @@ static size_t length_before_value(TextLine l)                 // of "STEP NAME V
     return n;
 }
 
-static void report_missing_line(TextLine wanted, const Buf *trace, Buf *why)
+static void report_missing_line(ReportLine wanted, const Buf *trace, Buf *why)
 {
     Lines all = {buf_text(trace), buf_text(trace) + trace->n};
     size_t n = length_before_value(wanted);
-    TextLine l;
+    ReportLine l;
 
     buf_printf(why, "the trace has no line '%.*s' here", (int)wanted.n, wanted.at);
     while (next_line(&all, &l))
@@ -77,7 +77,7 @@ static void report_missing_line(TextLine wanted, const Buf *trace, Buf *why)
 void test_check_trace(const TestPart *part, const Buf *trace, Buf *why)
 {
     Lines expected = lines_of_part(part), came = {buf_text(trace), buf_text(trace) + trace->n};
-    TextLine e, l;
+    ReportLine e, l;
 
     while (next_line(&expected, &e)) {
         Lines before = came;

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-void link_host(LinkHost *h, const Line *line, uint32_t wait, unsigned tries, uint8_t sequence)
+void link_host(LinkHost *h, const SerialLine *line, uint32_t wait, unsigned tries, uint8_t sequence)
 {
     memset(h, 0, sizeof *h);
     h->line = line;

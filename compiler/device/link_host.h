@@ -6,16 +6,16 @@
 #include "runtime-c/link/link.h"
 
 // A byte stream to the board, and a clock.
-typedef struct Line {
+typedef struct SerialLine {
     void *context;
     bool (*send)(void *context, const uint8_t *bytes, size_t n);                                  // false: the line is gone
     // Waits up to `wait` milliseconds.  Returns the number of bytes received, 0 if none, -1 if the line is gone.
     int (*receive)(void *context, uint8_t *bytes, size_t room, uint32_t wait);
     uint32_t (*now)(void *context);       // milliseconds, modulo 2^32
-} Line;
+} SerialLine;
 
 typedef struct LinkHost {
-    const Line *line;
+    const SerialLine *line;
     uint32_t wait;            // timeout in milliseconds before a request is sent again
     unsigned tries;           // total number of times that a request is sent
     uint8_t sequence;         // of the last request
@@ -28,7 +28,7 @@ typedef struct LinkHost {
     uint8_t arrived[LINK_ROOM(LINK_BODY_MAX)];
 } LinkHost;
 
-void link_host(LinkHost *h, const Line *line, uint32_t wait, unsigned tries, uint8_t sequence);
+void link_host(LinkHost *h, const SerialLine *line, uint32_t wait, unsigned tries, uint8_t sequence);
 
 // Sends a request with a body of n bytes.  True: it was answered, with h->result and h->body.  False: no answer within all tries, the
 // line is gone, or n is above LINK_BODY_MAX.

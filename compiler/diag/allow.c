@@ -51,15 +51,15 @@ static int compare_spans(const void *a, const void *b)
 }
 
 // A position where an @allow can cover a warning: the warning's own, or a declaration that it names.
-typedef struct Place {
+typedef struct AllowPlace {
     Diag *diag;
     Span span;
     DiagAllow *by;            // the innermost @allow that covers the position; NULL: none
-} Place;
+} AllowPlace;
 
 static int compare_diag_places(const void *a, const void *b)
 {
-    const Place *x = *(Place *const *)a, *y = *(Place *const *)b;
+    const AllowPlace *x = *(AllowPlace *const *)a, *y = *(AllowPlace *const *)b;
 
     return compare_places(&x->span, &y->span);
 }
@@ -76,19 +76,19 @@ static DiagAllow **sorted_allows(const Diags *d, int (*compare)(const void *, co
 
 // ---- removing allowed warnings ----
 
-typedef struct Walk {
+typedef struct AllowWalk {
     DiagAllow **all;          // by compare_covers
     size_t n, next;           // all[next] is the first that has not begun
     DiagAllow **open;
     size_t depth;
-} Walk;
+} AllowWalk;
 
 static bool has_ended(const DiagAllow *a, const Span *at)
 {
     return a->covers.src != at->src || a->covers.at + a->covers.len <= at->at;
 }
 
-static void open_allows_at(Walk *w, const Span *at)
+static void open_allows_at(AllowWalk *w, const Span *at)
 {
     for (; w->next < w->n && compare_places(&w->all[w->next]->covers, at) <= 0; w->next++) {
         while (w->depth && has_ended(w->open[w->depth - 1], &w->all[w->next]->covers))
@@ -99,7 +99,7 @@ static void open_allows_at(Walk *w, const Span *at)
         w->depth--;
 }
 
-static void find_innermost_allow(Walk *w, Place *x)
+static void find_innermost_allow(AllowWalk *w, AllowPlace *x)
 {
     const char *flag = diag_info[x->diag->code].flag;
 
@@ -111,7 +111,7 @@ static void find_innermost_allow(Walk *w, Place *x)
 
 // places[0] is the warning's position; the others are the declarations that it names. An @allow of one output of several does not cover
 // the warning. It still counts as used, because without it the warning would have to be allowed elsewhere.
-static void mark_allowed(Diag *x, const Place *places)
+static void mark_allowed(Diag *x, const AllowPlace *places)
 {
     size_t open[DIAG_SUBJECTS] = {0};
     const char *reason[DIAG_SUBJECTS] = {NULL};
@@ -140,21 +140,21 @@ static bool can_be_allowed(const Diag *x) { return x->severity == DIAG_WARNING &
 
 static void find_allowed(Diags *d)
 {
-    Walk w = {sorted_allows(d, compare_covers), d->allow.n, 0, ARENA_ARRAY(d->arena, DiagAllow *, d->allow.n), 0};
-    Place *place, **sorted;
+    AllowWalk w = {sorted_allows(d, compare_covers), d->allow.n, 0, ARENA_ARRAY(d->arena, DiagAllow *, d->allow.n), 0};
+    AllowPlace *place, **sorted;
     size_t most = 1, n = 0;
 
     for (size_t i = 0; i < d->list.n; i++)
         most += 1 + d->list.at[i]->about.n;
-    place = ARENA_ARRAY(d->arena, Place, most);
-    sorted = ARENA_ARRAY(d->arena, Place *, most);
+    place = ARENA_ARRAY(d->arena, AllowPlace, most);
+    sorted = ARENA_ARRAY(d->arena, AllowPlace *, most);
     for (size_t i = 0; i < d->list.n; i++) {
         Diag *x = d->list.at[i];
         if (!can_be_allowed(x))
             continue;
-        place[n++] = (Place){x, x->span, NULL};
+        place[n++] = (AllowPlace){x, x->span, NULL};
         for (size_t k = 0; k < x->about.n; k++)
-            place[n++] = (Place){x, x->about.at[k].span, NULL};
+            place[n++] = (AllowPlace){x, x->about.at[k].span, NULL};
     }
     for (size_t i = 0; i < n; i++)
         sorted[i] = &place[i];

@@ -139,7 +139,7 @@ typedef struct DiagSelection {
     bool none;                            // -w: no warnings
 } DiagSelection;
 
-// Drops disabled warnings and turns those that -Werror names into errors (select.c). Call it once, after diags_apply_allows.
+// Drops disabled warnings and turns those that -Werror names into errors (selection.c). Call it once, after diags_apply_allows.
 void diags_select(Diags *d, const DiagSelection *w);
 // 1u << DiagGroup of each group with at least one enabled warning.
 unsigned diag_selection_groups(const DiagSelection *w);

@@ -6,7 +6,7 @@
 
 #include "compiler/diag/diag.h"
 
-typedef struct Item { const Diag *diag; DiagPrint *print; } Item;
+typedef struct FingerprintItem { const Diag *diag; DiagPrint *print; } FingerprintItem;
 
 static uint64_t hash_text(uint64_t h, const char *s, size_t n)         // FNV-1a
 {
@@ -70,7 +70,7 @@ static uint64_t hash_of(const Diag *d)
 // Twins are in file order, with allowed ones among the others.
 static int compare_items(const void *a, const void *b)
 {
-    const Item *x = a, *y = b;
+    const FingerprintItem *x = a, *y = b;
 
     if (x->print->hash != y->print->hash)
         return x->print->hash < y->print->hash ? -1 : 1;
@@ -83,7 +83,7 @@ const DiagPrint *diags_fingerprints(const Diags *d, Arena *arena)
 {
     size_t n = d->list.n + d->allowed.n;
     DiagPrint *all = ARENA_ARRAY(arena, DiagPrint, n + 1);
-    Item *item = ARENA_ARRAY(arena, Item, n + 1);
+    FingerprintItem *item = ARENA_ARRAY(arena, FingerprintItem, n + 1);
 
     for (size_t i = 0; i < n; i++) {
         item[i].diag = i < d->list.n ? d->list.at[i] : d->allowed.at[i - d->list.n];

@@ -5,17 +5,17 @@
 
 #include "compiler/diag/diag.h"
 
-typedef struct Change {
+typedef struct EditChange {
     const DiagEdit *edit;
     size_t owner;             // index of its diagnostic
     size_t order;             // as proposed
-} Change;
+} EditChange;
 
-typedef VEC(Change) Changes;
+typedef VEC(EditChange) EditChanges;
 
 static int compare_changes(const void *a, const void *b)
 {
-    const Change *x = a, *y = b;
+    const EditChange *x = a, *y = b;
 
     if (x->edit->span.at != y->edit->span.at)
         return x->edit->span.at < y->edit->span.at ? -1 : 1;
@@ -30,13 +30,13 @@ static bool edits_only(const Diag *d, const Source *src)
     return true;
 }
 
-static Changes collect_changes(const Diags *d, const Source *src)
+static EditChanges collect_changes(const Diags *d, const Source *src)
 {
-    Changes all = {0};
+    EditChanges all = {0};
 
     for (size_t i = 0; i < d->list.n; i++)
         for (size_t k = 0; edits_only(d->list.at[i], src) && k < d->list.at[i]->edits.n; k++) {
-            Change c = {&d->list.at[i]->edits.at[k], i, all.n};
+            EditChange c = {&d->list.at[i]->edits.at[k], i, all.n};
             vec_push(d->arena, &all, c);
         }
     if (all.n)
@@ -45,7 +45,7 @@ static Changes collect_changes(const Diags *d, const Source *src)
 }
 
 // Refuses diagnostics whose edits touch those of an earlier one: the text that they apply to has changed.
-static void refuse_overlaps(const Changes *all, bool *refused)
+static void refuse_overlaps(const EditChanges *all, bool *refused)
 {
     uint32_t end = 0;
     size_t last = 0;
@@ -68,7 +68,7 @@ static void refuse_overlaps(const Changes *all, bool *refused)
 
 size_t diags_apply_edits(const Diags *d, const Source *src, Buf *out)
 {
-    Changes all = collect_changes(d, src);
+    EditChanges all = collect_changes(d, src);
     bool *refused = ARENA_ARRAY(d->arena, bool, d->list.n + 1), *counted = ARENA_ARRAY(d->arena, bool, d->list.n + 1);
     uint32_t at = 0;
     size_t made = 0;

@@ -2,7 +2,7 @@
 // The history of a failed run: the last steps with the relevant values, and the last transitions with their source lines.  A run
 // does not record its history.  A script that failed runs again on the reference interpreter, which knows the statement of each
 // transition.  Scripts that pass therefore have no extra cost.
-#include "compiler/script/run.h"
+#include "compiler/script/script_run.h"
 
 #include <inttypes.h>
 #include <string.h>

@@ -8,16 +8,16 @@
 
 enum { PARTS_MOST = 1000 };
 
-typedef struct Reader {
+typedef struct TestReader {
     Arena *arena;
     TestFile *f;
     const char *at, *end;
     uint32_t line;            // of the line last read
-} Reader;
+} TestReader;
 
-typedef struct Line { const char *at; size_t n; } Line;       // without its LF or CR LF
+typedef struct TestLine { const char *at; size_t n; } TestLine;       // without its LF or CR LF
 
-static bool next_line(Reader *r, Line *line)
+static bool next_line(TestReader *r, TestLine *line)
 {
     const char *lf;
 
@@ -33,7 +33,7 @@ static bool next_line(Reader *r, Line *line)
     return true;
 }
 
-static const char *copy_text(Reader *r, const char *at, size_t n)
+static const char *copy_text(TestReader *r, const char *at, size_t n)
 {
     char *text = arena_alloc(r->arena, n + 1);
 
@@ -41,7 +41,7 @@ static const char *copy_text(Reader *r, const char *at, size_t n)
     return text;
 }
 
-static void set_error(Reader *r, uint32_t line, const char *what)
+static void set_error(TestReader *r, uint32_t line, const char *what)
 {
     if (!r->f->error)
         r->f->error = format_in(r->arena, "line %lu: %s", (unsigned long)line, what);
@@ -50,7 +50,7 @@ static void set_error(Reader *r, uint32_t line, const char *what)
 static bool is_blank(char c) { return c == ' ' || c == '\t'; }
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-static Line trim_blanks(Line l)
+static TestLine trim_blanks(TestLine l)
 {
     while (l.n && is_blank(l.at[0]))
         l.at++, l.n--;
@@ -61,7 +61,7 @@ static Line trim_blanks(Line l)
 
 // ---- parts ----
 
-static bool is_part_line(Line l)
+static bool is_part_line(TestLine l)
 {
     l = trim_blanks(l);
     return l.n > 6 && memcmp(l.at, "-- ", 3) == 0 && memcmp(l.at + l.n - 3, " --", 3) == 0;
@@ -75,12 +75,12 @@ const TestPart *testfile_part(const TestFile *f, const char *name)
     return NULL;
 }
 
-static void read_part(Reader *r, Line head)
+static void read_part(TestReader *r, TestLine head)
 {
-    const Line mark = trim_blanks(head);                     // "-- NAME --"
-    Line l = trim_blanks((Line){mark.at + 3, mark.n - 6});
+    const TestLine mark = trim_blanks(head);                     // "-- NAME --"
+    TestLine l = trim_blanks((TestLine){mark.at + 3, mark.n - 6});
     TestPart p = {copy_text(r, l.at, l.n), r->at, 0, r->line + 1};
-    Reader before = *r;
+    TestReader before = *r;
 
     if (r->f->part.n == PARTS_MOST)
         set_error(r, r->line, "too many parts");
@@ -100,13 +100,13 @@ static void read_part(Reader *r, Line head)
 
 // ---- announced diagnostics ----
 
-static bool is_code(Line l)
+static bool is_code(TestLine l)
 {
     return l.n >= 5 && (l.at[0] == 'E' || l.at[0] == 'W') && is_digit(l.at[1]) && is_digit(l.at[2]) && is_digit(l.at[3]) &&
            is_digit(l.at[4]) && (l.n == 5 || is_blank(l.at[5]));
 }
 
-static const char *find_mark(Line l)
+static const char *find_mark(TestLine l)
 {
     for (size_t i = 0; i + 1 < l.n; i++)
         if (l.at[i] == '#' && l.at[i + 1] == '!')
@@ -114,34 +114,34 @@ static const char *find_mark(Line l)
     return NULL;
 }
 
-static void read_expected(Reader *r, size_t part, uint32_t line, Line l)
+static void read_expected(TestReader *r, size_t part, uint32_t line, TestLine l)
 {
     const char *mark = find_mark(l);
 
     while (mark) {
         const char *end = l.at + l.n, *next;
-        Line rest = {mark + 2, (size_t)(end - mark) - 2};
+        TestLine rest = {mark + 2, (size_t)(end - mark) - 2};
         TestExpected e = {part, line, NULL, NULL};
 
         next = find_mark(rest);
-        rest = trim_blanks((Line){rest.at, next ? (size_t)(next - rest.at) : rest.n});
+        rest = trim_blanks((TestLine){rest.at, next ? (size_t)(next - rest.at) : rest.n});
         if (!is_code(rest)) {
             set_error(r, r->f->part.at[part].line + line - 1, "after #! the code of a diagnostic is expected, as in #! E0204 unknown element");
             return;
         }
         e.id = copy_text(r, rest.at, 5);
-        rest = trim_blanks((Line){rest.at + 5, rest.n - 5});
+        rest = trim_blanks((TestLine){rest.at + 5, rest.n - 5});
         e.text = copy_text(r, rest.at, rest.n);
         vec_push(r->arena, &r->f->expected, e);
         mark = next;
     }
 }
 
-static void find_expected(Reader *r, size_t part)
+static void find_expected(TestReader *r, size_t part)
 {
     const TestPart *p = &r->f->part.at[part];
-    Reader lines = {r->arena, r->f, p->text, p->text + p->n, 0};
-    Line l;
+    TestReader lines = {r->arena, r->f, p->text, p->text + p->n, 0};
+    TestLine l;
 
     while (next_line(&lines, &l))
         read_expected(&lines, part, lines.line, l);
@@ -149,7 +149,7 @@ static void find_expected(Reader *r, size_t part)
 
 // ---- header ----
 
-static void read_header_line(Reader *r, Line l)
+static void read_header_line(TestReader *r, TestLine l)
 {
     TestHeader h = {NULL, NULL, r->line};
     size_t n = 0;
@@ -160,7 +160,7 @@ static void read_header_line(Reader *r, Line l)
     while (n < l.n && !is_blank(l.at[n]))
         n++;
     h.key = copy_text(r, l.at, n);
-    l = trim_blanks((Line){l.at + n, l.n - n});
+    l = trim_blanks((TestLine){l.at + n, l.n - n});
     h.value = copy_text(r, l.at, l.n);
     vec_push(r->arena, &r->f->header, h);
 }
@@ -201,7 +201,7 @@ static TestOutcome suggested_outcome(const TestFile *f)
     return outcome;
 }
 
-static uint64_t header_number(Reader *r, const char *key)
+static uint64_t header_number(TestReader *r, const char *key)
 {
     const char *value = testfile_header(r->f, key);
     uint64_t n = value ? read_number(value) : 0;
@@ -211,7 +211,7 @@ static uint64_t header_number(Reader *r, const char *key)
     return n;
 }
 
-static void interpret_header(Reader *r)
+static void interpret_header(TestReader *r)
 {
     TestFile *f = r->f;
     const char *expect = testfile_header(f, "expect");
@@ -236,8 +236,8 @@ static void interpret_header(Reader *r)
 TestFile *testfile_parse(Arena *arena, const char *name, const char *text, size_t n)
 {
     TestFile *f = ARENA_NEW(arena, TestFile);
-    Reader r = {arena, f, text, text + n, 0};
-    Line l;
+    TestReader r = {arena, f, text, text + n, 0};
+    TestLine l;
 
     f->name = name;
     while (!f->error && next_line(&r, &l)) {

@@ -123,7 +123,7 @@ static uint32_t wire_now(void *context) { return ((const Wire *)context)->now; }
 
 // ---- a board and a host ----
 
-typedef struct Pair { Board board; Wire wire; Line line; LinkHost host; } Pair;
+typedef struct Pair { Board board; Wire wire; SerialLine line; LinkHost host; } Pair;
 
 static void pair(Pair *p, const char *memory, uint8_t slots)
 {
@@ -634,7 +634,7 @@ static void older_boards_say_less(void)
     static const uint8_t all[31] = {1, 200, 128, 2, 0, 4, 0, 0, 2, 0, 9, 0, 0, 0, 0, 1, 5, 0, 0, 0, 0x83, 10, 26, 20, 0, 0x40, 0x1f, 4, 3, 2, 1};
     static const uint8_t none[31] = {0};
     Canned c;
-    Line line = {&c, canned_send, canned_receive, canned_now};
+    SerialLine line = {&c, canned_send, canned_receive, canned_now};
     LinkHost host;
     DeviceInfo info;
     DeviceImage image;

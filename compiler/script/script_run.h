@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to the script engine: the state of a run, shared by run.c, judge.c and history.c.
+// Internal to the script engine: the state of a run, shared by script_run.c, asserts.c and history.c.
 #ifndef SMC_RUN_H
 #define SMC_RUN_H
 
@@ -30,7 +30,7 @@ typedef struct Run {
     uint32_t writes;
     Noted *noted;             // in this step, in order
     size_t notes;
-    uint8_t *judged;          // by number of assert: it was evaluated at least once
+    uint8_t *evaluated;          // by number of assert: it was evaluated at least once
     uint8_t *was_true;        // by number of conditional: its guard was true at least once
     uint64_t *ran;            // by section: the last step in which it ran; 0: none
     const Expr *failed;       // the assert that failed, or NULL
@@ -44,13 +44,13 @@ const ScriptItem *script_first_stop(const Script *s);      // NULL only in a scr
 // Runs the script from its first step until it ends.  Reports errors of engines and differences between them.
 void run_to_the_end(Run *r);
 
-// ---- judge.c ----
+// ---- asserts.c ----
 
 // Evaluates the asserts noted in this step, in order.  Ends the run if an assert fails or at @stop.
-void judge_step(Run *r);
-void judge_report_failure(Run *r);        // for the assert that failed
+void assert_check_step(Run *r);
+void assert_report_failure(Run *r);        // for the assert that failed
 // Warns about asserts that no step evaluated, and about a script without asserts.
-void judge_unjudged(const Run *r);
+void assert_report_unevaluated(const Run *r);
 // Appends the value of e as messages show it.
 void run_put_value(Run *r, const Expr *e, Buf *out);
 bool span_same_text(Span a, Span b);

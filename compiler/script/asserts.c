@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Evaluates asserts and @stop after a step, and reports a false assert with the values of its operands.
-#include "compiler/script/run.h"
+#include "compiler/script/script_run.h"
 
 #include <inttypes.h>
 #include <string.h>
@@ -73,7 +73,7 @@ static void add_operands(Operands *o, const Expr *e, bool is_compared)
         add_operand(o, e);
 }
 
-void judge_report_failure(Run *r)
+void assert_report_failure(Run *r)
 {
     const Expr *assert = r->failed;
     Operands o = {.r = r};
@@ -89,7 +89,7 @@ void judge_report_failure(Run *r)
 
 // ---- evaluating ----
 
-void judge_step(Run *r)
+void assert_check_step(Run *r)
 {
     for (size_t i = 0; i < r->notes && !r->over; i++) {
         const Noted *note = &r->noted[i];
@@ -98,7 +98,7 @@ void judge_step(Run *r)
             run_end(r, SCRIPT_PASSED);
             continue;
         }
-        r->judged[note->number] = 1;
+        r->evaluated[note->number] = 1;
         if (ref_true(ref_eval(note->item->asserts.at[note->assert], r->cell, &r->windows))) {
             r->result.asserts_passed++;
         } else {
@@ -118,26 +118,26 @@ static bool is_assert_false(const Run *r, const Expr *assert)
 }
 
 // Asserts that were not evaluated for the same reason.  They share one warning, at the first one.
-typedef struct Unjudged { const Expr *first; size_t n; } Unjudged;
+typedef struct Unevaluated { const Expr *first; size_t n; } Unevaluated;
 
-static void add_unevaluated(const Run *r, const ScriptItem *item, size_t number, Unjudged *u)
+static void add_unevaluated(const Run *r, const ScriptItem *item, size_t number, Unevaluated *u)
 {
     for (size_t k = 0; k < item->asserts.n; k++) {
         const Expr *assert = item->asserts.at[k];
-        if (r->judged[number + k] || is_assert_false(r, assert))
+        if (r->evaluated[number + k] || is_assert_false(r, assert))
             continue;
         u->first = u->n ? u->first : assert;
         u->n++;
     }
 }
 
-static Diag *report_unevaluated(const Run *r, Unjudged *u)
+static Diag *report_unevaluated(const Run *r, Unevaluated *u)
 {
     Diag *d = diag_report(r->diags, DIAG_assert_never_judged, u->first->span);
 
     if (u->n > 1)
         diag_note(r->diags, d, (Span){0}, DIAG_note_unjudged_too, format_in(r->arena, "%lu", (unsigned long)u->n));
-    *u = (Unjudged){NULL, 0};
+    *u = (Unevaluated){NULL, 0};
     return d;
 }
 
@@ -147,7 +147,7 @@ static void find_unevaluated(const Run *r)
 
     for (size_t i = 0; i < r->s->section.n; i++) {
         const ScriptSection *section = &r->s->section.at[i];
-        Unjudged u = {NULL, 0};
+        Unevaluated u = {NULL, 0};
         for (size_t j = 0; j < section->item.n; number += section->item.at[j++].asserts.n, items++) {
             add_unevaluated(r, &section->item.at[j], number, &u);
             if (u.n && r->ran[i])
@@ -168,7 +168,7 @@ static bool has_assert(const Script *s)
 }
 
 // A run that failed has evaluated fewer asserts than it could, so the others are not reported.
-void judge_unjudged(const Run *r)
+void assert_report_unevaluated(const Run *r)
 {
     if (r->result.outcome == SCRIPT_PASSED || r->result.outcome == SCRIPT_ENDLESS)
         find_unevaluated(r);

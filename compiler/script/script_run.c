@@ -4,7 +4,7 @@
 // 2. Every engine runs the step.
 // 3. The noted asserts are evaluated.
 // The script sees the values of the first engine.  The others must produce the same values, bit for bit.
-#include "compiler/script/run.h"
+#include "compiler/script/script_run.h"
 
 #include <inttypes.h>
 #include <string.h>
@@ -157,18 +157,18 @@ static void run_step(Run *r)
     if (r->over)
         return;
     call_after_step(r);
-    judge_step(r);
+    assert_check_step(r);
     if (!r->over)
         advance_time(r);
 }
 
 // ---- the run ----
 
-typedef struct Totals { size_t inputs, asserts, notes, items; } Totals;
+typedef struct ScriptTotals { size_t inputs, asserts, notes, items; } ScriptTotals;
 
-static Totals count_items(const Script *s)
+static ScriptTotals count_items(const Script *s)
 {
-    Totals t = {0, 0, 0, 0};
+    ScriptTotals t = {0, 0, 0, 0};
 
     for (size_t i = 0; i < s->section.n; i++)
         for (size_t j = 0; j < s->section.at[i].item.n; j++) {
@@ -183,7 +183,7 @@ static Totals count_items(const Script *s)
 
 static void allocate_run(Run *r)
 {
-    Totals t = count_items(r->s);
+    ScriptTotals t = count_items(r->s);
 
     r->answer = ARENA_ARRAY(r->arena, EngineStep, r->engines);
     for (size_t i = 0; i < r->engines; i++)
@@ -192,7 +192,7 @@ static void allocate_run(Run *r)
     ref_windows_init(&r->windows, r->arena, &r->s->window);
     r->write = ARENA_ARRAY(r->arena, EngineWrite, t.inputs + 1);      // one more for G
     r->noted = ARENA_ARRAY(r->arena, Noted, t.notes);
-    r->judged = arena_alloc(r->arena, t.asserts);
+    r->evaluated = arena_alloc(r->arena, t.asserts);
     r->was_true = arena_alloc(r->arena, t.items);
     r->ran = ARENA_ARRAY(r->arena, uint64_t, r->s->section.n);
 }
@@ -235,11 +235,11 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
 
     run_to_the_end(&r);
     switch (r.result.outcome) {
-    case SCRIPT_FAILED: judge_report_failure(&r); break;
+    case SCRIPT_FAILED: assert_report_failure(&r); break;
     case SCRIPT_ENDLESS: report_endless(&r); break;
     case SCRIPT_TIME_OVER: report_time_over(&r); break;
     case SCRIPT_PASSED: case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: break;
     }
-    judge_unjudged(&r);
+    assert_report_unevaluated(&r);
     return r.result;
 }
