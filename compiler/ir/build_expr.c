@@ -14,7 +14,7 @@ IrRef build_emit(Builder *b, const IrIns *ins)
     return b->f->blk.at[b->b].ins.n++, (IrRef)(b->f->ins.n - 1);
 }
 
-static IrRef emit(Builder *b, IrOp op, SmType type, IrRef x, IrRef y, Span span)
+static IrRef emit_op(Builder *b, IrOp op, SmType type, IrRef x, IrRef y, Span span)
 {
     IrIns i = {.op = op, .type = type, .a = x, .b = y, .span = span};
 
@@ -30,7 +30,7 @@ static IrRef emit_const(Builder *b, SmType type, uint64_t bits, Span span)
 
 static IrRef convert(Builder *b, IrRef value, SmType to, Span span)
 {
-    return b->f->ins.at[value].type == to ? value : emit(b, IR_cvt, to, value, IR_NONE, span);
+    return b->f->ins.at[value].type == to ? value : emit_op(b, IR_cvt, to, value, IR_NONE, span);
 }
 
 static IrRef build_value(Builder *b, const Expr *e);
@@ -51,7 +51,7 @@ IrRef build_stored(Builder *b, const Expr *e, SmType type)
 
     if (b->f->ins.at[value].type == type && type == SM_BOOL)
         return value;
-    return emit(b, IR_cvt, type, convert(b, value, SM_F64, e->span), IR_NONE, e->span);   // also F64 to F64: it turns NaN into 0
+    return emit_op(b, IR_cvt, type, convert(b, value, SM_F64, e->span), IR_NONE, e->span);   // also F64 to F64: it turns NaN into 0
 }
 
 static IrRef build_constant(Builder *b, const Var *v, Span span)
@@ -109,9 +109,9 @@ static IrOp op_of(SmOperator op)
 static IrRef build_unary(Builder *b, const Expr *e)
 {
     if (e->op == SM_OP_NOT)
-        return emit(b, IR_not, SM_BOOL, build_truth(b, e->arg[0]), IR_NONE, e->span);
+        return emit_op(b, IR_not, SM_BOOL, build_truth(b, e->arg[0]), IR_NONE, e->span);
     if (e->op == SM_OP_NEG)
-        return emit(b, IR_neg, SM_F64, build_number(b, e->arg[0]), IR_NONE, e->span);
+        return emit_op(b, IR_neg, SM_F64, build_number(b, e->arg[0]), IR_NONE, e->span);
     return build_number(b, e->arg[0]);
 }
 
@@ -122,7 +122,7 @@ static IrRef build_binary(Builder *b, const Expr *e)
     IrRef x = logic ? build_truth(b, e->arg[0]) : build_number(b, e->arg[0]);
     IrRef y = logic ? build_truth(b, e->arg[1]) : build_number(b, e->arg[1]);
 
-    return emit(b, op, ir_op_info[op].types == IR_T_SAME ? SM_F64 : SM_BOOL, x, y, e->span);
+    return emit_op(b, op, ir_op_info[op].types == IR_T_SAME ? SM_F64 : SM_BOOL, x, y, e->span);
 }
 
 // a < b <= c is a < b and b <= c, with b evaluated once.
@@ -132,8 +132,8 @@ static IrRef build_chain(Builder *b, const Expr *e)
 
     for (uint32_t k = 1; k < e->n; k++) {
         IrRef right = build_number(b, e->arg[k]);
-        IrRef holds = emit(b, op_of(expr_ops(e)[k - 1]), SM_BOOL, left, right, e->span);
-        all = all == IR_NONE ? holds : emit(b, IR_and, SM_BOOL, all, holds, e->span);
+        IrRef holds = emit_op(b, op_of(expr_ops(e)[k - 1]), SM_BOOL, left, right, e->span);
+        all = all == IR_NONE ? holds : emit_op(b, IR_and, SM_BOOL, all, holds, e->span);
         left = right;
     }
     return all;
@@ -153,10 +153,10 @@ static IrRef build_call(Builder *b, const Expr *e)
         n++;
     }
     switch (e->fn) {
-#define STEP1(name, x) v[n++] = emit(b, IR_##name, SM_F64, v[x], IR_NONE, e->span);
-#define STEP2(name, x, y) v[n++] = emit(b, IR_##name, SM_F64, v[x], v[y], e->span);
+#define STEP1(name, x) v[n++] = emit_op(b, IR_##name, SM_F64, v[x], IR_NONE, e->span);
+#define STEP2(name, x, y) v[n++] = emit_op(b, IR_##name, SM_F64, v[x], v[y], e->span);
 #define SM_PURE(name, arguments, sentence) \
-    case SM_FN_##name: v[n++] = emit(b, IR_##name, SM_F64, v[0], arguments > 1 ? v[1] : IR_NONE, e->span); break;
+    case SM_FN_##name: v[n++] = emit_op(b, IR_##name, SM_F64, v[0], arguments > 1 ? v[1] : IR_NONE, e->span); break;
 #define SM_COMPOSED(name, arguments, steps, sentence) \
     case SM_FN_##name: steps break;
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:

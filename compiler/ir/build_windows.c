@@ -48,9 +48,9 @@ static uint64_t shape_hash(const Builder *b, const Expr *e)
 // ---- sharing ----
 
 // A slot of an open-addressing hash table; empty if `first` is NULL.
-typedef struct Shared { const Window *first; uint32_t index; } Shared;
+typedef struct SharedWindow { const Window *first; uint32_t index; } SharedWindow;
 
-static Shared *find_slot(const Builder *b, Shared *table, size_t cap, const Window *w)
+static SharedWindow *find_slot(const Builder *b, SharedWindow *table, size_t cap, const Window *w)
 {
     size_t at = (size_t)mix(shape_hash(b, w->sample), w->size) & (cap - 1);
 
@@ -67,7 +67,7 @@ static void build_sample(Builder *b, const Window *w, uint32_t index)
     build_emit(b, &i);
 }
 
-static void build_window(Builder *b, const Window *w, Shared *slot, uint32_t number)
+static void build_window(Builder *b, const Window *w, SharedWindow *slot, uint32_t number)
 {
     if (!slot->first) {
         IrWindow window = {SM_F64, w->size, 0};
@@ -83,14 +83,14 @@ static void build_window(Builder *b, const Window *w, Shared *slot, uint32_t num
 void build_windows(Builder *b)
 {
     const Windows *list = &b->p->window;
-    Shared *table;
+    SharedWindow *table;
     size_t cap = 16;
 
     if (list->n == 0)
         return;
     while (cap < list->n * 2)
         cap *= 2;
-    table = ARENA_ARRAY(b->arena, Shared, cap);
+    table = ARENA_ARRAY(b->arena, SharedWindow, cap);
     b->window = ARENA_ARRAY(b->arena, uint32_t, list->n);
     build_begin_function(b);
     for (uint32_t w = 0; w < list->n; w++)

@@ -18,7 +18,7 @@ bool *ir_reachable(Arena *arena, const IrFn *f)
     return reached;
 }
 
-uint32_t *ir_count_ways(Arena *arena, const IrFn *f)
+uint32_t *ir_count_edges(Arena *arena, const IrFn *f)
 {
     uint32_t *n = ARENA_ARRAY(arena, uint32_t, f->blk.n);
     const bool *reached = ir_reachable(arena, f);
@@ -36,7 +36,7 @@ uint32_t *ir_count_ways(Arena *arena, const IrFn *f)
 
 // The nearest common postdominator of x and y.  A postdominator has a higher number than the blocks that it postdominates.  IR_NONE, the
 // function's end, is the highest number.
-static IrBlkRef meet(const IrBlkRef *post, IrBlkRef x, IrBlkRef y)
+static IrBlkRef common_postdominator(const IrBlkRef *post, IrBlkRef x, IrBlkRef y)
 {
     while (x != y) {
         if (x < y)
@@ -57,7 +57,7 @@ IrBlkRef *ir_postdominators(Arena *arena, const IrFn *f)
         case IR_RET:
         case IR_GOTO: post[b] = IR_NONE; break;
         case IR_JMP: post[b] = j->then; break;
-        case IR_BR: post[b] = meet(post, j->then, j->otherwise); break;
+        case IR_BR: post[b] = common_postdominator(post, j->then, j->otherwise); break;
         }
     }
     return post;

@@ -174,7 +174,7 @@ uint32_t *ir_count_uses(Arena *arena, const IrFn *f);
 // For each block, whether it is reachable from the first.
 bool *ir_reachable(Arena *arena, const IrFn *f);
 // For each block, the number of edges into it from reachable blocks.  The first block counts one more, for the start of the function.
-uint32_t *ir_count_ways(Arena *arena, const IrFn *f);
+uint32_t *ir_count_edges(Arena *arena, const IrFn *f);
 // For each block its immediate postdominator: the nearest block on every path from it to the function's end; IR_NONE is the end.
 IrBlkRef *ir_postdominators(Arena *arena, const IrFn *f);
 

@@ -9,27 +9,27 @@
 
 typedef struct PendingGoto { IrFn *f; IrBlkRef b; Str name; uint32_t line; } PendingGoto;
 
-typedef struct Reader {
+typedef struct IrReader {
     Arena *arena;
-    Scan scan;
+    IrScan scan;
     IrMachine *m;
     Map vars, states;                 // name to index + 1
     Map temps;                        // of the current function: "%7" to instruction + 1
     IrFn *f;                          // the current function
     bool open;                        // its last block has no jump yet
     VEC(PendingGoto) gotos;           // transitions to resolve at the end, because they may name later states
-} Reader;
+} IrReader;
 
 // ---- declarations ----
 
-static bool read_machine(Reader *r)
+static bool read_machine(IrReader *r)
 {
     if (r->m->name)
         return scan_fail(&r->scan, "the machine has a name already");
     return scan_quoted(&r->scan, &r->m->name);
 }
 
-static bool read_vector(Reader *r)
+static bool read_vector(IrReader *r)
 {
     if (r->m->sv_name)
         return scan_fail(&r->scan, "the state vector has a name already");
@@ -37,7 +37,7 @@ static bool read_vector(Reader *r)
         && scan_number(&r->scan, "a size", &r->m->sv_size) && scan_this(&r->scan, "hash") && scan_number(&r->scan, "a hash", &r->m->sv_hash);
 }
 
-static bool read_role(Reader *r, uint32_t index)
+static bool read_role(IrReader *r, uint32_t index)
 {
     uint32_t *role;
 
@@ -55,7 +55,7 @@ static bool read_role(Reader *r, uint32_t index)
     return true;
 }
 
-static bool read_var_details(Reader *r, IrVar *v, uint32_t index)
+static bool read_var_details(IrReader *r, IrVar *v, uint32_t index)
 {
     v->writable = scan_optional(&r->scan, "writable");
     switch (v->space) {
@@ -73,7 +73,7 @@ static bool read_var_details(Reader *r, IrVar *v, uint32_t index)
     return false;
 }
 
-static bool read_var(Reader *r, IrSpace space)
+static bool read_var(IrReader *r, IrSpace space)
 {
     uint32_t index = (uint32_t)r->m->var.n;
     IrVar v;
@@ -91,7 +91,7 @@ static bool read_var(Reader *r, IrSpace space)
     return true;
 }
 
-static bool stat_word(Reader *r, SmStat *out)
+static bool stat_word(IrReader *r, SmStat *out)
 {
     Str w = scan_word(&r->scan, "a statistic");
 
@@ -103,7 +103,7 @@ static bool stat_word(Reader *r, SmStat *out)
     return w && scan_fail(&r->scan, "expected a statistic, found '%.40s'", w->text);
 }
 
-static bool read_window(Reader *r)
+static bool read_window(IrReader *r)
 {
     IrWindow w = {SM_F64, 0, 0};
     uint32_t number;
@@ -125,7 +125,7 @@ static bool read_window(Reader *r)
 
 // ---- instructions ----
 
-static bool var_name(Reader *r, IrIns *i)
+static bool var_name(IrReader *r, IrIns *i)
 {
     Str w = scan_word(&r->scan, "a variable");
     uintptr_t found = w ? (uintptr_t)map_find(&r->vars, w) : 0;
@@ -138,7 +138,7 @@ static bool var_name(Reader *r, IrIns *i)
     return true;
 }
 
-static bool temp(Reader *r, IrRef *out)
+static bool temp(IrReader *r, IrRef *out)
 {
     Str w = scan_word(&r->scan, "a temporary");
     uintptr_t found = w ? (uintptr_t)map_find(&r->temps, w) : 0;
@@ -149,7 +149,7 @@ static bool temp(Reader *r, IrRef *out)
     return true;
 }
 
-static bool operands(Reader *r, IrIns *i)
+static bool operands(IrReader *r, IrIns *i)
 {
     uint8_t n = ir_op_info[i->op].operands;
 
@@ -158,7 +158,7 @@ static bool operands(Reader *r, IrIns *i)
     return n < 2 || (scan_char(&r->scan, ',') && temp(r, &i->b));
 }
 
-static bool window_name(Reader *r, IrIns *i)
+static bool window_name(IrReader *r, IrIns *i)
 {
     if (!scan_lettered(&r->scan, 'w', "a window", &i->var))
         return false;
@@ -166,7 +166,7 @@ static bool window_name(Reader *r, IrIns *i)
 }
 
 // The type in the text of a comparison is the type of its operands.
-static bool compare_operands(Reader *r, IrIns *i)
+static bool compare_operands(IrReader *r, IrIns *i)
 {
     SmType type = i->type;
 
@@ -176,7 +176,7 @@ static bool compare_operands(Reader *r, IrIns *i)
     return r->f->ins.at[i->a].type == type || scan_fail(&r->scan, "the operands are not of type %s", sm_type_info[type].spelling);
 }
 
-static bool ins_type(Reader *r, IrIns *i)
+static bool ins_type(IrReader *r, IrIns *i)
 {
     SmType type;
     const bool good = scan_type(&r->scan, &type);
@@ -186,7 +186,7 @@ static bool ins_type(Reader *r, IrIns *i)
     return good;
 }
 
-static bool ins_stat(Reader *r, IrIns *i)
+static bool ins_stat(IrReader *r, IrIns *i)
 {
     SmStat stat;
     const bool good = stat_word(r, &stat);
@@ -196,7 +196,7 @@ static bool ins_stat(Reader *r, IrIns *i)
     return good;
 }
 
-static bool ins_details(Reader *r, IrIns *i)
+static bool ins_details(IrReader *r, IrIns *i)
 {
     switch (ir_op_info[i->op].types) {
     case IR_T_CONST: return ins_type(r, i) && scan_value(&r->scan, i->type, &i->bits);
@@ -221,7 +221,7 @@ static IrOp find_op(Str w)             // IR_OP_COUNT if there is no such operat
     return (IrOp)op;
 }
 
-static bool read_ins(Reader *r, Str name, Str op)
+static bool read_ins(IrReader *r, Str name, Str op)
 {
     IrIns i = {.op = find_op(op), .a = IR_NONE, .b = IR_NONE};
     IrRef ref;
@@ -239,7 +239,7 @@ static bool read_ins(Reader *r, Str name, Str op)
     return true;
 }
 
-static bool read_result(Reader *r, Str name)
+static bool read_result(IrReader *r, Str name)
 {
     Str op;
 
@@ -250,7 +250,7 @@ static bool read_result(Reader *r, Str name)
 
 // ---- jumps and blocks ----
 
-static bool read_goto(Reader *r)
+static bool read_goto(IrReader *r)
 {
     PendingGoto g = {r->f, (IrBlkRef)(r->f->blk.n - 1), scan_word(&r->scan, "a state"), r->scan.line};
 
@@ -260,7 +260,7 @@ static bool read_goto(Reader *r)
     return true;
 }
 
-static bool read_branch(Reader *r, IrJump *j)
+static bool read_branch(IrReader *r, IrJump *j)
 {
     return temp(r, &j->cond) && scan_char(&r->scan, ',') && scan_lettered(&r->scan, 'b', "a block", &j->then)
         && scan_char(&r->scan, ',') && scan_lettered(&r->scan, 'b', "a block", &j->otherwise);
@@ -278,7 +278,7 @@ static bool is_jump(Str w, IrJumpKind *kind)
     return false;
 }
 
-static bool read_jump(Reader *r, IrJumpKind kind)
+static bool read_jump(IrReader *r, IrJumpKind kind)
 {
     IrJump *j = &r->f->blk.at[r->f->blk.n - 1].jump;
 
@@ -293,7 +293,7 @@ static bool read_jump(Reader *r, IrJumpKind kind)
     return false;
 }
 
-static bool is_label(const Reader *r, Str w)
+static bool is_label(const IrReader *r, Str w)
 {
     const char *c = r->scan.at;
 
@@ -302,7 +302,7 @@ static bool is_label(const Reader *r, Str w)
     return w->text[0] == 'b' && c < r->scan.end && *c == ':';
 }
 
-static bool read_label(Reader *r, Str w)
+static bool read_label(IrReader *r, Str w)
 {
     uint64_t number;
 
@@ -315,7 +315,7 @@ static bool read_label(Reader *r, Str w)
     return scan_char(&r->scan, ':');
 }
 
-static bool read_code_line(Reader *r)
+static bool read_code_line(IrReader *r)
 {
     Str w = scan_word(&r->scan, "an instruction");
     IrJumpKind kind;
@@ -331,12 +331,12 @@ static bool read_code_line(Reader *r)
     return w->text[0] == '%' ? read_result(r, w) : read_ins(r, NULL, w);
 }
 
-static bool line_is_over(Reader *r)
+static bool line_is_over(IrReader *r)
 {
     return scan_at_line_end(&r->scan) || scan_fail(&r->scan, "expected the end of the line");
 }
 
-static bool read_function(Reader *r, IrFn **out)
+static bool read_function(IrReader *r, IrFn **out)
 {
     if (*out)
         return scan_fail(&r->scan, "this function stands twice");
@@ -357,7 +357,7 @@ static bool read_function(Reader *r, IrFn **out)
 
 // ---- the machine ----
 
-static bool read_state(Reader *r)
+static bool read_state(IrReader *r)
 {
     IrState s;
 
@@ -372,7 +372,7 @@ static bool read_state(Reader *r)
     return true;
 }
 
-static bool read_state_function(Reader *r, Str w)
+static bool read_state_function(IrReader *r, Str w)
 {
     for (int k = 0; k < BLOCK_COUNT; k++)
         if (scan_is(w, ir_block_name[k])) {
@@ -383,7 +383,7 @@ static bool read_state_function(Reader *r, Str w)
     return scan_fail(&r->scan, "'%.40s' begins nothing that may stand here", w->text);
 }
 
-static bool read_line(Reader *r)
+static bool read_line(IrReader *r)
 {
     Str w = scan_word(&r->scan, "a declaration or a function");
 
@@ -408,7 +408,7 @@ static bool read_line(Reader *r)
     return read_state_function(r, w);
 }
 
-static bool settle_gotos(Reader *r)
+static bool settle_gotos(IrReader *r)
 {
     for (size_t i = 0; i < r->gotos.n; i++) {
         PendingGoto *g = &r->gotos.at[i];
@@ -421,7 +421,7 @@ static bool settle_gotos(Reader *r)
     return true;
 }
 
-static bool is_complete(Reader *r)
+static bool is_complete(IrReader *r)
 {
     if (!r->m->name || !r->m->sv_name)
         return scan_fail(&r->scan, "the text ends without %s", r->m->name ? "a vector" : "a machine");
@@ -432,7 +432,7 @@ static bool is_complete(Reader *r)
 
 IrMachine *ir_read(Arena *arena, StrPool *strings, const char *text, size_t len, const char **error)
 {
-    Reader r;
+    IrReader r;
     bool ok = true;
 
     memset(&r, 0, sizeof r);

@@ -125,14 +125,14 @@ void ir_run_start(const IrRun *r, void *situation, uint32_t state)
 
 // ---- running ----
 
-static void note(IrTrace *trace, uint32_t entry)
+static void record_event(IrTrace *trace, uint32_t entry)
 {
     if (trace && entry > 1 && (trace->n == 0 || trace->at[trace->n - 1] != entry))
         trace->at[trace->n++] = entry;
 }
 
 // Runs a function to its end.  Returns the number of the target state, or 0 if it ends without a transition.
-static uint32_t run(IrRun *r, const IrRunFn *f, void *situation, IrTrace *trace)
+static uint32_t run_function(IrRun *r, const IrRunFn *f, void *situation, IrTrace *trace)
 {
     double *var = ir_run_vars(r, situation), *temp = r->temp;
     const RunBlk *b = f->blk;
@@ -145,7 +145,7 @@ static uint32_t run(IrRun *r, const IrRunFn *f, void *situation, IrTrace *trace)
             case IR_store:
                 var[op->var] = ir_convert(op->type, temp[op->a]);
                 writers_of(r, situation)[op->var] = op->stmt;
-                note(trace, op->stmt << 1);
+                record_event(trace, op->stmt << 1);
                 break;
             case IR_stat:
                 temp[op->to] = sm_roll_stat(window_of(r, situation, op->var), r->m->window.at[op->var].size,
@@ -163,12 +163,12 @@ static uint32_t run(IrRun *r, const IrRunFn *f, void *situation, IrTrace *trace)
         case IR_RET: return 0;
         case IR_JMP: b = f->blk + b->jump.then; break;
         case IR_GOTO:
-            note(trace, b->jump.stmt << 1);
+            record_event(trace, b->jump.stmt << 1);
             if (trace)
                 trace->transition = b->jump.stmt;
             return b->jump.state;
         case IR_BR:
-            note(trace, b->jump.stmt << 1 | (temp[b->jump.cond] != 0));
+            record_event(trace, b->jump.stmt << 1 | (temp[b->jump.cond] != 0));
             b = f->blk + (temp[b->jump.cond] != 0 ? b->jump.then : b->jump.otherwise);
             break;
         }
@@ -194,13 +194,13 @@ bool ir_run_step(IrRun *r, void *situation, IrTrace *trace)
     }
     var[r->m->t] = g - s->start;
     if (r->sample)
-        run(r, r->sample, situation, NULL);
+        run_function(r, r->sample, situation, NULL);
     if (s->first && block[BLOCK_ENTRY])
-        to = run(r, block[BLOCK_ENTRY], situation, trace);
+        to = run_function(r, block[BLOCK_ENTRY], situation, trace);
     if (to == 0 && block[BLOCK_STEP])
-        to = run(r, block[BLOCK_STEP], situation, trace);
+        to = run_function(r, block[BLOCK_STEP], situation, trace);
     if (to != 0 && block[BLOCK_EXIT])
-        run(r, block[BLOCK_EXIT], situation, trace);
+        run_function(r, block[BLOCK_EXIT], situation, trace);
     s->ran = true;
     s->first = to != 0;
     if (to != 0)
@@ -213,7 +213,7 @@ void ir_run_fill(IrRun *r, void *situation, uint32_t n, void (*inputs)(void *con
     for (uint32_t k = 0; r->sample && k < n; k++) {
         if (inputs)
             inputs(context, ir_run_vars(r, situation), k);
-        run(r, r->sample, situation, NULL);
+        run_function(r, r->sample, situation, NULL);
     }
 }
 

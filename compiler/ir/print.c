@@ -168,25 +168,25 @@ static void put_head(const IrMachine *m, Buf *out)
 
 // ---- functions ----
 
-typedef struct Printer {
+typedef struct IrPrinter {
     const IrMachine *m;
     const IrFn *f;
     uint32_t *number;                 // the printed number of each temporary
     uint32_t next;
     Buf *out;
-} Printer;
+} IrPrinter;
 
 static bool has_result(const IrIns *i)
 {
     return !ir_op_info[i->op].effect;
 }
 
-static void put_temp(const Printer *p, IrRef ref)
+static void put_temp(const IrPrinter *p, IrRef ref)
 {
     buf_printf(p->out, "%%%lu", (unsigned long)p->number[ref]);
 }
 
-static void put_operands(const Printer *p, const IrIns *i)
+static void put_operands(const IrPrinter *p, const IrIns *i)
 {
     if (ir_op_info[i->op].operands > 0)
         put_temp(p, i->a);
@@ -196,12 +196,12 @@ static void put_operands(const Printer *p, const IrIns *i)
     }
 }
 
-static void put_typed(const Printer *p, SmType type)
+static void put_typed(const IrPrinter *p, SmType type)
 {
     buf_printf(p->out, "%s ", sm_type_info[type].spelling);
 }
 
-static void put_ins_details(const Printer *p, const IrIns *i)
+static void put_ins_details(const IrPrinter *p, const IrIns *i)
 {
     switch (ir_op_info[i->op].types) {
     case IR_T_CONST: put_typed(p, i->type); put_value(p->out, i->type, i->bits); break;
@@ -220,7 +220,7 @@ static void put_ins_details(const Printer *p, const IrIns *i)
     }
 }
 
-static void put_ins(Printer *p, IrRef ref)
+static void put_ins(IrPrinter *p, IrRef ref)
 {
     const IrIns *i = &p->f->ins.at[ref];
 
@@ -235,7 +235,7 @@ static void put_ins(Printer *p, IrRef ref)
     buf_char(p->out, '\n');
 }
 
-static void put_jump(const Printer *p, const IrJump *j)
+static void put_jump(const IrPrinter *p, const IrJump *j)
 {
     switch (j->kind) {
     case IR_RET: buf_str(p->out, "    ret\n"); break;
@@ -251,7 +251,7 @@ static void put_jump(const Printer *p, const IrJump *j)
 
 static void put_function(const IrMachine *m, const char *title, const IrFn *f, Buf *out)
 {
-    Printer p = {m, f, NULL, 0, out};
+    IrPrinter p = {m, f, NULL, 0, out};
 
     p.number = ARENA_ARRAY(out->arena, uint32_t, f->ins.n);
     buf_printf(out, "%s {\n", title);

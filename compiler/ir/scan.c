@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-bool scan_fail(Scan *s, const char *format, ...)
+bool scan_fail(IrScan *s, const char *format, ...)
 {
     va_list args;
     Buf b;
@@ -25,7 +25,7 @@ bool scan_fail(Scan *s, const char *format, ...)
 
 // ---- characters and words ----
 
-static void skip_blanks(Scan *s)
+static void skip_blanks(IrScan *s)
 {
     while (s->at < s->end && (*s->at == ' ' || *s->at == '\t' || *s->at == '\r'))
         s->at++;
@@ -34,13 +34,13 @@ static void skip_blanks(Scan *s)
             s->at++;
 }
 
-bool scan_at_line_end(Scan *s)
+bool scan_at_line_end(IrScan *s)
 {
     skip_blanks(s);
     return s->at == s->end || *s->at == '\n';
 }
 
-bool scan_next_line(Scan *s)
+bool scan_next_line(IrScan *s)
 {
     while (scan_at_line_end(s) && s->at < s->end) {
         s->at++;
@@ -54,7 +54,7 @@ static bool is_word_char(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '%' || c == '-' || c == '.';
 }
 
-Str scan_word(Scan *s, const char *expected)
+Str scan_word(IrScan *s, const char *expected)
 {
     const char *start;
 
@@ -74,7 +74,7 @@ bool scan_is(Str w, const char *text)
     return w && strcmp(w->text, text) == 0;
 }
 
-bool scan_optional_char(Scan *s, char c)
+bool scan_optional_char(IrScan *s, char c)
 {
     skip_blanks(s);
     if (s->at == s->end || *s->at != c)
@@ -83,12 +83,12 @@ bool scan_optional_char(Scan *s, char c)
     return true;
 }
 
-bool scan_char(Scan *s, char c)
+bool scan_char(IrScan *s, char c)
 {
     return scan_optional_char(s, c) || scan_fail(s, "expected '%c'", c);
 }
 
-bool scan_optional(Scan *s, const char *text)
+bool scan_optional(IrScan *s, const char *text)
 {
     size_t n = strlen(text);
 
@@ -99,7 +99,7 @@ bool scan_optional(Scan *s, const char *text)
     return true;
 }
 
-bool scan_this(Scan *s, const char *text)
+bool scan_this(IrScan *s, const char *text)
 {
     return scan_optional(s, text) || scan_fail(s, "expected '%s'", text);
 }
@@ -113,7 +113,7 @@ static int hex_digit(char c)
     return -1;
 }
 
-bool scan_quoted(Scan *s, Str *out)
+bool scan_quoted(IrScan *s, Str *out)
 {
     Buf b;
 
@@ -156,7 +156,7 @@ bool scan_parse_number(const char *text, uint64_t *out)
     return true;
 }
 
-bool scan_number(Scan *s, const char *what, uint32_t *out)
+bool scan_number(IrScan *s, const char *what, uint32_t *out)
 {
     Str w = scan_word(s, what);
     uint64_t v;
@@ -169,7 +169,7 @@ bool scan_number(Scan *s, const char *what, uint32_t *out)
     return true;
 }
 
-bool scan_lettered(Scan *s, char letter, const char *what, uint32_t *out)
+bool scan_lettered(IrScan *s, char letter, const char *what, uint32_t *out)
 {
     Str w = scan_word(s, what);
     uint64_t v;
@@ -192,7 +192,7 @@ static bool find_type(Str w, SmType *out)
     return false;
 }
 
-bool scan_type(Scan *s, SmType *out)
+bool scan_type(IrScan *s, SmType *out)
 {
     Str w = scan_word(s, "a type");
 
@@ -225,7 +225,7 @@ static bool whole_cell(SmType type, bool negative, uint64_t magnitude, uint64_t 
     return false;
 }
 
-bool scan_value(Scan *s, SmType type, uint64_t *cell)
+bool scan_value(IrScan *s, SmType type, uint64_t *cell)
 {
     Str w = scan_word(s, "a value");
     uint64_t v;

@@ -6,32 +6,32 @@
 
 #include "compiler/ir/ir.h"
 
-typedef struct Scan {
+typedef struct IrScan {
     Arena *arena;
     StrPool *strings;
     const char *at, *end;             // the remaining input
     uint32_t line;
     const char *error;                // the first error, "line 7: …", or NULL
-} Scan;
+} IrScan;
 
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
-bool scan_fail(Scan *s, const char *format, ...);             // sets the error if there is none yet; always returns false
-bool scan_next_line(Scan *s);                                 // skips to the first word of the next nonempty line; false at the end
-bool scan_at_line_end(Scan *s);                               // whether only blanks and a comment are left on the line
+bool scan_fail(IrScan *s, const char *format, ...);             // sets the error if there is none yet; always returns false
+bool scan_next_line(IrScan *s);                                 // skips to the first word of the next nonempty line; false at the end
+bool scan_at_line_end(IrScan *s);                               // whether only blanks and a comment are left on the line
 
-Str scan_word(Scan *s, const char *expected);                 // the next word of the line, or NULL
+Str scan_word(IrScan *s, const char *expected);                 // the next word of the line, or NULL
 bool scan_is(Str word, const char *text);                     // false for NULL
-bool scan_char(Scan *s, char c);
-bool scan_optional_char(Scan *s, char c);                     // consumes c if it is next
-bool scan_this(Scan *s, const char *text);
-bool scan_optional(Scan *s, const char *text);                // consumes the word if it is next
-bool scan_quoted(Scan *s, Str *out);
-bool scan_number(Scan *s, const char *what, uint32_t *out);
-bool scan_lettered(Scan *s, char letter, const char *what, uint32_t *out);    // the number after a letter: b7, w7
-bool scan_type(Scan *s, SmType *out);
-bool scan_value(Scan *s, SmType type, uint64_t *cell);        // a whole number that fits the type, or a cell in hexadecimal
+bool scan_char(IrScan *s, char c);
+bool scan_optional_char(IrScan *s, char c);                     // consumes c if it is next
+bool scan_this(IrScan *s, const char *text);
+bool scan_optional(IrScan *s, const char *text);                // consumes the word if it is next
+bool scan_quoted(IrScan *s, Str *out);
+bool scan_number(IrScan *s, const char *what, uint32_t *out);
+bool scan_lettered(IrScan *s, char letter, const char *what, uint32_t *out);    // the number after a letter: b7, w7
+bool scan_type(IrScan *s, SmType *out);
+bool scan_value(IrScan *s, SmType type, uint64_t *cell);        // a whole number that fits the type, or a cell in hexadecimal
 bool scan_parse_number(const char *text, uint64_t *out);      // decimal, or hexadecimal after 0x
 
 #endif

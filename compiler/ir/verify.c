@@ -23,7 +23,7 @@ typedef struct Checker {
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
-static bool fail(Checker *c, const char *format, ...)
+static bool report_violation(Checker *c, const char *format, ...)
 {
     char text[200];
     va_list args;
@@ -81,9 +81,9 @@ static bool check_element(Checker *c, const IrVar *v)
     uint32_t bytes = sm_type_info[v->type].bytes;
 
     if (v->offset % bytes != 0)
-        return fail(c, "element %.80s is not at a multiple of its size", v->name->text);
+        return report_violation(c, "element %.80s is not at a multiple of its size", v->name->text);
     if (c->m->sv_size < bytes || v->offset > c->m->sv_size - bytes)
-        return fail(c, "element %.80s lies outside the state vector", v->name->text);
+        return report_violation(c, "element %.80s lies outside the state vector", v->name->text);
     return true;
 }
 
@@ -115,34 +115,34 @@ static bool check_overlap(Checker *c)
     table = ARENA_ARRAY(c->arena, Taken, cap);
     for (size_t v = 0; v < c->m->var.n; v++)
         if (c->m->var.at[v].space == IR_ELEMENT && !take_bytes(table, cap, &c->m->var.at[v]))
-            return fail(c, "element %.80s lies on another", c->m->var.at[v].name->text);
+            return report_violation(c, "element %.80s lies on another", c->m->var.at[v].name->text);
     return true;
 }
 
 static bool check_local(Checker *c, const IrVar *v)
 {
     if (v->outside && v->hidden)
-        return fail(c, "%.80s is hidden, but written from outside", v->name->text);
+        return report_violation(c, "%.80s is hidden, but written from outside", v->name->text);
     if (!cell_fits(v->type, v->init))
-        return fail(c, "the initial value of %.80s does not fit its type", v->name->text);
-    return !is_nan_cell(v->type, v->init) || fail(c, "the initial value of %.80s is not a number", v->name->text);
+        return report_violation(c, "the initial value of %.80s does not fit its type", v->name->text);
+    return !is_nan_cell(v->type, v->init) || report_violation(c, "the initial value of %.80s is not a number", v->name->text);
 }
 
 static bool check_var(Checker *c, const IrVar *v, uint32_t index, Map *names)
 {
     if (!is_identifier(v->name))
-        return fail(c, "a variable's name is no identifier");
+        return report_violation(c, "a variable's name is no identifier");
     if (map_find(names, v->name))
-        return fail(c, "there are two variables %.80s", v->name->text);
+        return report_violation(c, "there are two variables %.80s", v->name->text);
     map_put(names, v->name, (void *)(uintptr_t)(index + 1));
     if (!is_type(v->type))
-        return fail(c, "%.80s has no type", v->name->text);
+        return report_violation(c, "%.80s has no type", v->name->text);
     switch (v->space) {
     case IR_ELEMENT: return check_element(c, v);
     case IR_LOCAL: return check_local(c, v);
-    case IR_TIME: return index == c->m->t || fail(c, "%.80s is a second time", v->name->text);
+    case IR_TIME: return index == c->m->t || report_violation(c, "%.80s is a second time", v->name->text);
     }
-    return fail(c, "%.80s is no element, local or time", v->name->text);
+    return report_violation(c, "%.80s is no element, local or time", v->name->text);
 }
 
 static bool check_role(Checker *c, uint32_t index, const char *role, IrSpace space, SmType type)
@@ -150,8 +150,8 @@ static bool check_role(Checker *c, uint32_t index, const char *role, IrSpace spa
     const IrVar *v = index < c->m->var.n ? &c->m->var.at[index] : NULL;
 
     if (!v || v->space != space || v->type != type)
-        return fail(c, "%s is not what it must be", role);
-    return !v->writable || fail(c, "%s is writable", role);
+        return report_violation(c, "%s is not what it must be", role);
+    return !v->writable || report_violation(c, "%s is writable", role);
 }
 
 static bool check_vars(Checker *c)
@@ -160,7 +160,7 @@ static bool check_vars(Checker *c)
     Map names = {c->arena, NULL, NULL, 0, 0};
 
     if (m->sv_size % 8 != 0)
-        return fail(c, "the state vector's size is no multiple of 8");
+        return report_violation(c, "the state vector's size is no multiple of 8");
     for (uint32_t v = 0; v < m->var.n; v++)
         if (!check_var(c, &m->var.at[v], v, &names))
             return false;
@@ -173,14 +173,14 @@ static bool check_windows(Checker *c)
     for (size_t w = 0; w < c->m->window.n; w++) {
         const IrWindow *window = &c->m->window.at[w];
         if (!is_type(window->type))
-            return fail(c, "window w%lu has no type", (unsigned long)w);
+            return report_violation(c, "window w%lu has no type", (unsigned long)w);
         if (window->size < 1 || window->size > SM_WINDOW_MAX)
-            return fail(c, "the size of window w%lu is not 1 to %lu", (unsigned long)w, (unsigned long)SM_WINDOW_MAX);
+            return report_violation(c, "the size of window w%lu is not 1 to %lu", (unsigned long)w, (unsigned long)SM_WINDOW_MAX);
         if (window->stats >> SM_STAT_COUNT != 0)
-            return fail(c, "window w%lu has an unknown statistic", (unsigned long)w);
+            return report_violation(c, "window w%lu has an unknown statistic", (unsigned long)w);
     }
     return (c->m->window.n == 0) == (c->m->sample == NULL)
-        || fail(c, "there is a sample function without windows, or the other way round");
+        || report_violation(c, "there is a sample function without windows, or the other way round");
 }
 
 // ---- instructions ----
@@ -188,13 +188,13 @@ static bool check_windows(Checker *c)
 static bool check_operand(Checker *c, IrRef ref, IrRef user)
 {
     if (ref >= c->f->ins.n || !c->given[ref])
-        return fail(c, "instruction %lu uses a temporary that its block has not given before", (unsigned long)user);
+        return report_violation(c, "instruction %lu uses a temporary that its block has not given before", (unsigned long)user);
     return true;
 }
 
 static bool operand_type(Checker *c, IrRef ref, SmType type, IrRef user)
 {
-    return c->f->ins.at[ref].type == type || fail(c, "an operand of instruction %lu is not of the right type", (unsigned long)user);
+    return c->f->ins.at[ref].type == type || report_violation(c, "an operand of instruction %lu is not of the right type", (unsigned long)user);
 }
 
 static bool check_const(Checker *c, const IrIns *i, IrRef ref)
@@ -202,28 +202,28 @@ static bool check_const(Checker *c, const IrIns *i, IrRef ref)
     bool nan = is_nan_cell(i->type, i->bits);
 
     if (!cell_fits(i->type, i->bits))
-        return fail(c, "the number of instruction %lu does not fit its type", (unsigned long)ref);
+        return report_violation(c, "the number of instruction %lu does not fit its type", (unsigned long)ref);
     if (nan && (i->type != SM_F64 || i->bits != IR_NAN))
-        return fail(c, "instruction %lu spells NaN in another way than IR_NAN", (unsigned long)ref);
+        return report_violation(c, "instruction %lu spells NaN in another way than IR_NAN", (unsigned long)ref);
     return true;
 }
 
 static bool check_access(Checker *c, const IrIns *i, IrRef ref)
 {
     if (i->var >= c->m->var.n || c->m->var.at[i->var].type != i->type)
-        return fail(c, "instruction %lu is not of its variable's type", (unsigned long)ref);
+        return report_violation(c, "instruction %lu is not of its variable's type", (unsigned long)ref);
     if (i->op == IR_store && !c->m->var.at[i->var].writable)
-        return fail(c, "instruction %lu writes %.80s, which is not writable", (unsigned long)ref,
+        return report_violation(c, "instruction %lu writes %.80s, which is not writable", (unsigned long)ref,
                     c->m->var.at[i->var].name->text);
-    return i->op != IR_store || !!c->state || fail(c, "instruction %lu writes a variable", (unsigned long)ref);
+    return i->op != IR_store || !!c->state || report_violation(c, "instruction %lu writes a variable", (unsigned long)ref);
 }
 
 static bool check_sample(Checker *c, const IrIns *i, IrRef ref)
 {
     if (c->state)
-        return fail(c, "instruction %lu samples a window outside the sample function", (unsigned long)ref);
+        return report_violation(c, "instruction %lu samples a window outside the sample function", (unsigned long)ref);
     if (i->var >= c->m->window.n || c->sampled[i->var])
-        return fail(c, "instruction %lu samples a window twice or one that does not exist", (unsigned long)ref);
+        return report_violation(c, "instruction %lu samples a window twice or one that does not exist", (unsigned long)ref);
     c->sampled[i->var] = true;
     return true;
 }
@@ -231,34 +231,34 @@ static bool check_sample(Checker *c, const IrIns *i, IrRef ref)
 static bool check_stat(Checker *c, const IrIns *i, IrRef ref)
 {
     if (i->type != SM_F64)
-        return fail(c, "instruction %lu is a statistic and no F64", (unsigned long)ref);
+        return report_violation(c, "instruction %lu is a statistic and no F64", (unsigned long)ref);
     if (i->var >= c->m->window.n || (unsigned)i->stat >= SM_STAT_COUNT)
-        return fail(c, "instruction %lu is a statistic of nothing", (unsigned long)ref);
+        return report_violation(c, "instruction %lu is a statistic of nothing", (unsigned long)ref);
     if (!(c->m->window.at[i->var].stats >> i->stat & 1))
-        return fail(c, "instruction %lu asks window w%lu for a statistic that it does not list", (unsigned long)ref,
+        return report_violation(c, "instruction %lu asks window w%lu for a statistic that it does not list", (unsigned long)ref,
                     (unsigned long)i->var);
     return c->state || c->sampled[i->var]
-        || fail(c, "instruction %lu reads window w%lu before its sample", (unsigned long)ref, (unsigned long)i->var);
+        || report_violation(c, "instruction %lu reads window w%lu before its sample", (unsigned long)ref, (unsigned long)i->var);
 }
 
 static bool check_operation(Checker *c, const IrIns *i, IrRef ref, SmType from, SmType to)
 {
     if (i->type != to)
-        return fail(c, "instruction %lu gives the wrong type", (unsigned long)ref);
+        return report_violation(c, "instruction %lu gives the wrong type", (unsigned long)ref);
     return operand_type(c, i->a, from, ref) && (ir_op_info[i->op].operands < 2 || operand_type(c, i->b, from, ref));
 }
 
 static bool check_types(Checker *c, const IrIns *i, IrRef ref)
 {
     if (!is_type(i->type))
-        return fail(c, "instruction %lu has no type", (unsigned long)ref);
+        return report_violation(c, "instruction %lu has no type", (unsigned long)ref);
     switch (ir_op_info[i->op].types) {
     case IR_T_CONST: return check_const(c, i, ref);
     case IR_T_CONVERT: return true;
     case IR_T_LOGIC: return check_operation(c, i, ref, SM_BOOL, SM_BOOL);
     case IR_T_SAME:
         return check_operation(c, i, ref, i->type, i->type)
-            && (ir_may_be_of(i->op, i->type) || fail(c, "instruction %lu cannot work on its type", (unsigned long)ref));
+            && (ir_may_be_of(i->op, i->type) || report_violation(c, "instruction %lu cannot work on its type", (unsigned long)ref));
     case IR_T_COMPARE: return check_operation(c, i, ref, c->f->ins.at[i->a].type, SM_BOOL);
     case IR_T_LOAD: return check_access(c, i, ref);
     case IR_T_STORE: return check_access(c, i, ref) && operand_type(c, i->a, i->type, ref);
@@ -273,10 +273,10 @@ static bool check_ins(Checker *c, IrRef ref)
     const IrIns *i = &c->f->ins.at[ref];
 
     if (c->placed[ref])
-        return fail(c, "instruction %lu stands twice", (unsigned long)ref);
+        return report_violation(c, "instruction %lu stands twice", (unsigned long)ref);
     c->placed[ref] = true;
     if ((unsigned)i->op >= IR_OP_COUNT)
-        return fail(c, "instruction %lu has no operation", (unsigned long)ref);
+        return report_violation(c, "instruction %lu has no operation", (unsigned long)ref);
     if (ir_op_info[i->op].operands > 0 && !check_operand(c, i->a, ref))
         return false;
     if (ir_op_info[i->op].operands > 1 && !check_operand(c, i->b, ref))
@@ -291,7 +291,7 @@ static bool check_ins(Checker *c, IrRef ref)
 
 static bool check_target(Checker *c, IrBlkRef from, IrBlkRef to)
 {
-    return (to > from && to < c->f->blk.n) || fail(c, "block b%lu does not jump forward to a block", (unsigned long)from);
+    return (to > from && to < c->f->blk.n) || report_violation(c, "block b%lu does not jump forward to a block", (unsigned long)from);
 }
 
 static bool check_jump(Checker *c, IrBlkRef b, const IrJump *j)
@@ -301,14 +301,14 @@ static bool check_jump(Checker *c, IrBlkRef b, const IrJump *j)
     case IR_JMP: return check_target(c, b, j->then);
     case IR_BR:
         if (j->cond >= c->f->ins.n || !c->given[j->cond] || c->f->ins.at[j->cond].type != SM_BOOL)
-            return fail(c, "the condition at the end of block b%lu is no bool of this block", (unsigned long)b);
+            return report_violation(c, "the condition at the end of block b%lu is no bool of this block", (unsigned long)b);
         return check_target(c, b, j->then) && check_target(c, b, j->otherwise);
     case IR_GOTO:
         if (!c->state || strcmp(c->block, ir_block_name[BLOCK_EXIT]) == 0)
-            return fail(c, "a transition stands where none may");
-        return (j->state >= 1 && j->state <= c->m->state.n) || fail(c, "block b%lu goes to a state that does not exist", (unsigned long)b);
+            return report_violation(c, "a transition stands where none may");
+        return (j->state >= 1 && j->state <= c->m->state.n) || report_violation(c, "block b%lu goes to a state that does not exist", (unsigned long)b);
     }
-    return fail(c, "block b%lu ends in no jump", (unsigned long)b);
+    return report_violation(c, "block b%lu ends in no jump", (unsigned long)b);
 }
 
 static bool check_block(Checker *c, IrBlkRef b)
@@ -317,7 +317,7 @@ static bool check_block(Checker *c, IrBlkRef b)
     bool ok = true;
 
     for (size_t i = 0; ok && i < blk->ins.n; i++)
-        ok = (blk->ins.at[i] < c->f->ins.n || fail(c, "block b%lu holds an instruction that does not exist", (unsigned long)b))
+        ok = (blk->ins.at[i] < c->f->ins.n || report_violation(c, "block b%lu holds an instruction that does not exist", (unsigned long)b))
           && check_ins(c, blk->ins.at[i]);
     ok = ok && check_jump(c, b, &blk->jump);
     for (size_t i = 0; ok && i < blk->ins.n; i++)
@@ -335,7 +335,7 @@ static bool check_function(Checker *c, const IrFn *f, const char *state, const c
     c->given = ARENA_ARRAY(c->arena, bool, f->ins.n);
     c->placed = ARENA_ARRAY(c->arena, bool, f->ins.n);
     if (f->blk.n == 0)
-        return fail(c, "there is no block");
+        return report_violation(c, "there is no block");
     for (IrBlkRef b = 0; ok && b < f->blk.n; b++)
         ok = check_block(c, b);
     return ok;
@@ -350,23 +350,23 @@ static bool check_sample_function(Checker *c)
     if (!check_function(c, f, NULL, NULL))
         return false;
     if (f->blk.n != 1)
-        return fail(c, "it is not one block");
+        return report_violation(c, "it is not one block");
     for (size_t w = 0; w < c->m->window.n; w++)
         if (!c->sampled[w])
-            return fail(c, "window w%lu gets no sample", (unsigned long)w);
+            return report_violation(c, "window w%lu gets no sample", (unsigned long)w);
     return true;
 }
 
 static bool check_states(Checker *c)
 {
     Map names = {c->arena, NULL, NULL, 0, 0};
-    bool ok = c->m->state.n > 0 || fail(c, "there is no state");
+    bool ok = c->m->state.n > 0 || report_violation(c, "there is no state");
 
     for (size_t s = 0; ok && s < c->m->state.n; s++) {
         const IrState *state = &c->m->state.at[s];
         c->f = NULL;
         if (!is_identifier(state->name) || map_find(&names, state->name))
-            return fail(c, "a state's name is no identifier, or two have the same");
+            return report_violation(c, "a state's name is no identifier, or two have the same");
         map_put(&names, state->name, &names);
         for (int k = 0; ok && k < BLOCK_COUNT; k++)
             if (state->block[k])

@@ -19,7 +19,7 @@
 #include "compiler/passes/pass.h"
 #include "stdlib/f64.h"
 
-typedef struct Slot { uint32_t block; IrRef ref; } Slot;      // empty unless `block`, counted from 1, is the current one
+typedef struct CseSlot { uint32_t block; IrRef ref; } CseSlot;      // empty unless `block`, counted from 1, is the current one
 
 typedef struct Cse {
     IrFn *f;
@@ -28,7 +28,7 @@ typedef struct Cse {
     IrRef *keeper;            // by value number: the instruction that replaces others of that value
     IrRef *same;              // by instruction: the temporary that its users must name
     bool *sunk;               // by instruction: its only user is a store or a branch
-    Slot *table;              // hash table of the block's operations, by Key
+    CseSlot *table;              // hash table of the block's operations, by Key
     size_t cap;               // a power of two
     uint32_t block;
 } Cse;
@@ -37,9 +37,9 @@ static IrIns *ins_at(const Cse *c, IrRef ref) { return &c->f->ins.at[ref]; }
 
 // ---- when two operations have the same value ----
 
-typedef struct Key { IrOp op; SmType type; IrRef a, b; uint32_t var; uint64_t bits; } Key;
+typedef struct CseKey { IrOp op; SmType type; IrRef a, b; uint32_t var; uint64_t bits; } CseKey;
 
-static void swap_operands(Key *k)
+static void swap_operands(CseKey *k)
 {
     IrRef a = k->a;
 
@@ -47,9 +47,9 @@ static void swap_operands(Key *k)
     k->b = a;
 }
 
-static Key key_of(const Cse *c, const IrIns *i)
+static CseKey key_of(const Cse *c, const IrIns *i)
 {
-    Key k = {i->op, i->type, IR_NONE, IR_NONE, 0, 0};
+    CseKey k = {i->op, i->type, IR_NONE, IR_NONE, 0, 0};
 
     if (ir_op_info[i->op].operands > 0)
         k.a = c->value[i->a];
@@ -70,12 +70,12 @@ static Key key_of(const Cse *c, const IrIns *i)
     return k;
 }
 
-static bool same_key(const Key *a, const Key *b)
+static bool same_key(const CseKey *a, const CseKey *b)
 {
     return a->op == b->op && a->type == b->type && a->a == b->a && a->b == b->b && a->var == b->var && a->bits == b->bits;
 }
 
-static size_t hash(const Key *k)
+static size_t hash(const CseKey *k)
 {
     uint64_t h = k->bits * UINT64_C(0x9e3779b97f4a7c15) ^ (uint64_t)k->op << 8 ^ (uint64_t)k->type;
 
@@ -84,9 +84,9 @@ static size_t hash(const Key *k)
 }
 
 // The first operation of the block with the same key as `ref`, which may be `ref` itself.
-static IrRef find(Cse *c, IrRef ref)
+static IrRef find_first(Cse *c, IrRef ref)
 {
-    Key k = key_of(c, ins_at(c, ref)), other;
+    CseKey k = key_of(c, ins_at(c, ref)), other;
     size_t at = hash(&k) & (c->cap - 1);
 
     for (; c->table[at].block == c->block; at = (at + 1) & (c->cap - 1)) {
@@ -126,7 +126,7 @@ static bool is_free(const Cse *c, const IrIns *i)
     return i->op == IR_cvt && i->type == SM_F64 && ins_at(c, i->a)->type != SM_F64;
 }
 
-static bool is_dear(const IrIns *i) { return i->op == IR_stat || i->op == IR_sqrt; }
+static bool is_expensive(const IrIns *i) { return i->op == IR_stat || i->op == IR_sqrt; }
 
 // ---- the walk ----
 
@@ -167,21 +167,21 @@ static bool visit_store(Cse *c, const IrIns *i)
 static void visit_operation(Cse *c, IrRef ref)
 {
     const IrIns *i = ins_at(c, ref);
-    IrRef first = find(c, ref), keeper = c->keeper[first];
+    IrRef first = find_first(c, ref), keeper = c->keeper[first];
 
     c->value[ref] = first;
     if (first == ref)
         c->keeper[ref] = ref;
     else if (is_free(c, i))
         return;
-    else if (i->op == IR_const || is_dear(i) || (!c->sunk[ref] && !c->sunk[keeper]))
+    else if (i->op == IR_const || is_expensive(i) || (!c->sunk[ref] && !c->sunk[keeper]))
         c->same[ref] = keeper;
     else if (c->sunk[keeper])
         c->keeper[first] = ref;
 }
 
 // The temporary that replaces `ref` as an operand.  Updates the use counts.
-static IrRef renamed(Cse *c, IrRef ref)
+static IrRef replacement_of(Cse *c, IrRef ref)
 {
     c->facts->uses[ref]--;
     c->facts->uses[c->same[ref]]++;
@@ -189,15 +189,15 @@ static IrRef renamed(Cse *c, IrRef ref)
 }
 
 // False if the instruction can be dropped at once.
-static bool visit(Cse *c, IrRef ref)
+static bool visit_instruction(Cse *c, IrRef ref)
 {
     IrIns *i = ins_at(c, ref);
 
     c->same[ref] = c->value[ref] = ref;
     if (ir_op_info[i->op].operands > 0)
-        i->a = renamed(c, i->a);
+        i->a = replacement_of(c, i->a);
     if (ir_op_info[i->op].operands > 1)
-        i->b = renamed(c, i->b);
+        i->b = replacement_of(c, i->b);
     if (i->op == IR_store)
         return visit_store(c, i);
     if (i->op == IR_load)
@@ -214,11 +214,11 @@ static void visit_block(Cse *c, IrBlk *blk)
     find_sunk(c, blk);
     notes_begin_block(c->facts->notes);
     for (size_t p = 0; p < blk->ins.n; p++)
-        if (visit(c, blk->ins.at[p]))
+        if (visit_instruction(c, blk->ins.at[p]))
             blk->ins.at[kept++] = blk->ins.at[p];
     blk->ins.n = kept;
     if (blk->jump.kind == IR_BR)
-        blk->jump.cond = renamed(c, blk->jump.cond);
+        blk->jump.cond = replacement_of(c, blk->jump.cond);
 }
 
 // Room for twice the operations of the longest block.
@@ -231,7 +231,7 @@ static void make_table(Arena *arena, Cse *c)
             longest = c->f->blk.at[b].ins.n;
     for (c->cap = 8; c->cap < 2 * longest; c->cap *= 2)
         continue;
-    c->table = ARENA_ARRAY(arena, Slot, c->cap);
+    c->table = ARENA_ARRAY(arena, CseSlot, c->cap);
 }
 
 void pass_cse(Arena *arena, IrFn *f, Facts *facts)

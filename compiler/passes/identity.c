@@ -148,7 +148,7 @@ static bool is_never_nan(const Identity *d, const IrIns *i)
     return info->nan == IR_NAN_NEVER || (info->nan == IR_NAN_OPERAND && d->never_nan[i->a] && (info->operands < 2 || d->never_nan[i->b]));
 }
 
-static void visit(Identity *d, IrRef ref)
+static void visit_instruction(Identity *d, IrRef ref)
 {
     IrIns *i = &d->f->ins.at[ref];
     IrRef same;
@@ -171,7 +171,7 @@ void pass_identity(Arena *arena, IrFn *f, Facts *facts)
     for (size_t b = 0; b < f->blk.n; b++) {
         IrBlk *blk = &f->blk.at[b];
         for (size_t i = 0; i < blk->ins.n; i++)
-            visit(&d, blk->ins.at[i]);
+            visit_instruction(&d, blk->ins.at[i]);
         if (blk->jump.kind == IR_BR)
             blk->jump.cond = d.same[blk->jump.cond];
     }

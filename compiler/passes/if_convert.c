@@ -215,7 +215,7 @@ static void convert(IfConvert *c, IrBlkRef b, const Arm *then, const Arm *other)
 
 void pass_if_convert(Arena *arena, IrFn *f, Facts *facts)
 {
-    IfConvert c = {arena, facts->m, f, ir_count_ways(arena, f), !facts->soft};
+    IfConvert c = {arena, facts->m, f, ir_count_edges(arena, f), !facts->soft};
     Arm then, other;
 
     for (IrBlkRef b = (IrBlkRef)f->blk.n; b-- > 0;)

@@ -7,11 +7,11 @@
 #include "compiler/passes/pass.h"
 #include "stdlib/convert.h"
 
-typedef struct Known {
+typedef struct KnownPass {
     IrFn *f;
     const Fact *of;
     IrRef *same;          // by temporary: another with the same value, or itself
-} Known;
+} KnownPass;
 
 static bool is_whole_or_infinite(const IrIns *i) { return i->op == IR_floor || i->op == IR_ceil || i->op == IR_trunc || i->op == IR_round; }
 
@@ -31,7 +31,7 @@ static IrRef decided_extreme(const IrIns *i, Fact a, Fact b)
 }
 
 // The operand that i always returns unchanged, or IR_NONE.
-static IrRef unchanged(const Known *k, const IrIns *i)
+static IrRef unchanged(const KnownPass *k, const IrIns *i)
 {
     const Fact a = k->of[i->a];
 
@@ -53,7 +53,7 @@ static void become_number(IrIns *i, double x)
     i->bits = i->type == SM_F64 ? sm_bits(x) : sm_cell_from_f64(i->type, x);
 }
 
-static void rewrite(Known *k, IrRef ref)
+static void rewrite(KnownPass *k, IrRef ref)
 {
     IrIns *i = &k->f->ins.at[ref];
     const uint8_t operands = ir_op_info[i->op].operands;
@@ -76,7 +76,7 @@ static void rewrite(Known *k, IrRef ref)
 static void rewrite_function(Arena *arena, FactMachine *fm, IrFn *f, const Env *begin)
 {
     const FactFlow flow = facts_of_function(fm, f, begin);
-    Known k = {f, flow.of, ARENA_ARRAY(arena, IrRef, f->ins.n)};
+    KnownPass k = {f, flow.of, ARENA_ARRAY(arena, IrRef, f->ins.n)};
 
     for (size_t b = 0; b < f->blk.n; b++) {
         IrBlk *blk = &f->blk.at[b];
@@ -89,10 +89,5 @@ static void rewrite_function(Arena *arena, FactMachine *fm, IrFn *f, const Env *
 
 void pass_known(Arena *arena, IrMachine *m, FactMachine *values)
 {
-    if (m->sample)
-        rewrite_function(arena, values, m->sample, facts_begin_sample(values));
-    for (size_t s = 0; s < m->state.n; s++)
-        for (int b = 0; b < BLOCK_COUNT; b++)
-            if (m->state.at[s].block[b])
-                rewrite_function(arena, values, m->state.at[s].block[b], facts_begin(values, s, b));
+    pass_on_each_function(arena, m, values, rewrite_function);
 }

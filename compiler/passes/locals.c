@@ -75,7 +75,7 @@ static bool visit_load(Locals *l, IrIns *i, IrRef ref)
     return true;
 }
 
-static bool visit(Locals *l, IrFn *f, IrRef ref)
+static bool visit_instruction(Locals *l, IrFn *f, IrRef ref)
 {
     IrIns *i = &f->ins.at[ref];
 
@@ -99,7 +99,7 @@ static void clean_function(Arena *arena, Locals *l, IrFn *f)
         IrBlk *blk = &f->blk.at[b];
         uint32_t kept = 0;
         for (size_t p = 0; p < blk->ins.n; p++)
-            if (visit(l, f, blk->ins.at[p]))
+            if (visit_instruction(l, f, blk->ins.at[p]))
                 blk->ins.at[kept++] = blk->ins.at[p];
         blk->ins.n = kept;
         if (blk->jump.kind == IR_BR)

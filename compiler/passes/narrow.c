@@ -23,7 +23,7 @@ IrRef narrow_emit(Narrow *n, IrIns i)
     return (IrRef)(n->f->ins.n - 1);
 }
 
-static IrIns make(IrOp op, SmType type, IrRef a, IrRef b, Span span)
+static IrIns make_ins(IrOp op, SmType type, IrRef a, IrRef b, Span span)
 {
     const IrIns i = {.op = op, .type = type, .a = a, .b = b, .span = span};
 
@@ -32,7 +32,7 @@ static IrIns make(IrOp op, SmType type, IrRef a, IrRef b, Span span)
 
 IrRef narrow_const(Narrow *n, SmType type, double x, Span span)
 {
-    IrIns i = make(IR_const, type, IR_NONE, IR_NONE, span);
+    IrIns i = make_ins(IR_const, type, IR_NONE, IR_NONE, span);
 
     i.bits = sm_cell_from_f64(type, x);
     return narrow_emit(n, i);
@@ -50,40 +50,40 @@ bool narrow_is_const(const Narrow *n, IrRef r, double *x)
 
 // ---- where -0 and 0 are distinguishable ----
 
-static void tell(Narrow *n, IrRef r, bool yes) { n->zero_sign[r] |= yes; }
+static void mark_zero_sign(Narrow *n, IrRef r, bool is_observable) { n->zero_sign[r] |= is_observable; }
 
 static bool can_be_zero(Fact a) { return a.lo <= 0 && a.hi >= 0; }
 
-static void tell_two(Narrow *n, const IrIns *i, bool told)
+static void mark_zero_signs_of_two(Narrow *n, const IrIns *i, bool of_result)
 {
     const Fact a = n->of[i->a], b = n->of[i->b];
 
     if (i->op == IR_add) {                            // only -0 + -0 is -0
-        tell(n, i->a, told && b.minus_zero);
-        tell(n, i->b, told && a.minus_zero);
+        mark_zero_sign(n, i->a, of_result && b.minus_zero);
+        mark_zero_sign(n, i->b, of_result && a.minus_zero);
     } else if (i->op == IR_sub) {                     // only -0 - 0 is -0
-        tell(n, i->a, told && can_be_zero(b));
-        tell(n, i->b, told && a.minus_zero);
+        mark_zero_sign(n, i->a, of_result && can_be_zero(b));
+        mark_zero_sign(n, i->b, of_result && a.minus_zero);
     } else if (i->op == IR_div) {
-        tell(n, i->a, told);
-        tell(n, i->b, can_be_zero(b));
+        mark_zero_sign(n, i->a, of_result);
+        mark_zero_sign(n, i->b, can_be_zero(b));
     } else if (ir_op_info[i->op].types == IR_T_SAME) {
-        tell(n, i->a, told);
-        tell(n, i->b, told);
+        mark_zero_sign(n, i->a, of_result);
+        mark_zero_sign(n, i->b, of_result);
     }
 }
 
 
-static void tell_operands(Narrow *n, IrRef ref)
+static void mark_operand_zero_signs(Narrow *n, IrRef ref)
 {
     const IrIns *i = narrow_ins(n, ref);
 
     if (ir_op_info[i->op].operands == 2)
-        tell_two(n, i, n->zero_sign[ref]);
+        mark_zero_signs_of_two(n, i, n->zero_sign[ref]);
     else if (i->op == IR_store || i->op == IR_sample)
-        tell(n, i->a, true);
+        mark_zero_sign(n, i->a, true);
     else if (ir_op_info[i->op].operands == 1)
-        tell(n, i->a, n->zero_sign[ref] && ir_is_float(i->type) && i->op != IR_abs);
+        mark_zero_sign(n, i->a, n->zero_sign[ref] && ir_is_float(i->type) && i->op != IR_abs);
 }
 
 // ---- integers ----
@@ -117,7 +117,7 @@ static IrRef make_integer(Narrow *n, IrRef r, SmType type)
         return narrow_const(n, type, x, span);
     if (narrow_ins(n, from)->type == type)
         return from;
-    return narrow_emit(n, make(IR_cvt, type, from, IR_NONE, span));
+    return narrow_emit(n, make_ins(IR_cvt, type, from, IR_NONE, span));
 }
 
 IrRef narrow_integer(Narrow *n, IrRef r, SmType type)
@@ -142,7 +142,7 @@ static bool is_integer_result(const Narrow *n, IrRef ref)
 static void replace_by_narrow(Narrow *n, IrRef ref, IrIns i)
 {
     n->narrow[ref] = narrow_emit(n, i);
-    *narrow_ins(n, ref) = make(IR_cvt, SM_F64, n->narrow[ref], IR_NONE, i.span);
+    *narrow_ins(n, ref) = make_ins(IR_cvt, SM_F64, n->narrow[ref], IR_NONE, i.span);
 }
 
 static void narrow_to_integer(Narrow *n, IrRef ref)
@@ -273,7 +273,7 @@ static void narrow_block(Narrow *n, IrBlk *blk)
     n->out.at = NULL;
     n->out.n = n->out.cap = 0;
     for (size_t k = blk->ins.n; k-- > 0;)
-        tell_operands(n, blk->ins.at[k]);
+        mark_operand_zero_signs(n, blk->ins.at[k]);
     for (size_t k = 0; k < blk->ins.n; k++)
         narrow_one(n, blk->ins.at[k]);
     if (blk->jump.kind == IR_BR)
@@ -326,10 +326,5 @@ void pass_narrow(Arena *arena, IrMachine *m, FactMachine *values)
 {
     for (uint32_t w = 0; w < m->window.n; w++)
         m->window.at[w].type = narrowest(facts_of_window(values, w));
-    if (m->sample)
-        narrow_function(arena, values, m->sample, facts_begin_sample(values));
-    for (size_t s = 0; s < m->state.n; s++)
-        for (int b = 0; b < BLOCK_COUNT; b++)
-            if (m->state.at[s].block[b])
-                narrow_function(arena, values, m->state.at[s].block[b], facts_begin(values, s, b));
+    pass_on_each_function(arena, m, values, narrow_function);
 }

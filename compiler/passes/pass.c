@@ -43,16 +43,16 @@ static const PassId runs_for_c[] = {
 #undef RUN_FOR_C
 };
 
-typedef struct Runner {
+typedef struct PassRunner {
     Arena *arena;
     IrMachine *m;
     const PassOptions *o;
     Facts *facts;                     // of the sample function, then of every state's functions
     VarNotes notes;
     FactMachine *values;              // NULL: not computed yet, or invalidated
-} Runner;
+} PassRunner;
 
-static const PassInfo *find_n(const char *name, size_t n)
+static const PassInfo *find_pass(const char *name, size_t n)
 {
     for (int p = 0; p < PASS_COUNT; p++)
         if (strlen(pass_info[p].name) == n && memcmp(pass_info[p].name, name, n) == 0)
@@ -62,7 +62,7 @@ static const PassInfo *find_n(const char *name, size_t n)
 
 const PassInfo *pass_find(const char *name)
 {
-    return find_n(name, strlen(name));
+    return find_pass(name, strlen(name));
 }
 
 // ---- notes on variables ----
@@ -81,9 +81,19 @@ VarNote *notes_of(VarNotes *n, uint32_t var)
     return note;
 }
 
+void pass_on_each_function(Arena *arena, IrMachine *m, FactMachine *values, PassValuesFn *pass)
+{
+    if (m->sample)
+        pass(arena, values, m->sample, facts_begin_sample(values));
+    for (size_t s = 0; s < m->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            if (m->state.at[s].block[b])
+                pass(arena, values, m->state.at[s].block[b], facts_begin(values, s, b));
+}
+
 // ---- running ----
 
-static void run_on_function(Runner *r, const PassInfo *pass, IrFn *f, Facts *facts)
+static void run_on_function(PassRunner *r, const PassInfo *pass, IrFn *f, Facts *facts)
 {
     if (!f)
         return;
@@ -95,7 +105,7 @@ static void run_on_function(Runner *r, const PassInfo *pass, IrFn *f, Facts *fac
     facts->valid &= ~pass->breaks;
 }
 
-static void run_on_functions(Runner *r, const PassInfo *pass)
+static void run_on_functions(PassRunner *r, const PassInfo *pass)
 {
     Facts *facts = r->facts;
 
@@ -105,7 +115,7 @@ static void run_on_functions(Runner *r, const PassInfo *pass)
             run_on_function(r, pass, r->m->state.at[s].block[k], facts++);
 }
 
-static void run_on_machine(Runner *r, const PassInfo *pass)
+static void run_on_machine(PassRunner *r, const PassInfo *pass)
 {
     size_t functions = 1 + r->m->state.n * BLOCK_COUNT;
 
@@ -117,7 +127,7 @@ static void run_on_machine(Runner *r, const PassInfo *pass)
 }
 
 // Whether the use counts of a function are correct, if they are marked valid.
-static bool uses_hold(Runner *r, const IrFn *f, const Facts *facts)
+static bool are_uses_right(PassRunner *r, const IrFn *f, const Facts *facts)
 {
     const uint32_t *uses;
 
@@ -131,27 +141,27 @@ static bool uses_hold(Runner *r, const IrFn *f, const Facts *facts)
     return true;
 }
 
-static bool all_uses_hold(Runner *r)
+static bool are_all_uses_right(PassRunner *r)
 {
     const Facts *facts = r->facts;
-    bool hold = uses_hold(r, r->m->sample, facts++);
+    bool hold = are_uses_right(r, r->m->sample, facts++);
 
     for (size_t s = 0; s < r->m->state.n; s++)
         for (int k = 0; k < BLOCK_COUNT; k++)
-            hold = uses_hold(r, r->m->state.at[s].block[k], facts++) && hold;
+            hold = are_uses_right(r, r->m->state.at[s].block[k], facts++) && hold;
     return hold;
 }
 
-static const char *check(Runner *r, const char *when)
+static const char *check_machine(PassRunner *r, const char *when)
 {
     const char *wrong = r->o->verify ? ir_verify(r->arena, r->m) : NULL;
 
-    if (!wrong && r->o->verify && !all_uses_hold(r))
-        wrong = "the uses it keeps are not right";
+    if (!wrong && r->o->verify && !are_all_uses_right(r))
+        wrong = "its use counts are wrong";
     return wrong ? format_in(r->arena, "%s: %s", when, wrong) : NULL;
 }
 
-static const char *run_pass(Runner *r, const PassInfo *pass)
+static const char *run_pass(PassRunner *r, const PassInfo *pass)
 {
     if (pass->on_function)
         run_on_functions(r, pass);
@@ -161,16 +171,16 @@ static const char *run_pass(Runner *r, const PassInfo *pass)
         r->values = NULL;
     if (r->o->after)
         r->o->after(r->o->context, pass, r->m);
-    return check(r, pass->name);
+    return check_machine(r, pass->name);
 }
 
-static const char *run_named(Runner *r, const char *list)
+static const char *run_named(PassRunner *r, const char *list)
 {
     const char *wrong = NULL;
 
     while (!wrong && *list) {
         size_t n = strcspn(list, ",");
-        const PassInfo *pass = find_n(list, n);
+        const PassInfo *pass = find_pass(list, n);
         if (!pass)
             return format_in(r->arena, "there is no pass '%.*s'", (int)n, list);
         wrong = run_pass(r, pass);
@@ -179,7 +189,7 @@ static const char *run_named(Runner *r, const char *list)
     return wrong;
 }
 
-static void prepare_facts(Runner *r)
+static void prepare_facts(PassRunner *r)
 {
     size_t functions = 1 + r->m->state.n * BLOCK_COUNT;
 
@@ -194,11 +204,11 @@ static void prepare_facts(Runner *r)
 
 const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o)
 {
-    Runner r = {arena, m, o, NULL, {NULL, 0}, NULL};
+    PassRunner r = {arena, m, o, NULL, {NULL, 0}, NULL};
     const char *wrong;
 
     prepare_facts(&r);
-    wrong = check(&r, "before the first pass");
+    wrong = check_machine(&r, "before the first pass");
     if (!wrong && o->only)
         return run_named(&r, o->only);
     for (size_t p = 0; !wrong && p < sizeof runs / sizeof runs[0]; p++)
@@ -212,7 +222,7 @@ const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o)
 IrMachine *passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o)
 {
     static const PassOptions none = {0};
-    Runner r = {arena, ir_copy(arena, m), o ? o : &none, NULL, {NULL, 0}, NULL};
+    PassRunner r = {arena, ir_copy(arena, m), o ? o : &none, NULL, {NULL, 0}, NULL};
     const char *wrong = NULL;
 
     prepare_facts(&r);

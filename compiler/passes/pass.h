@@ -85,6 +85,10 @@ const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o);
 // m is unchanged and can become an image.  `o` may be NULL; `level` and `only` are ignored.
 IrMachine *passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o);
 
+// Calls `pass` for each function of m, with the facts when it begins.
+typedef void PassValuesFn(Arena *arena, FactMachine *values, IrFn *f, const Env *begin);
+void pass_on_each_function(Arena *arena, IrMachine *m, FactMachine *values, PassValuesFn *pass);
+
 // ---- the passes, each in its own file ----
 
 #define PASS(name, needs, breaks, sentence) void pass_##name(Arena *arena, IrFn *f, Facts *facts);

@@ -91,7 +91,7 @@ void pass_simplify_cfg(Arena *arena, IrFn *f, Facts *facts)
 
     (void)facts;
     shorten_jumps(arena, f);
-    predecessors = ir_count_ways(arena, f);
+    predecessors = ir_count_edges(arena, f);
     for (IrBlkRef b = 0; b < f->blk.n; b++)
         if (predecessors[b] > 0)
             join_followers(arena, f, b, predecessors);

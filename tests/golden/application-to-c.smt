@@ -52,7 +52,7 @@ extern "C" {
 
 extern SmApp rocket_app;
 
-// ---- to be written by you: runtime-c/task.h tells what is expected ----
+// ---- you write these: runtime-c/task.h documents them ----
 
 // Every 10 ms.
 SmResult navigation_init(void);
@@ -109,12 +109,12 @@ static SmLog flightLog = {
     .buffer = logBuffer, .room = sizeof logBuffer
 };
 
-// ---- the kept state vector ----
+// ---- the saved state vector ----
 
 static uint8_t keepBuffer[2 * SM_KEEP_SIZE(25u)];
 static SmKeep keeper = {.memory = "rocket.state", .sv = &rocket_vector, .buffer = keepBuffer};
 
-// ---- tasks, in the order in which they stand ----
+// ---- tasks, in source order ----
 
 static SmResult navigationInit(void *context)
 {
@@ -177,7 +177,7 @@ static SmExecutor *const threads[] = {
     &executors[1],
 };
 
-// ---- what elements hold before anything runs ----
+// ---- the values of elements before the first step ----
 
 static void setValues(void *vector)
 {

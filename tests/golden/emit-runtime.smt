@@ -27,8 +27,8 @@ U8   set_vector
 extern "C" {
 #endif
 
-// The state vector of open.sv.  Every machine built with it declares this struct, and all of them may be used together.
-// The layout is the same on every target: nothing is hidden between the members.  A bool is a byte: 0 is false,
+// The state vector of open.sv.  Every machine built with it declares this struct, and they can be used together.
+// The layout is the same on every target, without hidden padding.  A bool is a byte: 0 is false,
 // anything else true.
 #if !defined(OPEN_SV_LAYOUT)
 #define OPEN_SV_LAYOUT 0x6b534153u
@@ -43,13 +43,13 @@ typedef struct OpenSv {
     uint8_t  pad_at_17_[7];
 } OpenSv;
 
-// Does not compile where the compiler puts gaps between members or has other sizes.
+// Does not compile if the compiler inserts padding or has types of other sizes.
 typedef char OpenSv_layout_check[sizeof(OpenSv) == 24 ? 1 : -1];
 #elif OPEN_SV_LAYOUT != 0x6b534153u
-#error "OpenSv: this header and one included before it were made from different state vectors"
+#error "OpenSv: this header and one included before it were generated from different state vectors"
 #endif
 
-// ---- for the flight runtime: runtime-c/statevec.h tells what may be done with these ----
+// ---- for the flight runtime: runtime-c/statevec.h documents these ----
 
 extern OpenSv open_sv;        // where the elements are; for one thread
 extern SmStateVec open_vector;
@@ -61,13 +61,13 @@ enum {
     OPEN_E_open,
     OPEN_E_pressure,
     OPEN_E_class,
-    OPEN_ELEMENTS        // how many there are
+    OPEN_ELEMENTS        // their number
 };
 
 enum {
     OPEN_R_Valves,
     OPEN_R_Sensors,
-    OPEN_REGIONS        // how many there are
+    OPEN_REGIONS        // their number
 };
 
 static inline bool open_open(void) { return open_sv.open != 0; }
@@ -79,7 +79,7 @@ static inline void open_set_pressure(SmF64 value) { open_sv.pressure = value; }
 static inline uint8_t open_class(void) { return open_sv.class_; }
 static inline void open_set_class(uint8_t value) { open_sv.class_ = value; }
 
-// A whole region, in one go, from and to its members in a copy of the vector; the others are left as they are.
+// Copy a whole region at once, from or to its members in a copy of the vector; other members stay unchanged.
 
 static inline SmResult open_read_Valves(OpenSv *copy)
 {
@@ -117,7 +117,7 @@ const SmElement open_element[] = {        // offset, type, region
     {16, SM_U8, OPEN_R_Sensors},        // class
 };
 
-static const SmRegion open_regions[] = {        // offset and size, size on the wire, first element and how many
+static const SmRegion open_regions[] = {        // offset, size, size on the wire, first element, number of elements
     {0, 1, 1, 0, 1},        // Valves
     {8, 9, 9, 1, 2},        // Sensors
 };
@@ -139,7 +139,7 @@ static const char *const open_region_names[] = {
 };
 
 const SmNames open_names = {&open_layout, "open", open_element_names, open_region_names};
-// ---- for the flight runtime: runtime-c/statevec.h tells what may be done with these ----
+// ---- for the flight runtime: runtime-c/statevec.h documents these ----
 
 extern ShutSv shut_sv;        // where the elements are; for those who hold its lock
 extern SmStateVec shut_vector;
@@ -150,15 +150,15 @@ extern const SmNames shut_names;
 enum {
     SHUT_E_vector,
     SHUT_E_set_vector,
-    SHUT_ELEMENTS        // how many there are
+    SHUT_ELEMENTS        // their number
 };
 
 enum {
     SHUT_R_Bytes,
-    SHUT_REGIONS        // how many there are
+    SHUT_REGIONS        // their number
 };
 
-// Each of these takes and gives back the lock.  One that cannot have it reads 0, writes nothing, and counts in shut_vector.faults.
+// Each of these acquires and releases the lock.  If it cannot, it reads 0, writes nothing, and counts a fault in shut_vector.faults.
 
 static inline bool shut_vector_2(void)
 {
@@ -196,7 +196,7 @@ static inline void shut_set_set_vector(uint8_t value)
     }
 }
 
-// A whole region, in one go, from and to its members in a copy of the vector; the others are left as they are.
+// Copy a whole region at once, from or to its members in a copy of the vector; other members stay unchanged.
 
 static inline SmResult shut_read_Bytes(ShutSv *copy)
 {

@@ -39,7 +39,7 @@ sm_soft_avr.S
     SmF64    pressure;
     SmF64    limit;
 #if !SM_F64_SOFT
-#error "this code was made for soft numbers, and stdlib/f64.h takes a double here: build with -DSM_F64_SOFT=1, or smc without --soft"
+#error "this code was generated for soft numbers, but stdlib/f64.h uses a double here: build with -DSM_F64_SOFT=1, or smc without --soft"
 static inline SmF64 sm_to_f64(SmF64 x)
 static inline SmF64 sm_read_f64(SmF64 x)
 static uint8_t a_Idle_step(A *m, ASv *sv)
@@ -60,7 +60,7 @@ static uint8_t a_Idle_step(A *m, ASv *sv)
     return 0;
 }
 // Numbers for emitted C where no `double` is an IEEE binary64: what may be done with them.  Made by smc from its stdlib: change that, not this file.
-#ifndef SM_F64_H              // else smc's own stdlib/f64.h has been included, as by its Arduino library, and has all of this
+#ifndef SM_F64_H              // otherwise stdlib/f64.h, which declares all of this, has been included, as by smc's Arduino library
 #ifndef SM_F64_SOFT
 #define SM_F64_SOFT 1
 ==> sm_soft.c <==

@@ -40,10 +40,10 @@ extern SmIo rocket_inputs, rocket_outputs;
 #include "rocket.h"
 
 #if ROCKET_SV_LAYOUT != 0x93824399u
-#error "rocket_io was made from another state vector: build it again"
+#error "rocket_io was generated from another state vector: build it again"
 #endif
 
-// kind, type, flags, hold, pin, place in the state vector; scale, offset and safe value as bits of a binary64.
+// kind, type, flags, hold, pin, offset in the state vector; scale, offset and safe value as bits of a binary64.
 
 static const SmIoPin input[2] = {
     {SM_ANALOG_IN, SM_F64, 0, 0, 0, 0, 0x406f400000000000u, 0xc05f400000000000u, 0},   // tankPressure, scale 250, offset -125

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shared by waiting.c, operands.c, registers.c, bc_select.c and jumps.c.  An IR instruction *waits* if its user computes it, where it is used.
-// It is *placed* once its value has been computed at its own position.
+// Any other is computed at its own position.
 #ifndef SMC_EMIT_BYTECODE_SELECT_H
 #define SMC_EMIT_BYTECODE_SELECT_H
 
@@ -8,119 +8,119 @@
 #include "compiler/emit/bytecode/bytecode.h"
 #include "compiler/ir/eval.h"
 
-#define BC_UNASKED (BC_NONE - 1)      // its operand is created when first needed, because constants are numbered in that order
+#define BC_LATER (BC_NONE - 1)        // its operand is created when first needed, because constants are numbered in that order
 
 // Facts about one IR instruction, within its block.
-typedef struct Value {
+typedef struct BcValue {
     uint32_t uses;            // number of uses by live instructions and the block's jump
-    uint32_t left;            // uses that have not been selected yet
+    uint32_t uses_left;       // uses that have not been selected yet
     uint32_t last;            // position + 1 at which its last user is computed
-    uint32_t again;           // for a store: position + 1 of the next store to its variable; UINT32_MAX: no other in this block
+    uint32_t next_store;      // for a store: position + 1 of the next store to its variable; UINT32_MAX: no other in this block
     uint32_t depth;           // length of the longest chain of waiting operations in its expression
-    bool placed;              // it has been computed at its own position: its value is in X or in `slot`
+    bool is_computed;         // it has been computed at its own position: its value is in X or in `slot`
     bool waits;               // its user computes it; a conversion that changes nothing is computed by each user
     bool early;               // for a load: must execute at its own position, because a store to its variable precedes its last use
     bool negative;            // an integer that can be below zero
     bool inverted;            // for a waiting boolean: its negation is wanted
     bool minus_zero;          // an integer that the VM, which computes it as an F64, can compute as -0
-    BcRef slot;               // where to load it from; for a constant or load not placed its operand; or BC_UNASKED, BC_NONE
-} Value;
+    BcRef slot;               // where to load it from; for a constant, or a load that is not computed, its operand; or BC_LATER, BC_NONE
+} BcValue;
 
 // The known contents of a register.  All entries denote the same number.
-enum { HELD = 3 };
-typedef struct Held {
+enum { BC_HELD = 3 };
+typedef struct BcHeld {
     IrRef value;              // or IR_NONE
-    BcRef from[HELD];         // operands with that value; or BC_NONE
-} Held;
+    BcRef from[BC_HELD];      // operands with that value; or BC_NONE
+} BcHeld;
 
 // An end of the function that jumps can target: `end`, or `goto` a state.
-typedef struct Exit {
+typedef struct BcExit {
     uint32_t fn;              // number, from 1, of the function for which the other fields are valid
     uint32_t label;           // UINT32_MAX: none yet
     uint32_t at;              // 1 + the last instruction that is this end; 0: none yet
     Span span;                // of the first jump to it
-    bool of_many;             // jumps from several lines
-} Exit;
+    bool of_many_lines;       // jumps from several lines
+} BcExit;
 
-typedef struct Select {
+typedef struct BcSelect {
     Arena *arena;
     BcMachine *m;
     const IrFn *f;
     BcFn *out;
-    VEC(Value) values;        // capacity for the largest function so far
-    Value *value;             // by instruction
+    VEC(BcValue) values;      // capacity for the largest function so far
+    BcValue *value;           // by instruction
     uint32_t *store_at;       // by variable: position + 1 of the next store to it…
     uint32_t *store_in;       // …valid if this equals `count`
     uint32_t count;           // number of the current counting, from 1; each block is counted up to twice
     VEC(BcRef) free[BC_POOLS];       // slots that are not in use
-    Held x, y;
+    BcHeld x, y;
     uint32_t straight;        // the first instruction after the last label that is a jump target
     Span span;                // of the IR instruction being selected
     uint32_t *label;          // by block: its label
     uint32_t inside;          // the first label inside the current block's jump
     IrBlkRef *through;        // by block: itself, or its final target if it only jumps
-    Exit *exit;               // by state; [0] is `end`
+    BcExit *exit;             // by state; [0] is `end`
     VEC(uint32_t) exits;      // the ends used in this function
     uint32_t fn;              // its number, from 1
-} Select;
+} BcSelect;
 
 // ---- waiting.c: facts about instructions ----
 
-static inline const IrIns *bc_ins(const Select *s, IrRef r) { return &s->f->ins.at[r]; }
+static inline const IrIns *bc_ins(const BcSelect *s, IrRef r) { return &s->f->ins.at[r]; }
 static inline bool bc_is_float(uint32_t type) { return type == SM_F32 || type == SM_F64; }
 
-void bc_plan_block(Select *s, uint32_t block);
-uint32_t bc_depth(const Select *s, IrRef r);          // longest chain of waiting operations in r; 0 if r does not wait
+void bc_plan_block(BcSelect *s, uint32_t block);
+uint32_t bc_depth(const BcSelect *s, IrRef r);          // longest chain of waiting operations in r; 0 if r does not wait
 static inline SmF64 bc_const_value(const IrIns *i) { return ir_number(i->type, i->bits); }      // i is a const
-static inline bool bc_is_waiting_cvt(const Select *s, IrRef r) { return s->value[r].waits && bc_ins(s, r)->op == IR_cvt; }
-IrRef bc_converted(const Select *s, IrRef r);         // the value that waiting conversion r passes on unchanged, or r
-static inline IrRef bc_source(const Select *s, IrRef r) { return bc_is_waiting_cvt(s, r) ? bc_converted(s, r) : r; }
-IrRef bc_without_truth(const Select *s, IrRef r);     // r without conversions that do not affect whether it is true
-IrRef bc_stored(const Select *s, IrRef r, SmType type);           // r without conversions that a store to that type performs anyway
+static inline bool bc_is_waiting_cvt(const BcSelect *s, IrRef r) { return s->value[r].waits && bc_ins(s, r)->op == IR_cvt; }
+IrRef bc_converted(const BcSelect *s, IrRef r);         // the value that waiting conversion r passes on unchanged, or r
+static inline IrRef bc_source(const BcSelect *s, IrRef r) { return bc_is_waiting_cvt(s, r) ? bc_converted(s, r) : r; }
+IrRef bc_without_truth(const BcSelect *s, IrRef r);     // r without conversions that do not affect whether it is true
+IrRef bc_stored(const BcSelect *s, IrRef r, SmType type);           // r without conversions that a store to that type performs anyway
 bool bc_is_within(SmType a, SmType b);                // whether type b can represent every number of type a
-bool bc_is_exact(const Select *s, IrRef r, SmType type);          // whether type `type` can represent every value of r
+bool bc_is_exact(const BcSelect *s, IrRef r, SmType type);          // whether type `type` can represent every value of r
 
 // ---- operands.c ----
 
-BcRef bc_var_operand(Select *s, uint32_t var);
-BcRef bc_stat_operand(Select *s, uint32_t window, SmStat stat);
-BcRef bc_const_operand(Select *s, SmF64 x);
-BcRef bc_operand_of(Select *s, const IrIns *i);       // for a constant or load
-uint32_t bc_type_of(const Select *s, BcRef r);        // for a variable or slot
+BcRef bc_var_operand(BcSelect *s, uint32_t var);
+BcRef bc_stat_operand(BcSelect *s, uint32_t window, SmStat stat);
+BcRef bc_const_operand(BcSelect *s, SmF64 x);
+BcRef bc_operand_of(BcSelect *s, const IrIns *i);       // for a constant or load
+uint32_t bc_type_of(const BcSelect *s, BcRef r);        // for a variable or slot
 
 // Slots hold the result of an operation until it is used.  They are locals of a type; BC_RAW is one of the types.
-BcRef bc_slot_take(Select *s, uint32_t pool);
-void bc_slot_give(Select *s, BcRef r);                // returns a slot to its pool; other operands are ignored
+BcRef bc_slot_alloc(BcSelect *s, uint32_t pool);
+void bc_slot_free(BcSelect *s, BcRef r);                // returns a slot to its pool; other operands are ignored
 
 // ---- registers.c ----
 
-static inline bool bc_holds(const Held *h, BcRef o) { return o != BC_NONE && (h->from[0] == o || h->from[1] == o || h->from[2] == o); }
-BcIns *bc_put(Select *s, uint8_t op);
-void bc_forget(Select *s);                            // forgets the contents of X and Y
-void bc_load_x(Select *s, BcRef o);                   // unless X already holds it
-void bc_load_y(Select *s, BcRef o);
-void bc_keep_x(Select *s);                            // before X changes (and Y is loaded): saves X to a slot if still needed
-void bc_change_x(Select *s, uint8_t op, uint32_t n);  // an instruction that changes X
-void bc_x_is(Select *s, IrRef r);                     // records that X now holds r
-void bc_drop_cvt(Select *s, uint32_t type);           // drops a directly preceding conversion of X to that type: a store does it
-void bc_store_x(Select *s, BcRef d, bool same);       // same: d then reads the same as X
-void bc_sample_x(Select *s, uint32_t window);
-uint32_t bc_label_new(Select *s);
-void bc_label_here(Select *s, uint32_t label);
+static inline bool bc_holds(const BcHeld *h, BcRef o) { return o != BC_NONE && (h->from[0] == o || h->from[1] == o || h->from[2] == o); }
+BcIns *bc_emit(BcSelect *s, uint8_t op);
+void bc_forget(BcSelect *s);                            // forgets the contents of X and Y
+void bc_load_x(BcSelect *s, BcRef o);                   // unless X already holds it
+void bc_load_y(BcSelect *s, BcRef o);
+void bc_save_x(BcSelect *s);                            // before X changes (and Y is loaded): saves X to a slot if still needed
+void bc_change_x(BcSelect *s, uint8_t op, uint32_t n);  // an instruction that changes X
+void bc_x_contains(BcSelect *s, IrRef r);                     // records that X now holds r
+void bc_drop_cvt(BcSelect *s, uint32_t type);           // drops a directly preceding conversion of X to that type: a store does it
+void bc_store_x(BcSelect *s, BcRef d, bool same);       // same: d then reads the same as X
+void bc_sample_x(BcSelect *s, uint32_t window);
+uint32_t bc_label_new(BcSelect *s);
+void bc_label_place(BcSelect *s, uint32_t label);
 
 // ---- bc_select.c ----
 
-void bc_select_ins(Select *s, IrRef r);
-void bc_to_x(Select *s, IrRef r);                     // loads or computes r into X and counts one use
-// Brings a and b into X and Y.  If `turns` allows it and it is better, brings b into X and a into Y and returns true. `keep`: the next
+void bc_select_ins(BcSelect *s, IrRef r);
+void bc_bring_to_x(BcSelect *s, IrRef r);                     // loads or computes r into X and counts one use
+// Brings a and b into X and Y.  If `may_swap` and it is better, brings b into X and a into Y and returns true. `keep`: the next
 // instruction changes X.
-bool bc_operands(Select *s, IrRef a, IrRef b, bool turns, bool keep);
+bool bc_operands(BcSelect *s, IrRef a, IrRef b, bool may_swap, bool keep);
 uint32_t bc_relation(IrOp op);                        // the relation of a comparison: a sum of SMVM_LESS …
-uint32_t bc_mirrored(uint32_t relation);              // the relation with X and Y exchanged
-uint32_t bc_contrary(uint32_t relation);
+uint32_t bc_swap_relation(uint32_t relation);              // the relation with X and Y exchanged
+uint32_t bc_negate_relation(uint32_t relation);
 
 // ---- jumps.c ----
 
-void bc_select_function(Select *s, const IrFn *f, BcFn *out);
+void bc_select_function(BcSelect *s, const IrFn *f, BcFn *out);
 
 #endif

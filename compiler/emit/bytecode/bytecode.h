@@ -46,7 +46,7 @@ typedef struct BcIns {
     uint32_t n;               // the number that follows the opcode, unless that is a jump distance
     uint32_t to;              // for a jump: its target label
     Span span;
-    bool of_many;             // it belongs to several source lines
+    bool of_many_lines;             // it belongs to several source lines
     uint32_t at;              // offset in its function (assemble.c)
 } BcIns;
 

@@ -10,7 +10,7 @@
 // 0 for an instruction that belongs to several lines.
 static uint32_t line_of(const BcIns *i, uint32_t last)
 {
-    if (i->of_many)
+    if (i->of_many_lines)
         return 0;
     return i->span.src ? source_position(i->span.src, i->span.at).line : last;
 }
@@ -99,18 +99,18 @@ static void put_name(Buf *b, const char *text, size_t len)
     buf_char(b, 0);
 }
 
-typedef struct Names {
+typedef struct BcNames {
     Buf *tables, names;
     uint32_t first;           // offset of the first name from the start of the section
-} Names;
+} BcNames;
 
-static void add_name(Names *n, const char *text, size_t len)
+static void add_name(BcNames *n, const char *text, size_t len)
 {
     bc_u24(n->tables, n->first + (uint32_t)n->names.n);
     put_name(&n->names, text, len);
 }
 
-static void put_variables(Arena *arena, Names *n, const BcMachine *m)
+static void put_variables(Arena *arena, BcNames *n, const BcMachine *m)
 {
     const uint64_t *order = order_of(arena, m);
 
@@ -128,7 +128,7 @@ void bc_debug(Arena *arena, const BcMachine *m, Buf *out)
     const Program *p = m->ir->program;
     const char *source = p && p->src ? base_name(p->src->name) : "";
     const IrMachine *ir = m->ir;
-    Names n;
+    BcNames n;
 
     buf_init(&n.names, arena);
     n.tables = out;

@@ -8,9 +8,9 @@
 
 // ---- conditions ----
 
-static void put_jump(Select *s, uint32_t op, uint32_t n, uint32_t label)
+static void emit_jump(BcSelect *s, uint32_t op, uint32_t n, uint32_t label)
 {
-    BcIns *i = bc_put(s, (uint8_t)op);
+    BcIns *i = bc_emit(s, (uint8_t)op);
 
     i->n = n;
     i->to = label;
@@ -19,56 +19,56 @@ static void put_jump(Select *s, uint32_t op, uint32_t n, uint32_t label)
 
 // At a label inside a block's jump the contents of X are forgotten.  Before a jump to it, a value that is still needed must be saved to its
 // slot.
-static bool is_inside(const Select *s, uint32_t label) { return label >= s->inside; }
+static bool is_inside(const BcSelect *s, uint32_t label) { return label >= s->inside; }
 
-static bool stands_in_jump(const Select *s, IrRef r, int32_t *n)
+static bool fits_in_jump(const BcSelect *s, IrRef r, int32_t *n)
 {
     return bc_ins(s, r)->op == IR_const && bc_whole(bc_const_value(bc_ins(s, r)), n) && *n >= 0;
 }
 
 // Jumps to the label if the result of the comparison is `when`.
-static void jump_compare(Select *s, const IrIns *i, bool when, uint32_t label)
+static void jump_compare(BcSelect *s, const IrIns *i, bool when, uint32_t label)
 {
-    uint32_t relation = when ? bc_relation(i->op) : bc_contrary(bc_relation(i->op));
+    uint32_t relation = when ? bc_relation(i->op) : bc_negate_relation(bc_relation(i->op));
     IrRef a = bc_source(s, i->a), b = bc_source(s, i->b);
     int32_t n;
 
-    if (stands_in_jump(s, a, &n)) {
+    if (fits_in_jump(s, a, &n)) {
         const IrRef c = a;
         a = b;
         b = c;
-        relation = bc_mirrored(relation);
+        relation = bc_swap_relation(relation);
     }
-    if (stands_in_jump(s, b, &n)) {
-        bc_to_x(s, a);
+    if (fits_in_jump(s, b, &n)) {
+        bc_bring_to_x(s, a);
         if (is_inside(s, label))
-            bc_keep_x(s);
-        put_jump(s, SMVM_jxn - 1 + relation, (uint32_t)n, label);
+            bc_save_x(s);
+        emit_jump(s, SMVM_jxn - 1 + relation, (uint32_t)n, label);
     } else {
         if (bc_operands(s, a, b, true, is_inside(s, label)))
-            relation = bc_mirrored(relation);
-        put_jump(s, SMVM_jxy - 1 + relation, 0, label);
+            relation = bc_swap_relation(relation);
+        emit_jump(s, SMVM_jxy - 1 + relation, 0, label);
     }
 }
 
-static void jump_number(Select *s, IrRef r, bool when, uint32_t label)
+static void jump_number(BcSelect *s, IrRef r, bool when, uint32_t label)
 {
     if (bc_ins(s, r)->op == IR_const) {
         if (sm_to_bool(bc_const_value(bc_ins(s, r))) != when)
             return;
-        bc_keep_x(s);
-        put_jump(s, SMVM_jmp, 0, label);
+        bc_save_x(s);
+        emit_jump(s, SMVM_jmp, 0, label);
         bc_forget(s);
         return;
     }
-    bc_to_x(s, r);
+    bc_bring_to_x(s, r);
     if (is_inside(s, label))
-        bc_keep_x(s);
-    put_jump(s, when ? SMVM_jt : SMVM_jf, 0, label);
+        bc_save_x(s);
+    emit_jump(s, when ? SMVM_jt : SMVM_jf, 0, label);
 }
 
 // Jumps to the label if the truth of r equals `when`; otherwise falls through.
-static void jump_on(Select *s, IrRef r, bool when, uint32_t label)
+static void jump_on(BcSelect *s, IrRef r, bool when, uint32_t label)
 {
     const IrIns *i;
     uint32_t past;
@@ -89,7 +89,7 @@ static void jump_on(Select *s, IrRef r, bool when, uint32_t label)
             past = bc_label_new(s);
             jump_on(s, i->a, !when, past);
             jump_on(s, i->b, when, label);
-            bc_label_here(s, past);
+            bc_label_place(s, past);
         }
     } else if (ir_op_info[i->op].types == IR_T_COMPARE) {
         jump_compare(s, i, when, label);
@@ -106,10 +106,10 @@ static bool only_ends(const IrBlk *b) { return b->ins.n == 0 && is_end(b); }
 static uint32_t line_of(Span span) { return span.src ? source_position(span.src, span.at).line : 0; }
 static bool on_one_line(Span a, Span b) { return (a.src == b.src && a.at == b.at) || line_of(a) == line_of(b); }
 
-static Exit *exit_of(Select *s, const IrJump *j)
+static BcExit *exit_of(BcSelect *s, const IrJump *j)
 {
     const uint32_t index = j->kind == IR_GOTO ? j->state : 0;
-    Exit *e = &s->exit[index];
+    BcExit *e = &s->exit[index];
 
     if (e->fn != s->fn) {
         memset(e, 0, sizeof *e);
@@ -120,20 +120,20 @@ static Exit *exit_of(Select *s, const IrJump *j)
     return e;
 }
 
-static void put_end(Select *s, const IrJump *j)
+static void emit_end(BcSelect *s, const IrJump *j)
 {
     if (j->span.src)
         s->span = j->span;
     exit_of(s, j)->at = (uint32_t)s->out->ins.n + 1;
-    bc_put(s, j->kind == IR_GOTO ? SMVM_goto : SMVM_end)->n = j->kind == IR_GOTO ? j->state : 0;
+    bc_emit(s, j->kind == IR_GOTO ? SMVM_goto : SMVM_end)->n = j->kind == IR_GOTO ? j->state : 0;
     bc_forget(s);
 }
 
 // The label for jumps to block `to`.  For a block that only ends the function, it is the label of the last such end.
-static uint32_t label_of(Select *s, IrBlkRef to)
+static uint32_t label_of(BcSelect *s, IrBlkRef to)
 {
     const IrJump *j = &s->f->blk.at[to].jump;
-    Exit *e;
+    BcExit *e;
 
     if (!only_ends(&s->f->blk.at[to]))
         return s->label[to];
@@ -142,14 +142,14 @@ static uint32_t label_of(Select *s, IrBlkRef to)
         e->label = bc_label_new(s);
         e->span = j->span;
     }
-    e->of_many = e->of_many || !on_one_line(j->span, e->span);
+    e->of_many_lines = e->of_many_lines || !on_one_line(j->span, e->span);
     return e->label;
 }
 
 // Places the label of an end.  Adds an end if none follows the last jump to it.
-static void place_exit(Select *s, uint32_t state)
+static void place_end(BcSelect *s, uint32_t state)
 {
-    Exit *e = &s->exit[state];
+    BcExit *e = &s->exit[state];
     BcLabel *l;
     BcIns *i;
 
@@ -158,30 +158,30 @@ static void place_exit(Select *s, uint32_t state)
     l = &s->out->label.at[e->label];
     if (e->at <= l->jumped) {
         s->span = e->span.src ? e->span : s->span;
-        bc_put(s, state ? SMVM_goto : SMVM_end)->n = state;
+        bc_emit(s, state ? SMVM_goto : SMVM_end)->n = state;
         e->at = (uint32_t)s->out->ins.n;
     }
     l->at = e->at - 1;
     i = &s->out->ins.at[l->at];
-    i->of_many = state != 0 && (e->of_many || !on_one_line(i->span, e->span));
+    i->of_many_lines = state != 0 && (e->of_many_lines || !on_one_line(i->span, e->span));
 }
 
 // ---- a block's jump ----
 
 // Continues at block `to`; `next` is the block that follows in the output.  A jump to an end becomes that end.
-static void select_jmp(Select *s, IrBlkRef to, IrBlkRef next)
+static void select_jmp(BcSelect *s, IrBlkRef to, IrBlkRef next)
 {
     if (to == next)
         return;
     if (only_ends(&s->f->blk.at[to])) {
-        put_end(s, &s->f->blk.at[to].jump);
+        emit_end(s, &s->f->blk.at[to].jump);
         return;
     }
-    put_jump(s, SMVM_jmp, 0, s->label[to]);
+    emit_jump(s, SMVM_jmp, 0, s->label[to]);
     bc_forget(s);
 }
 
-static void select_br(Select *s, IrRef cond, IrBlkRef then, IrBlkRef otherwise, IrBlkRef next)
+static void select_br(BcSelect *s, IrRef cond, IrBlkRef then, IrBlkRef otherwise, IrBlkRef next)
 {
     const bool on = then != next;
     const uint32_t label = label_of(s, on ? then : otherwise);
@@ -192,7 +192,7 @@ static void select_br(Select *s, IrRef cond, IrBlkRef then, IrBlkRef otherwise, 
         select_jmp(s, otherwise, next);
 }
 
-static void select_jump(Select *s, const IrJump *j, IrBlkRef next)
+static void select_jump(BcSelect *s, const IrJump *j, IrBlkRef next)
 {
     const IrIns *cond = j->kind == IR_BR ? bc_ins(s, j->cond) : NULL;
 
@@ -203,18 +203,18 @@ static void select_jump(Select *s, const IrJump *j, IrBlkRef next)
         return;
     }
     switch (j->kind) {
-    case IR_RET: case IR_GOTO: put_end(s, j); break;
+    case IR_RET: case IR_GOTO: emit_end(s, j); break;
     case IR_JMP: select_jmp(s, s->through[j->then], next); break;
     case IR_BR: select_br(s, j->cond, s->through[j->then], s->through[j->otherwise], next); break;
     }
 }
 
-static void select_block(Select *s, IrBlkRef block, IrBlkRef next)
+static void select_block(BcSelect *s, IrBlkRef block, IrBlkRef next)
 {
     const IrBlk *b = &s->f->blk.at[block];
 
     bc_plan_block(s, block);
-    bc_label_here(s, s->label[block]);
+    bc_label_place(s, s->label[block]);
     s->x.value = IR_NONE;
     for (size_t p = 0; p < b->ins.n; p++)
         bc_select_ins(s, b->ins.at[p]);
@@ -224,7 +224,7 @@ static void select_block(Select *s, IrBlkRef block, IrBlkRef next)
 // ---- the order of blocks ----
 
 // Sets label and `through` of each block.  Returns which blocks are emitted: those that are reachable and do more than jump or end.
-static bool *plan_blocks(Select *s)
+static bool *plan_blocks(BcSelect *s)
 {
     const IrFn *f = s->f;
     bool *kept = ir_reachable(s->arena, f);
@@ -242,7 +242,7 @@ static bool *plan_blocks(Select *s)
     return kept;
 }
 
-static uint32_t *count_entries(Select *s, const bool *kept)      // of each block, by jump or fall-through
+static uint32_t *count_entries(BcSelect *s, const bool *kept)      // of each block, by jump or fall-through
 {
     uint32_t *n = ARENA_ARRAY(s->arena, uint32_t, s->f->blk.n);
 
@@ -258,7 +258,7 @@ static uint32_t *count_entries(Select *s, const bool *kept)      // of each bloc
 
 // Marks blocks to be placed after all others: a block that ends the function and is entered only from one `if`, whose other side also has a
 // block.
-static void put_off(Select *s, const bool *kept, bool *late)
+static void mark_late_blocks(BcSelect *s, const bool *kept, bool *late)
 {
     const uint32_t *entries = count_entries(s, kept);
     const IrBlk *blk = s->f->blk.at;
@@ -277,13 +277,13 @@ static void put_off(Select *s, const bool *kept, bool *late)
     }
 }
 
-static IrBlkRef *order_blocks(Select *s, const bool *kept, uint32_t *n)
+static IrBlkRef *order_blocks(BcSelect *s, const bool *kept, uint32_t *n)
 {
     IrBlkRef *order = ARENA_ARRAY(s->arena, IrBlkRef, s->f->blk.n + 1);
     bool *late = ARENA_ARRAY(s->arena, bool, s->f->blk.n);
 
     *n = 0;
-    put_off(s, kept, late);
+    mark_late_blocks(s, kept, late);
     for (int side = 0; side < 2; side++)
         for (IrBlkRef b = 0; b < s->f->blk.n; b++)
             if (kept[b] && late[b] == (side == 1))
@@ -294,7 +294,7 @@ static IrBlkRef *order_blocks(Select *s, const bool *kept, uint32_t *n)
 
 // ---- functions ----
 
-void bc_select_function(Select *s, const IrFn *f, BcFn *out)
+void bc_select_function(BcSelect *s, const IrFn *f, BcFn *out)
 {
     const IrBlkRef *order;
     uint32_t n;
@@ -316,13 +316,13 @@ void bc_select_function(Select *s, const IrFn *f, BcFn *out)
     for (uint32_t i = 0; i < n; i++)
         select_block(s, order[i], order[i + 1]);
     for (size_t i = 0; i < s->exits.n; i++)
-        place_exit(s, s->exits.at[i]);
+        place_end(s, s->exits.at[i]);
 }
 
 // A function that does nothing needs no code.
 static bool does_nothing(const IrFn *f) { return f->blk.at[0].ins.n == 0 && f->blk.at[0].jump.kind == IR_RET; }
 
-static void number_windows(Select *s)
+static void number_windows(BcSelect *s)
 {
     const IrFn *f = s->m->ir->sample;
     uint32_t n = 0;
@@ -345,7 +345,7 @@ static BcRef *no_operands(Arena *arena, size_t n)
 
 void bc_select(Arena *arena, BcMachine *out, const IrMachine *m)
 {
-    Select s;
+    BcSelect s;
 
     memset(out, 0, sizeof *out);
     memset(&s, 0, sizeof s);
@@ -354,7 +354,7 @@ void bc_select(Arena *arena, BcMachine *out, const IrMachine *m)
     s.m = out;
     s.store_at = ARENA_ARRAY(arena, uint32_t, m->var.n);
     s.store_in = ARENA_ARRAY(arena, uint32_t, m->var.n);
-    s.exit = ARENA_ARRAY(arena, Exit, m->state.n + 1);
+    s.exit = ARENA_ARRAY(arena, BcExit, m->state.n + 1);
     out->of_var = no_operands(arena, m->var.n);
     out->of_stat = no_operands(arena, m->window.n * SM_STAT_COUNT);
     out->fns = 1 + 3 * m->state.n;

@@ -5,7 +5,7 @@
 #include "compiler/emit/bytecode/bc_select.h"
 #include "stdlib/convert.h"
 
-static BcRef add_operand(Select *s, BcOperandKind kind, uint32_t type)
+static BcRef add_operand(BcSelect *s, BcOperandKind kind, uint32_t type)
 {
     BcOperand o;
 
@@ -16,7 +16,7 @@ static BcRef add_operand(Select *s, BcOperandKind kind, uint32_t type)
     return (BcRef)(s->m->operand.n - 1);
 }
 
-BcRef bc_var_operand(Select *s, uint32_t var)
+BcRef bc_var_operand(BcSelect *s, uint32_t var)
 {
     BcRef *r = &s->m->of_var[var];
 
@@ -27,7 +27,7 @@ BcRef bc_var_operand(Select *s, uint32_t var)
     return *r;
 }
 
-BcRef bc_stat_operand(Select *s, uint32_t window, SmStat stat)
+BcRef bc_stat_operand(BcSelect *s, uint32_t window, SmStat stat)
 {
     BcRef *r = &s->m->of_stat[window * SM_STAT_COUNT + stat];
 
@@ -39,7 +39,7 @@ BcRef bc_stat_operand(Select *s, uint32_t window, SmStat stat)
     return *r;
 }
 
-uint32_t bc_type_of(const Select *s, BcRef r) { return s->m->operand.at[r].type; }
+uint32_t bc_type_of(const BcSelect *s, BcRef r) { return s->m->operand.at[r].type; }
 
 // ---- numbers ----
 
@@ -53,7 +53,7 @@ bool bc_whole(SmF64 x, int32_t *n)
 
 bool bc_is_f32(SmF64 x) { return sm_is_nan(x) || sm_bits(sm_from_f32(sm_round_f32(x))) == sm_bits(x); }
 
-static void add_constant(Select *s, BcOperand *o)                // to the table of F32 or F64 constants, if it needs one
+static void add_constant(BcSelect *s, BcOperand *o)                // to the table of F32 or F64 constants, if it needs one
 {
     const SmF64 x = sm_from_bits(o->bits);
     int32_t n;
@@ -78,7 +78,7 @@ static size_t const_place(const BcMachine *m, const BcRef *table, size_t cap, ui
     return i;
 }
 
-static void grow_consts(Select *s)
+static void grow_consts(BcSelect *s)
 {
     BcMachine *m = s->m;
     size_t cap = m->const_cap ? m->const_cap * 2 : 64;
@@ -92,7 +92,7 @@ static void grow_consts(Select *s)
     m->const_cap = cap;
 }
 
-BcRef bc_const_operand(Select *s, SmF64 x)
+BcRef bc_const_operand(BcSelect *s, SmF64 x)
 {
     const uint64_t bits = sm_bits(x);
     size_t place;
@@ -110,14 +110,14 @@ BcRef bc_const_operand(Select *s, SmF64 x)
     return s->m->const_slot[place];
 }
 
-BcRef bc_operand_of(Select *s, const IrIns *i)
+BcRef bc_operand_of(BcSelect *s, const IrIns *i)
 {
     return i->op == IR_const ? bc_const_operand(s, bc_const_value(i)) : bc_var_operand(s, i->var);
 }
 
 // ---- slots ----
 
-BcRef bc_slot_take(Select *s, uint32_t pool)
+BcRef bc_slot_alloc(BcSelect *s, uint32_t pool)
 {
     BcRef r;
 
@@ -128,7 +128,7 @@ BcRef bc_slot_take(Select *s, uint32_t pool)
     return r;
 }
 
-void bc_slot_give(Select *s, BcRef r)
+void bc_slot_free(BcSelect *s, BcRef r)
 {
     const BcOperand *o = &s->m->operand.at[r];
 

@@ -5,29 +5,29 @@
 
 // ---- register contents ----
 
-static Held nothing(void) { return (Held){IR_NONE, {BC_NONE, BC_NONE, BC_NONE}}; }
+static BcHeld no_contents(void) { return (BcHeld){IR_NONE, {BC_NONE, BC_NONE, BC_NONE}}; }
 
-static void reads_as(Held *h, BcRef o)
+static void note_equal(BcHeld *h, BcRef o)
 {
     int i = 0;
 
-    while (i < HELD - 1 && h->from[i] != BC_NONE && h->from[i] != o)
+    while (i < BC_HELD - 1 && h->from[i] != BC_NONE && h->from[i] != o)
         i++;
     h->from[i] = o;
 }
 
-static void differs(Held *h, BcRef o)
+static void note_different(BcHeld *h, BcRef o)
 {
-    for (int i = 0; i < HELD; i++)
+    for (int i = 0; i < BC_HELD; i++)
         if (h->from[i] == o)
             h->from[i] = BC_NONE;
 }
 
-void bc_forget(Select *s) { s->x = s->y = nothing(); }
+void bc_forget(BcSelect *s) { s->x = s->y = no_contents(); }
 
 // ---- instructions ----
 
-BcIns *bc_put(Select *s, uint8_t op)
+BcIns *bc_emit(BcSelect *s, uint8_t op)
 {
     const BcIns i = {.op = op, .what = BC_NONE, .span = s->span};
 
@@ -35,83 +35,83 @@ BcIns *bc_put(Select *s, uint8_t op)
     return &s->out->ins.at[s->out->ins.n - 1];
 }
 
-static bool is_pending(const Select *s)               // X holds the only copy of a value that is still needed
+static bool is_pending(const BcSelect *s)               // X holds the only copy of a value that is still needed
 {
-    const Value *v = s->x.value == IR_NONE ? NULL : &s->value[s->x.value];
+    const BcValue *v = s->x.value == IR_NONE ? NULL : &s->value[s->x.value];
 
-    return v && v->placed && v->left > 0 && v->slot == BC_NONE;
+    return v && v->is_computed && v->uses_left > 0 && v->slot == BC_NONE;
 }
 
 // The pool of the slot that saves r: its own type, or BC_RAW for the result of an F64 operation, which is saved unchanged.
-static uint32_t pool_of(const Select *s, IrRef r)
+static uint32_t pool_of(const BcSelect *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
 
     return i->type != SM_F64 || i->op == IR_cvt ? (uint32_t)i->type : (uint32_t)BC_RAW;
 }
 
-void bc_drop_cvt(Select *s, uint32_t type)
+void bc_drop_cvt(BcSelect *s, uint32_t type)
 {
     const size_t n = s->out->ins.n;
 
     if (n > s->straight && s->out->ins.at[n - 1].op == SMVM_cvt && s->out->ins.at[n - 1].n == type) {
         s->out->ins.n--;
-        s->x = nothing();
+        s->x = no_contents();
     }
 }
 
-static void save(Select *s, bool used)                // used: X is still needed unchanged
+static void save_to_slot(BcSelect *s, bool is_needed)                // used: X is still needed unchanged
 {
     const IrRef r = s->x.value;
-    Value *v = &s->value[r];
+    BcValue *v = &s->value[r];
 
-    v->slot = bc_slot_take(s, pool_of(s, r));
-    if (!used)
+    v->slot = bc_slot_alloc(s, pool_of(s, r));
+    if (!is_needed)
         bc_drop_cvt(s, bc_type_of(s, v->slot));
-    bc_store_x(s, v->slot, used);
+    bc_store_x(s, v->slot, is_needed);
 }
 
-void bc_keep_x(Select *s)
+void bc_save_x(BcSelect *s)
 {
     if (is_pending(s))
-        save(s, true);
+        save_to_slot(s, true);
 }
 
-void bc_load_x(Select *s, BcRef o)
+void bc_load_x(BcSelect *s, BcRef o)
 {
     if (bc_holds(&s->x, o))
         return;
     if (is_pending(s))
-        save(s, false);
-    bc_put(s, SMVM_ldx_local)->what = o;
+        save_to_slot(s, false);
+    bc_emit(s, SMVM_ldx_local)->what = o;
     bc_forget(s);
     s->x.from[0] = o;
 }
 
-void bc_load_y(Select *s, BcRef o)
+void bc_load_y(BcSelect *s, BcRef o)
 {
     if (bc_holds(&s->y, o))
         return;
-    bc_put(s, SMVM_ldy_local)->what = o;
-    s->y = nothing();
+    bc_emit(s, SMVM_ldy_local)->what = o;
+    s->y = no_contents();
     s->y.from[0] = o;
 }
 
-void bc_change_x(Select *s, uint8_t op, uint32_t n)
+void bc_change_x(BcSelect *s, uint8_t op, uint32_t n)
 {
-    bc_put(s, op)->n = n;
-    s->x = nothing();
+    bc_emit(s, op)->n = n;
+    s->x = no_contents();
 }
 
-void bc_x_is(Select *s, IrRef r)
+void bc_x_contains(BcSelect *s, IrRef r)
 {
     if (s->x.value == r)
         return;
-    bc_keep_x(s);
+    bc_save_x(s);
     s->x.value = r;
 }
 
-static void note_output(Select *s, BcOperand *o)
+static void note_output(BcSelect *s, BcOperand *o)
 {
     if (o->kind != BC_VAR || o->output > 0 || s->m->ir->var.at[o->var].space != IR_ELEMENT)
         return;
@@ -119,25 +119,25 @@ static void note_output(Select *s, BcOperand *o)
     o->output = (uint32_t)s->m->output.n;
 }
 
-void bc_store_x(Select *s, BcRef d, bool same)
+void bc_store_x(BcSelect *s, BcRef d, bool same)
 {
-    bc_put(s, SMVM_st_local)->what = d;
+    bc_emit(s, SMVM_st_local)->what = d;
     note_output(s, &s->m->operand.at[d]);
-    s->y = nothing();
-    differs(&s->x, d);
+    s->y = no_contents();
+    note_different(&s->x, d);
     if (same)
-        reads_as(&s->x, d);
+        note_equal(&s->x, d);
 }
 
-void bc_sample_x(Select *s, uint32_t window)
+void bc_sample_x(BcSelect *s, uint32_t window)
 {
-    bc_put(s, SMVM_sample)->n = window;
-    s->y = nothing();
+    bc_emit(s, SMVM_sample)->n = window;
+    s->y = no_contents();
 }
 
 // ---- labels ----
 
-uint32_t bc_label_new(Select *s)
+uint32_t bc_label_new(BcSelect *s)
 {
     const BcLabel none = {UINT32_MAX, 0};
 
@@ -145,7 +145,7 @@ uint32_t bc_label_new(Select *s)
     return (uint32_t)(s->out->label.n - 1);
 }
 
-void bc_label_here(Select *s, uint32_t label)
+void bc_label_place(BcSelect *s, uint32_t label)
 {
     BcLabel *l = &s->out->label.at[label];
 

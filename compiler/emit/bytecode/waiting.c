@@ -7,13 +7,13 @@
 
 enum { DEEPEST = 100 };       // bound on the chain of waiting operations, and so on the recursion in select.c
 
-uint32_t bc_depth(const Select *s, IrRef r) { return s->value[r].waits && s->value[r].depth <= DEEPEST ? s->value[r].depth : 0; }
+uint32_t bc_depth(const BcSelect *s, IrRef r) { return s->value[r].waits && s->value[r].depth <= DEEPEST ? s->value[r].depth : 0; }
 
 // ---- possible values ----
 
 // Whether r can have a value outside its type: a NaN, or for an F32 operation an unrounded number, because it is computed as F64. Loads,
 // conversions and integer operations always have a value of their type.
-static bool is_raw(const Select *s, IrRef r)
+static bool is_raw(const BcSelect *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
 
@@ -36,7 +36,7 @@ bool bc_is_within(SmType a, SmType b)
     return x->kind == y->kind ? x->bytes <= y->bytes : x->kind == SM_KIND_UNSIGNED && x->bytes < y->bytes;
 }
 
-bool bc_is_exact(const Select *s, IrRef r, SmType type)
+bool bc_is_exact(const BcSelect *s, IrRef r, SmType type)
 {
     return !is_raw(s, r) && bc_is_within(bc_ins(s, r)->type, type) && !(bc_is_float(type) && s->value[r].minus_zero);
 }
@@ -44,16 +44,16 @@ bool bc_is_exact(const Select *s, IrRef r, SmType type)
 // ---- conversions that need no instruction ----
 
 // Whether a conversion leaves the number unchanged, once its operand has been read.
-static bool changes_nothing(const Select *s, const IrIns *cvt) { return bc_is_exact(s, cvt->a, cvt->type); }
+static bool changes_nothing(const BcSelect *s, const IrIns *cvt) { return bc_is_exact(s, cvt->a, cvt->type); }
 
-IrRef bc_converted(const Select *s, IrRef r)
+IrRef bc_converted(const BcSelect *s, IrRef r)
 {
     while (bc_is_waiting_cvt(s, r) && changes_nothing(s, bc_ins(s, r)))
         r = bc_ins(s, r)->a;
     return r;
 }
 
-IrRef bc_without_truth(const Select *s, IrRef r)
+IrRef bc_without_truth(const BcSelect *s, IrRef r)
 {
     while (bc_is_waiting_cvt(s, r) && (bc_ins(s, r)->type == SM_BOOL || changes_nothing(s, bc_ins(s, r))))
         r = bc_ins(s, r)->a;
@@ -67,7 +67,7 @@ static bool storing_converts(SmType to, SmType type)
     return to == type || to == SM_F64 || (!bc_is_float(to) && type != SM_BOOL && to != SM_BOOL && bc_is_within(type, to));
 }
 
-IrRef bc_stored(const Select *s, IrRef r, SmType type)
+IrRef bc_stored(const BcSelect *s, IrRef r, SmType type)
 {
     const IrIns *i = bc_ins(s, r);
 
@@ -80,39 +80,39 @@ IrRef bc_stored(const Select *s, IrRef r, SmType type)
 
 static bool is_pure_operation(IrOp op) { return !ir_op_info[op].effect && op != IR_const && op != IR_load; }
 
-static void use(Select *s, IrRef r, uint32_t at, uint32_t times)
+static void add_use(BcSelect *s, IrRef r, uint32_t at, uint32_t times)
 {
-    Value *v = &s->value[r];
+    BcValue *v = &s->value[r];
 
     v->uses += times;
     if (v->last < at)
         v->last = at;
 }
 
-static void note_store(Select *s, const IrIns *i, Value *v, uint32_t at)
+static void note_store(BcSelect *s, const IrIns *i, BcValue *v, uint32_t at)
 {
-    v->again = s->store_in[i->var] == s->count ? s->store_at[i->var] : UINT32_MAX;
+    v->next_store = s->store_in[i->var] == s->count ? s->store_at[i->var] : UINT32_MAX;
     s->store_at[i->var] = at;
     s->store_in[i->var] = s->count;
 }
 
 // Counts uses by live instructions, from the end of the block to its start.  `at` is a position + 1.
-static void count_block(Select *s, const IrBlk *b, bool deep_known)
+static void count_block_uses(BcSelect *s, const IrBlk *b, bool deep_known)
 {
     s->count++;
     if (b->jump.kind == IR_BR)
-        use(s, b->jump.cond, (uint32_t)b->ins.n + 1, 1);
+        add_use(s, b->jump.cond, (uint32_t)b->ins.n + 1, 1);
     for (uint32_t p = (uint32_t)b->ins.n; p-- > 0;) {
         IrRef r = b->ins.at[p];
         const IrIns *i = bc_ins(s, r);
-        Value *v = &s->value[r];
+        BcValue *v = &s->value[r];
         uint32_t at = p + 1;
         bool same;
 
         if (!ir_op_info[i->op].effect && v->uses == 0)
             continue;
-        v->left = v->uses;
-        v->slot = i->op == IR_const || i->op == IR_load ? BC_UNASKED : BC_NONE;
+        v->uses_left = v->uses;
+        v->slot = i->op == IR_const || i->op == IR_load ? BC_LATER : BC_NONE;
         same = i->op == IR_cvt && changes_nothing(s, i);
         v->waits = is_pure_operation(i->op) && (v->uses == 1 || same) && !(deep_known && v->depth > DEEPEST);
         if (v->waits)
@@ -122,21 +122,21 @@ static void count_block(Select *s, const IrBlk *b, bool deep_known)
         if (i->op == IR_store)
             note_store(s, i, v, p + 1);
         if (ir_op_info[i->op].operands > 0)
-            use(s, i->a, at, v->waits ? v->uses : 1);
+            add_use(s, i->a, at, v->waits ? v->uses : 1);
         if (ir_op_info[i->op].operands > 1)
-            use(s, i->b, at, 1);
+            add_use(s, i->b, at, 1);
     }
 }
 
 // ---- the sign of a zero ----
 
-static bool is_positive(const Select *s, IrRef r)
+static bool is_positive(const BcSelect *s, IrRef r)
 {
     return bc_ins(s, r)->op == IR_const && sm_lt(sm_from_i32(0), bc_const_value(bc_ins(s, r)));
 }
 
 // Whether an integer can be below zero, judged by its operation; x and y describe its operands.
-static bool may_be_negative(const Select *s, const IrIns *i, const Value *x, const Value *y)
+static bool may_be_negative(const BcSelect *s, const IrIns *i, const BcValue *x, const BcValue *y)
 {
     const bool is_signed = sm_type_info[i->type].kind == SM_KIND_SIGNED;
 
@@ -151,7 +151,7 @@ static bool may_be_negative(const Select *s, const IrIns *i, const Value *x, con
 }
 
 // An integer product or negation that is 0 can be -0 as an F64.  Most integer operations can pass a -0 on.
-static bool may_be_minus_zero(const Select *s, const IrIns *i, const Value *x, const Value *y)
+static bool may_be_minus_zero(const BcSelect *s, const IrIns *i, const BcValue *x, const BcValue *y)
 {
     const bool of_such = x->minus_zero || y->minus_zero;
 
@@ -164,15 +164,15 @@ static bool may_be_minus_zero(const Select *s, const IrIns *i, const Value *x, c
     }
 }
 
-static void find_signs(Select *s, const IrBlk *b)
+static void find_signs(BcSelect *s, const IrBlk *b)
 {
-    const Value none = {.slot = BC_NONE};
+    const BcValue none = {.slot = BC_NONE};
 
     for (size_t p = 0; p < b->ins.n; p++) {
         const IrIns *i = bc_ins(s, b->ins.at[p]);
         const uint8_t n = ir_op_info[i->op].operands;
-        const Value *x, *y;
-        Value *v = &s->value[b->ins.at[p]];
+        const BcValue *x, *y;
+        BcValue *v = &s->value[b->ins.at[p]];
         if (bc_is_float(i->type))
             continue;
         x = n > 0 ? &s->value[i->a] : &none;
@@ -185,7 +185,7 @@ static void find_signs(Select *s, const IrBlk *b)
 // ---- a block ----
 
 // Returns whether the chain of waiting operations is too deep.
-static bool find_depth(Select *s, IrRef r)
+static bool find_depth(BcSelect *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
     uint32_t x, y;
@@ -198,20 +198,20 @@ static bool find_depth(Select *s, IrRef r)
     return s->value[r].depth > DEEPEST;
 }
 
-void bc_plan_block(Select *s, uint32_t block)
+void bc_plan_block(BcSelect *s, uint32_t block)
 {
     const IrBlk *b = &s->f->blk.at[block];
     bool deep = false;
 
     find_signs(s, b);
-    count_block(s, b, false);
+    count_block_uses(s, b, false);
     for (size_t p = 0; p < b->ins.n; p++)
         deep |= find_depth(s, b->ins.at[p]);
     if (!deep)
         return;
     for (size_t p = 0; p < b->ins.n; p++) {
-        Value *v = &s->value[b->ins.at[p]];
+        BcValue *v = &s->value[b->ins.at[p]];
         v->uses = v->last = 0;
     }
-    count_block(s, b, true);
+    count_block_uses(s, b, true);
 }

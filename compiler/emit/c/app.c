@@ -89,7 +89,7 @@ static void write_header(const Emitter *e)
     buf_printf(e->out, "#ifndef %s_APP_H_INCLUDED\n#define %s_APP_H_INCLUDED\n\n", macro, macro);
     write_includes(e);
     buf_str(e->out, "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
-    buf_printf(e->out, "extern SmApp %s_app;\n\n// ---- to be written by you: runtime-c/task.h tells what is expected ----\n",
+    buf_printf(e->out, "extern SmApp %s_app;\n\n// ---- you write these: runtime-c/task.h documents them ----\n",
                e->prefix);
     write_user_prototypes(e);
     buf_str(e->out, "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
@@ -247,7 +247,7 @@ static void write_keep(const Emitter *e)
 {
     if (!has_task(e, AST_TASK_keep))
         return;
-    buf_str(e->out, "\n// ---- the kept state vector ----\n\n");
+    buf_str(e->out, "\n// ---- the saved state vector ----\n\n");
     buf_printf(e->out, "static uint8_t keepBuffer[2 * SM_KEEP_SIZE(%uu)];\n", packed_size(e->app->sv));
     buf_printf(e->out, "static SmKeep keeper = {.memory = \"%s\", .sv = &%s_vector, .buffer = keepBuffer};\n",
                quoted(e, e->app->keep), e->sv);
@@ -324,7 +324,7 @@ static void write_task(const Emitter *e, const AppTask *t)
 
 static void write_tasks(const Emitter *e)
 {
-    buf_str(e->out, "\n// ---- tasks, in the order in which they stand ----\n");
+    buf_str(e->out, "\n// ---- tasks, in source order ----\n");
     write_trampolines(e);
     buf_str(e->out, "\nstatic SmTask tasks[] = {\n");
     for (size_t i = 0; i < e->app->task.n; i++)
@@ -417,7 +417,7 @@ static void write_start(const Emitter *e)
     if (e->app->start.n == 0)
         return;
     buf_printf(e->out,
-               "\n// ---- what elements hold before anything runs ----\n\n"
+               "\n// ---- the values of elements before the first step ----\n\n"
                "static void setValues(void *vector)\n{\n    %s *sv = (%s *)vector;\n\n",
                e->vector.names.sv_type, e->vector.names.sv_type);
     for (size_t i = 0; i < e->app->start.n; i++)

@@ -7,7 +7,7 @@
 
 #include "compiler/emit/c/unit.h"
 
-typedef struct Owner { const char *what; Span span; } Owner;
+typedef struct CNameOwner { const char *what; Span span; } CNameOwner;
 
 typedef struct Claims {
     Arena *arena;
@@ -18,10 +18,10 @@ typedef struct Claims {
     bool clash;
 } Claims;
 
-static void claim(Claims *k, const char *name, const Owner *o)
+static void claim(Claims *k, const char *name, const CNameOwner *o)
 {
     Str key = str_c(&k->pool, name);
-    const Owner *first = map_find(&k->owner, key);
+    const CNameOwner *first = map_find(&k->owner, key);
     Diag *d;
 
     if (!first)
@@ -34,16 +34,16 @@ static void claim(Claims *k, const char *name, const Owner *o)
     k->clash = true;
 }
 
-static const Owner *owner(Claims *k, Span span, const char *what)
+static const CNameOwner *owner(Claims *k, Span span, const char *what)
 {
-    Owner *o = ARENA_NEW(k->arena, Owner);
+    CNameOwner *o = ARENA_NEW(k->arena, CNameOwner);
 
     o->what = what;
     o->span = span;
     return o;
 }
 
-static void claim_all(Claims *k, const char *before, const char *const *ends, size_t n, const Owner *o)
+static void claim_all(Claims *k, const char *before, const char *const *ends, size_t n, const CNameOwner *o)
 {
     for (size_t i = 0; i < n; i++)
         claim(k, format_in(k->arena, "%s%s", before, ends[i]), o);
@@ -56,7 +56,7 @@ static void claim_vector(Claims *k)
     static const char *const ends[] = {"_sv", "_vector", "_layout", "_element", "_names"};
     static const char *const counts[] = {"_ELEMENTS", "_REGIONS"};
     const StateVec *sv = k->app->sv;
-    const Owner *o = owner(k, (Span){0}, format_in(k->arena, "the state vector '%s'", sv->name->text));
+    const CNameOwner *o = owner(k, (Span){0}, format_in(k->arena, "the state vector '%s'", sv->name->text));
     CUnit u;
     CVectorNames n;
 
@@ -66,13 +66,13 @@ static void claim_vector(Claims *k)
     CLAIM_ALL(k, u.names.macro, counts, o);
     claim(k, u.names.sv_type, o);
     for (size_t i = 0; i < sv->element.n; i++) {
-        const Owner *e = owner(k, sv->element.at[i]->span, format_in(k->arena, "element '%s'", sv->element.at[i]->name->text));
+        const CNameOwner *e = owner(k, sv->element.at[i]->span, format_in(k->arena, "element '%s'", sv->element.at[i]->name->text));
         claim(k, n.getter[i], e);
         claim(k, n.setter[i], e);
         claim(k, n.element[i], e);
     }
     for (size_t i = 0; i < sv->region.n; i++) {
-        const Owner *r = owner(k, sv->region.at[i]->span, format_in(k->arena, "region '%s'", sv->region.at[i]->name->text));
+        const CNameOwner *r = owner(k, sv->region.at[i]->span, format_in(k->arena, "region '%s'", sv->region.at[i]->name->text));
         claim(k, n.region[i], r);
         claim(k, n.reader[i], r);
         claim(k, n.writer[i], r);
@@ -85,7 +85,7 @@ static void claim_machine(Claims *k, const Program *p)
     static const char *const types[] = {"", "Status", "Stored"};
     static const char *const numbers[] = {"_OK", "_REFUSED", "_NO_STATE", "_UNFIT", "_INITIAL_STATE", "_STATES"};
     const char *prefix = c_identifier(k->arena, p->name->text, p->name->len);
-    const Owner *o = owner(k, p->state.n ? p->state.at[0]->span : (Span){0}, format_in(k->arena, "machine '%s'", p->name->text));
+    const CNameOwner *o = owner(k, p->state.n ? p->state.at[0]->span : (Span){0}, format_in(k->arena, "machine '%s'", p->name->text));
     CUnit u;
 
     c_vector_names(k->arena, p->sv, &u);
@@ -98,7 +98,7 @@ static void claim_task(Claims *k, const AppTask *t)
 {
     static const char *const machines[] = {"Self", "Copy", "Image", "Memory"};
     const char *n = t->name->text;
-    const Owner *o = owner(k, t->span, format_in(k->arena, "task '%s'", n));
+    const CNameOwner *o = owner(k, t->span, format_in(k->arena, "task '%s'", n));
 
     if (t->kind == AST_TASK_machine)
         CLAIM_ALL(k, n, machines, o);

@@ -23,7 +23,7 @@ static bool starts_operator(const char *text)
 }
 
 // The cost of a break before the operator at `text`: lower for operators that bind less tightly.
-static unsigned reluctance(const char *text)
+static unsigned break_cost(const char *text)
 {
     static const char *const order = "||&&?:=!<>+-*/";
     const char *at = text[-2] == ',' ? order : strchr(order, text[0]);
@@ -40,7 +40,7 @@ static size_t break_at(const char *text, size_t len, size_t width)
     for (size_t i = 1; i + 1 < len && (i <= width || best == 0); i++) {
         depth += (text[i] == '(') - (unsigned)(text[i] == ')');
         if (text[i] == ' ' && (text[i - 1] == ',' || starts_operator(text + i + 1))) {
-            const unsigned r = depth * 8 + reluctance(text + i + 1);
+            const unsigned r = depth * 8 + break_cost(text + i + 1);
             if (best == 0 || best < width / 3 || r <= least) {
                 best = i;
                 least = r;

@@ -6,11 +6,11 @@
 
 
 // A counter and its increment: a constant, or the conversion of an integer or a boolean.
-typedef struct Count {
+typedef struct CCounter {
     IrRef v, by;
     IrRef truth;              // it counts by one if this is true; or IR_NONE
     bool down;
-} Count;
+} CCounter;
 
 // The integer that r, inlined, converts to F64; or IR_NONE.
 static IrRef integer_of(const CFn *fn, IrRef r)
@@ -43,7 +43,7 @@ static bool is_counted(const CFn *fn, IrRef r, SmType to)
 }
 
 // Whether r is an inlined F64 `v + n` or `v - n`.
-static bool find_count(const CFn *fn, IrRef r, SmType to, Count *c)
+static bool find_count(const CFn *fn, IrRef r, SmType to, CCounter *c)
 {
     const IrIns *i = c_ins(fn, r);
     const bool swap = i->op == IR_add && !is_counted(fn, i->a, to);
@@ -57,7 +57,7 @@ static bool find_count(const CFn *fn, IrRef r, SmType to, Count *c)
     return is_counted(fn, c->v, to) && is_step(fn, c->by);
 }
 
-static bool is_up_by_one(const CFn *fn, const Count *c, SmType to)
+static bool is_up_by_one(const CFn *fn, const CCounter *c, SmType to)
 {
     double by;
     const bool by_one = c->truth != IR_NONE || (fact_is_number(fn->ins[c->by].fact, &by) && by == 1);
@@ -66,7 +66,7 @@ static bool is_up_by_one(const CFn *fn, const Count *c, SmType to)
 }
 
 // Writes the increment argument of a helper; `up`: the helper counts up by one.
-static void write_step(CFn *fn, const Count *c, bool up)
+static void write_step(CFn *fn, const CCounter *c, bool up)
 {
     const IrRef n = integer_of(fn, c->by);
     const double x = fn->ins[c->by].fact.lo;
@@ -91,7 +91,7 @@ bool soft_write_count(CFn *fn, const IrIns *store)
 {
     const IrIns *i = c_ins(fn, store->a);
     IrRef v;
-    Count c;
+    CCounter c;
 
     if (!fn->u->soft || i->op != IR_cvt || i->type != SM_U64 || c_is_const(fn, store->a) || fn->ins[store->a].form != C_INLINE ||
         c_ins(fn, i->a)->type != SM_F64 || !find_count(fn, i->a, SM_U64, &c) || c.truth != IR_NONE ||
@@ -106,7 +106,7 @@ bool soft_write_count(CFn *fn, const IrIns *store)
     return true;
 }
 
-static const char *helper_of(CFn *fn, const Count *c, SmType to)
+static const char *helper_of(CFn *fn, const CCounter *c, SmType to)
 {
     if (!is_up_by_one(fn, c, to))
         return to == SM_U64 ? "sm_count_u64" : "sm_count_i64";
@@ -115,7 +115,7 @@ static const char *helper_of(CFn *fn, const Count *c, SmType to)
 
 bool c_write_count(CFn *fn, IrRef r, SmType to)
 {
-    Count c;
+    CCounter c;
 
     if ((to != SM_U64 && to != SM_I64) || !find_count(fn, r, to, &c))
         return false;

@@ -89,11 +89,11 @@ static void write_vector_members(const CUnit *u, const CVector *sv, Buf *out)
 static void write_vector_comment(const CVector *sv, Buf *out)
 {
     if (sv->shared)
-        buf_printf(out, "// The state vector of %s.sv.  Every machine built with it declares this struct, and all of them may be used together.\n"
+        buf_printf(out, "// The state vector of %s.sv.  Every machine built with it declares this struct, and they can be used together.\n"
                         "// ", sv->name);
     else
         buf_printf(out, "// The state vector: what the machine reads and writes.\n// ");
-    buf_str(out, "The layout is the same on every target: nothing is hidden between the members.  A bool is a byte: 0 is false,\n"
+    buf_str(out, "The layout is the same on every target, without hidden padding.  A bool is a byte: 0 is false,\n"
                  "// anything else true.\n");
 }
 
@@ -106,10 +106,10 @@ void c_write_vector_struct(const CUnit *u, Buf *out)
     buf_printf(out, "typedef struct %s {\n", n->sv_type);
     write_vector_members(u, &u->sv, out);
     buf_printf(out, "} %s;\n\n", n->sv_type);
-    buf_printf(out, "// Does not compile where the compiler puts gaps between members or has other sizes.\n"
+    buf_printf(out, "// Does not compile if the compiler inserts padding or has types of other sizes.\n"
                     "typedef char %s_layout_check[sizeof(%s) == %u ? 1 : -1];\n", n->sv_type, n->sv_type, u->sv.size);
     buf_printf(out, "#elif %s_LAYOUT != 0x%08xu\n", n->sv_macro, u->sv.hash);
-    buf_printf(out, "#error \"%s: this header and one included before it were made from different state vectors\"\n#endif\n",
+    buf_printf(out, "#error \"%s: this header and one included before it were generated from different state vectors\"\n#endif\n",
                n->sv_type);
 }
 
@@ -120,7 +120,7 @@ static void write_status(const CNames *n, Buf *out)
     buf_printf(out, "typedef enum %sStatus {\n", n->type);
     buf_printf(out, "    %s_OK,\n", n->macro);
     buf_printf(out, "    %s_REFUSED,     // step: time did not advance; nothing changed\n", n->macro);
-    buf_printf(out, "    %s_NO_STATE,    // init: there is no state of that number; step: init has not succeeded\n", n->macro);
+    buf_printf(out, "    %s_NO_STATE,    // init: no state has that number; step: init has not succeeded\n", n->macro);
     buf_printf(out, "    %s_UNFIT        // init: built or run in a way that changes what arithmetic means\n", n->macro);
     buf_printf(out, "} %sStatus;\n", n->type);
 }
@@ -130,13 +130,13 @@ static void write_states(const CUnit *u, Buf *out)
     const CNames *n = &u->names;
     const size_t states = u->m->state.n;
 
-    buf_printf(out, "// States by number.  The first is where the machine starts if you have no reason to choose another.\n"
+    buf_printf(out, "// States by number.  The first is the initial state, unless init is called with another.\n"
                     "enum {\n");
     for (size_t i = 0; i < states; i++) {
         const char *name = source_name(n->state[i], u->m->state.at[i].name);
         buf_printf(out, "    %s_STATE_%s = %u,%s%s\n", n->macro, n->state[i], (unsigned)i + 1, *name ? "     // " : "", name);
     }
-    buf_printf(out, "    %s_INITIAL_STATE = 1,\n    %s_STATES = %u      // how many there are\n};\n", n->macro, n->macro,
+    buf_printf(out, "    %s_INITIAL_STATE = 1,\n    %s_STATES = %u      // their number\n};\n", n->macro, n->macro,
                (unsigned)states);
 }
 
@@ -184,8 +184,8 @@ static void write_machine_struct(CUnit *u, Buf *out)
     const IrMachine *m = u->m;
     const char **call = remark_windows(u);
 
-    buf_printf(out, "// The machine.  Copying it copies the machine; its members are for reading, and those that end in an underscore are\n"
-                    "// its own business.\ntypedef struct %s {\n", u->names.type);
+    buf_printf(out, "// The machine.  A copy of the struct is a copy of the machine.  Members are for reading only; those that end in an underscore are\n"
+                    "// private.\ntypedef struct %s {\n", u->names.type);
     write_member(out, c_state_type(u), "state_", "what the next step runs; 0 before init");
     write_member(out, "bool", "first_", "the next step is the state's first");
     write_member(out, "uint64_t", "gate_", u->soft ? "time of the last step, and 1; 0 before one" : "how much time was left at the last step");
@@ -227,15 +227,15 @@ void c_write_prototypes(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
 
-    buf_printf(out, "// Puts the machine at a state, writes its number to the state vector and the locals' initial values.  On any other\n"
-                    "// status than %s_OK the machine will not step.\n", n->macro);
+    buf_printf(out, "// Starts the machine in a state: writes its number to the state vector, and the locals' initial values.  After any other\n"
+                    "// status than %s_OK the machine refuses to step.\n", n->macro);
     buf_printf(out, "%sStatus %s_init(%s *m, %s *sv, uint32_t state);\n\n", n->type, n->prefix, n->type, n->sv_type);
     buf_printf(out, "// Runs one step.  Time, sv->%s, must have advanced since the last step that ran.\n", n->var[u->m->g]);
     buf_printf(out, "%sStatus %s_step(%s *m, %s *sv);\n\n", n->type, n->prefix, n->type, n->sv_type);
     buf_printf(out, "// The number of the state that the next step runs.\n");
     buf_printf(out, "uint32_t %s_state(const %s *m);\n\n", n->prefix, n->type);
-    buf_printf(out, "// T: the time in its state, as of the last step that ran.\n");
+    buf_printf(out, "// T: the time in the current state, as of the last step that ran.\n");
     buf_printf(out, "uint64_t %s_T(const %s *m);\n\n", n->prefix, n->type);
-    buf_printf(out, "// A state's name as in the source; \"\" for a number that is no state's.\n");
+    buf_printf(out, "// A state's name as in the source; \"\" if no state has that number.\n");
     buf_printf(out, "const char *%s_state_name(uint32_t state);\n", n->prefix);
 }

@@ -159,9 +159,9 @@ static void write_helpers(CUnit *u, Buf *out)
     helpers_write(u, &texts);
     if (texts.n == 0)
         return;
-    buf_str(out, "// ---- where the language means something else than C ----\n"
-                 "// sm_read_X is what reading a stored X gives: a NaN reads as 0.  sm_to_X is what storing a number in X leaves there:\n"
-                 "// NaN leaves 0; integers lose the fraction and stop at their limits.\n\n");
+    buf_str(out, "// ---- where the language differs from C ----\n"
+                 "// sm_read_X returns what reading a stored X yields: a NaN reads as 0.  sm_to_X returns what storing a number in X leaves there:\n"
+                 "// 0 for a NaN; integers lose the fraction and saturate.\n\n");
     buf_str(out, buf_text(&texts));
 }
 
@@ -183,7 +183,7 @@ static void write_code(CUnit *u, const char *source, const char *header, Buf *ou
         c_write_machine_type(u, out);
     if (!u->fit)
         return;
-    buf_str(out, "\n// ---- whether this program computes as the language says ----\n\n");
+    buf_str(out, "\n// ---- self-test: whether this program's arithmetic is that of the language ----\n\n");
     c_write_self_test(u->fit, out);
 }
 
@@ -266,7 +266,7 @@ void emit_c_image(Arena *arena, const char *name, const Buf *image, const EmitCO
     buf_printf(out, "// The bytecode of %s as an array.  Made by smc from %s: change that, not this file.\n", name, o->source);
     buf_printf(out, "#ifndef %s_IMAGE_H_INCLUDED\n#define %s_IMAGE_H_INCLUDED\n\n#include <stdint.h>\n\n", macro, macro);
     buf_printf(out,
-               "#ifdef __AVR__      // whose constants are copied into RAM, unless told to stay in flash\n#include <avr/pgmspace.h>\n"
+               "#ifdef __AVR__      // constants are copied into RAM unless they are placed in flash\n#include <avr/pgmspace.h>\n"
                "#define %s_IMAGE_IN PROGMEM\n#else\n#define %s_IMAGE_IN\n#endif\n\n",
                macro, macro);
     buf_printf(out, "static const uint8_t %s_image[%u] %s_IMAGE_IN = {", prefix, (unsigned)image->n, macro);

@@ -90,7 +90,7 @@ static void write_pin(const IoUnit *u, const Pin *p, Buf *out)
     buf_printf(out, "},   // %s\n", as_written(u->arena, p));
 }
 
-static size_t count(const IoMap *io, bool output)
+static size_t count_pins(const IoMap *io, bool output)
 {
     size_t n = 0;
 
@@ -102,7 +102,7 @@ static size_t count(const IoMap *io, bool output)
 static void write_table(const IoUnit *u, bool output, Buf *out)
 {
     const char *p = u->prefix, *what = output ? "output" : "input";
-    const unsigned long n = (unsigned long)count(u->io, output);
+    const unsigned long n = (unsigned long)count_pins(u->io, output);
 
     if (n == 0) {
         buf_printf(out, "\nSmIo %s_%ss = {0, 0, &%s_vector, 0, 0, 0, 0};\n", p, what, u->vector);
@@ -121,7 +121,7 @@ static void write_table(const IoUnit *u, bool output, Buf *out)
 static void write_includes(const IoUnit *u, const char *header, Buf *out)
 {
     buf_printf(out, "#include \"%s\"\n\n#include \"%s.h\"\n\n", header, u->io->sv->name->text);
-    buf_printf(out, "#if %s_SV_LAYOUT != 0x%08xu\n#error \"%s_io was made from another state vector: build it again\"\n#endif\n\n",
+    buf_printf(out, "#if %s_SV_LAYOUT != 0x%08xu\n#error \"%s_io was generated from another state vector: build it again\"\n#endif\n\n",
                c_macro_name(u->arena, u->vector), u->io->sv->hash, u->prefix);
 }
 
@@ -129,7 +129,7 @@ static void write_code(const IoUnit *u, const char *header, Buf *out)
 {
     write_title(u, out);
     write_includes(u, header, out);
-    buf_str(out, "// kind, type, flags, hold, pin, place in the state vector; scale, offset and safe value as bits of a binary64.\n");
+    buf_str(out, "// kind, type, flags, hold, pin, offset in the state vector; scale, offset and safe value as bits of a binary64.\n");
     write_table(u, false, out);
     write_table(u, true, out);
 }

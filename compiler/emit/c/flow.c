@@ -73,7 +73,7 @@ static void find_successors(CFn *fn)
     }
 }
 
-static void reach(CFlow *w, Tree *t, uint32_t from, uint32_t to)
+static void add_edge(CFlow *w, Tree *t, uint32_t from, uint32_t to)
 {
     if (to == IR_NONE)
         return;
@@ -90,8 +90,8 @@ static void find_dominators(CFlow *w, Tree *t)
             continue;
         if (b > 0)
             tree_add(t, b, t->parent[b]);
-        reach(w, t, b, w->then[b]);
-        reach(w, t, b, w->other[b]);
+        add_edge(w, t, b, w->then[b]);
+        add_edge(w, t, b, w->other[b]);
     }
 }
 

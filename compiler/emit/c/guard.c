@@ -13,7 +13,7 @@ static const char includes[] =
 
 // FLT_EVAL_METHOD 1 widens only float, whose results are rounded back; 16 and above concern types that are not used.
 static const char guards[] =
-    "// ---- what this file asks of the compiler ----\n"
+    "// ---- what this file requires of the compiler ----\n"
     "\n"
     "#if FLT_RADIX != 2 || DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128\n"
     "#error \"this code needs a double that is IEEE binary64 and a float that is IEEE binary32: smc build --soft makes C without\"\n"
@@ -32,8 +32,8 @@ static const char guards[] =
     "#pragma clang diagnostic ignored \"-Wtautological-compare\"   // conditions are as their author wrote them\n"
     "#elif defined(__GNUC__)\n"
     "#pragma GCC optimize (\"fp-contract=off\")\n"
-    "#pragma GCC optimize (\"rounding-math\")    // gcc 12 takes 0.0 - (double)i for -(double)i, whose zero is -0, unless told this\n"
-    "#pragma GCC optimize (\"no-tree-slp-vectorize\")    // gcc 12 drops the rounding of (double)(float)x where it works on two at once\n"
+    "#pragma GCC optimize (\"rounding-math\")    // gcc 12 otherwise replaces 0.0 - (double)i by -(double)i, which is -0 for 0\n"
+    "#pragma GCC optimize (\"no-tree-slp-vectorize\")    // gcc 12 drops the rounding of (double)(float)x when it vectorises two of them\n"
     "#elif defined(_MSC_VER)\n"
     "#pragma fp_contract (off)\n"
     "#endif\n"
@@ -43,10 +43,10 @@ static const char guards[] =
 
 // With soft numbers little can go wrong: there is no floating-point arithmetic.
 static const char soft_guards[] =
-    "// ---- what this file asks of the compiler ----\n"
+    "// ---- what this file requires of the compiler ----\n"
     "\n"
     "#if !SM_F64_SOFT\n"
-    "#error \"this code was made for soft numbers, and stdlib/f64.h takes a double here: build with -DSM_F64_SOFT=1, or smc without --soft\"\n"
+    "#error \"this code was generated for soft numbers, but stdlib/f64.h uses a double here: build with -DSM_F64_SOFT=1, or smc without --soft\"\n"
     "#endif\n"
     "#if FLT_RADIX != 2 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128\n"
     "#error \"this code needs a float that is IEEE binary32\"\n"
@@ -70,8 +70,8 @@ void c_write_guards(Buf *out, const char *what, bool soft)
 
 // Each line tests one way in which a compiler, a flag or the processor's mode can change results.
 static const char self_test[] =
-    "// Tries what no macro tells: the rounding mode, whether numbers near zero survive, and what flags may have allowed the\n"
-    "// compiler to do to arithmetic.  The operands are volatile, so that nothing is known before it runs.\n"
+    "// Tests what no macro reports: the rounding mode, whether subnormal numbers survive, and what flags may have allowed the\n"
+    "// compiler to do to arithmetic.  The operands are volatile, so that the compiler cannot evaluate it.\n"
     "static bool %s(void)\n"
     "{\n"
     "    const volatile double one = 1.0, three = 3.0, ten = 10.0, big = 9007199254740992.0, tiny = 4.9406564584124654e-324;\n"
@@ -87,7 +87,7 @@ static const char self_test[] =
     "\n"
     "    fit = fit && one + small == 1.0 && one - small == 1.0 && -one - small == -1.0;                      // rounds to nearest\n"
     "    fit = fit && big + one == 9007199254740992.0 && big + three == 9007199254740996.0;                  // ... even\n"
-    "    fit = fit && wall - chip == 9223372035781033984.0 && chip - wall == -9223372035781033984.0;         // ... by all digits: libgcc of Cortex-M3, M4\n"
+    "    fit = fit && wall - chip == 9223372035781033984.0 && chip - wall == -9223372035781033984.0;         // ... with all digits: libgcc of Cortex-M3, M4\n"
     "    fit = fit && tiny > 0.0 && tiny + tiny > tiny && least * 0.5 > 0.0;                                 // keeps subnormal numbers\n"
     "    fit = fit && float_least * float_half > 0.0f && (float)(least * 0.5) < float_least;                 // ... in float too\n"
     "    fit = fit && 1.0 / (minus_zero + zero) > 0.0 && 1.0 / (minus_zero * one) < 0.0;                     // keeps the sign of zero\n"
@@ -98,10 +98,10 @@ static const char self_test[] =
     "    fit = fit && (x + 9007199254740992.0) - 9007199254740992.0 == 0.0 && (tenth * 3.0) * 10.0 == 3.0000000000000004;\n"
     "    fit = fit && five / 49.0 == 0.10204081632653061 && x / y == 0.33333333333333331;                    // divides\n"
     "    fit = fit && q5 == 0.10204081632653061 && q9 == 0.1836734693877551 && q10 == 0.20408163265306123;\n"
-    "    fit = fit && (zero / zero) != (zero / zero) && !(zero / zero == zero / zero);                       // knows NaN\n"
+    "    fit = fit && (zero / zero) != (zero / zero) && !(zero / zero == zero / zero);                       // has NaN\n"
     "    fit = fit && 1.0 / zero > 1.7976931348623157e308 && one / zero - one / zero != 0.0;                 // ... and infinity\n"
     "    fit = fit && (double)wide == 9223372036854777856.0;                                                 // rounds integers once\n"
-    "    fit = fit && 1.0 / (0.0 - (double)nothing) > 0.0 && 1.0 / (0.0 + -(double)nothing) > 0.0;           // takes from zero\n"
+    "    fit = fit && 1.0 / (0.0 - (double)nothing) > 0.0 && 1.0 / (0.0 + -(double)nothing) > 0.0;           // subtracts from zero\n"
     "    return fit;\n"
     "}\n";
 

@@ -7,7 +7,7 @@
 
 size_t helper_count(void) { return STDLIB_TEXT_COUNT; }
 
-static int find(const char *name)
+static int find_helper(const char *name)
 {
     for (int i = 0; i < STDLIB_TEXT_COUNT; i++)
         if (strcmp(stdlib_text[i].name, name) == 0)
@@ -17,7 +17,7 @@ static int find(const char *name)
 
 const char *helper_use(CUnit *u, const char *name)
 {
-    const int i = find(name);
+    const int i = find_helper(name);
 
     if (i >= 0)
         u->helper[i]++;
@@ -26,7 +26,7 @@ const char *helper_use(CUnit *u, const char *name)
 
 void helper_write_type(CUnit *u, const char *name, Buf *out)
 {
-    const int i = find(name);
+    const int i = find_helper(name);
 
     if (i >= 0)
         native_write(u, stdlib_text[i].text, out);
@@ -62,7 +62,7 @@ static void use_dependencies(CUnit *u, int i, const char *text)
 enum { TOO_MANY = 500 };
 static const char apart_text[] =
     "#if defined(__GNUC__)\n"
-    "#define SM_APART __attribute__((noinline))    // called from very many places\n"
+    "#define SM_APART __attribute__((noinline))    // called from many places\n"
     "#else\n"
     "#define SM_APART\n"
     "#endif\n";

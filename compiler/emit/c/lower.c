@@ -32,7 +32,7 @@ void lower_find_facts(CFn *fn, const Env *begin)
 
 // ---- which instructions are needed, and how often ----
 
-static void use(CFn *fn, IrRef r)
+static void count_use(CFn *fn, IrRef r)
 {
     if (r != IR_NONE && !c_is_const(fn, r))
         fn->ins[r].uses++;
@@ -66,7 +66,7 @@ static void count_uses(CFn *fn, uint32_t b)
     const IrBlk *blk = &fn->f->blk.at[b];
 
     if (is_branch(fn, b))
-        use(fn, blk->jump.cond);
+        count_use(fn, blk->jump.cond);
     for (size_t p = blk->ins.n; p-- > 0;) {
         const IrIns *i = &fn->f->ins.at[blk->ins.at[p]];
         const CIns *c = &fn->ins[blk->ins.at[p]];
@@ -76,8 +76,8 @@ static void count_uses(CFn *fn, uint32_t b)
             var_use(fn, i->var)->loads += c->uses;
         if ((c->uses == 0 && !ir_op_info[i->op].effect) || i->op == IR_const)
             continue;
-        use(fn, i->a);
-        use(fn, i->b);
+        count_use(fn, i->a);
+        count_use(fn, i->b);
         note_double(fn, i);
     }
 }
@@ -334,7 +334,7 @@ static void note_store(CFn *fn, const IrIns *i, uint32_t at)
     }
 }
 
-static void place(CFn *fn, uint32_t b)
+static void place_instructions(CFn *fn, uint32_t b)
 {
     const IrBlk *blk = &fn->f->blk.at[b];
 
@@ -370,5 +370,5 @@ void lower_function(CFn *fn)
             choose_copies(fn, b);
     for (uint32_t b = 0; b < end; b++)
         if (fn->flow.reached[b])
-            place(fn, b);
+            place_instructions(fn, b);
 }

@@ -29,7 +29,7 @@ static const char *base_name(const char *path)
 }
 
 // `, tank.sm:12`, or "" if the source is unknown.
-static const char *place(const CUnit *u, Span s)
+static const char *source_place(const CUnit *u, Span s)
 {
     if (!s.src)
         return "";
@@ -42,7 +42,7 @@ static const char *block_comment(const CUnit *u, size_t state, BlockKind k)
     const Span none = { 0 };
 
     return format_in(u->arena, "// [%s] .%s%s\n", u->m->state.at[state].name->text, block_name[k],
-                     place(u, p ? p->state.at[state]->block_span[k] : none));
+                     source_place(u, p ? p->state.at[state]->block_span[k] : none));
 }
 
 static void write_state_block(CUnit *u, size_t i, BlockKind k, CState *s, Buf *out)
@@ -197,7 +197,7 @@ static CSignature write_group(const CUnit *u, BlockKind k, const CState *s, Buf 
 
     if (!has_any(u, s, k))
         return as;
-    buf_printf(out, "// The .%s of the state%s.\n", block_name[k], as.returns_state ? "; gives the state to go to, or 0" : "");
+    buf_printf(out, "// The .%s of the state%s.\n", block_name[k], as.returns_state ? "; returns the next state, or 0" : "");
     if (u->m->state.n > CUT_FROM)
         write_parts(u, group_name(u, k), k, s, as, out);
     else
@@ -255,10 +255,10 @@ static void write_step_start(const CUnit *u, const CStep *w, Buf *out)
 
     buf_printf(out, "%sStatus %s_step(%s *m, %s *sv)\n{\n", n->type, n->prefix, n->type, n->sv_type);
     if (!u->soft)
-        buf_printf(out, "    const uint64_t left = UINT64_MAX - 1 - sv->%s;      // until time ends; more than ever when it has\n", n->var[u->m->g]);
+        buf_printf(out, "    const uint64_t left = UINT64_MAX - 1 - sv->%s;      // until time ends; the largest value when it has\n", n->var[u->m->g]);
     buf_str(out, w->first ? "    bool first = false;\n" : "");
     if (w->transition)
-        buf_printf(out, "    %s next = 0;      // the state to go to\n", c_state_type(u));
+        buf_printf(out, "    %s next = 0;      // the next state\n", c_state_type(u));
     (u->soft ? write_soft_gate : write_gate)(u, w, out);
     if (u->track_stores)
         buf_printf(out, "    memset(&m->stored, 0, sizeof m->stored);\n    m->stored.%s = first;\n", n->var[u->m->s]);
@@ -331,14 +331,14 @@ void c_write_machine(CUnit *u, Buf *out)
     buf_init(&code, u->arena);
     if (u->m->sample) {
         const CFunction what = { u->m->sample, facts_begin_sample(u->facts), format_in(u->arena, "%s_sample", u->names.prefix),
-                                 "// Gives every rolling window its sample of this step.\n" };
+                                 "// Adds the sample of this step to every rolling window.\n" };
         sample = c_write_function(u, &what, &code);
     }
     for (size_t w = 0; w < u->m->window.n; w++)
         u->window_sample[w] = UINT32_MAX;
     s = write_blocks(u, &code);
     c_write_statistics(u, out);
-    buf_str(out, "// ---- the states.  A number that a block returns is that of the state to go to; 0 is to stay. ----\n\n");
+    buf_str(out, "// ---- the states.  A block returns the number of the next state, or 0 to stay. ----\n\n");
     buf_str(out, buf_text(&code));
     buf_str(out, "// ---- the machine ----\n\n");
     write_init(u, out);

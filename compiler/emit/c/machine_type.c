@@ -48,7 +48,7 @@ static void write_looks(const CUnit *u, Buf *out)
 
     write_head(u, "uint32_t", "state", out);
     buf_printf(out, "const void *self)\n{\n    return %s_state((const %s *)self);\n}\n\n", n->prefix, n->type);
-    buf_str(out, "// After a step that made a transition the next one is a first step.\n");
+    buf_str(out, "// The step after a transition is a first step.\n");
     write_head(u, "bool", "moved", out);
     buf_printf(out, "const void *self)\n{\n    return ((const %s *)self)->first_;\n}\n\n", n->type);
     write_head(u, "uint64_t", "T", out);
@@ -79,7 +79,7 @@ static void write_uses(const CUnit *u, Buf *out)
         from = m->var.at[v].offset < from ? m->var.at[v].offset : from;
         to = end_of(&m->var.at[v]) > to ? end_of(&m->var.at[v]) : to;
     }
-    buf_str(out, "// From the first element that it lists to the last.\n");
+    buf_str(out, "// From the first listed element to the last.\n");
     write_range(u, "uses", from, to, out);
     write_range(u, "number", m->var.at[m->s].offset, end_of(&m->var.at[m->s]), out);
 }
@@ -104,7 +104,7 @@ void c_write_machine_type(const CUnit *u, Buf *out)
 {
     static const char *const function[] = { "open", "init", "run", "state", "moved", "T", "name", "states", "uses", "number" };
 
-    buf_str(out, "\n// ---- the machine as the flight runtime takes it (runtime-c/machine_type.h) ----\n\n");
+    buf_str(out, "\n// ---- the machine for the flight runtime (runtime-c/machine_type.h) ----\n\n");
     write_open(u, out);
     write_init(u, out);
     write_run(u, out);
@@ -122,6 +122,6 @@ void c_write_machine_type(const CUnit *u, Buf *out)
 
 void c_write_machine_type_prototype(const CUnit *u, Buf *out)
 {
-    buf_printf(out, "\n// The machine as the flight runtime takes it; an SmMachine's self is then a %s.\n"
+    buf_printf(out, "\n// The machine for the flight runtime; the self of its SmMachine is a %s.\n"
                     "extern const SmMachineType %s_machine;\n", u->names.type, u->names.prefix);
 }

@@ -60,7 +60,7 @@ static size_t word_length(const char *p)
     return n;
 }
 
-static const Primitive *find(const char *name, size_t n)
+static const Primitive *find_primitive(const char *name, size_t n)
 {
     for (size_t i = 0; i < sizeof primitive / sizeof *primitive; i++)
         if (strlen(primitive[i].name) == n && memcmp(primitive[i].name, name, n) == 0)
@@ -131,7 +131,7 @@ static const Primitive *call_at(const char *p)
 {
     const size_t n = word_length(p);
 
-    return n > 0 && p[n] == '(' ? find(p, n) : NULL;
+    return n > 0 && p[n] == '(' ? find_primitive(p, n) : NULL;
 }
 
 static void write_operand(CUnit *u, Text t, int prec, Buf *out)

@@ -212,7 +212,7 @@ static void write_file_title(const char *what, Buf *out)
 void emit_c_soft_library(Buf *header, Buf *code, Buf *assembly)
 {
     write_file_title("what may be done with them", header);
-    buf_str(header, "#ifndef SM_F64_H              // else smc's own stdlib/f64.h has been included, as by its Arduino library, and has all of this\n");
+    buf_str(header, "#ifndef SM_F64_H              // otherwise stdlib/f64.h, which declares all of this, has been included, as by smc's Arduino library\n");
     buf_str(header, "#ifndef SM_F64_SOFT\n#define SM_F64_SOFT 1\n#endif\n");
     write_lines(soft_header, header);
     buf_str(header, "#endif\n");

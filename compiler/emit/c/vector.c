@@ -13,7 +13,7 @@ static void write_enum(Buf *out, const char *const *name, size_t n, const char *
     buf_str(out, "enum {\n");
     for (size_t i = 0; i < n; i++)
         buf_printf(out, "    %s,\n", name[i]);
-    buf_printf(out, "    %s        // how many there are\n};\n\n", count);
+    buf_printf(out, "    %s        // their number\n};\n\n", count);
 }
 
 static void write_plain(const CUnit *u, const CElement *e, const char *getter, const char *setter, Buf *out)
@@ -40,7 +40,7 @@ static void write_variables(const CUnit *u, const StateVec *sv, const CVectorNam
 {
     const char *p = u->names.prefix;
 
-    buf_printf(out, "\n// ---- for the flight runtime: runtime-c/statevec.h tells what may be done with these ----\n\n");
+    buf_printf(out, "\n// ---- for the flight runtime: runtime-c/statevec.h documents these ----\n\n");
     buf_printf(out, "extern %s %s_sv;        // %s\n", u->names.sv_type, p,
                sv->lock ? "where the elements are; for those who hold its lock" : "where the elements are; for one thread");
     buf_printf(out, "extern SmStateVec %s_vector;\nextern const SmLayout %s_layout;\n", p, p);
@@ -67,10 +67,10 @@ void c_write_vector_interface(const CUnit *u, const StateVec *sv, const CVectorN
 
     write_variables(u, sv, n, out);
     if (sv->lock)
-        buf_printf(out, "// Each of these takes and gives back the lock.  One that cannot have it reads 0, writes nothing, and counts in %s_vector.faults.\n\n", p);
+        buf_printf(out, "// Each of these acquires and releases the lock.  If it cannot, it reads 0, writes nothing, and counts a fault in %s_vector.faults.\n\n", p);
     for (size_t i = 0; i < u->sv.n; i++)
         (sv->lock ? write_guarded : write_plain)(u, &u->sv.at[i], n->getter[i], n->setter[i], out);
-    buf_str(out, "// A whole region, in one go, from and to its members in a copy of the vector; the others are left as they are.\n\n");
+    buf_str(out, "// Copy a whole region at once, from or to its members in a copy of the vector; other members stay unchanged.\n\n");
     for (size_t r = 0; r < sv->region.n; r++)
         write_region(u, n->region[r], n->reader[r], n->writer[r], sv->region.at[r]->offset, out);
     out->n--;                        // the blank line after the last one
@@ -87,7 +87,7 @@ static void write_storage(const CUnit *u, const StateVec *sv, Buf *out)
     for (size_t i = 0; i < u->sv.n; i++)
         wide = wide || sm_type_info[u->sv.at[i].type].bytes == 8;
     if (!wide)
-        buf_str(out, "// Nothing in it asks for the alignment of a uint64_t; images do.  (Elsewhere sm_statevec_init tells.)\n"
+        buf_str(out, "// No member requires the alignment of a uint64_t, but images do.  (On other targets sm_statevec_init checks it.)\n"
                      "#ifdef __GNUC__\n__attribute__((aligned(8)))\n#endif\n");
     buf_printf(out, "%s %s_sv;\n\n", u->names.sv_type, p);
     buf_printf(out, "SmStateVec %s_vector = {&%s_layout, &%s_sv, %s, {0}, 0};\n\n", p, p, p, sv->lock ? "true" : "false");
@@ -110,7 +110,7 @@ static void write_layout(const CUnit *u, const StateVec *sv, Buf *out)
     const char *p = u->names.prefix, *m = u->names.macro;
     uint32_t packed = 0;
 
-    buf_printf(out, "static const SmRegion %s_regions[] = {        // offset and size, size on the wire, first element and how many\n", p);
+    buf_printf(out, "static const SmRegion %s_regions[] = {        // offset, size, size on the wire, first element, number of elements\n", p);
     for (size_t r = 0; r < sv->region.n; r++) {
         const Region *at = sv->region.at[r];
         buf_printf(out, "    {%u, %u, %u, %u, %u},        // %s\n", at->offset, at->size, at->packed_size, at->first, at->count, at->name->text);

@@ -123,7 +123,7 @@ void c_write_statistics(CUnit *u, Buf *out)
     for (size_t w = 0; w < u->m->window.n; w++)
         for (int stat = 0; stat < SM_STAT_COUNT; stat++)
             if (u->window_asked[w] >> stat & 1) {
-                buf_str(out, any ? "" : "// ---- what the rolling windows are asked ----\n\n");
+                buf_str(out, any ? "" : "// ---- statistics of rolling windows ----\n\n");
                 any = true;
                 write_statistic(u, w, stat, out);
             }
