@@ -229,8 +229,8 @@ static bool read_ins(IrReader *r, Str name, Str op)
     if (i.op == IR_OP_COUNT)
         return scan_fail(&r->scan, "there is no operation '%.40s'", op->text);
     if (ir_op_info[i.op].effect == (name != NULL))
-        return name ? scan_fail(&r->scan, "'%.40s' gives no result", op->text)
-                    : scan_fail(&r->scan, "'%.40s' gives a result: a name and '=' must stand before it", op->text);
+        return name ? scan_fail(&r->scan, "'%.40s' has no result", op->text)
+                    : scan_fail(&r->scan, "'%.40s' has a result: a name and '=' must precede it", op->text);
     if (!ins_details(r, &i))
         return false;
     ref = ir_emit(r->arena, r->f, (IrBlkRef)(r->f->blk.n - 1), i);
@@ -244,7 +244,7 @@ static bool read_result(IrReader *r, Str name)
     Str op;
 
     if (map_find(&r->temps, name))
-        return scan_fail(&r->scan, "'%.40s' is given a value twice", name->text);
+        return scan_fail(&r->scan, "'%.40s' is assigned twice", name->text);
     return scan_char(&r->scan, '=') && (op = scan_word(&r->scan, "an operation")) != NULL && read_ins(r, name, op);
 }
 
@@ -339,7 +339,7 @@ static bool line_is_over(IrReader *r)
 static bool read_function(IrReader *r, IrFn **out)
 {
     if (*out)
-        return scan_fail(&r->scan, "this function stands twice");
+        return scan_fail(&r->scan, "duplicate function");
     *out = r->f = ARENA_NEW(r->arena, IrFn);
     memset(&r->temps, 0, sizeof r->temps);
     r->temps.arena = r->arena;
@@ -380,7 +380,7 @@ static bool read_state_function(IrReader *r, Str w)
                 return scan_fail(&r->scan, "expected a state before this function");
             return read_function(r, &r->m->state.at[r->m->state.n - 1].block[k]);
         }
-    return scan_fail(&r->scan, "'%.40s' begins nothing that may stand here", w->text);
+    return scan_fail(&r->scan, "'%.40s' is not allowed here", w->text);
 }
 
 static bool read_line(IrReader *r)

@@ -124,7 +124,7 @@ bool scan_quoted(IrScan *s, Str *out)
         char c = *s->at++;
         if (c == '\\') {
             if (s->end - s->at < 2 || hex_digit(s->at[0]) < 0 || hex_digit(s->at[1]) < 0)
-                return scan_fail(s, "expected two hexadecimal digits behind the backslash");
+                return scan_fail(s, "expected two hexadecimal digits after the backslash");
             c = (char)(unsigned char)(hex_digit(s->at[0]) * 16 + hex_digit(s->at[1]));
             s->at += 2;
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words and numbers of IR text, for read.c.  A function that does not find what it requires sets an error and returns false (or
-// NULL).  The first error is kept.
+// The words and numbers of IR text, for ir_read.c.  A function that does not find what it requires sets an error and returns false (or
+// NULL).  Later errors are ignored.
 #ifndef SMC_IR_SCAN_H
 #define SMC_IR_SCAN_H
 

@@ -15,7 +15,7 @@ typedef struct Checker {
     const IrFn *f;                    // the function being checked; messages about it contain:
     const char *state;                // its state; NULL for the sample function
     const char *block;
-    bool *given;                      // by instruction: its result is available in the current block
+    bool *computed;                      // by instruction: its result is available in the current block
     bool *placed;                     // by instruction: it is in a block
     bool *sampled;                    // by window: it has been sampled
 } Checker;
@@ -83,7 +83,7 @@ static bool check_element(Checker *c, const IrVar *v)
     if (v->offset % bytes != 0)
         return report_violation(c, "element %.80s is not at a multiple of its size", v->name->text);
     if (c->m->sv_size < bytes || v->offset > c->m->sv_size - bytes)
-        return report_violation(c, "element %.80s lies outside the state vector", v->name->text);
+        return report_violation(c, "element %.80s is outside the state vector", v->name->text);
     return true;
 }
 
@@ -115,7 +115,7 @@ static bool check_overlap(Checker *c)
     table = ARENA_ARRAY(c->arena, Taken, cap);
     for (size_t v = 0; v < c->m->var.n; v++)
         if (c->m->var.at[v].space == IR_ELEMENT && !take_bytes(table, cap, &c->m->var.at[v]))
-            return report_violation(c, "element %.80s lies on another", c->m->var.at[v].name->text);
+            return report_violation(c, "element %.80s overlaps another", c->m->var.at[v].name->text);
     return true;
 }
 
@@ -140,7 +140,7 @@ static bool check_var(Checker *c, const IrVar *v, uint32_t index, Map *names)
     switch (v->space) {
     case IR_ELEMENT: return check_element(c, v);
     case IR_LOCAL: return check_local(c, v);
-    case IR_TIME: return index == c->m->t || report_violation(c, "%.80s is a second time", v->name->text);
+    case IR_TIME: return index == c->m->t || report_violation(c, "%.80s is a second time variable", v->name->text);
     }
     return report_violation(c, "%.80s is no element, local or time", v->name->text);
 }
@@ -180,15 +180,15 @@ static bool check_windows(Checker *c)
             return report_violation(c, "window w%lu has an unknown statistic", (unsigned long)w);
     }
     return (c->m->window.n == 0) == (c->m->sample == NULL)
-        || report_violation(c, "there is a sample function without windows, or the other way round");
+        || report_violation(c, "a sample function requires windows, and windows require one");
 }
 
 // ---- instructions ----
 
 static bool check_operand(Checker *c, IrRef ref, IrRef user)
 {
-    if (ref >= c->f->ins.n || !c->given[ref])
-        return report_violation(c, "instruction %lu uses a temporary that its block has not given before", (unsigned long)user);
+    if (ref >= c->f->ins.n || !c->computed[ref])
+        return report_violation(c, "instruction %lu uses a temporary that its block has not computed before", (unsigned long)user);
     return true;
 }
 
@@ -204,7 +204,7 @@ static bool check_const(Checker *c, const IrIns *i, IrRef ref)
     if (!cell_fits(i->type, i->bits))
         return report_violation(c, "the number of instruction %lu does not fit its type", (unsigned long)ref);
     if (nan && (i->type != SM_F64 || i->bits != IR_NAN))
-        return report_violation(c, "instruction %lu spells NaN in another way than IR_NAN", (unsigned long)ref);
+        return report_violation(c, "instruction %lu has a NaN other than IR_NAN", (unsigned long)ref);
     return true;
 }
 
@@ -235,7 +235,7 @@ static bool check_stat(Checker *c, const IrIns *i, IrRef ref)
     if (i->var >= c->m->window.n || (unsigned)i->stat >= SM_STAT_COUNT)
         return report_violation(c, "instruction %lu is a statistic of nothing", (unsigned long)ref);
     if (!(c->m->window.at[i->var].stats >> i->stat & 1))
-        return report_violation(c, "instruction %lu asks window w%lu for a statistic that it does not list", (unsigned long)ref,
+        return report_violation(c, "instruction %lu reads a statistic that window w%lu does not list", (unsigned long)ref,
                     (unsigned long)i->var);
     return c->state || c->sampled[i->var]
         || report_violation(c, "instruction %lu reads window w%lu before its sample", (unsigned long)ref, (unsigned long)i->var);
@@ -244,7 +244,7 @@ static bool check_stat(Checker *c, const IrIns *i, IrRef ref)
 static bool check_operation(Checker *c, const IrIns *i, IrRef ref, SmType from, SmType to)
 {
     if (i->type != to)
-        return report_violation(c, "instruction %lu gives the wrong type", (unsigned long)ref);
+        return report_violation(c, "instruction %lu has a result of the wrong type", (unsigned long)ref);
     return operand_type(c, i->a, from, ref) && (ir_op_info[i->op].operands < 2 || operand_type(c, i->b, from, ref));
 }
 
@@ -273,7 +273,7 @@ static bool check_ins(Checker *c, IrRef ref)
     const IrIns *i = &c->f->ins.at[ref];
 
     if (c->placed[ref])
-        return report_violation(c, "instruction %lu stands twice", (unsigned long)ref);
+        return report_violation(c, "instruction %lu occurs twice", (unsigned long)ref);
     c->placed[ref] = true;
     if ((unsigned)i->op >= IR_OP_COUNT)
         return report_violation(c, "instruction %lu has no operation", (unsigned long)ref);
@@ -283,7 +283,7 @@ static bool check_ins(Checker *c, IrRef ref)
         return false;
     if (!check_types(c, i, ref))
         return false;
-    c->given[ref] = !ir_op_info[i->op].effect;
+    c->computed[ref] = !ir_op_info[i->op].effect;
     return true;
 }
 
@@ -300,12 +300,12 @@ static bool check_jump(Checker *c, IrBlkRef b, const IrJump *j)
     case IR_RET: return true;
     case IR_JMP: return check_target(c, b, j->then);
     case IR_BR:
-        if (j->cond >= c->f->ins.n || !c->given[j->cond] || c->f->ins.at[j->cond].type != SM_BOOL)
+        if (j->cond >= c->f->ins.n || !c->computed[j->cond] || c->f->ins.at[j->cond].type != SM_BOOL)
             return report_violation(c, "the condition at the end of block b%lu is no bool of this block", (unsigned long)b);
         return check_target(c, b, j->then) && check_target(c, b, j->otherwise);
     case IR_GOTO:
         if (!c->state || strcmp(c->block, ir_block_name[BLOCK_EXIT]) == 0)
-            return report_violation(c, "a transition stands where none may");
+            return report_violation(c, "a transition is not allowed here");
         return (j->state >= 1 && j->state <= c->m->state.n) || report_violation(c, "block b%lu goes to a state that does not exist", (unsigned long)b);
     }
     return report_violation(c, "block b%lu ends in no jump", (unsigned long)b);
@@ -317,11 +317,11 @@ static bool check_block(Checker *c, IrBlkRef b)
     bool ok = true;
 
     for (size_t i = 0; ok && i < blk->ins.n; i++)
-        ok = (blk->ins.at[i] < c->f->ins.n || report_violation(c, "block b%lu holds an instruction that does not exist", (unsigned long)b))
+        ok = (blk->ins.at[i] < c->f->ins.n || report_violation(c, "block b%lu contains an instruction that does not exist", (unsigned long)b))
           && check_ins(c, blk->ins.at[i]);
     ok = ok && check_jump(c, b, &blk->jump);
     for (size_t i = 0; ok && i < blk->ins.n; i++)
-        c->given[blk->ins.at[i]] = false;                    // a temporary is only valid in its block
+        c->computed[blk->ins.at[i]] = false;                    // a temporary is only valid in its block
     return ok;
 }
 
@@ -332,7 +332,7 @@ static bool check_function(Checker *c, const IrFn *f, const char *state, const c
     c->f = f;
     c->state = state;
     c->block = block;
-    c->given = ARENA_ARRAY(c->arena, bool, f->ins.n);
+    c->computed = ARENA_ARRAY(c->arena, bool, f->ins.n);
     c->placed = ARENA_ARRAY(c->arena, bool, f->ins.n);
     if (f->blk.n == 0)
         return report_violation(c, "there is no block");

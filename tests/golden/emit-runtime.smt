@@ -51,7 +51,7 @@ typedef char OpenSv_layout_check[sizeof(OpenSv) == 24 ? 1 : -1];
 
 // ---- for the flight runtime: runtime-c/statevec.h documents these ----
 
-extern OpenSv open_sv;        // where the elements are; for one thread
+extern OpenSv open_sv;        // its elements; for one thread
 extern SmStateVec open_vector;
 extern const SmLayout open_layout;
 extern const SmElement open_element[];        // by the numbers that follow
@@ -141,7 +141,7 @@ static const char *const open_region_names[] = {
 const SmNames open_names = {&open_layout, "open", open_element_names, open_region_names};
 // ---- for the flight runtime: runtime-c/statevec.h documents these ----
 
-extern ShutSv shut_sv;        // where the elements are; for those who hold its lock
+extern ShutSv shut_sv;        // its elements; only for code that holds its lock
 extern SmStateVec shut_vector;
 extern const SmLayout shut_layout;
 extern const SmElement shut_element[];        // by the numbers that follow

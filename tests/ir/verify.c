@@ -9,9 +9,9 @@ static const Edit edits[] = {
     {"x at 16", "x at 40", "outside the state vector"},
     {"x at 16", "x at 4294967288", "outside the state vector"},
     {"size 40", "size 0", "outside the state vector"},
-    {"u writable at 24", "u writable at 23", "lies on another"},
-    {"flag writable at 25", "flag writable at 24", "lies on another"},
-    {"f writable at 28", "f writable at 24", "lies on another"},
+    {"u writable at 24", "u writable at 23", "overlaps another"},
+    {"flag writable at 25", "flag writable at 24", "overlaps another"},
+    {"f writable at 28", "f writable at 24", "overlaps another"},
     {"state A\n", "state 9\n", "no identifier"},
     {"time U64 T", "time U64 9T", "no identifier"},
     {"n writable = -5", "n writable = 0x10000", "does not fit"},
@@ -27,17 +27,17 @@ static const Edit edits[] = {
     {"T\n", "T writable\n", "T is writable"},
     {"w0 F64 size 10", "w0 F64 size 0", "size of window w0"},
     {"w0 F64 size 10", "w0 F64 size 100001", "size of window w0"},
-    {"sample {\nb0:\n    %0 = load F64 x\n    sample w0, %0\n    %1 = stat avg w0\n    sample w1, %1\n    ret\n}\n", "", "without windows"},
+    {"sample {\nb0:\n    %0 = load F64 x\n    sample w0, %0\n    %1 = stat avg w0\n    sample w1, %1\n    ret\n}\n", "", "windows require one"},
     {"    sample w1, %1\n", "", "window w1 gets no sample"},
     {"sample w1, %1", "sample w0, %1", "samples a window twice"},
     {"    sample w0, %0\n    %1 = stat avg w0\n", "    %1 = stat avg w0\n    sample w0, %0\n", "before its sample"},
     {"    sample w1, %1\n    ret\n", "    sample w1, %1\n    jmp b1\nb1:\n    ret\n", "not one block"},
-    {"    sample w1, %1\n    ret\n", "    sample w1, %1\n    goto A\n", "transition stands where none may"},
+    {"    sample w1, %1\n    ret\n", "    sample w1, %1\n    goto A\n", "transition is not allowed here"},
     {"    sample w1, %1\n", "    sample w1, %1\n    %2 = cvt U8 %1\n    store U8 u, %2\n", "writes a variable"},
     {"    %1 = const F64 5\n", "    %1 = const F64 5\n    sample w0, %1\n", "outside the sample function"},
     {"stat min w1", "stat median w1", "does not list"},
-    {"store U8 u, %5\n    jmp", "store U8 u, %5\n    store bool flag, %3\n    jmp", "has not given before"},
-    {"store U8 u, %5\n    jmp", "%x = add F64 %0, %4\n    jmp", "has not given before"},
+    {"store U8 u, %5\n    jmp", "store U8 u, %5\n    store bool flag, %3\n    jmp", "has not computed before"},
+    {"store U8 u, %5\n    jmp", "%x = add F64 %0, %4\n    jmp", "has not computed before"},
     {"store U8 u, %5\n    jmp b3", "store U8 u, %5\n    br %3, b2, b3", "no bool of this block"},
     {"store U8 u, %5", "store U8 u, %4", "not of the right type"},
     {"store F32 f, %9", "store F64 x, %8", "not writable"},
@@ -47,7 +47,7 @@ static const Edit edits[] = {
     {"%8 = neg F64 %7", "%10 = cvt I32 %7\n    %8 = neg F64 %10", "not of the right type"},
     {"%8 = neg F64 %7", "%10 = cvt F32 %7\n    %8 = min F32 %10, %10", "cannot work on its type"},
     {"%2 = lt F64 %0, %1", "%u = cvt U8 %0\n    %2 = lt U8 %u, %1", "not of the right type"},
-    {"const F64 5", "const F64 0xfff8000000000000", "NaN in another way"},
+    {"const F64 5", "const F64 0xfff8000000000000", "NaN other than IR_NAN"},
     {"const F64 5", "const F32 0x100000000\n    %x = const F64 5", "does not fit"},
     {"const bool 1", "const bool 0x2", "does not fit"},
     {"%3 = not %2\n    br %3", "%3 = not %2\n    br %1", "no bool of this block"},
@@ -56,7 +56,7 @@ static const Edit edits[] = {
     {"jmp b3", "jmp b4", "jump forward"},
     {"br %3, b1, b2", "br %3, b1, b0", "jump forward"},
     {"br %3, b1, b2", "br %3, b9, b2", "jump forward"},
-    {"store I16 n, %0\n    ret", "store I16 n, %0\n    goto A", "transition stands where none may"},
+    {"store I16 n, %0\n    ret", "store I16 n, %0\n    goto A", "transition is not allowed here"},
     {"exit {\nb0:\n    %0 = const I16 3\n    store I16 n, %0\n    ret\n}", "exit {\n}", "no block"},
     {"time U64 T", "time U64 T.x", "no identifier"},
 };
@@ -135,7 +135,7 @@ static void check_broken_functions(Arena *a)
     IrFn *f = m->state.at[0].block[BLOCK_STEP];
 
     vec_push(a, &f->blk.at[3].ins, f->blk.at[3].ins.at[0]);
-    CHECK(finds(a, m, "stands twice"));
+    CHECK(finds(a, m, "occurs twice"));
     f = (m = fresh(a))->state.at[0].block[BLOCK_STEP];
     f->blk.at[3].ins.at[0] = 1000;
     CHECK(finds(a, m, "does not exist"));
@@ -153,10 +153,10 @@ static void check_broken_functions(Arena *a)
     CHECK(finds(a, m, "wrong type"));
     f = (m = fresh(a))->state.at[0].block[BLOCK_STEP];
     f->ins.at[2].a = 1000;
-    CHECK(finds(a, m, "has not given"));
+    CHECK(finds(a, m, "has not computed"));
     f = (m = fresh(a))->state.at[0].block[BLOCK_STEP];
     f->ins.at[2].a = 2;
-    CHECK(finds(a, m, "has not given"));
+    CHECK(finds(a, m, "has not computed"));
     f = (m = fresh(a))->state.at[0].block[BLOCK_STEP];
     f->ins.at[4].stat = SM_STAT_COUNT;
     CHECK(finds(a, m, "statistic of nothing"));

@@ -171,7 +171,7 @@ static void write_machines(const Emitter *e)
     buf_str(e->out, "};\n");
 }
 
-// ---- log, kept state ----
+// ---- log, saved state vector ----
 
 static bool has_task(const Emitter *e, AstAppTaskKind kind)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions.  Operators become C's own, with the parentheses that C needs and its compilers ask for.  The C expression of a temporary has
+// Expressions.  Operators become C's own, with the parentheses that C needs and its compilers require.  The C expression of a temporary has
 // the temporary's type, with three exceptions due to C: an integer shorter than int is an int, a boolean has the type of C's comparisons,
 // and a constant has the type of its literal.
 #include <string.h>

@@ -137,7 +137,7 @@ static void note_comparison(CFn *fn, IrRef r)
     fn->ins[x].nan_is_zero_uses += c->uses > 0;
 }
 
-// The other operand is settled if `load` reads NaN or 0, so the value of r does not matter then.  Excuses comparisons with `load` in r that
+// If `load` reads NaN or 0, the other operand decides the result and the value of r does not matter.  Masks comparisons with `load` in r that
 // have no other use.
 static void mask_comparisons(CFn *fn, IrRef r, IrRef load)
 {

@@ -42,7 +42,7 @@ static void write_variables(const CUnit *u, const StateVec *sv, const CVectorNam
 
     buf_printf(out, "\n// ---- for the flight runtime: runtime-c/statevec.h documents these ----\n\n");
     buf_printf(out, "extern %s %s_sv;        // %s\n", u->names.sv_type, p,
-               sv->lock ? "where the elements are; for those who hold its lock" : "where the elements are; for one thread");
+               sv->lock ? "its elements; only for code that holds its lock" : "its elements; for one thread");
     buf_printf(out, "extern SmStateVec %s_vector;\nextern const SmLayout %s_layout;\n", p, p);
     buf_printf(out, "extern const SmElement %s_element[];        // by the numbers that follow\n", p);
     buf_printf(out, "extern const SmNames %s_names;\n\n", p);
