@@ -126,8 +126,9 @@ HintResult hint_report_digit_groups(HintCase *c)
 HintResult hint_skip_const(HintCase *c)
 {
     Parser *p = c->p;
+    Diag *d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
 
-    diag_label(p->diags, parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text), DIAG_label_as_in, "F64 limit = 5 @read_only");
+    diag_label(p->diags, d, DIAG_label_as_in, "F64 limit = 5 @read_only");
     parser_next(p);
     return HINT_READ;
 }

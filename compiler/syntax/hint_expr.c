@@ -17,6 +17,18 @@ void hint_replace_word(Parser *p, const char *native, TokenKind kind)
     p->tok.kind = kind;
 }
 
+// Returns the operator in words that begins with the current word, if a value follows it; *end: its end.
+static const HintPhrase *find_infix(const Parser *p, uint32_t *end)
+{
+    const HintPhrase *phrase = p->tok.kind == TOK_NAME ? hint_phrase(p->lex.src->text, p->tok.at, end) : NULL;
+
+    if (!phrase)
+        return NULL;
+    if (*end == p->tok.at + p->tok.len)
+        return hint_begins_value(&p->ahead) ? phrase : NULL;
+    return hint_skip_operand(p->lex.src->text, *end) > *end ? phrase : NULL;
+}
+
 // ---- before an operand ----
 
 // NOT x: in some languages the operand is longer than here, as in NOT a > b.
@@ -43,18 +55,6 @@ HintResult hint_read_if_call(HintCase *c)
 }
 
 // ---- after a name ----
-
-// Returns the operator in words that begins with the current word, if a value follows it; *end: its end.
-static const HintPhrase *find_infix(const Parser *p, uint32_t *end)
-{
-    const HintPhrase *phrase = p->tok.kind == TOK_NAME ? hint_phrase(p->lex.src->text, p->tok.at, end) : NULL;
-
-    if (!phrase)
-        return NULL;
-    if (*end == p->tok.at + p->tok.len)
-        return hint_begins_value(&p->ahead) ? phrase : NULL;
-    return hint_skip_operand(p->lex.src->text, *end) > *end ? phrase : NULL;
-}
 
 static int find_function(Str name)
 {
@@ -150,16 +150,18 @@ static bool separates_statements(const Parser *p)
 
 void hint_report_assign_in_guard(Parser *p, const AstExpr *left, Span sign)
 {
+    const char *text = p->lex.src->text;
     Diag *d;
 
-    if (p->lex.src->text[sign.at + 1] == '!') {
+    if (text[sign.at + 1] == '!') {
         sign.len = 2;
         diag_label(p->diags, parser_report(p, DIAG_absent_operator, sign, "=!"), DIAG_label_did_you_mean, "!=");
         return;
     }
     d = parser_report(p, DIAG_assign_in_guard, sign);
     diag_label(p->diags, d, DIAG_label_write, "==");
-    if (p->lex.src->text[sign.at] == '=' && !is_negated(left) && !stores_inside(p, sign.at) && !hint_is_doubtful_comparison(p->lex.src->text, sign.at + sign.len) && !separates_statements(p))
+    if (text[sign.at] == '=' && !is_negated(left) && !stores_inside(p, sign.at) && !hint_is_doubtful_comparison(text, sign.at + sign.len) &&
+        !separates_statements(p))
         diag_edit(p->diags, d, sign, "==");
 }
 
@@ -226,7 +228,7 @@ HintResult hint_report_assignment_as_guard(HintCase *c)
 // ---- where a value is missing ----
 
 // x++
-HintResult hint_report_unit_step(HintCase *c)
+HintResult hint_report_increment(HintCase *c)
 {
     Parser *p = c->p;
     const char *text = p->lex.src->text;
@@ -257,8 +259,6 @@ static void skip_continuation(Parser *p)
 // The condition ends with an operator and its line.
 HintResult hint_report_line_break(HintCase *c)
 {
-    if (c->p->last.kind == TOK_ASSIGN)
-        return HINT_NONE;
     diag_label(c->p->diags, hint_message(c), DIAG_label_line_break);
     skip_continuation(c->p);
     return HINT_READ;
@@ -307,12 +307,5 @@ HintResult hint_report_choice(HintCase *c)
     diag_label(c->p->diags, hint_message(c), DIAG_label_text, hint_no_choice);
     if (!c->p->ahead.first)
         hint_skip_choice(&c->p->lex);
-    return HINT_READ;
-}
-
-// and(a, b)
-HintResult hint_report_operator_call(HintCase *c)
-{
-    diag_label(c->p->diags, hint_message(c), DIAG_label_write, format_in(c->p->arena, "a %s b", c->p->tok.kind == TOK_AND ? "and" : "or"));
     return HINT_READ;
 }

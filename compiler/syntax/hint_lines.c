@@ -276,7 +276,8 @@ static void edit_into_braces(Diags *diags, Diag *d, const HintLine *l, const Pri
         diag_edit(diags, d, span_of(l, s->gap[i], s->begin[i]), inner);
     if (s->trailing)
         diag_edit(diags, d, span_of(l, s->end, s->trailing), "");
-    diag_edit(diags, d, last ? span_of(l, l->end, l->end) : span_of(l, end, after), format_in(diags->arena, "%s}%s", outer, last ? "" : " "));
+    diag_edit(diags, d, last ? span_of(l, l->end, l->end) : span_of(l, end, after),
+              format_in(diags->arena, "%s}%s", outer, last ? "" : " "));
 }
 
 // Changes   a; b   to two lines.
@@ -370,7 +371,8 @@ static bool ends_block(const HintLine *l, const HintLine *guard, uint32_t colon)
 
     if (!has_text(l, p, skip_word(l, p), "else"))
         return is_indented_like(l, guard) || is_indented_like(guard, l);
-    return is_indented_like(l, guard) && indentation(l) == indentation(guard) && !memchr(guard->text + guard->from, ':', colon - guard->from);
+    return is_indented_like(l, guard) && indentation(l) == indentation(guard) &&
+           !memchr(guard->text + guard->from, ':', colon - guard->from);
 }
 
 // The number of parentheses open at the end of the line.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declarations shared by the hints for the parser: hint_search.c (search), hint_expr.c (expressions), hint_stmt.c (statements), hint_end.c (text
-// after a statement, declarations).
+// Declarations shared by the hints for the parser: hint_search.c (search), hint_expr.c (expressions), hint_stmt.c (statements),
+// hint_end.c (text after a statement, declarations).
 #ifndef SMC_HINT_RULES_H
 #define SMC_HINT_RULES_H
 

@@ -65,7 +65,9 @@ static int find_join(const Lexer *l, uint32_t p, uint32_t *len)
 
     *len = end > p ? end - p : 1;
     if (end > p)
-        return is_text(s, p, end, "and") || is_text(s, p, end, "AND") ? SIDE_AND : is_text(s, p, end, "or") || is_text(s, p, end, "OR") ? SIDE_OR : SIDE_END;
+        return is_text(s, p, end, "and") || is_text(s, p, end, "AND")  ? SIDE_AND
+               : is_text(s, p, end, "or") || is_text(s, p, end, "OR") ? SIDE_OR
+                                                                      : SIDE_END;
     if (s[p] != '&' && s[p] != '|')
         return SIDE_END;
     *len = lexer_byte(l, p + 1) == s[p] ? 2 : 1;
@@ -175,7 +177,8 @@ static void report_foreign(Lexer *l, Token *t, const char *spelling, const char 
         return;
     }
     diag_label(l->diags, d, DIAG_label_write, native);
-    if (names_value || (*native == 'n' && !hint_is_negated_alone(l->src->text, t->at + t->len)) || (*spelling == ':' && !is_after_target(l, t->at)))
+    if (names_value || (*native == 'n' && !hint_is_negated_alone(l->src->text, t->at + t->len)) ||
+        (*spelling == ':' && !is_after_target(l, t->at)))
         return;
     while (*native == ':' && from && hint_is_gap(l->src->text[from - 1]))
         from--;
@@ -222,7 +225,8 @@ static bool is_between_bars(const Lexer *l, uint32_t at, uint32_t end)
     at = hint_skip_gap(l, at);
     while (last > at && hint_is_gap(s[last - 1]))
         last--;
-    if (last == at || !(lexer_is_word(s[last - 1]) || s[last - 1] == ')' || s[last - 1] == '.') || !(lexer_is_word(s[at]) || strchr("(-+.", s[at])))
+    if (last == at || !(lexer_is_word(s[last - 1]) || s[last - 1] == ')' || s[last - 1] == '.') ||
+        !(lexer_is_word(s[at]) || strchr("(-+.", s[at])))
         return false;
     for (; at < last; at++) {
         depth += s[at] == '(';

@@ -190,9 +190,11 @@ HintResult hint_report_comparison_alone(HintCase *c)
     if (e->kind != AST_BINARY)
         return HINT_NONE;
     if (p->kind == FILE_SS)
-        diag_label(p->diags, hint_message(c), DIAG_label_text, format_in(p->arena, "to check this, write @assert %s", parser_text(p, e->span)));
+        diag_label(p->diags, hint_message(c), DIAG_label_text,
+                   format_in(p->arena, "to check this, write @assert %s", parser_text(p, e->span)));
     else if (e->op == SM_OP_EQ && e->a->kind == AST_NAME)
-        diag_label(p->diags, hint_message(c), DIAG_label_store, format_in(p->arena, "%s = %s", e->a->name->text, parser_text(p, e->b->span)));
+        diag_label(p->diags, hint_message(c), DIAG_label_store,
+                   format_in(p->arena, "%s = %s", e->a->name->text, parser_text(p, e->b->span)));
     else
         return HINT_NONE;
     return HINT_READ;

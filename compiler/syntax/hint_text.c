@@ -113,8 +113,8 @@ static bool is_prose(const Lexer *l, uint32_t p)
 
 bool hint_follows_value(const Lexer *l, bool first)
 {
-    return !first && (l->last == TOK_NAME || l->last == TOK_NUMBER || l->last == TOK_RPAREN || l->last == TOK_TRUE || l->last == TOK_FALSE ||
-                      l->last == TOK_ERROR);
+    return !first && (l->last == TOK_NAME || l->last == TOK_NUMBER || l->last == TOK_RPAREN || l->last == TOK_TRUE ||
+                      l->last == TOK_FALSE || l->last == TOK_ERROR);
 }
 
 // ---- comments ----
@@ -178,7 +178,8 @@ static int is_division(const Lexer *l)
         return 0;
     if (hint_ends_line(l, after) ? lex_is_digit(lexer_byte(l, p)) : strchr(":<>=!+-*/)&|{", lexer_byte(l, after)) != NULL)
         return 2;
-    known = lex_is_digit(lexer_byte(l, p)) ? skip_name(l, after) == after || hint_is_operator_word(l->src->text, after) : hint_is_declared(l, p, end);
+    known = lex_is_digit(lexer_byte(l, p)) ? skip_name(l, after) == after || hint_is_operator_word(l->src->text, after)
+                                           : hint_is_declared(l, p, end);
     if (!hint_ends_line(l, after))
         return known && lexer_byte(l, after) != '.';
     return known || !is_set_off(l, l->at, p);
@@ -310,16 +311,17 @@ static uint32_t rest_of_number(Lexer *l, uint32_t at, uint32_t end)
     uint32_t stop = lexer_skip_word(l, end + (lexer_byte(l, end) == '\''));
     char c = lexer_byte(l, end), before = lexer_byte(l, end - 1);
     const char *whole;
+    Diag *d;
 
     while (lexer_byte(l, stop) == '.' && lexer_is_word(lexer_byte(l, stop + 1)))
         stop = lexer_skip_word(l, stop + 1);
     whole = lexer_text(l, at, stop);
     if (c == '_' || (before == '_' && lex_is_digit(c)))
         diag_report(l->diags, DIAG_number_underscore, lexer_span(l, end, 1), whole);
-    else if (c == '\'')
-        diag_label(l->diags, diag_report(l->diags, DIAG_number_run_on, lexer_span(l, at, stop - at), lexer_text(l, at, end), lexer_text(l, end, stop)),
-                   DIAG_label_write, format_in(l->diags->arena, "%s%s", lexer_text(l, at, end), lexer_text(l, end + 1, stop)));
-    else if (c == '.')
+    else if (c == '\'') {
+        d = diag_report(l->diags, DIAG_number_run_on, lexer_span(l, at, stop - at), lexer_text(l, at, end), lexer_text(l, end, stop));
+        diag_label(l->diags, d, DIAG_label_write, format_in(l->diags->arena, "%s%s", lexer_text(l, at, end), lexer_text(l, end + 1, stop)));
+    } else if (c == '.')
         diag_report(l->diags, DIAG_number_point, lexer_span(l, at, stop - at), whole);
     else if (lexer_is_hex_prefix(l, at) && end == at + 1)
         diag_report(l->diags, DIAG_number_incomplete, lexer_span(l, at, stop - at), whole, "a hexadecimal digit", "0x");
@@ -496,7 +498,8 @@ static bool ends_range(const Lexer *l, uint32_t p)
 {
     const char c = lexer_byte(l, p);
 
-    return hint_ends_line(l, p) || c == '@' || (c == '/' && strchr("/*", lexer_byte(l, p + 1))) || (c == ';' && hint_ends_line(l, hint_skip_gap(l, p + 1)));
+    return hint_ends_line(l, p) || c == '@' || (c == '/' && strchr("/*", lexer_byte(l, p + 1))) ||
+           (c == ';' && hint_ends_line(l, hint_skip_gap(l, p + 1)));
 }
 
 // After @range: [0, 5], closed or not, and 0..5 and 0, 5. 0,5 10 has a decimal comma.
@@ -514,7 +517,8 @@ HintResult hint_read_range(Lexer *l, Token *t)
     if (back < sizeof word - 1 || memcmp(s + back - (sizeof word - 1), word, sizeof word - 1) != 0 || lo_end == lo || hi_end == hi)
         return HINT_NONE;
     closed = brackets && s[end] == (open == '[' ? ']' : ')');
-    if (brackets ? !closed && !hint_ends_line(l, end) : sign_end == sign || !ends_range(l, end) || (s[sign] == ',' && sign == lo_end && hi == sign_end))
+    if (brackets ? !closed && !hint_ends_line(l, end)
+                 : sign_end == sign || !ends_range(l, end) || (s[sign] == ',' && sign == lo_end && hi == sign_end))
         return HINT_NONE;
     report_range(l, t, brackets ? lexer_span(l, l->at, 1) : lexer_span(l, sign, sign_end - sign), lexer_span(l, lo, lo_end - lo),
                  lexer_span(l, hi, hi_end - hi), closed ? end + 1 : hi_end);

@@ -178,7 +178,8 @@ static void lex_number(Lexer *l, Token *t)
 {
     const bool hex = lexer_is_hex_prefix(l, l->at) && is_hex(lexer_byte(l, l->at + 2));
     uint32_t end = hex ? skip_digits(l, l->at + 2, is_hex) : skip_decimal(l, l->at);
-    bool runs_on = lexer_is_word(lexer_byte(l, end)) || ((lexer_byte(l, end) == '.' || lexer_byte(l, end) == '\'') && lex_is_digit(lexer_byte(l, end + 1)));
+    const char after = lexer_byte(l, end);
+    bool runs_on = lexer_is_word(after) || ((after == '.' || after == '\'') && lex_is_digit(lexer_byte(l, end + 1)));
 
     if (!number_value(l->src->text + l->at, end - l->at, &t->number) && !runs_on)
         diag_report(l->diags, DIAG_number_too_large, lexer_span(l, l->at, end - l->at), lexer_text(l, l->at, end));
