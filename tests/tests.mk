@@ -611,7 +611,7 @@ $(call test, check-wrap,           quick,, sh tests/check/files.sh documents | x
 $(call test, check-sentences,      quick,, sh tests/check/files.sh documents | grep -v '^docs/evidence/' | LC_ALL=C awk -f tests/check/sentences.awk)
 $(call test, check-links,          quick,, { sh tests/check/files.sh text; echo LICENSE; echo --; sh tests/check/files.sh documents | grep -v '^docs/evidence/'; } | LC_ALL=C awk -f tests/check/links.awk)
 $(call test, check-layers,         quick,, sh tests/check/files.sh code | awk -f tests/check/layers.awk tests/check/layers.txt -)
-$(call test, check-hints,          quick,, sh tests/check/files.sh cases | awk -f tests/check/hints.awk compiler/syntax/hints.def -)
+$(call test, check-hints,          quick,, sh tests/check/files.sh cases | awk -f tests/check/hints.awk compiler/syntax/hints.h compiler/syntax/hints.def -)
 $(call test, check-codes,          quick,, sh tests/check/files.sh cases | awk -f tests/check/codes.awk compiler/diag/flags.def compiler/diag/codes.def tests/check/codes.txt -)
 $(call test, check-builtins,       quick,, sh tests/check/builtins.sh)
 $(call test, check-arguments,      quick,, sh tests/check/files.sh compiler | awk -f tests/check/arguments.awk compiler/diag/codes.def -)

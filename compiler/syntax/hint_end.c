@@ -144,3 +144,30 @@ HintResult hint_skip_bracketed_unit(HintCase *c)
     parser_next(p);
     return HINT_READ;
 }
+
+// ---- pins ----
+
+enum { UNO_A0 = 14, UNO_ANALOGS = 6, MEGA_A0 = 54, MEGA_ANALOGS = 16 };      // docs/boards.md
+
+// i A3 pressure: Arduino boards print a letter before the number of a pin.
+HintResult hint_report_printed_pin(HintCase *c)
+{
+    Parser *p = c->p;
+    const char *name = p->tok.text->text, letter = (char)(*name & ~0x20), *digits = name + 1;          // a3 as A3
+    const bool analog_input = p->pin_place == AST_ON_ANALOG_INPUT;
+    const size_t n = strspn(digits, "0123456789");
+
+    if (n < 1 || n > 2 || digits[n] != '\0')
+        return HINT_NONE;
+    if (letter == (analog_input ? 'A' : 'D')) {
+        diag_label(p->diags, hint_message(c), DIAG_label_printed_pin, digits, name);
+    } else if (letter == 'A' && p->pin_place != AST_ON_ANALOG_OUTPUT) {
+        const int number = n == 1 ? *digits - '0' : 10 * (*digits - '0') + digits[1] - '0';
+        const char *mega = format_in(p->arena, "%d", MEGA_A0 + number);
+        if (number < UNO_ANALOGS)
+            diag_label(p->diags, hint_message(c), DIAG_label_analog_as_digital, format_in(p->arena, "%d", UNO_A0 + number), mega);
+        else if (number < MEGA_ANALOGS)
+            diag_label(p->diags, hint_message(c), DIAG_label_printed_pin, mega, name);
+    }
+    return c->message ? HINT_READ : HINT_NONE;
+}

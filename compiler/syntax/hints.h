@@ -47,6 +47,7 @@ typedef enum HintPlace {
     HINT_AFTER_DECL,          // expects annotations or the end of a declaration
     HINT_AT_DECL_END,         // expects the end of a declaration
     HINT_AT_ELEMENT_END,      // the same, where no row of AT_DECL_END fits the declaration of an element; general message
+    HINT_AT_PIN_NUMBER,       // expects the number of a pin, and is at a word; general message
     HINT_AT_PIN_END,          // expects the end of a pin; general message
     HINT_AT_OPTION            // is at a word that is no option; general message
 } HintPlace;

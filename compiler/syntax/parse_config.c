@@ -77,40 +77,17 @@ static bool begins_next_pin(const Parser *p)
 
 static Span span_of_missing(const Parser *p) { return p->tok.first ? parser_gap(p) : parser_here(p); }
 
-enum { UNO_A0 = 14, UNO_ANALOGS = 6, MEGA_A0 = 54, MEGA_ANALOGS = 16 };      // docs/boards.md
-
-static void label_analog_as_digital(Parser *p, Diag *d, const char *name, int n)
+static bool parse_pin_number(Parser *p, AstPin *pin)
 {
-    const char *mega = format_in(p->arena, "%d", MEGA_A0 + n);
-
-    if (n < UNO_ANALOGS)
-        diag_label(p->diags, d, DIAG_label_analog_as_digital, format_in(p->arena, "%d", UNO_A0 + n), mega);
-    else if (n < MEGA_ANALOGS)
-        diag_label(p->diags, d, DIAG_label_printed_pin, mega, name);
-}
-
-// Arduino boards print a letter before the number: A3, D7, D13.
-static void label_printed_name(Parser *p, const AstSection *s, const AstPin *pin, Diag *d, const char *name)
-{
-    const char letter = (char)(*name & ~0x20), *digits = *name ? name + 1 : name;         // a3 as A3
-    const size_t n = strspn(digits, "0123456789");
-
-    if (n < 1 || n > 2 || digits[n] != '\0')
-        return;
-    if (letter == (s->digital || pin->output ? 'D' : 'A'))
-        diag_label(p->diags, d, DIAG_label_printed_pin, digits, name);
-    else if (s->digital && letter == 'A')
-        label_analog_as_digital(p, d, name, n == 1 ? *digits - '0' : 10 * (*digits - '0') + digits[1] - '0');
-}
-
-static bool parse_pin_number(Parser *p, const AstSection *s, AstPin *pin)
-{
-    Span at = span_of_missing(p);
-    const char *found = parser_found(p), *name = p->tok.kind == TOK_NAME && !p->tok.first ? p->tok.text->text : "";
+    const Span at = span_of_missing(p);
+    const char *found = parser_found(p);
 
     if (parse_signed_number(p, &pin->number))
         return true;
-    label_printed_name(p, s, pin, parser_fail(p, DIAG_pin_number, at, found), name);
+    if (p->tok.kind == TOK_NAME && p->last.kind == TOK_NAME)       // and not a sign
+        hint_explain(p, HINT_AT_PIN_NUMBER, NULL);
+    else
+        parser_fail(p, DIAG_pin_number, at, found);
     return false;
 }
 
@@ -144,9 +121,12 @@ static void parse_pin(Parser *p, AstSection *s)
 {
     AstPin pin = {0};
 
-    if (!parse_direction(p, &pin) || !parse_pin_number(p, s, &pin) || !parse_pin_element(p, &pin))
+    if (!parse_direction(p, &pin))
         return;
-    parse_annotations(p, find_pin_place(s, &pin), pin.element, pin.element_span, &pin.annotations);
+    p->pin_place = find_pin_place(s, &pin);
+    if (!parse_pin_number(p, &pin) || !parse_pin_element(p, &pin))
+        return;
+    parse_annotations(p, p->pin_place, pin.element, pin.element_span, &pin.annotations);
     if (!p->failed && !ends_pin(p))
         hint_explain(p, HINT_AT_PIN_END, NULL);
     vec_push(p->arena, &s->pins, pin);

@@ -32,6 +32,7 @@ typedef struct Parser {
     // For the hints.
     bool is_guard;                // the current expression is a condition: an = in it was meant as ==
     Span sign;                    // of the last assignment
+    AstPlace pin_place;           // of the current pin: its section and direction
     uint32_t indented;            // lines before this position belong to a condition whose braces are missing
 } Parser;
 

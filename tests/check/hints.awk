@@ -1,6 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
-# Checks that each spelling in hints.def is on a line of a test case that announces a message (`#! E0329 ...`).
-# Input: hints.def, then the names of the cases, one a line.
+# Checks that each spelling in hints.def is on a line of a test case that announces a message (`#! E0329 ...`), and that the rows of
+# patterns are in the order of HintPlace, which the search relies on.
+# Input: hints.h, hints.def, then the names of the cases, one a line.
+
+FILENAME ~ /hints\.h$/ && /^ *HINT_(AT|AFTER)_/ {
+    name = $1
+    sub(/^HINT_/, "", name)
+    sub(/,$/, "", name)
+    order[name] = ++places
+}
+
+FILENAME ~ /hints\.def$/ && /^HINT(_LABEL)?\(A/ {
+    name = $0
+    sub(/^[^(]*\(/, "", name)
+    sub(/,.*/, "", name)
+    if (!(name in order) || order[name] < last) {
+        print "hints.def:" FNR ": " name " is not in the order of HintPlace"
+        bad++
+    }
+    last = order[name]
+    patterns++
+}
 
 FILENAME ~ /hints\.def$/ && /^HINT_(TEXT|SIGN|NO_SIGN|PHRASE|WORD|SYNONYM)\(/ {
     split($0, part, "\"")
@@ -22,7 +42,7 @@ function contains(text, spelling,    at, from, last) {
     return 0
 }
 
-FILENAME !~ /hints\.def$/ {
+FILENAME !~ /hints\.(h|def)$/ {
     while ((getline line < $0) > 0)
         if (index(line, "#!") > 0)
             marked = marked "\n" tolower(substr(line, 1, index(line, "#!") - 1))
@@ -35,6 +55,6 @@ END {
             print "hints.def:" place[i] ": no case has '" row[i] "' on a line with #!"
             bad++
         }
-    print rows - bad " passed, " bad + (rows == 0) " failed"
-    exit bad > 0 || rows == 0
+    print rows + patterns - bad " passed, " bad + (rows == 0 || patterns == 0) " failed"
+    exit bad > 0 || rows == 0 || patterns == 0
 }
