@@ -167,3 +167,10 @@ const char *comment_of_file(Arena *arena, const Source *src)
         to++;
     return comment_of_lines(arena, src, 1, to);
 }
+
+const char *comment_of_variable(Arena *arena, const Var *v)
+{
+    const char *own = comment_after(arena, v->span);
+
+    return own || !v->element ? own : comment_after(arena, v->element->span);
+}

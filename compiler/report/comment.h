@@ -7,6 +7,7 @@
 
 #include "compiler/base/buf.h"
 #include "compiler/base/source.h"
+#include "compiler/sema/program.h"
 
 // Each returns NULL if there is no comment.
 const char *comment_after(Arena *arena, Span span);       // after the code on the first line of `span`
@@ -14,6 +15,7 @@ const char *comment_above(Arena *arena, Span span);       // on the lines direct
 const char *comment_after_lines(Arena *arena, Span span);  // after the code, on each of its lines
 const char *comment_around(Arena *arena, Span span);      // above and after
 const char *comment_of_file(Arena *arena, const Source *src);     // on the first lines of the file
+const char *comment_of_variable(Arena *arena, const Var *v);       // at its declaration in the machine, otherwise in the state vector
 // The start of the line of the `else` whose first statement is `first`; `first` itself if it is on that line.
 Span comment_else_line(Span first);
 bool comment_find_start(const char *line, uint32_t len, uint32_t *at);    // finds the start of a line's comment; false: it has none

@@ -10,9 +10,9 @@
 
 const char *describe_separator(size_t i, size_t n) { return i == 0 ? "" : i + 1 < n ? ", " : " and "; }
 
-const char *describe_count(Arena *arena, size_t n, const char *one, const char *many)
+const char *describe_count(Arena *arena, uint64_t n, const char *one, const char *many)
 {
-    return format_in(arena, "%lu %s", (unsigned long)n, n == 1 ? one : many);
+    return format_in(arena, "%llu %s", (unsigned long long)n, n == 1 ? one : many);
 }
 
 const char *describe_window(Arena *arena, const Window *w)

@@ -14,6 +14,6 @@ const char *describe_window(Arena *arena, const Window *w);
 // Separates item i of n in a sentence: "", ", " or " and ".
 const char *describe_separator(size_t i, size_t n);
 // "1 state", "2 states".
-const char *describe_count(Arena *arena, size_t n, const char *one, const char *many);
+const char *describe_count(Arena *arena, uint64_t n, const char *one, const char *many);
 
 #endif

@@ -2,29 +2,26 @@
 // A machine as a diagram: combines transitions into edges, and writes their guards as text.
 #include "compiler/report/diagram_model.h"
 
+#include "compiler/base/worklist.h"
+
 // ---- reachability ----
-
-typedef VEC(uint32_t) Worklist;
-
-static void mark_reached(Diagram *d, Worklist *waiting, uint32_t node)
-{
-    if (d->node[node].reached)
-        return;
-    d->node[node].reached = true;
-    vec_push(d->a->arena, waiting, node);
-}
 
 // A state is reachable if it is the first, or if a possible transition leads to it from a reachable state.
 static void find_reached_states(Diagram *d)
 {
-    Worklist waiting = {NULL, 0, 0};
+    Worklist waiting = worklist_new(d->a->arena, d->nodes);
 
-    mark_reached(d, &waiting, 0);
+    d->node[0].reached = true;
+    worklist_add(&waiting, 0);
     while (waiting.n > 0) {
-        const DiagramNode *n = &d->node[waiting.at[--waiting.n]];
-        for (uint32_t e = n->first_edge; e < n->first_edge + n->edges; e++)
-            if (d->edge.at[e].possible)
-                mark_reached(d, &waiting, d->edge.at[e].to);
+        const DiagramNode *n = &d->node[worklist_next(&waiting)];
+        for (uint32_t e = n->first_edge; e < n->first_edge + n->edges; e++) {
+            const DiagramEdge *edge = &d->edge.at[e];
+            if (!edge->possible || d->node[edge->to].reached)
+                continue;
+            d->node[edge->to].reached = true;
+            worklist_add(&waiting, edge->to);
+        }
     }
     for (size_t e = 0; e < d->edge.n; e++)
         d->edge.at[e].possible = d->edge.at[e].possible && d->node[d->edge.at[e].from].reached;

@@ -39,7 +39,7 @@ typedef struct DiagramEdge {
     bool up;                      // LINE: `to` is above `from`
     Box label;                    // all guards, stacked
     Box name;                     // STUB: box with the name of the target state
-    VEC(Point) way;               // LINE: the path from state to state; see layout.h
+    VEC(Point) path;              // LINE: from state to state; see diagram_layout.h
 } DiagramEdge;
 
 typedef struct DiagramNode {

@@ -68,7 +68,7 @@ void diagram_write_notes(const DiagramNotes *n, Buf *out)
         if (note->number)
             buf_printf(out, "<text class=\"g-guard\" x=\"%d\" y=\"%ld\">%lu</text>", MARGIN, y, (unsigned long)note->number);
         buf_printf(out, "<text class=\"g-guard\" x=\"%d\" y=\"%ld\">", MARGIN + NUMBER_W, y);
-        xml_put(out, note->text);
+        xml_write_str(out, note->text);
         buf_str(out, "</text>\n");
     }
 }

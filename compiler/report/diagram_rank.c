@@ -40,7 +40,7 @@ typedef struct SearchFrame { uint32_t node, next; } SearchFrame;  // next: numbe
 typedef struct CycleSearch {
     Layout *l;
     char *state;                  // 0 not visited, 1 on the current path, 2 done
-    VEC(SearchFrame) way;
+    VEC(SearchFrame) stack;      // the current path
 } CycleSearch;
 
 static void push_node(CycleSearch *s, uint32_t node)
@@ -48,7 +48,7 @@ static void push_node(CycleSearch *s, uint32_t node)
     SearchFrame v = {node, 0};
 
     s->state[node] = 1;
-    vec_push(s->l->arena, &s->way, v);
+    vec_push(s->l->arena, &s->stack, v);
 }
 
 // Depth-first search in file order, starting with the first state.  An edge back to a state on the current path closes a cycle.  The first
@@ -58,13 +58,13 @@ static void search_from(CycleSearch *s, uint32_t start)
     const Diagram *d = s->l->d;
 
     push_node(s, start);
-    while (s->way.n > 0) {
-        SearchFrame *v = &s->way.at[s->way.n - 1];
+    while (s->stack.n > 0) {
+        SearchFrame *v = &s->stack.at[s->stack.n - 1];
         const DiagramNode *n = &d->node[v->node];
         DiagramEdge *e = &d->edge.at[n->first_edge + v->next];
         if (v->next++ == n->edges) {
             s->state[v->node] = 2;
-            s->way.n--;
+            s->stack.n--;
         } else if (s->state[e->to] == 1 || e->to == 0)
             e->up = e->to != e->from;
         else if (s->state[e->to] == 0)
@@ -213,23 +213,23 @@ static void place_parts(Layout *l, const EdgesByEnd *out, const EdgesByEnd *in)
 // By state, the number of lines on the longest downward path from it.  Only possible transitions count.
 static uint32_t *find_longest_paths(const Layout *l, const EdgesByEnd *out, const uint32_t *order)
 {
-    uint32_t *way = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes);
+    uint32_t *longest = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes);
 
     for (size_t i = l->d->nodes; i-- > 0;)
         for (uint32_t k = out->first[order[i]]; k < out->first[order[i] + 1]; k++) {
             const DiagramEdge *e = &l->d->edge.at[out->edge[k]];
-            if (!e->up && e->possible && way[e->to] + 1 > way[order[i]])
-                way[order[i]] = way[e->to] + 1;
+            if (!e->up && e->possible && longest[e->to] + 1 > longest[order[i]])
+                longest[order[i]] = longest[e->to] + 1;
         }
-    return way;
+    return longest;
 }
 
 // The next line of the longest path from v; UINT32_MAX: v is its end.
-static uint32_t next_on_longest_path(const Layout *l, const EdgesByEnd *out, const uint32_t *way, uint32_t v)
+static uint32_t next_on_longest_path(const Layout *l, const EdgesByEnd *out, const uint32_t *longest, uint32_t v)
 {
     for (uint32_t k = out->first[v]; k < out->first[v + 1]; k++) {
         const DiagramEdge *e = &l->d->edge.at[out->edge[k]];
-        if (e->form == EDGE_LINE && !e->up && e->possible && way[e->to] + 1 == way[v])
+        if (e->form == EDGE_LINE && !e->up && e->possible && longest[e->to] + 1 == longest[v])
             return out->edge[k];
     }
     return UINT32_MAX;
@@ -238,13 +238,13 @@ static uint32_t next_on_longest_path(const Layout *l, const EdgesByEnd *out, con
 // The spine is the longest path from the first state, then from each other state up to the first state that is already taken.
 static void find_spine(Layout *l, const EdgesByEnd *out, const uint32_t *order)
 {
-    const uint32_t *way = find_longest_paths(l, out, order);
+    const uint32_t *longest = find_longest_paths(l, out, order);
     bool *taken = ARENA_ARRAY(l->arena, bool, l->d->nodes), *done = ARENA_ARRAY(l->arena, bool, l->d->nodes);
 
     l->spine = ARENA_ARRAY(l->arena, bool, l->d->edge.n + 1);
     for (size_t i = 0; i <= l->d->nodes; i++) {
         uint32_t v = i == 0 ? 0 : order[i - 1], e;
-        while (!done[v] && (e = next_on_longest_path(l, out, way, v)) != UINT32_MAX) {
+        while (!done[v] && (e = next_on_longest_path(l, out, longest, v)) != UINT32_MAX) {
             const uint32_t to = l->d->edge.at[e].to;
             done[v] = true;
             if (taken[to])

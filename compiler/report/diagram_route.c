@@ -82,8 +82,6 @@ static void place_stubs(Diagram *d, const DiagramNode *n)
 
 // ---- the points where lines meet a state ----
 
-typedef struct Ports { int32_t *x; } Ports;       // by link
-
 // Places each line as near to its other end as the state's width allows, and at least PORT from the next.
 static void spread_ports(const Layout *l, const LayoutItem *i, const LayoutLinks *links, uint32_t item, bool below, int32_t *port)
 {
@@ -177,7 +175,7 @@ static void add_point(Layout *l, DiagramEdge *e, int32_t x, int32_t y)
 {
     Point p = {x, y};
 
-    vec_push(l->arena, &e->way, p);
+    vec_push(l->arena, &e->path, p);
 }
 
 // The path from top to bottom: out of the upper state, through each layer, into the lower state.
@@ -197,10 +195,10 @@ static void route_down(Layout *l, DiagramEdge *e, uint32_t first, uint32_t end, 
 
 static void reverse_path(DiagramEdge *e)
 {
-    for (size_t i = 0; i < e->way.n / 2; i++) {
-        const Point p = e->way.at[i];
-        e->way.at[i] = e->way.at[e->way.n - 1 - i];
-        e->way.at[e->way.n - 1 - i] = p;
+    for (size_t i = 0; i < e->path.n / 2; i++) {
+        const Point p = e->path.at[i];
+        e->path.at[i] = e->path.at[e->path.n - 1 - i];
+        e->path.at[e->path.n - 1 - i] = p;
     }
 }
 

@@ -74,7 +74,7 @@ static void write_style(Buf *out)
 static void write_text(Buf *out, const char *class, int32_t x, int32_t y, const char *text)
 {
     buf_printf(out, "<text class=\"%s\" x=\"%ld\" y=\"%ld\">", class, (long)x, (long)y);
-    xml_put(out, text);
+    xml_write_str(out, text);
     buf_str(out, "</text>");
 }
 
@@ -101,7 +101,7 @@ static void write_mark(Buf *out, const DiagramFindings *f, uint32_t number, int3
     buf_printf(out, "<g><title>");
     for (size_t i = 0; i < f->n; i++) {
         buf_printf(out, "%s%s: ", i ? "\n" : "", diag_info[f->at[i]->code].id);
-        xml_put(out, f->at[i]->text);
+        xml_write_str(out, f->at[i]->text);
     }
     buf_printf(out, "</title><path class=\"g-mark%s\" d=\"M%ld %ldl8 14h-16z\"/>", error ? " g-error" : "", (long)x, (long)y - 8);
     snprintf(text, sizeof text, "%lu", (unsigned long)number);
@@ -135,14 +135,14 @@ static void write_outline(Buf *out, const char *class, const DiagramNode *n, Box
 static void write_state_title(Buf *out, const Diagram *d, const DiagramNode *n)
 {
     buf_str(out, "<title>");
-    xml_put(out, n->state->name->text);
+    xml_write_str(out, n->state->name->text);
     buf_printf(out, "%s%s%s%s", n->state->number == 1 ? ", initial state" : "", n->state->is_abort ? ", @abort" : "",
                n->state->is_safe ? ", @safe" : "", n->reached ? "" : ", unreachable");
     if (d->o->counts)
         buf_printf(out, "\n%s", diagram_count_text(d, "entered", diagram_node_count(d, n)));
     for (size_t i = 0; i < n->stub_in.n; i++) {
         buf_str(out, i ? ", " : "\nreached from ");
-        xml_put(out, d->node[d->edge.at[n->stub_in.at[i]].from].state->name->text);
+        xml_write_str(out, d->node[d->edge.at[n->stub_in.at[i]].from].state->name->text);
     }
     buf_str(out, "</title>");
 }
@@ -184,12 +184,12 @@ static void write_start(Buf *out, const DiagramNode *n)
 static void write_edge_title(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
     buf_str(out, "<title>");
-    xml_put(out, d->node[e->from].state->name->text);
+    xml_write_str(out, d->node[e->from].state->name->text);
     buf_str(out, " to ");
-    xml_put(out, d->node[e->to].state->name->text);
+    xml_write_str(out, d->node[e->to].state->name->text);
     for (size_t g = 0; g < e->guard.n; g++) {
         buf_str(out, g ? "\nor: " : ": ");
-        xml_put(out, e->guard.at[g].text);
+        xml_write_str(out, e->guard.at[g].text);
         buf_str(out, e->guard.at[g].possible ? "" : " (never)");
     }
     if (d->o->counts)
@@ -218,10 +218,10 @@ static void write_guards(Buf *out, const DiagramEdge *e, bool centred)
 // Point i of the path as drawn.  The path ends slightly before the tip of the arrowhead, so that the tip stays sharp.
 static Point path_point(const DiagramEdge *e, size_t i)
 {
-    const int32_t tip = e->way.at[e->way.n - 1].y, end = tip + (e->up ? 6 : -6);
-    Point p = e->way.at[i];
+    const int32_t tip = e->path.at[e->path.n - 1].y, end = tip + (e->up ? 6 : -6);
+    Point p = e->path.at[i];
 
-    if (i + 2 >= e->way.n && (e->up ? p.y < end : p.y > end))
+    if (i + 2 >= e->path.n && (e->up ? p.y < end : p.y > end))
         p.y = end;
     return p;
 }
@@ -265,13 +265,13 @@ static void write_path(Buf *out, const DiagramEdge *e)
     const Point start = path_point(e, 0);
 
     buf_printf(out, "<path class=\"g-line\" d=\"M%ld %ld", (long)start.x, (long)start.y);
-    for (size_t i = 0; i < e->way.n; i += 2) {
+    for (size_t i = 0; i < e->path.n; i += 2) {
         write_straight(out, e, path_point(e, i), path_point(e, i + 1));
-        if (i + 2 < e->way.n)
+        if (i + 2 < e->path.n)
             write_curve(out, path_point(e, i + 1), path_point(e, i + 2));
     }
     buf_str(out, "\"/>");
-    write_arrowhead(out, e->way.at[e->way.n - 1], e->up ? UP : DOWN);
+    write_arrowhead(out, e->path.at[e->path.n - 1], e->up ? UP : DOWN);
 }
 
 // Draws a stub: a line from a state to the name of the other state, and that name.
@@ -329,11 +329,11 @@ static void write_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
 static void write_description(Buf *out, const Diagram *d)
 {
     buf_str(out, "<title>State diagram of ");
-    xml_put(out, d->a->p->name->text);
+    xml_write_str(out, d->a->p->name->text);
     buf_printf(out, "</title>\n<desc>%lu %s, %lu %s. The initial state is ", (unsigned long)d->nodes,
                d->nodes == 1 ? "state" : "states",
                (unsigned long)d->a->transition.n, d->a->transition.n == 1 ? "transition" : "transitions");
-    xml_put(out, d->node[0].state->name->text);
+    xml_write_str(out, d->node[0].state->name->text);
     buf_str(out, ".</desc>\n");
 }
 

@@ -132,8 +132,4 @@ void doc_write_html(const Doc *d, Buf *out);
 void doc_write_text(const Doc *d, Buf *out);
 void doc_write_json(const Doc *d, Buf *out);
 
-// Escapes text for HTML, including attribute values.  Invisible characters and those that change the text direction are spelled out.
-void html_put(Buf *out, const char *text, size_t n);
-void html_str(Buf *out, const char *text);
-
 #endif

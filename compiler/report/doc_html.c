@@ -2,52 +2,19 @@
 // A report as one HTML page.  It loads nothing and contains no scripts, and all text of the machine's author is escaped.
 #include <string.h>
 
-#include "compiler/base/utf8.h"
 #include "compiler/report/comment.h"
 #include "compiler/report/doc.h"
 #include "compiler/report/page_style.h"
+#include "compiler/report/xml.h"
 
 // ---- text ----
-
-static void write_character(Buf *out, const char *text, size_t len, uint32_t code)
-{
-    if (len == 0)
-        buf_str(out, "\xef\xbf\xbd");
-    else if (code != '\n' && code != '\t' && utf8_is_hidden(code))
-        buf_printf(out, "&lt;U+%04lX&gt;", (unsigned long)code);
-    else if (code == '&')
-        buf_str(out, "&amp;");
-    else if (code == '<')
-        buf_str(out, "&lt;");
-    else if (code == '>')
-        buf_str(out, "&gt;");
-    else if (code == '"')
-        buf_str(out, "&quot;");
-    else if (code == '\'')
-        buf_str(out, "&#39;");
-    else
-        buf_put(out, text, len);
-}
-
-void html_put(Buf *out, const char *text, size_t n)
-{
-    while (n > 0) {
-        uint32_t code = 0;
-        const size_t len = utf8_decode(text, n, &code), used = len ? len : 1;
-        write_character(out, text, len, code);
-        text += used;
-        n -= used;
-    }
-}
-
-void html_str(Buf *out, const char *text) { html_put(out, text, strlen(text)); }
 
 static void write_state_link(Buf *out, const char *name, size_t n)
 {
     buf_str(out, "<a class=\"st\" href=\"#state-");
-    html_put(out, name, n);
+    xml_write(out, name, n);
     buf_str(out, "\">");
-    html_put(out, name, n);
+    xml_write(out, name, n);
     buf_str(out, "</a>");
 }
 
@@ -58,7 +25,7 @@ static void write_marked(Buf *out, const char *text)
         const size_t n = strcspn(text, "`^");
         const char mark = text[n];
         size_t inner;
-        html_put(out, text, n);
+        xml_write(out, text, n);
         if (!mark)
             break;
         text += n + 1;
@@ -67,7 +34,7 @@ static void write_marked(Buf *out, const char *text)
             write_state_link(out, text, inner);
         else {
             buf_str(out, "<code>");
-            html_put(out, text, inner);
+            xml_write(out, text, inner);
             buf_str(out, "</code>");
         }
         text += inner + (text[inner] != '\0');
@@ -93,11 +60,11 @@ static void write_cell(Buf *out, const DocCell *c)
 {
     switch (c->kind) {
     case CELL_TEXT: write_marked(out, c->text); break;
-    case CELL_PLAIN: html_str(out, c->text); break;
+    case CELL_PLAIN: xml_write_str(out, c->text); break;
     case CELL_CODE:
         if (*c->text) {
             buf_str(out, "<code>");
-            html_str(out, c->text);
+            xml_write_str(out, c->text);
             buf_str(out, "</code>");
         }
         break;
@@ -144,7 +111,7 @@ static void write_table(Buf *out, const DocTable *t)
         if (!used[i])
             continue;
         buf_printf(out, "<th scope=\"col\"%s>", t->cell.n ? cell_class(&t->cell.at[i]) : "");
-        html_str(out, t->column[i].title);
+        xml_write_str(out, t->column[i].title);
         buf_str(out, "</th>");
     }
     buf_str(out, "</tr></thead>\n<tbody>\n");
@@ -172,7 +139,7 @@ static void write_item(Buf *out, const DocLine *l)
     }
     if (l->comment) {
         buf_str(out, "<span class=\"c\">");
-        html_str(out, l->comment);
+        xml_write_str(out, l->comment);
         buf_str(out, "</span>");
     }
 }
@@ -184,7 +151,7 @@ static void write_list(Buf *out, const DocList *l)
     buf_str(out, "<div class=\"do\">");
     if (l->label) {
         buf_str(out, "<b>");
-        html_str(out, l->label);
+        xml_write_str(out, l->label);
         buf_str(out, "</b>");
     }
     for (size_t i = 0; i < l->line.n; i++) {
@@ -208,13 +175,13 @@ static void write_list(Buf *out, const DocList *l)
 // Writes a source line with its comment in a separate style; `from` to `to` is marked.
 static void write_source_text(Buf *out, const char *line, uint32_t len, uint32_t from, uint32_t to)
 {
-    html_put(out, line, from);
+    xml_write(out, line, from);
     if (to > from) {
         buf_str(out, "<mark>");
-        html_put(out, line + from, to - from);
+        xml_write(out, line + from, to - from);
         buf_str(out, "</mark>");
     }
-    html_put(out, line + to, len - to);
+    xml_write(out, line + to, len - to);
 }
 
 static void write_excerpt(Buf *out, const DocPart *p)
@@ -230,7 +197,7 @@ static void write_excerpt(Buf *out, const DocPart *p)
     buf_str(out, "</pre>\n");
     if (p->text) {
         buf_str(out, "<p class=\"label\">");
-        html_str(out, p->text);
+        xml_write_str(out, p->text);
         buf_str(out, "</p>\n");
     }
 }
@@ -246,10 +213,10 @@ static void write_source(Buf *out, const Source *src)
         if (i == src->lines && len == 0)
             break;
         buf_printf(out, "<span id=\"L%lu\"><span class=\"no\">%lu</span>", (unsigned long)i, (unsigned long)i);
-        html_put(out, line, comment);
+        xml_write(out, line, comment);
         if (comment < len) {
             buf_str(out, "<span class=\"c\">");
-            html_put(out, line + comment, len - comment);
+            xml_write(out, line + comment, len - comment);
             buf_str(out, "</span>");
         }
         buf_str(out, "</span>\n");
@@ -264,17 +231,17 @@ static void write_heading(Buf *out, const DocPart *p)
     buf_str(out, "<h3");
     if (p->id || p->state) {
         buf_str(out, p->state ? " id=\"state-" : " id=\"");
-        html_str(out, p->state ? p->state : p->id);
+        xml_write_str(out, p->state ? p->state : p->id);
         buf_char(out, '"');
     }
     buf_char(out, '>');
     if (p->plain)
-        html_str(out, p->text);
+        xml_write_str(out, p->text);
     else
         write_marked(out, p->text);
     if (p->badge) {
         buf_printf(out, " <span class=\"badge %s\">", p->tone ? p->tone : "note");
-        html_str(out, p->badge);
+        xml_write_str(out, p->badge);
         buf_str(out, "</span>");
     }
     buf_str(out, "</h3>\n");
@@ -286,7 +253,7 @@ static void write_element(Buf *out, const char *open, const char *text, bool mar
     if (marked)
         write_marked(out, text);
     else
-        html_str(out, text);
+        xml_write_str(out, text);
     buf_str(out, close);
 }
 
@@ -320,7 +287,7 @@ static void write_section(Buf *out, const DocSection *s)
     bool open = false;
 
     buf_printf(out, "<section id=\"%s\">\n<h2>", s->id);
-    html_str(out, s->title);
+    xml_write_str(out, s->title);
     buf_str(out, "</h2>\n");
     for (size_t i = 0; i < s->part.n; i++) {
         if (s->part.at[i].kind == DOC_HEADING) {
@@ -338,24 +305,24 @@ void doc_write_html(const Doc *d, Buf *out)
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"generator\" content=\"smc\"/>\n"
             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
             "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\"/>\n<title>");
-    html_str(out, d->title);
+    xml_write_str(out, d->title);
     buf_str(out, " &#8211; design review</title>\n<style>\n");
     for (size_t i = 0; report_style[i]; i++)
         buf_str(out, report_style[i]);
     buf_str(out, "</style>\n</head>\n<body>\n<header>\n<h1>");
-    html_str(out, d->title);
+    xml_write_str(out, d->title);
     buf_str(out, "</h1>\n<p>");
-    html_str(out, d->subtitle);
+    xml_write_str(out, d->subtitle);
     buf_str(out, "</p>\n<nav><ol>\n");
     for (size_t i = 0; i < d->section.n; i++) {
         buf_printf(out, "<li><a href=\"#%s\">", d->section.at[i]->id);
-        html_str(out, d->section.at[i]->title);
+        xml_write_str(out, d->section.at[i]->title);
         buf_str(out, "</a></li>\n");
     }
     buf_str(out, "</ol></nav>\n</header>\n<main>\n");
     for (size_t i = 0; i < d->section.n; i++)
         write_section(out, d->section.at[i]);
     buf_str(out, "</main>\n<footer><p>Generated by ");
-    html_str(out, d->maker);
+    xml_write_str(out, d->maker);
     buf_str(out, ". The same sources produce the same page, byte for byte.</p></footer>\n</body>\n</html>\n");
 }

@@ -117,28 +117,23 @@ void flight_write_event(const Flight *f, const LogDescription *d, const LogEvent
 
 // ---- the summary ----
 
-static const char *count(Arena *arena, uint64_t n, const char *one, const char *many)
-{
-    return format_in(arena, "%llu %s", (unsigned long long)n, n == 1 ? one : many);
-}
-
 static void write_file(const Flight *f, Buf *out)
 {
     const Log *log = f->log;
 
-    buf_printf(out, "%s: %s, %s", f->name, count(f->arena, log->size, "byte", "bytes"),
-               count(f->arena, log->session.n, "session", "sessions"));
+    buf_printf(out, "%s: %s, %s", f->name, describe_count(f->arena, log->size, "byte", "bytes"),
+               describe_count(f->arena, log->session.n, "session", "sessions"));
     if (log->damaged)
-        buf_printf(out, ", %s damaged in %s", count(f->arena, log->damaged, "byte", "bytes"),
-                   count(f->arena, log->places, "place", "places"));
+        buf_printf(out, ", %s damaged in %s", describe_count(f->arena, log->damaged, "byte", "bytes"),
+                   describe_count(f->arena, log->places, "place", "places"));
     if (log->unread)
-        buf_printf(out, ", %s not read", count(f->arena, log->unread, "byte", "bytes"));
+        buf_printf(out, ", %s not read", describe_count(f->arena, log->unread, "byte", "bytes"));
     buf_char(out, '\n');
 }
 
 static void write_extent(const Flight *f, const LogSession *s, Buf *out)
 {
-    buf_printf(out, "  %s", count(f->arena, s->records, "record", "records"));
+    buf_printf(out, "  %s", describe_count(f->arena, s->records, "record", "records"));
     if (s->records > 0) {
         buf_str(out, " from ");
         flight_write_time(out, s->first);
@@ -146,11 +141,11 @@ static void write_extent(const Flight *f, const LogSession *s, Buf *out)
         flight_write_time(out, s->last);
         buf_str(out, " s");
     }
-    buf_printf(out, ", %s", count(f->arena, s->events, "event", "events"));
+    buf_printf(out, ", %s", describe_count(f->arena, s->events, "event", "events"));
     if (s->dropped)
-        buf_printf(out, "; %s dropped", count(f->arena, s->dropped, "record", "records"));
+        buf_printf(out, "; %s dropped", describe_count(f->arena, s->dropped, "record", "records"));
     if (s->lost)
-        buf_printf(out, "; %s lost", count(f->arena, s->lost, "event", "events"));
+        buf_printf(out, "; %s lost", describe_count(f->arena, s->lost, "event", "events"));
     buf_char(out, '\n');
 }
 
@@ -218,14 +213,14 @@ static void write_values(const Flight *f, const LogSession *s, const LogElement 
         buf_printf(out, "%s .. %s, from %s to %s", report_format_cell(f->arena, e->type, x.lo), report_format_cell(f->arena, e->type, x.hi),
                    report_format_cell(f->arena, e->type, x.first), report_format_cell(f->arena, e->type, x.last));
     if (x.nans)
-        buf_printf(out, "%snan in %s", x.number ? ", " : "", count(f->arena, x.nans, "record", "records"));
+        buf_printf(out, "%snan in %s", x.number ? ", " : "", describe_count(f->arena, x.nans, "record", "records"));
     buf_char(out, '\n');
 }
 
 static void write_session(const Flight *f, size_t number, const LogSession *s, Buf *out)
 {
     buf_printf(out, "\nsession %lu: %s, %s, layout %08lx\n", (unsigned long)number, s->d->vector,
-               count(f->arena, s->d->elements, "element", "elements"), (unsigned long)s->d->layout);
+               describe_count(f->arena, s->d->elements, "element", "elements"), (unsigned long)s->d->layout);
     write_extent(f, s, out);
     write_events(f, s, out);
     if (s->records == 0)

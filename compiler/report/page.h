@@ -49,10 +49,10 @@ void report_add_scripts(Report *r, Doc *d);
 typedef struct FindingCount { size_t open, allowed; } FindingCount;
 FindingCount report_count_findings(const Report *r);
 
-// The part of the machine that the scripts have executed.  A way is a pair of states that one or more transitions connect.
+// The part of the machine that the scripts have executed.  A pair is two states (or one twice) that one or more transitions connect.
 typedef struct Coverage {
-    size_t states_covered, states, pairs_covered, ways;
-    size_t pairs_shared;          // seen, but by which of several transitions is unknown
+    size_t states_covered, states, pairs_covered, pairs;
+    size_t pairs_shared;          // covered, but it is unknown by which of several transitions
 } Coverage;
 Coverage report_measure_coverage(const Report *r);
 DiagramCounts report_sum_counts(const Report *r);  // how often the scripts visited states and took transitions, summed over all scripts

@@ -32,7 +32,7 @@ static const char *coverage_text(const Report *r)
 {
     const Coverage c = report_measure_coverage(r);
     const char *text = format_in(r->arena, "%lu of %lu states, transitions between %lu of %lu pairs of states", (unsigned long)c.states_covered, (unsigned long)c.states,
-                                 (unsigned long)c.pairs_covered, (unsigned long)c.ways);
+                                 (unsigned long)c.pairs_covered, (unsigned long)c.pairs);
 
     if (c.pairs_shared == 0)
         return text;

@@ -122,16 +122,16 @@ static void add_transitions_covered(const Report *r, Doc *d)
 // Counts by transition.  The diagram draws one arrow from a state to another, so the count of several transitions is stored at the first.
 DiagramCounts report_sum_counts(const Report *r)
 {
-    const size_t states = r->analysis.p->state.n, ways = r->analysis.transition.n;
-    uint64_t *state = ARENA_ARRAY(r->arena, uint64_t, states), *way = ARENA_ARRAY(r->arena, uint64_t, ways);
+    const size_t states = r->analysis.p->state.n, transitions = r->analysis.transition.n;
+    uint64_t *state = ARENA_ARRAY(r->arena, uint64_t, states), *transition = ARENA_ARRAY(r->arena, uint64_t, transitions);
 
     for (size_t i = 0; i < r->runs; i++) {
         for (size_t s = 0; s < states; s++)
             state[s] += r->run[i].trace.entered[s];
-        for (size_t w = 0; w < ways; w++)
-            way[w] += r->run[i].trace.taken[w];
+        for (size_t t = 0; t < transitions; t++)
+            transition[t] += r->run[i].trace.taken[t];
     }
-    return (DiagramCounts){state, way};
+    return (DiagramCounts){state, transition};
 }
 
 Coverage report_measure_coverage(const Report *r)
@@ -146,7 +146,7 @@ Coverage report_measure_coverage(const Report *r)
         size_t same = 0;
         if (!is_first_of_pair(t, i, &same))
             continue;
-        c.ways++;
+        c.pairs++;
         c.pairs_covered += counts.transition[i] > 0;
         c.pairs_shared += counts.transition[i] > 0 && same > 1;
     }
@@ -185,7 +185,7 @@ static void add_not_covered(Report *r, Doc *d)
     Buf svg;
 
     doc_heading(d, "not-covered", "Not covered by the scripts");
-    if (c.states_covered == c.states && c.pairs_covered == c.ways) {
+    if (c.states_covered == c.states && c.pairs_covered == c.pairs) {
         doc_paragraph(d, c.pairs_shared ? TEXT_COVERED_ALL_EDGES : TEXT_COVERED_ALL);
         add_shared_transitions(r, d);
         return;
@@ -267,10 +267,10 @@ static void add_run(const Report *r, Doc *d, const ReportRun *run, size_t number
     if (run->script)
         doc_quote(d, comment_of_file(r->arena, run->script->src));
     for (size_t i = 0; i < run->diags.list.n; i++) {
-        const Diag *said = run->diags.list.at[i];
-        doc_plain(d, format_in(r->arena, "%s [%s]", said->text, diag_code_and_name(said, r->arena)));
-        doc_excerpt(d, said->span, said->label);
-        add_history(r, d, said);
+        const Diag *diag = run->diags.list.at[i];
+        doc_plain(d, format_in(r->arena, "%s [%s]", diag->text, diag_code_and_name(diag, r->arena)));
+        doc_excerpt(d, diag->span, diag->label);
+        add_history(r, d, diag);
     }
     if (!run->script || run->trace.steps == 0)
         return;

@@ -101,14 +101,6 @@ static const char *range_text(Arena *arena, const Var *v)
                      report_format_number(arena, number_of(v->range->hi)));
 }
 
-// The comment at the machine's own declaration, otherwise at that in the state vector.
-static const char *comment_of_variable(Arena *arena, const Var *v)
-{
-    const char *own = comment_after(arena, v->span);
-
-    return own || !v->element ? own : comment_after(arena, v->element->span);
-}
-
 static void add_elements(const Report *r, Doc *d, const VarUse *use)
 {
     const Program *p = r->analysis.p;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "compiler/report/comment.h"
+#include "compiler/report/xml.h"
 
 
 // ---- helpers ----
@@ -56,7 +57,7 @@ void plot_draw_text(Plot *p, const char *class_name, const char *anchor, long x,
     write_length(p->out, "x", x);
     write_length(p->out, "y", y);
     buf_char(p->out, '>');
-    html_str(p->out, text);
+    xml_write_str(p->out, text);
     buf_str(p->out, "</text>\n");
 }
 
@@ -130,17 +131,15 @@ static long row_y(const PlotRow *r, double x)
 
 static void draw_title(Plot *p, const Var *v, long top)
 {
-    const char *comment = comment_after(p->out->arena, v->span);
+    const char *comment = comment_of_variable(p->out->arena, v);
 
-    if (!comment && v->element)
-        comment = comment_after(p->out->arena, v->element->span);
     buf_str(p->out, "<text class=\"t\"");
     write_length(p->out, "x", PLOT_LEFT + 40);
     write_length(p->out, "y", top + PLOT_TITLE - 50);
     buf_printf(p->out, "><tspan font-weight=\"600\">%s</tspan>", v->name->text);
     if (comment) {
         buf_str(p->out, " <tspan class=\"dim\">");
-        html_str(p->out, comment);
+        xml_write_str(p->out, comment);
         buf_str(p->out, "</tspan>");
     }
     buf_str(p->out, "</text>\n");
@@ -302,13 +301,11 @@ static long draw_rows(Plot *p, bool strips, bool draw, long y)
 
 static const char *axis_text(const Plot *p)
 {
-    const Var *g = p->t->p->g;
-    const char *comment = p->t->axis ? NULL : comment_after(p->out->arena, g->span);
+    const char *comment;
 
     if (p->t->axis)
         return p->t->axis;
-    if (!comment && g->element)
-        comment = comment_after(p->out->arena, g->element->span);
+    comment = comment_of_variable(p->out->arena, p->t->p->g);
     return format_in(p->out->arena, "Time, G%s%s", comment ? ": " : "", comment ? comment : "");
 }
 

@@ -5,36 +5,36 @@
 
 #include "compiler/base/utf8.h"
 
-// XML 1.0, 2.2: characters.
-static bool is_known(uint32_t code)
+// len: bytes of the character; 0: they are not UTF-8.
+static void write_character(Buf *out, const char *text, size_t len, uint32_t code)
 {
-    return code >= 0x20 ? code != 0xFFFE && code != 0xFFFF : code == '\t' || code == '\n';
+    if (len == 0 || code == 0xFFFE || code == 0xFFFF)         // XML 1.0, 2.2; the other forbidden characters are hidden
+        buf_str(out, "\xef\xbf\xbd");
+    else if (code != '\n' && code != '\t' && utf8_is_hidden(code))
+        buf_printf(out, "&lt;U+%04lX&gt;", (unsigned long)code);
+    else if (code == '&')
+        buf_str(out, "&amp;");
+    else if (code == '<')
+        buf_str(out, "&lt;");
+    else if (code == '>')
+        buf_str(out, "&gt;");
+    else if (code == '"')
+        buf_str(out, "&quot;");
+    else if (code == '\'')
+        buf_str(out, "&#39;");
+    else
+        buf_put(out, text, len);
 }
 
-static void write_character(Buf *out, const char *s, size_t bytes, uint32_t code)
+void xml_write(Buf *out, const char *text, size_t n)
 {
-    switch (code) {
-    case '&': buf_str(out, "&amp;"); break;
-    case '<': buf_str(out, "&lt;"); break;
-    case '>': buf_str(out, "&gt;"); break;
-    case '"': buf_str(out, "&quot;"); break;
-    case '\'': buf_str(out, "&#39;"); break;
-    default: buf_put(out, s, bytes);
+    while (n > 0) {
+        uint32_t code = 0;
+        const size_t len = utf8_decode(text, n, &code), used = len ? len : 1;
+        write_character(out, text, len, code);
+        text += used;
+        n -= used;
     }
 }
 
-void xml_put(Buf *out, const char *text)
-{
-    const size_t n = strlen(text);
-    size_t bytes;
-
-    for (size_t i = 0; i < n; i += bytes) {
-        uint32_t code;
-        bytes = utf8_decode(text + i, n - i, &code);
-        if (bytes > 0 && is_known(code))
-            write_character(out, text + i, bytes, code);
-        else
-            buf_str(out, "\xef\xbf\xbd");
-        bytes += bytes == 0;
-    }
-}
+void xml_write_str(Buf *out, const char *text) { xml_write(out, text, strlen(text)); }

@@ -5,8 +5,9 @@
 
 #include "compiler/base/buf.h"
 
-// Writes the text with special characters escaped, also for use in quotes.  Bytes that are not UTF-8, and characters that XML does not
-// allow, become U+FFFD.
-void xml_put(Buf *out, const char *text);
+// Writes the text with special characters escaped, also for attribute values.  Invisible characters and those that change the direction
+// of text are spelled out as <U+202E>.  Bytes that are not UTF-8, and characters that XML does not allow, become U+FFFD.
+void xml_write(Buf *out, const char *text, size_t n);
+void xml_write_str(Buf *out, const char *text);
 
 #endif

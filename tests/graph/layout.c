@@ -118,12 +118,12 @@ static Box around(Point a, Point b)
     return box;
 }
 
-// Begins and ends at its states, and touches nothing on the way but its own label.
-static void check_way(const Diagram *d, const DiagramEdge *e, const Things *t)
+// Begins and ends at its states, and touches nothing between them but its own label.
+static void check_path(const Diagram *d, const DiagramEdge *e, const Things *t)
 {
     const Box from = d->node[e->from].box, to = d->node[e->to].box;
-    const Point *p = e->way.at;
-    const size_t n = e->way.n;
+    const Point *p = e->path.at;
+    const size_t n = e->path.n;
 
     CHECK(n >= 4 && n % 2 == 0);
     CHECK(p[0].x > from.x && p[0].x < from.x + from.w && p[0].y == from.y + (e->up ? 0 : from.h));
@@ -148,7 +148,7 @@ static void check_ends(const Diagram *d)
         for (size_t f = 0; f < e; f++) {
             const DiagramEdge *x = &d->edge.at[e], *y = &d->edge.at[f];
             if (x->form == EDGE_LINE && y->form == EDGE_LINE && x->to == y->to && x->up == y->up)
-                CHECK(abs(x->way.at[x->way.n - 1].x - y->way.at[y->way.n - 1].x) >= 8);
+                CHECK(abs(x->path.at[x->path.n - 1].x - y->path.at[y->path.n - 1].x) >= 8);
         }
 }
 
@@ -159,7 +159,7 @@ static void check_complete(const Diagram *d)
 
     for (size_t e = 0; e < d->edge.n; e++) {
         guards += d->edge.at[e].guard.n;
-        CHECK((d->edge.at[e].form == EDGE_LINE) == (d->edge.at[e].way.n > 0));
+        CHECK((d->edge.at[e].form == EDGE_LINE) == (d->edge.at[e].path.n > 0));
     }
     CHECK(guards == d->a->transition.n);
 }
@@ -179,7 +179,7 @@ static const Diagram *check_layout(const Program *p)
     check_ends(d);
     for (size_t e = 0; e < d->edge.n; e++)
         if (d->edge.at[e].form == EDGE_LINE)
-            check_way(d, &d->edge.at[e], &t);
+            check_path(d, &d->edge.at[e], &t);
     return d;
 }
 
@@ -336,7 +336,7 @@ static void check_findings(void)
     diag_report(&found, DIAG_unreachable_state, p->var.at[2]->span, "nowhere");
     svg = drawn(&a, &o);
     CHECK(times(svg, "\"g-mark\"") == 2 && times(svg, "\"g-mark g-error\"") == 1);
-    CHECK(strstr(svg, "state &#39;&lt;&amp;&quot;&#39;\xef\xbf\xbd\xef\xbf\xbd&gt;&#39; is unreachable"));
+    CHECK(strstr(svg, "state &#39;&lt;&amp;&quot;&#39;&lt;U+0001&gt;\xef\xbf\xbd&gt;&#39; is unreachable"));
     CHECK(strstr(svg, "guard&#39; is") && strstr(svg, "transition&#39; is") && !strstr(svg, "nowhere"));
 }
 

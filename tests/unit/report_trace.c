@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a report keeps of a run: a single wild sample of a long run stays visible, visits and ways are counted, memory does not
+// What a report keeps of a run: a single wild sample of a long run stays visible, visits and transitions are counted, memory does not
 // grow.
 #include <setjmp.h>
 #include <string.h>
@@ -80,7 +80,7 @@ static void check_visits(const Trace *t)
 {
     CHECK(t->visit.n == 100 && t->visits == 100 && t->visit.at[1].g == 10000 && t->visit.at[1].state->number == 2);
     CHECK(t->entered[0] == 50 && t->entered[1] == 50 && t->spent[0] == 49999 && t->spent[1] == 50000);
-    CHECK(t->taken[0] == 50 && t->taken[1] == 0 && t->taken[2] == 49 && t->taken[3] == 0);      // both ways to B count at the first
+    CHECK(t->taken[0] == 50 && t->taken[1] == 0 && t->taken[2] == 49 && t->taken[3] == 0);      // both transitions to B count at the first
     CHECK(t->first_g == 0 && t->last_g == 999990 && t->steps == 99999);
 }
 
@@ -89,7 +89,7 @@ int main(void)
     MachineInput in = {NULL, NULL, NULL, 2};
     Session s;
     Program *p;
-    Transitions ways;
+    Transitions transitions;
     Fake fake;
     Trace t;
 
@@ -107,8 +107,8 @@ int main(void)
     fake.engine.init = fake_init;
     fake.engine.step = fake_step;
     fake.engine.close = fake_close;
-    ways = transitions_of(&s.arena, p);
-    trace_init(&t, &s.arena, p, &ways);
+    transitions = transitions_of(&s.arena, p);
+    trace_init(&t, &s.arena, p, &transitions);
     run(trace_wrap_engine(&t, &fake.engine), p, &s.arena, 100000);
     CHECK(fake.step == UINT64_MAX);
     check_series(&t);
