@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/artefacts.h"
+
+#include <string.h>
+
+#include "compiler/emit/c/app.h"
+#include "compiler/syntax/parse.h"
+
+static Buf *new_buf(Session *s)
+{
+    Buf *b = ARENA_NEW(&s->arena, Buf);
+
+    buf_init(b, &s->arena);
+    return b;
+}
+
+static Buf *add_artefact(Compilation *c, size_t source, const char *name, const char *ending)
+{
+    Artefact a = {source, name, ending, new_buf(c->s)};
+
+    vec_push(&c->s->arena, &c->out->artefact, a);
+    return a.bytes;
+}
+
+static const char *file_part(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+
+    return slash ? slash + 1 : path;
+}
+
+void artefacts_print_stage(Compilation *c)
+{
+    const bool tokens = c->o->emit == EMIT_TOKENS;
+    Buf *out = add_artefact(c, 0, NULL, NULL);
+
+    for (size_t i = 0; i < c->in->n; i++) {
+        const Source *src = c->in->at[i].text;
+        const AstFile *f;
+        buf_str(out, tokens ? "# Tokens of " : "# Syntax tree of ");
+        diag_put_printable(out, file_part(src->name), strlen(file_part(src->name)));
+        buf_str(out, ", printed by smc\n");
+        if (tokens)
+            lex_print(&c->s->strings, &c->s->diags, src, c->in->at[i].kind, out);
+        else if ((f = session_parse(c->s, src, c->in->at[i].kind)) != NULL)
+            ast_print(f, out);
+    }
+}
+
+// ---- machines, state vectors, pins ----
+
+static void emit_image_of_machines(Compilation *c)
+{
+    const ImageOptions o = {c->o->names, c->image_pins};
+    IrMachine **m = ARENA_ARRAY(&c->s->arena, IrMachine *, c->in->n);
+    size_t n = 0;
+    Buf *image;
+
+    for (size_t i = 0; i < c->in->n; i++)
+        if (c->out->of[i].ir)
+            m[n++] = c->out->of[i].ir;
+    if (c->o->emit == EMIT_BYTECODE) {
+        session_image(c->s, m, n, &o, add_artefact(c, 0, NULL, ".smb"));
+        return;
+    }
+    image = new_buf(c->s);
+    if (session_image(c->s, m, n, &o, image))
+        emit_c_image(&c->s->arena, c->in->at[0].array, image, &c->in->at[0].c, add_artefact(c, 0, NULL, "_image.h"));
+}
+
+static void emit_c_of_source(Compilation *c, size_t i)
+{
+    const CompiledSource *of = &c->out->of[i];
+    const bool is_pins = c->in->at[i].kind == FILE_IO;
+    Buf *code = add_artefact(c, i, NULL, is_pins ? "_io.c" : ".c"), *header = add_artefact(c, i, NULL, is_pins ? "_io.h" : ".h");
+
+    if (of->ir)
+        session_emit_c(c->s, of->ir, &c->in->at[i].c, header, code);
+    else if (of->vector)
+        emit_c_state_vector(&c->s->arena, of->vector, &c->in->at[i].c, header, code);
+    else if (of->pins)
+        emit_c_io(&c->s->arena, of->pins, &c->in->at[i].c, header, code);
+}
+
+void artefacts_emit(Compilation *c)
+{
+    Buf *text = NULL;
+
+    if (c->o->emit == EMIT_BYTECODE || c->o->emit == EMIT_ARRAY)
+        emit_image_of_machines(c);
+    if (c->o->emit == EMIT_IR)
+        text = add_artefact(c, 0, NULL, NULL);
+    for (size_t i = 0; i < c->in->n; i++)
+        if (c->o->emit == EMIT_C)
+            emit_c_of_source(c, i);
+        else if (text && c->out->of[i].ir)
+            ir_print(c->out->of[i].ir, text);
+}
+
+// ---- an application ----
+
+static Buf *add_app_file(Compilation *c, const char *stem, const char *end)
+{
+    return add_artefact(c, 0, format_in(&c->s->arena, "%s%s", stem, end), NULL);
+}
+
+static EmitCOptions app_c_options(Compilation *c, const char *stem, const char *source, const char *ending)
+{
+    EmitCOptions e;
+
+    memset(&e, 0, sizeof e);
+    e.header = format_in(&c->s->arena, "%s.h", stem);
+    e.source = format_in(&c->s->arena, "%s%s", source, ending);
+    e.runtime = true;
+    e.soft = c->o->soft;
+    return e;
+}
+
+void artefacts_emit_app(Compilation *c, const App *a)
+{
+    const ImageOptions image_options = {c->o->names, NULL};
+    const Buf **image = ARENA_ARRAY(&c->s->arena, const Buf *, a->machine.n);
+    const char *stem = format_in(&c->s->arena, "%s_app", a->name->text);
+    Buf *code = add_app_file(c, stem, ".c"), *header = add_app_file(c, stem, ".h");
+    EmitCOptions e;
+
+    for (size_t i = 0; i < a->machine.n; i++)
+        if (a->machine.at[i]->bytecode) {
+            Buf *bytes = new_buf(c->s);
+            IrMachine *m;
+            c->s->hide_locals = !c->o->names;
+            m = session_ir(c->s, a->machine.at[i]->program, c->o->opt_level);
+            c->s->hide_locals = false;
+            if (!session_image(c->s, &m, 1, &image_options, bytes))
+                return;
+            image[i] = bytes;
+        }
+    emit_c_app(&c->s->arena, a, image, header, code);
+
+    stem = a->sv->name->text;
+    e = app_c_options(c, stem, stem, ".sv");
+    code = add_app_file(c, stem, ".c"), header = add_app_file(c, stem, ".h");
+    emit_c_state_vector(&c->s->arena, a->sv, &e, header, code);
+    for (size_t i = 0; i < a->machine.n; i++)
+        if (!a->machine.at[i]->bytecode) {
+            const Program *p = a->machine.at[i]->program;
+            stem = p->name->text;
+            e = app_c_options(c, stem, stem, ".sm");
+            code = add_app_file(c, stem, ".c"), header = add_app_file(c, stem, ".h");
+            session_emit_c(c->s, session_ir(c->s, p, c->o->opt_level), &e, header, code);
+        }
+    if (!a->pins)
+        return;
+    stem = format_in(&c->s->arena, "%s_io", a->io_name->text);
+    e = app_c_options(c, stem, a->io_name->text, ".io");
+    code = add_app_file(c, stem, ".c"), header = add_app_file(c, stem, ".h");
+    emit_c_io(&c->s->arena, a->pins, &e, header, code);
+}
