@@ -110,11 +110,11 @@ static void compile_scripts(Compilation *c)
 static void analyse_all(Compilation *c)
 {
     if (c->in->vector)
-        analyse_together(&c->s->arena, &c->s->diags, c->program, c->programs);
+        analyse_shared_vector(&c->s->arena, &c->s->diags, c->program, c->programs);
     for (size_t i = 0; i <= c->in->n; i++) {
         const IoMap *pins = i < c->in->n ? c->out->of[i].pins : c->image_pins;
         for (size_t m = 0; pins && m < c->programs; m++)
-            analyse_pins(&c->s->arena, &c->s->diags, pins, c->program[m]);
+            analyse_shared_pins(&c->s->arena, &c->s->diags, pins, c->program[m]);
     }
 }
 

@@ -70,7 +70,7 @@ static void check_step(const Limited *x, const Cost *cost, DiagCode code, uint32
     if (most == 0 || cost->worst <= most)
         return;
     diag = diag_report(x->diags, code, state->span, x->p->name->text, state->name->text, number_text(x, cost->worst), number_text(x, most));
-    for (int i = 0; i < LINES_SHOWN && (l = cost_next_dearest(&cost->state[cost->worst_state - 1], l)) != NULL; i++)
+    for (int i = 0; i < LINES_SHOWN && (l = cost_next_most_expensive(&cost->state[cost->worst_state - 1], l)) != NULL; i++)
         diag_note(x->diags, diag, span_of_line(x->p->src, l->line), l->part == COST_SAMPLE ? DIAG_note_line_samples : DIAG_note_line_takes,
                   number_text(x, l->units));
 }

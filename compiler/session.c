@@ -165,9 +165,9 @@ static void analyse_app(Session *s, const App *a)
     }
     s->step = 0;
     s->diags.known |= 1u << DIAG_JUDGED_VECTOR | 1u << DIAG_JUDGED_APP;
-    analyse_together(&s->arena, &s->diags, p, a->machine.n);
+    analyse_shared_vector(&s->arena, &s->diags, p, a->machine.n);
     for (size_t i = 0; a->pins && i < a->machine.n; i++)
-        analyse_pins(&s->arena, &s->diags, a->pins, p[i]);
+        analyse_shared_pins(&s->arena, &s->diags, a->pins, p[i]);
 }
 
 App *session_app(Session *s, const AstFile *app, AppFiles *files)

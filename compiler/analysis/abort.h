@@ -4,7 +4,7 @@
 //
 //     const AbortMatrix x = abort_matrix(trials_of(a));
 //     for (size_t s = 0; s < x.n; s++)                          // x.row[s] is of State.number s + 1
-//         for (size_t w = 0; w < x.row[s].way.n; w++) …
+//         for (size_t w = 0; w < x.row[s].path.n; w++) …
 //
 // The analysis' arena owns the matrix.
 #ifndef SMC_ABORT_H
@@ -16,16 +16,17 @@
 #define ABORT_NOT_BOUNDED UINT32_MAX      // a number of steps: a state on the path may wait for something
 
 // One transition out of a state from which every path ends in an @abort state.
-typedef struct AbortWay {
+typedef struct AbortPath {
     const Transition *first;      // its condition is first->when, its position first->stmt->span
     const char *guard;            // condition_text of it; "" if it is unconditional
     uint32_t steps;               // at worst, from the step in which the guard is true to the first step in an @abort state; 1: directly
     const Var **sensor;           // the sensors that its guard depends on, also through windows and locals
     size_t sensors;
     bool by_time;                 // its guard depends on T or G
-    bool by_input;      // its guard depends on a bool or a command (an integer that is only compared by == or !=); these are not sensors
+    bool by_input;                // its guard depends on a bool or a command (an integer that is only compared by == or !=); these
+                                  // are not sensors
     bool possible;                // it can be taken at all
-} AbortWay;
+} AbortPath;
 
 typedef enum AbortVerdict {
     ABORT_ITSELF,                 // an @abort state
@@ -40,14 +41,14 @@ typedef enum AbortVerdict {
 typedef struct AbortRow {
     const State *state;
     AbortVerdict verdict;
-    VEC(AbortWay) way;            // in file order
+    VEC(AbortPath) path;          // in file order
     uint32_t steps;               // the worst of the bounded paths; 0: none is bounded
     const Var *single;            // if this sensor sticks at `stuck`, which can be a healthy reading, no path remains; or NULL
     SmF64 stuck;
     const Var *blind;             // if this sensor reads `blind_at`, no path remains; or NULL
     const char *blind_at;         // "0", "more than 40", "0 or less than -5"
     const Var *latch;             // a variable whose old value prevents an abort when the state begins again; or NULL
-    const AbortWay *latched;      // the transition that reads it
+    const AbortPath *latched;     // the transition that reads it
     double latched_at;            // its value at that time
     bool drives;                  // an output was on in this state in some trial
     bool by_itself;               // some trial aborted, or left the state at once, without a command
@@ -59,7 +60,7 @@ typedef struct AbortMatrix {
     bool declared;                // some state is marked @abort; else every row has ABORT_NO_PATH or ABORT_UNREACHED
     AbortRow *row;
     size_t n;
-    const Sensors *sensors;       // set if some state is marked
+    const InputDepsTable *deps;   // set if some state is marked
 } AbortMatrix;
 
 AbortMatrix abort_matrix(Trials *t);
@@ -77,10 +78,9 @@ typedef struct AbortBound {
 } AbortBound;
 
 AbortBound abort_bound(Analysis *a);
-uint32_t abort_one_more(uint32_t steps);
-bool abort_is_sure(const AbortWay *w);         // it can be taken, and from there an @abort state follows within a bounded number of steps
+bool abort_is_sure(const AbortPath *p);        // it can be taken, and from there an @abort state follows within a bounded number of steps
 
-// Fills in the inputs that the paths of each row depend on, and the results of the trials.
-void abort_ask(Trials *t, AbortMatrix *x, const AbortBound *b);
+// abort_sensors.c: fills in the inputs that the paths of each row depend on, and the results of the trials.
+void abort_run_trials(Trials *t, AbortMatrix *x, const AbortBound *b);
 
 #endif

@@ -4,41 +4,38 @@
 #include "compiler/analysis/abort.h"
 #include "compiler/analysis/trial_checks.h"
 
-enum { WAYS_SHOWN = 3, STATES_FOLLOWED = 50 };
+enum { PATHS_SHOWN = 3, STATES_FOLLOWED = 50 };
 
 // The @abort state at the end of a path through other states.
-static const State *end_of(const AbortMatrix *x, const State *s)
+static const State *final_state(const AbortMatrix *x, const State *s)
 {
     for (int i = 0; i < STATES_FOLLOWED && !s->is_abort; i++)
         s = abort_onward(x, s);
     return s;
 }
 
-static void show_way(Analysis *a, Diag *d, const AbortMatrix *x, const AbortWay *w, const Condition *when, const Var *sensor)
-{
-    const Stmt *store = looks_through(x->sensors, when->stmt->value, sensor);
-    const char *name = sensor->name->text, *to = w->first->to->name->text;
-
-    if (w->first->to->is_abort)
-        diag_note(a->diags, d, when->stmt->span, DIAG_note_abort_way, to, name);
-    else
-        diag_note(a->diags, d, when->stmt->span, DIAG_note_abort_way_through, to, end_of(x, w->first->to)->name->text, name);
-    if (store)
-        diag_note(a->diags, d, store->span, DIAG_note_made_of_sensor, store->var->name->text, name);
-}
-
 // Adds notes for the failing transitions, each with the states that it leads through.  Of several that wait for the same guard,
 // only one is noted.
-static void show_ways(Analysis *a, Diag *d, const AbortMatrix *x, const AbortRow *r, const Var *sensor)
+static void note_paths(Analysis *a, Diag *d, const AbortMatrix *x, const AbortRow *r, const Var *sensor)
 {
+    const char *name = sensor->name->text;
     const Stmt *last = NULL;
     size_t shown = 0;
 
-    for (size_t w = 0; w < r->way.n && shown < WAYS_SHOWN; w++) {
-        const Condition *when = abort_is_sure(&r->way.at[w]) ? condition_on(x->sensors, r->way.at[w].first->when, sensor) : NULL;
+    for (size_t k = 0; k < r->path.n && shown < PATHS_SHOWN; k++) {
+        const AbortPath *path = &r->path.at[k];
+        const Condition *when = abort_is_sure(path) ? input_deps_find_condition(x->deps, path->first->when, sensor) : NULL;
+        const State *to = path->first->to;
+        const Stmt *store;
         if (!when || when->stmt == last)
             continue;
-        show_way(a, d, x, &r->way.at[w], when, sensor);
+        store = input_deps_find_store(x->deps, when->stmt->value, sensor);
+        if (to->is_abort)
+            diag_note(a->diags, d, when->stmt->span, DIAG_note_abort_way, to->name->text, name);
+        else
+            diag_note(a->diags, d, when->stmt->span, DIAG_note_abort_way_through, to->name->text, final_state(x, to)->name->text, name);
+        if (store)
+            diag_note(a->diags, d, store->span, DIAG_note_made_of_sensor, store->var->name->text, name);
         last = when->stmt;
         shown++;
     }
@@ -48,7 +45,7 @@ static void report_blind(Analysis *a, const AbortMatrix *x, const AbortRow *r)
 {
     Diag *d = diag_report(a->diags, DIAG_abort_blind, r->state->span, r->state->name->text, r->blind->name->text, r->blind_at);
 
-    show_ways(a, d, x, r, r->blind);
+    note_paths(a, d, x, r, r->blind);
     diag_note(a->diags, d, (Span){0}, DIAG_note_abort_blind_advice, r->blind->name->text);
 }
 
@@ -57,7 +54,7 @@ static void report_single(Analysis *a, const AbortMatrix *x, const AbortRow *r)
     Diag *d = diag_report(a->diags, DIAG_abort_single_sensor, r->state->span, r->state->name->text, r->single->name->text,
                           const_text(a->arena, r->stuck));
 
-    show_ways(a, d, x, r, r->single);
+    note_paths(a, d, x, r, r->single);
     diag_note(a->diags, d, (Span){0}, DIAG_note_abort_single_advice);
 }
 
@@ -70,7 +67,7 @@ static void report_missing(Analysis *a, const AbortRow *r)
         diag_report(a->diags, DIAG_abort_by_command, r->state->span, r->state->name->text);
 }
 
-void question_abort(Trials *t)
+void check_abort(Trials *t)
 {
     Analysis *a = t->a;
     const AbortMatrix x = abort_matrix(t);

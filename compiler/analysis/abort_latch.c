@@ -11,15 +11,15 @@
 
 enum { DRAWS = 40, AT_ONCE = 2 };
 
-typedef struct Latch {
+typedef struct LatchSearch {
     Trials *t;
     AbortBound bound;
     void *at;
     double *in;
-} Latch;
+} LatchSearch;
 
 // The transition to an abort that it takes within two steps; NULL: it takes another transition or none.
-static const Transition *aborts_at_once(Latch *l, const TrialEntry *e)
+static const Transition *find_early_abort(LatchSearch *l, const TrialEntry *e)
 {
     Trials *t = l->t;
 
@@ -36,7 +36,7 @@ static const Transition *aborts_at_once(Latch *l, const TrialEntry *e)
 }
 
 // The transition that e always takes when `other` does not abort.  NULL: e does not always take it, or `other` always aborts.
-static const Transition *aborts_where_not(Latch *l, const TrialEntry *e, const TrialEntry *other)
+static const Transition *find_abort_of_one(LatchSearch *l, const TrialEntry *e, const TrialEntry *other)
 {
     Trials *t = l->t;
     const Transition *made = NULL;
@@ -47,10 +47,10 @@ static const Transition *aborts_where_not(Latch *l, const TrialEntry *e, const T
         for (uint32_t i = 0; i < t->inputs; i++)
             if (t->input[i].command && n % 2)
                 l->in[i] = other->in[i];
-        trial_draw(t, l->in, NULL, false, false);
-        if (aborts_at_once(l, other))
+        trial_draw_inputs(t, l->in, NULL, false, false);
+        if (find_early_abort(l, other))
             continue;
-        now = aborts_at_once(l, e);
+        now = find_early_abort(l, e);
         if (!now || (made && made != now))
             return NULL;
         made = now;
@@ -58,11 +58,12 @@ static const Transition *aborts_where_not(Latch *l, const TrialEntry *e, const T
     return made;
 }
 
-static bool look_at_pair(Latch *l, const State *state, const TrialEntry *e, const TrialEntry *other)
+// Returns whether there is one.
+static bool report_latch(LatchSearch *l, const State *state, const TrialEntry *e, const TrialEntry *other)
 {
     const Analysis *a = l->t->a;
-    const Transition *made = aborts_where_not(l, e, other);
-    const Var *latch = made ? trial_differing(l->t, made->when, e->situation, other->situation) : NULL;
+    const Transition *made = find_abort_of_one(l, e, other);
+    const Var *latch = made ? trial_find_difference(l->t, made->when, e->situation, other->situation) : NULL;
 
     if (latch)
         diag_report(a->diags, DIAG_abort_latch, made->stmt->span, state->name->text, latch->name->text,
@@ -70,20 +71,15 @@ static bool look_at_pair(Latch *l, const State *state, const TrialEntry *e, cons
     return latch != NULL;
 }
 
-static void look_at_state(Latch *l, const TrialState *s, const State *state)
+void check_abort_latch(Trials *t)
 {
-    bool found = false;
+    LatchSearch l = {t, abort_bound(t->a), arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t)};
 
-    for (size_t n = 0; n < s->entry.n && !found; n++)
-        for (size_t k = 0; k < s->entry.n && !found; k++)
-            found = k != n && look_at_pair(l, state, &s->entry.at[n], &s->entry.at[k]);
-}
-
-void question_abort_latch(Trials *t)
-{
-    Latch l = {t, abort_bound(t->a), arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t)};
-
-    for (size_t s = 0; s < t->a->p->state.n; s++)
-        if (!l.bound.bound[s])
-            look_at_state(&l, &t->state[s], t->a->p->state.at[s]);
+    for (size_t s = 0; s < t->a->p->state.n; s++) {
+        const TrialState *entries = &t->state[s];
+        bool found = l.bound.bound[s];
+        for (size_t n = 0; n < entries->entry.n && !found; n++)
+            for (size_t k = 0; k < entries->entry.n && !found; k++)
+                found = k != n && report_latch(&l, t->a->p->state.at[s], &entries->entry.at[n], &entries->entry.at[k]);
+    }
 }

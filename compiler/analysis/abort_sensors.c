@@ -12,31 +12,30 @@ enum {
     ENTRIES = 8,                  // the same, for a state that begins again
     LIVES = 80,                   // trials before the search concludes that none aborts
     CHANGES = 4,                  // of the inputs in one trial
-    WORK = 400000                 // instructions spent on one question
+    WORK = 400000                 // instructions spent on one state and sensor
 };
 
-typedef struct Failed { uint32_t input; double reading; } Failed;
-
-typedef struct Asking {
+typedef struct AbortTrials {
     Trials *t;
     const AbortBound *b;
-    const Sensors *s;
+    const InputDepsTable *deps;
     void *at;
     double *in;
     bool commands;                // the trial may give any command
-    const Failed *failed;         // or NULL
+    const SensorFailure *failed;         // or NULL
     bool left_at_once, left;      // some trial left the state within two steps; or later, but before windows were full; both not to abort
     bool stayed;                  // some trial stayed in the state until windows were full
     bool aborted;                 // some trial aborted
     bool driven;                  // an output was on during a trial
-    uint64_t until;               // value of Trials.run.work at which the question stops
-} Asking;
+    uint64_t until;               // value of Trials.run.work at which the trials stop
+} AbortTrials;
 
-typedef enum Fate { STAYS, ABORTS, LEAVES } Fate;
+typedef enum TrialEnd { STAYS, ABORTS, LEAVES } TrialEnd;
 
 // ---- trials ----
 
-static Fate fate(Asking *k, uint32_t state)
+// What the last step led to.
+static TrialEnd end_after_step(AbortTrials *k, uint32_t state)
 {
     Trials *t = k->t;
     const double *var = ir_run_vars(t->run, k->at);
@@ -48,54 +47,50 @@ static Fate fate(Asking *k, uint32_t state)
     return STAYS;
 }
 
-static Fate step(Asking *k, uint32_t state)
+static TrialEnd run_step(AbortTrials *k, uint32_t state)
 {
     if (k->failed)
         k->in[k->failed->input] = k->failed->reading;
     trial_step(k->t, k->at, k->in, k->t->dt, &k->t->trace);
-    return fate(k, state);
+    return end_after_step(k, state);
 }
 
-static Fate hold(Asking *k, uint32_t state)
+// Holds the inputs until windows are full, and then for as long as anything can happen.
+static TrialEnd hold_inputs(AbortTrials *k, uint32_t state)
 {
     Trials *t = k->t;
-    Fate f = STAYS;
+    TrialEnd f = STAYS;
 
     for (uint32_t n = t->window + 5; n > 0 && f == STAYS; n--) {
-        f = step(k, state);
+        f = run_step(k, state);
         *(n > t->window + 3 ? &k->left_at_once : &k->left) |= f == LEAVES;
     }
     k->stayed |= f == STAYS;
     for (int n = 0, idle = 0; n < TRIAL_PASSES && f == STAYS && idle < 2; n++) {
-        idle = trial_pass(t, k->at, k->in, &t->trace) ? 0 : idle + 1;
-        f = fate(k, state);
+        idle = trial_pass_time(t, k->at, k->in, &t->trace) ? 0 : idle + 1;
+        f = end_after_step(k, state);
     }
     return f;
 }
 
-static void begin(Asking *k, const TrialEntry *e)
-{
-    trial_begin(k->t, e, k->at, k->in);
-    if (k->failed) {
-        k->in[k->failed->input] = k->failed->reading;
-        trial_fill_windows(k->t, k->at, k->in);
-    }
-}
-
-static bool aborts_from(Asking *k, const TrialEntry *e)
+static bool aborts_from(AbortTrials *k, const TrialEntry *e)
 {
     Trials *t = k->t;
     const uint32_t state = trial_state(e->situation);
 
     for (int n = 0; n < LIVES && t->run->work < k->until; n++) {
-        Fate f = STAYS;
-        begin(k, e);
+        TrialEnd f = STAYS;
+        trial_begin(t, e, k->at, k->in);
+        if (k->failed) {
+            k->in[k->failed->input] = k->failed->reading;
+            trial_fill_windows(t, k->at, k->in);
+        }
         for (int c = 0; c < CHANGES && f == STAYS; c++) {
-            trial_draw(t, k->in, &t->state[state - 1], k->commands, true);
+            trial_draw_inputs(t, k->in, &t->state[state - 1], k->commands, true);
             if (c == 0 && n % 2)
-                f = step(k, state);
+                f = run_step(k, state);
             if (f == STAYS)
-                f = hold(k, state);
+                f = hold_inputs(k, state);
         }
         if (f == ABORTS)
             return true;
@@ -104,7 +99,7 @@ static bool aborts_from(Asking *k, const TrialEntry *e)
 }
 
 // Whether some trial aborts, with or without commands, and with or without a failed sensor.
-static bool can_abort(Asking *k, const AbortRow *r, bool commands, const Failed *failed)
+static bool can_abort(AbortTrials *k, const AbortRow *r, bool commands, const SensorFailure *failed)
 {
     const TrialState *s = &k->t->state[r->state->number - 1];
     bool found = false;
@@ -122,69 +117,57 @@ static bool can_abort(Asking *k, const AbortRow *r, bool commands, const Failed 
 
 // ---- inputs of the paths ----
 
-static void note_looks(Asking *k, AbortWay *w)
-{
-    const Looks l = looks_of_condition(k->s, w->first->when);
-
-    w->sensor = ARENA_ARRAY(k->t->a->arena, const Var *, l.n + 1);
-    for (; w->sensors < l.n; w->sensors++)
-        w->sensor[w->sensors] = l.sensor[w->sensors];
-    w->by_time = l.time;
-    w->by_input = l.input;
-}
-
-static bool is_by_command_alone(const AbortWay *w) { return w->by_input && w->sensors == 0 && !w->by_time; }
-
 // Whether every transition to an abort that needs no person depends on this sensor.
-static bool all_look_at(const AbortRow *r, const Var *v)
+static bool all_depend_on(const AbortRow *r, const Var *v)
 {
     bool any = false;
 
-    for (size_t w = 0; w < r->way.n; w++) {
-        const AbortWay *way = &r->way.at[w];
-        bool looks = false;
-        for (size_t i = 0; i < way->sensors; i++)
-            looks |= way->sensor[i] == v;
-        if (!looks && abort_is_sure(way) && !is_by_command_alone(way))
+    for (size_t k = 0; k < r->path.n; k++) {
+        const AbortPath *path = &r->path.at[k];
+        const bool by_command_alone = path->by_input && path->sensors == 0 && !path->by_time;
+        bool depends = false;
+        for (size_t i = 0; i < path->sensors; i++)
+            depends |= path->sensor[i] == v;
+        if (!depends && abort_is_sure(path) && !by_command_alone)
             return false;
-        any |= looks && abort_is_sure(way);
+        any |= depends && abort_is_sure(path);
     }
     return any;
 }
 
 static bool all_by_command(const AbortRow *r)
 {
-    for (size_t w = 0; w < r->way.n; w++)
-        if (abort_is_sure(&r->way.at[w]) && !r->way.at[w].by_input)
+    for (size_t p = 0; p < r->path.n; p++)
+        if (abort_is_sure(&r->path.at[p]) && !r->path.at[p].by_input)
             return false;
     return true;
 }
 
 static bool any_sure(const AbortRow *r)
 {
-    for (size_t w = 0; w < r->way.n; w++)
-        if (abort_is_sure(&r->way.at[w]))
+    for (size_t p = 0; p < r->path.n; p++)
+        if (abort_is_sure(&r->path.at[p]))
             return true;
     return false;
 }
 
 // ---- a sensor that has failed ----
 
-static bool cannot_at(Asking *k, const AbortRow *r, uint32_t input, double reading)
+static bool cannot_abort_at(AbortTrials *k, const AbortRow *r, uint32_t input, double reading)
 {
-    const Failed f = {input, reading};
+    const SensorFailure f = {input, reading, 0};
 
     return !can_abort(k, r, false, &f) || (!k->stayed && !k->aborted && k->left && !k->left_at_once);
 }
 
 // A reading that no healthy sensor delivers must not lead to any other state either.
-static bool is_blind_at(Asking *k, const AbortRow *r, uint32_t input, double reading)
+static bool is_blind_at(AbortTrials *k, const AbortRow *r, uint32_t input, double reading)
 {
-    return cannot_at(k, r, input, reading) || (!k->stayed && !k->aborted && k->left_at_once);
+    return cannot_abort_at(k, r, input, reading) || (!k->stayed && !k->aborted && k->left_at_once);
 }
 
 // Tries 0 and the readings outside the range, as far as the type can represent them.
-static void ask_blind(Asking *k, AbortRow *r, uint32_t input)
+static void find_blind_readings(AbortTrials *k, AbortRow *r, uint32_t input)
 {
     const TrialInput *i = &k->t->input[input];
     const Fact type = fact_of_type(i->v->type);
@@ -195,23 +178,23 @@ static void ask_blind(Asking *k, AbortRow *r, uint32_t input)
     const bool above = ranged && fact_above(type, i->hi) <= type.hi && is_blind_at(k, r, input, fact_above(type, i->hi)) &&
                        is_blind_at(k, r, input, i->hi + i->scale);
     Arena *arena = k->t->a->arena;
-    const bool say_zero = zero && !(below && i->lo > 0) && !(above && i->hi < 0);
+    const bool name_zero = zero && !(below && i->lo > 0) && !(above && i->hi < 0);
 
     if (!zero && !below && !above)
         return;
     r->blind = i->v;
-    r->blind_at = format_in(arena, "%s%s%s%s%s", say_zero ? "0" : "", say_zero && (below || above) ? " or " : "",
+    r->blind_at = format_in(arena, "%s%s%s%s%s", name_zero ? "0" : "", name_zero && (below || above) ? " or " : "",
                             below ? format_in(arena, "less than %s", const_text(arena, i->lo)) : "", below && above ? " or " : "",
                             above ? format_in(arena, "more than %s", const_text(arena, i->hi)) : "");
 }
 
-static void ask_single(Asking *k, AbortRow *r, uint32_t input)
+static void find_stuck_reading(AbortTrials *k, AbortRow *r, uint32_t input)
 {
     const TrialInput *i = &k->t->input[input];
 
     for (uint32_t n = 0; n < i->readings; n++) {
         const double x = i->reading[(n + i->readings / 2) % i->readings];
-        if (x == 0 || !trial_is_healthy(i, x) || !cannot_at(k, r, input, x))
+        if (x == 0 || !trial_is_healthy(i, x) || !cannot_abort_at(k, r, input, x))
             continue;
         r->single = i->v;
         r->stuck = x;
@@ -221,18 +204,8 @@ static void ask_single(Asking *k, AbortRow *r, uint32_t input)
 
 // ---- state that remains from an earlier abort ----
 
-// One entry can abort and the other cannot: finds a variable that a path reads and that differs between them.
-static void note_latch(Asking *k, AbortRow *r, const TrialEntry *stuck, const TrialEntry *other)
-{
-    for (size_t w = 0; w < r->way.n && !r->latch; w++) {
-        r->latch = trial_differing(k->t, r->way.at[w].first->when, stuck->situation, other->situation);
-        r->latched = &r->way.at[w];
-    }
-    if (r->latch)
-        r->latched_at = trial_vars(k->t, stuck->situation)[k->t->a->m->var_of[r->latch->index]];
-}
-
-static void ask_latch(Asking *k, AbortRow *r)
+// If one entry can abort and another cannot: finds a variable that a path reads and that differs between them.
+static void find_latch(AbortTrials *k, AbortRow *r)
 {
     const TrialState *s = &k->t->state[r->state->number - 1];
     const TrialEntry *can = NULL, *cannot = NULL;
@@ -246,11 +219,15 @@ static void ask_latch(Asking *k, AbortRow *r)
         else if (k->stayed && k->t->run->work < k->until)
             cannot = &s->entry.at[n];
     }
-    if (can && cannot)
-        note_latch(k, r, cannot, can);
+    for (size_t p = 0; can && cannot && p < r->path.n && !r->latch; p++) {
+        r->latch = trial_find_difference(k->t, r->path.at[p].first->when, cannot->situation, can->situation);
+        r->latched = &r->path.at[p];
+    }
+    if (r->latch)
+        r->latched_at = trial_vars(k->t, cannot->situation)[k->t->a->m->var_of[r->latch->index]];
 }
 
-static void ask_row(Asking *k, AbortRow *r)
+static void fill_row(AbortTrials *k, AbortRow *r)
 {
     Trials *t = k->t;
 
@@ -262,27 +239,33 @@ static void ask_row(Asking *k, AbortRow *r)
     r->drives = k->driven;
     if (!any_sure(r) || !r->by_itself)
         return;
-    ask_latch(k, r);
+    find_latch(k, r);
     for (uint32_t i = 0; i < t->inputs && !(r->blind && r->single); i++)
-        if (!t->input[i].command && all_look_at(r, t->input[i].v)) {
+        if (!t->input[i].command && all_depend_on(r, t->input[i].v)) {
             if (!r->blind)
-                ask_blind(k, r, i);
+                find_blind_readings(k, r, i);
             if (!r->single)
-                ask_single(k, r, i);
+                find_stuck_reading(k, r, i);
         }
 }
 
-void abort_ask(Trials *t, AbortMatrix *x, const AbortBound *b)
+void abort_run_trials(Trials *t, AbortMatrix *x, const AbortBound *b)
 {
-    Asking k = {.t = t, .b = b, .s = sensors_of(t->a), .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
+    Arena *arena = t->a->arena;
+    AbortTrials k = {.t = t, .b = b, .deps = input_deps_of(t->a), .at = arena_alloc(arena, t->run->size), .in = trial_new_inputs(t)};
 
-    x->sensors = k.s;
+    x->deps = k.deps;
     for (size_t s = 0; s < x->n; s++) {
         AbortRow *r = &x->row[s];
-        for (size_t w = 0; w < r->way.n; w++)
-            note_looks(&k, &r->way.at[w]);
-        if (r->state->is_abort)
-            continue;
-        ask_row(&k, r);
+        for (size_t i = 0; i < r->path.n; i++) {
+            AbortPath *path = &r->path.at[i];
+            const InputDeps deps = input_deps_of_condition(k.deps, path->first->when);
+            path->sensor = arena_copy(arena, deps.sensor, deps.n * sizeof *deps.sensor);
+            path->sensors = deps.n;
+            path->by_time = deps.time;
+            path->by_input = deps.input;
+        }
+        if (!r->state->is_abort)
+            fill_row(&k, r);
     }
 }

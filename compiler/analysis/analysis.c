@@ -6,7 +6,19 @@
 
 // ---- comparisons ----
 
-SmOperator relation_opposite(SmOperator op)
+uint32_t comparison_count(const Expr *e)
+{
+    if (e->kind == EX_CHAIN)
+        return e->n - 1;
+    return e->kind == EX_BINARY && (COMPARISONS >> e->op & 1) != 0 ? 1 : 0;
+}
+
+Comparison comparison_at(const Expr *e, uint32_t i)
+{
+    return (Comparison){e->arg[i], e->arg[i + 1], e->kind == EX_CHAIN ? expr_ops(e)[i] : e->op};
+}
+
+SmOperator comparison_negated(SmOperator op)
 {
     switch ((int)op) {
     case SM_OP_LT: return SM_OP_GE;
@@ -18,7 +30,7 @@ SmOperator relation_opposite(SmOperator op)
     }
 }
 
-SmOperator relation_mirrored(SmOperator op)
+SmOperator comparison_swapped(SmOperator op)
 {
     switch ((int)op) {
     case SM_OP_LT: return SM_OP_GT;
@@ -29,15 +41,29 @@ SmOperator relation_mirrored(SmOperator op)
     }
 }
 
+Fact fact_of_comparison(SmOperator op, Fact a, Fact b)
+{
+    IrIns i = {.op = IR_ne, .type = SM_BOOL};
+
+    switch ((int)op) {
+    case SM_OP_LT: i.op = IR_lt; break;
+    case SM_OP_LE: i.op = IR_le; break;
+    case SM_OP_GT: i.op = IR_gt; break;
+    case SM_OP_GE: i.op = IR_ge; break;
+    case SM_OP_EQ: i.op = IR_eq; break;
+    }
+    return fact_of_result(&i, &a, &b, SM_F64);
+}
+
 // ---- statements ----
 
 // Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
-static void each_in(const Stmts *stmts, void (*f)(const Stmt *stmt, void *context), void *context)
+static void each_stmt_in(const Stmts *stmts, void (*f)(const Stmt *stmt, void *context), void *context)
 {
     for (size_t i = 0; i < stmts->n; i++) {
         f(stmts->at[i], context);
-        each_in(&stmts->at[i]->then, f, context);
-        each_in(&stmts->at[i]->otherwise, f, context);
+        each_stmt_in(&stmts->at[i]->then, f, context);
+        each_stmt_in(&stmts->at[i]->otherwise, f, context);
     }
 }
 
@@ -45,44 +71,37 @@ void each_stmt(const Program *p, void (*f)(const Stmt *stmt, void *context), voi
 {
     for (size_t i = 0; i < p->state.n; i++)
         for (int b = 0; b < BLOCK_COUNT; b++)
-            each_in(&p->state.at[i]->block[b], f, context);
+            each_stmt_in(&p->state.at[i]->block[b], f, context);
 }
 
 // ---- facts of statements ----
 
-void each_flow(Analysis *a, void (*f)(Analysis *a, const FlowPlace *at, void *context), void *context)
+void each_reachable_fn(Analysis *a, void (*f)(Analysis *a, const ReachableFn *r, void *context), void *context)
 {
     for (size_t s = 0; s < a->p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++) {
-            FlowPlace at = {a->p->state.at[s], (BlockKind)b, a->m->state.at[s].block[b], {NULL, NULL, NULL}};
-            if (!at.f || !facts_may_reach(a->facts, s, b))
+            ReachableFn r = {a->p->state.at[s], (BlockKind)b, a->m->state.at[s].block[b], {NULL, NULL, NULL}};
+            if (!r.fn || !facts_may_reach(a->facts, s, b))
                 continue;
-            at.flow = facts_of_function(a->facts, at.f, facts_begin(a->facts, s, b));
-            f(a, &at, context);
+            r.flow = facts_of_function(a->facts, r.fn, facts_begin(a->facts, s, b));
+            f(a, &r, context);
         }
-}
-
-// The fact of the stored value before its conversion.  The conversion is one instruction, or none for a bool.
-static Fact stored(const IrFn *f, const FactFlow *flow, const IrIns *store)
-{
-    const IrIns *value = &f->ins.at[store->a];
-
-    return flow->of[value->op == IR_cvt ? value->a : store->a];
 }
 
 static bool is_large(Fact f) { return f.lo >= FACT_EXACT || f.hi <= -FACT_EXACT; }
 
-static void note_ins(Analysis *a, const IrFn *f, const FactFlow *flow, const IrIns *i)
+static void record_ins(Analysis *a, const IrFn *f, const FactFlow *flow, const IrIns *i)
 {
     if (i->op == IR_add || i->op == IR_sub)
         a->large_sums |= is_large(flow->of[i->a]) || is_large(flow->of[i->b]);
-    if (i->op != IR_store)
-        return;
-    a->stmt[i->stmt].reached = true;
-    a->stmt[i->stmt].value = stored(f, flow, i);
+    if (i->op == IR_store) {
+        const IrIns *value = &f->ins.at[i->a];
+        a->stmt[i->stmt].reached = true;
+        a->stmt[i->stmt].value = flow->of[value->op == IR_cvt ? value->a : i->a];         // a bool needs no conversion
+    }
 }
 
-static void note_jump(Analysis *a, const FactFlow *flow, const IrJump *j, const FactExit *exit)
+static void record_jump(Analysis *a, const FactFlow *flow, const IrJump *j, const FactExit *exit)
 {
     StmtFact *s = &a->stmt[j->stmt];
 
@@ -98,7 +117,7 @@ static void note_jump(Analysis *a, const FactFlow *flow, const IrJump *j, const 
 }
 
 // May be called several times for one function, each time with everything reached so far.  The last call is final.
-static void note_flow(void *context, const IrFn *f, FactFlow flow)
+static void record_flow(void *context, const IrFn *f, FactFlow flow)
 {
     Analysis *a = context;
 
@@ -107,14 +126,12 @@ static void note_flow(void *context, const IrFn *f, FactFlow flow)
         if (!flow.reached[b])
             continue;
         for (size_t k = 0; k < blk->ins.n; k++)
-            note_ins(a, f, &flow, &f->ins.at[blk->ins.at[k]]);
-        note_jump(a, &flow, &blk->jump, &flow.exit[b]);
+            record_ins(a, f, &flow, &f->ins.at[blk->ins.at[k]]);
+        record_jump(a, &flow, &blk->jump, &flow.exit[b]);
     }
 }
 
-// ---- entry points ----
-
-static void forget_flows(void *context)
+static void discard_flows(void *context)
 {
     Analysis *a = context;
 
@@ -122,9 +139,11 @@ static void forget_flows(void *context)
     a->large_sums = false;
 }
 
-static void begin(Analysis *a, Arena *arena, Diags *diags, const IrMachine *m)
+// ---- entry points ----
+
+static void begin_on_ir(Analysis *a, Arena *arena, Diags *diags, const IrMachine *m)
 {
-    const FactWatch notes = {note_flow, forget_flows, a};
+    const FactWatch watch = {record_flow, discard_flows, a};
     const Program *p = m->program;
 
     memset(a, 0, sizeof *a);
@@ -134,41 +153,31 @@ static void begin(Analysis *a, Arena *arena, Diags *diags, const IrMachine *m)
     a->p = p;
     a->m = m;
     a->stmt = ARENA_ARRAY(arena, StmtFact, p->stmts + 1u);
-    a->asked = ARENA_ARRAY(arena, const IrFn *, p->stmts + 1u);
-    a->facts = facts_from_first_state(arena, m, &notes);
+    a->facts = facts_from_first_state(arena, m, &watch);
     a->transition = transitions_of(arena, p);
 }
 
 void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p)
 {
-    begin(a, arena, diags, ir_build(arena, p));
+    begin_on_ir(a, arena, diags, ir_build(arena, p));
 }
-
-static void work_in(Analysis *a, Arena *arena)
-{
-    a->arena = arena;
-    facts_set_arena(a->facts, arena);
-    if (a->asked[0])
-        memset(a->asked, 0, (a->p->stmts + 1u) * sizeof *a->asked);  // these functions were in the arena that was freed
-}
-
-typedef struct Row { void (*run)(Analysis *a); DiagGroup group; } Row;
 
 void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine *m, unsigned groups, uint64_t step)
 {
-    static const Row all[] = {
+    static const struct { void (*run)(Analysis *a); DiagGroup group; } all[] = {
 #define ANALYSIS(name, group, sentence) {analyse_##name, DIAG_GROUP_##group},
 #include "compiler/analysis/analyses.def"
 #undef ANALYSIS
     };
     Analysis a;
 
-    begin(&a, arena, diags, m);
+    begin_on_ir(&a, arena, diags, m);
     a.groups = groups;
     a.step = step;
+    a.arena = scratch;
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         if (groups & 1u << all[i].group) {
-            work_in(&a, scratch);
+            facts_set_arena(a.facts, scratch);
             all[i].run(&a);
             arena_free(scratch);
         }

@@ -36,7 +36,6 @@ typedef struct Analysis {
     StmtFact *stmt;               // by Stmt.number
     bool large_sums;              // some sum has an operand whose magnitude is always 2^53 or more
     Transitions transition;       // all transitions of the machine, in file order
-    const IrFn **asked;      // by Stmt.number: the function that assume.h built for its guard or value; NULL: none yet. [0]: any of them
 } Analysis;
 
 // Prepares everything except the findings; reports use it too.  `arena` owns the result.
@@ -48,10 +47,10 @@ void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine
 
 // Findings that need several machines over one state vector: which machine writes which element.  Their names come from one
 // pool.
-void analyse_together(Arena *arena, Diags *diags, const Program *const *p, size_t n);
+void analyse_shared_vector(Arena *arena, Diags *diags, const Program *const *p, size_t n);
 
 // The same for a machine and the pins of its elements (config.md 9.13).  An input for G or S is reported as an error.
-void analyse_pins(Arena *arena, Diags *diags, const IoMap *io, const Program *p);
+void analyse_shared_pins(Arena *arena, Diags *diags, const IoMap *io, const Program *p);
 
 // ---- for analyses ----
 
@@ -65,11 +64,19 @@ enum {
     COMPARISONS = EQUALITIES | 1 << SM_OP_LT | 1 << SM_OP_LE | 1 << SM_OP_GT | 1 << SM_OP_GE
 };
 
-static inline bool is_comparison(SmOperator op) { return (COMPARISONS >> op & 1) != 0; }
+// The comparisons that an expression itself makes, without its operands: a chain has several, `a < b` has one, others have none.
+typedef struct Comparison {
+    const Expr *a, *b;
+    SmOperator op;
+} Comparison;
+uint32_t comparison_count(const Expr *e);
+Comparison comparison_at(const Expr *e, uint32_t i);
 
 // The comparison that is true exactly where this one is false (for numbers, not NaN), and the one with exchanged operands.
-SmOperator relation_opposite(SmOperator op);
-SmOperator relation_mirrored(SmOperator op);
+SmOperator comparison_negated(SmOperator op);
+SmOperator comparison_swapped(SmOperator op);
+// Its possible results, as a bool.
+Fact fact_of_comparison(SmOperator op, Fact a, Fact b);
 
 // Whether every path through these statements ends in a transition, whatever the guards evaluate to (dead_code.c).
 bool always_leaves(const Stmts *stmts);
@@ -78,7 +85,7 @@ bool always_leaves(const Stmts *stmts);
 void each_stmt(const Program *p, void (*f)(const Stmt *stmt, void *context), void *context);
 
 // Calls f for every reachable function of a state, with the facts of its temporaries, which are valid until f returns.
-typedef struct FlowPlace { const State *state; BlockKind block; const IrFn *f; FactFlow flow; } FlowPlace;
-void each_flow(Analysis *a, void (*f)(Analysis *a, const FlowPlace *at, void *context), void *context);
+typedef struct ReachableFn { const State *state; BlockKind block; const IrFn *fn; FactFlow flow; } ReachableFn;
+void each_reachable_fn(Analysis *a, void (*f)(Analysis *a, const ReachableFn *r, void *context), void *context);
 
 #endif

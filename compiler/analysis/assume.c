@@ -12,7 +12,7 @@ Fact fact_of_range(SmF64 lo, SmF64 hi)
     return f;
 }
 
-const Env *suppose(const Analysis *a, const Env *env, const Var *v, Fact f)
+const Env *assume_fact(const Analysis *a, const Env *env, const Var *v, Fact f)
 {
     const uint32_t var = a->m->var_of[v->index];
 
@@ -22,87 +22,59 @@ const Env *suppose(const Analysis *a, const Env *env, const Var *v, Fact f)
 
 // ---- guards ----
 
-typedef struct Answer {
+typedef struct GuardFacts {
     const IrFn *f;
-    const Env *env[2];            // the facts where the guard is false, and where it is true
-    bool possible[2];
-} Answer;
+    bool holds;                   // the result of interest
+    bool possible;                // the guard can have it
+    const Env *env;               // the facts where it has
+} GuardFacts;
 
-static void note_answer(void *context, const IrJump *end, const Env *env)
+static void record_result(void *context, const IrJump *end, const Env *env)
 {
-    Answer *out = context;
-    const bool holds = end == &out->f->blk.at[1].jump;
+    GuardFacts *out = context;
 
-    out->env[holds] = env;
-    out->possible[holds] = true;
-}
-
-static Answer ask(const Analysis *a, const IrFn *f, const Env *env)
-{
-    Answer out = {f, {NULL, NULL}, {false, false}};
-    const FactEnds ends = {note_answer, &out};
-
-    facts_flow(a->facts, f, env, &ends);
-    return out;
+    if (out->holds == (end == &out->f->blk.at[1].jump)) {
+        out->env = env;
+        out->possible = true;
+    }
 }
 
 // Evaluates the guard twice: for `p > 20 and p < 10`, the second pass starts from what the first half leaves possible.
-static bool suppose_function(const Analysis *a, const Env **env, const IrFn *f, bool holds)
+static bool assume_result(const Analysis *a, const Env **env, const IrFn *f, bool holds)
 {
-    Answer first = ask(a, f, *env), second;
+    GuardFacts out = {.f = f, .holds = holds, .env = *env};
+    const FactEnds ends = {record_result, &out};
 
-    if (!first.possible[holds])
-        return false;
-    second = ask(a, f, first.env[holds]);
-    if (!second.possible[holds])
-        return false;
-    *env = second.env[holds];
-    return true;
-}
-
-bool suppose_guard(const Analysis *a, const Env **env, const Expr *guard, bool holds)
-{
-    return suppose_function(a, env, ir_build_guard(a->arena, a->m, guard), holds);
-}
-
-// The function of a statement is built once, because what-if questions are frequent.
-static const IrFn *function_of(const Analysis *a, const Stmt *stmt)
-{
-    if (!a->asked[stmt->number])
-        a->asked[0] = a->asked[stmt->number] = ir_build_guard(a->arena, a->m, stmt->value);
-    return a->asked[stmt->number];
-}
-
-bool suppose_condition(const Analysis *a, const Env **env, const Condition *when)
-{
-    const Env *was = *env;
-
-    for (; when; when = when->outer)
-        if (!suppose_function(a, env, function_of(a, when->stmt), when->holds)) {
-            *env = was;
+    for (int pass = 0; pass < 2; pass++) {
+        out.possible = false;
+        facts_flow(a->facts, f, out.env, &ends);
+        if (!out.possible)
             return false;
-        }
+    }
+    *env = out.env;
     return true;
 }
 
-static Fact value_of(const Analysis *a, const Env *env, const IrFn *f)
+bool assume_guard(const Analysis *a, const Env **env, const Expr *guard, bool holds)
 {
-    const FactFlow flow = facts_of_function(a->facts, f, env);
-    const IrIns *cond = &f->ins.at[f->blk.at[0].jump.cond];
-
-    return flow.of[cond->op == IR_cvt ? cond->a : f->blk.at[0].jump.cond];
+    return assume_result(a, env, ir_build_guard(a->arena, a->m, guard), holds);
 }
 
-Fact suppose_value(const Analysis *a, const Env *env, const Expr *e)
+Fact fact_of_expr(const Analysis *a, const Env *env, const Expr *e)
 {
+    const IrFn *f;
+    const IrIns *cond;
+
     if (e->kind == EX_VAR && a->m->var_of[e->var->index] != IR_NONE)       // the most frequent case, which needs no function
         return env_get(&a->facts->shape, env, a->m->var_of[e->var->index]);
-    return value_of(a, env, ir_build_guard(a->arena, a->m, e));
+    f = ir_build_guard(a->arena, a->m, e);
+    cond = &f->ins.at[f->blk.at[0].jump.cond];
+    return facts_of_function(a->facts, f, env).of[cond->op == IR_cvt ? cond->a : f->blk.at[0].jump.cond];
 }
 
 // ---- sensors ----
 
-Analysis suppose_ranges(const Analysis *a)
+Analysis assume_ranges(const Analysis *a)
 {
     Analysis out = *a;
     const Env *env = NULL;
@@ -110,7 +82,7 @@ Analysis suppose_ranges(const Analysis *a)
     for (size_t i = 0; i < a->p->var.n; i++) {
         const Var *v = a->p->var.at[i];
         if (v->range && !v->written)
-            env = suppose(a, env, v, fact_of_range(v->range->lo, v->range->hi));
+            env = assume_fact(a, env, v, fact_of_range(v->range->lo, v->range->hi));
     }
     if (env)
         out.facts = facts_assuming(a->arena, a->m, env);

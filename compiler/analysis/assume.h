@@ -3,27 +3,25 @@
 // everything else (compiler/facts).  So "impossible" is certain, and "possible" may be too cautious.
 //
 //     const Env *env = facts_begin(a->facts, state, BLOCK_STEP);
-//     env = suppose(a, env, pressure, fact_of_cell(SM_F64, 0));
-//     if (!suppose_guard(a, &env, guard, true)) …             // it cannot be true
+//     env = assume_fact(a, env, pressure, fact_of_cell(SM_F64, 0));
+//     if (!assume_guard(a, &env, guard, true)) …             // it cannot be true
 #ifndef SMC_ASSUME_H
 #define SMC_ASSUME_H
 
 #include "compiler/analysis/analysis.h"
 
 // Returns env with v limited to f (converted to v's type; never NaN).  For a constant local it returns env itself.
-const Env *suppose(const Analysis *a, const Env *env, const Var *v, Fact f);
+const Env *assume_fact(const Analysis *a, const Env *env, const Var *v, Fact f);
 
 // Updates *env for the case that the guard is true (or false).  Returns false, and leaves *env as it was, if that is
 // impossible.
-bool suppose_guard(const Analysis *a, const Env **env, const Expr *guard, bool holds);
-// Updates *env for the case that all conditions are met.
-bool suppose_condition(const Analysis *a, const Env **env, const Condition *when);
+bool assume_guard(const Analysis *a, const Env **env, const Expr *guard, bool holds);
 
 // The possible values of an expression at this point; for an expression that is true or false, as a bool.
-Fact suppose_value(const Analysis *a, const Env *env, const Expr *e);
+Fact fact_of_expr(const Analysis *a, const Env *env, const Expr *e);
 
 // The analysis of a machine whose sensors always stay in their @range, with its locals.  Returns *a if there is no @range.
-Analysis suppose_ranges(const Analysis *a);
+Analysis assume_ranges(const Analysis *a);
 
 Fact fact_of_number(SmF64 x);                 // exactly this number
 Fact fact_of_range(SmF64 lo, SmF64 hi);       // any number from lo to hi

@@ -10,11 +10,9 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-typedef enum Answer { SOMETIMES, NEVER, ALWAYS } Answer;
-
-uint32_t dead_of(Structure *k, Cause cause, const Stmt *stmt, const Stmt *earlier, Diag *told)
+uint32_t add_dead_code(ReachWalk *k, DeadCause cause, const Stmt *stmt, const Stmt *earlier, Diag *finding)
 {
-    const Dead d = {cause, stmt, earlier, told, false};
+    const DeadCode d = {cause, stmt, earlier, finding, false};
 
     vec_push(k->a->arena, &k->dead, d);
     return (uint32_t)k->dead.n;
@@ -23,30 +21,31 @@ uint32_t dead_of(Structure *k, Cause cause, const Stmt *stmt, const Stmt *earlie
 // ---- explained by other findings ----
 
 // Contains only numbers and locals that never change.  If such a local is not marked @read_only, it has its own finding.
-static bool is_fixed(const Expr *e)
+static bool never_changes(const Expr *e)
 {
     if (e->kind == EX_ROLL || (e->kind == EX_VAR && (e->var->kind != VAR_LOCAL || e->var->written)))
         return false;
     for (uint32_t i = 0; i < e->n; i++)
-        if (!is_fixed(e->arg[i]))
+        if (!never_changes(e->arg[i]))
             return false;
     return true;
 }
 
-static Answer either(Answer a, Answer b, Answer decides) { return a == decides || b == decides ? decides : a == b ? a : SOMETIMES; }
-
 // The value of a guard if constants alone decide it.
-static Answer switched(const Expr *e)
+static Truth truth_by_constants(const Expr *e)
 {
-    if (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR))
-        return either(switched(e->arg[0]), switched(e->arg[1]), e->op == SM_OP_AND ? NEVER : ALWAYS);
-    if (!is_fixed(e))
+    if (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR)) {
+        const Truth a = truth_by_constants(e->arg[0]), b = truth_by_constants(e->arg[1]);
+        const Truth decisive = e->op == SM_OP_AND ? NEVER : ALWAYS;
+        return a == decisive || b == decisive ? decisive : a == b ? a : SOMETIMES;
+    }
+    if (!never_changes(e))
         return SOMETIMES;
     return sm_to_bool(expr_constant_value(e)) ? ALWAYS : NEVER;
 }
 
 // A local that has its initial value here and gets other values elsewhere.  Reading it too early is reported at that local.
-static bool reads_initial(const Structure *k, const Expr *e, const Env *env)
+static bool reads_initial(const ReachWalk *k, const Expr *e, const Env *env)
 {
     const Var *v = e->var;
     double x;
@@ -62,15 +61,16 @@ static bool reads_initial(const Structure *k, const Expr *e, const Env *env)
 
 // ---- the facts at the guard ----
 
-static const Expr *compared(const Expr *e)
+// The first expression that the guard compares, or the bool that it reads; or NULL.
+static const Expr *find_compared(const Expr *e)
 {
-    const bool comparison = e->kind == EX_CHAIN || (e->kind == EX_BINARY && is_comparison(e->op));
+    const bool comparison = comparison_count(e) > 0;
     const Expr *found = NULL;
 
     if (e->kind == EX_VAR && !expr_is_constant(e))
         return e;
     for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n && !found; i++)
-        found = comparison && !expr_is_constant(e->arg[i]) ? e->arg[i] : comparison ? NULL : compared(e->arg[i]);
+        found = comparison && !expr_is_constant(e->arg[i]) ? e->arg[i] : comparison ? NULL : find_compared(e->arg[i]);
     return found;
 }
 
@@ -94,16 +94,16 @@ static const char *range_text(Arena *arena, const char *what, Fact f)
 }
 
 // "here 'mode' is always at most 2", or NULL if the facts only show that it is a number.
-static const char *known_text(const Structure *k, const Stmt *s)
+static const char *facts_text(const ReachWalk *k, const Stmt *s)
 {
-    const Expr *e = compared(s->value);
+    const Expr *e = find_compared(s->value);
     const char *name;
     Fact f;
 
     if (!e)
         return NULL;
     name = source_text(k->a->arena, e->span);
-    f = suppose_value(k->a, k->a->stmt[s->number].env, e);
+    f = fact_of_expr(k->a, k->a->stmt[s->number].env, e);
     if (f.lo > f.hi || f.nan || (f.lo - f.lo != 0 && f.hi - f.hi != 0))
         return NULL;
     if (e->kind == EX_VAR && e->var->type == SM_BOOL)
@@ -112,11 +112,11 @@ static const char *known_text(const Structure *k, const Stmt *s)
 }
 
 // Whether the guard is always true (or always false) for all values of its variables.
-static bool decides_itself(const Structure *k, const Expr *guard, bool holds)
+static bool decides_itself(const ReachWalk *k, const Expr *guard, bool holds)
 {
     const Env *env = NULL;
 
-    return (holds ? guard_always(k->a, guard) : guard_never(k->a, guard)) || !suppose_guard(k->a, &env, guard, !holds);
+    return (holds ? guard_always(k->a, guard) : guard_never(k->a, guard)) || !assume_guard(k->a, &env, guard, !holds);
 }
 
 // ---- reports ----
@@ -128,124 +128,116 @@ static bool has_parts(const Expr *e)
     return e->kind == EX_CHAIN || (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR));
 }
 
-static DiagCode never_code(const Structure *k, const Stmt *s)
+static DiagCode never_code(const ReachWalk *k, const Stmt *s)
 {
     return has_parts(s->value) && decides_itself(k, s->value, false) ? DIAG_guard_contradiction : DIAG_guard_never;
 }
 
-void report_never(Structure *k, const Dead *d)
+void report_never_true(ReachWalk *k, const DeadCode *d)
 {
     const Expr *g = d->stmt->value;
     const DiagCode code = never_code(k, d->stmt);
-    const char *known = code == DIAG_guard_never ? known_text(k, d->stmt) : NULL;
-    Diag *told = diag_report(k->a->diags, code, g->span);
+    const char *facts = code == DIAG_guard_never ? facts_text(k, d->stmt) : NULL;
+    Diag *finding = diag_report(k->a->diags, code, g->span);
 
-    if (known)
-        diag_label(k->a->diags, told, DIAG_label_text, known);
+    if (facts)
+        diag_label(k->a->diags, finding, DIAG_label_text, facts);
     if (d->earlier)
-        diag_note(k->a->diags, told, d->earlier->span, DIAG_note_guard_before);
+        diag_note(k->a->diags, finding, d->earlier->span, DIAG_note_guard_before);
 }
 
-void note_never(Structure *k, Diag *to, const Dead *d)
+void note_never_true(ReachWalk *k, Diag *to, const DeadCode *d)
 {
-    const char *known = never_code(k, d->stmt) == DIAG_guard_never ? known_text(k, d->stmt) : "its parts exclude each other";
+    const char *reason = never_code(k, d->stmt) == DIAG_guard_never ? facts_text(k, d->stmt) : "its parts exclude each other";
 
-    if (known)
-        diag_note(k->a->diags, to, d->stmt->value->span, DIAG_note_never_because, known);
+    if (reason)
+        diag_note(k->a->diags, to, d->stmt->value->span, DIAG_note_never_because, reason);
     else
         diag_note(k->a->diags, to, d->stmt->value->span, DIAG_note_never_holds);
 }
 
-static void report_always(Structure *k, const Stmt *s, const Stmt *around)
+static void report_always(ReachWalk *k, const Stmt *s, const Stmt *around)
 {
     const bool itself = has_parts(s->value) && decides_itself(k, s->value, true);
-    const char *known = itself ? NULL : known_text(k, s);
-    Diag *told = diag_report(k->a->diags, itself ? DIAG_guard_tautology : DIAG_guard_always, s->value->span);
+    const char *facts = itself ? NULL : facts_text(k, s);
+    Diag *finding = diag_report(k->a->diags, itself ? DIAG_guard_tautology : DIAG_guard_always, s->value->span);
 
-    if (known)
-        diag_label(k->a->diags, told, DIAG_label_text, known);
+    if (facts)
+        diag_label(k->a->diags, finding, DIAG_label_text, facts);
     if (around)
-        diag_note(k->a->diags, told, around->span, DIAG_note_guard_around);
-}
-
-static bool makes_transition(const Stmts *list)
-{
-    for (size_t i = 0; i < list->n; i++)
-        if (list->at[i]->kind == ST_TRANSITION || makes_transition(&list->at[i]->then) || makes_transition(&list->at[i]->otherwise))
-            return true;
-    return false;
+        diag_note(k->a->diags, finding, around->span, DIAG_note_guard_around);
 }
 
 // s can be true only where b has its excluded outcome.
-static uint32_t forestalled(Structure *k, const Stmt *s, const Before *b)
+static uint32_t report_earlier_guard(ReachWalk *k, const Stmt *s, const EarlierGuard *b)
 {
-    const bool same = is_same(k, s->value, b);
+    const bool same = is_same_guard(k, s->value, b);
     Diag *d;
 
-    if (!same && !((b->left || always_leaves(&b->stmt->then)) && makes_transition(&s->then)))
-        return dead_of(k, CAUSE_NEVER, s, b->stmt, NULL);
+    if (!same && !((b->leaves || always_leaves(&b->stmt->then)) && has_transition(&s->then)))
+        return add_dead_code(k, CAUSE_NEVER, s, b->stmt, NULL);
     d = diag_report(k->a->diags, same ? DIAG_duplicate_guard : DIAG_shadowed_transition, s->value->span);
     diag_note(k->a->diags, d, b->stmt->span, same ? DIAG_note_same_guard : DIAG_note_left_before);
-    return dead_of(k, CAUSE_TOLD, s, NULL, d);
+    return add_dead_code(k, CAUSE_REPORTED, s, NULL, d);
 }
 
 // ---- judging ----
 
-static Verdict judge_never(Structure *k, const Stmt *s, const Befores *b)
+static GuardVerdict judge_never_true(ReachWalk *k, const Stmt *s, const EarlierGuards *b)
 {
     const bool itself = decides_itself(k, s->value, false);
-    const Before *before = itself ? NULL : the_one_before(k, s->value, b);
-    Verdict v = {false, true, 0};
+    const EarlierGuard *earlier = itself ? NULL : find_explaining_guard(k, s->value, b);
+    GuardVerdict v = {false, true, 0};
 
-    if (switched(s->value) != SOMETIMES)
-        v.dead = dead_of(k, CAUSE_SWITCH, s, NULL, NULL);
+    if (truth_by_constants(s->value) != SOMETIMES)
+        v.dead = add_dead_code(k, CAUSE_SWITCH, s, NULL, NULL);
     else if (types_decide_in(k->a, s->value))
-        v.dead = dead_of(k, CAUSE_TOLD, s, NULL, NULL);
-    else if (before)
-        v.dead = forestalled(k, s, before);
+        v.dead = add_dead_code(k, CAUSE_REPORTED, s, NULL, NULL);
+    else if (earlier)
+        v.dead = report_earlier_guard(k, s, earlier);
     else
-        v.dead = dead_of(k, reads_initial(k, s->value, k->a->stmt[s->number].env) ? CAUSE_TOLD : CAUSE_NEVER, s, NULL, NULL);
+        v.dead = add_dead_code(k, reads_initial(k, s->value, k->a->stmt[s->number].env) ? CAUSE_REPORTED : CAUSE_NEVER, s, NULL, NULL);
     return v;
 }
 
-static Verdict judge_always(Structure *k, const Stmt *s, const Befores *b, const Stmt *around)
+static GuardVerdict judge_always_true(ReachWalk *k, const Stmt *s, const EarlierGuards *b, const Stmt *around)
 {
-    Verdict v = {true, false, 0};
+    GuardVerdict v = {true, false, 0};
 
-    if (switched(s->value) != SOMETIMES) {
-        v.dead = dead_of(k, CAUSE_SWITCH, s, NULL, NULL);
+    if (truth_by_constants(s->value) != SOMETIMES) {
+        v.dead = add_dead_code(k, CAUSE_SWITCH, s, NULL, NULL);
         return v;
     }
     if (!types_decide_in(k->a, s->value) && !reads_initial(k, s->value, k->a->stmt[s->number].env)) {
-        if (is_the_rest(k, s->value, b))
+        if (covers_remaining_cases(k, s->value, b))
             return v;
         report_always(k, s, around);
     }
-    v.dead = dead_of(k, CAUSE_TOLD, s, NULL, NULL);
+    v.dead = add_dead_code(k, CAUSE_REPORTED, s, NULL, NULL);
     return v;
 }
 
 // An enclosing guard that is true here and implies this one, as in `a > b { a > b: … }`; or NULL.
-static const Stmt *implied_by(const Structure *k, const Stmt *s, const Way *way)
+static const Stmt *find_implying_guard(const ReachWalk *k, const Stmt *s, const Branch *branch)
 {
-    for (unsigned n = 0; way && n < LOOK_BACK; way = way->outer, n++)
-        if (way->holds && guard_implies(k->a, way->stmt->value, s->value) && is_unchanged(k, way->stmt, s->value))
-            return way->stmt;
+    for (unsigned n = 0; branch && n < EARLIER_MAX; branch = branch->outer, n++)
+        if (branch->holds && guard_implies(k->a, branch->stmt->value, s->value) && is_unchanged(k, branch->stmt, s->value))
+            return branch->stmt;
     return NULL;
 }
 
-Verdict judge(Structure *k, const Stmt *s, const Way *way)
+GuardVerdict judge_guard(ReachWalk *k, const Stmt *s, const Branch *branch)
 {
     const StmtFact *f = &k->a->stmt[s->number];
-    const Befores b = befores_of(k, way);
-    const Stmt *around = implied_by(k, s, way);
-    const Verdict both = {true, true, 0};
+    const EarlierGuards b = earlier_guards_of(k, branch);
+    const Stmt *around = find_implying_guard(k, s, branch);
+    const GuardVerdict both = {true, true, 0};
 
     if (!f->reached)
         return both;
-    if (!f->then || guard_never(k->a, s->value) || written_before(k, s->value, &b))
-        return judge_never(k, s, &b);
+    if (!f->then || guard_never(k->a, s->value) || find_excluding_guard(k, s->value, &b))
+        return judge_never_true(k, s, &b);
     if (!f->otherwise || guard_always(k->a, s->value) || around)
-        return judge_always(k, s, &b, around);
+        return judge_always_true(k, s, &b, around);
     return both;
 }

@@ -5,7 +5,6 @@
 
 #include "compiler/analysis/reach.h"
 
-// Whether every path through these statements ends in a transition.
 bool always_leaves(const Stmts *stmts)
 {
     for (size_t i = 0; i < stmts->n; i++) {
@@ -18,26 +17,37 @@ bool always_leaves(const Stmts *stmts)
     return false;
 }
 
+bool has_transition(const Stmts *stmts)
+{
+    for (size_t i = 0; i < stmts->n; i++) {
+        const Stmt *stmt = stmts->at[i];
+        if (stmt->kind == ST_TRANSITION || has_transition(&stmt->then) || has_transition(&stmt->otherwise))
+            return true;
+    }
+    return false;
+}
+
 // ---- dead statements ----
 
-static void mark_from(Structure *k, const Stmts *list, size_t first, uint32_t dead)
+// Marks the transitions from list->at[first] on as never taken, because of k->dead.at[dead - 1].
+static void mark_dead(ReachWalk *k, const Stmts *list, size_t first, uint32_t dead)
 {
     for (size_t i = first; i < list->n; i++) {
         const Stmt *s = list->at[i];
         if (s->kind == ST_TRANSITION)
-            k->why[s->number] = dead;
-        mark_from(k, &s->then, 0, dead);
-        mark_from(k, &s->otherwise, 0, dead);
+            k->dead_by[s->number] = dead;
+        mark_dead(k, &s->then, 0, dead);
+        mark_dead(k, &s->otherwise, 0, dead);
     }
 }
 
-static void tell(Structure *k, const Stmts *list, size_t first, Diag *d)
+static void mark_reported(ReachWalk *k, const Stmts *list, size_t first, Diag *finding)
 {
-    mark_from(k, list, first, dead_of(k, CAUSE_TOLD, list->at[first], NULL, d));
+    mark_dead(k, list, first, add_dead_code(k, CAUSE_REPORTED, list->at[first], NULL, finding));
 }
 
 // list->at[first] follows a conditional that leaves in every case.
-static void tell_rest(Structure *k, const Stmts *list, size_t first, bool explained)
+static void report_dead_rest(ReachWalk *k, const Stmts *list, size_t first, bool explained)
 {
     const Stmt *before = list->at[first - 1];
     const bool both = before->kind == ST_IF && always_leaves(&before->then) && always_leaves(&before->otherwise);
@@ -47,93 +57,84 @@ static void tell_rest(Structure *k, const Stmts *list, size_t first, bool explai
         d = diag_report(k->a->diags, both ? DIAG_dead_code : DIAG_dead_rest, list->at[first]->span);
         diag_note(k->a->diags, d, before->span, both ? DIAG_note_leaves_here : DIAG_note_last_case);
     }
-    tell(k, list, first, d);
+    mark_reported(k, list, first, d);
 }
 
-static void tell_else(Structure *k, const Stmt *s)
+static void report_dead_else(ReachWalk *k, const Stmt *s)
 {
-    const Stmt *first = s->otherwise.at[0];
-    Diag *d = diag_report(k->a->diags, DIAG_dead_else, first->span);
+    Diag *d = diag_report(k->a->diags, DIAG_dead_else, s->otherwise.at[0]->span);
 
     diag_note(k->a->diags, d, s->span, DIAG_note_last_case);
-    tell(k, &s->otherwise, 0, d);
+    mark_reported(k, &s->otherwise, 0, d);
 }
 
 // ---- the walk ----
 
-static void note_write(Structure *k, const Stmt *s)
+static void undo_writes(ReachWalk *k, size_t to)
 {
-    const Wrote was = {s->var->index, k->written[s->var->index]};
-
-    vec_push(k->a->arena, &k->log, was);
-    k->written[s->var->index] = k->order[s->number];
-}
-
-static void undo_writes(Structure *k, size_t to)
-{
-    while (k->log.n > to) {
-        k->log.n--;
-        k->written[k->log.at[k->log.n].var] = k->log.at[k->log.n].was;
+    while (k->undo.n > to) {
+        k->undo.n--;
+        k->written[k->undo.at[k->undo.n].var] = k->undo.at[k->undo.n].was;
     }
 }
 
-static bool walk(Structure *k, const Stmts *list, const Way *way);
+static bool walk_stmts(ReachWalk *k, const Stmts *list, const Branch *branch);
 
 // Assignments in a branch that leaves are not visible after the conditional.
-static bool walk_arm(Structure *k, const Stmts *list, const Stmt *s, bool holds, const Way *outer)
+static bool walk_branch(ReachWalk *k, const Stmts *list, const Stmt *s, bool holds, const Branch *outer)
 {
-    const uint32_t log = k->log.n, left = k->left.n;
-    bool leaves;
-    Way *way;
+    const uint32_t writes = k->undo.n, leaving = k->leaving.n;
+    Branch *branch;
 
     if (list->n == 0)
         return false;
-    way = ARENA_NEW(k->a->arena, Way);
-    *way = (Way){s, holds, outer, outer ? outer->depth + 1 : 1};
-    leaves = walk(k, list, way);
-    if (leaves) {
-        undo_writes(k, log);
-        k->left.n = left;
-        vec_push(k->a->arena, &k->left, way);
-    }
-    return leaves;
+    branch = ARENA_NEW(k->a->arena, Branch);
+    *branch = (Branch){s, holds, outer, outer ? outer->depth + 1 : 1};
+    if (!walk_stmts(k, list, branch))
+        return false;
+    undo_writes(k, writes);
+    k->leaving.n = leaving;
+    vec_push(k->a->arena, &k->leaving, branch);
+    return true;
 }
 
-// Whether no path continues after the conditional.
-static bool walk_if(Structure *k, const Stmt *s, const Way *way)
+// Returns false if some path may continue after the conditional.
+static bool walk_if(ReachWalk *k, const Stmt *s, const Branch *branch)
 {
-    const Verdict v = judge(k, s, way);
+    const GuardVerdict v = judge_guard(k, s, branch);
     bool then = true, otherwise = true;
 
     if (v.then)
-        then = walk_arm(k, &s->then, s, true, way);
+        then = walk_branch(k, &s->then, s, true, branch);
     else
-        mark_from(k, &s->then, 0, v.dead);
+        mark_dead(k, &s->then, 0, v.dead);
     if (v.otherwise)
-        otherwise = walk_arm(k, &s->otherwise, s, false, way);
+        otherwise = walk_branch(k, &s->otherwise, s, false, branch);
     else if (v.dead)
-        mark_from(k, &s->otherwise, 0, v.dead);
+        mark_dead(k, &s->otherwise, 0, v.dead);
     else if (s->otherwise.n > 0)
-        tell_else(k, s);
+        report_dead_else(k, s);
     k->explained += v.dead != 0;
     return then && otherwise;
 }
 
 // Returns false if some path may continue after the list.
-static bool walk(Structure *k, const Stmts *list, const Way *way)
+static bool walk_stmts(ReachWalk *k, const Stmts *list, const Branch *branch)
 {
     for (size_t i = 0; i < list->n; i++) {
         const Stmt *s = list->at[i];
         const size_t explained = k->explained;
         k->order[s->number] = ++k->passed;
         if (s->kind == ST_ASSIGN) {
-            note_write(k, s);
+            const WriteUndo was = {s->var->index, k->written[s->var->index]};
+            vec_push(k->a->arena, &k->undo, was);
+            k->written[s->var->index] = k->order[s->number];
             continue;
         }
-        if (s->kind == ST_IF && !walk_if(k, s, way))
+        if (s->kind == ST_IF && !walk_if(k, s, branch))
             continue;
         if (i + 1 < list->n)
-            tell_rest(k, list, i + 1, k->explained != explained);
+            report_dead_rest(k, list, i + 1, k->explained != explained);
         return true;
     }
     return false;
@@ -141,19 +142,19 @@ static bool walk(Structure *k, const Stmts *list, const Way *way)
 
 // ---- blocks ----
 
-static bool walk_block(Structure *k, BlockKind block)
+static bool walk_block(ReachWalk *k, BlockKind block)
 {
     k->block = block;
-    return walk(k, &k->state->block[block], NULL);
+    return walk_stmts(k, &k->state->block[block], NULL);
 }
 
-static void forget(Structure *k)
+static void begin_without_history(ReachWalk *k)
 {
     undo_writes(k, 0);
-    k->left.n = 0;
+    k->leaving.n = 0;
 }
 
-static void look_at_step(Structure *k, bool entry_leaves, bool explained)
+static void walk_step(ReachWalk *k, bool entry_leaves, bool explained)
 {
     const Stmts *step = &k->state->block[BLOCK_STEP];
     Diag *d = NULL;
@@ -162,28 +163,20 @@ static void look_at_step(Structure *k, bool entry_leaves, bool explained)
         return;
     if (!entry_leaves) {
         if (!always_leaves(step))             // otherwise it runs directly after .entry only
-            forget(k);
+            begin_without_history(k);
         walk_block(k, BLOCK_STEP);
         return;
     }
     if (!explained)
         d = diag_report(k->a->diags, DIAG_dead_step, k->state->block_span[BLOCK_STEP], k->state->name->text);
-    tell(k, step, 0, d);
+    mark_reported(k, step, 0, d);
 }
 
-static bool has_transition(const Stmts *list)
-{
-    for (size_t i = 0; i < list->n; i++)
-        if (list->at[i]->kind == ST_TRANSITION || has_transition(&list->at[i]->then) || has_transition(&list->at[i]->otherwise))
-            return true;
-    return false;
-}
-
-static void look_at_exit(Structure *k)
+static void walk_exit(ReachWalk *k)
 {
     const Stmts *block = k->state->block;
 
-    forget(k);
+    begin_without_history(k);
     if (block[BLOCK_EXIT].n == 0)
         return;
     if (facts_may_reach(k->a->facts, k->state->number - 1, BLOCK_EXIT))
@@ -192,22 +185,17 @@ static void look_at_exit(Structure *k)
         diag_report(k->a->diags, DIAG_dead_exit, k->state->block_span[BLOCK_EXIT], k->state->name->text);
 }
 
-static void look_at_state(Structure *k, const State *state)
-{
-    const size_t explained = k->explained;
-    bool leaves;
-
-    k->state = state;
-    leaves = walk_block(k, BLOCK_ENTRY);
-    look_at_step(k, leaves, k->explained != explained);
-    look_at_exit(k);
-}
-
-void find_dead(Structure *k)
+void walk_statements(ReachWalk *k)
 {
     const Program *p = k->a->p;
 
     for (size_t s = 0; s < p->state.n; s++)
-        if (facts_may_reach(k->a->facts, s, BLOCK_ENTRY))
-            look_at_state(k, p->state.at[s]);
+        if (facts_may_reach(k->a->facts, s, BLOCK_ENTRY)) {
+            const size_t explained = k->explained;
+            bool leaves;
+            k->state = p->state.at[s];
+            leaves = walk_block(k, BLOCK_ENTRY);
+            walk_step(k, leaves, k->explained != explained);
+            walk_exit(k);
+        }
 }

@@ -3,32 +3,29 @@
 #include "compiler/analysis/liveness.h"
 
 // Limits of the search for the overwriting assignment: states per search, and blocks for all searches together.
-enum { STATES_TRIED = 100, BLOCKS_WALKED = 10000000 };
+enum { STATES_TRIED = 100, BLOCKS_MAX = 10000000 };
 
-typedef struct Stores {
+typedef struct DeadStores {
     Analysis *a;
     size_t *first;                // by state: index of its first transition in the list of all; one more for the end
     uint32_t *seen, searches;     // by state: the last search that visited it
     uint32_t *walked, walks;      // by block of a function: the last walk that visited it
     size_t work;                  // blocks that may still be walked
-} Stores;
+} DeadStores;
 
 // ---- assignments of a variable to itself ----
 
-static bool is_itself(const Stmt *stmt)
+static bool is_self_assignment(const Stmt *stmt)
 {
     return stmt->kind == ST_ASSIGN && stmt->operators == 0 && stmt->value->kind == EX_VAR && stmt->value->var == stmt->var;
 }
 
-static void look_at_stmts(Stores *k, const Stmts *list)
+static void check_self_assignment(const Stmt *stmt, void *context)
 {
-    for (size_t i = 0; i < list->n; i++) {
-        const Stmt *stmt = list->at[i];
-        if (is_itself(stmt))
-            diag_report(k->a->diags, DIAG_self_assignment, stmt->span, stmt->var->name->text);
-        look_at_stmts(k, &stmt->then);
-        look_at_stmts(k, &stmt->otherwise);
-    }
+    const Analysis *a = context;
+
+    if (is_self_assignment(stmt))
+        diag_report(a->diags, DIAG_self_assignment, stmt->span, stmt->var->name->text);
 }
 
 // The last statement of a list that does not come after the statement with that number.
@@ -47,7 +44,7 @@ static const Stmt *last_before(const Stmts *list, uint32_t number)
 }
 
 // The statement with that number, in a block or nested in it.  Statements are numbered in file order.
-static const Stmt *stmt_of(const Stmts *block, uint32_t number)
+static const Stmt *find_stmt(const Stmts *block, uint32_t number)
 {
     const Stmt *stmt = last_before(block, number);
 
@@ -60,7 +57,7 @@ static const Stmt *stmt_of(const Stmts *block, uint32_t number)
 
 // ---- the overwriting store ----
 
-static const IrIns *store_in(const IrFn *f, size_t blk, size_t at, uint32_t var)
+static const IrIns *find_store_in_block(const IrFn *f, size_t blk, size_t at, uint32_t var)
 {
     for (size_t k = at; k < f->blk.at[blk].ins.n; k++) {
         const IrIns *i = &f->ins.at[f->blk.at[blk].ins.at[k]];
@@ -71,7 +68,7 @@ static const IrIns *store_in(const IrFn *f, size_t blk, size_t at, uint32_t var)
 }
 
 // The first store to var in f that can be reached from ins.at[at] of block blk; NULL if there is none.
-static const IrIns *store_behind(Stores *k, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var)
+static const IrIns *find_store_after(DeadStores *k, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var)
 {
     const IrIns *found = NULL;
 
@@ -80,7 +77,7 @@ static const IrIns *store_behind(Stores *k, const IrFn *f, IrBlkRef blk, size_t 
         const IrJump *j = &f->blk.at[b].jump;
         if (k->walked[b] != k->walks)
             continue;
-        found = store_in(f, b, b == blk ? at : 0, var);
+        found = find_store_in_block(f, b, b == blk ? at : 0, var);
         if (j->kind == IR_BR || j->kind == IR_JMP)
             k->walked[j->then] = k->walks;
         if (j->kind == IR_BR)
@@ -89,35 +86,35 @@ static const IrIns *store_behind(Stores *k, const IrFn *f, IrBlkRef blk, size_t 
     return found;
 }
 
-static const IrIns *store_from(Stores *k, size_t state, int block, uint32_t var)
+static const IrIns *find_store_in_state(DeadStores *k, size_t state, int block, uint32_t var)
 {
     const IrIns *found = NULL;
 
     for (; block < BLOCK_COUNT && !found; block++)
         if (k->a->m->state.at[state].block[block])
-            found = store_behind(k, k->a->m->state.at[state].block[block], 0, 0, var);
+            found = find_store_after(k, k->a->m->state.at[state].block[block], 0, 0, var);
     return found;
 }
 
 // States that are still to be searched, each once.
-typedef struct Queue { size_t state[STATES_TRIED], n; } Queue;
+typedef struct StateQueue { size_t state[STATES_TRIED], n; } StateQueue;
 
-static void enqueue(Stores *k, Queue *q, size_t state)
+static void enqueue_state(DeadStores *k, StateQueue *q, size_t state)
 {
     if (q->n < STATES_TRIED && k->seen[state] != k->searches)
         q->state[q->n++] = state;
     k->seen[state] = k->searches;
 }
 
-static void enqueue_next(Stores *k, Queue *q, size_t from)
+static void enqueue_next_states(DeadStores *k, StateQueue *q, size_t from)
 {
     for (size_t t = k->first[from]; t < k->first[from + 1]; t++)
-        enqueue(k, q, k->a->transition.at[t].to->number - 1);
+        enqueue_state(k, q, k->a->transition.at[t].to->number - 1);
 }
 
 // Adds to the queue the target states of transitions that can be reached from block blk of f.  Returns whether the end of f can
 // be reached too.
-static bool enqueue_after(Stores *k, const IrFn *f, IrBlkRef blk, Queue *q)
+static bool enqueue_targets_after(DeadStores *k, const IrFn *f, IrBlkRef blk, StateQueue *q)
 {
     bool returns = false;
 
@@ -131,68 +128,60 @@ static bool enqueue_after(Stores *k, const IrFn *f, IrBlkRef blk, Queue *q)
         if (j->kind == IR_BR)
             k->walked[j->otherwise] = k->walks;
         if (j->kind == IR_GOTO)
-            enqueue(k, q, j->state - 1);
+            enqueue_state(k, q, j->state - 1);
         returns |= j->kind == IR_RET;
     }
     return returns;
 }
 
-static const IrIns *store_in_queue(Stores *k, Queue *q, uint32_t var, size_t *state)
-{
-    const IrIns *found = NULL;
-
-    for (size_t i = 0; i < q->n && !found; i++) {
-        *state = q->state[i];
-        found = store_from(k, *state, BLOCK_ENTRY, var);
-        enqueue_next(k, q, *state);
-    }
-    return found;
-}
-
-typedef enum When { SAME_STEP, NEXT_STEP, LATER_STATE } When;
-typedef struct Overwriter { const IrIns *store; When when; size_t state; } Overwriter;
+typedef enum OverwriteTime { IN_SAME_STEP, IN_NEXT_STEP, IN_LATER_STATE } OverwriteTime;
+typedef struct Overwrite { const IrIns *store; OverwriteTime when; size_t state; } Overwrite;
 
 // Searches the rest of the step, including .exit at its end if it leaves the state.
-static const IrIns *store_in_same_step(Stores *k, const DeadStore *dead, bool leaves)
+static const IrIns *find_store_in_same_step(DeadStores *k, const DeadStore *dead, bool leaves)
 {
     const uint32_t var = dead->store->var;
-    const IrIns *found = store_behind(k, dead->f, dead->blk, dead->at + 1, var);
+    const IrIns *found = find_store_after(k, dead->f, dead->blk, dead->at + 1, var);
 
     if (!found && dead->block == BLOCK_ENTRY)
-        found = store_from(k, dead->state, BLOCK_STEP, var);
+        found = find_store_in_state(k, dead->state, BLOCK_STEP, var);
     if (!found && dead->block == BLOCK_STEP && leaves)
-        found = store_from(k, dead->state, BLOCK_EXIT, var);
+        found = find_store_in_state(k, dead->state, BLOCK_EXIT, var);
     return found;
 }
 
 // An element is overwritten in the same step.  A local that is never assigned again is not reported.
-static Overwriter overwriter(Stores *k, const DeadStore *dead)
+static Overwrite find_overwrite(DeadStores *k, const DeadStore *dead)
 {
     const uint32_t var = dead->store->var;
-    Overwriter o = {NULL, SAME_STEP, dead->state};
-    Queue q = {.n = 0};
+    Overwrite o = {NULL, IN_SAME_STEP, dead->state};
+    StateQueue q = {.n = 0};
     bool stays;
 
     k->searches++;
-    stays = enqueue_after(k, dead->f, dead->blk, &q) && dead->block != BLOCK_EXIT;
-    o.store = store_in_same_step(k, dead, q.n > 0);
+    stays = enqueue_targets_after(k, dead->f, dead->blk, &q) && dead->block != BLOCK_EXIT;
+    o.store = find_store_in_same_step(k, dead, q.n > 0);
     if (o.store || k->a->m->var.at[var].space != IR_LOCAL)
         return o;
-    o.when = NEXT_STEP;
+    o.when = IN_NEXT_STEP;
     if (stays)
-        o.store = store_from(k, dead->state, BLOCK_STEP, var);
+        o.store = find_store_in_state(k, dead->state, BLOCK_STEP, var);
     if (o.store)
         return o;
-    o.when = LATER_STATE;
+    o.when = IN_LATER_STATE;
     if (stays || dead->block == BLOCK_EXIT)
-        enqueue_next(k, &q, dead->state);
-    o.store = store_in_queue(k, &q, var, &o.state);
+        enqueue_next_states(k, &q, dead->state);
+    for (size_t i = 0; i < q.n && !o.store; i++) {
+        o.state = q.state[i];
+        o.store = find_store_in_state(k, o.state, BLOCK_ENTRY, var);
+        enqueue_next_states(k, &q, o.state);
+    }
     return o;
 }
 
 // Whether var is stored on every path from ins.at[at] of block blk to the end of f.  `after`: whether it is stored after f
 // returns.
-static bool is_always_stored(Stores *k, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var, bool after)
+static bool is_always_stored(DeadStores *k, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var, bool after)
 {
     const uint32_t yes = ++k->walks;
 
@@ -200,14 +189,14 @@ static bool is_always_stored(Stores *k, const IrFn *f, IrBlkRef blk, size_t at, 
         const IrJump *j = &f->blk.at[b].jump;
         const bool both = j->kind == IR_JMP || (j->kind == IR_BR && k->walked[j->otherwise] == yes);
         const bool later = j->kind == IR_RET ? after : both && k->walked[j->then] == yes;
-        k->walked[b] = later || store_in(f, b, b == blk ? at : 0, var) ? yes : 0;
+        k->walked[b] = later || find_store_in_block(f, b, b == blk ? at : 0, var) ? yes : 0;
     }
     return k->walked[blk] == yes;
 }
 
 // Setting an output to a number in .entry is a proper initialisation, even if all paths through .step and .exit together assign
 // it again.
-static bool is_beginning(Stores *k, const DeadStore *dead, const Stmt *stmt)
+static bool is_initialisation(DeadStores *k, const DeadStore *dead, const Stmt *stmt)
 {
     const IrFn *step = k->a->m->state.at[dead->state].block[BLOCK_STEP];
     const uint32_t var = dead->store->var;
@@ -219,49 +208,41 @@ static bool is_beginning(Stores *k, const DeadStore *dead, const Stmt *stmt)
     return !is_always_stored(k, dead->f, dead->blk, dead->at + 1, var, after);
 }
 
-static void look_at_dead(Analysis *a, const DeadStore *dead, void *context)
+static void report_dead_store(Analysis *a, const DeadStore *dead, void *context)
 {
-    Stores *k = context;
-    const Stmt *stmt = stmt_of(&a->p->state.at[dead->state]->block[dead->block], dead->store->stmt);
+    DeadStores *k = context;
+    const Stmt *stmt = find_stmt(&a->p->state.at[dead->state]->block[dead->block], dead->store->stmt);
     const Var *v = stmt->var;
-    Overwriter other;
+    Overwrite other;
     Diag *d;
 
-    if (!a->stmt[stmt->number].reached || is_itself(stmt) || (v->kind == VAR_LOCAL && !v->read))
+    if (!a->stmt[stmt->number].reached || is_self_assignment(stmt) || (v->kind == VAR_LOCAL && !v->read))
         return;
-    if (is_beginning(k, dead, stmt) || (other = overwriter(k, dead)).store == NULL)
+    if (is_initialisation(k, dead, stmt) || (other = find_overwrite(k, dead)).store == NULL)
         return;
     d = diag_report(a->diags, DIAG_dead_store, stmt->span, v->name->text);
     if (other.store->stmt == dead->store->stmt)
         diag_note(a->diags, d, (Span){NULL, 0, 0}, DIAG_note_overwritten_by_itself);
-    else if (other.when == NEXT_STEP)
+    else if (other.when == IN_NEXT_STEP)
         diag_note(a->diags, d, other.store->span, DIAG_note_overwritten_next_step);
-    else if (other.when == LATER_STATE)
+    else if (other.when == IN_LATER_STATE)
         diag_note(a->diags, d, other.store->span, DIAG_note_overwritten_later, a->p->state.at[other.state]->name->text);
     else
         diag_note(a->diags, d, other.store->span, DIAG_note_overwritten_here);
 }
 
-static size_t most_blocks(const IrMachine *m)
-{
-    size_t most = 1;
-
-    for (size_t s = 0; s < m->state.n; s++)
-        for (int b = 0; b < BLOCK_COUNT; b++)
-            if (m->state.at[s].block[b] && m->state.at[s].block[b]->blk.n > most)
-                most = m->state.at[s].block[b]->blk.n;
-    return most;
-}
-
 void analyse_dead_store(Analysis *a)
 {
-    Stores k = {.a = a, .work = BLOCKS_WALKED};
+    DeadStores k = {.a = a, .work = BLOCKS_MAX};
+    size_t most = 1;              // blocks of a function
 
+    for (size_t s = 0; s < a->m->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            if (a->m->state.at[s].block[b] && a->m->state.at[s].block[b]->blk.n > most)
+                most = a->m->state.at[s].block[b]->blk.n;
     k.first = transitions_by_state(a->arena, a->p, &a->transition);
     k.seen = ARENA_ARRAY(a->arena, uint32_t, a->m->state.n);
-    k.walked = ARENA_ARRAY(a->arena, uint32_t, most_blocks(a->m));
-    for (size_t s = 0; s < a->p->state.n; s++)
-        for (int b = 0; b < BLOCK_COUNT; b++)
-            look_at_stmts(&k, &a->p->state.at[s]->block[b]);
-    each_dead_store(liveness_of(a), look_at_dead, &k);
+    k.walked = ARENA_ARRAY(a->arena, uint32_t, most);
+    each_stmt(a->p, check_self_assignment, a);
+    each_dead_store(liveness_of(a), report_dead_store, &k);
 }

@@ -5,6 +5,8 @@
 
 #include "compiler/analysis/analysis.h"
 
+typedef enum Truth { SOMETIMES, NEVER, ALWAYS } Truth;        // of a guard or a comparison
+
 // Whether some comparison in e has been reported as decided by types, or as an equality with a value that the type cannot
 // represent.  Then that is the reason why a guard with this comparison is always or never true.
 bool types_decide_in(const Analysis *a, const Expr *e);

@@ -6,7 +6,7 @@
 #include "compiler/analysis/assume.h"
 #include "compiler/analysis/guards_imply.h"
 
-bool is_unchanged(const Structure *k, const Stmt *s, const Expr *e)
+bool is_unchanged(const ReachWalk *k, const Stmt *s, const Expr *e)
 {
     if (e->kind == EX_VAR && k->written[e->var->index] > k->order[s->number])
         return false;
@@ -16,61 +16,61 @@ bool is_unchanged(const Structure *k, const Stmt *s, const Expr *e)
     return true;
 }
 
-// Whether the statements inside `way` come after the whole branch: `way` is in the same list as the branch's conditional, or
+// Whether the statements inside `branch` come after the whole branch: `branch` is in the same list as the branch's conditional, or
 // deeper.
-static bool is_beside(const Way *arm, const Way *way)
+static bool is_after_branch(const Branch *arm, const Branch *branch)
 {
-    for (unsigned n = 0; way && way->depth >= arm->depth && n < LOOK_BACK; n++)
-        way = way->outer;
-    return way == arm->outer;
+    for (unsigned n = 0; branch && branch->depth >= arm->depth && n < EARLIER_MAX; n++)
+        branch = branch->outer;
+    return branch == arm->outer;
 }
 
-static void add_before(const Structure *k, Befores *b, const Stmt *s, bool holds, bool left)
+static void add_guard(const ReachWalk *k, EarlierGuards *b, const Stmt *s, bool holds, bool leaves)
 {
-    const Before add = {s, holds, left};
+    const EarlierGuard add = {s, holds, leaves};
 
     if (is_unchanged(k, s, s->value))
         b->at[b->n++] = add;
 }
 
-Befores befores_of(const Structure *k, const Way *way)
+EarlierGuards earlier_guards_of(const ReachWalk *k, const Branch *branch)
 {
-    Befores b = {.n = 0};
+    EarlierGuards b = {.n = 0};
     unsigned n = 0;
-    const Way *w;
+    const Branch *w;
 
-    for (w = way; w && n < LOOK_BACK; w = w->outer, n++)
+    for (w = branch; w && n < EARLIER_MAX; w = w->outer, n++)
         if (!w->holds)
-            add_before(k, &b, w->stmt, true, false);
-    for (size_t i = k->left.n; i > 0 && k->left.n - i < LOOK_BACK; i--) {
-        w = k->left.at[i - 1];
-        if (is_beside(w, way))
-            add_before(k, &b, w->stmt, w->holds, true);
+            add_guard(k, &b, w->stmt, true, false);
+    for (size_t i = k->leaving.n; i > 0 && k->leaving.n - i < EARLIER_MAX; i--) {
+        w = k->leaving.at[i - 1];
+        if (is_after_branch(w, branch))
+            add_guard(k, &b, w->stmt, w->holds, true);
     }
     return b;
 }
 
-bool is_same(const Structure *k, const Expr *guard, const Before *b)
+bool is_same_guard(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
 {
     return b->holds && expr_equal(guard, b->stmt->value, k->a->m->window_of);
 }
 
-static bool excluded(const Structure *k, const Expr *guard, const Before *b)
+static bool is_excluded_by_form(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
 {
     return b->holds ? guard_implies(k->a, guard, b->stmt->value) : guard_excludes(k->a, guard, b->stmt->value);
 }
 
 // Whether, according to the facts, the guard can be true only where b has its excluded outcome.
-static bool covered(const Structure *k, const Expr *guard, const Before *b)
+static bool is_covered_by_facts(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
 {
     const Env *env = k->a->stmt[b->stmt->number].env;
 
-    return is_unchanged(k, b->stmt, guard) && suppose_guard(k->a, &env, guard, true) &&
-           !suppose_guard(k->a, &env, b->stmt->value, !b->holds);
+    return is_unchanged(k, b->stmt, guard) && assume_guard(k->a, &env, guard, true) &&
+           !assume_guard(k->a, &env, b->stmt->value, !b->holds);
 }
 
-static const Before *find_before(const Structure *k, const Expr *guard, const Befores *b,
-                                 bool (*f)(const Structure *k, const Expr *guard, const Before *b))
+static const EarlierGuard *find_guard(const ReachWalk *k, const Expr *guard, const EarlierGuards *b,
+                                      bool (*f)(const ReachWalk *k, const Expr *guard, const EarlierGuard *b))
 {
     for (size_t i = 0; i < b->n; i++)
         if (f(k, guard, &b->at[i]))
@@ -78,57 +78,57 @@ static const Before *find_before(const Structure *k, const Expr *guard, const Be
     return NULL;
 }
 
-const Before *written_before(const Structure *k, const Expr *guard, const Befores *b)
+const EarlierGuard *find_excluding_guard(const ReachWalk *k, const Expr *guard, const EarlierGuards *b)
 {
-    return find_before(k, guard, b, excluded);
+    return find_guard(k, guard, b, is_excluded_by_form);
 }
 
-const Before *the_one_before(const Structure *k, const Expr *guard, const Befores *b)
+const EarlierGuard *find_explaining_guard(const ReachWalk *k, const Expr *guard, const EarlierGuards *b)
 {
-    const Before *found = find_before(k, guard, b, is_same);
+    const EarlierGuard *found = find_guard(k, guard, b, is_same_guard);
 
     if (!found)
-        found = find_before(k, guard, b, excluded);
-    return found ? found : find_before(k, guard, b, covered);
+        found = find_guard(k, guard, b, is_excluded_by_form);
+    return found ? found : find_guard(k, guard, b, is_covered_by_facts);
 }
 
 // ---- the cases that earlier guards leave ----
 
-static void stamp_vars(Structure *k, const Expr *e)
+static void mark_vars(ReachWalk *k, const Expr *e)
 {
     if (e->kind == EX_VAR)
-        k->stamp[e->var->index] = k->stamps;
+        k->marked[e->var->index] = k->mark;
     for (uint32_t i = 0; i < e->n; i++)
-        stamp_vars(k, e->arg[i]);
+        mark_vars(k, e->arg[i]);
 }
 
-static bool is_stamped(const Structure *k, const Expr *e)
+static bool reads_marked(const ReachWalk *k, const Expr *e)
 {
-    if (e->kind == EX_VAR && k->stamp[e->var->index] == k->stamps)
+    if (e->kind == EX_VAR && k->marked[e->var->index] == k->mark)
         return true;
     for (uint32_t i = 0; i < e->n; i++)
-        if (is_stamped(k, e->arg[i]))
+        if (reads_marked(k, e->arg[i]))
             return true;
     return false;
 }
 
-static bool is_apart(const Structure *k, const Expr *guard, const Before *b)
+static bool is_disjoint(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
 {
     const Env *env = k->a->stmt[b->stmt->number].env;
 
-    return !suppose_guard(k->a, &env, b->stmt->value, b->holds) || !suppose_guard(k->a, &env, guard, true);
+    return !assume_guard(k->a, &env, b->stmt->value, b->holds) || !assume_guard(k->a, &env, guard, true);
 }
 
-bool is_the_rest(Structure *k, const Expr *guard, const Befores *b)
+bool covers_remaining_cases(ReachWalk *k, const Expr *guard, const EarlierGuards *b)
 {
     bool any = false;
 
-    k->stamps++;
-    stamp_vars(k, guard);
+    k->mark++;
+    mark_vars(k, guard);
     for (size_t i = 0; i < b->n; i++) {
-        if (!is_stamped(k, b->at[i].stmt->value))
+        if (!reads_marked(k, b->at[i].stmt->value))
             continue;
-        if (!is_apart(k, guard, &b->at[i]))
+        if (!is_disjoint(k, guard, &b->at[i]))
             return false;
         any = true;
     }

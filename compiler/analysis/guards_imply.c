@@ -3,12 +3,12 @@
 
 #include "stdlib/math.h"
 
-enum { BUDGET = 64 };                 // pairs of parts that are compared; `and` and `or` multiply them
+enum { BUDGET = 64 };                 // `and` and `or` multiply the pairs of parts
 
-typedef struct Ask {
-    const uint32_t *window_of;
-    unsigned budget;
-} Ask;
+typedef struct ImplySearch {
+    const uint32_t *window_of;        // IrMachine.window_of
+    unsigned budget;                  // pairs of parts that may still be compared
+} ImplySearch;
 
 // ---- comparisons ----
 
@@ -45,26 +45,21 @@ static Side side_of(const Expr *e)
     return s;
 }
 
-static bool same_base(const Ask *k, const Side *p, const Side *q)
+static bool has_same_base(const ImplySearch *k, const Side *p, const Side *q)
 {
     return p->base && q->base ? expr_equal(p->base, q->base, k->window_of) : p->base == q->base;
 }
 
-static bool at_most(const Ask *k, const Side *p, const Side *q) { return sm_le(p->plus, q->plus) && same_base(k, p, q); }
-static bool below(const Side *p, const Side *q) { return !p->base && !q->base && sm_lt(p->plus, q->plus); }
+static bool is_at_most(const ImplySearch *k, const Side *p, const Side *q) { return sm_le(p->plus, q->plus) && has_same_base(k, p, q); }
+static bool is_below(const Side *p, const Side *q) { return !p->base && !q->base && sm_lt(p->plus, q->plus); }
 
 // a.small <= a.large implies b.small <= b.large if b.small is at most a.small and b.large at least a.large.
-static bool order_implies(const Ask *k, const Order *a, const Order *b)
+static bool order_implies(const ImplySearch *k, const Order *a, const Order *b)
 {
-    if (!at_most(k, &b->small, &a->small) || !at_most(k, &a->large, &b->large))
+    if (!is_at_most(k, &b->small, &a->small) || !is_at_most(k, &a->large, &b->large))
         return false;
-    return b->or_equal || !a->or_equal || below(&b->small, &a->small) || below(&a->large, &b->large);
+    return b->or_equal || !a->or_equal || is_below(&b->small, &a->small) || is_below(&a->large, &b->large);
 }
-
-typedef struct Comparison {
-    const Expr *a, *b;
-    SmOperator op;
-} Comparison;
 
 static Order order_of(const Expr *small, const Expr *large, bool or_equal)
 {
@@ -73,9 +68,7 @@ static Order order_of(const Expr *small, const Expr *large, bool or_equal)
     return o;
 }
 
-static bool is_relation(SmOperator op) { return sm_op_info[op].op_class == SM_CLASS_RELATION; }
-
-static Order relation_of(const Comparison *c)
+static Order order_of_relation(const Comparison *c)
 {
     const bool less = c->op == SM_OP_LT || c->op == SM_OP_LE;
 
@@ -83,14 +76,14 @@ static Order relation_of(const Comparison *c)
 }
 
 // Whether a comparison implies an order of its sides.  An == implies both orders.
-static bool comparison_gives(const Ask *k, const Comparison *c, const Order *o)
+static bool comparison_implies_order(const ImplySearch *k, const Comparison *c, const Order *o)
 {
     Order one, other;
 
     if (c->op == SM_OP_NE)
         return false;
     if (c->op != SM_OP_EQ) {
-        one = relation_of(c);
+        one = order_of_relation(c);
         return order_implies(k, &one, o);
     }
     one = order_of(c->a, c->b, true);
@@ -98,19 +91,19 @@ static bool comparison_gives(const Ask *k, const Comparison *c, const Order *o)
     return order_implies(k, &one, o) || order_implies(k, &other, o);
 }
 
-static bool comparison_implies(const Ask *k, const Comparison *x, const Comparison *y)
+static bool comparison_implies(const ImplySearch *k, const Comparison *x, const Comparison *y)
 {
     Order one, other;
 
-    if (is_relation(y->op)) {
-        one = relation_of(y);
-        return comparison_gives(k, x, &one);
+    if (y->op != SM_OP_EQ && y->op != SM_OP_NE) {
+        one = order_of_relation(y);
+        return comparison_implies_order(k, x, &one);
     }
     one = order_of(y->a, y->b, y->op == SM_OP_EQ);
     other = order_of(y->b, y->a, y->op == SM_OP_EQ);
     if (y->op == SM_OP_EQ)
-        return comparison_gives(k, x, &one) && comparison_gives(k, x, &other);
-    return comparison_gives(k, x, &one) || comparison_gives(k, x, &other);
+        return comparison_implies_order(k, x, &one) && comparison_implies_order(k, x, &other);
+    return comparison_implies_order(k, x, &one) || comparison_implies_order(k, x, &other);
 }
 
 // ---- guards ----
@@ -118,22 +111,9 @@ static bool comparison_implies(const Ask *k, const Comparison *x, const Comparis
 static bool is_logic(const Expr *e, SmOperator op) { return e->kind == EX_BINARY && e->op == op; }
 static bool is_not(const Expr *e) { return e->kind == EX_UNARY && e->op == SM_OP_NOT; }
 
-// The number of comparisons in a chain; 1 for any other comparison, 0 for anything else.
-static uint32_t comparisons(const Expr *e)
+static bool some_comparison_implies(ImplySearch *k, const Expr *x, const Comparison *y)
 {
-    return e->kind == EX_CHAIN ? e->n - 1 : e->kind == EX_BINARY && is_comparison(e->op) ? 1 : 0;
-}
-
-static Comparison comparison_at(const Expr *e, uint32_t i)
-{
-    const Comparison c = {e->arg[i], e->arg[i + 1], e->kind == EX_CHAIN ? expr_ops(e)[i] : e->op};
-
-    return c;
-}
-
-static bool any_implies(Ask *k, const Expr *x, const Comparison *y)
-{
-    for (uint32_t i = 0; i < comparisons(x) && k->budget > 0; i++, k->budget--) {
+    for (uint32_t i = 0; i < comparison_count(x) && k->budget > 0; i++, k->budget--) {
         const Comparison c = comparison_at(x, i);
         if (comparison_implies(k, &c, y))
             return true;
@@ -141,17 +121,17 @@ static bool any_implies(Ask *k, const Expr *x, const Comparison *y)
     return false;
 }
 
-static bool parts_imply(Ask *k, const Expr *x, const Expr *y)
+static bool comparisons_imply(ImplySearch *k, const Expr *x, const Expr *y)
 {
-    for (uint32_t i = 0; i < comparisons(y); i++) {
+    for (uint32_t i = 0; i < comparison_count(y); i++) {
         const Comparison c = comparison_at(y, i);
-        if (!any_implies(k, x, &c))
+        if (!some_comparison_implies(k, x, &c))
             return false;
     }
-    return comparisons(y) > 0;
+    return comparison_count(y) > 0;
 }
 
-static bool implies(Ask *k, const Expr *x, const Expr *y)
+static bool implies(ImplySearch *k, const Expr *x, const Expr *y)
 {
     if (k->budget == 0)
         return false;
@@ -168,24 +148,24 @@ static bool implies(Ask *k, const Expr *x, const Expr *y)
         return implies(k, x, y->arg[0]) || implies(k, x, y->arg[1]);
     if (is_not(x) && is_not(y))
         return implies(k, y->arg[0], x->arg[0]);
-    return parts_imply(k, x, y);
+    return comparisons_imply(k, x, y);
 }
 
 // ---- contradictions ----
 
 // If two comparisons are both true, no operand is NaN, except in !=. So one that implies the opposite of the other excludes it.
-static bool parts_exclude(Ask *k, const Expr *x, const Expr *y)
+static bool comparisons_exclude(ImplySearch *k, const Expr *x, const Expr *y)
 {
-    for (uint32_t i = 0; i < comparisons(y); i++) {
+    for (uint32_t i = 0; i < comparison_count(y); i++) {
         Comparison c = comparison_at(y, i);
-        c.op = relation_opposite(c.op);
-        if (any_implies(k, x, &c))
+        c.op = comparison_negated(c.op);
+        if (some_comparison_implies(k, x, &c))
             return true;
     }
     return false;
 }
 
-static bool excludes(Ask *k, const Expr *x, const Expr *y)
+static bool excludes(ImplySearch *k, const Expr *x, const Expr *y)
 {
     if (k->budget == 0)
         return false;
@@ -202,14 +182,14 @@ static bool excludes(Ask *k, const Expr *x, const Expr *y)
         return excludes(k, x->arg[0], y) || excludes(k, x->arg[1], y);
     if (is_logic(y, SM_OP_AND))
         return excludes(k, x, y->arg[0]) || excludes(k, x, y->arg[1]);
-    return parts_exclude(k, x, y) || parts_exclude(k, y, x);
+    return comparisons_exclude(k, x, y) || comparisons_exclude(k, y, x);
 }
 
 // Variables and numbers are never NaN; computed values may be.
-static bool is_read(const Expr *e) { return e->kind == EX_VAR || e->kind == EX_NUMBER; }
+static bool is_never_nan(const Expr *e) { return e->kind == EX_VAR || e->kind == EX_NUMBER; }
 
 // Whether one of two comparisons is always true.
-static bool covers(Ask *k, const Expr *x, const Expr *y)
+static bool is_one_always_true(ImplySearch *k, const Expr *x, const Expr *y)
 {
     Comparison a, b;
 
@@ -217,45 +197,45 @@ static bool covers(Ask *k, const Expr *x, const Expr *y)
         return implies(k, x->arg[0], y);
     if (is_not(y))
         return implies(k, y->arg[0], x);
-    if (x->kind == EX_CHAIN || y->kind == EX_CHAIN || !comparisons(x) || !comparisons(y))
+    if (x->kind == EX_CHAIN || y->kind == EX_CHAIN || !comparison_count(x) || !comparison_count(y))
         return false;
     a = comparison_at(x, 0);
     b = comparison_at(y, 0);
-    a.op = relation_opposite(a.op);
-    return is_read(a.a) && is_read(a.b) && comparison_implies(k, &a, &b);
+    a.op = comparison_negated(a.op);
+    return is_never_nan(a.a) && is_never_nan(a.b) && comparison_implies(k, &a, &b);
 }
 
 // x < x, x == x: whether it is always true, or never (`holds` is false).
-static bool is_reflexive(const Ask *k, const Expr *e, bool holds)
+static bool is_reflexive(const ImplySearch *k, const Expr *e, bool holds)
 {
-    if (e->kind != EX_BINARY || !is_comparison(e->op) || !expr_equal(e->arg[0], e->arg[1], k->window_of))
+    if (e->kind != EX_BINARY || comparison_count(e) == 0 || !expr_equal(e->arg[0], e->arg[1], k->window_of))
         return false;
     if (holds)
-        return is_read(e->arg[0]) && (e->op == SM_OP_LE || e->op == SM_OP_GE || e->op == SM_OP_EQ);
-    return e->op == SM_OP_LT || e->op == SM_OP_GT || (e->op == SM_OP_NE && is_read(e->arg[0]));
+        return is_never_nan(e->arg[0]) && (e->op == SM_OP_LE || e->op == SM_OP_GE || e->op == SM_OP_EQ);
+    return e->op == SM_OP_LT || e->op == SM_OP_GT || (e->op == SM_OP_NE && is_never_nan(e->arg[0]));
 }
 
-static bool never(Ask *k, const Expr *e);
+static bool is_never(ImplySearch *k, const Expr *e);
 
-static bool always(Ask *k, const Expr *e)
+static bool is_always(ImplySearch *k, const Expr *e)
 {
     if (is_not(e))
-        return never(k, e->arg[0]);
+        return is_never(k, e->arg[0]);
     if (is_logic(e, SM_OP_AND))
-        return always(k, e->arg[0]) && always(k, e->arg[1]);
+        return is_always(k, e->arg[0]) && is_always(k, e->arg[1]);
     if (is_logic(e, SM_OP_OR))
-        return always(k, e->arg[0]) || always(k, e->arg[1]) || covers(k, e->arg[0], e->arg[1]);
+        return is_always(k, e->arg[0]) || is_always(k, e->arg[1]) || is_one_always_true(k, e->arg[0], e->arg[1]);
     return is_reflexive(k, e, true);
 }
 
-static bool never(Ask *k, const Expr *e)
+static bool is_never(ImplySearch *k, const Expr *e)
 {
     if (is_not(e))
-        return always(k, e->arg[0]);
+        return is_always(k, e->arg[0]);
     if (is_logic(e, SM_OP_OR))
-        return never(k, e->arg[0]) && never(k, e->arg[1]);
+        return is_never(k, e->arg[0]) && is_never(k, e->arg[1]);
     if (is_logic(e, SM_OP_AND))
-        return never(k, e->arg[0]) || never(k, e->arg[1]) || excludes(k, e->arg[0], e->arg[1]);
+        return is_never(k, e->arg[0]) || is_never(k, e->arg[1]) || excludes(k, e->arg[0], e->arg[1]);
     return is_reflexive(k, e, false);
 }
 
@@ -263,28 +243,28 @@ static bool never(Ask *k, const Expr *e)
 
 bool guard_implies(const Analysis *a, const Expr *x, const Expr *y)
 {
-    Ask k = {a->m->window_of, BUDGET};
+    ImplySearch k = {a->m->window_of, BUDGET};
 
     return implies(&k, x, y);
 }
 
 bool guard_excludes(const Analysis *a, const Expr *x, const Expr *y)
 {
-    Ask k = {a->m->window_of, BUDGET};
+    ImplySearch k = {a->m->window_of, BUDGET};
 
     return excludes(&k, x, y);
 }
 
 bool guard_never(const Analysis *a, const Expr *x)
 {
-    Ask k = {a->m->window_of, BUDGET};
+    ImplySearch k = {a->m->window_of, BUDGET};
 
-    return never(&k, x);
+    return is_never(&k, x);
 }
 
 bool guard_always(const Analysis *a, const Expr *x)
 {
-    Ask k = {a->m->window_of, BUDGET};
+    ImplySearch k = {a->m->window_of, BUDGET};
 
-    return always(&k, x);
+    return is_always(&k, x);
 }

@@ -9,55 +9,55 @@ enum { TRIED = 64 };              // how many earlier guards and assignments are
 
 // ---- the walk ----
 
-typedef struct Walk { Analysis *a; KnownStmt *f; void *context; } Walk;
+typedef struct GuardWalk { Analysis *a; KnownGuardsStmt *f; void *context; } GuardWalk;
 
-static const Known *with_guard(Arena *arena, const Known *outer, const Expr *guard, bool holds)
+static const KnownGuard *add_guard(Arena *arena, const KnownGuard *outer, const Expr *guard, bool holds)
 {
-    Known *k = ARENA_NEW(arena, Known);
+    KnownGuard *k = ARENA_NEW(arena, KnownGuard);
 
-    *k = (Known){guard, holds, NULL, outer};
+    *k = (KnownGuard){guard, holds, NULL, outer};
     return k;
 }
 
-static const Known *with_assigned(Arena *arena, const Known *outer, const Stmt *assigned)
+static const KnownGuard *add_assignment(Arena *arena, const KnownGuard *outer, const Stmt *assigned)
 {
-    Known *k = ARENA_NEW(arena, Known);
+    KnownGuard *k = ARENA_NEW(arena, KnownGuard);
 
-    *k = (Known){NULL, false, assigned, outer};
+    *k = (KnownGuard){NULL, false, assigned, outer};
     return k;
 }
 
-typedef struct After { const Known *known; bool leaves; } After;
+typedef struct GuardsAfter { const KnownGuard *known; bool leaves; } GuardsAfter;
 
-static After walk(Walk *w, const Stmts *stmts, const Known *known);
+static GuardsAfter walk_stmts(GuardWalk *w, const Stmts *stmts, const KnownGuard *known);
 
 // Adds the assignments of a branch.  After the conditional they may or may not have been executed.
-static const Known *with_assigned_in(Arena *arena, const Known *known, const Known *arm, const Known *begin)
+static const KnownGuard *add_assignments_of(Arena *arena, const KnownGuard *known, const KnownGuard *arm, const KnownGuard *begin)
 {
     for (; arm && arm != begin; arm = arm->outer)
         if (arm->assigned)
-            known = with_assigned(arena, known, arm->assigned);
+            known = add_assignment(arena, known, arm->assigned);
     return known;
 }
 
 // A branch that always leaves does not reach the statements after it.  There the opposite of its guard is known.
-static After walk_if(Walk *w, const Stmt *stmt, const Known *known)
+static GuardsAfter walk_if(GuardWalk *w, const Stmt *stmt, const KnownGuard *known)
 {
-    const Known *yes = with_guard(w->a->arena, known, stmt->value, true), *no = with_guard(w->a->arena, known, stmt->value, false);
-    const After then = walk(w, &stmt->then, yes), otherwise = walk(w, &stmt->otherwise, no);
-    const Known *after = then.leaves && !otherwise.leaves ? no : otherwise.leaves && !then.leaves ? yes : known;
+    const KnownGuard *yes = add_guard(w->a->arena, known, stmt->value, true), *no = add_guard(w->a->arena, known, stmt->value, false);
+    const GuardsAfter then = walk_stmts(w, &stmt->then, yes), otherwise = walk_stmts(w, &stmt->otherwise, no);
+    const KnownGuard *after = then.leaves && !otherwise.leaves ? no : otherwise.leaves && !then.leaves ? yes : known;
 
     if (!then.leaves)
-        after = with_assigned_in(w->a->arena, after, then.known, yes);
+        after = add_assignments_of(w->a->arena, after, then.known, yes);
     if (!otherwise.leaves)
-        after = with_assigned_in(w->a->arena, after, otherwise.known, no);
-    return (After){after, then.leaves && otherwise.leaves};
+        after = add_assignments_of(w->a->arena, after, otherwise.known, no);
+    return (GuardsAfter){after, then.leaves && otherwise.leaves};
 }
 
 // Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
-static After walk(Walk *w, const Stmts *stmts, const Known *known)
+static GuardsAfter walk_stmts(GuardWalk *w, const Stmts *stmts, const KnownGuard *known)
 {
-    After at = {known, false};
+    GuardsAfter at = {known, false};
 
     for (size_t i = 0; i < stmts->n && !at.leaves; i++) {
         const Stmt *stmt = stmts->at[i];
@@ -65,30 +65,31 @@ static After walk(Walk *w, const Stmts *stmts, const Known *known)
         if (stmt->kind == ST_IF)
             at = walk_if(w, stmt, at.known);
         else if (stmt->kind == ST_ASSIGN)
-            at.known = with_assigned(w->a->arena, at.known, stmt);
+            at.known = add_assignment(w->a->arena, at.known, stmt);
         else
             at.leaves = true;
     }
     return at;
 }
 
-void known_each(Analysis *a, const Stmts *block, KnownStmt *f, void *context)
+void guards_known_each_stmt(Analysis *a, const Stmts *block, KnownGuardsStmt *f, void *context)
 {
-    Walk w = {a, f, context};
+    GuardWalk w = {a, f, context};
 
-    walk(&w, block, NULL);
+    walk_stmts(&w, block, NULL);
 }
 
 // `b != 0 and a / b > 5`: if b is 0 the whole is false, whatever the other side evaluates to.
-void known_within(Analysis *a, const Expr *e, const Known *known, bool (*wanted)(const Expr *e), KnownExpr *f, void *context)
+void guards_known_each_expr(Analysis *a, const Expr *e, const KnownGuard *known, bool (*wanted)(const Expr *e), KnownGuardsExpr *f,
+                            void *context)
 {
     const bool logic = e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR);
 
     if (wanted(e))
         f(context, e, known);
     for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n; i++) {
-        const Known *here = logic ? with_guard(a->arena, known, e->arg[1 - i], e->op == SM_OP_AND) : known;
-        known_within(a, e->arg[i], here, wanted, f, context);
+        const KnownGuard *here = logic ? add_guard(a->arena, known, e->arg[1 - i], e->op == SM_OP_AND) : known;
+        guards_known_each_expr(a, e->arg[i], here, wanted, f, context);
     }
 }
 
@@ -99,52 +100,41 @@ static bool is_same(const Analysis *a, const Expr *x, const Expr *y) { return ex
 static bool is_call(const Expr *e, SmBuiltin fn) { return e->kind == EX_CALL && e->fn == fn; }
 
 // x, or its magnitude, is d or its magnitude.
-static bool is_size_of(const Analysis *a, const Expr *x, const Expr *d)
+static bool is_same_or_magnitude(const Analysis *a, const Expr *x, const Expr *d)
 {
     return is_same(a, is_call(x, SM_FN_abs) ? x->arg[0] : x, is_call(d, SM_FN_abs) ? d->arg[0] : d);
 }
 
-static IrOp op_of(SmOperator op, bool holds, bool mirrored)
-{
-    switch ((int)op) {
-    case SM_OP_EQ: return holds ? IR_eq : IR_ne;
-    case SM_OP_NE: return holds ? IR_ne : IR_eq;
-    case SM_OP_LT: return holds ? (mirrored ? IR_gt : IR_lt) : mirrored ? IR_le : IR_ge;
-    case SM_OP_LE: return holds ? (mirrored ? IR_ge : IR_le) : mirrored ? IR_lt : IR_gt;
-    case SM_OP_GT: return holds ? (mirrored ? IR_lt : IR_gt) : mirrored ? IR_ge : IR_le;
-    }
-    return holds ? (mirrored ? IR_le : IR_ge) : mirrored ? IR_gt : IR_lt;
-}
-
 // Whether x op y is false if x, which is d or its magnitude, is 0.
-static bool contradicts_zero(const Analysis *a, const Expr *x, IrOp op, const Expr *y, const Expr *d)
+static bool contradicts_zero(const Analysis *a, const Expr *x, SmOperator op, const Expr *y, const Expr *d)
 {
-    const IrIns i = {.op = op, .type = SM_BOOL};
-    const Fact zero = fact_of_number(sm_from_i32(0)), other = fact_of_types(a, y);
-
-    return is_size_of(a, x, d) && fact_of_result(&i, &zero, &other, SM_F64).hi == 0;
+    return is_same_or_magnitude(a, x, d) && fact_of_comparison(op, fact_of_number(sm_from_i32(0)), fact_of_types(a, y)).hi == 0;
 }
 
-static bool pair_excludes(const Analysis *a, const Expr *x, SmOperator op, const Expr *y, bool holds, const Expr *d)
+// For a comparison that is true.
+static bool comparison_excludes_zero(const Analysis *a, Comparison c, const Expr *d)
 {
-    const IrOp o = op_of(op, holds, false);
-    const bool unequal = o == IR_lt || o == IR_gt || o == IR_ne;
+    const bool unequal = c.op == SM_OP_LT || c.op == SM_OP_GT || c.op == SM_OP_NE;
 
     if (unequal && d->kind == EX_BINARY && d->op == SM_OP_SUB &&
-        ((is_same(a, x, d->arg[0]) && is_same(a, y, d->arg[1])) || (is_same(a, x, d->arg[1]) && is_same(a, y, d->arg[0]))))
+        ((is_same(a, c.a, d->arg[0]) && is_same(a, c.b, d->arg[1])) || (is_same(a, c.a, d->arg[1]) && is_same(a, c.b, d->arg[0]))))
         return true;
-    return contradicts_zero(a, x, o, y, d) || contradicts_zero(a, y, op_of(op, holds, true), x, d);
+    return contradicts_zero(a, c.a, c.op, c.b, d) || contradicts_zero(a, c.b, comparison_swapped(c.op), c.a, d);
 }
 
 // For a guard without `and`, `or` and `not`.
-static bool comparison_excludes(const Analysis *a, const Expr *g, bool holds, const Expr *d)
+static bool simple_guard_excludes_zero(const Analysis *a, const Expr *g, bool holds, const Expr *d)
 {
-    if (g->kind == EX_BINARY && is_comparison(g->op))
-        return pair_excludes(a, g->arg[0], g->op, g->arg[1], holds, d);
-    for (uint32_t i = 0; g->kind == EX_CHAIN && holds && i + 1 < g->n; i++)
-        if (pair_excludes(a, g->arg[i], expr_ops(g)[i], g->arg[i + 1], true, d))
+    if (g->kind == EX_CHAIN && !holds)
+        return false;
+    for (uint32_t i = 0; i < comparison_count(g); i++) {
+        Comparison c = comparison_at(g, i);
+        if (!holds)
+            c.op = comparison_negated(c.op);
+        if (comparison_excludes_zero(a, c, d))
             return true;
-    return holds && is_same(a, g, d);
+    }
+    return comparison_count(g) != 1 && holds && is_same(a, g, d);
 }
 
 static int sign_of(const Analysis *a, const Expr *e)
@@ -170,39 +160,39 @@ static bool is_zero_only_with_both(const Analysis *a, const Expr *d)
 }
 
 // Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
-static bool part_excludes(const Analysis *a, const Expr *g, bool holds, const Expr *d)
+static bool part_excludes_zero(const Analysis *a, const Expr *g, bool holds, const Expr *d)
 {
-    if (comparison_excludes(a, g, holds, d))
+    if (simple_guard_excludes_zero(a, g, holds, d))
         return true;
     if (d->kind == EX_UNARY && d->op == SM_OP_NEG)
-        return part_excludes(a, g, holds, d->arg[0]);
-    return is_zero_only_with_both(a, d) && (part_excludes(a, g, holds, d->arg[0]) || part_excludes(a, g, holds, d->arg[1]));
+        return part_excludes_zero(a, g, holds, d->arg[0]);
+    return is_zero_only_with_both(a, d) && (part_excludes_zero(a, g, holds, d->arg[0]) || part_excludes_zero(a, g, holds, d->arg[1]));
 }
 
 // Whether g being true (or false) excludes that d is 0.
-static bool guard_excludes(const Analysis *a, const Expr *g, bool holds, const Expr *d)
+static bool guard_excludes_zero(const Analysis *a, const Expr *g, bool holds, const Expr *d)
 {
     if (g->kind == EX_UNARY && g->op == SM_OP_NOT)
-        return guard_excludes(a, g->arg[0], !holds, d);
+        return guard_excludes_zero(a, g->arg[0], !holds, d);
     if (g->kind == EX_BINARY && (g->op == SM_OP_AND || g->op == SM_OP_OR)) {
-        const bool one = guard_excludes(a, g->arg[0], holds, d), other = guard_excludes(a, g->arg[1], holds, d);
+        const bool one = guard_excludes_zero(a, g->arg[0], holds, d), other = guard_excludes_zero(a, g->arg[1], holds, d);
         return holds == (g->op == SM_OP_AND) ? one || other : one && other;
     }
-    return part_excludes(a, g, holds, d);
+    return part_excludes_zero(a, g, holds, d);
 }
 
-static bool mentions(const Expr *e, const Var *v)
+static bool reads_var(const Expr *e, const Var *v)
 {
     if (e->kind == EX_VAR && e->var == v)
         return true;
     for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n; i++)
-        if (mentions(e->arg[i], v))
+        if (reads_var(e->arg[i], v))
             return true;
     return false;
 }
 
 // A guard no longer counts if a variable that it reads was assigned after it was evaluated.
-static bool some_guard_excludes(const Analysis *a, const Known *known, const Expr *d)
+static bool some_guard_excludes_zero(const Analysis *a, const KnownGuard *known, const Expr *d)
 {
     const Var *assigned[TRIED];
     size_t n = 0;
@@ -212,29 +202,29 @@ static bool some_guard_excludes(const Analysis *a, const Known *known, const Exp
         if (known->assigned)
             assigned[n++] = known->assigned->var;
         for (size_t v = 0; known->guard && v < n; v++)
-            stale |= mentions(known->guard, assigned[v]);
-        if (known->guard && !stale && guard_excludes(a, known->guard, known->holds, d))
+            stale |= reads_var(known->guard, assigned[v]);
+        if (known->guard && !stale && guard_excludes_zero(a, known->guard, known->holds, d))
             return true;
     }
     return false;
 }
 
-static bool operator_keeps(const Analysis *a, const Known *known, const Expr *d)
+static bool operands_exclude_zero(const Analysis *a, const KnownGuard *known, const Expr *d)
 {
     if (d->kind == EX_UNARY)
-        return d->op == SM_OP_NEG && known_not_zero(a, known, d->arg[0]);
+        return d->op == SM_OP_NEG && guards_exclude_zero(a, known, d->arg[0]);
     if (is_call(d, SM_FN_abs) || is_call(d, SM_FN_sqrt))
-        return known_not_zero(a, known, d->arg[0]);
+        return guards_exclude_zero(a, known, d->arg[0]);
     if (d->kind != EX_BINARY)
         return false;
     if (d->op == SM_OP_MUL)
-        return known_not_zero(a, known, d->arg[0]) && known_not_zero(a, known, d->arg[1]);
-    return d->op == SM_OP_DIV && known_not_zero(a, known, d->arg[0]);
+        return guards_exclude_zero(a, known, d->arg[0]) && guards_exclude_zero(a, known, d->arg[1]);
+    return d->op == SM_OP_DIV && guards_exclude_zero(a, known, d->arg[0]);
 }
 
-bool known_not_zero(const Analysis *a, const Known *known, const Expr *d)
+bool guards_exclude_zero(const Analysis *a, const KnownGuard *known, const Expr *d)
 {
     const Fact f = fact_of_types(a, d);
 
-    return f.lo > 0 || f.hi < 0 || some_guard_excludes(a, known, d) || operator_keeps(a, known, d);
+    return f.lo > 0 || f.hi < 0 || some_guard_excludes_zero(a, known, d) || operands_exclude_zero(a, known, d);
 }

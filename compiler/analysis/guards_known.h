@@ -6,23 +6,24 @@
 
 #include "compiler/analysis/analysis.h"
 
-typedef struct Known Known;
-struct Known {
+typedef struct KnownGuard KnownGuard;
+struct KnownGuard {
     const Expr *guard;            // is true, or false; NULL: `assigned` was or may have been executed since the outer entries
     bool holds;
     const Stmt *assigned;
-    const Known *outer;
+    const KnownGuard *outer;
 };
 
 // Calls f for every statement of a block, with the guards known there.
-typedef void KnownStmt(void *context, const Stmt *stmt, const Known *known);
-void known_each(Analysis *a, const Stmts *block, KnownStmt *f, void *context);
+typedef void KnownGuardsStmt(void *context, const Stmt *stmt, const KnownGuard *known);
+void guards_known_each_stmt(Analysis *a, const Stmts *block, KnownGuardsStmt *f, void *context);
 
 // Calls f for every expression in e that `wanted` selects, with the guards known there.
-typedef void KnownExpr(void *context, const Expr *e, const Known *known);
-void known_within(Analysis *a, const Expr *e, const Known *known, bool (*wanted)(const Expr *e), KnownExpr *f, void *context);
+typedef void KnownGuardsExpr(void *context, const Expr *e, const KnownGuard *known);
+void guards_known_each_expr(Analysis *a, const Expr *e, const KnownGuard *known, bool (*wanted)(const Expr *e), KnownGuardsExpr *f,
+                            void *context);
 
 // Whether the guards imply that d is not 0.
-bool known_not_zero(const Analysis *a, const Known *known, const Expr *d);
+bool guards_exclude_zero(const Analysis *a, const KnownGuard *known, const Expr *d);
 
 #endif

@@ -1,48 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 // Computes what values depend on.  A local depends on the values stored in it and on the guards around those stores.  A guard
 // depends on the variables it reads and on the enclosing guards.  These are the nodes of a graph.  Dependencies propagate along
-// its edges to a fixed point.  A node stores at most LOOKS_MAX sensors, so each node is visited only a few times.
+// its edges to a fixed point.  A node stores at most INPUT_DEPS_MAX sensors, so each node is visited only a few times.
 #include "compiler/analysis/input_deps.h"
 
-typedef struct Spread {
-    Sensors *s;
-    Numbers *readers;             // by node: the nodes that depend on it
-    Numbers waiting;
-    bool *waits;
-    uint32_t to;                  // the node whose expression is being walked
-} Spread;
+typedef VEC(uint32_t) NodeNumbers;
 
-static uint32_t node_of_guard(const Sensors *s, const Stmt *stmt) { return (uint32_t)s->a->p->var.n + stmt->number; }
+typedef struct DepGraph {
+    InputDepsTable *s;
+    NodeNumbers *readers;         // by node: the nodes that depend on it
+    NodeNumbers waiting;          // a stack of nodes whose readers are to be visited
+    bool *waits;                  // by node: it is on the stack
+} DepGraph;
+
+static uint32_t node_of_guard(const InputDepsTable *s, const Stmt *stmt) { return (uint32_t)s->a->p->var.n + stmt->number; }
 
 // ---- roles of elements ----
 
-static bool is_only_read(const Sensors *s, const Var *v)
+static bool is_only_read(const InputDepsTable *s, const Var *v)
 {
     return v->kind == VAR_ELEMENT && !v->written && v != s->a->p->g && v != s->a->p->s;
 }
 
-bool is_sensor(const Sensors *s, const Var *v) { return is_only_read(s, v) && v->type != SM_BOOL && !s->command[v->index]; }
+bool is_sensor(const InputDepsTable *s, const Var *v) { return is_only_read(s, v) && v->type != SM_BOOL && !s->command[v->index]; }
 
-static bool is_whole(const Var *v) { return sm_type_info[v->type].kind != SM_KIND_FLOAT && v->type != SM_BOOL; }
-
-typedef struct Uses { uint32_t *reads, *coded; } Uses;       // by Var.index
-
-static void count_coded(Uses *u, const Expr *e, const Expr *other)
-{
-    if (e->kind == EX_VAR && expr_is_constant(other))
-        u->coded[e->var->index]++;
-}
+typedef struct UseCount { uint32_t *reads, *equalities; } UseCount;     // by Var.index; equalities: with a constant
 
 static void count_use(Expr *e, void *context)
 {
-    Uses *u = context;
+    UseCount *u = context;
 
     if (e->kind == EX_VAR)
         u->reads[e->var->index]++;
-    if (e->kind != EX_BINARY || (e->op != SM_OP_EQ && e->op != SM_OP_NE))
-        return;
-    count_coded(u, e->arg[0], e->arg[1]);
-    count_coded(u, e->arg[1], e->arg[0]);
+    if (e->kind == EX_BINARY && (e->op == SM_OP_EQ || e->op == SM_OP_NE))
+        for (int side = 0; side < 2; side++)
+            if (e->arg[side]->kind == EX_VAR && expr_is_constant(e->arg[1 - side]))
+                u->equalities[e->arg[side]->var->index]++;
 }
 
 static void count_uses(const Stmt *stmt, void *context)
@@ -51,19 +44,22 @@ static void count_uses(const Stmt *stmt, void *context)
         expr_walk(stmt->value, count_use, context);
 }
 
-static void find_commands(Sensors *s)
+static void find_commands(InputDepsTable *s)
 {
     const Program *p = s->a->p;
-    Uses u = {ARENA_ARRAY(s->a->arena, uint32_t, p->var.n), ARENA_ARRAY(s->a->arena, uint32_t, p->var.n)};
+    UseCount u = {ARENA_ARRAY(s->a->arena, uint32_t, p->var.n), ARENA_ARRAY(s->a->arena, uint32_t, p->var.n)};
 
     each_stmt(p, count_uses, &u);
-    for (size_t v = 0; v < p->var.n; v++)
-        s->command[v] = p->var.at[v]->command || (is_whole(p->var.at[v]) && u.reads[v] > 0 && u.reads[v] == u.coded[v]);
+    for (size_t i = 0; i < p->var.n; i++) {
+        const Var *v = p->var.at[i];
+        const bool whole = sm_type_info[v->type].kind != SM_KIND_FLOAT && v->type != SM_BOOL;
+        s->command[i] = v->command || (whole && u.reads[i] > 0 && u.reads[i] == u.equalities[i]);
+    }
 }
 
 // ---- sets ----
 
-bool looks_at(const Looks *l, const Var *sensor)
+bool input_deps_include(const InputDeps *l, const Var *sensor)
 {
     for (uint32_t i = 0; i < l->n; i++)
         if (l->sensor[i] == sensor)
@@ -71,13 +67,13 @@ bool looks_at(const Looks *l, const Var *sensor)
     return false;
 }
 
-static void add_sensor(Looks *l, const Var *v)
+static void add_sensor(InputDeps *l, const Var *v)
 {
     uint32_t i = l->n;
 
-    if (looks_at(l, v))
+    if (input_deps_include(l, v))
         return;
-    if (l->n == LOOKS_MAX) {
+    if (l->n == INPUT_DEPS_MAX) {
         l->more = true;
         return;
     }
@@ -87,9 +83,9 @@ static void add_sensor(Looks *l, const Var *v)
     l->n++;
 }
 
-static bool add_looks(Looks *to, const Looks *from)
+static bool merge_deps(InputDeps *to, const InputDeps *from)
 {
-    const Looks was = *to;
+    const InputDeps was = *to;
 
     for (uint32_t i = 0; i < from->n; i++)
         add_sensor(to, from->sensor[i]);
@@ -100,9 +96,9 @@ static bool add_looks(Looks *to, const Looks *from)
     return to->n != was.n || to->more != was.more || to->time != was.time || to->input != was.input || to->other != was.other;
 }
 
-static Looks looks_of_var(const Sensors *s, const Var *v)
+static InputDeps deps_of_var(const InputDepsTable *s, const Var *v)
 {
-    Looks l = {.n = 0};
+    InputDeps l = {.n = 0};
 
     if (v->kind == VAR_TIME || v == s->a->p->g)
         l.time = true;
@@ -117,7 +113,7 @@ static Looks looks_of_var(const Sensors *s, const Var *v)
 
 // ---- the graph ----
 
-static void wait_for(Spread *g, uint32_t node)
+static void push_node(DepGraph *g, uint32_t node)
 {
     if (g->waits[node])
         return;
@@ -125,128 +121,117 @@ static void wait_for(Spread *g, uint32_t node)
     vec_push(g->s->a->arena, &g->waiting, node);
 }
 
-static void add_reader(Spread *g, uint32_t node, uint32_t reader) { vec_push(g->s->a->arena, &g->readers[node], reader); }
+static void add_edge(DepGraph *g, uint32_t node, uint32_t reader) { vec_push(g->s->a->arena, &g->readers[node], reader); }
 
-static void note_read(Expr *e, void *context)
+static void add_edges_from_vars(DepGraph *g, const Expr *e, uint32_t reader)
 {
-    Spread *g = context;
-
+    for (uint32_t i = 0; i < e->n; i++)
+        add_edges_from_vars(g, e->arg[i], reader);
     if (e->kind == EX_VAR && !e->var->is_constant)
-        add_reader(g, e->var->index, g->to);
+        add_edge(g, e->var->index, reader);
 }
 
-static void note_place(const StmtPlace *at, void *context)
+static void add_stmt(const StmtPlace *at, void *context)
 {
-    Spread *g = context;
+    DepGraph *g = context;
+    const Stmt *stmt = at->stmt;
+    uint32_t node;
 
-    if (at->stmt->kind == ST_TRANSITION)
+    if (stmt->kind == ST_TRANSITION)
         return;
-    g->to = at->stmt->kind == ST_IF ? node_of_guard(g->s, at->stmt) : at->stmt->var->index;
-    if (at->stmt->kind == ST_ASSIGN)
-        vec_push(g->s->a->arena, &g->s->stores[g->to], *at);
-    expr_walk(at->stmt->value, note_read, g);
+    node = stmt->kind == ST_IF ? node_of_guard(g->s, stmt) : stmt->var->index;
+    if (stmt->kind == ST_ASSIGN && !g->s->store[node])
+        g->s->store[node] = stmt;
+    add_edges_from_vars(g, stmt->value, node);
     if (at->when)
-        add_reader(g, node_of_guard(g->s, at->when->stmt), g->to);
+        add_edge(g, node_of_guard(g->s, at->when->stmt), node);
 }
 
-static void spread_from(Spread *g, uint32_t node)
-{
-    g->waits[node] = false;
-    for (size_t k = 0; k < g->readers[node].n; k++)
-        if (add_looks(&g->s->looks[g->readers[node].at[k]], &g->s->looks[node]))
-            wait_for(g, g->readers[node].at[k]);
-}
-
-static void spread(Sensors *s)
+static void propagate(InputDepsTable *s)
 {
     const Program *p = s->a->p;
     const size_t nodes = p->var.n + p->stmts + 1;
-    Spread g = {s, ARENA_ARRAY(s->a->arena, Numbers, nodes), {NULL, 0, 0}, ARENA_ARRAY(s->a->arena, bool, nodes), 0};
+    DepGraph g = {s, ARENA_ARRAY(s->a->arena, NodeNumbers, nodes), {NULL, 0, 0}, ARENA_ARRAY(s->a->arena, bool, nodes)};
 
-    each_place(s->a->arena, p, note_place, &g);
+    each_place(s->a->arena, p, add_stmt, &g);
     for (size_t v = 0; v < p->var.n; v++) {
-        s->looks[v] = looks_of_var(s, p->var.at[v]);
-        wait_for(&g, (uint32_t)v);
+        s->deps[v] = deps_of_var(s, p->var.at[v]);
+        push_node(&g, (uint32_t)v);
     }
-    while (g.waiting.n > 0)
-        spread_from(&g, g.waiting.at[--g.waiting.n]);
+    while (g.waiting.n > 0) {
+        const uint32_t node = g.waiting.at[--g.waiting.n];
+        g.waits[node] = false;
+        for (size_t k = 0; k < g.readers[node].n; k++)
+            if (merge_deps(&s->deps[g.readers[node].at[k]], &s->deps[node]))
+                push_node(&g, g.readers[node].at[k]);
+    }
 }
 
 // ---- queries ----
 
-Looks looks_of_condition(const Sensors *s, const Condition *when)
+InputDeps input_deps_of_condition(const InputDepsTable *s, const Condition *when)
 {
-    const Looks none = {.n = 0};
+    const InputDeps none = {.n = 0};
 
-    return when ? s->looks[node_of_guard(s, when->stmt)] : none;
+    return when ? s->deps[node_of_guard(s, when->stmt)] : none;
 }
 
-typedef struct Sum { const Sensors *s; Looks looks; } Sum;
-
-static void sum_up(Expr *e, void *context)
+static void merge_deps_of_expr(const InputDepsTable *s, const Expr *e, InputDeps *out)
 {
-    Sum *sum = context;
-
+    for (uint32_t i = 0; i < e->n; i++)
+        merge_deps_of_expr(s, e->arg[i], out);
     if (e->kind == EX_VAR && !e->var->is_constant)
-        add_looks(&sum->looks, &sum->s->looks[e->var->index]);
+        merge_deps(out, &s->deps[e->var->index]);
 }
 
-Looks looks_of_value(const Sensors *s, const Expr *e)
+InputDeps input_deps_of_expr(const InputDepsTable *s, const Expr *e)
 {
-    Sum sum = {s, {.n = 0}};
+    InputDeps out = {.n = 0};
 
-    expr_walk((Expr *)e, sum_up, &sum);
-    return sum.looks;
+    merge_deps_of_expr(s, e, &out);
+    return out;
 }
 
-const Condition *condition_on(const Sensors *s, const Condition *when, const Var *sensor)
+const Condition *input_deps_find_condition(const InputDepsTable *s, const Condition *when, const Var *sensor)
 {
     for (; when; when = when->outer) {
-        const Looks l = looks_of_value(s, when->stmt->value);
-        if (looks_at(&l, sensor))
+        const InputDeps l = input_deps_of_expr(s, when->stmt->value);
+        if (input_deps_include(&l, sensor))
             return when;
     }
     return NULL;
 }
 
-typedef struct Through {
-    const Sensors *s;
-    const Var *sensor;
-    const Stmt *store;
-    bool itself;                  // the expression reads the sensor
-} Through;
-
-static void look_through(Expr *e, void *context)
+// Returns true if e reads the sensor itself.
+static bool find_store_behind(const InputDepsTable *s, const Expr *e, const Var *sensor, const Stmt **store)
 {
-    Through *t = context;
+    bool itself = e->kind == EX_VAR && e->var == sensor;
 
-    if (e->kind != EX_VAR)
-        return;
-    t->itself |= e->var == t->sensor;
-    if (!t->store && e->var->kind == VAR_LOCAL && t->s->stores[e->var->index].n > 0 &&
-        looks_at(&t->s->looks[e->var->index], t->sensor))
-        t->store = t->s->stores[e->var->index].at[0].stmt;
+    for (uint32_t i = 0; i < e->n; i++)
+        itself |= find_store_behind(s, e->arg[i], sensor, store);
+    if (!*store && e->kind == EX_VAR && e->var->kind == VAR_LOCAL && input_deps_include(&s->deps[e->var->index], sensor))
+        *store = s->store[e->var->index];
+    return itself;
 }
 
-const Stmt *looks_through(const Sensors *s, const Expr *e, const Var *sensor)
+const Stmt *input_deps_find_store(const InputDepsTable *s, const Expr *e, const Var *sensor)
 {
-    Through t = {s, sensor, NULL, false};
+    const Stmt *store = NULL;
 
-    expr_walk((Expr *)e, look_through, &t);
-    return t.itself ? NULL : t.store;
+    return find_store_behind(s, e, sensor, &store) ? NULL : store;
 }
 
-const Sensors *sensors_of(Analysis *a)
+const InputDepsTable *input_deps_of(Analysis *a)
 {
     Arena *arena = a->arena;
     const size_t n = a->p->var.n;
-    Sensors *s = ARENA_NEW(arena, Sensors);
+    InputDepsTable *s = ARENA_NEW(arena, InputDepsTable);
 
     s->a = a;
     s->command = ARENA_ARRAY(arena, bool, n);
-    s->looks = ARENA_ARRAY(arena, Looks, n + a->p->stmts + 1);
-    s->stores = ARENA_ARRAY(arena, Stores, n);
+    s->deps = ARENA_ARRAY(arena, InputDeps, n + a->p->stmts + 1);
+    s->store = ARENA_ARRAY(arena, const Stmt *, n);
     find_commands(s);
-    spread(s);
+    propagate(s);
     return s;
 }

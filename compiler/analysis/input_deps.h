@@ -6,39 +6,36 @@
 
 #include "compiler/analysis/analysis.h"
 
-enum { LOOKS_MAX = 6 };           // sensors tracked per value; a value that reads more is treated as depending on no single one
+enum { INPUT_DEPS_MAX = 6 };      // sensors tracked per value; a value that reads more is treated as depending on no single one
 
-typedef struct Looks {
-    const Var *sensor[LOOKS_MAX]; // in order of Var.index
+typedef struct InputDeps {
+    const Var *sensor[INPUT_DEPS_MAX]; // in order of Var.index
     uint32_t n;
     bool more;                    // on further sensors
     bool time;                    // on T or G
     bool input;                   // on an element that the machine only reads and that is not a sensor
     bool other;                   // on an element that the machine writes, on S, or on a local that a script writes
-} Looks;
+} InputDeps;
 
-typedef VEC(StmtPlace) Stores;
-typedef VEC(uint32_t) Numbers;
-
-typedef struct Sensors {
+typedef struct InputDepsTable {
     Analysis *a;
     bool *command;                // by Var.index: marked @command; or an integer that is only ever compared with constants by == or !=
-    Looks *looks;                 // by Var.index, followed by Stmt.number of conditionals: its guard and the enclosing guards
-    Stores *stores;               // by Var.index
-} Sensors;
+    InputDeps *deps;              // by Var.index, followed by Stmt.number of conditionals: its guard and the enclosing guards
+    const Stmt **store;           // by Var.index: its first assignment in the file; or NULL
+} InputDepsTable;
 
-const Sensors *sensors_of(Analysis *a);
+const InputDepsTable *input_deps_of(Analysis *a);
 
-bool is_sensor(const Sensors *s, const Var *v);       // a numeric element that the machine only reads; not a command, G, S or T
+bool is_sensor(const InputDepsTable *s, const Var *v);       // a numeric element that the machine only reads; not a command, G, S or T
 
 // The inputs that decide whether all these conditions are met; the inputs that a value depends on.
-Looks looks_of_condition(const Sensors *s, const Condition *when);
-Looks looks_of_value(const Sensors *s, const Expr *e);
-bool looks_at(const Looks *l, const Var *sensor);
+InputDeps input_deps_of_condition(const InputDepsTable *s, const Condition *when);
+InputDeps input_deps_of_expr(const InputDepsTable *s, const Expr *e);
+bool input_deps_include(const InputDeps *l, const Var *sensor);
 // The innermost condition whose own guard depends on a sensor; NULL if there is none.
-const Condition *condition_on(const Sensors *s, const Condition *when, const Var *sensor);
+const Condition *input_deps_find_condition(const InputDepsTable *s, const Condition *when, const Var *sensor);
 // For an expression that does not read the sensor itself: a store to a local that it reads and that depends on the sensor.
 // NULL: there is none.
-const Stmt *looks_through(const Sensors *s, const Expr *e, const Var *sensor);
+const Stmt *input_deps_find_store(const InputDepsTable *s, const Expr *e, const Var *sensor);
 
 #endif

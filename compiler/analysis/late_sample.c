@@ -9,15 +9,15 @@
 // 4. a variable that the same expression also reads without a window, as in `min(p, roll_min(p, 1))`: it has this step's value.
 #include "compiler/analysis/guards_known.h"
 
-typedef struct Uses {
+typedef struct StatUse {
     Analysis *a;
     const Stmts *block;
-    const Known *known;           // guards and assignments at the expression
+    const KnownGuard *known;           // guards and assignments at the expression
     const Expr *value;            // the whole expression
     const Expr *roll;             // the window call in it whose sample is being searched
-} Uses;
+} StatUse;
 
-static const Stmt *assigned_before(const Known *known, const Var *v)
+static const Stmt *find_assignment(const KnownGuard *known, const Var *v)
 {
     for (; known; known = known->outer)
         if (known->assigned && known->assigned->var == v)
@@ -25,7 +25,7 @@ static const Stmt *assigned_before(const Known *known, const Var *v)
     return NULL;
 }
 
-static void look_for_change(Expr *e, void *context)
+static void find_change(Expr *e, void *context)
 {
     bool *changes = context;
 
@@ -34,7 +34,7 @@ static void look_for_change(Expr *e, void *context)
 }
 
 // Whether the variable then contains exactly the assigned number: nothing is rounded, truncated or limited.
-static bool is_stored_exactly(const Uses *u, const Stmt *assigned)
+static bool is_stored_exactly(const StatUse *u, const Stmt *assigned)
 {
     const Fact value = u->a->stmt[assigned->number].value;
     const SmType type = assigned->var->type;
@@ -45,17 +45,17 @@ static bool is_stored_exactly(const Uses *u, const Stmt *assigned)
 }
 
 // Whether the assignment is executed in every step of the state, from values that the machine does not change.
-static bool can_be_inlined(const Uses *u, const Stmt *assigned)
+static bool can_be_inlined(const StatUse *u, const Stmt *assigned)
 {
     bool is_always = false, changes = false;
 
     for (size_t i = 0; i < u->block->n; i++)
         is_always |= u->block->at[i] == assigned;
-    expr_walk(assigned->value, look_for_change, &changes);
+    expr_walk(assigned->value, find_change, &changes);
     return is_always && !changes && is_stored_exactly(u, assigned);
 }
 
-static void look_for_input(Expr *e, void *context)
+static void find_input(Expr *e, void *context)
 {
     bool *input = context;
 
@@ -63,11 +63,11 @@ static void look_for_input(Expr *e, void *context)
         *input |= e->var->kind == VAR_ELEMENT && !e->var->written;
 }
 
-static bool is_order_beside_input(const Expr *roll, const Var *v)
+static bool is_element_beside_input(const Expr *roll, const Var *v)
 {
     bool input = false;
 
-    expr_walk(roll->arg[0], look_for_input, &input);
+    expr_walk(roll->arg[0], find_input, &input);
     return v->kind == VAR_ELEMENT && input;
 }
 
@@ -80,7 +80,7 @@ static bool is_read_without_window(const Expr *e, const Var *v)
     return read;
 }
 
-static void report(const Uses *u, const Var *v, const Stmt *assigned)
+static void report_late_sample(const StatUse *u, const Var *v, const Stmt *assigned)
 {
     Diags *diags = u->a->diags;
     Diag *d = diag_report(diags, DIAG_late_sample, u->roll->span, v->name->text);
@@ -91,42 +91,41 @@ static void report(const Uses *u, const Var *v, const Stmt *assigned)
 }
 
 // Inner windows are visited separately.
-static void search_sample(const Uses *u, const Expr *e)
+static void check_sample(const StatUse *u, const Expr *e)
 {
-    const Stmt *assigned = e->kind == EX_VAR ? assigned_before(u->known, e->var) : NULL;
+    const Stmt *assigned = e->kind == EX_VAR ? find_assignment(u->known, e->var) : NULL;
 
-    if (assigned && !is_order_beside_input(u->roll, e->var) && !is_read_without_window(u->value, e->var))
-        report(u, e->var, assigned);
+    if (assigned && !is_element_beside_input(u->roll, e->var) && !is_read_without_window(u->value, e->var))
+        report_late_sample(u, e->var, assigned);
     for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n; i++)
-        search_sample(u, e->arg[i]);
+        check_sample(u, e->arg[i]);
 }
 
-static void look_at_roll(Expr *e, void *context)
+static void check_roll(Expr *e, void *context)
 {
-    Uses *u = context;
+    StatUse *u = context;
 
-    if (e->kind != EX_ROLL)
-        return;
     u->roll = e;
-    search_sample(u, e->arg[0]);
+    if (e->kind == EX_ROLL)
+        check_sample(u, e->arg[0]);
 }
 
-static void look_at_stmt(void *context, const Stmt *stmt, const Known *known)
+static void check_stmt(void *context, const Stmt *stmt, const KnownGuard *known)
 {
-    Uses *u = context;
+    StatUse *u = context;
 
     u->known = known;
     u->value = stmt->value;
     if (stmt->kind != ST_TRANSITION)
-        expr_walk(stmt->value, look_at_roll, u);
+        expr_walk(stmt->value, check_roll, u);
 }
 
 void analyse_late_sample(Analysis *a)
 {
-    Uses u = {.a = a};
+    StatUse u = {.a = a};
 
     for (size_t s = 0; a->p->window.n && s < a->p->state.n; s++) {
         u.block = &a->p->state.at[s]->block[BLOCK_STEP];
-        known_each(a, u.block, look_at_stmt, &u);
+        guards_known_each_stmt(a, u.block, check_stmt, &u);
     }
 }

@@ -9,7 +9,7 @@ static bool is_finite(SmF64 x) { return sm_eq(sm_sub(x, x), sm_from_i32(0)); }
 
 // ---- constants ----
 
-static void report_stored(Analysis *a, DiagCode code, Span span, const Var *v, SmF64 stored, SmF64 x)
+static void report_stored_value(Analysis *a, DiagCode code, Span span, const Var *v, SmF64 stored, SmF64 x)
 {
     diag_report(a->diags, code, span, v->name->text, sm_type_info[v->type].spelling, const_text(a->arena, stored),
                 const_text(a->arena, x));
@@ -23,20 +23,12 @@ static void check_constant(Analysis *a, const Var *v, const Expr *value)
     if (sm_is_nan(x))
         diag_report(a->diags, DIAG_stores_nan, value->span, v->name->text);
     else if (whole && !sm_eq(x, stored) && sm_eq(sm_trunc(x), stored))
-        report_stored(a, DIAG_stores_whole, value->span, v, stored, x);
+        report_stored_value(a, DIAG_stores_whole, value->span, v, stored, x);
     else if (!sm_eq(x, stored) && (whole || !is_finite(stored)))
-        report_stored(a, DIAG_stores_limit, value->span, v, stored, x);
+        report_stored_value(a, DIAG_stores_limit, value->span, v, stored, x);
 }
 
 // ---- computed values ----
-
-// "300", or "from 300 to 555".
-static const char *bounds_text(Analysis *a, Fact f)
-{
-    const char *lo = const_text(a->arena, f.lo);
-
-    return f.lo == f.hi ? lo : format_in(a->arena, "from %s to %s", lo, const_text(a->arena, f.hi));
-}
 
 // Whether all values are above the largest value of the type, or all below the smallest.  A value that only loses its fraction
 // fits.
@@ -59,18 +51,21 @@ static void check_computed(Analysis *a, const Stmt *stmt)
 {
     const StmtFact *fact = &a->stmt[stmt->number];
     const SmType type = stmt->var->type;
+    const char *lo, *bounds;
     SmF64 stored;
 
     if (!fact->reached || !never_fits(fact->value, type))
         return;
     stored = sm_cell_to_f64(type, sm_cell_from_f64(type, fact->value.lo));
+    lo = const_text(a->arena, fact->value.lo);
+    bounds = fact->value.lo == fact->value.hi ? lo : format_in(a->arena, "from %s to %s", lo, const_text(a->arena, fact->value.hi));
     diag_report(a->diags, DIAG_always_saturates, stmt->value->span, stmt->var->name->text, sm_type_info[type].spelling,
-                const_text(a->arena, stored), bounds_text(a, fact->value));
+                const_text(a->arena, stored), bounds);
 }
 
 // ---- entry points ----
 
-static void look_at_stmt(const Stmt *stmt, void *context)
+static void check_stmt(const Stmt *stmt, void *context)
 {
     if (stmt->kind != ST_ASSIGN || sm_type_info[stmt->var->type].kind == SM_KIND_BOOL)
         return;
@@ -89,5 +84,5 @@ void analyse_out_of_range(Analysis *a)
         if (v->init_value && sm_type_info[v->type].kind != SM_KIND_BOOL)
             check_constant(a, v, v->init_value);
     }
-    each_stmt(p, look_at_stmt, a);
+    each_stmt(p, check_stmt, a);
 }

@@ -22,11 +22,11 @@ typedef struct LeftOn {
     uint32_t outputs;
 } LeftOn;
 
-typedef struct Search { const LeftOn *l; const Var *v; const Stmt *off; } Search;
+typedef struct OffSearch { const LeftOn *l; const Var *v; const Stmt *off; } OffSearch;
 
-static void look_for_off(const Stmt *s, void *context)
+static void find_off_assignment(const Stmt *s, void *context)
 {
-    Search *k = context;
+    OffSearch *k = context;
     const Fact f = k->l->t->a->stmt[s->number].value;
 
     if (s->kind == ST_ASSIGN && s->var == k->v && k->l->t->a->stmt[s->number].reached && f.lo <= 0 && f.hi >= 0)
@@ -35,9 +35,9 @@ static void look_for_off(const Stmt *s, void *context)
 
 static bool is_ever_off(const LeftOn *l, const Var *v)
 {
-    Search k = {l, v, NULL};
+    OffSearch k = {l, v, NULL};
 
-    each_stmt(l->t->a->p, look_for_off, &k);
+    each_stmt(l->t->a->p, find_off_assignment, &k);
     return k.off != NULL;
 }
 
@@ -56,10 +56,10 @@ static void add_output(LeftOn *l, const Var *v, const Stmt *on, const Transition
 }
 
 // One finding for a state, with the outputs that are on and the transition into it.
-static void report(const LeftOn *l, const State *s)
+static void report_outputs(const LeftOn *l, const State *s)
 {
     const Analysis *a = l->t->a;
-    Diag *d = diag_report(a->diags, DIAG_output_left_on, s->span, s->name->text, question_names(a->arena, l->output, l->outputs));
+    Diag *d = diag_report(a->diags, DIAG_output_left_on, s->span, s->name->text, trial_check_names(a->arena, l->output, l->outputs));
 
     for (uint32_t i = 0; i < l->outputs; i++) {
         diag_about(a->diags, d, DIAG_OUTPUTS, l->output[i]->span);
@@ -71,7 +71,7 @@ static void report(const LeftOn *l, const State *s)
 }
 
 // Holds the inputs as long as anything can happen.  Returns false if the state is left.
-static bool rests(LeftOn *l, uint32_t state)
+static bool stays(LeftOn *l, uint32_t state)
 {
     Trials *t = l->t;
 
@@ -81,7 +81,7 @@ static bool rests(LeftOn *l, uint32_t state)
             return false;
     }
     for (int n = 0, idle = 0; n < TRIAL_PASSES && idle < 2; n++) {
-        idle = trial_pass(t, l->at, l->in, &t->trace) ? 0 : idle + 1;
+        idle = trial_pass_time(t, l->at, l->in, &t->trace) ? 0 : idle + 1;
         if (trial_state(l->at) != state)
             return false;
     }
@@ -89,7 +89,7 @@ static bool rests(LeftOn *l, uint32_t state)
 }
 
 // If a guarded block switches an output on and goes to this state, the output is intended to be on there.
-static bool is_meant(const Trials *t, const Stmt *on, const Transition *via)
+static bool is_intended(const Trials *t, const Stmt *on, const Transition *via)
 {
     const Condition *when = t->when[on->number];
 
@@ -97,7 +97,7 @@ static bool is_meant(const Trials *t, const Stmt *on, const Transition *via)
 }
 
 // Adds the outputs that are on now and were switched on by another state.
-static bool look_at_outputs(LeftOn *l, const TrialEntry *e, const State *s)
+static bool add_outputs_on(LeftOn *l, const TrialEntry *e, const State *s)
 {
     Trials *t = l->t;
     const double *var = ir_run_vars(t->run, l->at);
@@ -106,7 +106,7 @@ static bool look_at_outputs(LeftOn *l, const TrialEntry *e, const State *s)
 
     for (uint32_t v = 0; v < t->run->m->var.n; v++) {
         const Stmt *on = t->actuator[v] && var[v] != 0 ? t->stmt[writer[v]] : NULL;
-        if (!on || t->state_of[on->number] == s || is_meant(t, on, e->via))
+        if (!on || t->state_of[on->number] == s || is_intended(t, on, e->via))
             continue;
         add_output(l, t->var[v], on, e->via);
         any = true;
@@ -125,8 +125,8 @@ static void try_entry(LeftOn *l, const State *s, const TrialEntry *e)
             if (t->input[i].command)
                 l->in[i] = 0;
         if (n > 1)
-            trial_draw(t, l->in, &t->state[s->number - 1], n % 2, false);
-        if (rests(l, s->number) && look_at_outputs(l, e, s))
+            trial_draw_inputs(t, l->in, &t->state[s->number - 1], n % 2, false);
+        if (stays(l, s->number) && add_outputs_on(l, e, s))
             return;
     }
 }
@@ -141,14 +141,14 @@ static bool ends_by_itself(LeftOn *l, const State *s)
         for (int k = 0; k < 4 * HELD; k++) {
             trial_copy(t, l->at, ts->entry.at[n].situation);
             memcpy(l->in, ts->entry.at[n].in, t->inputs * sizeof *l->in);
-            trial_draw(t, l->in, ts, false, true);
-            if (!rests(l, s->number))
+            trial_draw_inputs(t, l->in, ts, false, true);
+            if (!stays(l, s->number))
                 return true;
         }
     return false;
 }
 
-void question_output_left_on(Trials *t)
+void check_output_left_on(Trials *t)
 {
     LeftOn l = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
 
@@ -161,6 +161,6 @@ void question_output_left_on(Trials *t)
             if (t->state[s].entry.at[n].via)
                 try_entry(&l, state, &t->state[s].entry.at[n]);
         if (l.outputs > 0)
-            report(&l, state);
+            report_outputs(&l, state);
     }
 }

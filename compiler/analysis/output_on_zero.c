@@ -7,7 +7,7 @@
 //
 // It is reported only if it does not depend on another sensor: whatever the others read, as long as the healthy machine stays
 // quiet, the same output switches on.  An effect that a second sensor must currently confirm is not reported.  Earlier readings
-// of other sensors, earlier commands of a person, and a timer that would have done it later do not prevent a report.
+// of other sensors, earlier commands of a person, and a timer that would have done it later do not prevent a report_effect.
 //
 // For an @abort state the same test asks whether the machine leaves it, without any command.
 //
@@ -21,12 +21,12 @@
 #include "compiler/analysis/trial_checks.h"
 #include "stdlib/math.h"
 
-typedef enum Failure { READS_ZERO, READS_LOW_END, READS_HIGH_END, STICKS, READS_FAR_ABOVE, READS_FAR_BELOW, FAILURES } Failure;
+typedef enum FailureKind { READS_ZERO, READS_LOW_END, READS_HIGH_END, STICKS, READS_FAR_ABOVE, READS_FAR_BELOW, FAILURES } FailureKind;
 
-// How healthy readings move.  `noise` is in units of the distance to the next reading that a comparison distinguishes.  `slope`
+// How healthy readings move_readings.  `noise` is in units of the distance to the next reading that a comparison distinguishes.  `slope`
 // is in TrialInput.scale per step.  Only the group of the failing sensor moves like this; others have small noise.
-typedef struct Motion { double noise, slope; } Motion;
-static const Motion motion[] = {{0, 0}, {0.02, 0}, {0, 0.003}, {0.3, 0}, {5, 0}, {100, 0}};
+typedef struct ReadingMotion { double noise, slope; } ReadingMotion;
+static const ReadingMotion motion[] = {{0, 0}, {0.02, 0}, {0, 0.003}, {0.3, 0}, {5, 0}, {100, 0}};
 static const double noise_of_others[] = {0, 0.02, 0.3};
 enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 4 };     // the other motions are used if the scale is unknown
 
@@ -41,15 +41,15 @@ enum {
 };
 static const uint64_t effort = 4000000, effort_in_all = 100000000;      // instructions per sensor and state; in total
 
-typedef struct Case {             // one trial: the sensor reads `reading`, moving, and fails at some time
+typedef struct FailureCase {             // one trial: the sensor reads `reading`, moving, and fails at some time
     const TrialEntry *entry;
     uint32_t sensor;              // index of the input
     double reading;
     uint32_t motion;              // index of motion[]
-    Failure failure;
-} Case;
+    FailureKind failure;
+} FailureCase;
 
-typedef struct Effect {
+typedef struct FailureEffect {
     uint32_t transition;          // the first transition of the failed machine (Stmt.number); 0: none
     const Stmt *at;               // the cause in the failed machine, absent in the healthy one: a transition, or the assignment
     const Var *output[OUTPUTS];
@@ -57,32 +57,32 @@ typedef struct Effect {
     uint32_t outputs;
     double before, failed;        // readings of the sensor
     uint32_t steps;
-} Effect;
+} FailureEffect;
 
-typedef struct Zero {
+typedef struct FailureTrial {
     Trials *t;
     AbortBound bound;
     void *healthy, *failed;
-    void *begin, *settled;        // when the sensor fails; the same, while other inputs are tried
-    double *in, *now, *broken;    // inputs: at rest; of the healthy machine in this step; of the failed one
+    void *begin, *saved;        // when the sensor fails; the same, while other inputs are tried
+    double *in, *now, *broken;    // inputs: at run_to_steady_state; of the healthy machine in this step; of the failed one
     double *before, *before_failed;       // variables before a step
     double *other;                // replaces `in` during that time
     double reading;               // the sensor's reading in the step before it fails
     uint32_t clock;               // steps of this trial, for the motion
-    double *level;                // by IR variable: its largest magnitude while the healthy machine was at rest
+    double *level;                // by IR variable: its largest magnitude while the healthy machine was at run_to_steady_state
     uint32_t only;                // only this position (Stmt.number) counts; 0: any
-    bool *told;                   // by Stmt.number: already reported for this sensor and state
+    bool *reported;                   // by Stmt.number: already reported for this sensor and state
     double others;                // noise on other sensors, in distances to their next reading
-    double share;                 // the fraction of its largest level by which an output has to rise
+    double rise;                 // the fraction of its largest level by which an output has to rise
     bool leaves;                  // test for an @abort state: whether it ends
     int tries;                    // number of attempts with other inputs
     uint64_t effort;              // instructions for one sensor in one state
     uint64_t until;               // value of Trials.run.work at which this sensor and state are finished
-} Zero;
+} FailureTrial;
 
 // ---- readings ----
 
-static double failed_reading(const TrialInput *i, Failure f, double before)
+static double failed_reading(const TrialInput *i, FailureKind f, double before)
 {
     const Fact type = fact_of_type(i->v->type);
 
@@ -105,10 +105,10 @@ static double noise(uint32_t step, uint32_t input)
 
 // ---- one trial ----
 
-static double clamped(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
+static double clamp_to_range(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
 
 // The distance from the reading of the case to the next one.
-static double gap(const TrialInput *i, double reading)
+static double distance_to_next(const TrialInput *i, double reading)
 {
     double least = i->scale;
 
@@ -119,34 +119,34 @@ static double gap(const TrialInput *i, double reading)
 }
 
 // How far noise moves another sensor: never to a reading that a comparison distinguishes.
-static double reach(const Zero *z, const TrialInput *i, double reading)
+static double noise_amplitude(const FailureTrial *z, const TrialInput *i, double reading)
 {
-    return z->others == 0 ? i->scale / 1000 : i->rough ? 300 * z->others : z->others * gap(i, reading);
+    return z->others == 0 ? i->scale / 1000 : i->rough ? 300 * z->others : z->others * distance_to_next(i, reading);
 }
 
-static void move(const Zero *z, const Case *c, double *in)
+static void move_readings(const FailureTrial *z, const FailureCase *c, double *in)
 {
     const Trials *t = z->t;
-    const Motion m = motion[c->motion];
+    const ReadingMotion m = motion[c->motion];
     const TrialInput *i = &t->input[c->sensor];
-    const double by = m.noise * gap(i, c->reading) * noise(z->clock, i->group) + m.slope * i->scale * z->clock;
+    const double by = m.noise * distance_to_next(i, c->reading) * noise(z->clock, i->group) + m.slope * i->scale * z->clock;
 
     for (uint32_t k = 0; k < t->inputs && (m.noise > 0 || z->others > 0); k++)
         if (!t->input[k].command && t->input[k].group != i->group)
-            in[k] = clamped(&t->input[k], in[k] + reach(z, &t->input[k], in[k]) * noise(z->clock, t->input[k].group));
+            in[k] = clamp_to_range(&t->input[k], in[k] + noise_amplitude(z, &t->input[k], in[k]) * noise(z->clock, t->input[k].group));
     if (by != 0)
-        trial_set_group(t, in, c->sensor, clamped(i, c->reading + by));
+        trial_set_group(t, in, c->sensor, clamp_to_range(i, c->reading + by));
 }
 
-static void step_healthy(Zero *z, const Case *c, void *situation)
+static void step_healthy(FailureTrial *z, const FailureCase *c, void *situation)
 {
     memcpy(z->now, z->in, z->t->inputs * sizeof *z->now);
-    move(z, c, z->now);
+    move_readings(z, c, z->now);
     z->clock++;
     trial_step(z->t, situation, z->now, z->t->dt, &z->t->trace);
 }
 
-static void note_levels(Zero *z)
+static void record_levels(FailureTrial *z)
 {
     const double *var = ir_run_vars(z->t->run, z->healthy);
 
@@ -155,7 +155,7 @@ static void note_levels(Zero *z)
 }
 
 // Steps until windows are full of the current inputs.  Returns false if the machine leaves its state.
-static bool rest(Zero *z, const Case *c)
+static bool run_to_steady_state(FailureTrial *z, const FailureCase *c)
 {
     memset(z->level, 0, z->t->run->m->var.n * sizeof *z->level);
     for (uint32_t n = z->t->window + 5; n > 0; n--) {
@@ -163,22 +163,14 @@ static bool rest(Zero *z, const Case *c)
         if (z->t->trace.transition)
             return false;
         if (n < z->t->window + 4)
-            note_levels(z);
+            record_levels(z);
     }
     return true;
 }
 
-// Runs to a steady state with the inputs of the case.  Returns false if the machine leaves its state.
-static bool settle(Zero *z, const Case *c)
-{
-    z->clock = 0;
-    trial_copy(z->t, z->healthy, c->entry->situation);
-    return rest(z, c);
-}
-
 // From z->begin, lets time pass until the next timer or counter reaches its limit.  Returns false if the machine leaves its
 // state, or if nothing more can happen.
-static bool pass_healthy(Zero *z, const Case *c)
+static bool advance_healthy(FailureTrial *z, const FailureCase *c)
 {
     Trials *t = z->t;
     uint32_t n = 0;
@@ -189,19 +181,19 @@ static bool pass_healthy(Zero *z, const Case *c)
         step_healthy(z, c, z->healthy);
         if (t->trace.transition)
             return false;
-        n = trial_leap_steps(t, z->before, z->healthy);
+        n = trial_steps_to_event(t, z->before, z->healthy);
     }
     if (n == 0)
-        n = trial_wait_steps(t, z->healthy);
+        n = trial_steps_to_timer(t, z->healthy);
     if (n == TRIAL_MANY)
         return false;
-    trial_leap(t, z->before, z->healthy, n);
-    return rest(z, c);
+    trial_skip_steps(t, z->before, z->healthy, n);
+    return run_to_steady_state(z, c);
 }
 
 // Adds the outputs that have switched on at one position: the transition taken, or one assignment.  A position is reported
 // once.
-static void add_outputs(Zero *z, Effect *e)
+static void add_outputs(FailureTrial *z, FailureEffect *e)
 {
     const Trials *t = z->t;
     const double *healthy = ir_run_vars(t->run, z->healthy), *failed = ir_run_vars(t->run, z->failed);
@@ -209,9 +201,9 @@ static void add_outputs(Zero *z, Effect *e)
     uint32_t place = e->transition;
 
     for (uint32_t v = 0; v < t->run->m->var.n && e->outputs < OUTPUTS; v++) {
-        if (!t->actuator[v] || sm_abs(failed[v]) - sm_max(z->level[v], sm_abs(healthy[v])) < z->share * sm_max(t->peak[v], 1e-9))
+        if (!t->actuator[v] || sm_abs(failed[v]) - sm_max(z->level[v], sm_abs(healthy[v])) < z->rise * sm_max(t->peak[v], 1e-9))
             continue;
-        if (e->transition == 0 && (z->told[writer[v]] || (place != 0 && place != writer[v]) || (z->only && z->only != writer[v])))
+        if (e->transition == 0 && (z->reported[writer[v]] || (place != 0 && place != writer[v]) || (z->only && z->only != writer[v])))
             continue;
         place = e->transition ? e->transition : writer[v];
         e->output[e->outputs] = t->var[v];
@@ -220,12 +212,12 @@ static void add_outputs(Zero *z, Effect *e)
     e->at = t->stmt[place];
 }
 
-static bool is_bound(const Zero *z, const void *situation) { return z->bound.bound[trial_state(situation) - 1]; }
+static bool is_bound_for_abort(const FailureTrial *z, const void *situation) { return z->bound.bound[trial_state(situation) - 1]; }
 
-typedef enum Outcome { NOTHING, NOT_QUIET, WENT_ON } Outcome;
+typedef enum StepEffect { NO_EFFECT, INCONCLUSIVE, HAS_EFFECT } StepEffect;
 
-// A second transition, out of a state in which the machine can rest.  What follows is caused by that state.
-static bool has_rested(const Zero *z, const Effect *e)
+// A second transition, out of a state in which the machine can run_to_steady_state.  What follows is caused by that state.
+static bool left_safe_state(const FailureTrial *z, const FailureEffect *e)
 {
     const uint32_t made = z->t->trace.transition;
 
@@ -233,85 +225,85 @@ static bool has_rested(const Zero *z, const Effect *e)
 }
 
 // Runs one step of both machines.
-static Outcome step_both(Zero *z, const Case *c, Effect *e)
+static StepEffect step_both(FailureTrial *z, const FailureCase *c, FailureEffect *e)
 {
     Trials *t = z->t;
 
     step_healthy(z, c, z->healthy);
     if (t->trace.transition)
-        return NOT_QUIET;
+        return INCONCLUSIVE;
     memcpy(z->broken, z->now, t->inputs * sizeof *z->broken);
     z->broken[c->sensor] = e->failed;
     trial_step(t, z->failed, z->broken, t->dt, &t->trace);
     if (t->trace.transition && e->transition == 0)
         e->transition = t->trace.transition;
-    if (z->told[e->transition] || has_rested(z, e))
-        return NOT_QUIET;
+    if (z->reported[e->transition] || left_safe_state(z, e))
+        return INCONCLUSIVE;
     if (z->only && e->transition && e->transition != z->only)
-        return NOTHING;
+        return NO_EFFECT;
     e->steps++;
     if (z->leaves) {
         e->at = t->stmt[e->transition];
-        return !is_bound(z, z->failed) ? WENT_ON : NOTHING;
+        return !is_bound_for_abort(z, z->failed) ? HAS_EFFECT : NO_EFFECT;
     }
-    if (e->transition && is_bound(z, z->failed))
-        return NOT_QUIET;
+    if (e->transition && is_bound_for_abort(z, z->failed))
+        return INCONCLUSIVE;
     add_outputs(z, e);
-    return e->outputs > 0 ? WENT_ON : NOTHING;
+    return e->outputs > 0 ? HAS_EFFECT : NO_EFFECT;
 }
 
 // Runs one step of both, and then as many more as nothing happens in, in either.
-static Outcome pass_both(Zero *z, const Case *c, Effect *e, bool *more)
+static StepEffect step_and_skip_both(FailureTrial *z, const FailureCase *c, FailureEffect *e, bool *more)
 {
     Trials *t = z->t;
     const size_t size = t->run->m->var.n * sizeof *z->before;
     uint32_t n, in_failed;
-    Outcome o;
+    StepEffect o;
 
     memcpy(z->before, ir_run_vars(t->run, z->healthy), size);
     memcpy(z->before_failed, ir_run_vars(t->run, z->failed), size);
     o = step_both(z, c, e);
-    n = trial_leap_steps(t, z->before, z->healthy);
-    in_failed = trial_entering(z->failed) ? 0 : trial_leap_steps(t, z->before_failed, z->failed);
+    n = trial_steps_to_event(t, z->before, z->healthy);
+    in_failed = trial_is_entering(z->failed) ? 0 : trial_steps_to_event(t, z->before_failed, z->failed);
     n = in_failed < n ? in_failed : n;
-    if (o == NOTHING) {
-        trial_leap(t, z->before, z->healthy, n);
-        trial_leap(t, z->before_failed, z->failed, n);
+    if (o == NO_EFFECT) {
+        trial_skip_steps(t, z->before, z->healthy, n);
+        trial_skip_steps(t, z->before_failed, z->failed, n);
     }
     *more = n != TRIAL_MANY;
     return o;
 }
 
 // Steps until nothing differs any more, or until windows are filled; then for as long as anything can happen.
-static Outcome run_both(Zero *z, const Case *c, Effect *e)
+static StepEffect run_both(FailureTrial *z, const FailureCase *c, FailureEffect *e)
 {
     Trials *t = z->t;
-    Outcome o = NOTHING;
+    StepEffect o = NO_EFFECT;
     bool more = true;
 
-    for (uint32_t n = 0; n < t->window + 20 && o == NOTHING; n++) {
+    for (uint32_t n = 0; n < t->window + 20 && o == NO_EFFECT; n++) {
         o = step_both(z, c, e);
-        if (n > t->window + 2 && trial_same(t, z->healthy, z->failed))
+        if (n > t->window + 2 && trial_is_same(t, z->healthy, z->failed))
             return o;
     }
-    for (int n = 0, idle = 0; n < (c->motion == 0 ? PASSES : PASSES / 10) && o == NOTHING && idle < 2; n++) {
-        o = pass_both(z, c, e, &more);
+    for (int n = 0, idle = 0; n < (c->motion == 0 ? PASSES : PASSES / 10) && o == NO_EFFECT && idle < 2; n++) {
+        o = step_and_skip_both(z, c, e, &more);
         idle = more ? 0 : idle + 1;
     }
     return o;
 }
 
 // z->begin is the situation in which the sensor fails.
-static Outcome fail(Zero *z, const Case *c, Effect *e)
+static StepEffect run_failure(FailureTrial *z, const FailureCase *c, FailureEffect *e)
 {
     Trials *t = z->t;
     const uint32_t clock = z->clock;
-    Outcome o;
+    StepEffect o;
 
     memset(e, 0, sizeof *e);
     trial_copy(t, z->healthy, z->begin);
     trial_copy(t, z->failed, z->begin);
-    e->before = motion[c->motion].noise > 0 ? c->reading : z->reading;      // the value at rest, not at a peak of the noise
+    e->before = motion[c->motion].noise > 0 ? c->reading : z->reading;      // the value at run_to_steady_state, not at a peak of the noise
     e->failed = failed_reading(&t->input[c->sensor], c->failure, e->before);
     o = run_both(z, c, e);
     z->clock = clock;
@@ -322,10 +314,10 @@ static Outcome fail(Zero *z, const Case *c, Effect *e)
 
 // Chooses other readings of the other sensors: first each group alone through its readings, then all at random.  Returns false
 // after the last.
-static bool choose_others(Zero *z, const Case *c, uint32_t n)
+static bool choose_others(FailureTrial *z, const FailureCase *c, uint32_t n)
 {
     Trials *t = z->t;
-    const TrialState *s = &t->state[trial_state(z->settled) - 1];
+    const TrialState *s = &t->state[trial_state(z->saved) - 1];
 
     memcpy(z->other, z->in, t->inputs * sizeof *z->other);
     for (uint32_t g = 0; g < t->inputs; g++) {
@@ -340,8 +332,8 @@ static bool choose_others(Zero *z, const Case *c, uint32_t n)
         }
         n -= readings;
     }
-    trial_draw(t, z->other, s, false, false);
-    trial_tie_groups(t, z->other);
+    trial_draw_inputs(t, z->other, s, false, false);
+    trial_unify_groups(t, z->other);
     trial_set_group(t, z->other, c->sensor, c->reading);
     return n < OTHERS;
 }
@@ -349,7 +341,7 @@ static bool choose_others(Zero *z, const Case *c, uint32_t n)
 // Whether the output switches on whatever other sensors read from now on, as long as the healthy machine stays quiet and has it
 // off.  Their earlier readings, and earlier commands of a person, stay as they were, because they do not describe the current
 // situation.
-static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
+static bool is_independent_of_others(FailureTrial *z, const FailureCase *c, const FailureEffect *e)
 {
     Trials *t = z->t;
     double *in = z->in;
@@ -358,71 +350,71 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
     const double *level = z->leaves ? NULL : &z->level[t->a->m->var_of[e->output[0]->index]];
     bool needed = false;
     uint32_t quiet = 0;
-    Effect again;
+    FailureEffect again;
 
-    trial_copy(t, z->settled, z->begin);
-    z->share = 0.02;
+    trial_copy(t, z->saved, z->begin);
+    z->rise = 0.02;
     z->only = e->at->number;
     for (uint32_t n = 0; !needed && choose_others(z, c, n); n++) {
-        trial_copy(t, z->healthy, z->settled);
+        trial_copy(t, z->healthy, z->saved);
         z->clock = clock;
         z->others = noise_of_others[n % 3];
         z->in = z->other;
-        if (rest(z, c)) {
+        if (run_to_steady_state(z, c)) {
             quiet++;
             z->reading = z->now[c->sensor];
             trial_copy(t, z->begin, z->healthy);
-            needed = fail(z, c, &again) != WENT_ON && (!level || *level == 0);
+            needed = run_failure(z, c, &again) != HAS_EFFECT && (!level || *level == 0);
         }
         z->in = in;
     }
-    trial_copy(t, z->begin, z->settled);
+    trial_copy(t, z->begin, z->saved);
     z->clock = clock;
     z->reading = reading;
     z->others = 0;
-    z->share = 0.5;
+    z->rise = 0.5;
     z->only = 0;
     return quiet >= QUIET_LEAST && !needed;
 }
 
-static bool happens_at(Zero *z, const Case *c, Failure f, const Effect *e)
+static bool has_same_effect(FailureTrial *z, const FailureCase *c, FailureKind f, const FailureEffect *e)
 {
-    Case other = *c;
-    Effect effect;
+    FailureCase other = *c;
+    FailureEffect effect;
 
     bool found;
 
     other.failure = f;
     z->only = e->at->number;
-    found = fail(z, &other, &effect) == WENT_ON;
+    found = run_failure(z, &other, &effect) == HAS_EFFECT;
     z->only = 0;
     return found;
 }
 
 // z->begin is still the situation in which the sensor failed.
-static bool is_on_purpose(Zero *z, const Case *c, const Effect *e)
+static bool is_intended(FailureTrial *z, const FailureCase *c, const FailureEffect *e)
 {
     const TrialInput *i = &z->t->input[c->sensor];
 
     if (c->failure == STICKS || z->leaves)
         return false;
-    if (happens_at(z, c, READS_FAR_ABOVE, e) && happens_at(z, c, READS_FAR_BELOW, e))
+    if (has_same_effect(z, c, READS_FAR_ABOVE, e) && has_same_effect(z, c, READS_FAR_BELOW, e))
         return true;
-    return i->v->range && !trial_is_healthy(i, e->failed) && !happens_at(z, c, READS_LOW_END, e) && !happens_at(z, c, READS_HIGH_END, e);
+    return i->v->range && !trial_is_healthy(i, e->failed) && !has_same_effect(z, c, READS_LOW_END, e) && !has_same_effect(z, c, READS_HIGH_END, e);
 }
 
 // ---- findings ----
 
-static const char *failure_text(Arena *arena, const Case *c, const Effect *e)
+static const char *failure_text(Arena *arena, const FailureCase *c, const FailureEffect *e)
 {
     return format_in(arena, c->failure == STICKS ? "sticks at %s" : "reads %s", const_text(arena, e->failed));
 }
 
-static Diag *report_outputs(Zero *z, const Case *c, const Effect *e)
+static Diag *report_outputs(FailureTrial *z, const FailureCase *c, const FailureEffect *e)
 {
     Analysis *a = z->t->a;
     Diag *d = diag_report(a->diags, DIAG_output_on_zero, e->at->span, z->t->input[c->sensor].v->name->text,
-                          question_names(a->arena, e->output, e->outputs), failure_text(a->arena, c, e));
+                          trial_check_names(a->arena, e->output, e->outputs), failure_text(a->arena, c, e));
 
     for (uint32_t i = 0; i < e->outputs; i++) {
         diag_about(a->diags, d, DIAG_OUTPUTS, e->output[i]->span);
@@ -432,7 +424,7 @@ static Diag *report_outputs(Zero *z, const Case *c, const Effect *e)
     return d;
 }
 
-static void report(Zero *z, const Case *c, const Effect *e)
+static void report_effect(FailureTrial *z, const FailureCase *c, const FailureEffect *e)
 {
     Analysis *a = z->t->a;
     const char *sensor = z->t->input[c->sensor].v->name->text;
@@ -441,7 +433,7 @@ static void report(Zero *z, const Case *c, const Effect *e)
                         : report_outputs(z, c, e);
 
     diag_about(a->diags, d, DIAG_SENSOR, z->t->input[c->sensor].v->span);
-    diag_note(a->diags, d, (Span){0}, DIAG_note_failure_example, state, sensor, const_text(a->arena, question_rounded(e->before)),
+    diag_note(a->diags, d, (Span){0}, DIAG_note_failure_example, state, sensor, const_text(a->arena, trial_check_rounded(e->before)),
               const_text(a->arena, e->failed), format_in(a->arena, "%lu", (unsigned long)e->steps));
     diag_note(a->diags, d, (Span){0}, DIAG_note_failure_advice, sensor);
 }
@@ -449,7 +441,7 @@ static void report(Zero *z, const Case *c, const Effect *e)
 // ---- the cases ----
 
 // A stuck sensor shows only if the reading has moved.  Other failures show best if nothing else moves.
-static bool can_fail_so(const TrialInput *i, const Case *c, Failure f)
+static bool is_failure_of_case(const TrialInput *i, const FailureCase *c, FailureKind f)
 {
     switch (f) {
     case READS_ZERO: return c->motion == 0 && c->reading != 0;
@@ -461,40 +453,42 @@ static bool can_fail_so(const TrialInput *i, const Case *c, Failure f)
     return false;
 }
 
-// Tries each failure of the sensor, once the case has settled.
-static void try_failures(Zero *z, Case *c)
+// Tries each failure of the sensor, once the case has saved.
+static void try_failures(FailureTrial *z, FailureCase *c)
 {
-    Effect e;
+    FailureEffect e;
 
     trial_copy(z->t, z->begin, z->healthy);
     z->reading = z->now[c->sensor];
-    for (Failure f = READS_ZERO; f <= STICKS; f++) {
+    for (FailureKind f = READS_ZERO; f <= STICKS; f++) {
         c->failure = f;
-        if (!can_fail_so(&z->t->input[c->sensor], c, f) || fail(z, c, &e) != WENT_ON || is_on_purpose(z, c, &e) || !needs_no_other(z, c, &e))
+        if (!is_failure_of_case(&z->t->input[c->sensor], c, f) || run_failure(z, c, &e) != HAS_EFFECT || is_intended(z, c, &e) || !is_independent_of_others(z, c, &e))
             continue;
-        report(z, c, &e);
-        z->told[e.at->number] = true;
+        report_effect(z, c, &e);
+        z->reported[e.at->number] = true;
     }
 }
 
-static void try_times(Zero *z, Case *c)
+static void try_times(FailureTrial *z, FailureCase *c)
 {
-    if (!settle(z, c))
+    z->clock = 0;
+    trial_copy(z->t, z->healthy, c->entry->situation);
+    if (!run_to_steady_state(z, c))
         return;
     do
         try_failures(z, c);
-    while (z->t->run->work < z->until && pass_healthy(z, c));
+    while (z->t->run->work < z->until && advance_healthy(z, c));
 }
 
-static void try_reading(Zero *z, Case *c)
+static void try_reading(FailureTrial *z, FailureCase *c)
 {
     Trials *t = z->t;
 
     for (int others = 0; others < z->tries && t->run->work < z->until; others++) {
         memcpy(z->in, c->entry->in, t->inputs * sizeof *z->in);
         if (others > 0)
-            trial_draw(t, z->in, &t->state[trial_state(c->entry->situation) - 1], others > 1, false);
-        trial_tie_groups(t, z->in);
+            trial_draw_inputs(t, z->in, &t->state[trial_state(c->entry->situation) - 1], others > 1, false);
+        trial_unify_groups(t, z->in);
         trial_set_group(t, z->in, c->sensor, c->reading);
         for (uint32_t i = 0; i < t->inputs && z->leaves; i++)
             if (t->input[i].command)
@@ -503,14 +497,14 @@ static void try_reading(Zero *z, Case *c)
     }
 }
 
-static void try_entries(Zero *z, Case *c, const TrialState *s, bool sick)
+static void try_entries(FailureTrial *z, FailureCase *c, const TrialState *s, bool unhealthy)
 {
     const TrialInput *i = &z->t->input[c->sensor];
     uint32_t tried = 0;
 
     for (size_t n = 0; n < s->entry.n && tried < TRIED; n++) {
         c->entry = &s->entry.at[n];
-        if (c->entry->sick != sick)
+        if (c->entry->unhealthy != unhealthy)
             continue;
         tried++;
         for (uint32_t k = 0; k < i->readings; k++) {
@@ -524,13 +518,13 @@ static void try_entries(Zero *z, Case *c, const TrialState *s, bool sick)
 static bool has_healthy_entry(const TrialState *s)
 {
     for (size_t n = 0; n < s->entry.n; n++)
-        if (!s->entry.at[n].sick)
+        if (!s->entry.at[n].unhealthy)
             return true;
     return false;
 }
 
 // Whether the state depends on an input outside this group.
-static bool depends_on_others(const Zero *z, const TrialState *s, uint32_t group)
+static bool depends_on_others(const FailureTrial *z, const TrialState *s, uint32_t group)
 {
     for (uint32_t i = 0; i < z->t->inputs; i++)
         if (s->relevant[i] && z->t->input[i].group != group)
@@ -538,13 +532,13 @@ static bool depends_on_others(const Zero *z, const TrialState *s, uint32_t group
     return false;
 }
 
-static void try_sensor(Zero *z, const TrialState *s, uint32_t sensor)
+static void try_sensor(FailureTrial *z, const TrialState *s, uint32_t sensor)
 {
     const TrialInput *i = &z->t->input[sensor];
     const uint32_t motions = i->rough ? MOTIONS : MOTIONS_OF_SCALE;
-    Case c = {.sensor = sensor};
+    FailureCase c = {.sensor = sensor};
 
-    memset(z->told, 0, (z->t->a->p->stmts + 1u) * sizeof *z->told);
+    memset(z->reported, 0, (z->t->a->p->stmts + 1u) * sizeof *z->reported);
     z->tries = depends_on_others(z, s, i->group) ? OTHERS_FIRST : 1;
     for (c.motion = 0; c.motion < motions; c.motion++) {
         z->until = z->t->run->work + z->effort / (c.motion == 0 ? 1 : 2);
@@ -552,14 +546,14 @@ static void try_sensor(Zero *z, const TrialState *s, uint32_t sensor)
     }
 }
 
-void question_output_on_zero(Trials *t)
+void check_output_on_zero(Trials *t)
 {
-    Zero z = {.t = t, .bound = abort_bound(t->a), .share = 0.5};
+    FailureTrial z = {.t = t, .bound = abort_bound(t->a), .rise = 0.5};
 
     z.healthy = arena_alloc(t->a->arena, t->run->size);
     z.failed = arena_alloc(t->a->arena, t->run->size);
     z.begin = arena_alloc(t->a->arena, t->run->size);
-    z.settled = arena_alloc(t->a->arena, t->run->size);
+    z.saved = arena_alloc(t->a->arena, t->run->size);
     z.in = trial_new_inputs(t);
     z.other = trial_new_inputs(t);
     z.now = trial_new_inputs(t);
@@ -567,7 +561,7 @@ void question_output_on_zero(Trials *t)
     z.before = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
     z.before_failed = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
     z.level = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
-    z.told = ARENA_ARRAY(t->a->arena, bool, t->a->p->stmts + 1u);
+    z.reported = ARENA_ARRAY(t->a->arena, bool, t->a->p->stmts + 1u);
     z.effort = effort_in_all / (t->a->p->state.n * t->inputs + 1) < effort ? effort_in_all / (t->a->p->state.n * t->inputs + 1) : effort;
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         z.leaves = t->a->p->state.at[s]->is_abort;

@@ -20,37 +20,37 @@ enum {
     CYCLE = 8                     // states in the longest cycle
 };
 
-typedef struct Flips {
+typedef struct CycleSearch {
     Trials *t;
     void *at;
     double *in;
     const Transition *made[STEPS];
     bool switches;                // an output has changed in these steps
     double *level;                // by IR variable: its value in the step before
-} Flips;
+} CycleSearch;
 
 // Chooses inputs without commands, with one command, or with any.
-static void choose_inputs(Flips *f, const TrialEntry *e, int n)
+static void choose_inputs(CycleSearch *f, const TrialEntry *e, int n)
 {
     Trials *t = f->t;
 
     memcpy(f->in, e->in, t->inputs * sizeof *f->in);
     if (n == 0)
         return;
-    trial_draw(t, f->in, NULL, n % 4 == 3, false);
+    trial_draw_inputs(t, f->in, NULL, n % 4 == 3, false);
     if (n % 4 == 3)
         return;
     for (uint32_t i = 0; i < t->inputs; i++)
         if (t->input[i].command)
             f->in[i] = 0;
     if (t->inputs > 0 && n % 2) {
-        const uint32_t i = trial_below(t, t->inputs);
+        const uint32_t i = trial_random_below(t, t->inputs);
         if (t->input[i].command)
-            f->in[i] = t->input[i].reading[trial_below(t, t->input[i].readings)];
+            f->in[i] = t->input[i].reading[trial_random_below(t, t->input[i].readings)];
     }
 }
 
-static void note_switching(Flips *f, bool counts)
+static void record_switching(CycleSearch *f, bool counts)
 {
     const Trials *t = f->t;
     const double *var = ir_run_vars(t->run, f->at);
@@ -62,7 +62,7 @@ static void note_switching(Flips *f, bool counts)
 }
 
 // The number of transitions in the cycle of the last steps; 0: a step made no transition, or there is no cycle.
-static size_t run_cycle(Flips *f, const TrialEntry *e)
+static size_t run_cycle(CycleSearch *f, const TrialEntry *e)
 {
     Trials *t = f->t;
     size_t n = 1;
@@ -75,7 +75,7 @@ static size_t run_cycle(Flips *f, const TrialEntry *e)
             return 0;
         if (t->trace.transition == 0)
             continue;
-        note_switching(f, left <= STEPS);
+        record_switching(f, left <= STEPS);
         memmove(f->made, f->made + 1, sizeof f->made - sizeof *f->made);
         f->made[STEPS - 1] = t->transition[t->trace.transition];
     }
@@ -96,7 +96,7 @@ static bool may_be_untaken(const Analysis *a, const Transition *x)
 }
 
 // Of the cycle of the last n transitions: the one whose source state is first in the file.
-static const Transition *first_of(const Flips *f, size_t n)
+static const Transition *first_transition(const CycleSearch *f, size_t n)
 {
     const Transition *first = f->made[STEPS - 1];
 
@@ -106,7 +106,7 @@ static const Transition *first_of(const Flips *f, size_t n)
     return first;
 }
 
-static const Transition *back_to(const Flips *f, const State *s)
+static const Transition *transition_back_to(const CycleSearch *f, const State *s)
 {
     for (int k = STEPS - 1; k > 0; k--)
         if (f->made[k]->to == s)
@@ -114,10 +114,10 @@ static const Transition *back_to(const Flips *f, const State *s)
     return f->made[STEPS - 1];
 }
 
-static void report_cycle(const Flips *f, size_t n)
+static void report_cycle(const CycleSearch *f, size_t n)
 {
     const Analysis *a = f->t->a;
-    const Transition *there = first_of(f, n), *back = back_to(f, there->from);
+    const Transition *there = first_transition(f, n), *back = transition_back_to(f, there->from);
     size_t conditions = 0;
     Diag *d;
 
@@ -137,9 +137,9 @@ static void report_cycle(const Flips *f, size_t n)
     }
 }
 
-void question_ping_pong(Trials *t)
+void check_ping_pong(Trials *t)
 {
-    Flips f = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
+    CycleSearch f = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
 
     f.level = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
     for (size_t s = 0; s < t->a->p->state.n; s++)
@@ -156,20 +156,20 @@ void question_ping_pong(Trials *t)
 // ---- cascades ----
 
 // Whether `out` depends only on sensors and time, and shares at least one sensor with `in`.
-static bool follows_from(const Sensors *s, const Transition *in, const Transition *out)
+static bool shares_sensor(const InputDepsTable *s, const Transition *in, const Transition *out)
 {
-    const Looks by = looks_of_condition(s, in->when), then = looks_of_condition(s, out->when);
+    const InputDeps by = input_deps_of_condition(s, in->when), then = input_deps_of_condition(s, out->when);
     bool shared = false;
 
     for (uint32_t i = 0; i < then.n; i++)
-        shared |= looks_at(&by, then.sensor[i]);
+        shared |= input_deps_include(&by, then.sensor[i]);
     return shared && !then.input;
 }
 
-void question_cascade(Trials *t)
+void check_cascade(Trials *t)
 {
     const Analysis *a = t->a;
-    const Sensors *s = sensors_of(t->a);
+    const InputDepsTable *s = input_deps_of(t->a);
 
     for (size_t i = 0; i < a->transition.n; i++) {
         const Transition *in = &a->transition.at[i], *out;
@@ -178,7 +178,7 @@ void question_cascade(Trials *t)
         if (!in->when || next.trials < ARRIVALS || next.left < next.trials || next.most <= 0)
             continue;
         out = t->transition[next.transition];
-        if (!may_be_untaken(a, out) || !follows_from(s, in, out) || out->to == in->from || out->to == out->from || in->to == in->from)
+        if (!may_be_untaken(a, out) || !shares_sensor(s, in, out) || out->to == in->from || out->to == out->from || in->to == in->from)
             continue;
         d = diag_report(a->diags, DIAG_cascade, out->stmt->span, out->from->name->text, condition_text(a->arena, in->when));
         diag_note(a->diags, d, in->stmt->span, DIAG_note_led_here, in->from->name->text);

@@ -28,7 +28,7 @@ static bool read_digits(Span span, uint64_t *out)
 }
 
 // F64 has 53 binary digits.  The largest values of U64 and I64 are stored as written.
-static bool is_kept(uint64_t n)
+static bool is_exact_in_f64(uint64_t n)
 {
     if (n == UINT64_MAX || n == INT64_MAX)
         return true;
@@ -40,30 +40,29 @@ static bool is_kept(uint64_t n)
     return true;
 }
 
-static const char *digits_of(Arena *arena, SmF64 x)
-{
-    return x < 18446744073709551616.0 ? format_in(arena, "%llu", (unsigned long long)x) : const_text(arena, x);
-}
-
-static void look_at_number(Expr *e, void *context)
+static void check_literal(Expr *e, void *context)
 {
     Analysis *a = context;
+    const char *stored;
     uint64_t n;
 
-    if (e->kind == EX_NUMBER && e->span.src && read_digits(e->span, &n) && !is_kept(n))
-        diag_report(a->diags, DIAG_number_rounded, e->span, source_text(a->arena, e->span), digits_of(a->arena, e->number));
+    if (e->kind != EX_NUMBER || !e->span.src || !read_digits(e->span, &n) || is_exact_in_f64(n))
+        return;
+    stored = e->number < 18446744073709551616.0 ? format_in(a->arena, "%llu", (unsigned long long)e->number)
+                                                : const_text(a->arena, e->number);
+    diag_report(a->diags, DIAG_number_rounded, e->span, source_text(a->arena, e->span), stored);
 }
 
-static void look_at_stmt(const Stmt *stmt, void *context)
+static void check_literals(const Stmt *stmt, void *context)
 {
     if (stmt->value)
-        expr_walk(stmt->value, look_at_number, context);
+        expr_walk(stmt->value, check_literal, context);
 }
 
 // ---- sums ----
 
-static SmF64 least_size(Fact f) { return f.lo > 0 ? f.lo : f.hi < 0 ? sm_neg(f.hi) : sm_from_i32(0); }
-static SmF64 largest_size(Fact f) { return sm_max(sm_abs(f.lo), sm_abs(f.hi)); }
+static SmF64 smallest_magnitude(Fact f) { return f.lo > 0 ? f.lo : f.hi < 0 ? sm_neg(f.hi) : sm_from_i32(0); }
+static SmF64 largest_magnitude(Fact f) { return sm_max(sm_abs(f.lo), sm_abs(f.hi)); }
 
 // A lower bound of the distance between two adjacent numbers of magnitude x or more.
 static SmF64 spacing(SmF64 x)
@@ -78,43 +77,31 @@ static SmF64 spacing(SmF64 x)
 // A whole number smaller than the spacing at the other operand is lost or changed.
 static bool is_lost(Fact large, Fact small)
 {
-    const SmF64 size = least_size(large);
+    const SmF64 size = smallest_magnitude(large);
 
-    return size >= FACT_EXACT && size < 1e300 && !small.nan && small.whole && least_size(small) > 0 &&
-           largest_size(small) < spacing(size);
+    return size >= FACT_EXACT && size < 1e300 && !small.nan && small.whole && smallest_magnitude(small) > 0 &&
+           largest_magnitude(small) < spacing(size);
 }
 
-static void look_at_sum(Analysis *a, const FactFlow *flow, const IrIns *i)
-{
-    const Fact x = flow->of[i->a], y = flow->of[i->b];
-
-    if (is_lost(x, y) || is_lost(y, x))
-        diag_report(a->diags, DIAG_sum_rounded, i->span);
-}
-
-static void look_at_flow(Analysis *a, const FlowPlace *at, void *context)
+static void check_sums(Analysis *a, const ReachableFn *r, void *context)
 {
     (void)context;
-    for (size_t b = 0; b < at->f->blk.n; b++)
-        for (size_t n = 0; at->flow.reached[b] && n < at->f->blk.at[b].ins.n; n++) {
-            const IrIns *i = &at->f->ins.at[at->f->blk.at[b].ins.at[n]];
-            if (i->op == IR_add || i->op == IR_sub)
-                look_at_sum(a, &at->flow, i);
+    for (size_t b = 0; b < r->fn->blk.n; b++)
+        for (size_t n = 0; r->flow.reached[b] && n < r->fn->blk.at[b].ins.n; n++) {
+            const IrIns *i = &r->fn->ins.at[r->fn->blk.at[b].ins.at[n]];
+            if ((i->op == IR_add || i->op == IR_sub) &&
+                (is_lost(r->flow.of[i->a], r->flow.of[i->b]) || is_lost(r->flow.of[i->b], r->flow.of[i->a])))
+                diag_report(a->diags, DIAG_sum_rounded, i->span);
         }
-}
-
-static void look_at_literals(Analysis *a)
-{
-    for (size_t i = 0; i < a->p->var.n; i++)
-        if (a->p->var.at[i]->init_value)
-            expr_walk(a->p->var.at[i]->init_value, look_at_number, a);
-    each_stmt(a->p, look_at_stmt, a);
 }
 
 void analyse_precision_loss(Analysis *a)
 {
+    for (size_t i = 0; a->p->large_numbers && i < a->p->var.n; i++)
+        if (a->p->var.at[i]->init_value)
+            expr_walk(a->p->var.at[i]->init_value, check_literal, a);
     if (a->p->large_numbers)
-        look_at_literals(a);
+        each_stmt(a->p, check_literals, a);
     if (a->large_sums)
-        each_flow(a, look_at_flow, NULL);
+        each_reachable_fn(a, check_sums, NULL);
 }

@@ -4,120 +4,104 @@
 #include "compiler/analysis/reach.h"
 #include "stdlib/convert.h"
 
-enum { NAMED = 3 };                   // followers, or transitions, named in notes
+enum { FOLLOWERS_NAMED = 3 };         // in the notes of a finding
 
 typedef struct Reach {
-    Structure *k;
+    ReachWalk *k;
     const Transitions *t;             // the transitions of a state are adjacent
     size_t *first;                    // by state (from 0), plus one: index of its first transition
-    uint32_t *waiting;                // a stack of states
-    size_t n;
-    bool *reached, *known;            // by state: it is reachable; nothing more is to be reported about it
+    uint32_t *stack, n;               // states whose transitions are not yet followed
+    bool *reached;                    // by state
+    bool *explained;                  // by state: it is reachable, or a finding explains why it is not
 } Reach;
 
-typedef bool (*Follow)(const Reach *r, const Transition *t);
-
-static bool is_made(const Reach *r, const Transition *t) { return r->k->why[t->stmt->number] == 0; }
-static bool any(const Reach *r, const Transition *t) { return r != NULL && t != NULL; }
-
-static void push(Reach *r, bool *seen, uint32_t s)
+static void push_state(Reach *r, bool *set, uint32_t s)
 {
-    if (seen[s])
+    if (set[s])
         return;
-    seen[s] = true;
-    r->waiting[r->n++] = s;
+    set[s] = true;
+    r->stack[r->n++] = s;
 }
 
-static void spread(Reach *r, bool *seen, Follow follow)
+// Adds the states that follow those on the stack, and empties it.  Transitions that are never taken are followed only with `dead_too`.
+static void add_followers(Reach *r, bool *set, bool dead_too)
 {
     while (r->n > 0) {
-        const uint32_t s = r->waiting[--r->n];
+        const uint32_t s = r->stack[--r->n];
         for (size_t i = r->first[s]; i < r->first[s + 1]; i++)
-            if (follow(r, &r->t->at[i]))
-                push(r, seen, r->t->at[i].to->number - 1);
+            if (dead_too || r->k->dead_by[r->t->at[i].stmt->number] == 0)
+                push_state(r, set, r->t->at[i].to->number - 1);
     }
-}
-
-static void find_reached(Reach *r)
-{
-    push(r, r->reached, 0);
-    spread(r, r->reached, is_made);
-    for (size_t s = 0; s < r->k->a->p->state.n; s++)
-        r->known[s] = r->reached[s];
 }
 
 // ---- explained by other findings ----
 
-static const Dead *dead_at(const Reach *r, const Transition *t)
+// Why a transition out of a reachable state is never taken.  NULL: it may be taken, or its state is not reachable.
+static DeadCode *dead_transition(const Reach *r, const Transition *t)
 {
-    const uint32_t why = r->k->why[t->stmt->number];
+    const uint32_t dead = r->k->dead_by[t->stmt->number];
 
-    return why != 0 && r->reached[t->from->number - 1] ? &r->k->dead.at[why - 1] : NULL;
+    return dead != 0 && r->reached[t->from->number - 1] ? &r->k->dead.at[dead - 1] : NULL;
 }
 
 // Marks states after transitions that another finding, or a switch, explains.
-static void spread_explained(Reach *r)
+static void mark_explained(Reach *r)
 {
     for (size_t i = 0; i < r->t->n; i++) {
         const Transition *t = &r->t->at[i];
-        const Dead *d = dead_at(r, t);
-        if (!d || d->cause == CAUSE_NEVER || r->known[t->to->number - 1])
+        const DeadCode *d = dead_transition(r, t);
+        if (!d || d->cause == CAUSE_NEVER || r->explained[t->to->number - 1])
             continue;
-        if (d->told)
-            diag_note(r->k->a->diags, d->told, t->to->span, DIAG_note_so_unreachable, t->to->name->text);
-        push(r, r->known, t->to->number - 1);
+        if (d->finding)
+            diag_note(r->k->a->diags, d->finding, t->to->span, DIAG_note_so_unreachable, t->to->name->text);
+        push_state(r, r->explained, t->to->number - 1);
     }
-    spread(r, r->known, any);
+    add_followers(r, r->explained, true);
 }
 
 // ---- reported ----
 
-static void note_followers(Reach *r, Diag *d, uint32_t state)
+static Diag *report_state(Reach *r, uint32_t state, DiagCode code)
 {
-    const Program *p = r->k->a->p;
+    Diags *diags = r->k->a->diags;
+    const State *s = r->k->a->p->state.at[state];
+    Diag *d = diag_report(diags, code, s->span, s->name->text);
     unsigned named = 0;
 
-    for (size_t i = r->first[state]; i < r->first[state + 1] && named < NAMED; i++) {
+    for (size_t i = r->first[state]; i < r->first[state + 1] && named < FOLLOWERS_NAMED; i++) {
         const State *to = r->t->at[i].to;
-        if (r->known[to->number - 1] || to == p->state.at[state])
+        if (r->explained[to->number - 1] || to == s)
             continue;
-        diag_note(r->k->a->diags, d, to->span, DIAG_note_so_unreachable, to->name->text);
+        diag_note(diags, d, to->span, DIAG_note_so_unreachable, to->name->text);
         named++;
     }
-}
-
-static void tell_state(Reach *r, uint32_t state, DiagCode code, Diag **out)
-{
-    const State *s = r->k->a->p->state.at[state];
-
-    *out = diag_report(r->k->a->diags, code, s->span, s->name->text);
-    note_followers(r, *out, state);
-    push(r, r->known, state);
-    spread(r, r->known, any);
+    push_state(r, r->explained, state);
+    add_followers(r, r->explained, true);
+    return d;
 }
 
 // States whose every incoming guard is always false.  Reporting the state suppresses the finding on the guard.
-static void tell_impossible(Reach *r)
+static void report_impossible_states(Reach *r)
 {
-    Diag **told = ARENA_ARRAY(r->k->a->arena, Diag *, r->k->a->p->state.n);
+    Diag **finding = ARENA_ARRAY(r->k->a->arena, Diag *, r->k->a->p->state.n);
 
     for (size_t i = 0; i < r->t->n; i++) {
         const Transition *t = &r->t->at[i];
         const uint32_t to = t->to->number - 1;
-        Dead *d = (Dead *)dead_at(r, t);
+        DeadCode *d = dead_transition(r, t);
         if (!d || d->cause != CAUSE_NEVER)
             continue;
-        if (!r->known[to])
-            tell_state(r, to, DIAG_impossible_state, &told[to]);
-        if (!told[to])
+        if (!r->explained[to])
+            finding[to] = report_state(r, to, DIAG_impossible_state);
+        if (!finding[to])
             continue;
-        note_never(r->k, told[to], d);
-        d->folded = true;
+        note_never_true(r->k, finding[to], d);
+        d->at_state = true;
     }
 }
 
 // Postorder of the remaining states.  The last of it leads to others and can be reached only from its own cycle.
-static size_t order_left(const Reach *r, uint32_t *order)
+static size_t postorder(const Reach *r, uint32_t *order)
 {
     const size_t states = r->k->a->p->state.n;
     uint32_t *stack = ARENA_ARRAY(r->k->a->arena, uint32_t, states);
@@ -125,7 +109,7 @@ static size_t order_left(const Reach *r, uint32_t *order)
     size_t n = 0, depth = 0;
 
     for (uint32_t s = 0; s < states; s++) {
-        if (r->known[s] || next[s])
+        if (r->explained[s] || next[s])
             continue;
         for (stack[depth++] = s, next[s] = r->first[s] + 1; depth > 0;) {
             const uint32_t top = stack[depth - 1];
@@ -136,7 +120,7 @@ static size_t order_left(const Reach *r, uint32_t *order)
                 continue;
             }
             to = r->t->at[next[top]++ - 1].to->number - 1;
-            if (!r->known[to] && !next[to]) {
+            if (!r->explained[to] && !next[to]) {
                 next[to] = r->first[to] + 1;
                 stack[depth++] = to;
             }
@@ -145,52 +129,32 @@ static size_t order_left(const Reach *r, uint32_t *order)
     return n;
 }
 
-static void tell_left(Reach *r)
+static void report_states(ReachWalk *k)
 {
-    uint32_t *order = ARENA_ARRAY(r->k->a->arena, uint32_t, r->k->a->p->state.n);
-    Diag *d;
-
-    for (size_t n = order_left(r, order); n > 0; n--)
-        if (!r->known[order[n - 1]])
-            tell_state(r, order[n - 1], DIAG_unreachable_state, &d);
-}
-
-static void tell_states(Structure *k)
-{
-    const Program *p = k->a->p;
+    const size_t states = k->a->p->state.n;
     Arena *arena = k->a->arena;
-    Reach r = {.k = k, .t = &k->a->transition};
-    size_t i = 0;
+    uint32_t *order = ARENA_ARRAY(arena, uint32_t, states);
+    Reach r = {.k = k, .t = &k->a->transition, .first = transitions_by_state(arena, k->a->p, &k->a->transition)};
 
-    r.first = ARENA_ARRAY(arena, size_t, p->state.n + 1);
-    r.waiting = ARENA_ARRAY(arena, uint32_t, p->state.n);
-    r.reached = ARENA_ARRAY(arena, bool, p->state.n);
-    r.known = ARENA_ARRAY(arena, bool, p->state.n);
-    for (uint32_t s = 0; s < p->state.n; r.first[++s] = i)
-        while (i < r.t->n && r.t->at[i].from->number == s + 1)
-            i++;
-    find_reached(&r);
-    spread_explained(&r);
-    tell_impossible(&r);
-    tell_left(&r);
-}
-
-// ---- labels ----
-
-static void look_for_empty(Diags *diags, const State *s)
-{
-    static const char *const label[BLOCK_COUNT] = {".entry", ".step", ".exit"};
-
-    for (int b = 0; b < BLOCK_COUNT; b++)
-        if (s->block_span[b].src && s->block[b].n == 0)
-            diag_report(diags, DIAG_empty_block, s->block_span[b], label[b], s->name->text);
+    r.stack = ARENA_ARRAY(arena, uint32_t, states);
+    r.reached = ARENA_ARRAY(arena, bool, states);
+    r.explained = ARENA_ARRAY(arena, bool, states);
+    push_state(&r, r.reached, 0);
+    add_followers(&r, r.reached, false);
+    for (size_t s = 0; s < states; s++)
+        r.explained[s] = r.reached[s];
+    mark_explained(&r);
+    report_impossible_states(&r);
+    for (size_t n = postorder(&r, order); n > 0; n--)
+        if (!r.explained[order[n - 1]])
+            report_state(&r, order[n - 1], DIAG_unreachable_state);
 }
 
 // ---- entry points ----
 
-static void note_change(const Stmt *s, void *context)
+static void record_stored_value(const Stmt *s, void *context)
 {
-    Structure *k = context;
+    ReachWalk *k = context;
     const StmtFact *f = &k->a->stmt[s->number];
     const Var *v = s->var;
     double x;
@@ -203,29 +167,30 @@ static void note_change(const Stmt *s, void *context)
         k->stored[v->index] |= STORED_OTHER;
 }
 
-static void prepare(Structure *k)
+static void report_empty_blocks(Diags *diags, const State *s)
 {
-    const Program *p = k->a->p;
-    Arena *arena = k->a->arena;
+    static const char *const label[BLOCK_COUNT] = {".entry", ".step", ".exit"};
 
-    k->why = ARENA_ARRAY(arena, uint32_t, p->stmts + 1u);
-    k->order = ARENA_ARRAY(arena, uint32_t, p->stmts + 1u);
-    k->written = ARENA_ARRAY(arena, uint32_t, p->var.n);
-    k->stored = ARENA_ARRAY(arena, uint8_t, p->var.n);
-    k->stamp = ARENA_ARRAY(arena, uint32_t, p->var.n);
-    each_stmt(p, note_change, k);
+    for (int b = 0; b < BLOCK_COUNT; b++)
+        if (s->block_span[b].src && s->block[b].n == 0)
+            diag_report(diags, DIAG_empty_block, s->block_span[b], label[b], s->name->text);
 }
 
 void analyse_reach(Analysis *a)
 {
-    Structure k = {.a = a};
+    ReachWalk k = {.a = a};
 
-    prepare(&k);
-    find_dead(&k);
-    tell_states(&k);
+    k.dead_by = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 1u);
+    k.order = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 1u);
+    k.written = ARENA_ARRAY(a->arena, uint32_t, a->p->var.n);
+    k.stored = ARENA_ARRAY(a->arena, uint8_t, a->p->var.n);
+    k.marked = ARENA_ARRAY(a->arena, uint32_t, a->p->var.n);
+    each_stmt(a->p, record_stored_value, &k);
+    walk_statements(&k);
+    report_states(&k);
     for (size_t i = 0; i < k.dead.n; i++)
-        if (k.dead.at[i].cause == CAUSE_NEVER && !k.dead.at[i].folded)
-            report_never(&k, &k.dead.at[i]);
+        if (k.dead.at[i].cause == CAUSE_NEVER && !k.dead.at[i].at_state)
+            report_never_true(&k, &k.dead.at[i]);
     for (size_t s = 0; s < a->p->state.n; s++)
-        look_for_empty(a->diags, a->p->state.at[s]);
+        report_empty_blocks(a->diags, a->p->state.at[s]);
 }

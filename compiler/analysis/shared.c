@@ -1,32 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machines of one application together: an element has one writer, and the time and the state of each machine have one
-// owner.
+// What several machines, or a machine and pins, share: an element has one writer, and the time and the state of each machine have
+// one owner.  An input pin is a writer.
 #include "compiler/analysis/analysis.h"
 
-typedef struct Place { const Program *p; Span span; } Place;      // p is NULL: no machine
+typedef struct SharedUse { const Program *p; Span span; } SharedUse;      // of an element; p is NULL: no machine uses it so
 
 typedef struct Owners {           // of an element
-    Place writer, state, time;    // the machine that assigns it; the machine whose S it is; whose G
+    SharedUse writer, state, time;    // the machine that assigns it; the machine whose S it is; whose G
 } Owners;
 
-typedef struct Together {
+typedef struct SharedVector {
     Arena *arena;
     Diags *diags;
     Map by_name;                  // element to Owners
-    const Program *p;             // the current machine
-    Span *first;                  // by Var.index: its first assignment in p
-} Together;
+} SharedVector;
 
-static void note_first(const Stmt *stmt, void *context)
+static void record_first_assignment(const Stmt *stmt, void *context)
 {
-    Together *t = context;
-    Span *first = stmt->kind == ST_ASSIGN ? &t->first[stmt->var->index] : NULL;
+    Span *first = context;
 
-    if (first && !first->src)
-        *first = stmt->span;
+    if (stmt->kind == ST_ASSIGN && !first[stmt->var->index].src)
+        first[stmt->var->index] = stmt->span;
 }
 
-static Owners *owners_of(Together *t, Str element)
+// By Var.index: the first assignment to it in the file; src is NULL: none.
+static const Span *first_assignments(Arena *arena, const Program *p)
+{
+    Span *first = ARENA_ARRAY(arena, Span, p->var.n);
+
+    each_stmt(p, record_first_assignment, first);
+    return first;
+}
+
+// ---- several machines ----
+
+static Owners *owners_of(SharedVector *t, Str element)
 {
     Owners *o = map_find(&t->by_name, element);
 
@@ -37,70 +45,78 @@ static Owners *owners_of(Together *t, Str element)
     return o;
 }
 
-// `at` does something to the element that belongs to `owner`.  An @allow at the owner's position covers it, too.
-static void report(Together *t, DiagCode code, Place at, Str element, Place owner, DiagCode note)
+// The use conflicts with that of `owner`.  An @allow at the owner's position covers the finding, too.
+static void report_conflict(SharedVector *t, DiagCode code, SharedUse use, Str element, SharedUse owner, DiagCode note)
 {
-    Diag *d = diag_report(t->diags, code, at.span, at.p->name->text, element->text, owner.p->name->text);
+    Diag *d = diag_report(t->diags, code, use.span, use.p->name->text, element->text, owner.p->name->text);
 
     diag_note(t->diags, d, owner.span, note, owner.p->name->text);
     diag_about(t->diags, d, DIAG_OTHER_WRITER, owner.span);
 }
 
-static bool is_other(Place place, const Program *p) { return place.p && place.p != p; }
+static bool is_other(SharedUse use, const Program *p) { return use.p && use.p != p; }
 
-static void take_state(Together *t, Owners *o, Place here, Str element)
+static void check_element(SharedVector *t, const Program *p, const Var *v, Span first_assignment)
 {
-    if (is_other(o->state, here.p))
-        report(t, DIAG_two_states, here, element, o->state, DIAG_note_listed_there);
-    else if (is_other(o->writer, here.p))
-        report(t, DIAG_writes_state, o->writer, element, here, DIAG_note_listed_there);
-    if (!o->state.p)
-        o->state = here;
+    const Str element = v->element->name;
+    Owners *o = owners_of(t, element);
+    SharedUse use = {p, v->span}, *owner = NULL;
+
+    if (v == p->s) {
+        owner = &o->state;
+        if (is_other(o->state, p))
+            report_conflict(t, DIAG_two_states, use, element, o->state, DIAG_note_listed_there);
+        else if (is_other(o->writer, p))
+            report_conflict(t, DIAG_writes_state, o->writer, element, use, DIAG_note_listed_there);
+    } else if (v == p->g) {
+        owner = &o->time;
+        if (is_other(o->writer, p))
+            report_conflict(t, DIAG_writes_time, o->writer, element, use, DIAG_note_listed_there);
+    } else if (first_assignment.src) {
+        owner = &o->writer;
+        use.span = first_assignment;
+        if (is_other(o->state, p))
+            report_conflict(t, DIAG_writes_state, use, element, o->state, DIAG_note_listed_there);
+        if (is_other(o->time, p))
+            report_conflict(t, DIAG_writes_time, use, element, o->time, DIAG_note_listed_there);
+        if (is_other(o->writer, p))
+            report_conflict(t, DIAG_two_writers, use, element, o->writer, DIAG_note_written_there);
+    }
+    if (owner && !owner->p)
+        *owner = use;
 }
 
-static void take_time(Together *t, Owners *o, Place here, Str element)
+void analyse_shared_vector(Arena *arena, Diags *diags, const Program *const *p, size_t n)
 {
-    if (is_other(o->writer, here.p))
-        report(t, DIAG_writes_time, o->writer, element, here, DIAG_note_listed_there);
-    if (!o->time.p)
-        o->time = here;
-}
-
-static void take_write(Together *t, Owners *o, Place here, Str element)
-{
-    if (is_other(o->state, here.p))
-        report(t, DIAG_writes_state, here, element, o->state, DIAG_note_listed_there);
-    if (is_other(o->time, here.p))
-        report(t, DIAG_writes_time, here, element, o->time, DIAG_note_listed_there);
-    if (is_other(o->writer, here.p))
-        report(t, DIAG_two_writers, here, element, o->writer, DIAG_note_written_there);
-    if (!o->writer.p)
-        o->writer = here;
-}
-
-static void look_at_var(Together *t, const Var *v)
-{
-    Owners *o = owners_of(t, v->element->name);
-    const Place listed = {t->p, v->span}, written = {t->p, t->first[v->index]};
-
-    if (v == t->p->s)
-        take_state(t, o, listed, v->element->name);
-    else if (v == t->p->g)
-        take_time(t, o, listed, v->element->name);
-    else if (written.span.src)
-        take_write(t, o, written, v->element->name);
-}
-
-void analyse_together(Arena *arena, Diags *diags, const Program *const *p, size_t n)
-{
-    Together t = {.arena = arena, .diags = diags, .by_name = {.arena = arena}};
+    SharedVector t = {.arena = arena, .diags = diags, .by_name = {.arena = arena}};
 
     for (size_t i = 0; i < n; i++) {
-        t.p = p[i];
-        t.first = ARENA_ARRAY(arena, Span, p[i]->var.n);
-        each_stmt(p[i], note_first, &t);
+        const Span *first = first_assignments(arena, p[i]);
         for (size_t v = 0; v < p[i]->var.n; v++)
             if (p[i]->var.at[v]->kind == VAR_ELEMENT)
-                look_at_var(&t, p[i]->var.at[v]);
+                check_element(&t, p[i], p[i]->var.at[v], first[v]);
+    }
+}
+
+// ---- a machine and pins ----
+
+void analyse_shared_pins(Arena *arena, Diags *diags, const IoMap *io, const Program *p)
+{
+    const Span *first = first_assignments(arena, p);
+
+    for (size_t i = 0; i < io->pin.n; i++) {
+        const Pin *pin = &io->pin.at[i];
+        const char *element = pin->element->name->text, *machine = p->name->text;
+        const Var *v = map_find(&p->by_name, pin->element->name);
+        Diag *d;
+        if (pin_is_output(pin) || !v || v->kind != VAR_ELEMENT || v->element->name != pin->element->name)
+            continue;                                 // `v` may be another variable with this alias
+        if (v == p->g || v == p->s) {
+            d = diag_report(diags, v == p->g ? DIAG_input_of_time : DIAG_input_of_state, pin->span, element, machine);
+            diag_note(diags, d, v->span, DIAG_note_listed_there, machine);
+        } else if (first[v->index].src) {
+            d = diag_report(diags, DIAG_input_of_written, pin->span, machine, element);
+            diag_note(diags, d, first[v->index], DIAG_note_written_there, machine);
+        }
     }
 }

@@ -6,27 +6,19 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-enum { STARTS = 8, COUNTS = 2000000 };
+enum { STARTS_MAX = 8, COUNTS_MAX = 2000000 };
 
 typedef struct Counter {
     bool other;                   // other values are assigned, or different increments
     SmF64 by;                     // 0: not yet known
-    SmF64 start[STARTS];
+    SmF64 start[STARTS_MAX];
     uint32_t starts;
 } Counter;
 
-typedef struct Counting { Analysis *a; Counter *counter; } Counting;
-
-static void add_start(Counter *c, SmF64 x)
-{
-    if (c->starts == STARTS)
-        c->other = true;
-    else
-        c->start[c->starts++] = x;
-}
+typedef struct Counters { Analysis *a; Counter *counter; } Counters;
 
 // The increment k of v + k, k + v or v - k (there -k); 0 for anything else.
-static SmF64 step_of(const Stmt *s)
+static SmF64 increment_of(const Stmt *s)
 {
     const Expr *e = s->value;
     const bool sum = e->kind == EX_BINARY && e->op == SM_OP_ADD, less = e->kind == EX_BINARY && e->op == SM_OP_SUB;
@@ -38,34 +30,34 @@ static SmF64 step_of(const Stmt *s)
     return sm_from_i32(0);
 }
 
-static SmF64 stored(const Var *v, SmF64 x) { return sm_cell_to_f64(v->type, sm_cell_from_f64(v->type, x)); }
+static SmF64 stored_value(const Var *v, SmF64 x) { return sm_cell_to_f64(v->type, sm_cell_from_f64(v->type, x)); }
 
-static void look_at_store(const Stmt *s, void *context)
+static void record_assignment(const Stmt *s, void *context)
 {
-    Counting *k = context;
+    Counters *k = context;
     Counter *c;
     SmF64 by;
 
     if (s->kind != ST_ASSIGN)
         return;
     c = &k->counter[s->var->index];
-    by = step_of(s);
-    if (expr_is_constant(s->value))
-        add_start(c, stored(s->var, expr_constant_value(s->value)));
-    else if (sm_eq(by, sm_from_i32(0)) || (!sm_eq(c->by, sm_from_i32(0)) && !sm_eq(c->by, by)))
+    by = increment_of(s);
+    if (expr_is_constant(s->value) && c->starts < STARTS_MAX)
+        c->start[c->starts++] = stored_value(s->var, expr_constant_value(s->value));
+    else if (expr_is_constant(s->value) || sm_eq(by, sm_from_i32(0)) || (!sm_eq(c->by, sm_from_i32(0)) && !sm_eq(c->by, by)))
         c->other = true;
     else
         c->by = by;
 }
 
 // Whether the variable can become x, counting from a start.  Also true if that is unknown.
-static bool comes_to(const Counter *c, const Var *v, SmF64 start, SmF64 x)
+static bool reaches(const Counter *c, const Var *v, SmF64 start, SmF64 x)
 {
     const bool up = sm_lt(sm_from_i32(0), c->by);
     SmF64 now = start;
 
-    for (uint32_t n = 0; n < COUNTS; n++) {
-        const SmF64 next = stored(v, sm_add(now, c->by));
+    for (uint32_t n = 0; n < COUNTS_MAX; n++) {
+        const SmF64 next = stored_value(v, sm_add(now, c->by));
         if (sm_eq(now, x))
             return true;
         if (sm_eq(next, now) || (up ? sm_lt(x, now) : sm_lt(now, x)))
@@ -75,19 +67,19 @@ static bool comes_to(const Counter *c, const Var *v, SmF64 start, SmF64 x)
     return true;
 }
 
-static bool is_stepped_over(const Counter *c, const Var *v, SmF64 x)
+static bool is_skipped(const Counter *c, const Var *v, SmF64 x)
 {
-    if (c->other || sm_eq(c->by, sm_from_i32(0)) || comes_to(c, v, sm_cell_to_f64(v->type, v->init), x))
+    if (c->other || sm_eq(c->by, sm_from_i32(0)) || reaches(c, v, sm_cell_to_f64(v->type, v->init), x))
         return false;
     for (uint32_t i = 0; i < c->starts; i++)
-        if (comes_to(c, v, c->start[i], x))
+        if (reaches(c, v, c->start[i], x))
             return false;
     return true;
 }
 
-static void look_at_expr(Expr *e, void *context)
+static void check_equality(Expr *e, void *context)
 {
-    const Counting *k = context;
+    const Counters *k = context;
 
     if (e->kind != EX_BINARY || (e->op != SM_OP_EQ && e->op != SM_OP_NE))
         return;
@@ -95,25 +87,25 @@ static void look_at_expr(Expr *e, void *context)
         const Expr *v = e->arg[side], *x = e->arg[1 - side];
         Diag *d;
         if (v->kind != EX_VAR || v->var->kind == VAR_TIME || !expr_is_constant(x) ||
-            !is_stepped_over(&k->counter[v->var->index], v->var, expr_constant_value(x)))
+            !is_skipped(&k->counter[v->var->index], v->var, expr_constant_value(x)))
             continue;
         d = diag_report(k->a->diags, DIAG_exact_moment, e->span, v->var->name->text, const_text(k->a->arena, expr_constant_value(x)));
         diag_note(k->a->diags, d, (Span){0}, DIAG_note_counts_by, v->var->name->text, const_text(k->a->arena, k->counter[v->var->index].by));
     }
 }
 
-static void look_at_guard(const Stmt *stmt, void *context)
+static void check_stmt(const Stmt *stmt, void *context)
 {
     if (stmt->operators & EQUALITIES)
-        expr_walk(stmt->value, look_at_expr, context);
+        expr_walk(stmt->value, check_equality, context);
 }
 
 void analyse_skipped_count(Analysis *a)
 {
-    Counting k = {a, ARENA_ARRAY(a->arena, Counter, a->p->var.n)};
+    Counters k = {a, ARENA_ARRAY(a->arena, Counter, a->p->var.n)};
 
     if (!(a->p->operators & EQUALITIES))
         return;
-    each_stmt(a->p, look_at_store, &k);
-    each_stmt(a->p, look_at_guard, &k);
+    each_stmt(a->p, record_assignment, &k);
+    each_stmt(a->p, check_stmt, &k);
 }

@@ -14,38 +14,35 @@
 
 enum {
     TRIED = 3,                    // entries of a state
-    LIVES = 24,                   // histories that are tried before a state is reported as never ending
+    HISTORIES = 24,                   // histories that are tried before a state is reported as never ending
     LAST_PASSES = 20,             // of TRIAL_PASSES: what happens in these happens forever
     CHANGES = 4                   // changes of the other inputs, in one history
 };
 
-// A sensor that has failed: it reads one number, with or without noise.
-typedef struct Failed { uint32_t input; double reading, noise; } Failed;
-
-typedef struct Waits {
+typedef struct TimeoutCheck {
     Trials *t;
     void *at;
     double *in, *now;             // inputs at rest; of this step
     double *mid;                  // variables halfway through a long stay
     double noise;                 // on healthy sensors, in units of their scale
-    const Failed *failed;         // or NULL
+    const SensorFailure *failed;         // or NULL
     const Stmt *on;               // statement of the state that has an output on at the end, or now and then forever; or NULL
-} Waits;
+} TimeoutCheck;
 
 // Sets the inputs of this step.
-static void set_inputs(Waits *w)
+static void set_inputs(TimeoutCheck *w)
 {
     Trials *t = w->t;
-    const Failed *f = w->failed;
+    const SensorFailure *f = w->failed;
 
     memcpy(w->now, w->in, t->inputs * sizeof *w->now);
     trial_add_noise(t, w->now, w->noise);
     if (f)
-        w->now[f->input] = f->reading + f->noise * (trial_below(t, 2001) / 1000.0 - 1);
+        w->now[f->input] = f->reading + f->noise * (trial_random_below(t, 2001) / 1000.0 - 1);
 }
 
 // Finds the statement of the state that has an output on now.
-static void note_on(Waits *w, const State *s)
+static void find_output_on(TimeoutCheck *w, const State *s)
 {
     const Trials *t = w->t;
     const double *var = ir_run_vars(t->run, w->at);
@@ -59,7 +56,7 @@ static void note_on(Waits *w, const State *s)
 }
 
 // A variable that falls starts again, so it does not count as advancing.
-static void note_falls(Waits *w)
+static void discard_fallen(TimeoutCheck *w)
 {
     const double *var = ir_run_vars(w->t->run, w->at);
 
@@ -70,7 +67,7 @@ static void note_falls(Waits *w)
 
 // Holds the inputs until windows are full, then for as long as anything can happen.  Returns false if the state is left, now or
 // perhaps later.
-static bool stays_long(Waits *w, uint32_t state)
+static bool stays_long(TimeoutCheck *w, uint32_t state)
 {
     Trials *t = w->t;
     int idle = 0;
@@ -86,18 +83,18 @@ static bool stays_long(Waits *w, uint32_t state)
         if (n == TRIAL_PASSES / 2)
             memcpy(w->mid, ir_run_vars(t->run, w->at), t->run->m->var.n * sizeof *w->mid);
         set_inputs(w);
-        idle = trial_pass(t, w->at, w->now, &t->trace) ? 0 : idle + 1;
+        idle = trial_pass_time(t, w->at, w->now, &t->trace) ? 0 : idle + 1;
         if (trial_state(w->at) != state)
             return false;
-        note_falls(w);
+        discard_fallen(w);
         if (idle == 2 || n > TRIAL_PASSES - LAST_PASSES)
-            note_on(w, t->a->p->state.at[state - 1]);
+            find_output_on(w, t->a->p->state.at[state - 1]);
     }
-    return idle == 2 || !trial_advances(t, w->mid, w->at);
+    return idle == 2 || !trial_approaches_limit(t, w->mid, w->at);
 }
 
 // Runs one history, in which other inputs change now and then.
-static bool lasts(Waits *w, const TrialEntry *e)
+static bool lasts_in_one_history(TimeoutCheck *w, const TrialEntry *e)
 {
     Trials *t = w->t;
     const uint32_t state = trial_state(e->situation);
@@ -105,21 +102,21 @@ static bool lasts(Waits *w, const TrialEntry *e)
     trial_begin(t, e, w->at, w->in);
     for (int n = 0; n < CHANGES; n++) {
         static const double noise[] = {0, 0.001, 0.01, 0.1};
-        trial_draw_free(t, w->in, &t->state[state - 1]);
-        w->noise = noise[trial_below(t, 4)];
+        trial_draw_inputs_freely(t, w->in, &t->state[state - 1]);
+        w->noise = noise[trial_random_below(t, 4)];
         if (!stays_long(w, state))
             return false;
     }
     return true;
 }
 
-static bool lasts_for_ever(Waits *w, const TrialEntry *e, const Failed *failed)
+static bool lasts_forever(TimeoutCheck *w, const TrialEntry *e, const SensorFailure *failed)
 {
     bool all = true;
 
     w->failed = failed;
-    for (int n = 0; n < (failed ? LIVES : 8 * LIVES) && all; n++)
-        all = lasts(w, e);
+    for (int n = 0; n < (failed ? HISTORIES : 8 * HISTORIES) && all; n++)
+        all = lasts_in_one_history(w, e);
     w->failed = NULL;
     w->noise = 0;
     return all;
@@ -127,7 +124,7 @@ static bool lasts_for_ever(Waits *w, const TrialEntry *e, const Failed *failed)
 
 // ---- one sensor ----
 
-static void report_wait(const Waits *w, const State *s, const Failed *f)
+static void report_wait(const TimeoutCheck *w, const State *s, const SensorFailure *f)
 {
     const Analysis *a = w->t->a;
     const char *reads = f->noise > 0 ? "is noisy" : format_in(a->arena, "reads %s", const_text(a->arena, f->reading));
@@ -136,26 +133,26 @@ static void report_wait(const Waits *w, const State *s, const Failed *f)
     diag_note(a->diags, d, (Span){0}, DIAG_note_wait_advice, s->name->text);
 }
 
-static bool fails_so(Waits *w, const State *s, const TrialEntry *e, Failed f)
+static bool report_if_lasts(TimeoutCheck *w, const State *s, const TrialEntry *e, SensorFailure f)
 {
-    if (!lasts_for_ever(w, e, &f))
+    if (!lasts_forever(w, e, &f))
         return false;
     report_wait(w, s, &f);
     return true;
 }
 
-static bool waits_for(Waits *w, const State *s, const TrialEntry *e, uint32_t input)
+static bool waits_for(TimeoutCheck *w, const State *s, const TrialEntry *e, uint32_t input)
 {
     static const double noise[] = {0.1, 5, 100};
     const TrialInput *i = &w->t->input[input];
-    bool found = fails_so(w, s, e, (Failed){input, 0, 0});
+    bool found = report_if_lasts(w, s, e, (SensorFailure){input, 0, 0});
 
     if (i->v->range && !found)
-        found = fails_so(w, s, e, (Failed){input, i->lo, 0}) || fails_so(w, s, e, (Failed){input, i->hi, 0});
+        found = report_if_lasts(w, s, e, (SensorFailure){input, i->lo, 0}) || report_if_lasts(w, s, e, (SensorFailure){input, i->hi, 0});
     for (uint32_t k = 0; k < i->readings && !found; k++)
-        found = trial_is_healthy(i, i->reading[k]) && fails_so(w, s, e, (Failed){input, i->reading[k], 0});
+        found = trial_is_healthy(i, i->reading[k]) && report_if_lasts(w, s, e, (SensorFailure){input, i->reading[k], 0});
     for (size_t k = 0; k < sizeof noise / sizeof *noise && !found; k++)
-        found = fails_so(w, s, e, (Failed){input, i->reading[i->readings / 2], noise[k] * i->scale});
+        found = report_if_lasts(w, s, e, (SensorFailure){input, i->reading[i->readings / 2], noise[k] * i->scale});
     return found;
 }
 
@@ -178,15 +175,15 @@ static bool drives(const Trials *t, const State *state)
     return false;
 }
 
-static Waits waits_of(Trials *t)
+static TimeoutCheck new_waits(Trials *t)
 {
-    return (Waits){.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t), .now = trial_new_inputs(t),
+    return (TimeoutCheck){.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t), .now = trial_new_inputs(t),
                    .mid = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n)};
 }
 
-void question_waits_for_sensor(Trials *t)
+void check_waits_for_sensor(Trials *t)
 {
-    Waits w = waits_of(t);
+    TimeoutCheck w = new_waits(t);
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];
@@ -195,7 +192,7 @@ void question_waits_for_sensor(Trials *t)
             continue;
         for (size_t n = 0; n < t->state[s].entry.n && n < TRIED && !found; n++) {
             const TrialEntry *e = &t->state[s].entry.at[n];
-            if (lasts_for_ever(&w, e, NULL))
+            if (lasts_forever(&w, e, NULL))
                 continue;
             for (uint32_t i = 0; i < t->inputs && !found; i++)
                 found = !t->input[i].command && t->state[s].relevant[i] && waits_for(&w, state, e, i);
@@ -206,7 +203,7 @@ void question_waits_for_sensor(Trials *t)
 // ---- no time limit ----
 
 // The outputs that the state switches on, `first` first.  None of them has a time limit.
-static uint32_t outputs_of(const Trials *t, const State *s, const Var *first, const Var **output)
+static uint32_t list_outputs(const Trials *t, const State *s, const Var *first, const Var **output)
 {
     uint32_t n = 0;
 
@@ -221,7 +218,7 @@ static uint32_t outputs_of(const Trials *t, const State *s, const Var *first, co
     return n;
 }
 
-static bool report_no_timeout(Waits *w, const State *s)
+static bool report_missing_timeout(TimeoutCheck *w, const State *s)
 {
     const Analysis *a = w->t->a;
     const Stmt *on = w->on;
@@ -232,8 +229,8 @@ static bool report_no_timeout(Waits *w, const State *s)
     if (!on)
         return false;
     output = ARENA_ARRAY(a->arena, const Var *, a->p->var.n + 1);
-    outputs = outputs_of(w->t, s, on->var, output);
-    d = diag_report(a->diags, DIAG_no_timeout, s->span, s->name->text, question_names(a->arena, output, outputs));
+    outputs = list_outputs(w->t, s, on->var, output);
+    d = diag_report(a->diags, DIAG_no_timeout, s->span, s->name->text, trial_check_names(a->arena, output, outputs));
     for (uint32_t i = 0; i < outputs; i++)
         diag_about(a->diags, d, DIAG_OUTPUTS, output[i]->span);
     diag_note(a->diags, d, on->span, DIAG_note_switched_on, on->var->name->text);
@@ -251,28 +248,28 @@ static bool is_ever_left(const Trials *t, const State *s)
     return false;
 }
 
-static bool find_no_timeout(Waits *w, const State *s, const TrialEntry *e)
+static bool find_missing_timeout(TimeoutCheck *w, const State *s, const TrialEntry *e)
 {
     Trials *t = w->t;
 
-    for (int n = 0; n < LIVES; n++) {
+    for (int n = 0; n < HISTORIES; n++) {
         trial_begin(t, e, w->at, w->in);
         if (n > 0)
-            trial_draw(t, w->in, &t->state[s->number - 1], n % 2, false);
-        if (stays_long(w, s->number) && report_no_timeout(w, s))
+            trial_draw_inputs(t, w->in, &t->state[s->number - 1], n % 2, false);
+        if (stays_long(w, s->number) && report_missing_timeout(w, s))
             return true;
     }
     return false;
 }
 
-void question_missing_timeout(Trials *t)
+void check_missing_timeout(Trials *t)
 {
-    Waits w = waits_of(t);
+    TimeoutCheck w = new_waits(t);
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];
         bool found = state->is_safe || state->is_abort || !is_ever_left(t, state);
         for (size_t n = 0; n < t->state[s].entry.n && n < TRIED && !found; n++)
-            found = find_no_timeout(&w, state, &t->state[s].entry.at[n]);
+            found = find_missing_timeout(&w, state, &t->state[s].entry.at[n]);
     }
 }

@@ -12,17 +12,17 @@
 enum {
     ENTRIES = 32,                 // situations stored for each state
     ROUNDS = 8,
-    MORE_ROUNDS = 16,             // from states with transitions that no trial has taken
+    ROUNDS_MORE = 16,             // from states with transitions that no trial has taken
     TRIES = 40,                   // from each state in each round
-    SEGMENTS = 4,                 // changes of inputs in one try
+    CHANGES = 4,                 // changes of inputs in one try
     ROOM = 4 << 20                // bytes for all stored situations
 };
 static const uint64_t effort = 40000000;          // instructions spent on the search
 
 // ---- entries ----
 
-// Zero, or one of a few sizes with a sign.
-static uint32_t magnitude(double x)
+// 0 for zero, or one of a few sizes with a sign.
+static uint32_t size_class(double x)
 {
     static const double size[] = {0, 2, 20, 200, 2000};
     uint32_t n = 0;
@@ -32,7 +32,7 @@ static uint32_t magnitude(double x)
     return n == 0 ? 0 : x > 0 ? n : 6 + n;
 }
 
-static uint64_t key_of(const Trials *t, const void *situation)
+static uint64_t entry_key(const Trials *t, const void *situation)
 {
     const double *var = trial_vars(t, situation);
     const IrMachine *m = t->run->m;
@@ -40,46 +40,45 @@ static uint64_t key_of(const Trials *t, const void *situation)
 
     for (uint32_t v = 0; v < m->var.n; v++)
         if (m->var.at[v].writable && v != m->g && v != m->t && v != m->s)
-            key = key * 13 + magnitude(var[v]);
+            key = key * 13 + size_class(var[v]);
     return key;
 }
 
-// How many entries of a state have the same transition, key and `sick`.
-static uint32_t count_alike(const TrialState *s, const TrialEntry *e)
+// How many entries of a state have the same transition, key and `unhealthy`.
+static uint32_t count_similar(const TrialState *s, const TrialEntry *e)
 {
     uint32_t n = 0;
 
     for (size_t i = 0; i < s->entry.n; i++)
-        n += s->entry.at[i].via == e->via && s->entry.at[i].key == e->key && s->entry.at[i].sick == e->sick;
+        n += s->entry.at[i].via == e->via && s->entry.at[i].key == e->key && s->entry.at[i].unhealthy == e->unhealthy;
     return n;
 }
 
-typedef struct Search {
+typedef struct TrialSearch {
     Trials *t;
     void *at;                     // the starting situation of the try
     double *in, *now, *was;       // inputs at rest; of this step; at rest before they were changed
     double noise;                 // on sensors, in units of their scale
     uint32_t steps;
-    bool sick, commanded;
+    bool unhealthy, commanded;
     uint32_t most;                // entries stored for each state
     void *after;                  // for the step after a transition
-} Search;
+} TrialSearch;
 
-static bool keep_entry(Search *k, const Transition *via)
+static void add_entry(TrialSearch *k, const Transition *via)
 {
     Trials *t = k->t;
     TrialState *s = &t->state[trial_state(k->at) - 1];
-    TrialEntry e = {NULL, NULL, via, k->steps, k->sick, k->commanded, key_of(t, k->at)};
+    TrialEntry e = {NULL, NULL, via, k->steps, k->unhealthy, k->commanded, entry_key(t, k->at)};
 
-    if (s->entry.n >= k->most || count_alike(s, &e) > 0)
-        return false;
+    if (s->entry.n >= k->most || count_similar(s, &e) > 0)
+        return;
     e.situation = trial_copy(t, NULL, k->at);
     e.in = arena_copy(t->a->arena, k->in, (t->inputs + 1) * sizeof *k->in);
     vec_push(t->a->arena, &s->entry, e);
-    return true;
 }
 
-static void note_peaks(Trials *t, void *situation)
+static void update_peaks(Trials *t, void *situation)
 {
     const double *var = ir_run_vars(t->run, situation);
 
@@ -88,7 +87,7 @@ static void note_peaks(Trials *t, void *situation)
             t->peak[v] = sm_abs(var[v]);
 }
 
-static void note_next(Search *k, uint32_t transition)
+static void record_next_step(TrialSearch *k, uint32_t transition)
 {
     Trials *t = k->t;
     TrialNext *next = &t->next[transition];
@@ -106,7 +105,7 @@ static void note_next(Search *k, uint32_t transition)
 // ---- the search ----
 
 // A longer time is many steps, of which only the samples matter.  If the step is unknown, so is their number.
-static void count_steps(Search *k, double before)
+static void count_steps(TrialSearch *k, double before)
 {
     const Trials *t = k->t;
     const double n = (((const IrSituation *)k->at)->last_g - before) / t->dt;
@@ -122,7 +121,7 @@ static void count_steps(Search *k, double before)
 
 // Runs one step, or as many as nothing happens in.  Returns true after a transition to another state, which is stored if it is
 // new.
-static bool search_step(Search *k, bool pass)
+static bool search_step(TrialSearch *k, bool pass)
 {
     Trials *t = k->t;
     const IrSituation *at = k->at;
@@ -132,79 +131,79 @@ static bool search_step(Search *k, bool pass)
     memcpy(k->now, k->in, t->inputs * sizeof *k->now);
     trial_add_noise(t, k->now, k->noise);
     if (pass)
-        trial_pass(t, k->at, k->now, &t->trace);
+        trial_pass_time(t, k->at, k->now, &t->trace);
     else
         trial_step(t, k->at, k->now, t->dt, &t->trace);
     count_steps(k, before);
-    note_peaks(t, k->at);
+    update_peaks(t, k->at);
     if (t->trace.transition == 0)
         return false;
     via = t->transition[t->trace.transition];
     t->taken[t->trace.transition] = true;
     if (t->a->step == 0 && t->by_time[t->trace.transition])
         k->steps = TRIAL_MANY;                        // an unknown number of steps
-    keep_entry(k, via);
-    note_next(k, via->stmt->number);
+    add_entry(k, via);
+    record_next_step(k, via->stmt->number);
     return via->to != via->from;
 }
 
-static void segment(Search *k)
+static void hold_inputs(TrialSearch *k)
 {
     static const uint32_t holds[] = {1, 1, 2, 5};
     Trials *t = k->t;
     static const double noise[] = {0, 0, 0, 0.001, 0.01, 0.1};
-    const bool pass = trial_below(t, 3) == 0;
-    uint32_t n = pass ? 1 + trial_below(t, 2 * (t->waits + t->count) + 2) : holds[trial_below(t, 4)];
+    const bool pass = trial_random_below(t, 3) == 0;
+    uint32_t n = pass ? 1 + trial_random_below(t, 2 * (t->waits + t->count) + 2) : holds[trial_random_below(t, 4)];
 
-    k->noise = noise[trial_below(t, 6)];
-    if (!pass && trial_below(t, 4) == 0)
+    k->noise = noise[trial_random_below(t, 6)];
+    if (!pass && trial_random_below(t, 4) == 0)
         n = t->window + 1;
     while (n-- > 0)
         if (search_step(k, pass))
             return;
 }
 
-static void some_inputs(Search *k, const TrialState *s)
+static void change_inputs(TrialSearch *k, const TrialState *s)
 {
     Trials *t = k->t;
-    const bool sick = trial_below(t, 5) == 0;
+    const bool unhealthy = trial_random_below(t, 5) == 0;
 
     memcpy(k->was, k->in, t->inputs * sizeof *k->was);
-    if (trial_below(t, 3) > 0) {
-        trial_draw(t, k->in, s, trial_below(t, 2), sick);
+    if (trial_random_below(t, 3) > 0) {
+        trial_draw_inputs(t, k->in, s, trial_random_below(t, 2), unhealthy);
     } else {
-        const uint32_t i = trial_below(t, t->inputs);
+        const uint32_t i = trial_random_below(t, t->inputs);
         if (t->inputs > 0 && t->input[i].command)
-            k->in[i] = trial_some_reading(t, &t->input[i], true);
+            k->in[i] = trial_pick_reading(t, &t->input[i], true);
         else if (t->inputs > 0)
-            trial_set_group(t, k->in, i, trial_some_reading(t, &t->input[i], sick));
+            trial_set_group(t, k->in, i, trial_pick_reading(t, &t->input[i], unhealthy));
     }
     for (uint32_t i = 0; i < t->inputs; i++)
         if (t->input[i].command)
             k->commanded |= k->steps > 0 && k->in[i] != k->was[i];
         else
-            k->sick |= !trial_is_healthy(&t->input[i], k->in[i]) || k->in[i] != k->in[t->input[i].group];
+            k->unhealthy |= !trial_is_healthy(&t->input[i], k->in[i]) || k->in[i] != k->in[t->input[i].group];
 }
 
-static void try_from(Search *k, uint32_t state)
+static void try_from(TrialSearch *k, uint32_t state)
 {
     Trials *t = k->t;
     const TrialState *s = &t->state[state];
-    const TrialEntry *e = &s->entry.at[trial_below(t, (uint32_t)s->entry.n)];
+    const TrialEntry *e = &s->entry.at[trial_random_below(t, (uint32_t)s->entry.n)];
 
     trial_copy(t, k->at, e->situation);
     memcpy(k->in, e->in, (t->inputs + 1) * sizeof *k->in);
     k->steps = e->steps;
-    k->sick = e->sick;
+    k->unhealthy = e->unhealthy;
     k->commanded = e->commanded;
-    for (int n = 0; n < SEGMENTS; n++) {
-        some_inputs(k, &t->state[trial_state(k->at) - 1]);
-        segment(k);
+    for (int n = 0; n < CHANGES; n++) {
+        change_inputs(k, &t->state[trial_state(k->at) - 1]);
+        hold_inputs(k);
     }
 }
 
 // Whether the state has a transition that no trial has taken and that is not impossible.
-static bool has_untaken(const Trials *t, uint32_t state)
+static bool has_untaken_transition(const Trials *t, uint32_t state)
 {
     for (size_t i = 0; i < t->a->transition.n; i++) {
         const Transition *x = &t->a->transition.at[i];
@@ -216,7 +215,7 @@ static bool has_untaken(const Trials *t, uint32_t state)
 
 // Starts directly in each state that the search could not reach, with everything else as at the start: a machine can be started
 // in any state.
-static void begin_unreached(Search *k)
+static void add_unreached_states(TrialSearch *k)
 {
     Trials *t = k->t;
 
@@ -225,27 +224,27 @@ static void begin_unreached(Search *k)
             ir_run_start(t->run, k->at, s + 1);
             memset(k->in, 0, (t->inputs + 1) * sizeof *k->in);
             k->steps = TRIAL_MANY;
-            k->sick = k->commanded = true;
-            keep_entry(k, NULL);
+            k->unhealthy = k->commanded = true;
+            add_entry(k, NULL);
         }
 }
 
-static void search_rounds(Search *k, int from, int to)
+static void search_rounds(TrialSearch *k, int from, int to)
 {
     Trials *t = k->t;
 
     for (int round = from; round < to; round++)
         for (uint32_t s = 0; s < t->a->p->state.n; s++) {
-            if (t->state[s].entry.n == 0 || (round >= ROUNDS && !has_untaken(t, s)))
+            if (t->state[s].entry.n == 0 || (round >= ROUNDS && !has_untaken_transition(t, s)))
                 continue;
             for (int n = 0; n < TRIES && t->run->work < effort; n++)
                 try_from(k, s);
         }
 }
 
-static void search(Trials *t)
+static void search_situations(Trials *t)
 {
-    Search k = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
+    TrialSearch k = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
     const size_t states = t->a->p->state.n;
 
     k.most = (uint32_t)(ROOM / (states * (t->run->size + t->inputs * sizeof(double)) + 1));
@@ -254,21 +253,15 @@ static void search(Trials *t)
     k.was = trial_new_inputs(t);
     k.after = arena_alloc(t->a->arena, t->run->size);
     ir_run_start(t->run, k.at, 1);
-    keep_entry(&k, NULL);
-    search_rounds(&k, 0, ROUNDS + MORE_ROUNDS);
-    begin_unreached(&k);
-    search_rounds(&k, ROUNDS, ROUNDS + MORE_ROUNDS);
+    add_entry(&k, NULL);
+    search_rounds(&k, 0, ROUNDS + ROUNDS_MORE);
+    add_unreached_states(&k);
+    search_rounds(&k, ROUNDS, ROUNDS + ROUNDS_MORE);
 }
 
 // ---- entry points ----
 
-// Times are mostly in milliseconds, with steps of 10.  If no time is long, time is counted in another unit.
-static double usual_step(const Trials *t)
-{
-    return t->a->step > 0 ? (double)t->a->step : t->waits > 0 && t->wait[t->waits - 1] < 100 ? 1 : 10;
-}
-
-static void note_stmt(const StmtPlace *at, void *context)
+static void record_stmt(const StmtPlace *at, void *context)
 {
     Trials *t = context;
 
@@ -280,7 +273,7 @@ static void note_stmt(const StmtPlace *at, void *context)
 Trials *trials_of(Analysis *a)
 {
     Trials *t = ARENA_NEW(a->arena, Trials);
-    const Sensors *sensors = sensors_of(a);
+    const InputDepsTable *deps = input_deps_of(a);
 
     t->a = a;
     t->run = ir_run_of(a->arena, a->m);
@@ -289,11 +282,11 @@ Trials *trials_of(Analysis *a)
     t->stmt = ARENA_ARRAY(a->arena, const Stmt *, a->p->stmts + 1u);
     t->state_of = ARENA_ARRAY(a->arena, const State *, a->p->stmts + 1u);
     t->when = ARENA_ARRAY(a->arena, const Condition *, a->p->stmts + 1u);
-    each_place(a->arena, a->p, note_stmt, t);
+    each_place(a->arena, a->p, record_stmt, t);
     t->taken = ARENA_ARRAY(a->arena, bool, a->p->stmts + 1u);
     t->by_time = ARENA_ARRAY(a->arena, bool, a->p->stmts + 1u);
     for (size_t i = 0; i < a->transition.n; i++)
-        t->by_time[a->transition.at[i].stmt->number] = looks_of_condition(sensors, a->transition.at[i].when).time;
+        t->by_time[a->transition.at[i].stmt->number] = input_deps_of_condition(deps, a->transition.at[i].when).time;
     t->next = ARENA_ARRAY(a->arena, TrialNext, a->p->stmts + 1u);
     t->actuator = ARENA_ARRAY(a->arena, bool, a->m->var.n);
     t->peak = ARENA_ARRAY(a->arena, double, a->m->var.n);
@@ -313,7 +306,8 @@ Trials *trials_of(Analysis *a)
             t->window = a->m->window.at[w].size;
     t->computed = ARENA_ARRAY(a->arena, bool, a->m->window.n + 1u);
     trial_find_inputs(t);
-    t->dt = usual_step(t);
-    search(t);
+    // Times are mostly in milliseconds, with steps of 10.  If no time is long, time is counted in another unit.
+    t->dt = a->step > 0 ? (double)a->step : t->waits > 0 && t->wait[t->waits - 1] < 100 ? 1 : 10;
+    search_situations(t);
     return t;
 }

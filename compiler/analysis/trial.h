@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trial runs: the machine is run, from situations that it can reach, with inputs that are chosen to make its conditions true
-// and false.  A question assumes something (a sensor fails, a window is full, nothing changes any more).  It compares the
+// and false.  A check assumes something (a sensor fails, a window is full, nothing changes any more).  It compares the
 // machine's behaviour with and without the assumption.  What a trial shows does happen with those inputs.  What no trial shows
 // may still happen.
 //
@@ -37,7 +37,7 @@ typedef struct TrialEntry {
     double *in;                       // inputs of the step that led here, by input
     const Transition *via;            // NULL: the start
     uint32_t steps;                   // steps since the start; TRIAL_MANY: many, or an unknown number
-    bool sick;                        // earlier in this trial a sensor left its healthy range, or disagreed with its group
+    bool unhealthy;                   // earlier in this trial a sensor left its healthy range, or disagreed with its group
     bool commanded;                   // earlier in this trial a person changed a command
     uint64_t key;                     // which locals and elements are zero, and the rough size of the others
 } TrialEntry;
@@ -74,18 +74,18 @@ typedef struct Trials {
     double *wait;                     // times that conditions on T and G wait for, ascending
     uint32_t waits;
     bool stamped;                     // some variable contains a time: waits may begin at any time
-    double **limit;      // by IR variable that only counts by a constant: the values it is compared with, ended by NaN; else NULL
+    double **limit;                   // by IR variable that only counts by a constant: the values it is compared with, ended by NaN; else NULL
     double dt;                        // how much G advances in a step
     uint32_t window;                  // samples until every window is full
     bool *computed;                   // by IrMachine.window: it samples values that the machine itself writes
     uint32_t count;                   // total number of limits of counters
     uint64_t random;
-    double *before;                   // variables before a step, for trial_pass
+    double *before;                   // variables before a step, for trial_pass_time
     void *scratch;                    // a situation, for trial_fill_windows
     IrTrace trace;
 } Trials;
 
-#define TRIAL_SEED 20221              // the seed for the choices of each question
+#define TRIAL_SEED 20221              // the seed for the choices of each check
 
 Trials *trials_of(Analysis *a);
 
@@ -99,26 +99,25 @@ static inline const double *trial_vars(const Trials *t, const void *situation)
 {
     return (const double *)(const void *)((const char *)situation + t->run->vars);
 }
-static inline bool trial_entering(const void *situation) { return ((const IrSituation *)situation)->first; }
-// trial_leap_steps: how many steps like the last one can follow before a timer or a counter reaches a limit.  The last one led
-// from the variables `before` to the situation. 0: a variable that is not a counter changes.  TRIAL_MANY: nothing can happen
-// any more.
-// trial_wait_steps: the same for timers alone, whatever else changes.
-uint32_t trial_wait_steps(const Trials *t, const void *situation);
-uint32_t trial_leap_steps(const Trials *t, const double *before, const void *situation);
+static inline bool trial_is_entering(const void *situation) { return ((const IrSituation *)situation)->first; }
+// How many steps like the last one can follow before a timer or a counter reaches a limit.  The last one led from the variables
+// `before` to the situation. 0: a variable that is not a counter changes.  TRIAL_MANY: nothing can happen any more.
+uint32_t trial_steps_to_event(const Trials *t, const double *before, const void *situation);
+// The same for timers alone, whatever else changes.
+uint32_t trial_steps_to_timer(const Trials *t, const void *situation);
 // Runs these steps at once.  Windows keep their samples.
-void trial_leap(const Trials *t, const double *before, void *situation, uint32_t steps);
+void trial_skip_steps(const Trials *t, const double *before, void *situation, uint32_t steps);
 // Runs some steps, and then as many more as nothing happens in.  Returns false if nothing can happen any more while inputs are
 // constant.
-bool trial_pass(Trials *t, void *situation, const double *in, IrTrace *trace);
+bool trial_pass_time(Trials *t, void *situation, const double *in, IrTrace *trace);
 enum { TRIAL_PASSES = 300 };          // a machine that is still active after so many passes stays active
 // Whether, in the same state, a timer or a rising counter has moved closer to a limit since `before`: it can still reach the
 // limit.
-bool trial_advances(const Trials *t, const double *before, const void *situation);
+bool trial_approaches_limit(const Trials *t, const double *before, const void *situation);
 // Whether anything but time differs between two situations.
-bool trial_same(const Trials *t, const void *a, const void *b);
+bool trial_is_same(const Trials *t, const void *a, const void *b);
 // A variable that the machine writes, that one of these conditions reads, and that differs between two situations; NULL: none.
-const Var *trial_differing(const Trials *t, const Condition *when, const void *a, const void *b);
+const Var *trial_find_difference(const Trials *t, const Condition *when, const void *a, const void *b);
 // Begins at an entry, with the inputs that led there, but without any command unless the state lasts only with commands.
 // Chooses other readings if the state does not last with these.
 void trial_begin(Trials *t, const TrialEntry *e, void *situation, double *in);
@@ -127,19 +126,19 @@ void trial_fill_windows(Trials *t, void *situation, const double *in);
 
 // ---- choosing ----
 
-uint32_t trial_below(Trials *t, uint32_t n);                      // 0 … n - 1; 0 if n is 0
+uint32_t trial_random_below(Trials *t, uint32_t n);                      // 0 … n - 1; 0 if n is 0
 double *trial_new_inputs(Trials *t);                              // one array for all inputs
-double trial_some_reading(Trials *t, const TrialInput *i, bool sick);     // within @range unless sick
+double trial_pick_reading(Trials *t, const TrialInput *i, bool unhealthy);     // within @range unless unhealthy
 // Chooses other readings for the inputs that the state depends on.  Each group reads one number.  Commands change only with
 // `commands`.
-void trial_draw(Trials *t, double *in, const TrialState *s, bool commands, bool sick);
-// The same for sensors, including sick readings, and for bools that are not marked @command.
-void trial_draw_free(Trials *t, double *in, const TrialState *s);
+void trial_draw_inputs(Trials *t, double *in, const TrialState *s, bool commands, bool unhealthy);
+// The same for sensors, including unhealthy readings, and for bools that are not marked @command.
+void trial_draw_inputs_freely(Trials *t, double *in, const TrialState *s);
 // Adds noise to sensors: at most this fraction of their scale, the same within a group.  Healthy readings stay within their
 // range.
 void trial_add_noise(Trials *t, double *in, double most);
 // Makes every group read one number.
-void trial_tie_groups(const Trials *t, double *in);
+void trial_unify_groups(const Trials *t, double *in);
 void trial_set_group(const Trials *t, double *in, uint32_t input, double reading);
 bool trial_is_healthy(const TrialInput *i, double reading);
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-const char *question_names(Arena *arena, const Var *const *v, uint32_t n)
+const char *trial_check_names(Arena *arena, const Var *const *v, uint32_t n)
 {
     const char *text = v[0]->name->text;
 
@@ -13,7 +13,7 @@ const char *question_names(Arena *arena, const Var *const *v, uint32_t n)
     return text;
 }
 
-double question_rounded(double x)
+double trial_check_rounded(double x)
 {
     char text[32];
 
@@ -25,7 +25,7 @@ void analyse_trials(Analysis *a)
 {
     Trials *t = trials_of(a);
 
-#define QUESTION(name, sentence) t->random = TRIAL_SEED, question_##name(t);
+#define TRIAL_CHECK(name, sentence) t->random = TRIAL_SEED, check_##name(t);
 #include "compiler/analysis/trial_checks.def"
-#undef QUESTION
+#undef TRIAL_CHECK
 }

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// The questions that trial runs answer, each a row of questions.def, and the helpers that they share.
+// The checks by trial runs, each a row of trial_checks.def, and the helpers that they share.
 #ifndef SMC_TRIAL_CHECKS_H
 #define SMC_TRIAL_CHECKS_H
 
 #include "compiler/analysis/trial.h"
 
-#define QUESTION(name, sentence) void question_##name(Trials *t);
+#define TRIAL_CHECK(name, sentence) void check_##name(Trials *t);
 #include "compiler/analysis/trial_checks.def"
-#undef QUESTION
+#undef TRIAL_CHECK
+
+// A sensor that has failed: it reads one number, with or without noise.
+typedef struct SensorFailure {
+    uint32_t input;
+    double reading, noise;
+} SensorFailure;
 
 // "a', 'b' and 'c": for a position in a message that is already inside quotes.
-const char *question_names(Arena *arena, const Var *const *v, uint32_t n);
+const char *trial_check_names(Arena *arena, const Var *const *v, uint32_t n);
 // Rounded to a few digits, for messages.
-double question_rounded(double x);
+double trial_check_rounded(double x);
 
 #endif

@@ -3,16 +3,16 @@
 #include "compiler/analysis/trial_inputs.h"
 #include "stdlib/math.h"
 
-enum { COMPARED_MOST = 400 };         // limit of the comparisons that are compared pairwise
+enum { COMPARISONS_MAX = 400 };         // limit of the comparisons that are compared pairwise
 
-static uint32_t root_of(Finder *f, uint32_t v)
+static uint32_t root_of(TrialFinder *f, uint32_t v)
 {
     while (f->parent[v] != v)
         v = f->parent[v] = f->parent[f->parent[v]];
     return v;
 }
 
-static uint32_t join(Finder *f, uint32_t a, uint32_t b)
+static uint32_t join(TrialFinder *f, uint32_t a, uint32_t b)
 {
     if (a == IR_NONE || b == IR_NONE)
         return a == IR_NONE ? b : a;
@@ -32,9 +32,9 @@ static bool is_scaled(const Expr *e)
 }
 
 // A variable with the same quantity as the expression; IR_NONE: unknown.  Joins the operands of comparisons.
-static uint32_t quantity(Finder *f, const Expr *e)
+static uint32_t join_operands(TrialFinder *f, const Expr *e)
 {
-    const bool compared = e->kind == EX_CHAIN || (e->kind == EX_BINARY && is_comparison(e->op));
+    const bool compared = comparison_count(e) > 0;
     uint32_t all = IR_NONE;
 
     if (e->kind == EX_VAR)
@@ -42,27 +42,27 @@ static uint32_t quantity(Finder *f, const Expr *e)
                (e->var->kind == VAR_LOCAL || e->var->written || (f->input_of[e->var->index] != IR_NONE && !f->t->input[f->input_of[e->var->index]].command))
                ? e->var->index : IR_NONE;
     for (uint32_t i = 0; i < e->n; i++) {
-        const uint32_t q = quantity(f, e->arg[i]);
+        const uint32_t q = join_operands(f, e->arg[i]);
         if (compared || is_sum(e) || is_scaled(e))
             all = join(f, all, q);
     }
     return compared ? IR_NONE : all;
 }
 
-static void join_places(const StmtPlace *at, void *context)
+static void join_stmt(const StmtPlace *at, void *context)
 {
-    Finder *f = context;
+    TrialFinder *f = context;
     uint32_t q;
 
     if (!at->stmt->value)
         return;
-    q = quantity(f, at->stmt->value);
+    q = join_operands(f, at->stmt->value);
     if (at->stmt->kind == ST_ASSIGN && at->stmt->var->type != SM_BOOL)
         join(f, at->stmt->var->index, q);
 }
 
 // Whether two expressions are equal except for their variables.  Variables at the same position measure the same quantity.
-static bool is_alike(Finder *f, const Expr *a, const Expr *b, bool join_them)
+static bool is_similar(TrialFinder *f, const Expr *a, const Expr *b, bool join_them)
 {
     bool alike = a->kind == b->kind && a->op == b->op && a->fn == b->fn && a->stat == b->stat && a->n == b->n;
 
@@ -71,7 +71,7 @@ static bool is_alike(Finder *f, const Expr *a, const Expr *b, bool join_them)
     if (expr_is_constant(a))
         return expr_constant_value(a) == expr_constant_value(b);
     if (a->kind == EX_VAR) {
-        const uint32_t x = quantity(f, a), y = quantity(f, b);
+        const uint32_t x = join_operands(f, a), y = join_operands(f, b);
         if (x == IR_NONE || y == IR_NONE)
             return a->var == b->var;
         if (join_them)
@@ -79,45 +79,46 @@ static bool is_alike(Finder *f, const Expr *a, const Expr *b, bool join_them)
         return true;
     }
     for (uint32_t i = 0; i < a->n && alike; i++)
-        alike = is_alike(f, a->arg[i], b->arg[i], join_them);
+        alike = is_similar(f, a->arg[i], b->arg[i], join_them);
     return alike;
 }
 
 // Sensors that one state compares in the same way are assumed to measure the same quantity.
-static void join_alike(Finder *f)
+static void join_similar_comparisons(TrialFinder *f)
 {
-    const size_t n = f->comparison.n < COMPARED_MOST ? f->comparison.n : COMPARED_MOST;
+    const size_t n = f->comparison.n < COMPARISONS_MAX ? f->comparison.n : COMPARISONS_MAX;
 
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < i; k++) {
-            const Comparison a = f->comparison.at[i], b = f->comparison.at[k];
-            if (a.op == b.op && a.state == b.state && is_alike(f, a.left, b.left, false) && is_alike(f, a.right, b.right, false)) {
-                is_alike(f, a.left, b.left, true);
-                is_alike(f, a.right, b.right, true);
+            const TrialComparison *x = &f->comparison.at[i], *y = &f->comparison.at[k];
+            const Comparison a = x->pair, b = y->pair;
+            if (a.op == b.op && x->state == y->state && is_similar(f, a.a, b.a, false) && is_similar(f, a.b, b.b, false)) {
+                is_similar(f, a.a, b.a, true);
+                is_similar(f, a.b, b.b, true);
             }
         }
 }
 
 // Two sensors of one quantity have ranges that mostly overlap, if both have a range.
-static bool same_range(const TrialInput *a, const TrialInput *b)
+static bool have_similar_ranges(const TrialInput *a, const TrialInput *b)
 {
     const double wide = sm_max(a->hi - a->lo, b->hi - b->lo);
 
     return !a->v->range || !b->v->range || sm_min(a->hi, b->hi) - sm_max(a->lo, b->lo) >= 0.8 * wide;
 }
 
-void trial_find_groups(Finder *f)
+void trial_find_groups(TrialFinder *f)
 {
     Trials *t = f->t;
 
     f->parent = ARENA_ARRAY(f->arena, uint32_t, f->p->var.n);
     for (uint32_t v = 0; v < f->p->var.n; v++)
         f->parent[v] = v;
-    each_place(f->arena, f->p, join_places, f);
-    join_alike(f);
+    each_place(f->arena, f->p, join_stmt, f);
+    join_similar_comparisons(f);
     for (uint32_t i = 0; i < t->inputs; i++)
         for (uint32_t k = 0; k < i && t->input[i].group == i; k++)
-            if (!t->input[i].command && !t->input[k].command && same_range(&t->input[i], &t->input[k]) &&
+            if (!t->input[i].command && !t->input[k].command && have_similar_ranges(&t->input[i], &t->input[k]) &&
                 root_of(f, t->input[i].v->index) == root_of(f, t->input[k].v->index))
                 t->input[i].group = t->input[k].group;
 }

@@ -5,7 +5,7 @@
 
 // ---- counters ----
 
-static bool is_count(const Stmt *s)
+static bool is_increment(const Stmt *s)
 {
     const Expr *e = s->value;
 
@@ -15,27 +15,27 @@ static bool is_count(const Stmt *s)
 }
 
 // Whether every assignment to v sets a constant or counts, and at least one counts.
-static bool is_counter(const Finder *f, const Var *v)
+static bool is_counter(const TrialFinder *f, const Var *v)
 {
     bool counts = false;
 
     for (size_t i = 0; i < f->assign.n; i++)
         if (f->assign.at[i]->var == v) {
-            if (!is_count(f->assign.at[i]) && !expr_is_constant(f->assign.at[i]->value))
+            if (!is_increment(f->assign.at[i]) && !expr_is_constant(f->assign.at[i]->value))
                 return false;
-            counts |= is_count(f->assign.at[i]);
+            counts |= is_increment(f->assign.at[i]);
         }
     return counts;
 }
 
-static double *limits_of(Finder *f, const Var *v)
+static double *limits_of(TrialFinder *f, const Var *v)
 {
     VEC(double) limit = {NULL, 0, 0};
 
     for (size_t c = 0; c < f->comparison.n; c++)
         for (int side = 0; side < 2; side++) {
-            const Expr *e = side ? f->comparison.at[c].right : f->comparison.at[c].left;
-            const Expr *to = side ? f->comparison.at[c].left : f->comparison.at[c].right;
+            const Comparison pair = f->comparison.at[c].pair;
+            const Expr *e = side ? pair.b : pair.a, *to = side ? pair.a : pair.b;
             if (e->kind == EX_VAR && e->var == v && expr_is_constant(to))
                 vec_push(f->arena, &limit, expr_constant_value(to));
         }
@@ -44,7 +44,7 @@ static double *limits_of(Finder *f, const Var *v)
     return limit.at;
 }
 
-void trial_find_counters(Finder *f)
+void trial_find_counters(TrialFinder *f)
 {
     for (size_t v = 0; v < f->p->var.n; v++) {
         const Var *var = f->p->var.at[v];
@@ -55,7 +55,7 @@ void trial_find_counters(Finder *f)
 
 // ---- actuators ----
 
-static int distinct(const double *at, uint32_t n)
+static int count_distinct_nonzero(const double *at, uint32_t n)
 {
     int count = 0;
 
@@ -69,20 +69,20 @@ static int distinct(const double *at, uint32_t n)
 }
 
 // Percentages are far apart; codes are close together or never zero.
-static bool is_code(const Finder *f, uint32_t v)
+static bool is_code(const TrialFinder *f, uint32_t v)
 {
     double least = 0, most = 0;
 
-    for (uint32_t i = 0; i < f->given[v].n; i++) {
-        least = sm_min(least, f->given[v].at[i]);
-        most = sm_max(most, f->given[v].at[i]);
+    for (uint32_t i = 0; i < f->constants[v].n; i++) {
+        least = sm_min(least, f->constants[v].at[i]);
+        most = sm_max(most, f->constants[v].at[i]);
     }
-    return distinct(f->given[v].at, f->given[v].n) >= 2 && most - least < 100 && sm_type_info[f->p->var.at[v]->type].kind != SM_KIND_FLOAT &&
+    return count_distinct_nonzero(f->constants[v].at, f->constants[v].n) >= 2 && most - least < 100 && sm_type_info[f->p->var.at[v]->type].kind != SM_KIND_FLOAT &&
            most != 100;
 }
 
 // A count of events: it goes up by a constant, and back to 0.
-static bool only_counts(const Finder *f, const Var *v)
+static bool is_event_count(const TrialFinder *f, const Var *v)
 {
     bool counts = false;
 
@@ -90,41 +90,41 @@ static bool only_counts(const Finder *f, const Var *v)
         const Stmt *s = f->assign.at[i];
         if (s->var != v)
             continue;
-        if (!(is_count(s) && s->value->op == SM_OP_ADD) && !(expr_is_constant(s->value) && expr_constant_value(s->value) == 0))
+        if (!(is_increment(s) && s->value->op == SM_OP_ADD) && !(expr_is_constant(s->value) && expr_constant_value(s->value) == 0))
             return false;
-        counts |= is_count(s);
+        counts |= is_increment(s);
     }
     return counts;
 }
 
 // A value computed from sensors drives something only if it is bounded, or if constant levels are assigned too.  Otherwise it
 // is an estimate.
-static bool is_estimate(const Finder *f, const Var *v)
+static bool is_estimate(const TrialFinder *f, const Var *v)
 {
-    bool made_of_sensors = false;
+    bool from_sensors = false;
 
     for (size_t w = 0; w < f->words; w++)
-        made_of_sensors |= f->data[v->index * f->words + w] != 0;
-    return made_of_sensors && !f->bounded[v->index] && distinct(f->given[v->index].at, f->given[v->index].n) == 0;
+        from_sensors |= f->data[v->index * f->words + w] != 0;
+    return from_sensors && !f->bounded[v->index] && count_distinct_nonzero(f->constants[v->index].at, f->constants[v->index].n) == 0;
 }
 
 // A bool that the machine writes drives something.  So does a number that is off at rest: an assignment, or the lower end of
 // its values, makes it 0.  A number that the machine compares is a code, a count or an estimate instead.
-static bool is_actuator(const Finder *f, const Var *v)
+static bool is_actuator(const TrialFinder *f, const Var *v)
 {
     if (v->kind != VAR_ELEMENT || !v->written)
         return false;
     if (v->type == SM_BOOL)
         return true;
-    if ((f->read[v->index] && !f->varied[v->index]) || only_counts(f, v))
+    if ((f->read[v->index] && !f->varied[v->index]) || is_event_count(f, v))
         return false;
     return f->zeroed[v->index] && !is_estimate(f, v) && !(is_code(f, v->index) && !f->varied[v->index]);
 }
 
 // A copy of a local has the properties of the local.
-static void note_copy(const StmtPlace *at, void *context)
+static void copy_properties_of_local(const StmtPlace *at, void *context)
 {
-    Finder *f = context;
+    TrialFinder *f = context;
     const Var *from = at->stmt->kind == ST_ASSIGN && at->stmt->value->kind == EX_VAR ? at->stmt->value->var : NULL;
     const uint32_t to = from ? at->stmt->var->index : 0;
 
@@ -132,14 +132,14 @@ static void note_copy(const StmtPlace *at, void *context)
         return;
     f->varied[to] |= f->varied[from->index];
     f->zeroed[to] |= f->zeroed[from->index];
-    for (uint32_t i = 0; i < f->given[from->index].n; i++)
-        vec_push(f->arena, &f->given[to], f->given[from->index].at[i]);
+    for (uint32_t i = 0; i < f->constants[from->index].n; i++)
+        vec_push(f->arena, &f->constants[to], f->constants[from->index].at[i]);
 }
 
 // A value that is clamped to 0 at its lower end switches off, too.
-static void note_lower_end(const StmtPlace *at, void *context)
+static void record_bounds(const StmtPlace *at, void *context)
 {
-    Finder *f = context;
+    TrialFinder *f = context;
     const StmtFact *fact = &f->t->a->stmt[at->stmt->number];
 
     if (at->stmt->kind == ST_ASSIGN && fact->reached && !expr_is_constant(at->stmt->value) && fact->value.lo > -1e6 && fact->value.hi < 1e6)
@@ -148,10 +148,10 @@ static void note_lower_end(const StmtPlace *at, void *context)
         f->zeroed[at->stmt->var->index] = true;
 }
 
-void trial_find_actuators(Finder *f)
+void trial_find_actuators(TrialFinder *f)
 {
-    each_place(f->arena, f->p, note_copy, f);
-    each_place(f->arena, f->p, note_lower_end, f);
+    each_place(f->arena, f->p, copy_properties_of_local, f);
+    each_place(f->arena, f->p, record_bounds, f);
     for (size_t v = 0; v < f->p->var.n; v++)
         if (is_actuator(f, f->p->var.at[v]) && f->t->a->m->var_of[v] != IR_NONE)
             f->t->actuator[f->t->a->m->var_of[v]] = true;

@@ -14,7 +14,7 @@
 enum { ROOTS = 16 };                  // for one input
 
 // Executes the assignments of one state, or of all (0), once each in file order.
-static void assign(Finder *f, uint32_t state)
+static void run_assignments(TrialFinder *f, uint32_t state)
 {
     for (size_t i = 0; i < f->assign.n; i++)
         if (state == 0 || f->assign_state.at[i] == state)
@@ -22,12 +22,12 @@ static void assign(Finder *f, uint32_t state)
 }
 
 // Computes the values of the variables after every assignment has been executed, with the current inputs.
-static void compute(Finder *f)
+static void compute_vars(TrialFinder *f)
 {
     for (size_t v = 0; v < f->p->var.n; v++)
         if (f->p->var.at[v]->kind == VAR_LOCAL)
             f->value[v] = sm_cell_to_f64(f->p->var.at[v]->type, f->p->var.at[v]->init);
-    assign(f, 0);
+    run_assignments(f, 0);
 }
 
 typedef struct Roots { double at[ROOTS]; uint32_t n; } Roots;
@@ -43,27 +43,22 @@ static void add_root(Roots *r, double x)
         r->at[r->n++] = x;
 }
 
-static double difference(const Finder *f, size_t c)
-{
-    return expr_eval(f->comparison.at[c].left, f->value) - expr_eval(f->comparison.at[c].right, f->value);
-}
-
 // Which assignments are executed again for a reading.  Another state, or an earlier step, can have stored its value long ago.
-typedef enum Remembered { NOTHING, OTHER_STATES, EVERYTHING, REMEMBERED } Remembered;
+typedef enum ReadingMemory { REMEMBER_NOTHING, REMEMBER_OTHER_STATES, REMEMBER_EVERYTHING, READING_MEMORIES } ReadingMemory;
 
-static void find_differences(Finder *f, Remembered remembered, double *d)
+static void find_differences(TrialFinder *f, ReadingMemory remembered, double *d)
 {
     for (size_t c = 0; c < f->comparison.n; c++) {
-        if (remembered == OTHER_STATES && (c == 0 || f->comparison.at[c].state != f->comparison.at[c - 1].state)) {
-            memcpy(f->value, f->kept, f->p->var.n * sizeof *f->value);
-            assign(f, f->comparison.at[c].state);
+        if (remembered == REMEMBER_OTHER_STATES && (c == 0 || f->comparison.at[c].state != f->comparison.at[c - 1].state)) {
+            memcpy(f->value, f->saved, f->p->var.n * sizeof *f->value);
+            run_assignments(f, f->comparison.at[c].state);
         }
-        d[c] = difference(f, c);
+        d[c] = expr_eval(f->comparison.at[c].pair.a, f->value) - expr_eval(f->comparison.at[c].pair.b, f->value);
     }
 }
 
 // set: sets the varied variable or group to the reading x.
-static void find_roots(Finder *f, void (*set)(Finder *f, uint32_t which, double x), uint32_t which, uint32_t bit, Remembered remembered, Roots *out)
+static void find_roots(TrialFinder *f, void (*set)(TrialFinder *f, uint32_t which, double x), uint32_t which, uint32_t bit, ReadingMemory remembered, Roots *out)
 {
     static const double at[] = {-1e5, -40, 0, 1, 90, 3000, 1e5};
     enum { POINTS = sizeof at / sizeof *at };
@@ -71,22 +66,22 @@ static void find_roots(Finder *f, void (*set)(Finder *f, uint32_t which, double 
     double *d = ARENA_ARRAY(f->arena, double, n * POINTS + 1);
 
     set(f, which, at[0]);
-    compute(f);
+    compute_vars(f);
     for (size_t k = 0; k < POINTS; k++) {
         set(f, which, at[k]);
-        if (remembered == NOTHING)
-            compute(f);
-        memcpy(f->kept, f->value, f->p->var.n * sizeof *f->value);
+        if (remembered == REMEMBER_NOTHING)
+            compute_vars(f);
+        memcpy(f->saved, f->value, f->p->var.n * sizeof *f->value);
         find_differences(f, remembered, d + k * n);
-        memcpy(f->value, f->kept, f->p->var.n * sizeof *f->value);
+        memcpy(f->value, f->saved, f->p->var.n * sizeof *f->value);
     }
     for (size_t c = 0; c < n; c++) {
         memset(f->bits, 0, f->words * sizeof *f->bits);
         if (bit != IR_NONE) {
-            trial_add_bits(f, f->comparison.at[c].left, f->data, f->bits);
-            trial_add_bits(f, f->comparison.at[c].right, f->data, f->bits);
+            trial_add_inputs(f, f->comparison.at[c].pair.a, f->data, f->bits);
+            trial_add_inputs(f, f->comparison.at[c].pair.b, f->data, f->bits);
         }
-        for (size_t k = 1; k < POINTS && (bit == IR_NONE || has_bit(f->bits, bit)); k++) {
+        for (size_t k = 1; k < POINTS && (bit == IR_NONE || bitset_has(f->bits, bit)); k++) {
             const double d0 = d[(k - 1) * n + c], d1 = d[k * n + c];
             if (d0 != d1)
                 add_root(out, at[k - 1] - d0 * (at[k] - at[k - 1]) / (d1 - d0));
@@ -94,7 +89,7 @@ static void find_roots(Finder *f, void (*set)(Finder *f, uint32_t which, double 
     }
 }
 
-static void set_alone(Finder *f, uint32_t input, double x)
+static void set_one_input(TrialFinder *f, uint32_t input, double x)
 {
     for (uint32_t i = 0; i < f->t->inputs; i++)
         f->value[f->t->input[i].v->index] = 0;
@@ -102,16 +97,16 @@ static void set_alone(Finder *f, uint32_t input, double x)
     f->value[f->t->input[input].v->index] = x;
 }
 
-static void set_group(Finder *f, uint32_t input, double x)
+static void set_input_group(TrialFinder *f, uint32_t input, double x)
 {
-    set_alone(f, input, x);
+    set_one_input(f, input, x);
     for (uint32_t i = 0; i < f->t->inputs; i++)
         if (f->t->input[i].group == f->t->input[input].group)
             f->value[f->t->input[i].v->index] = x;
 }
 
 // G and T are equal when the machine has just begun.  A stored time is 0.
-static void set_time(Finder *f, uint32_t which, double x)
+static void set_time(TrialFinder *f, uint32_t which, double x)
 {
     (void)which;
     for (uint32_t i = 0; i < f->t->inputs; i++)
@@ -119,7 +114,7 @@ static void set_time(Finder *f, uint32_t which, double x)
     f->value[f->p->g->index] = f->value[f->p->t->index] = x;
 }
 
-static int ascending(const void *a, const void *b)
+static int compare_numbers(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
 
@@ -137,20 +132,20 @@ static void add_reading(TrialInput *i, double x)
     i->reading[i->readings++] = x;
 }
 
-static void find_readings(Finder *f, uint32_t input)
+static void find_readings(TrialFinder *f, uint32_t input)
 {
     TrialInput *i = &f->t->input[input];
     const bool whole = sm_type_info[i->v->type].kind != SM_KIND_FLOAT;
     Roots r = {{0}, 0};
 
     i->reading = ARENA_ARRAY(f->arena, double, 3 * ROOTS + 16);
-    find_roots(f, set_alone, input, input, NOTHING, &r);
+    find_roots(f, set_one_input, input, input, REMEMBER_NOTHING, &r);
     if (i->v->type == SM_BOOL)
         r.n = 0;
     else
-        for (int remembered = 0; remembered < REMEMBERED; remembered++)
-            find_roots(f, set_group, input, input, (Remembered)remembered, &r);
-    qsort(r.at, r.n, sizeof *r.at, ascending);
+        for (int remembered = 0; remembered < READING_MEMORIES; remembered++)
+            find_roots(f, set_input_group, input, input, (ReadingMemory)remembered, &r);
+    qsort(r.at, r.n, sizeof *r.at, compare_numbers);
     i->rough = !i->v->range && r.n == 0;
     i->scale = i->v->range ? i->hi - i->lo : r.n > 1 ? r.at[r.n - 1] - r.at[0] : r.n == 1 && r.at[0] != 0 ? sm_abs(r.at[0]) : 1;
     if (i->v->range) {
@@ -175,10 +170,10 @@ static void find_readings(Finder *f, uint32_t input)
     if (i->rough && i->v->type != SM_BOOL)
         for (double x = 30; x < 1e5; x *= 30)
             add_reading(i, x);
-    qsort(i->reading, i->readings, sizeof *i->reading, ascending);
+    qsort(i->reading, i->readings, sizeof *i->reading, compare_numbers);
 }
 
-void trial_find_readings(Finder *f)
+void trial_find_readings(TrialFinder *f)
 {
     Trials *t = f->t;
 
@@ -191,36 +186,25 @@ void trial_find_readings(Finder *f)
 
 // ---- times ----
 
-typedef struct Stamp { const Var *g; bool found; } Stamp;
-
-static void look_for_time(Expr *e, void *context)
+static void find_time(Expr *e, void *context)
 {
-    Stamp *s = context;
+    TrialFinder *f = context;
 
-    s->found |= e->kind == EX_VAR && e->var == s->g;
+    f->t->stamped |= e->kind == EX_VAR && e->var == f->p->g;
 }
 
-// Whether some local contains a time.
-static bool stamps_time(Finder *f)
-{
-    Stamp s = {f->p->g, false};
-
-    for (size_t i = 0; i < f->assign.n; i++)
-        expr_walk(f->assign.at[i]->value, look_for_time, &s);
-    return s.found;
-}
-
-void trial_find_waits(Finder *f)
+void trial_find_waits(TrialFinder *f)
 {
     Roots r = {{0}, 0};
     Trials *t = f->t;
 
-    find_roots(f, set_time, 0, IR_NONE, NOTHING, &r);
-    find_roots(f, set_time, 0, IR_NONE, EVERYTHING, &r);
-    qsort(r.at, r.n, sizeof *r.at, ascending);
+    find_roots(f, set_time, 0, IR_NONE, REMEMBER_NOTHING, &r);
+    find_roots(f, set_time, 0, IR_NONE, REMEMBER_EVERYTHING, &r);
+    qsort(r.at, r.n, sizeof *r.at, compare_numbers);
     t->wait = ARENA_ARRAY(f->arena, double, ROOTS);
     for (uint32_t k = 0; k < r.n; k++)
         if (r.at[k] > 0 && r.at[k] < 1e12)
             t->wait[t->waits++] = sm_ceil(r.at[k]);
-    t->stamped = stamps_time(f);
+    for (size_t i = 0; i < f->assign.n; i++)
+        expr_walk(f->assign.at[i]->value, find_time, f);
 }

@@ -7,9 +7,9 @@
 #include "stdlib/math.h"
 
 enum {
-    STEPS_OF_PASS = 40,           // if a variable changes that is not a counter
-    BEGINNINGS = 6,               // readings that are tried to make a state last
-    BEGINNING = 3                 // steps for which it has to last
+    STEPS_PER_PASS = 40,           // if a variable changes that is not a counter
+    READINGS_TRIED = 6,               // readings that are tried to make a state last
+    LASTING_STEPS = 3                 // steps for which it has to last
 };
 
 // ---- running ----
@@ -34,19 +34,19 @@ void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace
 
 // ---- passing time ----
 
-static const double ever = 1e9;                   // steps: longer than any timer
+static const double endless = 1e9;                   // steps: longer than any timer
 
 static double steps_to(double from, double limit, double by)
 {
     const double n = sm_ceil((limit - from) / by);
 
-    return n > 0 ? n - 1 : n == 0 ? 0 : ever;
+    return n > 0 ? n - 1 : n == 0 ? 0 : endless;
 }
 
 static double steps_to_wait(const Trials *t, const void *situation)
 {
     const IrSituation *s = situation;
-    double n = ever;
+    double n = endless;
 
     for (uint32_t w = 0; w < t->waits; w++)
         if (t->wait[w] >= s->last_g - s->start)
@@ -56,14 +56,14 @@ static double steps_to_wait(const Trials *t, const void *situation)
     return n;
 }
 
-uint32_t trial_wait_steps(const Trials *t, const void *situation)
+uint32_t trial_steps_to_timer(const Trials *t, const void *situation)
 {
     const double n = steps_to_wait(t, situation);
 
-    return n >= ever ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
+    return n >= endless ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
 }
 
-uint32_t trial_leap_steps(const Trials *t, const double *before, const void *situation)
+uint32_t trial_steps_to_event(const Trials *t, const double *before, const void *situation)
 {
     const double *var = trial_vars(t, situation);
     const IrMachine *m = t->run->m;
@@ -77,15 +77,15 @@ uint32_t trial_leap_steps(const Trials *t, const double *before, const void *sit
         for (const double *l = t->limit[v]; *l == *l; l++)
             n = sm_min(n, steps_to(var[v], *l, var[v] - before[v]));
     }
-    return n >= ever ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
+    return n >= endless ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
 }
 
-void trial_leap(const Trials *t, const double *before, void *situation, uint32_t steps)
+void trial_skip_steps(const Trials *t, const double *before, void *situation, uint32_t steps)
 {
     IrSituation *s = situation;
     double *var = ir_run_vars(t->run, situation);
     const IrMachine *m = t->run->m;
-    const double n = steps == TRIAL_MANY ? ever : steps;
+    const double n = steps == TRIAL_MANY ? endless : steps;
 
     s->last_g += n * t->dt;
     for (uint32_t v = 0; v < m->var.n; v++)
@@ -93,22 +93,22 @@ void trial_leap(const Trials *t, const double *before, void *situation, uint32_t
             var[v] = ir_convert(m->var.at[v].type, var[v] + n * (var[v] - before[v]));
 }
 
-bool trial_pass(Trials *t, void *situation, const double *in, IrTrace *trace)
+bool trial_pass_time(Trials *t, void *situation, const double *in, IrTrace *trace)
 {
     uint32_t n = 0;
 
-    for (int k = 0; k < STEPS_OF_PASS && n == 0; k++) {
+    for (int k = 0; k < STEPS_PER_PASS && n == 0; k++) {
         memcpy(t->before, ir_run_vars(t->run, situation), t->run->m->var.n * sizeof *t->before);
         trial_step(t, situation, in, t->dt, trace);
         if (trace->transition)
             return true;
-        n = trial_leap_steps(t, t->before, situation);
+        n = trial_steps_to_event(t, t->before, situation);
     }
-    trial_leap(t, t->before, situation, n);
+    trial_skip_steps(t, t->before, situation, n);
     return n != TRIAL_MANY;
 }
 
-bool trial_advances(const Trials *t, const double *before, const void *situation)
+bool trial_approaches_limit(const Trials *t, const double *before, const void *situation)
 {
     const double *var = trial_vars(t, situation);
     const IrMachine *m = t->run->m;
@@ -123,13 +123,13 @@ bool trial_advances(const Trials *t, const double *before, const void *situation
     return false;
 }
 
-bool trial_same(const Trials *t, const void *a, const void *b)
+bool trial_is_same(const Trials *t, const void *a, const void *b)
 {
     const double *x = trial_vars(t, a);
     const double *y = trial_vars(t, b);
     const IrMachine *m = t->run->m;
 
-    if (trial_state(a) != trial_state(b) || trial_entering(a) != trial_entering(b))
+    if (trial_state(a) != trial_state(b) || trial_is_entering(a) != trial_is_entering(b))
         return false;
     for (uint32_t v = 0; v < m->var.n; v++)
         if (m->var.at[v].writable && v != m->g && v != m->t && v != m->s && x[v] != y[v])
@@ -139,7 +139,7 @@ bool trial_same(const Trials *t, const void *a, const void *b)
 
 // ---- choosing ----
 
-uint32_t trial_below(Trials *t, uint32_t n)
+uint32_t trial_random_below(Trials *t, uint32_t n)
 {
     t->random = t->random * 6364136223846793005u + 1442695040888963407u;
     return n == 0 ? 0 : (uint32_t)((t->random >> 33) % n);
@@ -156,37 +156,37 @@ void trial_set_group(const Trials *t, double *in, uint32_t input, double reading
             in[i] = reading;
 }
 
-static double within(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
+static double clamp_to_range(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
 
 void trial_add_noise(Trials *t, double *in, double most)
 {
     for (uint32_t g = 0; g < t->inputs && most > 0; g++) {
-        const double noise = most * t->input[g].scale * (trial_below(t, 2001) / 1000.0 - 1);
+        const double noise = most * t->input[g].scale * (trial_random_below(t, 2001) / 1000.0 - 1);
         if (t->input[g].command || t->input[g].group != g)
             continue;
         for (uint32_t i = g; i < t->inputs; i++)
             if (t->input[i].group == g)
-                in[i] = trial_is_healthy(&t->input[i], in[i]) ? within(&t->input[i], in[i] + noise) : in[i] + noise;
+                in[i] = trial_is_healthy(&t->input[i], in[i]) ? clamp_to_range(&t->input[i], in[i] + noise) : in[i] + noise;
     }
 }
 
-void trial_tie_groups(const Trials *t, double *in)
+void trial_unify_groups(const Trials *t, double *in)
 {
     for (uint32_t i = 0; i < t->inputs; i++)
         if (!t->input[i].command)
             in[i] = in[t->input[i].group];
 }
 
-double trial_some_reading(Trials *t, const TrialInput *i, bool sick)
+double trial_pick_reading(Trials *t, const TrialInput *i, bool unhealthy)
 {
-    double x = i->reading[trial_below(t, i->readings)];
+    double x = i->reading[trial_random_below(t, i->readings)];
 
-    for (int k = 0; k < 4 && !sick && !trial_is_healthy(i, x); k++)
-        x = i->reading[trial_below(t, i->readings)];
+    for (int k = 0; k < 4 && !unhealthy && !trial_is_healthy(i, x); k++)
+        x = i->reading[trial_random_below(t, i->readings)];
     return x;
 }
 
-void trial_draw(Trials *t, double *in, const TrialState *s, bool commands, bool sick)
+void trial_draw_inputs(Trials *t, double *in, const TrialState *s, bool commands, bool unhealthy)
 {
     for (uint32_t i = 0; i < t->inputs; i++) {
         const TrialInput *input = &t->input[i];
@@ -194,30 +194,30 @@ void trial_draw(Trials *t, double *in, const TrialState *s, bool commands, bool 
             continue;
         if (input->command) {
             if (commands)
-                in[i] = trial_below(t, 2) ? 0 : trial_some_reading(t, input, true);
+                in[i] = trial_random_below(t, 2) ? 0 : trial_pick_reading(t, input, true);
         } else if (input->group == i) {
-            trial_set_group(t, in, i, trial_some_reading(t, input, sick));
-        } else if (trial_below(t, 3) == 0) {
-            in[i] = trial_some_reading(t, input, sick);
+            trial_set_group(t, in, i, trial_pick_reading(t, input, unhealthy));
+        } else if (trial_random_below(t, 3) == 0) {
+            in[i] = trial_pick_reading(t, input, unhealthy);
         }
     }
 }
 
-void trial_draw_free(Trials *t, double *in, const TrialState *s)
+void trial_draw_inputs_freely(Trials *t, double *in, const TrialState *s)
 {
-    trial_draw(t, in, s, false, true);
+    trial_draw_inputs(t, in, s, false, true);
     for (uint32_t i = 0; i < t->inputs; i++)
         if (t->input[i].command && !t->input[i].v->command)
-            in[i] = trial_some_reading(t, &t->input[i], true);
+            in[i] = trial_pick_reading(t, &t->input[i], true);
 }
 
 // ---- the start of a trial ----
 
-typedef struct Held { const Trials *t; const double *in; } Held;
+typedef struct HeldInputs { const Trials *t; const double *in; } HeldInputs;
 
-static void held_inputs(void *context, double *vars, uint32_t sample)
+static void set_held_inputs(void *context, double *vars, uint32_t sample)
 {
-    const Held *h = context;
+    const HeldInputs *h = context;
 
     (void)sample;
     for (uint32_t i = 0; i < h->t->inputs; i++)
@@ -227,26 +227,26 @@ static void held_inputs(void *context, double *vars, uint32_t sample)
 void trial_fill_windows(Trials *t, void *situation, const double *in)
 {
     void *before = trial_copy(t, t->scratch, situation);
-    Held h = {t, in};
+    HeldInputs h = {t, in};
 
-    ir_run_fill(t->run, situation, t->window, held_inputs, &h);
+    ir_run_fill(t->run, situation, t->window, set_held_inputs, &h);
     for (uint32_t w = 0; w < t->run->m->window.n; w++)
         if (t->computed[w])
             ir_run_copy_window(t->run, situation, before, w);
 }
 
-// Whether the state lasts some steps with these commands and some healthy readings.
-static bool lasts(Trials *t, const TrialEntry *e, void *situation, double *in)
+// Whether the state find_lasting_inputs some steps with these commands and some healthy readings.
+static bool find_lasting_inputs(Trials *t, const TrialEntry *e, void *situation, double *in)
 {
     const uint32_t state = trial_state(e->situation);
     bool same = false;
 
-    for (int readings = 0; readings < BEGINNINGS && !same; readings++) {
+    for (int readings = 0; readings < READINGS_TRIED && !same; readings++) {
         if (readings > 0)
-            trial_draw(t, in, &t->state[state - 1], false, false);
+            trial_draw_inputs(t, in, &t->state[state - 1], false, false);
         trial_copy(t, situation, e->situation);
         same = true;
-        for (int n = 0; n < BEGINNING && same; n++) {
+        for (int n = 0; n < LASTING_STEPS && same; n++) {
             trial_step(t, situation, in, t->dt, &t->trace);
             same = trial_state(situation) == state;
         }
@@ -259,33 +259,33 @@ void trial_begin(Trials *t, const TrialEntry *e, void *situation, double *in)
     bool lasts_with_commands;
 
     memcpy(in, e->in, t->inputs * sizeof *in);
-    lasts_with_commands = lasts(t, e, situation, in);
+    lasts_with_commands = find_lasting_inputs(t, e, situation, in);
     for (uint32_t i = 0; i < t->inputs; i++)
         if (t->input[i].command)
             in[i] = 0;
-    if (!lasts(t, e, situation, in) && lasts_with_commands)
+    if (!find_lasting_inputs(t, e, situation, in) && lasts_with_commands)
         memcpy(in, e->in, t->inputs * sizeof *in);
     trial_copy(t, situation, e->situation);
 }
 
 // ---- comparing ----
 
-typedef struct Differing { const Trials *t; const double *a, *b; const Var *found; } Differing;
+typedef struct VarDifference { const Trials *t; const double *a, *b; const Var *found; } VarDifference;
 
-static void compare_var(Expr *e, void *context)
+static void find_differing_var(Expr *e, void *context)
 {
-    Differing *d = context;
+    VarDifference *d = context;
     const uint32_t v = e->kind == EX_VAR ? d->t->a->m->var_of[e->var->index] : IR_NONE;
 
     if (v != IR_NONE && e->var->written && !d->found && d->a[v] != d->b[v])
         d->found = e->var;
 }
 
-const Var *trial_differing(const Trials *t, const Condition *when, const void *a, const void *b)
+const Var *trial_find_difference(const Trials *t, const Condition *when, const void *a, const void *b)
 {
-    Differing d = {t, trial_vars(t, a), trial_vars(t, b), NULL};
+    VarDifference d = {t, trial_vars(t, a), trial_vars(t, b), NULL};
 
     for (const Condition *c = when; c; c = c->outer)
-        expr_walk(c->stmt->value, compare_var, &d);
+        expr_walk(c->stmt->value, find_differing_var, &d);
     return d.found;
 }

@@ -4,7 +4,7 @@
 // Two machines run side by side from a situation in which windows have few samples.  In one of them the windows are filled
 // first, with the readings that the sensors are about to deliver.  If that one does nothing while the other makes a transition
 // or switches an output on, the missing samples decided.  The finding is at the first guard on which the two differ, which may
-// set a flag or a code that decides later.
+// set a flag or a code that few_samples_decide later.
 //
 // Only situations that are reached without a command and in a known number of steps count.  A person waits long enough, and so
 // does a timer if the step is unknown.
@@ -22,7 +22,7 @@ static const uint64_t effort = 30000000;          // instructions
 static const double noise[] = {0.001, 0.02, 0.3, 5, 100};          // in TrialInput.scale
 enum { NOISES = sizeof noise / sizeof *noise };
 
-typedef struct WindowFill {
+typedef struct WindowTrial {
     Trials *t;
     void *full, *few, *filled;
     uint32_t window;              // in IrMachine.window: the window that is full in `full`
@@ -39,11 +39,11 @@ typedef struct WindowFill {
     uint64_t until;               // value of Trials.run.work at which the search stops
     uint32_t *deciding;           // by Stmt.number: the window that decided
     uint32_t *found;              // by Stmt.number of a guard: the fewest samples with which it decided; 0: none
-} WindowFill;
+} WindowTrial;
 
 // ---- inputs ----
 
-static void set_inputs(WindowFill *w)
+static void set_inputs(WindowTrial *w)
 {
     const Trials *t = w->t;
 
@@ -53,7 +53,7 @@ static void set_inputs(WindowFill *w)
 
 static void fill_inputs(void *context, double *vars, uint32_t sample)
 {
-    WindowFill *w = context;
+    WindowTrial *w = context;
 
     (void)sample;
     set_inputs(w);
@@ -63,7 +63,7 @@ static void fill_inputs(void *context, double *vars, uint32_t sample)
 
 // ---- one trial ----
 
-static bool switches_on(const WindowFill *w)
+static bool switches_on(const WindowTrial *w)
 {
     const double *few = ir_run_vars(w->t->run, w->few), *full = ir_run_vars(w->t->run, w->full);
 
@@ -74,7 +74,7 @@ static bool switches_on(const WindowFill *w)
 }
 
 // Finds the first guard with different results.
-static void note_guard(WindowFill *w, uint32_t samples)
+static void find_differing_guard(WindowTrial *w, uint32_t samples)
 {
     const uint32_t n = samples > w->t->window ? 0 : w->few_did.n < w->full_did.n ? w->few_did.n : w->full_did.n;
 
@@ -88,14 +88,14 @@ static void note_guard(WindowFill *w, uint32_t samples)
         }
 }
 
-typedef enum Outcome { SAME, FULL_ACTS, FEW_DECIDE } Outcome;
+typedef enum FillOutcome { SAME, FULL_ACTS, FEW_DECIDE } FillOutcome;
 
 // Compares the two after a step.  A decision by the full window is not a finding.
-static Outcome compare(WindowFill *w, uint32_t samples)
+static FillOutcome compare_after_step(WindowTrial *w, uint32_t samples)
 {
     const bool before = w->guard && w->later;         // they have differed, without a visible effect yet
 
-    note_guard(w, samples);
+    find_differing_guard(w, samples);
     if (w->few_did.transition != w->full_did.transition)
         return w->guard && (w->full_did.transition == 0 || before) ? FEW_DECIDE : FULL_ACTS;
     w->later |= w->few_did.transition != 0;
@@ -105,29 +105,29 @@ static Outcome compare(WindowFill *w, uint32_t samples)
 }
 
 // A wrong decision may show only later, in another state: time passes, and people give commands.
-static bool shows_later(WindowFill *w)
+static bool shows_later(WindowTrial *w)
 {
     Trials *t = w->t;
     const size_t size = t->run->m->var.n * sizeof *w->before;
-    Outcome o = SAME;
+    FillOutcome o = SAME;
 
-    for (int n = 0; n < LATER && o == SAME && !trial_same(t, w->few, w->full); n++) {
+    for (int n = 0; n < LATER && o == SAME && !trial_is_same(t, w->few, w->full); n++) {
         uint32_t leap, in_full;
         if (n % 10 == 9)
-            trial_draw(t, w->in, NULL, true, false);
+            trial_draw_inputs(t, w->in, NULL, true, false);
         memcpy(w->before, ir_run_vars(t->run, w->few), size);
         memcpy(w->before_full, ir_run_vars(t->run, w->full), size);
         trial_step(t, w->full, w->in, t->dt, &w->full_did);
         trial_step(t, w->few, w->in, t->dt, &w->few_did);
-        o = compare(w, w->samples);
+        o = compare_after_step(w, w->samples);
         if (w->few_did.transition)
             continue;
-        leap = trial_leap_steps(t, w->before, w->few);
-        in_full = trial_leap_steps(t, w->before_full, w->full);
+        leap = trial_steps_to_event(t, w->before, w->few);
+        in_full = trial_steps_to_event(t, w->before_full, w->full);
         leap = in_full < leap ? in_full : leap;
         if (o == SAME && leap != TRIAL_MANY) {
-            trial_leap(t, w->before, w->few, leap);
-            trial_leap(t, w->before_full, w->full, leap);
+            trial_skip_steps(t, w->before, w->few, leap);
+            trial_skip_steps(t, w->before_full, w->full, leap);
         }
     }
     return o == FEW_DECIDE;
@@ -135,7 +135,7 @@ static bool shows_later(WindowFill *w)
 
 // Fills the window with `earlier` samples of the earlier readings, then with one sample of the last step's readings for each
 // step so far.
-static void fill(WindowFill *w, const TrialEntry *e, void *situation, uint32_t earlier)
+static void fill_window(WindowTrial *w, const TrialEntry *e, void *situation, uint32_t earlier)
 {
     Trials *t = w->t;
     double *in = w->in, usual = w->noise;
@@ -154,23 +154,23 @@ static void fill(WindowFill *w, const TrialEntry *e, void *situation, uint32_t e
 
 // One window is full of `earlier` readings in one of the two; then both read the same. glitch: an input with another reading in
 // the first step; or IR_NONE.
-static bool decides(WindowFill *w, const TrialEntry *e, uint32_t glitch, double reading)
+static bool few_samples_decide(WindowTrial *w, const TrialEntry *e, uint32_t glitch, double reading)
 {
     Trials *t = w->t;
     w->guard = NULL;
     w->later = false;
     trial_copy(t, w->few, e->situation);
     trial_copy(t, w->full, e->situation);
-    fill(w, e, w->few, 0);
-    fill(w, e, w->full, t->window);
+    fill_window(w, e, w->few, 0);
+    fill_window(w, e, w->full, t->window);
     for (uint32_t n = 0; n < 2 * t->window; n++) {
-        Outcome o;
+        FillOutcome o;
         set_inputs(w);
         if (n == 0 && glitch != IR_NONE)
             trial_set_group(t, w->now, glitch, reading);
         trial_step(t, w->full, w->now, t->dt, &w->full_did);
         trial_step(t, w->few, w->now, t->dt, &w->few_did);
-        o = compare(w, e->steps + n + 1);
+        o = compare_after_step(w, e->steps + n + 1);
         if (o != SAME)
             return o == FEW_DECIDE;
         if (w->few_did.transition && !w->guard && t->a->step == 0 && t->by_time[w->few_did.transition])
@@ -184,14 +184,14 @@ static bool decides(WindowFill *w, const TrialEntry *e, uint32_t glitch, double 
 
 // ---- findings ----
 
-typedef struct Finder { const WindowFill *w; const Expr *roll; const Var *through; int depth; } Finder;
-typedef struct StoresOf { Finder *f; const Var *v; } StoresOf;
+typedef struct RollSearch { const WindowTrial *w; const Expr *roll; const Var *through; int depth; } RollSearch;
+typedef struct StoreSearch { RollSearch *f; const Var *v; } StoreSearch;
 
 static void find_roll(Expr *e, void *context);
 
-static void look_at_store(const Stmt *s, void *context)
+static void find_roll_in_store(const Stmt *s, void *context)
 {
-    StoresOf *k = context;
+    StoreSearch *k = context;
 
     if (s->kind == ST_ASSIGN && s->var == k->v)
         expr_walk(s->value, find_roll, k->f);
@@ -199,14 +199,14 @@ static void look_at_store(const Stmt *s, void *context)
 
 static void find_roll(Expr *e, void *context)
 {
-    Finder *f = context;
+    RollSearch *f = context;
 
     if (e->kind == EX_ROLL && !f->roll && f->w->t->a->m->window_of[e->window] == f->w->window)
         f->roll = e;
     if (e->kind == EX_VAR && e->var->written && !f->roll && f->depth < 4) {
-        StoresOf k = {f, e->var};
+        StoreSearch k = {f, e->var};
         f->depth++;
-        each_stmt(f->w->t->a->p, look_at_store, &k);
+        each_stmt(f->w->t->a->p, find_roll_in_store, &k);
         f->depth--;
         if (f->roll && !f->through)
             f->through = e->var;
@@ -214,7 +214,7 @@ static void find_roll(Expr *e, void *context)
 }
 
 // Of several findings at one guard, stores the one with the fewest samples.
-static void note_finding(WindowFill *w)
+static void record_finding(WindowTrial *w)
 {
     uint32_t *least = &w->found[w->guard->number];
 
@@ -225,7 +225,7 @@ static void note_finding(WindowFill *w)
 }
 
 // If the window has all its samples, the cause is not the window but a value that the machine stored before.
-static const char *what_is_early(const Analysis *a, const Expr *roll, uint32_t samples)
+static const char *early_text(const Analysis *a, const Expr *roll, uint32_t samples)
 {
     const char *text = source_text(a->arena, roll->span);
     const uint32_t size = a->p->window.at[roll->window].size;
@@ -235,56 +235,56 @@ static const char *what_is_early(const Analysis *a, const Expr *roll, uint32_t s
     return format_in(a->arena, "the window of '%s' has %lu of %lu samples", text, (unsigned long)samples, (unsigned long)size);
 }
 
-static void report(const WindowFill *w)
+static void report_guard(const WindowTrial *w)
 {
     const Analysis *a = w->t->a;
-    Finder f = {.w = w};
+    RollSearch f = {.w = w};
     Diag *d;
 
     expr_walk(w->guard->value, find_roll, &f);
     if (!f.roll)
         return;
-    d = diag_report(a->diags, DIAG_window_not_full, w->guard->value->span, what_is_early(a, f.roll, w->samples));
+    d = diag_report(a->diags, DIAG_window_not_full, w->guard->value->span, early_text(a, f.roll, w->samples));
     if (f.through)
         diag_note(a->diags, d, f.roll->span, DIAG_note_statistic_here, f.through->name->text);
 }
 
 // The current readings, other readings, or far too high or too low ones.
-static void choose_earlier(WindowFill *w, uint32_t kind)
+static void choose_earlier(WindowTrial *w, uint32_t kind)
 {
     Trials *t = w->t;
 
     memcpy(w->earlier, w->in, t->inputs * sizeof *w->in);
     if (kind == 1)
-        trial_draw(t, w->earlier, NULL, false, false);
+        trial_draw_inputs(t, w->earlier, NULL, false, false);
     for (uint32_t i = 0; i < t->inputs && kind > 1; i++)
         if (!t->input[i].command)
             w->earlier[i] = (kind == 2 ? 1e5 : -1e5) * t->input[i].scale;
 }
 
-static void try_entry(WindowFill *w, const TrialState *s, const TrialEntry *e)
+static void try_entry(WindowTrial *w, const TrialState *s, const TrialEntry *e)
 {
     Trials *t = w->t;
     const uint32_t windows = t->run->m->window.n;
 
     for (uint32_t n = 0; n < DRAWS * windows && t->run->work < w->until; n++) {
-        const uint32_t glitch = t->inputs == 0 || trial_below(t, 3) == 0 ? IR_NONE : trial_below(t, t->inputs);
+        const uint32_t glitch = t->inputs == 0 || trial_random_below(t, 3) == 0 ? IR_NONE : trial_random_below(t, t->inputs);
         w->window = n % windows;
         memcpy(w->in, e->in, t->inputs * sizeof *w->in);
-        trial_draw(t, w->in, s, true, false);
-        w->same = trial_below(t, 2);
-        choose_earlier(w, trial_below(t, 4));
-        w->noise = trial_below(t, 2) ? 0 : noise[trial_below(t, NOISES)];
+        trial_draw_inputs(t, w->in, s, true, false);
+        w->same = trial_random_below(t, 2);
+        choose_earlier(w, trial_random_below(t, 4));
+        w->noise = trial_random_below(t, 2) ? 0 : noise[trial_random_below(t, NOISES)];
         if (glitch != IR_NONE && t->input[glitch].command)
             continue;
-        if (decides(w, e, glitch, glitch == IR_NONE ? 0 : t->input[glitch].reading[trial_below(t, t->input[glitch].readings)]))
-            note_finding(w);
+        if (few_samples_decide(w, e, glitch, glitch == IR_NONE ? 0 : t->input[glitch].reading[trial_random_below(t, t->input[glitch].readings)]))
+            record_finding(w);
     }
 }
 
-void question_window_not_full(Trials *t)
+void check_window_not_full(Trials *t)
 {
-    WindowFill w = {.t = t, .in = trial_new_inputs(t), .now = trial_new_inputs(t)};
+    WindowTrial w = {.t = t, .in = trial_new_inputs(t), .now = trial_new_inputs(t)};
 
     if (t->window < 2)
         return;
@@ -303,7 +303,7 @@ void question_window_not_full(Trials *t)
         uint32_t tried = 0;
         for (size_t n = 0; n < t->state[s].entry.n && tried < TRIED; n++) {
             const TrialEntry *e = &t->state[s].entry.at[n];
-            if (e->steps == TRIAL_MANY || e->steps + 1 >= t->window || e->commanded || e->sick)
+            if (e->steps == TRIAL_MANY || e->steps + 1 >= t->window || e->commanded || e->unhealthy)
                 continue;
             try_entry(&w, &t->state[s], e);
             tried++;
@@ -314,6 +314,6 @@ void question_window_not_full(Trials *t)
             w.guard = t->stmt[n];
             w.samples = w.found[n];
             w.window = w.deciding[n];
-            report(&w);
+            report_guard(&w);
         }
 }

@@ -12,24 +12,24 @@
 
 enum { STATE_FUNCTIONS = 3 };           // .entry, .step and .exit, by CostPart
 
-typedef enum WayEnd { WAY_ENDS, WAY_LEAVES, WAYS } WayEnd;        // in `end`, in `goto`
+typedef enum PathEnd { PATH_ENDS, PATH_LEAVES, PATH_KINDS } PathEnd;        // in `end`, in `goto`
 
-typedef struct Ins {
+typedef struct ImageIns {
     uint32_t at;                  // in the image
     uint8_t op;
     uint32_t to;                  // target of its jump, in the image; 0: not a jump
     uint32_t line, units;         // its own cost
-    uint32_t left[WAYS];          // cost of the longest path from here on, this instruction included; 0: there is no path
-} Ins;
+    uint32_t left[PATH_KINDS];          // cost of the longest path from here on, this instruction included; 0: there is no path
+} ImageIns;
 
-typedef struct Fn {
-    Ins *ins;
+typedef struct ImageFn {
+    ImageIns *ins;
     uint32_t n;
-    uint32_t longest[WAYS];       // all zero for a function without code, which ends
+    uint32_t longest[PATH_KINDS];       // all zero for a function without code, which ends
     bool ends;                    // some path ends in `end`
-} Fn;
+} ImageFn;
 
-typedef struct Reader {
+typedef struct ImageReader {
     Arena *arena;
     CostUnit unit;
     uint32_t always;              // the cost of a step besides its functions
@@ -38,13 +38,13 @@ typedef struct Reader {
     SmvmLines lines;              // the next line that has not begun
     bool more;                    // there is a next line
     uint32_t line;                // of the instruction being read
-} Reader;
+} ImageReader;
 
 static uint32_t larger(uint32_t a, uint32_t b) { return a > b ? a : b; }
 
 // ---- reading a function ----
 
-static void find_line(Reader *r, uint32_t at)
+static void find_line(ImageReader *r, uint32_t at)
 {
     while (r->more && r->lines.code <= at - r->m.code_at) {
         r->line = r->lines.line;
@@ -53,7 +53,7 @@ static void find_line(Reader *r, uint32_t at)
 }
 
 // Reads an instruction and returns the position of the next one.
-static uint32_t read_ins(Reader *r, uint32_t at, uint32_t end, Ins *out)
+static uint32_t read_ins(ImageReader *r, uint32_t at, uint32_t end, ImageIns *out)
 {
     const uint8_t op = smvm_u8(r->m.image, at);
     const bool jumps = smvm_shape(op) & SMVM_SHAPE_J;
@@ -64,24 +64,15 @@ static uint32_t read_ins(Reader *r, uint32_t at, uint32_t end, Ins *out)
     find_line(r, at);
     while (next < end && n < 2 && smvm_u8(r->m.image, next) < SMVM_OP_FIRST)
         smvm_read_varint(r->m.image, &next, (SmvmAt)end, &number[n++]);
-    *out = (Ins){at, op, 0, r->line, r->unit == COST_INSTRUCTIONS ? 1 : cycles_of(&r->cycles, op, number, n), {0, 0}};
+    *out = (ImageIns){at, op, 0, r->line, r->unit == COST_INSTRUCTIONS ? 1 : cycles_of(&r->cycles, op, number, n), {0, 0}};
     if (jumps)                                        // the last number is the jump distance
         out->to = next + number[n - 1];
     return next;
 }
 
-static uint32_t count_ins(const Reader *r, uint32_t at, uint32_t end)
-{
-    uint32_t n = 0;
-
-    for (; at < end; at++)
-        n += smvm_u8(r->m.image, at) >= SMVM_OP_FIRST;
-    return n;
-}
-
 // ---- the longest path ----
 
-static uint32_t find_ins(const Fn *f, uint32_t at)                // the instruction at this position
+static uint32_t find_ins(const ImageFn *f, uint32_t at)                // the instruction at this position
 {
     uint32_t low = 0, high = f->n - 1;
 
@@ -95,134 +86,130 @@ static uint32_t find_ins(const Fn *f, uint32_t at)                // the instruc
     return low;
 }
 
-static bool goes_on(const Ins *i) { return i->op != SMVM_end && i->op != SMVM_goto && i->op != SMVM_jmp; }
+static bool goes_on(const ImageIns *i) { return i->op != SMVM_end && i->op != SMVM_goto && i->op != SMVM_jmp; }
 
-static void look_back_from(Fn *f, uint32_t i)
+static ImageFn read_function(ImageReader *r, uint32_t index)
 {
-    Ins *ins = &f->ins[i];
-    const Ins *next = goes_on(ins) ? ins + 1 : NULL, *target = ins->to ? &f->ins[find_ins(f, ins->to)] : NULL;
-
-    ins->left[WAY_ENDS] = ins->op == SMVM_end ? ins->units : 0;
-    ins->left[WAY_LEAVES] = ins->op == SMVM_goto ? ins->units : 0;
-    for (int w = 0; w < WAYS; w++) {
-        const uint32_t most = larger(next ? next->left[w] : 0, target ? target->left[w] : 0);
-        ins->left[w] = most ? most + ins->units : ins->left[w];
-    }
-}
-
-static Fn read_function(Reader *r, uint32_t index)
-{
-    uint32_t at = r->m.code_at + (index == 0 ? 0 : smvm_function_end(&r->m, index - 1));
+    const uint32_t begin = r->m.code_at + (index == 0 ? 0 : smvm_function_end(&r->m, index - 1));
     const uint32_t end = r->m.code_at + smvm_function_end(&r->m, index);
-    Fn f;
+    uint32_t n = 0;
+    ImageFn f;
 
     memset(&f, 0, sizeof f);
-    f.ins = ARENA_ARRAY(r->arena, Ins, count_ins(r, at, end));
-    while (at < end)
+    for (uint32_t at = begin; at < end; at++)
+        n += smvm_u8(r->m.image, at) >= SMVM_OP_FIRST;
+    f.ins = ARENA_ARRAY(r->arena, ImageIns, n);
+    for (uint32_t at = begin; at < end;)
         at = read_ins(r, at, end, &f.ins[f.n++]);
-    for (uint32_t i = f.n; i-- > 0;)
-        look_back_from(&f, i);
-    for (int w = 0; w < WAYS && f.n; w++)
-        f.longest[w] = f.ins[0].left[w];
-    f.ends = f.n == 0 || f.longest[WAY_ENDS] > 0;
+    for (uint32_t i = f.n; i-- > 0;) {
+        ImageIns *ins = &f.ins[i];
+        const ImageIns *next = goes_on(ins) ? ins + 1 : NULL, *target = ins->to ? &f.ins[find_ins(&f, ins->to)] : NULL;
+        ins->left[PATH_ENDS] = ins->op == SMVM_end ? ins->units : 0;
+        ins->left[PATH_LEAVES] = ins->op == SMVM_goto ? ins->units : 0;
+        for (int p = 0; p < PATH_KINDS; p++) {
+            const uint32_t most = larger(next ? next->left[p] : 0, target ? target->left[p] : 0);
+            ins->left[p] = most ? most + ins->units : ins->left[p];
+        }
+    }
+    for (int p = 0; p < PATH_KINDS && f.n; p++)
+        f.longest[p] = f.ins[0].left[p];
+    f.ends = f.n == 0 || f.longest[PATH_ENDS] > 0;
     return f;
 }
 
 // ---- the path as lines ----
 
-static void put_line(Reader *r, StateCost *s, CostPart part, const Ins *ins)
-{
-    CostLine *last = s->way.n ? &s->way.at[s->way.n - 1] : NULL, fresh = {part, ins->line, ins->units};
-
-    if (last && last->part == part && last->line == ins->line)
-        last->units += ins->units;
-    else
-        vec_push(r->arena, &s->way, fresh);
-}
-
-static void follow(Reader *r, StateCost *s, const Fn *f, CostPart part, WayEnd way)
+static void add_path(ImageReader *r, StateCost *s, const ImageFn *f, CostPart part, PathEnd path)
 {
     for (uint32_t i = 0; i < f->n;) {
-        const Ins *ins = &f->ins[i];
-        put_line(r, s, part, ins);
+        const ImageIns *ins = &f->ins[i];
+        CostLine *last = s->path.n ? &s->path.at[s->path.n - 1] : NULL, fresh = {part, ins->line, ins->units};
+        if (last && last->part == part && last->line == ins->line)
+            last->units += ins->units;
+        else
+            vec_push(r->arena, &s->path, fresh);
         if (ins->op == SMVM_end || ins->op == SMVM_goto)
             return;
-        i = goes_on(ins) && ins[1].left[way] + ins->units == ins->left[way] ? i + 1 : find_ins(f, ins->to);
+        i = goes_on(ins) && ins[1].left[path] + ins->units == ins->left[path] ? i + 1 : find_ins(f, ins->to);
     }
 }
 
 // ---- a state ----
 
-typedef struct Step { uint32_t n; bool entry, step, exit; WayEnd entry_way, step_way; } Step;      // which functions run, and how they end
+typedef struct LongestStep {
+    uint32_t n;                   // its cost
+    bool entry, step, exit;       // which functions run
+    PathEnd entry_path, step_path;    // how they end
+} LongestStep;
 
-static void consider(Step *best, Step s)
+static void keep_longer(LongestStep *best, LongestStep s)
 {
     if (s.n > best->n)
         *best = s;
 }
 
 // Considers the longest paths through `.step`, after the cost `s` so far.
-static void consider_step(Step *best, const Fn *f, Step s)
+static void extend_by_step(LongestStep *best, const ImageFn *f, LongestStep s)
 {
     const uint32_t before = s.n;
 
     s.step = true;
-    s.n = before + f[COST_STEP].longest[WAY_ENDS];
-    s.step_way = WAY_ENDS;
+    s.n = before + f[COST_STEP].longest[PATH_ENDS];
+    s.step_path = PATH_ENDS;
     if (f[COST_STEP].ends)
-        consider(best, s);
-    if (f[COST_STEP].longest[WAY_LEAVES]) {
-        s.n = before + f[COST_STEP].longest[WAY_LEAVES] + f[COST_EXIT].longest[WAY_ENDS];
-        s.step_way = WAY_LEAVES;
+        keep_longer(best, s);
+    if (f[COST_STEP].longest[PATH_LEAVES]) {
+        s.n = before + f[COST_STEP].longest[PATH_LEAVES] + f[COST_EXIT].longest[PATH_ENDS];
+        s.step_path = PATH_LEAVES;
         s.exit = true;
-        consider(best, s);
+        keep_longer(best, s);
     }
 }
 
-static Step longest_first(const Fn *f)
+static LongestStep longest_first_step(const ImageFn *f)
 {
-    Step best = {0, false, false, false, WAY_ENDS, WAY_ENDS};
-    const Step left = {
-        f[COST_ENTRY].longest[WAY_LEAVES] + f[COST_EXIT].longest[WAY_ENDS], true, false, true, WAY_LEAVES, WAY_ENDS};
-    const Step ended = {f[COST_ENTRY].longest[WAY_ENDS], true, false, false, WAY_ENDS, WAY_ENDS};
+    LongestStep best = {0, false, false, false, PATH_ENDS, PATH_ENDS};
+    const LongestStep left = {
+        f[COST_ENTRY].longest[PATH_LEAVES] + f[COST_EXIT].longest[PATH_ENDS], true, false, true, PATH_LEAVES, PATH_ENDS};
+    const LongestStep ended = {f[COST_ENTRY].longest[PATH_ENDS], true, false, false, PATH_ENDS, PATH_ENDS};
 
-    if (f[COST_ENTRY].longest[WAY_LEAVES])
-        consider(&best, left);
+    if (f[COST_ENTRY].longest[PATH_LEAVES])
+        keep_longer(&best, left);
     if (f[COST_ENTRY].ends)
-        consider_step(&best, f, ended);
+        extend_by_step(&best, f, ended);
     return best;
 }
 
-static void follow_step(Reader *r, StateCost *s, const Fn *sample, const Fn *f, const Step *step)
+static void add_path_of_step(ImageReader *r, StateCost *s, const ImageFn *sample, const ImageFn *f, const LongestStep *step)
 {
-    follow(r, s, sample, COST_SAMPLE, WAY_ENDS);
+    add_path(r, s, sample, COST_SAMPLE, PATH_ENDS);
     if (step->entry)
-        follow(r, s, &f[COST_ENTRY], COST_ENTRY, step->entry_way);
+        add_path(r, s, &f[COST_ENTRY], COST_ENTRY, step->entry_path);
     if (step->step)
-        follow(r, s, &f[COST_STEP], COST_STEP, step->step_way);
+        add_path(r, s, &f[COST_STEP], COST_STEP, step->step_path);
     if (step->exit)
-        follow(r, s, &f[COST_EXIT], COST_EXIT, WAY_ENDS);
+        add_path(r, s, &f[COST_EXIT], COST_EXIT, PATH_ENDS);
 }
 
-static void cost_of_state(Reader *r, uint32_t state, const Fn *sample, StateCost *s)
+static void cost_of_state(ImageReader *r, uint32_t state, const ImageFn *sample, StateCost *s)
 {
-    Fn f[STATE_FUNCTIONS];
-    Step first, later = {0, false, false, false, WAY_ENDS, WAY_ENDS};
+    ImageFn f[STATE_FUNCTIONS];
+    LongestStep first, later = {0, false, false, false, PATH_ENDS, PATH_ENDS};
 
     for (uint32_t b = 0; b < STATE_FUNCTIONS; b++)
         f[b] = read_function(r, 1 + 3 * state + b);
-    first = longest_first(f);
+    first = longest_first_step(f);
     if (f[COST_ENTRY].ends && f[COST_STEP].ends)                // otherwise its first step is its last
-        consider_step(&later, f, later);
-    s->first = r->always + sample->longest[WAY_ENDS] + first.n;
-    s->later = f[COST_ENTRY].ends && f[COST_STEP].ends ? r->always + sample->longest[WAY_ENDS] + later.n : 0;
+        extend_by_step(&later, f, later);
+    s->first = r->always + sample->longest[PATH_ENDS] + first.n;
+    s->later = f[COST_ENTRY].ends && f[COST_STEP].ends ? r->always + sample->longest[PATH_ENDS] + later.n : 0;
     s->worst = larger(s->first, s->later);
-    follow_step(r, s, sample, f, first.n >= later.n ? &first : &later);
+    add_path_of_step(r, s, sample, f, first.n >= later.n ? &first : &later);
 }
 
 // ---- bytes ----
 
-static void weigh(Reader *r, Cost *out)
+static void count_bytes(ImageReader *r, Cost *out)
 {
     const SmvmMachine *m = &r->m;
 
@@ -243,26 +230,21 @@ static void weigh(Reader *r, Cost *out)
     out->own = out->ram - out->locals - out->windows;
 }
 
-static void begin(Reader *r, CostUnit unit)
-{
-    r->unit = unit;
-    r->more = smvm_next_line(&r->m, &r->lines);
-    if (unit != COST_INSTRUCTIONS)
-        r->always = cycles_begin(&r->cycles, unit == COST_CYCLES_FLASH ? CYCLES_FLASH : CYCLES_EEPROM, &r->m);
-}
-
 void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, CostUnit unit, Cost *out)
 {
-    Reader r;
-    Fn sample;
+    ImageReader r;
+    ImageFn sample;
 
     memset(&r, 0, sizeof r);
     memset(out, 0, sizeof *out);
     r.arena = arena;
     smvm_machine(image, number, &r.m);
-    begin(&r, unit);
+    r.unit = unit;
+    r.more = smvm_next_line(&r.m, &r.lines);
+    if (unit != COST_INSTRUCTIONS)
+        r.always = cycles_begin(&r.cycles, unit == COST_CYCLES_FLASH ? CYCLES_FLASH : CYCLES_EEPROM, &r.m);
     sample = read_function(&r, 0);
-    out->sample = sample.longest[WAY_ENDS];
+    out->sample = sample.longest[PATH_ENDS];
     out->states = r.m.states;
     out->state = ARENA_ARRAY(arena, StateCost, r.m.states);
     for (uint32_t s = 0; s < r.m.states; s++) {
@@ -272,15 +254,15 @@ void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, CostUn
             out->worst_state = s + 1;
         }
     }
-    weigh(&r, out);
+    count_bytes(&r, out);
 }
 
-const CostLine *cost_next_dearest(const StateCost *s, const CostLine *before)
+const CostLine *cost_next_most_expensive(const StateCost *s, const CostLine *before)
 {
     const CostLine *most = NULL;
 
-    for (size_t i = 0; i < s->way.n; i++) {
-        const CostLine *l = &s->way.at[i];
+    for (size_t i = 0; i < s->path.n; i++) {
+        const CostLine *l = &s->path.at[i];
         if (before && (l->units > before->units || (l->units == before->units && l <= before)))
             continue;
         if (l->line && (!most || l->units > most->units))

@@ -25,7 +25,7 @@ typedef struct StateCost {
     uint32_t first;               // the longest first step of the state: samples, .entry, .step, .exit
     uint32_t later;               // the longest of its other steps; 0: it has none
     uint32_t worst;               // the larger of the two
-    VEC(CostLine) way;            // the path through the worst step, in order
+    VEC(CostLine) path;           // the path through the worst step, in order
 } StateCost;
 
 typedef struct CostWindow {
@@ -52,6 +52,6 @@ typedef struct Cost {
 void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, CostUnit unit, Cost *out);
 
 // The most expensive stretch of the longest path that has a line; after `before`, the next one.  NULL: there are no more.
-const CostLine *cost_next_dearest(const StateCost *s, const CostLine *before);
+const CostLine *cost_next_most_expensive(const StateCost *s, const CostLine *before);
 
 #endif

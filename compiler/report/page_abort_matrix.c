@@ -12,8 +12,8 @@ static const DocColumn transition_columns[] = {
 
 static bool has_command(const AbortRow *row)
 {
-    for (size_t w = 0; w < row->way.n; w++)
-        if (row->way.at[w].by_input && row->way.at[w].possible)
+    for (size_t w = 0; w < row->path.n; w++)
+        if (row->path.at[w].by_input && row->path.at[w].possible)
             return true;
     return false;
 }
@@ -60,7 +60,7 @@ static void add_state_row(const Report *r, DocTable *t, const AbortRow *row)
     doc_cell_text(t, dependence_text(r, row));
 }
 
-static const char *reads_text(const Report *r, const AbortWay *w)
+static const char *reads_text(const Report *r, const AbortPath *w)
 {
     Buf b;
 
@@ -74,7 +74,7 @@ static const char *reads_text(const Report *r, const AbortWay *w)
     return buf_text(&b);
 }
 
-static void add_transition_row(const Report *r, DocTable *t, const AbortRow *row, const AbortWay *w)
+static void add_transition_row(const Report *r, DocTable *t, const AbortRow *row, const AbortPath *w)
 {
     doc_cell_state(t, row->state->name->text);
     doc_cell_state(t, w->first->to->name->text);
@@ -90,8 +90,8 @@ static void add_transition_row(const Report *r, DocTable *t, const AbortRow *row
 static bool has_unbounded(const AbortMatrix *x)
 {
     for (size_t i = 0; i < x->n; i++)
-        for (size_t w = 0; w < x->row[i].way.n; w++)
-            if (x->row[i].way.at[w].steps == ABORT_NOT_BOUNDED)
+        for (size_t w = 0; w < x->row[i].path.n; w++)
+            if (x->row[i].path.at[w].steps == ABORT_NOT_BOUNDED)
                 return true;
     return false;
 }
@@ -105,8 +105,8 @@ static void add_transitions(const Report *r, Doc *d, const AbortMatrix *x)
         doc_paragraph(d, TEXT_ABORT_UNBOUNDED);
     t = DOC_TABLE_OF(d, "transitions", transition_columns);
     for (size_t i = 0; i < x->n; i++)
-        for (size_t w = 0; w < x->row[i].way.n; w++)
-            add_transition_row(r, t, &x->row[i], &x->row[i].way.at[w]);
+        for (size_t w = 0; w < x->row[i].path.n; w++)
+            add_transition_row(r, t, &x->row[i], &x->row[i].path.at[w]);
 }
 
 void report_add_abort_matrix(Report *r, Doc *d)

@@ -30,7 +30,7 @@ static const char *expensive_lines_text(const Report *r, const StateCost *s)
     Buf b;
 
     buf_init(&b, r->arena);
-    for (int i = 0; i < SHOWN && (l = cost_next_dearest(s, l)) != NULL; i++)
+    for (int i = 0; i < SHOWN && (l = cost_next_most_expensive(s, l)) != NULL; i++)
         buf_printf(&b, "%sline %lu%s: %lu", b.n ? ", " : "", (unsigned long)l->line, l->part == COST_SAMPLE ? " (samples)" : "",
                    (unsigned long)l->units);
     return buf_text(&b);
@@ -79,14 +79,14 @@ static void add_longest_step(const Report *r, Doc *d)
     doc_heading(d, "longest",
                 format_in(r->arena, "The longest step, in ^%s^", r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
     t = DOC_TABLE_OF(d, "longest", longest_columns);
-    for (size_t i = 0; i < s->way.n && i < SHOWN; i++) {
-        doc_cell_plain(t, block[s->way.at[i].part]);
-        doc_cell_line(t, s->way.at[i].line);
-        doc_cell_code(t, line_text(r, s->way.at[i].line));
-        doc_cell_number(t, s->way.at[i].units);
+    for (size_t i = 0; i < s->path.n && i < SHOWN; i++) {
+        doc_cell_plain(t, block[s->path.at[i].part]);
+        doc_cell_line(t, s->path.at[i].line);
+        doc_cell_code(t, line_text(r, s->path.at[i].line));
+        doc_cell_number(t, s->path.at[i].units);
     }
-    if (s->way.n > SHOWN)
-        doc_paragraph(d, format_in(r->arena, "And %lu more.", (unsigned long)(s->way.n - SHOWN)));
+    if (s->path.n > SHOWN)
+        doc_paragraph(d, format_in(r->arena, "And %lu more.", (unsigned long)(s->path.n - SHOWN)));
 }
 
 // ---- a board ----

@@ -37,8 +37,8 @@ static uint32_t sum_of_way(const StateCost *s)
 {
     uint32_t n = 0;
 
-    for (size_t i = 0; i < s->way.n; i++)
-        n += s->way.at[i].units;
+    for (size_t i = 0; i < s->path.n; i++)
+        n += s->path.at[i].units;
     return n;
 }
 
@@ -66,7 +66,7 @@ static void check_cycles(Arena *arena, const Counted *c)
     for (uint32_t s = 0; s < c->cost.states; s++) {
         const uint32_t always = flash.state[s].worst - sum_of_way(&flash.state[s]);
         CHECK(always == flash.state[0].worst - sum_of_way(&flash.state[0]) && always > 0);
-        CHECK((flash.state[s].way.n == 0) == (c->cost.state[s].worst == 0) && flash.state[s].worst < eeprom.state[s].worst);
+        CHECK((flash.state[s].path.n == 0) == (c->cost.state[s].worst == 0) && flash.state[s].worst < eeprom.state[s].worst);
     }
 }
 

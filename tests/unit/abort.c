@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The abort matrix: ways, how fast they are, what they look at, what the ability to abort hangs on.
+// The abort matrix: paths, how fast they are, what they depend on, and what the ability to abort depends on.
 #include <string.h>
 
 #include "compiler/analysis/abort.h"
@@ -33,12 +33,12 @@ static Analysis analyse(Session *s, const char *text)
     return a;
 }
 
-static bool is_way(const AbortRow *r, size_t w, const char *guard, uint32_t steps)
+static bool is_path(const AbortRow *r, size_t w, const char *guard, uint32_t steps)
 {
-    return w < r->way.n && strcmp(r->way.at[w].guard, guard) == 0 && r->way.at[w].steps == steps;
+    return w < r->path.n && strcmp(r->path.at[w].guard, guard) == 0 && r->path.at[w].steps == steps;
 }
 
-static bool looks(const AbortWay *w, const char *sensors, bool time, bool input)
+static bool depends_on(const AbortPath *w, const char *sensors, bool time, bool input)
 {
     char text[64] = "";
 
@@ -47,24 +47,24 @@ static bool looks(const AbortWay *w, const char *sensors, bool time, bool input)
     return strcmp(text, sensors) == 0 && w->by_time == time && w->by_input == input;
 }
 
-static void test_ways(const AbortMatrix *x)
+static void test_paths(const AbortMatrix *x)
 {
     const AbortRow *r = x->row;
 
     CHECK(x->declared && x->n == 11);
-    CHECK(r[0].way.n == 1 && is_way(&r[0], 0, "kill", 1));                      // Fill is bound for nothing
-    CHECK(r[1].way.n == 2 && is_way(&r[1], 0, "mean > 40 or kill", 3) && is_way(&r[1], 1, "T > 9", ABORT_NOT_BOUNDED));
-    CHECK(r[2].way.n == 1 && is_way(&r[2], 0, "valve and pressure > 38", 1));
-    CHECK(r[3].way.n == 1 && is_way(&r[3], 0, "T > 100", ABORT_NOT_BOUNDED));   // Loop leads nowhere
-    CHECK(r[5].way.n == 2 && is_way(&r[5], 0, "thrust > 0", 2) && is_way(&r[5], 1, "not (thrust > 0)", 1));
-    CHECK(r[6].way.n == 1 && is_way(&r[6], 0, "", 1));
-    CHECK(r[7].way.n == 0 && r[8].way.n == 0 && r[10].way.n == 0);
+    CHECK(r[0].path.n == 1 && is_path(&r[0], 0, "kill", 1));                      // Fill is bound for nothing
+    CHECK(r[1].path.n == 2 && is_path(&r[1], 0, "mean > 40 or kill", 3) && is_path(&r[1], 1, "T > 9", ABORT_NOT_BOUNDED));
+    CHECK(r[2].path.n == 1 && is_path(&r[2], 0, "valve and pressure > 38", 1));
+    CHECK(r[3].path.n == 1 && is_path(&r[3], 0, "T > 100", ABORT_NOT_BOUNDED));   // Loop leads nowhere
+    CHECK(r[5].path.n == 2 && is_path(&r[5], 0, "thrust > 0", 2) && is_path(&r[5], 1, "not (thrust > 0)", 1));
+    CHECK(r[6].path.n == 1 && is_path(&r[6], 0, "", 1));
+    CHECK(r[7].path.n == 0 && r[8].path.n == 0 && r[10].path.n == 0);
     CHECK(r[1].steps == 3 && r[2].steps == 1 && r[3].steps == 0);
 }
 
 static void test_onward(const AbortMatrix *x)
 {
-    const State *s = x->row[1].way.at[0].first->to;
+    const State *s = x->row[1].path.at[0].first->to;
 
     CHECK(s->number == 6);
     s = abort_onward(x, s);
@@ -73,12 +73,12 @@ static void test_onward(const AbortMatrix *x)
     CHECK(s->is_abort && abort_onward(x, s) == NULL && abort_onward(x, x->row[7].state) == NULL);
 }
 
-static void test_looks(const AbortMatrix *x)
+static void test_depends_on(const AbortMatrix *x)
 {
-    CHECK(looks(&x->row[0].way.at[0], "", false, true));
-    CHECK(looks(&x->row[1].way.at[0], "pressure ", false, true));               // through a local and a window
-    CHECK(looks(&x->row[2].way.at[0], "pressure ", false, false));
-    CHECK(looks(&x->row[3].way.at[0], "", true, false));
+    CHECK(depends_on(&x->row[0].path.at[0], "", false, true));
+    CHECK(depends_on(&x->row[1].path.at[0], "pressure ", false, true));               // through a local and a window
+    CHECK(depends_on(&x->row[2].path.at[0], "pressure ", false, false));
+    CHECK(depends_on(&x->row[3].path.at[0], "", true, false));
 }
 
 static void test_verdicts(const AbortMatrix *x)
@@ -100,7 +100,7 @@ static void test_nothing_declared(void)
     Analysis a = analyse(&s, "[state_vector]\nU64 G\nU32 S\nF64 x @read_only\n[A]\n.step\n x > 5: -> B\n[B]\n");
     const AbortMatrix x = abort_matrix(trials_of(&a));
 
-    CHECK(!x.declared && x.n == 2 && x.row[0].way.n == 0 && x.row[0].verdict == ABORT_NO_PATH);
+    CHECK(!x.declared && x.n == 2 && x.row[0].path.n == 0 && x.row[0].verdict == ABORT_NO_PATH);
     session_free(&s);
 }
 
@@ -113,9 +113,9 @@ int main(void)
     host_check(setjmp(host_oom));
     a = analyse(&s, machine);
     x = abort_matrix(trials_of(&a));
-    test_ways(&x);
+    test_paths(&x);
     test_onward(&x);
-    test_looks(&x);
+    test_depends_on(&x);
     test_verdicts(&x);
     test_nothing_declared();
     session_free(&s);
