@@ -3,7 +3,7 @@
 // excludes it.
 //
 // Facts describe one variable at a time.  Guards can relate two variables (`a > b` for a - b) or limit an expression, as
-// `abs(d) > 0.1` does for d.  Those relations are searched in the guards themselves, but only where the facts leave a possible.
+// `abs(d) > 0.1` does for d.  Those relations are searched in the guards themselves, but only where the facts leave a doubt.
 #include "compiler/analysis/analysis.h"
 #include "compiler/analysis/assume.h"
 #include "compiler/analysis/decided_comparison.h"

@@ -153,7 +153,7 @@ static void propagate(InputDepsTable *s)
     const size_t nodes = p->var.n + p->stmts + 1;
     DepGraph g = {s, ARENA_ARRAY(s->a->arena, NodeNumbers, nodes), {NULL, 0, 0}, ARENA_ARRAY(s->a->arena, bool, nodes)};
 
-    each_place(s->a->arena, p, add_stmt, &g);
+    each_stmt_place(s->a->arena, p, add_stmt, &g);
     for (size_t v = 0; v < p->var.n; v++) {
         s->deps[v] = deps_of_var(s, p->var.at[v]);
         push_node(&g, (uint32_t)v);

@@ -7,7 +7,7 @@
 //
 // It is reported only if it does not depend on another sensor: whatever the others read, as long as the healthy machine stays
 // quiet, the same output switches on.  An effect that a second sensor must currently confirm is not reported.  Earlier readings
-// of other sensors, earlier commands of a person, and a timer that would have done it later do not prevent a report_effect.
+// of other sensors, earlier commands of a person, and a timer that would have done it later do not prevent a report.
 //
 // For an @abort state the same test asks whether the machine leaves it, without any command.
 //
@@ -23,7 +23,7 @@
 
 typedef enum FailureKind { READS_ZERO, READS_LOW_END, READS_HIGH_END, STICKS, READS_FAR_ABOVE, READS_FAR_BELOW, FAILURES } FailureKind;
 
-// How healthy readings move_readings.  `noise` is in units of the distance to the next reading that a comparison distinguishes.  `slope`
+// How healthy readings move.  `noise` is in units of the distance to the next reading that a comparison distinguishes.  `slope`
 // is in TrialInput.scale per step.  Only the group of the failing sensor moves like this; others have small noise.
 typedef struct ReadingMotion { double noise, slope; } ReadingMotion;
 static const ReadingMotion motion[] = {{0, 0}, {0.02, 0}, {0, 0.003}, {0.3, 0}, {5, 0}, {100, 0}};
@@ -63,17 +63,17 @@ typedef struct FailureTrial {
     Trials *t;
     AbortBound bound;
     void *healthy, *failed;
-    void *begin, *saved;        // when the sensor fails; the same, while other inputs are tried
-    double *in, *now, *broken;    // inputs: at run_to_steady_state; of the healthy machine in this step; of the failed one
+    void *begin, *saved;          // when the sensor fails; the same, while other inputs are tried
+    double *in, *now, *broken;    // inputs: at rest; of the healthy machine in this step; of the failed one
     double *before, *before_failed;       // variables before a step
     double *other;                // replaces `in` during that time
     double reading;               // the sensor's reading in the step before it fails
     uint32_t clock;               // steps of this trial, for the motion
-    double *level;                // by IR variable: its largest magnitude while the healthy machine was at run_to_steady_state
+    double *level;                // by IR variable: its largest magnitude in the healthy machine before the sensor fails
     uint32_t only;                // only this position (Stmt.number) counts; 0: any
-    bool *reported;                   // by Stmt.number: already reported for this sensor and state
+    bool *reported;               // by Stmt.number: already reported for this sensor and state
     double others;                // noise on other sensors, in distances to their next reading
-    double rise;                 // the fraction of its largest level by which an output has to rise
+    double rise;                  // the fraction of its largest level by which an output has to rise
     bool leaves;                  // test for an @abort state: whether it ends
     int tries;                    // number of attempts with other inputs
     uint64_t effort;              // instructions for one sensor in one state
@@ -98,7 +98,7 @@ static double failed_reading(const TrialInput *i, FailureKind f, double before)
 }
 
 // A pseudo-random number between -1 and 1 for each step and input.
-static double noise(uint32_t step, uint32_t input)
+static double pseudo_random(uint32_t step, uint32_t input)
 {
     return (double)((step * 2654435761u ^ (input + 1) * 2246822519u) * 3266489917u >> 8) / 8388608.0 - 1;
 }
@@ -129,11 +129,11 @@ static void move_readings(const FailureTrial *z, const FailureCase *c, double *i
     const Trials *t = z->t;
     const ReadingMotion m = motion[c->motion];
     const TrialInput *i = &t->input[c->sensor];
-    const double by = m.noise * distance_to_next(i, c->reading) * noise(z->clock, i->group) + m.slope * i->scale * z->clock;
+    const double by = m.noise * distance_to_next(i, c->reading) * pseudo_random(z->clock, i->group) + m.slope * i->scale * z->clock;
 
     for (uint32_t k = 0; k < t->inputs && (m.noise > 0 || z->others > 0); k++)
         if (!t->input[k].command && t->input[k].group != i->group)
-            in[k] = clamp_to_range(&t->input[k], in[k] + noise_amplitude(z, &t->input[k], in[k]) * noise(z->clock, t->input[k].group));
+            in[k] = clamp_to_range(&t->input[k], in[k] + noise_amplitude(z, &t->input[k], in[k]) * pseudo_random(z->clock, t->input[k].group));
     if (by != 0)
         trial_set_group(t, in, c->sensor, clamp_to_range(i, c->reading + by));
 }
@@ -146,24 +146,19 @@ static void step_healthy(FailureTrial *z, const FailureCase *c, void *situation)
     trial_step(z->t, situation, z->now, z->t->dt, &z->t->trace);
 }
 
-static void record_levels(FailureTrial *z)
-{
-    const double *var = ir_run_vars(z->t->run, z->healthy);
-
-    for (uint32_t v = 0; v < z->t->run->m->var.n; v++)
-        z->level[v] = sm_max(z->level[v], sm_abs(var[v]));
-}
-
 // Steps until windows are full of the current inputs.  Returns false if the machine leaves its state.
 static bool run_to_steady_state(FailureTrial *z, const FailureCase *c)
 {
-    memset(z->level, 0, z->t->run->m->var.n * sizeof *z->level);
+    const double *var = ir_run_vars(z->t->run, z->healthy);
+    const uint32_t vars = z->t->run->m->var.n;
+
+    memset(z->level, 0, vars * sizeof *z->level);
     for (uint32_t n = z->t->window + 5; n > 0; n--) {
         step_healthy(z, c, z->healthy);
         if (z->t->trace.transition)
             return false;
-        if (n < z->t->window + 4)
-            record_levels(z);
+        for (uint32_t v = 0; v < vars && n < z->t->window + 4; v++)
+            z->level[v] = sm_max(z->level[v], sm_abs(var[v]));
     }
     return true;
 }
@@ -216,7 +211,7 @@ static bool is_bound_for_abort(const FailureTrial *z, const void *situation) { r
 
 typedef enum StepEffect { NO_EFFECT, INCONCLUSIVE, HAS_EFFECT } StepEffect;
 
-// A second transition, out of a state in which the machine can run_to_steady_state.  What follows is caused by that state.
+// A second transition, out of a state in which the machine can rest.  What follows is caused by that state.
 static bool left_safe_state(const FailureTrial *z, const FailureEffect *e)
 {
     const uint32_t made = z->t->trace.transition;
@@ -252,45 +247,34 @@ static StepEffect step_both(FailureTrial *z, const FailureCase *c, FailureEffect
     return e->outputs > 0 ? HAS_EFFECT : NO_EFFECT;
 }
 
-// Runs one step of both, and then as many more as nothing happens in, in either.
-static StepEffect step_and_skip_both(FailureTrial *z, const FailureCase *c, FailureEffect *e, bool *more)
-{
-    Trials *t = z->t;
-    const size_t size = t->run->m->var.n * sizeof *z->before;
-    uint32_t n, in_failed;
-    StepEffect o;
-
-    memcpy(z->before, ir_run_vars(t->run, z->healthy), size);
-    memcpy(z->before_failed, ir_run_vars(t->run, z->failed), size);
-    o = step_both(z, c, e);
-    n = trial_steps_to_event(t, z->before, z->healthy);
-    in_failed = trial_is_entering(z->failed) ? 0 : trial_steps_to_event(t, z->before_failed, z->failed);
-    n = in_failed < n ? in_failed : n;
-    if (o == NO_EFFECT) {
-        trial_skip_steps(t, z->before, z->healthy, n);
-        trial_skip_steps(t, z->before_failed, z->failed, n);
-    }
-    *more = n != TRIAL_MANY;
-    return o;
-}
-
-// Steps until nothing differs any more, or until windows are filled; then for as long as anything can happen.
+// Steps until nothing differs any more, or until windows are filled; then for as long as anything can happen, skipping the steps
+// in which nothing happens in either.
 static StepEffect run_both(FailureTrial *z, const FailureCase *c, FailureEffect *e)
 {
     Trials *t = z->t;
-    StepEffect o = NO_EFFECT;
-    bool more = true;
+    const size_t size = t->run->m->var.n * sizeof *z->before;
+    StepEffect effect = NO_EFFECT;
 
-    for (uint32_t n = 0; n < t->window + 20 && o == NO_EFFECT; n++) {
-        o = step_both(z, c, e);
+    for (uint32_t n = 0; n < t->window + 20 && effect == NO_EFFECT; n++) {
+        effect = step_both(z, c, e);
         if (n > t->window + 2 && trial_is_same(t, z->healthy, z->failed))
-            return o;
+            return effect;
     }
-    for (int n = 0, idle = 0; n < (c->motion == 0 ? PASSES : PASSES / 10) && o == NO_EFFECT && idle < 2; n++) {
-        o = step_and_skip_both(z, c, e, &more);
-        idle = more ? 0 : idle + 1;
+    for (int n = 0, idle = 0; n < (c->motion == 0 ? PASSES : PASSES / 10) && effect == NO_EFFECT && idle < 2; n++) {
+        uint32_t skip, in_failed;
+        memcpy(z->before, ir_run_vars(t->run, z->healthy), size);
+        memcpy(z->before_failed, ir_run_vars(t->run, z->failed), size);
+        effect = step_both(z, c, e);
+        skip = trial_steps_to_event(t, z->before, z->healthy);
+        in_failed = trial_is_entering(z->failed) ? 0 : trial_steps_to_event(t, z->before_failed, z->failed);
+        skip = in_failed < skip ? in_failed : skip;
+        if (effect == NO_EFFECT) {
+            trial_skip_steps(t, z->before, z->healthy, skip);
+            trial_skip_steps(t, z->before_failed, z->failed, skip);
+        }
+        idle = skip != TRIAL_MANY ? 0 : idle + 1;
     }
-    return o;
+    return effect;
 }
 
 // z->begin is the situation in which the sensor fails.
@@ -298,16 +282,16 @@ static StepEffect run_failure(FailureTrial *z, const FailureCase *c, FailureEffe
 {
     Trials *t = z->t;
     const uint32_t clock = z->clock;
-    StepEffect o;
+    StepEffect effect;
 
     memset(e, 0, sizeof *e);
     trial_copy(t, z->healthy, z->begin);
     trial_copy(t, z->failed, z->begin);
-    e->before = motion[c->motion].noise > 0 ? c->reading : z->reading;      // the value at run_to_steady_state, not at a peak of the noise
+    e->before = motion[c->motion].noise > 0 ? c->reading : z->reading;      // the value at rest, not at a peak of the noise
     e->failed = failed_reading(&t->input[c->sensor], c->failure, e->before);
-    o = run_both(z, c, e);
+    effect = run_both(z, c, e);
     z->clock = clock;
-    return o;
+    return effect;
 }
 
 // ---- confirming a finding ----
@@ -381,7 +365,6 @@ static bool has_same_effect(FailureTrial *z, const FailureCase *c, FailureKind f
 {
     FailureCase other = *c;
     FailureEffect effect;
-
     bool found;
 
     other.failure = f;
@@ -400,7 +383,8 @@ static bool is_intended(FailureTrial *z, const FailureCase *c, const FailureEffe
         return false;
     if (has_same_effect(z, c, READS_FAR_ABOVE, e) && has_same_effect(z, c, READS_FAR_BELOW, e))
         return true;
-    return i->v->range && !trial_is_healthy(i, e->failed) && !has_same_effect(z, c, READS_LOW_END, e) && !has_same_effect(z, c, READS_HIGH_END, e);
+    return i->v->range && !trial_is_healthy(i, e->failed) && !has_same_effect(z, c, READS_LOW_END, e) &&
+           !has_same_effect(z, c, READS_HIGH_END, e);
 }
 
 // ---- findings ----
@@ -453,7 +437,7 @@ static bool is_failure_of_case(const TrialInput *i, const FailureCase *c, Failur
     return false;
 }
 
-// Tries each failure of the sensor, once the case has saved.
+// Tries each failure of the sensor, once the healthy machine is in a steady state.
 static void try_failures(FailureTrial *z, FailureCase *c)
 {
     FailureEffect e;
@@ -462,22 +446,12 @@ static void try_failures(FailureTrial *z, FailureCase *c)
     z->reading = z->now[c->sensor];
     for (FailureKind f = READS_ZERO; f <= STICKS; f++) {
         c->failure = f;
-        if (!is_failure_of_case(&z->t->input[c->sensor], c, f) || run_failure(z, c, &e) != HAS_EFFECT || is_intended(z, c, &e) || !is_independent_of_others(z, c, &e))
+        if (!is_failure_of_case(&z->t->input[c->sensor], c, f) || run_failure(z, c, &e) != HAS_EFFECT || is_intended(z, c, &e) ||
+            !is_independent_of_others(z, c, &e))
             continue;
         report_effect(z, c, &e);
         z->reported[e.at->number] = true;
     }
-}
-
-static void try_times(FailureTrial *z, FailureCase *c)
-{
-    z->clock = 0;
-    trial_copy(z->t, z->healthy, c->entry->situation);
-    if (!run_to_steady_state(z, c))
-        return;
-    do
-        try_failures(z, c);
-    while (z->t->run->work < z->until && advance_healthy(z, c));
 }
 
 static void try_reading(FailureTrial *z, FailureCase *c)
@@ -493,56 +467,44 @@ static void try_reading(FailureTrial *z, FailureCase *c)
         for (uint32_t i = 0; i < t->inputs && z->leaves; i++)
             if (t->input[i].command)
                 z->in[i] = 0;
-        try_times(z, c);
-    }
-}
-
-static void try_entries(FailureTrial *z, FailureCase *c, const TrialState *s, bool unhealthy)
-{
-    const TrialInput *i = &z->t->input[c->sensor];
-    uint32_t tried = 0;
-
-    for (size_t n = 0; n < s->entry.n && tried < TRIED; n++) {
-        c->entry = &s->entry.at[n];
-        if (c->entry->unhealthy != unhealthy)
+        z->clock = 0;
+        trial_copy(t, z->healthy, c->entry->situation);
+        if (!run_to_steady_state(z, c))
             continue;
-        tried++;
-        for (uint32_t k = 0; k < i->readings; k++) {
-            c->reading = i->reading[k];
-            if (trial_is_healthy(i, c->reading))
-                try_reading(z, c);
-        }
+        do
+            try_failures(z, c);
+        while (t->run->work < z->until && advance_healthy(z, c));
     }
-}
-
-static bool has_healthy_entry(const TrialState *s)
-{
-    for (size_t n = 0; n < s->entry.n; n++)
-        if (!s->entry.at[n].unhealthy)
-            return true;
-    return false;
-}
-
-// Whether the state depends on an input outside this group.
-static bool depends_on_others(const FailureTrial *z, const TrialState *s, uint32_t group)
-{
-    for (uint32_t i = 0; i < z->t->inputs; i++)
-        if (s->relevant[i] && z->t->input[i].group != group)
-            return true;
-    return false;
 }
 
 static void try_sensor(FailureTrial *z, const TrialState *s, uint32_t sensor)
 {
-    const TrialInput *i = &z->t->input[sensor];
+    Trials *t = z->t;
+    const TrialInput *i = &t->input[sensor];
     const uint32_t motions = i->rough ? MOTIONS : MOTIONS_OF_SCALE;
+    bool depends_on_others = false, has_healthy_entry = false;
     FailureCase c = {.sensor = sensor};
 
-    memset(z->reported, 0, (z->t->a->p->stmts + 1u) * sizeof *z->reported);
-    z->tries = depends_on_others(z, s, i->group) ? OTHERS_FIRST : 1;
+    memset(z->reported, 0, (t->a->p->stmts + 1u) * sizeof *z->reported);
+    for (uint32_t k = 0; k < t->inputs; k++)
+        depends_on_others |= s->relevant[k] && t->input[k].group != i->group;
+    for (size_t n = 0; n < s->entry.n; n++)
+        has_healthy_entry |= !s->entry.at[n].unhealthy;
+    z->tries = depends_on_others ? OTHERS_FIRST : 1;
     for (c.motion = 0; c.motion < motions; c.motion++) {
-        z->until = z->t->run->work + z->effort / (c.motion == 0 ? 1 : 2);
-        try_entries(z, &c, s, !has_healthy_entry(s));
+        uint32_t tried = 0;
+        z->until = t->run->work + z->effort / (c.motion == 0 ? 1 : 2);
+        for (size_t n = 0; n < s->entry.n && tried < TRIED; n++) {
+            c.entry = &s->entry.at[n];
+            if (c.entry->unhealthy && has_healthy_entry)
+                continue;
+            tried++;
+            for (uint32_t k = 0; k < i->readings; k++) {
+                c.reading = i->reading[k];
+                if (trial_is_healthy(i, c.reading))
+                    try_reading(z, &c);
+            }
+        }
     }
 }
 

@@ -5,56 +5,50 @@
 
 // ---- finding transitions ----
 
-typedef struct Finder {
+typedef struct StmtWalk {
     Arena *arena;
     StmtPlace at;
     void (*f)(const StmtPlace *place, void *context);
     void *context;
-} Finder;
-
-static void find_in(Finder *f, const Stmts *stmts, const Condition *when);
-
-static void find_under(Finder *f, const Stmts *stmts, const Stmt *stmt, bool holds, const Condition *outer)
-{
-    Condition *c;
-
-    if (stmts->n == 0)
-        return;
-    c = ARENA_NEW(f->arena, Condition);
-    *c = (Condition){stmt, holds, outer};
-    find_in(f, stmts, c);
-}
+} StmtWalk;
 
 // Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
-static void find_in(Finder *f, const Stmts *stmts, const Condition *when)
+static void walk_stmts(StmtWalk *w, const Stmts *stmts, const Condition *when)
 {
     for (size_t i = 0; i < stmts->n; i++) {
         const Stmt *s = stmts->at[i];
-        f->at.stmt = s;
-        f->at.when = when;
-        f->f(&f->at, f->context);
-        find_under(f, &s->then, s, true, when);
-        find_under(f, &s->otherwise, s, false, when);
+        w->at.stmt = s;
+        w->at.when = when;
+        w->f(&w->at, w->context);
+        for (int holds = 1; holds >= 0; holds--) {
+            const Stmts *branch = holds ? &s->then : &s->otherwise;
+            Condition *c;
+            if (branch->n == 0)
+                continue;
+            c = ARENA_NEW(w->arena, Condition);
+            *c = (Condition){s, holds, when};
+            walk_stmts(w, branch, c);
+        }
     }
 }
 
-void each_place(Arena *arena, const Program *p, void (*f)(const StmtPlace *place, void *context), void *context)
+void each_stmt_place(Arena *arena, const Program *p, void (*f)(const StmtPlace *place, void *context), void *context)
 {
-    Finder finder = {arena, {NULL, NULL, BLOCK_ENTRY, NULL}, f, context};
+    StmtWalk walk = {arena, {NULL, NULL, BLOCK_ENTRY, NULL}, f, context};
 
     for (size_t s = 0; s < p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++) {
-            finder.at.state = p->state.at[s];
-            finder.at.block = (BlockKind)b;
-            find_in(&finder, &finder.at.state->block[b], NULL);
+            walk.at.state = p->state.at[s];
+            walk.at.block = (BlockKind)b;
+            walk_stmts(&walk, &walk.at.state->block[b], NULL);
         }
 }
 
-typedef struct Found { Arena *arena; Transitions list; } Found;
+typedef struct TransitionList { Arena *arena; Transitions list; } TransitionList;
 
-static void note_transition(const StmtPlace *at, void *context)
+static void add_transition(const StmtPlace *at, void *context)
 {
-    Found *out = context;
+    TransitionList *out = context;
     const Transition t = {at->state, at->stmt->target, at->block, at->stmt, at->when, (uint32_t)out->list.n};
 
     if (at->stmt->kind == ST_TRANSITION)
@@ -63,9 +57,9 @@ static void note_transition(const StmtPlace *at, void *context)
 
 Transitions transitions_of(Arena *arena, const Program *p)
 {
-    Found out = {arena, {NULL, 0, 0}};
+    TransitionList out = {arena, {NULL, 0, 0}};
 
-    each_place(arena, p, note_transition, &out);
+    each_stmt_place(arena, p, add_transition, &out);
     return out.list;
 }
 
@@ -113,7 +107,7 @@ static bool needs_parentheses(const Condition *c, bool alone)
     return !alone && g->kind == EX_BINARY && g->op == SM_OP_OR;
 }
 
-static void put_condition(Arena *arena, Buf *out, const Condition *c, bool alone)
+static void write_condition(Arena *arena, Buf *out, const Condition *c, bool alone)
 {
     const bool parentheses = needs_parentheses(c, alone);
 
@@ -133,7 +127,7 @@ const char *condition_text(Arena *arena, const Condition *when)
     if (when)
         buf_str(&out, "… and ");
     for (size_t i = n; i-- > 0;) {
-        put_condition(arena, &out, shown[i], n == 1 && !when);
+        write_condition(arena, &out, shown[i], n == 1 && !when);
         if (i > 0)
             buf_str(&out, " and ");
     }
@@ -154,7 +148,7 @@ const char *condition_brief(Arena *arena, const Condition *when, size_t most)
         buf_str(&out, "… and ");
     for (size_t i = n; i-- > 0;) {
         if (shown[i]->holds)
-            put_condition(arena, &out, shown[i], i == 0);
+            write_condition(arena, &out, shown[i], i == 0);
         else
             buf_str(&out, "else");
         if (i > 0)

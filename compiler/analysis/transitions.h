@@ -31,7 +31,7 @@ typedef struct StmtPlace {
 } StmtPlace;
 
 // Calls f for every statement in file order.  A conditional comes before the statements inside it.
-void each_place(Arena *arena, const Program *p, void (*f)(const StmtPlace *place, void *context), void *context);
+void each_stmt_place(Arena *arena, const Program *p, void (*f)(const StmtPlace *place, void *context), void *context);
 
 // All transitions in file order.  The condition that no earlier transition of the block was taken is not included.
 Transitions transitions_of(Arena *arena, const Program *p);

@@ -282,7 +282,7 @@ Trials *trials_of(Analysis *a)
     t->stmt = ARENA_ARRAY(a->arena, const Stmt *, a->p->stmts + 1u);
     t->state_of = ARENA_ARRAY(a->arena, const State *, a->p->stmts + 1u);
     t->when = ARENA_ARRAY(a->arena, const Condition *, a->p->stmts + 1u);
-    each_place(a->arena, a->p, record_stmt, t);
+    each_stmt_place(a->arena, a->p, record_stmt, t);
     t->taken = ARENA_ARRAY(a->arena, bool, a->p->stmts + 1u);
     t->by_time = ARENA_ARRAY(a->arena, bool, a->p->stmts + 1u);
     for (size_t i = 0; i < a->transition.n; i++)

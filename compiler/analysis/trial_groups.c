@@ -114,7 +114,7 @@ void trial_find_groups(TrialFinder *f)
     f->parent = ARENA_ARRAY(f->arena, uint32_t, f->p->var.n);
     for (uint32_t v = 0; v < f->p->var.n; v++)
         f->parent[v] = v;
-    each_place(f->arena, f->p, join_stmt, f);
+    each_stmt_place(f->arena, f->p, join_stmt, f);
     join_similar_comparisons(f);
     for (uint32_t i = 0; i < t->inputs; i++)
         for (uint32_t k = 0; k < i && t->input[i].group == i; k++)

@@ -147,9 +147,9 @@ void trial_find_inputs(Trials *t)
     list_inputs(&f);
     for (int round = 0; propagation.grew && round < 16; round++) {
         propagation.grew = false;
-        each_place(f.arena, f.p, propagate_store, &propagation);
+        each_stmt_place(f.arena, f.p, propagate_store, &propagation);
     }
-    each_place(f.arena, f.p, record_stmt, &f);
+    each_stmt_place(f.arena, f.p, record_stmt, &f);
     trial_find_groups(&f);
     trial_find_readings(&f);
     trial_find_waits(&f);
@@ -157,7 +157,7 @@ void trial_find_inputs(Trials *t)
     trial_find_actuators(&f);
     for (size_t s = 0; s < f.p->state.n; s++)
         t->state[s].relevant = ARENA_ARRAY(f.arena, bool, t->inputs + 1);
-    each_place(f.arena, f.p, record_relevant, &f);
+    each_stmt_place(f.arena, f.p, record_relevant, &f);
     for (size_t s = 0; s < f.p->state.n; s++)
         for (uint32_t i = 0; i < t->inputs; i++)
             t->state[s].relevant[t->input[i].group] |= t->state[s].relevant[i];        // the first input of a group moves the whole group

@@ -150,8 +150,8 @@ static void record_bounds(const StmtPlace *at, void *context)
 
 void trial_find_actuators(TrialFinder *f)
 {
-    each_place(f->arena, f->p, copy_properties_of_local, f);
-    each_place(f->arena, f->p, record_bounds, f);
+    each_stmt_place(f->arena, f->p, copy_properties_of_local, f);
+    each_stmt_place(f->arena, f->p, record_bounds, f);
     for (size_t v = 0; v < f->p->var.n; v++)
         if (is_actuator(f, f->p->var.at[v]) && f->t->a->m->var_of[v] != IR_NONE)
             f->t->actuator[f->t->a->m->var_of[v]] = true;

@@ -235,7 +235,7 @@ void trial_fill_windows(Trials *t, void *situation, const double *in)
             ir_run_copy_window(t->run, situation, before, w);
 }
 
-// Whether the state find_lasting_inputs some steps with these commands and some healthy readings.
+// Whether the state lasts some steps with these commands and some healthy readings.
 static bool find_lasting_inputs(Trials *t, const TrialEntry *e, void *situation, double *in)
 {
     const uint32_t state = trial_state(e->situation);
@@ -270,22 +270,25 @@ void trial_begin(Trials *t, const TrialEntry *e, void *situation, double *in)
 
 // ---- comparing ----
 
-typedef struct VarDifference { const Trials *t; const double *a, *b; const Var *found; } VarDifference;
-
-static void find_differing_var(Expr *e, void *context)
+// The first variable in e that the machine writes and that differs; or NULL.
+static const Var *find_differing_var(const Trials *t, const Expr *e, const double *a, const double *b)
 {
-    VarDifference *d = context;
-    const uint32_t v = e->kind == EX_VAR ? d->t->a->m->var_of[e->var->index] : IR_NONE;
+    const Var *found = NULL;
 
-    if (v != IR_NONE && e->var->written && !d->found && d->a[v] != d->b[v])
-        d->found = e->var;
+    for (uint32_t i = 0; i < e->n && !found; i++)
+        found = find_differing_var(t, e->arg[i], a, b);
+    if (!found && e->kind == EX_VAR && e->var->written) {
+        const uint32_t v = t->a->m->var_of[e->var->index];
+        found = v != IR_NONE && a[v] != b[v] ? e->var : NULL;
+    }
+    return found;
 }
 
 const Var *trial_find_difference(const Trials *t, const Condition *when, const void *a, const void *b)
 {
-    VarDifference d = {t, trial_vars(t, a), trial_vars(t, b), NULL};
+    const Var *found = NULL;
 
-    for (const Condition *c = when; c; c = c->outer)
-        expr_walk(c->stmt->value, find_differing_var, &d);
-    return d.found;
+    for (; when && !found; when = when->outer)
+        found = find_differing_var(t, when->stmt->value, trial_vars(t, a), trial_vars(t, b));
+    return found;
 }

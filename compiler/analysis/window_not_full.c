@@ -4,7 +4,7 @@
 // Two machines run side by side from a situation in which windows have few samples.  In one of them the windows are filled
 // first, with the readings that the sensors are about to deliver.  If that one does nothing while the other makes a transition
 // or switches an output on, the missing samples decided.  The finding is at the first guard on which the two differ, which may
-// set a flag or a code that few_samples_decide later.
+// set a flag or a code that decides later.
 //
 // Only situations that are reached without a command and in a known number of steps count.  A person waits long enough, and so
 // does a timer if the step is unknown.
@@ -184,17 +184,23 @@ static bool few_samples_decide(WindowTrial *w, const TrialEntry *e, uint32_t gli
 
 // ---- findings ----
 
-typedef struct RollSearch { const WindowTrial *w; const Expr *roll; const Var *through; int depth; } RollSearch;
-typedef struct StoreSearch { RollSearch *f; const Var *v; } StoreSearch;
+// A statistic of the window that decided.
+typedef struct RollSearch {
+    const WindowTrial *w;
+    const Expr *roll;             // NULL: not yet found
+    const Var *through;           // the variable that the guard reads instead, if a store to it reads the statistic; or NULL
+    const Var *stored;            // the variable whose stores are being searched
+    int depth;
+} RollSearch;
 
 static void find_roll(Expr *e, void *context);
 
 static void find_roll_in_store(const Stmt *s, void *context)
 {
-    StoreSearch *k = context;
+    RollSearch *f = context;
 
-    if (s->kind == ST_ASSIGN && s->var == k->v)
-        expr_walk(s->value, find_roll, k->f);
+    if (s->kind == ST_ASSIGN && s->var == f->stored)
+        expr_walk(s->value, find_roll, f);
 }
 
 static void find_roll(Expr *e, void *context)
@@ -204,47 +210,35 @@ static void find_roll(Expr *e, void *context)
     if (e->kind == EX_ROLL && !f->roll && f->w->t->a->m->window_of[e->window] == f->w->window)
         f->roll = e;
     if (e->kind == EX_VAR && e->var->written && !f->roll && f->depth < 4) {
-        StoreSearch k = {f, e->var};
+        const Var *outer = f->stored;
+        f->stored = e->var;
         f->depth++;
-        each_stmt(f->w->t->a->p, find_roll_in_store, &k);
+        each_stmt(f->w->t->a->p, find_roll_in_store, f);
         f->depth--;
+        f->stored = outer;
         if (f->roll && !f->through)
             f->through = e->var;
     }
-}
-
-// Of several findings at one guard, stores the one with the fewest samples.
-static void record_finding(WindowTrial *w)
-{
-    uint32_t *least = &w->found[w->guard->number];
-
-    if (*least == 0 || w->samples < *least) {
-        *least = w->samples;
-        w->deciding[w->guard->number] = w->window;
-    }
-}
-
-// If the window has all its samples, the cause is not the window but a value that the machine stored before.
-static const char *early_text(const Analysis *a, const Expr *roll, uint32_t samples)
-{
-    const char *text = source_text(a->arena, roll->span);
-    const uint32_t size = a->p->window.at[roll->window].size;
-
-    if (samples >= size)
-        return format_in(a->arena, "it reads what was stored before the window of '%s' was full", text);
-    return format_in(a->arena, "the window of '%s' has %lu of %lu samples", text, (unsigned long)samples, (unsigned long)size);
 }
 
 static void report_guard(const WindowTrial *w)
 {
     const Analysis *a = w->t->a;
     RollSearch f = {.w = w};
+    const char *text, *reason;
+    uint32_t size;
     Diag *d;
 
     expr_walk(w->guard->value, find_roll, &f);
     if (!f.roll)
         return;
-    d = diag_report(a->diags, DIAG_window_not_full, w->guard->value->span, early_text(a, f.roll, w->samples));
+    text = source_text(a->arena, f.roll->span);
+    size = a->p->window.at[f.roll->window].size;
+    if (w->samples >= size)       // the cause is not the window but a value that the machine stored before
+        reason = format_in(a->arena, "it reads what was stored before the window of '%s' was full", text);
+    else
+        reason = format_in(a->arena, "the window of '%s' has %lu of %lu samples", text, (unsigned long)w->samples, (unsigned long)size);
+    d = diag_report(a->diags, DIAG_window_not_full, w->guard->value->span, reason);
     if (f.through)
         diag_note(a->diags, d, f.roll->span, DIAG_note_statistic_here, f.through->name->text);
 }
@@ -269,6 +263,8 @@ static void try_entry(WindowTrial *w, const TrialState *s, const TrialEntry *e)
 
     for (uint32_t n = 0; n < DRAWS * windows && t->run->work < w->until; n++) {
         const uint32_t glitch = t->inputs == 0 || trial_random_below(t, 3) == 0 ? IR_NONE : trial_random_below(t, t->inputs);
+        uint32_t *least;
+        double reading;
         w->window = n % windows;
         memcpy(w->in, e->in, t->inputs * sizeof *w->in);
         trial_draw_inputs(t, w->in, s, true, false);
@@ -277,8 +273,14 @@ static void try_entry(WindowTrial *w, const TrialState *s, const TrialEntry *e)
         w->noise = trial_random_below(t, 2) ? 0 : noise[trial_random_below(t, NOISES)];
         if (glitch != IR_NONE && t->input[glitch].command)
             continue;
-        if (few_samples_decide(w, e, glitch, glitch == IR_NONE ? 0 : t->input[glitch].reading[trial_random_below(t, t->input[glitch].readings)]))
-            record_finding(w);
+        reading = glitch == IR_NONE ? 0 : t->input[glitch].reading[trial_random_below(t, t->input[glitch].readings)];
+        if (!few_samples_decide(w, e, glitch, reading))
+            continue;
+        least = &w->found[w->guard->number];          // of several findings at one guard, the one with the fewest samples
+        if (*least == 0 || w->samples < *least) {
+            *least = w->samples;
+            w->deciding[w->guard->number] = w->window;
+        }
     }
 }
 
