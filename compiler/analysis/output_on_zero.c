@@ -105,8 +105,6 @@ static double pseudo_random(uint32_t step, uint32_t input)
 
 // ---- one trial ----
 
-static double clamp_to_range(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
-
 // The distance from the reading of the case to the next one.
 static double distance_to_next(const TrialInput *i, double reading)
 {
@@ -133,9 +131,9 @@ static void move_readings(const FailureTrial *z, const FailureCase *c, double *i
 
     for (uint32_t k = 0; k < t->inputs && (m.noise > 0 || z->others > 0); k++)
         if (!t->input[k].command && t->input[k].group != i->group)
-            in[k] = clamp_to_range(&t->input[k], in[k] + noise_amplitude(z, &t->input[k], in[k]) * pseudo_random(z->clock, t->input[k].group));
+            in[k] = trial_clamp(&t->input[k], in[k] + noise_amplitude(z, &t->input[k], in[k]) * pseudo_random(z->clock, t->input[k].group));
     if (by != 0)
-        trial_set_group(t, in, c->sensor, clamp_to_range(i, c->reading + by));
+        trial_set_group(t, in, c->sensor, trial_clamp(i, c->reading + by));
 }
 
 static void step_healthy(FailureTrial *z, const FailureCase *c, void *situation)

@@ -90,7 +90,8 @@ static void check_equality(Expr *e, void *context)
             !is_skipped(&k->counter[v->var->index], v->var, expr_constant_value(x)))
             continue;
         d = diag_report(k->a->diags, DIAG_exact_moment, e->span, v->var->name->text, const_text(k->a->arena, expr_constant_value(x)));
-        diag_note(k->a->diags, d, (Span){0}, DIAG_note_counts_by, v->var->name->text, const_text(k->a->arena, k->counter[v->var->index].by));
+        diag_note(k->a->diags, d, (Span){0}, DIAG_note_counts_by, v->var->name->text,
+                  const_text(k->a->arena, k->counter[v->var->index].by));
     }
 }
 

@@ -14,7 +14,7 @@
 
 enum {
     TRIED = 3,                    // entries of a state
-    HISTORIES = 24,                   // histories that are tried before a state is reported as never ending
+    HISTORIES = 24,               // histories that are tried before a state is reported as never ending
     LAST_PASSES = 20,             // of TRIAL_PASSES: what happens in these happens forever
     CHANGES = 4                   // changes of the other inputs, in one history
 };
@@ -25,7 +25,7 @@ typedef struct TimeoutCheck {
     double *in, *now;             // inputs at rest; of this step
     double *mid;                  // variables halfway through a long stay
     double noise;                 // on healthy sensors, in units of their scale
-    const SensorFailure *failed;         // or NULL
+    const SensorFailure *failed;  // or NULL
     const Stmt *on;               // statement of the state that has an output on at the end, or now and then forever; or NULL
 } TimeoutCheck;
 
@@ -67,7 +67,7 @@ static void discard_fallen(TimeoutCheck *w)
 
 // Holds the inputs until windows are full, then for as long as anything can happen.  Returns false if the state is left, now or
 // perhaps later.
-static bool stays_long(TimeoutCheck *w, uint32_t state)
+static bool stays(TimeoutCheck *w, uint32_t state)
 {
     Trials *t = w->t;
     int idle = 0;
@@ -104,7 +104,7 @@ static bool lasts_in_one_history(TimeoutCheck *w, const TrialEntry *e)
         static const double noise[] = {0, 0.001, 0.01, 0.1};
         trial_draw_inputs_freely(t, w->in, &t->state[state - 1]);
         w->noise = noise[trial_random_below(t, 4)];
-        if (!stays_long(w, state))
+        if (!stays(w, state))
             return false;
     }
     return true;
@@ -141,7 +141,8 @@ static bool report_if_lasts(TimeoutCheck *w, const State *s, const TrialEntry *e
     return true;
 }
 
-static bool waits_for(TimeoutCheck *w, const State *s, const TrialEntry *e, uint32_t input)
+// Searches a failure of the sensor with which the state never ends, and reports it.  Returns whether there is one.
+static bool find_failure_that_lasts(TimeoutCheck *w, const State *s, const TrialEntry *e, uint32_t input)
 {
     static const double noise[] = {0.1, 5, 100};
     const TrialInput *i = &w->t->input[input];
@@ -167,7 +168,7 @@ static bool switches_on(const Trials *t, uint32_t n, const State *state)
 }
 
 // Whether the state switches an output on.
-static bool drives(const Trials *t, const State *state)
+static bool drives_output(const Trials *t, const State *state)
 {
     for (uint32_t n = 1; n <= t->a->p->stmts; n++)
         if (switches_on(t, n, state))
@@ -175,27 +176,27 @@ static bool drives(const Trials *t, const State *state)
     return false;
 }
 
-static TimeoutCheck new_waits(Trials *t)
+static TimeoutCheck new_timeout_check(Trials *t)
 {
     return (TimeoutCheck){.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t), .now = trial_new_inputs(t),
-                   .mid = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n)};
+                          .mid = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n)};
 }
 
 void check_waits_for_sensor(Trials *t)
 {
-    TimeoutCheck w = new_waits(t);
+    TimeoutCheck w = new_timeout_check(t);
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];
         bool found = false;
-        if (state->is_safe || state->is_abort || (s == 0 && !drives(t, state)))
+        if (state->is_safe || state->is_abort || (s == 0 && !drives_output(t, state)))
             continue;
         for (size_t n = 0; n < t->state[s].entry.n && n < TRIED && !found; n++) {
             const TrialEntry *e = &t->state[s].entry.at[n];
             if (lasts_forever(&w, e, NULL))
                 continue;
             for (uint32_t i = 0; i < t->inputs && !found; i++)
-                found = !t->input[i].command && t->state[s].relevant[i] && waits_for(&w, state, e, i);
+                found = !t->input[i].command && t->state[s].relevant[i] && find_failure_that_lasts(&w, state, e, i);
         }
     }
 }
@@ -218,23 +219,17 @@ static uint32_t list_outputs(const Trials *t, const State *s, const Var *first, 
     return n;
 }
 
-static bool report_missing_timeout(TimeoutCheck *w, const State *s)
+static void report_missing_timeout(const TimeoutCheck *w, const State *s)
 {
     const Analysis *a = w->t->a;
     const Stmt *on = w->on;
-    const Var **output;
-    uint32_t outputs;
-    Diag *d;
+    const Var **output = ARENA_ARRAY(a->arena, const Var *, a->p->var.n + 1);
+    const uint32_t outputs = list_outputs(w->t, s, on->var, output);
+    Diag *d = diag_report(a->diags, DIAG_no_timeout, s->span, s->name->text, trial_check_names(a->arena, output, outputs));
 
-    if (!on)
-        return false;
-    output = ARENA_ARRAY(a->arena, const Var *, a->p->var.n + 1);
-    outputs = list_outputs(w->t, s, on->var, output);
-    d = diag_report(a->diags, DIAG_no_timeout, s->span, s->name->text, trial_check_names(a->arena, output, outputs));
     for (uint32_t i = 0; i < outputs; i++)
         diag_about(a->diags, d, DIAG_OUTPUTS, output[i]->span);
     diag_note(a->diags, d, on->span, DIAG_note_switched_on, on->var->name->text);
-    return true;
 }
 
 // A state that is never left is reported by missing-way-out instead.
@@ -256,15 +251,17 @@ static bool find_missing_timeout(TimeoutCheck *w, const State *s, const TrialEnt
         trial_begin(t, e, w->at, w->in);
         if (n > 0)
             trial_draw_inputs(t, w->in, &t->state[s->number - 1], n % 2, false);
-        if (stays_long(w, s->number) && report_missing_timeout(w, s))
-            return true;
+        if (!stays(w, s->number) || !w->on)
+            continue;
+        report_missing_timeout(w, s);
+        return true;
     }
     return false;
 }
 
 void check_missing_timeout(Trials *t)
 {
-    TimeoutCheck w = new_waits(t);
+    TimeoutCheck w = new_timeout_check(t);
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];

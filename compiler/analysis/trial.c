@@ -87,6 +87,7 @@ static void update_peaks(Trials *t, void *situation)
             t->peak[v] = sm_abs(var[v]);
 }
 
+// Runs the step after a transition, in a copy.
 static void record_next_step(TrialSearch *k, uint32_t transition)
 {
     Trials *t = k->t;
@@ -147,11 +148,12 @@ static bool search_step(TrialSearch *k, bool pass)
     return via->to != via->from;
 }
 
+// Holds the inputs for some steps, or until windows are full, or as long as a timer still needs.
 static void hold_inputs(TrialSearch *k)
 {
     static const uint32_t holds[] = {1, 1, 2, 5};
-    Trials *t = k->t;
     static const double noise[] = {0, 0, 0, 0.001, 0.01, 0.1};
+    Trials *t = k->t;
     const bool pass = trial_random_below(t, 3) == 0;
     uint32_t n = pass ? 1 + trial_random_below(t, 2 * (t->waits + t->count) + 2) : holds[trial_random_below(t, 4)];
 
@@ -163,6 +165,7 @@ static void hold_inputs(TrialSearch *k)
             return;
 }
 
+// Draws inputs at random, or changes one of them.
 static void change_inputs(TrialSearch *k, const TrialState *s)
 {
     Trials *t = k->t;

@@ -74,7 +74,8 @@ typedef struct Trials {
     double *wait;                     // times that conditions on T and G wait for, ascending
     uint32_t waits;
     bool stamped;                     // some variable contains a time: waits may begin at any time
-    double **limit;                   // by IR variable that only counts by a constant: the values it is compared with, ended by NaN; else NULL
+    double **limit;                   // by IR variable that only counts by a constant: the values it is compared with, ended by NaN;
+                                      // else NULL
     double dt;                        // how much G advances in a step
     uint32_t window;                  // samples until every window is full
     bool *computed;                   // by IrMachine.window: it samples values that the machine itself writes
@@ -141,5 +142,8 @@ void trial_add_noise(Trials *t, double *in, double most);
 void trial_unify_groups(const Trials *t, double *in);
 void trial_set_group(const Trials *t, double *in, uint32_t input, double reading);
 bool trial_is_healthy(const TrialInput *i, double reading);
+double trial_clamp(const TrialInput *i, double reading);          // within @range, if there is one
+// Stores the inputs in the variables of a situation, as their types.
+void trial_set_vars(const Trials *t, double *vars, const double *in);
 
 #endif

@@ -12,7 +12,7 @@ static uint32_t root_of(TrialFinder *f, uint32_t v)
     return v;
 }
 
-static uint32_t join(TrialFinder *f, uint32_t a, uint32_t b)
+static uint32_t join_quantities(TrialFinder *f, uint32_t a, uint32_t b)
 {
     if (a == IR_NONE || b == IR_NONE)
         return a == IR_NONE ? b : a;
@@ -28,7 +28,18 @@ static bool is_sum(const Expr *e)
 
 static bool is_scaled(const Expr *e)
 {
-    return e->kind == EX_BINARY && (e->op == SM_OP_MUL || e->op == SM_OP_DIV) && (expr_is_constant(e->arg[0]) || expr_is_constant(e->arg[1]));
+    return e->kind == EX_BINARY && (e->op == SM_OP_MUL || e->op == SM_OP_DIV) &&
+           (expr_is_constant(e->arg[0]) || expr_is_constant(e->arg[1]));
+}
+
+// Whether a variable holds a quantity that sensors can measure: neither a time, nor a command, nor a bool.
+static bool has_quantity(const TrialFinder *f, const Var *v)
+{
+    const uint32_t input = f->input_of[v->index];
+
+    if (v->type == SM_BOOL || v->is_constant || v->kind == VAR_TIME || v == f->p->g || v == f->p->s)
+        return false;
+    return v->kind == VAR_LOCAL || v->written || (input != IR_NONE && !f->t->input[input].command);
 }
 
 // A variable with the same quantity as the expression; IR_NONE: unknown.  Joins the operands of comparisons.
@@ -38,13 +49,11 @@ static uint32_t join_operands(TrialFinder *f, const Expr *e)
     uint32_t all = IR_NONE;
 
     if (e->kind == EX_VAR)
-        return e->var->type != SM_BOOL && !e->var->is_constant && e->var->kind != VAR_TIME && e->var != f->p->g && e->var != f->p->s &&
-               (e->var->kind == VAR_LOCAL || e->var->written || (f->input_of[e->var->index] != IR_NONE && !f->t->input[f->input_of[e->var->index]].command))
-               ? e->var->index : IR_NONE;
+        return has_quantity(f, e->var) ? e->var->index : IR_NONE;
     for (uint32_t i = 0; i < e->n; i++) {
         const uint32_t q = join_operands(f, e->arg[i]);
         if (compared || is_sum(e) || is_scaled(e))
-            all = join(f, all, q);
+            all = join_quantities(f, all, q);
     }
     return compared ? IR_NONE : all;
 }
@@ -58,7 +67,7 @@ static void join_stmt(const StmtPlace *at, void *context)
         return;
     q = join_operands(f, at->stmt->value);
     if (at->stmt->kind == ST_ASSIGN && at->stmt->var->type != SM_BOOL)
-        join(f, at->stmt->var->index, q);
+        join_quantities(f, at->stmt->var->index, q);
 }
 
 // Whether two expressions are equal except for their variables.  Variables at the same position measure the same quantity.
@@ -75,7 +84,7 @@ static bool is_similar(TrialFinder *f, const Expr *a, const Expr *b, bool join_t
         if (x == IR_NONE || y == IR_NONE)
             return a->var == b->var;
         if (join_them)
-            join(f, x, y);
+            join_quantities(f, x, y);
         return true;
     }
     for (uint32_t i = 0; i < a->n && alike; i++)

@@ -77,8 +77,8 @@ static bool is_code(const TrialFinder *f, uint32_t v)
         least = sm_min(least, f->constants[v].at[i]);
         most = sm_max(most, f->constants[v].at[i]);
     }
-    return count_distinct_nonzero(f->constants[v].at, f->constants[v].n) >= 2 && most - least < 100 && sm_type_info[f->p->var.at[v]->type].kind != SM_KIND_FLOAT &&
-           most != 100;
+    return count_distinct_nonzero(f->constants[v].at, f->constants[v].n) >= 2 && most - least < 100 && most != 100 &&
+           sm_type_info[f->p->var.at[v]->type].kind != SM_KIND_FLOAT;
 }
 
 // A count of events: it goes up by a constant, and back to 0.
@@ -140,12 +140,15 @@ static void copy_properties_of_local(const StmtPlace *at, void *context)
 static void record_bounds(const StmtPlace *at, void *context)
 {
     TrialFinder *f = context;
-    const StmtFact *fact = &f->t->a->stmt[at->stmt->number];
+    const Stmt *stmt = at->stmt;
+    const Fact value = f->t->a->stmt[stmt->number].value;
 
-    if (at->stmt->kind == ST_ASSIGN && fact->reached && !expr_is_constant(at->stmt->value) && fact->value.lo > -1e6 && fact->value.hi < 1e6)
-        f->bounded[at->stmt->var->index] = true;
-    if (at->stmt->kind == ST_ASSIGN && f->varied[at->stmt->var->index] && fact->reached && fact->value.lo == 0 && fact->value.hi > 0 && fact->value.hi < 1e9)
-        f->zeroed[at->stmt->var->index] = true;
+    if (stmt->kind != ST_ASSIGN || !f->t->a->stmt[stmt->number].reached)
+        return;
+    if (!expr_is_constant(stmt->value) && value.lo > -1e6 && value.hi < 1e6)
+        f->bounded[stmt->var->index] = true;
+    if (f->varied[stmt->var->index] && value.lo == 0 && value.hi > 0 && value.hi < 1e9)
+        f->zeroed[stmt->var->index] = true;
 }
 
 void trial_find_actuators(TrialFinder *f)

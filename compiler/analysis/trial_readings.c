@@ -57,8 +57,10 @@ static void find_differences(TrialFinder *f, ReadingMemory remembered, double *d
     }
 }
 
-// set: sets the varied variable or group to the reading x.
-static void find_roots(TrialFinder *f, void (*set)(TrialFinder *f, uint32_t which, double x), uint32_t which, uint32_t bit, ReadingMemory remembered, Roots *out)
+// Finds the readings of the varied input, group or time at which comparisons change.  set: sets it to the reading x.  bit: the input
+// that a comparison has to depend on; IR_NONE: any comparison.
+static void find_roots(TrialFinder *f, void (*set)(TrialFinder *f, uint32_t which, double x), uint32_t which, uint32_t bit,
+                       ReadingMemory remembered, Roots *out)
 {
     static const double at[] = {-1e5, -40, 0, 1, 90, 3000, 1e5};
     enum { POINTS = sizeof at / sizeof *at };

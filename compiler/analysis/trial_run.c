@@ -21,14 +21,19 @@ void *trial_copy(const Trials *t, void *to, const void *from)
     return memcpy(to, from, t->run->size);
 }
 
+void trial_set_vars(const Trials *t, double *vars, const double *in)
+{
+    for (uint32_t i = 0; i < t->inputs; i++)
+        vars[t->input[i].var] = ir_convert(t->input[i].v->type, in[i]);
+}
+
 void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace *trace)
 {
     const IrSituation *s = situation;
     double *var = ir_run_vars(t->run, situation);
 
     var[t->run->m->g] = s->ran ? s->last_g + dt : 0;
-    for (uint32_t i = 0; i < t->inputs; i++)
-        var[t->input[i].var] = ir_convert(t->input[i].v->type, in[i]);
+    trial_set_vars(t, var, in);
     ir_run_step(t->run, situation, trace);
 }
 
@@ -156,7 +161,7 @@ void trial_set_group(const Trials *t, double *in, uint32_t input, double reading
             in[i] = reading;
 }
 
-static double clamp_to_range(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
+double trial_clamp(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
 
 void trial_add_noise(Trials *t, double *in, double most)
 {
@@ -166,7 +171,7 @@ void trial_add_noise(Trials *t, double *in, double most)
             continue;
         for (uint32_t i = g; i < t->inputs; i++)
             if (t->input[i].group == g)
-                in[i] = trial_is_healthy(&t->input[i], in[i]) ? clamp_to_range(&t->input[i], in[i] + noise) : in[i] + noise;
+                in[i] = trial_is_healthy(&t->input[i], in[i]) ? trial_clamp(&t->input[i], in[i] + noise) : in[i] + noise;
     }
 }
 
@@ -220,8 +225,7 @@ static void set_held_inputs(void *context, double *vars, uint32_t sample)
     const HeldInputs *h = context;
 
     (void)sample;
-    for (uint32_t i = 0; i < h->t->inputs; i++)
-        vars[h->t->input[i].var] = ir_convert(h->t->input[i].v->type, h->in[i]);
+    trial_set_vars(h->t, vars, h->in);
 }
 
 void trial_fill_windows(Trials *t, void *situation, const double *in)

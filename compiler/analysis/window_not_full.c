@@ -11,7 +11,6 @@
 #include <string.h>
 
 #include "compiler/analysis/trial_checks.h"
-#include "compiler/ir/eval.h"
 
 enum {
     TRIED = 8,                    // entries of a state
@@ -57,8 +56,7 @@ static void fill_inputs(void *context, double *vars, uint32_t sample)
 
     (void)sample;
     set_inputs(w);
-    for (uint32_t i = 0; i < w->t->inputs; i++)
-        vars[w->t->input[i].var] = ir_convert(w->t->input[i].v->type, w->now[i]);
+    trial_set_vars(w->t, vars, w->now);
 }
 
 // ---- one trial ----

@@ -86,7 +86,7 @@ static uint32_t find_ins(const ImageFn *f, uint32_t at)                // the in
     return low;
 }
 
-static bool goes_on(const ImageIns *i) { return i->op != SMVM_end && i->op != SMVM_goto && i->op != SMVM_jmp; }
+static bool falls_through(const ImageIns *i) { return i->op != SMVM_end && i->op != SMVM_goto && i->op != SMVM_jmp; }
 
 static ImageFn read_function(ImageReader *r, uint32_t index)
 {
@@ -103,7 +103,7 @@ static ImageFn read_function(ImageReader *r, uint32_t index)
         at = read_ins(r, at, end, &f.ins[f.n++]);
     for (uint32_t i = f.n; i-- > 0;) {
         ImageIns *ins = &f.ins[i];
-        const ImageIns *next = goes_on(ins) ? ins + 1 : NULL, *target = ins->to ? &f.ins[find_ins(&f, ins->to)] : NULL;
+        const ImageIns *next = falls_through(ins) ? ins + 1 : NULL, *target = ins->to ? &f.ins[find_ins(&f, ins->to)] : NULL;
         ins->left[PATH_ENDS] = ins->op == SMVM_end ? ins->units : 0;
         ins->left[PATH_LEAVES] = ins->op == SMVM_goto ? ins->units : 0;
         for (int p = 0; p < PATH_KINDS; p++) {
@@ -130,7 +130,7 @@ static void add_path(ImageReader *r, StateCost *s, const ImageFn *f, CostPart pa
             vec_push(r->arena, &s->path, fresh);
         if (ins->op == SMVM_end || ins->op == SMVM_goto)
             return;
-        i = goes_on(ins) && ins[1].left[path] + ins->units == ins->left[path] ? i + 1 : find_ins(f, ins->to);
+        i = falls_through(ins) && ins[1].left[path] + ins->units == ins->left[path] ? i + 1 : find_ins(f, ins->to);
     }
 }
 
