@@ -119,16 +119,6 @@ static void find_paths(Analysis *a, AbortMatrix *x, const AbortBound *b)
 
 // ---- verdicts ----
 
-static uint32_t worst_steps(const AbortRow *r)
-{
-    uint32_t worst = 0;
-
-    for (size_t k = 0; k < r->path.n; k++)
-        if (abort_is_sure(&r->path.at[k]) && r->path.at[k].steps > worst)
-            worst = r->path.at[k].steps;
-    return worst;
-}
-
 static AbortVerdict verdict_of(const Analysis *a, const AbortRow *r)
 {
     bool possible = false;
@@ -161,8 +151,11 @@ AbortMatrix abort_matrix(Trials *t)
     if (x.declared)
         abort_run_trials(t, &x, &b);
     for (size_t s = 0; s < x.n; s++) {
-        x.row[s].steps = worst_steps(&x.row[s]);
-        x.row[s].verdict = verdict_of(a, &x.row[s]);
+        AbortRow *r = &x.row[s];
+        for (size_t k = 0; k < r->path.n; k++)
+            if (abort_is_sure(&r->path.at[k]) && r->path.at[k].steps > r->steps)
+                r->steps = r->path.at[k].steps;
+        r->verdict = verdict_of(a, r);
     }
     return x;
 }

@@ -25,14 +25,6 @@ static const Stmt *find_assignment(const KnownGuard *known, const Var *v)
     return NULL;
 }
 
-static void find_change(Expr *e, void *context)
-{
-    bool *changes = context;
-
-    if (e->kind == EX_VAR)
-        *changes |= e->var->written;
-}
-
 // Whether the variable then contains exactly the assigned number: nothing is rounded, truncated or limited.
 static bool is_stored_exactly(const StatUse *u, const Stmt *assigned)
 {
@@ -44,31 +36,32 @@ static bool is_stored_exactly(const StatUse *u, const Stmt *assigned)
     return fact_fits(value, type) && value.whole && !value.minus_zero;
 }
 
+static bool reads_written_variable(const Expr *e)
+{
+    bool found = e->kind == EX_VAR && e->var->written;
+
+    for (uint32_t i = 0; i < e->n && !found; i++)
+        found = reads_written_variable(e->arg[i]);
+    return found;
+}
+
 // Whether the assignment is executed in every step of the state, from values that the machine does not change.
 static bool can_be_inlined(const StatUse *u, const Stmt *assigned)
 {
-    bool is_always = false, changes = false;
+    bool is_always = false;
 
     for (size_t i = 0; i < u->block->n; i++)
         is_always |= u->block->at[i] == assigned;
-    expr_walk(assigned->value, find_change, &changes);
-    return is_always && !changes && is_stored_exactly(u, assigned);
+    return is_always && !reads_written_variable(assigned->value) && is_stored_exactly(u, assigned);
 }
 
-static void find_input(Expr *e, void *context)
+static bool reads_input(const Expr *e)
 {
-    bool *input = context;
+    bool found = e->kind == EX_VAR && e->var->kind == VAR_ELEMENT && !e->var->written;
 
-    if (e->kind == EX_VAR)
-        *input |= e->var->kind == VAR_ELEMENT && !e->var->written;
-}
-
-static bool is_element_beside_input(const Expr *roll, const Var *v)
-{
-    bool input = false;
-
-    expr_walk(roll->arg[0], find_input, &input);
-    return v->kind == VAR_ELEMENT && input;
+    for (uint32_t i = 0; i < e->n && !found; i++)
+        found = reads_input(e->arg[i]);
+    return found;
 }
 
 static bool is_read_without_window(const Expr *e, const Var *v)
@@ -95,7 +88,7 @@ static void check_sample(const StatUse *u, const Expr *e)
 {
     const Stmt *assigned = e->kind == EX_VAR ? find_assignment(u->known, e->var) : NULL;
 
-    if (assigned && !is_element_beside_input(u->roll, e->var) && !is_read_without_window(u->value, e->var))
+    if (assigned && !(e->var->kind == VAR_ELEMENT && reads_input(u->roll->arg[0])) && !is_read_without_window(u->value, e->var))
         report_late_sample(u, e->var, assigned);
     for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n; i++)
         check_sample(u, e->arg[i]);

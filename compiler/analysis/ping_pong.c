@@ -50,32 +50,26 @@ static void choose_inputs(CycleSearch *f, const TrialEntry *e, int n)
     }
 }
 
-static void record_switching(CycleSearch *f, bool counts)
-{
-    const Trials *t = f->t;
-    const double *var = ir_run_vars(t->run, f->at);
-
-    for (uint32_t v = 0; v < t->run->m->var.n; v++) {
-        f->switches |= counts && t->actuator[v] && var[v] != f->level[v];
-        f->level[v] = var[v];
-    }
-}
-
 // The number of transitions in the cycle of the last steps; 0: a step made no transition, or there is no cycle.
 static size_t run_cycle(CycleSearch *f, const TrialEntry *e)
 {
     Trials *t = f->t;
+    const uint32_t counted = STEPS + (t->count ? 300 : 0);      // a sequence that a counter ends is not a cycle
+    const double *var = ir_run_vars(t->run, f->at);
     size_t n = 1;
 
     f->switches = false;
     trial_copy(t, f->at, e->situation);
-    for (uint32_t left = STEPS + t->window + (t->count ? 300 : 0); left > 0; left--) {      // a sequence that a counter ends is not a cycle
+    for (uint32_t left = counted + t->window; left > 0; left--) {
         trial_step(t, f->at, f->in, t->dt, &t->trace);
-        if (t->trace.transition == 0 && left <= STEPS + (t->count ? 300 : 0))
+        if (t->trace.transition == 0 && left <= counted)
             return 0;
         if (t->trace.transition == 0)
             continue;
-        record_switching(f, left <= STEPS);
+        for (uint32_t v = 0; v < t->run->m->var.n; v++) {
+            f->switches |= left <= STEPS && t->actuator[v] && var[v] != f->level[v];
+            f->level[v] = var[v];
+        }
         memmove(f->made, f->made + 1, sizeof f->made - sizeof *f->made);
         f->made[STEPS - 1] = t->transition[t->trace.transition];
     }
@@ -95,34 +89,23 @@ static bool may_be_untaken(const Analysis *a, const Transition *x)
     return false;
 }
 
-// Of the cycle of the last n transitions: the one whose source state is first in the file.
-static const Transition *first_transition(const CycleSearch *f, size_t n)
-{
-    const Transition *first = f->made[STEPS - 1];
-
-    for (size_t k = 1; k < n; k++)
-        if (f->made[STEPS - 1 - k]->from->number < first->from->number)
-            first = f->made[STEPS - 1 - k];
-    return first;
-}
-
-static const Transition *transition_back_to(const CycleSearch *f, const State *s)
-{
-    for (int k = STEPS - 1; k > 0; k--)
-        if (f->made[k]->to == s)
-            return f->made[k];
-    return f->made[STEPS - 1];
-}
-
+// Reports the cycle of the last n transitions, at the one whose source state is first in the file.
 static void report_cycle(const CycleSearch *f, size_t n)
 {
     const Analysis *a = f->t->a;
-    const Transition *there = first_transition(f, n), *back = transition_back_to(f, there->from);
+    const Transition *there = f->made[STEPS - 1], *back = there;
     size_t conditions = 0;
     Diag *d;
 
-    for (size_t k = 0; k < n; k++)
-        conditions += may_be_untaken(f->t->a, f->made[STEPS - 1 - k]);
+    for (size_t k = 0; k < n; k++) {
+        const Transition *made = f->made[STEPS - 1 - k];
+        conditions += may_be_untaken(a, made);
+        if (made->from->number < there->from->number)
+            there = made;
+    }
+    for (size_t k = n; k-- > 0;)
+        if (f->made[STEPS - 1 - k]->to == there->from)
+            back = f->made[STEPS - 1 - k];
     if (n == 1 && conditions == 1)
         return;                               // a state that repeats as long as an input requests it
     if (conditions == 0) {

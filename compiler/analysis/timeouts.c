@@ -55,21 +55,12 @@ static void find_output_on(TimeoutCheck *w, const State *s)
     }
 }
 
-// A variable that falls starts again, so it does not count as advancing.
-static void discard_fallen(TimeoutCheck *w)
-{
-    const double *var = ir_run_vars(w->t->run, w->at);
-
-    for (uint32_t v = 0; v < w->t->run->m->var.n; v++)
-        if (var[v] < w->mid[v])
-            w->mid[v] = 1e300;
-}
-
 // Holds the inputs until windows are full, then for as long as anything can happen.  Returns false if the state is left, now or
 // perhaps later.
 static bool stays(TimeoutCheck *w, uint32_t state)
 {
     Trials *t = w->t;
+    const double *var = ir_run_vars(t->run, w->at);
     int idle = 0;
 
     for (uint32_t n = t->window + 5; n > 0; n--) {
@@ -81,12 +72,14 @@ static bool stays(TimeoutCheck *w, uint32_t state)
     w->on = NULL;
     for (int n = 0; n < TRIAL_PASSES && idle < 2; n++) {
         if (n == TRIAL_PASSES / 2)
-            memcpy(w->mid, ir_run_vars(t->run, w->at), t->run->m->var.n * sizeof *w->mid);
+            memcpy(w->mid, var, t->run->m->var.n * sizeof *w->mid);
         set_inputs(w);
         idle = trial_pass_time(t, w->at, w->now, &t->trace) ? 0 : idle + 1;
         if (trial_state(w->at) != state)
             return false;
-        discard_fallen(w);
+        for (uint32_t v = 0; v < t->run->m->var.n; v++)
+            if (var[v] < w->mid[v])
+                w->mid[v] = 1e300;                    // a variable that falls starts again, so it does not count as advancing
         if (idle == 2 || n > TRIAL_PASSES - LAST_PASSES)
             find_output_on(w, t->a->p->state.at[state - 1]);
     }
@@ -124,20 +117,18 @@ static bool lasts_forever(TimeoutCheck *w, const TrialEntry *e, const SensorFail
 
 // ---- one sensor ----
 
-static void report_wait(const TimeoutCheck *w, const State *s, const SensorFailure *f)
-{
-    const Analysis *a = w->t->a;
-    const char *reads = f->noise > 0 ? "is noisy" : format_in(a->arena, "reads %s", const_text(a->arena, f->reading));
-    Diag *d = diag_report(a->diags, DIAG_waits_for_sensor, s->span, s->name->text, w->t->input[f->input].v->name->text, reads);
-
-    diag_note(a->diags, d, (Span){0}, DIAG_note_wait_advice, s->name->text);
-}
-
+// Reports the failure if the state never ends with it.
 static bool report_if_lasts(TimeoutCheck *w, const State *s, const TrialEntry *e, SensorFailure f)
 {
+    const Analysis *a = w->t->a;
+    const char *reads;
+    Diag *d;
+
     if (!lasts_forever(w, e, &f))
         return false;
-    report_wait(w, s, &f);
+    reads = f.noise > 0 ? "is noisy" : format_in(a->arena, "reads %s", const_text(a->arena, f.reading));
+    d = diag_report(a->diags, DIAG_waits_for_sensor, s->span, s->name->text, w->t->input[f.input].v->name->text, reads);
+    diag_note(a->diags, d, (Span){0}, DIAG_note_wait_advice, s->name->text);
     return true;
 }
 

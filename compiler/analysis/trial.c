@@ -44,16 +44,6 @@ static uint64_t entry_key(const Trials *t, const void *situation)
     return key;
 }
 
-// How many entries of a state have the same transition, key and `unhealthy`.
-static uint32_t count_similar(const TrialState *s, const TrialEntry *e)
-{
-    uint32_t n = 0;
-
-    for (size_t i = 0; i < s->entry.n; i++)
-        n += s->entry.at[i].via == e->via && s->entry.at[i].key == e->key && s->entry.at[i].unhealthy == e->unhealthy;
-    return n;
-}
-
 typedef struct TrialSearch {
     Trials *t;
     void *at;                     // the starting situation of the try
@@ -65,26 +55,23 @@ typedef struct TrialSearch {
     void *after;                  // for the step after a transition
 } TrialSearch;
 
+// Stores the situation as an entry of its state, unless a similar one is stored.
 static void add_entry(TrialSearch *k, const Transition *via)
 {
     Trials *t = k->t;
     TrialState *s = &t->state[trial_state(k->at) - 1];
     TrialEntry e = {NULL, NULL, via, k->steps, k->unhealthy, k->commanded, entry_key(t, k->at)};
 
-    if (s->entry.n >= k->most || count_similar(s, &e) > 0)
+    if (s->entry.n >= k->most)
         return;
+    for (size_t i = 0; i < s->entry.n; i++) {
+        const TrialEntry *old = &s->entry.at[i];
+        if (old->via == e.via && old->key == e.key && old->unhealthy == e.unhealthy)
+            return;
+    }
     e.situation = trial_copy(t, NULL, k->at);
     e.in = arena_copy(t->a->arena, k->in, (t->inputs + 1) * sizeof *k->in);
     vec_push(t->a->arena, &s->entry, e);
-}
-
-static void update_peaks(Trials *t, void *situation)
-{
-    const double *var = ir_run_vars(t->run, situation);
-
-    for (uint32_t v = 0; v < t->run->m->var.n; v++)
-        if (t->actuator[v] && sm_abs(var[v]) > t->peak[v])
-            t->peak[v] = sm_abs(var[v]);
 }
 
 // Runs the step after a transition, in a copy.
@@ -136,7 +123,9 @@ static bool search_step(TrialSearch *k, bool pass)
     else
         trial_step(t, k->at, k->now, t->dt, &t->trace);
     count_steps(k, before);
-    update_peaks(t, k->at);
+    for (uint32_t v = 0; v < t->run->m->var.n; v++)
+        if (t->actuator[v] && sm_abs(trial_vars(t, k->at)[v]) > t->peak[v])
+            t->peak[v] = sm_abs(trial_vars(t, k->at)[v]);
     if (t->trace.transition == 0)
         return false;
     via = t->transition[t->trace.transition];
