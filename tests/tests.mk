@@ -609,6 +609,7 @@ $(call test, mutants-places,       quick,, sh tests/check/mutants.sh --places te
 $(call test, check-words,          quick,, sh tests/check/files.sh text | awk -f tests/check/words.awk tests/check/words.txt -)
 $(call test, check-wrap,           quick,, sh tests/check/files.sh documents | xargs sh tests/check/wrap.sh)
 $(call test, check-sentences,      quick,, sh tests/check/files.sh documents | grep -v '^docs/evidence/' | LC_ALL=C awk -f tests/check/sentences.awk)
+$(call test, documents,            quick,, sh tests/check/documents.sh)
 $(call test, check-links,          quick,, { sh tests/check/files.sh text; echo LICENSE; echo --; sh tests/check/files.sh documents | grep -v '^docs/evidence/'; } | LC_ALL=C awk -f tests/check/links.awk)
 $(call test, check-layers,         quick,, sh tests/check/files.sh code | awk -f tests/check/layers.awk tests/check/layers.txt -)
 $(call test, check-hints,          quick,, sh tests/check/files.sh cases | awk -f tests/check/hints.awk compiler/syntax/hints.h compiler/syntax/hints.def -)

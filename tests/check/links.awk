@@ -109,6 +109,7 @@ function check_line(line,    span) {
 }
 
 function check_page(    line, fenced) {
+    read_headings(page)                           # before the page is open: links can lead to its own headings
     n = 0
     base = page
     if (!sub(/[^\/]*$/, "", base))
