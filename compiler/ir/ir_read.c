@@ -408,7 +408,7 @@ static bool read_line(IrReader *r)
     return read_state_function(r, w);
 }
 
-static bool settle_gotos(IrReader *r)
+static bool resolve_gotos(IrReader *r)
 {
     for (size_t i = 0; i < r->gotos.n; i++) {
         PendingGoto *g = &r->gotos.at[i];
@@ -446,7 +446,7 @@ IrMachine *ir_read(Arena *arena, StrPool *strings, const char *text, size_t len,
     r.scan.line = 1;
     while (ok && scan_next_line(&r.scan))
         ok = read_line(&r) && line_is_over(&r);
-    ok = ok && settle_gotos(&r) && is_complete(&r);
+    ok = ok && resolve_gotos(&r) && is_complete(&r);
     *error = r.scan.error;
     return ok ? r.m : NULL;
 }

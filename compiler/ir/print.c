@@ -68,7 +68,7 @@ static bool reads_back(const char *text, SmType type, double d)
 }
 
 // The fewest digits that read back as the same number.
-static void put_shortest(Buf *out, SmType type, double d)
+static void print_shortest(Buf *out, SmType type, double d)
 {
     char text[40];
     int digits = type == SM_F32 ? 6 : 15;
@@ -79,7 +79,7 @@ static void put_shortest(Buf *out, SmType type, double d)
     buf_str(out, text);
 }
 
-static void put_float(Buf *out, SmType type, uint64_t cell)
+static void print_float(Buf *out, SmType type, uint64_t cell)
 {
     double d = float_of_cell(type, cell);
     bool whole = d > -1e15 && d < 1e15 && d == (double)(int64_t)d && (d != 0 || cell == 0);
@@ -88,16 +88,16 @@ static void put_float(Buf *out, SmType type, uint64_t cell)
         buf_printf(out, "%.0f", d);
     else {
         buf_printf(out, "0x%0*llx  # ", type == SM_F32 ? 8 : 16, (unsigned long long)cell);
-        put_shortest(out, type, d);
+        print_shortest(out, type, d);
     }
 }
 
-static void put_value(Buf *out, SmType type, uint64_t cell)
+static void print_value(Buf *out, SmType type, uint64_t cell)
 {
     unsigned unused = 64 - 8u * sm_type_info[type].bytes;
 
     switch (sm_type_info[type].kind) {
-    case SM_KIND_FLOAT: put_float(out, type, cell); break;
+    case SM_KIND_FLOAT: print_float(out, type, cell); break;
     case SM_KIND_UNSIGNED:
     case SM_KIND_BOOL: buf_printf(out, "%llu", (unsigned long long)cell); break;
     case SM_KIND_SIGNED:
@@ -109,7 +109,7 @@ static void put_value(Buf *out, SmType type, uint64_t cell)
     }
 }
 
-static void put_quoted(Buf *out, Str text)
+static void print_quoted(Buf *out, Str text)
 {
     buf_char(out, '"');
     for (uint32_t i = 0; text && i < text->len; i++) {
@@ -124,7 +124,7 @@ static void put_quoted(Buf *out, Str text)
 
 // ---- declarations ----
 
-static void put_var(const IrMachine *m, uint32_t index, Buf *out)
+static void print_var(const IrMachine *m, uint32_t index, Buf *out)
 {
     static const char *const word[] = {"element", "local", "time"};
     const IrVar *v = &m->var.at[index];
@@ -139,12 +139,12 @@ static void put_var(const IrMachine *m, uint32_t index, Buf *out)
         buf_str(out, " is S");
     if (v->space == IR_LOCAL) {
         buf_str(out, " = ");
-        put_value(out, v->type, v->init);
+        print_value(out, v->type, v->init);
     }
     buf_char(out, '\n');
 }
 
-static void put_window(uint32_t number, const IrWindow *w, Buf *out)
+static void print_window(uint32_t number, const IrWindow *w, Buf *out)
 {
     buf_printf(out, "window w%lu %s size %lu stats", (unsigned long)number, sm_type_info[w->type].spelling, (unsigned long)w->size);
     for (int stat = 0; stat < SM_STAT_COUNT; stat++)
@@ -153,17 +153,17 @@ static void put_window(uint32_t number, const IrWindow *w, Buf *out)
     buf_char(out, '\n');
 }
 
-static void put_head(const IrMachine *m, Buf *out)
+static void print_head(const IrMachine *m, Buf *out)
 {
     buf_str(out, "machine ");
-    put_quoted(out, m->name);
+    print_quoted(out, m->name);
     buf_str(out, "\nvector ");
-    put_quoted(out, m->sv_name);
+    print_quoted(out, m->sv_name);
     buf_printf(out, " size %lu hash 0x%08lx\n\n", (unsigned long)m->sv_size, (unsigned long)m->sv_hash);
     for (uint32_t v = 0; v < m->var.n; v++)
-        put_var(m, v, out);
+        print_var(m, v, out);
     for (uint32_t w = 0; w < m->window.n; w++)
-        put_window(w, &m->window.at[w], out);
+        print_window(w, &m->window.at[w], out);
 }
 
 // ---- functions ----
@@ -181,75 +181,75 @@ static bool has_result(const IrIns *i)
     return !ir_op_info[i->op].effect;
 }
 
-static void put_temp(const IrPrinter *p, IrRef ref)
+static void print_temp(const IrPrinter *p, IrRef ref)
 {
     buf_printf(p->out, "%%%lu", (unsigned long)p->number[ref]);
 }
 
-static void put_operands(const IrPrinter *p, const IrIns *i)
+static void print_operands(const IrPrinter *p, const IrIns *i)
 {
     if (ir_op_info[i->op].operands > 0)
-        put_temp(p, i->a);
+        print_temp(p, i->a);
     if (ir_op_info[i->op].operands > 1) {
         buf_str(p->out, ", ");
-        put_temp(p, i->b);
+        print_temp(p, i->b);
     }
 }
 
-static void put_typed(const IrPrinter *p, SmType type)
+static void print_typed(const IrPrinter *p, SmType type)
 {
     buf_printf(p->out, "%s ", sm_type_info[type].spelling);
 }
 
-static void put_ins_details(const IrPrinter *p, const IrIns *i)
+static void print_ins_details(const IrPrinter *p, const IrIns *i)
 {
     switch (ir_op_info[i->op].types) {
-    case IR_T_CONST: put_typed(p, i->type); put_value(p->out, i->type, i->bits); break;
+    case IR_T_CONST: print_typed(p, i->type); print_value(p->out, i->type, i->bits); break;
     case IR_T_CONVERT:
-    case IR_T_SAME: put_typed(p, i->type); put_operands(p, i); break;
-    case IR_T_COMPARE: put_typed(p, p->f->ins.at[i->a].type); put_operands(p, i); break;
-    case IR_T_LOGIC: put_operands(p, i); break;
-    case IR_T_LOAD: put_typed(p, i->type); buf_str(p->out, p->m->var.at[i->var].name->text); break;
+    case IR_T_SAME: print_typed(p, i->type); print_operands(p, i); break;
+    case IR_T_COMPARE: print_typed(p, p->f->ins.at[i->a].type); print_operands(p, i); break;
+    case IR_T_LOGIC: print_operands(p, i); break;
+    case IR_T_LOAD: print_typed(p, i->type); buf_str(p->out, p->m->var.at[i->var].name->text); break;
     case IR_T_STORE:
-        put_typed(p, i->type);
+        print_typed(p, i->type);
         buf_printf(p->out, "%s, ", p->m->var.at[i->var].name->text);
-        put_operands(p, i);
+        print_operands(p, i);
         break;
-    case IR_T_SAMPLE: buf_printf(p->out, "w%lu, ", (unsigned long)i->var); put_operands(p, i); break;
+    case IR_T_SAMPLE: buf_printf(p->out, "w%lu, ", (unsigned long)i->var); print_operands(p, i); break;
     case IR_T_STAT: buf_printf(p->out, "%s w%lu", ir_stat_name[i->stat], (unsigned long)i->var); break;
     }
 }
 
-static void put_ins(IrPrinter *p, IrRef ref)
+static void print_ins(IrPrinter *p, IrRef ref)
 {
     const IrIns *i = &p->f->ins.at[ref];
 
     buf_str(p->out, "    ");
     if (has_result(i)) {
         p->number[ref] = p->next++;
-        put_temp(p, ref);
+        print_temp(p, ref);
         buf_str(p->out, " = ");
     }
     buf_printf(p->out, "%s ", ir_op_info[i->op].name);
-    put_ins_details(p, i);
+    print_ins_details(p, i);
     buf_char(p->out, '\n');
 }
 
-static void put_jump(const IrPrinter *p, const IrJump *j)
+static void print_jump(const IrPrinter *p, const IrJump *j)
 {
     switch (j->kind) {
     case IR_RET: buf_str(p->out, "    ret\n"); break;
     case IR_JMP: buf_printf(p->out, "    jmp b%lu\n", (unsigned long)j->then); break;
     case IR_BR:
         buf_str(p->out, "    br ");
-        put_temp(p, j->cond);
+        print_temp(p, j->cond);
         buf_printf(p->out, ", b%lu, b%lu\n", (unsigned long)j->then, (unsigned long)j->otherwise);
         break;
     case IR_GOTO: buf_printf(p->out, "    goto %s\n", p->m->state.at[j->state - 1].name->text); break;
     }
 }
 
-static void put_function(const IrMachine *m, const char *title, const IrFn *f, Buf *out)
+static void print_function(const IrMachine *m, const char *title, const IrFn *f, Buf *out)
 {
     IrPrinter p = {m, f, NULL, 0, out};
 
@@ -258,27 +258,27 @@ static void put_function(const IrMachine *m, const char *title, const IrFn *f, B
     for (size_t b = 0; b < f->blk.n; b++) {
         buf_printf(out, "b%lu:\n", (unsigned long)b);
         for (size_t i = 0; i < f->blk.at[b].ins.n; i++)
-            put_ins(&p, f->blk.at[b].ins.at[i]);
-        put_jump(&p, &f->blk.at[b].jump);
+            print_ins(&p, f->blk.at[b].ins.at[i]);
+        print_jump(&p, &f->blk.at[b].jump);
     }
     buf_str(out, "}\n");
 }
 
-static void put_state(const IrMachine *m, const IrState *s, Buf *out)
+static void print_state(const IrMachine *m, const IrState *s, Buf *out)
 {
     buf_printf(out, "\nstate %s%s\n", s->name->text, s->is_safe ? " safe" : "");
     for (int k = 0; k < BLOCK_COUNT; k++)
         if (s->block[k])
-            put_function(m, ir_block_name[k], s->block[k], out);
+            print_function(m, ir_block_name[k], s->block[k], out);
 }
 
 void ir_print(const IrMachine *m, Buf *out)
 {
-    put_head(m, out);
+    print_head(m, out);
     if (m->sample) {
         buf_char(out, '\n');
-        put_function(m, "sample", m->sample, out);
+        print_function(m, "sample", m->sample, out);
     }
     for (size_t s = 0; s < m->state.n; s++)
-        put_state(m, &m->state.at[s], out);
+        print_state(m, &m->state.at[s], out);
 }

@@ -26,36 +26,27 @@ static void rename_in(IrFn *f, const uint32_t *number)
                 f->ins.at[f->blk.at[b].ins.at[p]].var = number[f->ins.at[f->blk.at[b].ins.at[p]].var];
 }
 
-// Removes hidden variables that are not named.  Returns false if it removed none.
-static bool drop_variables(IrMachine *m, const bool *named, uint32_t *number)
+// Removes hidden locals that are not named, and renumbers the other variables.
+static void drop_locals(Arena *arena, IrMachine *m)
 {
-    uint32_t n = 0;
+    bool *named = ARENA_ARRAY(arena, bool, m->var.n);
+    uint32_t *number = ARENA_ARRAY(arena, uint32_t, m->var.n), n = 0;
 
+    note_names(m->sample, named);
+    for (size_t s = 0; s < m->state.n; s++)
+        for (int k = 0; k < BLOCK_COUNT; k++)
+            note_names(m->state.at[s].block[k], named);
     for (size_t v = 0; v < m->var.n; v++)
         if (named[v] || !m->var.at[v].hidden) {
             number[v] = n;
             m->var.at[n++] = m->var.at[v];
         }
     if (n == m->var.n)
-        return false;
+        return;
     m->var.n = n;
     m->g = number[m->g];
     m->s = number[m->s];
     m->t = number[m->t];
-    return true;
-}
-
-static void drop_locals(Arena *arena, IrMachine *m)
-{
-    bool *named = ARENA_ARRAY(arena, bool, m->var.n);
-    uint32_t *number = ARENA_ARRAY(arena, uint32_t, m->var.n);
-
-    note_names(m->sample, named);
-    for (size_t s = 0; s < m->state.n; s++)
-        for (int k = 0; k < BLOCK_COUNT; k++)
-            note_names(m->state.at[s].block[k], named);
-    if (!drop_variables(m, named, number))
-        return;
     rename_in(m->sample, number);
     for (size_t s = 0; s < m->state.n; s++)
         for (int k = 0; k < BLOCK_COUNT; k++)

@@ -15,13 +15,6 @@ static void note_stats(const IrFn *f, uint32_t *wanted)
         }
 }
 
-static void note_stats_of_states(const IrMachine *m, uint32_t *wanted)
-{
-    for (size_t s = 0; s < m->state.n; s++)
-        for (int k = 0; k < BLOCK_COUNT; k++)
-            note_stats(m->state.at[s].block[k], wanted);
-}
-
 static void use_operands(const IrIns *i, bool *used)
 {
     if (ir_op_info[i->op].operands > 0)
@@ -106,7 +99,9 @@ void pass_windows(Arena *arena, IrMachine *m, FactMachine *values)
     (void)values;
     if (m->window.n == 0)
         return;
-    note_stats_of_states(m, wanted);
+    for (size_t s = 0; s < m->state.n; s++)
+        for (int k = 0; k < BLOCK_COUNT; k++)
+            note_stats(m->state.at[s].block[k], wanted);
     clean_samples(arena, m, wanted);
     drop_windows(arena, m, wanted);
 }

@@ -100,55 +100,55 @@ const char *bc_layout(Arena *arena, BcMachine *m)
 // shortest form at once.  Each of these functions writes an instruction that ends before `end`, and returns its first byte. `op` is the
 // first opcode of the group that loads X, loads Y or stores.
 
-static uint8_t *put_number(uint8_t *end, uint32_t op, uint32_t n)
+static uint8_t *write_number(uint8_t *end, uint32_t op, uint32_t n)
 {
     end = varint_before(end, n);
     *--end = (uint8_t)op;
     return end;
 }
 
-static uint8_t *put_const(uint8_t *end, uint32_t op, const BcOperand *o)
+static uint8_t *write_const(uint8_t *end, uint32_t op, const BcOperand *o)
 {
     const SmF64 x = sm_from_bits(o->bits);
     int32_t n;
 
     op -= SMVM_ldx_local;
     if (bc_whole(x, &n))
-        return n < 0 ? put_number(end, op + SMVM_ldx_minus, (uint32_t)(-1 - n)) : put_number(end, op + SMVM_ldx_plus, (uint32_t)n);
-    return put_number(end, op + (bc_is_f32(x) ? SMVM_ldx_f32 : SMVM_ldx_f64), o->index);
+        return n < 0 ? write_number(end, op + SMVM_ldx_minus, (uint32_t)(-1 - n)) : write_number(end, op + SMVM_ldx_plus, (uint32_t)n);
+    return write_number(end, op + (bc_is_f32(x) ? SMVM_ldx_f32 : SMVM_ldx_f64), o->index);
 }
 
-static uint8_t *put_var(uint8_t *end, const BcMachine *m, uint32_t op, const BcOperand *o)
+static uint8_t *write_var(uint8_t *end, const BcMachine *m, uint32_t op, const BcOperand *o)
 {
     switch (m->ir->var.at[o->var].space) {
-    case IR_ELEMENT: return put_number(end, op - SMVM_ldx_local + SMVM_ldx_elem + o->type, offset_of(m, o->var));
-    case IR_LOCAL: return put_number(end, op + o->type, offset_of(m, o->var));
+    case IR_ELEMENT: return write_number(end, op - SMVM_ldx_local + SMVM_ldx_elem + o->type, offset_of(m, o->var));
+    case IR_LOCAL: return write_number(end, op + o->type, offset_of(m, o->var));
     case IR_TIME: break;
     }
     *--end = (uint8_t)(op - SMVM_ldx_local + SMVM_ldx_time);
     return end;
 }
 
-static uint8_t *put_access(uint8_t *end, const BcMachine *m, uint32_t op, const BcOperand *o)
+static uint8_t *write_access(uint8_t *end, const BcMachine *m, uint32_t op, const BcOperand *o)
 {
     switch (o->kind) {
-    case BC_VAR: return put_var(end, m, op, o);
-    case BC_SLOT: return put_number(end, op + o->type, m->slot_at[o->type] / bytes_of(o->type) + o->index);
-    case BC_STAT: return put_number(varint_before(end, m->window_number[o->var]), op - SMVM_ldx_local + SMVM_stat, o->index);
+    case BC_VAR: return write_var(end, m, op, o);
+    case BC_SLOT: return write_number(end, op + o->type, m->slot_at[o->type] / bytes_of(o->type) + o->index);
+    case BC_STAT: return write_number(varint_before(end, m->window_number[o->var]), op - SMVM_ldx_local + SMVM_stat, o->index);
     case BC_CONST: break;
     }
-    return put_const(end, op, o);
+    return write_const(end, op, o);
 }
 
-static uint8_t *put_store(uint8_t *end, const BcMachine *m, const BcOperand *o)
+static uint8_t *write_store(uint8_t *end, const BcMachine *m, const BcOperand *o)
 {
-    return o->output ? put_number(end, SMVM_out, o->output - 1) : put_access(end, m, SMVM_st_local, o);
+    return o->output ? write_number(end, SMVM_out, o->output - 1) : write_access(end, m, SMVM_st_local, o);
 }
 
 // Distance from the first byte of instruction i to the function's end.
 static uint32_t to_end(const BcFn *f, size_t i) { return i < f->ins.n ? f->ins.at[i].at : 0; }
 
-static uint8_t *put_other(uint8_t *end, const BcFn *f, size_t i)
+static uint8_t *write_other(uint8_t *end, const BcFn *f, size_t i)
 {
     const BcIns *ins = &f->ins.at[i];
     const uint32_t shape = smvm_shape(ins->op);
@@ -161,14 +161,14 @@ static uint8_t *put_other(uint8_t *end, const BcFn *f, size_t i)
     return end;
 }
 
-static uint8_t *put(uint8_t *end, const BcMachine *m, const BcFn *f, size_t i)
+static uint8_t *write_instruction(uint8_t *end, const BcMachine *m, const BcFn *f, size_t i)
 {
     const BcIns *ins = &f->ins.at[i];
 
     switch (ins->op) {
-    case SMVM_ldx_local: case SMVM_ldy_local: return put_access(end, m, ins->op, &m->operand.at[ins->what]);
-    case SMVM_st_local: return put_store(end, m, &m->operand.at[ins->what]);
-    default: return put_other(end, f, i);
+    case SMVM_ldx_local: case SMVM_ldy_local: return write_access(end, m, ins->op, &m->operand.at[ins->what]);
+    case SMVM_st_local: return write_store(end, m, &m->operand.at[ins->what]);
+    default: return write_other(end, f, i);
     }
 }
 
@@ -179,7 +179,7 @@ void bc_assemble(Arena *arena, const BcMachine *m, BcFn *f, Buf *out, bool *ok)
     uint8_t *const end = (uint8_t *)arena_room(arena, room) + room, *from = end;
 
     for (size_t i = f->ins.n; i-- > 0 && *ok;) {
-        from = put(from, m, f, i);
+        from = write_instruction(from, m, f, i);
         f->ins.at[i].at = (uint32_t)(end - from);
         *ok = f->ins.at[i].at <= SMVM_IMAGE_MAX;
     }

@@ -214,14 +214,6 @@ uint32_t bc_swap_relation(uint32_t relation)
 
 uint32_t bc_negate_relation(uint32_t relation) { return (SMVM_LESS | SMVM_EQUAL | SMVM_GREATER | SMVM_UNORDERED) & ~relation; }
 
-static void compute_compare(BcSelect *s, const IrIns *i, bool inverted)
-{
-    const bool swapped = bc_operands(s, i->a, i->b, true, true);
-    uint32_t relation = swapped ? bc_swap_relation(bc_relation(i->op)) : bc_relation(i->op);
-
-    bc_change_x(s, SMVM_set, inverted ? bc_negate_relation(relation) : relation);
-}
-
 // Whether the negation of boolean r can be computed at the same cost as r.  With `now`, requests it.
 static bool negate_in_place(BcSelect *s, IrRef r, bool now)
 {
@@ -268,50 +260,37 @@ static void compute_cvt(BcSelect *s, const IrIns *i)
     bc_change_x(s, SMVM_cvt, (uint32_t)i->type);
 }
 
-static void compute_logic(BcSelect *s, const IrIns *i, bool inverted)
-{
-    bc_operands(s, bc_without_truth(s, i->a), bc_without_truth(s, i->b), true, true);
-    bc_change_x(s, (i->op == IR_and) != inverted ? SMVM_and : SMVM_or, 0);
-}
-
-static void compute_two(BcSelect *s, const IrIns *i, IrRef a, IrRef b)
-{
-    if (i->op == IR_add) {
-        compute_add(s, a, b);
-    } else if (i->op == IR_sub) {
-        compute_sub(s, bc_source(s, a), bc_source(s, b));
-    } else {
-        bc_operands(s, a, b, i->op != IR_div, true);
-        bc_change_x(s, opcode(i->op), 0);
-    }
-}
-
-static void compute_one(BcSelect *s, const IrIns *i)
-{
-    bc_bring_to_x(s, i->a);
-    bc_save_x(s);
-    bc_change_x(s, opcode(i->op), 0);
-}
-
 // Computes an operation into X.
 static void compute(BcSelect *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
+    const bool inverted = s->value[r].inverted;
 
-    if (i->op == IR_cvt)
+    if (i->op == IR_cvt) {
         compute_cvt(s, i);
-    else if (i->op == IR_stat)
+    } else if (i->op == IR_stat) {
         bc_load_x(s, bc_stat_operand(s, i->var, i->stat));
-    else if (i->op == IR_not)
+    } else if (i->op == IR_not) {
         compute_not(s, bc_without_truth(s, i->a));
-    else if (ir_op_info[i->op].types == IR_T_COMPARE)
-        compute_compare(s, i, s->value[r].inverted);
-    else if (ir_op_info[i->op].types == IR_T_LOGIC)
-        compute_logic(s, i, s->value[r].inverted);
-    else if (ir_op_info[i->op].operands == 2)
-        compute_two(s, i, i->a, i->b);
-    else
-        compute_one(s, i);
+    } else if (i->op == IR_add) {
+        compute_add(s, i->a, i->b);
+    } else if (i->op == IR_sub) {
+        compute_sub(s, bc_source(s, i->a), bc_source(s, i->b));
+    } else if (ir_op_info[i->op].types == IR_T_COMPARE) {
+        const bool swapped = bc_operands(s, i->a, i->b, true, true);
+        const uint32_t relation = swapped ? bc_swap_relation(bc_relation(i->op)) : bc_relation(i->op);
+        bc_change_x(s, SMVM_set, inverted ? bc_negate_relation(relation) : relation);
+    } else if (ir_op_info[i->op].types == IR_T_LOGIC) {
+        bc_operands(s, bc_without_truth(s, i->a), bc_without_truth(s, i->b), true, true);
+        bc_change_x(s, (i->op == IR_and) != inverted ? SMVM_and : SMVM_or, 0);
+    } else if (ir_op_info[i->op].operands == 2) {
+        bc_operands(s, i->a, i->b, i->op != IR_div, true);
+        bc_change_x(s, opcode(i->op), 0);
+    } else {
+        bc_bring_to_x(s, i->a);
+        bc_save_x(s);
+        bc_change_x(s, opcode(i->op), 0);
+    }
 }
 
 // ---- instructions ----

@@ -16,7 +16,7 @@ static uint32_t line_of(const BcIns *i, uint32_t last)
 }
 
 // Lines are encoded as deltas: of the code offset in bytes, and of the line number (zigzag: 0, -1, 1, -2 …).
-static void put_lines(Arena *arena, Buf *out, const BcMachine *m)
+static void write_lines(Arena *arena, Buf *out, const BcMachine *m)
 {
     uint32_t start = 0, last_at = 0, last_line = 0, n = 0;
     Buf b;
@@ -90,7 +90,7 @@ static const char *base_name(const char *path)
 }
 
 // A 0 byte follows, not counted in the length, so that a name can be read in place as a C string.
-static void put_name(Buf *b, const char *text, size_t len)
+static void write_name(Buf *b, const char *text, size_t len)
 {
     if (len >= SMVM_VARINT_MID)
         len = SMVM_VARINT_MID - 1;
@@ -107,10 +107,10 @@ typedef struct BcNames {
 static void add_name(BcNames *n, const char *text, size_t len)
 {
     bc_u24(n->tables, n->first + (uint32_t)n->names.n);
-    put_name(&n->names, text, len);
+    write_name(&n->names, text, len);
 }
 
-static void put_variables(Arena *arena, BcNames *n, const BcMachine *m)
+static void write_variables(Arena *arena, BcNames *n, const BcMachine *m)
 {
     const uint64_t *order = order_of(arena, m);
 
@@ -139,9 +139,9 @@ void bc_debug(Arena *arena, const BcMachine *m, Buf *out)
     add_name(&n, source, strlen(source));
     for (size_t s = 0; s < ir->state.n; s++)
         add_name(&n, ir->state.at[s].name->text, ir->state.at[s].name->len);
-    put_variables(arena, &n, m);
+    write_variables(arena, &n, m);
     for (int i = 0; i < 3; i++)
         out->at[3 + i] = (char)((n.first + n.names.n) >> 8 * i & 0xff);
     buf_put(out, n.names.at, n.names.n);
-    put_lines(arena, out, m);
+    write_lines(arena, out, m);
 }

@@ -59,7 +59,7 @@ static bool is_whole(SmF64 x)
     return sm_le(sm_from_i32(-most), x) && sm_lt(x, sm_from_i32(most)) && sm_eq(sm_from_i32(sm_cut_i32(x)), x);
 }
 
-static void put_number(Buf *b, SmF64 x)
+static void write_number(Buf *b, SmF64 x)
 {
     if (is_whole(x)) {
         bc_u24(b, bc_pack((uint32_t)sm_cut_i32(x), NUMBER_WHOLE));
@@ -83,7 +83,7 @@ static uint8_t front_of(const Pin *p)
 }
 
 // Returns false if the element's offset is too large for a place.
-static bool put_pin(Buf *b, const Pin *p)
+static bool write_pin(Buf *b, const Pin *p)
 {
     const uint32_t at = p->element->offset >> smvm_type_shift(p->element->type), front = front_of(p);
 
@@ -91,11 +91,11 @@ static bool put_pin(Buf *b, const Pin *p)
     bc_u24(b, bc_pack(at, (uint32_t)p->element->type));
     bc_varint(b, p->number);
     if (front & PIN_SCALE)
-        put_number(b, p->scale);
+        write_number(b, p->scale);
     if (front & PIN_OFFSET)
-        put_number(b, p->offset);
+        write_number(b, p->offset);
     if (front & PIN_MORE && pin_is_output(p))
-        put_number(b, p->safe);
+        write_number(b, p->safe);
     else if (front & PIN_MORE)
         buf_char(b, (char)p->hold);
     return at < SMVM_LOCATION_OFFSETS;
@@ -111,14 +111,14 @@ static bool add_pins(Writer *w, const IoMap *io)
     bc_varint(&b, io->sv->size / 8);
     bc_varint(&b, (uint32_t)io->pin.n);
     for (size_t i = 0; i < io->pin.n; i++)
-        ok = put_pin(&b, &io->pin.at[i]) && ok;
+        ok = write_pin(&b, &io->pin.at[i]) && ok;
     add_section(w, SMVM_S_IO, SMVM_V_IO, &b);
     return ok;
 }
 
 // ---- MACHINE, CODE, INIT ----
 
-static void put_functions(Buf *b, const BcMachine *m, uint8_t width)
+static void write_functions(Buf *b, const BcMachine *m, uint8_t width)
 {
     uint32_t end = 0;
 
@@ -129,7 +129,7 @@ static void put_functions(Buf *b, const BcMachine *m, uint8_t width)
     }
 }
 
-static void put_windows(Writer *w, Buf *b, const BcMachine *m)
+static void write_windows(Writer *w, Buf *b, const BcMachine *m)
 {
     uint32_t *of = ARENA_ARRAY(w->arena, uint32_t, m->ir->window.n);
 
@@ -157,12 +157,12 @@ static void find_span(const BcMachine *m, uint32_t *from, uint32_t *to)
     }
 }
 
-static void put_tables(Writer *w, Buf *b, const BcMachine *m, uint8_t width)
+static void write_tables(Writer *w, Buf *b, const BcMachine *m, uint8_t width)
 {
-    put_windows(w, b, m);
+    write_windows(w, b, m);
     for (size_t i = 0; i < m->output.n; i++)
         bc_u24(b, bc_place(m, m->output.at[i]));
-    put_functions(b, m, width);
+    write_functions(b, m, width);
     for (size_t i = 0; i < m->f32s.n; i++)
         buf_u32(b, m->f32s.at[i]);
     for (size_t i = 0; i < m->f64s.n; i++)
@@ -183,7 +183,7 @@ static void add_machine(Writer *w, const BcMachine *m, size_t code_size)
     buf_u32(&b, ir->sv_hash);
     for (size_t i = 0; i < sizeof number / sizeof number[0]; i++)
         bc_varint(&b, number[i]);
-    put_tables(w, &b, m, width);
+    write_tables(w, &b, m, width);
     add_section(w, SMVM_S_MACHINE, SMVM_V_MACHINE, &b);
 }
 

@@ -191,12 +191,6 @@ static void write_label(CFn *fn, uint32_t b)
         buf_printf(&fn->body, "L%u:;\n", (unsigned)b);
 }
 
-static void write_transition(CFn *fn, uint32_t state)
-{
-    buf_printf(&fn->line, "return %s_STATE_%s;", fn->u->names.macro, fn->u->names.state[state - 1]);
-    c_end_line(fn);
-}
-
 static void write_tree(CFn *fn, uint32_t b, uint32_t next);
 
 // One arm of a conditional, inside its braces.
@@ -308,7 +302,8 @@ static uint32_t write_block(CFn *fn, uint32_t b, uint32_t next)
 
     write_statements(fn, b);
     if (fn->f->blk.at[b].jump.kind == IR_GOTO) {
-        write_transition(fn, fn->f->blk.at[b].jump.state);
+        buf_printf(&fn->line, "return %s_STATE_%s;", fn->u->names.macro, fn->u->names.state[fn->f->blk.at[b].jump.state - 1]);
+        c_end_line(fn);
         return IR_NONE;
     }
     if (is_branch(fn, b))

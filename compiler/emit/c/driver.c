@@ -149,17 +149,7 @@ static void write_variable_row(const CUnit *u, size_t v, Buf *out)
     buf_printf(out, type == 'b' ? "0, '%c' },\n" : "0, %c },\n", type);
 }
 
-// The row of a program variable.  The IR knows it by name unless it is a constant.
-static void write_program_row(const CUnit *u, const Map *by_name, const Var *var, Buf *out)
-{
-    const IrVar *v = map_find(by_name, var->name);
-
-    if (v)
-        write_variable_row(u, (size_t)(v - u->m->var.at), out);
-    else
-        buf_printf(out, "    { NULL, NULL, UINT64_C(%llu), 0 },\n", (unsigned long long)var->init);
-}
-
+// One row for each variable of the program; the IR knows it by name unless it is a constant.  Without a program, for each of the IR.
 static void write_rows(const CUnit *u, Buf *out)
 {
     const Program *p = u->m->program;
@@ -169,8 +159,13 @@ static void write_rows(const CUnit *u, Buf *out)
     for (size_t v = 0; v < u->m->var.n; v++)
         map_put(&by_name, u->m->var.at[v].name, &u->m->var.at[v]);
     buf_printf(out, "static const SM_IN_FLASH Cell %s_cell[] = {\n", u->names.prefix);
-    for (size_t i = 0; p && i < p->var.n; i++)
-        write_program_row(u, &by_name, p->var.at[i], out);
+    for (size_t i = 0; p && i < p->var.n; i++) {
+        const IrVar *v = map_find(&by_name, p->var.at[i]->name);
+        if (v)
+            write_variable_row(u, (size_t)(v - u->m->var.at), out);
+        else
+            buf_printf(out, "    { NULL, NULL, UINT64_C(%llu), 0 },\n", (unsigned long long)p->var.at[i]->init);
+    }
     for (size_t v = 0; !p && v < u->m->var.n; v++)
         write_variable_row(u, v, out);
     buf_str(out, "};\n");
@@ -202,14 +197,6 @@ static void write_table(const CUnit *u, Buf *out)
     buf_char(out, '\n');
 }
 
-static void write_machine_row(const CUnit *u, Buf *out)
-{
-    const char *p = u->names.prefix;
-
-    buf_printf(out, "    { %s_run_init, %s_run_step, %s_run_state, &%s_m.first_, %s_cell, sizeof %s_cell / sizeof *%s_cell, %s },\n", p, p, p,
-               p, p, p, p, u->track_stores ? "true" : "false");
-}
-
 // ---- the whole driver ----
 
 // Appends types and code of one machine.  Counts the stdlib snippets that it needs in `helper`.
@@ -232,15 +219,6 @@ static CUnit *write_one(Arena *arena, const IrMachine *m, size_t i, bool track_s
     return u;
 }
 
-static void write_driver_start(bool soft, Buf *out)
-{
-    if (soft)
-        c_write_soft_library(out);
-    c_write_guards(out, "machines", soft);
-    if (!soft)
-        c_write_self_test("machines_are_fit", out);
-}
-
 void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_stores, size_t n, bool soft, Buf *code)
 {
     uint32_t *helper = ARENA_ARRAY(arena, uint32_t, helper_count());
@@ -250,7 +228,11 @@ void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_st
     buf_init(&machines, arena);
     for (size_t i = 0; i < n; i++)
         u[i] = write_one(arena, m[i], i, track_stores[i], soft, helper, &machines);
-    write_driver_start(soft, code);
+    if (soft)
+        c_write_soft_library(code);
+    c_write_guards(code, "machines", soft);
+    if (!soft)
+        c_write_self_test("machines_are_fit", code);
     if (n == 0)
         return;
     helper_write_type(u[0], "SmRoll", code);
@@ -260,8 +242,11 @@ void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_st
     for (size_t i = 0; i < n; i++)
         write_table(u[i], code);
     buf_str(code, "static const SM_IN_FLASH Machine machine[] = {\n");
-    for (size_t i = 0; i < n; i++)
-        write_machine_row(u[i], code);
+    for (size_t i = 0; i < n; i++) {
+        const char *p = u[i]->names.prefix;
+        buf_printf(code, "    { %s_run_init, %s_run_step, %s_run_state, &%s_m.first_, %s_cell, sizeof %s_cell / sizeof *%s_cell, %s },\n", p, p,
+                   p, p, p, p, p, u[i]->track_stores ? "true" : "false");
+    }
     buf_str(code, "};\n\n");
     buf_str(code, run);
 }

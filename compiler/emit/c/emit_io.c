@@ -117,18 +117,13 @@ static void write_table(const IoUnit *u, bool output, Buf *out)
                what, what);
 }
 
-// Offsets are those of one layout: with another vector the code does not compile.
-static void write_includes(const IoUnit *u, const char *header, Buf *out)
-{
-    buf_printf(out, "#include \"%s\"\n\n#include \"%s.h\"\n\n", header, u->io->sv->name->text);
-    buf_printf(out, "#if %s_SV_LAYOUT != 0x%08xu\n#error \"%s_io was generated from another state vector: build it again\"\n#endif\n\n",
-               c_macro_name(u->arena, u->vector), u->io->sv->hash, u->prefix);
-}
-
 static void write_code(const IoUnit *u, const char *header, Buf *out)
 {
     write_title(u, out);
-    write_includes(u, header, out);
+    buf_printf(out, "#include \"%s\"\n\n#include \"%s.h\"\n\n", header, u->io->sv->name->text);
+    // Offsets are those of one layout: with another vector the code does not compile.
+    buf_printf(out, "#if %s_SV_LAYOUT != 0x%08xu\n#error \"%s_io was generated from another state vector: build it again\"\n#endif\n\n",
+               c_macro_name(u->arena, u->vector), u->io->sv->hash, u->prefix);
     buf_str(out, "// kind, type, flags, hold, pin, offset in the state vector; scale, offset and safe value as bits of a binary64.\n");
     write_table(u, false, out);
     write_table(u, true, out);

@@ -53,14 +53,6 @@ static CVarUse *var_use(CFn *fn, uint32_t v)
 
 static bool is_branch(const CFn *fn, uint32_t b) { return fn->flow.other[b] != IR_NONE; }
 
-static void note_double(CFn *fn, const IrIns *i)
-{
-    const IrIns *a = i->op == IR_cvt && i->type == SM_F64 ? &fn->f->ins.at[i->a] : i;
-
-    if (a->op == IR_load)
-        var_use(fn, a->var)->as_double = true;
-}
-
 static void count_uses(CFn *fn, uint32_t b)
 {
     const IrBlk *blk = &fn->f->blk.at[b];
@@ -78,7 +70,10 @@ static void count_uses(CFn *fn, uint32_t b)
             continue;
         count_use(fn, i->a);
         count_use(fn, i->b);
-        note_double(fn, i);
+        if (i->op == IR_cvt && i->type == SM_F64)
+            i = c_ins(fn, i->a);
+        if (i->op == IR_load)
+            var_use(fn, i->var)->as_double = true;
     }
 }
 
