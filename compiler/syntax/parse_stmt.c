@@ -245,23 +245,9 @@ static void recover_guard(Parser *p)
 
 static AstExpr *parse_guard(Parser *p)
 {
-    AstExpr *guard;
-
     if (p->tok.first || p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE || parser_at_end_of_block(p))
         parser_fail(p, DIAG_if_without_guard, parser_span(p, &p->last));
-    guard = parse_value_of(p, true);
-    return guard;
-}
-
-// The statement after the colon is missing.
-static void recover_missing_statement(Parser *p, const AstStmt *s, AstStmts *into)
-{
-    bool lines_below = p->tok.first && !parser_at_end_of_block(p) && p->tok.kind != TOK_ELSE;
-
-    hint_explain(p, HINT_AFTER_COLON, s->arms->has_else ? NULL : s->value);
-    if (lines_below)                          // most likely it is there
-        parse_statement(p, into);
-    p->lost_body = true;
+    return parse_value_of(p, true);
 }
 
 static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *braces, Span *span)
@@ -277,12 +263,15 @@ static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *
         parse_braces(p, into, span);
         return;
     }
-    if (p->tok.kind == TOK_ASSIGN && !p->tok.first)
+    if (p->tok.first || p->tok.kind == TOK_ASSIGN || p->tok.kind == TOK_ELSE || parser_at_end_of_block(p)) {
+        const bool lines_below = p->tok.first && !parser_at_end_of_block(p) && p->tok.kind != TOK_ELSE;
         hint_explain(p, HINT_AFTER_COLON, s->arms->has_else ? NULL : s->value);
-    else if (p->tok.first || p->tok.kind == TOK_ELSE || parser_at_end_of_block(p))
-        recover_missing_statement(p, s, into);
-    else
+        if (lines_below)                      // most likely the statement is there
+            parse_statement(p, into);
+        p->lost_body = true;
+    } else {
         parse_statement(p, into);
+    }
     check_allows(p, into);
     *span = parser_since(p, into->n ? into->at[0]->span.at : colon.at);
 }
