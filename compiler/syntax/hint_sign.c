@@ -40,10 +40,10 @@ static bool names_declared(const Lexer *l, const Token *t)
 // fault & 4, ~3: the user means bits, which the language does not have. In p > 5 & 3 < x this is not the case.
 static bool is_about_bits(const Lexer *l, const Token *t)
 {
-    const uint32_t p = hint_skip_gap(l, t->at + 1), behind = hint_skip_gap(l, lexer_skip_word(l, p));
+    const uint32_t p = hint_skip_gap(l, t->at + 1), after = hint_skip_gap(l, lexer_skip_word(l, p));
 
-    return t->len == 1 && strchr("&|~", l->src->text[t->at]) && lex_is_digit(lexer_byte(l, p)) && lexer_byte(l, behind) != '<' &&
-           lexer_byte(l, behind) != '>' && lexer_byte(l, behind) != '.';
+    return t->len == 1 && strchr("&|~", l->src->text[t->at]) && lex_is_digit(lexer_byte(l, p)) && lexer_byte(l, after) != '<' &&
+           lexer_byte(l, after) != '>' && lexer_byte(l, after) != '.';
 }
 
 // The text on one side of a & or |, up to the next sign or word that find_join conditions, within the same parentheses.

@@ -128,12 +128,12 @@ static uint64_t big_divide(Big *top, Big *bottom)
 // ---- decimal ----
 
 enum {
-    KEPT = 800,               // digits that count: the midpoint between two F64 has at most 767
+    DIGITS_MAX = 800,         // digits that count: the midpoint between two F64 has at most 767
     LARGEST = 310, SMALLEST = -330
 };
 
 typedef struct Decimal {
-    char digit[KEPT + 1];     // '0' … '9', the first not '0'; value: 0.d d d… * 10^point
+    char digit[DIGITS_MAX + 1];   // '0' … '9', the first not '0'; value: 0.d d d… * 10^point
     int n;
     int64_t point;
     bool more;                // digits were left out, at least one of them nonzero
@@ -141,7 +141,7 @@ typedef struct Decimal {
 
 static void add_digit(Decimal *d, char c)
 {
-    if (d->n < KEPT)
+    if (d->n < DIGITS_MAX)
         d->digit[d->n++] = c;
     else
         d->more = d->more || c != '0';

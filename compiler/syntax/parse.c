@@ -222,7 +222,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
 {
     AstStmts ignored = {0};
     size_t errors = p->diags->errors;
-    bool told = p->tok.kind == TOK_ERROR;
+    bool reported = p->tok.kind == TOK_ERROR;
     const bool assigns = p->tok.kind == TOK_NAME && p->ahead.kind == TOK_ASSIGN, colon = p->tok.kind == TOK_COLON;
     Span here = parser_here(p);
     Diag *d = NULL;
@@ -232,7 +232,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
         parse_block(p, &ignored);
     else
         parser_skip_line(p);
-    if (p->diags->errors == errors && !told)
+    if (p->diags->errors == errors && !reported)
         d = parser_report(p, DIAG_code_before_label, here, s->name->text);
     parse_block(p, &ignored);
     if (d && colon)

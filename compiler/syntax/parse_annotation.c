@@ -355,7 +355,7 @@ static bool begins_another(const Parser *p, AstPlace place)
 static void parse_annotation(Parser *p, const Annotated *o)
 {
     AstAnnotation a = {0};
-    bool first = p->tok.first, good;
+    bool first = p->tok.first, allowed;
     int row = find_row(p->tok.text, o->place);
 
     if (row == AST_ANNOTATION_COUNT) {
@@ -364,10 +364,10 @@ static void parse_annotation(Parser *p, const Annotated *o)
     }
     a.kind = (AstAnnotationKind)row;
     a.span = parser_here(p);
-    good = check_place(p, o, &a);
+    allowed = check_place(p, o, &a);
     parser_next(p);
     first = first && !p->tok.first;
-    if (good)
+    if (allowed)
         parse_annotation_arguments(p, &a);
     else
         skip_arguments(p, &a);
@@ -376,7 +376,7 @@ static void parse_annotation(Parser *p, const Annotated *o)
         return;
     if (first && !p->tok.first && begins_another(p, o->place))
         report_annotation_above(p, o, &a);
-    if (is_first_of_its_kind(p, o, &a) && good)
+    if (is_first_of_its_kind(p, o, &a) && allowed)
         vec_push(p->arena, o->all, a);
 }
 

@@ -80,12 +80,12 @@ static void parse_option(Parser *p, AstApp *app)
 static bool at_stray_option(const Parser *p)
 {
     AstAppOptionKind kind;
-    TokenKind behind;
+    TokenKind expected;
 
     if (p->ahead.first || !app_at_option(p, &kind))
         return false;
-    behind = options[kind].file ? TOK_TEXT : options[kind].element ? TOK_NAME : TOK_NUMBER;
-    return p->ahead.kind == behind;
+    expected = options[kind].file ? TOK_TEXT : options[kind].element ? TOK_NAME : TOK_NUMBER;
+    return p->ahead.kind == expected;
 }
 
 // Reported once per application: the header of these options is missing.

@@ -40,7 +40,7 @@ static bool label_wrong_order(Parser *p, Diag *d, const char *name)
 static bool recover_direction(Parser *p, AstPin *pin)
 {
     const char *guess = p->tok.kind == TOK_NAME ? hint_find_synonym(HINT_DIRECTIONS, p->tok.text->text) : NULL;
-    bool goes_on = p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NUMBER && !p->ahead.first;
+    bool number_follows = p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NUMBER && !p->ahead.first;
     Diag *d;
 
     if (p->tok.kind == TOK_ERROR)
@@ -51,8 +51,8 @@ static bool recover_direction(Parser *p, AstPin *pin)
         diag_edit(p->diags, d, parser_here(p), guess);
     }
     pin->output = guess && *guess == 'o';
-    p->failed = p->failed || !goes_on;
-    if (!goes_on)
+    p->failed = p->failed || !number_follows;
+    if (!number_follows)
         return false;
     parser_next(p);
     return guess || !label_wrong_order(p, d, p->last.text->text);

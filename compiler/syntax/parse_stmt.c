@@ -154,7 +154,7 @@ static void parse_if(Parser *p, AstStmts *into, AstExpr *guard);
 static void parse_assignment(Parser *p, AstStmts *into)
 {
     AstStmt *s = new_stmt(p, AST_ASSIGN, into);
-    bool behind_colon = p->last.kind == TOK_COLON;       // x = 1: y = 2 is two statements there
+    bool after_colon = p->last.kind == TOK_COLON;        // x = 1: y = 2 is two statements there
 
     s->name = p->tok.text;
     s->name_span = s->span;
@@ -165,7 +165,7 @@ static void parse_assignment(Parser *p, AstStmts *into)
     parser_next(p);
     s->value = parse_value_of(p, false);
     s->span = parser_since(p, s->span.at);
-    if (!p->failed && !p->tok.first && (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE) && !behind_colon) {
+    if (!p->failed && !p->tok.first && (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE) && !after_colon) {
         hint_explain(p, HINT_AFTER_ASSIGNMENT, NULL);  // x = 5: …
         into->n--;
         parse_if(p, into, s->value);
