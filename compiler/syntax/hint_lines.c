@@ -159,7 +159,7 @@ typedef struct PriorStatement {
     enum { PLAIN, GUARDED, UNKNOWN } is;      // GUARDED: after a condition's colon on this line
     uint32_t colon;
     uint32_t begin;           // of the statement
-    bool braces;              // count_braces on this line and still open
+    bool braces;              // opened on this line and still open
 } PriorStatement;
 
 static PriorStatement find_prior_statement(const HintLine *l, uint32_t at)

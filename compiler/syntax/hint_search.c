@@ -48,14 +48,14 @@ Diag *hint_message(HintCase *c)
         return c->message;
     switch (c->place) {
     case HINT_AT_VALUE:
-        c->message = parser_fail(p, DIAG_expected_value, p->tok.first ? parser_gap(p) : parser_here(p),
+        c->message = parser_fail(p, DIAG_expected_value, parser_where_missing(p),
                                  parser_text(p, parser_span(p, &p->last)), parser_found(p));
         break;
     case HINT_AT_LONE_VALUE:
         c->message = parser_report(p, DIAG_no_effect, c->e->span);
         break;
     case HINT_AT_PIN_NUMBER:
-        c->message = parser_fail(p, DIAG_pin_number, p->tok.first ? parser_gap(p) : parser_here(p), parser_found(p));
+        c->message = parser_fail(p, DIAG_pin_number, parser_where_missing(p), parser_found(p));
         break;
     case HINT_AT_OPTION:
         c->message = parser_fail(p, DIAG_option_unknown, parser_here(p), p->tok.text->text);

@@ -46,7 +46,7 @@ static bool is_about_bits(const Lexer *l, const Token *t)
            lexer_byte(l, after) != '>' && lexer_byte(l, after) != '.';
 }
 
-// The text on one side of a & or |, up to the next sign or word that find_join conditions, within the same parentheses.
+// The text on one side of a & or |, up to the next sign or word that joins conditions, within the same parentheses.
 typedef struct ConditionSide {
     bool compares;            // contains a comparison
     enum { SIDE_END, SIDE_AND, SIDE_OR, SIDE_BIT_AND, SIDE_BIT_OR } until;
@@ -57,7 +57,7 @@ static bool is_text(const char *s, uint32_t at, uint32_t end, const char *word)
     return end - at == strlen(word) && memcmp(s + at, word, end - at) == 0;
 }
 
-// Returns what kind of sign or word at `p` find_join conditions; *len: its length.
+// Returns what kind of sign or word at `p` joins conditions; *len: its length.
 static int find_join(const Lexer *l, uint32_t p, uint32_t *len)
 {
     const char *s = l->src->text;

@@ -26,6 +26,8 @@ Span parser_span(const Parser *p, const Token *t) { return (Span){p->lex.src, t-
 Span parser_here(const Parser *p) { return parser_span(p, &p->tok); }
 Span parser_gap(const Parser *p) { return (Span){p->lex.src, p->last.at + p->last.len, 0}; }
 
+Span parser_where_missing(const Parser *p) { return p->tok.first ? parser_gap(p) : parser_here(p); }
+
 Span parser_since(const Parser *p, uint32_t at)
 {
     uint32_t end = p->last.at + p->last.len;

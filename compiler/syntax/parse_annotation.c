@@ -87,11 +87,6 @@ static void report_unknown_annotation(Parser *p, AstPlace place)
 
 // ---- whether it is allowed there ----
 
-static void label_place_of_state(Parser *p, Diag *d, const char *word)
-{
-    diag_label(p->diags, d, DIAG_label_behind_header, word);
-}
-
 static const char *pin_name(AstPlace place)
 {
     static const char *const name[] = {"an analog input", "an analog output", "a digital input", "a digital output"};
@@ -121,7 +116,7 @@ static bool check_place(Parser *p, const Annotated *o, const AstAnnotation *a)
     if (ON_PINS >> o->place & 1u)
         report_annotation_of_other_pins(p, o, a);
     else if (is_for_states_only((int)a->kind))
-        label_place_of_state(p, parser_report(p, DIAG_annotation_of_states, a->span, word), word);
+        diag_label(p->diags, parser_report(p, DIAG_annotation_of_states, a->span, word), DIAG_label_behind_header, word);
     else if (o->place == AST_ON_STATE)
         parser_report(p, DIAG_annotation_on_state, a->span, word);
     else if (o->place == AST_ON_SV_ELEMENT)
@@ -154,11 +149,6 @@ static void report_annotation_above(Parser *p, const Annotated *o, const AstAnno
 
 // ---- a name, numbers ----
 
-static Span found_span(const Parser *p)
-{
-    return p->tok.first ? parser_gap(p) : parser_here(p);
-}
-
 static void parse_annotation_name(Parser *p, AstAnnotation *a)
 {
     if (p->tok.kind == TOK_NAME) {
@@ -171,7 +161,7 @@ static void parse_annotation_name(Parser *p, AstAnnotation *a)
     }
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    parser_fail(p, DIAG_annotation_without_name, found_span(p), rows[a->kind].spelling, parser_found(p));
+    parser_fail(p, DIAG_annotation_without_name, parser_where_missing(p), rows[a->kind].spelling, parser_found(p));
 }
 
 bool parse_signed_number(Parser *p, AstNumber *into)
@@ -197,15 +187,8 @@ static void parse_bound(Parser *p, AstNumber *into, const char *which)
 
     if (parse_signed_number(p, into))
         return;
-    d = parser_fail(p, DIAG_range_value, found_span(p), which, parser_found(p));
+    d = parser_fail(p, DIAG_range_value, parser_where_missing(p), which, parser_found(p));
     diag_label(p->diags, d, DIAG_label_range_form);
-}
-
-static void parse_bounds(Parser *p, AstAnnotation *a)
-{
-    parse_bound(p, &a->lo, "lowest");
-    if (a->lo.span.src)
-        parse_bound(p, &a->hi, "highest");
 }
 
 // Parses one number; for a VALUE also true or false.
@@ -217,7 +200,7 @@ static void parse_annotation_value(Parser *p, AstAnnotation *a, bool truth)
         a->lo.span = parser_here(p);
         parser_next(p);
     } else if (!parse_signed_number(p, &a->lo)) {
-        parser_fail(p, DIAG_annotation_without_number, found_span(p), rows[a->kind].spelling, parser_found(p));
+        parser_fail(p, DIAG_annotation_without_number, parser_where_missing(p), rows[a->kind].spelling, parser_found(p));
     }
 }
 
@@ -227,7 +210,7 @@ static void report_allow_form(Parser *p, const char *expected)
 {
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    diag_label(p->diags, parser_fail(p, DIAG_allow_form, found_span(p), expected, parser_found(p)), DIAG_label_allow_form);
+    diag_label(p->diags, parser_fail(p, DIAG_allow_form, parser_where_missing(p), expected, parser_found(p)), DIAG_label_allow_form);
 }
 
 static bool expect_sign(Parser *p, TokenKind kind, const char *expected)
@@ -289,14 +272,9 @@ static void parse_flag(Parser *p, AstAnnotation *a)
         report_unknown_flag(p, a);
 }
 
-static bool is_blank_text(Str s)
-{
-    return strspn(s->text, " \t") == s->len;
-}
-
 static void parse_reason(Parser *p, AstAnnotation *a)
 {
-    if (p->tok.kind == TOK_RPAREN || (p->tok.kind == TOK_TEXT && is_blank_text(p->tok.text))) {
+    if (p->tok.kind == TOK_RPAREN || (p->tok.kind == TOK_TEXT && strspn(p->tok.text->text, " \t") == p->tok.text->len)) {
         diag_label(p->diags, parser_report(p, DIAG_allow_without_reason, parser_here(p)), DIAG_label_allow_form);
         a->reason = str_c(p->strings, "");
         if (p->tok.kind == TOK_TEXT)
@@ -328,21 +306,17 @@ static void parse_annotation_arguments(Parser *p, AstAnnotation *a)
     case TAKES_NOTHING: break;
     case TAKES_NAME:    parse_annotation_name(p, a); break;
     case TAKES_NUMBER:  parse_annotation_value(p, a, false); break;
-    case TAKES_NUMBERS: parse_bounds(p, a); break;
+    case TAKES_NUMBERS:
+        parse_bound(p, &a->lo, "lowest");
+        if (a->lo.span.src)
+            parse_bound(p, &a->hi, "highest");
+        break;
     case TAKES_VALUE:   parse_annotation_value(p, a, true); break;
     case TAKES_FINDING: parse_finding(p, a); break;
     }
 }
 
 // ---- all of them ----
-
-// Skips the arguments of an annotation that is not allowed here; whether they are correct is irrelevant.
-static void skip_arguments(Parser *p, AstAnnotation *a)
-{
-    p->failed = true;
-    parse_annotation_arguments(p, a);
-    p->failed = false;
-}
 
 // Whether the next token begins a declaration of the owner's kind.
 static bool begins_another(const Parser *p, AstPlace place)
@@ -367,10 +341,9 @@ static void parse_annotation(Parser *p, const Annotated *o)
     allowed = check_place(p, o, &a);
     parser_next(p);
     first = first && !p->tok.first;
-    if (allowed)
-        parse_annotation_arguments(p, &a);
-    else
-        skip_arguments(p, &a);
+    p->failed = !allowed;                     // then whether its arguments are correct is irrelevant
+    parse_annotation_arguments(p, &a);
+    p->failed = p->failed && allowed;
     a.span = parser_since(p, a.span.at);
     if (p->failed)
         return;
@@ -395,7 +368,7 @@ void parser_report_annotation_before_decl(Parser *p)
     const char *word = p->tok.text->text;
 
     if (is_for_states_only(find_row(p->tok.text, AST_ON_ELEMENT)))
-        label_place_of_state(p, parser_fail(p, DIAG_annotation_of_states, parser_here(p), word), word);
+        diag_label(p->diags, parser_fail(p, DIAG_annotation_of_states, parser_here(p), word), DIAG_label_behind_header, word);
     else
         parser_fail(p, DIAG_annotation_before, parser_here(p), word);
 }
@@ -424,7 +397,7 @@ void parser_report_annotation_in_block(Parser *p)
     Diag *d = parser_fail(p, DIAG_annotation_here, parser_here(p), word);
 
     if (is_for_states_only(find_row(p->tok.text, AST_ON_STATE)))
-        label_place_of_state(p, d, word);
+        diag_label(p->diags, d, DIAG_label_behind_header, word);
     else if (parser_is_allow(&p->tok))
         diag_label(p->diags, d, DIAG_label_not_in_script);
     else if (near && p->kind == FILE_SS)

@@ -80,7 +80,7 @@ void app_report_form(Parser *p, const char *expected, const char *form)
 {
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    diag_label(p->diags, parser_fail(p, DIAG_app_form, p->tok.first ? parser_gap(p) : parser_here(p), expected, parser_found(p)),
+    diag_label(p->diags, parser_fail(p, DIAG_app_form, parser_where_missing(p), expected, parser_found(p)),
                DIAG_label_as_in, form);
 }
 

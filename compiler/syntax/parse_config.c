@@ -75,11 +75,9 @@ static bool begins_next_pin(const Parser *p)
     return p->tok.first && is_direction(&p->tok) && p->ahead.kind == TOK_NUMBER;
 }
 
-static Span span_of_missing(const Parser *p) { return p->tok.first ? parser_gap(p) : parser_here(p); }
-
 static bool parse_pin_number(Parser *p, AstPin *pin)
 {
-    const Span at = span_of_missing(p);
+    const Span at = parser_where_missing(p);
     const char *found = parser_found(p);
 
     if (parse_signed_number(p, &pin->number))
@@ -101,7 +99,7 @@ static bool parse_pin_element(Parser *p, AstPin *pin)
     }
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    parser_fail(p, DIAG_pin_element, span_of_missing(p), parser_text(p, pin->number.span), parser_found(p));
+    parser_fail(p, DIAG_pin_element, parser_where_missing(p), parser_text(p, pin->number.span), parser_found(p));
     return false;
 }
 

@@ -71,7 +71,7 @@ static bool parse_decl_name(Parser *p, AstDecl *d)
         parser_fail(p, DIAG_name_reserved, parser_here(p), p->tok.text->text);
         parser_next(p);
     } else {
-        parser_fail(p, DIAG_decl_without_name, p->tok.first ? parser_gap(p) : parser_here(p),
+        parser_fail(p, DIAG_decl_without_name, parser_where_missing(p),
                     parser_text(p, parser_span(p, &p->last)), parser_found(p));
     }
     return false;
@@ -222,7 +222,7 @@ static void parse_option_value(Parser *p, AstOption *o, OptionTakes takes)
         return;
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    parser_fail(p, DIAG_option_value, p->tok.first ? parser_gap(p) : parser_here(p), o->name->text,
+    parser_fail(p, DIAG_option_value, parser_where_missing(p), o->name->text,
                 takes == TAKES_NUMBER ? "a number without a sign" : "the name of a state", parser_found(p));
 }
 

@@ -84,7 +84,7 @@ static void expect_close(Parser *p, Span open)
         p->failed = true;
         return;
     }
-    d = parser_fail(p, DIAG_paren_unclosed, p->tok.first ? parser_gap(p) : parser_here(p), parser_found(p));
+    d = parser_fail(p, DIAG_paren_unclosed, parser_where_missing(p), parser_found(p));
     diag_note(p->diags, d, open, DIAG_note_paren_opened);
 }
 

@@ -193,7 +193,7 @@ static void parse_transition(Parser *p, AstStmts *into)
         return;
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    parser_fail(p, DIAG_transition_without_state, p->tok.first ? parser_gap(p) : parser_here(p), parser_found(p));
+    parser_fail(p, DIAG_transition_without_state, parser_where_missing(p), parser_found(p));
 }
 
 static void parse_annotated(Parser *p, AstStmts *into)

@@ -43,6 +43,7 @@ void parser_stop(Parser *p);                            // stops reading and rep
 Span parser_span(const Parser *p, const Token *t);
 Span parser_here(const Parser *p);                      // of the next token
 Span parser_gap(const Parser *p);                       // directly after the last token
+Span parser_where_missing(const Parser *p);             // the next token, or the end of the line before it
 Span parser_since(const Parser *p, uint32_t at);        // from `at` to the end of the last token
 bool parser_at_end_of_statement(const Parser *p);
 bool parser_at_end_of_block(const Parser *p);           // } label header end
