@@ -53,8 +53,8 @@ static void write_node(Buf *out, const Diagram *d, const DiagramNode *n)
         buf_printf(out, "\\n(%s)", diag_info[n->finding.at[i]->code].id);
     if (d->o->counts)
         buf_printf(out, "\\n%s", diagram_count_text(d, "entered", diagram_node_count(d, n)));
-    buf_printf(out, "\", style=\"%s%s\"%s%s%s", style, line_style(d, n->reached, diagram_node_count(d, n), ","), *shape_attributes(n) ? ", " : "", shape_attributes(n),
-               n->state->is_safe ? ", peripheries=2" : "");
+    buf_printf(out, "\", style=\"%s%s\"%s%s%s", style, line_style(d, n->reached, diagram_node_count(d, n), ","),
+               *shape_attributes(n) ? ", " : "", shape_attributes(n), n->state->is_safe ? ", peripheries=2" : "");
     write_findings(out, &n->finding);
     buf_str(out, "];\n");
 }

@@ -150,7 +150,8 @@ static void swap_neighbours(Layout *l)
     for (uint32_t y = 0; y < l->layers; y++)
         for (uint32_t p = 0; p + 1 < l->layer[y].n; p++) {
             uint32_t *pair = l->layer[y].item + p, i = pair[0], j = pair[1];
-            if (!has_few_links(l, i) || !has_few_links(l, j) || crossings_saved(l, &l->above, false, i, j) + crossings_saved(l, &l->below, true, i, j) <= 0)
+            if (!has_few_links(l, i) || !has_few_links(l, j) ||
+                crossings_saved(l, &l->above, false, i, j) + crossings_saved(l, &l->below, true, i, j) <= 0)
                 continue;
             pair[0] = j;
             pair[1] = i;

@@ -102,6 +102,7 @@ uint64_t log_cell(const LogItem *record, const LogElement *e);
 const LogElement *log_find_element(const LogDescription *d, const char *name);        // or NULL
 const LogMachine *log_find_machine(const LogDescription *d, const char *name);
 const LogMachine *log_machine(const LogDescription *d, uint16_t number);
+const char *log_kind_name(const LogDescription *d, uint8_t kind);                     // of events; NULL if it has no name
 const char *log_state_name(Arena *arena, const LogMachine *m, uint32_t state);        // "state 7" if it has no name
 
 // ---- inside: flight_log_description.c ----

@@ -283,6 +283,14 @@ const LogMachine *log_machine(const LogDescription *d, uint16_t number)
     return NULL;
 }
 
+const char *log_kind_name(const LogDescription *d, uint8_t kind)
+{
+    for (uint32_t i = 0; i < d->kinds; i++)
+        if (d->kind[i].kind == kind)
+            return d->kind[i].name;
+    return NULL;
+}
+
 const char *log_state_name(Arena *arena, const LogMachine *m, uint32_t state)
 {
     if (m && state >= 1 && state <= m->state.n && m->state.name[state - 1][0])

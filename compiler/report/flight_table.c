@@ -66,14 +66,6 @@ static void write_record(const Flight *f, const LogSession *s, const LogItem *re
     buf_str(out, flight_element_count(f, s->d) ? "}}\n" : "}\n");
 }
 
-static const char *kind_name(const LogDescription *d, uint8_t kind)
-{
-    for (uint32_t i = 0; i < d->kinds; i++)
-        if (d->kind[i].kind == kind)
-            return d->kind[i].name;
-    return NULL;
-}
-
 static void write_event(const Flight *f, const LogSession *s, const LogEvent *e, Buf *out)
 {
     Buf words;
@@ -83,7 +75,7 @@ static void write_event(const Flight *f, const LogSession *s, const LogEvent *e,
     buf_str(out, "{\"time\":");
     flight_write_time(out, e->time);
     buf_str(out, ",\"event\":");
-    json_put_string(out, kind_name(s->d, e->kind));
+    json_put_string(out, log_kind_name(s->d, e->kind));
     buf_printf(out, ",\"number\":%u,\"source\":%u,\"a\":%lu,\"b\":%lu,\"text\":", (unsigned)e->kind, (unsigned)e->source,
                (unsigned long)e->a, (unsigned long)e->b);
     json_put_string(out, buf_text(&words));

@@ -72,15 +72,12 @@ static void write_fault(const Flight *f, const char *task, const LogEvent *e, Bu
         buf_printf(out, "%s failed: %s", task, e->a <= 0x7FFFFFFF ? sm_result_text((SmResult)-(int32_t)e->a) : "?");
 }
 
-// Writes the name of a kind of event that this version does not know.
+// Writes an event of a kind that this version does not know.
 static void write_unknown(const LogDescription *d, const LogEvent *e, Buf *out)
 {
-    const char *name = "event";
+    const char *name = log_kind_name(d, e->kind);
 
-    for (uint32_t i = 0; i < d->kinds; i++)
-        if (d->kind[i].kind == e->kind)
-            name = d->kind[i].name;
-    buf_printf(out, "%s %u: source %u, a %lu, b %lu", name, (unsigned)e->kind, (unsigned)e->source, (unsigned long)e->a,
+    buf_printf(out, "%s %u: source %u, a %lu, b %lu", name ? name : "event", (unsigned)e->kind, (unsigned)e->source, (unsigned long)e->a,
                (unsigned long)e->b);
 }
 

@@ -31,12 +31,14 @@ static const char *scripts_text(const Report *r)
 static const char *coverage_text(const Report *r)
 {
     const Coverage c = report_measure_coverage(r);
-    const char *text = format_in(r->arena, "%lu of %lu states, transitions between %lu of %lu pairs of states", (unsigned long)c.states_covered, (unsigned long)c.states,
-                                 (unsigned long)c.pairs_covered, (unsigned long)c.pairs);
+    const char *text = format_in(r->arena, "%lu of %lu states, transitions between %lu of %lu pairs of states",
+                                 (unsigned long)c.states_covered, (unsigned long)c.states, (unsigned long)c.pairs_covered,
+                                 (unsigned long)c.pairs);
 
     if (c.pairs_shared == 0)
         return text;
-    return format_in(r->arena, "%s; %lu pairs have several transitions, some of which may not be covered", text, (unsigned long)c.pairs_shared);
+    return format_in(r->arena, "%s; %lu pairs have several transitions, some of which may not be covered", text,
+                     (unsigned long)c.pairs_shared);
 }
 
 static const char *findings_text(const Report *r)

@@ -93,7 +93,7 @@ static void add_states_covered(const Report *r, Doc *d)
     }
 }
 
-// The pairs of states between which the scripts have made a transition.  A run does not record which of several transitions between two states it took.
+// By pair of states, how often the scripts went from one to the other.  A run does not record which of several transitions it took.
 static void add_transitions_covered(const Report *r, Doc *d)
 {
     const Transitions *t = &r->analysis.transition;

@@ -32,7 +32,8 @@
 #define TEXT_FINDINGS_ALLOWED "All findings are allowed, each with a reason."
 #define TEXT_FINDINGS_NONE "The analyses of all groups found nothing."
 #define TEXT_STEP_UNKNOWN "The time per step is unknown. With `--step` the analyses find more."
-#define TEXT_STEP_DIFFERS "The time per step is unknown, because the scripts do not all have the same `delta_t`. With `--step` the analyses find more."
+#define TEXT_STEP_DIFFERS \
+    "The time per step is unknown, because the scripts do not all have the same `delta_t`. With `--step` the analyses find more."
 #define TEXT_STEP_GIVEN "Time advances by %lu per step, the value of `--step`."               // time per step
 #define TEXT_STEP_OF_SCRIPTS "Time advances by %lu per step, the `delta_t` of the scripts."   // time per step
 #define TEXT_FINDING_FIXABLE "`smc fix` can make the edit."
@@ -47,7 +48,7 @@
     "No state is marked `@abort`, so the report cannot show how this machine aborts. Put the mark after the header of the state " \
     "that handles failures, as in `[Abort] @abort`."
 #define TEXT_ABORT_UNBOUNDED \
-    "\"Unbounded\": every path from the target state leads to an abort state, but on the way the machine can wait for a condition that " \
+    "\"Unbounded\": every path from the target state leads to an abort state, but before that the machine can wait for a condition that " \
     "may never become true."
 
 // ---- costs ----

@@ -1,5 +1,5 @@
-# With scripts behind the machine the diagram tells where their runs have been. Of several transitions from one state to another it tells how
-# often any of them was made. A script that fails is told, and counts as far as it came.
+# With scripts after the machine, the diagram shows what their runs have covered. Several transitions from one state to another are counted
+# together. A script that fails is reported, and counts up to its failure.
 args graph --format=dot tank.sm tank.ss
 args graph --format=mermaid tank.sm tank.ss wrong.ss
 args graph tank.sm tank.ss | grep -o 'never taken\|together: taken twice\|taken once\|Dotted: [a-z ]*\|entered [a-z]*' | sort | uniq -c

@@ -117,7 +117,7 @@ counter, a timer or a rolling statistic takes until its condition is true.
   Abort  is an abort state
 
 Transitions that abort
-"Unbounded": every path from the target state leads to an abort state, but on the way the machine
+"Unbounded": every path from the target state leads to an abort state, but before that the machine
 can wait for a condition that may never become true.
 
   State  To     Condition                Reads                Worst-case steps  Line

@@ -1,4 +1,4 @@
-# What the analyses found, and what is allowed with a reason. A local that a script writes is no constant. What the run found stands there too.
+# The findings of the analyses, and those that are allowed with a reason. A local that a script writes is not a constant. Findings of the run are listed too.
 args report a.sm a.ss --format=text
 
 -- a.sm --

@@ -56,7 +56,7 @@ static void add_thing(Things *t, Box box, const char *what, const DiagramEdge *l
     vec_push(&session.arena, t, x);
 }
 
-// A state's line to what stands beside it belongs to that.
+// A state's line to a stub beside it belongs to the stub.
 static Things things_of(const Diagram *d)
 {
     Things t = {NULL, 0, 0};
@@ -141,7 +141,7 @@ static void check_path(const Diagram *d, const DiagramEdge *e, const Things *t)
     }
 }
 
-// Lines that end at one state end apart, so that heads can be told apart.
+// Lines that end at one state end apart, so that their heads are distinct.
 static void check_ends(const Diagram *d)
 {
     for (size_t e = 0; e < d->edge.n; e++)

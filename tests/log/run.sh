@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# run.sh SMC WRITER FOLDER: what `smc log` shows of a flight that is the same each time (WRITER FILE writes it), and of what is no log.
-# UPDATE=1: what came becomes what is expected.
+# run.sh SMC WRITER FOLDER: what `smc log` shows of a flight that is the same each time (WRITER FILE writes it), and of files that are not
+# logs.  UPDATE=1 writes the output to the expected files.
 smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1"); writer=$(cd "$(dirname "$2")" && pwd)/$(basename "$2"); here=$(cd "$(dirname "$0")" && pwd)
 passed=0; failed=0
 mkdir -p "$3" && cd "$3" || exit 1
@@ -9,7 +9,7 @@ mkdir -p "$3" && cd "$3" || exit 1
 ok() { passed=$((passed + 1)); }
 no() { failed=$((failed + 1)); echo "tests/log: $1" >&2; }
 
-# same FILE ARGUMENT...: prints what stands in FILE of this folder, exit 0.
+# same FILE ARGUMENT...: prints the contents of FILE of this folder, exit 0.
 same()
 {
     name=$1; shift
@@ -18,7 +18,7 @@ same()
     cmp -s out "$here/$name" && ok || no "$name differs: $(diff out "$here/$name" | head -5)"
 }
 
-# says CODE TEXT ARGUMENT...: exits with CODE, and TEXT is in what it says.
+# says CODE TEXT ARGUMENT...: exits with CODE, and prints TEXT on standard error.
 says()
 {
     code=$1; text=$2; shift 2
@@ -57,24 +57,24 @@ says 0 "this is the last of 2 sessions" flight.log --format csv
 says 1 "unknown element 'f65'; did you mean 'f64'?" flight.log f65
 says 1 "unknown machine 'mision'; did you mean 'mission'?" flight.log --machine mision
 says 1 "there is no session 3; it has 2" flight.log --session 3
-says 2 "--session wants a number" flight.log --session first
+says 2 "--session requires a number" flight.log --session first
 says 2 "as in 'smc log flight.log'"
 says 2 "csv" flight.log --format html
 says 3 "cannot read 'nothing.log'" nothing.log
 
 # Damage is reported, and undamaged parts are shown.
 head -c 20000 flight.log >torn.log
-says 0 "are no whole block" torn.log
+says 0 "are an incomplete block" torn.log
 { head -c 9000 flight.log; printf xxxx; tail -c +9005 flight.log; } >damaged.log
-says 0 "bytes are damaged; what is whole is shown" damaged.log
+says 0 "bytes are damaged; the intact blocks are shown" damaged.log
 # A file that was crafted to cost time: 100 heads that claim 24,700 bytes of events each.
 { head -c 5000 flight.log; i=0; while [ $i -lt 100 ]; do printf '\245E\174\140\0\0'; i=$((i + 1)); done; tail -c +5001 flight.log; } >crafted.log
 says 0 "bytes were not read" crafted.log
 grep -q ', [0-9]* bytes not read$' out && ok || no "the summary of crafted.log does not count unread bytes"
 : >empty.log
-says 1 "it is empty" empty.log
+says 1 "the file is empty" empty.log
 printf 'time,altitude\n0,1\n' >other.log
-says 1 "nothing that a flight log begins with" other.log
-says 1 "nothing that a flight log begins with" - <other.log
+says 1 "the file does not begin as a flight log does" other.log
+says 1 "the file does not begin as a flight log does" - <other.log
 echo "log: $passed passed, $failed failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Pages of smc report: run.sh SMC FOLDER.  Well-formed, with nothing in them that is fetched or runs, the same bytes wherever they are made, and
-# shown and printed by a browser (chromium; without one that part is skipped).
+# Pages of smc report: run.sh SMC FOLDER.  They are well-formed, load and run nothing, and have the same bytes wherever they are written.  A
+# browser shows and prints them (chromium; without one that part is skipped).
 smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 out=${2:?run.sh SMC FOLDER}
 here=$(cd "$(dirname "$0")" && pwd)
@@ -56,11 +56,11 @@ page airbrakes 0 "$examples/mission/airbrakes.sm" "--sv=$examples/mission/rocket
 page hostile 1 "$here/hostile.sm" "$here/hostile.ss" "$here/failing.ss"
 page alone 0 "$examples/tank/tank.sm"
 
-# A diagram that can be read in a part of a page is told from one that has to have its own.
+# A diagram that is readable on part of a page is marked as low, others are not.
 expect "a low diagram" grep -q '<figure class="low">' "$out/chilldown.html"
 expect "a diagram that is not low" sh -c "! grep -q '<figure class=\"low\">' '$out/ignition.html'"
 
-# JSON that is JSON, where something is here to tell.
+# The JSON is valid, if python3 exists to check it.
 if command -v python3 >/dev/null; then
     for machine in tank/tank ignition/ignition; do
         expect "json $machine" sh -c "'$smc' report '$examples/$machine.sm' '$examples/$machine.ss' --format=json | python3 -m json.tool"
@@ -68,7 +68,7 @@ if command -v python3 >/dev/null; then
     expect "json hostile" sh -c "'$smc' report '$here/hostile.sm' '$here/hostile.ss' --format=json | python3 -m json.tool"
 fi
 
-# A page or a picture is nothing for a terminal (script gives the command one).
+# A page or a picture is not written to a terminal (`script` provides one).
 if command -v script >/dev/null; then
     for command in report graph; do
         script -qec "'$smc' $command '$root/examples/tank/tank.sm'" /dev/null >"$out/terminal" 2>&1 </dev/null
@@ -77,7 +77,7 @@ if command -v script >/dev/null; then
     done
 else
     skipped=$((skipped + 1))
-    echo "script is not here: commands at a terminal are not looked at"
+    echo "there is no `script`: commands at a terminal are not tested"
 fi
 
 # A browser draws it, and prints it on paper.
@@ -105,7 +105,7 @@ if [ -n "$browser" ] && timeout 60 "$browser" --headless --no-sandbox --disable-
         expect "print $name" shown "$out/$name.html" "--print-to-pdf=$out/$name.pdf"
         expect "print of $name is one" sh -c "head -c 5 '$out/$name.pdf' | grep -q %PDF-"
     done
-    # On paper the diagram stands on the first page, and no section begins a new one: 12 pages without.
+    # On paper the diagram is on the first page, and no section begins a new one: 12 pages without.
     expect "pages of four scripts" no_more_pages "$out/four-scripts.pdf" 10
     # The browser's own tree has the page, and the hostile texts as texts: no element came of them.
     timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom "file://$out/hostile.html" >"$out/dom.html" 2>/dev/null
@@ -115,7 +115,7 @@ if [ -n "$browser" ] && timeout 60 "$browser" --headless --no-sandbox --disable-
     expect "no script in the tree" sh -c "! grep -Ei '<script|<img|onerror=[^ ]*alert[^&]*\"' '$out/dom.html' | grep -v '&lt;'"
 else
     skipped=$((skipped + 1))
-    echo "no browser is here (chromium): pages are not looked at"
+    echo "there is no browser (chromium): pages are not shown"
 fi
 # The image that flies is the one of the page, with its pins.
 same_image() {

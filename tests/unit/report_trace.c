@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a report keeps of a run: a single wild sample of a long run stays visible, visits and transitions are counted, memory does not
-// grow.
+// The recording of a run: a single wild sample of a long run stays visible, visits and transitions are counted, memory does not grow.
 #include <setjmp.h>
 #include <string.h>
 
