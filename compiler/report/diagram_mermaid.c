@@ -55,19 +55,14 @@ static void write_node_class(Buf *out, const Diagram *d, const DiagramNode *n)
     write_findings(out, &n->finding, n->state->number);
 }
 
-static void write_count(Buf *out, const Diagram *d, const DiagramEdge *e, const DiagramGuard *g)
-{
-    if (d->o->counts && g == &e->guard.at[e->guard.n - 1])
-        buf_printf(out, " (%s)", diagram_edge_count_text(d, e));
-}
-
 static void write_transition(Buf *out, const Diagram *d, const DiagramEdge *e, const DiagramGuard *g)
 {
     buf_printf(out, "    s%lu --> s%lu : ", (unsigned long)e->from + 1, (unsigned long)e->to + 1);
     write_plain(out, g->text);
     if (!e->possible)
         buf_str(out, " (never)");
-    write_count(out, d, e, g);
+    if (d->o->counts && g == &e->guard.at[e->guard.n - 1])        // the count of all transitions of the edge
+        buf_printf(out, " (%s)", diagram_edge_count_text(d, e));
     buf_char(out, '\n');
     write_findings(out, &g->finding, e->from + 1);
 }

@@ -10,14 +10,6 @@ enum { SWEEPS = 24, PATIENCE = 6 };       // maximum number of sweeps; maximum w
 
 // ---- initial order ----
 
-static void append_to_layer(Layout *l, uint32_t item)
-{
-    Layer *layer = &l->layer[l->item.at[item].layer];
-
-    l->item.at[item].pos = layer->n;
-    layer->item[layer->n++] = item;
-}
-
 // Appends connected items next to each other: depth first, down the links.
 static void append_connected(Layout *l, bool *visited, uint32_t start)
 {
@@ -26,10 +18,13 @@ static void append_connected(Layout *l, bool *visited, uint32_t start)
     vec_push(l->arena, &waiting, start);
     while (waiting.n > 0) {
         const uint32_t i = waiting.at[--waiting.n];
+        Layer *layer;
         if (visited[i])
             continue;
         visited[i] = true;
-        append_to_layer(l, i);
+        layer = &l->layer[l->item.at[i].layer];
+        l->item.at[i].pos = layer->n;
+        layer->item[layer->n++] = i;
         for (uint32_t k = l->below.first[i + 1]; k-- > l->below.first[i];)
             vec_push(l->arena, &waiting, l->link.at[l->below.at[k]].below);
     }
@@ -116,12 +111,6 @@ static void sort_layer(Layout *l, Layer *layer, bool down, OrderKey *key)
     }
 }
 
-static void sweep_layers(Layout *l, bool down, OrderKey *key)
-{
-    for (uint32_t i = 1; i < l->layers; i++)
-        sort_layer(l, &l->layer[down ? i : l->layers - 1 - i], down, key);
-}
-
 // ---- swaps ----
 
 enum { DEGREE = 32 };             // items with more links are not swapped: comparing two takes the product of their numbers of links
@@ -187,8 +176,10 @@ void layout_order(Layout *l)
     fewest = all_crossings(l);
     save_order(l, best);
     for (int s = 0; s < SWEEPS && idle < PATIENCE && fewest > 0; s++) {
+        const bool down = s % 2 == 0;
         uint64_t n;
-        sweep_layers(l, s % 2 == 0, key);
+        for (uint32_t i = 1; i < l->layers; i++)
+            sort_layer(l, &l->layer[down ? i : l->layers - 1 - i], down, key);
         swap_neighbours(l);
         swap_neighbours(l);
         idle++;

@@ -71,13 +71,6 @@ static uint32_t item_in_layer(const Columns *c, const Layer *layer, uint32_t k)
     return layer->item[c->mirrored ? layer->n - 1 - k : k];
 }
 
-static void join_column(Columns *c, uint32_t item, uint32_t to)
-{
-    c->next[to] = item;
-    c->root[item] = c->root[to];
-    c->next[item] = c->root[item];
-}
-
 // Joins an item to the item at the other end of a link, if that is right of all joined before in this layer.
 static bool try_align(Columns *c, uint32_t item, const LayoutLink *link, int64_t *used)
 {
@@ -86,7 +79,9 @@ static bool try_align(Columns *c, uint32_t item, const LayoutLink *link, int64_t
 
     if (link->crossed || at <= *used)
         return false;
-    join_column(c, item, to);
+    c->next[to] = item;
+    c->root[item] = c->root[to];
+    c->next[item] = c->root[item];
     *used = at;
     return true;
 }

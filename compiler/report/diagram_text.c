@@ -34,19 +34,15 @@ static int32_t character_width(const char *s, size_t n, bool bold, size_t *bytes
     return *bytes == 1 && *s >= ' ' && *s <= '~' ? letter_width[bold][*s - ' '] : OTHER_WIDTH;
 }
 
-static int32_t measure_text(const char *text, size_t n, int32_t size, bool bold)
+int32_t diagram_text_width(const char *text, int32_t size, bool bold)
 {
+    const size_t n = strlen(text);
     int64_t sum = 0;
     size_t bytes;
 
     for (size_t i = 0; i < n; i += bytes)
         sum += character_width(text + i, n - i, bold, &bytes);
     return (int32_t)((sum * size + 999) / 1000);
-}
-
-int32_t diagram_text_width(const char *text, int32_t size, bool bold)
-{
-    return measure_text(text, strlen(text), size, bold);
 }
 
 // The number of bytes from the start of the text whose width is at most w.

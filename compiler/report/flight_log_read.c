@@ -131,20 +131,16 @@ static bool is_length(const LogSession *s, uint8_t kind, uint32_t length)
     }
 }
 
-static void note_record(LogSession *s, uint64_t time)
-{
-    if (s->records++ == 0)
-        s->first = s->last = time;
-    s->first = time < s->first ? time : s->first;
-    s->last = time > s->last ? time : s->last;
-}
-
 static void add_item(LogReader *r, LogSession *s, uint32_t pos, uint32_t length)
 {
     LogItem item = {ITEM_RECORD, 0, r->bytes + pos + LOG_HEAD};
 
     if (r->bytes[pos + 1] == LOG_RECORD) {
-        note_record(s, log_get64(item.at));
+        const uint64_t time = log_get64(item.at);
+        if (s->records++ == 0)
+            s->first = s->last = time;
+        s->first = time < s->first ? time : s->first;
+        s->last = time > s->last ? time : s->last;
     } else if (r->bytes[pos + 1] == LOG_EVENTS) {
         item.kind = ITEM_EVENTS;
         item.n = length / LOG_EVENT;

@@ -81,20 +81,15 @@ static void write_unknown(const LogDescription *d, const LogEvent *e, Buf *out)
                (unsigned long)e->b);
 }
 
-static const char *restored_text(uint32_t a)
-{
-    return a == 0 ? "" : a == 1 ? " with the saved state vector" :
-        "; the saved state vector could not be used: it is damaged or has another layout";
-}
-
 void flight_write_event(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
 {
+    static const char *const restored[] = {
+        "", " with the saved state vector", "; the saved state vector could not be used: it is damaged or has another layout"};
     const char *task = numbered_name(f, &d->task, "task", e->source);
 
     switch (e->kind) {
     case LOG_EVENT_START:
-        buf_printf(out, "the application started%s%s", restored_text(e->a),
-                   e->b ? ", after a watchdog reset" : "");
+        buf_printf(out, "the application started%s%s", restored[e->a < 2 ? e->a : 2], e->b ? ", after a watchdog reset" : "");
         break;
     case LOG_EVENT_STATE: write_state(f, d, e, out); break;
     case LOG_EVENT_MODE: buf_printf(out, "%s: %s -> %s", task, mode_name(f->arena, e->a), mode_name(f->arena, e->b)); break;

@@ -16,8 +16,6 @@ static const char *group_name(const Diag *diag)
     return flag ? name[flag->group] : "";
 }
 
-static const char *flag_name(const Diag *diag) { return diag_info[diag->code].flag ? diag_info[diag->code].flag : ""; }
-
 // ---- one finding in detail ----
 
 static const char *position_text(const Report *r, Span span)
@@ -67,7 +65,7 @@ static const DocColumn allowed_columns[] = {
 static void add_row(const Report *r, DocTable *t, const Diag *diag, size_t number)
 {
     doc_cell_number(t, number);
-    doc_cell_code(t, flag_name(diag));
+    doc_cell_code(t, diag_info[diag->code].flag);
     if (!diag->allowed)
         doc_cell_plain(t, group_name(diag));
     doc_cell_plain(t, position_text(r, diag->span));
