@@ -69,7 +69,7 @@
 // ---- scripts ----
 
 #define TEXT_SCRIPTS_NONE "No script was run. Name scripts after the machine, as in `smc report tank.sm tank.ss`."
-#define TEXT_COVERED_ALL "The scripts visit every state and take every transition."
+#define TEXT_COVERED_ALL "Nothing: the scripts visit every state and take every transition."
 #define TEXT_COVERED_ALL_EDGES "The scripts visit every state and go from each state to every state to which its transitions lead."
 #define TEXT_SHARED \
     "If several transitions lead from one state to another, a run does not show which of them was taken:%s. Some of them may never " \

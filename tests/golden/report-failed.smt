@@ -140,7 +140,7 @@ States visited by the scripts
   Idle               1      6        1
 
 Not covered by the scripts
-The scripts visit every state and take every transition.
+Nothing: the scripts visit every state and take every transition.
 
 bad.ss [failed]
 assert failed after step 6 (G = 50, state Idle) [E0750]
