@@ -100,7 +100,7 @@ static void add_transitions(const Report *r, Doc *d, const AbortMatrix *x)
 {
     DocTable *t;
 
-    doc_heading(d, "abort-transitions", "Transitions that abort");
+    doc_heading(d, "abort-transitions", "Transitions that lead to an abort state");
     if (has_unbounded(x))
         doc_paragraph(d, TEXT_ABORT_UNBOUNDED);
     t = DOC_TABLE_OF(d, "transitions", transition_columns);

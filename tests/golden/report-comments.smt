@@ -116,7 +116,7 @@ counter, a timer or a rolling statistic takes until its condition is true.
   Hold   yes                no                  1
   Abort  is an abort state
 
-Transitions that abort
+Transitions that lead to an abort state
 "Unbounded": every path from the target state leads to an abort state, but before that the machine
 can wait for a condition that may never become true.
 
