@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Checks every include of ours against layers.txt, and that the includes between layers form no cycle.  Input: layers.txt, then the
-# names of the files to check, one per line.
+# Checks every include of a file of the project against layers.txt; that each permission there is used; and that the includes between
+# layers form no cycle.  Input: layers.txt, then the names of the source files, one per line.
 
 # The layer of a path: the longest that it begins with, at a border of words ("compiler/script/ref" holds ref_eval.c).
 function layer_of(path,    name, best) {
@@ -11,9 +11,14 @@ function layer_of(path,    name, best) {
     return best
 }
 
-function may(from, path,    to) {
+function is_allowed(from, path,    to) {
     to = layer_of(path)
-    return from == "" || to == from || (from, path) in allowed || (to != "" && (from, to) in allowed)
+    if (from == "" || to == from)
+        return 1
+    if ((from, path) in allowed)
+        to = path
+    used[from, to] = 1
+    return to != "" && (from, to) in allowed
 }
 
 function check_include(file, line,    path, from, to) {
@@ -27,7 +32,7 @@ function check_include(file, line,    path, from, to) {
         example[from, to] = file " includes \"" path "\""
         targets[from] = targets[from] " " to
     }
-    if (may(layer_of(file), path))
+    if (is_allowed(from, path))
         return
     print file ": may not include \"" path "\": layer " layer_of(file) " may include:" list[layer_of(file)]
     bad++
@@ -53,12 +58,13 @@ FNR == NR && /^[a-z]/ {
     sub(/:$/, "", name)
     known[name] = 1
     for (i = 2; i <= NF; i++) {
-        allowed[name, $i] = 1
+        allowed[name, $i] = FNR
         list[name] = list[name] " " $i
     }
 }
 
 FNR != NR {
+    has_file[layer_of($0)] = 1
     while ((getline line < $0) > 0)
         if (line ~ /^[ \t]*#[ \t]*include[ \t]*"/)
             check_include($0, line)
@@ -66,8 +72,20 @@ FNR != NR {
 }
 
 END {
+    for (key in allowed) {
+        seen++
+        if (!(key in used)) {
+            split(key, part, SUBSEP)
+            print "tests/check/layers.txt:" allowed[key] ": " part[1] " does not include " part[2] ": remove the permission"
+            bad++
+        }
+    }
     for (name in known) {
         seen++
+        if (!(name in has_file)) {
+            print "tests/check/layers.txt: no file belongs to layer " name
+            bad++
+        }
         if (!(name in finished))
             find_cycles(name, "")
     }
