@@ -1,10 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Prints the names of the project's files of one kind, one a line, sorted, for the checks of this folder.
-#     files.sh code | text | sources | compiler | cases | documents | evidence
+#     files.sh code | text | sources | product | compiler | cases | documents | evidence
 #   code      sources: C, tables, scripts, makefiles
 #   text      all files with words in them
 #   sources   C, assembly, tables
+#   product   the sources that are compiled into the products
 #   compiler  the C files of compiler/
 #   cases     the .smt files
 #   documents the .md files
@@ -16,6 +17,7 @@ code)     find stdlib compiler bytecode-vm runtime-c arduino tests examples -nam
 text)     find stdlib compiler bytecode-vm runtime-c arduino tests examples conformance docs editors -type f 2>/dev/null
           ls README.md CONTRIBUTING.md Makefile ;;
 sources)  find stdlib compiler bytecode-vm runtime-c arduino tests -name '*.[chS]' -o -name '*.def' ;;
+product)  find stdlib compiler bytecode-vm runtime-c -name '*.[ch]' -o -name '*.def' ;;
 compiler) find compiler -name '*.c' ;;
 documents) sh "$0" text | grep '[.]md$' ;;
 cases)    find conformance tests -name '*.smt' ;;
