@@ -605,6 +605,7 @@ $(call test, graph-docs,           quick,, $(B)/smc graph examples/ignition/igni
 
 # The house rules.
 $(call test, runner,               quick,, sh tests/check/runner.sh)
+$(call test, check-commits,        quick,, sh tests/check/commits_test.sh)
 $(call test, mutants-places,       quick,, sh tests/check/mutants.sh --places tests/check/mutants.txt tests/check/faults.txt)
 $(call test, check-words,          quick,, sh tests/check/files.sh text | awk -f tests/check/words.awk tests/check/words.txt -)
 $(call test, check-wrap,           quick,, sh tests/check/files.sh documents | xargs sh tests/check/wrap.sh)
@@ -622,6 +623,7 @@ $(call test, check-licence,        quick,, sh tests/check/files.sh code | awk -f
 $(call test, check-places,         quick,, sh tests/check/files.sh text | awk -f tests/check/places.awk)
 $(call test, check-configurations, quick,, sh tests/check/configurations.sh)
 $(call test, check-headers,        quick,, CC='$(CC)' sh tests/check/headers.sh -I$(B)/gen)
+$(call test, check-names,          quick,, sh tests/check/files.sh product | awk -f tests/check/names.awk tests/check/names.txt -)
 IMPORTS = $(patsubst %.c,$(B)/obj/%.o,$(filter-out $(VM_TEXT),$(VM)) $(STDLIB) $(wildcard runtime-c/*.c bytecode-vm/target/*.c))
 $(call test, check-imports,        quick, $(IMPORTS), sh tests/check/imports.sh $(IMPORTS))
 
