@@ -21,7 +21,7 @@ SMC_IO   ?=
 SMC_ARGS  = $(SMCFLAGS) $(if $(SMC_SV),--sv=$(SMC_SV))
 # Begins a recipe that wants the command: what to do is told where it is not found.  Not by $(shell): it would not see a PATH set here.
 SMC_WANT  = $(if $(filter smc,$(SMC)),@command -v smc >/dev/null || { echo 'smc is not in PATH: set SMC = /where/it/is/smc before the include' >&2; exit 127; })
-# Where these are set: another option makes it anew.
+# Where these are set: another option rebuilds it.
 SMC_SET  := $(wildcard $(firstword $(MAKEFILE_LIST)))
 
 %.smb: %.sm $(SMC_SV) $(SMC_IO) $(SMC_SET)
@@ -123,7 +123,7 @@ SMC_OPTIONS   = -ffp-contract=off -fno-tree-slp-vectorize -I$(SMC_OUT) -I. -I$(S
 SMC_COMPILE   = $(CC) -std=c99 $(SMC_OPTIONS) $(CFLAGS) -c $< -o $@
 SMC_COMPILE_X = $(CXX) $(SMC_OPTIONS) $(CXXFLAGS) -c $< -o $@
 
-# What all of it was made with: another platform, watchdog, compiler or option makes it anew.
+# The options of the last build: another platform, watchdog, compiler or option rebuilds everything.
 SMC_SETTINGS = $(strip $(SMC_PLATFORM) $(PSL_WATCHDOG) $(SMC_SOURCES) $(SMCFLAGS) $(CC) $(if $(SMC_CXX),$(CXX) $(CXXFLAGS)) $(SMC_CFLAGS) $(CFLAGS) $(LDFLAGS) $(LDLIBS))
 ifneq ($(SMC_SETTINGS),$(strip $(shell cat $(SMC_STAMP) 2>/dev/null)))
 $(SMC_STAMP): smc-changed

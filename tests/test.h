@@ -8,7 +8,7 @@
 
 static int test_passed, test_failed;
 
-// A check in a loop counts once when it holds, and each time when it does not.
+// A check in a loop counts once if it is true, and each time that it is false.
 #define CHECK(condition)                                                                      \
     do {                                                                                      \
         static bool test_held;                                                                  \

@@ -14,8 +14,8 @@ static const char *advice_for_rule(uint8_t rule)
 {
     switch (rule) {
     case SMVM_R_MAGIC: return "it is no image; 'smc build' makes one of a machine";
-    case SMVM_R_FORMAT: return "it was made by another version of smc: build it anew with this one, from its sources";
-    case SMVM_R_LENGTH: case SMVM_R_CRC: return "it is damaged, or not all of it is there: copy it again, or build it anew from its sources";
+    case SMVM_R_FORMAT: return "it was made by another version of smc: build it again with this one, from its sources";
+    case SMVM_R_LENGTH: case SMVM_R_CRC: return "it is damaged, or not all of it is there: copy it again, or build it again from its sources";
     default: return NULL;
     }
 }

@@ -77,7 +77,7 @@ static void report_unknown_annotation(Parser *p, AstPlace place)
     size_t n = list_words(1u << place, here);
 
     if (strncmp(p->tok.text->text, "unit", 4) == 0)
-        diag_label(p->diags, d, DIAG_label_text, "a unit stands in a comment");
+        diag_label(p->diags, d, DIAG_label_text, "a unit belongs in a comment");
     else
         parser_label_annotations(p, d, here, n);
     parser_next(p);

@@ -1,4 +1,4 @@
-spec 1.5  A carriage return within a comment is an error: whoever shows the file might take it for a line end and hide what follows.
+spec 1.5  A carriage return within a comment is an error: an editor might show it as a line end and hide what follows.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 1.5  A carriage return that does not stand before a line end is an error.
+spec 1.5  A carriage return is an error unless a line end follows it.
 
 -- app.sm --
 [state_vector]

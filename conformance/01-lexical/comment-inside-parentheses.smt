@@ -1,4 +1,4 @@
-spec 1.8, 1.30  A comment within parentheses ends with its line, and the expression goes on.
+spec 1.8, 1.30  A comment within parentheses ends with its line, and the expression continues.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 1.12  Every way of writing a decimal number.
+spec 1.12  Every form of a decimal number.
 
 -- app.sm --
 [state_vector]

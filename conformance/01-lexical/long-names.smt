@@ -1,4 +1,4 @@
-spec 1.10  Names are told apart to their last character, however long.
+spec 1.10  All characters of a name are significant, however long it is.
 
 -- app.sm --
 [state_vector]

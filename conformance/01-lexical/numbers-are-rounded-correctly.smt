@@ -1,4 +1,4 @@
-spec 1.17  A number is the nearest F64: 9007199254740993 lies between two and takes the even one, one digit more decides.
+spec 1.17  A number is the nearest F64: 9007199254740993 is half-way between two and becomes the even one; one more digit decides.
 
 -- app.sm --
 [state_vector]

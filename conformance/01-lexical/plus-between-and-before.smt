@@ -1,4 +1,4 @@
-spec 1.22  The same holds for plus.
+spec 1.22  The same applies to plus.
 
 -- app.sm --
 [state_vector]

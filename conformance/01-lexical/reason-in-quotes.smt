@@ -1,4 +1,4 @@
-spec 1.35, 1.1  A reason may hold what a comment may hold.
+spec 1.35, 1.1  A reason can contain the characters that a comment can contain.
 analyses on
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 1.26  An annotation that stands twice on one local is an error.
+spec 1.26  The same annotation twice on one local is an error.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 1.26  An annotation that stands twice on one element is an error.
+spec 1.26  The same annotation twice on one element is an error.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 1.23  A section name may hold letters, digits, _ and /, in any order.
+spec 1.23  A section name can contain letters, digits, _ and /, in any order.
 
 -- app.sv --
 [9/a_B]

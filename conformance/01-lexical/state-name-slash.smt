@@ -1,4 +1,4 @@
-spec 1.24  A state must bear a name that could stand after an arrow; pad/hold is none.
+spec 1.24  A state needs a name that could follow an arrow; pad/hold is not one.
 
 -- app.sm --
 [state_vector]

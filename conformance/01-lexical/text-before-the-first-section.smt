@@ -1,4 +1,4 @@
-spec 1.34  What stands before the first section header belongs to nothing.
+spec 1.34  Text before the first section header is an error.
 
 -- app.sm --
 F64 x   #! E0301

@@ -1,4 +1,4 @@
-spec 1.2  Comments may hold any UTF-8 text.
+spec 1.2  Comments can contain any UTF-8 text.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 2.18  16777217 lies between two F32 values and becomes 16777216; 16777219 becomes 16777220.
+spec 2.18  16777217 is half-way between two F32 values and becomes 16777216; 16777219 becomes 16777220.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 2.15, 3.15  What a variable of a whole-number type gives is 0 and never −0, also just after a −0 was stored there.
+spec 2.15, 3.15  A variable of a whole-number type reads as 0 and never −0, also just after a −0 was stored there.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 2.10  A comparison gives 1 or 0, logic too, whatever the size of its values.
+spec 2.10  A comparison or a logical operation gives 1 or 0, for operands of any size.
 
 -- app.sm --
 [state_vector]

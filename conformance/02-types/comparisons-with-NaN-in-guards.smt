@@ -1,4 +1,4 @@
-spec 2.11  A guard that compares with NaN fails, and its negation holds: not (a < b) is not a >= b.
+spec 2.11  A guard that compares with NaN is false, and its negation is true: not (a < b) is not a >= b.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 2.11, 3.14  Where a comparison with NaN is negated, as a value or as a part of a guard, the negation holds.
+spec 2.11, 3.14  A negated comparison with NaN is true, as a value or as a part of a guard.
 
 -- app.sm --
 [state_vector]

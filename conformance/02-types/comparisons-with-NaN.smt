@@ -1,4 +1,4 @@
-spec 2.11  No comparison with NaN holds but !=, on either side and with itself.
+spec 2.11  Of the comparisons with NaN only != is true, on either side and with itself.
 
 -- app.sm --
 [state_vector]

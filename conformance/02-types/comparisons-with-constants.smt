@@ -1,4 +1,4 @@
-spec 2.2   Elements are compared with constants as the numbers that they hold, F32s also with those that no F32 is.
+spec 2.2   Elements are compared with constants by value, F32 elements also with constants that are not F32 values.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 2.1  F32 holds about 7 digits, F64 about 16.
+spec 2.1  F32 has about 7 digits, F64 about 16.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 2.1  I16 holds -32768 to 32767 and nothing beyond.
+spec 2.1  I16 holds -32768 to 32767 only.
 
 -- app.sm --
 [state_vector]

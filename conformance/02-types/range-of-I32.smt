@@ -1,4 +1,4 @@
-spec 2.1  I32 holds -2147483648 to 2147483647 and nothing beyond.
+spec 2.1  I32 holds -2147483648 to 2147483647 only.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 2.1  I64 holds -9223372036854775808 to 9223372036854775807 and nothing beyond.
+spec 2.1  I64 holds -9223372036854775808 to 9223372036854775807 only.
 
 -- app.sm --
 [state_vector]

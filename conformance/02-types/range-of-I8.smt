@@ -1,4 +1,4 @@
-spec 2.1  I8 holds -128 to 127 and nothing beyond.
+spec 2.1  I8 holds -128 to 127 only.
 
 -- app.sm --
 [state_vector]

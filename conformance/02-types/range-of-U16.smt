@@ -1,4 +1,4 @@
-spec 2.1  U16 holds 0 to 65535 and nothing beyond.
+spec 2.1  U16 holds 0 to 65535 only.
 
 -- app.sm --
 [state_vector]

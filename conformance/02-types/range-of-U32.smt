@@ -1,4 +1,4 @@
-spec 2.1  U32 holds 0 to 4294967295 and nothing beyond.
+spec 2.1  U32 holds 0 to 4294967295 only.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 2.1  U64 holds 0 to 18446744073709551615 and nothing beyond.
+spec 2.1  U64 holds 0 to 18446744073709551615 only.
 
 -- app.sm --
 [state_vector]

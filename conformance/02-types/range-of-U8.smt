@@ -1,4 +1,4 @@
-spec 2.1  U8 holds 0 to 255 and nothing beyond.
+spec 2.1  U8 holds 0 to 255 only.
 
 -- app.sm --
 [state_vector]

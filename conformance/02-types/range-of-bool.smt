@@ -1,4 +1,4 @@
-spec 2.1  A bool holds true and false only.
+spec 2.1  A bool has the values true and false only.
 
 -- app.sm --
 [state_vector]

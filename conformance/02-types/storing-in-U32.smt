@@ -1,4 +1,4 @@
-spec 2.15, 2.16  F64 values of all sizes stored in a U32: the fraction is dropped toward zero, then the range holds.
+spec 2.15, 2.16  F64 values of all sizes stored in a U32: the fraction is dropped toward zero, then the value is limited to the range.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 2.3  G = T = 9007199254740993 in step 4 lies between two F64 values and is read as the even one, 9007199254740992.
+spec 2.3  G = T = 9007199254740993 in step 4 is half-way between two F64 values and is read as the even one, 9007199254740992.
 
 -- app.sm --
 [state_vector]

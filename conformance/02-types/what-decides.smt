@@ -1,4 +1,4 @@
-spec 2.22, 2.13  A guard holds for everything but zeros and NaN.
+spec 2.22, 2.13  A guard is true for everything but zeros and NaN.
 
 -- app.sm --
 [state_vector]

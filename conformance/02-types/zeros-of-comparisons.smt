@@ -1,4 +1,4 @@
-spec 2.10, 3.15  A comparison that does not hold is +0, and its opposite sign −0.
+spec 2.10, 3.15  A false comparison is +0, and its negative is −0.
 
 -- app.sm --
 [state_vector]

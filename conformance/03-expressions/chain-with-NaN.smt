@@ -1,4 +1,4 @@
-spec 3.9, 2.11  A chain with NaN anywhere does not hold.
+spec 3.9, 2.11  A chain with NaN anywhere is false.
 
 -- app.sm --
 [state_vector]

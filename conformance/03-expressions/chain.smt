@@ -1,4 +1,4 @@
-spec 3.9  500 < p < 825 holds between the two, not at them.
+spec 3.9  500 < p < 825 is true between the two numbers, not at them.
 
 -- app.sm --
 [state_vector]

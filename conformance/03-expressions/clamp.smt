@@ -1,4 +1,4 @@
-spec 3.28  clamp holds a value between two others.
+spec 3.28  clamp limits a value to the range between two others.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 3.4  a < b == c < d compares two truths, whichever stands first.
+spec 3.4  a < b == c < d compares two truth values, in either order.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 3.8  Parentheses hold a value.
+spec 3.8  Parentheses contain a value.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 3.11  a and b + 1 == b == c or a is an error, and the message offers what may have been meant.
+spec 3.11  a and b + 1 == b == c or a is an error, and the message offers the likely meanings.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 3.18, 5.20  Without parentheses abs is a name like any other, and here nobody has declared it.
+spec 3.18, 5.20  Without parentheses abs is a name like any other, and here it is not declared.
 
 -- app.sm --
 [state_vector]

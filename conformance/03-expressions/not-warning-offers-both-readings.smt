@@ -1,4 +1,4 @@
-spec 3.13  The warning shows both ways to write it.
+spec 3.13  The warning shows both readings.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 3.13  With parentheses either way there is no warning.
+spec 3.13  With parentheses around either reading there is no warning.
 
 -- app.sm --
 [state_vector]

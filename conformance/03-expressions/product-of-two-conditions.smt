@@ -1,4 +1,4 @@
-spec 3.14  A product that two conditions of a guard ask for is there for the second, whichever way the first came out.
+spec 3.14  A product used by two conditions of a guard is computed for the second, whatever the result of the first.
 
 -- app.sm --
 [state_vector]

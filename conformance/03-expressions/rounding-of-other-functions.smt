@@ -1,4 +1,4 @@
-spec 3.20, 3.21, 3.22, 3.23  Only what is whole already is left as it is: a root, a quotient and an abs are rounded.
+spec 3.20, 3.21, 3.22, 3.23  Only whole numbers are unchanged: a root, a quotient and an abs are rounded.
 
 -- app.sm --
 [state_vector]

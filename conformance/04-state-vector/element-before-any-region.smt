@@ -1,4 +1,4 @@
-spec 4.1  An element stands in a region.
+spec 4.1  An element must be in a region.
 
 -- app.sv --
 F64 a   #! E0301

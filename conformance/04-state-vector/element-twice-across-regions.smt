@@ -1,4 +1,4 @@
-spec 4.3  A name stands once in the whole vector, whatever its region and type.
+spec 4.3  A name appears once in the whole vector, in any region and of any type.
 
 -- app.sv --
 [R]

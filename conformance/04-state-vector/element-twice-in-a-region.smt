@@ -1,4 +1,4 @@
-spec 4.3  A name stands once in a region.
+spec 4.3  A name appears once in a region.
 
 -- app.sv --
 [R]

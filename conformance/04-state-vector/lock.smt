@@ -1,4 +1,4 @@
-spec 4.2  [options] may ask for a lock; it changes nothing in what a machine does.
+spec 4.2  [options] can request a lock; it does not change the behaviour of a machine.
 
 -- app.sv --
 [options]

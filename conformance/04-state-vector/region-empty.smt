@@ -1,4 +1,4 @@
-spec 4.5  A region holds at least one element.
+spec 4.5  A region has at least one element.
 
 -- app.sv --
 [R]

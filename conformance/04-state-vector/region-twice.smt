@@ -1,4 +1,4 @@
-spec 4.4  A region stands once.
+spec 4.4  A region appears once.
 
 -- app.sv --
 [R]

@@ -1,4 +1,4 @@
-spec 4.1  Regions hold elements of every type; a machine sees the ones it lists, whatever their region.
+spec 4.1  Regions can have elements of every type; a machine sees the ones it lists, in any region.
 
 -- app.sv --
 [Clock]

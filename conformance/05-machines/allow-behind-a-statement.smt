@@ -1,4 +1,4 @@
-spec 5.50  An @allow stands before its statement, not behind it.
+spec 5.50  An @allow precedes its statement; after the statement it is an error.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.44, 5.50  @allow changes nothing of what runs, wherever it stands.
+spec 5.44, 5.50  @allow does not change the behaviour, wherever it is.
 analyses on
 
 -- app.sm --

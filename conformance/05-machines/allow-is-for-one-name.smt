@@ -1,4 +1,4 @@
-spec 5.51  Other warnings of what is covered are reported.
+spec 5.51  Other warnings about the covered source are reported.
 analyses on
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 5.50  In a block an @allow stands before a statement.
+spec 5.50  In a block an @allow must be followed by a statement.
 
 -- app.sm --
 [state_vector]

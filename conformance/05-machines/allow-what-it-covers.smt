@@ -1,4 +1,4 @@
-spec 5.51  @allow covers its declaration, its state's section or its statement with all that is in it.
+spec 5.51  @allow covers its declaration, its state's section, or its statement and everything inside it.
 analyses on
 
 -- app.sv --

@@ -1,4 +1,4 @@
-spec 5.28, 2.13  The value is worked out before it is stored, and converted to the type of what is written.
+spec 5.28, 2.13  The value is computed before it is stored, and converted to the type of the variable.
 
 -- app.sm --
 [state_vector]

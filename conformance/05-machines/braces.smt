@@ -1,4 +1,4 @@
-spec 5.32  Braces hold any number of statements, conditionals too, over several lines or on one.
+spec 5.32  Braces contain any number of statements and conditionals, on several lines or on one.
 
 -- app.sm --
 [state_vector]

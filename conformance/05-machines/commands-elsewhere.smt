@@ -1,4 +1,4 @@
-spec 5.54  A command is an element: no local, no state and no statement, and the mark takes no value.
+spec 5.54  A command is an element, not a local, a state or a statement; the annotation has no value.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.9, 2.6  Arms that do nothing but store a truth or count do just that, whichever way is taken.
+spec 5.9, 2.6  Branches that only store a truth value or count do exactly that, whichever branch is taken.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.35  Without a last else nothing is done when no guard holds.
+spec 5.35  Without a last else nothing is executed when no guard is true.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.35  The first guard that holds decides, and no later one counts.
+spec 5.35  The first true guard decides, and later ones do not count.
 
 -- app.sm --
 [state_vector]

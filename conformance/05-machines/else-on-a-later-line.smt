@@ -1,4 +1,4 @@
-spec 5.36  Line ends and comments may stand before else.
+spec 5.36  Line ends and comments can precede else.
 
 -- app.sm --
 [state_vector]

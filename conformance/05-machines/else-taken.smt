@@ -1,4 +1,4 @@
-spec 5.34  else is executed when the guard does not hold, in each of its forms.
+spec 5.34  else is executed when the guard is false, in each of its forms.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.37  A second else belongs to the next conditional outward; braces close what stands in them.
+spec 5.37  A second else belongs to the next conditional outward; braces close the conditionals inside them.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.31  A conditional may stand after the colon: both guards must hold.
+spec 5.31  A conditional can follow the colon: both guards must be true.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.30  A statement after a guard is executed when the guard holds, with or without if.
+spec 5.30  A statement after a guard is executed when the guard is true, with or without if.
 
 -- app.sm --
 [state_vector]

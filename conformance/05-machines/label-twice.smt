@@ -1,4 +1,4 @@
-spec 5.25  A block stands once in its state.
+spec 5.25  A block appears once in its state.
 
 -- app.sm --
 [state_vector]

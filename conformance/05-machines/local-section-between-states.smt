@@ -1,4 +1,4 @@
-spec 5.21, 5.22  [local] and [state_vector] count for no state, wherever they stand before their use.
+spec 5.21, 5.22  [local] and [state_vector] belong to no state, and can be anywhere before their use.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.9  [local] stands at most once.
+spec 5.9  [local] appears at most once.
 
 -- app.sm --
 [state_vector]

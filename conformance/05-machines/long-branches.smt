@@ -1,4 +1,4 @@
-spec 5.32, 5.34  The branches of a conditional may hold thousands of statements.
+spec 5.32, 5.34  The branches of a conditional can contain thousands of statements.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.44  Marks never change what a program does.
+spec 5.44  Annotations never change the behaviour of a program.
 
 -- app.sm --
 [state_vector]

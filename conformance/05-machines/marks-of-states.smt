@@ -1,4 +1,4 @@
-spec 5.45, 5.46  @abort and @safe stand behind a header, one or both, in any order, before the first label.
+spec 5.45, 5.46  @abort and @safe follow a header, one or both, in any order, before the first label.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.15  A name means one thing; the error stands at the second meaning.
+spec 5.15  A name has one meaning; the error is at the second declaration.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.47  A range holds something, is made of numbers and is about a number.
+spec 5.47  A range is not empty, consists of numbers and belongs to a number.
 
 -- app.sm --
 [state_vector]

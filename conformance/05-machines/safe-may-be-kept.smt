@@ -1,4 +1,4 @@
-spec 5.46  A state that is never left is warned of, unless @safe says that the machine may stay in it.
+spec 5.46  A state that is never left causes a warning, unless it is marked @safe.
 warn no-all missing-way-out
 
 -- app.sm --

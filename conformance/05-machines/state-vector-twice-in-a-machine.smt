@@ -1,4 +1,4 @@
-spec 5.9  [state_vector] stands at most once.
+spec 5.9  [state_vector] appears at most once.
 
 -- app.sm --
 [state_vector]

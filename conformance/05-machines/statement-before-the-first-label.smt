@@ -1,4 +1,4 @@
-spec 5.26  A statement between the header of a state and its first label stands in no block.
+spec 5.26  A statement between the header of a state and its first label belongs to no block, which is an error.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.42  What stands after a transition in the same block of statements never runs, and is warned about.
+spec 5.42  Statements after a transition in the same block never run, which causes a warning.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.27  Each statement sees what those above it have done.
+spec 5.27  Each statement sees the effects of those above it.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.20  A name that nobody has declared is an error, and the message offers the nearest one.
+spec 5.20  An undeclared name is an error, and the message offers the nearest declared one.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 6.5  T goes beyond 32 bits.
+spec 6.5  T can exceed 32 bits.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 6.15  The machine reads what the outside world has left, and its own assignments only until that changes.
+spec 6.15  The machine reads the values from outside, and its own assignments only until they are overwritten.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 6.2  The first step after starting is the first step of its state: .entry runs, windows hold one sample, locals have their initial values.
+spec 6.2  The first step after starting is the first step of its state: .entry runs, windows contain one sample, locals have their initial values.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 6.18  When two guards hold in one step, the first in source order is taken.
+spec 6.18  When two guards are true in one step, the first transition in source order is taken.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 6.13, 6.8  A state whose .entry goes to itself begins anew in every step, and its .step never runs.
+spec 6.13, 6.8  A state whose .entry makes a transition to the state itself begins again in every step, and its .step never runs.
 
 -- app.sm --
 [state_vector]

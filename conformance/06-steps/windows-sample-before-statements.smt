@@ -1,4 +1,4 @@
-spec 6.6, 7.4  A window takes its sample before .entry and .step: what they assign is seen in the next step.
+spec 6.6, 7.4  A window takes its sample before .entry and .step: their assignments are sampled in the next step.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 7.8, 2.12  The zero that stands for NaN is +0, whatever sign the NaN had.
+spec 7.8, 2.12  A NaN becomes +0, whatever its sign.
 
 -- app.sm --
 [state_vector]

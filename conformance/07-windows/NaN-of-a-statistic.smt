@@ -1,4 +1,4 @@
-spec 7.21  The average of inf and −inf is NaN inside its expression: a comparison with it fails, logic takes it as false, and storing gives 0.
+spec 7.21  The average of inf and −inf is NaN inside its expression: a comparison with it fails, logic reads it as false, and it is stored as 0.
 
 -- app.sm --
 [state_vector]

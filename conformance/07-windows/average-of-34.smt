@@ -1,4 +1,4 @@
-spec 7.12, 7.9, 7.13  Averages of 34 samples of one size, each of which is seen in them.
+spec 7.12, 7.9, 7.13  Averages of 34 samples of one size; each sample affects the average.
 
 -- app.sm --
 [state_vector]

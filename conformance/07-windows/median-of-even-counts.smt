@@ -1,4 +1,4 @@
-spec 7.16  The median of an even number of samples lies half-way between the middle two, a + (b - a) / 2.
+spec 7.16  The median of an even number of samples is half-way between the middle two, a + (b - a) / 2.
 
 -- app.sm --
 [state_vector]

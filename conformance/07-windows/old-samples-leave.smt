@@ -1,4 +1,4 @@
-spec 7.6  After n steps a sample is gone: the maximum of the last three.
+spec 7.6  After n steps a sample has left the window: the maximum of the last three.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 7.9, 7.12  After the index has wrapped the pairs are those of the slots: slot 0 holds the newest sample and pairs with slot 1, the oldest.
+spec 7.9, 7.12  After the index has wrapped the pairs are those of the slots: slot 0 has the newest sample and pairs with slot 1, the oldest.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 7.2, 7.6  A window of one holds the newest sample.
+spec 7.2, 7.6  A window of size 1 contains the newest sample.
 
 -- app.sm --
 [state_vector]

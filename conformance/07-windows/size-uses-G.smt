@@ -1,4 +1,4 @@
-spec 7.1  The size cannot depend on what is known only in flight: G.
+spec 7.1  The size cannot depend on a value that is known only in flight: G.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 7.1  The size cannot depend on what is known only in flight: S.
+spec 7.1  The size cannot depend on a value that is known only in flight: S.
 
 -- app.sm --
 [state_vector]

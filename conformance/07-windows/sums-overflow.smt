@@ -1,4 +1,4 @@
-spec 7.14  A sum beyond the largest F64 makes the average infinite, though each sample is finite; once the samples are gone the average is finite again.
+spec 7.14  A sum beyond the largest F64 makes the average infinite, though each sample is finite; once the samples have left the window the average is finite again.
 
 -- app.sm --
 [state_vector]

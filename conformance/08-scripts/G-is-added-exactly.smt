@@ -1,4 +1,4 @@
-spec 8.13  G grows by delta_t in 64 bits, beyond what an F64 can tell apart.
+spec 8.13  G grows by delta_t in 64 bits, beyond the precision of an F64.
 
 -- app.sm --
 [state_vector]

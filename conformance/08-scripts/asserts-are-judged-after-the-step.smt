@@ -1,4 +1,4 @@
-spec 8.18  An assert looks at what the step has left, while G, S and T are still those of the step.
+spec 8.18  An assert reads the values after the step, while G, S and T are still those of the step.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.1  Any way to write a whole number will do.
+spec 8.1  A whole number can be written in any form.
 
 -- app.sm --
 [state_vector]

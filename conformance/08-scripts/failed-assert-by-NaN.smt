@@ -1,4 +1,4 @@
-spec 8.19, 2.14  An assert that is NaN does not hold.
+spec 8.19, 2.14  An assert that is NaN is false.
 expect fail
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.19  An assert that does not hold fails the script.
+spec 8.19  A false assert fails the script.
 expect fail
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.17, 8.18  A guard that was true before the step counts, even if the machine has changed what it looked at; one that was false does not come true after it.
+spec 8.17, 8.18  A guard that was true before the step counts, even if the machine has changed its variables; one that was false does not become true after the step.
 
 -- app.sm --
 [state_vector]

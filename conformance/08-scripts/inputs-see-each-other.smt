@@ -1,4 +1,4 @@
-spec 8.17  The inputs of a conditional are executed in order, although they change what its guard looked at.
+spec 8.17  The inputs of a conditional are executed in order, although they change the variables of its guard.
 
 -- app.sm --
 [state_vector]

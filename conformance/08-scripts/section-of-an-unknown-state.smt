@@ -1,4 +1,4 @@
-spec 8.4  A section bears the name of a state.
+spec 8.4  A section has the name of a state.
 
 -- app.sm --
 [state_vector]

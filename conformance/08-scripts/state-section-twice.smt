@@ -1,4 +1,4 @@
-spec 8.4  A section of a state stands once.
+spec 8.4  A section of a state appears once.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.6  @stop stands alone.
+spec 8.6  @stop is an item of its own.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 9.13  An @allow gives its reason, and what nothing needs is no fault.
+spec 9.13  An @allow without a reason, or with the name of no warning, is an error.
 
 -- app.sv --
 [R]

@@ -1,4 +1,4 @@
-spec 9.12  An annotation stands only where its clause says.
+spec 9.12  An annotation is allowed only where its clause says.
 
 -- app.sv --
 [Sensors]

@@ -1,4 +1,4 @@
-spec 9.12  An annotation stands once behind a line.
+spec 9.12  An annotation appears once after a line.
 
 -- app.sv --
 [Sensors]

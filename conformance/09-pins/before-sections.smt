@@ -1,4 +1,4 @@
-spec 9.1  Nothing stands before the first section.
+spec 9.1  Text before the first section is an error.
 
 -- app.sv --
 [Sensors]

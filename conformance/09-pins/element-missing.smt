@@ -1,4 +1,4 @@
-spec 9.2  Behind the pin stands an element.
+spec 9.2  An element follows the pin.
 
 -- app.sv --
 [Sensors]

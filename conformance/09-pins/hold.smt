@@ -1,4 +1,4 @@
-spec 9.11  @hold stands behind inputs, from 0 to 255 steps.
+spec 9.11  @hold follows inputs, from 0 to 255 steps.
 
 -- app.sv --
 [Sensors]

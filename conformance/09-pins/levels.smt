@@ -1,4 +1,4 @@
-spec 9.10  @inverted stands behind digital pins, @pull_up and @pull_down behind digital inputs.
+spec 9.10  @inverted follows digital pins, @pull_up and @pull_down follow digital inputs.
 
 -- app.sv --
 [Sensors]

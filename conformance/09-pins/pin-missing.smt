@@ -1,4 +1,4 @@
-spec 9.2, 9.3  Behind the direction stands a pin.
+spec 9.2, 9.3  A pin follows the direction.
 
 -- app.sv --
 [Sensors]

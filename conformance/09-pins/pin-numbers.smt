@@ -1,4 +1,4 @@
-spec 9.3  A pin is a whole number from 0 to 65535, written in any way that a number is.
+spec 9.3  A pin is a whole number from 0 to 65535, in any form of a number.
 
 -- app.sv --
 [Sensors]

@@ -1,4 +1,4 @@
-spec 9.6  A pin stands once in a section, whatever its direction and however it is written.
+spec 9.6  A pin appears once in a section, with any direction and in any form.
 
 -- app.sv --
 [Sensors]

@@ -1,4 +1,4 @@
-spec 9.9  @safe stands behind outputs: a number, or true or false.
+spec 9.9  @safe follows outputs: a number, or true or false.
 
 -- app.sv --
 [Sensors]

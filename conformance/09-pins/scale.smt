@@ -1,4 +1,4 @@
-spec 9.8  @scale and @offset stand behind analog inputs and outputs, with or without a sign.
+spec 9.8  @scale and @offset follow analog inputs and outputs; their numbers can have a sign.
 
 -- app.sv --
 [Sensors]

@@ -1,4 +1,4 @@
-spec 9.1  A section stands once.
+spec 9.1  A section appears once.
 
 -- app.sv --
 [Sensors]

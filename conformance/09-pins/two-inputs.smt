@@ -1,4 +1,4 @@
-spec 9.7  An element stands behind one input at most.
+spec 9.7  At most one input reads into an element.
 
 -- app.sv --
 [Sensors]

@@ -1,4 +1,4 @@
-spec 9.1  Analog and digital pins stand in sections of their own, in any order.
+spec 9.1  Analog and digital pins have sections of their own, in any order.
 
 -- app.sv --
 [Sensors]

@@ -1,4 +1,4 @@
-spec 9.5  A digital pin goes with a bool, an analog pin with any other type.
+spec 9.5  The element of a digital pin is a bool, that of an analog pin has any other type.
 
 -- app.sv --
 [R]

@@ -1,4 +1,4 @@
-spec 10.20  @allow behind an option, a header or a task allows what is found on the line, or in the executor; of what nothing needs there is a warning.
+spec 10.20  @allow after an option, a header or a task covers the line, or the executor; an unused @allow is a warning.
 warn flight
 
 -- rocket.app --

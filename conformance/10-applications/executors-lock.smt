@@ -1,4 +1,4 @@
-spec 10.13   With several executors the state vector says lock.
+spec 10.13   With several executors the state vector must contain lock.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 10.1, 10.2, 10.15   Files are called after what they are.
+spec 10.1, 10.2, 10.15   Files have the extension of their kind.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 10.1, 10.11   Whatever stands where a line begins, the next line is read again.
+spec 10.1, 10.11   After any error at the beginning of a line, the next line is read.
 
 -- rocket.app --
 [options]

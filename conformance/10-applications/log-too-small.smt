@@ -1,4 +1,4 @@
-spec 10.6   The memory of the log takes two records of the state vector at least.
+spec 10.6   The memory of the log has room for at least two records of the state vector.
 
 -- rocket.app --
 [options]

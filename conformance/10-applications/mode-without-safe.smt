@@ -1,4 +1,4 @@
-spec 10.16   With -Wflight a task that can be safed says what it does then; a machine that writes nothing but S has nothing to bring to rest.
+spec 10.16   With -Wflight a task that can be safed needs @safe; a machine that writes only S has no outputs to make safe.
 warn flight
 
 -- rocket.app --

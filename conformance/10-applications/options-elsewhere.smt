@@ -1,4 +1,4 @@
-spec 10.1   Options without their section are reported once, and what follows them is read.
+spec 10.1   Options without their section are reported once, and the following sections are read.
 
 -- rocket.app --
 [flight]                     #! E1048 begins as [options] does

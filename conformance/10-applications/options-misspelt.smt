@@ -1,4 +1,4 @@
-spec 10.1   A section of options under another name is told as such.
+spec 10.1   A section of options under another name is reported as such.
 
 -- rocket.app --
 [option]     #! E1048 [options]

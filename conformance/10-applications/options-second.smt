@@ -1,4 +1,4 @@
-spec 10.1   [options] stands once.
+spec 10.1   [options] appears once.
 
 -- rocket.app --
 [options]

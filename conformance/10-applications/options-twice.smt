@@ -1,4 +1,4 @@
-spec 10.7   An option stands once.
+spec 10.7   An option appears once.
 
 -- rocket.app --
 [options]

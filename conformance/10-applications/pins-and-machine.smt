@@ -1,4 +1,4 @@
-spec 10.18   An input into what a machine writes is a warning.
+spec 10.18   An input into an element that a machine writes is a warning.
 
 -- rocket.app --
 [options]

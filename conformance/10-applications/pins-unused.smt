@@ -1,4 +1,4 @@
-spec 10.13   Pins that nobody reads or sets are a warning.
+spec 10.13   Pins without a task that reads or sets them are a warning.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 10.3, 10.4, 10.5, 10.6, 10.10   Numbers outside of what makes sense are errors.
+spec 10.3, 10.4, 10.5, 10.6, 10.10   Numbers outside their ranges are errors.
 
 -- rocket.app --
 [options]

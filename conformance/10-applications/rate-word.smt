@@ -1,4 +1,4 @@
-spec 10.11   Times stand behind every, frequencies behind at.
+spec 10.11   A time follows every, a frequency follows at.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 10.11   A task stands behind a rate.
+spec 10.11   A task must follow a rate.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 10.15   A machine goes on after a restart only where the state vector is kept.
+spec 10.15   A machine can resume after a restart only if the state vector is saved.
 
 -- rocket.app --
 [options]

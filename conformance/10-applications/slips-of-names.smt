@@ -1,4 +1,4 @@
-spec 10.10   A name consists of letters, digits and _; what is proposed for an unknown annotation may stand there.
+spec 10.10   A name consists of letters, digits and _; the annotation proposed for an unknown one is allowed there.
 
 -- rocket.app --
 [options]

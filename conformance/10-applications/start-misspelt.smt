@@ -1,4 +1,4 @@
-spec 10.8   A section of values under another name is told as such.
+spec 10.8   A section of values under another name is reported as such.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 10.8   [start] stands once.
+spec 10.8   [start] appears once.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 10.10   An element holds one of what an executor tells.
+spec 10.10   An element receives one statistic of an executor.
 
 -- rocket.app --
 [options]

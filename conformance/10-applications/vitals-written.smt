@@ -1,4 +1,4 @@
-spec 10.18   An element that the runtime writes is written by nobody else.
+spec 10.18   An element that the runtime writes has no other writer.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 1.2   A comment holds any UTF-8 text.
+spec 1.2   A comment can contain any UTF-8 text.
 
 -- app.sm --
 [state_vector]

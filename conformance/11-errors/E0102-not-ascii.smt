@@ -1,4 +1,4 @@
-spec 1.1   Outside comments every character is ASCII; a sign that looks like one of the language is named.
+spec 1.1   Outside comments every character is ASCII; the message names a character that looks like one of the language.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.9   A state behind => at the end of a condition is where it goes to; the edit writes a colon and ->. In a value, or before a colon or a brace, => compares.
+spec 5.9   A state after => at the end of a condition is the target of a transition; the edit writes a colon and ->. In a value, or before a colon or a brace, => compares.
 
 -- app.sm --
 [state_vector]

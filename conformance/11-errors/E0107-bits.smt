@@ -1,4 +1,4 @@
-spec 1.21   A sign that may have been meant for bits is not taken for a condition without asking.
+spec 1.21   An operator that may have been meant for bits is not replaced by a condition without confirmation.
 
 -- app.sm --
 [state_vector]

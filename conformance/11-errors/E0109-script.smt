@@ -1,4 +1,4 @@
-spec 1.27   In a script, too, what shares a line after a condition belongs in braces.
+spec 1.27   In a script, too, several statements after a condition on one line need braces.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 1.27   A statement ends with its line and takes no semicolon.
+spec 1.27   A statement ends with its line and has no semicolon.
 
 -- app.sm --
 [state_vector]

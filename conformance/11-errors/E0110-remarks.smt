@@ -1,4 +1,4 @@
-spec 1.4   Comments begin with #; what other languages begin them with is named once, and the edit writes #.
+spec 1.4   Comments begin with #; a comment sign of another language is reported once, and the edit writes #.
 
 -- app.sm --
 [state_vector]

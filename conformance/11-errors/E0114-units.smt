@@ -1,4 +1,4 @@
-spec 1.16   A unit is not left out but converted: the advice tells the number.
+spec 1.16   A unit must be converted, not omitted: the message gives the converted number.
 
 -- app.sm --
 [state_vector]

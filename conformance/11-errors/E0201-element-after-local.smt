@@ -1,4 +1,4 @@
-spec 5.15   The error is at the second declaration also where [local] stands first.
+spec 5.15   The error is at the second declaration, also where [local] comes first.
 -- app.sm --
 [local]
 F64 pressure = 1

@@ -1,4 +1,4 @@
-spec 5.15   Nothing more is said about a name that was declared twice.
+spec 5.15   A name that is declared twice causes no further error.
 -- app.sm --
 [state_vector]
 U64 G

@@ -1,4 +1,4 @@
-spec 8.10, 8.11   A script of which nothing is in the machine is for another one, most likely: the first message says so.
+spec 8.10, 8.11   A script that uses no name of the machine probably belongs to another one: the first message says so.
 -- app.sm --
 [state_vector]
 U64 G

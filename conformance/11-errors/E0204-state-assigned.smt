@@ -1,4 +1,4 @@
-spec 5.19   To go to a state takes a transition, not an assignment.
+spec 5.19   A change of state needs a transition, not an assignment.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 3.17   A function of other languages is not taken for the one with the nearest name.
+spec 3.17   A function of another language is not assumed to be the one with the nearest name.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 3.9   A function's argument stands in parentheses; the edit writes them around one name or number.
+spec 3.9   A function's argument needs parentheses; the edit writes them around one name or number.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.21   Nothing but comments stands before the first section.
+spec 5.21   Only comments can precede the first section.
 
 -- app.sm --
 # a comment

@@ -1,4 +1,4 @@
-spec 4.2   [options] of a state vector stands once.
+spec 4.2   [options] of a state vector appears once.
 
 -- app.sv --
 [options]

@@ -1,4 +1,4 @@
-spec 5.25   Each label stands at most once in a state.
+spec 5.25   Each label appears at most once in a state.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.25   Statements of a state stand in one of its blocks.
+spec 5.25   Statements of a state must be in one of its blocks.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 1.25   A label takes no colon.
+spec 1.25   A label has no colon.
 
 -- app.sm --
 [state_vector]

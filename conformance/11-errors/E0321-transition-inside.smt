@@ -1,4 +1,4 @@
-spec 5.32   What stands behind a transition is not known where a brace is missing.
+spec 5.32   Where a brace is missing, statements after a transition are not reported.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.28   Left of = stands one name.
+spec 5.28   On the left of = there must be one name.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.4   One statement stands behind a colon; an assignment before a colon that has no guard before it was meant to compare.
+spec 5.4   One statement follows a colon; an assignment before a colon was meant to compare if no guard precedes it.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 2.1   Of what has no type nothing else is said.
+spec 2.1   A value without a type causes no further error.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 2.1   There are eleven types; what others call them is named.
+spec 2.1   There are eleven types; the message translates the type names of other languages.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 1.26   An annotation stands once on one thing.
+spec 1.26   An annotation appears once on one declaration.
 
 -- app.sm --
 [state_vector]

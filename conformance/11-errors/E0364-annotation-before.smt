@@ -1,4 +1,4 @@
-spec 5.1   An annotation stands behind the name.
+spec 5.1   An annotation follows the name.
 
 -- app.sm --
 [state_vector]

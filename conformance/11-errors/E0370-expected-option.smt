@@ -1,4 +1,4 @@
-spec 8.1   [options] holds options.
+spec 8.1   [options] contains options.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.1   No sign stands between an option and its value.
+spec 8.1   There is no sign between an option and its value.
 
 -- app.sm --
 [state_vector]

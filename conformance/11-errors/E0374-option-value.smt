@@ -1,4 +1,4 @@
-spec 8.1   delta_t takes one number without a sign, init_state a name.
+spec 8.1   delta_t has one number without a sign, init_state a name.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.45   Marks of states stand behind headers only.
+spec 5.45   Annotations of states are allowed after headers only.
 
 -- app.sm --
 [state_vector] @safe      #! E0375 as in [Name] @safe

@@ -1,4 +1,4 @@
-spec 5.45   A state bears the marks of states only, each once.
+spec 5.45   A state has only annotations of states, each once.
 
 -- app.sm --
 [state_vector]

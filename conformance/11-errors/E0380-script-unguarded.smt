@@ -1,4 +1,4 @@
-spec 8.7   Items of a script stand in conditionals.
+spec 8.7   Items of a script must be in conditionals.
 
 -- app.sm --
 [state_vector]

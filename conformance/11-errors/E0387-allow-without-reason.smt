@@ -1,4 +1,4 @@
-spec 5.49   An @allow gives a reason.
+spec 5.49   An @allow has a reason.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.50   An @allow stands before what it is about.
+spec 5.50   An @allow precedes the source that it covers.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 1.35   A reason stands between two quotation marks of the keyboard.
+spec 1.35   A reason is between two ASCII quotation marks.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 3.17   The smallest or largest of several values takes nested calls.
+spec 3.17   The smallest or largest of several values needs nested calls.
 
 -- app.sm --
 [state_vector]

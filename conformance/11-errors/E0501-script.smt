@@ -1,4 +1,4 @@
-spec 8.4, 8.2   A section of a script bears the name of a state, and so does init_state.
+spec 8.4, 8.2   A section of a script has the name of a state, and init_state is one.
 -- app.sm --
 [state_vector]
 U64 G

@@ -1,4 +1,4 @@
-spec 1.2   A comment may hold any text; what makes it look like another draws a warning.
+spec 1.2   A comment can contain any text; characters that make it look different cause a warning.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 5.47   A range that reaches beyond what the type holds.
+spec 5.47   A range that exceeds the range of the type.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 1.32, 5.1   An annotation belongs to the name before it, on whatever line that stands.
+spec 1.32, 5.1   An annotation belongs to the name before it, on any line.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 2.16, 5.11   A constant that its variable cannot hold draws a warning.
+spec 2.16, 5.11   A constant that does not fit its variable causes a warning.
 analyses on
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 2.9   Dividing by what is always zero draws a warning.
+spec 2.9   A division by a value that is always zero causes a warning.
 analyses on
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 6.5   Waiting for one exact moment draws a warning.
+spec 6.5   Waiting for one exact time causes a warning.
 analyses on
 -- app.sm --
 [state_vector]

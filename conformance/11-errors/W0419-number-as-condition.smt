@@ -1,4 +1,4 @@
-spec 3.14   A number beside `and` or `or` decides by itself: what was compared before it is not carried over.
+spec 3.14   A number as operand of `and` or `or` is a condition of its own: the comparison before it does not extend to it.
 -- app.sm --
 [state_vector]
 U64 G

@@ -1,4 +1,4 @@
-spec 5.29   A state that no way of transitions leads to from the first one draws a warning.
+spec 5.29   A state that no path of transitions reaches from the first state causes a warning.
 analyses on
 -- app.sm --
 [state_vector]

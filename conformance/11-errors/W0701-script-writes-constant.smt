@@ -1,4 +1,4 @@
-spec 5.14, 8.10   A script may write a @read_only local; the test says so, once.
+spec 5.14, 8.10   A script can write a @read_only local; the test reports it once.
 -- app.sm --
 [state_vector]
 U64 G

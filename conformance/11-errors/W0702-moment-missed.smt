@@ -1,4 +1,4 @@
-spec 8.13   G and T are multiples of delta_t: no other moment ever comes.
+spec 8.13   G and T are multiples of delta_t, and have no other values.
 -- app.sm --
 [state_vector]
 U64 time @alias G

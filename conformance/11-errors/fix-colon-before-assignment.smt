@@ -1,4 +1,4 @@
-spec 5.5   An assignment has no colon; the edit takes it away.
+spec 5.5   An assignment has no colon; the edit removes it.
 
 -- app.sm --
 [state_vector]

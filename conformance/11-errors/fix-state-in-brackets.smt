@@ -1,4 +1,4 @@
-spec 5.9   A transition names its state without brackets; the edit takes them away.
+spec 5.9   A transition names its state without brackets; the edit removes them.
 
 -- app.sm --
 [state_vector]

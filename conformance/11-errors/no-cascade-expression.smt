@@ -1,4 +1,4 @@
-spec 5.20   One mistake, one message: what surrounds an error says nothing more.
+spec 5.20   One mistake causes one message: the surrounding expression causes no further one.
 -- app.sm --
 [state_vector]
 U64 G

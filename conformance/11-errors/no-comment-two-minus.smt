@@ -1,4 +1,4 @@
-spec 3.1   Two minus signs are two operators wherever an expression goes on behind them.
+spec 3.1   Two minus signs are two operators wherever an expression follows them.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-# A way out of the @abort state that a dead sensor opens.
+# A transition out of the @abort state that a dead sensor triggers.
 warn no-all abort-exit
 
 -- app.sm --

@@ -28,7 +28,7 @@ F64 top = 0
     T > 10: -> Late
 [Both]
 .step
-    armed: -> Once                      # what people say may be said of several states at once
+    armed: -> Once                      # a common name can be shared by several states
 [Once]                                  # on purpose
 .step
     -> Late

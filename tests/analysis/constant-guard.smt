@@ -1,4 +1,4 @@
-spec 5.30   Guards that always or never hold, for whatever reason nobody else tells.
+spec 5.30   Guards that are always or never true, where no other warning gives the reason.
 analyses on
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 6.10   What is never executed is told once, at the outermost.
+spec 6.10   Code that is never executed is reported once, at the outermost statement.
 analyses on
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-# A machine of one state does one thing for ever; a state that time alone ends has a way out.
+# No finding: a machine with one state, and a state that only time ends.
 warn no-all missing-way-out
 
 -- app.sm --

@@ -1,4 +1,4 @@
-# Boost looks at `start`, which only Coast writes.
+# Boost reads `start`, which only Coast writes.
 warn read-before-write no-constant-guard no-dead-store
 -- app.sm --
 [state_vector]

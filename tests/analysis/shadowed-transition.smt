@@ -1,4 +1,4 @@
-spec 6.18   A transition whose guard holds only where an earlier one has left is found, in all the ways it may be written.
+spec 6.18   A transition is found whose guard is true only where an earlier transition has left the state, in every spelling.
 analyses on
 -- app.sm --
 [state_vector]

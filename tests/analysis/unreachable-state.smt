@@ -1,4 +1,4 @@
-spec 5.29   A state to which no transition leads that can be made is told once, with why.
+spec 5.29   A state that no possible transition reaches is reported once, with the reason.
 warn no-constant-guard
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-# A local that nothing but itself needs, one by one or in a ring; counters, filters and latches that something looks at are silent.
+# Locals that only themselves or each other need.  Counters, filters and latches that other code reads are silent.
 warn unused-local no-constant-guard
 -- app.sm --
 [state_vector]

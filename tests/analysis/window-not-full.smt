@@ -12,7 +12,7 @@ bool armed @read_only
     roll_avg(p, 10) > 5: -> Wait                  #! W0965 'roll_avg(p, 10)' has 1 of 10 samples
 .step
     armed and roll_min(q, 4) > 1: -> Wait         #! W0965 has 1 of 4
-    T > 500 and roll_avg(p, 9) > 4: -> Wait       # nobody says how many steps that is
+    T > 500 and roll_avg(p, 9) > 4: -> Wait       # the number of steps is unknown
 [Wait]
 .step
     roll_avg(p, 10) > 5: -> First                 #! W0965 has 2 of 10

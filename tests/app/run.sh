@@ -114,15 +114,15 @@ if test $? = 2 && grep -q "'probe.sv' is the name of a source" log; then good; e
 "$smc" build probe.app -o taken 2>log
 if test $? = 3 && grep -q "cannot make the folder 'taken'" log; then good; else bad "a file in place of the folder"; cat log; fi
 
-# C that somebody wrote stays as it is, and nothing else is written; what smc made, and what is empty, is written anew.
+# Handwritten C is not replaced, and then nothing else is written.  Files made by smc and empty files are replaced.
 fresh mine; mkdir out; echo 'int rise;' >out/rise.c; cp out/rise.c rise.c
 "$smc" build probe.app -o out 2>log
 if test $? = 2 && grep -q "'out/rise.c' exists and was not written by smc; use another name, or --force" log && cmp -s rise.c out/rise.c && test "$(ls out)" = rise.c
-then good; else bad "C that somebody wrote"; cat log; fi
+then good; else bad "handwritten C"; cat log; fi
 : >out/rise.c
 if "$smc" build probe.app -o out && "$smc" build probe.app -o out && grep -q 'Made by smc' out/rise.c; then good; else bad "C that smc made"; fi
 "$smc" build rise.sm --sv probe.sv --emit=c 2>log
-if test $? = 2 && grep -q "'rise.c' exists and was not written by smc; use another name, or --force" log && ! test -f rise.h; then good; else bad "a machine's C that somebody wrote"; cat log; fi
+if test $? = 2 && grep -q "'rise.c' exists and was not written by smc; use another name, or --force" log && ! test -f rise.h; then good; else bad "a machine's handwritten C"; cat log; fi
 
 # Names that lead out of the folder, and into others.
 fresh paths; mkdir parts out; mv probe.sv parts/probe.sv; sed -i.old 's/"probe.sv"/"parts\/..\/parts\/probe.sv"/' probe.app

@@ -23,7 +23,7 @@ for f in name version author maintainer sentence paragraph category url architec
     check "library.properties says $f, once" test "$(field $f | grep -c .)" = 1
 done
 check "library.properties has no other line" test "$(wc -l <"$library/library.properties")" = 11
-check "the name may stand in the index" sh -c "echo '$(field name)' | grep -Eq '^[A-Za-z0-9][A-Za-z0-9 _.-]{0,62}$'"
+check "the name is allowed in the index" sh -c "echo '$(field name)' | grep -Eq '^[A-Za-z0-9][A-Za-z0-9 _.-]{0,62}$'"
 check "the category is one that is known" sh -c "echo '$(field category)' |
     grep -Exq 'Display|Communication|Signal Input/Output|Sensors|Device Control|Timing|Data Storage|Data Processing|Other'"
 check "the version is smc's" test "$(field version) $(json version)" = "$version $version"

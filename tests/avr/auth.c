@@ -6,7 +6,7 @@
 #include "tests/avr/mailbox.h"
 
 static const uint8_t image[1100] PROGMEM = {1};
-static AuthBox box __attribute__((aligned(2)));       // so that the computer may look at it as it is
+static AuthBox box __attribute__((aligned(2)));       // so that the host can read it directly
 
 static void act(void) { box.is_right = smvm_auth_check((SmvmBytes)(uint16_t)image, box.key, &box.number); }
 

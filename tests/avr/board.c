@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // An Arduino in simavr, on a serial line of this computer, with what simavr leaves out: a byte of EEPROM takes 3.4 ms to be written and is
-// nonsense until then.  It may be killed at any moment, as by a power cut, and started again: the EEPROM lies in a file.
+// garbage until then.  It can be killed at any time, as by a power cut, and started again: the EEPROM is stored in a file.
 //   board LINE MEMORY         LINE: a terminal device, or "-": it makes one and writes its name to MEMORY.line
 //     FIRMWARE, MCU           in the environment: an ELF file and what it runs on
 //     PLANT                   what stands around it: none, tank, rocket (plants.c); goes on while there is a file MEMORY.go

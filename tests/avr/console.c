@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Firmware: standard input and output by two registers that the emulator looks at (sim_connect), so that a program which reads and writes
+// Firmware: standard input and output through two registers that the emulator watches (sim_connect), so that a program which reads and writes
 // runs on the chip unchanged.
 #include <avr/io.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# The table of cycles on an ATmega328P (compiler/budget/avr_cycles.def) against what simavr counts, or made anew.
+# The table of cycles on an ATmega328P (compiler/budget/avr_cycles.def) against the counts of simavr, or measured again.
 #     cycles.sh BUILD CC [check | make] [OPERANDS [SEED]]
 # Wants gcc-avr avr-libc libsimavr-dev libelf-dev; AVR_CC names the compiler.
 B=$1/avr CC=$2 what=${3:-check} OPERANDS=${4:-150} SEED=${5:-1}

@@ -18,7 +18,7 @@ typedef struct Mailbox {
 enum { VM_VERIFY, VM_INIT, VM_STEP, VM_STORE, VM_LOAD };
 typedef struct VmBox {
     uint64_t x, cell;         // VM_STORE: x goes to the cell, as what `type` keeps of it; VM_LOAD: it comes from there
-    uint16_t image, image_size, sv, sv_size, memory, memory_size, free;      // addresses and sizes; an image from 0x8000 on is in EEPROM; free: behind all that is static
+    uint16_t image, image_size, sv, sv_size, memory, memory_size, free;      // addresses and sizes; an image from 0x8000 on is in EEPROM; free: the first byte after static data
     uint16_t local, state;    // of the machine after VM_INIT and VM_STEP: where its locals are behind `memory`, the next state
     uint8_t what;             // in: one of these
     int8_t result;            // out: as of smvm_verify, smvm_init, smvm_step

@@ -6,7 +6,7 @@
 
 static uint64_t memory[FIRMWARE_MEMORY / 8];
 static SmvmRunner runner = {.memory = memory, .size = sizeof memory};
-static PinsBox box __attribute__((aligned(8)));       // so that the computer may look at it as it is
+static PinsBox box __attribute__((aligned(8)));       // so that the host can read it directly
 extern char __heap_start;
 
 #define BARRIER __asm__ volatile("" ::: "memory")

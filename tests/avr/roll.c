@@ -4,7 +4,7 @@
 #include "stdlib/roll.h"
 #include "tests/avr/mailbox.h"
 
-static RollBox box __attribute__((aligned(2)));       // so that the computer may look at it as it is
+static RollBox box __attribute__((aligned(2)));       // so that the host can read it directly
 static uint64_t window[81];                           // 40 slots of F64, and as many in order
 
 // As the VM calls them: from one place, with nothing known.

@@ -233,7 +233,7 @@ static uint32_t measure(Probe *p, const Case *c)
 static uint32_t larger(uint32_t a, uint32_t b) { return a > b ? a : b; }
 static void raise(uint32_t *most, uint32_t n) { *most = larger(*most, n); }
 
-// Both columns of a row: X and Y whole, and so is what comes; all there is.
+// Both columns of a row: with whole numbers as operands and result, and with any.
 static void measure_row(Probe *p, Seen *seen, CyclesRow row, Case c)
 {
     for (unsigned kinds = 0; kinds < 4; kinds++) {

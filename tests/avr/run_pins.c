@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pins of an image on an emulated Uno: what comes in stands in the state vector bit for bit as config.md 9 says, computed here on
+// The pins of an image on an emulated Uno: inputs appear in the state vector bit for bit as config.md 9 defines, computed here on
 // double; the machine makes the same of it as here; what goes out is at the pins.
 //   run_pins ELF STEPS IMAGE.smb…
 #include <math.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The VM on an emulated ATmega328P in lock step with the VM of this computer: the same verdict, and after every step the same state
 // vector, locals, outputs stored and next state.
-//   run_vm ELF STEPS LO HI IMAGE.smb…     WIDE=1: where a function ends is said in three bytes.  ESTIMATE=1: no step takes more cycles than cost.h says of its machine.  The first machine of each image; those that need more room than the chip has are skipped.  Inputs
+//   run_vm ELF STEPS LO HI IMAGE.smb…     WIDE=1: the ends of functions are encoded in three bytes.  ESTIMATE=1: no step takes more cycles than the bound of cost.h.  The first machine of each image; those that need more room than the chip has are skipped.  Inputs
 //                                         are random numbers from LO to HI; if both are 0 they are anything, time may stand still,
-//                                         and the machine begins anew at any of its states from time to time
+//                                         and the machine is initialized again in any of its states from time to time
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The most stack that the firmware of a board can need, from its machine code.     stack.py OBJDUMP FIRMWARE.elf
 
-Goes every way through the code, calls included, whatever the values are, and adds up what is pushed, taken for frames and called.
+Follows every path through the code, calls included, for any values, and adds up pushes, stack frames and return addresses.
 Prints `N bytes of stack` and by whom: the deepest of all while no step begins; the deepest beside which one may; a step; the
 interrupt that may come during one.  What it cannot follow ends it: recursion, a call through a pointer that CALLS does not know,
 pushes in a loop, a stack pointer from nowhere.
@@ -79,7 +79,7 @@ class Code:
         """Where this call through a pointer may go."""
         caller = self.names[insn.at]
         itself = max(at for at in self.functions if at <= insn.at)
-        wanted = "|".join(callee for who, callee in CALLS if re.fullmatch(who, caller))
+        wanted = "|".join(callee for pattern, callee in CALLS if re.fullmatch(pattern, caller))
         found = {at for at, name in self.functions.items() if at != itself and re.fullmatch(wanted, name)}
         if caller == "keeping_z":                      # number_avr.S: the function's address was put into X
             found = self.soft_operations()
@@ -97,7 +97,7 @@ class Code:
         return found
 
 
-# ---- the ways through it ----
+# ---- the paths through it ----
 
 class Walk:
     def __init__(self, code, without=()):

@@ -17,7 +17,7 @@ static const uint8_t image[VM_ROOM] PROGMEM = {1};
 #define IMAGE ((uint16_t)image)
 #endif
 static uint64_t sv[32], memory[96];
-static VmBox box __attribute__((aligned(8)));       // so that the computer may look at it as it is
+static VmBox box __attribute__((aligned(8)));       // so that the host can read it directly
 extern char __heap_start;
 
 static int8_t init(void)

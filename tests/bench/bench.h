@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the bench of steps is made of: workloads, and rows, which are ways to run one.  steps.c measures; each file
-// workloads/NAME_rows.c says what a workload is.
+// The parts of the bench of steps: workloads, and rows, each a method to run one.  steps.c measures; each file
+// workloads/NAME_rows.c defines a workload.
 #ifndef BENCH_H
 #define BENCH_H
 

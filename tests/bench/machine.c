@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What it costs to run a machine as a task of the runtime: the mission of the examples, so many steps in one of the ways below.
+// The cost of a machine as a task of the runtime: N steps of the example mission, by one of the methods below.
 //     machine WAY STEPS      machine_cost.sh counts the instructions
 #include <stdio.h>
 #include <stdlib.h>

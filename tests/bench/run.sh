@@ -64,7 +64,7 @@ instructions_of() {           # instructions_of STEPS COMMAND…
         awk '/^summary:/ { print $2 }' "$dir/callgrind"
 }
 
-# A Lua has no function to look for: the difference of two runs.
+# The cost in Lua is the difference of two runs, since it has no function to search in the profile.
 count_lua() {
     "$dir/steps" "$dir" inputs "$w" || exit 1
     steps=$(awk 'NR == 1 { print $3 }' "$dir/counted")

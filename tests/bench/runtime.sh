@@ -39,7 +39,7 @@ awk '
 
 # ---- what it weighs ----
 
-# What stands in which group; a program carries those that it uses (-ffunction-sections -fdata-sections, --gc-sections).
+# The functions of each group; a program contains only those that it uses (-ffunction-sections -fdata-sections, --gc-sections).
 groups='
 function hex(text,    n, i) { for (i = 1; i <= length(text); i++) n = n * 16 + index("0123456789abcdef", substr(text, i, 1)) - 1; return n }
 function group(name) {

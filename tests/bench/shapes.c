@@ -11,7 +11,7 @@ static const size_t pool_size = (size_t)1 << 31;
 static char *pool;
 static size_t used, most;
 
-typedef struct Block { size_t before; size_t given_back; } Block;    // stands before each piece that was handed out
+typedef struct Block { size_t before; size_t given_back; } Block;    // precedes each block that was allocated
 static Block *last;
 
 bool pool_open(void) { return (pool = os_alloc(NULL, NULL, pool_size)) != NULL; }       // in pages as the command's are
@@ -62,7 +62,7 @@ static void states(Buf *b, unsigned n)
     }
 }
 
-// What every analysis has something to look at: sensors with ranges, outputs, timers, windows, aborts; ten statements a state.
+// A machine with something for every analysis: sensors with ranges, outputs, timers, windows, aborts; ten statements a state.
 static void mission(Buf *b, unsigned n)
 {
     buf_str(b, "[state_vector]\nU64 G\nU32 S\nF64 tank @read_only @range 0 40\nF32 flow @read_only @range -1 9\nbool arm @read_only\n"

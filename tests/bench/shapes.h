@@ -21,7 +21,7 @@ const Shape *shape_find(const char *name);                // NULL when there is 
 // What `write` writes at size n, in the session's memory; NULL when write is.
 const Source *shape_source(Session *s, const char *name, WriteFn *write, unsigned n);
 
-// One piece of memory that every session uses anew: what the system takes for handing out pages is none of our time.
+// One block of memory that every session uses again, so that the time of the system's page allocation is not measured.
 bool pool_open(void);
 void pool_empty(void);
 size_t pool_used(void);

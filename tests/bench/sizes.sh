@@ -19,7 +19,7 @@ has() { command -v "$1" >/dev/null 2>&1; }
 record() { echo "$*" >>"$records"; }           # record TARGET PART MEASURE NUMBER
 fail() { echo "sizes: $*: 0 passed, 1 failed"; exit 1; }
 
-# sections OBJECT…: flash and static RAM; by `lsr`, whether read-only data lies in RAM
+# sections OBJECT…: flash and static RAM; by `lsr`, whether read-only data is in RAM
 sections()
 {
     lsr=$1

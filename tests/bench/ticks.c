@@ -28,7 +28,7 @@ static SmTask *list[TASKS];
 static SmRate rate = {1, TASKS, list};
 static SmExecutor executor = {.name = "e", .period = MS, .rate = &rate, .rates = 1, .sv = &crew_vector};
 
-// What somebody would write instead: a table of functions, called at each period.
+// What a user would write instead: a table of functions, called at each period.
 static struct { SmResult (*step)(void *, const SmTick *); void *context; } hand[TASKS];
 
 static void by_hand(uint64_t n)

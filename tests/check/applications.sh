@@ -3,7 +3,7 @@
 # Builds the applications among the examples and flies them: applications.sh SMC CC ARCHIVES FOLDER...  (ARCHIVES/PLATFORM.a: the
 # runtime on that platform.)  Each is checked without a word from smc and compiles without one.  One with a bench (bench.c) is tried
 # on it.  The others fly on a desk, twice as C and once as bytecode, and leave the same log, byte for byte.  FOLDER/check.sh then
-# looks at that flight.
+# checks that flight.
 smc=$1 cc=$2 archives=$3
 shift 3
 root=$(pwd)
@@ -14,7 +14,7 @@ work=${TMPDIR:-/tmp}/smc-applications.$$
 trap 'rm -rf "$work"' EXIT
 passed=0 failed=0
 
-# A test: its name, then the command, which must succeed; with quiet=1 it must say nothing either.
+# A test: its name, then the command, which must succeed; with quiet=1 it must print nothing either.
 expect() {
     name=$1
     shift
@@ -47,7 +47,7 @@ compile() {
 # build APP GEN: into a new folder.
 build() { mkdir -p "$2" && "$smc" build "$1" -o "$2"; }
 
-# fly PROGRAM: in a folder of its own, which holds the log then.
+# fly PROGRAM: runs it in a folder of its own, which contains the log afterwards.
 fly() { mkdir -p "$1.flight" && (cd "$1.flight" && "$1"); }
 
 # variant NAME APP SED: the application with some lines changed, beside its sources; built and compiled as $work/NAME.

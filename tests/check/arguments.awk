@@ -16,7 +16,7 @@ function count_holes(text,    n) {
     return n
 }
 
-# codes.def: the message stands between the fourth comma and the page, on the row's first or second line.
+# codes.def: the message is between the fourth comma and the page, on the row's first or second line.
 FILENAME ~ /codes\.def$/ && /^DIAG_NOTE_TEXT\("?/ {
     name = $0
     sub(/^DIAG_NOTE_TEXT\(/, "", name)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# Holds docs/language.md and docs/config.md against their evidence, both ways.
+# Compares docs/language.md and docs/config.md with their evidence, in both directions.
 # Input: the two, clauses.txt (those that a script cannot show), then the names of the test files, one a line.
 # A clause is a line of them that begins `**5.7** `.  Evidence is a .smt file whose header names the clause
 # (`spec 5.7, 5.8  Sentence.`), or, for clauses that clauses.txt lists, a C test that says `clause 5.7` in a comment.
-# Complains of clauses without evidence, of evidence for what is no clause, of numbers that leave a gap, and of conformance
+# Reports clauses without evidence, evidence for clauses that do not exist, gaps in the numbers, and conformance
 # cases without a spec line.
 
 function complain(text) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Runs the commands of a console block (lines `$ COMMAND`) and compares what each prints with what stands below it; a line …
-# stands for any number of lines.  Exit 1, with both texts, if anything differs.
+# Runs the commands of a console block (lines `$ COMMAND`) and compares the output of each with the lines below it; a line …
+# matches any number of lines.  Exit 1, with both texts, if anything differs.
 
 function matches(i, j) {                  # expected from line i, printed from line j on
     for (; i <= wanted; i++) {

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 # Takes the fenced examples out of a page.  -v out=FOLDER: block N becomes FOLDER/N.block, and for each that is to be run
-# stands a line `N|LINE|KIND|NAME|OTHER` on standard output, from the words behind the fence:
-#   sv|sm|ss NAME [OTHER]   the source file NAME, of which smc check has nothing to say; OTHER `!`: it has mistakes; of a script:
+# a line `N|LINE|KIND|NAME|OTHER` is printed, from the words after the fence:
+#   sv|sm|ss NAME [OTHER]   the source file NAME, without findings of smc check; OTHER `!`: it has mistakes; of a script:
 #                           the machine that it is run on, without a warning
-#   io NAME VECTOR          the pin file NAME, of elements of the .sv VECTOR, of which smc check has nothing to say
-#   sm NAME +               the section that stands in the block is put into the file NAME, in the place of the one of that name or
+#   io NAME VECTOR          the pin file NAME, of elements of the .sv VECTOR, without findings of smc check
+#   sm NAME +               the section in the block replaces the section of that name in the file NAME, or is added
 #                           at the end; `+!`: the file has mistakes then
 #   sm PATH =               the lines stand so in that file of the tree
 #   c|app|make NAME         the file NAME, for the commands that follow; without a name it is for reading, or other tests compile it
 #   smt                     a case as in conformance/
-#   console                 `$ ` commands, and what they print; a line … stands for any lines
+#   console                 `$ ` commands, and their output; a line … matches any lines
 # Other fences (sh, text, c without a name, none) are for reading.
 
 /^```/ && !inside {

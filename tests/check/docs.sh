@@ -23,7 +23,7 @@ put_section() {
          END       { if (!done) printf "\n%s", block }' "$1" "$2" >"$2.new" && mv "$2.new" "$2"
 }
 
-# Whether the lines of a block stand in a file, one after another.
+# Whether the lines of a block are in a file, one after another.
 stands_in() {
     awk 'FNR == NR { part = part $0 "\n"; next } { all = all $0 "\n" } END { exit index("\n" all, "\n" part) == 0 }' "$1" "$2"
 }

@@ -11,7 +11,7 @@ out=${TMPDIR:-/tmp}/smc-examples.$$
 trap 'rm -f "$out" "$out".smb "$out".sm' EXIT
 passed=0 failed=0 machines=0 marked=0
 
-# A test: its name, then the command, which must succeed; with quiet=1 it must say nothing either.
+# A test: its name, then the command, which must succeed; with quiet=1 it must print nothing either.
 expect() {
     name=$1
     shift

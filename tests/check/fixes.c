@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // fixes CODES FILE…   Applies the edits of every finding of the files, one finding at a time, and checks that they help and do no harm:
-//   - the finding is gone, and no error has come instead; where there was no error, no default warning either.  What only a deleted
+//   - the finding has disappeared, and there is no new error; where there was no error, there is no new default warning either.  What only a deleted
 //     statement used or wrote is unused or a constant from then on: that is no fault of the edit;
 //   - no statement is lost, and none depends on fewer conditions than before;
 //   - a machine that compiled before does the same on random inputs.
@@ -19,14 +19,14 @@ enum { ROUNDS = 10 };         // as in smc fix
 
 typedef struct Run {
     Session s;
-    Source **src;             // by part; NULL for what is no source
+    Source **src;             // by part; NULL for a part that is not a source
     Program *program;         // NULL: there is none, or it has errors
 } Run;
 
 static size_t passed, failed, checked, statements, steps;
 static bool helped[DIAG_COUNT];           // an edit of it did
 
-// ---- what there is to say of a case ----
+// ---- results of a case ----
 
 static const Source *find_source(const TestFile *f, const Run *r, const char *suffix)
 {
@@ -176,7 +176,7 @@ static bool is_uncovered(int code, int then)
     return false;
 }
 
-// What is wrong with what the edit of x has made of it, or NULL.
+// Returns what is wrong with the source after the edit of x, or NULL.
 static const char *wrong(const Diags *before, const Diags *after, const Diag *x)
 {
     if (is_still_there(before, after, x))
@@ -228,7 +228,7 @@ static void check_finding(const TestFile *f, Run *was, const Diag *x, size_t par
     session_free(&now.s);
 }
 
-// All edits of one part at once, round after round, as smc fix makes them: nothing is lost on the way either.
+// All edits of one part at once, round after round, as smc fix applies them: no round loses anything.
 static void check_together(const TestFile *f, Run *was, size_t part)
 {
     Buf text;

@@ -22,10 +22,10 @@ typedef struct Scan {
     Token *t;                 // all tokens, closed by END
     size_t n;
     bool inside;              // of a state or a section of a script
-    unsigned open[NESTING], braces;           // by brace: the conditions around what is in it
+    unsigned open[NESTING], braces;           // by brace: the conditions around its content
     unsigned colons;          // before this on its line
     unsigned parens;          // open
-    unsigned around;          // conditions of what is in the innermost braces
+    unsigned around;          // conditions around the content of the innermost braces
     uint32_t hanging[NESTING];                // columns of the lines that end with a colon
     unsigned hangings;
 } Scan;
@@ -72,7 +72,7 @@ static bool is_assignment(const Scan *s, size_t i)
     return s->t[i].kind == TOK_NAME && s->t[i + 1].kind == TOK_ASSIGN && (i == 0 || s->t[i - 1].kind != TOK_TYPE) && !is_condition(s, i);
 }
 
-// A new line: what hangs on a colon that ended a line above are the deeper lines.
+// A new line: the lines with deeper indentation belong to the colon that ended an earlier line.
 static void begin_line(Scan *s, size_t i)
 {
     const uint32_t column = place(s, i).col;
@@ -165,7 +165,7 @@ static FoundList find_statements(Scan *s)
     return out;
 }
 
-// "-> " is a transition to what is no name.
+// "-> " is a transition without a name.
 static bool same_statement(const Found *was, const Found *is)
 {
     return strcmp(was->key, is->key) == 0 || (strcmp(was->key, "-> ") == 0 && strncmp(is->key, "-> ", 3) == 0);
@@ -253,7 +253,7 @@ static const char *difference(const Pair *t)
     return NULL;
 }
 
-// Random values for some elements, as the outside would write them; time goes on.
+// Random values for some elements, as external code would write them; time advances.
 static uint32_t random_writes(const Pair *t, uint64_t g, EngineWrite *of_a, EngineWrite *of_b)
 {
     uint32_t n = 0;

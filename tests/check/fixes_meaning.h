@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an edit must leave as it is.  Neither check uses the parser's or the hints' idea of what belongs together.
+// What an edit must preserve.  Neither check uses the parser's or the hints' idea of what belongs together.
 #ifndef SMC_TEST_FIXES_MEANING_H
 #define SMC_TEST_FIXES_MEANING_H
 

@@ -36,7 +36,7 @@ for header in $(find stdlib bytecode-vm compiler runtime-c -name '*.h' 2>/dev/nu
     fi
 done
 
-# refused IMAGE RAM: these two limits of the VM are not for offsets of 16 bits, whose largest value stands for what is too large.
+# refused IMAGE RAM: these two limits of the VM do not fit offsets of 16 bits, whose largest value means "too large".
 refused() {
     if ! $CC -std=c99 -DSMVM_AT=uint16_t -DSMVM_IMAGE_MAX="$1" -DSMVM_RAM_MAX="$2" -I. -fsyntax-only bytecode-vm/config.h >"$dir/log" 2>&1 &&
        grep -q 'smvm_at_is_too_small' "$dir/log"; then

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# junit.py FILE.xml…: holds files of `smc test --junit` against what Jenkins accepts (its xUnit plugin checks a schema), what GitLab and the
+# junit.py FILE.xml…: compares files of `smc test --junit` with what Jenkins accepts (its xUnit plugin checks a schema), what GitLab and the
 # reporters for GitHub read, and against themselves: counts and times add up, a test is there once.
-# junit.py --self-test FILE.xml: spoils a good file in many ways, and demands that each is noticed.
+# junit.py --self-test FILE.xml: damages a good file in many ways; each must be noticed.
 import re
 import sys
 import xml.etree.ElementTree as ET
@@ -11,7 +11,7 @@ COUNT = re.compile(r'[0-9]+$')
 WORD = re.compile(r'(?s).+')
 CODE = re.compile(r'[A-Z][0-9]{4}$')
 
-# element: (attributes that must be there, attributes that may be there, elements in it, whether text may stand in it)
+# element: (required attributes, optional attributes, elements in it, whether it can contain text)
 RESULT = ({'message': WORD}, {'type': CODE}, set(), True)
 SCHEMA = {
     'testsuites': ({'name': WORD, 'tests': COUNT, 'failures': COUNT, 'errors': COUNT, 'time': TIME}, {}, {'testsuite'}, False),

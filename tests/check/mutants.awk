@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Takes a list of breakages apart (mutants.txt says how one looks).
+# Parses a list of faults (mutants.txt describes the form).
 #   awk -f mutants.awk LIST FILE…             a line `LINE|CLAUSES|ENGINES|FILE` for each, clauses and engines separated by blanks: where
 #                                             it begins in LIST; FILE is empty if its place is not in exactly one line of the FILEs
 #   awk -v number=N -f mutants.awk LIST FILE  FILE, with the breakage of line N in it

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Breaks the implementation on purpose, one line at a time (mutants.txt, faults.txt), and demands that tests notice.
-#   mutants.sh LIST FOLDER [WHICH…]    FOLDER holds a copy of the tree and its build; WHICH: a clause as 5.7, a chapter as 5, an
+#   mutants.sh LIST FOLDER [WHICH…]    FOLDER contains a copy of the tree and its build; WHICH: a clause as 5.7, a chapter as 5, an
 #                                      engine, lines of the list as 100-220 or 100-: a run in pieces
 #   mutants.sh --places LIST…          only whether each has its place still
 # Ends with "N passed, N failed": a mutant passes when each of its engines notices it.  CFLAGS: what the copy is built with.
@@ -93,7 +93,7 @@ shows_nothing() {   # CLAUSES ENGINE
     esac
 }
 
-# Prints the engines that do not notice; of several that are joined by '/' it takes one to notice.
+# Prints the engines that do not notice; of several that are joined by '/' one must notice.
 silent() {          # CLAUSES ENGINES
     for engines in $2; do
         unnoticed=

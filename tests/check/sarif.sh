@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# sarif.sh SMC FOLDER CASE.smt…   Writes what smc check says of the machines of the cases as SARIF and holds it against the schema of
+# sarif.sh SMC FOLDER CASE.smt…   Writes the findings of smc check in the machines of the cases as SARIF and validates them with the schema of
 # OASIS.  The schema is no part of this tree: sarif_schema.sh gets it; python3 with jsonschema reads it.
 smc=$1
 folder=$2

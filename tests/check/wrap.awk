@@ -6,7 +6,7 @@
 #     -v units=1     writes no document, but its prose: a line `LINE TAB text` for each paragraph and list item, and
 #                    `LINE TAB | TAB text` for each cell of a table (for sentences.awk)
 #
-# Prose is what paragraphs and list items consist of.  Everything else is written as it is read: fenced and indented code, tables,
+# Prose is the text of paragraphs and list items.  Everything else is copied: fenced and indented code, tables,
 # headings, rules, link definitions, HTML.  Invariants:
 #   1. A code span is never broken, and no line begins with what Markdown would read as the beginning of a block.
 #   2. A line is longer than `width` only if it consists of one word or code span.

@@ -189,10 +189,10 @@ static void not_steering(Rig *r)
     CHECK(number(r, "seen") == 2 && cell(r, "n") == 7 && r->out.next_state == 1 && cell(r, "mode") == 2);
     CHECK(step_x(r, 2, 5) == ENGINE_OK && r->out.next_state == 2);
     CHECK(step(r, 3, "mode", 77) == ENGINE_OK);
-    CHECK(cell(r, "mode") == 2 && number(r, "seen") == 2);    // a first step stores it anew
+    CHECK(cell(r, "mode") == 2 && number(r, "seen") == 2);    // a first step stores it again
 }
 
-// clause 2.5: a NaN of whatever sign and inner bits that somebody else has stored reads as +0, also where a window samples.
+// clause 2.5: a NaN of whatever sign and inner bits that other code has stored reads as +0, also where a window samples.
 static void reading_nan(Rig *r)
 {
     static const uint64_t nan64[] = {0x7ff8000000000000, 0xfff8000000000000, 0x7ff0000000000001, 0xffffffffffffffff};

@@ -98,7 +98,7 @@ static void leave_slot(void *context)
     machine.state = 0;
 }
 
-static bool look_again(void) { return pal_nvm_read(store.nvm, 0, shadow, MEMORY) == SM_OK; }
+static bool reload_memory(void) { return pal_nvm_read(store.nvm, 0, shadow, MEMORY) == SM_OK; }
 
 // Of a Mega: digital pins and the analog ones among them, PWM on any.
 static uint8_t physical_pin(uint16_t number, uint8_t kind)
@@ -142,7 +142,7 @@ static bool start(PalNvm nvm, uint8_t *frame)
     store.nvm = nvm;
     events.at = storage;
     events.room = EVENTS;
-    if (!look_again() || sm_events_init(&events) != SM_OK || !opens(nvm, &plan) ||
+    if (!reload_memory() || sm_events_init(&events) != SM_OK || !opens(nvm, &plan) ||
         smvm_store_boot(&store, &slot) != SM_OK)
         return false;
     board.windows = access(plain_path, F_OK) != 0;
@@ -159,7 +159,7 @@ static bool serve(PalSerial line, uint8_t byte)
     const uint16_t n = smvm_agent_receive(&agent, byte);
     size_t sent;
 
-    return n == 0 || (look_again() && pal_serial_send(line, agent.frame, n, &sent, PERIOD * 100u) == SM_OK);
+    return n == 0 || (reload_memory() && pal_serial_send(line, agent.frame, n, &sent, PERIOD * 100u) == SM_OK);
 }
 
 int main(int argc, char **argv)

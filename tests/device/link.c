@@ -183,7 +183,7 @@ static bool listed(const char *path, const char *what)
     return found && found < end;
 }
 
-static void an_image_is_sent_and_kept(void)
+static void image_is_sent_and_stored(void)
 {
     CHECK(quiet("device", "list", NULL) == 0 && says("slot 0: no image") && says("built in: "));
     CHECK(quiet("device", "confirm", NULL) == 1 && says("nothing to confirm"));
@@ -202,7 +202,7 @@ static void an_image_is_sent_and_kept(void)
     CHECK(quiet("device", "log", NULL) == 0 && says("START of app 0") && says("STATE of machine 0, from 0, to 1"));
 }
 
-static void what_is_armed_is_left_alone(void)
+static void armed_board_is_left_alone(void)
 {
     char path[PATH + 8];
     FILE *f;
@@ -264,7 +264,7 @@ static bool build(const char *states, int machines, char *image)
 }
 
 // What firmware is made without, and what a board has no time for, is not sent.
-static void what_does_not_fit_is_not_sent(void)
+static void too_large_image_is_not_sent(void)
 {
     static const char roots[] = "[A] .step\n    x = sqrt(sqrt(sqrt(sqrt(sqrt(x + 1) / 3 + 1) / 3 + 1) / 3 + 1) / 3 + 1)\n";
     char image[PATH + 16], plain[PATH + 8], proposed[32] = "";
@@ -335,8 +335,8 @@ static void pins_are_asked_about(void)
     CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("names no pins: on this board it reads nothing and moves nothing"));
 }
 
-// language.md 5.46: in a state that is not marked @safe, of a machine that marks one, nobody touches it.
-static void what_is_not_safe_is_left_alone(void)
+// language.md 5.46: a board refuses updates in a state without @safe, if its machine has a state with @safe.
+static void machine_in_unsafe_state_is_left_alone(void)
 {
     char aloft[PATH + 16];
 
@@ -355,7 +355,7 @@ static void what_is_not_safe_is_left_alone(void)
     CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
 }
 
-// A trial that nobody confirms is over after its starts.
+// A trial without a confirmation ends after its starts.
 static void a_trial_ends(void)
 {
     CHECK(quiet("flash", images[0], "--period=20ms") == 0 && listed(images[0], ", every 20 ms, on trial"));
@@ -440,7 +440,7 @@ static void a_board_with_a_key(void)
     CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
 }
 
-static void nobody_answers(void)
+static void no_board_answers(void)
 {
     const Trouble gone = {0, 300, 0, true};
 
@@ -483,14 +483,14 @@ static void one_slot_is_enough(void)
 
 static void two_slots(void)
 {
-    an_image_is_sent_and_kept();
-    what_is_armed_is_left_alone();
-    what_is_not_safe_is_left_alone();
-    what_does_not_fit_is_not_sent();
+    image_is_sent_and_stored();
+    armed_board_is_left_alone();
+    machine_in_unsafe_state_is_left_alone();
+    too_large_image_is_not_sent();
     pins_are_asked_about();
     a_trial_ends();
     an_image_is_erased();
-    nobody_answers();
+    no_board_answers();
     if (!getenv("NO_KEY"))             // a board that has its key from a file
         a_board_with_a_key();
 }

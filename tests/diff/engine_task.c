@@ -23,7 +23,7 @@ typedef struct Task {
     SmMachine machine;
     SmvmTarget target;
     uint8_t *sv, *before, *noise;
-    uint32_t *local;          // by variable: 1 + where among the locals it lies; 0: it is none, or nobody knows
+    uint32_t *local;          // by variable: 1 + its index among the locals; 0: it is not a local, or the index is unknown
 } Task;
 
 // ---- others ----
@@ -100,8 +100,8 @@ static bool only_stored(Task *t, const EngineStep *out)
     return ok;
 }
 
-// A transition is one event of it, and nothing else is told but what `refused` says.
-static bool told_rightly(Task *t, SmResult r, uint32_t from, bool standing)
+// A transition emits one event; the only other event is that of a refused step, as `refused` has it.
+static bool events_are_right(Task *t, SmResult r, uint32_t from, bool standing)
 {
     SmEvent e = {.b = 0};
     bool one = sm_events_read(&t->events, &t->cursor, &e, 1, NULL) == 1;
@@ -136,7 +136,7 @@ static EngineStatus task_step(Engine *e, const EngineWrite *write, uint32_t n, E
         note_stored(t, out);
     if (!only_stored(t, out))
         return broken(e, out, "it wrote more than it stored");
-    if (!told_rightly(t, r, from, standing))
+    if (!events_are_right(t, r, from, standing))
         return broken(e, out, "its events are not what happened");
     if (r != SM_OK && r != SM_REFUSED)
         return broken(e, out, sm_result_text(r));

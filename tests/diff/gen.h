@@ -26,7 +26,7 @@ bool rng_percent(Rng *r, uint32_t percent);
 // ---- the program ----
 
 typedef struct GVar {
-    uint32_t id;              // stays when others are removed: inputs hang on it
+    uint32_t id;              // does not change when others are removed: inputs depend on it
     SmType type;
     const char *name;
     const char *alias;        // or NULL
@@ -37,7 +37,7 @@ typedef struct GVar {
     uint32_t region;          // element: its region in the .sv
     bool listed;              // element: the machine lists it; others only fill the .sv
     bool removed;             // by the reducer
-    uint32_t roll_size;       // local: its value, where it may stand in the size of a window; else 0
+    uint32_t roll_size;       // local: its value, if it can be part of the size of a window; else 0
     struct GExpr *init;       // local
 } GVar;
 
@@ -84,7 +84,7 @@ typedef struct Gen {
     uint64_t seed;
     Rng rng;                          // while generating
     uint32_t mood;                    // what numbers it likes: 0 small ones, 1 all
-    bool with_sv;                     // the elements stand in a .sv of their own
+    bool with_sv;                     // the elements are in a .sv of their own
     uint32_t regions;
     const char *region_name[GEN_REGIONS_MAX];
     const char *machine_name, *old_machine_name;      // the file's stem
@@ -118,7 +118,7 @@ void gen_print_sm(Gen *g, Buf *out);
 // A machine that works the initial values out in its first step, by assignments.
 void gen_print_inits(Gen *g, Buf *out);
 
-// ---- shapes that the optimiser looks for (gen_shapes.c) ----
+// ---- shapes that the optimiser searches (gen_shapes.c) ----
 
 GExpr *gen_expr_new(Gen *g, GExprKind kind, uint32_t n);
 GExpr *gen_shape(Gen *g);             // an expression that may stand anywhere in a machine's code
@@ -131,7 +131,7 @@ typedef struct GInput { GVar *var; uint64_t cell; } GInput;
 
 // What the test writes before step k; G is among it.  Gives how many; `out` has room for every variable.
 uint32_t gen_inputs(const Gen *g, uint32_t k, GInput *out);
-// Whether the machine is set up anew before step k, and in which state (an index into `state`).
+// Whether the machine is initialized again before step k, and in which state (an index into `state`).
 bool gen_restarts(const Gen *g, uint32_t k, uint32_t *state);
 
 // A cell that a type likes: ends of ranges, zeros, NaN, infinities, small and random ones.

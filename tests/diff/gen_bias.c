@@ -74,7 +74,7 @@ static GStmt *transition(Gen *g)
     return s;
 }
 
-// What stands behind a new guard: a transition, or one of the program's assignments.
+// The statement after a new guard: a transition, or one of the program's assignments.
 static GStmt *body(Gen *g, const GStmts *assigns, bool may_leave)
 {
     if (assigns->n == 0 || (may_leave && rng_percent(&g->rng, 70)))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Program tree to text, in any of the ways in which the grammar lets it be written: colon or braces, `if` or not, on one
-// line or several, with needless parentheses, comments and blanks.  What is drawn here never changes what the text means.
+// Program tree to text, in any form that the grammar allows: colon or braces, `if` or not, on one
+// line or several, with needless parentheses, comments and blanks.  Random choices here never change the meaning of the text.
 #include "tests/diff/gen.h"
 
 #include <string.h>
@@ -290,7 +290,7 @@ static void print_state(Printer *p, const GState *s)
     buf_printf(p->out, "[%s]", s->name);
     line_end(p);
     for (uint32_t i = 0; i < 3; i++) {
-        const uint32_t b = (i + (chance(p, 100) ? turn : 0)) % 3;      // blocks stand in any order
+        const uint32_t b = (i + (chance(p, 100) ? turn : 0)) % 3;      // blocks are written in any order
         if (!s->present[b])
             continue;
         put(p, label[b]);

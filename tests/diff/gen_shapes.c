@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes that the optimiser looks for, which chance alone makes too seldom: whole numbers near the limits of types, work on
+// Shapes that the optimiser searches, and that random programs would contain too rarely: whole numbers near the limits of types, work on
 // F32 alone, guards that an earlier guard decides, what was computed just before, windows over narrow elements, T and G.
 #include "tests/diff/gen.h"
 

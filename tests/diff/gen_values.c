@@ -118,7 +118,7 @@ void gen_plan_time(Gen *g)
     }
 }
 
-// A NaN may be found in an element, whoever put it there; a local is only ever stored by the rules, which allow none.
+// An element can contain a NaN from outside; a local is only stored by the rules of the language, which allow none.
 static uint64_t input_cell(const Gen *g, Rng *r, const GVar *v)
 {
     const bool none = !v->is_local && sm_type_info[v->type].kind == SM_KIND_FLOAT && rng_percent(r, 3);

@@ -40,12 +40,12 @@ typedef struct Options {
     const char *out;
     bool resume, print, reduce, floors, first, sound;
     unsigned forms;                   // 1u << Form of each that is run; 0: none was named
-    uint32_t build;                   // of this program: another one has to prove everything anew
+    uint32_t build;                   // of this program: results of another build are not resumed
     uint32_t vias;
     Via via[VIAS_MAX];
 } Options;
 
-// What a worker has done; it lies in memory that the parent sees too, and in a file for --resume.
+// The progress of a worker, in memory shared with the parent, and in a file for --resume.
 typedef struct Tally {
     uint64_t next;                    // the block it works on, counted from 0
     uint64_t seed;                    // the program it works on
@@ -250,7 +250,7 @@ static pid_t start_worker(const Options *o, uint32_t worker, Tally *t)
     return pid;
 }
 
-static void look_after(const Options *o, Tally *tally, pid_t *pid, uint64_t *seen, time_t *since, uint32_t w)
+static void watch_worker(const Options *o, Tally *tally, pid_t *pid, uint64_t *seen, time_t *since, uint32_t w)
 {
     int status;
     if (waitpid(pid[w], &status, WNOHANG) == pid[w]) {
@@ -287,7 +287,7 @@ static void run_workers(const Options *o, Tally *tally)
         busy = false;
         for (uint32_t w = 0; w < o->jobs; w++) {
             if (pid[w] != 0)
-                look_after(o, tally, pid, seen, since, w);
+                watch_worker(o, tally, pid, seen, since, w);
             busy |= pid[w] != 0;
         }
     }

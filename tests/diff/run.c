@@ -73,7 +73,7 @@ const Program *run_known_program(Subject *s, Form form)
     return p;
 }
 
-// The VM on the last of the machines of an image; the others stand before it.
+// The VM on the last machine of an image; the others precede it.
 static const char *add_vm(Lanes *l, Subject *s, Form form, const Subject *before)
 {
     const ImageOptions options = { .debug = true };      // the engine finds locals by name
@@ -116,7 +116,7 @@ static void step_lane(Lane *l, const Gen *g, uint32_t k)
     l->engine->step(l->engine, write, n, &l->answer);
 }
 
-// What nobody sees in this form is as the reference has it.
+// Values that cannot be observed in this form are copied from the reference.
 static void take_unknown(const Lane *from, Lane *to)
 {
     for (size_t i = 0; i < from->subject->program->var.n; i++)

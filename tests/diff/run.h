@@ -24,7 +24,7 @@ typedef struct Met {          // what a program met, as flags to be counted
 // The forms in which the optimiser hands a program on.
 typedef enum Form {
     FORM_O0, FORM_O1, FORM_O2,
-    FORM_HIDDEN,              // -O2 of a machine whose locals nobody sees: elements, states and statuses are compared
+    FORM_HIDDEN,              // -O2 of a machine with hidden locals: elements, states and statuses are compared
     FORM_COUNT
 } Form;
 extern const char *const form_name[FORM_COUNT];
@@ -54,7 +54,7 @@ RunOptions run_options_of(uint64_t seed);
 IrMachine *run_machine(Subject *s, const Program *p, Form form);
 // The program as who runs a form of it knows it: locals that it may not have are constants to him.
 const Program *run_known_program(Subject *s, Form form);
-// Whether nothing can be said of a local of a machine in this form.
+// Whether a local of a machine cannot be compared in this form.
 bool run_is_unknown(const Var *v, Form form);
 
 RunResult run_case(Gen *g, const RunOptions *o, Arena *arena);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program walks as the reference does, with the reference's arithmetic and windows, and at every place asks what facts and
-// findings have said of it: of variables where a function begins and where a guard decides, of what is stored, of what is never
-// executed and where nobody ever gets.
+// Runs the program like the reference, with the reference's arithmetic and windows, and checks at every point what facts and
+// findings claim there: about variables at the start of a function and at a guard, about stored values, about code that is never
+// executed and states that are never reached.
 #include "tests/diff/sound.h"
 
 #include <stdio.h>
@@ -181,7 +181,7 @@ static void start(Sound *r)
     r->has_run = false;
 }
 
-// ---- what is said before it runs ----
+// ---- what is proved before it runs ----
 
 static Claims claims_of(Sound *r, const Env *env)
 {

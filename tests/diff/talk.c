@@ -156,7 +156,7 @@ static void blame(TalkPart *p, size_t at, const char *want, const char *got, siz
                                        (unsigned long long)number_at(want + from, size), who, (unsigned long long)number_at(got + from, size));
 }
 
-// What nobody sees in this form is as the reference has it.
+// Values that cannot be observed in this form are copied from the reference.
 static void take_unknown(const TalkPart *p, const char *want, char *got, size_t n)
 {
     for (size_t at = p->talk->images ? VERDICT : 0; at + p->answer <= n; at += p->answer)

@@ -35,8 +35,8 @@ void talk_init(Talk *t, Arena *arena, bool images, uint32_t parts_max);
 TalkPart *talk_add(Talk *t, Session *s, const Program *p, Form form, const IrMachine *ir, RunResult *result);
 void talk_load(TalkPart *p, Engine *vm, const Buf *image);
 
-// Holds what came back against what is expected; whoever differs gets the first difference said, by the name of who gave it.  A machine
-// that had no room there gets `no_room`.
+// Compares the answers with the expected ones, and reports the first difference of each machine, with the name of the target.  A machine
+// that did not fit there gets `no_room`.
 void talk_compare(Talk *t, char *got, size_t n, const char *who);
 
 #endif

@@ -19,7 +19,7 @@ uint64_t ref_convert(SmType type, double x);
 bool ref_true(double x);
 void ref_windows_sample(RefWindows *w, const uint64_t *cell);
 
-static void look_at(double x)
+static void note_value(double x)
 {
     watch.nan += is_nan(x);
     watch.infinite += is_infinite(x);
@@ -29,7 +29,7 @@ uint64_t ref_convert(SmType type, double x)
 {
     const uint64_t cell = plain_ref_convert(type, x);
     const SmKind kind = sm_type_info[type].kind;
-    look_at(x);
+    note_value(x);
     watch.stores++;
     if (kind == SM_KIND_SIGNED || kind == SM_KIND_UNSIGNED) {
         const double lost = x - ref_read(type, cell);
@@ -40,7 +40,7 @@ uint64_t ref_convert(SmType type, double x)
 
 bool ref_true(double x)
 {
-    look_at(x);
+    note_value(x);
     return plain_ref_true(x);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Narrow operations as C: random expressions of the IR on every type that it allows, compared with what stdlib says of each
-// operation.  Inputs on which a narrow operation would not be what it is on F64 are no test: nobody may narrow there.
+// operation.  Inputs for which a narrow operation differs from the one on F64 are not tested, since no pass narrows there.
 //     typed [COUNT [SEED]]
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 //
 //     SMC_FAULT=write:3         the third write gives an error (of this process; those it starts are left alone)
 //     SMC_FAULT=half-write:2    the second write takes half of what it is given, the one after it fails
-//     SMC_FAULT_MARK=FILE       FILE is made when it happens, so that whoever counts knows when to stop
+//     SMC_FAULT_MARK=FILE       FILE is created when the fault happens, so that the caller knows when to stop counting
 //
 // Linux with glibc.  Calls inside libc do not come here; what matters is what our own code asks for.
 #define _GNU_SOURCE

@@ -1,4 +1,4 @@
-# Bytecode in a file called .c is nobody's wish: who means C is told how to ask for it.
+# Bytecode in a file called .c is refused; the message names the option that emits C.
 args build a.sm -o a.c
 -- a.sm --
 [state_vector]

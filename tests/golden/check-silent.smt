@@ -1,4 +1,4 @@
-# What is right is said by silence.
+# A correct source prints nothing.
 args check a.sm
 
 -- a.sm --

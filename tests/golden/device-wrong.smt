@@ -1,4 +1,4 @@
-# What is said before a board is asked.
+# Errors that are reported before the board is contacted.
 args device
 args device lst --port=nowhere
 args device telephone --port=nowhere

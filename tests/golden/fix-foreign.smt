@@ -1,4 +1,4 @@
-# What other languages write, and is certain here, is mended; what is not, stays as it is.
+# Syntax of other languages is fixed where the meaning is certain, and stays as it is elsewhere.
 args fix app.sm
 
 -- app.sm --

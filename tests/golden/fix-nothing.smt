@@ -1,4 +1,4 @@
-# A file without mistakes is not touched, and nothing is said.
+# A file without mistakes is not changed, and nothing is printed.
 args fix app.sm app.ss app.sv --sv app.sv
 
 -- app.sm --

@@ -1,4 +1,4 @@
-# The edits of all rounds are made in the file; what nobody can be certain of is left, and said.
+# The edits of all rounds are applied to the file.  Mistakes without a certain edit are left and reported.
 args fix app.sm
 
 -- app.sm --

@@ -1,4 +1,4 @@
-# What is said before a board is asked.
+# Errors that are reported before the board is contacted.
 args build a.sm
 args flash a.smb
 args flash

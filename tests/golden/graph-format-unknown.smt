@@ -1,4 +1,4 @@
-# A format that there is not.
+# An unknown format.
 args graph --format=png tank.sm
 
 -- tank.sm --

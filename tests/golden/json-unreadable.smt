@@ -1,4 +1,4 @@
-# What is said beside diagnostics is a line of JSON too.
+# Messages other than diagnostics are lines of JSON too.
 args check --message-format=json missing.sm
 
 -- stderr --

@@ -1,4 +1,4 @@
-# Without -o the output is named after the input and stands in the current folder.
+# Without -o the output is named after the input and written to the current folder.
 args build sub/a.sm && ls
 
 -- sub/a.sm --

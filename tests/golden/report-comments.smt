@@ -1,4 +1,4 @@
-# Comments behind statements, each once; what is watched is what is read; what the steps of ways to abort are, and why some have none.
+# Comments after statements, each once; the watched elements are those that are read; the steps of paths to abort states, and why some states have none.
 # steps are and why some are not bounded.
 args report stand.sm -o stand.txt && cat stand.txt
 

@@ -8,7 +8,7 @@
 // after another with the command's path before them.  Then are compared:
 //     -- stdout --, -- stderr --   all that was printed; without the part, nothing may have been
 //     -- exit --                   the commands' exit codes; without the part, all 0
-//     -- file NAME --              what stands in that file afterwards
+//     -- file NAME --              the content of that file afterwards
 // In a part NAME.smt a line of that file which would end the part begins with a backslash: `\-- app.sm --`.
 // What `...` and `[..]` stand for is in expect.h.  `-- stdin --` is what commands may read.
 #define _XOPEN_SOURCE 700

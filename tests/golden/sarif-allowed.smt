@@ -1,4 +1,4 @@
-# What an @allow silences stands in the document with its reason, and nowhere else.
+# A finding that an @allow silences is in the document with its reason, and nowhere else.
 args check -Wno-dead-store --message-format=sarif a.sm
 args check -w a.sm
 

@@ -1,4 +1,4 @@
-# What is said beside diagnostics stands in the document too.
+# Messages other than diagnostics are in the document too.
 args check --message-format=sarif a.sm missing.sm
 
 -- a.sm --

@@ -1,4 +1,4 @@
-# An engine that is not here: one script cannot be run, cases are run without it and that is said.
+# A missing engine: a script cannot be run; cases are run without it, and that is reported.
 args --version >/dev/null; CC=nocc "$SMC" test --engine=c a.sm a.ss
 args --version >/dev/null; CC=nocc "$SMC" test case.smt
 

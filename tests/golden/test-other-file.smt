@@ -1,4 +1,4 @@
-# A file of another kind, whether it exists or not: what is accepted is said before anything else.
+# A file of another kind, whether it exists or not: the message lists the accepted kinds before anything else.
 args test a.sm data.csv
 args test a.sm nosuch.csv
 args test nosuch

@@ -1,4 +1,4 @@
-# A script that is not there is said once, and the others are run.
+# A missing script is reported once, and the others are run.
 args test a.sm missing.ss good.ss
 args check a.sm missing.ss
 

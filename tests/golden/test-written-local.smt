@@ -1,4 +1,4 @@
-# A script that writes a read-only local: it is no constant in this test, and that is said.
+# A script that writes a read-only local: it is no constant in this test, and that is reported.
 args test a.sm a.ss
 
 -- a.sm --

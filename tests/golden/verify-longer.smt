@@ -1,4 +1,4 @@
-# What stands behind an image's end in its file is damage, though a board's slot may hold anything there.
+# Bytes after the end of an image in its file are damage, although a board's slot can contain anything there.
 args build a.sm && echo more >>a.smb
 args verify a.smb
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A signal that ends `smc test --engine=c` while the C compiler runs leaves no folder in TMPDIR, no process and no half-written trace, and
-// the exit code says which signal it was.  So does output into a pipe that nobody reads.     signals SMC MACHINE SCRIPT FOLDER     (FOLDER is empty; absolute paths)
+// the exit code tells which signal it was.  The same holds for output into a pipe that is not read.     signals SMC MACHINE SCRIPT FOLDER     (FOLDER is empty; absolute paths)
 #define _XOPEN_SOURCE 700
 
 #include <fcntl.h>
@@ -98,7 +98,7 @@ static bool read_ids(long *a, long *b)
 }
 
 // Its parent may take a moment to notice that it has ended.
-static bool is_gone(long pid)
+static bool has_ended(long pid)
 {
     for (int i = 0; i < 200; i++, sleep_ms(10))
         if (kill((pid_t)pid, 0) != 0)
@@ -118,7 +118,7 @@ static void during_the_compiler(int number)
     CHECK(compiler > 0 && child > 0 && entries("tmp") == 1);
     kill(pid, number);
     CHECK(end_of(pid) == 128 + number);
-    CHECK(compiler > 0 && is_gone(compiler) && child > 0 && is_gone(child));
+    CHECK(compiler > 0 && has_ended(compiler) && child > 0 && has_ended(child));
     CHECK(entries("tmp") == 0 && entries("made") == 0);
 }
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Installs into a scratch folder and uses what is there as its user would: the command, smc.mk in a project of its own, the
-# VM library by pkg-config; then uninstalls and looks for leftovers.    sh tests/install/run.sh MAKE B CC  (CC may be several words)
+# VM library by pkg-config; then uninstalls and searches for leftovers.    sh tests/install/run.sh MAKE B CC  (CC may be several words)
 make=$1 build=$2 cc=$3
 . tests/checks.sh
 root=$(pwd)
@@ -71,7 +71,7 @@ sees_pins()
 }
 check "so are the pins of an image, and where both are named" sees_pins
 check "make flash-NAME sends" sh -c "$make -n -f pins.mk flash-valve PORT=there | grep -q 'smc flash valve.smb --port=there'"
-check "pins that are not there are told, not left out" sh -c "$make -f pins.mk SMC_IO=lost.io flash-valve PORT=there 2>&1 | grep -q 'there is no lost.io'"
+check "missing pins are reported, not left out" sh -c "$make -f pins.mk SMC_IO=lost.io flash-valve PORT=there 2>&1 | grep -q 'there is no lost.io'"
 check "make flash asks which" sh -c "$make -n -f pins.mk flash PORT=there 2>&1 | grep -q 'flash-NAME says which machine'"
 mkdir one && cp valve.sm one
 check "or sends the one that is here" sh -c "$make -n -C one -f ../pins.mk SMC_SV=../tank.sv flash PORT=there | grep -q 'smc flash valve.smb --port=there'"
@@ -87,16 +87,16 @@ check "smc-clean removes what was made, and nothing else" sh -c "$make -s smc-cl
 printf 'include %s/share/smc/smc.mk\nmine:\n\t@echo mine\n' "$inst" >own.mk
 check "nothing of it is what plain make makes" sh -c "$make -s -f own.mk | grep -qx mine"
 
-# Where the command is, if it is in PATH, and what is told if it is not.
+# Where the command is, if it is in PATH, and the message if it is not.
 cp "$root/examples/tank/tank.sm" "$dir/project/found.sm"
 printf 'export PATH := %s/bin:$(PATH)\ninclude %s/share/smc/smc.mk\n' "$inst" "$inst" >path.mk
 check "the command is found in PATH" sh -c "PATH='$inst/bin:$PATH' $make -s -f own.mk found.smb && rm found.smb"
 check "and in a PATH that the project sets" sh -c "$make -s -f path.mk found.smb && rm found.smb"
 if command -v smc >/dev/null; then
-    echo "install: smc is in PATH here: what is told where it is not is not looked at"
+    echo "install: smc is in PATH here: the message for a missing smc is not checked"
     skipped=$((skipped + 1))
 else
-    check "where it is not, it is told what to set" sh -c "$make -f own.mk found.smb 2>&1 | grep -q '^smc is not in PATH: set SMC = /where/it/is/smc before the include'"
+    check "where it is missing, the message names the variable to set" sh -c "$make -f own.mk found.smb 2>&1 | grep -q '^smc is not in PATH: set SMC = /where/it/is/smc before the include'"
     check "and nothing where it is not wanted" sh -c "$make -s -f own.mk mine && $make -s -f own.mk smc-clean"
 fi
 rm -f found.* path.mk
@@ -142,7 +142,7 @@ other_flags()
         "$make" -q CC="$cc" CFLAGS="-O1 -DMARK='\"a b\"'"
 }
 check "each platform has its program" programs
-check "other flags make it anew, once" other_flags
+check "other flags rebuild it, once" other_flags
 in_cxx()
 {
     case $cc in *' '*) cxx="${CXX:-g++} ${cc#* }" ;; *) cxx=${CXX:-g++} ;; esac         # with the options of CC, as sanitizers want
@@ -157,7 +157,7 @@ else
     skipped=$((skipped + 1))
 fi
 refused() { ! "$make" -s CC="$cc" "$1" >log 2>&1 && grep -qF "$2" log && rm log; }
-check "a platform that is none is told" refused SMC_PLATFORM=bord 'SMC_PLATFORM = bord: there is none of that name; there are avr desk linux none sim'
+check "an unknown platform is reported" refused SMC_PLATFORM=bord 'SMC_PLATFORM = bord: there is none of that name; there are avr desk linux none sim'
 check "an application in a folder too" refused SMC_APP=sub/probe 'Run make where probe.app is'
 check "and a source of another kind" refused SMC_SOURCES='tasks.c own.rs' 'own.rs ends in none of .c, .cc and .cpp'
 echo nonsense >>probe.app

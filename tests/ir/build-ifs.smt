@@ -1,4 +1,4 @@
-# An else-if chain has one block where its arms meet; what stands behind a transition is not built, nor is a block that no way reaches.
+# An else-if chain has one join block.  Statements after a transition and unreachable blocks are not built.
 
 -- ifs.sm --
 [state_vector]

@@ -1,5 +1,5 @@
 passes simplify_cfg
-# A branch on a known condition is decided, the arm that nobody reaches goes, the rest is one block.
+# A branch on a known condition becomes a jump, the unreachable arm is removed, and the rest is one block.
 
 -- ir --
 state A

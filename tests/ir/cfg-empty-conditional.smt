@@ -1,5 +1,5 @@
 passes simplify_cfg,dce
-# Arms that do nothing: no branch is left, and then nobody asks for the condition.
+# Empty arms: the branch is removed, and then the condition, which has no other use.
 
 -- ir --
 state A

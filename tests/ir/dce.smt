@@ -1,5 +1,5 @@
 passes dce
-# A whole expression that nobody uses goes in one walk; stores and what they need stay.
+# A whole unused expression is removed in one walk; stores and their operands stay.
 
 -- ir --
 window w0 F64 size 3 stats avg

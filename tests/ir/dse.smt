@@ -1,5 +1,5 @@
 passes dse,dce
-# A store is dropped when the same block overwrites the variable before it is read; a load that nobody uses reads nothing.
+# A store is dropped when the same block overwrites the variable before it is read; an unused load does not count as a read.
 
 -- ir --
 state A

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that break one thing in a good text: a row says which words become which others and what must be said then.
+// Tests that break one thing in a valid text: a row has the words to replace, their replacement, and the expected message.
 #ifndef TESTS_IR_EDIT_H
 #define TESTS_IR_EDIT_H
 

@@ -1,5 +1,5 @@
 passes known,dce
-# A guard that an earlier guard implies is decided; so is a comparison that the type decides, a local that nobody writes, T in
+# A guard that an earlier guard implies is decided; so is a comparison that the type decides, a local that is never written, T in
 # .entry, and what a local can hold in a state.  min, abs, floor and a change of NaN to 0 go where they change nothing.
 
 -- ir --

@@ -1,6 +1,6 @@
 passes narrow,dce
 # Whole numbers that stay within 2^53 are added and multiplied as integers, in 32 bits where those hold all of it; not where
-# somebody could tell -0 from 0.  F32 with F32 to F32 is F32 work.
+# -0 and 0 could be distinguished.  F32 with F32 to F32 is F32 work.
 
 -- ir --
 state A

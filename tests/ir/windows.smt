@@ -1,5 +1,5 @@
 passes windows
-# w0 is asked for by w1 alone, which nobody asks for; of w2 only one statistic is.
+# Only w1 uses w0, and w1 is unused; of w2 only one statistic is used.
 
 -- ir --
 window w0 F64 size 3 stats avg

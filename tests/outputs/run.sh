@@ -82,7 +82,7 @@ writers()
 }
 tab=$(printf '\t')
 
-# call NAME MORE...: the command at hand with NAME as its output.
+# call NAME MORE...: the current command with NAME as its output.
 call()
 {
     to=$1; shift
@@ -145,7 +145,7 @@ while IFS=$tab read -r option rest; do
         rm -f link.out hard.out
     done
 
-    # What somebody else has written stays, unless it is forced; what is empty or ours is replaced.
+    # A file by another author is kept, unless --force is given; an empty file or one by smc is replaced.
     echo "altitude,seconds" >foreign; cp foreign foreign.copy
     refuses foreign --force
     same foreign foreign.copy
@@ -365,7 +365,7 @@ near '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8"/>\n<title
 ours()
 {
     printf "$1" >ours
-    "$smc" graph tank.sm -o ours 2>log && good || bad "taken for foreign: $1"
+    "$smc" graph tank.sm -o ours 2>log && good || bad "not recognised as smc's: $1"
 }
 ours "$trace"
 ours 'script,step,G,state\n'

@@ -47,7 +47,7 @@ static void grows(void)
 
     CHECK(size_of(file) == 0 && holds(""));               // made, empty
     CHECK(pal_log_append(file, "one", 3) == SM_OK);
-    CHECK(size_of(file) == 3 && holds("one"));            // there at once, for whoever looks
+    CHECK(size_of(file) == 3 && holds("one"));            // visible to other readers at once
     CHECK(pal_log_append(file, "", 0) == SM_OK);
     CHECK(pal_log_append(file, "\0two", 4) == SM_OK);
     CHECK(pal_log_sync(file) == SM_OK);

@@ -26,7 +26,7 @@ static PalNvm opened(void)
     return memory;
 }
 
-static PalNvmInfo told(PalNvm memory)
+static PalNvmInfo info_of(PalNvm memory)
 {
     PalNvmInfo info = {0, 0, 0, 0, 0, 0};
 
@@ -65,7 +65,7 @@ static bool holds(PalNvm memory, uint32_t at, uint8_t value, uint32_t n)
 
 static void sizes(PalNvm memory)
 {
-    PalNvmInfo i = told(memory);
+    PalNvmInfo i = info_of(memory);
 
     CHECK(i.size >= bench.nvm_size && i.write >= 1);
     CHECK(i.size % i.write == 0 && (i.erase == 0 || (i.size % i.erase == 0 && i.erase % i.write == 0)));
@@ -75,7 +75,7 @@ static void sizes(PalNvm memory)
 
 static void stores(PalNvm memory)
 {
-    PalNvmInfo i = told(memory);
+    PalNvmInfo i = info_of(memory);
     uint32_t n = piece_of(&i), last = i.size - n;
 
     clear(memory, 0, 3 * n);
@@ -94,7 +94,7 @@ static void stores(PalNvm memory)
 
 static void many_bytes(PalNvm memory)
 {
-    PalNvmInfo i = told(memory);
+    PalNvmInfo i = info_of(memory);
     uint8_t in[256], out[256] = {0};
     uint32_t n = 3 * piece_of(&i);
 
@@ -111,7 +111,7 @@ static void many_bytes(PalNvm memory)
 
 static void outside(PalNvm memory)
 {
-    PalNvmInfo i = told(memory);
+    PalNvmInfo i = info_of(memory);
     uint8_t bytes[64] = {0};
 
     CHECK(pal_nvm_read(memory, i.size, bytes, 1) == SM_E_ARGUMENT);
@@ -137,7 +137,7 @@ static void outside(PalNvm memory)
 static void stays(void)
 {
     PalNvm memory = opened();
-    PalNvmInfo i = told(memory);
+    PalNvmInfo i = info_of(memory);
     uint32_t n = piece_of(&i);
 
     clear(memory, n, n);

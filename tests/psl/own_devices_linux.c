@@ -29,7 +29,7 @@ static bool read_all(int fd, char *to, size_t n)
     return n == 0;
 }
 
-// With `near` as standard output: what is written comes to `far`, and if nobody reads there that is not waited for.
+// With `near` as standard output: written bytes arrive at `far`, and a missing reader there does not block.
 static void console_on(int near, int far)
 {
     static char text[997], in[997];
@@ -139,7 +139,7 @@ static int end_of(uint64_t period)
     return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
 }
 
-// Starting and each feeding set the timer anew.
+// The start and each feeding set the timer again.
 static void feeding(void)
 {
     uint64_t actual;

@@ -38,7 +38,7 @@ int __wrap_unlink(const char *path);
 long __wrap_syscall(long number, ...);
 
 static struct {
-    bool watching;            // whether a test looks at the calls
+    bool watching;            // whether a test checks the calls
     int left;                 // calls that still work; below 0: all
     int error;                // what the next one fails with
     bool for_good;            // and all after it: the power is gone

@@ -39,7 +39,7 @@ static void world(void)
     world_at[world_calls++ % COUNT(world_at)] = pal_clock_now();
 }
 
-// The world keeps its own period, whoever moves time and however far.
+// The simulated world keeps its own period, no matter which call advances time and how far.
 static void world_goes_on(void)
 {
     sim_reset();
@@ -176,7 +176,7 @@ static const char *received(PalSocket s, uint64_t timeout)
     return text;
 }
 
-// What is sent later over a faster network arrives first; whoever waits is woken when it arrives.
+// A message sent later over a faster network arrives first; a waiting thread is woken when it arrives.
 static void overtaking(PalSocket a, PalSocket b)
 {
     const SimNetwork slow = {10 * MS, 0, 0, 0}, fast = {MS, 0, 0, 0};

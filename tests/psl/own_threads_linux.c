@@ -307,7 +307,7 @@ static void nothing(void *argument)
     (void)argument;
 }
 
-// 0 if everything is as it should be for somebody who may not have a real-time priority.
+// 0 if everything is correct for a user without the right to a real-time priority.
 static int without_rights(void)
 {
     const struct rlimit none = {0, 0};

@@ -122,8 +122,8 @@ static void timeouts(PalSerial line)
     CHECK(gains(line, x, 2) && memcmp(x, "ab", 2) == 0);
 }
 
-// Nobody takes the bytes: send gives up in time and says how far it came.
-static void nobody_listens(PalSerial line)
+// No reader receives the bytes: send gives up in time and returns how many it sent.
+static void no_reader(PalSerial line)
 {
     uint8_t bytes[256] = {0};
     uint64_t before = pal_clock_now();
@@ -165,7 +165,7 @@ Tally contract_serial(void)
     line = opened();
     all_bytes(line);
     timeouts(line);
-    nobody_listens(line);
+    no_reader(line);
     CHECK(pal_serial_close(line) == SM_OK);
     bench.far_send("old", 3);
     line = opened();

@@ -281,7 +281,7 @@ static void peer_reads(void)
     CHECK(pal_socket_close(p.listening) == SM_OK);
 }
 
-static void nobody_there(void)
+static void no_listener(void)
 {
     PalSocket s = {0}, t = {0};
     uint64_t before;
@@ -362,7 +362,7 @@ Tally contract_socket(void)
     peer_is_slow();
     if (bench.threads == HAS)
         peer_reads();
-    nobody_there();
+    no_listener();
     bad_stream_arguments();
     table_is_full();
     return TALLY();

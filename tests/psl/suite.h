@@ -41,7 +41,7 @@ Tally own_sim(void);
 // Whether a platform has a thing: it works; it says SM_E_UNSUPPORTED; it would work, but nothing is connected (SM_E_MISSING).
 typedef enum Has { HAS_NONE, HAS, HAS_NOTHING_THERE } Has;
 
-// The platform under test and what it is said to have.
+// The platform under test and what it claims to have.
 typedef struct Bench {
     const char *name;
     Has clock, console, threads, locks, sockets;
@@ -59,7 +59,7 @@ typedef struct Bench {
     Has serial;
     const char *serial_name;
     void (*far_send)(const void *bytes, size_t n);        // the other end of that line
-    size_t (*far_receive)(void *bytes, size_t room);      // what there is, at once
+    size_t (*far_receive)(void *bytes, size_t room);      // the bytes that have arrived, without waiting
     void (*far_unplug)(void);                             // the line is gone until the suite ends
 
     Has dio;

@@ -61,7 +61,7 @@ static void runs(const PalThreadPlan *plan)
     CHECK(!pal_thread_is_realtime(thread));
 }
 
-// ---- a thread that goes on until it is told to stop ----
+// ---- a thread that runs until it is stopped ----
 
 typedef struct Loop {
     PalLock lock;
@@ -102,7 +102,7 @@ static void loop(void *of)
         pal_clock_sleep_until(pal_clock_now() + MS);
 }
 
-// Lets the thread join itself while nobody else does.
+// Lets the thread join itself while no other thread does.
 static void join_itself(Loop *l, PalThread thread)
 {
     SmResult joined = SM_OK;

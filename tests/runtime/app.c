@@ -88,7 +88,7 @@ static void test_start(void)
     CHECK(strcmp(sim_console(), "") == 0 && sm_app_stopping(&app));
 }
 
-// Whoever starts after the watchdog bit is told.
+// A start after a reset by the watchdog is reported.
 static void test_bitten_before(void)
 {
     uint64_t actual;
@@ -244,7 +244,7 @@ static void test_same_in_every_run(void)
     }
 }
 
-// Whoever is always late keeps nobody waiting for more than a tick.
+// A task that is always late delays the others by at most a tick.
 static void test_fair(void)
 {
     start(2);

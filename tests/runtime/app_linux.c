@@ -145,7 +145,7 @@ static void *stop_later(void *of)
     return NULL;
 }
 
-// From a thread of somebody else, at any moment, before the first tick as well.
+// From a thread of the user, at any time, also before the first tick.
 static void test_stop_at_random(void)
 {
     for (int i = 0; i < 30; i++) {

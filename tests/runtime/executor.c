@@ -250,8 +250,8 @@ static void test_first_late(void)
     CHECK(e.late == 0 && crew_sv.time == (3 * 3600 * 100 + 1) * 10);
 }
 
-// One event a second at most; nothing that was left out is untold as long as there are overruns.
-static void test_told(void)
+// At most one event a second.  While overruns continue, every overrun is counted in some event.
+static void test_overrun_event(void)
 {
     SmEvent event;
     uint64_t told = 0, last = 0, n = 0;
@@ -270,7 +270,7 @@ static void test_told(void)
 }
 
 // Overruns that are a second apart, to the nanosecond, are each told.
-static void test_told_each_second(void)
+static void test_overrun_event_each_second(void)
 {
     SmEvent event;
     uint64_t n = 0;
@@ -289,8 +289,8 @@ static void test_told_each_second(void)
     CHECK(n == 5 && e.overruns == 9);
 }
 
-// More than an event can tell is told with the next.
-static void test_told_late(void)
+// A count that does not fit into one event is reported with the next one.
+static void test_count_beyond_one_event(void)
 {
     start();
     e.period = 1000;
@@ -460,7 +460,7 @@ static void test_locked_out_at_the_start(void)
     crew_vector.faults = 0;
 }
 
-// One thread and a vector without `lock`: nobody takes a lock.
+// One thread and a vector without `lock`: no lock is taken.
 static void test_no_locks(void)
 {
     start();
@@ -487,9 +487,9 @@ int main(void)
     test_catch_up();
     test_catch_up_most();
     test_first_late();
-    test_told();
-    test_told_each_second();
-    test_told_late();
+    test_overrun_event();
+    test_overrun_event_each_second();
+    test_count_beyond_one_event();
     test_time();
     test_time_uneven();
     test_time_ends();

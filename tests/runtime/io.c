@@ -190,7 +190,7 @@ static void test_hold(void)
     sim_break(SIM_aio_read, 0, SM_OK);
     CHECK(step_in() == SM_OK && pins_sv.pressure == 375.0 && in->missed[0] == 0);
     sim_break(SIM_aio_read, 0, SM_E_DEVICE);
-    CHECK(step_in() == SM_E_DEVICE && pins_sv.pressure == 375.0); // it counts anew
+    CHECK(step_in() == SM_E_DEVICE && pins_sv.pressure == 375.0); // it counts from 0 again
 }
 
 // 255 steps are held, and the 256th is not; a count that has come to its end stays there.
@@ -241,7 +241,7 @@ static void test_one_failing(void)
 
 // ---- the start ----
 
-// Whatever call refuses, it is told which pin it was, nothing stays open, and the outputs that were are safe.
+// Whichever call fails, the pin is reported, no pin stays open, and outputs that were open are safe.
 static void test_refused(SimCall call, SmIo *io, SmResult (*init)(void *io))
 {
     uint32_t calls;
@@ -398,7 +398,7 @@ static void test_image_of_others(void)
 
 static unsigned met, locked;
 
-static void look_at_lock(void)
+static void check_lock(void)
 {
     met++;
     if (pal_lock_take(sv->lock, 0) == SM_OK)
@@ -418,7 +418,7 @@ static void test_lock(void)
     sim_delay(SIM_aio_write, 1000);
     sim_delay(SIM_dio_read, 1000);
     sim_delay(SIM_dio_write, 1000);
-    sim_every(500, look_at_lock);
+    sim_every(500, check_lock);
     met = locked = 0;
     CHECK(step_in() == SM_OK && step_out() == SM_OK);
     CHECK(met > 20 && locked == 0);

@@ -282,8 +282,8 @@ static void test_cut_after_failure(const char *name)
     CHECK(restart(name, &wide_vector) == SM_OK && keep.restored && number() == 1);
 }
 
-// What the medium refuses is told by the steps that follow, until it takes one again.
-static void test_told(const char *name)
+// A failed write to the medium is reported by the following steps, until a write succeeds.
+static void test_failures_are_reported(const char *name)
 {
     sim_reset();
     CHECK(start(name, &wide_vector) == SM_OK && store(1) == SM_OK);
@@ -356,7 +356,7 @@ int main(void)
         test_wrap(memories[i]);
         test_failed_write(memories[i]);
         test_cut_after_failure(memories[i]);
-        test_told(memories[i]);
+        test_failures_are_reported(memories[i]);
         test_steps_meanwhile(memories[i]);
         test_forget(memories[i]);
         test_unusable(memories[i]);

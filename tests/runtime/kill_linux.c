@@ -119,7 +119,7 @@ static bool is_whole(void)
 }
 
 // Slot numbers count what was stored: the last one that the program told, or the one after it.
-static void check_kept(void)
+static void check_stored(void)
 {
     begin();
     CHECK(sm_keep_restore(&keep) == SM_OK);
@@ -197,7 +197,7 @@ int main(int argc, char **argv)
         memset((void *)(uintptr_t)told, 0, sizeof *told);
         start_and_kill();
         starts++;
-        check_kept();
+        check_stored();
         check_file(&starts);
     }
     unlink("kept.new");

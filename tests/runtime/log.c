@@ -268,7 +268,7 @@ static void test_record_not_handed_over(void)
     CHECK(log->session.at[0]->records == 2 && log->session.at[0]->dropped == 1 && holds(log->session.at[0], 0));
 }
 
-// A file that has become shorter than it was, and an append that is refused: nothing of the ring is taken as written, and all that is in
+// A file that has become shorter than it was, and an append that is refused: no record of the ring counts as written, and everything in
 // it comes to the medium later.
 static void test_shrunk(void)
 {
@@ -389,7 +389,7 @@ static void test_sync_again(void)
     CHECK(sim_log(NAME, &n) && n > 0 && sim_log_synced(NAME) == n);
 }
 
-// A ring that is full to the last byte is not taken for an empty one.
+// A ring that is full to the last byte is not mistaken for an empty one.
 static void test_full_ring(void)
 {
     const uint32_t record = SM_LOG_RECORD(wide_layout.whole.packed);
@@ -407,7 +407,7 @@ static void test_full_ring(void)
         for (uint64_t k = 0; k < 60; k++) {
             taken += step(k, 0) == SM_OK;
             if (k % 7 == 5)
-                (void)sm_log_drain(&flight, 0);           // a piece: of the ring all that there is
+                (void)sm_log_drain(&flight, 0);           // a piece: everything in the ring
         }
         CHECK(sm_log_close(&flight) == SM_OK);
         log = read_all();
@@ -688,7 +688,7 @@ static void test_power(void)
         }
 }
 
-// ---- a flight to look at: `log FILE` writes it ----
+// ---- a flight for manual inspection: `log FILE` writes it ----
 
 // Up and down in four seconds, with a gap in it; the second session is the restart after it.
 static void fly_up(uint64_t from, uint64_t to)

@@ -111,7 +111,7 @@ static void read_file(const char *name)
         fclose(f);
 }
 
-static void check_kept(void)
+static void check_stored(void)
 {
     (void)pal_lock_close(keep.lock);
     memset(&keep.nvm, 0, sizeof keep.nvm);
@@ -143,7 +143,7 @@ static void test_limit(void)
 
 // ---- files that hold something else ----
 
-// A source that somebody named by mistake, shorter than two slots: not even lengthened.
+// A source file given by mistake, shorter than two slots, is not changed, not even lengthened.
 static void test_foreign(void)
 {
     static const char text[] = "[regions]\nSensors\n[elements]\nF64 temperature Sensors\n";
@@ -177,7 +177,7 @@ int main(void)
     run_both();
     test_limit();
     read_file("flight.log");
-    check_kept();
+    check_stored();
     CHECK(unlink("flight.log") == 0 && unlink("kept") == 0 && chdir("/") == 0 && rmdir(folder) == 0);
     return test_end("log_linux");
 }

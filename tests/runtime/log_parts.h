@@ -9,7 +9,7 @@
 #include "tests/test.h"
 #include "wide.h"
 
-enum { ROOM = 1024, GUARD = 64 };     // GUARD: bytes behind the ring that nobody may touch
+enum { ROOM = 1024, GUARD = 64 };     // GUARD: bytes after the ring that must not change
 #define TICK ((uint64_t)10 * PAL_MILLISECOND)
 
 static SmResult fake_open(void *self, uint32_t layout, uint32_t size) { return (void)self, (void)layout, (void)size, SM_OK; }

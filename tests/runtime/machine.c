@@ -21,7 +21,7 @@ static void start_touches_S_alone(Kind kind, bool guarded)
     CHECK(memcmp(&before, &after, sizeof before) == 0);
 }
 
-static void starts_where_told(Kind kind, bool guarded)
+static void starts_in_given_state(Kind kind, bool guarded)
 {
     set_stage(kind, guarded);
     stage.tick.time = 0;
@@ -86,7 +86,7 @@ static void steps(Kind kind, bool guarded)
     CHECK(step(4) == SM_OK && stand_sv.fin == 0 && stand_sv.torn == 0);
 }
 
-static void transitions_are_told(Kind kind, bool guarded)
+static void transitions_emit_events(Kind kind, bool guarded)
 {
     start_stage(kind, guarded);
     CHECK(step(0) == SM_OK && nothing_happened());
@@ -99,7 +99,7 @@ static void transitions_are_told(Kind kind, bool guarded)
 
 static SmResult step_again(void) { return sm_machine_step(&stage.machine, &stage.tick); }
 
-static void time_that_stands(Kind kind, bool guarded)
+static void time_that_does_not_advance(Kind kind, bool guarded)
 {
     StandSv before;
 
@@ -159,12 +159,12 @@ static void places_are_known(Kind kind, bool guarded)
 int main(void)
 {
     for_all(start_touches_S_alone);
-    for_all(starts_where_told);
+    for_all(starts_in_given_state);
     for_all(resumes_only_what_was_restored);
     for_all(starts_afresh);
     for_all(steps);
-    for_all(transitions_are_told);
-    for_all(time_that_stands);
+    for_all(transitions_emit_events);
+    for_all(time_that_does_not_advance);
     for_all(refused_writes_nothing);
     for_all(needs_no_events);
     for_all(states_have_names);

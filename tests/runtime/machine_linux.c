@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two machines, emitted and from an image, each in a thread of its own, and a third thread, on one state vector: nobody sees half of what
+// Two machines, emitted and from an image, each in a thread of its own, and a third thread, on one state vector: no thread sees half of what
 // another wrote, and nobody's writes are lost.
 #include "bytecode-vm/target/machine.h"
 #include "first.h"

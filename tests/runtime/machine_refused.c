@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What sm_machine_init refuses, and with which result; and images that nobody should trust.
+// What sm_machine_init refuses, and with which result; and images that must not be trusted.
 #include "bytecode-vm/image.h"
 #include "machine_stage.h"
 #include "plain_tester.h"
@@ -70,7 +70,7 @@ static void misaligned(Kind kind, bool guarded)
     refuses(SM_E_ARGUMENT);
 }
 
-// Emitted without --track-stores: in place it runs, on a guarded vector nobody would know what to write back.
+// Emitted without --track-stores: it runs in place; on a guarded vector the stores to write back would be unknown.
 static void untracked(void)
 {
     static PlainTester self;
@@ -199,7 +199,7 @@ static void fix_crc(uint8_t *image, uint32_t size)
         image[SMVM_CRC_AT + i] = (uint8_t)(crc >> 8 * i);
 }
 
-// Each byte of the names changed to several others: what is taken for a name lies in the image, and ends there.
+// Each byte of the names changed to several others: every string that is read as a name begins and ends in the image.
 static void hostile_names(void)
 {
     static uint8_t image[sizeof tester_image];

@@ -24,7 +24,7 @@ static void start(void)
     CHECK(memcmp(&wide_sv, &before, sizeof before) == 0);
 }
 
-// Nobody holds the lock, and nothing but `bytes` from `offset` on has changed.
+// The lock is free, and nothing but `bytes` from `offset` on has changed.
 static bool only_changed(size_t offset, size_t bytes)
 {
     const uint8_t *now = (const uint8_t *)&wide_sv, *then = (const uint8_t *)&before;

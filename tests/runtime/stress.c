@@ -17,7 +17,7 @@
 
 // What the model knows of a task beside the runtime.
 typedef struct Worker {
-    int executor, place;                  // where it stands in its tick
+    int executor, place;                  // its position in its tick
     uint32_t every;
     uint64_t due, steps, safings, failures, fault_events;
     uint64_t to_step, to_safe;            // what the modes at its ticks ask for
@@ -198,7 +198,7 @@ static void expect_worker(Worker *w, const SmTask *t)
     w->to_safe += mode != 2 && mode != 0 && w->has_safe;
 }
 
-// Until the next probe nobody changes a mode.
+// Until the next probe no mode changes.
 static void expect_workers(int i, uint64_t number)
 {
     for (int k = 0; k < GROUPS; k++)
@@ -380,7 +380,7 @@ static void check_end(void)
     read_events();
     for (int i = 0; i < app.executors; i++)
         check_executor(i);
-    if (crew_vector.guarded)                               // nobody holds a lock any more
+    if (crew_vector.guarded)                               // all locks are free
         CHECK(pal_lock_close(crew_vector.lock) == SM_OK && pal_lock_close(events.lock) == SM_OK);
     check_watchdog();
 }

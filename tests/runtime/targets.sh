@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# The runtime for small targets: it compiles there without a warning; and names that nobody looks up are not linked.
+# The runtime for small targets: it compiles there without a warning; and names that are not used are not linked.
 #     targets.sh SMC     CC names the host's compiler.
 smc=$1 CC=${CC:-cc}
 here=tests/runtime
@@ -60,7 +60,7 @@ program() {
         echo 'SmResult pal_lock_give(PalLock lock) { (void)lock; return SM_OK; }'
         echo "int main(void) { if (sm_statevec_init(&wide_vector) != SM_OK) return 1; $2 return (int)wide_f64(); }"
     } >"$dir/$1.c"
-    # (Without options that may stand behind the compiler's name: sanitizers keep everything.)
+    # (Without options that can follow the compiler's name: sanitizers keep everything.)
     ${CC%% *} -std=c99 -Os -ffunction-sections -fdata-sections -Wl,--gc-sections -I. -I"$dir" "$dir/$1.c" "$dir/wide.c" $sources \
         -o "$dir/$1" 2>"$dir/log"
 }

@@ -108,7 +108,7 @@ static void test_faults(void)
     run(1);                                                // safing fails as well: it goes on failing
     CHECK(is_event(SM_EVENT_MODE, 7, 2, 1) && is_no_event() && task.failures == 3);
     part.gives = SM_OK;
-    run(0);                                                // not called: nobody knows
+    run(0);                                                // not called, so unknown
     CHECK(is_event(SM_EVENT_MODE, 7, 1, 0) && is_no_event() && task.failures_in_row == 3);
     run(2);
     CHECK(is_event(SM_EVENT_MODE, 7, 0, 2) && is_event(SM_EVENT_FAULT, 7, 0, 3) && task.failures_in_row == 0 && task.last_result == SM_OK);

@@ -259,7 +259,7 @@ static void test_ended_is_not_stuck(void)
     }
 }
 
-// Nor is a last tick that is shorter than the watchdog, whoever has ended before.
+// Nor is a last tick that is shorter than the watchdog, no matter which thread ended before.
 static void test_last_tick(void)
 {
     for (unsigned at = 20; at < 80; at++) {

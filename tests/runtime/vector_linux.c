@@ -39,7 +39,7 @@ static bool is_whole(const Pair *p)
     return p->odd == q.odd && p->not_a == q.not_a && p->number == q.number;
 }
 
-// A look at the clock now and then, so that most of the time goes where it matters.
+// Reads the clock only from time to time, so that most of the time is spent in the test itself.
 static bool goes_on(Part *part)
 {
     part->done++;
@@ -152,7 +152,7 @@ static void read_wire(void *argument)
     }
 }
 
-// One by one: between two of these others may write, but what each gives was written by somebody.
+// One by one: other threads can write between two of these, but each returned value was written by one of them.
 static void read_elements(void *argument)
 {
     Part *part = (Part *)argument;

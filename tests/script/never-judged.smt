@@ -1,4 +1,4 @@
-# What was never judged is said once for each reason: the condition, the state, the end; @assert false wants it.
+# An assert that was never judged is reported once, with the reason: the condition, the state or the end.  @assert false is meant never to be judged.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-# Each script of a case begins anew.
+# Each script of a case starts with a new machine.
 
 -- app.sm --
 [state_vector]

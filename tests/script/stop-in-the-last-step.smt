@@ -1,4 +1,4 @@
-# The limit is reached, but @stop stands in the last step.
+# The limit is reached, but @stop is in the last step.
 steps 5
 
 -- app.sm --

@@ -224,7 +224,7 @@ static void one_update_in_trouble(const char *memory, uint8_t slots, Ends *ends)
 
 // ---- a good line ----
 
-static void what_is_armed_is_not_touched(const char *memory, uint8_t slots)
+static void armed_board_refuses_update(const char *memory, uint8_t slots)
 {
     static uint8_t kept[SIM_NVM_SIZE];
     static const SmResult reasons[] = {SM_E_ARMED, SM_E_UNSAFE};
@@ -248,7 +248,7 @@ static void what_is_armed_is_not_touched(const char *memory, uint8_t slots)
 }
 
 // It may be armed while an update is under way.
-static void an_update_stops_when_it_is_armed(void)
+static void arming_stops_an_update(void)
 {
     uint8_t body[9], data[5 + 8];
     Pair p;
@@ -269,7 +269,7 @@ static void an_update_stops_when_it_is_armed(void)
     CHECK(link_ask(&p.host, LINK_DATA, data, sizeof data) && p.host.result == SM_OK && sm_link_load(p.host.body, 3) == 8);
 }
 
-static void what_does_not_fit_is_refused(void)
+static void too_large_image_is_refused(void)
 {
     Image damaged = new_image;
     uint8_t body[9] = {1};
@@ -293,8 +293,8 @@ static void what_does_not_fit_is_refused(void)
     CHECK(board_start(&p.board) && runs(&p.board, &old_image));
 }
 
-// With one slot, what was refused lies in the place of the chosen image and is not that.
-static void what_was_refused_is_not_chosen(void)
+// With one slot, a refused image is in the place of the chosen one, but is not chosen.
+static void refused_image_is_not_chosen(void)
 {
     DeviceImage image;
     Update u;
@@ -310,7 +310,7 @@ static void what_was_refused_is_not_chosen(void)
 }
 
 // What cannot be run after all: on trial it is over, confirmed it stays chosen.
-static void what_cannot_run_is_passed_over(const char *memory)
+static void unusable_image_is_skipped(const char *memory)
 {
     DeviceImage image;
     Update u;
@@ -327,7 +327,7 @@ static void what_cannot_run_is_passed_over(const char *memory)
 }
 
 // What is written over is not what would run again.
-static void what_was_before_is_known_by_its_checksum(void)
+static void previous_image_is_known_by_checksum(void)
 {
     DeviceImage image;
     Update u;
@@ -356,7 +356,7 @@ static void pins_have_places(void)
 }
 
 // With one slot, an image on trial keeps running: a BEGIN that is refused must not have stopped it.
-static void a_trial_is_not_stopped_for_nothing(void)
+static void refused_update_does_not_stop_a_trial(void)
 {
     Update u;
     Pair p;
@@ -394,7 +394,7 @@ static void images_are_listed_and_erased(void)
     CHECK(device_running(&p.host, &info, &image) && image.slot == DEVICE_BUILT_IN);
 }
 
-static void what_is_no_request_is_said_to_be_none(void)
+static void invalid_request_is_rejected(void)
 {
     static const uint8_t far[5] = {0, 0xff, 0xff, 0xff, 10};
     uint8_t body[5] = {0, 0, 0, 0, BOARD_BODY};
@@ -434,8 +434,8 @@ static void noise_before_a_request_does_not_spoil_it(void)
     CHECK(device_hello(&p.host, &info));
 }
 
-// A board that restarts in the middle of an update has forgotten it; the host begins anew.
-static void an_update_goes_on_after_a_restart(void)
+// A board that restarts in the middle of an update has forgotten it; the host begins again.
+static void update_resumes_after_restart(void)
 {
     Update u;
     Pair p;
@@ -506,7 +506,7 @@ static SmResult spoil(void *context, SmvmBytes image)
     return SM_OK;
 }
 
-static void what_was_sent_is_read_back(const char *memory, uint8_t slots)
+static void sent_image_is_read_back(const char *memory, uint8_t slots)
 {
     DeviceImage image;
     Update u;
@@ -524,7 +524,7 @@ static void what_was_sent_is_read_back(const char *memory, uint8_t slots)
 }
 
 // The slot that runs is not what was sent, though it may hold the same image: here that runs, and comes once more for steps of another length.
-static void what_runs_is_not_read_back(const char *memory)
+static void running_image_is_not_read_back(const char *memory)
 {
     DeviceInfo info;
     Update u;
@@ -548,7 +548,7 @@ static void what_runs_is_not_read_back(const char *memory)
 }
 
 // A request that is shorter than its message must be is refused, though what an earlier one left in the buffer would complete it.
-static void what_is_too_short_is_refused(void)
+static void too_short_request_is_refused(void)
 {
     static const struct { LinkMessage message; uint8_t least; } all[] = {
         {LINK_IMAGE, 1}, {LINK_PIN, 3}, {LINK_BEGIN, 9}, {LINK_DATA, 6}, {LINK_END, 2}, {LINK_ACTIVATE, 2}, {LINK_CONFIRM, 4}, {LINK_ERASE, 4},
@@ -629,7 +629,7 @@ static uint32_t canned_now(void *context) { return ((const Canned *)context)->no
 
 // HELLO has grown (link.def: "from the signatures on it may be cut").  What a board does not say is not there, whatever a longer answer before
 // has left in the buffer.
-static void older_boards_say_less(void)
+static void older_boards_report_less(void)
 {
     static const uint8_t all[31] = {1, 200, 128, 2, 0, 4, 0, 0, 2, 0, 9, 0, 0, 0, 0, 1, 5, 0, 0, 0, 0x83, 10, 26, 20, 0, 0x40, 0x1f, 4, 3, 2, 1};
     static const uint8_t none[31] = {0};
@@ -675,27 +675,27 @@ int main(int argc, char **argv)
     }
     random_state = UINT64_C(88172645463325252) * (argc > 4 ? strtoul(argv[4], NULL, 10) : 1);
     for (unsigned i = 0; i < 4; i++)
-        what_is_armed_is_not_touched(memories[i % 2], (uint8_t)(1 + i / 2));
+        armed_board_refuses_update(memories[i % 2], (uint8_t)(1 + i / 2));
     for (unsigned i = 0; i < 4; i++)
-        what_was_sent_is_read_back(memories[i % 2], (uint8_t)(1 + i / 2));
-    what_runs_is_not_read_back("eeprom");
-    what_runs_is_not_read_back("flash");
-    older_boards_say_less();
-    an_update_stops_when_it_is_armed();
-    what_does_not_fit_is_refused();
-    what_was_refused_is_not_chosen();
-    what_cannot_run_is_passed_over("eeprom");
-    what_cannot_run_is_passed_over("flash");
-    what_was_before_is_known_by_its_checksum();
+        sent_image_is_read_back(memories[i % 2], (uint8_t)(1 + i / 2));
+    running_image_is_not_read_back("eeprom");
+    running_image_is_not_read_back("flash");
+    older_boards_report_less();
+    arming_stops_an_update();
+    too_large_image_is_refused();
+    refused_image_is_not_chosen();
+    unusable_image_is_skipped("eeprom");
+    unusable_image_is_skipped("flash");
+    previous_image_is_known_by_checksum();
     pins_have_places();
-    a_trial_is_not_stopped_for_nothing();
+    refused_update_does_not_stop_a_trial();
     images_are_listed_and_erased();
-    what_is_no_request_is_said_to_be_none();
+    invalid_request_is_rejected();
     noise_before_a_request_does_not_spoil_it();
-    an_update_goes_on_after_a_restart();
+    update_resumes_after_restart();
     events_come_once_and_in_order();
     events_fit_into_an_answer();
-    what_is_too_short_is_refused();
+    too_short_request_is_refused();
     for (unsigned long i = 0; i < number; i++)
         one_update_in_trouble(memories[i % 2], (uint8_t)(1 + i / 2 % 2), &ends);
     printf("%lu updates: %u succeeded, %u refused, %u without an answer\n", number, ends.succeeded, ends.refused, ends.silent);

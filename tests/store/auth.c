@@ -96,7 +96,7 @@ static void every_bit_is_guarded(void)
     }
 }
 
-// A code says nothing of what stands behind it.
+// A code does not cover the bytes after it.
 static void the_code_ends_the_image(void)
 {
     Image s = signed_with(our_key, &new_image, 7);
@@ -145,7 +145,7 @@ static void board_with_key(Board *b, const char *memory, uint8_t slots)
     CHECK(restarts(b));
 }
 
-static void what_is_not_signed_is_refused(uint8_t slots)
+static void unsigned_image_is_refused(uint8_t slots)
 {
     const Image theirs = signed_with(other_key, &new_image, 7);
     Board b;
@@ -159,7 +159,7 @@ static void what_is_not_signed_is_refused(uint8_t slots)
     CHECK(restarts(&b) && (b.slot != STORE_BUILT_IN) == (slots == 2));
 }
 
-static void no_number_comes_back(uint8_t slots)
+static void no_number_is_reused(uint8_t slots)
 {
     Board b;
 
@@ -171,7 +171,7 @@ static void no_number_comes_back(uint8_t slots)
     CHECK(runs_number(&b, 9, false) && newest(&b) == 5);
     for (int i = 0; i < STORE_TRIES; i++)
         CHECK(restarts(&b));
-    CHECK(runs_number(&b, 6, true) && newest(&b) == 6);        // a trial that nobody confirmed counts for nothing
+    CHECK(runs_number(&b, 6, true) && newest(&b) == 6);        // a trial without a confirmation does not count
     CHECK(restarts(&b) && newest(&b) == 6 && send_number(&b, 6) == SM_E_REPLAY);
     CHECK(runs_number(&b, 0xffffffff, true) && newest(&b) == 0xffffffff && send_number(&b, 7) == SM_E_REPLAY);
 }
@@ -184,8 +184,8 @@ static const Image *numbered(uint32_t number)
     return &s;
 }
 
-// What was overwritten and is sent again, with nobody having accepted it, is not what a start goes back to.
-static void what_is_not_accepted_is_not_gone_back_to(uint8_t slots)
+// A start does not fall back to an image that was overwritten and is sent again, but was not accepted.
+static void no_fallback_to_unaccepted_image(uint8_t slots)
 {
     Board b;
 
@@ -212,7 +212,7 @@ static void an_update_cut_off_is_not_confirmed(void)
 }
 
 // A request that is refused has the board leave no slot.
-static void a_refused_begin_stops_nothing(void)
+static void refused_begin_has_no_effect(void)
 {
     uint8_t request[LINK_ROOM(9)] = {0, 1, LINK_BEGIN, 0, 0, 64, 0, 0, 1, 2, 3, 4};        // no session
     uint16_t length;
@@ -226,7 +226,7 @@ static void a_refused_begin_stops_nothing(void)
 }
 
 // A checksum proves nothing: what was written without asking, its checksum chosen, does not run on a board with a key.
-static void what_was_put_there_does_not_run(void)
+static void injected_image_does_not_run(void)
 {
     Board b;
 
@@ -237,7 +237,7 @@ static void what_was_put_there_does_not_run(void)
 }
 
 // Without a key nothing is asked, and no number kept.
-static void a_board_without_a_key_takes_all(void)
+static void board_without_key_accepts_all(void)
 {
     Board b;
 
@@ -245,7 +245,7 @@ static void a_board_without_a_key_takes_all(void)
 }
 
 // A host learns from HELLO what it need not try.
-static void hello_says_so(void)
+static void hello_reports_the_key(void)
 {
     uint8_t request[LINK_ROOM(0)] = {0, 1, LINK_HELLO}, answer[LINK_ROOM(BOARD_BODY)];
     LinkReceiver r;
@@ -295,15 +295,15 @@ int main(int argc, char **argv)
     every_bit_is_guarded();
     the_code_ends_the_image();
     for (uint8_t slots = 1; slots <= 2; slots++) {
-        what_is_not_signed_is_refused(slots);
-        no_number_comes_back(slots);
-        what_is_not_accepted_is_not_gone_back_to(slots);
+        unsigned_image_is_refused(slots);
+        no_number_is_reused(slots);
+        no_fallback_to_unaccepted_image(slots);
     }
-    what_was_put_there_does_not_run();
-    a_board_without_a_key_takes_all();
+    injected_image_does_not_run();
+    board_without_key_accepts_all();
     an_update_cut_off_is_not_confirmed();
-    a_refused_begin_stops_nothing();
-    hello_says_so();
+    refused_begin_has_no_effect();
+    hello_reports_the_key();
     confirming_is_cut("eeprom");
     confirming_is_cut("flash");
     return test_end("auth");

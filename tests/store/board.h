@@ -94,7 +94,7 @@ static bool board_new(Board *b, const char *memory, uint8_t slots)
     return sm_events_init(&b->events) == SM_OK && board_start(b);
 }
 
-// Gives the length of the answer in b->frame; 0: none.  A memory that cannot be read is one whose power went: nobody answers then.
+// Returns the length of the answer in b->frame; 0: none.  If the memory cannot be read, its power is off, and the board does not answer.
 static uint16_t board_takes(Board *b, uint8_t byte)
 {
     const uint16_t n = b->up ? smvm_agent_receive(&b->agent, byte) : 0;

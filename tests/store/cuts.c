@@ -206,7 +206,7 @@ static void a_trial_that_cannot_be_counted_does_not_run(void)
 }
 
 // One that cannot run is passed over at its start, and the power goes in that: it is on trial as before, or over.
-static void a_trial_that_is_passed_over_is_cut(const char *memory)
+static void power_cut_while_a_trial_is_skipped(const char *memory)
 {
     Device d;
     Runs runs;
@@ -293,7 +293,7 @@ static void steps_may_be_repeated(void)
 }
 
 // What lay in the memory before may be the very image that is to come: only what was sent in this session counts.
-static void what_lay_there_is_not_taken_for_sent(void)
+static void old_content_does_not_count_as_sent(void)
 {
     Device d;
     SmvmVerdict why;
@@ -319,8 +319,8 @@ static void another_image_is_refused(void)
     CHECK(start(&d) == RUNS_OLD);
 }
 
-// After a write that failed nobody knows what lies there.
-static void a_write_that_failed_ends_the_update(void)
+// After a failed write the content there is undefined.
+static void failed_write_ends_the_update(void)
 {
     Device d;
 
@@ -362,7 +362,7 @@ static void a_period_goes_with_its_image(void)
     }
 }
 
-static void what_does_not_fit_is_refused(void)
+static void too_large_image_is_refused(void)
 {
     Device d;
     StorePlan plan = {64, 2, {NULL, NULL}};
@@ -430,17 +430,17 @@ int main(int argc, char **argv)
     }
     a_trial_that_is_not_confirmed_ends();
     a_trial_that_cannot_be_counted_does_not_run();
-    a_trial_that_is_passed_over_is_cut("eeprom");
-    a_trial_that_is_passed_over_is_cut("flash");
+    power_cut_while_a_trial_is_skipped("eeprom");
+    power_cut_while_a_trial_is_skipped("flash");
     an_erased_trial_gives_way();
     an_erasure_of_two_reports_what_fails();
     a_late_repetition_does_no_harm();
     steps_may_be_repeated();
-    a_write_that_failed_ends_the_update();
-    what_lay_there_is_not_taken_for_sent();
+    failed_write_ends_the_update();
+    old_content_does_not_count_as_sent();
     another_image_is_refused();
     a_period_goes_with_its_image();
-    what_does_not_fit_is_refused();
+    too_large_image_is_refused();
     flipped_bits_are_noticed("eeprom");
     flipped_bits_are_noticed("flash");
     stuck_bits_are_noticed();

@@ -2,7 +2,7 @@
 // The VM on some target, at the command of its standard input: the exchange of emit_c_driver (compiler/emit/c/emit_c.h), in which machines
 // come as images.  One command more:
 //   2, load:   u32 n, n times (u32 where: 0 a constant, 1 T, 2 an element, 3 a local; u32 type; u32 offset; u32 1 + its number among
-//              the outputs, 0: it is none, -1: it is S; u64 the constant), u32 size, the image
+//              the outputs, 0: it is not an output, -1: it is S; u64 the constant), u32 size, the image
 //              answer: u32 verdict, u32 the longest step; verdict 255: there is no room here, nothing else is answered
 // Machine and image stay until the next load.  The machine runs in place; and decoded beside it, where there is room.  A difference between
 // the two is status 3.
@@ -202,7 +202,7 @@ static void take_cells(uint32_t n)
     cells = n < VM_CELLS ? n : VM_CELLS;
 }
 
-// Takes what there is room for; `loaded` tells whether that was everything, and that it can run.
+// Loads the machines that fit; `loaded` tells whether all of them fit and can run.
 static uint32_t load(SmvmVerdict *why)
 {
     const uint32_t n = take_u32();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arena: what is handed out is zeroed, what is copied is whole, and what lies behind a copy is zeroed where it grows;
-// memory that is not zeroed stays as it is, and what comes behind it is zeroed.
+// The arena: allocated memory is zeroed, copies are complete, and bytes after a copy are zeroed where it grows;
+// memory that is not zeroed is unchanged, and the bytes after it are zeroed.
 #include "compiler/base/arena.h"
 
 #include <stdint.h>
@@ -44,7 +44,7 @@ static void test_copies(Arena *a)
     }
 }
 
-// Memory that is not zeroed, and what comes behind it.
+// Memory that is not zeroed, and the bytes after it.
 static void test_room(Arena *a)
 {
     for (size_t n = 0; n < 5000; n = n * 2 + 1) {
@@ -69,7 +69,7 @@ static void test_lists_in_one_piece(Arena *a)
     CHECK(two.at[0] == 7 && one.at[3] == 0 && one.at[32] == 29);
 }
 
-// Nothing of an arena that holds nothing is somewhere too.
+// An allocation of 0 bytes from an empty arena has an address too.
 static void test_nothing(Arena *a)
 {
     CHECK(arena_alloc(a, 0) != NULL);

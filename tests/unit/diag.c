@@ -63,7 +63,7 @@ static void test_example(void)
     arena_free(&arena);
 }
 
-// A tab is a blank, what cannot be seen is spelled out; the caret stays below what it means.
+// A tab is a blank, invisible characters are spelled out; the caret stays below its character.
 static void test_unprintable(void)
 {
     static const char text[] = "\ta\x01\t\xff \xc3\xa9 \xe2\x80\xae" "bad\tx\n";
@@ -104,7 +104,7 @@ static void test_places(void)
     arena_free(&arena);
 }
 
-// A file that was loaded twice is one file: what is wrong in it is reported once.  Another name or another text is another file.
+// A file that was loaded twice is one file: its errors are reported once.  Another name or another content is another file.
 static void test_same_file_twice(void)
 {
     static const char text[] = "one\ntwo\n";
@@ -281,7 +281,7 @@ static DiagPrint print_of(const char *name, const char *text, uint32_t at)
     return p;
 }
 
-// A fingerprint knows the line's words, not where it stands, how it is indented or remarked on, nor in which folder.
+// A fingerprint depends on the line's words, not on its position, indentation, comments or folder.
 static void test_fingerprints(void)
 {
     DiagPrint one, twins[2];
@@ -332,7 +332,7 @@ static void test_edits(void)
     arena_free(&arena);
 }
 
-// Ids are unique and in order, every page says something.
+// Ids are unique and in order, no page is empty.
 static void test_table(void)
 {
     char last[8] = "00E000", key[8];
@@ -353,7 +353,7 @@ static void test_table(void)
     CHECK(!diag_find("E9999") && !diag_find("") && !diag_find("E020"));
 }
 
-// The document holds the page of every row.
+// The document contains the page of every row.
 static void test_markdown(void)
 {
     size_t rows = 0, pages = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Golden cases: what wildcards match, and that they stay where they still do when a case is written anew (tests/golden/expect.h).
+// Golden cases: what wildcards match, and that a case which is rewritten keeps the wildcards that still match (tests/golden/expect.h).
 #include "tests/golden/expect.h"
 
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reachability and postdominators against what they mean, tried out: on random functions every block is asked in the plain
-// way, by taking another block away and seeing whether the end can still be reached.
+// method: it removes another block and checks whether the end is still reachable.
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames of the link: what is sent arrives, what is damaged does not, and after any damage the next frame arrives.
+// Frames of the link: sent frames arrive, damaged ones do not, and after any damage the next frame arrives.
 #include <string.h>
 
 #include "runtime-c/link/link.h"

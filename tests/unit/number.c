@@ -89,7 +89,7 @@ static void test_random_digits(void)
     }
 }
 
-// What 17 digits say of an F64 gives it back; so does what 16 digits and 18 say, rightly rounded.
+// 17 digits of an F64 reproduce it; so do 16 and 18 digits, correctly rounded.
 static void test_round_trip(void)
 {
     char text[64];
@@ -106,7 +106,7 @@ static void test_round_trip(void)
     }
 }
 
-// Digits that no longer count are left out, and say whether anything was behind: zeros before them are no zeros at the end.
+// Insignificant digits are dropped, but a flag tells whether any was not zero: zeros before them are not trailing zeros.
 static void test_far_digits(void)
 {
     static char text[3000];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parser: trees of what is right, one message for each thing that is wrong, edits that put it right, sizes and depths.
+// The parser: trees of correct sources, one message for each mistake, edits that fix it, sizes and depths.
 #include <string.h>
 #include <time.h>
 
@@ -33,7 +33,7 @@ static void show(void)
     fputs(buf_text(&out), stderr);
 }
 
-// ---- what is right ----
+// ---- correct sources ----
 
 static void tree(FileKind kind, const char *text, const char *expected)
 {
@@ -104,7 +104,7 @@ static void test_sections(void)
          "    @assert (x > 0)\n    @stop\n  if a :\n    @stop\nscript A\n");
 }
 
-// ---- what is wrong ----
+// ---- mistakes ----
 
 // The ids of the errors in their order, "E0312 E0330".
 static const char *ids(void)
@@ -191,7 +191,7 @@ static const char *edited(const Diag *d, const char *text)
     return out;
 }
 
-// One edit after the other leads to what is right.
+// One edit after the other leads to a correct source.
 static void repaired(const char *before, const char *after)
 {
     char text[512], expected[512];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference's numbers: against values worked out by hand, and against stdlib, which gets them in another way.
+// The reference's numbers: against values computed by hand, and against stdlib, which computes them by another method.
 #include "compiler/script/ref.h"
 
 #include <float.h>

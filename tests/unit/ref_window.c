@@ -59,7 +59,7 @@ static void check_by_hand(void)
     CHECK(isnan(stat(&f, SM_STAT_AVG)) && stat(&f, SM_STAT_RANGE) == INFINITY && stat(&f, SM_STAT_MEDIAN) == 1);
     for (int i = 0; i < 4; i++)
         push(&f, 5);
-    CHECK(stat(&f, SM_STAT_AVG) == 5 && same(stat(&f, SM_STAT_RANGE), 0));        // nothing is left of what has gone
+    CHECK(stat(&f, SM_STAT_AVG) == 5 && same(stat(&f, SM_STAT_RANGE), 0));        // no trace of samples that have left the window
     push(&f, NAN);
     CHECK(stat(&f, SM_STAT_MIN) == 0 && stat(&f, SM_STAT_MEDIAN) == 5);
 }

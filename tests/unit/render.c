@@ -31,7 +31,7 @@ static const char *rendered(Arena *a, const char *text, size_t len, uint32_t at)
     return buf_text(&out);
 }
 
-// A caller learns from `met` that it failed, even when what it met had been said before or nobody listens.
+// A caller learns from `met` that it failed, even when the error had been reported before or no sink receives it.
 static void errors_met(Arena *a)
 {
     Span span = {source_new(a, "x.sm", "p", 1), 0, 1};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What scripts cannot show of engines and of runs in lock step: refused steps, stored elements, engines that fail or
-// differ, the end of time, memory that runs out at any moment.
+// differ, the end of time, memory that runs out at any request.
 #include <stdlib.h>
 #include <string.h>
 

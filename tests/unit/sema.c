@@ -142,7 +142,7 @@ static void test_program(void)
     e = p->state.at[0]->block[BLOCK_STEP].at[0]->value;
     CHECK(e->kind == EX_CHAIN && e->n == 3 && expr_ops(e)[0] == SM_OP_GT && expr_ops(e)[1] == SM_OP_LT);
     CHECK(e->arg[0]->kind == EX_BINARY && e->arg[2]->kind == EX_NUMBER);
-    CHECK(p->state.at[0]->block[BLOCK_STEP].at[1]->value->kind == EX_VAR);                   // parentheses gone
+    CHECK(p->state.at[0]->block[BLOCK_STEP].at[1]->value->kind == EX_VAR);                   // parentheses are removed
     CHECK(p->state.at[0]->block[BLOCK_STEP].at[1]->then.at[0]->target == p->state.at[1]);
     e = p->state.at[1]->block[BLOCK_EXIT].at[0]->value;
     CHECK(e->kind == EX_UNARY && e->op == SM_OP_NEG && e->arg[0]->kind == EX_VAR);           // so is unary plus

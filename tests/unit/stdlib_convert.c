@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conversions: every row of language.md 2 as a table, then random bit patterns against a second way of converting, which
-// takes the bits of the number apart and uses integers alone.
+// Conversions: every row of language.md 2 as a table, then random bit patterns against a second conversion, which
+// splits the number into its bits and uses only integers.
 #include "stdlib/convert.h"
 #include "tests/test.h"
 #include "tests/unit/random.h"
@@ -97,7 +97,7 @@ static void test_reading_rows(void)
         CHECK(sm_bits(sm_cell_to_f64(row[i].type, row[i].cell)) == sm_bits(row[i].from));
 }
 
-// ---- the second way ----
+// ---- the second conversion ----
 
 // The whole part of |x|, at most 2^64 - 1; *over when it is more.
 static uint64_t whole_part(uint64_t bits, bool *over)

@@ -82,7 +82,7 @@ static void test_against_libm(void)
     }
 }
 
-// Min and max must be the ends of a total order of all numbers: compare with one made of the bits.
+// Min and max must be the ends of a total order of all numbers: compares with an order computed from the bits.
 static int64_t order(SmF64 x)
 {
     const uint64_t u = sm_bits(x);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rolling windows against a model that keeps the whole history and works each statistic out anew from language.md 7: it
+// Rolling windows against a model that stores the whole history and computes each statistic again from language.md 7: it
 // fills an array of slots with holes, halves it level by level, and sorts.  stdlib_roll_small.c runs this with SM_ROLL_SMALL, where
 // what the VM calls and what emitted C calls are written apart, and leave the same memory.
 #include <stdlib.h>
@@ -101,14 +101,14 @@ static double any_sample(int mood, uint32_t k)
     case 3: return random_u64() % 3 != 0 ? 1.7976931348623157e308 : -1.7976931348623157e308;
     case 4: return special();
     case 5: return (double)k * 0.5;                                       // sorted
-    case 6: return 1000 - (double)k * 0.25;                               // the other way round
+    case 6: return 1000 - (double)k * 0.25;                               // in the other direction
     case 7: return k / 50 % 2 != 0 ? 1e6 + (double)(random_u64() % 100) : -1e6 - (double)(random_u64() % 100);
     default: return (double)(int64_t)random_u64() * 1e-10;
     }
 }
 
-// What an element of the type holds after x was stored to it.
-static double kept(uint32_t kind, double x)
+// The value of an element of the type after x was stored to it.
+static double stored_value(uint32_t kind, double x)
 {
     return sm_cell_to_f64((SmType)(kind & SM_ROLL_TYPE), sm_cell_from_f64((SmType)(kind & SM_ROLL_TYPE), x));
 }
@@ -169,7 +169,7 @@ static void check_stats(uint32_t n, uint32_t kind, uint32_t steps)
 #endif
 }
 
-// Takes steps, and looks after each of the first `often`, then every `seldom`.
+// Runs steps, and checks after each of the first `often`, then after every `seldom`.
 static void check_window(uint32_t n, uint32_t kind, int mood, uint32_t steps, uint32_t often, uint32_t seldom)
 {
     const uint32_t words = sm_roll_words(n, kind);
@@ -177,7 +177,7 @@ static void check_window(uint32_t n, uint32_t kind, int mood, uint32_t steps, ui
     memory[words] = 12345;
     for (uint32_t k = 0; k < steps; k++) {
         const double x = any_sample(mood, k);
-        history[k] = kept(kind, x);
+        history[k] = stored_value(kind, x);
         sample(n, kind, x);
         if (k < often || k % seldom == 0)
             check_stats(n, kind, k + 1);
@@ -246,7 +246,7 @@ static void test_empty(void)
         }
 }
 
-// I64 and U64 lose their last bits on the way to F64, so that is how they are kept.
+// I64 and U64 lose their last bits in the conversion to F64, so the model stores them converted.
 static void test_kinds(void)
 {
     CHECK(sm_roll_kind(SM_I64, 3) == (SM_ROLL_F64 | SM_ROLL_AVG | SM_ROLL_MEDIAN) && sm_roll_kind(SM_U64, 0) == SM_ROLL_F64);

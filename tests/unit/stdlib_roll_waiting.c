@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The average of a window of as many slots as SM_ROLL_WAITING says there may be: no more numbers wait than there is room for.
+// The average of a window of the most slots that SM_ROLL_WAITING allows: the pending numbers fit into their array.
 #define SM_ROLL_SMALL 1
 #define SM_ROLL_WAITING 9
 #include "stdlib/roll.h"

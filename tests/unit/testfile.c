@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// .smt files: header, parts byte for byte, announced diagnostics, and what is wrong with malformed ones.
+// .smt files: header, parts byte for byte, announced diagnostics, and the errors of malformed ones.
 #include "compiler/script/testfile.h"
 
 #include <stdlib.h>

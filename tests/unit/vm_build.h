@@ -114,7 +114,7 @@ static inline uint32_t put_machine(const Build *b, uint8_t *p)
     return (uint32_t)(p - start);
 }
 
-// Header and section table of n sections whose bytes follow one another; gives the image's length.
+// Header and section table of n sections whose bytes follow one another; returns the image's length.
 static inline uint32_t put_header(uint8_t *image, unsigned n, const uint8_t *id, const uint32_t *size)
 {
     uint8_t *p = image + 12;

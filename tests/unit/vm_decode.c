@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decoded form does what the image does: every opcode on what lies in memory as every type and on numbers that are hard on
-// somebody, with and without another use of X behind it; code without sense; then its memory.  (Random images are for vm_mutate and the
+// The decoded form behaves like the image: every opcode on memory of every type and on numbers that are difficult for some
+// engine, with and without a later use of X; code without meaning; then its memory.  (Random images are for vm_mutate and the
 // fuzzer, whole programs for the engine, which runs both forms.)
 #include <stdlib.h>
 
@@ -151,7 +151,7 @@ static void put_operands(Case *c, unsigned x, unsigned y)
     put_source(&c->b, y % SOURCES, TO_Y);
 }
 
-// A jump over a store; X may be stored on the way that it does not take.
+// A jump over a store; X can be stored on the path that is not taken.
 static void put_jump(Case *c, unsigned op, int numbers, unsigned n)
 {
     unsigned d = result(c, SM_U8), seen = result(c, SM_F64);
@@ -272,11 +272,11 @@ static void floats(Case *c)
                     typed(&c->b, SMVM_ldy_local, type, OTHERS_AT + 8 * type);
                     code(&c->b, SMVM_set, 1, SMVM_EQUAL);
                 }
-                code(&c->b, SMVM_out, 1, result(c, SM_F64));     // X is what it was
+                code(&c->b, SMVM_out, 1, result(c, SM_F64));     // X is unchanged
             }
 }
 
-// X lies where something is stored, and is used again.
+// X is in a variable that is overwritten, and is used again.
 static void overwritten(Case *c)
 {
     for (unsigned x = 0; x <= SM_TYPE_COUNT; x++)
@@ -400,7 +400,7 @@ static void nonsense(Case *c, uint64_t seed)
 
 // ---- the step: states, with and without each of their functions, which go here and there ----
 
-// The place of a function counts how often it ran; then it ends, goes on or goes away, by what is in elements.
+// A function counts its runs in an element; then it ends, continues or makes a transition, depending on other elements.
 static void put_function(Case *c, unsigned f)
 {
     typed(&c->b, SMVM_ldx_elem, SM_F64, RESULT_AT + 8 * f);
@@ -444,7 +444,7 @@ static void states(Case *c)
 
 // ---- windows of all types and statistics ----
 
-static void put_stat(Case *c, unsigned stat, unsigned type)      // stored; and a jump's condition, which is on a number or on what is in memory
+static void put_stat(Case *c, unsigned stat, unsigned type)      // stored; and a jump's condition, which tests a number or a variable in memory
 {
     code(&c->b, SMVM_stat, 2, stat, 0);
     code(&c->b, SMVM_out, 1, result(c, type));
@@ -468,7 +468,7 @@ static void window_case(Case *c, unsigned type, unsigned n, unsigned stats, unsi
     c->b.window[0] = WINDOW_OF(type == SM_I64 || type == SM_U64 ? SM_ROLL_F64 : type, n, stats);
     put_source(&c->b, how % 3 ? type : SM_F64, 0);
     code(&c->b, SMVM_sample, 1, 0);
-    code(&c->b, SMVM_out, 1, result(c, SM_F64));      // X is what it was
+    code(&c->b, SMVM_out, 1, result(c, SM_F64));      // X is unchanged
     code(&c->b, SMVM_end, 0);
     end_function(&c->b);
     end_function(&c->b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Disassembling: every opcode as text; and images whose names are lies: all share one as long as the image allows, or are out of order.
+// Disassembling: every opcode as text; and images with hostile names: all share one of the greatest length, or are out of order.
 #include <string.h>
 
 #include "bytecode-vm/smvm.h"

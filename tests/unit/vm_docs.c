@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/bytecode.md says what the tables say, row by row, and its example of embedding compiles and runs.
+// docs/bytecode.md agrees with the tables, row by row, and its example of embedding compiles and runs.
 #include <string.h>
 
 #include "bytecode-vm/image.h"

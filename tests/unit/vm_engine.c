@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The VM as an engine: which images it takes for a program, and that writes, refusals and the answers after init are right.
+// The VM as an engine: which images it accepts for a program, and that writes, refusals and the answers after init are right.
 // That it computes what the reference does is for conformance/ and tests/diff to show.
 #include <stdlib.h>
 #include <string.h>

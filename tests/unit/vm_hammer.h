@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes as an image: they are refused, or every machine in them runs on whatever the state vector holds, in memory of exactly
+// Bytes as an image: they are refused, or every machine in them runs on any state vector, in memory of exactly
 // the size it asked for, in place and decoded, with the same results.  What goes wrong is for the sanitizers to see.  Shared by tests/unit/vm_mutate.c and tests/fuzz/image.c.
 #ifndef VM_HAMMER_H
 #define VM_HAMMER_H
@@ -22,7 +22,7 @@ static inline uint64_t hammer_random(uint64_t *seed)
     return *seed;
 }
 
-// Words that are hard on somebody: infinities, NaNs, the ends of the integers.
+// Words that are difficult for some code: infinities, NaNs, the ends of the integers.
 static inline uint64_t hammer_word(uint64_t *seed)
 {
     static const uint64_t hard[] = {0, 1, UINT64_MAX, 0x7ff0000000000000, 0xfff0000000000000, 0x7ff0000000000001, 0x7ff8000000000000,
@@ -117,7 +117,7 @@ static inline void hammer_machine(const SmvmMachine *m, uint32_t steps, uint64_t
     hammer_close(&fast);
 }
 
-// What the pins say can be done: their elements lie in a vector of just that size.
+// The descriptions of the pins are usable: their elements are inside a vector of exactly that size.
 static inline void hammer_pins(const uint8_t *image)
 {
     SmvmPins all;

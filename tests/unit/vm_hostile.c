@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The VM as a small target would build it (vm_small.h), on images that were changed at random: it reads no byte outside the
-// image, writes none outside its memory and the outputs, and no step takes more instructions than the verifier said.
+// image, writes none outside its memory and the outputs, and no step takes more instructions than the bound of the verifier.
 #define SMVM_CONFIG "tests/unit/vm_small.h"
 #include "bytecode-vm/load.c"
 #define take pins_take
@@ -66,7 +66,7 @@ static void put_instruction(Build *b)
     }
 }
 
-// Loads, and what is done with them.
+// Loads, and their uses.
 static void put_line(Build *b)
 {
     if (below(8) == 0)
@@ -140,7 +140,7 @@ static void random_machine(Build *b)
         put_function(b, f % 3 < 2);
 }
 
-// ---- running what is accepted ----
+// ---- running accepted images ----
 
 static uint64_t word(void)
 {
@@ -150,7 +150,7 @@ static uint64_t word(void)
     return i < 7 ? hard[i] : seed;
 }
 
-// One step; what is no output and not S must stay as it was.
+// One step; elements other than outputs and S must not change.
 static void step(const SmvmMachine *m, SmVm *vm, uint64_t *sv, uint64_t g, uint32_t longest)
 {
     uint8_t before[8 * SV_WORDS], *bytes = (uint8_t *)sv, written[8 * SV_WORDS] = {0};
@@ -286,7 +286,7 @@ static void too_much_for_the_target(void)
     CHECK(verdict(&b) == SMVM_R_WINDOW);
 }
 
-// A section that may be skipped is skipped where it stands if its version is not known.
+// An optional section of an unknown version is skipped, wherever it is.
 static void later_debug(void)
 {
     static const uint8_t id[] = {0x02, 0x81, 0x82};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interpreter: every opcode, every way to load and store, on images made by hand.
+// The interpreter: every opcode, every form of load and store, on handmade images.
 #include <math.h>
 
 #include "stdlib/convert.h"
@@ -99,7 +99,7 @@ static void not_a_number(void)
     code(&b, SMVM_set, 1, SMVM_UNORDERED);
     CHECK(given(&b, 0, 0) == 1);
     begin(&b);
-    code(&b, SMVM_ldx_f32, 1, 1);                     // and so does one in a local that keeps what it is given
+    code(&b, SMVM_ldx_f32, 1, 1);                     // and so does one in a local that stores the value unchanged
     typed(&b, SMVM_st_local, SMVM_RAW, LOCAL_RAW);
     typed(&b, SMVM_ldx_local, SMVM_RAW, LOCAL_RAW);
     typed(&b, SMVM_ldy_local, SMVM_RAW, LOCAL_RAW);
@@ -107,7 +107,7 @@ static void not_a_number(void)
     CHECK(given(&b, 0, 0) == 1);
 }
 
-// What a load gives: in X, and as much in Y.
+// The result of a load: in X, and the same in Y.
 static double value(unsigned op, int numbers, unsigned n, double in)
 {
     double x, y;
@@ -173,7 +173,7 @@ static void registers(void)
     CHECK(given(&b, 300.5, 2) == 602);
 }
 
-// Every type, as element and as local: what is stored in it can be read back, and nothing beside it is touched; cvt gives the same.
+// Every type, as element and as local: a stored value can be read back, and no neighbour changes; cvt has the same result.
 static void types(void)
 {
     static const double expected[SM_TYPE_COUNT] = {-128, -300, -300, -300, 0, 0, 0, 0, -300.5, -300.5, 1};
@@ -201,7 +201,7 @@ static void types(void)
         }
 }
 
-// cvt of a type gives what a local of that type does, whatever X is.
+// cvt of a type has the same result as a local of that type, for any X.
 static void conversions(void)
 {
     static const double in[] = {-300.5, 300.5, 0.1, -0.0, 1e300, -1e300, 3, 5000000000, -1, 255, 256, 65535, 65536, 2147483647, 2147483648.0};
@@ -321,7 +321,7 @@ static void jumping(void)
     CHECK(jumps(SMVM_jxn - 1 + SMVM_EQUAL, 2, 0x1000c5f, 0x1000c5f, 0, false));
 }
 
-// What lies behind a jump that is not taken finds both registers as they were.
+// Code after a jump that is not taken finds both registers unchanged.
 static void chains(void)
 {
     Machine t;

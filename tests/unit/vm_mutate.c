@@ -35,7 +35,7 @@ static bool is_signed(const uint8_t *image)
     return smvm_auth_check(image, key, &number);
 }
 
-static const uint8_t *whole;                          // what is being changed
+static const uint8_t *whole;                          // the image that is changed
 static uint32_t length;
 
 static void try(const uint8_t *image, uint32_t n, uint64_t seed)

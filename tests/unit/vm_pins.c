@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pins of an image (docs/bytecode.md, IO): what is read, what is refused, and every byte of a section changed.  Images are by
+// The pins of an image (docs/bytecode.md, IO): accepted sections, refused ones, and every byte of a section changed.  Images are by
 // hand.
 #include <stdlib.h>
 #include <string.h>
@@ -89,7 +89,7 @@ static uint8_t of_row(unsigned front, uint32_t element, uint32_t pin)
     return verdict(&p);
 }
 
-// ---- what is read ----
+// ---- accepted sections ----
 
 static Pins sample(void)
 {
@@ -145,7 +145,7 @@ static void test_absent(void)
     CHECK(verdict(&p) == 0 && smvm_pins(image, &all) && all.left == 0);
 }
 
-// ---- what is refused ----
+// ---- refused sections ----
 
 static void test_record(void)
 {
@@ -232,7 +232,7 @@ static void test_numbers(void)
 
 // ---- hostile ----
 
-// Each byte of the section, each value: it is refused, or what is read of it can be used.
+// Each byte of the section, each value: the section is refused, or the pins read from it are usable.
 static void test_mutants(void)
 {
     const Pins p = sample();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From IR to images: that instructions come out as short as they should, that values are those of their moment, and that what
-// does not fit the format is said.  Texts of IR are compiled, compared with the disassembly, and run.
+// From IR to images: instructions are as short as possible, values are those of the time of their load, and whatever
+// does not fit the format is reported.  IR texts are compiled, compared with the disassembly, and run.
 #include <stdlib.h>
 #include <string.h>
 
@@ -108,7 +108,7 @@ static void expect_behind(const char *head, const char *body, const char *expect
 
 static void expect(const char *body, const char *expected) { expect_behind(STEP, body, expected); }
 
-// ---- what comes out ----
+// ---- selected instructions ----
 
 static void folds(void)
 {
@@ -142,7 +142,7 @@ static void rounds(void)
 
 static void moments(void)
 {
-    // A load is of its moment, although a store comes between it and its use.
+    // A load has the value at its time, although a store comes between it and its use.
     expect("%0 = load F64 a\n %1 = load F64 b\n store F64 a, %1\n store F64 b, %0\n ret\n}", "ldx a; st local RAW@0; ldx b; out a; ldx local RAW@0; out b; end");
     expect("%0 = load F64 a\n %1 = neg F64 %0\n %2 = const F64 1\n store F64 a, %2\n %3 = cvt F64 %1\n store F64 b, %3\n ret\n}",
            "ldx a; st local RAW@0; ldx 1; out a; ldx local RAW@0; neg; out b; end");
@@ -153,7 +153,7 @@ static void moments(void)
     expect("%0 = const U8 1\n store U8 n, %0\n %1 = load U8 n\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "ldx 1; out n; out b; end");
     // What is used twice is computed once.
     expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = mul F64 %1, %1\n %3 = cvt F64 %2\n store F64 b, %3\n ret\n}", "ldx a; sqrt; st local RAW@0; ldy local RAW@0; mul; out b; end");
-    // Slots are used again; what nobody uses is not computed.
+    // Slots are used again; an unused value is not computed.
     expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = floor F64 %0\n %3 = add F64 %1, %2\n %4 = ceil F64 %0\n %5 = mul F64 %3, %4\n"
            "%6 = cvt F64 %5\n store F64 b, %6\n %7 = div F64 %5, %5\n ret\n}",
            "ldx a; floor; st local RAW@0; ldx a; sqrt; ldy local RAW@0; add; st local RAW@0; ldx a; ceil; ldy local RAW@0; mul; out b; end");
@@ -195,7 +195,7 @@ static void narrowed(void)
            "ldx n; neg; cvt I32; out f; end");
     expect("%0 = load F32 f\n %1 = add F32 %0, %0\n %2 = cvt F32 %1\n %3 = div F32 %2, %0\n %4 = cvt F32 %3\n store F32 f, %4\n ret\n}",
            "ldx f; ldy f; add; cvt F32; div; out f; end");
-    // From any type to any other: what can change the number stays, what is cut again by the destination goes.
+    // From any type to any other: conversions that can change the number remain; those that the destination repeats are removed.
     expect("%0 = load I64 i\n %1 = cvt I32 %0\n %2 = cvt U16 %1\n store U16 l, %2\n ret\n}", "ldx i; st l; end");
     expect("%0 = load I64 i\n %1 = cvt I32 %0\n %2 = cvt I8 %1\n %3 = cvt U16 %2\n store U16 l, %3\n ret\n}", "ldx i; cvt I8; st l; end");
     expect("%0 = load F32 f\n %1 = cvt I8 %0\n %2 = cvt F32 %1\n store F32 f, %2\n ret\n}", "ldx f; cvt I8; out f; end");
@@ -215,11 +215,11 @@ static void keeps(void)
     expect("%0 = load U8 n\n %1 = const U8 5\n %2 = gt U8 %0, %1\n br %2, b1, b2\nb1:\n %3 = const bool 1\n store bool p, %3\n goto A\nb2:\n"
            "%4 = load U8 n\n %5 = const U8 1\n %6 = lt U8 %4, %5\n br %6, b3, b4\nb3:\n goto A\nb4:\n ret\n}",
            "ldx n; jxn x > 5, 9; jxn x < 1, 13; end; ldx 1; out p; goto A");
-    // Both registers, and either way round.
+    // Both registers, in either order.
     expect("%0 = load F64 a\n %1 = load F64 b\n %2 = gt F64 %0, %1\n br %2, b1, b2\nb1:\n goto A\nb2:\n"
            "%3 = load F64 a\n %4 = load F64 b\n %5 = gt F64 %4, %3\n br %5, b3, b4\nb3:\n goto A\nb4:\n ret\n}",
            "ldx a; ldy b; jxy x > y, 9; jxy x < y, 9; end; goto A");
-    // Not behind a label, nor behind a store to it unless what was stored is what it reads.
+    // Not after a label, nor after a store to it unless the load reads exactly the stored value.
     expect("%0 = load U8 n\n %1 = const U8 5\n %2 = gt U8 %0, %1\n br %2, b1, b2\nb1:\n %3 = const bool 1\n store bool p, %3\n jmp b2\nb2:\n"
            "%4 = load U8 n\n store U8 n, %4\n ret\n}",
            "ldx n; jxn not x > 5, 9; ldx 1; out p; ldx n; out n; end");
@@ -233,7 +233,7 @@ static void keeps(void)
     expect("%0 = const bool 0\n store bool p, %0\n store bool q, %0\n %1 = const U8 0\n store U8 n, %1\n ret\n}", "ldx 0; out p; out q; out n; end");
 }
 
-// What is converted, stored and used again is read from where it was stored, as long as that holds it.
+// A converted and stored value that is used again is read from its variable, as long as that contains it.
 static void homes(void)
 {
     const char *counts = "%0 = load U8 n\n %1 = cvt F64 %0\n %2 = const F64 1\n %3 = add F64 %1, %2\n %4 = cvt U8 %3\n store U8 n, %4\n";
@@ -261,7 +261,7 @@ static void contraries(void)
     arena_free(&w.arena);
 }
 
-// A statistic is not asked for again while X holds it.
+// A statistic is not computed again while X contains it.
 static void statistics(void)
 {
     expect_behind(HEAD "window w0 F64 size 4 stats min max\nsample {\nb0:\n %0 = load F64 a\n sample w0, %0\n ret\n}\nstate A\nstep {\nb0:\n",
@@ -286,7 +286,7 @@ static void zeros(void)
            "ldx n; neg; ldy 5; set x < y; out p; end");
 }
 
-// Numbers stand in additions and jumps; the deeper side goes first, and the difference is turned where that saves a slot.
+// Constants are operands of additions and jumps; the deeper side goes first, and the difference is turned where that saves a slot.
 static void sides(void)
 {
     expect("%0 = load F64 a\n %1 = const F64 -3\n %2 = sub F64 %0, %1\n %3 = add F64 %1, %2\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
@@ -492,7 +492,7 @@ static void varints(void)
     arena_free(&w.arena);
 }
 
-// Whole numbers stand in the code, others once in a table of their kind.
+// Whole numbers are in the code, others once in a table of their kind.
 static void constants(void)
 {
     Buf text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a small target may decide about the VM (SMVM_CONFIG): numbers of 16 bits, little room in the verifier, and a way of its
-// own to read the image, which here counts what is read where.  For tests/unit/vm_hostile.c.
+// What a small target can configure in the VM (SMVM_CONFIG): numbers of 16 bits, little room in the verifier, and functions of its
+// own to read the image, which here count the accesses.  For tests/unit/vm_hostile.c.
 #ifndef VM_SMALL_H
 #define VM_SMALL_H
 
@@ -13,7 +13,7 @@
 #define SMVM_FETCH(image, at) small_fetch((uint32_t)(image) + (at))
 
 static uint8_t small_flash[0x10000];
-static uint32_t small_image, small_end;               // where the image lies
+static uint32_t small_image, small_end;               // the range of the image in memory
 static uint32_t small_beyond;                         // bytes that were read outside it
 static uint32_t small_code, small_code_end, small_opcodes;    // opcodes that were read between these two
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verifier: one good image, each rule broken in it once and in each way that a hostile image might, and each refused by
+// The verifier: one good image, each rule broken in it once and in each way open to a hostile image, and each refused by
 // that rule and no other.  Then the longest step.
 #include <string.h>
 
@@ -102,7 +102,7 @@ static void accepts(void)
 
     CHECK(verify(&b, &v) == 0 && v.rule == 0);
     n = build_image(&b, image);
-    CHECK(smvm_verify(image, n + 5, &v) == 0);        // what lies behind an image does not matter
+    CHECK(smvm_verify(image, n + 5, &v) == 0);        // bytes after an image do not matter
     CHECK(v.longest == (SMVM_LONGEST ? 5 + 3 + 4 + 5 : 0));      // sample; entry; stat, ldy, jxy, goto; exit.  Staying costs 8.
     CHECK(smvm_machine(image, 0, &m) && smvm_longest_step(&m) == v.longest);
 }
@@ -132,7 +132,7 @@ static void truncated(void)
         memcpy(copy, image, n);
         CHECK(smvm_verify(copy, i, &v) == SMVM_R_LENGTH);
     }
-    for (uint32_t i = 0; i < n; i++) {                // with a length that says so, and a checksum that is right
+    for (uint32_t i = 0; i < n; i++) {                // with the right length and checksum
         uint8_t copy[512];
         memcpy(copy, image, n);
         copy[8] = (uint8_t)i;
@@ -151,8 +151,8 @@ static void header_alone(void)
     CHECK(n == 12 && smvm_verify(image, n, &v) == SMVM_R_GROUP);
 }
 
-// Where the rule is broken: the verdict says.
-static void places_told(void)
+// The verdict contains the position of the error.
+static void positions_are_reported(void)
 {
     enum { NUMBERS = 16 };
     Build b = whole();
@@ -199,7 +199,7 @@ static void container(void)
     CHECK(patched(3, 1, true) == SMVM_R_FORMAT);
     CHECK(patched(3, 0, true) == SMVM_R_FORMAT);
     header_alone();
-    places_told();
+    positions_are_reported();
     CHECK(patched(10, 1, false) == SMVM_R_LENGTH);
     CHECK(patched(11, 255, false) == SMVM_R_LENGTH);
     CHECK(patched(4, 0, false) == SMVM_R_CRC || patched(4, 1, false) == SMVM_R_CRC);
@@ -317,14 +317,14 @@ static void record(void)
     SmvmVerdict v;
     uint32_t n = build_image(&b, image), at = section_at(image, 1);
 
-    image[at + 5] = 0x80;                             // a byte that is none of a number
+    image[at + 5] = 0x80;                             // a byte that cannot be part of a number
     fix_crc(image);
     CHECK(smvm_verify(image, n, &v) == SMVM_R_RECORD && v.at == at);
     n = build_image(&b, image);
     image[at + 5] = 0xff;
     fix_crc(image);
     CHECK(smvm_verify(image, n, &v) == SMVM_R_RECORD);
-    for (uint32_t i = 8; i < 14; i++) {               // counts: one more than there is, and as many as can be said
+    for (uint32_t i = 8; i < 14; i++) {               // counts: one more than exist, and the largest that can be encoded
         if (i == 11)                                  // width
             continue;
         build_image(&b, image);
@@ -763,7 +763,7 @@ static void jumps(void)
     STEP_REFUSED(in(&b); code(&b, SMVM_jt, 1, 1); code(&b, SMVM_end, 0), JUMP);                 // to the function's end
     STEP_REFUSED(code(&b, SMVM_jmp, 1, 0), JUMP);
     STEP_REFUSED(in(&b); code(&b, SMVM_jt, 1, 2); code(&b, SMVM_end, 0), JUMP);                 // into the next function
-    STEP_REFUSED(in(&b); code(&b, SMVM_jt, 1, 0x1000c5f); code(&b, SMVM_end, 0), JUMP);         // as far as can be said
+    STEP_REFUSED(in(&b); code(&b, SMVM_jt, 1, 0x1000c5f); code(&b, SMVM_end, 0), JUMP);         // the largest that can be encoded
     STEP_REFUSED(in(&b); code(&b, SMVM_jt, 1, 0x10000); code(&b, SMVM_end, 0), JUMP);
     STEP_REFUSED(code(&b, SMVM_jmp, 1, 1); in(&b); code(&b, SMVM_end, 0), JUMP);                // into an instruction
     STEP_REFUSED(code(&b, SMVM_jmp, 1, 2); code(&b, SMVM_stat, 2, 0, 0); code(&b, SMVM_end, 0), JUMP);
@@ -783,7 +783,7 @@ static void both(Build *b)
 // What an instruction leaves in the registers.
 static void registers(void)
 {
-    THEN(code(&b, SMVM_addi, 1, 1), REGISTER);                                                  // nobody gave it a number
+    THEN(code(&b, SMVM_addi, 1, 1), REGISTER);                                                  // it has no value yet
     THEN(code(&b, SMVM_ldy_plus, 1, 1); code(&b, SMVM_neg, 0), REGISTER);
     THEN(in(&b); code(&b, SMVM_add, 0), REGISTER);
     THEN(both(&b); code(&b, SMVM_add, 0); code(&b, SMVM_mul, 0), OK);
@@ -876,7 +876,7 @@ static void longest_steps(void)
 }
 
 // n conditions, each of which jumps to an `end` of its own behind 96 loads, the first to the last.  While the verifier can
-// follow all n, the longest way is that past all conditions; beyond, it adds up everything.
+// follow all n, the longest path passes all conditions; beyond that limit it adds up everything.
 static void many_ways(void)
 {
     enum { LOADS = 96, MOST = SMVM_JOINS + 20 };
@@ -898,9 +898,9 @@ static void many_ways(void)
     }
 }
 
-// ---- the longest step of random functions, found by trying every way ----
+// ---- the longest step of random functions, found by trying every path ----
 
-// `to`: which one a jump leads to; jt stands for a load and a jump.
+// `to`: the target of a jump; jt represents a load and a jump.
 typedef struct Random { uint8_t op; unsigned to; } Random;
 
 static uint64_t seed = 1;
@@ -913,7 +913,7 @@ static unsigned below(unsigned n)
     return (unsigned)(seed >> 20) % n;
 }
 
-// The longest way from instruction i that ends in `last`, or 0.
+// The longest path from instruction i that ends in `last`, or 0.
 static unsigned try_ways(const Random *r, unsigned i, uint8_t last)
 {
     unsigned next, jump;
@@ -974,7 +974,7 @@ static void random_ways(void)
             ends[f] = try_ways(r, 0, SMVM_end);
             leaves[f] = try_ways(r, 0, SMVM_goto);
         }
-        if (leaves[0])                                                           // every way through a step
+        if (leaves[0])                                                           // every path through a step
             longest_max = leaves[0] + ends[2];
         for (unsigned first = 0; first < 2; first++) {
             unsigned before = first ? ends[0] : 0;

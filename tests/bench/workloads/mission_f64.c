@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mission as the language says it, word by word: every value a double, every store a conversion, windows of doubles
-// whose statistics are worked out anew where they are asked for.
+// The mission by the definitions of the language: every value a double, every store a conversion, windows of doubles
+// whose statistics are computed again at each use.
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Windows as the language says them (language.md 7), on doubles and without art: what is asked for is worked out anew.
+// Windows as the language defines them (language.md 7), on doubles, without optimisation: each access computes its statistic again.
 #ifndef BENCH_WINDOW_H
 #define BENCH_WINDOW_H
 

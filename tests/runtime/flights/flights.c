@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whole flights of the example machines as tasks of the runtime: at every step every element and T are what the script engine had.
 //     flights IMAGE TRACE…      TRACE as `smc test --trace --trace-format=exact` writes it; its name begins with that of the machine
-// Each flight is flown six times: emitted, from the image, from its decoded form; in place and guarded.  What is told of it as events
+// Each flight is flown six times: emitted, from the image, from its decoded form; in place and guarded.  The events
 // must be the same each time, and must be what S says.
 #include <stdlib.h>
 #include <string.h>

@@ -9,7 +9,7 @@ void reset(void);
 
 enum { CCR_UNALIGN_TRP = 1u << 3, CP10_CP11 = 0xfu << 20 };
 
-// A Cortex-M0 cannot read what is not aligned, a larger one in its place is told not to; and an FPU has to be switched on.
+// A Cortex-M0 cannot read misaligned data; a larger one that replaces it is configured to trap on it.  An FPU must be enabled.
 void reset(void)
 {
 #if defined(__ARM_FP)

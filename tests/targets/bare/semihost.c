@@ -55,7 +55,7 @@ int putchar(int c)
     return c;
 }
 
-// Who waits for an answer has all that is there.
+// All output is flushed before the program waits for an answer.
 int getchar(void)
 {
     if (at == n) {
