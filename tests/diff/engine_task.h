@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The VM as a machine of the flight runtime, on a guarded state vector, among others who write noise over all of it while it steps.  What the
-// machine did not store must be noise then, and what it stored must not; where that is so the noise is taken away again.
+// machine did not store must be noise then, and what it stored must not; after that check the noise is removed.
 #ifndef TESTS_DIFF_ENGINE_TASK_H
 #define TESTS_DIFF_ENGINE_TASK_H
 

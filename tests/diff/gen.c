@@ -179,7 +179,7 @@ static GExpr *random_size(Gen *g)
     return e;
 }
 
-// The last window's sample with another operator or function, or as it is.
+// The last window's sample with another operator or function, or unchanged.
 static GExpr *similar_sample(Gen *g)
 {
     GExpr *e = gen_expr_new(g, G_NUMBER, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guards that chance alone makes too seldom, and of which analyses have something to say: the same one twice, one that another
+// Guards that random programs contain too rarely, and that analyses report: the same one twice, one that another
 // one implies or excludes, two that cover everything, in chains and in rows, with transitions or assignments behind them.
 #include "tests/diff/sound.h"
 

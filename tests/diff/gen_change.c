@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Changes to a program that must not change what it does.
+// Changes to a program that must not change its behaviour.
 #include "tests/diff/gen.h"
 
 const char *const gen_change_name[CHANGE_COUNT] = { "other names", "another layout", "a state that nobody enters" };

@@ -10,7 +10,7 @@ typedef struct Printer {
     Buf *out;
     Rng rng;
     uint32_t indent;
-    uint32_t parens;          // inside so many ( )
+    uint32_t parens;          // number of enclosing ( )
     bool crlf;
 } Printer;
 

@@ -127,7 +127,7 @@ static GExpr *recent(Gen *g)
     return n != 0 ? g->recent[rng_below(&g->rng, n)] : whole_expr(g, 2);
 }
 
-// An expression beside one that is the same, or nearly: with its operands the other way round, or another operator of its kind.
+// An expression and an equal or similar one: with its operands swapped, or another operator of its kind.
 static GExpr *twins(Gen *g)
 {
     GExpr *e = recent(g), *twin = gen_expr_new(g, e->kind, e->n);

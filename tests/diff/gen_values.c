@@ -108,7 +108,7 @@ void gen_plan_time(Gen *g)
     for (uint32_t i = 1; i < g->steps; i++) {
         const uint32_t what = rng_below(&r, 100);
         if (what < 3)
-            g->now[i] = now;                          // stands still
+            g->now[i] = now;                          // does not advance
         else if (what < 5)
             g->now[i] = now - rng_below(&r, now < 50 ? (uint32_t)now + 1 : 50);      // goes back
         else if (what < 6)

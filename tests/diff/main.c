@@ -5,12 +5,12 @@
 //              [--forms=012h] [--cc=COMMAND]… [--cc-soft=COMMAND]… [--vm=COMMAND]… [--batch=N] [--sound]
 //
 // Workers take blocks of seeds in turn.  Each keeps a file in DIR with how far it is and what its programs met, so that
-// --resume goes on where an interrupted campaign stopped.  A worker that crashes or hangs names its seed and is replaced.
+// --resume continues an interrupted campaign.  The seed of a worker that crashes or hangs is reported, and the worker is replaced.
 // Every program is run at -O0, -O1, -O2 and with its locals hidden from everybody (h), or in the --forms that are named.
 // With --cc the emitted C is compiled by each of these commands and compared, instead of the VM: in one form a program, unless
 // --forms names some; --cc-soft: that with numbers in software.  With --vm their images are fed to each of these commands, likewise (batch.h).
-// --batch: so many at a time, fewer where they are too large together; one that is too large alone had no room.
-// With --sound each program runs alone, from its first state, held against what analyses say of it (sound.h).
+// --batch: the number of programs at a time; fewer if they are too large together.  One that is too large alone is counted as "no room".
+// With --sound each program runs alone, from its first state, compared with the results of the analyses (sound.h).
 // A failing program is made smaller and written to DIR/seed-N.  Exit: 0 all agree, 1 not, 2 usage.
 #define _POSIX_C_SOURCE 200809L
 #define _DEFAULT_SOURCE

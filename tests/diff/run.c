@@ -186,7 +186,7 @@ static RunResult run_lanes(Lanes *l, const Gen *g, Arena *arena)
 
 // ---- initial values ----
 
-// What the compiler worked out must be what the reference gives for the same expressions.
+// Constants computed by the compiler must equal the reference's results for the same expressions.
 static const char *compare_inits(const Subject *plain, const Subject *s, const Gen *g, const EngineStep *after, Arena *arena)
 {
     for (size_t i = 0; i < g->var.n; i++) {

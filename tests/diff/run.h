@@ -16,7 +16,7 @@ typedef enum Verdict {
 
 typedef struct Met {          // what a program met, as flags to be counted
     bool transition, saturation, nan, infinity, full_window, refusal, store;
-    bool impossible, finding; // run_sound: facts exclude a way of a guard; a finding calls something dead
+    bool impossible, finding; // run_sound: facts exclude a result of a guard; a finding reports dead code
     bool no_room;             // a target has too little for it
     uint32_t refused;         // steps
 } Met;
@@ -33,7 +33,7 @@ typedef struct RunOptions {
     unsigned forms;           // 1u << Form of each that is run; every one is compared with the reference
     Form change_form;         // in which the changed program is run
     bool change;              // compare with a changed program, too
-    bool sound;               // hold it against what analyses say of it, instead of comparing engines (sound.h)
+    bool sound;               // compare it with the results of the analyses, instead of comparing engines (sound.h)
     bool inits;               // work the initial values out a second time, when running
     GChange what;
     const struct Via *via;    // NULL, or what runs it instead of the engines here (batch.h) …

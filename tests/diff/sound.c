@@ -16,7 +16,7 @@
 typedef struct Claim { uint32_t var; Fact fact; } Claim;         // of a variable, by Program.var
 typedef VEC(Claim) Claims;
 
-typedef struct Never {                // what findings say of a statement
+typedef struct Never {                // the findings about a statement
     bool at_all, then, otherwise;
 } Never;
 

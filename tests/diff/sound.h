@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whether what analyses call impossible stays away: a program is run from its first state, statement by statement, and held
-// against what was said of it before it ran.
+// and compares it with what was proved about it before.
 #ifndef SM_DIFF_SOUND_H
 #define SM_DIFF_SOUND_H
 

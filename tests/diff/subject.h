@@ -13,13 +13,13 @@ typedef struct Subject {
     uint32_t index[GEN_VARS_MAX];     // by GVar.id: where in Program.var
 } Subject;
 
-// NULL, or what the compiler has to say against it (in `arena`).  subject_free in both cases.
+// NULL, or the compiler's error (in `arena`).  subject_free in both cases.
 const char *subject_compile(Subject *s, Gen *g, Arena *arena);
 // The machine of gen_print_inits.
 const char *subject_compile_inits(Subject *s, Gen *g, Arena *arena);
 void subject_free(Subject *s);
 
-// What is written before step k; gives how many.
+// The inputs written before step k; returns how many.
 uint32_t subject_writes(const Subject *s, const Gen *g, uint32_t k, EngineWrite *out);
 
 // Memory for an arena: the heap, and an end to the program where there is none.

@@ -114,7 +114,7 @@ static uint64_t number_at(const char *bytes, size_t size)
     return v;
 }
 
-// The field of an answer in which byte `at` lies.
+// The field of an answer that contains byte `at`.
 static const char *field_at(const TalkPart *p, size_t at, size_t *from, size_t *size, Arena *arena)
 {
     static const char *const head[] = { "status", "next state", "whether the next step is a first one" };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A whole conversation with machines that run elsewhere, written down before it is held: commands, and the answers that the reference
-// gives.  It is that of emit_c_driver (emit_c.h), for emitted C; tests/targets/vm.c holds it too, with one command more, for images.
+// gives.  It is that of emit_c_driver (emit_c.h), for emitted C; tests/targets/vm.c speaks it too, with one more command, for images.
 #ifndef SM_DIFF_TALK_H
 #define SM_DIFF_TALK_H
 

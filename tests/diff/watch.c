@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference's own code with a counter at its doors.  These objects come before the library, so that the linker takes
+// The reference's own code with counters in its entry functions.  These objects come before the library, so that the linker takes
 // them; inside, calls go to the renamed originals.
 #define ref_convert plain_ref_convert
 #define ref_true plain_ref_true

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the reference met while it ran a program: a differential test that never saturates proves nothing about saturating.
-// watch.c takes the place of the reference's ref_number.c and ref_window.c in the test program; their code is unchanged.
+// watch.c replaces the reference's ref_number.c and ref_window.c in the test program; their code is unchanged.
 #ifndef SM_DIFF_WATCH_H
 #define SM_DIFF_WATCH_H
 

@@ -49,7 +49,7 @@ static PalAio opened(uint16_t number, PalAioMode mode)
     return channel;
 }
 
-// Whether what was written is what is read, to one step of each.
+// Whether the read value equals the written one, to one step of each channel.
 static bool is_near(int32_t a, int32_t b, const PalAioInfo *in, const PalAioInfo *out)
 {
     int64_t off = (int64_t)a - b, step = (int64_t)in->step + out->step + 1;
@@ -70,7 +70,7 @@ static void values(PalAio in, PalAio out)
         CHECK(pal_aio_read(in, &x) == SM_OK);
         CHECK(is_near(x, tried[i], &of_in, &of_out));
     }
-    if (of_out.highest < INT32_MAX) {                     // beyond what it can give: the nearest
+    if (of_out.highest < INT32_MAX) {                     // beyond its range: the nearest value
         CHECK(pal_aio_write(out, INT32_MAX) == SM_OK);
         CHECK(pal_aio_read(in, &x) == SM_OK && is_near(x, of_out.highest, &of_in, &of_out));
     }

@@ -50,7 +50,7 @@ static void outputs(void)
 
     for (int first = 0; first < 2; first++) {
         CHECK(pal_dio_open(&pin, bench.pins[0], PAL_DIO_OUTPUT, first) == SM_OK && pin.id != 0);
-        CHECK(level_of(pin) == first);                    // its level from the first moment
+        CHECK(level_of(pin) == first);                    // its level from the start
         CHECK(pal_dio_open(&again, bench.pins[0], PAL_DIO_INPUT, false) == SM_E_BUSY && again.id == 0);
         for (int i = 0; i < 4; i++) {
             CHECK(pal_dio_write(pin, i & 1) == SM_OK);

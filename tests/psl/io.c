@@ -53,7 +53,7 @@ static void test_analog(void)
         return;
     CHECK(sm_outputs_init(&io) == SM_OK && sm_inputs_init(&io) == SM_OK);
     CHECK(sm_inputs_step(&io, &tick) == SM_OK);
-    CHECK(!bench.analog_wired || get_double(PRESSURE) == 15);             // safe from the first moment
+    CHECK(!bench.analog_wired || get_double(PRESSURE) == 15);             // safe from the start
     set_double(HEATER, 3);
     CHECK(sm_outputs_step(&io, &tick) == SM_OK && sm_inputs_step(&io, &tick) == SM_OK);
     CHECK(!bench.analog_wired || get_double(PRESSURE) == 5);
@@ -84,7 +84,7 @@ static void test_digital(void)
     sm_outputs_close(&io);
 }
 
-// What is not there keeps the start from succeeding, and says which it was.
+// A missing pin makes the start fail, and the error names it.
 static void test_missing(void)
 {
     const SmIoPin row[] = {{SM_ANALOG_IN, SM_F64, 0, 0, bench.channel_in, PRESSURE, ONE, 0, 0},

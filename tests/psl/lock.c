@@ -57,7 +57,7 @@ static void table_is_full(void)
 {
     PalLock locks[PAL_LOCKS], more = {0};
 
-    for (int round = 0; round < 2; round++) {              // twice: close gives entries back
+    for (int round = 0; round < 2; round++) {              // twice: close frees entries
         for (int i = 0; i < PAL_LOCKS; i++)
             CHECK(pal_lock_open(&locks[i]) == SM_OK);
         CHECK(pal_lock_open(&more) == SM_E_FULL && more.id == 0);

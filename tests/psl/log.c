@@ -56,7 +56,7 @@ static void grows(void)
     CHECK(pal_log_read(file, first, 8) == SM_E_ARGUMENT && pal_log_read(file, NULL, 1) == SM_E_ARGUMENT);
     CHECK(pal_log_close(file) == SM_OK);
     CHECK(pal_log_read(file, first, 1) == SM_E_HANDLE);
-    file = opened();                                      // behind what it holds
+    file = opened();                                      // after its content
     CHECK(size_of(file) == 7);
     CHECK(pal_log_append(file, "3", 1) == SM_OK && size_of(file) == 8);
     CHECK(pal_log_close(file) == SM_OK);

@@ -103,7 +103,7 @@ static void many_bytes(PalNvm memory)
     clear(memory, 0, n);
     CHECK(pal_nvm_write(memory, 0, in, n) == SM_OK);
     CHECK(pal_nvm_read(memory, 0, out, n) == SM_OK && memcmp(in, out, n) == 0);
-    if (i.erase == 0) {                                   // over what is there
+    if (i.erase == 0) {                                   // over existing content
         put(memory, 0, 0x33, n);
         CHECK(holds(memory, 0, 0x33, n));
     }

@@ -94,7 +94,7 @@ static int32_t measured(const char *raw, const char *offset, const char *scale)
 static void aio(void)
 {
     CHECK(mkdir("iio/iio:device3", 0700) == 0);
-    CHECK(measured("12\n", NULL, NULL) == 12000);         // millionths of what the kernel gives in thousandths
+    CHECK(measured("12\n", NULL, NULL) == 12000);         // millionths; the kernel has thousandths
     CHECK(measured("2048\n", NULL, "1.220703125\n") == 2500000);
     CHECK(measured("-4\n", NULL, "0.001\n") == -4);
     CHECK(measured("100\n", "-40.5\n", "2\n") == 119000);

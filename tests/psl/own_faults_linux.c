@@ -41,7 +41,7 @@ static struct {
     bool watching;            // whether a test checks the calls
     int left;                 // calls that still work; below 0: all
     int error;                // what the next one fails with
-    bool for_good;            // and all after it: the power is gone
+    bool for_good;            // and all after it: the power is off
     char log[64];             // a letter for each call
 } faults = {false, -1, 0, false, ""};
 
@@ -62,7 +62,7 @@ static bool fails(char letter)
     return true;
 }
 
-// Half of what is to be written, then nothing: as a disk that fills up.
+// Writes half of the data, then nothing: as a disk that becomes full.
 ssize_t __wrap_write(int fd, const void *from, size_t n)
 {
     if (!fails('w'))

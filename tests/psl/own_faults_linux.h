@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 // Watches the calls from here on.  `left` of them still work (below 0: all), the next one fails with `error`; for_good: and all after it,
-// as when the power is gone.
+// as after a power failure.
 void fault(int left, int error, bool for_good);
 void no_fault(void);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files on Linux: non-volatile memory and logs after a cut at any moment and on a full disk.
+// Files on Linux: non-volatile memory and logs after a power failure at any time and on a full disk.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <stdio.h>

@@ -26,7 +26,7 @@ static void time_moves_by_hand(void)
     sim_oversleep(7);
     CHECK(pal_clock_sleep_until(start + 200) == SM_OK && pal_clock_now() == start + 207);
     CHECK(pal_clock_sleep_until(start) == SM_OK && pal_clock_now() == start + 207);
-    sim_delay(SIM_console_write, 1000);                   // a call that takes its time
+    sim_delay(SIM_console_write, 1000);                   // a call with a duration
     CHECK(pal_console_write("hello", 5) == SM_OK && pal_clock_now() == start + 1207);
     CHECK(strcmp(sim_console(), "hello") == 0);
 }
@@ -343,7 +343,7 @@ static void waits_for_a_stream(void)
 
 // ---- non-volatile memory ----
 
-// A write of eight bytes over 'o's, cut after so many: what is there when the power is back.
+// A write of eight bytes over 'o's, with a power failure after n bytes: the content afterwards.
 static const char *after_cut(uint32_t bytes)
 {
     static char text[11];
@@ -372,7 +372,7 @@ static void torn_writes(void)
     CHECK(strcmp(after_cut(8), "onnnnnnnn" "e") == 0);    // all is done, and yet the call failed
 }
 
-// What the flash allows and what it refuses.
+// Operations that the flash allows and refuses.
 static void flash(void)
 {
     PalNvm memory = {0};

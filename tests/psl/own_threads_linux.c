@@ -225,7 +225,7 @@ static void hold(void *lock)
     pal_lock_give(*(PalLock *)lock);
 }
 
-// Whatever the first answer of the kernel is, a lock is waited for until our own clock says otherwise.
+// Whatever the first answer of the kernel, the wait for a lock lasts until the timeout by our own clock.
 static void is_waited_for(int answer)
 {
     const PalThreadPlan plan = {NULL, 0, 0};
@@ -393,7 +393,7 @@ static void invert(Inversion *v)
     for (size_t i = 0; i < COUNT(threads); i++) {
         CHECK(pal_thread_create(&threads[i], &plans[i], mains[i], v) == SM_OK && pal_thread_is_realtime(threads[i]));
         if (i == 0)
-            pal_clock_sleep_until(pal_clock_now() + 2 * MS);       // until it holds the lock
+            pal_clock_sleep_until(pal_clock_now() + 2 * MS);       // until it has the lock
     }
     for (size_t i = 0; i < COUNT(threads); i++)
         CHECK(pal_thread_join(threads[i], 10 * (uint64_t)PAL_SECOND) == SM_OK);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first and only program of a Linux in an emulator: makes what the suite needs, runs it, says how it ended, switches off.
+// The only program of a Linux in an emulator: prepares devices for the suite, runs it, prints its result, switches off.
 #define _GNU_SOURCE
 #include <fcntl.h>
 #include <net/if.h>

@@ -5,7 +5,7 @@
 #include "tests/psl/suite.h"
 
 #define SPEED 115200u
-#define SOON  (10 * (uint64_t)PAL_SECOND)     // for what comes at once: however busy the machine
+#define SOON  (10 * (uint64_t)PAL_SECOND)     // for data that arrives at once, however busy the machine is
 
 static void without(SmResult expected)
 {
@@ -90,7 +90,7 @@ static bool far_gains(uint8_t *bytes, size_t n)
     return all == n;
 }
 
-// Every byte as it is, both ways: a terminal would change some and act on others.
+// Every byte unchanged, in both directions: a terminal would change some and act on others.
 static void all_bytes(PalSerial line)
 {
     uint8_t out[256], in[256] = {0};
@@ -169,7 +169,7 @@ Tally contract_serial(void)
     CHECK(pal_serial_close(line) == SM_OK);
     bench.far_send("old", 3);
     line = opened();
-    timeouts(line);                                       // what came before is dropped
+    timeouts(line);                                       // earlier input is dropped
     unplugged(line);
     return TALLY();
 }

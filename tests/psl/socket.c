@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What socket.h promises, by way of this computer's own address 127.0.0.1.
+// The promises of socket.h, over the loopback address 127.0.0.1.
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/socket.h"
 #include "runtime-c/pal/thread.h"
 #include "tests/psl/suite.h"
 
-#define SOON (10 * (uint64_t)PAL_SECOND)      // for what comes at once: however busy the machine
+#define SOON (10 * (uint64_t)PAL_SECOND)      // for data that arrives at once, however busy the machine is
 
 static const PalAddress here = {{127, 0, 0, 1}, 0};
 
@@ -218,7 +218,7 @@ static void peer_goes(void)
     CHECK(pal_socket_close(p.listening) == SM_OK);
 }
 
-// The peer reads nothing: send gives up in time, says how far it came, and nothing of that is lost.
+// The peer reads nothing: send gives up in time, returns how much it sent, and none of that is lost.
 static void peer_is_slow(void)
 {
     static uint8_t bytes[8192], in[8192];
@@ -247,7 +247,7 @@ typedef struct Reader {
     bool same_bytes;
 } Reader;
 
-// Takes what comes, in small pieces, until the peer closes.
+// Receives in small pieces until the peer closes.
 static void read_all(void *of)
 {
     Reader *r = of;
@@ -259,7 +259,7 @@ static void read_all(void *of)
             r->same_bytes = r->same_bytes && in[i] == r->came % 251;
 }
 
-// More than there is room for on the way: one call of send hands it over bit by bit, while another thread reads.
+// More than the buffers can contain: one call of send transfers it in parts, while another thread reads.
 static void peer_reads(void)
 {
     static uint8_t bytes[251 * 16000];

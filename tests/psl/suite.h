@@ -38,7 +38,7 @@ Tally own_threads_linux(void);
 Tally own_devices_linux(void);
 Tally own_sim(void);
 
-// Whether a platform has a thing: it works; it says SM_E_UNSUPPORTED; it would work, but nothing is connected (SM_E_MISSING).
+// Whether a platform has a feature: it works; it returns SM_E_UNSUPPORTED; it would work, but nothing is connected (SM_E_MISSING).
 typedef enum Has { HAS_NONE, HAS, HAS_NOTHING_THERE } Has;
 
 // The platform under test and what it claims to have.
@@ -49,18 +49,18 @@ typedef struct Bench {
     Has nvm;
     const char *nvm_name;     // a memory of nvm_size bytes that may be overwritten
     uint32_t nvm_size;
-    const char *nvm_missing;  // a name that stands for none
+    const char *nvm_missing;  // the name of no memory
 
     Has log;
     const char *log_name;     // a file that may be made
     const char *log_missing;  // a name in a folder that is not there
-    size_t (*log_read)(void *bytes, size_t room);         // what the file of log_name holds
+    size_t (*log_read)(void *bytes, size_t room);         // the content of the file of log_name
 
     Has serial;
     const char *serial_name;
     void (*far_send)(const void *bytes, size_t n);        // the other end of that line
     size_t (*far_receive)(void *bytes, size_t room);      // the bytes that have arrived, without waiting
-    void (*far_unplug)(void);                             // the line is gone until the suite ends
+    void (*far_unplug)(void);                             // the line is closed until the suite ends
 
     Has dio;
     uint16_t pins[2];         // two that may be used
@@ -69,7 +69,7 @@ typedef struct Bench {
 
     Has aio;
     uint16_t channel_in, channel_out, channel_missing;
-    bool analog_wired;        // channel_in measures what channel_out gives
+    bool analog_wired;        // channel_in measures the output of channel_out
 
     Has watchdog;
 

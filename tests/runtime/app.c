@@ -199,7 +199,7 @@ static void test_order(void)
     CHECK(executor[0].late_max == 0 && executor[2].late_max == 0 && executor[0].start == executor[2].start);
 }
 
-// 10 Hz to 1 kHz in one executor, and beside it: so many calls, in order, in exactly ten seconds.
+// 10 Hz to 1 kHz in one executor, and in another one: the exact number of calls, in order, in exactly ten seconds.
 static void test_rates(void)
 {
     static SmRate groups[4];
@@ -287,7 +287,7 @@ static void test_stop(void)
     CHECK(sm_app_run(&app) == SM_OK && strcmp(calls, "0A") == 0 && pal_clock_now() <= S + 1500 * S + 100 * MS);
 }
 
-// At the end what can be safed is, once, in order; not what is disabled.
+// At the end every task with @safe is safed once, in order, except disabled ones.
 static void test_rest(void)
 {
     start(4);
@@ -354,7 +354,7 @@ static bool bite(uint64_t stuck)
     return sim_watchdog_fired();
 }
 
-// It bites when a tick takes longer than it does, counted from when it was fed: up to a quarter earlier.
+// The watchdog fires if a tick takes longer than its timeout, counted from its last feeding: up to a quarter earlier.
 static void test_bites(void)
 {
     CHECK(!bite(37 * MS));

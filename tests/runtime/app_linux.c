@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What runtime-c/app.h promises where there are threads: each executor in its own, stopped at any moment, from anywhere; the watchdog.
+// The promises of runtime-c/app.h with threads: each executor in its own, stopped at any time, from any thread; the watchdog.
 #define _GNU_SOURCE
 #include <pthread.h>
 #include <sched.h>
@@ -19,7 +19,7 @@
 #define CREW(name) (&crew_element[CREW_E_##name])
 #define MANY 10
 
-// A task's context: what it has seen.
+// A task's context: the values that it has read.
 typedef struct Seen {
     uint64_t calls, last, g;
     bool in_order;
@@ -88,7 +88,7 @@ static void start(uint16_t n)
         start_one(i, (uint64_t)(i + 1) * MS);
 }
 
-// Runs it, and gives back its locks, of which there are only some.
+// Runs it, and releases its locks, whose number is limited.
 static SmResult run(void)
 {
     const SmResult r = sm_app_run(&app);
@@ -172,7 +172,7 @@ static void test_stop_at_once(void)
     CHECK(sm_events_read(&events, &cursor, told, 3, NULL) == 2 && told[1].kind == SM_EVENT_STOP && told[1].time < PAL_SECOND);
 }
 
-static void on_alarm(int signal)                       // again and again, until it has been under way
+static void on_alarm(int signal)                       // again and again, until it has been running
 {
     (void)signal;
     if (sm_shared_read(&executor[0].next_shared) > 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What runtime-c/app.h promises of logs and kept state vectors, in one thread: when they are written, and what is brought back.
+// The promises of runtime-c/app.h about logs and saved state vectors, in one thread: when they are written, and what is restored.
 #include "runtime-c/app.h"
 #include "runtime-c/pal/clock.h"
 #include "tests/runtime/parts.h"
@@ -80,7 +80,7 @@ static void test_written(void)
     CHECK(is_event(SM_EVENT_START, 0, 0, 0) && is_event(SM_EVENT_STOP, 0, 0, 0) && is_no_event());
 }
 
-// A new program on the same computer: what was kept takes the place of [start], and G goes on.
+// A new program on the same computer: the saved vector replaces [start], and G continues.
 static void test_restored(void)
 {
     start();
@@ -95,7 +95,7 @@ static void test_restored(void)
     CHECK(executor.base == 900 && crew_sv.time == 910 && is_event(SM_EVENT_START, 0, 1, 0));
 }
 
-// What was kept is damaged: [start] counts, and the event says that there was something.
+// The saved vector is damaged: [start] applies, and an event reports that a damaged one was found.
 static void test_unusable(void)
 {
     start();
@@ -146,7 +146,7 @@ static void test_busy(void)
     CHECK(record.dropped == 0 && keeper.written >= 9 && sim_log_synced("flight") == logged());
 }
 
-// A medium that is broken or slow holds up nothing.
+// A broken or slow medium delays nothing.
 static void test_broken(void)
 {
     start();

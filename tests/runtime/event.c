@@ -71,7 +71,7 @@ static void test_too_slow(void)
     CHECK(sm_events_read(&events, &late, out, ROOM, &lost) == ROOM && lost == 3 && is_event(&out[0], 3));        // each has its own
 }
 
-// Asking for none tells what is gone, and that only once.
+// A read of 0 events reports the lost ones, and only once.
 static void test_asking_for_none(void)
 {
     SmEvent out[1];
@@ -101,7 +101,7 @@ static void test_wrap(void)
     CHECK(sm_events_read(&events, &ancient, out, ROOM, &lost) == 4 && lost == 0 && is_event(&out[0], 0));    // counts are modulo 2^32
 }
 
-// However wrong a cursor is, what is read is in the ring.
+// Even with a wrong cursor, only events of the ring are read.
 static void test_any_cursor(void)
 {
     SmEvent out[ROOM];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ring of events between threads: every event is whole, those of one source come in order, and what is not read is counted.
+// The ring of events between threads: every event is complete, those of one source arrive in order, and unread ones are counted.
 #include "runtime-c/event.h"
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/thread.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What runtime-c/executor.h promises: order, time, overruns, G, vitals, what is refused.
+// The promises of runtime-c/executor.h: order, time, overruns, G, vitals, refused plans.
 #include "runtime-c/executor.h"
 #include "runtime-c/pal/clock.h"
 #include "tests/runtime/parts.h"
@@ -124,7 +124,7 @@ static void test_order(void)
     CHECK(ticks[0].number == 0 && ticks[12].number == 4 && e.ticks == 5 && e.skipped == 0 && e.overruns == 0 && e.late_max == 0);
 }
 
-// What a tick takes does not move those after it.
+// The duration of a tick does not move the ticks after it.
 static void test_absolute(void)
 {
     start();
@@ -165,7 +165,7 @@ static void test_skip(void)
     CHECK(strcmp(calls, "ABCABABC") == 0 && ticks[7].number == 4);
 }
 
-// What is due at this very moment has not been missed.
+// A tick that is due exactly now has not been missed.
 static void test_skip_exactly(void)
 {
     start();
@@ -269,7 +269,7 @@ static void test_overrun_event(void)
     CHECK(n == 10 && told == e.reported_skipped && e.skipped > told && e.skipped - told < 100);
 }
 
-// Overruns that are a second apart, to the nanosecond, are each told.
+// Overruns exactly one second apart are each reported.
 static void test_overrun_event_each_second(void)
 {
     SmEvent event;
@@ -348,7 +348,7 @@ static void test_time_ends(void)
     CHECK(crew_sv.time == UINT64_MAX);
 }
 
-// Far beyond any mission: numbers, and moments on the clock, that reach 2^64.
+// Far beyond any mission: tick numbers and times that reach 2^64.
 static void test_far(void)
 {
     start();

@@ -37,7 +37,7 @@ static void start(bool guarded)
 static SmResult step_in(void) { return sm_inputs_step(in, &tick); }
 static SmResult step_out(void) { return sm_outputs_step(out, &tick); }
 
-// ---- what comes in ----
+// ---- inputs ----
 
 static void test_inputs(bool guarded)
 {
@@ -61,7 +61,7 @@ static void test_inputs(bool guarded)
     CHECK(step_in() == SM_OK && pins_sv.small == -128);
 }
 
-// A pin that nothing drives reads as its resistor says.
+// An open pin reads the level of its resistor.
 static void test_pulls(void)
 {
     start(true);
@@ -115,7 +115,7 @@ static int32_t micro_of(double heater)
 static void test_output_arithmetic(void)
 {
     start(true);
-    CHECK(micro_of(0.0000125) == 10);             // 12.5: 13 on its way, of which the channel shows steps of 5
+    CHECK(micro_of(0.0000125) == 10);             // 12.5: rounded to 13, then to the channel's steps of 5
     CHECK(micro_of(0.0000145) == 15);             // 14.5 is 15 as a whole number: halves go away from 0
     CHECK(micro_of(-0.0000145) == -15);
     CHECK(micro_of(0.0000144) == 10);

@@ -15,7 +15,7 @@ static uint8_t buffer[2 * SM_KEEP_SIZE(PACKED_MOST)];
 static SmKeep keep;
 static const SmTick tick = {0, 0};
 
-// A program starts on memory `name`: the vector is 0, what is kept comes back.
+// A program starts on memory `name`: the vector is 0, then the saved one is restored.
 static SmResult start(const char *name, SmStateVec *sv)
 {
     (void)pal_lock_close(keep.lock);
@@ -30,14 +30,14 @@ static SmResult start(const char *name, SmStateVec *sv)
     return sm_keep_restore(&keep);
 }
 
-// The same after the power was gone.
+// The same after a power failure.
 static SmResult restart(const char *name, SmStateVec *sv)
 {
     sim_power_on();
     return start(name, sv);
 }
 
-// A vector in which everything says that it is number k.
+// A vector whose every element is computed from its number k.
 static void fill(uint32_t k)
 {
     wide_sv.time = k;
@@ -81,7 +81,7 @@ static void test_plain(const char *name)
 
 // ---- the power goes ----
 
-// Stores from number `from` on until the power goes; gives the last that was stored.
+// Stores vectors from number `from` on until the power fails; returns the last stored number.
 static uint32_t store_until_cut(uint32_t from)
 {
     uint32_t k = from;
@@ -91,7 +91,7 @@ static uint32_t store_until_cut(uint32_t from)
     return k - 1;
 }
 
-// Cut in the write or erase that comes after so many more, at so many bytes; and once more, after the restart.
+// The power fails in the n-th write or erase from now, after a number of bytes; and again after the restart.
 static void cut(const char *name, uint32_t after, uint32_t bytes, uint32_t again, uint32_t bytes_again)
 {
     uint32_t last;
@@ -121,7 +121,7 @@ static void test_cuts(const char *name)
                 cut(name, after, bytes, again, (bytes * 7 + again) % (size + 1));
 }
 
-// Before the first snapshot is stored: it is there or it is not, and what is there is whole.
+// Before the first snapshot is stored: it is complete or absent.
 static void test_first_cut(const char *name)
 {
     for (uint32_t bytes = 0; bytes <= SM_KEEP_SIZE(wide_layout.whole.packed); bytes++) {
@@ -184,9 +184,9 @@ static void test_layouts(void)
     CHECK(restart("eeprom", &wide_vector) == SM_OK && keep.restored && number() == 1);
 }
 
-// ---- what is not ours ----
+// ---- foreign content ----
 
-// A memory that begins so and is the same all over is left as it is.
+// A memory that begins like this and has the same content everywhere is not changed.
 static void refuses(const char *name, const char *begins)
 {
     uint8_t before[1024];
@@ -211,7 +211,7 @@ static void test_torn_erase(void)
     CHECK(store(1) == SM_OK && restart("flash", &wide_vector) == SM_OK && number() == 1);
 }
 
-// Something was kept and cannot be used: no error, and told.
+// A saved vector that cannot be used: no error, but an event.
 static void test_unusable(const char *name)
 {
     sim_reset();
@@ -294,7 +294,7 @@ static void test_failures_are_reported(const char *name)
     CHECK(sm_keep_write(&keep) == SM_OK && sm_keep_step(&keep, &tick) == SM_OK);
 }
 
-// Two steps while the medium takes its time: the first snapshot waits, the second takes its place, and the one that is written is not
+// Two steps while the medium is slow: the first snapshot waits, the second replaces it, and the one that is being written is not
 // touched.
 static uint32_t next_number;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// kill [N]: a program that keeps its state vector and logs is killed by SIGKILL at random moments and started again, N times (default
-// 100).  After each kill what is kept is whole, the last that was stored or the one after it; and the log holds every block that was appended.
+// kill [N]: a program that saves its state vector and logs is killed by SIGKILL at random times and started again, N times (default
+// 100).  After each kill the saved vector is complete: the last stored one or the next; and the log contains every appended block.
 #define _GNU_SOURCE
 #include <setjmp.h>
 #include <signal.h>
@@ -17,7 +17,7 @@
 
 enum { LOG_MOST = 1 << 22 };      // bytes, then a new one is begun
 
-// What the program tells before it is killed, in memory that it shares with who kills it.
+// The progress of the program before it is killed, in memory shared with the killing process.
 typedef struct Told {
     uint64_t stored;              // the number of the last vector that was
     uint64_t appended;            // bytes of the log
@@ -118,7 +118,7 @@ static bool is_whole(void)
     return wide_sv.i64 == -(int64_t)k && wide_sv.state == k % 2 + 1 && wide_sv.u8 == (uint8_t)(0xA5 + k) && wide_sv.f64 == (double)k * 0.25 + 9;
 }
 
-// Slot numbers count what was stored: the last one that the program told, or the one after it.
+// Slot numbers count stored vectors: the last one that the program recorded, or the next.
 static void check_stored(void)
 {
     begin();

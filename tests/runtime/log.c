@@ -41,7 +41,7 @@ static Log *read_all(void)
     return read_bytes(bytes, n);
 }
 
-// What a record says, beyond its time: false, if it is not as the step of that tick had it.
+// The content of a record apart from its time; false if it differs from the step of that tick.
 static bool is_true(const LogSession *s, const LogItem *r, uint32_t salt)
 {
     const uint64_t k = log_time(r) / TICK;
@@ -224,7 +224,7 @@ static void test_too_slow(void)
     CHECK(log->session.at[0]->records == 1001 - dropped && log->session.at[0]->dropped == dropped);
 }
 
-// More events than the ring of events holds between two steps.
+// More events between two steps than fit into the ring of events.
 static void test_lost_events(void)
 {
     Log *log;
@@ -238,7 +238,7 @@ static void test_lost_events(void)
     CHECK(log_event(&log->session.at[0]->item.at[0], 0).a == 5);
 }
 
-// Events that were read and could not be handed over are lost, and the log says how many.
+// Events that were read and could not be handed over are lost, and the log contains their number.
 static void test_events_not_handed_over(void)
 {
     Log *log;
@@ -292,7 +292,7 @@ static void test_shrunk(void)
     CHECK(log->session.at[0]->records >= 9 && log->session.at[0]->last == 11 * TICK);
 }
 
-// The medium refuses now and then, in the middle of what it was given: the file is whole all the same.
+// The medium fails from time to time, in the middle of a write: the file is complete nevertheless.
 static void test_refusals(void)
 {
     Log *log;
@@ -533,7 +533,7 @@ static void test_cut(void)
     }
 }
 
-// One byte wrong, at each place and in several ways: it costs the block that it is in.
+// One wrong byte, at each position and with several values: only its block is lost.
 static void test_one_byte(void)
 {
     size_t n;
@@ -605,7 +605,7 @@ static void test_repeated(void)
     CHECK(sm_log_init(&flight) == SM_OK);
     for (uint64_t k = 0; k < 9000; k++) {
         if (k == 10)
-            flight.described_at -= SM_LOG_AGAIN;          // as if so many bytes had come in between
+            flight.described_at -= SM_LOG_AGAIN;          // as if this many bytes had been written in between
         CHECK(step(k, 0) == SM_OK);
         sm_log_drain(&flight, PAL_SECOND);
     }
@@ -625,7 +625,7 @@ static void lay_out(uint8_t *at, const uint8_t *description, uint32_t size, bool
 {
     for (uint32_t i = 0; i < DESCRIPTIONS; i++, at += size) {
         memcpy(at, description, size);
-        at[LOG_HEAD + 1] = in_turn && i % 2;              // where it begins: tells sessions apart
+        at[LOG_HEAD + 1] = in_turn && i % 2;              // its first timestamp: distinguishes sessions
         log_put32(at + size - LOG_CHECK, sm_crc32_end(log_check(SM_CRC32_START, at, size - LOG_CHECK)));
         for (uint32_t b = 0; i == 0 && b < BLOCKS; b++, at += LOG_HEAD)
             log_put_head(at + size, LOG_RECORD, 0);
@@ -663,7 +663,7 @@ static void test_many_descriptions(void)
     CHECK(time_to_read(bytes, (uint32_t)n, false) < 4 * in_turn + CLOCKS_PER_SEC / 20);
 }
 
-// The power goes in each append in turn, at several bytes: the next start goes on, and all records before and after are true.
+// The power fails in each append in turn, at several bytes: the next start continues, and all records before and after are correct.
 static void test_power(void)
 {
     for (uint32_t appends = 0; appends < 60; appends++)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A log whose description is longer than what it is repeated after: all else has its turn, and closing comes to an end.
+// A log whose description is longer than the interval of its repetition: all other records get their turn, and closing terminates.
 #define SM_LOG_AGAIN 16u
 #include "runtime-c/log_drain.c"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flight log with a step in one thread and a drain in another, on real files; what is kept, likewise.
+// The flight log with a step in one thread and a drain in another, on real files; the same for saved vectors.
 #define _GNU_SOURCE
 #include <setjmp.h>
 #include <stdlib.h>
@@ -60,7 +60,7 @@ static void run_both(void)
     CHECK(pal_nvm_close(keep.nvm) == SM_OK);
 }
 
-// ---- what is there afterwards ----
+// ---- the file afterwards ----
 
 static jmp_buf oom;
 
@@ -121,7 +121,7 @@ static void check_stored(void)
     CHECK(pal_nvm_close(keep.nvm) == SM_OK);
 }
 
-// A file that may grow no more is full; the program goes on.
+// A file at its size limit is full; the program continues.
 static void test_limit(void)
 {
     struct rlimit before, now;

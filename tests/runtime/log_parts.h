@@ -71,7 +71,7 @@ static void fill(uint64_t k, uint32_t salt)
     wide_sv.i64 = -(int64_t)k;
     wide_sv.u32 = salt;
     wide_sv.flag = k % 3 == 0;
-    wide_sv.u8 = (uint8_t)(0xA5 + k);                     // looks like the mark of a block
+    wide_sv.u8 = (uint8_t)(0xA5 + k);                     // resembles the mark of a block
 }
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What runtime-c/machine.h promises of a machine that runs, whatever it is made of.
+// The promises of runtime-c/machine.h about a running machine, for emitted code, images and decoded images.
 #include "machine_stage.h"
 
 enum { IDLE = 1, BUSY, HELD };
@@ -148,7 +148,7 @@ static void places_are_known(Kind kind, bool guarded)
 {
     const SmRange uses = (start_stage(kind, guarded), stage.machine.type->accessed(stage.machine.self));
     const SmRange number = stage.machine.type->state_number(stage.machine.self);
-    const uint32_t unit = kind == EMITTED ? 1 : 8;               // an image says it in units of 8 bytes
+    const uint32_t unit = kind == EMITTED ? 1 : 8;               // an image has it in units of 8 bytes
 
     CHECK(uses.offset == offsetof(StandSv, clock) / unit * unit);
     CHECK(uses.offset + uses.size == (offsetof(StandSv, torn) + 4 + unit - 1) / unit * unit);

@@ -9,7 +9,7 @@
 #include "shared.h"
 #include "tests/test.h"
 
-enum { STEPS = 3000, MOST = 100 };       // of each machine; what is passed on stays below MOST, so that a U8 holds it
+enum { STEPS = 3000, MOST = 100 };       // of each machine; copied values stay below MOST, so that they fit into a U8
 
 typedef struct Runner {
     SmMachine machine;
@@ -48,7 +48,7 @@ static void set_up(Runner *r, const char *name, const SmMachineType *type, void 
     CHECK(sm_machine_init(&r->machine) == SM_OK);
 }
 
-// One round of the third thread; gives whether all that it looked at was whole.
+// One round of the third thread; returns whether everything that it read was consistent.
 static bool write_and_look(uint32_t round)
 {
     uint32_t mine = shared_mine();

@@ -5,7 +5,7 @@
 #include "plain_tester.h"
 #include "stdlib/crc32.h"
 
-// Refused with `expected`, without a byte written or an event told; and then it does not step.
+// Refused with `expected`, without a written byte or an event; afterwards it does not step.
 static void refuses(SmResult expected)
 {
     StandSv before = stand_sv;
@@ -103,7 +103,7 @@ static void bad_image(Kind kind, bool guarded)
     CHECK(stage.target.why.rule == SMVM_R_LENGTH);
     stage.target.size = 0;
     refuses(SM_E_IMAGE);
-    stage.target.size = sizeof image + 100;       // more than it takes is no matter
+    stage.target.size = sizeof image + 100;       // more memory than it needs is accepted
     stage.target.machine = 2;
     refuses(SM_E_MISSING);
     stage.target.machine = UINT32_MAX;

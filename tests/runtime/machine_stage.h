@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The machine tester.sm on stand.sv in every form: emitted, from an image, from its decoded form; in place and guarded.
-// What a test says of a machine it says of all six.
+// A test of a machine runs on all six.
 #ifndef MACHINE_STAGE_H
 #define MACHINE_STAGE_H
 

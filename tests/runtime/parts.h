@@ -21,7 +21,7 @@ static char calls[CALLS + 1];
 static SmTick ticks[CALLS];
 static unsigned called;
 
-// The context of a task that writes down its letter; what it takes (moving the clock) and gives can be changed.
+// The context of a task that records its letter; its duration (it advances the clock) and its result can be changed.
 typedef struct Part {
     char letter;
     uint64_t takes;
@@ -73,7 +73,7 @@ static SmEvent event_storage[64];
 static SmEvents events;
 static uint32_t event_cursor;
 
-// Time at 1 s, nothing called, no event, a vector of zeros that is guarded as its .sv says.
+// Time at 1 s, no call, no event, a vector of zeros, guarded if its .sv says so.
 static inline void parts_reset(void)
 {
     sim_reset();

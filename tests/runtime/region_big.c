@@ -38,7 +38,7 @@ static void turn(const WideSv *from, uint8_t *to)
                   sm_cell_load((SmType)wide_element[i].type, (const uint8_t *)from + wide_element[i].offset));
 }
 
-// What little-endian memory gives, by the elements alone.
+// The expected little-endian bytes, computed from the elements alone.
 static void wire_of(const WideSv *from, uint8_t *to)
 {
     for (uint16_t i = 0; i < WIDE_ELEMENTS; i++) {

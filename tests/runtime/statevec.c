@@ -139,7 +139,7 @@ static void test_without_a_lock(void)
 
 // ---- by element, typed ----
 
-// Each type: what is written is there, is read again, and lies where it should; no other type is taken.
+// Each type: a written value is stored at the right offset and read again; other types are refused.
 #define SM_TYPE(name, wire, spelling, ctype, bytes, kind)                                                               \
     static void test_##name(void)                                                                                       \
     {                                                                                                                   \
@@ -253,7 +253,7 @@ static void test_numbers_refuse(void)
 
 // ---- the lock ----
 
-// Each call once, with a lock that cannot be had: it says so, touches nothing, reads 0 and counts.
+// Each call once, with a lock that cannot be acquired: it returns the error, changes nothing, reads 0 and counts.
 static void test_faults(void)
 {
     const SmElement *e = &wide_element[WIDE_E_u16];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random applications in random trouble: modes that anybody changes, ticks that take too long, sleeps that end too late, a clock that
-// jumps by hours, locks, pins and a watchdog that refuse.  A model beside them says which tick of which executor comes next, what G
-// holds, and what the counters add up to.     stress [STEPS [SEED]]; `make stress-runtime N=… SEED=…`
+// jumps by hours, locks, pins and a watchdog that refuse.  A model predicts which tick of which executor comes next, the value of G,
+// and the counters.     stress [STEPS [SEED]]; `make stress-runtime N=… SEED=…`
 #include <stdlib.h>
 
 #include "runtime-c/app.h"
@@ -11,7 +11,7 @@
 #include "tests/runtime/parts.h"
 
 #define EXECUTORS 3
-#define GROUPS 3                          // after the first, which holds the probe alone
+#define GROUPS 3                          // after the first, which contains only the probe
 #define WORKERS 2                         // in each of them
 #define HOUR (3600 * S)
 
@@ -44,7 +44,7 @@ static SmApp app;
 static PalDio pin;
 static uint64_t g, base, limit, hash, feeds_failed;
 static uint64_t longest, latest;           // tick, sleep beyond its end
-static uint32_t trouble;                  // how much time a call takes at most, in thousandths of a period
+static uint32_t trouble;                  // the maximum duration of a call, in thousandths of a period
 static uint32_t locks_failed;
 static uint64_t overslept;
 
@@ -67,9 +67,9 @@ static void mix(uint64_t x)
     hash = (hash ^ x) * 1099511628211u;
 }
 
-// ---- what the model says ----
+// ---- the model ----
 
-// The number of the next tick of executor i, as executor.h says.
+// The number of the next tick of executor i, as executor.h defines it.
 static uint64_t next_number(int i)
 {
     const Model *const m = &model[i];
@@ -341,7 +341,7 @@ static void make_app(uint64_t calls_wanted)
     CHECK(pal_dio_open(&pin, 4, PAL_DIO_OUTPUT, false) == SM_OK);
 }
 
-// ---- what it adds up to ----
+// ---- totals ----
 
 static void check_task(const Worker *w, const SmTask *t)
 {

@@ -43,7 +43,7 @@ for cpp in g++ clang++-19; do
     done
 done
 
-# More elements than the runtime has numbers for: the C says so.
+# More elements than the runtime can number: the generated C fails to compile and reports it.
 { echo '[All]'; awk 'BEGIN { for (i = 0; i < 65536; i++) print "U8 e" i }'; } >"$dir/vast.sv"
 "$smc" build "$dir/vast.sv" --emit=c --runtime -o "$dir/vast.c" || failed=$((failed + 1))
 refuses() { ! "$@" 2>"$dir/errors" && grep -q '65,535' "$dir/errors"; }

@@ -105,7 +105,7 @@ static void test_faults(void)
     part.gives = SM_REFUSED;
     run(2);
     CHECK(is_no_event() && task.last_result == SM_REFUSED && task.failures_in_row == 2);
-    run(1);                                                // safing fails as well: it goes on failing
+    run(1);                                                // safing fails as well: the task continues to fail
     CHECK(is_event(SM_EVENT_MODE, 7, 2, 1) && is_no_event() && task.failures == 3);
     part.gives = SM_OK;
     run(0);                                                // not called, so unknown

@@ -22,7 +22,7 @@ typedef struct Part {
     uint64_t seed, torn, refused, done;
 } Part;
 
-// What PAIR holds: `a`, what follows from it, and nothing else is ever right.
+// The content of PAIR: `a` and the value computed from it.  Any other content is wrong.
 typedef struct Pair { uint64_t a; uint8_t odd, gap[7]; uint64_t not_a; SmF64 number; } Pair;
 
 static Pair pair_of(uint64_t a)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The board's end of the link and the host's, with a line between them that loses, repeats, delays, cuts and damages what it
+// The board's end of the link and the host's, with a line between them that loses, repeats, delays, cuts and damages the bytes that it
 // carries, and a board that restarts or loses its power at any byte.  Whatever happened: the old image runs or the new one, and the
 // next update over a good line succeeds.
 //   agent OLD.smb NEW.smb [RUNS [SEED]]
@@ -30,8 +30,8 @@ typedef struct Wire {
     Board *board;
     Way to_board, to_host;
     uint32_t now;             // milliseconds
-    uint32_t trouble;         // one frame in so many meets it; 0: none
-    uint32_t restart;         // the board restarts when so many bytes have come to it; 0: never
+    uint32_t trouble;         // one frame in this many is affected; 0: none
+    uint32_t restart;         // the board restarts after this many received bytes; 0: never
     uint32_t taken;           // bytes that came to the board
 } Wire;
 
@@ -247,7 +247,7 @@ static void armed_board_refuses_update(const char *memory, uint8_t slots)
     }
 }
 
-// It may be armed while an update is under way.
+// The board can be armed during an update.
 static void arming_stops_an_update(void)
 {
     uint8_t body[9], data[5 + 8];
@@ -417,11 +417,11 @@ static void invalid_request_is_rejected(void)
             CHECK(link_ask(&p.host, LINK_READ, end, 5) && p.host.result == (n <= before ? SM_OK : SM_E_ARGUMENT) && p.host.n == (n <= before ? n : 0));
         }
     p.host.tries = 2;
-    CHECK(!link_ask(&p.host, LINK_READ, new_image.bytes, BOARD_BODY + 1) && !p.host.gone);       // longer than it takes
+    CHECK(!link_ask(&p.host, LINK_READ, new_image.bytes, BOARD_BODY + 1) && !p.host.gone);       // longer than the timeout
     CHECK(!link_ask(&p.host, (LinkMessage)0x81, NULL, 0));                                      // an answer is no request
 }
 
-// Noise before a request takes the first zero behind it for its end: that zero is not the request's.
+// The first zero after noise ends the noise: that zero is not the request's.
 static void noise_before_a_request_does_not_spoil_it(void)
 {
     static const uint8_t rubbish[] = {40, 1, 2, 3};
@@ -490,7 +490,7 @@ static void events_come_once_and_in_order(void)
     CHECK(next == made && came > 100);
 }
 
-// What the board holds is compared with what was sent before it is chosen, each byte: a memory may change behind the verdict, and its
+// Each stored byte is compared with the sent one before an image is chosen: a memory can change after the verdict, and its
 // checksum not tell.  (These bits are the polynomial's.)
 static uint32_t spoiled;
 
@@ -543,7 +543,7 @@ static void running_image_is_not_read_back(const char *memory)
     p.board.board.fits = board_fits;
     u.session = 10;
     CHECK(device_update(&p.host, &info, &u) == DEVICE_DONE && !u.was_there && smvm_store_period(&p.board.store, p.board.slot) == 7);
-    u.session = 11;                        // as it is already: nothing is sent
+    u.session = 11;                        // already stored: nothing is sent
     CHECK(device_update(&p.host, &info, &u) == DEVICE_DONE && u.was_there);
 }
 
@@ -627,7 +627,7 @@ static int canned_receive(void *context, uint8_t *bytes, size_t room, uint32_t w
 
 static uint32_t canned_now(void *context) { return ((const Canned *)context)->now; }
 
-// HELLO has grown (link.def: "from the signatures on it may be cut").  What a board does not say is not there, whatever a longer answer before
+// HELLO has grown (link.def: "from the signatures on it may be cut").  Fields that a board omits are empty, whatever a longer answer before
 // has left in the buffer.
 static void older_boards_report_less(void)
 {
@@ -659,7 +659,7 @@ static void older_boards_report_less(void)
     CHECK(device_image(&host, 0, &image) && image.period == 44);
     for (c.n = 17; c.n < 20; c.n++)
         CHECK(device_image(&host, 0, &image) == (c.n >= 18) && (c.n < 18 || image.period == 0));
-    c.n = 0;                               // an answer without a place says none
+    c.n = 0;                               // an answer without a position reports none
     CHECK(!device_pin_place(&host, 2, 3, &place) && host.result == SM_E_UNSUPPORTED);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A board with a key: what is not signed with it is neither chosen nor run, and no old number comes back, wherever the power goes.
+// A board with a key: images without its signature are neither chosen nor run, and no old number is accepted, wherever the power fails.
 //   auth OLD.smb NEW.smb
 #include <stdlib.h>
 
@@ -244,7 +244,7 @@ static void board_without_key_accepts_all(void)
     CHECK(board_new(&b, "eeprom", 2) && runs_number(&b, 5, true) && newest(&b) == 0 && runs_number(&b, 4, true));
 }
 
-// A host learns from HELLO what it need not try.
+// HELLO tells a host that the board has a key, so that it need not try other images.
 static void hello_reports_the_key(void)
 {
     uint8_t request[LINK_ROOM(0)] = {0, 1, LINK_HELLO}, answer[LINK_ROOM(BOARD_BODY)];

@@ -57,7 +57,7 @@ static bool board_opens(Board *b)
     return true;
 }
 
-// Power on: what is in RAM is forgotten.
+// Power on: the content of RAM is lost.
 static bool board_start(Board *b)
 {
     sim_power_on();

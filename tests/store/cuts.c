@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Updates of images with the power cut before, inside and after every write and erase: one cut, and then another in what follows.
-// Whatever was cut, the old image or the new one runs; with one slot, the built-in one where the old one had to give way.
+// Wherever the power fails, the old image or the new one runs; with one slot, the built-in one if the old one was already overwritten.
 //   cuts OLD.smb NEW.smb          all single cuts, and one in 65 pairs
 //   cuts OLD.smb NEW.smb all      all pairs
 #include <string.h>
@@ -8,7 +8,7 @@
 #include "tests/store/image.h"
 #include "tests/test.h"
 
-// The device: what a restart forgets is in `store`, what it keeps in the simulated memory.
+// The device: `store` is lost at a restart, the simulated memory is not.
 typedef struct Device {
     const char *memory;
     uint8_t slots;
@@ -24,7 +24,7 @@ static Image old_image, new_image;
 
 static bool opens(Device *d) { return image_store(&d->store, d->memory, d->slots); }
 
-// A start: gives what runs.  The choice may be cut off as well, then nothing runs yet.
+// A start: returns the running image.  The power can fail during the choice as well; then nothing runs yet.
 static Runs start(Device *d)
 {
     const uint8_t *there;

@@ -2,7 +2,7 @@
 // Whole flights of the example machines as tasks of the runtime: at every step every element and T are what the script engine had.
 //     flights IMAGE TRACE…      TRACE as `smc test --trace --trace-format=exact` writes it; its name begins with that of the machine
 // Each flight is flown six times: emitted, from the image, from its decoded form; in place and guarded.  The events
-// must be the same each time, and must be what S says.
+// must be the same each time, and must agree with S.
 #include <stdlib.h>
 #include <string.h>
 
@@ -56,7 +56,7 @@ typedef struct Subject {
     const SmMachineType *type;
     void *self;
     uint32_t number;                          // in the image
-    const char *output[3];                    // what it stores; everything else is input
+    const char *output[3];                    // the elements that it stores; everything else is input
 } Subject;
 
 static Mission mission;
@@ -126,7 +126,7 @@ static void check_results(const Line *from, const Line *to)
     }
 }
 
-// The events tell the way through the states that S has taken.
+// The events have the same sequence of states as S.
 static void check_events(uint32_t last, uint32_t *told)
 {
     SmEvent e = {.b = 0};
