@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Builds applications and runs them in simulated time: as C and on the VM, in place and guarded.  And what is wrong, missing or large:
+# Builds applications and runs them in simulated time: as C and on the VM, in place and guarded.  And wrong, missing or large parts:
 # a message at its place, the exit code that is promised, and nothing half written.        sh tests/app/run.sh SMC SIM.a CC
 smc=$1 sim=$2 cc=$3
 passed=0 failed=0 skipped=0
@@ -65,9 +65,9 @@ else
     skipped=$((skipped + 1))
 fi
 
-# ---- what is built ----
+# ---- the output ----
 
-# refuses NAME CODE TEXT: the build ends with CODE, says TEXT, writes nothing.
+# refuses NAME CODE TEXT: the build ends with CODE, prints TEXT, writes nothing.
 refuses()
 {
     rm -rf out && mkdir out
@@ -81,7 +81,7 @@ refuses()
     fi
 }
 
-# A second build gives the same bytes, wherever it is called from.
+# A second build produces the same bytes, from any current folder.
 fresh again; mkdir out other
 "$smc" build probe.app -o out && cd / && "$smc" build "$dir/again/probe.app" -o "$dir/again/other"
 if diff -r "$dir/again/out" "$dir/again/other"; then good; else bad "the same bytes from elsewhere"; fi

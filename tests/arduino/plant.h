@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the boards of these tests are wired to: the tank of plant.ss, in the counts of the analog input.  It goes on by a step at the
+// The hardware connected to the boards of these tests: the tank of plant.ss, in counts of the analog input.  It advances by a step at the
 // end of each line that the sketch prints.
 #ifndef TEST_PLANT_H
 #define TEST_PLANT_H

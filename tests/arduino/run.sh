@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# The Arduino library that `make arduino` made: what its files say, that its archive is whole, and that it builds where it is unpacked, for
+# The Arduino library built by `make arduino`: the content of its files, that its archive is complete, and that it builds where it is unpacked, for
 # boards that are here as compilers; the examples run on emulated boards, step for step as the script engine does.
 #   run.sh BUILD LIBRARY VERSION
 # CC and CXX name the compilers of this computer.  Wants zip, arduino-builder arduino-core-avr, libsimavr-dev libelf-dev, gcc-arm-none-eabi
-# libnewlib-arm-none-eabi, gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf; what is missing is skipped.
+# libnewlib-arm-none-eabi, gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf; tests without their tools are skipped.
 build=$1 library=$2 version=$3
 CC=${CC:-cc} CXX=${CXX:-c++}
 mkdir -p "$build/arduino/test" || exit 1
@@ -180,7 +180,7 @@ example()   # SKETCH BOARD…
         echo "$sketch on $board: $(sizes), $(cat "$dir/$sketch.stack")"
     done
 }
-# The firmware as a sketch: takes an image over the line, and runs it.     firmware CHIP
+# The firmware as a sketch: receives an image over the line, and runs it.     firmware CHIP
 firmware()
 {
     rm -f "$dir/eeprom"*

@@ -2,10 +2,10 @@
 // An Arduino in simavr, on a serial line of this computer, with what simavr leaves out: a byte of EEPROM takes 3.4 ms to be written and is
 // garbage until then.  It can be killed at any time, as by a power cut, and started again: the EEPROM is stored in a file.
 //   board LINE MEMORY         LINE: a terminal device, or "-": it makes one and writes its name to MEMORY.line
-//     FIRMWARE, MCU           in the environment: an ELF file and what it runs on
-//     PLANT                   what stands around it: none, tank, rocket (plants.c); goes on while there is a file MEMORY.go
+//     FIRMWARE, MCU           in the environment: an ELF file and its processor
+//     PLANT                   the simulated surroundings: none, tank, rocket (plants.c); time advances there while a file MEMORY.go exists
 //     SPEED                   how many times faster than real time it may run; 1
-// While there is a file MEMORY.armed the arming plug is pulled.  When it is ended by SIGTERM it says how it went.
+// While there is a file MEMORY.armed the arming plug is pulled.  When it is ended by SIGTERM it prints statistics.
 #define _XOPEN_SOURCE 700
 #define _DEFAULT_SOURCE
 #include <fcntl.h>
@@ -248,7 +248,7 @@ static void nap(avr_t *a, avr_cycle_count_t cycles)
         poll(&p, queued == 0, (int)((here - (now - start) * speed) / speed / 1000) + 1);
 }
 
-// The firmware says when a step begins and ends.
+// The firmware marks the begin and the end of a step.
 static void on_step(struct avr_t *a, avr_io_addr_t address, uint8_t value, void *param)
 {
     a->data[address] = value;
@@ -265,7 +265,7 @@ static void on_step(struct avr_t *a, avr_io_addr_t address, uint8_t value, void 
 
 // ---- the stack ----
 
-static unsigned stack_from;           // what is static ends before it
+static unsigned stack_from;           // static data ends before it
 
 static void paint(const elf_firmware_t *f)
 {

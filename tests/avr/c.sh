@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Emitted C on an emulated ATmega328P (cc.sh), its traces held against the reference's: examples with their scripts, random programs, and
-# every so many-th conformance case.     c.sh BUILD CC [PROGRAMS [SEED [EVERY]]]     RESUME=1: goes on where it stopped
+# every EVERY-th conformance case.     c.sh BUILD CC [PROGRAMS [SEED [EVERY]]]     RESUME=1: continues an interrupted run
 # Wants gcc-avr avr-libc libsimavr-dev libelf-dev; AVR_CC names the compiler.
 B=$1 CC=$2 PROGRAMS=${3:-12} SEED=${4:-1} EVERY=${5:-60}
 if ! command -v "${AVR_CC:-avr-gcc}" >/dev/null 2>&1; then

@@ -16,7 +16,7 @@ while [ $# -gt 0 ]; do
     shift
 done
 
-# build MCU FLASH RAM: gives false where it does not fit
+# build MCU FLASH RAM: fails if the program does not fit
 build() {
     "${AVR_CC:-avr-gcc}" -mmcu=$1 -Os -std=gnu99 -DSM_IN_FLASH=__flash -ffunction-sections -fdata-sections -Wl,--gc-sections -w $options \
         "$source" "$root/tests/avr/console.c" "$root/stdlib/soft_avr.S" "$root/stdlib/soft_cells_avr.S" -I"$root" -o "$out.elf" 2>"$out.log" || {

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# The generic firmware on emulated boards, from smc flash to the pins.     firmware.sh MAKE BUILD CC [RUNS [SEED]]: so many updates in trouble.
+# The generic firmware on emulated boards, from smc flash to the pins.     firmware.sh MAKE BUILD CC [RUNS [SEED]]: RUNS updates with faults.
 # Wants gcc-avr avr-libc libsimavr-dev libelf-dev, and python3 for the bound of the stack.
 MAKE=$1 B=$2 CC=$3 RUNS=${4:-2} SEED=${5:-1}
 D=$B/avr/firmware
@@ -50,7 +50,7 @@ board_off() {
 says() { "$@" 2>&1 | grep -q "$text"; }
 says_not() { said=$("$@" 2>&1) && ! echo "$said" | grep -q "$text"; }
 
-# logged TEXT SECONDS: the board's log says it before so many seconds have gone by here
+# logged TEXT SECONDS: TEXT appears in the board's log within SECONDS
 logged() {
     tries=$(($2 * 4))
     while ! "$smc" device log "$port" 2>&1 | grep -q "$1"; do
@@ -80,7 +80,7 @@ bound_stack() {     # ELF
 # What was seen of the stack in a flight is no more than what there can be.
 stack_was_bounded() { awk -v most="$stack" '/ bytes of stack, / { for (i = 4; i <= NF; i++) if ($(i) == "stack,") seen = $(i - 3) } END { exit !(seen > 100 && seen <= most) }' "$1"; }
 
-# An Uno has one slot: nothing runs while it takes an image, so the machine must be in a @safe state, as with the vent open.
+# An Uno has one slot: nothing runs while it receives an image, so the machine must be in a @safe state, as with the vent open.
 rest_on_uno() {
     [ $MCU = atmega328p ] || return 0
     rm "$D/$1.mem.go"
@@ -111,7 +111,7 @@ fly_tank() {
     count awk '/^tank:/ { seen = $4 >= 699 && $6 > 770 && $6 <= 800 && $10 > 2 } END { exit !seen }' "$D/tank.mem.said"
 }
 
-# A flight from the pad to the main, the power having gone once since the machine was flashed.
+# A flight from the pad to the main, after one power failure since the machine was flashed.
 fly_rocket() {
     export PLANT=rocket
     rm -f "$D/rocket.mem"*
@@ -126,7 +126,7 @@ fly_rocket() {
     count awk '/^rocket:/ { seen = $7 > $3 - 15 && $14 > 80 && $14 < 101 } END { exit !seen }' "$D/rocket.mem.said"
 }
 
-# A board with a key takes what is signed with it, once.
+# A board with a key accepts an image signed with it, once.
 fly_signed() {
     rm -f "$D/signed.mem"* "$D/rocket.key" "$D/other.key"
     "$smc" key "$D/rocket.key" && "$smc" sign "$D/tank.smb" --key="$D/rocket.key" --number=7 -o "$D/signed.smb" || exit 1
@@ -171,8 +171,8 @@ fly_deep() {
     count stack_was_bounded "$D/deep.mem.said"
 }
 
-# An image that wants a pin twice is not sent, nor one that wants the arming plug's; what came by another firmware and wants that one does not run
-# here, and is not said to.
+# An image that uses a pin twice is not sent, nor one that uses the arming plug's.  An image sent by another firmware that uses it does not run
+# here, and is not reported as running.
 fly_wrong_pins() {
     rm -f "$D/pins.mem"*
     $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU FIRMWARE_OUT="$D/free" || exit 1

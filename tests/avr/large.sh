@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Machines that are large in one way, for run.sh.     large.sh FOLDER: makes outputs.sm, with 90 outputs, and states.sm, with 300 states.
+# Machines that are large in one respect, for run.sh.     large.sh FOLDER: writes outputs.sm, with 90 outputs, and states.sm, with 300 states.
 D=$1
 {
     echo "[state_vector]"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a firmware of this folder and the computer that emulates it say to each other.  The firmware writes the address of its
+// The communication between a firmware of this folder and the emulating computer.  The firmware writes the address of its
 // mailbox to GPIOR1 (low) and GPIOR2 (high) once, and these to GPIOR0.
 #ifndef AVR_MAILBOX_H
 #define AVR_MAILBOX_H

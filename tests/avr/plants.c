@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-// ---- a tank that is filled all the time and has a vent valve; its transducer gives 0 to 5 V for 0 to 1250 psi ----
+// ---- a tank that is filled all the time and has a vent valve; its transducer outputs 0 to 5 V for 0 to 1250 psi ----
 
 static struct { double time, psi, lowest, highest; unsigned opened; bool open; } tank = {0, 700, 1e9, 0, 0, false};
 
@@ -29,7 +29,7 @@ static void tank_report(void)
     printf("tank: %.0f s, %.0f to %.0f psi, vent opened %u times\n", tank.time, tank.lowest, tank.highest, tank.opened);
 }
 
-// ---- a rocket: up, down under a drogue, down under the main; its altimeter gives 0.5 V on the ground and 1 V more each 100 m ----
+// ---- a rocket: up, down under a drogue, down under the main; its altimeter outputs 0.5 V on the ground and 1 V more each 100 m ----
 
 static struct { double time, altitude, speed, apogee, drogue, main; bool landed; double fired[2]; } rocket;
 

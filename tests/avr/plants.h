@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands around an emulated board: it drives the board's inputs and feels its outputs.
+// The simulated surroundings of an emulated board: they drive the board's inputs and react to its outputs.
 #ifndef AVR_PLANTS_H
 #define AVR_PLANTS_H
 

@@ -113,7 +113,7 @@ for kind in vm_large vm_large_portable; do
     WIDE=1 count "$B/run_vm" "$B/$kind.elf" 500 0 0 "$B/outputs.smb" "$B/states.smb" "$B/tank.smb"
 done
 WIDE=1 count "$B/run_vm" "$B/vm_eeprom.elf" 500 0 0 "$B/outputs.smb" "$B/tank.smb"
-# The generic firmware's runner, with all kinds of pins; and what a step of the tank takes with its own.
+# The generic firmware's runner, with all kinds of pins; and the cycles of a step of the tank with its own.
 avr pins -flto -DF_CPU=16000000UL -DSMVM_CONFIG='"bytecode-vm/firmware/config.h"' -DSM_CONFIG='"bytecode-vm/firmware/config.h"' -DSM_ROLL_NONE=1 tests/avr/pins.c \
     bytecode-vm/firmware/runner.c bytecode-vm/target/io.c runtime-c/pin.c runtime-c/psl/avr/*.c ${VM#tests/avr/vm.c} || exit 1
 $CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_pins.c "$1/libsmc.a" -o "$B/run_pins" -lsimavr -lelf -lm || exit 1

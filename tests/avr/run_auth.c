@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The code of signed images on an emulated ATmega328P: what this computer signs is right there, and what is changed is not; and how long
-// that takes, which may not depend on where it was changed.
+// The code of signed images on an emulated ATmega328P: an image signed by the host is accepted there, a changed one is not; and how long
+// the check takes, which must not depend on the changed position.
 //   run_auth ELF
 #include <stdio.h>
 #include <string.h>
@@ -25,7 +25,7 @@ static void check(bool ok, const char *what, unsigned n)
         printf("%s (%u)\n", what, n);
 }
 
-// A header, one section of so many bytes that the whole has `length`, and AUTH.
+// A header, one section that fills the image to `length` bytes, and AUTH.
 static void make(uint32_t length, uint8_t *out)
 {
     uint8_t plain[KILO + 64] = {'s', 'm', 'b', SMVM_FORMAT};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each instruction takes on an emulated ATmega328P: a machine with the instruction against the same one without, on random and on
+// The cycles of each instruction on an emulated ATmega328P: a machine with the instruction compared with the same one without, on random and on
 // special operands; the most that was seen.  Nothing is asked of how the interpreter is made.
 //   run_cycles ELF ELF OPERANDS SEED                the VM for images in flash and in EEPROM: prints the rows of avr_cycles.def
-//   run_cycles ELF ELF OPERANDS SEED check          holds that table against what is measured: never above it, never far below
+//   run_cycles ELF ELF OPERANDS SEED check          compares that table with measurements: never above it, never far below
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -271,7 +271,7 @@ static void measure_types(Probe *p, Seen *seen)
     }
 }
 
-// What an output takes beyond a store to a local of its type.
+// The cycles of an output beyond a store to a local of its type.
 static void measure_outputs(Probe *p, Seen *seen, CyclesRow row, unsigned first)
 {
     Seen out;
@@ -388,7 +388,7 @@ static void measure_step(Probe *p, Seen *seen)
 static const uint8_t key_type[CYCLES_KEYS][3] = {{SM_U8, SM_I8, SM_BOOL}, {SM_U16, SM_I16, SM_I16}, {SM_U32, SM_I32, SM_I32}, {SM_U64, SM_I64, SM_I64},
                                                  {SM_F32, SM_F32, SM_F32}, {SM_F64, SM_F64, SM_F64}};
 
-// The most that a sample or a statistic takes when the window is full.
+// The maximum cycles of a sample or a statistic of a full window.
 static uint32_t window_cycles(Probe *p, SmType type, unsigned n, CyclesWindow row)
 {
     static const unsigned stat[][2] = {{0, 0}, {0, 0}, {SM_STAT_AVG, SM_STAT_AVG}, {SM_STAT_MIN, SM_STAT_MAX}, {SM_STAT_RANGE, SM_STAT_RANGE},
@@ -436,7 +436,7 @@ static uint32_t window_of_types(Probe *p, const uint8_t type[3], unsigned n, Cyc
     return most;
 }
 
-// A straight line that no size lies above.
+// A straight line that is above the value of every size.
 static void measure_windows(Probe *p, Seen *seen)
 {
     enum { FEW = 3, MIDDLE = 8, MANY = 16 };
@@ -502,7 +502,7 @@ static const char *const window_name[] = {
 #undef CYCLES_STACK
 };
 
-// Of a window: what it holds are too many operands for all to have been seen.
+// For windows: they contain too many operands to try all.
 static uint32_t with_room(uint32_t cycles) { return cycles + (cycles + 31) / 32; }
 
 static void print_rows(const Seen *flash, const Seen *eeprom)

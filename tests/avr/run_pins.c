@@ -83,7 +83,7 @@ static void set_inputs(Bench *b)
         }
 }
 
-// ---- what config.md 9 says ----
+// ---- values by config.md 9 ----
 
 static double number(SmF64 x) { return x; }
 

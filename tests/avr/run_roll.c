@@ -30,7 +30,7 @@ static uint64_t next(Pair *p)
     return p->state * 0x2545F4914F6CDD1Du;
 }
 
-// As a sensor has it; of the whole range of small integers, both zeros and what is beyond among it; anything.
+// Values like those of a sensor; the whole range of small integers, both zeros and values beyond it; any values.
 static SmF64 value(Pair *p, int mood)
 {
     const uint64_t r = next(p);

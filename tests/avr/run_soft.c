@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soft binary64 on an emulated ATmega328P against this computer's own: the same bits, and how many cycles each operation takes.
-//   run_soft ELF N SEED [free]     N random operands for every operation, and as many of the special ones; free: take what time it takes
+// Soft binary64 on an emulated ATmega328P compared with the host's: the same bits, and the cycles of each operation.
+//   run_soft ELF N SEED [free]     N random operands for every operation, and as many of the special ones; free: without a limit of cycles
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -98,7 +98,7 @@ static uint64_t bits(double x)
     return b;
 }
 
-// By every divisor of 16 digits, which go a way of their own and are counted, and some of 17: anything, multiples of them and what is next
+// By every divisor of 16 digits, which have a code path of their own and are counted, and some of 17: any dividends, multiples and their
 // to those.  And what analog pins do with all their readings.
 static bool run_short(Sim *s, uint64_t seed, Count *c)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The emitted tank against the one written by hand, on an emulated ATmega328P: the same state vector after every step, and cycles.
-//   run_tank ELF f64|i16 MOST         what pressure is; fails where the emitted one takes more than MOST hundredths of the other's cycles on average
+//   run_tank ELF f64|i16 MOST         the type of pressure; fails if the emitted one needs more than MOST hundredths of the other's cycles on average
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -77,7 +77,7 @@ static bool ask(Pair *p, uint8_t what)
     return sim_until_ready(&p->sim);
 }
 
-static bool same_locals(const Pair *p)                // and what is computed on the way
+static bool same_locals(const Pair *p)                // and intermediate results
 {
     return memcmp(p->ram + p->box->memory + p->box->local, smvm_locals((SmVm *)p->memory), p->m.locals) == 0;
 }

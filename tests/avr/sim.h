@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An ATmega328P in simavr, whose firmware tells by GPIOR0 where it is (mailbox.h).  Cycles are counted exactly.
+// An ATmega328P in simavr, whose firmware reports its progress in GPIOR0 (mailbox.h).  Cycles are counted exactly.
 #ifndef AVR_SIM_H
 #define AVR_SIM_H
 
@@ -12,10 +12,10 @@ typedef struct Sim {
     uint8_t said;             // the last thing written to GPIOR0
 } Sim;
 
-bool sim_open(Sim *s, const char *elf);               // says on standard error why not
+bool sim_open(Sim *s, const char *elf);               // prints the reason on standard error
 bool sim_open_flash(Sim *s, const char *mcu, const uint8_t *flash, uint32_t n);     // another chip of the family
 void sim_connect(Sim *s);                             // the firmware's console (console.c) to standard input and output; `begin`: when it was last used
-bool sim_until_ready(Sim *s);                         // false: it has stopped, or takes longer than a second
+bool sim_until_ready(Sim *s);                         // false: it has stopped, or needs more than a second
 void *sim_mailbox(const Sim *s);                      // where in its memory
 uint8_t *sim_ram(const Sim *s);                       // from address 0
 uint8_t *sim_flash(const Sim *s);

@@ -32,7 +32,7 @@ SKIPS = ("cpse", "sbrc", "sbrs", "sbic", "sbis")
 READS = ("cp", "cpc", "cpi", "cpse", "push", "st", "std", "sts", "out", "sbrc", "sbrs")      # their first operand
 
 Insn = collections.namedtuple("Insn", "at next name args target")
-# At an instruction: bytes on the stack since the function began, those that Y stands for (None: it is no frame), the phase, rounds.
+# At an instruction: bytes on the stack since the function began, those below the frame pointer Y (None: no frame), the phase, rounds.
 State = collections.namedtuple("State", "at depth y phase rounds")
 # Interrupts are forbidden from the beginning on; are again; are allowed.
 CLOSED, MASKED, OPEN = range(3)

@@ -9,8 +9,8 @@
 
 // ---- rows ----
 
-// One way to run a machine, all of it C functions.  A drive copies n inputs, one after another, to the front of the state
-// vector and steps after each; what it costs to do so is the row `empty`.
+// One method to run a machine, as C functions.  A drive copies n inputs, one after another, to the front of the state
+// vector and steps after each; the row `empty` is the cost of that alone.
 typedef struct Row {
     const char *name;
     size_t size;                                                // bytes of the machine
@@ -41,10 +41,10 @@ typedef struct Workload {
     const char *name;
     const char *sm;                     // the machine; its state vector is workloads/NAME.sv
     size_t in_size, sv_size;            // bytes: of an input, of the state vector
-    unsigned steps, warm;               // an episode: so many steps from init on, the first `warm` of them not measured
-    unsigned episodes;                  // so many different ones
+    unsigned steps, warm;               // an episode: the number of steps from init on, of which the first `warm` are not measured
+    unsigned episodes;                  // the number of different episodes
     unsigned count, check;              // steps after the warm ones when instructions are counted; steps that are checked
-    unsigned other;                     // an episode that goes another way than the first and is checked too; or 0
+    unsigned other;                     // an episode with another sequence of states than the first, which is checked too; or 0
     void (*inputs)(Rng *r, void *in, unsigned n, unsigned episode);
     const Row *row;                     // empty, native, f64, C at -O0 to -O2
     void (*drive_vm)(void *machine, void *sv, const void *in, size_t n);     // machine: an SmVm

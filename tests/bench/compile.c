@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // How fast the compiler is: to bytecode, from memory to memory, as the command does it, warnings and all; and how long a C
-// compiler takes over what it emits.  "value" records on standard output.
+// compiler needs for the emitted C.  "value" records on standard output.
 //
 //     compile CC FOLDER      FOLDER: where files may be written
 #define _POSIX_C_SOURCE 200809L
-#define _DEFAULT_SOURCE                   // what getrusage gives
+#define _DEFAULT_SOURCE                   // for the fields of getrusage
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,7 +49,7 @@ static bool compile(const Shape *shape, unsigned n, int level, Cost *cost)
     return true;
 }
 
-// The best of a few: what else the machine does is none of our time.
+// The best of a few runs, to exclude the load of other programs.
 static Cost best(const char *name, unsigned n, int level, int tries)
 {
     const Shape *shape = shape_find(name);
@@ -143,7 +143,7 @@ static void c_compiler(const char *cc, const char *folder)
     printf("value gcc 1000-states-memory %.0f MB\n", (double)use.ru_maxrss / 1024);
 }
 
-// The C compiler first: what memory this process takes counts as its children's, too.
+// The C compiler first: the memory of this process counts as its children's, too.
 int main(int argc, char **argv)
 {
     if (argc != 3 || !pool_open())

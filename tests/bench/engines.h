@@ -18,7 +18,7 @@ typedef struct CompiledWorkload {
     Buf image[LEVELS];                  // at -O0, -O1, -O2, without a debug section
 } CompiledWorkload;
 
-// Reads and compiles; says on standard error what is wrong and ends the program if that fails.
+// Reads and compiles; on failure it prints the error on standard error and ends the program.
 void compile_workload(CompiledWorkload *c, const Workload *w);
 
 // A machine of the VM, interpreted in place or decoded.

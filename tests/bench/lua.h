@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Lua as a child process that runs driver.lua: it times itself, so that what it costs to talk to it does not count.
+// A Lua as a child process that runs driver.lua: it times itself, so that the cost of communication does not count.
 #ifndef BENCH_LUA_H
 #define BENCH_LUA_H
 

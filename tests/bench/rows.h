@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rows of a workload, each driven by a loop of its own: the step is called directly, as a program would call it, and
-// what is copied before it has a size that the compiler knows.
+// data copied before it has a size known to the compiler.
 #ifndef BENCH_ROWS_H
 #define BENCH_ROWS_H
 

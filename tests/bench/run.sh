@@ -5,7 +5,7 @@
 #     time      ns a step, all rows (BENCH_SECONDS each workload, 8)
 #     count     instructions a step, by callgrind
 #     sizes     images, memory, the VM's code
-#     compile   how fast the compiler is, and gcc on what it emits
+#     compile   the speed of the compiler, and of gcc on the emitted C
 build=$1 cc=$2 parts=$3 workloads=$4
 here=tests/bench dir=$build/bench
 records=$dir/records
@@ -13,7 +13,7 @@ records=$dir/records
 
 note() { echo "note $*" >>"$records"; }
 
-# One core, so that what takes turns does so on the same caches; the last, since interrupts tend to be on the first.
+# One core, so that alternating programs use the same caches; the last one, since interrupts tend to be on the first.
 pin=
 core=$(($(getconf _NPROCESSORS_ONLN) - 1))
 if command -v taskset >/dev/null 2>&1 && taskset -c "$core" true 2>/dev/null; then

@@ -12,7 +12,7 @@
 #include "runtime-c/pal/clock.h"
 #include "fight.h"
 
-// Rows stand alone, so that each does what it says and nothing is kept from one call to the next.
+// Rows are separate functions that the compiler cannot inline or merge.
 #ifdef __GNUC__
 #define ROW __attribute__((noinline)) static void
 #else

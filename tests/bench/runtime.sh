@@ -37,7 +37,7 @@ awk '
             printf "%-22s %12s %8.1f\n", order[i], order[i] in insn ? insn[order[i]] - insn["nothing"] + 1 : "", ns[order[i]] - base
     }' "$dir/counts" "$dir/times"
 
-# ---- what it weighs ----
+# ---- sizes ----
 
 # The functions of each group; a program contains only those that it uses (-ffunction-sections -fdata-sections, --gc-sections).
 groups='

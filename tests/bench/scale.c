@@ -16,7 +16,7 @@
 
 enum { FACTOR = 4 };
 #define MOST_GROWTH 8.0           // what four times the input may cost; 16 would be quadratic
-#define NOISE 0.02                // seconds: below this a time says nothing
+#define NOISE 0.02                // seconds: shorter times are noise
 
 // ---- measuring ----
 

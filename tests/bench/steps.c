@@ -41,7 +41,7 @@ typedef struct Runner {
     void *self, *machine;             // what init and what drive are given
     const VmRow *vm;                  // or NULL
     Lua *lua;                         // or NULL
-    unsigned every;                   // takes part in every so many rounds
+    unsigned every;                   // is measured in one of this many rounds
     double ns[ROUNDS];                // a step, by round; below 0: not in that round
 } Runner;
 
@@ -56,7 +56,7 @@ typedef struct Bench {
     Runner runner[MANY];
     unsigned runners;
     unsigned skipped, failed;         // Luas that are not here, or do not run
-    double asking;                    // seconds that the clock takes
+    double asking;                    // seconds that reading the clock takes
 } Bench;
 
 static uint64_t sv[SV_WORDS];
@@ -364,7 +364,7 @@ static double seconds(clockid_t clock)
 static double wall(void) { return seconds(CLOCK_MONOTONIC); }
 static double cpu(void) { return seconds(CLOCK_PROCESS_CPUTIME_ID); }      // others' turns on the core do not count
 
-// What asking for the time takes: it is within every run.
+// The cost of reading the clock, which is part of every run.
 static double cost_of_asking(void)
 {
     double least = 1, took;
@@ -401,7 +401,7 @@ static double sample(const Bench *b, const Runner *r, unsigned episode)
     return (took - b->asking) * 1e9 / n;
 }
 
-// What takes long does so less often, so that it does not take the time of the others; an odd number, to meet every episode.
+// Slow rows are measured less often, to leave time for the others; an odd number of rounds, so that every episode is used.
 static void set_pace(Bench *b)
 {
     b->asking = cost_of_asking();

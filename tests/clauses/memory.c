@@ -20,7 +20,7 @@ static const struct { unsigned size; size_t at; bool begins_region; } place[PLAC
 
 static size_t round_up(size_t n, size_t to) { return (n + to - 1) / to * to; }
 
-// clause 4.7, clause 4.8, clause 4.9, clause 4.10, clause 4.11: the rule gives the places, whatever the compiler's own habits.
+// clause 4.7, clause 4.8, clause 4.9, clause 4.10, clause 4.11: the rule defines the offsets, whatever the compiler's own layout.
 static void places(void)
 {
     size_t at = 0;
@@ -34,7 +34,7 @@ static void places(void)
     CHECK(sizeof(ProbeSv) == round_up(at + 1, 8));
 }
 
-// What a step must leave, in places that `places` has checked; `first` is the byte that stands for a bool.
+// The values after a step, at offsets that `places` has checked; `first` is the byte of a bool.
 static void expect(const ProbeSv *sv, uint8_t first)
 {
     bool truth = first != 0;

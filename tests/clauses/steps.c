@@ -153,7 +153,7 @@ static void refusing(Rig *r)
     expect(r, last - 1, 9, 2, 1);
 }
 
-// clause 6.3, clause 6.5: a refused step in front of a state's first step takes nothing from it.
+// clause 6.3, clause 6.5: a refused step before a state's first step does not affect it.
 static void refusing_before_a_first_step(Rig *r)
 {
     CHECK(step_x(r, 100, 5) == ENGINE_OK);
@@ -181,7 +181,7 @@ static void telling(Rig *r)
     CHECK(stored(r, "never") && cell(r, "never") == 1);
 }
 
-// clause 6.17: a number stored in S from outside is read as it is, and moves nothing.
+// clause 6.17: a number stored in S from outside is read unchanged, and has no effect on the state.
 static void not_steering(Rig *r)
 {
     CHECK(step_x(r, 0, 1) == ENGINE_OK);

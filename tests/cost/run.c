@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The longest step as cost.h tells it, against instructions counted while the VM runs: no step takes more, and where inputs can
-// make the longest way happen some step takes as many.
+// The longest step as cost.h reports it, compared with instructions counted while the VM runs: no step takes more, and where inputs can
+// trigger the longest path, some step takes as many.
 //
-//     run [PROGRAMS]               so many random programs (200), and the machines below
+//     run [PROGRAMS]               that many random programs (200), and the machines below
 #include <setjmp.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,7 +55,7 @@ static void check_cost(const Counted *c)
     CHECK(c->cost.ram == smvm_ram_size(&c->m) && c->cost.own >= sizeof(SmVm));
 }
 
-// In cycles the same states are weighed: each has a way that is part of its worst step, and one from EEPROM takes longer than from flash.
+// In cycles the same states are measured: each has a path that is part of its worst step, and one from EEPROM takes longer than from flash.
 static void check_cycles(Arena *arena, const Counted *c)
 {
     Cost flash, eeprom;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A board to talk to without hardware: VM, store and agent as a program, on a terminal device and a file as non-volatile memory.
-// It may be killed at any moment and started again.
-//   board LINE MEMORY        while there is a file MEMORY.armed, it is armed; the key in MEMORY.key is its own; MEMORY.plain: it says that it has no windows
+// It can be killed at any time and started again.
+//   board LINE MEMORY        while there is a file MEMORY.armed, it is armed; the key in MEMORY.key is its own; MEMORY.plain: it reports a VM without windows
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -20,7 +20,7 @@ typedef struct Machine {
     uint32_t state;           // 0: none runs
 } Machine;
 
-static uint8_t shadow[MEMORY];       // what the memory holds, where the VM can read it
+static uint8_t shadow[MEMORY];       // the content of the memory, where the VM can read it
 static Machine machine;
 static SmEvent storage[EVENTS];
 static SmEvents events;

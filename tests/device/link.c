@@ -26,8 +26,8 @@ enum { TEXT = 4096, ARGS = 8, PATH = 512 };
 typedef struct Terminal { int master, slave; char name[128]; } Terminal;
 
 typedef struct Trouble {
-    unsigned bad;             // one byte in so many is lost or damaged; 0: none
-    long kill_board, kill_smc;        // after so many bytes in both directions; 0: never
+    unsigned bad;             // one byte in this many is lost or damaged; 0: none
+    long kill_board, kill_smc;        // after this many bytes in both directions; 0: never
     bool for_good;            // the board is not started again
 } Trouble;
 
@@ -120,7 +120,7 @@ static void read_output(void)
         fclose(f);
 }
 
-// Runs smc with these arguments and the port; gives its exit code, 128 + the signal where one ended it.
+// Runs smc with these arguments and the port; returns its exit code, or 128 + the signal that ended it.
 static int run(const Trouble *t, const char *a, const char *b, const char *c)
 {
     char port[160];
@@ -170,7 +170,7 @@ static void checksum_of(const char *path, char text[9])
     snprintf(text, 9, "%02x%02x%02x%02x", head[7], head[6], head[5], head[4]);
 }
 
-// Whether the line of the list with this checksum says so.
+// Whether the line of the list with this checksum contains the text.
 static bool listed(const char *path, const char *what)
 {
     char checksum[9];
@@ -240,7 +240,7 @@ static void restart_board(void)
     start_board();
 }
 
-// Makes an image of so many machines with these states.
+// Builds an image of n machines with these states.
 enum { MACHINES = 5 };
 static bool build(const char *states, int machines, char *image)
 {
@@ -402,7 +402,7 @@ static bool forge(const char *path)
     return fwrite(bytes, 1, n, f) == n && fclose(f) == 0;
 }
 
-// With a key: the confirmed image is not signed and does not run any more; what is signed is taken, by its number.
+// With a key: the confirmed image is not signed and does not run any more; signed images are accepted, in the order of their numbers.
 static void a_board_with_a_key(void)
 {
     char key[PATH + 8], with[PATH + 16], out[PATH], to[PATH + 8];

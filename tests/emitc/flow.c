@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Control flow that no source has: random forward graphs of blocks, which emitted C has to write with nested conditionals
-// and gotos.  Each machine is one graph; a walk of the graph here says what its C has to do.  One compiler run builds all.
+// and gotos.  Each machine is one graph; a walk of the graph here computes the expected result of its C.  One compiler run builds all.
 //     flow [COUNT [SEED]]
 #include <stdio.h>
 #include <stdlib.h>
@@ -158,7 +158,7 @@ static void subject_init(Arena *a, StrPool *strings, Subject *s)
     }
 }
 
-// ---- what it has to do ----
+// ---- expected results ----
 
 typedef struct Outcome { double trace, last; uint32_t state; uint64_t count, truth; } Outcome;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The processor can be told to round otherwise or to drop numbers near zero, and no compiler knows.  A machine does not
+// The processor can be set to round differently or to flush subnormal numbers to zero, unknown to the compiler.  A machine does not
 // start then.  Exit 0 when that is so.
 #include <fenv.h>
 #include <stdio.h>

@@ -19,7 +19,7 @@ present() { command -v "$1" >/dev/null 2>&1; }
 # 32-bit x86 as our own #error recommends it.
 x86_32='-m32 -msse2 -mfpmath=sse'
 
-# Whether COMMAND, a compiler with options, makes programs for 32-bit x86.  Otherwise a skip, which says once how to install what it needs.
+# Whether COMMAND, a compiler with options, makes programs for 32-bit x86.  Otherwise a skip, which prints once how to install the missing packages.
 makes_32() {
     printf '#include <stdint.h>\n#include <stdio.h>\nint main(void) { return puts("") < 0; }\n' >"$dir/is_32.c"
     $1 "$dir/is_32.c" -o "$dir/is_32" >/dev/null 2>&1 && "$dir/is_32" >/dev/null && return 0
@@ -54,7 +54,7 @@ compilers_32() {
     done
 }
 
-# For what takes long: those that differ most.
+# For slow tests: the compilers that differ most.
 few_compilers() {
     for each in "gcc -std=c99" "clang++-19 -x c++ -std=c++11" "tcc"; do
         try "$each" "$@"
@@ -221,7 +221,7 @@ flags() {
     done
 }
 
-# ---- recommended: the options that an #error tells people to use have a row in flags.txt, or are --soft, which is tested above ----
+# ---- recommended: the options that an #error recommends have a row in flags.txt, or are --soft, which is tested above ----
 
 recommended() {
     found=0
@@ -277,7 +277,7 @@ use() {
 }
 
 # ---- readings: what no machine stores.  An element that is NaN reads as 0, though C does not look where a condition comes out the
-# same; a U64 beyond 2^53 as the nearest F64, though it may be counted as it is ----
+# same; a U64 beyond 2^53 as the nearest F64, although it can be counted exactly ----
 
 # A state each for relations of x and f with numbers, alone, two together, and one that is asked for twice.
 make_readings() {

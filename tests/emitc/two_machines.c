@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program around two machines that share a state vector; as C and as C++.  Exit 0 when both did what their sources say.
+// A program around two machines that share a state vector; as C and as C++.  Exit 0 when both behaved as their sources define.
 #include <stdio.h>
 
 #include "bus.h"
@@ -48,7 +48,7 @@ int main(void)
     check(valve_step(&valve, &sv) == VALVE_REFUSED, "the last value of time is never a time");
     step(&valve, &pump, &sv, 30, 900);
     check(valve_state(&valve) == VALVE_STATE_Open, "high pressure opens");
-    copy = valve;                                     // a copy goes its own way, windows included
+    copy = valve;                                     // a copy runs independently, windows included
     step(&valve, &pump, &sv, 40, 501);
     check(valve_state(&valve) == VALVE_STATE_Open, "the average of 700, 900, 501 is above 700");
     step(&valve, &pump, &sv, 50, 98);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Narrow operations as C: random expressions of the IR on every type that it allows, compared with what stdlib says of each
+// Narrow operations as C: random expressions of the IR on every type that it allows, compared with the result of stdlib for each
 // operation.  Inputs for which a narrow operation differs from the one on F64 are not tested, since no pass narrows there.
 //     typed [COUNT [SEED]]
 #include <stdio.h>
@@ -171,13 +171,13 @@ static void subject_init(Arena *a, StrPool *strings, Subject *s)
     vec_push(a, &s->m.state, st);
 }
 
-// ---- what it has to do ----
+// ---- expected results ----
 
 typedef struct Walk {
     const IrFn *f;
     uint64_t *cell;               // by temporary; an F64 or F32 may be NaN
     uint64_t var[VAR_OUT + RESULTS];
-    bool fit;                     // no narrow operation has met what it may not
+    bool fit;                     // no narrow operation has received a forbidden input
 } Walk;
 
 static SmF64 number(const Walk *w, IrRef r)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machine wide.sm rounds 64-bit integers as the language says: to 53 binary digits, halves to even.  The caller stores them,
+// The machine wide.sm rounds 64-bit integers as the language defines: to 53 binary digits, halves to even.  The caller stores them,
 // since a state script can only store doubles.  The expected values are computed with integers.  Exit 0 when all agree.
 #include <stdio.h>
 

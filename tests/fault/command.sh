@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Makes each call to the system fail in turn, in several commands: the command must say so and end with exit code 3, or
+# Makes each call to the system fail in turn, in several commands: the command must report it and end with exit code 3, or
 # end as ever; each output file must be whole, the old one or the new one; nothing may be left lying about.
 #     command.sh SMC SHIM        CASE=words runs only the commands that contain them
 smc=$(realpath "$1") shim=$(realpath "$2")
@@ -101,7 +101,7 @@ run() { (cd "$dir/at" && eval "$1 \"\$smc\" $command" >"$dir/out" 2>"$dir/err" <
 # Faults that were put in, by kind: "KIND NUMBER" a line for each command.
 met=$dir/met
 
-# at_least NUMBER KIND: so many of them were put in, in all commands together; a call that the command does not make any more,
+# at_least NUMBER KIND: at least NUMBER failures of this kind were injected in all commands together; a call that the command does not make any more,
 # or that does not come by the shim, would take its cases along without a word.
 at_least() {
     n=$(awk -v kind="$2" '$1 == kind { n += $2 } END { print n + 0 }' "$met")

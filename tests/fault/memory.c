@@ -148,7 +148,7 @@ static uint64_t digest(const Buf *b)
     return h;
 }
 
-// Whether it came to its end; then *result says what it made.
+// Whether it ended normally; then *result is its output.
 static bool attempt(Host *h, const Case *c, uint64_t *result)
 {
     volatile bool done = false;

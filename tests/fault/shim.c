@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes one call to the system fail: preloaded before the command (LD_PRELOAD), told by the environment.
+// Makes one call to the system fail: preloaded before the command (LD_PRELOAD), controlled by the environment.
 //
-//     SMC_FAULT=write:3         the third write gives an error (of this process; those it starts are left alone)
-//     SMC_FAULT=half-write:2    the second write takes half of what it is given, the one after it fails
+//     SMC_FAULT=write:3         the third write returns an error (in this process, not in its children)
+//     SMC_FAULT=half-write:2    the second write writes half of its data, the next one fails
 //     SMC_FAULT_MARK=FILE       FILE is created when the fault happens, so that the caller knows when to stop counting
 //
 // Linux with glibc.  Calls inside libc do not come here; what matters is what our own code asks for.

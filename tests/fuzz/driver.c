@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a fuzz target without a fuzzer: on each file given, then on N inputs made of them by small random changes.
+// Runs a fuzz target without a fuzzer: on each file given, then on N inputs that are random small changes of them.
 //
 //     TARGET [-n N] [-s SEED] [-o FILE] FILE…
 //
-// FILE of -o gets each input before it is tried, so that after a crash it holds the one that crashed.  The same seed
-// gives the same inputs.  Each FILE is a test, and so is what is made of it; the last one is that enough inputs were accepted (fuzz_floor).
+// FILE of -o receives each input before it is tried, so that after a crash it contains the crashing one.  The same seed
+// produces the same inputs.  Each FILE is a test, and so are all inputs derived from it; the last test is that enough inputs were accepted (fuzz_floor).
 #include <stdbool.h>
 #include <string.h>
 
@@ -79,7 +79,7 @@ static void splice(Input *x)
 
 static int is_digit(uint8_t c) { return c >= '0' && c <= '9'; }
 
-// Another number where one stands: most of what goes wrong in texts is in their numbers.
+// Replaces a number: most faults of texts are in their numbers.
 static void change_digit(Input *x)
 {
     for (size_t at = below(x->n + 1); at < x->n; at++)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzz target: text through lexer, parser, checker and renderers.  The first byte says what the rest is: `v` a state vector,
+// Fuzz target: text through lexer, parser, checker and renderers.  The first byte selects the kind of the rest: `v` a state vector,
 // `s` a script (of the machine below), `p` pins, `a` an application (of the files below), anything else a machine.  Nothing may
 // crash or hang; every position of a diagnostic is in the text; a tree without an error contains no error node and stays within its depth.
 #include <string.h>

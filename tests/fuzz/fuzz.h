@@ -11,7 +11,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-// Each target counts the inputs that got past its first checks, to what it is there to test, and says how many of a hundred must.
+// Each target counts the inputs that passed its first checks and reached the tested code, and defines how many of a hundred must.
 // driver.c fails below that: a target whose inputs are all refused at once tests nothing.
 extern unsigned long fuzz_reached;
 extern const unsigned fuzz_floor;

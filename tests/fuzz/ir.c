@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any text as IR: it is refused, or it comes back from its text as it is; if it is sound, every pass leaves it sound, C is
-// made of it, and an image that the VM's verifier takes.
+// Any text as IR: it is refused, or printing it reproduces it; if it is valid, it is valid after every pass, C is
+// emitted from it, and an image that the VM's verifier accepts.
 #include <string.h>
 
 #include "bytecode-vm/smvm.h"

@@ -48,7 +48,7 @@ static uint8_t message_of(uint8_t byte)
     return byte & 0x80 ? byte : messages[byte % sizeof messages];
 }
 
-// The first byte is the length of its body, the second what it asks for (message_of).
+// The first byte is the length of its body, the second selects the request (message_of).
 static size_t give_frame(Board *b, const uint8_t *data, size_t size)
 {
     uint8_t frame[LINK_ROOM(BOARD_BODY) + 1] = {0};

@@ -3,7 +3,7 @@
 # A seed for tests/fuzz/link.c: an update of a board with SLOTS slots to IMAGE, from HELLO to CONFIRM.     link_seed.sh SLOTS IMAGE >FILE
 bytes() { for b; do printf "\\$(printf %03o "$b")"; done; }
 
-# message NUMBER BYTE…: a frame's body, as the target takes it: its length, what it asks for, the bytes
+# message NUMBER BYTE…: a frame's body in the form of the target: its length, the request, the bytes
 message() {
     number=$1
     shift

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a flight log, once as they are and once with the checksums of what looks like blocks put right; and all that
-// is shown of what is read.
+// Any bytes as a flight log, once unchanged and once with corrected checksums of everything that looks like a block; and every
+// output format of the result.
 #include <setjmp.h>
 
 #include "compiler/report/flight.h"

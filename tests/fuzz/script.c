@@ -44,7 +44,7 @@ static size_t open_engines(Session *s, const Program *p, Engine **engine)
         engine[n] = engine_vm_open(&s->arena, p, (const uint8_t *)image.at, image.n, 0, &error);
         if (!engine[n])
             fprintf(stderr, "%s\n", error);
-        FUZZ_CHECK(engine[n++] != NULL);              // our own verifier takes our own image
+        FUZZ_CHECK(engine[n++] != NULL);              // our own verifier accepts our own image
     }
     return n;
 }

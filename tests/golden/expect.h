@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a golden case expects: a line `...` stands for any number of lines, `[..]` in a line for any text.  Private to run.c and its test.
+// Expectations of golden cases: a line `...` matches any number of lines, `[..]` in a line any text.  Private to run.c and its test.
 #ifndef TESTS_GOLDEN_EXPECT_H
 #define TESTS_GOLDEN_EXPECT_H
 
@@ -65,12 +65,12 @@ static bool expect_matches(const char *want, const char *want_end, const char *g
     return got == got_end;
 }
 
-// ---- what came, written with the wildcards that still match ----
+// ---- the actual output, written with the wildcards that still match ----
 
 typedef struct ExpectLine { const char *at; size_t n; } ExpectLine;
 typedef VEC(ExpectLine) ExpectLines;
 
-// Expected lines from i on and lines that came from j on are `cost[i][j]` apart.  A line that came costs least and one gone most,
+// The distance of the expected lines from i on and the actual lines from j on is `cost[i][j]`.  An added line costs least, a removed one most,
 // so that `...` does not swallow its neighbours when they change, nor those that are still there.
 typedef struct ExpectMerge {
     ExpectLines want, got;

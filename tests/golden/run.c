@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs golden cases: what the smc command prints, writes and exits with.
 //
-//     run SMC CASE.smt…            UPDATE=1 in the environment: what came is written into the cases instead, but for `...` and `[..]`
+//     run SMC CASE.smt…            UPDATE=1 in the environment: the actual output is written into the cases instead, except for `...` and `[..]`
 //                                  where they still match
 //
 // The parts of a case are files of an empty folder in which its `args` lines, one command each, are run by the shell one

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// State diagrams as they are laid out: nothing lies on anything else, lines pass by everything, few lines cross, and it takes time
+// The layout of state diagrams: nothing overlaps, lines pass around everything, few lines cross, and it takes time
 // in proportion to the machine.
 //
 //     layout MACHINE.sm…       besides random machines.  "most crossings: N" in a machine's first line is a bound.
@@ -290,7 +290,7 @@ static void check_random(void)
     }
 }
 
-// ---- what is drawn over it ----
+// ---- overlays ----
 
 static const char plain[] = "[state_vector]\nU64 G\nU32 S\nF64 pressure\n"
                             "[Idle]\n.step\n    pressure > 5: -> Run\n[Run]\n.step\n    pressure < 2: -> Idle\n    pressure > 9: -> Idle\n";

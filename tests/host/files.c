@@ -158,7 +158,7 @@ static void symbolic_links(void)
     CHECK(symlink("far", "folder") == 0 && !put("folder", "8") && put("folder/target", "9") && holds("far/target", "9"));
 }
 
-// As os.h says: the other name keeps what it had.
+// As os.h defines: the other name keeps the old content.
 static void hard_links(void)
 {
     CHECK(put("one", "old") && link("one", "two") == 0 && put("one", "new"));

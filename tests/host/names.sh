@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# names.sh SMC FOLDER LOG: control characters in the name of a file, wherever smc takes one: exit code 3, or 2 where no file is opened, a message on
-# one line without them, and nothing made.  Then what CC may say.     LOG is a flight log.
+# names.sh SMC FOLDER LOG: control characters in the name of a file, wherever smc accepts one: exit code 3, or 2 where no file is opened, a message on
+# one line without them, and no output.  Then the values of CC.     LOG is a flight log.
 smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 flight=$(cd "$(dirname "$3")" && pwd)/$(basename "$3")
 passed=0 failed=0
@@ -72,7 +72,7 @@ for bad in "bad$newline" "bad$escape[31m"; do
     refused 2 build tank.sm -o x.smb -MD -MT "$bad"
 done
 
-# What an application names: what ends a line or is none of the language's characters ends the name.
+# Names in an application: a line end or a character outside the language ends the name.
 printf '[application]\nstate_vector "bad\033.sv"\n' >odd.app
 "$smc" check odd.app >out 2>log
 if [ $? -eq 1 ] && [ -s log ] && ! grep -q "$escape" log; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "odd.app:"; cat log; fi
@@ -81,7 +81,7 @@ if [ $? -eq 1 ] && [ -s log ] && ! grep -q "$escape" log; then passed=$((passed 
 
 mkdir 'my tools'
 printf '#!/bin/sh\nfor a; do printf "%%s\\n" "$a"; done >>words\nexec cc "$@"\n' >'my tools/cc' && chmod +x 'my tools/cc'
-# takes CC WORD…: the compiler is found, and these are among its words
+# accepts CC WORD…: the compiler is found, and its command contains these words
 takes() {
     cc=$1
     shift

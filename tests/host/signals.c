@@ -77,7 +77,7 @@ static size_t entries(const char *folder)
     return n;
 }
 
-// A compiler that writes the ids of itself and of a child to `ids` and takes its time.  It answers --version at once.
+// A compiler that writes the ids of itself and of a child to `ids` and then waits.  It answers --version at once.
 static void make_slow_compiler(void)
 {
     static const char text[] = "#!/bin/sh\n[ \"$1\" = --version ] && exit 0\nsleep 30 &\necho $$ $! >ids.new\nmv ids.new ids\nwait\n";
@@ -97,7 +97,7 @@ static bool read_ids(long *a, long *b)
     return ok;
 }
 
-// Its parent may take a moment to notice that it has ended.
+// Its parent can notice its end with a delay.
 static bool has_ended(long pid)
 {
     for (int i = 0; i < 200; i++, sleep_ms(10))
@@ -146,7 +146,7 @@ static bool is_whole(void)
     return read_trace(now, sizeof now) == whole_n && memcmp(now, whole, whole_n) == 0;
 }
 
-// At any time: with the true compiler, after so many milliseconds.  It may have finished by then, or have written its trace.
+// At any time: with the real compiler, after a number of milliseconds.  The command can have finished by then, or have written its trace.
 static void at_any_time(int number, long ms)
 {
     const pid_t pid = start("cc");

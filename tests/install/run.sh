@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Installs into a scratch folder and uses what is there as its user would: the command, smc.mk in a project of its own, the
+# Installs into a scratch folder and uses the installed files as a user would: the command, smc.mk in a project of its own, the
 # VM library by pkg-config; then uninstalls and searches for leftovers.    sh tests/install/run.sh MAKE B CC  (CC may be several words)
 make=$1 build=$2 cc=$3
 . tests/checks.sh
@@ -9,9 +9,9 @@ dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 inst=$dir/inst/usr
 
-# Whether make says that something is to be made again: 1, where 2 would be a mistake.
+# Whether make reports something to rebuild: exit code 1; 2 would be an error.
 stale() { "$make" -q "$@"; test $? -eq 1; }
-# stops TEXT ARGUMENT...: make ends with a mistake, and the text is in what it says.
+# stops TEXT ARGUMENT...: make ends with an error, and its output contains the text.
 stops()
 {
     text=$1

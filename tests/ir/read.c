@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts that are no IR: the reader must say where and why.
+// Invalid IR texts: the reader must report position and reason.
 #include "tests/ir/edit.h"
 #include "tests/test.h"
 

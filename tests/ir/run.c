@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs passes on IR text and compares what comes out.
+// Runs passes on IR text and compares the result.
 //
 //     run FILE.smt…     `passes NAME,NAME` in the header, the parts `ir` and `ir out`.  An `ir` that names no machine gets
-//                       the declarations below in front, and they are taken off what comes out.
+//                       the declarations below before it, and they are removed from the result.
 //                       With a part NAME.sm instead of `ir` the machine is built first, unoptimised; `passes` may be absent.
-//                       Without a part `ir out` the machine is built and must come back from its text as it is, at every
+//                       Without a part `ir out` the machine is built and must be reproduced by its text, at every
 //                       -O: so all cases of conformance/ can be given.
-//     run FILE.ir…      reads, checks, prints, reads again: the text must stay as it is, comment lines apart
-//     run -p FILE.smt   prints what came out, to be looked at and put into the file
+//     run FILE.ir…      reads, checks, prints, reads again: the text must not change, except for comment lines
+//     run -p FILE.smt   prints the results, to be reviewed and put into the file
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Breaks each promise of ir.h once: ir_verify must find it and say so.
+// Breaks each promise of ir.h once: ir_verify must find and report it.
 #include "tests/ir/edit.h"
 #include "tests/test.h"
 
@@ -85,7 +85,7 @@ static bool check_edit(Arena *a, const Edit *e)
     return m && finds(a, m, e->says);
 }
 
-// ---- what no text can say ----
+// ---- faults that no text can express ----
 
 static IrMachine *fresh(Arena *a)
 {

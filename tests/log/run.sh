@@ -34,7 +34,7 @@ same table.csv flight.log --format csv --session 2 f64 flag i16
 same lines.json flight.log --format json --session=2 f64
 same plot.svg flight.log --format svg --session 1 f64 flag
 
-# A record a second: states begin where their events say, and one shorter than that is there.
+# A record a second: states begin at the times of their events, and a state shorter than a second is included.
 "$writer" flight.log rare.log || no "the rare flight was not written"
 "$smc" log rare.log --format svg f64 >rare.svg || no "the rare flight was not drawn"
 for part in '<rect class="s0" x="64" y="0" width="266.9" height="22"/>' '<rect class="s1" x="330.9" y="0" width="44.2" height="22"/>' \

@@ -129,7 +129,7 @@ while IFS=$tab read -r option rest; do
     same other.ss other.copy
     rm -f other.ss link.out
 
-    # Nor is what the command reads: as it is named, and otherwise.
+    # Nor are the inputs of the command, under their own or other names.
     for input in tank.sm image.smb rocket.key tank.ss flight.log; do
         case " $rest " in *[\ =]$input\ *) ;; *) continue ;; esac
         [ "$input/${rest%% *}" = image.smb/sign ] && continue          # sign edits its image: below
@@ -307,7 +307,7 @@ for again in 1 2; do
     "$smc" build tank.sm -o other.smb -MD -MF huge.d -MT "$(seq -s ' ' 12000)" 2>log && good || bad "a rule with many targets"
 done
 
-# ---- what looks nearly like ours ----
+# ---- files that almost look like smc's ----
 
 near()
 {
@@ -360,7 +360,7 @@ near 'digraph "tank" {\n}\n'
 near 'stateDiagram-v2\n    [*] --> s1\n'
 near '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8"/>\n<title>mine</title>\n'
 
-# ---- what is ours, whatever its names and messages ----
+# ---- files by smc, with any names and messages ----
 
 ours()
 {

@@ -2,7 +2,7 @@
 // Soft binary64 against hardware.
 //   run                      every pair of the special numbers, and some random ones, for every operation
 //   run N SEED [FILE]        N random ones for every operation, the seeds SEED, SEED + 1, … for a million each; where it was stopped
-//                            goes on from FILE, where it keeps the next seed and how many it has done
+//                            resumes from FILE, which stores the next seed and the number done
 //   run f32                  every binary32 to binary64 and back, and the numbers between it and the next one
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@
 enum { BATCH = 1000000 };
 
 // A test is an operation with all operands of one kind: special ones, random ones of a seed, every binary32.  The first that fails is the
-// last one: other operations are made of it, and may not end.
+// last one: other operations use it, and might not terminate.
 static unsigned long long wrong, done;
 static unsigned passed, failed;
 
@@ -26,7 +26,7 @@ static void check(SoftOp op, uint64_t a, uint64_t b)
                (unsigned long long)soft, (unsigned long long)hard);
 }
 
-// Ends a test that began when so many were wrong; it has tried something.
+// Ends a test that began at these counts.  It fails if an operand was wrong or none was tried.
 static bool end_test(unsigned long long done_before, unsigned long long wrong_before)
 {
     const bool held = wrong == wrong_before && done > done_before;
@@ -89,7 +89,7 @@ static void keep(const char *path, uint64_t seed, unsigned long long left)
     }
 }
 
-// As far as the last run came, if FILE says so.
+// Starts where the last run ended, if FILE records one.
 static void campaign(unsigned long long n, uint64_t seed, const char *path)
 {
     unsigned long long kept_seed, over = 0;

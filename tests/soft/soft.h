@@ -25,7 +25,7 @@ int soft_operands(SoftOp op);
 
 static inline bool soft_same(uint64_t soft, uint64_t hard, SoftOp op)
 {
-    // What picks or passes on a NaN may leave it as it is.
+    // An operation that selects or copies a NaN can leave its bits unchanged.
     const bool as_it_is = op >= SOFT_min && op <= SOFT_round;
 
     return soft == hard || (as_it_is && hard == 0x7FF8000000000000u && soft << 1 > 0xFFE0000000000000u);

@@ -13,7 +13,7 @@ sim=$(echo runtime-c/psl/sim/*.c runtime-c/psl/none/thread.c)
 warn='-Wall -Wextra -Werror'
 small='/machine watch/d; /^every 100/,$d'      # of stand.app, what an Uno has room for
 
-# made NAME EDIT OPTION…: builds the application, its second machine as the edit of stand.app says.
+# made NAME EDIT OPTION…: builds the application, with its second machine changed by an edit of stand.app.
 made() {
     name=$1 edit=$2
     shift 2

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Random programs on other processors: N as images, NC as emitted C at each of LEVELS, from SEED on; and all of conformance/.
 #     campaign.sh BUILD [TARGET…]
-# What runs on takes up where it was stopped; what is done tells again how it ended.
+# An interrupted campaign continues; a finished one prints its result again.
 B=$1/targets difftest=$1/diff/difftest
 N=${N:-10000} NC=${NC:-1000} SEED=${SEED:-1} LEVELS=${LEVELS:--O2 -Os -O0}
 [ $# -gt 1 ] || set -- "$1" $(sed -n 's/^\([a-z][^ ]*\) *|.*/\1/p' tests/targets/targets.txt)

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# A C compiler for a target, to be used as any other: what it links is a program here, which runs it in the target's emulator.
+# A C compiler for a target, to be used like any other: it links a program for the host that runs the target's program in an emulator.
 #     cc.sh TARGET OPTION-OR-FILE…
-# Or, instead of options: `present`, which is silent where everything is here, else says how to get it; `vm`, the options of vm.c;
+# Or, instead of options: `present`, which prints nothing if all tools are installed, else how to install them; `vm`, the options of vm.c;
 # `ar OPERATION…`, the archiver that goes with it.
 here=tests/targets name=$1
 shift

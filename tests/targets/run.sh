@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# What `make check` does on other processors: cases of conformance/ and a few random programs, as targets.txt says.     run.sh BUILD
+# The tests of `make check` on other processors: cases of conformance/ and a few random programs, by the rows of targets.txt.     run.sh BUILD
 B=$1/targets difftest=$1/diff/difftest
 passed=0 failed=0 skipped=0
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Double as this target's compiler has it against stdlib's soft binary64, which tests/soft holds against an x86-64: pairs of special
+// The target compiler's double compared with stdlib's soft binary64, which tests/soft compares with an x86-64: pairs of special
 // numbers, every SOFT_STRIDE-th of them, and SOFT_RANDOM random ones for each operation.
 #include <stdint.h>
 #include <stdio.h>

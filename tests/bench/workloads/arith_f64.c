@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arithmetic as the language says it, word by word: every value a double, every store a conversion.
+// The arithmetic by the definitions of the language: every value a double, every store a conversion.
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The large window as the language says it: -0 before +0, NaN as 0, the middle of two without overflow; otherwise as
+// The large window by the definitions of the language: -0 before +0, NaN as 0, the middle of two without overflow; otherwise as
 // bigwindow_native.c.
 #include <math.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The large window as a flight-software engineer writes it: a ring, and beside it the same samples in order.  Binary search
-// finds where the old sample leaves and the new one enters; what lies between moves by one.
+// finds the positions of the old and the new sample; the samples between them move by one.
 #include <string.h>
 
 #include "tests/bench/workloads/bigwindow.h"

@@ -13,7 +13,7 @@ enum { STEP = 20, ARM_AT = 2000, LAUNCH_AT = 6000, LIT_AT = 6300, BURN = 3000 };
 
 typedef struct Flight { double height, speed, thrust, pad; int ignites, drogue, chute; } Flight;    // m, m/s, m/s2, m
 
-// One step of the rocket; gives what the accelerometer feels, m/s2.
+// One step of the rocket; returns the acceleration at the sensor, m/s2.
 static double fly(Flight *f, unsigned t)
 {
     const int burns = f->ignites && t > LIT_AT && t < LIT_AT + BURN;

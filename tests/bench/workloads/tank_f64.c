@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tank as the language says it, word by word: every value a double, every store a conversion.
+// The tank by the definitions of the language: every value a double, every store a conversion.
 #include "stdlib/convert.h"
 #include "tests/bench/workloads/tank.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tank: the pressure wanders about the vent threshold, drawn back to it, so that no predictor learns the way; at the end
+// The tank: the pressure wanders about the vent threshold, drawn back to it, so that no branch predictor learns the pattern; at the end
 // of an episode it is lost and the machine aborts.  An episode is too short for the machine to go idle.
 #include "tests/bench/workloads/tank.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors of a Cortex-M: stack, start, and what cannot be gone on from.
+// Vectors of a Cortex-M: stack, start, and faults without return.
 #include <stdint.h>
 
 extern uint32_t stack_top[];
