@@ -26,11 +26,11 @@ static const Transition *find_early_abort(LatchSearch *l, const TrialEntry *e)
     trial_copy(t, l->at, e->situation);
     trial_fill_windows(t, l->at, l->in);
     for (int k = 0; k < AT_ONCE; k++) {
-        const Transition *made;
+        const Transition *taken;
         trial_step(t, l->at, l->in, t->dt, &t->trace);
-        made = t->trace.transition ? t->transition[t->trace.transition] : NULL;
-        if (made)
-            return l->bound.bound[made->to->number - 1] ? made : NULL;
+        taken = t->trace.transition ? t->transition[t->trace.transition] : NULL;
+        if (taken)
+            return l->bound.bound[taken->to->number - 1] ? taken : NULL;
     }
     return NULL;
 }
@@ -39,7 +39,7 @@ static const Transition *find_early_abort(LatchSearch *l, const TrialEntry *e)
 static const Transition *find_abort_of_one(LatchSearch *l, const TrialEntry *e, const TrialEntry *other)
 {
     Trials *t = l->t;
-    const Transition *made = NULL;
+    const Transition *taken = NULL;
 
     for (int n = 0; n < DRAWS; n++) {
         const Transition *now;
@@ -51,22 +51,22 @@ static const Transition *find_abort_of_one(LatchSearch *l, const TrialEntry *e, 
         if (find_early_abort(l, other))
             continue;
         now = find_early_abort(l, e);
-        if (!now || (made && made != now))
+        if (!now || (taken && taken != now))
             return NULL;
-        made = now;
+        taken = now;
     }
-    return made;
+    return taken;
 }
 
 // Returns whether there is one.
 static bool report_latch(LatchSearch *l, const State *state, const TrialEntry *e, const TrialEntry *other)
 {
     const Analysis *a = l->t->a;
-    const Transition *made = find_abort_of_one(l, e, other);
-    const Var *latch = made ? trial_find_difference(l->t, made->when, e->situation, other->situation) : NULL;
+    const Transition *taken = find_abort_of_one(l, e, other);
+    const Var *latch = taken ? trial_find_difference(l->t, taken->when, e->situation, other->situation) : NULL;
 
     if (latch)
-        diag_report(a->diags, DIAG_abort_latch, made->stmt->span, state->name->text, latch->name->text,
+        diag_report(a->diags, DIAG_abort_latch, taken->stmt->span, state->name->text, latch->name->text,
                     const_text(a->arena, trial_vars(l->t, e->situation)[a->m->var_of[latch->index]]));
     return latch != NULL;
 }

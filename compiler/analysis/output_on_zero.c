@@ -212,9 +212,9 @@ typedef enum StepEffect { NO_EFFECT, INCONCLUSIVE, HAS_EFFECT } StepEffect;
 // A second transition, out of a state in which the machine can rest.  What follows is caused by that state.
 static bool left_safe_state(const FailureTrial *z, const FailureEffect *e)
 {
-    const uint32_t made = z->t->trace.transition;
+    const uint32_t taken = z->t->trace.transition;
 
-    return made && made != e->transition && z->t->transition[made]->from->is_safe;
+    return taken && taken != e->transition && z->t->transition[taken]->from->is_safe;
 }
 
 // Runs one step of both machines.

@@ -24,7 +24,7 @@ typedef struct CycleSearch {
     Trials *t;
     void *at;
     double *in;
-    const Transition *made[STEPS];
+    const Transition *taken[STEPS];
     bool switches;                // an output has changed in these steps
     double *level;                // by IR variable: its value in the step before
 } CycleSearch;
@@ -50,7 +50,7 @@ static void choose_inputs(CycleSearch *f, const TrialEntry *e, int n)
     }
 }
 
-// The number of transitions in the cycle of the last steps; 0: a step made no transition, or there is no cycle.
+// The number of transitions in the cycle of the last steps; 0: a step took no transition, or there is no cycle.
 static size_t run_cycle(CycleSearch *f, const TrialEntry *e)
 {
     Trials *t = f->t;
@@ -70,13 +70,13 @@ static size_t run_cycle(CycleSearch *f, const TrialEntry *e)
             f->switches |= left <= STEPS && t->actuator[v] && var[v] != f->level[v];
             f->level[v] = var[v];
         }
-        memmove(f->made, f->made + 1, sizeof f->made - sizeof *f->made);
-        f->made[STEPS - 1] = t->transition[t->trace.transition];
+        memmove(f->taken, f->taken + 1, sizeof f->taken - sizeof *f->taken);
+        f->taken[STEPS - 1] = t->transition[t->trace.transition];
     }
-    while (n <= CYCLE && f->made[STEPS - 1 - n] != f->made[STEPS - 1])
+    while (n <= CYCLE && f->taken[STEPS - 1 - n] != f->taken[STEPS - 1])
         n++;
     for (size_t k = 0; k < n && n <= CYCLE; k++)
-        if (f->made[STEPS - 1 - k] != f->made[STEPS - 1 - k - n])
+        if (f->taken[STEPS - 1 - k] != f->taken[STEPS - 1 - k - n])
             return 0;
     return n <= CYCLE ? n : 0;
 }
@@ -93,27 +93,27 @@ static bool may_be_untaken(const Analysis *a, const Transition *x)
 static void report_cycle(const CycleSearch *f, size_t n)
 {
     const Analysis *a = f->t->a;
-    const Transition *there = f->made[STEPS - 1], *back = there;
+    const Transition *there = f->taken[STEPS - 1], *back = there;
     size_t conditions = 0;
     Diag *d;
 
     for (size_t k = 0; k < n; k++) {
-        const Transition *made = f->made[STEPS - 1 - k];
-        conditions += may_be_untaken(a, made);
-        if (made->from->number < there->from->number)
-            there = made;
+        const Transition *taken = f->taken[STEPS - 1 - k];
+        conditions += may_be_untaken(a, taken);
+        if (taken->from->number < there->from->number)
+            there = taken;
     }
     for (size_t k = n; k-- > 0;)
-        if (f->made[STEPS - 1 - k]->to == there->from)
-            back = f->made[STEPS - 1 - k];
+        if (f->taken[STEPS - 1 - k]->to == there->from)
+            back = f->taken[STEPS - 1 - k];
     if (n == 1 && conditions == 1)
         return;                               // a state that repeats as long as an input requests it
     if (conditions == 0) {
         d = diag_report(a->diags, DIAG_never_rests, there->stmt->span, there->from->name->text);
         for (size_t k = n; k > 0 && n > 1; k--)
-            if (f->made[STEPS - k] != there)
-                diag_note(a->diags, d, f->made[STEPS - k]->stmt->span, DIAG_note_goes_on, f->made[STEPS - k]->from->name->text,
-                          f->made[STEPS - k]->to->name->text);
+            if (f->taken[STEPS - k] != there)
+                diag_note(a->diags, d, f->taken[STEPS - k]->stmt->span, DIAG_note_goes_on, f->taken[STEPS - k]->from->name->text,
+                          f->taken[STEPS - k]->to->name->text);
     } else if (conditions == n || (f->switches && n > 1)) {
         d = diag_report(a->diags, DIAG_ping_pong, there->stmt->span, there->from->name->text, there->to->name->text);
         diag_note(a->diags, d, back->stmt->span, DIAG_note_way_back, condition_text(a->arena, back->when));

@@ -58,7 +58,8 @@ static void list_inputs(TrialFinder *f)
             continue;
         f->input_of[v] = t->inputs;
         i = &t->input[t->inputs];
-        *i = (TrialInput){.v = var, .var = t->a->m->var_of[v], .command = !is_sensor(deps, var), .group = t->inputs++};
+        *i = (TrialInput){.v = var, .var = t->a->m->var_of[v], .command = !is_sensor(deps, var), .group = t->inputs};
+        t->inputs++;
         i->lo = var->range ? var->range->lo : fact_of_type(var->type).lo;
         i->hi = var->range ? var->range->hi : fact_of_type(var->type).hi;
     }
@@ -75,7 +76,7 @@ static void list_inputs(TrialFinder *f)
 
 // ---- comparisons ----
 
-static void find_written(Expr *e, void *context)
+static void find_written_var(Expr *e, void *context)
 {
     bool *computed = context;
 
@@ -91,7 +92,7 @@ static void record_expr(Expr *e, void *context)
     for (uint32_t i = 1; e->kind == EX_CALL && i < e->n; i++)
         vec_push(f->arena, &f->comparison, ((TrialComparison){{e->arg[0], e->arg[i], SM_OP_COUNT}, f->state}));
     if (e->kind == EX_ROLL)
-        expr_walk(e->arg[0], find_written, &f->t->computed[f->t->a->m->window_of[e->window]]);
+        expr_walk(e->arg[0], find_written_var, &f->t->computed[f->t->a->m->window_of[e->window]]);
     if (e->kind == EX_VAR)
         f->read[e->var->index] = true;
 }
