@@ -41,47 +41,37 @@ static void note_paths(Analysis *a, Diag *d, const AbortMatrix *x, const AbortRo
     }
 }
 
-static void report_blind(Analysis *a, const AbortMatrix *x, const AbortRow *r)
+static void report_row(Analysis *a, const AbortMatrix *x, const AbortRow *r)
 {
-    Diag *d = diag_report(a->diags, DIAG_abort_blind, r->state->span, r->state->name->text, r->blind->name->text, r->blind_at);
+    const Span span = r->state->span;
+    const char *state = r->state->name->text;
+    Diag *d;
 
-    note_paths(a, d, x, r, r->blind);
-    diag_note(a->diags, d, (Span){0}, DIAG_note_abort_blind_advice, r->blind->name->text);
-}
-
-static void report_single(Analysis *a, const AbortMatrix *x, const AbortRow *r)
-{
-    Diag *d = diag_report(a->diags, DIAG_abort_single_sensor, r->state->span, r->state->name->text, r->single->name->text,
-                          const_text(a->arena, r->stuck));
-
-    note_paths(a, d, x, r, r->single);
-    diag_note(a->diags, d, (Span){0}, DIAG_note_abort_single_advice);
-}
-
-// States that reach an @abort state only by waiting in another state are not reported.
-static void report_missing(Analysis *a, const AbortRow *r)
-{
+    if (r->state->is_safe && !r->drives)
+        return;                                       // nothing to abort
     if (r->verdict == ABORT_NO_PATH && r->drives && !r->state->is_safe)
-        diag_report(a->diags, DIAG_abort_missing, r->state->span, r->state->name->text);
+        diag_report(a->diags, DIAG_abort_missing, span, state);      // not for a state that only has to wait in another one (ABORT_LATER)
     if (r->verdict == ABORT_BY_COMMAND && r->drives)
-        diag_report(a->diags, DIAG_abort_by_command, r->state->span, r->state->name->text);
+        diag_report(a->diags, DIAG_abort_by_command, span, state);
+    if (r->latch)
+        diag_report(a->diags, DIAG_abort_latched, r->latched->first->stmt->span, state, r->latch->name->text,
+                    const_text(a->arena, r->latched_at));
+    if (r->verdict == ABORT_ONE_SENSOR && r->blind) {
+        d = diag_report(a->diags, DIAG_abort_blind, span, state, r->blind->name->text, r->blind_at);
+        note_paths(a, d, x, r, r->blind);
+        diag_note(a->diags, d, (Span){0}, DIAG_note_abort_blind_advice, r->blind->name->text);
+    }
+    if (r->verdict == ABORT_ONE_SENSOR && r->single) {
+        d = diag_report(a->diags, DIAG_abort_single_sensor, span, state, r->single->name->text, const_text(a->arena, r->stuck));
+        note_paths(a, d, x, r, r->single);
+        diag_note(a->diags, d, (Span){0}, DIAG_note_abort_single_advice);
+    }
 }
 
 void check_abort(Trials *t)
 {
-    Analysis *a = t->a;
     const AbortMatrix x = abort_matrix(t);
 
-    for (size_t s = 0; s < x.n && x.declared; s++) {
-        if (x.row[s].state->is_safe && !x.row[s].drives)
-            continue;                                 // nothing to abort
-        report_missing(a, &x.row[s]);
-        if (x.row[s].latch)
-            diag_report(a->diags, DIAG_abort_latched, x.row[s].latched->first->stmt->span, x.row[s].state->name->text,
-                        x.row[s].latch->name->text, const_text(a->arena, x.row[s].latched_at));
-        if (x.row[s].verdict == ABORT_ONE_SENSOR && x.row[s].blind)
-            report_blind(a, &x, &x.row[s]);
-        if (x.row[s].verdict == ABORT_ONE_SENSOR && x.row[s].single)
-            report_single(a, &x, &x.row[s]);
-    }
+    for (size_t s = 0; s < x.n && x.declared; s++)
+        report_row(t->a, &x, &x.row[s]);
 }

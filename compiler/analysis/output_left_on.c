@@ -43,18 +43,6 @@ static bool is_ever_off(const LeftOn *l, const Var *v)
 
 // ---- findings ----
 
-static void add_output(LeftOn *l, const Var *v, const Stmt *on, const Transition *via)
-{
-    for (uint32_t i = 0; i < l->outputs; i++)
-        if (l->output[i] == v)
-            return;
-    if (l->outputs == OUTPUTS)
-        return;
-    l->output[l->outputs] = v;
-    l->on[l->outputs] = on;
-    l->via[l->outputs++] = via;
-}
-
 // One finding for a state, with the outputs that are on and the transition into it.
 static void report_outputs(const LeftOn *l, const State *s)
 {
@@ -96,7 +84,7 @@ static bool is_intended(const Trials *t, const Stmt *on, const Transition *via)
     return when && via->when && when->stmt == via->when->stmt && when->holds == via->when->holds;
 }
 
-// Adds the outputs that are on now and were switched on by another state.
+// Adds the outputs that are on now and were switched on by another state.  Returns whether there are any.
 static bool add_outputs_on(LeftOn *l, const TrialEntry *e, const State *s)
 {
     Trials *t = l->t;
@@ -106,10 +94,18 @@ static bool add_outputs_on(LeftOn *l, const TrialEntry *e, const State *s)
 
     for (uint32_t v = 0; v < t->run->m->var.n; v++) {
         const Stmt *on = t->actuator[v] && var[v] != 0 ? t->stmt[writer[v]] : NULL;
+        uint32_t i = 0;
         if (!on || t->state_of[on->number] == s || is_intended(t, on, e->via))
             continue;
-        add_output(l, t->var[v], on, e->via);
         any = true;
+        while (i < l->outputs && l->output[i] != t->var[v])
+            i++;
+        if (i < l->outputs || i == OUTPUTS)
+            continue;
+        l->output[i] = t->var[v];
+        l->on[i] = on;
+        l->via[i] = e->via;
+        l->outputs++;
     }
     return any;
 }

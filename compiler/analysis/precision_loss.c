@@ -62,7 +62,6 @@ static void check_literals(const Stmt *stmt, void *context)
 // ---- sums ----
 
 static SmF64 smallest_magnitude(Fact f) { return f.lo > 0 ? f.lo : f.hi < 0 ? sm_neg(f.hi) : sm_from_i32(0); }
-static SmF64 largest_magnitude(Fact f) { return sm_max(sm_abs(f.lo), sm_abs(f.hi)); }
 
 // A lower bound of the distance between two adjacent numbers of magnitude x or more.
 static SmF64 spacing(SmF64 x)
@@ -80,7 +79,7 @@ static bool is_lost(Fact large, Fact small)
     const SmF64 size = smallest_magnitude(large);
 
     return size >= FACT_EXACT && size < 1e300 && !small.nan && small.whole && smallest_magnitude(small) > 0 &&
-           largest_magnitude(small) < spacing(size);
+           sm_max(sm_abs(small.lo), sm_abs(small.hi)) < spacing(size);
 }
 
 static void check_sums(Analysis *a, const ReachableFn *r, void *context)

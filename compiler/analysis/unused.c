@@ -114,22 +114,24 @@ static NeededParts find_needed(Analysis *a, bool everywhere)
 
 // ---- variables ----
 
-static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
 // Inserts @read_only after the declaration of a local.  It must follow the last ')' of the initial value, because the span of
 // an expression does not include the parentheses around it.
 static void insert_read_only(Diags *diags, Diag *d, const Var *local)
 {
     const Source *src = local->span.src;
     Span span = {src, local->init_value->span.at + local->init_value->span.len, 0};
-    uint32_t at = span.at;
+    bool comment = false;
 
-    while (at < src->len && (is_blank(src->text[at]) || src->text[at] == '\n' || src->text[at] == '#' || src->text[at] == ')')) {
-        if (src->text[at] == '#')
-            while (at < src->len && src->text[at] != '\n')
-                at++;
-        else if (src->text[at++] == ')')
-            span.at = at;
+    for (uint32_t at = span.at; at < src->len; at++) {
+        const char c = src->text[at];
+        if (comment)
+            comment = c != '\n';
+        else if (c == '#')
+            comment = true;
+        else if (c == ')')
+            span.at = at + 1;
+        else if (c != ' ' && c != '\t' && c != '\r' && c != '\n')
+            break;
     }
     diag_edit(diags, d, span, " @read_only");
 }
