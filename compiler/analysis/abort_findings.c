@@ -31,9 +31,9 @@ static void note_paths(Analysis *a, Diag *d, const AbortMatrix *x, const AbortRo
             continue;
         store = input_deps_find_store(x->deps, when->stmt->value, sensor);
         if (to->is_abort)
-            diag_note(a->diags, d, when->stmt->span, DIAG_note_abort_way, to->name->text, name);
+            diag_note(a->diags, d, when->stmt->span, DIAG_note_abort_transition, to->name->text, name);
         else
-            diag_note(a->diags, d, when->stmt->span, DIAG_note_abort_way_through, to->name->text, final_state(x, to)->name->text, name);
+            diag_note(a->diags, d, when->stmt->span, DIAG_note_abort_transitions, to->name->text, final_state(x, to)->name->text, name);
         if (store)
             diag_note(a->diags, d, store->span, DIAG_note_made_of_sensor, store->var->name->text, name);
         last = when->stmt;

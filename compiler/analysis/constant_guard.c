@@ -153,7 +153,7 @@ void note_never_true(ReachWalk *k, Diag *to, const DeadCode *d)
     if (reason)
         diag_note(k->a->diags, to, d->stmt->value->span, DIAG_note_never_because, reason);
     else
-        diag_note(k->a->diags, to, d->stmt->value->span, DIAG_note_never_holds);
+        diag_note(k->a->diags, to, d->stmt->value->span, DIAG_note_never_true);
 }
 
 static void report_always(ReachWalk *k, const Stmt *s, const Stmt *around)

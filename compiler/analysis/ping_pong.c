@@ -116,7 +116,7 @@ static void report_cycle(const CycleSearch *f, size_t n)
                           f->taken[STEPS - k]->to->name->text);
     } else if (conditions == n || (f->switches && n > 1)) {
         d = diag_report(a->diags, DIAG_ping_pong, there->stmt->span, there->from->name->text, there->to->name->text);
-        diag_note(a->diags, d, back->stmt->span, DIAG_note_way_back, condition_text(a->arena, back->when));
+        diag_note(a->diags, d, back->stmt->span, DIAG_note_transition_back, condition_text(a->arena, back->when));
     }
 }
 

@@ -133,10 +133,10 @@ static void add_unevaluated(const Run *r, const ScriptItem *item, size_t number,
 
 static Diag *report_unevaluated(const Run *r, Unevaluated *u)
 {
-    Diag *d = diag_report(r->diags, DIAG_assert_never_judged, u->first->span);
+    Diag *d = diag_report(r->diags, DIAG_assert_never_evaluated, u->first->span);
 
     if (u->n > 1)
-        diag_note(r->diags, d, (Span){0}, DIAG_note_unjudged_too, format_in(r->arena, "%lu", (unsigned long)u->n));
+        diag_note(r->diags, d, (Span){0}, DIAG_note_unevaluated_too, format_in(r->arena, "%lu", (unsigned long)u->n));
     *u = (Unevaluated){NULL, 0};
     return d;
 }

@@ -152,7 +152,7 @@ void parser_label_annotations(Parser *p, Diag *d, const char *const *here, size_
     if (near)
         diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "@%s", near));
     else
-        diag_label(p->diags, d, DIAG_label_may_stand, list);
+        diag_label(p->diags, d, DIAG_label_allowed_here, list);
 }
 
 // ---- a state ----

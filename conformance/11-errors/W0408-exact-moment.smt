@@ -6,7 +6,7 @@ U64 time @alias G
 U32 S
 [Hold]
 .step
-    T == 5000: -> Hold        #! W0408 'T' may never be exactly 5000
+    T == 5000: -> Hold        #! W0408 'T' is possibly never exactly 5000
     100 == time: -> Hold      #! W0408 'time'
     T == 0: -> Hold
     T >= 5000: -> Hold

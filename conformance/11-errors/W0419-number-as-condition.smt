@@ -12,7 +12,7 @@ F64 limit = 5 @read_only
 .step
     mode == 1 or 2: -> Hold            #! W0419 did you mean 'mode == 2'?
     mode == 0 or 1: -> Hold            #! W0419 did you mean 'mode == 1'?
-    x > 5 and 10: -> Hold              #! W0419 10 is a condition of its own here, and is always true
+    x > 5 and 10: -> Hold              #! W0419 10 is a separate condition here and is always true
     on or x < 3 or 4.5: -> Hold        #! W0419 did you mean 'x < 4.5'?
     7 and on: -> Hold                  #! W0419 7
     on = x > 1 or (mode and 3)         #! W0419 3

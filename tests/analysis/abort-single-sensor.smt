@@ -27,7 +27,7 @@ F64  most = 40 @read_only
 .step
     thrust > 90: -> Abort
     else: -> Both
-[Both]                      #! W0902 state 'Both' cannot abort if 'pressure' sticks, say at 20.25
+[Both]                      #! W0902 state 'Both' cannot abort if 'pressure' sticks, for example at 20.25
 .step
     pressure > 40: -> Abort
     pressure < 0.5: -> Abort

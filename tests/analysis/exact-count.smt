@@ -25,7 +25,7 @@ U16 by = 4 @read_only
     down = down - 3
     many = many + 3
     many = many + 4
-    ms == 105: a = true                 #! W0408 'ms' may never be exactly 105
+    ms == 105: a = true                 #! W0408 'ms' is possibly never exactly 105
     ms != 105: b = true                 #! W0408
     ms == 100: a = false
     tick == 250: b = false

@@ -9,5 +9,5 @@ bool a
 [Run]
 .step
     T == 500: a = true
-    T == 505: a = false                 #! W0408 'T' may never be exactly 505
+    T == 505: a = false                 #! W0408 'T' is possibly never exactly 505
     G == 500: a = true                  #! W0408

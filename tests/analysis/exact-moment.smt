@@ -25,7 +25,7 @@ U64 wait = 500 @read_only
     elapsed = G - start
     ticks = T / 10
     half = p
-    T == 15: x = 1            #! W0408 'T' may never be exactly 15
+    T == 15: x = 1            #! W0408 'T' is possibly never exactly 15
     T != 15: x = 2            #! W0408
     15 == time: x = 3         #! W0408 'time'
     T - 5 == 10: x = 4        #! W0408 'T - 5'

@@ -15,7 +15,7 @@ F64 smooth = 0
 F64 set = 20 @read_only
 [A]
 .step
-    p > 20: -> B                        #! W0924 may flip between 'A' and 'B' in every step
+    p > 20: -> B                        #! W0924 can flip between 'A' and 'B' in every step
     T > 1: -> C
 [B]
 .step

@@ -29,7 +29,7 @@ F64  smooth = 30
     -> Abort
 [Abort] @abort @safe
 -- stderr --
-a.sm:10:2: warning: state 'Burn' cannot abort if 'pressure' sticks, say at 1: no transition to an @abort state is left [W0902 abort-single-sensor]
+a.sm:10:2: warning: state 'Burn' cannot abort if 'pressure' sticks, for example at 1: no transition to an @abort state is left [W0902 abort-single-sensor]
    10 | [Burn]
       |  ^~~~
 a.sm:15:5: note: this transition to 'Close', and from there to 'Abort', depends on 'pressure'

@@ -76,13 +76,13 @@ app.sm:22:10: error: 'is not' is not part of this language [E0329]
 app.sm:23:13: error: '=' assigns a value; use '==' to compare [E0324]
    23 |     if mode = not 5: valve = false
       |             ^ write ==
-app.sm:23:15: warning: not 5 is a condition of its own here, and is never true [W0419 number-as-condition]
+app.sm:23:15: warning: not 5 is a separate condition here and is never true [W0419 number-as-condition]
    23 |     if mode = not 5: valve = false
       |               ^~~~~ did you mean 'mode != 5'?
 app.sm:24:13: error: '=' assigns a value; use '==' to compare [E0324]
    24 |     if mode = 5 or 6: valve = false
       |             ^ write ==
-app.sm:24:20: warning: 6 is a condition of its own here, and is always true [W0419 number-as-condition]
+app.sm:24:20: warning: 6 is a separate condition here and is always true [W0419 number-as-condition]
    24 |     if mode = 5 or 6: valve = false
       |                    ^ did you mean 'mode == 6'?
 app.sm:25:7: error: 'is' is not part of this language [E0329]
@@ -111,10 +111,10 @@ app.sm:30:14: error: '=' assigns a value; use '==' to compare [E0324]
 app.sm:31:10: error: '=' assigns a value; use '==' to compare [E0324]
    31 |     mode = 5 or 6: valve = false
       |          ^ write ==
-app.sm:31:12: warning: 5 is a condition of its own here, and is always true [W0419 number-as-condition]
+app.sm:31:12: warning: 5 is a separate condition here and is always true [W0419 number-as-condition]
    31 |     mode = 5 or 6: valve = false
       |            ^
-app.sm:31:17: warning: 6 is a condition of its own here, and is always true [W0419 number-as-condition]
+app.sm:31:17: warning: 6 is a separate condition here and is always true [W0419 number-as-condition]
    31 |     mode = 5 or 6: valve = false
       |                 ^
 app.sm:32:5: error: '~' is written 'not' here [E0107]

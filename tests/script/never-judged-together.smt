@@ -30,7 +30,7 @@ G == 20: @assert open == false
 G == 30: @stop
 [Abort]
 true: @assert false
-true: @assert p > 50                    #! W0750 with this one, 3 asserts were not judged for this reason
+true: @assert p > 50                    #! W0750 with this one, 3 asserts were not evaluated for this reason
 T == 10 {
     @assert open
     @assert p == 0
