@@ -43,15 +43,8 @@ SmOperator comparison_swapped(SmOperator op)
 
 Fact fact_of_comparison(SmOperator op, Fact a, Fact b)
 {
-    IrIns i = {.op = IR_ne, .type = SM_BOOL};
+    const IrIns i = {.op = ir_op_of_operator(op), .type = SM_BOOL};
 
-    switch ((int)op) {
-    case SM_OP_LT: i.op = IR_lt; break;
-    case SM_OP_LE: i.op = IR_le; break;
-    case SM_OP_GT: i.op = IR_gt; break;
-    case SM_OP_GE: i.op = IR_ge; break;
-    case SM_OP_EQ: i.op = IR_eq; break;
-    }
     return fact_of_result(&i, &a, &b, SM_F64);
 }
 

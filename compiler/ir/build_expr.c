@@ -82,30 +82,6 @@ static IrRef build_roll(Builder *b, const Expr *e)
 
 // ---- operators ----
 
-// The operation of an operator; IR_OP_COUNT for unary plus, which has none.
-static IrOp op_of(SmOperator op)
-{
-    switch (op) {
-    case SM_OP_OR: return IR_or;
-    case SM_OP_AND: return IR_and;
-    case SM_OP_EQ: return IR_eq;
-    case SM_OP_NE: return IR_ne;
-    case SM_OP_LT: return IR_lt;
-    case SM_OP_LE: return IR_le;
-    case SM_OP_GT: return IR_gt;
-    case SM_OP_GE: return IR_ge;
-    case SM_OP_ADD: return IR_add;
-    case SM_OP_SUB: return IR_sub;
-    case SM_OP_MUL: return IR_mul;
-    case SM_OP_DIV: return IR_div;
-    case SM_OP_NOT: return IR_not;
-    case SM_OP_NEG: return IR_neg;
-    case SM_OP_PLUS:
-    case SM_OP_COUNT: break;
-    }
-    return IR_OP_COUNT;
-}
-
 static IrRef build_unary(Builder *b, const Expr *e)
 {
     if (e->op == SM_OP_NOT)
@@ -117,7 +93,7 @@ static IrRef build_unary(Builder *b, const Expr *e)
 
 static IrRef build_binary(Builder *b, const Expr *e)
 {
-    IrOp op = op_of(e->op);
+    IrOp op = ir_op_of_operator(e->op);
     bool logic = ir_op_info[op].types == IR_T_LOGIC;
     IrRef x = logic ? build_truth(b, e->arg[0]) : build_number(b, e->arg[0]);
     IrRef y = logic ? build_truth(b, e->arg[1]) : build_number(b, e->arg[1]);
@@ -132,7 +108,7 @@ static IrRef build_chain(Builder *b, const Expr *e)
 
     for (uint32_t k = 1; k < e->n; k++) {
         IrRef right = build_number(b, e->arg[k]);
-        IrRef holds = emit_op(b, op_of(expr_ops(e)[k - 1]), SM_BOOL, left, right, e->span);
+        IrRef holds = emit_op(b, ir_op_of_operator(expr_ops(e)[k - 1]), SM_BOOL, left, right, e->span);
         all = all == IR_NONE ? holds : emit_op(b, IR_and, SM_BOOL, all, holds, e->span);
         left = right;
     }

@@ -18,6 +18,29 @@ bool ir_may_be_of(IrOp op, SmType type)
     return type == SM_F64 || (type == SM_F32 && narrow & IR_N_F32) || ((type == SM_I32 || type == SM_I64) && narrow & IR_N_INT);
 }
 
+IrOp ir_op_of_operator(SmOperator op)
+{
+    switch (op) {
+    case SM_OP_OR: return IR_or;
+    case SM_OP_AND: return IR_and;
+    case SM_OP_EQ: return IR_eq;
+    case SM_OP_NE: return IR_ne;
+    case SM_OP_LT: return IR_lt;
+    case SM_OP_LE: return IR_le;
+    case SM_OP_GT: return IR_gt;
+    case SM_OP_GE: return IR_ge;
+    case SM_OP_ADD: return IR_add;
+    case SM_OP_SUB: return IR_sub;
+    case SM_OP_MUL: return IR_mul;
+    case SM_OP_DIV: return IR_div;
+    case SM_OP_NOT: return IR_not;
+    case SM_OP_NEG: return IR_neg;
+    case SM_OP_PLUS:
+    case SM_OP_COUNT: break;
+    }
+    return IR_OP_COUNT;
+}
+
 IrRef ir_emit(Arena *arena, IrFn *f, IrBlkRef b, IrIns ins)
 {
     IrRef i = (IrRef)f->ins.n;

@@ -53,6 +53,7 @@ typedef struct IrOpInfo {
 extern const IrOpInfo ir_op_info[IR_OP_COUNT];
 
 bool ir_may_be_of(IrOp op, SmType type);          // whether a SAME operation may work on this type
+IrOp ir_op_of_operator(SmOperator op);            // the operation of an operator; IR_OP_COUNT for unary plus, which has none
 
 static inline bool ir_is_float(SmType t) { return sm_type_info[t].kind == SM_KIND_FLOAT; }
 static inline bool ir_is_integer(SmType t) { return sm_type_info[t].kind == SM_KIND_SIGNED || sm_type_info[t].kind == SM_KIND_UNSIGNED; }
