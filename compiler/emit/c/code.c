@@ -160,9 +160,9 @@ static bool has_statements(const CFn *fn, uint32_t b)
 
 // How control reaches block `to` from a point that falls through to `next`.
 typedef enum CEdge {
-    EDGE_FALLS,                 // by falling through
-    EDGE_LEAVES,                // by return or goto
-    EDGE_IS_NESTED                  // its code is written here and nowhere else
+    EDGE_FALLS,               // by falling through
+    EDGE_LEAVES,              // by return or goto
+    EDGE_IS_NESTED            // its code is written here and nowhere else
 } CEdge;
 
 static bool is_end(const CFn *fn, uint32_t b) { return b == fn->flow.n - 1; }
@@ -174,7 +174,7 @@ static CEdge edge_to(const CFn *fn, uint32_t to, uint32_t next)
     return is_end(fn, to) || fn->flow.preds[to] > 1 ? EDGE_LEAVES : EDGE_IS_NESTED;
 }
 
-static void write_leave(CFn *fn, uint32_t to)
+static void write_jump(CFn *fn, uint32_t to)
 {
     if (is_end(fn, to)) {
         write_line(fn, fn->returns_state ? "return 0;" : "return;");
@@ -200,7 +200,7 @@ static void write_arm(CFn *fn, uint32_t to, uint32_t next)
     if (edge_to(fn, to, next) == EDGE_IS_NESTED)
         write_tree(fn, to, next);
     else if (edge_to(fn, to, next) == EDGE_LEAVES)
-        write_leave(fn, to);
+        write_jump(fn, to);
     fn->indent--;
 }
 
@@ -213,12 +213,10 @@ static void write_if(CFn *fn, const char *before, IrRef cond, bool negated)
     c_end_line(fn);
 }
 
-static bool is_branch(const CFn *fn, uint32_t b) { return !is_end(fn, b) && fn->flow.other[b] != IR_NONE; }
-
 // Whether block b is only a conditional, so that it can become an `else if`.
 static bool is_chain_link(const CFn *fn, uint32_t b, uint32_t next)
 {
-    return edge_to(fn, b, next) == EDGE_IS_NESTED && is_branch(fn, b) && fn->flow.kid[b] == IR_NONE && !has_statements(fn, b) &&
+    return edge_to(fn, b, next) == EDGE_IS_NESTED && c_is_branch(fn, b) && fn->flow.kid[b] == IR_NONE && !has_statements(fn, b) &&
            edge_to(fn, fn->flow.then[b], next) != EDGE_FALLS;
 }
 
@@ -264,7 +262,7 @@ static uint32_t write_deep_branch(CFn *fn, uint32_t b, uint32_t next)
 
     write_if(fn, "", fn->f->blk.at[b].jump.cond, !swap);
     fn->indent++;
-    write_leave(fn, aside);
+    write_jump(fn, aside);
     fn->indent--;
     write_line(fn, "}");
     if (edge_to(fn, aside, next) != EDGE_IS_NESTED)
@@ -306,12 +304,12 @@ static uint32_t write_block(CFn *fn, uint32_t b, uint32_t next)
         c_end_line(fn);
         return IR_NONE;
     }
-    if (is_branch(fn, b))
+    if (c_is_branch(fn, b))
         to = write_branch(fn, b, next);
     if (to == IR_NONE || edge_to(fn, to, next) == EDGE_IS_NESTED)
         return to;
     if (edge_to(fn, to, next) == EDGE_LEAVES)
-        write_leave(fn, to);
+        write_jump(fn, to);
     return IR_NONE;
 }
 
@@ -337,7 +335,7 @@ static void write_tree(CFn *fn, uint32_t b, uint32_t next)
         b = kid;
     }
     if (b != next)
-        write_leave(fn, b);
+        write_jump(fn, b);
 }
 
 // ---- functions ----

@@ -23,8 +23,8 @@ typedef struct CIns {
     const char *variable;
     bool unchecked;           // the load of a float that needs no NaN check: it cannot be NaN, or no use distinguishes NaN from 0
     uint32_t nan_is_zero_uses;        // number of uses whose result is the same for NaN and 0
-    bool is_masked;             // a comparison whose result does not matter when an operand is NaN or 0
-    IrRef decided_by;         // the load that settles this condition: if it reads NaN or 0, the condition is decided_value; or IR_NONE
+    bool is_masked;           // a comparison whose result does not matter when an operand is NaN or 0
+    IrRef decided_by;         // the load that can decide this condition: if it reads NaN or 0, the condition is decided_value; or IR_NONE
     bool decided_value;
 } CIns;
 
@@ -34,7 +34,7 @@ typedef struct CVarUse {
     uint32_t loads;           // number of uses of its value
     bool stored;
     bool as_double;           // some of them need an F32 as a double
-    bool never_nan;             // the function stores it: after that, where block never_nan_from dominates, it is not NaN
+    bool never_nan;           // the function stores it: after that, where block never_nan_from dominates, it is not NaN
     uint32_t never_nan_from;
     const char *copy;         // the function's own variable that holds a copy
     SmType copy_type;         // F64, F32, or the type of T
@@ -87,6 +87,7 @@ static inline const IrIns *c_ins(const CFn *fn, IrRef r) { return &fn->f->ins.at
 static inline bool c_is_const(const CFn *fn, IrRef r) { return c_ins(fn, r)->op == IR_const; }
 
 // ---- flow.c ----
+static inline bool c_is_branch(const CFn *fn, uint32_t b) { return fn->flow.other[b] != IR_NONE; }
 void flow_init(CFn *fn);
 bool flow_dominates(const CFlow *w, uint32_t a, uint32_t b);      // a and b must be reachable
 
@@ -144,8 +145,8 @@ void c_end_line(CFn *fn);
 // ---- soft.c: replaces C's operators and casts on floats ----
 
 bool c_is_soft(const CFn *fn, SmType t);               // t is a float type and numbers are SmF64
-void soft_write_number(CFn *fn, IrRef r);                // an integer or F32, not a constant, as an SmF64
-void soft_write_cast(CFn *fn, SmType to, IrRef r);       // a float that fits to an integer; any type to F32
+void soft_write_number(CFn *fn, IrRef r);              // an integer or F32, not a constant, as an SmF64
+void soft_write_cast(CFn *fn, SmType to, IrRef r);     // a float that fits to an integer; any type to F32
 void soft_write_binary(CFn *fn, const IrIns *i);
 void soft_write_compare(CFn *fn, const IrIns *i, bool negated);
 // Writes a comparison of a variable with a constant that needs only some bytes of the variable, and returns true; false if i is not one.

@@ -51,13 +51,11 @@ static CVarUse *var_use(CFn *fn, uint32_t v)
     return w;
 }
 
-static bool is_branch(const CFn *fn, uint32_t b) { return fn->flow.other[b] != IR_NONE; }
-
 static void count_uses(CFn *fn, uint32_t b)
 {
     const IrBlk *blk = &fn->f->blk.at[b];
 
-    if (is_branch(fn, b))
+    if (c_is_branch(fn, b))
         count_use(fn, blk->jump.cond);
     for (size_t p = blk->ins.n; p-- > 0;) {
         const IrIns *i = &fn->f->ins.at[blk->ins.at[p]];
@@ -208,6 +206,7 @@ static void note_access(CFn *fn, uint32_t b, IrRef r)
     }
 }
 
+// Finds the loads of a block that need no check, and takes them off the count of loads that do.  Uses have been counted.
 static void find_unchecked_loads(CFn *fn, uint32_t b)
 {
     const IrBlk *blk = &fn->f->blk.at[b];
@@ -226,17 +225,10 @@ static void find_unchecked_loads(CFn *fn, uint32_t b)
         else
             fn->ins[load].nan_is_zero_uses++;
     }
-}
-
-static void discount_unchecked_loads(CFn *fn, uint32_t b)
-{
-    const IrBlk *blk = &fn->f->blk.at[b];
-
-    find_unchecked_loads(fn, b);
     for (size_t p = 0; p < blk->ins.n; p++) {
         const CIns *c = &fn->ins[blk->ins.at[p]];
         if (c->unchecked)
-            var_use(fn, fn->f->ins.at[blk->ins.at[p]].var)->loads -= c->uses;
+            var_use(fn, c_ins(fn, blk->ins.at[p])->var)->loads -= c->uses;
     }
 }
 
@@ -334,7 +326,7 @@ static void place_instructions(CFn *fn, uint32_t b)
     const IrBlk *blk = &fn->f->blk.at[b];
 
     fn->block = ++*fn->block_stamps;
-    if (is_branch(fn, b))
+    if (c_is_branch(fn, b))
         place_operand(fn, blk->jump.cond, (uint32_t)blk->ins.n, 1);
     for (size_t p = blk->ins.n; p-- > 0;) {
         const IrRef r = blk->ins.at[p];
@@ -359,7 +351,7 @@ void lower_function(CFn *fn)
             count_uses(fn, b);
     for (uint32_t b = 0; b < end; b++)
         if (fn->flow.reached[b])
-            discount_unchecked_loads(fn, b);
+            find_unchecked_loads(fn, b);
     for (uint32_t b = 0; b < end; b++)
         if (fn->flow.reached[b])
             choose_copies(fn, b);
