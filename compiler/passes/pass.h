@@ -8,7 +8,7 @@
 #include "compiler/facts/facts.h"
 #include "compiler/ir/ir.h"
 
-// What run.c can compute about a function for passes that need it.
+// What pass.c can compute about a function for passes that need it.
 enum {
     FACT_NONE = 0,
     FACT_USES = 1,        // how many operands and jumps name each instruction
