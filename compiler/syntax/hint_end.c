@@ -68,7 +68,7 @@ HintResult hint_report_stray_paren(HintCase *c)
 // T > 5 ms
 HintResult hint_report_unit(HintCase *c)
 {
-    hint_unit(c->p->diags, hint_message(c), parser_text(c->p, parser_span(c->p, &c->p->last)), c->p->tok.text->text);
+    hint_label_unit(c->p->diags, hint_message(c), parser_text(c->p, parser_span(c->p, &c->p->last)), c->p->tok.text->text);
     return HINT_READ;
 }
 
@@ -85,7 +85,7 @@ HintResult hint_report_shared_line(HintCase *c)
 {
     Diag *d = hint_message(c);
 
-    if (!hint_shares_line(c->p, d, c->p->last.at + c->p->last.len))
+    if (!hint_report_line_sharing(c->p, d, c->p->last.at + c->p->last.len))
         diag_label(c->p->diags, d, DIAG_label_own_line_or_braces);
     return HINT_READ;
 }

@@ -20,7 +20,7 @@ void hint_replace_word(Parser *p, const char *native, TokenKind kind)
 // Returns the operator in words that begins with the current word, if a value follows it; *end: its end.
 static const HintPhrase *find_infix(const Parser *p, uint32_t *end)
 {
-    const HintPhrase *phrase = p->tok.kind == TOK_NAME ? hint_phrase(p->lex.src->text, p->tok.at, end) : NULL;
+    const HintPhrase *phrase = p->tok.kind == TOK_NAME ? hint_find_phrase(p->lex.src->text, p->tok.at, end) : NULL;
 
     if (!phrase)
         return NULL;
@@ -270,7 +270,7 @@ HintResult hint_report_and_arrow(HintCase *c)
     Parser *p = c->p;
     Diag *d = hint_message(c);
 
-    if (p->last.kind == TOK_OR || !hint_shares_line(p, d, p->last.at))
+    if (p->last.kind == TOK_OR || !hint_report_line_sharing(p, d, p->last.at))
         diag_label(p->diags, d, DIAG_label_condition_or_colon, p->last.kind == TOK_AND ? "and" : "or");
     return HINT_READ;
 }

@@ -298,7 +298,7 @@ static bool is_transition(const HintLine *l, uint32_t p)
     return p < l->end && l->text[p] == '-';
 }
 
-uint32_t hint_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at, HintSeparator separator)
+uint32_t hint_label_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at, HintSeparator separator)
 {
     const HintLine l = line_of(src, at);
     const PriorStatement b = find_prior_statement(&l, at);
@@ -395,7 +395,7 @@ static int count_braces(const HintLine *l)
     return n;
 }
 
-uint32_t hint_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon)
+uint32_t hint_brace_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon)
 {
     const HintLine guard = line_of(src, colon);
     HintLine l = guard, last = guard;

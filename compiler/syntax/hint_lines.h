@@ -15,7 +15,7 @@ typedef enum HintSeparator {
 // Another statement follows the one that ends before `at`, on the same line.  Labels d with what to do, and proposes the edit if that is
 // unambiguous.  Returns up to where in the source this is about: separators before that need no message of their own.  Returns 0, and
 // adds nothing, if the text that ends before `at` is not a statement.
-uint32_t hint_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at, HintSeparator separator);
+uint32_t hint_label_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at, HintSeparator separator);
 
 // Returns whether more statements follow the one at `at`. They follow after a ';' on its line, where in C they depend on no condition
 // before it. Or they follow on a line below with more indentation, where they seem to depend on it.
@@ -23,6 +23,6 @@ bool hint_is_first_of_several(const Source *src, uint32_t at);
 
 // A line ends after a condition's colon. If the lines below are indented more, they are the condition's statements, and the function
 // proposes braces. Returns the end of these statements; 0 if there are none.
-uint32_t hint_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon);
+uint32_t hint_brace_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon);
 
 #endif

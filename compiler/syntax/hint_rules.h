@@ -38,7 +38,7 @@ bool hint_is_and_then(const Parser *p);                 // x = 1 and then -> Idl
 void hint_replace_word(Parser *p, const char *native, TokenKind kind);  // reports a foreign word and turns it into a token of that kind
 // Reports the = of a condition, whose left operand may be NULL. `=!` was meant as `!=`, or as `=` and a negation.
 void hint_report_assign_in_guard(Parser *p, const AstExpr *left, Span sign);
-// The statement that ended before `at` shares its line with another. Returns false if no statement ended there.
-bool hint_shares_line(Parser *p, Diag *d, uint32_t at);
+// Labels d: the statement that ended before `at` shares its line with another. Returns false if no statement ended there.
+bool hint_report_line_sharing(Parser *p, Diag *d, uint32_t at);
 
 #endif

@@ -132,9 +132,9 @@ bool hint_line_is_guard(const Parser *p)
     return false;
 }
 
-bool hint_shares_line(Parser *p, Diag *d, uint32_t at)
+bool hint_report_line_sharing(Parser *p, Diag *d, uint32_t at)
 {
-    const uint32_t until = hint_shared_line(p->diags, d, p->lex.src, at, HINT_OTHER);
+    const uint32_t until = hint_label_shared_line(p->diags, d, p->lex.src, at, HINT_OTHER);
 
     if (until > 0)
         p->lex.hinted = until;

@@ -92,7 +92,7 @@ HintResult hint_report_unit_in_guard(HintCase *c)
     Parser *p = c->p;
 
     if (!(p->lex.src->text[p->tok.at] & 0x80))         // 5° is already reported
-        hint_unit(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
+        hint_label_unit(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
                   parser_text(p, parser_span(p, &p->last)), p->tok.text->text);
     p->failed = true;
     return HINT_SKIPPED;
@@ -223,7 +223,7 @@ HintResult hint_report_line_end_after_colon(HintCase *c)
 
     if (p->tok.first && p->tok.kind != TOK_ELSE && !parser_at_end_of_block(p)) {
         diag_label(p->diags, d, DIAG_label_braces_instead);
-        const uint32_t end = hint_indented_lines(p->diags, d, colon.src, colon.at);
+        const uint32_t end = hint_brace_indented_lines(p->diags, d, colon.src, colon.at);
         p->indented = end > p->indented ? end : p->indented;
     } else {
         diag_label(p->diags, d, DIAG_label_statement_here);
@@ -405,7 +405,7 @@ static const char *format_wait(const Parser *p)
     if (!lex_is_digit(*number))
         return general;
     if (hint_is_word(&p->tok, "sleep"))
-        number = hint_milliseconds(p->arena, number, "s");
+        number = hint_to_milliseconds(p->arena, number, "s");
     else if (!hint_is_word(&p->tok, "delay"))
         unit = "in the unit of 'G'";
     return number ? format_in(p->arena, "put what follows in braces: T >= %s { ... }, %s", number, unit) : general;

@@ -302,7 +302,7 @@ static void report_number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t s
              !hint_is_time_unit(lexer_text(l, end, stop)))
         diag_label(l->diags, d, DIAG_label_multiply, lexer_text(l, at, end), lexer_text(l, end, stop));
     else if (!lexer_is_hex_prefix(l, at))
-        hint_unit(l->diags, d, lexer_text(l, at, end), lexer_text(l, end, stop));
+        hint_label_unit(l->diags, d, lexer_text(l, at, end), lexer_text(l, end, stop));
 }
 
 // 5psi, 1__0, 0x, 1e, 1.2.3
@@ -572,7 +572,7 @@ static void skip_semicolon(Lexer *l)
         diag_edit(l->diags, d, span, "");
     } else if (l->config) {
         diag_label(l->diags, d, DIAG_label_own_line);
-    } else if ((l->hinted = hint_shared_line(l->diags, d, l->src, span.at, HINT_SEMICOLON)) == 0) {
+    } else if ((l->hinted = hint_label_shared_line(l->diags, d, l->src, span.at, HINT_SEMICOLON)) == 0) {
         diag_label(l->diags, d, DIAG_label_own_line_or_braces);
         l->hinted = next + 1;
     }

@@ -27,7 +27,7 @@ static const char *decimal_text(Arena *arena, uint64_t digits, int exponent)
     return format_in(arena, "0.%.*s%s", -exponent - n, "000000000000000", text);
 }
 
-const char *hint_milliseconds(Arena *arena, const char *number, const char *unit)
+const char *hint_to_milliseconds(Arena *arena, const char *number, const char *unit)
 {
     uint64_t digits;
     int exponent;
@@ -46,9 +46,9 @@ bool hint_is_time_unit(const char *unit)
     return false;
 }
 
-void hint_unit(Diags *diags, Diag *d, const char *number, const char *unit)
+void hint_label_unit(Diags *diags, Diag *d, const char *number, const char *unit)
 {
-    const char *time = hint_milliseconds(diags->arena, number, unit);
+    const char *time = hint_to_milliseconds(diags->arena, number, unit);
 
     if (time)
         diag_label(diags, d, DIAG_label_time_unit, time);

@@ -38,7 +38,7 @@ static uint32_t skip_words(const char *text, uint32_t p, const char *words)
     return lexer_is_word(text[p]) ? 0 : p;
 }
 
-const HintPhrase *hint_phrase(const char *text, uint32_t at, uint32_t *end)
+const HintPhrase *hint_find_phrase(const char *text, uint32_t at, uint32_t *end)
 {
     for (size_t i = 0; i < sizeof phrases / sizeof *phrases; i++)
         if ((*end = skip_words(text, at, phrases[i].words)) > 0)
@@ -50,7 +50,7 @@ bool hint_is_operator_word(const char *text, uint32_t at)
 {
     uint32_t end;
 
-    return hint_phrase(text, at, &end) || skip_words(text, at, "then") || skip_words(text, at, "do");
+    return hint_find_phrase(text, at, &end) || skip_words(text, at, "then") || skip_words(text, at, "do");
 }
 
 enum { PARENS_MAX = 1000 };   // bytes; longer ones are not scanned, so that hostile text cannot cost time quadratic in its length

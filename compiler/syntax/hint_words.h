@@ -14,7 +14,7 @@ typedef struct HintPhrase {
 } HintPhrase;
 
 // Returns the longest operator in words that begins at `at`, and its end in *end; NULL if there is none.
-const HintPhrase *hint_phrase(const char *text, uint32_t at, uint32_t *end);
+const HintPhrase *hint_find_phrase(const char *text, uint32_t at, uint32_t *end);
 
 // The end of the operand at `at`, which may have a sign; `at` if there is none.  Blanks before the operand are skipped.
 uint32_t hint_skip_operand(const char *text, uint32_t at);
