@@ -22,10 +22,13 @@ T >= 1000: @assert not drogueCharge and not mainCharge
 true: altitude = max(altitude - 0.05, 0)
 T == 0: @assert 95 < altitude < 105
 T < 1000: @assert mainCharge and not drogueCharge
-T >= 1000: @assert not mainCharge and not drogueCharge
+
+[Descent]
+true: altitude = max(altitude - 0.05, 0)
+true: @assert not mainCharge and not drogueCharge
 
 [all_states]
 G == 40000 {
-    @assert S == 4 and altitude == 0
+    @assert S == 5 and altitude == 0
     @stop
 }
