@@ -9,7 +9,7 @@
 #include "runtime-c/link/link.h"
 #include "stdlib/crc32.h"
 
-enum { VERSION = 1, HEADER = 11, CHECKED = STORE_RECORD - 4 };
+enum { VERSION = 1, CHECKED = STORE_RECORD - 4 };
 
 typedef char store_choice_is_a_record[sizeof(StoreChoice) == STORE_RECORD ? 1 : -1];
 
@@ -95,7 +95,7 @@ static SmResult lay_out_slots(Store *s)
     s->slot_size = (SmvmAt)((size - records) >> (s->plan.slots - 1) & ~(unit - 1u));
     s->slot_at[0] = records;
     s->slot_at[1] = (SmvmAt)(records + s->slot_size);
-    return s->slot_size > HEADER ? SM_OK : SM_E_SPACE;
+    return s->slot_size >= SMVM_HEADER ? SM_OK : SM_E_SPACE;
 }
 
 static SmResult check_memory(Store *s)
@@ -141,7 +141,7 @@ SMVM_NOINLINE static SmvmAt image_length(const Store *s, uint8_t slot)
     if (slot >= s->plan.slots || smvm_u24(s->plan.image[slot], 0) != SMVM_MAGIC)
         return 0;
     length = smvm_read_offset(s->plan.image[slot], SMVM_LENGTH_AT, 3);
-    return length >= HEADER && length <= s->slot_size ? length : 0;
+    return length >= SMVM_HEADER && length <= s->slot_size ? length : 0;
 }
 
 SMVM_NOINLINE static uint32_t image_checksum(const Store *s, uint8_t slot) { return smvm_uint(s->plan.image[slot], SMVM_CRC_AT, 4); }
@@ -271,7 +271,7 @@ static bool find_target(const Store *s, uint8_t *target)
 
 SmResult smvm_store_may_begin(const Store *s, SmvmAt length)
 {
-    return length < HEADER ? SM_E_ARGUMENT : length > s->slot_size ? SM_E_SPACE : is_on_trial(s) ? SM_E_BUSY : SM_OK;
+    return length < SMVM_HEADER ? SM_E_ARGUMENT : length > s->slot_size ? SM_E_SPACE : is_on_trial(s) ? SM_E_BUSY : SM_OK;
 }
 
 SMVM_NOINLINE static SmResult drop_previous(Store *s)

@@ -371,6 +371,7 @@ static void too_large_image_is_refused(void)
 
     prepare(&d, "eeprom", 2);
     CHECK(smvm_store_begin(&d.store, 9, d.store.slot_size + 1, 0) == SM_E_SPACE);
+    CHECK(smvm_store_begin(&d.store, 9, 11, 0) == SM_E_ARGUMENT);         // an image begins with a header of 12 bytes
     CHECK(smvm_store_begin(&d.store, 0, 100, 0) == SM_E_ARGUMENT);
     damaged.bytes[damaged.length - 1] ^= 1;
     CHECK(!sends(&d, &damaged) && smvm_store_activate(&d.store, 7, 0) == SM_E_HANDLE);
