@@ -34,7 +34,7 @@ static inline uint32_t size(const SmvmWord *w, uint32_t most)
 // The sums of the last 1, 2, 4, … samples before `end`.  Samples without a partner are at the end; later groups are smaller.  The start
 // value is -0, which changes no sum.
 #define SUMS(K)                                                                                                                    \
-    static inline SmF64 sum_1_##K(const unsigned char *at) { return sm_roll_value(SM_ROLL_##K | SM_ROLL_AVG, sm_roll_get(at, 0, SM_ROLL_##K)); } \
+    static inline SmF64 sum_1_##K(const unsigned char *at) { return sm_roll_value(SM_ROLL_##K | SM_ROLL_AVG, sm_roll_load(at, 0, SM_ROLL_##K)); } \
     static inline SmF64 sum_2_##K(const unsigned char *at) { return sm_add(sum_1_##K(at), sum_1_##K(at + BYTES_##K)); }            \
     static inline SmF64 sum_4_##K(const unsigned char *at) { return sm_add(sum_2_##K(at), sum_2_##K(at + 2 * BYTES_##K)); }        \
     static inline SmF64 sum_8_##K(const unsigned char *at) { return sm_add(sum_4_##K(at), sum_4_##K(at + 4 * BYTES_##K)); }        \

@@ -115,7 +115,7 @@ void smvm_read_section(SmvmBytes image, uint8_t index, SmvmSection *s)
     s->at = smvm_read_offset(image, (SmvmAt)(at + 2), 3);
     s->size = smvm_read_offset(image, (SmvmAt)(at + 5), 3);
     do {
-        sm_flash_get(&s->kind, k, sizeof *k);
+        sm_flash_read(&s->kind, k, sizeof *k);
         if (s->kind.id == s->id && s->kind.version == smvm_u8(image, (SmvmAt)(at + 1)))
             return;
     } while (++k < kinds + sizeof kinds / sizeof *kinds);
@@ -157,7 +157,7 @@ static uint8_t read_numbers(SmvmMachine *m, SmvmReader *r)
         SmvmAt n;
         if (smvm_read_number(r) == SMVM_VARINT_CUT_SHORT)
             return SMVM_R_RECORD;
-        sm_flash_get(&f, &record[i], sizeof f);
+        sm_flash_read(&f, &record[i], sizeof f);
         *field_at(m, f.at) = n = scale_offset(r->n, f.shift);
         if (n == SMVM_NOWHERE)
             return SMVM_R_RAM;

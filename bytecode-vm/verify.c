@@ -53,9 +53,9 @@ uint16_t smvm_form(uint8_t opcode)
     struct OpcodeRow r;
     uint8_t row;
 
-    sm_flash_get(&row, &row_of[opcode >> 4 & 7], 1);
+    sm_flash_read(&row, &row_of[opcode >> 4 & 7], 1);
     do
-        sm_flash_get(&r, &rows[row++], sizeof r);
+        sm_flash_read(&r, &rows[row++], sizeof r);
     while (opcode > r.last);                          // the last row ends with the last opcode
     return opcode < r.first ? 0 : r.form;
 }
@@ -291,7 +291,7 @@ SMVM_NOINLINE static uint8_t check_operand(Verifier *c, uint8_t op, uint8_t what
         return 0;
     if (what == SMVM_OPERAND_J)
         return check_jump(c);
-    sm_flash_get(&l, &limits[what], sizeof l);
+    sm_flash_read(&l, &limits[what], sizeof l);
     from = l.from;
     end = l.below & CONSTANT ? l.below & (CONSTANT - 1) : *(const SmvmAt *)(const void *)((const uint8_t *)m + l.below);
     if (what <= SMVM_OPERAND_E) {

@@ -41,15 +41,15 @@ static inline int32_t sm_to_i32(SmF64 x) { return sm_cut_i32(x); }
 static inline uint32_t sm_to_u32(SmF64 x) { return sm_cut_u32(x); }
 static inline int64_t sm_to_i64(SmF64 x) { return sm_cut_i64(x); }
 static inline uint64_t sm_to_u64(SmF64 x) { return sm_cut_u64(x); }
-static inline int32_t sm_to_within(SmF64 x, int32_t lo, int32_t hi)
+static inline int32_t sm_to_clipped(SmF64 x, int32_t lo, int32_t hi)
 {
     const int32_t v = sm_cut_i32(x);
     return v < lo ? lo : v > hi ? hi : v;
 }
-static inline int16_t sm_to_i16(SmF64 x) { return (int16_t)sm_to_within(x, INT16_MIN, INT16_MAX); }
-static inline int8_t sm_to_i8(SmF64 x) { return (int8_t)sm_to_within(x, INT8_MIN, INT8_MAX); }
-static inline uint16_t sm_to_u16(SmF64 x) { return (uint16_t)sm_to_within(x, 0, UINT16_MAX); }
-static inline uint8_t sm_to_u8(SmF64 x) { return (uint8_t)sm_to_within(x, 0, UINT8_MAX); }
+static inline int16_t sm_to_i16(SmF64 x) { return (int16_t)sm_to_clipped(x, INT16_MIN, INT16_MAX); }
+static inline int8_t sm_to_i8(SmF64 x) { return (int8_t)sm_to_clipped(x, INT8_MIN, INT8_MAX); }
+static inline uint16_t sm_to_u16(SmF64 x) { return (uint16_t)sm_to_clipped(x, 0, UINT16_MAX); }
+static inline uint8_t sm_to_u8(SmF64 x) { return (uint8_t)sm_to_clipped(x, 0, UINT8_MAX); }
 static inline bool sm_to_bool(SmF64 x) { return sm_soft_truth(x.bits); }
 
 // Reads from an element, as specified there.

@@ -2,7 +2,7 @@
 // Constants that stay in flash on AVR, which copies all other constants into RAM: tables, and texts that are only printed.
 //     static const Row rows[] SM_FLASH = {…};
 //     Row row;
-//     sm_flash_get(&row, &rows[i], sizeof row);
+//     sm_flash_read(&row, &rows[i], sizeof row);
 //
 //     const char *what = SM_TEXT("the clock");          // inside a function; on AVR this is not a pointer to RAM
 //     for (; (c = sm_text_byte(what)) != '\0'; what++) …
@@ -12,13 +12,13 @@
 #ifdef __AVR__
 #include <avr/pgmspace.h>
 #define SM_FLASH PROGMEM
-#define sm_flash_get(to, from, n) memcpy_P((to), (from), (n))
+#define sm_flash_read(to, from, n) memcpy_P((to), (from), (n))
 #define SM_TEXT(text) (__extension__({static const char text_[] PROGMEM = text; (const char *)text_;}))
 #define sm_text_byte(at) ((char)pgm_read_byte(at))
 #else
 #include <string.h>
 #define SM_FLASH
-#define sm_flash_get(to, from, n) memcpy((to), (from), (n))
+#define sm_flash_read(to, from, n) memcpy((to), (from), (n))
 #define SM_TEXT(text) (text)
 #define sm_text_byte(at) (*(at))
 #endif

@@ -69,16 +69,16 @@ enum {
 #define SM_ROLL_BLOCK 2048u
 #define SM_ROLL_LONG(n) (!SM_ROLL_SMALL && (n) > SM_ROLL_BLOCK)
 //: end
-#ifndef SM_ROLL_FLAT
-#define SM_ROLL_FLAT        // not unrolled here: sizes are only known at run time
+#ifndef SM_ROLL_UNROLL
+#define SM_ROLL_UNROLL      // not unrolled here: sizes are only known at run time
 #endif
-//: SM_ROLL_FLAT
+//: SM_ROLL_UNROLL
 // Placed before a loop over a short window, to unroll it completely.
-#ifndef SM_ROLL_FLAT
+#ifndef SM_ROLL_UNROLL
 #if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !defined(__clang__) && defined(__GNUC__) && __GNUC__ >= 8
-#define SM_ROLL_FLAT _Pragma("GCC unroll 32")
+#define SM_ROLL_UNROLL _Pragma("GCC unroll 32")
 #else
-#define SM_ROLL_FLAT
+#define SM_ROLL_UNROLL
 #endif
 #endif
 //: SM_ROLL_AT_ONCE
@@ -104,10 +104,10 @@ static inline int64_t sm_roll_of_f64(SmF64 x)
     memcpy(&bits, &x, sizeof bits);
     return sm_is_nan(x) ? 0 : bits;
 }
-//: sm_roll_turned
+//: sm_roll_key
 // Converts a sample to its key, or a key to its sample.  Keys have the order of the numbers, with -0 below 0.  A window without a statistic
 // that needs an order stores the sample as it is.
-SM_ROLL_INLINE int64_t sm_roll_turned(uint32_t kind, int64_t sample)
+SM_ROLL_INLINE int64_t sm_roll_key(uint32_t kind, int64_t sample)
 {
     if ((kind & SM_ROLL_TYPE) < SM_ROLL_F32 || sample >= 0 || (!SM_ROLL_SMALL && (kind & SM_ROLL_ORDER) == 0))
         return sample;
@@ -117,7 +117,7 @@ SM_ROLL_INLINE int64_t sm_roll_turned(uint32_t kind, int64_t sample)
 // Converts a key to its number.
 SM_ROLL_INLINE SmF64 sm_roll_value(uint32_t kind, int64_t key)
 {
-    const int64_t sample = sm_roll_turned(kind, key);
+    const int64_t sample = sm_roll_key(kind, key);
     const int32_t bits = (int32_t)sample;
     float f;
     if ((kind & SM_ROLL_TYPE) == SM_ROLL_F64)
@@ -134,9 +134,9 @@ SM_ROLL_INLINE unsigned sm_roll_shift(uint32_t kind)
     const unsigned type = kind & SM_ROLL_TYPE;
     return type < 8 ? type & 3u : type == SM_ROLL_BOOL ? 0 : type - 6u;
 }
-//: sm_roll_get
+//: sm_roll_load
 // Key i of an array.
-SM_ROLL_INLINE int64_t sm_roll_get(const unsigned char *a, uint32_t i, uint32_t kind)
+SM_ROLL_INLINE int64_t sm_roll_load(const unsigned char *a, uint32_t i, uint32_t kind)
 {
     switch (kind & SM_ROLL_TYPE) {
     case SM_ROLL_I8: { int8_t v; memcpy(&v, a + i, 1); return v; }
@@ -148,8 +148,8 @@ SM_ROLL_INLINE int64_t sm_roll_get(const unsigned char *a, uint32_t i, uint32_t 
     default: return a[i];
     }
 }
-//: sm_roll_put
-SM_ROLL_INLINE void sm_roll_put(unsigned char *a, uint32_t i, uint32_t kind, int64_t key)
+//: sm_roll_store
+SM_ROLL_INLINE void sm_roll_store(unsigned char *a, uint32_t i, uint32_t kind, int64_t key)
 {
     switch (sm_roll_shift(kind)) {
     case 0: a[i] = (unsigned char)key; break;
@@ -158,9 +158,9 @@ SM_ROLL_INLINE void sm_roll_put(unsigned char *a, uint32_t i, uint32_t kind, int
     default: memcpy(a + (size_t)i * 8, &key, 8); break;
     }
 }
-//: sm_roll_keeps
+//: sm_roll_partials
 // What a window stores beside its samples: their sum as a whole number (1) or as an F64 (2), the smallest (4), the largest (8).
-SM_ROLL_INLINE unsigned sm_roll_keeps(uint32_t n, uint32_t kind)
+SM_ROLL_INLINE unsigned sm_roll_partials(uint32_t n, uint32_t kind)
 {
     const bool real = (kind & SM_ROLL_TYPE) == SM_ROLL_F32 || (kind & SM_ROLL_TYPE) == SM_ROLL_F64;
     const unsigned sum = (kind & SM_ROLL_AVG) == 0 ? 0 : !real ? 1u : n > SM_ROLL_SHORT ? 2u : 0;
@@ -170,111 +170,111 @@ SM_ROLL_INLINE unsigned sm_roll_keeps(uint32_t n, uint32_t kind)
         return sum;
     return sum | ((kind & (SM_ROLL_MIN | SM_ROLL_RANGE)) != 0 ? 4u : 0) | ((kind & (SM_ROLL_MAX | SM_ROLL_RANGE)) != 0 ? 8u : 0);
 }
-//: sm_roll_size
+//: sm_roll_partial_words
 // The number of words for these.
-SM_ROLL_INLINE unsigned sm_roll_size(unsigned keeps) { return ((keeps & 3u) != 0) + (keeps >> 2 & 1u) + (keeps >> 3); }
-//: sm_roll_node_keeps
+SM_ROLL_INLINE unsigned sm_roll_partial_words(unsigned partials) { return ((partials & 3u) != 0) + (partials >> 2 & 1u) + (partials >> 3); }
+//: sm_roll_node_partials
 // Those that it also stores for groups of 2, 4, 8, … slots.
-SM_ROLL_INLINE unsigned sm_roll_node_keeps(uint32_t n, uint32_t kind) { return sm_roll_keeps(n, kind) & 14u; }
-//: sm_roll_slots
+SM_ROLL_INLINE unsigned sm_roll_node_partials(uint32_t n, uint32_t kind) { return sm_roll_partials(n, kind) & 14u; }
+//: sm_roll_slots_at
 // The index of the word where the slots begin.  Layout: a word with the number of samples and the next slot; the results for the whole
-// window, in the order of sm_roll_keeps, the largest as the complement of its key; the slots; for a median the samples in order; the
+// window, in the order of sm_roll_partials, the largest as the complement of its key; the slots; for a median the samples in order; the
 // results for groups of 2, 4, 8, … slots.
-SM_ROLL_INLINE unsigned sm_roll_slots(uint32_t n, uint32_t kind) { return 1u + sm_roll_size(sm_roll_keeps(n, kind)); }
-//: sm_roll_row
+SM_ROLL_INLINE unsigned sm_roll_slots_at(uint32_t n, uint32_t kind) { return 1u + sm_roll_partial_words(sm_roll_partials(n, kind)); }
+//: sm_roll_row_bytes
 // Bytes of an array of n samples, rounded up to words.
-SM_ROLL_INLINE uint32_t sm_roll_row(uint32_t n, uint32_t kind) { return ((n << sm_roll_shift(kind)) + 7u) & ~(uint32_t)7; }
-//: sm_roll_heads
+SM_ROLL_INLINE uint32_t sm_roll_row_bytes(uint32_t n, uint32_t kind) { return ((n << sm_roll_shift(kind)) + 7u) & ~(uint32_t)7; }
+//: sm_roll_heads_bytes
 // Bytes of the numbers that store where the blocks of ordered samples begin.
-SM_ROLL_INLINE uint32_t sm_roll_heads(uint32_t n) { return SM_ROLL_LONG(n) ? (n / SM_ROLL_BLOCK * 2u + 9u) & ~(uint32_t)7 : 0; }
-//: sm_roll_tree
+SM_ROLL_INLINE uint32_t sm_roll_heads_bytes(uint32_t n) { return SM_ROLL_LONG(n) ? (n / SM_ROLL_BLOCK * 2u + 9u) & ~(uint32_t)7 : 0; }
+//: sm_roll_tree_words
 // Words for the results of groups of 2, 4, 8, … slots, n / 2, n / 4, …, each rounded up.  Used for all such trees but the last.
-SM_ROLL_INLINE uint32_t sm_roll_tree(uint32_t n) { return n + 15; }
-//: sm_roll_nodes
+SM_ROLL_INLINE uint32_t sm_roll_tree_words(uint32_t n) { return n + 15; }
+//: sm_roll_nodes_at
 // The index of the word where the results for pairs of slots begin.
-SM_ROLL_INLINE uint32_t sm_roll_nodes(uint32_t n, uint32_t kind)
+SM_ROLL_INLINE uint32_t sm_roll_nodes_at(uint32_t n, uint32_t kind)
 {
-    const uint32_t row = sm_roll_row(n, kind);
-    return sm_roll_slots(n, kind) + ((kind & SM_ROLL_MEDIAN) == 0 ? row : 2 * row + sm_roll_heads(n)) / 8;
+    const uint32_t row = sm_roll_row_bytes(n, kind);
+    return sm_roll_slots_at(n, kind) + ((kind & SM_ROLL_MEDIAN) == 0 ? row : 2 * row + sm_roll_heads_bytes(n)) / 8;
 }
 //: sm_roll_count
 // The number of samples.
-SM_ROLL_INLINE uint32_t sm_roll_count(const uint64_t *w) { return (uint32_t)sm_roll_get((const unsigned char *)w, 0, SM_ROLL_U32); }
+SM_ROLL_INLINE uint32_t sm_roll_count(const uint64_t *w) { return (uint32_t)sm_roll_load((const unsigned char *)w, 0, SM_ROLL_U32); }
 //: sm_roll_next
 // The slot of the next sample.
-SM_ROLL_INLINE uint32_t sm_roll_next(const uint64_t *w) { return (uint32_t)sm_roll_get((const unsigned char *)w, 1, SM_ROLL_U32); }
-//: sm_roll_slot
+SM_ROLL_INLINE uint32_t sm_roll_next(const uint64_t *w) { return (uint32_t)sm_roll_load((const unsigned char *)w, 1, SM_ROLL_U32); }
+//: sm_roll_slot_key
 // The key in slot i.
-SM_ROLL_INLINE int64_t sm_roll_slot(const uint64_t *w, uint32_t n, uint32_t kind, uint32_t i)
+SM_ROLL_INLINE int64_t sm_roll_slot_key(const uint64_t *w, uint32_t n, uint32_t kind, uint32_t i)
 {
-    return sm_roll_get((const unsigned char *)(w + sm_roll_slots(n, kind)), i, kind);
+    return sm_roll_load((const unsigned char *)(w + sm_roll_slots_at(n, kind)), i, kind);
 }
-//: sm_roll_oldest
+//: sm_roll_oldest_key
 // In a full window, the key of the sample that the next one will replace.
-SM_ROLL_INLINE int64_t sm_roll_oldest(const uint64_t *w, uint32_t n, uint32_t kind) { return sm_roll_slot(w, n, kind, sm_roll_next(w)); }
-//: sm_roll_enter
+SM_ROLL_INLINE int64_t sm_roll_oldest_key(const uint64_t *w, uint32_t n, uint32_t kind) { return sm_roll_slot_key(w, n, kind, sm_roll_next(w)); }
+//: sm_roll_push_key
 // Adds a sample to a window of n slots, by its key.
-SM_ROLL_INLINE void sm_roll_enter(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
+SM_ROLL_INLINE void sm_roll_push_key(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
 {
     const uint32_t next = sm_roll_next(w), count = sm_roll_count(w);
-    if ((sm_roll_keeps(n, kind) & 1u) != 0)
-        w[1] += (uint64_t)(key - sm_roll_oldest(w, n, kind));       // an empty slot contains 0
-    sm_roll_put((unsigned char *)(w + sm_roll_slots(n, kind)), next, kind, key);
-    sm_roll_put((unsigned char *)w, 1, SM_ROLL_U32, next + 1 < n ? next + 1 : 0);
+    if ((sm_roll_partials(n, kind) & 1u) != 0)
+        w[1] += (uint64_t)(key - sm_roll_oldest_key(w, n, kind));   // an empty slot contains 0
+    sm_roll_store((unsigned char *)(w + sm_roll_slots_at(n, kind)), next, kind, key);
+    sm_roll_store((unsigned char *)w, 1, SM_ROLL_U32, next + 1 < n ? next + 1 : 0);
     if (count < n)
-        sm_roll_put((unsigned char *)w, 0, SM_ROLL_U32, count + 1);
+        sm_roll_store((unsigned char *)w, 0, SM_ROLL_U32, count + 1);
 }
 //: sm_roll_push
 // Adds a sample to a window of n slots.
 SM_ROLL_INLINE void sm_roll_push(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
 {
-    sm_roll_enter(w, n, kind, sm_roll_turned(kind, sample));
+    sm_roll_push_key(w, n, kind, sm_roll_key(kind, sample));
 }
 //: sm_roll_push_sorted
 // The same for a short window that also stores its samples in order.  One pass without branches inserts the new one and removes the oldest.
 SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
 {
-    unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots(n, kind)) + sm_roll_row(n, kind);
-    const int64_t old = sm_roll_oldest(w, n, kind);
-    int64_t key = sm_roll_turned(kind, sample), a = sm_roll_get(sorted, 0, kind), next;
+    unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);
+    const int64_t old = sm_roll_oldest_key(w, n, kind);
+    int64_t key = sm_roll_key(kind, sample), a = sm_roll_load(sorted, 0, kind), next;
     uint32_t i = sm_roll_count(w);
     const bool full = i == n;
-    sm_roll_enter(w, n, kind, key);
+    sm_roll_push_key(w, n, kind, key);
     if (full) {
-        SM_ROLL_FLAT
+        SM_ROLL_UNROLL
         for (i = 0; i + 1 < n; i++) {
-            next = sm_roll_get(sorted, i + 1, kind);
+            next = sm_roll_load(sorted, i + 1, kind);
             a = a < old ? a : next;                      // the remaining sample of rank i
-            sm_roll_put(sorted, i, kind, key < a ? key : a);
+            sm_roll_store(sorted, i, kind, key < a ? key : a);
             key = key < a ? a : key;
             a = next;
         }
     } else {
-        for (; i > 0 && key < sm_roll_get(sorted, i - 1, kind); i--)
-            sm_roll_put(sorted, i, kind, sm_roll_get(sorted, i - 1, kind));
+        for (; i > 0 && key < sm_roll_load(sorted, i - 1, kind); i--)
+            sm_roll_store(sorted, i, kind, sm_roll_load(sorted, i - 1, kind));
     }
-    sm_roll_put(sorted, i, kind, key);
+    sm_roll_store(sorted, i, kind, key);
 }
-//: sm_roll_place
+//: sm_roll_index_of_rank
 // The index of the ordered sample of a rank.  A long array consists of blocks, each of them a ring that may begin anywhere.
-SM_ROLL_INLINE uint32_t sm_roll_place(const unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t rank)
+SM_ROLL_INLINE uint32_t sm_roll_index_of_rank(const unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t rank)
 {
     const uint32_t first = rank & ~(SM_ROLL_BLOCK - 1), end = n - first < SM_ROLL_BLOCK ? n : first + SM_ROLL_BLOCK;
     if (!SM_ROLL_LONG(n))
         return rank;
-    rank += (uint32_t)sm_roll_get(sorted + sm_roll_row(n, kind), first / SM_ROLL_BLOCK, SM_ROLL_U16);
+    rank += (uint32_t)sm_roll_load(sorted + sm_roll_row_bytes(n, kind), first / SM_ROLL_BLOCK, SM_ROLL_U16);
     return rank < end ? rank : rank - end + first;
 }
-//: sm_roll_rank
+//: sm_roll_count_below
 // The number of the first `count` ordered samples that are below key.
-SM_ROLL_INLINE uint32_t sm_roll_rank(const unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t count, int64_t key)
+SM_ROLL_INLINE uint32_t sm_roll_count_below(const unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t count, int64_t key)
 {
     uint32_t lo = 0, half;
     for (; count > 1; count -= half) {
         half = count / 2;
-        lo += half & (0u - (uint32_t)(sm_roll_get(sorted, sm_roll_place(sorted, n, kind, lo + half - 1), kind) < key));
+        lo += half & (0u - (uint32_t)(sm_roll_load(sorted, sm_roll_index_of_rank(sorted, n, kind, lo + half - 1), kind) < key));
     }
-    return lo + (count == 1 && sm_roll_get(sorted, sm_roll_place(sorted, n, kind, lo), kind) < key);
+    return lo + (count == 1 && sm_roll_load(sorted, sm_roll_index_of_rank(sorted, n, kind, lo), kind) < key);
 }
 //: sm_roll_slide
 // Moves the free place from `from` to `to` by shifting the ordered samples between them by one place.
@@ -287,65 +287,65 @@ SM_ROLL_INLINE void sm_roll_slide(unsigned char *sorted, uint32_t kind, uint32_t
     else
         memmove(b + ((size_t)1 << shift), b, (size_t)(a - b));
 }
-//: sm_roll_turn
+//: sm_roll_slide_in_block
 // The same for ranks of one block.  The shift may need two parts, because a block is a ring.
-SM_ROLL_INLINE void sm_roll_turn(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
+SM_ROLL_INLINE void sm_roll_slide_in_block(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
 {
     const uint32_t first = from & ~(SM_ROLL_BLOCK - 1), last = (n - first < SM_ROLL_BLOCK ? n : first + SM_ROLL_BLOCK) - 1;
     const bool up = from <= to;
-    uint32_t a = sm_roll_place(sorted, n, kind, from);
-    const uint32_t b = sm_roll_place(sorted, n, kind, to);
+    uint32_t a = sm_roll_index_of_rank(sorted, n, kind, from);
+    const uint32_t b = sm_roll_index_of_rank(sorted, n, kind, to);
     if (SM_ROLL_LONG(n) && (a <= b) != up) {
         sm_roll_slide(sorted, kind, a, up ? last : first);
         a = up ? first : last;
-        sm_roll_put(sorted, up ? last : first, kind, sm_roll_get(sorted, a, kind));
+        sm_roll_store(sorted, up ? last : first, kind, sm_roll_load(sorted, a, kind));
     }
     sm_roll_slide(sorted, kind, a, b);
 }
-//: sm_roll_move
+//: sm_roll_slide_ranks
 // The same for any ranks.  Samples cross from block to block at the blocks' ends; blocks in between are only rotated.
-SM_ROLL_INLINE void sm_roll_move(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
+SM_ROLL_INLINE void sm_roll_slide_ranks(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
 {
-    unsigned char *const heads = sorted + sm_roll_row(n, kind);
+    unsigned char *const heads = sorted + sm_roll_row_bytes(n, kind);
     const uint32_t mask = SM_ROLL_BLOCK - 1, step = from <= to ? 1u : UINT32_MAX;
     uint32_t end, head, out;
     while (SM_ROLL_LONG(n) && (from & ~mask) != (to & ~mask)) {
         end = step == 1 ? from | mask : from & ~mask;
-        sm_roll_turn(sorted, n, kind, from, end);
+        sm_roll_slide_in_block(sorted, n, kind, from, end);
         from = end + step;
-        out = sm_roll_place(sorted, n, kind, from);
-        sm_roll_put(sorted, sm_roll_place(sorted, n, kind, end), kind, sm_roll_get(sorted, out, kind));
+        out = sm_roll_index_of_rank(sorted, n, kind, from);
+        sm_roll_store(sorted, sm_roll_index_of_rank(sorted, n, kind, end), kind, sm_roll_load(sorted, out, kind));
         if ((from & ~mask) != (to & ~mask)) {
-            head = (uint32_t)sm_roll_get(heads, from / SM_ROLL_BLOCK, SM_ROLL_U16);
-            sm_roll_put(heads, from / SM_ROLL_BLOCK, SM_ROLL_U16, (head + step) & mask);
+            head = (uint32_t)sm_roll_load(heads, from / SM_ROLL_BLOCK, SM_ROLL_U16);
+            sm_roll_store(heads, from / SM_ROLL_BLOCK, SM_ROLL_U16, (head + step) & mask);
             from ^= mask;
         }
     }
-    sm_roll_turn(sorted, n, kind, from, to);
+    sm_roll_slide_in_block(sorted, n, kind, from, to);
 }
-//: sm_roll_sort_in
+//: sm_roll_insert_sorted
 // Before a key enters a longer window: finds its place among the ordered samples and that of the oldest, and shifts those between.
-SM_ROLL_INLINE void sm_roll_sort_in(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
+SM_ROLL_INLINE void sm_roll_insert_sorted(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
 {
-    unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots(n, kind)) + sm_roll_row(n, kind);
+    unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);
     const uint32_t count = sm_roll_count(w);
-    const uint32_t from = count < n ? count : sm_roll_rank(sorted, n, kind, count, sm_roll_oldest(w, n, kind));
-    uint32_t to = sm_roll_rank(sorted, n, kind, count, key);
+    const uint32_t from = count < n ? count : sm_roll_count_below(sorted, n, kind, count, sm_roll_oldest_key(w, n, kind));
+    uint32_t to = sm_roll_count_below(sorted, n, kind, count, key);
     to -= from < to;                                 // not counting the old one
-    sm_roll_move(sorted, n, kind, from, to);
-    sm_roll_put(sorted, sm_roll_place(sorted, n, kind, to), kind, key);
+    sm_roll_slide_ranks(sorted, n, kind, from, to);
+    sm_roll_store(sorted, sm_roll_index_of_rank(sorted, n, kind, to), kind, key);
 }
 //: sm_roll_push_blocks
 // Adds a sample to a longer window that also stores its samples in order.
 SM_ROLL_INLINE void sm_roll_push_blocks(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
 {
-    sm_roll_sort_in(w, n, kind, sm_roll_turned(kind, sample));
+    sm_roll_insert_sorted(w, n, kind, sm_roll_key(kind, sample));
     sm_roll_push(w, n, kind, sample);
 }
-//: sm_roll_sum_up
+//: sm_roll_update_sums
 // Returns the sum of all slots after sample i was added; `sum` is the sum of its pair.  Stores the sums of pairs and of groups of four,
 // eight, … slots.  An odd last group passes its sum on unchanged.
-SM_ROLL_INLINE SmF64 sm_roll_sum_up(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, SmF64 sum)
+SM_ROLL_INLINE SmF64 sm_roll_update_sums(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, SmF64 sum)
 {
     for (n = (n + 1) / 2; n > 1; n = (n + 1) / 2) {
         i /= 2;
@@ -357,9 +357,9 @@ SM_ROLL_INLINE SmF64 sm_roll_sum_up(uint64_t *node, uint32_t n, uint32_t i, uint
     }
     return sum;
 }
-//: sm_roll_least_up
+//: sm_roll_update_smallest
 // The same for the smallest key.
-SM_ROLL_INLINE int64_t sm_roll_least_up(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, int64_t least)
+SM_ROLL_INLINE int64_t sm_roll_update_smallest(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, int64_t least)
 {
     for (n = (n + 1) / 2; n > 1; n = (n + 1) / 2) {
         i /= 2;
@@ -375,47 +375,47 @@ SM_ROLL_INLINE int64_t sm_roll_least_up(uint64_t *node, uint32_t n, uint32_t i, 
 // After a sample was added: updates the results of the groups of 2, 4, 8, … slots that contain it, and of the whole window.
 SM_ROLL_INLINE void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind)
 {
-    const unsigned keeps = sm_roll_node_keeps(n, kind);
+    const unsigned partials = sm_roll_node_partials(n, kind);
     const uint32_t next = sm_roll_next(w), i = (next == 0 ? n : next) - 1, count = sm_roll_count(w);
     const bool paired = (i ^ 1u) < count;
-    const int64_t key = sm_roll_slot(w, n, kind, i), other = sm_roll_slot(w, n, kind, paired ? i ^ 1u : i);
-    uint64_t *node = w + sm_roll_nodes(n, kind), *all = w + 1 + (sm_roll_keeps(n, kind) & 1u);
+    const int64_t key = sm_roll_slot_key(w, n, kind, i), other = sm_roll_slot_key(w, n, kind, paired ? i ^ 1u : i);
+    uint64_t *node = w + sm_roll_nodes_at(n, kind), *all = w + 1 + (sm_roll_partials(n, kind) & 1u);
     SmF64 sum = sm_roll_value(kind, key);
-    if ((keeps & 2u) != 0) {
+    if ((partials & 2u) != 0) {
         sum = paired ? sm_add(sum, sm_roll_value(kind, other)) : sum;
-        *all++ = sm_bits(sm_roll_sum_up(node, n, i, count, sum));
-        node += sm_roll_tree(n);
+        *all++ = sm_bits(sm_roll_update_sums(node, n, i, count, sum));
+        node += sm_roll_tree_words(n);
     }
-    if ((keeps & 4u) != 0) {
-        *all++ = (uint64_t)sm_roll_least_up(node, n, i, count, key < other ? key : other);
-        node += sm_roll_tree(n);
+    if ((partials & 4u) != 0) {
+        *all++ = (uint64_t)sm_roll_update_smallest(node, n, i, count, key < other ? key : other);
+        node += sm_roll_tree_words(n);
     }
-    if ((keeps & 8u) != 0)
-        *all = (uint64_t)sm_roll_least_up(node, n, i, count, key > other ? ~key : ~other);
+    if ((partials & 8u) != 0)
+        *all = (uint64_t)sm_roll_update_smallest(node, n, i, count, key > other ? ~key : ~other);
 }
-//: sm_roll_sum_of_some
+//: sm_roll_sum_group
 // The sum of up to SM_ROLL_AT_ONCE slots, in pairs.  `at` is the first of the `left` remaining slots.
-SM_ROLL_INLINE SmF64 sm_roll_sum_of_some(const unsigned char *at, uint32_t left, uint32_t kind)
+SM_ROLL_INLINE SmF64 sm_roll_sum_group(const unsigned char *at, uint32_t left, uint32_t kind)
 {
-    SmF64 sum = sm_roll_value(kind, sm_roll_get(at, 0, kind)), other;
+    SmF64 sum = sm_roll_value(kind, sm_roll_load(at, 0, kind)), other;
     if (SM_ROLL_AT_ONCE == 1 || left == 1)
         return sum;
-    sum = sm_add(sum, sm_roll_value(kind, sm_roll_get(at, 1, kind)));
+    sum = sm_add(sum, sm_roll_value(kind, sm_roll_load(at, 1, kind)));
     if (left == 2)
         return sum;
-    other = sm_roll_value(kind, sm_roll_get(at, 2, kind));
-    return sm_add(sum, left > 3 ? sm_add(other, sm_roll_value(kind, sm_roll_get(at, 3, kind))) : other);
+    other = sm_roll_value(kind, sm_roll_load(at, 2, kind));
+    return sm_add(sum, left > 3 ? sm_add(other, sm_roll_value(kind, sm_roll_load(at, 3, kind))) : other);
 }
 //: sm_roll_sum
 // Adds slots in pairs, the sums in pairs again, and so on.  `part` has the sums that wait for their partner.
 SM_ROLL_INLINE SmF64 sm_roll_sum(const uint64_t *w, uint32_t n, uint32_t kind)
 {
-    const unsigned char *at = (const unsigned char *)(w + sm_roll_slots(n, kind));
+    const unsigned char *at = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
     SmF64 part[18], *end = part;
     const uint32_t count = sm_roll_count(w);
     uint32_t i, whole;
     for (i = 0; i < count; i += SM_ROLL_AT_ONCE, at += (size_t)SM_ROLL_AT_ONCE << sm_roll_shift(kind)) {
-        *end++ = sm_roll_sum_of_some(at, count - i, kind);
+        *end++ = sm_roll_sum_group(at, count - i, kind);
         for (whole = i / SM_ROLL_AT_ONCE; whole % 2 != 0; whole /= 2, end--)
             end[-2] = sm_add(end[-2], end[-1]);
     }
@@ -426,43 +426,43 @@ SM_ROLL_INLINE SmF64 sm_roll_sum(const uint64_t *w, uint32_t n, uint32_t kind)
 //: sm_roll_avg
 SM_ROLL_INLINE SmF64 sm_roll_avg(const uint64_t *w, uint32_t n, uint32_t kind)
 {
-    const unsigned keeps = sm_roll_keeps(n, kind);
+    const unsigned partials = sm_roll_partials(n, kind);
     const uint32_t count = sm_roll_count(w);
     SmF64 sum;
     if (count == 0)
         return sm_from_i32(0);
-    if ((keeps & 3u) != 0)
-        sum = (keeps & 1u) != 0 ? sm_from_i64((int64_t)w[1]) : sm_from_bits(w[1]);
+    if ((partials & 3u) != 0)
+        sum = (partials & 1u) != 0 ? sm_from_i64((int64_t)w[1]) : sm_from_bits(w[1]);
     else
         sum = sm_roll_sum(w, n, kind);
     return sm_div(sum, sm_from_u32(count));
 }
-//: sm_roll_further
+//: sm_roll_extreme_of_two
 // The smaller key, or the larger if `up`.
-SM_ROLL_INLINE int64_t sm_roll_further(bool up, int64_t a, int64_t b) { return (up ? a > b : a < b) ? a : b; }
-//: sm_roll_end
+SM_ROLL_INLINE int64_t sm_roll_extreme_of_two(bool up, int64_t a, int64_t b) { return (up ? a > b : a < b) ? a : b; }
+//: sm_roll_extreme_key
 // The smallest key of all, or the largest if `up`.
-SM_ROLL_INLINE int64_t sm_roll_end(const uint64_t *w, uint32_t n, uint32_t kind, bool up)
+SM_ROLL_INLINE int64_t sm_roll_extreme_key(const uint64_t *w, uint32_t n, uint32_t kind, bool up)
 {
-    const unsigned char *at = (const unsigned char *)(w + sm_roll_slots(n, kind));
+    const unsigned char *at = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
     const size_t one = (size_t)1 << sm_roll_shift(kind);
-    int64_t end = sm_roll_get(at, 0, kind), a, b;
+    int64_t end = sm_roll_load(at, 0, kind), a, b;
     uint32_t left;
     for (left = sm_roll_count(w); SM_ROLL_AT_ONCE == 4 && left >= 4; left -= 4, at += 4 * one) {
-        a = sm_roll_further(up, sm_roll_get(at, 0, kind), sm_roll_get(at, 1, kind));
-        b = sm_roll_further(up, sm_roll_get(at, 2, kind), sm_roll_get(at, 3, kind));
-        end = sm_roll_further(up, end, sm_roll_further(up, a, b));
+        a = sm_roll_extreme_of_two(up, sm_roll_load(at, 0, kind), sm_roll_load(at, 1, kind));
+        b = sm_roll_extreme_of_two(up, sm_roll_load(at, 2, kind), sm_roll_load(at, 3, kind));
+        end = sm_roll_extreme_of_two(up, end, sm_roll_extreme_of_two(up, a, b));
     }
     for (; left > 0; left--, at += one)
-        end = sm_roll_further(up, end, sm_roll_get(at, 0, kind));
+        end = sm_roll_extreme_of_two(up, end, sm_roll_load(at, 0, kind));
     return end;
 }
-//: sm_roll_ordered
+//: sm_roll_value_of_rank
 // The number of the ordered sample of a rank.
-SM_ROLL_INLINE SmF64 sm_roll_ordered(const uint64_t *w, uint32_t n, uint32_t kind, uint32_t rank)
+SM_ROLL_INLINE SmF64 sm_roll_value_of_rank(const uint64_t *w, uint32_t n, uint32_t kind, uint32_t rank)
 {
-    const unsigned char *const sorted = (const unsigned char *)(w + sm_roll_slots(n, kind)) + sm_roll_row(n, kind);
-    return sm_roll_value(kind, sm_roll_get(sorted, sm_roll_place(sorted, n, kind, rank), kind));
+    const unsigned char *const sorted = (const unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);
+    return sm_roll_value(kind, sm_roll_load(sorted, sm_roll_index_of_rank(sorted, n, kind, rank), kind));
 }
 //: sm_roll_median
 SM_ROLL_INLINE SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind)
@@ -471,10 +471,10 @@ SM_ROLL_INLINE SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind
     SmF64 a, b, d;
     if (count == 0)
         return sm_from_i32(0);
-    a = sm_roll_ordered(w, n, kind, (count - 1) / 2);
+    a = sm_roll_value_of_rank(w, n, kind, (count - 1) / 2);
     if (count % 2 != 0)
         return a;
-    b = sm_roll_ordered(w, n, kind, count / 2);
+    b = sm_roll_value_of_rank(w, n, kind, count / 2);
     if (sm_eq(a, b))
         return a;
     d = sm_sub(b, a);
@@ -486,15 +486,15 @@ SM_ROLL_INLINE SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind
 // The smallest sample, or the largest if `up`; -0 is below +0.
 SM_ROLL_INLINE SmF64 sm_roll_extreme(const uint64_t *w, uint32_t n, uint32_t kind, bool up)
 {
-    const unsigned keeps = sm_roll_keeps(n, kind);
+    const unsigned partials = sm_roll_partials(n, kind);
     const uint32_t count = sm_roll_count(w);
     if (count == 0)
         return sm_from_i32(0);
     if ((kind & SM_ROLL_MEDIAN) != 0)
-        return sm_roll_ordered(w, n, kind, up ? count - 1 : 0);
-    if (keeps < 4)
-        return sm_roll_value(kind, sm_roll_end(w, n, kind, up));
-    return sm_roll_value(kind, up ? (int64_t)~w[sm_roll_size(keeps)] : (int64_t)w[1 + sm_roll_size(keeps & 3u)]);
+        return sm_roll_value_of_rank(w, n, kind, up ? count - 1 : 0);
+    if (partials < 4)
+        return sm_roll_value(kind, sm_roll_extreme_key(w, n, kind, up));
+    return sm_roll_value(kind, up ? (int64_t)~w[sm_roll_partial_words(partials)] : (int64_t)w[1 + sm_roll_partial_words(partials & 3u)]);
 }
 //: sm_roll_min
 SM_ROLL_INLINE SmF64 sm_roll_min(const uint64_t *w, uint32_t n, uint32_t kind) { return sm_roll_extreme(w, n, kind, false); }
@@ -529,11 +529,11 @@ static inline bool sm_roll_is_kind(uint32_t kind)
 // The number of words of memory that a window needs.  n is at most SM_WINDOW_MAX.
 static inline uint32_t sm_roll_words(uint32_t n, uint32_t kind)
 {
-    const unsigned keeps = sm_roll_node_keeps(n, kind);
-    uint32_t words = sm_roll_nodes(n, kind);
-    if (keeps == 0)
+    const unsigned partials = sm_roll_node_partials(n, kind);
+    uint32_t words = sm_roll_nodes_at(n, kind);
+    if (partials == 0)
         return words;
-    words += (sm_roll_size(keeps) - 1) * sm_roll_tree(n);
+    words += (sm_roll_partial_words(partials) - 1) * sm_roll_tree_words(n);
     while ((n = (n + 1) / 2) > 1)
         words += n;
     return words;
@@ -543,21 +543,21 @@ static inline uint32_t sm_roll_words(uint32_t n, uint32_t kind)
 static inline uint32_t sm_roll_bytes(uint32_t n, uint32_t kind)
 {
     if (SM_ROLL_SMALL)
-        return 8 + (sm_roll_row(n, kind) << ((kind & SM_ROLL_MEDIAN) != 0));
+        return 8 + (sm_roll_row_bytes(n, kind) << ((kind & SM_ROLL_MEDIAN) != 0));
     return 8 * sm_roll_words(n, kind);
 }
 
 // Converts a number to a sample of the window's type, as a store does.
-static inline int64_t sm_roll_converted(uint32_t kind, SmF64 x)
+static inline int64_t sm_roll_convert(uint32_t kind, SmF64 x)
 {
     const SmType type = (SmType)(kind & SM_ROLL_TYPE);
     unsigned char cell[8] = { 0 };
     sm_store(type, cell, x);
-    return sm_roll_get(cell, 0, kind);
+    return sm_roll_load(cell, 0, kind);
 }
 
 // Adds a sample to a window of any kind.
-SM_ROLL_INLINE void sm_roll_take(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
+SM_ROLL_INLINE void sm_roll_add_sample(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
 {
 #ifndef __OPTIMIZE_SIZE__
     if ((kind & SM_ROLL_MEDIAN) != 0 && n <= SM_ROLL_SHORT)
@@ -566,10 +566,10 @@ SM_ROLL_INLINE void sm_roll_take(uint64_t *w, uint32_t n, uint32_t kind, int64_t
 #endif
     {
         if ((kind & SM_ROLL_MEDIAN) != 0)
-            sm_roll_sort_in(w, n, kind, sm_roll_turned(kind, sample));
+            sm_roll_insert_sorted(w, n, kind, sm_roll_key(kind, sample));
         sm_roll_push(w, n, kind, sample);
     }
-    if (sm_roll_node_keeps(n, kind) != 0)
+    if (sm_roll_node_partials(n, kind) != 0)
         sm_roll_combine(w, n, kind);
 }
 
@@ -584,11 +584,11 @@ static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, S
 }
 #elif SM_ROLL_SMALL
 // Describes a window for roll_small.h.
-SM_ROLL_APART void sm_roll_small(SmRollSmall *s, const uint64_t *w, size_t n, uint16_t kind)
+SM_ROLL_NOINLINE void sm_roll_small_init(SmRollSmall *s, const uint64_t *w, size_t n, uint16_t kind)
 {
     s->type = (uint8_t)kind & SM_ROLL_TYPE;
     s->bytes = (uint8_t)(1u << sm_roll_shift(s->type));
-    s->slot = (unsigned char *)(uintptr_t)(w + sm_roll_slots((uint32_t)n, kind));
+    s->slot = (unsigned char *)(uintptr_t)(w + sm_roll_slots_at((uint32_t)n, kind));
     s->sorted = (kind & SM_ROLL_MEDIAN) == 0 ? NULL : s->slot + ((n * s->bytes + 7u) & ~(size_t)7);
     s->n = n;
     s->count = (size_t)sm_roll_count(w);
@@ -599,11 +599,11 @@ SM_ROLL_APART void sm_roll_small(SmRollSmall *s, const uint64_t *w, size_t n, ui
 static inline void sm_roll_sample_cell(uint64_t *w, uint32_t n, uint32_t kind, unsigned char *cell)
 {
     SmRollSmall s;
-    sm_roll_small(&s, w, (size_t)n, (uint16_t)kind);
+    sm_roll_small_init(&s, w, (size_t)n, (uint16_t)kind);
     sm_roll_small_push(&s, cell);
     if (s.count < s.n)
-        sm_roll_put((unsigned char *)w, 0, SM_ROLL_U32, (int64_t)(s.count + 1));
-    sm_roll_put((unsigned char *)w, 1, SM_ROLL_U32, (int64_t)(s.next + 1 < s.n ? s.next + 1 : 0));
+        sm_roll_store((unsigned char *)w, 0, SM_ROLL_U32, (int64_t)(s.count + 1));
+    sm_roll_store((unsigned char *)w, 1, SM_ROLL_U32, (int64_t)(s.next + 1 < s.n ? s.next + 1 : 0));
 }
 
 // Converts a number to the window's type, as a store does, and adds it as a sample.
@@ -619,7 +619,7 @@ static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, S
 {
     SmF64 x[SM_ROLL_WAITING];
     SmRollSmall s;
-    sm_roll_small(&s, w, (size_t)n, (uint16_t)kind);
+    sm_roll_small_init(&s, w, (size_t)n, (uint16_t)kind);
     s.count += s.count == 0;                         // an empty window: its slots contain 0
     sm_roll_small_stat(&s, stat, x);
     return x[0];
@@ -629,24 +629,24 @@ static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, S
 static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x)
 {
 #ifdef __OPTIMIZE_SIZE__
-    sm_roll_take(w, n, kind, sm_roll_converted(kind, x));
+    sm_roll_add_sample(w, n, kind, sm_roll_convert(kind, x));
 #else
     const uint32_t stats = kind & ~(uint32_t)SM_ROLL_TYPE;
     switch (kind & SM_ROLL_TYPE) {
-    case SM_ROLL_I8: sm_roll_take(w, n, stats | SM_ROLL_I8, sm_to_i8(x)); break;
-    case SM_ROLL_I16: sm_roll_take(w, n, stats | SM_ROLL_I16, sm_to_i16(x)); break;
-    case SM_ROLL_I32: sm_roll_take(w, n, stats | SM_ROLL_I32, sm_to_i32(x)); break;
-    case SM_ROLL_U16: sm_roll_take(w, n, stats | SM_ROLL_U16, sm_to_u16(x)); break;
-    case SM_ROLL_U32: sm_roll_take(w, n, stats | SM_ROLL_U32, sm_to_u32(x)); break;
-    case SM_ROLL_F32: sm_roll_take(w, n, stats | SM_ROLL_F32, sm_roll_of_f32(sm_to_f32(x))); break;
-    case SM_ROLL_F64: sm_roll_take(w, n, stats | SM_ROLL_F64, sm_roll_of_f64(x)); break;
-    default: sm_roll_take(w, n, stats | SM_ROLL_U8, sm_roll_converted(kind, x)); break;
+    case SM_ROLL_I8: sm_roll_add_sample(w, n, stats | SM_ROLL_I8, sm_to_i8(x)); break;
+    case SM_ROLL_I16: sm_roll_add_sample(w, n, stats | SM_ROLL_I16, sm_to_i16(x)); break;
+    case SM_ROLL_I32: sm_roll_add_sample(w, n, stats | SM_ROLL_I32, sm_to_i32(x)); break;
+    case SM_ROLL_U16: sm_roll_add_sample(w, n, stats | SM_ROLL_U16, sm_to_u16(x)); break;
+    case SM_ROLL_U32: sm_roll_add_sample(w, n, stats | SM_ROLL_U32, sm_to_u32(x)); break;
+    case SM_ROLL_F32: sm_roll_add_sample(w, n, stats | SM_ROLL_F32, sm_roll_of_f32(sm_to_f32(x))); break;
+    case SM_ROLL_F64: sm_roll_add_sample(w, n, stats | SM_ROLL_F64, sm_roll_of_f64(x)); break;
+    default: sm_roll_add_sample(w, n, stats | SM_ROLL_U8, sm_roll_convert(kind, x)); break;
     }
 #endif
 }
 
 // Reads one of the statistics that the window supports.
-SM_ROLL_INLINE SmF64 sm_roll_ask(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
+SM_ROLL_INLINE SmF64 sm_roll_read_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
     switch (stat) {
     case SM_STAT_AVG: return sm_roll_avg(w, n, kind);
@@ -663,18 +663,18 @@ SM_ROLL_INLINE SmF64 sm_roll_ask(const uint64_t *w, uint32_t n, uint32_t kind, S
 static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
 #ifdef __OPTIMIZE_SIZE__
-    return sm_roll_ask(w, n, kind, stat);
+    return sm_roll_read_stat(w, n, kind, stat);
 #else
     const uint32_t stats = kind & ~(uint32_t)SM_ROLL_TYPE;
     switch (kind & SM_ROLL_TYPE) {
-    case SM_ROLL_I8: return sm_roll_ask(w, n, stats | SM_ROLL_I8, stat);
-    case SM_ROLL_I16: return sm_roll_ask(w, n, stats | SM_ROLL_I16, stat);
-    case SM_ROLL_I32: return sm_roll_ask(w, n, stats | SM_ROLL_I32, stat);
-    case SM_ROLL_U16: return sm_roll_ask(w, n, stats | SM_ROLL_U16, stat);
-    case SM_ROLL_U32: return sm_roll_ask(w, n, stats | SM_ROLL_U32, stat);
-    case SM_ROLL_F32: return sm_roll_ask(w, n, stats | SM_ROLL_F32, stat);
-    case SM_ROLL_F64: return sm_roll_ask(w, n, stats | SM_ROLL_F64, stat);
-    default: return sm_roll_ask(w, n, stats | SM_ROLL_U8, stat);
+    case SM_ROLL_I8: return sm_roll_read_stat(w, n, stats | SM_ROLL_I8, stat);
+    case SM_ROLL_I16: return sm_roll_read_stat(w, n, stats | SM_ROLL_I16, stat);
+    case SM_ROLL_I32: return sm_roll_read_stat(w, n, stats | SM_ROLL_I32, stat);
+    case SM_ROLL_U16: return sm_roll_read_stat(w, n, stats | SM_ROLL_U16, stat);
+    case SM_ROLL_U32: return sm_roll_read_stat(w, n, stats | SM_ROLL_U32, stat);
+    case SM_ROLL_F32: return sm_roll_read_stat(w, n, stats | SM_ROLL_F32, stat);
+    case SM_ROLL_F64: return sm_roll_read_stat(w, n, stats | SM_ROLL_F64, stat);
+    default: return sm_roll_read_stat(w, n, stats | SM_ROLL_U8, stat);
     }
 #endif
 }

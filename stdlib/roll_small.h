@@ -11,9 +11,9 @@
 
 // For functions that must not be inlined when optimizing for size.
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
-#define SM_ROLL_APART __attribute__((noinline, unused)) static
+#define SM_ROLL_NOINLINE __attribute__((noinline, unused)) static
 #else
-#define SM_ROLL_APART static inline
+#define SM_ROLL_NOINLINE static inline
 #endif
 
 typedef struct SmRollSmall {
@@ -35,7 +35,7 @@ static inline bool sm_roll_is_real(uint8_t type) { return type == SM_F32 || type
 static inline bool sm_roll_is_signed(uint8_t type) { return type < SM_U8 || sm_roll_is_real(type); }
 
 // Converts the bits of an F32 or F64 to a key, or a key to these bits: for negative ones, flips all bits but the sign.
-SM_ROLL_APART void sm_roll_turn_over(uint8_t type, uint8_t bytes, unsigned char *key)
+SM_ROLL_NOINLINE void sm_roll_small_key(uint8_t type, uint8_t bytes, unsigned char *key)
 {
     uint8_t i;
     if (!sm_roll_is_real(type) || key[sm_roll_byte((uint8_t)(bytes - 1), bytes)] < 0x80u)
@@ -46,10 +46,10 @@ SM_ROLL_APART void sm_roll_turn_over(uint8_t type, uint8_t bytes, unsigned char 
 }
 
 // The address of sample i in an array.
-SM_ROLL_APART unsigned char *sm_roll_at(const SmRollSmall *s, unsigned char *row, size_t i) { return row + i * s->bytes; }
+SM_ROLL_NOINLINE unsigned char *sm_roll_small_at(const SmRollSmall *s, unsigned char *row, size_t i) { return row + i * s->bytes; }
 
 // Whether key a is below key b.
-static inline bool sm_roll_below(const SmRollSmall *s, const unsigned char *a, const unsigned char *b)
+static inline bool sm_roll_is_below(const SmRollSmall *s, const unsigned char *a, const unsigned char *b)
 {
     uint8_t i = s->bytes, at, sign = sm_roll_is_signed(s->type) ? 0x80u : 0;
     for (;;) {
@@ -61,7 +61,7 @@ static inline bool sm_roll_below(const SmRollSmall *s, const unsigned char *a, c
 }
 
 // Adds the key of a whole number to a sum of eight bytes.
-SM_ROLL_APART void sm_roll_add_whole(const SmRollSmall *s, unsigned char *sum, const unsigned char *key)
+SM_ROLL_NOINLINE void sm_roll_add_integer(const SmRollSmall *s, unsigned char *sum, const unsigned char *key)
 {
     const uint8_t bytes = s->bytes;
     uint8_t b, fill = 0;
@@ -81,17 +81,17 @@ SM_ROLL_APART void sm_roll_add_whole(const SmRollSmall *s, unsigned char *sum, c
 }
 
 // Converts a key to its number.
-SM_ROLL_APART void sm_roll_number(const SmRollSmall *s, SmF64 *x, const unsigned char *key)
+SM_ROLL_NOINLINE void sm_roll_small_value(const SmRollSmall *s, SmF64 *x, const unsigned char *key)
 {
     uint64_t whole = 0;
     float f;
     if (!sm_roll_is_real(s->type)) {
-        sm_roll_add_whole(s, (unsigned char *)&whole, key);
+        sm_roll_add_integer(s, (unsigned char *)&whole, key);
         *x = sm_from_i64((int64_t)whole);
         return;
     }
     memcpy(x, key, s->bytes);
-    sm_roll_turn_over(s->type, s->bytes, (unsigned char *)x);
+    sm_roll_small_key(s->type, s->bytes, (unsigned char *)x);
     if (s->type == SM_F32) {
         memcpy(&f, x, sizeof f);
         *x = sm_from_f32(f);
@@ -101,14 +101,14 @@ SM_ROLL_APART void sm_roll_number(const SmRollSmall *s, SmF64 *x, const unsigned
 // ---- a sample ----
 
 // The first place after the ordered samples that are below key.
-static inline unsigned char *sm_roll_find(const SmRollSmall *s, const unsigned char *key)
+static inline unsigned char *sm_roll_find_position(const SmRollSmall *s, const unsigned char *key)
 {
     unsigned char *at = s->sorted;
     size_t left = s->count, half;
     for (; left > 0; left = half) {
         half = left / 2;
-        if (sm_roll_below(s, sm_roll_at(s, at, half), key)) {
-            at = sm_roll_at(s, at, half + 1);
+        if (sm_roll_is_below(s, sm_roll_small_at(s, at, half), key)) {
+            at = sm_roll_small_at(s, at, half + 1);
             half = left - half - 1;
         }
     }
@@ -116,11 +116,11 @@ static inline unsigned char *sm_roll_find(const SmRollSmall *s, const unsigned c
 }
 
 // Inserts a key among the ordered ones; if the window is full, removes the oldest.
-SM_ROLL_APART void sm_roll_sort(const SmRollSmall *s, const unsigned char *key)
+SM_ROLL_NOINLINE void sm_roll_small_insert(const SmRollSmall *s, const unsigned char *key)
 {
-    unsigned char *from = sm_roll_at(s, s->sorted, s->count), *to = sm_roll_find(s, key);
+    unsigned char *from = sm_roll_small_at(s, s->sorted, s->count), *to = sm_roll_find_position(s, key);
     if (s->count == s->n)
-        from = sm_roll_find(s, sm_roll_at(s, s->slot, s->next));
+        from = sm_roll_find_position(s, sm_roll_small_at(s, s->slot, s->next));
     if (from < to) {
         to -= s->bytes;
         memmove(from, from + s->bytes, (size_t)(to - from));
@@ -131,18 +131,18 @@ SM_ROLL_APART void sm_roll_sort(const SmRollSmall *s, const unsigned char *key)
 }
 
 // Adds a sample that is already stored in the window's type.  The caller must count it.
-SM_ROLL_APART void sm_roll_small_push(const SmRollSmall *s, unsigned char *key)
+SM_ROLL_NOINLINE void sm_roll_small_push(const SmRollSmall *s, unsigned char *key)
 {
-    sm_roll_turn_over(s->type, s->bytes, key);
+    sm_roll_small_key(s->type, s->bytes, key);
     if (s->sorted != NULL)
-        sm_roll_sort(s, key);
-    memcpy(sm_roll_at(s, s->slot, s->next), key, s->bytes);
+        sm_roll_small_insert(s, key);
+    memcpy(sm_roll_small_at(s, s->slot, s->next), key, s->bytes);
 }
 
 // ---- statistics ----
 
 // *x = *x op *y.
-SM_ROLL_APART void sm_roll_calculate(SmF64 *x, char op, const SmF64 *y)
+SM_ROLL_NOINLINE void sm_roll_calculate(SmF64 *x, char op, const SmF64 *y)
 {
     const SmF64 a = *x, b = *y;
     *x = op == '+' ? sm_add(a, b) : op == '-' ? sm_sub(a, b) : op == '*' ? sm_mul(a, b) : sm_div(a, b);
@@ -150,7 +150,7 @@ SM_ROLL_APART void sm_roll_calculate(SmF64 *x, char op, const SmF64 *y)
 
 // Adds slots in pairs, the sums in pairs again, and so on; sums that wait for their partner are stored in x.  Whole numbers have the same
 // sum in any order, because the sum of 100000 of them has less than 53 bits.  So they are added to x[0] as an integer.
-SM_ROLL_APART void sm_roll_small_avg(const SmRollSmall *s, SmF64 *x)
+SM_ROLL_NOINLINE void sm_roll_small_avg(const SmRollSmall *s, SmF64 *x)
 {
     const bool real = sm_roll_is_real(s->type);
     const unsigned char *at = s->slot;
@@ -160,11 +160,11 @@ SM_ROLL_APART void sm_roll_small_avg(const SmRollSmall *s, SmF64 *x)
         *end++ = sm_from_bits(0);
     for (i = 0; i < s->count; i++, at += s->bytes)
         if (real) {
-            sm_roll_number(s, end++, at);
+            sm_roll_small_value(s, end++, at);
             for (whole = i; whole % 2 != 0; whole /= 2, end--)
                 sm_roll_calculate(end - 2, '+', end - 1);
         } else
-            sm_roll_add_whole(s, (unsigned char *)x, at);
+            sm_roll_add_integer(s, (unsigned char *)x, at);
     for (; end != x + 1; end--)
         sm_roll_calculate(end - 2, '+', end - 1);
     if (!real)
@@ -174,19 +174,19 @@ SM_ROLL_APART void sm_roll_small_avg(const SmRollSmall *s, SmF64 *x)
 }
 
 // The number of the ordered sample of a rank.  Without an order: the smallest for rank 0, else the largest.
-SM_ROLL_APART void sm_roll_small_ordered(const SmRollSmall *s, SmF64 *x, size_t rank)
+SM_ROLL_NOINLINE void sm_roll_small_value_of_rank(const SmRollSmall *s, SmF64 *x, size_t rank)
 {
     const unsigned char *at = s->slot, *best = at;
     size_t i;
     if (s->sorted != NULL)
-        best = sm_roll_at(s, s->sorted, rank);
+        best = sm_roll_small_at(s, s->sorted, rank);
     else
         for (i = s->count; --i > 0;) {
             at += s->bytes;
-            if (rank == 0 ? sm_roll_below(s, at, best) : sm_roll_below(s, best, at))
+            if (rank == 0 ? sm_roll_is_below(s, at, best) : sm_roll_is_below(s, best, at))
                 best = at;
         }
-    sm_roll_number(s, x, best);
+    sm_roll_small_value(s, x, best);
 }
 
 static inline bool sm_roll_is_infinite(const SmF64 *x)       // only for positive numbers
@@ -202,7 +202,7 @@ static inline bool sm_roll_is_infinite(const SmF64 *x)       // only for positiv
 #endif
 
 // Computes a statistic of a window with at least one sample, into x[0].  x has room for SM_ROLL_WAITING numbers.
-SM_ROLL_APART void sm_roll_small_stat(const SmRollSmall *s, SmStat stat, SmF64 *x)
+SM_ROLL_NOINLINE void sm_roll_small_stat(const SmRollSmall *s, SmStat stat, SmF64 *x)
 {
     const bool median = stat == SM_STAT_MEDIAN;
     const size_t last = s->count - 1, low = median ? last / 2 : stat == SM_STAT_MAX ? last : 0;
@@ -212,10 +212,10 @@ SM_ROLL_APART void sm_roll_small_stat(const SmRollSmall *s, SmStat stat, SmF64 *
         sm_roll_small_avg(s, x);
         return;
     }
-    sm_roll_small_ordered(s, x, low);
+    sm_roll_small_value_of_rank(s, x, low);
     if (low == high && stat != SM_STAT_RANGE)
         return;
-    sm_roll_small_ordered(s, b, high);
+    sm_roll_small_value_of_rank(s, b, high);
     sm_roll_calculate(b, '-', x);
     if (!sm_to_bool(*b)) {                 // 0, or NaN: equal infinities
         if (!median)
@@ -228,7 +228,7 @@ SM_ROLL_APART void sm_roll_small_stat(const SmRollSmall *s, SmStat stat, SmF64 *
     }
     *half = sm_from_bits(0x3FE0000000000000u);
     if (sm_roll_is_infinite(b)) {          // too far apart: the difference is infinite
-        sm_roll_small_ordered(s, b, high);
+        sm_roll_small_value_of_rank(s, b, high);
         sm_roll_calculate(x, '*', half);
     }
     sm_roll_calculate(b, '*', half);

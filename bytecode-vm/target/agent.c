@@ -208,7 +208,7 @@ static void put_event(Agent *a, const uint8_t *event)
 {
     for (uint8_t i = 0; i < sizeof fields / sizeof *fields; i++) {
         struct EventField f;
-        sm_flash_get(&f, &fields[i], sizeof f);
+        sm_flash_read(&f, &fields[i], sizeof f);
         for (uint8_t b = 0; b < f.bytes; b++)
             put_u8(a, event[f.at + sm_roll_byte(b, f.bytes)]);
     }
@@ -258,7 +258,7 @@ static SmResult dispatch(Agent *a, uint8_t message)
 {
     for (uint8_t i = 0; i < sizeof handlers / sizeof *handlers; i++) {
         AgentHandler h;
-        sm_flash_get(&h, &handlers[i], sizeof h);
+        sm_flash_read(&h, &handlers[i], sizeof h);
         if (h.message == message)
             return run_handler(&h, a);
     }

@@ -143,7 +143,7 @@ static void sample(uint32_t n, uint32_t kind, double x)
 {
 #if SM_ROLL_SMALL
     if (n <= EMITTED)
-        sm_roll_take(emitted, n, kind, sm_roll_converted(kind, x));
+        sm_roll_add_sample(emitted, n, kind, sm_roll_convert(kind, x));
 #endif
     sm_roll_sample(memory, n, kind, x);
 }

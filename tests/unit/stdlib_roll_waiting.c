@@ -29,7 +29,7 @@ int main(void)
     CHECK(sm_roll_words(SLOTS, kind) <= SLOTS + 2);
     for (uint32_t i = 0; i < SLOTS; i++)
         sm_roll_sample(memory, SLOTS, kind, sm_from_u32(1));
-    sm_roll_small(&window, memory, SLOTS, (uint16_t)kind);
+    sm_roll_small_init(&window, memory, SLOTS, (uint16_t)kind);
     for (uint32_t samples = 1; samples <= SLOTS; samples++)
         check_average(samples);
     return test_end("stdlib_roll_waiting");

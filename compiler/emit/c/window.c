@@ -88,7 +88,7 @@ void c_write_sample(CFn *fn, const IrIns *i)
     write_key(fn, i->a, (SmType)(kind_of(w) & SM_ROLL_TYPE));
     buf_str(&fn->line, ");");
     c_end_line(fn);
-    if (sm_roll_node_keeps(w->size, kind_of(w)) == 0)
+    if (sm_roll_node_partials(w->size, kind_of(w)) == 0)
         return;
     write_call(fn->u, "sm_roll_combine", i->var, &fn->line);
     buf_str(&fn->line, ");");
