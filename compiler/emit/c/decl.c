@@ -121,7 +121,7 @@ static void write_status(const CNames *n, Buf *out)
     buf_printf(out, "    %s_OK,\n", n->macro);
     buf_printf(out, "    %s_REFUSED,     // step: time did not advance; nothing changed\n", n->macro);
     buf_printf(out, "    %s_NO_STATE,    // init: no state has that number; step: init has not succeeded\n", n->macro);
-    buf_printf(out, "    %s_UNFIT        // init: built or run in a way that changes what arithmetic means\n", n->macro);
+    buf_printf(out, "    %s_UNFIT        // init: built or run in a way that changes the results of arithmetic\n", n->macro);
     buf_printf(out, "} %sStatus;\n", n->type);
 }
 
@@ -147,7 +147,7 @@ bool c_is_output(const IrMachine *m, size_t v)
 
 static void write_stored(const CUnit *u, Buf *out)
 {
-    buf_printf(out, "// Which elements the last step that was not refused has stored.\n"
+    buf_printf(out, "// The elements that were stored by the last step that was not refused.\n"
                     "typedef struct %sStored {\n", u->names.type);
     for (size_t v = 0; v < u->m->var.n; v++)
         if (c_is_output(u->m, v))

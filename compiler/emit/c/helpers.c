@@ -62,9 +62,9 @@ static void use_dependencies(CUnit *u, int i, const char *text)
 enum { TOO_MANY = 500 };
 static const char apart_text[] =
     "#if defined(__GNUC__)\n"
-    "#define SM_APART __attribute__((noinline))    // called from many places\n"
+    "#define SM_NOINLINE __attribute__((noinline))    // called from many places\n"
     "#else\n"
-    "#define SM_APART\n"
+    "#define SM_NOINLINE\n"
     "#endif\n";
 
 static bool stays_apart(const CUnit *u, int i)
@@ -80,7 +80,7 @@ static void write_text(const CUnit *u, int i, const char *text, Buf *out)
     const char *at = stays_apart(u, i) ? strstr(text, inlined) : NULL;
 
     if (at)
-        buf_printf(out, "%.*sstatic SM_APART %s\n", (int)(at - text), text, at + sizeof inlined - 1);
+        buf_printf(out, "%.*sstatic SM_NOINLINE %s\n", (int)(at - text), text, at + sizeof inlined - 1);
     else
         buf_printf(out, "%s\n", text);
 }

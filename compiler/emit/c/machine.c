@@ -231,7 +231,7 @@ static void write_gate(const CUnit *u, const CStep *w, Buf *out)
 {
     const CNames *n = &u->names;
 
-    buf_str(out, "\n    // The gate is 0 before a state's first step and where init has not succeeded.\n"
+    buf_str(out, "\n    // The gate is 0 before a state's first step, and if init has not succeeded.\n"
                  "    if (left >= m->gate_) {\n        if (!m->first_ || left >= m->left_) {\n");
     buf_printf(out, "            return m->state_ == 0 ? %s_NO_STATE : %s_REFUSED;\n        }\n", n->macro, n->macro);
     buf_printf(out, "        m->first_ = false;\n%s        m->start_ = sv->%s;\n        sv->%s = m->state_;\n    }\n    m->gate_ = left;\n",

@@ -44,7 +44,7 @@ static void write_variables(const CUnit *u, const StateVec *sv, const CVectorNam
     buf_printf(out, "extern %s %s_sv;        // %s\n", u->names.sv_type, p,
                sv->lock ? "its elements; only for code that holds its lock" : "its elements; for one thread");
     buf_printf(out, "extern SmStateVec %s_vector;\nextern const SmLayout %s_layout;\n", p, p);
-    buf_printf(out, "extern const SmElement %s_element[];        // by the numbers that follow\n", p);
+    buf_printf(out, "extern const SmElement %s_element[];        // by the numbers below\n", p);
     buf_printf(out, "extern const SmNames %s_names;\n\n", p);
     write_enum(out, n->element, sv->element.n, format_in(u->arena, "%s_ELEMENTS", u->names.macro));
     write_enum(out, n->region, sv->region.n, format_in(u->arena, "%s_REGIONS", u->names.macro));
