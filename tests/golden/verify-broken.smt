@@ -11,7 +11,7 @@ bool open
 .step
     open = true
 -- stderr --
-smc: a.smb: refused, because rule 4 is violated at byte 4: its CRC-32 is right
+smc: a.smb: refused, because rule 4 is violated at byte 4: its CRC-32 is correct
 smc: it is damaged, or not all of it is there: copy it again, or build it again from its sources
 -- exit --
 0 1
