@@ -135,7 +135,8 @@ static SmResult bind_to(int fd, const PalAddress *own)
     return bind(fd, (struct sockaddr *)&a, sizeof a) == 0 ? SM_OK : psl_result_of_errno(errno);
 }
 
-SmResult pal_socket_udp(PalSocket *s, const PalAddress *own)
+// Opens a socket of this kind with one option set, bound to `own`.
+static SmResult open_bound(PalSocket *s, const PalAddress *own, SocketKind kind, int option)
 {
     uint8_t id;
     SmResult r;
@@ -146,33 +147,19 @@ SmResult pal_socket_udp(PalSocket *s, const PalAddress *own)
     id = allocate_entry();
     if (id == 0)
         return SM_E_FULL;
-    fd = new_socket(SOCK_DGRAM);
-    r = fd < 0 ? psl_result_of_errno(errno) : set_option(fd, SOL_SOCKET, SO_BROADCAST);
+    fd = new_socket(kind == DATAGRAMS ? SOCK_DGRAM : SOCK_STREAM);
+    r = fd < 0 ? psl_result_of_errno(errno) : set_option(fd, SOL_SOCKET, option);
     if (r == SM_OK)
         r = bind_to(fd, own);
-    return finish_open(s, id, fd, DATAGRAMS, r);
+    if (r == SM_OK && kind == LISTENING && listen(fd, PAL_SOCKETS) != 0)
+        r = psl_result_of_errno(errno);
+    return finish_open(s, id, fd, kind, r);
 }
+
+SmResult pal_socket_udp(PalSocket *s, const PalAddress *own) { return open_bound(s, own, DATAGRAMS, SO_BROADCAST); }
 
 // SO_REUSEADDR: the port of a program that has just ended is immediately available again.
-SmResult pal_socket_listen(PalSocket *s, const PalAddress *own)
-{
-    uint8_t id;
-    SmResult r;
-    int fd;
-
-    if (!s || !own)
-        return SM_E_ARGUMENT;
-    id = allocate_entry();
-    if (id == 0)
-        return SM_E_FULL;
-    fd = new_socket(SOCK_STREAM);
-    r = fd < 0 ? psl_result_of_errno(errno) : set_option(fd, SOL_SOCKET, SO_REUSEADDR);
-    if (r == SM_OK)
-        r = bind_to(fd, own);
-    if (r == SM_OK && listen(fd, PAL_SOCKETS) != 0)
-        r = psl_result_of_errno(errno);
-    return finish_open(s, id, fd, LISTENING, r);
-}
+SmResult pal_socket_listen(PalSocket *s, const PalAddress *own) { return open_bound(s, own, LISTENING, SO_REUSEADDR); }
 
 // Waits until the pending connection is established.
 static SmResult wait_until_connected(int fd, uint64_t deadline)
