@@ -14,7 +14,7 @@ enum { THE_END = 0 };                                 // index of the word that 
 
 // ---- operands ----
 
-static DecodedValue constant(const DecodeState *d, unsigned op, uint32_t n)
+static DecodedValue value_of_constant(const DecodeState *d, unsigned op, uint32_t n)
 {
     const SmvmMachine *m = d->m;
 
@@ -27,14 +27,14 @@ static DecodedValue constant(const DecodeState *d, unsigned op, uint32_t n)
 }
 
 // The operand that ldx_ or ldy_ loads.
-static DecodedValue loaded(const DecodeState *d, unsigned op)
+static DecodedValue value_of_load(const DecodeState *d, unsigned op)
 {
     unsigned kind = op & 15u;
 
     if (op == SMVM_ldx_time || op == SMVM_ldy_time)
         return smvm_in_memory(SM_U64, THE_TIME, 0);
     if ((smvm_shape((uint8_t)op) & (SMVM_SHAPE_L | SMVM_SHAPE_E)) == 0)
-        return constant(d, op, d->n[0]);
+        return value_of_constant(d, op, d->n[0]);
     return smvm_in_memory(kind, smvm_shape((uint8_t)op) & SMVM_SHAPE_L ? A_LOCAL : AN_ELEMENT, d->n[0] * size_of_kind(kind));
 }
 
@@ -96,11 +96,11 @@ static void decode_instruction(DecodeState *d)
     else if ((shape & (SMVM_SHAPE_GX | SMVM_SHAPE_GY)) == 0)
         smvm_decode_store(d, op);
     else if ((shape & SMVM_SHAPE_GY) != 0)
-        d->y = loaded(d, op);
+        d->y = value_of_load(d, op);
     else if ((shape & SMVM_SHAPE_X) != 0 || op == SMVM_stat)
         decode_operation(d, op);
     else
-        d->x = loaded(d, op);
+        d->x = value_of_load(d, op);
 }
 
 // Resolves the jumps of a function once the words of all its instructions are known.

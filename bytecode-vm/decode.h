@@ -89,12 +89,12 @@ void smvm_emit_pair(DecodeState *d, FastOp family, const DecodedValue *x, const 
 enum { IS_TRUE = SMVM_LESS | SMVM_GREATER, IS_FALSE = SMVM_EQUAL | SMVM_UNORDERED };       // relations of x to 0
 
 // m without impossible relations: 0 if the condition is never true, 15 if it is always true.
-unsigned smvm_possible(unsigned m, const DecodedValue *x, const DecodedValue *y);
+unsigned smvm_possible_relations(unsigned m, const DecodedValue *x, const DecodedValue *y);
 
 // m; or, if neither operand can be NaN, an equivalent m with UNORDERED where an instruction exists only for that form (not equal).
-unsigned smvm_with_nan(unsigned m, const DecodedValue *x, const DecodedValue *y);
+unsigned smvm_add_unordered(unsigned m, const DecodedValue *x, const DecodedValue *y);
 
-DecodedValue *smvm_x_of(DecodeState *d);              // X, ready to be read: computes a deferred operation
+DecodedValue *smvm_ready_x(DecodeState *d);           // X, ready to be read: computes a deferred operation
 void smvm_load_x(DecodeState *d);                     // loads X into F
 void smvm_defer(DecodeState *d, uint8_t op, DecodedValue y);  // X = op of X, or of X and y
 

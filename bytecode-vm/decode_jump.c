@@ -4,7 +4,7 @@
 
 static unsigned mirror_relation(unsigned m) { return (m & 10u) | (m & SMVM_LESS) << 2 | (m & SMVM_GREATER) >> 2; }
 
-static unsigned relation(SmF64 x, SmF64 y)
+static unsigned compare(SmF64 x, SmF64 y)
 {
     if (sm_lt(x, y))
         return SMVM_LESS;
@@ -73,13 +73,13 @@ static void emit_jump_number(DecodeState *d, unsigned m, const DecodedValue *x, 
     int64_t v;
 
     if (is_integer(x) && smvm_is_whole(c->c, ((int64_t)1 << 53) - 1, &v) && (v >= 0 || x->kind != SM_U64)) {
-        smvm_emit_jump(d, (unsigned)conditions[smvm_with_nan(m, x, c)].whole + x->kind, target);
+        smvm_emit_jump(d, (unsigned)conditions[smvm_add_unordered(m, x, c)].whole + x->kind, target);
         smvm_emit_value(d, x);
         smvm_emit_u(d, (uint64_t)v);
         return;
     }
     if (is_never_nan(x))
-        m = (m & 7u) | ((m & relation(sm_from_i32(0), c->c)) != 0 ? SMVM_UNORDERED : 0u);
+        m = (m & 7u) | ((m & compare(sm_from_i32(0), c->c)) != 0 ? SMVM_UNORDERED : 0u);
     if (is_zero(c) && (m == IS_TRUE || m == IS_FALSE))
         emit_jump_truth(d, m == IS_TRUE, x, target);
     else if (conditions[m].number != 0) {
@@ -100,7 +100,7 @@ static bool is_swapped(unsigned m, const DecodedValue *x, const DecodedValue *y)
 
 static void emit_jump_if(DecodeState *d, unsigned m, DecodedValue x, DecodedValue y, uint32_t target)
 {
-    m = smvm_possible(m, &x, &y);
+    m = smvm_possible_relations(m, &x, &y);
     if (m == 0)
         return;
     if (m == 15) {
@@ -114,11 +114,11 @@ static void emit_jump_if(DecodeState *d, unsigned m, DecodedValue x, DecodedValu
     if (is_memory(&x) && is_constant(&y)) {
         emit_jump_number(d, m, &x, &y, target);
     } else if (is_memory(&x) && is_never_nan(&x) && x.kind == y.kind) {
-        smvm_emit_jump(d, (unsigned)conditions[smvm_with_nan(m, &x, &y)].pair + x.kind, target);
+        smvm_emit_jump(d, (unsigned)conditions[smvm_add_unordered(m, &x, &y)].pair + x.kind, target);
         smvm_emit_value(d, &x);
         smvm_emit_value(d, &y);
     } else {
-        m = smvm_with_nan(m, &x, &y);
+        m = smvm_add_unordered(m, &x, &y);
         smvm_emit_load(d, &x);
         emit_jump_with(d, m, &y, target);
     }
@@ -130,7 +130,7 @@ static void decode_jump_truth(DecodeState *d, bool when, uint32_t target)
     if (d->x.kind == DEFERRED && d->deferred.op == SMVM_set)
         emit_jump_if(d, when ? d->deferred.n : 15u - d->deferred.n, d->deferred.a, d->deferred.b, target);
     else
-        emit_jump_truth(d, when, smvm_x_of(d), target);
+        emit_jump_truth(d, when, smvm_ready_x(d), target);
 }
 
 void smvm_decode_jump(DecodeState *d, uint8_t op)
@@ -144,5 +144,5 @@ void smvm_decode_jump(DecodeState *d, uint8_t op)
     else if (op == SMVM_jt || op == SMVM_jf)
         decode_jump_truth(d, op == SMVM_jt, target);
     else
-        emit_jump_if(d, op & 15u, *smvm_x_of(d), y, target);
+        emit_jump_if(d, op & 15u, *smvm_ready_x(d), y, target);
 }

@@ -46,7 +46,7 @@ static void emit_number(DecodeState *d, const StoreTarget *to, SmF64 c)  // to m
 }
 
 // `to = x + c`, where both are of the same integer type, c is whole and small, and X is dead afterwards.  Returns false if it is not that.
-static bool put_count(DecodeState *d, const StoreTarget *to)
+static bool emit_count(DecodeState *d, const StoreTarget *to)
 {
     DecodedValue x = d->deferred.a, y = d->deferred.b;
     int64_t c;
@@ -64,7 +64,7 @@ static bool put_count(DecodeState *d, const StoreTarget *to)
 }
 
 // `to = F op y`, for an output or local of F32 or F64; y is of that type or a number.  Returns false if it is not that.
-static bool put_operation_to(DecodeState *d, const StoreTarget *to)
+static bool emit_operation_to(DecodeState *d, const StoreTarget *to)
 {
     static const uint16_t family[2][4][2] = {
         {{FAST_ADDST_F32_OP, FAST_ADDSTN_F32_OP}, {FAST_SUBST_F32_OP, FAST_SUBSTN_F32_OP}, {FAST_MULST_F32_OP, FAST_MULSTN_F32_OP},
@@ -90,11 +90,11 @@ static bool put_operation_to(DecodeState *d, const StoreTarget *to)
 }
 
 // Stores X at its destination.  X may still refer to memory after a move: an overlapping location of the same type is the same location.
-static void put_store(DecodeState *d, const StoreTarget *to)
+static void emit_store(DecodeState *d, const StoreTarget *to)
 {
-    if (put_count(d, to) || put_operation_to(d, to) || smvm_emit_statistic_to(d, to))
+    if (emit_count(d, to) || emit_operation_to(d, to) || smvm_emit_statistic_to(d, to))
         return;
-    if (is_constant(smvm_x_of(d))) {
+    if (is_constant(smvm_ready_x(d))) {
         emit_number(d, to, d->x.c);
     } else if (d->x.kind == to->to.kind) {
         emit_written(d, FAST_MOV_I8_OP, FAST_MOVN_I8_OP, d->x.kind, to);
@@ -118,5 +118,5 @@ void smvm_decode_store(DecodeState *d, uint8_t op)
     } else {
         to.to = smvm_in_memory(op & 15u, A_LOCAL, d->n[0] * size_of_kind(op & 15u));
     }
-    put_store(d, &to);
+    emit_store(d, &to);
 }

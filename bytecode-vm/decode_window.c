@@ -2,12 +2,12 @@
 // Samples and statistics in the decoded form.
 #include "bytecode-vm/decode.h"
 
-typedef struct Window { uint32_t index, n, kind; } Window;
+typedef struct DecodedWindow { uint32_t index, n, kind; } DecodedWindow;
 
-static Window window(const DecodeState *d, uint32_t w)
+static DecodedWindow read_window(const DecodeState *d, uint32_t w)
 {
     const uint32_t entry = smvm_window(d->m->image, d->m->windows_at, w);
-    Window v;
+    DecodedWindow v;
 
     v.index = w;
     v.n = entry & SMVM_WINDOW_SIZE_MASK;
@@ -15,7 +15,7 @@ static Window window(const DecodeState *d, uint32_t w)
     return v;
 }
 
-static void put_window(DecodeState *d, const Window *w)
+static void emit_window(DecodeState *d, const DecodedWindow *w)
 {
     if (d->out != NULL)
         smvm_word(d)->p = d->out->parts.window[w->index];
@@ -27,7 +27,7 @@ static void put_window(DecodeState *d, const Window *w)
 // The windows that have special instructions: of five types, not long, and with data for one statistic only or for both ends.
 enum { FOR_MEDIAN, FOR_AVG, FOR_ENDS, FOR_NONE };
 
-static unsigned made_for(const Window *w, unsigned *type)
+static unsigned choose_special_form(const DecodedWindow *w, unsigned *type)
 {
     static const uint8_t types[] = {SM_ROLL_I16, SM_ROLL_U16, SM_ROLL_I32, SM_ROLL_F32, SM_ROLL_F64};
     const uint32_t stats = w->kind & ~(uint32_t)SM_ROLL_TYPE;
@@ -43,62 +43,62 @@ static unsigned made_for(const Window *w, unsigned *type)
     return (stats & (SM_ROLL_MEDIAN | SM_ROLL_AVG)) == 0 && w->n <= SM_ROLL_SCAN ? FOR_ENDS : FOR_NONE;
 }
 
-static unsigned sampling(const Window *w, bool memory)
+static unsigned sample_op(const DecodedWindow *w, bool memory)
 {
     static const uint16_t family[2][3] = {{FAST_PUSH_MEDIAN_I16_OP, FAST_PUSH_AVG_I16_OP, FAST_PUSH_ENDS_I16_OP},
-                                          {FAST_TAKE_MEDIAN_I16_OP, FAST_TAKE_AVG_I16_OP, FAST_TAKE_ENDS_I16_OP}};
-    unsigned type, use = made_for(w, &type);
+                                          {FAST_PUSH_MEMORY_MEDIAN_I16_OP, FAST_PUSH_MEMORY_AVG_I16_OP, FAST_PUSH_MEMORY_ENDS_I16_OP}};
+    unsigned type, use = choose_special_form(w, &type);
 
     return use == FOR_NONE ? (unsigned)FAST_SAMPLE_OP : family[memory][use] + type;
 }
 
-static unsigned asking(const Window *w, uint32_t stat, bool store)
+static unsigned statistic_op(const DecodedWindow *w, uint32_t stat, bool store)
 {
     static const uint16_t family[2][SM_STAT_COUNT] = {             // indexed by SmStat; 0: no such instruction
         {FAST_AVG_I16_OP, FAST_MEDIAN_I16_OP, FAST_SMALLEST_I16_OP, FAST_LARGEST_I16_OP, FAST_RANGE_I16_OP},
         {FAST_AVGN_I16_OP, FAST_MEDIANN_I16_OP, 0, 0, FAST_RANGEN_I16_OP}};
     unsigned type;
 
-    return made_for(w, &type) == FOR_NONE || family[store][stat] == 0 ? (unsigned)FAST_STAT_OP : family[store][stat] + type;
+    return choose_special_form(w, &type) == FOR_NONE || family[store][stat] == 0 ? (unsigned)FAST_STAT_OP : family[store][stat] + type;
 }
 
 void smvm_decode_sample(DecodeState *d)
 {
-    const Window w = window(d, d->n[0]);
-    const DecodedValue *x = smvm_x_of(d);
-    const bool memory = is_memory(x) && x->kind == (w.kind & SM_ROLL_TYPE) && sampling(&w, true) != FAST_SAMPLE_OP;
+    const DecodedWindow w = read_window(d, d->n[0]);
+    const DecodedValue *x = smvm_ready_x(d);
+    const bool memory = is_memory(x) && x->kind == (w.kind & SM_ROLL_TYPE) && sample_op(&w, true) != FAST_SAMPLE_OP;
 
     if (!memory)
         smvm_load_x(d);
-    smvm_emit_op(d, sampling(&w, memory));
-    put_window(d, &w);
+    smvm_emit_op(d, sample_op(&w, memory));
+    emit_window(d, &w);
     if (memory)
         smvm_emit_value(d, x);
 }
 
 void smvm_emit_statistic(DecodeState *d)
 {
-    const Window w = window(d, d->deferred.w);
+    const DecodedWindow w = read_window(d, d->deferred.w);
 
-    smvm_emit_op(d, asking(&w, d->deferred.n, false));
-    put_window(d, &w);
+    smvm_emit_op(d, statistic_op(&w, d->deferred.n, false));
+    emit_window(d, &w);
     smvm_emit_u(d, d->deferred.n);
 }
 
 // Succeeds if such an instruction exists and the destination is one of the first 64 outputs.
 bool smvm_emit_statistic_to(DecodeState *d, const StoreTarget *to)
 {
-    Window w;
+    DecodedWindow w;
 
     if (d->x.kind != DEFERRED || d->deferred.op != SMVM_stat || !to->output || to->index >= 64)
         return false;
-    w = window(d, d->deferred.w);
-    if ((w.kind & SM_ROLL_TYPE) != to->to.kind || asking(&w, d->deferred.n, true) == FAST_STAT_OP)
+    w = read_window(d, d->deferred.w);
+    if ((w.kind & SM_ROLL_TYPE) != to->to.kind || statistic_op(&w, d->deferred.n, true) == FAST_STAT_OP)
         return false;
-    smvm_emit_op(d, asking(&w, d->deferred.n, true));
+    smvm_emit_op(d, statistic_op(&w, d->deferred.n, true));
     smvm_emit_u(d, (uint64_t)1 << to->index);
     smvm_emit_value(d, &to->to);
-    put_window(d, &w);
+    emit_window(d, &w);
     smvm_emit_u(d, d->deferred.n);
     d->x.kind = FAST_A;
     return true;

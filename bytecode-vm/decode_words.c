@@ -31,7 +31,7 @@ static void emit_f(DecodeState *d, SmF64 f)
     d->words++;
 }
 
-static void *address(const DecodeState *d, const DecodedValue *v)
+static void *value_address(const DecodeState *d, const DecodedValue *v)
 {
     switch (v->is) {
     case A_LOCAL: return d->out->parts.local + v->offset;
@@ -47,7 +47,7 @@ void smvm_emit_value(DecodeState *d, const DecodedValue *v)
         return;
     }
     if (d->out != NULL && v->kind <= FAST_RAW)
-        smvm_word(d)->p = address(d, v);
+        smvm_word(d)->p = value_address(d, v);
     d->words++;
 }
 

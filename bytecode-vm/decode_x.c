@@ -54,14 +54,14 @@ static void emit_binary(DecodeState *d, uint8_t op, DecodedValue x, DecodedValue
 
 // ---- relations: sums of SMVM_LESS and so on, of x to y ----
 
-unsigned smvm_possible(unsigned m, const DecodedValue *x, const DecodedValue *y)
+unsigned smvm_possible_relations(unsigned m, const DecodedValue *x, const DecodedValue *y)
 {
     unsigned can = is_never_nan(x) && is_never_nan(y) ? 7u : 15u;
 
     return (m & can) == 0 ? 0 : (m & can) == can ? 15u : m & can;
 }
 
-unsigned smvm_with_nan(unsigned m, const DecodedValue *x, const DecodedValue *y)
+unsigned smvm_add_unordered(unsigned m, const DecodedValue *x, const DecodedValue *y)
 {
     return m == IS_TRUE && is_never_nan(x) && is_never_nan(y) ? m | SMVM_UNORDERED : m;
 }
@@ -71,13 +71,13 @@ static void emit_set(DecodeState *d, unsigned m, DecodedValue x, DecodedValue y)
     static const uint16_t of[16] = {0, FAST_LT_I8_OP, FAST_EQ_I8_OP, FAST_LE_I8_OP, FAST_GT_I8_OP, 0, FAST_GE_I8_OP, 0, 0, 0, 0, 0, 0, FAST_NE_I8_OP, 0, 0};
     DecodedValue c;
 
-    m = smvm_possible(m, &x, &y);
+    m = smvm_possible_relations(m, &x, &y);
     if (m == 0 || m == 15) {
         c = smvm_constant(sm_from_bool(m != 0));
         smvm_emit_load(d, &c);
         return;
     }
-    m = smvm_with_nan(m, &x, &y);
+    m = smvm_add_unordered(m, &x, &y);
     smvm_emit_load(d, &x);
     if (is_zero(&y) && of[m] == 0 && (m == IS_TRUE || m == IS_FALSE)) {
         smvm_emit_op(d, m == IS_TRUE ? FAST_TRUTH_OP : FAST_NOT_OP);
@@ -91,7 +91,7 @@ static void emit_set(DecodeState *d, unsigned m, DecodedValue x, DecodedValue y)
 // ---- deferred X ----
 
 // Puts the deferred operation of X, whose result is then in F.
-static void compute(DecodeState *d)
+static void emit_deferred(DecodeState *d)
 {
     const DeferredOp *l = &d->deferred;
 
@@ -110,16 +110,16 @@ static void compute(DecodeState *d)
     d->x.kind = FAST_A;
 }
 
-DecodedValue *smvm_x_of(DecodeState *d)
+DecodedValue *smvm_ready_x(DecodeState *d)
 {
     if (d->x.kind == DEFERRED)
-        compute(d);
+        emit_deferred(d);
     return &d->x;
 }
 
 void smvm_load_x(DecodeState *d)
 {
-    smvm_emit_load(d, smvm_x_of(d));
+    smvm_emit_load(d, smvm_ready_x(d));
     d->x.kind = FAST_A;
 }
 
@@ -138,7 +138,7 @@ void smvm_defer(DecodeState *d, uint8_t op, DecodedValue y)
 
     if (op == SMVM_cvt && is_of_type(d, d->n[0]))
         return;
-    x = opposite ? d->deferred.a : *smvm_x_of(d);
+    x = opposite ? d->deferred.a : *smvm_ready_x(d);
     memset(&d->deferred, 0, sizeof d->deferred);
     d->deferred.op = opposite ? SMVM_sub : op;
     d->deferred.n = d->n[0];

@@ -73,7 +73,7 @@ WHOLE_AVERAGE(I32)
 
 #define MADE_FOR(K, ctype, to, of, most_of_avg)                                                                                    \
     static inline int64_t sample_##K(SmF64 x) { return of(to(x)); }                                                                \
-    static inline int64_t taken_##K(const SmvmWord *w) { ctype v; memcpy(&v, w->p, sizeof v); return of(v); }                      \
+    static inline int64_t memory_sample_##K(const SmvmWord *w) { ctype v; memcpy(&v, w->p, sizeof v); return of(v); }                      \
     static inline void push_avg_##K(const SmvmWord *w, int64_t sample)                                                             \
     {                                                                                                                              \
         sm_roll_push(window(w), size(w, most_of_avg), SM_ROLL_##K | SM_ROLL_AVG, sample);                                          \

@@ -254,7 +254,7 @@ SmvmLocation smvm_output(const SmvmMachine *m, uint32_t output)
 
 // ---- memory: SmVm, then pointers to the windows, windows, locals, and bits of the outputs from 64 on ----
 
-static SmvmAt up8(SmvmAt n) { return (SmvmAt)((n + 7u) & ~7u); }
+static SmvmAt round_up_8(SmvmAt n) { return (SmvmAt)((n + 7u) & ~7u); }
 
 static SmvmAt add_saturated(SmvmAt a, uint32_t b)     // a saturating sum
 {
@@ -272,7 +272,7 @@ SMVM_NOINLINE static SmvmAt stored_bits_bytes(const SmvmMachine *m) { return (Sm
 
 static SmvmAt windows_start(const SmvmMachine *m)
 {
-    return (SmvmAt)(up8(sizeof(SmVm)) + up8((SmvmAt)(m->windows * sizeof(uint64_t *))));
+    return (SmvmAt)(round_up_8(sizeof(SmVm)) + round_up_8((SmvmAt)(m->windows * sizeof(uint64_t *))));
 }
 
 SmvmAt smvm_ram_size(const SmvmMachine *m)

@@ -103,7 +103,7 @@ static void set_time(const SmExecutor *e, const SmTick *tick)
     sm_leave(e->sv);
 }
 
-static uint64_t limit(uint64_t value, uint64_t most)
+static uint64_t min_u64(uint64_t value, uint64_t most)
 {
     return value < most ? value : most;
 }
@@ -115,13 +115,13 @@ static void store_statistic(const SmExecutor *e, const SmElement *element, uint6
     if (!element)
         return;
     switch (element->type) {
-    case SM_I8:  *(int8_t *)at = (int8_t)limit(value, INT8_MAX); return;
-    case SM_I16: *(int16_t *)at = (int16_t)limit(value, INT16_MAX); return;
-    case SM_I32: *(int32_t *)at = (int32_t)limit(value, INT32_MAX); return;
-    case SM_I64: *(int64_t *)at = (int64_t)limit(value, INT64_MAX); return;
-    case SM_U8:  *(uint8_t *)at = (uint8_t)limit(value, UINT8_MAX); return;
-    case SM_U16: *(uint16_t *)at = (uint16_t)limit(value, UINT16_MAX); return;
-    case SM_U32: *(uint32_t *)at = (uint32_t)limit(value, UINT32_MAX); return;
+    case SM_I8:  *(int8_t *)at = (int8_t)min_u64(value, INT8_MAX); return;
+    case SM_I16: *(int16_t *)at = (int16_t)min_u64(value, INT16_MAX); return;
+    case SM_I32: *(int32_t *)at = (int32_t)min_u64(value, INT32_MAX); return;
+    case SM_I64: *(int64_t *)at = (int64_t)min_u64(value, INT64_MAX); return;
+    case SM_U8:  *(uint8_t *)at = (uint8_t)min_u64(value, UINT8_MAX); return;
+    case SM_U16: *(uint16_t *)at = (uint16_t)min_u64(value, UINT16_MAX); return;
+    case SM_U32: *(uint32_t *)at = (uint32_t)min_u64(value, UINT32_MAX); return;
     default:     *(uint64_t *)at = value; return;
     }
 }
@@ -194,8 +194,8 @@ static void emit_overrun(SmExecutor *e, uint64_t time)
 
     if (e->overruns > 1 && time - e->reported_at < PAL_SECOND)
         return;
-    event.a = (uint32_t)limit(e->skipped - e->reported_skipped, UINT32_MAX);
-    event.b = (uint32_t)limit(e->late / PAL_MICROSECOND, UINT32_MAX);
+    event.a = (uint32_t)min_u64(e->skipped - e->reported_skipped, UINT32_MAX);
+    event.b = (uint32_t)min_u64(e->late / PAL_MICROSECOND, UINT32_MAX);
     e->reported_at = time;
     e->reported_skipped += event.a;
     sm_event(e->events, &event);

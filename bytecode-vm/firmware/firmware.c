@@ -131,7 +131,7 @@ static void step_machines(void)
 }
 
 // Called every millisecond, in the interrupt.
-static void tick(void)
+static void on_tick(void)
 {
     is_after_step = false;
     if (--ms_left > 0)
@@ -304,7 +304,7 @@ SMVM_NOINLINE static void start_board(void)
     uint64_t period_ns;
     bool caused = false;
 
-    avr_clock_start(tick);
+    avr_clock_start(on_tick);
     avr_eeprom_guard_writes(may_write);
     (void)pal_watchdog_caused_start(&caused);
     (void)sm_events_init(&events);

@@ -23,7 +23,7 @@ CALLS = [
     ("answer_begin", "leave_slot"),
     ("write_memory|main", "may_write"),
     ("is_authentic|is_signed|is_intact|answer_end|answer_confirm", "is_authentic"),     # the store's, and the firmware's
-    (r"__vector_\d+", "tick"),
+    (r"__vector_\d+", "on_tick"),
 ]
 ROUNDS = {"divide": 7, "short": 7}       # who pushes in a loop, and how often: a division, each byte of its result
 PAUSED = ("start_board", "run_image")    # in what these call no step begins (`is_paused` in firmware.c)

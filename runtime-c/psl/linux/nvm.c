@@ -26,10 +26,10 @@ typedef struct NvmEntry {
 } NvmEntry;
 
 // Bytes to store: n bytes at address `at`; blank ones if `bytes` is NULL.
-typedef struct Change {
+typedef struct NvmChange {
     uint32_t at, n;
     const uint8_t *bytes;
-} Change;
+} NvmChange;
 
 static bool used[PAL_NVMS];
 static NvmEntry entries[PAL_NVMS];
@@ -77,7 +77,7 @@ static int64_t file_size(int fd)
 
 // ---- replacing the file ----
 
-static void apply_change(uint8_t *block, uint32_t at, uint32_t n, const Change *c)
+static void apply_change(uint8_t *block, uint32_t at, uint32_t n, const NvmChange *c)
 {
     for (uint32_t i = 0; i < n; i++)
         if (at + i - c->at < c->n)                         // also implies at + i ≥ c->at: the difference wraps around
@@ -85,7 +85,7 @@ static void apply_change(uint8_t *block, uint32_t at, uint32_t n, const Change *
 }
 
 // Copies the first `size` bytes of `old` with the change applied.  Bytes after the end of `old` are blank.
-static int copy_changed(int to, int old, uint32_t old_size, uint32_t size, const Change *c)
+static int copy_changed(int to, int old, uint32_t old_size, uint32_t size, const NvmChange *c)
 {
     uint8_t block[512];
     int error = 0;
@@ -118,7 +118,7 @@ static int open_new(const char *name, int *error)
 }
 
 // Replaces the file by a copy with the change.  If no file exists yet, e->fd is -1.
-static int replace_file(NvmEntry *e, uint32_t old_size, const Change *c)
+static int replace_file(NvmEntry *e, uint32_t old_size, const NvmChange *c)
 {
     char name[PAL_NAME + 4];
     int error, fd;
@@ -166,7 +166,7 @@ static SmResult open_existing(NvmEntry *e, int64_t *size)
 // Fills in a new entry.
 static SmResult open_entry(NvmEntry *e, const char *path, uint32_t size)
 {
-    const Change nothing = {0, 0, NULL};
+    const NvmChange nothing = {0, 0, NULL};
     int64_t old;
     SmResult r;
 
@@ -233,7 +233,7 @@ SmResult pal_nvm_read(PalNvm memory, uint32_t at, void *bytes, uint32_t n)
 
 static SmResult change_bytes(PalNvm memory, uint32_t at, const void *bytes, uint32_t n)
 {
-    const Change c = {at, n, bytes};
+    const NvmChange c = {at, n, bytes};
     SmResult r = check_range(memory, at, n);
 
     if (r != SM_OK || n == 0)
