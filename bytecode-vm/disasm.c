@@ -141,7 +141,7 @@ static void print_real(DisasmOutput *o, const char *before, SmF64 x)
     smvm_text(o, before);
     if (sm_eq(sm_trunc(x), x) && sm_le(sm_abs(x), sm_from_i32(INT32_MAX))) {
         smvm_text(o, sm_lt(x, sm_from_i32(0)) ? "-" : "");
-        smvm_text_number(o, sm_cut_u32(sm_abs(x)));
+        smvm_text_number(o, sm_truncate_u32(sm_abs(x)));
     } else {
         smvm_text(o, "0x");
         smvm_text_hex(o, sm_bits(x), 16);

@@ -19,56 +19,56 @@
 static inline int32_t sm_to_i32(SmF64 x)
 {
     if (sm_le(sm_from_i32(INT32_MIN), x) && sm_le(x, sm_from_i32(INT32_MAX)))
-        return sm_cut_i32(x);
+        return sm_truncate_i32(x);
     return sm_is_nan(x) ? 0 : sm_lt(x, sm_from_i32(0)) ? INT32_MIN : INT32_MAX;
 }
 //: sm_to_u32 double
 static inline uint32_t sm_to_u32(SmF64 x)
 {
     if (sm_le(sm_from_i32(0), x) && sm_le(x, sm_from_u32(UINT32_MAX)))
-        return sm_cut_u32(x);
+        return sm_truncate_u32(x);
     return sm_lt(sm_from_i32(0), x) ? UINT32_MAX : 0u;
 }
 //: sm_to_i64 double
 static inline int64_t sm_to_i64(SmF64 x)
 {
     if (sm_le(sm_from_bits(0xC3E0000000000000u), x) && sm_lt(x, sm_from_bits(0x43E0000000000000u)))   // -2^63, 2^63
-        return sm_cut_i64(x);
+        return sm_truncate_i64(x);
     return sm_is_nan(x) ? 0 : sm_lt(x, sm_from_i32(0)) ? INT64_MIN : INT64_MAX;
 }
 //: sm_to_u64 double
 static inline uint64_t sm_to_u64(SmF64 x)
 {
     if (sm_le(sm_from_i32(0), x) && sm_lt(x, sm_from_bits(0x43F0000000000000u)))   // 2^64
-        return sm_cut_u64(x);
+        return sm_truncate_u64(x);
     return sm_lt(sm_from_i32(0), x) ? UINT64_MAX : 0u;
 }
 //: sm_to_i16 double
 static inline int16_t sm_to_i16(SmF64 x)
 {
     if (sm_le(sm_from_i32(INT16_MIN), x))
-        return sm_lt(x, sm_from_i32(INT16_MAX)) ? (int16_t)sm_cut_i32(x) : (int16_t)INT16_MAX;
+        return sm_lt(x, sm_from_i32(INT16_MAX)) ? (int16_t)sm_truncate_i32(x) : (int16_t)INT16_MAX;
     return sm_is_nan(x) ? (int16_t)0 : (int16_t)INT16_MIN;
 }
 //: sm_to_i8 double
 static inline int8_t sm_to_i8(SmF64 x)
 {
     if (sm_le(sm_from_i32(INT8_MIN), x))
-        return sm_lt(x, sm_from_i32(INT8_MAX)) ? (int8_t)sm_cut_i32(x) : (int8_t)INT8_MAX;
+        return sm_lt(x, sm_from_i32(INT8_MAX)) ? (int8_t)sm_truncate_i32(x) : (int8_t)INT8_MAX;
     return sm_is_nan(x) ? (int8_t)0 : (int8_t)INT8_MIN;
 }
 //: sm_to_u16 double
 static inline uint16_t sm_to_u16(SmF64 x)
 {
     if (sm_lt(sm_from_i32(0), x))
-        return sm_lt(x, sm_from_i32(UINT16_MAX)) ? (uint16_t)sm_cut_i32(x) : (uint16_t)UINT16_MAX;
+        return sm_lt(x, sm_from_i32(UINT16_MAX)) ? (uint16_t)sm_truncate_i32(x) : (uint16_t)UINT16_MAX;
     return 0;
 }
 //: sm_to_u8 double
 static inline uint8_t sm_to_u8(SmF64 x)
 {
     if (sm_lt(sm_from_i32(0), x))
-        return sm_lt(x, sm_from_i32(UINT8_MAX)) ? (uint8_t)sm_cut_i32(x) : (uint8_t)UINT8_MAX;
+        return sm_lt(x, sm_from_i32(UINT8_MAX)) ? (uint8_t)sm_truncate_i32(x) : (uint8_t)UINT8_MAX;
     return 0;
 }
 //: end

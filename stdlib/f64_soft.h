@@ -31,19 +31,19 @@ static inline SmF64 sm_from_f32(float v) { uint32_t u; memcpy(&u, &v, sizeof u);
 static inline float sm_round_f32(SmF64 x) { const uint32_t u = sm_soft_to_f32(x.bits); float v; memcpy(&v, &u, sizeof v); return v; }
 
 // These saturate.
-static inline int32_t sm_cut_i32(SmF64 x) { return sm_soft_to_i32(x.bits); }
-static inline uint32_t sm_cut_u32(SmF64 x) { return sm_soft_to_u32(x.bits); }
-static inline int64_t sm_cut_i64(SmF64 x) { return sm_soft_to_i64(x.bits); }
-static inline uint64_t sm_cut_u64(SmF64 x) { return sm_soft_to_u64(x.bits); }
+static inline int32_t sm_truncate_i32(SmF64 x) { return sm_soft_to_i32(x.bits); }
+static inline uint32_t sm_truncate_u32(SmF64 x) { return sm_soft_to_u32(x.bits); }
+static inline int64_t sm_truncate_i64(SmF64 x) { return sm_soft_to_i64(x.bits); }
+static inline uint64_t sm_truncate_u64(SmF64 x) { return sm_soft_to_u64(x.bits); }
 
 // Stores to an element, as specified in convert.h.
-static inline int32_t sm_to_i32(SmF64 x) { return sm_cut_i32(x); }
-static inline uint32_t sm_to_u32(SmF64 x) { return sm_cut_u32(x); }
-static inline int64_t sm_to_i64(SmF64 x) { return sm_cut_i64(x); }
-static inline uint64_t sm_to_u64(SmF64 x) { return sm_cut_u64(x); }
+static inline int32_t sm_to_i32(SmF64 x) { return sm_truncate_i32(x); }
+static inline uint32_t sm_to_u32(SmF64 x) { return sm_truncate_u32(x); }
+static inline int64_t sm_to_i64(SmF64 x) { return sm_truncate_i64(x); }
+static inline uint64_t sm_to_u64(SmF64 x) { return sm_truncate_u64(x); }
 static inline int32_t sm_to_clipped(SmF64 x, int32_t lo, int32_t hi)
 {
-    const int32_t v = sm_cut_i32(x);
+    const int32_t v = sm_truncate_i32(x);
     return v < lo ? lo : v > hi ? hi : v;
 }
 static inline int16_t sm_to_i16(SmF64 x) { return (int16_t)sm_to_clipped(x, INT16_MIN, INT16_MAX); }

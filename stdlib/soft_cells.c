@@ -6,17 +6,17 @@
 
 #ifndef SM_SOFT_ASSEMBLY
 // x with the sign of n removed.  A value of the other sign, and NaN, becomes 0.
-static uint64_t on_side(const SmF64 *x, uint32_t n)
+static uint64_t magnitude_if_same_sign(const SmF64 *x, uint32_t n)
 {
     const uint64_t u = x->bits ^ ((uint64_t)(n & 0x80000000u) << 32);
     return u > SM_SOFT_INFINITY ? 0 : u;
 }
 
-bool sm_soft_beyond(const SmF64 *x, uint32_t n) { return on_side(x, n) > (uint64_t)(n & 0x7FFFFFFFu) << 32; }
-bool sm_soft_reaches(const SmF64 *x, uint32_t n) { return on_side(x, n) >= (uint64_t)(n & 0x7FFFFFFFu) << 32; }
-bool sm_soft_more(const uint64_t *v, uint32_t n) { return *v > n; }
-bool sm_soft_since(const uint64_t *start, const uint64_t *time, uint32_t n) { return *time - *start > n; }
-void sm_soft_count(uint64_t *v) { *v += *v < UINT64_C(0x20000000000000); }
+bool sm_soft_beyond(const SmF64 *x, uint32_t n) { return magnitude_if_same_sign(x, n) > (uint64_t)(n & 0x7FFFFFFFu) << 32; }
+bool sm_soft_reaches(const SmF64 *x, uint32_t n) { return magnitude_if_same_sign(x, n) >= (uint64_t)(n & 0x7FFFFFFFu) << 32; }
+bool sm_soft_exceeds(const uint64_t *v, uint32_t n) { return *v > n; }
+bool sm_soft_elapsed_exceeds(const uint64_t *start, const uint64_t *time, uint32_t n) { return *time - *start > n; }
+void sm_soft_increment(uint64_t *v) { *v += *v < UINT64_C(0x20000000000000); }
 
 bool sm_soft_advance(uint64_t *gate, const uint64_t *time)
 {

@@ -17,9 +17,9 @@ extern "C" {
 bool sm_soft_beyond(const SmF64 *x, uint32_t n);      // beyond n, away from zero, with the sign of n (for -0: below 0)
 bool sm_soft_reaches(const SmF64 *x, uint32_t n);     // beyond n or equal to it; n is not zero
 
-bool sm_soft_more(const uint64_t *v, uint32_t n);                               // *v > n
-bool sm_soft_since(const uint64_t *start, const uint64_t *time, uint32_t n);    // *time - *start > n
-void sm_soft_count(uint64_t *v);                      // adds one as F64 does: 2^53 does not change; *v must not be above it
+bool sm_soft_exceeds(const uint64_t *v, uint32_t n);                               // *v > n
+bool sm_soft_elapsed_exceeds(const uint64_t *start, const uint64_t *time, uint32_t n);    // *time - *start > n
+void sm_soft_increment(uint64_t *v);                      // adds one as F64 does: 2^53 does not change; *v must not be above it
 
 // Begins a step at *time.  Returns true and updates *gate if that is later than the last step and not the largest time.  *gate is the time
 // of the last step plus 1, or 0 before the first.

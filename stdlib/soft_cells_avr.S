@@ -77,10 +77,10 @@ sm_soft_reaches:
 	breq .Lcell_yes
 	rjmp .Lcell_no
 
-	.section .text.sm_soft_more, "ax", @progbits
-	.global sm_soft_more
-	.type sm_soft_more, @function
-sm_soft_more:
+	.section .text.sm_soft_exceeds, "ax", @progbits
+	.global sm_soft_exceeds
+	.type sm_soft_exceeds, @function
+sm_soft_exceeds:
 	movw r30, r24
 	ld r24, Z
 	cp r20, r24
@@ -104,10 +104,10 @@ sm_soft_more:
 	ldi r24, 1
 1:	ret
 
-	.section .text.sm_soft_since, "ax", @progbits
-	.global sm_soft_since
-	.type sm_soft_since, @function
-sm_soft_since:
+	.section .text.sm_soft_elapsed_exceeds, "ax", @progbits
+	.global sm_soft_elapsed_exceeds
+	.type sm_soft_elapsed_exceeds, @function
+sm_soft_elapsed_exceeds:
 	movw r30, r24                     ; start
 	movw r26, r22                     ; time
 	ld r22, X+
@@ -150,10 +150,10 @@ sm_soft_since:
 	ldi r24, 1
 1:	ret
 
-	.section .text.sm_soft_count, "ax", @progbits
-	.global sm_soft_count
-	.type sm_soft_count, @function
-sm_soft_count:
+	.section .text.sm_soft_increment, "ax", @progbits
+	.global sm_soft_increment
+	.type sm_soft_increment, @function
+sm_soft_increment:
 	movw r30, r24
 	ld r24, Z
 	cpi r24, 0

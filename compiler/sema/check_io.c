@@ -87,7 +87,7 @@ static bool to_whole_number(SmF64 x, uint32_t most, uint32_t *out)
 {
     if (!sm_le(sm_from_i32(0), x) || !sm_le(x, sm_from_u32(most)))
         return false;
-    *out = sm_cut_u32(x);
+    *out = sm_truncate_u32(x);
     return sm_eq(sm_from_u32(*out), x);
 }
 

@@ -58,7 +58,7 @@ static bool may_write(Sema *s, const Var *v, Str name, Span span)
 static const State *state_named_by(const Sema *s, const AstExpr *e)
 {
     if (e->kind == AST_NUMBER && sm_le(sm_from_i32(1), e->number) && sm_le(e->number, sm_from_u32((uint32_t)s->p->state.n)))
-        return s->p->state.at[sm_cut_u32(e->number) - 1];
+        return s->p->state.at[sm_truncate_u32(e->number) - 1];
     return e->kind == AST_NAME ? map_find(&s->p->state_by_name, e->name) : NULL;
 }
 

@@ -21,9 +21,9 @@ static inline uint64_t cell_counted(uint64_t a, uint64_t b) { return (b & 7) == 
 static inline uint64_t cell_time(uint64_t a, uint64_t b) { return (b & 1) != 0 ? a + (b >> 1 & 3) - 2 : b; }
 
 #if SM_F64_SOFT
-static inline uint64_t soft_more(uint64_t v, uint32_t n) { return sm_soft_more(&v, n); }
-static inline uint64_t soft_since(uint64_t start, uint64_t time, uint32_t n) { return sm_soft_since(&start, &time, n); }
-static inline uint64_t soft_count(uint64_t v) { sm_soft_count(&v); return v; }
+static inline uint64_t soft_more(uint64_t v, uint32_t n) { return sm_soft_exceeds(&v, n); }
+static inline uint64_t soft_since(uint64_t start, uint64_t time, uint32_t n) { return sm_soft_elapsed_exceeds(&start, &time, n); }
+static inline uint64_t soft_count(uint64_t v) { sm_soft_increment(&v); return v; }
 static inline uint64_t soft_advance(uint64_t gate, uint64_t time) { return sm_soft_advance(&gate, &time) ? gate : ~gate; }
 #endif
 

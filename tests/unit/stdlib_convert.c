@@ -207,9 +207,9 @@ static void test_digits_of_wide_integers(void)
 
     for (int i = 0; i < 100000; i++) {
         const uint64_t u = random_u64() >> (2 + random_u64() % 10);
-        CHECK((uint64_t)sm_cut_i64(from_i64((int64_t)u)) == expected_integer(SM_I64, expected_f64_of(u, false)));
-        CHECK(sm_cut_u64(from_u64(u)) == expected_integer(SM_U64, expected_f64_of(u, false)));
-        CHECK((uint64_t)sm_cut_i64(from_i64(-(int64_t)u)) == 0 - expected_integer(SM_I64, expected_f64_of(u, false)));
+        CHECK((uint64_t)sm_truncate_i64(from_i64((int64_t)u)) == expected_integer(SM_I64, expected_f64_of(u, false)));
+        CHECK(sm_truncate_u64(from_u64(u)) == expected_integer(SM_U64, expected_f64_of(u, false)));
+        CHECK((uint64_t)sm_truncate_i64(from_i64(-(int64_t)u)) == 0 - expected_integer(SM_I64, expected_f64_of(u, false)));
     }
 }
 

@@ -56,13 +56,13 @@ static bool is_whole(SmF64 x)
 {
     const int32_t most = (int32_t)(SMVM_LOCATION_OFFSETS / 2);
 
-    return sm_le(sm_from_i32(-most), x) && sm_lt(x, sm_from_i32(most)) && sm_eq(sm_from_i32(sm_cut_i32(x)), x);
+    return sm_le(sm_from_i32(-most), x) && sm_lt(x, sm_from_i32(most)) && sm_eq(sm_from_i32(sm_truncate_i32(x)), x);
 }
 
 static void write_number(Buf *b, SmF64 x)
 {
     if (is_whole(x)) {
-        bc_u24(b, bc_pack((uint32_t)sm_cut_i32(x), NUMBER_WHOLE));
+        bc_u24(b, bc_pack((uint32_t)sm_truncate_i32(x), NUMBER_WHOLE));
     } else if (sm_eq(sm_from_f32(sm_to_f32(x)), x)) {
         bc_u24(b, bc_pack(0, NUMBER_F32));
         buf_u32(b, sm_f32_bits(sm_to_f32(x)));

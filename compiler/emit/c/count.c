@@ -100,7 +100,7 @@ bool soft_write_count(CFn *fn, const IrIns *store)
     v = integer_of(fn, c.v);
     if (c_ins(fn, v)->op != IR_load || c_ins(fn, v)->var != store->var || fn->ins[v].form != C_INLINE)
         return false;
-    c_write(fn, "sm_soft_count(&");
+    c_write(fn, "sm_soft_increment(&");
     c_write_cell(fn, store->var);
     c_write(fn, ")");
     return true;

@@ -19,8 +19,8 @@ static const char *const from_integer[SM_TYPE_COUNT] = {
 };
 
 static const char *const cut[SM_TYPE_COUNT] = {
-    [SM_I8] = "(int8_t)sm_cut_i32(", [SM_I16] = "(int16_t)sm_cut_i32(", [SM_I32] = "sm_cut_i32(", [SM_I64] = "sm_cut_i64(",
-    [SM_U8] = "(uint8_t)sm_cut_i32(", [SM_U16] = "(uint16_t)sm_cut_i32(", [SM_U32] = "sm_cut_u32(", [SM_U64] = "sm_cut_u64(",
+    [SM_I8] = "(int8_t)sm_truncate_i32(", [SM_I16] = "(int16_t)sm_truncate_i32(", [SM_I32] = "sm_truncate_i32(", [SM_I64] = "sm_truncate_i64(",
+    [SM_U8] = "(uint8_t)sm_truncate_i32(", [SM_U16] = "(uint16_t)sm_truncate_i32(", [SM_U32] = "sm_truncate_u32(", [SM_U64] = "sm_truncate_u64(",
 };
 
 static void write_arithmetic(CFn *fn, const IrIns *i)
@@ -150,7 +150,7 @@ static void write_integer_compare(CFn *fn, const ByteCompare *l, uint64_t n, boo
     const bool is_time = fn->u->m->var.at[c_ins(fn, l->load)->var].space == IR_TIME;
 
     c_write(fn, negated != less ? "!" : "");
-    c_write(fn, is_time ? "sm_soft_since(&m->start_, &" : "sm_soft_more(&");
+    c_write(fn, is_time ? "sm_soft_elapsed_exceeds(&m->start_, &" : "sm_soft_exceeds(&");
     c_write_cell(fn, is_time ? fn->u->m->g : c_ins(fn, l->load)->var);
     fn->uses_m = fn->uses_m || is_time;
     buf_printf(&fn->line, ", %lu%s%s%s)", (unsigned long)(exact ? n : n - 1), *name && exact ? " /* " : "", exact ? name : "",
