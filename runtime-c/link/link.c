@@ -49,23 +49,23 @@ uint16_t sm_link_encode(uint8_t *frame, uint16_t n)
 static void reset(LinkReceiver *r)
 {
     r->n = 0;
-    r->left = 0;
-    r->code = 0xff;           // no zero precedes the first run
-    r->lost = false;
+    r->run_left = 0;
+    r->run_code = 0xff;           // no zero precedes the first run
+    r->is_too_long = false;
 }
 
 void sm_link_receiver_init(LinkReceiver *r, uint8_t *buffer, uint16_t room)
 {
     r->buffer = buffer;
     r->room = room;
-    r->done = false;
+    r->is_complete = false;
     reset(r);
 }
 
 // Whether the bytes received up to the zero are an intact frame.  If so, removes its checksum.
 static bool is_frame(LinkReceiver *r)
 {
-    if (r->lost || r->left != 0 || r->n < LINK_HEAD + LINK_TAIL)
+    if (r->is_too_long || r->run_left != 0 || r->n < LINK_HEAD + LINK_TAIL)
         return false;
     if (sm_link_crc(r->buffer, r->n) != SM_CRC32_WHOLE)
         return false;
@@ -75,22 +75,22 @@ static bool is_frame(LinkReceiver *r)
 
 bool sm_link_receive(LinkReceiver *r, uint8_t byte)
 {
-    if (r->done) {
-        r->done = false;
+    if (r->is_complete) {
+        r->is_complete = false;
         reset(r);
     }
     if (byte == 0) {
-        r->done = is_frame(r);
-        if (!r->done)
+        r->is_complete = is_frame(r);
+        if (!r->is_complete)
             reset(r);
-        return r->done;
+        return r->is_complete;
     }
-    if (r->left > 0) {
-        r->left--;
+    if (r->run_left > 0) {
+        r->run_left--;
     } else {
-        const bool zero = r->code != 0xff;
-        r->code = byte;
-        r->left = (uint8_t)(byte - 1);
+        const bool zero = r->run_code != 0xff;
+        r->run_code = byte;
+        r->run_left = (uint8_t)(byte - 1);
         if (!zero)
             return false;
         byte = 0;
@@ -98,6 +98,6 @@ bool sm_link_receive(LinkReceiver *r, uint8_t byte)
     if (r->n < r->room)
         r->buffer[r->n++] = byte;
     else
-        r->lost = true;
+        r->is_too_long = true;
     return false;
 }

@@ -38,9 +38,9 @@ typedef enum LinkMessage {
 typedef struct LinkReceiver {
     uint8_t *buffer;          // LINK_ROOM(body) bytes
     uint16_t room, n;         // n: bytes of the frame so far; once complete, without its checksum
-    uint8_t left, code;       // COBS: bytes until the next removed zero; the code at the start of the current run
-    bool lost;                // this frame is too long; bytes are dropped up to the next zero
-    bool done;                // `buffer` contains a complete frame
+    uint8_t run_left, run_code;  // COBS: bytes until the next removed zero; the code at the start of the current run
+    bool is_too_long;         // this frame is too long; bytes are dropped up to the next zero
+    bool is_complete;         // `buffer` contains a complete frame
 } LinkReceiver;
 
 void sm_link_receiver_init(LinkReceiver *r, uint8_t *buffer, uint16_t room);
