@@ -53,6 +53,7 @@ FindingCount report_count_findings(const Report *r);
 typedef struct Coverage {
     size_t states_covered, states, pairs_covered, pairs;
     size_t pairs_shared;          // covered, but it is unknown by which of several transitions
+    size_t transitions_most, transitions;     // at least pairs_covered and at most transitions_most of all transitions were taken
 } Coverage;
 Coverage report_measure_coverage(const Report *r);
 DiagramCounts report_sum_counts(const Report *r);  // how often the scripts visited states and took transitions, summed over all scripts

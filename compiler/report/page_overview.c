@@ -28,17 +28,13 @@ static const char *scripts_text(const Report *r)
     return format_in(r->arena, "%lu of %lu passed", (unsigned long)passed, (unsigned long)r->runs);
 }
 
-static const char *coverage_text(const Report *r)
+// If several transitions lead from one state to another, it is unknown which of them a run has taken.
+static const char *transitions_covered_text(const Report *r, Coverage c)
 {
-    const Coverage c = report_measure_coverage(r);
-    const char *text = format_in(r->arena, "%lu of %lu states, transitions between %lu of %lu pairs of states",
-                                 (unsigned long)c.states_covered, (unsigned long)c.states, (unsigned long)c.pairs_covered,
-                                 (unsigned long)c.pairs);
-
-    if (c.pairs_shared == 0)
-        return text;
-    return format_in(r->arena, "%s; %lu pairs have several transitions, some of which may not be covered", text,
-                     (unsigned long)c.pairs_shared);
+    if (c.pairs_covered == c.transitions_most)
+        return format_in(r->arena, "%lu of %lu", (unsigned long)c.pairs_covered, (unsigned long)c.transitions);
+    return format_in(r->arena, "%lu to %lu of %lu", (unsigned long)c.pairs_covered, (unsigned long)c.transitions_most,
+                     (unsigned long)c.transitions);
 }
 
 static const char *findings_text(const Report *r)
@@ -67,8 +63,11 @@ static void add_facts(const Report *r, Doc *d)
     add_fact(t, "Transitions", format_in(r->arena, "%lu", (unsigned long)r->analysis.transition.n));
     add_fact(t, "Findings", findings_text(r));
     add_fact(t, "Scripts", scripts_text(r));
-    if (r->runs)
-        add_fact(t, "Covered by scripts", coverage_text(r));
+    if (r->runs) {
+        const Coverage c = report_measure_coverage(r);
+        add_fact(t, "States covered", format_in(r->arena, "%lu of %lu", (unsigned long)c.states_covered, (unsigned long)c.states));
+        add_fact(t, "Transitions covered", transitions_covered_text(r, c));
+    }
     add_fact(t, "Longest step", format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst, state));
     add_fact(t, "On an Arduino Uno", report_fits_uno(r) ? format_in(r->arena, "about %s", report_format_cycles(r, r->eeprom.worst))
                                                  : "does not fit into its memory");

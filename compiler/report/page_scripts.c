@@ -138,7 +138,7 @@ Coverage report_measure_coverage(const Report *r)
 {
     const DiagramCounts counts = report_sum_counts(r);
     const Transitions *t = &r->analysis.transition;
-    Coverage c = {0, r->analysis.p->state.n, 0, 0, 0};
+    Coverage c = {0, r->analysis.p->state.n, 0, 0, 0, 0, t->n};
 
     for (size_t s = 0; s < c.states; s++)
         c.states_covered += counts.state[s] > 0;
@@ -148,6 +148,7 @@ Coverage report_measure_coverage(const Report *r)
             continue;
         c.pairs++;
         c.pairs_covered += counts.transition[i] > 0;
+        c.transitions_most += counts.transition[i] > 0 ? same : 0;
         c.pairs_shared += counts.transition[i] > 0 && same > 1;
     }
     return c;

@@ -42,18 +42,19 @@ Overview
 The machine has 1 state and starts in `Idle`. It reads `x`. It writes `valve`. It never leaves
 `Idle`.
 
-  States              1
-  Transitions         0
+  States               1
+  Transitions          0
   Findings          [..]
-  Scripts             0 of 2 passed
-  Covered by scripts  1 of 1 states, transitions between 0 of 0 pairs of states
-  Longest step        5 instructions, in Idle
-  On an Arduino Uno   about [..] ms
-  Memory on the VM    56 bytes on a 64-bit computer
-  Image               76 bytes
-  Image CRC           f712cd1a
-  Source identity     2f257f5f61796867
-  State vector        declared in the machine
+  Scripts              0 of 2 passed
+  States covered       1 of 1
+  Transitions covered  0 of 0
+  Longest step         5 instructions, in Idle
+  On an Arduino Uno    about [..] ms
+  Memory on the VM     56 bytes on a 64-bit computer
+  Image                76 bytes
+  Image CRC            f712cd1a
+  Source identity      2f257f5f61796867
+  State vector         declared in the machine
 
 States
 ------

@@ -65,18 +65,19 @@ Fills a tank.
 The machine has 4 states and starts in `Idle`. It reads `level`. It writes `valve`. It never leaves
 its final states `Done` and `Abort`.
 
-  States              4
-  Transitions         3
+  States               4
+  Transitions          3
   Findings          [..]
-  Scripts             1 of 1 passed
-  Covered by scripts  3 of 4 states, transitions between 2 of 3 pairs of states
-  Longest step        16 instructions, in Fill
-  On an Arduino Uno   about [..] ms
-  Memory on the VM    120 bytes on a 64-bit computer
-  Image               161 bytes
-  Image CRC           6677e475
-  Source identity     5acf0981b6a5ecb5
-  State vector        declared in the machine
+  Scripts              1 of 1 passed
+  States covered       3 of 4
+  Transitions covered  2 of 3
+  Longest step         16 instructions, in Fill
+  On an Arduino Uno    about [..] ms
+  Memory on the VM     120 bytes on a 64-bit computer
+  Image                161 bytes
+  Image CRC            6677e475
+  Source identity      5acf0981b6a5ecb5
+  State vector         declared in the machine
 
 States
 ------
