@@ -105,14 +105,14 @@ fresh empty;      : >probe.app;          refuses "an empty application" 1 "probe
 fresh absent;     rm probe.app;          refuses "no application" 3 "cannot read 'probe.app'"
 fresh nodir
 "$smc" build probe.app -o nosuch/folder 2>log
-if test $? = 3 && grep -q "cannot make the folder 'nosuch/folder'" log; then good; else bad "a folder in one that is not there"; cat log; fi
+if test $? = 3 && grep -q "cannot create the folder 'nosuch/folder'" log; then good; else bad "a folder in one that is not there"; cat log; fi
 "$smc" build probe.app -o new 2>log
 if test $? = 0 && test -f new/probe_app.c; then good; else bad "a folder that is not there"; cat log; fi
 "$smc" build probe.app -o probe.sv 2>log
 if test $? = 2 && grep -q "'probe.sv' is the name of a source" log; then good; else bad "a source in place of the folder"; cat log; fi
 : >taken
 "$smc" build probe.app -o taken 2>log
-if test $? = 3 && grep -q "cannot make the folder 'taken'" log; then good; else bad "a file in place of the folder"; cat log; fi
+if test $? = 3 && grep -q "cannot create the folder 'taken'" log; then good; else bad "a file in place of the folder"; cat log; fi
 
 # Handwritten C is not replaced, and then nothing else is written.  Files made by smc and empty files are replaced.
 fresh mine; mkdir out; echo 'int rise;' >out/rise.c; cp out/rise.c rise.c

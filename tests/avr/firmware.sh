@@ -134,17 +134,17 @@ fly_signed() {
     bound_stack "$D/keyed/$MCU.elf"
     FIRMWARE=$D/keyed/$MCU.elf board_on "$D/signed.mem"
     touch "$D/signed.mem.go"
-    text='the board takes signed images only'
+    text='the board accepts signed images only'
     count says "$smc" flash "$D/tank.smb" "$port"
     count "$smc" flash "$D/signed.smb" "$port" --confirm >"$D/signed.out" 2>&1
     count grep -q 'runs, confirmed' "$D/signed.out"
     text='takes signed images only, with key [0-9a-f]*, with numbers above 7'
     count says "$smc" device info "$port"
     "$smc" sign "$D/recovery.smb" --key="$D/rocket.key" --number=7 -o "$D/signed.smb" || exit 1
-    text='has the number 7, and the board has confirmed number 7'
+    text='has number 7, but the board has confirmed number 7'
     count says "$smc" flash "$D/signed.smb" "$port"
     "$smc" key "$D/other.key" && "$smc" sign "$D/signed.smb" --key="$D/other.key" --number=8 || exit 1
-    text='is signed with key [0-9a-f]*, and the board takes only what is signed with key [0-9a-f]*: .*nothing was sent'
+    text='is signed with key [0-9a-f]*, but the board accepts only images signed with key [0-9a-f]*: .*nothing was sent'
     count says "$smc" flash "$D/signed.smb" "$port"
     "$smc" sign "$D/signed.smb" --key="$D/rocket.key" --number=8 && "$B/device/link" forge "$D/signed.smb" || exit 1
     rest_on_uno signed
@@ -178,7 +178,7 @@ fly_wrong_pins() {
     $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU FIRMWARE_OUT="$D/free" || exit 1
     FIRMWARE=$D/free/$MCU.elf board_on "$D/pins.mem"
     touch "$D/pins.mem.go"
-    text='wants digital output 9 and analog output 9, which are one pin of this board; nothing was sent'
+    text='uses digital output 9 and analog output 9, which are one pin of this board; nothing was sent'
     count says "$smc" flash "$D/twice.smb" "$port"
     text='runs, confirmed'
     count says "$smc" flash "$D/plug.smb" "$port" --confirm
@@ -191,7 +191,7 @@ fly_wrong_pins() {
     count says "$smc" device list "$port"
     text='there is nothing to confirm'
     count says "$smc" device confirm "$port"
-    text='wants digital output 7, which this board does not have, or needs itself'
+    text='uses digital output 7, which this board does not have or uses itself'
     count says "$smc" flash "$D/plug.smb" "$port"
     count board_off >"$D/pins.said" 2>&1
     fly_back

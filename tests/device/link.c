@@ -188,14 +188,14 @@ static void image_is_sent_and_stored(void)
     CHECK(quiet("device", "list", NULL) == 0 && says("slot 0: no image") && says("built in: "));
     CHECK(quiet("device", "confirm", NULL) == 1 && says("nothing to confirm"));
     CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("nothing was sent"));
-    CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)") && says("without that, the previous image runs again"));
+    CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)") && says("without that, the image before it runs again"));
     CHECK(quiet("device", "info", NULL) == 0 && says("no update may begin: image ") && says(" is on trial; 'smc device confirm' keeps it"));
     CHECK(quiet("flash", images[0], "--period=7") == 1 && says("nothing was sent: image "));
     CHECK(quiet("flash", images[0], "--dry-run") == 0 && says(" runs already; nothing was sent"));
     CHECK(quiet("flash", images[1], NULL) == 1 && says("on trial; 'smc device confirm' keeps it, 'smc device erase "));
     CHECK(quiet("flash", images[1], "--dry-run") == 1 && says("nothing was sent: ") && says("on trial; 'smc device confirm' keeps it, 'smc device erase "));
     CHECK(quiet("device", "confirm", NULL) == 0 && listed(images[0], ", confirmed"));
-    CHECK(quiet("device", "confirm", NULL) == 1 && says("nothing is on trial") && listed(images[0], ", runs, confirmed"));
+    CHECK(quiet("device", "confirm", NULL) == 1 && says("no image is on trial") && listed(images[0], ", runs, confirmed"));
     CHECK(quiet("flash", images[0], NULL) == 0 && says("it runs already"));
     CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
     CHECK(quiet("device", "info", NULL) == 0 && says("2 slots of ") && says("an update may begin"));
@@ -274,7 +274,7 @@ static void too_large_image_is_not_sent(void)
     snprintf(plain, sizeof plain, "%s.plain", memory);
     CHECK(quiet("device", "info", NULL) == 0 && says(" machines, with rolling windows, a step every 10 ms, of up to 14400 cycles in each of them"));
     CHECK(build(roots, 1, image) && quiet("flash", image, "--dry-run") == 0);
-    CHECK(quiet("flash", image, "--period=1") == 1 && says(" cycles; every 1 ms the board has 14400 for it; --period=") && says("nothing was sent"));
+    CHECK(quiet("flash", image, "--period=1") == 1 && says(" cycles; in 1 ms the board has 14400 cycles for it; --period=") && says("nothing was sent"));
     if ((at = strstr(said, "--period=")) != NULL)
         snprintf(proposed, sizeof proposed, "%.*s", (int)strcspn(at, " "), at);
     CHECK(strcmp(proposed, "--period=1") != 0 && quiet("flash", image, proposed) == 0 && quiet("device", "confirm", NULL) == 0);
@@ -284,7 +284,7 @@ static void too_large_image_is_not_sent(void)
         CHECK((f = fopen(plain, "w")) != NULL && fclose(f) == 0);
         restart_board();
         CHECK(quiet("device", "info", NULL) == 0 && says("at most 2 machines, without rolling windows"));
-        CHECK(quiet("flash", image, NULL) == 1 && says("has rolling windows (roll_...), and this board's firmware is made without; nothing was sent"));
+        CHECK(quiet("flash", image, NULL) == 1 && says("has rolling windows (roll_...), and this board's firmware is built without them; nothing was sent"));
         CHECK(remove(plain) == 0);
         restart_board();
     }
@@ -317,12 +317,12 @@ static bool build_with(const char *pins, char *image)
 static void pins_are_asked_about(void)
 {
     static const struct { const char *pins, *said; } wrong[] = {
-        {"[digital]\no 70 down\n", " wants digital output 70, which this board does not have"},
-        {"[digital]\ni 1 down\n", " wants digital input 1, which this board does not have, or needs itself"},
-        {"[analog]\ni 16 x\n", " wants analog input 16, which"},
-        {"[digital]\ni 2 down @pull_down\n", " wants digital input 2 with @pull_down, which this board does not have"},
-        {"[analog]\ni 0 x\n\n[digital]\ni 54 down\n", " wants digital input 54 and analog input 0, which are one pin of this board"},
-        {"[analog]\no 9 x\n\n[digital]\no 9 down\n", " wants digital output 9 and analog output 9, which are one pin"},
+        {"[digital]\no 70 down\n", " uses digital output 70, which this board does not have"},
+        {"[digital]\ni 1 down\n", " uses digital input 1, which this board does not have or uses itself"},
+        {"[analog]\ni 16 x\n", " uses analog input 16, which"},
+        {"[digital]\ni 2 down @pull_down\n", " uses digital input 2 with @pull_down, which this board does not have"},
+        {"[analog]\ni 0 x\n\n[digital]\ni 54 down\n", " uses digital input 54 and analog input 0, which are one pin of this board"},
+        {"[analog]\no 9 x\n\n[digital]\no 9 down\n", " uses digital output 9 and analog output 9, which are one pin"},
     };
     char image[PATH + 16];
 
@@ -332,7 +332,7 @@ static void pins_are_asked_about(void)
     }
     CHECK(build_with("[analog]\ni 0 x\no 9 y\n\n[digital]\ni 55 down\no 10 up\n", image));
     CHECK(quiet("flash", image, "--dry-run") == 0 && !says("warning"));
-    CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("names no pins: on this board it reads nothing and moves nothing"));
+    CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("names no pins: on this board it reads nothing and switches nothing"));
 }
 
 // language.md 5.46: a board refuses updates in a state without @safe, if its machine has a state with @safe.
@@ -377,7 +377,7 @@ static void an_image_is_erased(void)
     CHECK(quiet("device", "erase", "x") == 2);
     CHECK(quiet("flash", images[0], NULL) == 0 && quiet("device", "list", NULL) == 0 && listed(images[1], ", runs again if the chosen one does not"));
     CHECK(quiet("device", "erase", path) == 0 && listed(images[0], ", runs, until the next start"));
-    CHECK(quiet("device", "confirm", NULL) == 1 && says("the image that runs is not the chosen one: it was erased"));
+    CHECK(quiet("device", "confirm", NULL) == 1 && says("the image that runs is no longer selected, because it was erased"));
     restart_board();
     CHECK(quiet("device", "list", NULL) == 0 && listed(images[1], ", runs, confirmed") && listed(images[0], ", not chosen"));
 }
@@ -416,24 +416,24 @@ static void a_board_with_a_key(void)
     CHECK(alone("key", key, NULL, NULL) == 0 && alone("key", key, NULL, NULL) == 3);
     restart_board();
     CHECK(quiet("device", "list", NULL) == 0 && says("built in: no image; nothing runs"));
-    CHECK(quiet("flash", images[0], NULL) == 1 && says("the board takes signed images only: 'smc sign ") && says("nothing was sent"));
+    CHECK(quiet("flash", images[0], NULL) == 1 && says("the board accepts signed images only: 'smc sign ") && says("nothing was sent"));
     CHECK(alone("sign", images[0], with, to) == 0 && !says("warning") && chmod(key, 0640) == 0);
-    CHECK(alone("sign", out, with, "--number=7") == 0 && says("smc: warning: others can read '"));
+    CHECK(alone("sign", out, with, "--number=7") == 0 && says("smc: warning: other users can read '"));
     CHECK(chmod(key, 0600) == 0 && quiet("flash", out, "--confirm") == 0 && listed(out, ", runs, confirmed"));
     CHECK(quiet("device", "info", NULL) == 0 && says("takes signed images only, with key ") && says(", with numbers above 7"));
     CHECK(quiet("flash", out, NULL) == 0 && says("it runs already"));
-    CHECK(quiet("flash", out, "--period=20") == 1 && says("has the number 7, and the board has confirmed number 7"));
+    CHECK(quiet("flash", out, "--period=20") == 1 && says("has number 7, but the board has confirmed number 7"));
     CHECK(alone("sign", images[1], with, to) == 0 && alone("sign", out, with, "--number=7") == 0);
-    CHECK(quiet("flash", out, NULL) == 1 && says("has the number 7, and the board has confirmed number 7") && says("nothing was sent"));
+    CHECK(quiet("flash", out, NULL) == 1 && says("has number 7, but the board has confirmed number 7") && says("nothing was sent"));
     CHECK(alone("sign", out, with, NULL) == 0 && quiet("flash", out, "--confirm") == 0 && listed(out, ", runs, confirmed"));
     CHECK(alone("sign", images[0], with, to) == 0 && alone("sign", out, with, "--number=4000000000") == 0 && forge(out));
-    CHECK(quiet("flash", out, with) == 1 && says(" was changed since it was signed with the key '") && says("nothing was sent"));
+    CHECK(quiet("flash", out, with) == 1 && says(" was changed after it was signed with the key '") && says("nothing was sent"));
     CHECK(quiet("flash", out, NULL) == 1 && says("the image was not accepted: the board takes images only that are signed with its key"));
     CHECK(says("the board keeps the image that it ran before"));
     remove(key);
     CHECK(alone("key", key, NULL, NULL) == 0 && alone("sign", images[0], with, to) == 0);      // another one than the board's
     CHECK(alone("sign", out, with, "--number=4000000000") == 0);
-    CHECK(quiet("flash", out, with) == 1 && says(" is signed with key ") && says("and the board takes only what is signed with key ") && says("nothing was sent"));
+    CHECK(quiet("flash", out, with) == 1 && says(" is signed with key ") && says("but the board accepts only images signed with key ") && says("nothing was sent"));
     CHECK(quiet("flash", images[1], with) == 1 && says(" is not signed; nothing was sent"));
     CHECK(remove(key) == 0 && remove(out) == 0);
     restart_board();
