@@ -16,7 +16,7 @@ import sys
 
 # Who calls through a pointer, and whom.
 CALLS = [
-    ("answer_pin|smvm_runner_fits", "avr_physical_pin"),
+    ("answer_pin|smvm_runner_fits", "physical_pin_of|avr_physical_pin"),
     ("answer_end", "fits|smvm_runner_fits"),
     ("answer_hello|main", "may_update"),
     ("main", "answer_(pin|hello|image|begin|data|end|activate|confirm|erase|read|restart|events)"),
