@@ -247,7 +247,7 @@ static int report_success(BoardLine *b, const Update *u, const DeviceImage *befo
     }
     if (now.state == DEVICE_TRIAL)
         buf_printf(&out, "it is on trial: 'smc device confirm --port=%s' keeps it; without that, %s after %u more starts\n",
-                   b->c->value[OPT_PORT], b->info.slots > 1 ? "the image before it runs again" : "the built-in image runs", (unsigned)now.starts);
+                   b->c->value[OPT_PORT], b->info.slots > 1 ? "the previous image runs again" : "the built-in image runs", (unsigned)now.starts);
     return cli_print(b->c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }
 
