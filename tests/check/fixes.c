@@ -20,7 +20,7 @@ enum { ROUNDS = 10 };         // as in smc fix
 typedef struct Run {
     Session s;
     Source **src;             // by part; NULL for a part that is not a source
-    Program *program;         // NULL: there is none, or it has errors
+    const Program *program;       // NULL: there is none, or it has errors
 } Run;
 
 static size_t passed, failed, checked, statements, steps;
@@ -52,7 +52,7 @@ static void diagnose_machine(Run *r, const TestFile *f)
 {
     Map written = {&r->s.arena, NULL, NULL, 0, 0};
     MachineInput in = {find_source(f, r, ".sm"), find_source(f, r, ".sv"), NULL, 2};
-    Program *p;
+    const Program *p;
 
     note_written(r, f, &written);
     if ((p = session_program(&r->s, &in)) == NULL)
