@@ -56,7 +56,7 @@ static Span span_of_line(const Source *src, uint32_t line)
     uint32_t len, at = src->line[line - 1], skip = 0;
     const char *text = source_line(src, line, &len);
 
-    while (skip < len && (text[skip] == ' ' || text[skip] == '\t'))
+    while (skip < len && is_space_or_tab(text[skip]))
         skip++;
     return (Span){src, at + skip, 0};
 }

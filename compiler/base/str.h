@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Interned strings: equal strings are the same object, so they compare by pointer.  Also a map from them to pointers.
+// Interned strings (equal strings are the same object, so they compare by pointer), a map from them to pointers, and tests of characters.
 #ifndef SMC_STR_H
 #define SMC_STR_H
 
@@ -35,6 +35,10 @@ void str_mark(StrPool *p, const char *text, uint8_t mark);   // for fast tests w
 size_t str_distance(const char *a, const char *b, size_t limit);
 // Returns the word nearest to `word`; NULL if none is near.  Up to a third of its characters, plus one, can differ.
 const char *str_nearest(const char *word, const char *const *among, size_t n);
+
+// Whitespace within a line.  The second one also accepts the carriage return before a line feed.
+static inline bool is_space_or_tab(char c) { return c == ' ' || c == '\t'; }
+static inline bool is_space_tab_or_return(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 // A map from interned strings to pointers.  Zeroed memory with `arena` set is an empty map.
 typedef struct Map {

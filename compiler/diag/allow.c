@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compiler/base/str.h"
 #include "compiler/diag/diag.h"
 
 static void add_allow(Diags *d, DiagAllow a)
@@ -181,19 +182,17 @@ static void move_allowed(Diags *d)
 
 // ---- unused @allow ----
 
-static bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
 // Returns the annotation with the blanks before it, or the whole line if it contains nothing else.
 static Span span_to_remove(Span s)
 {
     const char *text = s.src->text;
     uint32_t at = s.at, end = s.at + s.len;
 
-    while (at && is_blank(text[at - 1]))
+    while (at && is_space_or_tab(text[at - 1]))
         at--;
     if (at && text[at - 1] != '\n')
         return (Span){s.src, at, s.at + s.len - at};
-    while (end < s.src->len && is_blank(text[end]))
+    while (end < s.src->len && is_space_or_tab(text[end]))
         end++;
     if (end < s.src->len && text[end] == '\r')
         end++;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compiler/base/str.h"
 #include "compiler/diag/diag.h"
 
 typedef struct FingerprintItem { const Diag *diag; DiagPrint *print; } FingerprintItem;
@@ -23,8 +24,6 @@ static const char *without_folders(const char *path)
     return path;
 }
 
-static bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
 // Returns where the comment begins, or the end of the line.
 static size_t without_comment(const char *s, size_t n)
 {
@@ -42,14 +41,14 @@ static size_t without_comment(const char *s, size_t n)
 static uint64_t hash_line(uint64_t h, const char *s, size_t n)
 {
     n = without_comment(s, n);
-    while (n && is_blank(s[n - 1]))
+    while (n && is_space_or_tab(s[n - 1]))
         n--;
-    while (n && is_blank(*s))
+    while (n && is_space_or_tab(*s))
         s++, n--;
     for (size_t i = 0; i < n; i++)
-        if (!is_blank(s[i]))
+        if (!is_space_or_tab(s[i]))
             h = hash_text(h, s + i, 1);
-        else if (!is_blank(s[i - 1]))
+        else if (!is_space_or_tab(s[i - 1]))
             h = hash_text(h, " ", 1);
     return h;
 }

@@ -16,14 +16,12 @@ bool comment_find_start(const char *line, uint32_t len, uint32_t *at)
     return false;
 }
 
-static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
 // Appends the comment after its mark, without surrounding blanks.
 static void append_comment(Buf *out, const char *line, uint32_t len, uint32_t at)
 {
-    while (at < len && (line[at] == '#' || is_blank(line[at])))
+    while (at < len && (line[at] == '#' || is_space_tab_or_return(line[at])))
         at++;
-    while (len > at && is_blank(line[len - 1]))
+    while (len > at && is_space_tab_or_return(line[len - 1]))
         len--;
     buf_put(out, line + at, len - at);
 }
@@ -72,7 +70,7 @@ static bool is_comment(const Source *src, uint32_t number)
     uint32_t len, at, i = 0;
     const char *line = source_line(src, number, &len);
 
-    while (i < len && is_blank(line[i]))
+    while (i < len && is_space_tab_or_return(line[i]))
         i++;
     return comment_find_start(line, len, &at) && at == i;
 }
@@ -82,7 +80,7 @@ static bool has_no_code(const char *line, uint32_t len)
 {
     uint32_t i = 0;
 
-    while (i < len && (is_blank(line[i]) || line[i] == '{'))
+    while (i < len && (is_space_tab_or_return(line[i]) || line[i] == '{'))
         i++;
     return i == len || line[i] == '#';
 }
@@ -107,7 +105,7 @@ Span comment_else_line(Span first)
 
 static bool is_indented(const char *line, uint32_t len, uint32_t at)
 {
-    return at + 2 < len && is_blank(line[at + 1]) && is_blank(line[at + 2]);
+    return at + 2 < len && is_space_tab_or_return(line[at + 1]) && is_space_tab_or_return(line[at + 2]);
 }
 
 // Joins the lines of a paragraph.  An empty line, an indented one, and one that starts a list item remain separate.

@@ -62,9 +62,9 @@ static const char *line_text(const Report *r, uint32_t line)     // line 0: shar
     text = source_line(r->analysis.p->src, line, &len);
     if (comment_find_start(text, len, &at))
         len = at;
-    while (len > 0 && (text[len - 1] == ' ' || text[len - 1] == '\t'))
+    while (len > 0 && is_space_or_tab(text[len - 1]))
         len--;
-    while (len > 0 && (*text == ' ' || *text == '\t'))
+    while (len > 0 && is_space_or_tab(*text))
         text++, len--;
     return format_in(r->arena, "%.*s", (int)len, text);
 }

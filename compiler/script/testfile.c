@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "compiler/base/buf.h"
+#include "compiler/base/str.h"
 
 enum { PARTS_MOST = 1000 };
 
@@ -47,14 +48,13 @@ static void set_error(TestReader *r, uint32_t line, const char *what)
         r->f->error = format_in(r->arena, "line %lu: %s", (unsigned long)line, what);
 }
 
-static bool is_blank(char c) { return c == ' ' || c == '\t'; }
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 static TestLine trim_blanks(TestLine l)
 {
-    while (l.n && is_blank(l.at[0]))
+    while (l.n && is_space_or_tab(l.at[0]))
         l.at++, l.n--;
-    while (l.n && is_blank(l.at[l.n - 1]))
+    while (l.n && is_space_or_tab(l.at[l.n - 1]))
         l.n--;
     return l;
 }
@@ -103,7 +103,7 @@ static void read_part(TestReader *r, TestLine head)
 static bool is_code(TestLine l)
 {
     return l.n >= 5 && (l.at[0] == 'E' || l.at[0] == 'W') && is_digit(l.at[1]) && is_digit(l.at[2]) && is_digit(l.at[3]) &&
-           is_digit(l.at[4]) && (l.n == 5 || is_blank(l.at[5]));
+           is_digit(l.at[4]) && (l.n == 5 || is_space_or_tab(l.at[5]));
 }
 
 static const char *find_mark(TestLine l)
@@ -157,7 +157,7 @@ static void read_header_line(TestReader *r, TestLine l)
     l = trim_blanks(l);
     if (l.n == 0 || l.at[0] == '#')
         return;
-    while (n < l.n && !is_blank(l.at[n]))
+    while (n < l.n && !is_space_or_tab(l.at[n]))
         n++;
     h.key = copy_text(r, l.at, n);
     l = trim_blanks((TestLine){l.at + n, l.n - n});
@@ -285,7 +285,7 @@ bool testfile_has_word(const char *list, const char *word)
     size_t n = strlen(word);
 
     for (const char *at = list; (at = strstr(at, word)) != NULL; at += n)
-        if ((at == list || is_blank(at[-1])) && (at[n] == '\0' || is_blank(at[n])))
+        if ((at == list || is_space_or_tab(at[-1])) && (at[n] == '\0' || is_space_or_tab(at[n])))
             return true;
     return false;
 }

@@ -147,8 +147,6 @@ static void read_text(Lexer *l, Token *t, uint32_t quote_len)
     lexer_finish_token(l, t, TOK_ERROR, end + closing);
 }
 
-static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
 // @assert p > 5, "too low": returns where the blanks and the comma before the quote begin; the quote ends the line at `end`. Returns 0 in
 // other cases, as in init_state "Idle".
 static uint32_t begins_remark(const Lexer *l, uint32_t end)
@@ -156,13 +154,13 @@ static uint32_t begins_remark(const Lexer *l, uint32_t end)
     const char *s = l->src->text;
     uint32_t from = l->at, second = l->line_start;
 
-    while (is_blank(s[end]))
+    while (is_space_tab_or_return(s[end]))
         end++;
-    while (from > 0 && (is_blank(s[from - 1]) || s[from - 1] == ','))
+    while (from > 0 && (is_space_tab_or_return(s[from - 1]) || s[from - 1] == ','))
         from--;
-    while (is_blank(s[second]))
+    while (is_space_tab_or_return(s[second]))
         second++;
-    for (second = lexer_skip_word(l, second); is_blank(s[second]); second++)
+    for (second = lexer_skip_word(l, second); is_space_tab_or_return(s[second]); second++)
         ;
     if (l->parens > 0 || second >= from || (s[end] != '\n' && end != l->src->len))
         return 0;

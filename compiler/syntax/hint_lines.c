@@ -17,11 +17,9 @@ typedef struct HintLine {
     const char *line_end;     // the line end of this line
 } HintLine;
 
-static bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
 static uint32_t skip_blanks(const HintLine *l, uint32_t p)
 {
-    while (p < l->end && is_blank(l->text[p]))
+    while (p < l->end && is_space_or_tab(l->text[p]))
         p++;
     return p;
 }
@@ -35,7 +33,7 @@ static uint32_t skip_word(const HintLine *l, uint32_t p)
 
 static uint32_t before_blanks(const HintLine *l, uint32_t p)
 {
-    while (p > l->from && is_blank(l->text[p - 1]))
+    while (p > l->from && is_space_or_tab(l->text[p - 1]))
         p--;
     return p;
 }
@@ -138,7 +136,7 @@ static bool is_indented_like(const HintLine *l, const HintLine *outer)
 // The same, and a blank follows that indentation.
 static bool is_deeper(const HintLine *l, const HintLine *outer)
 {
-    return is_indented_like(l, outer) && is_blank(l->text[l->from + indentation(outer)]);
+    return is_indented_like(l, outer) && is_space_or_tab(l->text[l->from + indentation(outer)]);
 }
 
 // The next line that is not empty is indented more: perhaps it depends on the same condition.

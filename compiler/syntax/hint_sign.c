@@ -149,11 +149,11 @@ static bool is_after_target(const Lexer *l, uint32_t at)
 {
     const char *s = l->src->text;
 
-    while (at > l->line_start && hint_is_gap(s[at - 1]))
+    while (at > l->line_start && is_space_tab_or_return(s[at - 1]))
         at--;
     while (at > l->line_start && lexer_is_word(s[at - 1]))
         at--;
-    while (at > l->line_start && hint_is_gap(s[at - 1]))
+    while (at > l->line_start && is_space_tab_or_return(s[at - 1]))
         at--;
     return at == l->line_start || strchr(":{};", s[at - 1]);
 }
@@ -180,7 +180,7 @@ static void report_foreign(Lexer *l, Token *t, const char *spelling, const char 
     if (names_value || (*native == 'n' && !hint_is_negated_alone(l->src->text, t->at + t->len)) ||
         (*spelling == ':' && !is_after_target(l, t->at)))
         return;
-    while (*native == ':' && from && hint_is_gap(l->src->text[from - 1]))
+    while (*native == ':' && from && is_space_tab_or_return(l->src->text[from - 1]))
         from--;
     diag_edit(l->diags, d, lexer_span(l, from, t->at + t->len - from),
               format_in(l->diags->arena, "%s%s%s", blank && t->at && lexer_is_word(l->src->text[t->at - 1]) ? " " : "",
@@ -223,7 +223,7 @@ static bool is_between_bars(const Lexer *l, uint32_t at, uint32_t end)
     uint32_t depth = 0, last = end;
 
     at = hint_skip_gap(l, at);
-    while (last > at && hint_is_gap(s[last - 1]))
+    while (last > at && is_space_tab_or_return(s[last - 1]))
         last--;
     if (last == at || !(lexer_is_word(s[last - 1]) || s[last - 1] == ')' || s[last - 1] == '.') ||
         !(lexer_is_word(s[at]) || strchr("(-+.", s[at])))
@@ -247,7 +247,7 @@ HintResult hint_read_bars(Lexer *l, Token *t)
         lexer_finish_token(l, t, TOK_RPAREN, end);
         return HINT_READ;
     }
-    if (hint_follows_value(l, t->first) || (lexer_byte(l, end) == '|' && hint_is_gap(lexer_byte(l, end + 1))))
+    if (hint_follows_value(l, t->first) || (lexer_byte(l, end) == '|' && is_space_tab_or_return(lexer_byte(l, end + 1))))
         return HINT_NONE;
     end += lexer_byte(l, end) == '|';                  // ||a| - b|
     while (lexer_byte(l, end) != '|' && !hint_ends_line(l, end))

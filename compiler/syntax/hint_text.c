@@ -69,7 +69,7 @@ HintResult hint_foreign_text(Lexer *l, Token *t)
 
 uint32_t hint_skip_gap(const Lexer *l, uint32_t p)
 {
-    while (hint_is_gap(lexer_byte(l, p)))
+    while (is_space_tab_or_return(lexer_byte(l, p)))
         p++;
     return p;
 }
@@ -135,7 +135,7 @@ static bool is_set_off(const Lexer *l, uint32_t at, uint32_t text)
 {
     const char *s = l->src->text;
 
-    return hint_is_gap(s[at - 1]) && (text == at + 2 || hint_is_gap(s[at - 2]));
+    return is_space_tab_or_return(s[at - 1]) && (text == at + 2 || is_space_tab_or_return(s[at - 2]));
 }
 
 // Whether a line that begins with `//` continues the expression of the line above: it closes a parenthesis of that line.
@@ -512,7 +512,7 @@ HintResult hint_read_range(Lexer *l, Token *t)
     uint32_t sign_end = skip_between(l, sign), hi = hint_skip_gap(l, sign_end);
     uint32_t hi_end = skip_plain_number(l, hi), end = hint_skip_gap(l, hi_end);
 
-    while (back && hint_is_gap(s[back - 1]))
+    while (back && is_space_tab_or_return(s[back - 1]))
         back--;
     if (back < sizeof word - 1 || memcmp(s + back - (sizeof word - 1), word, sizeof word - 1) != 0 || lo_end == lo || hi_end == hi)
         return HINT_NONE;

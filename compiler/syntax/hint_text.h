@@ -17,7 +17,6 @@ enum { HINT_FAR = 200 };      // bytes; no hint reads further, so that hostile t
 
 // ---- positions ----
 
-static inline bool hint_is_gap(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 uint32_t hint_skip_gap(const Lexer *l, uint32_t p);         // blanks
 bool hint_ends_line(const Lexer *l, uint32_t p);            // a line end, a comment or the end of the source is at p
 
