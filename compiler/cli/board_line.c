@@ -39,7 +39,7 @@ static const struct { SmResult result; const char *text; } reasons[] = {
     {SM_E_DEVICE, "its memory does not hold what was written; it may be worn out"},
     {SM_E_LAYOUT, "it was made for another state vector than the board's"},
     {SM_E_HANDLE, "the board has restarted again and again"},
-    {SM_E_UNSIGNED, "the board takes images only that are signed with its key; this one is not, or was changed since"},
+    {SM_E_UNSIGNED, "the board accepts only images that are signed with its key; this one is not, or was changed after it was signed"},
     {SM_E_REPLAY, "its number is not above that of an image that was confirmed; sign it again with 'smc sign'"},
     {SM_E_UNSUPPORTED, "the board does not know this request"},
 };

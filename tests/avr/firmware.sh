@@ -148,7 +148,7 @@ fly_signed() {
     count says "$smc" flash "$D/signed.smb" "$port"
     "$smc" sign "$D/signed.smb" --key="$D/rocket.key" --number=8 && "$B/device/link" forge "$D/signed.smb" || exit 1
     rest_on_uno signed
-    text='the image was not accepted: the board takes images only that are signed with its key'
+    text='the image was not accepted: the board accepts only images that are signed with its key'
     for i in 1 2; do                           # and is no more chosen for having come before
         count says "$smc" flash "$D/signed.smb" "$port"
     done

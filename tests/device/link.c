@@ -428,7 +428,7 @@ static void a_board_with_a_key(void)
     CHECK(alone("sign", out, with, NULL) == 0 && quiet("flash", out, "--confirm") == 0 && listed(out, ", runs, confirmed"));
     CHECK(alone("sign", images[0], with, to) == 0 && alone("sign", out, with, "--number=4000000000") == 0 && forge(out));
     CHECK(quiet("flash", out, with) == 1 && says(" was changed after it was signed with the key '") && says("nothing was sent"));
-    CHECK(quiet("flash", out, NULL) == 1 && says("the image was not accepted: the board takes images only that are signed with its key"));
+    CHECK(quiet("flash", out, NULL) == 1 && says("the image was not accepted: the board accepts only images that are signed with its key"));
     CHECK(says("the board keeps the image that it ran before"));
     remove(key);
     CHECK(alone("key", key, NULL, NULL) == 0 && alone("sign", images[0], with, to) == 0);      // another one than the board's
