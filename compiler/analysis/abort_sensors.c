@@ -173,9 +173,9 @@ static void find_blind_readings(AbortTrials *k, AbortRow *r, uint32_t input)
     const Fact type = fact_of_type(i->v->type);
     const bool ranged = i->v->range != NULL;
     const bool zero = is_blind_at(k, r, input, 0);
-    const bool below = ranged && fact_below(type, i->lo) >= type.lo && is_blind_at(k, r, input, fact_below(type, i->lo)) &&
+    const bool below = ranged && fact_next_below(type, i->lo) >= type.lo && is_blind_at(k, r, input, fact_next_below(type, i->lo)) &&
                        is_blind_at(k, r, input, i->lo - i->scale);
-    const bool above = ranged && fact_above(type, i->hi) <= type.hi && is_blind_at(k, r, input, fact_above(type, i->hi)) &&
+    const bool above = ranged && fact_next_above(type, i->hi) <= type.hi && is_blind_at(k, r, input, fact_next_above(type, i->hi)) &&
                        is_blind_at(k, r, input, i->hi + i->scale);
     Arena *arena = k->t->a->arena;
     const bool name_zero = zero && !(below && i->lo > 0) && !(above && i->hi < 0);

@@ -76,7 +76,7 @@ void each_reachable_fn(Analysis *a, void (*f)(Analysis *a, const ReachableFn *r,
             ReachableFn r = {a->p->state.at[s], (BlockKind)b, a->m->state.at[s].block[b], {NULL, NULL, NULL}};
             if (!r.fn || !facts_may_reach(a->facts, s, b))
                 continue;
-            r.flow = facts_of_function(a->facts, r.fn, facts_begin(a->facts, s, b));
+            r.flow = facts_of_function(a->facts, r.fn, facts_at_begin(a->facts, s, b));
             f(a, &r, context);
         }
 }
@@ -136,7 +136,7 @@ static void discard_flows(void *context)
 
 static void begin_on_ir(Analysis *a, Arena *arena, Diags *diags, const IrMachine *m)
 {
-    const FactWatch watch = {record_flow, discard_flows, a};
+    const FactObserver observer = {record_flow, discard_flows, a};
     const Program *p = m->program;
 
     memset(a, 0, sizeof *a);
@@ -146,7 +146,7 @@ static void begin_on_ir(Analysis *a, Arena *arena, Diags *diags, const IrMachine
     a->p = p;
     a->m = m;
     a->stmt = ARENA_ARRAY(arena, StmtFact, p->stmts + 1u);
-    a->facts = facts_from_first_state(arena, m, &watch);
+    a->facts = facts_from_first_state(arena, m, &observer);
     a->transition = transitions_of(arena, p);
 }
 

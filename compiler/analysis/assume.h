@@ -2,7 +2,7 @@
 // What follows from an assumption: a sensor reads 0, two guards are true together.  The answers come from the same facts as
 // everything else (compiler/facts).  So "impossible" is certain, and "possible" may be too cautious.
 //
-//     const Env *env = facts_begin(a->facts, state, BLOCK_STEP);
+//     const Env *env = facts_at_begin(a->facts, state, BLOCK_STEP);
 //     env = assume_fact(a, env, pressure, fact_of_cell(SM_F64, 0));
 //     if (!assume_guard(a, &env, guard, true)) …             // it cannot be true
 #ifndef SMC_ASSUME_H

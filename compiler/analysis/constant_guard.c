@@ -85,8 +85,8 @@ static const char *bound_text(Arena *arena, double x, double beside, const char 
 static const char *range_text(Arena *arena, const char *what, Fact f)
 {
     const bool open = f.lo - f.lo != 0, endless = f.hi - f.hi != 0;
-    const char *lo = bound_text(arena, f.lo, fact_below(f, f.lo), "above", "at least");
-    const char *hi = bound_text(arena, f.hi, fact_above(f, f.hi), "below", "at most");
+    const char *lo = bound_text(arena, f.lo, fact_next_below(f, f.lo), "above", "at least");
+    const char *hi = bound_text(arena, f.hi, fact_next_above(f, f.hi), "below", "at most");
 
     if (f.lo == f.hi)
         return format_in(arena, "here '%s' is always %s", what, const_text(arena, f.lo));

@@ -9,7 +9,7 @@
 
 Fact fact_of_types(const Analysis *a, const Expr *e)
 {
-    return fact_of_expr(a, facts_begin_sample(a->facts), e);
+    return fact_of_expr(a, facts_at_begin_of_sample(a->facts), e);
 }
 
 // ---- the operands ----

@@ -126,7 +126,7 @@ void analyse_division_by_zero(Analysis *a)
     in_range = assume_ranges(a);
     each_reachable_fn(&in_range, check_reachable_function, &k);
     if (a->m->sample) {
-        const FactFlow flow = facts_of_function(in_range.facts, a->m->sample, facts_begin_sample(in_range.facts));
+        const FactFlow flow = facts_of_function(in_range.facts, a->m->sample, facts_at_begin_of_sample(in_range.facts));
         check_function(&k, a->m->sample, &flow);
     }
     for (size_t i = 0; i <= p->stmts; i++)

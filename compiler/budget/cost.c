@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the longest path through each function.  Jumps only go forward.  A walk from the last instruction to the first
-// computes, for each, the longest distance to the end, separately for paths that end in `end` and in `goto`.  The path itself
-// follows the larger number from the start.
+// Finds the longest path through each function.  Jumps only go forward.  So one walk from the last instruction to the first computes,
+// for each instruction, the cost of the longest path to the end of the function, separately for paths that end in the instruction
+// `end` and in `goto`.  From the start, the path then follows the successor with the higher cost.
 #include "compiler/budget/cost.h"
 
 #include <string.h>
@@ -12,31 +12,31 @@
 
 enum { STATE_FUNCTIONS = 3 };           // .entry, .step and .exit, by CostPart
 
-typedef enum PathEnd { PATH_ENDS, PATH_LEAVES, PATH_KINDS } PathEnd;        // in `end`, in `goto`
+typedef enum PathEnd { PATH_ENDS, PATH_LEAVES, PATH_KINDS } PathEnd;        // the path ends in `end` (stays in the state), in `goto`
 
 typedef struct ImageIns {
     uint32_t at;                  // in the image
     uint8_t op;
     uint32_t to;                  // target of its jump, in the image; 0: not a jump
-    uint32_t line, units;         // its own cost
-    uint32_t left[PATH_KINDS];          // cost of the longest path from here on, this instruction included; 0: there is no path
+    uint32_t line, units;         // its source line; its own cost
+    uint32_t longest_from_here[PATH_KINDS];     // cost of the longest path to that end, this instruction included; 0: there is no path
 } ImageIns;
 
 typedef struct ImageFn {
     ImageIns *ins;
     uint32_t n;
-    uint32_t longest[PATH_KINDS];       // all zero for a function without code, which ends
+    uint32_t longest[PATH_KINDS];       // cost of its longest paths; all zero for a function without code, which ends in `end`
     bool ends;                    // some path ends in `end`
 } ImageFn;
 
 typedef struct ImageReader {
     Arena *arena;
     CostUnit unit;
-    uint32_t always;              // the cost of a step besides its functions
+    uint32_t always;              // the cost of a step without its functions
     SmvmMachine m;
     Cycles cycles;                // state after the last instruction that was read
-    SmvmLines lines;              // the next line that has not begun
-    bool more;                    // there is a next line
+    SmvmLines lines;              // the first row of the line table that begins after the instruction being read
+    bool more;                    // there is such a row
     uint32_t line;                // of the instruction being read
 } ImageReader;
 
@@ -44,7 +44,8 @@ static uint32_t larger(uint32_t a, uint32_t b) { return a > b ? a : b; }
 
 // ---- reading a function ----
 
-static void find_line(ImageReader *r, uint32_t at)
+// Sets r->line to the source line of the instruction at this position.  Positions must ascend from call to call.
+static void advance_to_line_of(ImageReader *r, uint32_t at)
 {
     while (r->more && r->lines.code <= at - r->m.code_at) {
         r->line = r->lines.line;
@@ -52,7 +53,7 @@ static void find_line(ImageReader *r, uint32_t at)
     }
 }
 
-// Reads an instruction and returns the position of the next one.
+// Reads the instruction at this position into *out and returns the position of the next one.  `end`: of the function.
 static uint32_t read_ins(ImageReader *r, uint32_t at, uint32_t end, ImageIns *out)
 {
     const uint8_t op = smvm_u8(r->m.image, at);
@@ -61,10 +62,10 @@ static uint32_t read_ins(ImageReader *r, uint32_t at, uint32_t end, ImageIns *ou
     uint32_t number[2] = {0, 0};
     unsigned n = 0;
 
-    find_line(r, at);
+    advance_to_line_of(r, at);
     while (next < end && n < 2 && smvm_u8(r->m.image, next) < SMVM_OP_FIRST)
         smvm_read_varint(r->m.image, &next, (SmvmAt)end, &number[n++]);
-    *out = (ImageIns){at, op, 0, r->line, r->unit == COST_INSTRUCTIONS ? 1 : cycles_of(&r->cycles, op, number, n), {0, 0}};
+    *out = (ImageIns){at, op, 0, r->line, r->unit == COST_INSTRUCTIONS ? 1 : cycles_of_ins(&r->cycles, op, number, n), {0, 0}};
     if (jumps)                                        // the last number is the jump distance
         out->to = next + number[n - 1];
     return next;
@@ -72,7 +73,8 @@ static uint32_t read_ins(ImageReader *r, uint32_t at, uint32_t end, ImageIns *ou
 
 // ---- the longest path ----
 
-static uint32_t find_ins(const ImageFn *f, uint32_t at)                // the instruction at this position
+// The index of the instruction at this position of the image.
+static uint32_t find_ins_at(const ImageFn *f, uint32_t at)
 {
     uint32_t low = 0, high = f->n - 1;
 
@@ -88,6 +90,7 @@ static uint32_t find_ins(const ImageFn *f, uint32_t at)                // the in
 
 static bool falls_through(const ImageIns *i) { return i->op != SMVM_end && i->op != SMVM_goto && i->op != SMVM_jmp; }
 
+// Reads function `index` of the machine and computes its longest paths.
 static ImageFn read_function(ImageReader *r, uint32_t index)
 {
     const uint32_t begin = r->m.code_at + (index == 0 ? 0 : smvm_function_end(&r->m, index - 1));
@@ -103,23 +106,24 @@ static ImageFn read_function(ImageReader *r, uint32_t index)
         at = read_ins(r, at, end, &f.ins[f.n++]);
     for (uint32_t i = f.n; i-- > 0;) {
         ImageIns *ins = &f.ins[i];
-        const ImageIns *next = falls_through(ins) ? ins + 1 : NULL, *target = ins->to ? &f.ins[find_ins(&f, ins->to)] : NULL;
-        ins->left[PATH_ENDS] = ins->op == SMVM_end ? ins->units : 0;
-        ins->left[PATH_LEAVES] = ins->op == SMVM_goto ? ins->units : 0;
+        const ImageIns *next = falls_through(ins) ? ins + 1 : NULL, *target = ins->to ? &f.ins[find_ins_at(&f, ins->to)] : NULL;
+        ins->longest_from_here[PATH_ENDS] = ins->op == SMVM_end ? ins->units : 0;
+        ins->longest_from_here[PATH_LEAVES] = ins->op == SMVM_goto ? ins->units : 0;
         for (int p = 0; p < PATH_KINDS; p++) {
-            const uint32_t most = larger(next ? next->left[p] : 0, target ? target->left[p] : 0);
-            ins->left[p] = most ? most + ins->units : ins->left[p];
+            const uint32_t most = larger(next ? next->longest_from_here[p] : 0, target ? target->longest_from_here[p] : 0);
+            ins->longest_from_here[p] = most ? most + ins->units : ins->longest_from_here[p];
         }
     }
     for (int p = 0; p < PATH_KINDS && f.n; p++)
-        f.longest[p] = f.ins[0].left[p];
+        f.longest[p] = f.ins[0].longest_from_here[p];
     f.ends = f.n == 0 || f.longest[PATH_ENDS] > 0;
     return f;
 }
 
-// ---- the path as lines ----
+// ---- the path as source lines ----
 
-static void add_path(ImageReader *r, StateCost *s, const ImageFn *f, CostPart part, PathEnd path)
+// Appends the longest path of f to the path of the state, one entry for each run of instructions of the same line.
+static void append_path(ImageReader *r, StateCost *s, const ImageFn *f, CostPart part, PathEnd path)
 {
     for (uint32_t i = 0; i < f->n;) {
         const ImageIns *ins = &f->ins[i];
@@ -130,7 +134,7 @@ static void add_path(ImageReader *r, StateCost *s, const ImageFn *f, CostPart pa
             vec_push(r->arena, &s->path, fresh);
         if (ins->op == SMVM_end || ins->op == SMVM_goto)
             return;
-        i = falls_through(ins) && ins[1].left[path] + ins->units == ins->left[path] ? i + 1 : find_ins(f, ins->to);
+        i = falls_through(ins) && ins[1].longest_from_here[path] + ins->units == ins->longest_from_here[path] ? i + 1 : find_ins_at(f, ins->to);
     }
 }
 
@@ -138,18 +142,18 @@ static void add_path(ImageReader *r, StateCost *s, const ImageFn *f, CostPart pa
 
 typedef struct LongestStep {
     uint32_t n;                   // its cost
-    bool entry, step, exit;       // which functions run
-    PathEnd entry_path, step_path;    // how they end
+    bool entry, step, exit;       // which functions it runs
+    PathEnd entry_path, step_path;    // how .entry and .step end
 } LongestStep;
 
-static void keep_longer(LongestStep *best, LongestStep s)
+static void update_longest(LongestStep *best, LongestStep s)
 {
     if (s.n > best->n)
         *best = s;
 }
 
-// Considers the longest paths through `.step`, after the cost `s` so far.
-static void extend_by_step(LongestStep *best, const ImageFn *f, LongestStep s)
+// Updates *best with the longest step that begins like s and then runs .step, and .exit if .step leaves the state.
+static void try_step_paths(LongestStep *best, const ImageFn *f, LongestStep s)
 {
     const uint32_t before = s.n;
 
@@ -157,15 +161,16 @@ static void extend_by_step(LongestStep *best, const ImageFn *f, LongestStep s)
     s.n = before + f[COST_STEP].longest[PATH_ENDS];
     s.step_path = PATH_ENDS;
     if (f[COST_STEP].ends)
-        keep_longer(best, s);
+        update_longest(best, s);
     if (f[COST_STEP].longest[PATH_LEAVES]) {
         s.n = before + f[COST_STEP].longest[PATH_LEAVES] + f[COST_EXIT].longest[PATH_ENDS];
         s.step_path = PATH_LEAVES;
         s.exit = true;
-        keep_longer(best, s);
+        update_longest(best, s);
     }
 }
 
+// The longest first step of a state with the functions f: .entry, then .step unless .entry leaves.
 static LongestStep longest_first_step(const ImageFn *f)
 {
     LongestStep best = {0, false, false, false, PATH_ENDS, PATH_ENDS};
@@ -174,21 +179,21 @@ static LongestStep longest_first_step(const ImageFn *f)
     const LongestStep ended = {f[COST_ENTRY].longest[PATH_ENDS], true, false, false, PATH_ENDS, PATH_ENDS};
 
     if (f[COST_ENTRY].longest[PATH_LEAVES])
-        keep_longer(&best, left);
+        update_longest(&best, left);
     if (f[COST_ENTRY].ends)
-        extend_by_step(&best, f, ended);
+        try_step_paths(&best, f, ended);
     return best;
 }
 
-static void add_path_of_step(ImageReader *r, StateCost *s, const ImageFn *sample, const ImageFn *f, const LongestStep *step)
+static void append_path_of_step(ImageReader *r, StateCost *s, const ImageFn *sample, const ImageFn *f, const LongestStep *step)
 {
-    add_path(r, s, sample, COST_SAMPLE, PATH_ENDS);
+    append_path(r, s, sample, COST_SAMPLE, PATH_ENDS);
     if (step->entry)
-        add_path(r, s, &f[COST_ENTRY], COST_ENTRY, step->entry_path);
+        append_path(r, s, &f[COST_ENTRY], COST_ENTRY, step->entry_path);
     if (step->step)
-        add_path(r, s, &f[COST_STEP], COST_STEP, step->step_path);
+        append_path(r, s, &f[COST_STEP], COST_STEP, step->step_path);
     if (step->exit)
-        add_path(r, s, &f[COST_EXIT], COST_EXIT, PATH_ENDS);
+        append_path(r, s, &f[COST_EXIT], COST_EXIT, PATH_ENDS);
 }
 
 static void cost_of_state(ImageReader *r, uint32_t state, const ImageFn *sample, StateCost *s)
@@ -197,19 +202,20 @@ static void cost_of_state(ImageReader *r, uint32_t state, const ImageFn *sample,
     LongestStep first, later = {0, false, false, false, PATH_ENDS, PATH_ENDS};
 
     for (uint32_t b = 0; b < STATE_FUNCTIONS; b++)
-        f[b] = read_function(r, 1 + 3 * state + b);
+        f[b] = read_function(r, 1 + STATE_FUNCTIONS * state + b);       // function 0 is the sample function
     first = longest_first_step(f);
-    if (f[COST_ENTRY].ends && f[COST_STEP].ends)                // otherwise its first step is its last
-        extend_by_step(&later, f, later);
+    if (f[COST_ENTRY].ends && f[COST_STEP].ends)                // otherwise every path leaves the state in its first step
+        try_step_paths(&later, f, later);
     s->first = r->always + sample->longest[PATH_ENDS] + first.n;
     s->later = f[COST_ENTRY].ends && f[COST_STEP].ends ? r->always + sample->longest[PATH_ENDS] + later.n : 0;
     s->worst = larger(s->first, s->later);
-    add_path_of_step(r, s, sample, f, first.n >= later.n ? &first : &later);
+    append_path_of_step(r, s, sample, f, first.n >= later.n ? &first : &later);
 }
 
 // ---- bytes ----
 
-static void count_bytes(ImageReader *r, Cost *out)
+// Fills in the sizes of *out: RAM, code, locals and windows.
+static void fill_in_bytes(ImageReader *r, Cost *out)
 {
     const SmvmMachine *m = &r->m;
 
@@ -254,7 +260,7 @@ void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, CostUn
             out->worst_state = s + 1;
         }
     }
-    count_bytes(&r, out);
+    fill_in_bytes(&r, out);
 }
 
 const CostLine *cost_next_most_expensive(const StateCost *s, const CostLine *before)

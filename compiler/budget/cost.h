@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cost of a machine on the VM: its longest step, for each state, and bytes.  It is read from the image, so it equals the
-// result of the target's own verifier.  Paths that no input can take are not excluded, so real steps may be shorter.  They are
-// never longer in instructions.  Cycles are an estimate, because not all operands were measured (avr_cycles.def).
+// The cost of a machine on the VM: the longest step of each state, and its bytes.  It is computed from the image, so it equals the
+// result of the target's own verifier.  Paths that no input can take are not excluded, so real steps may execute fewer
+// instructions, but never more.  Cycles are an estimate, because not all operands were measured (avr_cycles.def).
 #ifndef SMC_COST_H
 #define SMC_COST_H
 
@@ -10,20 +10,20 @@
 
 typedef enum CostPart { COST_ENTRY, COST_STEP, COST_EXIT, COST_SAMPLE } CostPart;      // the first three as in BlockKind
 
-// The unit of the longest step.  Cycles are those of an ATmega328P, depending on where its image is.  The longest path may
-// differ between units.
+// The unit in which steps are compared.  Cycles are those of an ATmega328P with the image in flash or in EEPROM.  Different units may
+// have different longest paths.
 typedef enum CostUnit { COST_INSTRUCTIONS, COST_CYCLES_FLASH, COST_CYCLES_EEPROM, COST_UNITS } CostUnit;
 
-// A stretch of the longest path.
+// Consecutive instructions of the longest path that belong to the same source line.
 typedef struct CostLine {
     CostPart part;
     uint32_t line;                // of the machine's source; 0: instructions of several lines, or the image has no lines
-    uint32_t units;
+    uint32_t units;               // its cost in the CostUnit
 } CostLine;
 
 typedef struct StateCost {
-    uint32_t first;               // the longest first step of the state: samples, .entry, .step, .exit
-    uint32_t later;               // the longest of its other steps; 0: it has none
+    uint32_t first;               // the cost of the longest first step of the state: samples, .entry, .step, .exit
+    uint32_t later;               // the cost of the longest of its other steps; 0: it has none
     uint32_t worst;               // the larger of the two
     VEC(CostLine) path;           // the path through the worst step, in order
 } StateCost;
@@ -35,9 +35,9 @@ typedef struct CostWindow {
 } CostWindow;
 
 typedef struct Cost {
-    uint32_t sample;              // the code that samples the windows: part of every step
+    uint32_t sample;              // the cost of the code that samples the windows, which every step includes
     uint32_t worst;               // the longest step
-    uint32_t worst_state;         // number of the first state with this step
+    uint32_t worst_state;         // the number (from 1) of the first state with this step
     StateCost *state;             // at[0] is state 1
     uint32_t states;
     uint32_t ram;                 // total bytes, with 64-bit pointers: the VM's own, windows, locals
@@ -51,7 +51,8 @@ typedef struct Cost {
 // Computes the cost of machine `number`, counted from 0, of an image that the verifier has accepted.
 void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, CostUnit unit, Cost *out);
 
-// The most expensive stretch of the longest path that has a line; after `before`, the next one.  NULL: there are no more.
+// Iterates over the entries of a state's path that have a source line, the most expensive first: returns the first one if `before`
+// is NULL, else the one after it.  NULL: there are no more.
 const CostLine *cost_next_most_expensive(const StateCost *s, const CostLine *before);
 
 #endif

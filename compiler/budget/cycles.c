@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tracks what X and Y contain from one instruction to the next.  The target of a jump always reloads X, so nothing has to be
-// known about other paths (opcodes.def).
+// Tracks what the registers X and Y (opcodes.def) contain, in the order of the image.  The target of a jump always reloads X before it
+// reads it, so what X contains on the path of the jump does not matter.
 #include "compiler/budget/cycles.h"
 
 #include "bytecode-vm/smvm.h"
@@ -14,7 +14,7 @@ static const uint16_t row_cycles[CYCLES_ROWS][4] = {
 #undef CYCLES_WINDOW
 #undef CYCLES_STACK
 };
-static const uint16_t window_cycles[CYCLES_WINDOW_ROWS][2 * CYCLES_KEYS] = {
+static const uint16_t window_cycles[CYCLES_WINDOW_ROWS][2 * CYCLES_SAMPLE_KINDS] = {
 #define CYCLES_ROW(name, ...)
 #define CYCLES_WINDOW(name, ...) {__VA_ARGS__},
 #define CYCLES_STACK(bytes)
@@ -24,7 +24,7 @@ static const uint16_t window_cycles[CYCLES_WINDOW_ROWS][2 * CYCLES_KEYS] = {
 #undef CYCLES_STACK
 };
 
-uint32_t cycles_stack(void)
+uint32_t cycles_stack_bytes(void)
 {
     return 0
 #define CYCLES_ROW(name, ...)
@@ -37,9 +37,9 @@ uint32_t cycles_stack(void)
         ;
 }
 
-uint32_t cycles_row(CyclesChip chip, CyclesRow row, bool whole) { return row_cycles[row][2 * chip + !whole]; }
+uint32_t cycles_in_row(CyclesChip chip, CyclesRow row, bool whole) { return row_cycles[row][2 * chip + !whole]; }
 
-uint32_t cycles_window(CyclesWindow row, uint8_t type, uint32_t slots)
+uint32_t cycles_of_window_row(CyclesWindow row, uint8_t type, uint32_t slots)
 {
     const unsigned key = type == SM_F32 ? 4 : type == SM_F64 ? 5 : smvm_type_shift(type);
 
@@ -50,13 +50,15 @@ uint32_t cycles_window(CyclesWindow row, uint8_t type, uint32_t slots)
 
 static const CyclesReg any_value = {false, true, UINT32_MAX};
 
-static CyclesReg reg_of_whole(bool is_signed, uint64_t most)         // unknown if it has more than 32 bits
+// A whole number of at most this magnitude; any value if that needs more than 32 bits.
+static CyclesReg reg_of_whole(bool is_signed, uint64_t most)
 {
     const CyclesReg r = {true, is_signed, (uint32_t)most};
 
     return most <= INT32_MAX + (uint64_t)is_signed ? r : any_value;
 }
 
+// A value loaded from a variable of this type.
 static CyclesReg reg_of_type(uint8_t type)
 {
     switch (type) {
@@ -68,7 +70,7 @@ static CyclesReg reg_of_type(uint8_t type)
     }
 }
 
-// The result of X and another number; unknown if it does not fit.
+// The result of an operation on X and Y; any value if a whole result may need more than 32 bits.
 static CyclesReg reg_of_binary(uint8_t op, const CyclesReg *x, const CyclesReg *y)
 {
     const uint64_t most = x->most > y->most ? x->most : y->most;
@@ -87,6 +89,7 @@ static CyclesReg reg_of_binary(uint8_t op, const CyclesReg *x, const CyclesReg *
     }
 }
 
+// The result of an operation on X alone.
 static CyclesReg reg_of_unary(uint8_t op, const CyclesReg *x)
 {
     if (!x->whole || op == SMVM_neg || op == SMVM_sqrt || x->most > INT32_MAX)
@@ -96,22 +99,27 @@ static CyclesReg reg_of_unary(uint8_t op, const CyclesReg *x)
 
 // ---- instructions ----
 
+// Opcodes that load Y differ by this bit from those that load X.  The low four bits of loads and stores are a type (opcodes.def).
+enum { OPCODE_LOADS_Y = SMVM_ldy_local - SMVM_ldx_local, OPCODE_TYPE = 0xf };
+
 uint32_t cycles_begin(Cycles *c, CyclesChip chip, const SmvmMachine *m)
 {
     c->chip = chip;
     c->m = m;
     c->x = c->y = any_value;
-    return cycles_row(chip, CYCLES_step, true) + (m->outputs > 64 ? (m->outputs - 57) / 8 * cycles_row(chip, CYCLES_more, true) : 0);
+    // `step` covers 64 outputs; each further eight, or part of them, cost `more`
+    return cycles_in_row(chip, CYCLES_step, true) + (m->outputs > 64 ? (m->outputs - 57) / 8 * cycles_in_row(chip, CYCLES_more, true) : 0);
 }
 
-static uint32_t row_cost(const Cycles *c, CyclesRow r, bool is_whole) { return cycles_row(c->chip, r, is_whole); }
+static uint32_t row_cost(const Cycles *c, CyclesRow r, bool is_whole) { return cycles_in_row(c->chip, r, is_whole); }
 
+// The cost of an instruction on this window: the row `plain`, or `sorted` if the window has a median.
 static uint32_t cycles_of_window(const Cycles *c, uint32_t window, CyclesWindow plain, CyclesWindow sorted)
 {
     const uint32_t entry = smvm_window(c->m->image, c->m->windows_at, (SmvmAt)window), kind = entry >> SMVM_WINDOW_SIZE_BITS;
-    const bool has_median = kind >> 4 >> SM_STAT_MEDIAN & 1u;
+    const bool has_median = (kind & SM_ROLL_MEDIAN) != 0;
 
-    return cycles_window(has_median ? sorted : plain, (uint8_t)(kind & SM_ROLL_TYPE), entry & SMVM_WINDOW_SIZE_MASK);
+    return cycles_of_window_row(has_median ? sorted : plain, (uint8_t)(kind & SM_ROLL_TYPE), entry & SMVM_WINDOW_SIZE_MASK);
 }
 
 static uint32_t cycles_of_statistic(const Cycles *c, uint32_t stat, uint32_t window)
@@ -126,11 +134,11 @@ static uint32_t cycles_of_statistic(const Cycles *c, uint32_t stat, uint32_t win
 
 static uint32_t cycles_of_load(Cycles *c, uint8_t op, const uint32_t *number)
 {
-    CyclesReg *to = op & 0x20 ? &c->y : &c->x;
-    const uint8_t type = op & 0xf;
+    CyclesReg *to = op & OPCODE_LOADS_Y ? &c->y : &c->x;
+    const uint8_t type = op & OPCODE_TYPE;
 
     *to = type <= SMVM_RAW ? reg_of_type(type) : any_value;
-    switch (op & (uint8_t)~0x20) {
+    switch (op & (uint8_t)~OPCODE_LOADS_Y) {
     case SMVM_ldx_plus: *to = reg_of_whole(false, number[0]); return row_cost(c, CYCLES_number, true);
     case SMVM_ldx_minus: *to = reg_of_whole(true, number[0] + UINT64_C(1)); return row_cost(c, CYCLES_number, true);
     case SMVM_ldx_f32: return row_cost(c, CYCLES_f32, false);
@@ -147,7 +155,7 @@ static uint32_t cycles_of_output(Cycles *c, uint32_t n)
     return row_cost(c, n < 64 ? CYCLES_out : CYCLES_out_far, c->x.whole) + cycles_of_store(c, (uint8_t)smvm_output(c->m, (SmvmAt)n).type);
 }
 
-static uint32_t cycles_of_add_number(Cycles *c, uint8_t op, uint32_t n)
+static uint32_t cycles_of_add_constant(Cycles *c, uint8_t op, uint32_t n)
 {
     const CyclesReg y = reg_of_whole(false, n);
 
@@ -157,17 +165,18 @@ static uint32_t cycles_of_add_number(Cycles *c, uint8_t op, uint32_t n)
 
 static uint32_t cycles_of_operation(Cycles *c, uint8_t op)
 {
-    const bool two = op < SMVM_neg, truth = op == SMVM_and || op == SMVM_or, whole_before = c->x.whole && (!two || c->y.whole);
+    const bool is_binary = op < SMVM_neg;              // from there on, opcodes have the operand X alone
+    const bool is_logic = op == SMVM_and || op == SMVM_or, whole_before = c->x.whole && (!is_binary || c->y.whole);
 
-    c->x = two ? reg_of_binary(op, &c->x, &c->y) : reg_of_unary(op, &c->x);
-    return row_cost(c, (CyclesRow)(CYCLES_add + op - SMVM_add), truth ? whole_before : c->x.whole);
+    c->x = is_binary ? reg_of_binary(op, &c->x, &c->y) : reg_of_unary(op, &c->x);
+    return row_cost(c, (CyclesRow)(CYCLES_add + op - SMVM_add), is_logic ? whole_before : c->x.whole);
 }
 
 static uint32_t cycles_of_jump(const Cycles *c, uint8_t op, const uint32_t *number)
 {
     if (op == SMVM_jmp || op == SMVM_jf || op == SMVM_jt)
         return row_cost(c, op == SMVM_jmp ? CYCLES_jmp : op == SMVM_jf ? CYCLES_jf : CYCLES_jt, c->x.whole);
-    if (op < SMVM_jmp)
+    if (op < SMVM_jmp)                                // jxy, with any relations of X and Y
         return row_cost(c, CYCLES_jxy, c->x.whole && c->y.whole);
     if (number[0] > UINT16_MAX)
         return row_cost(c, CYCLES_jxn_wide, c->x.whole);
@@ -184,20 +193,20 @@ static uint32_t cycles_of_opcode(Cycles *c, uint8_t op, const uint32_t *number)
         return cycles_of_jump(c, op, number);
     switch (op) {
     case SMVM_stat: c->x = any_value; return cycles_of_statistic(c, number[0], number[1]);
-    case SMVM_addi: case SMVM_subi: return cycles_of_add_number(c, op, number[0]);
+    case SMVM_addi: case SMVM_subi: return cycles_of_add_constant(c, op, number[0]);
     case SMVM_cvt: cycles = row_cost(c, CYCLES_cvt, c->x.whole); c->x = reg_of_type((uint8_t)number[0]); return cycles;
     case SMVM_set: cycles = row_cost(c, CYCLES_set, c->x.whole && c->y.whole); c->x = reg_of_whole(false, 1); return cycles;
     case SMVM_out: return cycles_of_output(c, number[0]);
     case SMVM_goto: return row_cost(c, CYCLES_end, true) + row_cost(c, CYCLES_goto, true);
     case SMVM_end: return row_cost(c, CYCLES_end, true);
     case SMVM_sample: return cycles_of_window(c, number[0], CYCLES_sample, CYCLES_sample_sorted);
-    default: return op >= SMVM_st_local ? cycles_of_store(c, op & 0xf) : cycles_of_load(c, op, number);
+    default: return op >= SMVM_st_local ? cycles_of_store(c, op & OPCODE_TYPE) : cycles_of_load(c, op, number);
     }
 }
 
-uint32_t cycles_of(Cycles *c, uint8_t op, const uint32_t number[2], unsigned numbers)
+uint32_t cycles_of_ins(Cycles *c, uint8_t op, const uint32_t number[2], unsigned numbers)
 {
-    const bool compares = op >= SMVM_jxn && op < SMVM_jt;          // their first number is part of their row
+    const bool compares = op >= SMVM_jxn && op < SMVM_jt;          // jxn: the size of its first number selects its row
     uint32_t cycles = cycles_of_opcode(c, op, number);
 
     for (unsigned i = compares; i < numbers; i++)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Estimates how many cycles an instruction of the VM takes on an ATmega328P, with measured numbers (avr_cycles.def).  The model
-// tracks which registers always contain whole numbers, because arithmetic in software takes ten times as long.  It tracks
+// Estimates how many cycles an instruction of the VM takes on an ATmega328P, from measurements (avr_cycles.def).  The model tracks
+// whether X and Y always contain whole numbers, because floating-point arithmetic in software takes ten times as long.  It tracks
 // nothing else about values.
 #ifndef SMC_CYCLES_H
 #define SMC_CYCLES_H
@@ -32,31 +32,33 @@ typedef enum CyclesWindow {
     CYCLES_WINDOW_ROWS
 } CyclesWindow;
 
-enum { CYCLES_KEYS = 6 };                 // how windows store their samples: in 1, 2, 4 or 8 bytes, as F32, as F64
+enum { CYCLES_SAMPLE_KINDS = 6 };         // how windows store their samples: as integers of 1, 2, 4 or 8 bytes, as F32, as F64
 
-typedef enum CyclesChip { CYCLES_FLASH, CYCLES_EEPROM } CyclesChip;       // an ATmega328P, and where its image is
+typedef enum CyclesChip { CYCLES_FLASH, CYCLES_EEPROM } CyclesChip;       // an ATmega328P with its image there
 
 // What is known about a register.
 typedef struct CyclesReg {
     bool whole;               // always a whole number
     bool signed_;             // may be negative
-    uint32_t most;            // its largest magnitude
+    uint32_t most;            // the largest possible magnitude of a whole number
 } CyclesReg;
 
 typedef struct Cycles {
     CyclesChip chip;
     const SmvmMachine *m;
-    CyclesReg x, y;
+    CyclesReg x, y;           // after the last instruction
 } Cycles;
 
-uint32_t cycles_stack(void);              // bytes of stack below a step, the largest measured value
-uint32_t cycles_row(CyclesChip chip, CyclesRow row, bool whole);
-uint32_t cycles_window(CyclesWindow row, uint8_t type, uint32_t slots);
+uint32_t cycles_stack_bytes(void);              // bytes of stack below a step, the largest measured value
+// The cycles in a row of CYCLES_ROW; `whole`: the registers contain whole numbers.
+uint32_t cycles_in_row(CyclesChip chip, CyclesRow row, bool whole);
+// The cycles in a row of CYCLES_WINDOW, for a window of this sample type and size.
+uint32_t cycles_of_window_row(CyclesWindow row, uint8_t type, uint32_t slots);
 
-// Call before the first instruction.  Returns the cost of a step besides its functions.
+// Call before the first instruction.  Returns the cost of a step without its functions.
 uint32_t cycles_begin(Cycles *c, CyclesChip chip, const SmvmMachine *m);
-// The cost of the next instruction in the order of the image, with its numbers.  One that ends a function includes the call of
-// the function.
-uint32_t cycles_of(Cycles *c, uint8_t op, const uint32_t number[2], unsigned numbers);
+// Returns the cost of the next instruction in the order of the image, and updates the registers.  number: its operands.  The cost of
+// `end` and `goto` includes the call of the function that they end.
+uint32_t cycles_of_ins(Cycles *c, uint8_t op, const uint32_t number[2], unsigned numbers);
 
 #endif

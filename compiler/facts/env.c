@@ -24,6 +24,7 @@ EnvShape env_shape(Arena *arena, const IrMachine *m)
 
 static bool is_root(const EnvShape *s, unsigned level) { return level == s->levels - 1; }
 
+// Which child of a node on this level contains the variable.  The root has two: 1 has the private variables, 0 the others.
 static unsigned child_index(const EnvShape *s, uint32_t var, unsigned level)
 {
     return is_root(s, level) ? env_is_private(&s->m->var.at[var]) : var >> (level * BITS) & (CHILDREN - 1u);
@@ -39,6 +40,7 @@ Fact env_get(const EnvShape *s, const Env *e, uint32_t var)
     return fact ? *fact : fact_of_type(s->m->var.at[var].type);
 }
 
+// A copy of e that may be changed; an empty node if e is NULL.
 static Env *copy_node(const EnvShape *s, const Env *e)
 {
     Env *n = ARENA_NEW(s->arena, Env);
@@ -48,7 +50,7 @@ static Env *copy_node(const EnvShape *s, const Env *e)
     return n;
 }
 
-// NULL if the fact is that of the type.
+// A copy of the fact for a leaf; NULL if it only states the variable's type.
 static const Fact *new_fact(const EnvShape *s, Fact fact, SmType type)
 {
     Fact *f;
@@ -60,7 +62,7 @@ static const Fact *new_fact(const EnvShape *s, Fact fact, SmType type)
     return f;
 }
 
-// `level`: of the node e; 0 is a leaf.
+// Returns a copy of the node e, which is on this level, with the variable's fact replaced.
 static const Env *set_below(const EnvShape *s, const Env *e, uint32_t var, const Fact *fact, unsigned level)
 {
     Env *n = copy_node(s, e);
@@ -83,7 +85,7 @@ static const Fact *join_facts(const EnvShape *s, const Fact *a, const Fact *b, u
     SmType type;
     Fact r;
 
-    if (a == b || !a || !b)                // past the last variable both are NULL, so `var` is valid below
+    if (a == b || !a || !b)                // where a leaf has more slots than there are variables, both are NULL
         return a && b ? a : NULL;
     type = s->m->var.at[var].type;
     r = fact_join(*a, *b);
@@ -92,6 +94,7 @@ static const Fact *join_facts(const EnvShape *s, const Fact *a, const Fact *b, u
     return new_fact(s, widen ? fact_widen(*a, r, type, widen) : r, type);
 }
 
+// `first`: the first variable below the two nodes.
 static const Env *join_nodes(const EnvShape *s, const Env *a, const Env *b, uint32_t first, unsigned level, const FactLimits *widen)
 {
     Env both;
@@ -116,13 +119,13 @@ const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLim
     return join_nodes(s, a, b, 0, s->levels - 1, widen);
 }
 
-const Env *env_begin(const EnvShape *s, const Env *e, const Env *others)
+const Env *env_replace_shared(const EnvShape *s, const Env *e, const Env *shared)
 {
     Env *n;
 
     if (!e || !e->child[1].env)
-        return others;
-    n = copy_node(s, others);
+        return shared;
+    n = copy_node(s, shared);
     n->child[1] = e->child[1];
     return n;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts about a machine's variables at one program point, as a persistent tree.  Thousands of blocks and states share their common
-// subtrees, and joining two trees costs only their difference.  A variable without an entry is known only by its type.  NULL is the
-// empty tree.
+// Facts about a machine's variables at one program point, as a persistent tree: an update copies one path and shares the rest.
+// Thousands of blocks and states share subtrees, and the cost of joining two trees depends only on how much they differ.  A variable
+// without an entry is known only by its type.  NULL is the empty tree.
 #ifndef SMC_ENV_H
 #define SMC_ENV_H
 
@@ -12,7 +12,7 @@ typedef struct Env Env;
 typedef struct EnvShape {
     Arena *arena;
     const IrMachine *m;
-    unsigned levels;                  // of the tree
+    unsigned levels;                  // of the tree: the leaves are level 0
 } EnvShape;
 
 EnvShape env_shape(Arena *arena, const IrMachine *m);
@@ -24,7 +24,8 @@ const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact);
 const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLimits *widen);
 
 bool env_is_private(const IrVar *v);                          // whether v is a local that only the machine itself writes
-// The facts of e for private variables, and those of `others` for all other variables.
-const Env *env_begin(const EnvShape *s, const Env *e, const Env *others);
+// Replaces the facts of all variables that are not private: returns the facts of e for private variables, and those of `shared` for
+// the others.
+const Env *env_replace_shared(const EnvShape *s, const Env *e, const Env *shared);
 
 #endif

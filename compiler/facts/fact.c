@@ -10,7 +10,7 @@
 // ---- helpers for numbers ----
 
 static double infinity(void) { return sm_from_bits(0x7FF0000000000000u); }
-static bool contains(Fact a, double x) { return a.lo <= x && x <= a.hi; }
+static bool contains_number(Fact a, double x) { return a.lo <= x && x <= a.hi; }
 static bool is_finite(Fact a) { return a.lo > -infinity() && a.hi < infinity(); }
 static bool has_infinity(Fact a) { return a.lo == -infinity() || a.hi == infinity(); }
 static bool can_be_negative(Fact a) { return a.lo < 0 || a.minus_zero; }
@@ -26,8 +26,8 @@ static double next_up(double x)
     return x == 0 ? sm_from_bits(1) : sm_from_bits(x > 0 ? u + 1 : u - 1);
 }
 
-// Updates the fields that follow from the other fields.
-static inline Fact normalize(Fact a)
+// Sets `whole`, `f32` and `minus_zero` to what the bounds imply.
+static inline Fact normalize_fact(Fact a)
 {
     if (a.whole && !is_finite(a))
         a.whole = false;
@@ -36,18 +36,20 @@ static inline Fact normalize(Fact a)
         a.f32 = is_f32(a.lo);
     }
     a.f32 |= a.whole && a.lo >= -16777216.0 && a.hi <= 16777216.0;       // 2^24
-    a.minus_zero &= contains(a, 0);
+    a.minus_zero &= contains_number(a, 0);
     return a;
 }
 
+// A fact with these bounds and properties; `f32` is derived.
 static Fact make_fact(double lo, double hi, bool whole, bool nan, bool minus_zero)
 {
     const Fact a = {lo, hi, whole, false, nan, minus_zero};
 
-    return normalize(a);
+    return normalize_fact(a);
 }
 
-static Fact anything(void) { return make_fact(-infinity(), infinity(), false, true, true); }
+// The fact of a value of which nothing is known.
+static Fact any_fact(void) { return make_fact(-infinity(), infinity(), false, true, true); }
 
 // 2^63 - 1 and 2^64 - 1 are not F64 numbers.  The bounds of these types are one higher.
 #define HALF(bytes) (2.0 * (double)(UINT64_C(1) << (bytes * 8 - 2)))              // half the number of values of that many bytes
@@ -66,7 +68,7 @@ Fact fact_of_type(SmType type)
 #include "stdlib/types.def"
 #undef SM_TYPE
     }
-    return anything();
+    return any_fact();
 }
 
 Fact fact_of_cell(SmType type, uint64_t bits)
@@ -86,10 +88,10 @@ Fact fact_of_bool(bool may_be_false, bool may_be_true)
 // ---- arithmetic ----
 // A bound that evaluates to NaN (inf - inf, 0 * inf) is discarded.
 
-static Fact no_number(bool nan) { return make_fact(1, 0, false, nan, false); }
+static Fact fact_without_number(bool nan) { return make_fact(1, 0, false, nan, false); }
 static bool is_empty(Fact a) { return a.lo > a.hi; }
 
-static Fact add(Fact a, Fact b)
+static Fact add_facts(Fact a, Fact b)
 {
     const bool nan = a.nan || b.nan || (a.lo == -infinity() && b.hi == infinity()) || (a.hi == infinity() && b.lo == -infinity());
     const double lo = a.lo + b.lo, hi = a.hi + b.hi;
@@ -97,23 +99,24 @@ static Fact add(Fact a, Fact b)
     return make_fact(lo == lo ? lo : -infinity(), hi == hi ? hi : infinity(), a.whole && b.whole, nan, a.minus_zero && b.minus_zero);
 }
 
-static Fact negate(Fact a)
+static Fact negate_fact(Fact a)
 {
-    Fact r = make_fact(-a.hi, -a.lo, a.whole, a.nan, contains(a, 0));
+    Fact r = make_fact(-a.hi, -a.lo, a.whole, a.nan, contains_number(a, 0));
 
     r.f32 |= a.f32;
     return r;
 }
 
-static Fact subtract(Fact a, Fact b)
+static Fact subtract_facts(Fact a, Fact b)
 {
-    Fact r = add(a, negate(b));
+    Fact r = add_facts(a, negate_fact(b));
 
-    r.minus_zero = a.minus_zero && contains(b, 0) && contains(r, 0);
+    r.minus_zero = a.minus_zero && contains_number(b, 0) && contains_number(r, 0);
     return r;
 }
 
-static void extend(Fact *r, double x)
+// Moves a bound of *r, if necessary, so that its interval contains x.
+static void extend_to_number(Fact *r, double x)
 {
     if (x < r->lo)
         r->lo = x;
@@ -121,77 +124,78 @@ static void extend(Fact *r, double x)
         r->hi = x;
 }
 
-// The smallest interval that contains the four combinations of two operands' bounds.
-static Fact hull(SmF64 w, SmF64 x, SmF64 y, SmF64 z)
+// The smallest interval that contains four numbers: the results of an operation on each pair of its operands' bounds.
+static Fact hull_of_four(SmF64 w, SmF64 x, SmF64 y, SmF64 z)
 {
     Fact r = {infinity(), -infinity(), false, false, false, false};
 
-    extend(&r, w);
-    extend(&r, x);
-    extend(&r, y);
-    extend(&r, z);
+    extend_to_number(&r, w);
+    extend_to_number(&r, x);
+    extend_to_number(&r, y);
+    extend_to_number(&r, z);
     return r;
 }
 
-static Fact multiply(Fact a, Fact b)
+static Fact multiply_facts(Fact a, Fact b)
 {
-    Fact r = hull(sm_mul(a.lo, b.lo), sm_mul(a.lo, b.hi), sm_mul(a.hi, b.lo), sm_mul(a.hi, b.hi));
-    const bool zero_by_infinity = (contains(a, 0) && has_infinity(b)) || (contains(b, 0) && has_infinity(a));
+    Fact r = hull_of_four(sm_mul(a.lo, b.lo), sm_mul(a.lo, b.hi), sm_mul(a.hi, b.lo), sm_mul(a.hi, b.hi));
+    const bool zero_by_infinity = (contains_number(a, 0) && has_infinity(b)) || (contains_number(b, 0) && has_infinity(a));
 
-    if (contains(a, 0) || contains(b, 0))
-        extend(&r, 0);
+    if (contains_number(a, 0) || contains_number(b, 0))
+        extend_to_number(&r, 0);
     r.whole = a.whole && b.whole;
     r.nan = a.nan || b.nan || zero_by_infinity;
     // A product of whole numbers is zero only if a factor is zero.  Other products can also underflow to zero.
-    r.minus_zero = r.whole ? a.minus_zero || b.minus_zero || (contains(a, 0) && b.lo < 0) || (contains(b, 0) && a.lo < 0)
+    r.minus_zero = r.whole ? a.minus_zero || b.minus_zero || (contains_number(a, 0) && b.lo < 0) || (contains_number(b, 0) && a.lo < 0)
                            : can_be_negative(a) || can_be_negative(b);
-    return normalize(r);
+    return normalize_fact(r);
 }
 
 // A value multiplied by itself: the result is never negative, and zero is never multiplied by infinity.
-static Fact square(Fact a)
+static Fact square_fact(Fact a)
 {
-    const double reach = sm_max(sm_abs(a.lo), sm_abs(a.hi)), least = contains(a, 0) ? 0 : sm_min(sm_abs(a.lo), sm_abs(a.hi));
+    const double reach = sm_max(sm_abs(a.lo), sm_abs(a.hi)), least = contains_number(a, 0) ? 0 : sm_min(sm_abs(a.lo), sm_abs(a.hi));
 
     return make_fact(sm_mul(least, least), sm_mul(reach, reach), a.whole, a.nan, false);
 }
 
-static Fact divide(Fact a, Fact b)
+static Fact divide_facts(Fact a, Fact b)
 {
     Fact r;
 
-    if (contains(b, 0))
-        return make_fact(-infinity(), infinity(), false, a.nan || b.nan || contains(a, 0) || has_infinity(a), true);
-    r = hull(sm_div(a.lo, b.lo), sm_div(a.lo, b.hi), sm_div(a.hi, b.lo), sm_div(a.hi, b.hi));
+    if (contains_number(b, 0))
+        return make_fact(-infinity(), infinity(), false, a.nan || b.nan || contains_number(a, 0) || has_infinity(a), true);
+    r = hull_of_four(sm_div(a.lo, b.lo), sm_div(a.lo, b.hi), sm_div(a.hi, b.lo), sm_div(a.hi, b.hi));
     r.nan = a.nan || b.nan || (has_infinity(a) && has_infinity(b));
     if (r.lo > r.hi || r.nan)
         return make_fact(-infinity(), infinity(), false, r.nan, true);
     r.minus_zero = can_be_negative(a) || can_be_negative(b);
-    return normalize(r);
+    return normalize_fact(r);
 }
 
-static Fact monotonic(SmF64 (*op)(SmF64), Fact a, bool minus_zero)
+// The result of a rounding operation or of sign, which are monotonic: the bounds of the result are the results at the bounds.
+static Fact apply_monotonic(SmF64 (*op)(SmF64), Fact a, bool minus_zero)
 {
     return make_fact(op(a.lo), op(a.hi), true, a.nan, minus_zero);
 }
 
-static Fact absolute(Fact a)
+static Fact fact_of_abs(Fact a)
 {
     const double lo = sm_abs(a.lo), hi = sm_abs(a.hi);
-    Fact r = make_fact(contains(a, 0) ? 0 : lo < hi ? lo : hi, lo < hi ? hi : lo, a.whole, a.nan, false);
+    Fact r = make_fact(contains_number(a, 0) ? 0 : lo < hi ? lo : hi, lo < hi ? hi : lo, a.whole, a.nan, false);
 
     r.f32 |= a.f32;
     return r;
 }
 
-static Fact root(Fact a)
+static Fact fact_of_sqrt(Fact a)
 {
     if (a.hi < 0)
-        return no_number(true);
+        return fact_without_number(true);
     return make_fact(a.lo > 0 ? sm_sqrt(a.lo) : 0, sm_sqrt(a.hi), false, a.nan || a.lo < 0, a.minus_zero);
 }
 
-static Fact extreme(SmF64 (*op)(SmF64, SmF64), Fact a, Fact b)
+static Fact fact_of_min_or_max(SmF64 (*op)(SmF64, SmF64), Fact a, Fact b)
 {
     Fact r = make_fact(op(a.lo, b.lo), op(a.hi, b.hi), a.whole && b.whole, a.nan || b.nan, a.minus_zero || b.minus_zero);
 
@@ -201,15 +205,15 @@ static Fact extreme(SmF64 (*op)(SmF64, SmF64), Fact a, Fact b)
 
 // ---- conversions ----
 
-static Fact to_bool(Fact a)
+static Fact convert_to_bool(Fact a)
 {
-    const bool zero = contains(a, 0) || a.nan;
+    const bool zero = contains_number(a, 0) || a.nan;
     const bool other = !is_empty(a) && (a.lo < 0 || a.hi > 0);
 
     return fact_of_bool(zero, other);
 }
 
-static Fact to_integer(Fact a, SmType to)
+static Fact convert_to_integer(Fact a, SmType to)
 {
     const Fact t = fact_of_type(to);
 
@@ -217,7 +221,7 @@ static Fact to_integer(Fact a, SmType to)
 }
 
 // Rounding to F32 is monotonic.  A small negative number becomes -0.
-static Fact to_f32(Fact a)
+static Fact convert_to_f32(Fact a)
 {
     Fact r = make_fact(sm_from_f32(sm_round_f32(a.lo)), sm_from_f32(sm_round_f32(a.hi)), a.whole, false,
                   a.minus_zero || (a.lo < 0 && !a.whole));
@@ -229,19 +233,21 @@ static Fact to_f32(Fact a)
 Fact fact_convert(Fact a, SmType to)
 {
     if (to == SM_BOOL)
-        return to_bool(a);
-    if (a.nan)                                        // becomes 0
+        return convert_to_bool(a);
+    if (a.nan)                                        // a conversion turns NaN into 0
         a = is_empty(a) ? make_fact(0, 0, true, false, false) : fact_join(a, make_fact(0, 0, true, false, false));
     a.nan = false;
-    return to == SM_F64 ? a : to == SM_F32 ? to_f32(a) : to_integer(a, to);
+    return to == SM_F64 ? a : to == SM_F32 ? convert_to_f32(a) : convert_to_integer(a, to);
 }
 
 // ---- comparisons ----
 
-static Fact truth(bool always, bool never) { return fact_of_bool(!always, !never); }
+// A comparison's result, if it is known to be always true, or never; if neither, it can be both.
+static Fact fact_of_outcome(bool always, bool never) { return fact_of_bool(!always, !never); }
 
-static Fact less(Fact a, Fact b, bool nan) { return truth(!nan && a.hi < b.lo, a.lo >= b.hi); }
-static Fact less_or_equal(Fact a, Fact b, bool nan) { return truth(!nan && a.hi <= b.lo, a.lo > b.hi); }
+// a < b; `nan`: an operand may be NaN, and then the comparison is false.
+static Fact fact_of_less(Fact a, Fact b, bool nan) { return fact_of_outcome(!nan && a.hi < b.lo, a.lo >= b.hi); }
+static Fact fact_of_less_or_equal(Fact a, Fact b, bool nan) { return fact_of_outcome(!nan && a.hi <= b.lo, a.lo > b.hi); }
 
 // Whether b is one number that a cannot be: a is whole and b is not, or a is an F32 and b is not.
 static bool cannot_contain(Fact a, Fact b) { return b.lo == b.hi && ((a.whole && !b.whole) || (a.f32 && !b.f32)); }
@@ -255,7 +261,7 @@ static bool may_be_rounded(Fact a, SmType type)
     return sm_type_info[type].bytes == 8 && type != SM_F64 && !fact_within(a, -FACT_EXACT, FACT_EXACT);
 }
 
-static Fact compare(const IrIns *i, Fact a, Fact b, SmType type)
+static Fact fact_of_comparison_ins(const IrIns *i, Fact a, Fact b, SmType type)
 {
     const bool nan = a.nan || b.nan;
 
@@ -264,18 +270,18 @@ static Fact compare(const IrIns *i, Fact a, Fact b, SmType type)
     if (may_be_rounded(a, type) || may_be_rounded(b, type))
         return fact_of_bool(true, true);
     switch ((int)i->op) {
-    case IR_eq: return truth(always_equal(a, b, nan), never_equal(a, b));
-    case IR_ne: return truth(never_equal(a, b), always_equal(a, b, nan));
-    case IR_lt: return less(a, b, nan);
-    case IR_le: return less_or_equal(a, b, nan);
-    case IR_gt: return less(b, a, nan);
-    default: return less_or_equal(b, a, nan);
+    case IR_eq: return fact_of_outcome(always_equal(a, b, nan), never_equal(a, b));
+    case IR_ne: return fact_of_outcome(never_equal(a, b), always_equal(a, b, nan));
+    case IR_lt: return fact_of_less(a, b, nan);
+    case IR_le: return fact_of_less_or_equal(a, b, nan);
+    case IR_gt: return fact_of_less(b, a, nan);
+    default: return fact_of_less_or_equal(b, a, nan);
     }
 }
 
 // ---- all operations ----
 
-static Fact logic(const IrIns *i, Fact a, Fact b)
+static Fact fact_of_logic(const IrIns *i, Fact a, Fact b)
 {
     if (i->op == IR_not)
         return fact_of_bool(a.hi == 1, a.lo == 0);
@@ -284,28 +290,28 @@ static Fact logic(const IrIns *i, Fact a, Fact b)
     return fact_of_bool(a.lo == 0 && b.lo == 0, a.hi == 1 || b.hi == 1);
 }
 
-static Fact arithmetic(const IrIns *i, Fact a, Fact b)
+static Fact fact_of_arithmetic(const IrIns *i, Fact a, Fact b)
 {
     switch ((int)i->op) {
-    case IR_add: return add(a, b);
-    case IR_sub: return subtract(a, b);
-    case IR_mul: return i->a == i->b ? square(a) : multiply(a, b);
-    case IR_div: return divide(a, b);
-    case IR_neg: return negate(a);
-    case IR_abs: return absolute(a);
-    case IR_floor: return monotonic(sm_floor, a, a.minus_zero);
-    case IR_ceil: return monotonic(sm_ceil, a, can_be_negative(a));
-    case IR_trunc: return monotonic(sm_trunc, a, can_be_negative(a));
-    case IR_round: return monotonic(sm_round, a, can_be_negative(a));
-    case IR_sqrt: return root(a);
-    case IR_sign: return monotonic(sm_sign, a, a.minus_zero);
-    case IR_min: return extreme(sm_min, a, b);
-    case IR_max: return extreme(sm_max, a, b);
+    case IR_add: return add_facts(a, b);
+    case IR_sub: return subtract_facts(a, b);
+    case IR_mul: return i->a == i->b ? square_fact(a) : multiply_facts(a, b);
+    case IR_div: return divide_facts(a, b);
+    case IR_neg: return negate_fact(a);
+    case IR_abs: return fact_of_abs(a);
+    case IR_floor: return apply_monotonic(sm_floor, a, a.minus_zero);
+    case IR_ceil: return apply_monotonic(sm_ceil, a, can_be_negative(a));
+    case IR_trunc: return apply_monotonic(sm_trunc, a, can_be_negative(a));
+    case IR_round: return apply_monotonic(sm_round, a, can_be_negative(a));
+    case IR_sqrt: return fact_of_sqrt(a);
+    case IR_sign: return apply_monotonic(sm_sign, a, a.minus_zero);
+    case IR_min: return fact_of_min_or_max(sm_min, a, b);
+    case IR_max: return fact_of_min_or_max(sm_max, a, b);
     }
-    return anything();
+    return any_fact();
 }
 
-// A narrowed operation produces the same number as on F64.  On F32, only that number rounded to F32 counts.
+// An operation whose type was narrowed to an integer or F32 (passes/narrow.c) has the result of the operation on F64, converted.
 static Fact fact_of_operation(const IrIns *i, Fact a, Fact b)
 {
     const bool two = ir_op_info[i->op].operands == 2;
@@ -313,8 +319,8 @@ static Fact fact_of_operation(const IrIns *i, Fact a, Fact b)
     bool nan;
 
     if (is_empty(a) || (two && is_empty(b)))
-        return no_number(true);
-    r = arithmetic(i, a, b);
+        return fact_without_number(true);
+    r = fact_of_arithmetic(i, a, b);
     nan = r.nan;
     if (i->type == SM_F64)
         return r;
@@ -329,23 +335,24 @@ Fact fact_of_result(const IrIns *i, const Fact *a, const Fact *b, SmType type_of
     case IR_T_CONST: return fact_of_cell(i->type, i->bits);
     case IR_T_CONVERT: return fact_convert(*a, i->type);
     case IR_T_SAME: return fact_of_operation(i, *a, *b);
-    case IR_T_COMPARE: return compare(i, *a, *b, type_of_a);
-    case IR_T_LOGIC: return logic(i, *a, *b);
+    case IR_T_COMPARE: return fact_of_comparison_ins(i, *a, *b, type_of_a);
+    case IR_T_LOGIC: return fact_of_logic(i, *a, *b);
     case IR_T_LOAD: return fact_of_type(i->type);
     case IR_T_STORE: case IR_T_SAMPLE: case IR_T_STAT: break;
     }
-    return anything();
+    return any_fact();
 }
 
-// A sum of up to SM_WINDOW_MAX whole 32-bit numbers is exact.  Other sums are pairwise: they are rounded at 17 levels and may overflow.
-static Fact average(Fact a)
+// The mean of the samples `a` of a window.  A sum of up to SM_WINDOW_MAX whole 32-bit numbers is exact.  Other sums are added in
+// pairs, which rounds at most 17 times (`error` covers that), and can overflow.
+static Fact fact_of_average(Fact a)
 {
     const double reach = sm_max(sm_abs(a.lo), sm_abs(a.hi)), error = reach / 1099511627776.0;       // 2^-40
 
     if (a.whole && reach <= 4294967296.0)
         return make_fact(a.lo, a.hi, false, false, a.minus_zero);
     if (!(reach < 1e300))
-        return anything();
+        return any_fact();
     return make_fact(a.lo - error, a.hi + error, false, false, true);
 }
 
@@ -354,7 +361,7 @@ Fact fact_of_stat(SmStat stat, Fact sample)
     const bool infinite = has_infinity(sample);
 
     switch (stat) {
-    case SM_STAT_AVG: return average(sample);
+    case SM_STAT_AVG: return fact_of_average(sample);
     case SM_STAT_MEDIAN: return make_fact(sample.lo, sample.hi, false, infinite, true);      // with two middle samples, their mean
     case SM_STAT_RANGE: return make_fact(0, infinite ? infinity() : sample.hi - sample.lo, sample.whole, infinite, false);
     case SM_STAT_MIN: case SM_STAT_MAX: case SM_STAT_COUNT: break;
@@ -362,15 +369,15 @@ Fact fact_of_stat(SmStat stat, Fact sample)
     return sample;
 }
 
-// ---- order ----
+// ---- the lattice ----
 
 Fact fact_join(Fact a, Fact b)
 {
     Fact r = is_empty(a) ? b : a;
 
     if (!is_empty(a) && !is_empty(b)) {
-        extend(&r, b.lo);
-        extend(&r, b.hi);
+        extend_to_number(&r, b.lo);
+        extend_to_number(&r, b.hi);
         r.whole = a.whole && b.whole;
         r.f32 = a.f32 && b.f32;
         r.minus_zero = a.minus_zero || b.minus_zero;
@@ -386,7 +393,7 @@ Fact fact_meet(Fact a, Fact b)
 
     if (r.lo > r.hi)
         return a;
-    return normalize(r);
+    return normalize_fact(r);
 }
 
 bool fact_equal(Fact a, Fact b)
@@ -410,7 +417,7 @@ Fact fact_widen(Fact before, Fact now, SmType type, const FactLimits *limits)
         now.lo = lo;
     if (now.hi > before.hi)
         now.hi = hi;
-    return normalize(now);
+    return normalize_fact(now);
 }
 
 // ---- queries ----
@@ -431,12 +438,12 @@ bool fact_fits(Fact a, SmType type)
     return fact_within(a, t.lo, t.hi) && (sm_type_info[type].bytes < 8 || type == SM_F64 || a.hi < t.hi);
 }
 
-double fact_above(Fact a, double x)
+double fact_next_above(Fact a, double x)
 {
     return a.whole && sm_abs(x) < FACT_EXACT ? sm_floor(x) + 1 : next_up(x);
 }
 
-double fact_below(Fact a, double x)
+double fact_next_below(Fact a, double x)
 {
     return a.whole && sm_abs(x) < FACT_EXACT ? sm_ceil(x) - 1 : -next_up(-x);
 }

@@ -16,13 +16,13 @@ typedef struct FlowWalk {
     const Env *env;                   // at the current instruction
     uint32_t epoch;                   // of the current block
     FactHome *home;                   // by temporary
-    unsigned budget;
-    bool impossible;                  // the conditions of the edge being checked contradict the facts
+    unsigned budget;                  // conditions that may still be visited for this branch
+    bool contradicts;                 // the conditions of the edge being checked contradict the facts
 } FlowWalk;
 
 static const IrIns *ins(const FlowWalk *w, IrRef r) { return &w->f->ins.at[r]; }
 
-// ---- forward ----
+// ---- instructions ----
 
 static Fact fact_of_ins(const FlowWalk *w, const IrIns *i)
 {
@@ -78,16 +78,16 @@ static Fact bounds_before_conversion(Fact bounds, SmType type)
     return bounds;
 }
 
-// Records that r is within bounds and not NaN, for its home variable and for the values from which r was converted.  If no value
-// remains, the edge is impossible.  This proves that `p > 20 and p < 10` is always false, although neither half is.
+// Returns env with the knowledge that r is within bounds and not NaN, for its home variable and for the values from which r was
+// converted.  Sets w->contradicts if no value remains: so `p > 20 and p < 10` is found to be always false, although neither half is.
 static const Env *refine_value(FlowWalk *w, const Env *env, IrRef r, Fact bounds)
 {
-    w->impossible |= bounds.lo > bounds.hi;
+    w->contradicts |= bounds.lo > bounds.hi;
     for (;; r = ins(w, r)->a) {
         if (has_home(w, r)) {
             const uint32_t var = w->home[r].var;
             const Fact known = env_get(&w->fm->shape, env, var);
-            w->impossible |= known.lo > bounds.hi || bounds.lo > known.hi;
+            w->contradicts |= known.lo > bounds.hi || bounds.lo > known.hi;
             env = env_set(&w->fm->shape, env, var, fact_meet(known, bounds));
         }
         if (ins(w, r)->op != IR_cvt || ins(w, r)->type != SM_F64 || w->out.of[ins(w, r)->a].nan)
@@ -108,50 +108,54 @@ static void bound_below(Fact *a, double lo)
         a->lo = lo;
 }
 
-static void refine_less(Fact *a, Fact *b, bool or_equal)
+// Narrows both facts to the values for which *a < *b, or *a <= *b.
+static void bound_by_less(Fact *a, Fact *b, bool or_equal)
 {
     const Fact was = *a;
 
-    bound_above(a, or_equal ? b->hi : fact_below(*a, b->hi));
-    bound_below(b, or_equal ? was.lo : fact_above(*b, was.lo));
+    bound_above(a, or_equal ? b->hi : fact_next_below(*a, b->hi));
+    bound_below(b, or_equal ? was.lo : fact_next_above(*b, was.lo));
 }
 
-static void refine_unequal(Fact *a, const Fact *b)
+// Excludes b from *a, if b is exactly one number and a bound of *a.
+static void bound_by_unequal(Fact *a, const Fact *b)
 {
     if (b->lo != b->hi)
         return;
     if (a->lo == b->lo)
-        bound_below(a, fact_above(*a, a->lo));
+        bound_below(a, fact_next_above(*a, a->lo));
     if (a->hi == b->lo)
-        bound_above(a, fact_below(*a, a->hi));
+        bound_above(a, fact_next_below(*a, a->hi));
 }
 
-// Where `a op b` is true.
-static void refine_operands(Fact *a, IrOp op, Fact *b)
+// Narrows the facts of both operands to the values for which `*a op *b` is true.
+static void bound_by_comparison(Fact *a, IrOp op, Fact *b)
 {
     switch ((int)op) {
-    case IR_eq: refine_less(a, b, true); refine_less(b, a, true); break;
-    case IR_ne: refine_unequal(a, b); refine_unequal(b, a); break;
-    case IR_lt: refine_less(a, b, false); break;
-    case IR_le: refine_less(a, b, true); break;
-    case IR_gt: refine_less(b, a, false); break;
-    case IR_ge: refine_less(b, a, true); break;
+    case IR_eq: bound_by_less(a, b, true); bound_by_less(b, a, true); break;
+    case IR_ne: bound_by_unequal(a, b); bound_by_unequal(b, a); break;
+    case IR_lt: bound_by_less(a, b, false); break;
+    case IR_le: bound_by_less(a, b, true); break;
+    case IR_gt: bound_by_less(b, a, false); break;
+    case IR_ge: bound_by_less(b, a, true); break;
     }
 }
 
-// 64-bit integers are compared as F64.  Near 2^53 and beyond, a bound of one operand is not a bound of the other.
-static bool is_exact(const FlowWalk *w, IrRef r)
+// Whether a comparison uses the exact value of r.  64-bit integers are converted to F64 for it, which rounds from 2^53 on, and then
+// a bound of one operand is not a bound of the other.
+static bool is_compared_exactly(const FlowWalk *w, IrRef r)
 {
     const SmType type = ins(w, r)->type;
 
     return sm_type_info[type].bytes < 8 || type == SM_F64 || fact_within(w->out.of[r], -FACT_EXACT + 1, FACT_EXACT - 1);
 }
 
+// Returns env, narrowed to the case that the comparison i is true (or false); env itself if nothing follows from that.
 static const Env *refine_comparison(FlowWalk *w, const Env *env, const IrIns *i, bool holds)
 {
     Fact a = w->out.of[i->a], b = w->out.of[i->b];
     const bool nan = a.nan || b.nan;
-    const bool a_exact = is_exact(w, i->a), b_exact = is_exact(w, i->b);
+    const bool a_exact = is_compared_exactly(w, i->a), b_exact = is_compared_exactly(w, i->b);
 
     if (a.lo > a.hi || b.lo > b.hi || (nan && holds != (i->op != IR_ne)))
         return env;
@@ -159,13 +163,13 @@ static const Env *refine_comparison(FlowWalk *w, const Env *env, const IrIns *i,
         return env;
     if (!b_exact && !(a_exact && a.lo == a.hi))
         return env;
-    refine_operands(&a, holds ? i->op : ir_negate_comparison(i->op), &b);
+    bound_by_comparison(&a, holds ? i->op : ir_negate_comparison(i->op), &b);
     a.nan = b.nan = false;
     return refine_value(w, refine_value(w, env, i->a, a), i->b, b);
 }
 
-// The facts where condition r is true, or false.
-static const Env *refine(FlowWalk *w, const Env *env, IrRef r, bool holds)
+// Returns env, narrowed to the case that condition r is true (or false).
+static const Env *refine_by_condition(FlowWalk *w, const Env *env, IrRef r, bool holds)
 {
     const IrIns *i = ins(w, r);
 
@@ -173,9 +177,9 @@ static const Env *refine(FlowWalk *w, const Env *env, IrRef r, bool holds)
         return env;
     w->budget--;
     if (i->op == IR_not)
-        return refine(w, env, i->a, !holds);
+        return refine_by_condition(w, env, i->a, !holds);
     if ((i->op == IR_and && holds) || (i->op == IR_or && !holds))
-        return refine(w, refine(w, env, i->a, holds), i->b, holds);
+        return refine_by_condition(w, refine_by_condition(w, env, i->a, holds), i->b, holds);
     if (ir_op_info[i->op].types == IR_T_COMPARE)
         return refine_comparison(w, env, i, holds);
     return refine_value(w, env, r, fact_of_bool(!holds, holds));
@@ -183,7 +187,8 @@ static const Env *refine(FlowWalk *w, const Env *env, IrRef r, bool holds)
 
 // ---- blocks ----
 
-static void join_into(FlowWalk *w, IrBlkRef to, const Env *env)
+// Adds an edge to block `to` on which the facts env are true.
+static void join_at_block(FlowWalk *w, IrBlkRef to, const Env *env)
 {
     w->begin[to] = w->out.reached[to] ? env_join(&w->fm->shape, w->begin[to], env, NULL) : env;
     w->out.reached[to] = true;
@@ -198,11 +203,11 @@ static bool follow_edge(FlowWalk *w, IrRef cond, bool holds, IrBlkRef to)
     if (holds ? f.hi < 1 : f.lo > 0)
         return false;
     w->budget = REFINEMENTS;
-    w->impossible = false;
-    env = refine(w, env, cond, holds);
-    if (!w->impossible)
-        join_into(w, to, env);
-    return !w->impossible;
+    w->contradicts = false;
+    env = refine_by_condition(w, env, cond, holds);
+    if (!w->contradicts)
+        join_at_block(w, to, env);
+    return !w->contradicts;
 }
 
 static void visit_block(FlowWalk *w, IrBlkRef b, const FactEnds *ends)
@@ -217,7 +222,7 @@ static void visit_block(FlowWalk *w, IrBlkRef b, const FactEnds *ends)
         visit_ins(w, block->ins.at[k], k);
     exit->env = w->env;
     if (j->kind == IR_JMP) {
-        join_into(w, j->then, w->env);
+        join_at_block(w, j->then, w->env);
     } else if (j->kind == IR_BR) {
         exit->then = follow_edge(w, j->cond, true, j->then);
         exit->otherwise = follow_edge(w, j->cond, false, j->otherwise);
@@ -226,7 +231,8 @@ static void visit_block(FlowWalk *w, IrBlkRef b, const FactEnds *ends)
     }
 }
 
-// The machine's tables serve every flow in turn, because thousands of functions are analysed several times each.
+// Lets w use the tables of the machine, after growing them if the function needs more.  They are allocated once because thousands of
+// functions are analysed several times each.
 static void reuse_tables(FlowWalk *w)
 {
     FactMachine *fm = w->fm;
@@ -256,7 +262,7 @@ FactFlow facts_flow(FactMachine *fm, const IrFn *f, const Env *begin, const Fact
     FlowWalk w = {.fm = fm, .f = f};
 
     reuse_tables(&w);
-    join_into(&w, 0, begin);
+    join_at_block(&w, 0, begin);
     for (IrBlkRef b = 0; b < f->blk.n; b++)
         if (w.out.reached[b])
             visit_block(&w, b, ends);

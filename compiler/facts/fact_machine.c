@@ -7,26 +7,30 @@
 #include "compiler/base/worklist.h"
 #include "compiler/facts/facts.h"
 
-// Limits on the number of changes of a function's facts.  After PATIENCE changes, bounds are widened to numbers of the program; after
-// IMPATIENCE, to a few round numbers.  After ENOUGH, only constants remain known.  NUMBERS limits how many numbers are collected.
-enum { PATIENCE = 3, IMPATIENCE = 12, ENOUGH = 20, NUMBERS = 64 };
+// How often the facts at the beginning of a function may change before they are treated more roughly.
+enum {
+    CHANGES_BEFORE_WIDENING = 3,      // then bounds are widened to constants of the program
+    CHANGES_BEFORE_FEW_LIMITS = 12,   // then to a few round numbers
+    CHANGES_MAX = 20,                 // then only locals that never change remain known
+    LIMITS_MAX = 64                   // how many constants of the program are collected
+};
 
 typedef struct FactIteration {
     FactMachine *fm;
     FactBegin (*to)[BLOCK_COUNT];     // receives the facts: fm->begin, or in the last round a new table that replaces it
-    bool *(*possible)[BLOCK_COUNT];   // by state with an .exit and by function, a table by block: its transition is possible
+    bool *(*possible)[BLOCK_COUNT];   // by state with an .exit, then by function: a table of its IR blocks whose transition is possible
     Worklist queue;                   // the states to visit
     uint32_t state;                   // the current one
     int block;
     bool any_start;                   // the machine may be started in any state
-    const FactWatch *watch;           // or NULL
+    const FactObserver *observer;           // or NULL
     bool widened;                     // some bound was widened, so the last round may improve facts
     FactLimits limits;                // constants of the program and their neighbours, because guards stop counters there
 } FactIteration;
 
 // ---- paths into functions ----
 
-// The facts at the beginning of a function that is also entered with the facts `env`.
+// The facts at the beginning b of a function after a path has entered it with the facts `env`.
 static const Env *join_at_begin(FactIteration *v, const FactBegin *b, const Env *env)
 {
     static const double round[] = {-FACT_EXACT, -2147483648.0, -32768, -128, 0, 1, 255, 65535, 2147483647.0, FACT_EXACT};
@@ -35,13 +39,13 @@ static const Env *join_at_begin(FactIteration *v, const FactBegin *b, const Env 
 
     if (!b->found)
         return env;
-    if (b->changes > ENOUGH && !last)
+    if (b->changes > CHANGES_MAX && !last)
         return v->fm->constants;
-    v->widened |= b->changes > PATIENCE;
-    return env_join(&v->fm->shape, b->env, env, last || b->changes <= PATIENCE ? NULL : b->changes <= IMPATIENCE ? &v->limits : &few);
+    v->widened |= b->changes > CHANGES_BEFORE_WIDENING;
+    return env_join(&v->fm->shape, b->env, env, last || b->changes <= CHANGES_BEFORE_WIDENING ? NULL : b->changes <= CHANGES_BEFORE_FEW_LIMITS ? &v->limits : &few);
 }
 
-// Follows a path into a function.
+// Records that a path enters a function with the facts `env`, and queues its state if the facts at its beginning have changed.
 static void enter_function(FactIteration *v, uint32_t state, int block, const Env *env)
 {
     FactBegin *b = &v->to[state][block];
@@ -57,7 +61,7 @@ static void enter_function(FactIteration *v, uint32_t state, int block, const En
 }
 
 // At the end of .exit: enters the target of each transition that has been found possible.
-static void enter_targets(FactIteration *v, int block, const Env *env)
+static void enter_possible_targets(FactIteration *v, int block, const Env *env)
 {
     const IrFn *f = v->fm->shape.m->state.at[v->state].block[block];
     const bool *possible = v->possible[v->state][block];
@@ -91,10 +95,10 @@ static void visit_end(void *context, const IrJump *end, const Env *env)
 {
     FactIteration *v = context;
 
-    env = env_begin(&v->fm->shape, env, v->fm->assumed);
+    env = env_replace_shared(&v->fm->shape, env, v->fm->assumed);
     if (v->block == BLOCK_EXIT && v->fm->shape.m->state.at[v->state].block[BLOCK_EXIT]) {
-        enter_targets(v, BLOCK_ENTRY, env);
-        enter_targets(v, BLOCK_STEP, env);
+        enter_possible_targets(v, BLOCK_ENTRY, env);
+        enter_possible_targets(v, BLOCK_STEP, env);
     } else if (end->kind == IR_GOTO) {
         mark_transition_possible(v, end, env);
     } else if (v->block != BLOCK_EXIT) {
@@ -104,6 +108,7 @@ static void visit_end(void *context, const IrJump *end, const Env *env)
 
 // ---- visits ----
 
+// Computes the flow of a function of the current state, which enters the functions that follow it.
 static void visit_function(FactIteration *v, int block)
 {
     static const IrJump nothing = {.kind = IR_RET, .cond = IR_NONE};
@@ -117,9 +122,9 @@ static void visit_function(FactIteration *v, int block)
         visit_end(v, &nothing, b->env);
         return;
     }
-    FactFlow flow = facts_flow(v->fm, f, facts_begin(v->fm, v->state, block), &ends);
-    if (v->watch)
-        v->watch->visit(v->watch->context, f, flow);
+    FactFlow flow = facts_flow(v->fm, f, facts_at_begin(v->fm, v->state, block), &ends);
+    if (v->observer)
+        v->observer->visit(v->observer->context, f, flow);
 }
 
 static void enter_start_states(FactIteration *v, const Env *env)
@@ -140,6 +145,7 @@ static void narrow_facts(FactIteration *v, const Env *initial)
     v->fm->begin = v->to;
 }
 
+// The facts that private locals have their initial values: all, or only those that no code writes.
 static const Env *initial_values(const FactMachine *fm, bool writable_too)
 {
     const EnvShape *s = &fm->shape;
@@ -155,41 +161,42 @@ static const Env *initial_values(const FactMachine *fm, bool writable_too)
 
 // ---- limits for widening ----
 
-static void add_limit(double *limit, size_t *n, double x)
+static void add_distinct_limit(double *limit, size_t *n, double x)
 {
     for (size_t i = 0; i < *n; i++)
         if (limit[i] == x)
             return;
-    if (*n < NUMBERS && x > -FACT_EXACT && x < FACT_EXACT)
+    if (*n < LIMITS_MAX && x > -FACT_EXACT && x < FACT_EXACT)
         limit[(*n)++] = x;
 }
 
+// The constants of the program, and the numbers one below and one above each.
 static FactLimits limits_of_program(Arena *arena, const IrMachine *m)
 {
-    double *limit = ARENA_ARRAY(arena, double, NUMBERS);
+    double *limit = ARENA_ARRAY(arena, double, LIMITS_MAX);
     size_t n = 0;
 
     for (size_t s = 0; s < m->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++) {
             const IrFn *f = m->state.at[s].block[b];
-            for (size_t i = 0; f && i < f->ins.n && n < NUMBERS; i++) {
+            for (size_t i = 0; f && i < f->ins.n && n < LIMITS_MAX; i++) {
                 const IrIns *ins = &f->ins.at[i];
                 const Fact c = ins->op == IR_const ? fact_of_cell(ins->type, ins->bits) : fact_of_type(SM_F64);
                 for (int beside = -1; c.lo == c.hi && beside <= 1; beside++)
-                    add_limit(limit, &n, c.lo + beside);
+                    add_distinct_limit(limit, &n, c.lo + beside);
             }
         }
-    add_limit(limit, &n, 0);
+    add_distinct_limit(limit, &n, 0);
     return (FactLimits){limit, n};
 }
 
 // ---- the iteration ----
 
-static void find_facts_at_begins(FactMachine *fm, bool any_start, const FactWatch *watch)
+static void iterate_to_fixed_point(FactMachine *fm, bool any_start, const FactObserver *observer)
 {
     const IrMachine *m = fm->shape.m;
     const Env *initial = initial_values(fm, true);
-    FactIteration v = {.fm = fm, .to = fm->begin, .any_start = any_start, .watch = watch};
+    FactIteration v = {.fm = fm, .to = fm->begin, .any_start = any_start, .observer = observer};
 
     v.limits = limits_of_program(fm->shape.arena, m);
     v.possible = arena_array(fm->shape.arena, m->state.n, sizeof *v.possible);
@@ -203,20 +210,20 @@ static void find_facts_at_begins(FactMachine *fm, bool any_start, const FactWatc
     }
     if (!v.widened)
         return;
-    v.watch = NULL;
+    v.observer = NULL;
     narrow_facts(&v, initial);
-    if (!watch)
+    if (!observer)
         return;
-    watch->discard(watch->context);
+    observer->discard(observer->context);
     for (size_t s = 0; s < m->state.n; s++)
         for (int block = 0; block < BLOCK_COUNT; block++) {
             const IrFn *f = m->state.at[s].block[block];
             if (f && fm->begin[s][block].found)
-                watch->visit(watch->context, f, facts_of_function(fm, f, facts_begin(fm, s, block)));
+                observer->visit(observer->context, f, facts_of_function(fm, f, facts_at_begin(fm, s, block)));
         }
 }
 
-static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool any_start, const Env *assumed, const FactWatch *watch)
+static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool any_start, const Env *assumed, const FactObserver *observer)
 {
     FactMachine *fm = ARENA_NEW(arena, FactMachine);
 
@@ -229,15 +236,15 @@ static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool any_start,
     fm->constants = initial_values(fm, false);
     if (m->sample)
         facts_flow(fm, m->sample, fm->constants, NULL);
-    find_facts_at_begins(fm, any_start, watch);
+    iterate_to_fixed_point(fm, any_start, observer);
     return fm;
 }
 
 FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return find_facts(arena, m, true, NULL, NULL); }
 
-FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m, const FactWatch *watch)
+FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m, const FactObserver *observer)
 {
-    return find_facts(arena, m, false, NULL, watch);
+    return find_facts(arena, m, false, NULL, observer);
 }
 
 FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed)
@@ -247,7 +254,7 @@ FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed
 
 // ---- results ----
 
-const Env *facts_begin(const FactMachine *fm, size_t state, int block)
+const Env *facts_at_begin(const FactMachine *fm, size_t state, int block)
 {
     const FactBegin *b = &fm->begin[state][block];
     const Env *env = b->found ? b->env : fm->constants;
@@ -263,5 +270,5 @@ void facts_set_arena(FactMachine *fm, Arena *arena)
 }
 
 bool facts_may_reach(const FactMachine *fm, size_t state, int block) { return fm->begin[state][block].found; }
-const Env *facts_begin_sample(const FactMachine *fm) { return fm->constants; }
+const Env *facts_at_begin_of_sample(const FactMachine *fm) { return fm->constants; }
 Fact facts_of_window(const FactMachine *fm, uint32_t window) { return fm->window[window]; }

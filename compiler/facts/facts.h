@@ -6,7 +6,7 @@
 // known from the last store or from a guard.  A machine may be started in any state, with its locals at their initial values.
 //
 //     FactMachine *fm = facts_of_machine(arena, m);
-//     FactFlow flow = facts_of_function(fm, f, facts_begin(fm, state, BLOCK_STEP));     // flow.of[ref]
+//     FactFlow flow = facts_of_function(fm, f, facts_at_begin(fm, state, BLOCK_STEP));     // flow.of[ref]
 //
 // A pass that preserves the meaning of the machine leaves a FactMachine valid, unless it renumbers variables or windows.
 #ifndef SMC_FACTS_H
@@ -17,8 +17,8 @@
 typedef struct FactMachine FactMachine;
 
 typedef struct FactExit {             // the end of a block
-    const Env *env;                   // the facts there, before the branch
-    bool then, otherwise;             // IR_BR: whether the facts allow that edge
+    const Env *env;                   // the facts there, before its branch is taken
+    bool then, otherwise;             // IR_BR: whether the facts allow that edge to be taken
 } FactExit;
 
 typedef struct FactFlow {             // valid until the next function is analysed
@@ -27,16 +27,17 @@ typedef struct FactFlow {             // valid until the next function is analys
     FactExit *exit;                   // by block; undefined for unreached blocks
 } FactFlow;
 
-// `visit` is called for each reachable function, possibly again while its facts are refined.  The last call for a function is final.
-typedef struct FactWatch {
+// Receives the flow of each reachable function while the facts of a machine are computed.  `visit` is called again for a function
+// whose facts at the beginning have changed.  Its last call has the final facts.
+typedef struct FactObserver {
     void (*visit)(void *context, const IrFn *f, FactFlow flow);
-    void (*discard)(void *context);   // earlier visits had facts that were too weak: discard them, each function is visited again
+    void (*discard)(void *context);   // the narrowing step has found better facts: discard all earlier visits; new ones follow
     void *context;
-} FactWatch;
+} FactObserver;
 
 FactMachine *facts_of_machine(Arena *arena, const IrMachine *m);
-// The same for a machine that is only ever started in its first state, as analyses assume.  `watch` may be NULL.
-FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m, const FactWatch *watch);
+// The same for a machine that is only ever started in its first state, as analyses assume.  `observer` may be NULL.
+FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m, const FactObserver *observer);
 // As facts_from_first_state, and assumes that the elements satisfy `assumed` whenever a step begins.
 FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed);
 // Later flows allocate from `arena`.
@@ -45,12 +46,12 @@ void facts_set_arena(FactMachine *fm, Arena *arena);
 bool facts_may_reach(const FactMachine *fm, size_t state, int block);
 
 // The facts when a function of state `state` (from 0) begins, and when the sample function begins.
-const Env *facts_begin(const FactMachine *fm, size_t state, int block);
-const Env *facts_begin_sample(const FactMachine *fm);
+const Env *facts_at_begin(const FactMachine *fm, size_t state, int block);
+const Env *facts_at_begin_of_sample(const FactMachine *fm);
 
 FactFlow facts_of_function(FactMachine *fm, const IrFn *f, const Env *begin);
 
-Fact facts_of_window(const FactMachine *fm, uint32_t window);      // its samples
+Fact facts_of_window(const FactMachine *fm, uint32_t window);      // the fact of all its samples
 
 // ---- inside compiler/facts ----
 
@@ -60,13 +61,14 @@ typedef struct FactEnds {             // receives the facts at each end of a fun
 } FactEnds;
 
 typedef struct FactHome {
-    uint32_t var, at;                 // of a temporary: a variable with the same value, or IR_NONE; since which position in the block
+    uint32_t var;                     // a variable with the same value as a temporary; IR_NONE: none is known
+    uint32_t at;                      // the position in the block from which on they have the same value
 } FactHome;
 
 typedef struct FactBegin {            // the beginning of a function
     const Env *env;
     bool found, dirty;                // a path to it has been found; env has changed since the last visit
-    unsigned changes;
+    unsigned changes;                 // how often env has changed
 } FactBegin;
 
 struct FactMachine {
@@ -75,9 +77,9 @@ struct FactMachine {
     const Env *constants;             // `assumed`, and the values of locals that no code writes
     FactBegin (*begin)[BLOCK_COUNT];  // by state
     Fact *window;                     // by window: its samples
-    uint32_t *epoch, *stored;         // by variable: the visit of a block (from 1) that last stored to it, and the position in the block
+    uint32_t *epoch, *stored;         // by variable: in which visit of a block (from 1) it was last stored, and the position of the store
     uint32_t epochs;                  // visits of blocks so far
-    size_t temps, blocks;             // capacity of the following tables
+    size_t temps, blocks;             // capacity of the following tables, which each facts_flow uses again
     Fact *of;
     FactHome *home;
     bool *reached;
@@ -85,6 +87,7 @@ struct FactMachine {
     const Env **block_begin;
 };
 
+// Computes the facts of all temporaries and blocks of f, which begins with the facts `begin`.  `ends` may be NULL.
 FactFlow facts_flow(FactMachine *fm, const IrFn *f, const Env *begin, const FactEnds *ends);
 
 #endif

@@ -84,11 +84,11 @@ VarNote *notes_of(VarNotes *n, uint32_t var)
 void pass_on_each_function(Arena *arena, IrMachine *m, FactMachine *values, PassValuesFn *pass)
 {
     if (m->sample)
-        pass(arena, values, m->sample, facts_begin_sample(values));
+        pass(arena, values, m->sample, facts_at_begin_of_sample(values));
     for (size_t s = 0; s < m->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
             if (m->state.at[s].block[b])
-                pass(arena, values, m->state.at[s].block[b], facts_begin(values, s, b));
+                pass(arena, values, m->state.at[s].block[b], facts_at_begin(values, s, b));
 }
 
 // ---- running ----

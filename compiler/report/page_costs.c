@@ -106,7 +106,7 @@ static void add_board(const Report *r, Doc *d)
     doc_cell_plain(t, "Longest step, image in flash");
     doc_cell_plain(t, report_format_cycles(r, r->flash.worst));
     doc_cell_plain(t, "Stack of a step, largest measured");
-    doc_cell_plain(t, format_in(r->arena, "%lu bytes", (unsigned long)cycles_stack()));
+    doc_cell_plain(t, format_in(r->arena, "%lu bytes", (unsigned long)cycles_stack_bytes()));
     if (report_fits_uno(r))
         return;
     doc_cell_plain(t, "Windows alone");

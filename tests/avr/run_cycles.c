@@ -31,7 +31,7 @@ typedef struct Probe {
     uint32_t most;
 } Probe;
 
-typedef struct Seen { uint32_t stack, row[CYCLES_ROWS][2], window[CYCLES_WINDOW_ROWS][CYCLES_KEYS][2]; } Seen;
+typedef struct Seen { uint32_t stack, row[CYCLES_ROWS][2], window[CYCLES_WINDOW_ROWS][CYCLES_SAMPLE_KINDS][2]; } Seen;
 
 static uint64_t next(Probe *p)
 {
@@ -385,7 +385,7 @@ static void measure_step(Probe *p, Seen *seen)
 
 // ---- windows ----
 
-static const uint8_t key_type[CYCLES_KEYS][3] = {{SM_U8, SM_I8, SM_BOOL}, {SM_U16, SM_I16, SM_I16}, {SM_U32, SM_I32, SM_I32}, {SM_U64, SM_I64, SM_I64},
+static const uint8_t key_type[CYCLES_SAMPLE_KINDS][3] = {{SM_U8, SM_I8, SM_BOOL}, {SM_U16, SM_I16, SM_I16}, {SM_U32, SM_I32, SM_I32}, {SM_U64, SM_I64, SM_I64},
                                                  {SM_F32, SM_F32, SM_F32}, {SM_F64, SM_F64, SM_F64}};
 
 // The maximum cycles of a sample or a statistic of a full window.
@@ -442,7 +442,7 @@ static void measure_windows(Probe *p, Seen *seen)
     enum { FEW = 3, MIDDLE = 8, MANY = 16 };
 
     for (unsigned row = 0; row < CYCLES_WINDOW_ROWS; row++)
-        for (unsigned key = 0; key < CYCLES_KEYS; key++) {
+        for (unsigned key = 0; key < CYCLES_SAMPLE_KINDS; key++) {
             const uint32_t few = window_of_types(p, key_type[key], FEW, (CyclesWindow)row);
             const uint32_t middle = window_of_types(p, key_type[key], MIDDLE, (CyclesWindow)row);
             const uint32_t many = window_of_types(p, key_type[key], MANY, (CyclesWindow)row);
@@ -513,9 +513,9 @@ static void print_rows(const Seen *flash, const Seen *eeprom)
                eeprom->row[r][WHOLE], eeprom->row[r][ANY]);
     for (unsigned r = 0; r < CYCLES_WINDOW_ROWS; r++) {
         printf("CYCLES_WINDOW(%s,%*s", window_name[r], (int)(15 - strlen(window_name[r])), "");
-        for (unsigned key = 0; key < CYCLES_KEYS; key++)
+        for (unsigned key = 0; key < CYCLES_SAMPLE_KINDS; key++)
             printf("%6u,%4u%s", with_room(larger(flash->window[r][key][0], eeprom->window[r][key][0])),
-                   with_room(larger(flash->window[r][key][1], eeprom->window[r][key][1])), key + 1 < CYCLES_KEYS ? "," : ")\n");
+                   with_room(larger(flash->window[r][key][1], eeprom->window[r][key][1])), key + 1 < CYCLES_SAMPLE_KINDS ? "," : ")\n");
     }
 }
 
@@ -531,14 +531,14 @@ static void hold(const char *name, uint32_t seen, uint32_t row)
 
 static void check_rows(const Seen *s, CyclesChip chip)
 {
-    if (s->stack > cycles_stack())
-        hold("stack", s->stack, cycles_stack());
+    if (s->stack > cycles_stack_bytes())
+        hold("stack", s->stack, cycles_stack_bytes());
     for (unsigned r = 0; r < CYCLES_ROWS; r++)
         for (int kind = WHOLE; kind <= ANY; kind++)
-            hold(row_name[r], s->row[r][kind], cycles_row(chip, (CyclesRow)r, kind == WHOLE));
+            hold(row_name[r], s->row[r][kind], cycles_in_row(chip, (CyclesRow)r, kind == WHOLE));
     for (unsigned r = 0; r < CYCLES_WINDOW_ROWS && chip == CYCLES_EEPROM; r++)
-        for (unsigned key = 0; key < CYCLES_KEYS; key++)
-            hold(window_name[r], s->window[r][key][0] + 16 * s->window[r][key][1], cycles_window((CyclesWindow)r, key_type[key][0], 16));
+        for (unsigned key = 0; key < CYCLES_SAMPLE_KINDS; key++)
+            hold(window_name[r], s->window[r][key][0] + 16 * s->window[r][key][1], cycles_of_window_row((CyclesWindow)r, key_type[key][0], 16));
 }
 
 int main(int argc, char **argv)

@@ -367,10 +367,10 @@ static void open_functions(Ir *r)
     FactMachine *fm = facts_of_machine(r->arena, r->m);
 
     r->code = arena_array(r->arena, r->m->state.n, sizeof *r->code);
-    open_code(r, fm, &r->sample, r->m->sample, facts_begin_sample(fm));
+    open_code(r, fm, &r->sample, r->m->sample, facts_at_begin_of_sample(fm));
     for (size_t s = 0; s < r->m->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
-            open_code(r, fm, &r->code[s][b], r->m->state.at[s].block[b], facts_begin(fm, s, b));
+            open_code(r, fm, &r->code[s][b], r->m->state.at[s].block[b], facts_at_begin(fm, s, b));
 }
 
 static void open_variables(Ir *r)

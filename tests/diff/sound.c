@@ -209,7 +209,7 @@ static void claim_all(Sound *r)
     for (size_t s = 0; s < r->p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
             if (facts_may_reach(r->a.facts, s, b))
-                r->begin[s][b] = claims_of(r, facts_begin(r->a.facts, s, b));
+                r->begin[s][b] = claims_of(r, facts_at_begin(r->a.facts, s, b));
     each_stmt(r->p, claim_stmt, r);
 }
 

@@ -48,7 +48,7 @@ static const char *block_comment(const CUnit *u, size_t state, BlockKind k)
 static void write_state_block(CUnit *u, size_t i, BlockKind k, CState *s, Buf *out)
 {
     const IrFn *f = u->m->state.at[i].block[k];
-    CFunction what = { f, facts_begin(u->facts, i, (int)k), NULL, NULL };
+    CFunction what = { f, facts_at_begin(u->facts, i, (int)k), NULL, NULL };
     const bool never = k == BLOCK_EXIT && !s->block[BLOCK_ENTRY].returns_state && !s->block[BLOCK_STEP].returns_state;
 
     if (!f || never)
@@ -330,7 +330,7 @@ void c_write_machine(CUnit *u, Buf *out)
 
     buf_init(&code, u->arena);
     if (u->m->sample) {
-        const CFunction what = { u->m->sample, facts_begin_sample(u->facts), format_in(u->arena, "%s_sample", u->names.prefix),
+        const CFunction what = { u->m->sample, facts_at_begin_of_sample(u->facts), format_in(u->arena, "%s_sample", u->names.prefix),
                                  "// Adds the sample of this step to every rolling window.\n" };
         sample = c_write_function(u, &what, &code);
     }
