@@ -89,7 +89,7 @@ static SmResult check_clock(SmApp *app)
     then = pal_clock_now() + ns;
     pal_clock_sleep_until(then);
     r = (int64_t)(pal_clock_now() - then) < 0 ? SM_E_DEVICE : SM_OK;
-    return note_failure(app, r, SM_TEXT("the clock"), SM_TEXT("it does not advance"));
+    return note_failure(app, r, SM_TEXT("the clock"), SM_TEXT("it has stopped"));
 }
 
 static SmResult check_config(SmApp *app)
@@ -101,9 +101,9 @@ static SmResult check_config(SmApp *app)
     if (shared && app->sv && !app->sv->guarded)
         return note_failure(app, SM_E_ARGUMENT, SM_TEXT("the state vector"), SM_TEXT("several threads use it, so its .sv must say `lock`"));
     if (shared && app->events && !app->events->guarded)
-        return note_failure(app, SM_E_ARGUMENT, SM_TEXT("the ring of events"), SM_TEXT("several threads use it, so it must be guarded"));
+        return note_failure(app, SM_E_ARGUMENT, SM_TEXT("the event ring"), SM_TEXT("several threads use it, so it must be guarded"));
     if ((app->keep || app->log) && !app->writing)
-        return note_failure(app, SM_E_ARGUMENT, SM_TEXT("the log or saved state vector"), SM_TEXT("SmApp.writing is missing"));
+        return note_failure(app, SM_E_ARGUMENT, SM_TEXT("the log or saved state vector"), SM_TEXT("SmApp.writing is NULL"));
     return check_clock(app);
 }
 
@@ -114,7 +114,7 @@ static SmResult open_vector(SmApp *app)
     if (r != SM_OK)
         return note_failure(app, r, SM_TEXT("the state vector"), NULL);
     r = app->events ? sm_events_init(app->events) : SM_OK;
-    return note_failure(app, r, SM_TEXT("the ring of events"), NULL);
+    return note_failure(app, r, SM_TEXT("the event ring"), NULL);
 }
 
 static SmResult fill_vector(SmApp *app)
@@ -159,7 +159,7 @@ static SmResult init_executors(SmApp *app)
                 app->failed_file = app->log && app->failed_task->context == app->log ? app->log->file : NULL;
                 note_pin(app, r);
             } else if (r == SM_E_ARGUMENT) {
-                app->reason = SM_TEXT("its configuration is invalid");
+                app->reason = SM_TEXT("invalid configuration");
             }
         }
     }

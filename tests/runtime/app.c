@@ -133,13 +133,13 @@ static void test_refused(void)
     CHECK(refused("crew: the state vector does not start: several threads use it, so its .sv must say `lock`\n"));
     start(2);
     events.guarded = false;
-    CHECK(refused("crew: the ring of events does not start: several threads use it, so it must be guarded\n"));
+    CHECK(refused("crew: the event ring does not start: several threads use it, so it must be guarded\n"));
     start(2);
     events.room = 3;
-    CHECK(refused("crew: the ring of events does not start: an argument is out of its range\n"));
+    CHECK(refused("crew: the event ring does not start: an argument is out of its range\n"));
     start(2);
     executor[1].period = 0;
-    CHECK(refused("crew: executor 'two' does not start: its configuration is invalid\n"));
+    CHECK(refused("crew: executor 'two' does not start: invalid configuration\n"));
     start(2);
     part[1].gives = SM_E_BUSY;
     CHECK(refused("crew: task 'b' does not start: it is in use\n"));
@@ -166,7 +166,7 @@ static void test_refused(void)
     sim_break(SIM_lock_take, 0, SM_OK);
     start(2);
     sim_fail(SIM_clock_sleep_until, 0, SM_E_DEVICE);
-    CHECK(refused("crew: the clock does not start: it does not advance\n"));
+    CHECK(refused("crew: the clock does not start: it has stopped\n"));
 }
 
 static void test_no_lock_left(void)
