@@ -28,6 +28,7 @@ static const Hint hints[] = {
 #define HINT_LABEL(place, before, here, word, after, label, text) {HINT_##place, before, here, after, word, NULL, DIAG_##label, text},
 #include "compiler/syntax/hints.def"
 };
+enum { HINT_ROWS = sizeof hints / sizeof *hints };
 
 static bool is_in(uint64_t set, const Token *t)
 {
@@ -69,21 +70,46 @@ Diag *hint_message(HintCase *c)
     return c->message;
 }
 
-HintResult hint_explain(Parser *p, HintPlace place, AstExpr *e)
+void hint_init_index(HintIndex *index)
 {
-    HintCase c = {p, place, e, NULL};
+    static const HintPlace with_message[] = {HINT_AT_VALUE, HINT_AT_LONE_VALUE, HINT_AT_END, HINT_AT_ELEMENT_END, HINT_AT_PIN_NUMBER,
+                                             HINT_AT_PIN_END, HINT_AT_OPTION};      // those that hint_message knows
+
+    memset(index, 0, sizeof *index);
+    for (size_t i = 0; i < sizeof with_message / sizeof *with_message; i++)
+        index->tokens[with_message[i]] = ANY;
+    for (size_t row = HINT_ROWS; row > 0; row--) {
+        index->tokens[hints[row - 1].place] |= hints[row - 1].here;
+        index->first_row[hints[row - 1].place] = (uint8_t)(row - 1);
+    }
+}
+
+// Returns what the first row that fits returns; HINT_NONE if none fits.
+static HintResult apply_rows(HintCase *c)
+{
     HintResult result = HINT_NONE;
 
-    for (size_t i = 0; i < sizeof hints / sizeof *hints && hints[i].place <= place && result == HINT_NONE; i++) {
-        if (hints[i].place != place || !fits(&hints[i], p))
+    for (size_t i = c->p->hints.first_row[c->place]; i < HINT_ROWS && hints[i].place == c->place && result == HINT_NONE; i++) {
+        if (!fits(&hints[i], c->p))
             continue;
         if (hints[i].rule) {
-            result = hints[i].rule(&c);
+            result = hints[i].rule(c);
         } else {
-            diag_label(p->diags, hint_message(&c), hints[i].label, hints[i].text);
+            diag_label(c->p->diags, hint_message(c), hints[i].label, hints[i].text);
             result = HINT_READ;
         }
     }
+    return result;
+}
+
+HintResult hint_explain(Parser *p, HintPlace place, AstExpr *e)
+{
+    HintCase c = {p, place, e, NULL};
+    HintResult result;
+
+    if (!(p->hints.tokens[place] >> p->tok.kind & 1u))         // the usual case in valid sources
+        return HINT_NONE;
+    result = apply_rows(&c);
     if (result == HINT_NONE)
         hint_message(&c);
     return result;

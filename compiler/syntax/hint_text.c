@@ -30,26 +30,28 @@ static const HintText rows[] = {
 // Whether the row's spelling is at s. A word must be the first of its line and end where the spelling ends.
 static bool is_at(const HintText *row, const char *s, bool first)
 {
-    if (*s != *row->spelling || strncmp(s, row->spelling, row->len) != 0)
-        return false;
+    for (size_t i = 0; i < row->len; i++)
+        if (s[i] != row->spelling[i])
+            return false;
     return !lex_is_letter(*s) || (first && !lexer_is_word(s[row->len]) && !(s[row->len] & 0x80));
 }
 
 void hint_init(Lexer *l)
 {
-    for (size_t row = sizeof rows / sizeof *rows; row > 0; row--)
-        l->first_hint[(unsigned char)*rows[row - 1].spelling] = (uint8_t)row;
+    for (size_t row = LEX_HINTS; row > 0; row--) {
+        uint8_t *first = &l->first_hint[(unsigned char)*rows[row - 1].spelling];     // [0]: rows of HINT_AFTER, which have no spelling
+        l->next_hint[row - 1] = *first;
+        *first = (uint8_t)row;
+    }
 }
 
-HintResult hint_foreign_text(Lexer *l, Token *t)
+// Returns what the first row that fits returns, from row `first` on; HINT_NONE if none fits.
+static HintResult read_foreign_text(Lexer *l, Token *t, uint8_t first)
 {
     const char *s = l->src->text + l->at;                          // terminated by a NUL
-    const uint8_t first = l->last == TOK_ANNOTATION ? 1 : l->first_hint[(unsigned char)*s];
     HintResult read = HINT_NONE;
 
-    if (first == 0 || (lex_is_letter(*s) && !t->first))
-        return HINT_NONE;
-    for (size_t i = first; i <= sizeof rows / sizeof *rows && read == HINT_NONE; i++) {
+    for (size_t i = first; i > 0 && read == HINT_NONE; i = l->next_hint[i - 1]) {
         const HintText *row = &rows[i - 1];
         if (row->after != TOK_END ? row->after != l->last : !is_at(row, s, t->first))
             continue;
@@ -62,6 +64,18 @@ HintResult hint_foreign_text(Lexer *l, Token *t)
             read = HINT_READ;
         }
     }
+    return read;
+}
+
+HintResult hint_foreign_text(Lexer *l, Token *t)
+{
+    const char c = l->src->text[l->at];
+    HintResult read = HINT_NONE;
+
+    if (l->last == TOK_ANNOTATION)
+        read = read_foreign_text(l, t, l->first_hint[0]);
+    if (read == HINT_NONE && l->first_hint[(unsigned char)c] && (t->first || !lex_is_letter(c)))
+        read = read_foreign_text(l, t, l->first_hint[(unsigned char)c]);
     return read;
 }
 

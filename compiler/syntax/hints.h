@@ -17,7 +17,7 @@ typedef enum HintResult {
 
 void hint_init(Lexer *l);     // of lex_init
 
-// At the start of each token: text of another language (`&&`, `// ...`, `state Hold:`), which the grammar could misread. READ: as token t.
+// At the start of a token, if l->first_hint has its first character or an annotation precedes it: text of another language (`&&`, `// ...`, `state Hold:`), which the grammar could misread. READ: as token t.
 HintResult hint_foreign_text(Lexer *l, Token *t);
 // A token of this kind is well formed only up to `end`: 5psi, größe, [two words]. Reports this; returns the end of the malformed token.
 uint32_t hint_rest_of_token(Lexer *l, const Token *t, TokenKind kind, uint32_t end);
@@ -52,8 +52,18 @@ typedef enum HintPlace {
     HINT_AT_OPTION            // is at a word that is no option; general message
 } HintPlace;
 
+enum { HINT_PLACES = HINT_AT_OPTION + 1 };
+
+// Derived from hints.def when a parser starts, so that valid sources do not pay for the search.
+typedef struct HintIndex {
+    uint64_t tokens[HINT_PLACES];     // by place: the set of kinds of the next token that one of its rows accepts; all if it has a message
+    uint8_t first_row[HINT_PLACES];   // by place; its rows are adjacent
+} HintIndex;
+
 struct Parser;
 struct AstExpr;
+
+void hint_init_index(HintIndex *index);
 
 // The grammar does not allow the next tokens at `place`, or another language would read them differently. Reports the likeliest cause.
 HintResult hint_explain(struct Parser *p, HintPlace place, struct AstExpr *e);

@@ -320,7 +320,8 @@ bool lex_is_reserved(Str word, TokenKind *kind)
 static bool lex_one(Lexer *l, Token *t)
 {
     const char c = l->src->text[l->at];
-    const HintResult foreign = hint_foreign_text(l, t);
+    const bool may_be_foreign = l->first_hint[(unsigned char)c] != 0 || l->last == TOK_ANNOTATION;
+    const HintResult foreign = may_be_foreign ? hint_foreign_text(l, t) : HINT_NONE;
 
     if (foreign != HINT_NONE)
         return foreign == HINT_READ;

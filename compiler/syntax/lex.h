@@ -46,6 +46,15 @@ enum {
 #undef SIGN
 };
 
+enum {
+    LEX_HINTS = 0             // rows of hints.def that the lexer searches
+#define HINT_TEXT(...) + 1
+#define HINT_AFTER(...) + 1
+#define HINT_SIGN(...) + 1
+#define HINT_NO_SIGN(...) + 1
+#include "compiler/syntax/hints.def"
+};
+
 typedef struct Lexer {
     const Source *src;
     StrPool *strings;
@@ -62,7 +71,8 @@ typedef struct Lexer {
     LexAllow allow;           // the current position relative to an @allow( )
 
     // Only the hints read these.
-    uint8_t first_hint[256];  // by character: 1 + the first row of hints.def that begins with it; 0: none
+    uint8_t first_hint[256];  // by character: 1 + the first such row whose spelling begins with it; 0: none
+    uint8_t next_hint[LEX_HINTS];     // by row: 1 + the next row that begins with the same character
     bool stores, annotated;   // an = precedes the current position on its line; an annotation does
     bool no_comment_end;      // the rest of the source contains no */
     uint32_t bar;             // position of the | that closes |x|

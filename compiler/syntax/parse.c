@@ -433,6 +433,7 @@ static void init_parser(Parser *p, Arena *arena, StrPool *strings, Diags *diags,
     p->diags = diags;
     p->kind = kind;
     lex_init(&p->lex, strings, diags, src);
+    hint_init_index(&p->hints);
     p->lex.config = kind == FILE_IO || kind == FILE_APP;
     lex_next(&p->lex, &p->tok);
     lex_next(&p->lex, &p->ahead);

@@ -8,6 +8,7 @@
 
 #include <string.h>
 
+#include "compiler/syntax/hints.h"
 #include "compiler/syntax/lex.h"
 #include "compiler/syntax/parse.h"
 
@@ -30,6 +31,7 @@ typedef struct Parser {
     bool has_if;                  // the current condition begins with `if`
 
     // For the hints.
+    HintIndex hints;
     bool is_guard;                // the current expression is a condition: an = in it was meant as ==
     Span sign;                    // of the last assignment
     AstPlace pin_place;           // of the current pin: its section and direction
