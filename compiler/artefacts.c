@@ -22,7 +22,7 @@ static Buf *add_artefact(Compilation *c, size_t source, const char *name, const 
     return a.bytes;
 }
 
-static const char *file_part(const char *path)
+static const char *base_name(const char *path)
 {
     const char *slash = strrchr(path, '/');
 
@@ -38,7 +38,7 @@ void artefacts_print_stage(Compilation *c)
         const Source *src = c->in->at[i].text;
         const AstFile *f;
         buf_str(out, tokens ? "# Tokens of " : "# Syntax tree of ");
-        diag_put_printable(out, file_part(src->name), strlen(file_part(src->name)));
+        diag_put_printable(out, base_name(src->name), strlen(base_name(src->name)));
         buf_str(out, ", printed by smc\n");
         if (tokens)
             lex_print(&c->s->strings, &c->s->diags, src, c->in->at[i].kind, out);

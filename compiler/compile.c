@@ -31,7 +31,7 @@ static size_t count_kind(const CompileInput *in, FileKind kind)
 
 // Adds the locals that the scripts write to `written`.  Without the option `step`, the session's step is the delta_t of the scripts if
 // all have the same one.  Errors in a script are reported when it is compiled, not here.
-static void read_scripts(Compilation *c, Map *written)
+static void read_script_writes_and_step(Compilation *c, Map *written)
 {
     const bool muted = c->s->diags.muted;
     uint64_t step = 0;
@@ -44,7 +44,7 @@ static void read_scripts(Compilation *c, Map *written)
             const AstFile *f = session_parse(c->s, c->in->at[i].text, FILE_SS);
             const uint64_t delta_t = f ? script_delta_t(f) : 0;
             if (f)
-                script_written_names(f, written);
+                script_add_written_names(f, written);
             agree = agree && delta_t > 0 && (step == 0 || delta_t == step);
             step = delta_t;
             c->s->diags.met = met;
@@ -82,7 +82,7 @@ static void compile_machine(Compilation *c, size_t i)
 
     c->s->step = c->o->step;
     if (has_scripts)
-        read_scripts(c, &written);
+        read_script_writes_and_step(c, &written);
     if ((of->program = session_program(c->s, &m)) == NULL)
         return;
     c->program[c->programs++] = of->program;
@@ -107,7 +107,7 @@ static void compile_scripts(Compilation *c)
 }
 
 // Reports findings that require all machines of the call, and those about their pins.
-static void analyse_all(Compilation *c)
+static void analyse_all_machines(Compilation *c)
 {
     if (c->in->vector)
         analyse_shared_vector(&c->s->arena, &c->s->diags, c->program, c->programs);
@@ -136,7 +136,7 @@ static void compile_files(Compilation *c)
         compile_scripts(c);
     if (c->in->pins)
         c->image_pins = session_io(c->s, c->in->pins, c->in->vector);
-    analyse_all(c);
+    analyse_all_machines(c);
     if (c->s->diags.errors == 0)
         artefacts_emit(c);
 }
@@ -171,7 +171,7 @@ static void compile_app(Compilation *c)
 void compile_open_app(Session *s, const Source *app, CompileApp *out)
 {
     out->tree = parse_file(&s->arena, &s->strings, &s->diags, app, FILE_APP);
-    app_files(&s->arena, out->tree, &out->files);
+    app_list_files(&s->arena, out->tree, &out->files);
 }
 
 bool compile_sources(Session *s, const CompileInput *in, const CompileOptions *o, Compiled *out)

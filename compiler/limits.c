@@ -6,13 +6,13 @@
 
 enum { LINES_SHOWN = 3 };             // of the longest step: the most expensive ones
 
-typedef struct Limited {
+typedef struct LimitCheck {
     Arena *arena;
     Diags *diags;
     const Program *p;
-} Limited;
+} LimitCheck;
 
-static const char *number_text(const Limited *x, uint32_t n) { return format_in(x->arena, "%lu", (unsigned long)n); }
+static const char *count_text(const LimitCheck *x, uint32_t n) { return format_in(x->arena, "%lu", (unsigned long)n); }
 
 // ---- RAM ----
 
@@ -35,18 +35,18 @@ static Span span_of_window(const Program *p, const CostWindow *w)
     return (Span){p->src, 0, 0};
 }
 
-static void check_ram(const Limited *x, const Cost *cost, uint32_t most)
+static void check_ram(const LimitCheck *x, const Cost *cost, uint32_t most)
 {
     const CostWindow *w = largest_window(cost);
     Diag *diag;
 
     if (most == 0 || cost->ram <= most)
         return;
-    diag = diag_report(x->diags, DIAG_limit_ram, span_of_window(x->p, w), x->p->name->text, number_text(x, cost->ram), number_text(x, most));
+    diag = diag_report(x->diags, DIAG_limit_ram, span_of_window(x->p, w), x->p->name->text, count_text(x, cost->ram), count_text(x, most));
     if (w)
-        diag_label(x->diags, diag, DIAG_label_largest_window, number_text(x, w->size), number_text(x, w->bytes));
-    diag_note(x->diags, diag, (Span){NULL, 0, 0}, DIAG_note_ram_parts, number_text(x, cost->windows), number_text(x, cost->locals),
-              number_text(x, cost->own));
+        diag_label(x->diags, diag, DIAG_label_largest_window, count_text(x, w->size), count_text(x, w->bytes));
+    diag_note(x->diags, diag, (Span){NULL, 0, 0}, DIAG_note_ram_parts, count_text(x, cost->windows), count_text(x, cost->locals),
+              count_text(x, cost->own));
 }
 
 // ---- the longest step ----
@@ -61,7 +61,7 @@ static Span span_of_line(const Source *src, uint32_t line)
     return (Span){src, at + skip, 0};
 }
 
-static void check_step(const Limited *x, const Cost *cost, DiagCode code, uint32_t most)
+static void check_step(const LimitCheck *x, const Cost *cost, DiagCode code, uint32_t most)
 {
     const State *state = x->p->state.at[cost->worst_state - 1];
     const CostLine *l = NULL;
@@ -69,17 +69,17 @@ static void check_step(const Limited *x, const Cost *cost, DiagCode code, uint32
 
     if (most == 0 || cost->worst <= most)
         return;
-    diag = diag_report(x->diags, code, state->span, x->p->name->text, state->name->text, number_text(x, cost->worst), number_text(x, most));
+    diag = diag_report(x->diags, code, state->span, x->p->name->text, state->name->text, count_text(x, cost->worst), count_text(x, most));
     for (int i = 0; i < LINES_SHOWN && (l = cost_next_most_expensive(&cost->state[cost->worst_state - 1], l)) != NULL; i++)
         diag_note(x->diags, diag, span_of_line(x->p->src, l->line), l->part == COST_SAMPLE ? DIAG_note_line_samples : DIAG_note_line_takes,
-                  number_text(x, l->units));
+                  count_text(x, l->units));
 }
 
 // ---- all ----
 
 void limits_check(Arena *arena, Diags *d, const Program *p, const uint8_t *image, const CompileLimits *l)
 {
-    const Limited x = {arena, d, p};
+    const LimitCheck x = {arena, d, p};
     Cost cost;
 
     cost_of_machine(arena, image, 0, COST_INSTRUCTIONS, &cost);

@@ -38,7 +38,7 @@ static AstFile *parse(Session *s, const Source *src, FileKind kind)
     return parse_file(&s->arena, &s->strings, &s->diags, src, kind);
 }
 
-static CheckContext checking(Session *s)
+static CheckContext make_check_context(Session *s)
 {
     CheckContext c = {&s->arena, &s->strings, &s->diags};
     return c;
@@ -55,7 +55,7 @@ AstFile *session_parse(Session *s, const Source *src, FileKind kind)
 StateVec *session_state_vector(Session *s, const Source *sv)
 {
     size_t errors = s->diags.met;
-    CheckContext c = checking(s);
+    CheckContext c = make_check_context(s);
     StateVec *out = check_state_vector(&c, parse(s, sv, FILE_SV));
 
     return s->diags.met > errors ? NULL : out;
@@ -64,7 +64,7 @@ StateVec *session_state_vector(Session *s, const Source *sv)
 IoMap *session_io(Session *s, const Source *io, const Source *sv)
 {
     size_t errors = s->diags.met;
-    CheckContext c = checking(s);
+    CheckContext c = make_check_context(s);
     StateVec *vector = session_state_vector(s, sv);
     AstFile *f = parse(s, io, FILE_IO);
     IoMap *out = vector ? check_io(&c, f, vector) : NULL;
@@ -75,7 +75,7 @@ IoMap *session_io(Session *s, const Source *io, const Source *sv)
 Program *session_program(Session *s, const MachineInput *in)
 {
     size_t errors = s->diags.met;
-    CheckContext c = checking(s);
+    CheckContext c = make_check_context(s);
     StateVec *sv = in->sv ? session_state_vector(s, in->sv) : NULL;
     AstFile *sm = parse(s, in->sm, FILE_SM);
     Program *p = check_machine(&c, sm, sv, in->written_outside);
@@ -94,7 +94,7 @@ static bool declares_written_local(const Program *p, const Map *written)
 
 // A local that the machine never writes is a finding, whatever scripts do. But an edit that marks it @read_only would cause a warning in
 // a script that writes it. So the edit is not certain to be what the user wants.
-static void withdraw_edits(Diags *d, const Program *p, const Map *written)
+static void withdraw_read_only_edits(Diags *d, const Program *p, const Map *written)
 {
     for (size_t i = 0; i < d->list.n; i++) {
         Diag *x = d->list.at[i];
@@ -112,7 +112,7 @@ const Program *session_program_for_scripts(Session *s, const MachineInput *in, c
 
     if (!declares_written_local(flown, in->written_outside))
         return flown;
-    withdraw_edits(&s->diags, flown, in->written_outside);
+    withdraw_read_only_edits(&s->diags, flown, in->written_outside);
     diags_init(&s->diags, &s->arena);
     p = session_program(s, in);
     s->diags = reported;
@@ -121,7 +121,7 @@ const Program *session_program_for_scripts(Session *s, const MachineInput *in, c
 
 // ---- an application ----
 
-static const Source *source_of(const AppFiles *files, FileKind kind)
+static const Source *find_source(const AppFiles *files, FileKind kind)
 {
     for (size_t i = 0; i < files->n; i++)
         if (files->at[i].kind == kind)
@@ -133,7 +133,7 @@ static const Source *source_of(const AppFiles *files, FileKind kind)
 static const Program *app_program(Session *s, const Source *sm, StateVec *sv)
 {
     size_t errors = s->diags.met;
-    CheckContext c = checking(s);
+    CheckContext c = make_check_context(s);
     AstFile *f = parse(s, sm, FILE_SM);
     Program *p = sv ? check_machine(&c, f, sv, NULL) : NULL;
 
@@ -141,7 +141,7 @@ static const Program *app_program(Session *s, const Source *sm, StateVec *sv)
 }
 
 // Returns how much time advances from step to step of a machine.
-static uint64_t step_of(const App *a, const AppMachine *m)
+static uint64_t time_per_step(const App *a, const AppMachine *m)
 {
     for (size_t e = 0; e < a->executor.n; e++)
         for (size_t r = 0; r < a->executor.at[e]->rate.n; r++) {
@@ -160,7 +160,7 @@ static void analyse_app(Session *s, const App *a)
 
     for (size_t i = 0; i < a->machine.n; i++) {
         p[i] = a->machine.at[i]->program;
-        s->step = step_of(a, a->machine.at[i]);
+        s->step = time_per_step(a, a->machine.at[i]);
         session_analyse(s, p[i]);
     }
     s->step = 0;
@@ -173,8 +173,8 @@ static void analyse_app(Session *s, const App *a)
 App *session_app(Session *s, const AstFile *app, AppFiles *files)
 {
     size_t errors = s->diags.met;
-    CheckContext c = checking(s);
-    const Source *vector = source_of(files, FILE_SV), *pins = source_of(files, FILE_IO);
+    CheckContext c = make_check_context(s);
+    const Source *vector = find_source(files, FILE_SV), *pins = find_source(files, FILE_IO);
     StateVec *sv = vector ? session_state_vector(s, vector) : NULL;
     AstFile *io = pins ? parse(s, pins, FILE_IO) : NULL;
     IoMap *map = io && sv ? check_io(&c, io, sv) : NULL;
@@ -194,7 +194,7 @@ App *session_app(Session *s, const AstFile *app, AppFiles *files)
 Script *session_script(Session *s, const Source *ss, const Program *p)
 {
     size_t errors = s->diags.met;
-    CheckContext c = checking(s);
+    CheckContext c = make_check_context(s);
     Script *out = check_script(&c, parse(s, ss, FILE_SS), p);
 
     return s->diags.met > errors ? NULL : out;
@@ -213,7 +213,7 @@ void session_analyse(Session *s, const Program *p)
 
 // ---- program to IR ----
 
-static void print_if_asked(Session *s, const char *stage, const IrMachine *m)
+static void print_requested_stage(Session *s, const char *stage, const IrMachine *m)
 {
     if (!s->print_after || strcmp(s->print_after, stage) != 0)
         return;
@@ -221,9 +221,9 @@ static void print_if_asked(Session *s, const char *stage, const IrMachine *m)
     ir_print(m, s->print_to);
 }
 
-static void after_pass(void *context, const PassInfo *pass, const IrMachine *m)
+static void print_after_pass(void *context, const PassInfo *pass, const IrMachine *m)
 {
-    print_if_asked(context, pass->name, m);
+    print_requested_stage(context, pass->name, m);
 }
 
 // Hides locals. Scripts and debuggers observe locals, but nothing does in a flight image without names.
@@ -234,7 +234,7 @@ static void hide_locals(IrMachine *m)
 }
 
 // Returns the machine as built: the one that was analysed, if it was the last. Passes will change it.
-static IrMachine *take_built(Session *s, const Program *p)
+static IrMachine *reuse_or_build_ir(Session *s, const Program *p)
 {
     IrMachine *m = s->built && s->built->program == p ? s->built : ir_build(&s->arena, p);
 
@@ -244,13 +244,13 @@ static IrMachine *take_built(Session *s, const Program *p)
 
 IrMachine *session_ir(Session *s, const Program *p, int opt_level)
 {
-    IrMachine *m = take_built(s, p);
-    PassOptions o = {opt_level, NULL, s->check_passes, false, after_pass, s};
+    IrMachine *m = reuse_or_build_ir(s, p);
+    PassOptions o = {opt_level, NULL, s->check_passes, false, print_after_pass, s};
     const char *wrong;
 
     if (s->hide_locals)
         hide_locals(m);
-    print_if_asked(s, "build", m);
+    print_requested_stage(s, "build", m);
     wrong = passes_run(&s->arena, m, &o);
     assert(!wrong && !ir_verify(&s->arena, m));
     (void)wrong;
@@ -266,7 +266,7 @@ bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions
 
 void session_emit_c(Session *s, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code)
 {
-    const PassOptions p = {0, NULL, s->check_passes, o && o->soft, after_pass, s};
+    const PassOptions p = {0, NULL, s->check_passes, o && o->soft, print_after_pass, s};
 
     emit_c_machine(&s->arena, passes_for_c(&s->arena, m, &p), o, header, code);
 }

@@ -49,7 +49,7 @@ Program *session_program(Session *s, const MachineInput *in);
 // It is compiled from the same sources without those names and has already been analysed; findings, costs and images come from it.
 // Returns `flown` itself if the scripts write no local.
 const Program *session_program_for_scripts(Session *s, const MachineInput *in, const Program *flown);
-// Compiles an application and everything that it names, analyses included. app_files of its tree lists the required files; the caller
+// Compiles an application and everything that it names, analyses included. app_list_files of its tree lists the required files; the caller
 // supplies their contents. Returns NULL if any of them had errors.
 App *session_app(Session *s, const AstFile *app, AppFiles *files);
 Script *session_script(Session *s, const Source *ss, const Program *p);

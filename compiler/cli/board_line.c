@@ -7,7 +7,7 @@
 #include "compiler/base/os_serial.h"
 
 // An Arduino restarts when its line is opened, and its boot loader then listens for two seconds. So wait up to six.
-enum { WAIT = 500, TRIES = 12, SPEED = 115200 };
+enum { WAIT_MS = 500, TRIES = 12, DEFAULT_SPEED = 115200 };
 
 static bool line_send(void *context, const uint8_t *bytes, size_t n)
 {
@@ -27,7 +27,7 @@ static uint32_t line_now(void *context)
 
 // ---- messages ----
 
-static const struct { SmResult result; const char *text; } reasons[] = {
+static const struct { SmResult result; const char *text; } refusals[] = {
     {SM_E_ARMED, "the board is armed; disarm it first"},
     {SM_E_UNSAFE, "a machine is in a state that is not marked @safe; bring it into one that is"},
     {SM_E_BUSY, "the image that it runs is on trial; 'smc device confirm' keeps it, 'smc device erase' with its checksum gives it up"},
@@ -46,21 +46,21 @@ static const struct { SmResult result; const char *text; } reasons[] = {
 
 static const char *refusal_text(SmResult result)
 {
-    for (size_t i = 0; i < sizeof reasons / sizeof *reasons; i++)
-        if (reasons[i].result == result)
-            return reasons[i].text;
+    for (size_t i = 0; i < sizeof refusals / sizeof *refusals; i++)
+        if (refusals[i].result == result)
+            return refusals[i].text;
     return sm_result_text(result);
 }
 
-int board_failed(BoardLine *b, const char *what)
+int board_report_failure(BoardLine *b, const char *what)
 {
     if (b->host.answered)
-        return cli_say(b->c, TEXT_board_refuses, what, refusal_text(b->host.result)), EXIT_PROBLEM;
-    cli_say(b->c, b->host.gone ? TEXT_line_gone : TEXT_board_silent, what);
+        return cli_print_error(b->c, TEXT_board_refuses, what, refusal_text(b->host.result)), EXIT_PROBLEM;
+    cli_print_error(b->c, b->host.gone ? TEXT_line_gone : TEXT_board_silent, what);
     return EXIT_ENVIRONMENT;
 }
 
-static void put_image_state(Buf *out, const DeviceImage *i)
+static void write_image_state(Buf *out, const DeviceImage *i)
 {
     if (i->runs)
         buf_str(out, ", runs");
@@ -88,7 +88,7 @@ void board_describe(Buf *out, const DeviceImage *i)
         buf_printf(out, "%lu bytes, checksum %08lx, identity ", (unsigned long)i->length, (unsigned long)i->checksum);
         for (size_t k = sizeof i->identity; k-- > 0;)          // as a number, in the form of disasm and report
             buf_printf(out, "%02x", i->identity[k]);
-        put_image_state(out, i);
+        write_image_state(out, i);
     }
     buf_str(out, "\n");
 }
@@ -100,25 +100,25 @@ static bool read_speed(Cli *c, unsigned long *speed)
     const char *word = c->given[OPT_SPEED] ? c->value[OPT_SPEED] : NULL;
     char *end;
 
-    *speed = SPEED;
+    *speed = DEFAULT_SPEED;
     if (!word)
         return true;
     *speed = strtoul(word, &end, 10);
     return *end == '\0' && word[0] >= '0' && word[0] <= '9';
 }
 
-static int begin_dialogue(Cli *c, BoardLine *b, const char *port, unsigned long speed)
+static int query_board(Cli *c, BoardLine *b, const char *port, unsigned long speed)
 {
     if (!device_hello(&b->host, &b->info)) {
-        cli_say(c, b->host.answered ? TEXT_not_a_board :
-                TEXT_no_answer,
-                port, speed);
+        cli_print_error(c, b->host.answered ? TEXT_not_a_board :
+                        TEXT_no_answer,
+                        port, speed);
         return EXIT_ENVIRONMENT;
     }
     if (device_is_usable(&b->info))
         return EXIT_OK;
-    cli_say(c, TEXT_link_version, port, (unsigned)b->info.protocol,
-            (unsigned)LINK_PROTOCOL);
+    cli_print_error(c, TEXT_link_version, port, (unsigned)b->info.protocol,
+                    (unsigned)LINK_PROTOCOL);
     return EXIT_PROBLEM;
 }
 
@@ -129,19 +129,19 @@ int board_open(Cli *c, BoardLine *b)
     int code;
 
     if (!c->given[OPT_PORT])
-        return cli_usage(c, TEXT_port_required, c->command->name);
+        return cli_usage_error(c, TEXT_port_required, c->command->name);
     if (!read_speed(c, &speed))
-        return cli_usage(c, TEXT_speed_number, c->value[OPT_SPEED]);
+        return cli_usage_error(c, TEXT_speed_number, c->value[OPT_SPEED]);
     memset(b, 0, sizeof *b);
     b->c = c;
     if (!os_serial_open(port, speed, &b->fd, &why))
-        return cli_say(c, TEXT_cannot_open, port, why), EXIT_ENVIRONMENT;
+        return cli_print_error(c, TEXT_cannot_open, port, why), EXIT_ENVIRONMENT;
     b->line.context = b;
     b->line.send = line_send;
     b->line.receive = line_receive;
     b->line.now = line_now;
-    link_host(&b->host, &b->line, WAIT, TRIES, (uint8_t)os_unlike());
-    if ((code = begin_dialogue(c, b, port, speed)) != EXIT_OK)
+    link_host(&b->host, &b->line, WAIT_MS, TRIES, (uint8_t)os_unlike());
+    if ((code = query_board(c, b, port, speed)) != EXIT_OK)
         board_close(b);
     return code;
 }

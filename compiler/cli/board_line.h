@@ -20,7 +20,7 @@ void board_close(BoardLine *b);
 
 // Prints why the last request failed, as a message after `what`. Returns EXIT_PROBLEM if the board refused, EXIT_ENVIRONMENT if there was
 // no answer.
-int board_failed(BoardLine *b, const char *what);
+int board_report_failure(BoardLine *b, const char *what);
 
 // "slot 1: 443 bytes, checksum 2f0a11c4, identity 0011223344556677, runs, on trial (2 starts left)"
 void board_describe(Buf *out, const DeviceImage *image);

@@ -44,15 +44,15 @@ struct Cli {
     DiagSelection warn;
     Sentences said;                       // messages for the end of a SARIF document
     bool reported;                        // output of that document has begun
-    const char *last_error;               // the last message of cli_say; allocated in the session
+    const char *last_error;               // the last message of cli_print_error; allocated in the session
 };
 
 // ---- options.c ----
 
 // Parses argv after the subcommand into the fields of c. false: a message has been printed, exit with EXIT_USAGE.
 bool options_parse(Cli *c, int argc, char **argv);
-void options_help(const Command *command, Buf *out);      // the options of a subcommand, one per line
-int option_level(const Cli *c);                           // -O: 0, 1 or 2
+void options_write_help(const Command *command, Buf *out);      // the options of a subcommand, one per line
+int options_opt_level(const Cli *c);                           // -O: 0, 1 or 2
 
 // ---- common.c ----
 
@@ -68,28 +68,28 @@ int option_level(const Cli *c);                           // -O: 0, 1 or 2
 #undef CLI_TEXT
 
 // Prints "smc: " and a message to standard error, in the form that --message-format selects.
-CLI_PRINTF void cli_say(Cli *c, const char *format, ...);
-CLI_PRINTF void cli_remark(Cli *c, const char *format, ...);      // for a message that stops nothing
+CLI_PRINTF void cli_print_error(Cli *c, const char *format, ...);
+CLI_PRINTF void cli_print_note(Cli *c, const char *format, ...);      // for a message that stops nothing
 // Usage error: prints a message and refers to --help. Returns EXIT_USAGE.
-CLI_PRINTF int cli_usage(Cli *c, const char *format, ...);
+CLI_PRINTF int cli_usage_error(Cli *c, const char *format, ...);
 
-// A name for a message, with control characters as \x0a; no file with such a name is ever opened. cli_usage calls this itself.
-const char *cli_shown(Arena *a, const char *name);
+// A name for a message, with control characters as \x0a; no file with such a name is ever opened. cli_usage_error calls this itself.
+const char *cli_printable_name(Arena *a, const char *name);
 // Reads an image and runs the device's own verifier on it.  EXIT_OK, or the exit code after a message.
 int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v);
-void cli_put_pin(Buf *out, const SmvmPin *p);          // "digital input 2 with @pull_up"
+void cli_write_pin(Buf *out, const SmvmPin *p);          // "digital input 2 with @pull_up"
 // Writes outputs, after outputs_check. Returns EXIT_OK, or the exit code after a message: then no file has been replaced.
-int cli_write(Cli *c, const OsOutput *out, size_t n);
+int cli_write_outputs(Cli *c, const OsOutput *out, size_t n);
 // Writes an edited file over its input, without outputs_check. Reports hard links, because os_write changes only one of them.
-int cli_rewrite(Cli *c, const OsOutput *out);
+int cli_write_edited(Cli *c, const OsOutput *out);
 bool cli_print(Cli *c, int fd, const Buf *text);          // to standard output or error; false after a message
 
 // Prints the session's diagnostics to standard error, with warnings as -W… selects them, and empties the list. Returns EXIT_PROBLEM if
 // there was an error, EXIT_ENVIRONMENT if printing failed, else EXIT_OK.
-int cli_report(Cli *c);
+int cli_print_diagnostics(Cli *c);
 
-// Every command returns through this with its exit code: it ends the output that cli_report has begun.
-int cli_end(Cli *c, int code);
+// Every command returns through this with its exit code: it ends the output that cli_print_diagnostics has begun.
+int cli_finish(Cli *c, int code);
 
 bool has_suffix(const char *path, const char *suffix);
 
@@ -101,7 +101,7 @@ typedef struct CliFormat {
 } CliFormat;
 // Finds the one of `formats` that --format names. Without --format, the ending of the -o name decides; otherwise it is the first, unless
 // that would flood a terminal. Returns false after a message.
-bool cli_format(Cli *c, const CliFormat *format, size_t formats, size_t *found);
+bool cli_choose_format(Cli *c, const CliFormat *format, size_t formats, size_t *found);
 
 // "tank" for "dir/tank.sm"; "stdin" for "-". Allocated in the session.
 const char *path_stem(Cli *c, const char *path);
@@ -118,19 +118,19 @@ bool outputs_is_source_name(const char *name, size_t n);
 // ---- inputs.c: what compile_sources() gets from a call ----
 
 // Reads a source; NULL after a message (exit with EXIT_ENVIRONMENT).  Diagnostics show the name as given.
-Source *cli_load(Cli *c, const char *path);
+Source *cli_read_source(Cli *c, const char *path);
 // Reads every file of the call and the files of --sv and --io, if given.  An application's own files are read too; a missing one is
 // reported when it is checked.  "-" is a machine.  EXIT_OK, or EXIT_ENVIRONMENT after a message.
 int cli_read_inputs(Cli *c, CompileInput *in);
 // Reads -O, --step, the limits, -W and --soft.  false after a message: one of them is not a number.
 bool cli_compile_options(Cli *c, CompileOptions *o);
 // Whether the names of all files end as sources do ("-" is accepted if `standard_input`); false after a message.
-bool cli_are_sources(Cli *c, bool standard_input);
+bool cli_check_sources(Cli *c, bool standard_input);
 
 // ---- fix_list.c ----
 
 // Lists the changed lines of a source: NAME:LINE: with its old number, then the text before and after.
-void fix_list(const Source *was, const Source *is, Buf *out);
+void fix_write_changes(const Source *was, const Source *is, Buf *out);
 
 // ---- one file each ----
 

@@ -21,11 +21,11 @@ static bool find_emit(Cli *c, CompileEmit *emit)
             *emit = (CompileEmit)i;
             return true;
         }
-    cli_usage(c, TEXT_emit_values, c->value[OPT_EMIT]);
+    cli_usage_error(c, TEXT_emit_values, c->value[OPT_EMIT]);
     return false;
 }
 
-static const char *file_part(const char *path)
+static const char *base_name(const char *path)
 {
     const char *slash = strrchr(path, '/');
     return slash ? slash + 1 : path;
@@ -53,11 +53,11 @@ static EmitCOptions c_options(Cli *c, const char *input, const char *header)
 
     memset(&e, 0, sizeof e);
     e.prefix = c->given[OPT_PREFIX] ? c->value[OPT_PREFIX] : NULL;
-    e.header = file_part(header);
+    e.header = base_name(header);
     e.track_stores = c->given[OPT_TRACK];
     e.soft = c->given[OPT_SOFT];
     e.runtime = c->given[OPT_RUNTIME];
-    e.source = strcmp(input, "-") == 0 ? "stdin" : file_part(input);
+    e.source = strcmp(input, "-") == 0 ? "stdin" : base_name(input);
     return e;
 }
 
@@ -108,13 +108,13 @@ static void add_soft_library(Cli *c, const char *code, Outputs *o)
         buf_init(&text[i], &c->session.arena);
     emit_c_soft_library(&text[0], &text[1], &text[2]);
     for (size_t i = 0; i < 3; i++) {
-        const char *path = format_in(&c->session.arena, "%.*s%s", (int)(file_part(code) - code), code, name[i]);
+        const char *path = format_in(&c->session.arena, "%.*s%s", (int)(base_name(code) - code), code, name[i]);
         if (!has_output(o, path))
             add_output(o, path, &text[i]);
     }
 }
 
-static Outputs outputs_of(Cli *c, const Compiled *made, CompileEmit emit)
+static Outputs list_outputs(Cli *c, const Compiled *made, CompileEmit emit)
 {
     Outputs o = {ARENA_ARRAY(&c->session.arena, OsOutput, made->artefact.n + 3 * c->files + 1), 0};
 
@@ -129,7 +129,7 @@ static Outputs outputs_of(Cli *c, const Compiled *made, CompileEmit emit)
 }
 
 // The inputs for -MD: all files of the call, those that an application names, the state vector and the pins.
-static DepInputs inputs_of(Cli *c, const CompileInput *in)
+static DepInputs list_inputs(Cli *c, const CompileInput *in)
 {
     const size_t named = in->app ? in->app->files.n : 0;
     DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + named + 2), 0};
@@ -148,28 +148,28 @@ static DepInputs inputs_of(Cli *c, const CompileInput *in)
 // ---- what a call can be ----
 
 // Whether -o names a possible pair of C files; false after a message.
-static bool can_name_c_pair(Cli *c, const char *path)
+static bool check_c_pair_name(Cli *c, const char *path)
 {
     const size_t n = strlen(path);
 
     if (strcmp(path, "-") == 0)
-        cli_usage(c, TEXT_c_to_stdout);
+        cli_usage_error(c, TEXT_c_to_stdout);
     else if (os_is_special(path))
-        cli_usage(c, TEXT_c_to_special, path);
+        cli_usage_error(c, TEXT_c_to_special, path);
     else if (os_is_folder(path))
-        cli_usage(c, TEXT_c_to_folder, path, path, path[n - 1] == '/' ? "" : "/", path_stem(c, c->file[0]));
+        cli_usage_error(c, TEXT_c_to_folder, path, path, path[n - 1] == '/' ? "" : "/", path_stem(c, c->file[0]));
     else
         return true;
     return false;
 }
 
 // Whether #include "…" can name the header of each input.
-static bool is_includable(Cli *c)
+static bool check_includable(Cli *c)
 {
     for (size_t i = 0; i < c->files; i++) {
-        const char *path = output_path(c, c->file[i], ".c"), *name = file_part(path);
+        const char *path = output_path(c, c->file[i], ".c"), *name = base_name(path);
         if (strpbrk(name, "\"\\")) {
-            cli_usage(c, TEXT_c_not_includable, path);
+            cli_usage_error(c, TEXT_c_not_includable, path);
             return false;
         }
     }
@@ -181,15 +181,15 @@ static bool is_named_c(const char *path) { return has_suffix(path, ".c") || has_
 static int check_app_use(Cli *c)
 {
     if (c->files > 1)
-        return cli_usage(c, TEXT_app_built_alone);
+        return cli_usage_error(c, TEXT_app_built_alone);
     if (c->given[OPT_SV])
-        return cli_usage(c, TEXT_app_names_vector, c->file[0]);
+        return cli_usage_error(c, TEXT_app_names_vector, c->file[0]);
     if (c->given[OPT_EMIT] && strcmp(c->value[OPT_EMIT], "c") != 0)
-        return cli_usage(c, TEXT_app_becomes_c, c->value[OPT_EMIT]);
+        return cli_usage_error(c, TEXT_app_becomes_c, c->value[OPT_EMIT]);
     if (c->given[OPT_PREFIX])
-        return cli_usage(c, TEXT_app_no_prefix);
+        return cli_usage_error(c, TEXT_app_no_prefix);
     if (c->given[OPT_OUTPUT] && strcmp(c->value[OPT_OUTPUT], "-") == 0)
-        return cli_usage(c, TEXT_app_needs_folder);
+        return cli_usage_error(c, TEXT_app_needs_folder);
     return EXIT_OK;
 }
 
@@ -197,13 +197,13 @@ static int check_app_use(Cli *c)
 static int check_c_options(Cli *c, CompileEmit emit)
 {
     if (c->given[OPT_RUNTIME] && emit != EMIT_C)
-        return cli_usage(c, TEXT_runtime_needs_c);
+        return cli_usage_error(c, TEXT_runtime_needs_c);
     if (c->given[OPT_SOFT] && emit != EMIT_C)
-        return cli_usage(c, TEXT_soft_needs_c);
+        return cli_usage_error(c, TEXT_soft_needs_c);
     if ((c->given[OPT_MAX_RAM] || c->given[OPT_MAX_STEP] || c->given[OPT_MAX_CYCLES]) && !is_image(emit))
-        return cli_usage(c, TEXT_limits_need_image, emit_name[emit]);
+        return cli_usage_error(c, TEXT_limits_need_image, emit_name[emit]);
     if (c->given[OPT_PREFIX] && emit_c_prefix_error(c->value[OPT_PREFIX]))
-        return cli_usage(c, TEXT_bad_prefix, c->value[OPT_PREFIX], emit_c_prefix_error(c->value[OPT_PREFIX]));
+        return cli_usage_error(c, TEXT_bad_prefix, c->value[OPT_PREFIX], emit_c_prefix_error(c->value[OPT_PREFIX]));
     return EXIT_OK;
 }
 
@@ -213,8 +213,8 @@ static int check_use(Cli *c, CompileEmit emit)
     FileKind kind, first = FILE_SM;
 
     if (c->files == 0)
-        return cli_usage(c, TEXT_build_what);
-    if (!cli_are_sources(c, true))
+        return cli_usage_error(c, TEXT_build_what);
+    if (!cli_check_sources(c, true))
         return EXIT_USAGE;
     file_kind(c->file[0], &first);
     if (is_text(emit))
@@ -225,33 +225,33 @@ static int check_use(Cli *c, CompileEmit emit)
         kind = FILE_SM;
         file_kind(c->file[i], &kind);
         if (kind == FILE_APP)
-            return cli_usage(c, TEXT_app_built_alone);
+            return cli_usage_error(c, TEXT_app_built_alone);
         if (kind != first)
-            return cli_usage(c, TEXT_build_mixed, c->file[0], c->file[i]);
+            return cli_usage_error(c, TEXT_build_mixed, c->file[0], c->file[i]);
     }
     if (first == FILE_IO && !c->given[OPT_SV])
-        return cli_usage(c, TEXT_pins_need_vector, c->file[0]);
+        return cli_usage_error(c, TEXT_pins_need_vector, c->file[0]);
     if (first == FILE_IO && emit != EMIT_C)
-        return cli_usage(c, TEXT_pins_need_c);
+        return cli_usage_error(c, TEXT_pins_need_c);
     if (c->given[OPT_IO] && (first != FILE_SM || !is_image(emit) || !c->given[OPT_SV]))
-        return cli_usage(c, TEXT_io_needs_image, c->value[OPT_IO]);
+        return cli_usage_error(c, TEXT_io_needs_image, c->value[OPT_IO]);
     if (first == FILE_SS)
-        return cli_usage(c, TEXT_script_not_built, c->file[0]);
+        return cli_usage_error(c, TEXT_script_not_built, c->file[0]);
     if (first == FILE_SV && (is_image(emit) || emit == EMIT_IR))
-        return cli_usage(c, TEXT_vector_alone, emit == EMIT_IR ? "IR" : "bytecode");
+        return cli_usage_error(c, TEXT_vector_alone, emit == EMIT_IR ? "IR" : "bytecode");
     if (emit == EMIT_BYTECODE && !c->given[OPT_EMIT] && c->given[OPT_OUTPUT] && is_named_c(c->value[OPT_OUTPUT]))
-        return cli_usage(c, TEXT_name_for_c, c->value[OPT_OUTPUT]);
-    if (emit == EMIT_C && c->given[OPT_OUTPUT] && !can_name_c_pair(c, c->value[OPT_OUTPUT]))
+        return cli_usage_error(c, TEXT_name_for_c, c->value[OPT_OUTPUT]);
+    if (emit == EMIT_C && c->given[OPT_OUTPUT] && !check_c_pair_name(c, c->value[OPT_OUTPUT]))
         return EXIT_USAGE;
-    if (emit == EMIT_C && !is_includable(c))
+    if (emit == EMIT_C && !check_includable(c))
         return EXIT_USAGE;
     if (emit == EMIT_C && c->files > 1 && (c->given[OPT_OUTPUT] || c->given[OPT_PREFIX]))
-        return cli_usage(c, TEXT_several_outputs, c->given[OPT_OUTPUT] ? "-o" : "--prefix");
+        return cli_usage_error(c, TEXT_several_outputs, c->given[OPT_OUTPUT] ? "-o" : "--prefix");
     return check_c_options(c, emit);
 }
 
 // --print-after
-static bool set_print(Cli *c)
+static bool set_print_after(Cli *c)
 {
     const char *pass = c->value[OPT_PRINT], *known = "build";
 
@@ -264,7 +264,7 @@ static bool set_print(Cli *c)
         return true;
     for (int i = 0; i < PASS_COUNT; i++)
         known = format_in(&c->session.arena, "%s, %s", known, pass_info[i].name);
-    cli_usage(c, TEXT_no_such_pass, pass, known);
+    cli_usage_error(c, TEXT_no_such_pass, pass, known);
     return false;
 }
 
@@ -275,7 +275,7 @@ static bool make_folder(Cli *c)
 
     if (!c->given[OPT_OUTPUT] || *folder == '\0' || os_make_folder(folder, &why))
         return true;
-    cli_say(c, TEXT_cannot_make_folder, cli_shown(&c->session.arena, folder), why);
+    cli_print_error(c, TEXT_cannot_make_folder, cli_printable_name(&c->session.arena, folder), why);
     return false;
 }
 
@@ -293,7 +293,7 @@ int cmd_build(Cli *c)
         return EXIT_USAGE;
     if ((code = check_use(c, emit)) != EXIT_OK)
         return code;
-    if (!cli_compile_options(c, &o) || !set_print(c))
+    if (!cli_compile_options(c, &o) || !set_print_after(c))
         return EXIT_USAGE;
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
@@ -308,12 +308,12 @@ int cmd_build(Cli *c)
     ok = compile_sources(&c->session, &in, &o, &made);
     if (c->session.print_to && !cli_print(c, 2, c->session.print_to))
         return EXIT_ENVIRONMENT;
-    if ((code = cli_report(c)) != EXIT_OK || !ok)
+    if ((code = cli_print_diagnostics(c)) != EXIT_OK || !ok)
         return code != EXIT_OK ? code : EXIT_PROBLEM;
-    out = outputs_of(c, &made, o.emit);
-    if (deps_wanted(c) && !deps_named(c, &out.at[0]))
+    out = list_outputs(c, &made, o.emit);
+    if (deps_wanted(c) && !deps_check_name(c, &out.at[0]))
         return EXIT_USAGE;
     if (deps_wanted(c))
-        deps_add(c, out.at, &out.n, inputs_of(c, &in));
-    return in.app && !make_folder(c) ? EXIT_ENVIRONMENT : cli_write(c, out.at, out.n);
+        deps_add_rule(c, out.at, &out.n, list_inputs(c, &in));
+    return in.app && !make_folder(c) ? EXIT_ENVIRONMENT : cli_write_outputs(c, out.at, out.n);
 }

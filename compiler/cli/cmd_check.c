@@ -9,8 +9,8 @@ static int check_use(Cli *c)
     FileKind kind;
 
     if (c->files == 0)
-        return cli_usage(c, TEXT_check_what);
-    if (!cli_are_sources(c, true))
+        return cli_usage_error(c, TEXT_check_what);
+    if (!cli_check_sources(c, true))
         return EXIT_USAGE;
     for (size_t i = 0; i < c->files; i++) {
         kind = FILE_SM;
@@ -19,15 +19,15 @@ static int check_use(Cli *c)
         pins = kind == FILE_IO ? c->file[i] : pins;
     }
     if (of[FILE_APP] && c->files > 1)
-        return cli_usage(c, TEXT_app_checked_alone);
+        return cli_usage_error(c, TEXT_app_checked_alone);
     if (of[FILE_APP] && c->given[OPT_SV])
-        return cli_usage(c, TEXT_app_names_vector, c->file[0]);
+        return cli_usage_error(c, TEXT_app_names_vector, c->file[0]);
     if (pins && !c->given[OPT_SV])
-        return cli_usage(c, TEXT_pins_checked_with, pins);
+        return cli_usage_error(c, TEXT_pins_checked_with, pins);
     if (of[FILE_SS] && of[FILE_SM] == 0)
-        return cli_usage(c, TEXT_script_checked_with);
+        return cli_usage_error(c, TEXT_script_checked_with);
     if (of[FILE_SS] && of[FILE_SM] > 1)
-        return cli_usage(c, TEXT_one_machine_and_scripts);
+        return cli_usage_error(c, TEXT_one_machine_and_scripts);
     return EXIT_OK;
 }
 
@@ -45,5 +45,5 @@ int cmd_check(Cli *c)
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
     compile_sources(&c->session, &in, &o, &out);
-    return cli_report(c);
+    return cli_print_diagnostics(c);
 }

@@ -7,7 +7,7 @@
 
 // ---- info and list ----
 
-static bool put_update_permission(BoardLine *b, Buf *out)
+static bool write_update_permission(BoardLine *b, Buf *out)
 {
     const DeviceInfo *i = &b->info;
     DeviceImage trial;
@@ -29,13 +29,13 @@ static int list_images(BoardLine *b, Buf *out)
 
     for (uint8_t i = 0; i <= b->info.slots; i++) {
         if (!device_image(&b->host, i < b->info.slots ? i : DEVICE_BUILT_IN, &image))
-            return board_failed(b, "asking what is there");
+            return board_report_failure(b, "asking what is there");
         board_describe(out, &image);
     }
     return EXIT_OK;
 }
 
-static void put_board_limits(Buf *out, const DeviceInfo *i)
+static void write_board_limits(Buf *out, const DeviceInfo *i)
 {
     if (i->machines != 0)
         buf_printf(out, "at most %u machines, ", (unsigned)i->machines);
@@ -47,7 +47,7 @@ static void put_board_limits(Buf *out, const DeviceInfo *i)
     buf_str(out, "\n");
 }
 
-static void put_signing(Buf *out, const DeviceInfo *i)
+static void write_signing(Buf *out, const DeviceInfo *i)
 {
     buf_str(out, "takes signed images only");
     if (i->tells_mark)
@@ -65,11 +65,11 @@ static int show_info(BoardLine *b, Buf *out)
         buf_printf(out, ", steps of up to %lu instructions", (unsigned long)i->longest);
     buf_str(out, "\n");
     if (i->tells)
-        put_board_limits(out, i);
+        write_board_limits(out, i);
     if (i->wants_signed)
-        put_signing(out, i);
-    if (!put_update_permission(b, out))
-        return board_failed(b, "asking what is on trial");
+        write_signing(out, i);
+    if (!write_update_permission(b, out))
+        return board_report_failure(b, "asking what is on trial");
     return list_images(b, out);
 }
 
@@ -80,25 +80,25 @@ static int confirm_image(BoardLine *b, Buf *out)
     DeviceImage image;
 
     if (!device_running(&b->host, &b->info, &image))
-        return board_failed(b, "asking what runs");
+        return board_report_failure(b, "asking what runs");
     if (image.slot == DEVICE_BUILT_IN) {
-        cli_say(b->c, TEXT_nothing_to_confirm);
+        cli_print_error(b->c, TEXT_nothing_to_confirm);
         if (device_trial(&b->host, &b->info, &image))
             board_describe(out, &image);
         return EXIT_PROBLEM;
     }
     if (!image.chosen) {
-        cli_say(b->c, TEXT_image_not_selected);
+        cli_print_error(b->c, TEXT_image_not_selected);
         board_describe(out, &image);
         return EXIT_PROBLEM;
     }
     if (image.state == DEVICE_CONFIRMED && b->info.may == SM_OK) {
-        cli_say(b->c, TEXT_already_confirmed);
+        cli_print_error(b->c, TEXT_already_confirmed);
         board_describe(out, &image);
         return EXIT_PROBLEM;
     }
     if (!device_request_about(&b->host, LINK_CONFIRM, image.checksum) || !device_image(&b->host, image.slot, &image))
-        return board_failed(b, "it was not confirmed");
+        return board_report_failure(b, "it was not confirmed");
     board_describe(out, &image);
     return EXIT_OK;
 }
@@ -128,10 +128,10 @@ static int erase_image(BoardLine *b, Buf *out)
     if (device_request_about(&b->host, LINK_ERASE, checksum))
         return list_images(b, out);
     if (!b->host.answered || b->host.result != SM_E_MISSING)
-        return board_failed(b, "it was not erased");
+        return board_report_failure(b, "it was not erased");
     if (was_there)                     // the answer was lost, so the request was sent twice
         return list_images(b, out);
-    cli_say(b->c, TEXT_no_slot_with, word);
+    cli_print_error(b->c, TEXT_no_slot_with, word);
     return EXIT_PROBLEM;
 }
 
@@ -145,7 +145,7 @@ static const struct { uint8_t kind; const char *name, *source, *a, *b; } kinds[]
 
 enum { EVENT = 19, EVENT_HEAD = 8 };
 
-static void put_event(Buf *out, const uint8_t *e)
+static void write_event(Buf *out, const uint8_t *e)
 {
     const double seconds = ((double)sm_link_load(e + 4, 4) * 4294967296.0 + (double)sm_link_load(e, 4)) * 1e-9;
     const unsigned long a = sm_link_load(e + 11, 4), b = sm_link_load(e + 15, 4), source = sm_link_load(e + 9, 2);
@@ -175,13 +175,13 @@ static int show_log(BoardLine *b, Buf *out)
 
     do {
         if (!link_ask(&b->host, LINK_EVENTS, body, sizeof body) || b->host.result != SM_OK || b->host.n < EVENT_HEAD)
-            return board_failed(b, "reading events");
+            return board_report_failure(b, "reading events");
         memcpy(body, b->host.body, sizeof body);
         if (sm_link_load(b->host.body + 4, 4) > 0)
             buf_printf(out, "%lu earlier events are gone\n", (unsigned long)sm_link_load(b->host.body + 4, 4));
         events = (b->host.n - EVENT_HEAD) / EVENT;
         for (size_t i = 0; i < events; i++)
-            put_event(out, b->host.body + EVENT_HEAD + i * EVENT);
+            write_event(out, b->host.body + EVENT_HEAD + i * EVENT);
         shown += events;
     } while (events > 0 && shown < EVENTS_SHOWN);
     return EXIT_OK;
@@ -214,14 +214,14 @@ int cmd_device(Cli *c)
     for (size_t i = 0; i < ACTIONS; i++)
         names[i] = actions[i].name;
     if (c->files == 0)
-        return cli_usage(c, TEXT_device_what);
+        return cli_usage_error(c, TEXT_device_what);
     if (strcmp(c->file[0], "erase") == 0 && !names_checksum(c))
-        return cli_usage(c, TEXT_erase_what);
+        return cli_usage_error(c, TEXT_erase_what);
     for (size_t i = 0; i < ACTIONS; i++)
         if (strcmp(c->file[0], names[i]) == 0 && c->files <= (actions[i].run == erase_image ? 2u : 1u))
             return run_action(c, i);
     near = str_nearest(c->file[0], names, ACTIONS);
-    return near && strcmp(near, c->file[0]) == 0 ? cli_usage(c, TEXT_device_extra, near)
-           : near ? cli_usage(c, TEXT_device_action_near, c->file[0], near)
-                  : cli_usage(c, TEXT_device_action, c->file[0]);
+    return near && strcmp(near, c->file[0]) == 0 ? cli_usage_error(c, TEXT_device_extra, near)
+           : near ? cli_usage_error(c, TEXT_device_action_near, c->file[0], near)
+                  : cli_usage_error(c, TEXT_device_action, c->file[0]);
 }

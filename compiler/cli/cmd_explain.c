@@ -4,7 +4,7 @@
 
 #include "compiler/cli/cli.h"
 
-static void put_page(const DiagInfo *d, Buf *out)
+static void write_page(const DiagInfo *d, Buf *out)
 {
     buf_printf(out, "%s: ", d->id);
     diag_put_title(d, out);
@@ -13,7 +13,7 @@ static void put_page(const DiagInfo *d, Buf *out)
     buf_printf(out, "\n\n%s", d->page);
 }
 
-static int unknown_code(Cli *c, const char *name)
+static int report_unknown_code(Cli *c, const char *name)
 {
     const char **names = ARENA_ARRAY(&c->session.arena, const char *, DIAG_COUNT + diag_flag_count), *near;
     size_t n = 0;
@@ -24,8 +24,8 @@ static int unknown_code(Cli *c, const char *name)
     for (size_t i = 0; i < diag_flag_count; i++)
         names[n++] = diag_flag[i].name;
     near = str_nearest(name, names, n);
-    return near ? cli_usage(c, TEXT_no_diagnostic_near, name, near)
-                : cli_usage(c, TEXT_no_diagnostic, name);
+    return near ? cli_usage_error(c, TEXT_no_diagnostic_near, name, near)
+                : cli_usage_error(c, TEXT_no_diagnostic, name);
 }
 
 static void explain_flag(const DiagFlag *flag, Buf *out)
@@ -34,7 +34,7 @@ static void explain_flag(const DiagFlag *flag, Buf *out)
     for (size_t i = 0; i < DIAG_COUNT; i++)
         if (diag_info[i].flag && strcmp(diag_info[i].flag, flag->name) == 0) {
             buf_char(out, '\n');
-            put_page(&diag_info[i], out);
+            write_page(&diag_info[i], out);
         }
 }
 
@@ -42,7 +42,7 @@ static void explain_all(Buf *out)
 {
     for (size_t i = 0; i < DIAG_COUNT; i++)
         if (diag_info[i].id) {
-            put_page(&diag_info[i], out);
+            write_page(&diag_info[i], out);
             buf_char(out, '\n');
         }
 }
@@ -70,9 +70,9 @@ static int explain_names(Cli *c, Buf *out)
         if (flag)
             explain_flag(flag, out);
         else if (d)
-            put_page(d, out);
+            write_page(d, out);
         else
-            code = unknown_code(c, c->file[i]);
+            code = report_unknown_code(c, c->file[i]);
     }
     return code;
 }
@@ -86,7 +86,7 @@ int cmd_explain(Cli *c)
     if (c->given[OPT_ALL_PAGES])
         explain_all(&out);
     else if (c->files == 0)
-        return cli_usage(c, TEXT_explain_what);
+        return cli_usage_error(c, TEXT_explain_what);
     else
         code = explain_names(c, &out);
     return cli_print(c, 1, &out) ? code : EXIT_ENVIRONMENT;

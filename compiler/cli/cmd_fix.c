@@ -107,9 +107,9 @@ static bool write_fixed(Fix *f, Buf *report)
         OsOutput out = {c->file[i], f->in.at[i].text->text, f->in.at[i].text->len};
         if (f->fixed[i] == 0)
             continue;
-        if (!c->given[OPT_DRY_RUN] && cli_rewrite(c, &out) != EXIT_OK)
+        if (!c->given[OPT_DRY_RUN] && cli_write_edited(c, &out) != EXIT_OK)
             return false;
-        fix_list(f->was[i], f->in.at[i].text, report);
+        fix_write_changes(f->was[i], f->in.at[i].text, report);
         buf_printf(report, "%s: %lu %s\n", c->file[i], (unsigned long)f->fixed[i], c->given[OPT_DRY_RUN] ? "to fix" : "fixed");
     }
     return true;
@@ -118,8 +118,8 @@ static bool write_fixed(Fix *f, Buf *report)
 static int check_use(Cli *c)
 {
     if (c->files == 0)
-        return cli_usage(c, TEXT_fix_what);
-    return cli_are_sources(c, false) ? EXIT_OK : EXIT_USAGE;
+        return cli_usage_error(c, TEXT_fix_what);
+    return cli_check_sources(c, false) ? EXIT_OK : EXIT_USAGE;
 }
 
 int cmd_fix(Cli *c)
@@ -143,6 +143,6 @@ int cmd_fix(Cli *c)
     apply_all_edits(&f);
     buf_init(&report, &c->session.arena);
     code = write_fixed(&f, &report) ? EXIT_OK : EXIT_ENVIRONMENT;
-    left = cli_report(c);
+    left = cli_print_diagnostics(c);
     return cli_print(c, 1, &report) && code == EXIT_OK ? left : EXIT_ENVIRONMENT;
 }

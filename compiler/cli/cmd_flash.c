@@ -57,31 +57,31 @@ static int refuse_slow_step(Cli *c, const Source *image, uint32_t cycles, uint32
 {
     const uint32_t wants = (cycles + most - 1) / most;
 
-    cli_say(c, TEXT_step_too_slow,
-            image->name, (unsigned long)cycles, (unsigned long)period, (unsigned long)(period * most), (unsigned long)wants);
+    cli_print_error(c, TEXT_step_too_slow,
+                    image->name, (unsigned long)cycles, (unsigned long)period, (unsigned long)(period * most), (unsigned long)wants);
     return EXIT_PROBLEM;
 }
 
 // Checks the size limits before a byte is sent.
-static int image_fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
+static int check_image_fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
 {
     const DeviceInfo *i = &b->info;
     const ImageNeeds n = needs_of(c, i, image, v);
     const uint32_t every = period != 0 ? period : i->period;
 
     if (image->len > i->slot_size)
-        cli_say(c, TEXT_image_too_large, image->name, (unsigned long)image->len,
-                (unsigned long)i->slot_size);
+        cli_print_error(c, TEXT_image_too_large, image->name, (unsigned long)image->len,
+                        (unsigned long)i->slot_size);
     else if (n.ram > i->ram)
-        cli_say(c, TEXT_ram_too_small, image->name,
-                (unsigned long)n.ram, (unsigned long)i->ram);
+        cli_print_error(c, TEXT_ram_too_small, image->name,
+                        (unsigned long)n.ram, (unsigned long)i->ram);
     else if (i->longest != 0 && n.longest > i->longest)
-        cli_say(c, TEXT_step_too_long, image->name,
-                (unsigned long)n.longest, (unsigned long)i->longest);
+        cli_print_error(c, TEXT_step_too_long, image->name,
+                        (unsigned long)n.longest, (unsigned long)i->longest);
     else if (i->tells && !i->windows && n.windows > 0)
-        cli_say(c, TEXT_no_windows, image->name);
+        cli_print_error(c, TEXT_no_windows, image->name);
     else if (i->machines != 0 && n.machines > i->machines)
-        cli_say(c, TEXT_too_many_machines, image->name, (unsigned long)n.machines, (unsigned)i->machines);
+        cli_print_error(c, TEXT_too_many_machines, image->name, (unsigned long)n.machines, (unsigned)i->machines);
     else if (i->cycles != 0 && n.cycles > every * i->cycles)
         return refuse_slow_step(c, image, n.cycles, every, i->cycles);
     else
@@ -96,19 +96,19 @@ static int refuse_pin(Cli *c, const Source *image, const SmvmPin *p, const SmvmP
     Buf out;
 
     buf_init(&out, &c->session.arena);
-    cli_put_pin(&out, p);
+    cli_write_pin(&out, p);
     if (other) {
         buf_str(&out, " and ");
-        cli_put_pin(&out, other);
+        cli_write_pin(&out, other);
     }
-    cli_say(c, other ? TEXT_pins_clash
+    cli_print_error(c, other ? TEXT_pins_clash
                      : TEXT_pin_absent,
-            image->name, buf_text(&out));
+                    image->name, buf_text(&out));
     return EXIT_PROBLEM;
 }
 
 // Queries the board about each pin. An image is not sent if a board of this kind would refuse or ignore one of its pins.
-static int pins_exist(BoardLine *b, const Source *image)
+static int check_pins_exist(BoardLine *b, const Source *image)
 {
     SmvmPin at[SMVM_NO_PIN] = {{0}};   // by place
     bool taken[SMVM_NO_PIN] = {false};
@@ -119,7 +119,7 @@ static int pins_exist(BoardLine *b, const Source *image)
     (void)smvm_pins((SmvmBytes)image->text, &all);
     while (smvm_next_pin(&all, &p)) {
         if (!device_pin_place(&b->host, smvm_pin_kind(&p), (uint16_t)p.pin, &place))
-            return b->host.answered && b->host.result == SM_E_UNSUPPORTED ? EXIT_OK : board_failed(b, "asking about pins");
+            return b->host.answered && b->host.result == SM_E_UNSUPPORTED ? EXIT_OK : board_report_failure(b, "asking about pins");
         if (place == SMVM_NO_PIN || taken[place])
             return refuse_pin(b->c, image, &p, place == SMVM_NO_PIN ? NULL : &at[place]);
         taken[place] = true;
@@ -130,19 +130,19 @@ static int pins_exist(BoardLine *b, const Source *image)
 
 // ---- what the board accepts now ----
 
-static int is_signed(Cli *c, BoardLine *b, const Source *image)
+static int check_signature(Cli *c, BoardLine *b, const Source *image)
 {
     SmvmAuth a;
 
     if (!b->info.wants_signed)
         return EXIT_OK;
     if (!smvm_auth_read((SmvmBytes)image->text, &a))
-        cli_say(c, TEXT_must_sign, image->name);
+        cli_print_error(c, TEXT_must_sign, image->name);
     else if (b->info.tells_mark && a.mark != b->info.mark)
-        cli_say(c, TEXT_other_key, image->name, (unsigned long)a.mark, (unsigned long)b->info.mark, image->name);
+        cli_print_error(c, TEXT_other_key, image->name, (unsigned long)a.mark, (unsigned long)b->info.mark, image->name);
     else if (a.number <= b->info.newest)
-        cli_say(c, TEXT_old_number,
-                image->name, (unsigned long)a.number, (unsigned long)b->info.newest, image->name);
+        cli_print_error(c, TEXT_old_number,
+                        image->name, (unsigned long)a.number, (unsigned long)b->info.newest, image->name);
     else
         return EXIT_OK;
     return EXIT_PROBLEM;
@@ -154,7 +154,7 @@ static bool is_same_image(const DeviceImage *there, const Source *image, uint16_
 }
 
 // Whether the board itself would accept the image. If the board already runs it, or has it on trial, it is not sent and not checked.
-static int is_accepted(Cli *c, BoardLine *b, const Source *image, uint16_t period, const DeviceImage *now)
+static int check_accepted(Cli *c, BoardLine *b, const Source *image, uint16_t period, const DeviceImage *now)
 {
     DeviceImage trial;
 
@@ -163,11 +163,11 @@ static int is_accepted(Cli *c, BoardLine *b, const Source *image, uint16_t perio
     if (device_trial(&b->host, &b->info, &trial)) {
         if (is_same_image(&trial, image, period))
             return EXIT_OK;
-        cli_say(c, TEXT_on_trial,
-                (unsigned long)trial.checksum, (unsigned long)trial.checksum);
+        cli_print_error(c, TEXT_on_trial,
+                        (unsigned long)trial.checksum, (unsigned long)trial.checksum);
         return EXIT_PROBLEM;
     }
-    return !b->host.answered ? board_failed(b, "asking what is there") : is_signed(c, b, image);
+    return !b->host.answered ? board_report_failure(b, "asking what is there") : check_signature(c, b, image);
 }
 
 // ---- the update ----
@@ -193,13 +193,13 @@ static void report_running(BoardLine *b, const DeviceImage *before)
     DeviceImage now;
 
     if (b->info.slots > 1)
-        cli_say(b->c, TEXT_keeps_previous);
+        cli_print_error(b->c, TEXT_keeps_previous);
     else if (!b->host.answered || !device_running(&b->host, &b->info, &now))
-        cli_say(b->c, TEXT_slot_maybe_lost);
+        cli_print_error(b->c, TEXT_slot_maybe_lost);
     else if (now.slot == before->slot)
-        cli_say(b->c, TEXT_keeps_previous);
+        cli_print_error(b->c, TEXT_keeps_previous);
     else
-        cli_say(b->c, device_image(&b->host, before->slot, &now) && now.chosen
+        cli_print_error(b->c, device_image(&b->host, before->slot, &now) && now.chosen
                           ? TEXT_slot_until_start
                           : TEXT_slot_lost);
 }
@@ -212,19 +212,19 @@ static int report_failure(BoardLine *b, const Update *u, const DeviceImage *befo
     int code;
 
     if (step == DEVICE_RUN) {
-        cli_say(b->c, TEXT_new_not_running);
+        cli_print_error(b->c, TEXT_new_not_running);
         return EXIT_PROBLEM;
     }
     if (step == DEVICE_END && b->host.answered && u->rule != 0) {
-        cli_say(b->c, TEXT_verifier_refuses, (unsigned)u->rule, (unsigned long)u->at,
-                smvm_rule_text(u->rule));
+        cli_print_error(b->c, TEXT_verifier_refuses, (unsigned)u->rule, (unsigned long)u->at,
+                        smvm_rule_text(u->rule));
         if (u->rule == SMVM_R_FORMAT)
-            cli_say(b->c, TEXT_firmware_version);
+            cli_print_error(b->c, TEXT_firmware_version);
         code = EXIT_PROBLEM;
     } else {
-        code = board_failed(b, what[step]);
+        code = board_report_failure(b, what[step]);
         if (step == DEVICE_END && b->host.answered && b->host.result == SM_E_MISSING)
-            cli_say(b->c, TEXT_pin_not_of_board);
+            cli_print_error(b->c, TEXT_pin_not_of_board);
     }
     if (step < DEVICE_ACTIVATE)
         report_running(b, before);
@@ -237,7 +237,7 @@ static int report_success(BoardLine *b, const Update *u, const DeviceImage *befo
     Buf out;
 
     if (!device_running(&b->host, &b->info, &now))
-        return board_failed(b, "asking what runs");
+        return board_report_failure(b, "asking what runs");
     buf_init(&out, &b->c->session.arena);
     buf_str(&out, u->was_there ? "it runs already: " : "before: ");
     board_describe(&out, u->was_there ? &now : before);
@@ -268,7 +268,7 @@ static int send_image(BoardLine *b, const Source *image, uint16_t period, const 
     if ((step = device_update(&b->host, &b->info, &u)) != DEVICE_DONE)
         return report_failure(b, &u, before, step);
     if (b->c->given[OPT_CONFIRM] && !device_request_about(&b->host, LINK_CONFIRM, u.checksum))
-        return board_failed(b, "it runs, but was not confirmed");
+        return board_report_failure(b, "it runs, but was not confirmed");
     return report_success(b, &u, before);
 }
 
@@ -279,7 +279,7 @@ static void warn_of_unsafe_starts(Cli *c, const Source *image)
 
     for (uint32_t i = 0; smvm_machine((SmvmBytes)image->text, i, &m); i++)
         if (!smvm_state_is_safe(&m, 1))
-            cli_say(c, TEXT_unsafe_start, (unsigned long)i + 1, image->name);
+            cli_print_error(c, TEXT_unsafe_start, (unsigned long)i + 1, image->name);
 }
 
 static void warn_of_no_pins(BoardLine *b, const Source *image)
@@ -287,42 +287,42 @@ static void warn_of_no_pins(BoardLine *b, const Source *image)
     SmvmPins all;
 
     if (b->info.ram_digital != 0 && !smvm_pins((SmvmBytes)image->text, &all))
-        cli_say(b->c, TEXT_no_pins, image->name);
+        cli_print_error(b->c, TEXT_no_pins, image->name);
 }
 
 // The machine is armed or not safe. Restarts discard a machine on trial that never reaches a safe state.
-static int refuse_now(BoardLine *b)
+static int report_refused_update(BoardLine *b)
 {
     DeviceImage now;
     int code;
 
     b->host.result = b->info.may;
-    code = board_failed(b, "nothing was sent");
+    code = board_report_failure(b, "nothing was sent");
     if (b->info.may == SM_E_UNSAFE && device_running(&b->host, &b->info, &now) && now.state == DEVICE_TRIAL)
-        cli_say(b->c, TEXT_trial_left, (unsigned)now.starts,
-                b->info.slots > 1 ? TEXT_previous_runs : TEXT_built_in_runs);
+        cli_print_error(b->c, TEXT_trial_left, (unsigned)now.starts,
+                        b->info.slots > 1 ? TEXT_previous_runs : TEXT_built_in_runs);
     return code;
 }
 
 static void warn_of_one_slot(BoardLine *b, const DeviceImage *now)
 {
     if (b->info.slots == 1 && now->slot != DEVICE_BUILT_IN)
-        cli_say(b->c, TEXT_slot_replaced,
-                (unsigned long)now->checksum);
+        cli_print_error(b->c, TEXT_slot_replaced,
+                        (unsigned long)now->checksum);
 }
 
 static int flash_image(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
 {
     DeviceImage now;
-    int code = image_fits(c, b, image, v, period);
+    int code = check_image_fits(c, b, image, v, period);
 
     if (code != EXIT_OK)
         return code;
     if (b->info.may != SM_OK)
-        return refuse_now(b);
+        return report_refused_update(b);
     if (!device_running(&b->host, &b->info, &now))
-        return board_failed(b, "asking what runs");
-    if ((code = is_accepted(c, b, image, period, &now)) != EXIT_OK || (code = pins_exist(b, image)) != EXIT_OK)
+        return board_report_failure(b, "asking what runs");
+    if ((code = check_accepted(c, b, image, period, &now)) != EXIT_OK || (code = check_pins_exist(b, image)) != EXIT_OK)
         return code;
     if (!is_same_image(&now, image, period)) {
         warn_of_unsafe_starts(c, image);
@@ -331,7 +331,7 @@ static int flash_image(Cli *c, BoardLine *b, const Source *image, const SmvmVerd
     }
     if (!c->given[OPT_DRY_RUN])
         return send_image(b, image, period, &now);
-    cli_say(c, is_same_image(&now, image, period) ? TEXT_runs_already : TEXT_would_send, image->name);
+    cli_print_error(c, is_same_image(&now, image, period) ? TEXT_runs_already : TEXT_would_send, image->name);
     return EXIT_OK;
 }
 
@@ -352,14 +352,14 @@ static bool read_period(Cli *c, uint16_t *period)
 
 // A board reports which key it has. But it detects a modified image only after receiving all of it; a board with one slot has then lost
 // its previous image.
-static int is_signed_with(Cli *c, const Source *image)
+static int check_signed_with_key(Cli *c, const Source *image)
 {
     uint8_t key[SMVM_KEY];
     const int code = c->given[OPT_KEY] ? key_load(c, key) : EXIT_OK;
 
     if (code != EXIT_OK || !c->given[OPT_KEY])
         return code;
-    return key_signed(c, image, key, "; nothing was sent") ? EXIT_OK : EXIT_PROBLEM;
+    return key_check_signature(c, image, key, "; nothing was sent") ? EXIT_OK : EXIT_PROBLEM;
 }
 
 int cmd_flash(Cli *c)
@@ -371,12 +371,12 @@ int cmd_flash(Cli *c)
     int code;
 
     if (c->files != 1)
-        return cli_usage(c, TEXT_flash_what);
+        return cli_usage_error(c, TEXT_flash_what);
     if (has_suffix(c->file[0], ".sm"))
-        return cli_usage(c, TEXT_flash_source, c->file[0]);
+        return cli_usage_error(c, TEXT_flash_source, c->file[0]);
     if (!read_period(c, &period))
-        return cli_usage(c, TEXT_period_number, c->value[OPT_PERIOD]);
-    if ((code = cli_load_image(c, c->file[0], &image, &v)) != EXIT_OK || (code = is_signed_with(c, image)) != EXIT_OK ||
+        return cli_usage_error(c, TEXT_period_number, c->value[OPT_PERIOD]);
+    if ((code = cli_load_image(c, c->file[0], &image, &v)) != EXIT_OK || (code = check_signed_with_key(c, image)) != EXIT_OK ||
         (code = board_open(c, &b)) != EXIT_OK)
         return code;
     code = flash_image(c, &b, image, &v, period);

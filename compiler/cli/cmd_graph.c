@@ -15,7 +15,7 @@ static WriteGraph *find_format(Cli *c)
     static WriteGraph *const writer[FORMATS] = {diagram_write_svg, diagram_write_dot, diagram_write_mermaid};
     size_t i;
 
-    return cli_format(c, formats, FORMATS, &i) ? writer[i] : NULL;
+    return cli_choose_format(c, formats, FORMATS, &i) ? writer[i] : NULL;
 }
 
 // Prints the diagnostics of each run; the diagram shows how far a failed script got.
@@ -26,7 +26,7 @@ static int report_runs(Cli *c, const Report *r)
     for (size_t i = 0; i < r->runs; i++) {
         int reported;
         c->session.diags = r->run[i].diags;
-        reported = cli_report(c);
+        reported = cli_print_diagnostics(c);
         code = reported > code ? reported : code;
     }
     return code;
@@ -61,14 +61,14 @@ int cmd_graph(Cli *c)
     compile_sources(&c->session, &in, &o, &made);
     found = c->session.diags;
     g.findings = &found;
-    if ((code = cli_report(c)) != EXIT_OK)
+    if ((code = cli_print_diagnostics(c)) != EXIT_OK)
         return code;
     m = runs_machine(&in, &made);
     memset(&r, 0, sizeof r);
     r.arena = &c->session.arena;
     analysis_begin(&r.analysis, r.arena, &c->session.diags, m->program);
-    if ((code = runs_make(c, &r, m->scripted, &in)) != EXIT_OK) {
-        cli_report(c);
+    if ((code = runs_execute(c, &r, m->scripted, &in)) != EXIT_OK) {
+        cli_print_diagnostics(c);
         return code;
     }
     counts = report_sum_counts(&r);
@@ -77,7 +77,7 @@ int cmd_graph(Cli *c)
     buf_init(&out, r.arena);
     writer(&r.analysis, &g, &out);
     file = (OsOutput){c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", buf_text(&out), out.n};
-    if ((code = cli_write(c, &file, 1)) != EXIT_OK)
+    if ((code = cli_write_outputs(c, &file, 1)) != EXIT_OK)
         return code;
     return report_runs(c, &r);
 }

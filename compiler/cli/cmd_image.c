@@ -21,27 +21,27 @@ static const char *advice_for_rule(uint8_t rule)
 }
 
 // On a board, arbitrary bytes can follow an image; a file must not contain any.
-static int ends_in_time(Cli *c, const Source *image)
+static int check_trailing_bytes(Cli *c, const Source *image)
 {
     const uint32_t length = smvm_uint((SmvmBytes)image->text, SMVM_LENGTH_AT, 3);
 
     if (length == image->len)
         return EXIT_OK;
-    cli_say(c, TEXT_image_length, image->name, (unsigned long)length, (unsigned long)image->len);
-    cli_say(c, TEXT_image_extra);
+    cli_print_error(c, TEXT_image_length, image->name, (unsigned long)length, (unsigned long)image->len);
+    cli_print_error(c, TEXT_image_extra);
     return EXIT_PROBLEM;
 }
 
 int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v)
 {
-    if ((*image = cli_load(c, path)) == NULL)
+    if ((*image = cli_read_source(c, path)) == NULL)
         return EXIT_ENVIRONMENT;
     if (smvm_verify((SmvmBytes)(*image)->text, (*image)->len, v) == 0)
-        return ends_in_time(c, *image);
-    cli_say(c, TEXT_image_rule, (*image)->name, (unsigned)v->rule, (unsigned long)v->at,
-            smvm_rule_text(v->rule));
+        return check_trailing_bytes(c, *image);
+    cli_print_error(c, TEXT_image_rule, (*image)->name, (unsigned)v->rule, (unsigned long)v->at,
+                    smvm_rule_text(v->rule));
     if (advice_for_rule(v->rule))
-        cli_say(c, TEXT_sentence, advice_for_rule(v->rule));
+        cli_print_error(c, TEXT_sentence, advice_for_rule(v->rule));
     return EXIT_PROBLEM;
 }
 
@@ -50,7 +50,7 @@ int cmd_disasm(Cli *c)
     Buf out;
 
     if (c->files == 0)
-        return cli_usage(c, TEXT_disasm_what);
+        return cli_usage_error(c, TEXT_disasm_what);
     buf_init(&out, &c->session.arena);
     for (size_t i = 0; i < c->files; i++) {
         Source *image;
@@ -63,7 +63,7 @@ int cmd_disasm(Cli *c)
     return cli_print(c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }
 
-void cli_put_pin(Buf *out, const SmvmPin *p)
+void cli_write_pin(Buf *out, const SmvmPin *p)
 {
     buf_printf(out, "%s %s %lu%s", p->kind & 2 ? "digital" : "analog", p->kind & 1 ? "output" : "input", (unsigned long)p->pin,
                p->flags & 4 ? " with @pull_down" : p->flags & 2 ? " with @pull_up" : "");
@@ -80,12 +80,12 @@ static void describe_pins(const char *name, const Source *image, Buf *out)
     buf_str(out, name);
     for (; smvm_next_pin(&all, &p); between = ", ") {
         buf_str(out, between);
-        cli_put_pin(out, &p);
+        cli_write_pin(out, &p);
     }
     buf_str(out, "\n");
 }
 
-static void describe(const char *name, const Source *image, Buf *out)
+static void describe_image(const char *name, const Source *image, Buf *out)
 {
     SmvmMachine m;
 
@@ -101,7 +101,7 @@ static int describe_code(Cli *c, const Source *image, const uint8_t *key, Buf *o
 {
     SmvmAuth a;
 
-    if (key && !key_signed(c, image, key, ""))
+    if (key && !key_check_signature(c, image, key, ""))
         return EXIT_PROBLEM;
     if (smvm_auth_read((SmvmBytes)image->text, &a))
         buf_printf(out, "%s: signed with %skey %08lx, number %lu\n", image->name, key ? "this " : "", (unsigned long)a.mark, (unsigned long)a.number);
@@ -115,7 +115,7 @@ int cmd_verify(Cli *c)
     Buf out;
 
     if (c->files == 0)
-        return cli_usage(c, TEXT_verify_what);
+        return cli_usage_error(c, TEXT_verify_what);
     if (c->given[OPT_KEY] && (worst = key_load(c, key)) != EXIT_OK)
         return worst;
     buf_init(&out, &c->session.arena);
@@ -124,7 +124,7 @@ int cmd_verify(Cli *c)
         SmvmVerdict v;
         int code = cli_load_image(c, c->file[i], &image, &v);
         if (code == EXIT_OK)
-            describe(image->name, image, &out);
+            describe_image(image->name, image, &out);
         if (code == EXIT_OK)
             code = describe_code(c, image, c->given[OPT_KEY] ? key : NULL, &out);
         worst = code > worst ? code : worst;

@@ -6,7 +6,7 @@
 #include "compiler/cli/cli.h"
 #include "compiler/report/flight.h"
 
-typedef void PutFlight(const Flight *f, Buf *out);
+typedef void WriteFlight(const Flight *f, Buf *out);
 
 static const CliFormat formats[] = {
     {"text", {".txt", NULL, NULL}, NULL}, {"csv", {".csv", NULL, NULL}, NULL}, {"json", {".json", ".jsonl", NULL}, NULL},
@@ -24,7 +24,7 @@ static Log *read_log(Cli *c, const char *path, char **bytes)
     size_t n;
 
     if (!os_read(path, size_most, bytes, &n, &why)) {
-        cli_say(c, TEXT_cannot_read, cli_shown(&c->session.arena, path), why);
+        cli_print_error(c, TEXT_cannot_read, cli_printable_name(&c->session.arena, path), why);
         return NULL;
     }
     return log_read(&c->session.arena, (const uint8_t *)*bytes, (uint32_t)n);
@@ -34,17 +34,17 @@ static Log *read_log(Cli *c, const char *path, char **bytes)
 static int report_damage(Cli *c, const char *path, const Log *log)
 {
     if (log->newer)
-        cli_remark(c, TEXT_log_later, path);
+        cli_print_note(c, TEXT_log_later, path);
     if (log->session.n == 0) {
-        cli_say(c, log->size == 0 ? TEXT_log_empty : TEXT_log_not, path);
+        cli_print_error(c, log->size == 0 ? TEXT_log_empty : TEXT_log_not, path);
         return EXIT_PROBLEM;
     }
     if (log->damaged > log->torn)
-        cli_remark(c, TEXT_log_damaged, path, (unsigned long long)log->damaged);
+        cli_print_note(c, TEXT_log_damaged, path, (unsigned long long)log->damaged);
     else if (log->torn)
-        cli_remark(c, TEXT_log_torn, path, (unsigned long long)log->torn);
+        cli_print_note(c, TEXT_log_torn, path, (unsigned long long)log->torn);
     if (log->unread)
-        cli_remark(c, TEXT_log_unread, path, (unsigned long long)log->unread);
+        cli_print_note(c, TEXT_log_unread, path, (unsigned long long)log->unread);
     return EXIT_OK;
 }
 
@@ -60,16 +60,16 @@ static int choose_session(Cli *c, Flight *f, size_t format)
     if (word) {
         wanted = strtoull(word, &end, 10);
         if (word[0] < '0' || word[0] > '9' || *end)
-            return cli_usage(c, TEXT_session_number, word);
+            return cli_usage_error(c, TEXT_session_number, word);
     }
     if (wanted < 1 || wanted > n) {
-        cli_say(c, TEXT_no_session, f->name, word, (unsigned long)n);
+        cli_print_error(c, TEXT_no_session, f->name, word, (unsigned long)n);
         return EXIT_PROBLEM;
     }
     if (word || format != TEXT)
         f->session = f->log->session.at[wanted - 1];
     if (!word && format != TEXT && n > 1)
-        cli_remark(c, TEXT_last_session, f->name, (unsigned long)n);
+        cli_print_note(c, TEXT_last_session, f->name, (unsigned long)n);
     return EXIT_OK;
 }
 
@@ -77,7 +77,7 @@ static int report_unknown_name(Cli *c, const Flight *f, const char *what, const 
 {
     const char *near = str_nearest(name, names, n);
 
-    cli_say(c, near ? TEXT_log_name_near : TEXT_log_name, f->name, what, name, near);
+    cli_print_error(c, near ? TEXT_log_name_near : TEXT_log_name, f->name, what, name, near);
     return EXIT_PROBLEM;
 }
 
@@ -128,7 +128,7 @@ static int choose_content(Cli *c, Flight *f, size_t format)
     if (code == EXIT_OK)
         code = choose_machine(c, f);
     if (code == EXIT_OK && format == SVG && f->session->records == 0) {
-        cli_say(c, TEXT_no_record, f->name);
+        cli_print_error(c, TEXT_no_record, f->name);
         code = EXIT_PROBLEM;
     }
     return code;
@@ -136,7 +136,7 @@ static int choose_content(Cli *c, Flight *f, size_t format)
 
 // ---- the command ----
 
-static int write_out(Cli *c, const Flight *f, PutFlight *put)
+static int write_flight(Cli *c, const Flight *f, WriteFlight *put)
 {
     OsOutput file = {c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0};
     Buf out;
@@ -145,12 +145,12 @@ static int write_out(Cli *c, const Flight *f, PutFlight *put)
     put(f, &out);
     file.bytes = buf_text(&out);
     file.n = out.n;
-    return cli_write(c, &file, 1);
+    return cli_write_outputs(c, &file, 1);
 }
 
 int cmd_log(Cli *c)
 {
-    static PutFlight *const writer[FORMATS] = {flight_write_text, flight_write_csv, flight_write_json, flight_write_svg};
+    static WriteFlight *const writer[FORMATS] = {flight_write_text, flight_write_csv, flight_write_json, flight_write_svg};
     Flight f;
     size_t format;
     char *bytes;
@@ -158,8 +158,8 @@ int cmd_log(Cli *c)
 
     memset(&f, 0, sizeof f);
     if (c->files == 0)
-        return cli_usage(c, TEXT_log_what);
-    if (!cli_format(c, formats, FORMATS, &format))
+        return cli_usage_error(c, TEXT_log_what);
+    if (!cli_choose_format(c, formats, FORMATS, &format))
         return EXIT_USAGE;
     f.arena = &c->session.arena;
     f.name = strcmp(c->file[0], "-") == 0 ? "<stdin>" : c->file[0];
@@ -168,7 +168,7 @@ int cmd_log(Cli *c)
     if ((code = report_damage(c, f.name, f.log)) == EXIT_OK)
         code = choose_content(c, &f, format);
     if (code == EXIT_OK)
-        code = write_out(c, &f, writer[format]);
+        code = write_flight(c, &f, writer[format]);
     os_alloc(NULL, bytes, 0);
     return code;
 }

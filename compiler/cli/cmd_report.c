@@ -19,7 +19,7 @@ static WriteReport *find_format(Cli *c)
     static WriteReport *const writer[FORMATS] = {doc_write_html, doc_write_text, doc_write_json};
     size_t i;
 
-    return cli_format(c, formats, FORMATS, &i) ? writer[i] : NULL;
+    return cli_choose_format(c, formats, FORMATS, &i) ? writer[i] : NULL;
 }
 
 static int write_report(Cli *c, Report *r, WriteReport *writer)
@@ -31,7 +31,7 @@ static int write_report(Cli *c, Report *r, WriteReport *writer)
     writer(report_build(r), &out);
     file.bytes = buf_text(&out);
     file.n = out.n;
-    return cli_write(c, &file, 1);
+    return cli_write_outputs(c, &file, 1);
 }
 
 static int report_failed_runs(Cli *c, const Report *r)
@@ -40,7 +40,7 @@ static int report_failed_runs(Cli *c, const Report *r)
 
     for (size_t i = 0; i < r->runs; i++)
         if (!r->run[i].script || r->run[i].result.outcome != SCRIPT_PASSED) {
-            cli_say(c, TEXT_run_failed, r->run[i].name);
+            cli_print_error(c, TEXT_run_failed, r->run[i].name);
             code = EXIT_PROBLEM;
         }
     return code;
@@ -77,7 +77,7 @@ int cmd_report(Cli *c)
     if ((writer = find_format(c)) == NULL || !cli_compile_options(c, &o))
         return EXIT_USAGE;
     if (c->given[OPT_IO] && !c->given[OPT_SV])
-        return cli_usage(c, TEXT_io_needs_vector);
+        return cli_usage_error(c, TEXT_io_needs_vector);
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
     o.emit = EMIT_BYTECODE;
@@ -85,13 +85,13 @@ int cmd_report(Cli *c)
     o.scripts_later = true;
     o.warnings = NULL;                    // a report contains every finding
     if (!compile_sources(&c->session, &in, &o, &made)) {
-        cli_report(c);
+        cli_print_diagnostics(c);
         return EXIT_PROBLEM;
     }
     memset(&r, 0, sizeof r);
     fill_report(c, &o, runs_machine(&in, &made), made.artefact.at[0].bytes, &r);
-    if ((code = runs_make(c, &r, runs_machine(&in, &made)->scripted, &in)) != EXIT_OK) {
-        cli_report(c);
+    if ((code = runs_execute(c, &r, runs_machine(&in, &made)->scripted, &in)) != EXIT_OK) {
+        cli_print_diagnostics(c);
         return code;
     }
     if ((code = write_report(c, &r, writer)) != EXIT_OK)

@@ -18,7 +18,7 @@ static bool number_from_clock(Cli *c, uint32_t *number)
     *number = (uint32_t)seconds;
     if (seconds >= 1 && seconds <= MOST)
         return true;
-    cli_say(c, TEXT_clock_wrong);
+    cli_print_error(c, TEXT_clock_wrong);
     return false;
 }
 
@@ -32,7 +32,7 @@ static bool number_from_option(Cli *c, uint32_t *number)
     *number = (uint32_t)n;
     if (*word == '\0' && n >= 1 && n <= MOST)
         return true;
-    cli_usage(c, TEXT_number_range, (unsigned long)MOST, c->value[OPT_NUMBER]);
+    cli_usage_error(c, TEXT_number_range, (unsigned long)MOST, c->value[OPT_NUMBER]);
     return false;
 }
 
@@ -44,8 +44,8 @@ static int sign_image(Cli *c, const Source *image, const uint8_t *key, uint32_t 
     out.bytes = bytes;
     out.n = image_sign((const uint8_t *)image->text, (uint32_t)image->len, key, number, bytes);
     if (out.n == 0)
-        return cli_say(c, TEXT_too_many_sections, image->name), EXIT_PROBLEM;
-    return !c->given[OPT_OUTPUT] || os_same_file(out.path, c->file[0]) ? cli_rewrite(c, &out) : cli_write(c, &out, 1);
+        return cli_print_error(c, TEXT_too_many_sections, image->name), EXIT_PROBLEM;
+    return !c->given[OPT_OUTPUT] || os_same_file(out.path, c->file[0]) ? cli_write_edited(c, &out) : cli_write_outputs(c, &out, 1);
 }
 
 int cmd_sign(Cli *c)
@@ -57,7 +57,7 @@ int cmd_sign(Cli *c)
     int code;
 
     if (c->files != 1 || !c->given[OPT_KEY])
-        return cli_usage(c, TEXT_sign_what);
+        return cli_usage_error(c, TEXT_sign_what);
     if (c->given[OPT_NUMBER] && !number_from_option(c, &number))
         return EXIT_USAGE;
     if (!c->given[OPT_NUMBER] && !number_from_clock(c, &number))

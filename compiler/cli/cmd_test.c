@@ -25,7 +25,7 @@ static void add_error(TestRun *t, const char *path, const char *message, int cod
 
 static void refuse_folder(TestRun *t, const char *path, const char *why)
 {
-    cli_say(t->c, TEXT_cannot_read, cli_shown(t->arena, path), why);
+    cli_print_error(t->c, TEXT_cannot_read, cli_printable_name(t->arena, path), why);
     add_error(t, path, why, EXIT_ENVIRONMENT);
 }
 
@@ -59,7 +59,7 @@ static void collect_argument(TestRun *t, const char *path)
     collect_cases(t, path, 0);
     if (t->path.n + t->result.n > before)
         return;
-    cli_say(t->c, TEXT_no_case_in, path);
+    cli_print_error(t->c, TEXT_no_case_in, path);
     add_error(t, path, "no .smt case is in it", EXIT_PROBLEM);
 }
 
@@ -67,7 +67,7 @@ static void collect_argument(TestRun *t, const char *path)
 
 static bool is_standard_output(const Cli *c, OptionId id) { return c->given[id] && strcmp(c->value[id], "-") == 0; }
 
-bool test_is_read(const Cli *c) { return c->given[OPT_TAP] || is_standard_output(c, OPT_JUNIT); }
+bool test_stdout_is_for_program(const Cli *c) { return c->given[OPT_TAP] || is_standard_output(c, OPT_JUNIT); }
 
 int test_result_fd(const Cli *c) { return is_standard_output(c, OPT_TRACE) ? 2 : 1; }
 
@@ -91,7 +91,7 @@ static void report_absent(TestRun *t)
 {
     for (unsigned i = 0; i < ENGINE_KINDS; i++)
         if (t->absent & 1u << i)
-            cli_remark(t->c, TEXT_engine_left_out, engine_name[i], t->why_absent);
+            cli_print_note(t->c, TEXT_engine_left_out, engine_name[i], t->why_absent);
 }
 
 static int write_results(TestRun *t, bool summary)
@@ -103,7 +103,7 @@ static int write_results(TestRun *t, bool summary)
     buf_init(&out, t->arena);
     if (tap)
         test_write_tap(t, &out);
-    else if (summary && !test_is_read(t->c))
+    else if (summary && !test_stdout_is_for_program(t->c))
         test_write_summary(t, &out);
     if (!cli_print(t->c, tap ? 1 : test_result_fd(t->c), &out))
         return EXIT_ENVIRONMENT;
@@ -113,7 +113,7 @@ static int write_results(TestRun *t, bool summary)
     test_write_junit(t, &xml);
     junit.bytes = buf_text(&xml);
     junit.n = xml.n;
-    return cli_write(t->c, &junit, 1);
+    return cli_write_outputs(t->c, &junit, 1);
 }
 
 // Returns the most serious result: a bug of smc, then a fault of the environment, then a problem in the user's input.
@@ -152,10 +152,10 @@ static int check_kinds(Cli *c)
     for (size_t i = 0; i < c->files; i++) {
         const char *path = c->file[i];
         if (has_suffix(path, ".sv"))
-            return cli_usage(c, TEXT_vector_with_sv, path);
+            return cli_usage_error(c, TEXT_vector_with_sv, path);
         if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".smt") && strcmp(path, "-") != 0 &&
             !os_is_folder(path))
-            return cli_usage(c, TEXT_test_kind, path, accepted);
+            return cli_usage_error(c, TEXT_test_kind, path, accepted);
     }
     return EXIT_OK;
 }
@@ -163,19 +163,19 @@ static int check_kinds(Cli *c)
 static int check_use(Cli *c, const Files *f)
 {
     if (c->files == 0)
-        return cli_usage(c, TEXT_test_what);
+        return cli_usage_error(c, TEXT_test_what);
     if (check_kinds(c) != EXIT_OK)
         return EXIT_USAGE;
     if (f->machines > 1)
-        return cli_usage(c, TEXT_test_one_machine);
+        return cli_usage_error(c, TEXT_test_one_machine);
     if (f->machines && !f->scripts && f->cases)
-        return cli_usage(c, TEXT_test_folder_of_scripts, f->machine);
+        return cli_usage_error(c, TEXT_test_folder_of_scripts, f->machine);
     if (f->machines && !f->scripts)
-        return cli_usage(c, TEXT_test_no_script, f->machine, f->machine);
+        return cli_usage_error(c, TEXT_test_no_script, f->machine, f->machine);
     if (f->scripts && !f->machines)
-        return cli_usage(c, TEXT_test_no_machine);
+        return cli_usage_error(c, TEXT_test_no_machine);
     if (c->given[OPT_TAP] && (is_standard_output(c, OPT_JUNIT) || is_standard_output(c, OPT_TRACE)))
-        return cli_usage(c, TEXT_tap_and, is_standard_output(c, OPT_JUNIT) ? "--junit" : "--trace");
+        return cli_usage_error(c, TEXT_tap_and, is_standard_output(c, OPT_JUNIT) ? "--junit" : "--trace");
     return EXIT_OK;
 }
 
@@ -184,15 +184,15 @@ static int check_trace(Cli *c, const Files *f)
     const bool is_exact = c->given[OPT_TRACE_FORMAT] && strcmp(c->value[OPT_TRACE_FORMAT], "exact") == 0;
 
     if (c->given[OPT_TRACE_FORMAT] && !is_exact && strcmp(c->value[OPT_TRACE_FORMAT], "csv") != 0)
-        return cli_usage(c, TEXT_trace_formats, c->value[OPT_TRACE_FORMAT]);
+        return cli_usage_error(c, TEXT_trace_formats, c->value[OPT_TRACE_FORMAT]);
     if (!c->given[OPT_TRACE] && (c->given[OPT_TRACE_FORMAT] || c->given[OPT_TRACE_ELEMENTS]))
-        return cli_usage(c, TEXT_trace_required, c->given[OPT_TRACE_FORMAT] ? "--trace-format" : "--trace-elements");
+        return cli_usage_error(c, TEXT_trace_required, c->given[OPT_TRACE_FORMAT] ? "--trace-format" : "--trace-elements");
     if (c->given[OPT_TRACE] && !f->scripts)
-        return cli_usage(c, TEXT_trace_of_case);
+        return cli_usage_error(c, TEXT_trace_of_case);
     if (is_exact && f->scripts > 1)
-        return cli_usage(c, TEXT_exact_one_script);
+        return cli_usage_error(c, TEXT_exact_one_script);
     if (is_exact && c->given[OPT_TRACE_ELEMENTS])
-        return cli_usage(c, TEXT_exact_has_all);
+        return cli_usage_error(c, TEXT_exact_has_all);
     return EXIT_OK;
 }
 
@@ -214,9 +214,9 @@ static int read_options(TestRun *t)
 
     t->max_steps = 1000000;
     if (c->given[OPT_MAX_STEPS] && !read_steps(c->value[OPT_MAX_STEPS], &t->max_steps))
-        return cli_usage(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
+        return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
     if (c->given[OPT_ENGINE] && (t->engines = engines_named(c->value[OPT_ENGINE])) == 0)
-        return cli_usage(c, TEXT_engine_values, c->value[OPT_ENGINE]);
+        return cli_usage_error(c, TEXT_engine_values, c->value[OPT_ENGINE]);
     return cli_compile_options(c, &unused) ? EXIT_OK : EXIT_USAGE;
 }
 
@@ -229,13 +229,13 @@ int cmd_test(Cli *c)
     if (code != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
         return code;
     if (c->given[OPT_TRACE] && f.cases)
-        cli_remark(c, TEXT_cases_not_traced, f.machine);
-    if (f.machine && (ran = test_machine(&t, f.machine)) == EXIT_USAGE)
+        cli_print_note(c, TEXT_cases_not_traced, f.machine);
+    if (f.machine && (ran = test_run_machine(&t, f.machine)) == EXIT_USAGE)
         return ran;
     for (size_t i = 0; i < c->files; i++)
         if (!has_suffix(c->file[i], ".ss") && c->file[i] != f.machine)
             collect_argument(&t, c->file[i]);
-    test_cases(&t, t.path.at, t.path.n);
+    test_run_cases(&t, t.path.at, t.path.n);
     report_absent(&t);
     written = write_results(&t, f.cases > 0 || f.scripts > 1);
     code = exit_code(&t);

@@ -40,7 +40,7 @@ static void print_message(Cli *c, const char *severity, const char *format, va_l
     }
 }
 
-void cli_say(Cli *c, const char *format, ...)
+void cli_print_error(Cli *c, const char *format, ...)
 {
     char sentence[5000];
     va_list args;
@@ -54,7 +54,7 @@ void cli_say(Cli *c, const char *format, ...)
     c->last_error = format_in(&c->session.arena, "%s", sentence);
 }
 
-void cli_remark(Cli *c, const char *format, ...)
+void cli_print_note(Cli *c, const char *format, ...)
 {
     va_list args;
 
@@ -63,7 +63,7 @@ void cli_remark(Cli *c, const char *format, ...)
     va_end(args);
 }
 
-const char *cli_shown(Arena *a, const char *name)
+const char *cli_printable_name(Arena *a, const char *name)
 {
     Buf out;
 
@@ -78,7 +78,7 @@ const char *cli_shown(Arena *a, const char *name)
     return buf_text(&out);
 }
 
-int cli_usage(Cli *c, const char *format, ...)
+int cli_usage_error(Cli *c, const char *format, ...)
 {
     char sentence[5000];
     va_list args;
@@ -86,7 +86,7 @@ int cli_usage(Cli *c, const char *format, ...)
     va_start(args, format);
     vsnprintf(sentence, sizeof sentence, format, args);
     va_end(args);
-    fprintf(stderr, "smc: %s\n", cli_shown(&c->session.arena, sentence));
+    fprintf(stderr, "smc: %s\n", cli_printable_name(&c->session.arena, sentence));
     if (c->command)
         fprintf(stderr, "Try 'smc %s --help'.\n", c->command->name);
     else
@@ -100,24 +100,24 @@ static int write_files(Cli *c, const OsOutput *out, size_t n)
 
     if (os_write(out, n, &path, &why))
         return EXIT_OK;
-    cli_say(c, TEXT_cannot_write, strcmp(path, "-") == 0 ? "standard output" : cli_shown(&c->session.arena, path), why);
+    cli_print_error(c, TEXT_cannot_write, strcmp(path, "-") == 0 ? "standard output" : cli_printable_name(&c->session.arena, path), why);
     return EXIT_ENVIRONMENT;
 }
 
-int cli_write(Cli *c, const OsOutput *out, size_t n)
+int cli_write_outputs(Cli *c, const OsOutput *out, size_t n)
 {
     const int code = outputs_check(c, out, n);
 
     return code == EXIT_OK ? write_files(c, out, n) : code;
 }
 
-int cli_rewrite(Cli *c, const OsOutput *out)
+int cli_write_edited(Cli *c, const OsOutput *out)
 {
     const bool has_other_names = os_has_other_names(out->path);
     const int code = write_files(c, out, 1);
 
     if (code == EXIT_OK && has_other_names)
-        cli_remark(c, TEXT_hard_link, out->path);
+        cli_print_note(c, TEXT_hard_link, out->path);
     return code;
 }
 
@@ -128,7 +128,7 @@ bool cli_print(Cli *c, int fd, const Buf *text)
     if (os_print(fd, buf_text(text), text->n, &why))
         return true;
     if (fd == 1)
-        cli_say(c, TEXT_cannot_print, why);
+        cli_print_error(c, TEXT_cannot_print, why);
     return false;
 }
 
@@ -157,7 +157,7 @@ static void render_diagnostics(const Cli *c, const Diags *d, Buf *out)
         diags_render_text(d, &style, out);
 }
 
-int cli_report(Cli *c)
+int cli_print_diagnostics(Cli *c)
 {
     Diags *d = &c->session.diags;
     Buf out;
@@ -176,14 +176,14 @@ int cli_report(Cli *c)
     return code;
 }
 
-int cli_end(Cli *c, int code)
+int cli_finish(Cli *c, int code)
 {
     Buf out;
 
     if (!is_message_format(c, "sarif") || (code == EXIT_USAGE && !c->reported))
         return code;
     if (!c->reported)
-        cli_report(c);
+        cli_print_diagnostics(c);
     buf_init(&out, &c->session.arena);
     diags_end_sarif(&c->said, &out);
     return cli_print(c, 2, &out) || code ? code : EXIT_ENVIRONMENT;
@@ -197,7 +197,7 @@ bool has_suffix(const char *path, const char *suffix)
 
 // ---- formats ----
 
-static bool ends_like(const char *path, const CliFormat *f)
+static bool has_format_suffix(const char *path, const CliFormat *f)
 {
     for (size_t i = 0; i < sizeof f->ending / sizeof *f->ending && f->ending[i]; i++)
         if (has_suffix(path, f->ending[i]))
@@ -205,19 +205,19 @@ static bool ends_like(const char *path, const CliFormat *f)
     return false;
 }
 
-static bool format_unknown(Cli *c, const CliFormat *format, size_t formats)
+static bool report_unknown_format(Cli *c, const CliFormat *format, size_t formats)
 {
     Buf list;
 
     buf_init(&list, &c->session.arena);
     for (size_t i = 0; i < formats; i++)
         buf_printf(&list, "%s%s", i == 0 ? "" : i + 1 < formats ? ", " : " or ", format[i].name);
-    cli_usage(c, TEXT_format_values, buf_text(&list), c->value[OPT_AS]);
+    cli_usage_error(c, TEXT_format_values, buf_text(&list), c->value[OPT_AS]);
     return false;
 }
 
 // smc would write a file with this ending, but programs that open it would report it as damaged.
-static bool ends_foreign(Cli *c, const CliFormat *format, size_t formats)
+static bool report_foreign_suffix(Cli *c, const CliFormat *format, size_t formats)
 {
     static const char *const foreign[] = {".pdf", ".png", ".jpg", ".jpeg", ".gif", ".docx", ".doc", ".xlsx", ".pptx"};
     const char *path = c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "";
@@ -231,29 +231,30 @@ static bool ends_foreign(Cli *c, const CliFormat *format, size_t formats)
     buf_init(&list, &c->session.arena);
     for (size_t i = 0; i < formats; i++)
         buf_printf(&list, "%s%s", i == 0 ? "" : i + 1 < formats ? ", " : " or ", format[i].ending[0]);
-    cli_usage(c, TEXT_foreign_ending, path, foreign[f], buf_text(&list));
+    cli_usage_error(c, TEXT_foreign_ending, path, foreign[f], buf_text(&list));
     return true;
 }
 
 // The call names neither an output nor a format, and the output would flood the terminal.
-static bool floods_terminal(Cli *c, const CliFormat *format)
+static bool report_flooded_terminal(Cli *c, const CliFormat *format)
 {
     if (c->given[OPT_OUTPUT] || !format->viewer || !os_is_terminal(1))
         return false;
-    cli_usage(c, TEXT_not_for_terminal, format->viewer, path_stem(c, c->file[0]), format->ending[0]);
+    cli_usage_error(c, TEXT_not_for_terminal, format->viewer, path_stem(c, c->file[0]), format->ending[0]);
     return true;
 }
 
-bool cli_format(Cli *c, const CliFormat *format, size_t formats, size_t *found)
+bool cli_choose_format(Cli *c, const CliFormat *format, size_t formats, size_t *found)
 {
     *found = 0;
     for (size_t i = 0; i < formats; i++)
         if (c->given[OPT_AS] ? strcmp(c->value[OPT_AS], format[i].name) == 0
-                             : c->given[OPT_OUTPUT] && ends_like(c->value[OPT_OUTPUT], &format[i])) {
+                             : c->given[OPT_OUTPUT] && has_format_suffix(c->value[OPT_OUTPUT], &format[i])) {
             *found = i;
             return true;
         }
-    return c->given[OPT_AS] ? format_unknown(c, format, formats) : !ends_foreign(c, format, formats) && !floods_terminal(c, format);
+    return c->given[OPT_AS] ? report_unknown_format(c, format, formats)
+                            : !report_foreign_suffix(c, format, formats) && !report_flooded_terminal(c, format);
 }
 
 // ---- names ----

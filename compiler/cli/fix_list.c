@@ -16,22 +16,22 @@ static bool same_line(const Texts *t, uint32_t i, uint32_t k)         // line i 
 }
 
 // Finds how many lines differ from i and k on, until both texts continue with equal lines or end.
-static void find_change(const Texts *t, uint32_t i, uint32_t k, uint32_t *gone, uint32_t *come)
+static void find_change(const Texts *t, uint32_t i, uint32_t k, uint32_t *removed, uint32_t *added)
 {
     const uint32_t n = t->was->lines + 1 - i, m = t->is->lines + 1 - k;
 
     for (uint32_t both = 1; both < n + m; both++)
         for (uint32_t g = 0; g <= both; g++)
             if (g < n && both - g < m && same_line(t, i + g, k + both - g)) {
-                *gone = g;
-                *come = both - g;
+                *removed = g;
+                *added = both - g;
                 return;
             }
-    *gone = n;
-    *come = m;
+    *removed = n;
+    *added = m;
 }
 
-static void put_line(Buf *out, const char *mark, const Source *s, uint32_t line)
+static void write_line(Buf *out, const char *mark, const Source *s, uint32_t line)
 {
     uint32_t len;
     const char *text = source_line(s, line, &len);
@@ -41,21 +41,21 @@ static void put_line(Buf *out, const char *mark, const Source *s, uint32_t line)
     buf_char(out, '\n');
 }
 
-void fix_list(const Source *was, const Source *is, Buf *out)
+void fix_write_changes(const Source *was, const Source *is, Buf *out)
 {
     const Texts t = {was, is};
-    uint32_t i = 1, k = 1, gone, come;
+    uint32_t i = 1, k = 1, removed, added;
 
     while (i <= was->lines || k <= is->lines) {
         if (i <= was->lines && k <= is->lines && same_line(&t, i, k)) {
             i++, k++;
             continue;
         }
-        find_change(&t, i, k, &gone, &come);
+        find_change(&t, i, k, &removed, &added);
         buf_printf(out, "%s:%lu:\n", was->name, (unsigned long)i);
-        for (; gone > 0; gone--)
-            put_line(out, "  - ", was, i++);
-        for (; come > 0; come--)
-            put_line(out, "  + ", is, k++);
+        for (; removed > 0; removed--)
+            write_line(out, "  - ", was, i++);
+        for (; added > 0; added--)
+            write_line(out, "  + ", is, k++);
     }
 }

@@ -7,7 +7,7 @@
 
 // ---- sources ----
 
-static Source *load(Cli *c, const char *path, const char *name, const char **why)
+static Source *open_source(Cli *c, const char *path, const char *name, const char **why)
 {
     char *text, *copy;
     size_t len;
@@ -20,13 +20,13 @@ static Source *load(Cli *c, const char *path, const char *name, const char **why
     return source_new(&c->session.arena, name, copy, len);
 }
 
-Source *cli_load(Cli *c, const char *path)
+Source *cli_read_source(Cli *c, const char *path)
 {
     const char *why;
-    Source *src = load(c, path, strcmp(path, "-") == 0 ? "<stdin>" : path, &why);
+    Source *src = open_source(c, path, strcmp(path, "-") == 0 ? "<stdin>" : path, &why);
 
     if (!src)
-        cli_say(c, TEXT_cannot_read, cli_shown(&c->session.arena, path), why);
+        cli_print_error(c, TEXT_cannot_read, cli_printable_name(&c->session.arena, path), why);
     return src;
 }
 
@@ -39,7 +39,7 @@ static void load_app_file(Cli *c, const char *app, AppFile *f)
     if (strcmp(path, "-") == 0 || strlen(name) != f->name.text->len)
         f->problem = "that is no name of a file";
     else
-        f->src = load(c, path, path, &f->problem);
+        f->src = open_source(c, path, path, &f->problem);
 }
 
 static void load_app(Cli *c, CompileInput *in)
@@ -59,24 +59,24 @@ int cli_read_inputs(Cli *c, CompileInput *in)
         CompileSource *s = &in->at[in->n++];
         s->kind = FILE_SM;
         file_kind(c->file[i], &s->kind);
-        if ((s->text = cli_load(c, c->file[i])) == NULL)
+        if ((s->text = cli_read_source(c, c->file[i])) == NULL)
             return EXIT_ENVIRONMENT;
     }
-    if ((c->given[OPT_SV] && (in->vector = cli_load(c, c->value[OPT_SV])) == NULL) ||
-        (c->given[OPT_IO] && (in->pins = cli_load(c, c->value[OPT_IO])) == NULL))
+    if ((c->given[OPT_SV] && (in->vector = cli_read_source(c, c->value[OPT_SV])) == NULL) ||
+        (c->given[OPT_IO] && (in->pins = cli_read_source(c, c->value[OPT_IO])) == NULL))
         return EXIT_ENVIRONMENT;
     if (in->n == 1 && in->at[0].kind == FILE_APP)
         load_app(c, in);
     return EXIT_OK;
 }
 
-bool cli_are_sources(Cli *c, bool standard_input)
+bool cli_check_sources(Cli *c, bool standard_input)
 {
     FileKind kind;
 
     for (size_t i = 0; i < c->files; i++)
         if (!file_kind(c->file[i], &kind) && !(standard_input && strcmp(c->file[i], "-") == 0)) {
-            cli_usage(c, TEXT_not_a_source, c->file[i]);
+            cli_usage_error(c, TEXT_not_a_source, c->file[i]);
             return false;
         }
     return true;
@@ -85,7 +85,7 @@ bool cli_are_sources(Cli *c, bool standard_input)
 // ---- options ----
 
 // Reads a whole number from 1 into *number; 0 if the option is absent.  Returns false after a message.
-static bool number_of(Cli *c, OptionId id, const char *spelling, uint32_t *number)
+static bool read_number_option(Cli *c, OptionId id, const char *spelling, uint32_t *number)
 {
     const char *at = c->given[id] ? c->value[id] : "";
     uint64_t n = 0;
@@ -95,7 +95,7 @@ static bool number_of(Cli *c, OptionId id, const char *spelling, uint32_t *numbe
     *number = (uint32_t)n;
     if (!c->given[id] || (*at == '\0' && n >= 1 && n <= UINT32_MAX))
         return true;
-    cli_usage(c, TEXT_number_from_1, spelling, c->value[id]);
+    cli_usage_error(c, TEXT_number_from_1, spelling, c->value[id]);
     return false;
 }
 
@@ -104,11 +104,12 @@ bool cli_compile_options(Cli *c, CompileOptions *o)
     uint32_t step;
 
     memset(o, 0, sizeof *o);
-    o->opt_level = option_level(c);
+    o->opt_level = options_opt_level(c);
     o->warnings = &c->warn;
     o->soft = c->given[OPT_SOFT];
-    if (!number_of(c, OPT_STEP, "--step", &step) || !number_of(c, OPT_MAX_RAM, "--max-ram", &o->limits.ram) ||
-        !number_of(c, OPT_MAX_STEP, "--max-step", &o->limits.step) || !number_of(c, OPT_MAX_CYCLES, "--max-cycles", &o->limits.cycles))
+    if (!read_number_option(c, OPT_STEP, "--step", &step) || !read_number_option(c, OPT_MAX_RAM, "--max-ram", &o->limits.ram) ||
+        !read_number_option(c, OPT_MAX_STEP, "--max-step", &o->limits.step) ||
+        !read_number_option(c, OPT_MAX_CYCLES, "--max-cycles", &o->limits.cycles))
         return false;
     o->step = step;
     return true;

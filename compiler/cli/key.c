@@ -31,22 +31,22 @@ static uint8_t value_of(char c)
 int key_load(Cli *c, uint8_t key[SMVM_KEY])
 {
     const char *const path = c->value[OPT_KEY];
-    const Source *const s = cli_load(c, path);
+    const Source *const s = cli_read_source(c, path);
 
     if (!s)
         return EXIT_ENVIRONMENT;
     if (!key_is_file(s->text, s->len)) {
-        cli_say(c, TEXT_not_a_key, path, DIGITS);
+        cli_print_error(c, TEXT_not_a_key, path, DIGITS);
         return EXIT_PROBLEM;
     }
     if (!os_is_private(path))
-        cli_say(c, TEXT_key_readable, path, path);
+        cli_print_error(c, TEXT_key_readable, path, path);
     for (unsigned i = 0; i < SMVM_KEY; i++)
         key[i] = (uint8_t)(value_of(s->text[2 * i]) << 4 | value_of(s->text[2 * i + 1]));
     return EXIT_OK;
 }
 
-bool key_signed(Cli *c, const Source *image, const uint8_t *key, const char *then)
+bool key_check_signature(Cli *c, const Source *image, const uint8_t *key, const char *then)
 {
     const uint32_t mark = smvm_auth_mark(key);
     SmvmAuth a;
@@ -55,11 +55,11 @@ bool key_signed(Cli *c, const Source *image, const uint8_t *key, const char *the
     if (smvm_auth_check((SmvmBytes)image->text, key, &number))
         return true;
     if (!smvm_auth_read((SmvmBytes)image->text, &a))
-        cli_say(c, TEXT_not_signed, image->name, then);
+        cli_print_error(c, TEXT_not_signed, image->name, then);
     else if (a.mark != mark)
-        cli_say(c, TEXT_signed_with_other, image->name, (unsigned long)a.mark, c->value[OPT_KEY], (unsigned long)mark, then);
+        cli_print_error(c, TEXT_signed_with_other, image->name, (unsigned long)a.mark, c->value[OPT_KEY], (unsigned long)mark, then);
     else
-        cli_say(c, TEXT_changed_since_signed, image->name, c->value[OPT_KEY], then);
+        cli_print_error(c, TEXT_changed_since_signed, image->name, c->value[OPT_KEY], then);
     return false;
 }
 
@@ -80,11 +80,11 @@ int cmd_key(Cli *c)
     char text[DIGITS + 1];
 
     if (c->files != 1 || strcmp(c->file[0], "-") == 0)
-        return cli_usage(c, TEXT_key_what);
+        return cli_usage_error(c, TEXT_key_what);
     if (outputs_is_source_name(c->file[0], strlen(c->file[0])))
-        return cli_usage(c, TEXT_key_is_source, c->file[0]);
+        return cli_usage_error(c, TEXT_key_is_source, c->file[0]);
     if (!os_random(key, sizeof key, &why))
-        return cli_say(c, TEXT_cannot_make_key, why), EXIT_ENVIRONMENT;
+        return cli_print_error(c, TEXT_cannot_make_key, why), EXIT_ENVIRONMENT;
     for (unsigned i = 0; i < SMVM_KEY; i++) {
         text[2 * i] = digit[key[i] >> 4];
         text[2 * i + 1] = digit[key[i] & 15];
@@ -92,6 +92,6 @@ int cmd_key(Cli *c)
     text[DIGITS] = '\n';
     if (os_write_private(c->file[0], text, sizeof text, &why))
         return print_key_mark(c, key);
-    cli_say(c, TEXT_cannot_create, cli_shown(&c->session.arena, c->file[0]), why);
+    cli_print_error(c, TEXT_cannot_create, cli_printable_name(&c->session.arena, c->file[0]), why);
     return EXIT_ENVIRONMENT;
 }

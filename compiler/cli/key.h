@@ -13,6 +13,6 @@ bool key_is_file(const char *text, size_t n);
 int key_load(Cli *c, uint8_t key[SMVM_KEY]);
 
 // Whether an image is signed with the loaded key; if not, prints the reason followed by `then`.
-bool key_signed(Cli *c, const Source *image, const uint8_t *key, const char *then);
+bool key_check_signature(Cli *c, const Source *image, const uint8_t *key, const char *then);
 
 #endif

@@ -33,15 +33,15 @@ static const Command *find_command(Cli *c, const char *name)
     }
     near = str_nearest(name, names, COMMANDS);
     if (has_suffix(name, ".sm") || has_suffix(name, ".sv") || has_suffix(name, ".io") || has_suffix(name, ".app"))
-        cli_usage(c, TEXT_command_first, name);
+        cli_usage_error(c, TEXT_command_first, name);
     else if (near)
-        cli_usage(c, TEXT_unknown_command_near, name, near);
+        cli_usage_error(c, TEXT_unknown_command_near, name, near);
     else
-        cli_usage(c, TEXT_unknown_command, name);
+        cli_usage_error(c, TEXT_unknown_command, name);
     return NULL;
 }
 
-static int print(Cli *c, int fd, const Buf *text, int code)
+static int print_text(Cli *c, int fd, const Buf *text, int code)
 {
     return cli_print(c, fd, text) ? code : EXIT_ENVIRONMENT;
 }
@@ -56,16 +56,16 @@ static int run_command(Cli *c, int argc, char **argv)
         return EXIT_USAGE;
     if (c->given[OPT_VERSION]) {
         buf_str(&out, "smc " SMC_VERSION "\n");
-        return print(c, 1, &out, EXIT_OK);
+        return print_text(c, 1, &out, EXIT_OK);
     }
     if (c->given[OPT_HELP]) {
         buf_printf(&out, "Usage: smc %s\n  %s\n\nOptions:\n", c->command->synopsis, c->command->sentence);
-        options_help(c->command, &out);
-        return print(c, 1, &out, EXIT_OK);
+        options_write_help(c->command, &out);
+        return print_text(c, 1, &out, EXIT_OK);
     }
     if ((code = outputs_check_options(c)) != EXIT_OK)
         return code;
-    return cli_end(c, c->command->run(c));
+    return cli_finish(c, c->command->run(c));
 }
 
 static int dispatch(Cli *c, int argc, char **argv)
@@ -75,7 +75,7 @@ static int dispatch(Cli *c, int argc, char **argv)
     buf_init(&out, &c->session.arena);
     if (argc < 2) {
         general_help(&out);
-        return print(c, 2, &out, EXIT_USAGE);
+        return print_text(c, 2, &out, EXIT_USAGE);
     }
     if (strcmp(argv[1], "help") == 0 && argc > 2) {
         char *swapped[] = {argv[0], argv[2], "--help"};
@@ -83,14 +83,14 @@ static int dispatch(Cli *c, int argc, char **argv)
     }
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
         general_help(&out);
-        return print(c, 1, &out, EXIT_OK);
+        return print_text(c, 1, &out, EXIT_OK);
     }
     if (strcmp(argv[1], "--version") == 0) {
         buf_str(&out, "smc " SMC_VERSION "\n");
-        return print(c, 1, &out, EXIT_OK);
+        return print_text(c, 1, &out, EXIT_OK);
     }
     if (argv[1][0] == '-')
-        return cli_usage(c, TEXT_option_before_command, argv[1]);
+        return cli_usage_error(c, TEXT_option_before_command, argv[1]);
     return run_command(c, argc, argv);
 }
 

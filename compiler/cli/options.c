@@ -47,7 +47,7 @@ static OptionId find_option(const char *arg, const char **value)
     return OPT_COUNT;
 }
 
-static bool unknown_option(Cli *c, const char *arg)
+static bool report_unknown_option(Cli *c, const char *arg)
 {
     const char *names[OPT_COUNT], *near;
     char head[64];
@@ -59,29 +59,29 @@ static bool unknown_option(Cli *c, const char *arg)
             names[n++] = option_info[i].spelling;
     near = str_nearest(head, names, n);
     if (near)
-        cli_usage(c, TEXT_unknown_option_near, arg, near);
+        cli_usage_error(c, TEXT_unknown_option_near, arg, near);
     else
-        cli_usage(c, TEXT_unknown_option, arg);
+        cli_usage_error(c, TEXT_unknown_option, arg);
     return false;
 }
 
 // Stores option `id`; `next` is the following argument or NULL.  Sets *took_next when that was its value.
-static bool take_option(Cli *c, OptionId id, const char *arg, const char *value, const char *next, bool *took_next)
+static bool store_option(Cli *c, OptionId id, const char *arg, const char *value, const char *next, bool *took_next)
 {
     const OptionInfo *o = &option_info[id];
 
     if (!option_applies(o, c->command))
-        return cli_usage(c, TEXT_option_of_other, o->spelling, c->command->name), false;
+        return cli_usage_error(c, TEXT_option_of_other, o->spelling, c->command->name), false;
     if (!o->value && value)
-        return cli_usage(c, TEXT_option_no_value, o->spelling), false;
+        return cli_usage_error(c, TEXT_option_no_value, o->spelling), false;
     if (o->value && !value) {
         if (is_joined(o) || !next)
-            return cli_usage(c, TEXT_option_needs_value, arg, o->value + is_joined(o)), false;
+            return cli_usage_error(c, TEXT_option_needs_value, arg, o->value + is_joined(o)), false;
         value = next;
         *took_next = true;
     }
     if (o->value && *value == '\0')
-        return cli_usage(c, TEXT_option_empty, o->spelling, o->value + is_joined(o)), false;
+        return cli_usage_error(c, TEXT_option_empty, o->spelling, o->value + is_joined(o)), false;
     c->given[id] = true;
     c->value[id] = value;
     if (id == OPT_WARN)
@@ -91,43 +91,43 @@ static bool take_option(Cli *c, OptionId id, const char *arg, const char *value,
     return true;
 }
 
-static bool is_one_of(Cli *c, OptionId id, const char *const *allowed, size_t n, const char *list)
+static bool check_one_of(Cli *c, OptionId id, const char *const *allowed, size_t n, const char *list)
 {
     if (!c->given[id])
         return true;
     for (size_t i = 0; i < n; i++)
         if (strcmp(c->value[id], allowed[i]) == 0)
             return true;
-    cli_usage(c, TEXT_option_values, option_info[id].spelling, list, c->value[id]);
+    cli_usage_error(c, TEXT_option_values, option_info[id].spelling, list, c->value[id]);
     return false;
 }
 
 // A SARIF document describes one run, so only a command that reports once can write one.
-static bool is_sarif_allowed(Cli *c)
+static bool check_sarif_allowed(Cli *c)
 {
     if (!c->given[OPT_FORMAT] || strcmp(c->value[OPT_FORMAT], "sarif") != 0 || strcmp(c->command->name, "check") == 0 ||
         strcmp(c->command->name, "build") == 0)
         return true;
-    cli_usage(c, TEXT_sarif_commands);
+    cli_usage_error(c, TEXT_sarif_commands);
     return false;
 }
 
-static bool warnings_known(Cli *c)
+static bool check_warning_names(Cli *c)
 {
     const char *wrong = diag_selection_error(&c->session.arena, &c->warn);
 
     if (wrong)
-        cli_usage(c, TEXT_sentence, wrong);
+        cli_usage_error(c, TEXT_sentence, wrong);
     c->session.warnings = diag_selection_groups(&c->warn);
     return !wrong;
 }
 
 // The name is copied verbatim into a make rule; no file of that name is opened.
-static bool is_target_a_name(Cli *c)
+static bool check_target_name(Cli *c)
 {
     if (!c->given[OPT_DEPS_NAME] || os_is_name(c->value[OPT_DEPS_NAME]))
         return true;
-    cli_usage(c, TEXT_target_control, c->value[OPT_DEPS_NAME]);
+    cli_usage_error(c, TEXT_target_control, c->value[OPT_DEPS_NAME]);
     return false;
 }
 
@@ -137,8 +137,9 @@ static bool check_values(Cli *c)
     static const char *const formats[] = {"text", "json", "sarif"};
     static const char *const whens[] = {"auto", "always", "never"};
 
-    return is_one_of(c, OPT_OPT, levels, 3, "0, 1 or 2") && is_one_of(c, OPT_FORMAT, formats, 3, "text, json or sarif") &&
-           is_sarif_allowed(c) && is_target_a_name(c) && is_one_of(c, OPT_COLOR, whens, 3, "auto, always or never") && warnings_known(c);
+    return check_one_of(c, OPT_OPT, levels, 3, "0, 1 or 2") && check_one_of(c, OPT_FORMAT, formats, 3, "text, json or sarif") &&
+           check_sarif_allowed(c) && check_target_name(c) && check_one_of(c, OPT_COLOR, whens, 3, "auto, always or never") &&
+           check_warning_names(c);
 }
 
 bool options_parse(Cli *c, int argc, char **argv)
@@ -160,15 +161,15 @@ bool options_parse(Cli *c, int argc, char **argv)
             continue;
         }
         if ((id = find_option(arg, &value)) == OPT_COUNT)
-            return unknown_option(c, arg);
-        if (!take_option(c, id, arg, value, i + 1 < argc ? argv[i + 1] : NULL, &took_next))
+            return report_unknown_option(c, arg);
+        if (!store_option(c, id, arg, value, i + 1 < argc ? argv[i + 1] : NULL, &took_next))
             return false;
         i += took_next;
     }
     return c->given[OPT_HELP] || c->given[OPT_VERSION] || check_values(c);
 }
 
-void options_help(const Command *command, Buf *out)
+void options_write_help(const Command *command, Buf *out)
 {
     for (size_t i = 0; i < OPT_COUNT; i++) {
         const OptionInfo *o = &option_info[i];
@@ -181,7 +182,7 @@ void options_help(const Command *command, Buf *out)
     }
 }
 
-int option_level(const Cli *c)
+int options_opt_level(const Cli *c)
 {
     return c->given[OPT_OPT] ? c->value[OPT_OPT][0] - '0' : 2;
 }

@@ -36,7 +36,7 @@ static bool is_image(const Head *h)
 }
 
 // Reads the next word of a make rule, where a backslash escapes blanks and '#'; returns false at the end of the line.
-static bool next_make_word(const char **at, const char *end, const char **word, size_t *n)
+static bool read_make_word(const char **at, const char *end, const char **word, size_t *n)
 {
     while (*at < end && **at == ' ')
         ++*at;
@@ -70,13 +70,13 @@ static bool is_make_rule(const Head *h)
         return false;
     if (++at == first_end)
         return ends_with(h->at, target, ".smb") || ends_with(h->at, target, ".c") || ends_with(h->at, target, ".h");
-    while (next_make_word(&at, first_end, &word, &n))
+    while (read_make_word(&at, first_end, &word, &n))
         if (!outputs_is_source_name(word, n))
             return false;
     for (at = first_end < end ? first_end + 1 : end; at < end; at++) {
         if (*at == '\n')
             continue;
-        if (!next_make_word(&at, end, &word, &n) || word[n - 1] != ':' || !outputs_is_source_name(word, n - 1) || at == end || *at != '\n')
+        if (!read_make_word(&at, end, &word, &n) || word[n - 1] != ':' || !outputs_is_source_name(word, n - 1) || at == end || *at != '\n')
             return false;
     }
     return true;
@@ -128,7 +128,7 @@ static bool is_exact_trace(const Head *h)
 // ---- tables ----
 
 // Reads a field of CSV; *n: its length. Returns false if the line does not have the form that smc writes.
-static bool next_field(const char **at, const char *lf, const char **field, size_t *n)
+static bool read_csv_field(const char **at, const char *lf, const char **field, size_t *n)
 {
     const char *c = *at;
 
@@ -179,14 +179,14 @@ static bool is_table(const Head *h, const char *first, const char *kinds)
     if (!lf || (size_t)(lf - at) < strlen(first) || memcmp(at, first, strlen(first)) != 0)
         return false;
     for (at += strlen(first); at < lf; columns++)
-        if (*at++ != ',' || !next_field(&at, lf, &field, &n) || !is_name(field, n))
+        if (*at++ != ',' || !read_csv_field(&at, lf, &field, &n) || !is_name(field, n))
             return false;
         else
             at -= at < lf;                                         // its comma begins the next column
     for (at = lf + 1; at < end && (lf = memchr(at, '\n', (size_t)(end - at))) != NULL; at = lf + 1)
         for (size_t i = 0; i < columns; i++) {
             const char kind = i < strlen(kinds) ? kinds[i] : '#';
-            if (!next_field(&at, lf, &field, &n) || (kind != 't' && !(kind == 'n' ? is_name(field, n) : is_value(field, n))) ||
+            if (!read_csv_field(&at, lf, &field, &n) || (kind != 't' && !(kind == 'n' ? is_name(field, n) : is_value(field, n))) ||
                 (at == lf) != (i + 1 == columns))
                 return false;
         }
@@ -198,9 +198,9 @@ static bool is_log_table(const Head *h) { return is_table(h, "session,seconds", 
 
 // ---- results as JUnit XML ----
 
-typedef struct XmlForm { const char *tag, *parent, *attributes; bool has_text; } XmlForm;
+typedef struct XmlElementRule { const char *tag, *parent, *attributes; bool has_text; } XmlElementRule;
 
-static const XmlForm junit_forms[] = {
+static const XmlElementRule junit_rules[] = {
     {"testsuites", "", " name tests failures errors time ", false},
     {"testsuite", "testsuites", " name tests failures errors skipped time file ", false},
     {"testcase", "testsuite", " name classname time ", false},
@@ -211,7 +211,7 @@ static const XmlForm junit_forms[] = {
 
 enum { JUNIT_DEPTH = 4 };
 
-typedef struct XmlOpen { const XmlForm *form[JUNIT_DEPTH]; size_t depth; } XmlOpen;
+typedef struct XmlOpen { const XmlElementRule *rule[JUNIT_DEPTH]; size_t depth; } XmlOpen;
 
 static bool has_word(const char *words, const char *word, size_t n)
 {
@@ -225,8 +225,8 @@ static bool has_word(const char *words, const char *word, size_t n)
 static const char *read_tag(XmlOpen *open, const char *at, const char *end)
 {
     const bool closes = end - at > 1 && at[1] == '/';
-    const char *name = at + 1 + closes, *const parent = open->depth ? open->form[open->depth - 1]->tag : "";
-    const XmlForm *form = NULL;
+    const char *name = at + 1 + closes, *const parent = open->depth ? open->rule[open->depth - 1]->tag : "";
+    const XmlElementRule *rule = NULL;
     size_t n = 0;
 
     while (name + n < end && is_name_char(name[n]))
@@ -238,21 +238,21 @@ static const char *read_tag(XmlOpen *open, const char *at, const char *end)
         open->depth--;
         return at + 1;
     }
-    for (size_t i = 0; i < sizeof junit_forms / sizeof *junit_forms; i++)
-        if (strlen(junit_forms[i].tag) == n && memcmp(junit_forms[i].tag, name, n) == 0 && strcmp(junit_forms[i].parent, parent) == 0)
-            form = &junit_forms[i];
-    while (form && at < end && *at == ' ') {
+    for (size_t i = 0; i < sizeof junit_rules / sizeof *junit_rules; i++)
+        if (strlen(junit_rules[i].tag) == n && memcmp(junit_rules[i].tag, name, n) == 0 && strcmp(junit_rules[i].parent, parent) == 0)
+            rule = &junit_rules[i];
+    while (rule && at < end && *at == ' ') {
         const char *equals = memchr(at, '=', (size_t)(end - at)), *quote = equals && end - equals > 1 && equals[1] == '"' ? equals + 2 : NULL;
-        if (!quote || !has_word(form->attributes, at + 1, (size_t)(equals - at - 1)) ||
+        if (!quote || !has_word(rule->attributes, at + 1, (size_t)(equals - at - 1)) ||
             (quote = memchr(quote, '"', (size_t)(end - quote))) == NULL)
             return NULL;
         at = quote + 1;
     }
-    if (form && end - at > 1 && at[0] == '/' && at[1] == '>')
+    if (rule && end - at > 1 && at[0] == '/' && at[1] == '>')
         return at + 2;
-    if (!form || at == end || *at != '>')
+    if (!rule || at == end || *at != '>')
         return NULL;
-    open->form[open->depth++] = form;
+    open->rule[open->depth++] = rule;
     return at + 1;
 }
 
@@ -271,7 +271,7 @@ static bool is_junit(const Head *h)
         if (*at == '<') {
             if ((open.depth == 0 && at != root) || (at = read_tag(&open, at, end)) == NULL)
                 return false;
-        } else if (*at == ' ' || *at == '\n' || (open.depth && open.form[open.depth - 1]->has_text)) {
+        } else if (*at == ' ' || *at == '\n' || (open.depth && open.rule[open.depth - 1]->has_text)) {
             at++;
         } else {
             return false;
@@ -373,9 +373,9 @@ static int check_name(Cli *c, const char *path, const char *option)
     if (strcmp(path, "-") == 0 || os_is_special(path))
         return EXIT_OK;
     if (is_input(c, path))
-        return cli_usage(c, TEXT_output_is_input, path, another);
+        return cli_usage_error(c, TEXT_output_is_input, path, another);
     if (outputs_is_source_name(path, strlen(path)) || outputs_is_source_name(real, strlen(real)))
-        return cli_usage(c, TEXT_output_is_source, path, another);
+        return cli_usage_error(c, TEXT_output_is_source, path, another);
     return EXIT_OK;
 }
 
@@ -390,15 +390,15 @@ static int check_existing(Cli *c, const char *path)
         return EXIT_OK;
     h.at = head = arena_alloc(&c->session.arena, HEAD);
     if (!os_read_head(path, head, HEAD, &h.n)) {
-        cli_say(c, TEXT_output_unreadable, path);
+        cli_print_error(c, TEXT_output_unreadable, path);
         return EXIT_ENVIRONMENT;
     }
     h.is_whole = h.n < HEAD;
     if (key_is_file(h.at, h.n))
-        return cli_usage(c, TEXT_output_is_key, path);
+        return cli_usage_error(c, TEXT_output_is_key, path);
     if (h.n == 0 || c->given[OPT_FORCE] || is_ours(&h))
         return EXIT_OK;
-    return cli_usage(c, TEXT_output_not_ours, path);
+    return cli_usage_error(c, TEXT_output_not_ours, path);
 }
 
 static bool is_same_output(Cli *c, const char *a, const char *b)
@@ -415,7 +415,7 @@ int outputs_check(Cli *c, const OsOutput *out, size_t n)
     for (size_t i = 0; i < n && code == EXIT_OK; i++) {
         for (size_t k = 0; k < i; k++)
             if (is_same_output(c, out[k].path, out[i].path))
-                return cli_usage(c, TEXT_outputs_same, out[k].path, out[i].path);
+                return cli_usage_error(c, TEXT_outputs_same, out[k].path, out[i].path);
         if ((code = check_name(c, out[i].path, NULL)) == EXIT_OK)
             code = check_existing(c, out[i].path);
     }
@@ -443,8 +443,8 @@ int outputs_check_options(Cli *c)
             continue;
         for (size_t k = 0; k < i; k++)
             if (c->given[option[k].id] && is_same_output(c, path, c->value[option[k].id]))
-                return cli_usage(c, strcmp(path, "-") == 0 ? TEXT_both_to_stdout : TEXT_outputs_equal,
-                                 option[k].spelling, option[i].spelling);
+                return cli_usage_error(c, strcmp(path, "-") == 0 ? TEXT_both_to_stdout : TEXT_outputs_equal,
+                                       option[k].spelling, option[i].spelling);
         code = check_name(c, path, option[i].spelling);
         if (code == EXIT_OK && !(is_build && option[i].id == OPT_OUTPUT))          // -o of a build can be the stem of several names
             code = check_existing(c, path);

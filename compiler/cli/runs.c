@@ -14,13 +14,13 @@ int runs_check_use(Cli *c)
     for (size_t i = 0; i < c->files; i++) {
         const bool script = has_suffix(c->file[i], ".ss");
         if (!script && !has_suffix(c->file[i], ".sm") && strcmp(c->file[i], "-") != 0)
-            return cli_usage(c, TEXT_not_machine_or_script, c->file[i],
-                             has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");
+            return cli_usage_error(c, TEXT_not_machine_or_script, c->file[i],
+                                   has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");
         machines += !script;
     }
     if (machines != 1)
-        return cli_usage(c, machines ? TEXT_one_machine : TEXT_machine_required,
-                         c->command->name, c->command->name);
+        return cli_usage_error(c, machines ? TEXT_one_machine : TEXT_machine_required,
+                               c->command->name, c->command->name);
     return EXIT_OK;
 }
 
@@ -54,14 +54,14 @@ static void run_script(Cli *c, const Report *r, const Program *p, ReportRun *run
     s->diags = machine;
 }
 
-int runs_make(Cli *c, Report *r, const Program *p, const CompileInput *in)
+int runs_execute(Cli *c, Report *r, const Program *p, const CompileInput *in)
 {
     EngineSet engines = {{NULL}, 0, NULL};
 
     if (in->n < 2)
         return EXIT_OK;
-    if (!engines_open(&engines, &c->session, p, 1u << ENGINE_VM, option_level(c))) {
-        cli_say(c, TEXT_sentence, engines.error);
+    if (!engines_open(&engines, &c->session, p, 1u << ENGINE_VM, options_opt_level(c))) {
+        cli_print_error(c, TEXT_sentence, engines.error);
         return EXIT_PROBLEM;
     }
     r->run = ARENA_ARRAY(&c->session.arena, ReportRun, in->n);

@@ -56,14 +56,14 @@ typedef struct TestRun {      // one call of smc test
 } TestRun;
 
 // Whether another program reads standard output and gets the results: then reports for people do not go there.
-bool test_is_read(const Cli *c);                                    // cmd_test.c
+bool test_stdout_is_for_program(const Cli *c);                                    // cmd_test.c
 // Where reports for people go: standard output, unless the trace goes there.
 int test_result_fd(const Cli *c);                                   // cmd_test.c
 const char *test_folder(Arena *arena, const char *path);           // cmd_test.c: the suite of a case
 
 // Runs every script of the call on the machine `path` and adds a result for each.  EXIT_OK, or the exit code after a message;
 // EXIT_USAGE: nothing has been run.
-int test_machine(TestRun *t, const char *path);                    // test_machine.c
+int test_run_machine(TestRun *t, const char *path);                    // test_machine.c
 
 // Returns the engines among `which` that cannot run here and are omitted, and records them for the end of the run. Engines that the call
 // names are never omitted: they must run. Emitted C is not omitted either with --engine=all and the variable CC set.
@@ -75,13 +75,13 @@ typedef struct TestCase TestCase;
 
 TestCase *case_open(TestRun *t, const char *path);    // reads and compiles it
 // Whether the case has to run on emitted C of this kind, and for which program and machine.
-bool case_wants_c(const TestCase *c, EngineKind kind, const Program **p, const IrMachine **ir);
+bool case_find_c(const TestCase *c, EngineKind kind, const Program **p, const IrMachine **ir);
 // Runs the case and frees everything. `emitted` are the engines of emitted C, by kind; NULL: it opens its own.
 TestResult case_close(TestCase *c, Engine *const *emitted);
 
 // ---- test_batch.c ----
 
-void test_cases(TestRun *t, const char *const *path, size_t n);    // many .smt files: adds a result for each
+void test_run_cases(TestRun *t, const char *const *path, size_t n);    // many .smt files: adds a result for each
 
 // ---- test_trace.c: --trace ----
 

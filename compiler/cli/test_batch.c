@@ -24,7 +24,7 @@ static void open_c(Batch *b, EngineKind kind)
     const char *error;
 
     for (size_t i = 0; i < b->n; i++)
-        if (case_wants_c(b->at[i], kind, &p[n], &ir[n]))
+        if (case_find_c(b->at[i], kind, &p[n], &ir[n]))
             owner[n++] = i;
     if (n > 1)
         b->c[kind] = engine_c_batch_open(&b->arena, p, ir, n, &o, &error);
@@ -69,7 +69,7 @@ static void test_batch(TestRun *t, const char *const *path, size_t n)
     arena_free(&b.arena);
 }
 
-void test_cases(TestRun *t, const char *const *path, size_t n)
+void test_run_cases(TestRun *t, const char *const *path, size_t n)
 {
     for (size_t i = 0; i < n; i += BATCH)
         test_batch(t, path + i, n - i < BATCH ? n - i : BATCH);

@@ -38,7 +38,7 @@ static void set_result(TestCase *c, TestStatus status, const char *message, int 
     c->is_done = true;
 }
 
-static void out_of_memory(TestCase *c) { set_result(c, TEST_BROKEN, "out of memory", EXIT_ENVIRONMENT); }
+static void set_out_of_memory(TestCase *c) { set_result(c, TEST_BROKEN, "out of memory", EXIT_ENVIRONMENT); }
 
 // ---- is it a case for us? ----
 
@@ -51,7 +51,7 @@ static size_t count_parts(const TestFile *f, const char *suffix)
     return n;
 }
 
-static const char *unknown_key(TestCase *c)
+static const char *find_unknown_key(TestCase *c)
 {
     static const char keys[] = "spec on expect steps args analyses warn advance";
 
@@ -87,7 +87,7 @@ static const char *find_malformed(TestCase *c)
         return f->error;
     if (count_parts(f, ".app"))
         return count_parts(f, ".app") > 1 || count_parts(f, ".ss") ? "a case has at most one .app, and no script beside it"
-             : (wrong = unknown_key(c)) != NULL ? wrong : read_warnings(c);
+             : (wrong = find_unknown_key(c)) != NULL ? wrong : read_warnings(c);
     if (count_parts(f, ".sm") > 1 || count_parts(f, ".sv") > 1 || count_parts(f, ".io") > 1)
         return "a case has at most one .sm, one .sv and one .io";
     if (count_parts(f, ".io") && !count_parts(f, ".sv"))
@@ -98,7 +98,7 @@ static const char *find_malformed(TestCase *c)
         return "a script needs a machine, as -- app.sm --";
     if (f->outcome == TEST_FAIL && !count_parts(f, ".ss"))
         return "'expect fail' needs a script";
-    return (wrong = unknown_key(c)) != NULL ? wrong : read_warnings(c);
+    return (wrong = find_unknown_key(c)) != NULL ? wrong : read_warnings(c);
 }
 
 static bool is_golden(const TestFile *f)
@@ -138,7 +138,7 @@ static void open_app(TestCase *c, CompileInput *in)
 }
 
 // Of an application, the only source is the .app itself.  A .sv beside a machine or pins is their vector.
-static CompileInput inputs_of(TestCase *c)
+static CompileInput list_inputs(TestCase *c)
 {
     const bool has_app = count_parts(c->f, ".app") > 0, has_users = count_parts(c->f, ".sm") + count_parts(c->f, ".io") > 0;
     CompileInput in = {ARENA_ARRAY(&c->s.arena, CompileSource, c->f->part.n), 0, NULL, NULL, NULL};
@@ -164,12 +164,12 @@ static CompileInput inputs_of(TestCase *c)
 
 static void compile_case(TestCase *c)
 {
-    const CompileInput in = inputs_of(c);
+    const CompileInput in = list_inputs(c);
     CompileOptions o;
     Compiled made;
 
     memset(&o, 0, sizeof o);
-    o.opt_level = option_level(c->t->c);
+    o.opt_level = options_opt_level(c->t->c);
     o.warnings = &c->warn;
     o.skip_analyses = !in.app && !wants_analyses(c);
     o.step = c->f->advance;
@@ -182,7 +182,7 @@ static void compile_case(TestCase *c)
             c->script[i] = made.of[c->input[i]].script;
     c->is_ready = c->f->outcome != TEST_ERROR && c->s.diags.errors == 0 && count_parts(c->f, ".ss") > 0;
     if (c->is_ready && c->which & (1u << ENGINE_C | 1u << ENGINE_C_SOFT))
-        c->ir = session_ir(&c->s, c->p, option_level(c->t->c));
+        c->ir = session_ir(&c->s, c->p, options_opt_level(c->t->c));
 }
 
 // ---- diagnostics: missing and unexpected ----
@@ -304,7 +304,7 @@ static void run_scripts(TestCase *c, Engine *const *emitted)
 
     for (int kind = 0; kind < ENGINE_KINDS; kind++)
         own &= emitted[kind] ? ~(1u << kind) : ~0u;
-    if (!engines_open(&c->engines, &c->s, c->p, own, option_level(c->t->c))) {
+    if (!engines_open(&c->engines, &c->s, c->p, own, options_opt_level(c->t->c))) {
         add_problem(c, c->engines.error);
         if (c->s.diags.errors == 0)           // otherwise an image can be too large
             c->code = EXIT_ENVIRONMENT;
@@ -364,20 +364,20 @@ TestCase *case_open(TestRun *t, const char *path)
     c->result.path = path;
     c->result.suite = test_folder(t->arena, path);
     if (!os_read(path, SOURCE_MAX, &c->text, &n, &why)) {
-        set_result(c, TEST_BROKEN, format_in(t->arena, "cannot read '%s': %s", cli_shown(t->arena, path), why), EXIT_ENVIRONMENT);
+        set_result(c, TEST_BROKEN, format_in(t->arena, "cannot read '%s': %s", cli_printable_name(t->arena, path), why), EXIT_ENVIRONMENT);
     } else if (setjmp(c->oom) == 0) {
         session_init(&c->s, os_alloc, NULL, &c->oom);
         buf_init(&c->why, &c->s.arena);
         c->f = testfile_parse(&c->s.arena, path, c->text, n);
         compile_if_runnable(c);
     } else {
-        out_of_memory(c);
+        set_out_of_memory(c);
     }
     c->result.seconds = os_seconds() - begin;
     return c;
 }
 
-bool case_wants_c(const TestCase *c, EngineKind kind, const Program **p, const IrMachine **ir)
+bool case_find_c(const TestCase *c, EngineKind kind, const Program **p, const IrMachine **ir)
 {
     *p = c->p;
     *ir = c->ir;
@@ -404,7 +404,7 @@ TestResult case_close(TestCase *c, Engine *const *emitted)
     if (!c->is_done && setjmp(c->oom) == 0)
         check_results(c, emitted);
     else if (!c->is_done)
-        out_of_memory(c);
+        set_out_of_memory(c);
     engines_close(&c->engines);
     session_free(&c->s);
     os_alloc(NULL, c->text, 0);

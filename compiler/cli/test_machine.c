@@ -48,7 +48,7 @@ static int report_diagnostics(TestRun *t, const char **text)
     diags_select(&t->c->session.diags, &t->c->warn);
     diags_render_text(&t->c->session.diags, &plain, &b);
     *text = buf_text(&b);
-    return cli_report(t->c);
+    return cli_print_diagnostics(t->c);
 }
 
 static int exit_code_of(ScriptOutcome o)
@@ -112,12 +112,12 @@ static int read_inputs(MachineTest *m, const char *path, CompileInput *in)
     in->at = ARENA_ARRAY(m->t->arena, CompileSource, c->files + 1);
     m->problem = ARENA_ARRAY(m->t->arena, const char *, c->files);
     m->ss = ARENA_ARRAY(m->t->arena, const Source *, c->files);
-    in->at[in->n++] = (CompileSource){.text = cli_load(c, path), .kind = FILE_SM};
-    if (!in->at[0].text || (c->given[OPT_SV] && (in->vector = cli_load(c, c->value[OPT_SV])) == NULL))
+    in->at[in->n++] = (CompileSource){.text = cli_read_source(c, path), .kind = FILE_SM};
+    if (!in->at[0].text || (c->given[OPT_SV] && (in->vector = cli_read_source(c, c->value[OPT_SV])) == NULL))
         return EXIT_ENVIRONMENT;
     for (size_t i = 0; i < c->files; i++)
         if (has_suffix(c->file[i], ".ss")) {
-            if ((m->ss[i] = cli_load(c, c->file[i])) != NULL)
+            if ((m->ss[i] = cli_read_source(c, c->file[i])) != NULL)
                 in->at[in->n++] = (CompileSource){.text = m->ss[i], .kind = FILE_SS};
             else
                 m->problem[i] = c->last_error;
@@ -151,9 +151,9 @@ static bool open_engines(MachineTest *m)
     int code;
 
     which &= ~test_absent_engines(t, which);
-    if (engines_open(&m->engines, &t->c->session, m->p, which, option_level(t->c)))
+    if (engines_open(&m->engines, &t->c->session, m->p, which, options_opt_level(t->c)))
         return true;
-    cli_say(t->c, TEXT_sentence, m->engines.error);
+    cli_print_error(t->c, TEXT_sentence, m->engines.error);
     code = report_diagnostics(t, &message) == EXIT_PROBLEM ? EXIT_PROBLEM : EXIT_ENVIRONMENT;        // an image can be too large
     add_errors(m, format_in(t->arena, "%s\n%s", m->engines.error, message), code);
     return false;
@@ -171,7 +171,8 @@ static int print_report(MachineTest *m, const char *path)
     if (!is_lone_script(c))
         buf_printf(&out, "%s:\n", path);
     buf_put(&out, buf_text(&m->report), m->report.n);
-    if (test_is_read(c) || m->report.n == 0 || (!c->given[OPT_VERBOSE] && !(is_lone_script(c) && last->status == TEST_PASSED)))
+    if (test_stdout_is_for_program(c) || m->report.n == 0 ||
+        (!c->given[OPT_VERBOSE] && !(is_lone_script(c) && last->status == TEST_PASSED)))
         return EXIT_OK;
     return cli_print(c, test_result_fd(c), &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }
@@ -192,7 +193,7 @@ static int test_scripts(MachineTest *m)
     return code == EXIT_OK ? closed : code;
 }
 
-int test_machine(TestRun *t, const char *path)
+int test_run_machine(TestRun *t, const char *path)
 {
     MachineTest m = {.t = t, .path = path, .begin = os_seconds()};
     const char *message;

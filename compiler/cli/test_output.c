@@ -38,7 +38,7 @@ static size_t count_status(const TestRun *t, TestStatus status)
 }
 
 // If many scripts failed, their output is long; this adds one line for each at the end.
-static void put_failed_scripts(const TestRun *t, Buf *out)
+static void write_failed_scripts(const TestRun *t, Buf *out)
 {
     size_t scripts = 0;
 
@@ -56,7 +56,7 @@ void test_write_summary(const TestRun *t, Buf *out)
 {
     size_t skipped = count_status(t, TEST_SKIPPED) + t->left_out;
 
-    put_failed_scripts(t, out);
+    write_failed_scripts(t, out);
     buf_printf(out, "%lu passed, %lu failed", (unsigned long)count_status(t, TEST_PASSED),
                (unsigned long)(count_status(t, TEST_FAILED) + count_status(t, TEST_BROKEN)));
     if (skipped)
@@ -72,7 +72,7 @@ static bool is_xml_character(uint32_t code)
 }
 
 // Writes one character. Bytes that XML cannot contain, such as control bytes and invalid UTF-8, become U+FFFD.
-static size_t put_xml_character(Buf *out, const char *s, size_t n, bool is_attribute)
+static size_t write_xml_character(Buf *out, const char *s, size_t n, bool is_attribute)
 {
     uint32_t code = 0;
     size_t len = utf8_decode(s, n, &code);
@@ -86,34 +86,34 @@ static size_t put_xml_character(Buf *out, const char *s, size_t n, bool is_attri
     return len ? len : 1;
 }
 
-static void put_xml(Buf *out, const char *s, size_t n, bool is_attribute)
+static void write_xml(Buf *out, const char *s, size_t n, bool is_attribute)
 {
     while (n) {
-        size_t len = put_xml_character(out, s, n, is_attribute);
+        size_t len = write_xml_character(out, s, n, is_attribute);
         s += len;
         n -= len;
     }
 }
 
-static void put_attribute(Buf *out, const char *name, const char *value, size_t n)
+static void write_attribute(Buf *out, const char *name, const char *value, size_t n)
 {
     buf_printf(out, " %s=\"", name);
-    put_xml(out, value, n, true);
+    write_xml(out, value, n, true);
     buf_char(out, '"');
 }
 
 // Writes the code of a diagnostic at the end of its line: "E0750" for "... [E0750]".
-static void put_type(Buf *out, const char *line, size_t n)
+static void write_type(Buf *out, const char *line, size_t n)
 {
     size_t at = n;
 
     while (at > 0 && line[at - 1] != '[')
         at--;
     if (at > 0 && line[at] == 'E' && line[n - 1] == ']')
-        put_attribute(out, "type", line + at, strcspn(line + at, " ]"));
+        write_attribute(out, "type", line + at, strcspn(line + at, " ]"));
 }
 
-static void put_time(Buf *out, double seconds)
+static void write_time(Buf *out, double seconds)
 {
     const unsigned long us = (unsigned long)(seconds * 1e6 + 0.5);
 
@@ -123,7 +123,7 @@ static void put_time(Buf *out, double seconds)
 static bool is_case(const char *path) { return has_suffix(path, ".smt"); }
 
 // Writes a machine or a folder as a Java class name, because readers show Java packages as a tree: "flight.tank" for "flight/tank.sm".
-static void put_classname(Buf *out, Arena *arena, const char *suite)
+static void write_classname(Buf *out, Arena *arena, const char *suite)
 {
     const size_t end = strlen(suite) - (has_suffix(suite, ".sm") ? 3 : 0);
     Buf name;
@@ -138,29 +138,29 @@ static void put_classname(Buf *out, Arena *arena, const char *suite)
         buf_str(&name, "cases");
     if (strcmp(suite, "-") == 0)
         name.n = 0, buf_str(&name, "stdin");
-    put_attribute(out, "classname", buf_text(&name), name.n);
+    write_attribute(out, "classname", buf_text(&name), name.n);
 }
 
-static void put_testcase(Buf *out, const TestResult *r)
+static void write_testcase(Buf *out, const TestResult *r)
 {
     static const char *const elements[] = {NULL, "failure", "error", "skipped"};          // by TestStatus
     const char *element = elements[r->status], *why = line_of_failure(r->message);
     const char *slash = is_case(r->path) ? strrchr(r->path, '/') : NULL, *name = slash ? slash + 1 : r->path;
 
     buf_str(out, "    <testcase");
-    put_attribute(out, "name", name, strlen(name));
-    put_classname(out, out->arena, r->suite);
-    put_time(out, r->seconds);
+    write_attribute(out, "name", name, strlen(name));
+    write_classname(out, out->arena, r->suite);
+    write_time(out, r->seconds);
     if (!element) {
         buf_str(out, "/>\n");
         return;
     }
     buf_printf(out, ">\n      <%s", element);
-    put_attribute(out, "message", why, first_line(why));
+    write_attribute(out, "message", why, first_line(why));
     if (r->status != TEST_SKIPPED)
-        put_type(out, why, first_line(why));
+        write_type(out, why, first_line(why));
     buf_char(out, '>');
-    put_xml(out, r->message, strlen(r->message), false);
+    write_xml(out, r->message, strlen(r->message), false);
     buf_printf(out, "</%s>\n    </testcase>\n", element);
 }
 
@@ -182,27 +182,27 @@ static TestTotals add_totals(const TestRun *t, const char *suite)
     return all;
 }
 
-static void put_totals(Buf *out, const TestTotals *all)
+static void write_totals(Buf *out, const TestTotals *all)
 {
     buf_printf(out, " tests=\"%lu\" failures=\"%lu\" errors=\"%lu\"", (unsigned long)all->tests,
                (unsigned long)all->by_status[TEST_FAILED], (unsigned long)all->by_status[TEST_BROKEN]);
 }
 
-static void put_suite(const TestRun *t, const char *suite, Buf *out)
+static void write_suite(const TestRun *t, const char *suite, Buf *out)
 {
     const TestTotals all = add_totals(t, suite);
 
     buf_str(out, "  <testsuite");
-    put_attribute(out, "name", suite, strlen(suite));
-    put_totals(out, &all);
+    write_attribute(out, "name", suite, strlen(suite));
+    write_totals(out, &all);
     buf_printf(out, " skipped=\"%lu\"", (unsigned long)all.by_status[TEST_SKIPPED]);
-    put_time(out, all.seconds);
+    write_time(out, all.seconds);
     if (has_suffix(suite, ".sm"))
-        put_attribute(out, "file", suite, strlen(suite));
+        write_attribute(out, "file", suite, strlen(suite));
     buf_str(out, ">\n");
     for (size_t i = 0; i < t->result.n; i++)
         if (strcmp(t->result.at[i].suite, suite) == 0)
-            put_testcase(out, &t->result.at[i]);
+            write_testcase(out, &t->result.at[i]);
     buf_str(out, "  </testsuite>\n");
 }
 
@@ -219,19 +219,19 @@ void test_write_junit(const TestRun *t, Buf *out)
     const TestTotals all = add_totals(t, NULL);
 
     buf_str(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"smc test\"");
-    put_totals(out, &all);
-    put_time(out, all.seconds);
+    write_totals(out, &all);
+    write_time(out, all.seconds);
     buf_str(out, ">\n");
     for (size_t i = 0; i < t->result.n; i++)
         if (is_first_of_suite(t, i))
-            put_suite(t, t->result.at[i].suite, out);
+            write_suite(t, t->result.at[i].suite, out);
     buf_str(out, "</testsuites>\n");
 }
 
 // ---- TAP ----
 
 // Writes a name on its line, without line ends and without a # that would begin a directive.
-static void put_tap_name(Buf *out, const char *s)
+static void write_tap_name(Buf *out, const char *s)
 {
     for (; *s; s++) {
         if (*s == '#' || *s == '\\')
@@ -240,7 +240,7 @@ static void put_tap_name(Buf *out, const char *s)
     }
 }
 
-static void put_tap_lines(Buf *out, const char *text)
+static void write_tap_lines(Buf *out, const char *text)
 {
     while (*text) {
         size_t n = first_line(text);
@@ -258,11 +258,11 @@ void test_write_tap(const TestRun *t, Buf *out)
         const TestResult *r = &t->result.at[i];
 
         buf_printf(out, "%s %lu - ", r->status == TEST_FAILED || r->status == TEST_BROKEN ? "not ok" : "ok", (unsigned long)i + 1);
-        put_tap_name(out, r->path);
+        write_tap_name(out, r->path);
         if (r->status == TEST_SKIPPED)
             buf_printf(out, " # SKIP %.*s", (int)first_line(r->message), r->message);
         buf_char(out, '\n');
         if (r->status == TEST_FAILED || r->status == TEST_BROKEN)
-            put_tap_lines(out, r->message);
+            write_tap_lines(out, r->message);
     }
 }

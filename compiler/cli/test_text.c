@@ -4,10 +4,10 @@
 
 #include "compiler/cli/test.h"
 
-typedef struct Lines { const char *at, *end; } Lines;
+typedef struct LineCursor { const char *at, *end; } LineCursor;
 typedef struct ReportLine { const char *at; size_t n; } ReportLine;
 
-static bool next_line(Lines *l, ReportLine *line)
+static bool read_line(LineCursor *l, ReportLine *line)
 {
     const char *lf;
 
@@ -20,26 +20,26 @@ static bool next_line(Lines *l, ReportLine *line)
     return true;
 }
 
-static Lines lines_of_part(const TestPart *p)         // blank lines at its end separate it from the next part
+static LineCursor lines_of_part(const TestPart *p)         // blank lines at its end separate it from the next part
 {
     size_t n = p->n;
 
     while (n && (p->text[n - 1] == '\n' || p->text[n - 1] == '\r'))
         n--;
-    return (Lines){p->text, p->text + n};
+    return (LineCursor){p->text, p->text + n};
 }
 
 static bool same_text(ReportLine a, ReportLine b) { return a.n == b.n && memcmp(a.at, b.at, a.n) == 0; }
 
 void test_check_report(const TestPart *part, const Buf *report, Buf *why)
 {
-    Lines expected = lines_of_part(part), came = {buf_text(report), buf_text(report) + report->n};
+    LineCursor expected = lines_of_part(part), came = {buf_text(report), buf_text(report) + report->n};
     ReportLine e, r;
     bool more_e = true, more_r = true, differs = false;
 
     while (more_e || more_r) {
-        more_e = next_line(&expected, &e);
-        more_r = next_line(&came, &r);
+        more_e = read_line(&expected, &e);
+        more_r = read_line(&came, &r);
         if (more_e == more_r && (!more_e || same_text(e, r)))
             continue;
         if (!differs)
@@ -63,12 +63,12 @@ static size_t length_before_value(ReportLine l)                 // of "STEP NAME
 
 static void report_missing_line(ReportLine wanted, const Buf *trace, Buf *why)
 {
-    Lines all = {buf_text(trace), buf_text(trace) + trace->n};
+    LineCursor all = {buf_text(trace), buf_text(trace) + trace->n};
     size_t n = length_before_value(wanted);
     ReportLine l;
 
     buf_printf(why, "the trace has no line '%.*s' here", (int)wanted.n, wanted.at);
-    while (next_line(&all, &l))
+    while (read_line(&all, &l))
         if (n && length_before_value(l) == n && memcmp(l.at, wanted.at, n) == 0)
             buf_printf(why, "; it has '%.*s'", (int)l.n, l.at);
     buf_char(why, '\n');
@@ -76,13 +76,13 @@ static void report_missing_line(ReportLine wanted, const Buf *trace, Buf *why)
 
 void test_check_trace(const TestPart *part, const Buf *trace, Buf *why)
 {
-    Lines expected = lines_of_part(part), came = {buf_text(trace), buf_text(trace) + trace->n};
+    LineCursor expected = lines_of_part(part), came = {buf_text(trace), buf_text(trace) + trace->n};
     ReportLine e, l;
 
-    while (next_line(&expected, &e)) {
-        Lines before = came;
+    while (read_line(&expected, &e)) {
+        LineCursor before = came;
         bool found = e.n == 0;
-        while (!found && next_line(&came, &l))
+        while (!found && read_line(&came, &l))
             found = same_text(e, l);
         if (!found) {
             report_missing_line(e, trace, why);

@@ -21,7 +21,7 @@ struct TestTrace {
 
 // ---- columns ----
 
-static int unknown_column(TestTrace *t, const char *name)
+static int report_unknown_column(TestTrace *t, const char *name)
 {
     Cli *c = t->c;
     const char *near[NEAR_MOST];
@@ -37,11 +37,11 @@ static int unknown_column(TestTrace *t, const char *name)
         const Var **order = report_order(&c->session.arena, t->p);
         for (size_t i = 0; i < t->p->var.n; i++)
             buf_printf(&list, "%s%s", i ? ", " : "", order[i]->report_name->text);
-        return cli_usage(c, TEXT_trace_no_element, name, buf_text(&list));
+        return cli_usage_error(c, TEXT_trace_no_element, name, buf_text(&list));
     }
     for (size_t i = 0; i < n; i++)
         buf_printf(&list, "%s'%s'", i == 0 ? "" : i + 1 < n ? ", " : " or ", near[i]);
-    return cli_usage(c, TEXT_trace_element_near, name, buf_text(&list));
+    return cli_usage_error(c, TEXT_trace_element_near, name, buf_text(&list));
 }
 
 static void add_column(TestTrace *t, const Var *v)
@@ -62,9 +62,9 @@ static int choose_columns(TestTrace *t, const char *list)
         const char *name = format_in(arena, "%.*s", (int)n, list);
         const Var *v = map_find(&t->p->by_name, str_c(&t->c->session.strings, name));
         if (n == 0)
-            return cli_usage(t->c, TEXT_trace_names);
+            return cli_usage_error(t->c, TEXT_trace_names);
         if (!v)
-            return unknown_column(t, name);
+            return report_unknown_column(t, name);
         if (v != t->p->g)
             add_column(t, v);
         if (*(list += n) == '\0')
@@ -73,7 +73,7 @@ static int choose_columns(TestTrace *t, const char *list)
 }
 
 // Selects every column that can change, except G and S, which every row has.
-static void take_all_columns(TestTrace *t)
+static void choose_all_columns(TestTrace *t)
 {
     const Var **order = report_order(&t->c->session.arena, t->p);
 
@@ -95,7 +95,7 @@ static void write_buffered(TestTrace *t)
 
 static int report_write_error(TestTrace *t, const char *why)
 {
-    cli_say(t->c, TEXT_cannot_write, cli_shown(&t->c->session.arena, t->c->value[OPT_TRACE]), why);
+    cli_print_error(t->c, TEXT_cannot_write, cli_printable_name(&t->c->session.arena, t->c->value[OPT_TRACE]), why);
     return EXIT_ENVIRONMENT;
 }
 
@@ -141,7 +141,7 @@ void test_trace_script(TestTrace *t, const char *path) { t->script = path; }
 void test_trace_left_out(TestTrace *t, const char *path)
 {
     if (t)
-        cli_remark(t->c, TEXT_not_in_trace, path);
+        cli_print_note(t->c, TEXT_not_in_trace, path);
 }
 
 int test_trace_open(TestRun *run, const Program *p, TestTrace **trace)
@@ -159,7 +159,7 @@ int test_trace_open(TestRun *run, const Program *p, TestTrace **trace)
     t->is_exact = c->given[OPT_TRACE_FORMAT] && strcmp(c->value[OPT_TRACE_FORMAT], "exact") == 0;
     t->column = ARENA_ARRAY(run->arena, const Var *, p->var.n);
     if (!c->given[OPT_TRACE_ELEMENTS])
-        take_all_columns(t);
+        choose_all_columns(t);
     else if ((code = choose_columns(t, c->value[OPT_TRACE_ELEMENTS])) != EXIT_OK)
         return code;
     buf_init(&t->text, run->arena);
@@ -184,8 +184,8 @@ int test_trace_close(TestTrace *t)
     if (t->error)
         return report_write_error(t, t->error);
     if (!t->script)
-        cli_remark(t->c, TEXT_no_trace, t->c->value[OPT_TRACE]);
+        cli_print_note(t->c, TEXT_no_trace, t->c->value[OPT_TRACE]);
     if (t->rounded)
-        cli_remark(t->c, TEXT_trace_precision, t->rounded->report_name->text);
+        cli_print_note(t->c, TEXT_trace_precision, t->rounded->report_name->text);
     return EXIT_OK;
 }

@@ -65,7 +65,7 @@ const char *comment_after_lines(Arena *arena, Span span)
 }
 
 // Whether the line contains only a comment.
-static bool is_comment(const Source *src, uint32_t number)
+static bool is_comment_line(const Source *src, uint32_t number)
 {
     uint32_t len, at, i = 0;
     const char *line = source_line(src, number, &len);
@@ -145,7 +145,7 @@ const char *comment_above(Arena *arena, Span span)
     const uint32_t line = span.src ? source_position(span.src, span.at).line : 1;
     uint32_t from = line;
 
-    while (from > 1 && is_comment(span.src, from - 1))
+    while (from > 1 && is_comment_line(span.src, from - 1))
         from--;
     return from < line ? comment_of_lines(arena, span.src, from, line) : NULL;
 }
@@ -161,7 +161,7 @@ const char *comment_of_file(Arena *arena, const Source *src)
 {
     uint32_t to = 1;
 
-    while (to <= src->lines && is_comment(src, to))
+    while (to <= src->lines && is_comment_line(src, to))
         to++;
     return comment_of_lines(arena, src, 1, to);
 }

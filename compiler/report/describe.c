@@ -31,9 +31,9 @@ static void add_sentence(DocList *l, unsigned depth, Span span, const char *text
     const uint32_t line = line_of(span);
     const bool first = l->line.n == 0 || l->line.at[l->line.n - 1].line != line;
 
-    doc_list_line(l, depth, line, text);
+    doc_add_list_line(l, depth, line, text);
     if (first)
-        doc_list_comment(l, comment_around(l->arena, span));
+        doc_set_line_comment(l, comment_around(l->arena, span));
 }
 
 // ---- assignments ----
@@ -66,7 +66,7 @@ static const char *describe_assignment(Arena *arena, const Stmt *s)
     return format_in(arena, "sets `%s` to `%s`", s->var->name->text, source_text(arena, e->span));
 }
 
-static const char *describe_simple(Arena *arena, const Stmt *s)
+static const char *describe_unconditional(Arena *arena, const Stmt *s)
 {
     return s->kind == ST_ASSIGN ? describe_assignment(arena, s) : format_in(arena, "goes to ^%s^", s->target->name->text);
 }
@@ -93,9 +93,9 @@ static void add_branch(DocList *l, const char *when, const Stmts *stmts, Span sp
     const Stmt *only = stmts->n == 1 ? stmts->at[0] : NULL;
 
     if (only && only->kind == ST_TRANSITION)
-        add_short_branch(l, depth, span, format_in(l->arena, "%s %s", describe_simple(l->arena, only), when), only);
+        add_short_branch(l, depth, span, format_in(l->arena, "%s %s", describe_unconditional(l->arena, only), when), only);
     else if (only && only->kind == ST_ASSIGN)
-        add_short_branch(l, depth, span, format_in(l->arena, "%s: %s", when, describe_simple(l->arena, only)), only);
+        add_short_branch(l, depth, span, format_in(l->arena, "%s: %s", when, describe_unconditional(l->arena, only)), only);
     else {
         add_sentence(l, depth, span, format_in(l->arena, stmts->n ? "%s:" : "%s: does nothing", when));
         add_statements(l, stmts, depth + 1);
@@ -125,7 +125,7 @@ static void add_statements(DocList *l, const Stmts *stmts, unsigned depth)
         if (stmts->at[i]->kind == ST_IF)
             add_conditional(l, stmts->at[i], depth);
         else
-            add_sentence(l, depth, stmts->at[i]->span, describe_simple(l->arena, stmts->at[i]));
+            add_sentence(l, depth, stmts->at[i]->span, describe_unconditional(l->arena, stmts->at[i]));
 }
 
 void describe_block(DocList *l, const Stmts *block) { add_statements(l, block, 0); }

@@ -26,10 +26,10 @@ typedef struct Bands {
 static uint32_t top_rank(const Layout *l, const DiagramEdge *e) { return l->rank[e->up ? e->to : e->from]; }
 static uint32_t bottom_rank(const Layout *l, const DiagramEdge *e) { return l->rank[e->up ? e->from : e->to]; }
 
-static int32_t label_room(const DiagramEdge *e) { return e->label.w + 2 * LABEL_SIDE; }
+static int32_t label_width_with_margins(const DiagramEdge *e) { return e->label.w + 2 * LABEL_SIDE; }
 
 // The least filled gap between an edge's ends; of several, the one nearest to the edge's start.
-static uint32_t best_gap(const Layout *l, const Bands *b, const DiagramEdge *e)
+static uint32_t find_least_filled_gap(const Layout *l, const Bands *b, const DiagramEdge *e)
 {
     const uint32_t top = top_rank(l, e), n = bottom_rank(l, e) - top;
     uint32_t best = e->up ? top + n - 1 : top;
@@ -49,12 +49,12 @@ static void assign_gaps(const Layout *l, Bands *b)
             const DiagramEdge *edge = &l->d->edge.at[e];
             if (edge->form != EDGE_LINE || (bottom_rank(l, edge) - top_rank(l, edge) > 1) != is_long)
                 continue;
-            b->gap_of[e] = best_gap(l, b, edge);
-            b->gap[b->gap_of[e]].load += label_room(edge);
+            b->gap_of[e] = find_least_filled_gap(l, b, edge);
+            b->gap[b->gap_of[e]].load += label_width_with_margins(edge);
         }
 }
 
-static void number_band_layers(Layout *l, Band *band, int64_t most)
+static void create_band_layers(Layout *l, Band *band, int64_t most)
 {
     const int64_t rows = (band->load + most - 1) / most;
 
@@ -82,7 +82,7 @@ static uint32_t add_item(Layout *l, ItemKind kind, uint32_t ref, uint32_t layer)
     LayoutItem i = {kind, ref, layer, 0, BEND_SIDE, BEND_SIDE, 0, 0};
 
     if (kind == ITEM_LABEL) {
-        i.left = i.right = label_room(&l->d->edge.at[ref]) / 2;
+        i.left = i.right = label_width_with_margins(&l->d->edge.at[ref]) / 2;
         i.h = l->d->edge.at[ref].label.h + 4;
     }
     l->layer[layer].n++;
@@ -111,11 +111,11 @@ static void add_node_items(Layout *l, Bands *b)
 }
 
 // Numbers the layers, when their number is known, and puts the nodes into theirs.
-static void init_layers(Layout *l, Bands *b)
+static void assign_layers(Layout *l, Bands *b)
 {
     for (uint32_t r = 0; r < l->ranks; r++) {
-        number_band_layers(l, &b->rank[r], NODES_W);
-        number_band_layers(l, &b->gap[r], LABELS_W);
+        create_band_layers(l, &b->rank[r], NODES_W);
+        create_band_layers(l, &b->gap[r], LABELS_W);
     }
     l->layer = ARENA_ARRAY(l->arena, Layer, l->layers);
     for (uint32_t n = 0; n < l->d->nodes; n++) {
@@ -125,7 +125,7 @@ static void init_layers(Layout *l, Bands *b)
     }
 }
 
-static void add_chain(Layout *l, uint32_t edge, uint32_t label)
+static void add_edge_items(Layout *l, uint32_t edge, uint32_t label)
 {
     const DiagramEdge *e = &l->d->edge.at[edge];
     const uint32_t bottom = e->up ? e->from : e->to;
@@ -140,20 +140,20 @@ static void add_chain(Layout *l, uint32_t edge, uint32_t label)
     }
 }
 
-void layout_items(Layout *l)
+void layout_create_items(Layout *l)
 {
     Bands b = {ARENA_ARRAY(l->arena, Band, l->ranks), ARENA_ARRAY(l->arena, Band, l->ranks),
                ARENA_ARRAY(l->arena, uint32_t, l->d->edge.n + 1)};
 
     add_node_items(l, &b);
     assign_gaps(l, &b);
-    init_layers(l, &b);
+    assign_layers(l, &b);
     l->first_link = ARENA_ARRAY(l->arena, uint32_t, l->d->edge.n + 1);
     for (uint32_t e = 0; e < l->d->edge.n; e++) {
         const DiagramEdge *edge = &l->d->edge.at[e];
         l->first_link[e] = (uint32_t)l->link.n;
         if (edge->form == EDGE_LINE)
-            add_chain(l, e, choose_layer(&b.gap[b.gap_of[e]], label_room(edge)));
+            add_edge_items(l, e, choose_layer(&b.gap[b.gap_of[e]], label_width_with_margins(edge)));
     }
     l->first_link[l->d->edge.n] = (uint32_t)l->link.n;
     for (uint32_t i = 0; i < l->layers; i++) {
@@ -164,7 +164,7 @@ void layout_items(Layout *l)
 
 // ---- links ----
 
-static void count_links(const Layout *l, uint32_t *above, uint32_t *below)
+static void compute_first_links(const Layout *l, uint32_t *above, uint32_t *below)
 {
     for (size_t k = 0; k < l->link.n; k++) {
         above[l->link.at[k].below + 1]++;
@@ -177,7 +177,7 @@ static void count_links(const Layout *l, uint32_t *above, uint32_t *below)
 }
 
 // Copies the links to the lists of their other ends, item by item in the order of the layers.
-static void distribute_links(const Layout *l, const LayoutLinks *from, bool down, uint32_t *next, uint32_t *to)
+static void sort_links_by_end(const Layout *l, const LayoutLinks *from, bool down, uint32_t *next, uint32_t *to)
 {
     for (uint32_t y = 0; y < l->layers; y++)
         for (uint32_t p = 0; p < l->layer[y].n; p++) {
@@ -189,7 +189,7 @@ static void distribute_links(const Layout *l, const LayoutLinks *from, bool down
         }
 }
 
-static void init_links(Layout *l)
+static void build_link_lists(Layout *l)
 {
     uint32_t *next = ARENA_ARRAY(l->arena, uint32_t, l->item.n + 1);
 
@@ -197,7 +197,7 @@ static void init_links(Layout *l)
     l->below.first = ARENA_ARRAY(l->arena, uint32_t, l->item.n + 1);
     l->above.at = ARENA_ARRAY(l->arena, uint32_t, l->link.n + 1);
     l->below.at = ARENA_ARRAY(l->arena, uint32_t, l->link.n + 1);
-    count_links(l, l->above.first, l->below.first);
+    compute_first_links(l, l->above.first, l->below.first);
     for (size_t i = 0; i < l->item.n; i++)
         next[i] = l->below.first[i];
     for (uint32_t k = 0; k < l->link.n; k++)
@@ -209,10 +209,10 @@ void layout_sort_links(Layout *l)
 {
     for (size_t i = 0; i < l->item.n; i++)
         l->next[i] = l->above.first[i];
-    distribute_links(l, &l->below, true, l->next, l->above.at);
+    sort_links_by_end(l, &l->below, true, l->next, l->above.at);
     for (size_t i = 0; i < l->item.n; i++)
         l->next[i] = l->below.first[i];
-    distribute_links(l, &l->above, false, l->next, l->below.at);
+    sort_links_by_end(l, &l->above, false, l->next, l->below.at);
 }
 
 // ---- the whole layout ----
@@ -224,10 +224,10 @@ void layout_diagram(Diagram *d)
     l->arena = d->a->arena;
     l->d = d;
     layout_stub_hubs(d);
-    layout_rank(l);
-    layout_items(l);
-    init_links(l);
-    layout_order(l);
-    layout_place(l);
-    layout_route(l);
+    layout_assign_ranks(l);
+    layout_create_items(l);
+    build_link_lists(l);
+    layout_order_items(l);
+    layout_place_items(l);
+    layout_route_edges(l);
 }

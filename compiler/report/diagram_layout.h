@@ -61,7 +61,7 @@ typedef struct Layout {
     uint32_t layers;
     LayoutLinks above, below;
     uint32_t *next;               // by item: scratch for layout_sort_links
-    uint64_t *sums;               // scratch for layout_crossings
+    uint64_t *sums;               // scratch for layout_count_crossings
 } Layout;
 
 // Runs all stages: fills in the boxes and paths of the diagram.
@@ -73,13 +73,13 @@ void layout_diagram(Diagram *d);
 // ---- the stages ----
 
 void layout_stub_hubs(Diagram *d);        // before rank: edges to states with many predecessors become stubs
-void layout_rank(Layout *l);              // sets `rank` and DiagramEdge.up; edges across many ranks become stubs
+void layout_assign_ranks(Layout *l);              // sets `rank` and DiagramEdge.up; edges across many ranks become stubs
 void layout_size_node(Diagram *d, uint32_t node, uint32_t lines, LayoutItem *out);
-void layout_items(Layout *l);
-void layout_order(Layout *l);
+void layout_create_items(Layout *l);
+void layout_order_items(Layout *l);
 void layout_sort_links(Layout *l);        // sorts `above` and `below` by the current order
-uint64_t layout_crossings(const Layout *l, uint32_t layer);       // between this layer and the next
-void layout_place(Layout *l);
-void layout_route(Layout *l);
+uint64_t layout_count_crossings(const Layout *l, uint32_t layer);       // between this layer and the next
+void layout_place_items(Layout *l);
+void layout_route_edges(Layout *l);
 
 #endif

@@ -12,7 +12,7 @@ static bool is_plain(uint32_t c)
 }
 
 // Characters that can have a meaning in Mermaid become #NUMBER;.
-static void write_plain(Buf *out, const char *text)
+static void write_escaped(Buf *out, const char *text)
 {
     const size_t n = strlen(text);
     size_t bytes;
@@ -35,7 +35,7 @@ static void write_findings(Buf *out, const DiagramFindings *f, uint32_t state)
 {
     for (size_t i = 0; i < f->n; i++) {
         buf_printf(out, "    note right of s%lu : %s ", (unsigned long)state, diag_info[f->at[i]->code].id);
-        write_plain(out, f->at[i]->text);
+        write_escaped(out, f->at[i]->text);
         buf_char(out, '\n');
     }
 }
@@ -58,7 +58,7 @@ static void write_node_class(Buf *out, const Diagram *d, const DiagramNode *n)
 static void write_transition(Buf *out, const Diagram *d, const DiagramEdge *e, const DiagramGuard *g)
 {
     buf_printf(out, "    s%lu --> s%lu : ", (unsigned long)e->from + 1, (unsigned long)e->to + 1);
-    write_plain(out, g->text);
+    write_escaped(out, g->text);
     if (!e->possible)
         buf_str(out, " (never)");
     if (d->o->counts && g == &e->guard.at[e->guard.n - 1])        // the count of all transitions of the edge

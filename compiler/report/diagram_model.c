@@ -60,9 +60,9 @@ static DiagramLines fit_guard(const Analysis *a, const Transition *t)
 
     if (!t->when || !t->when->holds)
         return line;
-    for (size_t most = CONDITIONS_SHOWN; diagram_text_is_cut(&line) && most > 0; most--)
+    for (size_t most = CONDITIONS_SHOWN; diagram_text_is_truncated(&line) && most > 0; most--)
         line = wrap_guard(a, t, most);
-    return diagram_text_is_cut(&line) ? wrap_guard(a, t, CONDITIONS_SHOWN) : line;
+    return diagram_text_is_truncated(&line) ? wrap_guard(a, t, CONDITIONS_SHOWN) : line;
 }
 
 static void add_guard(const Analysis *a, DiagramEdge *e, const Transition *t)
@@ -170,7 +170,7 @@ Diagram *diagram_build(const Analysis *a, const DiagramOptions *o)
     for (size_t s = 0; s < d->nodes; s++) {
         DiagramNode *n = &d->node[s];
         n->state = a->p->state.at[s];
-        n->name = diagram_text_cut(a->arena, n->state->name->text, NAME_SIZE, true, NAME_W);
+        n->name = diagram_text_truncate(a->arena, n->state->name->text, NAME_SIZE, true, NAME_W);
         n->name_w = diagram_text_width(n->name, NAME_SIZE, true);
     }
     add_edges(d);

@@ -82,9 +82,9 @@ Diagram *diagram_build(const Analysis *a, const DiagramOptions *o);
 int32_t diagram_text_width(const char *text, int32_t size, bool bold);
 // Wraps to at most `lines` lines, none wider than w, preferably before "and" and "or".
 DiagramLines diagram_text_wrap(Arena *arena, const char *text, int32_t size, int32_t w, size_t lines);
-bool diagram_text_is_cut(const DiagramLines *lines);  // whether the last line ends with …
+bool diagram_text_is_truncated(const DiagramLines *lines);  // whether the last line ends with …
 // The text, or the longest start of it that fits with "…".
-const char *diagram_text_cut(Arena *arena, const char *text, int32_t size, bool bold, int32_t w);
+const char *diagram_text_truncate(Arena *arena, const char *text, int32_t size, bool bold, int32_t w);
 
 // ---- counts: of what a run has executed; 0 and false without them ----
 

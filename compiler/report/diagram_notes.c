@@ -7,11 +7,11 @@
 
 enum { MARGIN = 16, NUMBER_W = 22, LINE = 15, LINES = 3, LEAST_W = 420 };
 
-static int32_t text_room(const Diagram *d) { return (d->w > LEAST_W ? d->w : LEAST_W) - 2 * MARGIN - NUMBER_W; }
+static int32_t note_text_width(const Diagram *d) { return (d->w > LEAST_W ? d->w : LEAST_W) - 2 * MARGIN - NUMBER_W; }
 
 static void add_note(const Diagram *d, DiagramNotes *n, uint32_t number, const char *text)
 {
-    const DiagramLines lines = diagram_text_wrap(d->a->arena, text, GUARD_SIZE, text_room(d), LINES);
+    const DiagramLines lines = diagram_text_wrap(d->a->arena, text, GUARD_SIZE, note_text_width(d), LINES);
 
     for (size_t i = 0; i < lines.n; i++) {
         const DiagramNote note = {i ? 0 : number, lines.at[i].text, d->h + (int32_t)n->line.n * LINE};
@@ -27,7 +27,7 @@ static uint32_t add_findings(const Diagram *d, DiagramNotes *n, uint32_t *marks,
     return f->n ? ++*marks : 0;
 }
 
-static void add_legend(const Diagram *d, DiagramNotes *n)
+static void add_dotted_legend(const Diagram *d, DiagramNotes *n)
 {
     bool unrun = false;
 
@@ -53,9 +53,9 @@ void diagram_number_notes(Diagram *d, DiagramNotes *out)
                 guard->mark = add_findings(d, out, &marks, &guard->finding);
             }
     }
-    add_legend(d, out);
+    add_dotted_legend(d, out);
     if (out->line.n) {
-        out->w = text_room(d) + 2 * MARGIN + NUMBER_W;
+        out->w = note_text_width(d) + 2 * MARGIN + NUMBER_W;
         out->h = (int32_t)out->line.n * LINE + MARGIN;
     }
 }

@@ -42,7 +42,7 @@ static void set_initial_order(Layout *l)
 // ---- crossings ----
 
 // Counts pairs of links whose ends are in different order above and below, with a Fenwick tree over the lower layer.
-uint64_t layout_crossings(const Layout *l, uint32_t layer)
+uint64_t layout_count_crossings(const Layout *l, uint32_t layer)
 {
     const Layer *upper = &l->layer[layer];
     const uint32_t n = l->layer[layer + 1].n;
@@ -70,7 +70,7 @@ static uint64_t all_crossings(Layout *l)
 
     layout_sort_links(l);
     for (uint32_t y = 0; y + 1 < l->layers; y++)
-        sum += layout_crossings(l, y);
+        sum += layout_count_crossings(l, y);
     return sum;
 }
 
@@ -165,7 +165,7 @@ static void restore_order(Layout *l, const uint32_t *pos)
     }
 }
 
-void layout_order(Layout *l)
+void layout_order_items(Layout *l)
 {
     uint32_t *best = ARENA_ARRAY(l->arena, uint32_t, l->item.n), idle = 0;
     OrderKey *key = ARENA_ARRAY(l->arena, OrderKey, l->item.n);

@@ -20,24 +20,24 @@ typedef struct Columns {
 // ---- links that can be straight ----
 
 // The inner parts of a long edge, and all parts of an edge of the spine.
-static bool is_inner(const Layout *l, const LayoutLink *k)
+static bool should_be_straight(const Layout *l, const LayoutLink *k)
 {
     return l->spine[k->edge] || (l->item.at[k->above].kind != ITEM_NODE && l->item.at[k->below].kind != ITEM_NODE);
 }
 
 // By item, the link above (or below) that should be straight; the first if there are several.
-static const LayoutLink **find_inner(const Layout *l, const LayoutLinks *links)
+static const LayoutLink **find_straight_links(const Layout *l, const LayoutLinks *links)
 {
     const LayoutLink **out = ARENA_ARRAY(l->arena, const LayoutLink *, l->item.n);
 
     for (size_t i = 0; i < l->item.n; i++)
         for (uint32_t k = links->first[i]; k < links->first[i + 1] && !out[i]; k++)
-            if (is_inner(l, &l->link.at[links->at[k]]))
+            if (should_be_straight(l, &l->link.at[links->at[k]]))
                 out[i] = &l->link.at[links->at[k]];
     return out;
 }
 
-static int64_t pos_of(const Layout *l, uint32_t item) { return l->item.at[item].pos; }
+static int64_t position_in_layer(const Layout *l, uint32_t item) { return l->item.at[item].pos; }
 
 // Marks links that cross a link that should be straight: they cannot be straight.  Two links that should both be straight and cross each
 // other are not marked.
@@ -53,12 +53,12 @@ static void mark_conflicts(Layout *l, uint32_t y, const LayoutLink *const *above
         if (!inner && p + 1 < lower->n)
             continue;
         if (inner)
-            right = pos_of(l, inner->above);
+            right = position_in_layer(l, inner->above);
         for (; start <= p; start++)
             for (uint32_t k = l->above.first[lower->item[start]]; k < l->above.first[lower->item[start] + 1]; k++) {
                 LayoutLink *link = &l->link.at[l->above.at[k]];
-                const int64_t at = pos_of(l, link->above);
-                link->crossed = link->crossed || ((at < left || at > right) && !is_inner(l, link));
+                const int64_t at = position_in_layer(l, link->above);
+                link->crossed = link->crossed || ((at < left || at > right) && !should_be_straight(l, link));
             }
         left = right;
     }
@@ -75,7 +75,7 @@ static uint32_t item_in_layer(const Columns *c, const Layer *layer, uint32_t k)
 static bool try_align(Columns *c, uint32_t item, const LayoutLink *link, int64_t *used)
 {
     const uint32_t to = c->from_below ? link->below : link->above;
-    const int64_t at = c->mirrored ? -pos_of(c->l, to) : pos_of(c->l, to);
+    const int64_t at = c->mirrored ? -position_in_layer(c->l, to) : position_in_layer(c->l, to);
 
     if (link->crossed || at <= *used)
         return false;
@@ -243,11 +243,11 @@ static int32_t mean_of_middle_two(int64_t a, int64_t b, int64_t c, int64_t d)
     return (int32_t)((a + b + c + d - low - high) / 2);
 }
 
-void layout_place(Layout *l)
+void layout_place_items(Layout *l)
 {
     const size_t n = l->item.n;
     int64_t *x[4], narrowest = INT64_MAX;
-    Columns c = {l, false, false, find_inner(l, &l->above), find_inner(l, &l->below),
+    Columns c = {l, false, false, find_straight_links(l, &l->above), find_straight_links(l, &l->below),
                  ARENA_ARRAY(l->arena, uint32_t, n), ARENA_ARRAY(l->arena, uint32_t, n), NULL};
 
     for (uint32_t y = 0; y + 1 < l->layers; y++)

@@ -53,7 +53,7 @@ static void push_node(CycleSearch *s, uint32_t node)
 
 // Depth-first search in file order, starting with the first state.  An edge back to a state on the current path closes a cycle.  The first
 // state stays at the top.
-static void search_from(CycleSearch *s, uint32_t start)
+static void search_cycles_from(CycleSearch *s, uint32_t start)
 {
     const Diagram *d = s->l->d;
 
@@ -78,7 +78,7 @@ static void break_cycles(Layout *l)
 
     for (uint32_t n = 0; n < l->d->nodes; n++)
         if (s.state[n] == 0)
-            search_from(&s, n);
+            search_cycles_from(&s, n);
 }
 
 // ---- ranks ----
@@ -148,7 +148,7 @@ static uint32_t rank_above_successors(const Layout *l, const EdgesByEnd *out, ui
 }
 
 // Moves a node with more lines out than in as far down as possible.
-static void sink_nodes(Layout *l, const EdgesByEnd *out, const EdgesByEnd *in, const uint32_t *order)
+static void move_nodes_down(Layout *l, const EdgesByEnd *out, const EdgesByEnd *in, const uint32_t *order)
 {
     for (size_t i = l->d->nodes; i-- > 0;) {
         const uint32_t v = order[i], outs = out->first[v + 1] - out->first[v], ins = in->first[v + 1] - in->first[v];
@@ -159,11 +159,11 @@ static void sink_nodes(Layout *l, const EdgesByEnd *out, const EdgesByEnd *in, c
 
 // ---- parts not connected to the first state ----
 
-static void mark_part(const Layout *l, const EdgesByEnd *out, const EdgesByEnd *in, uint32_t *part, uint32_t start)
+static void mark_component(const Layout *l, const EdgesByEnd *out, const EdgesByEnd *in, uint32_t *component, uint32_t start)
 {
     VEC(uint32_t) waiting = {NULL, 0, 0};
 
-    part[start] = start;
+    component[start] = start;
     vec_push(l->arena, &waiting, start);
     while (waiting.n > 0) {
         const uint32_t v = waiting.at[--waiting.n];
@@ -172,8 +172,8 @@ static void mark_part(const Layout *l, const EdgesByEnd *out, const EdgesByEnd *
             for (uint32_t k = ends->first[v]; k < ends->first[v + 1]; k++) {
                 const DiagramEdge *e = &l->d->edge.at[ends->edge[k]];
                 const uint32_t to = side ? upper_end(e) : lower_end(e);
-                if (part[to] == UINT32_MAX) {
-                    part[to] = start;
+                if (component[to] == UINT32_MAX) {
+                    component[to] = start;
                     vec_push(l->arena, &waiting, to);
                 }
             }
@@ -184,24 +184,24 @@ static void mark_part(const Layout *l, const EdgesByEnd *out, const EdgesByEnd *
 enum { ROW = 4 };                 // isolated states per rank
 
 // Moves every part down to end at the lowest rank in use, except the part of the first state.  Isolated states follow, ROW to a rank.
-static void place_parts(Layout *l, const EdgesByEnd *out, const EdgesByEnd *in)
+static void place_components(Layout *l, const EdgesByEnd *out, const EdgesByEnd *in)
 {
     const size_t n = l->d->nodes;
-    uint32_t *part = ARENA_ARRAY(l->arena, uint32_t, n), *last = ARENA_ARRAY(l->arena, uint32_t, n), alone = 0, end = 0;
+    uint32_t *component = ARENA_ARRAY(l->arena, uint32_t, n), *last = ARENA_ARRAY(l->arena, uint32_t, n), alone = 0, end = 0;
 
-    memset(part, 0xFF, n * sizeof *part);
+    memset(component, 0xFF, n * sizeof *component);
     for (uint32_t v = 0; v < n; v++)
-        if (part[v] == UINT32_MAX)
-            mark_part(l, out, in, part, v);
+        if (component[v] == UINT32_MAX)
+            mark_component(l, out, in, component, v);
     for (uint32_t v = 0; v < n; v++)
-        if (l->rank[v] > last[part[v]])
-            last[part[v]] = l->rank[v];
+        if (l->rank[v] > last[component[v]])
+            last[component[v]] = l->rank[v];
     for (uint32_t v = 0; v < n; v++)
         end = last[v] > end ? last[v] : end;
     for (uint32_t v = 0; v < n; v++)
-        if (part[v] != 0 && last[part[v]] > 0)
-            l->rank[v] += end - last[part[v]];
-        else if (part[v] != 0)
+        if (component[v] != 0 && last[component[v]] > 0)
+            l->rank[v] += end - last[component[v]];
+        else if (component[v] != 0)
             l->rank[v] = end + (last[0] > 0) + alone++ / ROW;
     l->ranks = 0;
     for (uint32_t v = 0; v < n; v++)
@@ -288,7 +288,7 @@ static void turn_loops_into_stubs(Diagram *d)
     }
 }
 
-void layout_rank(Layout *l)
+void layout_assign_ranks(Layout *l)
 {
     EdgesByEnd out, in;
     uint32_t *order;
@@ -300,8 +300,8 @@ void layout_rank(Layout *l)
     l->rank = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes);
     for (size_t i = 0; i < l->d->nodes; i++)
         l->rank[order[i]] = rank_below_predecessors(l, &in, order[i]);
-    sink_nodes(l, &out, &in, order);
-    place_parts(l, &out, &in);
+    move_nodes_down(l, &out, &in, order);
+    place_components(l, &out, &in);
     for (uint32_t e = 0; e < l->d->edge.n; e++) {
         const DiagramEdge *edge = &l->d->edge.at[e];
         if (edge->form == EDGE_LINE && l->rank[lower_end(edge)] - l->rank[upper_end(edge)] > LONGEST)

@@ -15,7 +15,7 @@ enum {
 
 // ---- beside a state ----
 
-static bool is_beside(const DiagramEdge *e) { return e->form != EDGE_LINE; }
+static bool is_drawn_beside_state(const DiagramEdge *e) { return e->form != EDGE_LINE; }
 
 static int32_t stub_name_width(const Diagram *d, const DiagramEdge *e)
 {
@@ -32,7 +32,7 @@ static StubRows measure_stubs(const Diagram *d, const DiagramNode *n)
 
     for (uint32_t k = 0; k < n->edges; k++) {
         const DiagramEdge *e = &d->edge.at[n->first_edge + k];
-        if (!is_beside(e))
+        if (!is_drawn_beside_state(e))
             continue;
         r.name_w = stub_name_width(d, e) > r.name_w ? stub_name_width(d, e) : r.name_w;
         r.label_w = e->label.w > r.label_w ? e->label.w : r.label_w;
@@ -71,7 +71,7 @@ static void place_stubs(Diagram *d, const DiagramNode *n)
 
     for (uint32_t k = 0; k < n->edges; k++) {
         DiagramEdge *e = &d->edge.at[n->first_edge + k];
-        if (!is_beside(e))
+        if (!is_drawn_beside_state(e))
             continue;
         e->name = (Box){n->box.x + n->box.w + STUB_AT, y + (stub_height(e) - STUB_H) / 2, stub_name_width(d, e), STUB_H};
         e->label.x = e->name.x + r.name_w + STUB_TEXT;
@@ -143,7 +143,7 @@ static void place_layers(Layout *l, const int32_t *top, const int32_t *bottom)
     }
 }
 
-static void place_items(Layout *l)
+static void set_item_boxes(Layout *l)
 {
     int32_t left = INT32_MAX, right = INT32_MIN;
     const Layer *last = &l->layer[l->layers - 1];
@@ -202,13 +202,13 @@ static void reverse_path(DiagramEdge *e)
     }
 }
 
-void layout_route(Layout *l)
+void layout_route_edges(Layout *l)
 {
     int32_t *top = ARENA_ARRAY(l->arena, int32_t, l->link.n + 1), *bottom = ARENA_ARRAY(l->arena, int32_t, l->link.n + 1);
 
     find_ports(l, top, bottom);
     place_layers(l, top, bottom);
-    place_items(l);
+    set_item_boxes(l);
     find_ports(l, top, bottom);               // again, because all items have been shifted by the same distance
     for (uint32_t e = 0; e < l->d->edge.n; e++) {
         DiagramEdge *edge = &l->d->edge.at[e];

@@ -168,7 +168,7 @@ static void write_state(Buf *out, const Diagram *d, const DiagramNode *n)
     buf_str(out, "</g>\n");
 }
 
-static void write_start(Buf *out, const DiagramNode *n)
+static void write_start_arrow(Buf *out, const DiagramNode *n)
 {
     const Point tip = {n->box.x + n->box.w / 2, n->box.y};
 
@@ -226,7 +226,7 @@ static Point path_point(const DiagramEdge *e, size_t i)
     return p;
 }
 
-static void write_vertical(Buf *out, int32_t from, int32_t to)
+static void write_vertical_segment(Buf *out, int32_t from, int32_t to)
 {
     if (from != to)
         buf_printf(out, "V%ld", (long)to);
@@ -238,15 +238,15 @@ static void write_straight(Buf *out, const DiagramEdge *e, Point from, Point to)
     const int32_t above = e->label.y - 2, below = e->label.y + e->label.h + 2;
 
     if (from.x == e->label.x + e->label.w / 2 && from.y <= above && to.y >= below) {
-        write_vertical(out, from.y, above);
+        write_vertical_segment(out, from.y, above);
         buf_printf(out, "M%ld %ld", (long)to.x, (long)below);
-        write_vertical(out, below, to.y);
+        write_vertical_segment(out, below, to.y);
     } else if (from.x == e->label.x + e->label.w / 2 && from.y >= below && to.y <= above) {
-        write_vertical(out, from.y, below);
+        write_vertical_segment(out, from.y, below);
         buf_printf(out, "M%ld %ld", (long)to.x, (long)above);
-        write_vertical(out, above, to.y);
+        write_vertical_segment(out, above, to.y);
     } else {
-        write_vertical(out, from.y, to.y);
+        write_vertical_segment(out, from.y, to.y);
     }
 }
 
@@ -255,7 +255,7 @@ static void write_curve(Buf *out, Point from, Point to)
     const long middle = (from.y + to.y) / 2;
 
     if (from.x == to.x)
-        write_vertical(out, from.y, to.y);
+        write_vertical_segment(out, from.y, to.y);
     else
         buf_printf(out, "C%ld %ld %ld %ld %ld %ld", (long)from.x, middle, (long)to.x, middle, (long)to.x, (long)to.y);
 }
@@ -298,7 +298,7 @@ static void write_loop(Buf *out, const Diagram *d, const DiagramEdge *e)
 }
 
 // Lines taken often are wider: half a pixel more for each doubling of the count, up to 6.4.
-static void write_width(Buf *out, uint64_t count)
+static void write_line_width(Buf *out, uint64_t count)
 {
     unsigned tenths = 14;
 
@@ -311,7 +311,7 @@ static void write_width(Buf *out, uint64_t count)
 static void write_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
     buf_printf(out, "<g class=\"g-edge%s%s\"", e->possible ? "" : " g-never", run_class(d, diagram_edge_count(d, e)));
-    write_width(out, diagram_edge_count(d, e));
+    write_line_width(out, diagram_edge_count(d, e));
     buf_str(out, ">");
     write_edge_title(out, d, e);
     if (e->form == EDGE_LINE)
@@ -353,7 +353,7 @@ void diagram_write_svg(const Analysis *a, const DiagramOptions *o, Buf *out)
     write_description(out, d);
     write_style(out);
     buf_printf(out, "<rect class=\"g-back\" width=\"%ld\" height=\"%ld\" rx=\"8\"/>\n", (long)size.w, (long)size.h);
-    write_start(out, &d->node[0]);
+    write_start_arrow(out, &d->node[0]);
     for (size_t e = 0; e < d->edge.n; e++)
         write_edge(out, d, &d->edge.at[e]);
     for (size_t n = 0; n < d->nodes; n++)

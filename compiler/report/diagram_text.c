@@ -7,7 +7,7 @@
 #include "compiler/report/diagram_model.h"
 
 // In thousandths of the font size, from ' ' to '~'.
-static const uint16_t letter_width[2][95] = {
+static const uint16_t ascii_width[2][95] = {
     {318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337,
      636, 636, 636, 636, 636, 636, 636, 636, 636, 636, 337, 337, 838, 838, 838, 556,
      1015, 684, 686, 722, 770, 667, 611, 778, 752, 295, 500, 667, 557, 863, 748, 787,
@@ -31,7 +31,7 @@ static int32_t character_width(const char *s, size_t n, bool bold, size_t *bytes
     *bytes = utf8_decode(s, n, &code);
     if (*bytes == 0)
         *bytes = 1;
-    return *bytes == 1 && *s >= ' ' && *s <= '~' ? letter_width[bold][*s - ' '] : OTHER_WIDTH;
+    return *bytes == 1 && *s >= ' ' && *s <= '~' ? ascii_width[bold][*s - ' '] : OTHER_WIDTH;
 }
 
 int32_t diagram_text_width(const char *text, int32_t size, bool bold)
@@ -61,7 +61,7 @@ static size_t count_fitting_bytes(const char *text, size_t n, int32_t size, bool
 
 static const char ellipsis[] = "\xe2\x80\xa6";    // …
 
-const char *diagram_text_cut(Arena *arena, const char *text, int32_t size, bool bold, int32_t w)
+const char *diagram_text_truncate(Arena *arena, const char *text, int32_t size, bool bold, int32_t w)
 {
     const size_t n = strlen(text), fits = count_fitting_bytes(text, n, size, bold, w);
 
@@ -70,7 +70,7 @@ const char *diagram_text_cut(Arena *arena, const char *text, int32_t size, bool 
     return format_in(arena, "%.*s%s", (int)count_fitting_bytes(text, n, size, bold, w - diagram_text_width(ellipsis, size, bold)), text, ellipsis);
 }
 
-static bool is_and_or(const char *s)
+static bool begins_with_conjunction(const char *s)
 {
     return strncmp(s, " and ", 5) == 0 || strncmp(s, " or ", 4) == 0;
 }
@@ -82,7 +82,7 @@ static size_t find_line_end(const char *text, size_t fits)
     size_t best = 0, found = 0;
 
     for (size_t i = 1; i <= fits; i++) {
-        const bool joint = is_and_or(text + i) && strncmp(text, ellipsis, i) != 0;    // "… and" stays together
+        const bool joint = begins_with_conjunction(text + i) && strncmp(text, ellipsis, i) != 0;    // "… and" stays together
         const size_t worth = fits + i + (joint ? fits * 3 / 4 : 0) - (strchr(",<>=+-*/", text[i - 1]) ? fits / 3 : 0);
         if (text[i] == ' ' && worth >= best) {
             best = worth;
@@ -112,11 +112,11 @@ DiagramLines diagram_text_wrap(Arena *arena, const char *text, int32_t size, int
         add_line(arena, &out, format_in(arena, "%.*s", (int)end, text), size);
         text += end + (text[end] == ' ');
     }
-    add_line(arena, &out, diagram_text_cut(arena, text, size, false, w), size);
+    add_line(arena, &out, diagram_text_truncate(arena, text, size, false, w), size);
     return out;
 }
 
-bool diagram_text_is_cut(const DiagramLines *lines)
+bool diagram_text_is_truncated(const DiagramLines *lines)
 {
     const char *last = lines->at[lines->n - 1].text;
     const size_t n = strlen(last), tail = sizeof ellipsis - 1;

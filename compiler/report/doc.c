@@ -2,7 +2,7 @@
 // Builds a report.
 #include "compiler/report/doc.h"
 
-void doc_section(Doc *d, const char *id, const char *title)
+void doc_add_section(Doc *d, const char *id, const char *title)
 {
     DocSection *s = ARENA_NEW(d->arena, DocSection);
 
@@ -20,7 +20,7 @@ static DocPart *add_part(Doc *d, DocKind kind)
     return &s->part.at[s->part.n - 1];
 }
 
-DocPart *doc_heading(Doc *d, const char *id, const char *text)
+DocPart *doc_add_heading(Doc *d, const char *id, const char *text)
 {
     DocPart *p = add_part(d, DOC_HEADING);
 
@@ -29,9 +29,9 @@ DocPart *doc_heading(Doc *d, const char *id, const char *text)
     return p;
 }
 
-void doc_paragraph(Doc *d, const char *text) { add_part(d, DOC_PARAGRAPH)->text = text; }
+void doc_add_paragraph(Doc *d, const char *text) { add_part(d, DOC_PARAGRAPH)->text = text; }
 
-void doc_plain(Doc *d, const char *text)
+void doc_add_plain(Doc *d, const char *text)
 {
     DocPart *p = add_part(d, DOC_PARAGRAPH);
 
@@ -39,19 +39,19 @@ void doc_plain(Doc *d, const char *text)
     p->plain = true;
 }
 
-void doc_quote(Doc *d, const char *plain)
+void doc_add_quote(Doc *d, const char *plain)
 {
     if (plain && *plain)
         add_part(d, DOC_QUOTE)->text = plain;
 }
 
-void doc_lines(Doc *d, const char *plain)
+void doc_add_lines(Doc *d, const char *plain)
 {
     if (*plain)
         add_part(d, DOC_LINES)->text = plain;
 }
 
-void doc_excerpt(Doc *d, Span span, const char *label)
+void doc_add_excerpt(Doc *d, Span span, const char *label)
 {
     DocPart *p;
 
@@ -62,7 +62,7 @@ void doc_excerpt(Doc *d, Span span, const char *label)
     p->text = label;
 }
 
-DocPart *doc_figure(Doc *d, const char *svg, const char *caption)
+DocPart *doc_add_figure(Doc *d, const char *svg, const char *caption)
 {
     DocPart *p = add_part(d, DOC_FIGURE);
 
@@ -71,9 +71,9 @@ DocPart *doc_figure(Doc *d, const char *svg, const char *caption)
     return p;
 }
 
-void doc_source(Doc *d, const Source *src) { add_part(d, DOC_SOURCE)->source = src; }
+void doc_add_source(Doc *d, const Source *src) { add_part(d, DOC_SOURCE)->source = src; }
 
-DocTable *doc_table(Doc *d, const char *key, const DocColumn *column, size_t columns)
+DocTable *doc_add_table(Doc *d, const char *key, const DocColumn *column, size_t columns)
 {
     DocTable *t = ARENA_NEW(d->arena, DocTable);
 
@@ -85,7 +85,7 @@ DocTable *doc_table(Doc *d, const char *key, const DocColumn *column, size_t col
     return t;
 }
 
-DocList *doc_list(Doc *d, const char *key, const char *label)
+DocList *doc_add_list(Doc *d, const char *key, const char *label)
 {
     DocList *l = ARENA_NEW(d->arena, DocList);
 
@@ -108,7 +108,7 @@ bool *doc_columns_used(const DocTable *t)
     return used;
 }
 
-const char *doc_unmarked(Arena *arena, const char *text)
+const char *doc_replace_links(Arena *arena, const char *text)
 {
     Buf b;
 
@@ -135,11 +135,11 @@ void doc_cell_bar(DocTable *t, uint64_t n, uint64_t most) { add_cell(t, CELL_BAR
 void doc_cell_line(DocTable *t, uint32_t line) { add_cell(t, CELL_LINE, NULL, line, 0); }
 void doc_cell_state(DocTable *t, const char *name) { add_cell(t, CELL_STATE, name, 0, 0); }
 
-void doc_list_line(DocList *l, unsigned depth, uint32_t line, const char *text)
+void doc_add_list_line(DocList *l, unsigned depth, uint32_t line, const char *text)
 {
     DocLine one = {depth, text, line, NULL};
 
     vec_push(l->arena, &l->line, one);
 }
 
-void doc_list_comment(DocList *l, const char *plain) { l->line.at[l->line.n - 1].comment = plain; }
+void doc_set_line_comment(DocList *l, const char *plain) { l->line.at[l->line.n - 1].comment = plain; }

@@ -96,19 +96,19 @@ typedef struct Doc {
 
 // ---- building: each adds to the end of the last section ----
 
-void doc_section(Doc *d, const char *id, const char *title);
-DocPart *doc_heading(Doc *d, const char *id, const char *text);        // the pointer is valid until the next part is added
-void doc_paragraph(Doc *d, const char *text);
-void doc_plain(Doc *d, const char *text);             // a paragraph without markup
-void doc_quote(Doc *d, const char *plain);            // adds nothing for NULL and ""
-void doc_excerpt(Doc *d, Span span, const char *label);
-void doc_lines(Doc *d, const char *plain);            // lines shown as they are; adds nothing for ""
-DocPart *doc_figure(Doc *d, const char *svg, const char *caption);     // the pointer is valid until the next part is added
-void doc_source(Doc *d, const Source *src);
-DocTable *doc_table(Doc *d, const char *key, const DocColumn *column, size_t columns);
-DocList *doc_list(Doc *d, const char *key, const char *label);
+void doc_add_section(Doc *d, const char *id, const char *title);
+DocPart *doc_add_heading(Doc *d, const char *id, const char *text);        // the pointer is valid until the next part is added
+void doc_add_paragraph(Doc *d, const char *text);
+void doc_add_plain(Doc *d, const char *text);             // a paragraph without markup
+void doc_add_quote(Doc *d, const char *plain);            // adds nothing for NULL and ""
+void doc_add_excerpt(Doc *d, Span span, const char *label);
+void doc_add_lines(Doc *d, const char *plain);            // lines shown as they are; adds nothing for ""
+DocPart *doc_add_figure(Doc *d, const char *svg, const char *caption);     // the pointer is valid until the next part is added
+void doc_add_source(Doc *d, const Source *src);
+DocTable *doc_add_table(Doc *d, const char *key, const DocColumn *column, size_t columns);
+DocList *doc_add_list(Doc *d, const char *key, const char *label);
 
-#define DOC_TABLE_OF(d, key, column) doc_table((d), (key), (column), sizeof(column) / sizeof(column)[0])
+#define DOC_ADD_TABLE(d, key, column) doc_add_table((d), (key), (column), sizeof(column) / sizeof(column)[0])
 
 // Each adds the next cell of a table.
 void doc_cell_text(DocTable *t, const char *text);
@@ -119,14 +119,14 @@ void doc_cell_bar(DocTable *t, uint64_t n, uint64_t most);
 void doc_cell_line(DocTable *t, uint32_t line);
 void doc_cell_state(DocTable *t, const char *name);
 
-void doc_list_line(DocList *l, unsigned depth, uint32_t line, const char *text);
-void doc_list_comment(DocList *l, const char *plain);  // for the last line
+void doc_add_list_line(DocList *l, unsigned depth, uint32_t line, const char *text);
+void doc_set_line_comment(DocList *l, const char *plain);  // for the last line
 
 // ---- writing ----
 
 // By column, whether any row has content in it.  JSON contains all columns.
 bool *doc_columns_used(const DocTable *t);
-const char *doc_unmarked(Arena *arena, const char *text);         // ^Name^ as `Name`, for formats without links
+const char *doc_replace_links(Arena *arena, const char *text);         // ^Name^ as `Name`, for formats without links
 
 void doc_write_html(const Doc *d, Buf *out);
 void doc_write_text(const Doc *d, Buf *out);

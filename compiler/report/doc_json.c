@@ -15,7 +15,7 @@ static void write_cell(Buf *out, const DocCell *c)
     if (c->kind == CELL_NUMBER || c->kind == CELL_BAR || c->kind == CELL_LINE)
         buf_printf(out, "%llu", (unsigned long long)c->number);
     else
-        json_put_string(out, c->kind == CELL_TEXT ? doc_unmarked(out->arena, c->text) : c->text);
+        json_put_string(out, c->kind == CELL_TEXT ? doc_replace_links(out->arena, c->text) : c->text);
 }
 
 static void write_row(Buf *out, const DocTable *t, size_t first)
@@ -61,7 +61,7 @@ static void write_list(Buf *out, const DocList *l)
     for (size_t i = 0; i < l->line.n; i++) {
         buf_printf(out, "%s{\"depth\": %u, \"line\": %lu, \"text\": ", i ? ",\n      " : "\n      ", l->line.at[i].depth,
                    (unsigned long)l->line.at[i].line);
-        json_put_string(out, doc_unmarked(out->arena, l->line.at[i].text));
+        json_put_string(out, doc_replace_links(out->arena, l->line.at[i].text));
         if (l->line.at[i].comment) {
             buf_str(out, ", \"comment\": ");
             json_put_string(out, l->line.at[i].comment);
@@ -104,7 +104,7 @@ static void write_texts(Buf *out, const DocSection *s)
             continue;
         buf_str(out, any ? ",\n    " : ",\n   \"text\": [\n    ");
         any = true;
-        json_put_string(out, p->plain || p->kind == DOC_QUOTE ? p->text : doc_unmarked(out->arena, p->text));
+        json_put_string(out, p->plain || p->kind == DOC_QUOTE ? p->text : doc_replace_links(out->arena, p->text));
     }
     buf_str(out, any ? "]" : "");
 }

@@ -82,7 +82,7 @@ static const char *cell_string(const DocTable *t, size_t i)
     if (c->kind == CELL_NUMBER || c->kind == CELL_BAR || c->kind == CELL_LINE)
         return format_in(t->arena, "%llu", (unsigned long long)c->number);
     buf_init(&b, t->arena);
-    for (const char *s = c->kind == CELL_TEXT ? doc_unmarked(t->arena, c->text) : c->text; *s;) {
+    for (const char *s = c->kind == CELL_TEXT ? doc_replace_links(t->arena, c->text) : c->text; *s;) {
         const size_t n = strcspn(s, "\n");
         write_visible(&b, s, n);
         s += n;
@@ -180,7 +180,7 @@ static void write_list(Buf *out, const DocList *l)
         buf_printf(out, "  %s\n", l->label);
     for (size_t i = 0; i < l->line.n; i++) {
         buf_spaces(out, 4 + 2 * l->line.at[i].depth);
-        buf_printf(out, "- %s\n", doc_unmarked(out->arena, l->line.at[i].text));
+        buf_printf(out, "- %s\n", doc_replace_links(out->arena, l->line.at[i].text));
         if (l->line.at[i].comment)
             write_comment(out, l->line.at[i].comment, 6 + 2 * l->line.at[i].depth);
     }
@@ -214,7 +214,7 @@ static void write_lines(Buf *out, const char *text)
 
 static const char *part_text(const Buf *out, const DocPart *p)
 {
-    return p->plain || p->kind == DOC_QUOTE ? p->text : doc_unmarked(out->arena, p->text);
+    return p->plain || p->kind == DOC_QUOTE ? p->text : doc_replace_links(out->arena, p->text);
 }
 
 static void write_part(Buf *out, const DocPart *p)

@@ -32,7 +32,7 @@ typedef struct LogReader {
 static bool may_continue(const LogReader *r) { return r->failed_bytes <= 16 * (uint64_t)r->n + 65536; }
 
 // The content length of a possible block at `pos`; false if no block can begin there.
-static bool is_block_head(const LogReader *r, uint32_t pos, uint32_t *length)
+static bool match_block_head(const LogReader *r, uint32_t pos, uint32_t *length)
 {
     if (r->n - pos < LOG_HEAD + LOG_CHECK || r->bytes[pos] != LOG_MARK)
         return false;
@@ -40,7 +40,7 @@ static bool is_block_head(const LogReader *r, uint32_t pos, uint32_t *length)
     return *length <= r->n - pos - LOG_HEAD - LOG_CHECK;
 }
 
-static bool has_valid_checksum(LogReader *r, uint32_t pos, uint32_t length, uint32_t crc)
+static bool check_checksum(LogReader *r, uint32_t pos, uint32_t length, uint32_t crc)
 {
     const bool good = sm_crc32_end(log_check(crc, r->bytes + pos, LOG_HEAD + length)) == log_get32(r->bytes + pos + LOG_HEAD + length);
 
@@ -50,11 +50,11 @@ static bool has_valid_checksum(LogReader *r, uint32_t pos, uint32_t length, uint
 
 // ---- descriptions ----
 
-static bool try_description(LogReader *r, uint32_t pos, uint32_t length)
+static bool try_add_description(LogReader *r, uint32_t pos, uint32_t length)
 {
     LogDescription *d;
 
-    if (r->bytes[pos + 1] != LOG_DESCRIPTION || !has_valid_checksum(r, pos, length, SM_CRC32_START))
+    if (r->bytes[pos + 1] != LOG_DESCRIPTION || !check_checksum(r, pos, length, SM_CRC32_START))
         return false;
     d = ARENA_NEW(r->arena, LogDescription);
     d->pos = pos;
@@ -73,7 +73,7 @@ static void find_descriptions(LogReader *r)
     while (pos < r->n && may_continue(r)) {
         const uint8_t *mark = memchr(r->bytes + pos, LOG_MARK, r->n - pos);
         pos = mark ? (uint32_t)(mark - r->bytes) : r->n;
-        if (mark && is_block_head(r, pos, &length) && try_description(r, pos, length))
+        if (mark && match_block_head(r, pos, &length) && try_add_description(r, pos, length))
             pos += LOG_HEAD + length + LOG_CHECK;
         else if (mark)
             pos++;
@@ -99,7 +99,7 @@ static LogSession *find_or_create_session(LogReader *r, LogDescription *d)
     return s;
 }
 
-static void make_sessions(LogReader *r)
+static void list_sessions(LogReader *r)
 {
     for (size_t i = 0; i < r->found.n; i++) {
         LogSession *s = find_or_create_session(r, r->found.at[i]);
@@ -110,7 +110,7 @@ static void make_sessions(LogReader *r)
         r->other[i] = i + 1 < r->sessions.n && r->sessions.at[i + 1] == r->sessions.at[i] ? r->other[i + 1] : i + 1;
 }
 
-static void enter_session(LogReader *r, LogSession *s)
+static void select_session(LogReader *r, LogSession *s)
 {
     if (!s->entered)
         vec_push(r->arena, &r->log->session, s);
@@ -121,7 +121,7 @@ static void enter_session(LogReader *r, LogSession *s)
 // ---- blocks ----
 
 // Whether a block of this kind can have this length in a session.
-static bool is_length(const LogSession *s, uint8_t kind, uint32_t length)
+static bool is_valid_block_length(const LogSession *s, uint8_t kind, uint32_t length)
 {
     switch (kind) {
     case LOG_RECORD: return length == 8 + (uint64_t)s->d->packed;
@@ -153,11 +153,11 @@ static void add_item(LogReader *r, LogSession *s, uint32_t pos, uint32_t length)
     vec_push(r->arena, &s->item, item);
 }
 
-static bool try_block(LogReader *r, LogSession *s, uint32_t pos, uint32_t length)
+static bool try_add_block(LogReader *r, LogSession *s, uint32_t pos, uint32_t length)
 {
-    if (!s || !is_length(s, r->bytes[pos + 1], length) || !has_valid_checksum(r, pos, length, s->d->identity))
+    if (!s || !is_valid_block_length(s, r->bytes[pos + 1], length) || !check_checksum(r, pos, length, s->d->identity))
         return false;
-    enter_session(r, s);
+    select_session(r, s);
     add_item(r, s, pos, length);
     return true;
 }
@@ -178,15 +178,16 @@ static uint32_t read_block(LogReader *r, uint32_t pos)
     uint32_t length;
 
     if (r->next < r->found.n && r->found.at[r->next]->pos == pos) {
-        enter_session(r, r->sessions.at[r->next]);
+        select_session(r, r->sessions.at[r->next]);
         return r->found.at[r->next++]->size;
     }
-    if (!is_block_head(r, pos, &length) || (!try_block(r, r->now, pos, length) && !try_block(r, following_session(r), pos, length)))
+    if (!match_block_head(r, pos, &length) ||
+        (!try_add_block(r, r->now, pos, length) && !try_add_block(r, following_session(r), pos, length)))
         return 0;
     return LOG_HEAD + length + LOG_CHECK;
 }
 
-static void end_damage(LogReader *r, uint32_t pos)
+static void record_damage(LogReader *r, uint32_t pos)
 {
     if (pos == r->damage)
         return;
@@ -204,14 +205,14 @@ static void read_blocks(LogReader *r)
     while (pos < r->searched && may_continue(r)) {
         const uint32_t size = read_block(r, pos);
         if (size > 0) {
-            end_damage(r, pos);
+            record_damage(r, pos);
             r->damage = pos + size;
         }
         pos += size > 0 ? size : 1;
         while (r->next < r->found.n && r->found.at[r->next]->pos < pos)
             r->next++;                                    // this description was inside another block
     }
-    end_damage(r, pos);
+    record_damage(r, pos);
     r->log->unread = r->n - pos;
 }
 
@@ -226,7 +227,7 @@ Log *log_read(Arena *arena, const uint8_t *bytes, uint32_t n)
     r.log = ARENA_NEW(arena, Log);
     r.log->size = n;
     find_descriptions(&r);
-    make_sessions(&r);
+    list_sessions(&r);
     read_blocks(&r);
     return r.log;
 }

@@ -131,7 +131,7 @@ static void add_visit(FlightDrawing *d, uint32_t state, uint64_t time)
         vec_push(d->f->arena, &d->t.visit, v);
 }
 
-static void visit_by_events(FlightDrawing *d)
+static void add_visits_from_events(FlightDrawing *d)
 {
     for (size_t i = 0; i < d->s->item.n; i++)
         for (uint32_t k = 0; d->s->item.at[i].kind == ITEM_EVENTS && k < d->s->item.at[i].n; k++) {
@@ -142,7 +142,7 @@ static void visit_by_events(FlightDrawing *d)
 }
 
 // Used if events are missing: finds visits by the element that stores the state's number, at the time of the record.
-static void visit_by_records(FlightDrawing *d)
+static void add_visits_from_records(FlightDrawing *d)
 {
     uint64_t last = 0;
 
@@ -160,9 +160,9 @@ static void add_visits(FlightDrawing *d)
     if (!d->f->machine)
         return;
     if ((d->s->lost == 0 && d->f->log->damaged == 0) || d->f->machine->s == LOG_NONE)
-        visit_by_events(d);
+        add_visits_from_events(d);
     if (d->t.visits == 0 && d->f->machine->s != LOG_NONE)
-        visit_by_records(d);
+        add_visits_from_records(d);
 }
 
 // ---- the file ----

@@ -41,7 +41,7 @@ void flight_write_csv(const Flight *f, Buf *out)
 
 // ---- JSON ----
 
-static bool is_number(SmType type, uint64_t cell)
+static bool is_finite_number(SmType type, uint64_t cell)
 {
     const SmKind kind = sm_type_info[type].kind;
 
@@ -56,7 +56,7 @@ static void write_record(const Flight *f, const LogSession *s, const LogItem *re
     flight_write_time(out, log_time(record));
     for (size_t i = 0; i < flight_element_count(f, s->d); i++) {
         const LogElement *e = flight_element(f, s->d, i);
-        const bool plain = is_number(e->type, log_cell(record, e));
+        const bool plain = is_finite_number(e->type, log_cell(record, e));
         buf_str(out, i ? "," : ",\"values\":{");
         json_put_string(out, e->name);
         buf_str(out, plain ? ":" : ":\"");

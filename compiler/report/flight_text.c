@@ -73,7 +73,7 @@ static void write_fault(const Flight *f, const char *task, const LogEvent *e, Bu
 }
 
 // Writes an event of a kind that this version does not know.
-static void write_unknown(const LogDescription *d, const LogEvent *e, Buf *out)
+static void write_unknown_event(const LogDescription *d, const LogEvent *e, Buf *out)
 {
     const char *name = log_kind_name(d, e->kind);
 
@@ -103,13 +103,13 @@ void flight_write_event(const Flight *f, const LogDescription *d, const LogEvent
                    describe_count(f->arena, e->a, "time", "times"));
         break;
     case LOG_EVENT_STOP: buf_str(out, "the application was stopped"); break;
-    default: write_unknown(d, e, out); break;
+    default: write_unknown_event(d, e, out); break;
     }
 }
 
 // ---- the summary ----
 
-static void write_file(const Flight *f, Buf *out)
+static void write_file_summary(const Flight *f, Buf *out)
 {
     const Log *log = f->log;
 
@@ -123,7 +123,7 @@ static void write_file(const Flight *f, Buf *out)
     buf_char(out, '\n');
 }
 
-static void write_extent(const Flight *f, const LogSession *s, Buf *out)
+static void write_session_times(const Flight *f, const LogSession *s, Buf *out)
 {
     buf_printf(out, "  %s", describe_count(f->arena, s->records, "record", "records"));
     if (s->records > 0) {
@@ -158,7 +158,7 @@ static void write_events(const Flight *f, const LogSession *s, Buf *out)
 
 // ---- values ----
 
-typedef struct Extremes { uint64_t first, lo, hi, last; bool any, number; uint64_t nans; } Extremes;        // lo, hi: of numbers only
+typedef struct ValueRange { uint64_t first, lo, hi, last; bool any, number; uint64_t nans; } ValueRange;        // lo, hi: of numbers only
 
 double flight_value(SmType type, uint64_t cell)
 {
@@ -174,7 +174,7 @@ double flight_value(SmType type, uint64_t cell)
     return f != f ? (double)f : d != d ? d : trace_cell_value(type, cell);
 }
 
-static void extend_extremes(Extremes *x, SmType type, uint64_t cell)
+static void extend_range(ValueRange *x, SmType type, uint64_t cell)
 {
     const double value = flight_value(type, cell);
 
@@ -195,11 +195,11 @@ static void extend_extremes(Extremes *x, SmType type, uint64_t cell)
 
 static void write_values(const Flight *f, const LogSession *s, const LogElement *e, Buf *out)
 {
-    Extremes x = {0, 0, 0, 0, false, false, 0};
+    ValueRange x = {0, 0, 0, 0, false, false, 0};
 
     for (size_t i = 0; i < s->item.n; i++)
         if (s->item.at[i].kind == ITEM_RECORD)
-            extend_extremes(&x, e->type, log_cell(&s->item.at[i], e));
+            extend_range(&x, e->type, log_cell(&s->item.at[i], e));
     buf_printf(out, "    %-24s %-5s ", e->name, sm_type_info[e->type].spelling);
     if (x.number)
         buf_printf(out, "%s .. %s, from %s to %s", report_format_cell(f->arena, e->type, x.lo), report_format_cell(f->arena, e->type, x.hi),
@@ -213,7 +213,7 @@ static void write_session(const Flight *f, size_t number, const LogSession *s, B
 {
     buf_printf(out, "\nsession %lu: %s, %s, layout %08lx\n", (unsigned long)number, s->d->vector,
                describe_count(f->arena, s->d->elements, "element", "elements"), (unsigned long)s->d->layout);
-    write_extent(f, s, out);
+    write_session_times(f, s, out);
     write_events(f, s, out);
     if (s->records == 0)
         return;
@@ -224,7 +224,7 @@ static void write_session(const Flight *f, size_t number, const LogSession *s, B
 
 void flight_write_text(const Flight *f, Buf *out)
 {
-    write_file(f, out);
+    write_file_summary(f, out);
     for (size_t i = 0; i < f->log->session.n; i++)
         if (!f->session || f->session == f->log->session.at[i])
             write_session(f, i + 1, f->log->session.at[i], out);

@@ -33,15 +33,15 @@ const char *report_base_name(const char *path)
     return name;
 }
 
-static void report_source(Report *r, Doc *d)
+static void report_add_source(Report *r, Doc *d)
 {
     const StateVec *sv = r->analysis.p->sv;
 
-    doc_section(d, "source", "Source");
-    doc_source(d, r->analysis.p->src);
+    doc_add_section(d, "source", "Source");
+    doc_add_source(d, r->analysis.p->src);
     if (!sv->from_machine && sv->element.n) {
-        doc_heading(d, NULL, format_in(r->arena, "State vector `%s`", report_base_name(sv->element.at[0]->span.src->name)));
-        doc_paragraph(d, TEXT_STATE_VECTOR);
+        doc_add_heading(d, NULL, format_in(r->arena, "State vector `%s`", report_base_name(sv->element.at[0]->span.src->name)));
+        doc_add_paragraph(d, TEXT_STATE_VECTOR);
     }
 }
 
@@ -62,6 +62,6 @@ Doc *report_build(Report *r)
     report_add_abort_matrix(r, d);
     report_add_costs(r, d);
     report_add_scripts(r, d);
-    report_source(r, d);
+    report_add_source(r, d);
     return d;
 }

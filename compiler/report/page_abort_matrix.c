@@ -100,10 +100,10 @@ static void add_transitions(const Report *r, Doc *d, const AbortMatrix *x)
 {
     DocTable *t;
 
-    doc_heading(d, "abort-transitions", "Transitions that lead to an abort state");
+    doc_add_heading(d, "abort-transitions", "Transitions that lead to an abort state");
     if (has_unbounded(x))
-        doc_paragraph(d, TEXT_ABORT_UNBOUNDED);
-    t = DOC_TABLE_OF(d, "transitions", transition_columns);
+        doc_add_paragraph(d, TEXT_ABORT_UNBOUNDED);
+    t = DOC_ADD_TABLE(d, "transitions", transition_columns);
     for (size_t i = 0; i < x->n; i++)
         for (size_t w = 0; w < x->row[i].path.n; w++)
             add_transition_row(r, t, &x->row[i], &x->row[i].path.at[w]);
@@ -114,13 +114,13 @@ void report_add_abort_matrix(Report *r, Doc *d)
     const AbortMatrix x = abort_matrix(trials_of(&r->analysis));
     DocTable *t;
 
-    doc_section(d, "abort", "Abort matrix");
+    doc_add_section(d, "abort", "Abort matrix");
     if (!x.declared) {
-        doc_paragraph(d, TEXT_ABORT_UNDECLARED);
+        doc_add_paragraph(d, TEXT_ABORT_UNDECLARED);
         return;
     }
-    doc_paragraph(d, TEXT_ABORT);
-    t = DOC_TABLE_OF(d, "abort", abort_columns);
+    doc_add_paragraph(d, TEXT_ABORT);
+    t = DOC_ADD_TABLE(d, "abort", abort_columns);
     for (size_t i = 0; i < x.n; i++)
         add_state_row(r, t, &x.row[i]);
     add_transitions(r, d, &x);

@@ -39,7 +39,7 @@ static const char *expensive_lines_text(const Report *r, const StateCost *s)
 static void add_steps(const Report *r, Doc *d)
 {
     const Cost *c = &r->cost;
-    DocTable *t = DOC_TABLE_OF(d, "steps", step_columns);
+    DocTable *t = DOC_ADD_TABLE(d, "steps", step_columns);
 
     for (uint32_t i = 0; i < c->states; i++) {
         doc_cell_state(t, r->analysis.p->state.at[i]->name->text);
@@ -76,9 +76,9 @@ static void add_longest_step(const Report *r, Doc *d)
     const StateCost *s = &r->cost.state[r->cost.worst_state - 1];
     DocTable *t;
 
-    doc_heading(d, "longest",
-                format_in(r->arena, "The longest step, in ^%s^", r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
-    t = DOC_TABLE_OF(d, "longest", longest_columns);
+    doc_add_heading(d, "longest",
+                    format_in(r->arena, "The longest step, in ^%s^", r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
+    t = DOC_ADD_TABLE(d, "longest", longest_columns);
     for (size_t i = 0; i < s->path.n && i < SHOWN; i++) {
         doc_cell_plain(t, block[s->path.at[i].part]);
         doc_cell_line(t, s->path.at[i].line);
@@ -86,7 +86,7 @@ static void add_longest_step(const Report *r, Doc *d)
         doc_cell_number(t, s->path.at[i].units);
     }
     if (s->path.n > SHOWN)
-        doc_paragraph(d, format_in(r->arena, "And %lu more.", (unsigned long)(s->path.n - SHOWN)));
+        doc_add_paragraph(d, format_in(r->arena, "And %lu more.", (unsigned long)(s->path.n - SHOWN)));
 }
 
 // ---- a board ----
@@ -97,9 +97,9 @@ static void add_board(const Report *r, Doc *d)
 {
     DocTable *t;
 
-    doc_heading(d, "board", "On an Arduino Uno");
-    doc_paragraph(d, TEXT_COSTS_BOARD);
-    t = DOC_TABLE_OF(d, "board", board_columns);
+    doc_add_heading(d, "board", "On an Arduino Uno");
+    doc_add_paragraph(d, TEXT_COSTS_BOARD);
+    t = DOC_ADD_TABLE(d, "board", board_columns);
     t->narrow = true;
     doc_cell_plain(t, "Longest step, image in EEPROM");
     doc_cell_plain(t, report_format_cycles(r, r->eeprom.worst));
@@ -126,9 +126,9 @@ static void add_bytes(const Report *r, Doc *d)
     const Cost *c = &r->cost;
     DocTable *t;
 
-    doc_heading(d, "bytes", "Memory");
-    doc_paragraph(d, TEXT_COSTS_MEMORY);
-    t = DOC_TABLE_OF(d, "bytes", byte_columns);
+    doc_add_heading(d, "bytes", "Memory");
+    doc_add_paragraph(d, TEXT_COSTS_MEMORY);
+    t = DOC_ADD_TABLE(d, "bytes", byte_columns);
     t->narrow = true;
     add_bytes_row(t, "Windows of rolling statistics", c->windows);
     add_bytes_row(t, "Locals and temporary values", c->locals);
@@ -141,10 +141,11 @@ static void add_bytes(const Report *r, Doc *d)
 
 void report_add_costs(Report *r, Doc *d)
 {
-    doc_section(d, "cost", "Costs");
-    doc_paragraph(d, TEXT_COSTS);
+    doc_add_section(d, "cost", "Costs");
+    doc_add_paragraph(d, TEXT_COSTS);
     if (r->cost.sample)
-        doc_paragraph(d, format_in(r->arena, TEXT_COSTS_SAMPLES, describe_count(r->arena, r->cost.sample, "instruction", "instructions")));
+        doc_add_paragraph(d, format_in(r->arena, TEXT_COSTS_SAMPLES,
+                                       describe_count(r->arena, r->cost.sample, "instruction", "instructions")));
     add_steps(r, d);
     add_longest_step(r, d);
     add_board(r, d);

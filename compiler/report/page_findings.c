@@ -34,25 +34,25 @@ static void add_notes(const Report *r, Doc *d, const Diag *diag, size_t number)
 
     if (diag->notes.n == 0)
         return;
-    l = doc_list(d, format_in(r->arena, "notes.%lu", (unsigned long)number), NULL);
+    l = doc_add_list(d, format_in(r->arena, "notes.%lu", (unsigned long)number), NULL);
     for (size_t i = 0; i < diag->notes.n; i++)
-        doc_list_line(l, 0, diag->notes.at[i].span.src == r->analysis.p->src ? report_line_of(diag->notes.at[i].span) : 0,
-                      diag->notes.at[i].text);
+        doc_add_list_line(l, 0, diag->notes.at[i].span.src == r->analysis.p->src ? report_line_of(diag->notes.at[i].span) : 0,
+                          diag->notes.at[i].text);
 }
 
 static void add_finding(const Report *r, Doc *d, const Diag *diag, size_t number)
 {
-    DocPart *heading = doc_heading(d, format_in(r->arena, "finding-%lu", (unsigned long)number), diag->text);
+    DocPart *heading = doc_add_heading(d, format_in(r->arena, "finding-%lu", (unsigned long)number), diag->text);
 
     heading->plain = true;
     heading->badge = diag->allowed ? "allowed" : diag_code_and_name(diag, r->arena);
     heading->tone = diag->allowed ? "good" : diag->severity == DIAG_ERROR ? "bad" : "note";
     if (diag->allowed)
-        doc_quote(d, format_in(r->arena, "Allowed: %s", diag->allowed));
-    doc_excerpt(d, diag->span, diag->label);
+        doc_add_quote(d, format_in(r->arena, "Allowed: %s", diag->allowed));
+    doc_add_excerpt(d, diag->span, diag->label);
     add_notes(r, d, diag, number);
     if (diag->edits.n)
-        doc_paragraph(d, TEXT_FINDING_FIXABLE);
+        doc_add_paragraph(d, TEXT_FINDING_FIXABLE);
 }
 
 // ---- the tables ----
@@ -96,17 +96,17 @@ void report_add_findings(Report *r, Doc *d)
     const size_t open = diags->list.n, allowed = diags->allowed.n;
     DocTable *t;
 
-    doc_section(d, "findings", "Findings");
-    doc_paragraph(d, format_in(r->arena, "%s %s", open ? TEXT_FINDINGS_OPEN : allowed ? TEXT_FINDINGS_ALLOWED : TEXT_FINDINGS_NONE,
-                               step_text(r)));
+    doc_add_section(d, "findings", "Findings");
+    doc_add_paragraph(d, format_in(r->arena, "%s %s", open ? TEXT_FINDINGS_OPEN : allowed ? TEXT_FINDINGS_ALLOWED : TEXT_FINDINGS_NONE,
+                                   step_text(r)));
     if (open) {
-        t = DOC_TABLE_OF(d, "findings", finding_columns);
+        t = DOC_ADD_TABLE(d, "findings", finding_columns);
         for (size_t i = 0; i < open; i++)
             add_row(r, t, diags->list.at[i], i + 1);
     }
     if (allowed) {
-        doc_heading(d, "allowed", "Allowed findings");
-        t = DOC_TABLE_OF(d, "allowed", allowed_columns);
+        doc_add_heading(d, "allowed", "Allowed findings");
+        t = DOC_ADD_TABLE(d, "allowed", allowed_columns);
         for (size_t i = 0; i < allowed; i++)
             add_row(r, t, diags->allowed.at[i], open + i + 1);
     }

@@ -55,7 +55,7 @@ static void add_fact(DocTable *t, const char *name, const char *value)
 static void add_facts(const Report *r, Doc *d)
 {
     const Program *p = r->analysis.p;
-    DocTable *t = DOC_TABLE_OF(d, "facts", fact_columns);
+    DocTable *t = DOC_ADD_TABLE(d, "facts", fact_columns);
     const char *state = p->state.at[r->cost.worst_state - 1]->name->text;
 
     t->facts = true;
@@ -139,7 +139,7 @@ static void add_summary(Report *r, Doc *d)
     buf_printf(&b, writes ? "It writes %s. " : "It writes no element of the state vector%s. ", writes ? written : "");
     if (final)
         buf_printf(&b, final == 1 ? "It never leaves %s." : "It never leaves its final states %s.", last);
-    doc_paragraph(d, buf_text(&b));
+    doc_add_paragraph(d, buf_text(&b));
 }
 
 // Below LEGIBLE, letters would be too small to read on paper.
@@ -160,14 +160,14 @@ static void add_diagram(Report *r, Doc *d)
 
     buf_init(&svg, r->arena);
     diagram_write_svg(&r->analysis, &o, &svg);
-    doc_section(d, "diagram", "State diagram");
-    doc_figure(d, buf_text(&svg), NULL)->low = report_is_low_diagram(size);
+    doc_add_section(d, "diagram", "State diagram");
+    doc_add_figure(d, buf_text(&svg), NULL)->low = report_is_low_diagram(size);
 }
 
 void report_add_overview(Report *r, Doc *d)
 {
-    doc_section(d, "overview", "Overview");
-    doc_quote(d, comment_of_file(r->arena, r->analysis.p->src));
+    doc_add_section(d, "overview", "Overview");
+    doc_add_quote(d, comment_of_file(r->arena, r->analysis.p->src));
     add_summary(r, d);
     add_facts(r, d);
     add_diagram(r, d);

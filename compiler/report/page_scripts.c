@@ -34,7 +34,7 @@ static bool has_passed(const ReportRun *run) { return run->script && run->result
 
 static void add_runs(const Report *r, Doc *d)
 {
-    DocTable *t = DOC_TABLE_OF(d, "runs", run_columns);
+    DocTable *t = DOC_ADD_TABLE(d, "runs", run_columns);
 
     for (size_t i = 0; i < r->runs; i++) {
         const ReportRun *run = &r->run[i];
@@ -52,7 +52,7 @@ static void add_runs(const Report *r, Doc *d)
 static const DocColumn transition_columns[] = {{"from", "From"}, {"to", "To"}, {"times", "Times"}, {"note", "Remark"}};
 
 // Whether transition i is the first from its state to its target; *same: how many lead there.  Visits only transitions of one state.
-static bool is_first_of_pair(const Transitions *t, size_t i, size_t *same)
+static bool match_first_of_pair(const Transitions *t, size_t i, size_t *same)
 {
     size_t first = i, last = i;
 
@@ -73,8 +73,8 @@ static void add_states_covered(const Report *r, Doc *d)
     const Program *p = r->analysis.p;
     DocTable *t;
 
-    doc_heading(d, "states-covered", "States visited by the scripts");
-    t = DOC_TABLE_OF(d, "states", state_columns);
+    doc_add_heading(d, "states-covered", "States visited by the scripts");
+    t = DOC_ADD_TABLE(d, "states", state_columns);
     for (size_t s = 0; s < p->state.n; s++) {
         uint64_t entered = 0, spent = 0, scripts = 0;
         for (size_t i = 0; i < r->runs; i++)
@@ -101,12 +101,12 @@ static void add_transitions_covered(const Report *r, Doc *d)
 
     if (t->n == 0)
         return;
-    doc_heading(d, "transitions-covered", "Transitions taken by the scripts");
-    table = DOC_TABLE_OF(d, "transitions", transition_columns);
+    doc_add_heading(d, "transitions-covered", "Transitions taken by the scripts");
+    table = DOC_ADD_TABLE(d, "transitions", transition_columns);
     for (size_t i = 0; i < t->n; i++) {
         uint64_t taken = 0;
         size_t same = 0;
-        if (!is_first_of_pair(t, i, &same))
+        if (!match_first_of_pair(t, i, &same))
             continue;
         for (size_t k = 0; k < r->runs; k++)
             taken += r->run[k].trace.taken[i];
@@ -144,7 +144,7 @@ Coverage report_measure_coverage(const Report *r)
         c.states_covered += counts.state[s] > 0;
     for (size_t i = 0; i < t->n; i++) {
         size_t same = 0;
-        if (!is_first_of_pair(t, i, &same))
+        if (!match_first_of_pair(t, i, &same))
             continue;
         c.pairs++;
         c.pairs_covered += counts.transition[i] > 0;
@@ -164,7 +164,7 @@ static void add_shared_transitions(const Report *r, Doc *d)
     buf_init(&out, r->arena);
     for (size_t i = 0; i < t->n; i++) {
         size_t same = 0;
-        if (counts.transition[i] == 0 || !is_first_of_pair(t, i, &same) || same < 2)
+        if (counts.transition[i] == 0 || !match_first_of_pair(t, i, &same) || same < 2)
             continue;
         buf_printf(&out, "%s from ^%s^ to ^%s^ (lines", out.n ? "," : "", t->at[i].from->name->text, t->at[i].to->name->text);
         for (size_t k = i; k < t->n && t->at[k].from == t->at[i].from; k++)
@@ -173,7 +173,7 @@ static void add_shared_transitions(const Report *r, Doc *d)
         buf_char(&out, ')');
     }
     if (out.n)
-        doc_paragraph(d, format_in(r->arena, TEXT_SHARED, buf_text(&out)));
+        doc_add_paragraph(d, format_in(r->arena, TEXT_SHARED, buf_text(&out)));
 }
 
 static void add_not_covered(Report *r, Doc *d)
@@ -185,15 +185,15 @@ static void add_not_covered(Report *r, Doc *d)
     const DiagramOptions o = {NULL, &counts, &size};
     Buf svg;
 
-    doc_heading(d, "not-covered", "Not covered by the scripts");
+    doc_add_heading(d, "not-covered", "Not covered by the scripts");
     if (c.states_covered == c.states && c.pairs_covered == c.pairs) {
-        doc_paragraph(d, c.pairs_shared ? TEXT_COVERED_ALL_EDGES : TEXT_COVERED_ALL);
+        doc_add_paragraph(d, c.pairs_shared ? TEXT_COVERED_ALL_EDGES : TEXT_COVERED_ALL);
         add_shared_transitions(r, d);
         return;
     }
     buf_init(&svg, r->arena);
     diagram_write_svg(&r->analysis, &o, &svg);
-    figure = doc_figure(d, buf_text(&svg), "Dotted: states that no script has visited, and transitions that none has taken.");
+    figure = doc_add_figure(d, buf_text(&svg), "Dotted: states that no script has visited, and transitions that none has taken.");
     figure->low = report_is_low_diagram(size);
     add_shared_transitions(r, d);
 }
@@ -204,7 +204,7 @@ static void add_visits(const Report *r, Doc *d, const ReportRun *run)
 {
     enum { SHOWN = 20 };
     const Trace *t = &run->trace;
-    DocTable *table = DOC_TABLE_OF(d, format_in(r->arena, "visits.%s", run->name), visit_columns);
+    DocTable *table = DOC_ADD_TABLE(d, format_in(r->arena, "visits.%s", run->name), visit_columns);
 
     for (size_t i = 0; i < t->visit.n && i < SHOWN; i++) {
         doc_cell_number(table, t->visit.at[i].step + 1);
@@ -217,7 +217,7 @@ static void add_visits(const Report *r, Doc *d, const ReportRun *run)
     }
     table->narrow = true;
     if (t->visits > SHOWN)
-        doc_paragraph(d, format_in(r->arena, "And %llu more.", (unsigned long long)(t->visits - SHOWN)));
+        doc_add_paragraph(d, format_in(r->arena, "And %llu more.", (unsigned long long)(t->visits - SHOWN)));
 }
 
 static const char *unchanged_text(const Report *r, const ReportRun *run)
@@ -237,9 +237,9 @@ static void add_plot(const Report *r, Doc *d, const ReportRun *run)
 {
     const char *same = unchanged_text(r, run);
 
-    doc_figure(d, plot_draw_run(r->arena, &run->trace),
-               format_in(r->arena, "Values after each step. A circle marks the start of a state.%s%s%s", *same ? " Unchanged: " : "",
-                         same, *same ? "." : ""));
+    doc_add_figure(d, plot_draw_run(r->arena, &run->trace),
+                   format_in(r->arena, "Values after each step. A circle marks the start of a state.%s%s%s", *same ? " Unchanged: " : "",
+                             same, *same ? "." : ""));
 }
 
 // What led to a failure, as smc test shows it: the last steps with the values that the assert reads, and the last transitions.
@@ -255,22 +255,22 @@ static void add_history(const Report *r, Doc *d, const Diag *failure)
                        (unsigned long)source_position(note->span.src, note->span.at).line);
         buf_printf(&lines, "%s\n", note->text);
     }
-    doc_lines(d, buf_text(&lines));
+    doc_add_lines(d, buf_text(&lines));
 }
 
 static void add_run(const Report *r, Doc *d, const ReportRun *run, size_t number)
 {
-    DocPart *heading = doc_heading(d, format_in(r->arena, "script-%lu", (unsigned long)number), run->name);
+    DocPart *heading = doc_add_heading(d, format_in(r->arena, "script-%lu", (unsigned long)number), run->name);
 
     heading->plain = true;
     heading->badge = has_passed(run) ? "passed" : "failed";
     heading->tone = has_passed(run) ? "good" : "bad";
     if (run->script)
-        doc_quote(d, comment_of_file(r->arena, run->script->src));
+        doc_add_quote(d, comment_of_file(r->arena, run->script->src));
     for (size_t i = 0; i < run->diags.list.n; i++) {
         const Diag *diag = run->diags.list.at[i];
-        doc_plain(d, format_in(r->arena, "%s [%s]", diag->text, diag_code_and_name(diag, r->arena)));
-        doc_excerpt(d, diag->span, diag->label);
+        doc_add_plain(d, format_in(r->arena, "%s [%s]", diag->text, diag_code_and_name(diag, r->arena)));
+        doc_add_excerpt(d, diag->span, diag->label);
         add_history(r, d, diag);
     }
     if (!run->script || run->trace.steps == 0)
@@ -281,16 +281,16 @@ static void add_run(const Report *r, Doc *d, const ReportRun *run, size_t number
 
 void report_add_scripts(Report *r, Doc *d)
 {
-    doc_section(d, "scripts", "Scripts");
+    doc_add_section(d, "scripts", "Scripts");
     if (r->runs == 0) {
-        doc_paragraph(d, TEXT_SCRIPTS_NONE);
+        doc_add_paragraph(d, TEXT_SCRIPTS_NONE);
         return;
     }
     add_runs(r, d);
     add_states_covered(r, d);
     add_transitions_covered(r, d);
     add_not_covered(r, d);
-    doc_figure(d, plot_patterns(r->arena), NULL);
+    doc_add_figure(d, plot_patterns(r->arena), NULL);
     for (size_t i = 0; i < r->runs; i++)
         add_run(r, d, &r->run[i], i + 1);
 }

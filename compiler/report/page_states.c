@@ -55,7 +55,7 @@ static void add_predecessors(const Report *r, Doc *d, const Predecessors *s)
     for (size_t i = 0; i < s->from.n; i++)
         buf_printf(&b, "%s^%s^", describe_separator(i, s->from.n), s->from.at[i]->name->text);
     buf_char(&b, '.');
-    doc_paragraph(d, buf_text(&b));
+    doc_add_paragraph(d, buf_text(&b));
 }
 
 // ---- a state ----
@@ -68,11 +68,11 @@ static void add_blocks(const Report *r, Doc *d, const State *s)
 
     for (int b = 0; b < BLOCK_COUNT; b++)
         if (s->block[b].n) {
-            describe_block(doc_list(d, format_in(r->arena, "%s.%s", s->name->text, key[b]), label[b]), &s->block[b]);
+            describe_block(doc_add_list(d, format_in(r->arena, "%s.%s", s->name->text, key[b]), label[b]), &s->block[b]);
             any = true;
         }
     if (!any)
-        doc_paragraph(d, TEXT_STATE_EMPTY);
+        doc_add_paragraph(d, TEXT_STATE_EMPTY);
 }
 
 void report_add_states(Report *r, Doc *d)
@@ -80,12 +80,12 @@ void report_add_states(Report *r, Doc *d)
     const Program *p = r->analysis.p;
     const Predecessors *from = find_predecessors(r);
 
-    doc_section(d, "states", "States");
-    doc_paragraph(d, TEXT_STATES);
+    doc_add_section(d, "states", "States");
+    doc_add_paragraph(d, TEXT_STATES);
     for (size_t i = 0; i < p->state.n; i++) {
         const State *s = p->state.at[i];
-        set_badge(r, s, doc_heading(d, NULL, format_in(r->arena, "%u. %s", (unsigned)s->number, s->name->text)));
-        doc_quote(d, comment_around(r->arena, s->span));
+        set_badge(r, s, doc_add_heading(d, NULL, format_in(r->arena, "%u. %s", (unsigned)s->number, s->name->text)));
+        doc_add_quote(d, comment_around(r->arena, s->span));
         add_blocks(r, d, s);
         add_predecessors(r, d, &from[s->number]);
     }
@@ -136,13 +136,13 @@ void report_add_transitions(Report *r, Doc *d)
     const Transitions *t = &r->analysis.transition;
     DocTable *table;
 
-    doc_section(d, "transitions", "Transitions");
+    doc_add_section(d, "transitions", "Transitions");
     if (t->n == 0) {
-        doc_paragraph(d, TEXT_TRANSITIONS_NONE);
+        doc_add_paragraph(d, TEXT_TRANSITIONS_NONE);
         return;
     }
-    doc_paragraph(d, TEXT_TRANSITIONS);
-    table = DOC_TABLE_OF(d, "transitions", transition_columns);
+    doc_add_paragraph(d, TEXT_TRANSITIONS);
+    table = DOC_ADD_TABLE(d, "transitions", transition_columns);
     for (size_t i = 0; i < t->n; i++)
         add_transition_row(r, table, &t->at[i]);
 }

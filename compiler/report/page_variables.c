@@ -15,7 +15,7 @@ typedef struct VarUses {
     const State *state;
 } VarUses;
 
-static void note_state(Buf *list, const State **last, const State *s)
+static void add_state_name(Buf *list, const State **last, const State *s)
 {
     if (*last == s)
         return;
@@ -23,25 +23,25 @@ static void note_state(Buf *list, const State **last, const State *s)
     *last = s;
 }
 
-static void note_read(Expr *e, void *context)
+static void record_read(Expr *e, void *context)
 {
     VarUses *u = context;
 
     if (e->kind == EX_VAR)
-        note_state(&u->of[e->var->index].readers, &u->of[e->var->index].last_read, u->state);
+        add_state_name(&u->of[e->var->index].readers, &u->of[e->var->index].last_read, u->state);
 }
 
 // Recursion is bounded by the nesting of conditionals, AST_DEPTH_MAX.
-static void note_statements(VarUses *u, const Stmts *stmts)
+static void record_statements(VarUses *u, const Stmts *stmts)
 {
     for (size_t i = 0; i < stmts->n; i++) {
         const Stmt *s = stmts->at[i];
         if (s->value)
-            expr_walk(s->value, note_read, u);
+            expr_walk(s->value, record_read, u);
         if (s->kind == ST_ASSIGN)
-            note_state(&u->of[s->var->index].writers, &u->of[s->var->index].last_written, u->state);
-        note_statements(u, &s->then);
-        note_statements(u, &s->otherwise);
+            add_state_name(&u->of[s->var->index].writers, &u->of[s->var->index].last_written, u->state);
+        record_statements(u, &s->then);
+        record_statements(u, &s->otherwise);
     }
 }
 
@@ -57,7 +57,7 @@ static VarUse *find_uses(const Report *r)
     for (size_t s = 0; s < p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++) {
             u.state = p->state.at[s];
-            note_statements(&u, &u.state->block[b]);
+            record_statements(&u, &u.state->block[b]);
         }
     return u.of;
 }
@@ -88,7 +88,7 @@ static const char *element_name(Arena *arena, const Var *v)
     return v->alias ? format_in(arena, "%s (%s)", v->name->text, v->alias->text) : v->name->text;
 }
 
-static double number_of(SmF64 x)
+static double to_double(SmF64 x)
 {
     return trace_cell_value(SM_F64, sm_bits(x));
 }
@@ -97,14 +97,14 @@ static const char *range_text(Arena *arena, const Var *v)
 {
     if (!v->range)
         return "";
-    return format_in(arena, "%s to %s", report_format_number(arena, number_of(v->range->lo)),
-                     report_format_number(arena, number_of(v->range->hi)));
+    return format_in(arena, "%s to %s", report_format_number(arena, to_double(v->range->lo)),
+                     report_format_number(arena, to_double(v->range->hi)));
 }
 
 static void add_elements(const Report *r, Doc *d, const VarUse *use)
 {
     const Program *p = r->analysis.p;
-    DocTable *t = DOC_TABLE_OF(d, "elements", element_columns);
+    DocTable *t = DOC_ADD_TABLE(d, "elements", element_columns);
 
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
@@ -142,7 +142,7 @@ static const DocColumn local_columns[] = {
     {"written", "Written in"}, {"line", "Line"}};
 
 static bool is_parameter(const Var *v) { return v->kind == VAR_LOCAL && !v->written; }
-static bool is_memory(const Var *v) { return v->kind == VAR_LOCAL && v->written; }
+static bool is_changing_local(const Var *v) { return v->kind == VAR_LOCAL && v->written; }
 
 static size_t count_variables(const Program *p, bool (*wanted)(const Var *v))
 {
@@ -160,9 +160,9 @@ static void add_parameters(const Report *r, Doc *d, VarUse *use)
 
     if (count_variables(p, is_parameter) == 0)
         return;
-    doc_heading(d, "parameters", "Parameters");
-    doc_paragraph(d, TEXT_PARAMETERS);
-    t = DOC_TABLE_OF(d, "parameters", parameter_columns);
+    doc_add_heading(d, "parameters", "Parameters");
+    doc_add_paragraph(d, TEXT_PARAMETERS);
+    t = DOC_ADD_TABLE(d, "parameters", parameter_columns);
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
         if (!is_parameter(v))
@@ -182,14 +182,14 @@ static void add_locals(const Report *r, Doc *d, VarUse *use)
     const Program *p = r->analysis.p;
     DocTable *t;
 
-    if (count_variables(p, is_memory) == 0)
+    if (count_variables(p, is_changing_local) == 0)
         return;
-    doc_heading(d, "locals", "Locals");
-    doc_paragraph(d, TEXT_LOCALS);
-    t = DOC_TABLE_OF(d, "locals", local_columns);
+    doc_add_heading(d, "locals", "Locals");
+    doc_add_paragraph(d, TEXT_LOCALS);
+    t = DOC_ADD_TABLE(d, "locals", local_columns);
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
-        if (!is_memory(v))
+        if (!is_changing_local(v))
             continue;
         doc_cell_code(t, v->name->text);
         doc_cell_plain(t, sm_type_info[v->type].spelling);
@@ -212,9 +212,9 @@ static void add_windows(const Report *r, Doc *d)
 
     if (w->n == 0)
         return;
-    doc_heading(d, "windows", "Rolling statistics");
-    doc_paragraph(d, TEXT_WINDOWS);
-    t = DOC_TABLE_OF(d, "windows", window_columns);
+    doc_add_heading(d, "windows", "Rolling statistics");
+    doc_add_paragraph(d, TEXT_WINDOWS);
+    t = DOC_ADD_TABLE(d, "windows", window_columns);
     for (size_t i = 0; i < w->n; i++) {
         doc_cell_code(t, source_text(r->arena, w->at[i].span));
         doc_cell_text(t, describe_window(r->arena, &w->at[i]));
@@ -227,7 +227,7 @@ void report_add_variables(Report *r, Doc *d)
 {
     VarUse *use = find_uses(r);
 
-    doc_section(d, "variables", "Inputs, outputs and parameters");
+    doc_add_section(d, "variables", "Inputs, outputs and parameters");
     add_elements(r, d, use);
     add_parameters(r, d, use);
     add_locals(r, d, use);

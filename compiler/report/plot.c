@@ -122,7 +122,7 @@ static PlotRow measure_row(const Trace *t, const TraceSeries *s, long top)
     return r;
 }
 
-static long row_y(const PlotRow *r, double x)
+static long y_of_value(const PlotRow *r, double x)
 {
     const double share = (x / 2 - r->lo / 2) / (r->hi / 2 - r->lo / 2);       // halved, because the difference could overflow
 
@@ -157,8 +157,8 @@ static void draw_grid(Plot *p, const PlotRow *r)
         const double x = (first + i) * step;
         if (x < r->lo || x > r->hi)
             continue;
-        plot_draw_line(p, "grid", PLOT_LEFT, row_y(r, x), PLOT_RIGHT, row_y(r, x));
-        plot_draw_text(p, "dim", "end", PLOT_LEFT - 60, row_y(r, x) + 40, plot_label(p->out->arena, x));
+        plot_draw_line(p, "grid", PLOT_LEFT, y_of_value(r, x), PLOT_RIGHT, y_of_value(r, x));
+        plot_draw_text(p, "dim", "end", PLOT_LEFT - 60, y_of_value(r, x) + 40, plot_label(p->out->arena, x));
     }
 }
 
@@ -210,11 +210,11 @@ static void draw_curve(Plot *p, const PlotRow *r)
             pen_lift(&pen, x);
             continue;
         }
-        pen_down(&pen, x, row_y(r, b[i].first));
-        pen_line_to(&pen, x, row_y(r, b[i].first));
-        pen_line_to(&pen, x, row_y(r, b[i].lo));
-        pen_line_to(&pen, x, row_y(r, b[i].hi));
-        pen_line_to(&pen, x, row_y(r, b[i].last));
+        pen_down(&pen, x, y_of_value(r, b[i].first));
+        pen_line_to(&pen, x, y_of_value(r, b[i].first));
+        pen_line_to(&pen, x, y_of_value(r, b[i].lo));
+        pen_line_to(&pen, x, y_of_value(r, b[i].hi));
+        pen_line_to(&pen, x, y_of_value(r, b[i].last));
     }
     pen_lift(&pen, PLOT_RIGHT);
     buf_str(p->out, "\"/>\n");
@@ -230,7 +230,7 @@ static void draw_circles(Plot *p, const PlotRow *r)
             continue;
         buf_str(p->out, "<circle class=\"begin\"");
         write_length(p->out, "cx", plot_x(p->t, v->place));
-        write_length(p->out, "cy", row_y(r, r->s->at[v->step / p->t->per].last));
+        write_length(p->out, "cy", y_of_value(r, r->s->at[v->step / p->t->per].last));
         buf_str(p->out, " r=\"3.4\"/>\n");
     }
 }
@@ -252,7 +252,7 @@ static void draw_row(Plot *p, const TraceSeries *s, long top)
 
 // ---- a strip of a bool ----
 
-static void draw_stretch(Plot *p, const char *class_name, size_t from, size_t to, long top)
+static void draw_strip_part(Plot *p, const char *class_name, size_t from, size_t to, long top)
 {
     const uint64_t end = to * p->t->per < p->t->steps ? to * p->t->per : p->t->steps;
     const long x = plot_x(p->t, (double)(from * p->t->per));
@@ -260,7 +260,7 @@ static void draw_stretch(Plot *p, const char *class_name, size_t from, size_t to
     plot_draw_rect(p, class_name, x, top, plot_x(p->t, (double)end) - x, PLOT_STRIP);
 }
 
-static int is_on(const TraceBucket *b) { return b->lo > 0 ? 2 : b->hi > 0 ? 1 : 0; }       // 1: some of the time
+static int strip_level(const TraceBucket *b) { return b->lo > 0 ? 2 : b->hi > 0 ? 1 : 0; }       // 1: some of the time
 
 static void draw_strip(Plot *p, const TraceSeries *s, long top)
 {
@@ -270,11 +270,11 @@ static void draw_strip(Plot *p, const TraceSeries *s, long top)
     draw_title(p, s->v, top);
     top += PLOT_TITLE;
     for (size_t i = 1; i <= n; i++) {
-        const int now = is_on(&s->at[from]);
-        if (i < n && is_on(&s->at[i]) == now)
+        const int now = strip_level(&s->at[from]);
+        if (i < n && strip_level(&s->at[i]) == now)
             continue;
         if (now)
-            draw_stretch(p, now == 2 ? "on" : "both", from, i, top);
+            draw_strip_part(p, now == 2 ? "on" : "both", from, i, top);
         from = i;
     }
     plot_draw_rect(p, "frame", PLOT_LEFT, top, PLOT_RIGHT - PLOT_LEFT, PLOT_STRIP);

@@ -94,7 +94,7 @@ static void count_transition(Trace *t, uint32_t from, uint32_t to)
         }
 }
 
-static void note_visit(Trace *t, const State *state, uint64_t g)
+static void record_visit(Trace *t, const State *state, uint64_t g)
 {
     TraceVisit v = {state, t->steps, g, (double)t->steps};
 
@@ -105,7 +105,7 @@ static void note_visit(Trace *t, const State *state, uint64_t g)
         vec_push(t->arena, &t->visit, v);
 }
 
-static void note_step(Trace *t, const uint64_t *cell)
+static void record_step(Trace *t, const uint64_t *cell)
 {
     const uint64_t number = cell[t->p->s->index], g = cell[t->p->g->index];
 
@@ -117,7 +117,7 @@ static void note_step(Trace *t, const uint64_t *cell)
         t->first_g = g;
     t->last_g = g;
     if (cell[t->p->t->index] == 0)                    // T is 0 in the first step of a state only
-        note_visit(t, t->p->state.at[number - 1], g);
+        record_visit(t, t->p->state.at[number - 1], g);
     t->last = (uint32_t)number;
     t->spent[number - 1]++;
     for (size_t i = 0; i < t->series.n; i++)
@@ -152,7 +152,7 @@ static EngineStatus traced_step(Engine *e, const EngineWrite *write, uint32_t n,
     const EngineStatus status = t->inner->step(t->inner, write, n, out);
 
     if (status == ENGINE_OK)
-        note_step(t->trace, out->cell);
+        record_step(t->trace, out->cell);
     return forward_status(e, status);
 }
 

@@ -28,12 +28,12 @@ Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)
 IoMap *check_io(CheckContext *c, const AstFile *io, const StateVec *sv);
 
 // Lists the files that an application names.  The caller opens them before check_app.
-void app_files(Arena *arena, const AstFile *app, AppFiles *out);
+void app_list_files(Arena *arena, const AstFile *app, AppFiles *out);
 // `sv`, `pins` and a machine's program are NULL if that file has errors, which are already reported.  The rest is checked.
 App *check_app(CheckContext *c, const AstFile *app, const StateVec *sv, const IoMap *pins, const AppFiles *files);
 
 // Adds the names that the script assigns to `names` (name to itself). check_machine expects them as written_outside.
-void script_written_names(const AstFile *ss, Map *names);
+void script_add_written_names(const AstFile *ss, Map *names);
 // How much G advances per step in the script; 0 if the script has no valid delta_t.
 uint64_t script_delta_t(const AstFile *ss);
 

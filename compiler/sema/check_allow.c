@@ -36,7 +36,7 @@ static Span decl_span(const AstDecl *decl)
     return all;
 }
 
-void allow_in_sv(const CheckContext *c, StateVec *sv, const AstDecl *decl)
+void add_sv_allows(const CheckContext *c, StateVec *sv, const AstDecl *decl)
 {
     for (size_t i = 0; i < decl->annotations.n; i++) {
         const AstAnnotation *a = &decl->annotations.at[i];
@@ -47,14 +47,14 @@ void allow_in_sv(const CheckContext *c, StateVec *sv, const AstDecl *decl)
     }
 }
 
-void allow_decl(Sema *s, const AstDecl *decl)
+void add_decl_allows(Sema *s, const AstDecl *decl)
 {
     for (size_t i = 0; i < decl->annotations.n; i++)
         if (decl->annotations.at[i].kind == AST_ALLOW)
             register_allow(s, allow_of(&decl->annotations.at[i], decl_span(decl)));
 }
 
-void allow_listed(Sema *s, const Element *e, const AstDecl *listed)
+void add_listed_allows(Sema *s, const Element *e, const AstDecl *listed)
 {
     for (uint32_t i = 0; i < e->allows; i++) {
         Allow a = s->sv->allow.at[e->first_allow + i];
@@ -66,7 +66,7 @@ void allow_listed(Sema *s, const Element *e, const AstDecl *listed)
 
 // ---- states and statements ----
 
-void allow_state(Sema *s, const AstSection *section, uint32_t end)
+void add_state_allows(Sema *s, const AstSection *section, uint32_t end)
 {
     for (size_t i = 0; i < section->annotations.n; i++)
         if (section->annotations.at[i].kind == AST_ALLOW)
@@ -81,7 +81,7 @@ static uint32_t conditional_end(const AstStmt *s)
     return span_end(s->arms->has_else && s->arms->else_body_span.src ? s->arms->else_body_span : s->arms->body_span);
 }
 
-void allow_stmt(Sema *s, const AstAnnotation *a, const AstStmt *stmt)
+void add_stmt_allow(Sema *s, const AstAnnotation *a, const AstStmt *stmt)
 {
     uint32_t end = stmt->kind == AST_IF && stmt->arms->body_span.src ? conditional_end(stmt) : span_end(stmt->span);
 

@@ -59,7 +59,7 @@ static const AstAppOption *find_option(const AstApp *ast, AstAppOptionKind kind)
     return NULL;
 }
 
-void app_files(Arena *arena, const AstFile *f, AppFiles *out)
+void app_list_files(Arena *arena, const AstFile *f, AppFiles *out)
 {
     const AstAppOption *sv = find_option(f->app, AST_APP_state_vector), *io = find_option(f->app, AST_APP_io);
     FileListing l;
@@ -102,7 +102,7 @@ static void check_files(AppCheck *k)
 const Element *app_find_element(AppCheck *k, const AstWord *name)
 {
     const Element *e = k->sv ? map_find(&k->sv->by_name, name->text) : NULL;
-    Guess g = guess_start(name->text);
+    Guess g = guess_init(name->text);
     Diag *d;
 
     if (e || !k->sv)
@@ -112,8 +112,8 @@ const Element *app_find_element(AppCheck *k, const AstWord *name)
         return NULL;
     k->guesses--;
     for (size_t i = 0; i < k->sv->element.n; i++)
-        guess_try(&g, k->sv->element.at[i]->name);
-    guess_label(k->c->diags, d, &g);
+        guess_consider(&g, k->sv->element.at[i]->name);
+    guess_add_label(k->c->diags, d, &g);
     if (g.best)
         diag_note(k->c->diags, d, ((const Element *)map_find(&k->sv->by_name, g.best))->span, DIAG_note_declared_here,
                   g.best->text);
@@ -128,7 +128,7 @@ static void report_missing(AppCheck *k, Span span, const char *what)
 }
 
 // Reports inputs that write an element which `writer` writes too.
-static void report_inputs_of(AppCheck *k, const Element *e, Span span, const char *writer)
+static void report_inputs_writing(AppCheck *k, const Element *e, Span span, const char *writer)
 {
     for (size_t i = 0; e && k->pins && i < k->pins->pin.n; i++)
         if (k->pins->pin.at[i].element == e && !pin_is_output(&k->pins->pin.at[i]))
@@ -146,7 +146,7 @@ static void check_time(AppCheck *k, const AstAppOption *o)
                               "the time", "a U64");
         diag_note(k->c->diags, d, e->span, DIAG_note_declared_here, e->name->text);
     }
-    report_inputs_of(k, e, o->element.span, "the runtime");
+    report_inputs_writing(k, e, o->element.span, "the runtime");
     k->app->time = e;
     k->app->time_span = o->element.span;
 }
@@ -214,7 +214,7 @@ static void check_options(AppCheck *k)
 // ---- [start]: the values of elements before any task runs (config.md 10.8), checked like those of a machine without variables ----
 
 // Whether the expression contains only numbers; reports the parts that are not.
-static bool has_only_numbers(AppCheck *k, const Sema *s, const AstExpr *e)
+static bool check_only_numbers(AppCheck *k, const Sema *s, const AstExpr *e)
 {
     const SmBuiltinInfo *fn = e->kind == AST_CALL ? scope_find_function(s, e->name) : NULL;
     bool good = true;
@@ -224,11 +224,11 @@ static bool has_only_numbers(AppCheck *k, const Sema *s, const AstExpr *e)
         return false;
     }
     if (e->a)
-        good = has_only_numbers(k, s, e->a);
+        good = check_only_numbers(k, s, e->a);
     if (e->b)
-        good = has_only_numbers(k, s, e->b) && good;
+        good = check_only_numbers(k, s, e->b) && good;
     for (size_t i = 0; e->args && i < e->args->n; i++)
-        good = has_only_numbers(k, s, e->args->at[i]) && good;
+        good = check_only_numbers(k, s, e->args->at[i]) && good;
     return good && e->kind != AST_ERROR;
 }
 
@@ -243,7 +243,7 @@ static void check_start_fits(AppCheck *k, const AstStmt *in, const Element *e, S
                 sm_type_info[e->type].spelling, const_text(k->c->arena, kept));
 }
 
-static bool is_first_value(AppCheck *k, const AstStmt *in)
+static bool add_start_name(AppCheck *k, const AstStmt *in)
 {
     const Span *first = map_find(&k->start, in->name);
 
@@ -260,7 +260,7 @@ static void check_start_value(AppCheck *k, Sema *s, const AstStmt *in)
 {
     const AstWord name = {in->name, in->name_span};
     const Element *e = app_find_element(k, &name);
-    Expr *value = is_first_value(k, in) && has_only_numbers(k, s, in->value) ? check_expr(s, in->value) : NULL;
+    Expr *value = add_start_name(k, in) && check_only_numbers(k, s, in->value) ? check_expr(s, in->value) : NULL;
     AppStart out;
 
     if (!e || !value)
@@ -298,7 +298,7 @@ static void check_other_writers(AppCheck *k, const AstAppAnnotation *a, const El
                                                    format_in(k->c->arena, "machine '%s'", p->name->text)),
                           p->var.at[v]->span, DIAG_note_listed_there, p->name->text);
     }
-    report_inputs_of(k, e, a->word.span, "the executor");
+    report_inputs_writing(k, e, a->word.span, "the executor");
 }
 
 static void check_statistic(AppCheck *k, const AstAppAnnotation *a, AppExecutor *out)

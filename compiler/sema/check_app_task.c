@@ -19,7 +19,7 @@ bool app_is_reserved_name(const char *name)
 }
 
 // Why the name cannot be the prefix of C function names; NULL if it can.
-static const char *name_problem(const char *name)
+static const char *find_name_problem(const char *name)
 {
     size_t n = strlen(name);
 
@@ -32,7 +32,7 @@ static const char *name_problem(const char *name)
 
 static void check_name(AppCheck *k, const AstAppTask *in)
 {
-    const char *what = in->kind == AST_TASK_machine ? "machine" : "task", *problem = name_problem(in->name.text->text);
+    const char *what = in->kind == AST_TASK_machine ? "machine" : "task", *problem = find_name_problem(in->name.text->text);
     const Span *first = map_find(&k->task, in->name.text);
 
     if (problem)
@@ -69,7 +69,7 @@ static void check_service(AppCheck *k, const AstAppTask *in)
 static const State *find_state(AppCheck *k, const Program *p, const AstWord *name)
 {
     const State *s = map_find(&p->state_by_name, name->text);
-    Guess g = guess_start(name->text);
+    Guess g = guess_init(name->text);
     Diag *d;
 
     if (s)
@@ -79,8 +79,8 @@ static const State *find_state(AppCheck *k, const Program *p, const AstWord *nam
         return NULL;
     k->guesses--;
     for (size_t i = 0; i < p->state.n; i++)
-        guess_try(&g, p->state.at[i]->name);
-    guess_label(k->c->diags, d, &g);
+        guess_consider(&g, p->state.at[i]->name);
+    guess_add_label(k->c->diags, d, &g);
     return NULL;
 }
 
@@ -207,7 +207,7 @@ static AppTask *check_task(AppCheck *k, const AstAppTask *in)
 }
 
 // The time must advance between two steps of a machine, or the second step is refused.
-static void check_pace(AppCheck *k, const AstAppTask *in, const AppRate *rate)
+static void check_time_advances(AppCheck *k, const AstAppTask *in, const AppRate *rate)
 {
     if (in->kind == AST_TASK_machine && k->app->time && rate->period && rate->period < k->app->unit)
         diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_time_coarse, in->name.span, in->name.text->text,
@@ -227,7 +227,7 @@ void check_app_tasks(AppCheck *k, const AstAppExecutor *in, AppExecutor *out)
             AppTask *task = check_task(k, &in->rates.at[r].tasks.at[t]);
             if (k->app->task.n == MOST)
                 diag_report(k->c->diags, DIAG_app_too_many, task->span, "tasks", "65535");
-            check_pace(k, &in->rates.at[r].tasks.at[t], out->rate.at[r]);
+            check_time_advances(k, &in->rates.at[r].tasks.at[t], out->rate.at[r]);
             vec_push(k->c->arena, &k->app->task, task);
             vec_push(k->c->arena, &out->rate.at[r]->task, (const AppTask *)task);
         }

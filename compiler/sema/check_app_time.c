@@ -5,7 +5,7 @@
 
 // ---- amounts ----
 
-static bool multiply(uint64_t *x, uint64_t by)
+static bool try_multiply(uint64_t *x, uint64_t by)
 {
     if (by && *x > UINT64_MAX / by)
         return false;
@@ -13,10 +13,10 @@ static bool multiply(uint64_t *x, uint64_t by)
     return true;
 }
 
-static bool times_ten(uint64_t *x, int power)
+static bool try_multiply_by_ten(uint64_t *x, int power)
 {
     for (; power > 0; power--)
-        if (*x && !multiply(x, 10))
+        if (*x && !try_multiply(x, 10))
             return false;
         else if (*x == 0)
             return true;
@@ -33,9 +33,9 @@ static Exactness amount_value(const AstAmount *a, uint64_t *value)
     *value = a->digits;
     if (!a->is_exact || a->exponent > 20)
         return a->is_exact && a->digits == 0 ? EXACT : TOO_LARGE;
-    if (!multiply(value, a->factor) || !times_ten(value, a->exponent))
+    if (!try_multiply(value, a->factor) || !try_multiply_by_ten(value, a->exponent))
         return TOO_LARGE;
-    if (a->exponent < 0 && (!times_ten(&divisor, -a->exponent) || *value % divisor))
+    if (a->exponent < 0 && (!try_multiply_by_ten(&divisor, -a->exponent) || *value % divisor))
         return *value ? FRACTION : EXACT;
     *value /= divisor;
     return EXACT;
@@ -105,7 +105,7 @@ static Exactness frequency_period(const AstAmount *a, uint64_t *period)
 
     if (!a->is_exact || a->digits == 0 || a->exponent > 6)
         return TOO_LARGE;
-    if (!times_ten(&numerator, -a->exponent) || !times_ten(&hertz, a->exponent) || !multiply(&hertz, a->factor))
+    if (!try_multiply_by_ten(&numerator, -a->exponent) || !try_multiply_by_ten(&hertz, a->exponent) || !try_multiply(&hertz, a->factor))
         return TOO_LARGE;
     *period = numerator / hertz;
     return numerator % hertz ? FRACTION : EXACT;
@@ -152,7 +152,7 @@ static void check_multiple(AppCheck *k, const AppExecutor *e, const AppRate *r)
 }
 
 // Reports two groups with the same period.
-static void check_twice(AppCheck *k, const AppExecutor *e, const AppRate *r, Map *seen)
+static void check_duplicate_period(AppCheck *k, const AppExecutor *e, const AppRate *r, Map *seen)
 {
     Str key = str_c(k->c->strings, app_time_text(k->c->arena, r->period));
     const AppRate *first = map_find(seen, key);
@@ -179,7 +179,7 @@ void check_app_rates(AppCheck *k, const AstAppExecutor *in, AppExecutor *out)
     for (size_t i = 0; i < out->rate.n; i++)
         if (out->rate.at[i]->period) {
             check_multiple(k, out, out->rate.at[i]);
-            check_twice(k, out, out->rate.at[i], &seen);
+            check_duplicate_period(k, out, out->rate.at[i], &seen);
             out->rate.at[i]->every = (uint32_t)(out->rate.at[i]->period / out->period);
         }
 }

@@ -170,14 +170,14 @@ static void set_command(Var *v, const AstDecl *decl)
 
 static void suggest_element(Declarations *k, Diag *d, Str name)
 {
-    Guess g = guess_start(name);
+    Guess g = guess_init(name);
 
     if (k->s->guesses == 0)
         return;
     k->s->guesses--;
     for (size_t i = 0; i < k->sv->element.n; i++)
-        guess_try(&g, k->sv->element.at[i]->name);
-    guess_label(k->s->diags, d, &g);
+        guess_consider(&g, k->sv->element.at[i]->name);
+    guess_add_label(k->s->diags, d, &g);
 }
 
 // Whether it is G or S, by name or alias, with its required type.
@@ -235,9 +235,9 @@ static void declare_element(Declarations *k, const AstDecl *decl)
     declare_name(k, v, v->name, v->span);
     set_range(k, v, decl);
     set_command(v, decl);
-    allow_decl(k->s, decl);
+    add_decl_allows(k->s, decl);
     if (v->element && !k->sv->from_machine)
-        allow_listed(k->s, v->element, decl);
+        add_listed_allows(k->s, v->element, decl);
     for (size_t i = 0; i < decl->annotations.n; i++)
         if (decl->annotations.at[i].kind == AST_ALIAS)
             add_alias(k, v, &decl->annotations.at[i]);
@@ -264,7 +264,7 @@ static void declare_local(Declarations *k, const AstDecl *decl)
     l.var->outside = k->written_outside && map_find(k->written_outside, decl->name);
     l.var->is_constant = l.var->read_only && !l.var->outside;
     declare_name(k, l.var, l.var->name, l.var->span);
-    allow_decl(k->s, decl);
+    add_decl_allows(k->s, decl);
     vec_push(k->s->arena, &k->local, l);
 }
 
@@ -293,7 +293,7 @@ static void compute_initial_values(Declarations *k)
     Sema *s = k->s;
 
     s->no_value = ARENA_ARRAY(s->arena, bool, k->p->var.n);
-    s->at = PLACE_INITIAL;
+    s->at = EXPR_IN_INITIAL;
     for (size_t i = 0; i < k->local.n; i++) {
         Var *v = k->local.at[i].var;
         const AstExpr *value = k->local.at[i].decl->value;
@@ -306,7 +306,7 @@ static void compute_initial_values(Declarations *k)
         if (e)
             v->init = sm_cell_from_f64(v->type, expr_constant_value(e));
     }
-    s->at = PLACE_STEP;
+    s->at = EXPR_IN_STEP;
 }
 
 // ---- G and S ----

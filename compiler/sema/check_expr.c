@@ -36,7 +36,7 @@ static bool check_args(Sema *s, AstExpr *const *in, uint32_t n, Expr **out)
 // ---- names ----
 
 // An initial value is computed at compile time, when only the locals declared above have a value.
-static bool may_use_in_initial(Sema *s, const Var *v, const AstExpr *e)
+static bool check_use_in_initial(Sema *s, const Var *v, const AstExpr *e)
 {
     Diag *d;
 
@@ -55,7 +55,7 @@ static bool may_use_in_initial(Sema *s, const Var *v, const AstExpr *e)
 }
 
 // A window's size is computed at compile time from the locals' initial values.
-static bool may_use_in_size(Sema *s, Var *v, const AstExpr *e)
+static bool check_use_in_size(Sema *s, Var *v, const AstExpr *e)
 {
     SizeUse use = {v, e->span};
     Diag *d;
@@ -71,19 +71,19 @@ static bool may_use_in_size(Sema *s, Var *v, const AstExpr *e)
     return !s->no_value || !s->no_value[v->index];
 }
 
-static bool may_use(Sema *s, Var *v, const AstExpr *e)
+static bool check_use(Sema *s, Var *v, const AstExpr *e)
 {
     switch (s->at) {
-    case PLACE_STEP:    return true;
-    case PLACE_INITIAL: return may_use_in_initial(s, v, e);
-    case PLACE_SIZE:    return may_use_in_size(s, v, e);
+    case EXPR_IN_STEP:    return true;
+    case EXPR_IN_INITIAL: return check_use_in_initial(s, v, e);
+    case EXPR_IN_SIZE:    return check_use_in_size(s, v, e);
     }
     return false;
 }
 
 static Expr *check_name(Sema *s, const AstExpr *e)
 {
-    Var *v = scope_find(s, e->name);
+    Var *v = scope_find_variable(s, e->name);
     Expr *out;
 
     if (!v) {
@@ -94,7 +94,7 @@ static Expr *check_name(Sema *s, const AstExpr *e)
         v->read = true;
     s->varies |= v->kind != VAR_LOCAL;
     s->knows_a_name |= v != s->p->g && v != s->p->s && v != s->p->t;
-    if (scope_is_doubtful(s, e->name) || !may_use(s, v, e))
+    if (scope_is_doubtful(s, e->name) || !check_use(s, v, e))
         return NULL;
     out = expr_new(s, EX_VAR, e->span, 0);
     out->var = v;
@@ -148,7 +148,7 @@ static Span span_between(uint32_t from, Span to)
 }
 
 // `not a == b` means `(not a) == b`, which is rarely intended.  The warning shows both readings (language.md 3.13).
-static void warn_of_not(Sema *s, const AstExpr *whole)
+static void report_leading_not(Sema *s, const AstExpr *whole)
 {
     const AstExpr *left = whole;
     Diag *d;
@@ -163,7 +163,7 @@ static void warn_of_not(Sema *s, const AstExpr *whole)
     diag_note(s->diags, d, (Span){0}, DIAG_note_not_of_all, sema_quote(s, span_between(left->a->span.at, whole->span)));
 }
 
-static void find_not(Sema *s, const AstExpr *e)
+static void warn_of_leading_not(Sema *s, const AstExpr *e)
 {
     bool inside = s->spine == e;                // part of an expression that was already searched
 
@@ -171,7 +171,7 @@ static void find_not(Sema *s, const AstExpr *e)
         return;
     s->spine = e->a;
     if (!inside)
-        warn_of_not(s, e);
+        report_leading_not(s, e);
 }
 
 // The nearest comparison before the right side of an `and` or `or`; NULL if there is none.
@@ -396,20 +396,20 @@ static uint32_t check_window_size(Sema *s, const AstExpr *call, const SmBuiltinI
     const AstExpr *n = call->args->at[1];
     Expr *value;
 
-    s->at = PLACE_SIZE;
+    s->at = EXPR_IN_SIZE;
     s->size_of = call->name;
     value = check_expr(s, n);
-    s->at = PLACE_STEP;
+    s->at = EXPR_IN_STEP;
     return value ? window_size(s, n, value, fn) : 0;
 }
 
-static bool may_roll_here(Sema *s, const AstExpr *call)
+static bool check_roll_allowed(Sema *s, const AstExpr *call)
 {
-    if (s->at == PLACE_INITIAL)
+    if (s->at == EXPR_IN_INITIAL)
         diag_report(s->diags, DIAG_initial_value_rolls, ast_op_span(call), s->local->name->text, call->name->text);
-    else if (s->at == PLACE_SIZE)
+    else if (s->at == EXPR_IN_SIZE)
         diag_report(s->diags, DIAG_window_size_rolls, ast_op_span(call), s->size_of->text, call->name->text);
-    return s->at == PLACE_STEP;
+    return s->at == EXPR_IN_STEP;
 }
 
 static Expr *check_roll(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
@@ -418,7 +418,7 @@ static Expr *check_roll(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
     Expr *out;
 
     s->varies = true;
-    if (!may_roll_here(s, call))
+    if (!check_roll_allowed(s, call))
         return NULL;
     out = expr_new(s, EX_ROLL, call->span, 1);
     out->arg[0] = w.sample = check_expr(s, call->args->at[0]);     // inner windows get a lower index than this one
@@ -442,7 +442,7 @@ static Expr *check_call(Sema *s, const AstExpr *e)
         report_argument_count(s, e, fn);
     else if (!fn)
         scope_report_unknown_function(s, e->name, ast_op_span(e));
-    if (s->at == PLACE_STEP)                    // report errors in the arguments too; elsewhere, what is allowed depends on the function
+    if (s->at == EXPR_IN_STEP)                    // report errors in the arguments too; elsewhere, what is allowed depends on the function
         for (size_t i = 0; i < e->args->n; i++)
             check_expr(s, e->args->at[i]);
     return NULL;
@@ -456,7 +456,7 @@ Expr *check_expr(Sema *s, const AstExpr *e)
     case AST_NAME:   return check_name(s, e);
     case AST_UNARY:  return check_unary(s, e);
     case AST_BINARY:
-        find_not(s, e);
+        warn_of_leading_not(s, e);
         return is_relation(e) && is_relation(e->a) ? check_chain(s, e) : check_binary(s, e);
     case AST_PAREN:  return check_expr(s, e->a);
     case AST_CALL:   return check_call(s, e);

@@ -32,7 +32,7 @@ static const char *source_text(const CheckContext *c, Span s)
 static void report_unknown_element(IoCheck *k, const AstPin *pin)
 {
     Diag *d;
-    Guess g = guess_start(pin->element);
+    Guess g = guess_init(pin->element);
 
     if (map_find(&k->unknown, pin->element))
         return;
@@ -42,8 +42,8 @@ static void report_unknown_element(IoCheck *k, const AstPin *pin)
         return;
     k->guesses--;
     for (size_t i = 0; i < k->io->sv->element.n; i++)
-        guess_try(&g, k->io->sv->element.at[i]->name);
-    guess_label(k->c->diags, d, &g);
+        guess_consider(&g, k->io->sv->element.at[i]->name);
+    guess_add_label(k->c->diags, d, &g);
 }
 
 // config.md 9.4, 9.5
@@ -83,7 +83,7 @@ static void check_input(IoCheck *k, const AstPin *pin, const Element *e)
 // ---- numbers ----
 
 // Whether x is a whole number from 0 to `most`.  If so, stores it in *out.
-static bool to_whole_number(SmF64 x, uint32_t most, uint32_t *out)
+static bool try_whole_number(SmF64 x, uint32_t most, uint32_t *out)
 {
     if (!sm_le(sm_from_i32(0), x) || !sm_le(x, sm_from_u32(most)))
         return false;
@@ -99,7 +99,7 @@ static uint16_t check_number(IoCheck *k, const AstPin *pin, bool digital)
     Str key;
     Diag *d;
 
-    if (!to_whole_number(pin->number.value, UINT16_MAX, &n)) {
+    if (!try_whole_number(pin->number.value, UINT16_MAX, &n)) {
         diag_report(k->c->diags, DIAG_pin_range, pin->number.span, source_text(k->c, pin->number.span));
         return 0;
     }
@@ -152,7 +152,7 @@ static void check_hold(IoCheck *k, const AstPin *pin, Pin *out)
     const AstAnnotation *hold = find_annotation(pin, AST_HOLD);
     uint32_t n = 0;
 
-    if (hold && !to_whole_number(hold->lo.value, UINT8_MAX, &n))
+    if (hold && !try_whole_number(hold->lo.value, UINT8_MAX, &n))
         diag_report(k->c->diags, DIAG_hold_value, hold->lo.span, source_text(k->c, hold->lo.span));
     out->hold = (uint8_t)n;
 }

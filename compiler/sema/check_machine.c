@@ -65,13 +65,13 @@ static void check_states(Sema *s, Program *p, const AstFile *sm)
     for (size_t i = 0; i < sm->sections.n; i++)
         if (sm->sections.at[i]->kind == AST_STATE) {
             check_state(s, p->state.at[state++], sm->sections.at[i]);
-            allow_state(s, sm->sections.at[i], end_of_section(sm, i));
+            add_state_allows(s, sm->sections.at[i], end_of_section(sm, i));
         }
 }
 
 // ---- entry points ----
 
-static StateVec *own_state_vector(CheckContext *c, Program *p)
+static StateVec *new_own_state_vector(CheckContext *c, Program *p)
 {
     StateVec *sv = ARENA_NEW(c->arena, StateVec);
     Region *r = ARENA_NEW(c->arena, Region);
@@ -103,7 +103,7 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     sema_init(&s, c, find_hidden_names(c, sm), p, &p->window);
     s.sv = sv;
     s.building = p;
-    p->sv = sv ? sv : own_state_vector(c, p);
+    p->sv = sv ? sv : new_own_state_vector(c, p);
     add_states(&s, p, sm);
     check_declarations(&s, p, sm, p->sv, written_outside);
     check_states(&s, p, sm);

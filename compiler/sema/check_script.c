@@ -129,13 +129,13 @@ static bool means_all_states(const char *name)
 // [All_States], [option]: not a state, but similar to a section that every script may have.
 static bool report_misspelt_section(ScriptCheck *k, const AstSection *in)
 {
-    Guess g = guess_start(in->name);
+    Guess g = guess_init(in->name);
     Diag *d;
 
     if (map_find(&k->s.p->state_by_name, in->name))
         return false;
-    guess_try(&g, str_c(k->s.strings, "all_states"));
-    guess_try(&g, str_c(k->s.strings, "options"));
+    guess_consider(&g, str_c(k->s.strings, "all_states"));
+    guess_consider(&g, str_c(k->s.strings, "options"));
     if (means_all_states(in->name->text))
         g.best = str_c(k->s.strings, "all_states");
     if (!g.best)
@@ -266,7 +266,7 @@ uint64_t script_delta_t(const AstFile *ss)
     return found;
 }
 
-void script_written_names(const AstFile *ss, Map *names)
+void script_add_written_names(const AstFile *ss, Map *names)
 {
     for (size_t i = 0; i < ss->sections.n; i++) {
         const AstStmts *items = &ss->sections.at[i]->items;

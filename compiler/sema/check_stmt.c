@@ -42,7 +42,7 @@ static Diag *report_read_only(Sema *s, const Var *v, Span span, Str name)
 }
 
 // G, S and T may never be assigned.  A script may write variables that are marked @read_only.
-static bool may_write(Sema *s, const Var *v, Str name, Span span)
+static bool check_writable(Sema *s, const Var *v, Str name, Span span)
 {
     bool own = v == s->p->g || v == s->p->s || v == s->p->t;
 
@@ -63,9 +63,9 @@ static const State *state_named_by(const Sema *s, const AstExpr *e)
 }
 
 // Reports S = Vent; also state = Vent, if no variable is named `state`.
-static bool assigns_state(Sema *s, const Var *v, const AstStmt *in)
+static bool report_state_assignment(Sema *s, const Var *v, const AstStmt *in)
 {
-    const bool may_mean = !s->in_script && (v ? v == s->p->s : in->value->kind == AST_NAME && !scope_find(s, in->value->name));
+    const bool may_mean = !s->in_script && (v ? v == s->p->s : in->value->kind == AST_NAME && !scope_find_variable(s, in->value->name));
     const State *to = may_mean ? state_named_by(s, in->value) : NULL;
     Diag *d;
 
@@ -100,16 +100,16 @@ static void warn_of_read_only_local(Sema *s, const Var *v, const AstStmt *in)
 
 Stmt *check_assignment(Sema *s, const AstStmt *in)
 {
-    Var *v = scope_find(s, in->name);
+    Var *v = scope_find_variable(s, in->name);
     Stmt *out = stmt_new(s, ST_ASSIGN, in);
     bool good = false;
 
-    if (assigns_state(s, v, in))
+    if (report_state_assignment(s, v, in))
         return NULL;
     if (!v)
         scope_report_unknown(s, in->name, in->name_span);
     else
-        good = may_write(s, v, in->name, in->name_span);
+        good = check_writable(s, v, in->name, in->name_span);
     if (good)
         warn_of_read_only_local(s, v, in);
     if (v && !s->in_script)
@@ -196,7 +196,7 @@ static void warn_of_unreachable_statement(Sema *s, const AstStmt *transition, co
 static void check_allows(Sema *s, const AstStmts *in, size_t i)
 {
     for (size_t k = i; s->building && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )
-        allow_stmt(s, in->at[k]->allow, in->at[i]);
+        add_stmt_allow(s, in->at[k]->allow, in->at[i]);
 }
 
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out)

@@ -26,7 +26,7 @@ static void check_element(SvCheck *k, Region *r, const AstDecl *decl)
     e->region = r;
     e->span = decl->name_span;
     e->first_allow = (uint32_t)k->sv->allow.n;
-    allow_in_sv(k->c, k->sv, decl);
+    add_sv_allows(k->c, k->sv, decl);
     e->allows = (uint32_t)k->sv->allow.n - e->first_allow;
     e->range = check_range(k->c, &decl->annotations, e->name, e->type);
     e->command = has_annotation(&decl->annotations, AST_COMMAND);

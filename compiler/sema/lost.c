@@ -61,7 +61,7 @@ static bool may_hide(const AstSection *section, Span error)
 
 // ---- words ----
 
-static bool is_word(char c)
+static bool is_name_char(char c)
 {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
 }
@@ -70,7 +70,7 @@ static void add_words(HiddenNames *l, StrPool *strings, const Source *src, uint3
 {
     for (uint32_t at = from; at < to; at++) {
         uint32_t start = at;
-        while (at < to && is_word(src->text[at]))
+        while (at < to && is_name_char(src->text[at]))
             at++;
         if (at > start) {
             Str word = str_intern(strings, src->text + start, at - start);
@@ -88,7 +88,7 @@ typedef struct HiddenWords {
     uint32_t done;                // words before this position are already added
 } HiddenWords;
 
-static void hide_range(HiddenWords *k, uint32_t from, uint32_t to)
+static void add_hidden_range(HiddenWords *k, uint32_t from, uint32_t to)
 {
     k->l->names = true;
     if (from < k->done)
@@ -98,7 +98,7 @@ static void hide_range(HiddenWords *k, uint32_t from, uint32_t to)
         k->done = to;
 }
 
-static void hide_line(HiddenWords *k, uint32_t at)
+static void add_hidden_line(HiddenWords *k, uint32_t at)
 {
     const char *text = k->f->src->text;
     uint32_t from = at, to = at;
@@ -107,7 +107,7 @@ static void hide_line(HiddenWords *k, uint32_t at)
         from--;
     while (to < k->f->src->len && text[to] != '\n')
         to++;
-    hide_range(k, from, to);
+    add_hidden_range(k, from, to);
 }
 
 // A section that is parsed as a state, but has no block, may have been intended for declarations.
@@ -120,7 +120,7 @@ static bool lacks_blocks(const AstSection *section)
     return !blocks;
 }
 
-static void hide_after_error(HiddenWords *k, const Diag *d)
+static void add_names_hidden_by(HiddenWords *k, const Diag *d)
 {
     const Span error = d->span;
     size_t n = sections_up_to(k->f, error.at);
@@ -129,11 +129,11 @@ static void hide_after_error(HiddenWords *k, const Diag *d)
 
     if (!section || section->name->len == 0) {          // its header is missing or unreadable
         k->l->sections = true;
-        hide_range(k, error.at, end);
+        add_hidden_range(k, error.at, end);
     } else if (d->code == DIAG_code_before_label && lacks_blocks(section)) {
-        hide_range(k, error.at, end);
+        add_hidden_range(k, error.at, end);
     } else if (may_hide(section, error))
-        hide_line(k, error.at);
+        add_hidden_line(k, error.at);
 }
 
 HiddenNames *find_hidden_names(const CheckContext *c, const AstFile *f)
@@ -146,7 +146,7 @@ HiddenNames *find_hidden_names(const CheckContext *c, const AstFile *f)
         const Diag *e = c->diags->list.at[i];
         if (e->severity == DIAG_ERROR && e->span.src == f->src) {
             l->any = true;
-            hide_after_error(&k, e);
+            add_names_hidden_by(&k, e);
         }
     }
     return l;

@@ -6,7 +6,7 @@
 
 // ---- guesses ----
 
-static char lower(char c)
+static char to_lower(char c)
 {
     return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
 }
@@ -14,21 +14,21 @@ static char lower(char c)
 static bool is_same_but_for_case(const char *a, const char *b)
 {
     for (; *a && *b; a++, b++)
-        if (lower(*a) != lower(*b))
+        if (to_lower(*a) != to_lower(*b))
             return false;
     return *a == *b;
 }
 
 // Accepts one wrong character in three as a typo; more make it another word.
-Guess guess_start(Str wanted)
+Guess guess_init(Str wanted)
 {
-    size_t slips = wanted->len / 3;
-    Guess g = {wanted, NULL, (slips < 3 ? slips : 3) + 1};
+    size_t typos = wanted->len / 3;
+    Guess g = {wanted, NULL, (typos < 3 ? typos : 3) + 1};
 
     return g;
 }
 
-void guess_try(Guess *g, Str candidate)
+void guess_consider(Guess *g, Str candidate)
 {
     size_t distance = str_distance(g->wanted->text, candidate->text, g->limit);
 
@@ -40,14 +40,14 @@ void guess_try(Guess *g, Str candidate)
     g->limit = distance;
 }
 
-void guess_label(Diags *diags, Diag *d, const Guess *g)
+void guess_add_label(Diags *diags, Diag *d, const Guess *g)
 {
     if (g->best)
         diag_label(diags, d, DIAG_label_did_you_mean, g->best->text);
 }
 
 // Each comparison with all known names is expensive.  The limit keeps the cost of hostile input from growing quadratically.
-static bool may_compare_names(Sema *s)
+static bool spend_guess(Sema *s)
 {
     if (s->guesses == 0)
         return false;
@@ -56,7 +56,7 @@ static bool may_compare_names(Sema *s)
 }
 
 // Returns true the first time, false for a name that is already in the map.
-static bool is_first_report(Map *reported, Str name)
+static bool add_reported_name(Map *reported, Str name)
 {
     if (map_find(reported, name))
         return false;
@@ -66,7 +66,7 @@ static bool is_first_report(Map *reported, Str name)
 
 // ---- variables ----
 
-Var *scope_find(const Sema *s, Str name)
+Var *scope_find_variable(const Sema *s, Str name)
 {
     return map_find(&s->p->by_name, name);
 }
@@ -79,7 +79,7 @@ bool scope_is_doubtful(const Sema *s, Str name)
 void scope_note_declared(Sema *s, Diag *d, Str name)
 {
     const Span *span = map_find(&s->declared_at, name);
-    const Var *v = scope_find(s, name);
+    const Var *v = scope_find_variable(s, name);
 
     if (span)
         diag_note(s->diags, d, *span, DIAG_note_declared_here, name->text);
@@ -127,14 +127,14 @@ static bool suggest_word(Sema *s, Diag *d, Str name)
 
 static void suggest_variable(Sema *s, Diag *d, Str name)
 {
-    Guess g = guess_start(name);
+    Guess g = guess_init(name);
 
     for (size_t i = 0; i < s->p->var.n; i++) {
-        guess_try(&g, s->p->var.at[i]->name);
+        guess_consider(&g, s->p->var.at[i]->name);
         if (s->p->var.at[i]->alias)
-            guess_try(&g, s->p->var.at[i]->alias);
+            guess_consider(&g, s->p->var.at[i]->alias);
     }
-    guess_label(s->diags, d, &g);
+    guess_add_label(s->diags, d, &g);
     if (g.best)
         scope_note_declared(s, d, g.best);
 }
@@ -172,7 +172,7 @@ void scope_report_unknown(Sema *s, Str name, Span span)
     const SmBuiltinInfo *fn = scope_find_function(s, name);
     Diag *d;
 
-    if (s->no_elements || map_find(&s->lost->word, name) || has_foreign_letter(name) || !is_first_report(&s->unknown_name, name))
+    if (s->no_elements || map_find(&s->lost->word, name) || has_foreign_letter(name) || !add_reported_name(&s->unknown_name, name))
         return;
     if (fn && !unlisted) {
         diag_report(s->diags, DIAG_function_without_call, span, name->text, name->text, ast_function_usage(fn));
@@ -184,7 +184,7 @@ void scope_report_unknown(Sema *s, Str name, Span span)
         label_unlisted(s, d, unlisted);
     else if (map_find(&s->p->state_by_name, name))
         label_state(s, d, map_find(&s->p->state_by_name, name));
-    else if (!suggest_word(s, d, name) && may_compare_names(s))
+    else if (!suggest_word(s, d, name) && spend_guess(s))
         suggest_variable(s, d, name);
 }
 
@@ -193,20 +193,20 @@ void scope_report_unknown(Sema *s, Str name, Span span)
 State *scope_find_state(Sema *s, Str name, Span span)
 {
     State *state = map_find(&s->p->state_by_name, name);
-    Guess g = guess_start(name);
+    Guess g = guess_init(name);
     Diag *d;
 
     s->knows_a_name |= state != NULL;
-    if (state || map_find(&s->lost->word, name) || !is_first_report(&s->unknown_state, name))
+    if (state || map_find(&s->lost->word, name) || !add_reported_name(&s->unknown_state, name))
         return state;
     d = diag_report(s->diags, DIAG_unknown_state, span, name->text);
     record_unknown(s, d);
-    if (!may_compare_names(s))
+    if (!spend_guess(s))
         return NULL;
     for (size_t i = 0; i < s->p->state.n; i++)
-        guess_try(&g, s->p->state.at[i]->name);
-    guess_label(s->diags, d, &g);
-    if (!g.best && !s->in_script && !scope_find(s, name))
+        guess_consider(&g, s->p->state.at[i]->name);
+    guess_add_label(s->diags, d, &g);
+    if (!g.best && !s->in_script && !scope_find_variable(s, name))
         diag_label(s->diags, d, DIAG_label_add_section, name->text);
     if (g.best)
         diag_note(s->diags, d, ((State *)map_find(&s->p->state_by_name, g.best))->span, DIAG_note_declared_here, g.best->text);
@@ -234,21 +234,21 @@ static void note_functions(Sema *s, Diag *d)
 
 void scope_report_unknown_function(Sema *s, Str name, Span span)
 {
-    Guess g = guess_start(name);
+    Guess g = guess_init(name);
     const ForeignName *foreign = find_foreign(foreign_functions, sizeof foreign_functions / sizeof *foreign_functions, name);
     Diag *d;
 
-    if (!is_first_report(&s->unknown_function, name))
+    if (!add_reported_name(&s->unknown_function, name))
         return;
-    if (scope_find(s, name)) {
+    if (scope_find_variable(s, name)) {
         d = diag_report(s->diags, DIAG_not_a_function, span, name->text);
         scope_note_declared(s, d, name);
         return;
     }
     d = diag_report(s->diags, DIAG_unknown_function, span, name->text);
     for (int i = 0; i < SM_FN_COUNT && !foreign; i++)
-        guess_try(&g, str_c(s->strings, sm_builtin_info[i].name));
-    guess_label(s->diags, d, &g);
+        guess_consider(&g, str_c(s->strings, sm_builtin_info[i].name));
+    guess_add_label(s->diags, d, &g);
     if (foreign)
         diag_label(s->diags, d, foreign->label, foreign->argument);
     if (!s->functions_noted && (!foreign || foreign->label == DIAG_label_no_such_function)) {

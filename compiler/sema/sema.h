@@ -6,11 +6,11 @@
 #include "compiler/sema/check.h"
 
 // Where an expression appears.  This decides what it may use.
-typedef enum ExprPlace {
-    PLACE_STEP,               // evaluated in a step: may use everything
-    PLACE_INITIAL,            // initial value of a local: may use earlier locals
-    PLACE_SIZE                // size of a window: may use locals
-} ExprPlace;
+typedef enum ExprContext {
+    EXPR_IN_STEP,               // evaluated in a step: may use everything
+    EXPR_IN_INITIAL,            // initial value of a local: may use earlier locals
+    EXPR_IN_SIZE                // size of a window: may use locals
+} ExprContext;
 
 // A local that the size of a window depends on.
 typedef struct SizeUse { Var *local; Span span; } SizeUse;
@@ -45,9 +45,9 @@ typedef struct Sema {
     Map declared_at;          // name or alias to the Span of its declaration
     unsigned guesses;         // how many more unknown names may be compared with all known ones
 
-    ExprPlace at;
-    const Var *local;         // PLACE_INITIAL: the local whose initial value is being checked
-    Str size_of;              // PLACE_SIZE: the function whose window size is being checked
+    ExprContext at;
+    const Var *local;         // EXPR_IN_INITIAL: the local whose initial value is being checked
+    Str size_of;              // EXPR_IN_SIZE: the function whose window size is being checked
     const AstExpr *spine;     // the left operand of an operator that was already searched for `not`
     bool no_elements;         // the machine lists no elements; already reported
     bool *no_value;           // by Var.index: the local's initial value has an error
@@ -65,9 +65,9 @@ Str sema_stem(StrPool *strings, const Source *src);
 
 // ---- scope.c: names ----
 
-Var *scope_find(const Sema *s, Str name);
+Var *scope_find_variable(const Sema *s, Str name);
 bool scope_is_doubtful(const Sema *s, Str name);
-// Reports a name that scope_find does not find; once per name.
+// Reports a name that scope_find_variable does not find; once per name.
 void scope_report_unknown(Sema *s, Str name, Span span);
 // Returns the state, or NULL after reporting the name; once per name.
 State *scope_find_state(Sema *s, Str name, Span span);
@@ -82,9 +82,9 @@ typedef struct Guess {
     size_t limit;             // only words nearer than this count
 } Guess;
 
-Guess guess_start(Str wanted);
-void guess_try(Guess *g, Str candidate);
-void guess_label(Diags *diags, Diag *d, const Guess *g);   // "did you mean …?", if a near word was found
+Guess guess_init(Str wanted);
+void guess_consider(Guess *g, Str candidate);
+void guess_add_label(Diags *diags, Diag *d, const Guess *g);   // "did you mean …?", if a near word was found
 
 // ---- the parts of the checker ----
 
@@ -106,13 +106,13 @@ const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str n
 // ---- check_allow.c: what @allow covers ----
 
 // The annotations of a declaration: in a .sv, and in a machine.
-void allow_in_sv(const CheckContext *c, StateVec *sv, const AstDecl *decl);
-void allow_decl(Sema *s, const AstDecl *decl);
+void add_sv_allows(const CheckContext *c, StateVec *sv, const AstDecl *decl);
+void add_decl_allows(Sema *s, const AstDecl *decl);
 // The annotations after the header of a state.  `end` is the end of its section.
-void allow_state(Sema *s, const AstSection *section, uint32_t end);
-void allow_stmt(Sema *s, const AstAnnotation *a, const AstStmt *stmt);
+void add_state_allows(Sema *s, const AstSection *section, uint32_t end);
+void add_stmt_allow(Sema *s, const AstAnnotation *a, const AstStmt *stmt);
 // The annotations of the element in the .sv.  They also apply where a machine lists the element.
-void allow_listed(Sema *s, const Element *e, const AstDecl *listed);
+void add_listed_allows(Sema *s, const Element *e, const AstDecl *listed);
 
 Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args);
 

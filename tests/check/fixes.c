@@ -43,7 +43,7 @@ static void note_written(Run *r, const TestFile *f, Map *written)
         if (testfile_has_suffix(&f->part.at[i], ".ss")) {
             AstFile *ss = session_parse(&r->s, r->src[i], FILE_SS);
             if (ss)
-                script_written_names(ss, written);
+                script_add_written_names(ss, written);
         }
     diags_init(&r->s.diags, &r->s.arena);
 }
@@ -72,7 +72,7 @@ static void diagnose_app(Run *r, const TestFile *f)
     AstFile *tree = parse_file(&r->s.arena, &r->s.strings, &r->s.diags, find_source(f, r, ".app"), FILE_APP);
     AppFiles files;
 
-    app_files(&r->s.arena, tree, &files);
+    app_list_files(&r->s.arena, tree, &files);
     for (size_t i = 0; i < files.n; i++) {
         files.at[i].problem = "the case has no such part";
         for (size_t k = 0; k < f->part.n; k++)

@@ -114,7 +114,7 @@ static void do_everything(Session *s, const Case *c, Buf *out)
     Buf bytes;
 
     if (ast)
-        script_written_names(ast, &written);
+        script_add_written_names(ast, &written);
     if ((p = session_program(s, &in)) == NULL)
         return;
     session_analyse(s, p);

@@ -174,7 +174,7 @@ static void try_app(Session *s, const Source *src)
     AppFiles files;
     App *a;
 
-    app_files(&s->arena, tree, &files);
+    app_list_files(&s->arena, tree, &files);
     for (size_t i = 0; i < files.n; i++) {
         const char *text = file_text(files.at[i].kind);
         if (!files.at[i].wrong_kind)

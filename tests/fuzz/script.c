@@ -68,7 +68,7 @@ static void run_script(Session *s, const TestFile *f)
     ast = ss ? session_parse(s, ss, FILE_SS) : NULL;
     s->diags.muted = false;
     if (ast)
-        script_written_names(ast, &written);
+        script_add_written_names(ast, &written);
     if (!in.sm || (p = session_program(s, &in)) == NULL || !ss || (script = session_script(s, ss, p)) == NULL)
         return;
     fuzz_reached++;

@@ -59,7 +59,7 @@ static Program *compile(Case *c, const Source *ss)
 
     AstFile *tree = session_parse(&c->s, ss, FILE_SS);
     if (tree != NULL)
-        script_written_names(tree, &written);
+        script_add_written_names(tree, &written);
     return in.sm != NULL ? session_program(&c->s, &in) : NULL;
 }
 

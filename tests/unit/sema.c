@@ -163,7 +163,7 @@ static void test_written_outside(void)
     memset(&names, 0, sizeof names);
     names.arena = &s.arena;
     in.sm = text(&s, "tank.sm", machine);
-    script_written_names(session_parse(&s, text(&s, "a.ss", script), FILE_SS), &names);
+    script_add_written_names(session_parse(&s, text(&s, "a.ss", script), FILE_SS), &names);
     p = session_program(&s, &in);
     CHECK(p && !var(&s, p, "k")->is_constant && var(&s, p, "k")->read_only);
     ss = p ? session_script(&s, text(&s, "a.ss", script), p) : NULL;
