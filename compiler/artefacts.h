@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last stage of compile.c: the files that a compilation produces, as bytes.
+// The files that a compilation produces, as bytes: its last stage, and the texts of --emit=tokens and ast, which stop before checking.
 #ifndef SMC_ARTEFACTS_H
 #define SMC_ARTEFACTS_H
 

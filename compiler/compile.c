@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// The compiler: every stage, from source text to findings and artefacts.  Read compile_sources() at the end first.
+// The compiler: every stage from source text to findings and artefacts.  Read compile_sources() at the end first.
 //
-//    .sv ── parse ── AST ── check ── StateVec ──┐
-//    .io ── parse ── AST ── check ── IoMap ─────┤                                         ┌──── C (emit/c)
-//                                               ├── Program ── IR ── passes ── IR ────────┤
-//    .sm ── parse ── AST ── check ──────────────┘      │        │                         └──── image (emit/bytecode)
-//                                                      │        └── analyse ── findings            │
-//    .ss ── parse ── AST ── check ── Script ── run on engines (script/)                            └── costs ── limits
-//                                                      │
-//    .app ─ parse ── AST ── check ── App ───── names all of the above ── C for runtime-c
+//    .sv ── parse ── AST ── check ──▶ StateVec, for every machine and for the pins
+//    .io ── parse ── AST ── check ──▶ IoMap, for the image, the C of the pins, and findings about pins
+//    .sm ── parse ── AST ── check ──▶ Program ── build ──▶ IR ── passes ──▶ IR ──┬──▶ image (emit/bytecode)
+//                                        │                 │                     ├── passes for C ──▶ C (emit/c)
+//                                        │                 │                     └──▶ image with lines ── costs ── limits ──▶ findings
+//                                        │                 └── analyse ──▶ findings
+//                                        └── compiled again if scripts write its locals ──▶ Program for scripts
+//    .ss ── parse ── AST ── check with that Program ──▶ Script
+//    .app ─ parse ── AST ── check ──▶ App; its machines pass all stages above, and all its C is emitted together
 //
-// Each stage is a function of its folder, and the header of that folder states what the stage relies on.  A stage that found errors
-// returns NULL.  The stages that do not depend on its result still run, so that one call finds as many errors as possible.
+// The caller runs scripts on engines (script/) and writes reports (report/).
+//
+// Each stage is a function of its folder, and the header of that folder states what the stage relies on.  A function of session.h that
+// reported an error returns NULL.  Stages that do not depend on its result still run, so that one call reports as many errors as possible.
+// Parsing always produces a tree, with error nodes, so that checking finds further errors.
 #include "compiler/compile.h"
 
 #include <string.h>
@@ -141,13 +145,13 @@ static void compile_files(Compilation *c)
         artefacts_emit(c);
 }
 
-// Images of machines are limited as they fly: without names.
+// Checks the limits on the images that emit_app makes, which contain names unless the option `names` is off.
 static void check_app_limits(Compilation *c, const App *a)
 {
     CompiledSource of;
 
     memset(&of, 0, sizeof of);
-    c->s->hide_locals = true;
+    c->s->hide_locals = !c->o->names;
     for (size_t i = 0; i < a->machine.n && limits_exist(&c->o->limits); i++)
         if (a->machine.at[i]->bytecode) {
             of.program = a->machine.at[i]->program;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pure builtins (language.md 3), F64 in and F64 out.  All are exact, so their results have the same bits on every target; no libm.
+// The pure builtins (language.md 3), F64 in and F64 out.  All are exact or correctly rounded, so their results have
+// the same bits on every target; no libm.
 #ifndef SM_MATH_H
 #define SM_MATH_H
 

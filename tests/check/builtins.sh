@@ -10,7 +10,7 @@ for name in $(sed -n 's/^SM_[A-Z]*(\([a-z_]*\),.*/\1/p' stdlib/builtins.def); do
     check docs/language.md "$name(…) is not defined" "$(grep -l "\`$name(" docs/language.md)"
     check compiler/diag/codes.def "the page of E0217 does not list $name" \
           "$(sed -n '/^DIAG("E0217"/,/^DIAG("E0218"/p' compiler/diag/codes.def | grep -w "$name")"
-    check conformance "no case calls $name(…)" "$(grep -l "\<$name(" conformance/*/*.smt | head -1)"
+    check conformance "no case calls $name(…)" "$(grep -l "\<$name(" conformance/*/*.smt | grep -v /11-errors/ | head -1)"
 done
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]
