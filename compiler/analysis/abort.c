@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The abort matrix: for each state its paths to @abort states.  A state is bound for an @abort state if it has transitions and
-// all of them lead to bound or @abort states.
+// Builds the abort matrix: for each state, its paths to @abort states.  A state is called bound (for an @abort state) if it has
+// transitions and all of them lead to bound states or to @abort states.
 #include "compiler/analysis/abort.h"
 
-static size_t index_of(const State *s) { return s->number - 1u; }
+static size_t state_index(const State *s) { return s->number - 1u; }
 
-static uint32_t one_step_more(uint32_t steps) { return steps == ABORT_NOT_BOUNDED ? steps : steps + 1; }
+static uint32_t add_one_step(uint32_t steps) { return steps == ABORT_NOT_BOUNDED ? steps : steps + 1; }
 
 // ---- bound states ----
 // The search runs backwards from the @abort states and visits each transition once.
@@ -14,14 +14,16 @@ typedef struct BoundSearch {
     Analysis *a;
     AbortBound out;
     uint32_t *unbound;            // by state: transitions out of it whose target is not yet known to be bound
-    bool *waits;                  // by state: the machine may stay in it for more than a step
-    uint32_t *first, *into;       // transitions by target: into[first[target]] … into[first[target + 1]], numbers in the list
-    VEC(const State *) found;     // states found to be bound; those whose incoming transitions are not yet visited come last
+    bool *may_wait;               // by state: the machine may stay in it for more than a step
+    uint32_t *first, *into;       // the transitions into a state are into[first[i]] … into[first[i + 1] - 1], as indices in
+                                  // Analysis.transition; i is the state's index
+    VEC(const State *) found;     // the states found to be bound, and the @abort states, in the order in which they are visited
 } BoundSearch;
 
-// A transition from a state to itself does not lead to another state.
-static bool leads_on(const BoundSearch *b, const Transition *t) { return b->a->stmt[t->stmt->number].reached && t->to != t->from; }
+// Whether the transition can be taken and leads to another state than its own.
+static bool leads_elsewhere(const BoundSearch *b, const Transition *t) { return b->a->stmt[t->stmt->number].reached && t->to != t->from; }
 
+// Fills in `first` and `into`, by counting sort.
 static void sort_by_target(BoundSearch *b)
 {
     const Transitions *list = &b->a->transition;
@@ -35,11 +37,11 @@ static void sort_by_target(BoundSearch *b)
     for (size_t s = 0; s < n; s++)
         next[s + 1] = b->first[s + 1] += b->first[s];
     for (size_t i = 0; i < list->n; i++)
-        b->into[next[index_of(list->at[i].to)]++] = (uint32_t)i;
+        b->into[next[state_index(list->at[i].to)]++] = (uint32_t)i;
 }
 
-// A state is always left by the end of its first step if one of its blocks can end only in transitions.
-static void find_waiting_state(Analysis *a, const ReachableFn *r, void *context)
+// Called for each reachable function.  If .entry or .step can end only in transitions, its state is always left in its first step.
+static void clear_may_wait_if_left_at_once(Analysis *a, const ReachableFn *r, void *context)
 {
     BoundSearch *b = context;
     bool may_return = false;
@@ -48,48 +50,49 @@ static void find_waiting_state(Analysis *a, const ReachableFn *r, void *context)
     for (size_t k = 0; k < r->fn->blk.n; k++)
         may_return |= r->flow.reached[k] && r->fn->blk.at[k].jump.kind == IR_RET;
     if (r->block != BLOCK_EXIT && !may_return)
-        b->waits[index_of(r->state)] = false;
+        b->may_wait[state_index(r->state)] = false;
 }
 
 static void add_bound_state(BoundSearch *b, const State *s, uint32_t steps)
 {
-    b->out.bound[index_of(s)] = true;
-    b->out.steps[index_of(s)] = steps;
+    b->out.bound[state_index(s)] = true;
+    b->out.steps[state_index(s)] = steps;
     vec_push(b->a->arena, &b->found, s);
 }
 
+// Updates the sources of all transitions into `to`, which is bound or an @abort state.
 static void visit_transitions_into(BoundSearch *b, const State *to)
 {
-    for (uint32_t k = b->first[index_of(to)]; k < b->first[to->number]; k++) {
+    for (uint32_t k = b->first[state_index(to)]; k < b->first[to->number]; k++) {
         const Transition *t = &b->a->transition.at[b->into[k]];
-        const size_t from = index_of(t->from);
-        const State **longest = &b->out.onward[from];
-        if (!leads_on(b, t) || t->from->is_abort)
+        const size_t from = state_index(t->from);
+        const State **longest = &b->out.next[from];
+        if (!leads_elsewhere(b, t) || t->from->is_abort)
             continue;
-        if (!*longest || b->out.steps[index_of(to)] > b->out.steps[index_of(*longest)])
+        if (!*longest || b->out.steps[state_index(to)] > b->out.steps[state_index(*longest)])
             *longest = to;
         if (--b->unbound[from] == 0)
-            add_bound_state(b, t->from, b->waits[from] ? ABORT_NOT_BOUNDED : one_step_more(b->out.steps[index_of(*longest)]));
+            add_bound_state(b, t->from, b->may_wait[from] ? ABORT_NOT_BOUNDED : add_one_step(b->out.steps[state_index(*longest)]));
     }
 }
 
-AbortBound abort_bound(Analysis *a)
+AbortBound abort_find_bound(Analysis *a)
 {
     const size_t n = a->p->state.n;
     BoundSearch b = {.a = a};
 
     b.out = (AbortBound){ARENA_ARRAY(a->arena, bool, n), ARENA_ARRAY(a->arena, uint32_t, n), ARENA_ARRAY(a->arena, const State *, n)};
     b.unbound = ARENA_ARRAY(a->arena, uint32_t, n);
-    b.waits = ARENA_ARRAY(a->arena, bool, n);
+    b.may_wait = ARENA_ARRAY(a->arena, bool, n);
     for (size_t s = 0; s < n; s++)
-        b.waits[s] = true;
-    each_reachable_fn(a, find_waiting_state, &b);
+        b.may_wait[s] = true;
+    each_reachable_fn(a, clear_may_wait_if_left_at_once, &b);
     for (size_t i = 0; i < a->transition.n; i++) {
         const Transition *t = &a->transition.at[i];
         if (t->to == t->from)
-            b.waits[index_of(t->from)] = true;
-        else if (leads_on(&b, t))
-            b.unbound[index_of(t->from)]++;
+            b.may_wait[state_index(t->from)] = true;
+        else if (leads_elsewhere(&b, t))
+            b.unbound[state_index(t->from)]++;
     }
     sort_by_target(&b);
     for (size_t s = 0; s < n; s++)
@@ -102,30 +105,31 @@ AbortBound abort_bound(Analysis *a)
 
 // ---- paths ----
 
-bool abort_is_sure(const AbortPath *p) { return p->possible && p->steps != ABORT_NOT_BOUNDED; }
+bool abort_is_bounded(const AbortPath *p) { return p->possible && p->steps != ABORT_NOT_BOUNDED; }
 
-static void find_paths(Analysis *a, AbortMatrix *x, const AbortBound *b)
+// Adds a path to the matrix for each transition into a bound state or an @abort state.
+static void list_abort_paths(Analysis *a, AbortMatrix *x, const AbortBound *b)
 {
     for (size_t i = 0; i < a->transition.n; i++) {
         const Transition *t = &a->transition.at[i];
         AbortPath path = {.first = t, .guard = condition_text(a->arena, t->when)};
-        if (!b->bound[index_of(t->to)] || t->from->is_abort || t->from == t->to)
+        if (!b->bound[state_index(t->to)] || t->from->is_abort || t->from == t->to)
             continue;
-        path.steps = one_step_more(b->steps[index_of(t->to)]);
+        path.steps = add_one_step(b->steps[state_index(t->to)]);
         path.possible = a->stmt[t->stmt->number].reached;
-        vec_push(a->arena, &x->row[index_of(t->from)].path, path);
+        vec_push(a->arena, &x->row[state_index(t->from)].path, path);
     }
 }
 
 // ---- verdicts ----
 
-static AbortVerdict verdict_of(const Analysis *a, const AbortRow *r)
+static AbortVerdict abort_verdict_of(const Analysis *a, const AbortRow *r)
 {
     bool possible = false;
 
     if (r->state->is_abort)
         return ABORT_ITSELF;
-    if (!facts_may_reach(a->facts, index_of(r->state), BLOCK_ENTRY))
+    if (!facts_may_reach(a->facts, state_index(r->state), BLOCK_ENTRY))
         return ABORT_UNREACHED;
     for (size_t k = 0; k < r->path.n; k++)
         possible |= r->path.at[k].possible;
@@ -136,28 +140,28 @@ static AbortVerdict verdict_of(const Analysis *a, const AbortRow *r)
 
 // ---- entry points ----
 
-AbortMatrix abort_matrix(Trials *t)
+AbortMatrix abort_build_matrix(Trials *t)
 {
     Analysis *a = t->a;
     AbortMatrix x = {false, ARENA_ARRAY(a->arena, AbortRow, a->p->state.n), a->p->state.n, NULL};
-    const AbortBound b = abort_bound(a);
+    const AbortBound b = abort_find_bound(a);
 
     for (size_t s = 0; s < x.n; s++) {
         x.row[s].state = a->p->state.at[s];
-        x.row[s].onward = b.bound[s] ? b.onward[s] : NULL;
+        x.row[s].next = b.bound[s] ? b.next[s] : NULL;
         x.declared |= x.row[s].state->is_abort;
     }
-    find_paths(a, &x, &b);
+    list_abort_paths(a, &x, &b);
     if (x.declared)
         abort_run_trials(t, &x, &b);
     for (size_t s = 0; s < x.n; s++) {
         AbortRow *r = &x.row[s];
         for (size_t k = 0; k < r->path.n; k++)
-            if (abort_is_sure(&r->path.at[k]) && r->path.at[k].steps > r->steps)
+            if (abort_is_bounded(&r->path.at[k]) && r->path.at[k].steps > r->steps)
                 r->steps = r->path.at[k].steps;
-        r->verdict = verdict_of(a, r);
+        r->verdict = abort_verdict_of(a, r);
     }
     return x;
 }
 
-const State *abort_onward(const AbortMatrix *x, const State *s) { return x->row[index_of(s)].onward; }
+const State *abort_next_state(const AbortMatrix *x, const State *s) { return x->row[state_index(s)].next; }

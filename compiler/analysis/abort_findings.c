@@ -4,18 +4,17 @@
 #include "compiler/analysis/abort.h"
 #include "compiler/analysis/trial_checks.h"
 
-enum { PATHS_SHOWN = 3, STATES_FOLLOWED = 50 };
+enum { PATHS_SHOWN = 3, STATES_FOLLOWED = 50 };       // notes in one finding; the longest path that is followed to its end
 
-// The @abort state at the end of a path through other states.
-static const State *final_state(const AbortMatrix *x, const State *s)
+// Returns the @abort state at the end of the longest path from s.
+static const State *follow_to_abort_state(const AbortMatrix *x, const State *s)
 {
     for (int i = 0; i < STATES_FOLLOWED && !s->is_abort; i++)
-        s = abort_onward(x, s);
+        s = abort_next_state(x, s);
     return s;
 }
 
-// Adds notes for the failing transitions, each with the states that it leads through.  Of several that wait for the same guard,
-// only one is noted.
+// Adds a note for each transition to an abort that depends on the sensor.  Of several inside the same guard, only the first gets one.
 static void note_paths(Analysis *a, Diag *d, const AbortMatrix *x, const AbortRow *r, const Var *sensor)
 {
     const char *name = sensor->name->text;
@@ -24,7 +23,7 @@ static void note_paths(Analysis *a, Diag *d, const AbortMatrix *x, const AbortRo
 
     for (size_t k = 0; k < r->path.n && shown < PATHS_SHOWN; k++) {
         const AbortPath *path = &r->path.at[k];
-        const Condition *when = abort_is_sure(path) ? input_deps_find_condition(x->deps, path->first->when, sensor) : NULL;
+        const Condition *when = abort_is_bounded(path) ? input_deps_find_condition(x->deps, path->first->when, sensor) : NULL;
         const State *to = path->first->to;
         const Stmt *store;
         if (!when || when->stmt == last)
@@ -33,7 +32,7 @@ static void note_paths(Analysis *a, Diag *d, const AbortMatrix *x, const AbortRo
         if (to->is_abort)
             diag_note(a->diags, d, when->stmt->span, DIAG_note_abort_transition, to->name->text, name);
         else
-            diag_note(a->diags, d, when->stmt->span, DIAG_note_abort_transitions, to->name->text, final_state(x, to)->name->text, name);
+            diag_note(a->diags, d, when->stmt->span, DIAG_note_abort_transitions, to->name->text, follow_to_abort_state(x, to)->name->text, name);
         if (store)
             diag_note(a->diags, d, store->span, DIAG_note_made_of_sensor, store->var->name->text, name);
         last = when->stmt;
@@ -41,6 +40,7 @@ static void note_paths(Analysis *a, Diag *d, const AbortMatrix *x, const AbortRo
     }
 }
 
+// Reports everything that is wrong with one state's ability to abort.
 static void report_row(Analysis *a, const AbortMatrix *x, const AbortRow *r)
 {
     const Span span = r->state->span;
@@ -70,7 +70,7 @@ static void report_row(Analysis *a, const AbortMatrix *x, const AbortRow *r)
 
 void check_abort(Trials *t)
 {
-    const AbortMatrix x = abort_matrix(t);
+    const AbortMatrix x = abort_build_matrix(t);
 
     for (size_t s = 0; s < x.n && x.declared; s++)
         report_row(t->a, &x, &x.row[s]);

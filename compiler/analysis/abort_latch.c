@@ -1,31 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 // States that abort as soon as they are entered again, because a variable set before the last abort is still set.
 //
-// Compares two situations at the entry of a state, with full windows and the same healthy readings.  One goes to an @abort
-// state within two steps for all readings for which the other does not.  A variable that the transition reads and that differs
-// between the two is the reason.
+// Compares two situations at the entry of a state, with full windows and the same healthy readings.  If the first aborts within two
+// steps for all readings for which the second does not, the reason is a variable that differs between them and that the guard of
+// the transition reads.
 #include <string.h>
 
 #include "compiler/analysis/abort.h"
 #include "compiler/analysis/trial_checks.h"
 
-enum { DRAWS = 40, AT_ONCE = 2 };
+enum {
+    DRAWS_MAX = 40,               // how many random inputs are tried for two situations
+    STEPS_AT_ONCE = 2             // an abort within so many steps after the entry counts as immediate
+};
 
 typedef struct LatchSearch {
     Trials *t;
     AbortBound bound;
-    void *at;
-    double *in;
+    void *at;                     // the situation that is run
+    double *in;                   // its inputs
 } LatchSearch;
 
-// The transition to an abort that it takes within two steps; NULL: it takes another transition or none.
+// Runs STEPS_AT_ONCE steps from the situation of e with the current inputs.  Returns its first transition if that leads to a bound
+// state or an @abort state; NULL if it leads elsewhere, or if there is none.
 static const Transition *find_early_abort(LatchSearch *l, const TrialEntry *e)
 {
     Trials *t = l->t;
 
     trial_copy(t, l->at, e->situation);
     trial_fill_windows(t, l->at, l->in);
-    for (int k = 0; k < AT_ONCE; k++) {
+    for (int k = 0; k < STEPS_AT_ONCE; k++) {
         const Transition *taken;
         trial_step(t, l->at, l->in, t->dt, &t->trace);
         taken = t->trace.transition ? t->transition[t->trace.transition] : NULL;
@@ -35,13 +39,14 @@ static const Transition *find_early_abort(LatchSearch *l, const TrialEntry *e)
     return NULL;
 }
 
-// The transition that e always takes when `other` does not abort.  NULL: e does not always take it, or `other` always aborts.
-static const Transition *find_abort_of_one(LatchSearch *l, const TrialEntry *e, const TrialEntry *other)
+// Returns the transition by which e aborts for all tried inputs for which `other` does not abort.  NULL: there is no single such
+// transition, e does not always abort, or `other` always does.
+static const Transition *find_abort_of_one_only(LatchSearch *l, const TrialEntry *e, const TrialEntry *other)
 {
     Trials *t = l->t;
     const Transition *taken = NULL;
 
-    for (int n = 0; n < DRAWS; n++) {
+    for (int n = 0; n < DRAWS_MAX; n++) {
         const Transition *now;
         memcpy(l->in, e->in, t->inputs * sizeof *l->in);
         for (uint32_t i = 0; i < t->inputs; i++)
@@ -58,11 +63,11 @@ static const Transition *find_abort_of_one(LatchSearch *l, const TrialEntry *e, 
     return taken;
 }
 
-// Returns whether there is one.
-static bool report_latch(LatchSearch *l, const State *state, const TrialEntry *e, const TrialEntry *other)
+// Reports a variable that makes e abort while `other` does not.  Returns whether there is one.
+static bool try_report_latch(LatchSearch *l, const State *state, const TrialEntry *e, const TrialEntry *other)
 {
     const Analysis *a = l->t->a;
-    const Transition *taken = find_abort_of_one(l, e, other);
+    const Transition *taken = find_abort_of_one_only(l, e, other);
     const Var *latch = taken ? trial_find_difference(l->t, taken->when, e->situation, other->situation) : NULL;
 
     if (latch)
@@ -73,13 +78,13 @@ static bool report_latch(LatchSearch *l, const State *state, const TrialEntry *e
 
 void check_abort_latch(Trials *t)
 {
-    LatchSearch l = {t, abort_bound(t->a), arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t)};
+    LatchSearch l = {t, abort_find_bound(t->a), arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t)};
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const TrialState *entries = &t->state[s];
         bool found = l.bound.bound[s];
         for (size_t n = 0; n < entries->entry.n && !found; n++)
             for (size_t k = 0; k < entries->entry.n && !found; k++)
-                found = k != n && report_latch(&l, t->a->p->state.at[s], &entries->entry.at[n], &entries->entry.at[k]);
+                found = k != n && try_report_latch(&l, t->a->p->state.at[s], &entries->entry.at[n], &entries->entry.at[k]);
     }
 }

@@ -1,50 +1,51 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the ability to abort depends on: trials in which a sensor has failed, and trials without any command.
+// Finds out what the ability to abort depends on, by trials in which a sensor has failed and trials without any command.
 //
 // A state can abort if some trial from it reaches an @abort state, directly or through states that lead nowhere else.  It is
-// reported as unable to abort only if both agree: no trial aborts, and every transition that could depends on the failed
+// reported as unable to abort only if two things are true: no trial aborts, and every transition to an abort depends on the failed
 // sensor.
 #include "compiler/analysis/abort.h"
 #include "compiler/analysis/trial_checks.h"
 
 enum {
-    TRIED = 4,                    // entries of a state that are tried
-    ENTRIES = 8,                  // the same, for a state that begins again
-    LIVES = 80,                   // trials before the search concludes that none aborts
-    CHANGES = 4,                  // of the inputs in one trial
-    WORK = 400000                 // instructions spent on one state and sensor
+    ENTRIES_TRIED = 4,            // how many entries of a state are tried
+    LATCH_ENTRIES_TRIED = 8,      // how many, when entries of one state are compared with each other
+    TRIALS_PER_ENTRY = 80,        // how many trials without an abort mean that none aborts
+    INPUT_CHANGES = 4,            // how often the inputs change in one trial
+    WORK_MAX = 400000             // instructions spent on one state and sensor
 };
 
 typedef struct AbortTrials {
     Trials *t;
     const AbortBound *b;
     const InputDepsTable *deps;
-    void *at;
-    double *in;
+    void *at;                     // the current situation
+    double *in;                   // its inputs
     bool commands;                // the trial may give any command
-    const SensorFailure *failed;         // or NULL
-    bool left_at_once, left;      // some trial left the state within two steps; or later, but before windows were full; both not to abort
+    const SensorFailure *failed;  // or NULL
+    bool left_at_once;            // some trial left the state within two steps, and did not abort
+    bool left;                    // the same, later, but before windows were full
     bool stayed;                  // some trial stayed in the state until windows were full
     bool aborted;                 // some trial aborted
     bool driven;                  // an output was on during a trial
     uint64_t until;               // value of Trials.run.work at which the trials stop
 } AbortTrials;
 
-typedef enum TrialEnd { STAYS, ABORTS, LEAVES } TrialEnd;
+typedef enum TrialEnd { TRIAL_STAYS, TRIAL_ABORTS, TRIAL_LEAVES } TrialEnd;
 
 // ---- trials ----
 
-// What the last step led to.
-static TrialEnd end_after_step(AbortTrials *k, uint32_t state)
+// Returns where the last step led from this state.  If it stayed there, records whether an output is on.
+static TrialEnd classify_last_step(AbortTrials *k, uint32_t state)
 {
     Trials *t = k->t;
     const double *var = ir_run_vars(t->run, k->at);
 
     if (trial_state(k->at) != state)
-        return k->b->bound[trial_state(k->at) - 1] ? ABORTS : LEAVES;
+        return k->b->bound[trial_state(k->at) - 1] ? TRIAL_ABORTS : TRIAL_LEAVES;
     for (uint32_t v = 0; v < t->run->m->var.n && !k->driven; v++)
         k->driven = t->actuator[v] && var[v] != 0;
-    return STAYS;
+    return TRIAL_STAYS;
 }
 
 static TrialEnd run_step(AbortTrials *k, uint32_t state)
@@ -52,54 +53,56 @@ static TrialEnd run_step(AbortTrials *k, uint32_t state)
     if (k->failed)
         k->in[k->failed->input] = k->failed->reading;
     trial_step(k->t, k->at, k->in, k->t->dt, &k->t->trace);
-    return end_after_step(k, state);
+    return classify_last_step(k, state);
 }
 
-// Holds the inputs until windows are full, and then for as long as anything can happen.
-static TrialEnd hold_inputs(AbortTrials *k, uint32_t state)
+// Runs with constant inputs until windows are full, and then for as long as anything can happen.  Returns where that led.
+static TrialEnd hold_inputs_in_state(AbortTrials *k, uint32_t state)
 {
     Trials *t = k->t;
-    TrialEnd f = STAYS;
+    TrialEnd f = TRIAL_STAYS;
 
-    for (uint32_t n = t->window + 5; n > 0 && f == STAYS; n--) {
+    for (uint32_t n = t->window + 5; n > 0 && f == TRIAL_STAYS; n--) {
         f = run_step(k, state);
-        *(n > t->window + 3 ? &k->left_at_once : &k->left) |= f == LEAVES;
+        *(n > t->window + 3 ? &k->left_at_once : &k->left) |= f == TRIAL_LEAVES;
     }
-    k->stayed |= f == STAYS;
-    for (int n = 0, idle = 0; n < TRIAL_PASSES && f == STAYS && idle < 2; n++) {
+    k->stayed |= f == TRIAL_STAYS;
+    for (int n = 0, idle = 0; n < TRIAL_PASSES && f == TRIAL_STAYS && idle < 2; n++) {
         idle = trial_pass_time(t, k->at, k->in, &t->trace) ? 0 : idle + 1;
-        f = end_after_step(k, state);
+        f = classify_last_step(k, state);
     }
     return f;
 }
 
-static bool aborts_from(AbortTrials *k, const TrialEntry *e)
+// Runs trials from an entry until one aborts.  Returns whether one did.
+static bool find_aborting_trial(AbortTrials *k, const TrialEntry *e)
 {
     Trials *t = k->t;
     const uint32_t state = trial_state(e->situation);
 
-    for (int n = 0; n < LIVES && t->run->work < k->until; n++) {
-        TrialEnd f = STAYS;
+    for (int n = 0; n < TRIALS_PER_ENTRY && t->run->work < k->until; n++) {
+        TrialEnd f = TRIAL_STAYS;
         trial_begin(t, e, k->at, k->in);
         if (k->failed) {
             k->in[k->failed->input] = k->failed->reading;
             trial_fill_windows(t, k->at, k->in);
         }
-        for (int c = 0; c < CHANGES && f == STAYS; c++) {
+        for (int c = 0; c < INPUT_CHANGES && f == TRIAL_STAYS; c++) {
             trial_draw_inputs(t, k->in, &t->state[state - 1], k->commands, true);
             if (c == 0 && n % 2)
                 f = run_step(k, state);
-            if (f == STAYS)
-                f = hold_inputs(k, state);
+            if (f == TRIAL_STAYS)
+                f = hold_inputs_in_state(k, state);
         }
-        if (f == ABORTS)
+        if (f == TRIAL_ABORTS)
             return true;
     }
     return false;
 }
 
-// Whether some trial aborts, with or without commands, and with or without a failed sensor.
-static bool can_abort(AbortTrials *k, const AbortRow *r, bool commands, const SensorFailure *failed)
+// Runs trials from the entries of a state, with or without commands, and with or without a failed sensor.  Returns whether one
+// aborted, or whether no trial can tell because none stayed in the state.
+static bool try_to_abort(AbortTrials *k, const AbortRow *r, bool commands, const SensorFailure *failed)
 {
     const TrialState *s = &k->t->state[r->state->number - 1];
     bool found = false;
@@ -107,9 +110,9 @@ static bool can_abort(AbortTrials *k, const AbortRow *r, bool commands, const Se
     k->commands = commands;
     k->failed = failed;
     k->stayed = k->left = k->left_at_once = false;
-    k->until = k->t->run->work + WORK;
-    for (size_t n = 0; n < s->entry.n && n < TRIED && !found; n++)
-        found = aborts_from(k, &s->entry.at[n]);
+    k->until = k->t->run->work + WORK_MAX;
+    for (size_t n = 0; n < s->entry.n && n < ENTRIES_TRIED && !found; n++)
+        found = find_aborting_trial(k, &s->entry.at[n]);
     k->failed = NULL;
     k->aborted = found;
     return found || !k->stayed;
@@ -117,8 +120,8 @@ static bool can_abort(AbortTrials *k, const AbortRow *r, bool commands, const Se
 
 // ---- inputs of the paths ----
 
-// Whether every transition to an abort that needs no person depends on this sensor.
-static bool all_depend_on(const AbortRow *r, const Var *v)
+// Whether every bounded path that does not depend on commands alone depends on this sensor, and there is such a path.
+static bool all_paths_depend_on(const AbortRow *r, const Var *v)
 {
     bool any = false;
 
@@ -128,45 +131,47 @@ static bool all_depend_on(const AbortRow *r, const Var *v)
         bool depends = false;
         for (size_t i = 0; i < path->sensors; i++)
             depends |= path->sensor[i] == v;
-        if (!depends && abort_is_sure(path) && !by_command_alone)
+        if (!depends && abort_is_bounded(path) && !by_command_alone)
             return false;
-        any |= depends && abort_is_sure(path);
+        any |= depends && abort_is_bounded(path);
     }
     return any;
 }
 
-static bool all_by_command(const AbortRow *r)
+static bool all_paths_need_command(const AbortRow *r)
 {
     for (size_t p = 0; p < r->path.n; p++)
-        if (abort_is_sure(&r->path.at[p]) && !r->path.at[p].by_input)
+        if (abort_is_bounded(&r->path.at[p]) && !r->path.at[p].by_input)
             return false;
     return true;
 }
 
-static bool any_sure(const AbortRow *r)
+static bool has_bounded_path(const AbortRow *r)
 {
     for (size_t p = 0; p < r->path.n; p++)
-        if (abort_is_sure(&r->path.at[p]))
+        if (abort_is_bounded(&r->path.at[p]))
             return true;
     return false;
 }
 
 // ---- a sensor that has failed ----
 
-static bool cannot_abort_at(AbortTrials *k, const AbortRow *r, uint32_t input, double reading)
+// Whether no trial aborts at this reading, and that says something: a trial stays until windows are full, or all trials leave the
+// state, but none within two steps.
+static bool fails_to_abort_at(AbortTrials *k, const AbortRow *r, uint32_t input, double reading)
 {
     const SensorFailure f = {input, reading, 0};
 
-    return !can_abort(k, r, false, &f) || (!k->stayed && !k->aborted && k->left && !k->left_at_once);
+    return !try_to_abort(k, r, false, &f) || (!k->stayed && !k->aborted && k->left && !k->left_at_once);
 }
 
-// A reading that no healthy sensor delivers must not lead to any other state either.
+// As fails_to_abort_at, for a reading that no healthy sensor delivers: leaving the state without an abort counts as failing, too.
 static bool is_blind_at(AbortTrials *k, const AbortRow *r, uint32_t input, double reading)
 {
-    return cannot_abort_at(k, r, input, reading) || (!k->stayed && !k->aborted && k->left_at_once);
+    return fails_to_abort_at(k, r, input, reading) || (!k->stayed && !k->aborted && k->left_at_once);
 }
 
-// Tries 0 and the readings outside the range, as far as the type can represent them.
+// Finds out whether the state cannot abort while the sensor reads 0, or a number outside its range that the type can represent.
 static void find_blind_readings(AbortTrials *k, AbortRow *r, uint32_t input)
 {
     const TrialInput *i = &k->t->input[input];
@@ -188,13 +193,14 @@ static void find_blind_readings(AbortTrials *k, AbortRow *r, uint32_t input)
                             above ? format_in(arena, "more than %s", const_text(arena, i->hi)) : "");
 }
 
+// Finds a healthy reading at which the sensor may stick so that the state cannot abort.
 static void find_stuck_reading(AbortTrials *k, AbortRow *r, uint32_t input)
 {
     const TrialInput *i = &k->t->input[input];
 
     for (uint32_t n = 0; n < i->readings; n++) {
         const double x = i->reading[(n + i->readings / 2) % i->readings];
-        if (x == 0 || !trial_is_healthy(i, x) || !cannot_abort_at(k, r, input, x))
+        if (x == 0 || !trial_is_healthy(i, x) || !fails_to_abort_at(k, r, input, x))
             continue;
         r->single = i->v;
         r->stuck = x;
@@ -204,17 +210,17 @@ static void find_stuck_reading(AbortTrials *k, AbortRow *r, uint32_t input)
 
 // ---- state that remains from an earlier abort ----
 
-// If one entry can abort and another cannot: finds a variable that a path reads and that differs between them.
+// If trials abort from one entry of the state but not from another, finds a variable that a path reads and that differs between them.
 static void find_latch(AbortTrials *k, AbortRow *r)
 {
     const TrialState *s = &k->t->state[r->state->number - 1];
     const TrialEntry *can = NULL, *cannot = NULL;
 
     k->commands = true;
-    for (size_t n = 0; n < s->entry.n && n < ENTRIES && !(can && cannot); n++) {
+    for (size_t n = 0; n < s->entry.n && n < LATCH_ENTRIES_TRIED && !(can && cannot); n++) {
         k->stayed = false;
-        k->until = k->t->run->work + WORK;
-        if (aborts_from(k, &s->entry.at[n]))
+        k->until = k->t->run->work + WORK_MAX;
+        if (find_aborting_trial(k, &s->entry.at[n]))
             can = &s->entry.at[n];
         else if (k->stayed && k->t->run->work < k->until)
             cannot = &s->entry.at[n];
@@ -227,21 +233,21 @@ static void find_latch(AbortTrials *k, AbortRow *r)
         r->latched_at = trial_vars(k->t, cannot->situation)[k->t->a->m->var_of[r->latch->index]];
 }
 
-static void fill_row(AbortTrials *k, AbortRow *r)
+static void fill_in_trial_results(AbortTrials *k, AbortRow *r)
 {
     Trials *t = k->t;
 
     if (t->state[r->state->number - 1].entry.n == 0)
         return;
     k->driven = false;
-    r->by_itself = can_abort(k, r, false, NULL);
-    r->by_command = any_sure(r) && !r->by_itself && all_by_command(r) && can_abort(k, r, true, NULL);
+    r->by_itself = try_to_abort(k, r, false, NULL);
+    r->by_command = has_bounded_path(r) && !r->by_itself && all_paths_need_command(r) && try_to_abort(k, r, true, NULL);
     r->drives = k->driven;
-    if (!any_sure(r) || !r->by_itself)
+    if (!has_bounded_path(r) || !r->by_itself)
         return;
     find_latch(k, r);
     for (uint32_t i = 0; i < t->inputs && !(r->blind && r->single); i++)
-        if (!t->input[i].command && all_depend_on(r, t->input[i].v)) {
+        if (!t->input[i].command && all_paths_depend_on(r, t->input[i].v)) {
             if (!r->blind)
                 find_blind_readings(k, r, i);
             if (!r->single)
@@ -266,6 +272,6 @@ void abort_run_trials(Trials *t, AbortMatrix *x, const AbortBound *b)
             path->by_input = deps.input;
         }
         if (!r->state->is_abort)
-            fill_row(&k, r);
+            fill_in_trial_results(&k, r);
     }
 }

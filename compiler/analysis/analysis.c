@@ -81,6 +81,7 @@ void each_reachable_fn(Analysis *a, void (*f)(Analysis *a, const ReachableFn *r,
         }
 }
 
+// Whether every number of f has a magnitude of 2^53 or more.
 static bool is_large(Fact f) { return f.lo >= FACT_EXACT || f.hi <= -FACT_EXACT; }
 
 static void record_ins(Analysis *a, const IrFn *f, const FactFlow *flow, const IrIns *i)
@@ -90,7 +91,7 @@ static void record_ins(Analysis *a, const IrFn *f, const FactFlow *flow, const I
     if (i->op == IR_store) {
         const IrIns *value = &f->ins.at[i->a];
         a->stmt[i->stmt].reached = true;
-        a->stmt[i->stmt].value = flow->of[value->op == IR_cvt ? value->a : i->a];         // a bool needs no conversion
+        a->stmt[i->stmt].value = flow->of[value->op == IR_cvt ? value->a : i->a];         // before conversion, if there is one
     }
 }
 
@@ -109,7 +110,7 @@ static void record_jump(Analysis *a, const FactFlow *flow, const IrJump *j, cons
     s->value = fact_meet(flow->of[j->cond], fact_of_bool(s->otherwise, s->then));
 }
 
-// May be called several times for one function, each time with everything reached so far.  The last call is final.
+// Called by compiler/facts for each reachable function, again whenever its facts have changed.  Overwrites what earlier calls stored.
 static void record_flow(void *context, const IrFn *f, FactFlow flow)
 {
     Analysis *a = context;
@@ -134,6 +135,7 @@ static void discard_flows(void *context)
 
 // ---- entry points ----
 
+// As analysis_begin, for a machine whose IR has been built.
 static void begin_on_ir(Analysis *a, Arena *arena, Diags *diags, const IrMachine *m)
 {
     const FactObserver observer = {record_flow, discard_flows, a};

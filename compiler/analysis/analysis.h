@@ -6,7 +6,7 @@
 //
 // The facts (`facts`, `stmt`) come from compiler/facts, run on the IR before any pass.  They assume that the machine starts in
 // its first state and that elements can have any value of their type at the start of every step.  So whatever is called
-// impossible here is impossible for all inputs.  @range is used only where an analysis documents it (assume.h).
+// impossible here is impossible for all inputs.  Only analyses that document it use @range (assume.h).
 #ifndef SMC_ANALYSIS_H
 #define SMC_ANALYSIS_H
 
@@ -26,7 +26,7 @@ typedef struct StmtFact {
 
 typedef struct Analysis {
     unsigned groups;              // 1u << DiagGroup for each group whose warnings are wanted
-    uint64_t step;                // how much G advances per step; 0: unknown
+    uint64_t step;                // how much the global time G advances per step; 0: unknown
     Arena *arena;                 // working memory of one analysis, freed after it.  Data that a diagnostic stores (such as the
                                   // text of an edit) is in diags->arena
     Diags *diags;
@@ -41,15 +41,15 @@ typedef struct Analysis {
 // Prepares everything except the findings; reports use it too.  `arena` owns the result.
 void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p);
 
-// Runs all analyses of a machine, as built, whose warnings belong to these groups (1u << DiagGroup for each).  `step` is as
-// above.  Nothing in `arena` is needed afterwards.  `scratch` must be empty and is empty again on return.
+// Runs all analyses of a machine, in its IR before any pass, whose warnings belong to these groups (1u << DiagGroup for each).
+// `step`: see Analysis.step.  Nothing in `arena` is needed afterwards.  `scratch` must be empty and is empty again on return.
 void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine *m, unsigned groups, uint64_t step);
 
-// Findings that need several machines over one state vector: which machine writes which element.  Their names come from one
-// pool.
+// Reports conflicts between n machines that share a state vector, such as two machines that write one element.  The names of all
+// machines must be interned in one pool.
 void analyse_shared_vector(Arena *arena, Diags *diags, const Program *const *p, size_t n);
 
-// The same for a machine and the pins of its elements (config.md 9.13).  An input for G or S is reported as an error.
+// Reports conflicts between a machine and the input pins of its elements (config.md 9.13).  An input pin for G or S is an error.
 void analyse_shared_pins(Arena *arena, Diags *diags, const IoMap *io, const Program *p);
 
 // ---- for analyses ----
@@ -64,7 +64,7 @@ enum {
     COMPARISONS = EQUALITIES | 1 << SM_OP_LT | 1 << SM_OP_LE | 1 << SM_OP_GT | 1 << SM_OP_GE
 };
 
-// The comparisons that an expression itself makes, without its operands: a chain has several, `a < b` has one, others have none.
+// The comparisons in the outermost node of an expression: a chain such as `0 < x < 9` has several, `a < b` has one, others have none.
 typedef struct Comparison {
     const Expr *a, *b;
     SmOperator op;
@@ -72,10 +72,10 @@ typedef struct Comparison {
 uint32_t comparison_count(const Expr *e);
 Comparison comparison_at(const Expr *e, uint32_t i);
 
-// The comparison that is true exactly where this one is false (for numbers, not NaN), and the one with exchanged operands.
+// The operator that is true exactly where op is false (if no operand is NaN), and the one for exchanged operands (< for >).
 SmOperator comparison_negated(SmOperator op);
 SmOperator comparison_swapped(SmOperator op);
-// Its possible results, as a bool.
+// The possible results of `a op b`, as a bool.
 Fact fact_of_comparison(SmOperator op, Fact a, Fact b);
 
 // Whether every path through these statements ends in a transition, whatever the guards evaluate to (dead_code.c).

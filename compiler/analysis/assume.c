@@ -24,11 +24,12 @@ const Env *assume_fact(const Analysis *a, const Env *env, const Var *v, Fact f)
 
 typedef struct GuardFacts {
     const IrFn *f;
-    bool holds;                   // the result of interest
-    bool possible;                // the guard can have it
-    const Env *env;               // the facts where it has
+    bool holds;                   // the assumed value of the guard
+    bool possible;                // the guard can have this value
+    const Env *env;               // the facts if it has
 } GuardFacts;
 
+// Called for both ends of the guard's function (ir_build_guard): block 1 is the one for true.
 static void record_result(void *context, const IrJump *end, const Env *env)
 {
     GuardFacts *out = context;
@@ -39,7 +40,8 @@ static void record_result(void *context, const IrJump *end, const Env *env)
     }
 }
 
-// Evaluates the guard twice: for `p > 20 and p < 10`, the second pass starts from what the first half leaves possible.
+// As assume_guard, for a guard in IR.  Evaluates it twice, because an operand of `and` can restrict what was evaluated before it: in
+// `p > q and q > 5`, the bound of p follows only in the second evaluation.
 static bool assume_result(const Analysis *a, const Env **env, const IrFn *f, bool holds)
 {
     GuardFacts out = {.f = f, .holds = holds, .env = *env};

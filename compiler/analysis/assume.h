@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What follows from an assumption: a sensor reads 0, two guards are true together.  The answers come from the same facts as
-// everything else (compiler/facts).  So "impossible" is certain, and "possible" may be too cautious.
+// What follows from an assumption, such as that a sensor reads 0 or that two guards are true together.  The answers are computed
+// from facts (compiler/facts).  So "impossible" is proved, and "possible" means only: not proved impossible.
 //
 //     const Env *env = facts_at_begin(a->facts, state, BLOCK_STEP);
 //     env = assume_fact(a, env, pressure, fact_of_cell(SM_F64, 0));
@@ -17,10 +17,10 @@ const Env *assume_fact(const Analysis *a, const Env *env, const Var *v, Fact f);
 // impossible.
 bool assume_guard(const Analysis *a, const Env **env, const Expr *guard, bool holds);
 
-// The possible values of an expression at this point; for an expression that is true or false, as a bool.
+// The possible values of an expression where the facts env are true; for a condition, as a bool.
 Fact fact_of_expr(const Analysis *a, const Env *env, const Expr *e);
 
-// The analysis of a machine whose sensors always stay in their @range, with its locals.  Returns *a if there is no @range.
+// Returns a copy of *a with facts that assume that every sensor always stays in its @range.  Without any @range, the same facts.
 Analysis assume_ranges(const Analysis *a);
 
 Fact fact_of_number(SmF64 x);                 // exactly this number

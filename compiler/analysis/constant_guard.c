@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guards that are always or never true, and the reason: a switch of constants, a type, a part that contradicts another, an
-// earlier guard that covers all other cases, or the facts about the variables.
+// Guards that are always or never true, and the reason: constants alone (a switch, intended by the user), a type, a part that
+// contradicts another, an earlier guard that covers all other cases, or the facts about the variables.
 #include "compiler/analysis/decided_comparison.h"
 #include <string.h>
 
@@ -20,18 +20,18 @@ uint32_t add_dead_code(ReachWalk *k, DeadCause cause, const Stmt *stmt, const St
 
 // ---- explained by other findings ----
 
-// Contains only numbers and locals that never change.  If such a local is not marked @read_only, it has its own finding.
-static bool never_changes(const Expr *e)
+// Whether e contains only numbers and locals that never change.  If such a local is not marked @read_only, it has its own finding.
+static bool is_constant_expr(const Expr *e)
 {
     if (e->kind == EX_ROLL || (e->kind == EX_VAR && (e->var->kind != VAR_LOCAL || e->var->written)))
         return false;
     for (uint32_t i = 0; i < e->n; i++)
-        if (!never_changes(e->arg[i]))
+        if (!is_constant_expr(e->arg[i]))
             return false;
     return true;
 }
 
-// The value of a guard if constants alone decide it.
+// The value of a guard if constants alone decide it; SOMETIMES if they do not.
 static Truth truth_by_constants(const Expr *e)
 {
     if (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR)) {
@@ -39,13 +39,13 @@ static Truth truth_by_constants(const Expr *e)
         const Truth decisive = e->op == SM_OP_AND ? NEVER : ALWAYS;
         return a == decisive || b == decisive ? decisive : a == b ? a : SOMETIMES;
     }
-    if (!never_changes(e))
+    if (!is_constant_expr(e))
         return SOMETIMES;
     return sm_to_bool(expr_constant_value(e)) ? ALWAYS : NEVER;
 }
 
-// A local that has its initial value here and gets other values elsewhere.  Reading it too early is reported at that local.
-static bool reads_initial(const ReachWalk *k, const Expr *e, const Env *env)
+// Whether e reads a local that still has its initial value here and gets other values elsewhere.  read_before_write.c reports that.
+static bool reads_initial_value(const ReachWalk *k, const Expr *e, const Env *env)
 {
     const Var *v = e->var;
     double x;
@@ -54,7 +54,7 @@ static bool reads_initial(const ReachWalk *k, const Expr *e, const Env *env)
         return fact_is_number(env_get(&k->a->facts->shape, env, k->a->m->var_of[v->index]), &x) &&
                sm_eq(x, sm_cell_to_f64(v->type, v->init));
     for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n; i++)
-        if (reads_initial(k, e->arg[i], env))
+        if (reads_initial_value(k, e->arg[i], env))
             return true;
     return false;
 }
@@ -62,7 +62,7 @@ static bool reads_initial(const ReachWalk *k, const Expr *e, const Env *env)
 // ---- the facts at the guard ----
 
 // The first expression that the guard compares, or the bool that it reads; or NULL.
-static const Expr *find_compared(const Expr *e)
+static const Expr *find_compared_expr(const Expr *e)
 {
     const bool comparison = comparison_count(e) > 0;
     const Expr *found = NULL;
@@ -70,11 +70,12 @@ static const Expr *find_compared(const Expr *e)
     if (e->kind == EX_VAR && !expr_is_constant(e))
         return e;
     for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n && !found; i++)
-        found = comparison && !expr_is_constant(e->arg[i]) ? e->arg[i] : comparison ? NULL : find_compared(e->arg[i]);
+        found = comparison && !expr_is_constant(e->arg[i]) ? e->arg[i] : comparison ? NULL : find_compared_expr(e->arg[i]);
     return found;
 }
 
-// Writes "above 400" if the facts contain 400.00000000000006 and more.
+// The text of a bound x.  `beside` is the next number outside the bound; if it is shorter, as 400 beside 400.00000000000006, the text
+// is "above 400" (strict) instead of "at least 400.00000000000006" (or_equal).
 static const char *bound_text(Arena *arena, double x, double beside, const char *strict, const char *or_equal)
 {
     const char *text = const_text(arena, x), *other = const_text(arena, beside);
@@ -82,6 +83,7 @@ static const char *bound_text(Arena *arena, double x, double beside, const char 
     return strlen(other) < strlen(text) ? format_in(arena, "%s %s", strict, other) : format_in(arena, "%s %s", or_equal, text);
 }
 
+// "here 'mode' is always at least 1 and at most 2", for bounds of which at least one is finite.
 static const char *range_text(Arena *arena, const char *what, Fact f)
 {
     const bool open = f.lo - f.lo != 0, endless = f.hi - f.hi != 0;
@@ -93,10 +95,10 @@ static const char *range_text(Arena *arena, const char *what, Fact f)
     return format_in(arena, "here '%s' is always %s%s%s", what, open ? "" : lo, open || endless ? "" : " and ", endless ? "" : hi);
 }
 
-// "here 'mode' is always at most 2", or NULL if the facts only show that it is a number.
+// What the facts say about the expression that a guard compares: "here 'mode' is always at most 2".  NULL: only that it is a number.
 static const char *facts_text(const ReachWalk *k, const Stmt *s)
 {
-    const Expr *e = find_compared(s->value);
+    const Expr *e = find_compared_expr(s->value);
     const char *name;
     Fact f;
 
@@ -111,32 +113,33 @@ static const char *facts_text(const ReachWalk *k, const Stmt *s)
     return range_text(k->a->arena, name, f);
 }
 
-// Whether the guard is always true (or always false) for all values of its variables.
-static bool decides_itself(const ReachWalk *k, const Expr *guard, bool holds)
+// Whether the guard is always true (or always false) whatever its variables contain.
+static bool is_decided_alone(const ReachWalk *k, const Expr *guard, bool holds)
 {
     const Env *env = NULL;
 
-    return (holds ? guard_always(k->a, guard) : guard_never(k->a, guard)) || !assume_guard(k->a, &env, guard, !holds);
+    return (holds ? guard_is_always_true(k->a, guard) : guard_is_never_true(k->a, guard)) || !assume_guard(k->a, &env, guard, !holds);
 }
 
 // ---- reports ----
 
-static bool has_parts(const Expr *e)
+static bool is_compound(const Expr *e)
 {
     if (e->kind == EX_UNARY && e->op == SM_OP_NOT)
-        return has_parts(e->arg[0]);
+        return is_compound(e->arg[0]);
     return e->kind == EX_CHAIN || (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR));
 }
 
-static DiagCode never_code(const ReachWalk *k, const Stmt *s)
+// Which diagnostic fits a guard that is never true: its parts contradict each other, or the facts at the guard decide.
+static DiagCode code_of_never_true(const ReachWalk *k, const Stmt *s)
 {
-    return has_parts(s->value) && decides_itself(k, s->value, false) ? DIAG_guard_contradiction : DIAG_guard_never;
+    return is_compound(s->value) && is_decided_alone(k, s->value, false) ? DIAG_guard_contradiction : DIAG_guard_never;
 }
 
 void report_never_true(ReachWalk *k, const DeadCode *d)
 {
     const Expr *g = d->stmt->value;
-    const DiagCode code = never_code(k, d->stmt);
+    const DiagCode code = code_of_never_true(k, d->stmt);
     const char *facts = code == DIAG_guard_never ? facts_text(k, d->stmt) : NULL;
     Diag *finding = diag_report(k->a->diags, code, g->span);
 
@@ -148,7 +151,7 @@ void report_never_true(ReachWalk *k, const DeadCode *d)
 
 void note_never_true(ReachWalk *k, Diag *to, const DeadCode *d)
 {
-    const char *reason = never_code(k, d->stmt) == DIAG_guard_never ? facts_text(k, d->stmt) : "its parts exclude each other";
+    const char *reason = code_of_never_true(k, d->stmt) == DIAG_guard_never ? facts_text(k, d->stmt) : "its parts exclude each other";
 
     if (reason)
         diag_note(k->a->diags, to, d->stmt->value->span, DIAG_note_never_because, reason);
@@ -156,9 +159,9 @@ void note_never_true(ReachWalk *k, Diag *to, const DeadCode *d)
         diag_note(k->a->diags, to, d->stmt->value->span, DIAG_note_never_true);
 }
 
-static void report_always(ReachWalk *k, const Stmt *s, const Stmt *around)
+static void report_always_true(ReachWalk *k, const Stmt *s, const Stmt *around)
 {
-    const bool itself = has_parts(s->value) && decides_itself(k, s->value, true);
+    const bool itself = is_compound(s->value) && is_decided_alone(k, s->value, true);
     const char *facts = itself ? NULL : facts_text(k, s);
     Diag *finding = diag_report(k->a->diags, itself ? DIAG_guard_tautology : DIAG_guard_always, s->value->span);
 
@@ -168,7 +171,8 @@ static void report_always(ReachWalk *k, const Stmt *s, const Stmt *around)
         diag_note(k->a->diags, finding, around->span, DIAG_note_guard_around);
 }
 
-// s can be true only where b has its excluded outcome.
+// Reports the guard of s, which can be true only if the earlier guard b has its excluded outcome; or records it as never true, if the
+// finding belongs to a state.  Returns 1 + index in ReachWalk.dead.
 static uint32_t report_earlier_guard(ReachWalk *k, const Stmt *s, const EarlierGuard *b)
 {
     const bool same = is_same_guard(k, s->value, b);
@@ -181,22 +185,22 @@ static uint32_t report_earlier_guard(ReachWalk *k, const Stmt *s, const EarlierG
     return add_dead_code(k, CAUSE_REPORTED, s, NULL, d);
 }
 
-// ---- judging ----
+// ---- verdicts ----
 
 static GuardVerdict judge_never_true(ReachWalk *k, const Stmt *s, const EarlierGuards *b)
 {
-    const bool itself = decides_itself(k, s->value, false);
+    const bool itself = is_decided_alone(k, s->value, false);
     const EarlierGuard *earlier = itself ? NULL : find_explaining_guard(k, s->value, b);
     GuardVerdict v = {false, true, 0};
 
     if (truth_by_constants(s->value) != SOMETIMES)
         v.dead = add_dead_code(k, CAUSE_SWITCH, s, NULL, NULL);
-    else if (types_decide_in(k->a, s->value))
+    else if (has_comparison_decided_by_types(k->a, s->value))
         v.dead = add_dead_code(k, CAUSE_REPORTED, s, NULL, NULL);
     else if (earlier)
         v.dead = report_earlier_guard(k, s, earlier);
     else
-        v.dead = add_dead_code(k, reads_initial(k, s->value, k->a->stmt[s->number].env) ? CAUSE_REPORTED : CAUSE_NEVER, s, NULL, NULL);
+        v.dead = add_dead_code(k, reads_initial_value(k, s->value, k->a->stmt[s->number].env) ? CAUSE_REPORTED : CAUSE_NEVER, s, NULL, NULL);
     return v;
 }
 
@@ -208,10 +212,10 @@ static GuardVerdict judge_always_true(ReachWalk *k, const Stmt *s, const Earlier
         v.dead = add_dead_code(k, CAUSE_SWITCH, s, NULL, NULL);
         return v;
     }
-    if (!types_decide_in(k->a, s->value) && !reads_initial(k, s->value, k->a->stmt[s->number].env)) {
+    if (!has_comparison_decided_by_types(k->a, s->value) && !reads_initial_value(k, s->value, k->a->stmt[s->number].env)) {
         if (covers_remaining_cases(k, s->value, b))
             return v;
-        report_always(k, s, around);
+        report_always_true(k, s, around);
     }
     v.dead = add_dead_code(k, CAUSE_REPORTED, s, NULL, NULL);
     return v;
@@ -235,9 +239,9 @@ GuardVerdict judge_guard(ReachWalk *k, const Stmt *s, const Branch *branch)
 
     if (!f->reached)
         return both;
-    if (!f->then || guard_never(k->a, s->value) || find_excluding_guard(k, s->value, &b))
+    if (!f->then || guard_is_never_true(k->a, s->value) || find_excluding_guard(k, s->value, &b))
         return judge_never_true(k, s, &b);
-    if (!f->otherwise || guard_always(k->a, s->value) || around)
+    if (!f->otherwise || guard_is_always_true(k->a, s->value) || around)
         return judge_always_true(k, s, &b, around);
     return both;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Statements that no run executes: after conditionals that always leave, in branches that are never taken, in a .step or .exit
-// that never runs.  Reported once, at the outermost.  AST_DEPTH_MAX bounds the recursion, which follows nested conditionals.
+// that never runs.  One finding, at the first statement, covers all statements inside and after it.  The recursion depth equals the
+// nesting of conditionals, which AST_DEPTH_MAX bounds.
 #include <string.h>
 
 #include "compiler/analysis/reach.h"
@@ -30,23 +31,24 @@ bool has_transition(const Stmts *stmts)
 // ---- dead statements ----
 
 // Marks the transitions from list->at[first] on as never taken, because of k->dead.at[dead - 1].
-static void mark_dead(ReachWalk *k, const Stmts *list, size_t first, uint32_t dead)
+static void mark_transitions_dead(ReachWalk *k, const Stmts *list, size_t first, uint32_t dead)
 {
     for (size_t i = first; i < list->n; i++) {
         const Stmt *s = list->at[i];
         if (s->kind == ST_TRANSITION)
             k->dead_by[s->number] = dead;
-        mark_dead(k, &s->then, 0, dead);
-        mark_dead(k, &s->otherwise, 0, dead);
+        mark_transitions_dead(k, &s->then, 0, dead);
+        mark_transitions_dead(k, &s->otherwise, 0, dead);
     }
 }
 
-static void mark_reported(ReachWalk *k, const Stmts *list, size_t first, Diag *finding)
+// The same, because of a finding at list->at[first].
+static void mark_reported_from(ReachWalk *k, const Stmts *list, size_t first, Diag *finding)
 {
-    mark_dead(k, list, first, add_dead_code(k, CAUSE_REPORTED, list->at[first], NULL, finding));
+    mark_transitions_dead(k, list, first, add_dead_code(k, CAUSE_REPORTED, list->at[first], NULL, finding));
 }
 
-// list->at[first] follows a conditional that leaves in every case.
+// list->at[first] follows a statement that always leaves the state.  Reports it, unless the reason is explained by another finding.
 static void report_dead_rest(ReachWalk *k, const Stmts *list, size_t first, bool explained)
 {
     const Stmt *before = list->at[first - 1];
@@ -57,7 +59,7 @@ static void report_dead_rest(ReachWalk *k, const Stmts *list, size_t first, bool
         d = diag_report(k->a->diags, both ? DIAG_dead_code : DIAG_dead_rest, list->at[first]->span);
         diag_note(k->a->diags, d, before->span, both ? DIAG_note_leaves_here : DIAG_note_last_case);
     }
-    mark_reported(k, list, first, d);
+    mark_reported_from(k, list, first, d);
 }
 
 static void report_dead_else(ReachWalk *k, const Stmt *s)
@@ -65,12 +67,13 @@ static void report_dead_else(ReachWalk *k, const Stmt *s)
     Diag *d = diag_report(k->a->diags, DIAG_dead_else, s->otherwise.at[0]->span);
 
     diag_note(k->a->diags, d, s->span, DIAG_note_last_case);
-    mark_reported(k, &s->otherwise, 0, d);
+    mark_reported_from(k, &s->otherwise, 0, d);
 }
 
 // ---- the walk ----
 
-static void undo_writes(ReachWalk *k, size_t to)
+// Restores `written` to what it was when k->undo had `to` entries.
+static void undo_writes_after(ReachWalk *k, size_t to)
 {
     while (k->undo.n > to) {
         k->undo.n--;
@@ -80,7 +83,8 @@ static void undo_writes(ReachWalk *k, size_t to)
 
 static bool walk_stmts(ReachWalk *k, const Stmts *list, const Branch *branch);
 
-// Assignments in a branch that leaves are not visible after the conditional.
+// Walks a branch of the conditional s.  Returns whether it always leaves the state.  If so, its assignments are undone, because they
+// are not visible after the conditional.
 static bool walk_branch(ReachWalk *k, const Stmts *list, const Stmt *s, bool holds, const Branch *outer)
 {
     const uint32_t writes = k->undo.n, leaving = k->leaving.n;
@@ -92,13 +96,13 @@ static bool walk_branch(ReachWalk *k, const Stmts *list, const Stmt *s, bool hol
     *branch = (Branch){s, holds, outer, outer ? outer->depth + 1 : 1};
     if (!walk_stmts(k, list, branch))
         return false;
-    undo_writes(k, writes);
+    undo_writes_after(k, writes);
     k->leaving.n = leaving;
     vec_push(k->a->arena, &k->leaving, branch);
     return true;
 }
 
-// Returns false if some path may continue after the conditional.
+// Returns whether every path through the conditional s leaves the state.
 static bool walk_if(ReachWalk *k, const Stmt *s, const Branch *branch)
 {
     const GuardVerdict v = judge_guard(k, s, branch);
@@ -107,18 +111,18 @@ static bool walk_if(ReachWalk *k, const Stmt *s, const Branch *branch)
     if (v.then)
         then = walk_branch(k, &s->then, s, true, branch);
     else
-        mark_dead(k, &s->then, 0, v.dead);
+        mark_transitions_dead(k, &s->then, 0, v.dead);
     if (v.otherwise)
         otherwise = walk_branch(k, &s->otherwise, s, false, branch);
     else if (v.dead)
-        mark_dead(k, &s->otherwise, 0, v.dead);
+        mark_transitions_dead(k, &s->otherwise, 0, v.dead);
     else if (s->otherwise.n > 0)
         report_dead_else(k, s);
     k->explained += v.dead != 0;
     return then && otherwise;
 }
 
-// Returns false if some path may continue after the list.
+// Returns whether every path through the list leaves the state.
 static bool walk_stmts(ReachWalk *k, const Stmts *list, const Branch *branch)
 {
     for (size_t i = 0; i < list->n; i++) {
@@ -148,9 +152,9 @@ static bool walk_block(ReachWalk *k, BlockKind block)
     return walk_stmts(k, &k->state->block[block], NULL);
 }
 
-static void begin_without_history(ReachWalk *k)
+static void forget_earlier_guards(ReachWalk *k)
 {
-    undo_writes(k, 0);
+    undo_writes_after(k, 0);
     k->leaving.n = 0;
 }
 
@@ -162,21 +166,21 @@ static void walk_step(ReachWalk *k, bool entry_leaves, bool explained)
     if (step->n == 0)
         return;
     if (!entry_leaves) {
-        if (!always_leaves(step))             // otherwise it runs directly after .entry only
-            begin_without_history(k);
+        if (!always_leaves(step))             // otherwise it runs only once, directly after .entry, whose guards still apply
+            forget_earlier_guards(k);
         walk_block(k, BLOCK_STEP);
         return;
     }
     if (!explained)
         d = diag_report(k->a->diags, DIAG_dead_step, k->state->block_span[BLOCK_STEP], k->state->name->text);
-    mark_reported(k, step, 0, d);
+    mark_reported_from(k, step, 0, d);
 }
 
 static void walk_exit(ReachWalk *k)
 {
     const Stmts *block = k->state->block;
 
-    begin_without_history(k);
+    forget_earlier_guards(k);
     if (block[BLOCK_EXIT].n == 0)
         return;
     if (facts_may_reach(k->a->facts, k->state->number - 1, BLOCK_EXIT))

@@ -3,13 +3,13 @@
 #include "compiler/analysis/liveness.h"
 
 // Limits of the search for the overwriting assignment: states per search, and blocks for all searches together.
-enum { STATES_TRIED = 100, BLOCKS_MAX = 10000000 };
+enum { STATES_MAX = 100, BLOCKS_MAX = 10000000 };
 
 typedef struct DeadStores {
     Analysis *a;
     size_t *first;                // by state: index of its first transition in the list of all; one more for the end
-    uint32_t *seen, searches;     // by state: the last search that visited it
-    uint32_t *walked, walks;      // by block of a function: the last walk that visited it
+    uint32_t *seen, searches;     // by state: the number of the last search that visited it; the number of searches so far
+    uint32_t *walked, walks;      // by block of a function: the number of the last walk that reached it; the number of walks so far
     size_t work;                  // blocks that may still be walked
 } DeadStores;
 
@@ -28,8 +28,8 @@ static void check_self_assignment(const Stmt *stmt, void *context)
         diag_report(a->diags, DIAG_self_assignment, stmt->span, stmt->var->name->text);
 }
 
-// The last statement of a list that does not come after the statement with that number.
-static const Stmt *last_before(const Stmts *list, uint32_t number)
+// The last statement of a list whose number is at most `number`; the first one if there is none.
+static const Stmt *find_last_up_to(const Stmts *list, uint32_t number)
 {
     size_t low = 0, high = list->n;
 
@@ -46,17 +46,18 @@ static const Stmt *last_before(const Stmts *list, uint32_t number)
 // The statement with that number, in a block or nested in it.  Statements are numbered in file order.
 static const Stmt *find_stmt(const Stmts *block, uint32_t number)
 {
-    const Stmt *stmt = last_before(block, number);
+    const Stmt *stmt = find_last_up_to(block, number);
 
     while (stmt->number != number) {
         const Stmts *no = &stmt->otherwise;
-        stmt = last_before(no->n && no->at[0]->number <= number ? no : &stmt->then, number);
+        stmt = find_last_up_to(no->n && no->at[0]->number <= number ? no : &stmt->then, number);
     }
     return stmt;
 }
 
 // ---- the overwriting store ----
 
+// The first store to var at or after ins.at[at] of block blk; NULL if there is none.
 static const IrIns *find_store_in_block(const IrFn *f, size_t blk, size_t at, uint32_t var)
 {
     for (size_t k = at; k < f->blk.at[blk].ins.n; k++) {
@@ -86,6 +87,7 @@ static const IrIns *find_store_after(DeadStores *k, const IrFn *f, IrBlkRef blk,
     return found;
 }
 
+// The first store to var in the state's functions from `block` on; NULL if there is none.
 static const IrIns *find_store_in_state(DeadStores *k, size_t state, int block, uint32_t var)
 {
     const IrIns *found = NULL;
@@ -97,11 +99,11 @@ static const IrIns *find_store_in_state(DeadStores *k, size_t state, int block, 
 }
 
 // States that are still to be searched, each once.
-typedef struct StateQueue { size_t state[STATES_TRIED], n; } StateQueue;
+typedef struct StateQueue { size_t state[STATES_MAX], n; } StateQueue;
 
 static void enqueue_state(DeadStores *k, StateQueue *q, size_t state)
 {
-    if (q->n < STATES_TRIED && k->seen[state] != k->searches)
+    if (q->n < STATES_MAX && k->seen[state] != k->searches)
         q->state[q->n++] = state;
     k->seen[state] = k->searches;
 }
@@ -114,7 +116,7 @@ static void enqueue_next_states(DeadStores *k, StateQueue *q, size_t from)
 
 // Adds to the queue the target states of transitions that can be reached from block blk of f.  Returns whether the end of f can
 // be reached too.
-static bool enqueue_targets_after(DeadStores *k, const IrFn *f, IrBlkRef blk, StateQueue *q)
+static bool enqueue_targets_and_check_return(DeadStores *k, const IrFn *f, IrBlkRef blk, StateQueue *q)
 {
     bool returns = false;
 
@@ -135,9 +137,9 @@ static bool enqueue_targets_after(DeadStores *k, const IrFn *f, IrBlkRef blk, St
 }
 
 typedef enum OverwriteTime { IN_SAME_STEP, IN_NEXT_STEP, IN_LATER_STATE } OverwriteTime;
-typedef struct Overwrite { const IrIns *store; OverwriteTime when; size_t state; } Overwrite;
+typedef struct Overwrite { const IrIns *store; OverwriteTime when; size_t state; } Overwrite;      // state: where the store is
 
-// Searches the rest of the step, including .exit at its end if it leaves the state.
+// The store to the same variable later in the step, including its .exit if the step may leave the state; or NULL.
 static const IrIns *find_store_in_same_step(DeadStores *k, const DeadStore *dead, bool leaves)
 {
     const uint32_t var = dead->store->var;
@@ -150,7 +152,8 @@ static const IrIns *find_store_in_same_step(DeadStores *k, const DeadStore *dead
     return found;
 }
 
-// An element is overwritten in the same step.  A local that is never assigned again is not reported.
+// Finds the store that overwrites a dead one: for an element, in the same step; for a local, also later.  `store` is NULL if the
+// variable is never stored again.
 static Overwrite find_overwrite(DeadStores *k, const DeadStore *dead)
 {
     const uint32_t var = dead->store->var;
@@ -159,7 +162,7 @@ static Overwrite find_overwrite(DeadStores *k, const DeadStore *dead)
     bool stays;
 
     k->searches++;
-    stays = enqueue_targets_after(k, dead->f, dead->blk, &q) && dead->block != BLOCK_EXIT;
+    stays = enqueue_targets_and_check_return(k, dead->f, dead->blk, &q) && dead->block != BLOCK_EXIT;
     o.store = find_store_in_same_step(k, dead, q.n > 0);
     if (o.store || k->a->m->var.at[var].space != IR_LOCAL)
         return o;
@@ -234,7 +237,7 @@ static void report_dead_store(Analysis *a, const DeadStore *dead, void *context)
 void analyse_dead_store(Analysis *a)
 {
     DeadStores k = {.a = a, .work = BLOCKS_MAX};
-    size_t most = 1;              // blocks of a function
+    size_t most = 1;              // the number of blocks of the largest function
 
     for (size_t s = 0; s < a->m->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)

@@ -16,6 +16,7 @@ Fact fact_of_types(const Analysis *a, const Expr *e)
 
 typedef struct Operand { const Expr *e; Fact fact; bool is_constant; } Operand;
 
+// The operand e, with its possible values by types alone.
 static Operand operand_of(const Analysis *a, const Expr *e)
 {
     Operand s = {.e = e, .is_constant = expr_is_constant(e)};
@@ -34,18 +35,18 @@ typedef struct TypedComparison {
     Truth truth;
 } TypedComparison;
 
-// An equality that the bounds alone would allow.  It is never true because the type has no such number.
-static bool is_equality_with_no_number(const TypedComparison *p)
+// Whether p compares for equality with a number that is within the bounds of the type but that the type cannot represent.
+static bool is_equality_with_unrepresentable(const TypedComparison *p)
 {
     return (p->op == SM_OP_EQ || p->op == SM_OP_NE) && p->b.is_constant && p->b.fact.lo >= p->a.fact.lo &&
            p->b.fact.lo <= p->a.fact.hi;
 }
 
-// Whole numbers of limited types.  Unbounded values are decided by arithmetic, if at all.
+// Whether both bounds are finite (the difference of an infinity and itself is NaN).  Infinite bounds come from arithmetic, not types.
 static bool is_bounded(Fact f) { return f.lo - f.lo == 0 && f.hi - f.hi == 0; }
 
-// Fills in the operands and the result.  Returns whether the types decide it.
-static bool is_decided_by_types(const Analysis *a, const Comparison *c, TypedComparison *p)
+// Fills in the operands, operator and result of *p for the comparison c.  Returns whether types decide the result.
+static bool find_decision_by_types(const Analysis *a, const Comparison *c, TypedComparison *p)
 {
     Fact result;
 
@@ -62,7 +63,7 @@ static bool is_decided_by_types(const Analysis *a, const Comparison *c, TypedCom
         return false;
     result = fact_of_comparison(p->op, p->a.fact, p->b.fact);
     p->truth = result.lo == 1 ? ALWAYS : result.hi == 0 ? NEVER : SOMETIMES;
-    return p->truth != SOMETIMES && (is_bounded(p->a.fact) || is_equality_with_no_number(p));
+    return p->truth != SOMETIMES && (is_bounded(p->a.fact) || is_equality_with_unrepresentable(p));
 }
 
 // ---- idioms ----
@@ -86,7 +87,7 @@ static bool is_half_of_range(const TypedComparison *p)
     return false;
 }
 
-// In a chain, a comparison that is always true is an idiom (0 <= x <= 100); one that is never true is a mistake.
+// Whether a decided comparison is usual style and not a mistake: one that is always true in a chain (0 <= x <= 100) or in a range.
 static bool is_idiom(const TypedComparison *p)
 {
     return p->truth == ALWAYS && (p->whole->kind == EX_CHAIN || is_half_of_range(p));
@@ -94,23 +95,23 @@ static bool is_idiom(const TypedComparison *p)
 
 // ---- reports ----
 
-static const char *how_often(const TypedComparison *p) { return p->truth == NEVER ? "never" : "always"; }
+static const char *never_or_always(const TypedComparison *p) { return p->truth == NEVER ? "never" : "always"; }
 
-static void report_equality_with_no_number(const Analysis *a, const TypedComparison *p)
+static void report_equality_with_unrepresentable(const Analysis *a, const TypedComparison *p)
 {
     const SmF64 x = sm_from_bits(sm_bits(p->b.fact.lo));
     const char *number = const_text(a->arena, x);
     Diag *d;
 
     if (p->a.fact.whole) {
-        diag_report(a->diags, DIAG_equals_fraction, p->whole->span, how_often(p), source_text(a->arena, p->a.e->span), number);
+        diag_report(a->diags, DIAG_equals_fraction, p->whole->span, never_or_always(p), source_text(a->arena, p->a.e->span), number);
         return;
     }
-    d = diag_report(a->diags, DIAG_equals_no_f32, p->whole->span, how_often(p), source_text(a->arena, p->a.e->span), number);
+    d = diag_report(a->diags, DIAG_equals_no_f32, p->whole->span, never_or_always(p), source_text(a->arena, p->a.e->span), number);
     diag_label(a->diags, d, DIAG_label_nearest_f32, const_text(a->arena, sm_from_f32(sm_round_f32(x))));
 }
 
-// For a whole-number variable the message shows the bounds of its type, for other expressions their possible values.
+// The diagnostic shows the bounds of the type for a variable, and the possible values for other expressions.
 static void report_decided_by_types(const Analysis *a, const TypedComparison *p)
 {
     const Expr *e = p->a.e;
@@ -127,12 +128,13 @@ static void report_decided_by_types(const Analysis *a, const TypedComparison *p)
                     sm_type_info[e->var->type].spelling, lo, hi);
         return;
     }
-    diag_report(a->diags, DIAG_types_decide, p->whole->span, how_often(p), source_text(a->arena, e->span), lo, hi);
+    diag_report(a->diags, DIAG_types_decide, p->whole->span, never_or_always(p), source_text(a->arena, e->span), lo, hi);
 }
 
 // ---- expressions ----
 
-// Returns whether types decide some comparison in e.  `within`: the `and` that e is one operand of; or NULL.
+// Returns whether types decide some comparison in e, and reports each one if `report`.  `within`: the `and` that e is one operand of;
+// or NULL.
 // Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
 static bool check_comparisons(const Analysis *a, const Expr *e, const Expr *within, bool report)
 {
@@ -142,11 +144,11 @@ static bool check_comparisons(const Analysis *a, const Expr *e, const Expr *with
     for (uint32_t i = 0; i < comparison_count(e); i++) {
         const Comparison c = comparison_at(e, i);
         TypedComparison p = {.whole = e, .within = within};
-        if (!is_decided_by_types(a, &c, &p) || is_idiom(&p))
+        if (!find_decision_by_types(a, &c, &p) || is_idiom(&p))
             continue;
         found = true;
-        if (report && is_equality_with_no_number(&p))
-            report_equality_with_no_number(a, &p);
+        if (report && is_equality_with_unrepresentable(&p))
+            report_equality_with_unrepresentable(a, &p);
         else if (report)
             report_decided_by_types(a, &p);
     }
@@ -155,7 +157,7 @@ static bool check_comparisons(const Analysis *a, const Expr *e, const Expr *with
     return found;
 }
 
-bool types_decide_in(const Analysis *a, const Expr *e) { return check_comparisons(a, e, NULL, false); }
+bool has_comparison_decided_by_types(const Analysis *a, const Expr *e) { return check_comparisons(a, e, NULL, false); }
 
 static void check_stmt(const Stmt *stmt, void *context)
 {

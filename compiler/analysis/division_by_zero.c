@@ -2,8 +2,8 @@
 // Divisions by a value that is always 0, and by a value that can be 0 because no stored value, guard or @range of a sensor
 // excludes it.
 //
-// Facts describe one variable at a time.  Guards can relate two variables (`a > b` for a - b) or limit an expression, as
-// `abs(d) > 0.1` does for d.  Those relations are searched in the guards themselves, but only where the facts leave a doubt.
+// Facts describe one variable at a time.  A guard can relate two variables (with `a > b`, a - b is not 0) or limit an expression
+// (with `abs(d) > 0.1`, d is not 0).  Where the facts do not exclude 0, such relations are searched in the guards themselves.
 #include "compiler/analysis/analysis.h"
 #include "compiler/analysis/assume.h"
 #include "compiler/analysis/decided_comparison.h"
@@ -20,15 +20,15 @@ struct PossibleZero {                    // a divisor that can be 0 according to
 
 typedef struct Divisions {
     Analysis *a;
-    const PossibleZero **possible;          // by Stmt.number; 0 for windows
-    const Stmt *stmt;             // the current statement; NULL: a window
+    const PossibleZero **possible;       // by Stmt.number; [0] has those of windows
+    const Stmt *stmt;                    // the current statement; NULL: the sample of a window is checked
 } Divisions;
 
 // ---- facts ----
 
 static bool contains_zero(Fact f) { return f.lo <= 0 && f.hi >= 0; }
 
-// A product that underflows to 0 does not count: one of its factors must be able to be 0.
+// Whether temporary r can be 0 according to the facts `of`.  Underflow does not count: a product can be 0 only if a factor can.
 static bool can_be_zero(const Analysis *a, const IrFn *f, const Fact *of, IrRef r)
 {
     const IrIns *i = &f->ins.at[r];
@@ -43,6 +43,7 @@ static bool can_be_zero(const Analysis *a, const IrFn *f, const Fact *of, IrRef 
     return true;
 }
 
+// Reports divisors that are always 0, and records those that can be 0 in k->possible.
 static void check_function(Divisions *k, const IrFn *f, const FactFlow *flow)
 {
     for (size_t b = 0; b < f->blk.n; b++)
@@ -79,8 +80,8 @@ static bool is_possible_zero(const Divisions *k, const Expr *divisor)
     return false;
 }
 
-// The value that is stored in place of the infinity or the NaN.
-static const char *quotient_text(const Divisions *k)
+// What the diagnostic says about the quotient: what the division results in, and what is stored instead of it.
+static const char *describe_quotient(const Divisions *k)
 {
     const Stmt *stmt = k->stmt;
     SmType type;
@@ -100,7 +101,7 @@ static void check_divisor(void *context, const Expr *e, const KnownGuard *known)
     const Expr *divisor = e->arg[1];
 
     if (is_possible_zero(k, divisor) && !guards_exclude_zero(k->a, known, divisor))
-        diag_report(k->a->diags, DIAG_maybe_division_by_zero, divisor->span, source_text(k->a->arena, divisor->span), quotient_text(k));
+        diag_report(k->a->diags, DIAG_maybe_division_by_zero, divisor->span, source_text(k->a->arena, divisor->span), describe_quotient(k));
 }
 
 static bool is_division(const Expr *e) { return e->kind == EX_BINARY && e->op == SM_OP_DIV; }

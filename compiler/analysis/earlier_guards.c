@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Guards that were evaluated before another one: enclosing guards that were false, and guards whose branch left the state.
-// Finds the one that leaves no case for the current guard, or leaves exactly its cases.
+// Finds the earlier guard that excludes every case in which the current one is true, or exactly all the other cases.
 #include "compiler/analysis/earlier_guards.h"
 
 #include "compiler/analysis/assume.h"
@@ -16,8 +16,7 @@ bool is_unchanged(const ReachWalk *k, const Stmt *s, const Expr *e)
     return true;
 }
 
-// Whether the statements inside `branch` come after the whole branch: `branch` is in the same list as the branch's conditional, or
-// deeper.
+// Whether `branch` comes after the conditional of `arm`: it is in the same list as that conditional, or nested in that list.
 static bool is_after_branch(const Branch *arm, const Branch *branch)
 {
     for (unsigned n = 0; branch && branch->depth >= arm->depth && n < EARLIER_MAX; n++)
@@ -25,6 +24,7 @@ static bool is_after_branch(const Branch *arm, const Branch *branch)
     return branch == arm->outer;
 }
 
+// Adds the guard of s, unless a variable that it reads was assigned since.
 static void add_guard(const ReachWalk *k, EarlierGuards *b, const Stmt *s, bool holds, bool leaves)
 {
     const EarlierGuard add = {s, holds, leaves};
@@ -55,13 +55,14 @@ bool is_same_guard(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
     return b->holds && expr_equal(guard, b->stmt->value, k->a->m->window_of);
 }
 
-static bool is_excluded_by_form(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
+// Whether the source of the two guards shows that `guard` can be true only if b has its excluded outcome.
+static bool is_excluded_syntactically(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
 {
     return b->holds ? guard_implies(k->a, guard, b->stmt->value) : guard_excludes(k->a, guard, b->stmt->value);
 }
 
-// Whether, according to the facts, the guard can be true only where b has its excluded outcome.
-static bool is_covered_by_facts(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
+// Whether the facts show that `guard` can be true only if b has its excluded outcome.
+static bool is_excluded_by_facts(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
 {
     const Env *env = k->a->stmt[b->stmt->number].env;
 
@@ -80,7 +81,7 @@ static const EarlierGuard *find_guard(const ReachWalk *k, const Expr *guard, con
 
 const EarlierGuard *find_excluding_guard(const ReachWalk *k, const Expr *guard, const EarlierGuards *b)
 {
-    return find_guard(k, guard, b, is_excluded_by_form);
+    return find_guard(k, guard, b, is_excluded_syntactically);
 }
 
 const EarlierGuard *find_explaining_guard(const ReachWalk *k, const Expr *guard, const EarlierGuards *b)
@@ -88,8 +89,8 @@ const EarlierGuard *find_explaining_guard(const ReachWalk *k, const Expr *guard,
     const EarlierGuard *found = find_guard(k, guard, b, is_same_guard);
 
     if (!found)
-        found = find_guard(k, guard, b, is_excluded_by_form);
-    return found ? found : find_guard(k, guard, b, is_covered_by_facts);
+        found = find_guard(k, guard, b, is_excluded_syntactically);
+    return found ? found : find_guard(k, guard, b, is_excluded_by_facts);
 }
 
 // ---- the cases that earlier guards leave ----
@@ -112,6 +113,7 @@ static bool reads_marked(const ReachWalk *k, const Expr *e)
     return false;
 }
 
+// Whether the guard is never true together with the excluded outcome of b.
 static bool is_disjoint(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
 {
     const Env *env = k->a->stmt[b->stmt->number].env;

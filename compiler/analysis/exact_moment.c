@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Waiting for one exact time: T, G, or a local computed from them is compared by == or != with a time that steps may jump over.
-// A difference of zero is not reported: T == 0 is a state's first step, G == start is the step in which start was stored.  Also
-// limits of T that are shorter than a step, or not whole numbers: the user probably meant seconds where milliseconds are
-// counted.
+// Two mistakes with times.  First, waiting for one exact time: T, G, or a local computed from them is compared by == or != with a time
+// that steps may jump over.  Comparing a time with itself is not reported: T == 0 is true in a state's first step, G == start in the
+// step in which start was stored.  Second, comparing T with a number that is below the length of a step or not whole: the user
+// probably meant seconds, but T counts milliseconds.
 #include "compiler/analysis/analysis.h"
 #include "compiler/analysis/timestamps.h"
 #include "stdlib/math.h"
 
 typedef struct TimeChecks { Analysis *a; Timestamps m; } TimeChecks;
 
-// The difference of the two sides is zero apart from plain copies of the time.
+// Whether the difference s of two sides contains only times and no constant: then they are equal in a step that the user intends, such
+// as the one in which a time was stored.  A local with a shifted time, compared with T or G, does not count.
 static bool is_zero_difference(const TimeSum *s)
 {
     const bool zero = sm_eq(s->number, sm_from_i32(0)) && !s->other;
@@ -17,7 +18,7 @@ static bool is_zero_difference(const TimeSum *s)
     return zero && (!s->shifted || !s->time);
 }
 
-// T == 5.5 is never true; W0414 reports it.
+// Whether T is compared with a fraction, as in T == 5.5.  That is never true, and decided_comparison.c reports it.
 static bool is_never_equal(const Expr *time, const Expr *other)
 {
     const SmF64 x = expr_is_constant(other) ? expr_constant_value(other) : sm_from_i32(0);
@@ -25,7 +26,7 @@ static bool is_never_equal(const Expr *time, const Expr *other)
     return time->kind == EX_VAR && !sm_eq(x, sm_floor(x));
 }
 
-// T is a multiple of the step, if the step is known.
+// Whether T is compared with a multiple of the step, which it does reach.  False if the step is unknown.
 static bool is_multiple_of_step(const TimeChecks *k, const Expr *time, const Expr *other)
 {
     double steps;
@@ -36,7 +37,8 @@ static bool is_multiple_of_step(const TimeChecks *k, const Expr *time, const Exp
     return steps == sm_floor(steps);
 }
 
-// Whether a limit x of T separates steps in an unlikely place.  T >= 1 and T < 1 (`first_step`) are about the first step.
+// Whether x is an unlikely number to compare T with: a fraction, or less than a step.  Up to 0 and from 1000 on, any number is likely.
+// `first_step`: the operator is >= or <, and then 1 is likely, because it separates the first step from the others.
 static bool is_unlikely_limit(const TimeChecks *k, SmF64 x, bool first_step)
 {
     const SmF64 one = sm_from_i32(1);
@@ -46,6 +48,7 @@ static bool is_unlikely_limit(const TimeChecks *k, SmF64 x, bool first_step)
     return !sm_eq(x, sm_floor(x)) || (sm_lt(x, sm_from_u64(k->a->step)) && !(first_step && sm_eq(x, one)));
 }
 
+// Reports `time op other` if time is T and other an unlikely number.  `whole`: the expression that contains the comparison.
 static void check_limit(TimeChecks *k, const Expr *whole, const Expr *time, SmOperator op, const Expr *other)
 {
     const bool first_step = op == SM_OP_GE || op == SM_OP_LT;
@@ -77,11 +80,11 @@ static void check_expr(Expr *e, void *context)
     if (e->kind != EX_BINARY || (e->op != SM_OP_EQ && e->op != SM_OP_NE))
         return;
     time = e->arg[0];
-    s = time_sum(&k->m, time);
+    s = time_sum_of(&k->m, time);
     if (!s.time && !s.stamp)
         time = e->arg[1];
     other = time == e->arg[0] ? e->arg[1] : e->arg[0];
-    s = time_difference(time_sum(&k->m, time), time_sum(&k->m, other));
+    s = time_sum_difference(time_sum_of(&k->m, time), time_sum_of(&k->m, other));
     if (!s.linear || !(s.time || s.stamp) || is_zero_difference(&s) || is_never_equal(time, other) || is_multiple_of_step(k, time, other))
         return;
     diag_report(k->a->diags, DIAG_exact_moment, e->span, source_text(k->a->arena, time->span),

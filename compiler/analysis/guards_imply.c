@@ -255,14 +255,14 @@ bool guard_excludes(const Analysis *a, const Expr *x, const Expr *y)
     return excludes(&k, x, y);
 }
 
-bool guard_never(const Analysis *a, const Expr *x)
+bool guard_is_never_true(const Analysis *a, const Expr *x)
 {
     ImplySearch k = {a->m->window_of, BUDGET};
 
     return is_never(&k, x);
 }
 
-bool guard_always(const Analysis *a, const Expr *x)
+bool guard_is_always_true(const Analysis *a, const Expr *x)
 {
     ImplySearch k = {a->m->window_of, BUDGET};
 

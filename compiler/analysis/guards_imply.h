@@ -11,7 +11,7 @@ bool guard_implies(const Analysis *a, const Expr *x, const Expr *y);
 // Whether the two are never true together.
 bool guard_excludes(const Analysis *a, const Expr *x, const Expr *y);
 // Whether x is never, or always, true because of its form: a > b and a < b, x <= x.
-bool guard_never(const Analysis *a, const Expr *x);
-bool guard_always(const Analysis *a, const Expr *x);
+bool guard_is_never_true(const Analysis *a, const Expr *x);
+bool guard_is_always_true(const Analysis *a, const Expr *x);
 
 #endif

@@ -508,7 +508,7 @@ static void try_sensor(FailureTrial *z, const TrialState *s, uint32_t sensor)
 
 void check_output_on_zero(Trials *t)
 {
-    FailureTrial z = {.t = t, .bound = abort_bound(t->a), .rise = 0.5};
+    FailureTrial z = {.t = t, .bound = abort_find_bound(t->a), .rise = 0.5};
 
     z.healthy = arena_alloc(t->a->arena, t->run->size);
     z.failed = arena_alloc(t->a->arena, t->run->size);

@@ -11,7 +11,7 @@
 #include "compiler/base/worklist.h"
 #include "stdlib/convert.h"
 
-enum { STATES_TRIED = 1000 };     // limit of the search for the later store
+enum { STATES_MAX = 1000 };     // limit of the search for the later store
 
 typedef VEC(const State *) States;
 
@@ -118,7 +118,7 @@ static const Stmt *find_later_store(StoreOrder *o, const Var *v, const State **l
     *later = o->state;
     o->searches++;
     vec_push(a->arena, &queue, o->state);
-    for (size_t i = 0; i < queue.n && i < STATES_TRIED && !found; i++) {
+    for (size_t i = 0; i < queue.n && i < STATES_MAX && !found; i++) {
         for (size_t t = 0; t < o->next[queue.at[i]->number].n; t++) {
             const State *to = o->next[queue.at[i]->number].at[t];
             if (o->seen[to->number] != o->searches)

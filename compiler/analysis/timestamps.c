@@ -24,31 +24,32 @@ static TimeSum sum_of_var(const Timestamps *m, const Var *v)
     return s;
 }
 
-TimeSum time_difference(TimeSum a, TimeSum b)
+TimeSum time_sum_difference(TimeSum a, TimeSum b)
 {
     return (TimeSum){a.linear && b.linear, a.time || b.time,   a.stamp || b.stamp, a.shifted || b.shifted,
                      a.other || b.other,   a.scaled || b.scaled, sm_sub(a.number, b.number)};
 }
 
-static TimeSum scaled(TimeSum s, SmF64 number)
+static TimeSum scale_sum(TimeSum s, SmF64 number)
 {
     s.number = number;
     s.scaled |= s.time || s.stamp;
     return s;
 }
 
+// Whether the sum has no variable.
 static bool is_number(const TimeSum *s) { return !s->time && !s->stamp && !s->other; }
 
 static TimeSum sum_of_product(const Timestamps *m, const Expr *e)
 {
-    const TimeSum a = time_sum(m, e->arg[0]), b = time_sum(m, e->arg[1]);
+    const TimeSum a = time_sum_of(m, e->arg[0]), b = time_sum_of(m, e->arg[1]);
 
     if (!a.linear || !b.linear)
         return not_a_sum();
     if (is_number(&b))
-        return scaled(a, e->op == SM_OP_MUL ? sm_mul(a.number, b.number) : sm_div(a.number, b.number));
+        return scale_sum(a, e->op == SM_OP_MUL ? sm_mul(a.number, b.number) : sm_div(a.number, b.number));
     if (e->op == SM_OP_MUL && is_number(&a))
-        return scaled(b, sm_mul(a.number, b.number));
+        return scale_sum(b, sm_mul(a.number, b.number));
     if (a.time || a.stamp || b.time || b.stamp)
         return not_a_sum();
     return (TimeSum){.linear = true, .other = true, .number = sm_from_i32(0)};
@@ -62,14 +63,14 @@ static TimeSum sum_of_operator(const Timestamps *m, const Expr *e)
         return sum_of_product(m, e);
     if (e->op != SM_OP_ADD && e->op != SM_OP_SUB)
         return not_a_sum();
-    b = time_sum(m, e->arg[1]);
+    b = time_sum_of(m, e->arg[1]);
     if (e->op == SM_OP_ADD)
         b.number = sm_neg(b.number);
-    return time_difference(time_sum(m, e->arg[0]), b);
+    return time_sum_difference(time_sum_of(m, e->arg[0]), b);
 }
 
 // Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
-TimeSum time_sum(const Timestamps *m, const Expr *e)
+TimeSum time_sum_of(const Timestamps *m, const Expr *e)
 {
     TimeSum s;
 
@@ -78,7 +79,7 @@ TimeSum time_sum(const Timestamps *m, const Expr *e)
     case EX_VAR: return e->var->is_constant ? sum_of_number(expr_constant_value(e)) : sum_of_var(m, e->var);
     case EX_BINARY: return sum_of_operator(m, e);
     case EX_UNARY:
-        s = e->op == SM_OP_NEG ? time_sum(m, e->arg[0]) : not_a_sum();
+        s = e->op == SM_OP_NEG ? time_sum_of(m, e->arg[0]) : not_a_sum();
         s.number = sm_neg(s.number);
         return s;
     case EX_CALL: return expr_is_constant(e) ? sum_of_number(expr_constant_value(e)) : not_a_sum();
@@ -91,8 +92,8 @@ TimeSum time_sum(const Timestamps *m, const Expr *e)
 
 typedef struct TimestampSearch {
     Timestamps m;
-    bool *refused;            // by Var.index: it has another kind of assignment too
-    uint8_t *found;           // by Var.index: TimestampKind
+    bool *refused;            // by Var.index: some assignment stores a value that is neither a time nor a constant
+    uint8_t *found;           // by Var.index: the highest TimestampKind of an assignment
 } TimestampSearch;
 
 static TimestampKind kind_of(const TimeSum *s)
@@ -110,7 +111,7 @@ static void record_assignment(const Stmt *stmt, void *context)
 
     if (stmt->kind != ST_ASSIGN || stmt->var->kind != VAR_LOCAL || expr_is_constant(stmt->value))
         return;
-    s = time_sum(&f->m, stmt->value);
+    s = time_sum_of(&f->m, stmt->value);
     kind = kind_of(&s);
     if (kind == TIMESTAMP_NONE)
         f->refused[stmt->var->index] = true;
@@ -122,7 +123,7 @@ Timestamps timestamps_of(Arena *arena, const Program *p)
 {
     TimestampSearch f = {{p, ARENA_ARRAY(arena, uint8_t, p->var.n)}, NULL, NULL};
 
-    for (int round = 0; round < 2; round++) {                 // twice, because a time may be computed from another one
+    for (int round = 0; round < 2; round++) {                 // the second time, locals that contain a time are known
         f.refused = ARENA_ARRAY(arena, bool, p->var.n);
         f.found = ARENA_ARRAY(arena, uint8_t, p->var.n);
         each_stmt(p, record_assignment, &f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which locals contain a time: every assignment to them is the time, plus or minus something, or a plain number.
+// Finds the locals that contain a time: every assignment to them stores T or G, plus or minus something, or a constant.
 #ifndef SMC_TIMESTAMPS_H
 #define SMC_TIMESTAMPS_H
 
@@ -15,19 +15,20 @@ typedef struct Timestamps { const Program *p; uint8_t *of; } Timestamps;        
 
 Timestamps timestamps_of(Arena *arena, const Program *p);
 
-// An expression as a sum: how it depends on time.
+// How an expression depends on time, if it is a sum of variables and constants.
 typedef struct TimeSum {
     bool linear;              // it contains only numbers and variables, added and scaled by constants
     bool time;                // it contains T or G
     bool stamp;               // it contains a local with a time
-    bool shifted;             // it contains a shifted one
+    bool shifted;             // it contains a local with a shifted time
     bool other;               // it contains another variable
-    bool scaled;              // time is multiplied or divided
+    bool scaled;              // it multiplies or divides a time
     SmF64 number;             // the sum of its constants
 } TimeSum;
 
-TimeSum time_sum(const Timestamps *m, const Expr *e);
-// a - b
-TimeSum time_difference(TimeSum a, TimeSum b);
+// `linear` is false if the expression is not such a sum.
+TimeSum time_sum_of(const Timestamps *m, const Expr *e);
+// The sum a - b.
+TimeSum time_sum_difference(TimeSum a, TimeSum b);
 
 #endif

@@ -111,7 +111,7 @@ static void add_transitions(const Report *r, Doc *d, const AbortMatrix *x)
 
 void report_add_abort_matrix(Report *r, Doc *d)
 {
-    const AbortMatrix x = abort_matrix(trials_of(&r->analysis));
+    const AbortMatrix x = abort_build_matrix(trials_of(&r->analysis));
     DocTable *t;
 
     doc_add_section(d, "abort", "Abort matrix");

@@ -67,10 +67,10 @@ static void test_onward(const AbortMatrix *x)
     const State *s = x->row[1].path.at[0].first->to;
 
     CHECK(s->number == 6);
-    s = abort_onward(x, s);
+    s = abort_next_state(x, s);
     CHECK(s->number == 7);                          // the longer of the two
-    s = abort_onward(x, s);
-    CHECK(s->is_abort && abort_onward(x, s) == NULL && abort_onward(x, x->row[7].state) == NULL);
+    s = abort_next_state(x, s);
+    CHECK(s->is_abort && abort_next_state(x, s) == NULL && abort_next_state(x, x->row[7].state) == NULL);
 }
 
 static void test_depends_on(const AbortMatrix *x)
@@ -98,7 +98,7 @@ static void test_nothing_declared(void)
 {
     Session s;
     Analysis a = analyse(&s, "[state_vector]\nU64 G\nU32 S\nF64 x @read_only\n[A]\n.step\n x > 5: -> B\n[B]\n");
-    const AbortMatrix x = abort_matrix(trials_of(&a));
+    const AbortMatrix x = abort_build_matrix(trials_of(&a));
 
     CHECK(!x.declared && x.n == 2 && x.row[0].path.n == 0 && x.row[0].verdict == ABORT_NO_PATH);
     session_free(&s);
@@ -112,7 +112,7 @@ int main(void)
 
     host_check(setjmp(host_oom));
     a = analyse(&s, machine);
-    x = abort_matrix(trials_of(&a));
+    x = abort_build_matrix(trials_of(&a));
     test_paths(&x);
     test_onward(&x);
     test_depends_on(&x);
