@@ -86,7 +86,7 @@ static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
     if (!ascii)
         return;
     if (is_dash_of_range(l, like) || is_inside_number(l, at, len, code)) {
-        diag_label(l->diags, d, DIAG_label_text, l->annotated ? "separate two numbers by a blank, and write a sign as -" :
+        diag_label(l->diags, d, DIAG_label_text, l->annotated ? "separate two numbers by a space, and write a sign as -" :
                    "leave it out of the number; a decimal point is written .");
         return;
     }
@@ -95,7 +95,7 @@ static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
         return;
     }
     if (*ascii == ' ' && !ascii[1])
-        diag_label(l->diags, d, DIAG_label_plain_blank);
+        diag_label(l->diags, d, DIAG_label_plain_space);
     else
         diag_label(l->diags, d, DIAG_label_write, ascii);
     diag_edit(l->diags, d, lexer_span(l, at, len), ascii);

@@ -240,7 +240,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
     if (d && colon)
         diag_label(p->diags, d, DIAG_label_leave_out);
     else if (d && p->tok.kind == TOK_LABEL)
-        diag_label(p->diags, d, DIAG_label_text, "put it behind a label: .entry is run once, .step in every step, .exit at the end");
+        diag_label(p->diags, d, DIAG_label_text, "put it after a label: .entry is run once, .step in every step, .exit at the end");
     else if (d && assigns)
         diag_label(p->diags, d, DIAG_label_text, "a list of constants is [local], each with its type: F64 limit = 3");
 }
@@ -439,13 +439,13 @@ static void init_parser(Parser *p, Arena *arena, StrPool *strings, Diags *diags,
     lex_next(&p->lex, &p->ahead);
 }
 
-// The message for any text before the first section of a file.
+// The label of text before the first section, by kind of file.
 static const char *const first_section[] = {
-    [FILE_SV] = "elements stand in sections, as under [Tank]",
+    [FILE_SV] = "elements are declared in sections, as in [Tank]",
     [FILE_SM] = "a machine begins with [state_vector]",
-    [FILE_SS] = "options stand under [options], tests under the name of a state, as [Idle]",
-    [FILE_IO] = "pins stand under [analog] and [digital]",
-    [FILE_APP] = "options stand under [options], tasks under the name of an executor"
+    [FILE_SS] = "options belong in [options], tests in a section with the name of a state, as [Idle]",
+    [FILE_IO] = "pins belong in [analog] and [digital]",
+    [FILE_APP] = "options belong in [options], tasks in a section with the name of an executor"
 };
 
 AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind)

@@ -116,7 +116,7 @@ static bool check_place(Parser *p, const Annotated *o, const AstAnnotation *a)
     if (ON_PINS >> o->place & 1u)
         report_annotation_of_other_pins(p, o, a);
     else if (is_for_states_only((int)a->kind))
-        diag_label(p->diags, parser_report(p, DIAG_annotation_of_states, a->span, word), DIAG_label_behind_header, word);
+        diag_label(p->diags, parser_report(p, DIAG_annotation_of_states, a->span, word), DIAG_label_after_header, word);
     else if (o->place == AST_ON_STATE)
         parser_report(p, DIAG_annotation_on_state, a->span, word);
     else if (o->place == AST_ON_SV_ELEMENT)
@@ -368,7 +368,7 @@ void parser_report_annotation_before_decl(Parser *p)
     const char *word = p->tok.text->text;
 
     if (is_for_states_only(find_row(p->tok.text, AST_ON_ELEMENT)))
-        diag_label(p->diags, parser_fail(p, DIAG_annotation_of_states, parser_here(p), word), DIAG_label_behind_header, word);
+        diag_label(p->diags, parser_fail(p, DIAG_annotation_of_states, parser_here(p), word), DIAG_label_after_header, word);
     else
         parser_fail(p, DIAG_annotation_before, parser_here(p), word);
 }
@@ -397,7 +397,7 @@ void parser_report_annotation_in_block(Parser *p)
     Diag *d = parser_fail(p, DIAG_annotation_here, parser_here(p), word);
 
     if (is_for_states_only(find_row(p->tok.text, AST_ON_STATE)))
-        diag_label(p->diags, d, DIAG_label_behind_header, word);
+        diag_label(p->diags, d, DIAG_label_after_header, word);
     else if (parser_is_allow(&p->tok))
         diag_label(p->diags, d, DIAG_label_not_in_script);
     else if (near && p->kind == FILE_SS)

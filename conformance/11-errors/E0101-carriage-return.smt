@@ -1,4 +1,4 @@
-spec 1.4, 1.5   A carriage return in the middle of a line is an error; before the line end it is a blank.
+spec 1.4, 1.5   A carriage return in the middle of a line is an error; before the line end it is a space.
 
 -- app.sm --
 [state_vector]

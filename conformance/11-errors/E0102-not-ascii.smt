@@ -13,4 +13,4 @@ F64 p
     x = drück          #! E0102 'ü'
     x = 20°            #! E0102 '°'
     x = p²             #! E0102 '²'
-    x = p + 1    #! E0102 plain blank
+    x = p + 1    #! E0102 plain space

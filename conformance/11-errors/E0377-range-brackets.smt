@@ -1,4 +1,4 @@
-spec 2.9   The two numbers of @range have only blanks between them; the edit removes other characters where the meaning is certain.
+spec 2.9   The two numbers of @range have only spaces between them; the edit removes other characters where the meaning is certain.
 -- app.sm --
 [state_vector]
 U64 G

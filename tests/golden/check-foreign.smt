@@ -36,7 +36,7 @@ mode = 1
 -- stderr --
 app.sm:9:1: error: this must follow a label of state 'Hold' [E0310]
     9 | mode = 1
-      | ^~~~ put it behind a label: .entry is run once, .step in every step, .exit at the end
+      | ^~~~ put it after a label: .entry is run once, .step in every step, .exit at the end
 app.sm:11:5: error: a statement cannot begin with 'p' [E0328]
    11 |     p between 30 and 50: -> Vent
       |     ^ write 30 <= p <= 50

@@ -244,7 +244,7 @@ app.sm:32:7: error: unknown operator '/=' [E0326]
       |       ^~ write n = n / ...
 app.sm:33:17: error: a number cannot contain a comma [E0116]
    33 |     n = min(p, 0,5)
-      |                 ^ a decimal point is written 0.5; put a blank after a comma that separates two values
+      |                 ^ a decimal point is written 0.5; put a space after a comma that separates two values
 app.sm:34:16: error: ';' is written ',' here [E0107]
    34 |     n = clamp(p; 0,5)
       |                ^ write ,
@@ -331,16 +331,16 @@ note: statements on lines of their own need braces: q > 9 { ... }
 7 errors
 numbers.sm:4:16: error: the character '–' is allowed only in comments [E0102]
     4 | F64 a @range 0 – 5
-      |                ^ separate two numbers by a blank, and write a sign as -
+      |                ^ separate two numbers by a space, and write a sign as -
 numbers.sm:5:18: error: the character '–' is allowed only in comments [E0102]
     5 | F64 b @range -10 –5
-      |                  ^ separate two numbers by a blank, and write a sign as -
+      |                  ^ separate two numbers by a space, and write a sign as -
 numbers.sm:6:18: error: the character '–' is allowed only in comments [E0102]
     6 | F64 c @range -10 – 5
-      |                  ^ separate two numbers by a blank, and write a sign as -
+      |                  ^ separate two numbers by a space, and write a sign as -
 numbers.sm:7:15: error: the character '–' is allowed only in comments [E0102]
     7 | F64 d @range 0–5
-      |               ^ separate two numbers by a blank, and write a sign as -
+      |               ^ separate two numbers by a space, and write a sign as -
 numbers.sm:9:15: error: expected a number, the highest value of '@range', found ',' [E0377]
     9 | F64 f @range 0,5
       |               ^ write two numbers, as in @range 0 40
