@@ -104,7 +104,7 @@ static void count_steps(TrialSearch *k, double before)
     }
     k->steps += n > 1 ? (uint32_t)n : 1;
     if (n > 1)
-        ir_run_fill(t->run, k->at, n - 1 < t->window ? (uint32_t)n - 1 : t->window, NULL, NULL);
+        ir_run_fill_windows(t->run, k->at, n - 1 < t->window ? (uint32_t)n - 1 : t->window, NULL, NULL);
 }
 
 // Runs one step, or as many as nothing happens in.  Returns true after a transition to another state, which is stored if it is
@@ -268,7 +268,7 @@ Trials *trials_of(Analysis *a)
     const InputDepsTable *deps = input_deps_of(a);
 
     t->a = a;
-    t->run = ir_run_of(a->arena, a->m);
+    t->run = ir_run_new(a->arena, a->m);
     t->state = ARENA_ARRAY(a->arena, TrialState, a->p->state.n);
     t->transition = ARENA_ARRAY(a->arena, const Transition *, a->p->stmts + 1u);
     t->stmt = ARENA_ARRAY(a->arena, const Stmt *, a->p->stmts + 1u);

@@ -233,7 +233,7 @@ void trial_fill_windows(Trials *t, void *situation, const double *in)
     void *before = trial_copy(t, t->scratch, situation);
     HeldInputs h = {t, in};
 
-    ir_run_fill(t->run, situation, t->window, set_held_inputs, &h);
+    ir_run_fill_windows(t->run, situation, t->window, set_held_inputs, &h);
     for (uint32_t w = 0; w < t->run->m->window.n; w++)
         if (t->computed[w])
             ir_run_copy_window(t->run, situation, before, w);

@@ -15,7 +15,7 @@ struct ArenaChunk {
 #define ARENA_LARGEST_CHUNK (16 * 1024 * 1024)
 #endif
 
-enum { ALIGN = ARENA_ALIGN, AHEAD = 1024, FIRST_CHUNK = ARENA_FIRST_CHUNK, LARGEST_CHUNK = ARENA_LARGEST_CHUNK };
+enum { ALIGN = ARENA_ALIGN, ZERO_AHEAD = 1024, FIRST_CHUNK = ARENA_FIRST_CHUNK, LARGEST_CHUNK = ARENA_LARGEST_CHUNK };
 
 #define HEADER ((sizeof(ArenaChunk) + ALIGN - 1) / ALIGN * ALIGN)
 
@@ -36,7 +36,7 @@ void arena_free(Arena *a)
         c = older;
     }
     a->chunk = NULL;
-    a->next = a->end = a->clean = NULL;
+    a->next = a->end = a->zeroed_end = NULL;
 }
 
 static void add_chunk(Arena *a, size_t wanted)
@@ -55,19 +55,19 @@ static void add_chunk(Arena *a, size_t wanted)
     a->chunk = c;
     a->next = (char *)c + HEADER;
     a->end = a->next + size;
-    a->clean = a->next;
+    a->zeroed_end = a->next;
 }
 
 // Zeroes the chunk up to `to`, and some bytes beyond it, so that one memset serves many small allocations.
 static void zero_up_to(Arena *a, char *to)
 {
-    char *up = (size_t)(a->end - to) > AHEAD ? to + AHEAD : a->end;
+    char *up = (size_t)(a->end - to) > ZERO_AHEAD ? to + ZERO_AHEAD : a->end;
 
-    memset(a->clean, 0, (size_t)(up - a->clean));
-    a->clean = up;
+    memset(a->zeroed_end, 0, (size_t)(up - a->zeroed_end));
+    a->zeroed_end = up;
 }
 
-static char *take_from_chunk(Arena *a, size_t size)
+static char *bump_unzeroed(Arena *a, size_t size)
 {
     char *p;
 
@@ -83,30 +83,30 @@ static char *take_from_chunk(Arena *a, size_t size)
 
 void *arena_alloc_more(Arena *a, size_t size)
 {
-    char *p = take_from_chunk(a, size);
+    char *p = bump_unzeroed(a, size);
 
-    if (a->next > a->clean)
+    if (a->next > a->zeroed_end)
         zero_up_to(a, a->next);
     return p;
 }
 
-void *arena_room(Arena *a, size_t size)
+void *arena_alloc_unzeroed(Arena *a, size_t size)
 {
-    char *p = take_from_chunk(a, size);
+    char *p = bump_unzeroed(a, size);
 
-    if (a->next > a->clean)
-        a->clean = a->next;
+    if (a->next > a->zeroed_end)
+        a->zeroed_end = a->next;
     return p;
 }
 
 // The bytes to be overwritten need not be zeroed.  The rest of `room` must be.
-static void *copy(Arena *a, const void *from, size_t size, size_t room)
+static void *copy_into(Arena *a, const void *from, size_t size, size_t room)
 {
-    char *p = take_from_chunk(a, room);
+    char *p = bump_unzeroed(a, room);
 
-    if (p + size > a->clean)
-        a->clean = p + size;
-    if (a->next > a->clean)
+    if (p + size > a->zeroed_end)
+        a->zeroed_end = p + size;
+    if (a->next > a->zeroed_end)
         zero_up_to(a, a->next);
     if (size)
         memcpy(p, from, size);
@@ -115,7 +115,7 @@ static void *copy(Arena *a, const void *from, size_t size, size_t room)
 
 void *arena_copy(Arena *a, const void *from, size_t size)
 {
-    return copy(a, from, size, size);
+    return copy_into(a, from, size, size);
 }
 
 void *arena_array(Arena *a, size_t count, size_t size)
@@ -131,11 +131,11 @@ void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size)
         a->next = old;                                  // the last allocation: extend it in place if it fits
         if ((size_t)(a->end - a->next) >= new_size + ALIGN) {
             a->next += (new_size + ALIGN - 1) / ALIGN * ALIGN;
-            if (a->next > a->clean)
+            if (a->next > a->zeroed_end)
                 zero_up_to(a, a->next);
             return old;
         }
         a->next += (old_size + ALIGN - 1) / ALIGN * ALIGN;
     }
-    return copy(a, old, !old ? 0 : old_size < new_size ? old_size : new_size, new_size);
+    return copy_into(a, old, !old ? 0 : old_size < new_size ? old_size : new_size, new_size);
 }

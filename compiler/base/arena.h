@@ -18,7 +18,7 @@ typedef struct Arena {
     jmp_buf *oom;         // the longjmp target when alloc returns NULL; must be set before the first arena_alloc
     ArenaChunk *chunk;    // newest first
     char *next, *end;     // the free part of the newest chunk
-    char *clean;          // memory from `next` up to here is zeroed
+    char *zeroed_end;     // memory from `next` up to here is zeroed
 } Arena;
 
 void arena_init(Arena *a, SmcAllocFn alloc, void *context, jmp_buf *oom);
@@ -32,13 +32,13 @@ static inline void *arena_alloc(Arena *a, size_t size)
 {
     const size_t room = (size + ARENA_ALIGN - 1) / ARENA_ALIGN * ARENA_ALIGN;
 
-    if (a->next >= a->clean || (size_t)(a->clean - a->next) < room || room < size)
+    if (a->next >= a->zeroed_end || (size_t)(a->zeroed_end - a->next) < room || room < size)
         return arena_alloc_more(a, size);
     a->next += room;
     return a->next - room;
 }
 void *arena_array(Arena *a, size_t count, size_t size);          // checks count * size
-void *arena_room(Arena *a, size_t size);                         // not zeroed
+void *arena_alloc_unzeroed(Arena *a, size_t size);               // not zeroed
 void *arena_copy(Arena *a, const void *from, size_t size);
 void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size);   // copies, or extends the last allocation in place
 

@@ -43,49 +43,49 @@ void buf_spaces(Buf *b, size_t n)
         buf_char(b, ' ');
 }
 
-static void put_formatted(Buf *b, const char *format, va_list args, va_list again)
+static void put_formatted(Buf *b, const char *format, va_list args, va_list args_copy)
 {
     int n = vsnprintf(NULL, 0, format, args);
 
     if (n < 0)
         return;
     make_room(b, (size_t)n);
-    vsnprintf(b->at + b->n, (size_t)n + 1, format, again);
+    vsnprintf(b->at + b->n, (size_t)n + 1, format, args_copy);
     b->n += (size_t)n;
 }
 
 void buf_printf(Buf *b, const char *format, ...)
 {
-    va_list args, again;
+    va_list args, args_copy;
 
     va_start(args, format);
-    va_copy(again, args);
-    put_formatted(b, format, args, again);
-    va_end(again);
+    va_copy(args_copy, args);
+    put_formatted(b, format, args, args_copy);
+    va_end(args_copy);
     va_end(args);
 }
 
 const char *format_in(Arena *arena, const char *format, ...)
 {
-    va_list args, again;
+    va_list args, args_copy;
     Buf b;
 
     buf_init(&b, arena);
     va_start(args, format);
-    va_copy(again, args);
-    put_formatted(&b, format, args, again);
-    va_end(again);
+    va_copy(args_copy, args);
+    put_formatted(&b, format, args, args_copy);
+    va_end(args_copy);
     va_end(args);
     return buf_text(&b);
 }
 
 const char *buf_text(const Buf *b) { return b->at ? b->at : ""; }
 
-static void put_le(Buf *b, uint64_t v, int bytes)
+static void put_little_endian(Buf *b, uint64_t v, int bytes)
 {
     for (int i = 0; i < bytes; i++)
         buf_char(b, (char)(unsigned char)(v >> (8 * i) & 0xff));
 }
 
-void buf_u32(Buf *b, uint32_t v) { put_le(b, v, 4); }
-void buf_u64(Buf *b, uint64_t v) { put_le(b, v, 8); }
+void buf_u32(Buf *b, uint32_t v) { put_little_endian(b, v, 4); }
+void buf_u64(Buf *b, uint64_t v) { put_little_endian(b, v, 8); }

@@ -48,7 +48,7 @@ bool os_is_name(const char *name)
     return *name == '\0';
 }
 
-static bool is_clean(const char *path, const char **why)
+static bool check_name(const char *path, const char **why)
 {
     *why = "its name contains a control character";
     return os_is_name(path);
@@ -96,7 +96,7 @@ bool os_read(const char *path, size_t most, char **text, size_t *len, const char
 
     if (strcmp(path, "-") == 0)
         return read_all(0, most, text, len, why);
-    if (!is_clean(path, why))
+    if (!check_name(path, why))
         return false;
     if (os_is_folder(path)) {
         *why = "it is a folder";
@@ -182,7 +182,7 @@ static int open_directly(const char *path, bool *is_own, const char **why)
 }
 
 // Returns the file that `path` names after following symbolic links, so that a link remains a link; allocated on the heap.
-static char *target_of(const char *path, const char **why)
+static char *resolve_target(const char *path, const char **why)
 {
     struct stat st;
     const bool is_link = lstat(path, &st) == 0 && S_ISLNK(st.st_mode);
@@ -214,7 +214,7 @@ static int open_temporary(const char *target, int number, const char **why)
         free(temp);
         return -1;
     }
-    os_unfinished(number, temp);
+    os_set_unfinished(number, temp);
     return fd;
 }
 
@@ -238,7 +238,7 @@ static void forget_temporary(int number)
 {
     char *temp = os_unfinished_path(number);
 
-    os_unfinished(number, NULL);
+    os_set_unfinished(number, NULL);
     free(temp);
 }
 
@@ -256,15 +256,15 @@ static bool write_directly(const OsOutput *out, const char **why)
 }
 
 // Does everything except the renaming, for which it sets *target; *target stays NULL if there is nothing to rename.
-static bool write_one(const OsOutput *out, int number, char **target, const char **why)
+static bool write_temporary(const OsOutput *out, int number, char **target, const char **why)
 {
     int fd;
 
-    if (!is_clean(out->path, why))
+    if (!check_name(out->path, why))
         return false;
     if (strcmp(out->path, "-") == 0 || os_is_special(out->path))
         return write_directly(out, why);
-    if ((*target = target_of(out->path, why)) == NULL || (fd = open_temporary(*target, number, why)) < 0)
+    if ((*target = resolve_target(out->path, why)) == NULL || (fd = open_temporary(*target, number, why)) < 0)
         return false;
     return close_temporary(fd, *target, write_all(fd, out->bytes, out->n, why), why);
 }
@@ -279,9 +279,9 @@ bool os_write(const OsOutput *out, size_t n, const char **failed_path, const cha
     os_signals_begin();
     for (size_t i = 0; ok && i < n; i++) {
         *failed_path = out[i].path;
-        ok = write_one(&out[i], (int)i, &target[i], why);
+        ok = write_temporary(&out[i], (int)i, &target[i], why);
     }
-    os_signals_hold();                                // rename all of them or none
+    os_signals_delay();                               // rename all of them or none
     for (size_t i = 0; ok && i < n; i++)
         if (target[i]) {
             *failed_path = out[i].path;
@@ -303,13 +303,13 @@ bool os_write(const OsOutput *out, size_t n, const char **failed_path, const cha
 
 bool os_stream_open(OsStream *s, const char *path, const char **why)
 {
-    if (!is_clean(path, why))
+    if (!check_name(path, why))
         return false;
     s->target = NULL;
     s->is_direct = strcmp(path, "-") == 0 || os_is_special(path);
     if (s->is_direct)
         return (s->fd = open_directly(path, &s->is_own, why)) >= 0;
-    if ((s->target = target_of(path, why)) == NULL)
+    if ((s->target = resolve_target(path, why)) == NULL)
         return false;
     os_signals_begin();
     atexit(os_remove_unfinished);
@@ -459,7 +459,7 @@ bool os_make_folder(const char *path, const char **why)
 {
     int error;
 
-    if (!is_clean(path, why))
+    if (!check_name(path, why))
         return false;
     if (os_is_folder(path) || mkdir(path, 0777) == 0)
         return true;
@@ -482,7 +482,7 @@ bool os_list(const char *path, char ***names, size_t *n, const char **why)
     size_t bytes = 0, count = 0, at = 0;
     DIR *folder;
 
-    if (!is_clean(path, why))
+    if (!check_name(path, why))
         return false;
     if ((folder = opendir(path)) == NULL)
         return set_reason(why);
@@ -533,7 +533,7 @@ bool os_write_private(const char *path, const void *bytes, size_t n, const char 
     bool ok;
     int fd;
 
-    if (!is_clean(path, why))
+    if (!check_name(path, why))
         return false;
     if ((fd = open(path, O_WRONLY | O_CREAT | O_EXCL, S_IRUSR | S_IWUSR)) < 0)
         return set_reason(why);

@@ -38,7 +38,7 @@ bool os_temp_folder(char *path, size_t n, const char **why)
         path[0] = '\0';
         return set_reason(ENAMETOOLONG, why);
     }
-    os_signals_hold();
+    os_signals_delay();
     if (mkdtemp(path))
         return true;
     set_reason(errno, why);
@@ -141,7 +141,7 @@ bool os_run(const char *const *argv, const char *output, int *exit_code, const c
 
     if (error)
         return set_reason(error, why);
-    os_signals_hold();
+    os_signals_delay();
     error = posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
     if (!error)
         error = posix_spawn_file_actions_addopen(&actions, 1, output, O_WRONLY | O_CREAT | O_TRUNC, 0600);

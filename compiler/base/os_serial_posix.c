@@ -42,7 +42,7 @@ static bool find_speed(unsigned long bits_per_second, speed_t *speed)
     return false;
 }
 
-static bool set_up(int fd, speed_t speed)
+static bool set_raw_mode(int fd, speed_t speed)
 {
     struct termios t;
 
@@ -78,7 +78,7 @@ bool os_serial_open(const char *path, unsigned long bits_per_second, int *fd, co
     }
     if (flock(*fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
         *why = "another program uses it";
-    else if (isatty(*fd) && set_up(*fd, speed))
+    else if (isatty(*fd) && set_raw_mode(*fd, speed))
         return true;
     else
         *why = isatty(*fd) ? strerror(errno) : "it is no serial line";
@@ -123,7 +123,7 @@ uint32_t os_milliseconds(void)
     return (uint32_t)((uint64_t)t.tv_sec * 1000 + (uint64_t)t.tv_nsec / 1000000);
 }
 
-uint16_t os_unlike(void)
+uint16_t os_run_nonce(void)
 {
     struct timespec t;
 

@@ -14,13 +14,13 @@ int os_signal_at(int i);                              // the number of signal i 
 
 // The files to remove, by number below OS_UNFINISHED.  NULL: none.  The path must stay valid until it is replaced.
 enum { OS_UNFINISHED = 65 };
-void os_unfinished(int number, char *path);
+void os_set_unfinished(int number, char *path);
 char *os_unfinished_path(int number);
 void os_remove_unfinished(void);
 
 // Between these two calls a signal is delayed: the process ends in os_signals_resume.  For things that a handler cannot remove, such as a
 // folder.
-void os_signals_hold(void);
+void os_signals_delay(void);
 void os_signals_resume(void);
 int os_signal_waiting(void);                          // the number of the delayed signal, or 0
 

@@ -17,7 +17,7 @@ static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGQUIT, SIGXCPU
 enum { NUMBERS = sizeof numbers / sizeof *numbers };
 static struct sigaction before[NUMBERS];              // the handlers that os_signals_begin replaced
 
-void os_unfinished(int number, char *path) { unfinished[number] = path; }
+void os_set_unfinished(int number, char *path) { unfinished[number] = path; }
 char *os_unfinished_path(int number) { return unfinished[number]; }
 int os_signal_waiting(void) { return waiting; }
 
@@ -78,7 +78,7 @@ void os_signals_end(void)
             sigaction(numbers[i], &before[i], NULL);
 }
 
-void os_signals_hold(void)
+void os_signals_delay(void)
 {
     os_signals_begin();
     held++;

@@ -135,7 +135,7 @@ size_t str_distance(const char *a, const char *b, size_t limit)
     return last[lb] < limit ? last[lb] : limit;
 }
 
-static size_t map_slot(const Map *m, Str key)
+static size_t find_map_slot(const Map *m, Str key)
 {
     size_t at = key->hash & (m->cap - 1);
 
@@ -146,7 +146,7 @@ static size_t map_slot(const Map *m, Str key)
 
 void *map_find(const Map *m, Str key)
 {
-    return m->cap ? m->value[map_slot(m, key)] : NULL;
+    return m->cap ? m->value[find_map_slot(m, key)] : NULL;
 }
 
 static void grow_map(Map *m)
@@ -157,7 +157,7 @@ static void grow_map(Map *m)
     bigger.value = ARENA_ARRAY(m->arena, void *, bigger.cap);
     for (size_t i = 0; i < m->cap; i++)
         if (m->key[i]) {
-            size_t at = map_slot(&bigger, m->key[i]);
+            size_t at = find_map_slot(&bigger, m->key[i]);
             bigger.key[at] = m->key[i];
             bigger.value[at] = m->value[i];
         }
@@ -170,7 +170,7 @@ void map_put(Map *m, Str key, void *value)
 
     if (m->n * 2 >= m->cap)
         grow_map(m);
-    at = map_slot(m, key);
+    at = find_map_slot(m, key);
     m->n += m->key[at] == NULL;
     m->key[at] = key;
     m->value[at] = value;

@@ -261,7 +261,7 @@ static int send_image(BoardLine *b, const Source *image, uint16_t period, const 
     u.bytes = (const uint8_t *)image->text;
     u.length = (uint32_t)image->len;
     u.checksum = smvm_uint((SmvmBytes)image->text, SMVM_CRC_AT, 4);
-    u.session = (uint16_t)(os_unlike() | 1u);
+    u.session = (uint16_t)(os_run_nonce() | 1u);
     u.period = period;
     u.progress = show_progress;
     u.context = &p;

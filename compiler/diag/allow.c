@@ -26,7 +26,7 @@ void diag_allow_shared(Diags *d, const char *flag, const char *reason, Span span
 
 // ---- order ----
 
-static int compare_places(const Span *a, const Span *b)
+static int compare_positions(const Span *a, const Span *b)
 {
     uintptr_t x = (uintptr_t)a->src, y = (uintptr_t)b->src;
 
@@ -39,7 +39,7 @@ static int compare_places(const Span *a, const Span *b)
 static int compare_covers(const void *a, const void *b)
 {
     const DiagAllow *x = *(DiagAllow *const *)a, *y = *(DiagAllow *const *)b;
-    int order = compare_places(&x->covers, &y->covers);
+    int order = compare_positions(&x->covers, &y->covers);
 
     return order ? order : (x->covers.len < y->covers.len) - (x->covers.len > y->covers.len);
 }
@@ -48,21 +48,21 @@ static int compare_spans(const void *a, const void *b)
 {
     const DiagAllow *x = *(DiagAllow *const *)a, *y = *(DiagAllow *const *)b;
 
-    return compare_places(&x->span, &y->span);
+    return compare_positions(&x->span, &y->span);
 }
 
 // A position where an @allow can cover a warning: the warning's own, or a declaration that it names.
-typedef struct AllowPlace {
+typedef struct AllowPosition {
     Diag *diag;
     Span span;
     DiagAllow *by;            // the innermost @allow that covers the position; NULL: none
-} AllowPlace;
+} AllowPosition;
 
-static int compare_diag_places(const void *a, const void *b)
+static int compare_diag_positions(const void *a, const void *b)
 {
-    const AllowPlace *x = *(AllowPlace *const *)a, *y = *(AllowPlace *const *)b;
+    const AllowPosition *x = *(AllowPosition *const *)a, *y = *(AllowPosition *const *)b;
 
-    return compare_places(&x->span, &y->span);
+    return compare_positions(&x->span, &y->span);
 }
 
 static DiagAllow **sorted_allows(const Diags *d, int (*compare)(const void *, const void *))
@@ -91,7 +91,7 @@ static bool has_ended(const DiagAllow *a, const Span *at)
 
 static void open_allows_at(AllowWalk *w, const Span *at)
 {
-    for (; w->next < w->n && compare_places(&w->all[w->next]->covers, at) <= 0; w->next++) {
+    for (; w->next < w->n && compare_positions(&w->all[w->next]->covers, at) <= 0; w->next++) {
         while (w->depth && has_ended(w->open[w->depth - 1], &w->all[w->next]->covers))
             w->depth--;
         w->open[w->depth++] = w->all[w->next];
@@ -100,7 +100,7 @@ static void open_allows_at(AllowWalk *w, const Span *at)
         w->depth--;
 }
 
-static void find_innermost_allow(AllowWalk *w, AllowPlace *x)
+static void find_innermost_allow(AllowWalk *w, AllowPosition *x)
 {
     const char *flag = diag_info[x->diag->code].flag;
 
@@ -112,7 +112,7 @@ static void find_innermost_allow(AllowWalk *w, AllowPlace *x)
 
 // places[0] is the warning's position; the others are the declarations that it names. An @allow of one output of several does not cover
 // the warning. It still counts as used, because without it the warning would have to be allowed elsewhere.
-static void mark_allowed(Diag *x, const AllowPlace *places)
+static void decide_if_allowed(Diag *x, const AllowPosition *places)
 {
     size_t open[DIAG_SUBJECTS] = {0};
     const char *reason[DIAG_SUBJECTS] = {NULL};
@@ -139,31 +139,31 @@ static void mark_allowed(Diag *x, const AllowPlace *places)
 
 static bool can_be_allowed(const Diag *x) { return x->severity == DIAG_WARNING && diag_info[x->code].flag && !x->allowed && !x->allow_checked; }
 
-static void find_allowed(Diags *d)
+static void match_allows(Diags *d)
 {
     AllowWalk w = {sorted_allows(d, compare_covers), d->allow.n, 0, ARENA_ARRAY(d->arena, DiagAllow *, d->allow.n), 0};
-    AllowPlace *place, **sorted;
+    AllowPosition *place, **sorted;
     size_t most = 1, n = 0;
 
     for (size_t i = 0; i < d->list.n; i++)
         most += 1 + d->list.at[i]->about.n;
-    place = ARENA_ARRAY(d->arena, AllowPlace, most);
-    sorted = ARENA_ARRAY(d->arena, AllowPlace *, most);
+    place = ARENA_ARRAY(d->arena, AllowPosition, most);
+    sorted = ARENA_ARRAY(d->arena, AllowPosition *, most);
     for (size_t i = 0; i < d->list.n; i++) {
         Diag *x = d->list.at[i];
         if (!can_be_allowed(x))
             continue;
-        place[n++] = (AllowPlace){x, x->span, NULL};
+        place[n++] = (AllowPosition){x, x->span, NULL};
         for (size_t k = 0; k < x->about.n; k++)
-            place[n++] = (AllowPlace){x, x->about.at[k].span, NULL};
+            place[n++] = (AllowPosition){x, x->about.at[k].span, NULL};
     }
     for (size_t i = 0; i < n; i++)
         sorted[i] = &place[i];
-    qsort(sorted, n, sizeof *sorted, compare_diag_places);
+    qsort(sorted, n, sizeof *sorted, compare_diag_positions);
     for (size_t i = 0; i < n; i++)
         find_innermost_allow(&w, sorted[i]);
     for (size_t i = 0; i < n; i += 1 + place[i].diag->about.n)
-        mark_allowed(place[i].diag, &place[i]);
+        decide_if_allowed(place[i].diag, &place[i]);
 }
 
 static void move_allowed(Diags *d)
@@ -210,7 +210,7 @@ static void report_unused_allow(Diags *d, const DiagAllow *a)
 }
 
 // Whether this run would have produced the finding that the @allow is for.
-static bool can_be_judged(const Diags *d, const DiagAllow *a)
+static bool can_judge_unused(const Diags *d, const DiagAllow *a)
 {
     const DiagFlag *flag = diag_find_flag(a->flag);
 
@@ -229,7 +229,7 @@ static void report_unused(Diags *d, bool about_itself)
         used = used || all[i]->used || all[i]->shared;
         if (i + 1 < d->allow.n && compare_spans(&all[i], &all[i + 1]) == 0)
             continue;
-        if (!used && can_be_judged(d, all[i]) && (strcmp(all[i]->flag, itself) == 0) == about_itself)
+        if (!used && can_judge_unused(d, all[i]) && (strcmp(all[i]->flag, itself) == 0) == about_itself)
             report_unused_allow(d, all[i]);
         used = false;
     }
@@ -239,10 +239,10 @@ void diags_apply_allows(Diags *d)
 {
     if (d->allow.n == 0)
         return;
-    find_allowed(d);
+    match_allows(d);
     if (d->analysed && d->errors == 0) {
         report_unused(d, false);
-        find_allowed(d);
+        match_allows(d);
         report_unused(d, true);
     }
     move_allowed(d);

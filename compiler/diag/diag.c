@@ -13,13 +13,13 @@ const DiagInfo diag_info[DIAG_COUNT] = {
 };
 
 // One code at one position.
-typedef struct DiagPlace {
+typedef struct DiagPosition {
     const Source *src;        // valid only if `used` is set; otherwise the slot is empty
     uint32_t at;
     DiagCode code;
     bool used;
     Diag *diag;               // NULL: it was not stored
-} DiagPlace;
+} DiagPosition;
 
 void diags_clear(Diags *d)
 {
@@ -38,42 +38,42 @@ void diags_init(Diags *d, Arena *arena)
 
 // ---- repeated reports ----
 
-static DiagPlace *find_place(const Diags *d, const Source *src, uint32_t at, DiagCode code)
+static DiagPosition *find_position(const Diags *d, const Source *src, uint32_t at, DiagCode code)
 {
-    size_t slot = (at * 2654435761u ^ (uint32_t)code * 40503u) & (d->place_cap - 1);
+    size_t slot = (at * 2654435761u ^ (uint32_t)code * 40503u) & (d->position_cap - 1);
 
-    while (d->place[slot].used &&
-           (d->place[slot].src != src || d->place[slot].at != at || d->place[slot].code != code))
-        slot = (slot + 1) & (d->place_cap - 1);
-    return &d->place[slot];
+    while (d->position[slot].used &&
+           (d->position[slot].src != src || d->position[slot].at != at || d->position[slot].code != code))
+        slot = (slot + 1) & (d->position_cap - 1);
+    return &d->position[slot];
 }
 
-static void grow_places(Diags *d)
+static void grow_positions(Diags *d)
 {
-    DiagPlace *old = d->place;
-    size_t n = d->place_cap;
+    DiagPosition *old = d->position;
+    size_t n = d->position_cap;
 
-    d->place_cap = n ? n * 2 : 64;
-    d->place = ARENA_ARRAY(d->arena, DiagPlace, d->place_cap);
+    d->position_cap = n ? n * 2 : 64;
+    d->position = ARENA_ARRAY(d->arena, DiagPosition, d->position_cap);
     for (size_t i = 0; i < n; i++)
         if (old[i].used)
-            *find_place(d, old[i].src, old[i].at, old[i].code) = old[i];
+            *find_position(d, old[i].src, old[i].at, old[i].code) = old[i];
 }
 
 // Records code and position; returns false if they were already recorded. A report without a position is always new.
-static bool is_new(Diags *d, DiagCode code, Span span)
+static bool record_position(Diags *d, DiagCode code, Span span)
 {
-    DiagPlace *p;
+    DiagPosition *p;
 
     if (!span.src)
         return true;
-    if (d->place_n * 2 >= d->place_cap)
-        grow_places(d);
-    p = find_place(d, span.src, span.at, code);
+    if (d->position_n * 2 >= d->position_cap)
+        grow_positions(d);
+    p = find_position(d, span.src, span.at, code);
     if (p->used)
         return false;
-    *p = (DiagPlace){span.src, span.at, code, true, NULL};
-    d->place_n++;
+    *p = (DiagPosition){span.src, span.at, code, true, NULL};
+    d->position_n++;
     return true;
 }
 
@@ -106,7 +106,7 @@ static const Source *listed_file(const Diags *d, const Source *src)
     return src;
 }
 
-static void note_file(Diags *d, const Source *src)
+static void list_file(Diags *d, const Source *src)
 {
     for (size_t i = d->files.n; i-- > 0; )
         if (d->files.at[i] == src)
@@ -120,7 +120,7 @@ static bool count_report(Diags *d, DiagCode code, Span span)
     size_t *count = diag_info[code].severity == DIAG_ERROR ? &d->errors : &d->warnings;
 
     d->met += diag_info[code].severity == DIAG_ERROR;
-    return !d->muted && is_new(d, code, span) && ++*count <= DIAG_KEPT_MAX;
+    return !d->muted && record_position(d, code, span) && ++*count <= DIAG_KEPT_MAX;
 }
 
 // Returns the diagnostic for reports that are not wanted. All of them share one, so that a flood of reports costs no memory.
@@ -139,17 +139,17 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
 
     span.src = listed_file(d, span.src);
     if (!count_report(d, code, span)) {
-        d->first = span.src && d->place_cap ? find_place(d, span.src, span.at, code)->diag : NULL;
+        d->first = span.src && d->position_cap ? find_position(d, span.src, span.at, code)->diag : NULL;
         return dropped_report(d);
     }
     x = ARENA_NEW(d->arena, Diag);
     if (span.src)
-        find_place(d, span.src, span.at, code)->diag = x;
+        find_position(d, span.src, span.at, code)->diag = x;
     x->code = code;
     x->severity = diag_info[code].severity;
     x->span = span;
     x->text = fill_arguments(d->arena, diag_info[code].message, args);
-    note_file(d, span.src);
+    list_file(d, span.src);
     vec_push(d->arena, &d->list, x);
     return x;
 }
@@ -238,7 +238,7 @@ static size_t file_rank(const Diags *d, const Source *src)
     return i;
 }
 
-static bool comes_before(const Diags *d, const Diag *a, const Diag *b)
+static bool is_before(const Diags *d, const Diag *a, const Diag *b)
 {
     if (a->span.src != b->span.src)
         return file_rank(d, a->span.src) < file_rank(d, b->span.src);
@@ -246,10 +246,10 @@ static bool comes_before(const Diags *d, const Diag *a, const Diag *b)
 }
 
 // Merges two sorted runs. On ties the left run's item comes first, which makes the sort stable.
-static void merge(const Diags *d, Diag **to, Diag **a, size_t na, Diag **b, size_t nb)
+static void merge_runs(const Diags *d, Diag **to, Diag **a, size_t na, Diag **b, size_t nb)
 {
     while (na && nb) {
-        if (comes_before(d, *b, *a))
+        if (is_before(d, *b, *a))
             *to++ = *b++, nb--;
         else
             *to++ = *a++, na--;
@@ -268,7 +268,7 @@ void diags_sort(Diags *d)
         Diag **swap = from;
         for (size_t i = 0; i < n; i += 2 * run) {
             size_t na = min_size(n - i, run), nb = min_size(n - i - na, run);
-            merge(d, to + i, from + i, na, from + i + na, nb);
+            merge_runs(d, to + i, from + i, na, from + i + na, nb);
         }
         from = to;
         to = swap;

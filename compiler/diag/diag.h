@@ -100,8 +100,8 @@ typedef struct Diags {
     Diag *dropped;                        // returned for every report that is not in the list; its fields are meaningless
     Diag *first;                          // the diagnostic that the last dropped report repeats; NULL: none
     VEC(const Source *) files;            // in the order first seen
-    struct DiagPlace *place;              // positions already reported: a hash table with open addressing; its size is a power of two
-    size_t place_cap, place_n;
+    struct DiagPosition *position;        // positions already reported: a hash table with open addressing; its size is a power of two
+    size_t position_cap, position_n;
 } Diags;
 
 enum { DIAG_KEPT_MAX = 10000 };
@@ -166,12 +166,12 @@ void diags_render_sarif(const Diags *d, const char *version, Buf *out);
 void diags_end_sarif(const Sentences *plain, Buf *out);
 
 // Identifies the same finding in a later version of its file.
-typedef struct DiagPrint {
+typedef struct DiagFingerprint {
     uint64_t hash;
     unsigned long twin;                   // 1, 2, 3 … among findings with the same hash
-} DiagPrint;
+} DiagFingerprint;
 
-const DiagPrint *diags_fingerprints(const Diags *d, Arena *arena);        // of the list, then of `allowed`
+const DiagFingerprint *diags_fingerprints(const Diags *d, Arena *arena);  // of the list, then of `allowed`
 
 // The row whose id (or warning name) is `id`, upper or lower case; NULL if there is none.
 const DiagInfo *diag_find(const char *id);

@@ -7,7 +7,7 @@
 #include "compiler/base/str.h"
 #include "compiler/diag/diag.h"
 
-typedef struct FingerprintItem { const Diag *diag; DiagPrint *print; } FingerprintItem;
+typedef struct FingerprintItem { const Diag *diag; DiagFingerprint *print; } FingerprintItem;
 
 static uint64_t hash_text(uint64_t h, const char *s, size_t n)         // FNV-1a
 {
@@ -16,7 +16,7 @@ static uint64_t hash_text(uint64_t h, const char *s, size_t n)         // FNV-1a
     return h;
 }
 
-static const char *without_folders(const char *path)
+static const char *skip_folders(const char *path)
 {
     for (const char *at = path; *at; at++)
         if (*at == '/' || *at == '\\')
@@ -25,7 +25,7 @@ static const char *without_folders(const char *path)
 }
 
 // Returns where the comment begins, or the end of the line.
-static size_t without_comment(const char *s, size_t n)
+static size_t length_without_comment(const char *s, size_t n)
 {
     bool quoted = false;
 
@@ -40,7 +40,7 @@ static size_t without_comment(const char *s, size_t n)
 // Hashes a line. Any run of blanks between words counts as one; comments are ignored.
 static uint64_t hash_line(uint64_t h, const char *s, size_t n)
 {
-    n = without_comment(s, n);
+    n = length_without_comment(s, n);
     while (n && is_space_or_tab(s[n - 1]))
         n--;
     while (n && is_space_or_tab(*s))
@@ -53,7 +53,7 @@ static uint64_t hash_line(uint64_t h, const char *s, size_t n)
     return h;
 }
 
-static uint64_t hash_of(const Diag *d)
+static uint64_t hash_diagnostic(const Diag *d)
 {
     const char *id = diag_info[d->code].id, *file, *line;
     uint64_t h = hash_text(14695981039346656037u, id, strlen(id) + 1);
@@ -61,7 +61,7 @@ static uint64_t hash_of(const Diag *d)
 
     if (!d->span.src)
         return hash_text(h, d->text, strlen(d->text));
-    file = without_folders(d->span.src->name);
+    file = skip_folders(d->span.src->name);
     line = source_line(d->span.src, source_position(d->span.src, d->span.at).line, &len);
     return hash_line(hash_text(h, file, strlen(file) + 1), line, len);
 }
@@ -78,16 +78,16 @@ static int compare_items(const void *a, const void *b)
     return (x->print > y->print) - (x->print < y->print);
 }
 
-const DiagPrint *diags_fingerprints(const Diags *d, Arena *arena)
+const DiagFingerprint *diags_fingerprints(const Diags *d, Arena *arena)
 {
     size_t n = d->list.n + d->allowed.n;
-    DiagPrint *all = ARENA_ARRAY(arena, DiagPrint, n + 1);
+    DiagFingerprint *all = ARENA_ARRAY(arena, DiagFingerprint, n + 1);
     FingerprintItem *item = ARENA_ARRAY(arena, FingerprintItem, n + 1);
 
     for (size_t i = 0; i < n; i++) {
         item[i].diag = i < d->list.n ? d->list.at[i] : d->allowed.at[i - d->list.n];
         item[i].print = &all[i];
-        all[i].hash = hash_of(item[i].diag);
+        all[i].hash = hash_diagnostic(item[i].diag);
     }
     qsort(item, n, sizeof *item, compare_items);
     for (size_t i = 0; i < n; i++)

@@ -22,7 +22,7 @@ static int compare_changes(const void *a, const void *b)
     return x->order < y->order ? -1 : 1;
 }
 
-static bool edits_only(const Diag *d, const Source *src)
+static bool edits_only_source(const Diag *d, const Source *src)
 {
     for (size_t i = 0; i < d->edits.n; i++)
         if (d->edits.at[i].span.src != src)
@@ -35,7 +35,7 @@ static EditChanges collect_changes(const Diags *d, const Source *src)
     EditChanges all = {0};
 
     for (size_t i = 0; i < d->list.n; i++)
-        for (size_t k = 0; edits_only(d->list.at[i], src) && k < d->list.at[i]->edits.n; k++) {
+        for (size_t k = 0; edits_only_source(d->list.at[i], src) && k < d->list.at[i]->edits.n; k++) {
             EditChange c = {&d->list.at[i]->edits.at[k], i, all.n};
             vec_push(d->arena, &all, c);
         }

@@ -9,7 +9,7 @@
 
 // ---- places ----
 
-static bool may_stand_in_uri(char c)
+static bool is_literal_in_uri(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c && strchr("-._~/", c));
 }
@@ -21,7 +21,7 @@ static void put_uri(Buf *out, const char *path)
     for (; *path; path++)
         if (*path == '\\')
             buf_char(out, '/');
-        else if (may_stand_in_uri(*path))
+        else if (is_literal_in_uri(*path))
             buf_char(out, *path);
         else
             buf_printf(out, "%%%02X", (unsigned)(unsigned char)*path);
@@ -93,7 +93,7 @@ static const char *first_paragraph(Arena *arena, const DiagInfo *row)
     return buf_text(&out);
 }
 
-static const char *title(Arena *arena, const DiagInfo *row)
+static const char *title_of(Arena *arena, const DiagInfo *row)
 {
     Buf out;
 
@@ -116,7 +116,7 @@ static void put_rule_defaults(Buf *out, const DiagInfo *row)
 static void put_rule(Buf *out, const DiagInfo *row)
 {
     buf_printf(out, "{\"id\":\"%s\",\"name\":\"%s\",\"shortDescription\":", row->id, row->flag ? row->flag : row->name);
-    put_message(out, title(out->arena, row));
+    put_message(out, title_of(out->arena, row));
     buf_str(out, ",\"fullDescription\":");
     put_message(out, first_paragraph(out->arena, row));
     buf_str(out, ",\"help\":{\"text\":");
@@ -232,7 +232,7 @@ static void put_fix(Buf *out, const Diag *d)
 }
 
 // Code-hosting sites search for this key.
-static void put_fingerprint(Buf *out, const DiagPrint *p)
+static void put_fingerprint(Buf *out, const DiagFingerprint *p)
 {
     buf_printf(out, ",\"partialFingerprints\":{\"primaryLocationLineHash\":\"%08lx%08lx:%lu\"}", (unsigned long)(p->hash >> 32),
                (unsigned long)(p->hash & 0xffffffffu), p->twin);
@@ -250,7 +250,7 @@ static void put_suppressions(Buf *out, const Diag *d)
 }
 
 // `suppressions`: at least one result of the run is suppressed; then every result must state whether it is.
-static void put_result(Buf *out, const Diag *d, const DiagPrint *print, size_t rule, bool suppressions)
+static void put_result(Buf *out, const Diag *d, const DiagFingerprint *print, size_t rule, bool suppressions)
 {
     Buf text;
 
@@ -274,7 +274,7 @@ static void put_result(Buf *out, const Diag *d, const DiagPrint *print, size_t r
 // Writes the reported diagnostics, then the allowed ones.
 static void put_results(const Diags *d, Buf *out, const size_t *index)
 {
-    const DiagPrint *print = diags_fingerprints(d, out->arena);
+    const DiagFingerprint *print = diags_fingerprints(d, out->arena);
 
     for (size_t i = 0; i < d->list.n + d->allowed.n; i++) {
         const Diag *x = i < d->list.n ? d->list.at[i] : d->allowed.at[i - d->list.n];

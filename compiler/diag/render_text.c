@@ -11,7 +11,7 @@ enum {
     BEFORE = 60               // how many of them are before the caret in a shortened line
 };
 
-typedef enum Paint { PAINT_OFF, PAINT_PLACE, PAINT_ERROR, PAINT_WARNING, PAINT_NOTE, PAINT_CARET } Paint;
+typedef enum Paint { PAINT_OFF, PAINT_POSITION, PAINT_ERROR, PAINT_WARNING, PAINT_NOTE, PAINT_CARET } Paint;
 
 static void set_color(const DiagStyle *style, Buf *out, Paint what)
 {
@@ -160,14 +160,14 @@ static void put_snippet(const DiagStyle *style, Buf *out, const Diag *d, LineCol
 
 // ---- one diagnostic ----
 
-static void put_place(const DiagStyle *style, Buf *out, Span span)
+static void put_position(const DiagStyle *style, Buf *out, Span span)
 {
     LineCol where;
 
     if (!span.src)
         return;
     where = source_position(span.src, span.at);
-    set_color(style, out, PAINT_PLACE);
+    set_color(style, out, PAINT_POSITION);
     put_text(out, span.src->name);
     buf_printf(out, ":%lu:%lu: ", (unsigned long)where.line, (unsigned long)where.col);
     set_color(style, out, PAINT_OFF);
@@ -185,7 +185,7 @@ static void put_severity(const DiagStyle *style, Buf *out, DiagSeverity severity
 
 static void put_head(const DiagStyle *style, Buf *out, const Diag *d)
 {
-    put_place(style, out, d->span);
+    put_position(style, out, d->span);
     put_severity(style, out, d->severity);
     put_text(out, d->text);
     buf_printf(out, " [%s]\n", diag_code_and_name(d, out->arena));
@@ -193,7 +193,7 @@ static void put_head(const DiagStyle *style, Buf *out, const Diag *d)
 
 static void put_note(const DiagStyle *style, Buf *out, const DiagNote *n)
 {
-    put_place(style, out, n->span);
+    put_position(style, out, n->span);
     put_severity(style, out, DIAG_NOTE);
     if (n->step)
         buf_printf(out, "step %u: ", n->step);

@@ -71,7 +71,7 @@ const char *diag_selection_error(Arena *arena, const DiagSelection *w)
     return NULL;
 }
 
-typedef struct Selected { bool on, error; } Selected;
+typedef struct FlagChoice { bool on, error; } FlagChoice;
 
 static bool names_flag(const char *name, const DiagFlag *flag)
 {
@@ -79,7 +79,7 @@ static bool names_flag(const char *name, const DiagFlag *flag)
 }
 
 // Applies one -W… to the current decision about a warning.
-static void apply_word(const char *w, const DiagFlag *flag, Selected *v)
+static void apply_word(const char *w, const DiagFlag *flag, FlagChoice *v)
 {
     const char *name = flag_name_in(w);
 
@@ -88,16 +88,16 @@ static void apply_word(const char *w, const DiagFlag *flag, Selected *v)
     else if (!names_flag(name, flag))
         return;
     else if (skip_prefix(w, "error="))
-        *v = (Selected){true, true};
+        *v = (FlagChoice){true, true};
     else if (skip_prefix(w, "no-error="))
         v->error = false;
     else
         v->on = skip_prefix(w, "no-") == NULL;
 }
 
-static Selected select_flag(const DiagSelection *w, const DiagFlag *flag)
+static FlagChoice select_flag(const DiagSelection *w, const DiagFlag *flag)
 {
-    Selected v = {!flag || flag->group == DIAG_GROUP_ALL, false};
+    FlagChoice v = {!flag || flag->group == DIAG_GROUP_ALL, false};
 
     for (size_t i = 0; flag && i < w->n; i++)
         apply_word(w->word[i], flag, &v);
@@ -105,7 +105,7 @@ static Selected select_flag(const DiagSelection *w, const DiagFlag *flag)
     return v;
 }
 
-static Selected select_severity(const DiagSelection *w, const Diag *d)
+static FlagChoice select_diag(const DiagSelection *w, const Diag *d)
 {
     return select_flag(w, diag_info[d->code].flag ? diag_find_flag(diag_info[d->code].flag) : NULL);
 }
@@ -126,7 +126,7 @@ static void drop_disabled_allows(const DiagSelection *w, Diags *d)
     uint32_t kept = 0;
 
     for (size_t i = 0; i < d->allowed.n; i++)
-        if (select_severity(w, d->allowed.at[i]).on)
+        if (select_diag(w, d->allowed.at[i]).on)
             d->allowed.at[kept++] = d->allowed.at[i];
     d->allowed.n = kept;
 }
@@ -138,7 +138,7 @@ void diags_select(Diags *d, const DiagSelection *w)
     for (size_t i = 0; i < d->list.n; i++) {
         Diag *diag = d->list.at[i];
         if (diag->severity == DIAG_WARNING) {
-            Selected v = select_severity(w, diag);
+            FlagChoice v = select_diag(w, diag);
             d->warnings -= !v.on || v.error;
             if (!v.on)
                 continue;

@@ -163,7 +163,7 @@ static const Env *refine_comparison(FlowWalk *w, const Env *env, const IrIns *i,
         return env;
     if (!b_exact && !(a_exact && a.lo == a.hi))
         return env;
-    bound_by_comparison(&a, holds ? i->op : ir_negate_comparison(i->op), &b);
+    bound_by_comparison(&a, holds ? i->op : ir_negated_comparison(i->op), &b);
     a.nan = b.nan = false;
     return refine_value(w, refine_value(w, env, i->a, a), i->b, b);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Typed program to IR: variables, windows, and a function for each nonempty entry, step or exit block.
+// Translates a typed program to IR: variables, windows, and a function for each nonempty entry, step or exit block.
 // Basic blocks are created in the order of control flow, so that every jump leads forward.
 #include "compiler/ir/build.h"
 
@@ -10,11 +10,11 @@ void build_begin_function(Builder *b)
     if (!b->f)
         b->f = ARENA_NEW(b->arena, IrFn);
     b->f->ins.n = b->f->blk.n = 0;
-    b->b = ir_block(b->arena, b->f);
+    b->b = ir_add_block(b->arena, b->f);
 }
 
-// Instructions are numbered in the order of their blocks.  The lists of all blocks share one allocation.  Each list begins where a
-// separate allocation could begin, so that it may grow.
+// Instructions are numbered in the order of their blocks.  The lists of all blocks share one allocation.  Each list is padded to
+// the arena's alignment, like a separate allocation, so that vec_push can extend it.
 IrFn *build_end_function(Builder *b)
 {
     IrFn *f = arena_copy(b->arena, b->f, sizeof *f);
@@ -39,7 +39,7 @@ IrFn *build_end_function(Builder *b)
 // ---- statements ----
 
 // Blocks whose final jump has no target yet.
-typedef VEC(IrBlkRef) Ends;
+typedef VEC(IrBlkRef) OpenBlocks;
 
 static IrJump *jump_of(Builder *b, IrBlkRef blk)
 {
@@ -53,7 +53,7 @@ static void build_assign(Builder *b, const Stmt *s)
     IrIns i = {.op = IR_store, .type = s->var->type, .b = IR_NONE, .var = b->var[s->var->index], .span = s->span};
 
     b->stmt = s->number;
-    i.a = build_stored(b, s->value, s->var->type);
+    i.a = build_for_store(b, s->value, s->var->type);
     build_emit(b, &i);
 }
 
@@ -71,11 +71,11 @@ static void build_transition(Builder *b, const Stmt *s)
 // yet.
 static IrBlkRef build_branch_on(Builder *b, const Expr *guard)
 {
-    IrRef cond = build_truth(b, guard);
+    IrRef cond = build_as_bool(b, guard);
     IrBlkRef from = b->b;
     IrJump *j;
 
-    b->b = ir_block(b->arena, b->f);
+    b->b = ir_add_block(b->arena, b->f);
     j = jump_of(b, from);
     j->kind = IR_BR;
     j->cond = cond;
@@ -85,6 +85,7 @@ static IrBlkRef build_branch_on(Builder *b, const Expr *guard)
     return from;
 }
 
+// The same, for the guard of a conditional statement.
 static IrBlkRef build_branch(Builder *b, const Stmt *s)
 {
     b->stmt = s->number;
@@ -92,21 +93,22 @@ static IrBlkRef build_branch(Builder *b, const Stmt *s)
 }
 
 // Builds one arm.  If control can reach the arm's end, its last block is added to `ends`.
-static void build_arm(Builder *b, const Stmts *list, Ends *ends)
+static void build_arm(Builder *b, const Stmts *list, OpenBlocks *ends)
 {
     if (build_stmts(b, list))
         vec_push(b->arena, ends, b->b);
 }
 
-static const Stmt *else_if(const Stmt *s)
+// The conditional that is the only statement of the `else` arm; NULL if there is none.
+static const Stmt *find_else_if(const Stmt *s)
 {
     return s->otherwise.n == 1 && s->otherwise.at[0]->kind == ST_IF ? s->otherwise.at[0] : NULL;
 }
 
-// The block in which the arms meet.
-static void build_join(Builder *b, const Ends *ends, IrBlkRef skips)
+// Starts the block in which the arms meet: the jumps of `ends` lead to it, and the false edge of `skips` (IR_NONE: there is none).
+static void build_join(Builder *b, const OpenBlocks *ends, IrBlkRef skips)
 {
-    b->b = ir_block(b->arena, b->f);
+    b->b = ir_add_block(b->arena, b->f);
     if (skips != IR_NONE)
         jump_of(b, skips)->otherwise = b->b;
     for (size_t i = 0; i < ends->n; i++) {
@@ -115,22 +117,23 @@ static void build_join(Builder *b, const Ends *ends, IrBlkRef skips)
     }
 }
 
-// A conditional with its whole chain of `else if`.  A loop, because a chain may be long.  False if no path continues after it.
+// Builds a conditional with its whole chain of `else if`, in a loop because the chain may be too long for recursion.  Returns false if
+// control cannot reach the statement after it.
 static bool build_if(Builder *b, const Stmt *s)
 {
-    Ends ends = {NULL, 0, 0};
+    OpenBlocks ends = {NULL, 0, 0};
     IrBlkRef skips = build_branch(b, s);
 
     build_arm(b, &s->then, &ends);
     while (s->otherwise.n > 0) {
-        b->b = ir_block(b->arena, b->f);
+        b->b = ir_add_block(b->arena, b->f);
         jump_of(b, skips)->otherwise = b->b;
         skips = IR_NONE;
-        if (!else_if(s)) {
+        if (!find_else_if(s)) {
             build_arm(b, &s->otherwise, &ends);
             break;
         }
-        s = else_if(s);
+        s = find_else_if(s);
         skips = build_branch(b, s);
         build_arm(b, &s->then, &ends);
     }
@@ -150,7 +153,7 @@ static bool build_stmt(Builder *b, const Stmt *s)
     return true;
 }
 
-// False if control cannot reach the end of the list.  Unreachable statements at its end are not built.
+// Returns false if control cannot reach the end of the list.  Unreachable statements at its end are not built.
 static bool build_stmts(Builder *b, const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++)
@@ -246,6 +249,6 @@ IrFn *ir_build_guard(Arena *arena, const IrMachine *m, const Expr *guard)
 
     build_begin_function(&b);
     j = jump_of(&b, build_branch_on(&b, guard));
-    j->otherwise = ir_block(arena, b.f);
+    j->otherwise = ir_add_block(arena, b.f);
     return build_end_function(&b);
 }

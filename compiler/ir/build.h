@@ -17,17 +17,17 @@ typedef struct Builder {
     IrBlkRef b;           // its last block, the current one
 } Builder;
 
-// Appends the evaluation of an expression to the current block.  The value is an F64 (build_number) or a bool (build_truth).
-IrRef build_number(Builder *b, const Expr *e);
-IrRef build_truth(Builder *b, const Expr *e);
-// The same, converted to `type` as a store requires.
-IrRef build_stored(Builder *b, const Expr *e, SmType type);
+// Appends the evaluation of an expression to the current block.  The value is an F64 (build_as_f64) or a bool (build_as_bool).
+IrRef build_as_f64(Builder *b, const Expr *e);
+IrRef build_as_bool(Builder *b, const Expr *e);
+// The same, converted to `type` as a store to a variable of that type requires.
+IrRef build_for_store(Builder *b, const Expr *e, SmType type);
 // Appends an instruction to the current block.
 IrRef build_emit(Builder *b, const IrIns *ins);
 
 // Determines which roll calls share a window, and builds the sample function.
 void build_windows(Builder *b);
-void build_begin_function(Builder *b);        // sets b; allocates f on the first call
-IrFn *build_end_function(Builder *b);
+void build_begin_function(Builder *b);        // starts a function with one empty block, which becomes the current one
+IrFn *build_end_function(Builder *b);         // returns a copy of the function; the buffer f is reused
 
 #endif

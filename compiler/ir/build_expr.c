@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions to straight-line IR (language.md 3).  Every value of the language is an F64.  Here comparisons, logic and bool variables
-// produce a bool, which is converted where a number is needed.  The result is the same, because a bool is 0 or 1 in both types.
+// Translates expressions to straight-line IR (language.md 3).  Every value of the language is an F64.  Here comparisons, logic and bool variables
+// produce a bool, which is converted where a number is needed.  The result is the same, because true is 1 and false is 0 in both.
 // The recursion depth is the depth of the tree, which AST_DEPTH_MAX bounds.
 #include <stddef.h>
 
@@ -28,32 +28,33 @@ static IrRef emit_const(Builder *b, SmType type, uint64_t bits, Span span)
     return build_emit(b, &i);
 }
 
-static IrRef convert(Builder *b, IrRef value, SmType to, Span span)
+static IrRef build_conversion(Builder *b, IrRef value, SmType to, Span span)
 {
     return b->f->ins.at[value].type == to ? value : emit_op(b, IR_cvt, to, value, IR_NONE, span);
 }
 
 static IrRef build_value(Builder *b, const Expr *e);
 
-IrRef build_number(Builder *b, const Expr *e)
+IrRef build_as_f64(Builder *b, const Expr *e)
 {
-    return convert(b, build_value(b, e), SM_F64, e->span);
+    return build_conversion(b, build_value(b, e), SM_F64, e->span);
 }
 
-IrRef build_truth(Builder *b, const Expr *e)
+IrRef build_as_bool(Builder *b, const Expr *e)
 {
-    return convert(b, build_value(b, e), SM_BOOL, e->span);
+    return build_conversion(b, build_value(b, e), SM_BOOL, e->span);
 }
 
-IrRef build_stored(Builder *b, const Expr *e, SmType type)
+IrRef build_for_store(Builder *b, const Expr *e, SmType type)
 {
     IrRef value = build_value(b, e);
 
     if (b->f->ins.at[value].type == type && type == SM_BOOL)
         return value;
-    return emit_op(b, IR_cvt, type, convert(b, value, SM_F64, e->span), IR_NONE, e->span);   // also F64 to F64: it turns NaN into 0
+    return emit_op(b, IR_cvt, type, build_conversion(b, value, SM_F64, e->span), IR_NONE, e->span);  // also F64 to F64: it turns NaN into 0
 }
 
+// The value of a local that is a constant.
 static IrRef build_constant(Builder *b, const Var *v, Span span)
 {
     if (v->type == SM_BOOL)
@@ -70,7 +71,7 @@ static IrRef build_var(Builder *b, const Expr *e)
     if (i.var == IR_NONE)
         return build_constant(b, v, e->span);
     value = build_emit(b, &i);
-    return v->type == SM_BOOL ? value : convert(b, value, SM_F64, e->span);
+    return v->type == SM_BOOL ? value : build_conversion(b, value, SM_F64, e->span);
 }
 
 static IrRef build_roll(Builder *b, const Expr *e)
@@ -85,18 +86,18 @@ static IrRef build_roll(Builder *b, const Expr *e)
 static IrRef build_unary(Builder *b, const Expr *e)
 {
     if (e->op == SM_OP_NOT)
-        return emit_op(b, IR_not, SM_BOOL, build_truth(b, e->arg[0]), IR_NONE, e->span);
+        return emit_op(b, IR_not, SM_BOOL, build_as_bool(b, e->arg[0]), IR_NONE, e->span);
     if (e->op == SM_OP_NEG)
-        return emit_op(b, IR_neg, SM_F64, build_number(b, e->arg[0]), IR_NONE, e->span);
-    return build_number(b, e->arg[0]);
+        return emit_op(b, IR_neg, SM_F64, build_as_f64(b, e->arg[0]), IR_NONE, e->span);
+    return build_as_f64(b, e->arg[0]);
 }
 
 static IrRef build_binary(Builder *b, const Expr *e)
 {
     IrOp op = ir_op_of_operator(e->op);
     bool logic = ir_op_info[op].types == IR_T_LOGIC;
-    IrRef x = logic ? build_truth(b, e->arg[0]) : build_number(b, e->arg[0]);
-    IrRef y = logic ? build_truth(b, e->arg[1]) : build_number(b, e->arg[1]);
+    IrRef x = logic ? build_as_bool(b, e->arg[0]) : build_as_f64(b, e->arg[0]);
+    IrRef y = logic ? build_as_bool(b, e->arg[1]) : build_as_f64(b, e->arg[1]);
 
     return emit_op(b, op, ir_op_info[op].types == IR_T_SAME ? SM_F64 : SM_BOOL, x, y, e->span);
 }
@@ -104,10 +105,10 @@ static IrRef build_binary(Builder *b, const Expr *e)
 // a < b <= c is a < b and b <= c, with b evaluated once.
 static IrRef build_chain(Builder *b, const Expr *e)
 {
-    IrRef left = build_number(b, e->arg[0]), all = IR_NONE;
+    IrRef left = build_as_f64(b, e->arg[0]), all = IR_NONE;
 
     for (uint32_t k = 1; k < e->n; k++) {
-        IrRef right = build_number(b, e->arg[k]);
+        IrRef right = build_as_f64(b, e->arg[k]);
         IrRef holds = emit_op(b, ir_op_of_operator(expr_ops(e)[k - 1]), SM_BOOL, left, right, e->span);
         all = all == IR_NONE ? holds : emit_op(b, IR_and, SM_BOOL, all, holds, e->span);
         left = right;
@@ -117,15 +118,15 @@ static IrRef build_chain(Builder *b, const Expr *e)
 
 // ---- builtins ----
 
-// One operation, or for a composed function several, on the arguments.
+// Builds a call of a builtin: one operation, or several for a composed one (SM_COMPOSED in builtins.def).
 static IrRef build_call(Builder *b, const Expr *e)
 {
-    enum { MOST_VALUES = 16 };                        // arguments and steps
+    enum { MOST_VALUES = 16 };                        // the arguments, then the result of each step
     IrRef v[MOST_VALUES];
     uint32_t n = 0;
 
     while (n < e->n) {
-        v[n] = build_number(b, e->arg[n]);
+        v[n] = build_as_f64(b, e->arg[n]);
         n++;
     }
     switch (e->fn) {

@@ -3,7 +3,7 @@
 // order, forwards or backwards.
 #include "compiler/ir/ir.h"
 
-bool *ir_reachable(Arena *arena, const IrFn *f)
+bool *ir_find_reachable(Arena *arena, const IrFn *f)
 {
     bool *reached = ARENA_ARRAY(arena, bool, f->blk.n);
 
@@ -21,7 +21,7 @@ bool *ir_reachable(Arena *arena, const IrFn *f)
 uint32_t *ir_count_edges(Arena *arena, const IrFn *f)
 {
     uint32_t *n = ARENA_ARRAY(arena, uint32_t, f->blk.n);
-    const bool *reached = ir_reachable(arena, f);
+    const bool *reached = ir_find_reachable(arena, f);
 
     for (size_t b = 0; b < f->blk.n; b++) {
         const IrJump *j = &f->blk.at[b].jump;
@@ -47,7 +47,7 @@ static IrBlkRef common_postdominator(const IrBlkRef *post, IrBlkRef x, IrBlkRef 
     return x;
 }
 
-IrBlkRef *ir_postdominators(Arena *arena, const IrFn *f)
+IrBlkRef *ir_find_postdominators(Arena *arena, const IrFn *f)
 {
     IrBlkRef *post = ARENA_ARRAY(arena, IrBlkRef, f->blk.n);
 

@@ -8,18 +8,18 @@
 
 static inline bool ir_is_comparison(IrOp op) { return ir_op_info[op].types == IR_T_COMPARE; }
 
-// Equality or inequality: the same with the operands exchanged, and negatable whatever the operands are.
+// eq and ne have the same result with the operands exchanged, and can be negated even if an operand is NaN.
 static inline bool ir_is_equality(IrOp op) { return op == IR_eq || op == IR_ne; }
 
-// The comparison with the operands exchanged: `a op b` equals `b ir_swap_comparison(op) a`.
-static inline IrOp ir_swap_comparison(IrOp op)
+// The comparison with the operands exchanged: `a op b` equals `b ir_swapped_comparison(op) a`.
+static inline IrOp ir_swapped_comparison(IrOp op)
 {
     return op == IR_lt ? IR_gt : op == IR_le ? IR_ge : op == IR_gt ? IR_lt : op == IR_ge ? IR_le : op;
 }
 
-// The negated comparison: `not (a op b)` equals `a ir_negate_comparison(op) b`.  With a NaN operand this is true only of eq and ne: the
+// The negated comparison: `not (a op b)` equals `a ir_negated_comparison(op) b`.  With a NaN operand this is true only of eq and ne: the
 // other four are all false then.
-static inline IrOp ir_negate_comparison(IrOp op)
+static inline IrOp ir_negated_comparison(IrOp op)
 {
     switch ((int)op) {
     case IR_eq: return IR_ne;

@@ -7,7 +7,7 @@
 
 SmF64 ir_number(SmType type, uint64_t cell) { return type == SM_F64 ? sm_from_bits(cell) : sm_cell_to_f64(type, cell); }
 
-// (Users of an F32 operation read only its F32 conversion, which is 0 for a NaN.)
+// A NaN of type F32 becomes 0: users of an F32 operation read only its F32 conversion, which is 0 for a NaN.
 uint64_t ir_cell(SmType type, SmF64 x)
 {
     if (type == SM_F64)

@@ -11,7 +11,7 @@ const IrOpInfo ir_op_info[IR_OP_COUNT] = {
 #undef IR_OP
 };
 
-bool ir_may_be_of(IrOp op, SmType type)
+bool ir_op_allows_type(IrOp op, SmType type)
 {
     unsigned narrow = ir_op_info[op].narrow;
 
@@ -50,7 +50,7 @@ IrRef ir_emit(Arena *arena, IrFn *f, IrBlkRef b, IrIns ins)
     return i;
 }
 
-IrBlkRef ir_block(Arena *arena, IrFn *f)
+IrBlkRef ir_add_block(Arena *arena, IrFn *f)
 {
     IrBlk b = {.jump = {.kind = IR_RET, .cond = IR_NONE, .then = IR_NONE, .otherwise = IR_NONE}};
 
@@ -92,7 +92,7 @@ IrMachine *ir_copy(Arena *arena, const IrMachine *m)
     return copy;
 }
 
-static void count_operands(const IrIns *i, uint32_t *uses)
+static void count_operand_uses(const IrIns *i, uint32_t *uses)
 {
     if (ir_op_info[i->op].operands > 0)
         uses[i->a]++;
@@ -107,7 +107,7 @@ uint32_t *ir_count_uses(Arena *arena, const IrFn *f)
     for (size_t b = 0; b < f->blk.n; b++) {
         const IrBlk *blk = &f->blk.at[b];
         for (size_t i = 0; i < blk->ins.n; i++)
-            count_operands(&f->ins.at[blk->ins.at[i]], uses);
+            count_operand_uses(&f->ins.at[blk->ins.at[i]], uses);
         if (blk->jump.kind == IR_BR)
             uses[blk->jump.cond]++;
     }

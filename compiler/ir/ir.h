@@ -27,6 +27,7 @@ typedef enum IrOp {
     IR_OP_COUNT
 } IrOp;
 
+// How the types of the operands and of the result depend on each other (ops.def).
 typedef enum IrTypes { IR_T_CONST, IR_T_CONVERT, IR_T_SAME, IR_T_COMPARE, IR_T_LOGIC, IR_T_LOAD, IR_T_STORE, IR_T_SAMPLE, IR_T_STAT } IrTypes;
 
 // The types other than F64 on which a SAME operation may work.  It then produces the same number as on F64.  The pass that narrowed it
@@ -41,7 +42,7 @@ typedef enum IrNarrow { IR_N_NONE, IR_N_INT, IR_N_F32, IR_N_BOTH } IrNarrow;
 
 typedef enum IrNanRule { IR_NAN_NEVER, IR_NAN_OPERAND, IR_NAN_ANY } IrNanRule;        // when a result can be NaN
 
-typedef struct IrOpInfo {
+typedef struct IrOpInfo {             // a row of ops.def
     const char *name;
     uint8_t operands;
     IrTypes types;
@@ -52,7 +53,7 @@ typedef struct IrOpInfo {
 
 extern const IrOpInfo ir_op_info[IR_OP_COUNT];
 
-bool ir_may_be_of(IrOp op, SmType type);          // whether a SAME operation may work on this type
+bool ir_op_allows_type(IrOp op, SmType type);     // whether a SAME operation may work on this type
 IrOp ir_op_of_operator(SmOperator op);            // the operation of an operator; IR_OP_COUNT for unary plus, which has none
 
 static inline bool ir_is_float(SmType t) { return sm_type_info[t].kind == SM_KIND_FLOAT; }
@@ -140,7 +141,7 @@ typedef struct IrMachine {
     Str sv_name;
     uint32_t sv_size, sv_hash;
     VEC(IrVar) var;
-    uint32_t g, s, t;                 // indices into var
+    uint32_t g, s, t;                 // indices into var: G (the time), S (the state), T (the time in the state)
     VEC(IrWindow) window;
     IrFn *sample;                     // samples every window; NULL if there are no windows
     VEC(IrState) state;               // at[0] is number 1
@@ -150,7 +151,7 @@ typedef struct IrMachine {
     struct FactMachine *values;       // set by passes_for_c: the possible values of variables when functions begin (facts/facts.h)
 } IrMachine;
 
-// ---- building, text, checks ----
+// ---- building, printing, parsing, checking ----
 
 // The whole machine, unoptimised.  Constant locals become constants; equal windows are merged.
 IrMachine *ir_build(Arena *arena, const Program *p);
@@ -167,16 +168,16 @@ const char *ir_verify(Arena *arena, const IrMachine *m);
 // ---- working on functions ----
 
 IrRef ir_emit(Arena *arena, IrFn *f, IrBlkRef b, IrIns ins);  // appends an instruction to a block
-IrBlkRef ir_block(Arena *arena, IrFn *f);                     // a new, empty block, last in f
+IrBlkRef ir_add_block(Arena *arena, IrFn *f);                 // a new, empty block, last in f
 // A copy whose functions can be changed.  It shares everything else with m.
 IrMachine *ir_copy(Arena *arena, const IrMachine *m);
 // For each instruction, the number of operands and jumps that name it.
 uint32_t *ir_count_uses(Arena *arena, const IrFn *f);
 // For each block, whether it is reachable from the first.
-bool *ir_reachable(Arena *arena, const IrFn *f);
+bool *ir_find_reachable(Arena *arena, const IrFn *f);
 // For each block, the number of edges into it from reachable blocks.  The first block counts one more, for the start of the function.
 uint32_t *ir_count_edges(Arena *arena, const IrFn *f);
 // For each block its immediate postdominator: the nearest block on every path from it to the function's end; IR_NONE is the end.
-IrBlkRef *ir_postdominators(Arena *arena, const IrFn *f);
+IrBlkRef *ir_find_postdominators(Arena *arena, const IrFn *f);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text to IR: parses the format described at the top of print.c, line by line.  It resolves names and numbers only; ir_verify checks
-// the machine.  Reading stops with a message at the first error.
+// Parses IR text, in the format described at the top of print.c, line by line.  It only resolves names and numbers; ir_verify checks
+// the machine.  Parsing stops at the first error.
 #include <string.h>
 
 #include "compiler/ir/ir.h"
@@ -33,19 +33,20 @@ static bool read_vector(IrReader *r)
 {
     if (r->m->sv_name)
         return scan_fail(&r->scan, "the state vector has a name already");
-    return scan_quoted(&r->scan, &r->m->sv_name) && scan_this(&r->scan, "size")
-        && scan_number(&r->scan, "a size", &r->m->sv_size) && scan_this(&r->scan, "hash") && scan_number(&r->scan, "a hash", &r->m->sv_hash);
+    return scan_quoted(&r->scan, &r->m->sv_name) && scan_expect_word(&r->scan, "size")
+        && scan_number(&r->scan, "a size", &r->m->sv_size) && scan_expect_word(&r->scan, "hash") && scan_number(&r->scan, "a hash", &r->m->sv_hash);
 }
 
+// Reads the optional role of an element: `is G` (the time) or `is S` (the state).
 static bool read_role(IrReader *r, uint32_t index)
 {
     uint32_t *role;
 
-    if (!scan_optional(&r->scan, "is"))
+    if (!scan_match_word(&r->scan, "is"))
         return true;
-    if (scan_optional(&r->scan, "G"))
+    if (scan_match_word(&r->scan, "G"))
         role = &r->m->g;
-    else if (scan_optional(&r->scan, "S"))
+    else if (scan_match_word(&r->scan, "S"))
         role = &r->m->s;
     else
         return scan_fail(&r->scan, "expected G or S");
@@ -57,13 +58,13 @@ static bool read_role(IrReader *r, uint32_t index)
 
 static bool read_var_details(IrReader *r, IrVar *v, uint32_t index)
 {
-    v->writable = scan_optional(&r->scan, "writable");
+    v->writable = scan_match_word(&r->scan, "writable");
     switch (v->space) {
-    case IR_ELEMENT: return scan_this(&r->scan, "at") && scan_number(&r->scan, "an offset", &v->offset) && read_role(r, index);
+    case IR_ELEMENT: return scan_expect_word(&r->scan, "at") && scan_number(&r->scan, "an offset", &v->offset) && read_role(r, index);
     case IR_LOCAL:
-        v->outside = scan_optional(&r->scan, "outside");
-        v->hidden = scan_optional(&r->scan, "hidden");
-        return scan_char(&r->scan, '=') && scan_value(&r->scan, v->type, &v->init);
+        v->outside = scan_match_word(&r->scan, "outside");
+        v->hidden = scan_match_word(&r->scan, "hidden");
+        return scan_expect_char(&r->scan, '=') && scan_value(&r->scan, v->type, &v->init);
     case IR_TIME:
         if (r->m->t != IR_NONE)
             return scan_fail(&r->scan, "there are two times");
@@ -91,12 +92,12 @@ static bool read_var(IrReader *r, IrSpace space)
     return true;
 }
 
-static bool stat_word(IrReader *r, SmStat *out)
+static bool read_stat(IrReader *r, SmStat *out)
 {
     Str w = scan_word(&r->scan, "a statistic");
 
     for (int s = 0; w && s < SM_STAT_COUNT; s++)
-        if (scan_is(w, ir_stat_name[s])) {
+        if (scan_word_is(w, ir_stat_name[s])) {
             *out = (SmStat)s;
             return true;
         }
@@ -109,13 +110,13 @@ static bool read_window(IrReader *r)
     uint32_t number;
     SmStat stat;
 
-    if (!scan_lettered(&r->scan, 'w', "a window", &number) || !scan_type(&r->scan, &w.type) || !scan_this(&r->scan, "size")
-        || !scan_number(&r->scan, "a size", &w.size) || !scan_this(&r->scan, "stats"))
+    if (!scan_lettered_number(&r->scan, 'w', "a window", &number) || !scan_type(&r->scan, &w.type) || !scan_expect_word(&r->scan, "size")
+        || !scan_number(&r->scan, "a size", &w.size) || !scan_expect_word(&r->scan, "stats"))
         return false;
     if (number != r->m->window.n)
         return scan_fail(&r->scan, "windows are numbered in order: expected w%lu", (unsigned long)r->m->window.n);
     while (!scan_at_line_end(&r->scan)) {
-        if (!stat_word(r, &stat))
+        if (!read_stat(r, &stat))
             return false;
         w.stats |= 1u << stat;
     }
@@ -125,7 +126,7 @@ static bool read_window(IrReader *r)
 
 // ---- instructions ----
 
-static bool var_name(IrReader *r, IrIns *i)
+static bool read_var_ref(IrReader *r, IrIns *i)
 {
     Str w = scan_word(&r->scan, "a variable");
     uintptr_t found = w ? (uintptr_t)map_find(&r->vars, w) : 0;
@@ -138,7 +139,7 @@ static bool var_name(IrReader *r, IrIns *i)
     return true;
 }
 
-static bool temp(IrReader *r, IrRef *out)
+static bool read_temp(IrReader *r, IrRef *out)
 {
     Str w = scan_word(&r->scan, "a temporary");
     uintptr_t found = w ? (uintptr_t)map_find(&r->temps, w) : 0;
@@ -149,34 +150,34 @@ static bool temp(IrReader *r, IrRef *out)
     return true;
 }
 
-static bool operands(IrReader *r, IrIns *i)
+static bool read_operands(IrReader *r, IrIns *i)
 {
     uint8_t n = ir_op_info[i->op].operands;
 
-    if (n > 0 && !temp(r, &i->a))
+    if (n > 0 && !read_temp(r, &i->a))
         return false;
-    return n < 2 || (scan_char(&r->scan, ',') && temp(r, &i->b));
+    return n < 2 || (scan_expect_char(&r->scan, ',') && read_temp(r, &i->b));
 }
 
-static bool window_name(IrReader *r, IrIns *i)
+static bool read_window_ref(IrReader *r, IrIns *i)
 {
-    if (!scan_lettered(&r->scan, 'w', "a window", &i->var))
+    if (!scan_lettered_number(&r->scan, 'w', "a window", &i->var))
         return false;
     return i->var < r->m->window.n || scan_fail(&r->scan, "there is no window w%lu", (unsigned long)i->var);
 }
 
-// The type in the text of a comparison is the type of its operands.
-static bool compare_operands(IrReader *r, IrIns *i)
+// In IR text a comparison names the type of its operands, not of its result.
+static bool read_compare_operands(IrReader *r, IrIns *i)
 {
     SmType type = i->type;
 
     i->type = SM_BOOL;
-    if (!operands(r, i))
+    if (!read_operands(r, i))
         return false;
     return r->f->ins.at[i->a].type == type || scan_fail(&r->scan, "the operands are not of type %s", sm_type_info[type].spelling);
 }
 
-static bool ins_type(IrReader *r, IrIns *i)
+static bool read_ins_type(IrReader *r, IrIns *i)
 {
     SmType type;
     const bool good = scan_type(&r->scan, &type);
@@ -186,28 +187,28 @@ static bool ins_type(IrReader *r, IrIns *i)
     return good;
 }
 
-static bool ins_stat(IrReader *r, IrIns *i)
+static bool read_ins_stat(IrReader *r, IrIns *i)
 {
     SmStat stat;
-    const bool good = stat_word(r, &stat);
+    const bool good = read_stat(r, &stat);
 
     if (good)
         i->stat = stat;
     return good;
 }
 
-static bool ins_details(IrReader *r, IrIns *i)
+static bool read_ins_details(IrReader *r, IrIns *i)
 {
     switch (ir_op_info[i->op].types) {
-    case IR_T_CONST: return ins_type(r, i) && scan_value(&r->scan, i->type, &i->bits);
+    case IR_T_CONST: return read_ins_type(r, i) && scan_value(&r->scan, i->type, &i->bits);
     case IR_T_CONVERT:
-    case IR_T_SAME: return ins_type(r, i) && operands(r, i);
-    case IR_T_COMPARE: return ins_type(r, i) && compare_operands(r, i);
-    case IR_T_LOGIC: i->type = SM_BOOL; return operands(r, i);
-    case IR_T_LOAD: return ins_type(r, i) && var_name(r, i);
-    case IR_T_STORE: return ins_type(r, i) && var_name(r, i) && scan_char(&r->scan, ',') && operands(r, i);
-    case IR_T_SAMPLE: i->type = SM_F64; return window_name(r, i) && scan_char(&r->scan, ',') && operands(r, i);
-    case IR_T_STAT: i->type = SM_F64; return ins_stat(r, i) && window_name(r, i);
+    case IR_T_SAME: return read_ins_type(r, i) && read_operands(r, i);
+    case IR_T_COMPARE: return read_ins_type(r, i) && read_compare_operands(r, i);
+    case IR_T_LOGIC: i->type = SM_BOOL; return read_operands(r, i);
+    case IR_T_LOAD: return read_ins_type(r, i) && read_var_ref(r, i);
+    case IR_T_STORE: return read_ins_type(r, i) && read_var_ref(r, i) && scan_expect_char(&r->scan, ',') && read_operands(r, i);
+    case IR_T_SAMPLE: i->type = SM_F64; return read_window_ref(r, i) && scan_expect_char(&r->scan, ',') && read_operands(r, i);
+    case IR_T_STAT: i->type = SM_F64; return read_ins_stat(r, i) && read_window_ref(r, i);
     }
     return false;
 }
@@ -216,7 +217,7 @@ static IrOp find_op(Str w)             // IR_OP_COUNT if there is no such operat
 {
     int op = 0;
 
-    while (op < IR_OP_COUNT && !scan_is(w, ir_op_info[op].name))
+    while (op < IR_OP_COUNT && !scan_word_is(w, ir_op_info[op].name))
         op++;
     return (IrOp)op;
 }
@@ -231,7 +232,7 @@ static bool read_ins(IrReader *r, Str name, Str op)
     if (ir_op_info[i.op].effect == (name != NULL))
         return name ? scan_fail(&r->scan, "'%.40s' has no result", op->text)
                     : scan_fail(&r->scan, "'%.40s' has a result: a name and '=' must precede it", op->text);
-    if (!ins_details(r, &i))
+    if (!read_ins_details(r, &i))
         return false;
     ref = ir_emit(r->arena, r->f, (IrBlkRef)(r->f->blk.n - 1), i);
     if (name)
@@ -245,7 +246,7 @@ static bool read_result(IrReader *r, Str name)
 
     if (map_find(&r->temps, name))
         return scan_fail(&r->scan, "'%.40s' is assigned twice", name->text);
-    return scan_char(&r->scan, '=') && (op = scan_word(&r->scan, "an operation")) != NULL && read_ins(r, name, op);
+    return scan_expect_char(&r->scan, '=') && (op = scan_word(&r->scan, "an operation")) != NULL && read_ins(r, name, op);
 }
 
 // ---- jumps and blocks ----
@@ -262,16 +263,17 @@ static bool read_goto(IrReader *r)
 
 static bool read_branch(IrReader *r, IrJump *j)
 {
-    return temp(r, &j->cond) && scan_char(&r->scan, ',') && scan_lettered(&r->scan, 'b', "a block", &j->then)
-        && scan_char(&r->scan, ',') && scan_lettered(&r->scan, 'b', "a block", &j->otherwise);
+    return read_temp(r, &j->cond) && scan_expect_char(&r->scan, ',') && scan_lettered_number(&r->scan, 'b', "a block", &j->then)
+        && scan_expect_char(&r->scan, ',') && scan_lettered_number(&r->scan, 'b', "a block", &j->otherwise);
 }
 
-static bool is_jump(Str w, IrJumpKind *kind)
+// Whether w names a jump; then sets *kind.
+static bool match_jump(Str w, IrJumpKind *kind)
 {
     static const char *const name[] = {"ret", "jmp", "br", "goto"};       // in the order of IrJumpKind
 
     for (int k = 0; k < 4; k++)
-        if (scan_is(w, name[k])) {
+        if (scan_word_is(w, name[k])) {
             *kind = (IrJumpKind)k;
             return true;
         }
@@ -286,14 +288,15 @@ static bool read_jump(IrReader *r, IrJumpKind kind)
     j->kind = kind;
     switch (kind) {
     case IR_RET: return true;
-    case IR_JMP: return scan_lettered(&r->scan, 'b', "a block", &j->then);
+    case IR_JMP: return scan_lettered_number(&r->scan, 'b', "a block", &j->then);
     case IR_BR: return read_branch(r, j);
     case IR_GOTO: return read_goto(r);
     }
     return false;
 }
 
-static bool is_label(const IrReader *r, Str w)
+// Whether w, the word just read, is a label: it begins with `b`, and a colon follows.
+static bool is_label_next(const IrReader *r, Str w)
 {
     const char *c = r->scan.at;
 
@@ -308,11 +311,11 @@ static bool read_label(IrReader *r, Str w)
 
     if (r->open)
         return scan_fail(&r->scan, "the block before this one does not end in a jump");
-    if (!scan_parse_number(w->text + 1, &number) || number != r->f->blk.n)
+    if (!scan_try_parse_number(w->text + 1, &number) || number != r->f->blk.n)
         return scan_fail(&r->scan, "blocks are numbered in order: expected b%lu", (unsigned long)r->f->blk.n);
-    ir_block(r->arena, r->f);
+    ir_add_block(r->arena, r->f);
     r->open = true;
-    return scan_char(&r->scan, ':');
+    return scan_expect_char(&r->scan, ':');
 }
 
 static bool read_code_line(IrReader *r)
@@ -322,16 +325,16 @@ static bool read_code_line(IrReader *r)
 
     if (!w)
         return false;
-    if (is_label(r, w))
+    if (is_label_next(r, w))
         return read_label(r, w);
     if (!r->open)
         return scan_fail(&r->scan, "expected a block's label, as 'b%lu:'", (unsigned long)r->f->blk.n);
-    if (is_jump(w, &kind))
+    if (match_jump(w, &kind))
         return read_jump(r, kind);
     return w->text[0] == '%' ? read_result(r, w) : read_ins(r, NULL, w);
 }
 
-static bool line_is_over(IrReader *r)
+static bool expect_line_end(IrReader *r)
 {
     return scan_at_line_end(&r->scan) || scan_fail(&r->scan, "expected the end of the line");
 }
@@ -344,12 +347,12 @@ static bool read_function(IrReader *r, IrFn **out)
     memset(&r->temps, 0, sizeof r->temps);
     r->temps.arena = r->arena;
     r->open = false;
-    if (!scan_char(&r->scan, '{') || !line_is_over(r))
+    if (!scan_expect_char(&r->scan, '{') || !expect_line_end(r))
         return false;
     while (scan_next_line(&r->scan)) {
-        if (scan_optional_char(&r->scan, '}'))
+        if (scan_match_char(&r->scan, '}'))
             return !r->open || scan_fail(&r->scan, "the block before this line does not end in a jump");
-        if (!read_code_line(r) || !line_is_over(r))
+        if (!read_code_line(r) || !expect_line_end(r))
             return false;
     }
     return scan_fail(&r->scan, "expected '}'");
@@ -366,7 +369,7 @@ static bool read_state(IrReader *r)
         return false;
     if (map_find(&r->states, s.name))
         return scan_fail(&r->scan, "there are two states '%.40s'", s.name->text);
-    s.is_safe = scan_optional(&r->scan, "safe");
+    s.is_safe = scan_match_word(&r->scan, "safe");
     vec_push(r->arena, &r->m->state, s);
     map_put(&r->states, s.name, (void *)(uintptr_t)r->m->state.n);
     return true;
@@ -375,7 +378,7 @@ static bool read_state(IrReader *r)
 static bool read_state_function(IrReader *r, Str w)
 {
     for (int k = 0; k < BLOCK_COUNT; k++)
-        if (scan_is(w, ir_block_name[k])) {
+        if (scan_word_is(w, ir_block_name[k])) {
             if (r->m->state.n == 0)
                 return scan_fail(&r->scan, "expected a state before this function");
             return read_function(r, &r->m->state.at[r->m->state.n - 1].block[k]);
@@ -389,21 +392,21 @@ static bool read_line(IrReader *r)
 
     if (!w)
         return false;
-    if (scan_is(w, "machine"))
+    if (scan_word_is(w, "machine"))
         return read_machine(r);
-    if (scan_is(w, "vector"))
+    if (scan_word_is(w, "vector"))
         return read_vector(r);
-    if (scan_is(w, "element"))
+    if (scan_word_is(w, "element"))
         return read_var(r, IR_ELEMENT);
-    if (scan_is(w, "local"))
+    if (scan_word_is(w, "local"))
         return read_var(r, IR_LOCAL);
-    if (scan_is(w, "time"))
+    if (scan_word_is(w, "time"))
         return read_var(r, IR_TIME);
-    if (scan_is(w, "window"))
+    if (scan_word_is(w, "window"))
         return read_window(r);
-    if (scan_is(w, "sample"))
+    if (scan_word_is(w, "sample"))
         return read_function(r, &r->m->sample);
-    if (scan_is(w, "state"))
+    if (scan_word_is(w, "state"))
         return read_state(r);
     return read_state_function(r, w);
 }
@@ -421,7 +424,7 @@ static bool resolve_gotos(IrReader *r)
     return true;
 }
 
-static bool is_complete(IrReader *r)
+static bool check_complete(IrReader *r)
 {
     if (!r->m->name || !r->m->sv_name)
         return scan_fail(&r->scan, "the text ends without %s", r->m->name ? "a vector" : "a machine");
@@ -445,8 +448,8 @@ IrMachine *ir_read(Arena *arena, StrPool *strings, const char *text, size_t len,
     r.scan.end = text + len;
     r.scan.line = 1;
     while (ok && scan_next_line(&r.scan))
-        ok = read_line(&r) && line_is_over(&r);
-    ok = ok && resolve_gotos(&r) && is_complete(&r);
+        ok = read_line(&r) && expect_line_end(&r);
+    ok = ok && resolve_gotos(&r) && check_complete(&r);
     *error = r.scan.error;
     return ok ? r.m : NULL;
 }

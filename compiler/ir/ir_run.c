@@ -8,36 +8,36 @@
 #include "stdlib/convert.h"
 #include "stdlib/roll.h"
 
-typedef struct Op {
+typedef struct IrRunOp {
     IrOp op : 8;
-    SmType type : 8;                  // CONVERT, STORE: the type to which the number is converted
+    SmType type : 8;                  // cvt, store: the type to which the number is converted
     SmStat stat : 8;
     IrRef to, a, b;
     uint32_t var;
     uint32_t stmt;
-    SmF64 number;                     // CONST
-} Op;
+    SmF64 number;                     // const
+} IrRunOp;
 
-typedef struct RunBlk { uint32_t first, end; IrJump jump; } RunBlk;
+typedef struct IrRunBlk { uint32_t first, end; IrJump jump; } IrRunBlk;
 
 struct IrRunFn {
-    Op *op;
-    RunBlk *blk;
+    IrRunOp *op;
+    IrRunBlk *blk;
 };
 
-// ---- preparing ----
+// ---- flattening functions ----
 
-static Op op_of(const IrFn *f, IrRef ref)
+static IrRunOp flatten_ins(const IrFn *f, IrRef ref)
 {
     const IrIns *i = &f->ins.at[ref];
-    Op op = {i->op, i->type, i->stat, ref, i->a, i->b, i->var, i->stmt, 0};
+    IrRunOp op = {i->op, i->type, i->stat, ref, i->a, i->b, i->var, i->stmt, 0};
 
     if (i->op == IR_const)
         op.number = ir_number(i->type, i->bits);
     return op;
 }
 
-static IrRunFn *prepare(Arena *arena, const IrFn *f, size_t *temps)
+static IrRunFn *flatten_function(Arena *arena, const IrFn *f, size_t *temps)
 {
     IrRunFn *out;
     uint32_t n = 0;
@@ -45,12 +45,12 @@ static IrRunFn *prepare(Arena *arena, const IrFn *f, size_t *temps)
     if (!f)
         return NULL;
     out = ARENA_NEW(arena, IrRunFn);
-    out->op = ARENA_ARRAY(arena, Op, f->ins.n + 1);
-    out->blk = ARENA_ARRAY(arena, RunBlk, f->blk.n);
+    out->op = ARENA_ARRAY(arena, IrRunOp, f->ins.n + 1);
+    out->blk = ARENA_ARRAY(arena, IrRunBlk, f->blk.n);
     for (size_t b = 0; b < f->blk.n; b++) {
         out->blk[b].first = n;
         for (size_t k = 0; k < f->blk.at[b].ins.n; k++)
-            out->op[n++] = op_of(f, f->blk.at[b].ins.at[k]);
+            out->op[n++] = flatten_ins(f, f->blk.at[b].ins.at[k]);
         out->blk[b].end = n;
         out->blk[b].jump = f->blk.at[b].jump;
     }
@@ -60,7 +60,7 @@ static IrRunFn *prepare(Arena *arena, const IrFn *f, size_t *temps)
 }
 
 // Windows store their samples as F64, because every sample is exactly an F64.
-static void lay_out(Arena *arena, IrRun *r)
+static void lay_out_situation(Arena *arena, IrRun *r)
 {
     const IrMachine *m = r->m;
 
@@ -77,18 +77,18 @@ static void lay_out(Arena *arena, IrRun *r)
     }
 }
 
-IrRun *ir_run_of(Arena *arena, const IrMachine *m)
+IrRun *ir_run_new(Arena *arena, const IrMachine *m)
 {
     IrRun *r = ARENA_NEW(arena, IrRun);
     size_t temps = 1;
 
     r->m = m;
-    lay_out(arena, r);
-    r->sample = prepare(arena, m->sample, &temps);
+    lay_out_situation(arena, r);
+    r->sample = flatten_function(arena, m->sample, &temps);
     r->block = arena_array(arena, m->state.n, sizeof *r->block);
     for (size_t s = 0; s < m->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
-            r->block[s][b] = prepare(arena, m->state.at[s].block[b], &temps);
+            r->block[s][b] = flatten_function(arena, m->state.at[s].block[b], &temps);
     r->temp = ARENA_ARRAY(arena, double, temps);
     return r;
 }
@@ -125,6 +125,7 @@ void ir_run_start(const IrRun *r, void *situation, uint32_t state)
 
 // ---- running ----
 
+// Appends an entry of IrTrace.at, unless it repeats the last one or belongs to no statement (entry 0 or 1).
 static void record_event(IrTrace *trace, uint32_t entry)
 {
     if (trace && entry > 1 && (trace->n == 0 || trace->at[trace->n - 1] != entry))
@@ -135,11 +136,11 @@ static void record_event(IrTrace *trace, uint32_t entry)
 static uint32_t run_function(IrRun *r, const IrRunFn *f, void *situation, IrTrace *trace)
 {
     double *var = ir_run_vars(r, situation), *temp = r->temp;
-    const RunBlk *b = f->blk;
+    const IrRunBlk *b = f->blk;
 
     for (;;) {
         r->work += b->end - b->first + 1u;
-        for (const Op *op = f->op + b->first, *end = f->op + b->end; op < end; op++)
+        for (const IrRunOp *op = f->op + b->first, *end = f->op + b->end; op < end; op++)
             switch (op->op) {
             case IR_load: temp[op->to] = var[op->var]; break;
             case IR_store:
@@ -208,7 +209,7 @@ bool ir_run_step(IrRun *r, void *situation, IrTrace *trace)
     return true;
 }
 
-void ir_run_fill(IrRun *r, void *situation, uint32_t n, void (*inputs)(void *context, double *vars, uint32_t sample), void *context)
+void ir_run_fill_windows(IrRun *r, void *situation, uint32_t n, void (*inputs)(void *context, double *vars, uint32_t sample), void *context)
 {
     for (uint32_t k = 0; r->sample && k < n; k++) {
         if (inputs)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a machine from its IR, step by step, as language.md chapter 6 defines a step.  For analyses that search by running the machine.
+// Runs a machine from its IR, step by step, as language.md chapter 6 defines a step.  Used by analyses that search by running the machine.
 // A situation is the complete state of a running machine in one block of memory.  It can be copied, so that a search can return to it.
 //
-//     IrRun *r = ir_run_of(arena, m);
+//     IrRun *r = ir_run_new(arena, m);
 //     void *s = arena_alloc(arena, r->size);
 //     ir_run_start(r, s, 1);
 //     ir_run_vars(r, s)[m->g] = 10;                     // inputs, by IR variable, as the F64 that a load produces
@@ -28,7 +28,7 @@ typedef struct IrRun {
     double *temp;                     // temporaries of the running function
 } IrRun;
 
-// The head of a situation.  The functions below access the rest.
+// The start of a situation in memory.  The functions below access the rest.
 typedef struct IrSituation {
     double last_g, start;             // G of the last step that ran; G when the current state began
     uint32_t state;                   // number of the state that the next step runs
@@ -44,18 +44,19 @@ typedef struct IrTrace {
 } IrTrace;
 
 // Prepares a machine for running.  The result is allocated in the arena.
-IrRun *ir_run_of(Arena *arena, const IrMachine *m);
+IrRun *ir_run_new(Arena *arena, const IrMachine *m);
 // Initialises a situation: elements 0, locals at their initial values, windows empty, no step has run.
 void ir_run_start(const IrRun *r, void *situation, uint32_t state);
-// The values, by IR variable.
+// Returns the values of all variables, indexed by IR variable.
 double *ir_run_vars(const IrRun *r, void *situation);
-// By IR variable, the statement (Stmt.number) that stored to it last; 0: none.
+// Returns for each IR variable the statement (Stmt.number) that last stored to it; 0: none.
 const uint32_t *ir_run_writers(const IrRun *r, const void *situation);
 // Runs one step.  Returns false and leaves the situation unchanged if G forbids the step (language.md 6.3).  `trace` may be NULL.
 bool ir_run_step(IrRun *r, void *situation, IrTrace *trace);
 // Samples every window n times.  `inputs` may be NULL; it is called before each sample to set the inputs.
-void ir_run_fill(IrRun *r, void *situation, uint32_t n, void (*inputs)(void *context, double *vars, uint32_t sample), void *context);
+void ir_run_fill_windows(IrRun *r, void *situation, uint32_t n, void (*inputs)(void *context, double *vars, uint32_t sample), void *context);
 
+// Removes the samples of all windows.
 void ir_run_clear_windows(const IrRun *r, void *situation);
 // Copies one window from one situation to another.
 void ir_run_copy_window(const IrRun *r, void *to, const void *from, uint32_t window);

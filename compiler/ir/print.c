@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// IR to text, in the format that read.c parses.  One item per line; `#` starts a comment; extra blanks are ignored.
+// Prints IR as text, in the format that ir_read.c parses.  One item per line; `#` starts a comment; extra spaces are ignored.
 //
 //     machine "tank"                              its name
 //     vector "tank" size 32 hash 0x1c0ffee5       the state vector it is bound to
@@ -60,14 +60,14 @@ static double float_of_cell(SmType type, uint64_t cell)
     return d;
 }
 
-static bool reads_back(const char *text, SmType type, double d)
+static bool reads_back_equal(const char *text, SmType type, double d)
 {
     double back = strtod(text, NULL);
 
     return type == SM_F32 ? (float)back == (float)d : back == d;
 }
 
-// The fewest digits that read back as the same number.
+// Prints the fewest digits that read back as the same number.
 static void print_shortest(Buf *out, SmType type, double d)
 {
     char text[40];
@@ -75,10 +75,11 @@ static void print_shortest(Buf *out, SmType type, double d)
 
     do
         snprintf(text, sizeof text, "%.*g", digits++, d);
-    while (digits <= 17 && !reads_back(text, type, d));
+    while (digits <= 17 && !reads_back_equal(text, type, d));
     buf_str(out, text);
 }
 
+// Prints a whole number in decimal, any other as its cell, with the decimal number as a comment.
 static void print_float(Buf *out, SmType type, uint64_t cell)
 {
     double d = float_of_cell(type, cell);
@@ -196,7 +197,7 @@ static void print_operands(const IrPrinter *p, const IrIns *i)
     }
 }
 
-static void print_typed(const IrPrinter *p, SmType type)
+static void print_type(const IrPrinter *p, SmType type)
 {
     buf_printf(p->out, "%s ", sm_type_info[type].spelling);
 }
@@ -204,14 +205,14 @@ static void print_typed(const IrPrinter *p, SmType type)
 static void print_ins_details(const IrPrinter *p, const IrIns *i)
 {
     switch (ir_op_info[i->op].types) {
-    case IR_T_CONST: print_typed(p, i->type); print_value(p->out, i->type, i->bits); break;
+    case IR_T_CONST: print_type(p, i->type); print_value(p->out, i->type, i->bits); break;
     case IR_T_CONVERT:
-    case IR_T_SAME: print_typed(p, i->type); print_operands(p, i); break;
-    case IR_T_COMPARE: print_typed(p, p->f->ins.at[i->a].type); print_operands(p, i); break;
+    case IR_T_SAME: print_type(p, i->type); print_operands(p, i); break;
+    case IR_T_COMPARE: print_type(p, p->f->ins.at[i->a].type); print_operands(p, i); break;
     case IR_T_LOGIC: print_operands(p, i); break;
-    case IR_T_LOAD: print_typed(p, i->type); buf_str(p->out, p->m->var.at[i->var].name->text); break;
+    case IR_T_LOAD: print_type(p, i->type); buf_str(p->out, p->m->var.at[i->var].name->text); break;
     case IR_T_STORE:
-        print_typed(p, i->type);
+        print_type(p, i->type);
         buf_printf(p->out, "%s, ", p->m->var.at[i->var].name->text);
         print_operands(p, i);
         break;

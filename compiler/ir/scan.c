@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words and numbers of IR text, for read.c.
+// Scans the words and numbers of IR text for ir_read.c.
 #include "compiler/ir/scan.h"
 
 #include <stdarg.h>
@@ -25,7 +25,7 @@ bool scan_fail(IrScan *s, const char *format, ...)
 
 // ---- characters and words ----
 
-static void skip_blanks(IrScan *s)
+static void skip_space_and_comment(IrScan *s)
 {
     while (s->at < s->end && (*s->at == ' ' || *s->at == '\t' || *s->at == '\r'))
         s->at++;
@@ -36,7 +36,7 @@ static void skip_blanks(IrScan *s)
 
 bool scan_at_line_end(IrScan *s)
 {
-    skip_blanks(s);
+    skip_space_and_comment(s);
     return s->at == s->end || *s->at == '\n';
 }
 
@@ -58,7 +58,7 @@ Str scan_word(IrScan *s, const char *expected)
 {
     const char *start;
 
-    skip_blanks(s);
+    skip_space_and_comment(s);
     start = s->at;
     while (s->at < s->end && is_word_char(*s->at))
         s->at++;
@@ -69,39 +69,39 @@ Str scan_word(IrScan *s, const char *expected)
     return str_intern(s->strings, start, (size_t)(s->at - start));
 }
 
-bool scan_is(Str w, const char *text)
+bool scan_word_is(Str w, const char *text)
 {
     return w && strcmp(w->text, text) == 0;
 }
 
-bool scan_optional_char(IrScan *s, char c)
+bool scan_match_char(IrScan *s, char c)
 {
-    skip_blanks(s);
+    skip_space_and_comment(s);
     if (s->at == s->end || *s->at != c)
         return false;
     s->at++;
     return true;
 }
 
-bool scan_char(IrScan *s, char c)
+bool scan_expect_char(IrScan *s, char c)
 {
-    return scan_optional_char(s, c) || scan_fail(s, "expected '%c'", c);
+    return scan_match_char(s, c) || scan_fail(s, "expected '%c'", c);
 }
 
-bool scan_optional(IrScan *s, const char *text)
+bool scan_match_word(IrScan *s, const char *text)
 {
     size_t n = strlen(text);
 
-    skip_blanks(s);
+    skip_space_and_comment(s);
     if ((size_t)(s->end - s->at) < n || memcmp(s->at, text, n) != 0 || (s->at + n < s->end && is_word_char(s->at[n])))
         return false;
     s->at += n;
     return true;
 }
 
-bool scan_this(IrScan *s, const char *text)
+bool scan_expect_word(IrScan *s, const char *text)
 {
-    return scan_optional(s, text) || scan_fail(s, "expected '%s'", text);
+    return scan_match_word(s, text) || scan_fail(s, "expected '%s'", text);
 }
 
 static int hex_digit(char c)
@@ -118,7 +118,7 @@ bool scan_quoted(IrScan *s, Str *out)
     Buf b;
 
     buf_init(&b, s->arena);
-    if (!scan_char(s, '"'))
+    if (!scan_expect_char(s, '"'))
         return false;
     while (s->at < s->end && *s->at != '"' && *s->at != '\n') {
         char c = *s->at++;
@@ -131,12 +131,12 @@ bool scan_quoted(IrScan *s, Str *out)
         buf_char(&b, c);
     }
     *out = str_intern(s->strings, buf_text(&b), b.n);
-    return scan_char(s, '"');
+    return scan_expect_char(s, '"');
 }
 
 // ---- numbers ----
 
-bool scan_parse_number(const char *text, uint64_t *out)
+bool scan_try_parse_number(const char *text, uint64_t *out)
 {
     uint64_t base = 10, v = 0;
 
@@ -163,29 +163,29 @@ bool scan_number(IrScan *s, const char *what, uint32_t *out)
 
     if (!w)
         return false;
-    if (!scan_parse_number(w->text, &v) || v > UINT32_MAX)
+    if (!scan_try_parse_number(w->text, &v) || v > UINT32_MAX)
         return scan_fail(s, "expected %s, found '%.40s'", what, w->text);
     *out = (uint32_t)v;
     return true;
 }
 
-bool scan_lettered(IrScan *s, char letter, const char *what, uint32_t *out)
+bool scan_lettered_number(IrScan *s, char letter, const char *what, uint32_t *out)
 {
     Str w = scan_word(s, what);
     uint64_t v;
 
     if (!w)
         return false;
-    if (w->text[0] != letter || !scan_parse_number(w->text + 1, &v) || v > UINT32_MAX)
+    if (w->text[0] != letter || !scan_try_parse_number(w->text + 1, &v) || v > UINT32_MAX)
         return scan_fail(s, "expected %s, found '%.40s'", what, w->text);
     *out = (uint32_t)v;
     return true;
 }
 
-static bool find_type(Str w, SmType *out)
+static bool match_type(Str w, SmType *out)
 {
     for (int t = 0; t < SM_TYPE_COUNT; t++)
-        if (scan_is(w, sm_type_info[t].spelling)) {
+        if (scan_word_is(w, sm_type_info[t].spelling)) {
             *out = (SmType)t;
             return true;
         }
@@ -196,11 +196,11 @@ bool scan_type(IrScan *s, SmType *out)
 {
     Str w = scan_word(s, "a type");
 
-    return w && (find_type(w, out) || scan_fail(s, "expected a type, found '%.40s'", w->text));
+    return w && (match_type(w, out) || scan_fail(s, "expected a type, found '%.40s'", w->text));
 }
 
-// The bit cell of a whole number; false if the type cannot represent it exactly.
-static bool whole_cell(SmType type, bool negative, uint64_t magnitude, uint64_t *cell)
+// Sets *cell to the bit cell of a whole number.  Returns false if the type cannot represent it exactly.
+static bool match_whole_number(SmType type, bool negative, uint64_t magnitude, uint64_t *cell)
 {
     unsigned bits = 8u * sm_type_info[type].bytes;
     double d = negative ? -(double)magnitude : (double)magnitude;
@@ -235,11 +235,11 @@ bool scan_value(IrScan *s, SmType type, uint64_t *cell)
         return false;
     negative = w->text[0] == '-';
     hex = w->text[0] == '0' && w->text[1] == 'x';
-    if (!scan_parse_number(w->text + negative, &v))
+    if (!scan_try_parse_number(w->text + negative, &v))
         return scan_fail(s, "expected a value, found '%.40s'", w->text);
     if (hex)
         *cell = v;
-    else if (!whole_cell(type, negative, v, cell))
+    else if (!match_whole_number(type, negative, v, cell))
         return scan_fail(s, "%.40s is no value of type %s", w->text, sm_type_info[type].spelling);
     return true;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of the IR text format that print.c and read.c share.
+// Words of the IR text format that print.c and ir_read.c share.
 #ifndef SMC_IR_TEXT_H
 #define SMC_IR_TEXT_H
 

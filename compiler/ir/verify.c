@@ -8,22 +8,22 @@
 #include "compiler/ir/ir.h"
 #include "compiler/ir/text.h"
 
-typedef struct Checker {
+typedef struct IrChecker {
     Arena *arena;
     const IrMachine *m;
     const char *error;                // the first
-    const IrFn *f;                    // the function being checked; messages about it contain:
+    const IrFn *f;                    // the function being checked, or NULL; errors in it name the next two
     const char *state;                // its state; NULL for the sample function
-    const char *block;
+    const char *block;                // entry, step or exit
     bool *computed;                      // by instruction: its result is available in the current block
-    bool *placed;                     // by instruction: it is in a block
+    bool *seen;                       // by instruction: it is in a block
     bool *sampled;                    // by window: it has been sampled
-} Checker;
+} IrChecker;
 
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
-static bool report_violation(Checker *c, const char *format, ...)
+static bool report_violation(IrChecker *c, const char *format, ...)
 {
     char text[200];
     va_list args;
@@ -54,7 +54,7 @@ static bool is_identifier(Str s)
     return true;
 }
 
-static bool is_type(SmType t)
+static bool is_valid_type(SmType t)
 {
     return (int)t >= 0 && t < SM_TYPE_COUNT;
 }
@@ -76,7 +76,7 @@ static bool cell_fits(SmType type, uint64_t cell)
 
 // ---- declarations ----
 
-static bool check_element(Checker *c, const IrVar *v)
+static bool check_element(IrChecker *c, const IrVar *v)
 {
     uint32_t bytes = sm_type_info[v->type].bytes;
 
@@ -88,10 +88,11 @@ static bool check_element(Checker *c, const IrVar *v)
 }
 
 // Elements are at multiples of their size, so each is within one group of eight bytes.  A hash table records which bytes of each group
-// are taken.
-typedef struct Taken { uint32_t group, bytes; } Taken;                // bytes 0: an empty slot
+// belong to an element already.
+typedef struct UsedBytes { uint32_t group, bytes; } UsedBytes;        // bytes 0: an empty slot
 
-static bool take_bytes(Taken *table, size_t cap, const IrVar *v)
+// Records the bytes of element v.  Returns false if one of them belongs to another element.
+static bool try_claim_bytes(UsedBytes *table, size_t cap, const IrVar *v)
 {
     uint32_t group = v->offset / 8, bytes = ((1u << sm_type_info[v->type].bytes) - 1) << v->offset % 8;
     size_t at = group * UINT32_C(2654435761) & (cap - 1);
@@ -105,21 +106,21 @@ static bool take_bytes(Taken *table, size_t cap, const IrVar *v)
     return true;
 }
 
-static bool check_overlap(Checker *c)
+static bool check_no_overlap(IrChecker *c)
 {
     size_t cap = 16;
-    Taken *table;
+    UsedBytes *table;
 
     while (cap < c->m->var.n * 2)
         cap *= 2;
-    table = ARENA_ARRAY(c->arena, Taken, cap);
+    table = ARENA_ARRAY(c->arena, UsedBytes, cap);
     for (size_t v = 0; v < c->m->var.n; v++)
-        if (c->m->var.at[v].space == IR_ELEMENT && !take_bytes(table, cap, &c->m->var.at[v]))
+        if (c->m->var.at[v].space == IR_ELEMENT && !try_claim_bytes(table, cap, &c->m->var.at[v]))
             return report_violation(c, "element %.80s overlaps another", c->m->var.at[v].name->text);
     return true;
 }
 
-static bool check_local(Checker *c, const IrVar *v)
+static bool check_local(IrChecker *c, const IrVar *v)
 {
     if (v->outside && v->hidden)
         return report_violation(c, "%.80s is hidden, but written from outside", v->name->text);
@@ -128,14 +129,14 @@ static bool check_local(Checker *c, const IrVar *v)
     return !is_nan_cell(v->type, v->init) || report_violation(c, "the initial value of %.80s is not a number", v->name->text);
 }
 
-static bool check_var(Checker *c, const IrVar *v, uint32_t index, Map *names)
+static bool check_var(IrChecker *c, const IrVar *v, uint32_t index, Map *names)
 {
     if (!is_identifier(v->name))
         return report_violation(c, "a variable's name is no identifier");
     if (map_find(names, v->name))
         return report_violation(c, "there are two variables %.80s", v->name->text);
     map_put(names, v->name, (void *)(uintptr_t)(index + 1));
-    if (!is_type(v->type))
+    if (!is_valid_type(v->type))
         return report_violation(c, "%.80s has no type", v->name->text);
     switch (v->space) {
     case IR_ELEMENT: return check_element(c, v);
@@ -145,7 +146,8 @@ static bool check_var(Checker *c, const IrVar *v, uint32_t index, Map *names)
     return report_violation(c, "%.80s is no element, local or time", v->name->text);
 }
 
-static bool check_role(Checker *c, uint32_t index, const char *role, IrSpace space, SmType type)
+// Checks the variable that is G, S or T: its space, its type, and that the machine does not write it.
+static bool check_role(IrChecker *c, uint32_t index, const char *role, IrSpace space, SmType type)
 {
     const IrVar *v = index < c->m->var.n ? &c->m->var.at[index] : NULL;
 
@@ -154,7 +156,7 @@ static bool check_role(Checker *c, uint32_t index, const char *role, IrSpace spa
     return !v->writable || report_violation(c, "%s is writable", role);
 }
 
-static bool check_vars(Checker *c)
+static bool check_vars(IrChecker *c)
 {
     const IrMachine *m = c->m;
     Map names = {c->arena, NULL, NULL, 0, 0};
@@ -164,15 +166,15 @@ static bool check_vars(Checker *c)
     for (uint32_t v = 0; v < m->var.n; v++)
         if (!check_var(c, &m->var.at[v], v, &names))
             return false;
-    return check_overlap(c) && check_role(c, m->g, "G", IR_ELEMENT, SM_U64) && check_role(c, m->s, "S", IR_ELEMENT, SM_U32)
+    return check_no_overlap(c) && check_role(c, m->g, "G", IR_ELEMENT, SM_U64) && check_role(c, m->s, "S", IR_ELEMENT, SM_U32)
         && check_role(c, m->t, "T", IR_TIME, SM_U64);
 }
 
-static bool check_windows(Checker *c)
+static bool check_windows(IrChecker *c)
 {
     for (size_t w = 0; w < c->m->window.n; w++) {
         const IrWindow *window = &c->m->window.at[w];
-        if (!is_type(window->type))
+        if (!is_valid_type(window->type))
             return report_violation(c, "window w%lu has no type", (unsigned long)w);
         if (window->size < 1 || window->size > SM_WINDOW_MAX)
             return report_violation(c, "the size of window w%lu is not 1 to %lu", (unsigned long)w, (unsigned long)SM_WINDOW_MAX);
@@ -185,19 +187,19 @@ static bool check_windows(Checker *c)
 
 // ---- instructions ----
 
-static bool check_operand(Checker *c, IrRef ref, IrRef user)
+static bool check_operand(IrChecker *c, IrRef ref, IrRef user)
 {
     if (ref >= c->f->ins.n || !c->computed[ref])
         return report_violation(c, "instruction %lu uses a temporary that its block has not computed before", (unsigned long)user);
     return true;
 }
 
-static bool operand_type(Checker *c, IrRef ref, SmType type, IrRef user)
+static bool check_operand_type(IrChecker *c, IrRef ref, SmType type, IrRef user)
 {
     return c->f->ins.at[ref].type == type || report_violation(c, "an operand of instruction %lu is not of the right type", (unsigned long)user);
 }
 
-static bool check_const(Checker *c, const IrIns *i, IrRef ref)
+static bool check_const(IrChecker *c, const IrIns *i, IrRef ref)
 {
     bool nan = is_nan_cell(i->type, i->bits);
 
@@ -208,7 +210,7 @@ static bool check_const(Checker *c, const IrIns *i, IrRef ref)
     return true;
 }
 
-static bool check_access(Checker *c, const IrIns *i, IrRef ref)
+static bool check_variable_access(IrChecker *c, const IrIns *i, IrRef ref)
 {
     if (i->var >= c->m->var.n || c->m->var.at[i->var].type != i->type)
         return report_violation(c, "instruction %lu is not of its variable's type", (unsigned long)ref);
@@ -218,7 +220,7 @@ static bool check_access(Checker *c, const IrIns *i, IrRef ref)
     return i->op != IR_store || !!c->state || report_violation(c, "instruction %lu writes a variable", (unsigned long)ref);
 }
 
-static bool check_sample(Checker *c, const IrIns *i, IrRef ref)
+static bool check_sample(IrChecker *c, const IrIns *i, IrRef ref)
 {
     if (c->state)
         return report_violation(c, "instruction %lu samples a window outside the sample function", (unsigned long)ref);
@@ -228,7 +230,7 @@ static bool check_sample(Checker *c, const IrIns *i, IrRef ref)
     return true;
 }
 
-static bool check_stat(Checker *c, const IrIns *i, IrRef ref)
+static bool check_stat(IrChecker *c, const IrIns *i, IrRef ref)
 {
     if (i->type != SM_F64)
         return report_violation(c, "instruction %lu is a statistic and no F64", (unsigned long)ref);
@@ -241,40 +243,40 @@ static bool check_stat(Checker *c, const IrIns *i, IrRef ref)
         || report_violation(c, "instruction %lu reads window w%lu before its sample", (unsigned long)ref, (unsigned long)i->var);
 }
 
-static bool check_operation(Checker *c, const IrIns *i, IrRef ref, SmType from, SmType to)
+static bool check_operand_types(IrChecker *c, const IrIns *i, IrRef ref, SmType from, SmType to)
 {
     if (i->type != to)
         return report_violation(c, "instruction %lu has a result of the wrong type", (unsigned long)ref);
-    return operand_type(c, i->a, from, ref) && (ir_op_info[i->op].operands < 2 || operand_type(c, i->b, from, ref));
+    return check_operand_type(c, i->a, from, ref) && (ir_op_info[i->op].operands < 2 || check_operand_type(c, i->b, from, ref));
 }
 
-static bool check_types(Checker *c, const IrIns *i, IrRef ref)
+static bool check_types(IrChecker *c, const IrIns *i, IrRef ref)
 {
-    if (!is_type(i->type))
+    if (!is_valid_type(i->type))
         return report_violation(c, "instruction %lu has no type", (unsigned long)ref);
     switch (ir_op_info[i->op].types) {
     case IR_T_CONST: return check_const(c, i, ref);
     case IR_T_CONVERT: return true;
-    case IR_T_LOGIC: return check_operation(c, i, ref, SM_BOOL, SM_BOOL);
+    case IR_T_LOGIC: return check_operand_types(c, i, ref, SM_BOOL, SM_BOOL);
     case IR_T_SAME:
-        return check_operation(c, i, ref, i->type, i->type)
-            && (ir_may_be_of(i->op, i->type) || report_violation(c, "instruction %lu cannot work on its type", (unsigned long)ref));
-    case IR_T_COMPARE: return check_operation(c, i, ref, c->f->ins.at[i->a].type, SM_BOOL);
-    case IR_T_LOAD: return check_access(c, i, ref);
-    case IR_T_STORE: return check_access(c, i, ref) && operand_type(c, i->a, i->type, ref);
+        return check_operand_types(c, i, ref, i->type, i->type)
+            && (ir_op_allows_type(i->op, i->type) || report_violation(c, "instruction %lu cannot work on its type", (unsigned long)ref));
+    case IR_T_COMPARE: return check_operand_types(c, i, ref, c->f->ins.at[i->a].type, SM_BOOL);
+    case IR_T_LOAD: return check_variable_access(c, i, ref);
+    case IR_T_STORE: return check_variable_access(c, i, ref) && check_operand_type(c, i->a, i->type, ref);
     case IR_T_SAMPLE: return check_sample(c, i, ref);
     case IR_T_STAT: return check_stat(c, i, ref);
     }
     return false;
 }
 
-static bool check_ins(Checker *c, IrRef ref)
+static bool check_ins(IrChecker *c, IrRef ref)
 {
     const IrIns *i = &c->f->ins.at[ref];
 
-    if (c->placed[ref])
+    if (c->seen[ref])
         return report_violation(c, "instruction %lu occurs twice", (unsigned long)ref);
-    c->placed[ref] = true;
+    c->seen[ref] = true;
     if ((unsigned)i->op >= IR_OP_COUNT)
         return report_violation(c, "instruction %lu has no operation", (unsigned long)ref);
     if (ir_op_info[i->op].operands > 0 && !check_operand(c, i->a, ref))
@@ -289,12 +291,12 @@ static bool check_ins(Checker *c, IrRef ref)
 
 // ---- jumps, blocks, functions ----
 
-static bool check_target(Checker *c, IrBlkRef from, IrBlkRef to)
+static bool check_target(IrChecker *c, IrBlkRef from, IrBlkRef to)
 {
     return (to > from && to < c->f->blk.n) || report_violation(c, "block b%lu does not jump forward to a block", (unsigned long)from);
 }
 
-static bool check_jump(Checker *c, IrBlkRef b, const IrJump *j)
+static bool check_jump(IrChecker *c, IrBlkRef b, const IrJump *j)
 {
     switch (j->kind) {
     case IR_RET: return true;
@@ -311,7 +313,7 @@ static bool check_jump(Checker *c, IrBlkRef b, const IrJump *j)
     return report_violation(c, "block b%lu ends in no jump", (unsigned long)b);
 }
 
-static bool check_block(Checker *c, IrBlkRef b)
+static bool check_block(IrChecker *c, IrBlkRef b)
 {
     const IrBlk *blk = &c->f->blk.at[b];
     bool ok = true;
@@ -325,7 +327,7 @@ static bool check_block(Checker *c, IrBlkRef b)
     return ok;
 }
 
-static bool check_function(Checker *c, const IrFn *f, const char *state, const char *block)
+static bool check_function(IrChecker *c, const IrFn *f, const char *state, const char *block)
 {
     bool ok = true;
 
@@ -333,7 +335,7 @@ static bool check_function(Checker *c, const IrFn *f, const char *state, const c
     c->state = state;
     c->block = block;
     c->computed = ARENA_ARRAY(c->arena, bool, f->ins.n);
-    c->placed = ARENA_ARRAY(c->arena, bool, f->ins.n);
+    c->seen = ARENA_ARRAY(c->arena, bool, f->ins.n);
     if (f->blk.n == 0)
         return report_violation(c, "there is no block");
     for (IrBlkRef b = 0; ok && b < f->blk.n; b++)
@@ -341,7 +343,7 @@ static bool check_function(Checker *c, const IrFn *f, const char *state, const c
     return ok;
 }
 
-static bool check_sample_function(Checker *c)
+static bool check_sample_function(IrChecker *c)
 {
     const IrFn *f = c->m->sample;
 
@@ -357,7 +359,7 @@ static bool check_sample_function(Checker *c)
     return true;
 }
 
-static bool check_states(Checker *c)
+static bool check_states(IrChecker *c)
 {
     Map names = {c->arena, NULL, NULL, 0, 0};
     bool ok = c->m->state.n > 0 || report_violation(c, "there is no state");
@@ -377,7 +379,7 @@ static bool check_states(Checker *c)
 
 const char *ir_verify(Arena *arena, const IrMachine *m)
 {
-    Checker c;
+    IrChecker c;
 
     memset(&c, 0, sizeof c);
     c.arena = arena;

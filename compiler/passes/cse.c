@@ -2,7 +2,7 @@
 // cse: common subexpression elimination within a block, by value numbering.  Every temporary gets the number of the first one that
 // certainly has the same value: the same operation on operands with the same numbers.  A load has the value of the last store to its
 // variable in the block, or of the last load.  This is correct because a stored value is never NaN and is of the variable's type, so
-// loading it returns the same bits (ir.h).  Operands of add, mul, eq, ne, min, max, and, or are sorted: which NaN results is not
+// loading it returns the same bits (ir.h).  Operands of add, mul, eq, ne, min, max, and, or are sorted: which NaN a result is, is not
 // observable, and min and max order -0 and +0 the same for both operand orders.
 //
 // Not every repetition is worth a temporary.  An operation is "sunk" if its only user is a store or a branch.  Both backends compute a
@@ -12,7 +12,7 @@
 //
 // A store of the value that the variable already has is dropped.  For an element, this requires an earlier store in the block, because
 // it is observable that an element was stored.  For a local, it requires that no other code writes it.
-// Needs uses and updates them.
+// Needs use counts and updates them.
 #include <string.h>
 
 #include "compiler/ir/comparison.h"
@@ -28,7 +28,7 @@ typedef struct Cse {
     IrRef *keeper;            // by value number: the instruction that replaces others of that value
     IrRef *same;              // by instruction: the temporary that its users must name
     bool *sunk;               // by instruction: its only user is a store or a branch
-    CseSlot *table;              // hash table of the block's operations, by Key
+    CseSlot *table;              // hash table of the block's operations, by CseKey
     size_t cap;               // a power of two
     uint32_t block;
 } Cse;
@@ -56,7 +56,7 @@ static CseKey key_of(const Cse *c, const IrIns *i)
     if (ir_op_info[i->op].operands > 1)
         k.b = c->value[i->b];
     if (i->op == IR_gt || i->op == IR_ge) {                   // a > b is b < a
-        k.op = ir_swap_comparison(i->op);
+        k.op = ir_swapped_comparison(i->op);
         swap_operands(&k);
     } else if (ir_op_info[i->op].commutes && k.b < k.a) {
         swap_operands(&k);
@@ -75,7 +75,7 @@ static bool same_key(const CseKey *a, const CseKey *b)
     return a->op == b->op && a->type == b->type && a->a == b->a && a->b == b->b && a->var == b->var && a->bits == b->bits;
 }
 
-static size_t hash(const CseKey *k)
+static size_t hash_key(const CseKey *k)
 {
     uint64_t h = k->bits * UINT64_C(0x9e3779b97f4a7c15) ^ (uint64_t)k->op << 8 ^ (uint64_t)k->type;
 
@@ -83,11 +83,11 @@ static size_t hash(const CseKey *k)
     return (size_t)((h ^ h >> 32 ^ k->var) * UINT64_C(0x94d049bb133111eb) >> 32);
 }
 
-// The first operation of the block with the same key as `ref`, which may be `ref` itself.
-static IrRef find_first(Cse *c, IrRef ref)
+// Returns the first operation of the block with the same key as `ref`.  If there is none, adds `ref` to the table and returns it.
+static IrRef find_or_add_operation(Cse *c, IrRef ref)
 {
     CseKey k = key_of(c, ins_at(c, ref)), other;
-    size_t at = hash(&k) & (c->cap - 1);
+    size_t at = hash_key(&k) & (c->cap - 1);
 
     for (; c->table[at].block == c->block; at = (at + 1) & (c->cap - 1)) {
         other = key_of(c, ins_at(c, c->table[at].ref));
@@ -101,26 +101,28 @@ static IrRef find_first(Cse *c, IrRef ref)
 
 // ---- operations that cost nothing in place ----
 
-static void sink(Cse *c, IrRef ref)
+// Marks ref as sunk if its only user, the caller's instruction, computes it in place.
+static void mark_if_used_once(Cse *c, IrRef ref)
 {
     c->sunk[ref] = c->facts->uses[ref] == 1;
 }
 
 // Walks from the block's end.  The operand of a store or branch is sunk, and so are the operands of sunk conversions and logic.
-static void find_sunk(Cse *c, const IrBlk *blk)
+static void mark_sunk(Cse *c, const IrBlk *blk)
 {
     if (blk->jump.kind == IR_BR)
-        sink(c, blk->jump.cond);
+        mark_if_used_once(c, blk->jump.cond);
     for (size_t p = blk->ins.n; p-- > 0;) {
         IrRef ref = blk->ins.at[p];
         const IrIns *i = ins_at(c, ref);
         if (i->op == IR_store || (c->sunk[ref] && (i->op == IR_cvt || ir_op_info[i->op].types == IR_T_LOGIC)))
-            sink(c, i->a);
+            mark_if_used_once(c, i->a);
         if (c->sunk[ref] && ir_op_info[i->op].types == IR_T_LOGIC && ir_op_info[i->op].operands > 1)
-            sink(c, i->b);
+            mark_if_used_once(c, i->b);
     }
 }
 
+// Whether i is a conversion to F64, for which the backends emit no instruction.
 static bool is_free(const Cse *c, const IrIns *i)
 {
     return i->op == IR_cvt && i->type == SM_F64 && ins_at(c, i->a)->type != SM_F64;
@@ -132,7 +134,7 @@ static bool is_expensive(const IrIns *i) { return i->op == IR_stat || i->op == I
 
 static void visit_load(Cse *c, IrRef ref)
 {
-    VarNote *note = notes_of(c->facts->notes, ins_at(c, ref)->var);
+    VarNote *note = note_on_variable(c->facts->notes, ins_at(c, ref)->var);
 
     if (note->ref == IR_NONE)
         note->ref = ref;
@@ -146,10 +148,10 @@ static void visit_load(Cse *c, IrRef ref)
         note->load = ref;
 }
 
-// False if the store can be dropped.
+// Returns false if the store can be dropped.
 static bool visit_store(Cse *c, const IrIns *i)
 {
-    VarNote *note = notes_of(c->facts->notes, i->var);
+    VarNote *note = note_on_variable(c->facts->notes, i->var);
     const IrVar *v = &c->facts->m->var.at[i->var];
     bool known = v->space == IR_ELEMENT ? note->stored : !v->outside;
 
@@ -167,7 +169,7 @@ static bool visit_store(Cse *c, const IrIns *i)
 static void visit_operation(Cse *c, IrRef ref)
 {
     const IrIns *i = ins_at(c, ref);
-    IrRef first = find_first(c, ref), keeper = c->keeper[first];
+    IrRef first = find_or_add_operation(c, ref), keeper = c->keeper[first];
 
     c->value[ref] = first;
     if (first == ref)
@@ -180,24 +182,24 @@ static void visit_operation(Cse *c, IrRef ref)
         c->keeper[first] = ref;
 }
 
-// The temporary that replaces `ref` as an operand.  Updates the use counts.
-static IrRef replacement_of(Cse *c, IrRef ref)
+// Returns the temporary that replaces `ref` as an operand, and moves one use to it.
+static IrRef replace_use(Cse *c, IrRef ref)
 {
     c->facts->uses[ref]--;
     c->facts->uses[c->same[ref]]++;
     return c->same[ref];
 }
 
-// False if the instruction can be dropped at once.
+// Returns false if the instruction can be dropped at once.
 static bool visit_instruction(Cse *c, IrRef ref)
 {
     IrIns *i = ins_at(c, ref);
 
     c->same[ref] = c->value[ref] = ref;
     if (ir_op_info[i->op].operands > 0)
-        i->a = replacement_of(c, i->a);
+        i->a = replace_use(c, i->a);
     if (ir_op_info[i->op].operands > 1)
-        i->b = replacement_of(c, i->b);
+        i->b = replace_use(c, i->b);
     if (i->op == IR_store)
         return visit_store(c, i);
     if (i->op == IR_load)
@@ -211,18 +213,18 @@ static void visit_block(Cse *c, IrBlk *blk)
 {
     uint32_t kept = 0;
 
-    find_sunk(c, blk);
+    mark_sunk(c, blk);
     notes_begin_block(c->facts->notes);
     for (size_t p = 0; p < blk->ins.n; p++)
         if (visit_instruction(c, blk->ins.at[p]))
             blk->ins.at[kept++] = blk->ins.at[p];
     blk->ins.n = kept;
     if (blk->jump.kind == IR_BR)
-        blk->jump.cond = replacement_of(c, blk->jump.cond);
+        blk->jump.cond = replace_use(c, blk->jump.cond);
 }
 
-// Room for twice the operations of the longest block.
-static void make_table(Arena *arena, Cse *c)
+// Allocates room for twice the operations of the longest block.
+static void allocate_table(Arena *arena, Cse *c)
 {
     size_t longest = 0;
 
@@ -240,7 +242,7 @@ void pass_cse(Arena *arena, IrFn *f, Facts *facts)
     Cse c = {f, facts, ARENA_ARRAY(arena, IrRef, n), ARENA_ARRAY(arena, IrRef, n), ARENA_ARRAY(arena, IrRef, n), ARENA_ARRAY(arena, bool, n),
              NULL, 0, 0};
 
-    make_table(arena, &c);
+    allocate_table(arena, &c);
     for (size_t b = 0; b < f->blk.n; b++) {
         c.block = (uint32_t)b + 1;
         visit_block(&c, &f->blk.at[b]);

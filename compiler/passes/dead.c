@@ -2,26 +2,27 @@
 // dce: drops operations whose results are unused.
 // dse: drops a store that the same block overwrites before any load reads it.  Only two effects of a step are observable: the values of
 // variables at its end, and which elements were stored.  The later store produces both.  A load whose result is unused is no read.
-// Both walk backwards, so that one walk drops whole expressions.  They need uses and update them.
+// Both walk backwards, so that one walk drops whole expressions.  They need use counts and update them.
 #include "compiler/passes/pass.h"
 
-// Whether an instruction stays.  It is called for each of a block, from the last to the first, and releases the operands of what goes.
-typedef bool KeepFn(const IrFn *f, IrRef ref, Facts *facts);
+// Returns whether an instruction stays.  Called for each instruction of a block, from the last to the first.  For an instruction that does
+// not stay, it subtracts one use from each operand.
+typedef bool VisitFn(const IrFn *f, IrRef ref, Facts *facts);
 
-static void filter_block(const IrFn *f, IrBlk *blk, Facts *facts, KeepFn *keep)
+static void filter_block(const IrFn *f, IrBlk *blk, Facts *facts, VisitFn *visit)
 {
     uint32_t kept = blk->ins.n, n = 0;
 
     notes_begin_block(facts->notes);
-    for (size_t p = blk->ins.n; p-- > 0;)                      // what stays is collected at the end of the list
-        if (keep(f, blk->ins.at[p], facts))
+    for (size_t p = blk->ins.n; p-- > 0;)                      // instructions that stay are collected at the end of the list
+        if (visit(f, blk->ins.at[p], facts))
             blk->ins.at[--kept] = blk->ins.at[p];
     while (kept < blk->ins.n)
         blk->ins.at[n++] = blk->ins.at[kept++];
     blk->ins.n = n;
 }
 
-static bool is_live(const IrFn *f, IrRef ref, Facts *facts)
+static bool visit_for_dce(const IrFn *f, IrRef ref, Facts *facts)
 {
     const IrIns *i = &f->ins.at[ref];
 
@@ -34,20 +35,20 @@ static bool is_live(const IrFn *f, IrRef ref, Facts *facts)
     return false;
 }
 
-// A note on a variable means that a store follows with no load in between.
-static bool is_no_dead_store(const IrFn *f, IrRef ref, Facts *facts)
+// `stored` in the note of a variable: a later store of the block overwrites it, and no load between reads it.
+static bool visit_for_dse(const IrFn *f, IrRef ref, Facts *facts)
 {
     const IrIns *i = &f->ins.at[ref];
 
     if (i->op == IR_load && facts->uses[ref] > 0)
-        notes_of(facts->notes, i->var)->stored = false;
+        note_on_variable(facts->notes, i->var)->stored = false;
     if (i->op != IR_store)
         return true;
-    if (notes_of(facts->notes, i->var)->stored) {
+    if (note_on_variable(facts->notes, i->var)->stored) {
         facts->uses[i->a]--;
         return false;
     }
-    notes_of(facts->notes, i->var)->stored = true;
+    note_on_variable(facts->notes, i->var)->stored = true;
     return true;
 }
 
@@ -55,12 +56,12 @@ void pass_dce(Arena *arena, IrFn *f, Facts *facts)
 {
     (void)arena;
     for (size_t b = 0; b < f->blk.n; b++)
-        filter_block(f, &f->blk.at[b], facts, is_live);
+        filter_block(f, &f->blk.at[b], facts, visit_for_dce);
 }
 
 void pass_dse(Arena *arena, IrFn *f, Facts *facts)
 {
     (void)arena;
     for (size_t b = 0; b < f->blk.n; b++)
-        filter_block(f, &f->blk.at[b], facts, is_no_dead_store);
+        filter_block(f, &f->blk.at[b], facts, visit_for_dse);
 }

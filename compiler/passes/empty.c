@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// empty: removes functions of states that do nothing, and hidden locals that no function names.
+// empty: removes functions of states that do nothing, and hidden locals that no function accesses.
 // Needs nothing.  Breaks no facts about functions, but renumbers variables.
 #include "compiler/passes/pass.h"
 
@@ -8,36 +8,36 @@ static bool does_nothing(const IrFn *f)
     return f->blk.n == 1 && f->blk.at[0].ins.n == 0 && f->blk.at[0].jump.kind == IR_RET;
 }
 
-static bool names_variable(const IrIns *i) { return i->op == IR_load || i->op == IR_store; }
+static bool accesses_variable(const IrIns *i) { return i->op == IR_load || i->op == IR_store; }
 
-static void note_names(const IrFn *f, bool *named)
+static void mark_accessed(const IrFn *f, bool *accessed)
 {
     for (size_t b = 0; f && b < f->blk.n; b++)
         for (size_t p = 0; p < f->blk.at[b].ins.n; p++)
-            if (names_variable(&f->ins.at[f->blk.at[b].ins.at[p]]))
-                named[f->ins.at[f->blk.at[b].ins.at[p]].var] = true;
+            if (accesses_variable(&f->ins.at[f->blk.at[b].ins.at[p]]))
+                accessed[f->ins.at[f->blk.at[b].ins.at[p]].var] = true;
 }
 
-static void rename_in(IrFn *f, const uint32_t *number)
+static void renumber_variables(IrFn *f, const uint32_t *number)
 {
     for (size_t b = 0; f && b < f->blk.n; b++)
         for (size_t p = 0; p < f->blk.at[b].ins.n; p++)
-            if (names_variable(&f->ins.at[f->blk.at[b].ins.at[p]]))
+            if (accesses_variable(&f->ins.at[f->blk.at[b].ins.at[p]]))
                 f->ins.at[f->blk.at[b].ins.at[p]].var = number[f->ins.at[f->blk.at[b].ins.at[p]].var];
 }
 
-// Removes hidden locals that are not named, and renumbers the other variables.
+// Removes hidden locals that are not accessed, and renumbers the other variables.
 static void drop_locals(Arena *arena, IrMachine *m)
 {
-    bool *named = ARENA_ARRAY(arena, bool, m->var.n);
+    bool *accessed = ARENA_ARRAY(arena, bool, m->var.n);
     uint32_t *number = ARENA_ARRAY(arena, uint32_t, m->var.n), n = 0;
 
-    note_names(m->sample, named);
+    mark_accessed(m->sample, accessed);
     for (size_t s = 0; s < m->state.n; s++)
         for (int k = 0; k < BLOCK_COUNT; k++)
-            note_names(m->state.at[s].block[k], named);
+            mark_accessed(m->state.at[s].block[k], accessed);
     for (size_t v = 0; v < m->var.n; v++)
-        if (named[v] || !m->var.at[v].hidden) {
+        if (accessed[v] || !m->var.at[v].hidden) {
             number[v] = n;
             m->var.at[n++] = m->var.at[v];
         }
@@ -47,10 +47,10 @@ static void drop_locals(Arena *arena, IrMachine *m)
     m->g = number[m->g];
     m->s = number[m->s];
     m->t = number[m->t];
-    rename_in(m->sample, number);
+    renumber_variables(m->sample, number);
     for (size_t s = 0; s < m->state.n; s++)
         for (int k = 0; k < BLOCK_COUNT; k++)
-            rename_in(m->state.at[s].block[k], number);
+            renumber_variables(m->state.at[s].block[k], number);
 }
 
 void pass_empty(Arena *arena, IrMachine *m, FactMachine *values)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // fold: constant folding.  An operation on constants becomes its result (ir/eval.h).  `and` and `or` become a constant if one operand
 // decides them.
-// Needs nothing; breaks uses, because the operands lose a user.
+// Needs nothing; invalidates use counts, because the operands lose a user.
 #include "compiler/ir/eval.h"
 #include "compiler/passes/pass.h"
 
@@ -10,12 +10,12 @@ static bool is_const(const IrFn *f, IrRef ref)
     return f->ins.at[ref].op == IR_const;
 }
 
-static SmF64 number_of(const IrFn *f, IrRef ref)
+static SmF64 const_number(const IrFn *f, IrRef ref)
 {
     return ref == IR_NONE ? sm_from_i32(0) : ir_number(f->ins.at[ref].type, f->ins.at[ref].bits);
 }
 
-static void become(IrIns *i, uint64_t bits)
+static void replace_by_const(IrIns *i, uint64_t bits)
 {
     i->op = IR_const;
     i->a = i->b = IR_NONE;
@@ -34,9 +34,9 @@ static void fold_instruction(const IrFn *f, IrIns *i)
     if (ir_op_info[i->op].effect || n == 0)
         return;
     if (n == 2 && (is_decided_by(f, i, i->a) || is_decided_by(f, i, i->b)))
-        become(i, i->op == IR_or);
+        replace_by_const(i, i->op == IR_or);
     else if (is_const(f, i->a) && (n < 2 || is_const(f, i->b)))
-        become(i, ir_cell(i->type, ir_eval(i->op, i->type, number_of(f, i->a), number_of(f, i->b))));
+        replace_by_const(i, ir_cell(i->type, ir_eval(i->op, i->type, const_number(f, i->a), const_number(f, i->b))));
 }
 
 void pass_fold(Arena *arena, IrFn *f, Facts *facts)

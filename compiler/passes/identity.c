@@ -11,7 +11,7 @@
 //   and, or                  with a constant that does not decide the result, or with the same operand twice
 //   not of a not
 // algebra.c replaces operations by cheaper ones.
-// Needs nothing; breaks uses.  dce removes the operations that become unused.
+// Needs nothing; invalidates use counts.  dce removes the operations that become unused.
 #include "compiler/passes/identity.h"
 
 #include "compiler/ir/eval.h"
@@ -21,7 +21,7 @@ static bool is_float(SmType type) { return type == SM_F64 || type == SM_F32; }
 
 bool identity_is_integer(SmType type) { return !is_float(type) && type != SM_BOOL; }
 
-bool identity_is(const Identity *d, IrRef ref, SmF64 number)
+bool identity_is_const(const Identity *d, IrRef ref, SmF64 number)
 {
     const IrIns *i = identity_at(d, ref);
 
@@ -30,43 +30,43 @@ bool identity_is(const Identity *d, IrRef ref, SmF64 number)
 
 // ---- arithmetic ----
 
-// Whether ref is an integer or bool that was not computed.  A narrowed operation may still be computed on F64 (ir.h) and be -0 there.
-static bool is_plain_integer(const Identity *d, IrRef ref)
+// Whether ref is an integer or bool that is not the result of arithmetic or a conversion.  A narrowed operation may still be computed on F64 (ir.h) and be -0 there.
+static bool is_uncomputed_integer(const Identity *d, IrRef ref)
 {
     const IrIns *i = identity_at(d, ref);
 
     return !is_float(i->type) && (ir_op_info[i->op].types != IR_T_SAME && i->op != IR_cvt);
 }
 
-// Whether ref cannot be -0.
-static bool has_no_minus_zero(const Identity *d, IrRef ref)
+// Whether ref is certainly not -0.
+static bool is_never_minus_zero(const Identity *d, IrRef ref)
 {
     const IrIns *i = identity_at(d, ref);
 
-    return is_plain_integer(d, ref) || i->op == IR_abs || (i->op == IR_cvt && is_plain_integer(d, i->a));
+    return is_uncomputed_integer(d, ref) || i->op == IR_abs || (i->op == IR_cvt && is_uncomputed_integer(d, i->a));
 }
 
-static IrRef same_as_sum(const Identity *d, const IrIns *i)
+static IrRef operand_equal_to_sum(const Identity *d, const IrIns *i)
 {
     const SmF64 zero = sm_from_i32(0), neutral = i->op == IR_add ? sm_neg(zero) : zero;
 
-    if (identity_is(d, i->b, neutral) || (i->op == IR_add && identity_is(d, i->b, zero) && has_no_minus_zero(d, i->a)))
+    if (identity_is_const(d, i->b, neutral) || (i->op == IR_add && identity_is_const(d, i->b, zero) && is_never_minus_zero(d, i->a)))
         return i->a;
-    if (i->op == IR_add && (identity_is(d, i->a, neutral) || (identity_is(d, i->a, zero) && has_no_minus_zero(d, i->b))))
+    if (i->op == IR_add && (identity_is_const(d, i->a, neutral) || (identity_is_const(d, i->a, zero) && is_never_minus_zero(d, i->b))))
         return i->b;
     return IR_NONE;
 }
 
-static IrRef same_as_product(const Identity *d, const IrIns *i)
+static IrRef operand_equal_to_product(const Identity *d, const IrIns *i)
 {
-    if (identity_is(d, i->b, sm_from_i32(1)))
+    if (identity_is_const(d, i->b, sm_from_i32(1)))
         return i->a;
-    return i->op == IR_mul && identity_is(d, i->a, sm_from_i32(1)) ? i->b : IR_NONE;
+    return i->op == IR_mul && identity_is_const(d, i->a, sm_from_i32(1)) ? i->b : IR_NONE;
 }
 
 static bool is_rounding(IrOp op) { return op == IR_floor || op == IR_ceil || op == IR_trunc || op == IR_round; }
 
-static IrRef same_as_rounding(const Identity *d, const IrIns *i)
+static IrRef operand_equal_to_rounding(const Identity *d, const IrIns *i)
 {
     const IrIns *from = identity_at(d, i->a);
 
@@ -75,29 +75,30 @@ static IrRef same_as_rounding(const Identity *d, const IrIns *i)
 
 // ---- conversions ----
 
-static unsigned bits_of(SmType type) { return 8u * sm_type_info[type].bytes; }
+static unsigned bit_width(SmType type) { return 8u * sm_type_info[type].bytes; }
 
 static bool is_signed(SmType type) { return type <= SM_I64; }
 
 // Whether `wide` represents every value of `type`, so that a conversion there and back changes nothing.
-static bool holds_all(SmType wide, SmType type)
+// An F64 represents every integer of 32 bits, an F32 every integer of 16 bits.
+static bool represents_all(SmType wide, SmType type)
 {
     if (wide == type || type == SM_BOOL)
         return true;
     if (is_float(wide))
-        return is_float(type) ? wide == SM_F64 : bits_of(type) <= (wide == SM_F64 ? 32 : 16);
+        return is_float(type) ? wide == SM_F64 : bit_width(type) <= (wide == SM_F64 ? 32 : 16);
     if (is_float(type) || wide == SM_BOOL)
         return false;
-    return bits_of(wide) > bits_of(type) ? is_signed(wide) || !is_signed(type) : false;
+    return bit_width(wide) > bit_width(type) ? is_signed(wide) || !is_signed(type) : false;
 }
 
-static IrRef same_as_cvt(const Identity *d, const IrIns *i)
+static IrRef operand_equal_to_cvt(const Identity *d, const IrIns *i)
 {
     const IrIns *from = identity_at(d, i->a);
 
     if (from->type == i->type)
         return d->never_nan[i->a] ? i->a : IR_NONE;
-    if (from->op == IR_cvt && identity_at(d, from->a)->type == i->type && d->never_nan[from->a] && holds_all(from->type, i->type))
+    if (from->op == IR_cvt && identity_at(d, from->a)->type == i->type && d->never_nan[from->a] && represents_all(from->type, i->type))
         return from->a;
     return IR_NONE;
 }
@@ -109,7 +110,7 @@ static bool is_bool_const(const Identity *d, IrRef ref, bool value)
     return identity_at(d, ref)->op == IR_const && identity_at(d, ref)->bits == value;
 }
 
-static IrRef same_as_logic(const Identity *d, const IrIns *i)
+static IrRef operand_equal_to_logic(const Identity *d, const IrIns *i)
 {
     bool neutral = i->op == IR_and;
 
@@ -118,23 +119,23 @@ static IrRef same_as_logic(const Identity *d, const IrIns *i)
     return is_bool_const(d, i->a, neutral) ? i->b : IR_NONE;
 }
 
-// The temporary whose value equals the result of instruction i, or IR_NONE.
-static IrRef same_as(const Identity *d, const IrIns *i)
+// The temporary whose value always equals the result of instruction i; IR_NONE if there is none.
+static IrRef find_equal_operand(const Identity *d, const IrIns *i)
 {
     switch (i->op) {
     case IR_add:
-    case IR_sub: return same_as_sum(d, i);
+    case IR_sub: return operand_equal_to_sum(d, i);
     case IR_mul:
-    case IR_div: return same_as_product(d, i);
+    case IR_div: return operand_equal_to_product(d, i);
     case IR_neg:
     case IR_not: return identity_at(d, i->a)->op == i->op ? identity_at(d, i->a)->a : IR_NONE;
     case IR_abs: return identity_at(d, i->a)->op == IR_abs ? i->a : IR_NONE;
-    case IR_floor: case IR_ceil: case IR_trunc: case IR_round: return same_as_rounding(d, i);
+    case IR_floor: case IR_ceil: case IR_trunc: case IR_round: return operand_equal_to_rounding(d, i);
     case IR_min:
     case IR_max: return i->a == i->b ? i->a : IR_NONE;
-    case IR_cvt: return same_as_cvt(d, i);
+    case IR_cvt: return operand_equal_to_cvt(d, i);
     case IR_and:
-    case IR_or: return same_as_logic(d, i);
+    case IR_or: return operand_equal_to_logic(d, i);
     default: return IR_NONE;
     }
 }
@@ -157,8 +158,8 @@ static void visit_instruction(Identity *d, IrRef ref)
         i->a = d->same[i->a];
     if (ir_op_info[i->op].operands > 1)
         i->b = d->same[i->b];
-    algebra_rewrite(d, i);
-    same = same_as(d, i);
+    identity_rewrite_cheaper(d, i);
+    same = find_equal_operand(d, i);
     d->same[ref] = same == IR_NONE ? ref : same;
     d->never_nan[ref] = !is_float(i->type) || is_never_nan(d, i);
 }

@@ -14,11 +14,11 @@ typedef struct Identity {
 
 static inline const IrIns *identity_at(const Identity *d, IrRef ref) { return &d->f->ins.at[ref]; }
 
-// Whether ref is a constant of any type that is this number.  Compares the bits as F64, so 0 and -0 differ.
-bool identity_is(const Identity *d, IrRef ref, SmF64 number);
+// Whether ref is a constant, of any type, with this value.  Compares the bits as F64, so 0 and -0 differ.
+bool identity_is_const(const Identity *d, IrRef ref, SmF64 number);
 bool identity_is_integer(SmType type);
 
 // Replaces i by a cheaper operation with the same result, if there is one.
-void algebra_rewrite(const Identity *d, IrIns *i);
+void identity_rewrite_cheaper(const Identity *d, IrIns *i);
 
 #endif

@@ -6,8 +6,8 @@
 // those need.  An element is stored only where the source stores it, because other code can write it meanwhile.  If a boolean is stored in
 // one arm, it must also be stored in the other.
 // Only emitted C profits: on the VM the addition costs as much as the branch.  With numbers in software the counts stay branches, because
-// an 8-bit chip predicts nothing and adds 64 bits slowly.
-// Needs nothing; breaks uses.
+// an 8-bit chip does not predict branches, and adds 64-bit numbers slowly.
+// Needs nothing; invalidates use counts.
 #include "compiler/ir/eval.h"
 #include "compiler/passes/pass.h"
 
@@ -16,8 +16,8 @@ enum { ARM_INS = 32, ARM_STORES = 8 };       // limits of an arm: a larger one i
 // A store of an arm: of a boolean constant, or of the variable's value plus or minus `one`.
 typedef struct ArmStore {
     uint32_t var;
-    bool truth;               // the boolean
-    IrRef store, one;         // one: IR_NONE for a boolean
+    bool stored_bool;         // the boolean constant
+    IrRef store, one;         // the store; the constant 1, or IR_NONE if it stores a boolean
 } ArmStore;
 
 typedef struct Arm {
@@ -31,10 +31,10 @@ typedef struct IfConvert {
     const IrMachine *m;
     IrFn *f;
     uint32_t *preds;          // by block: number of incoming edges
-    bool counts;              // convert counts, too
+    bool counts;              // whether to convert counts
 } IfConvert;
 
-// Whether x + 0 is x if x, a value of the counter's type, is converted to `type`.  A stored 64-bit integer is always exactly an F64.  A
+// Whether adding 0 in type `type` leaves every value of a counter unchanged.  A stored 64-bit integer is always exactly an F64.  A
 // narrower counter is counted as an integer once the pass `narrow` has run; before, as at -O0, its conditional stays.
 static bool can_count_in(SmType type, SmType counter)
 {
@@ -55,8 +55,8 @@ static bool is_one(const IrIns *i)
     return i->op == IR_const && i->type != SM_BOOL && i->bits == ir_cell(i->type, sm_from_i32(1));
 }
 
-// Whether x is the value of variable `var`, and `one` the number one.
-static bool counts_by_one(const IfConvert *c, uint32_t var, IrRef x, IrRef one, ArmStore *s)
+// Whether x is the value of variable `var`, and `one` the constant 1; sets s->one.
+static bool match_plus_one(const IfConvert *c, uint32_t var, IrRef x, IrRef one, ArmStore *s)
 {
     const SmType type = c->m->var.at[var].type;
     const IrIns *value = &c->f->ins.at[skip_conversions(c->f, x, type)];
@@ -65,9 +65,9 @@ static bool counts_by_one(const IfConvert *c, uint32_t var, IrRef x, IrRef one, 
     return value->op == IR_load && value->var == var && is_one(&c->f->ins.at[s->one]);
 }
 
-// Whether `store` counts its variable up or down by one.  The variable must be a local that no other code writes, because it will be stored
+// Whether `store` counts its variable up or down by one; then sets s->one.  The variable must be a local that no other code writes, because it will be stored
 // when the condition is false, too.
-static bool is_count(const IfConvert *c, const IrIns *store, ArmStore *s)
+static bool match_count(const IfConvert *c, const IrIns *store, ArmStore *s)
 {
     const IrVar *v = &c->m->var.at[store->var];
     const IrIns *sum = &c->f->ins.at[skip_conversions(c->f, store->a, v->type)];
@@ -76,15 +76,16 @@ static bool is_count(const IfConvert *c, const IrIns *store, ArmStore *s)
         return false;
     if (sum->op != IR_add && sum->op != IR_sub)
         return false;
-    return counts_by_one(c, store->var, sum->a, sum->b, s) || (sum->op == IR_add && counts_by_one(c, store->var, sum->b, sum->a, s));
+    return match_plus_one(c, store->var, sum->a, sum->b, s) || (sum->op == IR_add && match_plus_one(c, store->var, sum->b, sum->a, s));
 }
 
-static bool is_truth(const IfConvert *c, const IrIns *store, ArmStore *s)
+// Whether `store` stores a boolean constant; then sets s->stored_bool.
+static bool match_bool_store(const IfConvert *c, const IrIns *store, ArmStore *s)
 {
     const IrIns *value = &c->f->ins.at[store->a];
 
     s->one = IR_NONE;
-    s->truth = value->bits != 0;
+    s->stored_bool = value->bits != 0;
     return value->op == IR_const && value->type == SM_BOOL;
 }
 
@@ -96,7 +97,8 @@ static const ArmStore *find_store(const Arm *arm, uint32_t var)
     return NULL;
 }
 
-static bool add_store(const IfConvert *c, IrRef r, Arm *arm)
+// Adds a store to the arm.  Returns false if it is of neither kind, the arm is full or stores to the variable twice.
+static bool add_arm_store(const IfConvert *c, IrRef r, Arm *arm)
 {
     const IrIns *store = &c->f->ins.at[r];
     ArmStore *s = &arm->at[arm->n];
@@ -106,11 +108,11 @@ static bool add_store(const IfConvert *c, IrRef r, Arm *arm)
     s->var = store->var;
     s->store = r;
     arm->n++;
-    return is_truth(c, store, s) || is_count(c, store, s);
+    return match_bool_store(c, store, s) || match_count(c, store, s);
 }
 
-// Reads block b as an arm.  Returns false if it cannot be one.
-static bool read_arm(const IfConvert *c, IrBlkRef b, Arm *arm)
+// Fills in the arm from block b.  Returns false if the block cannot be an arm.
+static bool match_arm(const IfConvert *c, IrBlkRef b, Arm *arm)
 {
     const IrBlk *blk = &c->f->blk.at[b];
     bool fits = c->preds[b] == 1 && blk->ins.n <= ARM_INS && (blk->jump.kind == IR_RET || blk->jump.kind == IR_JMP);
@@ -121,7 +123,7 @@ static bool read_arm(const IfConvert *c, IrBlkRef b, Arm *arm)
     for (size_t p = 0; fits && p < blk->ins.n; p++) {
         switch (c->f->ins.at[blk->ins.at[p]].op) {
         case IR_const: case IR_load: case IR_cvt: case IR_add: case IR_sub: break;
-        case IR_store: fits = add_store(c, blk->ins.at[p], arm); break;
+        case IR_store: fits = add_arm_store(c, blk->ins.at[p], arm); break;
         default: fits = false; break;
         }
     }
@@ -138,15 +140,15 @@ static bool arms_agree(const Arm *arm, const Arm *other)
 }
 
 // Finds the arms of the conditional that ends block b, one of which can be empty.  Returns whether it can be converted.
-static bool find_arms(const IfConvert *c, IrBlkRef b, Arm *then, Arm *other)
+static bool match_arms(const IfConvert *c, IrBlkRef b, Arm *then, Arm *other)
 {
     const IrJump *j = &c->f->blk.at[b].jump;
     bool is_then, is_other;
 
     if (j->kind != IR_BR)
         return false;
-    is_then = read_arm(c, j->then, then);
-    is_other = read_arm(c, j->otherwise, other);
+    is_then = match_arm(c, j->then, then);
+    is_other = match_arm(c, j->otherwise, other);
     if (is_then && then->to == j->otherwise)
         other->n = 0, other->to = then->to, is_other = true;
     else if (is_other && other->to == j->then)
@@ -157,7 +159,7 @@ static bool find_arms(const IfConvert *c, IrBlkRef b, Arm *then, Arm *other)
 // ---- converting ----
 
 // Moves what the arm computes to the end of block b.  The constant `one` of a count becomes the conversion of `cond`: 1 if it is true, else 0.
-static void move_values(IfConvert *c, IrBlkRef b, const Arm *arm, IrRef cond)
+static void move_computations(IfConvert *c, IrBlkRef b, const Arm *arm, IrRef cond)
 {
     IrBlk *from = &c->f->blk.at[arm->blk];
 
@@ -176,37 +178,37 @@ static void move_values(IfConvert *c, IrBlkRef b, const Arm *arm, IrRef cond)
 }
 
 // Moves the stores of booleans, which both arms have: the condition or its negation is stored, unless both arms store the same.
-static void move_truths(IfConvert *c, IrBlkRef b, const Arm *then, const Arm *other, IrRef cond, IrRef negated)
+static void move_bool_stores(IfConvert *c, IrBlkRef b, const Arm *then, const Arm *other, IrRef cond, IrRef negated)
 {
     for (unsigned i = 0; i < then->n; i++) {
         const ArmStore *s = &then->at[i];
         if (s->one != IR_NONE)
             continue;
-        if (find_store(other, s->var)->truth != s->truth)
-            c->f->ins.at[s->store].a = s->truth ? cond : negated;
+        if (find_store(other, s->var)->stored_bool != s->stored_bool)
+            c->f->ins.at[s->store].a = s->stored_bool ? cond : negated;
         vec_push(c->arena, &c->f->blk.at[b].ins, s->store);
     }
 }
 
-static void move_counts(IfConvert *c, IrBlkRef b, const Arm *arm)
+static void move_count_stores(IfConvert *c, IrBlkRef b, const Arm *arm)
 {
     for (unsigned i = 0; i < arm->n; i++)
         if (arm->at[i].one != IR_NONE)
             vec_push(c->arena, &c->f->blk.at[b].ins, arm->at[i].store);
 }
 
-static void convert(IfConvert *c, IrBlkRef b, const Arm *then, const Arm *other)
+static void convert_branch(IfConvert *c, IrBlkRef b, const Arm *then, const Arm *other)
 {
     const IrRef cond = c->f->blk.at[b].jump.cond;
     const IrIns negation = {.op = IR_not, .type = SM_BOOL, .a = cond, .b = IR_NONE, .span = c->f->ins.at[cond].span};
     const IrRef negated = ir_emit(c->arena, c->f, b, negation);
     IrJump *j;
 
-    move_values(c, b, then, cond);
-    move_values(c, b, other, negated);
-    move_truths(c, b, then, other, cond, negated);
-    move_counts(c, b, then);
-    move_counts(c, b, other);
+    move_computations(c, b, then, cond);
+    move_computations(c, b, other, negated);
+    move_bool_stores(c, b, then, other, cond, negated);
+    move_count_stores(c, b, then);
+    move_count_stores(c, b, other);
     j = &c->f->blk.at[b].jump;
     j->kind = then->to == IR_NONE ? IR_RET : IR_JMP;
     j->then = then->to;
@@ -219,6 +221,6 @@ void pass_if_convert(Arena *arena, IrFn *f, Facts *facts)
     Arm then, other;
 
     for (IrBlkRef b = (IrBlkRef)f->blk.n; b-- > 0;)
-        if (c.preds[b] > 0 && find_arms(&c, b, &then, &other))       // an unreachable block must not take arms from others
-            convert(&c, b, &then, &other);
+        if (c.preds[b] > 0 && match_arms(&c, b, &then, &other))      // an unreachable block must not take arms from others
+            convert_branch(&c, b, &then, &other);
 }

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // known: simplifies with facts about values.  An operation that has only one possible result becomes a constant: a comparison with a
 // known result, a guard that an earlier guard implies, a local with one possible value.  An operation that never changes its operand
-// is bypassed: removing NaN where none occurs, rounding of whole numbers, limits that are never reached.
-// Needs values; breaks uses.
+// is bypassed: replacing NaN where none occurs, rounding of whole numbers, limits that are never reached.
+// Needs values; invalidates use counts.
 #include "compiler/facts/facts.h"
 #include "compiler/passes/pass.h"
 #include "stdlib/convert.h"
 
 typedef struct KnownPass {
     IrFn *f;
-    const Fact *of;
+    const Fact *of;       // by temporary: its possible values
     IrRef *same;          // by temporary: another with the same value, or itself
 } KnownPass;
 
-static bool is_whole_or_infinite(const IrIns *i) { return i->op == IR_floor || i->op == IR_ceil || i->op == IR_trunc || i->op == IR_round; }
+static bool is_rounding(const IrIns *i) { return i->op == IR_floor || i->op == IR_ceil || i->op == IR_trunc || i->op == IR_round; }
 
 static bool is_never_negative(Fact a) { return a.lo >= 0 && !a.minus_zero; }
 
 // The operand that a min or max always returns, or IR_NONE.  The bounds must not touch, because -0 and +0 differ, and neither operand
 // may be NaN.
-static IrRef decided_extreme(const IrIns *i, Fact a, Fact b)
+static IrRef decided_min_max_operand(const IrIns *i, Fact a, Fact b)
 {
     const Fact low = i->op == IR_min ? a : b, high = i->op == IR_min ? b : a;
 
@@ -30,30 +30,30 @@ static IrRef decided_extreme(const IrIns *i, Fact a, Fact b)
     return high.hi < low.lo ? i->b : IR_NONE;
 }
 
-// The operand that i always returns unchanged, or IR_NONE.
-static IrRef unchanged(const KnownPass *k, const IrIns *i)
+// The operand that always equals the result of i, or IR_NONE.
+static IrRef unchanged_operand(const KnownPass *k, const IrIns *i)
 {
     const Fact a = k->of[i->a];
 
     if (i->op == IR_cvt)
         return i->type == SM_F64 && k->f->ins.at[i->a].type == SM_F64 && !a.nan ? i->a : IR_NONE;
-    if (is_whole_or_infinite(i))
+    if (is_rounding(i))
         return a.whole ? i->a : IR_NONE;                         // these do not change NaN and -0 either
     if (i->op == IR_abs)
         return is_never_negative(a) ? i->a : IR_NONE;            // the sign of a NaN is not observable
     if (i->op == IR_min || i->op == IR_max)
-        return decided_extreme(i, a, k->of[i->b]);
+        return decided_min_max_operand(i, a, k->of[i->b]);
     return IR_NONE;
 }
 
-static void become_number(IrIns *i, double x)
+static void replace_by_number(IrIns *i, double x)
 {
     i->op = IR_const;
     i->a = i->b = IR_NONE;
     i->bits = i->type == SM_F64 ? sm_bits(x) : sm_cell_from_f64(i->type, x);
 }
 
-static void rewrite(KnownPass *k, IrRef ref)
+static void rewrite_ins(KnownPass *k, IrRef ref)
 {
     IrIns *i = &k->f->ins.at[ref];
     const uint8_t operands = ir_op_info[i->op].operands;
@@ -68,8 +68,8 @@ static void rewrite(KnownPass *k, IrRef ref)
     if (ir_op_info[i->op].effect || i->op == IR_const)
         return;
     if (fact_is_number(k->of[ref], &x) && (sm_type_info[i->type].bytes < 8 || i->type == SM_F64 || fact_within(k->of[ref], -FACT_EXACT, FACT_EXACT)))
-        become_number(i, x);
-    else if (operands > 0 && (same = unchanged(k, i)) != IR_NONE)
+        replace_by_number(i, x);
+    else if (operands > 0 && (same = unchanged_operand(k, i)) != IR_NONE)
         k->same[ref] = same;
 }
 
@@ -81,7 +81,7 @@ static void rewrite_function(Arena *arena, FactMachine *fm, IrFn *f, const Env *
     for (size_t b = 0; b < f->blk.n; b++) {
         IrBlk *blk = &f->blk.at[b];
         for (size_t i = 0; flow.reached[b] && i < blk->ins.n; i++)
-            rewrite(&k, blk->ins.at[i]);
+            rewrite_ins(&k, blk->ins.at[i]);
         if (flow.reached[b] && blk->jump.kind == IR_BR)
             blk->jump.cond = k.same[blk->jump.cond];
     }

@@ -4,29 +4,29 @@
 //   A hidden local that is never loaded needs no stores.
 //   A hidden local that is only loaded after a store in the same block needs no memory: its loads are replaced by the stored value.
 // A stored value is never NaN and is of the variable's type, so loading it returns the same bits (ir.h).  Loads whose results are
-// unused count as reads: run dce before.  Needs nothing; breaks uses.
+// unused count as reads: run dce before.  Needs nothing; invalidates use counts.
 #include "compiler/passes/pass.h"
 
-typedef struct Local {
+typedef struct LocalUse {
     bool stored, loaded;
     bool exposed;             // a load may read the value of an earlier block or step, or a stored temporary cannot replace its loads
-    uint32_t block;           // the last block that stored to it, and the stored temporary
-    IrRef held;
-} Local;
+    uint32_t block;           // the last block that stored to it
+    IrRef stored_temp;        // the temporary that the last store stored
+} LocalUse;
 
-typedef struct Locals {
+typedef struct LocalsPass {
     IrMachine *m;
-    Local *at;                // by variable
+    LocalUse *at;             // by variable
     uint32_t block;           // the current block; counts all blocks of the machine from 1
     IrRef *same;              // by instruction of a function: the temporary that its users must name
-} Locals;
+} LocalsPass;
 
 // A user may only read the F32 conversion of an operation narrowed to F32 (ir.h).  A store does so; readers of the local may not.
 static bool is_f32_operation(const IrIns *i) { return i->type == SM_F32 && ir_op_info[i->op].types == IR_T_SAME; }
 
-static void note_ins(Locals *l, const IrFn *f, const IrIns *i)
+static void note_access(LocalsPass *l, const IrFn *f, const IrIns *i)
 {
-    Local *v = &l->at[i->var];
+    LocalUse *v = &l->at[i->var];
 
     if (i->op == IR_store) {
         v->stored = true;
@@ -38,44 +38,45 @@ static void note_ins(Locals *l, const IrFn *f, const IrIns *i)
     }
 }
 
-static void note_function(Locals *l, const IrFn *f)
+static void note_function(LocalsPass *l, const IrFn *f)
 {
     for (size_t b = 0; b < f->blk.n; b++) {
         l->block++;
         for (size_t p = 0; p < f->blk.at[b].ins.n; p++) {
             const IrIns *i = &f->ins.at[f->blk.at[b].ins.at[p]];
             if (i->op == IR_store || i->op == IR_load)
-                note_ins(l, f, i);
+                note_access(l, f, i);
         }
     }
 }
 
-static bool is_constant(const Locals *l, uint32_t var)
+static bool is_constant(const LocalsPass *l, uint32_t var)
 {
     const IrVar *v = &l->m->var.at[var];
 
     return v->space == IR_LOCAL && !v->outside && !l->at[var].stored;
 }
 
-static bool needs_no_memory(const Locals *l, uint32_t var)
+static bool needs_no_memory(const LocalsPass *l, uint32_t var)
 {
     return l->m->var.at[var].hidden && !l->at[var].exposed;
 }
 
-// False if the instruction can be dropped.
-static bool visit_load(Locals *l, IrIns *i, IrRef ref)
+// Returns false if the load can be dropped.
+static bool visit_load(LocalsPass *l, IrIns *i, IrRef ref)
 {
     if (is_constant(l, i->var)) {
         i->op = IR_const;
         i->bits = l->m->var.at[i->var].init;
     } else if (needs_no_memory(l, i->var)) {
-        l->same[ref] = l->at[i->var].held;
+        l->same[ref] = l->at[i->var].stored_temp;
         return false;
     }
     return true;
 }
 
-static bool visit_instruction(Locals *l, IrFn *f, IrRef ref)
+// Returns false if the instruction can be dropped.
+static bool visit_instruction(LocalsPass *l, IrFn *f, IrRef ref)
 {
     IrIns *i = &f->ins.at[ref];
 
@@ -88,11 +89,11 @@ static bool visit_instruction(Locals *l, IrFn *f, IrRef ref)
         return visit_load(l, i, ref);
     if (i->op != IR_store || !needs_no_memory(l, i->var))
         return true;
-    l->at[i->var].held = i->a;
+    l->at[i->var].stored_temp = i->a;
     return false;
 }
 
-static void clean_function(Arena *arena, Locals *l, IrFn *f)
+static void remove_accesses(Arena *arena, LocalsPass *l, IrFn *f)
 {
     l->same = ARENA_ARRAY(arena, IrRef, f->ins.n);
     for (size_t b = 0; b < f->blk.n; b++) {
@@ -107,7 +108,7 @@ static void clean_function(Arena *arena, Locals *l, IrFn *f)
     }
 }
 
-static bool has_something_to_do(const Locals *l)
+static bool has_removable_access(const LocalsPass *l)
 {
     for (uint32_t v = 0; v < l->m->var.n; v++)
         if ((is_constant(l, v) && l->at[v].loaded) || (needs_no_memory(l, v) && l->at[v].stored))
@@ -117,7 +118,7 @@ static bool has_something_to_do(const Locals *l)
 
 void pass_locals(Arena *arena, IrMachine *m, FactMachine *values)
 {
-    Locals l = {m, ARENA_ARRAY(arena, Local, m->var.n), 0, NULL};
+    LocalsPass l = {m, ARENA_ARRAY(arena, LocalUse, m->var.n), 0, NULL};
 
     (void)values;
     if (m->sample)
@@ -126,12 +127,12 @@ void pass_locals(Arena *arena, IrMachine *m, FactMachine *values)
         for (int k = 0; k < BLOCK_COUNT; k++)
             if (m->state.at[s].block[k])
                 note_function(&l, m->state.at[s].block[k]);
-    if (!has_something_to_do(&l))
+    if (!has_removable_access(&l))
         return;
     if (m->sample)
-        clean_function(arena, &l, m->sample);
+        remove_accesses(arena, &l, m->sample);
     for (size_t s = 0; s < m->state.n; s++)
         for (int k = 0; k < BLOCK_COUNT; k++)
             if (m->state.at[s].block[k])
-                clean_function(arena, &l, m->state.at[s].block[k]);
+                remove_accesses(arena, &l, m->state.at[s].block[k]);
 }

@@ -8,7 +8,7 @@
 //   comparisons         see narrow_compare.c
 //   conversions         of a number that also exists in a narrower type: from that type
 //   windows             store samples in the narrowest type that represents all of them
-// Needs values; breaks uses.  dce removes the operations that become unused.
+// Needs values; invalidates use counts.  dce removes the operations that become unused.
 #include "compiler/passes/narrow.h"
 
 #include <string.h>
@@ -48,13 +48,14 @@ bool narrow_is_const(const Narrow *n, IrRef r, double *x)
     return !sm_is_nan(*x);
 }
 
-// ---- where -0 and 0 are distinguishable ----
+// ---- where the difference between -0 and 0 is observable ----
 
-static void mark_zero_sign(Narrow *n, IrRef r, bool is_observable) { n->zero_sign[r] |= is_observable; }
+static void mark_zero_sign(Narrow *n, IrRef r, bool is_observable) { n->zero_sign_observable[r] |= is_observable; }
 
 static bool can_be_zero(Fact a) { return a.lo <= 0 && a.hi >= 0; }
 
-static void mark_zero_signs_of_two(Narrow *n, const IrIns *i, bool of_result)
+// Marks the operands of i whose sign of zero is observable.  `of_result`: whether that of the result is.
+static void mark_binary_zero_signs(Narrow *n, const IrIns *i, bool of_result)
 {
     const Fact a = n->of[i->a], b = n->of[i->b];
 
@@ -73,17 +74,16 @@ static void mark_zero_signs_of_two(Narrow *n, const IrIns *i, bool of_result)
     }
 }
 
-
 static void mark_operand_zero_signs(Narrow *n, IrRef ref)
 {
     const IrIns *i = narrow_ins(n, ref);
 
     if (ir_op_info[i->op].operands == 2)
-        mark_zero_signs_of_two(n, i, n->zero_sign[ref]);
+        mark_binary_zero_signs(n, i, n->zero_sign_observable[ref]);
     else if (i->op == IR_store || i->op == IR_sample)
         mark_zero_sign(n, i->a, true);
     else if (ir_op_info[i->op].operands == 1)
-        mark_zero_sign(n, i->a, n->zero_sign[ref] && ir_is_float(i->type) && i->op != IR_abs);
+        mark_zero_sign(n, i->a, n->zero_sign_observable[ref] && ir_is_float(i->type) && i->op != IR_abs);
 }
 
 // ---- integers ----
@@ -102,12 +102,12 @@ bool narrow_has_integer(const Narrow *n, IrRef r)
 
 static bool fits_i32(const Narrow *n, IrRef r) { return r == IR_NONE || fact_within(n->of[r], INT32_MIN, INT32_MAX); }
 
-SmType narrow_common(const Narrow *n, IrRef r, IrRef a, IrRef b)
+SmType narrow_common_integer(const Narrow *n, IrRef r, IrRef a, IrRef b)
 {
     return fits_i32(n, r) && fits_i32(n, a) && fits_i32(n, b) ? SM_I32 : SM_I64;
 }
 
-static IrRef make_integer(Narrow *n, IrRef r, SmType type)
+static IrRef emit_integer(Narrow *n, IrRef r, SmType type)
 {
     const Span span = narrow_ins(n, r)->span;
     const IrRef from = n->narrow[r];
@@ -120,12 +120,12 @@ static IrRef make_integer(Narrow *n, IrRef r, SmType type)
     return narrow_emit(n, make_ins(IR_cvt, type, from, IR_NONE, span));
 }
 
-IrRef narrow_integer(Narrow *n, IrRef r, SmType type)
+IrRef narrow_get_integer(Narrow *n, IrRef r, SmType type)
 {
     IrRef *made = type == SM_I32 ? &n->as_i32[r] : &n->as_i64[r];
 
     if (*made == IR_NONE)
-        *made = make_integer(n, r, type);
+        *made = emit_integer(n, r, type);
     return *made;
 }
 
@@ -135,7 +135,7 @@ static bool is_integer_result(const Narrow *n, IrRef ref)
 {
     const Fact r = n->of[ref];
 
-    return r.whole && fact_within(r, -FACT_EXACT + 1, FACT_EXACT - 1) && !(r.minus_zero && n->zero_sign[ref]);
+    return r.whole && fact_within(r, -FACT_EXACT + 1, FACT_EXACT - 1) && !(r.minus_zero && n->zero_sign_observable[ref]);
 }
 
 // Emits i, which computes ref's number in a narrower type, and turns ref into a conversion of it.
@@ -153,17 +153,17 @@ static void narrow_to_integer(Narrow *n, IrRef ref)
     if (!(ir_op_info[i.op].narrow & IR_N_INT) || i.type != SM_F64 || !is_integer_result(n, ref) || !narrow_has_integer(n, i.a)
         || (two && !narrow_has_integer(n, i.b)))
         return;
-    i.type = narrow_common(n, ref, i.a, two ? i.b : IR_NONE);
-    i.a = narrow_integer(n, i.a, i.type);
+    i.type = narrow_common_integer(n, ref, i.a, two ? i.b : IR_NONE);
+    i.a = narrow_get_integer(n, i.a, i.type);
     if (two)
-        i.b = narrow_integer(n, i.b, i.type);
+        i.b = narrow_get_integer(n, i.b, i.type);
     replace_by_narrow(n, ref, i);
 }
 
 // ---- F32 ----
 
 // neg and abs of an F32 are exact on F32, for every use of the result.
-static void narrow_sign(Narrow *n, IrRef ref)
+static void narrow_neg_or_abs(Narrow *n, IrRef ref)
 {
     IrIns i = *narrow_ins(n, ref);
 
@@ -174,7 +174,8 @@ static void narrow_sign(Narrow *n, IrRef ref)
     replace_by_narrow(n, ref, i);
 }
 
-static bool has_f32(const Narrow *n, IrRef r, bool *is_variable)
+// Whether r exists as an F32.  Sets *is_variable if r is not a constant.
+static bool match_f32_operand(const Narrow *n, IrRef r, bool *is_variable)
 {
     double x;
 
@@ -184,7 +185,7 @@ static bool has_f32(const Narrow *n, IrRef r, bool *is_variable)
     return n->narrow[r] != IR_NONE && narrow_ins(n, n->narrow[r])->type == SM_F32;
 }
 
-static IrRef as_f32(Narrow *n, IrRef r)
+static IrRef emit_f32_operand(Narrow *n, IrRef r)
 {
     double x;
 
@@ -200,13 +201,13 @@ static void narrow_to_f32(Narrow *n, IrRef cvt)
     bool is_variable = false;
     IrRef f32;
 
-    if (!(ir_op_info[i.op].narrow & IR_N_F32) || i.type != SM_F64 || n->uses[r] != 1 || !has_f32(n, i.a, &is_variable)
-        || (two && !has_f32(n, i.b, &is_variable)) || !is_variable)
+    if (!(ir_op_info[i.op].narrow & IR_N_F32) || i.type != SM_F64 || n->uses[r] != 1 || !match_f32_operand(n, i.a, &is_variable)
+        || (two && !match_f32_operand(n, i.b, &is_variable)) || !is_variable)
         return;
     i.type = SM_F32;
-    i.a = as_f32(n, i.a);
+    i.a = emit_f32_operand(n, i.a);
     if (two)
-        i.b = as_f32(n, i.b);
+        i.b = emit_f32_operand(n, i.b);
     f32 = narrow_emit(n, i);
     narrow_ins(n, cvt)->a = f32;
     if (!n->of[r].nan)
@@ -215,7 +216,8 @@ static void narrow_to_f32(Narrow *n, IrRef cvt)
 
 // ---- conversions ----
 
-static void narrow_to_f64(Narrow *n, IrRef ref)
+// Records that ref, a conversion to F64, has the number of its narrower operand.
+static void record_narrow_source(Narrow *n, IrRef ref)
 {
     const IrRef from = narrow_ins(n, ref)->a;
     const SmType type = narrow_ins(n, from)->type;
@@ -242,12 +244,12 @@ static void narrow_conversion(Narrow *n, IrRef ref)
     else if (i->type == SM_F32)
         narrow_to_f32(n, ref);
     if (narrow_ins(n, ref)->type == SM_F64)
-        narrow_to_f64(n, ref);
+        record_narrow_source(n, ref);
 }
 
 // ---- functions ----
 
-static void narrow_one(Narrow *n, IrRef ref)
+static void narrow_instruction(Narrow *n, IrRef ref)
 {
     IrIns *i = narrow_ins(n, ref);
 
@@ -262,7 +264,7 @@ static void narrow_one(Narrow *n, IrRef ref)
     else if (ir_op_info[i->op].types == IR_T_COMPARE)
         narrow_compare(n, ref);
     else if (ir_op_info[i->op].types == IR_T_SAME) {
-        narrow_sign(n, ref);
+        narrow_neg_or_abs(n, ref);
         narrow_to_integer(n, ref);
     }
     vec_push(n->arena, &n->out, ref);
@@ -275,7 +277,7 @@ static void narrow_block(Narrow *n, IrBlk *blk)
     for (size_t k = blk->ins.n; k-- > 0;)
         mark_operand_zero_signs(n, blk->ins.at[k]);
     for (size_t k = 0; k < blk->ins.n; k++)
-        narrow_one(n, blk->ins.at[k]);
+        narrow_instruction(n, blk->ins.at[k]);
     if (blk->jump.kind == IR_BR)
         blk->jump.cond = n->same[blk->jump.cond];
     blk->ins.at = n->out.at;
@@ -283,7 +285,7 @@ static void narrow_block(Narrow *n, IrBlk *blk)
     blk->ins.cap = n->out.cap;
 }
 
-static IrRef *no_refs(Arena *arena, size_t count)
+static IrRef *new_empty_refs(Arena *arena, size_t count)
 {
     IrRef *r = ARENA_ARRAY(arena, IrRef, count);
 
@@ -300,11 +302,11 @@ static void narrow_function(Arena *arena, FactMachine *fm, IrFn *f, const Env *b
     n.same = ARENA_ARRAY(arena, IrRef, temps);
     for (size_t r = 0; r < temps; r++)
         n.same[r] = (IrRef)r;
-    n.narrow = no_refs(arena, temps);
-    n.wide = no_refs(arena, temps);
-    n.as_i32 = no_refs(arena, temps);
-    n.as_i64 = no_refs(arena, temps);
-    n.zero_sign = ARENA_ARRAY(arena, bool, temps);
+    n.narrow = new_empty_refs(arena, temps);
+    n.wide = new_empty_refs(arena, temps);
+    n.as_i32 = new_empty_refs(arena, temps);
+    n.as_i64 = new_empty_refs(arena, temps);
+    n.zero_sign_observable = ARENA_ARRAY(arena, bool, temps);
     for (size_t b = 0; b < f->blk.n; b++)
         if (flow.reached[b])
             narrow_block(&n, &f->blk.at[b]);
@@ -312,7 +314,7 @@ static void narrow_function(Arena *arena, FactMachine *fm, IrFn *f, const Env *b
 
 // ---- windows ----
 
-static SmType narrowest(Fact sample)
+static SmType narrowest_window_type(Fact sample)
 {
     static const SmType whole[] = {SM_U8, SM_I8, SM_U16, SM_I16, SM_I32, SM_U32};
 
@@ -325,6 +327,6 @@ static SmType narrowest(Fact sample)
 void pass_narrow(Arena *arena, IrMachine *m, FactMachine *values)
 {
     for (uint32_t w = 0; w < m->window.n; w++)
-        m->window.at[w].type = narrowest(facts_of_window(values, w));
+        m->window.at[w].type = narrowest_window_type(facts_of_window(values, w));
     pass_on_each_function(arena, m, values, narrow_function);
 }

@@ -7,7 +7,7 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-static void become_compare(Narrow *n, IrRef ref, IrOp op, IrRef a, IrRef b)
+static void replace_compare(Narrow *n, IrRef ref, IrOp op, IrRef a, IrRef b)
 {
     IrIns *i = narrow_ins(n, ref);
 
@@ -35,9 +35,10 @@ static void compare_bool(Narrow *n, IrRef ref, IrOp op, IrRef flag, double c)
 
 // The operator for which comparing x with `below` has the same result as `x op c`.  c is not a number of the type; `below` is the
 // largest number of the type below c.
-static IrOp beside(IrOp op) { return op == IR_lt || op == IR_le ? IR_le : IR_gt; }
+static IrOp op_for_lower_bound(IrOp op) { return op == IR_lt || op == IR_le ? IR_le : IR_gt; }
 
-static void compare_at(Narrow *n, IrRef ref, IrOp op, IrRef x, double c, double below)
+// Replaces `x op c` by a comparison of x with `below`, the largest number of its type that is not above c.
+static void compare_with_lower_bound(Narrow *n, IrRef ref, IrOp op, IrRef x, double c, double below)
 {
     const SmType type = narrow_ins(n, x)->type;
     IrRef constant;
@@ -45,7 +46,7 @@ static void compare_at(Narrow *n, IrRef ref, IrOp op, IrRef x, double c, double 
     if (below != c && ir_is_equality(op))
         return;
     constant = narrow_const(n, type, below, narrow_ins(n, ref)->span);
-    become_compare(n, ref, below == c ? op : beside(op), x, constant);
+    replace_compare(n, ref, below == c ? op : op_for_lower_bound(op), x, constant);
 }
 
 static void compare_integer(Narrow *n, IrRef ref, IrOp op, IrRef x, double c)
@@ -54,7 +55,7 @@ static void compare_integer(Narrow *n, IrRef ref, IrOp op, IrRef x, double c)
     const Fact type = fact_of_type(narrow_ins(n, x)->type);
 
     if (below >= type.lo && below <= type.hi && sm_abs(below) < FACT_EXACT)
-        compare_at(n, ref, op, x, c, below);
+        compare_with_lower_bound(n, ref, op, x, c, below);
 }
 
 static void compare_f32(Narrow *n, IrRef ref, IrOp op, IrRef x, double c)
@@ -63,10 +64,10 @@ static void compare_f32(Narrow *n, IrRef ref, IrOp op, IrRef x, double c)
     double below = sm_from_f32(near);
 
     if (below > c) {
-        const uint32_t u = sm_f32_bits(near);         // one step down
+        const uint32_t u = sm_f32_bits(near);         // the next smaller F32
         below = sm_from_f32(sm_f32_from_bits(below > 0 ? u - 1 : u + 1));
     }
-    compare_at(n, ref, op, x, c, below);
+    compare_with_lower_bound(n, ref, op, x, c, below);
 }
 
 static void compare_constant(Narrow *n, IrRef ref, IrOp op, IrRef r, double c)
@@ -82,7 +83,7 @@ static void compare_constant(Narrow *n, IrRef ref, IrOp op, IrRef r, double c)
         compare_integer(n, ref, op, x, c);
 }
 
-static void compare_two(Narrow *n, IrRef ref)
+static void compare_temporaries(Narrow *n, IrRef ref)
 {
     const IrIns i = *narrow_ins(n, ref);
     IrRef a = n->narrow[i.a], b = n->narrow[i.b];
@@ -90,13 +91,13 @@ static void compare_two(Narrow *n, IrRef ref)
     if (a == IR_NONE || b == IR_NONE)
         return;
     if (narrow_ins(n, a)->type != narrow_ins(n, b)->type) {
-        const SmType common = narrow_common(n, IR_NONE, i.a, i.b);
+        const SmType common = narrow_common_integer(n, IR_NONE, i.a, i.b);
         if (!narrow_has_integer(n, i.a) || !narrow_has_integer(n, i.b))
             return;
-        a = narrow_integer(n, i.a, common);
-        b = narrow_integer(n, i.b, common);
+        a = narrow_get_integer(n, i.a, common);
+        b = narrow_get_integer(n, i.b, common);
     }
-    become_compare(n, ref, i.op, a, b);
+    replace_compare(n, ref, i.op, a, b);
 }
 
 void narrow_compare(Narrow *n, IrRef ref)
@@ -109,7 +110,7 @@ void narrow_compare(Narrow *n, IrRef ref)
     if (narrow_is_const(n, i.b, &c))
         compare_constant(n, ref, i.op, i.a, c);
     else if (narrow_is_const(n, i.a, &c))
-        compare_constant(n, ref, ir_swap_comparison(i.op), i.b, c);
+        compare_constant(n, ref, ir_swapped_comparison(i.op), i.b, c);
     else
-        compare_two(n, ref);
+        compare_temporaries(n, ref);
 }

@@ -6,8 +6,8 @@
 #include "compiler/passes/pass.h"
 
 const PassInfo pass_info[PASS_COUNT] = {
-#define PASS(name, needs, breaks, sentence) {#name, needs, breaks, sentence, pass_##name, NULL},
-#define PASS_MACHINE(name, needs, breaks, sentence) {#name, needs, breaks, sentence, NULL, pass_##name},
+#define PASS(name, needs, invalidates, sentence) {#name, needs, invalidates, sentence, pass_##name, NULL},
+#define PASS_MACHINE(name, needs, invalidates, sentence) {#name, needs, invalidates, sentence, NULL, pass_##name},
 #define RUN(level, name)
 #define RUN_FOR_C(name)
 #include "compiler/passes/passes.def"
@@ -20,8 +20,8 @@ const PassInfo pass_info[PASS_COUNT] = {
 typedef struct PassRun { int level; PassId pass; } PassRun;
 
 static const PassRun runs[] = {
-#define PASS(name, needs, breaks, sentence)
-#define PASS_MACHINE(name, needs, breaks, sentence)
+#define PASS(name, needs, invalidates, sentence)
+#define PASS_MACHINE(name, needs, invalidates, sentence)
 #define RUN(level, name) {level, PASS_##name},
 #define RUN_FOR_C(name)
 #include "compiler/passes/passes.def"
@@ -32,8 +32,8 @@ static const PassRun runs[] = {
 };
 
 static const PassId runs_for_c[] = {
-#define PASS(name, needs, breaks, sentence)
-#define PASS_MACHINE(name, needs, breaks, sentence)
+#define PASS(name, needs, invalidates, sentence)
+#define PASS_MACHINE(name, needs, invalidates, sentence)
 #define RUN(level, name)
 #define RUN_FOR_C(name) PASS_##name,
 #include "compiler/passes/passes.def"
@@ -69,7 +69,7 @@ const PassInfo *pass_find(const char *name)
 
 void notes_begin_block(VarNotes *n) { n->block++; }
 
-VarNote *notes_of(VarNotes *n, uint32_t var)
+VarNote *note_on_variable(VarNotes *n, uint32_t var)
 {
     VarNote *note = &n->at[var];
 
@@ -102,7 +102,7 @@ static void run_on_function(PassRunner *r, const PassInfo *pass, IrFn *f, Facts 
         facts->valid |= FACT_USES;
     }
     pass->on_function(r->arena, f, facts);
-    facts->valid &= ~pass->breaks;
+    facts->valid &= ~pass->invalidates;
 }
 
 static void run_on_functions(PassRunner *r, const PassInfo *pass)
@@ -123,11 +123,11 @@ static void run_on_machine(PassRunner *r, const PassInfo *pass)
         r->values = facts_of_machine(r->arena, r->m);
     pass->on_machine(r->arena, r->m, pass->needs & FACT_VALUES ? r->values : NULL);
     for (size_t f = 0; f < functions; f++)
-        r->facts[f].valid &= ~pass->breaks;
+        r->facts[f].valid &= ~pass->invalidates;
 }
 
-// Whether the use counts of a function are correct, if they are marked valid.
-static bool are_uses_right(PassRunner *r, const IrFn *f, const Facts *facts)
+// Whether the stored use counts of a function are correct.  Counts that are not marked valid need not be.
+static bool are_use_counts_correct(PassRunner *r, const IrFn *f, const Facts *facts)
 {
     const uint32_t *uses;
 
@@ -141,22 +141,22 @@ static bool are_uses_right(PassRunner *r, const IrFn *f, const Facts *facts)
     return true;
 }
 
-static bool are_all_uses_right(PassRunner *r)
+static bool are_all_use_counts_correct(PassRunner *r)
 {
     const Facts *facts = r->facts;
-    bool hold = are_uses_right(r, r->m->sample, facts++);
+    bool hold = are_use_counts_correct(r, r->m->sample, facts++);
 
     for (size_t s = 0; s < r->m->state.n; s++)
         for (int k = 0; k < BLOCK_COUNT; k++)
-            hold = are_uses_right(r, r->m->state.at[s].block[k], facts++) && hold;
+            hold = are_use_counts_correct(r, r->m->state.at[s].block[k], facts++) && hold;
     return hold;
 }
 
-static const char *check_machine(PassRunner *r, const char *when)
+static const char *verify_machine(PassRunner *r, const char *when)
 {
     const char *wrong = r->o->verify ? ir_verify(r->arena, r->m) : NULL;
 
-    if (!wrong && r->o->verify && !are_all_uses_right(r))
+    if (!wrong && r->o->verify && !are_all_use_counts_correct(r))
         wrong = "its use counts are wrong";
     return wrong ? format_in(r->arena, "%s: %s", when, wrong) : NULL;
 }
@@ -167,14 +167,14 @@ static const char *run_pass(PassRunner *r, const PassInfo *pass)
         run_on_functions(r, pass);
     else
         run_on_machine(r, pass);
-    if (pass->breaks & FACT_VALUES)
+    if (pass->invalidates & FACT_VALUES)
         r->values = NULL;
     if (r->o->after)
         r->o->after(r->o->context, pass, r->m);
-    return check_machine(r, pass->name);
+    return verify_machine(r, pass->name);
 }
 
-static const char *run_named(PassRunner *r, const char *list)
+static const char *run_listed_passes(PassRunner *r, const char *list)
 {
     const char *wrong = NULL;
 
@@ -208,17 +208,17 @@ const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o)
     const char *wrong;
 
     prepare_facts(&r);
-    wrong = check_machine(&r, "before the first pass");
+    wrong = verify_machine(&r, "before the first pass");
     if (!wrong && o->only)
-        return run_named(&r, o->only);
+        return run_listed_passes(&r, o->only);
     for (size_t p = 0; !wrong && p < sizeof runs / sizeof runs[0]; p++)
         if (runs[p].level <= o->level)
             wrong = run_pass(&r, &pass_info[runs[p].pass]);
     return wrong;
 }
 
-// The values are found before the passes run.  They stay true, because passes preserve the meaning of the machine.  Afterwards less would be
-// found: without its branch, the limit of a counter is no longer a guard.
+// Computes the values before the passes run.  They stay true, because passes preserve the meaning of the machine.  Computed afterwards
+// they would be less precise: if_convert removes the branches whose guards limit counters.
 IrMachine *passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o)
 {
     static const PassOptions none = {0};

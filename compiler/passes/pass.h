@@ -8,33 +8,33 @@
 #include "compiler/facts/facts.h"
 #include "compiler/ir/ir.h"
 
-// What pass.c can compute about a function for passes that need it.
+// Facts that pass.c computes for the passes that need them.
 enum {
     FACT_NONE = 0,
     FACT_USES = 1,        // how many operands and jumps name each instruction
-    FACT_VALUES = 2       // possible values (compiler/facts), for the machine.  A pass that renumbers variables or windows invalidates them
+    FACT_VALUES = 2       // possible values (compiler/facts) in the whole machine.  A pass that renumbers variables or windows invalidates them
 };
 
 // A pass's notes about each variable while it walks a block.  One table serves all functions, because a machine may have as many
 // states as variables.  notes_begin_block empties all notes at once.
 typedef struct VarNote {
     uint32_t block;       // the block in which the note was made, counted by VarNotes.block
-    IrRef ref, load;
-    bool stored;
+    IrRef ref, load;      // cse: the value number of its value; the load that replaces later loads of it
+    bool stored;          // a store was visited (dse: and no load since)
 } VarNote;
 
 typedef struct VarNotes {
     VarNote *at;          // by variable
-    uint32_t block;       // counts blocks; the current one
+    uint32_t block;       // number of the current block, counted over all functions
 } VarNotes;
 
 void notes_begin_block(VarNotes *n);
-VarNote *notes_of(VarNotes *n, uint32_t var);         // empty (IR_NONE, false) if nothing was noted in this block
+VarNote *note_on_variable(VarNotes *n, uint32_t var);  // empty (IR_NONE, false) if nothing was noted in this block
 
 typedef struct Facts {
     unsigned valid;       // which facts are valid: FACT_USES or nothing
     uint32_t *uses;       // by instruction
-    const IrMachine *m;   // whose function it is
+    const IrMachine *m;   // the machine that the function belongs to
     VarNotes *notes;      // free for use by a pass
     bool soft;            // PassOptions.soft
 } Facts;
@@ -45,15 +45,15 @@ typedef void PassMachineFn(Arena *arena, IrMachine *m, FactMachine *values);    
 
 typedef struct PassInfo {
     const char *name;
-    unsigned needs, breaks;
-    const char *sentence;
-    PassFn *on_function;              // one of the two
+    unsigned needs, invalidates;      // sets of FACT_…
+    const char *sentence;             // what it does
+    PassFn *on_function;              // the other one is NULL
     PassMachineFn *on_machine;
 } PassInfo;
 
 typedef enum PassId {
-#define PASS(name, needs, breaks, sentence) PASS_##name,
-#define PASS_MACHINE(name, needs, breaks, sentence) PASS_##name,
+#define PASS(name, needs, invalidates, sentence) PASS_##name,
+#define PASS_MACHINE(name, needs, invalidates, sentence) PASS_##name,
 #define RUN(level, name)
 #define RUN_FOR_C(name)
 #include "compiler/passes/passes.def"
@@ -85,14 +85,14 @@ const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o);
 // m is unchanged and can become an image.  `o` may be NULL; `level` and `only` are ignored.
 IrMachine *passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o);
 
-// Calls `pass` for each function of m, with the facts when it begins.
+// Calls `pass` for each function of m, with the facts that are true when it begins.
 typedef void PassValuesFn(Arena *arena, FactMachine *values, IrFn *f, const Env *begin);
 void pass_on_each_function(Arena *arena, IrMachine *m, FactMachine *values, PassValuesFn *pass);
 
 // ---- the passes, each in its own file ----
 
-#define PASS(name, needs, breaks, sentence) void pass_##name(Arena *arena, IrFn *f, Facts *facts);
-#define PASS_MACHINE(name, needs, breaks, sentence) void pass_##name(Arena *arena, IrMachine *m, FactMachine *values);
+#define PASS(name, needs, invalidates, sentence) void pass_##name(Arena *arena, IrFn *f, Facts *facts);
+#define PASS_MACHINE(name, needs, invalidates, sentence) void pass_##name(Arena *arena, IrMachine *m, FactMachine *values);
 #define RUN(level, name)
 #define RUN_FOR_C(name)
 #include "compiler/passes/passes.def"

@@ -6,10 +6,11 @@
 //   a block whose single predecessor has it as its only successor is merged into that predecessor
 //   unreachable blocks are dropped
 // Conditionals stay properly nested, because no path is added and paths only become shorter.
-// Needs nothing; breaks uses, because conditions lose their user.
+// Needs nothing; invalidates use counts, because conditions lose their user.
 #include "compiler/passes/pass.h"
 
-static void turn_branch(const IrFn *f, IrJump *j)
+// Replaces a branch on `not c` by a branch on c with its targets swapped.
+static void remove_negations(const IrFn *f, IrJump *j)
 {
     while (f->ins.at[j->cond].op == IR_not) {
         IrBlkRef then = j->then;
@@ -25,7 +26,7 @@ static void decide_branch(const IrFn *f, IrJump *j)
 
     if (j->kind != IR_BR)
         return;
-    turn_branch(f, j);
+    remove_negations(f, j);
     cond = &f->ins.at[j->cond];
     if (cond->op == IR_const && cond->bits == 0)
         j->then = j->otherwise;
@@ -38,21 +39,21 @@ static void decide_branch(const IrFn *f, IrJump *j)
 // Walks from the last block to the first.  The final target of a jump to any later block is then already known.
 static void shorten_jumps(Arena *arena, IrFn *f)
 {
-    IrBlkRef *leads_to = ARENA_ARRAY(arena, IrBlkRef, f->blk.n);
+    IrBlkRef *final_target = ARENA_ARRAY(arena, IrBlkRef, f->blk.n);
 
     for (size_t b = f->blk.n; b-- > 0;) {
         IrJump *j = &f->blk.at[b].jump;
         if (j->kind == IR_JMP || j->kind == IR_BR)
-            j->then = leads_to[j->then];
+            j->then = final_target[j->then];
         if (j->kind == IR_BR)
-            j->otherwise = leads_to[j->otherwise];
+            j->otherwise = final_target[j->otherwise];
         decide_branch(f, j);
-        leads_to[b] = j->kind == IR_JMP && f->blk.at[b].ins.n == 0 ? j->then : (IrBlkRef)b;
+        final_target[b] = j->kind == IR_JMP && f->blk.at[b].ins.n == 0 ? j->then : (IrBlkRef)b;
     }
 }
 
 // Appends to b the code of successors that have no other predecessor.
-static void join_followers(Arena *arena, IrFn *f, IrBlkRef b, uint32_t *predecessors)
+static void merge_successors(Arena *arena, IrFn *f, IrBlkRef b, uint32_t *predecessors)
 {
     IrBlk *blk = &f->blk.at[b];
 
@@ -94,6 +95,6 @@ void pass_simplify_cfg(Arena *arena, IrFn *f, Facts *facts)
     predecessors = ir_count_edges(arena, f);
     for (IrBlkRef b = 0; b < f->blk.n; b++)
         if (predecessors[b] > 0)
-            join_followers(arena, f, b, predecessors);
+            merge_successors(arena, f, b, predecessors);
     drop_blocks(arena, f, predecessors);
 }

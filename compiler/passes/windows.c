@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// windows: drops statistics that no code reads.  A window without statistics is dropped, with the computation of its sample.  This may
+// windows: drops statistics of rolling windows that no code reads.  A window without statistics is dropped, with the computation of its sample.  This may
 // leave an inner window without statistics, so the sample function is walked backwards.  A window whose samples are all of a type
 // narrower than F64 stores them in that type.
-// Needs nothing; breaks uses.
+// Needs nothing; invalidates use counts.
 #include "compiler/passes/pass.h"
 
-static void note_stats(const IrFn *f, uint32_t *wanted)
+static void collect_read_stats(const IrFn *f, uint32_t *wanted)
 {
     for (size_t b = 0; f && b < f->blk.n; b++)
         for (size_t i = 0; i < f->blk.at[b].ins.n; i++) {
@@ -15,7 +15,7 @@ static void note_stats(const IrFn *f, uint32_t *wanted)
         }
 }
 
-static void use_operands(const IrIns *i, bool *used)
+static void mark_operands_used(const IrIns *i, bool *used)
 {
     if (ir_op_info[i->op].operands > 0)
         used[i->a] = true;
@@ -27,7 +27,7 @@ static void use_operands(const IrIns *i, bool *used)
 static bool is_window_type(SmType t) { return t != SM_I64 && t != SM_U64; }
 
 // Chooses the type in which a window stores its samples: the type before the conversion to F64.  A NaN becomes 0 either way.
-static void choose_type(IrMachine *m, IrFn *f, IrIns *sample)
+static void choose_window_type(IrMachine *m, IrFn *f, IrIns *sample)
 {
     const IrIns *x = &f->ins.at[sample->a];
     IrWindow *w = &m->window.at[sample->var];
@@ -39,7 +39,7 @@ static void choose_type(IrMachine *m, IrFn *f, IrIns *sample)
 }
 
 // Drops from the sample function everything that wanted windows do not need, and records the statistics that their samples need.
-static void clean_samples(Arena *arena, IrMachine *m, uint32_t *wanted)
+static void drop_unused_samples(Arena *arena, IrMachine *m, uint32_t *wanted)
 {
     IrFn *f = m->sample;
     IrBlk *blk = &f->blk.at[0];
@@ -51,8 +51,8 @@ static void clean_samples(Arena *arena, IrMachine *m, uint32_t *wanted)
         if (ins->op == IR_sample ? wanted[ins->var] == 0 : !used[blk->ins.at[i]])
             continue;
         if (ins->op == IR_sample)
-            choose_type(m, f, ins);
-        use_operands(ins, used);
+            choose_window_type(m, f, ins);
+        mark_operands_used(ins, used);
         if (ins->op == IR_stat)
             wanted[ins->var] |= 1u << ins->stat;
         blk->ins.at[--kept] = blk->ins.at[i];
@@ -62,7 +62,7 @@ static void clean_samples(Arena *arena, IrMachine *m, uint32_t *wanted)
     blk->ins.n = n;
 }
 
-static void renumber(IrFn *f, const uint32_t *number)
+static void renumber_windows(IrFn *f, const uint32_t *number)
 {
     for (size_t b = 0; f && b < f->blk.n; b++)
         for (size_t i = 0; i < f->blk.at[b].ins.n; i++) {
@@ -84,10 +84,10 @@ static void drop_windows(Arena *arena, IrMachine *m, const uint32_t *wanted)
             m->window.at[n++].stats = wanted[w];
         }
     m->window.n = n;
-    renumber(m->sample, number);
+    renumber_windows(m->sample, number);
     for (size_t s = 0; s < m->state.n; s++)
         for (int k = 0; k < BLOCK_COUNT; k++)
-            renumber(m->state.at[s].block[k], number);
+            renumber_windows(m->state.at[s].block[k], number);
     if (n == 0)
         m->sample = NULL;
 }
@@ -101,7 +101,7 @@ void pass_windows(Arena *arena, IrMachine *m, FactMachine *values)
         return;
     for (size_t s = 0; s < m->state.n; s++)
         for (int k = 0; k < BLOCK_COUNT; k++)
-            note_stats(m->state.at[s].block[k], wanted);
-    clean_samples(arena, m, wanted);
+            collect_read_stats(m->state.at[s].block[k], wanted);
+    drop_unused_samples(arena, m, wanted);
     drop_windows(arena, m, wanted);
 }

@@ -120,7 +120,7 @@ static IrFn *random_function(Arena *a)
     const uint32_t blocks = 1 + dice(BLOCKS_MAX);
 
     for (uint32_t b = 0; b < blocks; b++)
-        ir_block(a, f);
+        ir_add_block(a, f);
     for (uint32_t b = 0; b < blocks; b++) {
         if (dice(2))
             add_trace(a, f, b);

@@ -104,7 +104,7 @@ static IrRef random_same(Arena *a, IrFn *f, SmType type, unsigned depth)
     const IrOp op = (IrOp)(IR_add + dice(IR_max - IR_add + 1));
     IrRef x, y, r;
 
-    if (!ir_may_be_of(op, type))
+    if (!ir_op_allows_type(op, type))
         return random_leaf(a, f, type);
     x = random_value(a, f, type, depth);
     y = ir_op_info[op].operands > 1 ? random_value(a, f, type, depth) : IR_NONE;
@@ -138,7 +138,7 @@ static IrFn *random_function(Arena *a, Subject *s)
 {
     IrFn *f = ARENA_NEW(a, IrFn);
 
-    ir_block(a, f);
+    ir_add_block(a, f);
     for (uint32_t i = 0; i < RESULTS; i++) {
         const SmType type = s->m.var.at[VAR_OUT + i].type;
         IrRef x = random_value(a, f, type, DEPTH);

@@ -28,7 +28,7 @@ static IrMachine *read(Arena *a, StrPool *strings, const char *text, size_t n)
 
 static void check_postdominators(Arena *a, const IrFn *f)
 {
-    const IrBlkRef *post = f ? ir_postdominators(a, f) : NULL;
+    const IrBlkRef *post = f ? ir_find_postdominators(a, f) : NULL;
 
     for (size_t b = 0; f && b < f->blk.n; b++)
         FUZZ_CHECK(post[b] == IR_NONE || (post[b] > b && post[b] < f->blk.n));

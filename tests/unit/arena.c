@@ -48,7 +48,7 @@ static void test_copies(Arena *a)
 static void test_room(Arena *a)
 {
     for (size_t n = 0; n < 5000; n = n * 2 + 1) {
-        char *p = arena_room(a, n);
+        char *p = arena_alloc_unzeroed(a, n);
         memset(p, 'x', n);
         CHECK(is_zero(arena_alloc(a, 40), 40) && is_zero(arena_alloc(a, 3000), 3000));
         CHECK(n == 0 || (p[0] == 'x' && p[n - 1] == 'x'));
@@ -76,7 +76,7 @@ static void test_nothing(Arena *a)
     arena_free(a);
     CHECK(arena_copy(a, NULL, 0) != NULL);
     arena_free(a);
-    CHECK(arena_room(a, 0) != NULL);
+    CHECK(arena_alloc_unzeroed(a, 0) != NULL);
 }
 
 int main(void)

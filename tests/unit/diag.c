@@ -270,10 +270,10 @@ static void test_steps(void)
     arena_free(&arena);
 }
 
-static DiagPrint print_of(const char *name, const char *text, uint32_t at)
+static DiagFingerprint print_of(const char *name, const char *text, uint32_t at)
 {
     const Source *s = source(name, text, (uint32_t)strlen(text));
-    DiagPrint p;
+    DiagFingerprint p;
 
     diags_init(&diags, &arena);
     diag_report(&diags, DIAG_annotation_above, (Span){s, at, 1}, "x", "y");
@@ -284,7 +284,7 @@ static DiagPrint print_of(const char *name, const char *text, uint32_t at)
 // A fingerprint depends on the line's words, not on its position, indentation, comments or folder.
 static void test_fingerprints(void)
 {
-    DiagPrint one, twins[2];
+    DiagFingerprint one, twins[2];
     const Source *s;
 
     start();

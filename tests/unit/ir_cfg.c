@@ -45,7 +45,7 @@ static IrFn *random_function(Arena *a)
     uint32_t n = 1 + below(BLOCKS_MOST);
 
     for (uint32_t b = 0; b < n; b++) {
-        ir_block(a, f);
+        ir_add_block(a, f);
         random_jump(&f->blk.at[b].jump, b, n);
     }
     return f;
@@ -81,8 +81,8 @@ static IrBlkRef plain_postdominator(const IrFn *f, IrBlkRef b)
 static void check_function(Arena *a)
 {
     const IrFn *f = random_function(a);
-    const IrBlkRef *post = ir_postdominators(a, f);
-    const bool *reached = ir_reachable(a, f);
+    const IrBlkRef *post = ir_find_postdominators(a, f);
+    const bool *reached = ir_find_reachable(a, f);
 
     for (IrBlkRef b = 0; b < f->blk.n; b++) {
         CHECK(post[b] == plain_postdominator(f, b));
@@ -93,7 +93,7 @@ static void check_function(Arena *a)
 static void check_uses(Arena *a)
 {
     IrFn *f = ARENA_NEW(a, IrFn);
-    IrBlkRef b = ir_block(a, f);
+    IrBlkRef b = ir_add_block(a, f);
     IrIns x = {.op = IR_const, .type = SM_BOOL, .a = IR_NONE, .b = IR_NONE};
     IrRef t = ir_emit(a, f, b, x), both, dead;
     uint32_t *uses;

@@ -485,7 +485,7 @@ static void varints(void)
         uint32_t value = 0;
         Buf b;
         buf_init(&b, &w.arena);
-        bc_varint(&b, at[i]);
+        bc_write_varint(&b, at[i]);
         CHECK(smvm_read_varint((const uint8_t *)b.at, &from, (SmvmAt)b.n, &value) && from == b.n && value == at[i]);
         CHECK(b.n == (at[i] < 96 ? 1 : at[i] < 3168 ? 2 : 4));
     }

@@ -6,10 +6,10 @@
 
 // ---- numbers ----
 
-enum { VARINT_MOST = 4 };
+enum { VARINT_BYTES_MAX = 4 };
 
 // Writes v so that it ends before `end`; returns its first byte.
-static uint8_t *varint_before(uint8_t *end, uint32_t v)
+static uint8_t *write_varint_before(uint8_t *end, uint32_t v)
 {
     if (v < SMVM_VARINT_1) {
         *--end = (uint8_t)v;
@@ -29,14 +29,14 @@ static uint8_t *varint_before(uint8_t *end, uint32_t v)
     return end;
 }
 
-void bc_varint(Buf *out, uint32_t v)
+void bc_write_varint(Buf *out, uint32_t v)
 {
-    uint8_t bytes[VARINT_MOST], *const end = bytes + sizeof bytes, *const from = varint_before(end, v);
+    uint8_t bytes[VARINT_BYTES_MAX], *const end = bytes + sizeof bytes, *const from = write_varint_before(end, v);
 
     buf_put(out, from, (size_t)(end - from));
 }
 
-void bc_u24(Buf *out, uint32_t v)
+void bc_write_u24(Buf *out, uint32_t v)
 {
     for (int i = 0; i < 3; i++)
         buf_char(out, (char)(v >> 8 * i & 0xff));
@@ -46,7 +46,7 @@ void bc_u24(Buf *out, uint32_t v)
 
 static uint32_t bytes_of(uint32_t pool) { return pool == BC_RAW ? 8 : sm_type_info[pool].bytes; }
 
-static void place_locals(Arena *arena, BcMachine *m)
+static void assign_local_offsets(Arena *arena, BcMachine *m)
 {
     const IrMachine *ir = m->ir;
 
@@ -72,24 +72,24 @@ static uint32_t offset_of(const BcMachine *m, uint32_t var)      // in units of 
     return (v->space == IR_ELEMENT ? v->offset : v->space == IR_LOCAL ? m->local_at[var] : 0) >> SMVM_TYPE_SHIFT(v->type);
 }
 
-uint32_t bc_pack(uint32_t offset, uint32_t type) { return (offset & 0xffff) | type << 16 | (offset >> 16 & 0xf) << 20; }
+uint32_t bc_pack_offset(uint32_t offset, uint32_t type) { return (offset & 0xffff) | type << 16 | (offset >> 16 & 0xf) << 20; }
 
-uint32_t bc_place(const BcMachine *m, uint32_t var)
+uint32_t bc_pack_location(const BcMachine *m, uint32_t var)
 {
     const uint32_t at = offset_of(m, var);
 
-    return at < SMVM_LOCATION_OFFSETS ? bc_pack(at, (uint32_t)m->ir->var.at[var].type) : UINT32_MAX;
+    return at < SMVM_LOCATION_OFFSETS ? bc_pack_offset(at, (uint32_t)m->ir->var.at[var].type) : UINT32_MAX;
 }
 
-const char *bc_layout(Arena *arena, BcMachine *m)
+const char *bc_lay_out_locals(Arena *arena, BcMachine *m)
 {
     if (m->ir->var.n > SMVM_IMAGE_MAX || m->operand.n > SMVM_IMAGE_MAX)
         return "variables";
-    place_locals(arena, m);
+    assign_local_offsets(arena, m);
     if (m->locals >= SMVM_VARINT_END)
         return "bytes of elements or locals";
     for (uint32_t v = 0; v < m->ir->var.n; v++)
-        if (bc_place(m, v) == UINT32_MAX)
+        if (bc_pack_location(m, v) == UINT32_MAX)
             return "bytes of elements or locals";
     return NULL;
 }
@@ -102,7 +102,7 @@ const char *bc_layout(Arena *arena, BcMachine *m)
 
 static uint8_t *write_number(uint8_t *end, uint32_t op, uint32_t n)
 {
-    end = varint_before(end, n);
+    end = write_varint_before(end, n);
     *--end = (uint8_t)op;
     return end;
 }
@@ -113,7 +113,7 @@ static uint8_t *write_const(uint8_t *end, uint32_t op, const BcOperand *o)
     int32_t n;
 
     op -= SMVM_ldx_local;
-    if (bc_whole(x, &n))
+    if (bc_try_whole(x, &n))
         return n < 0 ? write_number(end, op + SMVM_ldx_minus, (uint32_t)(-1 - n)) : write_number(end, op + SMVM_ldx_plus, (uint32_t)n);
     return write_number(end, op + (bc_is_f32(x) ? SMVM_ldx_f32 : SMVM_ldx_f64), o->index);
 }
@@ -129,12 +129,12 @@ static uint8_t *write_var(uint8_t *end, const BcMachine *m, uint32_t op, const B
     return end;
 }
 
-static uint8_t *write_access(uint8_t *end, const BcMachine *m, uint32_t op, const BcOperand *o)
+static uint8_t *write_load_or_store(uint8_t *end, const BcMachine *m, uint32_t op, const BcOperand *o)
 {
     switch (o->kind) {
     case BC_VAR: return write_var(end, m, op, o);
     case BC_SLOT: return write_number(end, op + o->type, m->slot_at[o->type] / bytes_of(o->type) + o->index);
-    case BC_STAT: return write_number(varint_before(end, m->window_number[o->var]), op - SMVM_ldx_local + SMVM_stat, o->index);
+    case BC_STAT: return write_number(write_varint_before(end, m->window_number[o->var]), op - SMVM_ldx_local + SMVM_stat, o->index);
     case BC_CONST: break;
     }
     return write_const(end, op, o);
@@ -142,21 +142,21 @@ static uint8_t *write_access(uint8_t *end, const BcMachine *m, uint32_t op, cons
 
 static uint8_t *write_store(uint8_t *end, const BcMachine *m, const BcOperand *o)
 {
-    return o->output ? write_number(end, SMVM_out, o->output - 1) : write_access(end, m, SMVM_st_local, o);
+    return o->output ? write_number(end, SMVM_out, o->output - 1) : write_load_or_store(end, m, SMVM_st_local, o);
 }
 
 // Distance from the first byte of instruction i to the function's end.
-static uint32_t to_end(const BcFn *f, size_t i) { return i < f->ins.n ? f->ins.at[i].at : 0; }
+static uint32_t distance_to_end(const BcFn *f, size_t i) { return i < f->ins.n ? f->ins.at[i].at : 0; }
 
-static uint8_t *write_other(uint8_t *end, const BcFn *f, size_t i)
+static uint8_t *write_plain(uint8_t *end, const BcFn *f, size_t i)
 {
     const BcIns *ins = &f->ins.at[i];
     const uint32_t shape = smvm_shape(ins->op);
 
     if (shape & SMVM_SHAPE_J)
-        end = varint_before(end, to_end(f, i + 1) - to_end(f, f->label.at[ins->to].at));
+        end = write_varint_before(end, distance_to_end(f, i + 1) - distance_to_end(f, f->label.at[ins->to].at));
     if (shape & SMVM_SHAPE_FOLLOWS & ~(uint32_t)SMVM_SHAPE_J)
-        end = varint_before(end, ins->n);
+        end = write_varint_before(end, ins->n);
     *--end = ins->op;
     return end;
 }
@@ -166,17 +166,17 @@ static uint8_t *write_instruction(uint8_t *end, const BcMachine *m, const BcFn *
     const BcIns *ins = &f->ins.at[i];
 
     switch (ins->op) {
-    case SMVM_ldx_local: case SMVM_ldy_local: return write_access(end, m, ins->op, &m->operand.at[ins->what]);
-    case SMVM_st_local: return write_store(end, m, &m->operand.at[ins->what]);
-    default: return write_other(end, f, i);
+    case SMVM_ldx_local: case SMVM_ldy_local: return write_load_or_store(end, m, ins->op, &m->operand.at[ins->operand_ref]);
+    case SMVM_st_local: return write_store(end, m, &m->operand.at[ins->operand_ref]);
+    default: return write_plain(end, f, i);
     }
 }
 
 void bc_assemble(Arena *arena, const BcMachine *m, BcFn *f, Buf *out, bool *ok)
 {
-    enum { MOST = 1 + 3 * VARINT_MOST };                         // the longest instruction, in bytes
+    enum { MOST = 1 + 3 * VARINT_BYTES_MAX };                    // the longest instruction, in bytes
     const size_t room = f->ins.n * MOST;
-    uint8_t *const end = (uint8_t *)arena_room(arena, room) + room, *from = end;
+    uint8_t *const end = (uint8_t *)arena_alloc_unzeroed(arena, room) + room, *from = end;
 
     for (size_t i = f->ins.n; i-- > 0 && *ok;) {
         from = write_instruction(from, m, f, i);

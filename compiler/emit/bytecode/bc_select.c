@@ -10,7 +10,7 @@ enum { MUCH_DEEPER = 3 };     // a left side deeper than the right by more than 
 // ---- the location of a value ----
 
 // The operand that r can be loaded from; BC_NONE: r must be computed, or only X holds it.
-static BcRef location_of(BcSelect *s, IrRef r)
+static BcRef source_of(BcSelect *s, IrRef r)
 {
     BcValue *v = &s->value[r];
 
@@ -24,8 +24,8 @@ static bool is_in_x(BcSelect *s, IrRef r)
     const IrIns *i = bc_ins(s, r);
 
     if (i->op == IR_stat && !s->value[r].is_computed)
-        return bc_holds(&s->x, bc_stat_operand(s, i->var, i->stat));
-    return s->x.value == r || bc_holds(&s->x, location_of(s, r));
+        return bc_register_has(&s->x, bc_stat_operand(s, i->var, i->stat));
+    return s->x.value == r || bc_register_has(&s->x, source_of(s, r));
 }
 
 static void release_use(BcSelect *s, IrRef r)
@@ -36,29 +36,29 @@ static void release_use(BcSelect *s, IrRef r)
         bc_slot_free(s, v->slot);
 }
 
-static void compute(BcSelect *s, IrRef r);
+static void compute_into_x(BcSelect *s, IrRef r);
 
 void bc_bring_to_x(BcSelect *s, IrRef r)
 {
-    r = bc_source(s, r);
+    r = bc_skip_exact_cvts(s, r);
     if (!is_in_x(s, r)) {
-        if (location_of(s, r) == BC_NONE)
-            compute(s, r);
+        if (source_of(s, r) == BC_NONE)
+            compute_into_x(s, r);
         else
-            bc_load_x(s, location_of(s, r));
-        bc_x_contains(s, r);
+            bc_load_x(s, source_of(s, r));
+        bc_record_x(s, r);
     }
     release_use(s, r);
 }
 
 // Computes a waiting value before its use.
-static void compute_early(BcSelect *s, IrRef r)
+static void compute_waiting(BcSelect *s, IrRef r)
 {
     if (bc_ins(s, r)->op == IR_load)
         bc_load_x(s, bc_var_operand(s, bc_ins(s, r)->var));
     else
-        compute(s, r);
-    bc_x_contains(s, r);
+        compute_into_x(s, r);
+    bc_record_x(s, r);
     s->value[r].slot = BC_NONE;
     s->value[r].is_computed = true;
     s->value[r].waits = false;
@@ -66,78 +66,78 @@ static void compute_early(BcSelect *s, IrRef r)
 
 // ---- two operands ----
 
-static bool must_be_computed(BcSelect *s, IrRef r) { return !is_in_x(s, r) && location_of(s, r) == BC_NONE; }
+static bool must_be_computed(BcSelect *s, IrRef r) { return !is_in_x(s, r) && source_of(s, r) == BC_NONE; }
 
 static bool is_better_swapped(BcSelect *s, IrRef a, IrRef b)
 {
-    const bool a_is_loadable = location_of(s, a) != BC_NONE, b_is_loadable = location_of(s, b) != BC_NONE;
+    const bool a_is_loadable = source_of(s, a) != BC_NONE, b_is_loadable = source_of(s, b) != BC_NONE;
 
     if (b_is_loadable)
         return a_is_loadable && !is_in_x(s, a) && (is_in_x(s, b) || (bc_ins(s, a)->op == IR_const && bc_ins(s, b)->op != IR_const));
     if (a_is_loadable || (is_in_x(s, a) && must_be_computed(s, b)))
         return true;
-    return must_be_computed(s, a) && must_be_computed(s, b) && bc_depth(s, a) > bc_depth(s, b);
+    return must_be_computed(s, a) && must_be_computed(s, b) && bc_chain_depth(s, a) > bc_chain_depth(s, b);
 }
 
 // Ensures that b can be loaded into Y once a is in X.
-static void make_loadable(BcSelect *s, IrRef b, IrRef a)
+static void ensure_loadable(BcSelect *s, IrRef b, IrRef a)
 {
-    if (!s->value[b].is_computed && location_of(s, b) == BC_NONE)
-        compute_early(s, b);
-    if (location_of(s, b) == BC_NONE && is_in_x(s, a))              // otherwise b is saved when a is computed into X
+    if (!s->value[b].is_computed && source_of(s, b) == BC_NONE)
+        compute_waiting(s, b);
+    if (source_of(s, b) == BC_NONE && is_in_x(s, a))                // otherwise b is saved when a is computed into X
         bc_save_x(s);
 }
 
-bool bc_operands(BcSelect *s, IrRef a, IrRef b, bool may_swap, bool keep)
+bool bc_load_operands(BcSelect *s, IrRef a, IrRef b, bool may_swap, bool keep)
 {
     bool swapped;
 
-    a = bc_source(s, a);
-    b = bc_source(s, b);
+    a = bc_skip_exact_cvts(s, a);
+    b = bc_skip_exact_cvts(s, b);
     swapped = may_swap && is_better_swapped(s, a, b);
     if (swapped) {
         const IrRef c = a;
         a = b;
         b = c;
     }
-    if (must_be_computed(s, a) && must_be_computed(s, b) && bc_depth(s, a) > bc_depth(s, b) + MUCH_DEEPER)
-        compute_early(s, a);
-    make_loadable(s, b, a);
+    if (must_be_computed(s, a) && must_be_computed(s, b) && bc_chain_depth(s, a) > bc_chain_depth(s, b) + MUCH_DEEPER)
+        compute_waiting(s, a);
+    ensure_loadable(s, b, a);
     bc_bring_to_x(s, a);
     if (keep)
         bc_save_x(s);
-    bc_load_y(s, location_of(s, b));
+    bc_load_y(s, source_of(s, b));
     release_use(s, b);
     return swapped;
 }
 
 // Whether r is a number that an instruction can encode; then sets *n to it.
-static bool is_whole(const BcSelect *s, IrRef r, int32_t *n)
+static bool match_whole_const(const BcSelect *s, IrRef r, int32_t *n)
 {
-    return bc_ins(s, r)->op == IR_const && bc_whole(bc_const_value(bc_ins(s, r)), n);
+    return bc_ins(s, r)->op == IR_const && bc_try_whole(bc_const_value(bc_ins(s, r)), n);
 }
 
-static void add_number(BcSelect *s, IrRef a, int32_t n)
+static void emit_add_number(BcSelect *s, IrRef a, int32_t n)
 {
     bc_bring_to_x(s, a);
     bc_save_x(s);
     if (n < 0)
-        bc_change_x(s, SMVM_subi, (uint32_t)-n);
+        bc_emit_changing_x(s, SMVM_subi, (uint32_t)-n);
     else
-        bc_change_x(s, SMVM_addi, (uint32_t)n);
+        bc_emit_changing_x(s, SMVM_addi, (uint32_t)n);
 }
 
 static void compute_add(BcSelect *s, IrRef a, IrRef b)
 {
     int32_t n;
 
-    if (is_whole(s, b, &n) && n > -(int32_t)SMVM_VARINT_END) {
-        add_number(s, a, n);
-    } else if (is_whole(s, a, &n) && n > -(int32_t)SMVM_VARINT_END) {
-        add_number(s, b, n);
+    if (match_whole_const(s, b, &n) && n > -(int32_t)SMVM_VARINT_END) {
+        emit_add_number(s, a, n);
+    } else if (match_whole_const(s, a, &n) && n > -(int32_t)SMVM_VARINT_END) {
+        emit_add_number(s, b, n);
     } else {
-        bc_operands(s, a, b, true, true);
-        bc_change_x(s, SMVM_add, 0);
+        bc_load_operands(s, a, b, true, true);
+        bc_emit_changing_x(s, SMVM_add, 0);
     }
 }
 
@@ -146,35 +146,35 @@ static void compute_swapped_sub(BcSelect *s, IrRef a, IrRef b)
 {
     bc_bring_to_x(s, b);
     bc_save_x(s);
-    bc_change_x(s, SMVM_neg, 0);
-    bc_load_y(s, location_of(s, a));
+    bc_emit_changing_x(s, SMVM_neg, 0);
+    bc_load_y(s, source_of(s, a));
     release_use(s, a);
-    bc_change_x(s, SMVM_add, 0);
+    bc_emit_changing_x(s, SMVM_add, 0);
 }
 
 static void compute_sub(BcSelect *s, IrRef a, IrRef b)
 {
     int32_t n;
 
-    if (is_whole(s, b, &n) && n != 0 && n > -(int32_t)SMVM_VARINT_END) {
-        add_number(s, a, -n);
+    if (match_whole_const(s, b, &n) && n != 0 && n > -(int32_t)SMVM_VARINT_END) {
+        emit_add_number(s, a, -n);
         return;
     }
-    if (must_be_computed(s, a) && must_be_computed(s, b) && bc_depth(s, a) > bc_depth(s, b) + MUCH_DEEPER)
-        compute_early(s, a);
+    if (must_be_computed(s, a) && must_be_computed(s, b) && bc_chain_depth(s, a) > bc_chain_depth(s, b) + MUCH_DEEPER)
+        compute_waiting(s, a);
     if (is_in_x(s, a) && must_be_computed(s, b))
         bc_save_x(s);
-    if (location_of(s, a) != BC_NONE && location_of(s, b) == BC_NONE) {
+    if (source_of(s, a) != BC_NONE && source_of(s, b) == BC_NONE) {
         compute_swapped_sub(s, a, b);
     } else {
-        bc_operands(s, a, b, false, true);
-        bc_change_x(s, SMVM_sub, 0);
+        bc_load_operands(s, a, b, false, true);
+        bc_emit_changing_x(s, SMVM_sub, 0);
     }
 }
 
 // ---- operations ----
 
-static uint8_t opcode(IrOp op)
+static uint8_t opcode_of(IrOp op)
 {
     static const uint8_t of[IR_OP_COUNT] = {
 #define OPCODE_SAME(name) [IR_##name] = SMVM_##name,
@@ -194,7 +194,7 @@ static uint8_t opcode(IrOp op)
     return of[op];
 }
 
-uint32_t bc_relation(IrOp op)
+uint32_t bc_relation_of(IrOp op)
 {
     switch (op) {
     case IR_eq: return SMVM_EQUAL;
@@ -207,20 +207,20 @@ uint32_t bc_relation(IrOp op)
     }
 }
 
-uint32_t bc_swap_relation(uint32_t relation)
+uint32_t bc_swapped_relation(uint32_t relation)
 {
     return (relation & (SMVM_EQUAL | SMVM_UNORDERED)) | (relation & SMVM_LESS ? (uint32_t)SMVM_GREATER : 0) | (relation & SMVM_GREATER ? (uint32_t)SMVM_LESS : 0);
 }
 
-uint32_t bc_negate_relation(uint32_t relation) { return (SMVM_LESS | SMVM_EQUAL | SMVM_GREATER | SMVM_UNORDERED) & ~relation; }
+uint32_t bc_negated_relation(uint32_t relation) { return (SMVM_LESS | SMVM_EQUAL | SMVM_GREATER | SMVM_UNORDERED) & ~relation; }
 
 // Whether the negation of boolean r can be computed at the same cost as r.  With `now`, requests it.
-static bool negate_in_place(BcSelect *s, IrRef r, bool now)
+static bool try_negate(BcSelect *s, IrRef r, bool now)
 {
-    const IrIns *i = bc_ins(s, r = bc_without_truth(s, r));
+    const IrIns *i = bc_ins(s, r = bc_skip_truth_cvts(s, r));
     const bool both = i->op == IR_and || i->op == IR_or;
 
-    if (!s->value[r].waits || (!both && ir_op_info[i->op].types != IR_T_COMPARE) || (both && (!negate_in_place(s, i->a, now) || !negate_in_place(s, i->b, now))))
+    if (!s->value[r].waits || (!both && ir_op_info[i->op].types != IR_T_COMPARE) || (both && (!try_negate(s, i->a, now) || !try_negate(s, i->b, now))))
         return false;
     s->value[r].inverted = s->value[r].inverted != now;
     return true;
@@ -228,40 +228,40 @@ static bool negate_in_place(BcSelect *s, IrRef r, bool now)
 
 static void compute_not(BcSelect *s, IrRef a)
 {
-    if (negate_in_place(s, a, false)) {
-        negate_in_place(s, a, true);
-        compute(s, a);
+    if (try_negate(s, a, false)) {
+        try_negate(s, a, true);
+        compute_into_x(s, a);
         return;
     }
     bc_bring_to_x(s, a);
     bc_save_x(s);
     bc_load_y(s, bc_const_operand(s, sm_from_i32(0)));
-    bc_change_x(s, SMVM_set, SMVM_EQUAL | SMVM_UNORDERED);
+    bc_emit_changing_x(s, SMVM_set, SMVM_EQUAL | SMVM_UNORDERED);
 }
 
 // Turns a possible -0 in X into 0 where the integer r becomes a float.  Returns true if that took an instruction.
-static bool normalize_zero(BcSelect *s, IrRef r, SmType to)
+static bool emit_zero_normalization(BcSelect *s, IrRef r, SmType to)
 {
     if (!bc_is_float(to) || !s->value[r].minus_zero)
         return false;
     bc_save_x(s);
-    bc_change_x(s, SMVM_cvt, (uint32_t)bc_ins(s, r)->type);
+    bc_emit_changing_x(s, SMVM_cvt, (uint32_t)bc_ins(s, r)->type);
     return true;
 }
 
 static void compute_cvt(BcSelect *s, const IrIns *i)
 {
-    const IrRef r = i->type == SM_BOOL ? bc_source(s, bc_without_truth(s, i->a)) : bc_stored(s, i->a, i->type);
+    const IrRef r = i->type == SM_BOOL ? bc_skip_exact_cvts(s, bc_skip_truth_cvts(s, i->a)) : bc_skip_store_cvts(s, i->a, i->type);
 
     bc_bring_to_x(s, r);
-    if (normalize_zero(s, r, i->type) ? bc_is_within(bc_ins(s, r)->type, i->type) : bc_is_exact(s, r, i->type))
+    if (emit_zero_normalization(s, r, i->type) ? bc_is_within(bc_ins(s, r)->type, i->type) : bc_is_exact(s, r, i->type))
         return;
     bc_save_x(s);
-    bc_change_x(s, SMVM_cvt, (uint32_t)i->type);
+    bc_emit_changing_x(s, SMVM_cvt, (uint32_t)i->type);
 }
 
 // Computes an operation into X.
-static void compute(BcSelect *s, IrRef r)
+static void compute_into_x(BcSelect *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
     const bool inverted = s->value[r].inverted;
@@ -271,25 +271,25 @@ static void compute(BcSelect *s, IrRef r)
     } else if (i->op == IR_stat) {
         bc_load_x(s, bc_stat_operand(s, i->var, i->stat));
     } else if (i->op == IR_not) {
-        compute_not(s, bc_without_truth(s, i->a));
+        compute_not(s, bc_skip_truth_cvts(s, i->a));
     } else if (i->op == IR_add) {
         compute_add(s, i->a, i->b);
     } else if (i->op == IR_sub) {
-        compute_sub(s, bc_source(s, i->a), bc_source(s, i->b));
+        compute_sub(s, bc_skip_exact_cvts(s, i->a), bc_skip_exact_cvts(s, i->b));
     } else if (ir_op_info[i->op].types == IR_T_COMPARE) {
-        const bool swapped = bc_operands(s, i->a, i->b, true, true);
-        const uint32_t relation = swapped ? bc_swap_relation(bc_relation(i->op)) : bc_relation(i->op);
-        bc_change_x(s, SMVM_set, inverted ? bc_negate_relation(relation) : relation);
+        const bool swapped = bc_load_operands(s, i->a, i->b, true, true);
+        const uint32_t relation = swapped ? bc_swapped_relation(bc_relation_of(i->op)) : bc_relation_of(i->op);
+        bc_emit_changing_x(s, SMVM_set, inverted ? bc_negated_relation(relation) : relation);
     } else if (ir_op_info[i->op].types == IR_T_LOGIC) {
-        bc_operands(s, bc_without_truth(s, i->a), bc_without_truth(s, i->b), true, true);
-        bc_change_x(s, (i->op == IR_and) != inverted ? SMVM_and : SMVM_or, 0);
+        bc_load_operands(s, bc_skip_truth_cvts(s, i->a), bc_skip_truth_cvts(s, i->b), true, true);
+        bc_emit_changing_x(s, (i->op == IR_and) != inverted ? SMVM_and : SMVM_or, 0);
     } else if (ir_op_info[i->op].operands == 2) {
-        bc_operands(s, i->a, i->b, i->op != IR_div, true);
-        bc_change_x(s, opcode(i->op), 0);
+        bc_load_operands(s, i->a, i->b, i->op != IR_div, true);
+        bc_emit_changing_x(s, opcode_of(i->op), 0);
     } else {
         bc_bring_to_x(s, i->a);
         bc_save_x(s);
-        bc_change_x(s, opcode(i->op), 0);
+        bc_emit_changing_x(s, opcode_of(i->op), 0);
     }
 }
 
@@ -305,12 +305,12 @@ static bool can_be_read_from(const BcSelect *s, IrRef r, const BcValue *at)
 
 static void select_store(BcSelect *s, const IrIns *i, const BcValue *at)
 {
-    const IrRef r = bc_stored(s, i->a, i->type);
+    const IrRef r = bc_skip_store_cvts(s, i->a, i->type);
     const BcRef d = bc_var_operand(s, i->var);
     bool same = bc_is_exact(s, r, i->type);
 
     bc_bring_to_x(s, r);
-    normalize_zero(s, r, i->type);
+    emit_zero_normalization(s, r, i->type);
     if (same && can_be_read_from(s, r, at)) {
         s->value[r].slot = d;
         bc_drop_cvt(s, (uint32_t)i->type);
@@ -321,10 +321,10 @@ static void select_store(BcSelect *s, const IrIns *i, const BcValue *at)
 
 static void select_sample(BcSelect *s, const IrIns *i)
 {
-    const IrRef r = bc_source(s, i->a);
+    const IrRef r = bc_skip_exact_cvts(s, i->a);
 
     bc_bring_to_x(s, r);
-    normalize_zero(s, r, s->m->ir->window.at[i->var].type);
+    emit_zero_normalization(s, r, s->m->ir->window.at[i->var].type);
     bc_sample_x(s, s->m->window_number[i->var]);
 }
 
@@ -339,5 +339,5 @@ void bc_select_ins(BcSelect *s, IrRef r)
     else if (i->op == IR_sample)
         select_sample(s, i);
     else if (v->uses > 0 && !v->waits && i->op != IR_const && (i->op != IR_load || v->early))
-        compute_early(s, r);
+        compute_waiting(s, r);
 }

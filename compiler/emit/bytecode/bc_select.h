@@ -27,11 +27,11 @@ typedef struct BcValue {
 } BcValue;
 
 // The known contents of a register.  All entries denote the same number.
-enum { BC_HELD = 3 };
-typedef struct BcHeld {
+enum { BC_REGISTER_SOURCES = 3 };
+typedef struct BcRegister {
     IrRef value;              // or IR_NONE
-    BcRef from[BC_HELD];      // operands with that value; or BC_NONE
-} BcHeld;
+    BcRef from[BC_REGISTER_SOURCES];  // operands with that value; or BC_NONE
+} BcRegister;
 
 // An end of the function that jumps can target: `end`, or `goto` a state.
 typedef struct BcExit {
@@ -53,12 +53,12 @@ typedef struct BcSelect {
     uint32_t *store_in;       // …valid if this equals `count`
     uint32_t count;           // number of the current counting, from 1; each block is counted up to twice
     VEC(BcRef) free[BC_POOLS];       // slots that are not in use
-    BcHeld x, y;
-    uint32_t straight;        // the first instruction after the last label that is a jump target
+    BcRegister x, y;
+    uint32_t straight_start;  // the first instruction after the last label that is a jump target
     Span span;                // of the IR instruction being selected
     uint32_t *label;          // by block: its label
-    uint32_t inside;          // the first label inside the current block's jump
-    IrBlkRef *through;        // by block: itself, or its final target if it only jumps
+    uint32_t first_inner_label;  // the first label inside the current block's jump
+    IrBlkRef *final_target;   // by block: itself, or its final target if it only jumps
     BcExit *exit;             // by state; [0] is `end`
     VEC(uint32_t) exits;      // the ends used in this function
     uint32_t fn;              // its number, from 1
@@ -69,14 +69,14 @@ typedef struct BcSelect {
 static inline const IrIns *bc_ins(const BcSelect *s, IrRef r) { return &s->f->ins.at[r]; }
 static inline bool bc_is_float(uint32_t type) { return type == SM_F32 || type == SM_F64; }
 
-void bc_plan_block(BcSelect *s, uint32_t block);
-uint32_t bc_depth(const BcSelect *s, IrRef r);          // longest chain of waiting operations in r; 0 if r does not wait
+void bc_analyse_block(BcSelect *s, uint32_t block);
+uint32_t bc_chain_depth(const BcSelect *s, IrRef r);    // longest chain of waiting operations in r; 0 if r does not wait
 static inline SmF64 bc_const_value(const IrIns *i) { return ir_number(i->type, i->bits); }      // i is a const
 static inline bool bc_is_waiting_cvt(const BcSelect *s, IrRef r) { return s->value[r].waits && bc_ins(s, r)->op == IR_cvt; }
-IrRef bc_converted(const BcSelect *s, IrRef r);         // the value that waiting conversion r passes on unchanged, or r
-static inline IrRef bc_source(const BcSelect *s, IrRef r) { return bc_is_waiting_cvt(s, r) ? bc_converted(s, r) : r; }
-IrRef bc_without_truth(const BcSelect *s, IrRef r);     // r without conversions that do not affect whether it is true
-IrRef bc_stored(const BcSelect *s, IrRef r, SmType type);           // r without conversions that a store to that type performs anyway
+IrRef bc_follow_exact_cvts(const BcSelect *s, IrRef r);  // the value that waiting conversion r passes on unchanged, or r
+static inline IrRef bc_skip_exact_cvts(const BcSelect *s, IrRef r) { return bc_is_waiting_cvt(s, r) ? bc_follow_exact_cvts(s, r) : r; }
+IrRef bc_skip_truth_cvts(const BcSelect *s, IrRef r);   // r without conversions that do not affect whether it is true
+IrRef bc_skip_store_cvts(const BcSelect *s, IrRef r, SmType type);  // r without conversions that a store to that type performs anyway
 bool bc_is_within(SmType a, SmType b);                // whether type b can represent every number of type a
 bool bc_is_exact(const BcSelect *s, IrRef r, SmType type);          // whether type `type` can represent every value of r
 
@@ -94,14 +94,14 @@ void bc_slot_free(BcSelect *s, BcRef r);                // returns a slot to its
 
 // ---- registers.c ----
 
-static inline bool bc_holds(const BcHeld *h, BcRef o) { return o != BC_NONE && (h->from[0] == o || h->from[1] == o || h->from[2] == o); }
+static inline bool bc_register_has(const BcRegister *h, BcRef o) { return o != BC_NONE && (h->from[0] == o || h->from[1] == o || h->from[2] == o); }
 BcIns *bc_emit(BcSelect *s, uint8_t op);
-void bc_forget(BcSelect *s);                            // forgets the contents of X and Y
+void bc_forget_registers(BcSelect *s);                  // forgets the contents of X and Y
 void bc_load_x(BcSelect *s, BcRef o);                   // unless X already holds it
 void bc_load_y(BcSelect *s, BcRef o);
 void bc_save_x(BcSelect *s);                            // before X changes (and Y is loaded): saves X to a slot if still needed
-void bc_change_x(BcSelect *s, uint8_t op, uint32_t n);  // an instruction that changes X
-void bc_x_contains(BcSelect *s, IrRef r);                     // records that X now holds r
+void bc_emit_changing_x(BcSelect *s, uint8_t op, uint32_t n);  // an instruction that changes X
+void bc_record_x(BcSelect *s, IrRef r);                       // records that X now holds r
 void bc_drop_cvt(BcSelect *s, uint32_t type);           // drops a directly preceding conversion of X to that type: a store does it
 void bc_store_x(BcSelect *s, BcRef d, bool same);       // same: d then reads the same as X
 void bc_sample_x(BcSelect *s, uint32_t window);
@@ -114,10 +114,10 @@ void bc_select_ins(BcSelect *s, IrRef r);
 void bc_bring_to_x(BcSelect *s, IrRef r);                     // loads or computes r into X and counts one use
 // Brings a and b into X and Y.  If `may_swap` and it is better, brings b into X and a into Y and returns true. `keep`: the next
 // instruction changes X.
-bool bc_operands(BcSelect *s, IrRef a, IrRef b, bool may_swap, bool keep);
-uint32_t bc_relation(IrOp op);                        // the relation of a comparison: a sum of SMVM_LESS …
-uint32_t bc_swap_relation(uint32_t relation);              // the relation with X and Y exchanged
-uint32_t bc_negate_relation(uint32_t relation);
+bool bc_load_operands(BcSelect *s, IrRef a, IrRef b, bool may_swap, bool keep);
+uint32_t bc_relation_of(IrOp op);                     // the relation of a comparison: a sum of SMVM_LESS …
+uint32_t bc_swapped_relation(uint32_t relation);           // the relation with X and Y exchanged
+uint32_t bc_negated_relation(uint32_t relation);
 
 // ---- jumps.c ----
 

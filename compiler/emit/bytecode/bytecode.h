@@ -25,7 +25,7 @@ typedef enum BcOperandKind {
     BC_VAR,                   // element, local or T: variable `var`
     BC_SLOT,                  // a temporary local of type `type`, without a source name; the `index`-th slot of its type
     BC_STAT,                  // statistic `index` of window `var`
-    BC_CONST                  // the F64 with these `bits`; unless bc_whole finds it encodable in the code, the `index`-th of its table
+    BC_CONST                  // the F64 with these `bits`; unless bc_try_whole finds it encodable in the code, the `index`-th of its table
 } BcOperandKind;
 
 typedef struct BcOperand {
@@ -39,10 +39,10 @@ typedef struct BcOperand {
 typedef uint32_t BcRef;       // index into BcMachine.operand
 #define BC_NONE UINT32_MAX
 
-// An instruction.  SMVM_ldx_local, ldy_local and st_local represent all loads of X, loads of Y and stores; `what` selects which one.
+// An instruction.  SMVM_ldx_local, ldy_local and st_local represent all loads of X, loads of Y and stores; `operand_ref` selects which one.
 typedef struct BcIns {
     uint8_t op;
-    BcRef what;
+    BcRef operand_ref;
     uint32_t n;               // the number that follows the opcode, unless that is a jump distance
     uint32_t to;              // for a jump: its target label
     Span span;
@@ -52,7 +52,7 @@ typedef struct BcIns {
 
 typedef struct BcLabel {
     uint32_t at;              // index of the instruction that it precedes
-    uint32_t jumped;          // 1 + the last instruction that jumps here; 0: no jump
+    uint32_t last_jump;       // 1 + the last instruction that jumps here; 0: no jump
 } BcLabel;
 
 typedef struct BcFn {
@@ -82,26 +82,26 @@ typedef struct BcMachine {
 } BcMachine;
 
 // Fills in everything up to `fns` for m.
-void bc_select(Arena *arena, BcMachine *out, const IrMachine *m);
+void bc_select_machine(Arena *arena, BcMachine *out, const IrMachine *m);
 
 // Packs a place into the three bytes that the image stores.  The offset is in units of the type's size.
-uint32_t bc_pack(uint32_t offset, uint32_t type);
+uint32_t bc_pack_offset(uint32_t offset, uint32_t type);
 // The packed place of a variable; UINT32_MAX if its offset is too large for the format.
-uint32_t bc_place(const BcMachine *m, uint32_t var);
+uint32_t bc_pack_location(const BcMachine *m, uint32_t var);
 
 // Places locals.  Returns NULL, or the name of what exceeds the format.
-const char *bc_layout(Arena *arena, BcMachine *m);
+const char *bc_lay_out_locals(Arena *arena, BcMachine *m);
 // Appends the function's bytes; sets *ok to false when it is too long.
 void bc_assemble(Arena *arena, const BcMachine *m, BcFn *f, Buf *out, bool *ok);
 
-void bc_varint(Buf *out, uint32_t value);
-void bc_u24(Buf *out, uint32_t value);
+void bc_write_varint(Buf *out, uint32_t value);
+void bc_write_u24(Buf *out, uint32_t value);
 
 // Whether x is a whole number that an instruction can encode, from -0x1000c60 to 0x1000c5f; then sets *n to it.
-bool bc_whole(SmF64 x, int32_t *n);
+bool bc_try_whole(SmF64 x, int32_t *n);
 bool bc_is_f32(SmF64 x);
 
 // Appends the DEBUG section.
-void bc_debug(Arena *arena, const BcMachine *m, Buf *out);
+void bc_write_debug(Arena *arena, const BcMachine *m, Buf *out);
 
 #endif

@@ -8,7 +8,7 @@
 // ---- lines ----
 
 // 0 for an instruction that belongs to several lines.
-static uint32_t line_of(const BcIns *i, uint32_t last)
+static uint32_t line_of_ins(const BcIns *i, uint32_t last)
 {
     if (i->of_many_lines)
         return 0;
@@ -25,23 +25,23 @@ static void write_lines(Arena *arena, Buf *out, const BcMachine *m)
     for (size_t f = 0; f < m->fns; start += m->fn[f++].size)
         for (size_t i = 0; i < m->fn[f].ins.n; i++) {
             const BcIns *ins = &m->fn[f].ins.at[i];
-            uint32_t line = line_of(ins, last_line);
+            uint32_t line = line_of_ins(ins, last_line);
             if (line == last_line)
                 continue;
-            bc_varint(&b, start + ins->at - last_at);
-            bc_varint(&b, line > last_line ? (line - last_line) * 2 : (last_line - line) * 2 - 1);
+            bc_write_varint(&b, start + ins->at - last_at);
+            bc_write_varint(&b, line > last_line ? (line - last_line) * 2 : (last_line - line) * 2 - 1);
             last_at = start + ins->at;
             last_line = line;
             n++;
         }
-    bc_varint(out, n);
+    bc_write_varint(out, n);
     buf_put(out, b.at, b.n);
 }
 
 // ---- variables: sorted by kind, type and place, for binary search ----
 
 // Sorts n keys; `other` has the same length.  A merge sort, because the C library's qsort can allocate memory.
-static void sort(uint64_t *key, uint64_t *other, size_t n)
+static void sort_keys(uint64_t *key, uint64_t *other, size_t n)
 {
     for (size_t width = 1; width < n; width *= 2) {
         for (size_t lo = 0; lo < n; lo += 2 * width) {
@@ -54,7 +54,7 @@ static void sort(uint64_t *key, uint64_t *other, size_t n)
     }
 }
 
-static SmvmVariable what_is(const IrVar *v)
+static SmvmVariable variable_kind(const IrVar *v)
 {
     switch (v->space) {
     case IR_ELEMENT: return SMVM_IS_ELEMENT;
@@ -64,16 +64,16 @@ static SmvmVariable what_is(const IrVar *v)
     return SMVM_IS_TIME;
 }
 
-static uint64_t *order_of(Arena *arena, const BcMachine *m)      // the low half of each key is the variable's number
+static uint64_t *sorted_variables(Arena *arena, const BcMachine *m)  // the low half of each key is the variable's number
 {
     const size_t n = m->ir->var.n;
     uint64_t *key = ARENA_ARRAY(arena, uint64_t, n);
 
     for (uint32_t v = 0; v < n; v++) {
-        const uint32_t place = bc_place(m, v), offset = (place & 0xffff) | place >> 20 << 16;
-        key[v] = (uint64_t)what_is(&m->ir->var.at[v]) << 60 | (uint64_t)m->ir->var.at[v].type << 56 | (uint64_t)offset << 32 | v;
+        const uint32_t place = bc_pack_location(m, v), offset = (place & 0xffff) | place >> 20 << 16;
+        key[v] = (uint64_t)variable_kind(&m->ir->var.at[v]) << 60 | (uint64_t)m->ir->var.at[v].type << 56 | (uint64_t)offset << 32 | v;
     }
-    sort(key, ARENA_ARRAY(arena, uint64_t, n), n);
+    sort_keys(key, ARENA_ARRAY(arena, uint64_t, n), n);
     return key;
 }
 
@@ -94,7 +94,7 @@ static void write_name(Buf *b, const char *text, size_t len)
 {
     if (len >= SMVM_VARINT_MID)
         len = SMVM_VARINT_MID - 1;
-    bc_varint(b, (uint32_t)len);
+    bc_write_varint(b, (uint32_t)len);
     buf_put(b, text, len);
     buf_char(b, 0);
 }
@@ -106,24 +106,24 @@ typedef struct BcNames {
 
 static void add_name(BcNames *n, const char *text, size_t len)
 {
-    bc_u24(n->tables, n->first + (uint32_t)n->names.n);
+    bc_write_u24(n->tables, n->first + (uint32_t)n->names.n);
     write_name(&n->names, text, len);
 }
 
 static void write_variables(Arena *arena, BcNames *n, const BcMachine *m)
 {
-    const uint64_t *order = order_of(arena, m);
+    const uint64_t *order = sorted_variables(arena, m);
 
     for (size_t i = 0; i < m->ir->var.n; i++) {
         const uint32_t v = (uint32_t)order[i];
-        buf_char(n->tables, (char)what_is(&m->ir->var.at[v]));
-        bc_u24(n->tables, bc_place(m, v));
+        buf_char(n->tables, (char)variable_kind(&m->ir->var.at[v]));
+        bc_write_u24(n->tables, bc_pack_location(m, v));
         add_name(n, m->ir->var.at[v].name->text, m->ir->var.at[v].name->len);
     }
 }
 
 // Writes numbers, then tables of name offsets, then the names, then the lines.
-void bc_debug(Arena *arena, const BcMachine *m, Buf *out)
+void bc_write_debug(Arena *arena, const BcMachine *m, Buf *out)
 {
     const Program *p = m->ir->program;
     const char *source = p && p->src ? base_name(p->src->name) : "";
@@ -133,8 +133,8 @@ void bc_debug(Arena *arena, const BcMachine *m, Buf *out)
     buf_init(&n.names, arena);
     n.tables = out;
     n.first = (uint32_t)(3 * (SMVM_DEBUG_NUMBERS + ir->state.n) + SMVM_DEBUG_VARIABLE * ir->var.n);
-    bc_u24(out, (uint32_t)ir->var.n);
-    bc_u24(out, 0);                                              // where the lines start, filled in below
+    bc_write_u24(out, (uint32_t)ir->var.n);
+    bc_write_u24(out, 0);                                        // where the lines start, filled in below
     add_name(&n, ir->name->text, ir->name->len);
     add_name(&n, source, strlen(source));
     for (size_t s = 0; s < ir->state.n; s++)

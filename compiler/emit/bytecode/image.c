@@ -10,15 +10,15 @@
 
 enum { SECTIONS_MOST = 255 };
 
-typedef struct Writer {
+typedef struct ImageWriter {
     Arena *arena;
     Diags *diags;
     Buf table, body;          // the section table; the sections after it, whose offsets count from the start of `body`
     uint32_t sections;
-} Writer;
+} ImageWriter;
 
 // Records an offset within the body.  `join` makes it count from the image's start, when the size of the table is known.
-static void add_section(Writer *w, uint8_t id, uint8_t version, const Buf *bytes)
+static void add_section(ImageWriter *w, uint8_t id, uint8_t version, const Buf *bytes)
 {
     buf_char(&w->table, (char)id);
     buf_char(&w->table, (char)version);
@@ -30,7 +30,7 @@ static void add_section(Writer *w, uint8_t id, uint8_t version, const Buf *bytes
 
 // ---- IDENTITY: FNV-1a, 64 bits, over the source text of the machines ----
 
-static void add_identity(Writer *w, IrMachine *const *m, size_t n)
+static void add_identity(ImageWriter *w, IrMachine *const *m, size_t n)
 {
     uint64_t hash = UINT64_C(0xcbf29ce484222325);
     Buf b;
@@ -48,11 +48,11 @@ static void add_identity(Writer *w, IrMachine *const *m, size_t n)
 
 // ---- IO ----
 
-enum { PIN_SCALE = 0x20, PIN_OFFSET = 0x40, PIN_MORE = 0x80 };
+enum { PIN_SCALE = 0x20, PIN_OFFSET = 0x40, PIN_SAFE_OR_HOLD = 0x80 };
 
 enum { NUMBER_F32 = 8, NUMBER_F64 = 9, NUMBER_WHOLE = 15 };      // used in place of a type
 
-static bool is_whole(SmF64 x)
+static bool fits_whole_number(SmF64 x)
 {
     const int32_t most = (int32_t)(SMVM_LOCATION_OFFSETS / 2);
 
@@ -61,55 +61,55 @@ static bool is_whole(SmF64 x)
 
 static void write_number(Buf *b, SmF64 x)
 {
-    if (is_whole(x)) {
-        bc_u24(b, bc_pack((uint32_t)sm_truncate_i32(x), NUMBER_WHOLE));
+    if (fits_whole_number(x)) {
+        bc_write_u24(b, bc_pack_offset((uint32_t)sm_truncate_i32(x), NUMBER_WHOLE));
     } else if (sm_eq(sm_from_f32(sm_to_f32(x)), x)) {
-        bc_u24(b, bc_pack(0, NUMBER_F32));
+        bc_write_u24(b, bc_pack_offset(0, NUMBER_F32));
         buf_u32(b, sm_f32_bits(sm_to_f32(x)));
     } else {
-        bc_u24(b, bc_pack(0, NUMBER_F64));
+        bc_write_u24(b, bc_pack_offset(0, NUMBER_F64));
         buf_u64(b, sm_bits(x));
     }
 }
 
 static bool is_zero(SmF64 x) { return sm_eq(x, sm_from_i32(0)); }
 
-static uint8_t front_of(const Pin *p)
+static uint8_t pin_flags(const Pin *p)
 {
     bool scale = !pin_is_digital(p) && !sm_eq(p->scale, sm_from_i32(1)), more = pin_is_output(p) ? !is_zero(p->safe) : p->hold > 0;
 
     return (uint8_t)((unsigned)p->kind | (p->inverted ? 4u : 0u) | (p->pull_up ? 8u : 0u) | (p->pull_down ? 16u : 0u) | (scale ? PIN_SCALE : 0u)
-                     | (is_zero(p->offset) ? 0u : PIN_OFFSET) | (more ? PIN_MORE : 0u));
+                     | (is_zero(p->offset) ? 0u : PIN_OFFSET) | (more ? PIN_SAFE_OR_HOLD : 0u));
 }
 
 // Returns false if the element's offset is too large for a place.
 static bool write_pin(Buf *b, const Pin *p)
 {
-    const uint32_t at = p->element->offset >> smvm_type_shift(p->element->type), front = front_of(p);
+    const uint32_t at = p->element->offset >> smvm_type_shift(p->element->type), front = pin_flags(p);
 
     buf_char(b, (char)front);
-    bc_u24(b, bc_pack(at, (uint32_t)p->element->type));
-    bc_varint(b, p->number);
+    bc_write_u24(b, bc_pack_offset(at, (uint32_t)p->element->type));
+    bc_write_varint(b, p->number);
     if (front & PIN_SCALE)
         write_number(b, p->scale);
     if (front & PIN_OFFSET)
         write_number(b, p->offset);
-    if (front & PIN_MORE && pin_is_output(p))
+    if (front & PIN_SAFE_OR_HOLD && pin_is_output(p))
         write_number(b, p->safe);
-    else if (front & PIN_MORE)
+    else if (front & PIN_SAFE_OR_HOLD)
         buf_char(b, (char)p->hold);
     return at < SMVM_LOCATION_OFFSETS;
 }
 
-static bool add_pins(Writer *w, const IoMap *io)
+static bool add_pins(ImageWriter *w, const IoMap *io)
 {
     bool ok = true;
     Buf b;
 
     buf_init(&b, w->arena);
     buf_u32(&b, io->sv->hash);
-    bc_varint(&b, io->sv->size / 8);
-    bc_varint(&b, (uint32_t)io->pin.n);
+    bc_write_varint(&b, io->sv->size / 8);
+    bc_write_varint(&b, (uint32_t)io->pin.n);
     for (size_t i = 0; i < io->pin.n; i++)
         ok = write_pin(&b, &io->pin.at[i]) && ok;
     add_section(w, SMVM_S_IO, SMVM_V_IO, &b);
@@ -118,7 +118,7 @@ static bool add_pins(Writer *w, const IoMap *io)
 
 // ---- MACHINE, CODE, INIT ----
 
-static void write_functions(Buf *b, const BcMachine *m, uint8_t width)
+static void write_function_ends(Buf *b, const BcMachine *m, uint8_t width)
 {
     uint32_t end = 0;
 
@@ -129,7 +129,7 @@ static void write_functions(Buf *b, const BcMachine *m, uint8_t width)
     }
 }
 
-static void write_windows(Writer *w, Buf *b, const BcMachine *m)
+static void write_windows(ImageWriter *w, Buf *b, const BcMachine *m)
 {
     uint32_t *of = ARENA_ARRAY(w->arena, uint32_t, m->ir->window.n);
 
@@ -142,7 +142,7 @@ static void write_windows(Writer *w, Buf *b, const BcMachine *m)
 }
 
 // The part of the state vector that the machine uses, in units of 8 bytes: [*from, *to).
-static void find_span(const BcMachine *m, uint32_t *from, uint32_t *to)
+static void find_used_vector_range(const BcMachine *m, uint32_t *from, uint32_t *to)
 {
     const IrMachine *ir = m->ir;
 
@@ -157,37 +157,37 @@ static void find_span(const BcMachine *m, uint32_t *from, uint32_t *to)
     }
 }
 
-static void write_tables(Writer *w, Buf *b, const BcMachine *m, uint8_t width)
+static void write_tables(ImageWriter *w, Buf *b, const BcMachine *m, uint8_t width)
 {
     write_windows(w, b, m);
     for (size_t i = 0; i < m->output.n; i++)
-        bc_u24(b, bc_place(m, m->output.at[i]));
-    write_functions(b, m, width);
+        bc_write_u24(b, bc_pack_location(m, m->output.at[i]));
+    write_function_ends(b, m, width);
     for (size_t i = 0; i < m->f32s.n; i++)
         buf_u32(b, m->f32s.at[i]);
     for (size_t i = 0; i < m->f64s.n; i++)
         buf_u64(b, m->f64s.at[i]);
 }
 
-static void add_machine(Writer *w, const BcMachine *m, size_t code_size)
+static void add_machine(ImageWriter *w, const BcMachine *m, size_t code_size)
 {
     const IrMachine *ir = m->ir;
     uint8_t width = code_size < 0x100 ? 1 : code_size < 0x10000 ? 2 : 3;
     uint32_t from, to;
     Buf b;
 
-    find_span(m, &from, &to);
+    find_used_vector_range(m, &from, &to);
     const uint32_t number[] = {ir->sv_size / 8, from, to, m->locals, (uint32_t)ir->window.n, (uint32_t)m->output.n, (uint32_t)ir->state.n, width,
                                (uint32_t)m->f32s.n, (uint32_t)m->f64s.n, ir->var.at[ir->g].offset / 8, ir->var.at[ir->s].offset / 4};
     buf_init(&b, w->arena);
     buf_u32(&b, ir->sv_hash);
     for (size_t i = 0; i < sizeof number / sizeof number[0]; i++)
-        bc_varint(&b, number[i]);
+        bc_write_varint(&b, number[i]);
     write_tables(w, &b, m, width);
     add_section(w, SMVM_S_MACHINE, SMVM_V_MACHINE, &b);
 }
 
-static void add_init(Writer *w, const BcMachine *m)
+static void add_init(ImageWriter *w, const BcMachine *m)
 {
     Buf b;
 
@@ -196,7 +196,7 @@ static void add_init(Writer *w, const BcMachine *m)
         const IrVar *var = &m->ir->var.at[v];
         if (var->space != IR_LOCAL || var->init == 0)
             continue;
-        bc_u24(&b, bc_place(m, v));
+        bc_write_u24(&b, bc_pack_location(m, v));
         for (uint32_t i = 0; i < sm_type_info[var->type].bytes; i++)
             buf_char(&b, (char)(var->init >> 8 * i & 0xff));
     }
@@ -206,7 +206,7 @@ static void add_init(Writer *w, const BcMachine *m)
 
 // ---- SAFE ----
 
-static void add_safe(Writer *w, const IrMachine *m)
+static void add_safe(ImageWriter *w, const IrMachine *m)
 {
     uint8_t *bits = ARENA_ARRAY(w->arena, uint8_t, (m->state.n + 7) / 8);
     bool any = false;
@@ -225,7 +225,7 @@ static void add_safe(Writer *w, const IrMachine *m)
 
 // ---- the whole image ----
 
-static bool too_much(Writer *w, const IrMachine *m, const char *what)
+static bool report_limit(ImageWriter *w, const IrMachine *m, const char *what)
 {
     Span none;
 
@@ -234,17 +234,17 @@ static bool too_much(Writer *w, const IrMachine *m, const char *what)
     return false;
 }
 
-static bool add_sections_of(Writer *w, const IrMachine *ir, bool debug)
+static bool add_sections_of(ImageWriter *w, const IrMachine *ir, bool debug)
 {
     const char *what;
     bool ok = true;
     BcMachine m;
     Buf code, names;
 
-    bc_select(w->arena, &m, ir);
-    what = bc_layout(w->arena, &m);
+    bc_select_machine(w->arena, &m, ir);
+    what = bc_lay_out_locals(w->arena, &m);
     if (what)
-        return too_much(w, ir, what);
+        return report_limit(w, ir, what);
     buf_init(&code, w->arena);
     buf_init(&names, w->arena);
     for (size_t i = 0; ok && i < m.fns; i++) {
@@ -252,13 +252,13 @@ static bool add_sections_of(Writer *w, const IrMachine *ir, bool debug)
         ok = ok && code.n <= SMVM_IMAGE_MAX;
     }
     if (!ok)
-        return too_much(w, ir, "statements");
+        return report_limit(w, ir, "statements");
     add_machine(w, &m, code.n);
     add_section(w, SMVM_S_CODE, SMVM_V_CODE, &code);
     add_init(w, &m);
     add_safe(w, ir);
     if (debug) {
-        bc_debug(w->arena, &m, &names);
+        bc_write_debug(w->arena, &m, &names);
         add_section(w, SMVM_S_DEBUG, SMVM_V_DEBUG, &names);
     }
     return true;
@@ -284,7 +284,7 @@ static uint32_t u32_at(const Buf *b, size_t at)
 }
 
 // Joins header, table with absolute offsets, sections and checksum.
-static bool join(Writer *w, Buf *out)
+static bool join_image(ImageWriter *w, Buf *out)
 {
     size_t first = SMVM_HEADER + (size_t)SMVM_SECTION_ENTRY * w->sections, start = out->n;
     uint32_t crc;
@@ -296,12 +296,12 @@ static bool join(Writer *w, Buf *out)
     buf_put(&image, "smb", 3);
     buf_char(&image, SMVM_FORMAT);
     buf_u32(&image, 0);                                          // the checksum, filled in below
-    bc_u24(&image, (uint32_t)(first + w->body.n));
+    bc_write_u24(&image, (uint32_t)(first + w->body.n));
     buf_char(&image, (char)w->sections);
     for (size_t i = 0; i < w->sections; i++) {
         buf_put(&image, w->table.at + 10 * i, 2);
-        bc_u24(&image, (uint32_t)first + u32_at(&w->table, 10 * i + 2));
-        bc_u24(&image, u32_at(&w->table, 10 * i + 6));
+        bc_write_u24(&image, (uint32_t)first + u32_at(&w->table, 10 * i + 2));
+        bc_write_u24(&image, u32_at(&w->table, 10 * i + 6));
     }
     buf_put(&image, w->body.at, w->body.n);
     crc = crc_of(&image);
@@ -311,7 +311,7 @@ static bool join(Writer *w, Buf *out)
     return out->n - start == image.n;
 }
 
-static bool accepted(Writer *w, IrMachine *const *m, const Buf *out)
+static bool verify_image(ImageWriter *w, IrMachine *const *m, const Buf *out)
 {
     SmvmVerdict v;
     Span none;
@@ -330,7 +330,7 @@ static bool accepted(Writer *w, IrMachine *const *m, const Buf *out)
 
 bool emit_image(Arena *arena, Diags *diags, IrMachine *const *m, size_t n, const IoMap *io, bool debug, Buf *out)
 {
-    Writer w;
+    ImageWriter w;
     Span none;
 
     memset(&w, 0, sizeof w);
@@ -341,16 +341,16 @@ bool emit_image(Arena *arena, Diags *diags, IrMachine *const *m, size_t n, const
     buf_init(&w.body, arena);
     add_identity(&w, m, n);
     if (io && !add_pins(&w, io))
-        return too_much(&w, m[0], "elements");
+        return report_limit(&w, m[0], "elements");
     for (size_t i = 0; i < n; i++) {
         if (!add_sections_of(&w, m[i], debug))
             return false;
         if (w.body.n > SMVM_IMAGE_MAX || w.sections > SECTIONS_MOST)
             break;
     }
-    if (!join(&w, out)) {
+    if (!join_image(&w, out)) {
         diag_report(diags, DIAG_image_size, none, w.sections > SECTIONS_MOST ? "too many machines" : "more than 16 MB");
         return false;
     }
-    return accepted(&w, m, out);
+    return verify_image(&w, m, out);
 }

@@ -14,99 +14,99 @@ static void emit_jump(BcSelect *s, uint32_t op, uint32_t n, uint32_t label)
 
     i->n = n;
     i->to = label;
-    s->out->label.at[label].jumped = (uint32_t)s->out->ins.n;
+    s->out->label.at[label].last_jump = (uint32_t)s->out->ins.n;
 }
 
 // At a label inside a block's jump the contents of X are forgotten.  Before a jump to it, a value that is still needed must be saved to its
 // slot.
-static bool is_inside(const BcSelect *s, uint32_t label) { return label >= s->inside; }
+static bool is_inner_label(const BcSelect *s, uint32_t label) { return label >= s->first_inner_label; }
 
-static bool fits_in_jump(const BcSelect *s, IrRef r, int32_t *n)
+static bool match_jump_constant(const BcSelect *s, IrRef r, int32_t *n)
 {
-    return bc_ins(s, r)->op == IR_const && bc_whole(bc_const_value(bc_ins(s, r)), n) && *n >= 0;
+    return bc_ins(s, r)->op == IR_const && bc_try_whole(bc_const_value(bc_ins(s, r)), n) && *n >= 0;
 }
 
 // Jumps to the label if the result of the comparison is `when`.
-static void jump_compare(BcSelect *s, const IrIns *i, bool when, uint32_t label)
+static void emit_compare_jump(BcSelect *s, const IrIns *i, bool when, uint32_t label)
 {
-    uint32_t relation = when ? bc_relation(i->op) : bc_negate_relation(bc_relation(i->op));
-    IrRef a = bc_source(s, i->a), b = bc_source(s, i->b);
+    uint32_t relation = when ? bc_relation_of(i->op) : bc_negated_relation(bc_relation_of(i->op));
+    IrRef a = bc_skip_exact_cvts(s, i->a), b = bc_skip_exact_cvts(s, i->b);
     int32_t n;
 
-    if (fits_in_jump(s, a, &n)) {
+    if (match_jump_constant(s, a, &n)) {
         const IrRef c = a;
         a = b;
         b = c;
-        relation = bc_swap_relation(relation);
+        relation = bc_swapped_relation(relation);
     }
-    if (fits_in_jump(s, b, &n)) {
+    if (match_jump_constant(s, b, &n)) {
         bc_bring_to_x(s, a);
-        if (is_inside(s, label))
+        if (is_inner_label(s, label))
             bc_save_x(s);
         emit_jump(s, SMVM_jxn - 1 + relation, (uint32_t)n, label);
     } else {
-        if (bc_operands(s, a, b, true, is_inside(s, label)))
-            relation = bc_swap_relation(relation);
+        if (bc_load_operands(s, a, b, true, is_inner_label(s, label)))
+            relation = bc_swapped_relation(relation);
         emit_jump(s, SMVM_jxy - 1 + relation, 0, label);
     }
 }
 
-static void jump_number(BcSelect *s, IrRef r, bool when, uint32_t label)
+static void emit_truth_jump(BcSelect *s, IrRef r, bool when, uint32_t label)
 {
     if (bc_ins(s, r)->op == IR_const) {
         if (sm_to_bool(bc_const_value(bc_ins(s, r))) != when)
             return;
         bc_save_x(s);
         emit_jump(s, SMVM_jmp, 0, label);
-        bc_forget(s);
+        bc_forget_registers(s);
         return;
     }
     bc_bring_to_x(s, r);
-    if (is_inside(s, label))
+    if (is_inner_label(s, label))
         bc_save_x(s);
     emit_jump(s, when ? SMVM_jt : SMVM_jf, 0, label);
 }
 
 // Jumps to the label if the truth of r equals `when`; otherwise falls through.
-static void jump_on(BcSelect *s, IrRef r, bool when, uint32_t label)
+static void emit_conditional_jump(BcSelect *s, IrRef r, bool when, uint32_t label)
 {
     const IrIns *i;
     uint32_t past;
 
-    r = bc_without_truth(s, r);
+    r = bc_skip_truth_cvts(s, r);
     while (s->value[r].waits && bc_ins(s, r)->op == IR_not) {
         when = !when;
-        r = bc_without_truth(s, bc_ins(s, r)->a);
+        r = bc_skip_truth_cvts(s, bc_ins(s, r)->a);
     }
     i = bc_ins(s, r);
     if (!s->value[r].waits) {
-        jump_number(s, r, when, label);
+        emit_truth_jump(s, r, when, label);
     } else if (i->op == IR_and || i->op == IR_or) {
         if ((i->op == IR_or) == when) {                          // either operand decides
-            jump_on(s, i->a, when, label);
-            jump_on(s, i->b, when, label);
+            emit_conditional_jump(s, i->a, when, label);
+            emit_conditional_jump(s, i->b, when, label);
         } else {
             past = bc_label_new(s);
-            jump_on(s, i->a, !when, past);
-            jump_on(s, i->b, when, label);
+            emit_conditional_jump(s, i->a, !when, past);
+            emit_conditional_jump(s, i->b, when, label);
             bc_label_place(s, past);
         }
     } else if (ir_op_info[i->op].types == IR_T_COMPARE) {
-        jump_compare(s, i, when, label);
+        emit_compare_jump(s, i, when, label);
     } else {
-        jump_number(s, r, when, label);
+        emit_truth_jump(s, r, when, label);
     }
 }
 
 // ---- ends ----
 
-static bool is_end(const IrBlk *b) { return b->jump.kind == IR_RET || b->jump.kind == IR_GOTO; }
-static bool only_ends(const IrBlk *b) { return b->ins.n == 0 && is_end(b); }
+static bool ends_function(const IrBlk *b) { return b->jump.kind == IR_RET || b->jump.kind == IR_GOTO; }
+static bool only_ends_function(const IrBlk *b) { return b->ins.n == 0 && ends_function(b); }
 
 static uint32_t line_of(Span span) { return span.src ? source_position(span.src, span.at).line : 0; }
-static bool on_one_line(Span a, Span b) { return (a.src == b.src && a.at == b.at) || line_of(a) == line_of(b); }
+static bool is_same_line(Span a, Span b) { return (a.src == b.src && a.at == b.at) || line_of(a) == line_of(b); }
 
-static BcExit *exit_of(BcSelect *s, const IrJump *j)
+static BcExit *find_or_add_exit(BcSelect *s, const IrJump *j)
 {
     const uint32_t index = j->kind == IR_GOTO ? j->state : 0;
     BcExit *e = &s->exit[index];
@@ -120,50 +120,50 @@ static BcExit *exit_of(BcSelect *s, const IrJump *j)
     return e;
 }
 
-static void emit_end(BcSelect *s, const IrJump *j)
+static void emit_exit(BcSelect *s, const IrJump *j)
 {
     if (j->span.src)
         s->span = j->span;
-    exit_of(s, j)->at = (uint32_t)s->out->ins.n + 1;
+    find_or_add_exit(s, j)->at = (uint32_t)s->out->ins.n + 1;
     bc_emit(s, j->kind == IR_GOTO ? SMVM_goto : SMVM_end)->n = j->kind == IR_GOTO ? j->state : 0;
-    bc_forget(s);
+    bc_forget_registers(s);
 }
 
 // The label for jumps to block `to`.  For a block that only ends the function, it is the label of the last such end.
-static uint32_t label_of(BcSelect *s, IrBlkRef to)
+static uint32_t find_or_add_label(BcSelect *s, IrBlkRef to)
 {
     const IrJump *j = &s->f->blk.at[to].jump;
     BcExit *e;
 
-    if (!only_ends(&s->f->blk.at[to]))
+    if (!only_ends_function(&s->f->blk.at[to]))
         return s->label[to];
-    e = exit_of(s, j);
+    e = find_or_add_exit(s, j);
     if (e->label == UINT32_MAX) {
         e->label = bc_label_new(s);
         e->span = j->span;
     }
-    e->of_many_lines = e->of_many_lines || !on_one_line(j->span, e->span);
+    e->of_many_lines = e->of_many_lines || !is_same_line(j->span, e->span);
     return e->label;
 }
 
 // Places the label of an end.  Adds an end if none follows the last jump to it.
-static void place_end(BcSelect *s, uint32_t state)
+static void place_exit(BcSelect *s, uint32_t state)
 {
     BcExit *e = &s->exit[state];
     BcLabel *l;
     BcIns *i;
 
-    if (e->label == UINT32_MAX || s->out->label.at[e->label].jumped == 0)
+    if (e->label == UINT32_MAX || s->out->label.at[e->label].last_jump == 0)
         return;
     l = &s->out->label.at[e->label];
-    if (e->at <= l->jumped) {
+    if (e->at <= l->last_jump) {
         s->span = e->span.src ? e->span : s->span;
         bc_emit(s, state ? SMVM_goto : SMVM_end)->n = state;
         e->at = (uint32_t)s->out->ins.n;
     }
     l->at = e->at - 1;
     i = &s->out->ins.at[l->at];
-    i->of_many_lines = state != 0 && (e->of_many_lines || !on_one_line(i->span, e->span));
+    i->of_many_lines = state != 0 && (e->of_many_lines || !is_same_line(i->span, e->span));
 }
 
 // ---- a block's jump ----
@@ -173,21 +173,21 @@ static void select_jmp(BcSelect *s, IrBlkRef to, IrBlkRef next)
 {
     if (to == next)
         return;
-    if (only_ends(&s->f->blk.at[to])) {
-        emit_end(s, &s->f->blk.at[to].jump);
+    if (only_ends_function(&s->f->blk.at[to])) {
+        emit_exit(s, &s->f->blk.at[to].jump);
         return;
     }
     emit_jump(s, SMVM_jmp, 0, s->label[to]);
-    bc_forget(s);
+    bc_forget_registers(s);
 }
 
 static void select_br(BcSelect *s, IrRef cond, IrBlkRef then, IrBlkRef otherwise, IrBlkRef next)
 {
     const bool on = then != next;
-    const uint32_t label = label_of(s, on ? then : otherwise);
+    const uint32_t label = find_or_add_label(s, on ? then : otherwise);
 
-    s->inside = (uint32_t)s->out->label.n;
-    jump_on(s, cond, on, label);
+    s->first_inner_label = (uint32_t)s->out->label.n;
+    emit_conditional_jump(s, cond, on, label);
     if (on)
         select_jmp(s, otherwise, next);
 }
@@ -199,13 +199,13 @@ static void select_jump(BcSelect *s, const IrJump *j, IrBlkRef next)
     if (j->span.src)
         s->span = j->span;
     if (cond && cond->op == IR_const) {
-        select_jmp(s, s->through[cond->bits ? j->then : j->otherwise], next);
+        select_jmp(s, s->final_target[cond->bits ? j->then : j->otherwise], next);
         return;
     }
     switch (j->kind) {
-    case IR_RET: case IR_GOTO: emit_end(s, j); break;
-    case IR_JMP: select_jmp(s, s->through[j->then], next); break;
-    case IR_BR: select_br(s, j->cond, s->through[j->then], s->through[j->otherwise], next); break;
+    case IR_RET: case IR_GOTO: emit_exit(s, j); break;
+    case IR_JMP: select_jmp(s, s->final_target[j->then], next); break;
+    case IR_BR: select_br(s, j->cond, s->final_target[j->then], s->final_target[j->otherwise], next); break;
     }
 }
 
@@ -213,7 +213,7 @@ static void select_block(BcSelect *s, IrBlkRef block, IrBlkRef next)
 {
     const IrBlk *b = &s->f->blk.at[block];
 
-    bc_plan_block(s, block);
+    bc_analyse_block(s, block);
     bc_label_place(s, s->label[block]);
     s->x.value = IR_NONE;
     for (size_t p = 0; p < b->ins.n; p++)
@@ -224,43 +224,43 @@ static void select_block(BcSelect *s, IrBlkRef block, IrBlkRef next)
 // ---- the order of blocks ----
 
 // Sets label and `through` of each block.  Returns which blocks are emitted: those that are reachable and do more than jump or end.
-static bool *plan_blocks(BcSelect *s)
+static bool *find_emitted_blocks(BcSelect *s)
 {
     const IrFn *f = s->f;
-    bool *kept = ir_reachable(s->arena, f);
+    bool *kept = ir_find_reachable(s->arena, f);
 
     s->label = ARENA_ARRAY(s->arena, uint32_t, f->blk.n);
-    s->through = ARENA_ARRAY(s->arena, IrBlkRef, f->blk.n);
+    s->final_target = ARENA_ARRAY(s->arena, IrBlkRef, f->blk.n);
     for (size_t b = 0; b < f->blk.n; b++)
         s->label[b] = bc_label_new(s);
     for (size_t b = f->blk.n; b-- > 0;) {
         const IrBlk *blk = &f->blk.at[b];
         const bool jumps = blk->ins.n == 0 && blk->jump.kind == IR_JMP;
-        s->through[b] = jumps ? s->through[blk->jump.then] : (IrBlkRef)b;
-        kept[b] = kept[b] && (b == 0 || (!jumps && !only_ends(blk)));
+        s->final_target[b] = jumps ? s->final_target[blk->jump.then] : (IrBlkRef)b;
+        kept[b] = kept[b] && (b == 0 || (!jumps && !only_ends_function(blk)));
     }
     return kept;
 }
 
-static uint32_t *count_entries(BcSelect *s, const bool *kept)      // of each block, by jump or fall-through
+static uint32_t *count_block_entries(BcSelect *s, const bool *kept)  // of each block, by jump or fall-through
 {
     uint32_t *n = ARENA_ARRAY(s->arena, uint32_t, s->f->blk.n);
 
     for (size_t b = 0; b < s->f->blk.n; b++) {
         const IrJump *j = &s->f->blk.at[b].jump;
         if (kept[b] && (j->kind == IR_JMP || j->kind == IR_BR))
-            n[s->through[j->then]]++;
+            n[s->final_target[j->then]]++;
         if (kept[b] && j->kind == IR_BR)
-            n[s->through[j->otherwise]]++;
+            n[s->final_target[j->otherwise]]++;
     }
     return n;
 }
 
 // Marks blocks to be placed after all others: a block that ends the function and is entered only from one `if`, whose other side also has a
 // block.
-static void mark_late_blocks(BcSelect *s, const bool *kept, bool *late)
+static void mark_blocks_laid_out_last(BcSelect *s, const bool *kept, bool *laid_out_last)
 {
-    const uint32_t *entries = count_entries(s, kept);
+    const uint32_t *entries = count_block_entries(s, kept);
     const IrBlk *blk = s->f->blk.at;
 
     for (size_t b = 0; b < s->f->blk.n; b++) {
@@ -268,25 +268,25 @@ static void mark_late_blocks(BcSelect *s, const bool *kept, bool *late)
         IrBlkRef then, otherwise;
         if (!kept[b] || j->kind != IR_BR)
             continue;
-        then = s->through[j->then];
-        otherwise = s->through[j->otherwise];
-        if (kept[then] && is_end(&blk[then]) && entries[then] == 1)
-            late[then] = kept[otherwise];
-        else if (kept[otherwise] && is_end(&blk[otherwise]) && entries[otherwise] == 1)
-            late[otherwise] = kept[then];
+        then = s->final_target[j->then];
+        otherwise = s->final_target[j->otherwise];
+        if (kept[then] && ends_function(&blk[then]) && entries[then] == 1)
+            laid_out_last[then] = kept[otherwise];
+        else if (kept[otherwise] && ends_function(&blk[otherwise]) && entries[otherwise] == 1)
+            laid_out_last[otherwise] = kept[then];
     }
 }
 
 static IrBlkRef *order_blocks(BcSelect *s, const bool *kept, uint32_t *n)
 {
     IrBlkRef *order = ARENA_ARRAY(s->arena, IrBlkRef, s->f->blk.n + 1);
-    bool *late = ARENA_ARRAY(s->arena, bool, s->f->blk.n);
+    bool *laid_out_last = ARENA_ARRAY(s->arena, bool, s->f->blk.n);
 
     *n = 0;
-    mark_late_blocks(s, kept, late);
+    mark_blocks_laid_out_last(s, kept, laid_out_last);
     for (int side = 0; side < 2; side++)
         for (IrBlkRef b = 0; b < s->f->blk.n; b++)
-            if (kept[b] && late[b] == (side == 1))
+            if (kept[b] && laid_out_last[b] == (side == 1))
                 order[(*n)++] = b;
     order[*n] = IR_NONE;
     return order;
@@ -303,20 +303,20 @@ void bc_select_function(BcSelect *s, const IrFn *f, BcFn *out)
     s->out = out;
     s->fn++;
     s->exits.n = 0;
-    s->straight = 0;
+    s->straight_start = 0;
     while (s->values.cap < f->ins.n)
         vec_reserve(s->arena, (void **)&s->values.at, &s->values.cap, sizeof *s->values.at);
     s->value = s->values.at;
     if (f->ins.n)
         memset(s->value, 0, f->ins.n * sizeof *s->value);
     out->ins.cap = f->ins.n;                                     // usually enough
-    out->ins.at = arena_room(s->arena, out->ins.cap * sizeof *out->ins.at);
-    order = order_blocks(s, plan_blocks(s), &n);
-    bc_forget(s);
+    out->ins.at = arena_alloc_unzeroed(s->arena, out->ins.cap * sizeof *out->ins.at);
+    order = order_blocks(s, find_emitted_blocks(s), &n);
+    bc_forget_registers(s);
     for (uint32_t i = 0; i < n; i++)
         select_block(s, order[i], order[i + 1]);
     for (size_t i = 0; i < s->exits.n; i++)
-        place_end(s, s->exits.at[i]);
+        place_exit(s, s->exits.at[i]);
 }
 
 // A function that does nothing needs no code.
@@ -335,7 +335,7 @@ static void number_windows(BcSelect *s)
     }
 }
 
-static BcRef *no_operands(Arena *arena, size_t n)
+static BcRef *new_empty_refs(Arena *arena, size_t n)
 {
     BcRef *of = ARENA_ARRAY(arena, BcRef, n);
 
@@ -343,7 +343,7 @@ static BcRef *no_operands(Arena *arena, size_t n)
     return of;
 }
 
-void bc_select(Arena *arena, BcMachine *out, const IrMachine *m)
+void bc_select_machine(Arena *arena, BcMachine *out, const IrMachine *m)
 {
     BcSelect s;
 
@@ -355,8 +355,8 @@ void bc_select(Arena *arena, BcMachine *out, const IrMachine *m)
     s.store_at = ARENA_ARRAY(arena, uint32_t, m->var.n);
     s.store_in = ARENA_ARRAY(arena, uint32_t, m->var.n);
     s.exit = ARENA_ARRAY(arena, BcExit, m->state.n + 1);
-    out->of_var = no_operands(arena, m->var.n);
-    out->of_stat = no_operands(arena, m->window.n * SM_STAT_COUNT);
+    out->of_var = new_empty_refs(arena, m->var.n);
+    out->of_stat = new_empty_refs(arena, m->window.n * SM_STAT_COUNT);
     out->fns = 1 + 3 * m->state.n;
     out->fn = ARENA_ARRAY(arena, BcFn, out->fns);
     number_windows(&s);

@@ -43,7 +43,7 @@ uint32_t bc_type_of(const BcSelect *s, BcRef r) { return s->m->operand.at[r].typ
 
 // ---- numbers ----
 
-bool bc_whole(SmF64 x, int32_t *n)
+bool bc_try_whole(SmF64 x, int32_t *n)
 {
     if (!sm_le(sm_from_i32(-(int32_t)SMVM_VARINT_END), x) || !sm_lt(x, sm_from_i32((int32_t)SMVM_VARINT_END)))
         return false;
@@ -53,12 +53,12 @@ bool bc_whole(SmF64 x, int32_t *n)
 
 bool bc_is_f32(SmF64 x) { return sm_is_nan(x) || sm_bits(sm_from_f32(sm_round_f32(x))) == sm_bits(x); }
 
-static void add_constant(BcSelect *s, BcOperand *o)                // to the table of F32 or F64 constants, if it needs one
+static void add_to_const_table(BcSelect *s, BcOperand *o)          // to the table of F32 or F64 constants, if it needs one
 {
     const SmF64 x = sm_from_bits(o->bits);
     int32_t n;
 
-    if (bc_whole(x, &n))
+    if (bc_try_whole(x, &n))
         return;
     if (bc_is_f32(x)) {
         o->index = (uint32_t)s->m->f32s.n;
@@ -69,7 +69,7 @@ static void add_constant(BcSelect *s, BcOperand *o)                // to the tab
     }
 }
 
-static size_t const_place(const BcMachine *m, const BcRef *table, size_t cap, uint64_t bits)
+static size_t find_const_slot(const BcMachine *m, const BcRef *table, size_t cap, uint64_t bits)
 {
     size_t i = (size_t)(bits * UINT64_C(0x9e3779b97f4a7c15) >> 32) & (cap - 1);
 
@@ -87,7 +87,7 @@ static void grow_consts(BcSelect *s)
     memset(table, 0xff, cap * sizeof *table);
     for (size_t i = 0; i < m->const_cap; i++)
         if (m->const_slot[i] != BC_NONE)
-            table[const_place(m, table, cap, m->operand.at[m->const_slot[i]].bits)] = m->const_slot[i];
+            table[find_const_slot(m, table, cap, m->operand.at[m->const_slot[i]].bits)] = m->const_slot[i];
     m->const_slot = table;
     m->const_cap = cap;
 }
@@ -95,19 +95,19 @@ static void grow_consts(BcSelect *s)
 BcRef bc_const_operand(BcSelect *s, SmF64 x)
 {
     const uint64_t bits = sm_bits(x);
-    size_t place;
+    size_t slot;
 
     if (s->m->consts * 2 >= s->m->const_cap)
         grow_consts(s);
-    place = const_place(s->m, s->m->const_slot, s->m->const_cap, bits);
-    if (s->m->const_slot[place] == BC_NONE) {
+    slot = find_const_slot(s->m, s->m->const_slot, s->m->const_cap, bits);
+    if (s->m->const_slot[slot] == BC_NONE) {
         BcRef r = add_operand(s, BC_CONST, SM_F64);
         s->m->operand.at[r].bits = bits;
-        add_constant(s, &s->m->operand.at[r]);
-        s->m->const_slot[place] = r;
+        add_to_const_table(s, &s->m->operand.at[r]);
+        s->m->const_slot[slot] = r;
         s->m->consts++;
     }
-    return s->m->const_slot[place];
+    return s->m->const_slot[slot];
 }
 
 BcRef bc_operand_of(BcSelect *s, const IrIns *i)

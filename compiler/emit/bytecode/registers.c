@@ -5,37 +5,37 @@
 
 // ---- register contents ----
 
-static BcHeld no_contents(void) { return (BcHeld){IR_NONE, {BC_NONE, BC_NONE, BC_NONE}}; }
+static BcRegister empty_register(void) { return (BcRegister){IR_NONE, {BC_NONE, BC_NONE, BC_NONE}}; }
 
-static void note_equal(BcHeld *h, BcRef o)
+static void add_source(BcRegister *h, BcRef o)
 {
     int i = 0;
 
-    while (i < BC_HELD - 1 && h->from[i] != BC_NONE && h->from[i] != o)
+    while (i < BC_REGISTER_SOURCES - 1 && h->from[i] != BC_NONE && h->from[i] != o)
         i++;
     h->from[i] = o;
 }
 
-static void note_different(BcHeld *h, BcRef o)
+static void remove_source(BcRegister *h, BcRef o)
 {
-    for (int i = 0; i < BC_HELD; i++)
+    for (int i = 0; i < BC_REGISTER_SOURCES; i++)
         if (h->from[i] == o)
             h->from[i] = BC_NONE;
 }
 
-void bc_forget(BcSelect *s) { s->x = s->y = no_contents(); }
+void bc_forget_registers(BcSelect *s) { s->x = s->y = empty_register(); }
 
 // ---- instructions ----
 
 BcIns *bc_emit(BcSelect *s, uint8_t op)
 {
-    const BcIns i = {.op = op, .what = BC_NONE, .span = s->span};
+    const BcIns i = {.op = op, .operand_ref = BC_NONE, .span = s->span};
 
     vec_push(s->arena, &s->out->ins, i);
     return &s->out->ins.at[s->out->ins.n - 1];
 }
 
-static bool is_pending(const BcSelect *s)               // X holds the only copy of a value that is still needed
+static bool is_x_unsaved(const BcSelect *s)             // X holds the only copy of a value that is still needed
 {
     const BcValue *v = s->x.value == IR_NONE ? NULL : &s->value[s->x.value];
 
@@ -43,7 +43,7 @@ static bool is_pending(const BcSelect *s)               // X holds the only copy
 }
 
 // The pool of the slot that saves r: its own type, or BC_RAW for the result of an F64 operation, which is saved unchanged.
-static uint32_t pool_of(const BcSelect *s, IrRef r)
+static uint32_t slot_pool_of(const BcSelect *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
 
@@ -54,9 +54,9 @@ void bc_drop_cvt(BcSelect *s, uint32_t type)
 {
     const size_t n = s->out->ins.n;
 
-    if (n > s->straight && s->out->ins.at[n - 1].op == SMVM_cvt && s->out->ins.at[n - 1].n == type) {
+    if (n > s->straight_start && s->out->ins.at[n - 1].op == SMVM_cvt && s->out->ins.at[n - 1].n == type) {
         s->out->ins.n--;
-        s->x = no_contents();
+        s->x = empty_register();
     }
 }
 
@@ -65,7 +65,7 @@ static void save_to_slot(BcSelect *s, bool is_needed)                // used: X 
     const IrRef r = s->x.value;
     BcValue *v = &s->value[r];
 
-    v->slot = bc_slot_alloc(s, pool_of(s, r));
+    v->slot = bc_slot_alloc(s, slot_pool_of(s, r));
     if (!is_needed)
         bc_drop_cvt(s, bc_type_of(s, v->slot));
     bc_store_x(s, v->slot, is_needed);
@@ -73,37 +73,37 @@ static void save_to_slot(BcSelect *s, bool is_needed)                // used: X 
 
 void bc_save_x(BcSelect *s)
 {
-    if (is_pending(s))
+    if (is_x_unsaved(s))
         save_to_slot(s, true);
 }
 
 void bc_load_x(BcSelect *s, BcRef o)
 {
-    if (bc_holds(&s->x, o))
+    if (bc_register_has(&s->x, o))
         return;
-    if (is_pending(s))
+    if (is_x_unsaved(s))
         save_to_slot(s, false);
-    bc_emit(s, SMVM_ldx_local)->what = o;
-    bc_forget(s);
+    bc_emit(s, SMVM_ldx_local)->operand_ref = o;
+    bc_forget_registers(s);
     s->x.from[0] = o;
 }
 
 void bc_load_y(BcSelect *s, BcRef o)
 {
-    if (bc_holds(&s->y, o))
+    if (bc_register_has(&s->y, o))
         return;
-    bc_emit(s, SMVM_ldy_local)->what = o;
-    s->y = no_contents();
+    bc_emit(s, SMVM_ldy_local)->operand_ref = o;
+    s->y = empty_register();
     s->y.from[0] = o;
 }
 
-void bc_change_x(BcSelect *s, uint8_t op, uint32_t n)
+void bc_emit_changing_x(BcSelect *s, uint8_t op, uint32_t n)
 {
     bc_emit(s, op)->n = n;
-    s->x = no_contents();
+    s->x = empty_register();
 }
 
-void bc_x_contains(BcSelect *s, IrRef r)
+void bc_record_x(BcSelect *s, IrRef r)
 {
     if (s->x.value == r)
         return;
@@ -121,18 +121,18 @@ static void note_output(BcSelect *s, BcOperand *o)
 
 void bc_store_x(BcSelect *s, BcRef d, bool same)
 {
-    bc_emit(s, SMVM_st_local)->what = d;
+    bc_emit(s, SMVM_st_local)->operand_ref = d;
     note_output(s, &s->m->operand.at[d]);
-    s->y = no_contents();
-    note_different(&s->x, d);
+    s->y = empty_register();
+    remove_source(&s->x, d);
     if (same)
-        note_equal(&s->x, d);
+        add_source(&s->x, d);
 }
 
 void bc_sample_x(BcSelect *s, uint32_t window)
 {
     bc_emit(s, SMVM_sample)->n = window;
-    s->y = no_contents();
+    s->y = empty_register();
 }
 
 // ---- labels ----
@@ -150,8 +150,8 @@ void bc_label_place(BcSelect *s, uint32_t label)
     BcLabel *l = &s->out->label.at[label];
 
     l->at = (uint32_t)s->out->ins.n;
-    if (l->jumped == 0)
+    if (l->last_jump == 0)
         return;
-    s->straight = l->at;
-    bc_forget(s);
+    s->straight_start = l->at;
+    bc_forget_registers(s);
 }

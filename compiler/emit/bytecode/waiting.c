@@ -7,7 +7,7 @@
 
 enum { DEEPEST = 100 };       // bound on the chain of waiting operations, and so on the recursion in select.c
 
-uint32_t bc_depth(const BcSelect *s, IrRef r) { return s->value[r].waits && s->value[r].depth <= DEEPEST ? s->value[r].depth : 0; }
+uint32_t bc_chain_depth(const BcSelect *s, IrRef r) { return s->value[r].waits && s->value[r].depth <= DEEPEST ? s->value[r].depth : 0; }
 
 // ---- possible values ----
 
@@ -44,36 +44,36 @@ bool bc_is_exact(const BcSelect *s, IrRef r, SmType type)
 // ---- conversions that need no instruction ----
 
 // Whether a conversion leaves the number unchanged, once its operand has been read.
-static bool changes_nothing(const BcSelect *s, const IrIns *cvt) { return bc_is_exact(s, cvt->a, cvt->type); }
+static bool is_exact_cvt(const BcSelect *s, const IrIns *cvt) { return bc_is_exact(s, cvt->a, cvt->type); }
 
-IrRef bc_converted(const BcSelect *s, IrRef r)
+IrRef bc_follow_exact_cvts(const BcSelect *s, IrRef r)
 {
-    while (bc_is_waiting_cvt(s, r) && changes_nothing(s, bc_ins(s, r)))
+    while (bc_is_waiting_cvt(s, r) && is_exact_cvt(s, bc_ins(s, r)))
         r = bc_ins(s, r)->a;
     return r;
 }
 
-IrRef bc_without_truth(const BcSelect *s, IrRef r)
+IrRef bc_skip_truth_cvts(const BcSelect *s, IrRef r)
 {
-    while (bc_is_waiting_cvt(s, r) && (bc_ins(s, r)->type == SM_BOOL || changes_nothing(s, bc_ins(s, r))))
+    while (bc_is_waiting_cvt(s, r) && (bc_ins(s, r)->type == SM_BOOL || is_exact_cvt(s, bc_ins(s, r))))
         r = bc_ins(s, r)->a;
     return r;
 }
 
 // Whether a store to type `type` performs the conversion to `to` that precedes it.  NaN becomes 0 in all of them, so conversions of F64 to
 // itself vanish.  A value clamped to a range can skip the clamp if the store clamps to a narrower range.
-static bool storing_converts(SmType to, SmType type)
+static bool store_performs_cvt(SmType to, SmType type)
 {
     return to == type || to == SM_F64 || (!bc_is_float(to) && type != SM_BOOL && to != SM_BOOL && bc_is_within(type, to));
 }
 
-IrRef bc_stored(const BcSelect *s, IrRef r, SmType type)
+IrRef bc_skip_store_cvts(const BcSelect *s, IrRef r, SmType type)
 {
     const IrIns *i = bc_ins(s, r);
 
-    for (; s->value[r].waits && i->op == IR_cvt && (storing_converts(i->type, type) || changes_nothing(s, i)); i = bc_ins(s, r))
+    for (; s->value[r].waits && i->op == IR_cvt && (store_performs_cvt(i->type, type) || is_exact_cvt(s, i)); i = bc_ins(s, r))
         r = i->a;
-    return bc_source(s, r);
+    return bc_skip_exact_cvts(s, r);
 }
 
 // ---- which operations wait ----
@@ -113,7 +113,7 @@ static void count_block_uses(BcSelect *s, const IrBlk *b, bool deep_known)
             continue;
         v->uses_left = v->uses;
         v->slot = i->op == IR_const || i->op == IR_load ? BC_LATER : BC_NONE;
-        same = i->op == IR_cvt && changes_nothing(s, i);
+        same = i->op == IR_cvt && is_exact_cvt(s, i);
         v->waits = is_pure_operation(i->op) && (v->uses == 1 || same) && !(deep_known && v->depth > DEEPEST);
         if (v->waits)
             at = v->last;
@@ -158,13 +158,13 @@ static bool may_be_minus_zero(const BcSelect *s, const IrIns *i, const BcValue *
     switch (i->op) {
     case IR_neg: return true;
     case IR_mul: return of_such || (x->negative && !is_positive(s, i->b)) || (y->negative && !is_positive(s, i->a));
-    case IR_cvt: return of_such && changes_nothing(s, i);
+    case IR_cvt: return of_such && is_exact_cvt(s, i);
     case IR_abs: return false;
     default: return of_such;
     }
 }
 
-static void find_signs(BcSelect *s, const IrBlk *b)
+static void find_possible_signs(BcSelect *s, const IrBlk *b)
 {
     const BcValue none = {.slot = BC_NONE};
 
@@ -185,28 +185,28 @@ static void find_signs(BcSelect *s, const IrBlk *b)
 // ---- a block ----
 
 // Returns whether the chain of waiting operations is too deep.
-static bool find_depth(BcSelect *s, IrRef r)
+static bool set_chain_depth(BcSelect *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
     uint32_t x, y;
 
     if (!is_pure_operation(i->op))
         return false;
-    x = ir_op_info[i->op].operands > 0 ? bc_depth(s, i->a) : 0;
-    y = ir_op_info[i->op].operands > 1 ? bc_depth(s, i->b) : 0;
+    x = ir_op_info[i->op].operands > 0 ? bc_chain_depth(s, i->a) : 0;
+    y = ir_op_info[i->op].operands > 1 ? bc_chain_depth(s, i->b) : 0;
     s->value[r].depth = 1 + (x > y ? x : y);
     return s->value[r].depth > DEEPEST;
 }
 
-void bc_plan_block(BcSelect *s, uint32_t block)
+void bc_analyse_block(BcSelect *s, uint32_t block)
 {
     const IrBlk *b = &s->f->blk.at[block];
     bool deep = false;
 
-    find_signs(s, b);
+    find_possible_signs(s, b);
     count_block_uses(s, b, false);
     for (size_t p = 0; p < b->ins.n; p++)
-        deep |= find_depth(s, b->ins.at[p]);
+        deep |= set_chain_depth(s, b->ins.at[p]);
     if (!deep)
         return;
     for (size_t p = 0; p < b->ins.n; p++) {

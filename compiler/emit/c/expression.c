@@ -361,7 +361,7 @@ static bool compares_integers(const CFn *fn, const IrIns *i)
     if (!ir_is_integer(c_ins(fn, i->a)->type) || is_same_text(fn, i->a, i->b))
         return false;
     if (c_is_const(fn, i->a))
-        return !c_is_const(fn, i->b) && is_undecided(fn, ir_swap_comparison(i->op), i->a, source_type(fn, i->b));
+        return !c_is_const(fn, i->b) && is_undecided(fn, ir_swapped_comparison(i->op), i->a, source_type(fn, i->b));
     return !c_is_const(fn, i->b) || is_undecided(fn, i->op, i->b, source_type(fn, i->a));
 }
 
@@ -392,7 +392,7 @@ static void write_sides(CFn *fn, const IrIns *i, const char *text)
 void c_write_compare(CFn *fn, const IrIns *i, bool negated, int prec)
 {
     const bool equality = ir_is_equality(i->op), inverted = negated && !equality;
-    const IrOp op = negated && equality ? ir_negate_comparison(i->op) : i->op;
+    const IrOp op = negated && equality ? ir_negated_comparison(i->op) : i->op;
     bool opened;
 
     if (fn->u->soft && soft_write_byte_compare(fn, i, negated))

@@ -123,7 +123,7 @@ static void note_comparison(CFn *fn, IrRef r)
         fn->ins[x].nan_is_zero_uses += c->uses > 0;
         return;
     }
-    if (x == IR_NONE || !is_same_for_nan(x == i->a ? i->op : ir_swap_comparison(i->op), fn->ins[x == i->a ? i->b : i->a].fact))
+    if (x == IR_NONE || !is_same_for_nan(x == i->a ? i->op : ir_swapped_comparison(i->op), fn->ins[x == i->a ? i->b : i->a].fact))
         return;
     c->decided_by = load_of(fn, x);
     c->decided_value = i->op == IR_ne;

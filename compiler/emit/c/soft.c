@@ -85,7 +85,7 @@ static bool find_byte_compare(const CFn *fn, const IrIns *i, ByteCompare *l)
         return false;
     l->side = l->load = swap ? i->b : i->a;
     l->constant = swap ? i->a : i->b;
-    l->op = swap ? ir_swap_comparison(i->op) : i->op;
+    l->op = swap ? ir_swapped_comparison(i->op) : i->op;
     if (c_ins(fn, l->side)->op == IR_cvt && c_ins(fn, l->side)->type == SM_F64 && c_ins(fn, c_ins(fn, l->side)->a)->type == SM_F32)
         l->load = c_ins(fn, l->side)->a;
     return c_ins(fn, l->load)->op == IR_load && c_is_const(fn, l->constant) && !c_is_const(fn, l->side);
