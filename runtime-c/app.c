@@ -58,6 +58,7 @@ static void print_start_failure(const SmApp *app, SmResult r)
     sm_app_print(app, SM_TEXT("\n"));
 }
 
+// If r is an error, records the part `what` that failed and the reason `why`; NULL: the text of r is the reason.  Returns r.
 static SmResult note_failure(SmApp *app, SmResult r, const char *what, const char *why)
 {
     if (r != SM_OK) {
@@ -79,6 +80,7 @@ static void emit_event(const SmApp *app, SmEventKind kind, uint64_t time, uint32
 
 // ---- start ----
 
+// Checks that the platform has a clock and that it advances, by sleeping for its resolution.
 static SmResult check_clock(SmApp *app)
 {
     uint64_t ns, then;
@@ -107,6 +109,7 @@ static SmResult check_config(SmApp *app)
     return check_clock(app);
 }
 
+// Opens the locks of the state vector and of the event ring.
 static SmResult open_vector(SmApp *app)
 {
     SmResult r = app->sv ? sm_statevec_init(app->sv) : SM_OK;
@@ -117,6 +120,7 @@ static SmResult open_vector(SmApp *app)
     return note_failure(app, r, SM_TEXT("the event ring"), NULL);
 }
 
+// Stores the values of [start], then restores the saved state vector.
 static SmResult fill_vector(SmApp *app)
 {
     SmResult r;
@@ -128,7 +132,8 @@ static SmResult fill_vector(SmApp *app)
     return r;
 }
 
-// Stores the name of the pin that the I/O task `failed_task` could not open.  An invalid table row has no pin number to report.
+// If `failed_task` is an I/O task, stores "pin N: " in failed_pin for the pin that it could not open.  SM_E_ARGUMENT means an
+// invalid table row, which has no pin number to report.
 static void note_pin(SmApp *app, SmResult r)
 {
     const SmIo *const io = app->failed_task->context == app->inputs ? app->inputs : app->failed_task->context == app->outputs ? app->outputs : NULL;
@@ -188,7 +193,8 @@ static SmResult start_app(SmApp *app)
 
 // ---- from start to end ----
 
-// The last record of the log contains STOP.  If the threads are stopped before tick 0 is due, the end precedes the start.
+// Emits STOP, which the last record of the log then contains.  If the threads are stopped before tick 0 is due, `now` precedes the
+// start, and the time of STOP is 0.
 static void end_app(SmApp *app)
 {
     const uint64_t now = pal_clock_now();

@@ -14,9 +14,9 @@
 // If a step fails, nothing runs, and sm_app_main prints the reason on the console.
 //
 // On a platform with threads, each executor has its own thread.  The thread that called sm_app_run writes the log and the saved
-// state vector, because it may wait for the media.  The calling thread runs all executors itself if there is only one thread, or if
-// there is only one executor and nothing to write.  It then writes while no executor is due, and ten times a second even if one is
-// due.
+// state vector, because it may wait for the media.  The calling thread runs all executors itself if there is only one thread, or
+// if there is only one executor and nothing to write.  It then writes while no executor is due, and ten times a second even if one
+// is due.
 //
 // One thread with several executors runs the one that has waited longest.  An executor waits since its tick was due or since its
 // last tick ended, whichever is later.  Ties go to the first in the file.  So an executor that is always late delays every other
@@ -67,14 +67,14 @@ typedef struct SmApp {
     uint32_t stop;            // read and written through sm_app_stop and sm_app_stopping
     const SmTask *failed_task;  // the task whose init failed
     const SmExecutor *failed_executor;    // the executor that did not start, or to which `failed_task` belongs
-    const char *failed_part, *reason;  // what else did not start; the reason, if the result does not explain it (flash strings, stdlib/flash.h)
+    const char *failed_part, *reason;  // other part that did not start; reason, or NULL: the result's text (flash strings, stdlib/flash.h)
     const char *failed_file;  // the file that the failure concerns; or NULL
     char failed_pin[16];      // "pin 17: ", likewise; or empty
     bool print_messages;      // print messages on the console
     uint64_t start;           // PAL clock time at which tick 0 is due
     uint64_t fed_at, wrote_at;// PAL clock times: of the last watchdog feed; of the last check for pending writes
     PalThread watchdog_thread;// the thread that feeds the watchdog
-    uint32_t gate;            // run.c
+    uint32_t gate;            // GATE_WAIT, GATE_OPEN or GATE_CLOSED (run.c): what the threads wait for
 } SmApp;
 
 // Starts the application and runs it until sm_app_stop.  Any result but SM_OK means that the start failed and nothing has run.  To

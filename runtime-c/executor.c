@@ -4,14 +4,15 @@
 
 #include "runtime-c/pal/clock.h"
 
-// ---- the plan ----
+// ---- configuration ----
 
-// NULL is accepted for any vector.
+// Whether e is an element of the vector, or NULL.
 static bool belongs_to(const SmStateVec *sv, const SmElement *e)
 {
     return !e || (sv && sv->layout && (uintptr_t)e - (uintptr_t)sv->layout->element < sv->layout->elements * sizeof *e);
 }
 
+// Whether e is NULL or an integer element of the vector (the integer types precede the others in stdlib/types.def).
 static bool can_receive_statistic(const SmStateVec *sv, const SmElement *e)
 {
     return belongs_to(sv, e) && (!e || e->type <= SM_U64);
@@ -80,7 +81,7 @@ SmResult sm_executor_init(SmExecutor *e, const SmTask **failed)
         return r;
     e->step = e->period % e->unit == 0 ? e->period / e->unit : 0;
     r = sm_enter(e->sv);
-    if (r == SM_OK) {                     // otherwise it would count from 0, less than a restored G
+    if (r == SM_OK) {                     // G continues from its value at the start, which may have been restored
         e->base = *(const uint64_t *)element_address(e, e->time);
         sm_leave(e->sv);
     }
@@ -89,7 +90,7 @@ SmResult sm_executor_init(SmExecutor *e, const SmTask **failed)
 
 // ---- elements ----
 
-// Several executors may set G, so it only increases.
+// Sets G to the time of the tick.  Several executors may set the same G, so a smaller value is not stored.
 static void set_time(const SmExecutor *e, const SmTick *tick)
 {
     const uint64_t since = e->step > 0 ? tick->number * e->step : tick->time / e->unit;
@@ -108,6 +109,7 @@ static uint64_t min_u64(uint64_t value, uint64_t most)
     return value < most ? value : most;
 }
 
+// Stores `value` in an element of integer type, saturated to the type's largest value.
 static void store_statistic(const SmExecutor *e, const SmElement *element, uint64_t value)
 {
     void *const at = element ? element_address(e, element) : NULL;
@@ -188,6 +190,7 @@ static uint64_t ticks_to_skip(const SmExecutor *e, uint64_t now)
     return missed > run ? missed - run : 0;
 }
 
+// Emits OVERRUN, unless the last one was less than a second ago.
 static void emit_overrun(SmExecutor *e, uint64_t time)
 {
     SmEvent event = {time, 0, 0, e->number, SM_EVENT_OVERRUN};

@@ -3,8 +3,8 @@
 // application.  At each tick, the rate groups that are due run in table order, and the tasks of a group run in table order.  The
 // order is therefore the same in every run.
 //
-// Time is absolute: tick k is due k periods after the start, however long earlier ticks took.  The tasks receive this time.  At the
-// start of a tick, element G is set to it, in G's unit and added to the value that G had at the start.  G never decreases.
+// Time is absolute: tick k is due k periods after the start, however long earlier ticks took.  The tasks receive this time.  At
+// the start of a tick, element G is set to it, in G's unit and added to the value that G had at the start.  G never decreases.
 //
 // A tick that begins when the next one is already due is an overrun.  The tick runs.  The policy determines what happens to the
 // ticks that are due by its end:
@@ -25,6 +25,7 @@
 extern "C" {
 #endif
 
+// A rate group: tasks that run together at every `every`-th tick.
 typedef struct SmRate {
     uint32_t every;           // in ticks
     uint16_t tasks;           // a task appears only once in an application

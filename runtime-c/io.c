@@ -11,7 +11,7 @@ static bool has_direction(const SmIo *io, uint16_t i, uint8_t direction) { retur
 static bool is_digital(const SmIoPin *p) { return p->kind & DIGITAL; }
 static SmType type_of(const SmIoPin *p) { return (SmType)p->type; }
 
-// Records the result of a call for pin i.
+// Counts the consecutive failures of pin i in `missed`: r is the result of the last access to it.  Returns r.
 static SmResult record_result(SmIo *io, uint16_t i, SmResult r)
 {
     if (r == SM_OK) {
@@ -26,7 +26,7 @@ static SmResult record_result(SmIo *io, uint16_t i, SmResult r)
 
 static SmResult first_error(SmResult before, SmResult now) { return before == SM_OK ? now : before; }
 
-// The value of an element without a valid measurement: NaN, if the type has one.
+// The bits of an element without a valid measurement: NaN if the type has one, else 0.
 static uint64_t unknown_cell(SmType type)
 {
     return type == SM_F64 ? 0x7FF8000000000000u : type == SM_F32 ? 0x7FC00000u : 0;
@@ -34,7 +34,7 @@ static uint64_t unknown_cell(SmType type)
 
 // ---- one pin ----
 
-// Reads the pin and stores the value of its element in `value`.
+// Reads pin i and stores the bits of its element in io->value[i].
 static SmResult read_pin(SmIo *io, uint16_t i)
 {
     SmF64 x;
@@ -57,6 +57,8 @@ static void close_pin(SmIo *io, uint16_t i)
 
 static bool is_finite(uint64_t bits) { return (bits & 0x7FF0000000000000u) != 0x7FF0000000000000u; }
 
+// Whether the row of the pin table is consistent: kind, type, offset, and finite numbers; p->scale << 1 is 0 for a scale of 0 or
+// -0.
 static bool is_row_valid(const SmIo *io, const SmIoPin *p)
 {
     const uint32_t size = io->sv->layout->whole.size;

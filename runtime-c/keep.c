@@ -9,13 +9,16 @@
 #include "runtime-c/handover.h"
 #include "runtime-c/log_block.h"
 
+enum { SLOT_HASH = 4, SLOT_LENGTH = 8, SLOT_CHECKSUM = 12 };   // offsets in a slot; the sequence number is at offset 0
+
 static uint32_t packed_size(const SmKeep *k) { return k->sv->layout->whole.packed; }
 static uint32_t slot_size(const SmKeep *k) { return SM_KEEP_SIZE(packed_size(k)); }
+// Half 1 or 2 of the buffer.  Each has room for one slot.
 static uint8_t *buffer_half(const SmKeep *k, uint8_t n) { return k->buffer + (n - 1u) * slot_size(k); }
 
 static uint32_t slot_crc(const SmKeep *k, const uint8_t *slot)
 {
-    return sm_crc32_end(log_check(log_check(SM_CRC32_START, slot, 12), slot + SM_KEEP_HEAD, packed_size(k)));
+    return sm_crc32_end(log_crc_update(log_crc_update(SM_CRC32_START, slot, SLOT_CHECKSUM), slot + SM_KEEP_HEAD, packed_size(k)));
 }
 
 // ---- restoring ----
@@ -36,11 +39,11 @@ static SmResult compute_slot_distance(SmKeep *k)
     return k->slot <= info.size / 2 ? SM_OK : SM_E_SPACE;
 }
 
-// ---- is it ours? ----
+// ---- recognising the content ----
 
-// A power cut can leave anything in the slot that was being written, but does not affect the other one.  So in a memory that
-// contains our data, at least one head is recognisable.  A single bit flip in each head cannot change both hash and length.  A
-// memory without our data is never written.
+// A memory with content of another program must never be written.  A memory with a saved vector has at least one recognisable
+// head: a power cut can damage the slot that was being written, but not the other one.  A single bit flip in a head cannot change
+// both its hash and its length.
 
 // Reads the head at `at`; bytes beyond the end of the memory read as `blank`.  Returns false if the memory cannot be read.
 static bool read_head(const SmKeep *k, const PalNvmInfo *info, uint32_t at, uint8_t head[SM_KEEP_HEAD])
@@ -58,16 +61,17 @@ static bool is_blank(const uint8_t *bytes, uint32_t n, uint8_t blank)
     return n == 0;
 }
 
+// Whether the hash or the length in a slot's head is that of the vector's layout.  One damaged field is tolerated.
 static bool matches_layout(const SmKeep *k, const uint8_t *head)
 {
-    return log_get32(head + 4) == k->sv->layout->hash || log_get32(head + 8) == packed_size(k);
+    return log_get32(head + SLOT_HASH) == k->sv->layout->hash || log_get32(head + SLOT_LENGTH) == packed_size(k);
 }
 
 // Whether the memory begins with an intact slot of any layout.
 static bool begins_with_intact_slot(const SmKeep *k, const PalNvmInfo *info, const uint8_t *head)
 {
-    const uint32_t n = log_get32(head + 8);
-    uint32_t crc = log_check(SM_CRC32_START, head, 12);
+    const uint32_t n = log_get32(head + SLOT_LENGTH);
+    uint32_t crc = log_crc_update(SM_CRC32_START, head, SLOT_CHECKSUM);
     uint8_t piece[SM_KEEP_HEAD];
 
     if (info->size < SM_KEEP_HEAD || n > info->size - SM_KEEP_HEAD)
@@ -75,26 +79,28 @@ static bool begins_with_intact_slot(const SmKeep *k, const PalNvmInfo *info, con
     for (uint32_t at = 0; at < n; at += SM_KEEP_HEAD) {
         if (!read_head(k, info, SM_KEEP_HEAD + at, piece))
             return false;
-        crc = log_check(crc, piece, n - at < SM_KEEP_HEAD ? n - at : SM_KEEP_HEAD);
+        crc = log_crc_update(crc, piece, n - at < SM_KEEP_HEAD ? n - at : SM_KEEP_HEAD);
     }
-    return n > 0 && log_get32(head + 12) == sm_crc32_end(crc);
+    return n > 0 && log_get32(head + SLOT_CHECKSUM) == sm_crc32_end(crc);
 }
 
-// Whether the memory is ours or blank.  For blank only the number and the hash are checked, because an erase may have been cut
-// after them.
+// Whether the memory contains a saved vector or is blank, so that it may be written.  For blank only the number and the hash of
+// the first slot are checked, because a power cut may have interrupted an erase after them.
 static bool is_ours_or_blank(const SmKeep *k, const PalNvmInfo *info)
 {
     uint8_t first[SM_KEEP_HEAD], second[SM_KEEP_HEAD];
 
     if (!read_head(k, info, 0, first) || !read_head(k, info, round_up(slot_size(k), info->erase), second))
         return true;                                      // the medium cannot be read now, so the content is unknown
-    return is_blank(first, 8, info->blank) || matches_layout(k, first) || matches_layout(k, second) || begins_with_intact_slot(k, info, first) ||
-        (info->erase != 0 && is_blank(second, SM_KEEP_HEAD, info->blank));        // a cut erase of the first leaves undefined bytes there
+    return is_blank(first, SLOT_LENGTH, info->blank) || matches_layout(k, first) || matches_layout(k, second) ||
+        begins_with_intact_slot(k, info, first) ||
+        (info->erase != 0 && is_blank(second, SM_KEEP_HEAD, info->blank));        // an interrupted erase leaves the first slot undefined
 }
 
 // ---- opening ----
 
-// Opens the memory at its current size, because opening it with a larger size would extend it.
+// Opens the memory without extending it, and checks its content.  If it is too small for two slots, sets *fits to false and closes
+// it.
 static SmResult open_at_current_size(SmKeep *k, bool *fits)
 {
     PalNvmInfo info;
@@ -134,17 +140,18 @@ static SmResult open_memory(SmKeep *k)
 
 // ---- reading slots ----
 
-// Reads slot 0 or 1 into its half of the buffer.  Returns whether it is intact and of this layout.
+// Reads slot 0 or 1 into half 1 or 2 of the buffer.  Returns true if it is intact and of this layout.
 static bool read_slot(SmKeep *k, uint8_t which)
 {
     uint8_t *slot = buffer_half(k, (uint8_t)(which + 1));
 
     return pal_nvm_read(k->nvm, which * k->slot, slot, SM_KEEP_HEAD + packed_size(k)) == SM_OK && log_get32(slot) % 2 == which &&
-        log_get32(slot + 4) == k->sv->layout->hash && log_get32(slot + 8) == packed_size(k) && log_get32(slot + 12) == slot_crc(k, slot);
+        log_get32(slot + SLOT_HASH) == k->sv->layout->hash && log_get32(slot + SLOT_LENGTH) == packed_size(k) &&
+        log_get32(slot + SLOT_CHECKSUM) == slot_crc(k, slot);
 }
 
-// Whether a vector was ever saved: the bytes read from the slots are not all blank.
-static bool holds_something(const SmKeep *k)
+// Whether the memory contains anything but blank bytes, although no slot is intact.  Called after read_slot has read both.
+static bool has_saved_data(const SmKeep *k)
 {
     const uint32_t n = SM_KEEP_HEAD + packed_size(k);
     PalNvmInfo info;
@@ -152,8 +159,8 @@ static bool holds_something(const SmKeep *k)
     return pal_nvm_info(k->nvm, &info) == SM_OK && !(is_blank(buffer_half(k, 1), n, info.blank) && is_blank(buffer_half(k, 2), n, info.blank));
 }
 
-// The half of the buffer that contains the newest slot; 0: none.
-static uint8_t newest(SmKeep *k)
+// Reads both slots.  Returns the half of the buffer with the newer of the intact ones; 0 if none is intact.
+static uint8_t find_newest_half(SmKeep *k)
 {
     const bool first = read_slot(k, 0), second = read_slot(k, 1);
 
@@ -172,9 +179,9 @@ SmResult sm_keep_restore(SmKeep *k)
     r = open_memory(k);
     if (r != SM_OK)
         return r;
-    found = newest(k);
+    found = find_newest_half(k);
     if (found == 0) {
-        k->unusable = holds_something(k);
+        k->unusable = has_saved_data(k);
         return SM_OK;
     }
     k->number = log_get32(buffer_half(k, found));
@@ -185,8 +192,8 @@ SmResult sm_keep_restore(SmKeep *k)
 
 // ---- taking snapshots ----
 
-// Chooses the half for the next snapshot.  It never chooses the half that is being written, and chooses the waiting one only if
-// necessary.
+// Returns the half of the buffer for the next snapshot, never the one that is being written.  If it must reuse the one that waits,
+// the snapshot there is dropped.  Returns 0 if the lock timed out.
 static uint8_t claim_half(SmKeep *k)
 {
     uint8_t into;
@@ -202,7 +209,7 @@ static uint8_t claim_half(SmKeep *k)
     return into;
 }
 
-// Returns the result of the last write to the medium.
+// Makes the snapshot in that half the waiting one.  Returns the result of the last write to the medium.
 static SmResult hand_over_snapshot(SmKeep *k, uint8_t snapshot)
 {
     SmResult r = sm_handover_lock(k->lock);
@@ -231,7 +238,7 @@ SmResult sm_keep_step(void *context, const SmTick *tick)
 
 // ---- writing ----
 
-// Moves the waiting snapshot to `writing`.  Returns 0 if none waits.
+// Moves the waiting snapshot to `writing` and returns its half of the buffer; 0 if none waits.
 static uint8_t begin_write(SmKeep *k)
 {
     if (sm_handover_lock(k->lock) != SM_OK)
@@ -242,6 +249,7 @@ static uint8_t begin_write(SmKeep *k)
     return k->writing;
 }
 
+// Records the result of a write.  After an error the snapshot waits again, unless a later one does.
 static void end_write(SmKeep *k, SmResult r)
 {
     if (sm_handover_lock(k->lock) != SM_OK)
@@ -260,9 +268,9 @@ static void end_write(SmKeep *k, SmResult r)
 static void fill_head(const SmKeep *k, uint8_t *slot, uint32_t number)
 {
     log_put32(slot, number);
-    log_put32(slot + 4, k->sv->layout->hash);
-    log_put32(slot + 8, packed_size(k));
-    log_put32(slot + 12, slot_crc(k, slot));
+    log_put32(slot + SLOT_HASH, k->sv->layout->hash);
+    log_put32(slot + SLOT_LENGTH, packed_size(k));
+    log_put32(slot + SLOT_CHECKSUM, slot_crc(k, slot));
 }
 
 static SmResult erase_slot(const SmKeep *k, uint32_t at)

@@ -11,8 +11,9 @@
 
 enum { EVENTS_AT_ONCE = 4 };
 
-// Whether the file begins like a log.  One damaged byte is tolerated.  A file system that lost unsynced data leaves zeros.  A log
-// cut within its first bytes still has its mark.
+// Whether the file is a log that may be appended to: empty, or beginning like a log with at most one damaged byte.  Zeros are
+// accepted too, because some file systems leave them in place of data that was not synced.  If the file is shorter than the
+// beginning of a log, only the mark is checked.
 static bool is_log(const SmLog *log)
 {
     enum { BEGINNING = LOG_HEAD + 9 };                    // up to and including the start offset of the first session, which is 0
@@ -66,7 +67,8 @@ SmResult sm_log_init(void *context)
 
 // ---- room in the ring ----
 
-// Finds space for a block of n bytes; false if there is none.
+// Stores in *at the position of the next block, which has n bytes.  Returns false if there is no space for it, or the lock timed
+// out.
 static bool find_space(SmLog *log, uint32_t n, uint32_t *at)
 {
     uint32_t tail;
@@ -84,7 +86,8 @@ static bool find_space(SmLog *log, uint32_t n, uint32_t *at)
     return n < tail;
 }
 
-// Passes the block of n bytes at `at` to the drain.
+// Passes the block of n bytes at `at` to the drain.  A block at the front follows a wrap-around, so `end` is set too.  Returns
+// false if the lock timed out.
 static bool hand_over_block(SmLog *log, uint32_t at, uint32_t n)
 {
     if (sm_handover_lock(log->lock) != SM_OK)
@@ -140,7 +143,7 @@ static void append_events(SmLog *log)
     }
 }
 
-// Reports the losses that the log has not reported yet, if there are any.
+// Appends a GAP block with the losses that the log has not reported yet, if there are any.
 static void append_gap(SmLog *log)
 {
     uint32_t at;

@@ -4,8 +4,8 @@
 // ring to the medium; without threads the executor does.  If the medium is too slow, records are dropped, and the log reports how
 // many.  A step never waits.
 //
-// Step and drain may run in two threads.  Each accesses only its own part of the ring.  A lock protects only the few positions that
-// separate the parts.  A platform without locks has no threads either, and then no lock is taken.
+// Step and drain may run in two threads.  Each accesses only its own part of the ring.  A lock protects only the few positions
+// that separate the parts.  A platform without locks has no threads either, and then no lock is taken.
 #ifndef SM_LOG_H
 #define SM_LOG_H
 
@@ -33,7 +33,7 @@ typedef struct SmLog {
     PalLogFile out;
     PalLock lock;             // protects head, end and tail
     uint32_t head, end;       // of the step: position of the next block; end of the last block before the ring wrapped around
-    uint32_t tail, sealed;    // of the drain: start of what is not yet being written; end of the blocks that have their checksum
+    uint32_t tail, checksummed;    // of the drain: start of what is not yet being written; end of the blocks that have their checksum
     uint32_t cursor;          // of the event ring
     uint32_t dropped, lost;   // totals: records dropped for lack of space, events overwritten before the step read them
     uint32_t dropped_reported, lost_reported;  // parts of these totals that the log already reports

@@ -57,7 +57,7 @@ static inline uint64_t log_get64(const uint8_t *from)
 }
 
 // Continues the CRC `crc` over n bytes.  `crc` is SM_CRC32_START or a CRC that has not been finalised.
-static inline uint32_t log_check(uint32_t crc, const uint8_t *bytes, uint32_t n)
+static inline uint32_t log_crc_update(uint32_t crc, const uint8_t *bytes, uint32_t n)
 {
     while (n-- > 0)
         crc = sm_crc32_byte(crc, *bytes++);

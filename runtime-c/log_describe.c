@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The description.  It is generated again for each piece that is written, so it needs no memory.
+// The description of the log's format and names, which begins each session (docs/log.md).  It is generated again for each piece
+// that is written, so it needs no memory.
 #include <string.h>
 
 #include "runtime-c/log_block.h"
@@ -7,7 +8,7 @@
 
 // Receives all bytes in order and stores up to `room` of them, starting at byte `from`.
 typedef struct DescriptionSink {
-    uint32_t at, from, room;
+    uint32_t at, from, room;  // at: bytes received so far
     uint8_t *out;
     uint32_t crc;
 } DescriptionSink;
@@ -52,7 +53,7 @@ static void put_name(DescriptionSink *s, const char *name)
     put_bytes(s, (const uint8_t *)name, length);
 }
 
-// ---- its parts ----
+// ---- parts of the description ----
 
 static void encode_identity(const SmLog *log, uint8_t *to)
 {
@@ -79,7 +80,7 @@ static void put_layout(DescriptionSink *s, const SmNames *names)
     }
 }
 
-// The index of a machine's element S; 0xFFFF: none.
+// The index of a machine's element S in the layout; 0xFFFF if there is none at its offset.
 static uint16_t state_element_index(const SmLayout *l, const SmMachine *m)
 {
     const SmRange at = m->type->state_number(m->self);
@@ -168,5 +169,5 @@ uint32_t sm_log_identity(const SmLog *log)
     uint8_t bytes[LOG_IDENTITY];
 
     encode_identity(log, bytes);
-    return log_check(SM_CRC32_START, bytes, LOG_IDENTITY);
+    return log_crc_update(SM_CRC32_START, bytes, LOG_IDENTITY);
 }

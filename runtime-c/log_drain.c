@@ -48,7 +48,8 @@ static void write_description_piece(SmLog *log)
     log->description_done += append_to_file(log, bytes, n);
 }
 
-// Requires other data between two descriptions, however long the description is.
+// Whether a description must be written: none has been yet, or SM_LOG_AGAIN bytes have followed the last one.  Its own size is
+// added, so that other data comes between two descriptions even if SM_LOG_AGAIN is small.
 static bool is_description_due(const SmLog *log)
 {
     return log->description_size == 0 || log->written - log->described_at > (uint64_t)log->description_size + SM_LOG_AGAIN;
@@ -56,15 +57,16 @@ static bool is_description_due(const SmLog *log)
 
 // ---- the ring ----
 
-// The end of the contiguous blocks that start at the tail.  Moves the tail to the front if it is at the end of the ring.
-static uint32_t find_limit(SmLog *log)
+// Returns the end of the contiguous blocks that start at the tail; the tail itself if the lock timed out.  Moves the tail to the
+// front first if it is at the end of the ring.
+static uint32_t find_contiguous_end(SmLog *log)
 {
     uint32_t limit;
 
     if (sm_handover_lock(log->lock) != SM_OK)
         return log->tail;
     if (log->head < log->tail && log->tail == log->end)
-        log->tail = log->sealed = 0;
+        log->tail = log->checksummed = 0;
     limit = log->head < log->tail ? log->end : log->head;
     sm_handover_unlock(log->lock);
     return limit;
@@ -76,16 +78,17 @@ static void add_checksums(SmLog *log, uint32_t limit)
 {
     const uint32_t identity = sm_log_identity(log), most = is_description_due(log) ? 0 : SM_LOG_PIECE;
 
-    while (log->sealed < limit && (log->sealed == log->tail || log->sealed - log->tail < most)) {
-        uint8_t *block = log->buffer + log->sealed;
+    while (log->checksummed < limit && (log->checksummed == log->tail || log->checksummed - log->tail < most)) {
+        uint8_t *block = log->buffer + log->checksummed;
         const uint32_t n = LOG_HEAD + log_get32(block + 2);
 
-        log_put32(block + n, sm_crc32_end(log_check(identity, block, n)));
-        log->sealed += n + LOG_CHECK;
+        log_put32(block + n, sm_crc32_end(log_crc_update(identity, block, n)));
+        log->checksummed += n + LOG_CHECK;
     }
 }
 
-static void free_space(SmLog *log, uint32_t n)
+// Adds the first n bytes after the tail, which are in the file now, to the free space of the ring.
+static void release_written(SmLog *log, uint32_t n)
 {
     if (sm_handover_lock(log->lock) != SM_OK)
         return;                                           // retried next time; these bytes will then be in the file twice
@@ -93,24 +96,24 @@ static void free_space(SmLog *log, uint32_t n)
     sm_handover_unlock(log->lock);
 }
 
-// Returns true if data remains in the ring or in the description.
+// Writes one piece: of the description if one is due or begun, else of the ring.  Returns false if there was nothing to write.
 static bool drain_piece(SmLog *log)
 {
     uint32_t limit, n;
 
-    if (!is_describing(log) && is_description_due(log) && log->tail == log->sealed)       // between blocks
+    if (!is_describing(log) && is_description_due(log) && log->tail == log->checksummed)       // between blocks
         begin_description(log);
     if (is_describing(log)) {
         write_description_piece(log);
         return true;
     }
-    limit = find_limit(log);
+    limit = find_contiguous_end(log);
     if (log->tail == limit)
         return false;
     add_checksums(log, limit);
-    n = log->sealed - log->tail;
+    n = log->checksummed - log->tail;
     n = n < SM_LOG_PIECE ? n : SM_LOG_PIECE;
-    free_space(log, append_to_file(log, log->buffer + log->tail, n));
+    release_written(log, append_to_file(log, log->buffer + log->tail, n));
     return true;
 }
 
@@ -126,6 +129,7 @@ static void sync_file(SmLog *log, uint64_t now)
     log->synced_at = now;
 }
 
+// Writes pieces until the ring is empty, the medium fails, or `budget` has passed since `start`.  Returns whether data remains.
 static bool drain_until(SmLog *log, uint64_t start, uint64_t budget)
 {
     bool left;

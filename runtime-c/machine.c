@@ -20,11 +20,12 @@ static void emit_event(const SmMachine *m, SmEventKind kind, uint64_t time, uint
 
 // ---- init ----
 
+// Whether p is aligned for any element of a state vector.
 static bool is_aligned(const void *p)
 {
-    struct Strict { char c; union { uint64_t time; SmF64 number; } at; };
+    struct Strictest { char c; union { uint64_t time; SmF64 number; } at; };
 
-    return (uintptr_t)p % offsetof(struct Strict, at) == 0;
+    return (uintptr_t)p % offsetof(struct Strictest, at) == 0;
 }
 
 static SmResult check_config(const SmMachine *m)
@@ -38,7 +39,7 @@ static SmResult check_config(const SmMachine *m)
     return m->type->publish != NULL ? SM_OK : SM_E_UNSUPPORTED;
 }
 
-// Reads the state number from S; 0 if no such state exists.
+// Stores in *state the state number in S, or 0 if there is no such state.
 static SmResult read_restored_state(const SmMachine *m, uint32_t *state)
 {
     SmResult r = sm_enter(m->sv);
@@ -64,6 +65,7 @@ static SmResult choose_first_state(const SmMachine *m, uint32_t *state)
     return r;
 }
 
+// Enters the state, and copies its number from the snapshot to the vector.
 static SmResult start_in_state(SmMachine *m, uint32_t state)
 {
     SmRange number = m->type->state_number(m->self);
@@ -111,6 +113,7 @@ static void write_back(SmMachine *m)
     m->write_back_due = false;
 }
 
+// Copies the bytes that the machine may access to `copy`, after writing back stores that are still due.
 static SmResult take_snapshot(SmMachine *m)
 {
     SmRange uses = m->type->accessed(m->self);

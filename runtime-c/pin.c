@@ -6,11 +6,12 @@
 #include "runtime-c/pal/dio.h"
 #include "stdlib/convert.h"
 
-static bool is_digital(const SmIoPin *p) { return p->kind & 2; }
+static bool is_digital(const SmIoPin *p) { return p->kind & 2; }        // SmIoKind
 static bool is_inverted(const SmIoPin *p) { return p->flags & SM_IO_INVERTED; }
 
-// ---- numbers ----
+// ---- conversion ----
 
+// 1,000,000
 static SmF64 million(void) { return sm_from_bits(0x412E848000000000u); }
 
 SmF64 sm_pin_from_raw(const SmIoPin *p, int32_t v)
@@ -20,7 +21,7 @@ SmF64 sm_pin_from_raw(const SmIoPin *p, int32_t v)
     return sm_add(sm_mul(sm_div(sm_from_i32(v), million()), sm_from_bits(p->scale)), sm_from_bits(p->zero));
 }
 
-// Equals sm_to_i32(sm_round(x)), without the code of sm_round for larger numbers.
+// Equals sm_to_i32(sm_round(x)), but does not link sm_round, which also handles numbers beyond int32_t.
 static int32_t round_to_i32(SmF64 x)
 {
     const int32_t n = sm_to_i32(x);

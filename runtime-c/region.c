@@ -38,7 +38,7 @@ SmResult sm_write_region(SmStateVec *sv, const SmRegion *r, const void *bytes)
     return SM_OK;
 }
 
-// ---- the wire ----
+// ---- wire form ----
 
 // Copies elements to their positions in wire form, still in memory byte order.  Adjacent elements are copied together, so that the
 // lock is held only for the time of copying.
@@ -57,7 +57,7 @@ static void copy_packed(const SmStateVec *sv, const SmRegion *r, uint8_t *out)
     }
 }
 
-// Convert a cell of n bytes to wire order and back.  Shifts work the same on every byte order.
+// Convert the n bytes of an element, as an integer, to wire byte order and back.  Shifts work the same on every byte order.
 static void store_wire(uint8_t *out, uint64_t cell, uint8_t n)
 {
     switch (n) {

@@ -8,11 +8,9 @@
 #include "runtime-c/shared.h"
 #include "stdlib/flash.h"
 
-// SLICE: longest time between checks of `stop`.  WRITING: interval of log writes.  OPENING: sleep time of threads waiting at the
-// gate.
-#define SLICE    (100 * (uint64_t)PAL_MILLISECOND)
-#define WRITE_INTERVAL  (10 * (uint64_t)PAL_MILLISECOND)
-#define GATE_POLL_INTERVAL  ((uint64_t)PAL_MILLISECOND)
+#define STOP_CHECK_INTERVAL (100 * (uint64_t)PAL_MILLISECOND)    // longest sleep before `stop` is checked again
+#define WRITE_INTERVAL      (10 * (uint64_t)PAL_MILLISECOND)     // with threads: time between two writes of pending data
+#define GATE_POLL_INTERVAL  ((uint64_t)PAL_MILLISECOND)          // time between two checks of a thread that waits at the gate
 
 // SmApp.gate.  All threads wait until it is open.  Then executor threads run until the application stops, and the watchdog thread
 // until the gate is closed.
@@ -23,6 +21,7 @@ static uint64_t earlier_of(uint64_t a, uint64_t b)
     return a < b ? a : b;
 }
 
+// The time from `now` to `then`; 0 if `then` has passed.
 static uint64_t time_until(uint64_t now, uint64_t then)
 {
     return (int64_t)(then - now) > 0 ? then - now : 0;
@@ -36,24 +35,27 @@ static uint64_t watchdog_check_interval(const SmApp *app)
     return app->watchdog / 8 > PAL_MILLISECOND ? app->watchdog / 8 : PAL_MILLISECOND;
 }
 
+// The number of the next tick of e, from the low 32 bits that the executor's thread publishes.
 static uint64_t next_tick_number(const SmExecutor *e)
 {
     return e->next_at_feed + (uint32_t)(sm_shared_read(&e->next_shared) - (uint32_t)e->next_at_feed);
 }
 
-static bool is_stuck(const SmExecutor *e, uint64_t fed)
+// Whether e has finished no tick since the watchdog was fed at `fed`, although one was due by then.
+static bool is_executor_stuck(const SmExecutor *e, uint64_t fed)
 {
     const uint64_t next = next_tick_number(e);
 
     return next == e->next_at_feed && time_until(fed, e->start + next * e->period) == 0 && !sm_shared_read(&e->done);
 }
 
+// Feeds the watchdog if a quarter of its period has passed since the last feed and no executor is stuck.
 static void feed_watchdog(SmApp *app, uint64_t now)
 {
     if (app->watchdog == 0 || now - app->fed_at < app->watchdog / 4)
         return;
     for (uint16_t i = 0; i < app->executors; i++)
-        if (is_stuck(app->executor[i], app->fed_at))
+        if (is_executor_stuck(app->executor[i], app->fed_at))
             return;
     if (pal_watchdog_feed() != SM_OK)
         return;
@@ -75,6 +77,7 @@ static SmResult start_watchdog(SmApp *app)
     return r;
 }
 
+// Writes pending data of the log, for at most `budget` nanoseconds, and the pending snapshot of the state vector.
 static void write_pending(SmApp *app, uint64_t now, uint64_t budget)
 {
     app->wrote_at = now;
@@ -90,7 +93,7 @@ static void run_tick(SmExecutor *e)
     sm_shared_write(&e->next_shared, (uint32_t)e->next);
 }
 
-// The time after the start since which e has been waiting to run.
+// The time, counted from the start, at which e began to wait: its next tick was due, and its last one had ended.
 static uint64_t waiting_since(const SmApp *app, const SmExecutor *e)
 {
     const uint64_t due = sm_executor_due(e) - app->start, ended = e->ended - app->start;
@@ -108,11 +111,11 @@ static SmExecutor *longest_waiting(const SmApp *app)
     return best;
 }
 
-// Waits for one slice, at most until `then`, and uses the time to write pending data.
+// Waits until `then`, but at most until `stop` or the watchdog must be checked.  Writes pending data meanwhile.
 static void write_and_sleep(SmApp *app, uint64_t now, uint64_t then)
 {
-    const uint64_t slice = app->watchdog > 0 ? earlier_of(SLICE, watchdog_check_interval(app)) : SLICE;
-    const uint64_t end = now + earlier_of(slice, time_until(now, then));
+    const uint64_t longest = app->watchdog > 0 ? earlier_of(STOP_CHECK_INTERVAL, watchdog_check_interval(app)) : STOP_CHECK_INTERVAL;
+    const uint64_t end = now + earlier_of(longest, time_until(now, then));
 
     write_pending(app, now, end - now);
     pal_clock_sleep_until(end);
@@ -129,7 +132,7 @@ static void run_in_this_thread(SmApp *app)
             write_and_sleep(app, now, due);
         else
             run_tick(e);
-        if (now - app->wrote_at >= SLICE)
+        if (now - app->wrote_at >= STOP_CHECK_INTERVAL)
             write_pending(app, now, 0);
     }
 }
@@ -155,7 +158,7 @@ static bool wait_for_tick(const SmExecutor *e)
 
         if (left == 0)
             return true;
-        pal_clock_sleep_until(now + earlier_of(left, SLICE));
+        pal_clock_sleep_until(now + earlier_of(left, STOP_CHECK_INTERVAL));
     }
     return false;
 }
@@ -182,11 +185,12 @@ static void watchdog_thread_main(void *of)
     }
 }
 
+// The work of the calling thread while the executors run in their own threads.
 static void write_until_threads_end(SmApp *app)
 {
     while (!sm_app_stopping(app)) {
         write_pending(app, app->start, WRITE_INTERVAL);
-        sleep_for(app->writing ? WRITE_INTERVAL : SLICE);
+        sleep_for(app->writing ? WRITE_INTERVAL : STOP_CHECK_INTERVAL);
     }
     for (uint16_t i = 0; i < app->executors; i++) {
         while (pal_thread_join(app->executor[i]->thread, WRITE_INTERVAL) == SM_E_TIMEOUT)
@@ -195,7 +199,7 @@ static void write_until_threads_end(SmApp *app)
     }
 }
 
-// ---- making threads ----
+// ---- creating threads ----
 
 bool sm_run_wants_threads(const SmApp *app)
 {
@@ -211,6 +215,7 @@ static uint8_t highest_priority(const SmApp *app)
     return p;
 }
 
+// Prints a warning: the executor `name` runs, but without its real-time priority.
 static void print_priority_denied(const SmApp *app, const char *name)
 {
     sm_app_print_name(app, app->name);
@@ -251,10 +256,11 @@ static SmResult create_watchdog_thread(SmApp *app)
 
 static void join_thread(PalThread *thread)
 {
-    while (thread->id != 0 && pal_thread_join(*thread, SLICE) == SM_E_TIMEOUT) {}
+    while (thread->id != 0 && pal_thread_join(*thread, STOP_CHECK_INTERVAL) == SM_E_TIMEOUT) {}
     thread->id = 0;
 }
 
+// Ends all threads: those that still wait at the gate return at their next check, and the watchdog thread returns after its sleep.
 static void close_gate(SmApp *app)
 {
     sm_shared_write(&app->gate, GATE_CLOSED);
@@ -274,7 +280,7 @@ static SmResult create_threads(SmApp *app)
     return r;
 }
 
-// ---- all of it ----
+// ---- start and run ----
 
 SmResult sm_run_prepare(SmApp *app)
 {
@@ -284,7 +290,7 @@ SmResult sm_run_prepare(SmApp *app)
         app->executor[i]->app = app;
     if (sm_run_wants_threads(app))
         r = create_threads(app);
-    if (r == SM_E_UNSUPPORTED) {          // one thread
+    if (r == SM_E_UNSUPPORTED) {          // no threads: the calling thread runs all executors
         app->failed_executor = NULL;
         r = SM_OK;
     }
@@ -305,7 +311,7 @@ static void open_gate(SmApp *app, bool threads)
     sm_shared_write(&app->gate, GATE_OPEN);
 }
 
-// Gives the calling thread the highest priority of its executors.
+// Runs all executors in the calling thread, with the highest of their priorities.
 static void run_without_threads(SmApp *app)
 {
     const uint8_t priority = highest_priority(app);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words that several threads access without a lock.  C99 has no such operations, but gcc and clang do, and report whether they take
-// only a few instructions.  Otherwise (8-bit chips, which have one thread, and other compilers) they are ordinary accesses.
+// Words that several threads access without a lock.  C99 has no atomic operations.  gcc and clang have them, and define
+// __GCC_ATOMIC_INT_LOCK_FREE as 2 if they need no library.  On 8-bit chips, which have one thread, and with other compilers, these
+// functions are ordinary accesses.
 #ifndef SM_SHARED_H
 #define SM_SHARED_H
 
 #include <stdint.h>
 
-// A word that one thread writes and others read, with release and acquire semantics: a reader that sees the new value also sees all
-// earlier writes of the writer.
+// A word that one thread writes and others read, with release and acquire semantics: a reader that sees the new value also sees
+// all earlier writes of the writer.
 #if defined(__GCC_ATOMIC_INT_LOCK_FREE) && __GCC_ATOMIC_INT_LOCK_FREE == 2 && __SIZEOF_INT__ == 4
 static inline uint32_t sm_shared_read(const uint32_t *word) { return __atomic_load_n(word, __ATOMIC_ACQUIRE); }
 static inline void sm_shared_write(uint32_t *word, uint32_t value) { __atomic_store_n(word, value, __ATOMIC_RELEASE); }

@@ -44,7 +44,8 @@ const uint8_t sm_type_bytes[SM_TYPE_COUNT] = {
 #undef SM_TYPE
 };
 
-// NULL if it is not an element of the vector.  The offsets and types in the vector's own table are trusted.
+// The address of e in memory; NULL if it is not an element of the vector.  The offsets and types in the vector's own table are
+// trusted.
 static uint8_t *element_address(const SmStateVec *sv, const SmElement *e)
 {
     if (!sv || (uintptr_t)e - (uintptr_t)sv->layout->element >= sv->layout->elements * sizeof *e)

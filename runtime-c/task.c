@@ -17,7 +17,7 @@ static void emit_event(const SmTask *t, SmEvents *events, const SmTick *tick, Sm
     sm_event(events, &e);
 }
 
-// If the mode cannot be read, it has not changed.
+// The mode selected in sv.  If it cannot be read, the mode of the last tick.
 static uint8_t read_mode(const SmTask *t, SmStateVec *sv)
 {
     uint8_t mode;
@@ -31,6 +31,7 @@ static uint8_t read_mode(const SmTask *t, SmStateVec *sv)
     return mode <= SM_ENABLED ? mode : (uint8_t)SM_SAFED;
 }
 
+// Emits MODE if the mode has changed.
 static void update_mode(SmTask *t, uint8_t mode, SmEvents *events, const SmTick *tick)
 {
     if (t->mode && mode != t->last_mode)
@@ -38,12 +39,13 @@ static void update_mode(SmTask *t, uint8_t mode, SmEvents *events, const SmTick 
     t->last_mode = mode;
 }
 
-// The event contains -r, because results are negative.
+// The number of an error in event FAULT: -r, because errors are negative.
 static uint32_t fault_number(SmResult r)
 {
     return 0u - (uint32_t)(int32_t)r;
 }
 
+// Counts failures, and emits FAULT at the first of several and at the first success after them.
 static void record_result(SmTask *t, SmResult r, SmEvents *events, const SmTick *tick)
 {
     t->last_result = r;

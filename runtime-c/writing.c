@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The log and the saved state vector of an application.  No other file of an application's code refers to these two modules
-// (app.h).
+// The log and the saved state vector of an application.  app.c and run.c call these two modules only through
+// SmWriting (app.h), so that an application that has neither does not link them.
 #include "runtime-c/app.h"
 
 static SmResult restore_vector(SmApp *app)

@@ -128,7 +128,7 @@ bool log_parse_description(Arena *arena, const uint8_t *bytes, uint32_t n, LogDe
 {
     LogCursor c = {arena, bytes, n, n < LOG_IDENTITY};
 
-    d->identity = n < LOG_IDENTITY ? 0 : log_check(SM_CRC32_START, bytes, LOG_IDENTITY);
+    d->identity = n < LOG_IDENTITY ? 0 : log_crc_update(SM_CRC32_START, bytes, LOG_IDENTITY);
     d->version = read_u8(&c);
     if (d->version != LOG_VERSION)
         return false;

@@ -42,7 +42,7 @@ static bool match_block_head(const LogReader *r, uint32_t pos, uint32_t *length)
 
 static bool check_checksum(LogReader *r, uint32_t pos, uint32_t length, uint32_t crc)
 {
-    const bool good = sm_crc32_end(log_check(crc, r->bytes + pos, LOG_HEAD + length)) == log_get32(r->bytes + pos + LOG_HEAD + length);
+    const bool good = sm_crc32_end(log_crc_update(crc, r->bytes + pos, LOG_HEAD + length)) == log_get32(r->bytes + pos + LOG_HEAD + length);
 
     r->failed_bytes += good ? 0 : LOG_HEAD + length;
     return good;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // COBS (Cheshire and Baker, 1999), in place in both directions.  A frame is shorter than 254 bytes, so the encoding adds exactly
-// one byte.
+// one byte.  A run is a code byte and the bytes up to the next zero that was removed; the code is 1 + their number.
 #include "runtime-c/link/link.h"
 
 #include "stdlib/crc32.h"
@@ -46,6 +46,7 @@ uint16_t sm_link_encode(uint8_t *frame, uint16_t n)
 
 // ---- receiving ----
 
+// Prepares for the next frame.
 static void reset(LinkReceiver *r)
 {
     r->n = 0;
@@ -62,8 +63,8 @@ void sm_link_receiver_init(LinkReceiver *r, uint8_t *buffer, uint16_t room)
     reset(r);
 }
 
-// Whether the bytes received up to the zero are an intact frame.  If so, removes its checksum.
-static bool is_frame(LinkReceiver *r)
+// Called at the zero that ends a frame.  If the frame is intact, removes its checksum and returns true.
+static bool try_finish_frame(LinkReceiver *r)
 {
     if (r->is_too_long || r->run_left != 0 || r->n < LINK_HEAD + LINK_TAIL)
         return false;
@@ -80,7 +81,7 @@ bool sm_link_receive(LinkReceiver *r, uint8_t byte)
         reset(r);
     }
     if (byte == 0) {
-        r->is_complete = is_frame(r);
+        r->is_complete = try_finish_frame(r);
         if (!r->is_complete)
             reset(r);
         return r->is_complete;
@@ -88,7 +89,7 @@ bool sm_link_receive(LinkReceiver *r, uint8_t byte)
     if (r->run_left > 0) {
         r->run_left--;
     } else {
-        const bool zero = r->run_code != 0xff;
+        const bool zero = r->run_code != 0xff;   // a zero was removed between the runs
         r->run_code = byte;
         r->run_left = (uint8_t)(byte - 1);
         if (!zero)

@@ -25,7 +25,7 @@ extern "C" {
 // Buffer size in bytes for one frame to send, including COBS and the zero, or for one frame to receive.
 #define LINK_ROOM(body) (LINK_HEAD + (body) + LINK_TAIL + 2u)
 #define LINK_ANSWER   0x80u
-#define LINK_WINDOWS  0x80u   // HELLO: a flag in the byte with the number of machines
+#define LINK_WINDOWS  0x80u   // HELLO: flag in the byte with the number of machines: they may have windows
 
 typedef enum LinkMessage {
 #define LINK_MESSAGE(name, number, request, answer) LINK_##name = number,

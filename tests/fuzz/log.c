@@ -67,9 +67,9 @@ static void put_right(uint8_t *data, size_t size)
             return;
         data[at] = LOG_MARK;
         log_put32(data + at + 2, length);
-        log_put32(data + at + LOG_HEAD + length, sm_crc32_end(log_check(first ? SM_CRC32_START : identity, data + at, LOG_HEAD + length)));
+        log_put32(data + at + LOG_HEAD + length, sm_crc32_end(log_crc_update(first ? SM_CRC32_START : identity, data + at, LOG_HEAD + length)));
         if (first && length >= LOG_IDENTITY)
-            identity = log_check(SM_CRC32_START, data + at + LOG_HEAD, LOG_IDENTITY);
+            identity = log_crc_update(SM_CRC32_START, data + at + LOG_HEAD, LOG_IDENTITY);
         at += LOG_HEAD + LOG_CHECK + length;
     }
 }

@@ -626,7 +626,7 @@ static void lay_out(uint8_t *at, const uint8_t *description, uint32_t size, bool
     for (uint32_t i = 0; i < DESCRIPTIONS; i++, at += size) {
         memcpy(at, description, size);
         at[LOG_HEAD + 1] = in_turn && i % 2;              // its first timestamp: distinguishes sessions
-        log_put32(at + size - LOG_CHECK, sm_crc32_end(log_check(SM_CRC32_START, at, size - LOG_CHECK)));
+        log_put32(at + size - LOG_CHECK, sm_crc32_end(log_crc_update(SM_CRC32_START, at, size - LOG_CHECK)));
         for (uint32_t b = 0; i == 0 && b < BLOCKS; b++, at += LOG_HEAD)
             log_put_head(at + size, LOG_RECORD, 0);
     }

@@ -25,7 +25,7 @@ static void append_block(File *f, LogKind kind, const uint8_t *payload, uint32_t
     log_put_head(head, kind, n);
     append(f, head, sizeof head);
     append(f, payload, n);
-    log_put32(check, sm_crc32_end(log_check(crc, f->bytes + start, LOG_HEAD + n)));
+    log_put32(check, sm_crc32_end(log_crc_update(crc, f->bytes + start, LOG_HEAD + n)));
     append(f, check, sizeof check);
 }
 
@@ -35,7 +35,7 @@ static void append_description(File *f)
     uint8_t d[64] = {LOG_VERSION};
     uint32_t n = LOG_IDENTITY;
 
-    f->identity = log_check(SM_CRC32_START, d, LOG_IDENTITY);
+    f->identity = log_crc_update(SM_CRC32_START, d, LOG_IDENTITY);
     log_put16(d + n, 1), d[n + 2] = 'v', n += 3;              // name of the state vector
     log_put32(d + n, PACKED), n += 4;
     log_put16(d + n, 1), log_put16(d + n + 2, 1), d[n + 4] = 'r', log_put16(d + n + 5, 1), n += 7;        // one region, one element in it

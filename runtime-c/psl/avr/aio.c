@@ -9,14 +9,16 @@
 #ifdef PSL_AVR
 #include <util/atomic.h>
 
-enum { DDR = 1, PORT = 2, OUTPUT = AVR_ANALOGS };
-// Channel indexes; the handle is the index plus 1.  Inputs come first.  From OUTPUT on, they are the rows of avr_pwms.
+enum { DDR = 1, PORT = 2 };                    // offsets of registers from PIN
+// Channel indexes: inputs first; from OUTPUT on, the rows of avr_pwms.  The handle is the index plus 1.
+enum { OUTPUT = AVR_ANALOGS };
 
 #define SUPPLY 5000000                         // microvolts
 
 static void load_pwm(uint8_t channel, AvrPwm *p) { memcpy_P(p, &avr_pwms[(uint8_t)(channel - OUTPUT)], sizeof *p); }
 
-static uint8_t pwm_row(uint16_t pin)           // AVR_PWMS: the pin has no PWM
+// The row of the pin in avr_pwms; AVR_PWMS if the pin has no PWM.
+static uint8_t pwm_row(uint16_t pin)
 {
     uint8_t row = 0;
 
@@ -29,6 +31,7 @@ static volatile uint8_t *reg(uint16_t address) { return (volatile uint8_t *)addr
 
 // ---- opening ----
 
+// Claims the pin, and marks the channel as open under the number AVR_PINS + index.
 static SmResult claim_channel(PalAio *channel, uint8_t index, uint8_t pin)
 {
     const SmResult r = avr_pin_claim(pin);
@@ -40,7 +43,7 @@ static SmResult claim_channel(PalAio *channel, uint8_t index, uint8_t pin)
     return r;
 }
 
-// The pin may have been a digital output or had a pull-up resistor before.
+// Opens an input.  Clears direction and pull-up first, because the pin may have been a digital output or had a pull-up resistor.
 static SmResult open_input(PalAio *channel, uint16_t number)
 {
     const uint8_t pin = (uint8_t)(AVR_ANALOG_FIRST + number);
@@ -165,7 +168,8 @@ static void set_duty(const AvrPwm *p, uint8_t duty)
     avr_pin_set(reg(p->control), p->connect, duty != 0 && duty != 255);
 }
 
-// The duty of 255, rounded.  The division bit by bit takes half the time and half the code of gcc's division.
+// The duty of an output voltage, 0 to 255 for 0 to SUPPLY, rounded.  The division bit by bit takes half the time and half the code
+// of gcc's division.
 static uint8_t compute_duty(uint32_t millionths)
 {
     uint32_t left = millionths * 51 + SUPPLY / 10, part = SUPPLY / 5 * UINT32_C(128);

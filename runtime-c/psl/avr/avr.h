@@ -55,8 +55,8 @@ static inline uint8_t avr_eeprom_read(uint16_t at)
     return EEDR;
 }
 
-// An interrupt handler that reads the EEPROM calls these two around its reads.  They restore the address and the data of a read that
-// the interrupt may have interrupted.
+// An interrupt handler that reads the EEPROM calls these two around its reads.  They restore the address and the data of a read
+// that the interrupt may have interrupted.
 static inline uint16_t avr_eeprom_save_address(void) { return EEAR; }
 static inline void avr_eeprom_restore_address(uint16_t address)
 {
@@ -66,7 +66,7 @@ static inline void avr_eeprom_restore_address(uint16_t address)
     EECR |= 1 << EERE;
 }
 
-// ---- the end ----
+// ---- restart ----
 
 void avr_restart(void) __attribute__((noreturn));      // jumps to the reset vector; pins keep their levels until they are opened
 

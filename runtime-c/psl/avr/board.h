@@ -12,6 +12,7 @@
 enum { AVR_PORT_LOW = 0x20, AVR_PORT_HIGH = 0x100, AVR_PORTS_LOW = 7 };
 enum { AVR_A, AVR_B, AVR_C, AVR_D, AVR_E, AVR_F, AVR_G, AVR_H, AVR_J, AVR_K, AVR_L };
 
+// AVR_P: a pin in one byte, port << 3 | bit.  AVR_UP, AVR_DOWN: the eight pins of a port in ascending or descending order.
 #define AVR_P(port, bit) (uint8_t)(AVR_##port << 3 | (bit))
 #define AVR_UP(port) AVR_P(port, 0), AVR_P(port, 1), AVR_P(port, 2), AVR_P(port, 3), AVR_P(port, 4), AVR_P(port, 5), AVR_P(port, 6), AVR_P(port, 7)
 #define AVR_DOWN(port) AVR_P(port, 7), AVR_P(port, 6), AVR_P(port, 5), AVR_P(port, 4), AVR_P(port, 3), AVR_P(port, 2), AVR_P(port, 1), AVR_P(port, 0)

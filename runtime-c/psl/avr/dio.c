@@ -12,6 +12,7 @@ enum { DDR = 1, PORT = 2 };                    // offsets of registers from PIN
 
 static uint8_t claimed[(AVR_PINS + AVR_ANALOGS + AVR_PWMS + 7) / 8] = {(1 << AVR_SERIAL_PINS) - 1};
 
+// The mask with bit number % 8 set.
 static uint8_t bit_of(uint8_t number)
 {
     uint8_t bit = 1;
@@ -23,10 +24,10 @@ static uint8_t bit_of(uint8_t number)
 
 volatile uint8_t *avr_pin_port(uint8_t number, uint8_t *mask)
 {
-    const uint8_t place = pgm_read_byte(&avr_pins[number]);
-    const uint8_t port = place >> 3;
+    const uint8_t port_and_bit = pgm_read_byte(&avr_pins[number]);
+    const uint8_t port = port_and_bit >> 3;
 
-    *mask = bit_of(place);
+    *mask = bit_of(port_and_bit);
     return (volatile uint8_t *)(uint16_t)(port < AVR_PORTS_LOW ? AVR_PORT_LOW + 3 * port : AVR_PORT_HIGH + 3 * (port - AVR_PORTS_LOW));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// "eeprom": written byte by byte, each when real-time readers permit it (avr.h).  A byte that already has the value is not written.
+// "eeprom": written byte by byte, each when real-time readers permit it (avr.h).  A byte that already has the value is not
+// written.
 #include "runtime-c/pal/nvm.h"
 
 #include <string.h>
@@ -47,14 +48,15 @@ SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info)
     return SM_OK;
 }
 
-__attribute__((noinline)) static SmResult check(PalNvm memory, uint32_t at, uint32_t n)
+// Checks that the memory is open and the range is valid.
+__attribute__((noinline)) static SmResult check_range(PalNvm memory, uint32_t at, uint32_t n)
 {
     return !is_open(memory) ? SM_E_HANDLE : at > SIZE || n > SIZE - at ? SM_E_ARGUMENT : SM_OK;
 }
 
 SmResult pal_nvm_read(PalNvm memory, uint32_t at, void *bytes, uint32_t n)
 {
-    const SmResult r = bytes || n == 0 ? check(memory, at, n) : SM_E_ARGUMENT;
+    const SmResult r = bytes || n == 0 ? check_range(memory, at, n) : SM_E_ARGUMENT;
     uint8_t *to = bytes;
     uint16_t from = (uint16_t)at;
 
@@ -63,7 +65,8 @@ SmResult pal_nvm_read(PalNvm memory, uint32_t at, void *bytes, uint32_t n)
     return r;
 }
 
-// Starts a write if permitted.  Interrupts are off from the check to the start.
+// Starts the write of a byte, if no other is in progress and may_write permits it.  Returns whether it was started.  Interrupts
+// are off from the check to the start.
 static bool begin_write(uint16_t at, uint8_t byte)
 {
     const uint8_t flags = SREG;
@@ -91,9 +94,10 @@ static void write_byte(uint16_t at, uint8_t byte)
         ;
 }
 
+// Writes n bytes; blank ones if `bytes` is NULL.
 static SmResult write_bytes(PalNvm memory, uint32_t at, const uint8_t *bytes, uint32_t n)
 {
-    const SmResult r = check(memory, at, n);
+    const SmResult r = check_range(memory, at, n);
     uint16_t to = (uint16_t)at;
 
     for (uint16_t left = r == SM_OK ? (uint16_t)n : 0; left > 0; left--)

@@ -42,6 +42,7 @@ static double parse_number(const char *text)
     return (negative ? -x : x) / unit;
 }
 
+// Reads the number in a sysfs file.
 static SmResult read_number(int fd, double *x)
 {
     char text[64];
@@ -96,6 +97,7 @@ static double read_setting(uint16_t number, const char *what, const char *kind, 
 
 // ---- opening ----
 
+// Opens the first of the files `what[i]` NUMBER_raw that exists, and reads its scale and offset.
 static SmResult open_channel(AioEntry *e, const char *const *what)
 {
     for (; *what; what++) {
@@ -152,6 +154,7 @@ SmResult pal_aio_open(PalAio *channel, uint16_t number, PalAioMode mode)
 
 // ---- using ----
 
+// Rounds to the nearest integer, saturated.
 static int32_t saturate(double x)
 {
     return x >= INT32_MAX ? INT32_MAX : x <= INT32_MIN ? INT32_MIN : (int32_t)(x < 0 ? x - 0.5 : x + 0.5);

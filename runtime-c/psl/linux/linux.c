@@ -85,13 +85,13 @@ SmResult psl_wait_for_events(int fd, short events, uint64_t deadline)
     }
 }
 
-// The kernel sends these signals to the thread that writes, and leaves them pending while they are blocked.  A write that is not
-// complete may have caused one, also if it wrote some bytes.  A signal that was pending before belongs to the caller.
+// Blocks SIGPIPE and SIGXFSZ during the write.  An incomplete write may have raised one of them, which is then pending and is
+// discarded. A signal that was already pending before the write belongs to the caller and stays pending.
 ssize_t psl_write(int fd, const void *bytes, size_t n)
 {
     const int numbers[] = {SIGPIPE, SIGXFSZ};
     const struct timespec at_once = {0, 0};
-    sigset_t both, own, mask, pending;
+    sigset_t both, own, mask, pending;         // own: those of the two that only this write can raise
     ssize_t written;
     int error;
 

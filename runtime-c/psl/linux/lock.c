@@ -25,23 +25,24 @@ static void forget_own_id(void)
     own_id = 0;
 }
 
-// A child process has another thread id than the thread that forked it.
-static void watch_forks(void)
+// Clears own_id in child processes: a child has another thread id than the thread that forked it.
+static void forget_id_after_fork(void)
 {
     pthread_atfork(NULL, NULL, forget_own_id);
 }
 
-__attribute__((noinline)) static uint32_t ask(void)
+// Asks the kernel for the caller's thread id and stores it in own_id.
+__attribute__((noinline)) static uint32_t request_thread_id(void)
 {
     static pthread_once_t once = PTHREAD_ONCE_INIT;
 
-    pthread_once(&once, watch_forks);
+    pthread_once(&once, forget_id_after_fork);
     return own_id = (uint32_t)syscall(SYS_gettid);
 }
 
 static uint32_t thread_id(void)
 {
-    return own_id ? own_id : ask();
+    return own_id ? own_id : request_thread_id();
 }
 
 static uint32_t read_holder(uint32_t *word)
@@ -51,19 +52,20 @@ static uint32_t read_holder(uint32_t *word)
 
 static bool try_acquire(uint32_t *word)
 {
-    uint32_t nobody = 0;
+    uint32_t unheld = 0;
 
-    return __atomic_compare_exchange_n(word, &nobody, thread_id(), false, __ATOMIC_ACQUIRE, __ATOMIC_RELAXED);
+    return __atomic_compare_exchange_n(word, &unheld, thread_id(), false, __ATOMIC_ACQUIRE, __ATOMIC_RELAXED);
 }
 
 // Succeeds only without waiters; otherwise the kernel must release the lock.
 static bool try_release(uint32_t *word)
 {
-    uint32_t alone = thread_id();
+    uint32_t held_without_waiters = thread_id();
 
-    return __atomic_compare_exchange_n(word, &alone, 0, false, __ATOMIC_RELEASE, __ATOMIC_RELAXED);
+    return __atomic_compare_exchange_n(word, &held_without_waiters, 0, false, __ATOMIC_RELEASE, __ATOMIC_RELAXED);
 }
 
+// Calls futex(2) and returns 0 or an errno.
 static int futex(uint32_t *word, int operation, const struct timespec *end)
 {
     return syscall(SYS_futex, word, operation | FUTEX_PRIVATE_FLAG, 0, end, NULL, 0) == 0 ? 0 : errno;
@@ -90,9 +92,9 @@ SmResult pal_lock_close(PalLock lock)
     return r;
 }
 
-// Kernels before 5.14 measure the timeout by the time of day, which may be set during the wait.  The caller therefore checks the
-// monotonic clock.
-static int wait_by_the_day(uint32_t *word, uint64_t left)
+// Waits for the lock for `left` nanoseconds on a kernel before 5.14, which measures the timeout by the time of day.  That clock
+// may be set during the wait, so the caller checks the monotonic clock.  Returns 0 or an errno.
+static int wait_with_realtime_clock(uint32_t *word, uint64_t left)
 {
     struct timespec end, more = psl_timespec(left);
 
@@ -102,7 +104,8 @@ static int wait_by_the_day(uint32_t *word, uint64_t left)
     return futex(word, FUTEX_LOCK_PI, &end);
 }
 
-// A holder whose thread has ended (ESRCH) will never release the lock.  EINTR is left over if a signal interrupted the last call.
+// Waits in the kernel until it passes the lock to the caller.  A holder whose thread has ended (ESRCH) never releases the lock,
+// which is a timeout.  EINTR remains if a signal interrupted the wait at the deadline.
 static SmResult wait_for_lock(uint32_t *word, uint64_t deadline)
 {
     const struct timespec end = psl_timespec(deadline);
@@ -113,14 +116,14 @@ static SmResult wait_for_lock(uint32_t *word, uint64_t deadline)
         now = pal_clock_now();
         error = futex(word, FUTEX_LOCK_PI2, &end);
         if (error == ENOSYS)
-            error = wait_by_the_day(word, now < deadline ? deadline - now : 0);
+            error = wait_with_realtime_clock(word, now < deadline ? deadline - now : 0);
     } while ((error == ETIMEDOUT || error == EAGAIN || error == EINTR) && now < deadline);
     (void)read_holder(word);                              // acquire: makes the writes of the last holder visible
     return error == ESRCH || error == EINTR ? SM_E_TIMEOUT : psl_result_of_errno(error);
 }
 
-// Takes a lock that is held.  Not inlined, because its register use would slow down taking a free lock.
-__attribute__((noinline)) static SmResult take_held(uint32_t *word, uint64_t timeout)
+// Waits for a lock that is held, first by spinning.  Not inlined, because its register use would slow down taking a free lock.
+__attribute__((noinline)) static SmResult acquire_held(uint32_t *word, uint64_t timeout)
 {
     uint64_t deadline = pal_clock_now() + timeout;
 
@@ -132,18 +135,19 @@ __attribute__((noinline)) static SmResult take_held(uint32_t *word, uint64_t tim
     return timeout == 0 ? SM_E_TIMEOUT : wait_for_lock(word, deadline);
 }
 
-// Takes a free lock without reading the clock, which is the usual case.
+// In the usual case the lock is free, and the clock is not read.
 SmResult pal_lock_take(PalLock lock, uint64_t timeout)
 {
     if (timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
     if (!psl_table_is_used(used, PAL_LOCKS, lock.id))
         return SM_E_HANDLE;
-    return try_acquire(&lock_words[lock.id - 1]) ? SM_OK : take_held(&lock_words[lock.id - 1], timeout);
+    return try_acquire(&lock_words[lock.id - 1]) ? SM_OK : acquire_held(&lock_words[lock.id - 1], timeout);
 }
 
-// The exchange changes nothing.  It shows the release to the thread sanitizer, which does not see the system call.
-__attribute__((noinline)) static SmResult give_to_another(uint32_t *word)
+// Lets the kernel pass the lock to a waiter.  The atomic OR changes nothing: it shows the release to the thread sanitizer, which
+// does not see the system call.
+__attribute__((noinline)) static SmResult release_to_waiter(uint32_t *word)
 {
     if (read_holder(word) != thread_id())
         return SM_E_BUSY;
@@ -155,5 +159,5 @@ SmResult pal_lock_give(PalLock lock)
 {
     if (!psl_table_is_used(used, PAL_LOCKS, lock.id))
         return SM_E_HANDLE;
-    return try_release(&lock_words[lock.id - 1]) ? SM_OK : give_to_another(&lock_words[lock.id - 1]);
+    return try_release(&lock_words[lock.id - 1]) ? SM_OK : release_to_waiter(&lock_words[lock.id - 1]);
 }

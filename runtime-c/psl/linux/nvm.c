@@ -77,6 +77,7 @@ static int64_t file_size(int fd)
 
 // ---- replacing the file ----
 
+// Stores the part of the change that falls into `block`: n bytes at address `at`.
 static void apply_change(uint8_t *block, uint32_t at, uint32_t n, const NvmChange *c)
 {
     for (uint32_t i = 0; i < n; i++)
@@ -151,6 +152,7 @@ static bool is_current(int fd, const char *path)
     return fstat(fd, &a) == 0 && stat(path, &b) == 0 && a.st_ino == b.st_ino && a.st_dev == b.st_dev;
 }
 
+// Opens and locks the file and stores its size in *size.  If there is no file: SM_OK, with e->fd -1 and *size 0.
 static SmResult open_existing(NvmEntry *e, int64_t *size)
 {
     *size = 0;

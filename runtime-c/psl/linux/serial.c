@@ -86,7 +86,8 @@ SmResult pal_serial_open(PalSerial *line, const char *name, uint32_t bits_per_se
     return r;
 }
 
-// A read from a line that hung up returns 0 or fails with EIO.
+// The result of a read or write that returned `got` and did not transfer anything.  If the line hung up, it returned 0 or failed
+// with EIO.
 static SmResult result_of_transfer(ssize_t got)
 {
     return got == 0 || errno == EIO ? SM_E_CLOSED : psl_result_of_errno(errno);

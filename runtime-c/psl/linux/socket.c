@@ -264,8 +264,8 @@ SmResult pal_socket_send_to(PalSocket s, const PalAddress *to, const void *bytes
     return SM_OK;
 }
 
-// Waits until the socket is ready and receives.  On failure returns -1 and sets *r.  An error of the network does not concern the next
-// datagram, but ends a stream.
+// Waits until the socket is ready and receives.  On failure returns -1 and sets *r.  A network error ends a stream.  For
+// datagrams it is ignored, because it concerns an earlier one.
 static ssize_t receive_message(int fd, SocketKind kind, struct msghdr *m, uint64_t deadline, SmResult *r)
 {
     for (;;) {

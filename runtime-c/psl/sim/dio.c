@@ -7,7 +7,7 @@
 
 typedef struct SimPin {
     bool open, output, level;      // level: of an output
-    bool driven, outside;          // whether it is driven externally, and the external level
+    bool driven, external_level;   // whether it is driven externally, and that level
     bool pulled_up;
     uint16_t source;               // 1 + number of the pin that it is wired to; 0: none
     uint32_t edges;
@@ -15,7 +15,7 @@ typedef struct SimPin {
 
 static SimPin pins[SIM_PINS];
 static bool used[PAL_DIOS];
-static uint8_t number_of[PAL_DIOS];
+static uint8_t pin_of_entry[PAL_DIOS];
 
 void sim_dio_reset(void)
 {
@@ -28,7 +28,7 @@ static bool input_level(const SimPin *p)
 {
     if (p->source != 0 && pins[p->source - 1].output)
         return pins[p->source - 1].level;
-    return p->driven ? p->outside : p->pulled_up;
+    return p->driven ? p->external_level : p->pulled_up;
 }
 
 bool sim_pin(uint16_t pin)
@@ -46,7 +46,7 @@ void sim_drive(uint16_t pin, bool level)
     bool before = sim_pin(pin);
 
     pins[pin].driven = true;
-    pins[pin].outside = level;
+    pins[pin].external_level = level;
     pins[pin].edges += sim_pin(pin) != before;
 }
 
@@ -55,6 +55,7 @@ void sim_wire(uint16_t from, uint16_t to)
     pins[to].source = (uint16_t)(from + 1);
 }
 
+// Sets direction and own level of a pin, and counts the edges at it and at the pins wired to it.
 static void set_pin(SimPin *p, bool output, bool level)
 {
     uint16_t number = (uint16_t)(p - pins);
@@ -84,7 +85,7 @@ SmResult pal_dio_open(PalDio *pin, uint16_t number, PalDioMode mode, bool level)
     id = psl_table_allocate(used, PAL_DIOS);
     if (id == 0)
         return SM_E_FULL;
-    number_of[id - 1] = (uint8_t)number;
+    pin_of_entry[id - 1] = (uint8_t)number;
     pins[number].open = true;
     pins[number].pulled_up = mode == PAL_DIO_PULL_UP;
     set_pin(&pins[number], mode == PAL_DIO_OUTPUT, level);
@@ -102,7 +103,7 @@ SmResult pal_dio_read(PalDio pin, bool *level)
         return SM_E_HANDLE;
     r = sim_begin_call(SIM_dio_read);
     if (r == SM_OK)
-        *level = sim_pin(number_of[pin.id - 1]);
+        *level = sim_pin(pin_of_entry[pin.id - 1]);
     return r;
 }
 
@@ -113,7 +114,7 @@ SmResult pal_dio_write(PalDio pin, bool level)
 
     if (!psl_table_is_used(used, PAL_DIOS, pin.id))
         return SM_E_HANDLE;
-    p = &pins[number_of[pin.id - 1]];
+    p = &pins[pin_of_entry[pin.id - 1]];
     if (!p->output)
         return SM_E_ARGUMENT;
     r = sim_begin_call(SIM_dio_write);
@@ -128,6 +129,6 @@ SmResult pal_dio_close(PalDio pin)
     if (!psl_table_is_used(used, PAL_DIOS, pin.id))
         return SM_E_HANDLE;
     used[pin.id - 1] = false;
-    pins[number_of[pin.id - 1]].open = false;
+    pins[pin_of_entry[pin.id - 1]].open = false;
     return SM_OK;
 }

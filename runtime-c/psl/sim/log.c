@@ -77,7 +77,7 @@ void sim_log_shrink(const char *name, size_t bytes)
 // ---- the PAL ----
 
 // Finds the log with that name, or an unused one.
-static SmResult find_or_make(const char *name, uint8_t *log)
+static SmResult find_or_create_log(const char *name, uint8_t *log)
 {
     *log = find_log(name);
     if (*log == SIM_LOGS)
@@ -96,7 +96,7 @@ SmResult pal_log_open(PalLogFile *file, const char *name)
         return SM_E_ARGUMENT;
     if (strchr(name, '/'))
         return SM_E_MISSING;                              // there are no folders
-    r = sim_is_power_off() ? SM_E_DEVICE : find_or_make(name, &log);
+    r = sim_is_power_off() ? SM_E_DEVICE : find_or_create_log(name, &log);
     if (r != SM_OK)
         return r;
     id = psl_table_allocate(used, PAL_LOGS);

@@ -7,7 +7,7 @@
 
 #define DATAGRAMS_IN_TRANSIT 64
 
-static SimDatagram in_transit[DATAGRAMS_IN_TRANSIT], held;
+static SimDatagram in_transit[DATAGRAMS_IN_TRANSIT], held;     // held: the one held back for reordering
 static SimNetwork network;
 static uint32_t sent;
 static uint64_t order;
@@ -28,7 +28,8 @@ void sim_network(SimNetwork n)
     sent = 0;
 }
 
-static bool is_turn(uint32_t every)
+// Whether a fault that affects one of `every` datagrams affects the current one.
+static bool is_fault_due(uint32_t every)
 {
     return every != 0 && sent % every == 0;
 }
@@ -46,7 +47,8 @@ static bool enqueue(const SimDatagram *d)
     return false;
 }
 
-static bool release_held(void)
+// Enqueues the datagram that was held back for reordering.  Returns false if there was none or no space.
+static bool enqueue_held(void)
 {
     bool was = held.used;
 
@@ -56,20 +58,20 @@ static bool release_held(void)
 
 bool sim_datagram_send(const SimDatagram *d)
 {
-    bool flies = true;
+    bool accepted = true;
 
     sent++;
-    if (is_turn(network.reorder) && !held.used) {          // held back until the next one is sent
+    if (is_fault_due(network.reorder) && !held.used) {     // held back until the next one is sent
         held = *d;
         held.used = true;
         return true;
     }
-    if (!is_turn(network.lose))
-        flies = enqueue(d);
-    if (is_turn(network.repeat))
-        flies = enqueue(d) && flies;
-    release_held();
-    return flies;
+    if (!is_fault_due(network.lose))
+        accepted = enqueue(d);
+    if (is_fault_due(network.repeat))
+        accepted = enqueue(d) && accepted;
+    enqueue_held();
+    return accepted;
 }
 
 bool sim_reaches(const PalAddress *to, const PalAddress *own)
@@ -79,7 +81,8 @@ bool sim_reaches(const PalAddress *to, const PalAddress *own)
     return to->port == own->port && (memcmp(own->ip, any, 4) == 0 || memcmp(own->ip, to->ip, 4) == 0);
 }
 
-static SimDatagram *earliest(const PalAddress *at)
+// The datagram for a socket at that address that arrives first; NULL if there is none.
+static SimDatagram *find_earliest(const PalAddress *at)
 {
     SimDatagram *next = NULL;
 
@@ -90,12 +93,12 @@ static SimDatagram *earliest(const PalAddress *at)
     return next;
 }
 
-// If no next datagram follows, the one that was held back for reordering is released.
+// If nothing is in transit, the datagram held back for reordering is delivered, because no later one may follow.
 SimDatagram *sim_datagram_next(const PalAddress *at)
 {
-    SimDatagram *next = earliest(at);
+    SimDatagram *next = find_earliest(at);
 
-    return !next && release_held() ? earliest(at) : next;
+    return !next && enqueue_held() ? find_earliest(at) : next;
 }
 
 // ---- streams ----

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data in transit between simulated sockets: datagrams and streams. socket.c contains the sockets.
+// Data in transit between simulated sockets: datagrams and streams.  (The sockets: socket.c.)
 #ifndef PSL_SIM_NETWORK_H
 #define PSL_SIM_NETWORK_H
 
@@ -7,7 +7,7 @@
 
 typedef struct SimDatagram {
     bool used;
-    uint64_t arrives, order;
+    uint64_t arrives, order;  // clock time; sequence number, for datagrams that arrive at the same time
     PalAddress from, to;
     size_t n;
     uint8_t bytes[PAL_DATAGRAM_MAX];
@@ -46,7 +46,7 @@ SimStream *sim_stream_new(uint8_t listening);
 // The oldest stream that waits for that listening socket, or NULL.
 SimStream *sim_stream_waiting(uint8_t listening);
 
-// Put: sends bytes to an end, as many as fit.  Take: receives the bytes that arrived at an end.
+// Send bytes to an end, as many as fit; receive bytes that arrived at an end.  Both return their number.
 size_t sim_stream_send(SimStream *s, int end, const void *bytes, size_t n);
 size_t sim_stream_receive(SimStream *s, int end, void *bytes, size_t room);
 

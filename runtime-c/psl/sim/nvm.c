@@ -25,8 +25,9 @@ enum { MEDIA = sizeof media / sizeof *media };
 static bool used[PAL_NVMS];
 static uint8_t medium_of[PAL_NVMS];
 
+// The planned power cut: during the write after `after` more ones, which still stores `bytes` bytes.  off: the power is off.
 static struct {
-    bool planned, gone;
+    bool planned, off;
     uint32_t after, bytes;
 } cut;
 
@@ -47,7 +48,7 @@ void sim_nvm_reset(void)
     }
 }
 
-static void apply_stuck(size_t medium)
+static void apply_stuck_bits(size_t medium)
 {
     uint8_t *b = &media[medium].bytes[media[medium].stuck_at];
     const uint8_t bits = media[medium].stuck_bits;
@@ -55,6 +56,7 @@ static void apply_stuck(size_t medium)
     *b = (uint8_t)((*b & ~bits) | (media[medium].stuck_value & bits));
 }
 
+// The index of the medium with that name; the last one for an unknown name.
 static size_t find_medium(const char *name)
 {
     size_t i = 0;
@@ -73,7 +75,7 @@ void sim_stick(const char *name, uint32_t at, uint8_t bits, uint8_t value)
     media[i].stuck_at = at % SIM_NVM_SIZE;
     media[i].stuck_bits = bits;
     media[i].stuck_value = value;
-    apply_stuck(i);
+    apply_stuck_bits(i);
 }
 
 void sim_cut_power(uint32_t after, uint32_t bytes)
@@ -91,7 +93,7 @@ void sim_power_on(void)
 
 bool sim_is_power_off(void)
 {
-    return cut.gone;
+    return cut.off;
 }
 
 uint32_t sim_bytes_before_power_cut(uint32_t n)
@@ -99,7 +101,7 @@ uint32_t sim_bytes_before_power_cut(uint32_t n)
     if (!cut.planned || cut.after-- > 0)
         return n;
     cut.planned = false;
-    cut.gone = true;
+    cut.off = true;
     return cut.bytes < n ? cut.bytes : n;
 }
 
@@ -122,7 +124,7 @@ SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
 
     if (!memory || !name || size == 0 || name[0] == '\0' || strlen(name) >= PAL_NAME)
         return SM_E_ARGUMENT;
-    r = cut.gone ? SM_E_DEVICE : open_medium(name, size, &medium);
+    r = cut.off ? SM_E_DEVICE : open_medium(name, size, &medium);
     if (r != SM_OK)
         return r;
     id = psl_table_allocate(used, PAL_NVMS);
@@ -168,7 +170,7 @@ SmResult pal_nvm_read(PalNvm memory, uint32_t at, void *bytes, uint32_t n)
     if (r == SM_OK && !bytes)
         r = SM_E_ARGUMENT;
     if (r == SM_OK)
-        r = cut.gone ? SM_E_DEVICE : sim_begin_call(SIM_nvm_read);
+        r = cut.off ? SM_E_DEVICE : sim_begin_call(SIM_nvm_read);
     if (r == SM_OK)
         memcpy(bytes, here, n);
     return r;
@@ -185,7 +187,7 @@ static bool is_blank(const uint8_t *bytes, uint32_t n)
 // Stores n bytes, blank ones if `bytes` is NULL, until the power is cut.
 static SmResult store_bytes(uint8_t *here, const uint8_t *bytes, uint32_t n, SimCall call)
 {
-    SmResult r = cut.gone ? SM_E_DEVICE : sim_begin_call(call);
+    SmResult r = cut.off ? SM_E_DEVICE : sim_begin_call(call);
     uint32_t done;
 
     if (r != SM_OK)
@@ -198,8 +200,8 @@ static SmResult store_bytes(uint8_t *here, const uint8_t *bytes, uint32_t n, Sim
     if (done < n)
         here[done] = TORN;
     for (size_t i = 0; i < MEDIA; i++)
-        apply_stuck(i);
-    return cut.gone ? SM_E_DEVICE : SM_OK;
+        apply_stuck_bits(i);
+    return cut.off ? SM_E_DEVICE : SM_OK;
 }
 
 SmResult pal_nvm_write(PalNvm memory, uint32_t at, const void *bytes, uint32_t n)

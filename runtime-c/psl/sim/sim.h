@@ -51,7 +51,8 @@ void sim_oversleep(uint64_t ns);
 
 // Simulates the external world.  From now on `world` is called every `period` nanoseconds, whatever advances the time.  The clock
 // then shows exactly that time, and threads that sleep until then have not continued yet.  `world` may set and read pins, send and
-// receive, but must not wait or sleep.  A call that waits, for instance to receive, returns at the time at which `world` ends its wait.  NULL or a period of 0 removes it.
+// receive, but must not wait or sleep. A call that waits, for instance to receive, returns at the time at which `world` ends its
+// wait.  NULL or a period of 0 removes it.
 void sim_every(uint64_t period, void (*world)(void));
 
 // ---- the console ----
@@ -80,8 +81,8 @@ int32_t sim_analog(uint16_t channel);
 
 // ---- serial ----
 
-// The remote end of line "serial0" or "serial1": sends bytes to the program, receives the program's bytes (returning their number),
-// or unplugs and replugs the line.
+// The remote end of line "serial0" or "serial1": sends bytes to the program, receives the program's bytes (returning their
+// number), or unplugs and replugs the line.
 void sim_serial_send(const char *name, const void *bytes, size_t n);
 size_t sim_serial_receive(const char *name, void *bytes, size_t room);
 void sim_serial_plug(const char *name, bool in);
@@ -101,10 +102,10 @@ void sim_network(SimNetwork network);
 // The memories: "eeprom" (single bytes, no erase) and "flash" (writes of 8 bytes, erases of 32 bytes, to 0xff).
 #define SIM_NVM_SIZE 2048u
 
-// Cuts the power during a write, an erase or an append to a log, after `after` more of these calls.  The call stores `bytes` bytes,
-// and the byte after them becomes undefined.  It and all later calls of memories and logs return SM_E_DEVICE until sim_power_on, except
-// pal_nvm_info and the two closes, which do not access the medium.  sim_power_on closes all memories and logs and preserves their
-// content.
+// Cuts the power during a write, an erase or an append to a log, after `after` more of these calls.  The call stores `bytes`
+// bytes, and the byte after them becomes undefined.  It and all later calls of memories and logs return SM_E_DEVICE until
+// sim_power_on, except pal_nvm_info and the two closes, which do not access the medium.  sim_power_on closes all memories and logs
+// and preserves their content.
 void sim_cut_power(uint32_t after, uint32_t bytes);
 void sim_power_on(void);
 
@@ -122,8 +123,8 @@ void sim_stick(const char *name, uint32_t at, uint8_t bits, uint8_t value);
 #define SIM_LOG_SIZE 1048576u
 #endif
 
-// The content of the log with that name, *n bytes, valid until sim_reset; NULL if there is none.  The number of bytes that a sync
-// has brought to the medium.
+// The content of the log with that name, *n bytes, valid until sim_reset; NULL if there is none.  sim_log_synced: how
+// many of its bytes were appended before the last sync.
 const uint8_t *sim_log(const char *name, size_t *n);
 size_t sim_log_synced(const char *name);
 

@@ -43,6 +43,7 @@ static bool is_taken(const PalAddress *a, SimSocketKind kind)
     return false;
 }
 
+// Checks that the address is one of this computer and its port is free.  Chooses a free port for port 0.
 static SmResult choose_port(PalAddress *a, SimSocketKind kind)
 {
     if (!is_any(a) && a->ip[0] != 127 && a->ip[0] != 10)
@@ -88,7 +89,7 @@ static SmResult open_socket(PalSocket *s, SimSocketKind kind, const PalAddress *
     return SM_OK;
 }
 
-static bool is_full(void)
+static bool is_table_full(void)
 {
     for (uint8_t i = 0; i < PAL_SOCKETS; i++)
         if (!used[i])
@@ -136,7 +137,7 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
     r = sim_begin_call(SIM_socket_connect);
     if (r != SM_OK)
         return r;
-    if (is_full())
+    if (is_table_full())
         return SM_E_FULL;
     listening = find_listening(to);
     if (listening == 0)
@@ -172,12 +173,12 @@ SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *p
         return SM_E_ARGUMENT;
     r = find_socket(listening, LISTENING, &e);
     if (r == SM_OK)
-        r = is_full() ? SM_E_FULL : sim_begin_call(SIM_socket_accept);
+        r = is_table_full() ? SM_E_FULL : sim_begin_call(SIM_socket_accept);
     if (r != SM_OK)
         return r;
     while (r == SM_OK && (s = sim_stream_waiting(listening.id)) == NULL)
         r = sim_wait(deadline) ? find_socket(listening, LISTENING, &e) : SM_E_TIMEOUT;
-    if (r == SM_OK && is_full())                           // the world has taken the last entry meanwhile
+    if (r == SM_OK && is_table_full())                     // the world has taken the last entry meanwhile
         r = SM_E_FULL;
     if (r != SM_OK)
         return r;
@@ -247,7 +248,7 @@ SmResult pal_socket_receive_from(PalSocket s, PalAddress *from, void *bytes, siz
 // ---- streams ----
 
 // Whether the peer has closed its end.
-static bool is_lost(const SimSocket *e)
+static bool has_peer_closed(const SimSocket *e)
 {
     return !e->stream->open[!e->end] && e->stream->listening == 0;
 }
@@ -267,7 +268,7 @@ SmResult pal_socket_send(PalSocket stream, const void *bytes, size_t n, size_t *
     if (r == SM_OK)
         r = sim_begin_call(SIM_socket_send);
     while (r == SM_OK) {
-        if (is_lost(e))
+        if (has_peer_closed(e))
             return SM_E_CLOSED;
         *sent += sim_stream_send(e->stream, !e->end, next + *sent, n - *sent);
         if (*sent == n)
@@ -295,7 +296,7 @@ SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *
             *n = got;
             break;
         }
-        if (is_lost(e))
+        if (has_peer_closed(e))
             return SM_E_CLOSED;
         r = sim_wait(deadline) ? find_socket(stream, STREAM, &e) : SM_E_TIMEOUT;
     }

@@ -5,10 +5,10 @@
 #include "runtime-c/psl/sim/world.h"
 
 static struct {
-    uint32_t count, after;
+    uint32_t count, after;    // calls so far; calls that still succeed before the fault
     uint64_t delay;
-    SmResult result;          // SM_OK: no call fails
-    bool for_good;
+    SmResult result;          // of the fault; SM_OK: no call fails
+    bool permanent;           // all calls after the fault fail too
 } calls[SIM_CALLS];
 
 void sim_reset(void)
@@ -26,11 +26,11 @@ void sim_reset(void)
     sim_watchdog_reset();
 }
 
-static void plan_fault(SimCall call, uint32_t after, SmResult result, bool for_good)
+static void plan_fault(SimCall call, uint32_t after, SmResult result, bool permanent)
 {
     calls[call].after = after;
     calls[call].result = result;
-    calls[call].for_good = for_good;
+    calls[call].permanent = permanent;
 }
 
 void sim_fail(SimCall call, uint32_t after, SmResult result)
@@ -63,7 +63,7 @@ SmResult sim_begin_call(SimCall call)
         calls[call].after -= r != SM_OK;
         return SM_OK;
     }
-    if (!calls[call].for_good)
+    if (!calls[call].permanent)
         calls[call].result = SM_OK;
     return r;
 }
