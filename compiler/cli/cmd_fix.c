@@ -45,8 +45,8 @@ static uint32_t first_error(const Diags *d, const Source *src)
     return UINT32_MAX;
 }
 
-// A round is better in one of two cases. Some findings are fixed and no other errors appeared, so fewer editable findings remain. Or the
-// first error is fixed, and a later one was revealed.
+// A round is better if fewer errors remain.  With equally many errors it is better if the first one of the file is further down than
+// before, so that a later one was revealed, or if some diagnostic that has edits occurs less often.
 static bool is_better(const Diags *now, const Source *src, const Diags *before, const Source *was)
 {
     const uint32_t grown = src->len > was->len ? src->len - was->len : 0, old = first_error(before, was);
