@@ -67,6 +67,7 @@ static void zero_up_to(Arena *a, char *to)
     a->zeroed_end = up;
 }
 
+// Returns `size` bytes of the newest chunk, of a new one if they do not fit.  The caller zeroes them.
 static char *bump_unzeroed(Arena *a, size_t size)
 {
     char *p;
@@ -99,8 +100,8 @@ void *arena_alloc_unzeroed(Arena *a, size_t size)
     return p;
 }
 
-// The bytes to be overwritten need not be zeroed.  The rest of `room` must be.
-static void *copy_into(Arena *a, const void *from, size_t size, size_t room)
+// Allocates `room` bytes and copies `size` bytes into them.  The rest is zeroed.
+static void *alloc_copy(Arena *a, const void *from, size_t size, size_t room)
 {
     char *p = bump_unzeroed(a, room);
 
@@ -115,7 +116,7 @@ static void *copy_into(Arena *a, const void *from, size_t size, size_t room)
 
 void *arena_copy(Arena *a, const void *from, size_t size)
 {
-    return copy_into(a, from, size, size);
+    return alloc_copy(a, from, size, size);
 }
 
 void *arena_array(Arena *a, size_t count, size_t size)
@@ -137,5 +138,5 @@ void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size)
         }
         a->next += (old_size + ALIGN - 1) / ALIGN * ALIGN;
     }
-    return copy_into(a, old, !old ? 0 : old_size < new_size ? old_size : new_size, new_size);
+    return alloc_copy(a, old, !old ? 0 : old_size < new_size ? old_size : new_size, new_size);
 }

@@ -38,7 +38,7 @@ static inline void *arena_alloc(Arena *a, size_t size)
     return a->next - room;
 }
 void *arena_array(Arena *a, size_t count, size_t size);          // checks count * size
-void *arena_alloc_unzeroed(Arena *a, size_t size);               // not zeroed
+void *arena_alloc_unzeroed(Arena *a, size_t size);               // as arena_alloc, but not zeroed
 void *arena_copy(Arena *a, const void *from, size_t size);
 void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size);   // copies, or extends the last allocation in place
 

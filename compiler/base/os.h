@@ -41,7 +41,7 @@ bool os_print(int fd, const void *bytes, size_t n, const char **why);
 bool os_read_head(const char *path, char *into, size_t n, size_t *len);
 
 bool os_is_folder(const char *path);
-// The number of the open file of this process that a path names, as /dev/stdout, /dev/fd/1, /proc/self/fd/1 or a link to one; else -1.
+// The file descriptor of this process that a path names, as /dev/stdout, /dev/fd/1, /proc/self/fd/1 or a link to one; else -1.
 int os_own_descriptor(const char *path);
 bool os_is_special(const char *path);              // a device or pipe, as /dev/null, or an open file of this process
 bool os_make_folder(const char *path, const char **why);     // the folder only, not its parents; true if it already exists

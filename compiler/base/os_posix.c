@@ -163,7 +163,7 @@ static mode_t wanted_mode(const char *target)
     return stat(target, &st) == 0 ? st.st_mode & 07777 : (mode_t)(0666 & ~mask);
 }
 
-// (Renaming cannot replace such a file, so it is written directly.)
+// A special file is written directly, because renaming cannot replace it.
 bool os_is_special(const char *path)
 {
     struct stat st;
@@ -255,7 +255,7 @@ static bool write_directly(const OsOutput *out, const char **why)
     return ok;
 }
 
-// Does everything except the renaming, for which it sets *target; *target stays NULL if there is nothing to rename.
+// Writes one output completely, except for renaming the temporary file to *target; *target stays NULL if there is nothing to rename.
 static bool write_temporary(const OsOutput *out, int number, char **target, const char **why)
 {
     int fd;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Child processes: run to completion, or kept as a partner that exchanges messages.  Like os.h, for the command only.
+// Child processes: run to completion, or connected as a partner that exchanges data with this process.  Like os.h, for the command only.
 #ifndef SMC_OS_PROCESS_H
 #define SMC_OS_PROCESS_H
 

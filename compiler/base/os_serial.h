@@ -9,8 +9,8 @@
 
 // Opens a line in raw mode: 8 data bits, no parity, 1 stop bit, no flow control.  Bytes that arrived earlier are dropped.
 bool os_serial_open(const char *path, unsigned long bits_per_second, int *fd, const char **why);
-bool os_serial_send(int fd, const uint8_t *bytes, size_t n);                           // false: the line is gone
-// Waits up to `wait` milliseconds.  Returns the number of bytes received, 0 if none, -1 if the line is gone.
+bool os_serial_send(int fd, const uint8_t *bytes, size_t n);                           // false: it accepted no byte for 5 s, or is disconnected
+// Waits up to `wait` milliseconds.  Returns the number of bytes received, 0 if none, -1 if the device is disconnected.
 int os_serial_receive(int fd, uint8_t *bytes, size_t room, uint32_t wait);
 void os_serial_close(int fd);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signals that end the process while it has unfinished files or folders.  For the files os_*_posix.c.
-// These are all of POSIX that can be caught, among them SIGPIPE: the report may go into a pipe that is closed while a trace is unfinished.
-// Not caught are those that a fault of the program itself raises (SIGSEGV, SIGABRT ...): its memory cannot be trusted then.
-// A signal that was ignored when the process started stays ignored.
+// Signals that end the process while it has unfinished files or folders.  Used by the files os_*_posix.c.  All such POSIX signals that can
+// be caught are handled, among them SIGPIPE: the report may go into a pipe that is closed while a trace is unfinished.  Not caught are
+// those that a fault of the program itself raises (SIGSEGV, SIGABRT ...): its memory cannot be trusted then.  A signal that was ignored
+// when the process started stays ignored.
 #ifndef SMC_OS_SIGNAL_H
 #define SMC_OS_SIGNAL_H
 
@@ -10,7 +10,7 @@
 // Pairs can nest.
 void os_signals_begin(void);
 void os_signals_end(void);
-int os_signal_at(int i);                              // the number of signal i of these, from 0; after the last one 0
+int os_signal_at(int i);                              // the number of the i-th handled signal, from 0; 0 after the last one
 
 // The files to remove, by number below OS_UNFINISHED.  NULL: none.  The path must stay valid until it is replaced.
 enum { OS_UNFINISHED = 65 };

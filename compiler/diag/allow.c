@@ -100,6 +100,7 @@ static void open_allows_at(AllowWalk *w, const Span *at)
         w->depth--;
 }
 
+// Sets x->by. The positions must be visited in file order.
 static void find_innermost_allow(AllowWalk *w, AllowPosition *x)
 {
     const char *flag = diag_info[x->diag->code].flag;
@@ -139,6 +140,7 @@ static void decide_if_allowed(Diag *x, const AllowPosition *places)
 
 static bool can_be_allowed(const Diag *x) { return x->severity == DIAG_WARNING && diag_info[x->code].flag && !x->allowed && !x->allow_checked; }
 
+// Finds the @allow of each warning in the list, and marks the warnings that are allowed.
 static void match_allows(Diags *d)
 {
     AllowWalk w = {sorted_allows(d, compare_covers), d->allow.n, 0, ARENA_ARRAY(d->arena, DiagAllow *, d->allow.n), 0};
@@ -182,7 +184,7 @@ static void move_allowed(Diags *d)
 
 // ---- unused @allow ----
 
-// Returns the annotation with the blanks before it, or the whole line if it contains nothing else.
+// Returns the annotation with the spaces before it, or the whole line if it contains nothing else.
 static Span span_to_remove(Span s)
 {
     const char *text = s.src->text;
@@ -217,8 +219,8 @@ static bool can_judge_unused(const Diags *d, const DiagAllow *a)
     return (d->analysed >> flag->group & 1u) && (flag->judged == DIAG_JUDGED_ALWAYS || d->known >> flag->judged & 1u);
 }
 
-// The list can contain an annotation several times, once for each position that it covers. `about_itself`: the allows of this very
-// warning.
+// Reports each @allow that no warning has used: those of the warning unused-allow itself if `about_itself`, else all others. The list
+// contains an annotation once for each position that it covers.
 static void report_unused(Diags *d, bool about_itself)
 {
     DiagAllow **all = sorted_allows(d, compare_spans);

@@ -40,7 +40,7 @@ extern const DiagInfo diag_info[DIAG_COUNT];
 // A row of flags.def.
 typedef enum DiagGroup { DIAG_GROUP_ALL, DIAG_GROUP_EXTRA, DIAG_GROUP_FLIGHT, DIAG_GROUPS } DiagGroup;
 #define DIAG_GROUPS_ALL ((1u << DIAG_GROUPS) - 1u)        // all of them, as bits
-typedef enum DiagJudged {
+typedef enum DiagJudged {                                 // what a run must know to report an unused @allow
     DIAG_JUDGED_ALWAYS, DIAG_JUDGED_VECTOR, DIAG_JUDGED_APP, DIAG_JUDGED_STEP, DIAG_JUDGED_NO_STEP, DIAG_JUDGED_NEVER
 } DiagJudged;
 typedef struct DiagFlag {
@@ -62,7 +62,7 @@ typedef struct DiagNote {
     unsigned step;            // 1, 2, 3 … of a finding that has several steps; 0: not a step
 } DiagNote;
 
-// A declaration that a finding names. An @allow there also covers the finding if all declarations of one subject have one.
+// A declaration that a finding is about. An @allow there also covers the finding, if all of its declarations of one subject have one.
 typedef enum DiagSubject { DIAG_SENSOR, DIAG_OUTPUTS, DIAG_OTHER_WRITER, DIAG_CONSTANT, DIAG_SUBJECTS } DiagSubject;
 typedef struct DiagAbout { Span span; DiagSubject subject; } DiagAbout;
 
@@ -115,7 +115,7 @@ Diag *diag_report(Diags *d, DiagCode code, Span span, ...);
 Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args);     // the same, for a function that has a va_list
 // Adds a note; `text` is a DIAG_NOTE_TEXT row, its arguments follow.
 void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...);
-// The same, as the next step of the path to the finding.
+// The same, as the next numbered step of the path that leads to the finding.
 void diag_step(Diags *d, Diag *to, Span span, DiagCode text, ...);
 // Sets the text printed after the caret; `text` is a DIAG_NOTE_TEXT row.
 void diag_label(Diags *d, Diag *to, DiagCode text, ...);
@@ -185,7 +185,7 @@ void diags_write_markdown(Buf *out);
 // A warning's name, what it finds, and how to switch it: the text before the pages of its codes.
 void diag_put_flag(Buf *out, const DiagFlag *flag);
 void diag_put_title(const DiagInfo *row, Buf *out);        // the message, with "..." for each argument
-// The text after the message in output for people: "E0204"; for a warning also its name: "W0503 unreachable-state".
+// What follows the message in text output: "E0204"; for a warning also its name: "W0503 unreachable-state".
 const char *diag_code_and_name(const Diag *d, Arena *arena);
 
 #endif

@@ -37,7 +37,7 @@ static size_t length_without_comment(const char *s, size_t n)
     return n;
 }
 
-// Hashes a line. Any run of blanks between words counts as one; comments are ignored.
+// Hashes a line. Any run of spaces and tabs between words counts as one space; comments are ignored.
 static uint64_t hash_line(uint64_t h, const char *s, size_t n)
 {
     n = length_without_comment(s, n);
@@ -66,7 +66,7 @@ static uint64_t hash_diagnostic(const Diag *d)
     return hash_line(hash_text(h, file, strlen(file) + 1), line, len);
 }
 
-// Twins are in file order, with allowed ones among the others.
+// By hash; findings with the same hash in file order, whether allowed or not.
 static int compare_items(const void *a, const void *b)
 {
     const FingerprintItem *x = a, *y = b;

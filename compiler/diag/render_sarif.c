@@ -7,7 +7,7 @@
 #include "compiler/base/utf8.h"
 #include "compiler/diag/diag.h"
 
-// ---- places ----
+// ---- locations ----
 
 static bool is_literal_in_uri(char c)
 {

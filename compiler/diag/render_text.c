@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renders the diagnostics for people: position and message, the source line with a caret below the marked text, notes, a count. Every
-// character of a line takes one column: a tab becomes a blank, an unprintable byte becomes \x07.
+// character of a line takes one column: a tab becomes a space, an unprintable byte becomes \x07.
 #include <string.h>
 
 #include "compiler/base/utf8.h"

@@ -95,6 +95,7 @@ static void apply_word(const char *w, const DiagFlag *flag, FlagChoice *v)
         v->on = skip_prefix(w, "no-") == NULL;
 }
 
+// Decides about a warning: the words apply in order, the last one that names it wins.
 static FlagChoice select_flag(const DiagSelection *w, const DiagFlag *flag)
 {
     FlagChoice v = {!flag || flag->group == DIAG_GROUP_ALL, false};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Translates expressions to straight-line IR (language.md 3).  Every value of the language is an F64.  Here comparisons, logic and bool variables
-// produce a bool, which is converted where a number is needed.  The result is the same, because true is 1 and false is 0 in both.
+// Translates expressions to straight-line IR (language.md 3).  Every value of the language is an F64.  Here comparisons, logic and bool
+// variables produce a bool, which is converted where a number is needed.  The result is the same, because true is 1 and false is 0 in both.
 // The recursion depth is the depth of the tree, which AST_DEPTH_MAX bounds.
 #include <stddef.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds rolling windows, which store the last samples of an expression.  In the source, every roll call has its own window.  Here, calls of the same size whose sample expressions have the
-// same shape share a window (language.md 7).  Also builds the function that samples every window.
+// Builds rolling windows, which store the last samples of an expression.  In the source, every roll call has its own window.  Here, calls
+// of the same size whose sample expressions have the same shape share a window (language.md 7).  Also builds the function that samples
+// every window.
 #include <string.h>
 
 #include "compiler/ir/build.h"

@@ -30,7 +30,8 @@ bool identity_is_const(const Identity *d, IrRef ref, SmF64 number)
 
 // ---- arithmetic ----
 
-// Whether ref is an integer or bool that is not the result of arithmetic or a conversion.  A narrowed operation may still be computed on F64 (ir.h) and be -0 there.
+// Whether ref is an integer or bool that is not the result of arithmetic or a conversion.  A narrowed operation may still be computed on
+// F64 (ir.h) and be -0 there.
 static bool is_uncomputed_integer(const Identity *d, IrRef ref)
 {
     const IrIns *i = identity_at(d, ref);

@@ -65,8 +65,8 @@ static bool match_plus_one(const IfConvert *c, uint32_t var, IrRef x, IrRef one,
     return value->op == IR_load && value->var == var && is_one(&c->f->ins.at[s->one]);
 }
 
-// Whether `store` counts its variable up or down by one; then sets s->one.  The variable must be a local that no other code writes, because it will be stored
-// when the condition is false, too.
+// Whether `store` counts its variable up or down by one; then sets s->one.  The variable must be a local that no other code writes, because
+// it will be stored when the condition is false, too.
 static bool match_count(const IfConvert *c, const IrIns *store, ArmStore *s)
 {
     const IrVar *v = &c->m->var.at[store->var];
@@ -158,7 +158,8 @@ static bool match_arms(const IfConvert *c, IrBlkRef b, Arm *then, Arm *other)
 
 // ---- converting ----
 
-// Moves what the arm computes to the end of block b.  The constant `one` of a count becomes the conversion of `cond`: 1 if it is true, else 0.
+// Moves what the arm computes to the end of block b.  The constant `one` of a count becomes the conversion of `cond`: 1 if it is true, else
+// 0.
 static void move_computations(IfConvert *c, IrBlkRef b, const Arm *arm, IrRef cond)
 {
     IrBlk *from = &c->f->blk.at[arm->blk];

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// windows: drops statistics of rolling windows that no code reads.  A window without statistics is dropped, with the computation of its sample.  This may
-// leave an inner window without statistics, so the sample function is walked backwards.  A window whose samples are all of a type
-// narrower than F64 stores them in that type.
-// Needs nothing; invalidates use counts.
+// windows: drops statistics of rolling windows that no code reads.  A window without statistics is dropped, with the computation of its
+// sample.  This may leave an inner window without statistics, so the sample function is walked backwards.  A window whose samples are all
+// of a type narrower than F64 stores them in that type.  Needs nothing; invalidates use counts.
 #include "compiler/passes/pass.h"
 
 static void collect_read_stats(const IrFn *f, uint32_t *wanted)

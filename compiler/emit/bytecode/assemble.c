@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places locals and encodes instructions as bytes.
+// Assigns offsets to locals, and encodes instructions as bytes.
 #include "bytecode-vm/image.h"
 #include "compiler/emit/bytecode/bytecode.h"
 #include "stdlib/convert.h"
@@ -96,8 +96,8 @@ const char *bc_lay_out_locals(Arena *arena, BcMachine *m)
 
 // ---- instructions ----
 
-// Encodes from a function's end to its start.  Jumps only go forward, so their targets are already placed and each distance gets its
-// shortest form at once.  Each of these functions writes an instruction that ends before `end`, and returns its first byte. `op` is the
+// Encodes from a function's end to its start.  Jumps only go forward, so their targets are already encoded and each distance gets its
+// shortest encoding at once.  Each of these functions writes an instruction that ends before `end`, and returns its first byte. `op` is the
 // first opcode of the group that loads X, loads Y or stores.
 
 static uint8_t *write_number(uint8_t *end, uint32_t op, uint32_t n)
@@ -112,7 +112,7 @@ static uint8_t *write_const(uint8_t *end, uint32_t op, const BcOperand *o)
     const SmF64 x = sm_from_bits(o->bits);
     int32_t n;
 
-    op -= SMVM_ldx_local;
+    op -= SMVM_ldx_local;             // 0, or the distance from the opcodes that load X to those that load Y
     if (bc_try_whole(x, &n))
         return n < 0 ? write_number(end, op + SMVM_ldx_minus, (uint32_t)(-1 - n)) : write_number(end, op + SMVM_ldx_plus, (uint32_t)n);
     return write_number(end, op + (bc_is_f32(x) ? SMVM_ldx_f32 : SMVM_ldx_f64), o->index);
@@ -148,6 +148,7 @@ static uint8_t *write_store(uint8_t *end, const BcMachine *m, const BcOperand *o
 // Distance from the first byte of instruction i to the function's end.
 static uint32_t distance_to_end(const BcFn *f, size_t i) { return i < f->ins.n ? f->ins.at[i].at : 0; }
 
+// Writes an instruction that is no load or store: the opcode, its immediate operand and its jump distance, as far as it has them.
 static uint8_t *write_plain(uint8_t *end, const BcFn *f, size_t i)
 {
     const BcIns *ins = &f->ins.at[i];

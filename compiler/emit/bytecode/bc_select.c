@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// IR to instructions, within a block.  Each value is computed into X.  Of two operands, one that only needs a load goes to Y. If both must
-// be computed, the deeper one is computed first and waits in a slot.  Loads, stores and most conversions cost nothing besides the load or
-// store itself: `counter = counter + 1` is three instructions.
+// Selects the instructions for the IR of a block.  Each value is computed into X.  Of two operands, one that only needs a load goes to Y.
+// If both must be computed, the deeper one is computed first and waits in a slot.  Loads, stores and most conversions cost nothing besides
+// the load or store itself: `counter = counter + 1` is three instructions.
 #include "compiler/emit/bytecode/bc_select.h"
 #include "stdlib/convert.h"
 
-enum { MUCH_DEEPER = 3 };     // a left side deeper than the right by more than this is computed first: fewer right sides wait
+enum { MUCH_DEEPER = 3 };     // a left operand deeper than the right one by more than this is computed first, so fewer results need slots
 
-// ---- the location of a value ----
+// ---- where a value can be loaded from ----
 
 // The operand that r can be loaded from; BC_NONE: r must be computed, or only X holds it.
 static BcRef source_of(BcSelect *s, IrRef r)
@@ -19,6 +19,7 @@ static BcRef source_of(BcSelect *s, IrRef r)
     return v->slot;
 }
 
+// Whether X contains r already.
 static bool is_in_x(BcSelect *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
@@ -28,6 +29,7 @@ static bool is_in_x(BcSelect *s, IrRef r)
     return s->x.value == r || bc_register_has(&s->x, source_of(s, r));
 }
 
+// Subtracts one use of r.  After the last one its slot is free.
 static void release_use(BcSelect *s, IrRef r)
 {
     BcValue *v = &s->value[r];
@@ -68,6 +70,7 @@ static void compute_waiting(BcSelect *s, IrRef r)
 
 static bool must_be_computed(BcSelect *s, IrRef r) { return !is_in_x(s, r) && source_of(s, r) == BC_NONE; }
 
+// Whether loading b into X and a into Y needs fewer instructions than a into X and b into Y.
 static bool is_better_swapped(BcSelect *s, IrRef a, IrRef b)
 {
     const bool a_is_loadable = source_of(s, a) != BC_NONE, b_is_loadable = source_of(s, b) != BC_NONE;
@@ -111,7 +114,7 @@ bool bc_load_operands(BcSelect *s, IrRef a, IrRef b, bool may_swap, bool keep)
     return swapped;
 }
 
-// Whether r is a number that an instruction can encode; then sets *n to it.
+// Sets *n if r is a constant that an instruction can encode as a whole number.  Returns false if not.
 static bool match_whole_const(const BcSelect *s, IrRef r, int32_t *n)
 {
     return bc_ins(s, r)->op == IR_const && bc_try_whole(bc_const_value(bc_ins(s, r)), n);
@@ -174,6 +177,7 @@ static void compute_sub(BcSelect *s, IrRef a, IrRef b)
 
 // ---- operations ----
 
+// The opcode of an operation of types SAME.
 static uint8_t opcode_of(IrOp op)
 {
     static const uint8_t of[IR_OP_COUNT] = {
@@ -214,7 +218,7 @@ uint32_t bc_swapped_relation(uint32_t relation)
 
 uint32_t bc_negated_relation(uint32_t relation) { return (SMVM_LESS | SMVM_EQUAL | SMVM_GREATER | SMVM_UNORDERED) & ~relation; }
 
-// Whether the negation of boolean r can be computed at the same cost as r.  With `now`, requests it.
+// Whether the negation of boolean r can be computed at the same cost as r.  If `now`, also makes compute_into_x compute the negation.
 static bool try_negate(BcSelect *s, IrRef r, bool now)
 {
     const IrIns *i = bc_ins(s, r = bc_skip_truth_cvts(s, r));

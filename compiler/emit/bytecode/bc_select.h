@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shared by waiting.c, operands.c, registers.c, bc_select.c and jumps.c.  An IR instruction *waits* if its user computes it, where it is used.
-// Any other is computed at its own position.
+// Shared by waiting.c, operands.c, registers.c, bc_select.c and jumps.c.  An IR instruction *waits* if it is computed where its result is
+// used.  Any other is computed at its own position.
 #ifndef SMC_EMIT_BYTECODE_SELECT_H
 #define SMC_EMIT_BYTECODE_SELECT_H
 
@@ -8,7 +8,7 @@
 #include "compiler/emit/bytecode/bytecode.h"
 #include "compiler/ir/eval.h"
 
-#define BC_LATER (BC_NONE - 1)        // its operand is created when first needed, because constants are numbered in that order
+#define BC_LATER (BC_NONE - 1)        // the operand is created when it is first needed, because constants are numbered in that order
 
 // Facts about one IR instruction, within its block.
 typedef struct BcValue {
@@ -18,26 +18,26 @@ typedef struct BcValue {
     uint32_t next_store;      // for a store: position + 1 of the next store to its variable; UINT32_MAX: no other in this block
     uint32_t depth;           // length of the longest chain of waiting operations in its expression
     bool is_computed;         // it has been computed at its own position: its value is in X or in `slot`
-    bool waits;               // its user computes it; a conversion that changes nothing is computed by each user
+    bool waits;               // it is computed where its only user needs it; a conversion that changes nothing, at each of its users
     bool early;               // for a load: must execute at its own position, because a store to its variable precedes its last use
     bool negative;            // an integer that can be below zero
-    bool inverted;            // for a waiting boolean: its negation is wanted
+    bool inverted;            // for a waiting boolean: computes its negation instead
     bool minus_zero;          // an integer that the VM, which computes it as an F64, can compute as -0
-    BcRef slot;               // where to load it from; for a constant, or a load that is not computed, its operand; or BC_LATER, BC_NONE
+    BcRef slot;               // the operand that has its value, if any; for a constant or a load also BC_LATER, until it is created
 } BcValue;
 
-// The known contents of a register.  All entries denote the same number.
+// The known contents of register X or Y: the value, and operands with the same number.
 enum { BC_REGISTER_SOURCES = 3 };
 typedef struct BcRegister {
     IrRef value;              // or IR_NONE
-    BcRef from[BC_REGISTER_SOURCES];  // operands with that value; or BC_NONE
+    BcRef from[BC_REGISTER_SOURCES];  // or BC_NONE
 } BcRegister;
 
-// An end of the function that jumps can target: `end`, or `goto` a state.
+// An instruction that ends the function and that jumps can target: `end`, or `goto` a state.
 typedef struct BcExit {
-    uint32_t fn;              // number, from 1, of the function for which the other fields are valid
+    uint32_t fn;              // BcSelect.fn of the function for which the other fields are valid
     uint32_t label;           // UINT32_MAX: none yet
-    uint32_t at;              // 1 + the last instruction that is this end; 0: none yet
+    uint32_t at;              // 1 + index of the last such instruction; 0: none yet
     Span span;                // of the first jump to it
     bool of_many_lines;       // jumps from several lines
 } BcExit;
@@ -51,16 +51,16 @@ typedef struct BcSelect {
     BcValue *value;           // by instruction
     uint32_t *store_at;       // by variable: position + 1 of the next store to it…
     uint32_t *store_in;       // …valid if this equals `count`
-    uint32_t count;           // number of the current counting, from 1; each block is counted up to twice
+    uint32_t count;           // which run of count_block_uses this is, from 1; each block has one or two
     VEC(BcRef) free[BC_POOLS];       // slots that are not in use
     BcRegister x, y;
-    uint32_t straight_start;  // the first instruction after the last label that is a jump target
+    uint32_t straight_start;  // index of the first instruction after the last label that a jump targets
     Span span;                // of the IR instruction being selected
     uint32_t *label;          // by block: its label
-    uint32_t first_inner_label;  // the first label inside the current block's jump
+    uint32_t first_inner_label;  // the first label that the jump of the current block has created
     IrBlkRef *final_target;   // by block: itself, or its final target if it only jumps
     BcExit *exit;             // by state; [0] is `end`
-    VEC(uint32_t) exits;      // the ends used in this function
+    VEC(uint32_t) exits;      // the indices in `exit` that this function uses
     uint32_t fn;              // its number, from 1
 } BcSelect;
 
@@ -69,11 +69,13 @@ typedef struct BcSelect {
 static inline const IrIns *bc_ins(const BcSelect *s, IrRef r) { return &s->f->ins.at[r]; }
 static inline bool bc_is_float(uint32_t type) { return type == SM_F32 || type == SM_F64; }
 
+// Fills in BcValue for each instruction of a block.
 void bc_analyse_block(BcSelect *s, uint32_t block);
 uint32_t bc_chain_depth(const BcSelect *s, IrRef r);    // longest chain of waiting operations in r; 0 if r does not wait
 static inline SmF64 bc_const_value(const IrIns *i) { return ir_number(i->type, i->bits); }      // i is a const
 static inline bool bc_is_waiting_cvt(const BcSelect *s, IrRef r) { return s->value[r].waits && bc_ins(s, r)->op == IR_cvt; }
-IrRef bc_follow_exact_cvts(const BcSelect *s, IrRef r);  // the value that waiting conversion r passes on unchanged, or r
+IrRef bc_follow_exact_cvts(const BcSelect *s, IrRef r);  // the part of bc_skip_exact_cvts that is not inline
+// r without waiting conversions that change nothing.
 static inline IrRef bc_skip_exact_cvts(const BcSelect *s, IrRef r) { return bc_is_waiting_cvt(s, r) ? bc_follow_exact_cvts(s, r) : r; }
 IrRef bc_skip_truth_cvts(const BcSelect *s, IrRef r);   // r without conversions that do not affect whether it is true
 IrRef bc_skip_store_cvts(const BcSelect *s, IrRef r, SmType type);  // r without conversions that a store to that type performs anyway
@@ -88,7 +90,7 @@ BcRef bc_const_operand(BcSelect *s, SmF64 x);
 BcRef bc_operand_of(BcSelect *s, const IrIns *i);       // for a constant or load
 uint32_t bc_type_of(const BcSelect *s, BcRef r);        // for a variable or slot
 
-// Slots hold the result of an operation until it is used.  They are locals of a type; BC_RAW is one of the types.
+// A slot is a local that stores the result of an operation until it is used.  Each type, and BC_RAW, has a pool of slots.
 BcRef bc_slot_alloc(BcSelect *s, uint32_t pool);
 void bc_slot_free(BcSelect *s, BcRef r);                // returns a slot to its pool; other operands are ignored
 
@@ -97,13 +99,13 @@ void bc_slot_free(BcSelect *s, BcRef r);                // returns a slot to its
 static inline bool bc_register_has(const BcRegister *h, BcRef o) { return o != BC_NONE && (h->from[0] == o || h->from[1] == o || h->from[2] == o); }
 BcIns *bc_emit(BcSelect *s, uint8_t op);
 void bc_forget_registers(BcSelect *s);                  // forgets the contents of X and Y
-void bc_load_x(BcSelect *s, BcRef o);                   // unless X already holds it
+void bc_load_x(BcSelect *s, BcRef o);                   // emits nothing if X contains it already
 void bc_load_y(BcSelect *s, BcRef o);
 void bc_save_x(BcSelect *s);                            // before X changes (and Y is loaded): saves X to a slot if still needed
-void bc_emit_changing_x(BcSelect *s, uint8_t op, uint32_t n);  // an instruction that changes X
-void bc_record_x(BcSelect *s, IrRef r);                       // records that X now holds r
-void bc_drop_cvt(BcSelect *s, uint32_t type);           // drops a directly preceding conversion of X to that type: a store does it
-void bc_store_x(BcSelect *s, BcRef d, bool same);       // same: d then reads the same as X
+void bc_emit_changing_x(BcSelect *s, uint8_t op, uint32_t n);  // emits an instruction whose result replaces X
+void bc_record_x(BcSelect *s, IrRef r);                       // records that X contains r; saves the value recorded before if it is still needed
+void bc_drop_cvt(BcSelect *s, uint32_t type);           // removes the last instruction if it converts X to that type: a store does that
+void bc_store_x(BcSelect *s, BcRef d, bool same);       // same: loading d returns what X contains
 void bc_sample_x(BcSelect *s, uint32_t window);
 uint32_t bc_label_new(BcSelect *s);
 void bc_label_place(BcSelect *s, uint32_t label);
@@ -115,7 +117,7 @@ void bc_bring_to_x(BcSelect *s, IrRef r);                     // loads or comput
 // Brings a and b into X and Y.  If `may_swap` and it is better, brings b into X and a into Y and returns true. `keep`: the next
 // instruction changes X.
 bool bc_load_operands(BcSelect *s, IrRef a, IrRef b, bool may_swap, bool keep);
-uint32_t bc_relation_of(IrOp op);                     // the relation of a comparison: a sum of SMVM_LESS …
+uint32_t bc_relation_of(IrOp op);                     // the results of SMVM_LESS … for which the comparison is true, as bits
 uint32_t bc_swapped_relation(uint32_t relation);           // the relation with X and Y exchanged
 uint32_t bc_negated_relation(uint32_t relation);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From IR to an image.  waiting.c decides which IR instructions wait for their user.  bc_select.c and jumps.c turn functions into bytecode
-// instructions with symbolic operands and labels; registers.c tracks the contents of X and Y meanwhile.  assemble.c places locals and
-// encodes instructions.  image.c and debug.c join the sections of all machines.
+// instructions with symbolic operands and labels; registers.c tracks the contents of X and Y meanwhile.  assemble.c assigns offsets to
+// locals and encodes instructions.  image.c and debug.c join the sections of all machines.
 #ifndef SMC_EMIT_BYTECODE_H
 #define SMC_EMIT_BYTECODE_H
 
@@ -19,7 +19,8 @@ bool emit_image(Arena *arena, Diags *diags, IrMachine *const *m, size_t n, const
 
 // ---- shared between the files ----
 
-enum { BC_RAW = SM_TYPE_COUNT, BC_POOLS };            // BC_RAW as the type of a slot: an F64, stored unchanged
+// The types of slots: those of SmType, and BC_RAW, an F64 that is stored unchanged.  BC_POOLS is their number.
+enum { BC_RAW = SM_TYPE_COUNT, BC_POOLS };
 
 typedef enum BcOperandKind {
     BC_VAR,                   // element, local or T: variable `var`
@@ -39,14 +40,15 @@ typedef struct BcOperand {
 typedef uint32_t BcRef;       // index into BcMachine.operand
 #define BC_NONE UINT32_MAX
 
-// An instruction.  SMVM_ldx_local, ldy_local and st_local represent all loads of X, loads of Y and stores; `operand_ref` selects which one.
+// An instruction.  SMVM_ldx_local, ldy_local and st_local represent all loads of X, loads of Y and stores; `operand_ref` is what they load
+// or store.
 typedef struct BcIns {
     uint8_t op;
     BcRef operand_ref;
-    uint32_t n;               // the number that follows the opcode, unless that is a jump distance
+    uint32_t n;               // the immediate operand: a number after the opcode that is not a jump distance
     uint32_t to;              // for a jump: its target label
     Span span;
-    bool of_many_lines;             // it belongs to several source lines
+    bool of_many_lines;             // it is shared by several source lines
     uint32_t at;              // offset in its function (assemble.c)
 } BcIns;
 
@@ -84,22 +86,24 @@ typedef struct BcMachine {
 // Fills in everything up to `fns` for m.
 void bc_select_machine(Arena *arena, BcMachine *out, const IrMachine *m);
 
-// Packs a place into the three bytes that the image stores.  The offset is in units of the type's size.
+// Packs an offset and a type into a location, three bytes of an image.  The offset is in units of the type's size.
 uint32_t bc_pack_offset(uint32_t offset, uint32_t type);
-// The packed place of a variable; UINT32_MAX if its offset is too large for the format.
+// Returns the location of a variable; UINT32_MAX if its offset is too large for the format.
 uint32_t bc_pack_location(const BcMachine *m, uint32_t var);
 
-// Places locals.  Returns NULL, or the name of what exceeds the format.
+// Assigns offsets to locals and slots.  Returns NULL, or the name of what exceeds the format.
 const char *bc_lay_out_locals(Arena *arena, BcMachine *m);
 // Appends the function's bytes; sets *ok to false when it is too long.
 void bc_assemble(Arena *arena, const BcMachine *m, BcFn *f, Buf *out, bool *ok);
 
+// Appends a number in one to four bytes (docs/bytecode.md).
 void bc_write_varint(Buf *out, uint32_t value);
+// Appends the low three bytes, little-endian.
 void bc_write_u24(Buf *out, uint32_t value);
 
-// Whether x is a whole number that an instruction can encode, from -0x1000c60 to 0x1000c5f; then sets *n to it.
+// Sets *n to x if x is a whole number that an instruction can encode, from -0x1000c60 to 0x1000c5f (SMVM_VARINT_END).  Returns false if not.
 bool bc_try_whole(SmF64 x, int32_t *n);
-bool bc_is_f32(SmF64 x);
+bool bc_is_f32(SmF64 x);          // whether an F32 constant represents x exactly; true for NaN
 
 // Appends the DEBUG section.
 void bc_write_debug(Arena *arena, const BcMachine *m, Buf *out);

@@ -7,7 +7,7 @@
 
 // ---- lines ----
 
-// 0 for an instruction that belongs to several lines.
+// The source line of an instruction: 0 if several lines share it, `last` if it has no position.
 static uint32_t line_of_ins(const BcIns *i, uint32_t last)
 {
     if (i->of_many_lines)
@@ -38,9 +38,9 @@ static void write_lines(Arena *arena, Buf *out, const BcMachine *m)
     buf_put(out, b.at, b.n);
 }
 
-// ---- variables: sorted by kind, type and place, for binary search ----
+// ---- variables: sorted by kind, type and offset, for binary search ----
 
-// Sorts n keys; `other` has the same length.  A merge sort, because the C library's qsort can allocate memory.
+// Sorts n keys; `other` is scratch memory of the same size.  A merge sort, because the C library's qsort can allocate memory.
 static void sort_keys(uint64_t *key, uint64_t *other, size_t n)
 {
     for (size_t width = 1; width < n; width *= 2) {
@@ -64,7 +64,7 @@ static SmvmVariable variable_kind(const IrVar *v)
     return SMVM_IS_TIME;
 }
 
-static uint64_t *sorted_variables(Arena *arena, const BcMachine *m)  // the low half of each key is the variable's number
+static uint64_t *sorted_variables(Arena *arena, const BcMachine *m)  // keys; the low 32 bits are a variable's index
 {
     const size_t n = m->ir->var.n;
     uint64_t *key = ARENA_ARRAY(arena, uint64_t, n);
@@ -89,7 +89,7 @@ static const char *base_name(const char *path)
     return name;
 }
 
-// A 0 byte follows, not counted in the length, so that a name can be read in place as a C string.
+// Writes the length and the name.  A 0 byte follows, not counted in the length, so that a name can be read in place as a C string.
 static void write_name(Buf *b, const char *text, size_t len)
 {
     if (len >= SMVM_VARINT_MID)
@@ -122,7 +122,7 @@ static void write_variables(Arena *arena, BcNames *n, const BcMachine *m)
     }
 }
 
-// Writes numbers, then tables of name offsets, then the names, then the lines.
+// Writes the section: numbers, then tables of name offsets, then the names, then the lines.
 void bc_write_debug(Arena *arena, const BcMachine *m, Buf *out)
 {
     const Program *p = m->ir->program;

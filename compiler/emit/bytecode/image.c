@@ -13,11 +13,12 @@ enum { SECTIONS_MOST = 255 };
 typedef struct ImageWriter {
     Arena *arena;
     Diags *diags;
-    Buf table, body;          // the section table; the sections after it, whose offsets count from the start of `body`
+    Buf table, body;          // the section table, 10 bytes an entry; the sections, with offsets from the start of `body`
     uint32_t sections;
 } ImageWriter;
 
-// Records an offset within the body.  `join` makes it count from the image's start, when the size of the table is known.
+// Appends a section and its table entry, with the offset in `body`.  join_image converts it to an offset in the image, once the size of
+// the table is known.
 static void add_section(ImageWriter *w, uint8_t id, uint8_t version, const Buf *bytes)
 {
     buf_char(&w->table, (char)id);
@@ -74,6 +75,7 @@ static void write_number(Buf *b, SmF64 x)
 
 static bool is_zero(SmF64 x) { return sm_eq(x, sm_from_i32(0)); }
 
+// The first byte of a pin (docs/bytecode.md): its kind, its switches, and which optional fields follow.
 static uint8_t pin_flags(const Pin *p)
 {
     bool scale = !pin_is_digital(p) && !sm_eq(p->scale, sm_from_i32(1)), more = pin_is_output(p) ? !is_zero(p->safe) : p->hold > 0;
@@ -82,7 +84,7 @@ static uint8_t pin_flags(const Pin *p)
                      | (is_zero(p->offset) ? 0u : PIN_OFFSET) | (more ? PIN_SAFE_OR_HOLD : 0u));
 }
 
-// Returns false if the element's offset is too large for a place.
+// Returns false if the element's offset is too large for a location.
 static bool write_pin(Buf *b, const Pin *p)
 {
     const uint32_t at = p->element->offset >> smvm_type_shift(p->element->type), front = pin_flags(p);
@@ -118,6 +120,7 @@ static bool add_pins(ImageWriter *w, const IoMap *io)
 
 // ---- MACHINE, CODE, INIT ----
 
+// Writes the table of functions: the offset at which each ends, in `width` bytes.
 static void write_function_ends(Buf *b, const BcMachine *m, uint8_t width)
 {
     uint32_t end = 0;
@@ -225,6 +228,7 @@ static void add_safe(ImageWriter *w, const IrMachine *m)
 
 // ---- the whole image ----
 
+// Reports that a machine exceeds the limits of the format; returns false.
 static bool report_limit(ImageWriter *w, const IrMachine *m, const char *what)
 {
     Span none;
@@ -311,6 +315,7 @@ static bool join_image(ImageWriter *w, Buf *out)
     return out->n - start == image.n;
 }
 
+// Whether the verifier of the target accepts the image; reports its finding if not.
 static bool verify_image(ImageWriter *w, IrMachine *const *m, const Buf *out)
 {
     SmvmVerdict v;

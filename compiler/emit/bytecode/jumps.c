@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conditions, block order, functions and machines.  Conditions become jumps over jumps, never numbers.  A block in which an `if` leaves the
-// function is placed after the others, so that X keeps its contents across guards that are false.
+// Conditions, block order, functions and machines.  A condition becomes conditional jumps; its value is not computed.  A block in which an
+// `if` leaves the function is laid out after the others, so that X keeps its contents across guards that are false.
 #include <string.h>
 
 #include "compiler/emit/bytecode/bc_select.h"
@@ -17,16 +17,17 @@ static void emit_jump(BcSelect *s, uint32_t op, uint32_t n, uint32_t label)
     s->out->label.at[label].last_jump = (uint32_t)s->out->ins.n;
 }
 
-// At a label inside a block's jump the contents of X are forgotten.  Before a jump to it, a value that is still needed must be saved to its
-// slot.
+// Whether a label is one that the jump of the current block has created.  The code after it cannot rely on X, so a value in X that is
+// still needed must be saved before a jump to it.
 static bool is_inner_label(const BcSelect *s, uint32_t label) { return label >= s->first_inner_label; }
 
+// Sets *n if r is a constant that a jump can encode: a whole number, not below 0.  Returns false if not.
 static bool match_jump_constant(const BcSelect *s, IrRef r, int32_t *n)
 {
     return bc_ins(s, r)->op == IR_const && bc_try_whole(bc_const_value(bc_ins(s, r)), n) && *n >= 0;
 }
 
-// Jumps to the label if the result of the comparison is `when`.
+// Jumps to the label if the result of the comparison is `when`.  The opcodes of a group of jumps follow each other by relation, from 1.
 static void emit_compare_jump(BcSelect *s, const IrIns *i, bool when, uint32_t label)
 {
     uint32_t relation = when ? bc_relation_of(i->op) : bc_negated_relation(bc_relation_of(i->op));
@@ -51,6 +52,7 @@ static void emit_compare_jump(BcSelect *s, const IrIns *i, bool when, uint32_t l
     }
 }
 
+// Jumps to the label if the truth of r, which is no waiting comparison or logic, equals `when`.
 static void emit_truth_jump(BcSelect *s, IrRef r, bool when, uint32_t label)
 {
     if (bc_ins(s, r)->op == IR_const) {
@@ -98,7 +100,7 @@ static void emit_conditional_jump(BcSelect *s, IrRef r, bool when, uint32_t labe
     }
 }
 
-// ---- ends ----
+// ---- the ends of a function ----
 
 static bool ends_function(const IrBlk *b) { return b->jump.kind == IR_RET || b->jump.kind == IR_GOTO; }
 static bool only_ends_function(const IrBlk *b) { return b->ins.n == 0 && ends_function(b); }
@@ -129,7 +131,7 @@ static void emit_exit(BcSelect *s, const IrJump *j)
     bc_forget_registers(s);
 }
 
-// The label for jumps to block `to`.  For a block that only ends the function, it is the label of the last such end.
+// Returns the label for jumps to block `to`.  Blocks that only end the function in the same way share one label.
 static uint32_t find_or_add_label(BcSelect *s, IrBlkRef to)
 {
     const IrJump *j = &s->f->blk.at[to].jump;
@@ -146,7 +148,7 @@ static uint32_t find_or_add_label(BcSelect *s, IrBlkRef to)
     return e->label;
 }
 
-// Places the label of an end.  Adds an end if none follows the last jump to it.
+// Places the label of `end` or `goto state` at its last instruction.  Adds one if none follows the last jump to the label.
 static void place_exit(BcSelect *s, uint32_t state)
 {
     BcExit *e = &s->exit[state];
@@ -168,7 +170,7 @@ static void place_exit(BcSelect *s, uint32_t state)
 
 // ---- a block's jump ----
 
-// Continues at block `to`; `next` is the block that follows in the output.  A jump to an end becomes that end.
+// Continues at block `to`; `next` is the block that follows in the output.  A jump to a block that only ends the function becomes that end.
 static void select_jmp(BcSelect *s, IrBlkRef to, IrBlkRef next)
 {
     if (to == next)
@@ -242,7 +244,7 @@ static bool *find_emitted_blocks(BcSelect *s)
     return kept;
 }
 
-static uint32_t *count_block_entries(BcSelect *s, const bool *kept)  // of each block, by jump or fall-through
+static uint32_t *count_block_entries(BcSelect *s, const bool *kept)  // by block: edges from emitted blocks
 {
     uint32_t *n = ARENA_ARRAY(s->arena, uint32_t, s->f->blk.n);
 
@@ -256,8 +258,8 @@ static uint32_t *count_block_entries(BcSelect *s, const bool *kept)  // of each 
     return n;
 }
 
-// Marks blocks to be placed after all others: a block that ends the function and is entered only from one `if`, whose other side also has a
-// block.
+// Marks the blocks to lay out after all others: a block that ends the function and whose only incoming edge is from a branch, if the other
+// target of the branch is emitted, too.
 static void mark_blocks_laid_out_last(BcSelect *s, const bool *kept, bool *laid_out_last)
 {
     const uint32_t *entries = count_block_entries(s, kept);

@@ -69,6 +69,7 @@ static void add_to_const_table(BcSelect *s, BcOperand *o)          // to the tab
     }
 }
 
+// The index of the constant in the hash table, or of the free entry where it would be added.
 static size_t find_const_slot(const BcMachine *m, const BcRef *table, size_t cap, uint64_t bits)
 {
     size_t i = (size_t)(bits * UINT64_C(0x9e3779b97f4a7c15) >> 32) & (cap - 1);

@@ -7,6 +7,7 @@
 
 static BcRegister empty_register(void) { return (BcRegister){IR_NONE, {BC_NONE, BC_NONE, BC_NONE}}; }
 
+// Records that operand o has the same value as the register.
 static void add_source(BcRegister *h, BcRef o)
 {
     int i = 0;
@@ -60,7 +61,7 @@ void bc_drop_cvt(BcSelect *s, uint32_t type)
     }
 }
 
-static void save_to_slot(BcSelect *s, bool is_needed)                // used: X is still needed unchanged
+static void save_to_slot(BcSelect *s, bool is_needed)                // is_needed: X must stay unchanged
 {
     const IrRef r = s->x.value;
     BcValue *v = &s->value[r];

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Analyses the instructions of a block before any is selected.  An operation whose result is used once waits for its user, which then
-// requests it.  A result with several uses is computed at its own position.  Users read a load directly, unless a store to its variable
+// Analyses the instructions of a block before any is selected.  An operation whose result is used once waits: it is computed where its user
+// needs it.  A result with several uses is computed at its own position.  Users read a load directly, unless a store to its variable
 // precedes the last of them.
 #include "compiler/emit/bytecode/bc_select.h"
 #include "stdlib/convert.h"
 
-enum { DEEPEST = 100 };       // bound on the chain of waiting operations, and so on the recursion in select.c
+enum { DEEPEST = 100 };       // bound on the chain of waiting operations, and so on the recursion in bc_select.c
 
 uint32_t bc_chain_depth(const BcSelect *s, IrRef r) { return s->value[r].waits && s->value[r].depth <= DEEPEST ? s->value[r].depth : 0; }
 
@@ -89,6 +89,7 @@ static void add_use(BcSelect *s, IrRef r, uint32_t at, uint32_t times)
         v->last = at;
 }
 
+// Records a store at position `at`, and in *v the next store to the same variable.
 static void note_store(BcSelect *s, const IrIns *i, BcValue *v, uint32_t at)
 {
     v->next_store = s->store_in[i->var] == s->count ? s->store_at[i->var] : UINT32_MAX;
@@ -153,14 +154,14 @@ static bool may_be_negative(const BcSelect *s, const IrIns *i, const BcValue *x,
 // An integer product or negation that is 0 can be -0 as an F64.  Most integer operations can pass a -0 on.
 static bool may_be_minus_zero(const BcSelect *s, const IrIns *i, const BcValue *x, const BcValue *y)
 {
-    const bool of_such = x->minus_zero || y->minus_zero;
+    const bool is_passed_on = x->minus_zero || y->minus_zero;
 
     switch (i->op) {
     case IR_neg: return true;
-    case IR_mul: return of_such || (x->negative && !is_positive(s, i->b)) || (y->negative && !is_positive(s, i->a));
-    case IR_cvt: return of_such && is_exact_cvt(s, i);
+    case IR_mul: return is_passed_on || (x->negative && !is_positive(s, i->b)) || (y->negative && !is_positive(s, i->a));
+    case IR_cvt: return is_passed_on && is_exact_cvt(s, i);
     case IR_abs: return false;
-    default: return of_such;
+    default: return is_passed_on;
     }
 }
 
@@ -184,7 +185,7 @@ static void find_possible_signs(BcSelect *s, const IrBlk *b)
 
 // ---- a block ----
 
-// Returns whether the chain of waiting operations is too deep.
+// Sets the depth of r.  Returns whether its chain of waiting operations is too deep.
 static bool set_chain_depth(BcSelect *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
