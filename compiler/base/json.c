@@ -6,7 +6,7 @@
 #include "compiler/base/utf8.h"
 
 // Appends one character of a JSON string, and returns its length in bytes.  A byte that is not UTF-8 becomes U+FFFD.
-static size_t put_character(Buf *out, const char *s, size_t n)
+static size_t put_json_character(Buf *out, const char *s, size_t n)
 {
     uint32_t code = 0;
     size_t len = utf8_decode(s, n, &code);
@@ -32,7 +32,7 @@ void json_put_string(Buf *out, const char *s)
     }
     buf_char(out, '"');
     for (n = strlen(s); n; ) {
-        size_t len = put_character(out, s, n);
+        size_t len = put_json_character(out, s, n);
         s += len;
         n -= len;
     }

@@ -154,7 +154,7 @@ bool os_print(int fd, const void *bytes, size_t n, const char **why)
 enum { MOST_OUTPUTS = OS_UNFINISHED - 1, STREAM = MOST_OUTPUTS };
 
 // Returns the mode of the replaced file, or else the default mode of a new file.
-static mode_t wanted_mode(const char *target)
+static mode_t mode_for_output(const char *target)
 {
     struct stat st;
     mode_t mask = umask(0);
@@ -227,7 +227,7 @@ static bool close_temporary(int fd, const char *target, bool ok, const char **wh
     if (ok && stat(target, &old) == 0 && fstat(fd, &own) == 0 && (old.st_uid != own.st_uid || old.st_gid != own.st_gid) &&
         fchown(fd, old.st_uid, old.st_gid) != 0)
         errno = 0;                                    // only root can change a file's owner
-    if (ok && (fchmod(fd, wanted_mode(target)) != 0 || fsync(fd) != 0))
+    if (ok && (fchmod(fd, mode_for_output(target)) != 0 || fsync(fd) != 0))
         ok = set_reason(why);
     if (close(fd) != 0 && ok)
         ok = set_reason(why);
@@ -371,7 +371,7 @@ static char *real_folder(const char *path)
     return real;
 }
 
-enum { LINKS_MOST = 40, LINK_LENGTH = 4096 };         // the usual limits of systems
+enum { LINKS_MOST = 40, LINK_LENGTH = 4096 };         // links followed in a row, and the length of one: common limits
 
 // Returns the target of a symbolic link in the folder `folder`, allocated on the heap. NULL: `path` is not a link, or memory is
 // exhausted.
@@ -392,7 +392,7 @@ static char *follow_link(const char *path, const char *folder)
 
 // Returns the descriptor that `name` in `folder` stands for. On Linux /dev/fd links to /proc/PID/fd; on other systems it is a separate
 // folder.
-static int descriptor_named(const char *folder, const char *name)
+static int parse_descriptor(const char *folder, const char *name)
 {
     char own[40];
     const int n = snprintf(own, sizeof own, "/proc/%ld/", (long)getpid());
@@ -414,7 +414,7 @@ int os_own_descriptor(const char *path)
     for (int i = 0; at && fd < 0 && i < LINKS_MOST; i++) {
         const char *slash = strrchr(at, '/');
         char *folder = real_folder(at), *next = NULL;
-        if (folder && (fd = descriptor_named(folder, slash ? slash + 1 : at)) < 0)
+        if (folder && (fd = parse_descriptor(folder, slash ? slash + 1 : at)) < 0)
             next = follow_link(at, folder);
         free(folder);
         free(at);
@@ -470,7 +470,7 @@ bool os_make_folder(const char *path, const char **why)
     return false;
 }
 
-static int by_name(const void *a, const void *b)
+static int compare_names(const void *a, const void *b)
 {
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
@@ -507,7 +507,7 @@ bool os_list(const char *path, char ***names, size_t *n, const char **why)
         at += len;
     }
     closedir(folder);
-    qsort(list, *n, sizeof *list, by_name);
+    qsort(list, *n, sizeof *list, compare_names);
     *names = list;
     return true;
 }

@@ -18,7 +18,7 @@ void os_remove_folder(const char *path);
 bool os_run(const char *const *argv, const char *output, int *exit_code, const char **why);
 
 // A partner: a child process whose standard input and output are connected to this process.  If it has died, the next write or read
-// fails, and there is no other effect.
+// fails; no signal is raised.
 typedef struct OsPartner {
     int fd;
     long pid;

@@ -63,7 +63,7 @@ void os_remove_folder(const char *path)
 
 // ---- processes ----
 
-static int wait_for(pid_t pid)
+static int wait_for_exit(pid_t pid)
 {
     int status;
 
@@ -74,7 +74,7 @@ static int wait_for(pid_t pid)
 }
 
 // Ends a process group whose leader is our child: first with the pending signal, after a second by force.
-static void end_group(pid_t leader)
+static void terminate_group(pid_t leader)
 {
     const struct timespec pause = {0, 10 * 1000 * 1000};
     pid_t ended = 0;
@@ -87,7 +87,7 @@ static void end_group(pid_t leader)
     }
     kill(-leader, SIGKILL);
     if (ended == 0)
-        wait_for(leader);
+        wait_for_exit(leader);
 }
 
 static void ignore_signal(int number) { (void)number; }
@@ -118,7 +118,7 @@ static bool wait_or_signal(pid_t pid, int *exit_code)
     return ended != 0;
 }
 
-// Starts the process in its own process group, for end_group.
+// Starts the process in its own process group, for terminate_group.
 static int spawn_group(pid_t *pid, const char *const *argv, const posix_spawn_file_actions_t *actions)
 {
     posix_spawnattr_t attributes;
@@ -153,7 +153,7 @@ bool os_run(const char *const *argv, const char *output, int *exit_code, const c
     if (error) {
         set_reason(error, why);
     } else if (!wait_or_signal(pid, exit_code)) {
-        end_group(pid);
+        terminate_group(pid);
         error = EINTR;
         *why = "interrupted";
     }
@@ -161,7 +161,7 @@ bool os_run(const char *const *argv, const char *output, int *exit_code, const c
     return error == 0;
 }
 
-static int spawn_on(int fd, const char *const *argv, pid_t *pid)
+static int spawn_with_stdio(int fd, const char *const *argv, pid_t *pid)
 {
     posix_spawn_file_actions_t actions;
     int error = posix_spawn_file_actions_init(&actions);
@@ -187,7 +187,7 @@ bool os_partner_start(OsPartner *p, const char *const *argv, const char **why)
         return set_reason(errno, why);
     fcntl(pair[0], F_SETFD, FD_CLOEXEC);
     fcntl(pair[1], F_SETFD, FD_CLOEXEC);
-    error = spawn_on(pair[1], argv, &pid);
+    error = spawn_with_stdio(pair[1], argv, &pid);
     close(pair[1]);
     if (error) {
         close(pair[0]);
@@ -229,5 +229,5 @@ bool os_partner_read(OsPartner *p, void *bytes, size_t n, const char **why)
 void os_partner_end(OsPartner *p)
 {
     close(p->fd);
-    wait_for((pid_t)p->pid);
+    wait_for_exit((pid_t)p->pid);
 }

@@ -51,7 +51,7 @@ static void on_signal(int number)
     waiting = number;
 }
 
-// Without SA_RESTART: a blocking call returns, and its caller can query os_signal_waiting.
+// The handler is installed without SA_RESTART, so a blocking call returns, and its caller can query os_signal_waiting.
 void os_signals_begin(void)
 {
     struct sigaction action;

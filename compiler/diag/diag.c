@@ -96,7 +96,7 @@ static const char *fill_arguments(Arena *arena, const char *message, va_list arg
 }
 
 // Returns the listed source with the same name and text, else src: a file that was loaded twice counts as one.
-static const Source *listed_file(const Diags *d, const Source *src)
+static const Source *find_listed_file(const Diags *d, const Source *src)
 {
     for (size_t i = d->files.n; src && i-- > 0; ) {
         const Source *file = d->files.at[i];
@@ -106,7 +106,7 @@ static const Source *listed_file(const Diags *d, const Source *src)
     return src;
 }
 
-static void list_file(Diags *d, const Source *src)
+static void add_file(Diags *d, const Source *src)
 {
     for (size_t i = d->files.n; i-- > 0; )
         if (d->files.at[i] == src)
@@ -124,7 +124,7 @@ static bool count_report(Diags *d, DiagCode code, Span span)
 }
 
 // Returns the diagnostic for reports that are not wanted. All of them share one, so that a flood of reports costs no memory.
-static Diag *dropped_report(Diags *d)
+static Diag *shared_dropped_report(Diags *d)
 {
     if (!d->dropped) {
         d->dropped = ARENA_NEW(d->arena, Diag);
@@ -137,10 +137,10 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
 {
     Diag *x;
 
-    span.src = listed_file(d, span.src);
+    span.src = find_listed_file(d, span.src);
     if (!count_report(d, code, span)) {
         d->first = span.src && d->position_cap ? find_position(d, span.src, span.at, code)->diag : NULL;
-        return dropped_report(d);
+        return shared_dropped_report(d);
     }
     x = ARENA_NEW(d->arena, Diag);
     if (span.src)
@@ -149,7 +149,7 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
     x->severity = diag_info[code].severity;
     x->span = span;
     x->text = fill_arguments(d->arena, diag_info[code].message, args);
-    list_file(d, span.src);
+    add_file(d, span.src);
     vec_push(d->arena, &d->list, x);
     return x;
 }

@@ -59,7 +59,7 @@ typedef struct DiagEdit { Span span; const char *text; } DiagEdit;     // replac
 typedef struct DiagNote {
     Span span;                // span.src may be NULL
     const char *text;
-    unsigned step;            // 1, 2, 3 … of a finding that has several steps; 0: not a step
+    unsigned step;            // number of the step on the path that leads to the finding, from 1; 0: a plain note
 } DiagNote;
 
 // A declaration that a finding is about. An @allow there also covers the finding, if all of its declarations of one subject have one.
@@ -94,8 +94,8 @@ typedef struct Diags {
     size_t met;                           // errors reported, including repeated and muted ones: lets a caller detect that it failed
     VEC(DiagAllow) allow;
     VEC(Diag *) allowed;                  // removed from the list by diags_apply_allows
-    unsigned known;                       // 1u << DiagJudged for everything this run knows beyond the machine
-    unsigned analysed;                    // 1u << DiagGroup of each group whose every warning has been reported: analyses have run
+    unsigned known;                       // what this run knows besides the machine: a set of 1u << DiagJudged
+    unsigned analysed;                    // the groups whose warnings have all been reported, because analyses have run: a set of 1u << DiagGroup
     bool muted;                           // while set, reports are dropped
     Diag *dropped;                        // returned for every report that is not in the list; its fields are meaningless
     Diag *first;                          // the diagnostic that the last dropped report repeats; NULL: none

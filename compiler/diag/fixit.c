@@ -44,7 +44,7 @@ static EditChanges collect_changes(const Diags *d, const Source *src)
     return all;
 }
 
-// Refuses diagnostics whose edits touch those of an earlier one: the text that they apply to has changed.
+// Sets refused[i] of each diagnostic whose edits touch those of an earlier one: the text that they apply to has changed.
 static void refuse_overlaps(const EditChanges *all, bool *refused)
 {
     uint32_t end = 0;

@@ -50,17 +50,17 @@ static void put_region(Buf *out, Span span)
                column_in_characters(span.src, from), (unsigned long)to.line, column_in_characters(span.src, to));
 }
 
-static void put_artifact(Buf *out, Span span)
+static void put_artifact_location(Buf *out, Span span)
 {
     buf_str(out, "\"artifactLocation\":{\"uri\":");
     put_uri(out, span.src->name);
     buf_char(out, '}');
 }
 
-static void put_physical(Buf *out, Span span)
+static void put_physical_location(Buf *out, Span span)
 {
     buf_str(out, "\"physicalLocation\":{");
-    put_artifact(out, span);
+    put_artifact_location(out, span);
     buf_str(out, ",\"region\":");
     put_region(out, span);
     buf_char(out, '}');
@@ -153,7 +153,7 @@ static void put_locations(Buf *out, const Diag *d)
     buf_str(out, ",\"locations\":[");
     if (d->span.src) {
         buf_char(out, '{');
-        put_physical(out, d->span);
+        put_physical_location(out, d->span);
         buf_char(out, '}');
     }
     buf_char(out, ']');
@@ -163,7 +163,7 @@ static void put_note(Buf *out, const DiagNote *n)
 {
     buf_char(out, '{');
     if (n->span.src) {
-        put_physical(out, n->span);
+        put_physical_location(out, n->span);
         buf_char(out, ',');
     }
     buf_str(out, "\"message\":");
@@ -180,7 +180,7 @@ static size_t count_steps(const Diag *d)
     return n;
 }
 
-static void put_related(Buf *out, const Diag *d)
+static void put_related_locations(Buf *out, const Diag *d)
 {
     bool any = false;
 
@@ -197,7 +197,7 @@ static void put_related(Buf *out, const Diag *d)
 }
 
 // The steps form one flow that leads to the finding.
-static void put_flow(Buf *out, const Diag *d)
+static void put_code_flow(Buf *out, const Diag *d)
 {
     bool any = false;
 
@@ -219,7 +219,7 @@ static void put_fix(Buf *out, const Diag *d)
     if (d->edits.n == 0)
         return;
     buf_str(out, ",\"fixes\":[{\"artifactChanges\":[{");
-    put_artifact(out, d->edits.at[0].span);
+    put_artifact_location(out, d->edits.at[0].span);
     buf_str(out, ",\"replacements\":[");
     for (size_t i = 0; i < d->edits.n; i++) {
         buf_str(out, i ? ",{\"deletedRegion\":" : "{\"deletedRegion\":");
@@ -262,8 +262,8 @@ static void put_result(Buf *out, const Diag *d, const DiagFingerprint *print, si
                (unsigned long)rule, d->severity == DIAG_ERROR ? "error" : "warning");
     put_message(out, buf_text(&text));
     put_locations(out, d);
-    put_related(out, d);
-    put_flow(out, d);
+    put_related_locations(out, d);
+    put_code_flow(out, d);
     put_fingerprint(out, print);
     if (suppressions)
         put_suppressions(out, d);

@@ -23,7 +23,7 @@ static void set_color(const DiagStyle *style, Buf *out, Paint what)
 
 // ---- printable text ----
 
-// Writes the character at s, of which n bytes can be read.  Returns how many bytes it has; *width: columns it takes.
+// Writes the character at s, of which n bytes can be read.  Returns its length in bytes, and sets *width to its columns.
 static size_t put_character(Buf *out, const char *s, size_t n, size_t *width)
 {
     uint32_t code = 0;
@@ -69,7 +69,7 @@ typedef struct Excerpt {
 static size_t min_size(size_t a, size_t b) { return a < b ? a : b; }
 
 // Returns the end of the bytes after `from` that fit in `columns`; *left: the columns that remain.
-static size_t end_of_columns(Buf *scratch, const Excerpt *e, size_t from, size_t columns, size_t *left)
+static size_t end_of_fitting_bytes(Buf *scratch, const Excerpt *e, size_t from, size_t columns, size_t *left)
 {
     while (from < e->len) {
         size_t width, len = put_character(scratch, e->text + from, e->len - from, &width);
@@ -88,16 +88,16 @@ static void shorten_line(Buf *scratch, Excerpt *e)
 {
     size_t left;
 
-    if (end_of_columns(scratch, e, 0, WIDEST, &left) == e->len) {
+    if (end_of_fitting_bytes(scratch, e, 0, WIDEST, &left) == e->len) {
         e->to = e->len;
         return;
     }
     e->from = e->at > BEFORE ? e->at - BEFORE : 0;
     while (e->from > 0 && e->from < e->at && ((unsigned char)e->text[e->from] & 0xc0) == 0x80)
         e->from++;                                                // do not split a character
-    while (end_of_columns(scratch, e, e->from, BEFORE, &left) < e->at)
+    while (end_of_fitting_bytes(scratch, e, e->from, BEFORE, &left) < e->at)
         e->from++;
-    e->to = end_of_columns(scratch, e, e->at, WIDEST - BEFORE + left, &left);
+    e->to = end_of_fitting_bytes(scratch, e, e->at, WIDEST - BEFORE + left, &left);
 }
 
 static Excerpt find_excerpt(Buf *scratch, Span span, LineCol where)
@@ -113,7 +113,7 @@ static Excerpt find_excerpt(Buf *scratch, Span span, LineCol where)
     return e;
 }
 
-static size_t put_cut(Buf *out, bool cut)
+static size_t put_ellipsis(Buf *out, bool cut)
 {
     if (cut)
         buf_str(out, "...");
@@ -123,11 +123,11 @@ static size_t put_cut(Buf *out, bool cut)
 // Writes the line; *indent: columns before the marked text; *marked: its width.
 static void put_line(Buf *out, const Excerpt *e, size_t *indent, size_t *marked)
 {
-    *indent = put_cut(out, e->from > 0);
+    *indent = put_ellipsis(out, e->from > 0);
     *indent += diag_put_printable(out, e->text + e->from, e->at - e->from);
     *marked = diag_put_printable(out, e->text + e->at, e->end - e->at);
     diag_put_printable(out, e->text + e->end, e->to - e->end);
-    put_cut(out, e->to < e->len);
+    put_ellipsis(out, e->to < e->len);
 }
 
 static void put_snippet(const DiagStyle *style, Buf *out, const Diag *d, LineCol where)
@@ -183,7 +183,7 @@ static void put_severity(const DiagStyle *style, Buf *out, DiagSeverity severity
     set_color(style, out, PAINT_OFF);
 }
 
-static void put_head(const DiagStyle *style, Buf *out, const Diag *d)
+static void put_headline(const DiagStyle *style, Buf *out, const Diag *d)
 {
     put_position(style, out, d->span);
     put_severity(style, out, d->severity);
@@ -210,7 +210,7 @@ static void put_note(const DiagStyle *style, Buf *out, const DiagNote *n)
 
 static void put_diag(const DiagStyle *style, Buf *out, const Diag *d)
 {
-    put_head(style, out, d);
+    put_headline(style, out, d);
     if (d->span.src)
         put_snippet(style, out, d, source_position(d->span.src, d->span.at));
     for (size_t i = 0; i < d->notes.n; i++)

@@ -14,7 +14,7 @@ enum { ALL = 1u << DIAG_GROUP_ALL, EXTRA = 1u << DIAG_GROUP_EXTRA, FLIGHT = 1u <
 static const GroupName groups[] = {{"all", ALL}, {"extra", EXTRA}, {"flight", FLIGHT}, {"everything", ALL | EXTRA | FLIGHT}};
 enum { GROUPS = sizeof groups / sizeof *groups };
 
-static unsigned group_named(const char *name)
+static unsigned find_groups(const char *name)
 {
     for (size_t i = 0; i < GROUPS; i++)
         if (strcmp(groups[i].name, name) == 0)
@@ -43,7 +43,7 @@ static bool is_warning_word(const char *word)
 {
     const char *name = flag_name_in(word);
 
-    return strcmp(word, "error") == 0 || strcmp(word, "no-error") == 0 || group_named(name) || diag_find_flag(name);
+    return strcmp(word, "error") == 0 || strcmp(word, "no-error") == 0 || find_groups(name) || diag_find_flag(name);
 }
 
 static const char *nearest_warning(Arena *arena, const char *name)
@@ -75,7 +75,7 @@ typedef struct FlagChoice { bool on, error; } FlagChoice;
 
 static bool names_flag(const char *name, const DiagFlag *flag)
 {
-    return strcmp(name, flag->name) == 0 || (group_named(name) & 1u << flag->group) != 0;
+    return strcmp(name, flag->name) == 0 || (find_groups(name) & 1u << flag->group) != 0;
 }
 
 // Applies one -W… to the current decision about a warning.

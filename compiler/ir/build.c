@@ -186,7 +186,7 @@ static void build_state(Builder *b, const State *s)
 
 // ---- variables ----
 
-static IrSpace space_of(VarKind kind)
+static IrSpace ir_space_of(VarKind kind)
 {
     switch (kind) {
     case VAR_ELEMENT: return IR_ELEMENT;
@@ -198,7 +198,7 @@ static IrSpace space_of(VarKind kind)
 
 static void build_var_entry(Builder *b, const Var *v)
 {
-    IrVar out = {.space = space_of(v->kind), .name = v->name, .type = v->type, .init = v->init, .span = v->span};
+    IrVar out = {.space = ir_space_of(v->kind), .name = v->name, .type = v->type, .init = v->init, .span = v->span};
 
     out.writable = v->written;
     out.outside = v->outside;

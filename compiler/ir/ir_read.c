@@ -240,7 +240,7 @@ static bool read_ins(IrReader *r, Str name, Str op)
     return true;
 }
 
-static bool read_result(IrReader *r, Str name)
+static bool read_assignment(IrReader *r, Str name)
 {
     Str op;
 
@@ -331,7 +331,7 @@ static bool read_code_line(IrReader *r)
         return scan_fail(&r->scan, "expected a block's label, as 'b%lu:'", (unsigned long)r->f->blk.n);
     if (match_jump(w, &kind))
         return read_jump(r, kind);
-    return w->text[0] == '%' ? read_result(r, w) : read_ins(r, NULL, w);
+    return w->text[0] == '%' ? read_assignment(r, w) : read_ins(r, NULL, w);
 }
 
 static bool expect_line_end(IrReader *r)
@@ -386,7 +386,7 @@ static bool read_state_function(IrReader *r, Str w)
     return scan_fail(&r->scan, "'%.40s' is not allowed here", w->text);
 }
 
-static bool read_line(IrReader *r)
+static bool read_declaration(IrReader *r)
 {
     Str w = scan_word(&r->scan, "a declaration or a function");
 
@@ -448,7 +448,7 @@ IrMachine *ir_read(Arena *arena, StrPool *strings, const char *text, size_t len,
     r.scan.end = text + len;
     r.scan.line = 1;
     while (ok && scan_next_line(&r.scan))
-        ok = read_line(&r) && expect_line_end(&r);
+        ok = read_declaration(&r) && expect_line_end(&r);
     ok = ok && resolve_gotos(&r) && check_complete(&r);
     *error = r.scan.error;
     return ok ? r.m : NULL;

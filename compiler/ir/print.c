@@ -154,7 +154,7 @@ static void print_window(uint32_t number, const IrWindow *w, Buf *out)
     buf_char(out, '\n');
 }
 
-static void print_head(const IrMachine *m, Buf *out)
+static void print_declarations(const IrMachine *m, Buf *out)
 {
     buf_str(out, "machine ");
     print_quoted(out, m->name);
@@ -275,7 +275,7 @@ static void print_state(const IrMachine *m, const IrState *s, Buf *out)
 
 void ir_print(const IrMachine *m, Buf *out)
 {
-    print_head(m, out);
+    print_declarations(m, out);
     if (m->sample) {
         buf_char(out, '\n');
         print_function(m, "sample", m->sample, out);

@@ -250,7 +250,7 @@ static bool check_operand_types(IrChecker *c, const IrIns *i, IrRef ref, SmType 
     return check_operand_type(c, i->a, from, ref) && (ir_op_info[i->op].operands < 2 || check_operand_type(c, i->b, from, ref));
 }
 
-static bool check_types(IrChecker *c, const IrIns *i, IrRef ref)
+static bool check_ins_types(IrChecker *c, const IrIns *i, IrRef ref)
 {
     if (!is_valid_type(i->type))
         return report_violation(c, "instruction %lu has no type", (unsigned long)ref);
@@ -283,7 +283,7 @@ static bool check_ins(IrChecker *c, IrRef ref)
         return false;
     if (ir_op_info[i->op].operands > 1 && !check_operand(c, i->b, ref))
         return false;
-    if (!check_types(c, i, ref))
+    if (!check_ins_types(c, i, ref))
         return false;
     c->computed[ref] = !ir_op_info[i->op].effect;
     return true;

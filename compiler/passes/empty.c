@@ -27,7 +27,7 @@ static void renumber_variables(IrFn *f, const uint32_t *number)
 }
 
 // Removes hidden locals that are not accessed, and renumbers the other variables.
-static void drop_locals(Arena *arena, IrMachine *m)
+static void remove_unused_locals(Arena *arena, IrMachine *m)
 {
     bool *accessed = ARENA_ARRAY(arena, bool, m->var.n);
     uint32_t *number = ARENA_ARRAY(arena, uint32_t, m->var.n), n = 0;
@@ -60,5 +60,5 @@ void pass_empty(Arena *arena, IrMachine *m, FactMachine *values)
         for (int k = 0; k < BLOCK_COUNT; k++)
             if (m->state.at[s].block[k] && does_nothing(m->state.at[s].block[k]))
                 m->state.at[s].block[k] = NULL;
-    drop_locals(arena, m);
+    remove_unused_locals(arena, m);
 }

@@ -50,7 +50,7 @@ static IrRef skip_conversions(const IrFn *f, IrRef r, SmType counter)
     return r;
 }
 
-static bool is_one(const IrIns *i)
+static bool is_const_one(const IrIns *i)
 {
     return i->op == IR_const && i->type != SM_BOOL && i->bits == ir_cell(i->type, sm_from_i32(1));
 }
@@ -62,7 +62,7 @@ static bool match_plus_one(const IfConvert *c, uint32_t var, IrRef x, IrRef one,
     const IrIns *value = &c->f->ins.at[skip_conversions(c->f, x, type)];
 
     s->one = skip_conversions(c->f, one, type);
-    return value->op == IR_load && value->var == var && is_one(&c->f->ins.at[s->one]);
+    return value->op == IR_load && value->var == var && is_const_one(&c->f->ins.at[s->one]);
 }
 
 // Whether `store` counts its variable up or down by one; then sets s->one.  The variable must be a local that no other code writes, because

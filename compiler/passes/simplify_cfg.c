@@ -20,7 +20,7 @@ static void remove_negations(const IrFn *f, IrJump *j)
     }
 }
 
-static void decide_branch(const IrFn *f, IrJump *j)
+static void fold_branch(const IrFn *f, IrJump *j)
 {
     const IrIns *cond;
 
@@ -47,7 +47,7 @@ static void shorten_jumps(Arena *arena, IrFn *f)
             j->then = final_target[j->then];
         if (j->kind == IR_BR)
             j->otherwise = final_target[j->otherwise];
-        decide_branch(f, j);
+        fold_branch(f, j);
         final_target[b] = j->kind == IR_JMP && f->blk.at[b].ins.n == 0 ? j->then : (IrBlkRef)b;
     }
 }
@@ -66,7 +66,7 @@ static void merge_successors(Arena *arena, IrFn *f, IrBlkRef b, uint32_t *predec
     }
 }
 
-static void drop_blocks(Arena *arena, IrFn *f, const uint32_t *predecessors)
+static void remove_unreachable_blocks(Arena *arena, IrFn *f, const uint32_t *predecessors)
 {
     IrBlkRef *number = ARENA_ARRAY(arena, IrBlkRef, f->blk.n);
     IrBlkRef n = 0;
@@ -96,5 +96,5 @@ void pass_simplify_cfg(Arena *arena, IrFn *f, Facts *facts)
     for (IrBlkRef b = 0; b < f->blk.n; b++)
         if (predecessors[b] > 0)
             merge_successors(arena, f, b, predecessors);
-    drop_blocks(arena, f, predecessors);
+    remove_unreachable_blocks(arena, f, predecessors);
 }

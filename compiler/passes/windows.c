@@ -71,7 +71,7 @@ static void renumber_windows(IrFn *f, const uint32_t *number)
         }
 }
 
-static void drop_windows(Arena *arena, IrMachine *m, const uint32_t *wanted)
+static void remove_unused_windows(Arena *arena, IrMachine *m, const uint32_t *wanted)
 {
     uint32_t *number = ARENA_ARRAY(arena, uint32_t, m->window.n);
     uint32_t n = 0;
@@ -102,5 +102,5 @@ void pass_windows(Arena *arena, IrMachine *m, FactMachine *values)
         for (int k = 0; k < BLOCK_COUNT; k++)
             collect_read_stats(m->state.at[s].block[k], wanted);
     drop_unused_samples(arena, m, wanted);
-    drop_windows(arena, m, wanted);
+    remove_unused_windows(arena, m, wanted);
 }

@@ -30,7 +30,7 @@ static bool is_in_x(BcSelect *s, IrRef r)
 }
 
 // Subtracts one use of r.  After the last one its slot is free.
-static void release_use(BcSelect *s, IrRef r)
+static void drop_use(BcSelect *s, IrRef r)
 {
     BcValue *v = &s->value[r];
 
@@ -50,7 +50,7 @@ void bc_bring_to_x(BcSelect *s, IrRef r)
             bc_load_x(s, source_of(s, r));
         bc_record_x(s, r);
     }
-    release_use(s, r);
+    drop_use(s, r);
 }
 
 // Computes a waiting value before its use.
@@ -110,7 +110,7 @@ bool bc_load_operands(BcSelect *s, IrRef a, IrRef b, bool may_swap, bool keep)
     if (keep)
         bc_save_x(s);
     bc_load_y(s, source_of(s, b));
-    release_use(s, b);
+    drop_use(s, b);
     return swapped;
 }
 
@@ -151,7 +151,7 @@ static void compute_swapped_sub(BcSelect *s, IrRef a, IrRef b)
     bc_save_x(s);
     bc_emit_changing_x(s, SMVM_neg, 0);
     bc_load_y(s, source_of(s, a));
-    release_use(s, a);
+    drop_use(s, a);
     bc_emit_changing_x(s, SMVM_add, 0);
 }
 

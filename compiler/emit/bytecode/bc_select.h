@@ -29,8 +29,8 @@ typedef struct BcValue {
 // The known contents of register X or Y: the value, and operands with the same number.
 enum { BC_REGISTER_SOURCES = 3 };
 typedef struct BcRegister {
-    IrRef value;              // or IR_NONE
-    BcRef from[BC_REGISTER_SOURCES];  // or BC_NONE
+    IrRef value;              // the temporary; IR_NONE: unknown
+    BcRef from[BC_REGISTER_SOURCES];  // operands with the same number; BC_NONE: an empty entry
 } BcRegister;
 
 // An instruction that ends the function and that jumps can target: `end`, or `goto` a state.
@@ -61,7 +61,7 @@ typedef struct BcSelect {
     IrBlkRef *final_target;   // by block: itself, or its final target if it only jumps
     BcExit *exit;             // by state; [0] is `end`
     VEC(uint32_t) exits;      // the indices in `exit` that this function uses
-    uint32_t fn;              // its number, from 1
+    uint32_t fn;              // number of the current function, from 1
 } BcSelect;
 
 // ---- waiting.c: facts about instructions ----
@@ -71,7 +71,7 @@ static inline bool bc_is_float(uint32_t type) { return type == SM_F32 || type ==
 
 // Fills in BcValue for each instruction of a block.
 void bc_analyse_block(BcSelect *s, uint32_t block);
-uint32_t bc_chain_depth(const BcSelect *s, IrRef r);    // longest chain of waiting operations in r; 0 if r does not wait
+uint32_t bc_chain_depth(const BcSelect *s, IrRef r);    // length of the longest chain of waiting operations in r; 0 if r does not wait
 static inline SmF64 bc_const_value(const IrIns *i) { return ir_number(i->type, i->bits); }      // i is a const
 static inline bool bc_is_waiting_cvt(const BcSelect *s, IrRef r) { return s->value[r].waits && bc_ins(s, r)->op == IR_cvt; }
 IrRef bc_follow_exact_cvts(const BcSelect *s, IrRef r);  // the part of bc_skip_exact_cvts that is not inline

@@ -80,7 +80,7 @@ typedef struct BcMachine {
     // filled in by assemble.c:
     uint32_t *local_at;       // by variable: offset among the locals
     uint32_t slot_at[BC_POOLS];
-    uint32_t locals;          // size in bytes
+    uint32_t locals;          // bytes of all locals and slots
 } BcMachine;
 
 // Fills in everything up to `fns` for m.

@@ -238,7 +238,7 @@ static bool report_limit(ImageWriter *w, const IrMachine *m, const char *what)
     return false;
 }
 
-static bool add_sections_of(ImageWriter *w, const IrMachine *ir, bool debug)
+static bool add_machine_sections(ImageWriter *w, const IrMachine *ir, bool debug)
 {
     const char *what;
     bool ok = true;
@@ -280,7 +280,7 @@ static uint32_t crc_of(const Buf *image)
     return sm_crc32_end(crc);
 }
 
-static uint32_t u32_at(const Buf *b, size_t at)
+static uint32_t read_u32(const Buf *b, size_t at)
 {
     const uint8_t *p = (const uint8_t *)b->at + at;
 
@@ -304,8 +304,8 @@ static bool join_image(ImageWriter *w, Buf *out)
     buf_char(&image, (char)w->sections);
     for (size_t i = 0; i < w->sections; i++) {
         buf_put(&image, w->table.at + 10 * i, 2);
-        bc_write_u24(&image, (uint32_t)first + u32_at(&w->table, 10 * i + 2));
-        bc_write_u24(&image, u32_at(&w->table, 10 * i + 6));
+        bc_write_u24(&image, (uint32_t)first + read_u32(&w->table, 10 * i + 2));
+        bc_write_u24(&image, read_u32(&w->table, 10 * i + 6));
     }
     buf_put(&image, w->body.at, w->body.n);
     crc = crc_of(&image);
@@ -348,7 +348,7 @@ bool emit_image(Arena *arena, Diags *diags, IrMachine *const *m, size_t n, const
     if (io && !add_pins(&w, io))
         return report_limit(&w, m[0], "elements");
     for (size_t i = 0; i < n; i++) {
-        if (!add_sections_of(&w, m[i], debug))
+        if (!add_machine_sections(&w, m[i], debug))
             return false;
         if (w.body.n > SMVM_IMAGE_MAX || w.sections > SECTIONS_MOST)
             break;

@@ -321,10 +321,10 @@ void bc_select_function(BcSelect *s, const IrFn *f, BcFn *out)
         place_exit(s, s->exits.at[i]);
 }
 
-// A function that does nothing needs no code.
+// Whether a function only returns.  It then needs no code.
 static bool does_nothing(const IrFn *f) { return f->blk.at[0].ins.n == 0 && f->blk.at[0].jump.kind == IR_RET; }
 
-static void number_windows(BcSelect *s)
+static void assign_window_numbers(BcSelect *s)
 {
     const IrFn *f = s->m->ir->sample;
     uint32_t n = 0;
@@ -361,7 +361,7 @@ void bc_select_machine(Arena *arena, BcMachine *out, const IrMachine *m)
     out->of_stat = new_empty_refs(arena, m->window.n * SM_STAT_COUNT);
     out->fns = 1 + 3 * m->state.n;
     out->fn = ARENA_ARRAY(arena, BcFn, out->fns);
-    number_windows(&s);
+    assign_window_numbers(&s);
     if (m->sample)
         bc_select_function(&s, m->sample, &out->fn[0]);
     for (size_t i = 0; i < m->state.n; i++)

@@ -112,7 +112,7 @@ void bc_record_x(BcSelect *s, IrRef r)
     s->x.value = r;
 }
 
-static void note_output(BcSelect *s, BcOperand *o)
+static void assign_output_number(BcSelect *s, BcOperand *o)
 {
     if (o->kind != BC_VAR || o->output > 0 || s->m->ir->var.at[o->var].space != IR_ELEMENT)
         return;
@@ -123,7 +123,7 @@ static void note_output(BcSelect *s, BcOperand *o)
 void bc_store_x(BcSelect *s, BcRef d, bool same)
 {
     bc_emit(s, SMVM_st_local)->operand_ref = d;
-    note_output(s, &s->m->operand.at[d]);
+    assign_output_number(s, &s->m->operand.at[d]);
     s->y = empty_register();
     remove_source(&s->x, d);
     if (same)

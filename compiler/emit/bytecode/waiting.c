@@ -13,7 +13,7 @@ uint32_t bc_chain_depth(const BcSelect *s, IrRef r) { return s->value[r].waits &
 
 // Whether r can have a value outside its type: a NaN, or for an F32 operation an unrounded number, because it is computed as F64. Loads,
 // conversions and integer operations always have a value of their type.
-static bool is_raw(const BcSelect *s, IrRef r)
+static bool may_exceed_type(const BcSelect *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
 
@@ -38,7 +38,7 @@ bool bc_is_within(SmType a, SmType b)
 
 bool bc_is_exact(const BcSelect *s, IrRef r, SmType type)
 {
-    return !is_raw(s, r) && bc_is_within(bc_ins(s, r)->type, type) && !(bc_is_float(type) && s->value[r].minus_zero);
+    return !may_exceed_type(s, r) && bc_is_within(bc_ins(s, r)->type, type) && !(bc_is_float(type) && s->value[r].minus_zero);
 }
 
 // ---- conversions that need no instruction ----
