@@ -14,9 +14,9 @@ static Buf *new_buf(Session *s)
     return b;
 }
 
-static Buf *add_artefact(Compilation *c, size_t source, const char *name, const char *ending)
+static Buf *add_artefact(Compilation *c, size_t source, const char *name, const char *suffix)
 {
-    Artefact a = {source, name, ending, new_buf(c->s)};
+    Artefact a = {source, name, suffix, new_buf(c->s)};
 
     vec_push(&c->s->arena, &c->out->artefact, a);
     return a.bytes;
@@ -104,13 +104,13 @@ static Buf *add_app_file(Compilation *c, const char *stem, const char *end)
     return add_artefact(c, 0, format_in(&c->s->arena, "%s%s", stem, end), NULL);
 }
 
-static EmitCOptions app_c_options(Compilation *c, const char *stem, const char *source, const char *ending)
+static EmitCOptions app_c_options(Compilation *c, const char *stem, const char *source, const char *suffix)
 {
     EmitCOptions e;
 
     memset(&e, 0, sizeof e);
     e.header = format_in(&c->s->arena, "%s.h", stem);
-    e.source = format_in(&c->s->arena, "%s%s", source, ending);
+    e.source = format_in(&c->s->arena, "%s%s", source, suffix);
     e.runtime = true;
     e.soft = c->o->soft;
     return e;

@@ -58,7 +58,7 @@ static void read_script_writes_and_step(Compilation *c, Map *written)
         c->s->step = step;
 }
 
-// Optimises a machine and, if its costs are of interest, makes an image with lines of it, from which they are counted.
+// Optimises a machine.  If its costs are needed, also builds an image with line numbers, and counts the costs in it.
 static void lower_machine(Compilation *c, CompiledSource *of)
 {
     const ImageOptions with_lines = {true, NULL};
@@ -145,7 +145,7 @@ static void compile_files(Compilation *c)
         artefacts_emit(c);
 }
 
-// Checks the limits on the images that emit_app makes, which contain names unless the option `names` is off.
+// Checks the limits of each bytecode machine, on the image that artefacts_emit_app generates: with names, unless the option `names` is off.
 static void check_app_limits(Compilation *c, const App *a)
 {
     CompiledSource of;

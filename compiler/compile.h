@@ -68,9 +68,9 @@ typedef struct CompiledSource {
 
 // A file to write.
 typedef struct Artefact {
-    size_t source;                // index of the source that it is made of
+    size_t source;                // index of the source that it is generated from
     const char *name;             // of an application's C: the file's name.  Otherwise NULL, and
-    const char *ending;           // what a default name ends in after the stem of the source: ".smb"; NULL: text for standard output
+    const char *suffix;           // ".smb": the default name is the stem of the source and this; NULL: text for standard output
     Buf *bytes;
 } Artefact;
 

@@ -4,7 +4,7 @@
 #include "compiler/budget/cost.h"
 #include "compiler/base/str.h"
 
-enum { LINES_SHOWN = 3 };             // of the longest step: the most expensive ones
+enum { LINES_SHOWN = 3 };             // a diagnostic shows this many of the most expensive lines of the longest step
 
 typedef struct LimitCheck {
     Arena *arena;
@@ -16,6 +16,7 @@ static const char *count_text(const LimitCheck *x, uint32_t n) { return format_i
 
 // ---- RAM ----
 
+// Returns the window that takes the most bytes; NULL if there is none.
 static const CostWindow *largest_window(const Cost *cost)
 {
     const CostWindow *most = NULL;
@@ -26,7 +27,7 @@ static const CostWindow *largest_window(const Cost *cost)
     return most;
 }
 
-// Returns where a window of that size is used; without one, the start of the machine.
+// Returns where a window of that size is used; the start of the machine if w is NULL.
 static Span span_of_window(const Program *p, const CostWindow *w)
 {
     for (size_t i = 0; w && i < p->window.n; i++)
@@ -51,6 +52,7 @@ static void check_ram(const LimitCheck *x, const Cost *cost, uint32_t most)
 
 // ---- the longest step ----
 
+// Returns the position of the first character of a line that is not whitespace.
 static Span span_of_line(const Source *src, uint32_t line)
 {
     uint32_t len, at = src->line[line - 1], skip = 0;

@@ -104,7 +104,7 @@ static void withdraw_read_only_edits(Diags *d, const Program *p, const Map *writ
     }
 }
 
-// Only errors can be new: those about a local that is a constant in flight and a variable here.
+// The second check can only find new errors: those about a local that is constant in flight but variable for scripts.
 const Program *session_program_for_scripts(Session *s, const MachineInput *in, const Program *flown)
 {
     const Diags reported = s->diags;
@@ -140,7 +140,7 @@ static const Program *app_program(Session *s, const Source *sm, StateVec *sv)
     return s->diags.met > errors ? NULL : p;
 }
 
-// Returns how much time advances from step to step of a machine.
+// Returns by how much time advances from one step of a machine to the next, in units of G; 0 if that is not a whole number.
 static uint64_t time_per_step(const App *a, const AppMachine *m)
 {
     for (size_t e = 0; e < a->executor.n; e++)

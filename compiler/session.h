@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One compilation and its stages, each as a call.  compile.h puts them in order; engines, tests and measurements call them singly.
+// One compilation, and a function for each of its stages.  compile_sources calls them in order; engines, tests and benchmarks call single
+// stages.
 #ifndef SMC_SESSION_H
 #define SMC_SESSION_H
 

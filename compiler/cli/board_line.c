@@ -6,7 +6,8 @@
 
 #include "compiler/base/os_serial.h"
 
-// An Arduino restarts when its line is opened, and its boot loader then listens for two seconds. So wait up to six.
+// An Arduino restarts when its serial port is opened, and its boot loader then listens for two seconds. So the first request is repeated
+// for up to six: TRIES times WAIT_MS. DEFAULT_SPEED is in bits per second.
 enum { WAIT_MS = 500, TRIES = 12, DEFAULT_SPEED = 115200 };
 
 static bool line_send(void *context, const uint8_t *bytes, size_t n)
@@ -86,7 +87,7 @@ void board_describe(Buf *out, const DeviceImage *i)
         buf_str(out, i->runs ? "no image; nothing runs" : "no image");
     } else {
         buf_printf(out, "%lu bytes, checksum %08lx, identity ", (unsigned long)i->length, (unsigned long)i->checksum);
-        for (size_t k = sizeof i->identity; k-- > 0;)          // as a number, in the form of disasm and report
+        for (size_t k = sizeof i->identity; k-- > 0;)          // most significant byte first, as disasm and report write it
             buf_printf(out, "%02x", i->identity[k]);
         write_image_state(out, i);
     }
@@ -107,6 +108,7 @@ static bool read_speed(Cli *c, unsigned long *speed)
     return *end == '\0' && word[0] >= '0' && word[0] <= '9';
 }
 
+// Asks the board for its properties. Returns EXIT_OK, or the exit code after a message.
 static int query_board(Cli *c, BoardLine *b, const char *port, unsigned long speed)
 {
     if (!device_hello(&b->host, &b->info)) {

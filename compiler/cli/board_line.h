@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions shared by `smc flash` and `smc device`: the line to a board, and the description of its images.
+// Functions shared by `smc flash` and `smc device`: the serial line to a board, and the description of its images.
 #ifndef SMC_BOARD_LINE_H
 #define SMC_BOARD_LINE_H
 

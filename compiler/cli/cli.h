@@ -42,8 +42,8 @@ struct Cli {
     bool given[OPT_COUNT];
     const char *value[OPT_COUNT];         // the values of options that take one; the last one wins
     DiagSelection warn;
-    Sentences said;                       // messages for the end of a SARIF document
-    bool reported;                        // output of that document has begun
+    Sentences sarif_messages;             // messages for the end of a SARIF document
+    bool sarif_begun;                     // output of that document has begun
     const char *last_error;               // the last message of cli_print_error; allocated in the session
 };
 
@@ -67,13 +67,14 @@ int options_opt_level(const Cli *c);                           // -O: 0, 1 or 2
 #include "compiler/cli/texts.def"
 #undef CLI_TEXT
 
-// Prints "smc: " and a message to standard error, in the form that --message-format selects.
+// Prints "smc: " and an error message to standard error, as text or as --message-format selects.
 CLI_PRINTF void cli_print_error(Cli *c, const char *format, ...);
-CLI_PRINTF void cli_print_note(Cli *c, const char *format, ...);      // for a message that stops nothing
+CLI_PRINTF void cli_print_note(Cli *c, const char *format, ...);      // the same for a message that is no error
 // Usage error: prints a message and refers to --help. Returns EXIT_USAGE.
 CLI_PRINTF int cli_usage_error(Cli *c, const char *format, ...);
 
-// A name for a message, with control characters as \x0a; no file with such a name is ever opened. cli_usage_error calls this itself.
+// Returns a name for use in a message, with control characters as \x0a; no file with such a name is ever opened. cli_usage_error calls this
+// itself.
 const char *cli_printable_name(Arena *a, const char *name);
 // Reads an image and runs the device's own verifier on it.  EXIT_OK, or the exit code after a message.
 int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v);
@@ -88,7 +89,7 @@ bool cli_print(Cli *c, int fd, const Buf *text);          // to standard output 
 // there was an error, EXIT_ENVIRONMENT if printing failed, else EXIT_OK.
 int cli_print_diagnostics(Cli *c);
 
-// Every command returns through this with its exit code: it ends the output that cli_print_diagnostics has begun.
+// Ends a SARIF document that cli_print_diagnostics has begun. Every command returns through it, with its exit code.
 int cli_finish(Cli *c, int code);
 
 bool has_suffix(const char *path, const char *suffix);
@@ -96,10 +97,10 @@ bool has_suffix(const char *path, const char *suffix);
 // A format that a command can write; the first one is the default.
 typedef struct CliFormat {
     const char *name;
-    const char *ending[3];                // ".dot"; NULL: end of the list
+    const char *suffix[3];                // of file names, such as ".dot"; NULL: end of the list
     const char *viewer;                   // a program to view it with, if a terminal cannot display it: "a browser"
 } CliFormat;
-// Finds the one of `formats` that --format names. Without --format, the ending of the -o name decides; otherwise it is the first, unless
+// Finds the one of `formats` that --format names. Without --format, the suffix of the -o name decides; otherwise it is the first, unless
 // that would flood a terminal. Returns false after a message.
 bool cli_choose_format(Cli *c, const CliFormat *format, size_t formats, size_t *found);
 
@@ -115,7 +116,7 @@ int outputs_check(Cli *c, const OsOutput *out, size_t n);
 int outputs_check_options(Cli *c);
 bool outputs_is_source_name(const char *name, size_t n);
 
-// ---- inputs.c: what compile_sources() gets from a call ----
+// ---- inputs.c: the inputs of compile_sources(), from the arguments ----
 
 // Reads a source; NULL after a message (exit with EXIT_ENVIRONMENT).  Diagnostics show the name as given.
 Source *cli_read_source(Cli *c, const char *path);
@@ -124,7 +125,7 @@ Source *cli_read_source(Cli *c, const char *path);
 int cli_read_inputs(Cli *c, CompileInput *in);
 // Reads -O, --step, the limits, -W and --soft.  false after a message: one of them is not a number.
 bool cli_compile_options(Cli *c, CompileOptions *o);
-// Whether the names of all files end as sources do ("-" is accepted if `standard_input`); false after a message.
+// Checks that the names of all files have the suffix of a source ("-" is accepted if `standard_input`); false after a message.
 bool cli_check_sources(Cli *c, bool standard_input);
 
 // ---- fix_list.c ----

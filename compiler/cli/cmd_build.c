@@ -38,7 +38,8 @@ static const char *output_path(Cli *c, const char *input, const char *suffix)
     return c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : format_in(&c->session.arena, "%s%s", path_stem(c, input), suffix);
 }
 
-// The path of a C file of one input, which ends in `suffix`: ".c" or "_io.h". -o names the .c, or the common stem of .c and .h.
+// Returns the path of a C file generated from one input. `suffix`: ".c" or "_io.h", for example. -o names the .c, or the stem of both
+// files.
 static const char *c_path(Cli *c, const char *input, const char *suffix)
 {
     const char *path = output_path(c, input, suffix);
@@ -73,9 +74,9 @@ static const char *artefact_path(Cli *c, const Artefact *a, CompileEmit emit)
 {
     if (a->name)
         return format_in(&c->session.arena, "%s%s", folder_of_app(c), a->name);
-    if (!a->ending)
+    if (!a->suffix)
         return c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-";
-    return emit == EMIT_C ? c_path(c, c->file[a->source], a->ending) : output_path(c, c->file[a->source], a->ending);
+    return emit == EMIT_C ? c_path(c, c->file[a->source], a->suffix) : output_path(c, c->file[a->source], a->suffix);
 }
 
 // ---- outputs ----
@@ -145,9 +146,9 @@ static DepInputs list_inputs(Cli *c, const CompileInput *in)
     return all;
 }
 
-// ---- what a call can be ----
+// ---- which options and arguments go together ----
 
-// Whether -o names a possible pair of C files; false after a message.
+// Checks that a .c and a .h can be written beside each other at `path`; false after a message.
 static bool check_c_pair_name(Cli *c, const char *path)
 {
     const size_t n = strlen(path);
@@ -163,7 +164,7 @@ static bool check_c_pair_name(Cli *c, const char *path)
     return false;
 }
 
-// Whether #include "…" can name the header of each input.
+// Checks that #include "…" can name the header of each input; false after a message.
 static bool check_includable(Cli *c)
 {
     for (size_t i = 0; i < c->files; i++) {
@@ -250,7 +251,7 @@ static int check_use(Cli *c, CompileEmit emit)
     return check_c_options(c, emit);
 }
 
-// --print-after
+// Sets up the printing of the IR that --print-after requests; false after a message.
 static bool set_print_after(Cli *c)
 {
     const char *pass = c->value[OPT_PRINT], *known = "build";

@@ -109,6 +109,7 @@ static bool names_checksum(const Cli *c)
     return c->files == 2 && strlen(c->file[1]) == 8 && strspn(c->file[1], "0123456789abcdefABCDEF") == 8;
 }
 
+// Whether a slot of the board contains an image with this checksum.
 static bool is_in_a_slot(BoardLine *b, uint32_t checksum)
 {
     DeviceImage image;

@@ -47,7 +47,7 @@ static void explain_all(Buf *out)
         }
 }
 
-// Accepts the form at the end of a message, [W0901 abort-blind], and removes its brackets.
+// Accepts a code and name as a diagnostic ends with them, [W0901 abort-blind], and removes the brackets.
 static const char *remove_brackets(Cli *c, const char *name)
 {
     size_t n = strlen(name + (*name == '['));

@@ -62,7 +62,7 @@ static int refuse_slow_step(Cli *c, const Source *image, uint32_t cycles, uint32
     return EXIT_PROBLEM;
 }
 
-// Checks the size limits before a byte is sent.
+// Checks the limits of the board on sizes and times before anything is sent. Returns EXIT_OK, or the exit code after a message.
 static int check_image_fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
 {
     const DeviceInfo *i = &b->info;
@@ -153,7 +153,7 @@ static bool is_same_image(const DeviceImage *there, const Source *image, uint16_
     return there->length == image->len && there->checksum == smvm_uint((SmvmBytes)image->text, SMVM_CRC_AT, 4) && there->period == period;
 }
 
-// Whether the board itself would accept the image. If the board already runs it, or has it on trial, it is not sent and not checked.
+// Checks that the board would accept the image. If the board already runs it, or has it on trial, it is not sent and not checked.
 static int check_accepted(Cli *c, BoardLine *b, const Source *image, uint16_t period, const DeviceImage *now)
 {
     DeviceImage trial;
@@ -290,7 +290,8 @@ static void warn_of_no_pins(BoardLine *b, const Source *image)
         cli_print_error(b->c, TEXT_no_pins, image->name);
 }
 
-// The machine is armed or not safe. Restarts discard a machine on trial that never reaches a safe state.
+// Reports why the board refuses any update now: it is armed, or a machine is not in a safe state. Restarts discard a machine on trial that
+// never reaches a safe state.
 static int report_refused_update(BoardLine *b)
 {
     DeviceImage now;
@@ -335,7 +336,7 @@ static int flash_image(Cli *c, BoardLine *b, const Source *image, const SmvmVerd
     return EXIT_OK;
 }
 
-// Accepts "20" or "20ms"; 0: not given.
+// Reads the value of --period, "20" or "20ms", in milliseconds; 0 if it is absent. Returns false after a message.
 static bool read_period(Cli *c, uint16_t *period)
 {
     const char *word = c->given[OPT_PERIOD] ? c->value[OPT_PERIOD] : NULL;

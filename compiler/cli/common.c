@@ -12,13 +12,13 @@ static bool is_message_format(const Cli *c, const char *format)
     return strcmp(c->given[OPT_FORMAT] ? c->value[OPT_FORMAT] : "text", format) == 0;
 }
 
-// Programs that read JSON or SARIF read these messages too.
+// Prints a message in JSON. For SARIF, stores it for the end of the document.
 static void print_for_program(Cli *c, const char *severity, const char *sentence)
 {
     Buf out;
 
     if (is_message_format(c, "sarif")) {
-        vec_push(&c->session.arena, &c->said, sentence);
+        vec_push(&c->session.arena, &c->sarif_messages, sentence);
         return;
     }
     buf_init(&out, &c->session.arena);
@@ -172,7 +172,7 @@ int cli_print_diagnostics(Cli *c)
     if (!cli_print(c, 2, &out) && !code)
         code = EXIT_ENVIRONMENT;
     diags_clear(d);
-    c->reported = true;
+    c->sarif_begun = true;
     return code;
 }
 
@@ -180,12 +180,12 @@ int cli_finish(Cli *c, int code)
 {
     Buf out;
 
-    if (!is_message_format(c, "sarif") || (code == EXIT_USAGE && !c->reported))
+    if (!is_message_format(c, "sarif") || (code == EXIT_USAGE && !c->sarif_begun))
         return code;
-    if (!c->reported)
+    if (!c->sarif_begun)
         cli_print_diagnostics(c);
     buf_init(&out, &c->session.arena);
-    diags_end_sarif(&c->said, &out);
+    diags_end_sarif(&c->sarif_messages, &out);
     return cli_print(c, 2, &out) || code ? code : EXIT_ENVIRONMENT;
 }
 
@@ -199,8 +199,8 @@ bool has_suffix(const char *path, const char *suffix)
 
 static bool has_format_suffix(const char *path, const CliFormat *f)
 {
-    for (size_t i = 0; i < sizeof f->ending / sizeof *f->ending && f->ending[i]; i++)
-        if (has_suffix(path, f->ending[i]))
+    for (size_t i = 0; i < sizeof f->suffix / sizeof *f->suffix && f->suffix[i]; i++)
+        if (has_suffix(path, f->suffix[i]))
             return true;
     return false;
 }
@@ -216,7 +216,7 @@ static bool report_unknown_format(Cli *c, const CliFormat *format, size_t format
     return false;
 }
 
-// smc would write a file with this ending, but programs that open it would report it as damaged.
+// Refuses an output name such as x.pdf: programs that open it would report the file as damaged. Returns whether it printed a message.
 static bool report_foreign_suffix(Cli *c, const CliFormat *format, size_t formats)
 {
     static const char *const foreign[] = {".pdf", ".png", ".jpg", ".jpeg", ".gif", ".docx", ".doc", ".xlsx", ".pptx"};
@@ -230,17 +230,17 @@ static bool report_foreign_suffix(Cli *c, const CliFormat *format, size_t format
         return false;
     buf_init(&list, &c->session.arena);
     for (size_t i = 0; i < formats; i++)
-        buf_printf(&list, "%s%s", i == 0 ? "" : i + 1 < formats ? ", " : " or ", format[i].ending[0]);
+        buf_printf(&list, "%s%s", i == 0 ? "" : i + 1 < formats ? ", " : " or ", format[i].suffix[0]);
     cli_usage_error(c, TEXT_foreign_ending, path, foreign[f], buf_text(&list));
     return true;
 }
 
-// The call names neither an output nor a format, and the output would flood the terminal.
+// Refuses to flood a terminal if neither an output nor a format is given. Returns whether it printed a message.
 static bool report_flooded_terminal(Cli *c, const CliFormat *format)
 {
     if (c->given[OPT_OUTPUT] || !format->viewer || !os_is_terminal(1))
         return false;
-    cli_usage_error(c, TEXT_not_for_terminal, format->viewer, path_stem(c, c->file[0]), format->ending[0]);
+    cli_usage_error(c, TEXT_not_for_terminal, format->viewer, path_stem(c, c->file[0]), format->suffix[0]);
     return true;
 }
 

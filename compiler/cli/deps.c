@@ -25,7 +25,7 @@ static void write_make_name(Buf *out, const char *name)
     }
 }
 
-// Returns the output's path with its ending replaced.
+// Returns the output's path with its suffix replaced.
 static const char *deps_path(Cli *c, const char *output)
 {
     const char *slash = strrchr(output, '/'), *name = slash ? slash + 1 : output, *dot = strrchr(name, '.');

@@ -8,7 +8,7 @@
 typedef struct DepInputs { const char **at; size_t n; } DepInputs;      // "-" is not a file
 
 bool deps_wanted(const Cli *c);
-// Whether the rule's file has a name: from -MF or from the output. Returns false after a message.
+// Checks that the file of the rule has a name, from -MF or from the output. Returns false after a message.
 bool deps_check_name(Cli *c, const OsOutput *output);
 // Adds the rule after the *n outputs, where n > 0; the array has room for one more. The rule names them in order, and its file is named
 // after the first by default: ninja requires the first output of a command to be first in its rule.

@@ -7,7 +7,8 @@
 
 typedef struct Texts { const Source *was, *is; } Texts;
 
-static bool same_line(const Texts *t, uint32_t i, uint32_t k)         // line i of `was` and line k of `is`
+// Whether line i of `was` equals line k of `is`.
+static bool same_line(const Texts *t, uint32_t i, uint32_t k)
 {
     uint32_t n, m;
     const char *a = source_line(t->was, i, &n), *b = source_line(t->is, k, &m);
@@ -15,7 +16,7 @@ static bool same_line(const Texts *t, uint32_t i, uint32_t k)         // line i 
     return n == m && memcmp(a, b, n) == 0;
 }
 
-// Finds how many lines differ from i and k on, until both texts continue with equal lines or end.
+// Finds how many lines were removed at line i of `was` and added at line k of `is`, until both texts continue with equal lines or end.
 static void find_change(const Texts *t, uint32_t i, uint32_t k, uint32_t *removed, uint32_t *added)
 {
     const uint32_t n = t->was->lines + 1 - i, m = t->is->lines + 1 - k;

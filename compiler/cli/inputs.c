@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What compile_sources() gets from a call: the sources that its arguments name, and the options.
+// Reads the inputs of compile_sources(): the sources that the arguments name, and the options.
 #include <string.h>
 
 #include "compiler/cli/cli.h"
@@ -84,7 +84,7 @@ bool cli_check_sources(Cli *c, bool standard_input)
 
 // ---- options ----
 
-// Reads a whole number from 1 into *number; 0 if the option is absent.  Returns false after a message.
+// Stores the value of an option, a whole number of at least 1, in *number; 0 if the option is absent.  Returns false after a message.
 static bool read_number_option(Cli *c, OptionId id, const char *spelling, uint32_t *number)
 {
     const char *at = c->given[id] ? c->value[id] : "";

@@ -63,7 +63,7 @@ bool key_check_signature(Cli *c, const Source *image, const uint8_t *key, const 
     return false;
 }
 
-// Prints which key it is, in the form that boards and images report.
+// Prints the short mark of a key, as boards and images report it.
 static int print_key_mark(Cli *c, const uint8_t *key)
 {
     Buf out;

@@ -12,7 +12,7 @@ bool key_is_file(const char *text, size_t n);
 // Returns EXIT_OK, or the exit code after a message. Warns of a file that other users can read.
 int key_load(Cli *c, uint8_t key[SMVM_KEY]);
 
-// Whether an image is signed with the loaded key; if not, prints the reason followed by `then`.
+// Checks that an image is signed with the loaded key; if not, prints the reason followed by `then` and returns false.
 bool key_check_signature(Cli *c, const Source *image, const uint8_t *key, const char *then);
 
 #endif

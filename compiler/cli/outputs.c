@@ -35,7 +35,7 @@ static bool is_image(const Head *h)
     return h->n >= 4 && (b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16) == SMVM_MAGIC;
 }
 
-// Reads the next word of a make rule, where a backslash escapes blanks and '#'; returns false at the end of the line.
+// Reads the next word of a make rule, where a backslash escapes spaces and '#'; returns false at the end of the line.
 static bool read_make_word(const char **at, const char *end, const char **word, size_t *n)
 {
     while (*at < end && **at == ' ')
@@ -47,14 +47,14 @@ static bool read_make_word(const char **at, const char *end, const char **word, 
     return *n > 0;
 }
 
-static bool ends_with(const char *word, size_t n, const char *ending)
+static bool ends_with(const char *word, size_t n, const char *suffix)
 {
-    const size_t m = strlen(ending);
+    const size_t m = strlen(suffix);
 
-    return n > m && memcmp(word + n - m, ending, m) == 0;
+    return n > m && memcmp(word + n - m, suffix, m) == 0;
 }
 
-// The output of -MD has no room for a mark, but it has a fixed form. It is one rule without commands whose prerequisites are sources
+// The output of -MD has no room for a mark, but its structure is fixed. It is one rule without commands whose prerequisites are sources
 // (none if the machine came from standard input). With -MP an empty rule for each follows.
 static bool is_make_rule(const Head *h)
 {
@@ -127,7 +127,7 @@ static bool is_exact_trace(const Head *h)
 
 // ---- tables ----
 
-// Reads a field of CSV; *n: its length. Returns false if the line does not have the form that smc writes.
+// Reads a field of CSV; *n: its length. Returns false if smc would not have written the line like this.
 static bool read_csv_field(const char **at, const char *lf, const char **field, size_t *n)
 {
     const char *c = *at;
@@ -213,6 +213,7 @@ enum { JUNIT_DEPTH = 4 };
 
 typedef struct XmlOpen { const XmlElementRule *rule[JUNIT_DEPTH]; size_t depth; } XmlOpen;
 
+// Whether `words`, a list with a space before and after each word, contains this word.
 static bool has_word(const char *words, const char *word, size_t n)
 {
     for (; (words = strchr(words, ' ')) != NULL && words[1]; words++)
@@ -322,12 +323,12 @@ static bool is_ours(const Head *h)
 
 bool outputs_is_source_name(const char *name, size_t n)
 {
-    static const char *const ending[] = {".sm", ".ss", ".sv", ".io", ".app", ".smt", ".rq"};
+    static const char *const suffix[] = {".sm", ".ss", ".sv", ".io", ".app", ".smt", ".rq"};
 
-    for (size_t i = 0; i < sizeof ending / sizeof *ending; i++) {
-        const size_t m = strlen(ending[i]);
+    for (size_t i = 0; i < sizeof suffix / sizeof *suffix; i++) {
+        const size_t m = strlen(suffix[i]);
         size_t k = 0;
-        while (n >= m && k < m && (name[n - m + k] | (ending[i][k] & 0x20)) == ending[i][k])      // also in capitals
+        while (n >= m && k < m && (name[n - m + k] | (suffix[i][k] & 0x20)) == suffix[i][k])      // also in capitals
             k++;
         if (k == m)
             return true;
@@ -380,7 +381,7 @@ static int check_name(Cli *c, const char *path, const char *option)
 }
 
 // Checks a file that exists. A missing, empty or non-regular file has nothing to lose. --force does not replace a key, because a key
-// cannot be made again: boards that have it would refuse every other key.
+// cannot be generated again: boards that have it would refuse every other key.
 static int check_existing(Cli *c, const char *path)
 {
     char *head;

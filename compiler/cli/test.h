@@ -55,7 +55,7 @@ typedef struct TestRun {      // one call of smc test
     VEC(TestResult) result;
 } TestRun;
 
-// Whether another program reads standard output and gets the results: then reports for people do not go there.
+// Whether results for another program go to standard output: then reports for people do not go there.
 bool test_stdout_is_for_program(const Cli *c);                                    // cmd_test.c
 // Where reports for people go: standard output, unless the trace goes there.
 int test_result_fd(const Cli *c);                                   // cmd_test.c
@@ -74,7 +74,7 @@ unsigned test_absent_engines(TestRun *t, unsigned which);           // cmd_test.
 typedef struct TestCase TestCase;
 
 TestCase *case_open(TestRun *t, const char *path);    // reads and compiles it
-// Whether the case has to run on emitted C of this kind, and for which program and machine.
+// Returns whether the case has to run on emitted C of this kind; then also its program and machine.
 bool case_find_c(const TestCase *c, EngineKind kind, const Program **p, const IrMachine **ir);
 // Runs the case and frees everything. `emitted` are the engines of emitted C, by kind; NULL: it opens its own.
 TestResult case_close(TestCase *c, Engine *const *emitted);

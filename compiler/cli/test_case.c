@@ -40,7 +40,7 @@ static void set_result(TestCase *c, TestStatus status, const char *message, int 
 
 static void set_out_of_memory(TestCase *c) { set_result(c, TEST_BROKEN, "out of memory", EXIT_ENVIRONMENT); }
 
-// ---- is it a case for us? ----
+// ---- is the file a valid case? ----
 
 static size_t count_parts(const TestFile *f, const char *suffix)
 {

@@ -14,7 +14,7 @@ static size_t first_line(const char *text)
     return lf ? (size_t)(lf - text) : strlen(text);
 }
 
-// Returns the line that gives the reason: the first error among diagnostics, even after warnings.
+// Returns the line that contains the reason: the first error among diagnostics, even after warnings.
 static const char *line_of_failure(const char *text)
 {
     const char *error = strstr(text, ": error: ");

@@ -52,7 +52,8 @@ void test_check_report(const TestPart *part, const Buf *report, Buf *why)
     }
 }
 
-static size_t length_before_value(ReportLine l)                 // of "STEP NAME VALUE"
+// Returns the length of the part before the value in "STEP NAME VALUE".
+static size_t length_before_value(ReportLine l)
 {
     size_t n = l.n;
 

@@ -107,7 +107,7 @@ static bool is_a_double(SmType type, uint64_t cell)
     return x <= (uint64_t)1 << 53 || (x < UINT64_MAX - 1024 && (uint64_t)(double)x == x);
 }
 
-// Whole numbers are exact in the file, but a reader that converts them to doubles rounds some beyond 2^53.
+// Finds the first column with a whole number beyond 2^53 that a reader would round when it converts to double.
 static void find_rounded(TestTrace *t, const uint64_t *cell)
 {
     const Var *g = t->p->g;

@@ -16,7 +16,7 @@ bool comment_find_start(const char *line, uint32_t len, uint32_t *at)
     return false;
 }
 
-// Appends the comment after its mark, without surrounding blanks.
+// Appends the text of the comment that starts at `at`, without its '#' and surrounding whitespace.
 static void append_comment(Buf *out, const char *line, uint32_t len, uint32_t at)
 {
     while (at < len && (line[at] == '#' || is_space_tab_or_return(line[at])))
@@ -75,7 +75,7 @@ static bool is_comment_line(const Source *src, uint32_t number)
     return comment_find_start(line, len, &at) && at == i;
 }
 
-// Whether only blanks, or also a brace, precede a comment or column `len`.
+// Whether only whitespace and '{' precede the comment, or column `len` if there is no comment.
 static bool has_no_code(const char *line, uint32_t len)
 {
     uint32_t i = 0;

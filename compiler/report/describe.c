@@ -40,7 +40,7 @@ static void add_sentence(DocList *l, unsigned depth, Span span, const char *text
 
 static bool is_var(const Expr *e, const Var *v) { return e->kind == EX_VAR && e->var == v; }
 
-// `x = x + c`: "adds `c` to `x`".
+// Returns "adds `c` to `x`" for `x = x + c`, and "subtracts" for `x = x - c`; NULL for any other assignment.
 static const char *describe_increment(Arena *arena, const Stmt *s)
 {
     const Expr *e = s->value;
@@ -66,6 +66,7 @@ static const char *describe_assignment(Arena *arena, const Stmt *s)
     return format_in(arena, "sets `%s` to `%s`", s->var->name->text, source_text(arena, e->span));
 }
 
+// Describes an assignment or a transition.
 static const char *describe_unconditional(Arena *arena, const Stmt *s)
 {
     return s->kind == ST_ASSIGN ? describe_assignment(arena, s) : format_in(arena, "goes to ^%s^", s->target->name->text);
@@ -75,7 +76,7 @@ static const char *describe_unconditional(Arena *arena, const Stmt *s)
 
 static void add_statements(DocList *l, const Stmts *stmts, unsigned depth);
 
-// Adds the sentence of a branch that includes its only statement, with the comments of both.
+// Adds one sentence for a branch and `only`, its only statement, with the comments of both.
 static void add_short_branch(DocList *l, unsigned depth, Span span, const char *text, const Stmt *only)
 {
     DocLine *line;
@@ -88,6 +89,7 @@ static void add_short_branch(DocList *l, unsigned depth, Span span, const char *
         line->comment = line->comment ? format_in(l->arena, "%s\n%s", line->comment, comment) : comment;
 }
 
+// Adds a branch, in one sentence if it contains only one assignment or transition.  `when`: "if `p > 5`" or "otherwise".
 static void add_branch(DocList *l, const char *when, const Stmts *stmts, Span span, unsigned depth)
 {
     const Stmt *only = stmts->n == 1 ? stmts->at[0] : NULL;

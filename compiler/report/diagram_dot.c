@@ -2,7 +2,7 @@
 // A diagram for Graphviz, which lays it out: `smc graph tank.sm --format=dot | dot -Tpdf`.
 #include "compiler/report/diagram_model.h"
 
-// Escapes for use in quotes, where Graphviz also interprets entities.
+// Writes text for use in quotes.  Graphviz also interprets entities there, so & is escaped too.
 static void write_quoted(Buf *out, const char *text)
 {
     for (; *text; text++)

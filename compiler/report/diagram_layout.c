@@ -5,10 +5,10 @@
 // ---- layers ----
 
 enum {
-    LABELS_W = 700,               // labels that are wider together take another layer
+    LABELS_W = 700,               // when the labels of a band exceed this total width, it gets another layer
     NODES_W = 900,                // the same for states
     ROWS = 8,                     // maximum number of layers of a band
-    LABEL_SIDE = 10, BEND_SIDE = 7            // space on both sides of a label's text, and of a line
+    LABEL_SIDE = 10, BEND_SIDE = 7            // space on each side of a label's text, and of an edge that crosses a layer
 };
 
 // The states of a rank, or the labels between a rank and the next.  They occupy `rows` layers, the first of which is `layer`.
@@ -28,7 +28,7 @@ static uint32_t bottom_rank(const Layout *l, const DiagramEdge *e) { return l->r
 
 static int32_t label_width_with_margins(const DiagramEdge *e) { return e->label.w + 2 * LABEL_SIDE; }
 
-// The least filled gap between an edge's ends; of several, the one nearest to the edge's start.
+// Returns the gap with the least load among those between an edge's ends; if several are equal, the one nearest to the edge's start.
 static uint32_t find_least_filled_gap(const Layout *l, const Bands *b, const DiagramEdge *e)
 {
     const uint32_t top = top_rank(l, e), n = bottom_rank(l, e) - top;
@@ -42,6 +42,7 @@ static uint32_t find_least_filled_gap(const Layout *l, const Bands *b, const Dia
     return best;
 }
 
+// Chooses a gap for the label of each edge.  Edges that cross only one gap come first, because they have no choice.
 static void assign_gaps(const Layout *l, Bands *b)
 {
     for (int is_long = 0; is_long < 2; is_long++)         // first those with only one gap
@@ -54,6 +55,7 @@ static void assign_gaps(const Layout *l, Bands *b)
         }
 }
 
+// Gives a band as many layers as its total width requires, at most ROWS.  `most`: the width of one layer.
 static void create_band_layers(Layout *l, Band *band, int64_t most)
 {
     const int64_t rows = (band->load + most - 1) / most;
@@ -63,7 +65,7 @@ static void create_band_layers(Layout *l, Band *band, int64_t most)
     l->layers += band->rows;
 }
 
-// Chooses the layer of the band that is filled least.
+// Returns the least filled layer of a band and adds `room` to its width.
 static uint32_t choose_layer(Band *band, int32_t room)
 {
     uint32_t best = 0;
@@ -90,7 +92,7 @@ static uint32_t add_item(Layout *l, ItemKind kind, uint32_t ref, uint32_t layer)
     return (uint32_t)l->item.n - 1;
 }
 
-// Adds the items of nodes, without layers.
+// Adds the items of nodes and their widths to the bands.  Their layers are not known yet.
 static void add_node_items(Layout *l, Bands *b)
 {
     uint32_t *above = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes), *below = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes);
@@ -110,7 +112,7 @@ static void add_node_items(Layout *l, Bands *b)
     }
 }
 
-// Numbers the layers, when their number is known, and puts the nodes into theirs.
+// Creates the layers of all bands, now that their widths are known, and chooses a layer for each node.
 static void assign_layers(Layout *l, Bands *b)
 {
     for (uint32_t r = 0; r < l->ranks; r++) {
@@ -125,6 +127,7 @@ static void assign_layers(Layout *l, Bands *b)
     }
 }
 
+// Adds an item in each layer between an edge's ends, and the links between them.  `label`: the layer of its label.
 static void add_edge_items(Layout *l, uint32_t edge, uint32_t label)
 {
     const DiagramEdge *e = &l->d->edge.at[edge];
@@ -162,8 +165,9 @@ void layout_create_items(Layout *l)
     }
 }
 
-// ---- links ----
+// ---- links: the parts of edges between two layers ----
 
+// Computes LayoutLinks.first of both directions: counts the links of each item, then forms prefix sums.
 static void compute_first_links(const Layout *l, uint32_t *above, uint32_t *below)
 {
     for (size_t k = 0; k < l->link.n; k++) {
@@ -176,7 +180,7 @@ static void compute_first_links(const Layout *l, uint32_t *above, uint32_t *belo
     }
 }
 
-// Copies the links to the lists of their other ends, item by item in the order of the layers.
+// Copies the links in `from`, item by item in the order of the layers, to the lists of the items at their other ends.
 static void sort_links_by_end(const Layout *l, const LayoutLinks *from, bool down, uint32_t *next, uint32_t *to)
 {
     for (uint32_t y = 0; y < l->layers; y++)

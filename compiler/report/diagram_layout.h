@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places every state, guard and line of a diagram, in layers after Sugiyama, Tagawa and Toda (1981), in whole pixels.
+// Places every state, guard and edge of a diagram, in layers after Sugiyama, Tagawa and Toda (1981), in whole pixels.
 //
 //   rank    assigns every state a rank; edges lead from a rank to a later one, and edges that close a cycle are reversed
 //   items   ranks become layers, with layers for guards between them; a long edge has an item in every layer that it crosses
 //   order   the order within each layer, for few crossings
 //   place   x, for straight lines (Brandes and Köpf, 2001); then y
-//   route   where lines leave, bend and arrive
+//   route   where edges leave a state, bend and arrive
 //
-// Guards are items like states, so nothing overlaps.  Lines bend only between layers, where there are no items.  Edges that would form a
+// Guards are items like states, so nothing overlaps.  Edges bend only between layers, where there are no items.  Edges that would form a
 // tangle of lines become stubs: edges to a state with many predecessors, and edges across many ranks.  Every stage is linear in the number
 // of items, times a bounded number of sweeps.
 #ifndef SMC_DIAGRAM_LAYOUT_H
@@ -33,7 +33,7 @@ typedef struct LayoutItem {
 typedef struct LayoutLink {
     uint32_t above, below;        // items
     uint32_t edge;
-    bool crossed;                 // by a part of an edge that should be straight: this link cannot be straight
+    bool crossed;                 // crosses a link that should be straight, so this one cannot be straight
 } LayoutLink;
 
 typedef struct Layer {
@@ -53,7 +53,7 @@ typedef struct Layout {
     Diagram *d;
     uint32_t *rank;               // by node
     uint32_t ranks;
-    bool *spine;                  // by edge: it should be straight from end to end
+    bool *spine;                  // by edge: it is part of the spine (diagram_rank.c) and should be straight from end to end
     VEC(LayoutItem) item;         // first the nodes, then the other items
     VEC(LayoutLink) link;         // those of an edge are consecutive, downwards
     uint32_t *first_link;         // by edge, plus the end of the last

@@ -11,7 +11,7 @@ static bool is_plain(uint32_t c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c < 128 && strchr(" _.,()+-*/=", (int)c));
 }
 
-// Characters that can have a meaning in Mermaid become #NUMBER;.
+// Writes text with the characters that have a meaning in Mermaid as #NUMBER;.
 static void write_escaped(Buf *out, const char *text)
 {
     const size_t n = strlen(text);

@@ -37,7 +37,7 @@ static const char *unguarded_text(const Analysis *a, const Transition *t)
     return before && before->from == t->from && before->block == t->block ? "otherwise" : "always";
 }
 
-// most: as for condition_brief; 0: the whole text.
+// Returns the whole guard as text if `most` is 0, otherwise condition_brief(…, most): only its innermost conditions.
 static const char *guard_text(const Analysis *a, const Transition *t, size_t most)
 {
     const char *text = !t->when ? unguarded_text(a, t) : most ? condition_brief(a->arena, t->when, most) : condition_text(a->arena, t->when);
@@ -47,13 +47,14 @@ static const char *guard_text(const Analysis *a, const Transition *t, size_t mos
     return t->when ? format_in(a->arena, "on entry, %s", text) : "on entry";
 }
 
+// Breaks guard_text into the lines of a label.
 static DiagramLines wrap_guard(const Analysis *a, const Transition *t, size_t most)
 {
     return diagram_text_wrap(a->arena, guard_text(a, t, most), GUARD_SIZE, GUARD_W, GUARD_LINES);
 }
 
-// For an else if, the last condition matters most.  If the text does not fit, conditions around it are omitted, as long as that helps.  A
-// plain else consists of negated conditions only and is not shortened.
+// Returns the guard in lines that fit.  Of an else-if chain the last condition matters most, so the outer ones are omitted first, until
+// the text fits.  A plain else has only negated conditions and is not shortened.
 static DiagramLines fit_guard(const Analysis *a, const Transition *t)
 {
     DiagramLines line = wrap_guard(a, t, 0);
@@ -73,6 +74,7 @@ static void add_guard(const Analysis *a, DiagramEdge *e, const Transition *t)
     vec_push(a->arena, &e->guard, g);
 }
 
+// Computes the size of the label from the lines of all its guards.
 static void size_label(DiagramEdge *e)
 {
     for (size_t g = 0; g < e->guard.n; g++) {
@@ -86,7 +88,8 @@ static void size_label(DiagramEdge *e)
 
 // ---- edges ----
 
-// last[s]: 1 + the current state's edge to s.  A value up to the state's first edge is from an earlier state and does not count.
+// Returns the edge of a transition.  last[s] is 1 + the index of the current state's edge to s; smaller indices than the state's first
+// edge are left over from earlier states.
 static DiagramEdge *find_or_add_edge(Diagram *d, size_t *last, const Transition *t)
 {
     const uint32_t from = t->from->number - 1, to = t->to->number - 1;
@@ -103,7 +106,7 @@ static DiagramEdge *find_or_add_edge(Diagram *d, size_t *last, const Transition 
     return &d->edge.at[last[to] - 1];
 }
 
-// Transitions are sorted by state.
+// Combines transitions into edges.  Transitions are sorted by source state.
 static void add_edges(Diagram *d)
 {
     size_t *last = ARENA_ARRAY(d->a->arena, size_t, d->nodes), next = 0;

@@ -5,6 +5,7 @@
 
 #include "compiler/report/xml.h"
 
+// In pixels: margin, width of the number, height of a line.  LINES: maximum number of lines of a note.  LEAST_W: minimum width of all.
 enum { MARGIN = 16, NUMBER_W = 22, LINE = 15, LINES = 3, LEAST_W = 420 };
 
 static int32_t note_text_width(const Diagram *d) { return (d->w > LEAST_W ? d->w : LEAST_W) - 2 * MARGIN - NUMBER_W; }
@@ -19,7 +20,7 @@ static void add_note(const Diagram *d, DiagramNotes *n, uint32_t number, const c
     }
 }
 
-// Returns the number of their note, or 0.
+// Adds a note with the findings of one state or guard.  Returns its number, *marks + 1; 0 if there are no findings.
 static uint32_t add_findings(const Diagram *d, DiagramNotes *n, uint32_t *marks, const DiagramFindings *f)
 {
     for (size_t i = 0; i < f->n; i++)
@@ -27,6 +28,7 @@ static uint32_t add_findings(const Diagram *d, DiagramNotes *n, uint32_t *marks,
     return f->n ? ++*marks : 0;
 }
 
+// Explains dotted lines if the diagram has any.
 static void add_dotted_legend(const Diagram *d, DiagramNotes *n)
 {
     bool unrun = false;

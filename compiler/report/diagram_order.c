@@ -10,7 +10,7 @@ enum { SWEEPS = 24, PATIENCE = 6 };       // maximum number of sweeps; maximum w
 
 // ---- initial order ----
 
-// Appends connected items next to each other: depth first, down the links.
+// Appends items to the order of their layers, depth first down the links, so that connected items are next to each other.
 static void append_connected(Layout *l, bool *visited, uint32_t start)
 {
     VEC(uint32_t) waiting = {NULL, 0, 0};
@@ -99,6 +99,7 @@ static int64_t mean_neighbour_position(const Layout *l, uint32_t item, bool down
     return n ? sum * 1024 / n : (int64_t)l->item.at[item].pos * 1024;
 }
 
+// Sorts a layer by the mean positions of neighbours.
 static void sort_layer(Layout *l, Layer *layer, bool down, OrderKey *key)
 {
     for (uint32_t p = 0; p < layer->n; p++)

@@ -19,13 +19,13 @@ typedef struct Columns {
 
 // ---- links that can be straight ----
 
-// The inner parts of a long edge, and all parts of an edge of the spine.
+// True for the inner parts of a long edge, and for all parts of an edge of the spine.
 static bool should_be_straight(const Layout *l, const LayoutLink *k)
 {
     return l->spine[k->edge] || (l->item.at[k->above].kind != ITEM_NODE && l->item.at[k->below].kind != ITEM_NODE);
 }
 
-// By item, the link above (or below) that should be straight; the first if there are several.
+// Returns, by item, the first link above (or below) that should be straight; NULL if there is none.
 static const LayoutLink **find_straight_links(const Layout *l, const LayoutLinks *links)
 {
     const LayoutLink **out = ARENA_ARRAY(l->arena, const LayoutLink *, l->item.n);
@@ -39,8 +39,8 @@ static const LayoutLink **find_straight_links(const Layout *l, const LayoutLinks
 
 static int64_t position_in_layer(const Layout *l, uint32_t item) { return l->item.at[item].pos; }
 
-// Marks links that cross a link that should be straight: they cannot be straight.  Two links that should both be straight and cross each
-// other are not marked.
+// Marks links between layers y and y + 1 that cross a link that should be straight.  Two crossing links that should both be straight are
+// not marked.
 static void mark_conflicts(Layout *l, uint32_t y, const LayoutLink *const *above)
 {
     const Layer *lower = &l->layer[y + 1];
@@ -66,12 +66,14 @@ static void mark_conflicts(Layout *l, uint32_t y, const LayoutLink *const *above
 
 // ---- columns ----
 
+// Returns item k of a layer, counted from the right if mirrored.
 static uint32_t item_in_layer(const Columns *c, const Layer *layer, uint32_t k)
 {
     return layer->item[c->mirrored ? layer->n - 1 - k : k];
 }
 
-// Joins an item to the item at the other end of a link, if that is right of all joined before in this layer.
+// Adds an item to the column of the item at the other end of `link`.  *used is the position of the last such item in its layer; false if
+// this one is not to the right of it.
 static bool try_align(Columns *c, uint32_t item, const LayoutLink *link, int64_t *used)
 {
     const uint32_t to = c->from_below ? link->below : link->above;
@@ -86,8 +88,8 @@ static bool try_align(Columns *c, uint32_t item, const LayoutLink *link, int64_t
     return true;
 }
 
-// An item joins the neighbour to which its link should be straight, otherwise its median neighbour; of two medians, the further left is
-// tried first.  A neighbour whose own straight link leads to another item is not joined.
+// Adds an item to the column of the neighbour to which its link should be straight, otherwise of its median neighbour.  Of two medians the
+// left one is tried first.  A neighbour whose own straight link leads elsewhere is skipped.
 static void align_item(Columns *c, uint32_t item, int64_t *used)
 {
     const Layout *l = c->l;

@@ -83,11 +83,11 @@ static void break_cycles(Layout *l)
 
 // ---- ranks ----
 
-// The upper and lower end of a line.
+// The upper and lower end of an edge.
 static uint32_t upper_end(const DiagramEdge *e) { return e->up ? e->to : e->from; }
 static uint32_t lower_end(const DiagramEdge *e) { return e->up ? e->from : e->to; }
 
-// By node, the lines of which it is the upper (or lower) end.
+// By node, the edges of which it is the upper (or lower) end.  Only edges that are drawn as lines (EDGE_LINE) count.
 typedef struct EdgesByEnd { uint32_t *first, *edge; } EdgesByEnd;
 
 static EdgesByEnd sort_edges_by_end(const Layout *l, uint32_t (*end)(const DiagramEdge *e))
@@ -106,7 +106,7 @@ static EdgesByEnd sort_edges_by_end(const Layout *l, uint32_t (*end)(const Diagr
     return out;
 }
 
-// Topological order: every line leads from an earlier to a later node.
+// Returns the nodes in topological order: every edge leads from an earlier to a later node.
 static uint32_t *sort_topologically(const Layout *l, const EdgesByEnd *out, const EdgesByEnd *in)
 {
     const Diagram *d = l->d;
@@ -124,6 +124,7 @@ static uint32_t *sort_topologically(const Layout *l, const EdgesByEnd *out, cons
     return order;
 }
 
+// Returns the rank directly below the lowest predecessor of v; 0 if it has none.
 static uint32_t rank_below_predecessors(const Layout *l, const EdgesByEnd *in, uint32_t v)
 {
     uint32_t rank = 0;
@@ -135,7 +136,7 @@ static uint32_t rank_below_predecessors(const Layout *l, const EdgesByEnd *in, u
     return rank;
 }
 
-// The lowest rank that the lines out of v allow; its own if there are none.
+// Returns the rank directly above the nearest successor of v; its current rank if it has no successors.
 static uint32_t rank_above_successors(const Layout *l, const EdgesByEnd *out, uint32_t v)
 {
     uint32_t rank = UINT32_MAX;
@@ -147,7 +148,7 @@ static uint32_t rank_above_successors(const Layout *l, const EdgesByEnd *out, ui
     return rank == UINT32_MAX ? l->rank[v] : rank;
 }
 
-// Moves a node with more lines out than in as far down as possible.
+// Moves each node with more outgoing than incoming edges as far down as possible: that makes edges shorter in total.
 static void move_nodes_down(Layout *l, const EdgesByEnd *out, const EdgesByEnd *in, const uint32_t *order)
 {
     for (size_t i = l->d->nodes; i-- > 0;) {
@@ -157,8 +158,9 @@ static void move_nodes_down(Layout *l, const EdgesByEnd *out, const EdgesByEnd *
     }
 }
 
-// ---- parts not connected to the first state ----
+// ---- connected components without the first state ----
 
+// Stores `start` as the component of every node that is connected to it, whatever the direction of edges.
 static void mark_component(const Layout *l, const EdgesByEnd *out, const EdgesByEnd *in, uint32_t *component, uint32_t start)
 {
     VEC(uint32_t) waiting = {NULL, 0, 0};
@@ -183,7 +185,7 @@ static void mark_component(const Layout *l, const EdgesByEnd *out, const EdgesBy
 
 enum { ROW = 4 };                 // isolated states per rank
 
-// Moves every part down to end at the lowest rank in use, except the part of the first state.  Isolated states follow, ROW to a rank.
+// Moves every component except the first state's down, so that it ends at the lowest rank in use.  Isolated states follow, ROW to a rank.
 static void place_components(Layout *l, const EdgesByEnd *out, const EdgesByEnd *in)
 {
     const size_t n = l->d->nodes;
@@ -210,7 +212,7 @@ static void place_components(Layout *l, const EdgesByEnd *out, const EdgesByEnd 
 
 // ---- the spine ----
 
-// By state, the number of lines on the longest downward path from it.  Only possible transitions count.
+// Returns, by state, the number of edges on the longest downward path from it.  Only possible transitions count.
 static uint32_t *find_longest_paths(const Layout *l, const EdgesByEnd *out, const uint32_t *order)
 {
     uint32_t *longest = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes);
@@ -224,7 +226,7 @@ static uint32_t *find_longest_paths(const Layout *l, const EdgesByEnd *out, cons
     return longest;
 }
 
-// The next line of the longest path from v; UINT32_MAX: v is its end.
+// Returns the first edge of the longest path from v; UINT32_MAX if v is its end.
 static uint32_t next_on_longest_path(const Layout *l, const EdgesByEnd *out, const uint32_t *longest, uint32_t v)
 {
     for (uint32_t k = out->first[v]; k < out->first[v + 1]; k++) {
@@ -235,7 +237,8 @@ static uint32_t next_on_longest_path(const Layout *l, const EdgesByEnd *out, con
     return UINT32_MAX;
 }
 
-// The spine is the longest path from the first state, then from each other state up to the first state that is already taken.
+// The spine is the longest path from the first state, then the longest path from each other state up to a state that is already on the
+// spine.
 static void find_spine(Layout *l, const EdgesByEnd *out, const uint32_t *order)
 {
     const uint32_t *longest = find_longest_paths(l, out, order);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns order and x of items into boxes and paths: the distance of layers, the stubs beside a state, the points where lines meet a state.
+// Turns order and x of items into boxes and paths: the distance of layers, the stubs beside a state, the ports (the points where edges meet
+// a state).
 #include "compiler/report/diagram_layout.h"
 
 enum {
     MARGIN = 16,
     NODE_H = 34, NODE_SIDE = 16, NODE_LEAST = 76,
-    PORT = 14,                    // between two lines at a state
+    PORT = 14,                    // minimum distance between two ports of a state
     START_H = 26,                 // the mark above the first state
     STUB_AT = 26, STUB_SIDE = 8,  // from the state to a stub's name; on both sides of the name
     STUB_GAP = 6, STUB_TEXT = 6,  // between two stubs; between a stub's name and its guards
@@ -80,9 +81,9 @@ static void place_stubs(Diagram *d, const DiagramNode *n)
     }
 }
 
-// ---- the points where lines meet a state ----
+// ---- ports: the points where edges meet a state ----
 
-// Places each line as near to its other end as the state's width allows, and at least PORT from the next.
+// Places each port as near to the other end of its edge as the state's width allows, and at least PORT from the next.
 static void spread_ports(const Layout *l, const LayoutItem *i, const LayoutLinks *links, uint32_t item, bool below, int32_t *port)
 {
     const uint32_t first = links->first[item], n = links->first[item + 1] - first;

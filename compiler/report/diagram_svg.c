@@ -87,7 +87,7 @@ static void write_arrowhead(Buf *out, Point tip, ArrowDirection to)
     buf_printf(out, "<path class=\"g-head\" d=\"M%ld %ld%s\"/>", (long)tip.x, (long)tip.y, shape[to]);
 }
 
-// Writes the mark for all findings of one place: the number of its note, coloured by severity.  The findings are its tooltip.
+// Writes the mark of a state or guard with findings: the number of its note, coloured by severity.  The findings are its tooltip.
 static void write_mark(Buf *out, const DiagramFindings *f, uint32_t number, int32_t x, int32_t y)
 {
     char text[12];
@@ -109,7 +109,7 @@ static void write_mark(Buf *out, const DiagramFindings *f, uint32_t number, int3
     buf_str(out, "</g>");
 }
 
-// " g-unrun" if no run has executed it.
+// Returns the CSS class " g-unrun" if no run has executed the state or edge, otherwise "".
 static const char *run_class(const Diagram *d, uint64_t count) { return d->o->counts && count == 0 ? " g-unrun" : ""; }
 
 // ---- states ----
@@ -119,7 +119,7 @@ static const char *box_class(const DiagramNode *n)
     return n->state->is_abort ? "g-box g-abort" : n->state->is_safe ? "g-box g-safe" : "g-box g-state";
 }
 
-// @abort: cut corners; @safe: round ends; others: rounded corners.  `in`: inset from the box.
+// Draws the outline of a state: cut corners for @abort, round ends for @safe, rounded corners for others.  `in`: inset from the box.
 static void write_outline(Buf *out, const char *class, const DiagramNode *n, Box b, int32_t in)
 {
     const long x = b.x + in, y = b.y + in, w = b.w - 2 * in, h = b.h - 2 * in, cut = h / 3;
@@ -297,7 +297,7 @@ static void write_loop(Buf *out, const Diagram *d, const DiagramEdge *e)
     write_arrowhead(out, tip, LEFT);
 }
 
-// Lines taken often are wider: half a pixel more for each doubling of the count, up to 6.4.
+// Writes the width of an edge: half a pixel more for each doubling of the count, up to 6.4.
 static void write_line_width(Buf *out, uint64_t count)
 {
     unsigned tenths = 14;

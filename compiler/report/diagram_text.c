@@ -75,8 +75,8 @@ static bool begins_with_conjunction(const char *s)
     return strncmp(s, " and ", 5) == 0 || strncmp(s, " or ", 4) == 0;
 }
 
-// Where to end a line of which `fits` bytes would fit: at a blank, as far right as possible.  A break before "and" or "or" gains three
-// quarters of a line; one after a comma or an operator costs a third.  Without a blank, at `fits`.
+// Where to end a line of which `fits` bytes would fit: at a space, as far right as possible.  A break before "and" or "or" gains three
+// quarters of a line; one after a comma or an operator costs a third.  Without a space, at `fits`.
 static size_t find_line_end(const char *text, size_t fits)
 {
     size_t best = 0, found = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A report as content without form: sections of paragraphs, tables, lists and figures.  The sections of a report build it; doc_html.c,
-// doc_text.c and doc_json.c each write all of it.
+// The content of a report, independent of its output format: sections of paragraphs, tables, lists and figures.  The sections of a report
+// build it; doc_html.c, doc_text.c and doc_json.c each write all of it.
 //
 // Texts can contain `code` in backticks, and ^Name^ for a state, so only the compiler's own texts are allowed there.  Text from the author
 // of a machine must be plain text or code.

@@ -108,7 +108,8 @@ static void write_padded(Buf *out, const char *text, size_t wide, bool right)
     buf_spaces(out, right ? 0 : pad);
 }
 
-static void end_row(Buf *out)                         // without trailing blanks
+// Ends a row without trailing spaces.
+static void end_row(Buf *out)
 {
     while (out->n && out->at[out->n - 1] == ' ')
         out->n--;

@@ -30,7 +30,7 @@ typedef struct LogKindName { uint8_t kind; const char *name; } LogKindName;
 
 // The contents of a description block.
 typedef struct LogDescription {
-    uint32_t pos, size;           // of its block in the file
+    uint32_t pos, size;           // where its block begins in the file, and the size of the block
     uint8_t version;
     uint64_t start;               // length of the file when the session began
     uint32_t layout;              // hash of the state vector's layout
@@ -72,7 +72,7 @@ typedef struct LogItem {
 // One run of an application.
 typedef struct LogSession {
     const LogDescription *d;
-    bool entered;                 // used by flight_log_read.c: it is in Log.session
+    bool listed;                  // used by flight_log_read.c: Log.session contains it
     VEC(LogItem) item;            // in the order of the file
     uint64_t records, events;
     uint64_t first, last;         // times of its first and last record
@@ -83,7 +83,7 @@ typedef struct Log {
     VEC(LogSession *) session;
     uint64_t size;
     uint64_t damaged;             // bytes outside undamaged blocks
-    uint64_t places;              // number of contiguous ranges of such bytes
+    uint64_t damaged_ranges;      // number of contiguous ranges of such bytes
     uint64_t torn;                // how many of `damaged` are in the range at the end of the file
     uint64_t unread;              // bytes at the end of the file that were not read, because too many checksums before them are wrong
     bool newer;                   // the file contains a description of a later, unknown version

@@ -52,7 +52,7 @@ static const char *read_name(LogCursor *c)
     return name;
 }
 
-// Checks a count n of items that have at least `least` bytes each.  Fails and returns 0 if the remaining bytes are too few.
+// Returns n, the number of items that follow, each at least `least` bytes long.  If too few bytes remain, fails and returns 0.
 static uint32_t read_count(LogCursor *c, uint32_t n, uint32_t least)
 {
     if (n > c->left / least)
@@ -70,6 +70,7 @@ static LogNames read_names(LogCursor *c, uint32_t n)
     return names;
 }
 
+// Skips the names of the regions and returns how many elements they have in total.
 static uint32_t read_regions(LogCursor *c)
 {
     const uint32_t n = read_count(c, read_u16(c), 4);

@@ -21,17 +21,18 @@ typedef struct LogReader {
     VEC(LogDescription *) found;
     size_t next;                  // index into `found` of the first description that the walk has not passed
     VEC(LogSession *) sessions;   // the session of each description in `found`; a repeated description repeats its session
-    LogSession *now;              // the current session
-    size_t *other;                // by index into `sessions`: the next index with a different session
+    LogSession *current;
+    size_t *next_other;           // by index into `sessions`: the next index with a different session
     uint64_t failed_bytes;        // bytes covered by failed checksums in this step
     uint32_t searched;            // end of the part of the file in which all descriptions are known
-    uint32_t damage;              // end of the last undamaged block: a damaged range begins here
+    uint32_t intact_end;          // end of the last undamaged block: a damaged range begins here
     Log *log;
 } LogReader;
 
+// The limit on failed_bytes: real damage causes far fewer than 16 checksums over each byte of the file.
 static bool may_continue(const LogReader *r) { return r->failed_bytes <= 16 * (uint64_t)r->n + 65536; }
 
-// The content length of a possible block at `pos`; false if no block can begin there.
+// Stores the content length of the block at `pos`.  False if no block can begin there.
 static bool match_block_head(const LogReader *r, uint32_t pos, uint32_t *length)
 {
     if (r->n - pos < LOG_HEAD + LOG_CHECK || r->bytes[pos] != LOG_MARK)
@@ -40,6 +41,7 @@ static bool match_block_head(const LogReader *r, uint32_t pos, uint32_t *length)
     return *length <= r->n - pos - LOG_HEAD - LOG_CHECK;
 }
 
+// Returns whether the checksum of a block is right; if not, adds its length to failed_bytes.  `crc`: its start value.
 static bool check_checksum(LogReader *r, uint32_t pos, uint32_t length, uint32_t crc)
 {
     const bool good = sm_crc32_end(log_crc_update(crc, r->bytes + pos, LOG_HEAD + length)) == log_get32(r->bytes + pos + LOG_HEAD + length);
@@ -50,6 +52,7 @@ static bool check_checksum(LogReader *r, uint32_t pos, uint32_t length, uint32_t
 
 // ---- descriptions ----
 
+// Adds the description at `pos` to `found`.  False if the block is damaged or no description.
 static bool try_add_description(LogReader *r, uint32_t pos, uint32_t length)
 {
     LogDescription *d;
@@ -99,23 +102,25 @@ static LogSession *find_or_create_session(LogReader *r, LogDescription *d)
     return s;
 }
 
+// Fills in `sessions` and `next_other` from the descriptions.
 static void list_sessions(LogReader *r)
 {
     for (size_t i = 0; i < r->found.n; i++) {
         LogSession *s = find_or_create_session(r, r->found.at[i]);
         vec_push(r->arena, &r->sessions, s);
     }
-    r->other = ARENA_ARRAY(r->arena, size_t, r->sessions.n + 1);
+    r->next_other = ARENA_ARRAY(r->arena, size_t, r->sessions.n + 1);
     for (size_t i = r->sessions.n; i-- > 0;)
-        r->other[i] = i + 1 < r->sessions.n && r->sessions.at[i + 1] == r->sessions.at[i] ? r->other[i + 1] : i + 1;
+        r->next_other[i] = i + 1 < r->sessions.n && r->sessions.at[i + 1] == r->sessions.at[i] ? r->next_other[i + 1] : i + 1;
 }
 
+// Makes s the current session, and adds it to the log when its first block is found.
 static void select_session(LogReader *r, LogSession *s)
 {
-    if (!s->entered)
+    if (!s->listed)
         vec_push(r->arena, &r->log->session, s);
-    s->entered = true;
-    r->now = s;
+    s->listed = true;
+    r->current = s;
 }
 
 // ---- blocks ----
@@ -153,6 +158,7 @@ static void add_item(LogReader *r, LogSession *s, uint32_t pos, uint32_t length)
     vec_push(r->arena, &s->item, item);
 }
 
+// Adds the block at `pos` if its checksum is right for session s; s can be NULL.
 static bool try_add_block(LogReader *r, LogSession *s, uint32_t pos, uint32_t length)
 {
     if (!s || !is_valid_block_length(s, r->bytes[pos + 1], length) || !check_checksum(r, pos, length, s->d->identity))
@@ -167,8 +173,8 @@ static LogSession *following_session(const LogReader *r)
 {
     size_t i = r->next;
 
-    if (i < r->sessions.n && r->sessions.at[i] == r->now)
-        i = r->other[i];
+    if (i < r->sessions.n && r->sessions.at[i] == r->current)
+        i = r->next_other[i];
     return i < r->sessions.n ? r->sessions.at[i] : NULL;
 }
 
@@ -182,19 +188,20 @@ static uint32_t read_block(LogReader *r, uint32_t pos)
         return r->found.at[r->next++]->size;
     }
     if (!match_block_head(r, pos, &length) ||
-        (!try_add_block(r, r->now, pos, length) && !try_add_block(r, following_session(r), pos, length)))
+        (!try_add_block(r, r->current, pos, length) && !try_add_block(r, following_session(r), pos, length)))
         return 0;
     return LOG_HEAD + length + LOG_CHECK;
 }
 
+// Counts the bytes between the last undamaged block and `pos`, if any, as a damaged range.
 static void record_damage(LogReader *r, uint32_t pos)
 {
-    if (pos == r->damage)
+    if (pos == r->intact_end)
         return;
-    r->log->damaged += pos - r->damage;
-    r->log->places++;
+    r->log->damaged += pos - r->intact_end;
+    r->log->damaged_ranges++;
     if (pos == r->n)
-        r->log->torn = pos - r->damage;
+        r->log->torn = pos - r->intact_end;
 }
 
 static void read_blocks(LogReader *r)
@@ -206,7 +213,7 @@ static void read_blocks(LogReader *r)
         const uint32_t size = read_block(r, pos);
         if (size > 0) {
             record_damage(r, pos);
-            r->damage = pos + size;
+            r->intact_end = pos + size;
         }
         pos += size > 0 ? size : 1;
         while (r->next < r->found.n && r->found.at[r->next]->pos < pos)

@@ -28,7 +28,7 @@ static double time_position(const FlightDrawing *d, uint64_t time)
     return (share < 1 ? share : 1) * (double)d->t.steps;
 }
 
-// A record up to a millionth of a slot too early belongs to the next slot, because division and multiplication round its time.
+// Returns the slot of a record.  Rounding can make its time up to a millionth of a slot too early.
 static uint64_t time_slot(const FlightDrawing *d, uint64_t time)
 {
     const uint64_t slot = (uint64_t)(time_position(d, time) + 1e-6);
@@ -141,7 +141,7 @@ static void add_visits_from_events(FlightDrawing *d)
         }
 }
 
-// Used if events are missing: finds visits by the element that stores the state's number, at the time of the record.
+// Used if events are missing: finds visits in the element that stores the number of the state, at the times of records.
 static void add_visits_from_records(FlightDrawing *d)
 {
     uint64_t last = 0;

@@ -41,6 +41,7 @@ void flight_write_csv(const Flight *f, Buf *out)
 
 // ---- JSON ----
 
+// Whether a cell can be written as a number in JSON: not NaN or infinite.
 static bool is_finite_number(SmType type, uint64_t cell)
 {
     const SmKind kind = sm_type_info[type].kind;

@@ -117,7 +117,7 @@ static void write_file_summary(const Flight *f, Buf *out)
                describe_count(f->arena, log->session.n, "session", "sessions"));
     if (log->damaged)
         buf_printf(out, ", %s damaged in %s", describe_count(f->arena, log->damaged, "byte", "bytes"),
-                   describe_count(f->arena, log->places, "place", "places"));
+                   describe_count(f->arena, log->damaged_ranges, "place", "places"));
     if (log->unread)
         buf_printf(out, ", %s not read", describe_count(f->arena, log->unread, "byte", "bytes"));
     buf_char(out, '\n');

@@ -68,7 +68,7 @@ const char *plot_patterns(Arena *arena);      // an invisible drawing that plots
 
 bool report_is_low_diagram(DiagramSize s);      // a diagram of this size is readable on part of a printed page
 uint32_t report_line_of(Span span);           // line in the source; 0: none
-bool report_fits_uno(const Report *r);                            // judged by its windows alone
+bool report_fits_uno(const Report *r);                            // whether its windows fit an Uno's RAM; nothing else counts
 const char *report_format_cycles(const Report *r, uint32_t cycles);  // with their duration on an Uno
 const char *report_format_number(Arena *arena, double x);
 const char *report_format_cell(Arena *arena, SmType type, uint64_t cell);

@@ -18,7 +18,7 @@ static bool has_command(const AbortRow *row)
     return false;
 }
 
-// commands: whether people can give commands.
+// Returns the cell of a column: whether the machine can abort with the help of commands, or (!commands) without any.
 static const char *verdict_text(const AbortRow *row, bool commands)
 {
     switch (row->verdict) {

@@ -91,7 +91,9 @@ static void add_longest_step(const Report *r, Doc *d)
 
 // ---- a board ----
 
-bool report_fits_uno(const Report *r) { return r->cost.windows_small < 2048; }
+enum { UNO_RAM = 2048 };              // bytes
+
+bool report_fits_uno(const Report *r) { return r->cost.windows_small < UNO_RAM; }
 
 static void add_board(const Report *r, Doc *d)
 {

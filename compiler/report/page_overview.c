@@ -8,7 +8,8 @@
 
 static const DocColumn fact_columns[] = {{"name", "Name"}, {"value", "Value"}};
 
-static const char *identity_text(const Report *r)     // as in the image
+// Returns the identity as the image contains it.
+static const char *identity_text(const Report *r)
 {
     SmvmReader at;
 

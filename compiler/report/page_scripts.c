@@ -51,7 +51,7 @@ static void add_runs(const Report *r, Doc *d)
 
 static const DocColumn transition_columns[] = {{"from", "From"}, {"to", "To"}, {"times", "Times"}, {"note", "Remark"}};
 
-// Whether transition i is the first from its state to its target; *same: how many lead there.  Visits only transitions of one state.
+// Returns whether transition i is the first from its state to its target, and stores the number of such transitions in *same.
 static bool match_first_of_pair(const Transitions *t, size_t i, size_t *same)
 {
     size_t first = i, last = i;
@@ -93,7 +93,8 @@ static void add_states_covered(const Report *r, Doc *d)
     }
 }
 
-// By pair of states, how often the scripts went from one to the other.  A run does not record which of several transitions it took.
+// Adds a table: by pair of states, how often the scripts went from one to the other.  A run does not record which of several transitions it
+// took.
 static void add_transitions_covered(const Report *r, Doc *d)
 {
     const Transitions *t = &r->analysis.transition;
@@ -119,7 +120,8 @@ static void add_transitions_covered(const Report *r, Doc *d)
     }
 }
 
-// Counts by transition.  The diagram draws one arrow from a state to another, so the count of several transitions is stored at the first.
+// Returns counts by transition.  The diagram draws one arrow from a state to another, so the count of several transitions is stored at the
+// first.
 DiagramCounts report_sum_counts(const Report *r)
 {
     const size_t states = r->analysis.p->state.n, transitions = r->analysis.transition.n;

@@ -175,7 +175,8 @@ static void pen_down(Pen *pen, long x, long y)
     plot_write_tenths(pen->out, y);
 }
 
-static void pen_lift(Pen *pen, long x)                // draws up to x, then lifts
+// Draws up to x, then lifts the pen.
+static void pen_lift(Pen *pen, long x)
 {
     if (!pen->down)
         return;
@@ -184,7 +185,8 @@ static void pen_lift(Pen *pen, long x)                // draws up to x, then lif
     pen->down = false;
 }
 
-static void pen_line_to(Pen *pen, long x, long y)     // horizontally, then vertically
+// Draws a horizontal line to x, then a vertical one to y.
+static void pen_line_to(Pen *pen, long x, long y)
 {
     if (y == pen->y)
         return;
@@ -229,7 +231,7 @@ static void draw_circles(Plot *p, const PlotRow *r)
         if (r->s->at[v->step / p->t->per].last != r->s->at[v->step / p->t->per].last)
             continue;
         buf_str(p->out, "<circle class=\"begin\"");
-        write_length(p->out, "cx", plot_x(p->t, v->place));
+        write_length(p->out, "cx", plot_x(p->t, v->plot_step));
         write_length(p->out, "cy", y_of_value(r, r->s->at[v->step / p->t->per].last));
         buf_str(p->out, " r=\"3.4\"/>\n");
     }
@@ -260,7 +262,8 @@ static void draw_strip_part(Plot *p, const char *class_name, size_t from, size_t
     plot_draw_rect(p, class_name, x, top, plot_x(p->t, (double)end) - x, PLOT_STRIP);
 }
 
-static int strip_level(const TraceBucket *b) { return b->lo > 0 ? 2 : b->hi > 0 ? 1 : 0; }       // 1: some of the time
+// Returns 2 if the bool was true in all steps of a bucket, 1 if in some, 0 if in none.
+static int strip_level(const TraceBucket *b) { return b->lo > 0 ? 2 : b->hi > 0 ? 1 : 0; }
 
 static void draw_strip(Plot *p, const TraceSeries *s, long top)
 {
@@ -284,6 +287,7 @@ static void draw_strip(Plot *p, const TraceSeries *s, long top)
 
 static bool is_strip(const TraceSeries *s) { return s->v->type == SM_BOOL; }
 
+// Draws the rows of bools (strips) or of numbers from y on, or only measures them if !draw.  Returns the y of their end.
 static long draw_rows(Plot *p, bool strips, bool draw, long y)
 {
     for (size_t i = 0; i < p->t->series.n; i++) {

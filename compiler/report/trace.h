@@ -23,7 +23,7 @@ typedef struct TraceSeries {
 typedef struct TraceVisit {       // a visit of a state, from its first step on
     const State *state;
     uint64_t step, g;             // steps counted from 0
-    double place;                 // where on the time axis, in steps, a plot draws its start
+    double plot_step;             // position on the time axis, in steps and fractions, where a plot draws its start
 } TraceVisit;
 
 typedef struct Trace {

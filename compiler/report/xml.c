@@ -5,7 +5,7 @@
 
 #include "compiler/base/utf8.h"
 
-// len: bytes of the character; 0: they are not UTF-8.
+// Writes one character.  `len`: its number of bytes; 0 if they are not valid UTF-8.
 static void write_character(Buf *out, const char *text, size_t len, uint32_t code)
 {
     if (len == 0 || code == 0xFFFE || code == 0xFFFF)         // XML 1.0, 2.2; the other forbidden characters are hidden

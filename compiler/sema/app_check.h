@@ -25,7 +25,7 @@ typedef struct AppCheck {
 // Returns the element, or NULL after a report.  Also returns NULL, without a report, if the state vector has errors.
 const Element *app_find_element(AppCheck *k, const AstWord *name);
 
-Str app_file_stem(AppCheck *k, Str path);  // "rocket" of pins/rocket.io
+Str app_file_stem(AppCheck *k, Str path);  // "rocket" for pins/rocket.io
 
 // ---- check_app_names.c ----
 

@@ -9,7 +9,7 @@
 
 // ---- files ----
 
-static const char *const ending[] = {[FILE_SV] = ".sv", [FILE_SM] = ".sm", [FILE_IO] = ".io"};
+static const char *const suffix[] = {[FILE_SV] = ".sv", [FILE_SM] = ".sm", [FILE_IO] = ".io"};
 
 static bool ends_with(const char *name, const char *end)
 {
@@ -29,7 +29,7 @@ static void add_file(FileListing *l, FileKind kind, const AstWord *name)
     map_put(&l->seen[kind], name->text, f);
     f->kind = kind;
     f->name = *name;
-    f->wrong_kind = !ends_with(name->text->text, ending[kind]);
+    f->wrong_kind = !ends_with(name->text->text, suffix[kind]);
     l->out->n++;
 }
 
@@ -83,7 +83,7 @@ static void check_file(AppCheck *k, const AppFile *f)
     static const char *const what[] = {[FILE_SV] = "state vector", [FILE_SM] = "machine", [FILE_IO] = "file of pins"};
 
     if (f->wrong_kind)
-        diag_report(k->c->diags, DIAG_app_file_kind, f->name.span, f->name.text->text, what[f->kind], ending[f->kind]);
+        diag_report(k->c->diags, DIAG_app_file_kind, f->name.span, f->name.text->text, what[f->kind], suffix[f->kind]);
     else if (!f->src)
         diag_report(k->c->diags, DIAG_app_file, f->name.span, f->name.text->text, f->problem);
 }
@@ -127,7 +127,7 @@ static void report_missing(AppCheck *k, Span span, const char *what)
     diag_report(k->c->diags, DIAG_app_missing, span.src ? span : (Span){k->app->src, 0, 0}, what);
 }
 
-// Reports inputs that write an element which `writer` writes too.
+// Reports inputs of the pins that write element e, which `writer` writes too.
 static void report_inputs_writing(AppCheck *k, const Element *e, Span span, const char *writer)
 {
     for (size_t i = 0; e && k->pins && i < k->pins->pin.n; i++)
@@ -176,7 +176,7 @@ static void check_option(AppCheck *k, const AstAppOption *o)
     }
 }
 
-// Checks against the smallest ring that the runtime accepts: runtime-c/log.h, SM_LOG_LEAST.
+// Checks the size against the smallest ring that the runtime accepts: runtime-c/log.h, SM_LOG_LEAST.
 static void check_log_room(AppCheck *k, const AstAppOption *o)
 {
     uint32_t least = 0;
@@ -213,7 +213,7 @@ static void check_options(AppCheck *k)
 
 // ---- [start]: the values of elements before any task runs (config.md 10.8), checked like those of a machine without variables ----
 
-// Whether the expression contains only numbers; reports the parts that are not.
+// Checks that the expression contains only numbers; reports each part that is not.
 static bool check_only_numbers(AppCheck *k, const Sema *s, const AstExpr *e)
 {
     const SmBuiltinInfo *fn = e->kind == AST_CALL ? scope_find_function(s, e->name) : NULL;
@@ -243,6 +243,7 @@ static void check_start_fits(AppCheck *k, const AstStmt *in, const Element *e, S
                 sm_type_info[e->type].spelling, const_text(k->c->arena, kept));
 }
 
+// Returns true for the first value of an element; reports a second one.
 static bool add_start_name(AppCheck *k, const AstStmt *in)
 {
     const Span *first = map_find(&k->start, in->name);
@@ -426,7 +427,7 @@ static void check_unused_pins(AppCheck *k, bool output, AstAppTaskKind task, Ast
                   k->pins->pin.at[i].span, output ? DIAG_note_output_here : DIAG_note_input_here);
 }
 
-static void check_allows(const AppCheck *k)
+static void register_allows(const AppCheck *k)
 {
     for (size_t i = 0; i < k->ast->allows.n; i++) {
         const AstAppAllow *a = &k->ast->allows.at[i];
@@ -453,7 +454,7 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     k.app->src = f->src;
     k.app->sv = sv;
     k.app->pins = pins;
-    check_allows(&k);
+    register_allows(&k);
     check_files(&k);
     check_app_products(&k);
     check_options(&k);

@@ -6,7 +6,7 @@
 
 typedef struct GeneratedFile { const char *what; Span span; } GeneratedFile;
 
-// Folds case, for file systems that ignore it.
+// Returns the name in lower case: some file systems ignore case.
 static Str fold_case(AppCheck *k, const char *name)
 {
     char *copy = arena_alloc(k->c->arena, strlen(name) + 1);
@@ -51,7 +51,7 @@ static bool begins_with_word(const char *stem, const char *word)
     return !is_letter(stem[n]) || (is_upper(stem[n]) && is_lower(stem[n - 1]));
 }
 
-// A prefix of the runtime would cause clashes: sm.sv would generate sm_vector, SM.sm SM_OK, SmApp.sm a struct SmApp.
+// Whether a generated name would begin like those of runtime-c: sm.sv would generate sm_vector, SM.sm SM_OK, SmApp.sm a struct SmApp.
 static bool is_reserved_stem(const char *stem)
 {
     while (*stem && !is_letter(*stem) && !(*stem >= '0' && *stem <= '9'))
@@ -86,7 +86,7 @@ static bool has_bytecode(const AstAppTask *t)
     return false;
 }
 
-// Files of machines that are emitted as C.  A machine with @bytecode becomes an array in the application's file instead.
+// Returns the files of machines that are emitted as C.  A machine with @bytecode becomes an array in the application's file instead.
 static Map files_emitted_as_c(AppCheck *k)
 {
     Map files = {k->c->arena, NULL, NULL, 0, 0};
@@ -101,6 +101,7 @@ static Map files_emitted_as_c(AppCheck *k)
     return files;
 }
 
+// Reports generated files with equal names, and names that runtime-c reserves.
 void check_app_products(AppCheck *k)
 {
     static const char *const end[] = {[FILE_SV] = "", [FILE_SM] = "", [FILE_IO] = "_io"};
@@ -122,7 +123,7 @@ void check_app_products(AppCheck *k)
 
 // ---- files of the running application ----
 
-// Treats ./a as a.
+// Returns the name without "./" at its start, so that ./a equals a.
 static const char *without_dot_slash(const char *name)
 {
     while (name[0] == '.' && name[1] == '/')

@@ -18,7 +18,7 @@ bool app_is_reserved_name(const char *name)
     return false;
 }
 
-// Why the name cannot be the prefix of C function names; NULL if it can.
+// Returns why the name cannot be the prefix of C function names; NULL if it can.
 static const char *find_name_problem(const char *name)
 {
     size_t n = strlen(name);
@@ -45,7 +45,7 @@ static void check_name(AppCheck *k, const AstAppTask *in)
         map_put(&k->task, in->name.text, (void *)(size_t)&in->name.span);
 }
 
-// inputs, outputs, log and keep: each at most once, and only with its option.
+// Checks one of the tasks inputs, outputs, log and keep: each at most once, and only with its option.
 static void check_service(AppCheck *k, const AstAppTask *in)
 {
     AstAppOptionKind needs = app_task_needs(in->kind);

@@ -5,6 +5,7 @@
 
 // ---- amounts ----
 
+// Multiplies *x; returns false if the product does not fit.
 static bool try_multiply(uint64_t *x, uint64_t by)
 {
     if (by && *x > UINT64_MAX / by)
@@ -13,6 +14,7 @@ static bool try_multiply(uint64_t *x, uint64_t by)
     return true;
 }
 
+// Multiplies *x by 10^power; returns false if the product does not fit.
 static bool try_multiply_by_ten(uint64_t *x, int power)
 {
     for (; power > 0; power--)
@@ -25,7 +27,7 @@ static bool try_multiply_by_ten(uint64_t *x, int power)
 
 typedef enum Exactness { EXACT, FRACTION, TOO_LARGE } Exactness;
 
-// digits * 10^exponent * factor
+// Stores digits * 10^exponent * factor in *value if that is a whole number that fits (EXACT).
 static Exactness amount_value(const AstAmount *a, uint64_t *value)
 {
     uint64_t divisor = 1;
@@ -98,7 +100,7 @@ const char *app_time_text(Arena *arena, uint64_t ns)
 
 enum { SECOND = 1000000000 };
 
-// 10^9 / (digits * 10^exponent * factor).  For a FRACTION the result is rounded down.
+// Stores the period of a frequency in nanoseconds: 10^9 / (digits * 10^exponent * factor).  A FRACTION is rounded down.
 static Exactness frequency_period(const AstAmount *a, uint64_t *period)
 {
     uint64_t numerator = SECOND, hertz = a->digits;
@@ -119,7 +121,7 @@ static void report_fraction(AppCheck *k, const AstAppRate *r, uint64_t period)
         diag_label(k->c->diags, d, DIAG_label_every_instead, app_time_text(k->c->arena, period));
 }
 
-// Returns 0 after a report.
+// Returns the period of a rate in nanoseconds; 0 after a report.
 static uint64_t period_of(AppCheck *k, const AstAppRate *r)
 {
     const AppRange *range = &app_ranges[APP_RANGE_period];

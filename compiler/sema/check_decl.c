@@ -191,7 +191,7 @@ static bool is_g_or_s(const AstDecl *decl)
     return (strcmp(name, "G") == 0 && decl->type == SM_U64) || (strcmp(name, "S") == 0 && decl->type == SM_U32);
 }
 
-// The element of the .sv with this name; NULL after a report if there is none.
+// Returns the element of the .sv with this name; reports a missing element (NULL) or another type.
 static Element *find_element(Declarations *k, const AstDecl *decl)
 {
     Element *e = map_find(&k->sv->by_name, decl->name);
@@ -311,6 +311,7 @@ static void compute_initial_values(Declarations *k)
 
 // ---- G and S ----
 
+// Returns the variable named G or S after checking its type; NULL if it is missing, which is reported.
 static Var *find_g_or_s(Declarations *k, const char *name, SmType type, DiagCode missing, DiagCode wrong)
 {
     Str key = str_c(k->s->strings, name);

@@ -71,6 +71,7 @@ static bool check_use_in_size(Sema *s, Var *v, const AstExpr *e)
     return !s->no_value || !s->no_value[v->index];
 }
 
+// Checks that variable v can be used in the current context; reports it if not.
 static bool check_use(Sema *s, Var *v, const AstExpr *e)
 {
     switch (s->at) {
@@ -101,12 +102,13 @@ static Expr *check_name(Sema *s, const AstExpr *e)
     return out;
 }
 
+// Builds a literal.  Above 2^53, not every whole number is an F64, so analyses have to know of it.
 static Expr *check_number(Sema *s, const AstExpr *e)
 {
     Expr *out = expr_new(s, EX_NUMBER, e->span, 0);
 
     out->number = e->number;
-    if (s->building && e->number >= 9007199254740992.0)
+    if (s->building && e->number >= 9007199254740992.0)          // 2^53
         s->building->large_numbers = true;
     return out;
 }
@@ -147,7 +149,7 @@ static Span span_between(uint32_t from, Span to)
     return span;
 }
 
-// `not a == b` means `(not a) == b`, which is rarely intended.  The warning shows both readings (language.md 3.13).
+// Reports `not a == b`: it means `(not a) == b`, which is rarely intended.  The diagnostic shows both readings (language.md 3.13).
 static void report_leading_not(Sema *s, const AstExpr *whole)
 {
     const AstExpr *left = whole;
@@ -163,13 +165,14 @@ static void report_leading_not(Sema *s, const AstExpr *whole)
     diag_note(s->diags, d, (Span){0}, DIAG_note_not_of_all, sema_quote(s, span_between(left->a->span.at, whole->span)));
 }
 
+// Searches the whole expression that begins at the left of e for a leading `not`, once.
 static void warn_of_leading_not(Sema *s, const AstExpr *e)
 {
-    bool inside = s->spine == e;                // part of an expression that was already searched
+    bool inside = s->searched_left == e;                // part of an expression that was already searched
 
     if (class_of(e) == SM_CLASS_LOGIC)
         return;
-    s->spine = e->a;
+    s->searched_left = e->a;
     if (!inside)
         report_leading_not(s, e);
 }
@@ -182,7 +185,7 @@ static const AstExpr *comparison_before(const AstExpr *e)
     return e->kind == AST_BINARY && (class_of(e) == SM_CLASS_RELATION || class_of(e) == SM_CLASS_EQUALITY) ? e : NULL;
 }
 
-// 0, 1, true and false may be switches, as in `steps and 1`.  After mode == 2 a 0 or 1 is not a switch.
+// Whether a number may be a switch: 0, 1, true and false, as in `steps and 1`; but after `mode == 2`, a 0 or 1 is not.
 static bool may_be_switch(const AstExpr *number, const char *text, const AstExpr *before)
 {
     const bool is_word = strcmp(text, "true") == 0 || strcmp(text, "false") == 0;
@@ -206,7 +209,7 @@ static void warn_of_number_as_condition(Sema *s, const AstExpr *logic, const Ast
                    format_in(s->arena, "%s %s %s", sema_quote(s, before->a->span), sm_op_info[before->op].spelling, text));
 }
 
-// `mode == not 5`
+// Warns of `mode == not 5`.
 static void warn_of_negated_number(Sema *s, const AstExpr *e)
 {
     const AstExpr *not = e->b, *number = not->a;
@@ -251,7 +254,7 @@ static Expr *check_chain(Sema *s, const AstExpr *e)
         expr_ops(out)[i - 1] = e->op;
         record_operator(s, e->op);
     }
-    s->spine = operand[0];
+    s->searched_left = operand[0];
     return check_args(s, operand, n, out->arg) ? out : NULL;
 }
 
@@ -308,7 +311,7 @@ static bool label_argument_count(Sema *s, Diag *d, const AstExpr *e, SmBuiltin f
     return true;
 }
 
-// The comma after e, if it is directly between the digits of two whole numbers, as in 0,5; its length is 0 otherwise.
+// Returns the comma after e if it is directly between the digits of two whole numbers, as in 0,5; otherwise an empty span.
 static Span decimal_comma_after(const AstExpr *e)
 {
     const char *text = e->span.src->text;
@@ -327,7 +330,7 @@ static Span decimal_comma_after(const AstExpr *e)
     return (Span){e->span.src, comma, from < comma && end > comma + 1};
 }
 
-// min(p, 0,5): a comma in a number has made two arguments of it.
+// Reports a call such as min(p, 0,5), where a comma in a number adds an argument.
 static bool report_decimal_comma(Sema *s, const AstExpr *e)
 {
     for (size_t i = 0; i + 1 < e->args->n; i++) {
@@ -375,9 +378,9 @@ static bool has_unreadable_argument(const AstExpr *e)
     return false;
 }
 
-// A roll function (language.md 7): the sampled expression, and a size that is known at compile time.
+// Calls of roll functions (language.md 7) have two arguments: the sampled expression, and a size that is known at compile time.
 
-// The size, or 0 after a report.
+// Returns the size of a window, or 0 after a report.
 static uint32_t window_size(Sema *s, const AstExpr *n, const Expr *value, const SmBuiltinInfo *fn)
 {
     SmF64 x = expr_constant_value(value);
@@ -403,6 +406,7 @@ static uint32_t check_window_size(Sema *s, const AstExpr *call, const SmBuiltinI
     return value ? window_size(s, n, value, fn) : 0;
 }
 
+// Checks that the current context allows a roll call; reports it if not.
 static bool check_roll_allowed(Sema *s, const AstExpr *call)
 {
     if (s->at == EXPR_IN_INITIAL)

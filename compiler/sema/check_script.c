@@ -126,7 +126,7 @@ static bool means_all_states(const char *name)
     return strcmp(name, "all") == 0 || strcmp(name, "any") == 0 || strcmp(name, "every") == 0 || strcmp(name, "always") == 0;
 }
 
-// [All_States], [option]: not a state, but similar to a section that every script may have.
+// Reports [All_States] or [option]: not a state, but similar to a section that every script can have.  Returns whether it reported one.
 static bool report_misspelt_section(ScriptCheck *k, const AstSection *in)
 {
     Guess g = guess_init(in->name);
@@ -169,7 +169,7 @@ static void check_any_section(ScriptCheck *k, const AstSection *in)
             check_option(k, &in->options.at[i]);
 }
 
-// ---- moments ----
+// ---- times that the script compares with ----
 
 static bool is_reached_time(const ScriptCheck *k, SmF64 x)
 {
@@ -185,7 +185,8 @@ static const char *source_text(const ScriptCheck *k, Span span)
     return format_in(k->s.arena, "%.*s", (int)span.len, span.src->text + span.at);
 }
 
-// Warns of G == 15, where G is 0, 10, 20.  Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
+// Warns of a comparison such as G == 15 where G is 0, 10, 20.  Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX
+// bounds.
 static void warn_of_missed_times(ScriptCheck *k, const Expr *e)
 {
     const bool logic = e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR);

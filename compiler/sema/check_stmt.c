@@ -41,7 +41,8 @@ static Diag *report_read_only(Sema *s, const Var *v, Span span, Str name)
     return diag_report(s->diags, DIAG_write_read_only, span, name->text);
 }
 
-// G, S and T may never be assigned.  A script may write variables that are marked @read_only.
+// Checks that a statement can assign v; reports it if not.  G, S and T can never be assigned.  A script can write variables that are
+// marked @read_only.
 static bool check_writable(Sema *s, const Var *v, Str name, Span span)
 {
     bool own = v == s->p->g || v == s->p->s || v == s->p->t;
@@ -54,7 +55,7 @@ static bool check_writable(Sema *s, const Var *v, Str name, Span span)
     return false;
 }
 
-// The state that `S = Vent` or `S = 2` refers to; NULL if there is none.
+// Returns the state that the value of `S = Vent` or `S = 2` refers to; NULL if there is none.
 static const State *state_named_by(const Sema *s, const AstExpr *e)
 {
     if (e->kind == AST_NUMBER && sm_le(sm_from_i32(1), e->number) && sm_le(e->number, sm_from_u32((uint32_t)s->p->state.n)))
@@ -62,7 +63,7 @@ static const State *state_named_by(const Sema *s, const AstExpr *e)
     return e->kind == AST_NAME ? map_find(&s->p->state_by_name, e->name) : NULL;
 }
 
-// Reports S = Vent; also state = Vent, if no variable is named `state`.
+// Reports S = Vent, and state = Vent if no variable is named `state`.  Returns whether it reported one.
 static bool report_state_assignment(Sema *s, const Var *v, const AstStmt *in)
 {
     const bool may_mean = !s->in_script && (v ? v == s->p->s : in->value->kind == AST_NAME && !scope_find_variable(s, in->value->name));
@@ -79,7 +80,8 @@ static bool report_state_assignment(Sema *s, const Var *v, const AstStmt *in)
     return true;
 }
 
-// x = 0/0 in a script is meant to simulate a broken sensor, but stores 0 (language.md 2.14).  In machines an analysis reports it.
+// Warns of x = 0/0 in a script: it is meant to simulate a broken sensor but stores 0 (language.md 2.14).  In machines an analysis reports
+// it.
 static void warn_of_nan(Sema *s, const Var *v, const Expr *value)
 {
     if (expr_is_constant(value) && sm_is_nan(expr_constant_value(value)))
@@ -173,7 +175,7 @@ static Stmt *check_stmt(Sema *s, const AstStmt *in)
 
 // ---- lists ----
 
-// Then the checker does not know which statements belong together.
+// Whether a brace is missing, so that the checker does not know which statements belong together.
 static bool are_braces_unbalanced(const Diags *diags)
 {
     for (size_t i = 0; i < diags->list.n; i++)
@@ -193,7 +195,7 @@ static void warn_of_unreachable_statement(Sema *s, const AstStmt *transition, co
 }
 
 // Applies the @allow annotations directly before statement i.
-static void check_allows(Sema *s, const AstStmts *in, size_t i)
+static void apply_allows(Sema *s, const AstStmts *in, size_t i)
 {
     for (size_t k = i; s->building && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )
         add_stmt_allow(s, in->at[k]->allow, in->at[i]);
@@ -210,7 +212,7 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
             continue;
         if ((stmt = check_stmt(s, in->at[i])) != NULL)
             vec_push(s->arena, out, stmt);
-        check_allows(s, in, i);
+        apply_allows(s, in, i);
         if (before && before->kind == AST_TRANSITION && !before->flawed && !is_warned) {
             warn_of_unreachable_statement(s, before, in->at[i]);
             is_warned = true;

@@ -41,6 +41,7 @@ static bool ends_with_else(const AstStmt *s)
 
 static bool list_assigns(const AstStmts *list, Str name, const AstStmt *but);
 
+// Whether a statement, or one inside it, assigns `name`; statement `but` does not count.
 static bool stmt_assigns(const AstStmt *s, Str name, const AstStmt *but)
 {
     if (s->kind == AST_ASSIGN)
@@ -57,6 +58,7 @@ static bool list_assigns(const AstStmts *list, Str name, const AstStmt *but)
     return false;
 }
 
+// Whether the layout or earlier statements show that the transition is unconditional (see above).
 static bool is_intended(const AstStmts *in, const AstStmt *above, const AstStmt *last, const AstStmt *transition)
 {
     if (column_of(transition->span) > column_of(above->span))

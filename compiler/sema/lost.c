@@ -33,7 +33,7 @@ static const AstDecl *decl_at(const AstSection *section, uint32_t at)
     return low ? &section->decls.at[low - 1] : NULL;
 }
 
-// An error after a name, on the same line, hides no name.  After an @ it may hide an alias.
+// Whether an error is on the line of a declaration after its name, so that it hides no name.  After an @ it may hide an alias.
 static bool hides_no_name(const AstSection *section, Span error)
 {
     const AstDecl *decl = decl_at(section, error.at);
@@ -66,6 +66,7 @@ static bool is_name_char(char c)
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
 }
 
+// Adds every word in a range of the source to the hidden names.
 static void add_words(HiddenNames *l, StrPool *strings, const Source *src, uint32_t from, uint32_t to)
 {
     for (uint32_t at = from; at < to; at++) {
@@ -110,7 +111,7 @@ static void add_hidden_line(HiddenWords *k, uint32_t at)
     add_hidden_range(k, from, to);
 }
 
-// A section that is parsed as a state, but has no block, may have been intended for declarations.
+// Whether a section is parsed as a state but has no block: it may have been intended for declarations.
 static bool lacks_blocks(const AstSection *section)
 {
     bool blocks = section->kind != AST_STATE;
@@ -120,6 +121,7 @@ static bool lacks_blocks(const AstSection *section)
     return !blocks;
 }
 
+// Adds the names that an error may have hidden: to the end of its section, of its line, or none.
 static void add_names_hidden_by(HiddenWords *k, const Diag *d)
 {
     const Span error = d->span;

@@ -19,7 +19,7 @@ static bool is_same_but_for_case(const char *a, const char *b)
     return *a == *b;
 }
 
-// Accepts one wrong character in three as a typo; more make it another word.
+// Starts a search.  Up to a third of the characters may be wrong; with more it is another word.
 Guess guess_init(Str wanted)
 {
     size_t typos = wanted->len / 3;
@@ -46,7 +46,8 @@ void guess_add_label(Diags *diags, Diag *d, const Guess *g)
         diag_label(diags, d, DIAG_label_did_you_mean, g->best->text);
 }
 
-// Each comparison with all known names is expensive.  The limit keeps the cost of hostile input from growing quadratically.
+// Takes one of the comparisons with all known names that are left; false if none is.  The limit keeps hostile input from taking quadratic
+// time.
 static bool spend_guess(Sema *s)
 {
     if (s->guesses == 0)
@@ -55,7 +56,7 @@ static bool spend_guess(Sema *s)
     return true;
 }
 
-// Returns true the first time, false for a name that is already in the map.
+// Adds a name to those already reported.  Returns whether it is new.
 static bool add_reported_name(Map *reported, Str name)
 {
     if (map_find(reported, name))
@@ -112,7 +113,7 @@ static const ForeignName *find_foreign(const ForeignName *table, size_t n, Str n
     return NULL;
 }
 
-// True, on, ELSE, pi: words of other languages, or keywords in another spelling.
+// Suggests the spelling for words of other languages (True, on, pi) and keywords in another spelling (ELSE).  Returns whether it did.
 static bool suggest_word(Sema *s, Diag *d, Str name)
 {
     const ForeignName *f = find_foreign(foreign_names, sizeof foreign_names / sizeof *foreign_names, name);
@@ -157,7 +158,7 @@ static void label_state(Sema *s, Diag *d, const State *state)
                format_in(s->arena, "%u", (unsigned)state->number));
 }
 
-// Letters of other alphabets in a name: already reported.
+// Whether a name contains letters of other alphabets: that is already reported.
 static bool has_foreign_letter(Str name)
 {
     for (size_t i = 0; i < name->len; i++)

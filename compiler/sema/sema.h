@@ -39,7 +39,7 @@ typedef struct Sema {
     const HiddenNames *lost;
     Map functions;            // name to SmBuiltinInfo
     Map unknown_name, unknown_state, unknown_function;   // already reported (name to itself)
-    bool functions_noted;         // the list of functions has been shown
+    bool functions_noted;     // the list of functions has been shown
     Map remarked;             // names that already have a remark, which is made only once
     Map doubtful;             // names declared twice: they cause no further reports
     Map declared_at;          // name or alias to the Span of its declaration
@@ -48,7 +48,7 @@ typedef struct Sema {
     ExprContext at;
     const Var *local;         // EXPR_IN_INITIAL: the local whose initial value is being checked
     Str size_of;              // EXPR_IN_SIZE: the function whose window size is being checked
-    const AstExpr *spine;     // the left operand of an operator that was already searched for `not`
+    const AstExpr *searched_left;     // the left operand of an operator that has already been searched for `not`
     bool no_elements;         // the machine lists no elements; already reported
     bool *no_value;           // by Var.index: the local's initial value has an error
     VEC(SizeUse) size_use;
@@ -76,7 +76,7 @@ void scope_report_unknown_function(Sema *s, Str name, Span span);
 // Adds a note that points at the declaration of a name of the machine.
 void scope_note_declared(Sema *s, Diag *d, Str name);
 
-// The known word nearest to an unknown one.
+// A search for the known word nearest to an unknown one.
 typedef struct Guess {
     Str wanted, best;         // best: NULL until a near word is found
     size_t limit;             // only words nearer than this count
@@ -95,15 +95,15 @@ Expr *check_expr(Sema *s, const AstExpr *e);
 Stmt *check_assignment(Sema *s, const AstStmt *in);
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out);
 void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *section, AstLabel label);   // check_unguarded.c
-const char *sema_quote(Sema *s, Span span);     // a piece of the source for a message: one line, shortened to a readable length
+const char *sema_quote(Sema *s, Span span);     // part of the source for a diagnostic: one line, shortened to a readable length
 // Warns of windows whose size depends on a local that the machine assigns.
 void check_size_uses(Sema *s);
 
-// The @range among the annotations of an element.  NULL if there is none or if it is invalid, which is reported.
 bool has_annotation(const AstAnnotations *all, AstAnnotationKind kind);
+// Returns the @range among the annotations of an element; NULL if there is none or it is invalid, which is reported.
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type);
 
-// ---- check_allow.c: what @allow covers ----
+// ---- check_allow.c: each adds @allow annotations with the part of the source that they cover ----
 
 // The annotations of a declaration: in a .sv, and in a machine.
 void add_sv_allows(const CheckContext *c, StateVec *sv, const AstDecl *decl);

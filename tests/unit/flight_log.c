@@ -92,7 +92,7 @@ static void test_traps_of_events(Arena *arena, File *f)
     append_records(f, 3000);
     log = read_file(arena, f);
     CHECK(log->session.n == 1 && log->session.at[0]->records == 10);
-    CHECK(log->unread >= 3000 * RECORD && log->torn == 0 && log->damaged > 0 && log->damaged <= 600 && log->places == 1);
+    CHECK(log->unread >= 3000 * RECORD && log->torn == 0 && log->damaged > 0 && log->damaged <= 600 && log->damaged_ranges == 1);
     CHECK(start + log->damaged + log->unread == f->n);
 }
 
