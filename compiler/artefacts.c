@@ -49,7 +49,7 @@ void artefacts_print_stage(Compilation *c)
 
 // ---- machines, state vectors, pins ----
 
-static void emit_image_of_machines(Compilation *c)
+static void emit_image(Compilation *c)
 {
     const ImageOptions o = {c->o->names, c->image_pins};
     IrMachine **m = ARENA_ARRAY(&c->s->arena, IrMachine *, c->in->n);
@@ -68,7 +68,7 @@ static void emit_image_of_machines(Compilation *c)
         emit_c_image(&c->s->arena, c->in->at[0].array, image, &c->in->at[0].c, add_artefact(c, 0, NULL, "_image.h"));
 }
 
-static void emit_c_of_source(Compilation *c, size_t i)
+static void emit_c_for_source(Compilation *c, size_t i)
 {
     const CompiledSource *of = &c->out->of[i];
     const bool is_pins = c->in->at[i].kind == FILE_IO;
@@ -87,12 +87,12 @@ void artefacts_emit(Compilation *c)
     Buf *text = NULL;
 
     if (c->o->emit == EMIT_BYTECODE || c->o->emit == EMIT_ARRAY)
-        emit_image_of_machines(c);
+        emit_image(c);
     if (c->o->emit == EMIT_IR)
         text = add_artefact(c, 0, NULL, NULL);
     for (size_t i = 0; i < c->in->n; i++)
         if (c->o->emit == EMIT_C)
-            emit_c_of_source(c, i);
+            emit_c_for_source(c, i);
         else if (text && c->out->of[i].ir)
             ir_print(c->out->of[i].ir, text);
 }

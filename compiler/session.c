@@ -84,6 +84,7 @@ Program *session_program(Session *s, const MachineInput *in)
     return s->diags.met > errors ? NULL : p;
 }
 
+// Whether the machine declares a local that scripts write.
 static bool declares_written_local(const Program *p, const Map *written)
 {
     for (size_t i = 0; written && i < p->var.n; i++)
@@ -233,7 +234,7 @@ static void hide_locals(IrMachine *m)
         m->var.at[v].hidden = m->var.at[v].space == IR_LOCAL && !m->var.at[v].outside;
 }
 
-// Returns the machine as built: the one that was analysed, if it was the last. Passes will change it.
+// Returns the IR before any pass: that of session_analyse if it analysed p last, otherwise a new one. Passes will change it.
 static IrMachine *reuse_or_build_ir(Session *s, const Program *p)
 {
     IrMachine *m = s->built && s->built->program == p ? s->built : ir_build(&s->arena, p);

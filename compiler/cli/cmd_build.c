@@ -9,7 +9,7 @@
 static const char *const emit_name[] = {"", "bytecode", "array", "c", "ir", "ast", "tokens"};      // by CompileEmit
 
 static bool is_image(CompileEmit e) { return e == EMIT_BYTECODE || e == EMIT_ARRAY; }
-static bool is_text(CompileEmit e) { return e == EMIT_AST || e == EMIT_TOKENS; }
+static bool is_stage_text(CompileEmit e) { return e == EMIT_AST || e == EMIT_TOKENS; }
 
 static bool find_emit(Cli *c, CompileEmit *emit)
 {
@@ -48,7 +48,7 @@ static const char *c_path(Cli *c, const char *input, const char *suffix)
     return format_in(&c->session.arena, "%.*s%s", (int)n, path, suffix + strlen(suffix) - 2);
 }
 
-static EmitCOptions c_options(Cli *c, const char *input, const char *header)
+static EmitCOptions make_c_options(Cli *c, const char *input, const char *header)
 {
     EmitCOptions e;
 
@@ -62,7 +62,7 @@ static EmitCOptions c_options(Cli *c, const char *input, const char *header)
     return e;
 }
 
-static const char *folder_of_app(Cli *c)
+static const char *app_output_folder(Cli *c)
 {
     const char *folder = c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "";
     const size_t n = strlen(folder);
@@ -73,7 +73,7 @@ static const char *folder_of_app(Cli *c)
 static const char *artefact_path(Cli *c, const Artefact *a, CompileEmit emit)
 {
     if (a->name)
-        return format_in(&c->session.arena, "%s%s", folder_of_app(c), a->name);
+        return format_in(&c->session.arena, "%s%s", app_output_folder(c), a->name);
     if (!a->suffix)
         return c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-";
     return emit == EMIT_C ? c_path(c, c->file[a->source], a->suffix) : output_path(c, c->file[a->source], a->suffix);
@@ -177,7 +177,7 @@ static bool check_includable(Cli *c)
     return true;
 }
 
-static bool is_named_c(const char *path) { return has_suffix(path, ".c") || has_suffix(path, ".h"); }
+static bool has_c_suffix(const char *path) { return has_suffix(path, ".c") || has_suffix(path, ".h"); }
 
 static int check_app_use(Cli *c)
 {
@@ -218,7 +218,7 @@ static int check_use(Cli *c, CompileEmit emit)
     if (!cli_check_sources(c, true))
         return EXIT_USAGE;
     file_kind(c->file[0], &first);
-    if (is_text(emit))
+    if (is_stage_text(emit))
         return check_c_options(c, emit);
     if (first == FILE_APP)
         return check_app_use(c);
@@ -240,7 +240,7 @@ static int check_use(Cli *c, CompileEmit emit)
         return cli_usage_error(c, TEXT_script_not_built, c->file[0]);
     if (first == FILE_SV && (is_image(emit) || emit == EMIT_IR))
         return cli_usage_error(c, TEXT_vector_alone, emit == EMIT_IR ? "IR" : "bytecode");
-    if (emit == EMIT_BYTECODE && !c->given[OPT_EMIT] && c->given[OPT_OUTPUT] && is_named_c(c->value[OPT_OUTPUT]))
+    if (emit == EMIT_BYTECODE && !c->given[OPT_EMIT] && c->given[OPT_OUTPUT] && has_c_suffix(c->value[OPT_OUTPUT]))
         return cli_usage_error(c, TEXT_name_for_c, c->value[OPT_OUTPUT]);
     if (emit == EMIT_C && c->given[OPT_OUTPUT] && !check_c_pair_name(c, c->value[OPT_OUTPUT]))
         return EXIT_USAGE;
@@ -298,12 +298,12 @@ int cmd_build(Cli *c)
         return EXIT_USAGE;
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
-    if (is_text(emit))
+    if (is_stage_text(emit))
         in.app = NULL;
     o.emit = in.app ? EMIT_C : emit;
     o.names = (in.app || c->given[OPT_DEBUG]) && !c->given[OPT_STRIP];      // a log requires the names of an application
     for (size_t i = 0; i < in.n; i++)
-        in.at[i].c = c_options(c, c->file[i], emit == EMIT_C ? c_path(c, c->file[i], in.at[i].kind == FILE_IO ? "_io.h" : ".h")
+        in.at[i].c = make_c_options(c, c->file[i], emit == EMIT_C ? c_path(c, c->file[i], in.at[i].kind == FILE_IO ? "_io.h" : ".h")
                                                              : output_path(c, c->file[i], "_image.h"));
     in.at[0].array = path_stem(c, c->file[0]);
     ok = compile_sources(&c->session, &in, &o, &made);

@@ -42,7 +42,7 @@ static void add_machine_needs(Cli *c, const Source *image, uint32_t i, const Smv
     n->ram += smvm_ram_size(m) - ((uint32_t)sizeof(SmVm) + 7) / 8 * 8 - (m->windows * (uint32_t)sizeof(uint64_t *) + 7) / 8 * 8;
 }
 
-static ImageNeeds needs_of(Cli *c, const DeviceInfo *info, const Source *image, const SmvmVerdict *v)
+static ImageNeeds find_image_needs(Cli *c, const DeviceInfo *info, const Source *image, const SmvmVerdict *v)
 {
     ImageNeeds n = {0, v->longest, 0, 0, 0};
     SmvmMachine m;
@@ -66,7 +66,7 @@ static int refuse_slow_step(Cli *c, const Source *image, uint32_t cycles, uint32
 static int check_image_fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
 {
     const DeviceInfo *i = &b->info;
-    const ImageNeeds n = needs_of(c, i, image, v);
+    const ImageNeeds n = find_image_needs(c, i, image, v);
     const uint32_t every = period != 0 ? period : i->period;
 
     if (image->len > i->slot_size)
@@ -110,20 +110,20 @@ static int refuse_pin(Cli *c, const Source *image, const SmvmPin *p, const SmvmP
 // Queries the board about each pin. An image is not sent if a board of this kind would refuse or ignore one of its pins.
 static int check_pins_exist(BoardLine *b, const Source *image)
 {
-    SmvmPin at[SMVM_NO_PIN] = {{0}};   // by place
+    SmvmPin at[SMVM_NO_PIN] = {{0}};   // by the index of a pin on the board
     bool taken[SMVM_NO_PIN] = {false};
     SmvmPins all;
     SmvmPin p;
-    uint8_t place;
+    uint8_t index;
 
     (void)smvm_pins((SmvmBytes)image->text, &all);
     while (smvm_next_pin(&all, &p)) {
-        if (!device_pin_place(&b->host, smvm_pin_kind(&p), (uint16_t)p.pin, &place))
+        if (!device_pin_place(&b->host, smvm_pin_kind(&p), (uint16_t)p.pin, &index))
             return b->host.answered && b->host.result == SM_E_UNSUPPORTED ? EXIT_OK : board_report_failure(b, "asking about pins");
-        if (place == SMVM_NO_PIN || taken[place])
-            return refuse_pin(b->c, image, &p, place == SMVM_NO_PIN ? NULL : &at[place]);
-        taken[place] = true;
-        at[place] = p;
+        if (index == SMVM_NO_PIN || taken[index])
+            return refuse_pin(b->c, image, &p, index == SMVM_NO_PIN ? NULL : &at[index]);
+        taken[index] = true;
+        at[index] = p;
     }
     return EXIT_OK;
 }
@@ -336,7 +336,7 @@ static int flash_image(Cli *c, BoardLine *b, const Source *image, const SmvmVerd
     return EXIT_OK;
 }
 
-// Reads the value of --period, "20" or "20ms", in milliseconds; 0 if it is absent. Returns false after a message.
+// Reads the value of --period, "20" or "20ms", in milliseconds; 0 if it is absent. Returns false for any other value.
 static bool read_period(Cli *c, uint16_t *period)
 {
     const char *word = c->given[OPT_PERIOD] ? c->value[OPT_PERIOD] : NULL;

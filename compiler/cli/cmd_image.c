@@ -63,6 +63,7 @@ int cmd_disasm(Cli *c)
     return cli_print(c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }
 
+// Bits of `kind`: 1 output, 2 digital.  Bits of `flags`: 2 @pull_up, 4 @pull_down.
 void cli_write_pin(Buf *out, const SmvmPin *p)
 {
     buf_printf(out, "%s %s %lu%s", p->kind & 2 ? "digital" : "analog", p->kind & 1 ? "output" : "input", (unsigned long)p->pin,

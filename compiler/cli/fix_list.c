@@ -32,6 +32,7 @@ static void find_change(const Texts *t, uint32_t i, uint32_t k, uint32_t *remove
     *added = m;
 }
 
+// Writes one line of a source after its mark, "  - " or "  + ".
 static void write_line(Buf *out, const char *mark, const Source *s, uint32_t line)
 {
     uint32_t len;

@@ -8,13 +8,13 @@ enum { DIGITS = 2 * SMVM_KEY };
 
 static const char digit[] = "0123456789abcdef";
 
-static bool is_digit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
+static bool is_hex_digit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 
 bool key_is_file(const char *text, size_t n)
 {
     size_t i = 0;
 
-    while (i < n && i < DIGITS && is_digit(text[i]))
+    while (i < n && i < DIGITS && is_hex_digit(text[i]))
         i++;
     if (i < DIGITS)
         return false;
@@ -23,7 +23,7 @@ bool key_is_file(const char *text, size_t n)
     return i == n;
 }
 
-static uint8_t value_of(char c)
+static uint8_t digit_value(char c)
 {
     return (uint8_t)(c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10);
 }
@@ -42,7 +42,7 @@ int key_load(Cli *c, uint8_t key[SMVM_KEY])
     if (!os_is_private(path))
         cli_print_error(c, TEXT_key_readable, path, path);
     for (unsigned i = 0; i < SMVM_KEY; i++)
-        key[i] = (uint8_t)(value_of(s->text[2 * i]) << 4 | value_of(s->text[2 * i + 1]));
+        key[i] = (uint8_t)(digit_value(s->text[2 * i]) << 4 | digit_value(s->text[2 * i + 1]));
     return EXIT_OK;
 }
 

@@ -14,7 +14,8 @@ typedef struct Batch {
     EngineCBatch *c[ENGINE_KINDS];            // or NULL
 } Batch;
 
-// If the whole batch cannot be built, each case builds its own C, so that the faulty case reports the error.
+// Builds the C of all cases of the batch as one program. If that fails, each case builds its own C, so that the faulty case reports the
+// error.
 static void open_c(Batch *b, EngineKind kind)
 {
     const EngineCOptions o = {.soft = kind == ENGINE_C_SOFT};

@@ -62,7 +62,7 @@ static const char *find_unknown_key(TestCase *c)
     return NULL;
 }
 
-// `warn extra no-dead-code`: the words after -W. Returns what is wrong with them, or NULL.
+// Reads the header `warn extra no-dead-code`: names as after -W. Returns what is wrong with them, or NULL.
 static const char *read_warnings(TestCase *c)
 {
     const char *words = testfile_header(c->f, "warn");

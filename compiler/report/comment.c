@@ -26,7 +26,7 @@ static void append_comment(Buf *out, const char *line, uint32_t len, uint32_t at
     buf_put(out, line + at, len - at);
 }
 
-static const char *text_or_null(const Buf *b) { return b->n ? buf_text(b) : NULL; }
+static const char *buf_text_or_null(const Buf *b) { return b->n ? buf_text(b) : NULL; }
 
 static const char *comment_of_line(Arena *arena, const Source *src, uint32_t number)
 {
@@ -38,7 +38,7 @@ static const char *comment_of_line(Arena *arena, const Source *src, uint32_t num
         return NULL;
     buf_init(&out, arena);
     append_comment(&out, line, len, at);
-    return text_or_null(&out);
+    return buf_text_or_null(&out);
 }
 
 const char *comment_after(Arena *arena, Span span)
@@ -61,7 +61,7 @@ const char *comment_after_lines(Arena *arena, Span span)
         if (text)
             buf_printf(&out, "%s%s", out.n ? "\n" : "", text);
     }
-    return text_or_null(&out);
+    return buf_text_or_null(&out);
 }
 
 // Whether the line contains only a comment.
@@ -137,7 +137,7 @@ static const char *comment_of_lines(Arena *arena, const Source *src, uint32_t fr
         append_comment(&out, line, len, at);
         join_paragraph(&out, before, is_indented(line, len, at));
     }
-    return text_or_null(&out);
+    return buf_text_or_null(&out);
 }
 
 const char *comment_above(Arena *arena, Span span)

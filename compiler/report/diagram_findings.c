@@ -66,6 +66,7 @@ static FindingRanges find_transition_ranges(Diagram *d)
     return out;
 }
 
+// Returns where the last of the statements ends in the source, or `end` if that is later.
 static uint32_t end_of_statements(const Stmts *stmts, uint32_t end)
 {
     for (size_t i = 0; i < stmts->n; i++) {

@@ -138,6 +138,7 @@ static int32_t half_width(const Columns *c, uint32_t item, bool right)
     return right != c->mirrored ? i->right : i->left;
 }
 
+// Returns the minimum distance between items k and k + 1 of a layer.
 static Separation separation_at(const Columns *c, const Layer *layer, uint32_t k)
 {
     const uint32_t a = item_in_layer(c, layer, k), b = item_in_layer(c, layer, k + 1);
@@ -146,6 +147,7 @@ static Separation separation_at(const Columns *c, const Layer *layer, uint32_t k
     return s;
 }
 
+// Returns the separations of all neighbours, sorted by the left column with a counting sort.
 static Separations find_separations(const Columns *c)
 {
     const Layout *l = c->l;
@@ -232,6 +234,7 @@ static void shift_to_narrowest(Columns *c, int64_t width)
         c->x[i] = c->mirrored ? width - (c->x[i] - e.low) : c->x[i] - e.low;
 }
 
+// Returns the mean of the second and third largest of four values.
 static int32_t mean_of_middle_two(int64_t a, int64_t b, int64_t c, int64_t d)
 {
     int64_t low = a, high = a;

@@ -12,7 +12,7 @@ enum {
     LONGEST = 6                   // maximum number of ranks that a line can cross
 };
 
-static void make_stub(Diagram *d, uint32_t edge)
+static void turn_into_stub(Diagram *d, uint32_t edge)
 {
     DiagramEdge *e = &d->edge.at[edge];
 
@@ -20,6 +20,7 @@ static void make_stub(Diagram *d, uint32_t edge)
     vec_push(d->a->arena, &d->node[e->to].stub_in, edge);
 }
 
+// Turns all edges to a state with many predecessors (a hub) into stubs.
 void layout_stub_hubs(Diagram *d)
 {
     uint32_t *in = ARENA_ARRAY(d->a->arena, uint32_t, d->nodes);
@@ -29,7 +30,7 @@ void layout_stub_hubs(Diagram *d)
     for (uint32_t e = 0; e < d->edge.n; e++) {
         const uint32_t to = d->edge.at[e].to;
         if (d->edge.at[e].form == EDGE_LINE && in[to] >= (d->node[to].state->is_abort ? HUB_ABORT : HUB))
-            make_stub(d, e);
+            turn_into_stub(d, e);
     }
 }
 
@@ -43,6 +44,7 @@ typedef struct CycleSearch {
     VEC(SearchFrame) stack;      // the current path
 } CycleSearch;
 
+// Puts a node on the current path of the depth-first search.
 static void push_node(CycleSearch *s, uint32_t node)
 {
     SearchFrame v = {node, 0};
@@ -90,6 +92,7 @@ static uint32_t lower_end(const DiagramEdge *e) { return e->up ? e->from : e->to
 // By node, the edges of which it is the upper (or lower) end.  Only edges that are drawn as lines (EDGE_LINE) count.
 typedef struct EdgesByEnd { uint32_t *first, *edge; } EdgesByEnd;
 
+// Groups edges by the node that `end` returns, with a counting sort.
 static EdgesByEnd sort_edges_by_end(const Layout *l, uint32_t (*end)(const DiagramEdge *e))
 {
     const Diagram *d = l->d;
@@ -308,7 +311,7 @@ void layout_assign_ranks(Layout *l)
     for (uint32_t e = 0; e < l->d->edge.n; e++) {
         const DiagramEdge *edge = &l->d->edge.at[e];
         if (edge->form == EDGE_LINE && l->rank[lower_end(edge)] - l->rank[upper_end(edge)] > LONGEST)
-            make_stub(l->d, e);
+            turn_into_stub(l->d, e);
     }
     find_spine(l, &out, order);
     set_origin_texts(l->d);

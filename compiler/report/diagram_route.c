@@ -16,6 +16,7 @@ enum {
 
 // ---- beside a state ----
 
+// True for stubs and loops.
 static bool is_drawn_beside_state(const DiagramEdge *e) { return e->form != EDGE_LINE; }
 
 static int32_t stub_name_width(const Diagram *d, const DiagramEdge *e)
@@ -27,7 +28,7 @@ static int32_t stub_height(const DiagramEdge *e) { return e->label.h > STUB_H ? 
 
 typedef struct StubRows { int32_t name_w, label_w, h; } StubRows;
 
-static StubRows measure_stubs(const Diagram *d, const DiagramNode *n)
+static StubRows measure_stub_columns(const Diagram *d, const DiagramNode *n)
 {
     StubRows r = {0, 0, -STUB_GAP};
 
@@ -53,7 +54,7 @@ static int32_t node_width(const DiagramNode *n, uint32_t lines)
 void layout_size_node(Diagram *d, uint32_t node, uint32_t lines, LayoutItem *out)
 {
     DiagramNode *n = &d->node[node];
-    const StubRows r = measure_stubs(d, n);
+    const StubRows r = measure_stub_columns(d, n);
 
     n->box.w = node_width(n, lines);
     n->box.h = NODE_H;
@@ -67,7 +68,7 @@ void layout_size_node(Diagram *d, uint32_t node, uint32_t lines, LayoutItem *out
 
 static void place_stubs(Diagram *d, const DiagramNode *n)
 {
-    const StubRows r = measure_stubs(d, n);
+    const StubRows r = measure_stub_columns(d, n);
     int32_t y = n->box.y + (n->box.h - r.h) / 2;
 
     for (uint32_t k = 0; k < n->edges; k++) {
@@ -105,6 +106,7 @@ static void spread_ports(const Layout *l, const LayoutItem *i, const LayoutLinks
     }
 }
 
+// Computes the x of both ends of every link: top[k] where link k leaves the upper item, bottom[k] where it enters the lower one.
 static void find_ports(const Layout *l, int32_t *top, int32_t *bottom)
 {
     for (uint32_t i = 0; i < l->item.n; i++) {

@@ -127,13 +127,13 @@ static void add_cell(DocTable *t, DocCellKind kind, const char *text, uint64_t n
     vec_push(t->arena, &t->cell, c);
 }
 
-void doc_cell_text(DocTable *t, const char *text) { add_cell(t, CELL_TEXT, text, 0, 0); }
-void doc_cell_plain(DocTable *t, const char *text) { add_cell(t, CELL_PLAIN, text, 0, 0); }
-void doc_cell_code(DocTable *t, const char *text) { add_cell(t, CELL_CODE, text, 0, 0); }
-void doc_cell_number(DocTable *t, uint64_t n) { add_cell(t, CELL_NUMBER, NULL, n, 0); }
-void doc_cell_bar(DocTable *t, uint64_t n, uint64_t most) { add_cell(t, CELL_BAR, NULL, n, most); }
-void doc_cell_line(DocTable *t, uint32_t line) { add_cell(t, CELL_LINE, NULL, line, 0); }
-void doc_cell_state(DocTable *t, const char *name) { add_cell(t, CELL_STATE, name, 0, 0); }
+void doc_add_text_cell(DocTable *t, const char *text) { add_cell(t, CELL_TEXT, text, 0, 0); }
+void doc_add_plain_cell(DocTable *t, const char *text) { add_cell(t, CELL_PLAIN, text, 0, 0); }
+void doc_add_code_cell(DocTable *t, const char *text) { add_cell(t, CELL_CODE, text, 0, 0); }
+void doc_add_number_cell(DocTable *t, uint64_t n) { add_cell(t, CELL_NUMBER, NULL, n, 0); }
+void doc_add_bar_cell(DocTable *t, uint64_t n, uint64_t most) { add_cell(t, CELL_BAR, NULL, n, most); }
+void doc_add_line_cell(DocTable *t, uint32_t line) { add_cell(t, CELL_LINE, NULL, line, 0); }
+void doc_add_state_cell(DocTable *t, const char *name) { add_cell(t, CELL_STATE, name, 0, 0); }
 
 void doc_add_list_line(DocList *l, unsigned depth, uint32_t line, const char *text)
 {

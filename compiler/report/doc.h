@@ -110,14 +110,14 @@ DocList *doc_add_list(Doc *d, const char *key, const char *label);
 
 #define DOC_ADD_TABLE(d, key, column) doc_add_table((d), (key), (column), sizeof(column) / sizeof(column)[0])
 
-// Each adds the next cell of a table.
-void doc_cell_text(DocTable *t, const char *text);
-void doc_cell_plain(DocTable *t, const char *text);
-void doc_cell_code(DocTable *t, const char *text);
-void doc_cell_number(DocTable *t, uint64_t n);
-void doc_cell_bar(DocTable *t, uint64_t n, uint64_t most);
-void doc_cell_line(DocTable *t, uint32_t line);
-void doc_cell_state(DocTable *t, const char *name);
+// Each adds a cell to the last row of a table, or to a new row if that is full.
+void doc_add_text_cell(DocTable *t, const char *text);
+void doc_add_plain_cell(DocTable *t, const char *text);
+void doc_add_code_cell(DocTable *t, const char *text);
+void doc_add_number_cell(DocTable *t, uint64_t n);
+void doc_add_bar_cell(DocTable *t, uint64_t n, uint64_t most);
+void doc_add_line_cell(DocTable *t, uint32_t line);
+void doc_add_state_cell(DocTable *t, const char *name);
 
 void doc_add_list_line(DocList *l, unsigned depth, uint32_t line, const char *text);
 void doc_set_line_comment(DocList *l, const char *plain);  // for the last line

@@ -93,15 +93,15 @@ typedef struct Log {
 Log *log_read(Arena *arena, const uint8_t *bytes, uint32_t n);
 
 typedef struct LogGap { uint32_t records, events; } LogGap;       // records dropped, events lost
-LogGap log_gap(const LogItem *item);
-LogEvent log_event(const LogItem *item, uint32_t i);
-uint64_t log_time(const LogItem *record);
+LogGap log_read_gap(const LogItem *item);
+LogEvent log_read_event(const LogItem *item, uint32_t i);
+uint64_t log_read_time(const LogItem *record);
 // The value of an element in a record, as a bit cell of its type (stdlib/convert.h).
-uint64_t log_cell(const LogItem *record, const LogElement *e);
+uint64_t log_read_cell(const LogItem *record, const LogElement *e);
 
 const LogElement *log_find_element(const LogDescription *d, const char *name);        // or NULL
 const LogMachine *log_find_machine(const LogDescription *d, const char *name);
-const LogMachine *log_machine(const LogDescription *d, uint16_t number);
+const LogMachine *log_machine_by_number(const LogDescription *d, uint16_t number);
 const char *log_kind_name(const LogDescription *d, uint8_t kind);                     // of events; NULL if it has no name
 const char *log_state_name(Arena *arena, const LogMachine *m, uint32_t state);        // "state 7" if it has no name
 

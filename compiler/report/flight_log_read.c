@@ -152,8 +152,8 @@ static void add_item(LogReader *r, LogSession *s, uint32_t pos, uint32_t length)
         s->events += item.n;
     } else {
         item.kind = ITEM_GAP;
-        s->dropped += log_gap(&item).records;
-        s->lost += log_gap(&item).events;
+        s->dropped += log_read_gap(&item).records;
+        s->lost += log_read_gap(&item).events;
     }
     vec_push(r->arena, &s->item, item);
 }
@@ -241,17 +241,17 @@ Log *log_read(Arena *arena, const uint8_t *bytes, uint32_t n)
 
 // ---- contents ----
 
-LogEvent log_event(const LogItem *item, uint32_t i)
+LogEvent log_read_event(const LogItem *item, uint32_t i)
 {
     const uint8_t *at = item->at + (size_t)i * LOG_EVENT;
 
     return (LogEvent){log_get64(at), at[8], log_get16(at + 9), log_get32(at + 11), log_get32(at + 15)};
 }
 
-LogGap log_gap(const LogItem *item) { return (LogGap){log_get32(item->at), log_get32(item->at + 4)}; }
-uint64_t log_time(const LogItem *record) { return log_get64(record->at); }
+LogGap log_read_gap(const LogItem *item) { return (LogGap){log_get32(item->at), log_get32(item->at + 4)}; }
+uint64_t log_read_time(const LogItem *record) { return log_get64(record->at); }
 
-uint64_t log_cell(const LogItem *record, const LogElement *e)
+uint64_t log_read_cell(const LogItem *record, const LogElement *e)
 {
     const uint8_t *at = record->at + 8 + e->at;
     uint64_t cell = 0;
@@ -279,7 +279,7 @@ const LogMachine *log_find_machine(const LogDescription *d, const char *name)
     return NULL;
 }
 
-const LogMachine *log_machine(const LogDescription *d, uint16_t number)
+const LogMachine *log_machine_by_number(const LogDescription *d, uint16_t number)
 {
     for (uint32_t i = 0; i < d->machines; i++)
         if (d->machine[i].number == number)

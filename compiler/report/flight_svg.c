@@ -20,8 +20,8 @@ typedef struct FlightDrawing {
 
 // ---- time ----
 
-// Position on the time axis in slots, with fraction.
-static double time_position(const FlightDrawing *d, uint64_t time)
+// Returns the position of a time on the axis in slots, with fraction.
+static double position_of_time(const FlightDrawing *d, uint64_t time)
 {
     const double share = time <= d->s->first ? 0 : (double)(time - d->s->first) / d->span;
 
@@ -29,14 +29,15 @@ static double time_position(const FlightDrawing *d, uint64_t time)
 }
 
 // Returns the slot of a record.  Rounding can make its time up to a millionth of a slot too early.
-static uint64_t time_slot(const FlightDrawing *d, uint64_t time)
+static uint64_t slot_of_time(const FlightDrawing *d, uint64_t time)
 {
-    const uint64_t slot = (uint64_t)(time_position(d, time) + 1e-6);
+    const uint64_t slot = (uint64_t)(position_of_time(d, time) + 1e-6);
 
     return slot < d->t.steps ? slot : d->t.steps - 1;
 }
 
-static void lay_out_time(FlightDrawing *d)
+// Distributes the records over the slots of the plot: one slot each, or TRACE_BUCKETS slots for more records.
+static void init_time_axis(FlightDrawing *d)
 {
     const uint64_t n = d->s->records;
     const double length = (double)(d->s->last - d->s->first);
@@ -70,8 +71,8 @@ static void fill_series(FlightDrawing *d, TraceSeries *series, const LogElement 
     for (size_t i = 0; i < d->s->item.n; i++) {
         const LogItem *item = &d->s->item.at[i];
         if (item->kind == ITEM_RECORD) {
-            const size_t slot = (size_t)time_slot(d, log_time(item));
-            const double x = flight_value(e->type, log_cell(item, e));
+            const size_t slot = (size_t)slot_of_time(d, log_read_time(item));
+            const double x = flight_value(e->type, log_read_cell(item, e));
             add_value(&series->at[slot], x, !filled[slot]);
             filled[slot] = true;
             series->infinite = series->infinite || (x == x && x - x != 0);
@@ -121,7 +122,7 @@ static void add_states(FlightDrawing *d)
 
 static void add_visit(FlightDrawing *d, uint32_t state, uint64_t time)
 {
-    TraceVisit v = {NULL, time_slot(d, time), time, time_position(d, time)};
+    TraceVisit v = {NULL, slot_of_time(d, time), time, position_of_time(d, time)};
 
     if (state < 1 || state > d->p.state.n)
         return;
@@ -135,7 +136,7 @@ static void add_visits_from_events(FlightDrawing *d)
 {
     for (size_t i = 0; i < d->s->item.n; i++)
         for (uint32_t k = 0; d->s->item.at[i].kind == ITEM_EVENTS && k < d->s->item.at[i].n; k++) {
-            const LogEvent e = log_event(&d->s->item.at[i], k);
+            const LogEvent e = log_read_event(&d->s->item.at[i], k);
             if (e.kind == LOG_EVENT_STATE && e.source == d->f->machine->number)
                 add_visit(d, e.b, e.time);
         }
@@ -148,9 +149,9 @@ static void add_visits_from_records(FlightDrawing *d)
 
     for (size_t i = 0; i < d->s->item.n; i++) {
         const LogItem *item = &d->s->item.at[i];
-        const uint64_t now = item->kind == ITEM_RECORD ? log_cell(item, &d->s->d->element[d->f->machine->s]) : last;
+        const uint64_t now = item->kind == ITEM_RECORD ? log_read_cell(item, &d->s->d->element[d->f->machine->s]) : last;
         if (now != last && now <= d->p.state.n)
-            add_visit(d, (uint32_t)now, log_time(item));
+            add_visit(d, (uint32_t)now, log_read_time(item));
         last = now;
     }
 }
@@ -222,7 +223,7 @@ void flight_write_svg(const Flight *f, Buf *out)
     str_pool_init(&d->names, f->arena);
     d->t.arena = f->arena;
     d->t.p = &d->p;
-    lay_out_time(d);
+    init_time_axis(d);
     add_states(d);
     add_visits(d);
     for (size_t i = 0; i < flight_element_count(f, d->s->d); i++)

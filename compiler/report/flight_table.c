@@ -7,7 +7,7 @@
 
 static void write_cell(const LogItem *record, const LogElement *e, Buf *out)
 {
-    format_cell_exact(out, e->type, log_cell(record, e));
+    format_cell_exact(out, e->type, log_read_cell(record, e));
 }
 
 // ---- CSV ----
@@ -15,7 +15,7 @@ static void write_cell(const LogItem *record, const LogElement *e, Buf *out)
 static void write_csv_line(const Flight *f, const LogSession *s, size_t number, const LogItem *record, Buf *out)
 {
     buf_printf(out, "%lu,", (unsigned long)number);
-    flight_write_time(out, log_time(record));
+    flight_write_time(out, log_read_time(record));
     for (size_t i = 0; i < flight_element_count(f, s->d); i++) {
         buf_char(out, ',');
         write_cell(record, flight_element(f, s->d, i), out);
@@ -54,10 +54,10 @@ static bool is_finite_number(SmType type, uint64_t cell)
 static void write_record(const Flight *f, const LogSession *s, const LogItem *record, Buf *out)
 {
     buf_str(out, "{\"time\":");
-    flight_write_time(out, log_time(record));
+    flight_write_time(out, log_read_time(record));
     for (size_t i = 0; i < flight_element_count(f, s->d); i++) {
         const LogElement *e = flight_element(f, s->d, i);
-        const bool plain = is_finite_number(e->type, log_cell(record, e));
+        const bool plain = is_finite_number(e->type, log_read_cell(record, e));
         buf_str(out, i ? "," : ",\"values\":{");
         json_put_string(out, e->name);
         buf_str(out, plain ? ":" : ":\"");
@@ -89,12 +89,12 @@ static void write_json_item(const Flight *f, const LogSession *s, const LogItem 
     case ITEM_RECORD: write_record(f, s, item, out); break;
     case ITEM_EVENTS:
         for (uint32_t k = 0; k < item->n; k++) {
-            const LogEvent e = log_event(item, k);
+            const LogEvent e = log_read_event(item, k);
             write_event(f, s, &e, out);
         }
         break;
     case ITEM_GAP: {
-        const LogGap gap = log_gap(item);
+        const LogGap gap = log_read_gap(item);
         buf_printf(out, "{\"dropped\":%lu,\"lost\":%lu}\n", (unsigned long)gap.records, (unsigned long)gap.events);
         break;
     }

@@ -33,6 +33,7 @@ const LogElement *flight_element(const Flight *f, const LogDescription *d, size_
 
 // ---- events ----
 
+// Returns the name of a task or executor, or for example "task 3" if the log does not contain it.
 static const char *numbered_name(const Flight *f, const LogNames *names, const char *what, uint16_t number)
 {
     return number < names->n && names->name[number][0] ? format_in(f->arena, "%s %s", what, names->name[number])
@@ -41,7 +42,7 @@ static const char *numbered_name(const Flight *f, const LogNames *names, const c
 
 static const char *machine_name(const Flight *f, const LogDescription *d, uint16_t number)
 {
-    const LogMachine *m = log_machine(d, number);
+    const LogMachine *m = log_machine_by_number(d, number);
 
     return m && m->name[0] ? m->name : format_in(f->arena, "machine %u", (unsigned)number);
 }
@@ -53,9 +54,9 @@ static const char *mode_name(Arena *arena, uint32_t mode)
     return mode < 3 ? names[mode] : format_in(arena, "mode %lu (safed)", (unsigned long)mode);
 }
 
-static void write_state(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
+static void write_state_change(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
 {
-    const LogMachine *m = log_machine(d, e->source);
+    const LogMachine *m = log_machine_by_number(d, e->source);
 
     buf_printf(out, "%s: ", machine_name(f, d, e->source));
     if (e->a == 0)
@@ -91,7 +92,7 @@ void flight_write_event(const Flight *f, const LogDescription *d, const LogEvent
     case LOG_EVENT_START:
         buf_printf(out, "the application started%s%s", restored[e->a < 2 ? e->a : 2], e->b ? ", after a watchdog reset" : "");
         break;
-    case LOG_EVENT_STATE: write_state(f, d, e, out); break;
+    case LOG_EVENT_STATE: write_state_change(f, d, e, out); break;
     case LOG_EVENT_MODE: buf_printf(out, "%s: %s -> %s", task, mode_name(f->arena, e->a), mode_name(f->arena, e->b)); break;
     case LOG_EVENT_FAULT: write_fault(f, task, e, out); break;
     case LOG_EVENT_OVERRUN:
@@ -147,7 +148,7 @@ static void write_events(const Flight *f, const LogSession *s, Buf *out)
         buf_str(out, "\n  events\n");
     for (size_t i = 0; i < s->item.n; i++)
         for (uint32_t k = 0; s->item.at[i].kind == ITEM_EVENTS && k < s->item.at[i].n; k++) {
-            const LogEvent e = log_event(&s->item.at[i], k);
+            const LogEvent e = log_read_event(&s->item.at[i], k);
             buf_str(out, "    ");
             flight_write_time(out, e.time);
             buf_str(out, " s  ");
@@ -193,13 +194,13 @@ static void extend_range(ValueRange *x, SmType type, uint64_t cell)
     x->number = true;
 }
 
-static void write_values(const Flight *f, const LogSession *s, const LogElement *e, Buf *out)
+static void write_value_range(const Flight *f, const LogSession *s, const LogElement *e, Buf *out)
 {
     ValueRange x = {0, 0, 0, 0, false, false, 0};
 
     for (size_t i = 0; i < s->item.n; i++)
         if (s->item.at[i].kind == ITEM_RECORD)
-            extend_range(&x, e->type, log_cell(&s->item.at[i], e));
+            extend_range(&x, e->type, log_read_cell(&s->item.at[i], e));
     buf_printf(out, "    %-24s %-5s ", e->name, sm_type_info[e->type].spelling);
     if (x.number)
         buf_printf(out, "%s .. %s, from %s to %s", report_format_cell(f->arena, e->type, x.lo), report_format_cell(f->arena, e->type, x.hi),
@@ -219,7 +220,7 @@ static void write_session(const Flight *f, size_t number, const LogSession *s, B
         return;
     buf_str(out, "\n  elements: minimum .. maximum, from first to last value\n");
     for (size_t i = 0; i < flight_element_count(f, s->d); i++)
-        write_values(f, s, flight_element(f, s->d, i), out);
+        write_value_range(f, s, flight_element(f, s->d, i), out);
 }
 
 void flight_write_text(const Flight *f, Buf *out)

@@ -33,6 +33,7 @@ static const char *verdict_text(const AbortRow *row, bool commands)
     return "";
 }
 
+// Returns which input values prevent every abort.
 static const char *dependence_text(const Report *r, const AbortRow *row)
 {
     Buf b;
@@ -48,16 +49,16 @@ static const char *dependence_text(const Report *r, const AbortRow *row)
 
 static void add_steps_cell(const Report *r, DocTable *t, uint32_t steps)
 {
-    doc_cell_plain(t, steps == 0 ? "" : steps == ABORT_NOT_BOUNDED ? "unbounded" : format_in(r->arena, "%lu", (unsigned long)steps));
+    doc_add_plain_cell(t, steps == 0 ? "" : steps == ABORT_NOT_BOUNDED ? "unbounded" : format_in(r->arena, "%lu", (unsigned long)steps));
 }
 
 static void add_state_row(const Report *r, DocTable *t, const AbortRow *row)
 {
-    doc_cell_state(t, row->state->name->text);
-    doc_cell_plain(t, verdict_text(row, true));
-    doc_cell_plain(t, verdict_text(row, false));
+    doc_add_state_cell(t, row->state->name->text);
+    doc_add_plain_cell(t, verdict_text(row, true));
+    doc_add_plain_cell(t, verdict_text(row, false));
     add_steps_cell(r, t, row->steps);
-    doc_cell_text(t, dependence_text(r, row));
+    doc_add_text_cell(t, dependence_text(r, row));
 }
 
 static const char *reads_text(const Report *r, const AbortPath *w)
@@ -76,15 +77,15 @@ static const char *reads_text(const Report *r, const AbortPath *w)
 
 static void add_transition_row(const Report *r, DocTable *t, const AbortRow *row, const AbortPath *w)
 {
-    doc_cell_state(t, row->state->name->text);
-    doc_cell_state(t, w->first->to->name->text);
+    doc_add_state_cell(t, row->state->name->text);
+    doc_add_state_cell(t, w->first->to->name->text);
     if (*w->guard)
-        doc_cell_code(t, w->guard);
+        doc_add_code_cell(t, w->guard);
     else
-        doc_cell_plain(t, "always");
-    doc_cell_text(t, w->possible ? reads_text(r, w) : "can never be taken");
+        doc_add_plain_cell(t, "always");
+    doc_add_text_cell(t, w->possible ? reads_text(r, w) : "can never be taken");
     add_steps_cell(r, t, w->steps);
-    doc_cell_line(t, report_line_of(w->first->stmt->span));
+    doc_add_line_cell(t, report_line_of(w->first->stmt->span));
 }
 
 static bool has_unbounded(const AbortMatrix *x)

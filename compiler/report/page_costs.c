@@ -42,11 +42,11 @@ static void add_steps(const Report *r, Doc *d)
     DocTable *t = DOC_ADD_TABLE(d, "steps", step_columns);
 
     for (uint32_t i = 0; i < c->states; i++) {
-        doc_cell_state(t, r->analysis.p->state.at[i]->name->text);
-        doc_cell_bar(t, c->state[i].first, c->worst);
-        doc_cell_bar(t, c->state[i].later, c->worst);
-        doc_cell_plain(t, expensive_lines_text(r, &c->state[i]));
-        doc_cell_number(t, r->eeprom.state[i].worst);
+        doc_add_state_cell(t, r->analysis.p->state.at[i]->name->text);
+        doc_add_bar_cell(t, c->state[i].first, c->worst);
+        doc_add_bar_cell(t, c->state[i].later, c->worst);
+        doc_add_plain_cell(t, expensive_lines_text(r, &c->state[i]));
+        doc_add_number_cell(t, r->eeprom.state[i].worst);
     }
 }
 
@@ -80,10 +80,10 @@ static void add_longest_step(const Report *r, Doc *d)
                     format_in(r->arena, "The longest step, in ^%s^", r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
     t = DOC_ADD_TABLE(d, "longest", longest_columns);
     for (size_t i = 0; i < s->path.n && i < SHOWN; i++) {
-        doc_cell_plain(t, block[s->path.at[i].part]);
-        doc_cell_line(t, s->path.at[i].line);
-        doc_cell_code(t, line_text(r, s->path.at[i].line));
-        doc_cell_number(t, s->path.at[i].units);
+        doc_add_plain_cell(t, block[s->path.at[i].part]);
+        doc_add_line_cell(t, s->path.at[i].line);
+        doc_add_code_cell(t, line_text(r, s->path.at[i].line));
+        doc_add_number_cell(t, s->path.at[i].units);
     }
     if (s->path.n > SHOWN)
         doc_add_paragraph(d, format_in(r->arena, "And %lu more.", (unsigned long)(s->path.n - SHOWN)));
@@ -103,24 +103,24 @@ static void add_board(const Report *r, Doc *d)
     doc_add_paragraph(d, TEXT_COSTS_BOARD);
     t = DOC_ADD_TABLE(d, "board", board_columns);
     t->narrow = true;
-    doc_cell_plain(t, "Longest step, image in EEPROM");
-    doc_cell_plain(t, report_format_cycles(r, r->eeprom.worst));
-    doc_cell_plain(t, "Longest step, image in flash");
-    doc_cell_plain(t, report_format_cycles(r, r->flash.worst));
-    doc_cell_plain(t, "Stack of a step, largest measured");
-    doc_cell_plain(t, format_in(r->arena, "%lu bytes", (unsigned long)cycles_stack_bytes()));
+    doc_add_plain_cell(t, "Longest step, image in EEPROM");
+    doc_add_plain_cell(t, report_format_cycles(r, r->eeprom.worst));
+    doc_add_plain_cell(t, "Longest step, image in flash");
+    doc_add_plain_cell(t, report_format_cycles(r, r->flash.worst));
+    doc_add_plain_cell(t, "Stack of a step, largest measured");
+    doc_add_plain_cell(t, format_in(r->arena, "%lu bytes", (unsigned long)cycles_stack_bytes()));
     if (report_fits_uno(r))
         return;
-    doc_cell_plain(t, "Windows alone");
-    doc_cell_plain(t, "more than its 2048 bytes of memory");
+    doc_add_plain_cell(t, "Windows alone");
+    doc_add_plain_cell(t, "more than its 2048 bytes of memory");
 }
 
 // ---- bytes ----
 
 static void add_bytes_row(DocTable *t, const char *part, uint32_t n)
 {
-    doc_cell_plain(t, part);
-    doc_cell_number(t, n);
+    doc_add_plain_cell(t, part);
+    doc_add_number_cell(t, n);
 }
 
 static void add_bytes(const Report *r, Doc *d)

@@ -64,13 +64,13 @@ static const DocColumn allowed_columns[] = {
 
 static void add_row(const Report *r, DocTable *t, const Diag *diag, size_t number)
 {
-    doc_cell_number(t, number);
-    doc_cell_code(t, diag_info[diag->code].flag);
+    doc_add_number_cell(t, number);
+    doc_add_code_cell(t, diag_info[diag->code].flag);
     if (!diag->allowed)
-        doc_cell_plain(t, group_name(diag));
-    doc_cell_plain(t, position_text(r, diag->span));
-    doc_cell_plain(t, diag->text);
-    doc_cell_plain(t, diag->allowed ? diag->allowed : diag_info[diag->code].id);
+        doc_add_plain_cell(t, group_name(diag));
+    doc_add_plain_cell(t, position_text(r, diag->span));
+    doc_add_plain_cell(t, diag->text);
+    doc_add_plain_cell(t, diag->allowed ? diag->allowed : diag_info[diag->code].id);
 }
 
 // Writes findings in detail, numbered from `first`.

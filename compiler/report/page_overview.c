@@ -49,8 +49,8 @@ static const char *findings_text(const Report *r)
 
 static void add_fact(DocTable *t, const char *name, const char *value)
 {
-    doc_cell_plain(t, name);
-    doc_cell_plain(t, value);
+    doc_add_plain_cell(t, name);
+    doc_add_plain_cell(t, value);
 }
 
 static void add_facts(const Report *r, Doc *d)

@@ -41,11 +41,11 @@ static void add_runs(const Report *r, Doc *d)
         size_t visited = 0;
         for (size_t s = 0; run->script && s < r->analysis.p->state.n; s++)
             visited += run->trace.entered[s] > 0;
-        doc_cell_plain(t, run->name);
-        doc_cell_plain(t, outcome_text(run));
-        doc_cell_number(t, run->result.steps);
-        doc_cell_number(t, run->result.asserts_passed);
-        doc_cell_plain(t, format_in(r->arena, "%lu of %lu", (unsigned long)visited, (unsigned long)r->analysis.p->state.n));
+        doc_add_plain_cell(t, run->name);
+        doc_add_plain_cell(t, outcome_text(run));
+        doc_add_number_cell(t, run->result.steps);
+        doc_add_number_cell(t, run->result.asserts_passed);
+        doc_add_plain_cell(t, format_in(r->arena, "%lu of %lu", (unsigned long)visited, (unsigned long)r->analysis.p->state.n));
     }
 }
 
@@ -83,13 +83,13 @@ static void add_states_covered(const Report *r, Doc *d)
                 spent += r->run[i].trace.spent[s];
                 scripts += r->run[i].trace.entered[s] > 0;
             }
-        doc_cell_state(t, p->state.at[s]->name->text);
-        doc_cell_number(t, entered);
-        doc_cell_number(t, spent);
+        doc_add_state_cell(t, p->state.at[s]->name->text);
+        doc_add_number_cell(t, entered);
+        doc_add_number_cell(t, spent);
         if (scripts)
-            doc_cell_number(t, scripts);
+            doc_add_number_cell(t, scripts);
         else
-            doc_cell_plain(t, "none");
+            doc_add_plain_cell(t, "none");
     }
 }
 
@@ -111,10 +111,10 @@ static void add_transitions_covered(const Report *r, Doc *d)
             continue;
         for (size_t k = 0; k < r->runs; k++)
             taken += r->run[k].trace.taken[i];
-        doc_cell_state(table, t->at[i].from->name->text);
-        doc_cell_state(table, t->at[i].to->name->text);
-        doc_cell_number(table, taken);
-        doc_cell_plain(table, taken == 0 ? "never taken"
+        doc_add_state_cell(table, t->at[i].from->name->text);
+        doc_add_state_cell(table, t->at[i].to->name->text);
+        doc_add_number_cell(table, taken);
+        doc_add_plain_cell(table, taken == 0 ? "never taken"
                           : same > 1 ? format_in(r->arena, "%lu transitions, counted together", (unsigned long)same)
                                      : "");
     }
@@ -209,13 +209,13 @@ static void add_visits(const Report *r, Doc *d, const ReportRun *run)
     DocTable *table = DOC_ADD_TABLE(d, format_in(r->arena, "visits.%s", run->name), visit_columns);
 
     for (size_t i = 0; i < t->visit.n && i < SHOWN; i++) {
-        doc_cell_number(table, t->visit.at[i].step + 1);
-        doc_cell_number(table, t->visit.at[i].g);
-        doc_cell_state(table, t->visit.at[i].state->name->text);
+        doc_add_number_cell(table, t->visit.at[i].step + 1);
+        doc_add_number_cell(table, t->visit.at[i].g);
+        doc_add_state_cell(table, t->visit.at[i].state->name->text);
         if (i + 1 < t->visit.n)
-            doc_cell_number(table, t->visit.at[i + 1].g - t->visit.at[i].g);
+            doc_add_number_cell(table, t->visit.at[i + 1].g - t->visit.at[i].g);
         else
-            doc_cell_plain(table, "until the end");
+            doc_add_plain_cell(table, "until the end");
     }
     table->narrow = true;
     if (t->visits > SHOWN)

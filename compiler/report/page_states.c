@@ -118,17 +118,17 @@ static void add_transition_row(const Report *r, DocTable *table, const Transitio
     static const char *const block[BLOCK_COUNT] = {".entry", ".step", ".exit"};
     const char *when = condition_text(r->arena, t->when);
 
-    doc_cell_number(table, t->number + 1u);
-    doc_cell_state(table, t->from->name->text);
-    doc_cell_state(table, t->to->name->text);
+    doc_add_number_cell(table, t->number + 1u);
+    doc_add_state_cell(table, t->from->name->text);
+    doc_add_state_cell(table, t->to->name->text);
     if (*when)
-        doc_cell_code(table, when);
+        doc_add_code_cell(table, when);
     else
-        doc_cell_plain(table, "always");
-    doc_cell_plain(table, block[t->block]);
-    doc_cell_line(table, report_line_of(t->stmt->span));
-    doc_cell_plain(table, remark_text(r, t));
-    doc_cell_plain(table, comment_of_transition(r, t));
+        doc_add_plain_cell(table, "always");
+    doc_add_plain_cell(table, block[t->block]);
+    doc_add_line_cell(table, report_line_of(t->stmt->span));
+    doc_add_plain_cell(table, remark_text(r, t));
+    doc_add_plain_cell(table, comment_of_transition(r, t));
 }
 
 void report_add_transitions(Report *r, Doc *d)

@@ -7,7 +7,8 @@
 
 // ---- uses of variables by state ----
 
-typedef struct VarUse { const State *last_read, *last_written; Buf readers, writers; } VarUse;  // names of states
+// The names of the states that read and write a variable; and the last state added to each, so that none is added twice.
+typedef struct VarUse { const State *last_read, *last_written; Buf readers, writers; } VarUse;
 
 typedef struct VarUses {
     Arena *arena;
@@ -45,7 +46,7 @@ static void record_statements(VarUses *u, const Stmts *stmts)
     }
 }
 
-static VarUse *find_uses(const Report *r)
+static VarUse *find_variable_uses(const Report *r)
 {
     const Program *p = r->analysis.p;
     VarUses u = {r->arena, ARENA_ARRAY(r->arena, VarUse, p->var.n), NULL};
@@ -110,13 +111,13 @@ static void add_elements(const Report *r, Doc *d, const VarUse *use)
         const Var *v = p->var.at[i];
         if (v->kind != VAR_ELEMENT)
             continue;
-        doc_cell_code(t, element_name(r->arena, v));
-        doc_cell_plain(t, sm_type_info[v->type].spelling);
-        doc_cell_plain(t, role_text(p, v));
-        doc_cell_plain(t, range_text(r->arena, v));
-        doc_cell_plain(t, comment_of_variable(r->arena, v));
-        doc_cell_plain(t, buf_text(&use[i].readers));
-        doc_cell_plain(t, buf_text(&use[i].writers));
+        doc_add_code_cell(t, element_name(r->arena, v));
+        doc_add_plain_cell(t, sm_type_info[v->type].spelling);
+        doc_add_plain_cell(t, role_text(p, v));
+        doc_add_plain_cell(t, range_text(r->arena, v));
+        doc_add_plain_cell(t, comment_of_variable(r->arena, v));
+        doc_add_plain_cell(t, buf_text(&use[i].readers));
+        doc_add_plain_cell(t, buf_text(&use[i].writers));
     }
 }
 
@@ -167,13 +168,13 @@ static void add_parameters(const Report *r, Doc *d, VarUse *use)
         const Var *v = p->var.at[i];
         if (!is_parameter(v))
             continue;
-        doc_cell_code(t, v->name->text);
-        doc_cell_plain(t, sm_type_info[v->type].spelling);
-        doc_cell_plain(t, report_format_cell(r->arena, v->type, v->init));
-        doc_cell_code(t, v->init_value && v->init_value->kind != EX_NUMBER ? source_text(r->arena, v->init_value->span) : "");
-        doc_cell_plain(t, comment_of_variable(r->arena, v));
-        doc_cell_plain(t, readers_text(r, v, &use[i]));
-        doc_cell_line(t, report_line_of(v->span));
+        doc_add_code_cell(t, v->name->text);
+        doc_add_plain_cell(t, sm_type_info[v->type].spelling);
+        doc_add_plain_cell(t, report_format_cell(r->arena, v->type, v->init));
+        doc_add_code_cell(t, v->init_value && v->init_value->kind != EX_NUMBER ? source_text(r->arena, v->init_value->span) : "");
+        doc_add_plain_cell(t, comment_of_variable(r->arena, v));
+        doc_add_plain_cell(t, readers_text(r, v, &use[i]));
+        doc_add_line_cell(t, report_line_of(v->span));
     }
 }
 
@@ -191,13 +192,13 @@ static void add_locals(const Report *r, Doc *d, VarUse *use)
         const Var *v = p->var.at[i];
         if (!is_changing_local(v))
             continue;
-        doc_cell_code(t, v->name->text);
-        doc_cell_plain(t, sm_type_info[v->type].spelling);
-        doc_cell_plain(t, report_format_cell(r->arena, v->type, v->init));
-        doc_cell_plain(t, comment_of_variable(r->arena, v));
-        doc_cell_plain(t, readers_text(r, v, &use[i]));
-        doc_cell_plain(t, buf_text(&use[i].writers));
-        doc_cell_line(t, report_line_of(v->span));
+        doc_add_code_cell(t, v->name->text);
+        doc_add_plain_cell(t, sm_type_info[v->type].spelling);
+        doc_add_plain_cell(t, report_format_cell(r->arena, v->type, v->init));
+        doc_add_plain_cell(t, comment_of_variable(r->arena, v));
+        doc_add_plain_cell(t, readers_text(r, v, &use[i]));
+        doc_add_plain_cell(t, buf_text(&use[i].writers));
+        doc_add_line_cell(t, report_line_of(v->span));
     }
 }
 
@@ -216,16 +217,16 @@ static void add_windows(const Report *r, Doc *d)
     doc_add_paragraph(d, TEXT_WINDOWS);
     t = DOC_ADD_TABLE(d, "windows", window_columns);
     for (size_t i = 0; i < w->n; i++) {
-        doc_cell_code(t, source_text(r->arena, w->at[i].span));
-        doc_cell_text(t, describe_window(r->arena, &w->at[i]));
-        doc_cell_number(t, w->at[i].size);
-        doc_cell_line(t, report_line_of(w->at[i].span));
+        doc_add_code_cell(t, source_text(r->arena, w->at[i].span));
+        doc_add_text_cell(t, describe_window(r->arena, &w->at[i]));
+        doc_add_number_cell(t, w->at[i].size);
+        doc_add_line_cell(t, report_line_of(w->at[i].span));
     }
 }
 
 void report_add_variables(Report *r, Doc *d)
 {
-    VarUse *use = find_uses(r);
+    VarUse *use = find_variable_uses(r);
 
     doc_add_section(d, "variables", "Inputs, outputs and parameters");
     add_elements(r, d, use);

@@ -105,6 +105,7 @@ static void extend_row(PlotRow *r, double x)
     r->hi = x > r->hi ? x : r->hi;
 }
 
+// Computes the range of values of a row, with a margin of 1/16 on each side.
 static PlotRow measure_row(const Trace *t, const TraceSeries *s, long top)
 {
     PlotRow r = {s, 1e308 * 10, -1e308 * 10, top};

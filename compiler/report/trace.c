@@ -27,6 +27,7 @@ static void add_series(Trace *t, const Var *v)
     vec_push(t->arena, &t->series, s);
 }
 
+// Fills in Trace.first: for each state the index of its first transition.
 static void find_first_transitions(Trace *t)
 {
     size_t i = 0;
@@ -85,6 +86,7 @@ static void add_value(Trace *t, TraceSeries *s, double x)
 
 // ---- a step ----
 
+// Counts a move between two states at the first transition that leads from one to the other.
 static void count_transition(Trace *t, uint32_t from, uint32_t to)
 {
     for (size_t i = t->first[from - 1]; i < t->transition->n && t->transition->at[i].from->number == from; i++)

@@ -10,7 +10,7 @@ static Span span_from_to(const Source *src, uint32_t at, uint32_t end)
 
 static uint32_t span_end(Span s) { return s.at + s.len; }
 
-static Allow allow_of(const AstAnnotation *a, Span covers)
+static Allow make_allow(const AstAnnotation *a, Span covers)
 {
     Allow out = {a->name->text, a->reason, a->span, covers};
 
@@ -42,7 +42,7 @@ void add_sv_allows(const CheckContext *c, StateVec *sv, const AstDecl *decl)
         const AstAnnotation *a = &decl->annotations.at[i];
         if (a->kind != AST_ALLOW)
             continue;
-        vec_push(c->arena, &sv->allow, allow_of(a, decl_span(decl)));
+        vec_push(c->arena, &sv->allow, make_allow(a, decl_span(decl)));
         diag_allow_shared(c->diags, a->name->text, a->reason->text, a->span, decl_span(decl));
     }
 }
@@ -51,7 +51,7 @@ void add_decl_allows(Sema *s, const AstDecl *decl)
 {
     for (size_t i = 0; i < decl->annotations.n; i++)
         if (decl->annotations.at[i].kind == AST_ALLOW)
-            register_allow(s, allow_of(&decl->annotations.at[i], decl_span(decl)));
+            register_allow(s, make_allow(&decl->annotations.at[i], decl_span(decl)));
 }
 
 void add_listed_allows(Sema *s, const Element *e, const AstDecl *listed)
@@ -70,7 +70,7 @@ void add_state_allows(Sema *s, const AstSection *section, uint32_t end)
 {
     for (size_t i = 0; i < section->annotations.n; i++)
         if (section->annotations.at[i].kind == AST_ALLOW)
-            register_allow(s, allow_of(&section->annotations.at[i], span_from_to(section->header.src, section->header.at, end)));
+            register_allow(s, make_allow(&section->annotations.at[i], span_from_to(section->header.src, section->header.at, end)));
 }
 
 // The end of a conditional, including all its branches.
@@ -85,5 +85,5 @@ void add_stmt_allow(Sema *s, const AstAnnotation *a, const AstStmt *stmt)
 {
     uint32_t end = stmt->kind == AST_IF && stmt->arms->body_span.src ? conditional_end(stmt) : span_end(stmt->span);
 
-    register_allow(s, allow_of(a, span_from_to(a->span.src, a->span.at, end)));
+    register_allow(s, make_allow(a, span_from_to(a->span.src, a->span.at, end)));
 }

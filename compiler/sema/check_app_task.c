@@ -84,7 +84,7 @@ static const State *find_state(AppCheck *k, const Program *p, const AstWord *nam
     return NULL;
 }
 
-static void check_time_of(AppCheck *k, const AstAppTask *in, const Program *p)
+static void check_machine_time(AppCheck *k, const AstAppTask *in, const Program *p)
 {
     const Element *time = k->app->time;
     Diag *d;
@@ -128,7 +128,7 @@ static const AppMachine *check_machine_task(AppCheck *k, const AstAppTask *in)
     m->number = (uint16_t)k->app->machine.n;
     vec_push(k->c->arena, &k->app->machine, m);
     check_machine_file(k, in);
-    check_time_of(k, in, m->program);
+    check_machine_time(k, in, m->program);
     for (size_t i = 0; i < in->annotations.n; i++) {
         const AstAppAnnotation *a = &in->annotations.at[i];
         m->bytecode = m->bytecode || a->kind == AST_ON_bytecode;

@@ -153,7 +153,7 @@ static void check_multiple(AppCheck *k, const AppExecutor *e, const AppRate *r)
                app_time_text(k->c->arena, below + e->period));
 }
 
-// Reports two groups with the same period.
+// Reports two groups of an executor with the same period.
 static void check_duplicate_period(AppCheck *k, const AppExecutor *e, const AppRate *r, Map *seen)
 {
     Str key = str_c(k->c->strings, app_time_text(k->c->arena, r->period));

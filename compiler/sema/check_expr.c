@@ -115,14 +115,14 @@ static Expr *check_number(Sema *s, const AstExpr *e)
 
 // ---- operators ----
 
-static SmOpClass class_of(const AstExpr *e)
+static SmOpClass operator_class(const AstExpr *e)
 {
     return sm_op_info[e->op].op_class;
 }
 
 static bool is_relation(const AstExpr *e)
 {
-    return e->kind == AST_BINARY && class_of(e) == SM_CLASS_RELATION;
+    return e->kind == AST_BINARY && operator_class(e) == SM_CLASS_RELATION;
 }
 
 static void record_operator(Sema *s, SmOperator op)
@@ -170,7 +170,7 @@ static void warn_of_leading_not(Sema *s, const AstExpr *e)
 {
     bool inside = s->searched_left == e;                // part of an expression that was already searched
 
-    if (class_of(e) == SM_CLASS_LOGIC)
+    if (operator_class(e) == SM_CLASS_LOGIC)
         return;
     s->searched_left = e->a;
     if (!inside)
@@ -180,9 +180,9 @@ static void warn_of_leading_not(Sema *s, const AstExpr *e)
 // The nearest comparison before the right side of an `and` or `or`; NULL if there is none.
 static const AstExpr *comparison_before(const AstExpr *e)
 {
-    while (e->kind == AST_BINARY && class_of(e) == SM_CLASS_LOGIC)
+    while (e->kind == AST_BINARY && operator_class(e) == SM_CLASS_LOGIC)
         e = e->b;
-    return e->kind == AST_BINARY && (class_of(e) == SM_CLASS_RELATION || class_of(e) == SM_CLASS_EQUALITY) ? e : NULL;
+    return e->kind == AST_BINARY && (operator_class(e) == SM_CLASS_RELATION || operator_class(e) == SM_CLASS_EQUALITY) ? e : NULL;
 }
 
 // Whether a number may be a switch: 0, 1, true and false, as in `steps and 1`; but after `mode == 2`, a 0 or 1 is not.
@@ -227,9 +227,9 @@ static Expr *check_binary(Sema *s, const AstExpr *e)
     Expr *out = expr_new(s, EX_BINARY, e->span, 2);
     AstExpr *operands[2] = {e->a, e->b};
 
-    for (int k = 0; k < 2 && class_of(e) == SM_CLASS_LOGIC; k++)
+    for (int k = 0; k < 2 && operator_class(e) == SM_CLASS_LOGIC; k++)
         warn_of_number_as_condition(s, e, operands[k]);
-    if (class_of(e) == SM_CLASS_EQUALITY)
+    if (operator_class(e) == SM_CLASS_EQUALITY)
         warn_of_negated_number(s, e);
     record_operator(s, e->op);
     out->op = e->op;
@@ -361,7 +361,7 @@ static void report_argument_count(Sema *s, const AstExpr *e, const SmBuiltinInfo
         diag_label(s->diags, d, DIAG_label_write_call, fn->name, ast_function_usage(fn));
 }
 
-static Expr *check_pure(Sema *s, const AstExpr *e, const SmBuiltinInfo *fn)
+static Expr *check_pure_call(Sema *s, const AstExpr *e, const SmBuiltinInfo *fn)
 {
     Expr *out = expr_new(s, EX_CALL, e->span, fn->arguments);
 
@@ -416,7 +416,7 @@ static bool check_roll_allowed(Sema *s, const AstExpr *call)
     return s->at == EXPR_IN_STEP;
 }
 
-static Expr *check_roll(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
+static Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
 {
     Window w = {0};
     Expr *out;
@@ -441,7 +441,7 @@ static Expr *check_call(Sema *s, const AstExpr *e)
     const SmBuiltinInfo *fn = scope_find_function(s, e->name);
 
     if (fn && e->args->n == fn->arguments)
-        return fn->is_roll ? check_roll(s, e, fn) : check_pure(s, e, fn);
+        return fn->is_roll ? check_roll_call(s, e, fn) : check_pure_call(s, e, fn);
     if (fn && !has_unreadable_argument(e) && (e->args->n < fn->arguments || !report_decimal_comma(s, e)))
         report_argument_count(s, e, fn);
     else if (!fn)

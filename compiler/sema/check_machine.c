@@ -71,6 +71,7 @@ static void check_states(Sema *s, Program *p, const AstFile *sm)
 
 // ---- entry points ----
 
+// Creates the state vector of a machine without a .sv: its [state_vector] section.
 static StateVec *new_own_state_vector(CheckContext *c, Program *p)
 {
     StateVec *sv = ARENA_NEW(c->arena, StateVec);

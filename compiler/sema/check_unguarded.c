@@ -29,6 +29,7 @@ static const AstStmt *last_unbraced(const AstStmt *s)
     return s;
 }
 
+// Whether the last branch of a conditional is an else without condition.
 static bool ends_with_else(const AstStmt *s)
 {
     while (s->kind == AST_IF && s->arms->has_else) {
@@ -89,6 +90,7 @@ static void warn_of_unguarded(Sema *s, const AstStmt *above, const AstStmt *tran
     diag_note(s->diags, d, (Span){0}, DIAG_note_in_every_case, state);
 }
 
+// Whether the state is itself an @abort state, or has no .step block, so that the machine only passes through it.
 static bool is_passed_through(const State *state, const AstSection *section)
 {
     return state->is_abort || !section->block[AST_STEP].present;

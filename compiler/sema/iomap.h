@@ -13,7 +13,7 @@ typedef struct Pin {
     uint16_t number;
     const Element *element;
     bool inverted, pull_up, pull_down;
-    uint8_t hold;             // inputs
+    uint8_t hold;             // inputs: how many steps in a row the element keeps its value while the pin cannot be read
     SmF64 scale, offset;      // analog: element = volts * scale + offset
     SmF64 safe;               // outputs, in the element's unit; digital: 0 or 1
     Span span;                // the element's name

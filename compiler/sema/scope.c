@@ -140,7 +140,7 @@ static void suggest_variable(Sema *s, Diag *d, Str name)
         scope_note_declared(s, d, g.best);
 }
 
-static void label_unlisted(Sema *s, Diag *d, const Element *e)
+static void label_unlisted_element(Sema *s, Diag *d, const Element *e)
 {
     diag_label(s->diags, d, DIAG_label_list_it, sm_type_info[e->type].spelling, e->name->text);
     diag_note(s->diags, d, e->span, DIAG_note_declared_here, e->name->text);
@@ -182,7 +182,7 @@ void scope_report_unknown(Sema *s, Str name, Span span)
     d = diag_report(s->diags, DIAG_unknown_element, span, name->text);
     record_unknown(s, d);
     if (unlisted)
-        label_unlisted(s, d, unlisted);
+        label_unlisted_element(s, d, unlisted);
     else if (map_find(&s->p->state_by_name, name))
         label_state(s, d, map_find(&s->p->state_by_name, name));
     else if (!suggest_word(s, d, name) && spend_guess(s))

@@ -10,6 +10,7 @@ static uint32_t align_up(uint32_t offset, uint32_t to)
     return (offset + to - 1) / to * to;
 }
 
+// Sets the offsets of a region that starts at or after `offset`, and returns its end.
 static uint32_t lay_out_region(StateVec *sv, Region *r, uint32_t offset)
 {
     r->offset = align_up(offset, 8);
@@ -34,8 +35,8 @@ static uint32_t crc_text(uint32_t crc, const char *text)
     return crc;
 }
 
-// CRC of one line "[Region]" per region, followed by a line "TYPE name" per element.  Layouts are equal exactly if these texts
-// are equal.
+// Returns the CRC of one line "[Region]" per region, followed by a line "TYPE name" per element.  Two layouts are equal exactly if these
+// lines are equal.
 static uint32_t hash_regions(const StateVec *sv)
 {
     uint32_t crc = SM_CRC32_START;
