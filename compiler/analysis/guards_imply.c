@@ -3,7 +3,7 @@
 
 #include "stdlib/math.h"
 
-enum { BUDGET = 64 };                 // `and` and `or` multiply the pairs of parts
+enum { PAIRS_MAX = 64 };              // pairs of subexpressions compared in one query; each `and` and `or` multiplies them
 
 typedef struct ImplySearch {
     const uint32_t *window_of;        // IrMachine.window_of
@@ -12,8 +12,8 @@ typedef struct ImplySearch {
 
 // ---- comparisons ----
 
-// One side: base + plus, or the number plus alone.  Adding a constant preserves the order of the bases, with or without
-// rounding.
+// One side of a comparison: `base + plus`, or the number `plus` alone.  Adding the same constant to two bases preserves their order,
+// also after rounding.
 typedef struct Side {
     const Expr *base;                 // NULL: none
     SmF64 plus;
@@ -50,15 +50,18 @@ static bool has_same_base(const ImplySearch *k, const Side *p, const Side *q)
     return p->base && q->base ? expr_equal(p->base, q->base, k->window_of) : p->base == q->base;
 }
 
+// Whether p <= q because both are the same base plus a constant, or both are numbers.
 static bool is_at_most(const ImplySearch *k, const Side *p, const Side *q) { return sm_le(p->plus, q->plus) && has_same_base(k, p, q); }
-static bool is_below(const Side *p, const Side *q) { return !p->base && !q->base && sm_lt(p->plus, q->plus); }
+// Whether p < q because both are numbers.  With a base, rounding can make p and q equal.
+static bool is_number_below(const Side *p, const Side *q) { return !p->base && !q->base && sm_lt(p->plus, q->plus); }
 
-// a.small <= a.large implies b.small <= b.large if b.small is at most a.small and b.large at least a.large.
+// Whether order a implies order b.  It does if b.small <= a.small and a.large <= b.large; and if b is strict, one of the three
+// relations must be strict.
 static bool order_implies(const ImplySearch *k, const Order *a, const Order *b)
 {
     if (!is_at_most(k, &b->small, &a->small) || !is_at_most(k, &a->large, &b->large))
         return false;
-    return b->or_equal || !a->or_equal || is_below(&b->small, &a->small) || is_below(&a->large, &b->large);
+    return b->or_equal || !a->or_equal || is_number_below(&b->small, &a->small) || is_number_below(&a->large, &b->large);
 }
 
 static Order order_of(const Expr *small, const Expr *large, bool or_equal)
@@ -75,7 +78,7 @@ static Order order_of_relation(const Comparison *c)
     return order_of(less ? c->a : c->b, less ? c->b : c->a, c->op == SM_OP_LE || c->op == SM_OP_GE);
 }
 
-// Whether a comparison implies an order of its sides.  An == implies both orders.
+// Whether a comparison implies the order o.  An == implies two orders, a <= b and b <= a.
 static bool comparison_implies_order(const ImplySearch *k, const Comparison *c, const Order *o)
 {
     Order one, other;
@@ -111,6 +114,7 @@ static bool comparison_implies(const ImplySearch *k, const Comparison *x, const 
 static bool is_logic(const Expr *e, SmOperator op) { return e->kind == EX_BINARY && e->op == op; }
 static bool is_not(const Expr *e) { return e->kind == EX_UNARY && e->op == SM_OP_NOT; }
 
+// Whether some comparison in the outermost node of x implies y.
 static bool some_comparison_implies(ImplySearch *k, const Expr *x, const Comparison *y)
 {
     for (uint32_t i = 0; i < comparison_count(x) && k->budget > 0; i++, k->budget--) {
@@ -121,6 +125,7 @@ static bool some_comparison_implies(ImplySearch *k, const Expr *x, const Compari
     return false;
 }
 
+// Whether the comparisons of x imply each of those of y, which must have some.
 static bool comparisons_imply(ImplySearch *k, const Expr *x, const Expr *y)
 {
     for (uint32_t i = 0; i < comparison_count(y); i++) {
@@ -131,7 +136,7 @@ static bool comparisons_imply(ImplySearch *k, const Expr *x, const Expr *y)
     return comparison_count(y) > 0;
 }
 
-static bool implies(ImplySearch *k, const Expr *x, const Expr *y)
+static bool expr_implies(ImplySearch *k, const Expr *x, const Expr *y)
 {
     if (k->budget == 0)
         return false;
@@ -139,21 +144,22 @@ static bool implies(ImplySearch *k, const Expr *x, const Expr *y)
     if (expr_equal(x, y, k->window_of))
         return true;
     if (is_logic(x, SM_OP_OR))
-        return implies(k, x->arg[0], y) && implies(k, x->arg[1], y);
+        return expr_implies(k, x->arg[0], y) && expr_implies(k, x->arg[1], y);
     if (is_logic(y, SM_OP_AND))
-        return implies(k, x, y->arg[0]) && implies(k, x, y->arg[1]);
-    if (is_logic(x, SM_OP_AND) && (implies(k, x->arg[0], y) || implies(k, x->arg[1], y)))
+        return expr_implies(k, x, y->arg[0]) && expr_implies(k, x, y->arg[1]);
+    if (is_logic(x, SM_OP_AND) && (expr_implies(k, x->arg[0], y) || expr_implies(k, x->arg[1], y)))
         return true;
     if (is_logic(y, SM_OP_OR))
-        return implies(k, x, y->arg[0]) || implies(k, x, y->arg[1]);
+        return expr_implies(k, x, y->arg[0]) || expr_implies(k, x, y->arg[1]);
     if (is_not(x) && is_not(y))
-        return implies(k, y->arg[0], x->arg[0]);
+        return expr_implies(k, y->arg[0], x->arg[0]);
     return comparisons_imply(k, x, y);
 }
 
 // ---- contradictions ----
 
-// If two comparisons are both true, no operand is NaN, except in !=. So one that implies the opposite of the other excludes it.
+// Whether some comparison in x is never true together with one in y, because it implies its negation.  A true comparison has no NaN
+// operand (except !=), so the negated operator is the exact opposite.
 static bool comparisons_exclude(ImplySearch *k, const Expr *x, const Expr *y)
 {
     for (uint32_t i = 0; i < comparison_count(y); i++) {
@@ -165,38 +171,38 @@ static bool comparisons_exclude(ImplySearch *k, const Expr *x, const Expr *y)
     return false;
 }
 
-static bool excludes(ImplySearch *k, const Expr *x, const Expr *y)
+static bool expr_excludes(ImplySearch *k, const Expr *x, const Expr *y)
 {
     if (k->budget == 0)
         return false;
     k->budget--;
     if (is_not(y))
-        return implies(k, x, y->arg[0]);
+        return expr_implies(k, x, y->arg[0]);
     if (is_not(x))
-        return implies(k, y, x->arg[0]);
+        return expr_implies(k, y, x->arg[0]);
     if (is_logic(x, SM_OP_OR))
-        return excludes(k, x->arg[0], y) && excludes(k, x->arg[1], y);
+        return expr_excludes(k, x->arg[0], y) && expr_excludes(k, x->arg[1], y);
     if (is_logic(y, SM_OP_OR))
-        return excludes(k, x, y->arg[0]) && excludes(k, x, y->arg[1]);
+        return expr_excludes(k, x, y->arg[0]) && expr_excludes(k, x, y->arg[1]);
     if (is_logic(x, SM_OP_AND))
-        return excludes(k, x->arg[0], y) || excludes(k, x->arg[1], y);
+        return expr_excludes(k, x->arg[0], y) || expr_excludes(k, x->arg[1], y);
     if (is_logic(y, SM_OP_AND))
-        return excludes(k, x, y->arg[0]) || excludes(k, x, y->arg[1]);
+        return expr_excludes(k, x, y->arg[0]) || expr_excludes(k, x, y->arg[1]);
     return comparisons_exclude(k, x, y) || comparisons_exclude(k, y, x);
 }
 
 // Variables and numbers are never NaN; computed values may be.
 static bool is_never_nan(const Expr *e) { return e->kind == EX_VAR || e->kind == EX_NUMBER; }
 
-// Whether one of two comparisons is always true.
+// Whether `x or y` is always true, because one is true whenever the other is false.
 static bool is_one_always_true(ImplySearch *k, const Expr *x, const Expr *y)
 {
     Comparison a, b;
 
     if (is_not(x))
-        return implies(k, x->arg[0], y);
+        return expr_implies(k, x->arg[0], y);
     if (is_not(y))
-        return implies(k, y->arg[0], x);
+        return expr_implies(k, y->arg[0], x);
     if (x->kind == EX_CHAIN || y->kind == EX_CHAIN || !comparison_count(x) || !comparison_count(y))
         return false;
     a = comparison_at(x, 0);
@@ -205,8 +211,8 @@ static bool is_one_always_true(ImplySearch *k, const Expr *x, const Expr *y)
     return is_never_nan(a.a) && is_never_nan(a.b) && comparison_implies(k, &a, &b);
 }
 
-// x < x, x == x: whether it is always true, or never (`holds` is false).
-static bool is_reflexive(const ImplySearch *k, const Expr *e, bool holds)
+// Whether e compares an expression with itself, as x < x or x == x, and is always true (never true if `holds` is false).
+static bool is_decided_by_equal_operands(const ImplySearch *k, const Expr *e, bool holds)
 {
     if (e->kind != EX_BINARY || comparison_count(e) == 0 || !expr_equal(e->arg[0], e->arg[1], k->window_of))
         return false;
@@ -215,56 +221,56 @@ static bool is_reflexive(const ImplySearch *k, const Expr *e, bool holds)
     return e->op == SM_OP_LT || e->op == SM_OP_GT || (e->op == SM_OP_NE && is_never_nan(e->arg[0]));
 }
 
-static bool is_never(ImplySearch *k, const Expr *e);
+static bool is_never_true(ImplySearch *k, const Expr *e);
 
-static bool is_always(ImplySearch *k, const Expr *e)
+static bool is_always_true(ImplySearch *k, const Expr *e)
 {
     if (is_not(e))
-        return is_never(k, e->arg[0]);
+        return is_never_true(k, e->arg[0]);
     if (is_logic(e, SM_OP_AND))
-        return is_always(k, e->arg[0]) && is_always(k, e->arg[1]);
+        return is_always_true(k, e->arg[0]) && is_always_true(k, e->arg[1]);
     if (is_logic(e, SM_OP_OR))
-        return is_always(k, e->arg[0]) || is_always(k, e->arg[1]) || is_one_always_true(k, e->arg[0], e->arg[1]);
-    return is_reflexive(k, e, true);
+        return is_always_true(k, e->arg[0]) || is_always_true(k, e->arg[1]) || is_one_always_true(k, e->arg[0], e->arg[1]);
+    return is_decided_by_equal_operands(k, e, true);
 }
 
-static bool is_never(ImplySearch *k, const Expr *e)
+static bool is_never_true(ImplySearch *k, const Expr *e)
 {
     if (is_not(e))
-        return is_always(k, e->arg[0]);
+        return is_always_true(k, e->arg[0]);
     if (is_logic(e, SM_OP_OR))
-        return is_never(k, e->arg[0]) && is_never(k, e->arg[1]);
+        return is_never_true(k, e->arg[0]) && is_never_true(k, e->arg[1]);
     if (is_logic(e, SM_OP_AND))
-        return is_never(k, e->arg[0]) || is_never(k, e->arg[1]) || excludes(k, e->arg[0], e->arg[1]);
-    return is_reflexive(k, e, false);
+        return is_never_true(k, e->arg[0]) || is_never_true(k, e->arg[1]) || expr_excludes(k, e->arg[0], e->arg[1]);
+    return is_decided_by_equal_operands(k, e, false);
 }
 
 // ---- queries ----
 
 bool guard_implies(const Analysis *a, const Expr *x, const Expr *y)
 {
-    ImplySearch k = {a->m->window_of, BUDGET};
+    ImplySearch k = {a->m->window_of, PAIRS_MAX};
 
-    return implies(&k, x, y);
+    return expr_implies(&k, x, y);
 }
 
 bool guard_excludes(const Analysis *a, const Expr *x, const Expr *y)
 {
-    ImplySearch k = {a->m->window_of, BUDGET};
+    ImplySearch k = {a->m->window_of, PAIRS_MAX};
 
-    return excludes(&k, x, y);
+    return expr_excludes(&k, x, y);
 }
 
 bool guard_is_never_true(const Analysis *a, const Expr *x)
 {
-    ImplySearch k = {a->m->window_of, BUDGET};
+    ImplySearch k = {a->m->window_of, PAIRS_MAX};
 
-    return is_never(&k, x);
+    return is_never_true(&k, x);
 }
 
 bool guard_is_always_true(const Analysis *a, const Expr *x)
 {
-    ImplySearch k = {a->m->window_of, BUDGET};
+    ImplySearch k = {a->m->window_of, PAIRS_MAX};
 
-    return is_always(&k, x);
+    return is_always_true(&k, x);
 }

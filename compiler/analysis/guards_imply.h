@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one guard implies about another because of how they are written: x > 20 and ready implies x > 10; also a > b + 5 implies
-// a > b.  Facts are bounds of single variables.  This module handles relations between expressions, for any values.
+// Whether one guard implies or excludes another, found by comparing their expressions: `x > 20 and ready` implies `x > 10`, and
+// `a > b + 5` implies `a > b`.  Facts, in contrast, are bounds of single variables.  The results are true for any values.
 #ifndef SMC_GUARDS_IMPLY_H
 #define SMC_GUARDS_IMPLY_H
 
@@ -8,9 +8,9 @@
 
 // Whether y is true wherever x is, as long as no variable of y is assigned between the two.  False means "not proved".
 bool guard_implies(const Analysis *a, const Expr *x, const Expr *y);
-// Whether the two are never true together.
+// Whether x and y are never true together.  False means "not proved".
 bool guard_excludes(const Analysis *a, const Expr *x, const Expr *y);
-// Whether x is never, or always, true because of its form: a > b and a < b, x <= x.
+// Whether x is never (or always) true whatever its variables contain, as `a > b and a < b` (or `x <= x`).  False means "not proved".
 bool guard_is_never_true(const Analysis *a, const Expr *x);
 bool guard_is_always_true(const Analysis *a, const Expr *x);
 

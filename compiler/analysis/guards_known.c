@@ -5,7 +5,7 @@
 #include "compiler/analysis/decided_comparison.h"
 #include "stdlib/f64.h"
 
-enum { TRIED = 64 };              // how many earlier guards and assignments are checked
+enum { ENTRIES_MAX = 64 };        // how many earlier guards and assignments are checked
 
 // ---- the walk ----
 
@@ -31,7 +31,8 @@ typedef struct GuardsAfter { const KnownGuard *known; bool leaves; } GuardsAfter
 
 static GuardsAfter walk_stmts(GuardWalk *w, const Stmts *stmts, const KnownGuard *known);
 
-// Adds the assignments of a branch.  After the conditional they may or may not have been executed.
+// Adds the assignments in the entries of `arm` down to `begin`, the first entry of its branch.  After the conditional they may or may
+// not have been executed.
 static const KnownGuard *add_assignments_of(Arena *arena, const KnownGuard *known, const KnownGuard *arm, const KnownGuard *begin)
 {
     for (; arm && arm != begin; arm = arm->outer)
@@ -40,7 +41,7 @@ static const KnownGuard *add_assignments_of(Arena *arena, const KnownGuard *know
     return known;
 }
 
-// A branch that always leaves does not reach the statements after it.  There the opposite of its guard is known.
+// Walks a conditional.  If one of its branches always leaves the state, the guard that leads to the other one is known afterwards.
 static GuardsAfter walk_if(GuardWalk *w, const Stmt *stmt, const KnownGuard *known)
 {
     const KnownGuard *yes = add_guard(w->a->arena, known, stmt->value, true), *no = add_guard(w->a->arena, known, stmt->value, false);
@@ -79,7 +80,8 @@ void guards_known_each_stmt(Analysis *a, const Stmts *block, KnownGuardsStmt *f,
     walk_stmts(&w, block, NULL);
 }
 
-// `b != 0 and a / b > 5`: if b is 0 the whole is false, whatever the other side evaluates to.
+// Inside an operand of `and`, the other operand is assumed to be true, on either side: in `b != 0 and a / b > 5` the whole is false if b
+// is 0, whatever a / b is.  Inside an operand of `or`, the other one is assumed to be false.
 void guards_known_each_expr(Analysis *a, const Expr *e, const KnownGuard *known, bool (*wanted)(const Expr *e), KnownGuardsExpr *f,
                             void *context)
 {
@@ -95,34 +97,35 @@ void guards_known_each_expr(Analysis *a, const Expr *e, const KnownGuard *known,
 
 // ---- conclusions ----
 
-static bool is_same(const Analysis *a, const Expr *x, const Expr *y) { return expr_equal(x, y, a->m->window_of); }
+static bool is_same_expr(const Analysis *a, const Expr *x, const Expr *y) { return expr_equal(x, y, a->m->window_of); }
 
 static bool is_call(const Expr *e, SmBuiltin fn) { return e->kind == EX_CALL && e->fn == fn; }
 
-// x, or its magnitude, is d or its magnitude.
+// Whether x and d are the same expression, apart from abs() around either.
 static bool is_same_or_magnitude(const Analysis *a, const Expr *x, const Expr *d)
 {
-    return is_same(a, is_call(x, SM_FN_abs) ? x->arg[0] : x, is_call(d, SM_FN_abs) ? d->arg[0] : d);
+    return is_same_expr(a, is_call(x, SM_FN_abs) ? x->arg[0] : x, is_call(d, SM_FN_abs) ? d->arg[0] : d);
 }
 
-// Whether x op y is false if x, which is d or its magnitude, is 0.
+// Whether x is d or abs(d), and `x op y` is false if x is 0.
 static bool contradicts_zero(const Analysis *a, const Expr *x, SmOperator op, const Expr *y, const Expr *d)
 {
     return is_same_or_magnitude(a, x, d) && fact_of_comparison(op, fact_of_number(sm_from_i32(0)), fact_of_types(a, y)).hi == 0;
 }
 
-// For a comparison that is true.
+// Whether d cannot be 0 if the comparison c is true.
 static bool comparison_excludes_zero(const Analysis *a, Comparison c, const Expr *d)
 {
     const bool unequal = c.op == SM_OP_LT || c.op == SM_OP_GT || c.op == SM_OP_NE;
 
     if (unequal && d->kind == EX_BINARY && d->op == SM_OP_SUB &&
-        ((is_same(a, c.a, d->arg[0]) && is_same(a, c.b, d->arg[1])) || (is_same(a, c.a, d->arg[1]) && is_same(a, c.b, d->arg[0]))))
+        ((is_same_expr(a, c.a, d->arg[0]) && is_same_expr(a, c.b, d->arg[1])) ||
+         (is_same_expr(a, c.a, d->arg[1]) && is_same_expr(a, c.b, d->arg[0]))))
         return true;
     return contradicts_zero(a, c.a, c.op, c.b, d) || contradicts_zero(a, c.b, comparison_swapped(c.op), c.a, d);
 }
 
-// For a guard without `and`, `or` and `not`.
+// Whether d cannot be 0 if the guard g, without `and`, `or` and `not`, is true (or false).
 static bool simple_guard_excludes_zero(const Analysis *a, const Expr *g, bool holds, const Expr *d)
 {
     if (g->kind == EX_CHAIN && !holds)
@@ -134,17 +137,18 @@ static bool simple_guard_excludes_zero(const Analysis *a, const Expr *g, bool ho
         if (comparison_excludes_zero(a, c, d))
             return true;
     }
-    return comparison_count(g) != 1 && holds && is_same(a, g, d);
+    return comparison_count(g) != 1 && holds && is_same_expr(a, g, d);
 }
 
-static int sign_of(const Analysis *a, const Expr *e)
+// 1 if e is never negative, -1 if it is never positive, 0 if neither is known.
+static int known_sign_of(const Analysis *a, const Expr *e)
 {
     const Fact f = fact_of_types(a, e);
 
     return f.lo >= 0 ? 1 : f.hi <= 0 ? -1 : 0;
 }
 
-// A sum, difference or maximum that is 0 only if both operands are 0, because they cannot cancel.
+// Whether d is a sum, difference or maximum that is 0 only if both operands are 0, because they cannot cancel each other.
 static bool is_zero_only_with_both(const Analysis *a, const Expr *d)
 {
     const bool is_sum = d->kind == EX_BINARY && d->op == SM_OP_ADD, is_difference = d->kind == EX_BINARY && d->op == SM_OP_SUB;
@@ -152,24 +156,26 @@ static bool is_zero_only_with_both(const Analysis *a, const Expr *d)
 
     if (!is_sum && !is_difference && !is_call(d, SM_FN_max))
         return false;
-    one = sign_of(a, d->arg[0]);
-    other = sign_of(a, d->arg[1]);
+    one = known_sign_of(a, d->arg[0]);
+    other = known_sign_of(a, d->arg[1]);
     if (is_call(d, SM_FN_max))
         return one > 0 && other > 0;
     return one != 0 && other == (is_sum ? one : -one);
 }
 
+// As simple_guard_excludes_zero, and also uses the operands of d.
 // Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
-static bool part_excludes_zero(const Analysis *a, const Expr *g, bool holds, const Expr *d)
+static bool guard_excludes_zero_of_parts(const Analysis *a, const Expr *g, bool holds, const Expr *d)
 {
     if (simple_guard_excludes_zero(a, g, holds, d))
         return true;
     if (d->kind == EX_UNARY && d->op == SM_OP_NEG)
-        return part_excludes_zero(a, g, holds, d->arg[0]);
-    return is_zero_only_with_both(a, d) && (part_excludes_zero(a, g, holds, d->arg[0]) || part_excludes_zero(a, g, holds, d->arg[1]));
+        return guard_excludes_zero_of_parts(a, g, holds, d->arg[0]);
+    return is_zero_only_with_both(a, d) &&
+           (guard_excludes_zero_of_parts(a, g, holds, d->arg[0]) || guard_excludes_zero_of_parts(a, g, holds, d->arg[1]));
 }
 
-// Whether g being true (or false) excludes that d is 0.
+// Whether d cannot be 0 if the guard g is true (or false).
 static bool guard_excludes_zero(const Analysis *a, const Expr *g, bool holds, const Expr *d)
 {
     if (g->kind == EX_UNARY && g->op == SM_OP_NOT)
@@ -178,7 +184,7 @@ static bool guard_excludes_zero(const Analysis *a, const Expr *g, bool holds, co
         const bool one = guard_excludes_zero(a, g->arg[0], holds, d), other = guard_excludes_zero(a, g->arg[1], holds, d);
         return holds == (g->op == SM_OP_AND) ? one || other : one && other;
     }
-    return part_excludes_zero(a, g, holds, d);
+    return guard_excludes_zero_of_parts(a, g, holds, d);
 }
 
 static bool reads_var(const Expr *e, const Var *v)
@@ -191,13 +197,13 @@ static bool reads_var(const Expr *e, const Var *v)
     return false;
 }
 
-// A guard no longer counts if a variable that it reads was assigned after it was evaluated.
+// Whether a known guard excludes that d is 0.  A guard does not count if a variable that it reads was assigned after its evaluation.
 static bool some_guard_excludes_zero(const Analysis *a, const KnownGuard *known, const Expr *d)
 {
-    const Var *assigned[TRIED];
+    const Var *assigned[ENTRIES_MAX];
     size_t n = 0;
 
-    for (size_t i = 0; known && i < TRIED; i++, known = known->outer) {
+    for (size_t i = 0; known && i < ENTRIES_MAX; i++, known = known->outer) {
         bool stale = false;
         if (known->assigned)
             assigned[n++] = known->assigned->var;
@@ -209,6 +215,7 @@ static bool some_guard_excludes_zero(const Analysis *a, const KnownGuard *known,
     return false;
 }
 
+// Whether d cannot be 0 because its operands cannot.
 static bool operands_exclude_zero(const Analysis *a, const KnownGuard *known, const Expr *d)
 {
     if (d->kind == EX_UNARY)

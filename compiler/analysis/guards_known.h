@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The guards that apply where a statement or an expression is: enclosing guards, guards of earlier transitions, and the other
-// side of an `and` or `or`.  For conclusions that facts about single variables do not support.
+// The guards whose values are known where a statement or an expression is evaluated: enclosing guards, guards of earlier transitions,
+// and the other operand of an `and` or `or`.  They prove relations that facts about single variables cannot express.
 #ifndef SMC_GUARDS_KNOWN_H
 #define SMC_GUARDS_KNOWN_H
 
 #include "compiler/analysis/analysis.h"
 
 typedef struct KnownGuard KnownGuard;
-struct KnownGuard {
-    const Expr *guard;            // is true, or false; NULL: `assigned` was or may have been executed since the outer entries
-    bool holds;
-    const Stmt *assigned;
-    const KnownGuard *outer;
+struct KnownGuard {               // an entry of a list, innermost first: a guard, or an assignment
+    const Expr *guard;            // NULL: the entry is an assignment
+    bool holds;                   // the known value of the guard
+    const Stmt *assigned;         // the assignment, which was or may have been executed after the guards of the outer entries
+    const KnownGuard *outer;      // the next entry; NULL: none
 };
 
 // Calls f for every statement of a block, with the guards known there.
@@ -23,7 +23,7 @@ typedef void KnownGuardsExpr(void *context, const Expr *e, const KnownGuard *kno
 void guards_known_each_expr(Analysis *a, const Expr *e, const KnownGuard *known, bool (*wanted)(const Expr *e), KnownGuardsExpr *f,
                             void *context);
 
-// Whether the guards imply that d is not 0.
+// Whether the types in d and the known guards prove that d is not 0.
 bool guards_exclude_zero(const Analysis *a, const KnownGuard *known, const Expr *d);
 
 #endif

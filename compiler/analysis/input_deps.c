@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes what values depend on.  A local depends on the values stored in it and on the guards around those stores.  A guard
-// depends on the variables it reads and on the enclosing guards.  These are the nodes of a graph.  Dependencies propagate along
-// its edges to a fixed point.  A node stores at most INPUT_DEPS_MAX sensors, so each node is visited only a few times.
+// Computes which inputs values depend on.  The nodes of a graph are the variables and the guards.  A local depends on the values
+// stored in it and on the guards around those stores; a guard depends on the variables it reads and on the enclosing guards.  Sets of
+// inputs propagate along these edges to a fixed point.  A set has at most INPUT_DEPS_MAX sensors, so it grows only a few times.
 #include "compiler/analysis/input_deps.h"
 
 typedef VEC(uint32_t) NodeNumbers;
@@ -24,7 +24,7 @@ static bool is_only_read(const InputDepsTable *s, const Var *v)
 
 bool is_sensor(const InputDepsTable *s, const Var *v) { return is_only_read(s, v) && v->type != SM_BOOL && !s->command[v->index]; }
 
-typedef struct UseCount { uint32_t *reads, *equalities; } UseCount;     // by Var.index; equalities: with a constant
+typedef struct UseCount { uint32_t *reads, *equalities; } UseCount;     // by Var.index: reads; reads in == or != with a constant
 
 static void count_use(Expr *e, void *context)
 {
@@ -83,6 +83,7 @@ static void add_sensor(InputDeps *l, const Var *v)
     l->n++;
 }
 
+// Adds the inputs of `from` to *to.  Returns whether *to has changed.
 static bool merge_deps(InputDeps *to, const InputDeps *from)
 {
     const InputDeps was = *to;
@@ -96,6 +97,7 @@ static bool merge_deps(InputDeps *to, const InputDeps *from)
     return to->n != was.n || to->more != was.more || to->time != was.time || to->input != was.input || to->other != was.other;
 }
 
+// The input that v itself is, if it is one.
 static InputDeps deps_of_var(const InputDepsTable *s, const Var *v)
 {
     InputDeps l = {.n = 0};
@@ -131,7 +133,7 @@ static void add_edges_from_vars(DepGraph *g, const Expr *e, uint32_t reader)
         add_edge(g, e->var->index, reader);
 }
 
-static void add_stmt(const StmtPlace *at, void *context)
+static void add_stmt(const StmtLocation *at, void *context)
 {
     DepGraph *g = context;
     const Stmt *stmt = at->stmt;
@@ -147,13 +149,13 @@ static void add_stmt(const StmtPlace *at, void *context)
         add_edge(g, node_of_guard(g->s, at->when->stmt), node);
 }
 
-static void propagate(InputDepsTable *s)
+static void propagate_deps(InputDepsTable *s)
 {
     const Program *p = s->a->p;
     const size_t nodes = p->var.n + p->stmts + 1;
     DepGraph g = {s, ARENA_ARRAY(s->a->arena, NodeNumbers, nodes), {NULL, 0, 0}, ARENA_ARRAY(s->a->arena, bool, nodes)};
 
-    each_stmt_place(s->a->arena, p, add_stmt, &g);
+    each_stmt_location(s->a->arena, p, add_stmt, &g);
     for (size_t v = 0; v < p->var.n; v++) {
         s->deps[v] = deps_of_var(s, p->var.at[v]);
         push_node(&g, (uint32_t)v);
@@ -202,13 +204,13 @@ const Condition *input_deps_find_condition(const InputDepsTable *s, const Condit
     return NULL;
 }
 
-// Returns true if e reads the sensor itself.
-static bool find_store_behind(const InputDepsTable *s, const Expr *e, const Var *sensor, const Stmt **store)
+// Returns whether e reads the sensor.  Also sets *store, if it is NULL, to a store to a local in e that depends on the sensor.
+static bool reads_sensor_or_finds_store(const InputDepsTable *s, const Expr *e, const Var *sensor, const Stmt **store)
 {
     bool itself = e->kind == EX_VAR && e->var == sensor;
 
     for (uint32_t i = 0; i < e->n; i++)
-        itself |= find_store_behind(s, e->arg[i], sensor, store);
+        itself |= reads_sensor_or_finds_store(s, e->arg[i], sensor, store);
     if (!*store && e->kind == EX_VAR && e->var->kind == VAR_LOCAL && input_deps_include(&s->deps[e->var->index], sensor))
         *store = s->store[e->var->index];
     return itself;
@@ -218,7 +220,7 @@ const Stmt *input_deps_find_store(const InputDepsTable *s, const Expr *e, const 
 {
     const Stmt *store = NULL;
 
-    return find_store_behind(s, e, sensor, &store) ? NULL : store;
+    return reads_sensor_or_finds_store(s, e, sensor, &store) ? NULL : store;
 }
 
 const InputDepsTable *input_deps_of(Analysis *a)
@@ -232,6 +234,6 @@ const InputDepsTable *input_deps_of(Analysis *a)
     s->deps = ARENA_ARRAY(arena, InputDeps, n + a->p->stmts + 1);
     s->store = ARENA_ARRAY(arena, const Stmt *, n);
     find_commands(s);
-    propagate(s);
+    propagate_deps(s);
     return s;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The role of a machine's elements, and the inputs that its values depend on: which sensors a guard depends on, directly,
-// through rolling windows, and through locals computed from them.
+// The inputs that a machine's values depend on: for example, which sensors a guard reads directly, through rolling windows, or
+// through locals computed from them.  Also the role of each element: sensor, command or other.
 #ifndef SMC_INPUT_DEPS_H
 #define SMC_INPUT_DEPS_H
 
@@ -11,16 +11,16 @@ enum { INPUT_DEPS_MAX = 6 };      // sensors tracked per value; a value that rea
 typedef struct InputDeps {
     const Var *sensor[INPUT_DEPS_MAX]; // in order of Var.index
     uint32_t n;
-    bool more;                    // on further sensors
-    bool time;                    // on T or G
-    bool input;                   // on an element that the machine only reads and that is not a sensor
-    bool other;                   // on an element that the machine writes, on S, or on a local that a script writes
+    bool more;                    // it also depends on more sensors than INPUT_DEPS_MAX
+    bool time;                    // it depends on T or G
+    bool input;                   // it depends on an element that the machine only reads and that is not a sensor
+    bool other;                   // it depends on an element that the machine writes, on S, or on a local that a script writes
 } InputDeps;
 
 typedef struct InputDepsTable {
     Analysis *a;
     bool *command;                // by Var.index: marked @command; or an integer that is only ever compared with constants by == or !=
-    InputDeps *deps;              // by Var.index, followed by Stmt.number of conditionals: its guard and the enclosing guards
+    InputDeps *deps;              // first by Var.index, then by Stmt.number of conditionals (for its guard and the enclosing guards)
     const Stmt **store;           // by Var.index: its first assignment in the file; or NULL
 } InputDepsTable;
 
@@ -28,14 +28,13 @@ const InputDepsTable *input_deps_of(Analysis *a);
 
 bool is_sensor(const InputDepsTable *s, const Var *v);       // a numeric element that the machine only reads; not a command, G, S or T
 
-// The inputs that decide whether all these conditions are met; the inputs that a value depends on.
+// The inputs that decide whether `when` and its outer conditions are met, and the inputs that the value of e depends on.
 InputDeps input_deps_of_condition(const InputDepsTable *s, const Condition *when);
 InputDeps input_deps_of_expr(const InputDepsTable *s, const Expr *e);
 bool input_deps_include(const InputDeps *l, const Var *sensor);
-// The innermost condition whose own guard depends on a sensor; NULL if there is none.
+// The innermost condition, from `when` outwards, whose own guard depends on the sensor; NULL: none does.
 const Condition *input_deps_find_condition(const InputDepsTable *s, const Condition *when, const Var *sensor);
-// For an expression that does not read the sensor itself: a store to a local that it reads and that depends on the sensor.
-// NULL: there is none.
+// If e depends on the sensor only through locals: a store to such a local.  NULL: e reads the sensor itself, or does not depend on it.
 const Stmt *input_deps_find_store(const InputDepsTable *s, const Expr *e, const Var *sensor);
 
 #endif

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Windows that sample a variable before the step assigns it.  Windows take their samples when a step begins (language.md 7.4).
-// If the machine assigns the variable and then uses a statistic of it, the statistic lacks the value of this step.
+// Rolling windows that sample a variable before the step assigns it.  Windows take their samples when a step begins (language.md 7.4).
+// If the machine assigns the variable and then uses a statistic of it, the statistic does not include the value of this step.
 //
 // Not reported, because there the old value is intended or is the only one available:
 // 1. assignments after the use, as in `rate = x - last` ... `last = x`: the variable itself is also old at the use;
 // 2. assignments in .entry alone: an initial value, followed by samples of the values that .step leaves;
-// 3. an element combined with an input, as in `abs(order - position)`: the order of the step before, and its result;
+// 3. an element combined with an input, as in `abs(order - position)`: the input is the result of the order of the step before;
 // 4. a variable that the same expression also reads without a window, as in `min(p, roll_min(p, 1))`: it has this step's value.
 #include "compiler/analysis/guards_known.h"
 
 typedef struct StatUse {
     Analysis *a;
     const Stmts *block;
-    const KnownGuard *known;           // guards and assignments at the expression
-    const Expr *value;            // the whole expression
+    const KnownGuard *known;      // guards and assignments at the expression
+    const Expr *value;            // the whole expression of the statement
     const Expr *roll;             // the window call in it whose sample is being searched
 } StatUse;
 
+// The last assignment to v that was or may have been executed before; or NULL.
 static const Stmt *find_assignment(const KnownGuard *known, const Var *v)
 {
     for (; known; known = known->outer)
@@ -25,7 +26,7 @@ static const Stmt *find_assignment(const KnownGuard *known, const Var *v)
     return NULL;
 }
 
-// Whether the variable then contains exactly the assigned number: nothing is rounded, truncated or limited.
+// Whether the assignment stores exactly the assigned number, without rounding, truncation or saturation.
 static bool is_stored_exactly(const StatUse *u, const Stmt *assigned)
 {
     const Fact value = u->a->stmt[assigned->number].value;
@@ -45,8 +46,9 @@ static bool reads_written_variable(const Expr *e)
     return found;
 }
 
-// Whether the assignment is executed in every step of the state, from values that the machine does not change.
-static bool can_be_inlined(const StatUse *u, const Stmt *assigned)
+// Whether the window could sample the assigned expression instead of the variable: the assignment is executed in every step of the
+// state, and the expression reads nothing that the machine writes.
+static bool can_sample_assigned_value(const StatUse *u, const Stmt *assigned)
 {
     bool is_always = false;
 
@@ -79,11 +81,11 @@ static void report_late_sample(const StatUse *u, const Var *v, const Stmt *assig
     Diag *d = diag_report(diags, DIAG_late_sample, u->roll->span, v->name->text);
 
     diag_note(diags, d, assigned->span, DIAG_note_assigned_after_sample, v->name->text);
-    if (can_be_inlined(u, assigned))
+    if (can_sample_assigned_value(u, assigned))
         diag_note(diags, d, (Span){0}, DIAG_note_sample_itself, v->name->text, source_text(diags->arena, assigned->value->span));
 }
 
-// Inner windows are visited separately.
+// Reports variables that the sample of u->roll reads although the step assigns them.  Inner windows are visited separately.
 static void check_sample(const StatUse *u, const Expr *e)
 {
     const Stmt *assigned = e->kind == EX_VAR ? find_assignment(u->known, e->var) : NULL;

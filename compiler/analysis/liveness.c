@@ -8,7 +8,7 @@
 
 typedef VEC(uint32_t) StateNumbers;
 
-// A load or store of a function.  Every function is visited several times, and only a fifth of its IR are accesses.
+// A load or store of a function.  They are listed once, because every function is visited several times and most of its IR is neither.
 typedef struct Access {
     uint32_t var;
     uint32_t at;                  // index in its block's list
@@ -21,9 +21,9 @@ struct Liveness {
     Analysis *a;
     size_t words;                 // words of a set: one bit for each variable of the IR that is written
     uint32_t *bit;                // by IrVar; IR_NONE: it is never written
-    uint64_t *shown;              // the set that is read at the end of each step
+    uint64_t *read_after_step;    // the set of variables that other code or windows read after each step
     uint64_t **begin[BLOCK_COUNT];    // by state: what is live at the start of the block; for a missing block, where it would start
-    StateNumbers *before, *after;     // by state: the states that lead to it, and those that it leads to
+    StateNumbers *before, *after;     // by state: the states with a transition into it, and the targets of its own transitions
     Accesses *access[BLOCK_COUNT];    // by state, in order
     size_t blocks;                // the number of blocks that `live` has room for
     uint64_t *live;               // by block of the current function: what is live at its start
@@ -41,48 +41,50 @@ static void mark_live(Liveness *l, uint64_t *set, uint32_t var)
         bitset_add(set, l->bit[var]);
 }
 
-static void merge(const Liveness *l, uint64_t *set, const uint64_t *more) { bitset_merge(set, more, l->words); }
+static void merge_set(const Liveness *l, uint64_t *set, const uint64_t *more) { bitset_merge(set, more, l->words); }
 
 // ---- functions ----
 
-// The next step begins in this block of this state.
-static void merge_next_step(const Liveness *l, uint64_t *set, size_t state, BlockKind block)
+// Adds what is live at the end of a step if the next step begins in this block of this state.
+static void merge_live_in_next_step(const Liveness *l, uint64_t *set, size_t state, BlockKind block)
 {
-    merge(l, set, l->shown);
-    merge(l, set, l->begin[block][state]);
+    merge_set(l, set, l->read_after_step);
+    merge_set(l, set, l->begin[block][state]);
 }
 
-static void merge_after_return(const Liveness *l, uint64_t *set)
+// Adds what is live where the current function returns without a transition; for .exit, where it returns.
+static void merge_live_after_return(const Liveness *l, uint64_t *set)
 {
     const StateNumbers *after = &l->after[l->state];
 
     switch (l->block) {
-    case BLOCK_ENTRY: merge(l, set, l->begin[BLOCK_STEP][l->state]); break;
-    case BLOCK_STEP:  merge_next_step(l, set, l->state, BLOCK_STEP); break;
+    case BLOCK_ENTRY: merge_set(l, set, l->begin[BLOCK_STEP][l->state]); break;
+    case BLOCK_STEP:  merge_live_in_next_step(l, set, l->state, BLOCK_STEP); break;
     case BLOCK_EXIT:                                  // .exit does not know the target of the transition
-        merge(l, set, l->shown);
+        merge_set(l, set, l->read_after_step);
         for (size_t i = 0; i < after->n; i++)
-            merge(l, set, l->begin[BLOCK_ENTRY][after->at[i]]);
+            merge_set(l, set, l->begin[BLOCK_ENTRY][after->at[i]]);
         break;
     case BLOCK_COUNT: break;
     }
 }
 
-static void merge_after_jump(const Liveness *l, uint64_t *set, const IrJump *j)
+static void merge_live_after_jump(const Liveness *l, uint64_t *set, const IrJump *j)
 {
     switch (j->kind) {
-    case IR_RET: merge_after_return(l, set); break;
+    case IR_RET: merge_live_after_return(l, set); break;
     case IR_GOTO:
         if (l->a->m->state.at[l->state].block[BLOCK_EXIT])
-            merge(l, set, l->begin[BLOCK_EXIT][l->state]);
+            merge_set(l, set, l->begin[BLOCK_EXIT][l->state]);
         else
-            merge_next_step(l, set, j->state - 1, BLOCK_ENTRY);
+            merge_live_in_next_step(l, set, j->state - 1, BLOCK_ENTRY);
         break;
-    case IR_BR: merge(l, set, l->live + j->otherwise * l->words); /* fall through */
-    case IR_JMP: merge(l, set, l->live + j->then * l->words); break;
+    case IR_BR: merge_set(l, set, l->live + j->otherwise * l->words); /* fall through */
+    case IR_JMP: merge_set(l, set, l->live + j->then * l->words); break;
     }
 }
 
+// Removes the variable of a store from the live set, and reports the store if the variable was not live.
 static void visit_store(Liveness *l, const IrFn *f, const Access *store, uint64_t *live)
 {
     const uint32_t bit = l->bit[store->var];
@@ -108,7 +110,7 @@ static void visit_function(Liveness *l, const IrFn *f)
     for (size_t b = f->blk.n; b-- > 0;) {
         uint64_t *live = l->live + b * l->words;
         memset(live, 0, l->words * sizeof *live);
-        merge_after_jump(l, live, &f->blk.at[b].jump);
+        merge_live_after_jump(l, live, &f->blk.at[b].jump);
         for (; n > 0 && all->at[n - 1].blk == b; n--)
             if (all->at[n - 1].store)
                 visit_store(l, f, &all->at[n - 1], live);
@@ -130,7 +132,7 @@ static bool update_begin(Liveness *l, BlockKind block)
         visit_function(l, f);
     } else {
         memcpy(l->live, begin, size);
-        merge_after_return(l, l->live);
+        merge_live_after_return(l, l->live);
     }
     changed = memcmp(begin, l->live, size) != 0;
     memcpy(begin, l->live, size);
@@ -139,7 +141,8 @@ static bool update_begin(Liveness *l, BlockKind block)
 
 // ---- the iteration ----
 
-// What is live at the start of .step is also live where it returns.  That adds nothing to what is live at its start.
+// Computes `begin` of all states.  What is live at the start of .step is also live where .step returns; as a backward path through
+// .step adds nothing to that, one visit of .step is enough.
 static void iterate(Liveness *l)
 {
     Worklist queue = worklist_new(l->a->arena, l->a->m->state.n);
@@ -158,7 +161,8 @@ static void iterate(Liveness *l)
 
 // ---- preparation ----
 
-static void number_written_variables(Liveness *l)
+// Gives each variable that the machine writes a bit in the sets.
+static void assign_bits_to_variables(Liveness *l)
 {
     const IrMachine *m = l->a->m;
     uint32_t n = 0;
@@ -169,17 +173,17 @@ static void number_written_variables(Liveness *l)
     l->words = bitset_words(n);
 }
 
-static void find_shown(Liveness *l)
+static void find_read_after_step(Liveness *l)
 {
     const IrMachine *m = l->a->m;
 
-    l->shown = new_set(l);
+    l->read_after_step = new_set(l);
     for (uint32_t v = 0; v < m->var.n; v++)
         if (m->var.at[v].space != IR_LOCAL)
-            mark_live(l, l->shown, v);
+            mark_live(l, l->read_after_step, v);
     for (size_t i = 0; m->sample && i < m->sample->ins.n; i++)
         if (m->sample->ins.at[i].op == IR_load)
-            mark_live(l, l->shown, m->sample->ins.at[i].var);
+            mark_live(l, l->read_after_step, m->sample->ins.at[i].var);
 }
 
 static void list_accesses(Liveness *l, const IrFn *f, Accesses *out)
@@ -193,7 +197,7 @@ static void list_accesses(Liveness *l, const IrFn *f, Accesses *out)
         }
 }
 
-static void list_neighbours(Liveness *l)
+static void list_adjacent_states(Liveness *l)
 {
     const Transitions *t = &l->a->transition;
 
@@ -211,11 +215,11 @@ Liveness *liveness_of(Analysis *a)
     const size_t states = a->m->state.n;
 
     l->a = a;
-    number_written_variables(l);
+    assign_bits_to_variables(l);
     l->blocks = 1;
     l->live = new_set(l);
-    find_shown(l);
-    list_neighbours(l);
+    find_read_after_step(l);
+    list_adjacent_states(l);
     for (int b = 0; b < BLOCK_COUNT; b++) {
         l->begin[b] = ARENA_ARRAY(a->arena, uint64_t *, states);
         l->access[b] = arena_array(a->arena, states, sizeof *l->access[b]);

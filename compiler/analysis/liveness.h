@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which variables have values that may still be read: backward over every function, and for locals over the states.
+// Liveness analysis: which variables have values that may still be read.  It goes backward through every function and, for locals,
+// backward over the transitions between states.
 //
-// Other code reads the elements at the end of each step.  Windows read what they sample when the next step begins.  Guards are
-// not evaluated: every path counts.
+// Other code reads all elements at the end of each step.  Windows read what they sample when the next step begins.  Every path
+// counts, even if its guards are never true.
 #ifndef SMC_LIVENESS_H
 #define SMC_LIVENESS_H
 

@@ -30,8 +30,8 @@ static void check_constant(Analysis *a, const Var *v, const Expr *value)
 
 // ---- computed values ----
 
-// Whether all values are above the largest value of the type, or all below the smallest.  A value that only loses its fraction
-// fits.
+// Whether all values of f are above the largest value of the type, or all are below the smallest.  A value of which only the fraction
+// is lost fits.
 static bool never_fits(Fact f, SmType type)
 {
     const Fact t = fact_of_type(type);

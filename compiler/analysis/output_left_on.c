@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // Outputs that stay on where the machine may rest: in a state marked @safe, and in a state that only a person can end.
 //
-// Takes every situation that the search found at the entry of such a state, and holds inputs with which the machine stays.  If
-// an output that another state switched on is still on after that time, the state is reported.
+// Starts from every situation that the search (trial.h) found at the entry of such a state, and keeps inputs constant with which the
+// machine stays in the state.  If an output that another state switched on is still on when nothing more happens, it is reported.
 #include <string.h>
 
 #include "compiler/analysis/trial_checks.h"
 
 enum {
-    HELD = 10,                    // inputs tried in each situation
-    OUTPUTS = 4                   // outputs named in one finding
+    INPUTS_TRIED = 10,            // inputs tried in each situation
+    OUTPUTS_NAMED = 4             // outputs named in one finding
 };
 
-typedef struct LeftOn {
+typedef struct LeftOnSearch {
     Trials *t;
     void *at;
     double *in;
-    const Var *output[OUTPUTS];   // found on in the current state
-    const Stmt *on[OUTPUTS];      // the statement that switched it on
-    const Transition *via[OUTPUTS];
+    const Var *output[OUTPUTS_NAMED];   // the outputs found on in the current state
+    const Stmt *on[OUTPUTS_NAMED];      // the statement that switched each on
+    const Transition *via[OUTPUTS_NAMED];
     uint32_t outputs;
-} LeftOn;
+} LeftOnSearch;
 
-typedef struct OffSearch { const LeftOn *l; const Var *v; const Stmt *off; } OffSearch;
+typedef struct OffSearch { const LeftOnSearch *l; const Var *v; const Stmt *off; } OffSearch;
 
-static void find_off_assignment(const Stmt *s, void *context)
+static void record_off_assignment(const Stmt *s, void *context)
 {
     OffSearch *k = context;
     const Fact f = k->l->t->a->stmt[s->number].value;
@@ -33,33 +33,33 @@ static void find_off_assignment(const Stmt *s, void *context)
         k->off = s;
 }
 
-static bool is_ever_off(const LeftOn *l, const Var *v)
+static bool is_ever_switched_off(const LeftOnSearch *l, const Var *v)
 {
     OffSearch k = {l, v, NULL};
 
-    each_stmt(l->t->a->p, find_off_assignment, &k);
+    each_stmt(l->t->a->p, record_off_assignment, &k);
     return k.off != NULL;
 }
 
 // ---- findings ----
 
 // One finding for a state, with the outputs that are on and the transition into it.
-static void report_outputs(const LeftOn *l, const State *s)
+static void report_outputs(const LeftOnSearch *l, const State *s)
 {
     const Analysis *a = l->t->a;
-    Diag *d = diag_report(a->diags, DIAG_output_left_on, s->span, s->name->text, trial_check_names(a->arena, l->output, l->outputs));
+    Diag *d = diag_report(a->diags, DIAG_output_left_on, s->span, s->name->text, trial_check_join_names(a->arena, l->output, l->outputs));
 
     for (uint32_t i = 0; i < l->outputs; i++) {
         diag_about(a->diags, d, DIAG_OUTPUTS, l->output[i]->span);
         diag_step(a->diags, d, l->on[i]->span, DIAG_note_switched_on, l->output[i]->name->text);
         diag_step(a->diags, d, l->via[i]->stmt->span, DIAG_note_still_on, l->output[i]->name->text, s->name->text);
-        if (!is_ever_off(l, l->output[i]))
+        if (!is_ever_switched_off(l, l->output[i]))
             diag_note(a->diags, d, (Span){0}, DIAG_note_never_off, l->output[i]->name->text);
     }
 }
 
-// Holds the inputs as long as anything can happen.  Returns false if the state is left.
-static bool stays(LeftOn *l, uint32_t state)
+// Runs with constant inputs for as long as anything can happen.  Returns false if the machine leaves the state.
+static bool hold_inputs_in_state(LeftOnSearch *l, uint32_t state)
 {
     Trials *t = l->t;
 
@@ -76,7 +76,7 @@ static bool stays(LeftOn *l, uint32_t state)
     return true;
 }
 
-// If a guarded block switches an output on and goes to this state, the output is intended to be on there.
+// Whether the output is intended to be on: the branch that switches it on also contains the transition into the state.
 static bool is_intended(const Trials *t, const Stmt *on, const Transition *via)
 {
     const Condition *when = t->when[on->number];
@@ -85,7 +85,7 @@ static bool is_intended(const Trials *t, const Stmt *on, const Transition *via)
 }
 
 // Adds the outputs that are on now and were switched on by another state.  Returns whether there are any.
-static bool add_outputs_on(LeftOn *l, const TrialEntry *e, const State *s)
+static bool add_outputs_on(LeftOnSearch *l, const TrialEntry *e, const State *s)
 {
     Trials *t = l->t;
     const double *var = ir_run_vars(t->run, l->at);
@@ -100,7 +100,7 @@ static bool add_outputs_on(LeftOn *l, const TrialEntry *e, const State *s)
         any = true;
         while (i < l->outputs && l->output[i] != t->var[v])
             i++;
-        if (i < l->outputs || i == OUTPUTS)
+        if (i < l->outputs || i == OUTPUTS_NAMED)
             continue;
         l->output[i] = t->var[v];
         l->on[i] = on;
@@ -110,11 +110,12 @@ static bool add_outputs_on(LeftOn *l, const TrialEntry *e, const State *s)
     return any;
 }
 
-static void try_entry(LeftOn *l, const State *s, const TrialEntry *e)
+// Tries several inputs from one entry of the state, until outputs are found on.
+static void try_entry(LeftOnSearch *l, const State *s, const TrialEntry *e)
 {
     Trials *t = l->t;
 
-    for (int n = 0; n < HELD; n++) {
+    for (int n = 0; n < INPUTS_TRIED; n++) {
         trial_copy(t, l->at, e->situation);
         memcpy(l->in, e->in, t->inputs * sizeof *l->in);
         for (uint32_t i = 0; i < t->inputs && n > 0; i++)
@@ -122,23 +123,23 @@ static void try_entry(LeftOn *l, const State *s, const TrialEntry *e)
                 l->in[i] = 0;
         if (n > 1)
             trial_draw_inputs(t, l->in, &t->state[s->number - 1], n % 2, false);
-        if (stays(l, s->number) && add_outputs_on(l, e, s))
+        if (hold_inputs_in_state(l, s->number) && add_outputs_on(l, e, s))
             return;
     }
 }
 
-// Whether sensors and time alone can end the state.
-static bool ends_by_itself(LeftOn *l, const State *s)
+// Whether some trial leaves the state without a command.
+static bool can_end_without_command(LeftOnSearch *l, const State *s)
 {
     Trials *t = l->t;
     const TrialState *ts = &t->state[s->number - 1];
 
     for (size_t n = 0; n < ts->entry.n && n < 4; n++)
-        for (int k = 0; k < 4 * HELD; k++) {
+        for (int k = 0; k < 4 * INPUTS_TRIED; k++) {
             trial_copy(t, l->at, ts->entry.at[n].situation);
             memcpy(l->in, ts->entry.at[n].in, t->inputs * sizeof *l->in);
             trial_draw_inputs(t, l->in, ts, false, true);
-            if (!stays(l, s->number))
+            if (!hold_inputs_in_state(l, s->number))
                 return true;
         }
     return false;
@@ -146,11 +147,11 @@ static bool ends_by_itself(LeftOn *l, const State *s)
 
 void check_output_left_on(Trials *t)
 {
-    LeftOn l = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
+    LeftOnSearch l = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];
-        if (t->state[s].entry.n == 0 || (!state->is_safe && ends_by_itself(&l, state)))
+        if (t->state[s].entry.n == 0 || (!state->is_safe && can_end_without_command(&l, state)))
             continue;
         l.outputs = 0;
         for (size_t n = 0; n < t->state[s].entry.n; n++)

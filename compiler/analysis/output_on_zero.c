@@ -5,9 +5,10 @@
 // other one sensor fails.  If the healthy machine stays in its state and an output switches on in the other, the failure is the
 // cause.
 //
-// It is reported only if it does not depend on another sensor: whatever the others read, as long as the healthy machine stays
-// quiet, the same output switches on.  An effect that a second sensor must currently confirm is not reported.  Earlier readings
-// of other sensors, earlier commands of a person, and a timer that would have done it later do not prevent a report.
+// It is reported only if it does not depend on another sensor: the same output switches on for all tried readings of the others with
+// which the healthy machine is quiet (it stays in its state with the output off).  An effect that a second sensor must currently
+// confirm is not reported.  Earlier readings of other sensors, earlier commands of a person, and a timer that would have had the
+// same effect later do not prevent a report.
 //
 // For an @abort state the same test asks whether the machine leaves it, without any command.
 //
@@ -31,17 +32,17 @@ static const double noise_of_others[] = {0, 0.02, 0.3};
 enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 4 };     // the other motions are used if the scale is unknown
 
 enum {
-    OUTPUTS = 4,                  // outputs named in one finding
-    TRIED = 6,                    // entries of a state
-    OTHERS_FIRST = 12,            // other inputs with which a case is tried
-    OTHERS = 32,                  // random other inputs that are tried before a finding
-    OTHERS_OF_ONE = 12,           // readings of one sensor that are tried before the random inputs
-    QUIET_LEAST = 4,              // of all these inputs: how many must leave the healthy machine quiet
-    PASSES = 200                  // passes of time after a sensor has failed
+    OUTPUTS_NAMED = 4,                  // outputs named in one finding
+    ENTRIES_TRIED = 6,            // entries of a state
+    OTHERS_FIRST = 12,            // readings of the other sensors with which a failure is tried
+    OTHERS = 32,                  // random readings of the other sensors with which an effect must be confirmed
+    OTHERS_OF_ONE = 12,           // before them: readings of one other sensor at a time
+    QUIET_LEAST = 4,              // with how many of all these readings the healthy machine must stay quiet
+    PASSES_MAX = 200              // calls of trial_steps_to_event after a sensor has failed
 };
 static const uint64_t effort = 4000000, effort_in_all = 100000000;      // instructions per sensor and state; in total
 
-typedef struct FailureCase {             // one trial: the sensor reads `reading`, moving, and fails at some time
+typedef struct FailureCase {      // one trial: the sensor reads `reading`, with a motion, and fails at some time
     const TrialEntry *entry;
     uint32_t sensor;              // index of the input
     double reading;
@@ -52,8 +53,8 @@ typedef struct FailureCase {             // one trial: the sensor reads `reading
 typedef struct FailureEffect {
     uint32_t transition;          // the first transition of the failed machine (Stmt.number); 0: none
     const Stmt *at;               // the cause in the failed machine, absent in the healthy one: a transition, or the assignment
-    const Var *output[OUTPUTS];
-    const Stmt *on[OUTPUTS];      // the assignment that switched it on
+    const Var *output[OUTPUTS_NAMED];
+    const Stmt *on[OUTPUTS_NAMED];      // the assignment that switched it on
     uint32_t outputs;
     double before, failed;        // readings of the sensor
     uint32_t steps;
@@ -62,19 +63,20 @@ typedef struct FailureEffect {
 typedef struct FailureTrial {
     Trials *t;
     AbortBound bound;
-    void *healthy, *failed;
-    void *begin, *saved;          // when the sensor fails; the same, while other inputs are tried
-    double *in, *now, *broken;    // inputs: at rest; of the healthy machine in this step; of the failed one
-    double *before, *before_failed;       // variables before a step
-    double *other;                // replaces `in` during that time
+    void *healthy, *failed;       // the situations of the two machines
+    void *begin, *saved;          // the situation when the sensor fails; a copy of it, while other readings are tried
+    double *in;                   // inputs without motion
+    double *now, *broken;         // inputs of this step: of the healthy machine, of the failed one
+    double *before, *before_failed;       // variables before a step, of the two machines
+    double *other;                // replaces `in` while other readings are tried
     double reading;               // the sensor's reading in the step before it fails
     uint32_t clock;               // steps of this trial, for the motion
     double *level;                // by IR variable: its largest magnitude in the healthy machine before the sensor fails
-    uint32_t only;                // only this position (Stmt.number) counts; 0: any
+    uint32_t only;                // only an effect with this cause (Stmt.number) counts; 0: any
     bool *reported;               // by Stmt.number: already reported for this sensor and state
     double others;                // noise on other sensors, in distances to their next reading
     double rise;                  // the fraction of its largest level by which an output has to rise
-    bool leaves;                  // test for an @abort state: whether it ends
+    bool leaves;                  // the state is an @abort state: the effect is that the machine leaves it
     int tries;                    // number of attempts with other inputs
     uint64_t effort;              // instructions for one sensor in one state
     uint64_t until;               // value of Trials.run.work at which this sensor and state are finished
@@ -82,7 +84,7 @@ typedef struct FailureTrial {
 
 // ---- readings ----
 
-static double failed_reading(const TrialInput *i, FailureKind f, double before)
+static double reading_of_failure(const TrialInput *i, FailureKind f, double before)
 {
     const Fact type = fact_of_type(i->v->type);
 
@@ -97,15 +99,15 @@ static double failed_reading(const TrialInput *i, FailureKind f, double before)
     return before;
 }
 
-// A pseudo-random number between -1 and 1 for each step and input.
-static double pseudo_random(uint32_t step, uint32_t input)
+// A pseudo-random number between -1 and 1 that is always the same for this step and input.
+static double hash_to_noise(uint32_t step, uint32_t input)
 {
     return (double)((step * 2654435761u ^ (input + 1) * 2246822519u) * 3266489917u >> 8) / 8388608.0 - 1;
 }
 
 // ---- one trial ----
 
-// The distance from the reading of the case to the next one.
+// The distance from a reading to the nearest other one that comparisons distinguish.
 static double distance_to_next(const TrialInput *i, double reading)
 {
     double least = i->scale;
@@ -122,16 +124,17 @@ static double noise_amplitude(const FailureTrial *z, const TrialInput *i, double
     return z->others == 0 ? i->scale / 1000 : i->rough ? 300 * z->others : z->others * distance_to_next(i, reading);
 }
 
+// Applies the motion of the case to the readings of the current step.
 static void move_readings(const FailureTrial *z, const FailureCase *c, double *in)
 {
     const Trials *t = z->t;
     const ReadingMotion m = motion[c->motion];
     const TrialInput *i = &t->input[c->sensor];
-    const double by = m.noise * distance_to_next(i, c->reading) * pseudo_random(z->clock, i->group) + m.slope * i->scale * z->clock;
+    const double by = m.noise * distance_to_next(i, c->reading) * hash_to_noise(z->clock, i->group) + m.slope * i->scale * z->clock;
 
     for (uint32_t k = 0; k < t->inputs && (m.noise > 0 || z->others > 0); k++)
         if (!t->input[k].command && t->input[k].group != i->group)
-            in[k] = trial_clamp(&t->input[k], in[k] + noise_amplitude(z, &t->input[k], in[k]) * pseudo_random(z->clock, t->input[k].group));
+            in[k] = trial_clamp(&t->input[k], in[k] + noise_amplitude(z, &t->input[k], in[k]) * hash_to_noise(z->clock, t->input[k].group));
     if (by != 0)
         trial_set_group(t, in, c->sensor, trial_clamp(i, c->reading + by));
 }
@@ -161,9 +164,9 @@ static bool run_to_steady_state(FailureTrial *z, const FailureCase *c)
     return true;
 }
 
-// From z->begin, lets time pass until the next timer or counter reaches its limit.  Returns false if the machine leaves its
-// state, or if nothing more can happen.
-static bool advance_healthy(FailureTrial *z, const FailureCase *c)
+// Runs the healthy machine from z->begin until the next timer or counter reaches its limit, and then to a steady state.  Returns
+// false if the machine leaves its state, or if no timer or counter is running.
+static bool advance_to_next_timer(FailureTrial *z, const FailureCase *c)
 {
     Trials *t = z->t;
     uint32_t n = 0;
@@ -184,33 +187,33 @@ static bool advance_healthy(FailureTrial *z, const FailureCase *c)
     return run_to_steady_state(z, c);
 }
 
-// Adds the outputs that have switched on at one position: the transition taken, or one assignment.  A position is reported
-// once.
-static void add_outputs(FailureTrial *z, FailureEffect *e)
+// Adds the outputs that the failed machine has switched on and the healthy one has not, for one cause: the transition that the failed
+// machine has taken, or else one assignment.  Each cause is reported once.
+static void add_outputs_switched_on(FailureTrial *z, FailureEffect *e)
 {
     const Trials *t = z->t;
     const double *healthy = ir_run_vars(t->run, z->healthy), *failed = ir_run_vars(t->run, z->failed);
     const uint32_t *writer = ir_run_writers(t->run, z->failed);
-    uint32_t place = e->transition;
+    uint32_t cause = e->transition;
 
-    for (uint32_t v = 0; v < t->run->m->var.n && e->outputs < OUTPUTS; v++) {
+    for (uint32_t v = 0; v < t->run->m->var.n && e->outputs < OUTPUTS_NAMED; v++) {
         if (!t->actuator[v] || sm_abs(failed[v]) - sm_max(z->level[v], sm_abs(healthy[v])) < z->rise * sm_max(t->peak[v], 1e-9))
             continue;
-        if (e->transition == 0 && (z->reported[writer[v]] || (place != 0 && place != writer[v]) || (z->only && z->only != writer[v])))
+        if (e->transition == 0 && (z->reported[writer[v]] || (cause != 0 && cause != writer[v]) || (z->only && z->only != writer[v])))
             continue;
-        place = e->transition ? e->transition : writer[v];
+        cause = e->transition ? e->transition : writer[v];
         e->output[e->outputs] = t->var[v];
         e->on[e->outputs++] = t->stmt[writer[v]];
     }
-    e->at = t->stmt[place];
+    e->at = t->stmt[cause];
 }
 
 static bool is_bound_for_abort(const FailureTrial *z, const void *situation) { return z->bound.bound[trial_state(situation) - 1]; }
 
 typedef enum StepEffect { NO_EFFECT, INCONCLUSIVE, HAS_EFFECT } StepEffect;
 
-// A second transition, out of a state in which the machine can rest.  What follows is caused by that state.
-static bool left_safe_state(const FailureTrial *z, const FailureEffect *e)
+// Whether the last transition was a later one, out of an @safe state.  Then the safe state is the cause of what follows.
+static bool has_left_safe_state(const FailureTrial *z, const FailureEffect *e)
 {
     const uint32_t taken = z->t->trace.transition;
 
@@ -230,7 +233,7 @@ static StepEffect step_both(FailureTrial *z, const FailureCase *c, FailureEffect
     trial_step(t, z->failed, z->broken, t->dt, &t->trace);
     if (t->trace.transition && e->transition == 0)
         e->transition = t->trace.transition;
-    if (z->reported[e->transition] || left_safe_state(z, e))
+    if (z->reported[e->transition] || has_left_safe_state(z, e))
         return INCONCLUSIVE;
     if (z->only && e->transition && e->transition != z->only)
         return NO_EFFECT;
@@ -241,12 +244,12 @@ static StepEffect step_both(FailureTrial *z, const FailureCase *c, FailureEffect
     }
     if (e->transition && is_bound_for_abort(z, z->failed))
         return INCONCLUSIVE;
-    add_outputs(z, e);
+    add_outputs_switched_on(z, e);
     return e->outputs > 0 ? HAS_EFFECT : NO_EFFECT;
 }
 
-// Steps until nothing differs any more, or until windows are filled; then for as long as anything can happen, skipping the steps
-// in which nothing happens in either.
+// Runs both machines until windows are full of the failed readings, and ends there if the machines are the same again.  Then runs them
+// for as long as anything can happen, skipping steps in which nothing happens in either.  Returns the first effect.
 static StepEffect run_both(FailureTrial *z, const FailureCase *c, FailureEffect *e)
 {
     Trials *t = z->t;
@@ -258,7 +261,7 @@ static StepEffect run_both(FailureTrial *z, const FailureCase *c, FailureEffect 
         if (n > t->window + 2 && trial_is_same(t, z->healthy, z->failed))
             return effect;
     }
-    for (int n = 0, idle = 0; n < (c->motion == 0 ? PASSES : PASSES / 10) && effect == NO_EFFECT && idle < 2; n++) {
+    for (int n = 0, idle = 0; n < (c->motion == 0 ? PASSES_MAX : PASSES_MAX / 10) && effect == NO_EFFECT && idle < 2; n++) {
         uint32_t skip, in_failed;
         memcpy(z->before, ir_run_vars(t->run, z->healthy), size);
         memcpy(z->before_failed, ir_run_vars(t->run, z->failed), size);
@@ -275,7 +278,7 @@ static StepEffect run_both(FailureTrial *z, const FailureCase *c, FailureEffect 
     return effect;
 }
 
-// z->begin is the situation in which the sensor fails.
+// Runs both machines from z->begin, the situation in which the sensor fails, and describes the effect in *e.
 static StepEffect run_failure(FailureTrial *z, const FailureCase *c, FailureEffect *e)
 {
     Trials *t = z->t;
@@ -286,7 +289,7 @@ static StepEffect run_failure(FailureTrial *z, const FailureCase *c, FailureEffe
     trial_copy(t, z->healthy, z->begin);
     trial_copy(t, z->failed, z->begin);
     e->before = motion[c->motion].noise > 0 ? c->reading : z->reading;      // the value at rest, not at a peak of the noise
-    e->failed = failed_reading(&t->input[c->sensor], c->failure, e->before);
+    e->failed = reading_of_failure(&t->input[c->sensor], c->failure, e->before);
     effect = run_both(z, c, e);
     z->clock = clock;
     return effect;
@@ -320,8 +323,8 @@ static bool choose_others(FailureTrial *z, const FailureCase *c, uint32_t n)
     return n < OTHERS;
 }
 
-// Whether the output switches on whatever other sensors read from now on, as long as the healthy machine stays quiet and has it
-// off.  Their earlier readings, and earlier commands of a person, stay as they were, because they do not describe the current
+// Whether the effect is the same for all tried readings of other sensors from z->begin on, as long as the healthy machine stays quiet.
+// Earlier readings of other sensors and earlier commands of a person are not varied, because they do not describe the current
 // situation.
 static bool is_independent_of_others(FailureTrial *z, const FailureCase *c, const FailureEffect *e)
 {
@@ -359,6 +362,7 @@ static bool is_independent_of_others(FailureTrial *z, const FailureCase *c, cons
     return quiet >= QUIET_LEAST && !needed;
 }
 
+// Whether another failure of the sensor in the same situation has an effect with the same cause.
 static bool has_same_effect(FailureTrial *z, const FailureCase *c, FailureKind f, const FailureEffect *e)
 {
     FailureCase other = *c;
@@ -372,7 +376,7 @@ static bool has_same_effect(FailureTrial *z, const FailureCase *c, FailureKind f
     return found;
 }
 
-// z->begin is still the situation in which the sensor failed.
+// Whether the effect is an intended reaction to a failed sensor (see the top of this file).  z->begin: when the sensor fails.
 static bool is_intended(FailureTrial *z, const FailureCase *c, const FailureEffect *e)
 {
     const TrialInput *i = &z->t->input[c->sensor];
@@ -396,7 +400,7 @@ static Diag *report_outputs(FailureTrial *z, const FailureCase *c, const Failure
 {
     Analysis *a = z->t->a;
     Diag *d = diag_report(a->diags, DIAG_output_on_zero, e->at->span, z->t->input[c->sensor].v->name->text,
-                          trial_check_names(a->arena, e->output, e->outputs), failure_text(a->arena, c, e));
+                          trial_check_join_names(a->arena, e->output, e->outputs), failure_text(a->arena, c, e));
 
     for (uint32_t i = 0; i < e->outputs; i++) {
         diag_about(a->diags, d, DIAG_OUTPUTS, e->output[i]->span);
@@ -415,14 +419,14 @@ static void report_effect(FailureTrial *z, const FailureCase *c, const FailureEf
                         : report_outputs(z, c, e);
 
     diag_about(a->diags, d, DIAG_SENSOR, z->t->input[c->sensor].v->span);
-    diag_note(a->diags, d, (Span){0}, DIAG_note_failure_example, state, sensor, const_text(a->arena, trial_check_rounded(e->before)),
+    diag_note(a->diags, d, (Span){0}, DIAG_note_failure_example, state, sensor, const_text(a->arena, trial_check_round(e->before)),
               const_text(a->arena, e->failed), format_in(a->arena, "%lu", (unsigned long)e->steps));
     diag_note(a->diags, d, (Span){0}, DIAG_note_failure_advice, sensor);
 }
 
 // ---- the cases ----
 
-// A stuck sensor shows only if the reading has moved.  Other failures show best if nothing else moves.
+// Whether failure f is tried in case c.  A stuck sensor is noticed only if its reading would move; other failures are tried at rest.
 static bool is_failure_of_case(const TrialInput *i, const FailureCase *c, FailureKind f)
 {
     switch (f) {
@@ -452,6 +456,7 @@ static void try_failures(FailureTrial *z, FailureCase *c)
     }
 }
 
+// Tries all failures of the sensor at one healthy reading, with several readings of the other sensors.
 static void try_reading(FailureTrial *z, FailureCase *c)
 {
     Trials *t = z->t;
@@ -471,7 +476,7 @@ static void try_reading(FailureTrial *z, FailureCase *c)
             continue;
         do
             try_failures(z, c);
-        while (t->run->work < z->until && advance_healthy(z, c));
+        while (t->run->work < z->until && advance_to_next_timer(z, c));
     }
 }
 
@@ -492,7 +497,7 @@ static void try_sensor(FailureTrial *z, const TrialState *s, uint32_t sensor)
     for (c.motion = 0; c.motion < motions; c.motion++) {
         uint32_t tried = 0;
         z->until = t->run->work + z->effort / (c.motion == 0 ? 1 : 2);
-        for (size_t n = 0; n < s->entry.n && tried < TRIED; n++) {
+        for (size_t n = 0; n < s->entry.n && tried < ENTRIES_TRIED; n++) {
             c.entry = &s->entry.at[n];
             if (c.entry->unhealthy && has_healthy_entry)
                 continue;

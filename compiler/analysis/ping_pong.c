@@ -3,7 +3,7 @@
 //
 //   ping-pong      two states, or a few, whose conditions are true together
 //   never-rests    a cycle of transitions without any condition
-//   cascade        a state that is always left in its first step for the reason that led into it, through a conditional transition
+//   cascade        a state that is always left in its first step, by a conditional transition on the same sensor that led into it
 //
 // A state that is left without a condition lasts one step intentionally.  A cycle with such a state and a condition repeats
 // something as long as the condition is true.  If it switches an output in every step, it is still reported.
@@ -13,19 +13,19 @@
 #include "compiler/analysis/trial_checks.h"
 
 enum {
-    TRIED = 6,                    // entries of a state
-    HELD = 80,                    // inputs tried in each
-    STEPS = 24,                   // the last steps of a run, which are searched for a cycle
-    ARRIVALS = 8,                 // arrivals at a state by one transition that are needed for a conclusion
-    CYCLE = 8                     // states in the longest cycle
+    ENTRIES_TRIED = 6,            // entries of a state
+    INPUTS_TRIED = 80,            // inputs tried in each entry
+    STEPS_SEARCHED = 24,          // the number of last steps of a run that are searched for a cycle
+    ARRIVALS_LEAST = 8,           // how often a transition must lead to a state before it can be reported as a cascade
+    CYCLE_MAX = 8                 // transitions in the longest cycle
 };
 
 typedef struct CycleSearch {
     Trials *t;
     void *at;
     double *in;
-    const Transition *taken[STEPS];
-    bool switches;                // an output has changed in these steps
+    const Transition *taken[STEPS_SEARCHED];
+    bool switches;                // an output has changed during the searched steps
     double *level;                // by IR variable: its value in the step before
 } CycleSearch;
 
@@ -50,11 +50,12 @@ static void choose_inputs(CycleSearch *f, const TrialEntry *e, int n)
     }
 }
 
-// The number of transitions in the cycle of the last steps; 0: a step took no transition, or there is no cycle.
-static size_t run_cycle(CycleSearch *f, const TrialEntry *e)
+// Runs from an entry with constant inputs.  Returns the number of transitions in the cycle that the last steps repeat; 0: a step took no
+// transition, or the transitions do not repeat.
+static size_t find_cycle(CycleSearch *f, const TrialEntry *e)
 {
     Trials *t = f->t;
-    const uint32_t counted = STEPS + (t->count ? 300 : 0);      // a sequence that a counter ends is not a cycle
+    const uint32_t counted = STEPS_SEARCHED + (t->count ? 300 : 0);      // a sequence that a counter ends is not a cycle
     const double *var = ir_run_vars(t->run, f->at);
     size_t n = 1;
 
@@ -67,21 +68,22 @@ static size_t run_cycle(CycleSearch *f, const TrialEntry *e)
         if (t->trace.transition == 0)
             continue;
         for (uint32_t v = 0; v < t->run->m->var.n; v++) {
-            f->switches |= left <= STEPS && t->actuator[v] && var[v] != f->level[v];
+            f->switches |= left <= STEPS_SEARCHED && t->actuator[v] && var[v] != f->level[v];
             f->level[v] = var[v];
         }
         memmove(f->taken, f->taken + 1, sizeof f->taken - sizeof *f->taken);
-        f->taken[STEPS - 1] = t->transition[t->trace.transition];
+        f->taken[STEPS_SEARCHED - 1] = t->transition[t->trace.transition];
     }
-    while (n <= CYCLE && f->taken[STEPS - 1 - n] != f->taken[STEPS - 1])
+    while (n <= CYCLE_MAX && f->taken[STEPS_SEARCHED - 1 - n] != f->taken[STEPS_SEARCHED - 1])
         n++;
-    for (size_t k = 0; k < n && n <= CYCLE; k++)
-        if (f->taken[STEPS - 1 - k] != f->taken[STEPS - 1 - k - n])
+    for (size_t k = 0; k < n && n <= CYCLE_MAX; k++)
+        if (f->taken[STEPS_SEARCHED - 1 - k] != f->taken[STEPS_SEARCHED - 1 - k - n])
             return 0;
-    return n <= CYCLE ? n : 0;
+    return n <= CYCLE_MAX ? n : 0;
 }
 
-static bool may_be_untaken(const Analysis *a, const Transition *x)
+// Whether some condition of the transition can also have the other value, so that the transition is not taken.
+static bool has_undecided_condition(const Analysis *a, const Transition *x)
 {
     for (const Condition *c = x->when; c; c = c->outer)
         if (c->holds ? a->stmt[c->stmt->number].otherwise : a->stmt[c->stmt->number].then)
@@ -89,31 +91,31 @@ static bool may_be_untaken(const Analysis *a, const Transition *x)
     return false;
 }
 
-// Reports the cycle of the last n transitions, at the one whose source state is first in the file.
+// Reports the cycle of the last n transitions if it is not intended, at the transition whose source state is first in the file.
 static void report_cycle(const CycleSearch *f, size_t n)
 {
     const Analysis *a = f->t->a;
-    const Transition *there = f->taken[STEPS - 1], *back = there;
+    const Transition *there = f->taken[STEPS_SEARCHED - 1], *back = there;
     size_t conditions = 0;
     Diag *d;
 
     for (size_t k = 0; k < n; k++) {
-        const Transition *taken = f->taken[STEPS - 1 - k];
-        conditions += may_be_untaken(a, taken);
+        const Transition *taken = f->taken[STEPS_SEARCHED - 1 - k];
+        conditions += has_undecided_condition(a, taken);
         if (taken->from->number < there->from->number)
             there = taken;
     }
     for (size_t k = n; k-- > 0;)
-        if (f->taken[STEPS - 1 - k]->to == there->from)
-            back = f->taken[STEPS - 1 - k];
+        if (f->taken[STEPS_SEARCHED - 1 - k]->to == there->from)
+            back = f->taken[STEPS_SEARCHED - 1 - k];
     if (n == 1 && conditions == 1)
         return;                               // a state that repeats as long as an input requests it
     if (conditions == 0) {
         d = diag_report(a->diags, DIAG_never_rests, there->stmt->span, there->from->name->text);
         for (size_t k = n; k > 0 && n > 1; k--)
-            if (f->taken[STEPS - k] != there)
-                diag_note(a->diags, d, f->taken[STEPS - k]->stmt->span, DIAG_note_goes_on, f->taken[STEPS - k]->from->name->text,
-                          f->taken[STEPS - k]->to->name->text);
+            if (f->taken[STEPS_SEARCHED - k] != there)
+                diag_note(a->diags, d, f->taken[STEPS_SEARCHED - k]->stmt->span, DIAG_note_goes_on,
+                          f->taken[STEPS_SEARCHED - k]->from->name->text, f->taken[STEPS_SEARCHED - k]->to->name->text);
     } else if (conditions == n || (f->switches && n > 1)) {
         d = diag_report(a->diags, DIAG_ping_pong, there->stmt->span, there->from->name->text, there->to->name->text);
         diag_note(a->diags, d, back->stmt->span, DIAG_note_transition_back, condition_text(a->arena, back->when));
@@ -126,11 +128,11 @@ void check_ping_pong(Trials *t)
 
     f.level = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
     for (size_t s = 0; s < t->a->p->state.n; s++)
-        for (size_t n = 0; n < t->state[s].entry.n && n < TRIED; n++)
-            for (int k = 0; k < HELD; k++) {
+        for (size_t n = 0; n < t->state[s].entry.n && n < ENTRIES_TRIED; n++)
+            for (int k = 0; k < INPUTS_TRIED; k++) {
                 size_t cycle;
                 choose_inputs(&f, &t->state[s].entry.at[n], k);
-                cycle = run_cycle(&f, &t->state[s].entry.at[n]);
+                cycle = find_cycle(&f, &t->state[s].entry.at[n]);
                 if (cycle > 0)
                     report_cycle(&f, cycle);
             }
@@ -158,10 +160,11 @@ void check_cascade(Trials *t)
         const Transition *in = &a->transition.at[i], *out;
         const TrialNext next = t->next[in->stmt->number];
         Diag *d;
-        if (!in->when || next.trials < ARRIVALS || next.left < next.trials || next.most <= 0)
+        if (!in->when || next.trials < ARRIVALS_LEAST || next.left < next.trials || next.most <= 0)
             continue;
         out = t->transition[next.transition];
-        if (!may_be_untaken(a, out) || !shares_sensor(s, in, out) || out->to == in->from || out->to == out->from || in->to == in->from)
+        if (!has_undecided_condition(a, out) || !shares_sensor(s, in, out) || out->to == in->from || out->to == out->from ||
+            in->to == in->from)
             continue;
         d = diag_report(a->diags, DIAG_cascade, out->stmt->span, out->from->name->text, condition_text(a->arena, in->when));
         diag_note(a->diags, d, in->stmt->span, DIAG_note_led_here, in->from->name->text);

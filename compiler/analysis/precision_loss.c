@@ -6,8 +6,8 @@
 
 // ---- literals ----
 
-// The value of a literal that is a whole number of digits.  Returns false for other literals, and from 2^64 on.
-static bool read_digits(Span span, uint64_t *out)
+// Reads a whole number, decimal or hexadecimal, into *out.  Returns false for other literals and for numbers from 2^64 on.
+static bool read_whole_literal(Span span, uint64_t *out)
 {
     const char *text = span.src->text + span.at;
     const bool hex = span.len > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
@@ -27,7 +27,8 @@ static bool read_digits(Span span, uint64_t *out)
     return true;
 }
 
-// F64 has 53 binary digits.  The largest values of U64 and I64 are stored as written.
+// Whether F64, with its 53 binary digits, represents n exactly.  True for the largest values of U64 and I64, too: they are stored as
+// written although F64 rounds them.
 static bool is_exact_in_f64(uint64_t n)
 {
     if (n == UINT64_MAX || n == INT64_MAX)
@@ -46,7 +47,7 @@ static void check_literal(Expr *e, void *context)
     const char *stored;
     uint64_t n;
 
-    if (e->kind != EX_NUMBER || !e->span.src || !read_digits(e->span, &n) || is_exact_in_f64(n))
+    if (e->kind != EX_NUMBER || !e->span.src || !read_whole_literal(e->span, &n) || is_exact_in_f64(n))
         return;
     stored = e->number < 18446744073709551616.0 ? format_in(a->arena, "%llu", (unsigned long long)e->number)
                                                 : const_text(a->arena, e->number);
@@ -63,8 +64,8 @@ static void check_literals(const Stmt *stmt, void *context)
 
 static SmF64 smallest_magnitude(Fact f) { return f.lo > 0 ? f.lo : f.hi < 0 ? sm_neg(f.hi) : sm_from_i32(0); }
 
-// A lower bound of the distance between two adjacent numbers of magnitude x or more.
-static SmF64 spacing(SmF64 x)
+// A lower bound of the distance between two adjacent F64 numbers of magnitude x or more.
+static SmF64 least_spacing(SmF64 x)
 {
     SmF64 step = sm_from_i32(1);
 
@@ -73,13 +74,14 @@ static SmF64 spacing(SmF64 x)
     return step;
 }
 
-// A whole number smaller than the spacing at the other operand is lost or changed.
-static bool is_lost(Fact large, Fact small)
+// Whether a sum always loses or changes its operand `small`: it is a whole number smaller than the distance between F64 numbers at
+// `large`.
+static bool is_lost_in_sum(Fact large, Fact small)
 {
     const SmF64 size = smallest_magnitude(large);
 
     return size >= FACT_EXACT && size < 1e300 && !small.nan && small.whole && smallest_magnitude(small) > 0 &&
-           sm_max(sm_abs(small.lo), sm_abs(small.hi)) < spacing(size);
+           sm_max(sm_abs(small.lo), sm_abs(small.hi)) < least_spacing(size);
 }
 
 static void check_sums(Analysis *a, const ReachableFn *r, void *context)
@@ -89,7 +91,7 @@ static void check_sums(Analysis *a, const ReachableFn *r, void *context)
         for (size_t n = 0; r->flow.reached[b] && n < r->fn->blk.at[b].ins.n; n++) {
             const IrIns *i = &r->fn->ins.at[r->fn->blk.at[b].ins.at[n]];
             if ((i->op == IR_add || i->op == IR_sub) &&
-                (is_lost(r->flow.of[i->a], r->flow.of[i->b]) || is_lost(r->flow.of[i->b], r->flow.of[i->a])))
+                (is_lost_in_sum(r->flow.of[i->a], r->flow.of[i->b]) || is_lost_in_sum(r->flow.of[i->b], r->flow.of[i->a])))
                 diag_report(a->diags, DIAG_sum_rounded, i->span);
         }
 }

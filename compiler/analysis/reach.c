@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// States that no transition can reach.  Only the first on each path is reported: the states reachable only from it follow from
-// it.
+// States that no transition can reach.  Of the unreachable states on a path only the first is reported; its notes name the others.
 #include "compiler/analysis/reach.h"
 #include "stdlib/convert.h"
 
@@ -15,7 +14,8 @@ typedef struct Reach {
     bool *explained;                  // by state: it is reachable, or a finding explains why it is not
 } Reach;
 
-static void push_state(Reach *r, bool *set, uint32_t s)
+// Adds s to the set and to the stack, unless the set contains it.
+static void push_state_once(Reach *r, bool *set, uint32_t s)
 {
     if (set[s])
         return;
@@ -23,44 +23,47 @@ static void push_state(Reach *r, bool *set, uint32_t s)
     r->stack[r->n++] = s;
 }
 
-// Adds the states that follow those on the stack, and empties it.  Transitions that are never taken are followed only with `dead_too`.
-static void add_followers(Reach *r, bool *set, bool dead_too)
+// Adds to `set` all states that transitions reach from those on the stack, which is empty afterwards.  Transitions that are never taken
+// are followed only with `dead_too`.
+static void follow_transitions(Reach *r, bool *set, bool dead_too)
 {
     while (r->n > 0) {
         const uint32_t s = r->stack[--r->n];
         for (size_t i = r->first[s]; i < r->first[s + 1]; i++)
             if (dead_too || r->k->dead_by[r->t->at[i].stmt->number] == 0)
-                push_state(r, set, r->t->at[i].to->number - 1);
+                push_state_once(r, set, r->t->at[i].to->number - 1);
     }
 }
 
 // ---- explained by other findings ----
 
-// Why a transition out of a reachable state is never taken.  NULL: it may be taken, or its state is not reachable.
-static DeadCode *dead_transition(const Reach *r, const Transition *t)
+// Returns why a transition out of a reachable state is never taken; NULL if it may be taken, or if its state is not reachable.
+static DeadCode *find_cause_at_transition(const Reach *r, const Transition *t)
 {
     const uint32_t dead = r->k->dead_by[t->stmt->number];
 
     return dead != 0 && r->reached[t->from->number - 1] ? &r->k->dead.at[dead - 1] : NULL;
 }
 
-// Marks states after transitions that another finding, or a switch, explains.
+// Marks as explained the targets of transitions that are never taken because of another finding or of a switch, and all states after
+// them.
 static void mark_explained(Reach *r)
 {
     for (size_t i = 0; i < r->t->n; i++) {
         const Transition *t = &r->t->at[i];
-        const DeadCode *d = dead_transition(r, t);
+        const DeadCode *d = find_cause_at_transition(r, t);
         if (!d || d->cause == CAUSE_NEVER || r->explained[t->to->number - 1])
             continue;
         if (d->finding)
             diag_note(r->k->a->diags, d->finding, t->to->span, DIAG_note_so_unreachable, t->to->name->text);
-        push_state(r, r->explained, t->to->number - 1);
+        push_state_once(r, r->explained, t->to->number - 1);
     }
-    add_followers(r, r->explained, true);
+    follow_transitions(r, r->explained, true);
 }
 
 // ---- reported ----
 
+// Reports a state and marks it, and all states that it leads to, as explained.
 static Diag *report_state(Reach *r, uint32_t state, DiagCode code)
 {
     Diags *diags = r->k->a->diags;
@@ -75,8 +78,8 @@ static Diag *report_state(Reach *r, uint32_t state, DiagCode code)
         diag_note(diags, d, to->span, DIAG_note_so_unreachable, to->name->text);
         named++;
     }
-    push_state(r, r->explained, state);
-    add_followers(r, r->explained, true);
+    push_state_once(r, r->explained, state);
+    follow_transitions(r, r->explained, true);
     return d;
 }
 
@@ -88,7 +91,7 @@ static void report_impossible_states(Reach *r)
     for (size_t i = 0; i < r->t->n; i++) {
         const Transition *t = &r->t->at[i];
         const uint32_t to = t->to->number - 1;
-        DeadCode *d = dead_transition(r, t);
+        DeadCode *d = find_cause_at_transition(r, t);
         if (!d || d->cause != CAUSE_NEVER)
             continue;
         if (!r->explained[to])
@@ -100,8 +103,9 @@ static void report_impossible_states(Reach *r)
     }
 }
 
-// Postorder of the remaining states.  The last of it leads to others and can be reached only from its own cycle.
-static size_t postorder(const Reach *r, uint32_t *order)
+// Lists the states that are not explained in postorder of the transitions, and returns how many there are.  The last state in the list
+// leads to others, and only states of its own cycle lead to it.
+static size_t list_in_postorder(const Reach *r, uint32_t *order)
 {
     const size_t states = r->k->a->p->state.n;
     uint32_t *stack = ARENA_ARRAY(r->k->a->arena, uint32_t, states);
@@ -139,13 +143,13 @@ static void report_states(ReachWalk *k)
     r.stack = ARENA_ARRAY(arena, uint32_t, states);
     r.reached = ARENA_ARRAY(arena, bool, states);
     r.explained = ARENA_ARRAY(arena, bool, states);
-    push_state(&r, r.reached, 0);
-    add_followers(&r, r.reached, false);
+    push_state_once(&r, r.reached, 0);
+    follow_transitions(&r, r.reached, false);
     for (size_t s = 0; s < states; s++)
         r.explained[s] = r.reached[s];
     mark_explained(&r);
     report_impossible_states(&r);
-    for (size_t n = postorder(&r, order); n > 0; n--)
+    for (size_t n = list_in_postorder(&r, order); n > 0; n--)
         if (!r.explained[order[n - 1]])
             report_state(&r, order[n - 1], DIAG_unreachable_state);
 }

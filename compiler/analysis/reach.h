@@ -9,7 +9,7 @@
 
 // Why something is never executed.
 typedef enum DeadCause {
-    CAUSE_REPORTED,                   // explained by a finding, here or in another analysis
+    CAUSE_REPORTED,               // explained by a finding, of this analysis or another one
     CAUSE_SWITCH,                 // a guard of constants: intentional
     CAUSE_NEVER                   // a guard that is never true: reported at the state to which it leads, or else at the guard
 } DeadCause;
@@ -18,8 +18,8 @@ typedef struct DeadCode {
     DeadCause cause;
     const Stmt *stmt;             // NEVER: the conditional
     const Stmt *earlier;          // NEVER: an earlier conditional whose guard is true whenever this one is; or NULL
-    Diag *finding;                // REPORTED, here: the finding to which states that become unreachable are added
-    bool at_state;                // NEVER: reported at the state
+    Diag *finding;                // REPORTED by this analysis: the finding whose notes name the states that become unreachable; or NULL
+    bool at_state;                // NEVER: it is reported at a state, so not at the guard
 } DeadCode;
 
 // A branch of a conditional, with the branches around it, within its block.
@@ -49,7 +49,7 @@ typedef struct ReachWalk {
     VEC(WriteUndo) undo;          // what `written` was before each of its changes
     uint8_t *stored;              // by Program.var: which values the machine stores in its locals, STORED_…
     uint32_t *marked, mark;       // by Program.var: equal to `mark` if the current guard reads it
-    size_t explained;             // how many conditionals so far have a dead branch that is explained
+    size_t explained;             // how many conditionals so far have a dead branch with an entry in `dead`
 } ReachWalk;
 
 // dead_code.c: walks all statements of the states that are reachable according to the facts.

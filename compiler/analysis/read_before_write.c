@@ -2,8 +2,8 @@
 // Locals that are read before any store to them can have been executed, although a later state stores to them: the assignment
 // was intended to come first.
 //
-// An initial value other than 0 was chosen by the author, so it is doubted only where it always decides a guard.  A plain copy
-// (shown = phase) publishes the current value.  A statement that reads the variable it assigns, as a counter does, is intended.
+// Three kinds of reads are intended.  An initial value other than 0 was chosen by the author, so its read is reported only if it
+// decides a guard.  A plain copy (shown = phase) publishes the current value.  A counter reads the variable that it assigns.
 #include <string.h>
 
 #include "compiler/analysis/analysis.h"
@@ -29,12 +29,12 @@ typedef struct StoreOrder {
     BlockKind block;
 } StoreOrder;
 
-static uint64_t *set_of(const StoreOrder *o, uint64_t *sets, const State *s) { return sets + (s->number - 1) * o->words; }
+static uint64_t *set_of_state(const StoreOrder *o, uint64_t *sets, const State *s) { return sets + (s->number - 1) * o->words; }
 
 // ---- what is stored where ----
 
-// Numbers the locals to check.  Returns whether there are any.
-static bool number_locals(StoreOrder *o)
+// Gives each local that is checked a bit in the sets.  Returns whether any local is checked.
+static bool assign_bits_to_locals(StoreOrder *o)
 {
     const Program *p = o->a->p;
     uint32_t n = 0;
@@ -48,6 +48,7 @@ static bool number_locals(StoreOrder *o)
     return n > 0;
 }
 
+// Adds to the set the locals that these statements may store.
 static void add_stores(StoreOrder *o, const Stmts *stmts, uint64_t *set)
 {
     for (size_t i = 0; i < stmts->n; i++) {
@@ -59,8 +60,8 @@ static void add_stores(StoreOrder *o, const Stmts *stmts, uint64_t *set)
     }
 }
 
-// Returns by State.number: what its predecessors store; or, backwards, what its successors store, both transitively.
-static uint64_t *propagate(StoreOrder *o, bool backwards)
+// Returns, for each state, the set of locals that its direct and indirect predecessors may store; `backwards`: its successors.
+static uint64_t *propagate_stores(StoreOrder *o, bool backwards)
 {
     const Analysis *a = o->a;
     State *const *state = a->p->state.at;
@@ -80,9 +81,9 @@ static uint64_t *propagate(StoreOrder *o, bool backwards)
         const State *from = state[worklist_next(&queue)];
         for (size_t i = 0; i < next[from->number].n; i++) {
             const State *to = next[from->number].at[i];
-            bool grew = bitset_merge(set_of(o, sets, to), set_of(o, sets, from), o->words);
+            bool grew = bitset_merge(set_of_state(o, sets, to), set_of_state(o, sets, from), o->words);
             for (int b = 0; b < BLOCK_COUNT; b++)
-                grew |= bitset_merge(set_of(o, sets, to), set_of(o, o->stored[b], from), o->words);
+                grew |= bitset_merge(set_of_state(o, sets, to), set_of_state(o, o->stored[b], from), o->words);
             if (grew)
                 worklist_add(&queue, to->number - 1);
         }
@@ -133,7 +134,7 @@ static const Stmt *find_later_store(StoreOrder *o, const Var *v, const State **l
     return found;
 }
 
-static void report(StoreOrder *o, const Expr *e)
+static void report_early_read(StoreOrder *o, const Expr *e)
 {
     const Var *v = e->var;
     const State *later;
@@ -153,18 +154,20 @@ static void report(StoreOrder *o, const Expr *e)
 
 static bool is_stored_later(const StoreOrder *o, uint32_t bit)
 {
-    return bitset_has(set_of(o, o->after, o->state), bit) ||
-           (o->block != BLOCK_EXIT && bitset_has(set_of(o, o->stored[BLOCK_EXIT], o->state), bit));
+    return bitset_has(set_of_state(o, o->after, o->state), bit) ||
+           (o->block != BLOCK_EXIT && bitset_has(set_of_state(o, o->stored[BLOCK_EXIT], o->state), bit));
 }
 
-static bool is_decided(const StoreOrder *o, const Stmt *stmt)
+// Whether stmt is a conditional whose guard always has the same value.
+static bool is_decided_guard(const StoreOrder *o, const Stmt *stmt)
 {
     const StmtFact *f = &o->a->stmt[stmt->number];
 
     return stmt->kind == ST_IF && (!f->then || !f->otherwise);
 }
 
-// Windows take their samples in every state, so the order of states does not affect what they read.
+// Reports reads in e of locals that cannot have been stored yet.  Reads by windows do not count: windows take their samples in every
+// state, so the order of states does not affect what they read.
 static void check_reads(StoreOrder *o, const Stmt *stmt, const Expr *e)
 {
     if (e->kind == EX_ROLL)
@@ -173,10 +176,10 @@ static void check_reads(StoreOrder *o, const Stmt *stmt, const Expr *e)
         check_reads(o, stmt, e->arg[i]);
     if (e->kind != EX_VAR || o->bit[e->var->index] == IR_NONE || o->reported[e->var->index] || stmt->var == e->var)
         return;
-    if (e->var->init != 0 && !is_decided(o, stmt))
+    if (e->var->init != 0 && !is_decided_guard(o, stmt))
         return;
     if (!bitset_has(o->here, o->bit[e->var->index]) && is_stored_later(o, o->bit[e->var->index]))
-        report(o, e);
+        report_early_read(o, e);
 }
 
 static void check_stmts(StoreOrder *o, const Stmts *stmts)
@@ -199,25 +202,25 @@ void analyse_read_before_write(Analysis *a)
     const Program *p = a->p;
     StoreOrder o = {.a = a};
 
-    if (!number_locals(&o))
+    if (!assign_bits_to_locals(&o))
         return;
     for (int b = 0; b < BLOCK_COUNT; b++) {
         o.stored[b] = ARENA_ARRAY(a->arena, uint64_t, o.words * p->state.n);
         for (size_t s = 0; s < p->state.n; s++)
-            add_stores(&o, &p->state.at[s]->block[b], set_of(&o, o.stored[b], p->state.at[s]));
+            add_stores(&o, &p->state.at[s]->block[b], set_of_state(&o, o.stored[b], p->state.at[s]));
     }
-    o.before = propagate(&o, false);
-    o.after = propagate(&o, true);
+    o.before = propagate_stores(&o, false);
+    o.after = propagate_stores(&o, true);
     o.here = ARENA_ARRAY(a->arena, uint64_t, o.words);
     o.reported = ARENA_ARRAY(a->arena, bool, p->var.n);
     o.seen = ARENA_ARRAY(a->arena, uint32_t, p->state.n + 1);
     for (size_t s = 0; s < p->state.n; s++) {
         o.state = p->state.at[s];
-        memcpy(o.here, set_of(&o, o.before, o.state), o.words * sizeof *o.here);
+        memcpy(o.here, set_of_state(&o, o.before, o.state), o.words * sizeof *o.here);
         for (int b = 0; b < BLOCK_COUNT; b++) {
             o.block = (BlockKind)b;
             if (b == BLOCK_STEP)                              // the next step reads what a step stores
-                bitset_merge(o.here, set_of(&o, o.stored[b], o.state), o.words);
+                bitset_merge(o.here, set_of_state(&o, o.stored[b], o.state), o.words);
             check_stmts(&o, &o.state->block[b]);
         }
     }

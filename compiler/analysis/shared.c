@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What several machines, or a machine and pins, share: an element has one writer, and the time and the state of each machine have
-// one owner.  An input pin is a writer.
+// Conflicts over the elements that several machines, or a machine and pins, share.  An element may have only one writer; the elements
+// for the time (G) and the state (S) of a machine may not be written by others.  An input pin counts as a writer.
 #include "compiler/analysis/analysis.h"
 
-typedef struct SharedUse { const Program *p; Span span; } SharedUse;      // of an element; p is NULL: no machine uses it so
+typedef struct SharedUse { const Program *p; Span span; } SharedUse;      // one use of an element; p is NULL: no machine uses it so
 
 typedef struct Owners {           // of an element
     SharedUse writer, state, time;    // the machine that assigns it; the machine whose S it is; whose G
@@ -45,7 +45,7 @@ static Owners *owners_of(SharedVector *t, Str element)
     return o;
 }
 
-// The use conflicts with that of `owner`.  An @allow at the owner's position covers the finding, too.
+// Reports that a use conflicts with that of `owner`.  An @allow at either position suppresses the finding.
 static void report_conflict(SharedVector *t, DiagCode code, SharedUse use, Str element, SharedUse owner, DiagCode note)
 {
     Diag *d = diag_report(t->diags, code, use.span, use.p->name->text, element->text, owner.p->name->text);

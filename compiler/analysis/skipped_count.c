@@ -6,12 +6,12 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-enum { STARTS_MAX = 8, COUNTS_MAX = 2000000 };
+enum { STARTS_MAX = 8, COUNTS_MAX = 2000000 };        // constants per counter; increments that are simulated from one of them
 
 typedef struct Counter {
-    bool other;                   // other values are assigned, or different increments
-    SmF64 by;                     // 0: not yet known
-    SmF64 start[STARTS_MAX];
+    bool other;                   // an assignment is neither a constant nor the increment `by`: the variable is not checked
+    SmF64 by;                     // its increment; 0: not yet known
+    SmF64 start[STARTS_MAX];      // the constants assigned to it
     uint32_t starts;
 } Counter;
 
@@ -50,8 +50,8 @@ static void record_assignment(const Stmt *s, void *context)
         c->by = by;
 }
 
-// Whether the variable can become x, counting from a start.  Also true if that is unknown.
-static bool reaches(const Counter *c, const Var *v, SmF64 start, SmF64 x)
+// Whether the variable becomes x when it counts from `start`.  True also if COUNTS_MAX increments do not decide it.
+static bool counts_to(const Counter *c, const Var *v, SmF64 start, SmF64 x)
 {
     const bool up = sm_lt(sm_from_i32(0), c->by);
     SmF64 now = start;
@@ -69,10 +69,10 @@ static bool reaches(const Counter *c, const Var *v, SmF64 start, SmF64 x)
 
 static bool is_skipped(const Counter *c, const Var *v, SmF64 x)
 {
-    if (c->other || sm_eq(c->by, sm_from_i32(0)) || reaches(c, v, sm_cell_to_f64(v->type, v->init), x))
+    if (c->other || sm_eq(c->by, sm_from_i32(0)) || counts_to(c, v, sm_cell_to_f64(v->type, v->init), x))
         return false;
     for (uint32_t i = 0; i < c->starts; i++)
-        if (reaches(c, v, c->start[i], x))
+        if (counts_to(c, v, c->start[i], x))
             return false;
     return true;
 }

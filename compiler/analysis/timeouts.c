@@ -13,7 +13,7 @@
 #include "compiler/analysis/trial_checks.h"
 
 enum {
-    TRIED = 3,                    // entries of a state
+    ENTRIES_TRIED = 3,                    // entries of a state
     HISTORIES = 24,               // histories that are tried before a state is reported as never ending
     LAST_PASSES = 20,             // of TRIAL_PASSES: what happens in these happens forever
     CHANGES = 4                   // changes of the other inputs, in one history
@@ -57,7 +57,7 @@ static void find_output_on(TimeoutCheck *w, const State *s)
 
 // Holds the inputs until windows are full, then for as long as anything can happen.  Returns false if the state is left, now or
 // perhaps later.
-static bool stays(TimeoutCheck *w, uint32_t state)
+static bool hold_inputs_in_state(TimeoutCheck *w, uint32_t state)
 {
     Trials *t = w->t;
     const double *var = ir_run_vars(t->run, w->at);
@@ -97,7 +97,7 @@ static bool lasts_in_one_history(TimeoutCheck *w, const TrialEntry *e)
         static const double noise[] = {0, 0.001, 0.01, 0.1};
         trial_draw_inputs_freely(t, w->in, &t->state[state - 1]);
         w->noise = noise[trial_random_below(t, 4)];
-        if (!stays(w, state))
+        if (!hold_inputs_in_state(w, state))
             return false;
     }
     return true;
@@ -182,7 +182,7 @@ void check_waits_for_sensor(Trials *t)
         bool found = false;
         if (state->is_safe || state->is_abort || (s == 0 && !drives_output(t, state)))
             continue;
-        for (size_t n = 0; n < t->state[s].entry.n && n < TRIED && !found; n++) {
+        for (size_t n = 0; n < t->state[s].entry.n && n < ENTRIES_TRIED && !found; n++) {
             const TrialEntry *e = &t->state[s].entry.at[n];
             if (lasts_forever(&w, e, NULL))
                 continue;
@@ -216,7 +216,7 @@ static void report_missing_timeout(const TimeoutCheck *w, const State *s)
     const Stmt *on = w->on;
     const Var **output = ARENA_ARRAY(a->arena, const Var *, a->p->var.n + 1);
     const uint32_t outputs = list_outputs(w->t, s, on->var, output);
-    Diag *d = diag_report(a->diags, DIAG_no_timeout, s->span, s->name->text, trial_check_names(a->arena, output, outputs));
+    Diag *d = diag_report(a->diags, DIAG_no_timeout, s->span, s->name->text, trial_check_join_names(a->arena, output, outputs));
 
     for (uint32_t i = 0; i < outputs; i++)
         diag_about(a->diags, d, DIAG_OUTPUTS, output[i]->span);
@@ -242,7 +242,7 @@ static bool find_missing_timeout(TimeoutCheck *w, const State *s, const TrialEnt
         trial_begin(t, e, w->at, w->in);
         if (n > 0)
             trial_draw_inputs(t, w->in, &t->state[s->number - 1], n % 2, false);
-        if (!stays(w, s->number) || !w->on)
+        if (!hold_inputs_in_state(w, s->number) || !w->on)
             continue;
         report_missing_timeout(w, s);
         return true;
@@ -257,7 +257,7 @@ void check_missing_timeout(Trials *t)
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];
         bool found = state->is_safe || state->is_abort || !is_ever_left(t, state);
-        for (size_t n = 0; n < t->state[s].entry.n && n < TRIED && !found; n++)
+        for (size_t n = 0; n < t->state[s].entry.n && n < ENTRIES_TRIED && !found; n++)
             found = find_missing_timeout(&w, state, &t->state[s].entry.at[n]);
     }
 }

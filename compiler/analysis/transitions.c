@@ -7,8 +7,8 @@
 
 typedef struct StmtWalk {
     Arena *arena;
-    StmtPlace at;
-    void (*f)(const StmtPlace *place, void *context);
+    StmtLocation at;
+    void (*f)(const StmtLocation *place, void *context);
     void *context;
 } StmtWalk;
 
@@ -32,7 +32,7 @@ static void walk_stmts(StmtWalk *w, const Stmts *stmts, const Condition *when)
     }
 }
 
-void each_stmt_place(Arena *arena, const Program *p, void (*f)(const StmtPlace *place, void *context), void *context)
+void each_stmt_location(Arena *arena, const Program *p, void (*f)(const StmtLocation *place, void *context), void *context)
 {
     StmtWalk walk = {arena, {NULL, NULL, BLOCK_ENTRY, NULL}, f, context};
 
@@ -46,7 +46,7 @@ void each_stmt_place(Arena *arena, const Program *p, void (*f)(const StmtPlace *
 
 typedef struct TransitionList { Arena *arena; Transitions list; } TransitionList;
 
-static void add_transition(const StmtPlace *at, void *context)
+static void add_transition(const StmtLocation *at, void *context)
 {
     TransitionList *out = context;
     const Transition t = {at->state, at->stmt->target, at->block, at->stmt, at->when, (uint32_t)out->list.n};
@@ -59,7 +59,7 @@ Transitions transitions_of(Arena *arena, const Program *p)
 {
     TransitionList out = {arena, {NULL, 0, 0}};
 
-    each_stmt_place(arena, p, add_transition, &out);
+    each_stmt_location(arena, p, add_transition, &out);
     return out.list;
 }
 

@@ -23,15 +23,15 @@ typedef struct Transition {
 typedef VEC(Transition) Transitions;
 
 // A statement and its position.
-typedef struct StmtPlace {
+typedef struct StmtLocation {
     const Stmt *stmt;
     const State *state;
     BlockKind block;
     const Condition *when;        // innermost first; NULL: unconditional
-} StmtPlace;
+} StmtLocation;
 
 // Calls f for every statement in file order.  A conditional comes before the statements inside it.
-void each_stmt_place(Arena *arena, const Program *p, void (*f)(const StmtPlace *place, void *context), void *context);
+void each_stmt_location(Arena *arena, const Program *p, void (*f)(const StmtLocation *place, void *context), void *context);
 
 // All transitions in file order.  The condition that no earlier transition of the block was taken is not included.
 Transitions transitions_of(Arena *arena, const Program *p);

@@ -253,7 +253,7 @@ static void search_situations(Trials *t)
 
 // ---- entry points ----
 
-static void record_stmt(const StmtPlace *at, void *context)
+static void record_stmt(const StmtLocation *at, void *context)
 {
     Trials *t = context;
 
@@ -274,7 +274,7 @@ Trials *trials_of(Analysis *a)
     t->stmt = ARENA_ARRAY(a->arena, const Stmt *, a->p->stmts + 1u);
     t->state_of = ARENA_ARRAY(a->arena, const State *, a->p->stmts + 1u);
     t->when = ARENA_ARRAY(a->arena, const Condition *, a->p->stmts + 1u);
-    each_stmt_place(a->arena, a->p, record_stmt, t);
+    each_stmt_location(a->arena, a->p, record_stmt, t);
     t->taken = ARENA_ARRAY(a->arena, bool, a->p->stmts + 1u);
     t->by_time = ARENA_ARRAY(a->arena, bool, a->p->stmts + 1u);
     for (size_t i = 0; i < a->transition.n; i++)

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-const char *trial_check_names(Arena *arena, const Var *const *v, uint32_t n)
+const char *trial_check_join_names(Arena *arena, const Var *const *v, uint32_t n)
 {
     const char *text = v[0]->name->text;
 
@@ -13,7 +13,7 @@ const char *trial_check_names(Arena *arena, const Var *const *v, uint32_t n)
     return text;
 }
 
-double trial_check_rounded(double x)
+double trial_check_round(double x)
 {
     char text[32];
 

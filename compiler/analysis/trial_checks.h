@@ -16,8 +16,8 @@ typedef struct SensorFailure {
 } SensorFailure;
 
 // "a', 'b' and 'c": for a position in a message that is already inside quotes.
-const char *trial_check_names(Arena *arena, const Var *const *v, uint32_t n);
+const char *trial_check_join_names(Arena *arena, const Var *const *v, uint32_t n);
 // Rounded to a few digits, for messages.
-double trial_check_rounded(double x);
+double trial_check_round(double x);
 
 #endif

@@ -58,7 +58,7 @@ static uint32_t join_operands(TrialFinder *f, const Expr *e)
     return compared ? IR_NONE : all;
 }
 
-static void join_stmt(const StmtPlace *at, void *context)
+static void join_stmt(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;
     uint32_t q;
@@ -123,7 +123,7 @@ void trial_find_groups(TrialFinder *f)
     f->parent = ARENA_ARRAY(f->arena, uint32_t, f->p->var.n);
     for (uint32_t v = 0; v < f->p->var.n; v++)
         f->parent[v] = v;
-    each_stmt_place(f->arena, f->p, join_stmt, f);
+    each_stmt_location(f->arena, f->p, join_stmt, f);
     join_similar_comparisons(f);
     for (uint32_t i = 0; i < t->inputs; i++)
         for (uint32_t k = 0; k < i && t->input[i].group == i; k++)

@@ -19,7 +19,7 @@ void trial_add_inputs(TrialFinder *f, const Expr *e, const uint64_t *of, uint64_
 
 typedef struct InputPropagation { TrialFinder *f; bool grew; } InputPropagation;
 
-static void propagate_store(const StmtPlace *at, void *context)
+static void propagate_store(const StmtLocation *at, void *context)
 {
     InputPropagation *s = context;
     TrialFinder *f = s->f;
@@ -97,7 +97,7 @@ static void record_expr(Expr *e, void *context)
         f->read[e->var->index] = true;
 }
 
-static void record_stmt(const StmtPlace *at, void *context)
+static void record_stmt(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;
 
@@ -119,7 +119,7 @@ static void record_stmt(const StmtPlace *at, void *context)
 
 // ---- dependencies of states ----
 
-static void record_relevant(const StmtPlace *at, void *context)
+static void record_relevant(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;
     bool *relevant = f->t->state[at->state->number - 1].relevant;
@@ -148,9 +148,9 @@ void trial_find_inputs(Trials *t)
     list_inputs(&f);
     for (int round = 0; propagation.grew && round < 16; round++) {
         propagation.grew = false;
-        each_stmt_place(f.arena, f.p, propagate_store, &propagation);
+        each_stmt_location(f.arena, f.p, propagate_store, &propagation);
     }
-    each_stmt_place(f.arena, f.p, record_stmt, &f);
+    each_stmt_location(f.arena, f.p, record_stmt, &f);
     trial_find_groups(&f);
     trial_find_readings(&f);
     trial_find_waits(&f);
@@ -158,7 +158,7 @@ void trial_find_inputs(Trials *t)
     trial_find_actuators(&f);
     for (size_t s = 0; s < f.p->state.n; s++)
         t->state[s].relevant = ARENA_ARRAY(f.arena, bool, t->inputs + 1);
-    each_stmt_place(f.arena, f.p, record_relevant, &f);
+    each_stmt_location(f.arena, f.p, record_relevant, &f);
     for (size_t s = 0; s < f.p->state.n; s++)
         for (uint32_t i = 0; i < t->inputs; i++)
             t->state[s].relevant[t->input[i].group] |= t->state[s].relevant[i];        // the first input of a group moves the whole group

@@ -122,7 +122,7 @@ static bool is_actuator(const TrialFinder *f, const Var *v)
 }
 
 // A copy of a local has the properties of the local.
-static void copy_properties_of_local(const StmtPlace *at, void *context)
+static void copy_properties_of_local(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;
     const Var *from = at->stmt->kind == ST_ASSIGN && at->stmt->value->kind == EX_VAR ? at->stmt->value->var : NULL;
@@ -137,7 +137,7 @@ static void copy_properties_of_local(const StmtPlace *at, void *context)
 }
 
 // A value that is clamped to 0 at its lower end switches off, too.
-static void record_bounds(const StmtPlace *at, void *context)
+static void record_bounds(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;
     const Stmt *stmt = at->stmt;
@@ -153,8 +153,8 @@ static void record_bounds(const StmtPlace *at, void *context)
 
 void trial_find_actuators(TrialFinder *f)
 {
-    each_stmt_place(f->arena, f->p, copy_properties_of_local, f);
-    each_stmt_place(f->arena, f->p, record_bounds, f);
+    each_stmt_location(f->arena, f->p, copy_properties_of_local, f);
+    each_stmt_location(f->arena, f->p, record_bounds, f);
     for (size_t v = 0; v < f->p->var.n; v++)
         if (is_actuator(f, f->p->var.at[v]) && f->t->a->m->var_of[v] != IR_NONE)
             f->t->actuator[f->t->a->m->var_of[v]] = true;

@@ -13,7 +13,7 @@
 #include "compiler/analysis/trial_checks.h"
 
 enum {
-    TRIED = 8,                    // entries of a state
+    ENTRIES_TRIED = 8,                    // entries of a state
     DRAWS = 500,                  // inputs tried in each
     LATER = 60                    // steps and times that are followed after windows are full
 };
@@ -301,7 +301,7 @@ void check_window_not_full(Trials *t)
     w.full_did.at = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 2u);
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         uint32_t tried = 0;
-        for (size_t n = 0; n < t->state[s].entry.n && tried < TRIED; n++) {
+        for (size_t n = 0; n < t->state[s].entry.n && tried < ENTRIES_TRIED; n++) {
             const TrialEntry *e = &t->state[s].entry.at[n];
             if (e->steps == TRIAL_MANY || e->steps + 1 >= t->window || e->commanded || e->unhealthy)
                 continue;
