@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // States that the machine may stay in forever.
 //
-//   waits-for-sensor    only one sensor can end the state: while it reads 0, an end of its @range, sticks or is noisy, no reading of
-//                       another sensor and no time leads out
+//   waits-for-sensor    only one sensor can end the state: while it reads 0 or an end of its @range, sticks or is noisy, the machine
+//                       does not leave the state at any reading of another sensor or at any time
 //   missing-timeout     the state switches an output on, and while inputs are constant it never ends
 //
 // The first state is checked only if it switches something on: otherwise nothing has begun that would have to continue.
@@ -14,22 +14,22 @@
 
 enum {
     ENTRIES_TRIED = 3,                    // entries of a state
-    HISTORIES = 24,               // histories that are tried before a state is reported as never ending
-    LAST_PASSES = 20,             // of TRIAL_PASSES: what happens in these happens forever
-    CHANGES = 4                   // changes of the other inputs, in one history
+    HISTORIES_MAX = 24,           // histories (sequences of inputs) that are tried before a state is reported as never ending
+    LAST_PASSES = 20,             // the last of TRIAL_PASSES: what still happens in these is assumed to happen forever
+    INPUT_CHANGES = 4             // changes of the other inputs in one history
 };
 
 typedef struct TimeoutCheck {
     Trials *t;
     void *at;
-    double *in, *now;             // inputs at rest; of this step
+    double *in, *now;             // inputs without noise; inputs of this step
     double *mid;                  // variables halfway through a long stay
     double noise;                 // on healthy sensors, in units of their scale
     const SensorFailure *failed;  // or NULL
-    const Stmt *on;               // statement of the state that has an output on at the end, or now and then forever; or NULL
+    const Stmt *on;               // a statement of the state whose output is on at the end, or repeatedly forever; or NULL
 } TimeoutCheck;
 
-// Sets the inputs of this step.
+// Sets the inputs of this step: `in` with noise, and the failed sensor.
 static void set_inputs(TimeoutCheck *w)
 {
     Trials *t = w->t;
@@ -41,7 +41,7 @@ static void set_inputs(TimeoutCheck *w)
         w->now[f->input] = f->reading + f->noise * (trial_random_below(t, 2001) / 1000.0 - 1);
 }
 
-// Finds the statement of the state that has an output on now.
+// Sets w->on to a statement of the state that switched on an output that is on now, unless it is set.
 static void find_output_on(TimeoutCheck *w, const State *s)
 {
     const Trials *t = w->t;
@@ -55,8 +55,8 @@ static void find_output_on(TimeoutCheck *w, const State *s)
     }
 }
 
-// Holds the inputs until windows are full, then for as long as anything can happen.  Returns false if the state is left, now or
-// perhaps later.
+// Runs with constant inputs until windows are full, then for as long as anything can happen.  Returns false if the machine leaves the
+// state, or if a timer or counter still approaches a limit at the end.
 static bool hold_inputs_in_state(TimeoutCheck *w, uint32_t state)
 {
     Trials *t = w->t;
@@ -86,14 +86,14 @@ static bool hold_inputs_in_state(TimeoutCheck *w, uint32_t state)
     return idle == 2 || !trial_approaches_limit(t, w->mid, w->at);
 }
 
-// Runs one history, in which other inputs change now and then.
+// Runs one history, in which the other inputs change several times.  Returns whether the machine stays in the state.
 static bool lasts_in_one_history(TimeoutCheck *w, const TrialEntry *e)
 {
     Trials *t = w->t;
     const uint32_t state = trial_state(e->situation);
 
     trial_begin(t, e, w->at, w->in);
-    for (int n = 0; n < CHANGES; n++) {
+    for (int n = 0; n < INPUT_CHANGES; n++) {
         static const double noise[] = {0, 0.001, 0.01, 0.1};
         trial_draw_inputs_freely(t, w->in, &t->state[state - 1]);
         w->noise = noise[trial_random_below(t, 4)];
@@ -103,12 +103,13 @@ static bool lasts_in_one_history(TimeoutCheck *w, const TrialEntry *e)
     return true;
 }
 
-static bool lasts_forever(TimeoutCheck *w, const TrialEntry *e, const SensorFailure *failed)
+// Runs many histories, with one failed sensor or (`failed` is NULL) with none.  Returns whether the machine stays in the state in all.
+static bool lasts_in_all_histories(TimeoutCheck *w, const TrialEntry *e, const SensorFailure *failed)
 {
     bool all = true;
 
     w->failed = failed;
-    for (int n = 0; n < (failed ? HISTORIES : 8 * HISTORIES) && all; n++)
+    for (int n = 0; n < (failed ? HISTORIES_MAX : 8 * HISTORIES_MAX) && all; n++)
         all = lasts_in_one_history(w, e);
     w->failed = NULL;
     w->noise = 0;
@@ -117,14 +118,14 @@ static bool lasts_forever(TimeoutCheck *w, const TrialEntry *e, const SensorFail
 
 // ---- one sensor ----
 
-// Reports the failure if the state never ends with it.
+// Reports the failure f if the state never ends with it.  Returns whether it was reported.
 static bool report_if_lasts(TimeoutCheck *w, const State *s, const TrialEntry *e, SensorFailure f)
 {
     const Analysis *a = w->t->a;
     const char *reads;
     Diag *d;
 
-    if (!lasts_forever(w, e, &f))
+    if (!lasts_in_all_histories(w, e, &f))
         return false;
     reads = f.noise > 0 ? "is noisy" : format_in(a->arena, "reads %s", const_text(a->arena, f.reading));
     d = diag_report(a->diags, DIAG_waits_for_sensor, s->span, s->name->text, w->t->input[f.input].v->name->text, reads);
@@ -132,8 +133,8 @@ static bool report_if_lasts(TimeoutCheck *w, const State *s, const TrialEntry *e
     return true;
 }
 
-// Searches a failure of the sensor with which the state never ends, and reports it.  Returns whether there is one.
-static bool find_failure_that_lasts(TimeoutCheck *w, const State *s, const TrialEntry *e, uint32_t input)
+// Tries failures of the sensor until the state never ends with one, and reports that one.  Returns whether one was found.
+static bool try_failures_of_sensor(TimeoutCheck *w, const State *s, const TrialEntry *e, uint32_t input)
 {
     static const double noise[] = {0.1, 5, 100};
     const TrialInput *i = &w->t->input[input];
@@ -184,10 +185,10 @@ void check_waits_for_sensor(Trials *t)
             continue;
         for (size_t n = 0; n < t->state[s].entry.n && n < ENTRIES_TRIED && !found; n++) {
             const TrialEntry *e = &t->state[s].entry.at[n];
-            if (lasts_forever(&w, e, NULL))
+            if (lasts_in_all_histories(&w, e, NULL))
                 continue;
             for (uint32_t i = 0; i < t->inputs && !found; i++)
-                found = !t->input[i].command && t->state[s].relevant[i] && find_failure_that_lasts(&w, state, e, i);
+                found = !t->input[i].command && t->state[s].relevant[i] && try_failures_of_sensor(&w, state, e, i);
         }
     }
 }
@@ -223,7 +224,7 @@ static void report_missing_timeout(const TimeoutCheck *w, const State *s)
     diag_note(a->diags, d, on->span, DIAG_note_switched_on, on->var->name->text);
 }
 
-// A state that is never left is reported by missing-way-out instead.
+// Whether a transition to another state can be taken.  If none can, missing-way-out reports the state instead.
 static bool is_ever_left(const Trials *t, const State *s)
 {
     for (size_t i = 0; i < t->a->transition.n; i++) {
@@ -234,11 +235,12 @@ static bool is_ever_left(const Trials *t, const State *s)
     return false;
 }
 
-static bool find_missing_timeout(TimeoutCheck *w, const State *s, const TrialEntry *e)
+// Tries several inputs from an entry.  Reports the state if it never ends and has an output on.  Returns whether it was reported.
+static bool try_entry_for_timeout(TimeoutCheck *w, const State *s, const TrialEntry *e)
 {
     Trials *t = w->t;
 
-    for (int n = 0; n < HISTORIES; n++) {
+    for (int n = 0; n < HISTORIES_MAX; n++) {
         trial_begin(t, e, w->at, w->in);
         if (n > 0)
             trial_draw_inputs(t, w->in, &t->state[s->number - 1], n % 2, false);
@@ -258,6 +260,6 @@ void check_missing_timeout(Trials *t)
         const State *state = t->a->p->state.at[s];
         bool found = state->is_safe || state->is_abort || !is_ever_left(t, state);
         for (size_t n = 0; n < t->state[s].entry.n && n < ENTRIES_TRIED && !found; n++)
-            found = find_missing_timeout(&w, state, &t->state[s].entry.at[n]);
+            found = try_entry_for_timeout(&w, state, &t->state[s].entry.at[n]);
     }
 }

@@ -75,29 +75,30 @@ size_t *transitions_by_state(Arena *arena, const Program *p, const Transitions *
     return first;
 }
 
-// ---- text ----
+// ---- text of expressions and conditions ----
 
 const char *source_text(Arena *arena, Span span)
 {
     Buf out;
-    bool comment = false, blank = false;
+    bool comment = false, space_before = false;
 
     buf_init(&out, arena);
     for (uint32_t i = 0; i < span.len; i++) {
         const char c = span.src->text[span.at + i];
         comment = c == '#' || (comment && c != '\n');
         if (comment || c == '\n' || c == ' ' || c == '\t' || c == '\r') {
-            blank = true;
+            space_before = true;
             continue;
         }
-        if (blank)
+        if (space_before)
             buf_char(&out, ' ');
-        blank = false;
+        space_before = false;
         buf_char(&out, c);
     }
     return buf_text(&out);
 }
 
+// Whether the condition is written in parentheses: after "not", or an `or` beside other conditions (not `alone`).
 static bool needs_parentheses(const Condition *c, bool alone)
 {
     const Expr *g = c->stmt->value;
@@ -142,7 +143,7 @@ const char *condition_brief(Arena *arena, const Condition *when, size_t most)
 
     buf_init(&out, arena);
     for (; when && n < most; when = when->outer)
-        if (when->holds || n == 0 || shown[n - 1]->holds)              // of adjacent "else" only one is shown
+        if (when->holds || n == 0 || shown[n - 1]->holds)              // of several consecutive "else", only one is shown
             shown[n++] = when;
     if (when)
         buf_str(&out, "… and ");

@@ -36,15 +36,17 @@ void each_stmt_location(Arena *arena, const Program *p, void (*f)(const StmtLoca
 // All transitions in file order.  The condition that no earlier transition of the block was taken is not included.
 Transitions transitions_of(Arena *arena, const Program *p);
 
-// By state, from 0: the index of its first transition in the list, where they are adjacent; one more entry for the end.
+// Returns, by state (from 0), the index of its first transition in `all`, where the transitions of a state are adjacent.  One more
+// entry is the length of `all`.
 size_t *transitions_by_state(Arena *arena, const Program *p, const Transitions *all);
 
-// The source text of an expression, on one line.
+// The source of an expression on one line, without comments.
 const char *source_text(Arena *arena, Span span);
-enum { CONDITIONS_SHOWN = 4 };
-// "pressure > 800 and not (valveOpen)", outermost first; "" for NULL.  If there are many, shows the innermost, after "… and".
+enum { CONDITIONS_SHOWN = 4 };        // the most conditions in one of the following texts
+// A condition and its outer conditions, as "pressure > 800 and not (valveOpen)", outermost first; "" for NULL.  If there are more than
+// CONDITIONS_SHOWN, the text is "… and" and the innermost of them.
 const char *condition_text(Arena *arena, const Condition *when);
-// A shorter form: "else" replaces the conditions that must be false, and at most `most` are shown, 1 to CONDITIONS_SHOWN.
+// The same, shortened: "else" replaces conditions that must be false, and at most `most` are shown, 1 to CONDITIONS_SHOWN.
 const char *condition_brief(Arena *arena, const Condition *when, size_t most);
 
 #endif

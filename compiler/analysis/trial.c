@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search for situations.  From each one found, inputs are changed and held for a step, until windows are full, or as long
-// as a timer still needs.  Every new entry into a state is stored with the inputs that led there.
+// The search for situations that the machine can reach.  Each try starts from one already found, changes inputs, and keeps them for a
+// few steps, until windows are full, or until the next timers end.  Every new entry into a state is stored with the inputs that led
+// there.
 #include "compiler/analysis/trial.h"
 
 #include <string.h>
@@ -10,28 +11,31 @@
 #include "stdlib/math.h"
 
 enum {
-    ENTRIES = 32,                 // situations stored for each state
+    ENTRIES_MAX = 32,                 // situations stored for each state
     ROUNDS = 8,
     ROUNDS_MORE = 16,             // from states with transitions that no trial has taken
     TRIES = 40,                   // from each state in each round
-    CHANGES = 4,                 // changes of inputs in one try
-    ROOM = 4 << 20                // bytes for all stored situations
+    INPUT_CHANGES = 4,                 // changes of inputs in one try
+    STORED_BYTES_MAX = 4 << 20                // bytes for all stored situations
 };
-static const uint64_t effort = 40000000;          // instructions spent on the search
+static const uint64_t work_max = 40000000;          // instructions spent on the search
 
 // ---- entries ----
 
-// 0 for zero, or one of a few sizes with a sign.
+enum { SIZES = 5, SIZE_CLASSES = 2 * (SIZES + 1) + 1 };
+
+// A class for the magnitude and sign of x: 0 for zero, below SIZE_CLASSES.
 static uint32_t size_class(double x)
 {
-    static const double size[] = {0, 2, 20, 200, 2000};
+    static const double size[SIZES] = {0, 2, 20, 200, 2000};
     uint32_t n = 0;
 
-    while (n < sizeof size / sizeof *size && sm_abs(x) > size[n])
+    while (n < SIZES && sm_abs(x) > size[n])
         n++;
-    return n == 0 ? 0 : x > 0 ? n : 6 + n;
+    return n == 0 ? 0 : x > 0 ? n : SIZES + 1 + n;
 }
 
+// A hash of the size classes of all variables that the machine writes, except times and the state.
 static uint64_t entry_key(const Trials *t, const void *situation)
 {
     const double *var = trial_vars(t, situation);
@@ -40,19 +44,19 @@ static uint64_t entry_key(const Trials *t, const void *situation)
 
     for (uint32_t v = 0; v < m->var.n; v++)
         if (m->var.at[v].writable && v != m->g && v != m->t && v != m->s)
-            key = key * 13 + size_class(var[v]);
+            key = key * SIZE_CLASSES + size_class(var[v]);
     return key;
 }
 
 typedef struct TrialSearch {
     Trials *t;
     void *at;                     // the starting situation of the try
-    double *in, *now, *was;       // inputs at rest; of this step; at rest before they were changed
+    double *in, *now, *was;       // inputs without noise; inputs of this step; `in` before its last change
     double noise;                 // on sensors, in units of their scale
     uint32_t steps;
     bool unhealthy, commanded;
-    uint32_t most;                // entries stored for each state
-    void *after;                  // for the step after a transition
+    uint32_t most;                // how many entries may be stored for each state
+    void *after;                  // a copy of the situation, for the step after a transition
 } TrialSearch;
 
 // Stores the situation as an entry of its state, unless a similar one is stored.
@@ -74,7 +78,7 @@ static void add_entry(TrialSearch *k, const Transition *via)
     vec_push(t->a->arena, &s->entry, e);
 }
 
-// Runs the step after a transition, in a copy.
+// Runs the step after a transition in a copy of the situation, and counts what it does.
 static void record_next_step(TrialSearch *k, uint32_t transition)
 {
     Trials *t = k->t;
@@ -92,8 +96,9 @@ static void record_next_step(TrialSearch *k, uint32_t transition)
 
 // ---- the search ----
 
-// A longer time is many steps, of which only the samples matter.  If the step is unknown, so is their number.
-static void count_steps(TrialSearch *k, double before)
+// Adds to k->steps the steps since G was `before`.  If some were skipped, windows get samples for them.  If the length of a step is
+// unknown, so is the number of skipped steps.
+static void add_elapsed_steps(TrialSearch *k, double before)
 {
     const Trials *t = k->t;
     const double n = (((const IrSituation *)k->at)->last_g - before) / t->dt;
@@ -107,8 +112,8 @@ static void count_steps(TrialSearch *k, double before)
         ir_run_fill_windows(t->run, k->at, n - 1 < t->window ? (uint32_t)n - 1 : t->window, NULL, NULL);
 }
 
-// Runs one step, or as many as nothing happens in.  Returns true after a transition to another state, which is stored if it is
-// new.
+// Runs one step, or with `pass` skips to the next timer.  Stores the situation after a transition, if it is new.  Returns whether the
+// machine went to another state.
 static bool search_step(TrialSearch *k, bool pass)
 {
     Trials *t = k->t;
@@ -122,7 +127,7 @@ static bool search_step(TrialSearch *k, bool pass)
         trial_pass_time(t, k->at, k->now, &t->trace);
     else
         trial_step(t, k->at, k->now, t->dt, &t->trace);
-    count_steps(k, before);
+    add_elapsed_steps(k, before);
     for (uint32_t v = 0; v < t->run->m->var.n; v++)
         if (t->actuator[v] && sm_abs(trial_vars(t, k->at)[v]) > t->peak[v])
             t->peak[v] = sm_abs(trial_vars(t, k->at)[v]);
@@ -137,7 +142,7 @@ static bool search_step(TrialSearch *k, bool pass)
     return via->to != via->from;
 }
 
-// Holds the inputs for some steps, or until windows are full, or as long as a timer still needs.
+// Runs with constant inputs for some steps, until windows are full, or until the next timers end.
 static void hold_inputs(TrialSearch *k)
 {
     static const uint32_t holds[] = {1, 1, 2, 5};
@@ -177,7 +182,7 @@ static void change_inputs(TrialSearch *k, const TrialState *s)
             k->unhealthy |= !trial_is_healthy(&t->input[i], k->in[i]) || k->in[i] != k->in[t->input[i].group];
 }
 
-static void try_from(TrialSearch *k, uint32_t state)
+static void run_one_try(TrialSearch *k, uint32_t state)
 {
     Trials *t = k->t;
     const TrialState *s = &t->state[state];
@@ -188,7 +193,7 @@ static void try_from(TrialSearch *k, uint32_t state)
     k->steps = e->steps;
     k->unhealthy = e->unhealthy;
     k->commanded = e->commanded;
-    for (int n = 0; n < CHANGES; n++) {
+    for (int n = 0; n < INPUT_CHANGES; n++) {
         change_inputs(k, &t->state[trial_state(k->at) - 1]);
         hold_inputs(k);
     }
@@ -205,8 +210,7 @@ static bool has_untaken_transition(const Trials *t, uint32_t state)
     return false;
 }
 
-// Starts directly in each state that the search could not reach, with everything else as at the start: a machine can be started
-// in any state.
+// Adds an entry for each state that the search could not reach, as if the machine were started in it.
 static void add_unreached_states(TrialSearch *k)
 {
     Trials *t = k->t;
@@ -221,6 +225,7 @@ static void add_unreached_states(TrialSearch *k)
         }
 }
 
+// Runs the rounds from `from` to `to` - 1: some tries from each state, from round ROUNDS on only where a transition is still untaken.
 static void search_rounds(TrialSearch *k, int from, int to)
 {
     Trials *t = k->t;
@@ -229,8 +234,8 @@ static void search_rounds(TrialSearch *k, int from, int to)
         for (uint32_t s = 0; s < t->a->p->state.n; s++) {
             if (t->state[s].entry.n == 0 || (round >= ROUNDS && !has_untaken_transition(t, s)))
                 continue;
-            for (int n = 0; n < TRIES && t->run->work < effort; n++)
-                try_from(k, s);
+            for (int n = 0; n < TRIES && t->run->work < work_max; n++)
+                run_one_try(k, s);
         }
 }
 
@@ -239,8 +244,8 @@ static void search_situations(Trials *t)
     TrialSearch k = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
     const size_t states = t->a->p->state.n;
 
-    k.most = (uint32_t)(ROOM / (states * (t->run->size + t->inputs * sizeof(double)) + 1));
-    k.most = k.most > ENTRIES ? ENTRIES : k.most < 2 ? 2 : k.most;
+    k.most = (uint32_t)(STORED_BYTES_MAX / (states * (t->run->size + t->inputs * sizeof(double)) + 1));
+    k.most = k.most > ENTRIES_MAX ? ENTRIES_MAX : k.most < 2 ? 2 : k.most;
     k.now = trial_new_inputs(t);
     k.was = trial_new_inputs(t);
     k.after = arena_alloc(t->a->arena, t->run->size);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trial runs: the machine is run, from situations that it can reach, with inputs that are chosen to make its conditions true
-// and false.  A check assumes something (a sensor fails, a window is full, nothing changes any more).  It compares the
-// machine's behaviour with and without the assumption.  What a trial shows does happen with those inputs.  What no trial shows
-// may still happen.
+// Trial runs: the machine is simulated from situations that it can reach, with inputs that are chosen to make its conditions true
+// and false.  A situation is the complete state of a running machine: its state, variables and windows.  A check compares the
+// machine's behaviour with and without an assumption (a sensor fails, a window is full, inputs stay constant).  What a trial shows
+// does happen with those inputs.  What no trial shows may still happen.
 //
 // All choices come from one generator with a fixed seed, and the effort is bounded by instructions, not by time.  So the same
 // machine produces the same findings everywhere.
@@ -27,8 +27,8 @@ typedef struct TrialInput {
     double lo, hi;                    // the readings of a healthy sensor: @range, or the range of its type
     double *reading;                  // readings that comparisons distinguish, ascending
     uint32_t readings;
-    bool rough;                       // no comparison shows the scale
-    double scale;                     // of its group: the spread of its readings; the unit of noise and slopes
+    bool rough;                       // its scale is unknown: it has no @range and no comparison with other values
+    double scale;                     // the range of readings of its group: the unit of noise and slopes
 } TrialInput;
 
 // A situation just before the first step in a state.
@@ -39,15 +39,15 @@ typedef struct TrialEntry {
     uint32_t steps;                   // steps since the start; TRIAL_MANY: many, or an unknown number
     bool unhealthy;                   // earlier in this trial a sensor left its healthy range, or disagreed with its group
     bool commanded;                   // earlier in this trial a person changed a command
-    uint64_t key;                     // which locals and elements are zero, and the rough size of the others
+    uint64_t key;                     // a hash of the variables, by which similar situations are recognised (entry_key)
 } TrialEntry;
 #define TRIAL_MANY UINT32_MAX
 
-// The step after a transition, over all trials, with the inputs that led to the transition.
+// What happens in the step after a transition, counted over all trials, with the inputs that led to the transition.
 typedef struct TrialNext {
-    uint32_t trials, left;            // number of trials; how many of them made a transition
-    uint32_t transition;              // Stmt.number of the transition made in most trials, if there is a majority
-    int most;                         // by how many more than any other
+    uint32_t trials, left;            // number of trials; how many of them made another transition in this step
+    uint32_t transition;              // Stmt.number of the majority's transition, by the Boyer-Moore vote; 0: none is made
+    int most;                         // the counter of that vote; above 0 if there is a majority
 } TrialNext;
 
 typedef struct TrialState {
@@ -68,17 +68,16 @@ typedef struct Trials {
     bool *taken;                      // by Stmt.number of a transition: it was taken in some trial
     bool *by_time;                    // by Stmt.number of a transition: its condition depends on T or G
     TrialNext *next;                  // by Stmt.number of a transition
-    bool *actuator;                   // by IR variable
+    bool *actuator;                   // by IR variable: it is an output that drives something (is_actuator)
     double *peak;                     // by IR variable: its largest magnitude in a trial
     const Var **var;                  // by IR variable
-    double *wait;                     // times that conditions on T and G wait for, ascending
+    double *wait;                     // the times that conditions compare T and G with, ascending
     uint32_t waits;
     bool stamped;                     // some variable contains a time: waits may begin at any time
-    double **limit;                   // by IR variable that only counts by a constant: the values it is compared with, ended by NaN;
-                                      // else NULL
+    double **limit;                   // by IR variable: if it is a counter, the values it is compared with, then NaN; otherwise NULL
     double dt;                        // how much G advances in a step
     uint32_t window;                  // samples until every window is full
-    bool *computed;                   // by IrMachine.window: it samples values that the machine itself writes
+    bool *computed;                   // by IrMachine.window: it samples variables that the machine itself writes
     uint32_t count;                   // total number of limits of counters
     uint64_t random;
     double *before;                   // variables before a step, for trial_pass_time
@@ -101,44 +100,43 @@ static inline const double *trial_vars(const Trials *t, const void *situation)
     return (const double *)(const void *)((const char *)situation + t->run->vars);
 }
 static inline bool trial_is_entering(const void *situation) { return ((const IrSituation *)situation)->first; }
-// How many steps like the last one can follow before a timer or a counter reaches a limit.  The last one led from the variables
-// `before` to the situation. 0: a variable that is not a counter changes.  TRIAL_MANY: nothing can happen any more.
+// How many steps that change the variables like the last one can follow before a timer or a counter reaches a limit.  The last step
+// led from the variables `before` to the situation.  0: a variable that is not a counter has changed.  TRIAL_MANY: no limit is ahead.
 uint32_t trial_steps_to_event(const Trials *t, const double *before, const void *situation);
 // The same for timers alone, whatever else changes.
 uint32_t trial_steps_to_timer(const Trials *t, const void *situation);
-// Runs these steps at once.  Windows keep their samples.
+// Advances time and counters by so many steps like the last one (see above).  Windows keep their samples.
 void trial_skip_steps(const Trials *t, const double *before, void *situation, uint32_t steps);
-// Runs some steps, and then as many more as nothing happens in.  Returns false if nothing can happen any more while inputs are
-// constant.
+// Runs at least one step with constant inputs, and then skips all steps before the next timer or counter reaches its limit.  Returns
+// false if nothing can happen any more.
 bool trial_pass_time(Trials *t, void *situation, const double *in, IrTrace *trace);
-enum { TRIAL_PASSES = 300 };          // a machine that is still active after so many passes stays active
-// Whether, in the same state, a timer or a rising counter has moved closer to a limit since `before`: it can still reach the
-// limit.
+enum { TRIAL_PASSES = 300 };          // after so many calls of trial_pass_time, a machine that is still active is assumed to stay active
+// Whether a timer or a rising counter has moved closer to a limit since the variables were `before`, so that it can still reach it.
 bool trial_approaches_limit(const Trials *t, const double *before, const void *situation);
 // Whether anything but time differs between two situations.
 bool trial_is_same(const Trials *t, const void *a, const void *b);
-// A variable that the machine writes, that one of these conditions reads, and that differs between two situations; NULL: none.
+// Returns a variable that the machine writes, that one of these conditions reads, and that differs between two situations; or NULL.
 const Var *trial_find_difference(const Trials *t, const Condition *when, const void *a, const void *b);
-// Begins at an entry, with the inputs that led there, but without any command unless the state lasts only with commands.
-// Chooses other readings if the state does not last with these.
+// Copies the situation of an entry, and sets `in` to the inputs that led there, or to other readings if the machine would leave the
+// state with those.  All commands are 0, unless the machine stays in the state only with the commands that led there.
 void trial_begin(Trials *t, const TrialEntry *e, void *situation, double *in);
 // Fills every window with samples of these inputs.  Windows over variables that the machine writes keep their samples.
 void trial_fill_windows(Trials *t, void *situation, const double *in);
 
 // ---- choosing ----
 
-uint32_t trial_random_below(Trials *t, uint32_t n);                      // 0 … n - 1; 0 if n is 0
-double *trial_new_inputs(Trials *t);                              // one array for all inputs
-double trial_pick_reading(Trials *t, const TrialInput *i, bool unhealthy);     // within @range unless unhealthy
-// Chooses other readings for the inputs that the state depends on.  Each group reads one number.  Commands change only with
-// `commands`.
+uint32_t trial_random_below(Trials *t, uint32_t n);               // a pseudo-random number from 0 to n - 1; 0 if n is 0
+double *trial_new_inputs(Trials *t);                              // a new array with a reading for each input
+double trial_pick_reading(Trials *t, const TrialInput *i, bool unhealthy);     // one of i's readings; within @range unless `unhealthy`
+// Draws readings for the inputs that the state depends on (all inputs if s is NULL).  The sensors of a group mostly read the same
+// number.  Commands change only with `commands`.
 void trial_draw_inputs(Trials *t, double *in, const TrialState *s, bool commands, bool unhealthy);
 // The same for sensors, including unhealthy readings, and for bools that are not marked @command.
 void trial_draw_inputs_freely(Trials *t, double *in, const TrialState *s);
 // Adds noise to sensors: at most this fraction of their scale, the same within a group.  Healthy readings stay within their
 // range.
 void trial_add_noise(Trials *t, double *in, double most);
-// Makes every group read one number.
+// Makes all sensors of each group read the same number, that of its first.
 void trial_unify_groups(const Trials *t, double *in);
 void trial_set_group(const Trials *t, double *in, uint32_t input, double reading);
 bool trial_is_healthy(const TrialInput *i, double reading);

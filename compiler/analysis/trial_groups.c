@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which sensors measure the same quantity.
+// Finds out which sensors measure the same quantity, by union-find over the variables.
 #include "compiler/analysis/trial_inputs.h"
 #include "stdlib/math.h"
 
@@ -12,6 +12,7 @@ static uint32_t root_of(TrialFinder *f, uint32_t v)
     return v;
 }
 
+// Records that two variables have the same quantity, and returns one of them.  IR_NONE stands for no variable.
 static uint32_t join_quantities(TrialFinder *f, uint32_t a, uint32_t b)
 {
     if (a == IR_NONE || b == IR_NONE)
@@ -42,7 +43,8 @@ static bool has_quantity(const TrialFinder *f, const Var *v)
     return v->kind == VAR_LOCAL || v->written || (input != IR_NONE && !f->t->input[input].command);
 }
 
-// A variable with the same quantity as the expression; IR_NONE: unknown.  Joins the operands of comparisons.
+// Joins the variables in e that must have the same quantity, such as the two sides of a comparison.  Returns one (Var.index) that has
+// the same quantity as e; IR_NONE: unknown.
 static uint32_t join_operands(TrialFinder *f, const Expr *e)
 {
     const bool compared = comparison_count(e) > 0;
@@ -70,8 +72,8 @@ static void join_stmt(const StmtLocation *at, void *context)
         join_quantities(f, at->stmt->var->index, q);
 }
 
-// Whether two expressions are equal except for their variables.  Variables at the same position measure the same quantity.
-static bool is_similar(TrialFinder *f, const Expr *a, const Expr *b, bool join_them)
+// Returns whether two expressions are equal except for their variables.  `join_them`: joins variables at the same position.
+static bool match_expressions(TrialFinder *f, const Expr *a, const Expr *b, bool join_them)
 {
     bool alike = a->kind == b->kind && a->op == b->op && a->fn == b->fn && a->stat == b->stat && a->n == b->n;
 
@@ -88,7 +90,7 @@ static bool is_similar(TrialFinder *f, const Expr *a, const Expr *b, bool join_t
         return true;
     }
     for (uint32_t i = 0; i < a->n && alike; i++)
-        alike = is_similar(f, a->arg[i], b->arg[i], join_them);
+        alike = match_expressions(f, a->arg[i], b->arg[i], join_them);
     return alike;
 }
 
@@ -101,14 +103,14 @@ static void join_similar_comparisons(TrialFinder *f)
         for (size_t k = 0; k < i; k++) {
             const TrialComparison *x = &f->comparison.at[i], *y = &f->comparison.at[k];
             const Comparison a = x->pair, b = y->pair;
-            if (a.op == b.op && x->state == y->state && is_similar(f, a.a, b.a, false) && is_similar(f, a.b, b.b, false)) {
-                is_similar(f, a.a, b.a, true);
-                is_similar(f, a.b, b.b, true);
+            if (a.op == b.op && x->state == y->state && match_expressions(f, a.a, b.a, false) && match_expressions(f, a.b, b.b, false)) {
+                match_expressions(f, a.a, b.a, true);
+                match_expressions(f, a.b, b.b, true);
             }
         }
 }
 
-// Two sensors of one quantity have ranges that mostly overlap, if both have a range.
+// Whether the ranges of two sensors overlap for the most part (80 percent of the wider one).  True if one has no range.
 static bool have_similar_ranges(const TrialInput *a, const TrialInput *b)
 {
     const double wide = sm_max(a->hi - a->lo, b->hi - b->lo);

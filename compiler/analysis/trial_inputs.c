@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inputs that a value depends on are a set with a bit for each input.  The sets propagate through variables to a fixed
-// point: `data` through values alone, `all` also through the guards of assignments.
+// Finds the inputs of a machine, and for each variable the set of inputs that its value depends on.  The sets propagate through
+// assignments to a fixed point: `data` through the assigned values alone, `all` also through the guards around the assignments.
 #include "compiler/analysis/trial_inputs.h"
 
 #include <string.h>
@@ -19,6 +19,7 @@ void trial_add_inputs(TrialFinder *f, const Expr *e, const uint64_t *of, uint64_
 
 typedef struct InputPropagation { TrialFinder *f; bool grew; } InputPropagation;
 
+// Adds to the sets of an assigned variable those of the assigned value and of the guards.
 static void propagate_store(const StmtLocation *at, void *context)
 {
     InputPropagation *s = context;
@@ -76,7 +77,7 @@ static void list_inputs(TrialFinder *f)
 
 // ---- comparisons ----
 
-static void find_written_var(Expr *e, void *context)
+static void record_if_written(Expr *e, void *context)
 {
     bool *computed = context;
 
@@ -92,7 +93,7 @@ static void record_expr(Expr *e, void *context)
     for (uint32_t i = 1; e->kind == EX_CALL && i < e->n; i++)
         vec_push(f->arena, &f->comparison, ((TrialComparison){{e->arg[0], e->arg[i], SM_OP_COUNT}, f->state}));
     if (e->kind == EX_ROLL)
-        expr_walk(e->arg[0], find_written_var, &f->t->computed[f->t->a->m->window_of[e->window]]);
+        expr_walk(e->arg[0], record_if_written, &f->t->computed[f->t->a->m->window_of[e->window]]);
     if (e->kind == EX_VAR)
         f->read[e->var->index] = true;
 }
@@ -119,7 +120,7 @@ static void record_stmt(const StmtLocation *at, void *context)
 
 // ---- dependencies of states ----
 
-static void record_relevant(const StmtLocation *at, void *context)
+static void record_relevant_inputs(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;
     bool *relevant = f->t->state[at->state->number - 1].relevant;
@@ -158,7 +159,7 @@ void trial_find_inputs(Trials *t)
     trial_find_actuators(&f);
     for (size_t s = 0; s < f.p->state.n; s++)
         t->state[s].relevant = ARENA_ARRAY(f.arena, bool, t->inputs + 1);
-    each_stmt_location(f.arena, f.p, record_relevant, &f);
+    each_stmt_location(f.arena, f.p, record_relevant_inputs, &f);
     for (size_t s = 0; s < f.p->state.n; s++)
         for (uint32_t i = 0; i < t->inputs; i++)
             t->state[s].relevant[t->input[i].group] |= t->state[s].relevant[i];        // the first input of a group moves the whole group

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The basis of trials: the inputs of a machine and the readings that its conditions distinguish, the outputs that drive
+// What trials need to know about a machine: its inputs and the readings that its conditions distinguish, the outputs that drive
 // something, and the times that it waits for.
 #ifndef SMC_TRIAL_INPUTS_H
 #define SMC_TRIAL_INPUTS_H
@@ -26,7 +26,7 @@ typedef struct TrialFinder {
     VEC(TrialComparison) comparison;
     VEC(const Stmt *) assign;     // every assignment, in file order
     VEC(uint32_t) assign_state;   // the number of its state
-    double *value, *saved;        // by Var.index; a copy of it
+    double *value, *saved;        // by Var.index: the current values while readings are searched; a copy of them
     uint32_t state;               // number of the state whose statements are visited
     uint64_t *bits;               // a set of inputs, for one expression
     bool *read;                   // by Var.index: a guard or another value reads it

@@ -28,6 +28,7 @@ static bool is_counter(const TrialFinder *f, const Var *v)
     return counts;
 }
 
+// The constants that v is compared with, then a NaN.
 static double *limits_of(TrialFinder *f, const Var *v)
 {
     VEC(double) limit = {NULL, 0, 0};
@@ -68,7 +69,8 @@ static int count_distinct_nonzero(const double *at, uint32_t n)
     return count;
 }
 
-// Percentages are far apart; codes are close together or never zero.
+// Whether v is assigned codes, such as the number of a mode: several different whole numbers that differ by less than 100.  Levels of an
+// output, such as percentages, differ by more or reach 100.
 static bool is_code(const TrialFinder *f, uint32_t v)
 {
     double least = 0, most = 0;
@@ -81,7 +83,7 @@ static bool is_code(const TrialFinder *f, uint32_t v)
            sm_type_info[f->p->var.at[v]->type].kind != SM_KIND_FLOAT;
 }
 
-// A count of events: it goes up by a constant, and back to 0.
+// Whether v counts events: every assignment adds a constant or sets it to 0.
 static bool is_event_count(const TrialFinder *f, const Var *v)
 {
     bool counts = false;
@@ -97,8 +99,7 @@ static bool is_event_count(const TrialFinder *f, const Var *v)
     return counts;
 }
 
-// A value computed from sensors drives something only if it is bounded, or if constant levels are assigned too.  Otherwise it
-// is an estimate.
+// Whether v is an estimate computed from sensors: its values are unbounded, and no constant except 0 is assigned to it.
 static bool is_estimate(const TrialFinder *f, const Var *v)
 {
     bool from_sensors = false;
@@ -108,8 +109,8 @@ static bool is_estimate(const TrialFinder *f, const Var *v)
     return from_sensors && !f->bounded[v->index] && count_distinct_nonzero(f->constants[v->index].at, f->constants[v->index].n) == 0;
 }
 
-// A bool that the machine writes drives something.  So does a number that is off at rest: an assignment, or the lower end of
-// its values, makes it 0.  A number that the machine compares is a code, a count or an estimate instead.
+// Whether v is an output that drives something, such as a valve.  That is every bool that the machine writes, and every number that some
+// assignment sets to 0 (off), unless it looks like a code, a count or an estimate, or the machine itself reads its constants.
 static bool is_actuator(const TrialFinder *f, const Var *v)
 {
     if (v->kind != VAR_ELEMENT || !v->written)
@@ -121,7 +122,7 @@ static bool is_actuator(const TrialFinder *f, const Var *v)
     return f->zeroed[v->index] && !is_estimate(f, v) && !(is_code(f, v->index) && !f->varied[v->index]);
 }
 
-// A copy of a local has the properties of the local.
+// A variable to which a local is assigned gets the properties of the local.
 static void copy_properties_of_local(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;
@@ -136,7 +137,7 @@ static void copy_properties_of_local(const StmtLocation *at, void *context)
         vec_push(f->arena, &f->constants[to], f->constants[from->index].at[i]);
 }
 
-// A value that is clamped to 0 at its lower end switches off, too.
+// Records whether an assigned value is bounded, and whether its lower bound is 0: then it can switch the output off.
 static void record_bounds(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;

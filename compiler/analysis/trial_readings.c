@@ -11,7 +11,7 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-enum { ROOTS = 16 };                  // for one input
+enum { ROOTS_MAX = 16 };              // readings at which comparisons change, for one input
 
 // Executes the assignments of one state, or of all (0), once each in file order.
 static void run_assignments(TrialFinder *f, uint32_t state)
@@ -30,7 +30,7 @@ static void compute_vars(TrialFinder *f)
     run_assignments(f, 0);
 }
 
-typedef struct Roots { double at[ROOTS]; uint32_t n; } Roots;
+typedef struct Roots { double at[ROOTS_MAX]; uint32_t n; } Roots;       // readings at which the two sides of a comparison are equal
 
 static void add_root(Roots *r, double x)
 {
@@ -39,14 +39,15 @@ static void add_root(Roots *r, double x)
     for (uint32_t i = 0; i < r->n; i++)
         if (sm_abs(r->at[i] - x) <= 1e-9 * sm_abs(x))
             return;
-    if (r->n < ROOTS)
+    if (r->n < ROOTS_MAX)
         r->at[r->n++] = x;
 }
 
-// Which assignments are executed again for a reading.  Another state, or an earlier step, can have stored its value long ago.
+// Which variables keep their values when a reading changes.  Another state, or an earlier step, can have stored its value long ago.
 typedef enum ReadingMemory { REMEMBER_NOTHING, REMEMBER_OTHER_STATES, REMEMBER_EVERYTHING, READING_MEMORIES } ReadingMemory;
 
-static void find_differences(TrialFinder *f, ReadingMemory remembered, double *d)
+// Computes the difference of the two sides of each comparison into d.
+static void compute_differences(TrialFinder *f, ReadingMemory remembered, double *d)
 {
     for (size_t c = 0; c < f->comparison.n; c++) {
         if (remembered == REMEMBER_OTHER_STATES && (c == 0 || f->comparison.at[c].state != f->comparison.at[c - 1].state)) {
@@ -74,7 +75,7 @@ static void find_roots(TrialFinder *f, void (*set)(TrialFinder *f, uint32_t whic
         if (remembered == REMEMBER_NOTHING)
             compute_vars(f);
         memcpy(f->saved, f->value, f->p->var.n * sizeof *f->value);
-        find_differences(f, remembered, d + k * n);
+        compute_differences(f, remembered, d + k * n);
         memcpy(f->value, f->saved, f->p->var.n * sizeof *f->value);
     }
     for (size_t c = 0; c < n; c++) {
@@ -140,7 +141,7 @@ static void find_readings(TrialFinder *f, uint32_t input)
     const bool whole = sm_type_info[i->v->type].kind != SM_KIND_FLOAT;
     Roots r = {{0}, 0};
 
-    i->reading = ARENA_ARRAY(f->arena, double, 3 * ROOTS + 16);
+    i->reading = ARENA_ARRAY(f->arena, double, 3 * ROOTS_MAX + 16);
     find_roots(f, set_one_input, input, input, REMEMBER_NOTHING, &r);
     if (i->v->type == SM_BOOL)
         r.n = 0;
@@ -188,7 +189,7 @@ void trial_find_readings(TrialFinder *f)
 
 // ---- times ----
 
-static void find_time(Expr *e, void *context)
+static void record_if_time(Expr *e, void *context)
 {
     TrialFinder *f = context;
 
@@ -203,10 +204,10 @@ void trial_find_waits(TrialFinder *f)
     find_roots(f, set_time, 0, IR_NONE, REMEMBER_NOTHING, &r);
     find_roots(f, set_time, 0, IR_NONE, REMEMBER_EVERYTHING, &r);
     qsort(r.at, r.n, sizeof *r.at, compare_numbers);
-    t->wait = ARENA_ARRAY(f->arena, double, ROOTS);
+    t->wait = ARENA_ARRAY(f->arena, double, ROOTS_MAX);
     for (uint32_t k = 0; k < r.n; k++)
         if (r.at[k] > 0 && r.at[k] < 1e12)
             t->wait[t->waits++] = sm_ceil(r.at[k]);
     for (size_t i = 0; i < f->assign.n; i++)
-        expr_walk(f->assign.at[i]->value, find_time, f);
+        expr_walk(f->assign.at[i]->value, record_if_time, f);
 }

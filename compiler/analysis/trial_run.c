@@ -7,7 +7,7 @@
 #include "stdlib/math.h"
 
 enum {
-    STEPS_PER_PASS = 40,           // if a variable changes that is not a counter
+    STEPS_PER_PASS = 40,              // steps in one call of trial_pass_time while a variable changes that is not a counter
     READINGS_TRIED = 6,               // readings that are tried to make a state last
     LASTING_STEPS = 3                 // steps for which it has to last
 };
@@ -41,6 +41,7 @@ void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace
 
 static const double endless = 1e9;                   // steps: longer than any timer
 
+// How many steps follow before the one in which a value, changing by `by` per step, reaches the limit; `endless` if it never does.
 static double steps_to(double from, double limit, double by)
 {
     const double n = sm_ceil((limit - from) / by);
@@ -48,6 +49,7 @@ static double steps_to(double from, double limit, double by)
     return n > 0 ? n - 1 : n == 0 ? 0 : endless;
 }
 
+// How many steps follow before the next time that the machine waits for.
 static double steps_to_wait(const Trials *t, const void *situation)
 {
     const IrSituation *s = situation;
@@ -239,7 +241,8 @@ void trial_fill_windows(Trials *t, void *situation, const double *in)
             ir_run_copy_window(t->run, situation, before, w);
 }
 
-// Whether the state lasts some steps with these commands and some healthy readings.
+// Finds healthy readings in *in with which, with the commands in *in, the machine stays in the state for some steps.  Returns whether
+// some were found.
 static bool find_lasting_inputs(Trials *t, const TrialEntry *e, void *situation, double *in)
 {
     const uint32_t state = trial_state(e->situation);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts without any effect on what the machine shows or decides: elements that are listed but never used, locals that only they
-// themselves need, rolling statistics that feed only such parts.  Also locals that never change, which are constants.
+// Parts that affect neither an element nor a transition: elements that are listed but never used, locals that only their own
+// assignments read, rolling statistics that only such parts use.  Also locals that never change, which are constants.
 //
 // A transition and an assignment to an element have an effect, and so does every guard around them.  The search goes backwards
 // from there.  If a local is needed, so is every assignment to it, with its guards.  If a statistic is needed, so is its
@@ -25,7 +25,7 @@ typedef struct NeededParts {
     VEC(const Var *) waiting;     // needed, but their assignments are not yet visited
 } NeededParts;
 
-static void need_expr(NeededParts *n, const Expr *e)
+static void mark_expr_needed(NeededParts *n, const Expr *e)
 {
     const Var *v = e->var;
 
@@ -36,18 +36,19 @@ static void need_expr(NeededParts *n, const Expr *e)
     if (e->kind == EX_ROLL)
         n->window[e->window] = true;
     for (uint32_t i = 0; i < e->n; i++)
-        need_expr(n, e->arg[i]);
+        mark_expr_needed(n, e->arg[i]);
 }
 
-static void need_guards(NeededParts *n, const Condition *when)
+static void mark_guards_needed(NeededParts *n, const Condition *when)
 {
     for (; when && !n->guard[when->stmt->number]; when = when->outer) {
         n->guard[when->stmt->number] = true;
-        need_expr(n, when->stmt->value);
+        mark_expr_needed(n, when->stmt->value);
     }
 }
 
-// A transition, or an assignment that is visible outside. (A conditional without statements has its own warning.)
+// Whether stmt is a transition or an assignment to an element.  Also true for a conditional without statements, which has its own
+// warning.
 static bool has_effect(const Stmt *stmt)
 {
     switch (stmt->kind) {
@@ -58,23 +59,24 @@ static bool has_effect(const Stmt *stmt)
     return true;
 }
 
-static void need_stmt(NeededParts *n, const Stmt *stmt, const Condition *when)
+static void mark_stmt_needed(NeededParts *n, const Stmt *stmt, const Condition *when)
 {
-    need_guards(n, when);
+    mark_guards_needed(n, when);
     if (stmt->value)
-        need_expr(n, stmt->value);
+        mark_expr_needed(n, stmt->value);
 }
 
-// Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.  If only executed statements count, every
-// guard counts: an always decided guard has its own finding.
-static void need_stmts(NeededParts *n, const Stmts *stmts, const Condition *when)
+// Marks what statements with an effect need, and lists the other assignments in n->site.  Without `everywhere`, every executed guard
+// counts as needed, because a guard that decides nothing has its own finding.
+// Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
+static void mark_needed_in_stmts(NeededParts *n, const Stmts *stmts, const Condition *when)
 {
     for (size_t i = 0; i < stmts->n; i++) {
         const Stmt *stmt = stmts->at[i];
         if (!n->everywhere && !n->a->stmt[stmt->number].reached)
             continue;
         if (has_effect(stmt) || (stmt->kind == ST_IF && !n->everywhere)) {
-            need_stmt(n, stmt, when);
+            mark_stmt_needed(n, stmt, when);
         } else if (stmt->kind == ST_ASSIGN) {
             StoreSite *site = ARENA_NEW(n->a->arena, StoreSite);
             *site = (StoreSite){stmt, when, n->site[stmt->var->index]};
@@ -87,7 +89,7 @@ static void need_stmts(NeededParts *n, const Stmts *stmts, const Condition *when
                 continue;
             c = ARENA_NEW(n->a->arena, Condition);
             *c = (Condition){stmt, holds, when};
-            need_stmts(n, branch, c);
+            mark_needed_in_stmts(n, branch, c);
         }
     }
 }
@@ -103,11 +105,11 @@ static NeededParts find_needed(Analysis *a, bool everywhere)
     n.site = ARENA_ARRAY(a->arena, const StoreSite *, p->var.n);
     for (size_t s = 0; s < p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
-            need_stmts(&n, &p->state.at[s]->block[b], NULL);
+            mark_needed_in_stmts(&n, &p->state.at[s]->block[b], NULL);
     while (n.waiting.n > 0) {
         const Var *v = n.waiting.at[--n.waiting.n];
         for (const StoreSite *site = n.site[v->index]; site; site = site->next)
-            need_stmt(&n, site->stmt, site->when);
+            mark_stmt_needed(&n, site->stmt, site->when);
     }
     return n;
 }
@@ -136,7 +138,7 @@ static void insert_read_only(Diags *diags, Diag *d, const Var *local)
     diag_edit(diags, d, span, " @read_only");
 }
 
-// Read and written, but perhaps only by its own assignments.
+// Whether v is a local that is read and written, so that perhaps only its own assignments read it.
 static bool may_feed_itself(const Var *v)
 {
     return v->kind == VAR_LOCAL && !v->read_only && v->read && v->written;
@@ -152,7 +154,7 @@ static void check_local(Analysis *a, const Var *v, bool needed)
         diag_report(a->diags, DIAG_feeds_itself, v->span, v->name->text);
 }
 
-static void need_var(Expr *e, void *context)
+static void mark_if_var(Expr *e, void *context)
 {
     bool *needed = context;
 
@@ -160,13 +162,13 @@ static void need_var(Expr *e, void *context)
         needed[e->var->index] = true;
 }
 
-// Initial values and window sizes need the variables that they read.
-static void need_constants(const Program *p, bool *needed)
+// Marks the variables that initial values and window sizes read.
+static void mark_vars_of_constants(const Program *p, bool *needed)
 {
     for (size_t i = 0; i < p->var.n; i++) {
         needed[i] |= p->var.at[i]->sizes;
         if (p->var.at[i]->init_value)
-            expr_walk(p->var.at[i]->init_value, need_var, needed);
+            expr_walk(p->var.at[i]->init_value, mark_if_var, needed);
     }
 }
 
@@ -193,7 +195,7 @@ void analyse_unused(Analysis *a)
         wanted |= may_feed_itself(p->var.at[i]);
     if (wanted) {
         all = find_needed(a, true);
-        need_constants(p, all.var);
+        mark_vars_of_constants(p, all.var);
     }
     if (p->window.n > 0)
         check_windows(a, &all);

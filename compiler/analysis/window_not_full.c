@@ -14,16 +14,16 @@
 
 enum {
     ENTRIES_TRIED = 8,                    // entries of a state
-    DRAWS = 500,                  // inputs tried in each
-    LATER = 60                    // steps and times that are followed after windows are full
+    DRAWS_MAX = 500,              // inputs tried in each entry, for each window
+    STEPS_FOLLOWED = 60           // steps, not counting skipped ones, that are run after windows are full
 };
-static const uint64_t effort = 30000000;          // instructions
+static const uint64_t work_max = 30000000;          // instructions
 static const double noise[] = {0.001, 0.02, 0.3, 5, 100};          // in TrialInput.scale
 enum { NOISES = sizeof noise / sizeof *noise };
 
 typedef struct WindowTrial {
     Trials *t;
-    void *full, *few, *filled;
+    void *full, *few, *filled;    // situations: with a full window; with few samples; a temporary one
     uint32_t window;              // in IrMachine.window: the window that is full in `full`
     double *in, *now;
     IrTrace few_did, full_did;
@@ -31,8 +31,8 @@ typedef struct WindowTrial {
     uint32_t clock;
     double *earlier;              // the samples of the full window before the start
     double *before, *before_full; // variables before a step
-    bool same;                    // sensors have had their current readings since the start
-    bool later;                   // both are full, or in another state: a difference now was decided before
+    bool same;                    // sensors have had their current readings since the machine's start
+    bool later;                   // both windows are full, or both machines are in another state: a difference now has an earlier cause
     const Stmt *guard;            // the first guard on which the two differed
     uint32_t samples;             // number of samples in the window then
     uint64_t until;               // value of Trials.run.work at which the search stops
@@ -61,6 +61,7 @@ static void fill_inputs(void *context, double *vars, uint32_t sample)
 
 // ---- one trial ----
 
+// Whether an output is on in the machine with few samples and off in the other.
 static bool switches_on(const WindowTrial *w)
 {
     const double *few = ir_run_vars(w->t->run, w->few), *full = ir_run_vars(w->t->run, w->full);
@@ -88,7 +89,7 @@ static void find_differing_guard(WindowTrial *w, uint32_t samples)
 
 typedef enum FillOutcome { SAME, FULL_ACTS, FEW_DECIDE } FillOutcome;
 
-// Compares the two after a step.  A decision by the full window is not a finding.
+// Compares the two machines after a step.  A transition or output by the machine with the full window is not a finding.
 static FillOutcome compare_after_step(WindowTrial *w, uint32_t samples)
 {
     const bool before = w->guard && w->later;         // they have differed, without a visible effect yet
@@ -102,14 +103,15 @@ static FillOutcome compare_after_step(WindowTrial *w, uint32_t samples)
     return SAME;
 }
 
-// A wrong decision may show only later, in another state: time passes, and people give commands.
-static bool shows_later(WindowTrial *w)
+// Runs both machines on, with commands and passing time, until their outputs or transitions differ.  Returns whether the machine with
+// few samples acts: a wrong decision may have a visible effect only later, in another state.
+static bool run_until_difference_shows(WindowTrial *w)
 {
     Trials *t = w->t;
     const size_t size = t->run->m->var.n * sizeof *w->before;
     FillOutcome o = SAME;
 
-    for (int n = 0; n < LATER && o == SAME && !trial_is_same(t, w->few, w->full); n++) {
+    for (int n = 0; n < STEPS_FOLLOWED && o == SAME && !trial_is_same(t, w->few, w->full); n++) {
         uint32_t leap, in_full;
         if (n % 10 == 9)
             trial_draw_inputs(t, w->in, NULL, true, false);
@@ -150,9 +152,9 @@ static void fill_window(WindowTrial *w, const TrialEntry *e, void *situation, ui
     w->noise = usual;
 }
 
-// One window is full of `earlier` readings in one of the two; then both read the same. glitch: an input with another reading in
-// the first step; or IR_NONE.
-static bool few_samples_decide(WindowTrial *w, const TrialEntry *e, uint32_t glitch, double reading)
+// Runs two machines from an entry with the same inputs; in one of them the window is full of the earlier readings.  Returns whether the
+// few samples of the other decide something.  glitch: an input that has this reading in the first step only; or IR_NONE.
+static bool run_with_few_samples(WindowTrial *w, const TrialEntry *e, uint32_t glitch, double reading)
 {
     Trials *t = w->t;
     w->guard = NULL;
@@ -175,14 +177,14 @@ static bool few_samples_decide(WindowTrial *w, const TrialEntry *e, uint32_t gli
             return false;
         w->later |= e->steps + n >= t->window;
         if (e->steps + n >= t->window)
-            return w->guard && shows_later(w);
+            return w->guard && run_until_difference_shows(w);
     }
     return false;
 }
 
 // ---- findings ----
 
-// A statistic of the window that decided.
+// The search for the statistic of the deciding window that a guard reads.
 typedef struct RollSearch {
     const WindowTrial *w;
     const Expr *roll;             // NULL: not yet found
@@ -241,7 +243,7 @@ static void report_guard(const WindowTrial *w)
         diag_note(a->diags, d, f.roll->span, DIAG_note_statistic_here, f.through->name->text);
 }
 
-// The current readings, other readings, or far too high or too low ones.
+// Chooses the readings before the start.  kind 0: the current readings; 1: others; 2: far too high; 3: far too low.
 static void choose_earlier(WindowTrial *w, uint32_t kind)
 {
     Trials *t = w->t;
@@ -259,7 +261,7 @@ static void try_entry(WindowTrial *w, const TrialState *s, const TrialEntry *e)
     Trials *t = w->t;
     const uint32_t windows = t->run->m->window.n;
 
-    for (uint32_t n = 0; n < DRAWS * windows && t->run->work < w->until; n++) {
+    for (uint32_t n = 0; n < DRAWS_MAX * windows && t->run->work < w->until; n++) {
         const uint32_t glitch = t->inputs == 0 || trial_random_below(t, 3) == 0 ? IR_NONE : trial_random_below(t, t->inputs);
         uint32_t *least;
         double reading;
@@ -272,7 +274,7 @@ static void try_entry(WindowTrial *w, const TrialState *s, const TrialEntry *e)
         if (glitch != IR_NONE && t->input[glitch].command)
             continue;
         reading = glitch == IR_NONE ? 0 : t->input[glitch].reading[trial_random_below(t, t->input[glitch].readings)];
-        if (!few_samples_decide(w, e, glitch, reading))
+        if (!run_with_few_samples(w, e, glitch, reading))
             continue;
         least = &w->found[w->guard->number];          // of several findings at one guard, the one with the fewest samples
         if (*least == 0 || w->samples < *least) {
@@ -288,7 +290,7 @@ void check_window_not_full(Trials *t)
 
     if (t->window < 2)
         return;
-    w.until = t->run->work + effort;
+    w.until = t->run->work + work_max;
     w.deciding = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 1u);
     w.found = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 1u);
     w.earlier = trial_new_inputs(t);
