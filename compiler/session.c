@@ -187,7 +187,7 @@ App *session_app(Session *s, const AstFile *app, AppFiles *files)
     a = check_app(&c, app, sv, map, files);
     if (!a || s->diags.met > errors)
         return NULL;
-    emit_c_app_names(&s->arena, &s->diags, a);
+    emit_c_check_app_names(&s->arena, &s->diags, a);
     analyse_app(s, a);
     return s->diags.met > errors ? NULL : a;
 }

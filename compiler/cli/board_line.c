@@ -142,7 +142,7 @@ int board_open(Cli *c, BoardLine *b)
     b->line.send = line_send;
     b->line.receive = line_receive;
     b->line.now = line_now;
-    link_host(&b->host, &b->line, WAIT_MS, TRIES, (uint8_t)os_run_nonce());
+    link_host_init(&b->host, &b->line, WAIT_MS, TRIES, (uint8_t)os_run_nonce());
     if ((code = query_board(c, b, port, speed)) != EXIT_OK)
         board_close(b);
     return code;

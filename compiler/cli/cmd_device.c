@@ -50,7 +50,7 @@ static void write_board_limits(Buf *out, const DeviceInfo *i)
 static void write_signing(Buf *out, const DeviceInfo *i)
 {
     buf_str(out, "takes signed images only");
-    if (i->tells_mark)
+    if (i->reports_mark)
         buf_printf(out, ", with key %08lx", (unsigned long)i->mark);
     buf_printf(out, ", with numbers above %lu\n", (unsigned long)i->newest);
 }
@@ -66,7 +66,7 @@ static int show_info(BoardLine *b, Buf *out)
     buf_str(out, "\n");
     if (i->tells)
         write_board_limits(out, i);
-    if (i->wants_signed)
+    if (i->requires_signature)
         write_signing(out, i);
     if (!write_update_permission(b, out))
         return board_report_failure(b, "asking what is on trial");
@@ -97,7 +97,7 @@ static int confirm_image(BoardLine *b, Buf *out)
         board_describe(out, &image);
         return EXIT_PROBLEM;
     }
-    if (!device_request_about(&b->host, LINK_CONFIRM, image.checksum) || !device_image(&b->host, image.slot, &image))
+    if (!device_request_by_checksum(&b->host, LINK_CONFIRM, image.checksum) || !device_image(&b->host, image.slot, &image))
         return board_report_failure(b, "it was not confirmed");
     board_describe(out, &image);
     return EXIT_OK;
@@ -124,13 +124,13 @@ static int erase_image(BoardLine *b, Buf *out)
 {
     const char *word = b->c->file[1];
     const uint32_t checksum = (uint32_t)strtoul(word, NULL, 16);
-    const bool was_there = is_in_a_slot(b, checksum);
+    const bool was_running = is_in_a_slot(b, checksum);
 
-    if (device_request_about(&b->host, LINK_ERASE, checksum))
+    if (device_request_by_checksum(&b->host, LINK_ERASE, checksum))
         return list_images(b, out);
     if (!b->host.answered || b->host.result != SM_E_MISSING)
         return board_report_failure(b, "it was not erased");
-    if (was_there)                     // the answer was lost, so the request was sent twice
+    if (was_running)                     // the answer was lost, so the request was sent twice
         return list_images(b, out);
     cli_print_error(b->c, TEXT_no_slot_with, word);
     return EXIT_PROBLEM;
@@ -175,7 +175,7 @@ static int show_log(BoardLine *b, Buf *out)
     size_t events, shown = 0;
 
     do {
-        if (!link_ask(&b->host, LINK_EVENTS, body, sizeof body) || b->host.result != SM_OK || b->host.n < EVENT_HEAD)
+        if (!link_request(&b->host, LINK_EVENTS, body, sizeof body) || b->host.result != SM_OK || b->host.n < EVENT_HEAD)
             return board_report_failure(b, "reading events");
         memcpy(body, b->host.body, sizeof body);
         if (sm_link_load(b->host.body + 4, 4) > 0)

@@ -118,7 +118,7 @@ static int check_pins_exist(BoardLine *b, const Source *image)
 
     (void)smvm_pins((SmvmBytes)image->text, &all);
     while (smvm_next_pin(&all, &p)) {
-        if (!device_pin_place(&b->host, smvm_pin_kind(&p), (uint16_t)p.pin, &index))
+        if (!device_find_chip_pin(&b->host, smvm_pin_kind(&p), (uint16_t)p.pin, &index))
             return b->host.answered && b->host.result == SM_E_UNSUPPORTED ? EXIT_OK : board_report_failure(b, "asking about pins");
         if (index == SMVM_NO_PIN || taken[index])
             return refuse_pin(b->c, image, &p, index == SMVM_NO_PIN ? NULL : &at[index]);
@@ -134,11 +134,11 @@ static int check_signature(Cli *c, BoardLine *b, const Source *image)
 {
     SmvmAuth a;
 
-    if (!b->info.wants_signed)
+    if (!b->info.requires_signature)
         return EXIT_OK;
     if (!smvm_auth_read((SmvmBytes)image->text, &a))
         cli_print_error(c, TEXT_must_sign, image->name);
-    else if (b->info.tells_mark && a.mark != b->info.mark)
+    else if (b->info.reports_mark && a.mark != b->info.mark)
         cli_print_error(c, TEXT_other_key, image->name, (unsigned long)a.mark, (unsigned long)b->info.mark, image->name);
     else if (a.number <= b->info.newest)
         cli_print_error(c, TEXT_old_number,
@@ -239,9 +239,9 @@ static int report_success(BoardLine *b, const Update *u, const DeviceImage *befo
     if (!device_running(&b->host, &b->info, &now))
         return board_report_failure(b, "asking what runs");
     buf_init(&out, &b->c->session.arena);
-    buf_str(&out, u->was_there ? "it runs already: " : "before: ");
-    board_describe(&out, u->was_there ? &now : before);
-    if (!u->was_there) {
+    buf_str(&out, u->was_running ? "it runs already: " : "before: ");
+    board_describe(&out, u->was_running ? &now : before);
+    if (!u->was_running) {
         buf_str(&out, "now: ");
         board_describe(&out, &now);
     }
@@ -267,7 +267,7 @@ static int send_image(BoardLine *b, const Source *image, uint16_t period, const 
     u.context = &p;
     if ((step = device_update(&b->host, &b->info, &u)) != DEVICE_DONE)
         return report_failure(b, &u, before, step);
-    if (b->c->given[OPT_CONFIRM] && !device_request_about(&b->host, LINK_CONFIRM, u.checksum))
+    if (b->c->given[OPT_CONFIRM] && !device_request_by_checksum(&b->host, LINK_CONFIRM, u.checksum))
         return board_report_failure(b, "it runs, but was not confirmed");
     return report_success(b, &u, before);
 }

@@ -3,12 +3,19 @@
 
 #include <string.h>
 
-enum { HELLO_BYTES = 15, HELLO_SIGNED = HELLO_BYTES + 5, HELLO_LIMITS = HELLO_SIGNED + 7, HELLO_MARK = HELLO_LIMITS + 4, IMAGE_BYTES = 18, DATA_HEAD = 5, RESTARTS = 3 };
+enum {
+    // Lengths of the answer to HELLO: the least, and with each of the parts that newer firmware appends (docs/link.md).
+    HELLO_BYTES = 15, HELLO_SIGNED = HELLO_BYTES + 5, HELLO_LIMITS = HELLO_SIGNED + 7, HELLO_MARK = HELLO_LIMITS + 4,
+    IMAGE_BYTES = 18,         // least length of the answer to IMAGE
+    DATA_HEAD = 5,            // bytes before the data in DATA: session, offset
+    RESTARTS_MAX = 3          // attempts at an update or a restart
+};
 
-// Sends a request.  An answer with less than `least` bytes does not follow the protocol and counts as SM_E_UNSUPPORTED.
+// Sends a request; returns true if the answer is SM_OK.  An answer with less than `least` bytes does not follow the protocol and sets h->result
+// to SM_E_UNSUPPORTED.
 static bool send_request(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n, size_t least)
 {
-    if (!link_ask(h, message, body, n))
+    if (!link_request(h, message, body, n))
         return false;
     if (h->result == SM_OK && h->n < least)
         h->result = SM_E_UNSUPPORTED;
@@ -17,6 +24,7 @@ static bool send_request(LinkHost *h, LinkMessage message, const uint8_t *body, 
 
 // ---- the board and its images ----
 
+// Decodes the limits of the firmware in the answer to HELLO.
 static void read_limits(const uint8_t *b, DeviceInfo *info)
 {
     info->windows = (b[0] & LINK_WINDOWS) != 0;
@@ -43,13 +51,13 @@ bool device_hello(LinkHost *h, DeviceInfo *info)
     info->ram = sm_link_load(b + 7, 3);
     info->longest = sm_link_load(b + 10, 4);
     info->may = (SmResult)(int8_t)b[14];
-    info->wants_signed = h->n >= HELLO_SIGNED && b[15] != 0;
+    info->requires_signature = h->n >= HELLO_SIGNED && b[15] != 0;
     info->newest = h->n >= HELLO_SIGNED ? sm_link_load(b + 16, 4) : 0;
     info->tells = h->n >= HELLO_LIMITS;
     if (info->tells)
         read_limits(b + HELLO_SIGNED, info);
-    info->tells_mark = h->n >= HELLO_MARK;
-    info->mark = info->tells_mark ? sm_link_load(b + HELLO_LIMITS, 4) : 0;
+    info->reports_mark = h->n >= HELLO_MARK;
+    info->mark = info->reports_mark ? sm_link_load(b + HELLO_LIMITS, 4) : 0;
     return true;
 }
 
@@ -95,7 +103,7 @@ bool device_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image)
     return false;
 }
 
-bool device_request_about(LinkHost *h, LinkMessage message, uint32_t checksum)
+bool device_request_by_checksum(LinkHost *h, LinkMessage message, uint32_t checksum)
 {
     uint8_t body[4];
 
@@ -103,14 +111,14 @@ bool device_request_about(LinkHost *h, LinkMessage message, uint32_t checksum)
     return send_request(h, message, body, sizeof body, 0);
 }
 
-bool device_pin_place(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *place)
+bool device_find_chip_pin(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *chip_pin)
 {
     uint8_t body[3] = {kind, 0, 0};
 
     sm_link_store(body + 1, number, 2);
     if (!send_request(h, LINK_PIN, body, sizeof body, 1))
         return false;
-    *place = h->body[0];
+    *chip_pin = h->body[0];
     return true;
 }
 
@@ -119,21 +127,21 @@ bool device_is_usable(const DeviceInfo *i)
     return i->protocol == LINK_PROTOCOL && i->block > 0 && i->body <= LINK_BODY_MAX && i->block + 5u <= i->body && i->slots >= 1 && i->slots <= 2;
 }
 
-// The answer to RESTART may be lost. It is enough that the board answers HELLO afterwards.
+// The board may restart before its answer is sent.  So a missing answer is no failure if the board then answers HELLO.
 bool device_restart(LinkHost *h, DeviceInfo *info)
 {
     const unsigned tries = h->tries;
     bool refused;
 
     h->tries = 1;
-    refused = link_ask(h, LINK_RESTART, NULL, 0) && h->result != SM_OK;
+    refused = link_request(h, LINK_RESTART, NULL, 0) && h->result != SM_OK;
     h->tries = tries;
     return !refused && device_hello(h, info) && device_is_usable(info);
 }
 
 // ---- an update ----
 
-// Sends a request whose body is the session.
+// Sends a request whose body is the session number.
 static bool request_in_session(LinkHost *h, const Update *u, LinkMessage message)
 {
     uint8_t body[2];
@@ -142,6 +150,7 @@ static bool request_in_session(LinkHost *h, const Update *u, LinkMessage message
     return send_request(h, message, body, sizeof body, 0);
 }
 
+// Requests that the board prepares a slot for the image.
 static bool send_begin(LinkHost *h, const Update *u)
 {
     uint8_t body[9];
@@ -152,6 +161,7 @@ static bool send_begin(LinkHost *h, const Update *u)
     return send_request(h, LINK_BEGIN, body, sizeof body, 0);
 }
 
+// Sends the image in blocks.
 static bool send_data(LinkHost *h, const DeviceInfo *info, Update *u)
 {
     uint8_t body[LINK_BODY_MAX];
@@ -170,6 +180,7 @@ static bool send_data(LinkHost *h, const DeviceInfo *info, Update *u)
     return true;
 }
 
+// Requests that the board verifies the image.  Stores the rule that its verifier reports.
 static bool send_end(LinkHost *h, Update *u)
 {
     const bool ok = request_in_session(h, u, LINK_END);
@@ -179,8 +190,8 @@ static bool send_end(LinkHost *h, Update *u)
     return ok;
 }
 
-// Compares the contents of the slot with the image, byte by byte.
-static bool same_bytes(LinkHost *h, const DeviceInfo *info, const Update *u, uint8_t slot)
+// Whether the slot contains the image, byte by byte.  Sets h->result to SM_E_DEVICE if not.
+static bool slot_has_same_bytes(LinkHost *h, const DeviceInfo *info, const Update *u, uint8_t slot)
 {
     for (uint32_t at = 0; at < u->length;) {
         const uint32_t most = info->body - 1u, n = u->length - at < most ? u->length - at : most;
@@ -197,8 +208,8 @@ static bool same_bytes(LinkHost *h, const DeviceInfo *info, const Update *u, uin
     return true;
 }
 
-// Skips the slot of the running image, because an update is never written there.
-static bool read_back(LinkHost *h, const DeviceInfo *info, const Update *u)
+// Finds the slot with the image that was sent, and compares its contents.  Skips the slot of the running image, which an update never overwrites.
+static bool verify_slot(LinkHost *h, const DeviceInfo *info, const Update *u)
 {
     DeviceImage image;
 
@@ -206,12 +217,13 @@ static bool read_back(LinkHost *h, const DeviceInfo *info, const Update *u)
         if (!device_image(h, slot, &image))
             return false;
         if (!image.runs && image.state != DEVICE_EMPTY && image.length == u->length && image.checksum == u->checksum)
-            return same_bytes(h, info, u, slot);
+            return slot_has_same_bytes(h, info, u, slot);
     }
     h->result = SM_E_DEVICE;
     return false;
 }
 
+// Requests that the next start runs the image.
 static bool send_activate(LinkHost *h, const Update *u)
 {
     uint8_t body[4];
@@ -221,7 +233,8 @@ static bool send_activate(LinkHost *h, const Update *u)
     return send_request(h, LINK_ACTIVATE, body, sizeof body, 0);
 }
 
-static DeviceStep store_image(LinkHost *h, const DeviceInfo *info, Update *u)
+// Sends the image, has the board verify it, reads it back and activates it.  Returns DEVICE_DONE or the step that failed.
+static DeviceStep send_image(LinkHost *h, const DeviceInfo *info, Update *u)
 {
     if (!send_begin(h, u))
         return DEVICE_BEGIN;
@@ -229,13 +242,13 @@ static DeviceStep store_image(LinkHost *h, const DeviceInfo *info, Update *u)
         return DEVICE_DATA;
     if (!send_end(h, u))
         return DEVICE_END;
-    if (!read_back(h, info, u))
+    if (!verify_slot(h, info, u))
         return DEVICE_READ;
     return send_activate(h, u) ? DEVICE_DONE : DEVICE_ACTIVATE;
 }
 
-// Checks whether the image is already the chosen one, and whether it also runs.
-static bool find_image(LinkHost *h, const DeviceInfo *info, const Update *u, bool *chosen, bool *runs)
+// Finds whether the image is the one that the next start runs (chosen), and whether it also runs now.  Returns false if a request failed.
+static bool find_status_of_image(LinkHost *h, const DeviceInfo *info, const Update *u, bool *chosen, bool *runs)
 {
     DeviceImage image;
 
@@ -251,18 +264,19 @@ static bool find_image(LinkHost *h, const DeviceInfo *info, const Update *u, boo
     return true;
 }
 
-// A board that restarted unexpectedly has lost the session.  The update then starts again, unless the image is already chosen.
-static DeviceStep store_after_restart(LinkHost *h, const DeviceInfo *info, Update *u, bool *runs)
+// Sends the image unless it is already chosen.  A board that restarted unexpectedly has lost the session and answers SM_E_HANDLE; the update then
+// starts again.
+static DeviceStep send_image_with_retries(LinkHost *h, const DeviceInfo *info, Update *u, bool *runs)
 {
-    DeviceStep step = DEVICE_LOOK;
+    DeviceStep step = DEVICE_FIND;
     bool chosen;
 
-    for (unsigned i = 0; i < RESTARTS; i++) {
-        if (!find_image(h, info, u, &chosen, runs))
-            return DEVICE_LOOK;
+    for (unsigned i = 0; i < RESTARTS_MAX; i++) {
+        if (!find_status_of_image(h, info, u, &chosen, runs))
+            return DEVICE_FIND;
         if (chosen)
             return DEVICE_DONE;
-        step = store_image(h, info, u);
+        step = send_image(h, info, u);
         if (step == DEVICE_DONE || !h->answered || h->result != SM_E_HANDLE)
             return step;
     }
@@ -275,14 +289,14 @@ DeviceStep device_update(LinkHost *h, DeviceInfo *info, Update *u)
     DeviceStep step;
 
     u->rule = 0;
-    step = store_after_restart(h, info, u, &runs);
-    u->was_there = step == DEVICE_DONE && runs;
+    step = send_image_with_retries(h, info, u, &runs);
+    u->was_running = step == DEVICE_DONE && runs;
     if (step != DEVICE_DONE || runs)
         return step;
-    for (unsigned i = 0; i < RESTARTS; i++) {
+    for (unsigned i = 0; i < RESTARTS_MAX; i++) {
         if (!device_restart(h, info))
             return DEVICE_RESTART;
-        if (!find_image(h, info, u, &chosen, &runs))
+        if (!find_status_of_image(h, info, u, &chosen, &runs))
             return DEVICE_RUN;
         if (runs)
             return DEVICE_DONE;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The requests of a host to a board, and a complete update: from sending the image to its first start.  Prints nothing; the results
+// The requests of a host to a board (docs/link.md), and a complete update: from sending the image to its first start.  Prints nothing; the results
 // contain everything that the caller needs for its messages.
 #ifndef SMC_DEVICE_H
 #define SMC_DEVICE_H
@@ -9,12 +9,15 @@
 #define DEVICE_BUILT_IN 0xffu   // the slot number of the built-in image
 
 typedef struct DeviceInfo {
-    uint8_t protocol, body, block, slots;
-    uint32_t slot_size, ram, longest;
-    SmResult may;             // whether an update may begin
-    bool wants_signed;        // it only accepts images that are signed with its key and have a number above `newest`
+    uint8_t protocol;         // version of the link protocol
+    uint8_t body, block;      // most bytes in the body of a frame, and of data in one DATA
+    uint8_t slots;            // number of slots for images
+    uint32_t slot_size, ram;  // bytes of a slot, and of memory for a machine
+    uint32_t longest;         // most VM instructions of a step; 0: no limit
+    SmResult may;             // SM_OK if an update may begin, otherwise the reason why not
+    bool requires_signature;  // it only accepts images that are signed with its key and have a number above `newest`
     uint32_t newest;
-    bool tells_mark;          // it reported the mark of its key (smvm_auth_mark)
+    bool reports_mark;        // it reported the mark of its key (smvm_auth_mark)
     uint32_t mark;
     // Valid if the firmware reports its limits (`tells`):
     bool tells, windows;      // windows: it runs rolling windows
@@ -27,34 +30,37 @@ typedef struct DeviceInfo {
 enum { DEVICE_EMPTY, DEVICE_WHOLE, DEVICE_TRIAL, DEVICE_CONFIRMED };
 
 typedef struct DeviceImage {
-    uint8_t slot, state;
+    uint8_t slot;
+    uint8_t state;            // DEVICE_EMPTY to DEVICE_CONFIRMED
     uint32_t length, checksum;
     uint8_t identity[8];
-    bool runs, chosen;
+    bool runs;                // it runs now
+    bool chosen;              // the next start runs it
     bool before;              // the board falls back to it if the chosen image cannot run
     uint8_t starts;           // remaining starts of a trial
     uint16_t period;          // milliseconds between its steps; 0: the board's default
 } DeviceImage;
 
-// These return false if the board did not answer (h->answered is false) or refused (h->result is the reason).
+// The following functions return false if the board did not answer (h->answered is false) or refused (h->result is the reason).
 bool device_hello(LinkHost *h, DeviceInfo *info);
-// Whether its version of the link and the sizes that it reports are usable.  What follows assumes it.
+// Whether the host can use the board's protocol version and sizes.  The functions below require it.
 bool device_is_usable(const DeviceInfo *info);
 bool device_image(LinkHost *h, uint8_t slot, DeviceImage *image);
-// The running image.
+// Finds the running image.
 bool device_running(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
-bool device_request_about(LinkHost *h, LinkMessage message, uint32_t checksum);        // CONFIRM, ERASE
-// The image on trial, whether it already runs or will run from the next start on.  False with SM_OK if no image is on trial.
+bool device_request_by_checksum(LinkHost *h, LinkMessage message, uint32_t checksum);  // sends CONFIRM or ERASE
+// Finds the image on trial, whether it already runs or will run from the next start on.  False with SM_OK if no image is on trial.
 bool device_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
-// The pin of the board's chip for a pin of an image (SmvmPhysicalPin).  False with SM_E_UNSUPPORTED if the board does not report it.
-bool device_pin_place(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *place);
+// Finds the pin of the board's chip for a pin of an image (SmvmPhysicalPin).  False with SM_E_UNSUPPORTED if the board does not report it.
+bool device_find_chip_pin(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *chip_pin);
 // Restarts the board.  The request is never repeated, because every start of a trial counts.  True if a usable board answers again.
 bool device_restart(LinkHost *h, DeviceInfo *info);
 
 // ---- an update ----
 
+// The steps of an update, by which a failure is reported.
 typedef enum DeviceStep {
-    DEVICE_DONE, DEVICE_LOOK, DEVICE_BEGIN, DEVICE_DATA, DEVICE_END, DEVICE_READ, DEVICE_ACTIVATE, DEVICE_RESTART, DEVICE_RUN
+    DEVICE_DONE, DEVICE_FIND, DEVICE_BEGIN, DEVICE_DATA, DEVICE_END, DEVICE_READ, DEVICE_ACTIVATE, DEVICE_RESTART, DEVICE_RUN
 } DeviceStep;
 
 typedef struct Update {
@@ -64,7 +70,7 @@ typedef struct Update {
     uint16_t period;          // milliseconds between its steps; 0: the board's default
     void (*progress)(void *context, uint32_t done);
     void *context;
-    bool was_there;           // result: the image was already running, and nothing was sent
+    bool was_running;         // result: the image was already running, and nothing was sent
     uint8_t rule;             // result if DEVICE_END was refused: the rule that the board's verifier reports and its offset; 0: none
     uint32_t at;
 } Update;

@@ -12,8 +12,8 @@ typedef struct EngineC {
     Engine engine;
     EngineCBatch *batch;
     uint32_t machine;         // its number in the batch
-    Buf message;
-    uint8_t *answer;          // the answers of both forms, one after the other
+    Buf request;              // the requests for both variants
+    uint8_t *answer;          // the answers of both variants, one after the other
 } EngineC;
 
 struct EngineCBatch {
@@ -23,28 +23,30 @@ struct EngineCBatch {
     size_t n;
 };
 
-// Each machine is emitted in two forms, and both execute every step.  The first sets the flags of stored elements, and its answer is the
-// engine's.  The second does not, as in flight.
-enum { FORMS = 2 };
+// Each machine is emitted in two variants, and both execute every step.  The first tracks which elements it stores, and its answer is the
+// engine's.  The second does not, as in flight, and must otherwise give the same answer.
+enum { VARIANTS = 2 };
 
 enum { PATH_LEN = 512, MESSAGE_MAX = 2000 };
 
 // ---- building ----
 
-typedef struct Workshop {
+// The temporary folder in which a program is built.
+typedef struct BuildFolder {
     Arena *arena;
     char folder[PATH_LEN];
-    const char *source, *program, *log;
-    const char **error;
-} Workshop;
+    const char *source, *program, *log;       // paths of its files
+    const char **error;       // receives the reason of a failure
+} BuildFolder;
 
-static bool set_error(Workshop *w, const char *what, const char *why)
+// Stores a sentence in *w->error; returns false.
+static bool set_error(BuildFolder *w, const char *what, const char *why)
 {
     *w->error = format_in(w->arena, "%s: %s", what, why);
     return false;
 }
 
-static bool workshop_open(Workshop *w)
+static bool create_build_folder(BuildFolder *w)
 {
     const char *why;
 
@@ -56,7 +58,7 @@ static bool workshop_open(Workshop *w)
     return true;
 }
 
-static bool write_source(Workshop *w, const Buf *code)
+static bool write_source(BuildFolder *w, const Buf *code)
 {
     const OsOutput out = { w->source, code->at, code->n };
     const char *path, *why;
@@ -64,11 +66,11 @@ static bool write_source(Workshop *w, const Buf *code)
     return os_write(&out, 1, &path, &why) ? true : set_error(w, "cannot write the emitted C", why);
 }
 
-typedef VEC(const char *) Words;
+typedef VEC(const char *) CommandWords;
 
-// Appends the words of a command, which are separated by blanks.  Quotes and backslashes work as in a shell: a part in '…' or "…" belongs
+// Appends the words of a command, which are separated by whitespace.  Quotes and backslashes work as in a shell: a part in '…' or "…" belongs
 // to one word, and a backslash outside '…' makes the next character ordinary.  Nothing is expanded.  False if a quote is not closed.
-static bool split_words(Arena *a, const char *text, Words *words)
+static bool split_words(Arena *a, const char *text, CommandWords *words)
 {
     while (*(text += strspn(text, " \t\n")) != '\0') {
         Buf word;
@@ -89,8 +91,8 @@ static bool split_words(Arena *a, const char *text, Words *words)
     return true;
 }
 
-// The compiler's messages, cut off after MESSAGE_MAX bytes; its exit code if there are none.
-static const char *read_log(Workshop *w, int exit_code)
+// Returns the diagnostics of the C compiler, cut off after MESSAGE_MAX bytes; a sentence with its exit code if there are none.
+static const char *read_log(BuildFolder *w, int exit_code)
 {
     char *text;
     const char *why, *result;
@@ -106,6 +108,7 @@ static const char *read_log(Workshop *w, int exit_code)
     return result;
 }
 
+// Returns the command of the C compiler.
 static const char *compiler_of(const EngineCOptions *o)
 {
     if (o && o->cc)
@@ -113,14 +116,14 @@ static const char *compiler_of(const EngineCOptions *o)
     return os_getenv("CC") ? os_getenv("CC") : "cc";
 }
 
-static const char *no_compiler_text(Arena *arena, const char *compiler)
+static const char *no_compiler_message(Arena *arena, const char *compiler)
 {
     return format_in(arena, "cannot run the C compiler %s (the variable CC names another)", compiler);
 }
 
 bool engine_c_present(Arena *arena, const EngineCOptions *o, const char **why)
 {
-    Words argv = {0};
+    CommandWords argv = {0};
     const char *reason;
     int exit_code;
 
@@ -129,19 +132,19 @@ bool engine_c_present(Arena *arena, const EngineCOptions *o, const char **why)
     vec_push(arena, &argv, "--version");
     vec_push(arena, &argv, NULL);
     if (!os_run(argv.at, "/dev/null", &exit_code, &reason))
-        *why = format_in(arena, "%s: %s", no_compiler_text(arena, argv.at[0]), reason);
+        *why = format_in(arena, "%s: %s", no_compiler_message(arena, argv.at[0]), reason);
     else if (exit_code != 0)
-        *why = format_in(arena, "%s: '%s --version' ended with exit code %d", no_compiler_text(arena, argv.at[0]), compiler_of(o), exit_code);
+        *why = format_in(arena, "%s: '%s --version' ended with exit code %d", no_compiler_message(arena, argv.at[0]), compiler_of(o), exit_code);
     else
         return true;
     return false;
 }
 
-static bool compile_program(Workshop *w, const EngineCOptions *o)
+static bool compile_program(BuildFolder *w, const EngineCOptions *o)
 {
     const char *cc = compiler_of(o), *flags = o ? o->flags : NULL, *why;
     const char *const others[] = { "-o", w->program, w->source, NULL };
-    Words argv = {0};
+    CommandWords argv = {0};
     int exit_code;
 
     if (!split_words(w->arena, cc, &argv) || (flags && !split_words(w->arena, flags, &argv)))
@@ -153,13 +156,13 @@ static bool compile_program(Workshop *w, const EngineCOptions *o)
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         vec_push(w->arena, &argv, others[i]);
     if (!os_run(argv.at, w->log, &exit_code, &why))
-        return set_error(w, no_compiler_text(w->arena, argv.at[0]), why);
+        return set_error(w, no_compiler_message(w->arena, argv.at[0]), why);
     if (exit_code != 0)
         return set_error(w, format_in(w->arena, "the C compiler %s does not accept the emitted C", argv.at[0]), read_log(w, exit_code));
     return true;
 }
 
-static bool start_program(Workshop *w, OsPartner *partner)
+static bool start_program(BuildFolder *w, OsPartner *partner)
 {
     const char *argv[] = { w->program, NULL }, *why;
 
@@ -170,7 +173,7 @@ static bool start_program(Workshop *w, OsPartner *partner)
 // this function intercepts the longjmp, removes the folder, and passes the longjmp on to the outer target.
 static bool build_and_start(Arena *arena, const Buf *code, const EngineCOptions *o, OsPartner *partner, const char **error)
 {
-    Workshop *w = ARENA_NEW(arena, Workshop);
+    BuildFolder *w = ARENA_NEW(arena, BuildFolder);
     jmp_buf *outer = arena->oom, here;
     bool ok;
 
@@ -183,22 +186,24 @@ static bool build_and_start(Arena *arena, const Buf *code, const EngineCOptions 
         longjmp(*outer, 1);
     }
     arena->oom = &here;
-    ok = workshop_open(w) && write_source(w, code) && compile_program(w, o) && start_program(w, partner);
+    ok = create_build_folder(w) && write_source(w, code) && compile_program(w, o) && start_program(w, partner);
     if (w->folder[0])
         os_remove_folder(w->folder);
     arena->oom = outer;
     return ok;
 }
 
-// ---- the exchange ----
+// ---- the protocol (emit_c.h, emit_c_driver) ----
 
+// Stores the reason of a failure; returns ENGINE_BROKEN.
 static EngineStatus set_broken(EngineC *e, const char *why)
 {
     e->engine.error = format_in(e->batch->arena, "emitted C: %s", why);
     return ENGINE_BROKEN;
 }
 
-static uint64_t number_at(const uint8_t *at, int size)
+// Returns the number in `size` bytes, lowest byte first.
+static uint64_t read_little_endian(const uint8_t *at, int size)
 {
     uint64_t v = 0;
 
@@ -207,35 +212,39 @@ static uint64_t number_at(const uint8_t *at, int size)
     return v;
 }
 
-static void message_start(EngineC *e, uint32_t form, uint32_t command)
+// Appends machine and command of a request to one variant.  The request to the first variant replaces the previous requests.
+static void begin_request(EngineC *e, uint32_t variant, uint32_t command)
 {
-    if (form == 0)
-        e->message.n = 0;
-    buf_u32(&e->message, e->machine * FORMS + form);
-    buf_u32(&e->message, command);
+    if (variant == 0)
+        e->request.n = 0;
+    buf_u32(&e->request, e->machine * VARIANTS + variant);
+    buf_u32(&e->request, command);
 }
 
-static size_t answer_size(const Program *p) { return 12 + 9 * p->var.n; }
+// Bytes of an answer: three u32, then a u64 and a u8 for each variable.
+enum { ANSWER_HEAD = 12, ANSWER_PER_VARIABLE = 9 };
 
-// Sends the messages to both forms and decodes the answers, which must be equal except for the flags of stored elements.
-static EngineStatus exchange_step(EngineC *e, EngineStep *out)
+static size_t answer_size(const Program *p) { return ANSWER_HEAD + ANSWER_PER_VARIABLE * p->var.n; }
+
+// Sends the requests to both variants and decodes the answers, which must be equal except for the flags of stored elements.
+static EngineStatus run_request(EngineC *e, EngineStep *out)
 {
     const size_t vars = e->engine.program->var.n, size = answer_size(e->engine.program);
-    const uint8_t *cell = e->answer + 12;
+    const uint8_t *cell = e->answer + ANSWER_HEAD;
     const char *why;
 
-    if (!os_partner_write(&e->batch->partner, e->message.at, e->message.n, &why) ||
-        !os_partner_read(&e->batch->partner, e->answer, FORMS * size, &why))
+    if (!os_partner_write(&e->batch->partner, e->request.at, e->request.n, &why) ||
+        !os_partner_read(&e->batch->partner, e->answer, VARIANTS * size, &why))
         return set_broken(e, why);
     if (memcmp(e->answer, e->answer + size, size - vars) != 0)
         return set_broken(e, "with and without --track-stores it does not do the same");
-    if (number_at(e->answer, 4) > 1)
+    if (read_little_endian(e->answer, 4) > 1)
         return set_broken(e, "it does not start: the C compiler or its options change what arithmetic means");
-    out->status = number_at(e->answer, 4) == 0 ? ENGINE_OK : ENGINE_REFUSED;
-    out->next_state = (uint32_t)number_at(e->answer + 4, 4);
-    out->next_is_first = number_at(e->answer + 8, 4) != 0;
+    out->status = read_little_endian(e->answer, 4) == 0 ? ENGINE_OK : ENGINE_REFUSED;
+    out->next_state = (uint32_t)read_little_endian(e->answer + 4, 4);
+    out->next_is_first = read_little_endian(e->answer + 8, 4) != 0;
     for (size_t i = 0; i < vars; i++)
-        out->cell[i] = number_at(cell + 8 * i, 8);
+        out->cell[i] = read_little_endian(cell + 8 * i, 8);
     memcpy(out->stored, cell + 8 * vars, vars);
     return out->status;
 }
@@ -244,34 +253,34 @@ static EngineStatus c_init(Engine *engine, uint32_t state, EngineStep *out)
 {
     EngineC *e = engine->self;
 
-    for (uint32_t form = 0; form < FORMS; form++) {
-        message_start(e, form, 0);
-        buf_u32(&e->message, state);
+    for (uint32_t variant = 0; variant < VARIANTS; variant++) {
+        begin_request(e, variant, 0);
+        buf_u32(&e->request, state);
     }
-    return exchange_step(e, out);
+    return run_request(e, out);
 }
 
 static EngineStatus c_step(Engine *engine, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     EngineC *e = engine->self;
 
-    for (uint32_t form = 0; form < FORMS; form++) {
-        message_start(e, form, 1);
-        buf_u32(&e->message, n);
+    for (uint32_t variant = 0; variant < VARIANTS; variant++) {
+        begin_request(e, variant, 1);
+        buf_u32(&e->request, n);
         for (uint32_t i = 0; i < n; i++) {
-            buf_u32(&e->message, write[i].var);
-            buf_u64(&e->message, write[i].cell);
+            buf_u32(&e->request, write[i].var);
+            buf_u64(&e->request, write[i].cell);
         }
     }
-    return exchange_step(e, out);
+    return run_request(e, out);
 }
 
-static void c_close_one_of_many(Engine *engine) { (void)engine; }
+static void c_close_in_batch(Engine *engine) { (void)engine; }
 static void c_close(Engine *engine) { engine_c_batch_close(((EngineC *)engine->self)->batch); }
 
 // ---- opening ----
 
-static void engine_init(EngineCBatch *b, size_t i, const Program *p, bool soft)
+static void init_engine(EngineCBatch *b, size_t i, const Program *p, bool soft)
 {
     EngineC *e = &b->at[i];
 
@@ -280,14 +289,14 @@ static void engine_init(EngineCBatch *b, size_t i, const Program *p, bool soft)
     e->engine.self = e;
     e->engine.init = c_init;
     e->engine.step = c_step;
-    e->engine.close = c_close_one_of_many;
+    e->engine.close = c_close_in_batch;
     e->batch = b;
     e->machine = (uint32_t)i;
-    buf_init(&e->message, b->arena);
-    e->answer = arena_alloc(b->arena, FORMS * answer_size(p));
+    buf_init(&e->request, b->arena);
+    e->answer = arena_alloc(b->arena, VARIANTS * answer_size(p));
 }
 
-// The machines of a batch share a self-test: if one starts, all do.
+// Whether the program passes its self-test of arithmetic, which all machines of a batch share: if init of one succeeds, it does for all.
 static bool self_test_passes(EngineCBatch *b, const char **error)
 {
     EngineC *e = &b->at[0];
@@ -303,17 +312,18 @@ static bool self_test_passes(EngineCBatch *b, const char **error)
     return false;
 }
 
+// Emits the driver program: both variants of each machine, one after the other.
 static void emit_program(Arena *arena, const IrMachine *const *m, size_t n, bool soft, Buf *code)
 {
-    const IrMachine **form = ARENA_ARRAY(arena, const IrMachine *, FORMS * n);
-    bool *track_stores = ARENA_ARRAY(arena, bool, FORMS * n);
+    const IrMachine **variant = ARENA_ARRAY(arena, const IrMachine *, VARIANTS * n);
+    bool *track_stores = ARENA_ARRAY(arena, bool, VARIANTS * n);
     const PassOptions o = {.soft = soft};
 
-    for (size_t i = 0; i < FORMS * n; i++) {
-        form[i] = i % FORMS == 0 ? passes_for_c(arena, m[i / FORMS], &o) : form[i - 1];
-        track_stores[i] = i % FORMS == 0;
+    for (size_t i = 0; i < VARIANTS * n; i++) {
+        variant[i] = i % VARIANTS == 0 ? passes_for_c(arena, m[i / VARIANTS], &o) : variant[i - 1];
+        track_stores[i] = i % VARIANTS == 0;
     }
-    emit_c_driver(arena, form, track_stores, FORMS * n, soft, code);
+    emit_c_driver(arena, variant, track_stores, VARIANTS * n, soft, code);
 }
 
 EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const IrMachine *const *m, size_t n,
@@ -326,7 +336,7 @@ EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const I
     b->at = ARENA_ARRAY(arena, EngineC, n);
     b->n = n;
     for (size_t i = 0; i < n; i++)
-        engine_init(b, i, p[i], o && o->soft);
+        init_engine(b, i, p[i], o && o->soft);
     buf_init(&code, arena);
     emit_program(arena, m, n, o && o->soft, &code);
     return build_and_start(arena, &code, o, &b->partner, error) && self_test_passes(b, error) ? b : NULL;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Emitted C as an engine.  Machines are emitted as one C program, which the host's compiler builds in a temporary folder.  The program
+// The engine that runs emitted C.  Machines are emitted as one C program, which the host's compiler builds in a temporary folder.  The program
 // then runs as a partner process.  No files are left behind, and a crash of the program does not crash this process.
 #ifndef SMC_ENGINE_C_H
 #define SMC_ENGINE_C_H
@@ -9,7 +9,7 @@
 
 typedef struct EngineCOptions {
     const char *cc;           // the compiler and its first options, split and quoted like words in a shell; NULL: $CC, or else cc
-    bool soft;                // floating-point arithmetic in software
+    bool soft;                // numbers are soft (EmitCOptions.soft)
     const char *flags;        // more options; NULL: -O1, unless cc contains an -O option
 } EngineCOptions;
 

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-void link_host(LinkHost *h, const SerialLine *line, uint32_t wait, unsigned tries, uint8_t sequence)
+void link_host_init(LinkHost *h, const SerialLine *line, uint32_t wait, unsigned tries, uint8_t sequence)
 {
     memset(h, 0, sizeof *h);
     h->line = line;
@@ -13,8 +13,9 @@ void link_host(LinkHost *h, const SerialLine *line, uint32_t wait, unsigned trie
     sm_link_receiver_init(&h->in, h->arrived, sizeof h->arrived);
 }
 
-// Whether the received frame answers the current request.  It may be a late answer to an earlier one.
-static bool is_answer(LinkHost *h, LinkMessage message)
+// If the received frame answers the current request, stores its result and body and returns true.  Any other frame is a late answer to an
+// earlier request.
+static bool accept_answer(LinkHost *h, LinkMessage message)
 {
     const uint8_t *b = h->in.buffer;
 
@@ -26,27 +27,27 @@ static bool is_answer(LinkHost *h, LinkMessage message)
     return true;
 }
 
-// Reads byte by byte, so that bytes after an answer stay on the line.
-static bool wait_for(LinkHost *h, LinkMessage message)
+// Receives until the answer is complete or the timeout is over.  Reads byte by byte, so that bytes after an answer stay on the line.
+static bool wait_for_answer(LinkHost *h, LinkMessage message)
 {
     const uint32_t start = h->line->now(h->line->context);
-    uint32_t gone = 0;
+    uint32_t elapsed = 0;
     uint8_t byte;
 
-    while (gone < h->wait) {
-        const int n = h->line->receive(h->line->context, &byte, 1, h->wait - gone);
+    while (elapsed < h->wait) {
+        const int n = h->line->receive(h->line->context, &byte, 1, h->wait - elapsed);
         if (n < 0) {
             h->gone = true;
             return false;
         }
-        if (n == 1 && sm_link_receive(&h->in, byte) && is_answer(h, message))
+        if (n == 1 && sm_link_receive(&h->in, byte) && accept_answer(h, message))
             return true;
-        gone = h->line->now(h->line->context) - start;
+        elapsed = h->line->now(h->line->context) - start;
     }
     return false;
 }
 
-bool link_ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n)
+bool link_request(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n)
 {
     uint8_t frame[LINK_ROOM(LINK_BODY_MAX) + 1] = {0};           // begins with a zero, which ends noise before the frame
     uint16_t length;
@@ -63,7 +64,7 @@ bool link_ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n)
     for (unsigned i = 0; i < h->tries && !h->gone && !h->answered; i++) {
         if (!h->line->send(h->line->context, frame, length + 1u))
             h->gone = true;
-        else if (wait_for(h, message))
+        else if (wait_for_answer(h, message))
             h->answered = true;
     }
     return h->answered;

@@ -8,8 +8,8 @@
 // A byte stream to the board, and a clock.
 typedef struct SerialLine {
     void *context;
-    bool (*send)(void *context, const uint8_t *bytes, size_t n);                                  // false: the line is gone
-    // Waits up to `wait` milliseconds.  Returns the number of bytes received, 0 if none, -1 if the line is gone.
+    bool (*send)(void *context, const uint8_t *bytes, size_t n);                                  // false: the line is closed
+    // Waits up to `wait` milliseconds.  Returns the number of bytes received, 0 if none, -1 if the line is closed.
     int (*receive)(void *context, uint8_t *bytes, size_t room, uint32_t wait);
     uint32_t (*now)(void *context);       // milliseconds, modulo 2^32
 } SerialLine;
@@ -18,20 +18,21 @@ typedef struct LinkHost {
     const SerialLine *line;
     uint32_t wait;            // timeout in milliseconds before a request is sent again
     unsigned tries;           // total number of times that a request is sent
-    uint8_t sequence;         // of the last request
-    bool gone;                // the line is gone
+    uint8_t sequence;         // sequence number of the last request
+    bool gone;                // the line is closed: a device that was unplugged, or an error
     bool answered;            // the last request was answered
     SmResult result;          // of its answer
     const uint8_t *body;      // the n bytes after the result
     size_t n;
-    LinkReceiver in;
+    LinkReceiver in;          // decodes received bytes into `arrived`
     uint8_t arrived[LINK_ROOM(LINK_BODY_MAX)];
 } LinkHost;
 
-void link_host(LinkHost *h, const SerialLine *line, uint32_t wait, unsigned tries, uint8_t sequence);
+// Initialises h for a line.  `sequence`: the number before that of the first request.
+void link_host_init(LinkHost *h, const SerialLine *line, uint32_t wait, unsigned tries, uint8_t sequence);
 
 // Sends a request with a body of n bytes.  True: it was answered, with h->result and h->body.  False: no answer within all tries, the
-// line is gone, or n is above LINK_BODY_MAX.
-bool link_ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n);
+// line is closed, or n is above LINK_BODY_MAX.
+bool link_request(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n);
 
 #endif

@@ -6,6 +6,7 @@
 #include "bytecode-vm/image.h"
 #include "stdlib/crc32.h"
 
+// Fails to compile if SIGN_ROOM does not have room for a section table entry and the section.
 typedef char sign_room_is_an_entry_and_auth[SIGN_ROOM == SMVM_SECTION_ENTRY + SMVM_AUTH ? 1 : -1];
 
 static void store_little_endian(uint8_t *at, uint32_t value, unsigned bytes)
@@ -14,8 +15,9 @@ static void store_little_endian(uint8_t *at, uint32_t value, unsigned bytes)
         *at++ = (uint8_t)value;
 }
 
-// Copies the image, with space for AUTH at its end and an entry for AUTH as the last of its section table.
-static uint32_t make_room(const uint8_t *image, uint32_t length, uint8_t *out)
+// Copies the image with room for the section AUTH at its end, and appends an entry for AUTH to its section table.  Returns the new length; 0 if
+// the table or the image would be too long.
+static uint32_t add_auth_section(const uint8_t *image, uint32_t length, uint8_t *out)
 {
     const uint8_t n = smvm_section_count(image);
     const uint32_t table_end = SMVM_HEADER + (uint32_t)n * SMVM_SECTION_ENTRY, longer = length + SIGN_ROOM;
@@ -39,7 +41,8 @@ static uint32_t make_room(const uint8_t *image, uint32_t length, uint8_t *out)
     return longer;
 }
 
-static uint32_t crc_of(const uint8_t *image, uint32_t length)
+// Returns the CRC of an image, which leaves out the bytes of the CRC itself.
+static uint32_t image_crc(const uint8_t *image, uint32_t length)
 {
     uint32_t crc = SM_CRC32_START;
 
@@ -55,11 +58,11 @@ uint32_t image_sign(const uint8_t *image, uint32_t length, const uint8_t *key, u
 
     if (smvm_auth_read(image, &old))
         memcpy(out, image, length);
-    else if ((length = make_room(image, length, out)) == 0)
+    else if ((length = add_auth_section(image, length, out)) == 0)
         return 0;
     store_little_endian(out + length - SMVM_AUTH, number, 4);
     store_little_endian(out + length - SMVM_AUTH + 4, smvm_auth_mark(key), 4);
     smvm_auth_code(out, length - SMVM_CODE, key, out + length - SMVM_CODE);
-    store_little_endian(out + SMVM_CRC_AT, crc_of(out, length), 4);
+    store_little_endian(out + SMVM_CRC_AT, image_crc(out, length), 4);
     return length;
 }

@@ -5,7 +5,7 @@
 
 #include "bytecode-vm/auth.h"
 
-enum { SIGN_ROOM = 8 + SMVM_AUTH };       // the most bytes by which an image grows
+enum { SIGN_ROOM = 8 + SMVM_AUTH };       // the most bytes by which an image grows: a section table entry of 8 bytes, and the section
 
 // Signs an image that the verifier accepts.  An image that is already signed is signed again.  `out` must have room for `length` plus
 // SIGN_ROOM bytes.  Returns the length of the signed image, or 0 if there is no room for another section.

@@ -7,35 +7,36 @@
 
 // ---- the operands of an assert ----
 
-enum { OPERANDS_MOST = 8, OPERAND_LENGTH = 40 };      // a label stays readable
+enum { OPERANDS_MOST = 8, OPERAND_LENGTH = 40 };      // limits of a label: number of operands, and length of the source of one
 
+// The operands of an assert with their values, collected for a label.
 typedef struct Operands {
-    Run *r;
+    ScriptRun *r;
     Buf text;                 // "valveOpen = false, tankPressure = 776"
     const Expr *seen[OPERANDS_MOST];
     size_t n;
 } Operands;
 
-bool span_same_text(Span a, Span b)
+bool span_has_same_source(Span a, Span b)
 {
     return a.len == b.len && memcmp(a.src->text + a.at, b.src->text + b.at, a.len) == 0;
 }
 
-static bool is_listed(const Operands *o, const Expr *e)
+static bool is_operand_listed(const Operands *o, const Expr *e)
 {
     for (size_t i = 0; i < o->n; i++)
-        if (o->seen[i] == e || span_same_text(o->seen[i]->span, e->span))
+        if (o->seen[i] == e || span_has_same_source(o->seen[i]->span, e->span))
             return true;
     return false;
 }
 
-// Whether the source text fits on one line of a message.
-static bool fits_in_message(Span s)
+// Whether the source at s is short enough for a label, and on one line.
+static bool fits_in_label(Span s)
 {
     return s.src && s.len > 0 && s.len <= OPERAND_LENGTH && !memchr(s.src->text + s.at, '\n', s.len);
 }
 
-void run_put_value(Run *r, const Expr *e, Buf *out)
+void run_append_value(ScriptRun *r, const Expr *e, Buf *out)
 {
     if (e->kind == EX_VAR)
         format_cell_exact(out, e->var->type, r->cell[e->var->index]);
@@ -45,12 +46,12 @@ void run_put_value(Run *r, const Expr *e, Buf *out)
 
 static void add_operand(Operands *o, const Expr *e)
 {
-    if (o->n == OPERANDS_MOST || !fits_in_message(e->span) || is_listed(o, e))
+    if (o->n == OPERANDS_MOST || !fits_in_label(e->span) || is_operand_listed(o, e))
         return;
     buf_str(&o->text, o->n ? ", " : "");
     buf_put(&o->text, e->span.src->text + e->span.at, e->span.len);
     buf_str(&o->text, " = ");
-    run_put_value(o->r, e, &o->text);
+    run_append_value(o->r, e, &o->text);
     o->seen[o->n++] = e;
 }
 
@@ -61,19 +62,19 @@ static bool is_relation(const Expr *e)
     return sm_op_info[e->op].op_class == SM_CLASS_RELATION || sm_op_info[e->op].op_class == SM_CLASS_EQUALITY;
 }
 
-// Adds the variables and calls anywhere in e, and the operands of comparisons.
+// Adds the variables and calls anywhere in e, and the operands of comparisons.  `is_compared`: e is such an operand.
 static void add_operands(Operands *o, const Expr *e, bool is_compared)
 {
     if (e->kind == EX_NUMBER || o->n == OPERANDS_MOST)
         return;
-    if (e->kind != EX_ROLL)                           // its operands may have changed since the sample
+    if (e->kind != EX_ROLL)                           // its operands may have changed since they were sampled
         for (uint32_t i = 0; i < e->n; i++)
             add_operands(o, e->arg[i], is_relation(e));
     if (e->kind == EX_VAR || e->kind == EX_CALL || e->kind == EX_ROLL || is_compared)
         add_operand(o, e);
 }
 
-void assert_report_failure(Run *r)
+void assert_report_failure(ScriptRun *r)
 {
     const Expr *assert = r->failed;
     Operands o = {.r = r};
@@ -89,13 +90,13 @@ void assert_report_failure(Run *r)
 
 // ---- evaluating ----
 
-void assert_check_step(Run *r)
+void assert_check_step(ScriptRun *r)
 {
     for (size_t i = 0; i < r->notes && !r->over; i++) {
-        const Noted *note = &r->noted[i];
+        const NotedAssert *note = &r->noted[i];
 
         if (note->assert == note->item->asserts.n) {
-            run_end(r, SCRIPT_PASSED);
+            run_finish(r, SCRIPT_PASSED);
             continue;
         }
         r->evaluated[note->number] = 1;
@@ -104,7 +105,7 @@ void assert_check_step(Run *r)
         } else {
             r->failed = note->item->asserts.at[note->assert];
             r->failed_item = note->item;
-            run_end(r, SCRIPT_FAILED);
+            run_finish(r, SCRIPT_FAILED);
         }
     }
 }
@@ -112,15 +113,16 @@ void assert_check_step(Run *r)
 // ---- asserts never evaluated ----
 
 // `@assert false` states that its condition is never true, so it is intended that no step evaluates it.
-static bool is_assert_false(const Run *r, const Expr *assert)
+static bool is_assert_false(const ScriptRun *r, const Expr *assert)
 {
     return expr_is_constant(assert) && !ref_true(ref_eval(assert, r->cell, &r->windows));
 }
 
-// Asserts that were not evaluated for the same reason.  They share one warning, at the first one.
+// Asserts that were not evaluated for the same reason.  They share one warning, at the first of them.
 typedef struct Unevaluated { const Expr *first; size_t n; } Unevaluated;
 
-static void add_unevaluated(const Run *r, const ScriptItem *item, size_t number, Unevaluated *u)
+// Counts the asserts of an item that were not evaluated.  `number`: that of its first assert.
+static void add_unevaluated(const ScriptRun *r, const ScriptItem *item, size_t number, Unevaluated *u)
 {
     for (size_t k = 0; k < item->asserts.n; k++) {
         const Expr *assert = item->asserts.at[k];
@@ -131,7 +133,8 @@ static void add_unevaluated(const Run *r, const ScriptItem *item, size_t number,
     }
 }
 
-static Diag *report_unevaluated(const Run *r, Unevaluated *u)
+// Warns about the asserts in *u, and empties it.
+static Diag *report_unevaluated(const ScriptRun *r, Unevaluated *u)
 {
     Diag *d = diag_report(r->diags, DIAG_assert_never_evaluated, u->first->span);
 
@@ -141,7 +144,7 @@ static Diag *report_unevaluated(const Run *r, Unevaluated *u)
     return d;
 }
 
-static void find_unevaluated(const Run *r)
+static void report_all_unevaluated(const ScriptRun *r)
 {
     size_t number = 0, items = 0;
 
@@ -168,10 +171,10 @@ static bool has_assert(const Script *s)
 }
 
 // A run that failed has evaluated fewer asserts than it could, so the others are not reported.
-void assert_report_unevaluated(const Run *r)
+void assert_report_unevaluated(const ScriptRun *r)
 {
     if (r->result.outcome == SCRIPT_PASSED || r->result.outcome == SCRIPT_ENDLESS)
-        find_unevaluated(r);
+        report_all_unevaluated(r);
     if (r->result.outcome == SCRIPT_PASSED && !r->o->is_compared && !has_assert(r->s))
         diag_report(r->diags, DIAG_script_without_assert, script_first_stop(r->s)->stop_span);
 }

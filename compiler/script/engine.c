@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results of engines: their allocation, and the comparison after every step of a run in lock step.
+// Allocates and compares the results of engines that run the same script in lock step.
 #include "compiler/script/engine.h"
 
 #include <inttypes.h>
@@ -16,6 +16,7 @@ void engine_step_init(EngineStep *s, Arena *arena, const Program *p)
     s->stored = arena_alloc(arena, p->var.n);
 }
 
+// Returns the status as the predicate of a sentence about a step.
 static const char *status_text(EngineStatus s)
 {
     switch (s) {
@@ -31,32 +32,33 @@ static const char *state_text(const Program *p, uint32_t number)
     return number >= 1 && number <= p->state.n ? p->state.at[number - 1]->name->text : "(no state)";
 }
 
-static void put_value(Buf *b, const Engine *e, SmType type, uint64_t cell)
+// Appends `ENGINE has VALUE (bits …)`.
+static void append_value(Buf *b, const Engine *e, SmType type, uint64_t cell)
 {
     buf_printf(b, "%s has ", e->name);
     format_cell_exact(b, type, cell);
     buf_printf(b, " (bits 0x%0*" PRIx64 ")", sm_type_info[type].bytes * 2, cell);
 }
 
-static const char *value_difference(Arena *arena, const Var *v, const Engine *a, uint64_t in_a, const Engine *b, uint64_t in_b)
+static const char *describe_value_difference(Arena *arena, const Var *v, const Engine *a, uint64_t in_a, const Engine *b, uint64_t in_b)
 {
     Buf text;
 
     buf_init(&text, arena);
     buf_printf(&text, "%s: ", v->report_name->text);
-    put_value(&text, a, v->type, in_a);
+    append_value(&text, a, v->type, in_a);
     buf_str(&text, ", ");
-    put_value(&text, b, v->type, in_b);
+    append_value(&text, b, v->type, in_b);
     return buf_text(&text);
 }
 
-static const char *stored_difference(Arena *arena, const Var *v, const Engine *a, bool in_a, const Engine *b)
+static const char *describe_stored_difference(Arena *arena, const Var *v, const Engine *a, bool in_a, const Engine *b)
 {
     return format_in(arena, "%s: %s stored it in this step, %s did not", v->report_name->text, in_a ? a->name : b->name,
                      in_a ? b->name : a->name);
 }
 
-static const char *next_difference(Arena *arena, const Engine *a, const EngineStep *of_a, const Engine *b, const EngineStep *of_b)
+static const char *describe_next_difference(Arena *arena, const Engine *a, const EngineStep *of_a, const Engine *b, const EngineStep *of_b)
 {
     const Program *p = a->program;
 
@@ -75,11 +77,11 @@ const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a
         return format_in(arena, "%s %s, %s %s", a->name, status_text(of_a->status), b->name, status_text(of_b->status));
     for (size_t i = 0; i < p->var.n; i++)
         if (of_a->cell[i] != of_b->cell[i])
-            return value_difference(arena, p->var.at[i], a, of_a->cell[i], b, of_b->cell[i]);
+            return describe_value_difference(arena, p->var.at[i], a, of_a->cell[i], b, of_b->cell[i]);
     if (of_a->next_state != of_b->next_state || of_a->next_is_first != of_b->next_is_first)
-        return next_difference(arena, a, of_a, b, of_b);
+        return describe_next_difference(arena, a, of_a, b, of_b);
     for (size_t i = 0; i < p->var.n; i++)
         if (p->var.at[i]->kind == VAR_ELEMENT && !of_a->stored[i] != !of_b->stored[i])
-            return stored_difference(arena, p->var.at[i], a, of_a->stored[i] != 0, b);
+            return describe_stored_difference(arena, p->var.at[i], a, of_a->stored[i] != 0, b);
     return NULL;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Interface of the engines that can run a machine for a script: reference interpreter, VM, emitted C in another process, a board on
-// a serial line.  Each step is one exchange of typed cells, so that a link needs one message in each direction.
+// a serial line.  Each step is one call with typed cells, so that a serial line needs one request and one answer.
 //
 // A cell is the value's bits in its own type, zero-extended to 64 bits (I8 -1 is 0xff; F32 is its binary32; bool is 0 or 1).
 // Variables are numbered as in Program.var.  A cell is read as stored, including NaN.
@@ -34,7 +34,7 @@ struct Engine {
     const Program *program;
     const char *error;        // after ENGINE_BROKEN: the reason
     void *self;
-    // Puts the machine into `state` like init (language.md 6): elements are zero, locals have their initial values, then `S` is
+    // Starts the machine in `state`, as init does (language.md 6): elements are zero, locals have their initial values, then `S` is
     // stored. *out receives the resulting cells.
     EngineStatus (*init)(Engine *e, uint32_t state, EngineStep *out);
     // Writes n cells, runs one step, and stores the result in *out.  Cells may be locals, including read-only ones that are not
@@ -48,19 +48,20 @@ void engine_step_init(EngineStep *s, Arena *arena, const Program *p);
 // Returns NULL if two engines gave bit-identical results; otherwise a sentence in `arena` that names the first difference.
 const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a, const Engine *b, const EngineStep *of_b);
 
-// The reference interpreter.
+// Opens the reference interpreter.
 Engine *engine_ref_open(Arena *arena, const Program *p);
-const Stmt *engine_ref_transition(const Engine *ref);      // made by the last step; NULL: none
-// The VM, with an image in which p is machine number `machine`.
+// Returns the transition that the last step took; NULL if none.
+const Stmt *engine_ref_transition(const Engine *ref);
+// Opens the VM, with an image in which p is machine number `machine`.  Returns NULL and sets *error to a sentence if it cannot run it.
 Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
-// Where an engine from engine_vm_open stores a variable; for code that runs its image elsewhere.
-typedef struct EnginePlace {
-    enum { PLACE_CONSTANT, PLACE_TIME, PLACE_ELEMENT, PLACE_LOCAL } in;
+// Where an engine from engine_vm_open stores a variable, for code that runs the same image on a board or in another process.
+typedef struct EngineLocation {
+    enum { LOCATION_CONSTANT, LOCATION_TIME, LOCATION_ELEMENT, LOCATION_LOCAL } in;
     uint32_t offset;          // in bytes: in the state vector, or among the locals
     uint32_t output;          // 1 + its number among the machine's outputs, as in smvm_stored; 0: not an output
-} EnginePlace;
-EnginePlace engine_vm_place(const Engine *e, uint32_t var);
-// The VM as on a chip without binary64: engine_vm.c and bytecode-vm/ compiled a second time with the soft type (see the Makefile).
+} EngineLocation;
+EngineLocation engine_vm_location(const Engine *e, uint32_t var);
+// Opens the VM as compiled for a chip without binary64: engine_vm.c and bytecode-vm/ compiled a second time with the soft type (see the Makefile).
 Engine *engine_vm_soft_open(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference interpreter: runs a Program by the rules of language.md 6, sentence by sentence.  It is the oracle of every
-// differential test.  It therefore prefers plain code to speed, and shares nothing with another engine.
+// The reference interpreter: runs a Program by the rules of language.md 6, one by one.  Every differential test compares other
+// engines with it.  It therefore prefers plain code to speed, and shares no code with another engine.
 #include "compiler/script/engine.h"
 
 #include <string.h>
@@ -8,29 +8,29 @@
 #include "compiler/base/buf.h"
 #include "compiler/script/ref.h"
 
-typedef struct Ref {
+typedef struct RefEngine {
     Engine engine;
     Arena *arena;
     const Program *p;
     uint64_t *cell;           // every variable, by index
-    uint8_t *stored;          // of this step
+    uint8_t *stored;          // by variable: this step stored it
     RefWindows windows;
-    const State *state;       // the one the next step runs
-    bool is_first;            // that step is the first of its state
+    const State *state;       // the state that the next step runs
+    bool is_first;            // the next step is the first of its state
     bool has_run;             // a step has run since init
     uint64_t last_g;          // G at the last step that ran
     uint64_t start;           // G at the first step of the state
-    const Stmt *transition;   // made by the last step, or NULL
-} Ref;
+    const Stmt *transition;   // the transition that the last step took, or NULL
+} RefEngine;
 
-static void store_cell(Ref *r, const Var *v, uint64_t cell)
+static void store_cell(RefEngine *r, const Var *v, uint64_t cell)
 {
     r->cell[v->index] = cell;
     r->stored[v->index] = v->kind == VAR_ELEMENT;
 }
 
 // Executes statements in order.  Returns the target of the transition that ended them, or NULL.
-static const State *execute_statements(Ref *r, const Stmts *list)
+static const State *execute_statements(RefEngine *r, const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++) {
         const Stmt *s = list->at[i];
@@ -54,7 +54,8 @@ static const State *execute_statements(Ref *r, const Stmts *list)
     return NULL;
 }
 
-static void run_blocks(Ref *r, bool first)
+// Runs the blocks of the current state, and takes the transition if one ends them.
+static void run_blocks(RefEngine *r, bool first)
 {
     const State *target = NULL;
 
@@ -69,7 +70,8 @@ static void run_blocks(Ref *r, bool first)
     r->is_first = true;
 }
 
-static EngineStatus fill_step(const Ref *r, EngineStatus status, EngineStep *out)
+// Copies the state of the machine to *out; returns `status`.
+static EngineStatus fill_result(const RefEngine *r, EngineStatus status, EngineStep *out)
 {
     out->status = status;
     out->next_state = r->state->number;
@@ -79,14 +81,14 @@ static EngineStatus fill_step(const Ref *r, EngineStatus status, EngineStep *out
     return status;
 }
 
-static bool time_advances(const Ref *r, uint64_t g)
+static bool time_advances(const RefEngine *r, uint64_t g)
 {
     return g != UINT64_MAX && !(r->has_run && g <= r->last_g);
 }
 
 static EngineStatus ref_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
-    Ref *r = e->self;
+    RefEngine *r = e->self;
     bool first = r->is_first;
     uint64_t g;
 
@@ -96,7 +98,7 @@ static EngineStatus ref_step(Engine *e, const EngineWrite *write, uint32_t n, En
     r->transition = NULL;
     g = r->cell[r->p->g->index];
     if (!time_advances(r, g))                                                       // language.md 6.3
-        return fill_step(r, ENGINE_REFUSED, out);
+        return fill_result(r, ENGINE_REFUSED, out);
     r->has_run = true;
     r->last_g = g;
     r->is_first = false;
@@ -107,12 +109,12 @@ static EngineStatus ref_step(Engine *e, const EngineWrite *write, uint32_t n, En
     store_cell(r, r->p->t, g - r->start);                                           // language.md 6.5
     ref_windows_sample(&r->windows, r->cell);                                  // language.md 6.6
     run_blocks(r, first);                                                      // language.md 6.7 to 6.11
-    return fill_step(r, ENGINE_OK, out);
+    return fill_result(r, ENGINE_OK, out);
 }
 
 static EngineStatus ref_init(Engine *e, uint32_t state, EngineStep *out)
 {
-    Ref *r = e->self;
+    RefEngine *r = e->self;
 
     if (state < 1 || state > r->p->state.n) {
         e->error = format_in(r->arena, "the machine has no state number %lu", (unsigned long)state);
@@ -126,16 +128,16 @@ static EngineStatus ref_init(Engine *e, uint32_t state, EngineStep *out)
     r->cell[r->p->s->index] = state;
     r->is_first = true;
     r->has_run = false;
-    return fill_step(r, ENGINE_OK, out);
+    return fill_result(r, ENGINE_OK, out);
 }
 
-const Stmt *engine_ref_transition(const Engine *e) { return ((const Ref *)e->self)->transition; }
+const Stmt *engine_ref_transition(const Engine *e) { return ((const RefEngine *)e->self)->transition; }
 
-static void ref_close(Engine *e) { (void)e; }         // everything is in the arena
+static void ref_close(Engine *e) { (void)e; }         // all its memory belongs to the arena
 
 Engine *engine_ref_open(Arena *arena, const Program *p)
 {
-    Ref *r = ARENA_NEW(arena, Ref);
+    RefEngine *r = ARENA_NEW(arena, RefEngine);
 
     r->arena = arena;
     r->p = p;

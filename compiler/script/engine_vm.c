@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The VM as an engine in this process, with the same code as in flight.  Elements are in its own state vector, at the program's
+// The engine that runs the VM in this process, with the same code as in flight.  Elements are in its own state vector, at the program's
 // offsets.  Locals are found by name in the image's debug section.
 //
-// The machine runs twice: in decoded form, which returns the results, and in place for comparison.  Any difference between the two
-// is an error.
+// The machine runs twice: on decoded instructions, which returns the results, and in place, directly on the bytes of the image.  Any
+// difference between the two is an error.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
@@ -16,17 +16,18 @@ typedef struct VmEngine {
     Engine engine;
     const Program *p;
     SmvmMachine m;
-    SmVm *vm, *beside;        // `vm` runs decoded, `beside` runs in place
+    SmVm *vm, *in_place;      // `vm` runs decoded instructions, `in_place` the image itself
     SmvmDecoded *decoded;
-    uint32_t size;            // size in bytes of vm, and of beside
-    uint64_t *sv, *sv_beside; // their state vectors
+    uint32_t size;            // size in bytes of *vm and of *in_place
+    uint64_t *sv, *sv_in_place; // their state vectors
     uint8_t **at;             // by variable: address of its value; NULL: T and constants
     uint32_t *output;         // by variable: 1 + its number among the outputs; 0: not an output
 } VmEngine;
 
 // ---- stepping ----
 
-static EngineStatus fill_step(const VmEngine *v, EngineStatus status, EngineStep *out)
+// Copies the state of the decoded run to *out; returns `status`.
+static EngineStatus fill_result(const VmEngine *v, EngineStatus status, EngineStep *out)
 {
     const Program *p = v->p;
 
@@ -49,22 +50,23 @@ static EngineStatus set_broken(Engine *e, EngineStep *out, const char *error)
     return out->status = ENGINE_BROKEN;
 }
 
-static bool same_stored_flags(const VmEngine *v)
+static bool has_same_stored_flags(const VmEngine *v)
 {
     for (uint32_t i = 0; i < v->m.outputs; i++)
-        if (smvm_stored(v->vm, i) != smvm_stored(v->beside, i))
+        if (smvm_stored(v->vm, i) != smvm_stored(v->in_place, i))
             return false;
-    return smvm_stored_state(v->vm) == smvm_stored_state(v->beside);
+    return smvm_stored_state(v->vm) == smvm_stored_state(v->in_place);
 }
 
-// Compares the decoded run and the run in place.  Intermediate values are among the locals.
-static bool same_state(const VmEngine *v)
+// Whether the decoded run and the run in place have the same state.  The compared locals include intermediate values.
+static bool has_same_state(const VmEngine *v)
 {
-    return memcmp(v->sv, v->sv_beside, v->m.sv_size) == 0 && memcmp(smvm_locals(v->vm), smvm_locals(v->beside), v->m.locals) == 0
-        && smvm_state(v->vm) == smvm_state(v->beside) && v->vm->first == v->beside->first && smvm_time(v->vm) == smvm_time(v->beside)
-        && same_stored_flags(v);
+    return memcmp(v->sv, v->sv_in_place, v->m.sv_size) == 0 && memcmp(smvm_locals(v->vm), smvm_locals(v->in_place), v->m.locals) == 0
+        && smvm_state(v->vm) == smvm_state(v->in_place) && v->vm->first == v->in_place->first && smvm_time(v->vm) == smvm_time(v->in_place)
+        && has_same_stored_flags(v);
 }
 
+// Writes an input to both runs.
 static void write_cell(const VmEngine *v, const EngineWrite *w)
 {
     uint8_t *at = v->at[w->var], *sv = (uint8_t *)v->sv, *locals = smvm_locals(v->vm);
@@ -74,29 +76,29 @@ static void write_cell(const VmEngine *v, const EngineWrite *w)
         return;
     sm_cell_store(type, at, w->cell);
     if (v->p->var.at[w->var]->kind == VAR_ELEMENT)
-        sm_cell_store(type, (uint8_t *)v->sv_beside + (at - sv), w->cell);
+        sm_cell_store(type, (uint8_t *)v->sv_in_place + (at - sv), w->cell);
     else
-        sm_cell_store(type, (uint8_t *)smvm_locals(v->beside) + (at - locals), w->cell);
+        sm_cell_store(type, (uint8_t *)smvm_locals(v->in_place) + (at - locals), w->cell);
 }
 
 static EngineStatus vm_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     VmEngine *v = e->self;
-    SmResult result, beside;
+    SmResult result, in_place;
 
     for (uint32_t i = 0; i < n; i++)
         write_cell(v, &write[i]);
     result = smvm_step_decoded(v->decoded, v->sv);
-    beside = smvm_step(v->beside, v->sv_beside);
-    if (result != beside || !same_state(v))
+    in_place = smvm_step(v->in_place, v->sv_in_place);
+    if (result != in_place || !has_same_state(v))
         return set_broken(e, out, "the decoded form of the image does not do what the image does");
-    fill_step(v, result == SM_OK ? ENGINE_OK : ENGINE_REFUSED, out);
+    fill_result(v, result == SM_OK ? ENGINE_OK : ENGINE_REFUSED, out);
     if (result == SM_OK && smvm_stored_state(v->vm))
         out->stored[v->p->s->index] = 1;
     return out->status;
 }
 
-static SmResult init(const VmEngine *v, SmVm *vm, uint64_t *sv, uint32_t state)
+static SmResult init_vm(const VmEngine *v, SmVm *vm, uint64_t *sv, uint32_t state)
 {
     const SmvmVector vector = {sv, v->p->sv->size, v->p->sv->hash};
 
@@ -109,22 +111,23 @@ static EngineStatus vm_init(Engine *e, uint32_t state, EngineStep *out)
     SmResult result;
 
     memset(v->sv, 0, v->m.sv_size);
-    memset(v->sv_beside, 0, v->m.sv_size);
-    result = init(v, v->vm, v->sv, state);
+    memset(v->sv_in_place, 0, v->m.sv_size);
+    result = init_vm(v, v->vm, v->sv, state);
     if (result == SM_OK)
-        result = init(v, v->beside, v->sv_beside, state);
+        result = init_vm(v, v->in_place, v->sv_in_place, state);
     if (result != SM_OK)
         return set_broken(e, out, sm_result_text(result));
-    fill_step(v, ENGINE_OK, out);
+    fill_result(v, ENGINE_OK, out);
     memset(out->stored, 0, v->p->var.n);
     return ENGINE_OK;
 }
 
-static void vm_close(Engine *e) { (void)e; }          // everything is in the arena
+static void vm_close(Engine *e) { (void)e; }          // all its memory belongs to the arena
 
 // ---- opening ----
 
-static void find_elements(VmEngine *v, Arena *arena)
+// Finds where elements are stored, and their numbers among the outputs.
+static void bind_elements(VmEngine *v, Arena *arena)
 {
     uint32_t *var_at = ARENA_ARRAY(arena, uint32_t, v->m.sv_size);       // by offset: 1 + the variable at that offset
 
@@ -142,17 +145,19 @@ static void find_elements(VmEngine *v, Arena *arena)
     }
 }
 
-static bool is_variable(const VmEngine *v, uint32_t k, SmvmName name, const SmvmLocation *at)
+// Whether variable k is the local that the image calls `name`.
+static bool is_local_named(const VmEngine *v, uint32_t k, SmvmName name, const SmvmLocation *at)
 {
     const Var *var = v->p->var.at[k];
 
     return var->kind == VAR_LOCAL && at->type == var->type && var->name->len == name.size
-        && at->offset + sm_type_info[var->type].bytes <= v->m.locals              // names are not verified
+        && at->offset + sm_type_info[var->type].bytes <= v->m.locals              // the verifier does not check the debug section
         && memcmp(var->name->text, v->m.image + name.at, name.size) == 0;
 }
 
-// The image has the locals of a type in the program's order, possibly with gaps, so each search starts after the previous match.
-static void find_locals(VmEngine *v)
+// Finds where locals are stored, by name.  The image has the locals of a type in the program's order, possibly with gaps, so each search
+// starts at the previous match.
+static void bind_locals(VmEngine *v)
 {
     uint8_t *locals = smvm_locals(v->vm);
     uint32_t from = 0, n = (uint32_t)v->p->var.n;
@@ -162,7 +167,7 @@ static void find_locals(VmEngine *v)
         SmvmLocation at;
         SmvmName name = smvm_variable(&v->m, i, &is, &at);
         for (uint32_t k = 0; is == SMVM_IS_LOCAL && k < n; k++)
-            if (is_variable(v, (from + k) % n, name, &at)) {
+            if (is_local_named(v, (from + k) % n, name, &at)) {
                 from = (from + k) % n;
                 v->at[from] = locals + at.offset;
                 break;
@@ -170,8 +175,8 @@ static void find_locals(VmEngine *v)
     }
 }
 
-// Returns NULL, or the reason why the image cannot represent the program.
-static const char *check_locals(const VmEngine *v, Arena *arena)
+// Returns NULL if every local was found in the image, otherwise a sentence about one that was not.
+static const char *find_unbound_local(const VmEngine *v, Arena *arena)
 {
     for (uint32_t k = 0; k < v->p->var.n; k++) {
         const Var *var = v->p->var.at[k];
@@ -181,7 +186,8 @@ static const char *check_locals(const VmEngine *v, Arena *arena)
     return NULL;
 }
 
-static const char *bind_image(VmEngine *v, Arena *arena, const uint8_t *image, size_t size, uint32_t machine)
+// Verifies an image, allocates both VMs and decodes the machine.  Returns NULL, or the reason of a failure.
+static const char *load_image(VmEngine *v, Arena *arena, const uint8_t *image, size_t size, uint32_t machine)
 {
     SmvmVerdict why;
     SmResult result;
@@ -195,10 +201,10 @@ static const char *bind_image(VmEngine *v, Arena *arena, const uint8_t *image, s
         return "the image was made from another machine";
     v->size = smvm_ram_size(&v->m);
     v->vm = arena_alloc(arena, v->size);
-    v->beside = arena_alloc(arena, v->size);
+    v->in_place = arena_alloc(arena, v->size);
     v->sv = arena_alloc(arena, v->p->sv->size);
-    v->sv_beside = arena_alloc(arena, v->p->sv->size);
-    result = init(v, v->vm, v->sv, 1);
+    v->sv_in_place = arena_alloc(arena, v->p->sv->size);
+    result = init_vm(v, v->vm, v->sv, 1);
     if (result == SM_OK)
         result = smvm_decode(&v->decoded, arena_alloc(arena, smvm_decoded_size(&v->m)), smvm_decoded_size(&v->m), &v->m, v->vm, v->sv);
     return result == SM_OK ? NULL : sm_result_text(result);
@@ -211,12 +217,12 @@ Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, siz
     v->p = p;
     v->at = ARENA_ARRAY(arena, uint8_t *, p->var.n);
     v->output = ARENA_ARRAY(arena, uint32_t, p->var.n);
-    *error = bind_image(v, arena, image, size, machine);
+    *error = load_image(v, arena, image, size, machine);
     if (*error)
         return NULL;
-    find_elements(v, arena);
-    find_locals(v);
-    *error = check_locals(v, arena);
+    bind_elements(v, arena);
+    bind_locals(v);
+    *error = find_unbound_local(v, arena);
     if (*error)
         return NULL;
     v->engine.name = SM_F64_SOFT ? "vm-soft" : "vm";
@@ -228,17 +234,17 @@ Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, siz
     return &v->engine;
 }
 
-EnginePlace engine_vm_place(const Engine *e, uint32_t var)
+EngineLocation engine_vm_location(const Engine *e, uint32_t var)
 {
     const VmEngine *v = e->self;
     const Var *of = v->p->var.at[var];
-    EnginePlace place = {PLACE_CONSTANT, 0, v->output[var]};
+    EngineLocation place = {LOCATION_CONSTANT, 0, v->output[var]};
 
     if (of == v->p->t)
-        place.in = PLACE_TIME;
+        place.in = LOCATION_TIME;
     if (v->at[var]) {
-        place.in = of->kind == VAR_ELEMENT ? PLACE_ELEMENT : PLACE_LOCAL;
-        place.offset = (uint32_t)(v->at[var] - (place.in == PLACE_ELEMENT ? (uint8_t *)v->sv : (uint8_t *)smvm_locals(v->vm)));
+        place.in = of->kind == VAR_ELEMENT ? LOCATION_ELEMENT : LOCATION_LOCAL;
+        place.offset = (uint32_t)(v->at[var] - (place.in == LOCATION_ELEMENT ? (uint8_t *)v->sv : (uint8_t *)smvm_locals(v->vm)));
     }
     return place;
 }

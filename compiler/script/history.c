@@ -8,8 +8,9 @@
 #include <string.h>
 
 enum {
-    STEPS = 5, TRANSITIONS = 3, COLUMNS = 6, COLUMN_WIDTH = 40, STOPS = 3,
-    WORK_MOST = 1000000000            // limit for samples read in the second run: a few seconds
+    STEPS = 5, TRANSITIONS = 3, STOPS = 3,        // most steps, transitions and @stops that are shown
+    COLUMNS = 6, COLUMN_WIDTH = 40,               // most columns of values, and length of the source of one
+    WORK_MOST = 1000000000                        // most samples that the second run may read: a few seconds
 };
 
 typedef struct PastStep {
@@ -25,8 +26,8 @@ typedef struct PastTransition {
 } PastTransition;
 
 typedef struct History {
-    Run *failed;
-    Run run;                          // the second run of the same script
+    ScriptRun *failed;
+    ScriptRun run;                    // the second run of the same script
     const Expr *column[COLUMNS];
     size_t columns;
     PastStep step[STEPS];             // the last steps, in order
@@ -39,21 +40,21 @@ static const char *count_text(Arena *arena, uint64_t n) { return format_in(arena
 
 // ---- columns of the table ----
 
-static bool is_column(const History *h, const Expr *e)
+static bool has_column(const History *h, const Expr *e)
 {
     for (size_t i = 0; i < h->columns; i++)
-        if (h->column[i] == e || span_same_text(h->column[i]->span, e->span))
+        if (h->column[i] == e || span_has_same_source(h->column[i]->span, e->span))
             return true;
     return false;
 }
 
-// Adds the variables and windows that an expression reads, except constants.
+// Adds a column for each variable, except constants, and each rolling statistic that an expression reads.
 static void add_columns(History *h, const Expr *e)
 {
     const bool is_value = e->kind == EX_ROLL || (e->kind == EX_VAR && !e->var->is_constant);
 
     if (is_value && h->columns < COLUMNS && e->span.src && e->span.len <= COLUMN_WIDTH && !memchr(e->span.src->text + e->span.at, '\n', e->span.len) &&
-        !is_column(h, e) && !(e->kind == EX_VAR && e->var == h->failed->p->g))          // G has its own column
+        !has_column(h, e) && !(e->kind == EX_VAR && e->var == h->failed->p->g))         // G has its own column
         h->column[h->columns++] = e;
     for (uint32_t i = 0; i < e->n && e->kind != EX_ROLL; i++)
         add_columns(h, e->arg[i]);
@@ -61,18 +62,19 @@ static void add_columns(History *h, const Expr *e)
 
 // ---- the second run ----
 
-static const char *value_text(Run *r, const Expr *e)
+static const char *value_text(ScriptRun *r, const Expr *e)
 {
     Buf text;
 
     buf_init(&text, r->arena);
-    run_put_value(r, e, &text);
+    run_append_value(r, e, &text);
     return buf_text(&text);
 }
 
+// Records the values of a step if it is one of the last.
 static void record_step(History *h)
 {
-    Run *r = &h->run;
+    ScriptRun *r = &h->run;
     PastStep *s;
 
     if (r->result.steps + STEPS <= h->failed->result.steps)
@@ -87,7 +89,7 @@ static void record_step(History *h)
 
 static void record_transition(History *h)
 {
-    Run *r = &h->run;
+    ScriptRun *r = &h->run;
     const Stmt *stmt = engine_ref_transition(r->engine[0]);
 
     if (!stmt)
@@ -104,8 +106,8 @@ static void record_after_step(void *context, const ScriptStep *step)
     record_transition(context);
 }
 
-// The reference interpreter reads every sample of every window in each step.
-static bool is_too_long(const Run *r)
+// Whether a second run would take too long.  The reference interpreter reads every sample of every rolling window in each step.
+static bool is_replay_too_slow(const ScriptRun *r)
 {
     uint64_t work = 1;
 
@@ -117,16 +119,16 @@ static bool is_too_long(const Run *r)
 }
 
 // Runs the script again.  Returns whether its final values equal those of the failed run.
-static bool replay(History *h)
+static bool replay_run(History *h)
 {
-    const Run *failed = h->failed;
+    const ScriptRun *failed = h->failed;
     const ScriptOptions o = {failed->result.steps, record_after_step, h, true};
     Engine *ref = engine_ref_open(failed->arena, failed->p);
     Diags silent;
 
     diags_init(&silent, failed->arena);
     silent.muted = true;
-    h->run = (Run){.arena = failed->arena, .diags = &silent, .s = failed->s, .p = failed->p, .engine = &ref, .engines = 1, .o = &o};
+    h->run = (ScriptRun){.arena = failed->arena, .diags = &silent, .s = failed->s, .p = failed->p, .engine = &ref, .engines = 1, .o = &o};
     run_to_the_end(&h->run);
     return h->run.result.steps == failed->result.steps && memcmp(h->run.cell, failed->cell, failed->p->var.n * sizeof *failed->cell) == 0;
 }
@@ -135,19 +137,20 @@ static bool replay(History *h)
 
 static size_t max_size(size_t a, size_t b) { return a > b ? a : b; }
 
-static void end_row(Buf *out)
+// Removes the spaces at the end of a row.
+static void trim_row(Buf *out)
 {
     while (out->n && out->at[out->n - 1] == ' ')
         out->at[--out->n] = '\0';
 }
 
-static void put_right(Buf *out, const char *text, size_t width)
+static void append_right_aligned(Buf *out, const char *text, size_t width)
 {
     buf_spaces(out, width > strlen(text) ? width - strlen(text) : 0);
     buf_str(out, text);
 }
 
-static size_t width_of(const History *h, size_t column)
+static size_t column_width(const History *h, size_t column)
 {
     size_t width = h->column[column]->span.len;
 
@@ -156,7 +159,8 @@ static size_t width_of(const History *h, size_t column)
     return width;
 }
 
-static void add_steps(History *h, Diag *d)
+// Adds a note with a table of the last steps.
+static void add_step_table(History *h, Diag *d)
 {
     Arena *arena = h->failed->arena;
     size_t steps = 4, gs = 1, states = 5;
@@ -171,30 +175,31 @@ static void add_steps(History *h, Diag *d)
         states = max_size(states, h->step[i].state->name->len);
     }
     buf_char(&table, '\n');
-    put_right(&table, "step", steps);
-    put_right(&table, "G", gs + 2);
+    append_right_aligned(&table, "step", steps);
+    append_right_aligned(&table, "G", gs + 2);
     buf_printf(&table, "  %-*s", (int)states, "state");
     for (size_t i = 0; i < h->columns; i++) {
         const Span s = h->column[i]->span;
-        buf_spaces(&table, 2 + width_of(h, i) - s.len);
+        buf_spaces(&table, 2 + column_width(h, i) - s.len);
         buf_put(&table, s.src->text + s.at, s.len);
     }
     for (size_t i = 0; i < h->steps; i++) {
-        end_row(&table);
+        trim_row(&table);
         buf_char(&table, '\n');
-        put_right(&table, count_text(arena, h->step[i].number), steps);
-        put_right(&table, count_text(arena, h->step[i].g), gs + 2);
+        append_right_aligned(&table, count_text(arena, h->step[i].number), steps);
+        append_right_aligned(&table, count_text(arena, h->step[i].g), gs + 2);
         buf_printf(&table, "  %-*s", (int)states, h->step[i].state->name->text);
         for (size_t c = 0; c < h->columns; c++)
-            put_right(&table, h->step[i].value[c], width_of(h, c) + 2);
+            append_right_aligned(&table, h->step[i].value[c], column_width(h, c) + 2);
     }
-    end_row(&table);
+    trim_row(&table);
     diag_note(h->failed->diags, d, (Span){0}, h->steps == 1 ? DIAG_note_only_step : DIAG_note_last_steps, buf_text(&table));
 }
 
-static void add_transitions(History *h, Diag *d)
+// Adds a note for each of the last transitions.
+static void add_transition_notes(History *h, Diag *d)
 {
-    const Run *r = h->failed;
+    const ScriptRun *r = h->failed;
 
     for (size_t i = 0; i < h->transitions; i++) {
         const PastTransition *t = &h->transition[i];
@@ -205,8 +210,8 @@ static void add_transitions(History *h, Diag *d)
         diag_note(r->diags, d, (Span){0}, DIAG_note_no_transition, r->s->init_state->name->text);
 }
 
-// For a run that did not stop: adds the machine's current state.
-static void add_state(const Run *r, Diag *d)
+// Adds a note with the current state of the machine and the step in which it was entered, for a run that did not stop.
+static void add_state_note(const ScriptRun *r, Diag *d)
 {
     const uint64_t step = r->answer[0].next_is_first ? r->result.steps + 1 : r->start / r->s->delta_t + 1;
     const State *state = r->p->state.at[r->answer[0].next_state - 1];
@@ -218,7 +223,8 @@ static void add_state(const Run *r, Diag *d)
         diag_note(r->diags, d, (Span){0}, DIAG_note_no_transition, state->name->text);
 }
 
-static void note_stop(const Run *r, Diag *d, const ScriptSection *section, uint64_t ran, Span stop)
+// Adds a note about a @stop that did not end the run.  `ran`: the last step that ran its section, 0 if none.
+static void add_stop_note(const ScriptRun *r, Diag *d, const ScriptSection *section, uint64_t ran, Span stop)
 {
     if (!section->state)
         diag_note(r->diags, d, stop, DIAG_note_stop_never_true);
@@ -229,19 +235,19 @@ static void note_stop(const Run *r, Diag *d, const ScriptSection *section, uint6
                   count_text(r->arena, (ran - 1) * r->s->delta_t));
 }
 
-static void note_stops(const Run *r, Diag *d)
+static void add_stop_notes(const ScriptRun *r, Diag *d)
 {
     size_t shown = 0;
 
     for (size_t i = 0; i < r->s->section.n; i++)
         for (size_t j = 0; j < r->s->section.at[i].item.n && shown < STOPS; j++)
             if (r->s->section.at[i].item.at[j].stop) {
-                note_stop(r, d, &r->s->section.at[i], r->ran[i], r->s->section.at[i].item.at[j].stop_span);
+                add_stop_note(r, d, &r->s->section.at[i], r->ran[i], r->s->section.at[i].item.at[j].stop_span);
                 shown++;
             }
 }
 
-void history_add(Run *failed, Diag *d)
+void history_add(ScriptRun *failed, Diag *d)
 {
     History *h = ARENA_NEW(failed->arena, History);
     const ScriptItem *stop = failed->failed ? NULL : script_first_stop(failed->s);
@@ -254,15 +260,15 @@ void history_add(Run *failed, Diag *d)
     if (stop)
         add_columns(h, stop->guard);
     if (!failed->failed) {
-        note_stops(failed, d);
-        add_state(failed, d);
+        add_stop_notes(failed, d);
+        add_state_note(failed, d);
     }
-    if (is_too_long(failed)) {
+    if (is_replay_too_slow(failed)) {
         diag_note(failed->diags, d, (Span){0}, DIAG_note_too_long);
-    } else if (!replay(h)) {
+    } else if (!replay_run(h)) {
         diag_note(failed->diags, d, (Span){0}, DIAG_note_other_values, failed->engine[0]->name);
     } else {
-        add_steps(h, d);
-        add_transitions(h, d);
+        add_step_table(h, d);
+        add_transition_notes(h, d);
     }
 }

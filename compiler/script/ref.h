@@ -12,17 +12,18 @@
 
 // ---- ref_number.c: language.md 2 and the pure builtins of 3 ----
 
-double ref_read(SmType type, uint64_t cell);          // an element as an F64; a stored NaN reads as 0
-uint64_t ref_convert(SmType type, double x);          // an F64 as the cell of an element
+double ref_read(SmType type, uint64_t cell);          // the value of a cell as an F64; a stored NaN reads as 0
+uint64_t ref_convert(SmType type, double x);          // the cell of a variable of `type` after x is stored in it
 bool ref_true(double x);                              // truth of a condition: not zero and not NaN
 bool ref_negative(double x);                          // below zero, or -0; not NaN
-double ref_pure(SmBuiltin fn, const double *arg);
+double ref_pure(SmBuiltin fn, const double *arg);     // the result of a builtin that depends on its arguments alone
 
 // ---- ref_window.c: language.md 7 ----
 
+// A rolling window: the samples of an expression in the last steps.
 typedef struct RefWindow {
-    const Window *what;
-    double *slot;             // what->size samples
+    const Window *what;       // its definition in the program
+    double *slot;             // what->size samples, a ring buffer
     uint32_t next;            // index of the next sample
     uint32_t filled;          // slots 0 … filled - 1 contain samples
 } RefWindow;
@@ -30,7 +31,7 @@ typedef struct RefWindow {
 typedef struct RefWindows {
     RefWindow *at;
     size_t n;
-    double *scratch;          // as long as the longest window
+    double *scratch;          // room for the samples of the longest window
 } RefWindows;
 
 void ref_windows_init(RefWindows *w, Arena *arena, const Windows *list);
@@ -40,7 +41,7 @@ double ref_statistic(const RefWindows *w, uint32_t window, SmStat stat);
 
 // ---- ref_eval.c: language.md 3 ----
 
-// The value of e if variable i has cell[i]. w are the windows of e's owner, the machine or the script.
+// Evaluates e with cell[i] as the cell of variable i.  w: the rolling windows of the machine or script that e belongs to.
 double ref_eval(const Expr *e, const uint64_t *cell, const RefWindows *w);
 
 #endif

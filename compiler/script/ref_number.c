@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers of the reference: conversion of cells to doubles and back, and the pure builtins.  Plain C on doubles, without bit
-// manipulation: the other implementations work on bits, this one compares and calculates, and so they check each other. memcpy of a
-// cell is used only for F32 and F64, whose bits are the value.
+// manipulation: the other implementations work on bits, this one compares and calculates, and so they check each other.  Only an
+// F32 or F64 is copied with memcpy, because its cell has the bits of the C type.
 #include "compiler/script/ref.h"
 
 #include <float.h>
@@ -9,7 +9,7 @@
 
 static bool is_nan(double x) { return x != x; }
 static bool is_infinite(double x) { return x > DBL_MAX || x < -DBL_MAX; }
-static double make_nan(void) { double inf = DBL_MAX * 2; return inf - inf; }       // a NaN
+static double make_nan(void) { double inf = DBL_MAX * 2; return inf - inf; }
 
 bool ref_true(double x) { return x != 0 && !is_nan(x); }
 bool ref_negative(double x) { return x < 0 || (x == 0 && 1 / x < 0); }
@@ -136,7 +136,8 @@ uint64_t ref_convert(SmType type, double x)
 
 // ---- pure builtins ----
 
-static double with_sign_of(double zero, double x) { return ref_negative(x) ? -zero : zero; }
+// Returns `zero` with the sign of x.
+static double copy_sign_to_zero(double zero, double x) { return ref_negative(x) ? -zero : zero; }
 
 static double ref_trunc(double x)
 {
@@ -145,7 +146,7 @@ static double ref_trunc(double x)
     if (is_nan(x) || x >= power_of_two(52) || x <= -power_of_two(52))
         return x;                                     // doubles from 2^52 on have no fraction
     whole = (double)(int64_t)x;
-    return whole == 0 ? with_sign_of(0.0, x) : whole;
+    return whole == 0 ? copy_sign_to_zero(0.0, x) : whole;
 }
 
 static double ref_floor(double x) { double t = ref_trunc(x); return t > x ? t - 1 : t; }
@@ -177,6 +178,7 @@ static double ref_min(double a, double b)
 
 static double ref_max(double a, double b) { return -ref_min(-a, -b); }
 
+// An integer of 128 bits.
 typedef struct Wide { uint64_t high, low; } Wide;
 
 static Wide multiply_wide(uint64_t a, uint64_t b)           // long multiplication in halves of 32 bits; a, b < 2^54
@@ -190,10 +192,10 @@ static Wide multiply_wide(uint64_t a, uint64_t b)           // long multiplicati
 
 static bool is_at_most(Wide a, Wide b) { return a.high < b.high || (a.high == b.high && a.low <= b.low); }
 
-// The root of f (1 <= f < 4) is k / 2^52 for the integer k nearest to the root of f * 2^104.  Bisection finds it.  The root is
-// never half-way between k and k + 1.  It is nearer to k + 1 exactly if f * 2^104, an integer, is above k * (k + 1), which is (k +
+// Returns the square root of f (1 <= f < 4), rounded: k / 2^52 for the integer k nearest to the root of f * 2^104.  Bisection finds
+// k.  The root is never half-way between k and k + 1.  It is nearer to k + 1 exactly if f * 2^104, an integer, is above k * (k + 1), which is (k +
 // 1/2)^2 minus a quarter.
-static double root_of_1_to_4(double f)
+static double sqrt_of_1_to_4(double f)
 {
     uint64_t n = (uint64_t)(f * power_of_two(52)), low = (uint64_t)1 << 52, high = low * 2;
     Wide wanted = {n >> 12, n << 52};
@@ -220,7 +222,7 @@ static double ref_sqrt(double x)
         scale *= 2;
     for (; x < 1; x *= 4)
         scale /= 2;
-    return root_of_1_to_4(x) * scale;
+    return sqrt_of_1_to_4(x) * scale;
 }
 
 static double ref_clamp(double x, double lo, double hi) { return ref_min(ref_max(x, lo), hi); }
@@ -239,7 +241,7 @@ double ref_pure(SmBuiltin fn, const double *arg)
 #undef SM_PURE
 #undef SM_COMPOSED
 #undef SM_ROLL
-    case SM_FN_COUNT: break;                          // a roll call is not pure; the checker excludes it
+    case SM_FN_COUNT: break;                          // a rolling statistic is not pure: it is an EX_ROLL, never a call
     }
     return make_nan();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rolling windows of the reference (language.md 7).  They store the samples, and each access computes its statistic from all of
-// them.
+// Rolling windows of samples in the reference (language.md 7).  They store the samples, and each access computes its statistic from
+// all of them.
 #include "compiler/script/ref.h"
 
 #include <float.h>
@@ -40,7 +40,7 @@ void ref_windows_sample(RefWindows *w, const uint64_t *cell)
     }
 }
 
-static bool is_before(double a, double b)             // the order of the samples: -0 before +0
+static bool sorts_before(double a, double b)          // the order of the samples: -0 before +0
 {
     return a < b || (a == b && ref_negative(a) && !ref_negative(b));
 }
@@ -55,14 +55,15 @@ static void sort_samples(double *x, size_t n)                 // shellsort: inse
         for (size_t i = gap; i < n; i++) {
             double moved = x[i];
             size_t j = i;
-            for (; j >= gap && is_before(moved, x[j - gap]); j -= gap)
+            for (; j >= gap && sorts_before(moved, x[j - gap]); j -= gap)
                 x[j] = x[j - gap];
             x[j] = moved;
         }
 }
 
-// Pairwise summation: repeatedly replaces the list by the sums of its pairs until one is left.  An odd last element is copied.
-static double average_of(double *x, uint32_t n)
+// Returns the average by pairwise summation: replaces the samples by the sums of their pairs, repeatedly, until one is left.  An odd
+// last one is copied.
+static double pairwise_average(double *x, uint32_t n)
 {
     uint32_t left = n;
 
@@ -92,19 +93,20 @@ static double median_of(double *x, uint32_t n)
     return a + distance / 2;
 }
 
-static double extreme_of(const double *x, uint32_t n, bool largest)
+static double find_extreme(const double *x, uint32_t n, bool largest)
 {
     double best = x[0];
 
     for (uint32_t i = 1; i < n; i++)
-        if (largest ? is_before(best, x[i]) : is_before(x[i], best))
+        if (largest ? sorts_before(best, x[i]) : sorts_before(x[i], best))
             best = x[i];
     return best;
 }
 
+// Returns the difference between the largest and the smallest sample.
 static double range_of(const double *x, uint32_t n)
 {
-    double low = extreme_of(x, n, false), high = extreme_of(x, n, true);
+    double low = find_extreme(x, n, false), high = find_extreme(x, n, true);
 
     return low == high ? 0 : high - low;
 }
@@ -118,10 +120,10 @@ double ref_statistic(const RefWindows *w, uint32_t window, SmStat stat)
         return 0;                                     // before the first step; no expression reads it
     memcpy(x, r->slot, r->filled * sizeof *x);
     switch (stat) {
-    case SM_STAT_AVG: return average_of(x, r->filled);
+    case SM_STAT_AVG: return pairwise_average(x, r->filled);
     case SM_STAT_MEDIAN: return median_of(x, r->filled);
-    case SM_STAT_MIN: return extreme_of(x, r->filled, false);
-    case SM_STAT_MAX: return extreme_of(x, r->filled, true);
+    case SM_STAT_MIN: return find_extreme(x, r->filled, false);
+    case SM_STAT_MAX: return find_extreme(x, r->filled, true);
     case SM_STAT_RANGE: return range_of(x, r->filled);
     case SM_STAT_COUNT: break;
     }

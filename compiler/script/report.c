@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report of a script (thesis Figure 3.4), and values as text.  The C library prints the digits.  Its locale has no effect,
-// because the characters between the digits are replaced by a point.
+// Writes the report of a script (thesis Figure 3.4), and values as text.  The C library prints the digits.  Its locale has no effect,
+// because its decimal separator is replaced by a point.
 #include "compiler/script/script.h"
 
 #include <inttypes.h>
@@ -10,15 +10,16 @@
 
 // ---- values ----
 
-static int64_t signed_of(SmType type, uint64_t cell)
+// Returns the number in the cell of a signed integer.
+static int64_t cell_to_signed(SmType type, uint64_t cell)
 {
     uint64_t half = (uint64_t)1 << (sm_type_info[type].bytes * 8 - 1);
 
     return cell < half ? (int64_t)cell : (int64_t)(cell - half) - (int64_t)(half - 1) - 1;
 }
 
-// The number in a float cell, NaN included.
-static double float_of(SmType type, uint64_t cell)
+// Returns the number in the cell of a float, which may be NaN.
+static double cell_to_float(SmType type, uint64_t cell)
 {
     uint32_t low = (uint32_t)cell;
     float f;
@@ -29,22 +30,22 @@ static double float_of(SmType type, uint64_t cell)
     return type == SM_F32 ? f : d;
 }
 
-// Whether x is finite.  If not, appends its text.
-static bool is_finite(Buf *out, double x)
+// If x is NaN or infinite, appends that and returns true.
+static bool append_nonfinite(Buf *out, double x)
 {
     if (x != x)
         buf_str(out, "nan");                          // its sign is not observable
     else if (x - x != 0)
         buf_str(out, x < 0 ? "-inf" : "inf");
     else
-        return true;
-    return false;
+        return false;
+    return true;
 }
 
 static bool is_number_char(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == 'e'; }
 
-// printf uses the locale's decimal point, which has one or more bytes.
-static void put_decimal(Buf *out, const char *digits)
+// Appends a number that printf printed.  Replaces the decimal separator of the locale, which has one or more bytes, by a point.
+static void append_decimal(Buf *out, const char *digits)
 {
     for (const char *c = digits; *c; c++) {
         if (is_number_char(*c))
@@ -54,29 +55,30 @@ static void put_decimal(Buf *out, const char *digits)
     }
 }
 
-static void put_fixed(Buf *out, double x)             // as %f
+static void append_fixed(Buf *out, double x)          // as %f
 {
     char digits[400];                                 // 309 before the point, 6 after it
 
-    if (!is_finite(out, x))
+    if (append_nonfinite(out, x))
         return;
     snprintf(digits, sizeof digits, "%f", x);
-    put_decimal(out, digits);
+    append_decimal(out, digits);
 }
 
-static bool is_whole(double x)                        // and prints correctly as an integer: not -0
+// Whether x can be printed as an integer: it is whole, less than 2^53 in magnitude, and not -0.
+static bool is_whole(double x)
 {
     return x > -9007199254740992.0 && x < 9007199254740992.0 && x == (double)(int64_t)x && !(x == 0 && 1 / x < 0);
 }
 
-// For a normal number that has at most 15 digits, %.15g prints exactly these.  Fewer digits may identify a subnormal number, so its
-// search starts at 1.
+// Searches for the least precision that reads back as x.  For a normal number the search starts at 15 digits, because %.15g prints no
+// superfluous zeros; fewer digits may identify a subnormal number, so its search starts at 1.
 void format_number_exact(Buf *out, double x)
 {
     const bool is_normal = x >= 2.2250738585072014e-308 || x <= -2.2250738585072014e-308;
     char digits[40];
 
-    if (!is_finite(out, x))
+    if (append_nonfinite(out, x))
         return;
     if (is_whole(x)) {
         buf_printf(out, "%" PRId64, (int64_t)x);
@@ -87,17 +89,17 @@ void format_number_exact(Buf *out, double x)
         if (strtod(digits, NULL) == x)
             break;
     }
-    put_decimal(out, digits);
+    append_decimal(out, digits);
 }
 
-// Same output as glibc's %a: the shortest fraction, with 1 before the point for a normal number and 0 for a subnormal one.
-static void put_hex(Buf *out, double x)
+// Appends x as glibc's %a prints it: the shortest fraction, with 1 before the point for a normal number and 0 for a subnormal one.
+static void append_hex(Buf *out, double x)
 {
     static const char hex[] = "0123456789abcdef";
     uint64_t bits, fraction;
     int exponent;
 
-    if (!is_finite(out, x))
+    if (append_nonfinite(out, x))
         return;
     memcpy(&bits, &x, sizeof bits);
     fraction = bits << 12;                            // moves the first digit to the top
@@ -113,23 +115,23 @@ static void put_hex(Buf *out, double x)
     buf_printf(out, "p%+d", exponent - 1023);
 }
 
-static void put_cell(Buf *out, SmType type, uint64_t cell, void (*put_float)(Buf *out, double x))
+static void append_cell(Buf *out, SmType type, uint64_t cell, void (*append_float)(Buf *out, double x))
 {
     switch (sm_type_info[type].kind) {
-    case SM_KIND_SIGNED: buf_printf(out, "%" PRId64, signed_of(type, cell)); break;
+    case SM_KIND_SIGNED: buf_printf(out, "%" PRId64, cell_to_signed(type, cell)); break;
     case SM_KIND_UNSIGNED: buf_printf(out, "%" PRIu64, cell); break;
-    case SM_KIND_FLOAT: put_float(out, float_of(type, cell)); break;
+    case SM_KIND_FLOAT: append_float(out, cell_to_float(type, cell)); break;
     case SM_KIND_BOOL: buf_str(out, cell ? "true" : "false"); break;
     }
 }
 
-void format_cell(Buf *out, SmType type, uint64_t cell) { put_cell(out, type, cell, put_fixed); }
-void format_cell_exact(Buf *out, SmType type, uint64_t cell) { put_cell(out, type, cell, format_number_exact); }
-void format_cell_trace(Buf *out, SmType type, uint64_t cell) { put_cell(out, type, cell, put_hex); }
+void format_cell(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, append_fixed); }
+void format_cell_exact(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, format_number_exact); }
+void format_cell_hex(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, append_hex); }
 
 // ---- the report ----
 
-static bool is_before(const Var *a, const Var *b)
+static bool is_name_before(const Var *a, const Var *b)
 {
     return strcmp(a->report_name->text, b->report_name->text) < 0;
 }
@@ -144,7 +146,7 @@ static void sort_by_name(const Var **v, size_t n)             // shellsort: the 
         for (size_t i = gap; i < n; i++) {
             const Var *moved = v[i];
             size_t j = i;
-            for (; j >= gap && is_before(moved, v[j - gap]); j -= gap)
+            for (; j >= gap && is_name_before(moved, v[j - gap]); j -= gap)
                 v[j] = v[j - gap];
             v[j] = moved;
         }
@@ -160,7 +162,7 @@ const Var **report_order(Arena *arena, const Program *p)
     return order;
 }
 
-static void put_count(Buf *out, const char *before, uint64_t n, const char *what, const char *after)
+static void append_count(Buf *out, const char *before, uint64_t n, const char *what, const char *after)
 {
     buf_printf(out, "%s%" PRIu64 " %s%s%s\n", before, n, what, n == 1 ? "" : "s", after);
 }
@@ -169,8 +171,8 @@ void script_report(const ScriptResult *r, const Program *p, Buf *out)
 {
     const Var **order = report_order(out->arena, p);
 
-    put_count(out, "state script ran for ", r->steps, "step", "");
-    put_count(out, "", r->asserts_passed, "assert", " passed");
+    append_count(out, "state script ran for ", r->steps, "step", "");
+    append_count(out, "", r->asserts_passed, "assert", " passed");
     buf_str(out, "final state vector:\n");
     for (size_t i = 0; i < p->var.n; i++) {
         buf_printf(out, "  %s = ", order[i]->report_name->text);

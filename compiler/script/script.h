@@ -21,7 +21,7 @@ typedef struct ScriptStep {
     uint64_t number;          // from 1
     uint64_t g;               // G in this step
     const State *state;       // the state that the step ran
-    const uint64_t *cell;     // every variable after the step
+    const uint64_t *cell;     // the value of every variable after the step, by index
 } ScriptStep;
 
 typedef struct ScriptOptions {
@@ -45,9 +45,9 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
 
 // Appends the report of thesis Figure 3.4.
 void script_report(const ScriptResult *r, const Program *p, Buf *out);
-// Append a cell in the format of the report, and in that of an exact trace.
+// Append a cell in the format of the report, and in that of an exact trace, with floats in hexadecimal.
 void format_cell(Buf *out, SmType type, uint64_t cell);
-void format_cell_trace(Buf *out, SmType type, uint64_t cell);
+void format_cell_hex(Buf *out, SmType type, uint64_t cell);
 // Append a value with the fewest digits that read back as the same double.
 void format_cell_exact(Buf *out, SmType type, uint64_t cell);
 void format_number_exact(Buf *out, double x);
@@ -57,8 +57,8 @@ const Var **report_order(Arena *arena, const Program *p);
 
 // ---- script_trace.c ----
 
-// CSV: a header, then one row for each step: the script, the step, G, the name of the state, and the columns. bool is 1 or 0, which
-// every reader accepts as a number.  A column with the name of one of these first columns is called MACHINE.NAME.
+// CSV: a header, then one row for each step: the script, the step, G, the name of the state, and the columns.  A bool is written as 1
+// or 0, which every reader accepts as a number.  A column with the name of one of these first columns is called MACHINE.NAME.
 void script_trace_header(Buf *out, const Program *p, const Var *const *column, size_t n);
 void script_trace_row(Buf *out, const char *script, const ScriptStep *step, const Var *const *column, size_t n);
 // Appends a line `STEP NAME VALUE` for each variable of `order`.  Floats are printed as C99 %a, which is exact.

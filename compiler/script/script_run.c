@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs a state script (language.md 8).  For each step:
-// 1. The sections that match write their inputs and note their asserts.
+// 1. The sections for the current state write their inputs and note their asserts.
 // 2. Every engine runs the step.
 // 3. The noted asserts are evaluated.
 // The script sees the values of the first engine.  The others must produce the same values, bit for bit.
@@ -9,7 +9,7 @@
 #include <inttypes.h>
 #include <string.h>
 
-void run_end(Run *r, ScriptOutcome outcome)
+void run_finish(ScriptRun *r, ScriptOutcome outcome)
 {
     r->result.outcome = outcome;
     r->over = true;
@@ -17,7 +17,8 @@ void run_end(Run *r, ScriptOutcome outcome)
 
 // ---- before the step ----
 
-static void put_input(Run *r, const Var *v, uint64_t cell)
+// Sets a variable for this step: for the guards of the script, and for every engine.
+static void write_input(ScriptRun *r, const Var *v, uint64_t cell)
 {
     EngineWrite w = {v->index, cell};
 
@@ -26,37 +27,39 @@ static void put_input(Run *r, const Var *v, uint64_t cell)
 }
 
 // Sets G, T and S to their values in the next step, because guards and inputs may read them.
-static void update_time_and_state(Run *r)
+static void update_time_and_state(ScriptRun *r)
 {
     const EngineStep *last = &r->answer[0];
 
     r->state = r->p->state.at[last->next_state - 1];
     if (last->next_is_first)
         r->start = r->g;
-    put_input(r, r->p->g, r->g);
+    write_input(r, r->p->g, r->g);
     r->cell[r->p->t->index] = r->g - r->start;
     r->cell[r->p->s->index] = last->next_state;
 }
 
-static void execute_inputs(Run *r, const ScriptItem *item)
+static void write_inputs_of_item(ScriptRun *r, const ScriptItem *item)
 {
     for (size_t i = 0; i < item->inputs.n; i++) {
         const Stmt *s = item->inputs.at[i];
-        put_input(r, s->var, ref_convert(s->var->type, ref_eval(s->value, r->cell, &r->windows)));
+        write_input(r, s->var, ref_convert(s->var->type, ref_eval(s->value, r->cell, &r->windows)));
     }
 }
 
-static void record_item(Run *r, const ScriptItem *item, size_t first_number)
+// Notes the asserts of an item and its @stop, to be evaluated after the step.
+static void note_asserts(ScriptRun *r, const ScriptItem *item, size_t first_number)
 {
     size_t n = item->asserts.n + item->stop;
 
     for (size_t i = 0; i < n; i++) {
-        Noted note = {item, i, first_number + i};
+        NotedAssert note = {item, i, first_number + i};
         r->noted[r->notes++] = note;
     }
 }
 
-static void run_sections(Run *r)
+// Executes the items whose section and guard match: writes their inputs, and notes their asserts.
+static void run_sections(ScriptRun *r)
 {
     size_t number = 0, items = 0;
 
@@ -70,8 +73,8 @@ static void run_sections(Run *r)
             const ScriptItem *item = &section->item.at[j];
             if (matches && ref_true(ref_eval(item->guard, r->cell, &r->windows))) {
                 r->was_true[items] = 1;
-                execute_inputs(r, item);
-                record_item(r, item, number);
+                write_inputs_of_item(r, item);
+                note_asserts(r, item, number);
             }
             number += item->asserts.n;
         }
@@ -80,17 +83,17 @@ static void run_sections(Run *r)
 
 // ---- the step ----
 
-static Span start_of_script(const Run *r) { return (Span){r->s->src, 0, 0}; }
+static Span start_of_script(const ScriptRun *r) { return (Span){r->s->src, 0, 0}; }
 
-static void report_broken_engine(Run *r, const Engine *e, const char *why)
+static void report_broken_engine(ScriptRun *r, const Engine *e, const char *why)
 {
     r->result.difference = why;
     diag_report(r->diags, DIAG_engine_broken, start_of_script(r), e->name, why);
-    run_end(r, SCRIPT_BROKEN);
+    run_finish(r, SCRIPT_BROKEN);
 }
 
 // Checks the results of all engines after init or a step: for errors, and for differences.
-static void check_answers(Run *r)
+static void check_answers(ScriptRun *r)
 {
     for (size_t i = 0; i < r->engines && !r->over; i++) {
         const Engine *e = r->engine[i];
@@ -102,7 +105,7 @@ static void check_answers(Run *r)
             r->result.difference = difference;
             diag_report(r->diags, DIAG_engines_differ, start_of_script(r),
                         format_in(r->arena, "%" PRIu64, r->result.steps), difference);
-            run_end(r, SCRIPT_DIFFERENT);
+            run_finish(r, SCRIPT_DIFFERENT);
         }
     }
     if (!r->over && r->answer[0].status == ENGINE_REFUSED)
@@ -111,7 +114,7 @@ static void check_answers(Run *r)
         report_broken_engine(r, r->engine[0], "is in a state that the machine does not have");
 }
 
-static void init_engines(Run *r)
+static void init_engines(ScriptRun *r)
 {
     for (size_t i = 0; i < r->engines; i++)
         r->answer[i].status = r->engine[i]->init(r->engine[i], r->s->init_state->number, &r->answer[i]);
@@ -119,7 +122,7 @@ static void init_engines(Run *r)
     memcpy(r->cell, r->answer[0].cell, r->p->var.n * sizeof *r->cell);
 }
 
-static void step_engines(Run *r)
+static void step_engines(ScriptRun *r)
 {
     for (size_t i = 0; i < r->engines; i++)
         r->answer[i].status = r->engine[i]->step(r->engine[i], r->write, r->writes, &r->answer[i]);
@@ -129,7 +132,7 @@ static void step_engines(Run *r)
         memcpy(r->cell, r->answer[0].cell, r->p->var.n * sizeof *r->cell);
 }
 
-static void call_after_step(Run *r)
+static void call_after_step(ScriptRun *r)
 {
     const ScriptStep step = {r->result.steps, r->g, r->state, r->cell};
 
@@ -137,16 +140,16 @@ static void call_after_step(Run *r)
         r->o->after_step(r->o->context, &step);
 }
 
-static void advance_time(Run *r)
+static void advance_time(ScriptRun *r)
 {
     if (r->g >= UINT64_MAX - r->s->delta_t) {         // G would overflow, or reach 2^64-1
-        run_end(r, SCRIPT_TIME_OVER);
+        run_finish(r, SCRIPT_TIME_OVER);
         return;
     }
     r->g += r->s->delta_t;
 }
 
-static void run_step(Run *r)
+static void run_step(ScriptRun *r)
 {
     r->writes = 0;
     r->notes = 0;
@@ -164,9 +167,10 @@ static void run_step(Run *r)
 
 // ---- the run ----
 
+// Numbers of things in a script, for allocation.
 typedef struct ScriptTotals { size_t inputs, asserts, notes, items; } ScriptTotals;
 
-static ScriptTotals count_items(const Script *s)
+static ScriptTotals count_script_items(const Script *s)
 {
     ScriptTotals t = {0, 0, 0, 0};
 
@@ -181,9 +185,9 @@ static ScriptTotals count_items(const Script *s)
     return t;
 }
 
-static void allocate_run(Run *r)
+static void allocate_run(ScriptRun *r)
 {
-    ScriptTotals t = count_items(r->s);
+    ScriptTotals t = count_script_items(r->s);
 
     r->answer = ARENA_ARRAY(r->arena, EngineStep, r->engines);
     for (size_t i = 0; i < r->engines; i++)
@@ -191,7 +195,7 @@ static void allocate_run(Run *r)
     r->cell = ARENA_ARRAY(r->arena, uint64_t, r->p->var.n);
     ref_windows_init(&r->windows, r->arena, &r->s->window);
     r->write = ARENA_ARRAY(r->arena, EngineWrite, t.inputs + 1);      // one more for G
-    r->noted = ARENA_ARRAY(r->arena, Noted, t.notes);
+    r->noted = ARENA_ARRAY(r->arena, NotedAssert, t.notes);
     r->evaluated = arena_alloc(r->arena, t.asserts);
     r->was_true = arena_alloc(r->arena, t.items);
     r->ran = ARENA_ARRAY(r->arena, uint64_t, r->s->section.n);
@@ -206,19 +210,19 @@ const ScriptItem *script_first_stop(const Script *s)
     return NULL;
 }
 
-static void report_endless(Run *r)
+static void report_endless(ScriptRun *r)
 {
     const ScriptItem *stop = script_first_stop(r->s);
 
     history_add(r, diag_report(r->diags, DIAG_script_endless, stop ? stop->stop_span : start_of_script(r), format_in(r->arena, "%" PRIu64, r->o->max_steps)));
 }
 
-static void report_time_over(Run *r)
+static void report_time_over(ScriptRun *r)
 {
     history_add(r, diag_report(r->diags, DIAG_script_time_over, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->result.steps)));
 }
 
-void run_to_the_end(Run *r)
+void run_to_the_end(ScriptRun *r)
 {
     allocate_run(r);
     r->result.cell = r->cell;
@@ -226,12 +230,12 @@ void run_to_the_end(Run *r)
     while (!r->over && r->result.steps < r->o->max_steps)
         run_step(r);
     if (!r->over)
-        run_end(r, SCRIPT_ENDLESS);
+        run_finish(r, SCRIPT_ENDLESS);
 }
 
 ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **engine, size_t engines, const ScriptOptions *o)
 {
-    Run r = {.arena = arena, .diags = diags, .s = s, .p = s->program, .engine = engine, .engines = engines, .o = o};
+    ScriptRun r = {.arena = arena, .diags = diags, .s = s, .p = s->program, .engine = engine, .engines = engines, .o = o};
 
     run_to_the_end(&r);
     switch (r.result.outcome) {

@@ -1,64 +1,68 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to the script engine: the state of a run, shared by script_run.c, asserts.c and history.c.
+// The state of a run of a script, shared by script_run.c, asserts.c and history.c.
 #ifndef SMC_RUN_H
 #define SMC_RUN_H
 
 #include "compiler/script/ref.h"
 #include "compiler/script/script.h"
 
-// An assert or a @stop of a conditional whose guard was true in this step.
-typedef struct Noted {
+// An assert or a @stop whose guard was true in this step, noted before the step runs and evaluated after it.
+typedef struct NotedAssert {
     const ScriptItem *item;
     size_t assert;            // index into item->asserts; asserts.n means the item's @stop
     size_t number;            // number of the assert in the script
-} Noted;
+} NotedAssert;
 
-typedef struct Run {
+typedef struct ScriptRun {
     Arena *arena;
     Diags *diags;
     const Script *s;
     const Program *p;
     Engine **engine;
-    EngineStep *answer;       // of each engine
-    size_t engines;
+    EngineStep *answer;       // by engine: the result of its last step
+    size_t engines;           // number of engines
     const ScriptOptions *o;
     uint64_t *cell;           // the values that the script sees, by variable
-    RefWindows windows;       // the script's own
-    uint64_t g, start;        // G of this step; of the first step of its state
+    RefWindows windows;       // the rolling windows of the script itself, not those of the machine
+    uint64_t g, start;        // G of this step; G of the first step of its state
     const State *state;       // the state that this step runs
-    EngineWrite *write;       // inputs of the machine for this step
-    uint32_t writes;
-    Noted *noted;             // in this step, in order
-    size_t notes;
-    uint8_t *evaluated;          // by number of assert: it was evaluated at least once
-    uint8_t *was_true;        // by number of conditional: its guard was true at least once
+    EngineWrite *write;       // the inputs that this step writes before the machine runs
+    uint32_t writes;          // number of inputs
+    NotedAssert *noted;       // by this step, in source order
+    size_t notes;             // number of them
+    uint8_t *evaluated;       // by number of the assert: it was evaluated at least once
+    uint8_t *was_true;        // by number of the conditional: its guard was true at least once
     uint64_t *ran;            // by section: the last step in which it ran; 0: none
     const Expr *failed;       // the assert that failed, or NULL
     const ScriptItem *failed_item;
     ScriptResult result;
-    bool over;                // result.outcome is the reason
-} Run;
+    bool over;                // the run has ended; result.outcome is the reason
+} ScriptRun;
 
-void run_end(Run *r, ScriptOutcome outcome);
-const ScriptItem *script_first_stop(const Script *s);      // NULL only in a script with errors
+// Ends the run.
+void run_finish(ScriptRun *r, ScriptOutcome outcome);
+// Returns the first item with a @stop; NULL only in a script with errors.
+const ScriptItem *script_first_stop(const Script *s);
 // Runs the script from its first step until it ends.  Reports errors of engines and differences between them.
-void run_to_the_end(Run *r);
+void run_to_the_end(ScriptRun *r);
 
 // ---- asserts.c ----
 
 // Evaluates the asserts noted in this step, in order.  Ends the run if an assert fails or at @stop.
-void assert_check_step(Run *r);
-void assert_report_failure(Run *r);        // for the assert that failed
+void assert_check_step(ScriptRun *r);
+// Reports the assert that failed, with the values of its operands and the history of the run.
+void assert_report_failure(ScriptRun *r);
 // Warns about asserts that no step evaluated, and about a script without asserts.
-void assert_report_unevaluated(const Run *r);
-// Appends the value of e as messages show it.
-void run_put_value(Run *r, const Expr *e, Buf *out);
-bool span_same_text(Span a, Span b);
+void assert_report_unevaluated(const ScriptRun *r);
+// Appends the value of e in the format of diagnostics.
+void run_append_value(ScriptRun *r, const Expr *e, Buf *out);
+// Whether the source at a and at b is the same, character by character.
+bool span_has_same_source(Span a, Span b);
 
 // ---- history.c ----
 
 // Adds the last steps and transitions to d, which reports a run that ended badly.  If no assert failed, also adds where the script
 // should have stopped.
-void history_add(Run *failed, Diag *d);
+void history_add(ScriptRun *failed, Diag *d);
 
 #endif

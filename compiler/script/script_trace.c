@@ -5,8 +5,8 @@
 
 #include "compiler/script/script.h"
 
-// Whether the name is that of one of the first columns.
-static bool is_taken(const Var *v)
+// Whether a variable has the name of a column that every trace has.
+static bool is_fixed_column_name(const Var *v)
 {
     const char *name = v->report_name->text;
 
@@ -18,7 +18,7 @@ void script_trace_header(Buf *out, const Program *p, const Var *const *column, s
     buf_str(out, "script,step,G,state");
     for (size_t i = 0; i < n; i++) {
         buf_char(out, ',');
-        if (is_taken(column[i])) {
+        if (is_fixed_column_name(column[i])) {
             buf_str(out, p->name->text);
             buf_char(out, '.');
         }
@@ -28,7 +28,7 @@ void script_trace_header(Buf *out, const Program *p, const Var *const *column, s
 }
 
 // Appends a CSV field, quoted if necessary.
-static void put_field(Buf *out, const char *text)
+static void append_csv_field(Buf *out, const char *text)
 {
     if (!strpbrk(text, ",\"\r\n")) {
         buf_str(out, text);
@@ -45,7 +45,7 @@ static void put_field(Buf *out, const char *text)
 
 void script_trace_row(Buf *out, const char *script, const ScriptStep *step, const Var *const *column, size_t n)
 {
-    put_field(out, script);
+    append_csv_field(out, script);
     buf_printf(out, ",%" PRIu64 ",%" PRIu64 ",%s", step->number, step->g, step->state->name->text);
     for (size_t i = 0; i < n; i++) {
         const uint64_t cell = step->cell[column[i]->index];
@@ -66,7 +66,7 @@ void script_trace_exact(Buf *out, const ScriptStep *step, const Var *const *orde
 {
     for (size_t i = 0; i < n; i++) {
         buf_printf(out, "%" PRIu64 " %s ", step->number, order[i]->report_name->text);
-        format_cell_trace(out, order[i]->type, step->cell[order[i]->index]);
+        format_cell_hex(out, order[i]->type, step->cell[order[i]->index]);
         buf_char(out, '\n');
     }
 }

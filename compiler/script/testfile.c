@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splits an .smt file into header and parts, line by line.
+// Splits an .smt file into its header and its parts, line by line.
 #include "compiler/script/testfile.h"
 
 #include <string.h>
@@ -13,11 +13,13 @@ typedef struct TestReader {
     Arena *arena;
     TestFile *f;
     const char *at, *end;
-    uint32_t line;            // of the line last read
+    uint32_t line;            // line number of the line last read
 } TestReader;
 
-typedef struct TestLine { const char *at; size_t n; } TestLine;       // without its LF or CR LF
+// A line of the file, without its LF or CR LF.
+typedef struct TestLine { const char *at; size_t n; } TestLine;
 
+// Reads the next line; returns false at the end of the file.
 static bool next_line(TestReader *r, TestLine *line)
 {
     const char *lf;
@@ -42,6 +44,7 @@ static const char *copy_text(TestReader *r, const char *at, size_t n)
     return text;
 }
 
+// Stores the first error of the file.
 static void set_error(TestReader *r, uint32_t line, const char *what)
 {
     if (!r->f->error)
@@ -50,7 +53,7 @@ static void set_error(TestReader *r, uint32_t line, const char *what)
 
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-static TestLine trim_blanks(TestLine l)
+static TestLine trim_line(TestLine l)
 {
     while (l.n && is_space_or_tab(l.at[0]))
         l.at++, l.n--;
@@ -61,9 +64,10 @@ static TestLine trim_blanks(TestLine l)
 
 // ---- parts ----
 
+// Whether a line has the form `-- NAME --`.
 static bool is_part_line(TestLine l)
 {
-    l = trim_blanks(l);
+    l = trim_line(l);
     return l.n > 6 && memcmp(l.at, "-- ", 3) == 0 && memcmp(l.at + l.n - 3, " --", 3) == 0;
 }
 
@@ -75,10 +79,11 @@ const TestPart *testfile_part(const TestFile *f, const char *name)
     return NULL;
 }
 
+// Reads the lines of a part; `head` is its first line.
 static void read_part(TestReader *r, TestLine head)
 {
-    const TestLine mark = trim_blanks(head);                     // "-- NAME --"
-    TestLine l = trim_blanks((TestLine){mark.at + 3, mark.n - 6});
+    const TestLine mark = trim_line(head);                       // "-- NAME --"
+    TestLine l = trim_line((TestLine){mark.at + 3, mark.n - 6});
     TestPart p = {copy_text(r, l.at, l.n), r->at, 0, r->line + 1};
     TestReader before = *r;
 
@@ -100,13 +105,15 @@ static void read_part(TestReader *r, TestLine head)
 
 // ---- announced diagnostics ----
 
+// Whether a line starts with the code of a diagnostic: E or W and four digits.
 static bool is_code(TestLine l)
 {
     return l.n >= 5 && (l.at[0] == 'E' || l.at[0] == 'W') && is_digit(l.at[1]) && is_digit(l.at[2]) && is_digit(l.at[3]) &&
            is_digit(l.at[4]) && (l.n == 5 || is_space_or_tab(l.at[5]));
 }
 
-static const char *find_mark(TestLine l)
+// Returns the position of the first `#!` in a line, or NULL.
+static const char *find_marker(TestLine l)
 {
     for (size_t i = 0; i + 1 < l.n; i++)
         if (l.at[i] == '#' && l.at[i + 1] == '!')
@@ -114,37 +121,38 @@ static const char *find_mark(TestLine l)
     return NULL;
 }
 
-static void read_expected(TestReader *r, size_t part, uint32_t line, TestLine l)
+// Reads the diagnostics that a line of a part announces.  `line`: its number within the part.
+static void read_expected_of_line(TestReader *r, size_t part, uint32_t line, TestLine l)
 {
-    const char *mark = find_mark(l);
+    const char *mark = find_marker(l);
 
     while (mark) {
         const char *end = l.at + l.n, *next;
         TestLine rest = {mark + 2, (size_t)(end - mark) - 2};
         TestExpected e = {part, line, NULL, NULL};
 
-        next = find_mark(rest);
-        rest = trim_blanks((TestLine){rest.at, next ? (size_t)(next - rest.at) : rest.n});
+        next = find_marker(rest);
+        rest = trim_line((TestLine){rest.at, next ? (size_t)(next - rest.at) : rest.n});
         if (!is_code(rest)) {
             set_error(r, r->f->part.at[part].line + line - 1, "after #! the code of a diagnostic is expected, as in #! E0204 unknown element");
             return;
         }
         e.id = copy_text(r, rest.at, 5);
-        rest = trim_blanks((TestLine){rest.at + 5, rest.n - 5});
+        rest = trim_line((TestLine){rest.at + 5, rest.n - 5});
         e.text = copy_text(r, rest.at, rest.n);
         vec_push(r->arena, &r->f->expected, e);
         mark = next;
     }
 }
 
-static void find_expected(TestReader *r, size_t part)
+static void read_expected_of_part(TestReader *r, size_t part)
 {
     const TestPart *p = &r->f->part.at[part];
     TestReader lines = {r->arena, r->f, p->text, p->text + p->n, 0};
     TestLine l;
 
     while (next_line(&lines, &l))
-        read_expected(&lines, part, lines.line, l);
+        read_expected_of_line(&lines, part, lines.line, l);
 }
 
 // ---- header ----
@@ -154,18 +162,19 @@ static void read_header_line(TestReader *r, TestLine l)
     TestHeader h = {NULL, NULL, r->line};
     size_t n = 0;
 
-    l = trim_blanks(l);
+    l = trim_line(l);
     if (l.n == 0 || l.at[0] == '#')
         return;
     while (n < l.n && !is_space_or_tab(l.at[n]))
         n++;
     h.key = copy_text(r, l.at, n);
-    l = trim_blanks((TestLine){l.at + n, l.n - n});
+    l = trim_line((TestLine){l.at + n, l.n - n});
     h.value = copy_text(r, l.at, l.n);
     vec_push(r->arena, &r->f->header, h);
 }
 
-static uint64_t read_number(const char *text)         // 0 if it is not a number
+// Returns the number, or 0 if the text is not a decimal number of at most 64 bits.
+static uint64_t read_number(const char *text)
 {
     uint64_t n = 0;
 
@@ -177,7 +186,8 @@ static uint64_t read_number(const char *text)         // 0 if it is not a number
     return *text ? 0 : n;
 }
 
-static uint32_t header_line(const TestFile *f, const char *key)
+// Returns the line number of the first header with this key; 0 if there is none.
+static uint32_t find_header_line(const TestFile *f, const char *key)
 {
     for (size_t i = 0; i < f->header.n; i++)
         if (strcmp(f->header.at[i].key, key) == 0)
@@ -185,9 +195,9 @@ static uint32_t header_line(const TestFile *f, const char *key)
     return 0;
 }
 
-// If an announced diagnostic is an error of the compiler, the test must not compile.  If it is an error of a run, E075x, the script
-// must fail.
-static TestOutcome suggested_outcome(const TestFile *f)
+// Returns the outcome that a test without `expect` must have: TEST_ERROR if it announces an error of the compiler, TEST_FAIL if it
+// announces an error of a run, E075x.
+static TestOutcome default_outcome(const TestFile *f)
 {
     TestOutcome outcome = TEST_PASS;
 
@@ -201,24 +211,25 @@ static TestOutcome suggested_outcome(const TestFile *f)
     return outcome;
 }
 
-static uint64_t header_number(TestReader *r, const char *key)
+// Returns the number that a header key has as its value; 0 if the key is absent.
+static uint64_t read_header_number(TestReader *r, const char *key)
 {
     const char *value = testfile_header(r->f, key);
     uint64_t n = value ? read_number(value) : 0;
 
     if (value && n == 0)
-        set_error(r, header_line(r->f, key), format_in(r->arena, "%s takes a whole number from 1", key));
+        set_error(r, find_header_line(r->f, key), format_in(r->arena, "%s takes a whole number from 1", key));
     return n;
 }
 
-static void interpret_header(TestReader *r)
+static void interpret_header_keys(TestReader *r)
 {
     TestFile *f = r->f;
     const char *expect = testfile_header(f, "expect");
 
-    f->outcome = suggested_outcome(f);
-    f->steps = header_number(r, "steps");
-    f->advance = header_number(r, "advance");
+    f->outcome = default_outcome(f);
+    f->steps = read_header_number(r, "steps");
+    f->advance = read_header_number(r, "advance");
     if (!expect)
         return;
     if (strcmp(expect, "pass") == 0)
@@ -228,7 +239,7 @@ static void interpret_header(TestReader *r)
     else if (strcmp(expect, "error") == 0)
         f->outcome = TEST_ERROR;
     else
-        set_error(r, header_line(f, "expect"), "expect takes pass, fail or error");
+        set_error(r, find_header_line(f, "expect"), "expect takes pass, fail or error");
 }
 
 // ---- the file ----
@@ -248,8 +259,8 @@ TestFile *testfile_parse(Arena *arena, const char *name, const char *text, size_
     }
     for (size_t i = 0; i < f->part.n; i++)
         if (testfile_is_source(&f->part.at[i]))
-            find_expected(&r, i);
-    interpret_header(&r);
+            read_expected_of_part(&r, i);
+    interpret_header_keys(&r);
     if (f->part.n == 0)
         set_error(&r, r.line, "no part was found: a part begins with a line as -- app.sm --");
     return f;
@@ -272,10 +283,10 @@ bool testfile_has_suffix(const TestPart *p, const char *suffix)
 
 bool testfile_is_source(const TestPart *p)
 {
-    static const char *const endings[] = {".sv", ".sm", ".ss", ".io", ".app"};
+    static const char *const suffixes[] = {".sv", ".sm", ".ss", ".io", ".app"};
 
-    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
-        if (testfile_has_suffix(p, endings[i]))
+    for (size_t i = 0; i < sizeof suffixes / sizeof *suffixes; i++)
+        if (testfile_has_suffix(p, suffixes[i]))
             return true;
     return false;
 }

@@ -9,7 +9,7 @@
 //     .step
 //         x = nosuch      #! E0204 unknown element
 //
-// A header line is a key followed by blanks and its value; `#` starts a comment line.  This module reads `expect pass|fail|error`,
+// A header line is a key followed by spaces and its value; `#` starts a comment line.  This module reads `expect pass|fail|error`,
 // `steps N` and `advance N`.  The other keys are defined by the test runner.  A part's text is everything between its `-- NAME --`
 // line and the next one, byte for byte.
 #ifndef SMC_TESTFILE_H

@@ -91,7 +91,7 @@ void talk_load(TalkPart *p, Engine *vm, const Buf *image)
     put_command(p, 2);
     buf_u32(out, (uint32_t)p->program->var.n);
     for (uint32_t i = 0; i < p->program->var.n; i++) {
-        const EnginePlace place = engine_vm_place(vm, i);
+        const EngineLocation place = engine_vm_location(vm, i);
         buf_u32(out, place.in);
         buf_u32(out, p->program->var.at[i]->type);
         buf_u32(out, place.offset);

@@ -134,7 +134,7 @@ static void pair(Pair *p, const char *memory, uint8_t slots)
     p->line.send = wire_send;
     p->line.receive = wire_receive;
     p->line.now = wire_now;
-    link_host(&p->host, &p->line, 100, 8, (uint8_t)below(256));
+    link_host_init(&p->host, &p->line, 100, 8, (uint8_t)below(256));
 }
 
 static DeviceStep update(Pair *p, const Image *image, Update *u)
@@ -146,7 +146,7 @@ static DeviceStep update(Pair *p, const Image *image, Update *u)
     u->length = image->length;
     u->checksum = image->checksum;
     u->session = (uint16_t)(1 + below(65535));
-    return device_hello(&p->host, &info) ? device_update(&p->host, &info, u) : DEVICE_LOOK;
+    return device_hello(&p->host, &info) ? device_update(&p->host, &info, u) : DEVICE_FIND;
 }
 
 static bool runs(const Board *b, const Image *image)
@@ -161,7 +161,7 @@ static void prepare(Pair *p, const char *memory, uint8_t slots)
 
     pair(p, memory, slots);
     CHECK(update(p, &old_image, &u) == DEVICE_DONE && runs(&p->board, &old_image));
-    CHECK(device_request_about(&p->host, LINK_CONFIRM, old_image.checksum));
+    CHECK(device_request_by_checksum(&p->host, LINK_CONFIRM, old_image.checksum));
 }
 
 // A good line again.
@@ -183,7 +183,7 @@ static void check_soundness(Pair *p, DeviceStep step)
 
     CHECK(is_old || is_new || p->board.slots == 1);
     CHECK(step != DEVICE_DONE || is_new);
-    CHECK(step >= DEVICE_ACTIVATE || step == DEVICE_DONE || step == DEVICE_LOOK || !is_new);
+    CHECK(step >= DEVICE_ACTIVATE || step == DEVICE_DONE || step == DEVICE_FIND || !is_new);
 }
 
 static void check_recovery(Pair *p)
@@ -191,7 +191,7 @@ static void check_recovery(Pair *p)
     Update u;
 
     CHECK(update(p, &new_image, &u) == DEVICE_DONE && runs(&p->board, &new_image));
-    CHECK(device_request_about(&p->host, LINK_CONFIRM, new_image.checksum));
+    CHECK(device_request_by_checksum(&p->host, LINK_CONFIRM, new_image.checksum));
     for (int i = 0; i < STORE_TRIES + 1; i++)
         CHECK(board_start(&p->board) && runs(&p->board, &new_image));
 }
@@ -218,7 +218,7 @@ static void one_update_in_trouble(const char *memory, uint8_t slots, Ends *ends)
     check_soundness(&p, step);
     repair(&p);
     CHECK(board_start(&p.board));
-    check_soundness(&p, step == DEVICE_DONE ? DEVICE_LOOK : step);
+    check_soundness(&p, step == DEVICE_DONE ? DEVICE_FIND : step);
     check_recovery(&p);
 }
 
@@ -239,8 +239,8 @@ static void armed_board_refuses_update(const char *memory, uint8_t slots)
         p.board.may = reasons[i];
         CHECK(device_hello(&p.host, &info) && info.may == reasons[i]);
         CHECK(update(&p, &new_image, &u) == DEVICE_BEGIN && p.host.answered && p.host.result == reasons[i]);
-        CHECK(!device_request_about(&p.host, LINK_ERASE, old_image.checksum) && p.host.result == reasons[i]);
-        CHECK(!device_request_about(&p.host, LINK_CONFIRM, old_image.checksum) && p.host.result == reasons[i]);
+        CHECK(!device_request_by_checksum(&p.host, LINK_ERASE, old_image.checksum) && p.host.result == reasons[i]);
+        CHECK(!device_request_by_checksum(&p.host, LINK_CONFIRM, old_image.checksum) && p.host.result == reasons[i]);
         CHECK(!device_restart(&p.host, &info) && p.host.answered && p.host.result == reasons[i]);
         CHECK(device_running(&p.host, &info, &image) && image.checksum == old_image.checksum);
         CHECK(memcmp(kept, sim_nvm(memory), sizeof kept) == 0 && p.board.left == 0);
@@ -257,16 +257,16 @@ static void arming_stops_an_update(void)
     sm_link_store(body, 5, 2);
     sm_link_store(body + 2, new_image.length, 3);
     sm_link_store(body + 5, new_image.checksum, 4);
-    CHECK(link_ask(&p.host, LINK_BEGIN, body, 9) && p.host.result == SM_OK);
+    CHECK(link_request(&p.host, LINK_BEGIN, body, 9) && p.host.result == SM_OK);
     sm_link_store(data, 5, 2);
     sm_link_store(data + 2, 0, 3);
     memcpy(data + 5, new_image.bytes, 8);
     p.board.may = SM_E_ARMED;
-    CHECK(link_ask(&p.host, LINK_DATA, data, sizeof data) && p.host.result == SM_E_ARMED);
-    CHECK(link_ask(&p.host, LINK_END, body, 2) && p.host.result == SM_E_ARMED);
-    CHECK(link_ask(&p.host, LINK_ACTIVATE, body, 2) && p.host.result == SM_E_ARMED);
+    CHECK(link_request(&p.host, LINK_DATA, data, sizeof data) && p.host.result == SM_E_ARMED);
+    CHECK(link_request(&p.host, LINK_END, body, 2) && p.host.result == SM_E_ARMED);
+    CHECK(link_request(&p.host, LINK_ACTIVATE, body, 2) && p.host.result == SM_E_ARMED);
     p.board.may = SM_OK;
-    CHECK(link_ask(&p.host, LINK_DATA, data, sizeof data) && p.host.result == SM_OK && sm_link_load(p.host.body, 3) == 8);
+    CHECK(link_request(&p.host, LINK_DATA, data, sizeof data) && p.host.result == SM_OK && sm_link_load(p.host.body, 3) == 8);
 }
 
 static void too_large_image_is_refused(void)
@@ -278,14 +278,14 @@ static void too_large_image_is_refused(void)
 
     prepare(&p, "eeprom", 1);
     sm_link_store(body + 2, SIM_NVM_SIZE, 3);
-    CHECK(link_ask(&p.host, LINK_BEGIN, body, 9) && p.host.result == SM_E_SPACE && p.board.left == 0);
+    CHECK(link_request(&p.host, LINK_BEGIN, body, 9) && p.host.result == SM_E_SPACE && p.board.left == 0);
     damaged.bytes[damaged.length - 1] ^= 1;
     for (int i = 0; i < 2; i++)        // no more chosen than the first time
         CHECK(update(&p, &damaged, &u) == DEVICE_END && p.host.result == SM_E_IMAGE && u.rule != 0);
     prepare(&p, "eeprom", 2);
     p.board.fits = SM_E_MEMORY;
     CHECK(update(&p, &new_image, &u) == DEVICE_END && p.host.result == SM_E_MEMORY && u.rule == 0);
-    CHECK(link_ask(&p.host, LINK_ACTIVATE, (const uint8_t[]){(uint8_t)u.session, (uint8_t)(u.session >> 8)}, 2) &&
+    CHECK(link_request(&p.host, LINK_ACTIVATE, (const uint8_t[]){(uint8_t)u.session, (uint8_t)(u.session >> 8)}, 2) &&
           p.host.result == SM_E_HANDLE);
     p.board.fits = SM_OK;
     p.board.board.longest_step = 1;
@@ -334,7 +334,7 @@ static void previous_image_is_known_by_checksum(void)
     Pair p;
 
     prepare(&p, "eeprom", 2);
-    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && device_request_about(&p.host, LINK_CONFIRM, new_image.checksum));
+    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && device_request_by_checksum(&p.host, LINK_CONFIRM, new_image.checksum));
     CHECK(device_image(&p.host, 0, &image) && image.checksum == old_image.checksum && image.before);
     CHECK(image_send(&p.board.store, &new_image) == SM_OK);
     CHECK(device_image(&p.host, 0, &image) && image.checksum == new_image.checksum && !image.before && !image.chosen);
@@ -347,12 +347,12 @@ static void pins_have_places(void)
     Pair p;
 
     prepare(&p, "eeprom", 2);
-    CHECK(device_pin_place(&p.host, 2, 3, &place) && place == 3);
-    CHECK(device_pin_place(&p.host, 2, 4, &place) && place == SMVM_NO_PIN);
-    CHECK(device_pin_place(&p.host, 1, 3, &place) && place == SMVM_NO_PIN);
-    CHECK(device_pin_place(&p.host, 2, 0x103, &place) && place == SMVM_NO_PIN);
+    CHECK(device_find_chip_pin(&p.host, 2, 3, &place) && place == 3);
+    CHECK(device_find_chip_pin(&p.host, 2, 4, &place) && place == SMVM_NO_PIN);
+    CHECK(device_find_chip_pin(&p.host, 1, 3, &place) && place == SMVM_NO_PIN);
+    CHECK(device_find_chip_pin(&p.host, 2, 0x103, &place) && place == SMVM_NO_PIN);
     p.board.board.physical_pin = NULL;
-    CHECK(!device_pin_place(&p.host, 2, 3, &place) && p.host.result == SM_E_UNSUPPORTED);
+    CHECK(!device_find_chip_pin(&p.host, 2, 3, &place) && p.host.result == SM_E_UNSUPPORTED);
 }
 
 // With one slot, an image on trial keeps running: a BEGIN that is refused must not have stopped it.
@@ -365,7 +365,7 @@ static void refused_update_does_not_stop_a_trial(void)
     CHECK(update(&p, &new_image, &u) == DEVICE_DONE && p.board.left == 1);
     CHECK(update(&p, &old_image, &u) == DEVICE_BEGIN && p.host.result == SM_E_BUSY);
     CHECK(p.board.left == 1 && runs(&p.board, &new_image));
-    CHECK(device_request_about(&p.host, LINK_CONFIRM, new_image.checksum));
+    CHECK(device_request_by_checksum(&p.host, LINK_CONFIRM, new_image.checksum));
 }
 
 static void images_are_listed_and_erased(void)
@@ -376,7 +376,7 @@ static void images_are_listed_and_erased(void)
     Pair p;
 
     prepare(&p, "flash", 2);
-    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && !u.was_there);
+    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && !u.was_running);
     CHECK(device_hello(&p.host, &info) && info.protocol == LINK_PROTOCOL && info.slots == 2);
     CHECK(info.ram == 1000 && info.block % 8 == 0);
     CHECK(info.tells && info.windows && info.machines == 3 && info.ram_digital == 10 && info.ram_analog == 26 && info.period == 300 && info.cycles == 14400);
@@ -385,12 +385,12 @@ static void images_are_listed_and_erased(void)
     CHECK(image.starts == STORE_TRIES - 1);
     CHECK(device_image(&p.host, DEVICE_BUILT_IN, &image) && image.state == DEVICE_EMPTY && !image.runs);
     CHECK(!device_image(&p.host, 2, &image) && p.host.result == SM_E_MISSING);
-    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && u.was_there);
-    CHECK(!device_request_about(&p.host, LINK_CONFIRM, old_image.checksum) && p.host.result == SM_E_ARGUMENT);
-    CHECK(!device_request_about(&p.host, LINK_ERASE, 1) && p.host.result == SM_E_MISSING);
-    CHECK(device_request_about(&p.host, LINK_ERASE, new_image.checksum) && device_restart(&p.host, &info));
+    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && u.was_running);
+    CHECK(!device_request_by_checksum(&p.host, LINK_CONFIRM, old_image.checksum) && p.host.result == SM_E_ARGUMENT);
+    CHECK(!device_request_by_checksum(&p.host, LINK_ERASE, 1) && p.host.result == SM_E_MISSING);
+    CHECK(device_request_by_checksum(&p.host, LINK_ERASE, new_image.checksum) && device_restart(&p.host, &info));
     CHECK(runs(&p.board, &old_image) && device_running(&p.host, &info, &image) && image.checksum == old_image.checksum);
-    CHECK(device_request_about(&p.host, LINK_ERASE, old_image.checksum) && device_restart(&p.host, &info));
+    CHECK(device_request_by_checksum(&p.host, LINK_ERASE, old_image.checksum) && device_restart(&p.host, &info));
     CHECK(device_running(&p.host, &info, &image) && image.slot == DEVICE_BUILT_IN);
 }
 
@@ -401,24 +401,24 @@ static void invalid_request_is_rejected(void)
     Pair p;
 
     prepare(&p, "eeprom", 2);
-    CHECK(link_ask(&p.host, (LinkMessage)0x7e, NULL, 0) && p.host.result == SM_E_UNSUPPORTED);
-    CHECK(link_ask(&p.host, LINK_BEGIN, body, 3) && p.host.result == SM_E_ARGUMENT);
-    CHECK(link_ask(&p.host, LINK_READ, body, 5) && p.host.result == SM_E_ARGUMENT);
-    CHECK(link_ask(&p.host, LINK_READ, far, 5) && p.host.result == SM_E_ARGUMENT);
+    CHECK(link_request(&p.host, (LinkMessage)0x7e, NULL, 0) && p.host.result == SM_E_UNSUPPORTED);
+    CHECK(link_request(&p.host, LINK_BEGIN, body, 3) && p.host.result == SM_E_ARGUMENT);
+    CHECK(link_request(&p.host, LINK_READ, body, 5) && p.host.result == SM_E_ARGUMENT);
+    CHECK(link_request(&p.host, LINK_READ, far, 5) && p.host.result == SM_E_ARGUMENT);
     for (unsigned slot = 2; slot < STORE_BUILT_IN; slot++) {                                    // there are two, and the built-in one
         const uint8_t of[5] = {(uint8_t)slot, 0, 0, 0, 1};
-        CHECK(link_ask(&p.host, LINK_READ, of, 5) && p.host.result == SM_E_MISSING);
-        CHECK(link_ask(&p.host, LINK_IMAGE, of, 1) && p.host.result == SM_E_MISSING);
+        CHECK(link_request(&p.host, LINK_READ, of, 5) && p.host.result == SM_E_MISSING);
+        CHECK(link_request(&p.host, LINK_IMAGE, of, 1) && p.host.result == SM_E_MISSING);
     }
     for (uint32_t before = 0; before < 3; before++)                                             // up to the slot's end and not beyond
         for (uint8_t n = 0; n < 5; n++) {
             uint8_t end[5] = {0, 0, 0, 0, n};
             sm_link_store(end + 1, p.board.store.slot_size - before, 3);
-            CHECK(link_ask(&p.host, LINK_READ, end, 5) && p.host.result == (n <= before ? SM_OK : SM_E_ARGUMENT) && p.host.n == (n <= before ? n : 0));
+            CHECK(link_request(&p.host, LINK_READ, end, 5) && p.host.result == (n <= before ? SM_OK : SM_E_ARGUMENT) && p.host.n == (n <= before ? n : 0));
         }
     p.host.tries = 2;
-    CHECK(!link_ask(&p.host, LINK_READ, new_image.bytes, BOARD_BODY + 1) && !p.host.gone);       // longer than the timeout
-    CHECK(!link_ask(&p.host, (LinkMessage)0x81, NULL, 0));                                      // an answer is no request
+    CHECK(!link_request(&p.host, LINK_READ, new_image.bytes, BOARD_BODY + 1) && !p.host.gone);   // longer than the timeout
+    CHECK(!link_request(&p.host, (LinkMessage)0x81, NULL, 0));                                  // an answer is no request
 }
 
 // The first zero after noise ends the noise: that zero is not the request's.
@@ -446,7 +446,7 @@ static void update_resumes_after_restart(void)
         p.wire.taken = 0;
         p.wire.restart = at;
         CHECK(update(&p, image, &u) == DEVICE_DONE && runs(&p.board, image));
-        CHECK(device_request_about(&p.host, LINK_CONFIRM, image->checksum));
+        CHECK(device_request_by_checksum(&p.host, LINK_CONFIRM, image->checksum));
     }
 }
 
@@ -458,7 +458,7 @@ static uint32_t drain(Pair *p, uint32_t *cursor, uint32_t *next)
     uint32_t events;
 
     sm_link_store(body, *cursor, 4);
-    if (!link_ask(&p->host, LINK_EVENTS, body, 4) || p->host.result != SM_OK)
+    if (!link_request(&p->host, LINK_EVENTS, body, 4) || p->host.result != SM_OK)
         return 0;
     *cursor = sm_link_load(p->host.body, 4);
     *next += sm_link_load(p->host.body + 4, 4);
@@ -542,9 +542,9 @@ static void running_image_is_not_read_back(const char *memory)
     CHECK(device_hello(&p.host, &info) && device_update(&p.host, &info, &u) == DEVICE_READ && p.host.result == SM_E_DEVICE);
     p.board.board.fits = board_fits;
     u.session = 10;
-    CHECK(device_update(&p.host, &info, &u) == DEVICE_DONE && !u.was_there && smvm_store_period(&p.board.store, p.board.slot) == 7);
+    CHECK(device_update(&p.host, &info, &u) == DEVICE_DONE && !u.was_running && smvm_store_period(&p.board.store, p.board.slot) == 7);
     u.session = 11;                        // already stored: nothing is sent
-    CHECK(device_update(&p.host, &info, &u) == DEVICE_DONE && u.was_there);
+    CHECK(device_update(&p.host, &info, &u) == DEVICE_DONE && u.was_running);
 }
 
 // A request that is shorter than its message must be is refused, though what an earlier one left in the buffer would complete it.
@@ -560,10 +560,10 @@ static void too_short_request_is_refused(void)
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         prepare(&p, "eeprom", 2);
         for (uint8_t n = 0; n < all[i].least; n++) {
-            (void)link_ask(&p.host, LINK_PIN, body, 9);
-            CHECK(link_ask(&p.host, all[i].message, body, n) && p.host.result == SM_E_ARGUMENT && p.host.n == 0);
+            (void)link_request(&p.host, LINK_PIN, body, 9);
+            CHECK(link_request(&p.host, all[i].message, body, n) && p.host.result == SM_E_ARGUMENT && p.host.n == 0);
         }
-        CHECK(link_ask(&p.host, LINK_BEGIN, body, 9) && p.host.result == SM_OK);
+        CHECK(link_request(&p.host, LINK_BEGIN, body, 9) && p.host.result == SM_OK);
     }
 }
 
@@ -579,11 +579,11 @@ static void events_fit_into_an_answer(void)
         sm_event(&p.board.events, &e);
     }
     for (uint32_t i = 0; i < 5; i++) {
-        CHECK(link_ask(&p.host, LINK_EVENTS, cursor, 4) && p.host.result == SM_OK && p.host.n == 8 + 19);        // one: two would be 47 of 37 bytes
+        CHECK(link_request(&p.host, LINK_EVENTS, cursor, 4) && p.host.result == SM_OK && p.host.n == 8 + 19);    // one: two would be 47 of 37 bytes
         memcpy(cursor, p.host.body, 4);
         CHECK(sm_link_load(cursor, 4) == i + 1 && sm_link_load(p.host.body + 8, 4) == i);
     }
-    CHECK(link_ask(&p.host, LINK_EVENTS, cursor, 4) && p.host.n == 8);
+    CHECK(link_request(&p.host, LINK_EVENTS, cursor, 4) && p.host.n == 8);
 }
 
 // ---- boards of other firmware: a line that answers each request with the same bytes ----
@@ -642,17 +642,17 @@ static void older_boards_report_less(void)
 
     memset(&c, 0, sizeof c);
     sm_link_receiver_init(&c.in, c.arrived, sizeof c.arrived);
-    link_host(&host, &line, 100, 1, 0);
+    link_host_init(&host, &line, 100, 1, 0);
     for (size_t n = 14; n <= sizeof all; n++) {
         memcpy(c.body, all, c.n = sizeof all);
-        CHECK(device_hello(&host, &info) && info.wants_signed && info.newest == 5 && info.tells && info.windows && info.machines == 3);
-        CHECK(info.ram_digital == 10 && info.ram_analog == 26 && info.period == 20 && info.cycles == 8000 && info.tells_mark);
+        CHECK(device_hello(&host, &info) && info.requires_signature && info.newest == 5 && info.tells && info.windows && info.machines == 3);
+        CHECK(info.ram_digital == 10 && info.ram_analog == 26 && info.period == 20 && info.cycles == 8000 && info.reports_mark);
         CHECK(info.mark == 0x01020304 && info.slots == 2 && info.slot_size == 1024 && info.ram == 512 && info.longest == 9);
         c.n = n;
         CHECK(device_hello(&host, &info) == (n >= 15) && (n >= 15 || host.result == SM_E_UNSUPPORTED));
-        CHECK(n < 15 || (info.wants_signed == (n >= 20) && info.newest == (n >= 20 ? 5 : 0)));
+        CHECK(n < 15 || (info.requires_signature == (n >= 20) && info.newest == (n >= 20 ? 5 : 0)));
         CHECK(n < 15 || (info.tells == (n >= 27) && info.windows == (n >= 27) && info.machines == (n >= 27 ? 3 : 0)));
-        CHECK(n < 15 || (info.period == (n >= 27 ? 20 : 0) && info.tells_mark == (n >= 31) && info.mark == (n >= 31 ? 0x01020304 : 0)));
+        CHECK(n < 15 || (info.period == (n >= 27 ? 20 : 0) && info.reports_mark == (n >= 31) && info.mark == (n >= 31 ? 0x01020304 : 0)));
     }
     memcpy(c.body, none, c.n = 20);
     c.body[18] = 44;                       // of IMAGE the milliseconds between its steps came later
@@ -660,7 +660,7 @@ static void older_boards_report_less(void)
     for (c.n = 17; c.n < 20; c.n++)
         CHECK(device_image(&host, 0, &image) == (c.n >= 18) && (c.n < 18 || image.period == 0));
     c.n = 0;                               // an answer without a position reports none
-    CHECK(!device_pin_place(&host, 2, 3, &place) && host.result == SM_E_UNSUPPORTED);
+    CHECK(!device_find_chip_pin(&host, 2, 3, &place) && host.result == SM_E_UNSUPPORTED);
 }
 
 int main(int argc, char **argv)

@@ -65,7 +65,7 @@ static const char *members(const char *const *name, size_t n)
         sv.at[i].name = str_c(&strings, name[i]);
         sv.at[i].offset = (uint32_t)i * 16;
     }
-    names_elements(&arena, &names, &sv);
+    names_assign_elements(&arena, &names, &sv);
     buf_init(&out, &arena);
     for (size_t i = 0; i < n; i++)
         buf_printf(&out, "%s ", sv.at[i].member);

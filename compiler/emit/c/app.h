@@ -7,10 +7,10 @@
 #include "compiler/diag/diag.h"
 #include "compiler/sema/application.h"
 
-// Checks that each of its C names denotes only one thing; reports those that do not.
-bool emit_c_app_names(Arena *arena, Diags *diags, const App *app);
+// Checks that no two things in the emitted C of an application have the same name.  Reports each clash; returns false if there is one.
+bool emit_c_check_app_names(Arena *arena, Diags *diags, const App *app);
 
-// `image`: by machine, the image of each machine with @bytecode.
+// Emits the application.  `image`: by machine, the bytecode image of a machine with @bytecode, otherwise NULL.
 void emit_c_app(Arena *arena, const App *app, const Buf *const *image, Buf *header, Buf *code);
 
 #endif

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// IR functions as C functions: statements, and conditionals nested as in the source.  Where blocks do not nest, or nest deeper than
-// compilers accept, forward gotos are used.
+// Writes an IR function as a C function: statements, and conditionals nested as in the source.  Where basic blocks do not nest, or nest deeper
+// than compilers accept, it writes forward gotos.
 #include <string.h>
 
 #include "compiler/emit/c/fn.h"
 
 enum {
-    LINE_MAX_LEN = 110,       // longer lines are broken
-    INDENT_MAX = 40,          // arms nested deeper are not indented further but reached by jumps
+    LINE_MAX_LEN = 110,       // in characters; longer statements continue on the next line
+    INDENT_MAX = 40,          // greatest nesting level; deeper arms of conditionals are reached by gotos
     CHAIN_MAX = 60            // maximum of else-ifs in a chain; compilers count each as a nesting level
 };
 
@@ -15,14 +15,15 @@ enum {
 
 static void write_indent(CFn *fn) { buf_spaces(&fn->body, 4u * fn->indent); }
 
-static bool starts_operator(const char *text)
+// Whether a binary operator other than assignment, or ? or :, and a space start at `text`.
+static bool is_operator_at(const char *text)
 {
     const bool comment = (text[0] == '/' && text[1] == '*') || (text[0] == '*' && text[1] == '/');
 
     return strchr("&|+-*/<>=!?:", text[0]) && (text[1] == ' ' || (text[1] && text[2] == ' ')) && !(text[0] == '=' && text[1] == ' ') && !comment;
 }
 
-// The cost of a break before the operator at `text`: lower for operators that bind less tightly.
+// Returns the cost of a line break before `text`: 0 after a comma, otherwise lower for operators that bind less tightly.
 static unsigned break_cost(const char *text)
 {
     static const char *const order = "||&&?:=!<>+-*/";
@@ -31,15 +32,16 @@ static unsigned break_cost(const char *text)
     return at ? (unsigned)(at - order) / 2 : 0;
 }
 
-// The best blank at which to break `text` within `width`: outermost first, then latest.  0 if there is none.
-static size_t break_at(const char *text, size_t len, size_t width)
+// Returns the index of the best space at which to break `text` within `width`: the least nested in parentheses, then the one with the least
+// cost, then the last.  0 if there is none.
+static size_t find_line_break(const char *text, size_t len, size_t width)
 {
     size_t best = 0;
     unsigned depth = 0, least = 0;
 
     for (size_t i = 1; i + 1 < len && (i <= width || best == 0); i++) {
         depth += (text[i] == '(') - (unsigned)(text[i] == ')');
-        if (text[i] == ' ' && (text[i - 1] == ',' || starts_operator(text + i + 1))) {
+        if (text[i] == ' ' && (text[i - 1] == ',' || is_operator_at(text + i + 1))) {
             const unsigned r = depth * 8 + break_cost(text + i + 1);
             if (best == 0 || best < width / 3 || r <= least) {
                 best = i;
@@ -50,14 +52,13 @@ static size_t break_at(const char *text, size_t len, size_t width)
     return best;
 }
 
-// Ends the current line and writes it, broken if it is too long.
 void c_end_line(CFn *fn)
 {
     const char *text = buf_text(&fn->line);
     size_t len = fn->line.n, at, width = LINE_MAX_LEN - 4u * fn->indent % 80;
 
     write_indent(fn);
-    while (len > width && (at = break_at(text, len, width)) > 0) {
+    while (len > width && (at = find_line_break(text, len, width)) > 0) {
         buf_put(&fn->body, text, at);
         buf_char(&fn->body, '\n');
         write_indent(fn);
@@ -79,9 +80,8 @@ static void write_line(CFn *fn, const char *text)
 
 // ---- statements ----
 
-
-// Sets a new variable from r, with its declaration unless that must be at the top.
-static void write_variable(CFn *fn, IrRef r)
+// Writes the definition of a C variable for temporary r; only an assignment if declarations are hoisted.
+static void write_variable_definition(CFn *fn, IrRef r)
 {
     const SmType type = c_ins(fn, r)->type;
     const char *name = format_in(fn->u->arena, type == SM_BOOL ? "test%u" : "value%u", ++fn->values);
@@ -97,10 +97,11 @@ static void write_variable(CFn *fn, IrRef r)
     fn->ins[r].variable = name;
 }
 
+// Writes a store, and notes that the step stores the element if that is tracked.
 static void write_store(CFn *fn, const IrIns *i)
 {
-    if (!soft_write_count(fn, i)) {
-        c_write_cell(fn, i->var);
+    if (!soft_try_write_count(fn, i)) {
+        c_write_member(fn, i->var);
         buf_str(&fn->line, " = ");
         c_write_assigned(fn, i->a);
     }
@@ -118,8 +119,8 @@ static void write_store(CFn *fn, const IrIns *i)
     vec_push(fn->u->arena, &fn->stored, i->var);
 }
 
-// Records which elements the statements of a block have stored: `m->stored.a = m->stored.b = true;`
-static void write_stored(CFn *fn)
+// Writes the statements that record which elements the current block has stored: `m->stored.a = m->stored.b = true;`
+static void write_stored_flags(CFn *fn)
 {
     for (size_t i = 0; i < fn->stored.n; i++) {
         buf_printf(&fn->line, "m->stored.%s = ", fn->u->names.var[fn->stored.at[i]]);
@@ -137,13 +138,13 @@ static void write_statements(CFn *fn, uint32_t b)
     for (size_t p = 0; p < blk->ins.n; p++) {
         const IrRef r = blk->ins.at[p];
         if (fn->ins[r].form == C_VARIABLE)
-            write_variable(fn, r);
-        else if (fn->ins[r].form == C_EFFECT && c_ins(fn, r)->op == IR_store)
+            write_variable_definition(fn, r);
+        else if (fn->ins[r].form == C_STATEMENT && c_ins(fn, r)->op == IR_store)
             write_store(fn, c_ins(fn, r));
-        else if (fn->ins[r].form == C_EFFECT)
+        else if (fn->ins[r].form == C_STATEMENT)
             c_write_sample(fn, c_ins(fn, r));
     }
-    write_stored(fn);
+    write_stored_flags(fn);
 }
 
 static bool has_statements(const CFn *fn, uint32_t b)
@@ -151,29 +152,32 @@ static bool has_statements(const CFn *fn, uint32_t b)
     const IrBlk *blk = &fn->f->blk.at[b];
 
     for (size_t p = 0; p < blk->ins.n; p++)
-        if (fn->ins[blk->ins.at[p]].form == C_VARIABLE || fn->ins[blk->ins.at[p]].form == C_EFFECT)
+        if (fn->ins[blk->ins.at[p]].form == C_VARIABLE || fn->ins[blk->ins.at[p]].form == C_STATEMENT)
             return true;
     return false;
 }
 
 // ---- control flow ----
 
-// How control reaches block `to` from a point that falls through to `next`.
+// How control reaches block `to` from a position in the C code after which block `next` follows.
 typedef enum CEdge {
-    EDGE_FALLS,               // by falling through
+    EDGE_FALLS,               // it falls through: `to` is `next`
     EDGE_LEAVES,              // by return or goto
-    EDGE_IS_NESTED            // its code is written here and nowhere else
+    EDGE_IS_NESTED            // the code of `to` is written at this position
 } CEdge;
 
+// Whether b is the virtual block at the end of the function.
 static bool is_end(const CFn *fn, uint32_t b) { return b == fn->flow.n - 1; }
 
-static CEdge edge_to(const CFn *fn, uint32_t to, uint32_t next)
+// Returns how control reaches `to`.
+static CEdge classify_edge(const CFn *fn, uint32_t to, uint32_t next)
 {
     if (to == next)
         return EDGE_FALLS;
     return is_end(fn, to) || fn->flow.preds[to] > 1 ? EDGE_LEAVES : EDGE_IS_NESTED;
 }
 
+// Writes a goto to block `to`, or a return if it is the end of the function.
 static void write_jump(CFn *fn, uint32_t to)
 {
     if (is_end(fn, to)) {
@@ -191,20 +195,21 @@ static void write_label(CFn *fn, uint32_t b)
         buf_printf(&fn->body, "L%u:;\n", (unsigned)b);
 }
 
-static void write_tree(CFn *fn, uint32_t b, uint32_t next);
+static void write_dominated_blocks(CFn *fn, uint32_t b, uint32_t next);
 
-// One arm of a conditional, inside its braces.
+// Writes one arm of a conditional, inside its braces: block `to`, and a jump if control must not fall through to `next`.
 static void write_arm(CFn *fn, uint32_t to, uint32_t next)
 {
     fn->indent++;
-    if (edge_to(fn, to, next) == EDGE_IS_NESTED)
-        write_tree(fn, to, next);
-    else if (edge_to(fn, to, next) == EDGE_LEAVES)
+    if (classify_edge(fn, to, next) == EDGE_IS_NESTED)
+        write_dominated_blocks(fn, to, next);
+    else if (classify_edge(fn, to, next) == EDGE_LEAVES)
         write_jump(fn, to);
     fn->indent--;
 }
 
-static void write_if(CFn *fn, const char *before, IrRef cond, bool negated)
+// Writes `if (cond) {` after `before`.
+static void write_if_head(CFn *fn, const char *before, IrRef cond, bool negated)
 {
     buf_str(&fn->line, before);
     buf_str(&fn->line, "if (");
@@ -213,26 +218,26 @@ static void write_if(CFn *fn, const char *before, IrRef cond, bool negated)
     c_end_line(fn);
 }
 
-// Whether block b is only a conditional, so that it can become an `else if`.
-static bool is_chain_link(const CFn *fn, uint32_t b, uint32_t next)
+// Whether block b, the other arm of a conditional, consists of a conditional alone, so that it can be written as `else if`.
+static bool can_be_else_if(const CFn *fn, uint32_t b, uint32_t next)
 {
-    return edge_to(fn, b, next) == EDGE_IS_NESTED && c_is_branch(fn, b) && fn->flow.kid[b] == IR_NONE && !has_statements(fn, b) &&
-           edge_to(fn, fn->flow.then[b], next) != EDGE_FALLS;
+    return classify_edge(fn, b, next) == EDGE_IS_NESTED && c_is_branch(fn, b) && fn->flow.kid[b] == IR_NONE && !has_statements(fn, b) &&
+           classify_edge(fn, fn->flow.then[b], next) != EDGE_FALLS;
 }
 
-// if … else if … else …, where both arms continue at `next`.
+// Writes the conditional that ends block b as `if … else if … else …`.  Control then continues at `next`.
 static void write_if_else(CFn *fn, uint32_t b, uint32_t next)
 {
     const CFlow *w = &fn->flow;
     unsigned links = 0;
 
-    write_if(fn, "", fn->f->blk.at[b].jump.cond, false);
+    write_if_head(fn, "", fn->f->blk.at[b].jump.cond, false);
     for (;;) {
         write_arm(fn, w->then[b], next);
-        if (w->other[b] == next || !is_chain_link(fn, w->other[b], next) || ++links >= CHAIN_MAX)
+        if (w->other[b] == next || !can_be_else_if(fn, w->other[b], next) || ++links >= CHAIN_MAX)
             break;
         b = w->other[b];
-        write_if(fn, "} else ", fn->f->blk.at[b].jump.cond, false);
+        write_if_head(fn, "} else ", fn->f->blk.at[b].jump.cond, false);
     }
     if (w->other[b] != next) {
         write_line(fn, "} else {");
@@ -241,43 +246,46 @@ static void write_if_else(CFn *fn, uint32_t b, uint32_t next)
     write_line(fn, "}");
 }
 
-static void write_if_alone(CFn *fn, uint32_t b, uint32_t to, bool negated, uint32_t next)
+// Writes the conditional that ends block b with the arm `to` alone.
+static void write_if_without_else(CFn *fn, uint32_t b, uint32_t to, bool negated, uint32_t next)
 {
-    write_if(fn, "", fn->f->blk.at[b].jump.cond, negated);
+    write_if_head(fn, "", fn->f->blk.at[b].jump.cond, negated);
     write_arm(fn, to, next);
     write_line(fn, "}");
 }
 
+// Whether the arm `to` is written inside the conditional and control can reach its end.
 static bool may_fall_through(const CFn *fn, uint32_t to, uint32_t next)
 {
-    return edge_to(fn, to, next) == EDGE_IS_NESTED && fn->flow.falls[to];
+    return classify_edge(fn, to, next) == EDGE_IS_NESTED && fn->flow.falls[to];
 }
 
-// Beyond the depth that compilers accept: arms are written one after the other, with jumps around them.
+// Writes the conditional that ends block b as a goto to one arm, followed by the other arm, without a further nesting level.  Returns the block
+// whose code follows.
 static uint32_t write_deep_branch(CFn *fn, uint32_t b, uint32_t next)
 {
     const uint32_t then = fn->flow.then[b], other = fn->flow.other[b];
-    const bool swap = edge_to(fn, then, next) != EDGE_IS_NESTED;
+    const bool swap = classify_edge(fn, then, next) != EDGE_IS_NESTED;
     const uint32_t aside = swap ? then : other, here = swap ? other : then;
 
-    write_if(fn, "", fn->f->blk.at[b].jump.cond, !swap);
+    write_if_head(fn, "", fn->f->blk.at[b].jump.cond, !swap);
     fn->indent++;
     write_jump(fn, aside);
     fn->indent--;
     write_line(fn, "}");
-    if (edge_to(fn, aside, next) != EDGE_IS_NESTED)
+    if (classify_edge(fn, aside, next) != EDGE_IS_NESTED)
         return here;
-    write_tree(fn, here, aside);
+    write_dominated_blocks(fn, here, aside);
     write_label(fn, aside);
     return aside;
 }
 
-// Writes the conditional that ends block b.  Returns the block whose code follows at the same level, or IR_NONE.  If one arm never falls
-// through, the other needs no `else`.
+// Writes the conditional that ends block b.  Returns the block whose code follows at the same level, or IR_NONE.  If control never reaches the
+// end of one arm, the other arm is written after the conditional instead of as its `else`.
 static uint32_t write_branch(CFn *fn, uint32_t b, uint32_t next)
 {
     const uint32_t then = fn->flow.then[b], other = fn->flow.other[b];
-    const bool then_falls = edge_to(fn, then, next) == EDGE_FALLS, other_falls = edge_to(fn, other, next) == EDGE_FALLS;
+    const bool then_falls = classify_edge(fn, then, next) == EDGE_FALLS, other_falls = classify_edge(fn, other, next) == EDGE_FALLS;
 
     if (fn->indent >= INDENT_MAX)
         return write_deep_branch(fn, b, next);
@@ -286,14 +294,15 @@ static uint32_t write_branch(CFn *fn, uint32_t b, uint32_t next)
         return IR_NONE;
     }
     if (then_falls || (may_fall_through(fn, then, next) && !other_falls)) {
-        write_if_alone(fn, b, other, true, next);
+        write_if_without_else(fn, b, other, true, next);
         return then;
     }
-    write_if_alone(fn, b, then, false, next);
+    write_if_without_else(fn, b, then, false, next);
     return other;
 }
 
-// Writes block b, without the dominated blocks that follow it.  Returns the block that follows at the same level, or IR_NONE.
+// Writes the statements of block b and how it ends, without the join blocks that it dominates.  Returns the block whose code follows at the
+// same level, or IR_NONE.
 static uint32_t write_block(CFn *fn, uint32_t b, uint32_t next)
 {
     uint32_t to = fn->flow.then[b];
@@ -306,15 +315,15 @@ static uint32_t write_block(CFn *fn, uint32_t b, uint32_t next)
     }
     if (c_is_branch(fn, b))
         to = write_branch(fn, b, next);
-    if (to == IR_NONE || edge_to(fn, to, next) == EDGE_IS_NESTED)
+    if (to == IR_NONE || classify_edge(fn, to, next) == EDGE_IS_NESTED)
         return to;
-    if (edge_to(fn, to, next) == EDGE_LEAVES)
+    if (classify_edge(fn, to, next) == EDGE_LEAVES)
         write_jump(fn, to);
     return IR_NONE;
 }
 
 // Writes block b and all blocks that it dominates; control then falls through to `next`.
-static void write_tree(CFn *fn, uint32_t b, uint32_t next)
+static void write_dominated_blocks(CFn *fn, uint32_t b, uint32_t next)
 {
     while (!is_end(fn, b)) {
         uint32_t kid = fn->flow.kid[b];
@@ -326,10 +335,10 @@ static void write_tree(CFn *fn, uint32_t b, uint32_t next)
             continue;
         }
         if (follows != IR_NONE)
-            write_tree(fn, follows, kid);
+            write_dominated_blocks(fn, follows, kid);
         for (; fn->flow.sibling[kid] != IR_NONE; kid = fn->flow.sibling[kid]) {
             write_label(fn, kid);
-            write_tree(fn, kid, fn->flow.sibling[kid]);
+            write_dominated_blocks(fn, kid, fn->flow.sibling[kid]);
         }
         write_label(fn, kid);
         b = kid;
@@ -340,7 +349,8 @@ static void write_tree(CFn *fn, uint32_t b, uint32_t next)
 
 // ---- functions ----
 
-static bool makes_transition(const IrFn *f, const CFlow *w)
+// Whether a reachable block ends in a transition.
+static bool has_transition(const IrFn *f, const CFlow *w)
 {
     for (size_t b = 0; b < f->blk.n; b++)
         if (w->reached[b] && f->blk.at[b].jump.kind == IR_GOTO)
@@ -348,7 +358,8 @@ static bool makes_transition(const IrFn *f, const CFlow *w)
     return false;
 }
 
-static void write_copies(CFn *fn)
+// Writes the definitions of the C variables that hold copies of elements or of T.
+static void write_copy_definitions(CFn *fn)
 {
     for (size_t i = 0; i < fn->copied.n; i++) {
         const uint32_t v = fn->copied.at[i];
@@ -359,22 +370,24 @@ static void write_copies(CFn *fn)
             write_line(fn, ";");
             continue;
         }
-        buf_printf(&fn->line, "%s(", helper_use(fn->u, as == SM_F32 ? "sm_no_nan_f32" : type == SM_F32 ? "sm_read_f32" : "sm_read_f64"));
-        c_write_cell(fn, v);
+        buf_printf(&fn->line, "%s(", helper_require(fn->u, as == SM_F32 ? "sm_no_nan_f32" : type == SM_F32 ? "sm_read_f32" : "sm_read_f64"));
+        c_write_member(fn, v);
         write_line(fn, ");");
     }
 }
 
+// Writes all blocks into fn->body.  A second call starts again.
 static void write_body(CFn *fn)
 {
     fn->body.n = fn->declarations.n = 0;
     fn->values = 0;
     for (size_t i = 0; i < fn->f->ins.n; i++)
         fn->ins[i].variable = NULL;
-    write_tree(fn, 0, fn->returns_state ? IR_NONE : fn->flow.n - 1);
+    write_dominated_blocks(fn, 0, fn->returns_state ? IR_NONE : fn->flow.n - 1);
 }
 
-static CFn *fn_new(CUnit *u, const IrFn *f, const Env *begin)
+// Returns the state for writing f, with facts, control flow and forms computed.
+static CFn *prepare_function(CUnit *u, const IrFn *f, const Env *begin)
 {
     CFn *fn = ARENA_NEW(u->arena, CFn);
 
@@ -391,24 +404,25 @@ static CFn *fn_new(CUnit *u, const IrFn *f, const Env *begin)
     buf_init(&fn->line, u->arena);
     buf_init(&fn->declarations, u->arena);
     lower_find_facts(fn, begin);
-    flow_init(fn);
-    lower_function(fn);
-    fn->returns_state = makes_transition(f, &fn->flow);
+    flow_build(fn);
+    lower_choose_forms(fn);
+    fn->returns_state = has_transition(f, &fn->flow);
     return fn;
 }
 
-static bool ends_declarations(const CFn *fn, const Buf *copies)
+// Whether an empty line separates the declarations from the statements.
+static bool needs_line_after_declarations(const CFn *fn, const Buf *copies)
 {
     return (copies->n || fn->declarations.n) && strncmp(buf_text(&fn->body), "    const ", 10) != 0;
 }
 
 CSignature c_write_function(CUnit *u, const CFunction *what, Buf *out)
 {
-    CFn *fn = fn_new(u, what->f, what->begin);
+    CFn *fn = prepare_function(u, what->f, what->begin);
     Buf copies;
     CSignature s;
 
-    write_copies(fn);
+    write_copy_definitions(fn);
     copies = fn->body;
     buf_init(&fn->body, u->arena);
     write_body(fn);
@@ -424,7 +438,7 @@ CSignature c_write_function(CUnit *u, const CFunction *what, Buf *out)
                s.m && s.sv ? ", " : "");
     buf_printf(out, "%s%s%s", s.sv ? fn->writes_sv ? "" : "const " : "", s.sv ? u->names.sv_type : "", s.sv ? " *sv" : "");
     buf_printf(out, "%s)\n{\n", s.m || s.sv ? "" : "void");
-    buf_printf(out, "%s%s%s", buf_text(&copies), buf_text(&fn->declarations), ends_declarations(fn, &copies) ? "\n" : "");
+    buf_printf(out, "%s%s%s", buf_text(&copies), buf_text(&fn->declarations), needs_line_after_declarations(fn, &copies) ? "\n" : "");
     buf_printf(out, "%s}\n\n", buf_text(&fn->body));
     return s;
 }

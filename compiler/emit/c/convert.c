@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conversions.  C's own are used where they have the same result: where the value cannot be NaN, saturate or lose more than its fraction.
+// Writes conversions.  A C cast is used where it has the same result: where the value cannot be NaN, saturate or lose more than its fraction.
 // Otherwise functions of stdlib are called.
 #include "compiler/emit/c/fn.h"
 #include "stdlib/convert.h"
 
-static unsigned bits_of(SmType t) { return sm_type_info[t].bytes * 8u; }
+static unsigned bit_width(SmType t) { return sm_type_info[t].bytes * 8u; }
 static bool is_signed(SmType t) { return sm_type_info[t].kind == SM_KIND_SIGNED; }
 
 bool c_is_widening(const CFn *fn, IrRef r)
 {
     const IrIns *i = c_ins(fn, r);
 
-    return !c_is_const(fn, r) && fn->ins[r].form == C_INLINE && i->op == IR_cvt && ir_is_integer(i->type) &&
+    return !c_is_const(fn, r) && fn->ins[r].form == C_SUBEXPRESSION && i->op == IR_cvt && ir_is_integer(i->type) &&
            ir_is_integer(c_ins(fn, i->a)->type) && ir_integer_contains(i->type, c_ins(fn, i->a)->type);
 }
 
@@ -22,7 +22,7 @@ void c_write_assigned(CFn *fn, IrRef r)
     c_write_value(fn, r, PREC_ANY);
 }
 
-// ---- pieces ----
+// ---- parts of conversions ----
 
 static const char *const to_helper[SM_TYPE_COUNT] = {
     [SM_I8] = "sm_to_i8", [SM_I16] = "sm_to_i16", [SM_I32] = "sm_to_i32", [SM_I64] = "sm_to_i64", [SM_U8] = "sm_to_u8",
@@ -30,8 +30,8 @@ static const char *const to_helper[SM_TYPE_COUNT] = {
     [SM_BOOL] = "sm_to_bool",
 };
 
-// Writes a boolean as a number, with literals of type `to`.
-static void write_choice(CFn *fn, IrRef r, SmType to, int prec)
+// Writes the bool r as `r ? 1 : 0`, with literals of type `to`.
+static void write_bool_as_number(CFn *fn, IrRef r, SmType to, int prec)
 {
     const bool opened = c_open_parens(fn, PREC_ANY, prec);
 
@@ -41,28 +41,29 @@ static void write_choice(CFn *fn, IrRef r, SmType to, int prec)
     c_close_parens(fn, opened);
 }
 
-// Whether r is an inlined load of an F32 element: its checked read produces a double.
-static bool is_read_here(const CFn *fn, IrRef r)
+// Whether r is a load of an F32 element that is written as a subexpression.  The function that reads it with a NaN check can return a double.
+static bool is_f32_load_subexpression(const CFn *fn, IrRef r)
 {
     const IrIns *i = c_ins(fn, r);
 
-    return i->op == IR_load && i->type == SM_F32 && fn->u->m->var.at[i->var].space == IR_ELEMENT && fn->ins[r].form == C_INLINE;
+    return i->op == IR_load && i->type == SM_F32 && fn->u->m->var.at[i->var].space == IR_ELEMENT && fn->ins[r].form == C_SUBEXPRESSION;
 }
 
-// Whether a double can represent every value of integer r exactly.  A bound of 2^53 itself can be 2^53 + 1, rounded.
-static bool is_exact(const CFn *fn, IrRef r) { return fact_within(fn->ins[r].fact, -FACT_EXACT + 1, FACT_EXACT - 1); }
+// Whether a double can represent every value of integer r exactly.  Facts store bounds as doubles: a bound of 2^53 can be a rounded 2^53 + 1.
+static bool is_exact_as_double(const CFn *fn, IrRef r) { return fact_within(fn->ins[r].fact, -FACT_EXACT + 1, FACT_EXACT - 1); }
 
+// Writes r, a number that `to` can represent after truncation or rounding, as a cast or the call that takes its place.
 static void write_cast(CFn *fn, SmType to, IrRef r, int prec)
 {
     const SmType from = c_ins(fn, r)->type;
     bool opened;
 
-    if (c_is_soft(fn, from) || (c_is_soft(fn, to) && bits_of(from) > 16)) {
+    if (c_is_soft(fn, from) || (c_is_soft(fn, to) && bit_width(from) > 16)) {
         soft_write_cast(fn, to, r);
         return;
     }
-    if (to == SM_F64 && ir_is_integer(from) && bits_of(from) == 64 && !is_exact(fn, r)) {  // C's own cast need not round (f64.h)
-        buf_printf(&fn->line, "%s(", helper_use(fn->u, from == SM_I64 ? "sm_from_i64" : "sm_from_u64"));
+    if (to == SM_F64 && ir_is_integer(from) && bit_width(from) == 64 && !is_exact_as_double(fn, r)) {  // a C cast may not round correctly (f64.h)
+        buf_printf(&fn->line, "%s(", helper_require(fn->u, from == SM_I64 ? "sm_from_i64" : "sm_from_u64"));
         c_write_value(fn, r, PREC_ANY);
         c_write(fn, ")");
         return;
@@ -79,33 +80,34 @@ void c_write_double(CFn *fn, IrRef r, int prec)
 
     if (c_is_const(fn, r) && i->type != SM_F64)
         c_write_constant(fn, r, SM_F64, sm_bits(sm_cell_to_f64(i->type, c_ins(fn, r)->bits)));
-    else if (is_read_here(fn, r))
+    else if (is_f32_load_subexpression(fn, r))
         c_write_float_load(fn, r, SM_F64);
     else if (i->type == SM_F64)
         c_write_value(fn, r, prec);
     else if (i->type == SM_BOOL)
-        write_choice(fn, r, SM_F64, prec);
+        write_bool_as_number(fn, r, SM_F64, prec);
     else if (fn->u->soft)
-        soft_write_number(fn, r);
+        soft_write_to_f64(fn, r);
     else
         write_cast(fn, SM_F64, r, prec);
 }
 
+// Writes `helper(r)`, with r as a double.
 static void write_call_on_double(CFn *fn, const char *helper, IrRef r)
 {
-    c_write(fn, helper_use(fn->u, helper));
+    c_write(fn, helper_require(fn->u, helper));
     c_write(fn, "(");
     c_write_double(fn, r, PREC_ANY);
     c_write(fn, ")");
 }
 
-void c_write_not_zero(CFn *fn, IrRef r, bool negated, int prec)
+void c_write_nonzero_test(CFn *fn, IrRef r, bool negated, int prec)
 {
     const SmType type = c_ins(fn, r)->type;
     bool opened;
 
     if (c_is_soft(fn, type)) {
-        soft_write_not_zero(fn, r, negated);
+        soft_write_nonzero_test(fn, r, negated);
         return;
     }
     opened = c_open_parens(fn, PREC_EQ, prec);
@@ -117,74 +119,75 @@ void c_write_not_zero(CFn *fn, IrRef r, bool negated, int prec)
 
 // ---- integer to integer ----
 
-static const char *const least[SM_TYPE_COUNT] = {
+static const char *const type_min[SM_TYPE_COUNT] = {
     [SM_I8] = "INT8_MIN", [SM_I16] = "INT16_MIN", [SM_I32] = "INT32_MIN", [SM_I64] = "INT64_MIN",
     [SM_U8] = "0", [SM_U16] = "0", [SM_U32] = "0", [SM_U64] = "0",
 };
-static const char *const most[SM_TYPE_COUNT] = {
+static const char *const type_max[SM_TYPE_COUNT] = {
     [SM_I8] = "INT8_MAX", [SM_I16] = "INT16_MAX", [SM_I32] = "INT32_MAX", [SM_I64] = "INT64_MAX",
     [SM_U8] = "UINT8_MAX", [SM_U16] = "UINT16_MAX", [SM_U32] = "UINT32_MAX", [SM_U64] = "UINT64_MAX",
 };
 
-// The type in which a value is clamped: I32 if it can represent all of `from`, otherwise I64.
-static SmType clipping_type(SmType from) { return ir_integer_contains(SM_I32, from) ? SM_I32 : SM_I64; }
+// Returns the type in which a value is clamped: I32 if that can represent all values of `from`, otherwise I64.
+static SmType clamping_type(SmType from) { return ir_integer_contains(SM_I32, from) ? SM_I32 : SM_I64; }
 
-// Writes r clamped to the limits of `to`.  Where a limit of the clipping type is tighter, that one is used.
-static void write_clipped(CFn *fn, IrRef r, SmType to, int prec)
+// Writes integer r clamped to the limits of `to`, or to those of the clamping type where these are tighter.
+static void write_clamped(CFn *fn, IrRef r, SmType to, int prec)
 {
-    const SmType from = c_ins(fn, r)->type, in = clipping_type(from);
+    const SmType from = c_ins(fn, r)->type, in = clamping_type(from);
     const bool opened = c_open_parens(fn, PREC_UNARY, prec);
 
     c_write(fn, "(");
     c_write(fn, c_type_of(fn->u, to));
     c_write(fn, ")");
-    c_write(fn, helper_use(fn->u, from == SM_U64 ? "sm_clip_u64" : in == SM_I32 ? "sm_clip_i32" : "sm_clip_i64"));
+    c_write(fn, helper_require(fn->u, from == SM_U64 ? "sm_clip_u64" : in == SM_I32 ? "sm_clip_i32" : "sm_clip_i64"));
     c_write(fn, "(");
     c_write_assigned(fn, r);
     if (from != SM_U64)
-        buf_printf(&fn->line, ", %s", is_signed(to) && bits_of(to) > bits_of(in) ? least[in] : least[to]);
-    buf_printf(&fn->line, ", %s)", from == SM_U64 || ir_integer_contains(in, to) ? most[to] : most[in]);
+        buf_printf(&fn->line, ", %s", is_signed(to) && bit_width(to) > bit_width(in) ? type_min[in] : type_min[to]);
+    buf_printf(&fn->line, ", %s)", from == SM_U64 || ir_integer_contains(in, to) ? type_max[to] : type_max[in]);
     c_close_parens(fn, opened);
 }
 
-// A value that is not exactly representable as an F64 is rounded to one first.
-static bool goes_by_double(const CFn *fn, IrRef r, SmType to)
+// Whether the conversion of integer r to `to` must round it to an F64 first, because an F64 cannot represent all its values.
+static bool converts_through_double(const CFn *fn, IrRef r, SmType to)
 {
-    return bits_of(to) == 64 && bits_of(c_ins(fn, r)->type) == 64 && !is_exact(fn, r);
+    return bit_width(to) == 64 && bit_width(c_ins(fn, r)->type) == 64 && !is_exact_as_double(fn, r);
 }
 
-static void write_integer(CFn *fn, IrRef r, SmType to, int prec)
+static void write_integer_to_integer(CFn *fn, IrRef r, SmType to, int prec)
 {
     const SmType from = c_ins(fn, r)->type;
 
-    if (goes_by_double(fn, r, to))
+    if (converts_through_double(fn, r, to))
         write_call_on_double(fn, to_helper[to], r);
     else if (from == to)
         c_write_value(fn, r, prec);
     else if (ir_integer_contains(to, from) || fact_fits(fn->ins[r].fact, to))
         write_cast(fn, to, r, prec);
     else
-        write_clipped(fn, r, to, prec);
+        write_clamped(fn, r, to, prec);
 }
 
 // ---- float to integer ----
 
-// Whether x is in the type's range once it is truncated.
-static bool fits_when_cut(Fact x, SmType to)
+// Whether every value of x, truncated to a whole number, is in the range of integer type `to`.
+static bool fits_when_truncated(Fact x, SmType to)
 {
     const Fact t = fact_of_type(to);
 
-    return bits_of(to) == 64 ? fact_fits(x, to) : !x.nan && x.lo > t.lo - 1 && x.hi < t.hi + 1;
+    return bit_width(to) == 64 ? fact_fits(x, to) : !x.nan && x.lo > t.lo - 1 && x.hi < t.hi + 1;
 }
 
-// For two 32-bit integers, x / d in C has the same result as the truncated F64 quotient.  A quotient that is not whole differs from every
-// whole number by at least 1/d, so the nearest F64 is not whole either.  And `x * 2^-k` is x / 2^k.
+// An F64 division of integers that is truncated, which C's integer division x / d computes with the same result for 32 bits: a quotient that
+// is not whole differs from every whole number by at least 1/d, so the nearest F64 is not whole either.  `x * 2^-k` is the division by 2^k.
 typedef struct Quotient {
     IrRef x;                  // an integer
     double d;
 } Quotient;
 
-static bool find_divisor(const CFn *fn, const IrIns *i, double *d)
+// If i is `x / d` or `x * (1 / d)` with a d as Quotient allows, stores d and returns true.
+static bool match_divisor(const CFn *fn, const IrIns *i, double *d)
 {
     if (!fact_is_number(fn->ins[i->b].fact, d) || (i->op != IR_div && i->op != IR_mul))
         return false;
@@ -193,17 +196,18 @@ static bool find_divisor(const CFn *fn, const IrIns *i, double *d)
     return *d >= 2 && *d <= 2147483647.0 && (double)(int32_t)*d == *d && (i->op == IR_div || ((int32_t)*d & ((int32_t)*d - 1)) == 0);
 }
 
-static bool find_quotient(const CFn *fn, IrRef r, Quotient *q)
+// If r is a Quotient that is written as a subexpression, fills *q and returns true.
+static bool match_quotient(const CFn *fn, IrRef r, Quotient *q)
 {
     const IrIns *i = c_ins(fn, r), *a;
 
-    if (c_is_const(fn, r) || fn->ins[r].form != C_INLINE || i->type != SM_F64 || (i->op != IR_div && i->op != IR_mul))
+    if (c_is_const(fn, r) || fn->ins[r].form != C_SUBEXPRESSION || i->type != SM_F64 || (i->op != IR_div && i->op != IR_mul))
         return false;
     a = c_ins(fn, i->a);
-    if (c_is_const(fn, i->a) || fn->ins[i->a].form != C_INLINE || a->op != IR_cvt || !c_is_const(fn, i->b))
+    if (c_is_const(fn, i->a) || fn->ins[i->a].form != C_SUBEXPRESSION || a->op != IR_cvt || !c_is_const(fn, i->b))
         return false;
     q->x = a->a;
-    return ir_is_integer(c_ins(fn, q->x)->type) && ir_integer_contains(SM_I32, c_ins(fn, q->x)->type) && find_divisor(fn, i, &q->d);
+    return ir_is_integer(c_ins(fn, q->x)->type) && ir_integer_contains(SM_I32, c_ins(fn, q->x)->type) && match_divisor(fn, i, &q->d);
 }
 
 static void write_quotient(CFn *fn, const Quotient *q, int prec)
@@ -218,25 +222,26 @@ static void write_quotient(CFn *fn, const Quotient *q, int prec)
     c_close_parens(fn, opened);
 }
 
-// Writes r truncated to an I32, whose range it must not exceed.
-static void write_cut_i32(CFn *fn, IrRef r, int prec)
+// Writes float r truncated to an I32.  The truncated value must be in the range of I32.
+static void write_truncated_i32(CFn *fn, IrRef r, int prec)
 {
     Quotient q;
 
-    if (find_quotient(fn, r, &q))
+    if (match_quotient(fn, r, &q))
         write_quotient(fn, &q, prec);
     else
         write_cast(fn, SM_I32, r, prec);
 }
 
-static void write_cut(CFn *fn, IrRef r, SmType to, int prec)
+// Writes float r converted to integer type `to`.
+static void write_truncated(CFn *fn, IrRef r, SmType to, int prec)
 {
     const Fact x = fn->ins[r].fact;
-    const bool fits = fits_when_cut(x, to), in_i32 = fits_when_cut(x, SM_I32);
+    const bool fits = fits_when_truncated(x, to), in_i32 = fits_when_truncated(x, SM_I32);
     Quotient q;
     bool opened;
 
-    if ((!fits && !(bits_of(to) < 32 && in_i32)) || (fits && !find_quotient(fn, r, &q))) {
+    if ((!fits && !(bit_width(to) < 32 && in_i32)) || (fits && !match_quotient(fn, r, &q))) {
         if (fits)
             write_cast(fn, to, r, prec);
         else
@@ -247,10 +252,10 @@ static void write_cut(CFn *fn, IrRef r, SmType to, int prec)
     if (to != SM_I32)
         buf_printf(&fn->line, "(%s)", c_type_of(fn->u, to));
     if (!fits)
-        buf_printf(&fn->line, "%s(", helper_use(fn->u, "sm_clip_i32"));
-    write_cut_i32(fn, r, !fits ? PREC_ANY : to == SM_I32 ? PREC_MUL : PREC_PRIMARY);
+        buf_printf(&fn->line, "%s(", helper_require(fn->u, "sm_clip_i32"));
+    write_truncated_i32(fn, r, !fits ? PREC_ANY : to == SM_I32 ? PREC_MUL : PREC_PRIMARY);
     if (!fits)
-        buf_printf(&fn->line, ", %s, %s)", least[to], most[to]);
+        buf_printf(&fn->line, ", %s, %s)", type_min[to], type_max[to]);
     c_close_parens(fn, opened);
 }
 
@@ -268,13 +273,13 @@ static void write_to_float(CFn *fn, IrRef r, SmType to, int prec)
     else if (to == SM_F64)
         c_write_double(fn, r, prec);
     else if (from == SM_F32) {
-        c_write(fn, helper_use(fn->u, "sm_no_nan_f32"));
+        c_write(fn, helper_require(fn->u, "sm_no_nan_f32"));
         c_write(fn, "(");
         c_write_value(fn, r, PREC_ANY);
         c_write(fn, ")");
     } else if (nan)
         write_call_on_double(fn, "sm_to_f32", r);
-    else if (from == SM_F64 || bits_of(from) < 64 || fn->u->soft)
+    else if (from == SM_F64 || bit_width(from) < 64 || fn->u->soft)
         write_cast(fn, SM_F32, r, prec);
     else {
         c_write(fn, "(float)");               // rounded twice, since the language converts through F64
@@ -287,25 +292,25 @@ static void write_to_bool(CFn *fn, IrRef r, int prec)
     if (fn->ins[r].fact.nan)
         write_call_on_double(fn, "sm_to_bool", r);
     else
-        c_write_not_zero(fn, r, false, prec);
+        c_write_nonzero_test(fn, r, false, prec);
 }
 
-void c_write_cvt(CFn *fn, const IrIns *i, int prec)
+void c_write_conversion(CFn *fn, const IrIns *i, int prec)
 {
     const SmType from = c_ins(fn, i->a)->type, to = i->type;
 
-    if (from == SM_F64 && c_write_count(fn, i->a, to))
+    if (from == SM_F64 && c_try_write_count(fn, i->a, to))
         return;
     if (from == SM_BOOL && to == SM_BOOL)
         c_write_value(fn, i->a, prec);
     else if (from == SM_BOOL)
-        write_choice(fn, i->a, to, prec);
+        write_bool_as_number(fn, i->a, to, prec);
     else if (to == SM_BOOL)
         write_to_bool(fn, i->a, prec);
     else if (ir_is_float(to))
         write_to_float(fn, i->a, to, prec);
     else if (ir_is_integer(from))
-        write_integer(fn, i->a, to, prec);
+        write_integer_to_integer(fn, i->a, to, prec);
     else
-        write_cut(fn, i->a, to, prec);
+        write_truncated(fn, i->a, to, prec);
 }

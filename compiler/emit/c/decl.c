@@ -44,28 +44,28 @@ static void write_member(Buf *out, const char *type, const char *name, const cha
     buf_char(out, '\n');
 }
 
-// The name in the source if C does not allow it, otherwise "".
-static const char *source_name(const char *member, Str name) { return strcmp(member, name->text) != 0 ? name->text : ""; }
+// Returns the source name of a member that has another name in C, otherwise "".
+static const char *source_name_if_renamed(const char *member, Str name) { return strcmp(member, name->text) != 0 ? name->text : ""; }
 
-// Joins two parts of a comment on a member; either can be empty.
-static const char *joined(Arena *a, const char *first, const char *second)
+// Returns `first: second`, the comment of a member.  Either can be "".
+static const char *join_comments(Arena *a, const char *first, const char *second)
 {
     return *first && *second ? format_in(a, "%s: %s", first, second) : *first ? first : second;
 }
 
-// A vector for the runtime includes the runtime's headers; a machine is self-contained.
-static bool knows_f64(const CUnit *u) { return u->runtime && !u->m; }
+// Whether the header includes stdlib/f64.h: that of a state vector for the flight runtime does; that of a machine is self-contained.
+static bool can_use_sm_f64(const CUnit *u) { return u->runtime && !u->m; }
 
-static void write_element(const CUnit *u, const CElement *e, Buf *out)
+static void write_element_member(const CUnit *u, const CElement *e, Buf *out)
 {
     Arena *a = u->arena;
-    const char *name = source_name(e->member, e->name), *said = remark_at(a, e->span);
+    const char *name = source_name_if_renamed(e->member, e->name), *remark = remark_of_line(a, e->span);
 
-    // C's bool can have any size, and reading a byte other than 0 or 1 from it is undefined.
+    // A uint8_t, because C's bool can have any size, and reading a byte other than 0 or 1 as a bool is undefined.
     if (e->type == SM_BOOL)
-        write_member(out, "uint8_t", e->member, joined(a, *name ? format_in(a, "bool %s", name) : "bool", said));
+        write_member(out, "uint8_t", e->member, join_comments(a, *name ? format_in(a, "bool %s", name) : "bool", remark));
     else
-        write_member(out, knows_f64(u) && e->type == SM_F64 ? "SmF64" : c_type_of(u, e->type), e->member, joined(a, name, said));
+        write_member(out, can_use_sm_f64(u) && e->type == SM_F64 ? "SmF64" : c_type_of(u, e->type), e->member, join_comments(a, name, remark));
 }
 
 static void write_vector_members(const CUnit *u, const CVector *sv, Buf *out)
@@ -80,7 +80,7 @@ static void write_vector_members(const CUnit *u, const CVector *sv, Buf *out)
         if (sv->shared && e->region != region)
             buf_printf(out, "%s    // [%s]\n", i ? "\n" : "", e->region->text);
         region = e->region;
-        write_element(u, e, out);
+        write_element_member(u, e, out);
         at = e->offset + sm_type_info[e->type].bytes;
     }
     write_padding(a, out, at, sv->size);
@@ -115,7 +115,7 @@ void c_write_vector_struct(const CUnit *u, Buf *out)
 
 // ---- the machine ----
 
-static void write_status(const CNames *n, Buf *out)
+static void write_status_enum(const CNames *n, Buf *out)
 {
     buf_printf(out, "typedef enum %sStatus {\n", n->type);
     buf_printf(out, "    %s_OK,\n", n->macro);
@@ -125,7 +125,7 @@ static void write_status(const CNames *n, Buf *out)
     buf_printf(out, "} %sStatus;\n", n->type);
 }
 
-static void write_states(const CUnit *u, Buf *out)
+static void write_state_enum(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
     const size_t states = u->m->state.n;
@@ -133,7 +133,7 @@ static void write_states(const CUnit *u, Buf *out)
     buf_printf(out, "// States by number.  The first is the initial state, unless init is called with another.\n"
                     "enum {\n");
     for (size_t i = 0; i < states; i++) {
-        const char *name = source_name(n->state[i], u->m->state.at[i].name);
+        const char *name = source_name_if_renamed(n->state[i], u->m->state.at[i].name);
         buf_printf(out, "    %s_STATE_%s = %u,%s%s\n", n->macro, n->state[i], (unsigned)i + 1, *name ? "     // " : "", name);
     }
     buf_printf(out, "    %s_INITIAL_STATE = 1,\n    %s_STATES = %u      // their number\n};\n", n->macro, n->macro,
@@ -145,7 +145,7 @@ bool c_is_output(const IrMachine *m, size_t v)
     return m->var.at[v].space == IR_ELEMENT && (m->var.at[v].writable || v == m->s);
 }
 
-static void write_stored(const CUnit *u, Buf *out)
+static void write_stored_struct(const CUnit *u, Buf *out)
 {
     buf_printf(out, "// The elements that were stored by the last step that was not refused.\n"
                     "typedef struct %sStored {\n", u->names.type);
@@ -155,15 +155,15 @@ static void write_stored(const CUnit *u, Buf *out)
     buf_printf(out, "} %sStored;\n", u->names.type);
 }
 
-static void write_local(const CUnit *u, size_t v, Buf *out)
+static void write_local_member(const CUnit *u, size_t v, Buf *out)
 {
     const IrVar *var = &u->m->var.at[v];
 
     write_member(out, c_type_of(u, var->type), u->names.var[v],
-               joined(u->arena, source_name(u->names.var[v], var->name), remark_at(u->arena, var->span)));
+               join_comments(u->arena, source_name_if_renamed(u->names.var[v], var->name), remark_of_line(u->arena, var->span)));
 }
 
-static void write_window(const CUnit *u, size_t w, const char *call, Buf *out)
+static void write_window_member(const CUnit *u, size_t w, const char *call, Buf *out)
 {
     const IrWindow *win = &u->m->window.at[w];
 
@@ -182,7 +182,7 @@ static bool has_locals(const IrMachine *m)
 static void write_machine_struct(CUnit *u, Buf *out)
 {
     const IrMachine *m = u->m;
-    const char **call = remark_windows(u);
+    const char **call = remark_window_calls(u);
 
     buf_printf(out, "// The machine.  A copy of the struct is a copy of the machine.  Members are for reading only; those that end in an underscore are\n"
                     "// private.\ntypedef struct %s {\n", u->names.type);
@@ -198,22 +198,22 @@ static void write_machine_struct(CUnit *u, Buf *out)
         buf_str(out, "\n    // [local]\n");
     for (size_t v = 0; v < m->var.n; v++)
         if (m->var.at[v].space == IR_LOCAL)
-            write_local(u, v, out);
+            write_local_member(u, v, out);
     if (m->window.n)
         buf_str(out, "\n    // rolling windows\n");
     for (size_t w = 0; w < m->window.n; w++)
-        write_window(u, w, call[w], out);
+        write_window_member(u, w, call[w], out);
     buf_printf(out, "} %s;\n", u->names.type);
 }
 
 void c_write_machine_types(CUnit *u, Buf *out)
 {
-    write_status(&u->names, out);
+    write_status_enum(&u->names, out);
     buf_char(out, '\n');
-    write_states(u, out);
+    write_state_enum(u, out);
     buf_char(out, '\n');
     if (u->track_stores) {
-        write_stored(u, out);
+        write_stored_struct(u, out);
         buf_char(out, '\n');
     }
     if (u->m->window.n) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program around emitted machines that runs them on commands from its standard input: the counterpart of compiler/device/engine_c.c.
-// emit_c.h describes the exchange.
+// The driver program: emitted machines and a main that runs them on commands from its standard input, which compiler/device/engine_c.c sends.
+// emit_c.h describes the protocol.
 #include <string.h>
 
 #include "compiler/emit/c/fn.h"
 #include "compiler/emit/c/emit_c.h"
 
-// The common part of every driver, after the machines.
-static const char common[] =
+// The part of every driver that follows the code of the machines.
+static const char common_code[] =
     "#ifndef SM_IN_FLASH\n"
     "#define SM_IN_FLASH          // tables of constants stay in flash where this is __flash, as on AVR\n"
     "#endif\n"
@@ -115,7 +115,7 @@ static const char common[] =
     "}\n"
     "\n";
 
-static const char run[] =
+static const char main_code[] =
     "int main(void)\n"
     "{\n"
     "    uint64_t which, command;\n"
@@ -126,11 +126,12 @@ static const char run[] =
     "    return 0;\n"
     "}\n";
 
-// ---- one machine's table ----
+// ---- the table of one machine's variables ----
 
+// Returns the Cell.type of a variable of type t.
 static char cell_type(SmType t) { return t == SM_BOOL ? 'b' : (char)('0' + sm_type_info[t].bytes); }
 
-// The row of IR variable v.
+// Writes the Cell of IR variable v.
 static void write_variable_row(const CUnit *u, size_t v, Buf *out)
 {
     const IrVar *var = &u->m->var.at[v];
@@ -149,8 +150,9 @@ static void write_variable_row(const CUnit *u, size_t v, Buf *out)
     buf_printf(out, type == 'b' ? "0, '%c' },\n" : "0, %c },\n", type);
 }
 
-// One row for each variable of the program; the IR knows it by name unless it is a constant.  Without a program, for each of the IR.
-static void write_rows(const CUnit *u, Buf *out)
+// Writes a Cell for each variable of the program.  A variable that the IR does not have is a constant.  Without a program, writes a Cell for
+// each variable of the IR.
+static void write_cell_table(const CUnit *u, Buf *out)
 {
     const Program *p = u->m->program;
     Map by_name = { 0 };
@@ -171,8 +173,9 @@ static void write_rows(const CUnit *u, Buf *out)
     buf_str(out, "};\n");
 }
 
-// Maps the enumerators of TankStatus to the status codes of the exchange, which has one code for no state and unfit.
-static void write_calls(const CUnit *u, Buf *out)
+// Writes the functions that Machine.init, .step and .state point to.  They return the status codes of the protocol, which has one code for
+// both PREFIX_NO_STATE and PREFIX_UNFIT.
+static void write_adapters(const CUnit *u, Buf *out)
 {
     const char *p = u->names.prefix;
 
@@ -187,20 +190,21 @@ static void write_calls(const CUnit *u, Buf *out)
     buf_printf(out, "static uint32_t %s_run_state(void) { return %s_state(&%s_m); }\n", p, p, p);
 }
 
-static void write_table(const CUnit *u, Buf *out)
+// Writes the variables, the cell table and the functions of one machine.
+static void write_machine_globals(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
 
     buf_printf(out, "static %s %s_m;\nstatic %s %s_sv;\nstatic uint64_t %s_time;\n", n->type, n->prefix, n->sv_type, n->prefix, n->prefix);
-    write_rows(u, out);
-    write_calls(u, out);
+    write_cell_table(u, out);
+    write_adapters(u, out);
     buf_char(out, '\n');
 }
 
 // ---- the whole driver ----
 
-// Appends types and code of one machine.  Counts the stdlib snippets that it needs in `helper`.
-static CUnit *write_one(Arena *arena, const IrMachine *m, size_t i, bool track_stores, bool soft, uint32_t *helper, Buf *out)
+// Appends types and code of machine number i.  Counts the stdlib snippets that it uses in `helper`.  Returns its unit.
+static CUnit *write_machine_code(Arena *arena, const IrMachine *m, size_t i, bool track_stores, bool soft, uint32_t *helper, Buf *out)
 {
     CUnit *u = ARENA_NEW(arena, CUnit);
     const char *prefix = format_in(arena, "m%u", (unsigned)i);
@@ -208,7 +212,7 @@ static CUnit *write_one(Arena *arena, const IrMachine *m, size_t i, bool track_s
     unit_init(u, arena, m, prefix, prefix);
     u->helper = helper;
     u->fit = "machines_are_fit";
-    unit_soften(u, soft);
+    unit_set_soft(u, soft);
     u->track_stores = track_stores;
     c_write_vector_struct(u, out);
     c_write_machine_types(u, out);
@@ -227,20 +231,20 @@ void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_st
 
     buf_init(&machines, arena);
     for (size_t i = 0; i < n; i++)
-        u[i] = write_one(arena, m[i], i, track_stores[i], soft, helper, &machines);
+        u[i] = write_machine_code(arena, m[i], i, track_stores[i], soft, helper, &machines);
     if (soft)
         c_write_soft_library(code);
-    c_write_guards(code, "machines", soft);
+    c_write_compiler_checks(code, "machines", soft);
     if (!soft)
         c_write_self_test("machines_are_fit", code);
     if (n == 0)
         return;
     helper_write_type(u[0], "SmRoll", code);
-    helpers_write(u[0], code);
+    helpers_write_required(u[0], code);
     buf_str(code, buf_text(&machines));
-    buf_str(code, common);
+    buf_str(code, common_code);
     for (size_t i = 0; i < n; i++)
-        write_table(u[i], code);
+        write_machine_globals(u[i], code);
     buf_str(code, "static const SM_IN_FLASH Machine machine[] = {\n");
     for (size_t i = 0; i < n; i++) {
         const char *p = u[i]->names.prefix;
@@ -248,5 +252,5 @@ void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_st
                    p, p, p, p, p, u[i]->track_stores ? "true" : "false");
     }
     buf_str(code, "};\n\n");
-    buf_str(code, run);
+    buf_str(code, main_code);
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs while smc is built.  Turns the stdlib headers named as arguments into a table of snippets, on standard output, from which the C
-// emitter copies.  A line `//: NAME` begins the snippet NAME and the next such line ends it (`//: end` begins none).  `//: NAME double`
-// marks a snippet that exists only where SmF64 is a double.  Dependencies are found by searching snippets for each other's names, except in
-// comments.  A snippet can only need earlier ones, so the emitter writes them in table order.  `-lines NAME FILE…` outputs whole files as
-// an array of lines, without SPDX lines and includes of stdlib files.
+// Runs while smc is built.  Writes a table of the snippets in the stdlib headers named as arguments to standard output.  A snippet is the source
+// of a function or type that the C emitter copies.
+//
+// In a header, the comment `//: NAME` marks the beginning of snippet NAME, which ends at the next such comment; `//: end` begins no snippet.
+// `//: NAME double` marks a snippet that exists only where SmF64 is a double.  A snippet depends on those whose names it contains outside
+// comments.  It may only depend on earlier ones, so the emitter can write them in table order.
+//
+// `-lines NAME FILE…` writes whole files as an array of lines instead, without SPDX lines and includes of stdlib files.
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,39 +18,40 @@ typedef struct Snippet {
     char name[NAME_MAX_LEN];
     bool native;              // only where SmF64 is a double
     char text[TEXT_MAX];      // C99 guarantees string literals of up to 4095 characters
-    int dep[DEPS_MAX];
+    int dep[DEPS_MAX];        // indices of the snippets that it depends on
     int deps;
 } Snippet;
 
 static Snippet snippet[SNIPPETS_MAX];
 static int snippets;
 
-static void fail(const char *what, const char *which)
+// Prints an error and ends the program.
+static void exit_with_error(const char *what, const char *which)
 {
     fprintf(stderr, "embed_tool: %s: %s\n", what, which);
     exit(1);
 }
 
-static bool is_word(char c)
+static bool is_word_char(char c)
 {
     return c != '\0' && strchr("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_", c) != NULL;
 }
 
-static void snippet_open(const char *name)
+static void begin_snippet(const char *name)
 {
     Snippet *s = &snippet[snippets];
     if (snippets + 1 >= SNIPPETS_MAX)
-        fail("too many texts", name);
+        exit_with_error("too many snippets", name);
     if (sscanf(name, "%39s", s->name) != 1)
-        fail("a text has no name", name);
+        exit_with_error("a snippet has no name", name);
     s->native = strstr(name, " double\n") != NULL;
     snippets++;
 }
 
-static void snippet_append(Snippet *s, const char *line)
+static void append_to_snippet(Snippet *s, const char *line)
 {
     if (strlen(s->text) + strlen(line) + 1 > TEXT_MAX)
-        fail("this text is too long", s->name);
+        exit_with_error("this snippet is too long", s->name);
     strcat(s->text, line);
 }
 
@@ -57,34 +61,34 @@ static void read_header(const char *path)
     bool open = false;
     FILE *f = fopen(path, "r");
     if (f == NULL)
-        fail("cannot read", path);
+        exit_with_error("cannot read", path);
     while (fgets(line, sizeof line, f) != NULL) {
         if (strncmp(line, "//: ", 4) == 0) {
             open = strcmp(line, "//: end\n") != 0;
             if (open)
-                snippet_open(line + 4);
+                begin_snippet(line + 4);
         } else if (open) {
-            snippet_append(&snippet[snippets - 1], line);
+            append_to_snippet(&snippet[snippets - 1], line);
         }
     }
     if (open)
-        fail("the last text is not closed by //: end", path);
+        exit_with_error("the last snippet is not closed by //: end", path);
     fclose(f);
 }
 
-// The end of the comment or word that starts at p; otherwise p + 1.
-static const char *token_end(const char *p)
+// Returns the end of the comment or word that starts at p, otherwise p + 1.
+static const char *find_token_end(const char *p)
 {
     if (p[0] == '/' && p[1] == '/')
         return p + strcspn(p, "\n");
-    if (!is_word(*p))
+    if (!is_word_char(*p))
         return p + 1;
-    while (is_word(*p))
+    while (is_word_char(*p))
         p++;
     return p;
 }
 
-static int snippet_find(const char *name, size_t n)
+static int find_snippet(const char *name, size_t n)
 {
     for (int i = 0; i < snippets; i++)
         if (strlen(snippet[i].name) == n && strncmp(snippet[i].name, name, n) == 0)
@@ -92,29 +96,30 @@ static int snippet_find(const char *name, size_t n)
     return -1;
 }
 
-static void dep_add(int user, int dep)
+static void add_dependency(int user, int dep)
 {
     Snippet *s = &snippet[user];
     for (int i = 0; i < s->deps; i++)
         if (s->dep[i] == dep)
             return;
     if (dep > user)
-        fail("this text needs one that comes after it", s->name);
+        exit_with_error("this snippet depends on one that comes after it", s->name);
     if (s->deps == DEPS_MAX)
-        fail("this text needs too many others", s->name);
+        exit_with_error("this snippet depends on too many others", s->name);
     s->dep[s->deps++] = dep;
 }
 
-static void find_deps(int user)
+static void find_dependencies(int user)
 {
     for (const char *p = snippet[user].text, *end; *p != '\0'; p = end) {
-        end = token_end(p);
-        const int dep = is_word(*p) ? snippet_find(p, (size_t)(end - p)) : -1;
+        end = find_token_end(p);
+        const int dep = is_word_char(*p) ? find_snippet(p, (size_t)(end - p)) : -1;
         if (dep >= 0 && dep != user)
-            dep_add(user, dep);
+            add_dependency(user, dep);
     }
 }
 
+// Prints a text as C string literals, one for each line.
 static void print_text(const char *text)
 {
     fputs("      \"", stdout);
@@ -141,7 +146,7 @@ static void print_lines(const char *path)
     char line[LINE_MAX_LEN];
     FILE *f = fopen(path, "r");
     if (f == NULL)
-        fail("cannot read", path);
+        exit_with_error("cannot read", path);
     while (fgets(line, sizeof line, f) != NULL)
         if (strncmp(line, "#include \"stdlib/", 17) != 0 && strncmp(line, "// SPDX", 7) != 0) {
             print_text(line);
@@ -150,9 +155,9 @@ static void print_lines(const char *path)
     fclose(f);
 }
 
-static int print_files(const char *name, char **path)
+static int print_files_as_lines(const char *name, char **path)
 {
-    printf("// Made by embed_tool.\nstatic const char *const %s[] = {\n", name);
+    printf("// Generated by embed_tool.\nstatic const char *const %s[] = {\n", name);
     for (; *path != NULL; path++)
         print_lines(*path);
     puts("      NULL\n};\n");
@@ -162,17 +167,17 @@ static int print_files(const char *name, char **path)
 int main(int argc, char **argv)
 {
     if (argc > 2 && strcmp(argv[1], "-lines") == 0)
-        return print_files(argv[2], argv + 3);
+        return print_files_as_lines(argv[2], argv + 3);
     for (int i = 1; i < argc; i++)
         read_header(argv[i]);
     for (int i = 0; i < snippets; i++)
-        find_deps(i);
-    puts("// The texts of stdlib functions, in an order in which each comes after those it needs.  Made by embed_tool.");
+        find_dependencies(i);
+    puts("// The source of stdlib functions and types as snippets.  Each follows those that it depends on.  Generated by embed_tool.");
     puts("#ifndef STDLIB_TEXT_H\n#define STDLIB_TEXT_H\n\n#include <stdbool.h>\n");
     puts("typedef struct StdlibText {");
     puts("    const char *name;");
-    puts("    bool native;         // stands only where SmF64 is a double");
-    puts("    // Which others it needs: indices into the table, all smaller than its own.");
+    puts("    bool native;         // it exists only where SmF64 is a double");
+    puts("    // The snippets that it depends on: their number, and their indices in the table, all smaller than its own.");
     printf("    unsigned char deps, dep[%d];\n", DEPS_MAX);
     puts("    const char *text;");
     puts("} StdlibText;\n");

@@ -15,14 +15,14 @@ const char *emit_c_prefix_error(const char *prefix)
         return "a prefix begins with a letter";
     if (strstr(prefix, "__") || prefix[strlen(prefix) - 1] == '_')
         return "a prefix has no two underscores in a row and none at its end";
-    if (c_is_ours(prefix))
+    if (c_has_reserved_prefix(prefix))
         return "names that begin with sm_, smvm_ and pal_ are the runtime's own";
     return NULL;
 }
 
 // ---- the state vector ----
 
-static CElement element_of(const Element *e)
+static CElement describe_element(const Element *e)
 {
     CElement c = { 0 };
 
@@ -34,27 +34,27 @@ static CElement element_of(const Element *e)
     return c;
 }
 
-static void vector_of(Arena *a, const StateVec *sv, CVector *out)
+static void describe_vector(Arena *a, const StateVec *sv, CVector *out)
 {
     out->at = ARENA_ARRAY(a, CElement, sv->element.n);
     out->n = sv->element.n;
     for (size_t i = 0; i < out->n; i++)
-        out->at[i] = element_of(sv->element.at[i]);
+        out->at[i] = describe_element(sv->element.at[i]);
     out->size = sv->size;
     out->hash = sv->hash;
     out->name = sv->name->text;
     out->shared = !sv->from_machine;
 }
 
-static int by_offset(const void *a, const void *b)
+static int compare_offsets(const void *a, const void *b)
 {
     const uint32_t x = ((const CElement *)a)->offset, y = ((const CElement *)b)->offset;
 
     return (x > y) - (x < y);
 }
 
-// For a machine that was read from IR text: only the elements that it lists are known.
-static void vector_of_machine(Arena *a, const IrMachine *m, CVector *out)
+// For a machine that was read from an IR file, which lists only the elements that the machine uses.
+static void describe_listed_elements(Arena *a, const IrMachine *m, CVector *out)
 {
     out->at = ARENA_ARRAY(a, CElement, m->var.n);
     for (size_t v = 0; v < m->var.n; v++) {
@@ -64,7 +64,7 @@ static void vector_of_machine(Arena *a, const IrMachine *m, CVector *out)
         out->at[out->n].offset = m->var.at[v].offset;
         out->at[out->n++].name = m->var.at[v].name;
     }
-    qsort(out->at, out->n, sizeof *out->at, by_offset);
+    qsort(out->at, out->n, sizeof *out->at, compare_offsets);
     out->size = m->sv_size;
     out->hash = m->sv_hash;
     out->name = m->sv_name->text;
@@ -72,7 +72,8 @@ static void vector_of_machine(Arena *a, const IrMachine *m, CVector *out)
 
 // ---- the unit ----
 
-static const char *prefix_of(Arena *a, const char *wanted, const char *name)
+// Returns the prefix of the C names: `wanted`, or a name derived from `name` if that is NULL.
+static const char *choose_prefix(Arena *a, const char *wanted, const char *name)
 {
     return wanted ? c_identifier(a, wanted, strlen(wanted)) : c_identifier(a, name, strlen(name));
 }
@@ -83,17 +84,17 @@ void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const
     u->arena = a;
     u->m = m;
     if (m->program)
-        vector_of(a, m->program->sv, &u->sv);
+        describe_vector(a, m->program->sv, &u->sv);
     else
-        vector_of_machine(a, m, &u->sv);
+        describe_listed_elements(a, m, &u->sv);
     if (!sv_prefix)
-        sv_prefix = u->sv.shared ? prefix_of(a, NULL, u->sv.name) : prefix;
+        sv_prefix = u->sv.shared ? choose_prefix(a, NULL, u->sv.name) : prefix;
     u->names.sv_type = format_in(a, "%sSv", c_type_name(a, sv_prefix));
     u->names.sv_macro = format_in(a, "%s_SV", c_macro_name(a, sv_prefix));
     names_init(u, prefix);
     u->helper = ARENA_ARRAY(a, uint32_t, helper_count());
     u->var_use = ARENA_ARRAY(a, CVarUse, m->var.n);
-    u->window_asked = ARENA_ARRAY(a, uint32_t, m->window.n);
+    u->window_stats_read = ARENA_ARRAY(a, uint32_t, m->window.n);
     u->window_sample = ARENA_ARRAY(a, uint32_t, m->window.n);
     for (size_t w = 0; w < m->window.n; w++)
         u->window_sample[w] = UINT32_MAX;
@@ -101,14 +102,13 @@ void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const
     u->fit = format_in(a, "%s_is_fit", prefix);
 }
 
-// Chooses soft numbers or not; soft ones need no self-test of the computer's arithmetic.
-void unit_soften(CUnit *u, bool soft)
+void unit_set_soft(CUnit *u, bool soft)
 {
     u->soft = soft;
     u->fit = soft ? NULL : u->fit;
 }
 
-// `include`: an additional header, or NULL.
+// Writes the beginning of a header.  `include`: an additional header that it includes, or NULL.
 static void write_header_start(const char *macro, const char *include, bool soft, bool runtime, Buf *out)
 {
     buf_printf(out, "#ifndef %s_H_INCLUDED\n#define %s_H_INCLUDED\n\n#include <stdbool.h>\n#include <stdint.h>\n\n", macro, macro);
@@ -121,15 +121,15 @@ static void write_header_start(const char *macro, const char *include, bool soft
 
 static void write_header_end(Buf *out) { buf_str(out, "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n"); }
 
-// The first line of a file.
+// Writes the first line of a file.
 static void write_title(const char *what, const char *name, const char *source, Buf *out)
 {
     buf_printf(out, "// The state %s %s.  Generated by smc from %s: edit that, not this file.\n", what, name, source);
 }
 
-static const char *source_name(Arena *a, const EmitCOptions *o, const char *name, const char *ending)
+static const char *source_file_name(Arena *a, const EmitCOptions *o, const char *name, const char *extension)
 {
-    return o && o->source ? o->source : format_in(a, "%s.%s", name, ending);
+    return o && o->source ? o->source : format_in(a, "%s.%s", name, extension);
 }
 
 static void write_header(CUnit *u, const char *source, Buf *out)
@@ -146,7 +146,7 @@ static void write_header(CUnit *u, const char *source, Buf *out)
     write_header_end(out);
 }
 
-static const char *header_name(Arena *a, const EmitCOptions *o, const char *name)
+static const char *header_file_name(Arena *a, const EmitCOptions *o, const char *name)
 {
     return o && o->header ? o->header : format_in(a, "%s.h", name);
 }
@@ -156,7 +156,7 @@ static void write_helpers(CUnit *u, Buf *out)
     Buf texts;
 
     buf_init(&texts, u->arena);
-    helpers_write(u, &texts);
+    helpers_write_required(u, &texts);
     if (texts.n == 0)
         return;
     buf_str(out, "// ---- where the language differs from C ----\n"
@@ -173,7 +173,7 @@ static void write_code(CUnit *u, const char *source, const char *header, Buf *ou
     c_write_machine(u, &body);
     write_title("machine", u->m->name->text, source, out);
     buf_printf(out, "#include \"%s\"\n\n", header);
-    c_write_guards(out, u->names.prefix, u->soft);
+    c_write_compiler_checks(out, u->names.prefix, u->soft);
     buf_char(out, '\n');
     if (u->fit)
         buf_printf(out, "static bool %s(void);\n\n", u->fit);
@@ -189,61 +189,61 @@ static void write_code(CUnit *u, const char *source, const char *header, Buf *ou
 
 void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code)
 {
-    const char *source = source_name(arena, o, m->name->text, "sm");
+    const char *source = source_file_name(arena, o, m->name->text, "sm");
     CUnit u;
 
-    unit_init(&u, arena, m, prefix_of(arena, o ? o->prefix : NULL, m->name->text), NULL);
+    unit_init(&u, arena, m, choose_prefix(arena, o ? o->prefix : NULL, m->name->text), NULL);
     u.runtime = o && o->runtime;
-    unit_soften(&u, o && o->soft);
+    unit_set_soft(&u, o && o->soft);
     u.track_stores = (o && o->track_stores) || (u.runtime && m->program && m->program->sv->lock);
     write_header(&u, source, header);
-    write_code(&u, source, header_name(arena, o, m->name->text), code);
+    write_code(&u, source, header_file_name(arena, o, m->name->text), code);
 }
 
 // ---- the state vector alone ----
 
-static void write_runtime_header(CUnit *u, const StateVec *sv, CVectorNames *names, Buf *header)
+static void write_runtime_declarations(CUnit *u, const StateVec *sv, CVectorNames *names, Buf *header)
 {
-    names_runtime(u->arena, &u->names, sv, names);
+    names_assign_runtime(u->arena, &u->names, sv, names);
     c_write_vector_struct(u, header);
     c_write_vector_interface(u, sv, names, header);
 }
 
-static void vector_unit_init(CUnit *u, Arena *arena, const StateVec *sv, const char *prefix)
+static void init_vector_unit(CUnit *u, Arena *arena, const StateVec *sv, const char *prefix)
 {
     memset(u, 0, sizeof *u);
     u->arena = arena;
-    vector_of(arena, sv, &u->sv);
+    describe_vector(arena, sv, &u->sv);
     u->names.prefix = prefix;
     u->names.macro = c_macro_name(arena, prefix);
     u->names.sv_type = format_in(arena, "%sSv", c_type_name(arena, prefix));
     u->names.sv_macro = format_in(arena, "%s_SV", u->names.macro);
-    names_elements(arena, &u->names, &u->sv);
+    names_assign_elements(arena, &u->names, &u->sv);
 }
 
-void c_vector_names(Arena *arena, const StateVec *sv, CUnit *u)
+void c_init_vector_names(Arena *arena, const StateVec *sv, CUnit *u)
 {
-    vector_unit_init(u, arena, sv, prefix_of(arena, NULL, sv->name->text));
+    init_vector_unit(u, arena, sv, choose_prefix(arena, NULL, sv->name->text));
 }
 
 void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code)
 {
-    const char *source = source_name(arena, o, sv->name->text, "sv");
+    const char *source = source_file_name(arena, o, sv->name->text, "sv");
     CVectorNames names;
     CUnit u;
 
-    vector_unit_init(&u, arena, sv, prefix_of(arena, o ? o->prefix : NULL, sv->name->text));
+    init_vector_unit(&u, arena, sv, choose_prefix(arena, o ? o->prefix : NULL, sv->name->text));
     u.runtime = o && o->runtime;
-    unit_soften(&u, o && o->soft);
+    unit_set_soft(&u, o && o->soft);
     write_title("vector", sv->name->text, source, header);
     write_header_start(u.names.sv_macro, u.runtime ? "runtime-c/statevec.h" : NULL, u.soft, u.runtime, header);
     if (u.runtime)
-        write_runtime_header(&u, sv, &names, header);
+        write_runtime_declarations(&u, sv, &names, header);
     else
         c_write_vector_struct(&u, header);
     write_header_end(header);
     write_title("vector", sv->name->text, source, code);
-    buf_printf(code, "#include \"%s\"\n", header_name(arena, o, sv->name->text));
+    buf_printf(code, "#include \"%s\"\n", header_file_name(arena, o, sv->name->text));
     if (u.runtime)
         c_write_vector_tables(&u, sv, &names, code);
 }

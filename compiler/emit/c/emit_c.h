@@ -11,19 +11,19 @@
 
 typedef struct EmitCOptions {
     const char *prefix;           // prefix of every name; NULL: the machine's (state vector's) name
-    const char *header;           // how the .c includes its .h; NULL: the name and ".h"
-    const char *source;           // the source's name without folders, for comments; NULL: the name with its extension
-    bool track_stores;            // each step reports in m->stored which elements it stored
-    bool soft;                    // for chips whose double is not a binary64: numbers are SmF64s, of sm_soft.h or stdlib/f64.h
-    bool runtime;                 // for runtime-c.  A vector: see statevec.h.  A machine: also PREFIX_machine (machine_type.h), and it
-                                  // tracks stores if the vector has `lock`
+    const char *header;           // the file name in the #include of the header; NULL: the machine's name and ".h"
+    const char *source;           // the source file's name without folders, for comments; NULL: the machine's name and its extension
+    bool track_stores;            // each step sets in m->stored which elements it stored
+    bool soft;                    // for chips whose double is not a binary64: numbers are SmF64s (sm_soft.h or stdlib/f64.h)
+    bool runtime;                 // for the flight runtime.  Adds to a state vector what runtime-c/statevec.h describes, and to a machine
+                                  // PREFIX_machine (runtime-c/machine_type.h); the machine tracks stores if the vector has `lock`
 } EmitCOptions;
 
 // Returns what is wrong with a prefix, as a sentence for the user, or NULL if it is valid.  A valid prefix is a C identifier that does not
 // start with an underscore and has no two in a row.
 const char *emit_c_prefix_error(const char *prefix);
 
-// Emits one machine, which passes_for_c (passes/pass.h) has prepared.  `o` may be NULL.  The output depends on the arguments alone.
+// Emits one machine, the result of passes_for_c (passes/pass.h).  `o` may be NULL.  The output depends on the arguments alone.
 void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code);
 
 // Emits a state vector alone: the struct that the headers of its machines also declare.  With `runtime` also its storage, its tables, and
@@ -41,15 +41,16 @@ void emit_c_bytes(const Buf *image, Buf *out);
 // because that includes it.
 void emit_c_soft_library(Buf *header, Buf *code, Buf *assembly);
 
-// Emits several machines, prepared likewise, and a main as one translation unit: a program that runs them on commands from its standard input.
-// compiler/device/engine_c.c compiles and drives it.  track_stores is by machine.  `soft` is as above, with its library included.  The
-// exchange, lowest byte first and without padding:
-//   to it:    u32 machine, u32 command, then
-//             command 0, init:   u32 state                        elements zero, locals at their initial values, then init
-//             command 1, step:   u32 n, n times (u32 variable, u64 cell)
-//   from it:  u32 status (0 ok, 1 refused, 2 does not run here), u32 next state, u32 whether it will be a first step,
-//             u64 cell of every variable, u8 stored of every variable: 0 no, 1 yes, 2 not tracked
-// Variables are numbered as in Program.var, or as in IrMachine.var if there is no program.  The program ends at the end of its input.
+// Emits several machines, each the result of passes_for_c, and a main as one translation unit: a driver program that runs them on commands
+// from its standard input.  compiler/device/engine_c.c compiles and drives it.  track_stores has one flag for each machine.  `soft` is as
+// above; the soft library is part of the unit.  Protocol, lowest byte first and without padding:
+//   request:  u32 machine, u32 command, then
+//             command 0, init:   u32 state     sets elements to zero and locals to their initial values, then calls init
+//             command 1, step:   u32 n, n times (u32 variable, u64 cell)     writes the cells, then runs a step
+//   answer:   u32 status (0 ok, 1 refused, 2 init failed), u32 next state, u32 whether the next step is a first step,
+//             u64 cell of every variable, u8 whether the step stored it: 0 no, 1 yes, 2 not tracked
+// A cell is the bit pattern of a value, zero-extended (compiler/script/engine.h).  Variables are indices into Program.var, or into
+// IrMachine.var if there is no program.  The driver ends at the end of its input.
 void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_stores, size_t n, bool soft, Buf *code);
 
 #endif

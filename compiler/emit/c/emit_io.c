@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pin file as C: two tables of constants for runtime-c/io.h, one for inputs and one for outputs.
+// Writes a pin file as C: two constant tables for runtime-c/io.h, one of inputs and one of outputs.
 #include <string.h>
 
 #include "compiler/emit/c/emit_c.h"
@@ -8,11 +8,12 @@
 typedef struct IoUnit {
     Arena *arena;
     const IoMap *io;
-    const char *prefix, *vector;      // for its own names, and for those of the state vector
-    const char *source;               // the .io, for comments
+    const char *prefix, *vector;      // prefixes of its own names and of the names of the state vector
+    const char *source;               // name of the .io file, for comments
 } IoUnit;
 
-static const char *prefix_of(Arena *a, const char *wanted, Str name)
+// Returns the prefix of the C names: `wanted`, or a name derived from `name` if that is NULL.
+static const char *choose_prefix(Arena *a, const char *wanted, Str name)
 {
     return c_identifier(a, wanted ? wanted : name->text, wanted ? strlen(wanted) : name->len);
 }
@@ -48,7 +49,8 @@ static const char *type_name(SmType t)
     return names[t];
 }
 
-static const char *flags(Arena *a, const Pin *p)
+// Returns the flags of a pin as a C expression.
+static const char *pin_flags(Arena *a, const Pin *p)
 {
     const char *pull = p->pull_up ? "SM_IO_PULL_UP" : p->pull_down ? "SM_IO_PULL_DOWN" : NULL;
 
@@ -57,8 +59,8 @@ static const char *flags(Arena *a, const Pin *p)
     return pull ? format_in(a, "SM_IO_INVERTED | %s", pull) : "SM_IO_INVERTED";
 }
 
-// Written as bits, so that the number is the same whatever this compiler's double is.
-static void write_number(SmF64 x, Buf *out)
+// Writes `, ` and the bits of a number, which are the same whatever `double` is.
+static void write_number_bits(SmF64 x, Buf *out)
 {
     if (sm_bits(x) == 0)
         buf_str(out, ", 0");
@@ -66,8 +68,8 @@ static void write_number(SmF64 x, Buf *out)
         buf_printf(out, ", 0x%08lx%08lxu", (unsigned long)(sm_bits(x) >> 32), (unsigned long)(sm_bits(x) & 0xffffffffu));
 }
 
-// The element and its parameters, as a comment for readers of the table.
-static const char *as_written(Arena *a, const Pin *p)
+// Returns the comment of a pin: its element and its parameters, as in the .io file.
+static const char *describe_pin(Arena *a, const Pin *p)
 {
     const char *text = p->element->name->text;
 
@@ -82,12 +84,12 @@ static const char *as_written(Arena *a, const Pin *p)
 
 static void write_pin(const IoUnit *u, const Pin *p, Buf *out)
 {
-    buf_printf(out, "    {%s, %s, %s, %u, %u, %lu", kind_names[p->kind], type_name(p->element->type), flags(u->arena, p),
+    buf_printf(out, "    {%s, %s, %s, %u, %u, %lu", kind_names[p->kind], type_name(p->element->type), pin_flags(u->arena, p),
                (unsigned)p->hold, (unsigned)p->number, (unsigned long)p->element->offset);
-    write_number(pin_is_digital(p) ? sm_from_i32(0) : p->scale, out);
-    write_number(p->offset, out);
-    write_number(p->safe, out);
-    buf_printf(out, "},   // %s\n", as_written(u->arena, p));
+    write_number_bits(pin_is_digital(p) ? sm_from_i32(0) : p->scale, out);
+    write_number_bits(p->offset, out);
+    write_number_bits(p->safe, out);
+    buf_printf(out, "},   // %s\n", describe_pin(u->arena, p));
 }
 
 static size_t count_pins(const IoMap *io, bool output)
@@ -99,7 +101,8 @@ static size_t count_pins(const IoMap *io, bool output)
     return n;
 }
 
-static void write_table(const IoUnit *u, bool output, Buf *out)
+// Writes the table of inputs or outputs, the buffers for its pins, and the SmIo that refers to them.
+static void write_pin_table(const IoUnit *u, bool output, Buf *out)
 {
     const char *p = u->prefix, *what = output ? "output" : "input";
     const unsigned long n = (unsigned long)count_pins(u->io, output);
@@ -121,17 +124,17 @@ static void write_code(const IoUnit *u, const char *header, Buf *out)
 {
     write_title(u, out);
     buf_printf(out, "#include \"%s\"\n\n#include \"%s.h\"\n\n", header, u->io->sv->name->text);
-    // Offsets are those of one layout: with another vector the code does not compile.
+    // The table has offsets of one layout, so the code must not compile with another state vector.
     buf_printf(out, "#if %s_SV_LAYOUT != 0x%08xu\n#error \"%s_io was generated from another state vector: build it again\"\n#endif\n\n",
                c_macro_name(u->arena, u->vector), u->io->sv->hash, u->prefix);
     buf_str(out, "// kind, type, flags, hold, pin, offset in the state vector; scale, offset and safe value as bits of a binary64.\n");
-    write_table(u, false, out);
-    write_table(u, true, out);
+    write_pin_table(u, false, out);
+    write_pin_table(u, true, out);
 }
 
 void emit_c_io(Arena *arena, const IoMap *io, const EmitCOptions *o, Buf *header, Buf *code)
 {
-    IoUnit u = {arena, io, prefix_of(arena, o ? o->prefix : NULL, io->name), prefix_of(arena, NULL, io->sv->name), NULL};
+    IoUnit u = {arena, io, choose_prefix(arena, o ? o->prefix : NULL, io->name), choose_prefix(arena, NULL, io->sv->name), NULL};
 
     u.source = o && o->source ? o->source : format_in(arena, "%s.io", io->name->text);
     write_header(&u, header);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The nesting of a function's blocks.  Control only moves forward, so block order is a topological order and one pass answers every
-// question.  A block with one predecessor is written inside the arm of the conditional that leads there.  A join block is written after the
+// The nesting of a function's basic blocks.  Control only moves forward, so block order is a topological order and each analysis needs one
+// pass.  A block with one predecessor is written inside the arm of the conditional that leads there.  A join block is written after the
 // whole code of the block that dominates it.
 #include "compiler/emit/c/fn.h"
 
-typedef CDominators Tree;
-
-static uint32_t nearest_common_dominator(const Tree *t, uint32_t a, uint32_t b)
+// Returns the nearest block that dominates both a and b.
+static uint32_t nearest_common_dominator(const CDominators *t, uint32_t a, uint32_t b)
 {
     while (a != b) {
         if (t->depth[a] < t->depth[b]) {
@@ -24,8 +23,8 @@ static uint32_t nearest_common_dominator(const Tree *t, uint32_t a, uint32_t b)
     return a;
 }
 
-// Skip pointers of lengths 1, 1, 3, 1, 1, 3, 7 …
-static void tree_add(Tree *t, uint32_t x, uint32_t parent)
+// Adds block x below its immediate dominator.  A skip pointer leads 1, 3, 7 … levels up, as in a skew-binary list.
+static void add_to_dominator_tree(CDominators *t, uint32_t x, uint32_t parent)
 {
     const uint32_t s = t->shortcut[parent], ss = t->shortcut[s];
 
@@ -44,13 +43,14 @@ static bool has_effect(const IrFn *f, const IrBlk *b)
     return false;
 }
 
+// Computes then and other of every block, without empty blocks and branches on constants.
 static void find_successors(CFn *fn)
 {
     CFlow *w = &fn->flow;
     const uint32_t end = w->n - 1;
-    uint32_t *thread = ARENA_ARRAY(fn->u->arena, uint32_t, w->n);
+    uint32_t *skip_to = ARENA_ARRAY(fn->u->arena, uint32_t, w->n);      // by block: itself, or the block after it if it is empty
 
-    thread[end] = end;
+    skip_to[end] = end;
     w->then[end] = w->other[end] = IR_NONE;
     for (uint32_t b = end; b-- > 0;) {
         const IrBlk *blk = &fn->f->blk.at[b];
@@ -58,22 +58,23 @@ static void find_successors(CFn *fn)
         w->then[b] = w->other[b] = IR_NONE;
         switch (j->kind) {
         case IR_RET: w->then[b] = end; break;
-        case IR_JMP: w->then[b] = thread[j->then]; break;
+        case IR_JMP: w->then[b] = skip_to[j->then]; break;
         case IR_GOTO: break;
         case IR_BR:
-            w->then[b] = thread[j->then];
-            w->other[b] = thread[j->otherwise];
+            w->then[b] = skip_to[j->then];
+            w->other[b] = skip_to[j->otherwise];
             if (c_is_const(fn, j->cond) && c_ins(fn, j->cond)->bits == 0)
                 w->then[b] = w->other[b];
             if (c_is_const(fn, j->cond) || w->then[b] == w->other[b])
                 w->other[b] = IR_NONE;
             break;
         }
-        thread[b] = w->then[b] != IR_NONE && w->other[b] == IR_NONE && !has_effect(fn->f, blk) ? w->then[b] : b;
+        skip_to[b] = w->then[b] != IR_NONE && w->other[b] == IR_NONE && !has_effect(fn->f, blk) ? w->then[b] : b;
     }
 }
 
-static void add_edge(CFlow *w, Tree *t, uint32_t from, uint32_t to)
+// Records an edge and updates the immediate dominator of `to`.
+static void record_edge(CFlow *w, CDominators *t, uint32_t from, uint32_t to)
 {
     if (to == IR_NONE)
         return;
@@ -82,20 +83,21 @@ static void add_edge(CFlow *w, Tree *t, uint32_t from, uint32_t to)
     w->preds[to]++;
 }
 
-static void find_dominators(CFlow *w, Tree *t)
+static void find_dominators(CFlow *w, CDominators *t)
 {
     w->reached[0] = true;
     for (uint32_t b = 0; b < w->n; b++) {
         if (!w->reached[b])
             continue;
         if (b > 0)
-            tree_add(t, b, t->parent[b]);
-        add_edge(w, t, b, w->then[b]);
-        add_edge(w, t, b, w->other[b]);
+            add_to_dominator_tree(t, b, t->parent[b]);
+        record_edge(w, t, b, w->then[b]);
+        record_edge(w, t, b, w->other[b]);
     }
 }
 
-static void list_joins(CFlow *w, const Tree *t)
+// Fills kid and sibling: lists the join blocks below their immediate dominators.
+static void list_join_blocks(CFlow *w, const CDominators *t)
 {
     for (uint32_t b = 0; b < w->n; b++)
         w->kid[b] = w->sibling[b] = IR_NONE;
@@ -107,10 +109,10 @@ static void list_joins(CFlow *w, const Tree *t)
     }
 }
 
-// Control falls out of b if an edge leads from a block that b dominates to a block whose immediate dominator is above b.
-static void find_falls(Arena *arena, CFlow *w, const Tree *t)
+// Fills falls.  Control leaves the blocks that b dominates if an edge leads from one of them to a block whose immediate dominator is above b.
+static void find_blocks_that_fall_out(Arena *arena, CFlow *w, const CDominators *t)
 {
-    uint32_t *highest = ARENA_ARRAY(arena, uint32_t, w->n);
+    uint32_t *highest = ARENA_ARRAY(arena, uint32_t, w->n);       // by block: least depth of an immediate dominator that such an edge reaches
 
     for (uint32_t b = 0; b < w->n; b++)
         highest[b] = UINT32_MAX;
@@ -127,11 +129,11 @@ static void find_falls(Arena *arena, CFlow *w, const Tree *t)
     }
 }
 
-void flow_init(CFn *fn)
+void flow_build(CFn *fn)
 {
     Arena *a = fn->u->arena;
     CFlow *w = &fn->flow;
-    Tree t;
+    CDominators t;
 
     w->n = (uint32_t)fn->f->blk.n + 1;
     w->then = ARENA_ARRAY(a, uint32_t, w->n);
@@ -146,7 +148,7 @@ void flow_init(CFn *fn)
     t.depth = ARENA_ARRAY(a, uint32_t, w->n);
     find_successors(fn);
     find_dominators(w, &t);
-    list_joins(w, &t);
-    find_falls(a, w, &t);
+    list_join_blocks(w, &t);
+    find_blocks_that_fall_out(a, w, &t);
     w->dominators = t;
 }

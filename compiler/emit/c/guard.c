@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Emitted C keeps its meaning under any compiler and any flags, or does not compile, or does not start.  There are three lines of defence.
-// Pragmas forbid what they can.  #error rejects what a macro reveals.  A self-test at run time, with operands that the compiler cannot
-// know, covers the rest.
+// Emitted C has the same meaning with any compiler and any flags, or does not compile, or its init fails.  Three mechanisms ensure that:
+// 1. Pragmas switch off optimisations that change results.
+// 2. #error rejects compilers and flags that predefined macros reveal.
+// 3. A self-test at run time, with operands that the compiler cannot know, finds the rest.
 #include "compiler/emit/c/unit.h"
 
 static const char includes[] =
@@ -11,7 +12,8 @@ static const char includes[] =
     "#include <stdint.h>\n"
     "#include <string.h>\n";
 
-// FLT_EVAL_METHOD 1 widens only float, whose results are rounded back; 16 and above concern types that are not used.
+// FLT_EVAL_METHOD 1 is accepted: it evaluates float as double, and emitted C rounds every float result back.  Values from 16 to 64 are
+// accepted: they concern types that are not used.
 static const char guards[] =
     "// ---- what this file requires of the compiler ----\n"
     "\n"
@@ -41,7 +43,7 @@ static const char guards[] =
     "// A flag can shorten the constants.\n"
     "typedef char %s_constants_are_double[sizeof 0.1 == sizeof(double) && sizeof(double) == 8 ? 1 : -1];\n";
 
-// With soft numbers little can go wrong: there is no floating-point arithmetic.
+// With soft numbers there is no floating-point arithmetic, so only the format of float is checked.
 static const char soft_guards[] =
     "// ---- what this file requires of the compiler ----\n"
     "\n"
@@ -58,17 +60,17 @@ static const char soft_guards[] =
     "#pragma clang diagnostic ignored \"-Wtautological-compare\"   // conditions are as their author wrote them\n"
     "#endif\n";
 
-void c_write_guards(Buf *out, const char *what, bool soft)
+void c_write_compiler_checks(Buf *out, const char *name, bool soft)
 {
     buf_str(out, includes);
     buf_char(out, '\n');
     if (soft)
         buf_str(out, soft_guards);
     else
-        buf_printf(out, guards, what);
+        buf_printf(out, guards, name);
 }
 
-// Each line tests one way in which a compiler, a flag or the processor's mode can change results.
+// Each `fit = …` line tests one way in which a compiler, a flag or a mode of the processor can change results.
 static const char self_test[] =
     "// Tests what no macro reports: the rounding mode, whether subnormal numbers survive, and what flags may have allowed the\n"
     "// compiler to do to arithmetic.  The operands are volatile, so that the compiler cannot evaluate it.\n"

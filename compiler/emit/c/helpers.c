@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stdlib functions that emitted C includes, copied from the headers that the VM and the constant folder use.
+// The stdlib functions that emitted C contains, copied from the headers that the VM and the constant folder use.  stdlib_text.h, which
+// embed_tool.c generates, has the source of each function or type as a snippet.
 #include <string.h>
 
 #include "compiler/emit/c/unit.h"
@@ -7,6 +8,7 @@
 
 size_t helper_count(void) { return STDLIB_TEXT_COUNT; }
 
+// Returns the index of a snippet in stdlib_text, or -1.
 static int find_helper(const char *name)
 {
     for (int i = 0; i < STDLIB_TEXT_COUNT; i++)
@@ -15,7 +17,7 @@ static int find_helper(const char *name)
     return -1;
 }
 
-const char *helper_use(CUnit *u, const char *name)
+const char *helper_require(CUnit *u, const char *name)
 {
     const int i = find_helper(name);
 
@@ -37,7 +39,8 @@ static bool is_word(char c)
     return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-static bool names_word(const char *text, const char *name)
+// Whether `name` occurs in `text` as a whole word.
+static bool contains_word(const char *text, const char *name)
 {
     const size_t n = strlen(name);
 
@@ -47,37 +50,38 @@ static bool names_word(const char *text, const char *name)
     return false;
 }
 
-// Counts the snippets that snippet i still names after its operations have become C's own.
-static void use_dependencies(CUnit *u, int i, const char *text)
+// Counts the snippets that snippet i uses.  `text`: its source with calls replaced by C operators, which no longer uses some of them.
+static void require_dependencies(CUnit *u, int i, const char *text)
 {
     for (int d = 0; d < stdlib_text[i].deps; d++) {
         const int dep = stdlib_text[i].dep[d];
-        if (names_word(text, stdlib_text[dep].name))
+        if (contains_word(text, stdlib_text[dep].name))
             u->helper[dep]++;
     }
 }
 
-// With this many calls, a conversion or NaN check is better not inlined.  For a machine of a thousand states gcc then takes half the time
-// and produces half the code.
-enum { TOO_MANY = 500 };
-static const char apart_text[] =
+// A conversion or NaN check with more calls than this is declared noinline.  For a machine of a thousand states gcc then takes half the time and
+// produces half the code.
+enum { INLINE_USES_MAX = 500 };
+static const char noinline_macro[] =
     "#if defined(__GNUC__)\n"
     "#define SM_NOINLINE __attribute__((noinline))    // called from many places\n"
     "#else\n"
     "#define SM_NOINLINE\n"
     "#endif\n";
 
-static bool stays_apart(const CUnit *u, int i)
+// Whether snippet i is a function that is declared noinline.
+static bool is_noinline(const CUnit *u, int i)
 {
     const char *const name = stdlib_text[i].name;
 
-    return !u->soft && u->helper[i] > TOO_MANY && (strncmp(name, "sm_to_", 6) == 0 || strncmp(name, "sm_read_", 8) == 0);
+    return !u->soft && u->helper[i] > INLINE_USES_MAX && (strncmp(name, "sm_to_", 6) == 0 || strncmp(name, "sm_read_", 8) == 0);
 }
 
-static void write_text(const CUnit *u, int i, const char *text, Buf *out)
+static void write_snippet(const CUnit *u, int i, const char *text, Buf *out)
 {
     static const char inlined[] = "static inline ";
-    const char *at = stays_apart(u, i) ? strstr(text, inlined) : NULL;
+    const char *at = is_noinline(u, i) ? strstr(text, inlined) : NULL;
 
     if (at)
         buf_printf(out, "%.*sstatic SM_NOINLINE %s\n", (int)(at - text), text, at + sizeof inlined - 1);
@@ -85,26 +89,26 @@ static void write_text(const CUnit *u, int i, const char *text, Buf *out)
         buf_printf(out, "%s\n", text);
 }
 
-static bool is_type(int i) { return strncmp(stdlib_text[i].name, "Sm", 2) == 0; }
+static bool is_type_snippet(int i) { return strncmp(stdlib_text[i].name, "Sm", 2) == 0; }
 
-// A snippet needs only snippets before it, so a single pass from last to first finds all.
-void helpers_write(CUnit *u, Buf *out)
+// A snippet uses only snippets before it, so a single pass from last to first finds all.
+void helpers_write_required(CUnit *u, Buf *out)
 {
     Buf text[STDLIB_TEXT_COUNT];
 
     for (int i = STDLIB_TEXT_COUNT - 1; i >= 0; i--) {
         buf_init(&text[i], u->arena);
-        if (!u->helper[i] || is_type(i) || (u->soft && stdlib_text[i].native))
+        if (!u->helper[i] || is_type_snippet(i) || (u->soft && stdlib_text[i].native))
             continue;
         native_write(u, stdlib_text[i].text, &text[i]);
-        use_dependencies(u, i, buf_text(&text[i]));
+        require_dependencies(u, i, buf_text(&text[i]));
     }
     for (int i = 0; i < STDLIB_TEXT_COUNT; i++)
-        if (stays_apart(u, i)) {
-            buf_printf(out, "%s\n", apart_text);
+        if (is_noinline(u, i)) {
+            buf_printf(out, "%s\n", noinline_macro);
             break;
         }
     for (int i = 0; i < STDLIB_TEXT_COUNT; i++)
         if (text[i].n > 0)
-            write_text(u, i, buf_text(&text[i]), out);
+            write_snippet(u, i, buf_text(&text[i]), out);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constants as C literals that preserve every bit.  Decimal, because C++11 has no hexadecimal floats: the fewest digits that convert back
-// to the same number.
+// Writes constants as C literals that preserve every bit.  Floats are decimal, because C++11 has no hexadecimal floats, with the fewest digits
+// that convert back to the same number.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,16 +9,16 @@
 #include "compiler/emit/c/unit.h"
 #include "stdlib/convert.h"
 
-// The locale of the host can print a decimal comma.
-static void use_point(char *text)
+// Replaces the decimal separator of the host's locale by a point.
+static void replace_decimal_separator(char *text)
 {
     for (; *text; text++)
         if (!strchr("0123456789+-e.", *text))
             *text = '.';
 }
 
-// Turns 1e+300 into 1e300, 42 into 42.0.
-static void write_tidy(Buf *out, char *text)
+// Writes a number that printf produced, as a C literal without superfluous characters: 1e300 for 1e+300, 42.0 for 42.
+static void write_normalized(Buf *out, char *text)
 {
     char *e = strchr(text, 'e');
 
@@ -49,16 +49,16 @@ void literal_write_finite(Buf *out, double x)
                 break;
         }
     }
-    use_point(text);
-    write_tidy(out, text);
+    replace_decimal_separator(text);
+    write_normalized(out, text);
 }
 
-// Writes the bits, followed by the number as a comment for readers.
+// Writes an SmF64 constant: its bits, and the number as a comment.
 static void write_soft_f64(CUnit *u, Buf *out, double x)
 {
     const unsigned long high = (unsigned long)(sm_bits(x) >> 32), low = (unsigned long)(sm_bits(x) & 0xffffffffu);
 
-    buf_printf(out, "%s(0x%08lX%08lXu /* ", helper_use(u, "sm_from_bits"), x != x ? 0x7FF80000ul : high, x != x ? 0ul : low);
+    buf_printf(out, "%s(0x%08lX%08lXu /* ", helper_require(u, "sm_from_bits"), x != x ? 0x7FF80000ul : high, x != x ? 0ul : low);
     if (x - x == 0)
         literal_write_finite(out, x);
     else
@@ -73,7 +73,7 @@ static void write_f64(CUnit *u, Buf *out, double x)
     else if (x - x == 0)
         literal_write_finite(out, x);
     else
-        buf_printf(out, "%s(%s)", helper_use(u, "sm_from_bits"), x != x ? "0x7FF8000000000000u" :
+        buf_printf(out, "%s(%s)", helper_require(u, "sm_from_bits"), x != x ? "0x7FF8000000000000u" :
                    x > 0 ? "0x7FF0000000000000u" : "0xFFF0000000000000u");
 }
 
@@ -96,8 +96,8 @@ static void write_f32(CUnit *u, Buf *out, float x)
                 break;
         }
     }
-    use_point(text);
-    write_tidy(out, text);
+    replace_decimal_separator(text);
+    write_normalized(out, text);
     buf_char(out, 'f');
 }
 

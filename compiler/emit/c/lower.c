@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides which temporaries of a function become part of the expressions that use them, and which become variables.  A temporary is inlined
-// if it is used once and no store between its position and its use changes what it reads.  Expressions too deep for compilers are split.
-// Also finds float loads that need no NaN check, and elements that are read once for the whole function.
+// Decides which temporaries of a function become subexpressions of the expressions that use them, and which become variables.  A temporary
+// becomes a subexpression if it is used once and no store between its position and its use changes what it reads.  Expressions too deep for
+// compilers are split.  Also finds float loads that need no NaN check, and elements that are read once for the whole function.
 #include "compiler/emit/c/fn.h"
 #include "compiler/ir/comparison.h"
 
@@ -9,8 +9,8 @@ enum { LEVEL_MAX = 40 };      // deeper expressions are split; clang's limit is 
 
 // ---- facts ----
 
-// In a block that is unreachable according to the facts, only the type restricts a value.
-static Fact fact_of(const FactFlow *flow, size_t b, IrRef r, SmType type)
+// Returns the possible values of r in block b: any value of its type if the facts say that the block is unreachable.
+static Fact fact_in_block(const FactFlow *flow, size_t b, IrRef r, SmType type)
 {
     Fact any = fact_of_type(type);
 
@@ -26,11 +26,11 @@ void lower_find_facts(CFn *fn, const Env *begin)
     for (size_t b = 0; b < f->blk.n; b++)
         for (size_t p = 0; p < f->blk.at[b].ins.n; p++) {
             const IrRef r = f->blk.at[b].ins.at[p];
-            fn->ins[r].fact = fact_of(&flow, b, r, f->ins.at[r].type);
+            fn->ins[r].fact = fact_in_block(&flow, b, r, f->ins.at[r].type);
         }
 }
 
-// ---- which instructions are needed, and how often ----
+// ---- counting uses ----
 
 static void count_use(CFn *fn, IrRef r)
 {
@@ -38,7 +38,8 @@ static void count_use(CFn *fn, IrRef r)
         fn->ins[r].uses++;
 }
 
-static CVarUse *var_use(CFn *fn, uint32_t v)
+// Returns how the current function uses variable v, after resetting an entry of another function.
+static CVarUse *get_var_use(CFn *fn, uint32_t v)
 {
     CVarUse *w = &fn->var[v];
 
@@ -51,6 +52,7 @@ static CVarUse *var_use(CFn *fn, uint32_t v)
     return w;
 }
 
+// Counts the uses of temporaries and variables in block b, backwards, so that the uses of a result are known before those of its operands.
 static void count_uses(CFn *fn, uint32_t b)
 {
     const IrBlk *blk = &fn->f->blk.at[b];
@@ -61,9 +63,9 @@ static void count_uses(CFn *fn, uint32_t b)
         const IrIns *i = &fn->f->ins.at[blk->ins.at[p]];
         const CIns *c = &fn->ins[blk->ins.at[p]];
         if (i->op == IR_store)
-            var_use(fn, i->var)->stored = true;
+            get_var_use(fn, i->var)->stored = true;
         if (i->op == IR_load)
-            var_use(fn, i->var)->loads += c->uses;
+            get_var_use(fn, i->var)->loads += c->uses;
         if ((c->uses == 0 && !ir_op_info[i->op].effect) || i->op == IR_const)
             continue;
         count_use(fn, i->a);
@@ -71,16 +73,17 @@ static void count_uses(CFn *fn, uint32_t b)
         if (i->op == IR_cvt && i->type == SM_F64)
             i = c_ins(fn, i->a);
         if (i->op == IR_load)
-            var_use(fn, i->var)->as_double = true;
+            get_var_use(fn, i->var)->as_double = true;
     }
 }
 
 // ---- loads that need no NaN check ----
-// A value that the function itself has stored is never NaN.  A NaN reads as 0.  If a condition has the same result for NaN and 0, the
-// difference is not visible: x > 775 is false for both.  So is 500 < x and x < 825, although 0 < 825.
+// 1. A value that the function itself has stored is never NaN.
+// 2. The language reads a NaN as 0.  If a condition has the same result for NaN and 0, no check is needed: `x > 775` is false for both.
+// 3. `500 < x and x < 825` needs no check either, although 0 < 825: where x is NaN or 0, `500 < x` is false and decides the result.
 
-// The load of a float element whose value, as an F32 or an F64, is r; or IR_NONE.
-static IrRef load_of(const CFn *fn, IrRef r)
+// If r is the load of a float element, or the conversion of such a load from F32 to F64, returns the load; otherwise IR_NONE.
+static IrRef find_float_load(const CFn *fn, IrRef r)
 {
     const IrIns *i;
 
@@ -92,7 +95,7 @@ static IrRef load_of(const CFn *fn, IrRef r)
     return i->op == IR_load && fn->u->m->var.at[i->var].space == IR_ELEMENT && sm_type_info[i->type].kind == SM_KIND_FLOAT ? r : IR_NONE;
 }
 
-// Whether 0 op y equals NaN op y for all y in a range.
+// Whether `0 op y` equals `NaN op y` for all values of y.
 static bool is_same_for_nan(IrOp op, Fact y)
 {
     switch (op) {
@@ -105,18 +108,19 @@ static bool is_same_for_nan(IrOp op, Fact y)
     }
 }
 
-// The operand of a comparison that reads an element, if only one does; otherwise IR_NONE.
-static IrRef element_side(const CFn *fn, const IrIns *i)
+// If exactly one operand of comparison i is the value of a float element, returns that operand; otherwise IR_NONE.
+static IrRef find_element_operand(const CFn *fn, const IrIns *i)
 {
-    const IrRef a = load_of(fn, i->a), b = load_of(fn, i->b);
+    const IrRef a = find_float_load(fn, i->a), b = find_float_load(fn, i->b);
 
     return (a == IR_NONE) == (b == IR_NONE) ? IR_NONE : a != IR_NONE ? i->a : i->b;
 }
 
-static void note_comparison(CFn *fn, IrRef r)
+// Finds whether comparison r has the same result if an element that it reads is NaN or 0.  If so, fills decided_by and decided_value.
+static void analyze_comparison(CFn *fn, IrRef r)
 {
     const IrIns *i = c_ins(fn, r);
-    const IrRef x = element_side(fn, i);
+    const IrRef x = find_element_operand(fn, i);
     CIns *c = &fn->ins[r];
 
     if (x != IR_NONE && soft_compares_bytes(fn, i, x)) {
@@ -125,22 +129,22 @@ static void note_comparison(CFn *fn, IrRef r)
     }
     if (x == IR_NONE || !is_same_for_nan(x == i->a ? i->op : ir_swapped_comparison(i->op), fn->ins[x == i->a ? i->b : i->a].fact))
         return;
-    c->decided_by = load_of(fn, x);
+    c->decided_by = find_float_load(fn, x);
     c->decided_value = i->op == IR_ne;
     fn->ins[x].nan_is_zero_uses += c->uses > 0;
 }
 
-// If `load` reads NaN or 0, the other operand decides the result and the value of r does not matter.  Masks comparisons with `load` in r that
-// have no other use.
+// Sets is_masked of the comparisons in condition r that read `load` and have no other use.  r is an operand of a logical operation whose other
+// operand decides the result if `load` reads NaN or 0.
 static void mask_comparisons(CFn *fn, IrRef r, IrRef load)
 {
     const IrIns *i = c_ins(fn, r);
     CIns *c = &fn->ins[r];
-    const IrRef x = ir_is_comparison(i->op) ? element_side(fn, i) : IR_NONE;
+    const IrRef x = ir_is_comparison(i->op) ? find_element_operand(fn, i) : IR_NONE;
 
     if (i->op == IR_const || c->uses != 1 || c->is_masked)
         return;
-    if (x != IR_NONE && load_of(fn, x) == load && c->decided_by == IR_NONE) {
+    if (x != IR_NONE && find_float_load(fn, x) == load && c->decided_by == IR_NONE) {
         c->is_masked = true;
         fn->ins[x].nan_is_zero_uses++;
     } else if (i->op == IR_and || i->op == IR_or || i->op == IR_not) {
@@ -150,8 +154,8 @@ static void mask_comparisons(CFn *fn, IrRef r, IrRef load)
     }
 }
 
-// `and` is false if either operand is false, `or` is true if either is true, whatever the other operand is.
-static void note_logic(CFn *fn, IrRef r)
+// Fills decided_by and decided_value of `and` or `or`: if an operand that decides the result is itself decided by a load, so is the result.
+static void analyze_logic(CFn *fn, IrRef r)
 {
     const IrIns *i = c_ins(fn, r);
     CIns *c = &fn->ins[r];
@@ -167,7 +171,8 @@ static void note_logic(CFn *fn, IrRef r)
     }
 }
 
-static void note_instruction(CFn *fn, IrRef r)
+// Finds how the result of r depends on whether a load reads NaN or 0.
+static void analyze_condition(CFn *fn, IrRef r)
 {
     const IrIns *i = c_ins(fn, r);
     CIns *c = &fn->ins[r];
@@ -176,19 +181,20 @@ static void note_instruction(CFn *fn, IrRef r)
     if (i->op == IR_const)
         return;
     if (i->op == IR_sample) {
-        fn->ins[i->a].nan_is_zero_uses += c_window_reads_nan(fn, i);
+        fn->ins[i->a].nan_is_zero_uses += c_window_reads_nan_as_zero(fn, i);
     } else if (ir_is_comparison(i->op)) {
-        note_comparison(fn, r);
+        analyze_comparison(fn, r);
     } else if (i->op == IR_and || i->op == IR_or) {
-        note_logic(fn, r);
+        analyze_logic(fn, r);
     } else if (i->op == IR_not && !c_is_const(fn, i->a)) {
         c->decided_by = fn->ins[i->a].decided_by;
         c->decided_value = !fn->ins[i->a].decided_value;
     }
 }
 
-// Blocks are visited in order, so a block's dominators have been visited before it.
-static void note_access(CFn *fn, uint32_t b, IrRef r)
+// Updates the never_nan of a variable at its store; marks a load as unchecked if a store of its variable dominates it.  Blocks are visited in
+// order, so the dominators of b have been visited.
+static void track_never_nan(CFn *fn, uint32_t b, IrRef r)
 {
     const IrIns *i = c_ins(fn, r);
     CVarUse *w;
@@ -199,24 +205,24 @@ static void note_access(CFn *fn, uint32_t b, IrRef r)
     if (w->stamp != fn->stamp)
         return;
     if (i->op == IR_load) {
-        fn->ins[r].unchecked = load_of(fn, r) == r && w->never_nan && flow_dominates(&fn->flow, w->never_nan_from, b);
+        fn->ins[r].unchecked = find_float_load(fn, r) == r && w->never_nan && flow_dominates(&fn->flow, w->never_nan_from, b);
     } else if (!w->never_nan || !flow_dominates(&fn->flow, w->never_nan_from, b)) {
         w->never_nan = true;
         w->never_nan_from = b;
     }
 }
 
-// Finds the loads of a block that need no check, and takes them off the count of loads that do.  Uses have been counted.
+// Finds the loads of block b that need no check, and subtracts their uses from CVarUse.loads.  count_uses must have run.
 static void find_unchecked_loads(CFn *fn, uint32_t b)
 {
     const IrBlk *blk = &fn->f->blk.at[b];
 
     for (size_t p = 0; p < blk->ins.n; p++) {
-        note_access(fn, b, blk->ins.at[p]);
-        note_instruction(fn, blk->ins.at[p]);
+        track_never_nan(fn, b, blk->ins.at[p]);
+        analyze_condition(fn, blk->ins.at[p]);
     }
     for (size_t p = blk->ins.n; p-- > 0;) {           // conversions before their operands
-        const IrRef r = blk->ins.at[p], load = load_of(fn, r);
+        const IrRef r = blk->ins.at[p], load = find_float_load(fn, r);
         CIns *c = &fn->ins[r];
         if (load == IR_NONE || c->uses == 0 || c->nan_is_zero_uses != c->uses)
             continue;
@@ -228,20 +234,22 @@ static void find_unchecked_loads(CFn *fn, uint32_t b)
     for (size_t p = 0; p < blk->ins.n; p++) {
         const CIns *c = &fn->ins[blk->ins.at[p]];
         if (c->unchecked)
-            var_use(fn, c_ins(fn, blk->ins.at[p])->var)->loads -= c->uses;
+            get_var_use(fn, c_ins(fn, blk->ins.at[p])->var)->loads -= c->uses;
     }
 }
 
 // ---- elements that are read once for the whole function ----
 
-// Reading a float needs a check for NaN, and T a subtraction.
-static bool is_computed(const CFn *fn, uint32_t v)
+// Whether reading variable v takes more than a load: a float element needs a NaN check, and T a subtraction.
+static bool needs_computation(const CFn *fn, uint32_t v)
 {
     const IrVar *var = &fn->u->m->var.at[v];
 
     return (var->space == IR_TIME && !fn->u->soft) || (var->space == IR_ELEMENT && ir_is_float(var->type));
 }
 
+// Chooses the variables that are copied into a C variable at the start of the function: those that the function never stores and that are
+// read with a check or subtraction at least twice.
 static void choose_copies(CFn *fn, uint32_t b)
 {
     const IrBlk *blk = &fn->f->blk.at[b];
@@ -249,9 +257,9 @@ static void choose_copies(CFn *fn, uint32_t b)
     for (size_t p = 0; p < blk->ins.n; p++) {
         const IrIns *i = &fn->f->ins.at[blk->ins.at[p]];
         CVarUse *w;
-        if (i->op != IR_load || !is_computed(fn, i->var))
+        if (i->op != IR_load || !needs_computation(fn, i->var))
             continue;
-        w = var_use(fn, i->var);
+        w = get_var_use(fn, i->var);
         if (fn->ins[blk->ins.at[p]].unchecked || w->copy || w->stored || w->loads < 2)
             continue;
         w->copy = c_copy_name(fn, i->var);
@@ -260,27 +268,29 @@ static void choose_copies(CFn *fn, uint32_t b)
     }
 }
 
-// ---- the position of each temporary ----
+// ---- the form of each instruction ----
 
-static uint32_t later(uint32_t a, uint32_t b) { return a > b ? a : b; }
+static uint32_t max_u32(uint32_t a, uint32_t b) { return a > b ? a : b; }
 
-static void place_operand(CFn *fn, IrRef r, uint32_t at, uint32_t level)
+// Records that an expression at position `at` of the block uses r at nesting depth `level`.
+static void record_use(CFn *fn, IrRef r, uint32_t at, uint32_t level)
 {
     if (r == IR_NONE)
         return;
-    fn->ins[r].latest = later(fn->ins[r].latest, at);
-    fn->ins[r].level = later(fn->ins[r].level, level);
+    fn->ins[r].latest = max_u32(fn->ins[r].latest, at);
+    fn->ins[r].level = max_u32(fn->ins[r].level, level);
 }
 
-static uint32_t next_store(CFn *fn, const IrIns *i)
+// Returns the position of the next instruction of the block that changes what i reads; UINT32_MAX: none.
+static uint32_t find_next_change(CFn *fn, const IrIns *i)
 {
     if (i->op == IR_load)
-        return var_use(fn, i->var)->block_stamp == fn->block ? fn->var[i->var].next_store : UINT32_MAX;
+        return get_var_use(fn, i->var)->block_stamp == fn->block ? fn->var[i->var].next_store : UINT32_MAX;
     return i->op == IR_stat ? fn->window_sample[i->var] : UINT32_MAX;
 }
 
-// Whether the conversion is to a wider integer, of a U8 to a bool, or of an unsigned integer to a float of at least its size.  C compilers
-// share these.
+// Whether a repeated conversion costs little, because C compilers compute it once: to a wider integer, or of an unsigned integer to a bool or a
+// float of at least its size.
 static bool is_cheap_conversion(SmType to, SmType from)
 {
     if (ir_is_float(to) || to == SM_BOOL)
@@ -288,30 +298,32 @@ static bool is_cheap_conversion(SmType to, SmType from)
     return ir_is_integer(from) && ir_integer_contains(to, from);
 }
 
-// Whether repeating it costs nothing: a plain member, or a cheap conversion of one.
-static bool is_plain(CFn *fn, const IrIns *i, const CIns *c)
+// Whether i can be written several times at no cost: a plain member, or a cheap conversion of one.
+static bool is_free_to_repeat(CFn *fn, const IrIns *i, const CIns *c)
 {
     const IrIns *from = i->op == IR_cvt ? &fn->f->ins.at[i->a] : i;
 
     if (i->op == IR_cvt)
-        return from->op == IR_load && is_cheap_conversion(i->type, from->type) && !is_computed(fn, from->var);
-    return i->op == IR_load && (!is_computed(fn, i->var) || c->unchecked || var_use(fn, i->var)->copy);
+        return from->op == IR_load && is_cheap_conversion(i->type, from->type) && !needs_computation(fn, from->var);
+    return i->op == IR_load && (!needs_computation(fn, i->var) || c->unchecked || get_var_use(fn, i->var)->copy);
 }
 
-static CForm form(CFn *fn, const IrIns *i, const CIns *c)
+// Returns the form of instruction i, whose uses are known.
+static CForm choose_form(CFn *fn, const IrIns *i, const CIns *c)
 {
     if (ir_op_info[i->op].effect)
-        return C_EFFECT;
+        return C_STATEMENT;
     if (c->uses == 0 || i->op == IR_const)
-        return C_DEAD;
-    if (next_store(fn, i) < c->latest)
+        return C_OMITTED;
+    if (find_next_change(fn, i) < c->latest)
         return C_VARIABLE;
-    if (is_plain(fn, i, c))
-        return C_INLINE;
-    return c->uses > 1 || c->level > LEVEL_MAX ? C_VARIABLE : C_INLINE;
+    if (is_free_to_repeat(fn, i, c))
+        return C_SUBEXPRESSION;
+    return c->uses > 1 || c->level > LEVEL_MAX ? C_VARIABLE : C_SUBEXPRESSION;
 }
 
-static void note_store(CFn *fn, const IrIns *i, uint32_t at)
+// Records that instruction i at position `at` changes a variable or a rolling window.
+static void record_change(CFn *fn, const IrIns *i, uint32_t at)
 {
     if (i->op == IR_store) {
         fn->var[i->var].block_stamp = fn->block;
@@ -321,28 +333,29 @@ static void note_store(CFn *fn, const IrIns *i, uint32_t at)
     }
 }
 
-static void place_instructions(CFn *fn, uint32_t b)
+// Chooses the forms of block b, backwards, so that an instruction is visited after its uses.
+static void choose_forms_of_block(CFn *fn, uint32_t b)
 {
     const IrBlk *blk = &fn->f->blk.at[b];
 
     fn->block = ++*fn->block_stamps;
     if (c_is_branch(fn, b))
-        place_operand(fn, blk->jump.cond, (uint32_t)blk->ins.n, 1);
+        record_use(fn, blk->jump.cond, (uint32_t)blk->ins.n, 1);
     for (size_t p = blk->ins.n; p-- > 0;) {
         const IrRef r = blk->ins.at[p];
         const IrIns *i = &fn->f->ins.at[r];
         CIns *c = &fn->ins[r];
-        c->form = form(fn, i, c);
-        if (c->form != C_DEAD) {
-            const bool own = c->form != C_INLINE;      // it is its own statement
-            place_operand(fn, i->a, own ? (uint32_t)p : c->latest, own ? 1 : c->level + 1);
-            place_operand(fn, i->b, own ? (uint32_t)p : c->latest, own ? 1 : c->level + 1);
+        c->form = choose_form(fn, i, c);
+        if (c->form != C_OMITTED) {
+            const bool own = c->form != C_SUBEXPRESSION;  // it is its own statement
+            record_use(fn, i->a, own ? (uint32_t)p : c->latest, own ? 1 : c->level + 1);
+            record_use(fn, i->b, own ? (uint32_t)p : c->latest, own ? 1 : c->level + 1);
         }
-        note_store(fn, i, (uint32_t)p);
+        record_change(fn, i, (uint32_t)p);
     }
 }
 
-void lower_function(CFn *fn)
+void lower_choose_forms(CFn *fn)
 {
     const uint32_t end = fn->flow.n - 1;
 
@@ -357,5 +370,5 @@ void lower_function(CFn *fn)
             choose_copies(fn, b);
     for (uint32_t b = 0; b < end; b++)
         if (fn->flow.reached[b])
-            place_instructions(fn, b);
+            choose_forms_of_block(fn, b);
 }

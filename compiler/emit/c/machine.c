@@ -4,22 +4,22 @@
 
 #include "compiler/emit/c/fn.h"
 
-// In states.  gcc inlines a function that is called once until the caller reaches 2,700 of its size units.  With a hundred states of ten
-// statements each, less than half were inlined.  Compiling a machine of a thousand states took 1.4 times as long as compiling it in parts
-// of 32.
-enum { CUT_FROM = 100, PART = 32 };
+// Limits on the number of states in one switch, because compile time grows faster than the switch.  gcc inlines a function that is called once
+// until the caller reaches 2,700 of its size units: with a hundred states of ten statements each, it inlined less than half.  A machine of a
+// thousand states took 1.4 times as long to compile with one switch as with parts of 32 states.
+enum { STATES_IN_ONE_SWITCH = 100, STATES_PER_PART = 32 };
 
-// What the step function needs to know about a state.
-typedef struct CState {
+// The block functions of a state.
+typedef struct CStateBlocks {
     CSignature block[BLOCK_COUNT];
-    bool has[BLOCK_COUNT];
-} CState;
+    bool has[BLOCK_COUNT];        // the function was written
+} CStateBlocks;
 
 static const char *const block_name[BLOCK_COUNT] = { "entry", "step", "exit" };
 
 // ---- blocks ----
 
-static const char *base_name(const char *path)
+static const char *file_base_name(const char *path)
 {
     const char *slash = strrchr(path, '/'), *back = strrchr(path, '\\');
 
@@ -28,12 +28,12 @@ static const char *base_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-// `, tank.sm:12`, or "" if the source is unknown.
-static const char *source_place(const CUnit *u, Span s)
+// Returns `, tank.sm:12`, or "" if the source is unknown.
+static const char *source_location(const CUnit *u, Span s)
 {
     if (!s.src)
         return "";
-    return format_in(u->arena, ", %s:%u", base_name(s.src->name), (unsigned)source_position(s.src, s.at).line);
+    return format_in(u->arena, ", %s:%u", file_base_name(s.src->name), (unsigned)source_position(s.src, s.at).line);
 }
 
 static const char *block_comment(const CUnit *u, size_t state, BlockKind k)
@@ -42,10 +42,11 @@ static const char *block_comment(const CUnit *u, size_t state, BlockKind k)
     const Span none = { 0 };
 
     return format_in(u->arena, "// [%s] .%s%s\n", u->m->state.at[state].name->text, block_name[k],
-                     source_place(u, p ? p->state.at[state]->block_span[k] : none));
+                     source_location(u, p ? p->state.at[state]->block_span[k] : none));
 }
 
-static void write_state_block(CUnit *u, size_t i, BlockKind k, CState *s, Buf *out)
+// Writes the function of a block.  A .exit is not written if the state has no transition.
+static void write_state_block(CUnit *u, size_t i, BlockKind k, CStateBlocks *s, Buf *out)
 {
     const IrFn *f = u->m->state.at[i].block[k];
     CFunction what = { f, facts_at_begin(u->facts, i, (int)k), NULL, NULL };
@@ -59,9 +60,9 @@ static void write_state_block(CUnit *u, size_t i, BlockKind k, CState *s, Buf *o
     s->has[k] = true;
 }
 
-static CState *write_blocks(CUnit *u, Buf *out)
+static CStateBlocks *write_blocks(CUnit *u, Buf *out)
 {
-    CState *s = ARENA_ARRAY(u->arena, CState, u->m->state.n);
+    CStateBlocks *s = ARENA_ARRAY(u->arena, CStateBlocks, u->m->state.n);
 
     for (size_t i = 0; i < u->m->state.n; i++)
         for (int k = 0; k < BLOCK_COUNT; k++)
@@ -76,6 +77,7 @@ const char *c_state_type(const CUnit *u)
 
 static const char *result_type(const CUnit *u, const CSignature *s) { return s->returns_state ? c_state_type(u) : "void"; }
 
+// Writes the argument list of a call of a function with signature s.
 static void write_arguments(const CSignature *s, Buf *out)
 {
     buf_printf(out, "(%s%s%s);\n", s->m ? "m" : "", s->m && s->sv ? ", " : "", s->sv ? "sv" : "");
@@ -120,8 +122,8 @@ static void write_init(CUnit *u, Buf *out)
 
 // ---- the blocks of the current state ----
 
-// The signature that serves all blocks of a kind, one for each state.
-static CSignature group_signature(const CUnit *u, const CState *s, BlockKind k)
+// Returns the signature of a function that can call the blocks of a kind of all states.
+static CSignature common_signature(const CUnit *u, const CStateBlocks *s, BlockKind k)
 {
     CSignature all = { false, true, false };
 
@@ -132,7 +134,8 @@ static CSignature group_signature(const CUnit *u, const CState *s, BlockKind k)
     return all;
 }
 
-static bool has_any(const CUnit *u, const CState *s, BlockKind k)
+// Whether a state has a block of kind k.
+static bool has_block_of_kind(const CUnit *u, const CStateBlocks *s, BlockKind k)
 {
     for (size_t i = 0; i < u->m->state.n; i++)
         if (s[i].has[k])
@@ -140,7 +143,8 @@ static bool has_any(const CUnit *u, const CState *s, BlockKind k)
     return false;
 }
 
-static void write_case(const CUnit *u, size_t i, BlockKind k, const CState *s, CSignature as, Buf *out)
+// Writes the case of state i, which calls its block.  `as`: signature of the function around the switch.
+static void write_case(const CUnit *u, size_t i, BlockKind k, const CStateBlocks *s, CSignature as, Buf *out)
 {
     const CSignature *b = &s[i].block[k];
 
@@ -152,7 +156,8 @@ static void write_case(const CUnit *u, size_t i, BlockKind k, const CState *s, C
     buf_str(out, b->returns_state ? "" : as.returns_state ? "        return 0;\n" : "        break;\n");
 }
 
-static void write_switch(const CUnit *u, const char *name, BlockKind k, const CState *s, size_t from, size_t to, CSignature as, Buf *out)
+// Writes a function with a switch that calls the block of the current state, for states `from` to `to` - 1.
+static void write_dispatch_switch(const CUnit *u, const char *name, BlockKind k, const CStateBlocks *s, size_t from, size_t to, CSignature as, Buf *out)
 {
     buf_printf(out, "static %s %s", result_type(u, &as), name);
     write_parameters(u, &as, out);
@@ -162,72 +167,77 @@ static void write_switch(const CUnit *u, const char *name, BlockKind k, const CS
     buf_printf(out, "    default:\n        %s;\n    }\n}\n\n", as.returns_state ? "return 0" : "break");
 }
 
-// Compilers cannot cope with a function of ten thousand states.  Above CUT_FROM states the switch is split into functions called through a
-// table, because compilers would inline direct calls again.
-static void write_parts(const CUnit *u, const char *name, BlockKind k, const CState *s, CSignature as, Buf *out)
+// Writes the dispatch for more than STATES_IN_ONE_SWITCH states: several functions with a switch, called through a table of pointers, because
+// compilers would inline direct calls.
+static void write_split_dispatch(const CUnit *u, const char *name, BlockKind k, const CStateBlocks *s, CSignature as, Buf *out)
 {
     const size_t n = u->m->state.n;
 
-    for (size_t i = 0; i < n; i += PART) {
-        const size_t end = i + PART < n ? i + PART : n;
+    for (size_t i = 0; i < n; i += STATES_PER_PART) {
+        const size_t end = i + STATES_PER_PART < n ? i + STATES_PER_PART : n;
         buf_printf(out, "// States %u to %u.\n", (unsigned)i + 1, (unsigned)end);
-        write_switch(u, format_in(u->arena, "%s_%u", name, (unsigned)i + 1), k, s, i, end, as, out);
+        write_dispatch_switch(u, format_in(u->arena, "%s_%u", name, (unsigned)i + 1), k, s, i, end, as, out);
     }
     buf_printf(out, "static %s (*const %ss[])", result_type(u, &as), name);
     write_parameters(u, &as, out);
     buf_str(out, " = {\n");
-    for (size_t i = 0; i < n; i += PART)
+    for (size_t i = 0; i < n; i += STATES_PER_PART)
         buf_printf(out, "    %s_%u,\n", name, (unsigned)i + 1);
     buf_printf(out, "};\n\nstatic %s %s", result_type(u, &as), name);
     write_parameters(u, &as, out);
-    buf_printf(out, "\n{\n    %s%ss[(m->state_ - 1) / %d]", as.returns_state ? "return " : "", name, PART);
+    buf_printf(out, "\n{\n    %s%ss[(m->state_ - 1) / %d]", as.returns_state ? "return " : "", name, STATES_PER_PART);
     write_arguments(&as, out);
     buf_str(out, "}\n\n");
 }
 
-// The function that calls the blocks of a kind.
-static const char *group_name(const CUnit *u, BlockKind k)
+// Returns the name of the function that calls the block of a kind of the current state.
+static const char *dispatch_name(const CUnit *u, BlockKind k)
 {
     return format_in(u->arena, "%s_%s", u->names.prefix, k == BLOCK_ENTRY ? "enter" : k == BLOCK_STEP ? "run" : "leave");
 }
 
-static CSignature write_group(const CUnit *u, BlockKind k, const CState *s, Buf *out)
+// Writes the function that calls the block of kind k of the current state, unless no state has one.  Returns its signature.
+static CSignature write_dispatch(const CUnit *u, BlockKind k, const CStateBlocks *s, Buf *out)
 {
-    const CSignature as = group_signature(u, s, k);
+    const CSignature as = common_signature(u, s, k);
 
-    if (!has_any(u, s, k))
+    if (!has_block_of_kind(u, s, k))
         return as;
     buf_printf(out, "// The .%s of the state%s.\n", block_name[k], as.returns_state ? "; returns the next state, or 0" : "");
-    if (u->m->state.n > CUT_FROM)
-        write_parts(u, group_name(u, k), k, s, as, out);
+    if (u->m->state.n > STATES_IN_ONE_SWITCH)
+        write_split_dispatch(u, dispatch_name(u, k), k, s, as, out);
     else
-        write_switch(u, group_name(u, k), k, s, 0, u->m->state.n, as, out);
+        write_dispatch_switch(u, dispatch_name(u, k), k, s, 0, u->m->state.n, as, out);
     return as;
 }
 
 // ---- step ----
 
-typedef struct CStep {
-    bool has[BLOCK_COUNT];
-    CSignature group[BLOCK_COUNT];
+// What the step function calls.
+typedef struct CStepParts {
+    bool has[BLOCK_COUNT];        // a state has a block of this kind
+    CSignature dispatch[BLOCK_COUNT];     // the functions that write_dispatch wrote
     const CSignature *sample;     // NULL: no windows to sample
-    bool first, transition;       // the step must know whether it is a first step; there are transitions
-} CStep;
+    bool first;                   // the step must know whether it is a state's first
+    bool transition;              // a block can make a transition
+} CStepParts;
 
-static CStep step_of(CUnit *u, const CState *s, const CSignature *sample, Buf *out)
+// Writes the functions that call the blocks of the current state.  Returns what the step function has to call.
+static CStepParts write_dispatch_functions(CUnit *u, const CStateBlocks *s, const CSignature *sample, Buf *out)
 {
-    CStep w = { { false }, { { false, false, false } }, sample, false, false };
+    CStepParts w = { { false }, { { false, false, false } }, sample, false, false };
 
     for (int k = 0; k < BLOCK_COUNT; k++) {
-        w.group[k] = write_group(u, (BlockKind)k, s, out);
-        w.has[k] = has_any(u, s, (BlockKind)k);
+        w.dispatch[k] = write_dispatch(u, (BlockKind)k, s, out);
+        w.has[k] = has_block_of_kind(u, s, (BlockKind)k);
     }
     w.first = w.has[BLOCK_ENTRY] || u->track_stores;
-    w.transition = w.group[BLOCK_ENTRY].returns_state || w.group[BLOCK_STEP].returns_state;
+    w.transition = w.dispatch[BLOCK_ENTRY].returns_state || w.dispatch[BLOCK_STEP].returns_state;
     return w;
 }
 
-static void write_gate(const CUnit *u, const CStep *w, Buf *out)
+// Writes the check that time has advanced, and the start of a first step.  `left`, the time until time ends, is compared with m->gate_.
+static void write_time_check(const CUnit *u, const CStepParts *w, Buf *out)
 {
     const CNames *n = &u->names;
 
@@ -238,8 +248,8 @@ static void write_gate(const CUnit *u, const CStep *w, Buf *out)
                w->first ? "        first = true;\n" : "", n->var[u->m->g], n->var[u->m->s]);
 }
 
-// An 8-bit chip checks a flag faster than 64 bits, which can stay in memory.
-static void write_soft_gate(const CUnit *u, const CStep *w, Buf *out)
+// As write_time_check, for soft numbers: tests the flag m->first_ first, which an 8-bit chip does faster than comparing 64 bits.
+static void write_soft_time_check(const CUnit *u, const CStepParts *w, Buf *out)
 {
     const CNames *n = &u->names;
 
@@ -249,7 +259,8 @@ static void write_soft_gate(const CUnit *u, const CStep *w, Buf *out)
                w->first ? "        first = true;\n" : "", n->var[u->m->g], n->var[u->m->s]);
 }
 
-static void write_step_start(const CUnit *u, const CStep *w, Buf *out)
+// Writes the step function up to where blocks run: the check of time, and the start of a first step.
+static void write_step_head(const CUnit *u, const CStepParts *w, Buf *out)
 {
     const CNames *n = &u->names;
 
@@ -259,56 +270,57 @@ static void write_step_start(const CUnit *u, const CStep *w, Buf *out)
     buf_str(out, w->first ? "    bool first = false;\n" : "");
     if (w->transition)
         buf_printf(out, "    %s next = 0;      // the next state\n", c_state_type(u));
-    (u->soft ? write_soft_gate : write_gate)(u, w, out);
+    (u->soft ? write_soft_time_check : write_time_check)(u, w, out);
     if (u->track_stores)
         buf_printf(out, "    memset(&m->stored, 0, sizeof m->stored);\n    m->stored.%s = first;\n", n->var[u->m->s]);
 }
 
-static void write_call_of_group(const CUnit *u, const CStep *w, BlockKind k, const char *result, Buf *out)
+static void write_dispatch_call(const CUnit *u, const CStepParts *w, BlockKind k, const char *result, Buf *out)
 {
-    buf_printf(out, "%s%s", result, group_name(u, k));
-    write_arguments(&w->group[k], out);
+    buf_printf(out, "%s%s", result, dispatch_name(u, k));
+    write_arguments(&w->dispatch[k], out);
 }
 
-static void write_step_end(const CUnit *u, const CStep *w, Buf *out)
+// Writes the rest of the step function: runs the blocks and takes the transition.
+static void write_step_blocks(const CUnit *u, const CStepParts *w, Buf *out)
 {
     if (w->has[BLOCK_ENTRY]) {
         buf_str(out, "    if (first) {\n        ");
-        write_call_of_group(u, w, BLOCK_ENTRY, w->group[BLOCK_ENTRY].returns_state ? "next = " : "", out);
+        write_dispatch_call(u, w, BLOCK_ENTRY, w->dispatch[BLOCK_ENTRY].returns_state ? "next = " : "", out);
         buf_str(out, "    }\n");
     }
     if (w->has[BLOCK_STEP]) {
-        const bool guarded = w->has[BLOCK_ENTRY] && w->group[BLOCK_ENTRY].returns_state;
+        const bool guarded = w->has[BLOCK_ENTRY] && w->dispatch[BLOCK_ENTRY].returns_state;
         buf_str(out, guarded ? "    if (next == 0) {\n        " : "    ");
-        write_call_of_group(u, w, BLOCK_STEP, w->group[BLOCK_STEP].returns_state ? "next = " : "", out);
+        write_dispatch_call(u, w, BLOCK_STEP, w->dispatch[BLOCK_STEP].returns_state ? "next = " : "", out);
         buf_str(out, guarded ? "    }\n" : "");
     }
     if (w->transition) {
         buf_str(out, "    if (next != 0) {\n");
         if (w->has[BLOCK_EXIT]) {
             buf_str(out, "        ");
-            write_call_of_group(u, w, BLOCK_EXIT, "", out);
+            write_dispatch_call(u, w, BLOCK_EXIT, "", out);
         }
         buf_printf(out, "        m->state_ = next;\n        m->first_ = true;\n%s    }\n", u->soft ? "" : "        m->left_ = left;\n        m->gate_ = 0;\n");
     }
     buf_printf(out, "    return %s_OK;\n}\n\n", u->names.macro);
 }
 
-static void write_step(CUnit *u, const CState *s, const CSignature *sample, Buf *out)
+static void write_step(CUnit *u, const CStateBlocks *s, const CSignature *sample, Buf *out)
 {
-    const CStep w = step_of(u, s, sample, out);
+    const CStepParts w = write_dispatch_functions(u, s, sample, out);
 
-    write_step_start(u, &w, out);
+    write_step_head(u, &w, out);
     if (w.sample) {
         buf_printf(out, "    %s_sample", u->names.prefix);
         write_arguments(w.sample, out);
     }
-    write_step_end(u, &w, out);
+    write_step_blocks(u, &w, out);
 }
 
-// ---- the rest ----
+// ---- state, T and state_name ----
 
-static void write_state(const CUnit *u, Buf *out)
+static void write_queries(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
 
@@ -325,7 +337,7 @@ static void write_state(const CUnit *u, Buf *out)
 void c_write_machine(CUnit *u, Buf *out)
 {
     CSignature sample = { 0 };
-    CState *s;
+    CStateBlocks *s;
     Buf code;
 
     buf_init(&code, u->arena);
@@ -337,11 +349,11 @@ void c_write_machine(CUnit *u, Buf *out)
     for (size_t w = 0; w < u->m->window.n; w++)
         u->window_sample[w] = UINT32_MAX;
     s = write_blocks(u, &code);
-    c_write_statistics(u, out);
+    c_write_statistic_functions(u, out);
     buf_str(out, "// ---- the states.  A block returns the number of the next state, or 0 to stay. ----\n\n");
     buf_str(out, buf_text(&code));
     buf_str(out, "// ---- the machine ----\n\n");
     write_init(u, out);
     write_step(u, s, u->m->sample ? &sample : NULL, out);
-    write_state(u, out);
+    write_queries(u, out);
 }

@@ -1,49 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
-// stdlib computes with F64 through functions, so that it can be built where double is too short.  Emitted C has a full double, and C
-// operators are easier to read: sm_lt(sm_from_i32(0), x) becomes 0.0 < x.
+// Replaces calls in the source of stdlib snippets by C operators.  stdlib computes on F64 with functions, so that it also compiles where double
+// is not a binary64.  Emitted C without soft numbers requires a binary64, and operators are easier to read: sm_lt(sm_from_i32(0), x) becomes
+// 0.0 < x.
 #include <stdlib.h>
 #include <string.h>
 
 #include "compiler/emit/c/unit.h"
 #include "stdlib/f64.h"
 
-typedef enum Form {
-    FORM_BINARY,              // a op b
-    FORM_CAST,                // (type)a
-    FORM_NUMBER,              // a as a double
-    FORM_WIDE,                // a, a 64-bit integer, as a double: a call (f64.h explains why), except for a constant
-    FORM_BITS,                // the double with these bits, if they are a finite constant
-    FORM_SELF                 // a != a
-} Form;
+// The C syntax that replaces a call of an F64 function with arguments a and b.
+typedef enum CSyntax {
+    SYNTAX_BINARY,            // a op b
+    SYNTAX_CAST,              // (type)a
+    SYNTAX_TO_DOUBLE,         // a, an integer of at most 32 bits, as a double
+    SYNTAX_WIDE_TO_DOUBLE,    // a, a 64-bit integer, as a double: only a constant is replaced (f64.h explains why)
+    SYNTAX_FROM_BITS,         // a literal, if a is the constant bits of a finite double
+    SYNTAX_COMPARE_SELF       // a != a
+} CSyntax;
 
-typedef struct Primitive {
-    const char *name, *text;
-    Form form;
-    int prec;                 // as in fn.h
-} Primitive;
+// A function of stdlib/f64.h that C syntax can replace.
+typedef struct F64Primitive {
+    const char *name, *text;  // its name; the operator or cast that replaces it
+    CSyntax syntax;
+    int prec;                 // precedence of the replacement, numbered as PREC_ in fn.h
+} F64Primitive;
 
+// As PREC_EQ to PREC_PRIMARY in fn.h.
 enum { EQUALITY = 9, RELATION = 10, SUM = 12, PRODUCT = 13, UNARY = 14, PRIMARY = 15 };
 
-static const Primitive primitive[] = {
-    { "sm_add", " + ", FORM_BINARY, SUM },
-    { "sm_sub", " - ", FORM_BINARY, SUM },
-    { "sm_mul", " * ", FORM_BINARY, PRODUCT },
-    { "sm_div", " / ", FORM_BINARY, PRODUCT },
-    { "sm_lt", " < ", FORM_BINARY, RELATION },
-    { "sm_le", " <= ", FORM_BINARY, RELATION },
-    { "sm_eq", " == ", FORM_BINARY, EQUALITY },
-    { "sm_is_nan", " != ", FORM_SELF, EQUALITY },
-    { "sm_from_i32", "(double)", FORM_NUMBER, UNARY },
-    { "sm_from_u32", "(double)", FORM_NUMBER, UNARY },
-    { "sm_from_i64", "", FORM_WIDE, PRIMARY },
-    { "sm_from_u64", "", FORM_WIDE, PRIMARY },
-    { "sm_from_f32", "(double)", FORM_CAST, UNARY },
-    { "sm_truncate_i32", "(int32_t)", FORM_CAST, UNARY },
-    { "sm_truncate_u32", "(uint32_t)", FORM_CAST, UNARY },
-    { "sm_truncate_i64", "(int64_t)", FORM_CAST, UNARY },
-    { "sm_truncate_u64", "(uint64_t)", FORM_CAST, UNARY },
-    { "sm_round_f32", "(float)", FORM_CAST, UNARY },
-    { "sm_from_bits", "", FORM_BITS, PRIMARY },
+static const F64Primitive primitive[] = {
+    { "sm_add", " + ", SYNTAX_BINARY, SUM },
+    { "sm_sub", " - ", SYNTAX_BINARY, SUM },
+    { "sm_mul", " * ", SYNTAX_BINARY, PRODUCT },
+    { "sm_div", " / ", SYNTAX_BINARY, PRODUCT },
+    { "sm_lt", " < ", SYNTAX_BINARY, RELATION },
+    { "sm_le", " <= ", SYNTAX_BINARY, RELATION },
+    { "sm_eq", " == ", SYNTAX_BINARY, EQUALITY },
+    { "sm_is_nan", " != ", SYNTAX_COMPARE_SELF, EQUALITY },
+    { "sm_from_i32", "(double)", SYNTAX_TO_DOUBLE, UNARY },
+    { "sm_from_u32", "(double)", SYNTAX_TO_DOUBLE, UNARY },
+    { "sm_from_i64", "", SYNTAX_WIDE_TO_DOUBLE, PRIMARY },
+    { "sm_from_u64", "", SYNTAX_WIDE_TO_DOUBLE, PRIMARY },
+    { "sm_from_f32", "(double)", SYNTAX_CAST, UNARY },
+    { "sm_truncate_i32", "(int32_t)", SYNTAX_CAST, UNARY },
+    { "sm_truncate_u32", "(uint32_t)", SYNTAX_CAST, UNARY },
+    { "sm_truncate_i64", "(int64_t)", SYNTAX_CAST, UNARY },
+    { "sm_truncate_u64", "(uint64_t)", SYNTAX_CAST, UNARY },
+    { "sm_round_f32", "(float)", SYNTAX_CAST, UNARY },
+    { "sm_from_bits", "", SYNTAX_FROM_BITS, PRIMARY },
 };
 
 static bool is_word(char c)
@@ -60,7 +64,7 @@ static size_t word_length(const char *p)
     return n;
 }
 
-static const Primitive *find_primitive(const char *name, size_t n)
+static const F64Primitive *find_primitive(const char *name, size_t n)
 {
     for (size_t i = 0; i < sizeof primitive / sizeof *primitive; i++)
         if (strlen(primitive[i].name) == n && memcmp(primitive[i].name, name, n) == 0)
@@ -70,15 +74,16 @@ static const Primitive *find_primitive(const char *name, size_t n)
 
 // ---- arguments ----
 
-typedef struct Text {
+// A part of the source of a snippet.
+typedef struct SourceSlice {
     const char *at;
     size_t n;
-} Text;
+} SourceSlice;
 
-// The argument at p, up to a comma or the closing parenthesis of the call.
-static Text argument(const char *p)
+// Returns the argument of a call that starts at p and ends before the next comma or the closing parenthesis of the call.
+static SourceSlice parse_argument(const char *p)
 {
-    Text t = { p, 0 };
+    SourceSlice t = { p, 0 };
     int depth = 0;
 
     while (*t.at == ' ')
@@ -88,7 +93,7 @@ static Text argument(const char *p)
     return t;
 }
 
-static bool is_number(Text t)
+static bool is_integer_literal(SourceSlice t)
 {
     for (size_t i = t.at[0] == '-'; i < t.n; i++)
         if (t.at[i] < '0' || t.at[i] > '9')
@@ -96,8 +101,9 @@ static bool is_number(Text t)
     return t.n > 0;
 }
 
-// The precedence of an expression that is not a primitive's call: PRIMARY for names, members, calls and subscripts.
-static int prec_of_text(Text t)
+// Returns the precedence of expression t, whose calls are not replaced: 0 if it has an operator with spaces around it, UNARY if it starts
+// with a minus, otherwise PRIMARY.
+static int text_precedence(SourceSlice t)
 {
     int depth = 0;
 
@@ -111,10 +117,10 @@ static int prec_of_text(Text t)
 
 // ---- writing ----
 
-static void write_range(CUnit *u, const char *from, const char *to, Buf *out);
+static void write_with_native_syntax(CUnit *u, const char *from, const char *to, Buf *out);
 
-// Writes the finite number with these constant bits; returns false if t is something else.
-static bool write_bits(CUnit *u, Text t, Buf *out)
+// If t is a hexadecimal constant, the bits of a finite double, writes that number as a literal and returns true.
+static bool try_write_from_bits(CUnit *u, SourceSlice t, Buf *out)
 {
     uint64_t bits;
 
@@ -127,88 +133,92 @@ static bool write_bits(CUnit *u, Text t, Buf *out)
     return true;
 }
 
-static const Primitive *call_at(const char *p)
+// Returns the function that is called at p, if it can be replaced, otherwise NULL.
+static const F64Primitive *find_primitive_call(const char *p)
 {
     const size_t n = word_length(p);
 
     return n > 0 && p[n] == '(' ? find_primitive(p, n) : NULL;
 }
 
-static void write_operand(CUnit *u, Text t, int prec, Buf *out)
+// Writes operand t, in parentheses if its precedence is below `prec`.
+static void write_operand(CUnit *u, SourceSlice t, int prec, Buf *out)
 {
-    const Primitive *call = call_at(t.at);
-    const bool parens = (call && prec_of_text(t) == PRIMARY ? call->prec : prec_of_text(t)) < prec;
+    const F64Primitive *call = find_primitive_call(t.at);
+    const bool parens = (call && text_precedence(t) == PRIMARY ? call->prec : text_precedence(t)) < prec;
 
     buf_str(out, parens ? "(" : "");
-    write_range(u, t.at, t.at + t.n, out);
+    write_with_native_syntax(u, t.at, t.at + t.n, out);
     buf_str(out, parens ? ")" : "");
 }
 
-static void write_plain_call(CUnit *u, const Primitive *p, Text t, Buf *out)
+static void write_unchanged_call(CUnit *u, const F64Primitive *p, SourceSlice t, Buf *out)
 {
     buf_printf(out, "%s(", p->name);
-    write_range(u, t.at, t.at + t.n, out);
+    write_with_native_syntax(u, t.at, t.at + t.n, out);
     buf_char(out, ')');
 }
 
-static void write_number(CUnit *u, const Primitive *p, Text t, Buf *out)
+static void write_as_double(CUnit *u, const F64Primitive *p, SourceSlice t, Buf *out)
 {
-    if (is_number(t)) {
+    if (is_integer_literal(t)) {
         buf_put(out, t.at, t.n);
         buf_str(out, ".0");
-    } else if (p->form == FORM_WIDE) {
-        write_plain_call(u, p, t, out);
+    } else if (p->syntax == SYNTAX_WIDE_TO_DOUBLE) {
+        write_unchanged_call(u, p, t, out);
     } else {
         buf_str(out, p->text);
         write_operand(u, t, UNARY, out);
     }
 }
 
-static void write_primitive(CUnit *u, const Primitive *p, Text a, Text b, Buf *out)
+// Writes the syntax that replaces a call of p with arguments a and b.
+static void write_native_syntax(CUnit *u, const F64Primitive *p, SourceSlice a, SourceSlice b, Buf *out)
 {
-    switch (p->form) {
-    case FORM_BINARY:
+    switch (p->syntax) {
+    case SYNTAX_BINARY:
         write_operand(u, a, p->prec == RELATION || p->prec == EQUALITY ? SUM : p->prec + (p->prec == SUM), out);
         buf_str(out, p->text);
         write_operand(u, b, p->prec + 1, out);
         break;
-    case FORM_SELF:
+    case SYNTAX_COMPARE_SELF:
         write_operand(u, a, PRIMARY, out);
         buf_str(out, p->text);
         write_operand(u, a, PRIMARY, out);
         break;
-    case FORM_CAST:
+    case SYNTAX_CAST:
         buf_str(out, p->text);
         write_operand(u, a, PRIMARY, out);
         break;
-    case FORM_NUMBER: case FORM_WIDE: write_number(u, p, a, out); break;
-    case FORM_BITS:
-        if (!write_bits(u, a, out))
-            write_plain_call(u, p, a, out);
+    case SYNTAX_TO_DOUBLE: case SYNTAX_WIDE_TO_DOUBLE: write_as_double(u, p, a, out); break;
+    case SYNTAX_FROM_BITS:
+        if (!try_write_from_bits(u, a, out))
+            write_unchanged_call(u, p, a, out);
         break;
     }
 }
 
-// Writes the primitive's call at `at`; returns its end.  `tight`: a unary operator precedes it.
-static const char *write_call(CUnit *u, const Primitive *p, const char *at, bool tight, Buf *out)
+// Writes the C syntax that replaces the call of p at `at`; returns the end of the call.  `tight`: a unary operator precedes it.
+static const char *write_native_call(CUnit *u, const F64Primitive *p, const char *at, bool tight, Buf *out)
 {
-    const Text a = argument(at + word_length(at) + 1);
-    const bool two = p->form == FORM_BINARY;
-    const Text b = two ? argument(a.at + a.n + 1) : a;
+    const SourceSlice a = parse_argument(at + word_length(at) + 1);
+    const bool two = p->syntax == SYNTAX_BINARY;
+    const SourceSlice b = two ? parse_argument(a.at + a.n + 1) : a;
 
     buf_str(out, tight && p->prec < UNARY ? "(" : "");
-    write_primitive(u, p, a, b, out);
+    write_native_syntax(u, p, a, b, out);
     buf_str(out, tight && p->prec < UNARY ? ")" : "");
     return b.at + b.n + 1;
 }
 
-static const char *write_word(CUnit *u, const char *p, char before, Buf *out)
+// Writes the word at p, or what replaces the call there.  `before` is the preceding character.  Returns the end of what it replaced.
+static const char *write_word_or_call(CUnit *u, const char *p, char before, Buf *out)
 {
     const size_t n = word_length(p);
-    const Primitive *call = call_at(p);
+    const F64Primitive *call = find_primitive_call(p);
 
     if (call)
-        return write_call(u, call, p, before == '!' || before == '-', out);
+        return write_native_call(u, call, p, before == '!' || before == '-', out);
     if (n == 5 && memcmp(p, "SmF64", 5) == 0)
         buf_str(out, "double");
     else
@@ -224,13 +234,13 @@ static const char *write_comment(const char *p, Buf *out)
     return p + n;
 }
 
-static void write_range(CUnit *u, const char *from, const char *to, Buf *out)
+static void write_with_native_syntax(CUnit *u, const char *from, const char *to, Buf *out)
 {
     for (const char *p = from; p < to;) {
         if (p[0] == '/' && p[1] == '/')
             p = write_comment(p, out);
         else if (is_word(*p))
-            p = write_word(u, p, p > from ? p[-1] : ' ', out);
+            p = write_word_or_call(u, p, p > from ? p[-1] : ' ', out);
         else
             buf_char(out, *p++);
     }
@@ -241,5 +251,5 @@ void native_write(CUnit *u, const char *text, Buf *out)
     if (u->soft)
         buf_str(out, text);
     else
-        write_range(u, text, text + strlen(text), out);
+        write_with_native_syntax(u, text, text + strlen(text), out);
 }

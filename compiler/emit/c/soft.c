@@ -1,29 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers where `double` is not an IEEE binary64 (EmitCOptions.soft).  An F64 is an SmF64, the bits of a binary64, and expressions on it
-// are calls of the functions of sm_soft.h.  C's own arithmetic on floats is not used either, because its rounding is not guaranteed there.
-// An F32 is computed as an F64 and rounded after each operation, which produces the same F32.  Integers are not affected.
+// Writes numbers for chips where `double` is not an IEEE binary64 (EmitCOptions.soft).  An F64 is an SmF64, the bits of a binary64, and operations
+// on it are calls of the functions of sm_soft.h.  C's arithmetic on float is not used either, because its rounding is not guaranteed there: an
+// F32 is computed as an F64 and rounded after each operation, which produces the same F32.  Integers are not affected.
 #include "compiler/emit/c/emit_c.h"
 #include "compiler/emit/c/fn.h"
 #include "compiler/ir/comparison.h"
 #include "soft_text.h"
 #include "stdlib/convert.h"
 
-
 bool c_is_soft(const CFn *fn, SmType t) { return fn->u->soft && sm_type_info[t].kind == SM_KIND_FLOAT; }
 
 // ---- conversions ----
 
-static const char *const from_integer[SM_TYPE_COUNT] = {
+static const char *const to_f64_helper[SM_TYPE_COUNT] = {
     [SM_I8] = "sm_from_i32", [SM_I16] = "sm_from_i32", [SM_I32] = "sm_from_i32", [SM_I64] = "sm_from_i64",
     [SM_U8] = "sm_from_i32", [SM_U16] = "sm_from_i32", [SM_U32] = "sm_from_u32", [SM_U64] = "sm_from_u64", [SM_F32] = "sm_from_f32",
 };
 
-static const char *const cut[SM_TYPE_COUNT] = {
+static const char *const truncation_helper[SM_TYPE_COUNT] = {
     [SM_I8] = "(int8_t)sm_truncate_i32(", [SM_I16] = "(int16_t)sm_truncate_i32(", [SM_I32] = "sm_truncate_i32(", [SM_I64] = "sm_truncate_i64(",
     [SM_U8] = "(uint8_t)sm_truncate_i32(", [SM_U16] = "(uint16_t)sm_truncate_i32(", [SM_U32] = "sm_truncate_u32(", [SM_U64] = "sm_truncate_u64(",
 };
 
-static void write_arithmetic(CFn *fn, const IrIns *i)
+static void write_arithmetic_call(CFn *fn, const IrIns *i)
 {
     c_write(fn, i->op == IR_add ? "sm_add(" : i->op == IR_sub ? "sm_sub(" : i->op == IR_mul ? "sm_mul(" : "sm_div(");
     c_write_double(fn, i->a, PREC_ANY);
@@ -32,9 +31,9 @@ static void write_arithmetic(CFn *fn, const IrIns *i)
     c_write(fn, ")");
 }
 
-void soft_write_number(CFn *fn, IrRef r)
+void soft_write_to_f64(CFn *fn, IrRef r)
 {
-    c_write(fn, from_integer[c_ins(fn, r)->type]);
+    c_write(fn, to_f64_helper[c_ins(fn, r)->type]);
     c_write(fn, "(");
     c_write_value(fn, r, PREC_ANY);
     c_write(fn, ")");
@@ -42,7 +41,7 @@ void soft_write_number(CFn *fn, IrRef r)
 
 void soft_write_cast(CFn *fn, SmType to, IrRef r)
 {
-    c_write(fn, to == SM_F32 ? "sm_round_f32(" : cut[to]);
+    c_write(fn, to == SM_F32 ? "sm_round_f32(" : truncation_helper[to]);
     c_write_double(fn, r, PREC_ANY);
     c_write(fn, ")");
 }
@@ -52,7 +51,7 @@ void soft_write_cast(CFn *fn, SmType to, IrRef r)
 void soft_write_binary(CFn *fn, const IrIns *i)
 {
     c_write(fn, i->type == SM_F32 ? "sm_round_f32(" : "");
-    write_arithmetic(fn, i);
+    write_arithmetic_call(fn, i);
     c_write(fn, i->type == SM_F32 ? ")" : "");
 }
 
@@ -70,36 +69,39 @@ void soft_write_compare(CFn *fn, const IrIns *i, bool negated)
 
 // ---- comparisons that read only some bytes ----
 
-// The parts of such a comparison: a variable that is read, possibly through a conversion to F64, and a constant.  `op` is as if the
-// variable were the left operand.
+// A comparison of a variable with a constant.
 typedef struct ByteCompare {
-    IrRef side, load, constant;
-    IrOp op;
+    IrRef operand;            // the value of the variable: `load`, or its conversion from F32 to F64
+    IrRef load, constant;
+    IrOp op;                  // with the variable as left operand
 } ByteCompare;
 
-static bool find_byte_compare(const CFn *fn, const IrIns *i, ByteCompare *l)
+// If numbers are soft and i compares a variable with a constant by < <= > or >=, fills *l and returns true.
+static bool match_byte_compare(const CFn *fn, const IrIns *i, ByteCompare *l)
 {
     const bool swap = c_is_const(fn, i->a);
 
     if (!fn->u->soft || ir_is_equality(i->op))
         return false;
-    l->side = l->load = swap ? i->b : i->a;
+    l->operand = l->load = swap ? i->b : i->a;
     l->constant = swap ? i->a : i->b;
     l->op = swap ? ir_swapped_comparison(i->op) : i->op;
-    if (c_ins(fn, l->side)->op == IR_cvt && c_ins(fn, l->side)->type == SM_F64 && c_ins(fn, c_ins(fn, l->side)->a)->type == SM_F32)
-        l->load = c_ins(fn, l->side)->a;
-    return c_ins(fn, l->load)->op == IR_load && c_is_const(fn, l->constant) && !c_is_const(fn, l->side);
+    if (c_ins(fn, l->operand)->op == IR_cvt && c_ins(fn, l->operand)->type == SM_F64 && c_ins(fn, c_ins(fn, l->operand)->a)->type == SM_F32)
+        l->load = c_ins(fn, l->operand)->a;
+    return c_ins(fn, l->load)->op == IR_load && c_is_const(fn, l->constant) && !c_is_const(fn, l->operand);
 }
 
-static double number_of(const CFn *fn, const ByteCompare *l)
+// Returns the constant of the comparison.
+static double constant_value(const CFn *fn, const ByteCompare *l)
 {
     return sm_cell_to_f64(c_ins(fn, l->constant)->type, c_ins(fn, l->constant)->bits);
 }
 
-// Whether the upper half of a float is not enough: the constant has digits in the lower half, or is not a number of the float's type.
-static bool has_lower_half(const CFn *fn, const ByteCompare *l)
+// Whether the upper 32 bits of an F64 variable do not decide the comparison, because the constant has bits in the lower half.  Also true if the
+// constant is not finite, the variable is no float, or an F32 that cannot have the value of the constant.
+static bool needs_lower_half(const CFn *fn, const ByteCompare *l)
 {
-    const double x = number_of(fn, l);
+    const double x = constant_value(fn, l);
     const SmType t = c_ins(fn, l->load)->type;
 
     return (t != SM_F64 && t != SM_F32) || (sm_bits(x) & 0xffffffffu) != 0 || !(x - x == 0) || (t == SM_F32 && (double)sm_round_f32(x) != x);
@@ -109,32 +111,32 @@ bool soft_compares_bytes(const CFn *fn, const IrIns *i, IrRef x)
 {
     ByteCompare l;
 
-    return find_byte_compare(fn, i, &l) && x == l.side && !has_lower_half(fn, &l);
+    return match_byte_compare(fn, i, &l) && x == l.operand && !needs_lower_half(fn, &l);
 }
 
-// Writes the address of the variable: the function's own copy, or the member itself, which no store changes in between.
+// Writes the address of the variable's value: of the C variable of a temporary, or of the member.  An F32 is passed by value.
 static void write_address(CFn *fn, const ByteCompare *l)
 {
-    const IrRef r = fn->ins[l->side].variable ? l->side : l->load;
+    const IrRef r = fn->ins[l->operand].variable ? l->operand : l->load;
 
     c_write(fn, c_ins(fn, r)->type != SM_F32 ? "&" : "");
     if (fn->ins[r].variable)
         c_write(fn, fn->ins[r].variable);
     else
-        c_write_cell(fn, c_ins(fn, r)->var);
+        c_write_member(fn, c_ins(fn, r)->var);
 }
 
-// Compares away from zero, in the direction of the constant's sign: x > 5 is beyond 5, x >= 5 reaches 5, x < 5 does not reach it; x < -5 is
-// beyond -5.  For 0 only `beyond` is used.
+// Writes a comparison of a float as a call of sm_soft_beyond or sm_soft_reaches, which compare away from zero, in the direction of the sign of the
+// constant: x > 5 is beyond 5, x >= 5 reaches 5, x < 5 is the negation of that; x < -5 is beyond -5.  For 0 only sm_soft_beyond is used.
 static void write_float_compare(CFn *fn, const ByteCompare *l, bool negated)
 {
-    const double x = number_of(fn, l);
+    const double x = constant_value(fn, l);
     const bool less = l->op == IR_lt || l->op == IR_le, strict = l->op == IR_lt || l->op == IR_gt;
     const bool negative = x == 0 ? less == strict : x < 0, out = less == negative;
-    const IrRef at = fn->ins[l->side].variable ? l->side : l->load;
+    const IrRef at = fn->ins[l->operand].variable ? l->operand : l->load;
     const bool is_f32 = c_ins(fn, at)->type == SM_F32;
     const uint32_t n = is_f32 ? sm_f32_bits(sm_round_f32(x)) : (uint32_t)(sm_bits(x) >> 32);
-    const char *name = remark_constant(fn->u, c_ins(fn, l->constant)->span);
+    const char *name = remark_constant_name(fn->u, c_ins(fn, l->constant)->span);
 
     buf_printf(&fn->line, "%s%s%s(", negated == out ? "!" : "", strict == out ? "sm_soft_beyond" : "sm_soft_reaches", is_f32 ? "_f32" : "");
     write_address(fn, l);
@@ -143,45 +145,47 @@ static void write_float_compare(CFn *fn, const ByteCompare *l, bool negated)
     buf_printf(&fn->line, "%s%s */)", *name ? ", " : "", name);
 }
 
+// Writes a comparison of a U64 variable with n, which has at most 32 bits, as a call of sm_soft_exceeds or sm_soft_elapsed_exceeds.
 static void write_integer_compare(CFn *fn, const ByteCompare *l, uint64_t n, bool negated)
 {
     const bool less = l->op == IR_lt || l->op == IR_le, exact = l->op == IR_gt || l->op == IR_le;
-    const char *name = remark_constant(fn->u, c_ins(fn, l->constant)->span);
+    const char *name = remark_constant_name(fn->u, c_ins(fn, l->constant)->span);
     const bool is_time = fn->u->m->var.at[c_ins(fn, l->load)->var].space == IR_TIME;
 
     c_write(fn, negated != less ? "!" : "");
     c_write(fn, is_time ? "sm_soft_elapsed_exceeds(&m->start_, &" : "sm_soft_exceeds(&");
-    c_write_cell(fn, is_time ? fn->u->m->g : c_ins(fn, l->load)->var);
+    c_write_member(fn, is_time ? fn->u->m->g : c_ins(fn, l->load)->var);
     fn->uses_m = fn->uses_m || is_time;
     buf_printf(&fn->line, ", %lu%s%s%s)", (unsigned long)(exact ? n : n - 1), *name && exact ? " /* " : "", exact ? name : "",
                *name && exact ? " */" : "");
 }
 
-static bool is_integer_compare(const CFn *fn, const ByteCompare *l)
+// Whether write_integer_compare can write the comparison.
+static bool can_compare_integer_bytes(const CFn *fn, const ByteCompare *l)
 {
     const bool exact = l->op == IR_gt || l->op == IR_le;
     const uint64_t n = c_ins(fn, l->constant)->bits;
 
     return c_ins(fn, l->load)->type == SM_U64 && c_ins(fn, l->constant)->type == SM_U64 && n <= UINT32_MAX && (exact || n > 0) &&
-           fn->ins[l->load].form == C_INLINE;
+           fn->ins[l->load].form == C_SUBEXPRESSION;
 }
 
-bool soft_write_byte_compare(CFn *fn, const IrIns *i, bool negated)
+bool soft_try_write_byte_compare(CFn *fn, const IrIns *i, bool negated)
 {
     ByteCompare l;
 
-    if (!find_byte_compare(fn, i, &l))
+    if (!match_byte_compare(fn, i, &l))
         return false;
-    if (is_integer_compare(fn, &l))
+    if (can_compare_integer_bytes(fn, &l))
         write_integer_compare(fn, &l, c_ins(fn, l.constant)->bits, negated);
-    else if (!has_lower_half(fn, &l))
+    else if (!needs_lower_half(fn, &l))
         write_float_compare(fn, &l, negated);
     else
         return false;
     return true;
 }
 
-void soft_write_not_zero(CFn *fn, IrRef r, bool negated)
+void soft_write_nonzero_test(CFn *fn, IrRef r, bool negated)
 {
     c_write(fn, negated ? "!sm_to_bool(" : "sm_to_bool(");
     c_write_double(fn, r, PREC_ANY);

@@ -3,11 +3,12 @@
 // element.  If the vector has a lock, they acquire it; otherwise they are plain accesses to the member.
 #include "compiler/emit/c/unit.h"
 
-// The type of parameter and result of these functions.
-static const char *value_type(const CUnit *u, SmType type) { return type == SM_F64 ? "SmF64" : c_type_of(u, type); }
+// Returns the C type of the parameter or result of an access function.
+static const char *accessor_type(const CUnit *u, SmType type) { return type == SM_F64 ? "SmF64" : c_type_of(u, type); }
 
 // ---- the header ----
 
+// Writes an enum of n names and of `count`, their number.
 static void write_enum(Buf *out, const char *const *name, size_t n, const char *count)
 {
     buf_str(out, "enum {\n");
@@ -16,17 +17,19 @@ static void write_enum(Buf *out, const char *const *name, size_t n, const char *
     buf_printf(out, "    %s        // their number\n};\n\n", count);
 }
 
-static void write_plain(const CUnit *u, const CElement *e, const char *getter, const char *setter, Buf *out)
+// Writes the functions that read and write an element without a lock.
+static void write_plain_accessors(const CUnit *u, const CElement *e, const char *getter, const char *setter, Buf *out)
 {
-    const char *p = u->names.prefix, *type = value_type(u, e->type), *truth = e->type == SM_BOOL ? " != 0" : "";
+    const char *p = u->names.prefix, *type = accessor_type(u, e->type), *truth = e->type == SM_BOOL ? " != 0" : "";
 
     buf_printf(out, "static inline %s %s(void) { return %s_sv.%s%s; }\n", type, getter, p, e->member, truth);
     buf_printf(out, "static inline void %s(%s value) { %s_sv.%s = value; }\n\n", setter, type, p, e->member);
 }
 
-static void write_guarded(const CUnit *u, const CElement *e, const char *getter, const char *setter, Buf *out)
+// Writes the functions that acquire the lock and read or write an element.
+static void write_locking_accessors(const CUnit *u, const CElement *e, const char *getter, const char *setter, Buf *out)
 {
-    const char *p = u->names.prefix, *type = value_type(u, e->type), *truth = e->type == SM_BOOL ? " != 0" : "";
+    const char *p = u->names.prefix, *type = accessor_type(u, e->type), *truth = e->type == SM_BOOL ? " != 0" : "";
     const char *zero = e->type == SM_BOOL ? "false" : e->type == SM_F64 ? "sm_from_i32(0)" : "0";
 
     buf_printf(out, "static inline %s %s(void)\n{\n    %s value = %s;\n\n", type, getter, type, zero);
@@ -36,7 +39,7 @@ static void write_guarded(const CUnit *u, const CElement *e, const char *getter,
     buf_printf(out, "        %s_sv.%s = value;\n        sm_leave(&%s_vector);\n    }\n}\n\n", p, e->member, p);
 }
 
-static void write_variables(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
+static void write_declarations(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
 {
     const char *p = u->names.prefix;
 
@@ -50,8 +53,9 @@ static void write_variables(const CUnit *u, const StateVec *sv, const CVectorNam
     write_enum(out, n->region, sv->region.n, format_in(u->arena, "%s_REGIONS", u->names.macro));
 }
 
-// Functions that copy a region from and to its offset in a copy of the vector: no buffer that could be too small, no cast.
-static void write_region(const CUnit *u, const char *region, const char *reader, const char *writer, uint32_t offset, Buf *out)
+// Writes the functions that copy a region to and from its members in a copy of the state vector.  Their parameter is a whole vector, so the
+// user can pass no buffer that is too small and needs no cast.
+static void write_region_functions(const CUnit *u, const char *region, const char *reader, const char *writer, uint32_t offset, Buf *out)
 {
     const char *p = u->names.prefix, *type = u->names.sv_type;
 
@@ -65,20 +69,21 @@ void c_write_vector_interface(const CUnit *u, const StateVec *sv, const CVectorN
 {
     const char *p = u->names.prefix;
 
-    write_variables(u, sv, n, out);
+    write_declarations(u, sv, n, out);
     if (sv->lock)
         buf_printf(out, "// Each of these acquires and releases the lock.  If it cannot, it reads 0, writes nothing, and counts a fault in %s_vector.faults.\n\n", p);
     for (size_t i = 0; i < u->sv.n; i++)
-        (sv->lock ? write_guarded : write_plain)(u, &u->sv.at[i], n->getter[i], n->setter[i], out);
+        (sv->lock ? write_locking_accessors : write_plain_accessors)(u, &u->sv.at[i], n->getter[i], n->setter[i], out);
     buf_str(out, "// Copy a whole region at once, from or to its members in a copy of the vector; other members stay unchanged.\n\n");
     for (size_t r = 0; r < sv->region.n; r++)
-        write_region(u, n->region[r], n->reader[r], n->writer[r], sv->region.at[r]->offset, out);
-    out->n--;                        // the blank line after the last one
+        write_region_functions(u, n->region[r], n->reader[r], n->writer[r], sv->region.at[r]->offset, out);
+    out->n--;                        // the empty line after the last function
     out->at[out->n] = '\0';
 }
 
 // ---- the code ----
 
+// Writes the definitions of the state vector and of its SmStateVec.
 static void write_storage(const CUnit *u, const StateVec *sv, Buf *out)
 {
     const char *p = u->names.prefix;
@@ -93,7 +98,7 @@ static void write_storage(const CUnit *u, const StateVec *sv, Buf *out)
     buf_printf(out, "SmStateVec %s_vector = {&%s_layout, &%s_sv, %s, {0}, 0};\n\n", p, p, p, sv->lock ? "true" : "false");
 }
 
-static void write_elements(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
+static void write_element_table(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
 {
     buf_printf(out, "const SmElement %s_element[] = {        // offset, type, region\n", u->names.prefix);
     for (size_t r = 0; r < sv->region.n; r++)
@@ -105,7 +110,7 @@ static void write_elements(const CUnit *u, const StateVec *sv, const CVectorName
     buf_str(out, "};\n\n");
 }
 
-static void write_layout(const CUnit *u, const StateVec *sv, Buf *out)
+static void write_layout_tables(const CUnit *u, const StateVec *sv, Buf *out)
 {
     const char *p = u->names.prefix, *m = u->names.macro;
     uint32_t packed = 0;
@@ -120,20 +125,21 @@ static void write_layout(const CUnit *u, const StateVec *sv, Buf *out)
     buf_printf(out, "    {0, %u, %u, 0, %s_ELEMENTS}\n};\n\n", sv->size, packed, m);
 }
 
-static void write_name_table(const CUnit *u, const char *what, Buf *out)
+// Writes the first line of a table of names; the caller writes the rest.
+static void begin_name_table(const CUnit *u, const char *what, Buf *out)
 {
     buf_printf(out, "static const char *const %s_%s_names[] = {\n", u->names.prefix, what);
 }
 
-static void write_names(const CUnit *u, const StateVec *sv, Buf *out)
+static void write_name_tables(const CUnit *u, const StateVec *sv, Buf *out)
 {
     const char *p = u->names.prefix;
 
-    write_name_table(u, "element", out);
+    begin_name_table(u, "element", out);
     for (size_t i = 0; i < sv->element.n; i++)
         buf_printf(out, "    \"%s\",\n", sv->element.at[i]->name->text);
     buf_str(out, "};\n\n");
-    write_name_table(u, "region", out);
+    begin_name_table(u, "region", out);
     for (size_t r = 0; r < sv->region.n; r++)
         buf_printf(out, "    \"%s\",\n", sv->region.at[r]->name->text);
     buf_printf(out, "};\n\nconst SmNames %s_names = {&%s_layout, \"%s\", %s_element_names, %s_region_names};\n", p, p, sv->name->text, p, p);
@@ -145,7 +151,7 @@ void c_write_vector_tables(const CUnit *u, const StateVec *sv, const CVectorName
     if (sv->element.n > UINT16_MAX)
         buf_str(out, "#error \"smc: the flight runtime numbers elements with 16 bits: 65,535 of them at most\"\n");
     write_storage(u, sv, out);
-    write_elements(u, sv, n, out);
-    write_layout(u, sv, out);
-    write_names(u, sv, out);
+    write_element_table(u, sv, n, out);
+    write_layout_tables(u, sv, out);
+    write_name_tables(u, sv, out);
 }
