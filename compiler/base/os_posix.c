@@ -234,6 +234,7 @@ static bool close_temporary(int fd, const char *target, bool ok, const char **wh
     return ok;
 }
 
+// Ends the registration of a temporary file for removal, and frees its path.
 static void forget_temporary(int number)
 {
     char *temp = os_unfinished_path(number);

@@ -89,6 +89,7 @@ static bool has_ended(const DiagAllow *a, const Span *at)
     return a->covers.src != at->src || a->covers.at + a->covers.len <= at->at;
 }
 
+// Brings the stack of open allows to position `at`.
 static void open_allows_at(AllowWalk *w, const Span *at)
 {
     for (; w->next < w->n && compare_positions(&w->all[w->next]->covers, at) <= 0; w->next++) {

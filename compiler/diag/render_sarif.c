@@ -112,7 +112,7 @@ static void put_rule_defaults(Buf *out, const DiagInfo *row)
         buf_printf(out, ",\"properties\":{\"tags\":[\"%s\",\"%s\"]}", diag_group_name[flag->group], flag->name);
 }
 
-// The name of a warning is the one after -W, which `smc explain` and @allow accept.
+// Writes the rule of a code. A warning is named as after -W, `smc explain` and @allow.
 static void put_rule(Buf *out, const DiagInfo *row)
 {
     buf_printf(out, "{\"id\":\"%s\",\"name\":\"%s\",\"shortDescription\":", row->id, row->flag ? row->flag : row->name);
@@ -249,7 +249,7 @@ static void put_suppressions(Buf *out, const Diag *d)
     buf_char(out, ']');
 }
 
-// `suppressions`: at least one result of the run is suppressed; then every result must state whether it is.
+// Writes one result. `suppressions`: a result of the run is suppressed, so SARIF requires every result to state whether it is.
 static void put_result(Buf *out, const Diag *d, const DiagFingerprint *print, size_t rule, bool suppressions)
 {
     Buf text;

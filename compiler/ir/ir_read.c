@@ -318,6 +318,7 @@ static bool read_label(IrReader *r, Str w)
     return scan_expect_char(&r->scan, ':');
 }
 
+// Reads a label, a jump or an instruction.
 static bool read_code_line(IrReader *r)
 {
     Str w = scan_word(&r->scan, "an instruction");
@@ -411,6 +412,7 @@ static bool read_declaration(IrReader *r)
     return read_state_function(r, w);
 }
 
+// Sets the target of each transition, now that all states are known.
 static bool resolve_gotos(IrReader *r)
 {
     for (size_t i = 0; i < r->gotos.n; i++) {

@@ -37,6 +37,7 @@ static IrRunOp flatten_ins(const IrFn *f, IrRef ref)
     return op;
 }
 
+// Flattens a function (NULL: none).  Raises *temps to the number of temporaries that it needs.
 static IrRunFn *flatten_function(Arena *arena, const IrFn *f, size_t *temps)
 {
     IrRunFn *out;

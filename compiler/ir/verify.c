@@ -210,6 +210,7 @@ static bool check_const(IrChecker *c, const IrIns *i, IrRef ref)
     return true;
 }
 
+// Checks a load or store.
 static bool check_variable_access(IrChecker *c, const IrIns *i, IrRef ref)
 {
     if (i->var >= c->m->var.n || c->m->var.at[i->var].type != i->type)
@@ -243,6 +244,7 @@ static bool check_stat(IrChecker *c, const IrIns *i, IrRef ref)
         || report_violation(c, "instruction %lu reads window w%lu before its sample", (unsigned long)ref, (unsigned long)i->var);
 }
 
+// Checks that the operands are of type `from` and the result is of type `to`.
 static bool check_operand_types(IrChecker *c, const IrIns *i, IrRef ref, SmType from, SmType to)
 {
     if (i->type != to)

@@ -25,7 +25,7 @@ typedef struct Cse {
     IrFn *f;
     Facts *facts;
     IrRef *value;             // by instruction: its value number, which is the first instruction of the same value
-    IrRef *keeper;            // by value number: the instruction that replaces others of that value
+    IrRef *leader;            // by value number: the instruction that replaces the others of that value
     IrRef *same;              // by instruction: the temporary that its users must name
     bool *sunk;               // by instruction: its only user is a store or a branch
     CseSlot *table;              // hash table of the block's operations, by CseKey
@@ -47,6 +47,7 @@ static void swap_operands(CseKey *k)
     k->b = a;
 }
 
+// The key of an operation.  Two operations of a block with equal keys have the same value.
 static CseKey key_of(const Cse *c, const IrIns *i)
 {
     CseKey k = {i->op, i->type, IR_NONE, IR_NONE, 0, 0};
@@ -139,7 +140,7 @@ static void visit_load(Cse *c, IrRef ref)
     if (note->ref == IR_NONE)
         note->ref = ref;
     c->value[ref] = note->ref;
-    c->keeper[ref] = ref;
+    c->leader[ref] = ref;
     if (ins_at(c, note->ref)->op == IR_const)
         c->same[ref] = note->ref;
     else if (note->load != IR_NONE)
@@ -169,17 +170,17 @@ static bool visit_store(Cse *c, const IrIns *i)
 static void visit_operation(Cse *c, IrRef ref)
 {
     const IrIns *i = ins_at(c, ref);
-    IrRef first = find_or_add_operation(c, ref), keeper = c->keeper[first];
+    IrRef first = find_or_add_operation(c, ref), leader = c->leader[first];
 
     c->value[ref] = first;
     if (first == ref)
-        c->keeper[ref] = ref;
+        c->leader[ref] = ref;
     else if (is_free(c, i))
         return;
-    else if (i->op == IR_const || is_expensive(i) || (!c->sunk[ref] && !c->sunk[keeper]))
-        c->same[ref] = keeper;
-    else if (c->sunk[keeper])
-        c->keeper[first] = ref;
+    else if (i->op == IR_const || is_expensive(i) || (!c->sunk[ref] && !c->sunk[leader]))
+        c->same[ref] = leader;
+    else if (c->sunk[leader])
+        c->leader[first] = ref;
 }
 
 // Returns the temporary that replaces `ref` as an operand, and moves one use to it.

@@ -10,6 +10,7 @@ static bool is_const(const IrFn *f, IrRef ref)
     return f->ins.at[ref].op == IR_const;
 }
 
+// The number of a constant; 0 for IR_NONE, the operand that an operation does not have.
 static SmF64 const_number(const IrFn *f, IrRef ref)
 {
     return ref == IR_NONE ? sm_from_i32(0) : ir_number(f->ins.at[ref].type, f->ins.at[ref].bits);

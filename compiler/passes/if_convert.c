@@ -20,7 +20,7 @@ typedef struct ArmStore {
     IrRef store, one;         // the store; the constant 1, or IR_NONE if it stores a boolean
 } ArmStore;
 
-typedef struct Arm {
+typedef struct Arm {                  // one of the two arms of a conditional
     ArmStore at[ARM_STORES];
     unsigned n;
     IrBlkRef blk, to;         // to: the block after the arm; IR_NONE is the function's end

@@ -9,7 +9,7 @@
 
 typedef struct KnownPass {
     IrFn *f;
-    const Fact *of;       // by temporary: its possible values
+    const Fact *fact;     // by temporary: its possible values
     IrRef *same;          // by temporary: another with the same value, or itself
 } KnownPass;
 
@@ -33,7 +33,7 @@ static IrRef decided_min_max_operand(const IrIns *i, Fact a, Fact b)
 // The operand that always equals the result of i, or IR_NONE.
 static IrRef unchanged_operand(const KnownPass *k, const IrIns *i)
 {
-    const Fact a = k->of[i->a];
+    const Fact a = k->fact[i->a];
 
     if (i->op == IR_cvt)
         return i->type == SM_F64 && k->f->ins.at[i->a].type == SM_F64 && !a.nan ? i->a : IR_NONE;
@@ -42,7 +42,7 @@ static IrRef unchanged_operand(const KnownPass *k, const IrIns *i)
     if (i->op == IR_abs)
         return is_never_negative(a) ? i->a : IR_NONE;            // the sign of a NaN is not observable
     if (i->op == IR_min || i->op == IR_max)
-        return decided_min_max_operand(i, a, k->of[i->b]);
+        return decided_min_max_operand(i, a, k->fact[i->b]);
     return IR_NONE;
 }
 
@@ -67,7 +67,7 @@ static void rewrite_ins(KnownPass *k, IrRef ref)
         i->b = k->same[i->b];
     if (ir_op_info[i->op].effect || i->op == IR_const)
         return;
-    if (fact_is_number(k->of[ref], &x) && (sm_type_info[i->type].bytes < 8 || i->type == SM_F64 || fact_within(k->of[ref], -FACT_EXACT, FACT_EXACT)))
+    if (fact_is_number(k->fact[ref], &x) && (sm_type_info[i->type].bytes < 8 || i->type == SM_F64 || fact_within(k->fact[ref], -FACT_EXACT, FACT_EXACT)))
         replace_by_number(i, x);
     else if (operands > 0 && (same = unchanged_operand(k, i)) != IR_NONE)
         k->same[ref] = same;

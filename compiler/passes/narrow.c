@@ -57,7 +57,7 @@ static bool can_be_zero(Fact a) { return a.lo <= 0 && a.hi >= 0; }
 // Marks the operands of i whose sign of zero is observable.  `of_result`: whether that of the result is.
 static void mark_binary_zero_signs(Narrow *n, const IrIns *i, bool of_result)
 {
-    const Fact a = n->of[i->a], b = n->of[i->b];
+    const Fact a = n->fact[i->a], b = n->fact[i->b];
 
     if (i->op == IR_add) {                            // only -0 + -0 is -0
         mark_zero_sign(n, i->a, of_result && b.minus_zero);
@@ -88,11 +88,12 @@ static void mark_operand_zero_signs(Narrow *n, IrRef ref)
 
 // ---- integers ----
 
+// Whether r is a constant that I64 represents.
 static bool is_whole_const(const Narrow *n, IrRef r)
 {
     double x;
 
-    return narrow_is_const(n, r, &x) && n->of[r].whole && fact_within(n->of[r], -FACT_EXACT, FACT_EXACT) && !n->of[r].minus_zero;
+    return narrow_is_const(n, r, &x) && n->fact[r].whole && fact_within(n->fact[r], -FACT_EXACT, FACT_EXACT) && !n->fact[r].minus_zero;
 }
 
 bool narrow_has_integer(const Narrow *n, IrRef r)
@@ -100,7 +101,7 @@ bool narrow_has_integer(const Narrow *n, IrRef r)
     return is_whole_const(n, r) || (n->narrow[r] != IR_NONE && narrow_ins(n, n->narrow[r])->type != SM_F32);
 }
 
-static bool fits_i32(const Narrow *n, IrRef r) { return r == IR_NONE || fact_within(n->of[r], INT32_MIN, INT32_MAX); }
+static bool fits_i32(const Narrow *n, IrRef r) { return r == IR_NONE || fact_within(n->fact[r], INT32_MIN, INT32_MAX); }
 
 SmType narrow_common_integer(const Narrow *n, IrRef r, IrRef a, IrRef b)
 {
@@ -133,7 +134,7 @@ IrRef narrow_get_integer(Narrow *n, IrRef r, SmType type)
 // I64.
 static bool is_integer_result(const Narrow *n, IrRef ref)
 {
-    const Fact r = n->of[ref];
+    const Fact r = n->fact[ref];
 
     return r.whole && fact_within(r, -FACT_EXACT + 1, FACT_EXACT - 1) && !(r.minus_zero && n->zero_sign_observable[ref]);
 }
@@ -145,6 +146,7 @@ static void replace_by_narrow(Narrow *n, IrRef ref, IrIns i)
     *narrow_ins(n, ref) = make_ins(IR_cvt, SM_F64, n->narrow[ref], IR_NONE, i.span);
 }
 
+// Moves an operation on whole numbers to I32 or I64.
 static void narrow_to_integer(Narrow *n, IrRef ref)
 {
     IrIns i = *narrow_ins(n, ref);
@@ -162,7 +164,7 @@ static void narrow_to_integer(Narrow *n, IrRef ref)
 
 // ---- F32 ----
 
-// neg and abs of an F32 are exact on F32, for every use of the result.
+// Moves neg and abs of an F32 to F32.  They are exact there, for every use of the result.
 static void narrow_neg_or_abs(Narrow *n, IrRef ref)
 {
     IrIns i = *narrow_ins(n, ref);
@@ -180,7 +182,7 @@ static bool match_f32_operand(const Narrow *n, IrRef r, bool *is_variable)
     double x;
 
     if (narrow_is_const(n, r, &x))
-        return n->of[r].f32;
+        return n->fact[r].f32;
     *is_variable = true;
     return n->narrow[r] != IR_NONE && narrow_ins(n, n->narrow[r])->type == SM_F32;
 }
@@ -210,7 +212,7 @@ static void narrow_to_f32(Narrow *n, IrRef cvt)
         i.b = emit_f32_operand(n, i.b);
     f32 = narrow_emit(n, i);
     narrow_ins(n, cvt)->a = f32;
-    if (!n->of[r].nan)
+    if (!n->fact[r].nan)
         n->same[cvt] = f32;
 }
 
@@ -224,7 +226,7 @@ static void record_narrow_source(Narrow *n, IrRef ref)
 
     if (type == SM_F64)
         return;
-    if (sm_type_info[type].bytes < 8 || fact_within(n->of[ref], -FACT_EXACT + 1, FACT_EXACT - 1))
+    if (sm_type_info[type].bytes < 8 || fact_within(n->fact[ref], -FACT_EXACT + 1, FACT_EXACT - 1))
         n->narrow[ref] = from;
     else
         n->wide[ref] = from;
@@ -297,7 +299,7 @@ static void narrow_function(Arena *arena, FactMachine *fm, IrFn *f, const Env *b
 {
     const FactFlow flow = facts_of_function(fm, f, begin);
     const size_t temps = f->ins.n;
-    Narrow n = {.arena = arena, .f = f, .of = flow.of, .uses = ir_count_uses(arena, f)};
+    Narrow n = {.arena = arena, .f = f, .fact = flow.of, .uses = ir_count_uses(arena, f)};
 
     n.same = ARENA_ARRAY(arena, IrRef, temps);
     for (size_t r = 0; r < temps; r++)

@@ -11,7 +11,7 @@
 typedef struct Narrow {
     Arena *arena;
     IrFn *f;
-    const Fact *of;           // its possible values
+    const Fact *fact;         // its possible values
     uint32_t *uses;
     IrRef *same;              // a temporary with the same value: an earlier one, or itself
     IrRef *narrow;            // for an F64: a temporary of a narrower type that is exactly the same number, or IR_NONE

@@ -70,6 +70,7 @@ static void compare_f32(Narrow *n, IrRef ref, IrOp op, IrRef x, double c)
     compare_with_lower_bound(n, ref, op, x, c, below);
 }
 
+// Replaces ref, which is `r op c` on F64, by a comparison in a narrower type, if r exists in one.
 static void compare_constant(Narrow *n, IrRef ref, IrOp op, IrRef r, double c)
 {
     const IrRef x = n->narrow[r] != IR_NONE ? n->narrow[r] : n->wide[r];
@@ -83,6 +84,7 @@ static void compare_constant(Narrow *n, IrRef ref, IrOp op, IrRef r, double c)
         compare_integer(n, ref, op, x, c);
 }
 
+// Replaces a comparison of two F64 temporaries by one in a narrower type, if both exist in one.
 static void compare_temporaries(Narrow *n, IrRef ref)
 {
     const IrIns i = *narrow_ins(n, ref);
