@@ -141,7 +141,7 @@ typedef struct DiagSelection {
 
 // Drops disabled warnings and turns those that -Werror names into errors (selection.c). Call it once, after diags_apply_allows.
 void diags_select(Diags *d, const DiagSelection *w);
-// 1u << DiagGroup of each group with at least one enabled warning.
+// Returns the groups with at least one enabled warning: a set of 1u << DiagGroup.
 unsigned diag_selection_groups(const DiagSelection *w);
 // Returns what is wrong with the words: "no warning is called 'x'; did you mean 'y'?"; NULL if they are correct.
 const char *diag_selection_error(Arena *arena, const DiagSelection *w);

@@ -116,7 +116,7 @@ typedef struct IrVar {
     Str name;                         // unique in the machine
     SmType type;
     uint32_t offset;                  // ELEMENT: in the state vector
-    uint64_t init;                    // LOCAL: bit cell
+    uint64_t init;                    // LOCAL: its initial value, as a bit cell
     bool writable;                    // some function of the machine stores to it
     bool outside;                     // LOCAL: code outside the machine writes it between steps; else it starts at init
     bool hidden;                      // LOCAL: no code outside the machine reads it between steps

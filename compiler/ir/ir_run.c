@@ -15,7 +15,7 @@ typedef struct IrRunOp {
     IrRef to, a, b;
     uint32_t var;
     uint32_t stmt;
-    SmF64 number;                     // const
+    SmF64 number;                     // const: its value
 } IrRunOp;
 
 typedef struct IrRunBlk { uint32_t first, end; IrJump jump; } IrRunBlk;

@@ -21,7 +21,7 @@ typedef struct IrRun {
     size_t size;                      // bytes of a situation
     size_t vars, writers, windows;    // byte offsets of its parts
     size_t *window_at;                // by window: offset of its words
-    uint32_t *window_kind;            // by window: as sm_roll_kind
+    uint32_t *window_kind;            // by window: the result of sm_roll_kind
     uint64_t work;                    // instructions and jumps executed so far; callers limit it
     IrRunFn *sample;
     IrRunFn *(*block)[BLOCK_COUNT];   // by state

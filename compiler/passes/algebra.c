@@ -89,7 +89,7 @@ static void compare_bool_to_number(IrIns *i, IrOp op, IrRef boolean, SmF64 numbe
         replace_op(i, IR_and, boolean, boolean);
 }
 
-// ref if it is a bool, or the bool that it is converted from; IR_NONE if it is neither.
+// Returns ref if it is a bool, or the bool that ref is converted from; IR_NONE if ref is neither.
 static IrRef skip_bool_cvt(const Identity *d, IrRef ref)
 {
     const IrIns *i = identity_at(d, ref);

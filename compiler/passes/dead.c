@@ -22,6 +22,7 @@ static void filter_block(const IrFn *f, IrBlk *blk, Facts *facts, VisitFn *visit
     blk->ins.n = n;
 }
 
+// Returns whether the instruction stays: its result is used, or it has an effect.
 static bool visit_for_dce(const IrFn *f, IrRef ref, Facts *facts)
 {
     const IrIns *i = &f->ins.at[ref];
@@ -35,7 +36,7 @@ static bool visit_for_dce(const IrFn *f, IrRef ref, Facts *facts)
     return false;
 }
 
-// `stored` in the note of a variable: a later store of the block overwrites it, and no load between reads it.
+// Returns whether the instruction stays.  `stored` in the note of a variable: a later store of the block overwrites it, and no load between reads it.
 static bool visit_for_dse(const IrFn *f, IrRef ref, Facts *facts)
 {
     const IrIns *i = &f->ins.at[ref];
