@@ -48,7 +48,7 @@ static void check_name(AppCheck *k, const AstAppTask *in)
 // Checks one of the tasks inputs, outputs, log and keep: each at most once, and only with its option.
 static void check_service(AppCheck *k, const AstAppTask *in)
 {
-    AstAppOptionKind needs = app_task_needs(in->kind);
+    AstAppOptionKind needs = app_find_required_option(in->kind);
     const char *word = app_task_word(in->kind);
     bool found = k->ast->lost;
 

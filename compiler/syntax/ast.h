@@ -54,14 +54,14 @@ typedef enum AstAnnotationKind {
 } AstAnnotationKind;
 
 // What an annotation can follow: a column of annotations.def.
-typedef enum AstPlace {
+typedef enum AstAnnotationTarget {
     AST_ON_ELEMENT,           // listed in [state_vector] of a machine
     AST_ON_SV_ELEMENT,        // of a .sv
     AST_ON_LOCAL,
     AST_ON_STATE,             // after its header
     AST_ON_ANALOG_INPUT, AST_ON_ANALOG_OUTPUT, AST_ON_DIGITAL_INPUT, AST_ON_DIGITAL_OUTPUT,       // of a .io
-    AST_PLACES
-} AstPlace;
+    AST_ANNOTATION_TARGETS
+} AstAnnotationTarget;
 
 // A number with its sign, where an expression is not allowed.
 typedef struct AstNumber { SmF64 value; Span span; } AstNumber;
@@ -182,7 +182,7 @@ typedef struct AstFile {
     FileKind kind;
     const Source *src;
     VEC(AstSection *) sections;       // in file order
-    struct AstApp *app;               // a .app has this instead (ast_app.h)
+    struct AstApp *app;               // of a .app, which has no AstSection (ast_app.h)
 } AstFile;
 
 const char *ast_function_usage(const SmBuiltinInfo *fn);    // how a function's arguments are written: "(x, n)"

@@ -21,7 +21,7 @@ typedef struct AstAmount {
 } AstAmount;
 
 typedef enum AstAppOptionKind {
-#define APP_OPTION(name, element, file, amount, form) AST_APP_##name,
+#define APP_OPTION(name, element, file, amount, example) AST_APP_##name,
 #include "compiler/syntax/app.def"
     AST_APP_OPTION_COUNT
 } AstAppOptionKind;
@@ -34,7 +34,7 @@ typedef struct AstAppOption {
 } AstAppOption;
 
 typedef enum AstAppAnnotationKind {
-#define APP_ANNOTATION(name, takes, executor, task, machine, outputs, service, form) AST_ON_##name,
+#define APP_ANNOTATION(name, takes, executor, task, machine, outputs, service, example) AST_ON_##name,
 #include "compiler/syntax/app.def"
     AST_APP_ANNOTATION_COUNT
 } AstAppAnnotationKind;
@@ -49,7 +49,7 @@ typedef struct AstAppAnnotation {
 typedef VEC(AstAppAnnotation) AstAppAnnotations;
 
 typedef enum AstAppTaskKind {
-#define APP_TASK(word, named, file, option, form) AST_TASK_##word,
+#define APP_TASK(word, named, file, option, example) AST_TASK_##word,
 #include "compiler/syntax/app.def"
     AST_APP_TASK_COUNT
 } AstAppTaskKind;
@@ -88,8 +88,8 @@ struct AstApp {
     AstStmts start;           // AST_ASSIGN
     VEC(AstAppExecutor *) executors;
     VEC(AstAppAllow) allows;
-    bool lost;                // there were errors: entries may be missing
-    bool strayed;             // options appeared in another section; this has been reported
+    bool lost;                // entries may be missing, because errors were reported
+    bool strayed;             // has reported that options are in another section
 };
 
 void ast_print_app(const AstApp *app, Buf *out);
@@ -97,6 +97,6 @@ void ast_print_app(const AstApp *app, Buf *out);
 const char *app_option_name(AstAppOptionKind kind);
 const char *app_task_word(AstAppTaskKind kind);
 const char *app_annotation_name(AstAppAnnotationKind kind);
-AstAppOptionKind app_task_needs(AstAppTaskKind kind);         // AST_APP_OPTION_COUNT: no option
+AstAppOptionKind app_find_required_option(AstAppTaskKind kind);         // AST_APP_OPTION_COUNT: no option
 
 #endif

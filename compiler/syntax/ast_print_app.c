@@ -2,55 +2,55 @@
 // Prints the syntax tree of an application: one line per entry, indented below its owner.
 #include "compiler/syntax/ast_app.h"
 
-static void put_source(Buf *out, Span span) { buf_put(out, span.src->text + span.at, span.len); }
+static void print_source(Buf *out, Span span) { buf_put(out, span.src->text + span.at, span.len); }
 
-static void put_piece(Buf *out, Span span)
+static void print_source_if_present(Buf *out, Span span)
 {
     if (span.src) {
         buf_char(out, ' ');
-        put_source(out, span);
+        print_source(out, span);
     }
 }
 
-static void put_annotations(Buf *out, const AstAppAnnotations *all)
+static void print_annotations(Buf *out, const AstAppAnnotations *all)
 {
     for (size_t i = 0; i < all->n; i++) {
         buf_printf(out, " @%s", app_annotation_name(all->at[i].kind));
-        put_piece(out, all->at[i].word.span);
-        put_piece(out, all->at[i].amount.span);
+        print_source_if_present(out, all->at[i].word.span);
+        print_source_if_present(out, all->at[i].amount.span);
     }
     buf_char(out, '\n');
 }
 
-static void put_option(Buf *out, const AstAppOption *o)
+static void print_option(Buf *out, const AstAppOption *o)
 {
     buf_printf(out, "  %s", app_option_name(o->kind));
-    put_piece(out, o->element.span);
-    put_piece(out, o->file.span);
-    put_piece(out, o->amount.span);
+    print_source_if_present(out, o->element.span);
+    print_source_if_present(out, o->file.span);
+    print_source_if_present(out, o->amount.span);
     buf_char(out, '\n');
 }
 
-static void put_task(Buf *out, const AstAppTask *t)
+static void print_task(Buf *out, const AstAppTask *t)
 {
     buf_printf(out, "    %s", app_task_word(t->kind));
     if (t->kind == AST_TASK_task || t->kind == AST_TASK_machine)
-        put_piece(out, t->name.span);
-    put_piece(out, t->file.span);
-    put_annotations(out, &t->annotations);
+        print_source_if_present(out, t->name.span);
+    print_source_if_present(out, t->file.span);
+    print_annotations(out, &t->annotations);
 }
 
-static void put_executor(Buf *out, const AstAppExecutor *e)
+static void print_executor(Buf *out, const AstAppExecutor *e)
 {
     buf_printf(out, "executor %s", e->name.text->text);
-    put_annotations(out, &e->annotations);
+    print_annotations(out, &e->annotations);
     for (size_t r = 0; r < e->rates.n; r++) {
         const AstAppRate *rate = &e->rates.at[r];
         buf_str(out, rate->amount.of == APP_TIME ? "  every" : "  at");
-        put_piece(out, rate->amount.span);
+        print_source_if_present(out, rate->amount.span);
         buf_char(out, '\n');
         for (size_t t = 0; t < rate->tasks.n; t++)
-            put_task(out, &rate->tasks.at[t]);
+            print_task(out, &rate->tasks.at[t]);
     }
 }
 
@@ -59,18 +59,18 @@ void ast_print_app(const AstApp *app, Buf *out)
     if (app->options_header.src)
         buf_str(out, "options\n");
     for (size_t i = 0; i < app->options.n; i++)
-        put_option(out, &app->options.at[i]);
+        print_option(out, &app->options.at[i]);
     if (app->start_header.src)
         buf_str(out, "start\n");
     for (size_t i = 0; i < app->start.n; i++) {
         buf_str(out, "  ");
-        put_source(out, app->start.at[i]->span);
+        print_source(out, app->start.at[i]->span);
         buf_char(out, '\n');
     }
     for (size_t i = 0; i < app->executors.n; i++)
-        put_executor(out, app->executors.at[i]);
+        print_executor(out, app->executors.at[i]);
     for (size_t i = 0; i < app->allows.n; i++) {
-        put_source(out, app->allows.at[i].is->span);
+        print_source(out, app->allows.at[i].is->span);
         buf_char(out, '\n');
     }
 }

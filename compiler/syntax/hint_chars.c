@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hints about characters: signs of word processors and mathematics, letters of other alphabets, quotation marks.
+// Hints about characters: typographic and mathematical symbols, letters of other alphabets, quotation marks.
 #include <string.h>
 
 #include "compiler/base/utf8.h"
 #include "compiler/syntax/hint_text.h"
 #include "compiler/syntax/hint_words.h"
 
-// Characters that word processors and mathematical texts use where ASCII has a sign.
+// Unicode characters that word processors and mathematical texts use where this language has an ASCII operator or a space (TOK_END).
 static const struct { uint32_t code; const char *ascii; TokenKind kind; } lookalikes[] = {
     {0xa0, " ", TOK_END}, {0x2007, " ", TOK_END}, {0x2009, " ", TOK_END}, {0x202f, " ", TOK_END},
     {0x2010, "-", TOK_MINUS}, {0x2011, "-", TOK_MINUS}, {0x2012, "-", TOK_MINUS}, {0x2013, "-", TOK_MINUS},
@@ -21,7 +21,7 @@ enum { NO_LOOKALIKE = sizeof lookalikes / sizeof *lookalikes };
 
 // ---- characters that are not allowed ----
 
-static size_t lookalike_of(uint32_t code)
+static size_t find_lookalike(uint32_t code)
 {
     size_t i = 0;
 
@@ -41,22 +41,23 @@ static size_t skip_foreign_letter(const Lexer *l, uint32_t p)
     uint32_t code = 0;
     size_t len = utf8_decode(l->src->text + p, l->src->len - p, &code);
 
-    return len > 1 && lookalike_of(code) == NO_LOOKALIKE && !is_quote(code) && !utf8_is_hidden(code) ? len : 0;
+    return len > 1 && find_lookalike(code) == NO_LOOKALIKE && !is_quote(code) && !utf8_is_hidden(code) ? len : 0;
 }
 
-// Whether the text is a dash followed by >.
+// Whether a dash at `at`, `len` bytes long, is followed by `>`: – and > are meant as ->.
 static bool is_long_arrow(const Lexer *l, uint32_t at, uint32_t len, size_t like)
 {
     return like < NO_LOOKALIKE && lookalikes[like].kind == TOK_MINUS && lexer_byte(l, at + len) == '>';
 }
 
-// @range 0 – 5: a dash between two numbers is not a sign of the second number.
+// Whether the character is a dash between two numbers, as in @range 0 – 5. It does not negate the second number.
 static bool is_dash_of_range(const Lexer *l, size_t like)
 {
     return l->annotated && !l->first && l->last == TOK_NUMBER && like < NO_LOOKALIKE && lookalikes[like].kind == TOK_MINUS;
 }
 
-// 0·5, 60 000 with a no-break space: the character belongs to the number, so the sign that it resembles does not replace it.
+// Whether the character is part of a number, as in 0·5 or in 60 000 with a no-break space. It must then not be replaced with the operator
+// or space that it resembles.
 static bool is_inside_number(const Lexer *l, uint32_t at, uint32_t len, uint32_t code)
 {
     const bool may_be = code == 0xb7 || code == 0x22c5 || code == 0xa0 || code == 0x2007 || code == 0x2009 || code == 0x202f;
@@ -64,15 +65,15 @@ static bool is_inside_number(const Lexer *l, uint32_t at, uint32_t len, uint32_t
     return may_be && at > 0 && lex_is_digit(l->src->text[at - 1]) && lex_is_digit(lexer_byte(l, at + len)) && l->last == TOK_NUMBER;
 }
 
-static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
+static void report_code_point(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
 {
     const char *shown = utf8_is_hidden(code) || code == 0xa0 ? format_in(l->diags->arena, "U+%04X", (unsigned)code)
                                                               : lexer_text(l, at, at + len);
-    size_t like = lookalike_of(code);
+    size_t like = find_lookalike(code);
     const char *ascii = like < NO_LOOKALIKE ? lookalikes[like].ascii : NULL;
     Diag *d;
 
-    if (!ascii && !lexer_is_first_report(l))
+    if (!ascii && !lexer_mark_line_reported(l))
         return;
     if (is_long_arrow(l, at, len, like)) {
         ascii = "->";
@@ -101,13 +102,13 @@ static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
     diag_edit(l->diags, d, lexer_span(l, at, len), ascii);
 }
 
-uint32_t hint_report_byte(Lexer *l, uint32_t at)
+uint32_t hint_report_non_ascii(Lexer *l, uint32_t at)
 {
     uint32_t code = 0;
     size_t len = utf8_decode(l->src->text + at, l->src->len - at, &code);
 
     if (len > 0) {
-        report_non_ascii(l, at, (uint32_t)len, code);
+        report_code_point(l, at, (uint32_t)len, code);
         return (uint32_t)len;
     }
     return lexer_report_not_utf8(l, at);
@@ -117,7 +118,7 @@ uint32_t hint_report_byte(Lexer *l, uint32_t at)
 
 // Returns the position of the quote that closes the text from p on, or the end of its line; *len: the length of the quote, 0 if there is
 // none.
-static uint32_t find_quote(const Lexer *l, uint32_t p, bool plain, uint32_t *len)
+static uint32_t find_closing_quote(const Lexer *l, uint32_t p, bool plain, uint32_t *len)
 {
     uint32_t code = 0;
 
@@ -131,11 +132,11 @@ static uint32_t find_quote(const Lexer *l, uint32_t p, bool plain, uint32_t *len
     return p;
 }
 
-// The reason of an @allow, or the name of a file, in other quotes or not closed on its line.
-static void read_text(Lexer *l, Token *t, uint32_t quote_len)
+// Reports the reason of an @allow, or the name of a file, that is in other quotes or not closed on its line, and reads it as TOK_ERROR.
+static void read_misquoted_text(Lexer *l, Token *t, uint32_t quote_len)
 {
     bool plain = l->src->text[l->at] == '"';
-    uint32_t from = l->at + quote_len, closing = 0, end = find_quote(l, from, plain, &closing);
+    uint32_t from = l->at + quote_len, closing = 0, end = find_closing_quote(l, from, plain, &closing);
     Diag *d = diag_report(l->diags, l->config ? DIAG_file_quotes : DIAG_reason_quotes, lexer_span(l, l->at, end + closing - l->at));
 
     if (closing) {
@@ -147,9 +148,9 @@ static void read_text(Lexer *l, Token *t, uint32_t quote_len)
     lexer_finish_token(l, t, TOK_ERROR, end + closing);
 }
 
-// @assert p > 5, "too low": returns where the blanks and the comma before the quote begin; the quote ends the line at `end`. Returns 0 in
-// other cases, as in init_state "Idle".
-static uint32_t begins_remark(const Lexer *l, uint32_t end)
+// Quoted text can be a remark after a complete statement: @assert p > 5, "too low". If it ends its line at `end`, returns where the spaces
+// and the comma before the quote begin; else 0, as in init_state "Idle".
+static uint32_t find_remark_start(const Lexer *l, uint32_t end)
 {
     const char *s = l->src->text;
     uint32_t from = l->at, second = l->line_start;
@@ -168,10 +169,10 @@ static uint32_t begins_remark(const Lexer *l, uint32_t end)
            l->last == TOK_COMMA ? from : 0;
 }
 
-static void label_string(Lexer *l, Diag *d, uint32_t from, uint32_t end, uint32_t closing)
+static void label_quoted_text(Lexer *l, Diag *d, uint32_t from, uint32_t end, uint32_t closing)
 {
     const Span whole = lexer_span(l, l->at, end + closing - l->at);
-    const uint32_t remark = begins_remark(l, end + closing);
+    const uint32_t remark = find_remark_start(l, end + closing);
     const char *text = lexer_text(l, from, end);
     const bool is_word = lex_is_identifier(l->src->text + from, end - from);
 
@@ -191,25 +192,25 @@ static void label_string(Lexer *l, Diag *d, uint32_t from, uint32_t end, uint32_
     }
 }
 
-// Handles quoted text, up to the closing quote or the end of the line.
-static void read_string(Lexer *l, Token *t, uint32_t quote_len)
+// Reports quoted text where the grammar allows none. The token ends at the closing quote or at the end of the line.
+static void read_quoted_text(Lexer *l, Token *t, uint32_t quote_len)
 {
-    uint32_t closing = 0, p = find_quote(l, l->at + quote_len, false, &closing);
+    uint32_t closing = 0, p = find_closing_quote(l, l->at + quote_len, false, &closing);
 
     if (l->allow != LEX_NO_ALLOW || l->config) {
-        read_text(l, t, quote_len);
+        read_misquoted_text(l, t, quote_len);
         return;
     }
-    if (lexer_is_first_report(l))
-        label_string(l, diag_report(l->diags, DIAG_string, lexer_span(l, l->at, p + closing - l->at)), l->at + quote_len, p, closing);
+    if (lexer_mark_line_reported(l))
+        label_quoted_text(l, diag_report(l->diags, DIAG_string, lexer_span(l, l->at, p + closing - l->at)), l->at + quote_len, p, closing);
     lexer_finish_token(l, t, TOK_ERROR, p + closing);
 }
 
-// Reads a character that looks like a sign as that sign; skips a blank, or a byte that is not UTF-8.
+// Reads a character that resembles an operator as that operator. Skips one that resembles a space, and a byte that is not UTF-8.
 static HintResult read_lookalike(Lexer *l, Token *t, uint32_t code)
 {
-    size_t like = lookalike_of(code);
-    uint32_t len = hint_report_byte(l, l->at);
+    size_t like = find_lookalike(code);
+    uint32_t len = hint_report_non_ascii(l, l->at);
     const bool arrow = is_long_arrow(l, l->at, len, like);
 
     if (like == NO_LOOKALIKE || lookalikes[like].kind == TOK_END || is_dash_of_range(l, like)) {
@@ -220,21 +221,21 @@ static HintResult read_lookalike(Lexer *l, Token *t, uint32_t code)
     return HINT_READ;
 }
 
-uint32_t hint_rest_of_name(Lexer *l, uint32_t end)
+uint32_t hint_skip_foreign_letters(Lexer *l, uint32_t end)
 {
     while ((unsigned char)lexer_byte(l, end) >= 0x80 && skip_foreign_letter(l, end))   // one word, reported once
-        end = lexer_skip_word(l, end + hint_report_byte(l, end));
+        end = lexer_skip_word(l, end + hint_report_non_ascii(l, end));
     return end;
 }
 
-HintResult hint_stray_text(Lexer *l, Token *t)
+HintResult hint_read_stray_text(Lexer *l, Token *t)
 {
     unsigned char c = (unsigned char)l->src->text[l->at];
     uint32_t code = c;
     size_t len = utf8_decode(l->src->text + l->at, l->src->len - l->at, &code);
 
     if (len && is_quote(code)) {
-        read_string(l, t, (uint32_t)len);
+        read_quoted_text(l, t, (uint32_t)len);
         return HINT_READ;
     }
     if (skip_foreign_letter(l, l->at)) {
@@ -245,7 +246,7 @@ HintResult hint_stray_text(Lexer *l, Token *t)
         return read_lookalike(l, t, code);
     if (c < 0x20 || c == 0x7f)
         lexer_report_control(l, l->at);
-    else if (lexer_is_first_report(l))
+    else if (lexer_mark_line_reported(l))
         diag_report(l->diags, DIAG_stray_character, lexer_span(l, l->at, 1), lexer_text(l, l->at, l->at + 1));
     l->at++;
     return HINT_SKIPPED;

@@ -6,7 +6,7 @@
 
 // ---- after a statement ----
 
-// The line is already reported.
+// Skips the line if the lexer or an earlier hint has already reported an error in it.
 HintResult hint_skip_reported_line(HintCase *c)
 {
     Parser *p = c->p;
@@ -18,36 +18,36 @@ HintResult hint_skip_reported_line(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// 3,14
+// Reports a decimal comma, as in 3,14.
 HintResult hint_report_decimal_comma(HintCase *c)
 {
     Parser *p = c->p;
     const char *before, *after;
     Diag *d;
 
-    if (!hint_touches(&p->last, &p->tok) || !hint_touches(&p->tok, &p->ahead))
+    if (!hint_are_adjacent(&p->last, &p->tok) || !hint_are_adjacent(&p->tok, &p->ahead))
         return HINT_NONE;
     before = parser_text(p, parser_span(p, &p->last));
     after = parser_text(p, parser_span(p, &p->ahead));
-    d = parser_fail(p, DIAG_decimal_comma, parser_here(p));
+    d = parser_fail(p, DIAG_decimal_comma, parser_token_span(p));
     if (p->ahead.len == 3 && *before != '0') {         // 60,000 can mean sixty thousand; 0,125 and 3,14 cannot
         diag_label(p->diags, d, DIAG_label_comma_in_number, before, after, before, after);
     } else {
         diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "%s.%s", before, after));
-        diag_edit(p->diags, d, parser_here(p), ".");
+        diag_edit(p->diags, d, parser_token_span(p), ".");
     }
     return HINT_SKIPPED;
 }
 
-// `-- …` where an expression is impossible: a comment.
+// Reads `-- …`, where no expression is possible, as a comment.
 HintResult hint_skip_remark(HintCase *c)
 {
     Parser *p = c->p;
     const Source *src = p->lex.src;
-    Span sign = parser_here(p);
+    Span sign = parser_token_span(p);
     Diag *d;
 
-    if (!hint_touches(&p->tok, &p->ahead) || hint_line_is_guard(p))
+    if (!hint_are_adjacent(&p->tok, &p->ahead) || hint_line_is_guard(p))
         return HINT_NONE;
     sign.len = 2;
     d = parser_fail(p, DIAG_foreign_comment, sign, "--");
@@ -55,20 +55,20 @@ HintResult hint_skip_remark(HintCase *c)
     diag_edit(p->diags, d, sign, "#");
     while (p->lex.at < src->len && src->text[p->lex.at] != '\n')
         p->lex.at++;
-    parser_next(p);
+    parser_advance(p);
     return HINT_SKIPPED;
 }
 
 HintResult hint_report_stray_paren(HintCase *c)
 {
-    parser_fail(c->p, DIAG_stray_paren, parser_here(c->p));
+    parser_fail(c->p, DIAG_stray_paren, parser_token_span(c->p));
     return HINT_SKIPPED;
 }
 
-// T > 5 ms
+// Reports the unit in T > 5 ms.
 HintResult hint_report_unit(HintCase *c)
 {
-    hint_label_unit(c->p->diags, hint_message(c), parser_text(c->p, parser_span(c->p, &c->p->last)), c->p->tok.text->text);
+    hint_label_unit(c->p->diags, hint_report_general(c), parser_text(c->p, parser_span(c->p, &c->p->last)), c->p->tok.text->text);
     return HINT_READ;
 }
 
@@ -76,21 +76,21 @@ HintResult hint_report_allow_after(HintCase *c)
 {
     if (!parser_is_allow(&c->p->tok))
         return HINT_NONE;
-    diag_label(c->p->diags, hint_message(c), DIAG_label_allow_before);
+    diag_label(c->p->diags, hint_report_general(c), DIAG_label_allow_before);
     return HINT_READ;
 }
 
-// x = true, y = true; x = true y = true; x = true -> Idle
+// Reports a second statement on a line, as in x = true, y = true or x = true -> Idle.
 HintResult hint_report_shared_line(HintCase *c)
 {
-    Diag *d = hint_message(c);
+    Diag *d = hint_report_general(c);
 
     if (!hint_report_line_sharing(c->p, d, c->p->last.at + c->p->last.len))
         diag_label(c->p->diags, d, DIAG_label_own_line_or_braces);
     return HINT_READ;
 }
 
-// x = true @stop
+// Reports an @assert or @stop after a statement on its line, as in x = true @stop.
 HintResult hint_report_item_on_line(HintCase *c)
 {
     const char *word = c->p->tok.text->text;
@@ -98,17 +98,17 @@ HintResult hint_report_item_on_line(HintCase *c)
     return strcmp(word, "assert") == 0 || strcmp(word, "stop") == 0 ? hint_report_shared_line(c) : HINT_NONE;
 }
 
-// x = true and then -> Idle
+// Reports a second statement after `and then`, as in x = true and then -> Idle.
 HintResult hint_report_and_then_on_line(HintCase *c) { return hint_is_and_then(c->p) ? hint_report_shared_line(c) : HINT_NONE; }
 
-// @stop()
+// Reports parentheses after an annotation that has no argument: @stop().
 HintResult hint_report_annotation_call(HintCase *c)
 {
-    diag_label(c->p->diags, hint_message(c), DIAG_label_write, parser_text(c->p, parser_span(c->p, &c->p->last)));
+    diag_label(c->p->diags, hint_report_general(c), DIAG_label_write, parser_text(c->p, parser_span(c->p, &c->p->last)));
     return HINT_READ;
 }
 
-// 60 000
+// Reports digits in groups, as in 60 000.
 HintResult hint_report_digit_groups(HintCase *c)
 {
     Parser *p = c->p;
@@ -116,32 +116,33 @@ HintResult hint_report_digit_groups(HintCase *c)
 
     if (p->tok.len != 3)
         return HINT_NONE;
-    diag_label(p->diags, hint_message(c), DIAG_label_write, format_in(p->arena, "%s%s", before, parser_text(p, parser_here(p))));
+    diag_label(p->diags, hint_report_general(c), DIAG_label_write,
+               format_in(p->arena, "%s%s", before, parser_text(p, parser_token_span(p))));
     return HINT_READ;
 }
 
 // ---- declarations ----
 
-// const F64 limit = 5
+// Reports and skips `const`, as in const F64 limit = 5.
 HintResult hint_skip_const(HintCase *c)
 {
     Parser *p = c->p;
-    Diag *d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+    Diag *d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
 
     diag_label(p->diags, d, DIAG_label_as_in, "F64 limit = 5 @read_only");
-    parser_next(p);
+    parser_advance(p);
     return HINT_READ;
 }
 
-// F32 pressure [bar] @read_only: the bracket does not begin a section.
+// Reports and skips a unit in brackets, as in F32 pressure [bar] @read_only. The bracket does not begin a section.
 HintResult hint_skip_bracketed_unit(HintCase *c)
 {
     Parser *p = c->p;
 
     if (p->ahead.first ? strcmp(p->tok.text->text, "local") == 0 : strcmp(p->ahead.text->text, "read_only") != 0)
         return HINT_NONE;
-    diag_label(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)), DIAG_label_unit_comment);
-    parser_next(p);
+    diag_label(p->diags, parser_report(p, DIAG_expected_end, parser_token_span(p), parser_describe(p, &p->tok)), DIAG_label_unit_comment);
+    parser_advance(p);
     return HINT_READ;
 }
 
@@ -149,25 +150,25 @@ HintResult hint_skip_bracketed_unit(HintCase *c)
 
 enum { UNO_A0 = 14, UNO_ANALOGS = 6, MEGA_A0 = 54, MEGA_ANALOGS = 16 };      // docs/boards.md
 
-// i A3 pressure: Arduino boards print a letter before the number of a pin.
+// Reports a letter before the number of a pin, as in i A3 pressure: Arduino boards are printed like that.
 HintResult hint_report_printed_pin(HintCase *c)
 {
     Parser *p = c->p;
     const char *name = p->tok.text->text, letter = (char)(*name & ~0x20), *digits = name + 1;          // a3 as A3
-    const bool analog_input = p->pin_place == AST_ON_ANALOG_INPUT;
+    const bool analog_input = p->pin_target == AST_ON_ANALOG_INPUT;
     const size_t n = strspn(digits, "0123456789");
 
     if (n < 1 || n > 2 || digits[n] != '\0')
         return HINT_NONE;
     if (letter == (analog_input ? 'A' : 'D')) {
-        diag_label(p->diags, hint_message(c), DIAG_label_printed_pin, digits, name);
-    } else if (letter == 'A' && p->pin_place != AST_ON_ANALOG_OUTPUT) {
+        diag_label(p->diags, hint_report_general(c), DIAG_label_printed_pin, digits, name);
+    } else if (letter == 'A' && p->pin_target != AST_ON_ANALOG_OUTPUT) {
         const int number = n == 1 ? *digits - '0' : 10 * (*digits - '0') + digits[1] - '0';
         const char *mega = format_in(p->arena, "%d", MEGA_A0 + number);
         if (number < UNO_ANALOGS)
-            diag_label(p->diags, hint_message(c), DIAG_label_analog_as_digital, format_in(p->arena, "%d", UNO_A0 + number), mega);
+            diag_label(p->diags, hint_report_general(c), DIAG_label_analog_as_digital, format_in(p->arena, "%d", UNO_A0 + number), mega);
         else if (number < MEGA_ANALOGS)
-            diag_label(p->diags, hint_message(c), DIAG_label_printed_pin, mega, name);
+            diag_label(p->diags, hint_report_general(c), DIAG_label_printed_pin, mega, name);
     }
-    return c->message ? HINT_READ : HINT_NONE;
+    return c->general ? HINT_READ : HINT_NONE;
 }

@@ -7,17 +7,17 @@
 
 // ---- words ----
 
-// Reports our spelling of the current word and reads the word as that token.
+// Reports that the current word is spelled `native` in this language, and reads it as that token.
 void hint_replace_word(Parser *p, const char *native, TokenKind kind)
 {
-    Diag *d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+    Diag *d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
 
     diag_label(p->diags, d, DIAG_label_write, native);
-    diag_edit(p->diags, d, parser_here(p), native);
+    diag_edit(p->diags, d, parser_token_span(p), native);
     p->tok.kind = kind;
 }
 
-// Returns the operator in words that begins with the current word, if a value follows it; *end: its end.
+// Returns the operator in words (`is not`) that begins with the current word, if a value follows it, and its end in *end; else NULL.
 static const HintPhrase *find_infix(const Parser *p, uint32_t *end)
 {
     const HintPhrase *phrase = p->tok.kind == TOK_NAME ? hint_find_phrase(p->lex.src->text, p->tok.at, end) : NULL;
@@ -31,7 +31,7 @@ static const HintPhrase *find_infix(const Parser *p, uint32_t *end)
 
 // ---- before an operand ----
 
-// NOT x: in some languages the operand is longer than here, as in NOT a > b.
+// Reads NOT x as not x. In some languages the operand is longer than here, as in NOT a > b.
 HintResult hint_read_negation(HintCase *c)
 {
     Parser *p = c->p;
@@ -41,13 +41,13 @@ HintResult hint_read_negation(HintCase *c)
     if (hint_is_negated_alone(p->lex.src->text, p->tok.at + p->tok.len)) {
         hint_replace_word(p, "not", TOK_NOT);
     } else {
-        diag_label(p->diags, parser_fail(p, DIAG_foreign_word, parser_here(p), p->tok.text->text), DIAG_label_write, "not (...)");
+        diag_label(p->diags, parser_fail(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text), DIAG_label_write, "not (...)");
         p->tok.kind = TOK_NOT;
     }
     return HINT_READ;
 }
 
-// IF(a; b; c) of spreadsheets: no value begins like this.
+// Reads IF(a; b; c), of spreadsheets, as `if`, with which no value begins.
 HintResult hint_read_if_call(HintCase *c)
 {
     c->p->tok.kind = TOK_IF;
@@ -65,12 +65,12 @@ static int find_function(Str name)
     return i;
 }
 
-// abs x, at the operand. An element named `abs` could not have one.
+// Reports abs x. The current token is the operand; an element named `abs` could not have one.
 HintResult hint_report_missing_call(HintCase *c)
 {
     Parser *p = c->p;
     const AstExpr *name = c->e;
-    const Span operand = parser_here(p);
+    const Span operand = parser_token_span(p);
     const uint32_t name_end = name->span.at + name->span.len;
     const int fn = find_function(name->name);
     uint32_t end;
@@ -81,7 +81,7 @@ HintResult hint_report_missing_call(HintCase *c)
         return HINT_NONE;
     d = parser_report(p, DIAG_function_without_call, name->span, name->name->text, name->name->text,
                       ast_function_usage(&sm_builtin_info[fn]));
-    parser_next(p);
+    parser_advance(p);
     if (sm_builtin_info[fn].arguments != 1 ||
         (!p->tok.first && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_NUMBER || p->tok.kind == TOK_LPAREN))) {
         p->failed = true;
@@ -94,46 +94,46 @@ HintResult hint_report_missing_call(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// tank.pressure, after `tank`
+// Reports the dot in tank.pressure, after `tank`.
 HintResult hint_report_dotted_name(HintCase *c)
 {
     Parser *p = c->p;
     Span name = parser_span(p, &p->last);
 
-    if (!hint_touches(&p->last, &p->tok) || hint_is_label(p->tok.text->text))
+    if (!hint_are_adjacent(&p->last, &p->tok) || hint_is_label(p->tok.text->text))
         return HINT_NONE;
     name.len += p->tok.len;
     parser_fail(p, DIAG_name_with_dot, name, parser_text(p, name));
-    parser_next(p);
+    parser_advance(p);
     return HINT_SKIPPED;
 }
 
-// a[3]
+// Reports an index, as in a[3].
 HintResult hint_report_index(HintCase *c)
 {
     Parser *p = c->p;
     Span both = parser_span(p, &p->last);
 
-    if (!hint_touches(&p->last, &p->tok) || lex_is_identifier(p->tok.text->text, p->tok.text->len))
+    if (!hint_are_adjacent(&p->last, &p->tok) || lex_is_identifier(p->tok.text->text, p->tok.text->len))
         return HINT_NONE;
     both.len += p->tok.len;
     parser_fail(p, DIAG_no_lists, both, parser_text(p, both));
-    parser_next(p);
+    parser_advance(p);
     return HINT_SKIPPED;
 }
 
 // ---- after an operand ----
 
-// `x = (p = 9)`, `(x = p) > 3: ...`: in C both assign.
-static bool stores_inside(const Parser *p, uint32_t at)
+// Whether the = at `at` is inside parentheses and assigns in C, as in `x = (p = 9)` and `(x = p) > 3: ...`.
+static bool is_assignment_in_parens(const Parser *p, uint32_t at)
 {
     return p->parens > 0 && (!(p->is_guard || hint_line_is_guard(p)) || hint_stores_in_parens(p->lex.src->text, at));
 }
 
-// not x is 3: in other languages the operand of `not` is longer than x.
-static bool is_negated(const AstExpr *e) { return e && e->kind == AST_UNARY && e->op == SM_OP_NOT; }
+// Whether e is `not x`. In other languages the operand of `not` is longer: in not x is 3 it is all of x is 3.
+static bool is_negation(const AstExpr *e) { return e && e->kind == AST_UNARY && e->op == SM_OP_NOT; }
 
-// `valve = true: pump = true`, at the colon: if the colon separates statements, the first one assigns.
+// Whether an assignment follows the current colon, as in `valve = true: pump = true`. Then the colon may separate two assignments.
 static bool separates_statements(const Parser *p)
 {
     const char *text = p->lex.src->text;
@@ -160,8 +160,8 @@ void hint_report_assign_in_guard(Parser *p, const AstExpr *left, Span sign)
     }
     d = parser_report(p, DIAG_assign_in_guard, sign);
     diag_label(p->diags, d, DIAG_label_write, "==");
-    if (text[sign.at] == '=' && !is_negated(left) && !stores_inside(p, sign.at) && !hint_is_doubtful_comparison(text, sign.at + sign.len) &&
-        !separates_statements(p))
+    if (text[sign.at] == '=' && !is_negation(left) && !is_assignment_in_parens(p, sign.at) &&
+        !hint_is_doubtful_comparison(text, sign.at + sign.len) && !separates_statements(p))
         diag_edit(p->diags, d, sign, "==");
 }
 
@@ -175,7 +175,7 @@ bool hint_is_and_then(const Parser *p)
     return lex_is_letter(*s) || (s[0] == '-' && s[1] == '>');
 }
 
-// x is 3: reads the words as the operator that they mean. If its operands are unclear, gives up the condition.
+// Reads an operator in words, as in x is 3. If its operands are unclear, the rest of the condition is skipped.
 HintResult hint_read_phrase(HintCase *c)
 {
     Parser *p = c->p;
@@ -187,7 +187,7 @@ HintResult hint_read_phrase(HintCase *c)
     if (!phrase)
         return HINT_NONE;
     words = (Span){p->lex.src, p->tok.at, end - p->tok.at};
-    if (phrase->kind != TOK_AND && phrase->kind != TOK_OR && (is_negated(c->e) || hint_is_doubtful_comparison(p->lex.src->text, end))) {
+    if (phrase->kind != TOK_AND && phrase->kind != TOK_OR && (is_negation(c->e) || hint_is_doubtful_comparison(p->lex.src->text, end))) {
         d = parser_fail(p, DIAG_foreign_word, words, parser_text(p, words));
         diag_label(p->diags, d, DIAG_label_text, "compare with == != < <= > or >=, and join comparisons with and, or");
         return HINT_READ;
@@ -196,12 +196,12 @@ HintResult hint_read_phrase(HintCase *c)
     diag_label(p->diags, d, DIAG_label_write, phrase->native);
     diag_edit(p->diags, d, words, phrase->native);
     while (p->tok.at + p->tok.len < end)
-        parser_next(p);
+        parser_advance(p);
     p->tok.kind = phrase->kind;
     return hint_is_and_then(p) ? HINT_SKIPPED : HINT_READ;
 }
 
-// x = y where two values are compared
+// Reads = as == where two values are compared, as in if x = y.
 HintResult hint_read_comparison(HintCase *c)
 {
     Parser *p = c->p;
@@ -210,24 +210,24 @@ HintResult hint_read_comparison(HintCase *c)
         return HINT_NONE;
     if (p->last.first && p->parens)                    // a new statement: the parenthesis before it was never closed
         return HINT_NONE;
-    hint_report_assign_in_guard(p, c->e, parser_here(p));
+    hint_report_assign_in_guard(p, c->e, parser_token_span(p));
     p->tok.kind = TOK_EQ;
     return HINT_READ;
 }
 
-// x = 1 and then -> Idle, at `and`: the expression ends here.
+// Ends the expression at `and` in x = 1 and then -> Idle.
 HintResult hint_end_at_and_then(HintCase *c) { return hint_is_and_then(c->p) ? HINT_SKIPPED : HINT_NONE; }
 
-// x = 5: ..., at the colon: the assignment was meant as a condition.
+// Reports the assignment before the colon in x = 5: ..., which was meant as a condition.
 HintResult hint_report_assignment_as_guard(HintCase *c)
 {
-    hint_report_assign_in_guard(c->p, NULL, c->p->sign);
+    hint_report_assign_in_guard(c->p, NULL, c->p->assign_operator);
     return HINT_READ;
 }
 
 // ---- where a value is missing ----
 
-// x++
+// Reports x++ and x--.
 HintResult hint_report_increment(HintCase *c)
 {
     Parser *p = c->p;
@@ -244,67 +244,67 @@ HintResult hint_report_increment(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// The line ended with an operator and the next line looks like its operand. Skips that line, because the error is already reported.
+// After a line that ended with an operator: skips the next line if it looks like the operand, because the error is already reported.
 static void skip_continuation(Parser *p)
 {
     while (hint_begins_value(&p->tok) && p->ahead.kind != TOK_ASSIGN && !hint_line_is_guard(p)) {
-        parser_next(p);
+        parser_advance(p);
         while (!p->tok.first)
-            parser_next(p);
+            parser_advance(p);
         if (p->last.kind != TOK_AND && p->last.kind != TOK_OR && p->last.kind != TOK_PLUS && p->last.kind != TOK_MINUS)
             break;
     }
 }
 
-// The condition ends with an operator and its line.
+// Reports an expression whose line ends with an operator.
 HintResult hint_report_line_break(HintCase *c)
 {
-    diag_label(c->p->diags, hint_message(c), DIAG_label_line_break);
+    diag_label(c->p->diags, hint_report_general(c), DIAG_label_line_break);
     skip_continuation(c->p);
     return HINT_READ;
 }
 
-// x = 1 and -> Idle
+// Reports a transition as an operand, as in x = 1 and -> Idle.
 HintResult hint_report_and_arrow(HintCase *c)
 {
     Parser *p = c->p;
-    Diag *d = hint_message(c);
+    Diag *d = hint_report_general(c);
 
     if (p->last.kind == TOK_OR || !hint_report_line_sharing(p, d, p->last.at))
         diag_label(p->diags, d, DIAG_label_condition_or_colon, p->last.kind == TOK_AND ? "and" : "or");
     return HINT_READ;
 }
 
-// x > 5 and < 6
+// Reports a comparison without its left operand, as in x > 5 and < 6.
 HintResult hint_report_comparison_without_left(HintCase *c)
 {
-    diag_label(c->p->diags, hint_message(c), DIAG_label_repeat_name, parser_text(c->p, parser_here(c->p)));
+    diag_label(c->p->diags, hint_report_general(c), DIAG_label_repeat_name, parser_text(c->p, parser_token_span(c->p)));
     return HINT_READ;
 }
 
-// x = [1, 2]
+// Reports a list, as in x = [1, 2].
 HintResult hint_report_list(HintCase *c)
 {
-    diag_label(c->p->diags, hint_message(c), DIAG_label_text, "there are no lists: each value has an element of its own");
-    parser_next(c->p);
+    diag_label(c->p->diags, hint_report_general(c), DIAG_label_text, "there are no lists: each value has an element of its own");
+    parser_advance(c->p);
     return HINT_READ;
 }
 
-// if if x
+// Reports a repeated `if`, as in if if x.
 HintResult hint_report_second_if(HintCase *c)
 {
     const Token *first = &c->p->last;
-    Diag *d = hint_message(c);
+    Diag *d = hint_report_general(c);
 
     diag_label(c->p->diags, d, DIAG_label_leave_out);
     diag_edit(c->p->diags, d, (Span){c->p->lex.src, first->at, c->p->tok.at - first->at}, "");
     return HINT_READ;
 }
 
-// x = if y ...
+// Reports a conditional as a value, as in x = if y ...
 HintResult hint_report_choice(HintCase *c)
 {
-    diag_label(c->p->diags, hint_message(c), DIAG_label_text, hint_no_choice);
+    diag_label(c->p->diags, hint_report_general(c), DIAG_label_text, hint_no_choice);
     if (!c->p->ahead.first)
         hint_skip_choice(&c->p->lex);
     return HINT_READ;

@@ -13,11 +13,11 @@ enum {
 typedef struct HintLine {
     const Source *src;
     const char *text;         // of the source
-    uint32_t from, end;       // end: without the line end and blanks before it
+    uint32_t from, end;       // end: without the line end and spaces before it
     const char *line_end;     // the line end of this line
 } HintLine;
 
-static uint32_t skip_blanks(const HintLine *l, uint32_t p)
+static uint32_t skip_spaces(const HintLine *l, uint32_t p)
 {
     while (p < l->end && is_space_or_tab(l->text[p]))
         p++;
@@ -31,20 +31,20 @@ static uint32_t skip_word(const HintLine *l, uint32_t p)
     return p;
 }
 
-static uint32_t before_blanks(const HintLine *l, uint32_t p)
+static uint32_t skip_spaces_back(const HintLine *l, uint32_t p)
 {
     while (p > l->from && is_space_or_tab(l->text[p - 1]))
         p--;
     return p;
 }
 
-static bool has_text(const HintLine *l, uint32_t at, uint32_t end, const char *word)
+static bool is_text_equal(const HintLine *l, uint32_t at, uint32_t end, const char *word)
 {
     return end - at == strlen(word) && memcmp(l->text + at, word, end - at) == 0;
 }
 
-// The line of `at`, or as much of it as LINE_MAX allows.
-static HintLine line_of(const Source *src, uint32_t at)
+// Returns the line that contains `at`, or as much of it as LINE_MAX allows.
+static HintLine find_line(const Source *src, uint32_t at)
 {
     HintLine l = {src, src->text, at, at, "\n"};
 
@@ -56,14 +56,14 @@ static HintLine line_of(const Source *src, uint32_t at)
         l.line_end = "\r\n";
         l.end--;
     }
-    l.end = before_blanks(&l, l.end);
+    l.end = skip_spaces_back(&l, l.end);
     return l;
 }
 
-// A line end followed by the indentation of l, plus `levels`.
-static const char *new_line(Arena *arena, const HintLine *l, unsigned levels)
+// Returns a line end followed by the indentation of l and `levels` more levels of it.
+static const char *format_line_break(Arena *arena, const HintLine *l, unsigned levels)
 {
-    const uint32_t indent = skip_blanks(l, l->from) - l->from;
+    const uint32_t indent = skip_spaces(l, l->from) - l->from;
     const bool tabs = memchr(l->text + l->from, '\t', indent) != NULL;
     const char *text = format_in(arena, "%s%.*s", l->line_end, (int)indent, l->text + l->from);
 
@@ -73,9 +73,9 @@ static const char *new_line(Arena *arena, const HintLine *l, unsigned levels)
 }
 
 static bool is_too_long(const HintLine *l) { return l->end - l->from >= LINE_MAX; }
-static Span span_of(const HintLine *l, uint32_t at, uint32_t end) { return (Span){l->src, at, end - at}; }
+static Span line_span(const HintLine *l, uint32_t at, uint32_t end) { return (Span){l->src, at, end - at}; }
 
-// Whether x = 1, -> Idle, @assert or @stop begins at p.
+// Whether a statement such as x = 1, -> Idle, @assert or @stop begins at p.
 static bool begins_statement(const HintLine *l, uint32_t p)
 {
     uint32_t sign;
@@ -83,20 +83,20 @@ static bool begins_statement(const HintLine *l, uint32_t p)
     if (l->text[p] == '-')
         return p + 1 < l->end && l->text[p + 1] == '>';
     if (l->text[p] == '@')
-        return has_text(l, p + 1, skip_word(l, p + 1), "assert") || has_text(l, p + 1, skip_word(l, p + 1), "stop");
+        return is_text_equal(l, p + 1, skip_word(l, p + 1), "assert") || is_text_equal(l, p + 1, skip_word(l, p + 1), "stop");
     if (!lex_is_letter(l->text[p]))
         return false;
-    sign = skip_blanks(l, skip_word(l, p));
+    sign = skip_spaces(l, skip_word(l, p));
     return sign < l->end && l->text[sign] == '=' && (sign + 1 == l->end || (l->text[sign + 1] != '=' && l->text[sign + 1] != '>'));
 }
 
-// Whether F64 x begins at p.
+// Whether a declaration such as F64 x begins at p: a type is there.
 static bool begins_declaration(const HintLine *l, uint32_t p)
 {
     const uint32_t end = skip_word(l, p);
 
     for (int t = 0; t < SM_TYPE_COUNT; t++)
-        if (has_text(l, p, end, sm_type_info[t].spelling))
+        if (is_text_equal(l, p, end, sm_type_info[t].spelling))
             return true;
     return false;
 }
@@ -104,7 +104,7 @@ static bool begins_declaration(const HintLine *l, uint32_t p)
 // ---- lines below ----
 
 // Moves l to the next line; false at the end of the source.
-static bool next_line(HintLine *l)
+static bool move_to_next_line(HintLine *l)
 {
     uint32_t p = l->end;
 
@@ -112,47 +112,47 @@ static bool next_line(HintLine *l)
         p++;
     if (p == l->src->len)
         return false;
-    *l = line_of(l->src, p + 1);
+    *l = find_line(l->src, p + 1);
     return true;
 }
 
 static bool is_empty_line(const HintLine *l)
 {
-    const uint32_t p = skip_blanks(l, l->from);
+    const uint32_t p = skip_spaces(l, l->from);
 
     return p == l->end || l->text[p] == '#';
 }
 
-static uint32_t indentation(const HintLine *l) { return skip_blanks(l, l->from) - l->from; }
+static uint32_t measure_indentation(const HintLine *l) { return skip_spaces(l, l->from) - l->from; }
 
 // Whether l begins with the indentation of `outer`.
 static bool is_indented_like(const HintLine *l, const HintLine *outer)
 {
-    const uint32_t indent = indentation(outer);
+    const uint32_t indent = measure_indentation(outer);
 
     return l->end - l->from > indent && memcmp(l->text + l->from, outer->text + outer->from, indent) == 0;
 }
 
-// The same, and a blank follows that indentation.
-static bool is_deeper(const HintLine *l, const HintLine *outer)
+// Whether l begins with the indentation of `outer` and more.
+static bool is_indented_deeper(const HintLine *l, const HintLine *outer)
 {
-    return is_indented_like(l, outer) && is_space_or_tab(l->text[l->from + indentation(outer)]);
+    return is_indented_like(l, outer) && is_space_or_tab(l->text[l->from + measure_indentation(outer)]);
 }
 
-// The next line that is not empty is indented more: perhaps it depends on the same condition.
-static bool continues_below(const HintLine *l)
+// Whether the next nonempty line is indented more than l: perhaps it depends on the same condition.
+static bool has_deeper_line_below(const HintLine *l)
 {
     HintLine next = *l;
 
-    while (next_line(&next))
+    while (move_to_next_line(&next))
         if (!is_empty_line(&next))
-            return is_deeper(&next, l);
+            return is_indented_deeper(&next, l);
     return false;
 }
 
 // ---- the preceding statement ----
 
-// The statement before `at`, as far as its line shows.
+// What the line of a statement shows about it.
 typedef struct PriorStatement {
     enum { PLAIN, GUARDED, UNKNOWN } is;      // GUARDED: after a condition's colon on this line
     uint32_t colon;
@@ -160,6 +160,7 @@ typedef struct PriorStatement {
     bool braces;              // opened on this line and still open
 } PriorStatement;
 
+// Finds the last statement that begins before `at` on line l.
 static PriorStatement find_prior_statement(const HintLine *l, uint32_t at)
 {
     PriorStatement b = {UNKNOWN, 0, l->from, false};
@@ -183,7 +184,7 @@ static PriorStatement find_prior_statement(const HintLine *l, uint32_t at)
         case ';':
             if (depth > 0 || colon)
                 break;
-            b.begin = skip_blanks(l, b.begin);
+            b.begin = skip_spaces(l, b.begin);
             lost = lost || !(begins_statement(l, b.begin) || begins_declaration(l, b.begin));
             b.begin = p + 1;
             break;
@@ -194,7 +195,7 @@ static PriorStatement find_prior_statement(const HintLine *l, uint32_t at)
             break;
         default: break;
         }
-    b.begin = skip_blanks(l, b.begin);
+    b.begin = skip_spaces(l, b.begin);
     if (lost)
         return b;
     if (b.begin < at && begins_statement(l, b.begin))
@@ -214,23 +215,24 @@ typedef struct LineStatements {
     bool clear;               // the line contains nothing else
 } LineStatements;
 
-// No statement after -> or @stop is executed, so the user meant something else by a statement that follows one on its line.
+// Whether the statement at p is -> or @stop. No statement after it is executed, so the user must have meant something else by text that
+// follows it on its line.
 static bool leaves_block(const HintLine *l, uint32_t p)
 {
-    return l->text[p] == '-' || (l->text[p] == '@' && has_text(l, p + 1, skip_word(l, p + 1), "stop"));
+    return l->text[p] == '-' || (l->text[p] == '@' && is_text_equal(l, p + 1, skip_word(l, p + 1), "stop"));
 }
 
-// Splits the statements from p on, up to a }, an else, a comment or the end of the line.
+// Finds the statements from p on, up to a }, an else, a comment or the end of the line.
 static LineStatements split_statements(const HintLine *l, uint32_t p)
 {
     LineStatements s = {.end = p};
     uint32_t depth = 0, gap = 0, next;
-    bool strong = false;              // the gap contains a sign or word that no expression contains
+    bool strong = false;              // the gap contains a separator that no expression contains: ; , or `then`
 
-    for (p = skip_blanks(l, p); p < l->end; p = skip_blanks(l, next)) {
+    for (p = skip_spaces(l, p); p < l->end; p = skip_spaces(l, next)) {
         const char c = l->text[p];
         next = lexer_is_word(c) ? skip_word(l, p) : p + 1;
-        if (depth == 0 && (c == '}' || c == '#' || has_text(l, p, next, "else")))
+        if (depth == 0 && (c == '}' || c == '#' || is_text_equal(l, p, next, "else")))
             break;
         if (strchr(":{}?\"[", c) || (c == '@' && !begins_statement(l, p)))
             return s;
@@ -241,9 +243,9 @@ static LineStatements split_statements(const HintLine *l, uint32_t p)
             s.begin[s.n++] = p;
             next = c == '-' ? p + 2 : c == '@' ? skip_word(l, p + 1) : next;
         } else if (depth == 0 && s.n > 0 &&
-                   (c == ';' || c == ',' || c == '&' || has_text(l, p, next, "and") || has_text(l, p, next, "then"))) {
+                   (c == ';' || c == ',' || c == '&' || is_text_equal(l, p, next, "and") || is_text_equal(l, p, next, "then"))) {
             gap = gap ? gap : s.end;
-            strong = strong || c == ';' || c == ',' || has_text(l, p, next, "then");
+            strong = strong || c == ';' || c == ',' || is_text_equal(l, p, next, "then");
             s.trailing = c == ';' ? next : 0;
             continue;
         } else if (strong || s.n == 0) {
@@ -262,33 +264,33 @@ static LineStatements split_statements(const HintLine *l, uint32_t p)
     return s;
 }
 
-// Changes   condition: a; b   to   condition { a b } on lines of their own.
-static void edit_into_braces(Diags *diags, Diag *d, const HintLine *l, const PriorStatement *b, const LineStatements *s)
+// Proposes the edit of `condition: a; b` to `condition { a b }`, with a and b on lines of their own.
+static void propose_braces(Diags *diags, Diag *d, const HintLine *l, const PriorStatement *b, const LineStatements *s)
 {
-    const uint32_t end = s->trailing ? s->trailing : s->end, after = skip_blanks(l, end), colon = before_blanks(l, b->colon);
+    const uint32_t end = s->trailing ? s->trailing : s->end, after = skip_spaces(l, end), colon = skip_spaces_back(l, b->colon);
     const bool last = after == l->end || l->text[after] == '#';
-    const char *inner = new_line(diags->arena, l, b->braces + 1u), *outer = new_line(diags->arena, l, b->braces);
+    const char *inner = format_line_break(diags->arena, l, b->braces + 1u), *outer = format_line_break(diags->arena, l, b->braces);
 
-    diag_edit(diags, d, span_of(l, colon, s->begin[0]), format_in(diags->arena, " {%s", inner));
+    diag_edit(diags, d, line_span(l, colon, s->begin[0]), format_in(diags->arena, " {%s", inner));
     for (size_t i = 1; i < s->n; i++)
-        diag_edit(diags, d, span_of(l, s->gap[i], s->begin[i]), inner);
+        diag_edit(diags, d, line_span(l, s->gap[i], s->begin[i]), inner);
     if (s->trailing)
-        diag_edit(diags, d, span_of(l, s->end, s->trailing), "");
-    diag_edit(diags, d, last ? span_of(l, l->end, l->end) : span_of(l, end, after),
+        diag_edit(diags, d, line_span(l, s->end, s->trailing), "");
+    diag_edit(diags, d, last ? line_span(l, l->end, l->end) : line_span(l, end, after),
               format_in(diags->arena, "%s}%s", outer, last ? "" : " "));
 }
 
-// Changes   a; b   to two lines.
-static void edit_onto_lines(Diags *diags, Diag *d, const HintLine *l, const PriorStatement *b, uint32_t at)
+// Proposes the edit of `a; b` to two lines, at the separator that contains `at`.
+static void propose_lines(Diags *diags, Diag *d, const HintLine *l, const PriorStatement *b, uint32_t at)
 {
     const LineStatements s = split_statements(l, b->begin);
 
     for (size_t i = 1; i < s.n; i++)
         if (s.gap[i] <= at && s.begin[i] >= at && !leaves_block(l, s.begin[i - 1]))
-            diag_edit(diags, d, span_of(l, s.gap[i], s.begin[i]), new_line(diags->arena, l, b->braces));
+            diag_edit(diags, d, line_span(l, s.gap[i], s.begin[i]), format_line_break(diags->arena, l, b->braces));
 }
 
-// Whether a -> follows p, perhaps after a comma or words.
+// Whether the next statement after p is a transition. A comma or words can precede it.
 static bool is_transition(const HintLine *l, uint32_t p)
 {
     while (p < l->end && !begins_statement(l, p))
@@ -298,58 +300,59 @@ static bool is_transition(const HintLine *l, uint32_t p)
 
 uint32_t hint_label_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at, HintSeparator separator)
 {
-    const HintLine l = line_of(src, at);
+    const HintLine l = find_line(src, at);
     const PriorStatement b = find_prior_statement(&l, at);
     LineStatements s;
 
     if (b.is == UNKNOWN || is_too_long(&l))
         return 0;
-    // Without a ';' the transition may belong to a condition that lost its sign: mode = 2 -> Abort.
+    // Without a ';' the transition may belong to a condition in which = was meant as ==: mode = 2 -> Abort.
     if (b.is == PLAIN && separator == HINT_OTHER && is_transition(&l, at)) {
         diag_label(diags, d, DIAG_label_transition_alone);
         return at;
     }
     if (b.is == PLAIN) {
         diag_label(diags, d, DIAG_label_own_line);
-        edit_onto_lines(diags, d, &l, &b, at);
+        propose_lines(diags, d, &l, &b, at);
         return at;
     }
     diag_label(diags, d, DIAG_label_all_in_braces);
     s = split_statements(&l, b.begin);
-    if (s.clear && !continues_below(&l))
-        edit_into_braces(diags, d, &l, &b, &s);
+    if (s.clear && !has_deeper_line_below(&l))
+        propose_braces(diags, d, &l, &b, &s);
     return s.clear ? (s.trailing ? s.trailing : s.end) : l.end;
 }
 
 bool hint_is_first_of_several(const Source *src, uint32_t at)
 {
-    const HintLine l = line_of(src, at);
+    const HintLine l = find_line(src, at);
     uint32_t p = at, depth = 0;
 
     for (; p < l.end && l.text[p] != '#' && l.text[p] != '}'; p++) {
         depth += l.text[p] == '(';
         depth -= l.text[p] == ')' && depth > 0;
         if (l.text[p] == ';' && depth == 0) {
-            const uint32_t next = skip_blanks(&l, p + 1);
-            if (next < l.end && l.text[next] != '#' && l.text[next] != '}' && !has_text(&l, next, skip_word(&l, next), "else"))
+            const uint32_t next = skip_spaces(&l, p + 1);
+            if (next < l.end && l.text[next] != '#' && l.text[next] != '}' && !is_text_equal(&l, next, skip_word(&l, next), "else"))
                 return true;
         }
     }
-    return is_too_long(&l) || continues_below(&l);
+    return is_too_long(&l) || has_deeper_line_below(&l);
 }
 
 // ---- lines below a colon ----
 
 enum { LEVELS_MAX = 16 };     // of indentation; a block with more gets no edit
 
-// The indentations of a block, each deeper than the one before.
+// The indentations of the current line and of the lines that enclose it, in bytes; each is larger than the previous one.
 typedef struct IndentLevels {
     size_t n;
     uint32_t at[LEVELS_MAX];
 } IndentLevels;
 
-// Returns false if the line's indentation is between two earlier depths: it is unclear which condition the line belongs to.
-static bool enter_indent(IndentLevels *levels, uint32_t indent)
+// Records the indentation of the next line. Returns false if it is between two recorded ones, because it is then unclear to which
+// condition the line belongs, or if there are too many.
+static bool record_indent(IndentLevels *levels, uint32_t indent)
 {
     while (levels->n > 0 && levels->at[levels->n - 1] > indent)
         if (--levels->n == 0 || levels->at[levels->n - 1] < indent)
@@ -361,19 +364,19 @@ static bool enter_indent(IndentLevels *levels, uint32_t indent)
     return true;
 }
 
-// Whether the line below a block clearly does not belong to it. Such a line is indented like the condition or less, an else exactly like
-// it.
+// Whether line l, below a block, clearly does not belong to it: l is indented like the line of the condition or less. An `else` must be
+// indented exactly like the condition.
 static bool ends_block(const HintLine *l, const HintLine *guard, uint32_t colon)
 {
-    const uint32_t p = skip_blanks(l, l->from);
+    const uint32_t p = skip_spaces(l, l->from);
 
-    if (!has_text(l, p, skip_word(l, p), "else"))
+    if (!is_text_equal(l, p, skip_word(l, p), "else"))
         return is_indented_like(l, guard) || is_indented_like(guard, l);
-    return is_indented_like(l, guard) && indentation(l) == indentation(guard) &&
+    return is_indented_like(l, guard) && measure_indentation(l) == measure_indentation(guard) &&
            !memchr(guard->text + guard->from, ':', colon - guard->from);
 }
 
-// The number of parentheses open at the end of the line.
+// Returns the number of parentheses open at the end of the line; `depth`: those open at its start.
 static uint32_t open_parens(const HintLine *l, uint32_t depth)
 {
     for (uint32_t p = l->from; p < l->end && l->text[p] != '#'; p++) {
@@ -383,7 +386,7 @@ static uint32_t open_parens(const HintLine *l, uint32_t depth)
     return depth;
 }
 
-// The number of braces that the line opens, minus those that it closes.
+// Returns the number of braces that the line opens, minus those that it closes.
 static int count_braces(const HintLine *l)
 {
     int n = 0;
@@ -395,25 +398,25 @@ static int count_braces(const HintLine *l)
 
 uint32_t hint_brace_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon)
 {
-    const HintLine guard = line_of(src, colon);
+    const HintLine guard = find_line(src, colon);
     HintLine l = guard, last = guard;
-    const uint32_t after = skip_blanks(&guard, colon + 1), from = before_blanks(&guard, colon);
+    const uint32_t after = skip_spaces(&guard, colon + 1), from = skip_spaces_back(&guard, colon);
     int braces = 0;
     uint32_t parens = 0;
     IndentLevels levels = {0};
 
     if (is_too_long(&guard) || (after < guard.end && guard.text[after] != '#'))
         return 0;
-    while (next_line(&l)) {
-        const char c = l.text[skip_blanks(&l, l.from)];
+    while (move_to_next_line(&l)) {
+        const char c = l.text[skip_spaces(&l, l.from)];
         if (is_empty_line(&l))
             continue;
-        if (!is_deeper(&l, &guard)) {
+        if (!is_indented_deeper(&l, &guard)) {
             if (!ends_block(&l, &guard, colon))
                 return 0;
             break;
         }
-        if (is_too_long(&l) || (parens == 0 && !enter_indent(&levels, indentation(&l))))
+        if (is_too_long(&l) || (parens == 0 && !record_indent(&levels, measure_indentation(&l))))
             return 0;
         parens = open_parens(&l, parens);
         if (strchr("{.[", c) || (braces += count_braces(&l)) < 0)
@@ -422,7 +425,7 @@ uint32_t hint_brace_indented_lines(Diags *diags, Diag *d, const Source *src, uin
     }
     if (last.from == guard.from || braces != 0 || parens != 0)
         return 0;
-    diag_edit(diags, d, span_of(&guard, from, colon + 1), " {");
-    diag_edit(diags, d, span_of(&last, last.end, last.end), format_in(diags->arena, "%s}", new_line(diags->arena, &guard, 0)));
+    diag_edit(diags, d, line_span(&guard, from, colon + 1), " {");
+    diag_edit(diags, d, line_span(&last, last.end, last.end), format_in(diags->arena, "%s}", format_line_break(diags->arena, &guard, 0)));
     return last.end;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hints about line ends: several statements share a line, or the statements of a condition follow on lines of their own. The functions
-// work only on the text of the lines, so they also help where a line has other errors. They propose an edit only if it removes no
+// read only the characters of the lines, so they also help where a line has other errors. They propose an edit only if it removes no
 // statement from its condition: all statements that depend on a condition go into braces.
 #ifndef SMC_HINT_LINES_H
 #define SMC_HINT_LINES_H
@@ -12,9 +12,9 @@ typedef enum HintSeparator {
     HINT_OTHER                // a comma, a word, or nothing
 } HintSeparator;
 
-// Another statement follows the one that ends before `at`, on the same line.  Labels d with what to do, and proposes the edit if that is
-// unambiguous.  Returns up to where in the source this is about: separators before that need no message of their own.  Returns 0, and
-// adds nothing, if the text that ends before `at` is not a statement.
+// Called where another statement follows, on the same line, the statement that ends before `at`. Labels d with what to do, and proposes
+// the edit if that is unambiguous. Returns the offset up to which d covers the source: separators before it need no diagnostic of their
+// own. Returns 0, and adds nothing, if the text that ends before `at` is not a statement.
 uint32_t hint_label_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at, HintSeparator separator);
 
 // Returns whether more statements follow the one at `at`. They follow after a ';' on its line, where in C they depend on no condition

@@ -5,119 +5,120 @@
 
 // ---- rows ----
 
-// Sets of tokens in the columns of a row.
+// Sets of token kinds, for the columns of a row.
 #define T(kind) (UINT64_C(1) << TOK_##kind)
 #define ANY (T(COUNT) - 1)
 #define OPERAND (T(NAME) | T(NUMBER) | T(LPAREN) | T(TRUE) | T(FALSE) | T(NOT) | T(BANG))
 #define COMPARISON (T(LT) | T(LE) | T(GT) | T(GE) | T(EQ) | T(NE))
-#define FIRST (UINT64_C(1) << 62)         // and it must be the first token on its line
-#define SAME_LINE (UINT64_C(1) << 63)     // and it must not be
+#define FIRST (UINT64_C(1) << 62)         // added to a set: the token must be the first on its line
+#define SAME_LINE (UINT64_C(1) << 63)     // added to a set: the token must not be the first on its line
 typedef char tokens_fit_a_set[TOK_COUNT < 62 ? 1 : -1];
 
 typedef struct Hint {
-    HintPlace place;
+    HintContext context;
     uint64_t before, here, after;         // the last token, the next token and the one after it
     const char *word;                     // the next token is this word, in upper or lower case; NULL: any text
-    HintResult (*rule)(HintCase *c);      // NULL: the label says it all
+    HintResult (*rule)(HintCase *c);      // NULL: the label is enough
     DiagCode label;
     const char *text;                     // of the label
 } Hint;
 
 static const Hint hints[] = {
-#define HINT(place, before, here, word, after, rule) {HINT_##place, before, here, after, word, hint_##rule, DIAG_COUNT, NULL},
-#define HINT_LABEL(place, before, here, word, after, label, text) {HINT_##place, before, here, after, word, NULL, DIAG_##label, text},
+#define HINT(context, before, here, word, after, rule) {HINT_##context, before, here, after, word, hint_##rule, DIAG_COUNT, NULL},
+#define HINT_LABEL(context, before, here, word, after, label, text) {HINT_##context, before, here, after, word, NULL, DIAG_##label, text},
 #include "compiler/syntax/hints.def"
 };
 enum { HINT_ROWS = sizeof hints / sizeof *hints };
 
-static bool is_in(uint64_t set, const Token *t)
+// Whether the kind of t is in the set, and t is at the start of its line or not, as FIRST and SAME_LINE require.
+static bool is_token_in(uint64_t set, const Token *t)
 {
     return (set >> t->kind & 1u) && !((set & FIRST) && !t->first) && !((set & SAME_LINE) && t->first);
 }
 
-static bool fits(const Hint *h, const Parser *p)
+static bool matches_row(const Hint *h, const Parser *p)
 {
-    return is_in(h->here, &p->tok) && is_in(h->before, &p->last) && is_in(h->after, &p->ahead) &&
+    return is_token_in(h->here, &p->tok) && is_token_in(h->before, &p->last) && is_token_in(h->after, &p->ahead) &&
            (!h->word || hint_is_word(&p->tok, h->word));
 }
 
-Diag *hint_message(HintCase *c)
+Diag *hint_report_general(HintCase *c)
 {
     Parser *p = c->p;
 
-    if (c->message)
-        return c->message;
-    switch (c->place) {
+    if (c->general)
+        return c->general;
+    switch (c->context) {
     case HINT_AT_VALUE:
-        c->message = parser_fail(p, DIAG_expected_value, parser_where_missing(p),
-                                 parser_text(p, parser_span(p, &p->last)), parser_found(p));
+        c->general = parser_fail(p, DIAG_expected_value, parser_missing_span(p),
+                                 parser_text(p, parser_span(p, &p->last)), parser_describe_found(p));
         break;
     case HINT_AT_LONE_VALUE:
-        c->message = parser_report(p, DIAG_no_effect, c->e->span);
+        c->general = parser_report(p, DIAG_no_effect, c->e->span);
         break;
     case HINT_AT_PIN_NUMBER:
-        c->message = parser_fail(p, DIAG_pin_number, parser_where_missing(p), parser_found(p));
+        c->general = parser_fail(p, DIAG_pin_number, parser_missing_span(p), parser_describe_found(p));
         break;
     case HINT_AT_OPTION:
-        c->message = parser_fail(p, DIAG_option_unknown, parser_here(p), p->tok.text->text);
+        c->general = parser_fail(p, DIAG_option_unknown, parser_token_span(p), p->tok.text->text);
         break;
     case HINT_AT_END: case HINT_AT_ELEMENT_END: case HINT_AT_PIN_END:
-        c->message = parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok));
+        c->general = parser_fail(p, DIAG_expected_end, parser_token_span(p), parser_describe(p, &p->tok));
         break;
-    default:                              // the other places have no message of their own
+    default:                              // the other contexts have no diagnostic of their own
         break;
     }
-    return c->message;
+    return c->general;
 }
 
 void hint_init_index(HintIndex *index)
 {
-    static const HintPlace with_message[] = {HINT_AT_VALUE, HINT_AT_LONE_VALUE, HINT_AT_END, HINT_AT_ELEMENT_END, HINT_AT_PIN_NUMBER,
-                                             HINT_AT_PIN_END, HINT_AT_OPTION};      // those that hint_message knows
+    static const HintContext with_message[] = {HINT_AT_VALUE, HINT_AT_LONE_VALUE, HINT_AT_END, HINT_AT_ELEMENT_END, HINT_AT_PIN_NUMBER,
+                                             HINT_AT_PIN_END, HINT_AT_OPTION};      // those that hint_report_general handles
 
     memset(index, 0, sizeof *index);
     for (size_t i = 0; i < sizeof with_message / sizeof *with_message; i++)
         index->tokens[with_message[i]] = ANY;
     for (size_t row = HINT_ROWS; row > 0; row--) {
-        index->tokens[hints[row - 1].place] |= hints[row - 1].here;
-        index->first_row[hints[row - 1].place] = (uint8_t)(row - 1);
+        index->tokens[hints[row - 1].context] |= hints[row - 1].here;
+        index->first_row[hints[row - 1].context] = (uint8_t)(row - 1);
     }
 }
 
-// Returns what the first row that fits returns; HINT_NONE if none fits.
-static HintResult apply_rows(HintCase *c)
+// Applies the rows of the context in order. Returns the result of the first one that is not HINT_NONE; HINT_NONE if there is none.
+static HintResult apply_first_row(HintCase *c)
 {
     HintResult result = HINT_NONE;
 
-    for (size_t i = c->p->hints.first_row[c->place]; i < HINT_ROWS && hints[i].place == c->place && result == HINT_NONE; i++) {
-        if (!fits(&hints[i], c->p))
+    for (size_t i = c->p->hints.first_row[c->context]; i < HINT_ROWS && hints[i].context == c->context && result == HINT_NONE; i++) {
+        if (!matches_row(&hints[i], c->p))
             continue;
         if (hints[i].rule) {
             result = hints[i].rule(c);
         } else {
-            diag_label(c->p->diags, hint_message(c), hints[i].label, hints[i].text);
+            diag_label(c->p->diags, hint_report_general(c), hints[i].label, hints[i].text);
             result = HINT_READ;
         }
     }
     return result;
 }
 
-HintResult hint_explain(Parser *p, HintPlace place, AstExpr *e)
+HintResult hint_explain(Parser *p, HintContext context, AstExpr *e)
 {
-    HintCase c = {p, place, e, NULL};
+    HintCase c = {p, context, e, NULL};
     HintResult result;
 
-    if (!(p->hints.tokens[place] >> p->tok.kind & 1u))         // the usual case in valid sources
+    if (!(p->hints.tokens[context] >> p->tok.kind & 1u))         // no row can match: the usual case in valid sources
         return HINT_NONE;
-    result = apply_rows(&c);
+    result = apply_first_row(&c);
     if (result == HINT_NONE)
-        hint_message(&c);
+        hint_report_general(&c);
     return result;
 }
 
 // ---- tokens ----
 
-static bool same_letters(const char *a, const char *lower)
+static bool equals_ignoring_case(const char *a, const char *lower)
 {
     for (; *a && *lower; a++, lower++)
         if ((*a >= 'A' && *a <= 'Z' ? *a - 'A' + 'a' : *a) != *lower)
@@ -125,9 +126,9 @@ static bool same_letters(const char *a, const char *lower)
     return !*a && !*lower;
 }
 
-bool hint_is_word(const Token *t, const char *lower) { return t->kind == TOK_NAME && same_letters(t->text->text, lower); }
-bool hint_begins_value(const Token *t) { return is_in(OPERAND, t); }
-bool hint_touches(const Token *a, const Token *b) { return a->at + a->len == b->at; }
+bool hint_is_word(const Token *t, const char *lower) { return t->kind == TOK_NAME && equals_ignoring_case(t->text->text, lower); }
+bool hint_begins_value(const Token *t) { return is_token_in(OPERAND, t); }
+bool hint_are_adjacent(const Token *a, const Token *b) { return a->at + a->len == b->at; }
 
 bool hint_is_label(const char *s)
 {

@@ -5,9 +5,9 @@
 #include "compiler/syntax/hint_unit.h"
 #include "compiler/syntax/hint_words.h"
 
-// ---- text of the line ----
+// ---- the rest of the line ----
 
-// Returns the word or number after blanks at *at, and moves *at to its end; returns "" if there is none.
+// Returns the word or number after spaces at *at, and moves *at to its end; returns "" if there is none.
 static const char *read_word_at(const Parser *p, uint32_t *at)
 {
     const char *text = p->lex.src->text;
@@ -21,7 +21,7 @@ static const char *read_word_at(const Parser *p, uint32_t *at)
     return parser_text(p, (Span){p->lex.src, from, end - from});
 }
 
-// x between a and b, where `between` is the current token.
+// Returns advice for x between a and b: write a <= x <= b. The current token is `between`; e is x.
 static const char *format_between(const Parser *p, const AstExpr *e)
 {
     uint32_t at = p->ahead.at;
@@ -34,13 +34,13 @@ static const char *format_between(const Parser *p, const AstExpr *e)
 
 // ---- after a guard ----
 
-// x + 1 = 3
+// Reports = after an expression that is not a name, as in x + 1 = 3.
 HintResult hint_report_assign_to_expression(HintCase *c)
 {
     Parser *p = c->p;
 
     if (hint_line_is_guard(p)) {
-        hint_report_assign_in_guard(p, c->e, parser_here(p));
+        hint_report_assign_in_guard(p, c->e, parser_token_span(p));
         p->failed = true;
     } else {
         parser_fail(p, DIAG_assign_target, c->e->span, parser_text(p, c->e->span));
@@ -48,7 +48,7 @@ HintResult hint_report_assign_to_expression(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// close valve: two names in a row are prose, or text of another language
+// Reports two names in a row, as in close valve: prose, or a statement of another language.
 HintResult hint_report_no_statement(HintCase *c)
 {
     Parser *p = c->p;
@@ -66,12 +66,12 @@ HintResult hint_report_no_statement(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// if x then ..., while the language has a colon
+// Reports `then` in if x then ..., and reads it as a colon.
 HintResult hint_read_then(HintCase *c)
 {
     Parser *p = c->p;
     uint32_t from = p->last.at + p->last.len;
-    Diag *d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+    Diag *d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
 
     if (p->ahead.first) {
         diag_label(p->diags, d, DIAG_label_braces_instead);
@@ -80,36 +80,36 @@ HintResult hint_read_then(HintCase *c)
         if (p->ahead.kind != TOK_NUMBER && (p->ahead.kind == TOK_COLON || !hint_is_first_of_several(p->lex.src, p->ahead.at)))
             diag_edit(p->diags, d, (Span){p->lex.src, from, p->tok.at + p->tok.len - from}, p->ahead.kind == TOK_COLON ? "" : ":");
     }
-    parser_next(p);
+    parser_advance(p);
     if (p->tok.kind == TOK_COLON && !p->tok.first)
-        parser_next(p);
+        parser_advance(p);
     return HINT_READ;
 }
 
-// T > 5 s: ...
+// Reports the unit in T > 5 s: ...
 HintResult hint_report_unit_in_guard(HintCase *c)
 {
     Parser *p = c->p;
 
     if (!(p->lex.src->text[p->tok.at] & 0x80))         // 5° is already reported
-        hint_label_unit(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
+        hint_label_unit(p->diags, parser_report(p, DIAG_expected_end, parser_token_span(p), parser_describe(p, &p->tok)),
                   parser_text(p, parser_span(p, &p->last)), p->tok.text->text);
     p->failed = true;
     return HINT_SKIPPED;
 }
 
-// x > 5, y = 1: a comma where the colon should be
+// Reports a comma where the colon should be, as in x > 5, y = 1.
 HintResult hint_report_comma_for_colon(HintCase *c)
 {
     Parser *p = c->p;
 
     if (c->e->kind == AST_NAME)
         return HINT_NONE;
-    diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p)), DIAG_label_colon_instead);
+    diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p)), DIAG_label_colon_instead);
     return HINT_SKIPPED;
 }
 
-// The text after the guard on its line is not a statement: a colon would not help.
+// Reports text after a guard that is not a statement, so that a colon would not help.
 HintResult hint_report_prose_in_guard(HintCase *c)
 {
     Parser *p = c->p;
@@ -117,23 +117,23 @@ HintResult hint_report_prose_in_guard(HintCase *c)
 
     if (!hint_line_is_guard(p))
         return HINT_NONE;
-    d = parser_fail(p, DIAG_guard_without_body, parser_here(p), parser_found(p));
+    d = parser_fail(p, DIAG_guard_without_body, parser_token_span(p), parser_describe_found(p));
     if (hint_is_word(&p->tok, "between"))
         diag_label(p->diags, d, DIAG_label_text, format_between(p, c->e));
     return HINT_SKIPPED;
 }
 
-// p > 5 => Idle: the lexer has also reported the missing colon.
+// Whether the current arrow is spelled =>, as in p > 5 => Idle. Then the lexer has also reported the missing colon.
 static bool is_foreign_arrow(const Parser *p) { return p->tok.kind == TOK_ARROW && p->lex.src->text[p->tok.at] == '='; }
 
-// No edit if more statements follow: after a colon all of them would depend on the condition.
-static void edit_colon(Parser *p, Diag *d)
+// Proposes to insert a colon, unless more statements follow: after a colon all of them would depend on the condition.
+static void propose_colon(Parser *p, Diag *d)
 {
     if (!hint_is_first_of_several(p->lex.src, p->tok.at))
-        diag_edit(p->diags, d, parser_gap(p), ":");
+        diag_edit(p->diags, d, parser_gap_span(p), ":");
 }
 
-// x > 5 y = 1: another statement follows the guard on its line
+// Reports the colon missing between a guard and a statement on its line, as in x > 5 y = 1.
 HintResult hint_report_missing_colon(HintCase *c)
 {
     Parser *p = c->p;
@@ -141,9 +141,9 @@ HintResult hint_report_missing_colon(HintCase *c)
 
     if (is_foreign_arrow(p))
         return HINT_READ;
-    d = parser_report(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
+    d = parser_report(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p));
     diag_label(p->diags, d, DIAG_label_insert_colon);
-    edit_colon(p, d);
+    propose_colon(p, d);
     return HINT_READ;
 }
 
@@ -158,7 +158,7 @@ static Diag *report_label_without_dot(Parser *p, AstExpr *e)
     return d;
 }
 
-// step on a line of its own
+// Reports a label without its dot: `step` on a line of its own.
 HintResult hint_report_label_alone(HintCase *c)
 {
     if (c->p->has_if || !is_label_name(c->e) || !parser_at_end_of_statement(c->p))
@@ -169,19 +169,19 @@ HintResult hint_report_label_alone(HintCase *c)
 
 // ---- a value alone on its line ----
 
-// The next line continues the condition.
+// Reports a value alone on its line whose next line begins with `and` or `or`, and skips that line.
 HintResult hint_skip_rest_of_guard(HintCase *c)
 {
     Parser *p = c->p;
 
-    diag_label(p->diags, hint_message(c), DIAG_label_line_break);
+    diag_label(p->diags, hint_report_general(c), DIAG_label_line_break);
     do
-        parser_next(p);
+        parser_advance(p);
     while (!p->tok.first && p->tok.kind != TOK_RBRACE);
     return HINT_READ;
 }
 
-// valveOpen == true
+// Reports a comparison as a statement, as in valveOpen == true.
 HintResult hint_report_comparison_alone(HintCase *c)
 {
     Parser *p = c->p;
@@ -190,10 +190,10 @@ HintResult hint_report_comparison_alone(HintCase *c)
     if (e->kind != AST_BINARY)
         return HINT_NONE;
     if (p->kind == FILE_SS)
-        diag_label(p->diags, hint_message(c), DIAG_label_text,
+        diag_label(p->diags, hint_report_general(c), DIAG_label_text,
                    format_in(p->arena, "to check this, write @assert %s", parser_text(p, e->span)));
     else if (e->op == SM_OP_EQ && e->a->kind == AST_NAME)
-        diag_label(p->diags, hint_message(c), DIAG_label_store,
+        diag_label(p->diags, hint_report_general(c), DIAG_label_store,
                    format_in(p->arena, "%s = %s", e->a->name->text, parser_text(p, e->b->span)));
     else
         return HINT_NONE;
@@ -202,7 +202,7 @@ HintResult hint_report_comparison_alone(HintCase *c)
 
 // ---- after a colon, else and -> ----
 
-// step: on a line of its own
+// Reports a label without its dot and with a colon: `step:` on a line of its own.
 HintResult hint_report_label_with_colon(HintCase *c)
 {
     Parser *p = c->p;
@@ -214,12 +214,12 @@ HintResult hint_report_label_with_colon(HintCase *c)
     return HINT_READ;
 }
 
-// The line ends after the colon of a guard, or of `else` (e is NULL).
+// Reports a line that ends after the colon of a guard, or of `else` (c->e is NULL).
 HintResult hint_report_line_end_after_colon(HintCase *c)
 {
     Parser *p = c->p;
     const Span colon = parser_span(p, &p->last);
-    Diag *d = parser_report(p, DIAG_colon_line_break, colon, c->e ? "the condition" : "'else'", parser_found(p));
+    Diag *d = parser_report(p, DIAG_colon_line_break, colon, c->e ? "the condition" : "'else'", parser_describe_found(p));
 
     if (p->tok.first && p->tok.kind != TOK_ELSE && !parser_at_end_of_block(p)) {
         diag_label(p->diags, d, DIAG_label_braces_instead);
@@ -232,11 +232,11 @@ HintResult hint_report_line_end_after_colon(HintCase *c)
     return HINT_READ;
 }
 
-// x: = 1
+// Reports a = after a colon, as in x: = 1.
 HintResult hint_report_assign_after_colon(HintCase *c)
 {
     Parser *p = c->p;
-    Diag *d = parser_fail(p, DIAG_expected_statement, parser_here(p), "'='");
+    Diag *d = parser_fail(p, DIAG_expected_statement, parser_token_span(p), "'='");
 
     if (c->e && c->e->kind == AST_NAME) {
         diag_label(p->diags, d, DIAG_label_store, format_in(p->arena, "%s = ...", c->e->name->text));
@@ -245,7 +245,7 @@ HintResult hint_report_assign_after_colon(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// else x = 1
+// Reports `else` without a colon or brace, as in else x = 1.
 HintResult hint_report_else_without_body(HintCase *c)
 {
     Parser *p = c->p;
@@ -253,29 +253,29 @@ HintResult hint_report_else_without_body(HintCase *c)
 
     if (is_foreign_arrow(p))
         return HINT_READ;
-    d = parser_report(p, DIAG_else_without_body, parser_gap(p), parser_found(p));
+    d = parser_report(p, DIAG_else_without_body, parser_gap_span(p), parser_describe_found(p));
     if (!p->tok.first && !parser_at_end_of_block(p)) {
         diag_label(p->diags, d, DIAG_label_insert_colon);
-        edit_colon(p, d);
+        propose_colon(p, d);
     }
     return HINT_READ;
 }
 
-// -> [Idle]
+// Reports brackets around the state in -> [Idle].
 HintResult hint_skip_bracketed_state(HintCase *c)
 {
     Parser *p = c->p;
-    Diag *d = parser_report(p, DIAG_transition_without_state, parser_here(p), parser_describe(p, &p->tok));
+    Diag *d = parser_report(p, DIAG_transition_without_state, parser_token_span(p), parser_describe(p, &p->tok));
 
     diag_label(p->diags, d, DIAG_label_write, p->tok.text->text);
-    diag_edit(p->diags, d, parser_here(p), p->tok.text->text);
-    parser_next(p);
+    diag_edit(p->diags, d, parser_token_span(p), p->tok.text->text);
+    parser_advance(p);
     return HINT_SKIPPED;
 }
 
 // ---- statements of other languages ----
 
-// Whether the rest of the statement is the current sign and one operand.
+// Whether the rest of the statement is the current operator and one operand.
 static bool ends_after_operand(const Parser *p)
 {
     const char *text = p->lex.src->text;
@@ -285,12 +285,12 @@ static bool ends_after_operand(const Parser *p)
     return !text[end] || strchr("\n#;}", text[end]) != NULL;
 }
 
-// x += 1, at the sign
+// Reports x += 1. The current token is +=.
 HintResult hint_report_op_assign(HintCase *c)
 {
     Parser *p = c->p;
-    const char *sign = parser_text(p, parser_here(p)), *name = parser_text(p, parser_span(p, &p->last));
-    Diag *d = parser_report(p, DIAG_op_assign, parser_here(p), sign);
+    const char *sign = parser_text(p, parser_token_span(p)), *name = parser_text(p, parser_span(p, &p->last));
+    Diag *d = parser_report(p, DIAG_op_assign, parser_token_span(p), sign);
 
     diag_label(p->diags, d, DIAG_label_write,
                format_in(p->arena, ends_after_operand(p) ? "%s = %s %c ..." : "%s = %s %c (...)", name, name, sign[0]));
@@ -299,8 +299,8 @@ HintResult hint_report_op_assign(HintCase *c)
 
 typedef enum HintEffect {
     HINT_IF, HINT_ELSE, HINT_ARROW,       // the word is read as that token
-    HINT_DROP,                            // it is left out
-    HINT_SKIP,                            // the statement is given up
+    HINT_DROP,                            // the word is skipped
+    HINT_SKIP,                            // the statement is skipped up to the next one
     HINT_WAIT                             // the same, and the text depends on the time to wait
 } HintEffect;
 
@@ -322,13 +322,13 @@ static bool is_used_as_foreign(const Parser *p, HintEffect effect)
     return hint_begins_value(next) && (next->kind != TOK_LPAREN || effect == HINT_IF || gives_up);
 }
 
-// Whether the token after a statement's first word allows any word to be foreign. After a name of this language it is mostly `=`.
+// Whether the first word of a statement can be foreign, to judge by the token after it. After a name of this language that is mostly `=`.
 static bool may_follow_foreign(const Token *next)
 {
     return next->first || hint_begins_value(next) || next->kind == TOK_IF || next->kind == TOK_ARROW;
 }
 
-// Returns the text after the name of a declaration among statements: "" or "= 3".
+// Returns the initial value, as in "= 3", that follows the name of a declaration at `at`; "" if there is none.
 static const char *find_decl_value(const Parser *p, uint32_t at)
 {
     const char *text = p->lex.src->text;
@@ -347,12 +347,12 @@ static bool is_number_text(const char *s)
     return strcmp(s, "true") == 0 || strcmp(s, "false") == 0 || (*s && s[strspn(s, "-+.0123456789eE_")] == '\0');
 }
 
-// The declaration of a variable among statements: U8 x, int x = 3, const U8 x = 3. Its value would be assigned every time it is executed;
-// the initial value of a local is not.
+// Reports the declaration of a variable among statements: U8 x, int x = 3, const U8 x = 3. Its value would be assigned every time it is
+// executed; the initial value of a local is not.
 HintResult hint_report_decl_in_state(HintCase *c)
 {
     Parser *p = c->p;
-    Diag *d = parser_fail(p, DIAG_decl_in_state, parser_here(p));
+    Diag *d = parser_fail(p, DIAG_decl_in_state, parser_token_span(p));
     const bool word = p->tok.kind == TOK_NAME && (hint_is_word(&p->tok, "const") || hint_is_word(&p->tok, "var"));
     uint32_t at = p->ahead.at;
     const char *type = word ? read_word_at(p, &at) : p->tok.text->text, *name = read_word_at(p, &at);
@@ -372,7 +372,7 @@ HintResult hint_report_decl_in_state(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// int x = 3, const U8 x = 3
+// Reports a declaration of another language among statements, as int x = 3 or const U8 x = 3.
 HintResult hint_report_foreign_decl(HintCase *c)
 {
     const Parser *p = c->p;
@@ -382,20 +382,21 @@ HintResult hint_report_foreign_decl(HintCase *c)
     return is_decl ? hint_report_decl_in_state(c) : HINT_NONE;
 }
 
-// goto Idle, go to Idle, transition to Idle
-static void replace_arrow(Parser *p)
+// Reports goto, go to or transition to, and reads the words as ->.
+static void replace_with_arrow(Parser *p)
 {
-    Diag *d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+    Diag *d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
     uint32_t at = p->tok.at;
 
     if (hint_is_word(&p->ahead, "to") && !p->ahead.first)
-        parser_next(p);
+        parser_advance(p);
     diag_label(p->diags, d, DIAG_label_write, "->");
     diag_edit(p->diags, d, (Span){p->lex.src, at, p->tok.at + p->tok.len - at}, "->");
     p->tok.kind = TOK_ARROW;
 }
 
-// wait(200), delay(200), sleep(2): the message repeats that number. In other languages delay takes milliseconds and sleep takes seconds.
+// Returns advice for wait(200), delay(200) and sleep(2), with that time. In other languages delay takes milliseconds and sleep takes
+// seconds.
 static const char *format_wait(const Parser *p)
 {
     static const char general[] = "put what follows in braces, under a limit to the time in the state: T >= 100 { ... }";
@@ -411,7 +412,7 @@ static const char *format_wait(const Parser *p)
     return number ? format_in(p->arena, "put what follows in braces: T >= %s { ... }, %s", number, unit) : general;
 }
 
-// for (...; ...; ...): skips the parentheses, which are already reported.
+// Skips the parentheses of for (...; ...; ...), because the loop is already reported.
 static void skip_header_of_loop(Parser *p)
 {
     const char *text = p->lex.src->text;
@@ -428,7 +429,7 @@ static void skip_header_of_loop(Parser *p)
     }
 }
 
-static HintResult apply_word(Parser *p, HintEffect effect, const char *text)
+static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *text)
 {
     Diag *d;
 
@@ -441,31 +442,31 @@ static HintResult apply_word(Parser *p, HintEffect effect, const char *text)
         p->lost_body = true;
         return HINT_READ;
     case HINT_ARROW:
-        replace_arrow(p);
+        replace_with_arrow(p);
         return HINT_READ;
     case HINT_DROP:
-        d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+        d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
         diag_label(p->diags, d, DIAG_label_leave_out);
         diag_edit(p->diags, d, (Span){p->lex.src, p->tok.at, p->ahead.at - p->tok.at}, "");
-        parser_next(p);
+        parser_advance(p);
         return HINT_READ;
     case HINT_SKIP: case HINT_WAIT:
         break;
     }
-    d = parser_fail(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+    d = parser_fail(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
     diag_label(p->diags, d, DIAG_label_text, effect == HINT_WAIT ? format_wait(p) : text);
     skip_header_of_loop(p);
-    parser_next(p);
+    parser_advance(p);
     return HINT_SKIPPED;
 }
 
-// when x: ..., goto Idle, while x
+// Reads or skips a word of another language at the start of a statement, as in when x: ..., goto Idle, while x.
 HintResult hint_read_foreign_word(HintCase *c)
 {
     Parser *p = c->p;
 
     for (size_t i = 0; may_follow_foreign(&p->ahead) && i < sizeof foreign_words / sizeof *foreign_words; i++)
         if (hint_is_word(&p->tok, foreign_words[i].word) && is_used_as_foreign(p, foreign_words[i].effect))
-            return apply_word(p, foreign_words[i].effect, foreign_words[i].text);
+            return apply_foreign_word(p, foreign_words[i].effect, foreign_words[i].text);
     return HINT_NONE;
 }

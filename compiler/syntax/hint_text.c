@@ -14,21 +14,21 @@ typedef struct HintText {
     const char *spelling;
     size_t len;
     TokenKind after;          // only after a token of this kind; TOK_END: after any
-    HintResult (*read)(Lexer *l, Token *t);      // NULL: a sign
-    TokenKind kind;           // of a sign
+    HintResult (*read)(Lexer *l, Token *t);      // NULL: the row is an operator
+    TokenKind kind;           // of an operator
     const char *native, *label;
 } HintText;
 
 static const HintText rows[] = {
 #define HINT_TEXT(spelling, read) {spelling, sizeof spelling - 1, TOK_END, hint_##read, TOK_ERROR, NULL, NULL},
 #define HINT_AFTER(kind, read) {"", 0, TOK_##kind, hint_##read, TOK_ERROR, NULL, NULL},
-#define HINT_SIGN(spelling, kind, native) {spelling, sizeof spelling - 1, TOK_END, NULL, TOK_##kind, native, NULL},
-#define HINT_NO_SIGN(spelling, kind, label) {spelling, sizeof spelling - 1, TOK_END, NULL, TOK_##kind, NULL, label},
+#define HINT_OPERATOR(spelling, kind, native) {spelling, sizeof spelling - 1, TOK_END, NULL, TOK_##kind, native, NULL},
+#define HINT_ABSENT_OPERATOR(spelling, kind, label) {spelling, sizeof spelling - 1, TOK_END, NULL, TOK_##kind, NULL, label},
 #include "compiler/syntax/hints.def"
 };
 
 // Whether the row's spelling is at s. A word must be the first of its line and end where the spelling ends.
-static bool is_at(const HintText *row, const char *s, bool first)
+static bool is_spelling_at(const HintText *row, const char *s, bool first)
 {
     for (size_t i = 0; i < row->len; i++)
         if (s[i] != row->spelling[i])
@@ -45,43 +45,43 @@ void hint_init(Lexer *l)
     }
 }
 
-// Returns what the first row that fits returns, from row `first` on; HINT_NONE if none fits.
-static HintResult read_foreign_text(Lexer *l, Token *t, uint8_t first)
+// Returns what the first row that matches returns, from row `first` on; HINT_NONE if none matches.
+static HintResult apply_rows_from(Lexer *l, Token *t, uint8_t first)
 {
     const char *s = l->src->text + l->at;                          // terminated by a NUL
     HintResult read = HINT_NONE;
 
     for (size_t i = first; i > 0 && read == HINT_NONE; i = l->next_hint[i - 1]) {
         const HintText *row = &rows[i - 1];
-        if (row->after != TOK_END ? row->after != l->last : !is_at(row, s, t->first))
+        if (row->after != TOK_END ? row->after != l->last : !is_spelling_at(row, s, t->first))
             continue;
         if (row->read) {
             t->len = (uint32_t)row->len;
             read = row->read(l, t);
         } else {
             lexer_finish_token(l, t, row->kind, l->at + (uint32_t)row->len);
-            hint_report_sign(l, t, row->spelling, row->native, row->label);
+            hint_report_operator(l, t, row->spelling, row->native, row->label);
             read = HINT_READ;
         }
     }
     return read;
 }
 
-HintResult hint_foreign_text(Lexer *l, Token *t)
+HintResult hint_read_foreign_text(Lexer *l, Token *t)
 {
     const char c = l->src->text[l->at];
     HintResult read = HINT_NONE;
 
     if (l->last == TOK_ANNOTATION)
-        read = read_foreign_text(l, t, l->first_hint[0]);
+        read = apply_rows_from(l, t, l->first_hint[0]);
     if (read == HINT_NONE && l->first_hint[(unsigned char)c] && (t->first || !lex_is_letter(c)))
-        read = read_foreign_text(l, t, l->first_hint[(unsigned char)c]);
+        read = apply_rows_from(l, t, l->first_hint[(unsigned char)c]);
     return read;
 }
 
 // ---- words and lines ----
 
-uint32_t hint_skip_gap(const Lexer *l, uint32_t p)
+uint32_t hint_skip_spaces(const Lexer *l, uint32_t p)
 {
     while (is_space_tab_or_return(lexer_byte(l, p)))
         p++;
@@ -113,13 +113,13 @@ static uint32_t skip_name(const Lexer *l, uint32_t p)
 
     if (!lex_is_identifier(l->src->text + p, end - p))
         return p;
-    return lex_is_reserved(str_intern(l->strings, l->src->text + p, end - p), &reserved) ? p : end;
+    return lex_find_reserved(str_intern(l->strings, l->src->text + p, end - p), &reserved) ? p : end;
 }
 
-// Two words in a row are prose, unless an expression could continue with the second: size AND, size then.
+// Whether two words in a row begin at p. They are prose, unless an expression could continue with the second: size AND, size then.
 static bool is_prose(const Lexer *l, uint32_t p)
 {
-    uint32_t end = skip_name(l, p), next = hint_skip_gap(l, end);
+    uint32_t end = skip_name(l, p), next = hint_skip_spaces(l, end);
 
     return end > p && next > end && skip_name(l, next) > next &&
            !(hint_is_declared(l, p, end) && hint_is_operator_word(l->src->text, next));
@@ -133,19 +133,20 @@ bool hint_follows_value(const Lexer *l, bool first)
 
 // ---- comments ----
 
-// `-- …` and `% …`: a comment, if no expression can continue like this.
+// Whether `-- …` or `% …`, with a mark of `len` bytes, is a comment: no expression can continue like this.
 static bool is_remark(const Lexer *l, uint32_t len)
 {
-    uint32_t p = hint_skip_gap(l, l->at + len), end = skip_name(l, p);
+    uint32_t p = hint_skip_spaces(l, l->at + len), end = skip_name(l, p);
 
     if (is_prose(l, p))
         return true;
     return len == 1 && (l->first || l->last == TOK_TRUE || l->last == TOK_FALSE ||
-                        (!l->stores && !hint_is_declared(l, p, end) && hint_ends_line(l, hint_skip_gap(l, end))));
+                        (!l->stores && !hint_is_declared(l, p, end) && hint_ends_line(l, hint_skip_spaces(l, end))));
 }
 
-// Whether the sign is separated from the preceding text like a comment, and is not an operator: `x = 1   // open`, `x = 1 //open`.
-static bool is_set_off(const Lexer *l, uint32_t at, uint32_t text)
+// Whether the // at `at` is separated from the preceding text like a comment, and is not an operator: `x = 1   // open`, `x = 1 //open`.
+// `text` is where the text after it begins.
+static bool has_comment_spacing(const Lexer *l, uint32_t at, uint32_t text)
 {
     const char *s = l->src->text;
 
@@ -158,7 +159,7 @@ static bool divides_line_above(const Lexer *l)
     const char *text = l->src->text;
     uint32_t p = hint_skip_operand(text, l->at + 2), depth = 0;
 
-    if (l->open_parens == 0 || p == l->at + 2 || !strchr(")+-*/", lexer_byte(l, hint_skip_gap(l, p))))
+    if (l->open_parens == 0 || p == l->at + 2 || !strchr(")+-*/", lexer_byte(l, hint_skip_spaces(l, p))))
         return false;
     for (; !hint_ends_line(l, p); p++) {
         if (text[p] == ')' && depth-- == 0)
@@ -170,7 +171,7 @@ static bool divides_line_above(const Lexer *l)
 
 // `a // b` is a division in other languages. Returns how likely it is: 0 impossible, 1 it could also be a comment, 2 certain, because the
 // expression continues after b.
-static int is_division(const Lexer *l)
+static int estimate_division(const Lexer *l)
 {
     uint32_t p, end, after;
     bool known;
@@ -179,15 +180,15 @@ static int is_division(const Lexer *l)
         return 0;
     if (l->first)
         return divides_line_above(l) ? 2 : 0;
-    p = hint_skip_gap(l, l->at + 2);
+    p = hint_skip_spaces(l, l->at + 2);
     if (lexer_byte(l, p) == '-' || lexer_byte(l, p) == '+')
-        p = hint_skip_gap(l, p + 1);
+        p = hint_skip_spaces(l, p + 1);
     end = lexer_skip_word(l, p);
-    after = hint_skip_gap(l, end);
+    after = hint_skip_spaces(l, end);
     if (is_prose(l, p))
         return 0;
     if (lexer_byte(l, p) == '(')
-        return is_prose(l, hint_skip_gap(l, p + 1)) ? 0 : 2;
+        return is_prose(l, hint_skip_spaces(l, p + 1)) ? 0 : 2;
     if (end == p)
         return 0;
     if (hint_ends_line(l, after) ? lex_is_digit(lexer_byte(l, p)) : strchr(":<>=!+-*/)&|{", lexer_byte(l, after)) != NULL)
@@ -196,7 +197,7 @@ static int is_division(const Lexer *l)
                                            : hint_is_declared(l, p, end);
     if (!hint_ends_line(l, after))
         return known && lexer_byte(l, after) != '.';
-    return known || !is_set_off(l, l->at, p);
+    return known || !has_comment_spacing(l, l->at, p);
 }
 
 // Replaces Python's floor division with the single / that the user meant.
@@ -209,15 +210,16 @@ static void read_floor_division(Lexer *l, Token *t)
 }
 
 // Changes a comment that is closed on its line, with nothing after it, to a comment of this language.
-static void edit_closed_comment(Lexer *l, Diag *d, uint32_t at, uint32_t end)
+static void propose_closed_comment(Lexer *l, Diag *d, uint32_t at, uint32_t end)
 {
-    if (memchr(l->src->text + at, '\n', end - at) || !hint_ends_line(l, hint_skip_gap(l, end)))
+    if (memchr(l->src->text + at, '\n', end - at) || !hint_ends_line(l, hint_skip_spaces(l, end)))
         return;
     diag_edit(l->diags, d, lexer_span(l, at, 2), "#");
     diag_edit(l->diags, d, lexer_span(l, end - 2, 2), "");
 }
 
-// p > 50 % of limit: -> Vent. The text after the sign is not only prose: it contains a declared name or begins a body.
+// Whether % follows a number and is meant as percent, as in p > 50 % of limit: -> Vent. The text after it is not a comment, because it
+// contains a declared name or begins a body.
 static bool is_percentage(const Lexer *l)
 {
     uint32_t p = l->at + 1, end;
@@ -233,8 +235,9 @@ static bool is_percentage(const Lexer *l)
     return false;
 }
 
-// p > 5 -- high: -> Vent. A condition precedes the sign and a colon or brace follows it, so the text may be part of the statement.
-static bool hides_body(const Lexer *l)
+// Whether a condition precedes the foreign comment and a colon or brace is inside it, as in p > 5 -- high: -> Vent. A # would hide that
+// body.
+static bool contains_guard_body(const Lexer *l)
 {
     const char *s = l->src->text;
     bool compares = false;
@@ -253,7 +256,7 @@ static bool hides_body(const Lexer *l)
 HintResult hint_read_slashes(Lexer *l, Token *t)
 {
     uint32_t at = l->at, p = at + t->len;
-    const int division = is_division(l);
+    const int division = estimate_division(l);
     Diag *d;
 
     if (division == 2)
@@ -268,7 +271,7 @@ HintResult hint_read_slashes(Lexer *l, Token *t)
             p++;
         l->no_comment_end = p + 1 >= l->src->len;
         if (!l->no_comment_end)
-            edit_closed_comment(l, d, at, p + 2);
+            propose_closed_comment(l, d, at, p + 2);
         for (; !l->no_comment_end && l->at < p + 2; )
             if (l->src->text[l->at] == '\n')
                 lexer_end_line(l);
@@ -276,7 +279,7 @@ HintResult hint_read_slashes(Lexer *l, Token *t)
                 l->at++;
     }
     if (l->at == at) {
-        if (!division && !is_percentage(l) && !hides_body(l))
+        if (!division && !is_percentage(l) && !contains_guard_body(l))
             diag_edit(l->diags, d, lexer_span(l, at, p - at), "#");
         lexer_skip_comment(l);
     }
@@ -291,7 +294,7 @@ HintResult hint_read_remark(Lexer *l, Token *t)
 // ---- numbers, names, headers ----
 
 // Whether a name follows the preceding word: task, machine, @mode.
-static bool is_name_place(const Lexer *l, uint32_t at)
+static bool is_name_expected(const Lexer *l, uint32_t at)
 {
     uint32_t end, from;
     const char *s = l->src->text;
@@ -304,7 +307,8 @@ static bool is_name_place(const Lexer *l, uint32_t at)
            (from && s[from - 1] == '@' && (end - from != 8 || memcmp(s + from, "priority", 8) != 0));
 }
 
-// 5psi, 0x1G; or a name that begins with a digit
+// Reports a number with letters after it, as 5psi or 0x1G, or a name that begins with a digit. The number ends at `end`, the word at
+// `stop`.
 static void report_number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t stop)
 {
     Diag *d = diag_report(l->diags, DIAG_number_run_on, lexer_span(l, at, stop - at), lexer_text(l, at, end),
@@ -319,8 +323,8 @@ static void report_number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t s
         hint_label_unit(l->diags, d, lexer_text(l, at, end), lexer_text(l, end, stop));
 }
 
-// 5psi, 1__0, 0x, 1e, 1.2.3
-static uint32_t rest_of_number(Lexer *l, uint32_t at, uint32_t end)
+// Reports a malformed number such as 5psi, 1__0, 0x, 1e or 1.2.3, which is well formed up to `end`. Returns the end of the whole word.
+static uint32_t report_malformed_number(Lexer *l, uint32_t at, uint32_t end)
 {
     uint32_t stop = lexer_skip_word(l, end + (lexer_byte(l, end) == '\''));
     char c = lexer_byte(l, end), before = lexer_byte(l, end - 1);
@@ -342,7 +346,7 @@ static uint32_t rest_of_number(Lexer *l, uint32_t at, uint32_t end)
     else if ((c | 0x20) == 'e' && end + 1 == stop)
         diag_report(l->diags, DIAG_number_incomplete, lexer_span(l, at, stop - at), whole, "a digit",
                     lexer_text(l, end, end + 1));
-    else if (l->config && is_name_place(l, at))
+    else if (l->config && is_name_expected(l, at))
         diag_report(l->diags, DIAG_app_name_digit, lexer_span(l, at, stop - at), whole);
     else if (l->config)
         diag_label(l->diags, diag_report(l->diags, DIAG_unit_apart, lexer_span(l, at, stop - at), whole), DIAG_label_write,
@@ -352,7 +356,7 @@ static uint32_t rest_of_number(Lexer *l, uint32_t at, uint32_t end)
     return stop;
 }
 
-// `Hold Pressure`, `Vent-Fast`: returns the name with _ between the words; NULL if the error is a different one.
+// Returns a header such as [Hold Pressure] or [Vent-Fast] with _ between the words; NULL if the error is a different one.
 static const char *join_header_words(Arena *arena, Str name)
 {
     char *fixed = (char *)format_in(arena, "[%s]", name->text);
@@ -363,7 +367,7 @@ static const char *join_header_words(Arena *arena, Str name)
     return lex_is_header_name(fixed + 1, name->len) ? fixed : NULL;
 }
 
-// `Abort @abort`: the annotations are inside the brackets. Returns the correct form; NULL if the error is a different one.
+// Returns a header such as [Abort @abort] with the annotations after the brackets; NULL if the error is a different one.
 static const char *move_annotations_outside(Arena *arena, Str name)
 {
     const char *at = strchr(name->text, '@');
@@ -374,7 +378,7 @@ static const char *move_annotations_outside(Arena *arena, Str name)
     return lex_is_header_name(name->text, n) ? format_in(arena, "[%.*s] %s", (int)n, name->text, at) : NULL;
 }
 
-// [two words]: the header at l->at is closed at `end`.
+// Reports a header whose name is malformed, as [two words]. It begins at l->at; its ] is at `end`.
 static void report_header_name(Lexer *l, uint32_t end, Str name)
 {
     const uint32_t from = l->at + 1;
@@ -398,33 +402,33 @@ static void report_header_name(Lexer *l, uint32_t end, Str name)
     }
 }
 
-uint32_t hint_rest_of_token(Lexer *l, const Token *t, TokenKind kind, uint32_t end)
+uint32_t hint_report_malformed_token(Lexer *l, const Token *t, TokenKind kind, uint32_t end)
 {
     if (kind == TOK_NUMBER)
-        return rest_of_number(l, l->at, end);
+        return report_malformed_number(l, l->at, end);
     if (kind == TOK_NAME)
-        return hint_rest_of_name(l, end);
+        return hint_skip_foreign_letters(l, end);
     report_header_name(l, end, t->text);
     return end;
 }
 
 // ---- lines ----
 
-// `state Hold:` and `def hold():` at the start of a line: [Hold].
+// Reads `state Hold:` and `def hold():`, at the start of a line, as the header [Hold].
 HintResult hint_read_state(Lexer *l, Token *t)
 {
-    const uint32_t from = hint_skip_gap(l, t->at + t->len), end = skip_name(l, from);
-    uint32_t p = hint_skip_gap(l, end);
+    const uint32_t from = hint_skip_spaces(l, t->at + t->len), end = skip_name(l, from);
+    uint32_t p = hint_skip_spaces(l, end);
     const char *written;
     Diag *d;
 
     if (l->config || end == from)
         return HINT_NONE;
-    if (lexer_byte(l, p) == '(' && lexer_byte(l, hint_skip_gap(l, p + 1)) == ')')
-        p = hint_skip_gap(l, hint_skip_gap(l, p + 1) + 1);
+    if (lexer_byte(l, p) == '(' && lexer_byte(l, hint_skip_spaces(l, p + 1)) == ')')
+        p = hint_skip_spaces(l, hint_skip_spaces(l, p + 1) + 1);
     if (lexer_byte(l, p) == ':' || lexer_byte(l, p) == '{')
         p++;
-    if (!hint_ends_line(l, hint_skip_gap(l, p)))
+    if (!hint_ends_line(l, hint_skip_spaces(l, p)))
         return HINT_NONE;
     d = diag_report(l->diags, DIAG_foreign_word, lexer_span(l, t->at, t->len), lexer_text(l, t->at, t->at + t->len));
     written = format_in(l->diags->arena, "[%.*s]", (int)(end - from), l->src->text + from);
@@ -437,7 +441,7 @@ HintResult hint_read_state(Lexer *l, Token *t)
     return HINT_READ;
 }
 
-// Whether "common.sm", <common.sm> or common is the rest of the line from p on.
+// Whether the rest of the line from p on is a file name, as "common.sm", <common.sm> or common.
 static bool is_file_name(const Lexer *l, uint32_t p)
 {
     const char open = lexer_byte(l, p);
@@ -451,15 +455,15 @@ static bool is_file_name(const Lexer *l, uint32_t p)
         if (end == p + 1 || lexer_byte(l, end++) != '>')
             return false;
     }
-    return end > p && hint_ends_line(l, hint_skip_gap(l, end));
+    return end > p && hint_ends_line(l, hint_skip_spaces(l, end));
 }
 
-// `include "common.sm"`, `import common`: the line is skipped.
+// Reports and skips a line such as `include "common.sm"` or `import common`.
 HintResult hint_read_include(Lexer *l, Token *t)
 {
     Diag *d;
 
-    if (l->config || !is_file_name(l, hint_skip_gap(l, t->at + t->len)))
+    if (l->config || !is_file_name(l, hint_skip_spaces(l, t->at + t->len)))
         return HINT_NONE;
     d = diag_report(l->diags, DIAG_foreign_word, lexer_span(l, t->at, t->len), lexer_text(l, t->at, t->at + t->len));
     diag_label(l->diags, d, DIAG_label_text,
@@ -484,7 +488,7 @@ static uint32_t skip_plain_number(const Lexer *l, uint32_t p)
 }
 
 // Returns the end of the separator that other languages have between two numbers: 0, 5 or 0..5 or 0 to 5. Returns `p` if there is none.
-static uint32_t skip_between(const Lexer *l, uint32_t p)
+static uint32_t skip_range_separator(const Lexer *l, uint32_t p)
 {
     const char *s = l->src->text + p;                              // terminated by a NUL
 
@@ -513,18 +517,18 @@ static bool ends_range(const Lexer *l, uint32_t p)
     const char c = lexer_byte(l, p);
 
     return hint_ends_line(l, p) || c == '@' || (c == '/' && strchr("/*", lexer_byte(l, p + 1))) ||
-           (c == ';' && hint_ends_line(l, hint_skip_gap(l, p + 1)));
+           (c == ';' && hint_ends_line(l, hint_skip_spaces(l, p + 1)));
 }
 
-// After @range: [0, 5], closed or not, and 0..5 and 0, 5. 0,5 10 has a decimal comma.
+// Reads the notations of other languages after @range: [0, 5], closed or not, 0..5, and 0, 5. In 0,5 10 the comma is a decimal comma.
 HintResult hint_read_range(Lexer *l, Token *t)
 {
     static const char word[] = "@range";
     const char *s = l->src->text, open = s[l->at];
     bool brackets = open == '[' || open == '(', closed;
-    uint32_t back = l->at, lo = hint_skip_gap(l, l->at + brackets), lo_end = skip_plain_number(l, lo), sign = hint_skip_gap(l, lo_end);
-    uint32_t sign_end = skip_between(l, sign), hi = hint_skip_gap(l, sign_end);
-    uint32_t hi_end = skip_plain_number(l, hi), end = hint_skip_gap(l, hi_end);
+    uint32_t back = l->at, lo = hint_skip_spaces(l, l->at + brackets), lo_end = skip_plain_number(l, lo), sign = hint_skip_spaces(l, lo_end);
+    uint32_t sign_end = skip_range_separator(l, sign), hi = hint_skip_spaces(l, sign_end);
+    uint32_t hi_end = skip_plain_number(l, hi), end = hint_skip_spaces(l, hi_end);
 
     while (back && is_space_tab_or_return(s[back - 1]))
         back--;
@@ -553,7 +557,7 @@ static bool has_decimal_comma(const Lexer *l)
     return false;
 }
 
-// f(a; b)
+// Reads the ; of f(a; b) as a comma.
 static void read_semicolon_as_comma(Lexer *l, Token *t)
 {
     Diag *d = diag_report(l->diags, DIAG_foreign_operator, lexer_span(l, l->at, 1), ";", ",");
@@ -573,7 +577,7 @@ static bool is_else(const Lexer *l, uint32_t p)
 static void skip_semicolon(Lexer *l)
 {
     const Span span = lexer_span(l, l->at, 1);
-    const uint32_t next = hint_skip_gap(l, l->at + 1);
+    const uint32_t next = hint_skip_spaces(l, l->at + 1);
     Diag *d;
 
     l->at = next;
@@ -604,7 +608,7 @@ HintResult hint_read_semicolon(Lexer *l, Token *t)
 
 const char *const hint_no_choice = "write it as if ...: x = a, and on the next line else: x = b";
 
-// The text after the sign belongs to it.
+// Reports the ? of c ? a : b, and skips the rest of the line, which belongs to the operator.
 HintResult hint_read_choice(Lexer *l, Token *t)
 {
     Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), "?");

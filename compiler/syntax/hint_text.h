@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declarations shared by the hints for the lexer: hint_text.c (search, comments, numbers, headers, lines of other languages), hint_sign.c
-// (operators), hint_chars.c (characters).
+// Declarations shared by the hints for the lexer: hint_text.c (search, comments, numbers, headers, lines of other languages),
+// hint_operator.c (operators), hint_chars.c (characters).
 #ifndef SMC_HINT_TEXT_H
 #define SMC_HINT_TEXT_H
 
@@ -17,7 +17,7 @@ enum { HINT_FAR = 200 };      // bytes; no hint reads further, so that hostile t
 
 // ---- positions ----
 
-uint32_t hint_skip_gap(const Lexer *l, uint32_t p);         // blanks
+uint32_t hint_skip_spaces(const Lexer *l, uint32_t p);         // skips spaces, tabs and \r
 bool hint_ends_line(const Lexer *l, uint32_t p);            // a line end, a comment or the end of the source is at p
 
 // ---- what is known about a word or a token ----
@@ -29,11 +29,12 @@ bool hint_follows_value(const Lexer *l, bool first);
 
 // ---- what the files share ----
 
-// Reports the sign t, which is not a sign of the language: it is spelt `native` here or, if that is NULL, does not exist, and `label` says
-// what to do.
-void hint_report_sign(Lexer *l, Token *t, const char *spelling, const char *native, const char *label);
-uint32_t hint_report_byte(Lexer *l, uint32_t at);           // reports a character that is not ASCII; returns its length
-uint32_t hint_rest_of_name(Lexer *l, uint32_t end);         // größe: hint_rest_of_token for names
+// Reports the operator t, which this language does not have. `native` is its equivalent here; if that is NULL, `label` explains what to
+// write instead.
+void hint_report_operator(Lexer *l, Token *t, const char *spelling, const char *native, const char *label);
+uint32_t hint_report_non_ascii(Lexer *l, uint32_t at);      // reports the character at `at`, which is not ASCII; returns its length
+// Reports the letters of other alphabets in a name, as in größe, which begin at `end`; returns the end of the name.
+uint32_t hint_skip_foreign_letters(Lexer *l, uint32_t end);
 
 void hint_skip_choice(Lexer *l);                            // skips the rest of c ? a : b or IF(c, a, b), up to the end of the line
 extern const char *const hint_no_choice;                    // what to write instead

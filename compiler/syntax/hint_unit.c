@@ -11,8 +11,8 @@ static const struct { const char *name; unsigned factor; int exponent; } times[]
     {"s", 1, 3}, {"sec", 1, 3}, {"secs", 1, 3}, {"second", 1, 3}, {"seconds", 1, 3}, {"S", 1, 3},
     {"min", 6, 4}, {"mins", 6, 4}, {"minute", 6, 4}, {"minutes", 6, 4}, {"h", 36, 5}, {"hour", 36, 5}, {"hours", 36, 5}};
 
-// Writes digits * 10^exponent without an exponent; NULL if the text would be too long to read.
-static const char *decimal_text(Arena *arena, uint64_t digits, int exponent)
+// Returns digits * 10^exponent as a literal without an exponent; NULL if it would be too long to read.
+static const char *format_decimal(Arena *arena, uint64_t digits, int exponent)
 {
     enum { LONGEST = 15 };
     const char *text = format_in(arena, "%llu", (unsigned long long)digits);
@@ -33,8 +33,8 @@ const char *hint_to_milliseconds(Arena *arena, const char *number, const char *u
     int exponent;
 
     for (size_t i = 0; i < sizeof times / sizeof *times; i++)
-        if (strcmp(unit, times[i].name) == 0 && number_decimal(number, strlen(number), &digits, &exponent) && digits < UINT64_MAX / 100)
-            return decimal_text(arena, digits * times[i].factor, exponent + times[i].exponent);
+        if (strcmp(unit, times[i].name) == 0 && number_to_decimal(number, strlen(number), &digits, &exponent) && digits < UINT64_MAX / 100)
+            return format_decimal(arena, digits * times[i].factor, exponent + times[i].exponent);
     return NULL;
 }
 

@@ -11,7 +11,7 @@ static const HintPhrase phrases[] = {
 };
 
 
-static uint32_t skip_blanks(const char *text, uint32_t p)
+static uint32_t skip_spaces(const char *text, uint32_t p)
 {
     while (text[p] == ' ' || text[p] == '\t' || text[p] == '\r')
         p++;
@@ -32,7 +32,7 @@ static uint32_t skip_words(const char *text, uint32_t p, const char *words)
 {
     for (; *words; words++)
         if (*words == ' ' && (text[p] == ' ' || text[p] == '\t'))
-            p = skip_blanks(text, p);
+            p = skip_spaces(text, p);
         else if (lower(text[p++]) != *words)
             return 0;
     return lexer_is_word(text[p]) ? 0 : p;
@@ -77,34 +77,34 @@ static uint32_t skip_number(const char *text, uint32_t p)
 
 uint32_t hint_skip_operand(const char *text, uint32_t at)
 {
-    uint32_t p = skip_blanks(text, at), end;
+    uint32_t p = skip_spaces(text, at), end;
 
     if (text[p] == '-' || text[p] == '+')
-        p = skip_blanks(text, p + 1);
+        p = skip_spaces(text, p + 1);
     if (lex_is_digit(text[p]) || text[p] == '.')
         return skip_number(text, p);
     end = skip_word(text, p);
-    if (text[skip_blanks(text, end)] == '(')
-        end = skip_parens(text, skip_blanks(text, end));
+    if (text[skip_spaces(text, end)] == '(')
+        end = skip_parens(text, skip_spaces(text, end));
     return end > p ? end : at;
 }
 
 // Whether the text at p ends a condition, or joins another one to it.
 static bool ends_condition(const char *text, uint32_t p)
 {
-    p = skip_blanks(text, p);
+    p = skip_spaces(text, p);
     return !text[p] || strchr("\n#:;{})", text[p]) || skip_words(text, p, "and") || skip_words(text, p, "or") || skip_words(text, p, "then") ||
            skip_words(text, p, "do") || strncmp(text + p, "&&", 2) == 0 || strncmp(text + p, "||", 2) == 0;
 }
 
-// `or 6`, `and 6`, `or burning`: perhaps the user meant to compare with that value too.
+// Whether `or 6`, `and 6` or `or burning` is at p: perhaps the user meant to compare with that value too.
 static bool adds_another_value(const char *text, uint32_t p)
 {
     uint32_t value, is_or;
 
-    p = skip_blanks(text, p);
+    p = skip_spaces(text, p);
     is_or = strncmp(text + p, "||", 2) == 0 ? p + 2 : skip_words(text, p, "or");
-    value = skip_blanks(text, is_or ? is_or : strncmp(text + p, "&&", 2) == 0 ? p + 2 : skip_words(text, p, "and"));
+    value = skip_spaces(text, is_or ? is_or : strncmp(text + p, "&&", 2) == 0 ? p + 2 : skip_words(text, p, "and"));
     if (value == 0 || (!is_or && !lex_is_digit(text[value])))
         return false;
     return lexer_is_word(text[value]) && ends_condition(text, skip_number(text, value));
@@ -112,18 +112,18 @@ static bool adds_another_value(const char *text, uint32_t p)
 
 bool hint_is_doubtful_comparison(const char *text, uint32_t at)
 {
-    const uint32_t p = skip_blanks(text, at), negated = text[p] == '!' ? p + 1 : skip_words(text, p, "not");
+    const uint32_t p = skip_spaces(text, at), negated = text[p] == '!' ? p + 1 : skip_words(text, p, "not");
     uint32_t end, next;
 
     if (negated)
-        return lex_is_digit(text[skip_blanks(text, negated)]) || skip_words(text, skip_blanks(text, negated), "not");
+        return lex_is_digit(text[skip_spaces(text, negated)]) || skip_words(text, skip_spaces(text, negated), "not");
     if (text[p] && strchr("=<>", text[p]))
         return true;                                   // p = > 5
     end = hint_skip_operand(text, p);
-    next = skip_blanks(text, end);
+    next = skip_spaces(text, end);
     if (next > end && lexer_is_word(text[next]) && lex_is_letter(text[p])) {
         const uint32_t then = skip_words(text, next, "then");            // `is greater then 5`
-        if (then ? lex_is_digit(text[skip_blanks(text, then)]) : !hint_is_operator_word(text, next))
+        if (then ? lex_is_digit(text[skip_spaces(text, then)]) : !hint_is_operator_word(text, next))
             return true;                               // words in a row are prose
     }
     return adds_another_value(text, end);
@@ -155,7 +155,7 @@ bool hint_stores_in_parens(const char *text, uint32_t at)
         return true;
     if (end > from && !hint_is_operator_word(text, from) && !skip_words(text, from, "if") && !skip_words(text, from, "not"))
         return true;                                   // the word is a function call
-    end = skip_blanks(text, close);
+    end = skip_spaces(text, close);
     return text[end] && strchr("<>=!+-*/%^", text[end]);
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hints: what the user meant by text that the grammar does not allow. Users know other languages (`&&`, `5 s`, `if x then`), write prose,
 // or type fast. Lexer and parser contain the grammar alone. Where it does not allow the text, they call one of these functions, which
-// searches hints.def for the likeliest cause, reports it instead of a general message, and proposes an edit if that is unambiguous.
+// searches hints.def for the likeliest cause, reports it instead of a general diagnostic, and proposes an edit if that is unambiguous.
 #ifndef SMC_HINTS_H
 #define SMC_HINTS_H
 
 #include "compiler/syntax/lex.h"
 
 typedef enum HintResult {
-    HINT_NONE,                // no row of hints.def fits the text
+    HINT_NONE,                // no row of hints.def matches the text
     HINT_READ,                // reported, and read as what the user meant: the caller goes on
     HINT_SKIPPED              // reported, and skipped or given up
 } HintResult;
@@ -17,47 +17,49 @@ typedef enum HintResult {
 
 void hint_init(Lexer *l);     // of lex_init
 
-// At the start of a token, if l->first_hint has its first character or an annotation precedes it: text of another language (`&&`, `// ...`, `state Hold:`), which the grammar could misread. READ: as token t.
-HintResult hint_foreign_text(Lexer *l, Token *t);
+// At the start of a token, if l->first_hint has its first character or an annotation precedes it: text of another language (`&&`, `//
+// ...`, `state Hold:`), which the grammar could misread. HINT_READ: as token t.
+HintResult hint_read_foreign_text(Lexer *l, Token *t);
 // A token of this kind is well formed only up to `end`: 5psi, größe, [two words]. Reports this; returns the end of the malformed token.
-uint32_t hint_rest_of_token(Lexer *l, const Token *t, TokenKind kind, uint32_t end);
+uint32_t hint_report_malformed_token(Lexer *l, const Token *t, TokenKind kind, uint32_t end);
 // No token begins here. Never returns HINT_NONE.
-HintResult hint_stray_text(Lexer *l, Token *t);
+HintResult hint_read_stray_text(Lexer *l, Token *t);
 
 // ---- for the parser ----
 
-// What the parser is doing where the text is wrong, and what `e` is there. The places that have a general message report it if no row
-// explains more.
-typedef enum HintPlace {
+// What the parser is doing where the source is wrong, and what the argument `e` of hint_explain is there. Contexts with a general
+// diagnostic report it if no row explains more.
+typedef enum HintContext {
     HINT_AT_OPERAND,          // begins an operand
     HINT_AFTER_NAME,          // has read a name in an expression: e. SKIPPED: e is wrong
     HINT_AT_OPERATOR,         // expects an operator after the operand e, or the end. SKIPPED: the expression ends here
-    HINT_AT_VALUE,            // expects a value; general message
+    HINT_AT_VALUE,            // expects a value; general diagnostic
     HINT_AT_STATEMENT,        // begins a statement
-    HINT_AT_ASSIGN,           // after the name of an assignment, whose sign is not =
-    HINT_AFTER_ASSIGNMENT,    // after the assignment p->sign, at a : or {
+    HINT_AT_ASSIGN,           // after the name of an assignment, whose operator is not =
+    HINT_AFTER_ASSIGNMENT,    // after the assignment p->assign_operator, at a : or {
     HINT_AT_TARGET,           // expects the name of a state after ->
     HINT_AFTER_GUARD,         // expects : or { after the condition e
-    HINT_AT_LONE_VALUE,       // has read the value e as a statement of its own; general message
+    HINT_AT_LONE_VALUE,       // has read the value e as a statement of its own; general diagnostic
     HINT_AFTER_ELSE,          // expects : or { after `else`
     HINT_AFTER_COLON,         // expects a statement directly after the colon of the condition e, or of `else`: NULL
-    HINT_AT_END,              // expects the end of a statement; general message
+    HINT_AT_END,              // expects the end of a statement; general diagnostic
     HINT_AT_DECL,             // begins a declaration
     HINT_AFTER_DECL_NAME,     // has read the name of an element, variable or pin
     HINT_AFTER_DECL,          // expects annotations or the end of a declaration
     HINT_AT_DECL_END,         // expects the end of a declaration
-    HINT_AT_ELEMENT_END,      // the same, where no row of AT_DECL_END fits the declaration of an element; general message
-    HINT_AT_PIN_NUMBER,       // expects the number of a pin, and is at a word; general message
-    HINT_AT_PIN_END,          // expects the end of a pin; general message
-    HINT_AT_OPTION            // is at a word that is no option; general message
-} HintPlace;
+    HINT_AT_ELEMENT_END,      // the same, where no row of AT_DECL_END matches the declaration of an element; general diagnostic
+    HINT_AT_PIN_NUMBER,       // expects the number of a pin, and is at a word; general diagnostic
+    HINT_AT_PIN_END,          // expects the end of a pin; general diagnostic
+    HINT_AT_OPTION            // is at a word that is no option; general diagnostic
+} HintContext;
 
-enum { HINT_PLACES = HINT_AT_OPTION + 1 };
+enum { HINT_CONTEXTS = HINT_AT_OPTION + 1 };
 
 // Derived from hints.def when a parser starts, so that valid sources do not pay for the search.
 typedef struct HintIndex {
-    uint64_t tokens[HINT_PLACES];     // by place: the set of kinds of the next token that one of its rows accepts; all if it has a message
-    uint8_t first_row[HINT_PLACES];   // by place; its rows are adjacent
+    // By context: the kinds of the next token that one of its rows accepts, as a set; all kinds if it has a general diagnostic.
+    uint64_t tokens[HINT_CONTEXTS];
+    uint8_t first_row[HINT_CONTEXTS];   // by context; its rows are adjacent
 } HintIndex;
 
 struct Parser;
@@ -65,10 +67,10 @@ struct AstExpr;
 
 void hint_init_index(HintIndex *index);
 
-// The grammar does not allow the next tokens at `place`, or another language would read them differently. Reports the likeliest cause.
-HintResult hint_explain(struct Parser *p, HintPlace place, struct AstExpr *e);
+// The grammar does not allow the next tokens at `context`, or another language would read them differently. Reports the likeliest cause.
+HintResult hint_explain(struct Parser *p, HintContext context, struct AstExpr *e);
 
-// Our word for the word of another language: I32 for int; NULL if none is known.
+// Returns the word of this language for that of another one, as I32 for int; NULL if none is known.
 typedef enum HintWords { HINT_TYPES, HINT_LABELS, HINT_OPTIONS, HINT_DIRECTIONS, HINT_UNITS } HintWords;
 const char *hint_find_synonym(HintWords of, const char *word);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scanner. It reads each byte once (signs are compared with the rows of tokens.def) and interns every name when it finds it.
+// The scanner. It reads each byte once (punctuators are compared with the rows of tokens.def) and interns every name when it finds it.
 #include <string.h>
 
 #include "compiler/syntax/hints.h"
@@ -13,30 +13,30 @@ typedef struct Word { const char *spelling; TokenKind kind; SmType type; } Word;
 static const Word words[] = {
 #define TOKEN(kind, name)
 #define WORD(kind, spelling) {spelling, TOK_##kind, SM_TYPE_COUNT},
-#define SIGN(kind, spelling)
+#define PUNCTUATOR(kind, spelling)
 #include "compiler/syntax/tokens.def"
 #undef WORD
-#undef SIGN
+#undef PUNCTUATOR
 #define SM_TYPE(name, wire, spelling, ctype, bytes, kind) {spelling, TOK_TYPE, SM_##name},
 #include "stdlib/types.def"
 #undef SM_TYPE
 };
 
-static const Word *word_of(Str s) { return s->mark ? &words[s->mark - 1] : NULL; }      // lex_init sets the marks
+static const Word *find_reserved(Str s) { return s->mark ? &words[s->mark - 1] : NULL; }      // lex_init sets the marks
 
-typedef struct Sign {
+typedef struct Punctuator {
     const char *spelling;
     size_t len;
     TokenKind kind;
-} Sign;
+} Punctuator;
 
-static const Sign signs[] = {
+static const Punctuator punctuators[] = {
 #define WORD(kind, spelling)
-#define SIGN(kind, spelling) {spelling, sizeof spelling - 1, TOK_##kind},
+#define PUNCTUATOR(kind, spelling) {spelling, sizeof spelling - 1, TOK_##kind},
 #include "compiler/syntax/tokens.def"
 #undef TOKEN
 #undef WORD
-#undef SIGN
+#undef PUNCTUATOR
 };
 
 const char *lex_token_name(TokenKind kind)
@@ -44,11 +44,11 @@ const char *lex_token_name(TokenKind kind)
     static const char *const name[] = {
 #define TOKEN(kind, name) name,
 #define WORD(kind, spelling) spelling,
-#define SIGN(kind, spelling) spelling,
+#define PUNCTUATOR(kind, spelling) spelling,
 #include "compiler/syntax/tokens.def"
 #undef TOKEN
 #undef WORD
-#undef SIGN
+#undef PUNCTUATOR
     };
     return name[kind];
 }
@@ -84,7 +84,7 @@ const char *lexer_text(const Lexer *l, uint32_t at, uint32_t end)
                      end - at > most ? "..." : "");
 }
 
-// ---- blanks and comments ----
+// ---- spaces and comments ----
 
 void lexer_end_line(Lexer *l)
 {
@@ -102,8 +102,8 @@ void lexer_skip_comment(Lexer *l)
     l->at += len;
 }
 
-// Skips blanks, line ends and, unless keep_comments is set, comments.
-static void skip_blanks(Lexer *l)
+// Skips spaces, line ends and, unless keep_comments is set, comments.
+static void skip_spaces(Lexer *l)
 {
     const char *text = l->src->text;                               // terminated by a NUL
     uint32_t at = l->at;
@@ -139,15 +139,15 @@ void lexer_read_word(Lexer *l, Token *t)
     const Word *w;
 
     if ((unsigned char)lexer_byte(l, end) >= 0x80)
-        end = hint_rest_of_token(l, t, TOK_NAME, end);
+        end = hint_report_malformed_token(l, t, TOK_NAME, end);
     t->text = str_intern(l->strings, l->src->text + l->at, end - l->at);
-    w = word_of(t->text);
+    w = find_reserved(t->text);
     if (w)
         t->type = w->type;
     lexer_finish_token(l, t, w ? w->kind : TOK_NAME, end);
 }
 
-// Digits with single underscores between them.
+// Returns the end of the digits at p, which can have single underscores between them.
 static uint32_t skip_digits(const Lexer *l, uint32_t p, bool (*belongs)(char c))
 {
     while (belongs(lexer_byte(l, p)))
@@ -181,10 +181,10 @@ static void lex_number(Lexer *l, Token *t)
     const char after = lexer_byte(l, end);
     bool runs_on = lexer_is_word(after) || ((after == '.' || after == '\'') && lex_is_digit(lexer_byte(l, end + 1)));
 
-    if (!number_value(l->src->text + l->at, end - l->at, &t->number) && !runs_on)
+    if (!number_to_f64(l->src->text + l->at, end - l->at, &t->number) && !runs_on)
         diag_report(l->diags, DIAG_number_too_large, lexer_span(l, l->at, end - l->at), lexer_text(l, l->at, end));
     if (runs_on)
-        lexer_finish_token(l, t, TOK_ERROR, hint_rest_of_token(l, t, TOK_NUMBER, end));
+        lexer_finish_token(l, t, TOK_ERROR, hint_report_malformed_token(l, t, TOK_NUMBER, end));
     else
         lexer_finish_token(l, t, TOK_NUMBER, end);
 }
@@ -197,8 +197,8 @@ bool lex_is_header_name(const char *s, size_t n)
     return n > 0;
 }
 
-// [name without a closing bracket on this line: it ends after the longest possible name.
-static void lex_open_header(Lexer *l, Token *t)
+// Reports a [name without a closing bracket on its line. The token ends after the longest possible name.
+static void lex_unclosed_header(Lexer *l, Token *t)
 {
     uint32_t from = l->at + 1, end;
     Diag *d;
@@ -222,7 +222,7 @@ static void lex_header(Lexer *l, Token *t)
     while (end < l->src->len && s[end] != ']' && s[end] != '\n' && s[end] != '#' && s[end] != '[')
         end++;
     if (lexer_byte(l, end) != ']') {
-        lex_open_header(l, t);
+        lex_unclosed_header(l, t);
         return;
     }
     for (to = end; to > from && (s[to - 1] == ' ' || s[to - 1] == '\t'); to--)
@@ -231,11 +231,11 @@ static void lex_header(Lexer *l, Token *t)
         from++;
     t->text = str_intern(l->strings, s + from, to - from);
     if (!lex_is_header_name(s + l->at + 1, end - l->at - 1) && (t->first || l->last != TOK_ASSIGN))  // x = [1, 2]: the value is missing
-        hint_rest_of_token(l, t, TOK_HEADER, end);
+        hint_report_malformed_token(l, t, TOK_HEADER, end);
     lexer_finish_token(l, t, TOK_HEADER, end + 1);
 }
 
-// .name and @name
+// Reads .name and @name.
 static void lex_prefixed(Lexer *l, Token *t, TokenKind kind)
 {
     uint32_t end = lexer_skip_word(l, l->at + 1);
@@ -266,24 +266,26 @@ static bool lex_text(Lexer *l, Token *t)
     return true;
 }
 
-// ---- signs ----
+// ---- punctuators ----
 
-static const Sign *find_sign(const Lexer *l)
+static const Punctuator *find_punctuator(const Lexer *l)
 {
-    const char *s = l->src->text + l->at;                          // terminated by a NUL, which no sign contains
+    const char *s = l->src->text + l->at;                          // terminated by a NUL, which no punctuator contains
 
-    for (size_t row = (unsigned char)*s < sizeof l->sign ? l->sign[(unsigned char)*s] : 0; row > 0; row = l->next_sign[row - 1]) {
-        const Sign *sign = &signs[row - 1];
+    size_t row = (unsigned char)*s < sizeof l->first_punctuator ? l->first_punctuator[(unsigned char)*s] : 0;
+
+    for (; row > 0; row = l->next_punctuator[row - 1]) {
+        const Punctuator *at_row = &punctuators[row - 1];
         size_t same = 1;
-        while (same < sign->len && sign->spelling[same] == s[same])
+        while (same < at_row->len && at_row->spelling[same] == s[same])
             same++;
-        if (same == sign->len)
-            return sign;
+        if (same == at_row->len)
+            return at_row;
     }
     return NULL;
 }
 
-// Counts parentheses. A sign that no parentheses contain ends those that were never closed.
+// Counts parentheses. A punctuator that cannot be inside parentheses closes those that were never closed.
 static void count_parens(Lexer *l, TokenKind kind)
 {
     l->parens += kind == TOK_LPAREN;
@@ -294,9 +296,9 @@ static void count_parens(Lexer *l, TokenKind kind)
         l->open_parens = 0;
 }
 
-static bool lex_sign(Lexer *l, Token *t)
+static bool lex_punctuator(Lexer *l, Token *t)
 {
-    const Sign *s = find_sign(l);
+    const Punctuator *s = find_punctuator(l);
 
     if (!s)
         return false;
@@ -305,9 +307,9 @@ static bool lex_sign(Lexer *l, Token *t)
     return true;
 }
 
-bool lex_is_reserved(Str word, TokenKind *kind)
+bool lex_find_reserved(Str word, TokenKind *kind)
 {
-    const Word *w = word_of(word);
+    const Word *w = find_reserved(word);
 
     if (w)
         *kind = w->kind;
@@ -317,11 +319,11 @@ bool lex_is_reserved(Str word, TokenKind *kind)
 // ---- the next token ----
 
 // Returns false if it skipped text instead of producing a token.
-static bool lex_one(Lexer *l, Token *t)
+static bool lex_try_token(Lexer *l, Token *t)
 {
     const char c = l->src->text[l->at];
     const bool may_be_foreign = l->first_hint[(unsigned char)c] != 0 || l->last == TOK_ANNOTATION;
-    const HintResult foreign = may_be_foreign ? hint_foreign_text(l, t) : HINT_NONE;
+    const HintResult foreign = may_be_foreign ? hint_read_foreign_text(l, t) : HINT_NONE;
 
     if (foreign != HINT_NONE)
         return foreign == HINT_READ;
@@ -335,13 +337,13 @@ static bool lex_one(Lexer *l, Token *t)
         lex_prefixed(l, t, TOK_LABEL);
     else if (c == '@')
         lex_prefixed(l, t, TOK_ANNOTATION);
-    else if (!lex_text(l, t) && !lex_sign(l, t))
-        return hint_stray_text(l, t) == HINT_READ;
+    else if (!lex_text(l, t) && !lex_punctuator(l, t))
+        return hint_read_stray_text(l, t) == HINT_READ;
     return true;
 }
 
 // Returns the state after token t: inside an @allow, until a token that cannot be part of it.
-static LexAllow allow_after(const Lexer *l, const Token *t)
+static LexAllow next_allow_state(const Lexer *l, const Token *t)
 {
     static const char word[] = "allow";
 
@@ -358,7 +360,7 @@ static LexAllow allow_after(const Lexer *l, const Token *t)
 void lex_next(Lexer *l, Token *t)
 {
     do {
-        skip_blanks(l);
+        skip_spaces(l);
         memset(t, 0, sizeof *t);
         t->at = l->at;
         t->first = l->first;
@@ -370,14 +372,14 @@ void lex_next(Lexer *l, Token *t)
             lexer_finish_token(l, t, TOK_COMMENT, l->at);
             return;
         }
-    } while (!lex_one(l, t));
+    } while (!lex_try_token(l, t));
     if (t->kind == TOK_END)
         t->first = true;
     l->stores = (l->stores && !t->first) || t->kind == TOK_ASSIGN;
     l->annotated = (l->annotated && !t->first) || t->kind == TOK_ANNOTATION;
     l->first = false;
     l->last = t->kind;
-    l->allow = allow_after(l, t);
+    l->allow = next_allow_state(l, t);
 }
 
 void lex_skip_to(Lexer *l, uint32_t at)
@@ -393,9 +395,9 @@ void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src)
     l->strings = strings;
     l->diags = diags;
     l->first = true;
-    for (size_t row = LEX_SIGNS; row > 0; row--) {
-        uint8_t *first = &l->sign[(unsigned char)signs[row - 1].spelling[0]];
-        l->next_sign[row - 1] = *first;
+    for (size_t row = LEX_PUNCTUATORS; row > 0; row--) {
+        uint8_t *first = &l->first_punctuator[(unsigned char)punctuators[row - 1].spelling[0]];
+        l->next_punctuator[row - 1] = *first;
         *first = (uint8_t)row;
     }
     hint_init(l);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts text to tokens. Line ends are not tokens: each token records whether it is the first on its line. Errors in single characters,
-// numbers and signs of other languages are reported here; the lexer then returns the nearest sensible token.
+// numbers and operators of other languages are reported here; the lexer then returns the nearest sensible token.
 #ifndef SMC_LEX_H
 #define SMC_LEX_H
 
@@ -11,11 +11,11 @@
 typedef enum TokenKind {
 #define TOKEN(kind, name) TOK_##kind,
 #define WORD(kind, spelling) TOK_##kind,
-#define SIGN(kind, spelling) TOK_##kind,
+#define PUNCTUATOR(kind, spelling) TOK_##kind,
 #include "compiler/syntax/tokens.def"
 #undef TOKEN
 #undef WORD
-#undef SIGN
+#undef PUNCTUATOR
     TOK_COUNT
 } TokenKind;
 
@@ -23,7 +23,7 @@ typedef struct Token {
     TokenKind kind;
     bool first;               // the first token on its line
     uint32_t at, len;         // in the source
-    Str text;                 // NAME, TYPE, words: as written; HEADER, LABEL, ANNOTATION: the name without its signs; TEXT: without quotes
+    Str text;                 // NAME, TYPE, words: as written; HEADER, LABEL, ANNOTATION: the name without its punctuation; TEXT: without quotes
     SmType type;              // TYPE
     SmF64 number;             // NUMBER
 } Token;
@@ -36,22 +36,22 @@ typedef enum LexAllow {
 } LexAllow;
 
 enum {
-    LEX_SIGNS = 0
+    LEX_PUNCTUATORS = 0
 #define TOKEN(kind, name)
 #define WORD(kind, spelling)
-#define SIGN(kind, spelling) + 1
+#define PUNCTUATOR(kind, spelling) + 1
 #include "compiler/syntax/tokens.def"
 #undef TOKEN
 #undef WORD
-#undef SIGN
+#undef PUNCTUATOR
 };
 
 enum {
     LEX_HINTS = 0             // rows of hints.def that the lexer searches
 #define HINT_TEXT(...) + 1
 #define HINT_AFTER(...) + 1
-#define HINT_SIGN(...) + 1
-#define HINT_NO_SIGN(...) + 1
+#define HINT_OPERATOR(...) + 1
+#define HINT_ABSENT_OPERATOR(...) + 1
 #include "compiler/syntax/hints.def"
 };
 
@@ -59,8 +59,8 @@ typedef struct Lexer {
     const Source *src;
     StrPool *strings;
     Diags *diags;
-    uint8_t sign[128];        // by character: 1 + the first row of the signs that begin with it; 0: none
-    uint8_t next_sign[LEX_SIGNS];     // by row: 1 + the next row that begins with the same character
+    uint8_t first_punctuator[128];        // by character: 1 + the first row of the punctuators that begin with it; 0: none
+    uint8_t next_punctuator[LEX_PUNCTUATORS];     // by row: 1 + the next row that begins with the same character
     uint32_t at;              // the next byte to read
     uint32_t line_start;      // directly after the last line end seen
     uint32_t reported_line;   // 1 + line_start of the line whose stray characters have been reported
@@ -86,10 +86,10 @@ void lex_next(Lexer *l, Token *t);          // after the last token always END
 
 void lex_skip_to(Lexer *l, uint32_t at);    // continues at the start of a line
 
-// How a message names tokens of a kind: "+", "if", "name".
+// How a diagnostic names tokens of a kind: "+", "if", "name".
 const char *lex_token_name(TokenKind kind);
 
-bool lex_is_reserved(Str word, TokenKind *kind);
+bool lex_find_reserved(Str word, TokenKind *kind);
 
 bool lex_is_header_name(const char *s, size_t n);
 

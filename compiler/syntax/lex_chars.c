@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks characters: a comment is UTF-8 text without control characters and without characters that hide what it says; a source is text.
+// Checks characters: a comment is UTF-8 text without control characters and without characters that make it look different from what it
+// contains; a source is text, not binary data.
 #include <string.h>
 
 #include "compiler/base/utf8.h"
 #include "compiler/syntax/lexer.h"
 
-bool lexer_is_first_report(Lexer *l)
+bool lexer_mark_line_reported(Lexer *l)
 {
     bool first = l->reported_line != l->line_start + 1;
 
@@ -27,7 +28,7 @@ void lexer_report_control(Lexer *l, uint32_t at)
     unsigned char c = (unsigned char)l->src->text[at];
     Diag *d;
 
-    if (!lexer_is_first_report(l))
+    if (!lexer_mark_line_reported(l))
         return;
     d = diag_report(l->diags, DIAG_control_character, lexer_span(l, at, 1), format_in(l->diags->arena, "0x%02X", c));
     if (c == '\r')
@@ -36,28 +37,29 @@ void lexer_report_control(Lexer *l, uint32_t at)
 
 uint32_t lexer_report_not_utf8(Lexer *l, uint32_t at)
 {
-    if (lexer_is_first_report(l))
+    if (lexer_mark_line_reported(l))
         diag_label(l->diags, diag_report(l->diags, DIAG_not_utf8, lexer_span(l, at, 1),
                                          format_in(l->diags->arena, "0x%02X", (unsigned)(unsigned char)l->src->text[at])),
                    DIAG_label_text, "save the file as UTF-8");
     return 1;
 }
 
-// Characters that change the direction of writing can show a reviewer a different text from the one that the compiler reads.
-static bool turns_direction(uint32_t code)
+// Whether the character changes the direction of writing. It can make a reviewer see a different source from the one that the compiler
+// reads.
+static bool changes_text_direction(uint32_t code)
 {
     return (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
 }
 
 // Checks the character at `at` of a comment, which is not ASCII. Returns its length.
-static uint32_t check_comment_byte(Lexer *l, uint32_t at)
+static uint32_t check_comment_character(Lexer *l, uint32_t at)
 {
     uint32_t code = 0;
     size_t len = utf8_decode(l->src->text + at, l->src->len - at, &code);
 
     if (len == 0)
         return lexer_report_not_utf8(l, at);
-    if (turns_direction(code) && lexer_is_first_report(l))
+    if (changes_text_direction(code) && lexer_mark_line_reported(l))
         diag_report(l->diags, DIAG_hidden_direction, lexer_span(l, at, (uint32_t)len),
                     format_in(l->diags->arena, "U+%04X", (unsigned)code));
     return (uint32_t)len;
@@ -67,7 +69,7 @@ void lexer_check_comment(Lexer *l, uint32_t at, uint32_t end)
 {
     for (; at < end; at++)
         if ((unsigned char)l->src->text[at] >= 0x80)
-            at += check_comment_byte(l, at) - 1;
+            at += check_comment_character(l, at) - 1;
         else if (is_control(l, at))
             lexer_report_control(l, at);
 }
@@ -75,7 +77,7 @@ void lexer_check_comment(Lexer *l, uint32_t at, uint32_t end)
 // ---- the whole source ----
 
 // Names the format of a source that is not text ("UTF-16", "binary data"); NULL for text.
-static const char *find_format(const Source *s)
+static const char *find_binary_format(const Source *s)
 {
     uint32_t n = s->len < 512 ? s->len : 512, controls = 0, zeros = 0;
 
@@ -94,7 +96,7 @@ static const char *find_format(const Source *s)
 
 bool lexer_check_is_text(Lexer *l)
 {
-    const char *format = find_format(l->src);
+    const char *format = find_binary_format(l->src);
     Diag *d;
 
     if (!format)

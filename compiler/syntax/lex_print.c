@@ -3,7 +3,7 @@
 #include "compiler/syntax/lex.h"
 #include "compiler/syntax/parse.h"
 
-static void put_token(const Source *src, const Token *t, Buf *out)
+static void print_token(const Source *src, const Token *t, Buf *out)
 {
     LineCol at = source_position(src, t->at);
 
@@ -25,6 +25,6 @@ void lex_print(StrPool *strings, Diags *diags, const Source *src, FileKind kind,
     l.config = kind == FILE_IO || kind == FILE_APP;
     do {
         lex_next(&l, &t);
-        put_token(src, &t, out);
+        print_token(src, &t, out);
     } while (t.kind != TOK_END);
 }

@@ -23,10 +23,10 @@ bool lexer_is_hex_prefix(const Lexer *l, uint32_t p);       // 0x
 // ---- lex_chars.c ----
 
 // Returns true once per line: one report is enough, because later wrong characters on a line are mostly of the same kind.
-bool lexer_is_first_report(Lexer *l);
+bool lexer_mark_line_reported(Lexer *l);
 void lexer_report_control(Lexer *l, uint32_t at);           // a control character
 uint32_t lexer_report_not_utf8(Lexer *l, uint32_t at);      // returns 1, its length
 void lexer_check_comment(Lexer *l, uint32_t at, uint32_t end);  // reports characters that a comment must not contain
-bool lexer_check_is_text(Lexer *l);                         // false after a message: the source is not text and is not read
+bool lexer_check_is_text(Lexer *l);                         // false: reported that the source is not text; it is then not read
 
 #endif

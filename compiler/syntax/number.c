@@ -55,7 +55,7 @@ static void big_multiply_add(Big *b, uint32_t factor, uint32_t add)
         b->limb[b->n++] = (uint32_t)carry;
 }
 
-static void big_times_power_of_ten(Big *b, long power)
+static void big_multiply_power_of_ten(Big *b, long power)
 {
     for (; power >= 9; power -= 9)
         big_multiply_add(b, 1000000000u, 0);
@@ -63,7 +63,7 @@ static void big_times_power_of_ten(Big *b, long power)
         big_multiply_add(b, 10, 0);
 }
 
-static long big_bits(const Big *b)
+static long big_count_bits(const Big *b)
 {
     long bits = b->n * 32L;
 
@@ -85,7 +85,7 @@ static void big_shift_left(Big *b, long by)
         big_multiply_add(b, (uint32_t)1 << bits, 0);
 }
 
-static bool big_at_least(const Big *a, const Big *b)
+static bool big_is_at_least(const Big *a, const Big *b)
 {
     if (a->n != b->n)
         return a->n > b->n;
@@ -116,7 +116,7 @@ static uint64_t big_divide(Big *top, Big *bottom)
     big_shift_left(bottom, 63);
     for (int i = 0; i < 64; i++) {
         q <<= 1;
-        if (big_at_least(top, bottom)) {
+        if (big_is_at_least(top, bottom)) {
             big_subtract(top, bottom);
             q |= 1;
         }
@@ -128,8 +128,8 @@ static uint64_t big_divide(Big *top, Big *bottom)
 // ---- decimal ----
 
 enum {
-    DIGITS_MAX = 800,         // digits that count: the midpoint between two F64 has at most 767
-    LARGEST = 310, SMALLEST = -330
+    DIGITS_MAX = 800,         // digits stored. The midpoint between two adjacent F64 has at most 767; further ones only break ties
+    LARGEST = 310, SMALLEST = -330    // values of Decimal.point beyond which every value is too large, or 0
 };
 
 typedef struct Decimal {
@@ -185,7 +185,8 @@ static void read_decimal(Decimal *d, const char *s, const char *end)
         d->digit[d->n++] = '1';                       // the digits left out are worth more than nothing and less than one unit
 }
 
-// Few digits and a small power of ten: one operation on two exact numbers, so it rounds only once.
+// Converts a literal with few digits and a small power of ten by one operation on two exact numbers, which rounds only once. Returns
+// false if it has more digits or a larger power.
 static bool convert_exactly(const Decimal *d, SmF64 *value)
 {
     enum { EXACT = 15 };                              // 10^15 < 2^53
@@ -210,14 +211,14 @@ static bool convert_by_division(const Decimal *d, SmF64 *value)
 
     for (int i = 0; i < d->n; i++)
         big_multiply_add(&top, 10, (uint32_t)(d->digit[i] - '0'));
-    big_times_power_of_ten(power < 0 ? &bottom : &top, power < 0 ? -power : power);
-    shift = 63 - (big_bits(&top) - big_bits(&bottom));            // 2^62 < quotient < 2^64
+    big_multiply_power_of_ten(power < 0 ? &bottom : &top, power < 0 ? -power : power);
+    shift = 63 - (big_count_bits(&top) - big_count_bits(&bottom));            // 2^62 < quotient < 2^64
     big_shift_left(shift < 0 ? &bottom : &top, shift < 0 ? -shift : shift);
     q = big_divide(&top, &bottom);
     return round_to_f64(q, -shift, top.n > 0, value);
 }
 
-static bool decimal_value(const char *text, size_t len, SmF64 *value)
+static bool convert_decimal(const char *text, size_t len, SmF64 *value)
 {
     Decimal d;
 
@@ -232,12 +233,12 @@ static bool decimal_value(const char *text, size_t len, SmF64 *value)
 
 // ---- hexadecimal ----
 
-static unsigned hex_digit(char c)
+static unsigned hex_digit_value(char c)
 {
     return c <= '9' ? (unsigned)(c - '0') : (unsigned)((c | 0x20) - 'a' + 10);
 }
 
-static bool hex_value(const char *s, const char *end, SmF64 *value)
+static bool convert_hexadecimal(const char *s, const char *end, SmF64 *value)
 {
     uint64_t q = 0;
     long e = 0;
@@ -250,35 +251,35 @@ static bool hex_value(const char *s, const char *end, SmF64 *value)
             more = more || *s != '0';
             e += e < 100000 ? 4 : 0;
         } else {
-            q = q << 4 | hex_digit(*s);
+            q = q << 4 | hex_digit_value(*s);
         }
     }
     *value = sm_from_bits(0);
     return q == 0 || round_to_f64(q, e, more, value);
 }
 
-bool number_value(const char *text, size_t len, SmF64 *value)
+bool number_to_f64(const char *text, size_t len, SmF64 *value)
 {
     if (len > 2 && (text[1] == 'x' || text[1] == 'X'))
-        return hex_value(text + 2, text + len, value);
-    return decimal_value(text, len, value);
+        return convert_hexadecimal(text + 2, text + len, value);
+    return convert_decimal(text, len, value);
 }
 
-// ---- as written ----
+// ---- literals as decimal digits ----
 
-static bool hex_decimal(const char *s, const char *end, uint64_t *digits)
+static bool read_hexadecimal(const char *s, const char *end, uint64_t *digits)
 {
     for (*digits = 0; s < end; s++) {
         if (*s == '_')
             continue;
         if (*digits >> 56)
             return false;
-        *digits = *digits << 4 | hex_digit(*s);
+        *digits = *digits << 4 | hex_digit_value(*s);
     }
     return true;
 }
 
-bool number_decimal(const char *text, size_t len, uint64_t *digits, int *exponent)
+bool number_to_decimal(const char *text, size_t len, uint64_t *digits, int *exponent)
 {
     enum { MOST = 18 };
     Decimal d;
@@ -286,7 +287,7 @@ bool number_decimal(const char *text, size_t len, uint64_t *digits, int *exponen
     *digits = 0;
     *exponent = 0;
     if (len > 2 && (text[1] == 'x' || text[1] == 'X'))
-        return hex_decimal(text + 2, text + len, digits);
+        return read_hexadecimal(text + 2, text + len, digits);
     read_decimal(&d, text, text + len);
     if (d.n > MOST || d.point < SMALLEST || d.point > LARGEST)
         return d.n == 0;

@@ -9,11 +9,11 @@
 
 #include "stdlib/f64.h"
 
-// Computes the F64 nearest to a well-formed literal (language.md 1.12 to 1.15, 1.17; `_` included); ties go to the even one. Returns false if
-// the literal is too large. Too small a literal produces a subnormal number or 0.
-bool number_value(const char *text, size_t len, SmF64 *value);
+// Computes the F64 nearest to a well-formed literal (language.md 1.12 to 1.15, 1.17; `_` included); ties go to the even one. Returns false
+// if the literal is too large. Too small a literal produces a subnormal number or 0.
+bool number_to_f64(const char *text, size_t len, SmF64 *value);
 
-// The literal as written: digits * 10^exponent, where digits has no trailing zeros. Returns false if it has more than 18 digits.
-bool number_decimal(const char *text, size_t len, uint64_t *digits, int *exponent);
+// Splits a literal exactly into digits * 10^exponent, where digits has no trailing zeros. Returns false if it has more than 18 digits.
+bool number_to_decimal(const char *text, size_t len, uint64_t *digits, int *exponent);
 
 #endif

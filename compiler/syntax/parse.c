@@ -6,7 +6,7 @@
 
 // ---- tokens ----
 
-void parser_next(Parser *p)
+void parser_advance(Parser *p)
 {
     p->last = p->tok;
     p->tok = p->ahead;
@@ -23,12 +23,12 @@ void parser_stop(Parser *p)
 }
 
 Span parser_span(const Parser *p, const Token *t) { return (Span){p->lex.src, t->at, t->len}; }
-Span parser_here(const Parser *p) { return parser_span(p, &p->tok); }
-Span parser_gap(const Parser *p) { return (Span){p->lex.src, p->last.at + p->last.len, 0}; }
+Span parser_token_span(const Parser *p) { return parser_span(p, &p->tok); }
+Span parser_gap_span(const Parser *p) { return (Span){p->lex.src, p->last.at + p->last.len, 0}; }
 
-Span parser_where_missing(const Parser *p) { return p->tok.first ? parser_gap(p) : parser_here(p); }
+Span parser_missing_span(const Parser *p) { return p->tok.first ? parser_gap_span(p) : parser_token_span(p); }
 
-Span parser_since(const Parser *p, uint32_t at)
+Span parser_span_since(const Parser *p, uint32_t at)
 {
     uint32_t end = p->last.at + p->last.len;
 
@@ -50,7 +50,7 @@ bool parser_at_end_of_statement(const Parser *p)
 void parser_skip_line(Parser *p)
 {
     while (!p->tok.first && p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END)
-        parser_next(p);
+        parser_advance(p);
 }
 
 static bool line_begins_with_bracket(const Source *src, uint32_t line)
@@ -77,9 +77,9 @@ void parser_skip_section(Parser *p)
     lex_next(&p->lex, &p->ahead);
 }
 
-// ---- messages ----
+// ---- diagnostics ----
 
-static Diag *report_list(Parser *p, DiagCode code, Span span, va_list args)
+static Diag *report_unless_failed(Parser *p, DiagCode code, Span span, va_list args)
 {
     bool muted = p->diags->muted;
     Diag *d;
@@ -96,7 +96,7 @@ Diag *parser_report(Parser *p, DiagCode code, Span span, ...)
     Diag *d;
 
     va_start(args, span);
-    d = report_list(p, code, span, args);
+    d = report_unless_failed(p, code, span, args);
     va_end(args);
     return d;
 }
@@ -107,7 +107,7 @@ Diag *parser_fail(Parser *p, DiagCode code, Span span, ...)
     Diag *d;
 
     va_start(args, span);
-    d = report_list(p, code, span, args);
+    d = report_unless_failed(p, code, span, args);
     va_end(args);
     p->failed = true;
     return d;
@@ -138,7 +138,7 @@ const char *parser_describe(const Parser *p, const Token *t)
     }
 }
 
-const char *parser_found(const Parser *p)
+const char *parser_describe_found(const Parser *p)
 {
     return p->tok.first && p->tok.kind != TOK_END ? "the end of the line" : parser_describe(p, &p->tok);
 }
@@ -172,7 +172,7 @@ static int report_unknown_label(Parser *p)
 {
     const char *word = p->tok.text->text, *synonym = hint_find_synonym(HINT_LABELS, word);
     const char *meant = synonym ? synonym : str_nearest(word, labels, AST_LABEL_COUNT);
-    Diag *d = parser_report(p, DIAG_label_unknown, parser_here(p), word);
+    Diag *d = parser_report(p, DIAG_label_unknown, parser_token_span(p), word);
 
     if (!meant)
         return -1;
@@ -180,7 +180,7 @@ static int report_unknown_label(Parser *p)
     return find_label(meant);
 }
 
-// Returns the block that the current label opens; NULL if its statements belong nowhere.
+// Returns the block that the current label opens; NULL, after a report, if the label is unknown or repeated.
 static AstBlock *open_block(Parser *p, AstSection *s)
 {
     int i = find_label(p->tok.text->text);
@@ -194,12 +194,12 @@ static AstBlock *open_block(Parser *p, AstSection *s)
     if (s->block[i].present) {
         if (!known)
             return NULL;
-        d = parser_report(p, DIAG_label_repeated, parser_here(p), labels[i], s->name->text);
+        d = parser_report(p, DIAG_label_repeated, parser_token_span(p), labels[i], s->name->text);
         diag_note(p->diags, d, s->block[i].label, DIAG_note_first_here);
         return NULL;
     }
     s->block[i].present = true;
-    s->block[i].label = parser_here(p);
+    s->block[i].label = parser_token_span(p);
     return &s->block[i];
 }
 
@@ -210,11 +210,11 @@ static void parse_labelled(Parser *p, AstSection *s)
 
     p->failed = false;
     b = open_block(p, s);
-    parser_next(p);
+    parser_advance(p);
     if (p->tok.kind == TOK_COLON && !p->tok.first) {
-        Diag *d = parser_report(p, DIAG_label_colon, parser_here(p), parser_text(p, parser_span(p, &p->last)));
-        diag_edit(p->diags, d, parser_here(p), "");
-        parser_next(p);
+        Diag *d = parser_report(p, DIAG_label_colon, parser_token_span(p), parser_text(p, parser_span(p, &p->last)));
+        diag_edit(p->diags, d, parser_token_span(p), "");
+        parser_advance(p);
     }
     parse_block(p, b ? &b->stmts : &ignored);
 }
@@ -226,7 +226,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
     size_t errors = p->diags->errors;
     bool reported = p->tok.kind == TOK_ERROR;
     const bool assigns = p->tok.kind == TOK_NAME && p->ahead.kind == TOK_ASSIGN, colon = p->tok.kind == TOK_COLON;
-    Span here = parser_here(p);
+    Span here = parser_token_span(p);
     Diag *d = NULL;
 
     p->failed = false;
@@ -245,7 +245,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
         diag_label(p->diags, d, DIAG_label_text, "a list of constants is [local], each with its type: F64 limit = 3");
 }
 
-// Between a header, its annotations and the first label, line ends count as blanks.
+// Parses the annotations and blocks of a state. Before its first label, line ends count as spaces.
 static void parse_state(Parser *p, AstSection *s)
 {
     parse_annotations(p, AST_ON_STATE, s->name, s->name_span, &s->annotations);
@@ -263,30 +263,30 @@ static void parse_script_section(Parser *p, AstSection *s)
     p->reported_unguarded = false;
     parse_block(p, &s->items);
     while (p->tok.kind == TOK_LABEL) {
-        parser_report(p, DIAG_label_in_script, parser_here(p));
-        parser_next(p);
+        parser_report(p, DIAG_label_in_script, parser_token_span(p));
+        parser_advance(p);
         parse_block(p, &s->items);
     }
 }
 
 // ---- sections ----
 
-static bool is_called(const AstSection *s, const char *name) { return strcmp(s->name->text, name) == 0; }
+static bool is_section_named(const AstSection *s, const char *name) { return strcmp(s->name->text, name) == 0; }
 
-static AstSectionKind section_kind(FileKind file, const AstSection *s)
+static AstSectionKind find_section_kind(FileKind file, const AstSection *s)
 {
     switch (file) {
-    case FILE_SV: return is_called(s, "options") ? AST_OPTIONS : AST_REGION;
+    case FILE_SV: return is_section_named(s, "options") ? AST_OPTIONS : AST_REGION;
     case FILE_SM:
-        if (is_called(s, "state_vector") || is_called(s, "local"))
-            return is_called(s, "local") ? AST_LOCAL : AST_STATE_VECTOR;
-        return is_called(s, "options") || is_called(s, "all_states") ? AST_IGNORED : AST_STATE;
-    case FILE_IO: return is_called(s, "analog") || is_called(s, "digital") ? AST_PINS : AST_IGNORED;
+        if (is_section_named(s, "state_vector") || is_section_named(s, "local"))
+            return is_section_named(s, "local") ? AST_LOCAL : AST_STATE_VECTOR;
+        return is_section_named(s, "options") || is_section_named(s, "all_states") ? AST_IGNORED : AST_STATE;
+    case FILE_IO: return is_section_named(s, "analog") || is_section_named(s, "digital") ? AST_PINS : AST_IGNORED;
     case FILE_SS: case FILE_APP: break;
     }
-    if (is_called(s, "options"))
+    if (is_section_named(s, "options"))
         return AST_OPTIONS;
-    return is_called(s, "state_vector") || is_called(s, "local") ? AST_IGNORED : AST_SCRIPT_STATE;
+    return is_section_named(s, "state_vector") || is_section_named(s, "local") ? AST_IGNORED : AST_SCRIPT_STATE;
 }
 
 // Reports the second occurrence of a section that a file can have only once.
@@ -305,7 +305,7 @@ static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
 // ---- misnamed sections ----
 
 // Whether the line of the next token contains an =, as the declarations of locals do.
-static bool line_assigns(const Parser *p)
+static bool has_assignment_on_line(const Parser *p)
 {
     const Source *s = p->lex.src;
 
@@ -315,16 +315,16 @@ static bool line_assigns(const Parser *p)
     return false;
 }
 
-// A state of a machine that begins with a declaration is treated as one of the two sections for declarations. A section of a script that
-// begins with an option is treated as [options].
-static void correct_kind(Parser *p, AstSection *s)
+// Corrects the kind of a section whose name is misspelt, to judge by its first line: a state that begins with a declaration is one of the
+// two sections for declarations; a section of a script that begins with an option is [options]. Reports the name.
+static void correct_section_kind(Parser *p, AstSection *s)
 {
     static const char *const names[] = {[AST_STATE_VECTOR] = "state_vector", [AST_LOCAL] = "local", [AST_OPTIONS] = "options"};
     AstSectionKind kind = s->kind;
     Diag *d;
 
     if (kind == AST_STATE && p->tok.kind == TOK_TYPE && p->ahead.kind == TOK_NAME)
-        kind = line_assigns(p) ? AST_LOCAL : AST_STATE_VECTOR;
+        kind = has_assignment_on_line(p) ? AST_LOCAL : AST_STATE_VECTOR;
     else if (kind == AST_SCRIPT_STATE && p->tok.kind == TOK_NAME && !p->ahead.first &&
              (p->ahead.kind == TOK_NUMBER || p->ahead.kind == TOK_NAME) &&
              (strcmp(p->tok.text->text, "delta_t") == 0 || strcmp(p->tok.text->text, "init_state") == 0))
@@ -344,7 +344,7 @@ static void check_state_name(Parser *p, const AstSection *s)
 
     if (!lex_is_header_name(s->name->text, s->name->len))             // reported as a header
         return;
-    if (lex_is_reserved(s->name, &reserved))
+    if (lex_find_reserved(s->name, &reserved))
         parser_report(p, DIAG_state_name_reserved, s->name_span, s->name->text);
     else if (!lex_is_identifier(s->name->text, s->name->len))
         parser_report(p, DIAG_state_name, s->name_span, s->name->text);
@@ -356,13 +356,13 @@ static AstSection *new_section(Parser *p, FileKind file)
     const Token *t = &p->tok;
 
     s->name = t->text;
-    s->header = parser_here(p);
+    s->header = parser_token_span(p);
     s->name_span = (Span){p->lex.src, t->at + 1, t->len > 1 ? t->len - 1 : 0};
     if (t->len > 1 && p->lex.src->text[t->at + t->len - 1] == ']')
         s->name_span.len--;
-    s->kind = section_kind(file, s);
-    s->digital = s->kind == AST_PINS && is_called(s, "digital");
-    s->all_states = file == FILE_SS && is_called(s, "all_states");
+    s->kind = find_section_kind(file, s);
+    s->digital = s->kind == AST_PINS && is_section_named(s, "digital");
+    s->all_states = file == FILE_SS && is_section_named(s, "all_states");
     return s;
 }
 
@@ -403,8 +403,8 @@ static void parse_section(Parser *p, AstFile *f)
     p->failed = false;
     check_repeated(p, f, s);
     vec_push(p->arena, &f->sections, s);
-    parser_next(p);
-    correct_kind(p, s);
+    parser_advance(p);
+    correct_section_kind(p, s);
     parse_contents(p, f, s);
 }
 
@@ -461,7 +461,7 @@ AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *
     init_parser(&p, arena, strings, diags, src, kind);
     if (p.tok.kind != TOK_HEADER && p.tok.kind != TOK_END) {
         if (p.tok.kind != TOK_ERROR)
-            diag_label(diags, parser_report(&p, DIAG_text_before_section, parser_here(&p)), DIAG_label_text, first_section[kind]);
+            diag_label(diags, parser_report(&p, DIAG_text_before_section, parser_token_span(&p)), DIAG_label_text, first_section[kind]);
         parser_skip_section(&p);
     }
     while (p.tok.kind == TOK_HEADER)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts text to a syntax tree. The parser checks everything that does not require the meaning of a name: characters, numbers, grammar,
-// sections and labels out of place, annotations, options, the shape of scripts. Its diagnostics are E01xx and E03xx. The checker handles
+// misplaced sections and labels, annotations, options, the shape of scripts. Its diagnostics are E01xx and E03xx. The checker handles
 // the rest: names and types, values of options, transitions in .exit, all warnings.
 #ifndef SMC_PARSE_H
 #define SMC_PARSE_H

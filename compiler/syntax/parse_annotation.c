@@ -5,7 +5,7 @@
 
 typedef enum Arguments { TAKES_NOTHING, TAKES_NAME, TAKES_NUMBER, TAKES_NUMBERS, TAKES_VALUE, TAKES_FINDING } Arguments;
 
-#define ON(place) (1u << AST_ON_##place)
+#define ON(target) (1u << AST_ON_##target)
 #define ON_PINS (ON(ANALOG_INPUT) | ON(ANALOG_OUTPUT) | ON(DIGITAL_INPUT) | ON(DIGITAL_OUTPUT))
 
 static const struct { const char *spelling; Arguments takes; unsigned where; } rows[] = {
@@ -14,12 +14,12 @@ static const struct { const char *spelling; Arguments takes; unsigned where; } r
 #undef ANNOTATION
 };
 
-// The places of one sort of file. An annotation that is allowed at none of them is unknown in such a file.
-static const unsigned families[] = {ON(ELEMENT) | ON(SV_ELEMENT) | ON(LOCAL) | ON(STATE), ON_PINS};
+// The targets that occur in one kind of file. An annotation that is allowed on none of them is unknown in such a file.
+static const unsigned file_targets[] = {ON(ELEMENT) | ON(SV_ELEMENT) | ON(LOCAL) | ON(STATE), ON_PINS};
 
 // The declaration, header or pin that the current annotations follow.
 typedef struct Annotated {
-    AstPlace place;
+    AstAnnotationTarget target;
     Str name;
     Span span;                // of the name
     AstAnnotations *all;      // the annotations found so far
@@ -27,24 +27,24 @@ typedef struct Annotated {
 
 // ---- the row of an annotation ----
 
-static unsigned find_family(AstPlace place)
+static unsigned find_file_targets(AstAnnotationTarget target)
 {
-    for (size_t i = 0; i < sizeof families / sizeof *families; i++)
-        if (families[i] >> place & 1u)
-            return families[i];
+    for (size_t i = 0; i < sizeof file_targets / sizeof *file_targets; i++)
+        if (file_targets[i] >> target & 1u)
+            return file_targets[i];
     return 0;
 }
 
-static bool may_be_on(int row, AstPlace place) { return rows[row].where >> place & 1u; }
+static bool may_be_on(int row, AstAnnotationTarget target) { return rows[row].where >> target & 1u; }
 
-// Returns the row of that name for this place, else one for the same sort of file; AST_ANNOTATION_COUNT if there is none.
-static int find_row(Str word, AstPlace place)
+// Returns the row of that name for this target, else one for the same kind of file; AST_ANNOTATION_COUNT if there is none.
+static int find_row(Str word, AstAnnotationTarget target)
 {
     int found = AST_ANNOTATION_COUNT;
 
     for (int i = AST_ANNOTATION_COUNT - 1; i >= 0; i--)
-        if (strcmp(rows[i].spelling, word->text) == 0 && rows[i].where & find_family(place) &&
-            (found == AST_ANNOTATION_COUNT || may_be_on(i, place)))
+        if (strcmp(rows[i].spelling, word->text) == 0 && rows[i].where & find_file_targets(target) &&
+            (found == AST_ANNOTATION_COUNT || may_be_on(i, target)))
             found = i;
     return found;
 }
@@ -54,7 +54,7 @@ static bool is_for_states_only(int row)
     return row < AST_ANNOTATION_COUNT && may_be_on(row, AST_ON_STATE) && !may_be_on(row, AST_ON_ELEMENT);
 }
 
-static size_t list_words(unsigned places, const char *words[AST_ANNOTATION_COUNT])
+static size_t list_annotations(unsigned places, const char *words[AST_ANNOTATION_COUNT])
 {
     size_t n = 0;
 
@@ -70,63 +70,63 @@ static bool ends_arguments(const Parser *p)
            p->tok.kind == TOK_LABEL;
 }
 
-static void report_unknown_annotation(Parser *p, AstPlace place)
+static void report_unknown_annotation(Parser *p, AstAnnotationTarget target)
 {
-    Diag *d = parser_report(p, DIAG_annotation_unknown, parser_here(p), p->tok.text->text);
+    Diag *d = parser_report(p, DIAG_annotation_unknown, parser_token_span(p), p->tok.text->text);
     const char *here[AST_ANNOTATION_COUNT];
-    size_t n = list_words(1u << place, here);
+    size_t n = list_annotations(1u << target, here);
 
     if (strncmp(p->tok.text->text, "unit", 4) == 0)
         diag_label(p->diags, d, DIAG_label_text, "a unit belongs in a comment");
     else
         parser_label_annotations(p, d, here, n);
-    parser_next(p);
+    parser_advance(p);
     while (!ends_arguments(p))
-        parser_next(p);
+        parser_advance(p);
 }
 
-// ---- whether it is allowed there ----
+// ---- where an annotation is allowed ----
 
-static const char *pin_name(AstPlace place)
+static const char *get_pin_name(AstAnnotationTarget target)
 {
     static const char *const name[] = {"an analog input", "an analog output", "a digital input", "a digital output"};
 
-    return name[place - AST_ON_ANALOG_INPUT];
+    return name[target - AST_ON_ANALOG_INPUT];
 }
 
 // Names the pins that the annotation is for.
 static void report_annotation_of_other_pins(Parser *p, const Annotated *o, const AstAnnotation *a)
 {
-    Diag *d = parser_report(p, DIAG_annotation_on_pin, a->span, rows[a->kind].spelling, pin_name(o->place));
+    Diag *d = parser_report(p, DIAG_annotation_on_pin, a->span, rows[a->kind].spelling, get_pin_name(o->target));
     const char *list = NULL;
 
-    for (AstPlace k = AST_ON_ANALOG_INPUT; k <= AST_ON_DIGITAL_OUTPUT; k++)
+    for (AstAnnotationTarget k = AST_ON_ANALOG_INPUT; k <= AST_ON_DIGITAL_OUTPUT; k++)
         if (may_be_on((int)a->kind, k))
-            list = list ? format_in(p->arena, "%s or %s", list, pin_name(k)) : pin_name(k);
+            list = list ? format_in(p->arena, "%s or %s", list, get_pin_name(k)) : get_pin_name(k);
     diag_label(p->diags, d, DIAG_label_of_pins, list);
 }
 
-// Returns false after a message.
-static bool check_place(Parser *p, const Annotated *o, const AstAnnotation *a)
+// Returns false if it reported an error.
+static bool check_annotation_target(Parser *p, const Annotated *o, const AstAnnotation *a)
 {
     const char *word = rows[a->kind].spelling;
 
-    if (may_be_on((int)a->kind, o->place))
+    if (may_be_on((int)a->kind, o->target))
         return true;
-    if (ON_PINS >> o->place & 1u)
+    if (ON_PINS >> o->target & 1u)
         report_annotation_of_other_pins(p, o, a);
     else if (is_for_states_only((int)a->kind))
         diag_label(p->diags, parser_report(p, DIAG_annotation_of_states, a->span, word), DIAG_label_after_header, word);
-    else if (o->place == AST_ON_STATE)
+    else if (o->target == AST_ON_STATE)
         parser_report(p, DIAG_annotation_on_state, a->span, word);
-    else if (o->place == AST_ON_SV_ELEMENT)
+    else if (o->target == AST_ON_SV_ELEMENT)
         parser_report(p, DIAG_annotation_in_sv, a->span, word);
     else
         parser_report(p, DIAG_annotation_on_local, a->span, word);
     return false;
 }
 
-static bool is_first_of_its_kind(Parser *p, const Annotated *o, const AstAnnotation *a)
+static bool check_not_repeated(Parser *p, const Annotated *o, const AstAnnotation *a)
 {
     Diag *d;
 
@@ -139,7 +139,8 @@ static bool is_first_of_its_kind(Parser *p, const Annotated *o, const AstAnnotat
     return true;
 }
 
-// Line ends count as blanks. An annotation that looks as if it belonged to the declaration after it belongs to the one above.
+// Reports an annotation that is written before a declaration on its line: because line ends count as spaces, it belongs to the declaration
+// above.
 static void report_annotation_above(Parser *p, const Annotated *o, const AstAnnotation *a)
 {
     Diag *d = parser_report(p, DIAG_annotation_above, a->span, rows[a->kind].spelling, o->name->text);
@@ -153,15 +154,15 @@ static void parse_annotation_name(Parser *p, AstAnnotation *a)
 {
     if (p->tok.kind == TOK_NAME) {
         a->name = p->tok.text;
-        a->name_span = parser_here(p);
+        a->name_span = parser_token_span(p);
         if (a->kind == AST_ALIAS)
             str_declare(p->strings, a->name);
-        parser_next(p);
+        parser_advance(p);
         return;
     }
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    parser_fail(p, DIAG_annotation_without_name, parser_where_missing(p), rows[a->kind].spelling, parser_found(p));
+    parser_fail(p, DIAG_annotation_without_name, parser_missing_span(p), rows[a->kind].spelling, parser_describe_found(p));
 }
 
 bool parse_signed_number(Parser *p, AstNumber *into)
@@ -170,14 +171,14 @@ bool parse_signed_number(Parser *p, AstNumber *into)
     bool minus = p->tok.kind == TOK_MINUS;
 
     if (minus || p->tok.kind == TOK_PLUS)
-        parser_next(p);
+        parser_advance(p);
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
     if (p->tok.kind != TOK_NUMBER)
         return false;
     into->value = minus ? sm_neg(p->tok.number) : p->tok.number;
-    parser_next(p);
-    into->span = parser_since(p, at);
+    parser_advance(p);
+    into->span = parser_span_since(p, at);
     return true;
 }
 
@@ -187,43 +188,43 @@ static void parse_bound(Parser *p, AstNumber *into, const char *which)
 
     if (parse_signed_number(p, into))
         return;
-    d = parser_fail(p, DIAG_range_value, parser_where_missing(p), which, parser_found(p));
+    d = parser_fail(p, DIAG_range_value, parser_missing_span(p), which, parser_describe_found(p));
     diag_label(p->diags, d, DIAG_label_range_form);
 }
 
 // Parses one number; for a VALUE also true or false.
-static void parse_annotation_value(Parser *p, AstAnnotation *a, bool truth)
+static void parse_annotation_value(Parser *p, AstAnnotation *a, bool accepts_truth)
 {
-    if (truth && (p->tok.kind == TOK_TRUE || p->tok.kind == TOK_FALSE)) {
+    if (accepts_truth && (p->tok.kind == TOK_TRUE || p->tok.kind == TOK_FALSE)) {
         a->is_truth = true;
         a->lo.value = sm_from_i32(p->tok.kind == TOK_TRUE);
-        a->lo.span = parser_here(p);
-        parser_next(p);
+        a->lo.span = parser_token_span(p);
+        parser_advance(p);
     } else if (!parse_signed_number(p, &a->lo)) {
-        parser_fail(p, DIAG_annotation_without_number, parser_where_missing(p), rows[a->kind].spelling, parser_found(p));
+        parser_fail(p, DIAG_annotation_without_number, parser_missing_span(p), rows[a->kind].spelling, parser_describe_found(p));
     }
 }
 
 // ---- @allow(name, "reason") ----
 
-static void report_allow_form(Parser *p, const char *expected)
+static void report_allow_syntax(Parser *p, const char *expected)
 {
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    diag_label(p->diags, parser_fail(p, DIAG_allow_form, parser_where_missing(p), expected, parser_found(p)), DIAG_label_allow_form);
+    diag_label(p->diags, parser_fail(p, DIAG_allow_form, parser_missing_span(p), expected, parser_describe_found(p)), DIAG_label_allow_form);
 }
 
-static bool expect_sign(Parser *p, TokenKind kind, const char *expected)
+static bool expect_token(Parser *p, TokenKind kind, const char *expected)
 {
     if (p->tok.kind != kind) {
-        report_allow_form(p, expected);
+        report_allow_syntax(p, expected);
         return false;
     }
-    parser_next(p);
+    parser_advance(p);
     return true;
 }
 
-static const char *nearest_flag(Parser *p, const char *word)
+static const char *find_nearest_flag(Parser *p, const char *word)
 {
     const char **names = ARENA_ARRAY(p->arena, const char *, diag_flag_count);
     const DiagInfo *code = diag_find(word);
@@ -237,7 +238,7 @@ static const char *nearest_flag(Parser *p, const char *word)
 
 static void report_unknown_flag(Parser *p, const AstAnnotation *a)
 {
-    const char *near = nearest_flag(p, a->name->text);
+    const char *near = find_nearest_flag(p, a->name->text);
     const DiagInfo *code = diag_find(a->name->text);
     Diag *d = parser_report(p, DIAG_allow_unknown, a->name_span, a->name->text);
 
@@ -249,7 +250,7 @@ static void report_unknown_flag(Parser *p, const AstAnnotation *a)
         diag_label(p->diags, d, DIAG_label_error_stays);
 }
 
-// A warning's name consists of words with dashes between them; some of the words are words of the language.
+// Whether t can be part of a warning's name, which consists of words with dashes between them; some of the words are words of the language.
 static bool is_part_of_flag(const Token *t)
 {
     return t->kind == TOK_MINUS || (t->text && t->kind != TOK_TEXT && t->kind != TOK_HEADER && t->kind != TOK_LABEL &&
@@ -261,12 +262,12 @@ static void parse_flag(Parser *p, AstAnnotation *a)
     uint32_t at = p->tok.at;
 
     if (!is_part_of_flag(&p->tok) || p->tok.kind == TOK_MINUS) {
-        report_allow_form(p, "the name of a warning");
+        report_allow_syntax(p, "the name of a warning");
         return;
     }
     while (is_part_of_flag(&p->tok))
-        parser_next(p);
-    a->name_span = parser_since(p, at);
+        parser_advance(p);
+    a->name_span = parser_span_since(p, at);
     a->name = str_intern(p->strings, p->lex.src->text + at, a->name_span.len);
     if (!p->failed && !diag_find_flag(a->name->text))
         report_unknown_flag(p, a);
@@ -275,27 +276,27 @@ static void parse_flag(Parser *p, AstAnnotation *a)
 static void parse_reason(Parser *p, AstAnnotation *a)
 {
     if (p->tok.kind == TOK_RPAREN || (p->tok.kind == TOK_TEXT && strspn(p->tok.text->text, " \t") == p->tok.text->len)) {
-        diag_label(p->diags, parser_report(p, DIAG_allow_without_reason, parser_here(p)), DIAG_label_allow_form);
+        diag_label(p->diags, parser_report(p, DIAG_allow_without_reason, parser_token_span(p)), DIAG_label_allow_form);
         a->reason = str_c(p->strings, "");
         if (p->tok.kind == TOK_TEXT)
-            parser_next(p);
+            parser_advance(p);
         return;
     }
     a->reason = p->tok.text;
-    expect_sign(p, TOK_TEXT, "a reason between quotes");
+    expect_token(p, TOK_TEXT, "a reason between quotes");
 }
 
 static void parse_finding(Parser *p, AstAnnotation *a)
 {
-    if (!expect_sign(p, TOK_LPAREN, "'('"))
+    if (!expect_token(p, TOK_LPAREN, "'('"))
         return;
     parse_flag(p, a);
     if (!p->failed && p->tok.kind != TOK_RPAREN)
-        expect_sign(p, TOK_COMMA, "a comma");
+        expect_token(p, TOK_COMMA, "a comma");
     if (!p->failed)
         parse_reason(p, a);
     if (!p->failed)
-        expect_sign(p, TOK_RPAREN, "')'");
+        expect_token(p, TOK_RPAREN, "')'");
 }
 
 // ---- arguments ----
@@ -319,9 +320,9 @@ static void parse_annotation_arguments(Parser *p, AstAnnotation *a)
 // ---- all of them ----
 
 // Whether the next token begins a declaration of the owner's kind.
-static bool begins_another(const Parser *p, AstPlace place)
+static bool begins_another(const Parser *p, AstAnnotationTarget target)
 {
-    if (ON_PINS >> place & 1u)
+    if (ON_PINS >> target & 1u)
         return p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NUMBER;
     return p->tok.kind == TOK_TYPE;
 }
@@ -330,32 +331,32 @@ static void parse_annotation(Parser *p, const Annotated *o)
 {
     AstAnnotation a = {0};
     bool first = p->tok.first, allowed;
-    int row = find_row(p->tok.text, o->place);
+    int row = find_row(p->tok.text, o->target);
 
     if (row == AST_ANNOTATION_COUNT) {
-        report_unknown_annotation(p, o->place);
+        report_unknown_annotation(p, o->target);
         return;
     }
     a.kind = (AstAnnotationKind)row;
-    a.span = parser_here(p);
-    allowed = check_place(p, o, &a);
-    parser_next(p);
+    a.span = parser_token_span(p);
+    allowed = check_annotation_target(p, o, &a);
+    parser_advance(p);
     first = first && !p->tok.first;
     p->failed = !allowed;                     // then whether its arguments are correct is irrelevant
     parse_annotation_arguments(p, &a);
     p->failed = p->failed && allowed;
-    a.span = parser_since(p, a.span.at);
+    a.span = parser_span_since(p, a.span.at);
     if (p->failed)
         return;
-    if (first && !p->tok.first && begins_another(p, o->place))
+    if (first && !p->tok.first && begins_another(p, o->target))
         report_annotation_above(p, o, &a);
-    if (is_first_of_its_kind(p, o, &a) && allowed)
+    if (check_not_repeated(p, o, &a) && allowed)
         vec_push(p->arena, o->all, a);
 }
 
-void parse_annotations(Parser *p, AstPlace place, Str owner, Span owner_span, AstAnnotations *into)
+void parse_annotations(Parser *p, AstAnnotationTarget target, Str owner, Span owner_span, AstAnnotations *into)
 {
-    Annotated o = {place, owner, owner_span, into};
+    Annotated o = {target, owner, owner_span, into};
 
     while (!p->failed && p->tok.kind == TOK_ANNOTATION)
         parse_annotation(p, &o);
@@ -368,9 +369,9 @@ void parser_report_annotation_before_decl(Parser *p)
     const char *word = p->tok.text->text;
 
     if (is_for_states_only(find_row(p->tok.text, AST_ON_ELEMENT)))
-        diag_label(p->diags, parser_fail(p, DIAG_annotation_of_states, parser_here(p), word), DIAG_label_after_header, word);
+        diag_label(p->diags, parser_fail(p, DIAG_annotation_of_states, parser_token_span(p), word), DIAG_label_after_header, word);
     else
-        parser_fail(p, DIAG_annotation_before, parser_here(p), word);
+        parser_fail(p, DIAG_annotation_before, parser_token_span(p), word);
 }
 
 bool parser_is_allow(const Token *t)
@@ -381,12 +382,12 @@ bool parser_is_allow(const Token *t)
 const AstAnnotation *parse_allow(Parser *p)
 {
     AstAnnotation *a = ARENA_NEW(p->arena, AstAnnotation);
-    Span span = parser_here(p);
+    Span span = parser_token_span(p);
 
     a->kind = AST_ALLOW;
-    parser_next(p);
+    parser_advance(p);
     parse_finding(p, a);
-    a->span = parser_since(p, span.at);
+    a->span = parser_span_since(p, span.at);
     return p->failed ? NULL : a;
 }
 
@@ -394,7 +395,7 @@ void parser_report_annotation_in_block(Parser *p)
 {
     static const char *const script_words[] = {"assert", "stop"};
     const char *word = p->tok.text->text, *near = str_nearest(word, script_words, 2);
-    Diag *d = parser_fail(p, DIAG_annotation_here, parser_here(p), word);
+    Diag *d = parser_fail(p, DIAG_annotation_here, parser_token_span(p), word);
 
     if (is_for_states_only(find_row(p->tok.text, AST_ON_STATE)))
         diag_label(p->diags, d, DIAG_label_after_header, word);

@@ -8,17 +8,17 @@
 // ---- words ----
 
 static const char *const options[] = {
-#define APP_OPTION(name, element, file, amount, form) #name,
+#define APP_OPTION(name, element, file, amount, example) #name,
 #include "compiler/syntax/app.def"
 };
 
 static const char *const tasks[] = {
-#define APP_TASK(word, named, file, option, form) #word,
+#define APP_TASK(word, named, file, option, example) #word,
 #include "compiler/syntax/app.def"
 };
 
 static const char *const annotations[] = {
-#define APP_ANNOTATION(name, takes, executor, task, machine, outputs, service, form) #name,
+#define APP_ANNOTATION(name, takes, executor, task, machine, outputs, service, example) #name,
 #include "compiler/syntax/app.def"
 };
 
@@ -26,11 +26,11 @@ const char *app_option_name(AstAppOptionKind kind) { return options[kind]; }
 const char *app_task_word(AstAppTaskKind kind) { return tasks[kind]; }
 const char *app_annotation_name(AstAppAnnotationKind kind) { return annotations[kind]; }
 
-AstAppOptionKind app_task_needs(AstAppTaskKind kind)
+AstAppOptionKind app_find_required_option(AstAppTaskKind kind)
 {
     static const AstAppOptionKind needs[] = {
 #define AST_APP_COUNT AST_APP_OPTION_COUNT
-#define APP_TASK(word, named, file, option, form) AST_APP_##option,
+#define APP_TASK(word, named, file, option, example) AST_APP_##option,
 #include "compiler/syntax/app.def"
 #undef AST_APP_COUNT
     };
@@ -46,73 +46,73 @@ static int find_word(const Parser *p, const char *const *words, int n)
     return i;
 }
 
-bool app_at_option(const Parser *p, AstAppOptionKind *kind)
+bool app_match_option(const Parser *p, AstAppOptionKind *kind)
 {
     *kind = (AstAppOptionKind)find_word(p, options, AST_APP_OPTION_COUNT);
     return *kind < AST_APP_OPTION_COUNT;
 }
 
-bool app_at_task(const Parser *p, AstAppTaskKind *kind)
+bool app_match_task(const Parser *p, AstAppTaskKind *kind)
 {
     *kind = (AstAppTaskKind)find_word(p, tasks, AST_APP_TASK_COUNT);
     return *kind < AST_APP_TASK_COUNT;
 }
 
-bool app_at_rate(const Parser *p)
+bool app_is_at_rate(const Parser *p)
 {
     static const char *const words[] = {"every", "at"};
 
     return find_word(p, words, 2) < 2;
 }
 
-// The first word of a line that begins another entry is not the missing name of this one.
+// Whether the next token is the first on its line and begins another entry: it is then not the missing name of this one.
 static bool begins_entry(const Parser *p)
 {
     AstAppOptionKind option;
     AstAppTaskKind task;
 
-    return p->tok.first && (app_at_option(p, &option) || app_at_task(p, &task) || app_at_rate(p));
+    return p->tok.first && (app_match_option(p, &option) || app_match_task(p, &task) || app_is_at_rate(p));
 }
 
 // ---- parts of a line ----
 
-void app_report_form(Parser *p, const char *expected, const char *form)
+void app_report_expected(Parser *p, const char *expected, const char *example)
 {
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    diag_label(p->diags, parser_fail(p, DIAG_app_form, parser_where_missing(p), expected, parser_found(p)),
-               DIAG_label_as_in, form);
+    diag_label(p->diags, parser_fail(p, DIAG_app_form, parser_missing_span(p), expected, parser_describe_found(p)),
+               DIAG_label_as_in, example);
 }
 
-bool app_parse_name(Parser *p, AstWord *into, const char *expected, const char *form)
+bool app_parse_name(Parser *p, AstWord *into, const char *expected, const char *example)
 {
     TokenKind reserved;
 
     if (p->tok.kind == TOK_NAME && !begins_entry(p)) {
         into->text = p->tok.text;
-        into->span = parser_here(p);
-        parser_next(p);
+        into->span = parser_token_span(p);
+        parser_advance(p);
         if (p->tok.kind == TOK_MINUS && p->tok.at == into->span.at + into->span.len)
-            diag_label(p->diags, parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
+            diag_label(p->diags, parser_fail(p, DIAG_expected_end, parser_token_span(p), parser_describe(p, &p->tok)),
                        DIAG_label_name_letters);
         return !p->failed;
     }
-    if (!p->tok.first && p->tok.text && p->tok.kind != TOK_TEXT && lex_is_reserved(p->tok.text, &reserved))
-        parser_fail(p, DIAG_name_reserved, parser_here(p), p->tok.text->text);
+    if (!p->tok.first && p->tok.text && p->tok.kind != TOK_TEXT && lex_find_reserved(p->tok.text, &reserved))
+        parser_fail(p, DIAG_name_reserved, parser_token_span(p), p->tok.text->text);
     else
-        app_report_form(p, expected, form);
+        app_report_expected(p, expected, example);
     return false;
 }
 
-bool app_parse_file(Parser *p, AstWord *into, const char *form)
+bool app_parse_file(Parser *p, AstWord *into, const char *example)
 {
     if (p->tok.kind != TOK_TEXT) {
-        app_report_form(p, "the name of a file in quotes", form);
+        app_report_expected(p, "the name of a file in quotes", example);
         return false;
     }
     into->text = p->tok.text;
-    into->span = parser_here(p);
-    parser_next(p);
+    into->span = parser_token_span(p);
+    parser_advance(p);
     return true;
 }
 
@@ -123,9 +123,9 @@ static const Unit units[] = {
 #include "compiler/syntax/app.def"
 };
 
-static const char *const measure_units[] = {"", "", "ns, us, ms or s", "Hz or kHz", "B or KB"};
+static const char *const unit_lists[] = {"", "", "ns, us, ms or s", "Hz or kHz", "B or KB"};
 
-// Common spellings of units: sec, msec, MS, seconds.
+// Returns the unit meant by another common spelling, as s for seconds; NULL if none is known for this measure.
 static const char *find_unit_synonym(Parser *p, AppMeasure of)
 {
     const char *ours = p->tok.kind == TOK_NAME ? hint_find_synonym(HINT_UNITS, p->tok.text->text) : NULL;
@@ -146,18 +146,18 @@ static const Unit *find_unit(const Parser *p)
 
 // `every` takes a time and `at` a frequency. If the unit after the number belongs to the other keyword, returns the line written with
 // that one; else NULL.
-static const char *find_other_rate(Parser *p, const Unit *u, Span number, const char *form)
+static const char *format_other_rate(Parser *p, const Unit *u, Span number, const char *example)
 {
     const char *word = NULL;
 
-    if (u && u->of == APP_FREQUENCY && strncmp(form, "every ", 6) == 0)
+    if (u && u->of == APP_FREQUENCY && strncmp(example, "every ", 6) == 0)
         word = "at";
-    else if (u && u->of == APP_TIME && strncmp(form, "at ", 3) == 0)
+    else if (u && u->of == APP_TIME && strncmp(example, "at ", 3) == 0)
         word = "every";
     return word ? format_in(p->arena, "%s %s %s", word, parser_text(p, number), u->spelling) : NULL;
 }
 
-static bool parse_unit(Parser *p, AstAmount *into, Span number, const char *form)
+static bool parse_unit(Parser *p, AstAmount *into, Span number, const char *example)
 {
     const Unit *u = find_unit(p);
     const char *near;
@@ -165,15 +165,15 @@ static bool parse_unit(Parser *p, AstAmount *into, Span number, const char *form
 
     if (u && u->of == into->of) {
         into->factor = u->factor;
-        parser_next(p);
+        parser_advance(p);
         return true;
     }
     if (p->tok.kind != TOK_NAME || begins_entry(p)) {
-        app_report_form(p, format_in(p->arena, "a unit: %s", measure_units[into->of]), form);
+        app_report_expected(p, format_in(p->arena, "a unit: %s", unit_lists[into->of]), example);
         return false;
     }
-    d = parser_fail(p, DIAG_unit_unknown, parser_here(p), p->tok.text->text, measure_units[into->of]);
-    near = find_other_rate(p, u, number, form);
+    d = parser_fail(p, DIAG_unit_unknown, parser_token_span(p), p->tok.text->text, unit_lists[into->of]);
+    near = format_other_rate(p, u, number, example);
     if (!near)
         near = find_unit_synonym(p, into->of);
     if (near)
@@ -181,23 +181,23 @@ static bool parse_unit(Parser *p, AstAmount *into, Span number, const char *form
     return false;
 }
 
-bool app_parse_amount(Parser *p, AstAmount *into, AppMeasure of, const char *form)
+bool app_parse_amount(Parser *p, AstAmount *into, AppMeasure of, const char *example)
 {
     uint32_t at = p->tok.at;
     Span number;
 
     if (p->tok.kind != TOK_NUMBER) {
-        app_report_form(p, "a number", form);
+        app_report_expected(p, "a number", example);
         return false;
     }
     into->of = of;
     into->factor = 1;
-    into->is_exact = number_decimal(p->lex.src->text + at, p->tok.len, &into->digits, &into->exponent);
-    number = parser_here(p);
-    parser_next(p);
-    if (of != APP_NUMBER && !parse_unit(p, into, number, form))
+    into->is_exact = number_to_decimal(p->lex.src->text + at, p->tok.len, &into->digits, &into->exponent);
+    number = parser_token_span(p);
+    parser_advance(p);
+    if (of != APP_NUMBER && !parse_unit(p, into, number, example))
         return false;
-    into->span = parser_since(p, at);
+    into->span = parser_span_since(p, at);
     return true;
 }
 
@@ -205,51 +205,51 @@ bool app_parse_amount(Parser *p, AstAmount *into, AppMeasure of, const char *for
 
 typedef enum AppArguments { TAKES_NOTHING, TAKES_ELEMENT, TAKES_STATE, TAKES_NUMBER, TAKES_OVERRUN } AppArguments;
 
-static const struct { AppArguments takes; bool on[APP_PLACES]; const char *form; } rows[] = {
-#define APP_ANNOTATION(name, takes, executor, task, machine, outputs, service, form) \
-    {TAKES_##takes, {executor, task, machine, outputs, service, false}, form},
+static const struct { AppArguments takes; bool on[APP_ANNOTATION_TARGETS]; const char *example; } rows[] = {
+#define APP_ANNOTATION(name, takes, executor, task, machine, outputs, service, example) \
+    {TAKES_##takes, {executor, task, machine, outputs, service, false}, example},
 #include "compiler/syntax/app.def"
 };
 
-static void report_unknown_annotation(Parser *p, AppPlace place)
+static void report_unknown_annotation(Parser *p, AppAnnotationTarget target)
 {
     const char *here[AST_APP_ANNOTATION_COUNT + 1];
-    Diag *d = parser_fail(p, DIAG_annotation_unknown, parser_here(p), p->tok.text->text);
+    Diag *d = parser_fail(p, DIAG_annotation_unknown, parser_token_span(p), p->tok.text->text);
     size_t n = 0;
 
     for (int i = 0; i < AST_APP_ANNOTATION_COUNT; i++)
-        if (rows[i].on[place])
+        if (rows[i].on[target])
             here[n++] = annotations[i];
     here[n++] = "allow";
     parser_label_annotations(p, d, here, n);
 }
 
-// `skip`, or `catch_up` and a number.
+// Parses the argument of @overrun: `skip`, or `catch_up` and a number.
 static bool parse_overrun(Parser *p, AstAppAnnotation *a)
 {
-    const char *form = rows[a->kind].form;
+    const char *example = rows[a->kind].example;
 
     if (p->tok.kind != TOK_NAME || (strcmp(p->tok.text->text, "skip") != 0 && strcmp(p->tok.text->text, "catch_up") != 0)) {
-        app_report_form(p, "skip or catch_up", form);
+        app_report_expected(p, "skip or catch_up", example);
         return false;
     }
-    app_parse_name(p, &a->word, "", form);
-    return a->word.text->text[0] == 's' || app_parse_amount(p, &a->amount, APP_NUMBER, form);
+    app_parse_name(p, &a->word, "", example);
+    return a->word.text->text[0] == 's' || app_parse_amount(p, &a->amount, APP_NUMBER, example);
 }
 
 static bool parse_annotation_arguments(Parser *p, AstAppAnnotation *a)
 {
     switch (rows[a->kind].takes) {
     case TAKES_NOTHING: return true;
-    case TAKES_ELEMENT: return app_parse_name(p, &a->word, "the name of an element", rows[a->kind].form);
-    case TAKES_STATE:   return app_parse_name(p, &a->word, "the name of a state", rows[a->kind].form);
-    case TAKES_NUMBER:  return app_parse_amount(p, &a->amount, APP_NUMBER, rows[a->kind].form);
+    case TAKES_ELEMENT: return app_parse_name(p, &a->word, "the name of an element", rows[a->kind].example);
+    case TAKES_STATE:   return app_parse_name(p, &a->word, "the name of a state", rows[a->kind].example);
+    case TAKES_NUMBER:  return app_parse_amount(p, &a->amount, APP_NUMBER, rows[a->kind].example);
     case TAKES_OVERRUN: return parse_overrun(p, a);
     }
     return true;
 }
 
-static bool is_first_of_its_kind(Parser *p, const AstAppAnnotation *a, const char *owner, const AstAppAnnotations *all)
+static bool check_not_repeated(Parser *p, const AstAppAnnotation *a, const char *owner, const AstAppAnnotations *all)
 {
     for (size_t i = 0; i < all->n; i++)
         if (all->at[i].kind == a->kind) {
@@ -260,7 +260,7 @@ static bool is_first_of_its_kind(Parser *p, const AstAppAnnotation *a, const cha
     return true;
 }
 
-static void parse_annotation(Parser *p, AppPlace place, const char *owner, AstAppAnnotations *into)
+static void parse_annotation(Parser *p, AppAnnotationTarget target, const char *owner, AstAppAnnotations *into)
 {
     static const char *const places[] = {"an executor", "a task", "a machine", "'outputs'", "'log' and 'keep'", "'inputs'"};
     AstAppAnnotation a = {0};
@@ -269,18 +269,18 @@ static void parse_annotation(Parser *p, AppPlace place, const char *owner, AstAp
     while (row < AST_APP_ANNOTATION_COUNT && strcmp(p->tok.text->text, annotations[row]) != 0)
         row++;
     if (row == AST_APP_ANNOTATION_COUNT) {
-        report_unknown_annotation(p, place);
+        report_unknown_annotation(p, target);
         return;
     }
     a.kind = (AstAppAnnotationKind)row;
-    a.span = parser_here(p);
-    if (!rows[row].on[place])
-        parser_fail(p, DIAG_app_annotation_place, a.span, annotations[row], places[place]);
-    parser_next(p);
+    a.span = parser_token_span(p);
+    if (!rows[row].on[target])
+        parser_fail(p, DIAG_app_annotation_place, a.span, annotations[row], places[target]);
+    parser_advance(p);
     if (!parse_annotation_arguments(p, &a) || p->failed)
         return;
-    a.span = parser_since(p, a.span.at);
-    if (is_first_of_its_kind(p, &a, owner, into))
+    a.span = parser_span_since(p, a.span.at);
+    if (check_not_repeated(p, &a, owner, into))
         vec_push(p->arena, into, a);
 }
 
@@ -289,14 +289,14 @@ void app_parse_allows(Parser *p, uint32_t from, AstApp *app)
     while (!p->failed && parser_is_allow(&p->tok)) {
         AstAppAllow a = {parse_allow(p), {0}};
 
-        a.covers = parser_since(p, from);
+        a.covers = parser_span_since(p, from);
         if (a.is)
             vec_push(p->arena, &app->allows, a);
     }
 }
 
-void app_parse_annotations(Parser *p, AppPlace place, const char *owner, uint32_t from, AstAppAnnotations *into, AstApp *app)
+void app_parse_annotations(Parser *p, AppAnnotationTarget target, const char *owner, uint32_t from, AstAppAnnotations *into, AstApp *app)
 {
     for (app_parse_allows(p, from, app); !p->failed && p->tok.kind == TOK_ANNOTATION; app_parse_allows(p, from, app))
-        parse_annotation(p, place, owner, into);
+        parse_annotation(p, target, owner, into);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses the pins of a .io (config.md 9): lines of a direction, a pin and an element, in which line ends count as blanks.
+// Parses the pins of a .io (config.md 9): each has a direction, a number and an element, in which line ends count as spaces.
 #include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
 
@@ -25,13 +25,13 @@ static bool is_direction(const Token *t)
     return t->kind == TOK_NAME && t->text->len == 1 && (t->text->text[0] == 'i' || t->text->text[0] == 'o');
 }
 
-// batt 0 i, where the number is the current token.
+// Labels d with the correct order if the user wrote `batt 0 i`; returns false otherwise. The current token is the number.
 static bool label_wrong_order(Parser *p, Diag *d, const char *name)
 {
     if (!is_direction(&p->ahead) || p->ahead.first)
         return false;
     diag_label(p->diags, d, DIAG_label_write,
-               format_in(p->arena, "%s %s %s", p->ahead.text->text, parser_text(p, parser_here(p)), name));
+               format_in(p->arena, "%s %s %s", p->ahead.text->text, parser_text(p, parser_token_span(p)), name));
     p->failed = true;
     return true;
 }
@@ -45,16 +45,16 @@ static bool recover_direction(Parser *p, AstPin *pin)
 
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    d = parser_report(p, DIAG_pin_direction, parser_here(p), parser_describe(p, &p->tok));
+    d = parser_report(p, DIAG_pin_direction, parser_token_span(p), parser_describe(p, &p->tok));
     if (guess) {
         diag_label(p->diags, d, DIAG_label_did_you_mean, guess);
-        diag_edit(p->diags, d, parser_here(p), guess);
+        diag_edit(p->diags, d, parser_token_span(p), guess);
     }
     pin->output = guess && *guess == 'o';
     p->failed = p->failed || !number_follows;
     if (!number_follows)
         return false;
-    parser_next(p);
+    parser_advance(p);
     return guess || !label_wrong_order(p, d, p->last.text->text);
 }
 
@@ -65,7 +65,7 @@ static bool parse_direction(Parser *p, AstPin *pin)
     if (!known)
         return recover_direction(p, pin);
     pin->output = p->tok.text->text[0] == 'o';
-    parser_next(p);
+    parser_advance(p);
     return true;
 }
 
@@ -77,12 +77,12 @@ static bool begins_next_pin(const Parser *p)
 
 static bool parse_pin_number(Parser *p, AstPin *pin)
 {
-    const Span at = parser_where_missing(p);
-    const char *found = parser_found(p);
+    const Span at = parser_missing_span(p);
+    const char *found = parser_describe_found(p);
 
     if (parse_signed_number(p, &pin->number))
         return true;
-    if (p->tok.kind == TOK_NAME && p->last.kind == TOK_NAME)       // and not a sign
+    if (p->tok.kind == TOK_NAME && p->last.kind == TOK_NAME)       // no + or - was read
         hint_explain(p, HINT_AT_PIN_NUMBER, NULL);
     else
         parser_fail(p, DIAG_pin_number, at, found);
@@ -93,17 +93,17 @@ static bool parse_pin_element(Parser *p, AstPin *pin)
 {
     if (p->tok.kind == TOK_NAME && !begins_next_pin(p)) {
         pin->element = p->tok.text;
-        pin->element_span = parser_here(p);
-        parser_next(p);
+        pin->element_span = parser_token_span(p);
+        parser_advance(p);
         return hint_explain(p, HINT_AFTER_DECL_NAME, NULL) == HINT_NONE;
     }
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    parser_fail(p, DIAG_pin_element, parser_where_missing(p), parser_text(p, pin->number.span), parser_found(p));
+    parser_fail(p, DIAG_pin_element, parser_missing_span(p), parser_text(p, pin->number.span), parser_describe_found(p));
     return false;
 }
 
-static AstPlace find_pin_place(const AstSection *s, const AstPin *pin)
+static AstAnnotationTarget find_pin_target(const AstSection *s, const AstPin *pin)
 {
     if (s->digital)
         return pin->output ? AST_ON_DIGITAL_OUTPUT : AST_ON_DIGITAL_INPUT;
@@ -121,10 +121,10 @@ static void parse_pin(Parser *p, AstSection *s)
 
     if (!parse_direction(p, &pin))
         return;
-    p->pin_place = find_pin_place(s, &pin);
+    p->pin_target = find_pin_target(s, &pin);
     if (!parse_pin_number(p, &pin) || !parse_pin_element(p, &pin))
         return;
-    parse_annotations(p, p->pin_place, pin.element, pin.element_span, &pin.annotations);
+    parse_annotations(p, p->pin_target, pin.element, pin.element_span, &pin.annotations);
     if (!p->failed && !ends_pin(p))
         hint_explain(p, HINT_AT_PIN_END, NULL);
     vec_push(p->arena, &s->pins, pin);
@@ -137,7 +137,7 @@ void parse_pins(Parser *p, AstSection *s)
         p->failed = false;
         parse_pin(p, s);
         if (p->failed && p->tok.at == at)
-            parser_next(p);
+            parser_advance(p);
         if (p->failed)
             parser_skip_line(p);
     }

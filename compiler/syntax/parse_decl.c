@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses lists of declarations and of options, in which line ends count as blanks.
+// Parses lists of declarations and of options, in which line ends count as spaces.
 #include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
 
 // ---- types ----
 
-static const char *nearest_type(const char *word)
+static const char *find_nearest_type(const char *word)
 {
     static const char *const types[] = {
 #define SM_TYPE(name, wire, spelling, ctype, bytes, kind) spelling,
@@ -20,8 +20,8 @@ static const char *nearest_type(const char *word)
 
 static void report_unknown_type(Parser *p)
 {
-    const char *near = nearest_type(p->tok.text->text);
-    Diag *d = parser_report(p, DIAG_type_unknown, parser_here(p), p->tok.text->text);
+    const char *near = find_nearest_type(p->tok.text->text);
+    Diag *d = parser_report(p, DIAG_type_unknown, parser_token_span(p), p->tok.text->text);
 
     if (near)
         diag_label(p->diags, d, DIAG_label_did_you_mean, near);
@@ -32,22 +32,22 @@ static bool recover_type(Parser *p, const AstSection *s)
 {
     if (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NAME && !p->ahead.first) {
         report_unknown_type(p);
-        parser_next(p);
+        parser_advance(p);
         return true;
     }
     if (p->tok.kind == TOK_NAME) {
-        Diag *d = parser_fail(p, DIAG_decl_without_type, parser_here(p), p->tok.text->text);
+        Diag *d = parser_fail(p, DIAG_decl_without_type, parser_token_span(p), p->tok.text->text);
         diag_label(p->diags, d, DIAG_label_type_first, p->tok.text->text);
     } else if (p->tok.kind == TOK_LABEL) {
-        parser_fail(p, DIAG_label_outside_state, parser_here(p), p->tok.text->text);
+        parser_fail(p, DIAG_label_outside_state, parser_token_span(p), p->tok.text->text);
     } else if (p->tok.kind == TOK_ANNOTATION) {
         parser_report_annotation_before_decl(p);
     } else if (p->tok.kind == TOK_ERROR) {
         p->failed = true;
     } else {
-        parser_fail(p, DIAG_expected_decl, parser_here(p), s->name->text, parser_describe(p, &p->tok));
+        parser_fail(p, DIAG_expected_decl, parser_token_span(p), s->name->text, parser_describe(p, &p->tok));
     }
-    parser_next(p);
+    parser_advance(p);
     return false;
 }
 
@@ -58,21 +58,21 @@ static bool parse_decl_name(Parser *p, AstDecl *d)
     TokenKind reserved;
 
     d->name = p->tok.text;
-    d->name_span = parser_here(p);
+    d->name_span = parser_token_span(p);
     if (p->tok.kind == TOK_NAME) {
         str_declare(p->strings, d->name);
-        parser_next(p);
+        parser_advance(p);
         return hint_explain(p, HINT_AFTER_DECL_NAME, NULL) == HINT_NONE;
     }
     if (p->tok.kind == TOK_ERROR) {
         p->failed = true;
     } else if (p->tok.text && !p->tok.first && p->tok.kind != TOK_LABEL && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_HEADER &&
-               lex_is_reserved(p->tok.text, &reserved)) {
-        parser_fail(p, DIAG_name_reserved, parser_here(p), p->tok.text->text);
-        parser_next(p);
+               lex_find_reserved(p->tok.text, &reserved)) {
+        parser_fail(p, DIAG_name_reserved, parser_token_span(p), p->tok.text->text);
+        parser_advance(p);
     } else {
-        parser_fail(p, DIAG_decl_without_name, parser_where_missing(p),
-                    parser_text(p, parser_span(p, &p->last)), parser_found(p));
+        parser_fail(p, DIAG_decl_without_name, parser_missing_span(p),
+                    parser_text(p, parser_span(p, &p->last)), parser_describe_found(p));
     }
     return false;
 }
@@ -89,7 +89,7 @@ static void parse_initial_value(Parser *p, AstDecl *d)
         diag_label(p->diags, x, DIAG_label_local_value, parser_text(p, d->type_span), d->name->text, d->type == SM_BOOL ? "false" : "0");
         return;
     }
-    parser_next(p);
+    parser_advance(p);
     d->value = begins_value(p) ? parse_expr(p, false) : parse_value_of(p, false);
 }
 
@@ -106,18 +106,18 @@ static void report_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
     if (hint_explain(p, HINT_AT_DECL_END, NULL) != HINT_NONE)
         return;
     if (p->tok.kind == TOK_ASSIGN && s->kind != AST_LOCAL)
-        parser_fail(p, DIAG_element_with_value, parser_here(p), d->name->text);
+        parser_fail(p, DIAG_element_with_value, parser_token_span(p), d->name->text);
     else if (p->tok.kind == TOK_COMMA)
-        parser_fail(p, DIAG_decl_comma, parser_here(p));
+        parser_fail(p, DIAG_decl_comma, parser_token_span(p));
     else if (p->tok.kind == TOK_NAME && s->kind != AST_LOCAL && p->ahead.kind == TOK_NAME && !p->ahead.first)
-        return;                                    // a misspelt type: the next declaration
+        return;                                    // probably a declaration whose type is misspelt: its turn is next
     else if (s->kind != AST_LOCAL && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_LPAREN || p->tok.kind == TOK_MINUS))
         hint_explain(p, HINT_AT_ELEMENT_END, NULL);
     else
         hint_explain(p, HINT_AT_END, NULL);
 }
 
-static AstPlace find_decl_place(const AstSection *s)
+static AstAnnotationTarget find_decl_target(const AstSection *s)
 {
     if (s->kind == AST_REGION)
         return AST_ON_SV_ELEMENT;
@@ -131,9 +131,9 @@ static void parse_decl(Parser *p, AstSection *s)
     if (hint_explain(p, HINT_AT_DECL, NULL) == HINT_SKIPPED)
         return;
     d.type = p->tok.kind == TOK_TYPE ? p->tok.type : SM_TYPE_COUNT;
-    d.type_span = parser_here(p);
+    d.type_span = parser_token_span(p);
     if (p->tok.kind == TOK_TYPE)
-        parser_next(p);
+        parser_advance(p);
     else if (!recover_type(p, s))
         return;
     if (!parse_decl_name(p, &d))
@@ -142,7 +142,7 @@ static void parse_decl(Parser *p, AstSection *s)
         parse_initial_value(p, &d);
     if (!p->failed)
         hint_explain(p, HINT_AFTER_DECL, NULL);
-    parse_annotations(p, find_decl_place(s), d.name, d.name_span, &d.annotations);
+    parse_annotations(p, find_decl_target(s), d.name, d.name_span, &d.annotations);
     if (!p->failed && !ends_decl(p, s, &d))
         report_after_decl(p, s, &d);
     vec_push(p->arena, &s->decls, d);
@@ -183,15 +183,15 @@ static void report_unknown_option(Parser *p)
     const char *near = synonym ? synonym : str_nearest(word, option_words, OPTION_COUNT);
 
     if (near)
-        diag_label(p->diags, parser_fail(p, DIAG_option_unknown, parser_here(p), word), DIAG_label_did_you_mean, near);
+        diag_label(p->diags, parser_fail(p, DIAG_option_unknown, parser_token_span(p), word), DIAG_label_did_you_mean, near);
     else
         hint_explain(p, HINT_AT_OPTION, NULL);
-    parser_next(p);
+    parser_advance(p);
 }
 
 static bool parse_option_argument(Parser *p, AstOption *o, OptionTakes takes)
 {
-    o->value_span = parser_here(p);
+    o->value_span = parser_token_span(p);
     if (takes == TAKES_NUMBER && p->tok.kind == TOK_NUMBER) {
         o->number = ARENA_NEW(p->arena, AstExpr);
         o->number->kind = AST_NUMBER;
@@ -203,27 +203,27 @@ static bool parse_option_argument(Parser *p, AstOption *o, OptionTakes takes)
     } else {
         return false;
     }
-    parser_next(p);
+    parser_advance(p);
     return true;
 }
 
 static void parse_option_value(Parser *p, AstOption *o, OptionTakes takes)
 {
     if (takes == TAKES_NOTHING && p->tok.kind == TOK_ASSIGN && !p->tok.first) {
-        parser_fail(p, DIAG_option_value, parser_here(p), o->name->text, "no value", parser_found(p));
+        parser_fail(p, DIAG_option_value, parser_token_span(p), o->name->text, "no value", parser_describe_found(p));
         return;
     }
     if (p->tok.kind == TOK_ASSIGN || p->tok.kind == TOK_COLON) {
-        Diag *d = parser_report(p, DIAG_option_sign, parser_here(p), parser_text(p, parser_here(p)));
-        diag_edit(p->diags, d, parser_here(p), "");
-        parser_next(p);
+        Diag *d = parser_report(p, DIAG_option_sign, parser_token_span(p), parser_text(p, parser_token_span(p)));
+        diag_edit(p->diags, d, parser_token_span(p), "");
+        parser_advance(p);
     }
     if (takes == TAKES_NOTHING || parse_option_argument(p, o, takes))
         return;
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    parser_fail(p, DIAG_option_value, parser_where_missing(p), o->name->text,
-                takes == TAKES_NUMBER ? "a number without a sign" : "the name of a state", parser_found(p));
+    parser_fail(p, DIAG_option_value, parser_missing_span(p), o->name->text,
+                takes == TAKES_NUMBER ? "a number without a sign" : "the name of a state", parser_describe_found(p));
 }
 
 static void parse_option(Parser *p, AstSection *s)
@@ -232,7 +232,7 @@ static void parse_option(Parser *p, AstSection *s)
     size_t i = 0;
 
     o.name = p->tok.text;
-    o.name_span = parser_here(p);
+    o.name_span = parser_token_span(p);
     while (i < OPTION_COUNT && strcmp(option_words[i], o.name->text) != 0)
         i++;
     if (i == OPTION_COUNT) {
@@ -242,7 +242,7 @@ static void parse_option(Parser *p, AstSection *s)
     if (!(p->kind == FILE_SV ? options[i].in_sv : options[i].in_ss))
         parser_report(p, DIAG_option_wrong_file, o.name_span, o.name->text, options[i].in_sv ? "state vector" : "state script",
                       options[i].in_sv ? "sv" : "ss");
-    parser_next(p);
+    parser_advance(p);
     parse_option_value(p, &o, options[i].takes);
     if (!p->failed)
         vec_push(p->arena, &s->options, o);
@@ -257,8 +257,8 @@ void parse_options(Parser *p, AstSection *s)
         } else {
             if (p->tok.kind == TOK_ERROR)
                 p->failed = true;
-            parser_fail(p, DIAG_expected_option, parser_here(p), parser_describe(p, &p->tok));
-            parser_next(p);
+            parser_fail(p, DIAG_expected_option, parser_token_span(p), parser_describe(p, &p->tok));
+            parser_advance(p);
         }
         if (p->failed)
             parser_skip_line(p);

@@ -5,7 +5,7 @@
 #include "compiler/syntax/parser.h"
 
 static AstExpr *parse_level(Parser *p, int least);
-static AstExpr *missing_value(Parser *p);
+static AstExpr *parse_missing_value(Parser *p);
 
 // ---- nodes ----
 
@@ -19,18 +19,18 @@ static AstExpr *new_expr(Parser *p, AstExprKind kind, Span span)
     return e;
 }
 
-static void set_operator(AstExpr *e, Span span)
+static void set_operator_span(AstExpr *e, Span span)
 {
     e->op_at = span.at;
     e->op_len = span.len;
 }
 
-static AstExpr *error_expr(Parser *p) { return new_expr(p, AST_ERROR, parser_here(p)); }
+static AstExpr *new_error_expr(Parser *p) { return new_expr(p, AST_ERROR, parser_token_span(p)); }
 
-static AstExpr *too_deep(Parser *p, Span span)
+static AstExpr *report_too_deep(Parser *p, Span span)
 {
     parser_fail(p, DIAG_expression_too_deep, span, format_in(p->arena, "%d", AST_DEPTH_MAX));
-    return error_expr(p);
+    return new_error_expr(p);
 }
 
 // Sets the depth of `e`, whose operand is `a`; returns an error node instead if the depth exceeds the limit.
@@ -40,35 +40,35 @@ static AstExpr *check_depth(Parser *p, AstExpr *e, const AstExpr *a)
         e->depth = a->depth + 1;
     if (e->depth <= AST_DEPTH_MAX)
         return e;
-    return too_deep(p, ast_op_span(e));
+    return report_too_deep(p, ast_op_span(e));
 }
 
 // Counts one level of recursion; reports an error and returns false if there are too many.
-static bool enter_level(Parser *p)
+static bool enter_recursion(Parser *p)
 {
     if (p->depth < AST_DEPTH_MAX) {
         p->depth++;
         return true;
     }
-    too_deep(p, parser_here(p));
+    report_too_deep(p, parser_token_span(p));
     return false;
 }
 
-// Outside parentheses, a line end ends the expression.
-static bool line_ends(const Parser *p) { return p->tok.first && p->parens == 0; }
+// Whether a line end ends the expression before the next token. Inside parentheses it does not.
+static bool is_at_line_end(const Parser *p) { return p->tok.first && p->parens == 0; }
 
 // ---- values ----
 
 static AstExpr *parse_number(Parser *p)
 {
-    AstExpr *e = new_expr(p, AST_NUMBER, parser_here(p));
+    AstExpr *e = new_expr(p, AST_NUMBER, parser_token_span(p));
 
     e->number = p->tok.kind == TOK_NUMBER ? p->tok.number : sm_from_u32(p->tok.kind == TOK_TRUE);
-    parser_next(p);
+    parser_advance(p);
     return e;
 }
 
-// Parses the ) that closes the ( at `open`.
+// Consumes the ) that closes the ( at `open`, or reports that it is missing.
 static void expect_close(Parser *p, Span open)
 {
     Diag *d;
@@ -77,28 +77,28 @@ static void expect_close(Parser *p, Span open)
     if (p->failed)
         return;
     if (p->tok.kind == TOK_RPAREN) {
-        parser_next(p);
+        parser_advance(p);
         return;
     }
     if (p->tok.kind == TOK_ERROR || (p->tok.kind == TOK_COMMA && p->ahead.kind == TOK_ERROR)) {
         p->failed = true;
         return;
     }
-    d = parser_fail(p, DIAG_paren_unclosed, parser_where_missing(p), parser_found(p));
+    d = parser_fail(p, DIAG_paren_unclosed, parser_missing_span(p), parser_describe_found(p));
     diag_note(p->diags, d, open, DIAG_note_paren_opened);
 }
 
 static AstExpr *parse_paren(Parser *p)
 {
-    Span open = parser_here(p);
+    Span open = parser_token_span(p);
     AstExpr *e = new_expr(p, AST_PAREN, open);
 
-    parser_next(p);
+    parser_advance(p);
     p->parens++;
     e->a = parse_level(p, 1);
     expect_close(p, open);
-    e->span = parser_since(p, open.at);
-    set_operator(e, e->span);
+    e->span = parser_span_since(p, open.at);
+    set_operator_span(e, e->span);
     return check_depth(p, e, e->a);
 }
 
@@ -112,9 +112,9 @@ static void parse_arguments(Parser *p, AstExpr *call, Span open)
             call->depth = a->depth + 1;
         if (p->failed || p->tok.kind != TOK_COMMA)
             break;
-        parser_next(p);
+        parser_advance(p);
         if (p->tok.kind == TOK_RPAREN)
-            missing_value(p);
+            parse_missing_value(p);
     }
     expect_close(p, open);
 }
@@ -128,22 +128,22 @@ const char *ast_function_usage(const SmBuiltinInfo *fn)
 
 static AstExpr *parse_call(Parser *p)
 {
-    AstExpr *e = new_expr(p, AST_CALL, parser_here(p));
+    AstExpr *e = new_expr(p, AST_CALL, parser_token_span(p));
     Span open;
 
     e->name = p->tok.text;
     e->args = ARENA_NEW(p->arena, AstArgs);
-    set_operator(e, e->span);
-    parser_next(p);
-    open = parser_here(p);
-    parser_next(p);
+    set_operator_span(e, e->span);
+    parser_advance(p);
+    open = parser_token_span(p);
+    parser_advance(p);
     parse_arguments(p, e, open);
-    e->span = parser_since(p, e->span.at);
+    e->span = parser_span_since(p, e->span.at);
     if (p->failed)                                     // the intended number of arguments is unknown
         e->kind = AST_ERROR;
     if (e->depth <= AST_DEPTH_MAX)
         return e;
-    return too_deep(p, ast_op_span(e));
+    return report_too_deep(p, ast_op_span(e));
 }
 
 static AstExpr *parse_name(Parser *p)
@@ -152,20 +152,20 @@ static AstExpr *parse_name(Parser *p)
 
     if (p->ahead.kind == TOK_LPAREN && (p->parens || !p->ahead.first))
         return parse_call(p);
-    e = new_expr(p, AST_NAME, parser_here(p));
+    e = new_expr(p, AST_NAME, parser_token_span(p));
     e->name = p->tok.text;
-    parser_next(p);
+    parser_advance(p);
     if (hint_explain(p, HINT_AFTER_NAME, e) == HINT_SKIPPED)
         e->kind = AST_ERROR;
     return e;
 }
 
-static AstExpr *missing_value(Parser *p)
+static AstExpr *parse_missing_value(Parser *p)
 {
-    AstExpr *e = error_expr(p);
+    AstExpr *e = new_error_expr(p);
 
     if (p->tok.kind == TOK_ERROR)                      // the lexer has reported it: continue as if it were a value
-        parser_next(p);
+        parser_advance(p);
     else
         hint_explain(p, HINT_AT_VALUE, NULL);
     return e;
@@ -177,13 +177,13 @@ static AstExpr *parse_value(Parser *p)
     case TOK_NUMBER: case TOK_TRUE: case TOK_FALSE: return parse_number(p);
     case TOK_NAME:   return parse_name(p);
     case TOK_LPAREN: return parse_paren(p);
-    default:         return missing_value(p);
+    default:         return parse_missing_value(p);
     }
 }
 
 // ---- operators ----
 
-static bool prefix_operator(TokenKind kind, SmOperator *op)
+static bool match_prefix_operator(TokenKind kind, SmOperator *op)
 {
     if (kind == TOK_NOT || kind == TOK_BANG)
         return *op = SM_OP_NOT, true;
@@ -194,7 +194,7 @@ static bool prefix_operator(TokenKind kind, SmOperator *op)
     return false;
 }
 
-static bool infix_operator(TokenKind kind, SmOperator *op)
+static bool match_infix_operator(TokenKind kind, SmOperator *op)
 {
     static const struct { TokenKind kind; SmOperator op; } infix[] = {
         {TOK_PLUS, SM_OP_ADD}, {TOK_MINUS, SM_OP_SUB}, {TOK_STAR, SM_OP_MUL}, {TOK_SLASH, SM_OP_DIV},
@@ -213,16 +213,16 @@ static AstExpr *parse_prefixed(Parser *p)
     SmOperator op;
     AstExpr *e;
 
-    if (!enter_level(p))
-        return error_expr(p);
+    if (!enter_recursion(p))
+        return new_error_expr(p);
     hint_explain(p, HINT_AT_OPERAND, NULL);
-    if (prefix_operator(p->tok.kind, &op)) {
-        e = new_expr(p, AST_UNARY, parser_here(p));
+    if (match_prefix_operator(p->tok.kind, &op)) {
+        e = new_expr(p, AST_UNARY, parser_token_span(p));
         e->op = op;
-        set_operator(e, e->span);
-        parser_next(p);
-        e->a = line_ends(p) ? missing_value(p) : parse_prefixed(p);
-        e->span = parser_since(p, e->span.at);
+        set_operator_span(e, e->span);
+        parser_advance(p);
+        e->a = is_at_line_end(p) ? parse_missing_value(p) : parse_prefixed(p);
+        e->span = parser_span_since(p, e->span.at);
         e = check_depth(p, e, e->a);
     } else {
         e = parse_value(p);
@@ -236,7 +236,7 @@ static bool is_equality(const AstExpr *e)
     return e->kind == AST_BINARY && (e->op == SM_OP_EQ || e->op == SM_OP_NE);
 }
 
-// a == b == c
+// Reports e, which is a == b == c: its left operand is an equality too.
 static void report_equality_chain(Parser *p, const AstExpr *e)
 {
     const AstExpr *a = e->a;
@@ -252,10 +252,10 @@ static AstExpr *new_binary(Parser *p, SmOperator op, Span op_span, AstExpr *a, A
     AstExpr *e = new_expr(p, AST_BINARY, a->span);
 
     e->op = op;
-    set_operator(e, op_span);
+    set_operator_span(e, op_span);
     e->a = a;
     e->b = b;
-    e->span = parser_since(p, a->span.at);
+    e->span = parser_span_since(p, a->span.at);
     if (is_equality(e) && is_equality(a) && !is_equality(a->a) && !p->failed)
         report_equality_chain(p, e);
     return check_depth(p, check_depth(p, e, a), b);
@@ -266,10 +266,10 @@ static AstExpr *parse_right(Parser *p, int above)
 {
     AstExpr *e;
 
-    if (line_ends(p))
-        return missing_value(p);
-    if (!enter_level(p))
-        return error_expr(p);
+    if (is_at_line_end(p))
+        return parse_missing_value(p);
+    if (!enter_recursion(p))
+        return new_error_expr(p);
     e = parse_level(p, above + 1);
     p->depth--;
     return e;
@@ -281,12 +281,12 @@ static AstExpr *parse_level(Parser *p, int least)
     AstExpr *e = parse_prefixed(p);
     SmOperator op;
 
-    while (!p->failed && !line_ends(p)) {
+    while (!p->failed && !is_at_line_end(p)) {
         Span op_span;
-        if (hint_explain(p, HINT_AT_OPERATOR, e) == HINT_SKIPPED || !infix_operator(p->tok.kind, &op) || sm_op_info[op].precedence < least)
+        if (hint_explain(p, HINT_AT_OPERATOR, e) == HINT_SKIPPED || !match_infix_operator(p->tok.kind, &op) || sm_op_info[op].precedence < least)
             break;
-        op_span = parser_here(p);
-        parser_next(p);
+        op_span = parser_token_span(p);
+        parser_advance(p);
         e = new_binary(p, op, op_span, e, parse_right(p, sm_op_info[op].precedence));
     }
     return e;
@@ -306,5 +306,5 @@ AstExpr *parse_expr(Parser *p, bool is_guard)
 AstExpr *parse_value_of(Parser *p, bool is_guard)
 {
     p->parens = 0;
-    return line_ends(p) || parser_at_end_of_block(p) ? missing_value(p) : parse_expr(p, is_guard);
+    return is_at_line_end(p) || parser_at_end_of_block(p) ? parse_missing_value(p) : parse_expr(p, is_guard);
 }

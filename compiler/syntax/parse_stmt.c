@@ -6,14 +6,14 @@
 
 static void parse_statement(Parser *p, AstStmts *into);
 
-static AstStmt *new_stmt(Parser *p, AstStmtKind kind, AstStmts *into)
+static AstStmt *add_stmt(Parser *p, AstStmtKind kind, AstStmts *into)
 {
     AstStmt *s = ARENA_NEW(p->arena, AstStmt);
 
     if (kind == AST_IF)
         s->arms = ARENA_NEW(p->arena, AstArms);
     s->kind = kind;
-    s->span = parser_here(p);
+    s->span = parser_token_span(p);
     vec_push(p->arena, into, s);
     return s;
 }
@@ -33,7 +33,7 @@ static void recover_statement(Parser *p)
     p->lost_body = true;
     while (!parser_at_end_of_block(p) && !p->tok.first) {
         if (p->tok.kind != TOK_LBRACE) {
-            parser_next(p);
+            parser_advance(p);
             continue;
         }
         p->failed = false;
@@ -56,8 +56,8 @@ static void finish_statement(Parser *p)
 
 // ---- blocks ----
 
-// At the end of a list: an @allow there allows nothing.
-static void check_allows(Parser *p, const AstStmts *list)
+// Reports an @allow at the end of a list, where no statement follows that it could cover.
+static void report_allow_of_nothing(Parser *p, const AstStmts *list)
 {
     const AstStmt *last = list->n ? list->at[list->n - 1] : NULL;
 
@@ -76,8 +76,8 @@ void parse_block(Parser *p, AstStmts *into)
     for (;;) {
         p->failed = false;
         if (p->tok.kind == TOK_RBRACE && p->braces == 0) {
-            parser_report(p, DIAG_stray_brace, parser_here(p));
-            parser_next(p);
+            parser_report(p, DIAG_stray_brace, parser_token_span(p));
+            parser_advance(p);
             continue;
         }
         if (parser_at_end_of_block(p))
@@ -85,35 +85,35 @@ void parse_block(Parser *p, AstStmts *into)
         at = p->tok.at;
         errors = p->diags->errors;
         if (p->nesting && into->n && into->at[into->n - 1]->kind == AST_STOP)
-            parser_report(p, DIAG_after_stop, parser_here(p));
+            parser_report(p, DIAG_after_stop, parser_token_span(p));
         parse_statement(p, into);
         if (p->tok.at == at)                    // no token was consumed: the token begins no statement
-            parser_next(p);
+            parser_advance(p);
         finish_statement(p);
         claimed = at < p->lex.hinted || at < p->indented;
         if (into->n)
             into->at[into->n - 1]->flawed |= p->diags->errors > errors || claimed;
         p->lost_body |= claimed;
     }
-    check_allows(p, into);
+    report_allow_of_nothing(p, into);
     p->lost_body = lost_body;
 }
 
 static void parse_braces(Parser *p, AstStmts *into, Span *span)
 {
-    Span open = parser_here(p);
+    Span open = parser_token_span(p);
 
-    parser_next(p);
+    parser_advance(p);
     p->braces++;
     parse_block(p, into);
     p->braces--;
     if (p->tok.kind == TOK_RBRACE) {
-        parser_next(p);
+        parser_advance(p);
     } else {
         Diag *d = parser_report(p, DIAG_brace_unclosed, open);
-        diag_note(p->diags, d, parser_here(p), DIAG_note_brace_until, parser_describe(p, &p->tok));
+        diag_note(p->diags, d, parser_token_span(p), DIAG_note_brace_until, parser_describe(p, &p->tok));
     }
-    *span = parser_since(p, open.at);
+    *span = parser_span_since(p, open.at);
 }
 
 // Enters one nesting level. If a file is nested too deeply, the rest of it is not read.
@@ -121,7 +121,7 @@ static bool enter_nesting(Parser *p)
 {
     if (++p->nesting <= AST_DEPTH_MAX)
         return true;
-    parser_fail(p, DIAG_nested_too_deep, parser_here(p), format_in(p->arena, "%d", AST_DEPTH_MAX));
+    parser_fail(p, DIAG_nested_too_deep, parser_token_span(p), format_in(p->arena, "%d", AST_DEPTH_MAX));
     parser_stop(p);
     return false;
 }
@@ -131,7 +131,7 @@ static void report_unguarded_braces(Parser *p)
     AstStmts ignored = {0};
     Span span;
 
-    parser_report(p, DIAG_braces_without_guard, parser_here(p));
+    parser_report(p, DIAG_braces_without_guard, parser_token_span(p));
     if (!enter_nesting(p))
         return;
     parse_braces(p, &ignored, &span);
@@ -141,7 +141,7 @@ static void report_unguarded_braces(Parser *p)
 // ---- assignment, transition, assert, stop ----
 
 // Reports an item of a script that is outside every conditional.
-static void check_guarded(Parser *p, const AstStmt *s)
+static void report_if_unguarded(Parser *p, const AstStmt *s)
 {
     if (!in_script(p) || p->nesting > 0 || p->reported_unguarded || s->span.at < p->lex.hinted)
         return;
@@ -153,37 +153,37 @@ static void parse_if(Parser *p, AstStmts *into, AstExpr *guard);
 
 static void parse_assignment(Parser *p, AstStmts *into)
 {
-    AstStmt *s = new_stmt(p, AST_ASSIGN, into);
+    AstStmt *s = add_stmt(p, AST_ASSIGN, into);
     bool after_colon = p->last.kind == TOK_COLON;        // x = 1: y = 2 is two statements there
 
     s->name = p->tok.text;
     s->name_span = s->span;
-    parser_next(p);
-    p->sign = parser_here(p);
+    parser_advance(p);
+    p->assign_operator = parser_token_span(p);
     if (p->tok.kind != TOK_ASSIGN)
         hint_explain(p, HINT_AT_ASSIGN, NULL);
-    parser_next(p);
+    parser_advance(p);
     s->value = parse_value_of(p, false);
-    s->span = parser_since(p, s->span.at);
+    s->span = parser_span_since(p, s->span.at);
     if (!p->failed && !p->tok.first && (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE) && !after_colon) {
         hint_explain(p, HINT_AFTER_ASSIGNMENT, NULL);  // x = 5: …
         into->n--;
         parse_if(p, into, s->value);
     } else {
-        check_guarded(p, s);
+        report_if_unguarded(p, s);
     }
 }
 
 static void parse_transition(Parser *p, AstStmts *into)
 {
-    AstStmt *s = new_stmt(p, AST_TRANSITION, into);
+    AstStmt *s = add_stmt(p, AST_TRANSITION, into);
 
-    parser_next(p);
+    parser_advance(p);
     if (p->tok.kind == TOK_NAME && !p->tok.first) {
         s->name = p->tok.text;
-        s->name_span = parser_here(p);
-        parser_next(p);
-        s->span = parser_since(p, s->span.at);
+        s->name_span = parser_token_span(p);
+        parser_advance(p);
+        s->span = parser_span_since(p, s->span.at);
         if (in_script(p))
             parser_report(p, DIAG_script_transition, s->span);
         return;
@@ -193,7 +193,7 @@ static void parse_transition(Parser *p, AstStmts *into)
         return;
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    parser_fail(p, DIAG_transition_without_state, parser_where_missing(p), parser_found(p));
+    parser_fail(p, DIAG_transition_without_state, parser_missing_span(p), parser_describe_found(p));
 }
 
 static void parse_annotated(Parser *p, AstStmts *into)
@@ -206,22 +206,22 @@ static void parse_annotated(Parser *p, AstStmts *into)
         return;
     }
     if (!in_script(p))
-        parser_report(p, DIAG_script_only, parser_here(p), p->tok.text->text);
-    s = new_stmt(p, is_assert ? AST_ASSERT : AST_STOP, into);
-    parser_next(p);
+        parser_report(p, DIAG_script_only, parser_token_span(p), p->tok.text->text);
+    s = add_stmt(p, is_assert ? AST_ASSERT : AST_STOP, into);
+    parser_advance(p);
     if (is_assert)
         s->value = parse_value_of(p, true);
-    s->span = parser_since(p, s->span.at);
-    check_guarded(p, s);
+    s->span = parser_span_since(p, s->span.at);
+    report_if_unguarded(p, s);
 }
 
 // ---- @allow ----
 
-// Parses the annotations here; the statement can follow on their line.
+// Parses the @allow annotations at the current token; the statement that they cover can follow on their line.
 static void parse_allows(Parser *p, AstStmts *into)
 {
     while (parser_is_allow(&p->tok) && !p->failed) {
-        AstStmt *s = new_stmt(p, AST_ALLOWED, into);
+        AstStmt *s = add_stmt(p, AST_ALLOWED, into);
         if ((s->allow = parse_allow(p)) == NULL) {
             s->kind = AST_STMT_ERROR;
             return;
@@ -238,7 +238,7 @@ static void parse_allows(Parser *p, AstStmts *into)
 static void recover_guard(Parser *p)
 {
     while (!parser_at_end_of_block(p) && p->tok.kind != TOK_COLON && p->tok.kind != TOK_LBRACE && !p->tok.first)
-        parser_next(p);
+        parser_advance(p);
     if (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE)
         p->failed = false;
 }
@@ -252,9 +252,9 @@ static AstExpr *parse_guard(Parser *p)
 
 static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *braces, Span *span)
 {
-    Span colon = parser_here(p);
+    Span colon = parser_token_span(p);
 
-    parser_next(p);
+    parser_advance(p);
     if (p->tok.kind == TOK_LBRACE) {
         Diag *d = parser_report(p, DIAG_colon_and_braces, colon);
         diag_label(p->diags, d, DIAG_label_text, "leave the ':' out");
@@ -272,8 +272,8 @@ static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *
     } else {
         parse_statement(p, into);
     }
-    check_allows(p, into);
-    *span = parser_since(p, into->n ? into->at[0]->span.at : colon.at);
+    report_allow_of_nothing(p, into);
+    *span = parser_span_since(p, into->n ? into->at[0]->span.at : colon.at);
 }
 
 static bool may_begin_statement(const Parser *p)
@@ -282,11 +282,11 @@ static bool may_begin_statement(const Parser *p)
                              p->tok.kind == TOK_IF);
 }
 
-// A value, or a guard after `if`, is a statement of its own.
+// Reports a value, or a guard after `if`, that has no body.
 static void report_lone_value(Parser *p, AstExpr *e)
 {
     if (p->has_if)
-        diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p)), DIAG_label_text,
+        diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p)), DIAG_label_text,
                    "insert '{', and write '}' below the statements that depend on it");
     else if (p->kind == FILE_SM && (e->kind == AST_NAME || e->kind == AST_CALL))
         e->alone = true;                      // the checker knows what is declared, and reports it
@@ -294,7 +294,7 @@ static void report_lone_value(Parser *p, AstExpr *e)
         hint_explain(p, HINT_AT_LONE_VALUE, e);
 }
 
-// The guard, or `else`, is followed by neither : nor {.
+// Parses the body of a guard, or of `else`, that neither : nor { follows: reports that, and reads a statement on the same line as the body.
 static void parse_bare_body(Parser *p, const AstStmt *s, AstStmts *into)
 {
     if (p->failed)
@@ -321,7 +321,7 @@ static void parse_body(Parser *p, const AstStmt *s, AstStmts *into, bool *braces
     } else if (p->tok.kind == TOK_COLON && !p->tok.first) {
         parse_colon_body(p, s, into, braces, span);
     } else {
-        *span = parser_gap(p);
+        *span = parser_gap_span(p);
         parse_bare_body(p, s, into);
     }
     if (p->failed) {
@@ -346,13 +346,13 @@ static AstStmt *parse_else(Parser *p, AstStmt *s)
     if (p->tok.kind != TOK_ELSE)
         return NULL;
     s->arms->has_else = true;
-    s->arms->else_span = parser_here(p);
+    s->arms->else_span = parser_token_span(p);
     if (in_script(p))
         diag_label(p->diags, parser_report(p, DIAG_script_else, s->arms->else_span), DIAG_label_text,
                    "write the opposite as a condition: not (...)");
-    parser_next(p);
+    parser_advance(p);
     if (p->tok.kind == TOK_IF && !p->tok.first)
-        return new_stmt(p, AST_IF, &s->arms->otherwise);
+        return add_stmt(p, AST_IF, &s->arms->otherwise);
     parse_body(p, s, &s->arms->otherwise, &s->arms->else_braces, &s->arms->else_body_span);
     return NULL;
 }
@@ -368,10 +368,10 @@ static void parse_branches(Parser *p, AstStmt *s)
         }
         p->has_if = p->tok.kind == TOK_IF;
         if (p->has_if)
-            parser_next(p);
+            parser_advance(p);
         if (!s->value)
             s->value = p->has_if ? parse_guard(p) : parse_expr(p, false);
-        s->span = parser_since(p, s->span.at);
+        s->span = parser_span_since(p, s->span.at);
         if (p->failed)
             recover_guard(p);
         parse_body(p, s, &s->arms->then, &s->arms->braces, &s->arms->body_span);
@@ -381,11 +381,11 @@ static void parse_branches(Parser *p, AstStmt *s)
     }
 }
 
-// `guard` has been read already, or is NULL.
+// Parses a conditional. `guard`: its guard, if that has been parsed already; else NULL.
 static void parse_if(Parser *p, AstStmts *into, AstExpr *guard)
 {
     unsigned nesting = p->nesting;
-    AstStmt *s = new_stmt(p, AST_IF, into);
+    AstStmt *s = add_stmt(p, AST_IF, into);
 
     s->value = guard;
     if (guard)
@@ -394,19 +394,19 @@ static void parse_if(Parser *p, AstStmts *into, AstExpr *guard)
     p->nesting = nesting;
 }
 
-// An `else` that follows no conditional.
+// Reports an `else` that follows no conditional, and skips its body.
 static void report_stray_else(Parser *p)
 {
     AstArms arms = {0};
     AstStmt s = {.arms = &arms};
 
     if (!p->lost_body)
-        parser_report(p, DIAG_else_without_if, parser_here(p));
+        parser_report(p, DIAG_else_without_if, parser_token_span(p));
     p->lost_body = true;
     if (!enter_nesting(p))
         return;
     arms.has_else = true;
-    parser_next(p);
+    parser_advance(p);
     if (p->tok.first)
         p->failed = true;
     else if (p->tok.kind == TOK_IF && !p->tok.first)
@@ -424,7 +424,7 @@ static bool begins_guard(TokenKind k)
            k == TOK_NOT || k == TOK_BANG || k == TOK_MINUS || k == TOK_PLUS;
 }
 
-static bool is_assignment_sign(TokenKind k)
+static bool is_assignment_operator(TokenKind k)
 {
     return k == TOK_ASSIGN || k == TOK_OP_ADD || k == TOK_OP_SUB || k == TOK_OP_MUL || k == TOK_OP_DIV;
 }
@@ -440,7 +440,7 @@ static void parse_statement(Parser *p, AstStmts *into)
         p->failed = true;
     else if (hint_explain(p, HINT_AT_STATEMENT, NULL) == HINT_SKIPPED)
         return;
-    else if (p->tok.kind == TOK_NAME && is_assignment_sign(p->ahead.kind) && !p->ahead.first)
+    else if (p->tok.kind == TOK_NAME && is_assignment_operator(p->ahead.kind) && !p->ahead.first)
         parse_assignment(p, into);
     else if (p->tok.kind == TOK_ARROW)
         parse_transition(p, into);
@@ -453,5 +453,5 @@ static void parse_statement(Parser *p, AstStmts *into)
     else if (begins_guard(p->tok.kind))
         parse_if(p, into, NULL);
     else
-        parser_fail(p, DIAG_expected_statement, parser_here(p), parser_describe(p, &p->tok));
+        parser_fail(p, DIAG_expected_statement, parser_token_span(p), parser_describe(p, &p->tok));
 }

@@ -22,44 +22,44 @@ typedef struct Parser {
     FileKind kind;
     bool failed;                  // reports are dropped until the next statement
     bool lost_body;               // in this block a conditional lost statements, so its `else` will look misplaced
-    bool stopped;                 // parsing was abandoned: every further token is END and nothing is reported
-    unsigned braces;              // open
+    bool stopped;                 // parsing was abandoned: every further token is TOK_END, and nothing more is reported
+    unsigned braces;              // number of open braces
     bool reported_unguarded;          // SS: this section's unguarded items have been reported
-    unsigned nesting;             // of conditionals
-    unsigned depth;               // of the current position in the expression
-    unsigned parens;              // open at that position: line ends count as blanks
+    unsigned nesting;             // number of conditionals around the current position
+    unsigned depth;               // of recursion in the current expression
+    unsigned parens;              // number of open parentheses there; inside them line ends count as spaces
     bool has_if;                  // the current condition begins with `if`
 
     // For the hints.
     HintIndex hints;
     bool is_guard;                // the current expression is a condition: an = in it was meant as ==
-    Span sign;                    // of the last assignment
-    AstPlace pin_place;           // of the current pin: its section and direction
+    Span assign_operator; // of the last assignment
+    AstAnnotationTarget pin_target;           // of the current pin: its section and direction
     uint32_t indented;            // lines before this position belong to a condition whose braces are missing
 } Parser;
 
 // ---- tokens ----
 
-void parser_next(Parser *p);
+void parser_advance(Parser *p);
 void parser_stop(Parser *p);                            // stops reading and reporting
 Span parser_span(const Parser *p, const Token *t);
-Span parser_here(const Parser *p);                      // of the next token
-Span parser_gap(const Parser *p);                       // directly after the last token
-Span parser_where_missing(const Parser *p);             // the next token, or the end of the line before it
-Span parser_since(const Parser *p, uint32_t at);        // from `at` to the end of the last token
+Span parser_token_span(const Parser *p);                // of the next token
+Span parser_gap_span(const Parser *p);                       // directly after the last token
+Span parser_missing_span(const Parser *p);             // the next token, or the end of the line before it
+Span parser_span_since(const Parser *p, uint32_t at);        // from `at` to the end of the last token
 bool parser_at_end_of_statement(const Parser *p);
 bool parser_at_end_of_block(const Parser *p);           // } label header end
 
-// ---- messages ----
+// ---- diagnostics ----
 
 // Like diag_report, but does nothing while p->failed is set.
 Diag *parser_report(Parser *p, DiagCode code, Span span, ...);
 // The same, and sets p->failed.
 Diag *parser_fail(Parser *p, DiagCode code, Span span, ...);
 const char *parser_text(const Parser *p, Span span);    // the source text, cut to a readable length
-// A token as a message names it: "'>='", "the end of the line", "the section [Idle]".
+// Describes a token for a diagnostic: "'>='", "the end of the line", "the section [Idle]".
 const char *parser_describe(const Parser *p, const Token *t);
-const char *parser_found(const Parser *p);              // describes the next token, or the end of the line before it
+const char *parser_describe_found(const Parser *p);              // describes the next token, or the end of the line before it
 // Labels the current annotation, which is unknown, with the nearest one allowed here. If none is near, the label lists all of them.
 void parser_label_annotations(Parser *p, Diag *d, const char *const *here, size_t n);
 
@@ -71,12 +71,12 @@ void parse_block(Parser *p, AstStmts *into);            // statements up to }, a
 void parse_decls(Parser *p, AstSection *s);
 void parse_options(Parser *p, AstSection *s);
 // Parses all annotations that follow; `owner` is the name of what they annotate.
-void parse_annotations(Parser *p, AstPlace place, Str owner, Span owner_span, AstAnnotations *into);
+void parse_annotations(Parser *p, AstAnnotationTarget target, Str owner, Span owner_span, AstAnnotations *into);
 bool parse_signed_number(Parser *p, AstNumber *into);   // a number with or without a sign; false: none found
 void parse_pins(Parser *p, AstSection *s);
 void parser_report_pin_section(Parser *p, const AstSection *s);
 bool parser_is_allow(const Token *t);
-const AstAnnotation *parse_allow(Parser *p);            // an @allow before a statement; NULL after a message
+const AstAnnotation *parse_allow(Parser *p);            // an @allow before a statement; NULL if it reported an error
 void parser_report_annotation_before_decl(Parser *p);                 // reports the current annotation, where a declaration should begin
 void parser_report_annotation_in_block(Parser *p);                    // the same, where a statement should begin
 void parse_app_section(Parser *p, struct AstApp *app);  // at its header

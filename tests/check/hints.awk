@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Checks that each spelling in hints.def is on a line of a test case that announces a message (`#! E0329 ...`), and that the rows of
-# patterns are in the order of HintPlace, which the search relies on.
+# patterns are in the order of HintContext, which the search relies on.
 # Input: hints.h, hints.def, then the names of the cases, one a line.
 
 FILENAME ~ /hints\.h$/ && /^ *HINT_(AT|AFTER)_/ {
@@ -15,14 +15,14 @@ FILENAME ~ /hints\.def$/ && /^HINT(_LABEL)?\(A/ {
     sub(/^[^(]*\(/, "", name)
     sub(/,.*/, "", name)
     if (!(name in order) || order[name] < last) {
-        print "hints.def:" FNR ": " name " is not in the order of HintPlace"
+        print "hints.def:" FNR ": " name " is not in the order of HintContext"
         bad++
     }
     last = order[name]
     patterns++
 }
 
-FILENAME ~ /hints\.def$/ && /^HINT_(TEXT|SIGN|NO_SIGN|PHRASE|WORD|SYNONYM)\(/ {
+FILENAME ~ /hints\.def$/ && /^HINT_(TEXT|OPERATOR|ABSENT_OPERATOR|PHRASE|WORD|SYNONYM)\(/ {
     split($0, part, "\"")
     row[++rows] = tolower(part[2])
     place[rows] = FNR

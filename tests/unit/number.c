@@ -12,7 +12,7 @@ static uint64_t bits_of(const char *text)
 {
     SmF64 x = sm_from_bits(1);
 
-    return number_value(text, strlen(text), &x) ? sm_bits(x) : 0x7ff0000000000000u;
+    return number_to_f64(text, strlen(text), &x) ? sm_bits(x) : 0x7ff0000000000000u;
 }
 
 static void check_as_strtod(const char *text)
@@ -134,13 +134,13 @@ static void test_long(void)
     memset(text, '0', N);
     text[0] = '1';
     strcpy(text + N, "e-999999");
-    CHECK(number_value(text, strlen(text), &x) && sm_bits(x) == sm_bits(1.0));
+    CHECK(number_to_f64(text, strlen(text), &x) && sm_bits(x) == sm_bits(1.0));
     memset(text, '0', N);
     text[1] = '.';
     strcpy(text + N, "25e999998");
-    CHECK(number_value(text, strlen(text), &x) && sm_bits(x) == sm_bits(0.25));
+    CHECK(number_to_f64(text, strlen(text), &x) && sm_bits(x) == sm_bits(0.25));
     memset(text, '9', N);
-    CHECK(!number_value(text, N, &x));
+    CHECK(!number_to_f64(text, N, &x));
     free(text);
 }
 

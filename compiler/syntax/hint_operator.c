@@ -12,52 +12,53 @@ static bool begins_statement(const Lexer *l, const Token *t)
     return t->first || l->last == TOK_COLON || l->last == TOK_LBRACE || l->last == TOK_LABEL || l->last == TOK_HEADER;
 }
 
-// Whether a name is the last word of the line after the sign, and the next line with code does not begin with a brace.
-static bool names_state(const Lexer *l, const Token *t)
+// Whether a name is the last word of the line after the operator t, and the next line with code does not begin with a brace.
+static bool is_state_named_after(const Lexer *l, const Token *t)
 {
-    uint32_t from = hint_skip_gap(l, t->at + t->len), end = lexer_skip_word(l, from), p = hint_skip_gap(l, end);
+    uint32_t from = hint_skip_spaces(l, t->at + t->len), end = lexer_skip_word(l, from), p = hint_skip_spaces(l, end);
 
     if (l->stores || l->annotated || l->parens || !lex_is_identifier(l->src->text + from, end - from) ||
         !(hint_ends_line(l, p) || lexer_byte(l, p) == '}'))
         return false;
     while (lexer_byte(l, p) == '\n' || lexer_byte(l, p) == '#') {
         p += (uint32_t)strcspn(l->src->text + p, "\n");
-        p = lexer_byte(l, p) ? hint_skip_gap(l, p + 1) : p;
+        p = lexer_byte(l, p) ? hint_skip_spaces(l, p + 1) : p;
     }
     return lexer_byte(l, p) != '{';
 }
 
-// Whether the name after the sign is a declared value, not a state: a comparison whose body is missing.
-static bool names_declared(const Lexer *l, const Token *t)
+// Whether the name after the operator t is a declared value, not a state: a comparison whose body is missing.
+static bool is_declared_named_after(const Lexer *l, const Token *t)
 {
-    const uint32_t from = hint_skip_gap(l, t->at + t->len);
+    const uint32_t from = hint_skip_spaces(l, t->at + t->len);
 
     return hint_is_declared(l, from, lexer_skip_word(l, from));
 }
 
 // ---- bits ----
 
-// fault & 4, ~3: the user means bits, which the language does not have. In p > 5 & 3 < x this is not the case.
-static bool is_about_bits(const Lexer *l, const Token *t)
+// Whether t is a bit operator, as in fault & 4 or ~3: a digit follows it. In p > 5 & 3 < x it joins two comparisons. The language has no
+// bit operators.
+static bool is_bit_operator(const Lexer *l, const Token *t)
 {
-    const uint32_t p = hint_skip_gap(l, t->at + 1), after = hint_skip_gap(l, lexer_skip_word(l, p));
+    const uint32_t p = hint_skip_spaces(l, t->at + 1), after = hint_skip_spaces(l, lexer_skip_word(l, p));
 
     return t->len == 1 && strchr("&|~", l->src->text[t->at]) && lex_is_digit(lexer_byte(l, p)) && lexer_byte(l, after) != '<' &&
            lexer_byte(l, after) != '>' && lexer_byte(l, after) != '.';
 }
 
-// The text on one side of a & or |, up to the next sign or word that joins conditions, within the same parentheses.
+// The text on one side of a & or |, up to the next operator that joins conditions (&& || & | and or), within the same parentheses.
 typedef struct ConditionSide {
     bool compares;            // contains a comparison
     enum { SIDE_END, SIDE_AND, SIDE_OR, SIDE_BIT_AND, SIDE_BIT_OR } until;
 } ConditionSide;
 
-static bool is_text(const char *s, uint32_t at, uint32_t end, const char *word)
+static bool is_text_equal(const char *s, uint32_t at, uint32_t end, const char *word)
 {
     return end - at == strlen(word) && memcmp(s + at, word, end - at) == 0;
 }
 
-// Returns what kind of sign or word at `p` joins conditions; *len: its length.
+// Returns which operator that joins conditions is at `p`, or SIDE_END if none is; *len: the length of the token at p.
 static int find_join(const Lexer *l, uint32_t p, uint32_t *len)
 {
     const char *s = l->src->text;
@@ -65,8 +66,8 @@ static int find_join(const Lexer *l, uint32_t p, uint32_t *len)
 
     *len = end > p ? end - p : 1;
     if (end > p)
-        return is_text(s, p, end, "and") || is_text(s, p, end, "AND")  ? SIDE_AND
-               : is_text(s, p, end, "or") || is_text(s, p, end, "OR") ? SIDE_OR
+        return is_text_equal(s, p, end, "and") || is_text_equal(s, p, end, "AND")  ? SIDE_AND
+               : is_text_equal(s, p, end, "or") || is_text_equal(s, p, end, "OR") ? SIDE_OR
                                                                       : SIDE_END;
     if (s[p] != '&' && s[p] != '|')
         return SIDE_END;
@@ -76,12 +77,12 @@ static int find_join(const Lexer *l, uint32_t p, uint32_t *len)
     return s[p] == '&' ? SIDE_BIT_AND : SIDE_BIT_OR;
 }
 
-static bool compares_at(const char *s, uint32_t p)
+static bool is_comparison_at(const char *s, uint32_t p)
 {
     return s[p] == '<' || s[p] == '>' || (s[p] == '=' && (s[p + 1] == '=' || (p > 0 && s[p - 1] == '!')));
 }
 
-static ConditionSide right_side(const Lexer *l, uint32_t p)
+static ConditionSide scan_right_side(const Lexer *l, uint32_t p)
 {
     const char *s = l->src->text;
     const uint32_t most = p + HINT_FAR;
@@ -96,13 +97,13 @@ static ConditionSide right_side(const Lexer *l, uint32_t p)
         }
         depth += s[p] == '(';
         depth -= s[p] == ')';
-        side.compares |= compares_at(s, p);
+        side.compares |= is_comparison_at(s, p);
     }
     return side;
 }
 
-// Scans the sides before a sign, from the start of its parentheses or of the line. Only the last one counts.
-static ConditionSide left_side(const Lexer *l, uint32_t at)
+// Returns the operand of the operator at `at` that ends there; the scan begins at the enclosing parenthesis or at the start of the line.
+static ConditionSide scan_left_side(const Lexer *l, uint32_t at)
 {
     const char *s = l->src->text;
     uint32_t from = at, depth = 0, len = 1;
@@ -120,12 +121,13 @@ static ConditionSide left_side(const Lexer *l, uint32_t at)
             side = (ConditionSide){false, (unsigned)joined};
         depth += s[p] == '(';
         depth -= s[p] == ')' && depth > 0;
-        side.compares |= compares_at(s, p);
+        side.compares |= is_comparison_at(s, p);
     }
     return side;
 }
 
-// `status & mask`, `x = ~mask`: perhaps bits are meant. Or a | next to an `and`: in other languages their precedence is reversed.
+// Whether t can be a bit operator, as in `status & mask` or `x = ~mask`, or is a | next to an `and`, whose precedence differs between
+// languages. Then no edit is proposed.
 static bool may_be_bits(const Lexer *l, const Token *t)
 {
     const char sign = l->src->text[t->at];
@@ -135,17 +137,17 @@ static bool may_be_bits(const Lexer *l, const Token *t)
         return t->len == 1 && l->stores && !t->first;      // at a first token l->stores describes the previous line
     if (sign != '&' && sign != '|')
         return false;
-    left = left_side(l, t->at);
-    right = right_side(l, t->at + 1);
+    left = scan_left_side(l, t->at);
+    right = scan_right_side(l, t->at + 1);
     if (sign == '|' && (left.until == SIDE_AND || right.until == SIDE_AND))
         return true;
     return !left.compares || (!right.compares && right.until >= SIDE_BIT_AND);
 }
 
-// ---- a sign ----
+// ---- one operator ----
 
-// Whether `at` follows only a name in its statement: x := 1.
-static bool is_after_target(const Lexer *l, uint32_t at)
+// Whether only a name precedes `at` in its statement, as in x := 1.
+static bool follows_target_only(const Lexer *l, uint32_t at)
 {
     const char *s = l->src->text;
 
@@ -160,17 +162,17 @@ static bool is_after_target(const Lexer *l, uint32_t at)
 
 static void report_foreign(Lexer *l, Token *t, const char *spelling, const char *native)
 {
-    bool arrow = strcmp(spelling, "=>") == 0, blank, names_value = false;
+    bool arrow = strcmp(spelling, "=>") == 0, needs_space, names_value = false;
     uint32_t from = t->at;
     Diag *d;
 
     if (arrow && begins_statement(l, t))
         native = "->";
-    else if (arrow && names_state(l, t) && !(names_value = names_declared(l, t)))
+    else if (arrow && is_state_named_after(l, t) && !(names_value = is_declared_named_after(l, t)))
         native = ": ->";
     if (native[strlen(native) - 1] == '>')
         t->kind = TOK_ARROW;
-    blank = lex_is_letter(*native);
+    needs_space = lex_is_letter(*native);
     d = diag_report(l->diags, DIAG_foreign_operator, lexer_span(l, t->at, t->len), spelling, native);
     if (may_be_bits(l, t)) {
         diag_label(l->diags, d, DIAG_label_no_bits, native);
@@ -178,18 +180,18 @@ static void report_foreign(Lexer *l, Token *t, const char *spelling, const char 
     }
     diag_label(l->diags, d, DIAG_label_write, native);
     if (names_value || (*native == 'n' && !hint_is_negated_alone(l->src->text, t->at + t->len)) ||
-        (*spelling == ':' && !is_after_target(l, t->at)))
+        (*spelling == ':' && !follows_target_only(l, t->at)))
         return;
     while (*native == ':' && from && is_space_tab_or_return(l->src->text[from - 1]))
         from--;
     diag_edit(l->diags, d, lexer_span(l, from, t->at + t->len - from),
-              format_in(l->diags->arena, "%s%s%s", blank && t->at && lexer_is_word(l->src->text[t->at - 1]) ? " " : "",
-                        native, blank && lexer_is_word(lexer_byte(l, t->at + t->len)) ? " " : ""));
+              format_in(l->diags->arena, "%s%s%s", needs_space && t->at && lexer_is_word(l->src->text[t->at - 1]) ? " " : "",
+                        native, needs_space && lexer_is_word(lexer_byte(l, t->at + t->len)) ? " " : ""));
 }
 
-void hint_report_sign(Lexer *l, Token *t, const char *spelling, const char *native, const char *label)
+void hint_report_operator(Lexer *l, Token *t, const char *spelling, const char *native, const char *label)
 {
-    if (native && is_about_bits(l, t)) {
+    if (native && is_bit_operator(l, t)) {
         diag_label(l->diags, diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), spelling), DIAG_label_bits);
         t->kind = *spelling == '~' ? TOK_MINUS : TOK_STAR;
     } else if (native) {
@@ -202,7 +204,7 @@ void hint_report_sign(Lexer *l, Token *t, const char *spelling, const char *nati
 
 // ---- bars ----
 
-// |a - |b||: which bars belong together is ambiguous. Skips up to the last one.
+// Reports |a - |b||, where it is ambiguous which bars form a pair, and skips up to the last bar of the line.
 static void skip_nested_bars(Lexer *l, Token *t)
 {
     uint32_t at = l->at, end = at + 1;
@@ -216,13 +218,13 @@ static void skip_nested_bars(Lexer *l, Token *t)
     lexer_finish_token(l, t, TOK_ERROR, end);
 }
 
-// Whether the text between two bars is one value.
-static bool is_between_bars(const Lexer *l, uint32_t at, uint32_t end)
+// Whether the text from `at` to `end`, between two bars, is one value.
+static bool is_single_value(const Lexer *l, uint32_t at, uint32_t end)
 {
     const char *s = l->src->text;
     uint32_t depth = 0, last = end;
 
-    at = hint_skip_gap(l, at);
+    at = hint_skip_spaces(l, at);
     while (last > at && is_space_tab_or_return(s[last - 1]))
         last--;
     if (last == at || !(lexer_is_word(s[last - 1]) || s[last - 1] == ')' || s[last - 1] == '.') ||
@@ -236,7 +238,7 @@ static bool is_between_bars(const Lexer *l, uint32_t at, uint32_t end)
     return depth == 0;
 }
 
-// |x| of mathematics is read as (x).
+// Reads |x|, the absolute value in mathematics, as (x).
 HintResult hint_read_bars(Lexer *l, Token *t)
 {
     uint32_t at = l->at, end = at + t->len;
@@ -254,7 +256,7 @@ HintResult hint_read_bars(Lexer *l, Token *t)
         end++;
     if (lexer_byte(l, end) != '|')
         return HINT_NONE;
-    if (lexer_byte(l, at + 1) == '|' || lexer_byte(l, end + 1) == '|' || !is_between_bars(l, at + 1, end)) {
+    if (lexer_byte(l, at + 1) == '|' || lexer_byte(l, end + 1) == '|' || !is_single_value(l, at + 1, end)) {
         skip_nested_bars(l, t);
         return HINT_READ;
     }
