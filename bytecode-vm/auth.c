@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See auth.h.  No branch here depends on a bit of the key or of a code.
+// Implements auth.h.  No branch here depends on a bit of the key or of a code.
 #include "bytecode-vm/auth.h"
 
 #include <string.h>
@@ -10,7 +10,7 @@ enum { BLOCK = 16, ROUNDS = 12 };
 
 // ---- Chaskey-12 ----
 
-// The address of byte i of the block: words have their least significant byte first.
+// The address of byte i of the block in v, whose words count as little-endian on every computer.
 static uint8_t *byte_of(uint32_t *v, uint8_t i)
 {
     const uint16_t one = 1;
@@ -20,12 +20,13 @@ static uint8_t *byte_of(uint32_t *v, uint8_t i)
     return (uint8_t *)v + (low ? i : i ^ 3);
 }
 
-// Rotations to the left by 5, 8, 13 and 7 are composed of rotations by whole bytes, which cost an 8-bit computer least, and of single
-// bits back.
+// The algorithm rotates left by 5, 8, 13, 7 and 16 bits.  An 8-bit computer rotates by whole bytes most cheaply, so 5, 13 and 7 are
+// composed of a rotation left by 8 or 16 bits and rotations right by one bit.
 static uint32_t rotate_right_1(uint32_t x) { return x >> 1 | x << 31; }
 static uint32_t rotate_left_8(uint32_t x) { return x << 8 | x >> 24; }
 static uint32_t rotate_left_16(uint32_t x) { return x << 16 | x >> 16; }
 
+// The permutation of Chaskey: ROUNDS rounds.
 static void permute(uint32_t *v)
 {
     for (uint8_t i = 0; i < ROUNDS; i++) {
@@ -66,7 +67,7 @@ void smvm_mac_begin(SmvmMac *m, const uint8_t *key)
 
 void smvm_mac_byte(SmvmMac *m, uint8_t byte)
 {
-    if (m->n == BLOCK) {               // not the last block
+    if (m->n == BLOCK) {               // another byte follows, so the full block is not the last one
         permute(m->v);
         m->n = 0;
     }
@@ -102,8 +103,8 @@ void smvm_auth_code(SmvmBytes image, uint32_t length, const uint8_t *key, uint8_
     smvm_mac_end(&m, key, code);
 }
 
-// The offset of AUTH; 0: the image does not end with one.
-static SmvmAt find_section(SmvmBytes image)
+// Returns the offset of the AUTH section; 0 if the image does not end with one.
+static SmvmAt find_auth_section(SmvmBytes image)
 {
     for (uint8_t i = 0; i < smvm_section_count(image); i++) {
         SmvmSection s;
@@ -116,7 +117,7 @@ static SmvmAt find_section(SmvmBytes image)
 
 bool smvm_auth_read(SmvmBytes image, SmvmAuth *auth)
 {
-    const SmvmAt at = find_section(image);
+    const SmvmAt at = find_auth_section(image);
 
     auth->number = at ? smvm_uint(image, at, 4) : 0;
     auth->mark = at ? smvm_uint(image, (SmvmAt)(at + 4), 4) : 0;
@@ -135,7 +136,7 @@ uint32_t smvm_auth_mark(const uint8_t *key)
 
 bool smvm_auth_check(SmvmBytes image, const uint8_t *key, uint32_t *number)
 {
-    const SmvmAt at = find_section(image), end = (SmvmAt)(at + SMVM_AUTH - SMVM_CODE);
+    const SmvmAt at = find_auth_section(image), end = (SmvmAt)(at + SMVM_AUTH - SMVM_CODE);
     uint8_t code[SMVM_CODE], differs = 0;
 
     if (at == 0)

@@ -6,7 +6,7 @@
 //     AUTH: u32 number, u32 mark of the key, then 16 bytes of code, which end the image.  The code covers all bytes before it; the
 //     bytes of the CRC count as 0.
 //
-// The mark identifies a key without revealing it: a host can see that a board has another key before it sends anything.
+// The mark identifies a key without revealing it: a host can see that a board has another key before it sends an image.
 #ifndef SMVM_AUTH_H
 #define SMVM_AUTH_H
 
@@ -16,7 +16,7 @@
 extern "C" {
 #endif
 
-enum { SMVM_KEY = 16, SMVM_CODE = 16, SMVM_AUTH = 8 + SMVM_CODE };     // bytes
+enum { SMVM_KEY = 16, SMVM_CODE = 16, SMVM_AUTH = 8 + SMVM_CODE };     // bytes of a key, a code, and the AUTH section
 
 // Reads the number and the mark of an image that the verifier accepts.  Returns false if the image has no AUTH section.
 typedef struct SmvmAuth { uint32_t number, mark; } SmvmAuth;
@@ -25,7 +25,8 @@ bool smvm_auth_read(SmvmBytes image, SmvmAuth *auth);
 // The mark of a key: the first four bytes of its code for empty input.
 uint32_t smvm_auth_mark(const uint8_t *key);
 
-// Whether an image's code was computed with this key; stores its number.  The comparison takes the same time wherever a code is wrong.
+// Checks an image's code with this key.  If the image has an AUTH section, sets *number to its number.  Returns whether the code is
+// correct.  The time does not depend on which bytes of a code are wrong.
 bool smvm_auth_check(SmvmBytes image, const uint8_t *key, uint32_t *number);
 
 // Computes the code of an image whose last SMVM_CODE bytes are reserved for it.  `length` is the number of bytes before them.
@@ -33,8 +34,8 @@ void smvm_auth_code(SmvmBytes image, uint32_t length, const uint8_t *key, uint8_
 
 // Chaskey-12 over a stream of bytes.
 typedef struct SmvmMac {
-    uint32_t v[4];
-    uint8_t n;                // how many bytes of the last block are in v
+    uint32_t v[4];            // the state of the algorithm
+    uint8_t n;                // how many bytes of the current block are added to v
 } SmvmMac;
 
 void smvm_mac_begin(SmvmMac *m, const uint8_t *key);

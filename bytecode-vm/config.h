@@ -26,7 +26,7 @@
 
 // Where an image is stored, and how the VM reads its bytes.  SMVM_FETCH is the only access to an image.  For EEPROM, define SMVM_BYTES as
 // uint16_t and SMVM_FETCH(image, at) as eeprom_read_byte((image) + (at)), or as a function that selects among several memories.  An
-// SMVM_BYTES plus an offset must be the location of the bytes from that offset on.
+// SMVM_BYTES plus an offset must refer to the bytes from that offset on.
 #ifndef SMVM_FETCH
 #define SMVM_BYTES const uint8_t *
 #define SMVM_FETCH(image, at) ((image)[at])
@@ -42,7 +42,7 @@
 #define SMVM_FETCH_AVR 0
 #endif
 
-// Names in an image as text, if the image is in memory that pointers can address.
+// A pointer to a name in an image, if the image is in memory that pointers can address; otherwise an empty name.
 #ifndef SMVM_TEXT
 #define SMVM_TEXT(image, at) ""
 #endif
@@ -65,8 +65,8 @@
 #endif
 #endif
 
-// 1: a running machine stores the offsets of its tables in RAM, which takes ten SMVM_AT and a byte.  0: each step reads them from the image,
-// which takes an 8-bit computer several thousand cycles.
+// 1: a running machine stores the offsets of its tables in RAM, which takes ten SMVM_AT and a byte.  0: each step reads them from the
+// image, which takes an 8-bit computer several thousand cycles.
 #ifndef SMVM_KEEP_TABLES
 #if SIZE_MAX < 0x7fffffff
 #define SMVM_KEEP_TABLES 1
@@ -110,14 +110,14 @@
 #endif
 #endif
 
-// Marks functions that frequently executed functions rarely call.  They are not inlined when the compiler optimizes for size.
+// For functions that their callers run rarely: not inlined when the compiler optimizes for size.
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define SMVM_NOINLINE __attribute__((noinline))
 #else
 #define SMVM_NOINLINE
 #endif
 
-// For small functions whose arguments must stay in registers.
+// For small functions in frequently executed code: always inlined.
 #ifdef __GNUC__
 #define SMVM_INLINE static inline __attribute__((always_inline))
 #else

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads names and lines from the DEBUG section.  The verifier does not check it, because nothing needs it to run.  So the functions
-// here trust nothing in it: they treat data that is not inside the section as absent.
+// Reads names and source lines from the DEBUG section.  The verifier does not check it, because a machine runs without it.  So the
+// functions here check every offset in it: data that is not inside the section counts as absent.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
@@ -9,7 +9,8 @@
 static SmvmAt debug_offset(const SmvmMachine *m, uint32_t at) { return (SmvmAt)(m->debug_at + at); }
 static SmvmAt debug_end(const SmvmMachine *m) { return debug_offset(m, m->debug_size); }
 
-static bool read_debug_number(const SmvmMachine *m, uint32_t at, uint32_t *value)  // a number of three bytes, `at` bytes into the section
+// Reads a number of three bytes, `at` bytes into the section.  Returns false if it is not inside the section.
+static bool read_debug_u24(const SmvmMachine *m, uint32_t at, uint32_t *value)
 {
     if (m->debug_size < 3 || at > m->debug_size - 3u)
         return false;
@@ -17,12 +18,13 @@ static bool read_debug_number(const SmvmMachine *m, uint32_t at, uint32_t *value
     return true;
 }
 
-static SmvmName read_debug_name(const SmvmMachine *m, uint32_t at)              // the name whose offset is the number at `at`
+// Reads the name whose offset is the number at `at`.  Returns an empty name if there is none.
+static SmvmName read_debug_name(const SmvmMachine *m, uint32_t at)
 {
     SmvmName none = {0, 0}, n;
     uint32_t offset;
 
-    if (!read_debug_number(m, at, &offset) || offset == 0 || offset >= m->debug_size)
+    if (!read_debug_u24(m, at, &offset) || offset == 0 || offset >= m->debug_size)
         return none;
     n.at = debug_offset(m, offset);
     return smvm_read_varint(m->image, &n.at, debug_end(m), &n.size) && n.size <= (SmvmAt)(debug_end(m) - n.at) ? n : none;
@@ -32,21 +34,22 @@ SmvmName smvm_name(const SmvmMachine *m, uint32_t which) { return read_debug_nam
 
 SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state) { return read_debug_name(m, 3 * (SMVM_DEBUG_NUMBERS + state - 1)); }
 
-static uint32_t variables_at(const SmvmMachine *m) { return 3 * (SMVM_DEBUG_NUMBERS + m->states); }
+// The offset of the table of variables in the section.
+static uint32_t variables_offset(const SmvmMachine *m) { return 3 * (SMVM_DEBUG_NUMBERS + m->states); }
 
 uint32_t smvm_variables(const SmvmMachine *m)
 {
     uint32_t n, most;
 
-    if (!read_debug_number(m, 0, &n) || m->debug_size < variables_at(m))
+    if (!read_debug_u24(m, 0, &n) || m->debug_size < variables_offset(m))
         return 0;
-    most = (m->debug_size - variables_at(m)) / SMVM_DEBUG_VARIABLE;
+    most = (m->debug_size - variables_offset(m)) / SMVM_DEBUG_VARIABLE;
     return n < most ? n : most;
 }
 
 SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, SmvmLocation *location)
 {
-    uint32_t at = variables_at(m) + SMVM_DEBUG_VARIABLE * index;
+    uint32_t at = variables_offset(m) + SMVM_DEBUG_VARIABLE * index;
 
     *is = (SmvmVariable)smvm_u8(m->image, debug_offset(m, at));
     *location = smvm_location(m->image, debug_offset(m, at + 1));
@@ -54,7 +57,7 @@ SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, S
 }
 
 // Whether variable `index` sorts before one of this kind at this location.
-static bool precedes(const SmvmMachine *m, uint32_t index, SmvmVariable is, const SmvmLocation *location)
+static bool is_variable_before(const SmvmMachine *m, uint32_t index, SmvmVariable is, const SmvmLocation *location)
 {
     SmvmVariable there;
     SmvmLocation p;
@@ -74,7 +77,7 @@ SmvmName smvm_name_of(const SmvmMachine *m, SmvmVariable is, const SmvmLocation 
 
     while (from < end) {
         uint32_t middle = from + (end - from) / 2;
-        if (precedes(m, middle, is, location))
+        if (is_variable_before(m, middle, is, location))
             from = middle + 1;
         else
             end = middle;
@@ -85,12 +88,13 @@ SmvmName smvm_name_of(const SmvmMachine *m, SmvmVariable is, const SmvmLocation 
     return there == is && (is == SMVM_IS_TIME || (p.type == location->type && p.offset == location->offset)) ? n : none;
 }
 
-static bool open_lines(const SmvmMachine *m, SmvmLines *l)
+// Sets l before the first line.  Returns false if the section has no lines.
+static bool try_open_lines(const SmvmMachine *m, SmvmLines *l)
 {
     uint32_t offset;
 
     l->open = true;
-    if (!read_debug_number(m, 3, &offset) || offset == 0 || offset >= m->debug_size)
+    if (!read_debug_u24(m, 3, &offset) || offset == 0 || offset >= m->debug_size)
         return false;
     l->at = debug_offset(m, offset);
     return smvm_read_varint(m->image, &l->at, debug_end(m), &l->left);
@@ -100,7 +104,7 @@ bool smvm_next_line(const SmvmMachine *m, SmvmLines *l)
 {
     uint32_t code = 0, line = 0;
 
-    if (!l->open && !open_lines(m, l))
+    if (!l->open && !try_open_lines(m, l))
         l->left = 0;
     if (l->left == 0 || !smvm_read_varint(m->image, &l->at, debug_end(m), &code) || !smvm_read_varint(m->image, &l->at, debug_end(m), &line)) {
         l->left = 0;
@@ -108,6 +112,7 @@ bool smvm_next_line(const SmvmMachine *m, SmvmLines *l)
     }
     l->left--;
     l->code += code;
+    // The difference to the previous line: 2 d if d >= 0, else -2 d - 1.
     l->line += (line & 1u) != 0 ? 0u - (line + 1) / 2 : line / 2;
     return true;
 }

@@ -4,60 +4,62 @@
 // passes; the first one only counts the words.
 //
 // The decoded form has one register, F.  Loading Y can always be deferred until its use, because no store happens in between.  X can be
-// deferred too, as an operand or as an operation on operands (Later), until the decoder knows how X is used.  Nothing known about X and Y
-// crosses the target of a jump: the code there loads X again.
+// deferred too, as an operand or as an operation on operands (DeferredOp), until the decoder knows how X is used.  Nothing known about X
+// and Y crosses the target of a jump: the code there loads X again.
 #include <string.h>
 
 #include "bytecode-vm/decode.h"
 
-enum { THE_END = 0 };                                 // index of the word that ends a step; never the target of a jump
+enum { END_WORD = 0 };                                 // index of the word that ends a step; never the target of a jump
 
 // ---- operands ----
 
-static DecodedValue value_of_constant(const DecodeState *d, unsigned op, uint32_t n)
+// The constant n of a load; the low two bits of the opcode say where it is.
+static DecodedValue decode_constant(const DecodeState *d, unsigned op, uint32_t n)
 {
     const SmvmMachine *m = d->m;
 
     switch (op & 3u) {
-    case SMVM_ldx_plus & 3: return smvm_constant(sm_from_u32(n));
-    case SMVM_ldx_minus & 3: return smvm_constant(sm_from_i32(-1 - (int32_t)n));
-    case SMVM_ldx_f32 & 3: return smvm_constant(sm_from_f32(sm_f32_from_bits(smvm_uint(m->image, m->f32s_at + 4 * n, 4))));
-    default: return smvm_constant(sm_from_bits(smvm_cell(m->image, m->f64s_at + 8 * n, 8)));
+    case SMVM_ldx_plus & 3: return smvm_constant_operand(sm_from_u32(n));
+    case SMVM_ldx_minus & 3: return smvm_constant_operand(sm_from_i32(-1 - (int32_t)n));
+    case SMVM_ldx_f32 & 3: return smvm_constant_operand(sm_from_f32(sm_f32_from_bits(smvm_uint(m->image, m->f32s_at + 4 * n, 4))));
+    default: return smvm_constant_operand(sm_from_bits(smvm_cell(m->image, m->f64s_at + 8 * n, 8)));
     }
 }
 
-// The operand that ldx_ or ldy_ loads.
-static DecodedValue value_of_load(const DecodeState *d, unsigned op)
+// The operand of a load of X or Y.
+static DecodedValue decode_load(const DecodeState *d, unsigned op)
 {
     unsigned kind = op & 15u;
 
     if (op == SMVM_ldx_time || op == SMVM_ldy_time)
-        return smvm_in_memory(SM_U64, THE_TIME, 0);
+        return smvm_memory_operand(SM_U64, THE_TIME, 0);
     if ((smvm_shape((uint8_t)op) & (SMVM_SHAPE_L | SMVM_SHAPE_E)) == 0)
-        return value_of_constant(d, op, d->n[0]);
-    return smvm_in_memory(kind, smvm_shape((uint8_t)op) & SMVM_SHAPE_L ? A_LOCAL : AN_ELEMENT, d->n[0] * size_of_kind(kind));
+        return decode_constant(d, op, d->n[0]);
+    return smvm_memory_operand(kind, smvm_shape((uint8_t)op) & SMVM_SHAPE_L ? A_LOCAL : AN_ELEMENT, d->n[0] * size_of_kind(kind));
 }
 
 // ---- instructions ----
 
-// A transition: jumps to the state's .exit, which is resolved later, or to the end of the step.
-static void emit_go(DecodeState *d, uint32_t state)
+// Emits a transition: a jump to the state's .exit, or to the end of the step if .exit is empty.  link_transitions resolves it.
+static void emit_transition(DecodeState *d, uint32_t state)
 {
     uint64_t before = d->gotos;
 
     smvm_emit_op(d, FAST_GO_OP);
     d->gotos = d->words;
-    smvm_emit_u(d, before);
-    smvm_emit_u(d, state);
+    smvm_emit_integer(d, before);
+    smvm_emit_integer(d, state);
 }
 
-// Jumps to .step, which follows .entry.
+// Emits the end of .entry: a jump to .step, which follows it.
 static void emit_end_of_entry(DecodeState *d)
 {
     if (d->at < d->end)
         smvm_emit_jump(d, FAST_JMP_OP, (uint32_t)(d->end - d->start));
 }
 
+// Emits the end of a function: .entry continues with .step, the sample function with the state's first block; others end the step.
 static void decode_end(DecodeState *d)
 {
     if (d->in == IN_ENTRY)
@@ -66,13 +68,13 @@ static void decode_end(DecodeState *d)
         smvm_emit_op(d, d->in == IN_SAMPLE ? FAST_BODY_OP : FAST_END_OP);
 }
 
-// An operation that sets X from X, from X and Y, or from nothing.
+// Defers an operation whose result is X: on X, on X and Y, or `stat`, which reads neither.
 static void decode_operation(DecodeState *d, uint8_t op)
 {
     if (op == SMVM_addi || op == SMVM_subi)
-        smvm_defer(d, op == SMVM_addi ? SMVM_add : SMVM_sub, smvm_constant(sm_from_u32(d->n[0])));
+        smvm_defer(d, op == SMVM_addi ? SMVM_add : SMVM_sub, smvm_constant_operand(sm_from_u32(d->n[0])));
     else if (op == SMVM_stat) {
-        d->x = smvm_constant(sm_from_i32(0));
+        d->x = smvm_constant_operand(sm_from_i32(0));
         smvm_defer(d, op, d->x);
     } else
         smvm_defer(d, op, d->y);
@@ -88,7 +90,7 @@ static void decode_instruction(DecodeState *d)
     if ((shape & SMVM_SHAPE_J) != 0)
         smvm_decode_jump(d, op);
     else if (op == SMVM_goto)
-        emit_go(d, d->n[0]);
+        emit_transition(d, d->n[0]);
     else if (op == SMVM_end)
         decode_end(d);
     else if (op == SMVM_sample)
@@ -96,11 +98,11 @@ static void decode_instruction(DecodeState *d)
     else if ((shape & (SMVM_SHAPE_GX | SMVM_SHAPE_GY)) == 0)
         smvm_decode_store(d, op);
     else if ((shape & SMVM_SHAPE_GY) != 0)
-        d->y = value_of_load(d, op);
+        d->y = decode_load(d, op);
     else if ((shape & SMVM_SHAPE_X) != 0 || op == SMVM_stat)
         decode_operation(d, op);
     else
-        d->x = value_of_load(d, op);
+        d->x = decode_load(d, op);
 }
 
 // Resolves the jumps of a function once the words of all its instructions are known.
@@ -114,7 +116,7 @@ static void link_jumps(DecodeState *d)
 }
 
 // Resolves the transitions of a state once the start of its .exit is known.
-static void link_gotos(DecodeState *d, uint32_t exit)
+static void link_transitions(DecodeState *d, uint32_t exit)
 {
     while (d->out != NULL && d->gotos != 0) {
         SmvmWord *w = &d->out->code[d->gotos];
@@ -123,7 +125,7 @@ static void link_gotos(DecodeState *d, uint32_t exit)
     }
 }
 
-// Returns the word where the function begins, or THE_END if it is empty.
+// Returns the word where the function begins, or END_WORD if it is empty.
 static uint32_t decode_function(DecodeState *d, uint32_t index)
 {
     uint32_t first = d->words, length;
@@ -143,7 +145,7 @@ static uint32_t decode_function(DecodeState *d, uint32_t index)
         d->where[d->end - d->start] = d->words;
         link_jumps(d);
     }
-    return d->start == d->end ? THE_END : first;
+    return d->start == d->end ? END_WORD : first;
 }
 
 static void decode_state(DecodeState *d, uint32_t s)
@@ -155,13 +157,13 @@ static void decode_state(DecodeState *d, uint32_t s)
     entry = decode_function(d, 3 * s - 2);
     d->in = IN_OTHERS;
     step = decode_function(d, 3 * s - 1);
-    if (entry != THE_END && step == THE_END)
+    if (entry != END_WORD && step == END_WORD)
         smvm_emit_op(d, FAST_END_OP);
     if (d->out != NULL) {
         d->out->body[2 * s] = d->out->code + step;
-        d->out->body[2 * s + 1] = d->out->code + (entry == THE_END ? step : entry);
+        d->out->body[2 * s + 1] = d->out->code + (entry == END_WORD ? step : entry);
     }
-    link_gotos(d, decode_function(d, 3 * s));
+    link_transitions(d, decode_function(d, 3 * s));
 }
 
 static void decode_machine(DecodeState *d)
@@ -170,11 +172,11 @@ static void decode_machine(DecodeState *d)
     bool samples;
 
     d->words = 0;
-    smvm_emit_op(d, FAST_END_OP);                     // THE_END
+    smvm_emit_op(d, FAST_END_OP);                     // END_WORD
     if (clears)
         smvm_emit_op(d, FAST_CLEAR_OP);
     d->in = IN_SAMPLE;
-    samples = decode_function(d, 0) != THE_END;
+    samples = decode_function(d, 0) != END_WORD;
     if (clears && !samples)
         smvm_emit_op(d, FAST_BODY_OP);
     if (d->out != NULL)

@@ -7,14 +7,14 @@
 #include "bytecode-vm/image.h"
 #include "stdlib/convert.h"
 
-enum { DEFERRED = FAST_SOURCE_COUNT };                // as the kind of X: not computed yet
+enum { DEFERRED = FAST_SOURCE_COUNT };                // DecodedValue.kind of X if its operation is not emitted yet
 
-// The contents of a register.
+// What the decoder knows about the contents of a register.
 typedef struct DecodedValue {
-    uint8_t kind;             // a type or FAST_RAW: in memory, as that type; FAST_C: c; FAST_A: in F; DEFERRED
+    uint8_t kind;             // an SmType or FAST_RAW: a value of that type in memory; FAST_C: the constant c; FAST_A: in F; DEFERRED
     enum { A_LOCAL, AN_ELEMENT, THE_TIME } is;        // if it is in memory: what it is
-    uint32_t offset;          // if it is in memory: in bytes
-    SmF64 c;
+    uint32_t offset;          // if it is in memory: of the local or element, in bytes
+    SmF64 c;                  // if it is a constant
 } DecodedValue;
 
 // A deferred operation whose result is X.
@@ -43,8 +43,8 @@ typedef struct DecodeState {
 // The destination of a store.
 typedef struct StoreTarget {
     DecodedValue to;
-    bool output;
-    uint32_t index;           // the output's number
+    bool output;              // `to` is an output; otherwise a local
+    uint32_t index;           // of an output: its number, counted from 0
 } StoreTarget;
 
 // ---- values ----
@@ -67,42 +67,43 @@ static inline void swap(DecodedValue *x, DecodedValue *y)
     *y = t;
 }
 
-DecodedValue smvm_in_memory(unsigned kind, unsigned is, uint32_t offset);
-DecodedValue smvm_constant(SmF64 c);
-bool smvm_is_whole(SmF64 c, int64_t limit, int64_t *v);    // whether c is a whole number in -limit … limit; stores it in *v
+DecodedValue smvm_memory_operand(unsigned kind, unsigned is, uint32_t offset);
+DecodedValue smvm_constant_operand(SmF64 c);
+bool smvm_match_whole(SmF64 c, int64_t limit, int64_t *v);    // if c is a whole number in -limit … limit, sets *v to it and returns true
 
 // ---- words (decode_words.c) ----
 
-SmvmWord *smvm_word(DecodeState *d);                  // the next one; NULL in the pass that counts words
+SmvmWord *smvm_next_word(DecodeState *d);             // where the next word is stored; NULL in the pass that counts words
 void smvm_emit_op(DecodeState *d, unsigned op);
-void smvm_emit_u(DecodeState *d, uint64_t u);
-void smvm_emit_value(DecodeState *d, const DecodedValue *v);  // an address or a number; for F itself a word that no instruction reads
-void smvm_emit_target(DecodeState *d, uint32_t target);  // of a jump: an offset in the function
+void smvm_emit_integer(DecodeState *d, uint64_t u);
+void smvm_emit_operand(DecodeState *d, const DecodedValue *v);  // its address or constant; for F, an unused word
+void smvm_emit_target(DecodeState *d, uint32_t target);  // the target of a jump, an offset in the function
 
 // The kind of the value selects the instruction within the family; `family` is the family's first instruction.
 void smvm_emit_load(DecodeState *d, const DecodedValue *x);
-void smvm_emit_with(DecodeState *d, FastOp family, const DecodedValue *y);         // F and y
-void smvm_emit_pair(DecodeState *d, FastOp family, const DecodedValue *x, const DecodedValue *y);  // x in memory; y in memory or a number
+void smvm_emit_f_and(DecodeState *d, FastOp family, const DecodedValue *y);         // an instruction with the operands F and y
+void smvm_emit_two_operands(DecodeState *d, FastOp family, const DecodedValue *x, const DecodedValue *y);  // x in memory; y in memory or constant
 
 // ---- X (decode_x.c) ----
 
 enum { IS_TRUE = SMVM_LESS | SMVM_GREATER, IS_FALSE = SMVM_EQUAL | SMVM_UNORDERED };       // relations of x to 0
 
-// m without impossible relations: 0 if the condition is never true, 15 if it is always true.
+// m without relations that are impossible for x and y: 0 if the condition is never true, 15 if it is always true.
 unsigned smvm_possible_relations(unsigned m, const DecodedValue *x, const DecodedValue *y);
 
-// m; or, if neither operand can be NaN, an equivalent m with UNORDERED where an instruction exists only for that form (not equal).
+// m, or m with UNORDERED added if m is `less or greater` and neither operand can be NaN: then `not equal`, which has an instruction, is
+// equivalent.
 unsigned smvm_add_unordered(unsigned m, const DecodedValue *x, const DecodedValue *y);
 
-DecodedValue *smvm_ready_x(DecodeState *d);           // X, ready to be read: computes a deferred operation
-void smvm_load_x(DecodeState *d);                     // loads X into F
+DecodedValue *smvm_compute_x(DecodeState *d);         // X, which is not DEFERRED any more: emits its operation if it was
+void smvm_load_x(DecodeState *d);                     // emits code that loads X into F
 void smvm_defer(DecodeState *d, uint8_t op, DecodedValue y);  // X = op of X, or of X and y
 
 // ---- windows (decode_window.c), stores (decode_store.c), jumps (decode_jump.c) ----
 
 void smvm_decode_sample(DecodeState *d);
 void smvm_emit_statistic(DecodeState *d);             // loads the deferred statistic of X into F
-bool smvm_emit_statistic_to(DecodeState *d, const StoreTarget *to);
+bool smvm_try_emit_statistic_to(DecodeState *d, const StoreTarget *to);  // stores it too, if one instruction does both; else false
 void smvm_decode_store(DecodeState *d, uint8_t op);
 void smvm_emit_jump(DecodeState *d, unsigned op, uint32_t target);
 void smvm_decode_jump(DecodeState *d, uint8_t op);

@@ -3,7 +3,7 @@
 #include "bytecode-vm/decode.h"
 #include "bytecode-vm/step.h"
 
-// Whether no code reads X after this instruction.  A jump is no exception: code at its target loads X again.
+// Whether no code reads X after this instruction.  Jumps need not be followed: code at their targets loads X first.
 static bool is_x_dead(const DecodeState *d)
 {
     SmvmAt at = d->at;
@@ -19,34 +19,36 @@ static bool is_x_dead(const DecodeState *d)
     }
 }
 
-// Puts a store up to its destination operand.  It notes an output as written: the first 64 by a bit of a 64-bit mask, others by a NOTE
-// instruction.  The word of NOTE has the index of a byte from bit 8 on, and a mask in the low eight bits.
-static void emit_written(DecodeState *d, FastOp family, FastOp noting, unsigned which, const StoreTarget *to)
+// Emits a store instruction up to its destination operand: `family` + `which`, or, for the first 64 outputs, `noting` + `which`, which has
+// the output's bit as its first operand.  Before the store of another output it emits NOTE, whose operand has the index of a byte of
+// parts.stored from bit 8 on, and a mask for that byte in the low eight bits.
+static void emit_store_op(DecodeState *d, FastOp family, FastOp noting, unsigned which, const StoreTarget *to)
 {
     if (to->output && to->index >= 64) {
         smvm_emit_op(d, FAST_NOTE_OP);
-        smvm_emit_u(d, (uint64_t)((to->index - 64) >> 3) << 8 | 1u << (to->index & 7u));
+        smvm_emit_integer(d, (uint64_t)((to->index - 64) >> 3) << 8 | 1u << (to->index & 7u));
     }
     if (to->output && to->index < 64) {
         smvm_emit_op(d, (unsigned)noting + which);
-        smvm_emit_u(d, (uint64_t)1 << to->index);
+        smvm_emit_integer(d, (uint64_t)1 << to->index);
     } else {
         smvm_emit_op(d, (unsigned)family + which);
     }
-    smvm_emit_value(d, &to->to);
+    smvm_emit_operand(d, &to->to);
 }
 
-static void emit_number(DecodeState *d, const StoreTarget *to, SmF64 c)  // to memory; c is encoded as its cell
+static void emit_store_constant(DecodeState *d, const StoreTarget *to, SmF64 c)  // its operand is c converted to the type of the destination
 {
     unsigned kind = to->to.kind;
     uint64_t cell = kind == FAST_RAW ? sm_bits(smvm_raw(c)) : sm_cell_from_f64((SmType)kind, c);
 
-    emit_written(d, FAST_SET_1_OP, FAST_SETN_1_OP, smvm_type_shift(kind), to);
-    smvm_emit_u(d, cell);
+    emit_store_op(d, FAST_SET_1_OP, FAST_SETN_1_OP, smvm_type_shift(kind), to);
+    smvm_emit_integer(d, cell);
 }
 
-// `to = x + c`, where both are of the same integer type, c is whole and small, and X is dead afterwards.  Returns false if it is not that.
-static bool emit_count(DecodeState *d, const StoreTarget *to)
+// Emits one instruction for `to = x + c`, if X is that deferred sum, `to` and x have the same integer type, c is a whole number of at most
+// 31 bits, and X is dead afterwards.  Otherwise returns false.
+static bool try_emit_increment(DecodeState *d, const StoreTarget *to)
 {
     DecodedValue x = d->deferred.a, y = d->deferred.b;
     int64_t c;
@@ -55,16 +57,17 @@ static bool emit_count(DecodeState *d, const StoreTarget *to)
         return false;
     if (d->deferred.op == SMVM_add && is_constant(&x))
         swap(&x, &y);
-    if (!is_integer(&x) || to->to.kind != x.kind || !is_constant(&y) || !smvm_is_whole(y.c, INT32_MAX, &c))
+    if (!is_integer(&x) || to->to.kind != x.kind || !is_constant(&y) || !smvm_match_whole(y.c, INT32_MAX, &c))
         return false;
-    emit_written(d, FAST_INC_I8_OP, FAST_INCN_I8_OP, x.kind, to);
-    smvm_emit_value(d, &x);
-    smvm_emit_u(d, (uint64_t)(d->deferred.op == SMVM_sub ? -c : c));
+    emit_store_op(d, FAST_INC_I8_OP, FAST_INCN_I8_OP, x.kind, to);
+    smvm_emit_operand(d, &x);
+    smvm_emit_integer(d, (uint64_t)(d->deferred.op == SMVM_sub ? -c : c));
     return true;
 }
 
-// `to = F op y`, for an output or local of F32 or F64; y is of that type or a number.  Returns false if it is not that.
-static bool emit_operation_to(DecodeState *d, const StoreTarget *to)
+// Emits one instruction for `to = F op y`, if X is that deferred operation, `to` is an F32 or F64, and y is of that type or a constant.
+// Otherwise returns false.
+static bool try_emit_operation_to(DecodeState *d, const StoreTarget *to)
 {
     static const uint16_t family[2][4][2] = {
         {{FAST_ADDST_F32_OP, FAST_ADDSTN_F32_OP}, {FAST_SUBST_F32_OP, FAST_SUBSTN_F32_OP}, {FAST_MULST_F32_OP, FAST_MULSTN_F32_OP},
@@ -83,25 +86,26 @@ static bool emit_operation_to(DecodeState *d, const StoreTarget *to)
     if (is_constant(&y) && op == SMVM_sub)
         y.c = sm_neg(y.c);
     f = family[is_constant(&y)][op - SMVM_add];
-    emit_written(d, (FastOp)f[0], (FastOp)f[1], to->to.kind - (unsigned)SM_F32, to);
-    smvm_emit_value(d, &y);
+    emit_store_op(d, (FastOp)f[0], (FastOp)f[1], to->to.kind - (unsigned)SM_F32, to);
+    smvm_emit_operand(d, &y);
     d->x.kind = FAST_A;
     return true;
 }
 
-// Stores X at its destination.  X may still refer to memory after a move: an overlapping location of the same type is the same location.
+// Emits a store of X.  After a move, X still refers to its source in memory: an overlapping destination of the same type is the source
+// itself.
 static void emit_store(DecodeState *d, const StoreTarget *to)
 {
-    if (emit_count(d, to) || emit_operation_to(d, to) || smvm_emit_statistic_to(d, to))
+    if (try_emit_increment(d, to) || try_emit_operation_to(d, to) || smvm_try_emit_statistic_to(d, to))
         return;
-    if (is_constant(smvm_ready_x(d))) {
-        emit_number(d, to, d->x.c);
+    if (is_constant(smvm_compute_x(d))) {
+        emit_store_constant(d, to, d->x.c);
     } else if (d->x.kind == to->to.kind) {
-        emit_written(d, FAST_MOV_I8_OP, FAST_MOVN_I8_OP, d->x.kind, to);
-        smvm_emit_value(d, &d->x);
+        emit_store_op(d, FAST_MOV_I8_OP, FAST_MOVN_I8_OP, d->x.kind, to);
+        smvm_emit_operand(d, &d->x);
     } else {
         smvm_load_x(d);
-        emit_written(d, FAST_ST_I8_OP, FAST_STN_I8_OP, to->to.kind, to);
+        emit_store_op(d, FAST_ST_I8_OP, FAST_STN_I8_OP, to->to.kind, to);
     }
 }
 
@@ -114,9 +118,9 @@ void smvm_decode_store(DecodeState *d, uint8_t op)
     to.index = d->n[0];
     if (to.output) {
         p = smvm_output(d->m, d->n[0]);
-        to.to = smvm_in_memory(p.type, AN_ELEMENT, p.offset);
+        to.to = smvm_memory_operand(p.type, AN_ELEMENT, p.offset);
     } else {
-        to.to = smvm_in_memory(op & 15u, A_LOCAL, d->n[0] * size_of_kind(op & 15u));
+        to.to = smvm_memory_operand(op & 15u, A_LOCAL, d->n[0] * size_of_kind(op & 15u));
     }
     emit_store(d, &to);
 }

@@ -18,16 +18,18 @@ static DecodedWindow read_window(const DecodeState *d, uint32_t w)
 static void emit_window(DecodeState *d, const DecodedWindow *w)
 {
     if (d->out != NULL)
-        smvm_word(d)->p = d->out->parts.window[w->index];
+        smvm_next_word(d)->p = d->out->parts.window[w->index];
     d->words++;
-    smvm_emit_u(d, w->n);
-    smvm_emit_u(d, w->kind);
+    smvm_emit_integer(d, w->n);
+    smvm_emit_integer(d, w->kind);
 }
 
-// The windows that have special instructions: of five types, not long, and with data for one statistic only or for both ends.
-enum { FOR_MEDIAN, FOR_AVG, FOR_ENDS, FOR_NONE };
+// Specialized instructions exist for windows of five types that are not long and that support only the median, only the average, or only
+// extremes (smallest, largest, range).
+enum { FOR_MEDIAN, FOR_AVG, FOR_EXTREMES, FOR_NONE };
 
-static unsigned choose_special_form(const DecodedWindow *w, unsigned *type)
+// Returns which specialized instructions a window has, and the index of its type among the five in *type.
+static unsigned find_specialized_use(const DecodedWindow *w, unsigned *type)
 {
     static const uint8_t types[] = {SM_ROLL_I16, SM_ROLL_U16, SM_ROLL_I32, SM_ROLL_F32, SM_ROLL_F64};
     const uint32_t stats = w->kind & ~(uint32_t)SM_ROLL_TYPE;
@@ -40,14 +42,14 @@ static unsigned choose_special_form(const DecodedWindow *w, unsigned *type)
         return w->n <= SM_ROLL_SHORT || (w->kind & SM_ROLL_TYPE) < SM_ROLL_F32 ? FOR_AVG : FOR_NONE;
     if (stats == SM_ROLL_MEDIAN)
         return w->n <= SM_ROLL_SHORT ? FOR_MEDIAN : FOR_NONE;
-    return (stats & (SM_ROLL_MEDIAN | SM_ROLL_AVG)) == 0 && w->n <= SM_ROLL_SCAN ? FOR_ENDS : FOR_NONE;
+    return (stats & (SM_ROLL_MEDIAN | SM_ROLL_AVG)) == 0 && w->n <= SM_ROLL_SCAN ? FOR_EXTREMES : FOR_NONE;
 }
 
 static unsigned sample_op(const DecodedWindow *w, bool memory)
 {
-    static const uint16_t family[2][3] = {{FAST_PUSH_MEDIAN_I16_OP, FAST_PUSH_AVG_I16_OP, FAST_PUSH_ENDS_I16_OP},
-                                          {FAST_PUSH_MEMORY_MEDIAN_I16_OP, FAST_PUSH_MEMORY_AVG_I16_OP, FAST_PUSH_MEMORY_ENDS_I16_OP}};
-    unsigned type, use = choose_special_form(w, &type);
+    static const uint16_t family[2][3] = {{FAST_PUSH_MEDIAN_I16_OP, FAST_PUSH_AVG_I16_OP, FAST_PUSH_EXTREMES_I16_OP},
+                                          {FAST_PUSH_MEMORY_MEDIAN_I16_OP, FAST_PUSH_MEMORY_AVG_I16_OP, FAST_PUSH_MEMORY_EXTREMES_I16_OP}};
+    unsigned type, use = find_specialized_use(w, &type);
 
     return use == FOR_NONE ? (unsigned)FAST_SAMPLE_OP : family[memory][use] + type;
 }
@@ -59,13 +61,13 @@ static unsigned statistic_op(const DecodedWindow *w, uint32_t stat, bool store)
         {FAST_AVGN_I16_OP, FAST_MEDIANN_I16_OP, 0, 0, FAST_RANGEN_I16_OP}};
     unsigned type;
 
-    return choose_special_form(w, &type) == FOR_NONE || family[store][stat] == 0 ? (unsigned)FAST_STAT_OP : family[store][stat] + type;
+    return find_specialized_use(w, &type) == FOR_NONE || family[store][stat] == 0 ? (unsigned)FAST_STAT_OP : family[store][stat] + type;
 }
 
 void smvm_decode_sample(DecodeState *d)
 {
     const DecodedWindow w = read_window(d, d->n[0]);
-    const DecodedValue *x = smvm_ready_x(d);
+    const DecodedValue *x = smvm_compute_x(d);
     const bool memory = is_memory(x) && x->kind == (w.kind & SM_ROLL_TYPE) && sample_op(&w, true) != FAST_SAMPLE_OP;
 
     if (!memory)
@@ -73,7 +75,7 @@ void smvm_decode_sample(DecodeState *d)
     smvm_emit_op(d, sample_op(&w, memory));
     emit_window(d, &w);
     if (memory)
-        smvm_emit_value(d, x);
+        smvm_emit_operand(d, x);
 }
 
 void smvm_emit_statistic(DecodeState *d)
@@ -82,11 +84,11 @@ void smvm_emit_statistic(DecodeState *d)
 
     smvm_emit_op(d, statistic_op(&w, d->deferred.n, false));
     emit_window(d, &w);
-    smvm_emit_u(d, d->deferred.n);
+    smvm_emit_integer(d, d->deferred.n);
 }
 
-// Succeeds if such an instruction exists and the destination is one of the first 64 outputs.
-bool smvm_emit_statistic_to(DecodeState *d, const StoreTarget *to)
+// Possible if the destination is one of the first 64 outputs, of the window's type, and the statistic has a storing instruction.
+bool smvm_try_emit_statistic_to(DecodeState *d, const StoreTarget *to)
 {
     DecodedWindow w;
 
@@ -96,10 +98,10 @@ bool smvm_emit_statistic_to(DecodeState *d, const StoreTarget *to)
     if ((w.kind & SM_ROLL_TYPE) != to->to.kind || statistic_op(&w, d->deferred.n, true) == FAST_STAT_OP)
         return false;
     smvm_emit_op(d, statistic_op(&w, d->deferred.n, true));
-    smvm_emit_u(d, (uint64_t)1 << to->index);
-    smvm_emit_value(d, &to->to);
+    smvm_emit_integer(d, (uint64_t)1 << to->index);
+    smvm_emit_operand(d, &to->to);
     emit_window(d, &w);
-    smvm_emit_u(d, d->deferred.n);
+    smvm_emit_integer(d, d->deferred.n);
     d->x.kind = FAST_A;
     return true;
 }

@@ -1,37 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words of the decoded form.
+// Appends words to the decoded form: instructions and their operands.  In the pass that only counts words, nothing is stored.
 #include <string.h>
 
 #include "bytecode-vm/decode.h"
 
 // ---- words ----
 
-SmvmWord *smvm_word(DecodeState *d) { return d->out != NULL ? &d->out->code[d->words] : NULL; }
+SmvmWord *smvm_next_word(DecodeState *d) { return d->out != NULL ? &d->out->code[d->words] : NULL; }
 
 void smvm_emit_op(DecodeState *d, unsigned op)
 {
     if (d->out != NULL && d->label != NULL)
-        smvm_word(d)->go = d->label[op];
+        smvm_next_word(d)->go = d->label[op];
     else if (d->out != NULL)
-        smvm_word(d)->u = op;
+        smvm_next_word(d)->u = op;
     d->words++;
 }
 
-void smvm_emit_u(DecodeState *d, uint64_t u)
+void smvm_emit_integer(DecodeState *d, uint64_t u)
 {
     if (d->out != NULL)
-        smvm_word(d)->u = u;
+        smvm_next_word(d)->u = u;
     d->words++;
 }
 
-static void emit_f(DecodeState *d, SmF64 f)
+static void emit_f64(DecodeState *d, SmF64 f)
 {
     if (d->out != NULL)
-        smvm_word(d)->f = f;
+        smvm_next_word(d)->f = f;
     d->words++;
 }
 
-static void *value_address(const DecodeState *d, const DecodedValue *v)
+static void *operand_address_of(const DecodeState *d, const DecodedValue *v)
 {
     switch (v->is) {
     case A_LOCAL: return d->out->parts.local + v->offset;
@@ -40,14 +40,14 @@ static void *value_address(const DecodeState *d, const DecodedValue *v)
     }
 }
 
-void smvm_emit_value(DecodeState *d, const DecodedValue *v)
+void smvm_emit_operand(DecodeState *d, const DecodedValue *v)
 {
     if (v->kind == FAST_C) {
-        emit_f(d, v->c);
+        emit_f64(d, v->c);
         return;
     }
     if (d->out != NULL && v->kind <= FAST_RAW)
-        smvm_word(d)->p = value_address(d, v);
+        smvm_next_word(d)->p = operand_address_of(d, v);
     d->words++;
 }
 
@@ -58,12 +58,12 @@ void smvm_emit_target(DecodeState *d, uint32_t target)
     uint64_t before = d->jumps;
 
     d->jumps = d->words;
-    smvm_emit_u(d, before << 32 | target);
+    smvm_emit_integer(d, before << 32 | target);
 }
 
 // ---- values ----
 
-DecodedValue smvm_in_memory(unsigned kind, unsigned is, uint32_t offset)
+DecodedValue smvm_memory_operand(unsigned kind, unsigned is, uint32_t offset)
 {
     DecodedValue v;
 
@@ -74,15 +74,15 @@ DecodedValue smvm_in_memory(unsigned kind, unsigned is, uint32_t offset)
     return v;
 }
 
-DecodedValue smvm_constant(SmF64 c)
+DecodedValue smvm_constant_operand(SmF64 c)
 {
-    DecodedValue v = smvm_in_memory(FAST_C, A_LOCAL, 0);
+    DecodedValue v = smvm_memory_operand(FAST_C, A_LOCAL, 0);
 
     v.c = c;
     return v;
 }
 
-bool smvm_is_whole(SmF64 c, int64_t limit, int64_t *v)
+bool smvm_match_whole(SmF64 c, int64_t limit, int64_t *v)
 {
     if (!sm_le(sm_from_i64(-limit), c) || !sm_le(c, sm_from_i64(limit)))
         return false;
@@ -90,25 +90,25 @@ bool smvm_is_whole(SmF64 c, int64_t limit, int64_t *v)
     return sm_eq(sm_from_i64(*v), c);
 }
 
-// ---- families ----
+// ---- families: the kind of an operand selects the instruction ----
 
 void smvm_emit_load(DecodeState *d, const DecodedValue *x)
 {
     if (is_in_f(x))
         return;
     smvm_emit_op(d, is_constant(x) ? FAST_LD_C_OP : (unsigned)FAST_LD_I8_OP + x->kind);
-    smvm_emit_value(d, x);
+    smvm_emit_operand(d, x);
 }
 
-void smvm_emit_with(DecodeState *d, FastOp family, const DecodedValue *y)
+void smvm_emit_f_and(DecodeState *d, FastOp family, const DecodedValue *y)
 {
     smvm_emit_op(d, (unsigned)family + y->kind);
-    smvm_emit_value(d, y);
+    smvm_emit_operand(d, y);
 }
 
-void smvm_emit_pair(DecodeState *d, FastOp family, const DecodedValue *x, const DecodedValue *y)
+void smvm_emit_two_operands(DecodeState *d, FastOp family, const DecodedValue *x, const DecodedValue *y)
 {
     smvm_emit_op(d, (unsigned)family + x->kind);
-    smvm_emit_value(d, x);
-    smvm_emit_value(d, y);
+    smvm_emit_operand(d, x);
+    smvm_emit_operand(d, y);
 }

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// X during decoding: a computation is deferred, as an operation on loaded operands, until the decoder knows how its result is used.
+// Handles X during decoding: an operation that sets X is deferred until the decoder knows how its result is used.
 #include <string.h>
 
 #include "bytecode-vm/decode.h"
 
-// ---- operations, whose result is in F ----
+// ---- emits operations, whose result is in F ----
 
 static void emit_unary(DecodeState *d, uint8_t op, const DecodedValue *x)
 {
-    static const uint16_t plain[] = {FAST_NEG_OP, FAST_ABS_OP, FAST_FLOOR_OP, FAST_CEIL_OP, FAST_TRUNC_OP, FAST_ROUND_OP, FAST_SQRT_OP, FAST_SIGN_OP};
+    static const uint16_t unary_ops[] = {FAST_NEG_OP, FAST_ABS_OP, FAST_FLOOR_OP, FAST_CEIL_OP, FAST_TRUNC_OP, FAST_ROUND_OP, FAST_SQRT_OP, FAST_SIGN_OP};
 
     smvm_emit_load(d, x);
-    smvm_emit_op(d, plain[op - SMVM_neg]);
+    smvm_emit_op(d, unary_ops[op - SMVM_neg]);
 }
 
-// The forms of an operation on two operands: F op y, x in memory op a number, a number op y in memory, two in memory of one type.
-typedef struct OperationForms { uint16_t with, number, number_first, pair; } OperationForms;
+// The families of instructions for an operation on two operands: F op y; x in memory op a constant; a constant op y in memory; two operands
+// of one type in memory.
+typedef struct OperationVariants { uint16_t with, number, number_first, pair; } OperationVariants;
 
-static const OperationForms forms[] = {               // from SMVM_add to SMVM_or; 0: there is no such form
+static const OperationVariants variants[] = {               // indexed by op - SMVM_add, up to SMVM_or; 0: there is none
     {FAST_ADD_I8_OP, FAST_ADDC_I8_OP, FAST_ADDC_I8_OP, FAST_ADD2_I8_OP},
     {FAST_SUB_I8_OP, FAST_ADDC_I8_OP, FAST_RSUBC_I8_OP, FAST_SUB2_I8_OP},
     {FAST_MUL_I8_OP, FAST_MULC_I8_OP, FAST_MULC_I8_OP, FAST_MUL2_I8_OP},
@@ -30,29 +31,29 @@ static const OperationForms forms[] = {               // from SMVM_add to SMVM_o
 
 static void emit_binary(DecodeState *d, uint8_t op, DecodedValue x, DecodedValue y)
 {
-    const OperationForms *f = &forms[op - SMVM_add];
+    const OperationVariants *f = &variants[op - SMVM_add];
 
     if (op == SMVM_sub && is_constant(&y)) {          // x - c equals x + -c, also for zeros
         y.c = sm_neg(y.c);
-        f = &forms[0];
+        f = &variants[0];
     }
     if (is_in_f(&x)) {
-        smvm_emit_with(d, (FastOp)f->with, &y);
+        smvm_emit_f_and(d, (FastOp)f->with, &y);
     } else if (is_in_f(&y)) {                         // only for sub
-        smvm_emit_with(d, FAST_RSUB_I8_OP, &x);
+        smvm_emit_f_and(d, FAST_RSUB_I8_OP, &x);
     } else if (is_memory(&x) && is_constant(&y) && f->number != 0) {
-        smvm_emit_pair(d, (FastOp)f->number, &x, &y);
+        smvm_emit_two_operands(d, (FastOp)f->number, &x, &y);
     } else if (is_constant(&x) && is_memory(&y) && f->number_first != 0) {
-        smvm_emit_pair(d, (FastOp)f->number_first, &y, &x);
+        smvm_emit_two_operands(d, (FastOp)f->number_first, &y, &x);
     } else if (is_memory(&x) && x.kind == y.kind && f->pair != 0) {
-        smvm_emit_pair(d, (FastOp)f->pair, &x, &y);
+        smvm_emit_two_operands(d, (FastOp)f->pair, &x, &y);
     } else {
         smvm_emit_load(d, &x);
-        smvm_emit_with(d, (FastOp)f->with, &y);
+        smvm_emit_f_and(d, (FastOp)f->with, &y);
     }
 }
 
-// ---- relations: sums of SMVM_LESS and so on, of x to y ----
+// ---- relations of x to y: sums of SMVM_LESS, SMVM_EQUAL, SMVM_GREATER, SMVM_UNORDERED ----
 
 unsigned smvm_possible_relations(unsigned m, const DecodedValue *x, const DecodedValue *y)
 {
@@ -66,31 +67,32 @@ unsigned smvm_add_unordered(unsigned m, const DecodedValue *x, const DecodedValu
     return m == IS_TRUE && is_never_nan(x) && is_never_nan(y) ? m | SMVM_UNORDERED : m;
 }
 
+// Emits F = 1 if x is in one of the relations m to y, else 0.
 static void emit_set(DecodeState *d, unsigned m, DecodedValue x, DecodedValue y)
 {
-    static const uint16_t of[16] = {0, FAST_LT_I8_OP, FAST_EQ_I8_OP, FAST_LE_I8_OP, FAST_GT_I8_OP, 0, FAST_GE_I8_OP, 0, 0, 0, 0, 0, 0, FAST_NE_I8_OP, 0, 0};
+    static const uint16_t set_ops[16] = {0, FAST_LT_I8_OP, FAST_EQ_I8_OP, FAST_LE_I8_OP, FAST_GT_I8_OP, 0, FAST_GE_I8_OP, 0, 0, 0, 0, 0, 0, FAST_NE_I8_OP, 0, 0};
     DecodedValue c;
 
     m = smvm_possible_relations(m, &x, &y);
     if (m == 0 || m == 15) {
-        c = smvm_constant(sm_from_bool(m != 0));
+        c = smvm_constant_operand(sm_from_bool(m != 0));
         smvm_emit_load(d, &c);
         return;
     }
     m = smvm_add_unordered(m, &x, &y);
     smvm_emit_load(d, &x);
-    if (is_zero(&y) && of[m] == 0 && (m == IS_TRUE || m == IS_FALSE)) {
+    if (is_zero(&y) && set_ops[m] == 0 && (m == IS_TRUE || m == IS_FALSE)) {
         smvm_emit_op(d, m == IS_TRUE ? FAST_TRUTH_OP : FAST_NOT_OP);
         return;
     }
-    smvm_emit_with(d, (FastOp)(of[m] != 0 ? of[m] : FAST_REL_I8_OP), &y);
-    if (of[m] == 0)
-        smvm_emit_u(d, m);
+    smvm_emit_f_and(d, (FastOp)(set_ops[m] != 0 ? set_ops[m] : FAST_REL_I8_OP), &y);
+    if (set_ops[m] == 0)
+        smvm_emit_integer(d, m);
 }
 
 // ---- deferred X ----
 
-// Puts the deferred operation of X, whose result is then in F.
+// Emits the deferred operation of X.  Its result is then in F.
 static void emit_deferred(DecodeState *d)
 {
     const DeferredOp *l = &d->deferred;
@@ -110,7 +112,7 @@ static void emit_deferred(DecodeState *d)
     d->x.kind = FAST_A;
 }
 
-DecodedValue *smvm_ready_x(DecodeState *d)
+DecodedValue *smvm_compute_x(DecodeState *d)
 {
     if (d->x.kind == DEFERRED)
         emit_deferred(d);
@@ -119,11 +121,11 @@ DecodedValue *smvm_ready_x(DecodeState *d)
 
 void smvm_load_x(DecodeState *d)
 {
-    smvm_emit_load(d, smvm_ready_x(d));
+    smvm_emit_load(d, smvm_compute_x(d));
     d->x.kind = FAST_A;
 }
 
-// Whether X already has a value that a local of this type can store: it was read from one, or is 0 or 1, which all types have.
+// Whether converting X to this type changes nothing: it was read from a local of the type, or it is 0 or 1, which all types can represent.
 static bool is_of_type(const DecodeState *d, uint32_t type)
 {
     const uint8_t kind = d->x.kind, op = d->deferred.op;
@@ -138,7 +140,7 @@ void smvm_defer(DecodeState *d, uint8_t op, DecodedValue y)
 
     if (op == SMVM_cvt && is_of_type(d, d->n[0]))
         return;
-    x = opposite ? d->deferred.a : *smvm_ready_x(d);
+    x = opposite ? d->deferred.a : *smvm_compute_x(d);
     memset(&d->deferred, 0, sizeof d->deferred);
     d->deferred.op = opposite ? SMVM_sub : op;
     d->deferred.n = d->n[0];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Disassembles an image, for people; on hosts.  It prints every image that the verifier accepts.  Each instruction is one line: offset in
-// the code, opcode, operands; where a source line begins, its number follows.
+// Disassembles an image that the verifier accepts, as text for people.  Runs on hosts only.  Each instruction is one line: offset in the
+// code, opcode, operands, and the number of the source line if one begins there.
 //
 //     TankVentControl.step:
 //        7  ldx     tankPressure                    tank.sm:22
@@ -18,13 +18,13 @@
 
 // ---- the machine ----
 
-static void print_line(DisasmOutput *o, const char *what, uint64_t v, const char *unit)
+static void print_property(DisasmOutput *o, const char *what, uint64_t v, const char *unit)
 {
-    smvm_text(o, "    ");
-    smvm_text(o, what);
-    smvm_text_pad(o, 20);
-    smvm_text_number(o, v);
-    smvm_text(o, unit);
+    smvm_print(o, "    ");
+    smvm_print(o, what);
+    smvm_print_padding(o, 20);
+    smvm_print_unsigned(o, v);
+    smvm_print(o, unit);
 }
 
 static void print_window(DisasmOutput *o, uint32_t w)
@@ -32,30 +32,30 @@ static void print_window(DisasmOutput *o, uint32_t w)
     static const char *const stat[] = {" average", " median", " smallest", " largest", " range"};
     uint32_t entry = smvm_window(o->m->image, o->m->windows_at, w), kind = entry >> SMVM_WINDOW_SIZE_BITS;
 
-    smvm_text(o, "    w");
-    smvm_text_number(o, w);
-    smvm_text_pad(o, 20);
-    smvm_text_number(o, entry & SMVM_WINDOW_SIZE_MASK);
-    smvm_text(o, " ");
-    smvm_text(o, sm_type_info[kind & SM_ROLL_TYPE].spelling);
-    smvm_text(o, " samples:");
+    smvm_print(o, "    w");
+    smvm_print_unsigned(o, w);
+    smvm_print_padding(o, 20);
+    smvm_print_unsigned(o, entry & SMVM_WINDOW_SIZE_MASK);
+    smvm_print(o, " ");
+    smvm_print(o, sm_type_info[kind & SM_ROLL_TYPE].spelling);
+    smvm_print(o, " samples:");
     for (uint32_t i = 0; i < SM_STAT_COUNT; i++)
         if (kind & (uint32_t)SM_ROLL_AVG << i)
-            smvm_text(o, stat[i]);
-    smvm_text(o, "\n");
+            smvm_print(o, stat[i]);
+    smvm_print(o, "\n");
 }
 
 static void print_element(DisasmOutput *o, const char *what, const SmvmLocation *p)
 {
     SmvmName n = smvm_name_of(o->m, SMVM_IS_ELEMENT, p);
 
-    smvm_text(o, "    ");
-    smvm_text(o, what);
-    smvm_text_pad(o, 20);
-    smvm_text_location(o, "", p);
-    smvm_text(o, n.size > 0 ? " " : "");
-    smvm_text_name(o, n);
-    smvm_text(o, "\n");
+    smvm_print(o, "    ");
+    smvm_print(o, what);
+    smvm_print_padding(o, 20);
+    smvm_print_location(o, "", p);
+    smvm_print(o, n.size > 0 ? " " : "");
+    smvm_print_name(o, n);
+    smvm_print(o, "\n");
 }
 
 static void print_elements(DisasmOutput *o)
@@ -79,12 +79,12 @@ static void print_initial_values(DisasmOutput *o)
     for (uint32_t at = m->init_at; at < m->init_at + m->init_size;) {
         SmvmLocation p = smvm_location(m->image, at);
         uint8_t bytes = (uint8_t)(1u << smvm_type_shift(p.type));
-        smvm_text(o, "    initial value");
-        smvm_text_pad(o, 20);
-        smvm_text_location(o, "local ", &p);
-        smvm_text(o, " = 0x");
-        smvm_text_hex(o, smvm_cell(m->image, at + SMVM_LOCATION_BYTES, bytes), (uint8_t)(2 * bytes));
-        smvm_text(o, "\n");
+        smvm_print(o, "    initial value");
+        smvm_print_padding(o, 20);
+        smvm_print_location(o, "local ", &p);
+        smvm_print(o, " = 0x");
+        smvm_print_hex(o, smvm_cell(m->image, at + SMVM_LOCATION_BYTES, bytes), (uint8_t)(2 * bytes));
+        smvm_print(o, "\n");
         at += (uint32_t)SMVM_LOCATION_BYTES + bytes;
     }
 }
@@ -93,37 +93,37 @@ static void print_safe_states(DisasmOutput *o)
 {
     if (o->m->safe_at == 0)
         return;
-    smvm_text(o, "    safe states    ");
+    smvm_print(o, "    safe states    ");
     for (uint32_t s = 1; s <= o->m->states; s++)
         if (smvm_state_is_safe(o->m, s)) {
-            smvm_text(o, " ");
-            smvm_text_number(o, s);
+            smvm_print(o, " ");
+            smvm_print_unsigned(o, s);
         }
-    smvm_text(o, "\n");
+    smvm_print(o, "\n");
 }
 
 static void print_machine(DisasmOutput *o, uint32_t index)
 {
     const SmvmMachine *m = o->m;
 
-    smvm_text(o, "\nmachine ");
-    smvm_text_number(o, index + 1);
-    smvm_text(o, " ");
-    smvm_text_name(o, smvm_name(m, SMVM_NAME_MACHINE));
-    smvm_text(o, "\n");
-    print_line(o, "state vector", m->sv_size, " bytes, layout ");
-    smvm_text_hex(o, m->layout, 8);
-    smvm_text(o, "; of these it names ");
-    smvm_text_number(o, m->from);
-    smvm_text(o, " to ");
-    smvm_text_number(o, m->to);
-    smvm_text(o, "\n");
-    print_line(o, "states", m->states, "\n");
+    smvm_print(o, "\nmachine ");
+    smvm_print_unsigned(o, index + 1);
+    smvm_print(o, " ");
+    smvm_print_name(o, smvm_name(m, SMVM_NAME_MACHINE));
+    smvm_print(o, "\n");
+    print_property(o, "state vector", m->sv_size, " bytes, layout ");
+    smvm_print_hex(o, m->layout, 8);
+    smvm_print(o, "; of these it names ");
+    smvm_print_unsigned(o, m->from);
+    smvm_print(o, " to ");
+    smvm_print_unsigned(o, m->to);
+    smvm_print(o, "\n");
+    print_property(o, "states", m->states, "\n");
     print_safe_states(o);
-    print_line(o, "memory", smvm_ram_size_64(m), " bytes on a 64-bit computer, of these ");
-    smvm_text_number(o, m->locals);
-    smvm_text(o, " for locals\n");
-    print_line(o, "longest step", smvm_longest_step(m), " instructions\n");
+    print_property(o, "memory", smvm_ram_size_64(m), " bytes on a 64-bit computer, of these ");
+    smvm_print_unsigned(o, m->locals);
+    smvm_print(o, " for locals\n");
+    print_property(o, "longest step", smvm_longest_step(m), " instructions\n");
     print_elements(o);
     print_initial_values(o);
     for (uint32_t w = 0; w < m->windows; w++)
@@ -131,43 +131,43 @@ static void print_machine(DisasmOutput *o, uint32_t index)
     memset(&o->lines, 0, sizeof o->lines);
     o->more_lines = smvm_next_line(m, &o->lines);
     for (uint32_t f = 0; f <= 3 * m->states; f++)
-        smvm_text_function(o, f);
+        smvm_print_function(o, f);
 }
 
 // ---- pins ----
 
 static void print_real(DisasmOutput *o, const char *before, SmF64 x)
 {
-    smvm_text(o, before);
+    smvm_print(o, before);
     if (sm_eq(sm_trunc(x), x) && sm_le(sm_abs(x), sm_from_i32(INT32_MAX))) {
-        smvm_text(o, sm_lt(x, sm_from_i32(0)) ? "-" : "");
-        smvm_text_number(o, sm_truncate_u32(sm_abs(x)));
+        smvm_print(o, sm_lt(x, sm_from_i32(0)) ? "-" : "");
+        smvm_print_unsigned(o, sm_truncate_u32(sm_abs(x)));
     } else {
-        smvm_text(o, "0x");
-        smvm_text_hex(o, sm_bits(x), 16);
+        smvm_print(o, "0x");
+        smvm_print_hex(o, sm_bits(x), 16);
     }
 }
 
 static void print_pin(DisasmOutput *o, const SmvmPin *p)
 {
-    smvm_text(o, p->kind & 2 ? "    digital " : "    analog ");
-    smvm_text(o, p->kind & 1 ? "o " : "i ");
-    smvm_text_number(o, p->pin);
-    smvm_text_pad(o, 20);
-    smvm_text(o, sm_type_info[p->type].spelling);
-    smvm_text(o, " at ");
-    smvm_text_number(o, p->offset);
+    smvm_print(o, p->kind & 2 ? "    digital " : "    analog ");
+    smvm_print(o, p->kind & 1 ? "o " : "i ");
+    smvm_print_unsigned(o, p->pin);
+    smvm_print_padding(o, 20);
+    smvm_print(o, sm_type_info[p->type].spelling);
+    smvm_print(o, " at ");
+    smvm_print_unsigned(o, p->offset);
     if (!sm_eq(p->scale, sm_from_i32(1)))
         print_real(o, " @scale ", p->scale);
     if (!sm_eq(p->zero, sm_from_i32(0)))
         print_real(o, " @offset ", p->zero);
     if (!sm_eq(p->safe, sm_from_i32(0)))
         print_real(o, " @safe ", p->safe);
-    smvm_text(o, p->flags & 1 ? " @inverted" : "");
-    smvm_text(o, p->flags & 2 ? " @pull_up" : p->flags & 4 ? " @pull_down" : "");
+    smvm_print(o, p->flags & 1 ? " @inverted" : "");
+    smvm_print(o, p->flags & 2 ? " @pull_up" : p->flags & 4 ? " @pull_down" : "");
     if (p->hold)
         print_real(o, " @hold ", sm_from_u32(p->hold));
-    smvm_text(o, "\n");
+    smvm_print(o, "\n");
 }
 
 static void print_pins(DisasmOutput *o, SmvmBytes image)
@@ -177,10 +177,10 @@ static void print_pins(DisasmOutput *o, SmvmBytes image)
 
     if (!smvm_pins(image, &all))
         return;
-    smvm_text(o, "\npins\n");
-    print_line(o, "state vector", 8 * all.sv_size, " bytes, layout ");
-    smvm_text_hex(o, all.layout, 8);
-    smvm_text(o, "\n");
+    smvm_print(o, "\npins\n");
+    print_property(o, "state vector", 8 * all.sv_size, " bytes, layout ");
+    smvm_print_hex(o, all.layout, 8);
+    smvm_print(o, "\n");
     while (smvm_next_pin(&all, &p))
         print_pin(o, &p);
 }
@@ -200,19 +200,19 @@ static void print_sections(DisasmOutput *o, SmvmBytes image)
     for (uint8_t i = 0; i < smvm_section_count(image); i++) {
         SmvmSection s;
         smvm_read_section(image, i, &s);
-        smvm_text(o, "    section ");
-        smvm_text_hex(o, s.id, 2);
-        smvm_text(o, " ");
-        smvm_text(o, section_name(s.id));
-        smvm_text_pad(o, 26);
-        smvm_text_number(o, s.size);
-        smvm_text(o, " bytes at ");
-        smvm_text_number(o, s.at);
+        smvm_print(o, "    section ");
+        smvm_print_hex(o, s.id, 2);
+        smvm_print(o, " ");
+        smvm_print(o, section_name(s.id));
+        smvm_print_padding(o, 26);
+        smvm_print_unsigned(o, s.size);
+        smvm_print(o, " bytes at ");
+        smvm_print_unsigned(o, s.at);
         if (s.id == SMVM_S_IDENTITY && s.size == 8) {
-            smvm_text(o, ": ");
-            smvm_text_hex(o, smvm_cell(image, s.at, 8), 16);
+            smvm_print(o, ": ");
+            smvm_print_hex(o, smvm_cell(image, s.at, 8), 16);
         }
-        smvm_text(o, "\n");
+        smvm_print(o, "\n");
     }
 }
 
@@ -225,11 +225,11 @@ void smvm_disasm(SmvmBytes image, SmvmWrite write, void *context)
     o.write = write;
     o.context = context;
     o.m = &m;
-    smvm_text(&o, "image of ");
-    smvm_text_number(&o, smvm_u24(image, SMVM_LENGTH_AT));
-    smvm_text(&o, " bytes, format 2, crc ");
-    smvm_text_hex(&o, smvm_uint(image, SMVM_CRC_AT, 4), 8);
-    smvm_text(&o, "\n");
+    smvm_print(&o, "image of ");
+    smvm_print_unsigned(&o, smvm_u24(image, SMVM_LENGTH_AT));
+    smvm_print(&o, " bytes, format 2, crc ");
+    smvm_print_hex(&o, smvm_uint(image, SMVM_CRC_AT, 4), 8);
+    smvm_print(&o, "\n");
     print_sections(&o, image);
     print_pins(&o, image);
     for (uint32_t i = 0; smvm_machine(image, i, &m); i++)

@@ -12,62 +12,68 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
+// Keeps compilers from replacing a branch by a conditional move.
 #ifdef __GNUC__
-#define BRANCH __asm__ volatile("")
+#define KEEP_BRANCH __asm__ volatile("")
 #else
-#define BRANCH
+#define KEEP_BRANCH
 #endif
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("no-gcse", "no-crossjumping", "no-tree-tail-merge")   // they would merge the jumps between instructions again
-#pragma GCC optimize("no-tree-fre", "no-tree-pre")     // they take a third of gcc's time for this file and gain nothing
+#pragma GCC optimize("no-gcse", "no-crossjumping", "no-tree-tail-merge")   // these would merge the jumps between instructions into one
+#pragma GCC optimize("no-tree-fre", "no-tree-pre")     // these take a third of gcc's time for this file and gain nothing
 #endif
 
-// ---- the operations of each type; `w` is the word of the operand ----
-//   get      reads as the language does; `f` is F      put      stores as the language does
-//   bare     reads, but a NaN remains NaN
-//   convert  stores and reads again                    true     whether it is not zero
-//   whole    reads an integer as it is                 number   the number to compare with it
-//   move     copies within the type                    count    x + c, stored: w[0] = w[1] + w[2]
+// ---- functions for each type K, used by the instructions of fast.h; `w` is the word of an operand ----
+//   cell_K     the value in memory, in its C type
+//   get_K      the value as the language reads it; `f`, the register F, is not used
+//   bare_K     the same, but a stored NaN remains NaN
+//   put_K      stores x as the language does
+//   convert_K  x after it is stored and read again
+//   true_K     whether the value is neither zero nor NaN
+//   whole_K    an integer as a 64-bit integer
+//   number_K   the constant in a word, to compare with whole_K
+//   move_K     stores the value of x at d; both have type K
+//   increment_K  w[0] = w[1] + w[2], where w[0] and w[1] are in memory and w[2] is a constant
 
-#define TYPE(K, ctype, from, to, bare, is_true)                                                                                     \
-    static inline ctype cell_##K(const SmvmWord *w) { ctype v; memcpy(&v, w->p, sizeof v); return v; }                  \
-    static inline SmF64 get_##K(const SmvmWord *w, SmF64 f) { (void)f; return from(cell_##K(w)); }                      \
-    static inline void put_##K(const SmvmWord *w, SmF64 x) { const ctype v = to(x); memcpy(w->p, &v, sizeof v); }       \
-    static inline SmF64 bare_##K(const SmvmWord *w) { return bare(cell_##K(w)); }                                       \
-    static inline SmF64 convert_##K(SmF64 x) { return from(to(x)); }                                                    \
+#define DEFINE_TYPE(K, ctype, from, to, bare, is_true)                                                                          \
+    static inline ctype cell_##K(const SmvmWord *w) { ctype v; memcpy(&v, w->p, sizeof v); return v; }                          \
+    static inline SmF64 get_##K(const SmvmWord *w, SmF64 f) { (void)f; return from(cell_##K(w)); }                              \
+    static inline void put_##K(const SmvmWord *w, SmF64 x) { const ctype v = to(x); memcpy(w->p, &v, sizeof v); }               \
+    static inline SmF64 bare_##K(const SmvmWord *w) { return bare(cell_##K(w)); }                                               \
+    static inline SmF64 convert_##K(SmF64 x) { return from(to(x)); }                                                            \
     static inline bool true_##K(const SmvmWord *w) { return is_true(cell_##K(w)); }
 
-// A move does not change a number of up to 32 bits.  The sum of two is exact in 64 bits, and is clipped at the same limits.
-#define SMALL(K, ctype, from, to, lo, hi)                                                                               \
-    TYPE(K, ctype, from, to, from, is_not_zero)                                                                                       \
-    static inline int64_t whole_##K(const SmvmWord *w) { return cell_##K(w); }                                          \
-    static inline int64_t number_##K(const SmvmWord *w) { return w->i; }                                                \
+// Integers of up to 32 bits: a move copies them unchanged.  A sum of two is exact in 64 bits, so clipping it equals storing an F64 sum.
+#define DEFINE_SMALL_INTEGER(K, ctype, from, to, lo, hi)                                                                        \
+    DEFINE_TYPE(K, ctype, from, to, from, is_not_zero)                                                                          \
+    static inline int64_t whole_##K(const SmvmWord *w) { return cell_##K(w); }                                                  \
+    static inline int64_t number_##K(const SmvmWord *w) { return w->i; }                                                        \
     static inline void move_##K(const SmvmWord *d, const SmvmWord *x) { const ctype v = cell_##K(x); memcpy(d->p, &v, sizeof v); } \
-    static inline void count_##K(const SmvmWord *w)                                                                     \
-    {                                                                                                                   \
-        const ctype v = (ctype)clip(cell_##K(w + 1) + w[2].i, lo, hi);                                               \
-        memcpy(w->p, &v, sizeof v);                                                                                     \
+    static inline void increment_##K(const SmvmWord *w)                                                                         \
+    {                                                                                                                           \
+        const ctype v = (ctype)clip_to(cell_##K(w + 1) + w[2].i, lo, hi);                                                       \
+        memcpy(w->p, &v, sizeof v);                                                                                             \
     }
 
-#define LARGE(K, ctype, from, to, count)                                                                                \
-    TYPE(K, ctype, from, to, from, is_not_zero)                                                                                       \
-    static inline void move_##K(const SmvmWord *d, const SmvmWord *x) { put_##K(d, get_##K(x, sm_from_i32(0))); }       \
-    static inline void count_##K(const SmvmWord *w)                                                                     \
-    {                                                                                                                   \
-        const ctype v = count(cell_##K(w + 1), (int32_t)w[2].i);                                                        \
-        memcpy(w->p, &v, sizeof v);                                                                                     \
+#define DEFINE_LARGE_INTEGER(K, ctype, from, to, count)                                                                         \
+    DEFINE_TYPE(K, ctype, from, to, from, is_not_zero)                                                                          \
+    static inline void move_##K(const SmvmWord *d, const SmvmWord *x) { put_##K(d, get_##K(x, sm_from_i32(0))); }               \
+    static inline void increment_##K(const SmvmWord *w)                                                                         \
+    {                                                                                                                           \
+        const ctype v = count(cell_##K(w + 1), (int32_t)w[2].i);                                                                \
+        memcpy(w->p, &v, sizeof v);                                                                                             \
     }
 
-#define FLOATING(K, ctype, from, to, bare, is_true)                                                                                  \
-    TYPE(K, ctype, from, to, bare, is_true)                                                                                          \
+#define DEFINE_OTHER(K, ctype, from, to, bare, is_true)                                                                         \
+    DEFINE_TYPE(K, ctype, from, to, bare, is_true)                                                                              \
     static inline void move_##K(const SmvmWord *d, const SmvmWord *x) { put_##K(d, get_##K(x, sm_from_i32(0))); }
 
-static inline int64_t clip(int64_t x, int64_t lo, int64_t hi) { return x < lo ? lo : x > hi ? hi : x; }
+static inline int64_t clip_to(int64_t x, int64_t lo, int64_t hi) { return x < lo ? lo : x > hi ? hi : x; }
 // Like sm_read_f64, but with a rarely taken branch; without it compilers generate a chain of dependent instructions.
 static inline SmF64 read_f64(SmF64 x)
 {
     if (sm_is_nan(x)) {
-        BRANCH;
+        KEEP_BRANCH;
         return sm_from_i32(0);
     }
     return x;
@@ -76,40 +82,40 @@ static inline SmF64 read_f32(float v) { return read_f64(sm_from_f32(v)); }
 static inline SmF64 from_byte(uint8_t v) { return sm_from_bool(v != 0); }
 #define is_not_zero(v) ((v) != 0)
 static inline bool is_f32_true(float v) { return sm_to_bool(sm_from_f32(v)); }
-static inline SmF64 unchanged(SmF64 x) { return x; }
+static inline SmF64 identity(SmF64 x) { return x; }
 
-SMALL(I8, int8_t, sm_from_i8, sm_to_i8, INT8_MIN, INT8_MAX)
-SMALL(I16, int16_t, sm_from_i16, sm_to_i16, INT16_MIN, INT16_MAX)
-SMALL(I32, int32_t, sm_from_i32, sm_to_i32, INT32_MIN, INT32_MAX)
-LARGE(I64, int64_t, sm_from_i64, sm_to_i64, sm_count_i64)
-SMALL(U8, uint8_t, sm_from_u8, sm_to_u8, 0, UINT8_MAX)
-SMALL(U16, uint16_t, sm_from_u16, sm_to_u16, 0, UINT16_MAX)
-SMALL(U32, uint32_t, sm_from_u32, sm_to_u32, 0, UINT32_MAX)
-LARGE(U64, uint64_t, sm_from_u64, sm_to_u64, sm_count_u64)
-FLOATING(F32, float, read_f32, sm_to_f32, sm_from_f32, is_f32_true)
-FLOATING(F64, SmF64, read_f64, sm_to_f64, unchanged, sm_to_bool)
-FLOATING(BOOL, uint8_t, from_byte, sm_to_bool, from_byte, is_not_zero)
-FLOATING(RAW, SmF64, unchanged, smvm_raw, unchanged, sm_to_bool)
+DEFINE_SMALL_INTEGER(I8, int8_t, sm_from_i8, sm_to_i8, INT8_MIN, INT8_MAX)
+DEFINE_SMALL_INTEGER(I16, int16_t, sm_from_i16, sm_to_i16, INT16_MIN, INT16_MAX)
+DEFINE_SMALL_INTEGER(I32, int32_t, sm_from_i32, sm_to_i32, INT32_MIN, INT32_MAX)
+DEFINE_LARGE_INTEGER(I64, int64_t, sm_from_i64, sm_to_i64, sm_count_i64)
+DEFINE_SMALL_INTEGER(U8, uint8_t, sm_from_u8, sm_to_u8, 0, UINT8_MAX)
+DEFINE_SMALL_INTEGER(U16, uint16_t, sm_from_u16, sm_to_u16, 0, UINT16_MAX)
+DEFINE_SMALL_INTEGER(U32, uint32_t, sm_from_u32, sm_to_u32, 0, UINT32_MAX)
+DEFINE_LARGE_INTEGER(U64, uint64_t, sm_from_u64, sm_to_u64, sm_count_u64)
+DEFINE_OTHER(F32, float, read_f32, sm_to_f32, sm_from_f32, is_f32_true)
+DEFINE_OTHER(F64, SmF64, read_f64, sm_to_f64, identity, sm_to_bool)
+DEFINE_OTHER(BOOL, uint8_t, from_byte, sm_to_bool, from_byte, is_not_zero)
+DEFINE_OTHER(RAW, SmF64, identity, smvm_raw, identity, sm_to_bool)
 static inline int64_t whole_I64(const SmvmWord *w) { return cell_I64(w); }
 static inline uint64_t whole_U64(const SmvmWord *w) { return cell_U64(w); }
 static inline int64_t number_I64(const SmvmWord *w) { return w->i; }
 static inline uint64_t number_U64(const SmvmWord *w) { return w->u; }
 static inline SmF64 get_C(const SmvmWord *w, SmF64 f) { (void)f; return w->f; }
 
+// Stores the constant of word n + 1, which is already converted to ctype, at the address in word n.
 #define SET(ctype, n) do { const ctype v_ = (ctype)ip[(n) + 1].u; memcpy(ip[n].p, &v_, sizeof v_); } while (0)
-#define NOTE notes |= ip[1].u                          // one of the first 64 outputs is written
+#define NOTE notes |= ip[1].u                          // notes that one of the first 64 outputs is stored: ip[1] has its bit
 
 // Whether x and y are in one of the relations m (image.h).
-static inline bool related(unsigned m, SmF64 x, SmF64 y)
+static inline bool is_related(unsigned m, SmF64 x, SmF64 y)
 {
     unsigned is = (unsigned)sm_lt(x, y) | (unsigned)sm_eq(x, y) << 1 | (unsigned)sm_lt(y, x) << 2;
 
     return (m & (is != 0 ? is : (unsigned)SMVM_UNORDERED)) != 0;
 }
 
-// ---- code that is too long for an instruction ----
-
-static SmF64 root(SmF64 x) { return sm_sqrt(x); }
+// Not inlined: sm_sqrt is long.
+static SmF64 compute_sqrt(SmF64 x) { return sm_sqrt(x); }
 
 // ---- execution: each instruction jumps directly to the next, or through a switch if C has no computed goto ----
 
@@ -127,7 +133,7 @@ static SmF64 root(SmF64 x) { return sm_sqrt(x); }
 #endif
 #define GO_IF(condition, n) if (condition) { ip = ip[1].to; NEXT(0); } NEXT(n)
 
-// Compilers turn this into one store on little-endian machines.
+// Stores the bits of the first 64 outputs.  Compilers turn this into one store on little-endian machines.
 static inline void store_notes(uint8_t *stored, uint64_t notes)
 {
     stored[0] = (uint8_t)notes;
@@ -140,8 +146,8 @@ static inline void store_notes(uint8_t *stored, uint64_t notes)
     stored[7] = (uint8_t)(notes >> 56);
 }
 
-// A step on another state vector; or, for a decoded form without a machine, returns the addresses of all instructions' code.
-static SmResult run_at_other_address(SmvmDecoded *d, void *sv, const void *const *label)
+// Runs a step on a state vector other than that of the decoded form.  If d has no machine, only sets d->label (smvm_fast_labels).
+static SmResult step_other_vector(SmvmDecoded *d, void *sv, const void *const *label)
 {
     if (d->vm != NULL)
         return smvm_step(d->vm, sv);
@@ -168,7 +174,7 @@ SmResult smvm_step_decoded(SmvmDecoded *d, void *sv)
     SmF64 F = sm_from_i32(0);
 
     if (sv != d->sv)
-        return run_at_other_address(d, sv, label);
+        return step_other_vector(d, sv, label);
     if (!smvm_advance(vm, d->g))
         return SM_REFUSED;
     if (vm->first || vm->entered) {                   // most often neither is set

@@ -6,8 +6,9 @@
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
 
-// The types of values in memory, in the order of their numbers, followed by a temporary (RAW).  An int64_t can represent all values of
-// FAST_INTS except the upper half of U64.  Two more sources follow: a number in the code (C), and the contents of F (A).
+// Lists of operand types; each applies the macro M to every type of the list.  FAST_TYPES: the types of values in memory, in the order of
+// their numbers (SmType).  FAST_KINDS: also RAW, an F64 stored as it is.  FAST_SOURCES: also C, a constant in the code.  FAST_INTS: an
+// int64_t can represent all their values except the upper half of U64.  DecodedValue.kind has one more, FAST_A: the value is in F.
 #define FAST_TYPES(M) M(I8) M(I16) M(I32) M(I64) M(U8) M(U16) M(U32) M(U64) M(F32) M(F64) M(BOOL)
 #define FAST_KINDS(M) FAST_TYPES(M) M(RAW)
 #define FAST_SOURCES(M) FAST_KINDS(M) M(C)
@@ -16,7 +17,8 @@
 
 enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 
-// The families: the code of each instruction, for a type K.
+// The families: name and code of the instruction for a type K.  ip[1], ip[2], … are its operands; NEXT(n) goes to the next instruction, n
+// words on; GO_IF jumps to ip[1]; NOTE and get_K etc. are in fast.c.
 #define FAST_LD(K) FAST(LD_##K, F = get_##K(ip + 1, F); NEXT(2);)
 #define FAST_ADD(K) FAST(ADD_##K, F = sm_add(F, get_##K(ip + 1, F)); NEXT(2);)
 #define FAST_SUB(K) FAST(SUB_##K, F = sm_sub(F, get_##K(ip + 1, F)); NEXT(2);)
@@ -31,7 +33,7 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_LE(K) FAST(LE_##K, F = sm_from_bool(sm_le(F, get_##K(ip + 1, F))); NEXT(2);)
 #define FAST_GT(K) FAST(GT_##K, F = sm_from_bool(sm_lt(get_##K(ip + 1, F), F)); NEXT(2);)
 #define FAST_GE(K) FAST(GE_##K, F = sm_from_bool(sm_le(get_##K(ip + 1, F), F)); NEXT(2);)
-#define FAST_REL(K) FAST(REL_##K, F = sm_from_bool(related((unsigned)ip[2].u, F, get_##K(ip + 1, F))); NEXT(3);)
+#define FAST_REL(K) FAST(REL_##K, F = sm_from_bool(is_related((unsigned)ip[2].u, F, get_##K(ip + 1, F))); NEXT(3);)
 #define FAST_AND(K) FAST(AND_##K, F = sm_from_bool(sm_to_bool(F) && sm_to_bool(get_##K(ip + 1, F))); NEXT(2);)
 #define FAST_OR(K) FAST(OR_##K, F = sm_from_bool(sm_to_bool(F) || sm_to_bool(get_##K(ip + 1, F))); NEXT(2);)
 #define FAST_CVT(K) FAST(CVT_##K, F = convert_##K(F); NEXT(1);)
@@ -50,10 +52,10 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_STN(K) FAST(STN_##K, NOTE; put_##K(ip + 2, F); NEXT(3);)
 #define FAST_MOV(K) FAST(MOV_##K, move_##K(ip + 1, ip + 2); NEXT(3);)
 #define FAST_MOVN(K) FAST(MOVN_##K, NOTE; move_##K(ip + 2, ip + 3); NEXT(4);)
-#define FAST_INC(K) FAST(INC_##K, count_##K(ip + 1); NEXT(4);)
-#define FAST_INCN(K) FAST(INCN_##K, NOTE; count_##K(ip + 2); NEXT(5);)
+#define FAST_INC(K) FAST(INC_##K, increment_##K(ip + 1); NEXT(4);)
+#define FAST_INCN(K) FAST(INCN_##K, NOTE; increment_##K(ip + 2); NEXT(5);)
 
-// F op y, stored as the type of y; if y is a number, as type K.
+// F = F op y, also stored as type K; y is of type K in memory, or a constant (ADDCST and so on).
 #define FAST_ADDST(K) FAST(ADDST_##K, F = sm_add(F, get_##K(ip + 2, F)); put_##K(ip + 1, F); NEXT(3);)
 #define FAST_SUBST(K) FAST(SUBST_##K, F = sm_sub(F, get_##K(ip + 2, F)); put_##K(ip + 1, F); NEXT(3);)
 #define FAST_MULST(K) FAST(MULST_##K, F = sm_mul(F, get_##K(ip + 2, F)); put_##K(ip + 1, F); NEXT(3);)
@@ -72,10 +74,10 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_SAMPLED(M) M(I16) M(U16) M(I32) M(F32) M(F64)
 #define FAST_PUSH_MEDIAN(K) FAST(PUSH_MEDIAN_##K, push_median_##K(ip + 1, sample_##K(F)); NEXT(4);)
 #define FAST_PUSH_AVG(K) FAST(PUSH_AVG_##K, push_avg_##K(ip + 1, sample_##K(F)); NEXT(4);)
-#define FAST_PUSH_ENDS(K) FAST(PUSH_ENDS_##K, push_ends_##K(ip + 1, sample_##K(F)); NEXT(4);)
+#define FAST_PUSH_EXTREMES(K) FAST(PUSH_EXTREMES_##K, push_extremes_##K(ip + 1, sample_##K(F)); NEXT(4);)
 #define FAST_PUSH_MEMORY_MEDIAN(K) FAST(PUSH_MEMORY_MEDIAN_##K, push_median_##K(ip + 1, memory_sample_##K(ip + 4)); F = sm_from_i32(0); NEXT(5);)
 #define FAST_PUSH_MEMORY_AVG(K) FAST(PUSH_MEMORY_AVG_##K, push_avg_##K(ip + 1, memory_sample_##K(ip + 4)); F = sm_from_i32(0); NEXT(5);)
-#define FAST_PUSH_MEMORY_ENDS(K) FAST(PUSH_MEMORY_ENDS_##K, push_ends_##K(ip + 1, memory_sample_##K(ip + 4)); F = sm_from_i32(0); NEXT(5);)
+#define FAST_PUSH_MEMORY_EXTREMES(K) FAST(PUSH_MEMORY_EXTREMES_##K, push_extremes_##K(ip + 1, memory_sample_##K(ip + 4)); F = sm_from_i32(0); NEXT(5);)
 #define FAST_MEDIAN(K) FAST(MEDIAN_##K, F = median_##K(ip + 1); NEXT(5);)
 #define FAST_AVG(K) FAST(AVG_##K, F = avg_##K(ip + 1); NEXT(5);)
 #define FAST_RANGE(K) FAST(RANGE_##K, F = range_##K(ip + 1); NEXT(5);)
@@ -95,14 +97,14 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_JNGT(K) FAST(JNGT_##K, GO_IF(!sm_lt(get_##K(ip + 2, F), F), 3);)
 #define FAST_JGE(K) FAST(JGE_##K, GO_IF(sm_le(get_##K(ip + 2, F), F), 3);)
 #define FAST_JNGE(K) FAST(JNGE_##K, GO_IF(!sm_le(get_##K(ip + 2, F), F), 3);)
-#define FAST_JREL(K) FAST(JREL_##K, GO_IF(related((unsigned)ip[3].u, F, get_##K(ip + 2, F)), 4);)
+#define FAST_JREL(K) FAST(JREL_##K, GO_IF(is_related((unsigned)ip[3].u, F, get_##K(ip + 2, F)), 4);)
 #define FAST_JT(K) FAST(JT_##K, GO_IF(true_##K(ip + 2), 3);)
 #define FAST_JF(K) FAST(JF_##K, GO_IF(!true_##K(ip + 2), 3);)
 #define FAST_JEQ2(K) FAST(JEQ2_##K, GO_IF(sm_eq(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
 #define FAST_JNE2(K) FAST(JNE2_##K, GO_IF(!sm_eq(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
 #define FAST_JLT2(K) FAST(JLT2_##K, GO_IF(sm_lt(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
 #define FAST_JLE2(K) FAST(JLE2_##K, GO_IF(sm_le(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
-// Comparison with a number.  A stored NaN remains NaN here; decode_jump.c selects a condition whose result for NaN is that for 0.
+// Comparison with a constant.  A stored NaN remains NaN here; decode_jump.c selects a condition whose result for NaN is that for 0.
 #define FAST_JEQC(K) FAST(JEQC_##K, GO_IF(sm_eq(bare_##K(ip + 2), ip[3].f), 4);)
 #define FAST_JNEC(K) FAST(JNEC_##K, GO_IF(!sm_eq(bare_##K(ip + 2), ip[3].f), 4);)
 #define FAST_JLTC(K) FAST(JLTC_##K, GO_IF(sm_lt(bare_##K(ip + 2), ip[3].f), 4);)
@@ -113,8 +115,8 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_JNGTC(K) FAST(JNGTC_##K, GO_IF(!sm_lt(ip[3].f, bare_##K(ip + 2)), 4);)
 #define FAST_JGEC(K) FAST(JGEC_##K, GO_IF(sm_le(ip[3].f, bare_##K(ip + 2)), 4);)
 #define FAST_JNGEC(K) FAST(JNGEC_##K, GO_IF(!sm_le(ip[3].f, bare_##K(ip + 2)), 4);)
-// Comparison with a whole number of less than 53 bits.  Integers compare like their F64 values, rounded or not; for U64 the number is not
-// negative.
+// Comparison of an integer with a whole constant of at most 53 bits.  The result equals that for F64: rounding an integer beyond 2^53 does
+// not change its order relative to the constant.  For U64 the constant is not negative.
 #define FAST_JEQI(K) FAST(JEQI_##K, GO_IF(whole_##K(ip + 2) == number_##K(ip + 3), 4);)
 #define FAST_JNEI(K) FAST(JNEI_##K, GO_IF(whole_##K(ip + 2) != number_##K(ip + 3), 4);)
 #define FAST_JLTI(K) FAST(JLTI_##K, GO_IF(whole_##K(ip + 2) < number_##K(ip + 3), 4);)
@@ -139,19 +141,19 @@ typedef union SmvmWord {
     uint64_t u;
 } SmvmWord;
 
-// The functions that a step runs are linked: the sample function continues with the first block that the state runs, `.entry` with
-// `.step`, and a transition with `.exit`.
+// A decoded machine.  Its functions are linked by jumps: the sample function continues with the first block that the state runs, `.entry`
+// with `.step`, and a transition with `.exit`.
 struct SmvmDecoded {
     SmVm *vm;
     void *sv;                 // the state vector that addresses in the code point into
     const void *g;            // its elements G and S
     void *s;
     SmvmParts parts;          // of the machine's memory
-    uint64_t t;               // T
+    uint64_t t;               // T, updated at the start of each step: instructions read it as an operand in memory
     SmvmWord *code;           // the sample function first
-    const SmvmWord **body;    // two for each state: where its later steps start in the code, and its first step
+    const SmvmWord **body;    // two for each state: where the code of its later steps starts, and that of its first step
     const void *const *label; // see smvm_fast_labels
-    bool samples;             // code precedes those blocks, from the second word on
+    bool samples;             // a step first runs the code from the second word on: the sample function, or clearing stored bits
 };
 
 // The address of the code of each FastOp, or NULL if the code contains its number instead.

@@ -15,7 +15,7 @@
 enum {
     SMVM_FORMAT = 2,                  // the version of the whole format
     SMVM_CRC_AT = 4, SMVM_LENGTH_AT = 8, SMVM_SECTIONS_AT = 11, SMVM_HEADER = 12,
-    SMVM_SECTION_ENTRY = 8,           // of the section table: id u8, version u8, offset u24, length u24
+    SMVM_SECTION_ENTRY = 8,           // bytes of an entry of the section table: id u8, version u8, offset u24, length u24
     SMVM_MUST_KNOW = 0x80             // a section whose id has this bit cannot be skipped
 };
 
@@ -43,14 +43,14 @@ typedef enum SmvmOp {
 
 enum { SMVM_RAW = SM_TYPE_COUNT };    // as the type of a local: an F64 that is stored as it is, NaN included
 
-// Relations of X to the other number.  The low bits of jxy and jxn, and the operand of set, are a sum of them.
+// Relations of X to the other operand.  The low bits of jxy and jxn, and the operand of set, are a sum of them.
 enum { SMVM_LESS = 1, SMVM_EQUAL = 2, SMVM_GREATER = 4, SMVM_UNORDERED = 8 };
 
 // The operands of an opcode, and its effect on the registers: see opcodes.def.
 enum {
     SMVM_SHAPE_L = 1, SMVM_SHAPE_E = 2, SMVM_SHAPE_N = 4, SMVM_SHAPE_F = 8, SMVM_SHAPE_D = 0x10, SMVM_SHAPE_O = 0x20, SMVM_SHAPE_S = 0x40,
     SMVM_SHAPE_K = 0x80, SMVM_SHAPE_W = 0x100, SMVM_SHAPE_T = 0x200, SMVM_SHAPE_M = 0x400, SMVM_SHAPE_J = 0x800,
-    SMVM_SHAPE_FOLLOWS = 0xfff,       // each bit of these is one varint after the opcode, in the order of the bits
+    SMVM_SHAPE_FOLLOWS = 0xfff,       // mask of the operands: for each set bit, one varint follows the opcode, in the order of the bits
     SMVM_SHAPE_X = 0x1000, SMVM_SHAPE_Y = 0x2000, SMVM_SHAPE_GX = 0x4000
 };
 #define SMVM_SHAPE_GY UINT32_C(0x8000)
@@ -66,14 +66,15 @@ enum { SMVM_LOCATION_BYTES = 3 };
 enum { SMVM_WINDOW_ENTRY = 4, SMVM_WINDOW_SIZE_BITS = 17 };
 #define SMVM_WINDOW_SIZE_MASK UINT32_C(0x1ffff)       // not `1u << 17`: an int may have 16 bits
 
-// Varints: every number below SMVM_VARINT_END has exactly one form, of 1, 2 or 4 bytes, all of them below 0x80.
+// Varints: every number below SMVM_VARINT_END has exactly one encoding, of 1, 2 or 4 bytes, all of them below 0x80.  The first byte is
+// below SMVM_VARINT_1 if it is the only one, and below SMVM_VARINT_2 if there are two.
 enum { SMVM_VARINT_1 = 0x60, SMVM_VARINT_2 = 0x78 };
 #define SMVM_VARINT_MID 0xc60u                        // the first number that needs four bytes
 #define SMVM_VARINT_END (SMVM_VARINT_MID + 0x1000000u)
 
-// DEBUG begins with this many numbers of three bytes: count of variables, start of the lines, name of the machine, name of the source.
-// Then follow the offsets of the names of states (0: none).  Then follow, for each variable, its SmvmVariable, its location and its name's
-// offset.
+// DEBUG begins with SMVM_DEBUG_NUMBERS numbers of three bytes: how many variables there are, and the offsets of the lines, of the machine's
+// name and of the source's name.  Next is the offset of each state's name (0: none).  Then each variable has SMVM_DEBUG_VARIABLE bytes:
+// its SmvmVariable, its location and its name's offset.
 enum { SMVM_DEBUG_NUMBERS = 4, SMVM_DEBUG_VARIABLE = 7 };
 
 // ---- reading ----
@@ -101,7 +102,7 @@ static inline uint64_t smvm_cell(SmvmBytes image, SmvmAt at, uint8_t bytes)
 // The size of a type is 1 << this, also for RAW.  Computed from the type's number, which an 8-bit computer does faster than a table lookup.
 #define SMVM_TYPE_SHIFT(type) ((type) < SM_F32 ? (type) & 3 : (type) == SM_BOOL ? 0 : (type) == SM_F32 ? 2 : 3)
 SMVM_INLINE uint8_t smvm_type_shift(uint32_t type) { return (uint8_t)SMVM_TYPE_SHIFT((uint8_t)type); }
-uint8_t smvm_shift(uint8_t type);                     // the same as a call, for small code
+uint8_t smvm_shift(uint8_t type);                     // the same, never inlined, for small code
 #define SM_TYPE(name, wire, spelling, ctype, bytes, kind) typedef char smvm_shift_of_##name[1 << SMVM_TYPE_SHIFT(wire) == (bytes) ? 1 : -1];
 #include "stdlib/types.def"
 #undef SM_TYPE
@@ -113,7 +114,7 @@ SmvmAt smvm_read_offset(SmvmBytes image, SmvmAt at, uint8_t bytes);
 // Returns the offset of the next `bytes` bytes and moves past them; 0: fewer are left.
 SmvmAt smvm_skip(SmvmReader *r, uint8_t bytes);
 
-// Reads a varint that must end before r->end into r->n, which becomes SMVM_NOWHERE if the number is too large for it.
+// Reads a varint that must end before r->end into r->n.  If an SmvmAt cannot hold it, r->n is SMVM_NOWHERE.
 typedef enum SmvmVarintStatus { SMVM_VARINT_OK, SMVM_VARINT_CUT_SHORT, SMVM_VARINT_TOO_LARGE } SmvmVarintStatus;
 SmvmVarintStatus smvm_read_number(SmvmReader *r);
 
@@ -155,7 +156,7 @@ enum { SMVM_HAS_MACHINE = 1, SMVM_HAS_CODE = 2, SMVM_HAS_INIT = 4, SMVM_HAS_SAFE
 typedef struct SmvmSectionKind {
     uint8_t id, version;
     uint8_t requires, forbids, provides;  // sets of these flags: required and forbidden before it; set by it
-    uint8_t part;             // where SmvmMachine stores its offset and size; 0: nowhere
+    uint8_t part;             // offset in SmvmMachine of the fields for its offset and size; 0: it has none
 } SmvmSectionKind;
 
 typedef struct SmvmSection {  // as in the image; not checked
@@ -165,7 +166,7 @@ typedef struct SmvmSection {  // as in the image; not checked
 } SmvmSection;
 
 void smvm_read_section(SmvmBytes image, uint8_t index, SmvmSection *s);
-uint8_t smvm_section_count(SmvmBytes image);          // their number
+uint8_t smvm_section_count(SmvmBytes image);          // how many sections the image has
 
 // Finds the first section of this id, in its known version, and sets r to it.  Returns false if there is none.
 bool smvm_find_section(SmvmBytes image, uint8_t id, SmvmReader *r);
@@ -173,7 +174,7 @@ bool smvm_find_section(SmvmBytes image, uint8_t id, SmvmReader *r);
 // Reads machine `number`.  Returns 0, or the rule that its MACHINE section breaks; SMVM_R_GROUP: there is no such machine.
 uint8_t smvm_read_machine(SmvmBytes image, uint8_t number, SmvmMachine *m);
 
-// Reads the machine that runs at vm again: all but INIT and DEBUG.
+// Reads the machine that runs at vm again, except for its INIT, DEBUG and SAFE sections.
 void smvm_reread_machine(const SmVm *vm, SmvmMachine *m);
 
 // Extracts the tables of m that a step needs, for the memory at vm.
@@ -191,7 +192,7 @@ typedef struct SmvmParts {
 static inline uint64_t **smvm_windows_of(SmVm *vm) { return (uint64_t **)(void *)((uint8_t *)vm + (sizeof *vm + 7) / 8 * 8); }
 SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m);
 
-SmvmLocation smvm_location(SmvmBytes image, SmvmAt at);      // its type may not exist
+SmvmLocation smvm_location(SmvmBytes image, SmvmAt at);      // reads one; its type may not exist
 
 static inline uint32_t smvm_window(SmvmBytes image, SmvmAt windows_at, SmvmAt w)     // an entry of the table of windows
 {
@@ -209,16 +210,16 @@ static inline SmvmAt smvm_function_end(const SmvmMachine *m, SmvmAt index)
     return smvm_read_offset(m->image, (SmvmAt)(m->functions_at + index * m->width), (uint8_t)m->width);
 }
 
-// The form of an opcode: its shape in fewer bits.  The low four encode the operands; above them are the bits from SMVM_SHAPE_X on.
-// 0: the opcode does not exist.
+// The packed shape of an opcode: its shape in 16 bits.  The low four bits are one of the constants below, for the operands; the others are
+// the bits of the shape from SMVM_SHAPE_X on.  0: the opcode does not exist.
 enum {
     SMVM_OPERAND_NONE, SMVM_OPERAND_L, SMVM_OPERAND_E, SMVM_OPERAND_N, SMVM_OPERAND_F, SMVM_OPERAND_D, SMVM_OPERAND_O, SMVM_OPERAND_S,
     SMVM_OPERAND_K, SMVM_OPERAND_W, SMVM_OPERAND_T, SMVM_OPERAND_M, SMVM_OPERAND_J, SMVM_OPERANDS_K_W, SMVM_OPERANDS_N_J
 };
-uint16_t smvm_form(uint8_t opcode);
+uint16_t smvm_packed_shape(uint8_t opcode);
 uint32_t smvm_shape(uint8_t opcode);                  // 0 if the opcode does not exist
 
-// Returns 0, or the rule that the IO section breaks, and stores where (pins.c).
+// Returns 0, or the rule that the IO section breaks, and sets *at to the offset of the error (pins.c).
 uint8_t smvm_check_pins(SmvmBytes image, SmvmAt *at);
 
 // Windows, for every interpreter (interp.c): the code of stdlib/roll.h is long, so only one copy is compiled.
@@ -229,7 +230,7 @@ SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat);
 SmF64 smvm_load(uint8_t type, const void *at);
 void smvm_store(SmF64 x, uint8_t type, void *at);
 
-// ---- names, for hosts; DEBUG is not verified, so these check what they read (debug.c) ----
+// ---- names and source lines, for hosts (debug.c); DEBUG is not verified, so these check what they read ----
 
 typedef struct SmvmName { SmvmAt at; uint32_t size; } SmvmName;  // a part of the image; size 0: none
 
@@ -237,12 +238,12 @@ enum { SMVM_NAME_MACHINE = 2, SMVM_NAME_SOURCE = 3 };
 SmvmName smvm_name(const SmvmMachine *m, uint32_t which);        // `which` is one of these two
 SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state);
 
-uint32_t smvm_variables(const SmvmMachine *m);                   // how many have names; sorted by SmvmVariable, type and location
+uint32_t smvm_variables(const SmvmMachine *m);                   // how many have names; sorted by SmvmVariable, type, offset
 typedef enum SmvmVariable { SMVM_IS_LOCAL, SMVM_IS_ELEMENT, SMVM_IS_TIME } SmvmVariable;
 SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, SmvmLocation *location);
 SmvmName smvm_name_of(const SmvmMachine *m, SmvmVariable is, const SmvmLocation *location);  // `location` is ignored for T
 
-// Iterates over the lines in code order.  Starts zeroed; returns false at the end.
+// Iterates over the source lines in code order.  All fields are zero at the start.  smvm_next_line returns false at the end.
 typedef struct SmvmLines { bool open; SmvmAt at; uint32_t left, code, line; } SmvmLines;
 bool smvm_next_line(const SmvmMachine *m, SmvmLines *l);         // l->line applies from l->code (an offset in CODE) on
 

@@ -21,7 +21,7 @@ void smvm_store_eeprom(SmF64 x, uint8_t type, void *at);
 void smvm_do_sample(SmVm *vm, SmvmAt w);
 SmF64 smvm_do_stat(SmVm *vm, uint8_t stat, SmvmAt w);
 
-#define SMVM_CHECK_OFFSET(member, at) typedef char smvm_it_lies_at_##at[offsetof(SmVm, member) == (at) ? 1 : -1]
+#define SMVM_CHECK_OFFSET(member, at) typedef char smvm_offset_is_##at[offsetof(SmVm, member) == (at) ? 1 : -1]
 SMVM_CHECK_OFFSET(image, VM_IMAGE);
 SMVM_CHECK_OFFSET(start, VM_START);
 SMVM_CHECK_OFFSET(next, VM_NEXT);
@@ -41,7 +41,7 @@ SMVM_CHECK_OFFSET(tables.s, VM_S);
 SMVM_CHECK_OFFSET(tables.width, VM_WIDTH);
 SMVM_CHECK_OFFSET(body, VM_BODY);
 SMVM_CHECK_OFFSET(y, VM_Y);
-typedef char smvm_step_gives_ok[SM_OK == STEP_OK && SM_REFUSED == STEP_REFUSED ? 1 : -1];
+typedef char smvm_step_results_agree[SM_OK == STEP_OK && SM_REFUSED == STEP_REFUSED ? 1 : -1];
 
 #if SMVM_FETCH_AVR == 1
 SmResult smvm_step(SmVm *vm, void *sv) { return smvm_step_flash(vm, sv); }
@@ -53,7 +53,7 @@ SmF64 smvm_load(uint8_t type, const void *at) { return smvm_load_eeprom(type, at
 void smvm_store(SmF64 x, uint8_t type, void *at) { smvm_store_eeprom(x, type, at); }
 #endif
 
-// The sample is in vm->y, in the window's type.
+// Adds a sample to window w.  The assembly has stored it in vm->y, converted to the window's type.
 void smvm_do_sample(SmVm *vm, SmvmAt w)
 {
     const uint32_t entry = smvm_window(vm->image, vm->tables.windows, w);
@@ -78,9 +78,9 @@ typedef struct Interpreter {
     const SmvmTables *t;
 } Interpreter;
 
-// ---- numbers in the code ----
+// ---- access to the code ----
 
-SMVM_INLINE uint8_t byte_at(SmvmBytes at) { return (uint8_t)SMVM_FETCH(at, 0); }
+SMVM_INLINE uint8_t fetch_byte(SmvmBytes at) { return (uint8_t)SMVM_FETCH(at, 0); }
 
 // ---- loads and stores ----
 
@@ -91,7 +91,8 @@ SMVM_INLINE uint8_t *operand_address(uint8_t *base, uint8_t type, SmvmAt at)
     return base + at;
 }
 
-static void mark_written(Interpreter *r, SmvmAt output)
+// Sets the bit of an output that this step stores.
+static void mark_output_stored(Interpreter *r, SmvmAt output)
 {
     uint8_t *bits = r->vm->stored, bit = 1;
 
@@ -108,17 +109,17 @@ static void mark_written(Interpreter *r, SmvmAt output)
 SMVM_NOINLINE static void store_output(Interpreter *r, SmvmAt output)
 {
     const SmvmBytes at = r->vm->image + (SmvmAt)(r->t->outputs + SMVM_LOCATION_BYTES * output);
-    const uint8_t high = byte_at(at + 2);
-    SmvmAt offset = (SmvmAt)(byte_at(at) | (uint16_t)byte_at(at + 1) << 8);
+    const uint8_t high = fetch_byte(at + 2);
+    SmvmAt offset = (SmvmAt)(fetch_byte(at) | (uint16_t)fetch_byte(at + 1) << 8);
 
     if (sizeof offset > 2)
         offset = (SmvmAt)(offset | (uint32_t)(high & 0xf0) << 12);
-    mark_written(r, output);
+    mark_output_stored(r, output);
     number_store(&r->x, high & 0xf, operand_address(r->sv, high & 0xf, offset));
 }
 
 // Converts x to the value that a local of this type would store.
-SMVM_NOINLINE static void convert(Number *x, uint8_t type)
+SMVM_NOINLINE static void convert_as_local(Number *x, uint8_t type)
 {
     uint64_t cell;
 
@@ -126,7 +127,7 @@ SMVM_NOINLINE static void convert(Number *x, uint8_t type)
     number_load(x, type, (uint8_t *)&cell);
 }
 
-// ---- for code around the VM: shares one copy of these in a chip's flash ----
+// ---- for code outside the interpreter, so that the flash of a chip contains only one copy ----
 
 SmF64 smvm_load(uint8_t type, const void *at)
 {
@@ -160,8 +161,8 @@ SMVM_NOINLINE static void read_statistic(Interpreter *r, uint8_t stat, SmvmAt w)
 
 // ---- instructions ----
 
-// and, or; operations without operand bytes.
-SMVM_NOINLINE static void compute(Interpreter *r, uint8_t op)
+// Runs an opcode from SMVM_add on: an operation without operand bytes.
+SMVM_NOINLINE static void run_operation(Interpreter *r, uint8_t op)
 {
     if (op == SMVM_and)
         number_set_integer(&r->x, number_is_true(&r->x) && number_is_true(&r->y));
@@ -171,15 +172,15 @@ SMVM_NOINLINE static void compute(Interpreter *r, uint8_t op)
         number_compute(&r->x, op, &r->y);
 }
 
-static uint8_t relate(const Interpreter *r) { return number_relation(&r->x, &r->y); }
-static bool is_related(const Interpreter *r, uint8_t m) { return (relate(r) & m) != 0; }
+static uint8_t relation_of_x_to_y(const Interpreter *r) { return number_relation(&r->x, &r->y); }
+static bool is_x_related_to_y(const Interpreter *r, uint8_t m) { return (relation_of_x_to_y(r) & m) != 0; }
 
 static uint64_t read_constant(const Interpreter *r, SmvmAt table, uint32_t n, uint8_t bytes)
 {
     return smvm_cell(r->vm->image, (SmvmAt)(table + bytes * (SmvmAt)n), bytes);
 }
 
-// ldx_plus … ldx_f64, the same for Y, addi, subi.
+// Runs ldx_plus, ldx_minus, ldx_f32, ldx_f64, the same for Y, addi and subi.  Bit 5 of a load selects Y.
 SMVM_NOINLINE static void load_number(Interpreter *r, uint8_t op, uint32_t n)
 {
     Number *x = op & 0x20 ? &r->y : &r->x, y;
@@ -195,7 +196,7 @@ SMVM_NOINLINE static void load_number(Interpreter *r, uint8_t op, uint32_t n)
     }
 }
 
-// All loads, and the instructions of load_number.
+// Runs any load but that of T, and addi and subi.  Bit 4 of a load selects the state vector instead of the locals.
 SMVM_NOINLINE static void load_register(Interpreter *r, uint8_t op, uint32_t n)
 {
     const uint8_t type = op & 0xf;
@@ -213,30 +214,30 @@ SMVM_NOINLINE static void load_time(Interpreter *r, uint8_t op)
     number_load(op == SMVM_ldx_time ? &r->x : &r->y, SM_U64, (const uint8_t *)&time);
 }
 
-// st_local, out, set, cvt, sample.
-SMVM_NOINLINE static void store_x(Interpreter *r, uint8_t op, uint32_t n)
+// Runs st_local, out, set, cvt or sample.
+SMVM_NOINLINE static void run_store_or_convert(Interpreter *r, uint8_t op, uint32_t n)
 {
     const uint8_t type = op & 0xf;
 
     switch (op) {
     case SMVM_out: store_output(r, (SmvmAt)n); break;
-    case SMVM_set: number_set_integer(&r->x, is_related(r, (uint8_t)n)); break;
-    case SMVM_cvt: convert(&r->x, (uint8_t)n); break;
+    case SMVM_set: number_set_integer(&r->x, is_x_related_to_y(r, (uint8_t)n)); break;
+    case SMVM_cvt: convert_as_local(&r->x, (uint8_t)n); break;
     case SMVM_sample: push_sample(r, (SmvmAt)n); break;
     default: number_store(&r->x, type, operand_address(r->locals, type, (SmvmAt)n));
     }
 }
 
-// A varint of two or four bytes.  b is the first byte; the others start at `at`.
+// Reads a varint of two or four bytes: b is its first byte, and the others start at `at`.
 SMVM_NOINLINE static uint32_t read_long_varint(SmvmBytes at, uint8_t b)
 {
     uint32_t v;
 
     if (b < SMVM_VARINT_2)
-        return SMVM_VARINT_1 + (uint32_t)((uint16_t)(b - SMVM_VARINT_1) << 7 | byte_at(at));
+        return SMVM_VARINT_1 + (uint32_t)((uint16_t)(b - SMVM_VARINT_1) << 7 | fetch_byte(at));
     v = b & 7;
     for (uint8_t i = 0; i < 3; i++)
-        v = v << 7 | byte_at(at++);
+        v = v << 7 | fetch_byte(at++);
     return SMVM_VARINT_MID + v;
 }
 
@@ -245,25 +246,25 @@ SMVM_INLINE SmvmBytes skip_varint(SmvmBytes at, uint8_t b)      // skips the oth
     return b < SMVM_VARINT_1 ? at : b < SMVM_VARINT_2 ? at + 1 : at + 3;
 }
 
-SMVM_NOINLINE static bool is_jump_taken(const Interpreter *r, uint8_t op)  // all but jxn
+SMVM_NOINLINE static bool is_jump_taken(const Interpreter *r, uint8_t op)  // for jxy, jmp, jf and jt
 {
     switch (op) {
     case SMVM_jmp: return true;
     case SMVM_jf: return !number_is_true(&r->x);
     case SMVM_jt: return number_is_true(&r->x);
-    default: return is_related(r, op & 0xf);
+    default: return is_x_related_to_y(r, op & 0xf);
     }
 }
 
-// Runs code up to its end.  Returns the state that it transitions to, or 0.
+// Runs a function's code from `at` to `end` or `goto`.  Returns the state of its transition, or 0 if it has none.
 SMVM_NOINLINE static SmvmAt run_code(Interpreter *r, SmvmBytes at)
 {
     for (;;) {
-        const uint8_t op = byte_at(at++);
+        const uint8_t op = fetch_byte(at++);
         uint8_t b;
         uint32_t n;
         if (op >= SMVM_add) {
-            compute(r, op);
+            run_operation(r, op);
             continue;
         }
         if (op == SMVM_end)
@@ -272,7 +273,7 @@ SMVM_NOINLINE static SmvmAt run_code(Interpreter *r, SmvmBytes at)
             load_time(r, op);
             continue;
         }
-        n = b = byte_at(at++);
+        n = b = fetch_byte(at++);
         if (b >= SMVM_VARINT_1) {
             n = read_long_varint(at, b);
             at = skip_varint(at, b);
@@ -281,7 +282,7 @@ SMVM_NOINLINE static SmvmAt run_code(Interpreter *r, SmvmBytes at)
             bool jump;
             if (op >= SMVM_jxn && op < SMVM_jt) {
                 jump = (number_relation_to(&r->x, (int32_t)n) & op) != 0;
-                n = b = byte_at(at++);
+                n = b = fetch_byte(at++);
                 if (b >= SMVM_VARINT_1) {
                     n = read_long_varint(at, b);
                     at = skip_varint(at, b);
@@ -293,26 +294,26 @@ SMVM_NOINLINE static SmvmAt run_code(Interpreter *r, SmvmBytes at)
         } else if (op == SMVM_goto)
             return (SmvmAt)n;
         else if (op == SMVM_stat) {
-            b = byte_at(at++);
+            b = fetch_byte(at++);
             read_statistic(r, (uint8_t)n, b < SMVM_VARINT_1 ? b : (SmvmAt)read_long_varint(at, b));
             at = skip_varint(at, b);
         } else if (op < SMVM_cvt)
             load_register(r, op, n);
         else
-            store_x(r, op, n);
+            run_store_or_convert(r, op, n);
     }
 }
 
-static SmvmAt read_function_end(const Interpreter *r, SmvmBytes at)  // an entry of the table of functions (image.h)
+static SmvmAt read_function_end(const Interpreter *r, SmvmBytes at)  // reads the entry at `at` of the table of functions (image.h)
 {
-    SmvmAt end = byte_at(at);
+    SmvmAt end = fetch_byte(at);
 
     for (uint8_t i = 1; i < r->t->width; i++)
-        end = (SmvmAt)(end | (SmvmAt)byte_at(at + i) << 8 * i);
+        end = (SmvmAt)(end | (SmvmAt)fetch_byte(at + i) << 8 * i);
     return end;
 }
 
-// Runs a function.  Returns the state that it transitions to, or 0.
+// Runs a function by its number (smvm_function_end).  Returns the state of its transition, or 0 if it has none.
 static SmvmAt run_function(Interpreter *r, SmvmAt function)
 {
     SmvmBytes at = r->vm->image + r->t->functions;
@@ -326,8 +327,8 @@ static SmvmAt run_function(Interpreter *r, SmvmAt function)
     return start == read_function_end(r, at) ? 0 : run_code(r, r->vm->image + (SmvmAt)(r->vm->code + start));
 }
 
-// Advances G and clears the notes of stored outputs.  Returns false if G did not advance.
-static bool begin_step(SmVm *vm, const void *g)
+// Begins a step and clears the bits of the first 64 stored outputs.  Returns false, and changes nothing, if G did not advance.
+static bool try_begin_step(SmVm *vm, const void *g)
 {
     if (!smvm_advance(vm, g))
         return false;
@@ -337,7 +338,7 @@ static bool begin_step(SmVm *vm, const void *g)
 
 // ---- the step ----
 
-static void clear_further_stored(Interpreter *r)
+static void clear_more_stored_bits(Interpreter *r)
 {
     if (r->t->more_bytes != 0)
         memset((uint8_t *)r->vm + r->t->more, 0, r->t->more_bytes);
@@ -348,10 +349,10 @@ static SmResult run_step(Interpreter *r)
     SmVm *vm = r->vm;
     SmvmAt block = (SmvmAt)(3 * vm->state - 2), to = 0;        // the state's functions: entry, step, exit
 
-    if (!begin_step(vm, r->sv + r->t->g))
+    if (!try_begin_step(vm, r->sv + r->t->g))
         return SM_REFUSED;
     smvm_enter(vm, r->sv + r->t->s);
-    clear_further_stored(r);
+    clear_more_stored_bits(r);
     run_function(r, 0);
     if (vm->first)
         to = run_function(r, block);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A step of a machine on AVR, with the image in flash.  Its results equal those of interp.c bit for bit.  interp_avr_eeprom.S is the same
-// for images in flash or EEPROM.  This file fetches, loads, stores and jumps; number_avr.S, which it includes, does arithmetic.
+// Runs a step of a machine on AVR, with the image in flash.  Its results equal those of interp.c bit for bit.  interp_avr_eeprom.S is the
+// same for images in flash or EEPROM.  This file fetches, loads, stores and jumps; number_avr.S, which it includes, does arithmetic.
 //
 // Registers between instructions:
 //   r9:r2    X: an F64, or a whole number in r5:r2        r17  bit 0: X is an F64, bit 1: Y is an F64
@@ -46,7 +46,7 @@
 	rjmp .Lgot\@
 	.previous
 .endm
-.macro if_long                            ; the target is out of range of a branch
+.macro if_long                            ; branches to a target that is too far for a branch instruction
 	brlo decode
 	rjmp longer
 .endm
@@ -82,10 +82,10 @@
 #endif
 .endm
 
-; A varint of two bytes is 0x60 + (b - 0x60) * 0x80 + b1; it equals b * 0x80 + b1 less this constant.
+; A varint of the bytes b, b1 is 0x60 + (b - 0x60) * 0x80 + b1, which equals b * 0x80 + b1 - TWO_LESS.
 #define TWO_LESS (0x60 * 0x80 - 0x60)
 
-; Sets Z to the start of a table of the image, or of the code.
+; Sets Z to the start of a table of the image, or to the start of the code.
 .macro image_at table
 	ldd r30, Y+\table
 	ldd r31, Y+\table+1
@@ -101,7 +101,7 @@
 	rol r19
 .endm
 
-.macro place                              ; adds the offset to X
+.macro place                              ; adds the offset r19:r18 to the pointer r27:r26
 	add r26, r18
 	adc r27, r19
 .endm
@@ -192,7 +192,7 @@ cell:
 	rcall alone
 	rjmp step_over
 
-alone:                                    ; with operand 0
+alone:                                    ; runs a single instruction, opcode r16, with operand 0
 	clr r18
 	clr r19
 	ldi r30, lo8(just_end)
@@ -206,7 +206,7 @@ alone:                                    ; with operand 0
 	.type STEP, @function
 STEP:
 	clt
-entered:                                  ; T set: from LOAD or STORE; then carry set: from STORE
+entered:                                  ; LOAD and STORE join here with T set; carry set means STORE
 	.irp r, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13, 14, 15, 16, 17, 28, 29
 	push r\r
 	.endr
@@ -266,7 +266,7 @@ refused:
 	ldi r25, hi8(STEP_REFUSED)
 	rjmp step_over
 
-leaves:                                   ; transition to state r25:r24
+leaves:                                   ; a transition to state r25:r24
 	movw r26, r24
 	ldi r22, 2
 	rcall block
@@ -298,7 +298,7 @@ not_plain:
 	st X+, r0
 	st X+, r1
 	st X, r1
-	ldi r16, 1 << VM_ENTERED          ; computes the flags that apply to all steps of the state
+	ldi r16, 1 << VM_ENTERED          ; computes the flags for the later steps of the state
 	image_at VM_FUNCTIONS
 	ldd r24, Y+VM_FUNCTIONS
 	ldd r25, Y+VM_FUNCTIONS+1
@@ -386,7 +386,7 @@ code_at:                                  ; sets Z to offset r25:r24 in the code
 	adc r31, r25
 1:	ret
 
-; A function is called at `next`, with Z at its start.  It returns in r25:r24 the state of its transition, or 0.
+; The interpreter loop.  `rcall next` runs the function that starts at Z; it returns in r25:r24 the state of its transition, or 0.
 
 longer:
 	cpi r18, 0x78
@@ -443,7 +443,7 @@ half:
 	sbrc r19, 7
 	rjmp half_signed
 	clr r21
-whole:                                    ; whole number r21:r18 to X or Y
+whole:                                    ; sets X or Y to the whole number r21:r18
 	sbrc r16, 5
 	rjmp whole_y
 whole_x:
@@ -451,7 +451,7 @@ whole_x:
 	movw r4, r20
 	andi r17, 2
 next:
-	fetch_here r16, r18               ; after `end`, the last opcode, the second byte is arbitrary
+	fetch_here r16, r18               ; fetches the opcode and the next byte, which is arbitrary after the last opcode
 	clr r19
 	cpi r18, 0x60
 	if_long
@@ -513,7 +513,7 @@ longest:
 	cpc r5, r21
 	rjmp compared
 no_number:
-	sbiw r30, 1                       ; it was the next opcode
+	sbiw r30, 1                       ; steps back: the byte fetched as an operand is the next opcode
 	sbrs r16, 6
 	rjmp time
 	rjmp compute
@@ -553,7 +553,7 @@ time:                                     ; T
 	.endr
 	rjmp long
 
-words:                                    ; four or eight bytes
+words:                                    ; loads four or eight bytes
 	sbrs r16, 0
 	rjmp 2f
 eight:
@@ -633,7 +633,7 @@ real:                                     ; r25:r18 is an F64 or RAW
 	brne given
 	sbrs r16, 1
 	rcall no_nan
-given:                                    ; F64 r25:r18 to X or Y
+given:                                    ; sets X or Y to the F64 r25:r18
 	sbrc r16, 5
 	rjmp 1f
 given_x:
@@ -646,7 +646,7 @@ given_x:
 1:	rcall a_to_y
 	rjmp next
 
-; ---- constants, and operations without a place in memory ----
+; ---- constants, and operations that do not access memory ----
 
 others:
 	sbrc r16, 4
@@ -847,7 +847,7 @@ store:
 	st X, r3
 	rjmp next
 
-put:                                      ; a value that needs conversion
+put:                                      ; stores a value that needs conversion
 	mov r24, r16                      ; the size is 1 << r24
 	andi r24, 3
 	sbrs r16, 3

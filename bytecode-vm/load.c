@@ -80,7 +80,7 @@ SmvmVarintStatus smvm_read_number(SmvmReader *r)
 
 uint8_t smvm_shift(uint8_t type) { return smvm_type_shift(type); }
 
-// Converts from units of 1 << shift; SMVM_NOWHERE if this target cannot hold the result.
+// Returns at << shift, which converts an offset in units of 1 << shift bytes; SMVM_NOWHERE if an SmvmAt cannot hold the result.
 static SmvmAt scale_offset(SmvmAt at, uint8_t shift)
 {
     for (; shift > 0; shift--)
@@ -140,7 +140,7 @@ bool smvm_find_section(SmvmBytes image, uint8_t id, SmvmReader *r)
 
 // ---- machines ----
 
-// The numbers of a MACHINE record, in order: the field for each, and its unit as a power of 2.
+// The varints at the start of a MACHINE section, in order: the field of SmvmMachine for each, and the logarithm of its unit to base 2.
 #define SMVM_NUMBER(field, shift) {offsetof(SmvmMachine, field), shift}
 static const struct RecordField { uint8_t at, shift; } record[] SM_FLASH = {
     SMVM_NUMBER(sv_size, 3), SMVM_NUMBER(from, 3), SMVM_NUMBER(to, 3), SMVM_NUMBER(locals, 0), SMVM_NUMBER(windows, 0),
@@ -165,7 +165,7 @@ static uint8_t read_numbers(SmvmMachine *m, SmvmReader *r)
     return m->states == 0 || m->width < 1 || m->width > 3 ? SMVM_R_STATES : 0;
 }
 
-// Finds the next table; each entry has `bytes` bytes.
+// Sets *table to the current position, where a table of `count` entries begins, and skips it.  Returns false if it is not complete.
 static bool find_table(SmvmReader *r, SmvmAt *table, SmvmAt count, uint8_t bytes)
 {
     *table = r->at;
@@ -175,7 +175,7 @@ static bool find_table(SmvmReader *r, SmvmAt *table, SmvmAt count, uint8_t bytes
     return true;
 }
 
-// Reads a MACHINE section and finds its tables.  Returns 0, or the rule that is broken.  Checks only what it reads.
+// Reads a MACHINE section and finds its tables.  Returns 0, or the rule that is broken.  Does not check the contents of the tables.
 static uint8_t read_machine(SmvmMachine *m)
 {
     SmvmReader r = {m->image, m->machine_at, (SmvmAt)(m->machine_at + m->machine_size), 0};
@@ -200,7 +200,7 @@ void smvm_reread_machine(const SmVm *vm, SmvmMachine *m)
     read_machine(m);
 }
 
-// Stores where the parts of a machine are: its sections follow its MACHINE section and precede the next one.
+// Sets the offsets and sizes of the sections of machine `number`: its MACHINE section and those after it, up to the next MACHINE section.
 static void find_machine_sections(uint8_t number, SmvmMachine *m)
 {
     bool inside = false;
@@ -256,11 +256,12 @@ SmvmLocation smvm_output(const SmvmMachine *m, uint32_t output)
 
 static SmvmAt round_up_8(SmvmAt n) { return (SmvmAt)((n + 7u) & ~7u); }
 
-static SmvmAt add_saturated(SmvmAt a, uint32_t b)     // a saturating sum
+static SmvmAt add_saturated(SmvmAt a, uint32_t b)     // a + b, or SMVM_NOWHERE if that is too large
 {
     return b > (SmvmAt)(SMVM_NOWHERE - a) ? SMVM_NOWHERE : (SmvmAt)(a + b);
 }
 
+// n plus the bytes of window w.
 static SmvmAt add_window_bytes(const SmvmMachine *m, SmvmAt w, SmvmAt n)
 {
     const uint32_t entry = smvm_window(m->image, m->windows_at, w);
@@ -306,6 +307,7 @@ void smvm_tables(const SmvmMachine *m, const SmVm *vm, SmvmTables *t)
     t->more_bytes = stored_bits_bytes(m);
 }
 
+// Sets the pointers to the windows, and vm->local to the offset after the last one.
 static void set_window_pointers(SmVm *vm, const SmvmMachine *m)
 {
     uint64_t **window = smvm_parts(vm, m).window;
@@ -392,14 +394,14 @@ bool smvm_stored(const SmVm *vm, uint32_t output)
 
 // ---- opcodes ----
 
-typedef char load_bits_are_in_the_order_of_forms[SMVM_SHAPE_L == 1 << SMVM_OPERAND_L >> 1 && SMVM_SHAPE_J == 1 << SMVM_OPERAND_J >> 1 ? 1 : -1];
+typedef char load_shape_bits_are_in_the_order_of_operands[SMVM_SHAPE_L == 1 << SMVM_OPERAND_L >> 1 && SMVM_SHAPE_J == 1 << SMVM_OPERAND_J >> 1 ? 1 : -1];
 
 uint32_t smvm_shape(uint8_t opcode)
 {
-    const uint16_t form = smvm_form(opcode);
-    const uint8_t what = form & 0xf;
+    const uint16_t packed = smvm_packed_shape(opcode);
+    const uint8_t what = packed & 0xf;
     const uint16_t follows = what == SMVM_OPERANDS_K_W ? SMVM_SHAPE_K | SMVM_SHAPE_W : what == SMVM_OPERANDS_N_J ? SMVM_SHAPE_N | SMVM_SHAPE_J
                                                                                                      : (uint16_t)(1u << what >> 1);
 
-    return follows | (uint32_t)(form >> 4) << 12;
+    return follows | (uint32_t)(packed >> 4) << 12;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The longest path through a function, in instructions, computed during the verifier's pass.  It tracks the cost of reaching the next
-// instruction and of reaching each pending jump target.  Jumps only lead forward, so all jumps to a target have been seen when the pass
-// arrives there.  Internal to verify.c; compiles to nothing if SMVM_LONGEST is 0.
+// The longest path through a function, computed during the verifier's pass.  A path costs 1 for each instruction.  LongestPath stores the
+// cost of the longest path to the next instruction and to each pending jump target.  Jumps only lead forward, so all jumps to a target
+// have been seen when the pass arrives there.  Internal to verify.c; compiles to nothing if SMVM_LONGEST is 0.
 #ifndef SMVM_LONGEST_H
 #define SMVM_LONGEST_H
 
@@ -26,7 +26,7 @@ typedef struct LongestPath {
     uint32_t max_state_cost;  // the largest of all states
 } LongestPath;
 
-static inline void longest_begin(LongestPath *w)      // at the start of a function
+static inline void longest_begin(LongestPath *w)      // called at the start of each function
 {
     w->pending_count = 0;
     w->is_reachable = true;
@@ -34,7 +34,7 @@ static inline void longest_begin(LongestPath *w)      // at the start of a funct
     w->cost = w->end_cost = w->goto_cost = 0;
 }
 
-static inline void longest_at_instruction(LongestPath *w, uint32_t at)          // at the start of an instruction
+static inline void longest_at_instruction(LongestPath *w, uint32_t at)          // called before each instruction; `at`: its offset
 {
     while (w->pending_count > 0 && w->pending[w->pending_count - 1].at == at) {
         w->pending_count--;
@@ -45,7 +45,8 @@ static inline void longest_at_instruction(LongestPath *w, uint32_t at)          
         w->cost++;
 }
 
-static inline void longest_begin_summing(LongestPath *w)                    // from here on
+// From here on, adds up every instruction instead of following paths: an upper bound of the longest path.
+static inline void longest_begin_summing(LongestPath *w)
 {
     for (uint8_t i = 0; i < w->pending_count; i++)
         w->cost = longest_max(w->cost, w->pending[i].cost);
@@ -53,6 +54,7 @@ static inline void longest_begin_summing(LongestPath *w)                    // f
     w->is_reachable = w->is_summing = true;
 }
 
+// Adds a jump to offset `at`, which ends or continues the current path.
 static inline void longest_jump(LongestPath *w, uint32_t at)
 {
     uint8_t i = w->pending_count;
@@ -73,7 +75,8 @@ static inline void longest_jump(LongestPath *w, uint32_t at)
     }
 }
 
-static inline void longest_after_terminator(LongestPath *w, uint8_t op)         // control does not continue with the next instruction
+// Called after an instruction, with opcode op, that never continues with the next one.
+static inline void longest_after_terminator(LongestPath *w, uint8_t op)
 {
     if (w->is_reachable && op == SMVM_end)
         w->end_cost = longest_max(w->end_cost, w->cost);
@@ -82,8 +85,8 @@ static inline void longest_after_terminator(LongestPath *w, uint8_t op)         
     w->is_reachable = w->is_summing;
 }
 
-// At the end of a function.  A step is: sample; entry if it is the state's first; step unless entry had a transition; exit after a
-// transition.
+// Called at the end of each function.  A step runs the sample function; then entry in the first step of a state; then step, unless entry
+// had a transition; then exit, if there was a transition.
 static inline void longest_end(LongestPath *w, SmvmFunctionKind in)
 {
     switch (in) {

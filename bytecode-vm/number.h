@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The contents of a register of the interpreter.  Internal to interp.c.
 //
-// The value is always an F64.  Where floating point is done in software, it is stored as a 32-bit whole number as long as it is one, and
-// operations whose result is whole use integers.  On an 8-bit computer that is ten times as fast.  A whole 0 means +0; -0 is never
-// stored as a whole number.
+// The value is always an F64.  If floating point is done in software, a value that is a 32-bit integer is stored as one (`whole`), and
+// operations on such values use integer arithmetic if their result is such a value too.  On an 8-bit computer that is ten times as fast.
+// A whole 0 means +0; -0 is stored as an F64.
 #ifndef SMVM_NUMBER_H
 #define SMVM_NUMBER_H
 
@@ -36,7 +36,7 @@ SMVM_NOINLINE static SmF64 number_f64(const Number *x) { return x->is_real ? x->
 
 // ---- memory ----
 
-// One half of a number of eight bytes, in the byte order of this computer.
+// Reads the upper or lower half of a value of eight bytes at p.
 static inline uint32_t number_load_half(const uint8_t *p, bool upper)
 {
     const uint16_t one = 1;
@@ -48,7 +48,7 @@ static inline uint32_t number_load_half(const uint8_t *p, bool upper)
     return half;
 }
 
-// The types whose values may not be 32-bit whole numbers.  A separate function, so that the others reserve no stack for them.
+// Loads a value whose type is F32, U32, I64 or U64, as an F64.  A separate function, so that loads of other types reserve no stack for it.
 SMVM_NOINLINE static void number_load_wide(Number *x, uint8_t type, const uint8_t *p)
 {
     uint32_t v;
@@ -63,7 +63,7 @@ SMVM_NOINLINE static void number_load_wide(Number *x, uint8_t type, const uint8_
     }
 }
 
-// An F64; if `type` is RAW, NaN is preserved.
+// Loads an F64.  NaN becomes 0, unless `type` is RAW.
 SMVM_NOINLINE static void number_load_f64(Number *x, uint8_t type, const uint8_t *p)
 {
     const uint32_t upper = number_load_half(p, true);
@@ -76,7 +76,8 @@ SMVM_NOINLINE static void number_load_f64(Number *x, uint8_t type, const uint8_t
     x->is_real = true;
 }
 
-static bool number_is_small(uint8_t type, uint32_t upper, uint32_t lower)      // of an I64 or U64
+// Whether an I64 or U64, given as its halves, is an I32.
+static bool number_is_small(uint8_t type, uint32_t upper, uint32_t lower)
 {
     return lower <= INT32_MAX ? upper == 0 : type == SM_I64 && upper == UINT32_MAX;
 }
@@ -151,6 +152,7 @@ SMVM_NOINLINE static void number_write_real(SmF64 x, uint8_t type, uint8_t *p)
     }
 }
 
+// Whether an I32 can represent all values of the type.
 static bool number_is_narrow(uint8_t type) { return type <= SM_I32 || type == SM_U8 || type == SM_U16; }
 
 static void number_write_integer(int32_t v, uint8_t type, uint8_t *p)
@@ -202,8 +204,9 @@ static inline uint8_t number_relation_to(const Number *x, int32_t n)
     return x->is_real ? number_relation_to_real(x, n) : number_integer_relation(x->as.whole, n);
 }
 
-// Operations on whole numbers.  They return false if the result is not a whole number of 32 bits, or would be -0.
-static bool number_integer_add(Number *x, int32_t a, int32_t b)
+// Operations on whole numbers, which store their result in *x.  They return false, and store nothing, if it is not a 32-bit integer or
+// would be -0; then the caller computes it as an F64.
+static bool number_try_add(Number *x, int32_t a, int32_t b)
 {
     if (b < 0 ? a < INT32_MIN - b : a > INT32_MAX - b)
         return false;
@@ -211,7 +214,7 @@ static bool number_integer_add(Number *x, int32_t a, int32_t b)
     return true;
 }
 
-static bool number_integer_mul(Number *x, int32_t a, int32_t b)
+static bool number_try_mul(Number *x, int32_t a, int32_t b)
 {
     if (sm_clip_i32(a, INT16_MIN, INT16_MAX) != a || sm_clip_i32(b, INT16_MIN, INT16_MAX) != b
         || ((a | b) < 0 && (a == 0 || b == 0)))
@@ -220,21 +223,21 @@ static bool number_integer_mul(Number *x, int32_t a, int32_t b)
     return true;
 }
 
-static bool number_integer_binary(Number *x, uint8_t op, int32_t b)
+static bool number_try_integer_binary(Number *x, uint8_t op, int32_t b)
 {
     const int32_t a = x->as.whole;
 
     switch (op) {
-    case SMVM_add: return number_integer_add(x, a, b);
-    case SMVM_sub: return b != INT32_MIN && number_integer_add(x, a, -b);
-    case SMVM_mul: return number_integer_mul(x, a, b);
+    case SMVM_add: return number_try_add(x, a, b);
+    case SMVM_sub: return b != INT32_MIN && number_try_add(x, a, -b);
+    case SMVM_mul: return number_try_mul(x, a, b);
     case SMVM_min: x->as.whole = a < b ? a : b; return true;
     case SMVM_max: x->as.whole = a > b ? a : b; return true;
     default: return false;
     }
 }
 
-static bool number_integer_unary(Number *x, uint8_t op)
+static bool number_try_integer_unary(Number *x, uint8_t op)
 {
     const int32_t a = x->as.whole;
 
@@ -248,14 +251,14 @@ static bool number_integer_unary(Number *x, uint8_t op)
         return true;
     case SMVM_sqrt: return false;
     case SMVM_sign: x->as.whole = sm_sign_i32(a); return true;
-    default: return true;                             // floor, ceil, trunc, round
+    default: return true;                             // floor, ceil, trunc, round: unchanged
     }
 }
 
 static uint64_t number_min(uint64_t a, uint64_t b) { return sm_bits(sm_min(sm_from_bits(a), sm_from_bits(b))); }
 static uint64_t number_max(uint64_t a, uint64_t b) { return sm_bits(sm_max(sm_from_bits(a), sm_from_bits(b))); }
 
-// All operations share one call, which saves code: each takes its arguments in the same registers.
+// Selects the operation first, then calls it through a pointer: one call for all operations is less code than one for each.
 SMVM_NOINLINE static void number_real_binary(Number *x, uint8_t op, const Number *y)
 {
     uint64_t (*f)(uint64_t a, uint64_t b) = sm_soft_add;
@@ -292,13 +295,13 @@ SMVM_NOINLINE static void number_real_unary(Number *x, uint8_t op)
     number_set_real(x, op == SMVM_neg ? sm_neg(a) : op == SMVM_abs ? sm_abs(a) : number_round(op, a));
 }
 
-// add … max, neg … sign.
+// x = x op y for SMVM_add to SMVM_max, and x = op x for SMVM_neg to SMVM_sign.
 SMVM_NOINLINE static void number_compute(Number *x, uint8_t op, const Number *y)
 {
     if (op >= SMVM_neg) {
-        if (x->is_real || !number_integer_unary(x, op))
+        if (x->is_real || !number_try_integer_unary(x, op))
             number_real_unary(x, op);
-    } else if (x->is_real || y->is_real || !number_integer_binary(x, op, y->as.whole))
+    } else if (x->is_real || y->is_real || !number_try_integer_binary(x, op, y->as.whole))
         number_real_binary(x, op, y);
 }
 
@@ -343,7 +346,7 @@ static inline uint8_t number_relation_to(const Number *x, int32_t n)
     return number_relation(x, &y);
 }
 
-// add … max, neg … sign.
+// x = x op y for SMVM_add to SMVM_max, and x = op x for SMVM_neg to SMVM_sign.
 static void number_compute(Number *x, uint8_t op, const Number *y)
 {
     switch (op) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The arithmetic of interp_avr.S, which includes this file.  Results equal those of number.h bit for bit, in the registers of interp_avr.S.
 //
+// Two more names for registers in the comments:
 //   a  r25:r18, an F64: the first argument and the result of operations of soft.h
-//   n  r21:r18, a whole number
+//   n  r21:r18, a 32-bit integer
 // All code here preserves Z.
 #ifdef STEP
 
@@ -19,7 +20,7 @@
 	soft_at \name
 	rcall keeping_z
 .endm
-.macro soft_at name                       ; its address to r27:r26
+.macro soft_at name                       ; sets r27:r26 to the address of sm_soft_NAME
 	ldi r26, pm_lo8(\name)
 	ldi r27, pm_hi8(\name)
 .endm
@@ -56,7 +57,7 @@ a_to_y:
 	ori r17, 2
 	ret
 
-; Convert to an F64 in a: X, Y, n.
+; Set a to X, Y or n, converted to an F64.
 x_to_f64:
 	sbrc r17, 0
 	rjmp x_to_a
@@ -247,7 +248,7 @@ converted:
 	pop r31
 	pop r30
 	ret
-6:	movw r18, r22                     ; results of 32 bits are returned in r25:r22
+6:	movw r18, r22                     ; soft.h returns 32-bit results in r25:r22
 	movw r20, r24
 	clr r22
 	clr r23
@@ -316,7 +317,7 @@ clip:
 
 ; ---- add ... or ----
 
-compute:                                  ; 0xF0 and above
+compute:                                  ; runs the opcodes from 0xF0 on
 	cpi r16, 0xF8
 	brlo 1f
 	rjmp of_one
@@ -325,7 +326,7 @@ compute:                                  ; 0xF0 and above
 	cpi r16, 0xF6
 	brlo choose
 
-; and, or
+; Runs `and` and `or`.
 both:
 	rcall x_truth
 	push r24
@@ -337,7 +338,7 @@ both:
 	or r24, r25
 	rjmp truth_x
 
-; min, max
+; Runs `min` and `max`.
 choose:
 	rcall relate
 	sbrc r24, 3
@@ -529,7 +530,7 @@ of_real:
 	and r9, r24
 	rjmp next
 
-; floor, ceil, trunc, round
+; Runs `floor`, `ceil`, `trunc` and `round` for an X that is an F64.
 round:
 	movw r24, r8
 	andi r25, 0x7F
@@ -583,7 +584,7 @@ add_further:
 	soft_at sm_soft_add
 	rjmp with_a
 
-; sqrt, one bit at a time
+; Runs `sqrt`: computes the root one bit at a time.
 root:
 	rcall x_truth
 	tst r24

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pins of an image (docs/bytecode.md, IO), read in place, row by row.
+// Reads the pins of an image in place, row by row (docs/bytecode.md, IO), and checks them for the verifier.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
 #include "stdlib/convert.h"
 
-// The first byte of a row.
+// The bits of the first byte of a row.
 enum {
     KIND = 3, DIGITAL = 2, OUTPUT = 1,        // bits 0 and 1, as SmvmPin.kind
     FLAGS_AT = 2, FLAGS = 7,                  // bits 2 to 4, as SmvmPin.flags
-    SCALED = 0x20, SHIFTED = 0x40, MORE = 0x80        // scale; offset; hold of an input or safe value of an output
+    SCALED = 0x20, SHIFTED = 0x40,            // the row has a scale; an offset
+    MORE = 0x80                               // the row has a hold (inputs) or a safe value (outputs)
 };
 
-// Reads a number; one beyond `most` becomes `most`.  Returns false if it is cut short.
+// Reads a varint into *n; a larger one becomes `most`.  Returns false if the section ends inside it.
 static bool read_count(SmvmPins *p, SmvmAt most, SmvmAt *n)
 {
     const bool there = smvm_read_number(&p->in) != SMVM_VARINT_CUT_SHORT;
@@ -33,7 +34,8 @@ bool smvm_pins(SmvmBytes image, SmvmPins *p)
     return read_count(p, SMVM_NOWHERE >> 3, &p->sv_size) && read_count(p, SMVM_NOWHERE, &p->left);
 }
 
-// A value of the type field: the offset field then contains a whole number, 20 bits in two's complement.
+// Numbers are encoded like locations.  If the type field is WHOLE, the offset field contains the number, 20 bits in two's complement.
+// Otherwise the type is F32 or F64, the offset field is 0, and the number's bits follow.
 enum { WHOLE = 15 };
 
 static bool read_f64(SmvmPins *p, SmF64 *x)
@@ -75,7 +77,7 @@ static bool read_element(SmvmPins *p, SmvmPin *pin)
     return true;
 }
 
-// Reads the field that bit MORE announces.
+// Reads the field that is present if bit MORE is set.
 static bool read_safe_or_hold(SmvmPins *p, SmvmPin *pin)
 {
     SmvmAt at;
@@ -97,7 +99,7 @@ bool smvm_next_pin(SmvmPins *p, SmvmPin *pin)
     if (p->left == 0 || (at = smvm_skip(&p->in, 1)) == 0)
         return false;
     front = smvm_u8(p->in.image, at);
-    memset(pin, 0, sizeof *pin);                      // all zero bits are 0 as a number too
+    memset(pin, 0, sizeof *pin);                      // an F64 whose bits are all zero is 0
     pin->kind = front & KIND;
     pin->flags = front >> FLAGS_AT & FLAGS;
     pin->scale = sm_from_i32(1);

@@ -51,10 +51,10 @@ uint8_t smvm_verify(SmvmBytes image, uint32_t size, SmvmVerdict *v);
 typedef struct SmvmReader {
     SmvmBytes image;
     SmvmAt at, end;
-    SmvmAt n;                 // the number read last
+    SmvmAt n;                 // the varint read last
 } SmvmReader;
 
-// The properties of a machine and where its parts are in the image.  All offsets count from the start of the image.
+// The properties of a machine, and the offsets of its parts from the start of the image (fields with _at).
 typedef struct SmvmMachine {
     SmvmAt sv_size;           // bytes of the machine's state vector in memory
     SmvmAt from, to;          // the machine accesses bytes from … to - 1 of it only; both are multiples of 8
@@ -83,7 +83,7 @@ uint32_t smvm_longest_step(const SmvmMachine *m);
 // Whether state `state` (1 to m->states) is marked @safe.  True for every state of a machine that marks none.
 bool smvm_state_is_safe(const SmvmMachine *m, uint32_t state);
 
-// Where an element is in the state vector, or of a local among the locals.
+// The type and offset of an element in the state vector, or of a local among the locals.
 typedef struct SmvmLocation {
     SmType type;
     SmvmAt offset;            // in bytes
@@ -104,8 +104,8 @@ typedef struct SmvmPin {
     SmF64 safe;               // outputs
 } SmvmPin;
 
-// The number of the pin of the chip that a pin of an image uses: two pins with the same number are one.  SMVM_NO_PIN: an image may not use
-// this pin.  `kind` is as above, with the flags from bit 2 on.
+// A function of the board: returns which pin of the chip a pin of an image uses.  Two pins with the same result are the same pin of the
+// chip.  SMVM_NO_PIN: an image may not use this pin.  `kind` is SmvmPin.kind, with the flags from bit 2 on (smvm_pin_kind).
 typedef uint8_t SmvmPhysicalPin(uint16_t number, uint8_t kind);
 static inline uint8_t smvm_pin_kind(const SmvmPin *p) { return (uint8_t)(p->kind | p->flags << 2); }
 #define SMVM_NO_PIN 0xffu
@@ -118,7 +118,7 @@ typedef struct SmvmPins {
     SmvmAt left;              // the number of pins not read yet
 } SmvmPins;
 
-// Positions p before the first pin of an image.  Returns false if the image has no pins.
+// Sets p before the first pin of an image.  Returns false if the image has no pins.
 bool smvm_pins(SmvmBytes image, SmvmPins *p);
 
 // Reads the next pin, in the order of the .io file.  Returns false at the end.
@@ -129,7 +129,7 @@ bool smvm_next_pin(SmvmPins *p, SmvmPin *pin);
 // Where the tables and elements of a running machine are, as offsets.
 typedef struct SmvmTables {
     SmvmAt windows, outputs, functions, f32s, f64s;       // in the image
-    SmvmAt more, more_bytes;                              // from the SmVm: bits of the outputs from 64 on
+    SmvmAt more, more_bytes;                              // in the memory of SmVm: offset and size of the bits of outputs from 64 on
     SmvmAt g, s;                                          // in the state vector
     uint8_t width;            // bytes of an entry in the table of functions
 } SmvmTables;
@@ -145,8 +145,9 @@ typedef struct SmVm {
 #if SMVM_KEEP_TABLES
     SmvmTables tables;
 #endif
-    // first: the next step is the first one of `state`; entered: the last step was the first one of its state, so it stored S
-#if SMVM_FETCH_AVR            // for the assembly (interp_avr.h): there are samples to take; more than 8 outputs
+    // first: the next step is the first one of `state`; entered: the last step was the first one of its state, so it stored S.
+    // Only for the assembly (interp_avr.h): samples: the sample function is not empty; many: the machine has more than 8 outputs.
+#if SMVM_FETCH_AVR
     bool first : 1, entered : 1, samples : 1, many : 1;
     uint16_t body;            // address of the state's .step block
     uint8_t y[8];             // register Y
@@ -165,7 +166,7 @@ typedef struct SmvmVector {
     uint32_t layout;          // its layout hash, to compare with the machine's
 } SmvmVector;
 
-// Places a machine in state `state` (1 is the initial state) in memory that the caller owns.  The memory must be aligned as an array
+// Starts a machine in state `state` (1 is the initial state), in memory that the caller owns.  The memory must be aligned as an array
 // of uint64_t and have at least smvm_ram_size(m) bytes.  Sets locals to their initial values, empties windows, and writes the state's
 // number to S.
 // SM_E_LAYOUT: m was compiled for a state vector of another layout or size.  SM_E_ARGUMENT: there is no such state.
@@ -176,8 +177,8 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const Smvm
 SmResult smvm_step(SmVm *vm, void *sv);
 
 uint32_t smvm_state(const SmVm *vm);                  // the state that the next step runs
-uint64_t smvm_time(const SmVm *vm);                   // T
-bool smvm_stored(const SmVm *vm, uint32_t output);    // whether the last step that ran stored output 0 … m.outputs - 1
+uint64_t smvm_time(const SmVm *vm);                   // T: the time since the first step of the state (language.md 6)
+bool smvm_stored(const SmVm *vm, uint32_t output);    // whether the last step stored this output, 0 to m.outputs - 1
 bool smvm_stored_state(const SmVm *vm);               // whether that step stored S
 void *smvm_locals(SmVm *vm);                          // the locals, at the offsets that the code and the debug section use
 
@@ -189,7 +190,7 @@ typedef struct SmvmDecoded SmvmDecoded;
 // Bytes of memory that smvm_decode needs for m.
 uint32_t smvm_decoded_size(const SmvmMachine *m);
 
-// Decodes the code of the machine that smvm_init placed at vm, for steps on the state vector at sv.  The caller owns the memory, which
+// Decodes the code of the machine that smvm_init started at vm, for steps on the state vector at sv.  The caller owns the memory, which
 // must be aligned as an array of uint64_t; *decoded is set to it.  Locals, windows and everything else stay at vm, so all functions above
 // work as before.  The decoded code remains valid after another smvm_init of the same machine at the same address.
 // SM_E_MEMORY: `size` is too small.  SM_E_ALIGNMENT: the memory is not aligned.

@@ -6,8 +6,8 @@
 #include "bytecode-vm/smvm.h"
 #include "stdlib/convert.h"
 
-// g points to element G.  Returns false if G did not advance.  Otherwise the caller must still clear
-// what the previous step noted as stored.
+// Begins a step; g points to element G.  Returns false, and changes nothing, if G did not advance.  If it returns true, the caller must
+// still clear vm->stored, the bits of the outputs that the previous step stored.
 static inline bool smvm_advance(SmVm *vm, const void *g)
 {
     uint64_t next = sm_cell_load(SM_U64, g) + 1;      // wraps to 0 for the largest G
@@ -18,7 +18,9 @@ static inline bool smvm_advance(SmVm *vm, const void *g)
     return true;
 }
 
-static inline void smvm_enter(SmVm *vm, void *s)      // call after smvm_advance returned true
+// Notes whether this is the first step of the state.  If so, T starts at 0, and element S, at s, gets the state's number.  Called after
+// smvm_advance returned true.
+static inline void smvm_enter(SmVm *vm, void *s)
 {
     vm->entered = vm->first;
     if (vm->first) {

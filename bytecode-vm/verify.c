@@ -20,20 +20,20 @@ enum {
     K = SMVM_SHAPE_K, W = SMVM_SHAPE_W, T = SMVM_SHAPE_T, M = SMVM_SHAPE_M, J = SMVM_SHAPE_J, X = SMVM_SHAPE_X, Y = SMVM_SHAPE_Y,
     GX = SMVM_SHAPE_GX
 };
-#define GY SMVM_SHAPE_GY                              // these three may be too large for an int
+#define GY SMVM_SHAPE_GY                              // these three are no enumerators: they may be too large for an int
 #define FY SMVM_SHAPE_FY
 #define Z SMVM_SHAPE_Z
 
-// Encodes which operands follow an opcode, from its shape.
+// The operands of a shape as one of SMVM_OPERAND_NONE to SMVM_OPERANDS_N_J (image.h).
 #define SMVM_IS(what, number) ((uint16_t)((what) & SMVM_SHAPE_FOLLOWS) == (number))
-#define SMVM_FOLLOWS(s) \
+#define SMVM_PACK_OPERANDS(s) \
     (SMVM_IS(s, L) ? SMVM_OPERAND_L : SMVM_IS(s, E) ? SMVM_OPERAND_E : SMVM_IS(s, N) ? SMVM_OPERAND_N : SMVM_IS(s, F) ? SMVM_OPERAND_F : \
      SMVM_IS(s, D) ? SMVM_OPERAND_D : SMVM_IS(s, O) ? SMVM_OPERAND_O : SMVM_IS(s, S) ? SMVM_OPERAND_S : SMVM_IS(s, K) ? SMVM_OPERAND_K : \
      SMVM_IS(s, W) ? SMVM_OPERAND_W : SMVM_IS(s, T) ? SMVM_OPERAND_T : SMVM_IS(s, M) ? SMVM_OPERAND_M : SMVM_IS(s, J) ? SMVM_OPERAND_J : \
      SMVM_IS(s, K | W) ? SMVM_OPERANDS_K_W : SMVM_IS(s, N | J) ? SMVM_OPERANDS_N_J : SMVM_OPERAND_NONE)
 
-static const struct OpcodeRow { uint8_t first, last; uint16_t form; } rows[] SM_FLASH = {
-#define SMVM_OP(name, first, last, shape, meaning) {first, last, (uint16_t)(SMVM_FOLLOWS(shape) | (uint32_t)(shape) >> 12 << 4)},
+static const struct OpcodeRow { uint8_t first, last; uint16_t packed_shape; } rows[] SM_FLASH = {
+#define SMVM_OP(name, first, last, shape, meaning) {first, last, (uint16_t)(SMVM_PACK_OPERANDS(shape) | (uint32_t)(shape) >> 12 << 4)},
 #include "bytecode-vm/opcodes.def"
 #undef SMVM_OP
 };
@@ -45,26 +45,26 @@ enum {
 };
 
 // The first row of each group of sixteen opcodes.  Rows ascend; the most frequent opcodes are in the first or second row of a group.
-static const uint8_t row_of[] SM_FLASH = {ROW_ldx_local, ROW_ldx_elem, ROW_ldy_local, ROW_ldy_elem,
+static const uint8_t first_row[] SM_FLASH = {ROW_ldx_local, ROW_ldx_elem, ROW_ldy_local, ROW_ldy_elem,
                                           ROW_st_local, ROW_jxy, ROW_jf, ROW_add};
 
-uint16_t smvm_form(uint8_t opcode)
+uint16_t smvm_packed_shape(uint8_t opcode)
 {
     struct OpcodeRow r;
     uint8_t row;
 
-    sm_flash_read(&row, &row_of[opcode >> 4 & 7], 1);
+    sm_flash_read(&row, &first_row[opcode >> 4 & 7], 1);
     do
         sm_flash_read(&r, &rows[row++], sizeof r);
     while (opcode > r.last);                          // the last row ends with the last opcode
-    return opcode < r.first ? 0 : r.form;
+    return opcode < r.first ? 0 : r.packed_shape;
 }
 
 // ---- the pass ----
 
 enum { HAS_X = 1, HAS_Y = 2 };                        // registers that contain a number
 
-// The functions below return 0, or the rule that is broken at `where`.
+// The state of the pass.  The check_ functions return 0, or the number of the rule that is broken at `where`.
 typedef struct Verifier {
     SmvmReader in;            // the current position, and the end of the current function
     SmvmAt where;             // offset of the data being checked
@@ -109,7 +109,8 @@ static uint8_t check_crc(Verifier *c)
     return sm_crc32_end(crc) == smvm_uint(c->in.image, SMVM_CRC_AT, 4) ? 0 : SMVM_R_CRC;
 }
 
-// Sections must be in order, with known ids, in groups of one MACHINE, one CODE, at most one INIT and at most one SAFE.
+// Checks the section table: sections in the order of their offsets, with known ids, in groups of one MACHINE, one CODE, at most one INIT
+// and at most one SAFE.
 SMVM_NOINLINE static uint8_t check_sections(Verifier *c)
 {
     const uint8_t n = smvm_section_count(c->in.image);
@@ -147,24 +148,25 @@ static uint8_t check_windows(Verifier *c)
     return 0;
 }
 
-SMVM_NOINLINE static bool is_inside(SmvmAt offset, uint8_t bytes, SmvmAt from, SmvmAt to)
+// Whether `bytes` bytes at `offset` are inside from … to - 1.
+SMVM_NOINLINE static bool is_range_inside(SmvmAt offset, uint8_t bytes, SmvmAt from, SmvmAt to)
 {
     return offset >= from && offset < to && bytes <= (SmvmAt)(to - offset);
 }
 
-// Only for locations inside the part, so that no end exceeds an SmvmAt.
-SMVM_NOINLINE static bool do_overlap(SmvmAt a, uint8_t bytes, SmvmAt b, uint8_t others)
+// Whether two ranges share a byte.  Both must be inside the state vector, so that their ends do not exceed an SmvmAt.
+SMVM_NOINLINE static bool is_overlapping(SmvmAt a, uint8_t bytes, SmvmAt b, uint8_t others)
 {
     return a < (SmvmAt)(b + others) && b < (SmvmAt)(a + bytes);
 }
 
 SMVM_NOINLINE static uint8_t type_size(SmType type) { return (uint8_t)(1u << smvm_shift((uint8_t)type)); }
 
-// Whether the location at `where` has a type that exists and is inside.
-SMVM_NOINLINE static bool is_location_inside(const Verifier *c, SmvmLocation *p, SmvmAt from, SmvmAt to)
+// Reads the location at `where` into *p.  Returns false if its type does not exist or if it is not wholly inside from … to - 1.
+SMVM_NOINLINE static bool read_location_inside(const Verifier *c, SmvmLocation *p, SmvmAt from, SmvmAt to)
 {
     *p = smvm_location(c->in.image, c->where);
-    return p->type < SM_TYPE_COUNT && is_inside(p->offset, type_size(p->type), from, to);
+    return p->type < SM_TYPE_COUNT && is_range_inside(p->offset, type_size(p->type), from, to);
 }
 
 static uint8_t check_outputs(Verifier *c)
@@ -173,9 +175,9 @@ static uint8_t check_outputs(Verifier *c)
     SmvmLocation p;
 
     for (c->where = m->outputs_at; c->where < m->functions_at; c->where = (SmvmAt)(c->where + SMVM_LOCATION_BYTES)) {
-        if (!is_location_inside(c, &p, m->from, m->to))
+        if (!read_location_inside(c, &p, m->from, m->to))
             return SMVM_R_OUTPUTS;
-        if (do_overlap(p.offset, type_size(p.type), m->g, 8) || do_overlap(p.offset, type_size(p.type), m->s, 4))
+        if (is_overlapping(p.offset, type_size(p.type), m->g, 8) || is_overlapping(p.offset, type_size(p.type), m->s, 4))
             return SMVM_R_PROTECTED;
     }
     return 0;
@@ -188,9 +190,9 @@ static uint8_t check_vector(Verifier *c)
     c->where = m->machine_at;
     if (m->from > m->to || m->to > m->sv_size)
         return SMVM_R_SPAN;
-    if (!is_inside(m->g, 8, m->from, m->to) || !is_inside(m->s, 4, m->from, m->to))
+    if (!is_range_inside(m->g, 8, m->from, m->to) || !is_range_inside(m->s, 4, m->from, m->to))
         return SMVM_R_TIME_STATE;
-    return do_overlap(m->g, 8, m->s, 4) ? SMVM_R_PROTECTED : check_outputs(c);
+    return is_overlapping(m->g, 8, m->s, 4) ? SMVM_R_PROTECTED : check_outputs(c);
 }
 
 static uint8_t check_init(Verifier *c)
@@ -199,7 +201,7 @@ static uint8_t check_init(Verifier *c)
     SmvmLocation p;
 
     for (c->where = c->m.init_at; left > 0; c->where = (SmvmAt)(c->where + bytes)) {
-        if (left < SMVM_LOCATION_BYTES || !is_location_inside(c, &p, 0, c->m.locals) ||
+        if (left < SMVM_LOCATION_BYTES || !read_location_inside(c, &p, 0, c->m.locals) ||
             left < (bytes = (SmvmAt)(SMVM_LOCATION_BYTES + type_size(p.type))))
             return SMVM_R_INIT;
         left = (SmvmAt)(left - bytes);
@@ -207,7 +209,7 @@ static uint8_t check_init(Verifier *c)
     return 0;
 }
 
-// SAFE has a bit for each state and no others; at least one is set.
+// Checks SAFE: it has a bit for each state, at least one bit is set, and none beyond the last state.
 static uint8_t check_safe(Verifier *c)
 {
     SmvmAt left = c->m.safe_size, at = c->m.safe_at;
@@ -225,8 +227,9 @@ static uint8_t check_safe(Verifier *c)
 
 // ---- instructions ----
 
-// Whether an instruction may be the target of a jump, where no register is defined.
-static bool is_target(uint8_t op)
+// Whether an instruction may be the target of a jump.  It must read no register, because none is defined there, and must define X or end
+// the path.  The opcodes below addi are the loads of X.
+static bool may_be_jump_target(uint8_t op)
 {
     return op < SMVM_addi || op == SMVM_goto || op == SMVM_end || op == SMVM_jmp;
 }
@@ -241,7 +244,7 @@ static uint8_t check_jump(Verifier *c)
     to = (SmvmAt)(to + c->in.at);
     if ((op = smvm_u8(c->in.image, to)) < SMVM_OP_FIRST)
         return SMVM_R_JUMP;
-    if (!is_target(op))
+    if (!may_be_jump_target(op))
         return SMVM_R_REGISTER;
     if (to > c->furthest_target)
         c->furthest_target = to;
@@ -249,7 +252,7 @@ static uint8_t check_jump(Verifier *c)
     return 0;
 }
 
-// A window that `sample` or `stat` uses.
+// Checks the window operand, just read, of `sample` or `stat`.
 static uint8_t check_window(Verifier *c, uint8_t op)
 {
     const SmvmAt w = c->in.n;
@@ -261,21 +264,23 @@ static uint8_t check_window(Verifier *c, uint8_t op)
     return w < c->windows_sampled ? 0 : SMVM_R_SAMPLE;
 }
 
-static uint8_t check_all_sampled(const Verifier *c)   // at the end of a function
+// At the end of a function: the sample function must have sampled every window.
+static uint8_t check_all_sampled(const Verifier *c)
 {
     return c->kind != SMVM_SAMPLE_FUNCTION || c->windows_sampled == c->m.windows ? 0 : SMVM_R_SAMPLE;
 }
 
-// The limit of an operand: the field of the machine, or the number, that it must be below; its first value; and the rule.
-#define OF(field) offsetof(SmvmMachine, field)
-enum { CONSTANT = 0x80 };
+// The valid range of each operand, indexed by SMVM_OPERAND_L to SMVM_OPERAND_M: its first value (`from`), the number of its values
+// (`below`), and the rule that another value breaks.  `below` is the offset of a field of SmvmMachine, or a number with bit CONSTANT set.
+#define FIELD(field) offsetof(SmvmMachine, field)
+enum { CONSTANT = 0x80, RELATION_SETS = 14 };         // a set of relations is 1 to 14: neither empty nor all four
 static const struct OperandLimit { uint8_t below, from, rule; } limits[] SM_FLASH = {
-    {0, 0, 0}, {OF(locals), 0, SMVM_R_OPERAND}, {OF(to), 0, SMVM_R_OPERAND}, {0, 0, 0}, {OF(f32s), 0, SMVM_R_OPERAND},
-    {OF(f64s), 0, SMVM_R_OPERAND}, {OF(outputs), 0, SMVM_R_OPERAND}, {OF(states), 1, SMVM_R_GOTO}, {CONSTANT | SM_STAT_COUNT, 0, SMVM_R_OPERAND},
-    {OF(windows), 0, SMVM_R_WINDOW_USED}, {CONSTANT | SM_TYPE_COUNT, 0, SMVM_R_OPERAND}, {CONSTANT | 14, 1, SMVM_R_OPERAND},
+    {0, 0, 0}, {FIELD(locals), 0, SMVM_R_OPERAND}, {FIELD(to), 0, SMVM_R_OPERAND}, {0, 0, 0}, {FIELD(f32s), 0, SMVM_R_OPERAND},
+    {FIELD(f64s), 0, SMVM_R_OPERAND}, {FIELD(outputs), 0, SMVM_R_OPERAND}, {FIELD(states), 1, SMVM_R_GOTO}, {CONSTANT | SM_STAT_COUNT, 0, SMVM_R_OPERAND},
+    {FIELD(windows), 0, SMVM_R_WINDOW_USED}, {CONSTANT | SM_TYPE_COUNT, 0, SMVM_R_OPERAND}, {CONSTANT | RELATION_SETS, 1, SMVM_R_OPERAND},
 };
 
-// Checks one operand; `what` is SMVM_OPERAND_L to SMVM_OPERAND_J.
+// Reads and checks one operand; `what` is SMVM_OPERAND_L to SMVM_OPERAND_J.
 SMVM_NOINLINE static uint8_t check_operand(Verifier *c, uint8_t op, uint8_t what)
 {
     const SmvmMachine *m = &c->m;
@@ -308,6 +313,7 @@ SMVM_NOINLINE static uint8_t check_operand(Verifier *c, uint8_t op, uint8_t what
     return what == SMVM_OPERAND_W ? check_window(c, op) : 0;
 }
 
+// Checks all operands of an instruction; `follow` is SMVM_OPERAND_NONE to SMVM_OPERANDS_N_J.
 static uint8_t check_operands(Verifier *c, uint8_t op, uint8_t follow)
 {
     uint8_t rule = 0;
@@ -322,27 +328,27 @@ static uint8_t check_operands(Verifier *c, uint8_t op, uint8_t follow)
     return rule != 0 || follow == SMVM_OPERAND_NONE ? rule : check_operand(c, op, follow);
 }
 
-// The bits of a form: the registers that an instruction reads, and how it changes them.
+// The bits of a packed shape above the operands: whether an instruction reads and writes X, makes Y undefined, and ends the path.
 enum { READS = SMVM_SHAPE_X >> 8, WRITES = SMVM_SHAPE_GX >> 8, CLOBBERS_Y = (int)(SMVM_SHAPE_FY >> 8), ENDS_FLOW = (int)(SMVM_SHAPE_Z >> 8) };
-typedef char verify_registers_are_those_of_forms[READS == HAS_X << 4 && READS << 1 == SMVM_SHAPE_Y >> 8 && WRITES == HAS_X << 6 &&
+typedef char verify_register_bits_match_packed_shapes[READS == HAS_X << 4 && READS << 1 == SMVM_SHAPE_Y >> 8 && WRITES == HAS_X << 6 &&
                                                  (int)(SMVM_SHAPE_GY >> 8) == HAS_Y << 6 ? 1 : -1];
 
 static uint8_t check_instruction(Verifier *c, uint8_t op)
 {
-    const uint16_t form = smvm_form(op);
+    const uint16_t shape = smvm_packed_shape(op);
     uint8_t rule;
 
-    if (form == 0)
+    if (shape == 0)
         return SMVM_R_OPCODE;
-    if (((uint8_t)form >> 4 & (HAS_X | HAS_Y) & ~c->defined) != 0)
+    if (((uint8_t)shape >> 4 & (HAS_X | HAS_Y) & ~c->defined) != 0)
         return SMVM_R_REGISTER;
-    if (form & CLOBBERS_Y)
+    if (shape & CLOBBERS_Y)
         c->defined &= HAS_X;
-    c->defined = (uint8_t)(c->defined | (uint8_t)form >> 6);
-    c->is_ended = (form & ENDS_FLOW) != 0;
+    c->defined = (uint8_t)(c->defined | (uint8_t)shape >> 6);
+    c->is_ended = (shape & ENDS_FLOW) != 0;
     if (c->is_ended)
         c->defined = 0;
-    if ((rule = check_operands(c, op, form & 0xf)) != 0)
+    if ((rule = check_operands(c, op, shape & 0xf)) != 0)
         return rule;
     return op == SMVM_end ? check_all_sampled(c) : 0;
 }
@@ -368,7 +374,7 @@ static uint8_t check_function(Verifier *c)
     return rule == 0 && !c->is_ended ? SMVM_R_FALLS_OUT : rule;
 }
 
-// The sample function; then for each state entry, step and exit.
+// Checks the functions in the order of their table: the sample function; then entry, step and exit of each state.
 static uint8_t check_code(Verifier *c)
 {
     SmvmAt entry, size;
@@ -391,7 +397,7 @@ static uint8_t check_code(Verifier *c)
     return c->in.at == (SmvmAt)(c->m.code_at + c->m.code_size) ? 0 : SMVM_R_FUNCTIONS;
 }
 
-// ---- the whole ----
+// ---- the whole image ----
 
 static uint8_t check_machine(Verifier *c)
 {
@@ -406,7 +412,7 @@ static uint8_t check_machine(Verifier *c)
     return check_code(c);
 }
 
-// There are at most 255 machines, one for each section.  So looking up each by its number is bounded, and linear in practice.
+// Checks every machine and computes the longest step of all.  An image has at most 255 sections, so at most 255 machines are searched for.
 static uint8_t check_machines(Verifier *c, SmvmVerdict *v)
 {
     uint8_t rule;

@@ -4,10 +4,12 @@
 //   sm_to_X(x)     F64 to X, as a store does: NaN becomes 0; integers truncate toward zero, then saturate.
 //   sm_from_X(v)   X to F64: exact, except that I64 and U64 round to nearest even above 2^53 (these two are in f64.h).
 //   sm_read_X(v)   the value that reading a stored X returns: as sm_from_X, but a stored NaN reads as 0.
-//   sm_no_nan_f32  the same, with an F32 as the result.
+//   sm_no_nan_f32(v)  the value of a stored F32 as an F32: NaN reads as 0.
 //
 // A cell is the bits of a value in its own type, zero-extended to 64: I8 -1 is 0xff, F32 its binary32, bool 0 or 1.
 // Memory is in the host's byte order and need not be aligned.  A bool is one byte; any nonzero byte reads as true.
+//
+// Lines `//: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
 #ifndef SM_CONVERT_H
 #define SM_CONVERT_H
 
@@ -153,7 +155,7 @@ static inline SmF64 sm_from_bool(bool v) { return sm_from_i32(v); }
 static inline uint32_t sm_f32_bits(float v) { uint32_t u; memcpy(&u, &v, sizeof u); return u; }
 static inline float sm_f32_from_bits(uint32_t u) { float v; memcpy(&v, &u, sizeof v); return v; }
 
-// Reads a cell: the F64 value of an element with this cell.  Ignores bits beyond the type's width.
+// The F64 value that reading an element with this cell returns.  Ignores bits beyond the type's width.
 static inline SmF64 sm_cell_to_f64(SmType type, uint64_t cell)
 {
     switch (type) {
@@ -173,7 +175,7 @@ static inline SmF64 sm_cell_to_f64(SmType type, uint64_t cell)
     return sm_from_i32(0);
 }
 
-// Stores: the cell of an element after x was assigned to it.
+// The cell of an element after x is stored in it.
 static inline uint64_t sm_cell_from_f64(SmType type, SmF64 x)
 {
     switch (type) {
@@ -193,7 +195,7 @@ static inline uint64_t sm_cell_from_f64(SmType type, SmF64 x)
     return 0;
 }
 
-// The cell at p, as stored, even if it is a NaN; that of a bool is 0 or 1.
+// The cell of the element at p: its bits as stored, NaN included.  The cell of a bool is 0 or 1.
 static inline uint64_t sm_cell_load(SmType type, const void *p)
 {
     switch (type) {
@@ -220,7 +222,8 @@ static inline void sm_cell_store(SmType type, void *p, uint64_t cell)
     }
 }
 
-// Reads and assigns an element at p.  Equivalent to using a cell, but an 8-bit computer need not widen 8 bits to 64.
+// The F64 value that reading the element at p returns.  sm_store stores x in the element at p.  Both are equivalent to using a cell, but an
+// 8-bit computer need not widen 8 bits to 64.
 static inline SmF64 sm_load(SmType type, const void *p)
 {
     switch (type) {
@@ -251,7 +254,7 @@ static inline int64_t sm_to_signed(SmType type, SmF64 x)
 
 static inline void sm_store(SmType type, void *p, SmF64 x)
 {
-    const bool other = type >= SM_U64;                // U64, floats, bool
+    const bool other = type >= SM_U64;                // U64, F32, F64, bool
     sm_cell_store(type, p, other ? sm_cell_from_f64(type, x) : (uint64_t)sm_to_signed(type, x));
 }
 #else

@@ -7,7 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// Byte by byte, for bytes that a pointer cannot address: start with SM_CRC32_START, end with sm_crc32_end.
+// To compute a CRC byte by byte, for bytes that a pointer cannot address: start with SM_CRC32_START, call sm_crc32_byte for each byte, and
+// sm_crc32_end at the end.
 #define SM_CRC32_START 0xFFFFFFFFu
 
 #ifdef __AVR__
@@ -26,7 +27,7 @@ __attribute__((noinline, unused)) static uint32_t sm_crc32_byte(uint32_t crc, ui
 #else
 static inline uint32_t sm_crc32_byte(uint32_t crc, uint8_t byte)
 {
-    static const uint32_t step[16] = {                // the effect of the four bits that are shifted out
+    static const uint32_t step[16] = {                // indexed by the four bits that are shifted out: what to XOR
         0x00000000u, 0x1DB71064u, 0x3B6E20C8u, 0x26D930ACu, 0x76DC4190u, 0x6B6B51F4u, 0x4DB26158u, 0x5005713Cu,
         0xEDB88320u, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu, 0x9B64C2B0u, 0x86D3D2D4u, 0xA00AE278u, 0xBDBDF21Cu,
     };
@@ -36,8 +37,8 @@ static inline uint32_t sm_crc32_byte(uint32_t crc, uint8_t byte)
 }
 #endif
 
-// The CRC of any bytes followed by their own CRC, least significant byte first.
-#define SM_CRC32_WHOLE 0x2144DF1Cu
+// The residue: the CRC of any bytes followed by their own CRC, least significant byte first.
+#define SM_CRC32_RESIDUE 0x2144DF1Cu
 
 static inline uint32_t sm_crc32_end(uint32_t crc) { return crc ^ 0xFFFFFFFFu; }
 

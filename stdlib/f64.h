@@ -5,8 +5,9 @@
 // the functions below and never C's operators, which the software type does not support.
 // All functions are exact IEEE: round to nearest even, no trap, no errno.  The sign and payload of a NaN carry no meaning.
 //
-// Emitted C includes the source of the functions that it uses.  A line `//: NAME` begins the source of NAME, which ends at the
-// next such line; `//: end` ends the last one.  Write comments between them for readers of emitted C.
+// Emitted C contains the source of the functions that it uses, as snippets (compiler/emit/c/embed_tool.c).  A line `//: NAME` begins the
+// snippet NAME, which ends at the next such line; `//: end` begins none.  `//: NAME double` marks a snippet that exists only where SmF64 is
+// a `double`.  Comments inside a snippet appear in emitted C, so write them for its readers.
 #ifndef SM_F64_H
 #define SM_F64_H
 

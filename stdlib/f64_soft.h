@@ -30,13 +30,13 @@ static inline SmF64 sm_from_u64(uint64_t v) { return sm_from_bits(sm_soft_from_u
 static inline SmF64 sm_from_f32(float v) { uint32_t u; memcpy(&u, &v, sizeof u); return sm_from_bits(sm_soft_from_f32(u)); }
 static inline float sm_round_f32(SmF64 x) { const uint32_t u = sm_soft_to_f32(x.bits); float v; memcpy(&v, &u, sizeof v); return v; }
 
-// These saturate.
+// Conversions to integers.  Unlike those of f64.h, they saturate if the result does not fit.
 static inline int32_t sm_truncate_i32(SmF64 x) { return sm_soft_to_i32(x.bits); }
 static inline uint32_t sm_truncate_u32(SmF64 x) { return sm_soft_to_u32(x.bits); }
 static inline int64_t sm_truncate_i64(SmF64 x) { return sm_soft_to_i64(x.bits); }
 static inline uint64_t sm_truncate_u64(SmF64 x) { return sm_soft_to_u64(x.bits); }
 
-// Stores to an element, as specified in convert.h.
+// sm_to_X: the value that a store of x in an element writes (convert.h).
 static inline int32_t sm_to_i32(SmF64 x) { return sm_truncate_i32(x); }
 static inline uint32_t sm_to_u32(SmF64 x) { return sm_truncate_u32(x); }
 static inline int64_t sm_to_i64(SmF64 x) { return sm_truncate_i64(x); }
@@ -52,7 +52,7 @@ static inline uint16_t sm_to_u16(SmF64 x) { return (uint16_t)sm_to_clipped(x, 0,
 static inline uint8_t sm_to_u8(SmF64 x) { return (uint8_t)sm_to_clipped(x, 0, UINT8_MAX); }
 static inline bool sm_to_bool(SmF64 x) { return sm_soft_truth(x.bits); }
 
-// Reads from an element, as specified there.
+// sm_read_X and sm_no_nan_f32: the value that reading an element returns (convert.h).
 static inline float sm_no_nan_f32(float v)
 {
     uint32_t u;

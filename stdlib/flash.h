@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constants that stay in flash on AVR, which copies all other constants into RAM: tables, and texts that are only printed.
+// Marks tables and messages that remain in flash on AVR, which copies all other constants into RAM.
 //     static const Row rows[] SM_FLASH = {…};
 //     Row row;
 //     sm_flash_read(&row, &rows[i], sizeof row);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pure builtins (language.md 3), F64 in and F64 out.  All are exact or correctly rounded, so their results have
 // the same bits on every target; no libm.
+//
+// Lines `//: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
 #ifndef SM_MATH_H
 #define SM_MATH_H
 

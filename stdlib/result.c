@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text of a result.  A number used twice in result.def is a compile error: it would be a duplicate case of the switch.
+// The message of a result.  A number used twice in result.def is a compile error: it would be a duplicate case of the switch.
 #include "stdlib/result.h"
 
 #include "stdlib/flash.h"

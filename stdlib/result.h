@@ -14,7 +14,7 @@ typedef enum SmResult {
     SM_RESULT_LOWEST = -128   // the lower limit: a result fits a byte, as the smallest possible enum and in answers of a board (link.md)
 } SmResult;
 
-// The text of a result; "unknown result" for an unknown number.  On AVR it is in flash (flash.h).  An Arduino sketch prints it with
+// The message of a result; "unknown result" for an unknown number.  On AVR it is in flash (flash.h).  An Arduino sketch prints it with
 // Serial.print((const __FlashStringHelper *)sm_result_text(r)).
 const char *sm_result_text(SmResult r);
 

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rolling windows (language.md 7) in memory that the caller owns.  Sample k is stored in slot k mod n.  A statistic depends only on the
+// Rolling windows (language.md 7), in memory that the caller owns.  A window stores the last n samples of a value, one a step; sample k is
+// stored in slot k mod n.  A statistic depends only on the
 // contents of the slots, so a sample that has left the window has no influence.
 //
-//     uint32_t kind = sm_roll_kind(SM_F32, stats);      // the samples' type; a bit for each statistic that will be read
+//     uint32_t kind = sm_roll_kind(SM_F32, stats);      // the type of the samples, and the set of statistics that will be read
 //     uint64_t w[…];                                    // sm_roll_words(n, kind) words, all zero: an empty window
 //     sm_roll_sample(w, n, kind, x);                    // once a step
 //     y = sm_roll_stat(w, n, kind, SM_STAT_MEDIAN);
 //
-// A statistic of an empty window is 0.  A sample is passed as an int64_t: a whole number as it is, an F32 or F64 as the bits from
-// sm_roll_of_…, where NaN has become 0.  A window stores the key of a sample.  Keys have the order of the numbers, with -0 below 0.  I64
-// and U64 are stored as F64.
+// A statistic of an empty window is 0.  A sample is passed as an int64_t: an integer as it is, an F32 or F64 as its bits (sm_roll_of_f32,
+// sm_roll_of_f64), with NaN replaced by 0.  A window stores the key of each sample: an integer whose order is that of the samples' values,
+// with -0 below 0.  Samples of I64 and U64 are stored as F64.
 //
-// Emitted C calls the functions that sm_roll_sample is built from, with n and kind as constants: sm_roll_push or one of its variants;
+// Emitted C calls the functions that sm_roll_sample calls, with n and kind as constants: sm_roll_push or one of its variants;
 // then sm_roll_combine, if the window stores partial results; and sm_roll_avg and similar.
 //
 // The cost of adding a sample, the cost of reading a statistic, and the memory beside the n slots:
@@ -28,6 +29,8 @@
 //
 // With a median, the smallest and largest are free.  With SM_ROLL_SMALL a window stores only its slots and, for a median, the samples in
 // order.  Average, smallest and largest then visit all slots, and adding a sample for a median moves up to n samples.
+//
+// Lines `//: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
 #ifndef SM_ROLL_H
 #define SM_ROLL_H
 
@@ -70,7 +73,7 @@ enum {
 #define SM_ROLL_LONG(n) (!SM_ROLL_SMALL && (n) > SM_ROLL_BLOCK)
 //: end
 #ifndef SM_ROLL_UNROLL
-#define SM_ROLL_UNROLL      // not unrolled here: sizes are only known at run time
+#define SM_ROLL_UNROLL      // outside emitted C, sizes are known only at run time, so loops are not unrolled
 #endif
 //: SM_ROLL_UNROLL
 // Placed before a loop over a short window, to unroll it completely.
@@ -521,6 +524,7 @@ static inline uint32_t sm_roll_kind(SmType type, uint32_t stats)
     return (type == SM_I64 || type == SM_U64 ? (uint32_t)SM_ROLL_F64 : (uint32_t)type) | stats << 4;
 }
 
+// Whether a kind is valid: statistics that exist, and a type that windows store (bits 0 to 2, 4 to 6 and 8 to 10 of 0x777).
 static inline bool sm_roll_is_kind(uint32_t kind)
 {
     return !SM_ROLL_NONE && kind >> 4 >> SM_STAT_COUNT == 0 && (0x777u >> (kind & SM_ROLL_TYPE) & 1u) != 0;
@@ -583,7 +587,7 @@ static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, S
     return sm_from_i32(0);
 }
 #elif SM_ROLL_SMALL
-// Describes a window for roll_small.h.
+// Sets s to describe a window, for the functions of roll_small.h.
 SM_ROLL_NOINLINE void sm_roll_small_init(SmRollSmall *s, const uint64_t *w, size_t n, uint16_t kind)
 {
     s->type = (uint8_t)kind & SM_ROLL_TYPE;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rolling windows of any type, in little code: sm_roll_sample and sm_roll_stat of roll.h use this if SM_ROLL_SMALL is set.  The same code
-// serves all types, because it treats samples as bytes: their keys (roll.h), compared byte by byte.  Functions pass numbers in memory,
-// because passing two in registers costs an 8-bit computer fifty bytes of code each time.
+// serves all types, because it compares the keys of samples (roll.h) byte by byte.  Functions pass F64 values by pointer, because each
+// call that passes two in registers costs an 8-bit computer fifty bytes of code.
 #ifndef SM_ROLL_SMALL_H
 #define SM_ROLL_SMALL_H
 
@@ -34,7 +34,7 @@ static inline uint8_t sm_roll_byte(uint8_t i, uint8_t bytes)
 static inline bool sm_roll_is_real(uint8_t type) { return type == SM_F32 || type == SM_F64; }
 static inline bool sm_roll_is_signed(uint8_t type) { return type < SM_U8 || sm_roll_is_real(type); }
 
-// Converts the bits of an F32 or F64 to a key, or a key to these bits: for negative ones, flips all bits but the sign.
+// Converts the bits of an F32 or F64 to a key, or a key to these bits: if the sign bit is set, flips all other bits.
 SM_ROLL_NOINLINE void sm_roll_small_key(uint8_t type, uint8_t bytes, unsigned char *key)
 {
     uint8_t i;
@@ -60,7 +60,7 @@ static inline bool sm_roll_is_below(const SmRollSmall *s, const unsigned char *a
     }
 }
 
-// Adds the key of a whole number to a sum of eight bytes.
+// Adds an integer sample to a sum of eight bytes.
 SM_ROLL_NOINLINE void sm_roll_add_integer(const SmRollSmall *s, unsigned char *sum, const unsigned char *key)
 {
     const uint8_t bytes = s->bytes;
@@ -80,7 +80,7 @@ SM_ROLL_NOINLINE void sm_roll_add_integer(const SmRollSmall *s, unsigned char *s
     }
 }
 
-// Converts a key to its number.
+// Sets *x to the value of a key.
 SM_ROLL_NOINLINE void sm_roll_small_value(const SmRollSmall *s, SmF64 *x, const unsigned char *key)
 {
     uint64_t whole = 0;
@@ -100,7 +100,7 @@ SM_ROLL_NOINLINE void sm_roll_small_value(const SmRollSmall *s, SmF64 *x, const 
 
 // ---- a sample ----
 
-// The first place after the ordered samples that are below key.
+// The address after the last ordered sample that is below key.
 static inline unsigned char *sm_roll_find_position(const SmRollSmall *s, const unsigned char *key)
 {
     unsigned char *at = s->sorted;
@@ -130,7 +130,7 @@ SM_ROLL_NOINLINE void sm_roll_small_insert(const SmRollSmall *s, const unsigned 
     memcpy(to, key, s->bytes);
 }
 
-// Adds a sample that is already stored in the window's type.  The caller must count it.
+// Adds a sample, whose bits in the window's type are at `key`, and converts them to its key.  The caller must update count and next.
 SM_ROLL_NOINLINE void sm_roll_small_push(const SmRollSmall *s, unsigned char *key)
 {
     sm_roll_small_key(s->type, s->bytes, key);
@@ -148,8 +148,8 @@ SM_ROLL_NOINLINE void sm_roll_calculate(SmF64 *x, char op, const SmF64 *y)
     *x = op == '+' ? sm_add(a, b) : op == '-' ? sm_sub(a, b) : op == '*' ? sm_mul(a, b) : sm_div(a, b);
 }
 
-// Adds slots in pairs, the sums in pairs again, and so on; sums that wait for their partner are stored in x.  Whole numbers have the same
-// sum in any order, because the sum of 100000 of them has less than 53 bits.  So they are added to x[0] as an integer.
+// Sets x[0] to the average.  F32 and F64 samples are added in pairs, the sums in pairs again, and so on; x contains the sums that wait for
+// their partner.  Integers are added to x[0] as one 64-bit integer, which has the same result: a sum of 100000 of them is exact as an F64.
 SM_ROLL_NOINLINE void sm_roll_small_avg(const SmRollSmall *s, SmF64 *x)
 {
     const bool real = sm_roll_is_real(s->type);
@@ -173,7 +173,7 @@ SM_ROLL_NOINLINE void sm_roll_small_avg(const SmRollSmall *s, SmF64 *x)
     sm_roll_calculate(x, '/', end);
 }
 
-// The number of the ordered sample of a rank.  Without an order: the smallest for rank 0, else the largest.
+// Sets *x to the value of the ordered sample of a rank.  If the window stores no order: the smallest for rank 0, else the largest.
 SM_ROLL_NOINLINE void sm_roll_small_value_of_rank(const SmRollSmall *s, SmF64 *x, size_t rank)
 {
     const unsigned char *at = s->slot, *best = at;
@@ -195,8 +195,8 @@ static inline bool sm_roll_is_infinite(const SmF64 *x)       // only for positiv
     return byte[sm_roll_byte(7, 8)] == 0x7Fu && byte[sm_roll_byte(6, 8)] >= 0xF0u;
 }
 
-// The most numbers of 8 bytes that wait on the stack: enough for 2^(this - 1) slots.  A window has fewer than 2^17.  If memory has
-// room for fewer samples of F32, a smaller number is enough.
+// How many sums of 8 bytes sm_roll_small_avg may store on the stack: enough for windows of 2^(SM_ROLL_WAITING - 1) slots.  A window has
+// fewer than 2^17.  A target whose memory has room for fewer F32 samples can define a smaller number.
 #ifndef SM_ROLL_WAITING
 #define SM_ROLL_WAITING 18
 #endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Software binary64: the operations of f64.h on the bits of numbers, without a `double`.  f64.h uses them where C's `double` is
-// not IEEE binary64.  There is a portable C version (soft_arith.c, soft_convert.c), and one in assembly for AVR (soft_avr.S) whose
-// results have the same bits.
+// not IEEE binary64.  The implementation in portable C (soft_arith.c, soft_convert.c) and the one in assembly for AVR
+// (soft_avr.S) have results with the same bits.
 //
-// They round to nearest even and support subnormals, signed zeros and infinities.  A NaN result is always SM_SOFT_NAN.
+// The operations round to nearest even and support subnormals, signed zeros and infinities.  A NaN result is always SM_SOFT_NAN.
 #ifndef SM_SOFT_H
 #define SM_SOFT_H
 
@@ -24,9 +24,9 @@ uint64_t sm_soft_div(uint64_t a, uint64_t b);
 bool sm_soft_lt(uint64_t a, uint64_t b);      // these three are false if either is NaN
 bool sm_soft_le(uint64_t a, uint64_t b);
 bool sm_soft_eq(uint64_t a, uint64_t b);
-uint8_t sm_soft_relation(uint64_t a, uint64_t b);     // 1 a is less, 2 equal, 4 a is greater, 8 one is NaN
+uint8_t sm_soft_relation(uint64_t a, uint64_t b);     // 1 if a is less, 2 if equal, 4 if a is greater, 8 if one is NaN
 bool sm_soft_is_nan(uint64_t a);
-bool sm_soft_truth(uint64_t a);               // neither zero nor NaN
+bool sm_soft_truth(uint64_t a);               // whether a is neither zero nor NaN
 
 uint64_t sm_soft_from_i32(int32_t v);
 uint64_t sm_soft_from_u32(uint32_t v);

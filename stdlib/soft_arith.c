@@ -6,14 +6,14 @@
 #ifndef SM_SOFT_ASSEMBLY
 // ---- add, subtract ----
 
-// |a| + |b|, or |a| - |b| if `less`, with the sign of a.  |a| must not be below |b|, and both must be finite.
-static uint64_t add_ordered(uint64_t a, uint64_t b, bool less)
+// |a| + |b|, or |a| - |b| if `subtract`, with the sign of a.  |a| must not be below |b|, and both must be finite.
+static uint64_t add_ordered(uint64_t a, uint64_t b, bool subtract)
 {
     SmSoft x = sm_soft_unpack(a), y = sm_soft_unpack(b);
 
     y.digits = sm_soft_shift(y.digits, (int16_t)(x.exponent - y.exponent));
-    x.digits += less ? ~y.digits + 1 : y.digits;
-    if (less)
+    x.digits += subtract ? ~y.digits + 1 : y.digits;
+    if (subtract)
         return x.digits == 0 ? 0 : sm_soft_pack(sm_soft_normal(x));      // the difference of equal numbers is 0, not -0
     if (x.digits >> 63 != 0) {
         x.digits = sm_soft_shift(x.digits, 1);
@@ -24,7 +24,7 @@ static uint64_t add_ordered(uint64_t a, uint64_t b, bool less)
 
 uint64_t sm_soft_add(uint64_t a, uint64_t b)
 {
-    const bool less = (a ^ b) >> 63 != 0;
+    const bool subtract = (a ^ b) >> 63 != 0;
 
     if (a << 1 < b << 1) {
         const uint64_t larger = b;
@@ -32,8 +32,8 @@ uint64_t sm_soft_add(uint64_t a, uint64_t b)
         a = larger;
     }
     if (sm_soft_is_finite(a))
-        return add_ordered(a, b, less);
-    return sm_soft_is_nan(a) || (less && !sm_soft_is_finite(b)) ? SM_SOFT_NAN : a;      // the bits of a NaN compare above all others
+        return add_ordered(a, b, subtract);
+    return sm_soft_is_nan(a) || (subtract && !sm_soft_is_finite(b)) ? SM_SOFT_NAN : a;      // the bits of a NaN compare above all others
 }
 
 uint64_t sm_soft_sub(uint64_t a, uint64_t b) { return sm_soft_add(a, b ^ SM_SOFT_SIGN); }
@@ -41,7 +41,7 @@ uint64_t sm_soft_sub(uint64_t a, uint64_t b) { return sm_soft_add(a, b ^ SM_SOFT
 // ---- multiply, divide ----
 
 // The upper half of a 128-bit product.  Its lowest bit is also set if the lower half is not zero.
-static uint64_t upper_half(uint64_t a, uint64_t b)
+static uint64_t multiply_upper_half(uint64_t a, uint64_t b)
 {
     const uint64_t mask = 0xFFFFFFFFu, a0 = a & mask, a1 = a >> 32, b0 = b & mask, b1 = b >> 32;
     const uint64_t low = a0 * b0, mid = a1 * b0 + (low >> 32), middle = (mid & mask) + a0 * b1;
@@ -65,13 +65,13 @@ uint64_t sm_soft_mul(uint64_t a, uint64_t b)
     y = sm_soft_normal(sm_soft_unpack(b));
     x.sign = sign;
     x.exponent = (int16_t)(x.exponent + y.exponent - 1022);
-    x.digits = upper_half(x.digits << 1, y.digits);
+    x.digits = multiply_upper_half(x.digits << 1, y.digits);
     return sm_soft_pack(sm_soft_normal(x));
 }
 
-// a / b by long division, one bit at a time.  The first bit of both is bit 62.  The quotient is less than 2; bit 62 has weight 1.
-// A nonzero remainder sets the lowest bit.
-static uint64_t quotient(uint64_t a, uint64_t b)
+// The quotient of two significands, whose leading bits are bit 62, by long division, one bit at a time.  It is less than 2, and its bit 62
+// has weight 1.  A nonzero remainder sets the lowest bit.
+static uint64_t divide_significands(uint64_t a, uint64_t b)
 {
     uint64_t q = 0;
 
@@ -103,7 +103,7 @@ uint64_t sm_soft_div(uint64_t a, uint64_t b)
     y = sm_soft_normal(sm_soft_unpack(b));
     x.sign = sign;
     x.exponent = (int16_t)(x.exponent - y.exponent + 1023);
-    x.digits = quotient(x.digits, y.digits);
+    x.digits = divide_significands(x.digits, y.digits);
     return sm_soft_pack(sm_soft_normal(x));
 }
 #else

@@ -9,7 +9,7 @@
 //   r24:r18  the significand of a as in binary64, with its leading bit, which is not stored, at bit 4 of r24
 //   r16:r10  that of b
 //   r27      the eight bits below r18; the lowest is sticky: also set if a nonzero bit was below it
-//   r31:r30  the exponent; in X16 form times 16, as in the upper two bytes of a number
+//   r31:r30  the exponent; where comments call it scaled, times 16, as in the upper two bytes of a number
 //   T        the sign
 #include "stdlib/soft_pack.h"
 
@@ -209,7 +209,7 @@ function sm_soft_truth
 7:
 .endm
 
-; Packs a.  The exponent is not in X16 form and can have any value; the leading bit is in its place.
+; Rounds and packs a.  The exponent is not scaled and can have any value; the leading bit is at bit 4 of r24.
 finish:
 	cp r1, r30
 	cpc r1, r31
@@ -237,7 +237,7 @@ finish:
 	andi r26, 0x0F
 	or r31, r26
 	andi r30, 0xF0
-; Packs a.  The exponent is in X16 form and within its range; if it is that of 1, the leading bit may be lower.
+; Rounds and packs a.  The exponent is scaled and within its range; if it is 1, the lowest, the leading bit may be lower.
 finish16:
 	cpi r27, 0x80
 	brlo 2f
@@ -386,7 +386,7 @@ add:
 	ori r16, 0x10
 	rjmp 6f
 5:	ldi r27, 0x10
-; The distance by which b must be shifted right.
+; Computes how far b must be shifted right, from the difference of the exponents.
 6:	mov r25, r30
 	sub r25, r27
 	mov r0, r31
@@ -407,7 +407,7 @@ add:
 	andi r17, 7
 	cpi r17, 5
 	brlo .Lbytes
-; By 5, 6 or 7 bits: left by 3, 2 or 1, then right by one byte more.
+; A shift right by 5, 6 or 7 bits: left by 3, 2 or 1, then right by one more byte.
 1:	lsl r10
 	rol r11
 	rol r12
@@ -463,7 +463,7 @@ add:
 	adc r24, r16
 	sbrs r24, 5
 	rjmp finish16
-	rcall down                        ; the sum has one bit more
+	rcall down                        ; the sum has a bit above the leading bit
 	subi r30, 0xF0
 	sbci r31, 0xFF
 	cpi r30, 0xF0
@@ -545,7 +545,7 @@ add:
 
 ; ---- unpacking for multiplication and division ----
 
-; Unpacks a and b: exponents to r31:r30 and r29:r28, not in X16 form, the sign of the result to T.  Sets carry if one is not a finite
+; Unpacks a and b: exponents to r31:r30 and r29:r28, not scaled, the sign of the result to T.  Sets carry if one is not a finite
 ; nonzero number.  Then r26 for a and r27 for b are 0 for such a number, 1 for zero, 2 for infinity, 4 for NaN.
 take_apart:
 	mov r26, r25
@@ -1112,7 +1112,7 @@ function sm_soft_from_f32
 
 	.section .text.sm_soft_to, "ax", @progbits
 
-; The exponent of the leading bit as a power of two to r31:r30, the sign to T.  Sets carry if |a| is below 1.
+; Sets r31:r30 to the exponent of a without its bias, and T to the sign.  Sets carry if |a| is below 1.
 .Lpower:
 	bst r25, 7
 	mov r30, r24

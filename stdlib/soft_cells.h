@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operations of emitted C on 64-bit values in memory (smc build --soft).  An 8-bit chip thus reads only the bytes that matter and copies
-// none.  There is a version in portable C (soft_cells.c), and one in assembly for AVR (soft_cells_avr.S).
+// Operations on 64-bit values in memory, for emitted C (smc build --soft).  They are passed by pointer, so that an 8-bit chip reads only
+// the bytes that it needs and copies none.  Implemented in portable C (soft_cells.c) and in assembly for AVR (soft_cells_avr.S).
 #ifndef SM_SOFT_CELLS_H
 #define SM_SOFT_CELLS_H
 
@@ -14,12 +14,12 @@ extern "C" {
 #endif
 
 // Comparisons with a finite number whose lower 32 bits are zero; `n` is its upper 32 bits.  A NaN in memory counts as 0.
-bool sm_soft_beyond(const SmF64 *x, uint32_t n);      // beyond n, away from zero, with the sign of n (for -0: below 0)
-bool sm_soft_reaches(const SmF64 *x, uint32_t n);     // beyond n or equal to it; n is not zero
+bool sm_soft_beyond(const SmF64 *x, uint32_t n);      // *x > n if n > 0 or +0; *x < n if n < 0 or -0
+bool sm_soft_reaches(const SmF64 *x, uint32_t n);     // *x >= n if n > 0; *x <= n if n < 0; n is not zero
 
 bool sm_soft_exceeds(const uint64_t *v, uint32_t n);                               // *v > n
 bool sm_soft_elapsed_exceeds(const uint64_t *start, const uint64_t *time, uint32_t n);    // *time - *start > n
-void sm_soft_increment(uint64_t *v);                      // adds one as F64 does: 2^53 does not change; *v must not be above it
+void sm_soft_increment(uint64_t *v);                      // adds one as F64 does: 2^53 remains 2^53; *v must not be above 2^53
 
 // Begins a step at *time.  Returns true and updates *gate if that is later than the last step and not the largest time.  *gate is the time
 // of the last step plus 1, or 0 before the first.
@@ -29,7 +29,7 @@ bool sm_soft_advance(uint64_t *gate, const uint64_t *time);
 }
 #endif
 
-// The same for a float; `n` is the bits of a float.
+// sm_soft_beyond and sm_soft_reaches for a float; `n` is the bits of a float.
 static inline bool sm_soft_beyond_f32(float x, uint32_t n)
 {
     uint32_t u;

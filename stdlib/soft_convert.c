@@ -14,8 +14,8 @@ bool sm_soft_eq(uint64_t a, uint64_t b)
     return !sm_soft_is_nan(a) && (a == b || (a | b) << 1 == 0);
 }
 
-// Like sm_soft_lt, but zeros of different signs count as different.
-static bool below(uint64_t a, uint64_t b)
+// Like sm_soft_lt, but -0 is below +0.
+static bool is_below_as_bits(uint64_t a, uint64_t b)
 {
     const bool negative = a >> 63 != 0;
 
@@ -26,13 +26,14 @@ static bool below(uint64_t a, uint64_t b)
     return negative ? b < a : a < b;
 }
 
-bool sm_soft_lt(uint64_t a, uint64_t b) { return (a | b) << 1 != 0 && below(a, b); }
-bool sm_soft_le(uint64_t a, uint64_t b) { return sm_soft_eq(a, b) || below(a, b); }
+bool sm_soft_lt(uint64_t a, uint64_t b) { return (a | b) << 1 != 0 && is_below_as_bits(a, b); }
+bool sm_soft_le(uint64_t a, uint64_t b) { return sm_soft_eq(a, b) || is_below_as_bits(a, b); }
 uint8_t sm_soft_relation(uint64_t a, uint64_t b) { return sm_soft_lt(a, b) ? 1 : sm_soft_eq(a, b) ? 2 : sm_soft_lt(b, a) ? 4 : 8; }
 
 // ---- from integers ----
 
-static uint64_t from_whole(uint64_t sign, uint64_t v)
+// The binary64 of the integer v, with a sign bit.
+static uint64_t pack_integer(uint64_t sign, uint64_t v)
 {
     SmSoft x = {sign, 1023 + 62, v};
 
@@ -45,18 +46,18 @@ static uint64_t from_whole(uint64_t sign, uint64_t v)
     return sm_soft_pack(sm_soft_normal(x));
 }
 
-uint64_t sm_soft_from_u64(uint64_t v) { return from_whole(0, v); }
-uint64_t sm_soft_from_u32(uint32_t v) { return from_whole(0, v); }
-uint64_t sm_soft_from_i64(int64_t v) { return v < 0 ? from_whole(SM_SOFT_SIGN, ~(uint64_t)v + 1) : from_whole(0, (uint64_t)v); }
+uint64_t sm_soft_from_u64(uint64_t v) { return pack_integer(0, v); }
+uint64_t sm_soft_from_u32(uint32_t v) { return pack_integer(0, v); }
+uint64_t sm_soft_from_i64(int64_t v) { return v < 0 ? pack_integer(SM_SOFT_SIGN, ~(uint64_t)v + 1) : pack_integer(0, (uint64_t)v); }
 uint64_t sm_soft_from_i32(int32_t v) { return sm_soft_from_i64(v); }
 
 // ---- to integers ----
 
 // |a| truncated toward zero, at most `limit`; 0 for NaN.
-static uint64_t to_whole(uint64_t a, uint64_t limit)
+static uint64_t truncate_magnitude(uint64_t a, uint64_t limit)
 {
     const int16_t exponent = (int16_t)((int16_t)(a >> 52) & 0x7FF);
-    uint64_t digits = (a << 11) | SM_SOFT_SIGN;        // the first bit is bit 63
+    uint64_t digits = (a << 11) | SM_SOFT_SIGN;        // the leading bit is bit 63
 
     if (exponent < 1023 || sm_soft_is_nan(a))
         return 0;
@@ -69,19 +70,19 @@ static uint64_t to_whole(uint64_t a, uint64_t limit)
 int32_t sm_soft_to_i32(uint64_t a)
 {
     if (a >> 63 != 0)
-        return (int32_t)-(int64_t)to_whole(a, UINT64_C(0x80000000));
-    return (int32_t)to_whole(a, INT32_MAX);
+        return (int32_t)-(int64_t)truncate_magnitude(a, UINT64_C(0x80000000));
+    return (int32_t)truncate_magnitude(a, INT32_MAX);
 }
 
 int64_t sm_soft_to_i64(uint64_t a)
 {
     if (a >> 63 == 0)
-        return (int64_t)to_whole(a, INT64_MAX);
-    return -1 - (int64_t)(to_whole(a, SM_SOFT_SIGN) - 1);
+        return (int64_t)truncate_magnitude(a, INT64_MAX);
+    return -1 - (int64_t)(truncate_magnitude(a, SM_SOFT_SIGN) - 1);
 }
 
-uint32_t sm_soft_to_u32(uint64_t a) { return a >> 63 != 0 ? 0 : (uint32_t)to_whole(a, UINT32_MAX); }
-uint64_t sm_soft_to_u64(uint64_t a) { return a >> 63 != 0 ? 0 : to_whole(a, UINT64_MAX); }
+uint32_t sm_soft_to_u32(uint64_t a) { return a >> 63 != 0 ? 0 : (uint32_t)truncate_magnitude(a, UINT32_MAX); }
+uint64_t sm_soft_to_u64(uint64_t a) { return a >> 63 != 0 ? 0 : truncate_magnitude(a, UINT64_MAX); }
 
 // ---- binary32 ----
 
@@ -113,7 +114,7 @@ uint32_t sm_soft_to_f32(uint64_t a)
     x.exponent = (int16_t)(x.exponent - 1023 + 127);
     if (x.exponent >= 0xFF)
         return sign | infinity;
-    digits = (uint32_t)sm_soft_shift(x.digits, x.exponent < 1 ? (int16_t)(33 - x.exponent) : 32);      // the first bit is bit 30
+    digits = (uint32_t)sm_soft_shift(x.digits, x.exponent < 1 ? (int16_t)(33 - x.exponent) : 32);      // the leading bit is bit 30
     kept = (digits + 0x40) >> 7;
     if ((digits & 0x7F) == 0x40)
         kept &= ~(uint32_t)1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unpacks and packs numbers for the operations of soft.h.  Internal to stdlib/soft_*.c.
+// Unpacks binary64 values and rounds and packs results, for the operations of soft.h.  Internal to stdlib/soft_*.c.
 //
 // Inside an operation, a finite number is a sign, an exponent and `digits`, the significand with its leading bit at bit 62.  Binary64
 // does not store that bit.  The ten bits below the 53 of the result are for rounding; the lowest of them is a sticky bit, also set if a
@@ -27,7 +27,7 @@ typedef struct SmSoft {
 
 static inline bool sm_soft_is_finite(uint64_t a) { return a << 1 < SM_SOFT_INFINITY << 1; }
 
-// Shifts to the right.  The lowest bit is sticky: it is also set if a nonzero bit was shifted out.
+// digits >> n, whose lowest bit is sticky: also set if a nonzero bit was shifted out.
 static inline uint64_t sm_soft_shift(uint64_t digits, int16_t n)
 {
     if (n == 0)
@@ -47,7 +47,7 @@ static inline SmSoft sm_soft_unpack(uint64_t a)
     return x;
 }
 
-// Normalizes: the same number with its leading bit at bit 62.  Not for zero.
+// Normalizes: returns the same number with its leading bit at bit 62.  x must not be zero.
 static inline SmSoft sm_soft_normal(SmSoft x)
 {
     while (x.digits < SM_SOFT_FIRST) {
@@ -57,7 +57,7 @@ static inline SmSoft sm_soft_normal(SmSoft x)
     return x;
 }
 
-// Rounds to nearest even.  The leading bit must be bit 62; it may be lower if the exponent is 1.
+// Rounds to nearest even and packs.  The leading bit must be bit 62; it may be lower if the exponent is 1.
 static inline uint64_t sm_soft_pack(SmSoft x)
 {
     const uint64_t half = 0x200, rest = 0x3FF;

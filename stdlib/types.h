@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names for the rows of types.def, operators.def and builtins.def.  Contains no code: every layer may include it.
+// Enumerations and info structs for the rows of types.def, operators.def and builtins.def.  Contains no code: every layer may include it.
 #ifndef SM_TYPES_H
 #define SM_TYPES_H
 
@@ -66,7 +66,7 @@ typedef enum SmBuiltin {
 typedef struct SmBuiltinInfo {
     const char *name;
     const char *sentence;   // describes the result, for messages and docs
-    uint8_t arguments;      // a roll function has 2
+    uint8_t arguments;      // how many it has; a roll function has 2
     bool is_roll;
     SmStat stat;            // for a roll function
 } SmBuiltinInfo;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The generic firmware of an Arduino Uno or Mega (docs/boards.md).  It runs the image that the store chooses, with its pins and period, and
-// accepts new images over the line meanwhile.  Control steps run in the interrupt of the clock.  The line, the verifier and the EEPROM use
-// the remaining time.
+// accepts new images over the serial line at the same time.  Steps of the machines run in the interrupt of the clock.  Serial line,
+// verifier and EEPROM use the remaining time.
 #include <string.h>
 
 #include "bytecode-vm/auth.h"
@@ -21,7 +21,7 @@
 enum {
     PERIOD = 10,              // ms, for an image that was sent without one
     EEPROM_WRITE = 4,         // ms, rounded up: no byte write starts if it would still be in progress at the next step
-    STEP_CYCLES = 14400,      // limit for a step per millisecond, of 16,000: the rest is for the clock and the line
+    STEP_CYCLES = 14400,      // limit of a step, for each of its milliseconds of 16,000 cycles: the rest is for the clock and the serial line
     BITS_PER_SECOND = 115200
 };
 
@@ -72,10 +72,11 @@ static SmEvents events = {.at = event_ring, .room = FIRMWARE_EVENTS, .guarded = 
 static uint16_t state[SMVM_RUNNER_MACHINES];           // the state of each machine after the last step
 
 static volatile uint16_t ms_left = 1, period = PERIOD;  // ms until the next step, and between steps
-static volatile bool stepping, is_paused = true;       // paused: no step begins
-static volatile bool is_after_step;    // a step has ended in this millisecond
+static volatile bool stepping;         // a step is running
+static volatile bool is_paused = true; // no step begins
+static volatile bool is_after_step;    // a step has ended since the last tick
 static uint16_t skipped;                               // steps that were due while another ran
-static struct { uint32_t low, high; } now_g;           // G; two halves cost a third of a uint64_t with avr-gcc
+static struct { uint32_t low, high; } now_g;           // G in milliseconds, as two halves: a third of the code of a uint64_t with avr-gcc
 
 // Converts milliseconds to nanoseconds: multiplies by 125, 125 and 64, byte by byte.  This takes half the flash of gcc's multiplication.
 typedef char firmware_multiplies_by_a_million[UINT32_C(125) * 125 * 64 == PAL_MILLISECOND ? 1 : -1];
@@ -104,6 +105,7 @@ static void emit_event(uint8_t kind, uint8_t source, uint16_t a, uint32_t b)
     sm_event(&events, &e);
 }
 
+// Emits an event for each machine that has changed its state.
 static void report_states(void)
 {
     for (uint8_t i = 0; i < runner.machines; i++) {
@@ -153,7 +155,7 @@ static void on_tick(void)
     is_after_step = true;
 }
 
-// Whether a byte write to EEPROM may start: if it ends before the next step, or, if there is never enough time, directly after a step.
+// Whether a byte write to EEPROM may start now: if it ends before the next step, or directly after a step, for periods that are too short.
 static bool may_write(void)
 {
     const bool may = is_paused || ms_left > EEPROM_WRITE || is_after_step;
@@ -292,13 +294,13 @@ static void start_store(void)
     for (uint8_t i = 0; i < FIRMWARE_SLOTS && slot != STORE_BUILT_IN; i++) {
         if (run_image(plan.image[slot], smvm_store_period(&store, slot)) == SM_OK)
             return;
-        (void)smvm_store_skip(&store, &slot);          // only opening the pins shows whether one is used twice
+        (void)smvm_store_skip(&store, &slot);          // for example, two of its pins are the same pin of the chip
     }
     smvm_store_run_built_in(&store);
     run_built_in();
 }
 
-// (Not inlined, so that its stack is released.)
+// Not inlined, so that its stack is released before the main loop.
 SMVM_NOINLINE static void start_board(void)
 {
     uint64_t period_ns;
@@ -318,7 +320,7 @@ SMVM_NOINLINE static void start_board(void)
     smvm_agent_init(&agent, &store, &board, &events, frame, FIRMWARE_BODY);
 }
 
-// Processes a byte from the line; returns false if there is none.
+// Processes a received byte; returns false if there is none.
 static bool serve_line(void)
 {
     uint8_t byte;
@@ -341,7 +343,7 @@ static bool serve_line(void)
 void smvm_firmware(void)
 {
     start_board();
-    SMCR = 1 << SE;                        // idle mode; at the latest the clock wakes it
+    SMCR = 1 << SE;                        // enables idle mode, which the clock ends after at most a millisecond
     for (;;) {
         (void)pal_watchdog_feed();
         if (!serve_line())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// See runner.h.  A step needs only the fields of a pin before SmIoPin.safe, or before SmIoPin.scale for a digital pin.  Rows are truncated
-// to that and stored consecutively after the machines.  Their field `hold` contains the pin's handle, because a pin of a chip cannot fail.
+// Implements the runner.  A step needs only the fields of an SmIoPin before `safe`, or before `scale` for a digital pin.  So each pin is
+// stored as the beginning of an SmIoPin, a row; the rows are consecutive after the machines.  A row's field `hold` contains the pin's
+// handle: a pin of a chip always delivers a value, so no value has to be held.
 #include "bytecode-vm/firmware/runner.h"
 
 #include <string.h>
@@ -8,13 +9,16 @@
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/target/io.h"
 
+enum { KIND_OUTPUT = 1, KIND_DIGITAL = 2 };           // bits of SmvmPin.kind and SmIoPin.kind
+
 // ---- memory needed ----
 
 static uint16_t time_offset(const SmvmMachine *m) { return (uint16_t)m->g; }
 
 static uint16_t round_up_8(uint32_t n) { return (uint16_t)(((uint16_t)n + 7u) & ~7u); }
 
-// Takes bytes from the memory that is left.  An image that the verifier accepts needs no more than SMVM_RAM_MAX.
+// Subtracts bytes, rounded up to 8, from the memory that is left.  Returns false if there are too few.  The verifier has checked that
+// `bytes` is at most SMVM_RAM_MAX, so rounding up does not overflow.
 static bool claim_bytes(uint16_t *left, SmvmAt bytes)
 {
     if (bytes > *left || round_up_8(bytes) > *left)
@@ -23,9 +27,10 @@ static bool claim_bytes(uint16_t *left, SmvmAt bytes)
     return true;
 }
 
-SMVM_INLINE uint8_t row_bytes_inline(uint8_t kind) { return kind & 2 ? SMVM_RUNNER_DIGITAL : SMVM_RUNNER_ANALOG; }  // inline, for fast steps
+SMVM_INLINE uint8_t row_bytes_inline(uint8_t kind) { return kind & KIND_DIGITAL ? SMVM_RUNNER_DIGITAL : SMVM_RUNNER_ANALOG; }  // for fast steps
 SMVM_NOINLINE static uint8_t row_bytes(uint8_t kind) { return row_bytes_inline(kind); }
 
+// Subtracts the rows of all pins from the memory that is left.  SM_E_MISSING: the chip has no such pin.
 static SmResult claim_pins(const SmvmRunner *r, uint16_t *left, SmvmPins *p)
 {
     SmvmPin pin;
@@ -96,10 +101,10 @@ static SmResult start_machines(SmvmRunner *r)
 
 static SmIoPin *row_at(const SmvmRunner *r, uint16_t at) { return (SmIoPin *)(void *)((uint8_t *)r->memory + at); }
 
-static bool is_output(const SmIoPin *row) { return row->kind & 1; }
-static bool is_digital(const SmIoPin *row) { return row->kind & 2; }
+static bool is_output(const SmIoPin *row) { return row->kind & KIND_OUTPUT; }
+static bool is_digital(const SmIoPin *row) { return row->kind & KIND_DIGITAL; }
 
-// Stops at the first pin that fails.  r->rows_end shows how many are open.
+// Opens all pins, up to the first that fails.  r->rows_end is the end of the rows of the open ones.
 static SmResult open_pins(SmvmRunner *r)
 {
     SmvmPins p;
@@ -138,7 +143,8 @@ static void close_pins(SmvmRunner *r)
     r->rows_end = r->rows;
 }
 
-// The element of a digital pin is a bool.  The number of an analog pin is never NaN, so an F64 can store it without conversion.
+// Reads an input pin into its element.  The element of a digital pin is a bool.  The value of an analog pin is never NaN, so an F64 element
+// can store it without conversion.
 static void read_pin(const SmIoPin *row, uint8_t *element)
 {
     int32_t v;
@@ -162,7 +168,8 @@ static void write_pin(const SmIoPin *row, const uint8_t *element)
     (void)sm_pin_write_raw(row, row->hold, is_digital(row) ? *element : sm_pin_to_raw(row, smvm_load(row->type, element)));
 }
 
-static void move_pins(SmvmRunner *r, bool outputs)
+// Reads all input pins, or writes all output pins if `outputs`.
+static void transfer_pins(SmvmRunner *r, bool outputs)
 {
     const SmIoPin *row;
 
@@ -177,7 +184,7 @@ static void move_pins(SmvmRunner *r, bool outputs)
     }
 }
 
-// ---- all ----
+// ---- the application ----
 
 SmResult smvm_runner_open(SmvmRunner *r, SmvmBytes image)
 {
@@ -196,12 +203,12 @@ SmResult smvm_runner_open(SmvmRunner *r, SmvmBytes image)
 
 void smvm_runner_step(SmvmRunner *r, const void *g)
 {
-    move_pins(r, false);
+    transfer_pins(r, false);
     for (uint8_t i = 0; i < r->machines; i++)
         memcpy((uint8_t *)r->memory + r->g[i], g, 8);
     for (uint8_t i = 0; i < r->machines; i++)
         (void)smvm_step(r->vm[i], r->memory);
-    move_pins(r, true);
+    transfer_pins(r, true);
 }
 
 void smvm_runner_stop(SmvmRunner *r)

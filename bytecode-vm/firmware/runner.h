@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs an image as a whole application: its machines on one state vector, input pins before them and output pins after.  Everything about
-// the image is found out at run time.
+// Runs an image as a whole application.  All its machines share one state vector.  A step reads the input pins, steps each machine, and
+// writes the output pins.  Nothing about the image must be known when this is compiled.
 //
 //     static uint64_t memory[128];
 //     SmvmRunner r = {.memory = memory, .size = sizeof memory};
@@ -19,15 +19,18 @@
 extern "C" {
 #endif
 
-enum { SMVM_RUNNER_MACHINES = 4, SMVM_RUNNER_DIGITAL = offsetof(SmIoPin, scale), SMVM_RUNNER_ANALOG = offsetof(SmIoPin, safe) };     // bytes of a pin
+enum {
+    SMVM_RUNNER_MACHINES = 4,         // the most machines of an image
+    SMVM_RUNNER_DIGITAL = offsetof(SmIoPin, scale), SMVM_RUNNER_ANALOG = offsetof(SmIoPin, safe)       // bytes of memory for a pin of each kind
+};
 
 typedef struct SmvmRunner {
     uint64_t *memory;         // for the state vector, followed by machines and pins
     uint16_t size;            // bytes of it
-    SmvmPhysicalPin *physical_pin;  // NULL: a missing pin is only found when it is opened
+    SmvmPhysicalPin *physical_pin;  // NULL: smvm_runner_fits cannot detect a missing pin, only smvm_runner_open can
     // The remaining fields belong to the runner.
     uint8_t machines;         // 0: nothing runs
-    uint16_t rows, rows_end;  // where in `memory` the open pins are
+    uint16_t rows, rows_end;  // start and end of the rows of open pins in `memory`, as byte offsets
     SmvmBytes image;
     SmVm *vm[SMVM_RUNNER_MACHINES];
     uint16_t g[SMVM_RUNNER_MACHINES];                  // offset of the time in the state vector

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests and their answers, one function per message (runtime-c/link/link.def).  One buffer serves both: a handler has read the request
-// before it writes the answer over it.
+// Handles requests, one function for each message of the link protocol (runtime-c/link/link.def).  Request and answer share one buffer: a
+// handler must read the request before it writes the answer over it.
 #include "bytecode-vm/target/agent.h"
 
 #include <string.h>
@@ -8,6 +8,7 @@
 #include "bytecode-vm/image.h"
 #include "stdlib/flash.h"
 
+// Bytes: DATA before its payload, an event, the body of the answer to IMAGE; offsets in the frame: result, answer after the result.
 enum { DATA_HEAD = 5, EVENT = 19, IMAGE = 20, RESULT_AT = 1 + LINK_HEAD, ANSWER_AT = RESULT_AT + 1 };
 
 void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *events, uint8_t *frame, uint8_t body)
@@ -22,10 +23,11 @@ void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *
     sm_link_receiver_init(&a->in, frame + 1, (uint16_t)(LINK_HEAD + a->body + LINK_TAIL));
 }
 
-// The body of a request, and that of its answer after the result, which overlaps it.
+// The body of the request, and the body of its answer after the result.  They overlap.
 static const uint8_t *body_of(const Agent *a) { return a->frame + RESULT_AT; }
 static uint8_t *answer_of(const Agent *a) { return a->frame + ANSWER_AT; }
 
+// Append to the answer.
 static void put_u8(Agent *a, uint8_t value) { a->frame[ANSWER_AT + a->length++] = value; }
 
 static void put_uint(Agent *a, uint32_t value, uint8_t bytes)
@@ -60,19 +62,19 @@ static SmResult answer_hello(Agent *a)
     return SM_OK;
 }
 
-SMVM_NOINLINE static SmvmBytes image_in(const Agent *a, uint8_t slot)
+SMVM_NOINLINE static SmvmBytes image_of_slot(const Agent *a, uint8_t slot)
 {
     return slot == STORE_BUILT_IN ? a->board->built_in : a->store->plan.image[slot];
 }
 
-// Copies bytes of an image.
+// Appends n bytes of an image to the answer.
 static void put_bytes(Agent *a, SmvmBytes image, SmvmAt at, uint8_t n)
 {
     while (n-- > 0)
         put_u8(a, smvm_u8(image, at++));
 }
 
-// The length, checksum and identity of an image; zeros for a missing identity.
+// Appends the length, checksum and identity of an image.  Without an identity, the zeros already in the answer remain.
 static void put_image(Agent *a, SmvmBytes image)
 {
     SmvmReader identity;
@@ -104,7 +106,7 @@ static SmResult answer_image(Agent *a)
     memset(answer_of(a), 0, IMAGE);
     put_u8(a, (uint8_t)state);
     if (state != STORE_EMPTY)
-        put_image(a, image_in(a, slot));
+        put_image(a, image_of_slot(a, slot));
     a->length = IMAGE - 4;
     put_u8(a, (uint8_t)((slot == s->running ? 1 : 0) | (state >= STORE_TRIAL ? 2 : smvm_store_is_fallback(s, slot) ? 4 : 0)));
     put_u8(a, state == STORE_TRIAL ? s->choice.tries : 0);
@@ -133,7 +135,7 @@ static SmResult answer_begin(Agent *a)
                        smvm_load_offset(body_of(a) + 2, &length) ? smvm_store_may_begin(a->store, length) : SM_E_SPACE;
 
     if (r != SM_OK)
-        return r;                      // before a machine is stopped in vain
+        return r;                      // a rejected update must not stop the running image
     if (a->store->plan.slots == 1 && a->store->running != STORE_BUILT_IN) {
         a->board->leave_slot(a->board->context);
         smvm_store_run_built_in(a->store);
@@ -187,7 +189,7 @@ static SmResult answer_read(Agent *a)
         return SM_E_MISSING;
     if (!smvm_load_offset(body_of(a) + 1, &at) || n > a->body - 1 || at > size || n > size - at)
         return SM_E_ARGUMENT;
-    put_bytes(a, image_in(a, slot), at, n);
+    put_bytes(a, image_of_slot(a, slot), at, n);
     return SM_OK;
 }
 
@@ -200,15 +202,15 @@ static SmResult answer_restart(Agent *a)
 // ---- events ----
 
 // The fields of an event in the order of transmission.
-static const struct EventField { uint8_t at, bytes; } fields[] SM_FLASH = {
+static const struct EventField { uint8_t at, bytes; } event_fields[] SM_FLASH = {
     {offsetof(SmEvent, time), 8}, {offsetof(SmEvent, kind), 1}, {offsetof(SmEvent, source), 2}, {offsetof(SmEvent, a), 4}, {offsetof(SmEvent, b), 4},
 };
 
 static void put_event(Agent *a, const uint8_t *event)
 {
-    for (uint8_t i = 0; i < sizeof fields / sizeof *fields; i++) {
+    for (uint8_t i = 0; i < sizeof event_fields / sizeof *event_fields; i++) {
         struct EventField f;
-        sm_flash_read(&f, &fields[i], sizeof f);
+        sm_flash_read(&f, &event_fields[i], sizeof f);
         for (uint8_t b = 0; b < f.bytes; b++)
             put_u8(a, event[f.at + sm_roll_byte(b, f.bytes)]);
     }
@@ -234,8 +236,9 @@ static SmResult answer_events(Agent *a)
 // ---- dispatch ----
 
 typedef struct AgentHandler {
-    uint8_t message, min_body;  // the shortest body
-    bool guarded;             // changes something, or keeps the board busy: only allowed while may_update returns SM_OK
+    uint8_t message;
+    uint8_t min_body;         // the shortest body of its request, in bytes
+    bool guarded;             // it changes the board or keeps it busy: allowed only while may_update returns SM_OK
     SmResult (*run)(Agent *a);
 } AgentHandler;
 

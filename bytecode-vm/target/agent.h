@@ -29,7 +29,7 @@ typedef struct AgentBoard {
     uint8_t ram_digital, ram_analog;      // bytes of `ram` for a pin of each kind
     uint16_t period;          // default milliseconds between steps
     uint16_t cycles;          // limit on the cycles of a step on an ATmega, for each millisecond of its period; 0: none
-    uint32_t mark;            // of its key (smvm_auth_mark), if it has one
+    uint32_t mark;            // identifies its key (smvm_auth_mark), if it has one
     SmvmPhysicalPin *physical_pin;  // NULL: the board has no pins, or cannot report the pins of its chip
     SmResult (*may_update)(void *context);                        // SM_OK, SM_E_ARMED, SM_E_UNSAFE
     // Whether this board can run the image: RAM, pins, state vector.  SM_E_MEMORY, SM_E_MISSING, SM_E_LAYOUT.
@@ -44,13 +44,16 @@ typedef struct Agent {
     const AgentBoard *board;
     SmEvents *events;         // or NULL
     uint8_t *frame;           // LINK_ROOM(body) bytes: the request, then its answer
-    uint8_t body, block;      // the largest body it accepts; its preferred number of bytes in DATA
+    uint8_t body;             // the largest body of a request or an answer
+    uint8_t block;            // the preferred number of payload bytes in DATA
     LinkReceiver in;
-    uint8_t n, length;        // body sizes: of the current request; of its answer after the result
+    uint8_t n;                // size of the body of the current request
+    uint8_t length;           // size of the body of its answer, without the result
     bool restart;             // a host asked for a restart
 } Agent;
 
-// `body` is 28 (an event; 32 with a key) to LINK_BODY_MAX.  block: body without the head of DATA, rounded down to the write unit.
+// `body` is at least 28, for an answer with one event (32 on a board with a key), and at most LINK_BODY_MAX.  Sets a->block to the payload
+// of DATA that fits into a body, rounded down to the write unit.
 void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *events, uint8_t *frame, uint8_t body);
 
 // Processes a received byte.  Returns the length of the answer in a->frame, or 0 if there is none to send.  The caller must send the answer

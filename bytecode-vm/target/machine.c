@@ -8,7 +8,7 @@
 
 // ---- open, init ----
 
-static SmRange range_of(uint32_t offset, uint32_t size)
+static SmRange make_range(uint32_t offset, uint32_t size)
 {
     SmRange p;
 
@@ -17,13 +17,14 @@ static SmRange range_of(uint32_t offset, uint32_t size)
     return p;
 }
 
+// Copies the properties of the machine that later calls need.
 static void store_machine_facts(SmvmTarget *t, const SmvmMachine *m)
 {
     t->states = m->states;
     t->outputs = m->outputs;
     t->outputs_at = m->outputs_at;
-    t->accessed = range_of(m->from, (uint32_t)m->to - m->from);
-    t->state_number = range_of(m->s, 4);
+    t->accessed = make_range(m->from, (uint32_t)m->to - m->from);
+    t->state_number = make_range(m->s, 4);
 }
 
 static SmResult target_open(void *self, uint32_t layout, uint32_t size)
@@ -47,8 +48,9 @@ static void copy_range(const void *from, void *to, SmRange p)
     memcpy((uint8_t *)to + p.offset, (const uint8_t *)from + p.offset, (size_t)p.size);
 }
 
-// A failed init stores nothing: if decoding fails, this restores the S that smvm_init has overwritten.
-static SmResult decode(SmvmTarget *t, const SmvmMachine *m, void *sv, uint32_t s)
+// Creates the decoded form, if there is a decoder.  If that fails, restores element S to s, its value before smvm_init: a failed init must
+// not change the state vector.
+static SmResult decode_machine(SmvmTarget *t, const SmvmMachine *m, void *sv, uint32_t s)
 {
     SmResult r = SM_OK;
 
@@ -76,7 +78,7 @@ static SmResult target_init(void *self, void *sv, uint32_t state)
     memcpy(&s, (uint8_t *)sv + t->state_number.offset, sizeof s);
     r = smvm_init(t->memory, t->memory_size, &m, &v, state);
     if (r == SM_OK)
-        r = decode(t, &m, sv, s);
+        r = decode_machine(t, &m, sv, s);
     if (r != SM_OK)
         return r;
     t->vm = t->memory;
@@ -95,6 +97,7 @@ static SmResult target_step(void *self, void *sv)
     return t->fast != NULL ? t->decoder->step(t->fast, sv) : smvm_step(t->vm, sv);
 }
 
+// Copies the elements that the last step stored, from one state vector to another.
 static void target_publish(const void *self, const void *from, void *to)
 {
     const SmvmTarget *t = self;
@@ -107,7 +110,7 @@ static void target_publish(const void *self, const void *from, void *to)
         if ((bits >> (i & 7) & 1) == 0)
             continue;
         o = smvm_location(t->image, (SmvmAt)(t->outputs_at + SMVM_LOCATION_BYTES * i));
-        copy_range(from, to, range_of(o.offset, (uint32_t)1 << smvm_type_shift(o.type)));
+        copy_range(from, to, make_range(o.offset, (uint32_t)1 << smvm_type_shift(o.type)));
     }
 }
 

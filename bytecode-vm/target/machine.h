@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Machines of an image as tasks of the flight runtime (runtime-c/machine.h).
+// Runs machines of an image as tasks of the flight runtime (runtime-c/machine.h).
 //
 //     static const uint8_t image[] SMVM_IMAGE_IN = { … };               // a .smb: in flash, in memory, read from a file
 //     static uint64_t memory[SMVM_WORDS(0, 0, 16, 3)];
@@ -18,8 +18,8 @@
 extern "C" {
 #endif
 
-// The decoded form of a machine (smvm_decode), several times as fast.  It is called through pointers, so that only programs that refer to
-// smvm_decoder link decode*.c, fast.c and this folder's decoder.c.
+// Functions that create and run the decoded form of a machine (smvm_decode), which is several times as fast.  They are pointers, so that
+// only programs that refer to smvm_decoder link decode*.c, fast.c and this folder's decoder.c.
 typedef struct SmvmDecoder {
     SmResult (*decode)(SmvmDecoded **decoded, void *memory, uint32_t size, const SmvmMachine *m, SmVm *vm, void *sv);
     SmResult (*step)(SmvmDecoded *decoded, void *sv);
@@ -37,17 +37,18 @@ typedef struct SmvmTarget {
     uint32_t decoded_size;    // bytes; smvm_decoded_size computes how many it needs
     // The remaining fields belong to the runtime; all zero initially.
     SmvmVerdict why;          // the error in an image that the verifier rejected: why.rule, why.at
-    SmVm *vm;                 // NULL if it cannot step
+    SmVm *vm;                 // NULL: init has not succeeded, so the machine cannot step
     SmvmDecoded *fast;
-    const uint8_t *more;      // bits of the outputs from 64 on that the last step stored
+    const uint8_t *more;      // a bit for each output from the 64th on (counted from 0): whether the last step stored it
     uint32_t states, outputs;
     SmvmAt outputs_at;
     SmRange accessed, state_number;
 } SmvmTarget;
 
-// The type of all images; `self` is an SmvmTarget.
-//   open   SM_E_IMAGE: the verifier rejects it.  SM_E_MISSING: it has no machine of that number.  SM_E_LAYOUT.
-//   init   SM_E_MEMORY: memory_size or decoded_size is too small.  SM_E_ALIGNMENT.  SM_E_ARGUMENT: no such state.
+// The machine type for images; `self` is an SmvmTarget.  Errors of its functions:
+//   open   SM_E_IMAGE: the verifier rejects the image.  SM_E_MISSING: it has no machine of that number.  SM_E_LAYOUT: the machine was
+//          compiled for another state vector.
+//   init   SM_E_MEMORY: memory_size or decoded_size is too small.  SM_E_ALIGNMENT: memory is not aligned.  SM_E_ARGUMENT: no such state.
 // States have names if the image was built with -g and is in memory that pointers can address.
 extern const SmMachineType smvm_machine_type;
 

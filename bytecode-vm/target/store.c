@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Selector records and slots.  Writing the older record is the one write that changes the choice; everything before that only modifies
-// data that is not chosen.
+// Implements the store.  Only one kind of write changes which image is chosen: overwriting the older of the two selector records.  All
+// writes before that go to memory that the current record does not refer to.
 #include "bytecode-vm/target/store.h"
 
 #include <string.h>
@@ -9,7 +9,7 @@
 #include "runtime-c/link/link.h"
 #include "stdlib/crc32.h"
 
-enum { VERSION = 1, CHECKED = STORE_RECORD - 4 };
+enum { VERSION = 1, CHECKED = STORE_RECORD - 4 };      // version of a record; how many of its bytes the CRC covers
 
 typedef char store_choice_is_a_record[sizeof(StoreChoice) == STORE_RECORD ? 1 : -1];
 
@@ -24,7 +24,7 @@ bool smvm_load_offset(const uint8_t *field, SmvmAt *at)
 
 // ---- the memory ----
 
-// The erase unit, or 0 if the memory need not be erased; and the write unit.
+// The erase unit (0: the memory need not be erased) and the write unit.  Constants if SMVM_STORE_BYTES is 1.
 static SmvmAt erase_unit(const Store *s) { return (SmvmAt)(SMVM_STORE_BYTES ? 0 : s->erase); }
 static uint8_t write_unit(const Store *s) { return (uint8_t)(SMVM_STORE_BYTES ? 1 : s->write); }
 
@@ -37,11 +37,11 @@ static bool is_slot(uint8_t slot, const Store *s) { return slot < s->plan.slots 
 
 static bool is_valid_record(const Store *s, const StoreChoice *c)
 {
-    return c->version == VERSION && sm_link_crc(c->number, STORE_RECORD) == SM_CRC32_WHOLE && is_slot(c->active, s) &&
+    return c->version == VERSION && sm_link_crc(c->number, STORE_RECORD) == SM_CRC32_RESIDUE && is_slot(c->active, s) &&
            is_slot(c->previous, s) && c->tries <= STORE_TRIES;
 }
 
-// The offset of the record with this number: the two positions alternate.
+// The offset in the memory of the record with this number: even numbers at 0, odd numbers after that.
 static SmvmAt record_offset(const Store *s, const uint8_t *number) { return number[0] & 1u ? s->record_size : 0; }
 
 static void read_selector(Store *s)
@@ -57,7 +57,7 @@ static void read_selector(Store *s)
         }
 }
 
-// Writes a choice to the medium.  The previous choice counts until the write is complete.
+// Writes a choice as the next record.  Until the write is complete, the previous record remains the newest valid one.
 static SmResult write_choice(Store *s, StoreChoice *c)
 {
     SmvmAt at;
@@ -146,9 +146,9 @@ SMVM_NOINLINE static SmvmAt image_length(const Store *s, uint8_t slot)
 
 SMVM_NOINLINE static uint32_t image_checksum(const Store *s, uint8_t slot) { return smvm_uint(s->plan.image[slot], SMVM_CRC_AT, 4); }
 
-// For an image that the verifier accepts; without a key, every one is authentic.
-// Checked at every start too, because a checksum can be forged.
-static bool is_authentic(const Store *s, uint8_t slot, uint32_t *number)
+// Whether the image in a slot, which the verifier accepts, has a correct authentication code; sets *number to its number.  Without a key:
+// true, and the number 0.  Also called at every start, because a checksum can be forged.
+static bool authenticate(const Store *s, uint8_t slot, uint32_t *number)
 {
     *number = 0;
     return !smvm_store_has_key(s) || s->is_authentic(s->plan.image[slot], number);
@@ -160,7 +160,7 @@ static bool is_intact(const Store *s, uint8_t slot)
     SmvmVerdict why;
     uint32_t number;
 
-    return length != 0 && smvm_verify(s->plan.image[slot], length, &why) == 0 && is_authentic(s, slot, &number);
+    return length != 0 && smvm_verify(s->plan.image[slot], length, &why) == 0 && authenticate(s, slot, &number);
 }
 
 static bool has_image(const Store *s, uint8_t slot, const uint8_t *checksum)
@@ -191,15 +191,15 @@ uint16_t smvm_store_period(const Store *s, uint8_t slot)
 
 // ---- starting ----
 
-// Whether the previous image is intact.  With one slot it never is: an image in the slot with its checksum has been sent again, and was
-// not accepted yet.
+// Whether the previous image can still run.  With one slot it cannot: an update has overwritten it.  If the slot has its checksum again, it
+// has been sent again and is not accepted yet.
 static bool has_previous(const Store *s)
 {
     return s->plan.slots > 1 && s->choice.previous != STORE_BUILT_IN && has_image(s, s->choice.previous, s->choice.checksum_previous);
 }
 
-// Chooses the image that runs if the active one must not: the previous one if `there`, else the built-in one.  (Not inlined, and has_previous
-// is called outside: verifier and record together would need much stack.)
+// Chooses the image that runs instead of the active one: the previous one if `there`, else the built-in one; sets *slot to it.  (Callers
+// compute `there` with has_previous, and this is not inlined, so that verifier and record are not on the stack at the same time.)
 SMVM_NOINLINE static SmResult fall_back(Store *s, bool there, uint8_t *slot)
 {
     StoreChoice c = s->choice;
@@ -214,8 +214,9 @@ SMVM_NOINLINE static SmResult fall_back(Store *s, bool there, uint8_t *slot)
     return write_choice(s, &c);
 }
 
-// Whether the active image may run now.  A trial is counted first; if that fails, the image does not run, or it could run forever.
-static bool may_run(Store *s)
+// Returns whether the active image may run now.  For an image on trial, first writes its decremented count to the medium.  If that write
+// fails, the image must not run: its trial might never end.
+static bool try_start_active(Store *s)
 {
     StoreChoice c = s->choice;
 
@@ -232,7 +233,7 @@ SmResult smvm_store_boot(Store *s, uint8_t *slot)
 
     if (!s || !slot)
         return SM_E_ARGUMENT;
-    if (may_run(s))
+    if (try_start_active(s))
         *slot = s->choice.active;
     else
         r = fall_back(s, has_previous(s), slot);       // the image runs even if this choice could not be written
@@ -257,8 +258,8 @@ void smvm_store_run_built_in(Store *s) { s->running = STORE_BUILT_IN; }
 
 static bool is_on_trial(const Store *s) { return s->choice.active != STORE_BUILT_IN && !s->choice.confirmed; }
 
-// Finds a slot that is neither chosen nor running; a single slot only must not be running.  (An image chosen by its checksum does not run
-// any more as soon as its first byte has changed.)
+// Finds a slot for an update: neither chosen nor running.  A single slot may be chosen, but not running.  (The choice includes the image's
+// checksum, so a partly overwritten image never runs.)
 static bool find_target(const Store *s, uint8_t *target)
 {
     for (uint8_t i = 0; i < s->plan.slots; i++)
@@ -274,7 +275,8 @@ SmResult smvm_store_may_begin(const Store *s, SmvmAt length)
     return length < SMVM_HEADER ? SM_E_ARGUMENT : length > s->slot_size ? SM_E_SPACE : is_on_trial(s) ? SM_E_BUSY : SM_OK;
 }
 
-SMVM_NOINLINE static SmResult drop_previous(Store *s)
+// Writes a record whose previous image is the built-in one.
+SMVM_NOINLINE static SmResult forget_previous(Store *s)
 {
     StoreChoice c = s->choice;
 
@@ -300,7 +302,7 @@ SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t ch
     s->next = 0;
     s->is_accepted = false;
     // With a key, never fall back to a slot that has been overwritten: a replayed old image would run without its number being checked.
-    r = smvm_store_has_key(s) && s->target == s->choice.previous ? drop_previous(s) : SM_OK;
+    r = smvm_store_has_key(s) && s->target == s->choice.previous ? forget_previous(s) : SM_OK;
     if (r == SM_OK)
         r = erase_memory(s, s->slot_at[s->target], round_up(s->length, slot_unit(s)));
     if (r == SM_OK)
@@ -308,7 +310,8 @@ SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t ch
     return r;
 }
 
-static bool is_written(const Store *s, SmvmAt at, const uint8_t *bytes, uint8_t n)
+// Whether the target slot contains these n bytes at offset `at`.
+static bool has_bytes_at(const Store *s, SmvmAt at, const uint8_t *bytes, uint8_t n)
 {
     for (; n > 0; n--)
         if (smvm_u8(s->plan.image[s->target], at++) != *bytes++)
@@ -316,7 +319,7 @@ static bool is_written(const Store *s, SmvmAt at, const uint8_t *bytes, uint8_t 
     return true;
 }
 
-// Writes whole units at once, and pads the rest with blank bytes.
+// Writes n bytes: first the whole write units, then the rest, padded to a write unit with the value of an erased byte.
 SMVM_NOINLINE static SmResult write_padded(const Store *s, SmvmAt to, const uint8_t *bytes, uint8_t n)
 {
     const uint8_t rest = n & (uint8_t)(write_unit(s) - 1), whole = (uint8_t)(n - rest);
@@ -352,13 +355,13 @@ SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *
         return SM_E_HANDLE;
     if (at > s->next || !is_valid_chunk(s, at, n))
         return SM_E_ARGUMENT;
-    there = (again || !erase_unit(s)) && is_written(s, at, bytes, n);
+    there = (again || !erase_unit(s)) && has_bytes_at(s, at, bytes, n);
     if (again)
         return there ? SM_OK : SM_E_ARGUMENT;
     if (!there) {
         const SmResult r = write_padded(s, (SmvmAt)(s->slot_at[s->target] + at), bytes, n);
         if (r != SM_OK) {
-            s->session = 0;            // the contents are unknown now
+            s->session = 0;            // the slot's contents are unknown now
             return r;
         }
     }
@@ -371,7 +374,7 @@ static SmResult check_authenticity(const Store *s)
 {
     uint32_t number;
 
-    if (!is_authentic(s, s->target, &number))
+    if (!authenticate(s, s->target, &number))
         return SM_E_UNSIGNED;
     return smvm_store_has_key(s) && number <= load32(s->choice.newest) ? SM_E_REPLAY : SM_OK;
 }
@@ -404,7 +407,7 @@ SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period)
         memcpy(c.checksum_previous, c.checksum, 4);
         memcpy(c.period_previous, c.period, 2);
     } else if (sm_link_load(c.period, 2) == period) {
-        return SM_OK;                  // the answer was lost; the image may already be confirmed
+        return SM_OK;                  // a repeated request: the answer was lost.  The image may already be confirmed
     }
     c.active = s->target;
     sm_link_store(c.period, period, 2);
@@ -425,8 +428,8 @@ SmResult smvm_store_confirm(Store *s, uint32_t checksum)
         return SM_E_ARGUMENT;
     if (c.confirmed)
         return SM_OK;
-    if (!is_authentic(s, c.active, &number))
-        return SM_E_UNSIGNED;          // it was authentic when it was chosen
+    if (!authenticate(s, c.active, &number))
+        return SM_E_UNSIGNED;          // its slot has changed since it was chosen
     if (smvm_store_has_key(s) && number > load32(c.newest))
         store32(c.newest, number);
     c.confirmed = 1;
@@ -434,7 +437,7 @@ SmResult smvm_store_confirm(Store *s, uint32_t checksum)
     return write_choice(s, &c);
 }
 
-// Destroys the image in a slot, unless it is running.
+// Overwrites or erases the beginning of a slot, so that it contains no image.  Does nothing if the slot is running.
 static SmResult destroy_image(const Store *s, uint8_t slot)
 {
     uint8_t nothing[SMVM_STORE_BYTES ? 4 : STORE_UNIT];
@@ -447,7 +450,8 @@ static SmResult destroy_image(const Store *s, uint8_t slot)
     return write_memory(s, s->slot_at[slot], nothing, write_unit(s) > 4 ? write_unit(s) : 4);
 }
 
-static SmResult drop_image(Store *s, uint8_t slot)
+// Makes sure that the image in a slot never runs again: removes it from the selector, then destroys it.
+static SmResult remove_image(Store *s, uint8_t slot)
 {
     SmResult r = SM_OK;
     uint8_t instead;
@@ -455,7 +459,7 @@ static SmResult drop_image(Store *s, uint8_t slot)
     if (slot == s->choice.active)
         r = fall_back(s, has_previous(s), &instead);
     else if (slot == s->choice.previous)
-        r = drop_previous(s);
+        r = forget_previous(s);
     return r == SM_OK ? destroy_image(s, slot) : r;
 }
 
@@ -465,7 +469,7 @@ SmResult smvm_store_erase(Store *s, uint32_t checksum)
 
     s->session = 0;
     for (uint8_t i = 0; i < s->plan.slots; i++)
-        if (image_length(s, i) != 0 && image_checksum(s, i) == checksum && (r = drop_image(s, i)) != SM_OK)
+        if (image_length(s, i) != 0 && image_checksum(s, i) == checksum && (r = remove_image(s, i)) != SM_OK)
             break;
     return r;
 }

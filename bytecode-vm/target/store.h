@@ -6,11 +6,11 @@
 //     smvm_store_boot(&store, &slot);                         // which image to run: a slot, or STORE_BUILT_IN
 //
 // The memory starts with two records of a selector.  They are written alternately, each with a number and a checksum.  The newest
-// valid record counts, so that a single write changes everything at once.  One or two slots follow.
+// valid record is in effect, so that a single write replaces all its fields at once.  One or two slots follow.
 //
 // An update writes a slot that is not running, verifies it in place, and only then chooses it.  The new image starts as a trial: every
 // start decrements its count before the image runs, and when the count is used up, the previous image runs again.  A confirmed image
-// stays.
+// remains chosen.
 //
 // A board with a key runs only images whose code (bytecode-vm/auth.h) was computed with that key.  It rejects an update whose number is
 // not above that of every confirmed image.  The highest confirmed number is part of the record that confirms.
@@ -28,11 +28,11 @@ extern "C" {
 #endif
 
 enum {
-    STORE_TRIES = 3,          // the number of starts of a trial
+    STORE_TRIES = 3,          // how many times an image on trial is started before the previous image runs again
     STORE_RECORD = 32,        // bytes of a selector record, before rounding up to the erase unit of the memory
     STORE_UNIT = 32           // the largest supported write unit
 };
-#define STORE_BUILT_IN 0xffu  // in place of a slot: the image that is part of the firmware
+#define STORE_BUILT_IN 0xffu  // instead of the number of a slot: the image that is part of the firmware
 
 typedef struct StorePlan {
     uint32_t size;            // bytes of the memory that the store may use
@@ -40,9 +40,9 @@ typedef struct StorePlan {
     SmvmBytes image[2];       // the addresses at which the VM reads the slots (SMVM_FETCH)
 } StorePlan;
 
-// A record of the selector, byte for byte as on the medium.  Numbers are stored least significant byte first.
+// A record of the selector, byte for byte as on the medium.  Integers are little-endian.
 typedef struct StoreChoice {
-    uint8_t number[4];        // of the record; each new record has the next one
+    uint8_t number[4];        // the record's sequence number: one more than that of the record before
     uint8_t version;
     uint8_t active;           // the image that runs: a slot or STORE_BUILT_IN
     uint8_t previous;         // the image that runs again if the trial fails
@@ -53,7 +53,7 @@ typedef struct StoreChoice {
     uint8_t checksum_previous[4];  // the same for `previous`
     uint8_t newest[4];        // the highest number (image section AUTH) of an image that a board with a key has confirmed
     uint8_t period[2], period_previous[2];    // milliseconds between steps of each image, as set by the host; 0: the board's default
-    uint8_t crc[4];           // CRC-32 of all before it
+    uint8_t crc[4];           // CRC-32 of all bytes before this field
 } StoreChoice;
 
 typedef struct Store {
@@ -61,22 +61,22 @@ typedef struct Store {
     StorePlan plan;
     SmvmAt record_size, slot_size, slot_at[2];
     SmvmAt erase;             // erase unit of the memory, see PalNvmInfo; write is at least 1
-    uint8_t write, blank;
-    StoreChoice choice;       // the record that counts
+    uint8_t write, blank;     // write unit of the memory; value of an erased byte
+    StoreChoice choice;       // the newest valid record
     uint8_t running;          // the slot that smvm_store_boot returned
-    // Whether the board's key has produced this image's code; stores its number (smvm_auth_check).  NULL: no key.  Set it after
-    // smvm_store_open and before smvm_store_boot.
+    // Checks an image's authentication code with the board's key (smvm_auth_check).  Returns whether it is correct; sets *number to the
+    // image's number.  NULL: the board has no key.  Set it after smvm_store_open and before smvm_store_boot.
     bool (*is_authentic)(SmvmBytes image, uint32_t *number);
     // The current update.
     uint16_t session;         // the host's number for it; 0: none
-    uint8_t target;
+    uint8_t target;           // the slot that it writes
     bool is_accepted;         // smvm_store_end has accepted it
-    SmvmAt length, next;
-    uint8_t checksum[4];
+    SmvmAt length, next;      // size of the image; how many bytes of it are written
+    uint8_t checksum[4];      // of the image, as sent by the host
 } Store;
 
-// Reads the selector.  Without a valid record, as in a new chip, the built-in image is chosen.  SM_E_SPACE: the memory is too small for
-// records and slots.  SM_E_UNSUPPORTED: its write unit is larger than STORE_UNIT, or its units are not powers of two.
+// Opens a store and reads its selector.  Without a valid record, as in a new chip, the built-in image is chosen.  SM_E_SPACE: the memory is
+// too small for records and slots.  SM_E_UNSUPPORTED: its write unit is larger than STORE_UNIT, or its units are not powers of two.
 SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan);
 
 // Decides which image to run; call it once per start.  A trial's count is decremented on the medium before this returns.  An image that
@@ -92,8 +92,8 @@ void smvm_store_run_built_in(Store *s);
 
 // ---- an update, step by step; each step may be repeated ----
 
-// Whether an update can begin once a slot is free (with one slot: after smvm_store_run_built_in).  SM_E_SPACE: longer than a slot.  SM_E_BUSY: the
-// chosen image is on trial.
+// Whether an update can begin once a slot is free (with one slot: after smvm_store_run_built_in).  SM_E_SPACE: longer than a slot.
+// SM_E_BUSY: the chosen image is on trial.
 SmResult smvm_store_may_begin(const Store *s, SmvmAt length);
 
 // SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen image is on trial and must first be confirmed or erased; or every slot is chosen
@@ -108,8 +108,8 @@ SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *
 // *why.  SM_E_UNSIGNED: its code is wrong or missing.  SM_E_REPLAY: its number is not above that of a confirmed image.
 SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why);
 
-// Chooses the image: from the next start on it is on trial, with `period` milliseconds between steps (0: the board's default).
-// SM_E_HANDLE: smvm_store_end has not accepted it.
+// Chooses the image that was sent.  From the next start on it is on trial, with `period` milliseconds between steps (0: the board's
+// default).  SM_E_HANDLE: smvm_store_end has not accepted it.
 SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period);
 
 // ---- after an update ----

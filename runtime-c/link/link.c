@@ -68,7 +68,7 @@ static bool try_finish_frame(LinkReceiver *r)
 {
     if (r->is_too_long || r->run_left != 0 || r->n < LINK_HEAD + LINK_TAIL)
         return false;
-    if (sm_link_crc(r->buffer, r->n) != SM_CRC32_WHOLE)
+    if (sm_link_crc(r->buffer, r->n) != SM_CRC32_RESIDUE)
         return false;
     r->n = (uint16_t)(r->n - LINK_TAIL);
     return true;

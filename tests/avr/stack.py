@@ -22,7 +22,7 @@ CALLS = [
     ("main", "answer_(pin|hello|image|begin|data|end|activate|confirm|erase|read|restart|events)"),
     ("answer_begin", "leave_slot"),
     ("write_memory|main", "may_write"),
-    ("is_authentic|is_signed|is_intact|answer_end|answer_confirm", "is_authentic"),     # the store's, and the firmware's
+    ("authenticate|is_intact|answer_end|answer_confirm", "is_authentic"),     # called through Store.is_authentic
     (r"__vector_\d+", "on_tick"),
 ]
 ROUNDS = {"divide": 7, "short": 7}       # who pushes in a loop, and how often: a division, each byte of its result
