@@ -128,7 +128,7 @@ static void emit_jump_if(DecodeState *d, unsigned m, DecodedValue x, DecodedValu
     }
 }
 
-// jt and jf.  If X is a deferred comparison, its condition becomes the jump's.
+// Decodes jt, or jf unless `when`.  If X is a deferred comparison, its condition becomes the jump's.
 static void decode_jump_truth(DecodeState *d, bool when, uint32_t target)
 {
     if (d->x.kind == DEFERRED && d->deferred.op == SMVM_set)

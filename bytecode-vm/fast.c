@@ -2,7 +2,7 @@
 // Runs the decoded form of a machine.  Its results equal those of the interpreter (interp.c) bit for bit, because it uses the same
 // functions of stdlib.  Only whole numbers take another path, where no difference can be observed.
 #if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8
-#define SM_ROLL_UNROLL _Pragma("GCC unroll 4")         // unrolls loops over short windows (stdlib/roll.h) of unknown size
+#define SM_ROLL_UNROLL _Pragma("GCC unroll 4")         // for loops over short windows (stdlib/roll.h), whose size is not a constant here
 #endif
 #include <string.h>
 

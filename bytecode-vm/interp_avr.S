@@ -541,7 +541,7 @@ jf_jt:
 	rjmp jump
 	rjmp next
 
-time:                                     ; T
+time:                                     ; sets X or Y to T
 	.irp i, 0, 1, 2, 3, 4, 5, 6, 7
 	ldd 18+\i, Y+VM_NEXT+\i
 	ldd r0, Y+VM_START+\i
@@ -597,7 +597,7 @@ long:                                     ; an I64 or U64 in r25:r18
 	movw r24, r22
 	rjmp 1b
 
-wide:                                     ; F32, F64, bool, RAW
+wide:                                     ; loads an F32, F64, bool or RAW
 	sbrc r16, 2
 	rjmp others
 	movw r26, r14
@@ -679,7 +679,7 @@ truth_x:                                  ; X = whether r24 is not 0
 	andi r16, 0x1F
 	rjmp bool
 
-constant:                                 ; an F32 or F64
+constant:                                 ; sets X or Y to an F32 or F64 constant
 	push r30
 	push r31
 	twice

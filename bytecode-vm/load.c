@@ -335,7 +335,7 @@ static void set_locals(SmVm *vm, const SmvmMachine *m)
     }
 }
 
-// Whether p has the strictest alignment of the data stored there: 8 on most targets, 1 on some.
+// Whether p is aligned for every type of data stored there: a multiple of 8 on most targets, any address on some.
 static bool is_aligned(const void *p)
 {
     struct Strict { char c; union { uint64_t time; SmF64 number; void *pointer; } at; };

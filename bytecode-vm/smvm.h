@@ -47,7 +47,7 @@ typedef struct SmvmVerdict {
 // no memory but about 600 bytes of stack.
 uint8_t smvm_verify(SmvmBytes image, uint32_t size, SmvmVerdict *v);
 
-// A part of an image that is read sequentially.
+// Reads a part of an image sequentially.
 typedef struct SmvmReader {
     SmvmBytes image;
     SmvmAt at, end;

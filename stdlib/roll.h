@@ -138,7 +138,7 @@ SM_ROLL_INLINE unsigned sm_roll_shift(uint32_t kind)
     return type < 8 ? type & 3u : type == SM_ROLL_BOOL ? 0 : type - 6u;
 }
 //: sm_roll_load
-// Key i of an array.
+// Returns key i of an array.
 SM_ROLL_INLINE int64_t sm_roll_load(const unsigned char *a, uint32_t i, uint32_t kind)
 {
     switch (kind & SM_ROLL_TYPE) {
@@ -174,10 +174,10 @@ SM_ROLL_INLINE unsigned sm_roll_partials(uint32_t n, uint32_t kind)
     return sum | ((kind & (SM_ROLL_MIN | SM_ROLL_RANGE)) != 0 ? 4u : 0) | ((kind & (SM_ROLL_MAX | SM_ROLL_RANGE)) != 0 ? 8u : 0);
 }
 //: sm_roll_partial_words
-// The number of words for these.
+// The number of words for these results (sm_roll_partials).
 SM_ROLL_INLINE unsigned sm_roll_partial_words(unsigned partials) { return ((partials & 3u) != 0) + (partials >> 2 & 1u) + (partials >> 3); }
 //: sm_roll_node_partials
-// Those that it also stores for groups of 2, 4, 8, … slots.
+// The results, as in sm_roll_partials, that it also stores for groups of 2, 4, 8, … slots.
 SM_ROLL_INLINE unsigned sm_roll_node_partials(uint32_t n, uint32_t kind) { return sm_roll_partials(n, kind) & 14u; }
 //: sm_roll_slots_at
 // The index of the word where the slots begin.  Layout: a word with the number of samples and the next slot; the results for the whole
@@ -280,7 +280,7 @@ SM_ROLL_INLINE uint32_t sm_roll_count_below(const unsigned char *sorted, uint32_
     return lo + (count == 1 && sm_roll_load(sorted, sm_roll_index_of_rank(sorted, n, kind, lo), kind) < key);
 }
 //: sm_roll_slide
-// Moves the free place from `from` to `to` by shifting the ordered samples between them by one place.
+// Moves a gap among the ordered samples from index `from` to index `to`, by shifting the samples between them by one.
 SM_ROLL_INLINE void sm_roll_slide(unsigned char *sorted, uint32_t kind, uint32_t from, uint32_t to)
 {
     const unsigned shift = sm_roll_shift(kind);
@@ -327,7 +327,7 @@ SM_ROLL_INLINE void sm_roll_slide_ranks(unsigned char *sorted, uint32_t n, uint3
     sm_roll_slide_in_block(sorted, n, kind, from, to);
 }
 //: sm_roll_insert_sorted
-// Before a key enters a longer window: finds its place among the ordered samples and that of the oldest, and shifts those between.
+// Before a key enters a longer window: finds its position among the ordered samples and that of the oldest sample, and shifts those between.
 SM_ROLL_INLINE void sm_roll_insert_sorted(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
 {
     unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);

@@ -1179,7 +1179,7 @@ function sm_soft_from_f32
 	brne 4b
 5:	ret
 
-; For an overflow, sets all bits; for NaN, sets 0 and clears T.
+; Sets the result for an overflow, all bits 1, or for NaN, 0 with T clear.
 .Ltoo_large:
 	cpi r31, 4
 	brne 1f

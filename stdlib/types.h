@@ -15,7 +15,7 @@ extern "C" {
 
 typedef enum SmKind { SM_KIND_SIGNED, SM_KIND_UNSIGNED, SM_KIND_FLOAT, SM_KIND_BOOL } SmKind;
 
-// The type of an element or local.  The value is the wire number.
+// The type of an element or local.  Its value is the number that images and links use.
 typedef enum SmType {
 #define SM_TYPE(name, wire, spelling, ctype, bytes, kind) SM_##name = wire,
 #include "stdlib/types.def"

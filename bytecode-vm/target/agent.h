@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The device's end of the link (docs/link.md): receives bytes, answers requests, updates the store.
+// The device's side of the link protocol (docs/link.md): receives bytes, answers requests, updates the store.
 //
 //     if (pal_serial_receive(line, &byte, 1, &n, 0) == SM_OK && (length = smvm_agent_receive(&agent, byte)) > 0)
 //         pal_serial_send(line, agent.frame, length, &sent, …);
