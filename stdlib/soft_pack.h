@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unpacks binary64 values and rounds and packs results, for the operations of soft.h.  Internal to stdlib/soft_*.c.
+// Unpacks and packs numbers for the operations of soft.h.  Internal to stdlib/soft_*.c.
 //
 // Inside an operation, a finite number is a sign, an exponent and `digits`, the significand with its leading bit at bit 62.  Binary64
 // does not store that bit.  The ten bits below the 53 of the result are for rounding; the lowest of them is a sticky bit, also set if a
