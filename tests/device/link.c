@@ -188,7 +188,7 @@ static void image_is_sent_and_stored(void)
     CHECK(quiet("device", "list", NULL) == 0 && says("slot 0: no image") && says("built in: "));
     CHECK(quiet("device", "confirm", NULL) == 1 && says("nothing to confirm"));
     CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("nothing was sent"));
-    CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)") && says("without that, the image before it runs again"));
+    CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)") && says("without that, the previous image runs again"));
     CHECK(quiet("device", "info", NULL) == 0 && says("no update may begin: image ") && says(" is on trial; 'smc device confirm' keeps it"));
     CHECK(quiet("flash", images[0], "--period=7") == 1 && says("nothing was sent: image "));
     CHECK(quiet("flash", images[0], "--dry-run") == 0 && says(" runs already; nothing was sent"));
