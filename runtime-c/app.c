@@ -134,7 +134,7 @@ static SmResult fill_vector(SmApp *app)
 
 // If `failed_task` is an I/O task, stores "pin N: " in failed_pin for the pin that it could not open.  SM_E_ARGUMENT means an
 // invalid table row, which has no pin number to report.
-static void note_pin(SmApp *app, SmResult r)
+static void store_failed_pin(SmApp *app, SmResult r)
 {
     const SmIo *const io = app->failed_task->context == app->inputs ? app->inputs : app->failed_task->context == app->outputs ? app->outputs : NULL;
     char *at = app->failed_pin + sizeof app->failed_pin;
@@ -162,7 +162,7 @@ static SmResult init_executors(SmApp *app)
             app->failed_executor = app->executor[i];
             if (app->failed_task) {
                 app->failed_file = app->log && app->failed_task->context == app->log ? app->log->file : NULL;
-                note_pin(app, r);
+                store_failed_pin(app, r);
             } else if (r == SM_E_ARGUMENT) {
                 app->reason = SM_TEXT("invalid configuration");
             }

@@ -214,7 +214,7 @@ static void handle_overrun(SmExecutor *e, const SmTick *tick, uint64_t now)
     emit_overrun(e, tick->time);
 }
 
-static void count_tick(SmExecutor *e, uint64_t due, uint64_t began)
+static void record_tick_times(SmExecutor *e, uint64_t due, uint64_t began)
 {
     e->ticks++;
     e->next++;
@@ -233,7 +233,7 @@ void sm_executor_tick(SmExecutor *e)
         set_time(e, &tick);
     run_due_groups(e, &tick);
     e->ended = pal_clock_now();
-    count_tick(e, due, began);
+    record_tick_times(e, due, began);
     if (e->late >= e->period)
         handle_overrun(e, &tick, e->ended);
     store_statistics(e);

@@ -5,10 +5,10 @@
 //     SmResult r = sm_inputs_init(&rocket_inputs);                  // once; likewise for the outputs
 //     r = sm_inputs_step(&rocket_inputs, &tick);                    // then in every tick: inputs, tasks, outputs
 //
-// Analog values are in volts (or amperes): the millionths of pal/aio.h divided by 1,000,000.  The element of an input is this value
-// times `scale`, plus `zero`.  An output uses the inverse, rounded to the nearest millionth, halves away from 0, and saturated to
-// int32_t.  If an input cannot be read, its element keeps its value for `hold` steps.  After that it becomes NaN, which is 0 in
-// integers and false in bool (language.md).  The other pins are still read.
+// Analog values are in volts (or amperes): the millionths of pal/aio.h divided by 1,000,000.  The element of an input is this
+// value times `scale`, plus `zero`.  An output uses the inverse, rounded to the nearest millionth, halves away from 0, and
+// saturated to int32_t.  If an input cannot be read, its element keeps its value for `hold` steps.  After that it becomes NaN,
+// which is 0 in integers and false in bool (language.md).  The other pins are still read.
 //
 // All elements of one direction are stored, or loaded, in one critical section.  No pin is accessed while the lock is held.
 #ifndef SM_IO_H
@@ -27,7 +27,7 @@ typedef struct SmIo {
     SmStateVec *sv;
     uint8_t *handle;          // one byte for each pin: the PAL handles
     uint16_t *missed;         // one for each pin: consecutive failed steps, at most 65535; init does not need a defined value
-    uint64_t *value;          // one for each pin: the bits of the element between vector and pin
+    uint64_t *value;          // one for each pin: bits of the value that is being copied between pin and element
     // The field below belongs to the runtime.
     uint16_t failed;          // index into `pin`: after init, the pin that could not be opened; later, the last pin that failed
 } SmIo;
@@ -35,8 +35,9 @@ typedef struct SmIo {
 // Compatible with SmTaskInit and SmTaskStep; the context is an SmIo.  A table may contain both directions; each function ignores
 // the pins of the other one.
 
-// Opens all pins, outputs at their safe value.  If a pin fails, the result is its error, `failed` is its index, and the pins opened
-// so far are closed.  SM_E_ARGUMENT: a row is invalid (an element outside the vector, an unknown type or kind, a scale of 0).
+// Opens all pins, outputs at their safe value.  If a pin fails, the result is its error, `failed` is its index, and the pins
+// opened so far are closed.  SM_E_ARGUMENT: a row is invalid (an element outside the vector, an unknown type or kind, a scale of
+// 0).
 SmResult sm_inputs_init(void *io);
 SmResult sm_outputs_init(void *io);
 

@@ -30,7 +30,7 @@ typedef struct SmKeep {
 } SmKeep;
 
 #define SM_KEEP_HEAD 16u      // bytes of a slot before the packed vector: number, hash, length, checksum
-// (Rounded up to SM_KEEP_UNIT, the write alignment of the memory: config.h.)
+// Size of a slot in bytes, rounded up to SM_KEEP_UNIT, the write alignment of the memory (config.h).
 #define SM_KEEP_SIZE(packed) (((packed) + SM_KEEP_HEAD + SM_KEEP_UNIT - 1u) / SM_KEEP_UNIT * SM_KEEP_UNIT)
 
 // Opens the memory.  If it contains an intact slot of this layout, restores the vector and sets keep->restored.  A missing slot is
@@ -44,8 +44,8 @@ SmResult sm_keep_restore(SmKeep *keep);
 // Compatible with SmTaskStep.  Takes a snapshot and replaces one that still waits to be written.  If the previous write to the
 // medium failed, returns its error after taking the snapshot.  It is then reported as the task's fault until a write succeeds.
 SmResult sm_keep_step(void *keep, const SmTick *tick);
-// Writes the waiting snapshot, if there is one, and waits for the medium.  Call it from one thread only; any thread will do.  After
-// an error the snapshot waits again, unless a later one does, and the previous slot stays valid.
+// Writes the waiting snapshot, if there is one, and waits for the medium.  Call it from one thread only; any thread will do.
+// After an error the snapshot waits again, unless a later one does, and the previous slot stays valid.
 SmResult sm_keep_write(SmKeep *keep);
 // Erases both slots and discards a waiting snapshot, so that the next start is a fresh one.  Call it from the thread that writes.
 SmResult sm_keep_forget(SmKeep *keep);

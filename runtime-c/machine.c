@@ -153,6 +153,7 @@ static SmResult step_on_copy(SmMachine *m, SmResult *delivered)
     return SM_OK;
 }
 
+// Counts the refused step, and emits REFUSED for the first of several.
 static void report_refused_step(SmMachine *m, const SmTick *tick)
 {
     m->refused++;
@@ -161,6 +162,7 @@ static void report_refused_step(SmMachine *m, const SmTick *tick)
     m->was_refused = true;
 }
 
+// Emits STATE if the step made a transition.
 static void report_step(SmMachine *m, const SmTick *tick)
 {
     uint32_t state;

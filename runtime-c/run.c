@@ -16,7 +16,7 @@
 // until the gate is closed.
 enum { GATE_WAIT, GATE_OPEN, GATE_CLOSED };
 
-static uint64_t earlier_of(uint64_t a, uint64_t b)
+static uint64_t shorter_of(uint64_t a, uint64_t b)
 {
     return a < b ? a : b;
 }
@@ -87,6 +87,7 @@ static void write_pending(SmApp *app, uint64_t now, uint64_t budget)
 
 // ---- one thread ----
 
+// Runs the next tick of e, then publishes the number of the following one to the thread that feeds the watchdog.
 static void run_tick(SmExecutor *e)
 {
     sm_executor_tick(e);
@@ -101,6 +102,7 @@ static uint64_t waiting_since(const SmApp *app, const SmExecutor *e)
     return due > ended ? due : ended;
 }
 
+// The executor that began to wait first; of several, the first in the table.
 static SmExecutor *longest_waiting(const SmApp *app)
 {
     SmExecutor *best = app->executor[0];
@@ -114,8 +116,8 @@ static SmExecutor *longest_waiting(const SmApp *app)
 // Waits until `then`, but at most until `stop` or the watchdog must be checked.  Writes pending data meanwhile.
 static void write_and_sleep(SmApp *app, uint64_t now, uint64_t then)
 {
-    const uint64_t longest = app->watchdog > 0 ? earlier_of(STOP_CHECK_INTERVAL, watchdog_check_interval(app)) : STOP_CHECK_INTERVAL;
-    const uint64_t end = now + earlier_of(longest, time_until(now, then));
+    const uint64_t longest = app->watchdog > 0 ? shorter_of(STOP_CHECK_INTERVAL, watchdog_check_interval(app)) : STOP_CHECK_INTERVAL;
+    const uint64_t end = now + shorter_of(longest, time_until(now, then));
 
     write_pending(app, now, end - now);
     pal_clock_sleep_until(end);
@@ -158,7 +160,7 @@ static bool wait_for_tick(const SmExecutor *e)
 
         if (left == 0)
             return true;
-        pal_clock_sleep_until(now + earlier_of(left, STOP_CHECK_INTERVAL));
+        pal_clock_sleep_until(now + shorter_of(left, STOP_CHECK_INTERVAL));
     }
     return false;
 }

@@ -24,7 +24,7 @@ static void close_media(SmApp *app, const SmTick *last)
 {
     if (app->keep)
         (void)sm_keep_write(app->keep);
-    if (!app->log || app->log->out.id == 0)               // no task opened it
+    if (!app->log || app->log->out.id == 0)               // the log was never opened
         return;
     (void)sm_log_step(app->log, last);
     (void)sm_log_close(app->log);

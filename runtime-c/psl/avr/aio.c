@@ -15,6 +15,7 @@ enum { OUTPUT = AVR_ANALOGS };
 
 #define SUPPLY 5000000                         // microvolts
 
+// Copies the row of an output channel from flash.
 static void load_pwm(uint8_t channel, AvrPwm *p) { memcpy_P(p, &avr_pwms[(uint8_t)(channel - OUTPUT)], sizeof *p); }
 
 // The row of the pin in avr_pwms; AVR_PWMS if the pin has no PWM.
@@ -27,6 +28,7 @@ static uint8_t pwm_row(uint16_t pin)
     return row;
 }
 
+// The register at an address.
 static volatile uint8_t *reg(uint16_t address) { return (volatile uint8_t *)address; }
 
 // ---- opening ----

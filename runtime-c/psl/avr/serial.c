@@ -67,8 +67,10 @@ SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *se
     for (; *sent < n; ++*sent) {
         UCSR0A = 1 << TXC0 | 1 << U2X0;
         UDR0 = *from++;
-        while ((UCSR0A & 1 << UDRE0) == 0)         // wait after each byte: before the first, simavr does not set UDRE0 if the line was
-            ;                                      // switched off, as Arduino's core does at its start
+        // Waits after each byte, not before it: if the line was switched off before, as by Arduino's core at its start, simavr sets
+        // UDRE0 only after the first byte.
+        while ((UCSR0A & 1 << UDRE0) == 0)
+            ;
     }
     return SM_OK;
 }

@@ -25,8 +25,8 @@ static void forget_own_id(void)
     own_id = 0;
 }
 
-// Clears own_id in child processes: a child has another thread id than the thread that forked it.
-static void forget_id_after_fork(void)
+// Makes child processes clear own_id: a child has another thread id than the thread that forked it.
+static void register_fork_handler(void)
 {
     pthread_atfork(NULL, NULL, forget_own_id);
 }
@@ -36,7 +36,7 @@ __attribute__((noinline)) static uint32_t request_thread_id(void)
 {
     static pthread_once_t once = PTHREAD_ONCE_INIT;
 
-    pthread_once(&once, forget_id_after_fork);
+    pthread_once(&once, register_fork_handler);
     return own_id = (uint32_t)syscall(SYS_gettid);
 }
 

@@ -64,6 +64,7 @@ static SmResult stream_result(int error)
     return is_network_error(error) ? SM_E_CLOSED : psl_result_of_errno(error);
 }
 
+// For a connect: no route or no listening socket is SM_E_UNREACHABLE; no answer (ETIMEDOUT) is SM_E_TIMEOUT.
 static SmResult connect_result(int error)
 {
     return is_network_error(error) && error != ETIMEDOUT ? SM_E_UNREACHABLE : psl_result_of_errno(error);

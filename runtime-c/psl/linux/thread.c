@@ -27,7 +27,7 @@ typedef struct ThreadEntry {
 static bool used[PAL_THREADS];
 static ThreadEntry entries[PAL_THREADS];
 
-// Both protect `ended` and the other changing fields of an entry.
+// The mutex protects the table and the changing fields of its entries.  `changed` is signalled when a thread ends.
 static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t changed;
 static pthread_once_t once = PTHREAD_ONCE_INIT;
@@ -68,6 +68,7 @@ static void *thread_main(void *of)
     return NULL;
 }
 
+// The stack size in bytes for a wanted size (0: PAL_THREAD_STACK): at least the system's minimum, in whole pages.
 static size_t stack_size(uint32_t wanted)
 {
     size_t page = (size_t)sysconf(_SC_PAGESIZE), least = (size_t)PTHREAD_STACK_MIN, n = wanted ? wanted : PAL_THREAD_STACK;
@@ -75,6 +76,7 @@ static size_t stack_size(uint32_t wanted)
     return ((n > least ? n : least) + page - 1) / page * page;
 }
 
+// Starts a thread, with its real-time priority or without one.  Returns 0 or an errno.
 static int start_thread(ThreadEntry *e, const PalThreadPlan *plan, bool realtime)
 {
     pthread_attr_t a;

@@ -3,7 +3,7 @@
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/psl/sim/world.h"
 
-static uint64_t now = PAL_SECOND, late;
+static uint64_t now = PAL_SECOND, late;         // late: how much each sleep exceeds its end (sim_oversleep)
 
 static struct {
     void (*step)(void);       // or NULL

@@ -6,7 +6,7 @@
 #include "runtime-c/pal/log.h"
 #include "runtime-c/psl/sim/world.h"
 
-#define TORN 0xa5
+#define TORN 0xa5             // value of the byte at which the power was cut
 
 static struct {
     char name[PAL_NAME];      // "": unused

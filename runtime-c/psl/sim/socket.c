@@ -29,16 +29,16 @@ void sim_socket_reset(void)
 
 // ---- addresses ----
 
-static bool is_any(const PalAddress *a)
+static bool is_any_address(const PalAddress *a)
 {
     return (a->ip[0] | a->ip[1] | a->ip[2] | a->ip[3]) == 0;
 }
 
-static bool is_taken(const PalAddress *a, SimSocketKind kind)
+static bool is_port_taken(const PalAddress *a, SimSocketKind kind)
 {
     for (uint8_t i = 0; i < PAL_SOCKETS; i++)
         if (used[i] && entries[i].kind == kind && entries[i].own.port == a->port &&
-            (is_any(a) || is_any(&entries[i].own) || memcmp(a->ip, entries[i].own.ip, 4) == 0))
+            (is_any_address(a) || is_any_address(&entries[i].own) || memcmp(a->ip, entries[i].own.ip, 4) == 0))
             return true;
     return false;
 }
@@ -46,12 +46,12 @@ static bool is_taken(const PalAddress *a, SimSocketKind kind)
 // Checks that the address is one of this computer and its port is free.  Chooses a free port for port 0.
 static SmResult choose_port(PalAddress *a, SimSocketKind kind)
 {
-    if (!is_any(a) && a->ip[0] != 127 && a->ip[0] != 10)
+    if (!is_any_address(a) && a->ip[0] != 127 && a->ip[0] != 10)
         return SM_E_MISSING;
     if (a->port != 0)
-        return is_taken(a, kind) ? SM_E_BUSY : SM_OK;
+        return is_port_taken(a, kind) ? SM_E_BUSY : SM_OK;
     a->port = FIRST_PORT;
-    while (is_taken(a, kind))                              // there are more ports than sockets
+    while (is_port_taken(a, kind))                              // there are more ports than sockets
         a->port++;
     return SM_OK;
 }
@@ -61,7 +61,7 @@ static PalAddress visible_address(const PalAddress *own)
 {
     PalAddress a = *own;
 
-    if (is_any(own)) {
+    if (is_any_address(own)) {
         a.ip[0] = 127;
         a.ip[3] = 1;
     }
@@ -178,7 +178,7 @@ SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *p
         return r;
     while (r == SM_OK && (s = sim_stream_waiting(listening.id)) == NULL)
         r = sim_wait(deadline) ? find_socket(listening, LISTENING, &e) : SM_E_TIMEOUT;
-    if (r == SM_OK && is_table_full())                     // the world has taken the last entry meanwhile
+    if (r == SM_OK && is_table_full())                     // the function set by sim_every has taken the last entry
         r = SM_E_FULL;
     if (r != SM_OK)
         return r;
