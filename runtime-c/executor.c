@@ -154,7 +154,7 @@ uint64_t sm_executor_due(const SmExecutor *e)
     return e->start + e->next * e->period;
 }
 
-// A division of 32 bits is several times faster than one of 64 bits on small chips.
+// Whether the rate group runs at that tick.  A 32-bit division is several times faster than a 64-bit one on small chips.
 static bool is_due(const SmRate *r, uint64_t number)
 {
     if (r->every == 1)

@@ -18,7 +18,7 @@ enum {
     LOG_CHECK = 4,            // the CRC
     LOG_IDENTITY = 13,        // the first bytes of a description: version, its position in the file (8), layout hash (4)
     LOG_EVENT = 19,           // time (8), kind, source (2), a (4), b (4)
-    LOG_DROPPED = 8           // records, events
+    LOG_DROPPED = 8           // payload of a gap: records dropped (4), events lost (4)
 };
 
 typedef enum LogKind { LOG_DESCRIPTION = 'D', LOG_RECORD = 'R', LOG_EVENTS = 'E', LOG_GAP = 'G' } LogKind;

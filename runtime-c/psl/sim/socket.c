@@ -154,6 +154,7 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
 
 // ---- checking handles ----
 
+// Stores the entry of an open socket in *e.  SM_E_ARGUMENT: it is of another kind.
 static SmResult find_socket(PalSocket s, SimSocketKind kind, SimSocket **e)
 {
     if (!psl_table_is_used(used, PAL_SOCKETS, s.id))
