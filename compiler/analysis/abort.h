@@ -3,8 +3,8 @@
 // Reports show it.  The findings abort-blind and abort-single-sensor are derived from it.
 //
 //     const AbortMatrix x = abort_build_matrix(trials_of(a));
-//     for (size_t s = 0; s < x.n; s++)                          // x.row[s] is of State.number s + 1
-//         for (size_t w = 0; w < x.row[s].path.n; w++) …
+//     for (size_t s = 0; s < x.n; s++)                          // x.row[s] is the row of the state with State.number s + 1
+//         for (size_t k = 0; k < x.row[s].path.n; k++) …
 //
 // The analysis' arena owns the matrix.
 #ifndef SMC_ABORT_H

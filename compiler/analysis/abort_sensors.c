@@ -138,6 +138,7 @@ static bool all_paths_depend_on(const AbortRow *r, const Var *v)
     return any;
 }
 
+// Whether every bounded path depends on a command or another input that is not a sensor.
 static bool all_paths_need_command(const AbortRow *r)
 {
     for (size_t p = 0; p < r->path.n; p++)

@@ -125,6 +125,7 @@ static void record_flow(void *context, const IrFn *f, FactFlow flow)
     }
 }
 
+// Called before functions are visited again with better facts: clears what record_flow has stored.
 static void discard_flows(void *context)
 {
     Analysis *a = context;

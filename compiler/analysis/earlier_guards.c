@@ -95,20 +95,22 @@ const EarlierGuard *find_explaining_guard(const ReachWalk *k, const Expr *guard,
 
 // ---- the cases that earlier guards leave ----
 
-static void mark_vars(ReachWalk *k, const Expr *e)
+// Sets `marked` of each variable in e to the current mark.
+static void mark_vars_of_expr(ReachWalk *k, const Expr *e)
 {
     if (e->kind == EX_VAR)
         k->marked[e->var->index] = k->mark;
     for (uint32_t i = 0; i < e->n; i++)
-        mark_vars(k, e->arg[i]);
+        mark_vars_of_expr(k, e->arg[i]);
 }
 
-static bool reads_marked(const ReachWalk *k, const Expr *e)
+// Whether e reads a variable with the current mark.
+static bool reads_marked_var(const ReachWalk *k, const Expr *e)
 {
     if (e->kind == EX_VAR && k->marked[e->var->index] == k->mark)
         return true;
     for (uint32_t i = 0; i < e->n; i++)
-        if (reads_marked(k, e->arg[i]))
+        if (reads_marked_var(k, e->arg[i]))
             return true;
     return false;
 }
@@ -126,9 +128,9 @@ bool covers_remaining_cases(ReachWalk *k, const Expr *guard, const EarlierGuards
     bool any = false;
 
     k->mark++;
-    mark_vars(k, guard);
+    mark_vars_of_expr(k, guard);
     for (size_t i = 0; i < b->n; i++) {
-        if (!reads_marked(k, b->at[i].stmt->value))
+        if (!reads_marked_var(k, b->at[i].stmt->value))
             continue;
         if (!is_disjoint(k, guard, &b->at[i]))
             return false;

@@ -3,7 +3,7 @@
 #include "compiler/analysis/reach.h"
 #include "stdlib/convert.h"
 
-enum { FOLLOWERS_NAMED = 3 };         // in the notes of a finding
+enum { FOLLOWERS_NAMED = 3 };         // how many states that follow an unreachable one its finding names
 
 typedef struct Reach {
     ReachWalk *k;

@@ -37,7 +37,7 @@ static void propagate_store(const StmtLocation *at, void *context)
     s->grew |= bitset_merge(f->all + to, f->bits, f->words);
 }
 
-// ---- the inputs ----
+// ---- inputs of the machine ----
 
 static bool is_input(const TrialFinder *f, const Var *v)
 {

@@ -347,7 +347,7 @@ Fact fact_of_result(const IrIns *i, const Fact *a, const Fact *b, SmType type_of
 // pairs, which rounds at most 17 times (`error` covers that), and can overflow.
 static Fact fact_of_average(Fact a)
 {
-    const double reach = sm_max(sm_abs(a.lo), sm_abs(a.hi)), error = reach / 1099511627776.0;       // 2^-40
+    const double reach = sm_max(sm_abs(a.lo), sm_abs(a.hi)), error = reach / 1099511627776.0;       // a relative error of 2^-40
 
     if (a.whole && reach <= 4294967296.0)
         return make_fact(a.lo, a.hi, false, false, a.minus_zero);

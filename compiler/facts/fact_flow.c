@@ -57,7 +57,7 @@ static void visit_ins(FlowWalk *w, IrRef r, uint32_t at)
 
 // ---- facts from a branch ----
 
-// Whether the home of temporary r still holds r's value.
+// Whether temporary r has a home (FactHome) that still contains r's value: no later store in this block has changed it.
 static bool has_home(const FlowWalk *w, IrRef r)
 {
     const FactHome h = w->home[r];
