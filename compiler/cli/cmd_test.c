@@ -29,6 +29,7 @@ static void refuse_folder(TestRun *t, const char *path, const char *why)
     add_error(t, path, why, EXIT_ENVIRONMENT);
 }
 
+// Adds a case, or every case in a folder and its subfolders, to t->path.
 static void collect_cases(TestRun *t, const char *path, int depth)
 {
     const char *why = "folders are nested too deeply";

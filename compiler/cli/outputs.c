@@ -8,6 +8,7 @@
 
 enum { HEAD = 1 << 16 };                  // bytes read from an existing file to recognise it
 
+// The first bytes of a file; is_whole: all of it.
 typedef struct Head { const char *at; size_t n; bool is_whole; } Head;
 
 // ---- recognising files of smc ----
@@ -284,7 +285,7 @@ static bool is_junit(const Head *h)
 
 // Every kind of file that smc writes through an option, and how to recognise it.
 static const struct {
-    const char *mark;                     // its first text, as begins_like reads it; or NULL
+    const char *mark;                     // what the file begins with, as matches_pattern reads it; or NULL
     bool (*is_written_by_smc)(const Head *h);
 } kinds[] = {
     {NULL, is_image},                                                     // build, sign

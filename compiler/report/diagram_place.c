@@ -123,7 +123,7 @@ static void align_columns(Columns *c)
 
 // ---- distances ----
 
-// Neighbours in a layer: `from` must be at least `apart` left of `to`.  Both are columns.
+// A constraint on two columns with neighbours in a layer: column `from` must be at least `apart` left of column `to`.
 typedef struct Separation { uint32_t from, to; int64_t apart; } Separation;
 
 typedef struct Separations {

@@ -45,7 +45,7 @@ typedef struct Trace {
     uint64_t *taken;              // by transition: moves from its state to its target, all counted at the first transition that does so
 } Trace;
 
-// transition: those of the machine, from its analysis; its states have the same numbers as p's.
+// `transition`: the transitions of the machine, from its analysis, whose states have the same numbers as those of p.
 void trace_init(Trace *t, Arena *arena, const Program *p, const Transitions *transition);
 // Wraps `inner`: the returned engine does the same and records every step in t.
 Engine *trace_wrap_engine(Trace *t, Engine *inner);

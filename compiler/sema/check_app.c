@@ -233,7 +233,7 @@ static bool check_only_numbers(AppCheck *k, const Sema *s, const AstExpr *e)
 }
 
 // Reports a value that the type of its element cannot represent.
-static void check_start_fits(AppCheck *k, const AstStmt *in, const Element *e, SmF64 value, uint64_t cell)
+static void check_start_value_fits(AppCheck *k, const AstStmt *in, const Element *e, SmF64 value, uint64_t cell)
 {
     SmF64 kept = sm_cell_to_f64(e->type, cell);
 
@@ -268,7 +268,7 @@ static void check_start_value(AppCheck *k, Sema *s, const AstStmt *in)
         return;
     out.element = e;
     out.cell = sm_cell_from_f64(e->type, expr_constant_value(value));
-    check_start_fits(k, in, e, expr_constant_value(value), out.cell);
+    check_start_value_fits(k, in, e, expr_constant_value(value), out.cell);
     vec_push(k->c->arena, &k->app->start, out);
 }
 
@@ -397,8 +397,8 @@ static void check_executors(AppCheck *k)
 
 // ---- entry points ----
 
-// Reports an option that no task uses.
-static void check_unused(AppCheck *k)
+// Reports options that no task uses.
+static void report_unused_options(AppCheck *k)
 {
     static const struct { AstAppOptionKind option; AstAppTaskKind a, b; const char *missing; } uses[] = {
         {AST_APP_io, AST_TASK_inputs, AST_TASK_outputs, "neither 'inputs' nor 'outputs' is a task of an executor"},
@@ -413,7 +413,7 @@ static void check_unused(AppCheck *k)
 }
 
 // Reports pins of one direction if only the other direction's task exists.
-static void check_unused_pins(AppCheck *k, bool output, AstAppTaskKind task, AstAppTaskKind other)
+static void report_unused_pins(AppCheck *k, bool output, AstAppTaskKind task, AstAppTaskKind other)
 {
     const AstAppOption *o = find_option(k->ast, AST_APP_io);
     size_t i = 0;
@@ -460,9 +460,9 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     check_options(&k);
     check_start(&k);
     check_executors(&k);
-    check_unused(&k);
-    check_unused_pins(&k, false, AST_TASK_inputs, AST_TASK_outputs);
-    check_unused_pins(&k, true, AST_TASK_outputs, AST_TASK_inputs);
+    report_unused_options(&k);
+    report_unused_pins(&k, false, AST_TASK_inputs, AST_TASK_outputs);
+    report_unused_pins(&k, true, AST_TASK_outputs, AST_TASK_inputs);
     check_app_platform_files(&k);
     return c->diags->met > errors || !sv || f->app->lost ? NULL : k.app;
 }

@@ -30,7 +30,7 @@ static const char *find_name_problem(const char *name)
     return strstr(name, "__") ? "it has two underscores in a row" : NULL;
 }
 
-static void check_name(AppCheck *k, const AstAppTask *in)
+static void check_task_name(AppCheck *k, const AstAppTask *in)
 {
     const char *what = in->kind == AST_TASK_machine ? "machine" : "task", *problem = find_name_problem(in->name.text->text);
     const Span *first = map_find(&k->task, in->name.text);
@@ -46,7 +46,7 @@ static void check_name(AppCheck *k, const AstAppTask *in)
 }
 
 // Checks one of the tasks inputs, outputs, log and keep: each at most once, and only with its option.
-static void check_service(AppCheck *k, const AstAppTask *in)
+static void check_service_task(AppCheck *k, const AstAppTask *in)
 {
     AstAppOptionKind needs = app_find_required_option(in->kind);
     const char *word = app_task_word(in->kind);
@@ -195,9 +195,9 @@ static AppTask *check_task(AppCheck *k, const AstAppTask *in)
     t->span = in->name.span;
     t->number = (uint16_t)k->app->task.n;
     if (in->kind == AST_TASK_task || in->kind == AST_TASK_machine)
-        check_name(k, in);
+        check_task_name(k, in);
     else
-        check_service(k, in);
+        check_service_task(k, in);
     for (size_t i = 0; i < in->annotations.n; i++)
         check_annotation(k, &in->annotations.at[i], t);
     if (in->kind == AST_TASK_machine)
