@@ -295,7 +295,7 @@ SMVM_NOINLINE static void number_real_unary(Number *x, uint8_t op)
     number_set_real(x, op == SMVM_neg ? sm_neg(a) : op == SMVM_abs ? sm_abs(a) : number_round(op, a));
 }
 
-// x = x op y for SMVM_add to SMVM_max, and x = op x for SMVM_neg to SMVM_sign.
+// x = x op y for the opcodes SMVM_add to SMVM_max; x = op x, without y, for SMVM_neg to SMVM_sign.
 SMVM_NOINLINE static void number_compute(Number *x, uint8_t op, const Number *y)
 {
     if (op >= SMVM_neg) {
@@ -346,7 +346,7 @@ static inline uint8_t number_relation_to(const Number *x, int32_t n)
     return number_relation(x, &y);
 }
 
-// x = x op y for SMVM_add to SMVM_max, and x = op x for SMVM_neg to SMVM_sign.
+// x = x op y for the opcodes SMVM_add to SMVM_max; x = op x, without y, for SMVM_neg to SMVM_sign.
 static void number_compute(Number *x, uint8_t op, const Number *y)
 {
     switch (op) {

@@ -29,7 +29,7 @@ static const char *base_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-void artefacts_print_stage(Compilation *c)
+void artefacts_add_syntax_dump(Compilation *c)
 {
     const bool tokens = c->o->emit == EMIT_TOKENS;
     Buf *out = add_artefact(c, 0, NULL, NULL);

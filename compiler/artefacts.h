@@ -16,8 +16,8 @@ typedef struct Compilation {
     IoMap *image_pins;            // in->pins, or NULL
 } Compilation;
 
-// Prints the tokens or the syntax tree of every source.
-void artefacts_print_stage(Compilation *c);
+// Adds the output of --emit=tokens or ast: the tokens or the syntax tree of every source.
+void artefacts_add_syntax_dump(Compilation *c);
 // Emits what options->emit requests of machines, state vectors and pins without errors.
 void artefacts_emit(Compilation *c);
 // Emits the C of an application: its own, and that of its state vector, its machines that are C, and its pins.

@@ -59,7 +59,7 @@ static void read_script_writes_and_step(Compilation *c, Map *written)
 }
 
 // Optimises a machine.  If its costs are needed, also builds an image with line numbers, and counts the costs in it.
-static void lower_machine(Compilation *c, CompiledSource *of)
+static void build_ir_and_measure(Compilation *c, CompiledSource *of)
 {
     const ImageOptions with_lines = {true, NULL};
     const bool is_limited = limits_exist(&c->o->limits);
@@ -91,7 +91,7 @@ static void compile_machine(Compilation *c, size_t i)
         return;
     c->program[c->programs++] = of->program;
     session_analyse(c->s, of->program);
-    lower_machine(c, of);
+    build_ir_and_measure(c, of);
     m.written_outside = &written;
     of->scripted = session_program_for_scripts(c->s, &m, of->program);
 }
@@ -155,7 +155,7 @@ static void check_app_limits(Compilation *c, const App *a)
     for (size_t i = 0; i < a->machine.n && limits_exist(&c->o->limits); i++)
         if (a->machine.at[i]->bytecode) {
             of.program = a->machine.at[i]->program;
-            lower_machine(c, &of);
+            build_ir_and_measure(c, &of);
         }
     c->s->hide_locals = false;
 }
@@ -188,7 +188,7 @@ bool compile_sources(Session *s, const CompileInput *in, const CompileOptions *o
     s->step = o->step;
     s->hide_locals = o->emit != EMIT_C && !o->names;       // in C other code can read them
     if (o->emit == EMIT_AST || o->emit == EMIT_TOKENS)
-        artefacts_print_stage(&c);
+        artefacts_add_syntax_dump(&c);
     else if (in->app)
         compile_app(&c);
     else

@@ -124,8 +124,8 @@ static double noise_amplitude(const FailureTrial *z, const TrialInput *i, double
     return z->others == 0 ? i->scale / 1000 : i->rough ? 300 * z->others : z->others * distance_to_next(i, reading);
 }
 
-// Applies the motion of the case to the readings of the current step.
-static void move_readings(const FailureTrial *z, const FailureCase *c, double *in)
+// Adds the noise and the slope of the case to the failed sensor's reading in this step, and noise to the readings of other sensors.
+static void vary_readings(const FailureTrial *z, const FailureCase *c, double *in)
 {
     const Trials *t = z->t;
     const ReadingMotion m = motion[c->motion];
@@ -142,7 +142,7 @@ static void move_readings(const FailureTrial *z, const FailureCase *c, double *i
 static void step_healthy(FailureTrial *z, const FailureCase *c, void *situation)
 {
     memcpy(z->now, z->in, z->t->inputs * sizeof *z->now);
-    move_readings(z, c, z->now);
+    vary_readings(z, c, z->now);
     z->clock++;
     trial_step(z->t, situation, z->now, z->t->dt, &z->t->trace);
 }
@@ -326,7 +326,7 @@ static bool choose_others(FailureTrial *z, const FailureCase *c, uint32_t n)
 // Whether the effect is the same for all tried readings of other sensors from z->begin on, as long as the healthy machine stays quiet.
 // Earlier readings of other sensors and earlier commands of a person are not varied, because they do not describe the current
 // situation.
-static bool is_independent_of_others(FailureTrial *z, const FailureCase *c, const FailureEffect *e)
+static bool is_effect_independent_of_other_sensors(FailureTrial *z, const FailureCase *c, const FailureEffect *e)
 {
     Trials *t = z->t;
     double *in = z->in;
@@ -449,7 +449,7 @@ static void try_failures(FailureTrial *z, FailureCase *c)
     for (FailureKind f = READS_ZERO; f <= STICKS; f++) {
         c->failure = f;
         if (!is_failure_of_case(&z->t->input[c->sensor], c, f) || run_failure(z, c, &e) != HAS_EFFECT || is_intended(z, c, &e) ||
-            !is_independent_of_others(z, c, &e))
+            !is_effect_independent_of_other_sensors(z, c, &e))
             continue;
         report_effect(z, c, &e);
         z->reported[e.at->number] = true;

@@ -27,9 +27,9 @@ static bool read_whole_literal(Span span, uint64_t *out)
     return true;
 }
 
-// Whether F64, with its 53 binary digits, represents n exactly.  True for the largest values of U64 and I64, too: they are stored as
-// written although F64 rounds them.
-static bool is_exact_in_f64(uint64_t n)
+// Whether n is stored as written after its conversion to F64, which has 53 binary digits.  The largest values of U64 and I64 are: F64
+// rounds them up, and the store saturates.
+static bool survives_f64(uint64_t n)
 {
     if (n == UINT64_MAX || n == INT64_MAX)
         return true;
@@ -47,7 +47,7 @@ static void check_literal(Expr *e, void *context)
     const char *stored;
     uint64_t n;
 
-    if (e->kind != EX_NUMBER || !e->span.src || !read_whole_literal(e->span, &n) || is_exact_in_f64(n))
+    if (e->kind != EX_NUMBER || !e->span.src || !read_whole_literal(e->span, &n) || survives_f64(n))
         return;
     stored = e->number < 18446744073709551616.0 ? format_in(a->arena, "%llu", (unsigned long long)e->number)
                                                 : const_text(a->arena, e->number);

@@ -305,7 +305,7 @@ static int report_refused_update(BoardLine *b)
     return code;
 }
 
-static void warn_of_one_slot(BoardLine *b, const DeviceImage *now)
+static void warn_if_slot_is_overwritten(BoardLine *b, const DeviceImage *now)
 {
     if (b->info.slots == 1 && now->slot != DEVICE_BUILT_IN)
         cli_print_error(b->c, TEXT_slot_replaced,
@@ -328,7 +328,7 @@ static int flash_image(Cli *c, BoardLine *b, const Source *image, const SmvmVerd
     if (!is_same_image(&now, image, period)) {
         warn_of_unsafe_starts(c, image);
         warn_of_no_pins(b, image);
-        warn_of_one_slot(b, &now);
+        warn_if_slot_is_overwritten(b, &now);
     }
     if (!c->given[OPT_DRY_RUN])
         return send_image(b, image, period, &now);

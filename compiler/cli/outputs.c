@@ -55,8 +55,9 @@ static bool ends_with(const char *word, size_t n, const char *suffix)
     return n > m && memcmp(word + n - m, suffix, m) == 0;
 }
 
-// The output of -MD has no room for a mark, but its structure is fixed. It is one rule without commands whose prerequisites are sources
-// (none if the machine came from standard input). With -MP an empty rule for each follows.
+// Whether the file is an output of -MD. Other outputs contain a line that says that smc generated them; this one is recognised by its
+// structure. It is one rule without commands whose prerequisites are sources (none if the machine came from standard input). With -MP an
+// empty rule for each follows.
 static bool is_make_rule(const Head *h)
 {
     const char *end = h->at + h->n, *at = memchr(h->at, ':', h->n), *word, *first_end;

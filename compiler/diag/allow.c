@@ -112,8 +112,8 @@ static void find_innermost_allow(AllowWalk *w, AllowPosition *x)
             x->by = w->open[i];
 }
 
-// places[0] is the warning's position; the others are the declarations that it names. An @allow of one output of several does not cover
-// the warning. It still counts as used, because without it the warning would have to be allowed elsewhere.
+// places[0] is the warning's position; the others are the declarations that it names. A warning that names several outputs is
+// allowed only if each of them has an @allow. An @allow of some of them still counts as used, because it is part of what would allow it.
 static void decide_if_allowed(Diag *x, const AllowPosition *places)
 {
     size_t open[DIAG_SUBJECTS] = {0};

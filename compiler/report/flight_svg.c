@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A flight as a drawing: the states of a machine as bands, and elements below them, over time (thesis, Figure 4.1).  It reuses the plot of
-// a script's run: the records of a session are distributed over the plot's slots of time.  A state begins at the exact time of its event,
-// to the nanosecond.  The circle that marks it is on the curve, at the last value of its slot.
+// a script's run: the records of a session are distributed over the plot's slots of time.  A band begins at the exact time of its event,
+// to the nanosecond.  The circle that marks this event on the curve of an element is at the last value in the slot of the event.
 #include <string.h>
 
 #include "compiler/report/flight.h"

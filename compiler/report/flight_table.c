@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A session for other programs: as CSV, one line per record; as JSON, one line per record, event or gap, in file order.  Numbers have
-// enough digits to be unique.
+// Exports a recorded session for other programs: as CSV, one line per record; as JSON, one line per record, event or gap, in file order.
+// Numbers have enough digits to convert back to exactly the same value.
 #include "compiler/base/json.h"
 #include "compiler/report/flight.h"
 #include "compiler/script/script.h"

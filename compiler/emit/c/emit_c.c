@@ -142,7 +142,7 @@ static void write_header(CUnit *u, const char *source, Buf *out)
     buf_char(out, '\n');
     c_write_prototypes(u, out);
     if (u->runtime)
-        c_write_machine_type_prototype(u, out);
+        c_write_machine_type_declaration(u, out);
     write_header_end(out);
 }
 

@@ -123,7 +123,7 @@ void c_write_machine_type(const CUnit *u, Buf *out)
         buf_str(out, "    NULL,\n};\n");
 }
 
-void c_write_machine_type_prototype(const CUnit *u, Buf *out)
+void c_write_machine_type_declaration(const CUnit *u, Buf *out)
 {
     buf_printf(out, "\n// The machine for the flight runtime; the self of its SmMachine is a %s.\n"
                     "extern const SmMachineType %s_machine;\n", u->names.type, u->names.prefix);

@@ -199,6 +199,6 @@ void c_write_machine(CUnit *u, Buf *out);
 
 // Write the machine's SmMachineType for the flight runtime, and its declaration.
 void c_write_machine_type(const CUnit *u, Buf *out);
-void c_write_machine_type_prototype(const CUnit *u, Buf *out);
+void c_write_machine_type_declaration(const CUnit *u, Buf *out);
 
 #endif
