@@ -180,7 +180,7 @@ static void report_empty_blocks(Diags *diags, const State *s)
             diag_report(diags, DIAG_empty_block, s->block_span[b], label[b], s->name->text);
 }
 
-// Reports states and statements that never run, and blocks without statements.
+// Reports unreachable states, conditions that are never true, and blocks without statements.
 void analyse_reach(Analysis *a)
 {
     ReachWalk k = {.a = a};

@@ -141,11 +141,11 @@ static void *heap(void *context, void *old, size_t size)
 
 static bool is_true(const LogSession *s, const LogItem *r)
 {
-    const uint64_t k = log_time(r) / TICK;
+    const uint64_t k = log_read_time(r) / TICK;
     const LogElement *e = s->d->element;
 
-    return log_cell(r, &e[WIDE_E_time]) == k * TICK && log_cell(r, &e[WIDE_E_i64]) == (uint64_t)-(int64_t)k &&
-        log_cell(r, &e[WIDE_E_u8]) == (uint8_t)(0xA5 + k);
+    return log_read_cell(r, &e[WIDE_E_time]) == k * TICK && log_read_cell(r, &e[WIDE_E_i64]) == (uint64_t)-(int64_t)k &&
+        log_read_cell(r, &e[WIDE_E_u8]) == (uint8_t)(0xA5 + k);
 }
 
 // Every start left a torn block at most; what was appended is there.
@@ -158,7 +158,7 @@ static void check_log(const uint8_t *bytes, size_t n, uint32_t starts)
     if (setjmp(oom))
         abort();
     log = log_read(&arena, bytes, (uint32_t)n);
-    CHECK(n >= told->appended && log->places <= starts && log->session.n <= starts && log->session.n + log->places >= 1);
+    CHECK(n >= told->appended && log->damaged_ranges <= starts && log->session.n <= starts && log->session.n + log->damaged_ranges >= 1);
     for (size_t s = 0; s < log->session.n; s++)
         for (size_t i = 0; i < log->session.at[s]->item.n; i++)
             if (log->session.at[s]->item.at[i].kind == ITEM_RECORD)

@@ -44,16 +44,16 @@ static Log *read_all(void)
 // The content of a record apart from its time; false if it differs from the step of that tick.
 static bool is_true(const LogSession *s, const LogItem *r, uint32_t salt)
 {
-    const uint64_t k = log_time(r) / TICK;
+    const uint64_t k = log_read_time(r) / TICK;
     const LogElement *e = s->d->element;
     double f64;
     uint64_t bits;
 
-    bits = log_cell(r, &e[WIDE_E_f64]);
+    bits = log_read_cell(r, &e[WIDE_E_f64]);
     memcpy(&f64, &bits, sizeof f64);
-    return log_time(r) % TICK == 0 && log_cell(r, &e[WIDE_E_time]) == k * TICK && log_cell(r, &e[WIDE_E_state]) == k % 2 + 1 &&
-        f64 == (double)k * 0.25 + salt && log_cell(r, &e[WIDE_E_i64]) == (uint64_t)-(int64_t)k && log_cell(r, &e[WIDE_E_u32]) == salt &&
-        log_cell(r, &e[WIDE_E_flag]) == (k % 3 == 0) && log_cell(r, &e[WIDE_E_u8]) == (uint8_t)(0xA5 + k);
+    return log_read_time(r) % TICK == 0 && log_read_cell(r, &e[WIDE_E_time]) == k * TICK && log_read_cell(r, &e[WIDE_E_state]) == k % 2 + 1 &&
+        f64 == (double)k * 0.25 + salt && log_read_cell(r, &e[WIDE_E_i64]) == (uint64_t)-(int64_t)k && log_read_cell(r, &e[WIDE_E_u32]) == salt &&
+        log_read_cell(r, &e[WIDE_E_flag]) == (k % 3 == 0) && log_read_cell(r, &e[WIDE_E_u8]) == (uint8_t)(0xA5 + k);
 }
 
 // All records of a session are true and in order.
@@ -63,9 +63,9 @@ static bool holds(const LogSession *s, uint32_t salt)
 
     for (size_t i = 0; i < s->item.n; i++)
         if (s->item.at[i].kind == ITEM_RECORD) {
-            if (!is_true(s, &s->item.at[i], salt) || (n > 0 && log_time(&s->item.at[i]) <= last))
+            if (!is_true(s, &s->item.at[i], salt) || (n > 0 && log_read_time(&s->item.at[i]) <= last))
                 return false;
-            last = log_time(&s->item.at[i]);
+            last = log_read_time(&s->item.at[i]);
             n++;
         }
     return n == s->records;
@@ -122,12 +122,12 @@ static void test_plain(void)
     }
     CHECK(sm_log_close(&flight) == SM_OK);
     log = read_all();
-    CHECK(log->session.n == 1 && log->damaged == 0 && log->places == 0 && !log->newer);
+    CHECK(log->session.n == 1 && log->damaged == 0 && log->damaged_ranges == 0 && !log->newer);
     check_description(log->session.at[0]->d);
     CHECK(log->session.at[0]->records == 100 && log->session.at[0]->events == 1 && holds(log->session.at[0], 7));
     CHECK(log->session.at[0]->first == 0 && log->session.at[0]->last == 99 * TICK);
     CHECK(log->session.at[0]->item.at[0].kind == ITEM_EVENTS);
-    e = log_event(&log->session.at[0]->item.at[0], 0);
+    e = log_read_event(&log->session.at[0]->item.at[0], 0);
     CHECK(e.kind == SM_EVENT_STATE && e.source == 3 && e.a == 0 && e.b == 1 && e.time == 0);
 }
 
@@ -235,7 +235,7 @@ static void test_lost_events(void)
     CHECK(step(0, 0) == SM_OK && sm_log_close(&flight) == SM_OK);
     log = read_all();
     CHECK(log->session.at[0]->events == 16 && log->session.at[0]->lost == 5 && log->session.at[0]->records == 1);
-    CHECK(log_event(&log->session.at[0]->item.at[0], 0).a == 5);
+    CHECK(log_read_event(&log->session.at[0]->item.at[0], 0).a == 5);
 }
 
 // Events that were read and could not be handed over are lost, and the log contains their number.
@@ -288,7 +288,7 @@ static void test_shrunk(void)
     CHECK(!sm_log_drain(&flight, PAL_SECOND) && flight.result == SM_E_DEVICE && flight.written == n);
     CHECK(sm_log_close(&flight) == SM_OK);
     log = read_all();
-    CHECK(log->session.n == 1 && log->places == 1 && holds(log->session.at[0], 0));
+    CHECK(log->session.n == 1 && log->damaged_ranges == 1 && holds(log->session.at[0], 0));
     CHECK(log->session.at[0]->records >= 9 && log->session.at[0]->last == 11 * TICK);
 }
 
@@ -546,7 +546,7 @@ static void test_one_byte(void)
             log = read_bytes(copy, n);
             if (at < block[32].at || at >= block[32].at + block[32].size || !log->damaged)
                 CHECK(all_records(log) == whole_records(at, at + 1) || log->session.n < 2);
-            CHECK(log->places == 1 && log->session.n >= 1);
+            CHECK(log->damaged_ranges == 1 && log->session.n >= 1);
             copy[at] ^= flip;
         }
 }
@@ -615,7 +615,7 @@ static void test_repeated(void)
     CHECK(log->session.n == 1 && log->damaged == 0 && log->session.at[0]->records == 9000);
     copy[100] ^= 1;
     log = read_bytes(copy, n);
-    CHECK(log->session.n == 1 && log->places == 1 && log->session.at[0]->records == 9000 && holds(log->session.at[0], 0));
+    CHECK(log->session.n == 1 && log->damaged_ranges == 1 && log->session.at[0]->records == 9000 && holds(log->session.at[0], 0));
 }
 
 enum { BLOCKS = 300000, DESCRIPTIONS = 4000 };

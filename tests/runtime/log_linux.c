@@ -88,9 +88,9 @@ static void check_log(const uint8_t *bytes, size_t n)
         if (log->session.at[0]->item.at[i].kind == ITEM_RECORD) {
             const LogItem *r = &log->session.at[0]->item.at[i];
             const LogElement *e = log->session.at[0]->d->element;
-            const uint64_t k = log_time(r) / TICK;
-            CHECK(log_cell(r, &e[WIDE_E_time]) == k * TICK && log_cell(r, &e[WIDE_E_i64]) == (uint64_t)-(int64_t)k);
-            CHECK(log_cell(r, &e[WIDE_E_u8]) == (uint8_t)(0xA5 + k));
+            const uint64_t k = log_read_time(r) / TICK;
+            CHECK(log_read_cell(r, &e[WIDE_E_time]) == k * TICK && log_read_cell(r, &e[WIDE_E_i64]) == (uint64_t)-(int64_t)k);
+            CHECK(log_read_cell(r, &e[WIDE_E_u8]) == (uint8_t)(0xA5 + k));
             seen++;
         }
     CHECK(seen == STEPS + 1 - dropped && log->session.at[0]->dropped == dropped);
