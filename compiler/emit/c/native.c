@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Replaces calls in the source of stdlib snippets by C operators.  stdlib computes on F64 with functions, so that it also compiles where double
-// is not a binary64.  Emitted C without soft numbers requires a binary64, and operators are easier to read: sm_lt(sm_from_i32(0), x) becomes
-// 0.0 < x.
+// is not a binary64.  Emitted C without soft numbers requires a binary64, and operators are easier to read:
+// sm_lt(sm_from_i32(0), x) becomes 0.0 < x.
 #include <stdlib.h>
 #include <string.h>
 
