@@ -77,7 +77,7 @@ function check_call(file, text,    n, i, part, rest) {
     n = split_arguments(text, part)
     for (i = 1; i <= n; i++) {
         rest = part[i]
-        sub(/(diag_report|diag_note|diag_step|diag_label|parser_report|parser_fail|lex_report)\(.*/, "", rest)      # a call of its own
+        sub(/(diag_report|diag_note|diag_step|diag_label|parser_report|parser_fail)\(.*/, "", rest)      # a call of its own
         while (match(rest, /(^|[^A-Za-z0-9_])DIAG_[a-z][a-z0-9_]*/)) {
             code = substr(rest, RSTART, RLENGTH)
             sub(/.*DIAG_/, "", code)
@@ -93,21 +93,25 @@ FILENAME !~ /codes\.def$/ {
         text = text " " plain(line)
     close($0)
     rest = text
-    while (match(rest, /cli_(say|usage|remark)\([^(,]*, [^;]*/)) {
+    while (match(rest, /cli_(print_error|print_note|usage_error)\([^(,]*, [^;]*/)) {
         call = substr(rest, RSTART, RLENGTH)
         rest = substr(rest, RSTART + RLENGTH)
-        if (call ~ /TEXT_/)
+        if (call ~ /TEXT_/) {
             seen++
-        if (call ~ /^cli_[a-z]*\([^(,]*, (S|[^,]*\? S|[^,]*: S)/)
+            texts++
+        }
+        if (call ~ /^cli_[a-z_]*\([^(,]*, (S|[^,]*\? S|[^,]*: S)/)
             complain($0 ": a message is a literal here; it belongs into compiler/cli/texts.def")
     }
-    while (match(text, /(diag_report|diag_note|diag_step|diag_label|parser_report|parser_fail|lex_report)\(/)) {
+    while (match(text, /(diag_report|diag_note|diag_step|diag_label|parser_report|parser_fail)\(/)) {
         text = substr(text, RSTART + RLENGTH)
         check_call($0, substr(text, 1, 600))
     }
 }
 
 END {
+    if (texts == 0)
+        complain("no call of cli_print_error, cli_print_note or cli_usage_error was found: have they other names now?")
     print seen - bad " passed, " bad + (seen == 0) " failed"
     exit bad > 0 || seen == 0
 }
