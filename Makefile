@@ -4,7 +4,8 @@
 B       ?= build
 CC      ?= cc
 AR      ?= ar
-CFLAGS  ?= -O2
+DEFAULT_CFLAGS = -O2
+CFLAGS  ?= $(DEFAULT_CFLAGS)
 DEPFLAGS ?= $(if $(findstring tcc,$(CC)),-MD,-MMD -MP)
 PREFIX  ?= /usr/local
 WARN     = -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -pedantic
@@ -34,7 +35,7 @@ $(B)/obj/%.o: %.c
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) -c $< -o $@
 
-# The engine vm-soft: the VM once more as on a chip, with soft numbers and its tables kept, its names changed so that both fit in one
+# The engine vm-soft: the VM once more as on a chip, with soft numbers and opcodes that share code, its names changed so that both fit in one
 # program.
 VM_SOFT = $(patsubst %.c,$(B)/soft/obj/%.o,compiler/script/engine_vm.c $(VM))
 $(B)/gen/soft_names.h: $(wildcard bytecode-vm/*.[ch]) compiler/script/engine_vm.c
@@ -43,9 +44,9 @@ $(B)/gen/soft_names.h: $(wildcard bytecode-vm/*.[ch]) compiler/script/engine_vm.
 	    sed -e 's/.*/#define & soft_&/' -e 's/soft_engine_vm_open/engine_vm_soft_open/' >$@.new && mv $@.new $@
 $(B)/soft/obj/%.o: %.c $(B)/gen/soft_names.h
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) -DSM_F64_SOFT=1 -DSMVM_KEEP_TABLES=1 -include $(B)/gen/soft_names.h $(WARN) $(CFLAGS) $(DEPFLAGS) -c $< -o $@
+	$(call say,CC)$(CC) $(STRICT_C) -DSM_F64_SOFT=1 -DSMVM_KEEP_TABLES=1 -DSMVM_SPECIALIZE=0 -include $(B)/gen/soft_names.h $(WARN) $(CFLAGS) $(DEPFLAGS) -c $< -o $@
 
-# What need not be fast is built in half the time.  (The command only tests with the VM; make bench measures it at -O2.)
+# What need not be fast is built in half the time.  (The command only tests with the VM; the library is built apart.)
 SELDOM = $(filter compiler/cli/% compiler/device/% compiler/diag/% compiler/report/% compiler/script/%,$(LIBSMC) $(COMMAND))
 $(B)/obj/bytecode-vm/interp.o $(B)/obj/bytecode-vm/fast.o $(SELDOM:%.c=$(B)/obj/%.o): override CFLAGS := $(CFLAGS:-O2=-O1)
 $(VM_SOFT): override CFLAGS := $(patsubst -O%,-O0,$(CFLAGS))
@@ -77,21 +78,23 @@ $(B)/gen/soft_text.h: $(B)/embed_tool $(wildcard stdlib/*soft*)
 
 $(EMIT_C:%.c=$(B)/obj/%.o): | $(B)/gen/stdlib_text.h $(B)/gen/soft_text.h
 
-# The generic firmware of Arduino boards (docs/boards.md): `make firmware MCU=atmega2560` (Mega) or atmega328p (Uno) makes build/firmware/MCU.hex.
-# SAFE: another image to be built in; ARM_PIN: the pin with the arming plug; KEY: a file of smc key, and no image but those signed
+# The generic firmware of Arduino boards (docs/boards.md): `make firmware MCU=atmega2560` (Mega) or atmega328p (Uno, Nano, Pro Mini) makes
+# build/firmware/MCU.hex.  F_CPU: the board's clock in Hz, 16000000 or, for a Pro Mini of 3.3 V, 8000000.  SAFE: another image to be built in; ARM_PIN: the pin with the arming plug; KEY: a file of smc key, and no image but those signed
 # with it is run.
 MCU         ?= atmega2560
+F_CPU       ?= 16000000
 AVR_CC      ?= avr-gcc
 FIRMWARE_OUT = $(B)/firmware
-FIRMWARE_SRC = $(addprefix bytecode-vm/,firmware/firmware.c firmware/runner.c target/store.c target/agent.c target/io.c auth.c pins.c load.c verify.c interp.c interp_avr_eeprom.S) \
-               runtime-c/link/link.c runtime-c/pin.c runtime-c/event.c $(wildcard runtime-c/psl/avr/*.c stdlib/soft_*.c stdlib/soft_*.S)
+FIRMWARE_SRC = $(addprefix bytecode-vm/,firmware/firmware.c firmware/runner.c target/store.c target/agent.c target/state_log.c target/io.c auth.c permit.c pins.c load.c verify.c interp.c interp_avr_eeprom.S) \
+               runtime-c/link/link.c runtime-c/link/transition.c runtime-c/pin.c runtime-c/event.c $(wildcard runtime-c/psl/avr/*.c stdlib/soft_*.c stdlib/soft_*.S)
 # What makes avr-gcc 5.4 make the least of it, together 3 % less than -Os, -mcall-prologues, -mrelax and -flto alone.
 FIRMWARE_SMALL = -Os -mcall-prologues -mrelax -mstrict-X -flto -flto-partition=one -fira-algorithm=priority -fshort-enums -fno-ipa-sra -fno-tree-dominator-opts \
                -finline-limit=6 -fno-move-loop-invariants -fno-gcse -fno-tree-tail-merge -fno-tree-pta
-FIRMWARE_C   = $(AVR_CC) -mmcu=$(MCU) -DF_CPU=16000000UL $(FIRMWARE_SMALL) -std=c99 $(filter-out -pedantic,$(WARN)) -Wno-maybe-uninitialized -I. -I$(FIRMWARE_OUT) \
+FIRMWARE_C   = $(AVR_CC) -mmcu=$(MCU) -DF_CPU=$(F_CPU)UL $(FIRMWARE_SMALL) -std=c99 $(filter-out -pedantic,$(WARN)) -Wno-maybe-uninitialized -I. -I$(FIRMWARE_OUT) \
                -ffunction-sections -fdata-sections -Wl,--gc-sections $(foreach v,SMVM_CONFIG SM_CONFIG,-D$(v)='"bytecode-vm/firmware/config.h"') $(if $(ARM_PIN),-DFIRMWARE_ARM_PIN=$(ARM_PIN)) $(if $(KEY),-DFIRMWARE_KEY)
 firmware: $(B)/smc
-	@case '$(MCU)' in atmega328p | atmega2560) ;; *) echo "MCU=$(MCU): atmega328p is an Uno, atmega2560 a Mega" >&2; exit 1 ;; esac
+	@case '$(MCU)' in atmega328p | atmega2560) ;; *) echo "MCU=$(MCU): atmega328p is an Uno, a Nano or a Pro Mini, atmega2560 a Mega" >&2; exit 1 ;; esac
+	@case '$(F_CPU)' in 16000000 | 8000000) ;; *) echo "F_CPU=$(F_CPU): the clock of the board in Hz is 16000000 or 8000000" >&2; exit 1 ;; esac
 	@case '$(ARM_PIN)' in '' | [0-9] | [1-9][0-9]) ;; *) echo "ARM_PIN=$(ARM_PIN): it is the number of a digital pin, as in ARM_PIN=7" >&2; exit 1 ;; esac
 	@mkdir -p $(FIRMWARE_OUT)
 	$(B)/smc build -w bytecode-vm/firmware/safe.sm --sv bytecode-vm/firmware/safe.sv --io bytecode-vm/firmware/safe.io -o $(FIRMWARE_OUT)/safe.smb
@@ -107,12 +110,19 @@ endif
 	avr-size $(FIRMWARE_OUT)/$(MCU).elf
 .PHONY: firmware
 
+# `make emulate MCU=atmega328p`: an emulated Uno (or Mega) with this firmware, at a line of this computer, until Ctrl-C.  Needs libsimavr.
+emulate: $(B)/smc
+	@case '$(MCU)' in atmega328p | atmega2560) ;; *) echo "MCU=$(MCU): atmega328p is an Uno, atmega2560 a Mega" >&2; exit 1 ;; esac
+	@exec sh tests/avr/emulate.sh '$(MAKE)' '$(B)' '$(CC)' $(MCU)
+.PHONY: emulate
+
 # ---- the Arduino library ----
 
 # `make arduino`: the library, for the Arduino IDE, arduino-cli and PlatformIO, in $(B)/arduino/smc, and as a .zip where there is zip.
-PROJECT_URL      ?= https://example.org/smc
+# PROJECT_URL: the address where the project is published, for its description; without one the library names none.
+PROJECT_URL      ?=
 ARDUINO           = $(B)/arduino/smc
-ARDUINO_SOURCES   = $(sort $(STDLIB) $(filter-out $(VM_TEXT) %/debug.c $(VM_FAST),$(VM)) $(FIRMWARE_SRC))
+ARDUINO_SOURCES   = $(sort $(STDLIB) $(filter-out $(VM_TEXT) %/debug.c,$(VM)) $(FIRMWARE_SRC))
 ARDUINO_INPUTS    = $(wildcard arduino/* arduino/examples/*/* stdlib/* bytecode-vm/*.* bytecode-vm/firmware/* bytecode-vm/target/* runtime-c/*.* \
                       runtime-c/link/* runtime-c/pal/* runtime-c/psl/avr/*) docs/arduino.md compiler/version.h
 arduino: $(ARDUINO)/library.properties
@@ -127,7 +137,13 @@ INSTALLED_HEADERS = $(wildcard stdlib/*.h stdlib/*.def bytecode-vm/*.h bytecode-
 # What smc.mk builds applications from, as it lies here.
 INSTALLED_RUNTIME = $(sort $(shell find runtime-c stdlib bytecode-vm -type f ! -name "*.in"))
 
-$(B)/libsmvm.a: $(VM:%.c=$(B)/obj/%.o) $(STDLIB:%.c=$(B)/obj/%.o)
+# The library is built with CFLAGS as they are, position-independent, and exports the functions of smvm.h and result.h only.
+VM_LIB_FLAGS ?= -fPIC -fvisibility=hidden
+$(B)/lib/obj/%.o: %.c
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(VM_LIB_FLAGS) -DSMVM_LIBRARY $(DEPFLAGS) -c $< -o $@
+
+$(B)/libsmvm.a: $(VM:%.c=$(B)/lib/obj/%.o) $(STDLIB:%.c=$(B)/lib/obj/%.o)
 	@rm -f $@
 	$(call say,AR)$(AR) rcs $@ $^
 
@@ -164,6 +180,7 @@ help:
 	@echo 'make docs            writes docs/diagnostics.md and the pictures of documents; wrap-docs: wraps documents at 100 columns'
 	@echo 'make bench           measures what a step costs and what code weighs: W=mission, one workload; bench-scale: how compile time grows; bench-runtime: the state vector'
 	@echo 'make sizes           measures what the parts take on boards: flash, RAM, stack, cycles'
+	@echo 'make emulate MCU=atmega328p  runs an emulated Uno (atmega2560: Mega) with the firmware, for smc flash and smc device; needs libsimavr'
 	@echo 'make arduino         makes the Arduino library, $(ARDUINO) and smc.zip beside it'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR if that is set; uninstall removes it'
 	@echo 'make clean           removes $(B)'

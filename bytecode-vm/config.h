@@ -65,13 +65,24 @@
 #endif
 #endif
 
-// 1: a running machine stores the offsets of its tables in RAM, which takes ten SMVM_AT and a byte.  0: each step reads them from the
-// image, which takes an 8-bit computer several thousand cycles.
+// 1: a running machine stores the offsets of its tables in RAM, which takes nine SMVM_AT and a byte.  0: each step reads them from the
+// image, which takes an 8-bit computer several thousand cycles and a 64-bit one as long as a step of a small machine.  The default is 0
+// for 32-bit chips, where RAM is scarce.
 #ifndef SMVM_KEEP_TABLES
-#if SIZE_MAX < 0x7fffffff
+#if SIZE_MAX < 0x7fffffff || SIZE_MAX > 0xffffffff
 #define SMVM_KEEP_TABLES 1
 #else
 #define SMVM_KEEP_TABLES 0
+#endif
+#endif
+
+// 1: the interpreter has code of its own for each opcode (interp.def), which takes half the instructions.  0: opcodes share code, which is
+// 16 KB smaller on x86-64.
+#ifndef SMVM_SPECIALIZE
+#if SIZE_MAX < 0x7fffffff || defined(__OPTIMIZE_SIZE__)
+#define SMVM_SPECIALIZE 0
+#else
+#define SMVM_SPECIALIZE 1
 #endif
 #endif
 
@@ -124,6 +135,13 @@
 #define SMVM_INLINE static inline
 #endif
 
+// Tells the compiler that a condition is rarely true.
+#ifdef __GNUC__
+#define SMVM_UNLIKELY(condition) __builtin_expect((condition), 0)
+#else
+#define SMVM_UNLIKELY(condition) (condition)
+#endif
+
 typedef SMVM_BYTES SmvmBytes;
 
 // SMVM_IMAGE converts an array to an image; the array must be in the memory that the VM fetches from.  SMVM_IMAGE_IN puts it there:
@@ -138,7 +156,9 @@ typedef SMVM_BYTES SmvmBytes;
 #endif
 typedef SMVM_AT SmvmAt;
 
+#ifndef SMVM_BINDINGS
 typedef char smvm_at_is_too_small[SMVM_IMAGE_MAX < (SMVM_AT)-1 && SMVM_RAM_MAX < (SMVM_AT)-1 && SMVM_RAM_MAX <= (size_t)-1 / 2 ? 1 : -1];
 typedef char smvm_joins_are_1_to_255[SMVM_JOINS >= 1 && SMVM_JOINS <= 255 ? 1 : -1];
+#endif
 
 #endif

@@ -34,6 +34,23 @@ SmvmName smvm_name(const SmvmMachine *m, uint32_t which) { return read_debug_nam
 
 SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state) { return read_debug_name(m, 3 * (SMVM_DEBUG_NUMBERS + state - 1)); }
 
+uint32_t smvm_copy_state_name(const SmvmMachine *m, uint32_t state, char *to, uint32_t size)
+{
+    SmvmName n = {0, 0};
+    uint32_t i;
+
+    if (state >= 1 && state <= m->states)
+        n = smvm_state_name(m, state);
+    for (i = 0; i < n.size && i + 1 < size; i++)
+        to[i] = (char)smvm_u8(m->image, (SmvmAt)(n.at + i));
+    if (size > 0)
+        to[i] = 0;
+    return n.size;
+}
+
+uint32_t smvm_verdict_size(void) { return sizeof(SmvmVerdict); }
+uint32_t smvm_machine_size(void) { return sizeof(SmvmMachine); }
+
 // The offset of the table of variables in the section.
 static uint32_t variables_offset(const SmvmMachine *m) { return 3 * (SMVM_DEBUG_NUMBERS + m->states); }
 

@@ -43,8 +43,20 @@ typedef enum SmvmOp {
 
 enum { SMVM_RAW = SM_TYPE_COUNT };    // as the type of a local: an F64 that is stored as it is, NaN included
 
+// Lists, each of which applies the macro M to all of it.  SMVM_EACH_TYPE: the types of values in memory, in the order of their numbers
+// (SmType).  SMVM_EACH_KIND: also RAW.  SMVM_EACH_RELATION: every set of relations that an opcode can have (jxy, jxn).
+#define SMVM_EACH_TYPE(M) M(I8) M(I16) M(I32) M(I64) M(U8) M(U16) M(U32) M(U64) M(F32) M(F64) M(BOOL)
+#define SMVM_EACH_KIND(M) SMVM_EACH_TYPE(M) M(RAW)
+#define SMVM_EACH_RELATION(M) M(1) M(2) M(3) M(4) M(5) M(6) M(7) M(8) M(9) M(10) M(11) M(12) M(13) M(14)
+enum {
+#define SM_TYPE(name, wire, spelling, ctype, bytes, kind) SMVM_KIND_##name = wire,
+#include "stdlib/types.def"
+#undef SM_TYPE
+    SMVM_KIND_RAW = SMVM_RAW
+};
+
 // Relations of X to the other operand.  The low bits of jxy and jxn, and the operand of set, are a sum of them.
-enum { SMVM_LESS = 1, SMVM_EQUAL = 2, SMVM_GREATER = 4, SMVM_UNORDERED = 8 };
+enum { SMVM_LESS = 1, SMVM_EQUAL = 2, SMVM_GREATER = 4, SMVM_UNORDERED = 8, SMVM_ANY_RELATION = 15 };
 
 // The operands of an opcode, and its effect on the registers: see opcodes.def.
 enum {
@@ -140,9 +152,9 @@ static inline bool smvm_read_varint(SmvmBytes image, SmvmAt *at, SmvmAt end, uin
 }
 
 // The smvm_ram_size of a computer with 64-bit pointers, wherever this is compiled: for reports, which must not depend on the host.
-enum { SMVM_VM_BYTES_64 = 56 };                       // the size of SmVm; the pointers to the windows follow
+enum { SMVM_VM_BYTES_64 = 96 };                       // the size of SmVm, tables included; the pointers to the windows follow
 #define SMVM_VM_BYTES ((sizeof(SmVm) + 7) / 8 * 8)
-typedef char smvm_own_64_is_right[sizeof(void *) != 8 || SMVM_KEEP_TABLES || sizeof(SmvmAt) != 4 || SMVM_VM_BYTES == SMVM_VM_BYTES_64 ? 1 : -1];
+typedef char smvm_own_64_is_right[sizeof(void *) != 8 || !SMVM_KEEP_TABLES || sizeof(SmvmAt) != 4 || SMVM_VM_BYTES == SMVM_VM_BYTES_64 ? 1 : -1];
 static inline uint32_t smvm_ram_size_64(const SmvmMachine *m)
 {
     const uint32_t pointers = (m->windows * (uint32_t)sizeof(uint64_t *) + 7) / 8 * 8;

@@ -74,39 +74,92 @@ SmF64 smvm_do_stat(SmVm *vm, uint8_t stat, SmvmAt w)
 typedef struct Interpreter {
     SmVm *vm;
     uint8_t *sv, *locals;
-    Number x, y;
     const SmvmTables *t;
+#if !SMVM_SPECIALIZE
+    Number x, y;
+#endif
 } Interpreter;
+
+// For the parts of instructions: inlined where each opcode has code of its own, shared otherwise.
+#if SMVM_SPECIALIZE
+#define INTERP_INLINE SMVM_INLINE
+#else
+#define INTERP_INLINE SMVM_NOINLINE static
+#endif
 
 // ---- access to the code ----
 
 SMVM_INLINE uint8_t fetch_byte(SmvmBytes at) { return (uint8_t)SMVM_FETCH(at, 0); }
 
-// ---- loads and stores ----
-
-SMVM_INLINE uint8_t *operand_address(uint8_t *base, uint8_t type, SmvmAt at)
+// Reads a varint of two or four bytes: b is its first byte, and the others start at `at`.
+SMVM_NOINLINE static uint32_t read_long_varint(SmvmBytes at, uint8_t b)
 {
-    for (uint8_t shift = smvm_type_shift(type); shift > 0; shift--)
-        at = (SmvmAt)(at + at);
-    return base + at;
+    uint32_t v;
+
+    if (b < SMVM_VARINT_2)
+        return SMVM_VARINT_1 + (uint32_t)((uint16_t)(b - SMVM_VARINT_1) << 7 | fetch_byte(at));
+    v = b & 7;
+    for (uint8_t i = 0; i < 3; i++)
+        v = v << 7 | fetch_byte(at++);
+    return SMVM_VARINT_MID + v;
 }
 
-// Sets the bit of an output that this step stores.
-static void mark_output_stored(Interpreter *r, SmvmAt output)
+SMVM_INLINE SmvmBytes skip_varint(SmvmBytes at, uint8_t b)      // skips the other bytes of a varint that starts with b
 {
-    uint8_t *bits = r->vm->stored, bit = 1;
+    return b < SMVM_VARINT_1 ? at : b < SMVM_VARINT_2 ? at + 1 : at + 3;
+}
+
+#if SMVM_SPECIALIZE
+// The little-endian number at `at`: compilers turn the sum into one load.
+SMVM_INLINE uint32_t fetch_u32(SmvmBytes at)
+{
+    return fetch_byte(at) | (uint32_t)fetch_byte(at + 1) << 8 | (uint32_t)fetch_byte(at + 2) << 16 | (uint32_t)fetch_byte(at + 3) << 24;
+}
+#endif
+
+// The bits of entry n of a table in the image, whose entries have 4 or 8 bytes.
+SMVM_INLINE uint64_t read_entry(const Interpreter *r, SmvmAt table, uint32_t n, uint8_t bytes)
+{
+    const SmvmAt offset = (SmvmAt)(table + bytes * (SmvmAt)n);
+
+#if SMVM_SPECIALIZE
+    const SmvmBytes at = r->vm->image + offset;
+    return bytes == 4 ? fetch_u32(at) : fetch_u32(at) | (uint64_t)fetch_u32(at + 4) << 32;
+#else
+    return smvm_cell(r->vm->image, offset, bytes);
+#endif
+}
+
+// ---- loads and stores ----
+
+SMVM_INLINE uint8_t *operand_address(uint8_t *base, uint8_t type, SmvmAt at) { return base + ((size_t)at << smvm_type_shift(type)); }
+
+// Sets the bit of an output that this step stores.
+INTERP_INLINE void mark_output_stored(const Interpreter *r, SmvmAt output)
+{
+    uint8_t *bits = r->vm->stored;
 
     if (output >= 64) {
         bits = (uint8_t *)r->vm + r->t->more;
         output = (SmvmAt)(output - 64);
     }
-    for (uint8_t i = output & 7; i > 0; i--)
-        bit = (uint8_t)(bit << 1);
-    bits += output >> 3;
-    *bits |= bit;
+    bits[output >> 3] |= (uint8_t)(1u << (output & 7));
 }
 
-SMVM_NOINLINE static void store_output(Interpreter *r, SmvmAt output)
+// Stores x as an element or local of this type, at an offset in units of the type's size.
+#if SMVM_SPECIALIZE
+SMVM_INLINE void store_at(const Number *x, uint8_t type, uint8_t *base, SmvmAt offset)
+{
+    switch (type) {
+#define STORE_AT(K) case SMVM_KIND_##K: number_store(x, SMVM_KIND_##K, operand_address(base, SMVM_KIND_##K, offset)); break;
+    SMVM_EACH_KIND(STORE_AT)
+    }
+}
+#else
+SMVM_INLINE void store_at(const Number *x, uint8_t type, uint8_t *base, SmvmAt offset) { number_store(x, type, operand_address(base, type, offset)); }
+#endif
+
+INTERP_INLINE void store_output(const Interpreter *r, SmvmAt output, const Number *x)
 {
     const SmvmBytes at = r->vm->image + (SmvmAt)(r->t->outputs + SMVM_LOCATION_BYTES * output);
     const uint8_t high = fetch_byte(at + 2);
@@ -115,7 +168,7 @@ SMVM_NOINLINE static void store_output(Interpreter *r, SmvmAt output)
     if (sizeof offset > 2)
         offset = (SmvmAt)(offset | (uint32_t)(high & 0xf0) << 12);
     mark_output_stored(r, output);
-    number_store(&r->x, high & 0xf, operand_address(r->sv, high & 0xf, offset));
+    store_at(x, high & 0xf, r->sv, offset);
 }
 
 // Converts x to the value that a local of this type would store.
@@ -123,7 +176,7 @@ SMVM_NOINLINE static void convert_as_local(Number *x, uint8_t type)
 {
     uint64_t cell;
 
-    number_store(x, type, (uint8_t *)&cell);
+    store_at(x, type, (uint8_t *)&cell, 0);
     number_load(x, type, (uint8_t *)&cell);
 }
 
@@ -144,22 +197,105 @@ void smvm_store(SmF64 x, uint8_t type, void *at) { number_store_real(x, type, (u
 void smvm_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { sm_roll_sample(w, n, kind, x); }
 SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat) { return sm_roll_stat(w, n, kind, stat); }
 
-SMVM_NOINLINE static void push_sample(Interpreter *r, SmvmAt w)
+SMVM_NOINLINE static void push_sample(const Interpreter *r, SmvmAt w, const Number *x)
 {
-    const uint32_t entry = smvm_window(r->vm->image, r->t->windows, w);
+    const uint32_t entry = (uint32_t)read_entry(r, r->t->windows, w, SMVM_WINDOW_ENTRY);
 
-    smvm_sample(smvm_windows_of(r->vm)[w], smvm_window_size(entry), smvm_window_kind(entry), number_f64(&r->x));
+    smvm_sample(smvm_windows_of(r->vm)[w], smvm_window_size(entry), smvm_window_kind(entry), number_f64(x));
 }
 
-SMVM_NOINLINE static void read_statistic(Interpreter *r, uint8_t stat, SmvmAt w)
+SMVM_NOINLINE static void read_statistic(const Interpreter *r, uint8_t stat, SmvmAt w, Number *x)
 {
-    const uint32_t entry = smvm_window(r->vm->image, r->t->windows, w);
+    const uint32_t entry = (uint32_t)read_entry(r, r->t->windows, w, SMVM_WINDOW_ENTRY);
     const uint32_t n = smvm_window_size(entry), kind = smvm_window_kind(entry);
 
-    number_set_real(&r->x, smvm_statistic(smvm_windows_of(r->vm)[w], n, kind, (SmStat)stat));
+    number_set_real(x, smvm_statistic(smvm_windows_of(r->vm)[w], n, kind, (SmStat)stat));
 }
 
 // ---- instructions ----
+
+SMVM_NOINLINE static void load_f32(const Interpreter *r, uint32_t n, Number *x)
+{
+    number_set_real(x, sm_from_f32(sm_f32_from_bits((uint32_t)read_entry(r, r->t->f32s, n, 4))));
+}
+
+SMVM_NOINLINE static void load_f64(const Interpreter *r, uint32_t n, Number *x)
+{
+    number_set_real(x, sm_from_bits(read_entry(r, r->t->f64s, n, 8)));
+}
+
+SMVM_NOINLINE static void load_time(const Interpreter *r, Number *x)
+{
+    const uint64_t time = r->vm->next - r->vm->start;
+
+    number_load(x, SM_U64, (const uint8_t *)&time);
+}
+
+#if SMVM_SPECIALIZE
+// Reads the varint at *at and moves past it.
+SMVM_INLINE uint32_t read_operand(SmvmBytes *at)
+{
+    const uint8_t b = fetch_byte((*at)++);
+    const SmvmBytes more = *at;
+
+    if (SMVM_UNLIKELY(b >= SMVM_VARINT_1)) {
+        *at = skip_varint(more, b);
+        return read_long_varint(more, b);
+    }
+    return b;
+}
+
+// The families of interp.def.
+#define AT_OPERAND(base, K) operand_address(base, SMVM_KIND_##K, (SmvmAt)read_operand(&at))
+#define LDX_LOCAL(K) RUN(ldx_local_##K, SMVM_ldx_local + SMVM_KIND_##K, number_load(&x, SMVM_KIND_##K, AT_OPERAND(locals, K)))
+#define LDY_LOCAL(K) RUN(ldy_local_##K, SMVM_ldy_local + SMVM_KIND_##K, number_load(&y, SMVM_KIND_##K, AT_OPERAND(locals, K)))
+#define LDX_ELEM(K) RUN(ldx_elem_##K, SMVM_ldx_elem + SMVM_KIND_##K, number_load(&x, SMVM_KIND_##K, AT_OPERAND(sv, K)))
+#define LDY_ELEM(K) RUN(ldy_elem_##K, SMVM_ldy_elem + SMVM_KIND_##K, number_load(&y, SMVM_KIND_##K, AT_OPERAND(sv, K)))
+#define ST_LOCAL(K) RUN(st_local_##K, SMVM_st_local + SMVM_KIND_##K, number_store(&x, SMVM_KIND_##K, AT_OPERAND(locals, K)))
+#define JXY(M) RUN(jxy_##M, SMVM_jxy + (M) - 1, n = read_operand(&at); JUMP_IF(number_is_related(&x, &y, M)))
+#define JXN(M) RUN(jxn_##M, SMVM_jxn + (M) - 1, \
+                   number_set_integer(&z, (int32_t)read_operand(&at)); n = read_operand(&at); JUMP_IF(number_is_related(&x, &z, M)))
+
+#if SMVM_COMPUTED_GOTO
+#pragma GCC diagnostic ignored "-Wpedantic"
+#define NEXT goto *label[fetch_byte(at++)]
+#else
+#define NEXT continue
+#endif
+#define JUMP_IF(condition) if (condition) { at += (SmvmAt)n; NEXT; }       // a branch of its own, so that each side has its prediction
+
+// Runs a function's code from `at` to `end` or `goto`.  Returns the state of its transition, or 0 if it has none.
+static SmvmAt run_code(const Interpreter *r, SmvmBytes at)
+{
+    uint8_t *const sv = r->sv, *const locals = r->locals;
+    Number x, y, z;           // z: an operand of an instruction that preserves Y
+    uint32_t n;
+#if SMVM_COMPUTED_GOTO
+    static const void *const label[] = {
+#define RUN(name, opcode, ...) [opcode] = &&name##_,
+#include "bytecode-vm/interp.def"
+#undef RUN
+    };
+#endif
+
+    number_set_integer(&x, 0);
+    number_set_integer(&y, 0);
+#if SMVM_COMPUTED_GOTO
+    NEXT;
+#define RUN(name, opcode, ...) name##_: __VA_ARGS__; NEXT;
+#include "bytecode-vm/interp.def"
+#undef RUN
+#else
+    for (;;)
+        switch (fetch_byte(at++)) {
+#define RUN(name, opcode, ...) case opcode: __VA_ARGS__; NEXT;
+#include "bytecode-vm/interp.def"
+#undef RUN
+        }
+#endif
+}
+#else
+// ---- instructions: opcodes share code, for small chips ----
 
 // Runs an opcode from SMVM_add on: an operation without operand bytes.
 SMVM_NOINLINE static void run_operation(Interpreter *r, uint8_t op)
@@ -175,11 +311,6 @@ SMVM_NOINLINE static void run_operation(Interpreter *r, uint8_t op)
 static uint8_t relation_of_x_to_y(const Interpreter *r) { return number_relation(&r->x, &r->y); }
 static bool is_x_related_to_y(const Interpreter *r, uint8_t m) { return (relation_of_x_to_y(r) & m) != 0; }
 
-static uint64_t read_constant(const Interpreter *r, SmvmAt table, uint32_t n, uint8_t bytes)
-{
-    return smvm_cell(r->vm->image, (SmvmAt)(table + bytes * (SmvmAt)n), bytes);
-}
-
 // Runs ldx_plus, ldx_minus, ldx_f32, ldx_f64, the same for Y, addi and subi.  Bit 5 of a load selects Y.
 SMVM_NOINLINE static void load_number(Interpreter *r, uint8_t op, uint32_t n)
 {
@@ -188,8 +319,8 @@ SMVM_NOINLINE static void load_number(Interpreter *r, uint8_t op, uint32_t n)
     switch (op & 0x1f) {
     case SMVM_ldx_plus & 0x1f: number_set_integer(x, (int32_t)n); break;
     case SMVM_ldx_minus & 0x1f: number_set_integer(x, -1 - (int32_t)n); break;
-    case SMVM_ldx_f32 & 0x1f: number_set_real(x, sm_from_f32(sm_f32_from_bits((uint32_t)read_constant(r, r->t->f32s, n, 4)))); break;
-    case SMVM_ldx_f64 & 0x1f: number_set_real(x, sm_from_bits(read_constant(r, r->t->f64s, n, 8))); break;
+    case SMVM_ldx_f32 & 0x1f: load_f32(r, n, x); break;
+    case SMVM_ldx_f64 & 0x1f: load_f64(r, n, x); break;
     default:
         number_set_integer(&y, (int32_t)n);
         number_compute(x, op == SMVM_addi ? SMVM_add : SMVM_sub, &y);
@@ -207,43 +338,18 @@ SMVM_NOINLINE static void load_register(Interpreter *r, uint8_t op, uint32_t n)
         number_load(op & 0x20 ? &r->y : &r->x, type, operand_address(op & 0x10 ? r->sv : r->locals, type, (SmvmAt)n));
 }
 
-SMVM_NOINLINE static void load_time(Interpreter *r, uint8_t op)
-{
-    const uint64_t time = r->vm->next - r->vm->start;
-
-    number_load(op == SMVM_ldx_time ? &r->x : &r->y, SM_U64, (const uint8_t *)&time);
-}
-
 // Runs st_local, out, set, cvt or sample.
 SMVM_NOINLINE static void run_store_or_convert(Interpreter *r, uint8_t op, uint32_t n)
 {
     const uint8_t type = op & 0xf;
 
     switch (op) {
-    case SMVM_out: store_output(r, (SmvmAt)n); break;
+    case SMVM_out: store_output(r, (SmvmAt)n, &r->x); break;
     case SMVM_set: number_set_integer(&r->x, is_x_related_to_y(r, (uint8_t)n)); break;
     case SMVM_cvt: convert_as_local(&r->x, (uint8_t)n); break;
-    case SMVM_sample: push_sample(r, (SmvmAt)n); break;
+    case SMVM_sample: push_sample(r, (SmvmAt)n, &r->x); break;
     default: number_store(&r->x, type, operand_address(r->locals, type, (SmvmAt)n));
     }
-}
-
-// Reads a varint of two or four bytes: b is its first byte, and the others start at `at`.
-SMVM_NOINLINE static uint32_t read_long_varint(SmvmBytes at, uint8_t b)
-{
-    uint32_t v;
-
-    if (b < SMVM_VARINT_2)
-        return SMVM_VARINT_1 + (uint32_t)((uint16_t)(b - SMVM_VARINT_1) << 7 | fetch_byte(at));
-    v = b & 7;
-    for (uint8_t i = 0; i < 3; i++)
-        v = v << 7 | fetch_byte(at++);
-    return SMVM_VARINT_MID + v;
-}
-
-SMVM_INLINE SmvmBytes skip_varint(SmvmBytes at, uint8_t b)      // skips the other bytes of a varint that starts with b
-{
-    return b < SMVM_VARINT_1 ? at : b < SMVM_VARINT_2 ? at + 1 : at + 3;
 }
 
 SMVM_NOINLINE static bool is_jump_taken(const Interpreter *r, uint8_t op)  // for jxy, jmp, jf and jt
@@ -270,7 +376,7 @@ SMVM_NOINLINE static SmvmAt run_code(Interpreter *r, SmvmBytes at)
         if (op == SMVM_end)
             return 0;
         if ((op & (uint8_t)~0x20) == SMVM_ldx_time) {
-            load_time(r, op);
+            load_time(r, op == SMVM_ldx_time ? &r->x : &r->y);
             continue;
         }
         n = b = fetch_byte(at++);
@@ -295,7 +401,7 @@ SMVM_NOINLINE static SmvmAt run_code(Interpreter *r, SmvmBytes at)
             return (SmvmAt)n;
         else if (op == SMVM_stat) {
             b = fetch_byte(at++);
-            read_statistic(r, (uint8_t)n, b < SMVM_VARINT_1 ? b : (SmvmAt)read_long_varint(at, b));
+            read_statistic(r, (uint8_t)n, b < SMVM_VARINT_1 ? b : (SmvmAt)read_long_varint(at, b), &r->x);
             at = skip_varint(at, b);
         } else if (op < SMVM_cvt)
             load_register(r, op, n);
@@ -303,6 +409,7 @@ SMVM_NOINLINE static SmvmAt run_code(Interpreter *r, SmvmBytes at)
             run_store_or_convert(r, op, n);
     }
 }
+#endif
 
 static SmvmAt read_function_end(const Interpreter *r, SmvmBytes at)  // reads the entry at `at` of the table of functions (image.h)
 {

@@ -96,6 +96,7 @@ static const SmvmSectionKind kinds[] SM_FLASH = {
 #define KIND_DEBUG SMVM_HAS_MACHINE, 0, 0, offsetof(SmvmMachine, debug_at)
 #define KIND_IO 0, SMVM_HAS_MACHINE | SMVM_HAS_IO, SMVM_HAS_IO, 0
 #define KIND_AUTH 0, 0, 0, 0
+#define KIND_PERMIT 0, 0, 0, 0
 #define KIND_SAFE SMVM_HAS_MACHINE, SMVM_HAS_SAFE, SMVM_HAS_SAFE, offsetof(SmvmMachine, safe_at)
 #define KIND_MACHINE SMVM_HAS_CODE, 0, SMVM_HAS_MACHINE, offsetof(SmvmMachine, machine_at)
 #define KIND_CODE SMVM_HAS_MACHINE, SMVM_HAS_CODE, SMVM_HAS_CODE, offsetof(SmvmMachine, code_at)
@@ -382,11 +383,15 @@ void *smvm_locals(SmVm *vm) { return (uint8_t *)vm + vm->local; }
 bool smvm_stored(const SmVm *vm, uint32_t output)
 {
     const uint8_t *bits = vm->stored;
-    SmvmMachine m;
 
     if (output >= 64) {
+#if SMVM_KEEP_TABLES
+        bits = (const uint8_t *)vm + vm->tables.more;
+#else
+        SmvmMachine m;
         smvm_reread_machine(vm, &m);
         bits = (const uint8_t *)vm + vm->local + m.locals;
+#endif
         output -= 64;
     }
     return (bits[output >> 3] >> (output & 7) & 1) != 0;

@@ -194,15 +194,18 @@ SMVM_NOINLINE static uint8_t number_relation(const Number *x, const Number *y)
     return number_integer_relation(x->as.whole, y->as.whole);
 }
 
-SMVM_NOINLINE static uint8_t number_relation_to_real(const Number *x, int32_t n)
+// The relation of x, which is real, to n.
+SMVM_NOINLINE static uint8_t number_real_relation_to(const Number *x, int32_t n)
 {
     return sm_soft_relation(sm_bits(x->as.real), sm_bits(sm_from_i32(n)));
 }
 
 static inline uint8_t number_relation_to(const Number *x, int32_t n)
 {
-    return x->is_real ? number_relation_to_real(x, n) : number_integer_relation(x->as.whole, n);
+    return x->is_real ? number_real_relation_to(x, n) : number_integer_relation(x->as.whole, n);
 }
+
+static inline bool number_is_related(const Number *x, const Number *y, uint8_t m) { return (number_relation(x, y) & m) != 0; }
 
 // Operations on whole numbers, which store their result in *x.  They return false, and store nothing, if it is not a 32-bit integer or
 // would be -0; then the caller computes it as an F64.
@@ -308,11 +311,18 @@ SMVM_NOINLINE static void number_compute(Number *x, uint8_t op, const Number *y)
 #else
 typedef SmF64 Number;
 
+// The type or opcode that these functions are called with is a constant if the interpreter is specialized, so little of them remains.
+#if SMVM_SPECIALIZE
+#define NUMBER_INLINE SMVM_INLINE
+#else
+#define NUMBER_INLINE static inline
+#endif
+
 static inline void number_set_integer(Number *x, int32_t v) { *x = sm_from_i32(v); }
 static inline void number_set_real(Number *x, SmF64 v) { *x = v; }
 static inline SmF64 number_f64(const Number *x) { return *x; }
 
-static inline void number_load(Number *x, uint8_t type, const uint8_t *p)
+NUMBER_INLINE void number_load(Number *x, uint8_t type, const uint8_t *p)
 {
     if (type == SMVM_RAW)
         memcpy(x, p, sizeof *x);
@@ -320,7 +330,7 @@ static inline void number_load(Number *x, uint8_t type, const uint8_t *p)
         *x = sm_load((SmType)type, p);
 }
 
-static inline void number_store(const Number *x, uint8_t type, uint8_t *p)
+NUMBER_INLINE void number_store(const Number *x, uint8_t type, uint8_t *p)
 {
     const SmF64 raw = smvm_raw(*x);
 
@@ -346,8 +356,24 @@ static inline uint8_t number_relation_to(const Number *x, int32_t n)
     return number_relation(x, &y);
 }
 
+// Whether x and y are in one of the relations m, a constant: one or two comparisons.
+SMVM_INLINE bool number_is_related(const Number *x, const Number *y, uint8_t m)
+{
+    const bool negated = (m & SMVM_UNORDERED) != 0;
+
+    switch (negated ? m ^ SMVM_ANY_RELATION : m) {
+    case SMVM_LESS: return sm_lt(*x, *y) != negated;
+    case SMVM_EQUAL: return sm_eq(*x, *y) != negated;
+    case SMVM_LESS | SMVM_EQUAL: return sm_le(*x, *y) != negated;
+    case SMVM_GREATER: return sm_lt(*y, *x) != negated;
+    case SMVM_LESS | SMVM_GREATER: return (sm_lt(*x, *y) || sm_lt(*y, *x)) != negated;
+    case SMVM_GREATER | SMVM_EQUAL: return sm_le(*y, *x) != negated;
+    default: return (sm_le(*x, *y) || sm_lt(*y, *x)) != negated;
+    }
+}
+
 // x = x op y for the opcodes SMVM_add to SMVM_max; x = op x, without y, for SMVM_neg to SMVM_sign.
-static void number_compute(Number *x, uint8_t op, const Number *y)
+NUMBER_INLINE void number_compute(Number *x, uint8_t op, const Number *y)
 {
     switch (op) {
     case SMVM_add: *x = sm_add(*x, *y); break;

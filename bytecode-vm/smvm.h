@@ -25,13 +25,22 @@
 #include <stdint.h>
 
 #include "bytecode-vm/config.h"
-#include "stdlib/f64.h"
 #include "stdlib/result.h"
-#include "stdlib/roll.h"
 #include "stdlib/types.h"
+
+// With -DSMVM_BINDINGS this header has declarations only, for tools that read it for another language (docs/embedding.md).
+#ifdef SMVM_BINDINGS
+typedef double SmF64;
+#else
+#include "stdlib/f64.h"
+#include "stdlib/roll.h"
+#endif
 
 #ifdef __cplusplus
 extern "C" {
+#endif
+#ifdef SMVM_LIBRARY           // building the library: it exports what is declared here
+#pragma GCC visibility push(default)
 #endif
 
 // ---- images ----
@@ -107,7 +116,9 @@ typedef struct SmvmPin {
 // A function of the board: returns which pin of the chip a pin of an image uses.  Two pins with the same result are the same pin of the
 // chip.  SMVM_NO_PIN: an image may not use this pin.  `kind` is SmvmPin.kind, with the flags from bit 2 on (smvm_pin_kind).
 typedef uint8_t SmvmPhysicalPin(uint16_t number, uint8_t kind);
+#ifndef SMVM_BINDINGS
 static inline uint8_t smvm_pin_kind(const SmvmPin *p) { return (uint8_t)(p->kind | p->flags << 2); }
+#endif
 #define SMVM_NO_PIN 0xffu
 
 // An iterator over the pins of an image.
@@ -207,6 +218,20 @@ typedef void (*SmvmWrite)(void *context, const char *text, size_t length);
 void smvm_disasm(SmvmBytes image, SmvmWrite write, void *context);
 
 const char *smvm_rule_text(uint8_t rule);             // the sentence of a rule; "" if there is no such rule
+
+// Copies the name of a state (1 to m->states) to `to`, at most size - 1 characters and a 0.  Returns the length of the name; 0 if the image
+// has no names (smc build -g).
+uint32_t smvm_copy_state_name(const SmvmMachine *m, uint32_t state, char *to, uint32_t size);
+
+// ---- for other languages ----
+
+// Sizes of structures that the caller provides: SmvmVerdict and SmvmMachine.
+uint32_t smvm_verdict_size(void);
+uint32_t smvm_machine_size(void);
+
+#ifdef SMVM_LIBRARY
+#pragma GCC visibility pop
+#endif
 
 #ifdef __cplusplus
 }

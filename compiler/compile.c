@@ -37,23 +37,15 @@ static size_t count_kind(const CompileInput *in, FileKind kind)
 // all have the same one.  Errors in a script are reported when it is compiled, not here.
 static void read_script_writes_and_step(Compilation *c, Map *written)
 {
-    const bool muted = c->s->diags.muted;
     uint64_t step = 0;
     bool agree = true;
 
-    c->s->diags.muted = true;
     for (size_t i = 0; i < c->in->n; i++)
         if (c->in->at[i].kind == FILE_SS) {
-            const size_t met = c->s->diags.met;
-            const AstFile *f = session_parse(c->s, c->in->at[i].text, FILE_SS);
-            const uint64_t delta_t = f ? script_delta_t(f) : 0;
-            if (f)
-                script_add_written_names(f, written);
+            const uint64_t delta_t = session_script_writes(c->s, c->in->at[i].text, written);
             agree = agree && delta_t > 0 && (step == 0 || delta_t == step);
             step = delta_t;
-            c->s->diags.met = met;
         }
-    c->s->diags.muted = muted;
     if (c->o->step == 0 && agree)
         c->s->step = step;
 }
@@ -110,7 +102,7 @@ static void compile_scripts(Compilation *c)
             session_parse(c->s, c->in->at[i].text, FILE_SS);
 }
 
-// Reports findings that require all machines of the call, and those about their pins.
+// Reports conflicts between all machines of this compilation over their shared state vector, and between each machine and the pins.
 static void analyse_all_machines(Compilation *c)
 {
     if (c->in->vector)

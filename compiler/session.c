@@ -16,6 +16,7 @@ void session_init(Session *s, SmcAllocFn alloc, void *context, jmp_buf *oom)
 {
     memset(s, 0, sizeof *s);
     arena_init(&s->arena, alloc, context, oom);
+    arena_init(&s->tree, alloc, context, oom);
     arena_init(&s->work, alloc, context, oom);
     arena_init(&s->scratch, alloc, context, oom);
     str_pool_init(&s->strings, &s->arena);
@@ -27,15 +28,17 @@ void session_free(Session *s)
 {
     arena_free(&s->scratch);
     arena_free(&s->work);
+    arena_free(&s->tree);
     arena_free(&s->arena);
 }
 
 // ---- text to tree to program ----
 
-// Returns a tree even if there were errors, so that checking finds further errors in the same run.
+// Returns a tree even if there were errors, so that checking finds further errors in the same run.  The caller frees s->tree when it has
+// checked it: a tree is larger than the program that is made of it.
 static AstFile *parse(Session *s, const Source *src, FileKind kind)
 {
-    return parse_file(&s->arena, &s->strings, &s->diags, src, kind);
+    return parse_file(&s->tree, &s->strings, &s->diags, src, kind);
 }
 
 static CheckContext make_check_context(Session *s)
@@ -47,7 +50,7 @@ static CheckContext make_check_context(Session *s)
 AstFile *session_parse(Session *s, const Source *src, FileKind kind)
 {
     size_t errors = s->diags.met;
-    AstFile *f = parse(s, src, kind);
+    AstFile *f = parse_file(&s->arena, &s->strings, &s->diags, src, kind);
 
     return s->diags.met > errors ? NULL : f;
 }
@@ -58,6 +61,7 @@ StateVec *session_state_vector(Session *s, const Source *sv)
     CheckContext c = make_check_context(s);
     StateVec *out = check_state_vector(&c, parse(s, sv, FILE_SV));
 
+    arena_free(&s->tree);
     return s->diags.met > errors ? NULL : out;
 }
 
@@ -69,6 +73,7 @@ IoMap *session_io(Session *s, const Source *io, const Source *sv)
     AstFile *f = parse(s, io, FILE_IO);
     IoMap *out = vector ? check_io(&c, f, vector) : NULL;
 
+    arena_free(&s->tree);
     return s->diags.met > errors ? NULL : out;
 }
 
@@ -80,6 +85,7 @@ Program *session_program(Session *s, const MachineInput *in)
     AstFile *sm = parse(s, in->sm, FILE_SM);
     Program *p = check_machine(&c, sm, sv, in->written_outside);
 
+    arena_free(&s->tree);
     s->diags.known |= in->sv ? 1u << DIAG_JUDGED_VECTOR : 0;
     return s->diags.met > errors ? NULL : p;
 }
@@ -93,8 +99,8 @@ static bool declares_written_local(const Program *p, const Map *written)
     return false;
 }
 
-// A local that the machine never writes is a finding, whatever scripts do. But an edit that marks it @read_only would cause a warning in
-// a script that writes it. So the edit is not certain to be what the user wants.
+// Removes the edits that would mark as @read_only a local that scripts write: the script would then get a warning.  The finding that the
+// machine never writes the local stays.
 static void withdraw_read_only_edits(Diags *d, const Program *p, const Map *written)
 {
     for (size_t i = 0; i < d->list.n; i++) {
@@ -105,7 +111,8 @@ static void withdraw_read_only_edits(Diags *d, const Program *p, const Map *writ
     }
 }
 
-// The second check can only find new errors: those about a local that is constant in flight but variable for scripts.
+// Checks with a separate list of diagnostics, which is dropped, because the check of `flown` has reported the same warnings.  Only errors
+// can be new: those about a local that is constant in flight but variable for scripts.  After an error, checks again to report them.
 const Program *session_program_for_scripts(Session *s, const MachineInput *in, const Program *flown)
 {
     const Diags reported = s->diags;
@@ -138,6 +145,7 @@ static const Program *app_program(Session *s, const Source *sm, StateVec *sv)
     AstFile *f = parse(s, sm, FILE_SM);
     Program *p = sv ? check_machine(&c, f, sv, NULL) : NULL;
 
+    arena_free(&s->tree);
     return s->diags.met > errors ? NULL : p;
 }
 
@@ -192,13 +200,63 @@ App *session_app(Session *s, const AstFile *app, AppFiles *files)
     return s->diags.met > errors ? NULL : a;
 }
 
+// ---- scripts: their items are parsed, checked and freed one after the other ----
+
+static void ignore_section(void *context, const AstSection *section)
+{
+    (void)context;
+    (void)section;
+}
+
+static void add_written_names(void *context, const AstStmt *item)
+{
+    script_add_names_of_item(item, context);
+}
+
+// Parses a script without reports, and collects the names that it writes.  Returns NULL if it has syntax errors; otherwise its tree
+// without items, in s->tree.
+static const AstFile *parse_silently(Session *s, const Source *ss, Map *written)
+{
+    const ScriptVisitor v = {ignore_section, add_written_names, written, &s->work};
+    const bool muted = s->diags.muted;
+    const size_t met = s->diags.met;
+    const AstFile *f;
+    bool good;
+
+    s->diags.muted = true;
+    f = parse_script(&s->tree, &s->strings, &s->diags, ss, &v);
+    good = s->diags.met == met;
+    s->diags.muted = muted;
+    s->diags.met = met;
+    return good ? f : NULL;
+}
+
+// If there are syntax errors, the whole tree is checked: what they may have hidden silences other reports.
 Script *session_script(Session *s, const Source *ss, const Program *p)
 {
     size_t errors = s->diags.met;
     CheckContext c = make_check_context(s);
-    Script *out = check_script(&c, parse(s, ss, FILE_SS), p);
+    Map unused = {&s->tree, NULL, NULL, 0, 0};
+    const bool good = parse_silently(s, ss, &unused) != NULL;
+    Script *out;
 
+    arena_free(&s->tree);
+    out = good ? check_script_source(&c, &s->tree, &s->work, ss, p) : check_script(&c, parse(s, ss, FILE_SS), p);
+    arena_free(&s->tree);
     return s->diags.met > errors ? NULL : out;
+}
+
+uint64_t session_script_writes(Session *s, const Source *ss, Map *written)
+{
+    Map own = {&s->tree, NULL, NULL, 0, 0};
+    const AstFile *f = parse_silently(s, ss, &own);
+    const uint64_t delta_t = f ? script_delta_t(f) : 0;
+
+    for (size_t i = 0; f && i < own.cap; i++)
+        if (own.key[i])
+            map_put(written, own.key[i], own.value[i]);
+    arena_free(&s->tree);
+    return delta_t;
 }
 
 void session_analyse(Session *s, const Program *p)

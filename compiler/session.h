@@ -14,6 +14,7 @@
 // One compilation.  All its results live in its arena.
 typedef struct Session {
     Arena arena;
+    Arena tree;                   // the syntax tree of the file that is being checked; freed when it has been
     Arena work, scratch;          // freed when a stage ends, and when a part of a stage ends
     StrPool strings;
     Diags diags;
@@ -53,6 +54,8 @@ const Program *session_program_for_scripts(Session *s, const MachineInput *in, c
 // Compiles an application and everything that it names, analyses included. app_list_files of its tree lists the required files; the caller
 // supplies their contents. Returns NULL if any of them had errors.
 App *session_app(Session *s, const AstFile *app, AppFiles *files);
+// Adds the names of the locals and elements that a script writes to `written`, and returns its delta_t; 0 if it has none, or errors.
+uint64_t session_script_writes(Session *s, const Source *ss, Map *written);
 Script *session_script(Session *s, const Source *ss, const Program *p);
 void session_analyse(Session *s, const Program *p);           // reports warnings for a machine without errors
 IrMachine *session_ir(Session *s, const Program *p, int opt_level);

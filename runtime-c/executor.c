@@ -204,7 +204,8 @@ static void emit_overrun(SmExecutor *e, uint64_t time)
     sm_event(e->events, &event);
 }
 
-static void handle_overrun(SmExecutor *e, const SmTick *tick, uint64_t now)
+// Counts an overrun, and skips the ticks that the policy leaves out.
+static void count_overrun_and_skip(SmExecutor *e, const SmTick *tick, uint64_t now)
 {
     const uint64_t skip = ticks_to_skip(e, now);
 
@@ -235,7 +236,7 @@ void sm_executor_tick(SmExecutor *e)
     e->ended = pal_clock_now();
     record_tick_times(e, due, began);
     if (e->late >= e->period)
-        handle_overrun(e, &tick, e->ended);
+        count_overrun_and_skip(e, &tick, e->ended);
     store_statistics(e);
 }
 

@@ -17,99 +17,99 @@
 #include "stdlib/types.h"
 
 #if !SM_F64_SOFT
-//: sm_to_i32 double
+// snippet: sm_to_i32 double
 static inline int32_t sm_to_i32(SmF64 x)
 {
     if (sm_le(sm_from_i32(INT32_MIN), x) && sm_le(x, sm_from_i32(INT32_MAX)))
         return sm_truncate_i32(x);
     return sm_is_nan(x) ? 0 : sm_lt(x, sm_from_i32(0)) ? INT32_MIN : INT32_MAX;
 }
-//: sm_to_u32 double
+// snippet: sm_to_u32 double
 static inline uint32_t sm_to_u32(SmF64 x)
 {
     if (sm_le(sm_from_i32(0), x) && sm_le(x, sm_from_u32(UINT32_MAX)))
         return sm_truncate_u32(x);
     return sm_lt(sm_from_i32(0), x) ? UINT32_MAX : 0u;
 }
-//: sm_to_i64 double
+// snippet: sm_to_i64 double
 static inline int64_t sm_to_i64(SmF64 x)
 {
     if (sm_le(sm_from_bits(0xC3E0000000000000u), x) && sm_lt(x, sm_from_bits(0x43E0000000000000u)))   // -2^63, 2^63
         return sm_truncate_i64(x);
     return sm_is_nan(x) ? 0 : sm_lt(x, sm_from_i32(0)) ? INT64_MIN : INT64_MAX;
 }
-//: sm_to_u64 double
+// snippet: sm_to_u64 double
 static inline uint64_t sm_to_u64(SmF64 x)
 {
     if (sm_le(sm_from_i32(0), x) && sm_lt(x, sm_from_bits(0x43F0000000000000u)))   // 2^64
         return sm_truncate_u64(x);
     return sm_lt(sm_from_i32(0), x) ? UINT64_MAX : 0u;
 }
-//: sm_to_i16 double
+// snippet: sm_to_i16 double
 static inline int16_t sm_to_i16(SmF64 x)
 {
     if (sm_le(sm_from_i32(INT16_MIN), x))
         return sm_lt(x, sm_from_i32(INT16_MAX)) ? (int16_t)sm_truncate_i32(x) : (int16_t)INT16_MAX;
     return sm_is_nan(x) ? (int16_t)0 : (int16_t)INT16_MIN;
 }
-//: sm_to_i8 double
+// snippet: sm_to_i8 double
 static inline int8_t sm_to_i8(SmF64 x)
 {
     if (sm_le(sm_from_i32(INT8_MIN), x))
         return sm_lt(x, sm_from_i32(INT8_MAX)) ? (int8_t)sm_truncate_i32(x) : (int8_t)INT8_MAX;
     return sm_is_nan(x) ? (int8_t)0 : (int8_t)INT8_MIN;
 }
-//: sm_to_u16 double
+// snippet: sm_to_u16 double
 static inline uint16_t sm_to_u16(SmF64 x)
 {
     if (sm_lt(sm_from_i32(0), x))
         return sm_lt(x, sm_from_i32(UINT16_MAX)) ? (uint16_t)sm_truncate_i32(x) : (uint16_t)UINT16_MAX;
     return 0;
 }
-//: sm_to_u8 double
+// snippet: sm_to_u8 double
 static inline uint8_t sm_to_u8(SmF64 x)
 {
     if (sm_lt(sm_from_i32(0), x))
         return sm_lt(x, sm_from_i32(UINT8_MAX)) ? (uint8_t)sm_truncate_i32(x) : (uint8_t)UINT8_MAX;
     return 0;
 }
-//: end
+// snippet: end
 #endif
-//: sm_to_f32
+// snippet: sm_to_f32
 static inline float sm_to_f32(SmF64 x)
 {
     return sm_is_nan(x) ? 0.0f : sm_round_f32(x);
 }
-//: sm_to_f64
+// snippet: sm_to_f64
 static inline SmF64 sm_to_f64(SmF64 x)
 {
     return sm_is_nan(x) ? sm_from_i32(0) : x;
 }
-//: end
+// snippet: end
 #if !SM_F64_SOFT
-//: sm_to_bool double
+// snippet: sm_to_bool double
 static inline bool sm_to_bool(SmF64 x)
 {
     return sm_lt(x, sm_from_i32(0)) || sm_lt(sm_from_i32(0), x);   // both are false for NaN
 }
-//: end
+// snippet: end
 #endif
-//: sm_clip_i32
+// snippet: sm_clip_i32
 // x, clipped to the limits of another integer type.
 static inline int32_t sm_clip_i32(int32_t x, int32_t lo, int32_t hi) { return x < lo ? lo : x > hi ? hi : x; }
-//: sm_clip_i64
+// snippet: sm_clip_i64
 // x, clipped to the limits of another integer type.
 static inline int64_t sm_clip_i64(int64_t x, int64_t lo, int64_t hi) { return x < lo ? lo : x > hi ? hi : x; }
-//: sm_clip_u64
+// snippet: sm_clip_u64
 // x, clipped to the upper limit of another integer type.
 static inline uint64_t sm_clip_u64(uint64_t x, uint64_t hi) { return x > hi ? hi : x; }
-//: sm_count_up
+// snippet: sm_count_up
 // v + 1 as computed in floating point, for v up to 2^53, where counting by one stops.
 static inline uint64_t sm_count_up(uint64_t v) { return v + (v < 0x20000000000000u); }
-//: sm_count_up_if
+// snippet: sm_count_up_if
 // v + 1 as computed in floating point if c is true, else v; for v up to 2^53, where counting by one stops.
 static inline uint64_t sm_count_up_if(uint64_t v, bool c) { return v + (c && v < 0x20000000000000u); }
-//: sm_count_u64
+// snippet: sm_count_u64
 // v + n as computed in floating point and stored: exact for small v, rounded beyond 2^53 like every number.  n is up to 2^52.
 static inline uint64_t sm_count_u64(uint64_t v, int64_t n)
 {
@@ -117,7 +117,7 @@ static inline uint64_t sm_count_u64(uint64_t v, int64_t n)
         return v + (uint64_t)n;
     return sm_to_u64(sm_add(sm_from_u64(v), sm_from_i64(n)));
 }
-//: sm_count_i64
+// snippet: sm_count_i64
 // v + n as computed in floating point and stored: exact for small v, rounded beyond 2^53 like every number.  n is up to 2^52.
 static inline int64_t sm_count_i64(int64_t v, int64_t n)
 {
@@ -125,25 +125,25 @@ static inline int64_t sm_count_i64(int64_t v, int64_t n)
         return v + n;
     return sm_to_i64(sm_add(sm_from_i64(v), sm_from_i64(n)));
 }
-//: sm_read_f64
+// snippet: sm_read_f64
 static inline SmF64 sm_read_f64(SmF64 x)
 {
     return sm_is_nan(x) ? sm_from_i32(0) : x;
 }
-//: end
+// snippet: end
 #if !SM_F64_SOFT
-//: sm_read_f32 double
+// snippet: sm_read_f32 double
 static inline SmF64 sm_read_f32(float v)
 {
     const SmF64 x = sm_from_f32(v);
     return sm_is_nan(x) ? sm_from_i32(0) : x;
 }
-//: sm_no_nan_f32 double
+// snippet: sm_no_nan_f32 double
 static inline float sm_no_nan_f32(float v)
 {
     return sm_is_nan(sm_from_f32(v)) ? 0.0f : v;
 }
-//: end
+// snippet: end
 #endif
 
 static inline SmF64 sm_from_i8(int8_t v) { return sm_from_i32(v); }
@@ -155,7 +155,7 @@ static inline SmF64 sm_from_bool(bool v) { return sm_from_i32(v); }
 static inline uint32_t sm_f32_bits(float v) { uint32_t u; memcpy(&u, &v, sizeof u); return u; }
 static inline float sm_f32_from_bits(uint32_t u) { float v; memcpy(&v, &u, sizeof v); return v; }
 
-// The F64 value that reading an element with this cell returns.  Ignores bits beyond the type's width.
+// The value, as F64, of an element whose bits are `cell`; a NaN is read as 0.  Bits beyond the type's width are ignored.
 static inline SmF64 sm_cell_to_f64(SmType type, uint64_t cell)
 {
     switch (type) {

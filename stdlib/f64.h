@@ -52,39 +52,39 @@
 #if SM_F64_SOFT
 #include "stdlib/f64_soft.h"
 #else
-//: SmF64 double
+// snippet: SmF64 double
 #ifndef SM_F64_TYPE
 #define SM_F64_TYPE
 typedef double SmF64;   // IEEE binary64
 #endif
-//: sm_bits double
+// snippet: sm_bits double
 static inline uint64_t sm_bits(SmF64 x) { uint64_t u; memcpy(&u, &x, sizeof u); return u; }
-//: sm_from_bits double
+// snippet: sm_from_bits double
 static inline SmF64 sm_from_bits(uint64_t u) { SmF64 x; memcpy(&x, &u, sizeof x); return x; }
-//: sm_add double
+// snippet: sm_add double
 static inline SmF64 sm_add(SmF64 a, SmF64 b) { return a + b; }
-//: sm_sub double
+// snippet: sm_sub double
 static inline SmF64 sm_sub(SmF64 a, SmF64 b) { return a - b; }
-//: sm_mul double
+// snippet: sm_mul double
 static inline SmF64 sm_mul(SmF64 a, SmF64 b) { return a * b; }
-//: sm_div double
+// snippet: sm_div double
 static inline SmF64 sm_div(SmF64 a, SmF64 b) { return a / b; }
-//: sm_neg double
+// snippet: sm_neg double
 // Flips the sign bit, also of zero and NaN.
 static inline SmF64 sm_neg(SmF64 a) { return sm_from_bits(sm_bits(a) ^ 0x8000000000000000u); }
-//: sm_lt double
+// snippet: sm_lt double
 static inline bool sm_lt(SmF64 a, SmF64 b) { return a < b; }    // false if either is NaN
-//: sm_le double
+// snippet: sm_le double
 static inline bool sm_le(SmF64 a, SmF64 b) { return a <= b; }   // false if either is NaN
-//: sm_eq double
+// snippet: sm_eq double
 static inline bool sm_eq(SmF64 a, SmF64 b) { return a == b; }   // false if either is NaN
-//: sm_is_nan double
+// snippet: sm_is_nan double
 static inline bool sm_is_nan(SmF64 a) { return a != a; }
-//: sm_from_i32 double
+// snippet: sm_from_i32 double
 static inline SmF64 sm_from_i32(int32_t v) { return (SmF64)v; }
-//: sm_from_u32 double
+// snippet: sm_from_u32 double
 static inline SmF64 sm_from_u32(uint32_t v) { return (SmF64)v; }
-//: sm_from_i64 double
+// snippet: sm_from_i64 double
 // Rounds above 2^53.  32-bit x86 converts 64 bits in an x87 register, where compilers can leave more bits than a double has.
 // Therefore the two halves are converted, which is exact, and their sum is rounded once, like every sum.
 static inline SmF64 sm_from_i64(int64_t v)
@@ -95,7 +95,7 @@ static inline SmF64 sm_from_i64(int64_t v)
     return (SmF64)v;
 #endif
 }
-//: sm_from_u64 double
+// snippet: sm_from_u64 double
 // Rounds above 2^53; in halves for the same reason.
 static inline SmF64 sm_from_u64(uint64_t v)
 {
@@ -105,19 +105,19 @@ static inline SmF64 sm_from_u64(uint64_t v)
     return (SmF64)v;
 #endif
 }
-//: sm_from_f32 double
+// snippet: sm_from_f32 double
 static inline SmF64 sm_from_f32(float v) { return (SmF64)v; }       // exact
-//: sm_truncate_i32 double
+// snippet: sm_truncate_i32 double
 static inline int32_t sm_truncate_i32(SmF64 x) { return (int32_t)x; }    // toward zero; the result must fit
-//: sm_truncate_u32 double
+// snippet: sm_truncate_u32 double
 static inline uint32_t sm_truncate_u32(SmF64 x) { return (uint32_t)x; }  // toward zero; the result must fit
-//: sm_truncate_i64 double
+// snippet: sm_truncate_i64 double
 static inline int64_t sm_truncate_i64(SmF64 x) { return (int64_t)x; }    // toward zero; the result must fit
-//: sm_truncate_u64 double
+// snippet: sm_truncate_u64 double
 static inline uint64_t sm_truncate_u64(SmF64 x) { return (uint64_t)x; }  // toward zero; the result must fit
-//: sm_round_f32 double
+// snippet: sm_round_f32 double
 static inline float sm_round_f32(SmF64 x) { return (float)x; }      // to nearest even, overflow to infinity
-//: end
+// snippet: end
 #endif
 
 #endif

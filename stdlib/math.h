@@ -8,10 +8,10 @@
 
 #include "stdlib/f64.h"
 
-//: sm_abs
+// snippet: sm_abs
 // x without its sign bit.
 static inline SmF64 sm_abs(SmF64 x) { return sm_from_bits(sm_bits(x) & 0x7FFFFFFFFFFFFFFFu); }
-//: sm_trunc
+// snippet: sm_trunc
 // x without its fraction; preserves the sign of zero.
 static inline SmF64 sm_trunc(SmF64 x)
 {
@@ -23,19 +23,19 @@ static inline SmF64 sm_trunc(SmF64 x)
         return sm_from_bits(u & 0x8000000000000000u);
     return sm_from_bits(u & ~(0x000FFFFFFFFFFFFFu >> (exponent - 1023u)));
 }
-//: sm_floor
+// snippet: sm_floor
 static inline SmF64 sm_floor(SmF64 x)
 {
     const SmF64 t = sm_trunc(x);
     return sm_lt(x, t) ? sm_sub(t, sm_from_i32(1)) : t;
 }
-//: sm_ceil
+// snippet: sm_ceil
 static inline SmF64 sm_ceil(SmF64 x)
 {
     const SmF64 t = sm_trunc(x);
     return sm_lt(t, x) ? sm_add(t, sm_from_i32(1)) : t;
 }
-//: sm_round
+// snippet: sm_round
 // The nearest whole number, halves away from zero; preserves the sign of zero.
 static inline SmF64 sm_round(SmF64 x)
 {
@@ -45,7 +45,7 @@ static inline SmF64 sm_round(SmF64 x)
         return sm_add(t, sm_from_i32(1));
     return sm_le(twice, sm_from_i32(-1)) ? sm_sub(t, sm_from_i32(1)) : t;
 }
-//: sm_sqrt
+// snippet: sm_sqrt
 // The square root, correctly rounded, computed one bit at a time; NaN below zero, -0 for -0.
 static inline SmF64 sm_sqrt(SmF64 x)
 {
@@ -71,13 +71,13 @@ static inline SmF64 sm_sqrt(SmF64 x)
     // root has one bit more than fits; a tie is impossible.
     return sm_from_bits((((root + 1) >> 1) & 0x000FFFFFFFFFFFFFu) | (uint64_t)(exponent / 2) << 52);
 }
-//: sm_sign
+// snippet: sm_sign
 // -1, 1, or x itself if it is a zero or NaN.
 static inline SmF64 sm_sign(SmF64 x)
 {
     return sm_lt(x, sm_from_i32(0)) ? sm_from_i32(-1) : sm_lt(sm_from_i32(0), x) ? sm_from_i32(1) : x;
 }
-//: sm_min
+// snippet: sm_min
 // The smaller; -0 is below +0; NaN if either is.
 static inline SmF64 sm_min(SmF64 a, SmF64 b)
 {
@@ -85,7 +85,7 @@ static inline SmF64 sm_min(SmF64 a, SmF64 b)
         return sm_from_bits(sm_bits(a) | sm_bits(b));
     return sm_lt(a, b) || sm_is_nan(a) ? a : b;
 }
-//: sm_max
+// snippet: sm_max
 // The larger; +0 is above -0; NaN if either is.
 static inline SmF64 sm_max(SmF64 a, SmF64 b)
 {
@@ -93,18 +93,18 @@ static inline SmF64 sm_max(SmF64 a, SmF64 b)
         return sm_from_bits(sm_bits(a) & sm_bits(b));
     return sm_lt(b, a) || sm_is_nan(a) ? a : b;
 }
-//: sm_lower
+// snippet: sm_lower
 // The smaller one.  y must not be NaN, and x and y must not be zeros of different signs.
 static inline SmF64 sm_lower(SmF64 x, SmF64 y) { return sm_lt(y, x) ? y : x; }
-//: sm_higher
+// snippet: sm_higher
 // The larger one.  y must not be NaN, and x and y must not be zeros of different signs.
 static inline SmF64 sm_higher(SmF64 x, SmF64 y) { return sm_lt(x, y) ? y : x; }
-//: sm_abs_i32
+// snippet: sm_abs_i32
 // For an integer; used where the result equals that for its F64.
 static inline int32_t sm_abs_i32(int32_t x) { return x < 0 ? -x : x; }
-//: sm_abs_i64
+// snippet: sm_abs_i64
 static inline int64_t sm_abs_i64(int64_t x) { return x < 0 ? -x : x; }
-//: sm_abs_f32
+// snippet: sm_abs_f32
 // x without its sign bit.
 static inline float sm_abs_f32(float x)
 {
@@ -114,20 +114,20 @@ static inline float sm_abs_f32(float x)
     memcpy(&x, &u, sizeof x);
     return x;
 }
-//: sm_sign_i32
+// snippet: sm_sign_i32
 static inline int32_t sm_sign_i32(int32_t x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
-//: sm_sign_i64
+// snippet: sm_sign_i64
 static inline int64_t sm_sign_i64(int64_t x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
-//: sm_min_i32
+// snippet: sm_min_i32
 static inline int32_t sm_min_i32(int32_t a, int32_t b) { return a < b ? a : b; }
-//: sm_min_i64
+// snippet: sm_min_i64
 static inline int64_t sm_min_i64(int64_t a, int64_t b) { return a < b ? a : b; }
-//: sm_max_i32
+// snippet: sm_max_i32
 static inline int32_t sm_max_i32(int32_t a, int32_t b) { return a > b ? a : b; }
-//: sm_max_i64
+// snippet: sm_max_i64
 static inline int64_t sm_max_i64(int64_t a, int64_t b) { return a > b ? a : b; }
-//: sm_clamp
+// snippet: sm_clamp
 static inline SmF64 sm_clamp(SmF64 x, SmF64 lo, SmF64 hi) { return sm_min(sm_max(x, lo), hi); }
-//: end
+// snippet: end
 
 #endif

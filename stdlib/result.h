@@ -16,7 +16,13 @@ typedef enum SmResult {
 
 // The message of a result; "unknown result" for an unknown number.  On AVR it is in flash (flash.h).  An Arduino sketch prints it with
 // Serial.print((const __FlashStringHelper *)sm_result_text(r)).
+#ifdef SMVM_LIBRARY
+#pragma GCC visibility push(default)
+#endif
 const char *sm_result_text(SmResult r);
+#ifdef SMVM_LIBRARY
+#pragma GCC visibility pop
+#endif
 
 #ifdef __cplusplus
 }

@@ -41,7 +41,7 @@
 #include "stdlib/roll_small.h"
 #include "stdlib/types.h"
 
-//: SmRoll
+// snippet: SmRoll
 #ifndef SM_ROLL_SMALL
 // 1: rolling windows use as little memory as possible, and more time.  Must be the same for all files that are compiled together.
 #ifdef __AVR__
@@ -50,12 +50,29 @@
 #define SM_ROLL_SMALL 0
 #endif
 #endif
-//: SM_ROLL_INLINE
-// Callers pass size and kind of a window as constants; inlined with them, these functions are short.
+// snippet: end
+// Outside emitted C size and kind are arguments of one copy of each function when optimizing for size.
 #if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
 #define SM_ROLL_INLINE static inline __attribute__((always_inline))
 #else
 #define SM_ROLL_INLINE static inline
+#endif
+#define SM_ROLL_INLINE_FOR_SPEED SM_ROLL_INLINE
+#ifdef __OPTIMIZE_SIZE__
+#define SM_ROLL_AT_ONCE 1u
+#endif
+// snippet: SM_ROLL_INLINE
+// Callers pass size and kind of a window as constants; inlined with them, these functions are short.  The longer ones are inlined everywhere
+// only when optimizing for speed.
+#if !defined(SM_ROLL_INLINE) && defined(__OPTIMIZE__)
+#define SM_ROLL_INLINE static inline __attribute__((always_inline))
+#elif !defined(SM_ROLL_INLINE)
+#define SM_ROLL_INLINE static inline
+#endif
+#if !defined(SM_ROLL_INLINE_FOR_SPEED) && defined(__OPTIMIZE_SIZE__)
+#define SM_ROLL_INLINE_FOR_SPEED static inline
+#elif !defined(SM_ROLL_INLINE_FOR_SPEED)
+#define SM_ROLL_INLINE_FOR_SPEED SM_ROLL_INLINE
 #endif
 // The kind of a window: the type in which it stores its samples, and the statistics that it supports.
 enum {
@@ -71,11 +88,11 @@ enum {
 #define SM_ROLL_SCAN 64u
 #define SM_ROLL_BLOCK 2048u
 #define SM_ROLL_LONG(n) (!SM_ROLL_SMALL && (n) > SM_ROLL_BLOCK)
-//: end
+// snippet: end
 #ifndef SM_ROLL_UNROLL
 #define SM_ROLL_UNROLL      // outside emitted C, sizes are known only at run time, so loops are not unrolled
 #endif
-//: SM_ROLL_UNROLL
+// snippet: SM_ROLL_UNROLL
 // Placed before a loop over a short window, to unroll it completely.
 #ifndef SM_ROLL_UNROLL
 #if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !defined(__clang__) && defined(__GNUC__) && __GNUC__ >= 8
@@ -84,22 +101,30 @@ enum {
 #define SM_ROLL_UNROLL
 #endif
 #endif
-//: SM_ROLL_AT_ONCE
-// The number of samples that one iteration adds or compares: 4, or 1 when optimizing for size.
-#ifdef __OPTIMIZE_SIZE__
-#define SM_ROLL_AT_ONCE 1u
-#else
+// snippet: SM_ROLL_AT_ONCE
+// The number of samples that one iteration adds or compares: 4 or 1.
+#if !defined(SM_ROLL_AT_ONCE)
 #define SM_ROLL_AT_ONCE 4u
 #endif
-//: sm_roll_of_f32
+// snippet: end
+// The key of a sample.  Emitted C defines it as the smallest type that its windows need.
+typedef int64_t SmRollKey;
+// snippet: SmRollSize
+// Counts samples: at most 100000, and fewer where memory has 64 KB.
+#if SIZE_MAX > 65535
+typedef uint32_t SmRollSize;
+#else
+typedef uint16_t SmRollSize;
+#endif
+// snippet: sm_roll_of_f32
 // The bits of a sample; NaN counts as 0.
-static inline int64_t sm_roll_of_f32(float x)
+static inline int32_t sm_roll_of_f32(float x)
 {
     int32_t bits;
     memcpy(&bits, &x, sizeof bits);
     return x != x ? 0 : bits;
 }
-//: sm_roll_of_f64
+// snippet: sm_roll_of_f64
 // The bits of a sample; NaN counts as 0.
 static inline int64_t sm_roll_of_f64(SmF64 x)
 {
@@ -107,61 +132,61 @@ static inline int64_t sm_roll_of_f64(SmF64 x)
     memcpy(&bits, &x, sizeof bits);
     return sm_is_nan(x) ? 0 : bits;
 }
-//: sm_roll_key
+// snippet: sm_roll_key
 // Converts a sample to its key, or a key to its sample.  Keys have the order of the numbers, with -0 below 0.  A window without a statistic
 // that needs an order stores the sample as it is.
-SM_ROLL_INLINE int64_t sm_roll_key(uint32_t kind, int64_t sample)
+SM_ROLL_INLINE SmRollKey sm_roll_key(uint32_t kind, SmRollKey sample)
 {
     if ((kind & SM_ROLL_TYPE) < SM_ROLL_F32 || sample >= 0 || (!SM_ROLL_SMALL && (kind & SM_ROLL_ORDER) == 0))
         return sample;
-    return sample ^ ((kind & SM_ROLL_TYPE) == SM_ROLL_F32 ? 0x7FFFFFFF : 0x7FFFFFFFFFFFFFFF);
+    return (SmRollKey)(sample ^ ((kind & SM_ROLL_TYPE) == SM_ROLL_F32 ? 0x7FFFFFFF : 0x7FFFFFFFFFFFFFFF));
 }
-//: sm_roll_value
+// snippet: sm_roll_value
 // Converts a key to its number.
-SM_ROLL_INLINE SmF64 sm_roll_value(uint32_t kind, int64_t key)
+SM_ROLL_INLINE SmF64 sm_roll_value(uint32_t kind, SmRollKey key)
 {
-    const int64_t sample = sm_roll_key(kind, key);
+    const SmRollKey sample = sm_roll_key(kind, key);
     const int32_t bits = (int32_t)sample;
     float f;
     if ((kind & SM_ROLL_TYPE) == SM_ROLL_F64)
         return sm_from_bits((uint64_t)sample);
     if ((kind & SM_ROLL_TYPE) != SM_ROLL_F32)
-        return sm_from_i64(sample);
+        return sizeof sample > 4 ? sm_from_i64(sample) : sm_from_i32((int32_t)sample);
     memcpy(&f, &bits, sizeof f);
     return sm_from_f32(f);
 }
-//: sm_roll_shift
+// snippet: sm_roll_shift
 // A sample has 1 << this bytes.
 SM_ROLL_INLINE unsigned sm_roll_shift(uint32_t kind)
 {
     const unsigned type = kind & SM_ROLL_TYPE;
     return type < 8 ? type & 3u : type == SM_ROLL_BOOL ? 0 : type - 6u;
 }
-//: sm_roll_load
+// snippet: sm_roll_load
 // Returns key i of an array.
-SM_ROLL_INLINE int64_t sm_roll_load(const unsigned char *a, uint32_t i, uint32_t kind)
+SM_ROLL_INLINE SmRollKey sm_roll_load(const unsigned char *a, SmRollSize i, uint32_t kind)
 {
     switch (kind & SM_ROLL_TYPE) {
     case SM_ROLL_I8: { int8_t v; memcpy(&v, a + i, 1); return v; }
     case SM_ROLL_I16: { int16_t v; memcpy(&v, a + (size_t)i * 2, 2); return v; }
-    case SM_ROLL_I32: case SM_ROLL_F32: { int32_t v; memcpy(&v, a + (size_t)i * 4, 4); return v; }
-    case SM_ROLL_U16: { uint16_t v; memcpy(&v, a + (size_t)i * 2, 2); return v; }
-    case SM_ROLL_U32: { uint32_t v; memcpy(&v, a + (size_t)i * 4, 4); return v; }
-    case SM_ROLL_F64: { int64_t v; memcpy(&v, a + (size_t)i * 8, 8); return v; }
+    case SM_ROLL_I32: case SM_ROLL_F32: { int32_t v; memcpy(&v, a + (size_t)i * 4, 4); return (SmRollKey)v; }
+    case SM_ROLL_U16: { uint16_t v; memcpy(&v, a + (size_t)i * 2, 2); return (SmRollKey)v; }
+    case SM_ROLL_U32: { uint32_t v; memcpy(&v, a + (size_t)i * 4, 4); return (SmRollKey)v; }
+    case SM_ROLL_F64: { int64_t v; memcpy(&v, a + (size_t)i * 8, 8); return (SmRollKey)v; }
     default: return a[i];
     }
 }
-//: sm_roll_store
-SM_ROLL_INLINE void sm_roll_store(unsigned char *a, uint32_t i, uint32_t kind, int64_t key)
+// snippet: sm_roll_store
+SM_ROLL_INLINE void sm_roll_store(unsigned char *a, SmRollSize i, uint32_t kind, SmRollKey key)
 {
     switch (sm_roll_shift(kind)) {
     case 0: a[i] = (unsigned char)key; break;
     case 1: { const uint16_t v = (uint16_t)key; memcpy(a + (size_t)i * 2, &v, 2); break; }
     case 2: { const uint32_t v = (uint32_t)key; memcpy(a + (size_t)i * 4, &v, 4); break; }
-    default: memcpy(a + (size_t)i * 8, &key, 8); break;
+    default: { const int64_t v = key; memcpy(a + (size_t)i * 8, &v, 8); break; }
     }
 }
-//: sm_roll_partials
+// snippet: sm_roll_partials
 // What a window stores beside its samples: their sum as a whole number (1) or as an F64 (2), the smallest (4), the largest (8).
 SM_ROLL_INLINE unsigned sm_roll_partials(uint32_t n, uint32_t kind)
 {
@@ -173,104 +198,121 @@ SM_ROLL_INLINE unsigned sm_roll_partials(uint32_t n, uint32_t kind)
         return sum;
     return sum | ((kind & (SM_ROLL_MIN | SM_ROLL_RANGE)) != 0 ? 4u : 0) | ((kind & (SM_ROLL_MAX | SM_ROLL_RANGE)) != 0 ? 8u : 0);
 }
-//: sm_roll_partial_words
+// snippet: sm_roll_partial_words
 // The number of words for these results (sm_roll_partials).
 SM_ROLL_INLINE unsigned sm_roll_partial_words(unsigned partials) { return ((partials & 3u) != 0) + (partials >> 2 & 1u) + (partials >> 3); }
-//: sm_roll_node_partials
+// snippet: sm_roll_node_partials
 // The results, as in sm_roll_partials, that it also stores for groups of 2, 4, 8, … slots.
 SM_ROLL_INLINE unsigned sm_roll_node_partials(uint32_t n, uint32_t kind) { return sm_roll_partials(n, kind) & 14u; }
-//: sm_roll_slots_at
+// snippet: sm_roll_slots_at
 // The index of the word where the slots begin.  Layout: a word with the number of samples and the next slot; the results for the whole
 // window, in the order of sm_roll_partials, the largest as the complement of its key; the slots; for a median the samples in order; the
 // results for groups of 2, 4, 8, … slots.
 SM_ROLL_INLINE unsigned sm_roll_slots_at(uint32_t n, uint32_t kind) { return 1u + sm_roll_partial_words(sm_roll_partials(n, kind)); }
-//: sm_roll_row_bytes
+// snippet: sm_roll_row_bytes
 // Bytes of an array of n samples, rounded up to words.
 SM_ROLL_INLINE uint32_t sm_roll_row_bytes(uint32_t n, uint32_t kind) { return ((n << sm_roll_shift(kind)) + 7u) & ~(uint32_t)7; }
-//: sm_roll_heads_bytes
+// snippet: sm_roll_heads_bytes
 // Bytes of the numbers that store where the blocks of ordered samples begin.
 SM_ROLL_INLINE uint32_t sm_roll_heads_bytes(uint32_t n) { return SM_ROLL_LONG(n) ? (n / SM_ROLL_BLOCK * 2u + 9u) & ~(uint32_t)7 : 0; }
-//: sm_roll_tree_words
+// snippet: sm_roll_tree_words
 // Words for the results of groups of 2, 4, 8, … slots, n / 2, n / 4, …, each rounded up.  Used for all such trees but the last.
 SM_ROLL_INLINE uint32_t sm_roll_tree_words(uint32_t n) { return n + 15; }
-//: sm_roll_nodes_at
+// snippet: sm_roll_nodes_at
 // The index of the word where the results for pairs of slots begin.
 SM_ROLL_INLINE uint32_t sm_roll_nodes_at(uint32_t n, uint32_t kind)
 {
     const uint32_t row = sm_roll_row_bytes(n, kind);
     return sm_roll_slots_at(n, kind) + ((kind & SM_ROLL_MEDIAN) == 0 ? row : 2 * row + sm_roll_heads_bytes(n)) / 8;
 }
-//: sm_roll_count
+// snippet: sm_roll_count
 // The number of samples.
-SM_ROLL_INLINE uint32_t sm_roll_count(const uint64_t *w) { return (uint32_t)sm_roll_load((const unsigned char *)w, 0, SM_ROLL_U32); }
-//: sm_roll_next
+SM_ROLL_INLINE SmRollSize sm_roll_count(const uint64_t *w) { uint32_t v; memcpy(&v, w, 4); return (SmRollSize)v; }
+// snippet: sm_roll_next
 // The slot of the next sample.
-SM_ROLL_INLINE uint32_t sm_roll_next(const uint64_t *w) { return (uint32_t)sm_roll_load((const unsigned char *)w, 1, SM_ROLL_U32); }
-//: sm_roll_slot_key
+SM_ROLL_INLINE SmRollSize sm_roll_next(const uint64_t *w) { uint32_t v; memcpy(&v, (const unsigned char *)w + 4, 4); return (SmRollSize)v; }
+// snippet: sm_roll_set_count
+// Stores the number of samples, and the slot of the next one.
+SM_ROLL_INLINE void sm_roll_set_count(uint64_t *w, uint32_t count) { memcpy(w, &count, 4); }
+// snippet: sm_roll_set_next
+SM_ROLL_INLINE void sm_roll_set_next(uint64_t *w, uint32_t next) { memcpy((unsigned char *)w + 4, &next, 4); }
+// snippet: sm_roll_slot_key
 // The key in slot i.
-SM_ROLL_INLINE int64_t sm_roll_slot_key(const uint64_t *w, uint32_t n, uint32_t kind, uint32_t i)
+SM_ROLL_INLINE SmRollKey sm_roll_slot_key(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize i)
 {
     return sm_roll_load((const unsigned char *)(w + sm_roll_slots_at(n, kind)), i, kind);
 }
-//: sm_roll_oldest_key
+// snippet: sm_roll_oldest_key
 // In a full window, the key of the sample that the next one will replace.
-SM_ROLL_INLINE int64_t sm_roll_oldest_key(const uint64_t *w, uint32_t n, uint32_t kind) { return sm_roll_slot_key(w, n, kind, sm_roll_next(w)); }
-//: sm_roll_push_key
+SM_ROLL_INLINE SmRollKey sm_roll_oldest_key(const uint64_t *w, uint32_t n, uint32_t kind) { return sm_roll_slot_key(w, n, kind, sm_roll_next(w)); }
+// snippet: sm_roll_push_key
 // Adds a sample to a window of n slots, by its key.
-SM_ROLL_INLINE void sm_roll_push_key(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
+SM_ROLL_INLINE void sm_roll_push_key(uint64_t *w, uint32_t n, uint32_t kind, SmRollKey key)
 {
-    const uint32_t next = sm_roll_next(w), count = sm_roll_count(w);
+    const SmRollSize next = sm_roll_next(w), count = sm_roll_count(w);
     if ((sm_roll_partials(n, kind) & 1u) != 0)
-        w[1] += (uint64_t)(key - sm_roll_oldest_key(w, n, kind));   // an empty slot contains 0
+        w[1] += (uint64_t)((int64_t)key - sm_roll_oldest_key(w, n, kind));   // an empty slot contains 0
     sm_roll_store((unsigned char *)(w + sm_roll_slots_at(n, kind)), next, kind, key);
-    sm_roll_store((unsigned char *)w, 1, SM_ROLL_U32, next + 1 < n ? next + 1 : 0);
+    sm_roll_set_next(w, next + 1u < n ? next + 1u : 0);
     if (count < n)
-        sm_roll_store((unsigned char *)w, 0, SM_ROLL_U32, count + 1);
+        sm_roll_set_count(w, count + 1u);
 }
-//: sm_roll_push
+// snippet: sm_roll_push
 // Adds a sample to a window of n slots.
-SM_ROLL_INLINE void sm_roll_push(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
+SM_ROLL_INLINE_FOR_SPEED void sm_roll_push(uint64_t *w, uint32_t n, uint32_t kind, SmRollKey sample)
 {
     sm_roll_push_key(w, n, kind, sm_roll_key(kind, sample));
 }
-//: sm_roll_push_sorted
+// snippet: sm_roll_insert_stepwise
+// Inserts a key among `count` ordered ones.  In a full window it replaces `old`: the gap moves from there, step by step.
+SM_ROLL_INLINE_FOR_SPEED void sm_roll_insert_stepwise(unsigned char *sorted, SmRollSize count, bool full, uint32_t kind, SmRollKey old, SmRollKey key)
+{
+    SmRollSize i = full ? 0 : count;
+    while (full && i + 1u < count && sm_roll_load(sorted, i, kind) != old)
+        i++;
+    for (; i > 0 && key < sm_roll_load(sorted, (SmRollSize)(i - 1u), kind); i--)
+        sm_roll_store(sorted, i, kind, sm_roll_load(sorted, (SmRollSize)(i - 1u), kind));
+    for (; i + 1u < count && sm_roll_load(sorted, (SmRollSize)(i + 1u), kind) < key; i++)
+        sm_roll_store(sorted, i, kind, sm_roll_load(sorted, (SmRollSize)(i + 1u), kind));
+    sm_roll_store(sorted, i, kind, key);
+}
+// snippet: sm_roll_push_sorted
 // The same for a short window that also stores its samples in order.  One pass without branches inserts the new one and removes the oldest.
-SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
+SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, SmRollKey sample)
 {
     unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);
-    const int64_t old = sm_roll_oldest_key(w, n, kind);
-    int64_t key = sm_roll_key(kind, sample), a = sm_roll_load(sorted, 0, kind), next;
-    uint32_t i = sm_roll_count(w);
+    const SmRollKey old = sm_roll_oldest_key(w, n, kind);
+    SmRollKey key = sm_roll_key(kind, sample), a = sm_roll_load(sorted, 0, kind), next;
+    SmRollSize i = sm_roll_count(w);
     const bool full = i == n;
     sm_roll_push_key(w, n, kind, key);
-    if (full) {
+    if (SM_ROLL_SMALL || !full) {
+        sm_roll_insert_stepwise(sorted, i, full, kind, old, key);
+    } else {
         SM_ROLL_UNROLL
-        for (i = 0; i + 1 < n; i++) {
-            next = sm_roll_load(sorted, i + 1, kind);
+        for (i = 0; i + 1u < n; i++) {
+            next = sm_roll_load(sorted, (SmRollSize)(i + 1u), kind);
             a = a < old ? a : next;                      // the remaining sample of rank i
             sm_roll_store(sorted, i, kind, key < a ? key : a);
             key = key < a ? a : key;
             a = next;
         }
-    } else {
-        for (; i > 0 && key < sm_roll_load(sorted, i - 1, kind); i--)
-            sm_roll_store(sorted, i, kind, sm_roll_load(sorted, i - 1, kind));
+        sm_roll_store(sorted, i, kind, key);
     }
-    sm_roll_store(sorted, i, kind, key);
 }
-//: sm_roll_index_of_rank
+// snippet: sm_roll_index_of_rank
 // The index of the ordered sample of a rank.  A long array consists of blocks, each of them a ring that may begin anywhere.
-SM_ROLL_INLINE uint32_t sm_roll_index_of_rank(const unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t rank)
+SM_ROLL_INLINE SmRollSize sm_roll_index_of_rank(const unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t rank)
 {
     const uint32_t first = rank & ~(SM_ROLL_BLOCK - 1), end = n - first < SM_ROLL_BLOCK ? n : first + SM_ROLL_BLOCK;
     if (!SM_ROLL_LONG(n))
-        return rank;
-    rank += (uint32_t)sm_roll_load(sorted + sm_roll_row_bytes(n, kind), first / SM_ROLL_BLOCK, SM_ROLL_U16);
-    return rank < end ? rank : rank - end + first;
+        return (SmRollSize)rank;
+    rank = rank + (uint16_t)sm_roll_load(sorted + sm_roll_row_bytes(n, kind), (SmRollSize)(first / SM_ROLL_BLOCK), SM_ROLL_U16);
+    return (SmRollSize)(rank < end ? rank : rank - end + first);
 }
-//: sm_roll_count_below
+// snippet: sm_roll_count_below
 // The number of the first `count` ordered samples that are below key.
-SM_ROLL_INLINE uint32_t sm_roll_count_below(const unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t count, int64_t key)
+SM_ROLL_INLINE_FOR_SPEED uint32_t sm_roll_count_below(const unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t count, SmRollKey key)
 {
     uint32_t lo = 0, half;
     for (; count > 1; count -= half) {
@@ -279,9 +321,9 @@ SM_ROLL_INLINE uint32_t sm_roll_count_below(const unsigned char *sorted, uint32_
     }
     return lo + (count == 1 && sm_roll_load(sorted, sm_roll_index_of_rank(sorted, n, kind, lo), kind) < key);
 }
-//: sm_roll_slide
+// snippet: sm_roll_slide
 // Moves a gap among the ordered samples from index `from` to index `to`, by shifting the samples between them by one.
-SM_ROLL_INLINE void sm_roll_slide(unsigned char *sorted, uint32_t kind, uint32_t from, uint32_t to)
+SM_ROLL_INLINE_FOR_SPEED void sm_roll_slide(unsigned char *sorted, uint32_t kind, uint32_t from, uint32_t to)
 {
     const unsigned shift = sm_roll_shift(kind);
     unsigned char *const a = sorted + ((size_t)from << shift), *const b = sorted + ((size_t)to << shift);
@@ -290,9 +332,9 @@ SM_ROLL_INLINE void sm_roll_slide(unsigned char *sorted, uint32_t kind, uint32_t
     else
         memmove(b + ((size_t)1 << shift), b, (size_t)(a - b));
 }
-//: sm_roll_slide_in_block
+// snippet: sm_roll_slide_in_block
 // The same for ranks of one block.  The shift may need two parts, because a block is a ring.
-SM_ROLL_INLINE void sm_roll_slide_in_block(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
+SM_ROLL_INLINE_FOR_SPEED void sm_roll_slide_in_block(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
 {
     const uint32_t first = from & ~(SM_ROLL_BLOCK - 1), last = (n - first < SM_ROLL_BLOCK ? n : first + SM_ROLL_BLOCK) - 1;
     const bool up = from <= to;
@@ -301,17 +343,18 @@ SM_ROLL_INLINE void sm_roll_slide_in_block(unsigned char *sorted, uint32_t n, ui
     if (SM_ROLL_LONG(n) && (a <= b) != up) {
         sm_roll_slide(sorted, kind, a, up ? last : first);
         a = up ? first : last;
-        sm_roll_store(sorted, up ? last : first, kind, sm_roll_load(sorted, a, kind));
+        sm_roll_store(sorted, (SmRollSize)(up ? last : first), kind, sm_roll_load(sorted, (SmRollSize)a, kind));
     }
     sm_roll_slide(sorted, kind, a, b);
 }
-//: sm_roll_slide_ranks
+// snippet: sm_roll_slide_ranks
 // The same for any ranks.  Samples cross from block to block at the blocks' ends; blocks in between are only rotated.
-SM_ROLL_INLINE void sm_roll_slide_ranks(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
+SM_ROLL_INLINE_FOR_SPEED void sm_roll_slide_ranks(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
 {
     unsigned char *const heads = sorted + sm_roll_row_bytes(n, kind);
     const uint32_t mask = SM_ROLL_BLOCK - 1, step = from <= to ? 1u : UINT32_MAX;
-    uint32_t end, head, out;
+    uint32_t end, head;
+    SmRollSize out;
     while (SM_ROLL_LONG(n) && (from & ~mask) != (to & ~mask)) {
         end = step == 1 ? from | mask : from & ~mask;
         sm_roll_slide_in_block(sorted, n, kind, from, end);
@@ -319,16 +362,16 @@ SM_ROLL_INLINE void sm_roll_slide_ranks(unsigned char *sorted, uint32_t n, uint3
         out = sm_roll_index_of_rank(sorted, n, kind, from);
         sm_roll_store(sorted, sm_roll_index_of_rank(sorted, n, kind, end), kind, sm_roll_load(sorted, out, kind));
         if ((from & ~mask) != (to & ~mask)) {
-            head = (uint32_t)sm_roll_load(heads, from / SM_ROLL_BLOCK, SM_ROLL_U16);
-            sm_roll_store(heads, from / SM_ROLL_BLOCK, SM_ROLL_U16, (head + step) & mask);
+            head = (uint32_t)sm_roll_load(heads, (SmRollSize)(from / SM_ROLL_BLOCK), SM_ROLL_U16);
+            sm_roll_store(heads, (SmRollSize)(from / SM_ROLL_BLOCK), SM_ROLL_U16, (head + step) & mask);
             from ^= mask;
         }
     }
     sm_roll_slide_in_block(sorted, n, kind, from, to);
 }
-//: sm_roll_insert_sorted
+// snippet: sm_roll_insert_sorted
 // Before a key enters a longer window: finds its position among the ordered samples and that of the oldest sample, and shifts those between.
-SM_ROLL_INLINE void sm_roll_insert_sorted(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
+SM_ROLL_INLINE_FOR_SPEED void sm_roll_insert_sorted(uint64_t *w, uint32_t n, uint32_t kind, SmRollKey key)
 {
     unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);
     const uint32_t count = sm_roll_count(w);
@@ -338,17 +381,17 @@ SM_ROLL_INLINE void sm_roll_insert_sorted(uint64_t *w, uint32_t n, uint32_t kind
     sm_roll_slide_ranks(sorted, n, kind, from, to);
     sm_roll_store(sorted, sm_roll_index_of_rank(sorted, n, kind, to), kind, key);
 }
-//: sm_roll_push_blocks
+// snippet: sm_roll_push_blocks
 // Adds a sample to a longer window that also stores its samples in order.
-SM_ROLL_INLINE void sm_roll_push_blocks(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
+SM_ROLL_INLINE_FOR_SPEED void sm_roll_push_blocks(uint64_t *w, uint32_t n, uint32_t kind, SmRollKey sample)
 {
     sm_roll_insert_sorted(w, n, kind, sm_roll_key(kind, sample));
     sm_roll_push(w, n, kind, sample);
 }
-//: sm_roll_update_sums
+// snippet: sm_roll_update_sums
 // Returns the sum of all slots after sample i was added; `sum` is the sum of its pair.  Stores the sums of pairs and of groups of four,
 // eight, … slots.  An odd last group passes its sum on unchanged.
-SM_ROLL_INLINE SmF64 sm_roll_update_sums(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, SmF64 sum)
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_update_sums(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, SmF64 sum)
 {
     for (n = (n + 1) / 2; n > 1; n = (n + 1) / 2) {
         i /= 2;
@@ -360,9 +403,9 @@ SM_ROLL_INLINE SmF64 sm_roll_update_sums(uint64_t *node, uint32_t n, uint32_t i,
     }
     return sum;
 }
-//: sm_roll_update_smallest
+// snippet: sm_roll_update_smallest
 // The same for the smallest key.
-SM_ROLL_INLINE int64_t sm_roll_update_smallest(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, int64_t least)
+SM_ROLL_INLINE_FOR_SPEED int64_t sm_roll_update_smallest(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, int64_t least)
 {
     for (n = (n + 1) / 2; n > 1; n = (n + 1) / 2) {
         i /= 2;
@@ -374,14 +417,15 @@ SM_ROLL_INLINE int64_t sm_roll_update_smallest(uint64_t *node, uint32_t n, uint3
     }
     return least;
 }
-//: sm_roll_combine
+// snippet: sm_roll_combine
 // After a sample was added: updates the results of the groups of 2, 4, 8, … slots that contain it, and of the whole window.
-SM_ROLL_INLINE void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind)
+SM_ROLL_INLINE_FOR_SPEED void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind)
 {
     const unsigned partials = sm_roll_node_partials(n, kind);
-    const uint32_t next = sm_roll_next(w), i = (next == 0 ? n : next) - 1, count = sm_roll_count(w);
-    const bool paired = (i ^ 1u) < count;
-    const int64_t key = sm_roll_slot_key(w, n, kind, i), other = sm_roll_slot_key(w, n, kind, paired ? i ^ 1u : i);
+    const uint32_t next = sm_roll_next(w), count = sm_roll_count(w);
+    const SmRollSize i = (SmRollSize)((next == 0 ? n : next) - 1), neighbour = (SmRollSize)(i ^ 1u);
+    const bool paired = neighbour < count;
+    const SmRollKey key = sm_roll_slot_key(w, n, kind, i), other = sm_roll_slot_key(w, n, kind, paired ? neighbour : i);
     uint64_t *node = w + sm_roll_nodes_at(n, kind), *all = w + 1 + (sm_roll_partials(n, kind) & 1u);
     SmF64 sum = sm_roll_value(kind, key);
     if ((partials & 2u) != 0) {
@@ -394,9 +438,9 @@ SM_ROLL_INLINE void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind)
         node += sm_roll_tree_words(n);
     }
     if ((partials & 8u) != 0)
-        *all = (uint64_t)sm_roll_update_smallest(node, n, i, count, key > other ? ~key : ~other);
+        *all = (uint64_t)sm_roll_update_smallest(node, n, i, count, ~(int64_t)(key > other ? key : other));
 }
-//: sm_roll_sum_group
+// snippet: sm_roll_sum_group
 // The sum of up to SM_ROLL_AT_ONCE slots, in pairs.  `at` is the first of the `left` remaining slots.
 SM_ROLL_INLINE SmF64 sm_roll_sum_group(const unsigned char *at, uint32_t left, uint32_t kind)
 {
@@ -409,49 +453,67 @@ SM_ROLL_INLINE SmF64 sm_roll_sum_group(const unsigned char *at, uint32_t left, u
     other = sm_roll_value(kind, sm_roll_load(at, 2, kind));
     return sm_add(sum, left > 3 ? sm_add(other, sm_roll_value(kind, sm_roll_load(at, 3, kind))) : other);
 }
-//: sm_roll_sum
+// snippet: sm_roll_sum
 // Adds slots in pairs, the sums in pairs again, and so on.  `part` has the sums that wait for their partner.
-SM_ROLL_INLINE SmF64 sm_roll_sum(const uint64_t *w, uint32_t n, uint32_t kind)
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_sum(const uint64_t *w, uint32_t n, uint32_t kind)
 {
     const unsigned char *at = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
-    SmF64 part[18], *end = part;
-    const uint32_t count = sm_roll_count(w);
-    uint32_t i, whole;
-    for (i = 0; i < count; i += SM_ROLL_AT_ONCE, at += (size_t)SM_ROLL_AT_ONCE << sm_roll_shift(kind)) {
-        *end++ = sm_roll_sum_group(at, count - i, kind);
-        for (whole = i / SM_ROLL_AT_ONCE; whole % 2 != 0; whole /= 2, end--)
-            end[-2] = sm_add(end[-2], end[-1]);
+    SmF64 part[17], *end = part, sum = sm_from_bits(0);
+    const SmRollSize count = sm_roll_count(w);
+    SmRollSize i, whole;
+    for (i = 0; i < count; i = (SmRollSize)(i + SM_ROLL_AT_ONCE), at += (size_t)SM_ROLL_AT_ONCE << sm_roll_shift(kind)) {
+        sum = sm_roll_sum_group(at, (uint32_t)(count - i), kind);
+        for (whole = (SmRollSize)(i / SM_ROLL_AT_ONCE); whole % 2 != 0; whole /= 2)
+            sum = sm_add(*--end, sum);
+        *end++ = sum;
     }
-    for (; end != part + 1; end--)
-        end[-2] = sm_add(end[-2], end[-1]);
-    return part[0];
+    for (end--; end != part;)
+        sum = sm_add(*--end, sum);
+    return sum;
 }
-//: sm_roll_avg
-SM_ROLL_INLINE SmF64 sm_roll_avg(const uint64_t *w, uint32_t n, uint32_t kind)
+// snippet: sm_roll_sum_of_integers
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_sum_of_integers(const uint64_t *w, uint32_t n, uint32_t kind)
+{
+    const unsigned char *const at = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
+    const SmRollSize count = sm_roll_count(w);
+    int64_t sum = 0;
+    int32_t sum_of_short = 0;                           // no overflow: 32768 samples of 16 bits
+    SmRollSize i;
+    if (sizeof(SmRollKey) == 2 && n <= 32768) {
+        for (i = 0; i < count; i++)
+            sum_of_short += (int32_t)sm_roll_load(at, i, kind);
+        return sm_from_i32(sum_of_short);
+    }
+    for (i = 0; i < count; i++)
+        sum += sm_roll_load(at, i, kind);
+    return sm_from_i64(sum);
+}
+// snippet: sm_roll_avg
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_avg(const uint64_t *w, uint32_t n, uint32_t kind)
 {
     const unsigned partials = sm_roll_partials(n, kind);
-    const uint32_t count = sm_roll_count(w);
+    const SmRollSize count = sm_roll_count(w);
     SmF64 sum;
     if (count == 0)
         return sm_from_i32(0);
     if ((partials & 3u) != 0)
         sum = (partials & 1u) != 0 ? sm_from_i64((int64_t)w[1]) : sm_from_bits(w[1]);
     else
-        sum = sm_roll_sum(w, n, kind);
+        sum = !SM_ROLL_SMALL || (kind & SM_ROLL_TYPE) == SM_ROLL_F32 || (kind & SM_ROLL_TYPE) == SM_ROLL_F64 ? sm_roll_sum(w, n, kind) : sm_roll_sum_of_integers(w, n, kind);
     return sm_div(sum, sm_from_u32(count));
 }
-//: sm_roll_extreme_of_two
+// snippet: sm_roll_extreme_of_two
 // The smaller key, or the larger if `up`.
-SM_ROLL_INLINE int64_t sm_roll_extreme_of_two(bool up, int64_t a, int64_t b) { return (up ? a > b : a < b) ? a : b; }
-//: sm_roll_extreme_key
+SM_ROLL_INLINE SmRollKey sm_roll_extreme_of_two(bool up, SmRollKey a, SmRollKey b) { return (up ? a > b : a < b) ? a : b; }
+// snippet: sm_roll_extreme_key
 // The smallest key of all, or the largest if `up`.
-SM_ROLL_INLINE int64_t sm_roll_extreme_key(const uint64_t *w, uint32_t n, uint32_t kind, bool up)
+SM_ROLL_INLINE SmRollKey sm_roll_extreme_key(const uint64_t *w, uint32_t n, uint32_t kind, bool up)
 {
     const unsigned char *at = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
     const size_t one = (size_t)1 << sm_roll_shift(kind);
-    int64_t end = sm_roll_load(at, 0, kind), a, b;
-    uint32_t left;
-    for (left = sm_roll_count(w); SM_ROLL_AT_ONCE == 4 && left >= 4; left -= 4, at += 4 * one) {
+    SmRollKey end = sm_roll_load(at, 0, kind), a, b;
+    SmRollSize left;
+    for (left = sm_roll_count(w); !SM_ROLL_SMALL && SM_ROLL_AT_ONCE == 4u && left >= 4; left = (SmRollSize)(left - 4u), at += 4 * one) {
         a = sm_roll_extreme_of_two(up, sm_roll_load(at, 0, kind), sm_roll_load(at, 1, kind));
         b = sm_roll_extreme_of_two(up, sm_roll_load(at, 2, kind), sm_roll_load(at, 3, kind));
         end = sm_roll_extreme_of_two(up, end, sm_roll_extreme_of_two(up, a, b));
@@ -460,24 +522,24 @@ SM_ROLL_INLINE int64_t sm_roll_extreme_key(const uint64_t *w, uint32_t n, uint32
         end = sm_roll_extreme_of_two(up, end, sm_roll_load(at, 0, kind));
     return end;
 }
-//: sm_roll_value_of_rank
+// snippet: sm_roll_value_of_rank
 // The number of the ordered sample of a rank.
-SM_ROLL_INLINE SmF64 sm_roll_value_of_rank(const uint64_t *w, uint32_t n, uint32_t kind, uint32_t rank)
+SM_ROLL_INLINE SmF64 sm_roll_value_of_rank(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize rank)
 {
     const unsigned char *const sorted = (const unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);
     return sm_roll_value(kind, sm_roll_load(sorted, sm_roll_index_of_rank(sorted, n, kind, rank), kind));
 }
-//: sm_roll_median
-SM_ROLL_INLINE SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind)
+// snippet: sm_roll_median
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind)
 {
-    const uint32_t count = sm_roll_count(w);
+    const SmRollSize count = sm_roll_count(w);
     SmF64 a, b, d;
     if (count == 0)
         return sm_from_i32(0);
-    a = sm_roll_value_of_rank(w, n, kind, (count - 1) / 2);
+    a = sm_roll_value_of_rank(w, n, kind, (count - 1u) / 2u);
     if (count % 2 != 0)
         return a;
-    b = sm_roll_value_of_rank(w, n, kind, count / 2);
+    b = sm_roll_value_of_rank(w, n, kind, count / 2u);
     if (sm_eq(a, b))
         return a;
     d = sm_sub(b, a);
@@ -485,32 +547,32 @@ SM_ROLL_INLINE SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind
         return sm_add(sm_div(a, sm_from_i32(2)), sm_div(b, sm_from_i32(2)));
     return sm_add(a, sm_div(d, sm_from_i32(2)));
 }
-//: sm_roll_extreme
+// snippet: sm_roll_extreme
 // The smallest sample, or the largest if `up`; -0 is below +0.
 SM_ROLL_INLINE SmF64 sm_roll_extreme(const uint64_t *w, uint32_t n, uint32_t kind, bool up)
 {
     const unsigned partials = sm_roll_partials(n, kind);
-    const uint32_t count = sm_roll_count(w);
+    const SmRollSize count = sm_roll_count(w);
     if (count == 0)
         return sm_from_i32(0);
     if ((kind & SM_ROLL_MEDIAN) != 0)
-        return sm_roll_value_of_rank(w, n, kind, up ? count - 1 : 0);
+        return sm_roll_value_of_rank(w, n, kind, up ? count - 1u : 0);
     if (partials < 4)
         return sm_roll_value(kind, sm_roll_extreme_key(w, n, kind, up));
-    return sm_roll_value(kind, up ? (int64_t)~w[sm_roll_partial_words(partials)] : (int64_t)w[1 + sm_roll_partial_words(partials & 3u)]);
+    return sm_roll_value(kind, (SmRollKey)(up ? ~w[sm_roll_partial_words(partials)] : w[1 + sm_roll_partial_words(partials & 3u)]));
 }
-//: sm_roll_min
+// snippet: sm_roll_min
 SM_ROLL_INLINE SmF64 sm_roll_min(const uint64_t *w, uint32_t n, uint32_t kind) { return sm_roll_extreme(w, n, kind, false); }
-//: sm_roll_max
+// snippet: sm_roll_max
 SM_ROLL_INLINE SmF64 sm_roll_max(const uint64_t *w, uint32_t n, uint32_t kind) { return sm_roll_extreme(w, n, kind, true); }
-//: sm_roll_range
+// snippet: sm_roll_range
 // The largest minus the smallest sample; 0 if they are equal, even if infinite.
-SM_ROLL_INLINE SmF64 sm_roll_range(const uint64_t *w, uint32_t n, uint32_t kind)
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_range(const uint64_t *w, uint32_t n, uint32_t kind)
 {
     const SmF64 lo = sm_roll_min(w, n, kind), hi = sm_roll_max(w, n, kind);
     return sm_eq(lo, hi) ? sm_from_i32(0) : sm_sub(hi, lo);
 }
-//: end
+// snippet: end
 
 #ifndef SM_ROLL_NONE
 // 1: a VM without windows, for chips with too little memory: its verifier rejects images that have any.  Must be the same for all files
@@ -606,8 +668,8 @@ static inline void sm_roll_sample_cell(uint64_t *w, uint32_t n, uint32_t kind, u
     sm_roll_small_init(&s, w, (size_t)n, (uint16_t)kind);
     sm_roll_small_push(&s, cell);
     if (s.count < s.n)
-        sm_roll_store((unsigned char *)w, 0, SM_ROLL_U32, (int64_t)(s.count + 1));
-    sm_roll_store((unsigned char *)w, 1, SM_ROLL_U32, (int64_t)(s.next + 1 < s.n ? s.next + 1 : 0));
+        sm_roll_set_count(w, (uint32_t)(s.count + 1));
+    sm_roll_set_next(w, (uint32_t)(s.next + 1 < s.n ? s.next + 1 : 0));
 }
 
 // Converts a number to the window's type, as a store does, and adds it as a sample.

@@ -7,7 +7,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#ifndef SMVM_BINDINGS        // tools that read smvm.h for another language
 #include "stdlib/f64.h"
+#endif
 
 #ifdef __cplusplus
 extern "C" {

@@ -23,7 +23,7 @@ define test_row
 LINES_$(2) += "$(1): $(4)"
 NEEDS_$(2) += $(3)
 check-$(patsubst check-%,%,$(patsubst +%,%,$(1))): all $(3)
-	$(4)
+	unset MAKEFLAGS MFLAGS MAKELEVEL; $(4)
 .PHONY: check-$(patsubst check-%,%,$(patsubst +%,%,$(1)))
 endef
 
@@ -181,40 +181,67 @@ fuzz: $(FUZZ:%=$(B)/fuzz-cov/%)
 	    -artifact_prefix=$(B)/corpus/$(f)- $(B)/corpus/$(f) $(FUZZ_SEEDS_$(f)) $(wildcard tests/fuzz/seeds/$(f)) || exit 1;)
 FUZZ_SEEDS_ir = tests/ir/samples
 
-# tests/bench: time per step, size of code, growth of compile time.  `make bench W=mission`: one workload.  The measured code is built
-# with BENCH_FLAGS, not CFLAGS; emitted C and handwritten C with BENCH_USER, as a user would build them.
-W           ?= tank mission arith bigwindow
-BENCH_FLAGS  = $(STRICT_C) -I$(B)/bench/gen -O2
-BENCH_USER   = -std=c99 -O2
-$(B)/bench/scale $(B)/bench/compile: $(B)/bench/%: $(B)/obj/tests/bench/%.o $(B)/obj/tests/bench/shapes.o $(B)/obj/compiler/base/os_posix.o $(B)/libsmc.a
+# tests/bench: time per step, size of code, growth of compile time.  `make bench W=mission`: one workload.
+WORKLOADS    = tank mission arith bigwindow seq40 big200 intcount f32filter vote decide ledger redlines
+W           ?= $(WORKLOADS)
+$(B)/bench/scale $(B)/bench/compile: $(B)/bench/%: $(B)/obj/tests/bench/%.o $(B)/obj/tests/bench/shapes.o $(patsubst %.c,$(B)/obj/%.o,$(wildcard compiler/base/os_*.c)) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
-# Each machine as C at each level, tank_o0 to bigwindow_o2.  Their headers declare the same state vector.
-BENCH_EMITTED =
-define bench_emit
-BENCH_EMITTED += $(B)/bench/gen/$(1)_o$(2)
-$(B)/bench/gen/$(1)_o$(2).c: $(3) tests/bench/workloads/$(1).sv $(B)/smc
-	@mkdir -p $$(@D)
-	$$(call say,SMC)$(B)/smc build $(3) --sv tests/bench/workloads/$(1).sv --emit=c -O$(2) --prefix=$(1)_o$(2) -o $$@
-endef
-$(foreach o,0 1 2,$(eval $(call bench_emit,tank,$(o),examples/tank/tank.sm)))
-$(foreach o,0 1 2,$(foreach w,mission arith bigwindow,$(eval $(call bench_emit,$(w),$(o),tests/bench/workloads/$(w).sm))))
-$(BENCH_EMITTED:%=%.h): %.h: %.c ;
-$(BENCH_EMITTED:%=%.o): %.o: %.c
-	$(call say,CC)$(CC) $(BENCH_USER) -c $< -o $@
+# What is measured is what a user gets: the VM and stdlib of `make install` with the default CFLAGS.  A build with other CFLAGS is
+# not that, and a second one is made.  Handwritten and emitted C are built with BENCH_USER, as a user would build them.
+BENCH_PREFIX = $(B)/bench/prefix
+BENCH_MAKE   = $(if $(filter $(DEFAULT_CFLAGS),$(CFLAGS)),$(B),$(B)/bench/default)
+BENCH_VM     = $(BENCH_PREFIX)/lib/libsmvm.a
+BENCH_USER   = -std=c99 -O2
+BENCH_FLAGS  = -I$(BENCH_PREFIX)/include/smc -I$(B)/bench/gen $(STRICT_C) -O2
+$(BENCH_VM): $(B)/smc $(B)/libsmvm.a
+	$(call say,INSTALL)$(MAKE) -s install B=$(BENCH_MAKE) CFLAGS='$(DEFAULT_CFLAGS)' DESTDIR= PREFIX=$(abspath $(BENCH_PREFIX)) && touch $@
 
-BENCH_C   = $(wildcard tests/bench/workloads/*.c) $(addprefix tests/bench/,steps.c engines.c lua.c nothing.c)
-BENCH_OBJ = $(patsubst %.c,$(B)/bench/obj/%.o,$(BENCH_C) $(VM) $(STDLIB))
-$(B)/bench/obj/%.o: %.c | $(BENCH_EMITTED:%=%.h)
+# Each machine as C, tank_o0 to bigwindow_o2: $(call bench_emit,WORKLOAD,NAME,LEVEL,FLAG OF CC).  Their headers declare the same state
+# vector.
+BENCH_EMITTED =
+bench_sm      = $(firstword $(wildcard tests/bench/workloads/$(1).sm examples/$(1)/$(1).sm))
+define bench_emit
+BENCH_EMITTED += $(B)/bench/gen/$(1)_$(2)
+$(B)/bench/gen/$(1)_$(2).c: $(bench_sm) tests/bench/workloads/$(1).sv $(B)/smc
+	@mkdir -p $$(@D)
+	$$(call say,SMC)$(B)/smc build -w $(bench_sm) --sv tests/bench/workloads/$(1).sv --emit=c -O$(3) --prefix=$(1)_$(2) -o $$@
+$(B)/bench/gen/$(1)_$(2).o: $(B)/bench/gen/$(1)_$(2).c
+	$$(call say,CC)$$(CC) $$(BENCH_USER) $(4) -c $$< -o $$@
+endef
+$(foreach w,$(WORKLOADS),$(foreach o,0 1 2,$(eval $(call bench_emit,$(w),o$(o),$(o))))$(eval $(call bench_emit,$(w),os,2,-Os)))
+$(BENCH_EMITTED:%=%.h): %.h: %.c ;
+
+# The row `wasm3`: WASM3=FOLDER names the sources of wasm3 (tests/bench/README.md); needs clang and wasm-ld, and the package wasi-libc.
+WASM3      ?=
+WASM_CC    ?= clang-19 --target=wasm32-wasi
+BENCH_WASM  = $(if $(WASM3),$(WORKLOADS:%=$(B)/bench/gen/%.wasm))
+$(B)/bench/gen/%.wasm: tests/bench/workloads/%_rows.c tests/bench/workloads/%_f64.c tests/bench/rows.h $(BENCH_VM) | $(BENCH_EMITTED:%=%.h)
+	$(call say,WASM)$(WASM_CC) $(BENCH_FLAGS) -nostdlib -Wl$(,)--no-entry $(filter %.c,$^) -lc -o $@
+BENCH_WASM3 = $(patsubst $(WASM3)/%.c,$(B)/bench/wasm3/%.o,$(if $(WASM3),$(wildcard $(WASM3)/m3_*.c)))
+$(B)/bench/wasm3/%.o: $(WASM3)/%.c
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) -std=gnu99 -O3 -fomit-frame-pointer -fno-stack-protector -c $< -o $@
+$(B)/bench/obj/tests/bench/wasm.o: BENCH_FLAGS += $(if $(WASM3),-DBENCH_WASM3 -I$(WASM3))
+# Made again when WASM3 changes.
+$(B)/bench/wasm3.txt: $(if $(findstring $(WASM3)!,$(shell cat $(B)/bench/wasm3.txt 2>/dev/null)),,FORCE)
+	@mkdir -p $(@D)
+	@echo '$(WASM3)!' >$@
+$(B)/bench/obj/tests/bench/wasm.o: $(B)/bench/wasm3.txt
+FORCE:
+
+BENCH_C   = $(wildcard tests/bench/workloads/*.c) $(addprefix tests/bench/,steps.c engines.c lua.c wasm.c nothing.c)
+BENCH_OBJ = $(patsubst %.c,$(B)/bench/obj/%.o,$(BENCH_C))
+$(B)/bench/obj/%.o: %.c $(BENCH_VM) | $(BENCH_EMITTED:%=%.h)
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(BENCH_FLAGS) $(WARN) $(DEPFLAGS) -c $< -o $@
 $(B)/bench/obj/tests/bench/workloads/%_native.o: BENCH_FLAGS = $(BENCH_USER) -I. -I$(B)/bench/gen
-$(B)/bench/steps: $(BENCH_OBJ) $(BENCH_EMITTED:%=%.o) $(B)/libsmc.a
+$(B)/bench/steps: $(BENCH_OBJ) $(BENCH_EMITTED:%=%.o) $(BENCH_WASM3) $(BENCH_VM) $(B)/libsmc.a | $(BENCH_WASM)
 	$(call say,LD)$(CC) -o $@ $^ -lm
 
-# `make bench` runs all parts; `make bench-time`, `bench-count`, `bench-sizes` and `bench-compile` one each (tests/bench/run.sh).
-BENCH_PARTS = time count sizes compile
+# `make bench` runs all parts; `make bench-time`, `bench-count`, `bench-sizes`, `bench-compile` and `bench-avr` one each (tests/bench/run.sh).
+BENCH_PARTS = time count sizes compile avr
 bench: $(B)/bench/steps $(B)/bench/compile
 	sh tests/bench/run.sh $(B) '$(CC)' '$(BENCH_PARTS)' '$(W)'
 $(BENCH_PARTS:%=bench-%): bench-%: $(B)/bench/steps $(B)/bench/compile
@@ -326,7 +353,7 @@ $(B)/store/new.smb: examples/chilldown/chilldown.sm $(B)/smc
 
 # The link between a host and a board, over lines that lose and damage bytes.  `make link-trouble N=100000 SEED=2`: N updates.
 BOARD_SRC = bytecode-vm/target/agent.c bytecode-vm/target/store.c runtime-c/event.c $(filter runtime-c/psl/sim/%,$(PSL_SRC_sim))
-AGENT_SRC = tests/store/agent.c compiler/device/device.c compiler/device/link_host.c $(BOARD_SRC)
+AGENT_SRC = tests/store/agent.c bytecode-vm/target/state_log.c compiler/device/device.c compiler/device/link_host.c $(BOARD_SRC)
 $(B)/store/agent: $(AGENT_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
@@ -381,7 +408,7 @@ psl-qemu:
 
 # tests/runtime: one program per file.  NAME_linux.c runs on Linux, with threads, and again under the thread sanitizer; the others run in
 # the simulation.  Of the folder's files, V.sv is compiled to "V.h", V.io to "V_io.h", and M.sm to "M.h", with the vector RUNTIME_SV_M.
-RUNTIME_SRC   = $(wildcard runtime-c/*.c) $(filter-out %/store.c %/agent.c,$(wildcard bytecode-vm/target/*.c)) $(VM) $(STDLIB)
+RUNTIME_SRC   = $(wildcard runtime-c/*.c) $(filter-out %/store.c %/agent.c %/state_log.c,$(wildcard bytecode-vm/target/*.c)) $(VM) $(STDLIB)
 RUNTIME_MADE  = $(patsubst tests/runtime/%,$(B)/runtime/made/%.c,$(basename $(wildcard tests/runtime/*.sv tests/runtime/*.sm))) \
                 $(patsubst tests/runtime/%.io,$(B)/runtime/made/%_io.c,$(wildcard tests/runtime/*.io))
 RUNTIME_TESTS = $(patsubst tests/runtime/%.c,$(B)/runtime/%,$(wildcard tests/runtime/*.c))
@@ -616,7 +643,7 @@ $(call test, check-layers,         quick,, sh tests/check/files.sh code | awk -f
 $(call test, check-hints,          quick,, sh tests/check/files.sh cases | awk -f tests/check/hints.awk compiler/syntax/hints.h compiler/syntax/hints.def -)
 $(call test, check-codes,          quick,, sh tests/check/files.sh cases | awk -f tests/check/codes.awk compiler/diag/flags.def compiler/diag/codes.def tests/check/codes.txt -)
 $(call test, check-builtins,       quick,, sh tests/check/builtins.sh)
-$(call test, check-arguments,      quick,, sh tests/check/files.sh compiler | awk -f tests/check/arguments.awk compiler/diag/codes.def -)
+$(call test, check-arguments,      quick,, sh tests/check/files.sh compiler | awk -f tests/check/arguments.awk compiler/diag/codes.def compiler/syntax/hints.def compiler/sema/foreign_names.def -)
 $(call test, check-clauses,        quick,, sh tests/check/files.sh evidence | awk -f tests/check/clauses.awk docs/language.md docs/config.md tests/check/clauses.txt -)
 $(call test, check-citations,      quick,, sh tests/check/files.sh sources | awk -f tests/check/citations.awk docs/language.md docs/config.md -)
 $(call test, check-licence,        quick,, sh tests/check/files.sh code | awk -f tests/check/licence.awk)
@@ -636,6 +663,7 @@ $(call test, findings,             thorough,, sh tests/findings/run.sh $(B)/smc)
 LEVELS ?= 0 1 2
 $(foreach level,$(LEVELS),$(call test,conformance-O$(level),thorough,,$(if $(filter-out 2,$(level)),CC='$(CC) -O0' )$(B)/smc test -O$(level) conformance))
 # Emitted C with numbers in software, as --soft writes it.
+$(call test, conformance-c-small,  thorough,, CC='$(CC) -O0 -DSM_ROLL_SMALL=1' $(B)/smc test --engine=ref,c conformance/07-windows)
 $(call test, conformance-c-soft,   thorough,, CC='$(CC) -O0' $(B)/smc test --engine=ref,c-soft conformance)
 $(foreach u,$(UNIT_SLOW),$(call test,$(u),thorough,$(B)/unit/$(u),$(B)/unit/$(u)))
 $(call test, check-docs,           thorough,, sh tests/check/docs.sh $(B)/smc $(B)/docs README.md */README.md docs/*.md)
@@ -645,6 +673,7 @@ $(call test, graph-read,           thorough,, sh tests/graph/read.sh $(B)/smc te
 $(call test, outputs,              thorough, $(B)/corpus/log/flight.log, sh tests/outputs/run.sh $(B)/smc $(B)/corpus/log/flight.log)
 $(call test, junit,                thorough,, sh tests/check/junit.sh $(B)/smc $(B)/junit)
 $(call test, sarif,                thorough,, sh tests/check/sarif.sh $(B)/smc $(B)/sarif conformance/11-errors/*.smt tests/analysis/*.smt)
+$(call test, analysis-effort,      thorough,, sh tests/analysis/effort.sh $(B)/smc)
 $(call test, report,               thorough,, sh tests/report/run.sh $(B)/smc $(B)/report)
 $(call test, log,                  thorough, $(B)/runtime/log, sh tests/log/run.sh $(B)/smc $(B)/runtime/log $(B)/log)
 $(call test, app,                  thorough, $(B)/runtime/sim.a, sh tests/app/run.sh $(B)/smc $(B)/runtime/sim.a '$(CC)')
@@ -692,6 +721,7 @@ $(call test, +native-x86-32,       targets, $(B)/golden, sh tests/targets/native
 $(call test, +sizes,               targets,, sh tests/bench/sizes.sh $(B) '$(CC)' '$(MAKE)')
 $(call test, +install,             targets,, sh tests/install/run.sh $(MAKE) $(B) '$(CC)')
 $(call test, emitc,                targets,, sh tests/emitc/run.sh $(B)/smc)
+$(call test, emulated,             targets,, sh tests/avr/emulated.sh '$(MAKE)' $(B) '$(CC)')
 $(call test, avr,                  targets, $(B)/diff/difftest, sh tests/avr/run.sh $(B) '$(CC)')
 $(call test, avr-cycles,           targets,, sh tests/avr/cycles.sh $(B) '$(CC)')
 $(call test, avr-c,                targets, $(B)/diff/difftest $(B)/targets/cases, sh tests/avr/c.sh $(B) '$(CC)')
@@ -699,7 +729,7 @@ $(call test, arduino,              targets, arduino, CC='$(CC)' sh tests/arduino
 $(call test, app-targets,          targets, $(RUNTIME_MADE), sh tests/targets/app.sh $(B) '$(CC)')
 $(call test, runtime-targets,      targets,, CC='$(CC)' sh tests/runtime/targets.sh $(B)/smc)
 $(call test, models,               targets,, sh tests/check/models.sh $(STRICT_C) $(WARN))
-$(call test, bench,                targets, $(B)/bench/steps, $(B)/bench/steps $(B)/bench check)
+$(call test, bench,                targets, $(B)/bench/steps $(B)/bench/compile $(B)/bench/scale, $(B)/bench/steps $(B)/bench check)
 $(call test, bench-report,         targets,, sh tests/check/bench_report.sh)
 
 # ---- running them ----

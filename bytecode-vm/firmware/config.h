@@ -31,13 +31,14 @@ static inline uint8_t smvm_firmware_byte(uint16_t at)
 
 // These depend on the chip.  FIRMWARE_STORE, FIRMWARE_SLOTS: bytes of EEPROM that the store uses, and the number of its slots.
 // FIRMWARE_MEMORY: bytes of RAM for state vector, machines and pins.  FIRMWARE_EVENTS: the number of events that are stored.
-// FIRMWARE_BODY: the largest body of a frame.  A frame with its head, its end and a zero before it must fit into the ring buffer of the
+// FIRMWARE_LOG: it stores transitions in EEPROM (target/state_log.h).  FIRMWARE_BODY: the largest body of a frame.  A frame with its head, its end and a zero before it must fit into the ring buffer of the
 // line.  Otherwise a request that arrives during a long step would be cut off.
 #if defined(__AVR_ATmega2560__)
 #define FIRMWARE_STORE 4096
 #define FIRMWARE_SLOTS 2
 #define FIRMWARE_MEMORY 5120
 #define FIRMWARE_EVENTS 32
+#define FIRMWARE_LOG 1
 #define FIRMWARE_BODY 96
 #define AVR_SERIAL_RING 128
 #define SM_ROLL_WAITING 12
@@ -46,6 +47,7 @@ static inline uint8_t smvm_firmware_byte(uint16_t at)
 #define FIRMWARE_SLOTS 1
 #define FIRMWARE_MEMORY 1024
 #define FIRMWARE_EVENTS 4
+#define FIRMWARE_LOG 0        // an Uno has no RAM for it: its stack needs nearly all
 #define FIRMWARE_BODY 48
 #define AVR_SERIAL_RING 64
 #define SM_ROLL_WAITING 9

@@ -7,7 +7,9 @@
 #include "bytecode-vm/auth.h"
 #include "bytecode-vm/firmware/firmware.h"
 #include "bytecode-vm/firmware/runner.h"
+#include "bytecode-vm/permit.h"
 #include "bytecode-vm/target/agent.h"
+#include "bytecode-vm/target/state_log.h"
 #include "runtime-c/pal/dio.h"
 #include "runtime-c/pal/nvm.h"
 #include "runtime-c/pal/serial.h"
@@ -21,9 +23,10 @@
 enum {
     PERIOD = 10,              // ms, for an image that was sent without one
     EEPROM_WRITE = 4,         // ms, rounded up: no byte write starts if it would still be in progress at the next step
-    STEP_CYCLES = 14400,      // limit of a step, for each of its milliseconds of 16,000 cycles: the rest is for the clock and the serial line
-    BITS_PER_SECOND = 115200
+    MS_CYCLES = F_CPU / 1000, STEP_CYCLES = MS_CYCLES / 10 * 9  // of a millisecond; limit of a step for each of them: the rest is for clock and line
 };
+// The chip divides its clock to these with an error of 2.1 %.  (115,200 at 8 MHz would be 3.5 % off.)
+#define BITS_PER_SECOND (F_CPU == 8000000 ? UINT32_C(57600) : UINT32_C(115200))
 
 static const uint8_t built_in[] PROGMEM = {
 #include "safe_image.inc"
@@ -75,6 +78,7 @@ static volatile uint16_t ms_left = 1, period = PERIOD;  // ms until the next ste
 static volatile bool stepping;         // a step is running
 static volatile bool is_paused = true; // no step begins
 static volatile bool is_after_step;    // a step has ended since the last tick
+static bool is_logging;                // a write to EEPROM is one of the log, for which no step waits
 static uint16_t skipped;                               // steps that were due while another ran
 static struct { uint32_t low, high; } now_g;           // G in milliseconds, as two halves: a third of the code of a uint64_t with avr-gcc
 
@@ -158,7 +162,7 @@ static void on_tick(void)
 // Whether a byte write to EEPROM may start now: if it ends before the next step, or directly after a step, for periods that are too short.
 static bool may_write(void)
 {
-    const bool may = is_paused || ms_left > EEPROM_WRITE || is_after_step;
+    const bool may = is_paused || ms_left > EEPROM_WRITE || (!(FIRMWARE_LOG && is_logging) && is_after_step);
 
     is_after_step = false;
     return may;
@@ -225,11 +229,7 @@ static SmResult fits(void *context, SmvmBytes image)
     return smvm_runner_fits(&runner, image);
 }
 
-static void leave_slot(void *context)
-{
-    (void)context;
-    run_built_in();
-}
+static SmResult leave_slot(void *context, const uint8_t *begin, uint8_t n);
 
 static AgentBoard board = {
     .ram = FIRMWARE_MEMORY - (sizeof(SmVm) + 7) / 8 * 8, .machines = SMVM_RUNNER_MACHINES, .windows = !SM_ROLL_NONE,
@@ -263,6 +263,15 @@ static bool is_authentic(SmvmBytes image, uint32_t *number)
     return smvm_auth_check(image, key, number);
 }
 
+// Not inlined, so that its stack is released before the built-in image is started.
+SMVM_NOINLINE static SmResult check_permit(const uint8_t *begin, uint8_t n)
+{
+    uint8_t key[SMVM_KEY];
+
+    read_key(key);
+    return smvm_permit_check(begin, n, sm_link_load(store.choice.newest, 4), key);
+}
+
 static void use_key(void)
 {
     uint8_t key[SMVM_KEY];
@@ -272,8 +281,19 @@ static void use_key(void)
     store.is_authentic = is_authentic;
 }
 #else
+static SmResult check_permit(const uint8_t *begin, uint8_t n) { return (void)begin, (void)n, SM_OK; }
 static void use_key(void) {}
 #endif
+
+static SmResult leave_slot(void *context, const uint8_t *begin, uint8_t n)
+{
+    const SmResult r = check_permit(begin, n);
+
+    (void)context;
+    if (r == SM_OK)
+        run_built_in();
+    return r;
+}
 
 static bool open_store(PalNvm nvm, const StorePlan *plan)
 {
@@ -320,6 +340,10 @@ SMVM_NOINLINE static void start_board(void)
     smvm_agent_init(&agent, &store, &board, &events, frame, FIRMWARE_BODY);
 }
 
+// Whether the image has run for 10 s: 40 times 256 ms, in the second byte of G.  (Also false again later, when the start has counted long
+// ago.  A byte is read in one instruction, which the clock cannot interrupt.)
+static bool has_run_for_a_while(void) { return ((const volatile uint8_t *)&now_g.low)[1] >= 40; }
+
 // Processes a received byte; returns false if there is none.
 static bool serve_line(void)
 {
@@ -340,12 +364,58 @@ static bool serve_line(void)
     avr_restart();
 }
 
+// ---- the log of transitions ----
+
+#if FIRMWARE_LOG
+static StateLog state_log;
+static uint32_t log_cursor;
+
+// Neither this nor write_log is inlined, so that their stack is released before requests are served.
+SMVM_NOINLINE static void open_log(void)
+{
+    if (store.running != STORE_BUILT_IN)
+        smvm_state_log_open(&state_log, store.plan.image[store.running], store.slot_size);
+}
+
+// Begins a record for the next transition, or the write of the next byte of one, unless a step would have to wait for that.
+SMVM_NOINLINE static void write_log(void)
+{
+    static uint8_t earned_at;          // in units of 8.192 s
+    const uint8_t now = (uint8_t)(avr_milliseconds() >> 13);
+    uint32_t lost;
+    SmvmAt at;
+    SmEvent e;
+    uint8_t byte;
+
+    if (state_log.records == 0)
+        return;
+    if (now != earned_at)
+        smvm_state_log_earn(&state_log);
+    earned_at = now;
+    if (smvm_state_log_is_idle(&state_log) && sm_events_read(&events, &log_cursor, &e, 1, &lost) == 1)
+        smvm_state_log_add(&state_log, &e, lost);
+    if (!smvm_state_log_next(&state_log, &at, &byte))
+        return;
+    is_logging = true;
+    if (avr_eeprom_begin_write((uint16_t)(state_log.image + at - FIRMWARE_EEPROM), byte))
+        smvm_state_log_advance(&state_log);
+    is_logging = false;
+}
+#else
+static void open_log(void) {}
+static void write_log(void) {}
+#endif
+
 void smvm_firmware(void)
 {
     start_board();
+    open_log();
     SMCR = 1 << SE;                        // enables idle mode, which the clock ends after at most a millisecond
     for (;;) {
         (void)pal_watchdog_feed();
+        if (has_run_for_a_while())
+            (void)smvm_store_count_start(&store);
+        write_log();
         if (!serve_line())
             sleep_cpu();
     }

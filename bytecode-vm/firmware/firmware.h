@@ -3,17 +3,20 @@
 #ifndef SMVM_FIRMWARE_H
 #define SMVM_FIRMWARE_H
 
+#include "runtime-c/psl/avr/chip.h"
+
+#ifdef PSL_AVR
+#define SMVM_HAS_FIRMWARE     // on other boards there is none
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-// Uses timer 0, the serial line and the EEPROM, and never returns.  On AVR.
-#ifdef __GNUC__
-__attribute__((noreturn))
-#endif
-void smvm_firmware(void);
+// Uses timer 0, the serial line and the EEPROM, and never returns.
+__attribute__((noreturn)) void smvm_firmware(void);
 
 #ifdef __cplusplus
 }
+#endif
 #endif
 #endif

@@ -108,8 +108,8 @@ static SmResult answer_image(Agent *a)
     if (state != STORE_EMPTY)
         put_image(a, image_of_slot(a, slot));
     a->length = IMAGE - 4;
-    put_u8(a, (uint8_t)((slot == s->running ? 1 : 0) | (state >= STORE_TRIAL ? 2 : smvm_store_is_fallback(s, slot) ? 4 : 0)));
-    put_u8(a, state == STORE_TRIAL ? s->choice.tries : 0);
+    put_u8(a, (uint8_t)((slot == s->running ? 1 : 0) | (state >= STORE_TRIAL ? 2 : smvm_store_flags(s, slot))));
+    put_u8(a, state == STORE_TRIAL ? s->choice.tries / STORE_START : 0);
     put_uint(a, smvm_store_period(s, slot), 2);
     return SM_OK;
 }
@@ -130,17 +130,17 @@ static uint16_t read_session(const Agent *a) { return (uint16_t)sm_link_load(bod
 
 static SmResult answer_begin(Agent *a)
 {
+    const uint16_t session = read_session(a);
+    Store *const s = a->store;
     SmvmAt length;
-    const SmResult r = read_session(a) == 0 ? SM_E_ARGUMENT :
-                       smvm_load_offset(body_of(a) + 2, &length) ? smvm_store_may_begin(a->store, length) : SM_E_SPACE;
+    SmResult r = session == 0 ? SM_E_ARGUMENT : smvm_load_offset(body_of(a) + 2, &length) ? smvm_store_may_begin(s, length) : SM_E_SPACE;
 
-    if (r != SM_OK)
-        return r;                      // a rejected update must not stop the running image
-    if (a->store->plan.slots == 1 && a->store->running != STORE_BUILT_IN) {
-        a->board->leave_slot(a->board->context);
-        smvm_store_run_built_in(a->store);
+    if (r == SM_OK && s->plan.slots == 1 && s->running != STORE_BUILT_IN) {
+        if ((r = a->board->leave_slot(a->board->context, body_of(a), a->n)) != SM_OK)
+            return r;                  // a rejected update must not stop the running image
+        smvm_store_run_built_in(s);
     }
-    return smvm_store_begin(a->store, read_session(a), length, sm_link_load(body_of(a) + 5, 4));
+    return r != SM_OK ? r : smvm_store_begin(s, session, length, sm_link_load(body_of(a) + 5, 4));
 }
 
 static SmResult answer_data(Agent *a)

@@ -34,7 +34,9 @@ typedef struct AgentBoard {
     SmResult (*may_update)(void *context);                        // SM_OK, SM_E_ARMED, SM_E_UNSAFE
     // Whether this board can run the image: RAM, pins, state vector.  SM_E_MEMORY, SM_E_MISSING, SM_E_LAYOUT.
     SmResult (*fits)(void *context, SmvmBytes image);
-    void (*leave_slot)(void *context);                            // run the built-in image from now on (boards with one slot)
+    // Run the built-in image from now on (boards with one slot), because of a BEGIN with this body of n bytes.  Any other result than SM_OK
+    // refuses the BEGIN, and the image continues to run (bytecode-vm/permit.h).
+    SmResult (*leave_slot)(void *context, const uint8_t *begin, uint8_t n);
     SmvmBytes built_in;
     uint32_t built_in_size;   // 0: there is none
 } AgentBoard;

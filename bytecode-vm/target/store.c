@@ -38,17 +38,21 @@ static bool is_slot(uint8_t slot, const Store *s) { return slot < s->plan.slots 
 static bool is_valid_record(const Store *s, const StoreChoice *c)
 {
     return c->version == VERSION && sm_link_crc(c->number, STORE_RECORD) == SM_CRC32_RESIDUE && is_slot(c->active, s) &&
-           is_slot(c->previous, s) && c->tries <= STORE_TRIES;
+           is_slot(c->previous, s) && c->tries <= STORE_TRIES * STORE_START;
 }
 
 // The offset in the memory of the record with this number: even numbers at 0, odd numbers after that.
 static SmvmAt record_offset(const Store *s, const uint8_t *number) { return number[0] & 1u ? s->record_size : 0; }
 
+// Sets s->choice to the newest valid record.  Without one, the built-in image is chosen.
 static void read_selector(Store *s)
 {
     StoreChoice c;
     bool found = false;
 
+    memset(&s->choice, 0, STORE_RECORD);
+    s->choice.active = s->choice.previous = STORE_BUILT_IN;
+    s->choice.confirmed = 1;
     for (uint8_t i = 0; i < 2; i++)
         if (pal_nvm_read(s->nvm, record_offset(s, &i), &c, STORE_RECORD) == SM_OK && is_valid_record(s, &c) && (c.number[0] & 1u) == i &&
             (!found || (int32_t)(load32(c.number) - load32(s->choice.number)) > 0)) {
@@ -57,9 +61,11 @@ static void read_selector(Store *s)
         }
 }
 
-// Writes a choice as the next record.  Until the write is complete, the previous record remains the newest valid one.
-static SmResult write_choice(Store *s, StoreChoice *c)
+// Writes s->choice, which the caller has changed, as the next record.  Until the write is complete, the previous record remains the newest
+// valid one.  If it fails, s->choice becomes what is on the medium.
+SMVM_NOINLINE static SmResult write_choice(Store *s)
 {
+    StoreChoice *const c = &s->choice;
     SmvmAt at;
     SmResult r;
 
@@ -70,8 +76,8 @@ static SmResult write_choice(Store *s, StoreChoice *c)
     r = erase_memory(s, at, s->record_size);
     if (r == SM_OK)
         r = write_memory(s, at, c, STORE_RECORD);
-    if (r == SM_OK)
-        s->choice = *c;
+    if (r != SM_OK)
+        read_selector(s);
     return r;
 }
 
@@ -124,8 +130,7 @@ SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan)
     memset(s, 0, sizeof *s);
     s->nvm = nvm;
     s->plan = *plan;
-    s->choice.active = s->choice.previous = s->running = STORE_BUILT_IN;
-    s->choice.confirmed = 1;
+    s->running = STORE_BUILT_IN;
     if ((r = check_memory(s)) == SM_OK)
         read_selector(s);
     return r;
@@ -177,9 +182,11 @@ StoreState smvm_store_state(const Store *s, uint8_t slot)
     return s->choice.confirmed ? STORE_CONFIRMED : STORE_TRIAL;
 }
 
-bool smvm_store_is_fallback(const Store *s, uint8_t slot)
+uint8_t smvm_store_flags(const Store *s, uint8_t slot)
 {
-    return s->plan.slots > 1 && slot == s->choice.previous && slot != STORE_BUILT_IN && image_checksum(s, slot) == load32(s->choice.checksum_previous);
+    if (slot >= s->plan.slots || image_checksum(s, slot) != load32(s->choice.checksum_previous))
+        return 0;
+    return slot == s->choice.previous && s->plan.slots > 1 ? STORE_FALLBACK : s->choice.ended;         // `ended`: then there is no previous one
 }
 
 uint16_t smvm_store_period(const Store *s, uint8_t slot)
@@ -198,33 +205,44 @@ static bool has_previous(const Store *s)
     return s->plan.slots > 1 && s->choice.previous != STORE_BUILT_IN && has_image(s, s->choice.previous, s->choice.checksum_previous);
 }
 
-// Chooses the image that runs instead of the active one: the previous one if `there`, else the built-in one; sets *slot to it.  (Callers
-// compute `there` with has_previous, and this is not inlined, so that verifier and record are not on the stack at the same time.)
-SMVM_NOINLINE static SmResult fall_back(Store *s, bool there, uint8_t *slot)
+// Chooses the image that runs instead of the active one: the previous one if `there`, else the built-in one; sets *slot to it.  `end`: why
+// the trial of the active one ended, if it is on trial.  (A confirmed one that does not start is damaged, and no longer listed.)  (Callers compute `there` with has_previous, and this is not inlined, so that verifier and record are
+// not on the stack at the same time.)
+SMVM_NOINLINE static SmResult fall_back(Store *s, bool there, uint8_t end, uint8_t *slot)
 {
-    StoreChoice c = s->choice;
+    StoreChoice *const c = &s->choice;
 
-    c.active = there ? c.previous : STORE_BUILT_IN;
-    memcpy(c.checksum, c.checksum_previous, 4);
-    memcpy(c.period, c.period_previous, 2);
-    c.previous = STORE_BUILT_IN;
-    c.tries = 0;
-    c.confirmed = 1;
-    *slot = c.active;
-    return write_choice(s, &c);
+    c->active = there ? c->previous : STORE_BUILT_IN;
+    for (uint8_t i = 0; i < 4; i++) {
+        const uint8_t ended = c->checksum[i];
+        c->checksum[i] = c->checksum_previous[i];
+        c->checksum_previous[i] = ended;
+    }
+    memcpy(c->period, c->period_previous, 2);
+    c->previous = STORE_BUILT_IN;
+    c->tries = 0;
+    c->confirmed = 1;
+    c->ended = end;
+    *slot = c->active;
+    return write_choice(s);
 }
 
 // Returns whether the active image may run now.  For an image on trial, first writes its decremented count to the medium.  If that write
 // fails, the image must not run: its trial might never end.
 static bool try_start_active(Store *s)
 {
-    StoreChoice c = s->choice;
+    StoreChoice *const c = &s->choice;
 
-    if (c.active == STORE_BUILT_IN)
+    if (c->active == STORE_BUILT_IN)
         return true;
-    if (!has_image(s, c.active, c.checksum))
+    if (!has_image(s, c->active, c->checksum))
         return false;
-    return c.confirmed || (c.tries-- > 0 && write_choice(s, &c) == SM_OK);
+    if (c->confirmed)
+        return true;
+    if (c->tries == 0)
+        return false;
+    c->tries--;
+    return write_choice(s) == SM_OK;
 }
 
 SmResult smvm_store_boot(Store *s, uint8_t *slot)
@@ -236,7 +254,7 @@ SmResult smvm_store_boot(Store *s, uint8_t *slot)
     if (try_start_active(s))
         *slot = s->choice.active;
     else
-        r = fall_back(s, has_previous(s), slot);       // the image runs even if this choice could not be written
+        r = fall_back(s, has_previous(s), STORE_STARTS_USED, slot);  // the image runs even if this choice could not be written
     s->running = *slot;
     return r;
 }
@@ -247,9 +265,17 @@ SmResult smvm_store_skip(Store *s, uint8_t *slot)
 
     *slot = STORE_BUILT_IN;
     if (!s->choice.confirmed)
-        r = fall_back(s, has_previous(s), slot);
+        r = fall_back(s, has_previous(s), STORE_NOT_RUNNABLE, slot);
     s->running = *slot;
     return r;
+}
+
+SmResult smvm_store_count_start(Store *s)
+{
+    if (s->choice.tries % STORE_START == 0)
+        return SM_OK;
+    s->choice.tries &= (uint8_t)~(STORE_START - 1u);
+    return write_choice(s);
 }
 
 void smvm_store_run_built_in(Store *s) { s->running = STORE_BUILT_IN; }
@@ -278,10 +304,8 @@ SmResult smvm_store_may_begin(const Store *s, SmvmAt length)
 // Writes a record whose previous image is the built-in one.
 SMVM_NOINLINE static SmResult forget_previous(Store *s)
 {
-    StoreChoice c = s->choice;
-
-    c.previous = STORE_BUILT_IN;
-    return write_choice(s, &c);
+    s->choice.previous = STORE_BUILT_IN;
+    return write_choice(s);
 }
 
 SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t checksum)
@@ -398,43 +422,43 @@ SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
 
 SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period)
 {
-    StoreChoice c = s->choice;
+    StoreChoice *const c = &s->choice;
 
     if (!is_session(s, session) || !s->is_accepted)
         return SM_E_HANDLE;
-    if (c.active != s->target || memcmp(c.checksum, s->checksum, 4) != 0) {
-        c.previous = c.active;
-        memcpy(c.checksum_previous, c.checksum, 4);
-        memcpy(c.period_previous, c.period, 2);
-    } else if (sm_link_load(c.period, 2) == period) {
+    if (c->active != s->target || memcmp(c->checksum, s->checksum, 4) != 0) {
+        c->previous = c->active;
+        memcpy(c->checksum_previous, c->checksum, 4);
+        memcpy(c->period_previous, c->period, 2);
+    } else if (sm_link_load(c->period, 2) == period) {
         return SM_OK;                  // a repeated request: the answer was lost.  The image may already be confirmed
     }
-    c.active = s->target;
-    sm_link_store(c.period, period, 2);
-    memcpy(c.checksum, s->checksum, 4);
-    c.tries = STORE_TRIES;
-    c.confirmed = 0;
-    return write_choice(s, &c);
+    c->active = s->target;
+    sm_link_store(c->period, period, 2);
+    memcpy(c->checksum, s->checksum, 4);
+    c->tries = STORE_TRIES * STORE_START;
+    c->confirmed = c->ended = 0;
+    return write_choice(s);
 }
 
 // ---- after an update ----
 
 SmResult smvm_store_confirm(Store *s, uint32_t checksum)
 {
-    StoreChoice c = s->choice;
+    StoreChoice *const c = &s->choice;
     uint32_t number;
 
-    if (c.active == STORE_BUILT_IN || c.active != s->running || load32(c.checksum) != checksum)
+    if (c->active == STORE_BUILT_IN || c->active != s->running || load32(c->checksum) != checksum)
         return SM_E_ARGUMENT;
-    if (c.confirmed)
+    if (c->confirmed)
         return SM_OK;
-    if (!authenticate(s, c.active, &number))
+    if (!authenticate(s, c->active, &number))
         return SM_E_UNSIGNED;          // its slot has changed since it was chosen
-    if (smvm_store_has_key(s) && number > load32(c.newest))
-        store32(c.newest, number);
-    c.confirmed = 1;
-    c.tries = 0;
-    return write_choice(s, &c);
+    if (smvm_store_has_key(s) && number > load32(c->newest))
+        store32(c->newest, number);
+    c->confirmed = 1;
+    c->tries = 0;
+    return write_choice(s);
 }
 
 // Overwrites or erases the beginning of a slot, so that it contains no image.  Does nothing if the slot is running.
@@ -457,7 +481,7 @@ static SmResult remove_image(Store *s, uint8_t slot)
     uint8_t instead;
 
     if (slot == s->choice.active)
-        r = fall_back(s, has_previous(s), &instead);
+        r = fall_back(s, has_previous(s), 0, &instead);
     else if (slot == s->choice.previous)
         r = forget_previous(s);
     return r == SM_OK ? destroy_image(s, slot) : r;

@@ -9,8 +9,9 @@
 // valid record is in effect, so that a single write replaces all its fields at once.  One or two slots follow.
 //
 // An update writes a slot that is not running, verifies it in place, and only then chooses it.  The new image starts as a trial: every
-// start decrements its count before the image runs, and when the count is used up, the previous image runs again.  A confirmed image
-// remains chosen.
+// start decrements its count before the image runs, and when the count is used up, the previous image runs again.  A start counts in full
+// only when the caller reports that the image has run for a while.  So an image that makes the board restart at once also loses its
+// trial, but a host that restarts the board whenever it opens the line can do so several times.  A confirmed image remains chosen.
 //
 // A board with a key runs only images whose code (bytecode-vm/auth.h) was computed with that key.  It rejects an update whose number is
 // not above that of every confirmed image.  The highest confirmed number is part of the record that confirms.
@@ -29,6 +30,7 @@ extern "C" {
 
 enum {
     STORE_TRIES = 3,          // how many times an image on trial is started before the previous image runs again
+    STORE_START = 4,          // units of the count that a start takes; one of them at once, all when the image has run for a while
     STORE_RECORD = 32,        // bytes of a selector record, before rounding up to the erase unit of the memory
     STORE_UNIT = 32           // the largest supported write unit
 };
@@ -46,11 +48,12 @@ typedef struct StoreChoice {
     uint8_t version;
     uint8_t active;           // the image that runs: a slot or STORE_BUILT_IN
     uint8_t previous;         // the image that runs again if the trial fails
-    uint8_t tries;            // remaining starts of a trial
+    uint8_t tries;            // remaining units of a trial, STORE_START for each start
     uint8_t confirmed;        // 0 or 1
-    uint8_t zeros[3];
+    uint8_t ended;            // STORE_STARTS_USED, …: why the last trial ended, of the image with the checksum `checksum_previous`; 0: it has not
+    uint8_t zeros[2];
     uint8_t checksum[4];      // of the active image; a slot whose image has another checksum does not run
-    uint8_t checksum_previous[4];  // the same for `previous`
+    uint8_t checksum_previous[4];  // the same for `previous`; or of the image whose trial has ended
     uint8_t newest[4];        // the highest number (image section AUTH) of an image that a board with a key has confirmed
     uint8_t period[2], period_previous[2];    // milliseconds between steps of each image, as set by the host; 0: the board's default
     uint8_t crc[4];           // CRC-32 of all bytes before this field
@@ -86,6 +89,9 @@ SmResult smvm_store_boot(Store *s, uint8_t *slot);
 // The caller cannot run the image that smvm_store_boot returned, because one of its pins is in use.  Returns in *slot the image to run
 // instead.  A trial ends.  A confirmed image stays chosen, because other firmware may be able to run it.
 SmResult smvm_store_skip(Store *s, uint8_t *slot);
+
+// The running image has run for a while: its start counts in full.  Writes a record if it is on trial and the start has not counted yet.
+SmResult smvm_store_count_start(Store *s);
 
 // The caller has stopped the image in the slot and runs the built-in one.
 void smvm_store_run_built_in(Store *s);
@@ -134,7 +140,11 @@ uint16_t smvm_store_period(const Store *s, uint8_t slot);      // 0 if none was 
 
 StoreState smvm_store_state(const Store *s, uint8_t slot);
 
-bool smvm_store_is_fallback(const Store *s, uint8_t slot);     // it runs if the chosen image cannot, provided that it is intact
+// What the record knows about an image that is not chosen, as flags of IMAGE (runtime-c/link/link.def): it runs if the chosen image cannot,
+// provided that it is intact; or its trial was the last to end, because its starts were used up, or because the board could not run it
+// (smvm_store_skip).
+enum { STORE_FALLBACK = 4, STORE_STARTS_USED = 8, STORE_NOT_RUNNABLE = 16 };
+uint8_t smvm_store_flags(const Store *s, uint8_t slot);
 
 #ifdef __cplusplus
 }

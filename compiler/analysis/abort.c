@@ -20,7 +20,7 @@ typedef struct BoundSearch {
     VEC(const State *) found;     // the states found to be bound, and the @abort states, in the order in which they are visited
 } BoundSearch;
 
-// Whether the transition can be taken and leads to another state than its own.
+// Whether the transition can be taken and its target is not the state that contains it.
 static bool leads_elsewhere(const BoundSearch *b, const Transition *t) { return b->a->stmt[t->stmt->number].reached && t->to != t->from; }
 
 // Fills in `first` and `into`, by counting sort.
@@ -60,7 +60,8 @@ static void add_bound_state(BoundSearch *b, const State *s, uint32_t steps)
     vec_push(b->a->arena, &b->found, s);
 }
 
-// Updates the sources of all transitions into `to`, which is bound or an @abort state.
+// Called once for each state `to` that is bound or an @abort state: counts it for every state with a transition to it.  A state becomes
+// bound when this was its last transition to a state not yet known to be bound.
 static void visit_transitions_into(BoundSearch *b, const State *to)
 {
     for (uint32_t k = b->first[state_index(to)]; k < b->first[to->number]; k++) {
@@ -103,25 +104,9 @@ AbortBound abort_find_bound(Analysis *a)
     return b.out;
 }
 
-// ---- paths ----
+// ---- the matrix ----
 
 bool abort_is_bounded(const AbortPath *p) { return p->possible && p->steps != ABORT_NOT_BOUNDED; }
-
-// Adds a path to the matrix for each transition into a bound state or an @abort state.
-static void list_abort_paths(Analysis *a, AbortMatrix *x, const AbortBound *b)
-{
-    for (size_t i = 0; i < a->transition.n; i++) {
-        const Transition *t = &a->transition.at[i];
-        AbortPath path = {.first = t, .guard = condition_text(a->arena, t->when)};
-        if (!b->bound[state_index(t->to)] || t->from->is_abort || t->from == t->to)
-            continue;
-        path.steps = add_one_step(b->steps[state_index(t->to)]);
-        path.possible = a->stmt[t->stmt->number].reached;
-        vec_push(a->arena, &x->row[state_index(t->from)].path, path);
-    }
-}
-
-// ---- verdicts ----
 
 static AbortVerdict abort_verdict_of(const Analysis *a, const AbortRow *r)
 {
@@ -138,8 +123,6 @@ static AbortVerdict abort_verdict_of(const Analysis *a, const AbortRow *r)
     return r->by_command ? ABORT_BY_COMMAND : r->single || r->blind ? ABORT_ONE_SENSOR : ABORT_OK;
 }
 
-// ---- entry points ----
-
 AbortMatrix abort_build_matrix(Trials *t)
 {
     Analysis *a = t->a;
@@ -151,7 +134,15 @@ AbortMatrix abort_build_matrix(Trials *t)
         x.row[s].next = b.bound[s] ? b.next[s] : NULL;
         x.declared |= x.row[s].state->is_abort;
     }
-    list_abort_paths(a, &x, &b);
+    for (size_t i = 0; i < a->transition.n; i++) {
+        const Transition *first = &a->transition.at[i];
+        AbortPath path = {.first = first, .guard = condition_text(a->arena, first->when)};
+        if (!b.bound[state_index(first->to)] || first->from->is_abort || first->from == first->to)
+            continue;
+        path.steps = add_one_step(b.steps[state_index(first->to)]);
+        path.possible = a->stmt[first->stmt->number].reached;
+        vec_push(a->arena, &x.row[state_index(first->from)].path, path);
+    }
     if (x.declared)
         abort_run_trials(t, &x, &b);
     for (size_t s = 0; s < x.n; s++) {

@@ -26,7 +26,7 @@ typedef struct AbortPath {
     bool by_time;                 // its guard depends on T or G
     bool by_input;                // its guard depends on a bool or a command (an integer that is only compared by == or !=); these
                                   // are not sensors
-    bool possible;                // it can be taken at all
+    bool possible;                // the facts allow the transition to be taken
 } AbortPath;
 
 typedef enum AbortVerdict {

@@ -28,7 +28,7 @@ static void note_paths(Analysis *a, Diag *d, const AbortMatrix *x, const AbortRo
         const Stmt *store;
         if (!when || when->stmt == last)
             continue;
-        store = input_deps_find_store(x->deps, when->stmt->value, sensor);
+        store = input_deps_find_indirect_store(x->deps, when->stmt->value, sensor);
         if (to->is_abort)
             diag_note(a->diags, d, when->stmt->span, DIAG_note_abort_transition, to->name->text, name);
         else

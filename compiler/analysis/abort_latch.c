@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // States that abort as soon as they are entered again, because a variable set before the last abort is still set.
 //
-// Compares two situations at the entry of a state, with full windows and the same healthy readings.  If the first aborts within two
+// Compares two situations at the entry of a state, with full rolling windows and the same healthy readings.  If the first aborts within two
 // steps for all readings for which the second does not, the reason is a variable that differs between them and that the guard of
 // the transition reads.
 #include <string.h>
@@ -21,8 +21,8 @@ typedef struct LatchSearch {
     double *in;                   // its inputs
 } LatchSearch;
 
-// Runs STEPS_AT_ONCE steps from the situation of e with the current inputs.  Returns its first transition if that leads to a bound
-// state or an @abort state; NULL if it leads elsewhere, or if there is none.
+// Runs STEPS_AT_ONCE steps from the situation of e with the current inputs.  Returns the first transition taken if it leads to an
+// @abort state, or to a state that always leads there; NULL if it leads elsewhere, or if none is taken.
 static const Transition *find_early_abort(LatchSearch *l, const TrialEntry *e)
 {
     Trials *t = l->t;
@@ -39,8 +39,8 @@ static const Transition *find_early_abort(LatchSearch *l, const TrialEntry *e)
     return NULL;
 }
 
-// Returns the transition by which e aborts for all tried inputs for which `other` does not abort.  NULL: there is no single such
-// transition, e does not always abort, or `other` always does.
+// Returns the transition by which a run from e aborts for all tried inputs for which a run from `other` does not.  NULL: these runs from
+// e do not all abort, or by different transitions, or every run from `other` aborts.
 static const Transition *find_abort_of_one_only(LatchSearch *l, const TrialEntry *e, const TrialEntry *other)
 {
     Trials *t = l->t;
@@ -63,7 +63,8 @@ static const Transition *find_abort_of_one_only(LatchSearch *l, const TrialEntry
     return taken;
 }
 
-// Reports a variable that makes e abort while `other` does not.  Returns whether there is one.
+// Compares two situations at the entry of a state.  Reports a variable whose value makes runs from e abort, but not runs from `other`.
+// Returns whether there is one.
 static bool try_report_latch(LatchSearch *l, const State *state, const TrialEntry *e, const TrialEntry *other)
 {
     const Analysis *a = l->t->a;

@@ -8,9 +8,9 @@
 #include "compiler/analysis/trial_checks.h"
 
 enum {
-    ENTRIES_TRIED = 4,            // how many entries of a state are tried
-    LATCH_ENTRIES_TRIED = 8,      // how many, when entries of one state are compared with each other
-    TRIALS_PER_ENTRY = 80,        // how many trials without an abort mean that none aborts
+    ENTRIES_TRIED = 4,            // situations at the entry of a state (TrialEntry) from which trials start
+    LATCH_ENTRIES_TRIED = 8,      // the same, when situations at the entry of one state are compared with each other
+    TRIALS_PER_ENTRY = 80,        // if so many trials from a situation do not abort, it is assumed that none does
     INPUT_CHANGES = 4,            // how often the inputs change in one trial
     WORK_MAX = 400000             // instructions spent on one state and sensor
 };
@@ -56,7 +56,8 @@ static TrialEnd run_step(AbortTrials *k, uint32_t state)
     return classify_last_step(k, state);
 }
 
-// Runs with constant inputs until windows are full, and then for as long as anything can happen.  Returns where that led.
+// Runs with constant inputs until the rolling windows are full, and then until no timer or counter can change anything any more.
+// Returns where the machine is then.
 static TrialEnd hold_inputs_in_state(AbortTrials *k, uint32_t state)
 {
     Trials *t = k->t;
@@ -74,7 +75,7 @@ static TrialEnd hold_inputs_in_state(AbortTrials *k, uint32_t state)
     return f;
 }
 
-// Runs trials from an entry until one aborts.  Returns whether one did.
+// Runs trials from a situation at the entry of a state until one aborts.  Returns whether one did.
 static bool find_aborting_trial(AbortTrials *k, const TrialEntry *e)
 {
     Trials *t = k->t;
@@ -100,8 +101,8 @@ static bool find_aborting_trial(AbortTrials *k, const TrialEntry *e)
     return false;
 }
 
-// Runs trials from the entries of a state, with or without commands, and with or without a failed sensor.  Returns whether one
-// aborted, or whether no trial can tell because none stayed in the state.
+// Runs trials of a state, with or without commands, and with or without a failed sensor.  Returns true if one aborted.  Also returns true
+// if none stayed in the state: then the trials do not show that it cannot abort.
 static bool try_to_abort(AbortTrials *k, const AbortRow *r, bool commands, const SensorFailure *failed)
 {
     const TrialState *s = &k->t->state[r->state->number - 1];
@@ -119,6 +120,8 @@ static bool try_to_abort(AbortTrials *k, const AbortRow *r, bool commands, const
 }
 
 // ---- inputs of the paths ----
+
+// A path is bounded (abort_is_bounded) if it can be taken and reaches an @abort state within a known number of steps.
 
 // Whether every bounded path that does not depend on commands alone depends on this sensor, and there is such a path.
 static bool all_paths_depend_on(const AbortRow *r, const Var *v)
@@ -147,7 +150,8 @@ static bool all_paths_need_command(const AbortRow *r)
     return true;
 }
 
-static bool has_bounded_path(const AbortRow *r)
+// Whether some transition out of the state starts a path that can be taken and aborts within a known number of steps.
+static bool can_abort_in_known_time(const AbortRow *r)
 {
     for (size_t p = 0; p < r->path.n; p++)
         if (abort_is_bounded(&r->path.at[p]))
@@ -157,8 +161,8 @@ static bool has_bounded_path(const AbortRow *r)
 
 // ---- a sensor that has failed ----
 
-// Whether no trial aborts at this reading, and that says something: a trial stays until windows are full, or all trials leave the
-// state, but none within two steps.
+// Whether the trials show that the state cannot abort at this reading: none aborts, and one stays until windows are full, or all leave the
+// state later than within two steps.  (If all leave it at once, the state has no time to abort.)
 static bool fails_to_abort_at(AbortTrials *k, const AbortRow *r, uint32_t input, double reading)
 {
     const SensorFailure f = {input, reading, 0};
@@ -166,7 +170,8 @@ static bool fails_to_abort_at(AbortTrials *k, const AbortRow *r, uint32_t input,
     return !try_to_abort(k, r, false, &f) || (!k->stayed && !k->aborted && k->left && !k->left_at_once);
 }
 
-// As fails_to_abort_at, for a reading that no healthy sensor delivers: leaving the state without an abort counts as failing, too.
+// Whether the state fails to abort at a reading that no healthy sensor delivers.  Unlike in fails_to_abort_at, leaving the state at once
+// without an abort counts as failing, too.
 static bool is_blind_at(AbortTrials *k, const AbortRow *r, uint32_t input, double reading)
 {
     return fails_to_abort_at(k, r, input, reading) || (!k->stayed && !k->aborted && k->left_at_once);
@@ -211,7 +216,8 @@ static void find_stuck_reading(AbortTrials *k, AbortRow *r, uint32_t input)
 
 // ---- state that remains from an earlier abort ----
 
-// If trials abort from one entry of the state but not from another, finds a variable that a path reads and that differs between them.
+// If trials abort from one situation at the entry of the state but not from another, stores in *r a variable that differs between the two
+// and that the guard of a path reads.
 static void find_latch(AbortTrials *k, AbortRow *r)
 {
     const TrialState *s = &k->t->state[r->state->number - 1];
@@ -242,9 +248,9 @@ static void fill_in_trial_results(AbortTrials *k, AbortRow *r)
         return;
     k->driven = false;
     r->by_itself = try_to_abort(k, r, false, NULL);
-    r->by_command = has_bounded_path(r) && !r->by_itself && all_paths_need_command(r) && try_to_abort(k, r, true, NULL);
+    r->by_command = can_abort_in_known_time(r) && !r->by_itself && all_paths_need_command(r) && try_to_abort(k, r, true, NULL);
     r->drives = k->driven;
-    if (!has_bounded_path(r) || !r->by_itself)
+    if (!can_abort_in_known_time(r) || !r->by_itself)
         return;
     find_latch(k, r);
     for (uint32_t i = 0; i < t->inputs && !(r->blind && r->single); i++)

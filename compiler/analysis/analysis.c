@@ -84,32 +84,6 @@ void each_reachable_fn(Analysis *a, void (*f)(Analysis *a, const ReachableFn *r,
 // Whether every number of f has a magnitude of 2^53 or more.
 static bool is_large(Fact f) { return f.lo >= FACT_EXACT || f.hi <= -FACT_EXACT; }
 
-static void record_ins(Analysis *a, const IrFn *f, const FactFlow *flow, const IrIns *i)
-{
-    if (i->op == IR_add || i->op == IR_sub)
-        a->large_sums |= is_large(flow->of[i->a]) || is_large(flow->of[i->b]);
-    if (i->op == IR_store) {
-        const IrIns *value = &f->ins.at[i->a];
-        a->stmt[i->stmt].reached = true;
-        a->stmt[i->stmt].value = flow->of[value->op == IR_cvt ? value->a : i->a];         // before conversion, if there is one
-    }
-}
-
-static void record_jump(Analysis *a, const FactFlow *flow, const IrJump *j, const FactExit *exit)
-{
-    StmtFact *s = &a->stmt[j->stmt];
-
-    if (j->kind != IR_BR && j->kind != IR_GOTO)
-        return;
-    s->reached = true;
-    s->env = exit->env;
-    if (j->kind == IR_GOTO)
-        return;
-    s->then = exit->then;
-    s->otherwise = exit->otherwise;
-    s->value = fact_meet(flow->of[j->cond], fact_of_bool(s->otherwise, s->then));
-}
-
 // Called by compiler/facts for each reachable function, again whenever its facts have changed.  Overwrites what earlier calls stored.
 static void record_flow(void *context, const IrFn *f, FactFlow flow)
 {
@@ -117,11 +91,29 @@ static void record_flow(void *context, const IrFn *f, FactFlow flow)
 
     for (size_t b = 0; b < f->blk.n; b++) {
         const IrBlk *blk = &f->blk.at[b];
+        const IrJump *j = &blk->jump;
+        StmtFact *s = &a->stmt[j->stmt];
         if (!flow.reached[b])
             continue;
-        for (size_t k = 0; k < blk->ins.n; k++)
-            record_ins(a, f, &flow, &f->ins.at[blk->ins.at[k]]);
-        record_jump(a, &flow, &blk->jump, &flow.exit[b]);
+        for (size_t k = 0; k < blk->ins.n; k++) {
+            const IrIns *i = &f->ins.at[blk->ins.at[k]];
+            if (i->op == IR_add || i->op == IR_sub)
+                a->large_sums |= is_large(flow.of[i->a]) || is_large(flow.of[i->b]);
+            if (i->op == IR_store) {
+                const IrIns *value = &f->ins.at[i->a];
+                a->stmt[i->stmt].reached = true;
+                a->stmt[i->stmt].value = flow.of[value->op == IR_cvt ? value->a : i->a];     // before conversion, if there is one
+            }
+        }
+        if (j->kind != IR_BR && j->kind != IR_GOTO)
+            continue;
+        s->reached = true;
+        s->env = flow.exit[b].env;
+        if (j->kind == IR_BR) {
+            s->then = flow.exit[b].then;
+            s->otherwise = flow.exit[b].otherwise;
+            s->value = fact_meet(flow.of[j->cond], fact_of_bool(s->otherwise, s->then));
+        }
     }
 }
 
@@ -136,7 +128,7 @@ static void discard_flows(void *context)
 
 // ---- entry points ----
 
-// As analysis_begin, for a machine whose IR has been built.
+// Fills in *a for a machine whose IR has been built: computes its facts and lists its transitions.  Reports nothing.
 static void begin_on_ir(Analysis *a, Arena *arena, Diags *diags, const IrMachine *m)
 {
     const FactObserver observer = {record_flow, discard_flows, a};

@@ -2,7 +2,7 @@
 // Analyses: warnings about parts of a machine that look wrong but are not errors.  They read a machine as it was written, with
 // the facts about its values, and report warnings.  They change nothing, and the compiled output does not depend on them.
 //
-// A machine is analysed as it runs on the target: compiled without the names that scripts write, so no local is `outside`.
+// A machine is analysed as it runs on the target, where no script writes its locals: IrVar.outside is false for all of them.
 //
 // The facts (`facts`, `stmt`) come from compiler/facts, run on the IR before any pass.  They assume that the machine starts in
 // its first state and that elements can have any value of their type at the start of every step.  So whatever is called
@@ -38,7 +38,7 @@ typedef struct Analysis {
     Transitions transition;       // all transitions of the machine, in file order
 } Analysis;
 
-// Prepares everything except the findings; reports use it too.  `arena` owns the result.
+// Fills in *a for a machine: builds its IR, computes its facts and lists its transitions.  Reports no findings.  `arena` owns the result.
 void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p);
 
 // Runs all analyses of a machine, in its IR before any pass, whose warnings belong to these groups (1u << DiagGroup for each).

@@ -40,26 +40,21 @@ static void record_result(void *context, const IrJump *end, const Env *env)
     }
 }
 
-// As assume_guard, for a guard in IR.  Evaluates it twice, because an operand of `and` can restrict what was evaluated before it: in
-// `p > q and q > 5`, the bound of p follows only in the second evaluation.
-static bool assume_result(const Analysis *a, const Env **env, const IrFn *f, bool holds)
+// Computes the facts of the guard twice, the second time starting from the results of the first.  An operand of `and` can restrict a
+// variable of an earlier operand: in `p > q and q > 5`, p > 5 follows only the second time.
+bool assume_guard(const Analysis *a, const Env **env, const Expr *guard, bool holds)
 {
-    GuardFacts out = {.f = f, .holds = holds, .env = *env};
+    GuardFacts out = {.f = ir_build_guard(a->arena, a->m, guard), .holds = holds, .env = *env};
     const FactEnds ends = {record_result, &out};
 
     for (int pass = 0; pass < 2; pass++) {
         out.possible = false;
-        facts_flow(a->facts, f, out.env, &ends);
+        facts_flow(a->facts, out.f, out.env, &ends);
         if (!out.possible)
             return false;
     }
     *env = out.env;
     return true;
-}
-
-bool assume_guard(const Analysis *a, const Env **env, const Expr *guard, bool holds)
-{
-    return assume_result(a, env, ir_build_guard(a->arena, a->m, guard), holds);
 }
 
 Fact fact_of_expr(const Analysis *a, const Env *env, const Expr *e)

@@ -74,8 +74,8 @@ static const Expr *find_compared_expr(const Expr *e)
     return found;
 }
 
-// The text of a bound x.  `beside` is the next number outside the bound; if it is shorter, as 400 beside 400.00000000000006, the text
-// is "above 400" (strict) instead of "at least 400.00000000000006" (or_equal).
+// Returns the text of a bound x.  `beside` is the next number outside the bound.  If its text is shorter, the result is strict: "above
+// 400" instead of "at least 400.00000000000006".  The parameters strict and or_equal are these words.
 static const char *bound_text(Arena *arena, double x, double beside, const char *strict, const char *or_equal)
 {
     const char *text = const_text(arena, x), *other = const_text(arena, beside);
@@ -83,34 +83,31 @@ static const char *bound_text(Arena *arena, double x, double beside, const char 
     return strlen(other) < strlen(text) ? format_in(arena, "%s %s", strict, other) : format_in(arena, "%s %s", or_equal, text);
 }
 
-// "here 'mode' is always at least 1 and at most 2", for bounds of which at least one is finite.
-static const char *range_text(Arena *arena, const char *what, Fact f)
-{
-    const bool open = f.lo - f.lo != 0, endless = f.hi - f.hi != 0;
-    const char *lo = bound_text(arena, f.lo, fact_next_below(f, f.lo), "above", "at least");
-    const char *hi = bound_text(arena, f.hi, fact_next_above(f, f.hi), "below", "at most");
-
-    if (f.lo == f.hi)
-        return format_in(arena, "here '%s' is always %s", what, const_text(arena, f.lo));
-    return format_in(arena, "here '%s' is always %s%s%s", what, open ? "" : lo, open || endless ? "" : " and ", endless ? "" : hi);
-}
-
-// What the facts say about the expression that a guard compares: "here 'mode' is always at most 2".  NULL: only that it is a number.
+// What the facts state about the expression that a guard compares: "here 'mode' is always at least 1 and at most 2".  NULL: only that
+// it is a number.
 static const char *facts_text(const ReachWalk *k, const Stmt *s)
 {
     const Expr *e = find_compared_expr(s->value);
-    const char *name;
+    Arena *arena = k->a->arena;
+    bool open, endless;
+    const char *name, *lo, *hi;
     Fact f;
 
     if (!e)
         return NULL;
-    name = source_text(k->a->arena, e->span);
+    name = source_text(arena, e->span);
     f = fact_of_expr(k->a, k->a->stmt[s->number].env, e);
-    if (f.lo > f.hi || f.nan || (f.lo - f.lo != 0 && f.hi - f.hi != 0))
+    open = f.lo - f.lo != 0;                          // there is no finite lower bound; `endless`: no finite upper bound
+    endless = f.hi - f.hi != 0;
+    if (f.lo > f.hi || f.nan || (open && endless))
         return NULL;
     if (e->kind == EX_VAR && e->var->type == SM_BOOL)
-        return f.lo < f.hi ? NULL : format_in(k->a->arena, "here '%s' is always %s", name, f.hi > 0 ? "true" : "false");
-    return range_text(k->a->arena, name, f);
+        return f.lo < f.hi ? NULL : format_in(arena, "here '%s' is always %s", name, f.hi > 0 ? "true" : "false");
+    if (f.lo == f.hi)
+        return format_in(arena, "here '%s' is always %s", name, const_text(arena, f.lo));
+    lo = open ? "" : bound_text(arena, f.lo, fact_next_below(f, f.lo), "above", "at least");
+    hi = endless ? "" : bound_text(arena, f.hi, fact_next_above(f, f.hi), "below", "at most");
+    return format_in(arena, "here '%s' is always %s%s%s", name, lo, open || endless ? "" : " and ", hi);
 }
 
 // Whether the guard is always true (or always false) whatever its variables contain.
@@ -171,8 +168,8 @@ static void report_always_true(ReachWalk *k, const Stmt *s, const Stmt *around)
         diag_note(k->a->diags, finding, around->span, DIAG_note_guard_around);
 }
 
-// Reports the guard of s, which can be true only if the earlier guard b has its excluded outcome; or records it as never true, if the
-// finding belongs to a state.  Returns 1 + index in ReachWalk.dead.
+// For a guard of s that is never true because of the earlier guard b, which has the same outcome on every path to s.  Reports it, or only
+// records it in ReachWalk.dead if the finding belongs to a state that becomes unreachable.  Returns 1 + its index there.
 static uint32_t report_earlier_guard(ReachWalk *k, const Stmt *s, const EarlierGuard *b)
 {
     const bool same = is_same_guard(k, s->value, b);

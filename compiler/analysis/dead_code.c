@@ -42,13 +42,15 @@ static void mark_transitions_dead(ReachWalk *k, const Stmts *list, size_t first,
     }
 }
 
-// The same, because of a finding at list->at[first].
+// Marks the transitions from list->at[first] on as never taken.  `finding`, at that statement, explains why; NULL: another one does.
 static void mark_reported_from(ReachWalk *k, const Stmts *list, size_t first, Diag *finding)
 {
     mark_transitions_dead(k, list, first, add_dead_code(k, CAUSE_REPORTED, list->at[first], NULL, finding));
 }
 
-// list->at[first] follows a statement that always leaves the state.  Reports it, unless the reason is explained by another finding.
+// Reports list->at[first], which is never executed because the statement before it always leaves the state.  Does not report it after a
+// transition, because sema does; nor if a conditional always leaves only because of a guard that has a finding or is a switch
+// (`explained`).
 static void report_dead_rest(ReachWalk *k, const Stmts *list, size_t first, bool explained)
 {
     const Stmt *before = list->at[first - 1];
@@ -60,14 +62,6 @@ static void report_dead_rest(ReachWalk *k, const Stmts *list, size_t first, bool
         diag_note(k->a->diags, d, before->span, both ? DIAG_note_leaves_here : DIAG_note_last_case);
     }
     mark_reported_from(k, list, first, d);
-}
-
-static void report_dead_else(ReachWalk *k, const Stmt *s)
-{
-    Diag *d = diag_report(k->a->diags, DIAG_dead_else, s->otherwise.at[0]->span);
-
-    diag_note(k->a->diags, d, s->span, DIAG_note_last_case);
-    mark_reported_from(k, &s->otherwise, 0, d);
 }
 
 // ---- the walk ----
@@ -107,6 +101,7 @@ static bool walk_if(ReachWalk *k, const Stmt *s, const Branch *branch)
 {
     const GuardVerdict v = judge_guard(k, s, branch);
     bool then = true, otherwise = true;
+    Diag *d;
 
     if (v.then)
         then = walk_branch(k, &s->then, s, true, branch);
@@ -116,8 +111,11 @@ static bool walk_if(ReachWalk *k, const Stmt *s, const Branch *branch)
         otherwise = walk_branch(k, &s->otherwise, s, false, branch);
     else if (v.dead)
         mark_transitions_dead(k, &s->otherwise, 0, v.dead);
-    else if (s->otherwise.n > 0)
-        report_dead_else(k, s);
+    else if (s->otherwise.n > 0) {
+        d = diag_report(k->a->diags, DIAG_dead_else, s->otherwise.at[0]->span);
+        diag_note(k->a->diags, d, s->span, DIAG_note_last_case);
+        mark_reported_from(k, &s->otherwise, 0, d);
+    }
     k->explained += v.dead != 0;
     return then && otherwise;
 }
@@ -152,6 +150,7 @@ static bool walk_block(ReachWalk *k, BlockKind block)
     return walk_stmts(k, &k->state->block[block], NULL);
 }
 
+// Forgets assignments and branches that left the state: the code that follows runs in a later step, or after a transition.
 static void forget_earlier_guards(ReachWalk *k)
 {
     undo_writes_after(k, 0);

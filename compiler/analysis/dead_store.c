@@ -28,7 +28,7 @@ static void check_self_assignment(const Stmt *stmt, void *context)
         diag_report(a->diags, DIAG_self_assignment, stmt->span, stmt->var->name->text);
 }
 
-// The last statement of a list whose number is at most `number`; the first one if there is none.
+// Returns the last statement of a list whose number is at most `number`; the first statement if all numbers are higher.
 static const Stmt *find_last_up_to(const Stmts *list, uint32_t number)
 {
     size_t low = 0, high = list->n;
@@ -139,19 +139,6 @@ static bool enqueue_targets_and_check_return(DeadStores *k, const IrFn *f, IrBlk
 typedef enum OverwriteTime { IN_SAME_STEP, IN_NEXT_STEP, IN_LATER_STATE } OverwriteTime;
 typedef struct Overwrite { const IrIns *store; OverwriteTime when; size_t state; } Overwrite;      // state: where the store is
 
-// The store to the same variable later in the step, including its .exit if the step may leave the state; or NULL.
-static const IrIns *find_store_in_same_step(DeadStores *k, const DeadStore *dead, bool leaves)
-{
-    const uint32_t var = dead->store->var;
-    const IrIns *found = find_store_after(k, dead->f, dead->blk, dead->at + 1, var);
-
-    if (!found && dead->block == BLOCK_ENTRY)
-        found = find_store_in_state(k, dead->state, BLOCK_STEP, var);
-    if (!found && dead->block == BLOCK_STEP && leaves)
-        found = find_store_in_state(k, dead->state, BLOCK_EXIT, var);
-    return found;
-}
-
 // Finds the store that overwrites a dead one: for an element, in the same step; for a local, also later.  `store` is NULL if the
 // variable is never stored again.
 static Overwrite find_overwrite(DeadStores *k, const DeadStore *dead)
@@ -163,7 +150,11 @@ static Overwrite find_overwrite(DeadStores *k, const DeadStore *dead)
 
     k->searches++;
     stays = enqueue_targets_and_check_return(k, dead->f, dead->blk, &q) && dead->block != BLOCK_EXIT;
-    o.store = find_store_in_same_step(k, dead, q.n > 0);
+    o.store = find_store_after(k, dead->f, dead->blk, dead->at + 1, var);
+    if (!o.store && dead->block == BLOCK_ENTRY)
+        o.store = find_store_in_state(k, dead->state, BLOCK_STEP, var);
+    if (!o.store && dead->block == BLOCK_STEP && q.n > 0)     // .exit belongs to the same step if that step leaves the state
+        o.store = find_store_in_state(k, dead->state, BLOCK_EXIT, var);
     if (o.store || k->a->m->var.at[var].space != IR_LOCAL)
         return o;
     o.when = IN_NEXT_STEP;
@@ -197,8 +188,8 @@ static bool is_always_stored(DeadStores *k, const IrFn *f, IrBlkRef blk, size_t 
     return k->walked[blk] == yes;
 }
 
-// Setting an output to a number in .entry is a proper initialisation, even if all paths through .step and .exit together assign
-// it again.
+// Whether a dead store sets an output to a number in .entry.  That is a proper initialisation, unless the rest of .entry or .step stores
+// to the output again on every path.
 static bool is_initialisation(DeadStores *k, const DeadStore *dead, const Stmt *stmt)
 {
     const IrFn *step = k->a->m->state.at[dead->state].block[BLOCK_STEP];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Comparisons that types decide, whatever the values, and equalities with a value that the type cannot represent.  Facts decide
-// guards too, but that is not a mistake in the comparison: see constant-guard.
+// Reports comparisons with the same result for all values of the operands' types, such as `u8 < 300`, and equalities with a value that
+// the type cannot represent.  A guard that only the facts about its variables decide is not a mistake in the comparison:
+// constant_guard.c reports it.
 #include "compiler/analysis/decided_comparison.h"
 
 #include "compiler/analysis/assume.h"
@@ -45,7 +46,8 @@ static bool is_equality_with_unrepresentable(const TypedComparison *p)
 // Whether both bounds are finite (the difference of an infinity and itself is NaN).  Infinite bounds come from arithmetic, not types.
 static bool is_bounded(Fact f) { return f.lo - f.lo == 0 && f.hi - f.hi == 0; }
 
-// Fills in the operands, operator and result of *p for the comparison c.  Returns whether types decide the result.
+// Fills in the operands, operator and result of *p for the comparison c.  Returns whether the result is the same for all values of the
+// operands' types.
 static bool find_decision_by_types(const Analysis *a, const Comparison *c, TypedComparison *p)
 {
     Fact result;
@@ -66,11 +68,12 @@ static bool find_decision_by_types(const Analysis *a, const Comparison *c, Typed
     return p->truth != SOMETIMES && (is_bounded(p->a.fact) || is_equality_with_unrepresentable(p));
 }
 
-// ---- idioms ----
+// ---- ranges ----
 
 static bool is_upper_bound(SmOperator op) { return op == SM_OP_LT || op == SM_OP_LE; }
 
-// `n >= 0` in `n >= 0 and n <= 100`: the other operand bounds the same variable from the other side.
+// Whether the comparison is one half of a range, as `n >= 0` in `n >= 0 and n <= 100`: the other operand of the `and` bounds the same
+// variable from the other side.
 static bool is_half_of_range(const TypedComparison *p)
 {
     if (!p->within || p->a.e->kind != EX_VAR)
@@ -85,12 +88,6 @@ static bool is_half_of_range(const TypedComparison *p)
                 return true;
     }
     return false;
-}
-
-// Whether a decided comparison is usual style and not a mistake: one that is always true in a chain (0 <= x <= 100) or in a range.
-static bool is_idiom(const TypedComparison *p)
-{
-    return p->truth == ALWAYS && (p->whole->kind == EX_CHAIN || is_half_of_range(p));
 }
 
 // ---- reports ----
@@ -133,8 +130,8 @@ static void report_decided_by_types(const Analysis *a, const TypedComparison *p)
 
 // ---- expressions ----
 
-// Returns whether types decide some comparison in e, and reports each one if `report`.  `within`: the `and` that e is one operand of;
-// or NULL.
+// Returns whether some comparison in e is decided by types (decided_comparison.h), and reports each one if `report`.  `within`: the `and`
+// that e is one operand of; or NULL.
 // Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
 static bool check_comparisons(const Analysis *a, const Expr *e, const Expr *within, bool report)
 {
@@ -144,7 +141,9 @@ static bool check_comparisons(const Analysis *a, const Expr *e, const Expr *with
     for (uint32_t i = 0; i < comparison_count(e); i++) {
         const Comparison c = comparison_at(e, i);
         TypedComparison p = {.whole = e, .within = within};
-        if (!find_decision_by_types(a, &c, &p) || is_idiom(&p))
+        if (!find_decision_by_types(a, &c, &p))
+            continue;
+        if (p.truth == ALWAYS && (e->kind == EX_CHAIN || is_half_of_range(&p)))       // usual style: 0 <= x <= 100
             continue;
         found = true;
         if (report && is_equality_with_unrepresentable(&p))

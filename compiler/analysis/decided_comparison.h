@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Comparisons whose result types decide.  Other analyses use this to explain why a guard always has the same result.
+// Comparisons that have the same result for all values of their operands' types ("decided by types").  Other analyses use this to
+// explain why a guard always has the same result.
 #ifndef SMC_DECIDED_COMPARISON_H
 #define SMC_DECIDED_COMPARISON_H
 

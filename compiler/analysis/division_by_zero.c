@@ -72,14 +72,6 @@ static void check_reachable_function(Analysis *a, const ReachableFn *r, void *co
 
 // ---- guards ----
 
-static bool is_possible_zero(const Divisions *k, const Expr *divisor)
-{
-    for (const PossibleZero *d = k->possible[k->stmt ? k->stmt->number : 0]; d; d = d->next)
-        if (d->span.at == divisor->span.at && d->span.len == divisor->span.len)
-            return true;
-    return false;
-}
-
 // What the diagnostic says about the quotient: what the division results in, and what is stored instead of it.
 static const char *describe_quotient(const Divisions *k)
 {
@@ -98,10 +90,13 @@ static const char *describe_quotient(const Divisions *k)
 static void check_divisor(void *context, const Expr *e, const KnownGuard *known)
 {
     Divisions *k = context;
-    const Expr *divisor = e->arg[1];
+    const Span divisor = e->arg[1]->span;
+    bool can_be_zero_by_facts = false;
 
-    if (is_possible_zero(k, divisor) && !guards_exclude_zero(k->a, known, divisor))
-        diag_report(k->a->diags, DIAG_maybe_division_by_zero, divisor->span, source_text(k->a->arena, divisor->span), describe_quotient(k));
+    for (const PossibleZero *d = k->possible[k->stmt ? k->stmt->number : 0]; d; d = d->next)
+        can_be_zero_by_facts |= d->span.at == divisor.at && d->span.len == divisor.len;
+    if (can_be_zero_by_facts && !guards_exclude_zero(k->a, known, e->arg[1]))
+        diag_report(k->a->diags, DIAG_maybe_division_by_zero, divisor, source_text(k->a->arena, divisor), describe_quotient(k));
 }
 
 static bool is_division(const Expr *e) { return e->kind == EX_BINARY && e->op == SM_OP_DIV; }

@@ -16,7 +16,7 @@ bool is_unchanged(const ReachWalk *k, const Stmt *s, const Expr *e)
     return true;
 }
 
-// Whether `branch` comes after the conditional of `arm`: it is in the same list as that conditional, or nested in that list.
+// Whether the current branch `branch` is after the conditional that `arm` is a branch of: in the same list of statements, or nested in it.
 static bool is_after_branch(const Branch *arm, const Branch *branch)
 {
     for (unsigned n = 0; branch && branch->depth >= arm->depth && n < EARLIER_MAX; n++)
@@ -55,6 +55,8 @@ bool is_same_guard(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
     return b->holds && expr_equal(guard, b->stmt->value, k->a->m->window_of);
 }
 
+// The excluded outcome of the earlier guard b is the one that it has on no path to the current position (EarlierGuard).
+
 // Whether the source of the two guards shows that `guard` can be true only if b has its excluded outcome.
 static bool is_excluded_syntactically(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
 {
@@ -70,6 +72,7 @@ static bool is_excluded_by_facts(const ReachWalk *k, const Expr *guard, const Ea
            !assume_guard(k->a, &env, b->stmt->value, !b->holds);
 }
 
+// Returns the first earlier guard for which f is true; NULL if there is none.
 static const EarlierGuard *find_guard(const ReachWalk *k, const Expr *guard, const EarlierGuards *b,
                                       bool (*f)(const ReachWalk *k, const Expr *guard, const EarlierGuard *b))
 {
@@ -115,14 +118,6 @@ static bool reads_marked_var(const ReachWalk *k, const Expr *e)
     return false;
 }
 
-// Whether the guard is never true together with the excluded outcome of b.
-static bool is_disjoint(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
-{
-    const Env *env = k->a->stmt[b->stmt->number].env;
-
-    return !assume_guard(k->a, &env, b->stmt->value, b->holds) || !assume_guard(k->a, &env, guard, true);
-}
-
 bool covers_remaining_cases(ReachWalk *k, const Expr *guard, const EarlierGuards *b)
 {
     bool any = false;
@@ -130,10 +125,12 @@ bool covers_remaining_cases(ReachWalk *k, const Expr *guard, const EarlierGuards
     k->mark++;
     mark_vars_of_expr(k, guard);
     for (size_t i = 0; i < b->n; i++) {
-        if (!reads_marked_var(k, b->at[i].stmt->value))
+        const EarlierGuard *earlier = &b->at[i];
+        const Env *env = k->a->stmt[earlier->stmt->number].env;
+        if (!reads_marked_var(k, earlier->stmt->value))
             continue;
-        if (!is_disjoint(k, guard, &b->at[i]))
-            return false;
+        if (assume_guard(k->a, &env, earlier->stmt->value, earlier->holds) && assume_guard(k->a, &env, guard, true))
+            return false;                             // the guard can be true together with the excluded outcome
         any = true;
     }
     return any;

@@ -9,8 +9,8 @@
 
 typedef struct TimeChecks { Analysis *a; Timestamps m; } TimeChecks;
 
-// Whether the difference s of two sides contains only times and no constant: then they are equal in a step that the user intends, such
-// as the one in which a time was stored.  A local with a shifted time, compared with T or G, does not count.
+// Whether s, the difference of the two sides of an equality, contains only times and no constant.  Then the sides are equal in a step that
+// the user intends, such as the one in which a time was stored.  False if a local with a shifted time is compared with T or G.
 static bool is_zero_difference(const TimeSum *s)
 {
     const bool zero = sm_eq(s->number, sm_from_i32(0)) && !s->other;
@@ -37,8 +37,8 @@ static bool is_multiple_of_step(const TimeChecks *k, const Expr *time, const Exp
     return steps == sm_floor(steps);
 }
 
-// Whether x is an unlikely number to compare T with: a fraction, or less than a step.  Up to 0 and from 1000 on, any number is likely.
-// `first_step`: the operator is >= or <, and then 1 is likely, because it separates the first step from the others.
+// Whether the user probably did not mean milliseconds: x, which T is compared with, is a fraction or less than a step.  False for x up to 0
+// and from 1000 on.  `first_step`: the operator is >= or <; then 1 is accepted, because it separates the first step from the others.
 static bool is_unlikely_limit(const TimeChecks *k, SmF64 x, bool first_step)
 {
     const SmF64 one = sm_from_i32(1);

@@ -45,13 +45,14 @@ static Side side_of(const Expr *e)
     return s;
 }
 
-static bool has_same_base(const ImplySearch *k, const Side *p, const Side *q)
+// Whether p <= q because both are the same base plus a constant, or both are numbers.
+static bool is_at_most(const ImplySearch *k, const Side *p, const Side *q)
 {
-    return p->base && q->base ? expr_equal(p->base, q->base, k->window_of) : p->base == q->base;
+    const bool same_base = p->base && q->base ? expr_equal(p->base, q->base, k->window_of) : p->base == q->base;
+
+    return same_base && sm_le(p->plus, q->plus);
 }
 
-// Whether p <= q because both are the same base plus a constant, or both are numbers.
-static bool is_at_most(const ImplySearch *k, const Side *p, const Side *q) { return sm_le(p->plus, q->plus) && has_same_base(k, p, q); }
 // Whether p < q because both are numbers.  With a base, rounding can make p and q equal.
 static bool is_number_below(const Side *p, const Side *q) { return !p->base && !q->base && sm_lt(p->plus, q->plus); }
 
@@ -94,6 +95,7 @@ static bool comparison_implies_order(const ImplySearch *k, const Comparison *c, 
     return order_implies(k, &one, o) || order_implies(k, &other, o);
 }
 
+// Whether comparison x implies y.  An == is both orders of its sides at once; a != is one of the two strict orders.
 static bool comparison_implies(const ImplySearch *k, const Comparison *x, const Comparison *y)
 {
     Order one, other;

@@ -31,8 +31,8 @@ typedef struct GuardsAfter { const KnownGuard *known; bool leaves; } GuardsAfter
 
 static GuardsAfter walk_stmts(GuardWalk *w, const Stmts *stmts, const KnownGuard *known);
 
-// Adds the assignments in the entries of `arm` down to `begin`, the first entry of its branch.  After the conditional they may or may
-// not have been executed.
+// Adds to `known` the assignments of a branch: those in the list `arm`, up to its element `begin`, which precedes the branch.  After the
+// conditional they may or may not have been executed.
 static const KnownGuard *add_assignments_of(Arena *arena, const KnownGuard *known, const KnownGuard *arm, const KnownGuard *begin)
 {
     for (; arm && arm != begin; arm = arm->outer)
@@ -101,16 +101,12 @@ static bool is_same_expr(const Analysis *a, const Expr *x, const Expr *y) { retu
 
 static bool is_call(const Expr *e, SmBuiltin fn) { return e->kind == EX_CALL && e->fn == fn; }
 
-// Whether x and d are the same expression, apart from abs() around either.
-static bool is_same_or_magnitude(const Analysis *a, const Expr *x, const Expr *d)
-{
-    return is_same_expr(a, is_call(x, SM_FN_abs) ? x->arg[0] : x, is_call(d, SM_FN_abs) ? d->arg[0] : d);
-}
-
-// Whether x is d or abs(d), and `x op y` is false if x is 0.
+// Whether x and d are the same expression, apart from abs() around either, and `x op y` is false if x is 0.
 static bool contradicts_zero(const Analysis *a, const Expr *x, SmOperator op, const Expr *y, const Expr *d)
 {
-    return is_same_or_magnitude(a, x, d) && fact_of_comparison(op, fact_of_number(sm_from_i32(0)), fact_of_types(a, y)).hi == 0;
+    const Expr *x_inside = is_call(x, SM_FN_abs) ? x->arg[0] : x, *d_inside = is_call(d, SM_FN_abs) ? d->arg[0] : d;
+
+    return is_same_expr(a, x_inside, d_inside) && fact_of_comparison(op, fact_of_number(sm_from_i32(0)), fact_of_types(a, y)).hi == 0;
 }
 
 // Whether d cannot be 0 if the comparison c is true.
@@ -163,7 +159,8 @@ static bool is_zero_only_with_both(const Analysis *a, const Expr *d)
     return one != 0 && other == (is_sum ? one : -one);
 }
 
-// As simple_guard_excludes_zero, and also uses the operands of d.
+// Whether d cannot be 0 if the guard g, without `and`, `or` and `not`, is true (or false): because g excludes 0 itself, or a 0 of an
+// operand without which d cannot be 0.
 // Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
 static bool guard_excludes_zero_of_parts(const Analysis *a, const Expr *g, bool holds, const Expr *d)
 {

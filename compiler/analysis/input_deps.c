@@ -44,6 +44,7 @@ static void count_uses(const Stmt *stmt, void *context)
         expr_walk(stmt->value, count_use, context);
 }
 
+// Finds elements that are marked @command, and integers that are only compared with constants by == and !=.
 static void find_commands(InputDepsTable *s)
 {
     const Program *p = s->a->p;
@@ -97,7 +98,7 @@ static bool merge_deps(InputDeps *to, const InputDeps *from)
     return to->n != was.n || to->more != was.more || to->time != was.time || to->input != was.input || to->other != was.other;
 }
 
-// The input that v itself is, if it is one.
+// Returns the set that contains v itself, if v is an input; else an empty set.
 static InputDeps deps_of_var(const InputDepsTable *s, const Var *v)
 {
     InputDeps l = {.n = 0};
@@ -133,7 +134,8 @@ static void add_edges_from_vars(DepGraph *g, const Expr *e, uint32_t reader)
         add_edge(g, e->var->index, reader);
 }
 
-static void add_stmt(const StmtLocation *at, void *context)
+// Adds the edges into the node that a statement computes: the variable that it assigns, or its guard.
+static void add_edges_of_stmt(const StmtLocation *at, void *context)
 {
     DepGraph *g = context;
     const Stmt *stmt = at->stmt;
@@ -155,7 +157,7 @@ static void propagate_deps(InputDepsTable *s)
     const size_t nodes = p->var.n + p->stmts + 1;
     DepGraph g = {s, ARENA_ARRAY(s->a->arena, NodeNumbers, nodes), {NULL, 0, 0}, ARENA_ARRAY(s->a->arena, bool, nodes)};
 
-    each_stmt_location(s->a->arena, p, add_stmt, &g);
+    each_stmt_location(s->a->arena, p, add_edges_of_stmt, &g);
     for (size_t v = 0; v < p->var.n; v++) {
         s->deps[v] = deps_of_var(s, p->var.at[v]);
         push_node(&g, (uint32_t)v);
@@ -204,23 +206,24 @@ const Condition *input_deps_find_condition(const InputDepsTable *s, const Condit
     return NULL;
 }
 
-// Returns whether e reads the sensor.  Also sets *store, if it is NULL, to a store to a local in e that depends on the sensor.
-static bool reads_sensor_or_finds_store(const InputDepsTable *s, const Expr *e, const Var *sensor, const Stmt **store)
+// Returns whether e itself reads the sensor.  If e reads a local that depends on the sensor, also sets *store to an assignment to that
+// local, unless *store is set already.
+static bool reads_sensor_itself(const InputDepsTable *s, const Expr *e, const Var *sensor, const Stmt **store)
 {
     bool itself = e->kind == EX_VAR && e->var == sensor;
 
     for (uint32_t i = 0; i < e->n; i++)
-        itself |= reads_sensor_or_finds_store(s, e->arg[i], sensor, store);
+        itself |= reads_sensor_itself(s, e->arg[i], sensor, store);
     if (!*store && e->kind == EX_VAR && e->var->kind == VAR_LOCAL && input_deps_include(&s->deps[e->var->index], sensor))
         *store = s->store[e->var->index];
     return itself;
 }
 
-const Stmt *input_deps_find_store(const InputDepsTable *s, const Expr *e, const Var *sensor)
+const Stmt *input_deps_find_indirect_store(const InputDepsTable *s, const Expr *e, const Var *sensor)
 {
     const Stmt *store = NULL;
 
-    return reads_sensor_or_finds_store(s, e, sensor, &store) ? NULL : store;
+    return reads_sensor_itself(s, e, sensor, &store) ? NULL : store;
 }
 
 const InputDepsTable *input_deps_of(Analysis *a)

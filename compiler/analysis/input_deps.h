@@ -34,7 +34,8 @@ InputDeps input_deps_of_expr(const InputDepsTable *s, const Expr *e);
 bool input_deps_include(const InputDeps *l, const Var *sensor);
 // The innermost condition, from `when` outwards, whose own guard depends on the sensor; NULL: none does.
 const Condition *input_deps_find_condition(const InputDepsTable *s, const Condition *when, const Var *sensor);
-// If e depends on the sensor only through locals: a store to such a local.  NULL: e reads the sensor itself, or does not depend on it.
-const Stmt *input_deps_find_store(const InputDepsTable *s, const Expr *e, const Var *sensor);
+// If e depends on the sensor only through locals: an assignment to such a local.  NULL: e reads the sensor itself, or does not depend on
+// it.
+const Stmt *input_deps_find_indirect_store(const InputDepsTable *s, const Expr *e, const Var *sensor);
 
 #endif

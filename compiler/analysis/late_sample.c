@@ -26,17 +26,6 @@ static const Stmt *find_assignment(const KnownGuard *known, const Var *v)
     return NULL;
 }
 
-// Whether the assignment stores exactly the assigned number, without rounding, truncation or saturation.
-static bool is_stored_exactly(const StatUse *u, const Stmt *assigned)
-{
-    const Fact value = u->a->stmt[assigned->number].value;
-    const SmType type = assigned->var->type;
-
-    if (sm_type_info[type].kind == SM_KIND_FLOAT)
-        return fact_fits(value, type) && (type == SM_F64 || value.f32);
-    return fact_fits(value, type) && value.whole && !value.minus_zero;
-}
-
 static bool reads_written_variable(const Expr *e)
 {
     bool found = e->kind == EX_VAR && e->var->written;
@@ -47,14 +36,19 @@ static bool reads_written_variable(const Expr *e)
 }
 
 // Whether the window could sample the assigned expression instead of the variable: the assignment is executed in every step of the
-// state, and the expression reads nothing that the machine writes.
+// state, the expression reads nothing that the machine writes, and the variable stores exactly its value, without rounding, truncation
+// or saturation.
 static bool can_sample_assigned_value(const StatUse *u, const Stmt *assigned)
 {
-    bool is_always = false;
+    const Fact value = u->a->stmt[assigned->number].value;
+    const SmType type = assigned->var->type;
+    const bool is_float = sm_type_info[type].kind == SM_KIND_FLOAT;
+    bool is_always_executed = false;
 
     for (size_t i = 0; i < u->block->n; i++)
-        is_always |= u->block->at[i] == assigned;
-    return is_always && !reads_written_variable(assigned->value) && is_stored_exactly(u, assigned);
+        is_always_executed |= u->block->at[i] == assigned;
+    return is_always_executed && !reads_written_variable(assigned->value) && fact_fits(value, type)
+        && (is_float ? type == SM_F64 || value.f32 : value.whole && !value.minus_zero);
 }
 
 static bool reads_input(const Expr *e)

@@ -84,20 +84,7 @@ static void merge_live_after_jump(const Liveness *l, uint64_t *set, const IrJump
     }
 }
 
-// Removes the variable of a store from the live set, and reports the store if the variable was not live.
-static void visit_store(Liveness *l, const IrFn *f, const Access *store, uint64_t *live)
-{
-    const uint32_t bit = l->bit[store->var];
-
-    if (l->report && !bitset_has(live, bit)) {
-        const IrIns *i = &f->ins.at[f->blk.at[store->blk].ins.at[store->at]];
-        const DeadStore dead = {l->state, l->block, f, store->blk, store->at, i};
-        l->report(l->a, &dead, l->context);
-    }
-    bitset_remove(live, bit);
-}
-
-// Computes what is live at the start of each block of the function.
+// Computes what is live at the start of each block of the function.  Reports stores to variables that are not live, if l->report is set.
 static void visit_function(Liveness *l, const IrFn *f)
 {
     const Accesses *all = &l->access[l->block][l->state];
@@ -111,11 +98,19 @@ static void visit_function(Liveness *l, const IrFn *f)
         uint64_t *live = l->live + b * l->words;
         memset(live, 0, l->words * sizeof *live);
         merge_live_after_jump(l, live, &f->blk.at[b].jump);
-        for (; n > 0 && all->at[n - 1].blk == b; n--)
-            if (all->at[n - 1].store)
-                visit_store(l, f, &all->at[n - 1], live);
-            else
-                mark_live(l, live, all->at[n - 1].var);
+        for (; n > 0 && all->at[n - 1].blk == b; n--) {
+            const Access *access = &all->at[n - 1];
+            if (!access->store) {
+                mark_live(l, live, access->var);
+                continue;
+            }
+            if (l->report && !bitset_has(live, l->bit[access->var])) {
+                const IrIns *i = &f->ins.at[f->blk.at[b].ins.at[access->at]];
+                const DeadStore dead = {l->state, l->block, f, (IrBlkRef)b, access->at, i};
+                l->report(l->a, &dead, l->context);
+            }
+            bitset_remove(live, l->bit[access->var]);
+        }
     }
 }
 
@@ -141,9 +136,9 @@ static bool update_begin(Liveness *l, BlockKind block)
 
 // ---- the iteration ----
 
-// Computes `begin` of all states.  What is live at the start of .step is also live where .step returns; as a backward path through
-// .step adds nothing to that, one visit of .step is enough.
-static void iterate(Liveness *l)
+// Computes `begin` of all states.  What is live at the start of .step is also live where .step returns, because .step runs again.  Passing
+// that set backward through .step yields no further variables, so one visit of .step is enough.
+static void compute_live_at_begins(Liveness *l)
 {
     Worklist queue = worklist_new(l->a->arena, l->a->m->state.n);
 
@@ -229,7 +224,7 @@ Liveness *liveness_of(Analysis *a)
                 list_accesses(l, a->m->state.at[s].block[b], &l->access[b][s]);
         }
     }
-    iterate(l);
+    compute_live_at_begins(l);
     return l;
 }
 

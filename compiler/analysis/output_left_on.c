@@ -22,23 +22,16 @@ typedef struct LeftOnSearch {
     uint32_t outputs;
 } LeftOnSearch;
 
-typedef struct OffSearch { const LeftOnSearch *l; const Var *v; const Stmt *off; } OffSearch;
-
-static void record_off_assignment(const Stmt *s, void *context)
+// Whether some reachable assignment can set v to 0.
+static bool is_ever_switched_off(const Trials *t, const Var *v)
 {
-    OffSearch *k = context;
-    const Fact f = k->l->t->a->stmt[s->number].value;
-
-    if (s->kind == ST_ASSIGN && s->var == k->v && k->l->t->a->stmt[s->number].reached && f.lo <= 0 && f.hi >= 0)
-        k->off = s;
-}
-
-static bool is_ever_switched_off(const LeftOnSearch *l, const Var *v)
-{
-    OffSearch k = {l, v, NULL};
-
-    each_stmt(l->t->a->p, record_off_assignment, &k);
-    return k.off != NULL;
+    for (uint32_t n = 1; n <= t->a->p->stmts; n++) {
+        const Stmt *s = t->stmt[n];
+        const StmtFact *f = &t->a->stmt[n];
+        if (s && s->kind == ST_ASSIGN && s->var == v && f->reached && f->value.lo <= 0 && f->value.hi >= 0)
+            return true;
+    }
+    return false;
 }
 
 // ---- findings ----
@@ -53,12 +46,12 @@ static void report_outputs(const LeftOnSearch *l, const State *s)
         diag_about(a->diags, d, DIAG_OUTPUTS, l->output[i]->span);
         diag_step(a->diags, d, l->on[i]->span, DIAG_note_switched_on, l->output[i]->name->text);
         diag_step(a->diags, d, l->via[i]->stmt->span, DIAG_note_still_on, l->output[i]->name->text, s->name->text);
-        if (!is_ever_switched_off(l, l->output[i]))
+        if (!is_ever_switched_off(l->t, l->output[i]))
             diag_note(a->diags, d, (Span){0}, DIAG_note_never_off, l->output[i]->name->text);
     }
 }
 
-// Runs with constant inputs for as long as anything can happen.  Returns false if the machine leaves the state.
+// Runs with constant inputs until no timer or counter can change anything any more.  Returns false if the machine leaves the state.
 static bool hold_inputs_in_state(LeftOnSearch *l, uint32_t state)
 {
     Trials *t = l->t;
@@ -110,12 +103,12 @@ static bool add_outputs_on(LeftOnSearch *l, const TrialEntry *e, const State *s)
     return any;
 }
 
-// Tries several inputs from one entry of the state, until outputs are found on.
+// Tries several inputs from e, a situation at the entry of the state, until outputs are found that stay on.
 static void try_entry(LeftOnSearch *l, const State *s, const TrialEntry *e)
 {
     Trials *t = l->t;
 
-    for (int n = 0; n < INPUTS_TRIED; n++) {
+    for (int n = 0; n < INPUTS_TRIED && trial_may_continue(t); n++) {
         trial_copy(t, l->at, e->situation);
         memcpy(l->in, e->in, t->inputs * sizeof *l->in);
         for (uint32_t i = 0; i < t->inputs && n > 0; i++)
@@ -128,7 +121,7 @@ static void try_entry(LeftOnSearch *l, const State *s, const TrialEntry *e)
     }
 }
 
-// Whether some trial leaves the state without a command.
+// Whether some trial leaves the state without a command.  Also true if not all trials could be run.
 static bool can_end_without_command(LeftOnSearch *l, const State *s)
 {
     Trials *t = l->t;
@@ -139,7 +132,7 @@ static bool can_end_without_command(LeftOnSearch *l, const State *s)
             trial_copy(t, l->at, ts->entry.at[n].situation);
             memcpy(l->in, ts->entry.at[n].in, t->inputs * sizeof *l->in);
             trial_draw_inputs(t, l->in, ts, false, true);
-            if (!hold_inputs_in_state(l, s->number))
+            if (!trial_may_continue(t) || !hold_inputs_in_state(l, s->number))
                 return true;
         }
     return false;

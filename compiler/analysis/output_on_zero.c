@@ -32,7 +32,7 @@ static const double noise_of_others[] = {0, 0.02, 0.3};
 enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 4 };     // the other motions are used if the scale is unknown
 
 enum {
-    OUTPUTS_NAMED = 4,                  // outputs named in one finding
+    OUTPUTS_NAMED = 4,            // outputs named in one finding
     ENTRIES_TRIED = 6,            // entries of a state
     OTHERS_FIRST = 12,            // readings of the other sensors with which a failure is tried
     OTHERS = 32,                  // random readings of the other sensors with which an effect must be confirmed
@@ -84,6 +84,7 @@ typedef struct FailureTrial {
 
 // ---- readings ----
 
+// The reading of a sensor that has failed like this; `before` is its last healthy reading.
 static double reading_of_failure(const TrialInput *i, FailureKind f, double before)
 {
     const Fact type = fact_of_type(i->v->type);
@@ -118,13 +119,8 @@ static double distance_to_next(const TrialInput *i, double reading)
     return least;
 }
 
-// How far noise moves another sensor: never to a reading that a comparison distinguishes.
-static double noise_amplitude(const FailureTrial *z, const TrialInput *i, double reading)
-{
-    return z->others == 0 ? i->scale / 1000 : i->rough ? 300 * z->others : z->others * distance_to_next(i, reading);
-}
-
-// Adds the noise and the slope of the case to the failed sensor's reading in this step, and noise to the readings of other sensors.
+// Adds the noise and the slope of the case to the failed sensor's reading in this step, and noise to the readings of other sensors.  The
+// noise never moves another sensor to a reading that a comparison distinguishes, unless its scale is unknown.
 static void vary_readings(const FailureTrial *z, const FailureCase *c, double *in)
 {
     const Trials *t = z->t;
@@ -132,13 +128,19 @@ static void vary_readings(const FailureTrial *z, const FailureCase *c, double *i
     const TrialInput *i = &t->input[c->sensor];
     const double by = m.noise * distance_to_next(i, c->reading) * hash_to_noise(z->clock, i->group) + m.slope * i->scale * z->clock;
 
-    for (uint32_t k = 0; k < t->inputs && (m.noise > 0 || z->others > 0); k++)
-        if (!t->input[k].command && t->input[k].group != i->group)
-            in[k] = trial_clamp(&t->input[k], in[k] + noise_amplitude(z, &t->input[k], in[k]) * hash_to_noise(z->clock, t->input[k].group));
+    for (uint32_t k = 0; k < t->inputs && (m.noise > 0 || z->others > 0); k++) {
+        const TrialInput *other = &t->input[k];
+        double most;                                          // how far the noise moves it
+        if (other->command || other->group == i->group)
+            continue;
+        most = z->others == 0 ? other->scale / 1000 : other->rough ? 300 * z->others : z->others * distance_to_next(other, in[k]);
+        in[k] = trial_clamp(other, in[k] + most * hash_to_noise(z->clock, other->group));
+    }
     if (by != 0)
         trial_set_group(t, in, c->sensor, trial_clamp(i, c->reading + by));
 }
 
+// Runs one step of a healthy machine, in this situation.  Leaves the inputs of the step in z->now.
 static void step_healthy(FailureTrial *z, const FailureCase *c, void *situation)
 {
     memcpy(z->now, z->in, z->t->inputs * sizeof *z->now);
@@ -147,7 +149,7 @@ static void step_healthy(FailureTrial *z, const FailureCase *c, void *situation)
     trial_step(z->t, situation, z->now, z->t->dt, &z->t->trace);
 }
 
-// Steps until windows are full of the current inputs.  Returns false if the machine leaves its state.
+// Runs the healthy machine until its rolling windows contain only the current inputs.  Returns false if it leaves its state.
 static bool run_to_steady_state(FailureTrial *z, const FailureCase *c)
 {
     const double *var = ir_run_vars(z->t->run, z->healthy);
@@ -248,8 +250,8 @@ static StepEffect step_both(FailureTrial *z, const FailureCase *c, FailureEffect
     return e->outputs > 0 ? HAS_EFFECT : NO_EFFECT;
 }
 
-// Runs both machines until windows are full of the failed readings, and ends there if the machines are the same again.  Then runs them
-// for as long as anything can happen, skipping steps in which nothing happens in either.  Returns the first effect.
+// Runs both machines until their windows contain only readings after the failure, and ends there if their variables are equal again.  Then
+// runs them until no timer or counter can change anything, skipping steps in which nothing happens in either.  Returns the first effect.
 static StepEffect run_both(FailureTrial *z, const FailureCase *c, FailureEffect *e)
 {
     Trials *t = z->t;
@@ -396,28 +398,23 @@ static const char *failure_text(Arena *arena, const FailureCase *c, const Failur
     return format_in(arena, c->failure == STICKS ? "sticks at %s" : "reads %s", const_text(arena, e->failed));
 }
 
-static Diag *report_outputs(FailureTrial *z, const FailureCase *c, const FailureEffect *e)
+static void report_effect(FailureTrial *z, const FailureCase *c, const FailureEffect *e)
 {
     Analysis *a = z->t->a;
-    Diag *d = diag_report(a->diags, DIAG_output_on_zero, e->at->span, z->t->input[c->sensor].v->name->text,
-                          trial_check_join_names(a->arena, e->output, e->outputs), failure_text(a->arena, c, e));
+    const char *sensor = z->t->input[c->sensor].v->name->text, *failure = failure_text(a->arena, c, e);
+    const char *state = a->p->state.at[trial_state(c->entry->situation) - 1]->name->text;
+    Diag *d;
 
+    if (z->leaves)
+        d = diag_report(a->diags, DIAG_abort_exit, e->at->span, sensor, state, failure);
+    else
+        d = diag_report(a->diags, DIAG_output_on_zero, e->at->span, sensor, trial_check_join_names(a->arena, e->output, e->outputs),
+                        failure);
     for (uint32_t i = 0; i < e->outputs; i++) {
         diag_about(a->diags, d, DIAG_OUTPUTS, e->output[i]->span);
         if (e->on[i] != e->at)
             diag_note(a->diags, d, e->on[i]->span, DIAG_note_switched_on, e->output[i]->name->text);
     }
-    return d;
-}
-
-static void report_effect(FailureTrial *z, const FailureCase *c, const FailureEffect *e)
-{
-    Analysis *a = z->t->a;
-    const char *sensor = z->t->input[c->sensor].v->name->text;
-    const char *state = a->p->state.at[trial_state(c->entry->situation) - 1]->name->text;
-    Diag *d = z->leaves ? diag_report(a->diags, DIAG_abort_exit, e->at->span, sensor, state, failure_text(a->arena, c, e))
-                        : report_outputs(z, c, e);
-
     diag_about(a->diags, d, DIAG_SENSOR, z->t->input[c->sensor].v->span);
     diag_note(a->diags, d, (Span){0}, DIAG_note_failure_example, state, sensor, const_text(a->arena, trial_check_round(e->before)),
               const_text(a->arena, e->failed), format_in(a->arena, "%lu", (unsigned long)e->steps));
@@ -426,7 +423,8 @@ static void report_effect(FailureTrial *z, const FailureCase *c, const FailureEf
 
 // ---- the cases ----
 
-// Whether failure f is tried in case c.  A stuck sensor is noticed only if its reading would move; other failures are tried at rest.
+// Whether failure f is tried in case c.  A stuck sensor differs from a healthy one only if the healthy reading moves, so STICKS is tried
+// only with motion, and the other failures only without.
 static bool is_failure_of_case(const TrialInput *i, const FailureCase *c, FailureKind f)
 {
     switch (f) {

@@ -64,8 +64,9 @@ static void check_literals(const Stmt *stmt, void *context)
 
 static SmF64 smallest_magnitude(Fact f) { return f.lo > 0 ? f.lo : f.hi < 0 ? sm_neg(f.hi) : sm_from_i32(0); }
 
-// A lower bound of the distance between two adjacent F64 numbers of magnitude x or more.
-static SmF64 least_spacing(SmF64 x)
+// The distance between adjacent F64 numbers at magnitude x, which is at least 2^53: there all F64 numbers are whole.  Beyond x the distance
+// is the same or larger.
+static SmF64 spacing_of_large_f64(SmF64 x)
 {
     SmF64 step = sm_from_i32(1);
 
@@ -81,7 +82,7 @@ static bool is_lost_in_sum(Fact large, Fact small)
     const SmF64 size = smallest_magnitude(large);
 
     return size >= FACT_EXACT && size < 1e300 && !small.nan && small.whole && smallest_magnitude(small) > 0 &&
-           sm_max(sm_abs(small.lo), sm_abs(small.hi)) < least_spacing(size);
+           sm_max(sm_abs(small.lo), sm_abs(small.hi)) < spacing_of_large_f64(size);
 }
 
 static void check_sums(Analysis *a, const ReachableFn *r, void *context)

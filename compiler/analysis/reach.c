@@ -37,7 +37,7 @@ static void follow_transitions(Reach *r, bool *set, bool dead_too)
 
 // ---- explained by other findings ----
 
-// Returns why a transition out of a reachable state is never taken; NULL if it may be taken, or if its state is not reachable.
+// Returns why t is never taken although the state that contains it is reachable; NULL if t may be taken, or that state is not reachable.
 static DeadCode *find_cause_at_transition(const Reach *r, const Transition *t)
 {
     const uint32_t dead = r->k->dead_by[t->stmt->number];
@@ -83,7 +83,7 @@ static Diag *report_state(Reach *r, uint32_t state, DiagCode code)
     return d;
 }
 
-// States whose every incoming guard is always false.  Reporting the state suppresses the finding on the guard.
+// Reports states whose every incoming guard is always false.  Reporting the state suppresses the finding on the guard.
 static void report_impossible_states(Reach *r)
 {
     Diag **finding = ARENA_ARRAY(r->k->a->arena, Diag *, r->k->a->p->state.n);
@@ -156,6 +156,7 @@ static void report_states(ReachWalk *k)
 
 // ---- entry points ----
 
+// Records whether an assignment stores the initial value in a local, or another value.
 static void record_stored_value(const Stmt *s, void *context)
 {
     ReachWalk *k = context;
@@ -171,18 +172,10 @@ static void record_stored_value(const Stmt *s, void *context)
         k->stored[v->index] |= STORED_OTHER;
 }
 
-static void report_empty_blocks(Diags *diags, const State *s)
-{
-    static const char *const label[BLOCK_COUNT] = {".entry", ".step", ".exit"};
-
-    for (int b = 0; b < BLOCK_COUNT; b++)
-        if (s->block_span[b].src && s->block[b].n == 0)
-            diag_report(diags, DIAG_empty_block, s->block_span[b], label[b], s->name->text);
-}
-
 // Reports unreachable states, conditions that are never true, and blocks without statements.
 void analyse_reach(Analysis *a)
 {
+    static const char *const label[BLOCK_COUNT] = {".entry", ".step", ".exit"};
     ReachWalk k = {.a = a};
 
     k.dead_by = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 1u);
@@ -197,5 +190,9 @@ void analyse_reach(Analysis *a)
         if (k.dead.at[i].cause == CAUSE_NEVER && !k.dead.at[i].at_state)
             report_never_true(&k, &k.dead.at[i]);
     for (size_t s = 0; s < a->p->state.n; s++)
-        report_empty_blocks(a->diags, a->p->state.at[s]);
+        for (int b = 0; b < BLOCK_COUNT; b++) {
+            const State *state = a->p->state.at[s];
+            if (state->block_span[b].src && state->block[b].n == 0)
+                diag_report(a->diags, DIAG_empty_block, state->block_span[b], label[b], state->name->text);
+        }
 }

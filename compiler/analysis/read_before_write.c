@@ -134,6 +134,7 @@ static const Stmt *find_later_store(StoreOrder *o, const Var *v, const State **l
     return found;
 }
 
+// Reports that e reads a local before its first store, unless no store to it is found.
 static void report_early_read(StoreOrder *o, const Expr *e)
 {
     const Var *v = e->var;
@@ -152,36 +153,30 @@ static void report_early_read(StoreOrder *o, const Expr *e)
 
 // ---- reads ----
 
-static bool is_stored_later(const StoreOrder *o, uint32_t bit)
-{
-    return bitset_has(set_of_state(o, o->after, o->state), bit) ||
-           (o->block != BLOCK_EXIT && bitset_has(set_of_state(o, o->stored[BLOCK_EXIT], o->state), bit));
-}
-
-// Whether stmt is a conditional whose guard always has the same value.
-static bool is_decided_guard(const StoreOrder *o, const Stmt *stmt)
-{
-    const StmtFact *f = &o->a->stmt[stmt->number];
-
-    return stmt->kind == ST_IF && (!f->then || !f->otherwise);
-}
-
-// Reports reads in e of locals that cannot have been stored yet.  Reads by windows do not count: windows take their samples in every
-// state, so the order of states does not affect what they read.
+// Reports reads in e of locals that cannot have been stored yet but are stored later: in a later state, or in the .exit of this one.
+// Reads by windows do not count: windows take their samples in every state, so the order of states does not affect what they read.
 static void check_reads(StoreOrder *o, const Stmt *stmt, const Expr *e)
 {
+    const StmtFact *f = &o->a->stmt[stmt->number];
+    uint32_t bit;
+
     if (e->kind == EX_ROLL)
         return;
     for (uint32_t i = 0; i < e->n; i++)
         check_reads(o, stmt, e->arg[i]);
     if (e->kind != EX_VAR || o->bit[e->var->index] == IR_NONE || o->reported[e->var->index] || stmt->var == e->var)
         return;
-    if (e->var->init != 0 && !is_decided_guard(o, stmt))
+    if (e->var->init != 0 && !(stmt->kind == ST_IF && (!f->then || !f->otherwise)))           // the author chose the initial value
         return;
-    if (!bitset_has(o->here, o->bit[e->var->index]) && is_stored_later(o, o->bit[e->var->index]))
+    bit = o->bit[e->var->index];
+    if (bitset_has(o->here, bit))
+        return;
+    if (bitset_has(set_of_state(o, o->after, o->state), bit)
+        || (o->block != BLOCK_EXIT && bitset_has(set_of_state(o, o->stored[BLOCK_EXIT], o->state), bit)))
         report_early_read(o, e);
 }
 
+// Checks statements in their order, and adds the locals that they store to o->here.
 static void check_stmts(StoreOrder *o, const Stmts *stmts)
 {
     for (size_t i = 0; i < stmts->n; i++) {

@@ -13,9 +13,9 @@
 #include "compiler/analysis/trial_checks.h"
 
 enum {
-    ENTRIES_TRIED = 3,                    // entries of a state
+    ENTRIES_TRIED = 3,            // situations at the entry of a state from which histories start
     HISTORIES_MAX = 24,           // histories (sequences of inputs) that are tried before a state is reported as never ending
-    LAST_PASSES = 20,             // the last of TRIAL_PASSES: what still happens in these is assumed to happen forever
+    LAST_PASSES = 20,             // the last calls of trial_pass_time: what still happens in these is assumed to happen forever
     INPUT_CHANGES = 4             // changes of the other inputs in one history
 };
 
@@ -103,14 +103,15 @@ static bool lasts_in_one_history(TimeoutCheck *w, const TrialEntry *e)
     return true;
 }
 
-// Runs many histories, with one failed sensor or (`failed` is NULL) with none.  Returns whether the machine stays in the state in all.
+// Runs many histories, with one failed sensor or (`failed` is NULL) with none.  Returns whether the machine stays in the state in all;
+// false if not all could be run.
 static bool lasts_in_all_histories(TimeoutCheck *w, const TrialEntry *e, const SensorFailure *failed)
 {
     bool all = true;
 
     w->failed = failed;
     for (int n = 0; n < (failed ? HISTORIES_MAX : 8 * HISTORIES_MAX) && all; n++)
-        all = lasts_in_one_history(w, e);
+        all = trial_may_continue(w->t) && lasts_in_one_history(w, e);
     w->failed = NULL;
     w->noise = 0;
     return all;
@@ -174,6 +175,15 @@ static TimeoutCheck new_timeout_check(Trials *t)
                           .mid = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n)};
 }
 
+// Whether the state depends on an input that can fail, in the sense of this check.
+static bool has_relevant_sensor(const Trials *t, size_t state)
+{
+    for (uint32_t i = 0; i < t->inputs; i++)
+        if (!t->input[i].command && t->state[state].relevant[i])
+            return true;
+    return false;
+}
+
 void check_waits_for_sensor(Trials *t)
 {
     TimeoutCheck w = new_timeout_check(t);
@@ -181,7 +191,7 @@ void check_waits_for_sensor(Trials *t)
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];
         bool found = false;
-        if (state->is_safe || state->is_abort || (s == 0 && !drives_output(t, state)))
+        if (state->is_safe || state->is_abort || (s == 0 && !drives_output(t, state)) || !has_relevant_sensor(t, s))
             continue;
         for (size_t n = 0; n < t->state[s].entry.n && n < ENTRIES_TRIED && !found; n++) {
             const TrialEntry *e = &t->state[s].entry.at[n];
@@ -195,33 +205,30 @@ void check_waits_for_sensor(Trials *t)
 
 // ---- no time limit ----
 
-// The outputs that the state switches on, `first` first.  None of them has a time limit.
-static uint32_t list_outputs(const Trials *t, const State *s, const Var *first, const Var **output)
-{
-    uint32_t n = 0;
-
-    output[n++] = first;
-    for (uint32_t i = 1; i <= t->a->p->stmts; i++) {
-        uint32_t k = 0;
-        while (switches_on(t, i, s) && k < n && output[k] != t->stmt[i]->var)
-            k++;
-        if (k == n)
-            output[n++] = t->stmt[i]->var;
-    }
-    return n;
-}
-
+// Reports a state that never ends with the output of w->on switched on.  Names that output first, and then the others that the state
+// switches on: none of them has a time limit.
 static void report_missing_timeout(const TimeoutCheck *w, const State *s)
 {
-    const Analysis *a = w->t->a;
-    const Stmt *on = w->on;
+    const Trials *t = w->t;
+    const Analysis *a = t->a;
     const Var **output = ARENA_ARRAY(a->arena, const Var *, a->p->var.n + 1);
-    const uint32_t outputs = list_outputs(w->t, s, on->var, output);
-    Diag *d = diag_report(a->diags, DIAG_no_timeout, s->span, s->name->text, trial_check_join_names(a->arena, output, outputs));
+    uint32_t outputs = 0;
+    Diag *d;
 
+    output[outputs++] = w->on->var;
+    for (uint32_t n = 1; n <= a->p->stmts; n++) {
+        uint32_t k = 0;
+        if (!switches_on(t, n, s))
+            continue;
+        while (k < outputs && output[k] != t->stmt[n]->var)
+            k++;
+        if (k == outputs)
+            output[outputs++] = t->stmt[n]->var;
+    }
+    d = diag_report(a->diags, DIAG_no_timeout, s->span, s->name->text, trial_check_join_names(a->arena, output, outputs));
     for (uint32_t i = 0; i < outputs; i++)
         diag_about(a->diags, d, DIAG_OUTPUTS, output[i]->span);
-    diag_note(a->diags, d, on->span, DIAG_note_switched_on, on->var->name->text);
+    diag_note(a->diags, d, w->on->span, DIAG_note_switched_on, w->on->var->name->text);
 }
 
 // Whether a transition to another state can be taken.  If none can, missing-way-out reports the state instead.
@@ -235,12 +242,13 @@ static bool is_ever_left(const Trials *t, const State *s)
     return false;
 }
 
-// Tries several inputs from an entry.  Reports the state if it never ends and has an output on.  Returns whether it was reported.
+// Tries several inputs from e, a situation at the entry of the state.  Reports the state if it never ends and has an output on.  Returns
+// whether it was reported.
 static bool try_entry_for_timeout(TimeoutCheck *w, const State *s, const TrialEntry *e)
 {
     Trials *t = w->t;
 
-    for (int n = 0; n < HISTORIES_MAX; n++) {
+    for (int n = 0; n < HISTORIES_MAX && trial_may_continue(t); n++) {
         trial_begin(t, e, w->at, w->in);
         if (n > 0)
             trial_draw_inputs(t, w->in, &t->state[s->number - 1], n % 2, false);

@@ -96,13 +96,7 @@ typedef struct TimestampSearch {
     uint8_t *found;           // by Var.index: the highest TimestampKind of an assignment
 } TimestampSearch;
 
-static TimestampKind kind_of(const TimeSum *s)
-{
-    if (!s->linear || s->scaled || !(s->time || s->stamp))
-        return TIMESTAMP_NONE;
-    return s->shifted || s->other || !sm_eq(s->number, sm_from_i32(0)) ? TIMESTAMP_SHIFTED : TIMESTAMP_COPY;
-}
-
+// Records which kind of time an assignment stores in a local: a copy of a time, a shifted one (a time plus a constant), or none.
 static void record_assignment(const Stmt *stmt, void *context)
 {
     TimestampSearch *f = context;
@@ -112,10 +106,12 @@ static void record_assignment(const Stmt *stmt, void *context)
     if (stmt->kind != ST_ASSIGN || stmt->var->kind != VAR_LOCAL || expr_is_constant(stmt->value))
         return;
     s = time_sum_of(&f->m, stmt->value);
-    kind = kind_of(&s);
-    if (kind == TIMESTAMP_NONE)
+    if (!s.linear || s.scaled || !(s.time || s.stamp)) {
         f->refused[stmt->var->index] = true;
-    else if (f->found[stmt->var->index] < kind)
+        return;
+    }
+    kind = s.shifted || s.other || !sm_eq(s.number, sm_from_i32(0)) ? TIMESTAMP_SHIFTED : TIMESTAMP_COPY;
+    if (f->found[stmt->var->index] < kind)
         f->found[stmt->var->index] = (uint8_t)kind;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the locals that contain a time: every assignment to them stores T or G, plus or minus something, or a constant.
+// Finds the locals that contain a time: every assignment to them stores a constant, or T or G plus or minus other values.
 #ifndef SMC_TIMESTAMPS_H
 #define SMC_TIMESTAMPS_H
 

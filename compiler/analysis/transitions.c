@@ -8,7 +8,7 @@
 typedef struct StmtWalk {
     Arena *arena;
     StmtLocation at;
-    void (*f)(const StmtLocation *place, void *context);
+    void (*f)(const StmtLocation *at, void *context);
     void *context;
 } StmtWalk;
 
@@ -32,7 +32,7 @@ static void walk_stmts(StmtWalk *w, const Stmts *stmts, const Condition *when)
     }
 }
 
-void each_stmt_location(Arena *arena, const Program *p, void (*f)(const StmtLocation *place, void *context), void *context)
+void each_stmt_location(Arena *arena, const Program *p, void (*f)(const StmtLocation *at, void *context), void *context)
 {
     StmtWalk walk = {arena, {NULL, NULL, BLOCK_ENTRY, NULL}, f, context};
 
@@ -98,22 +98,14 @@ const char *source_text(Arena *arena, Span span)
     return buf_text(&out);
 }
 
-// Whether the condition is written in parentheses: after "not", or an `or` beside other conditions (not `alone`).
-static bool needs_parentheses(const Condition *c, bool alone)
-{
-    const Expr *g = c->stmt->value;
-
-    if (!c->holds)
-        return g->kind != EX_VAR && g->kind != EX_CALL && g->kind != EX_ROLL;
-    return !alone && g->kind == EX_BINARY && g->op == SM_OP_OR;
-}
-
+// Writes one condition.  It needs parentheses after "not", and if it is an `or` beside other conditions (not `alone`).
 static void write_condition(Arena *arena, Buf *out, const Condition *c, bool alone)
 {
-    const bool parentheses = needs_parentheses(c, alone);
+    const Expr *g = c->stmt->value;
+    const bool parentheses = c->holds ? !alone && g->kind == EX_BINARY && g->op == SM_OP_OR
+                                      : g->kind != EX_VAR && g->kind != EX_CALL && g->kind != EX_ROLL;
 
-    buf_printf(out, "%s%s%s%s", c->holds ? "" : "not ", parentheses ? "(" : "", source_text(arena, c->stmt->value->span),
-               parentheses ? ")" : "");
+    buf_printf(out, "%s%s%s%s", c->holds ? "" : "not ", parentheses ? "(" : "", source_text(arena, g->span), parentheses ? ")" : "");
 }
 
 const char *condition_text(Arena *arena, const Condition *when)

@@ -31,7 +31,7 @@ typedef struct StmtLocation {
 } StmtLocation;
 
 // Calls f for every statement in file order.  A conditional comes before the statements inside it.
-void each_stmt_location(Arena *arena, const Program *p, void (*f)(const StmtLocation *place, void *context), void *context);
+void each_stmt_location(Arena *arena, const Program *p, void (*f)(const StmtLocation *at, void *context), void *context);
 
 // All transitions in file order.  The condition that no earlier transition of the block was taken is not included.
 Transitions transitions_of(Arena *arena, const Program *p);

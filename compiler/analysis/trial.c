@@ -11,12 +11,12 @@
 #include "stdlib/math.h"
 
 enum {
-    ENTRIES_MAX = 32,                 // situations stored for each state
+    ENTRIES_MAX = 32,             // situations stored for each state
     ROUNDS = 8,
     ROUNDS_MORE = 16,             // from states with transitions that no trial has taken
     TRIES = 40,                   // from each state in each round
-    INPUT_CHANGES = 4,                 // changes of inputs in one try
-    STORED_BYTES_MAX = 4 << 20                // bytes for all stored situations
+    INPUT_CHANGES = 4,            // changes of inputs in one try
+    STORED_BYTES_MAX = 4 << 20    // bytes for all stored situations
 };
 static const uint64_t work_max = 40000000;          // instructions spent on the search
 
@@ -225,7 +225,8 @@ static void add_unreached_states(TrialSearch *k)
         }
 }
 
-// Runs the rounds from `from` to `to` - 1: some tries from each state, from round ROUNDS on only where a transition is still untaken.
+// Runs the rounds `from` to `to` - 1 of the search: in each round, some tries from each state.  From round ROUNDS on, skips states whose
+// transitions have all been taken by some trial.
 static void search_rounds(TrialSearch *k, int from, int to)
 {
     Trials *t = k->t;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trial runs: the machine is simulated from situations that it can reach, with inputs that are chosen to make its conditions true
-// and false.  A situation is the complete state of a running machine: its state, variables and windows.  A check compares the
+// and false.  A situation is the complete state of a running machine: its state, variables and rolling windows.  A check compares the
 // machine's behaviour with and without an assumption (a sensor fails, a window is full, inputs stay constant).  What a trial shows
 // does happen with those inputs.  What no trial shows may still happen.
 //
@@ -58,6 +58,7 @@ typedef struct TrialState {
 typedef struct Trials {
     Analysis *a;
     IrRun *run;
+    uint64_t until;                   // value of run->work at which the present check ends
     TrialInput *input;
     uint32_t inputs;
     TrialState *state;                // by State.number - 1
@@ -91,6 +92,9 @@ Trials *trials_of(Analysis *a);
 
 // ---- running ----
 
+// Whether the present check has instructions left.  Without, it concludes nothing from the trials that it has not run.
+static inline bool trial_may_continue(const Trials *t) { return t->run->work < t->until; }
+
 void *trial_copy(const Trials *t, void *to, const void *from);
 // Runs one step; G is dt later than in the last one.
 void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace *trace);
@@ -103,7 +107,7 @@ static inline bool trial_is_entering(const void *situation) { return ((const IrS
 // How many steps that change the variables like the last one can follow before a timer or a counter reaches a limit.  The last step
 // led from the variables `before` to the situation.  0: a variable that is not a counter has changed.  TRIAL_MANY: no limit is ahead.
 uint32_t trial_steps_to_event(const Trials *t, const double *before, const void *situation);
-// The same for timers alone, whatever else changes.
+// How many steps can follow before a timer reaches a limit, whatever else changes; TRIAL_MANY: no limit is ahead.
 uint32_t trial_steps_to_timer(const Trials *t, const void *situation);
 // Advances time and counters by so many steps like the last one (see above).  Windows keep their samples.
 void trial_skip_steps(const Trials *t, const double *before, void *situation, uint32_t steps);
@@ -113,7 +117,7 @@ bool trial_pass_time(Trials *t, void *situation, const double *in, IrTrace *trac
 enum { TRIAL_PASSES = 300 };          // after so many calls of trial_pass_time, a machine that is still active is assumed to stay active
 // Whether a timer or a rising counter has moved closer to a limit since the variables were `before`, so that it can still reach it.
 bool trial_approaches_limit(const Trials *t, const double *before, const void *situation);
-// Whether anything but time differs between two situations.
+// Whether two situations are in the same state, with equal values in all variables that the machine writes, except G, S and T.
 bool trial_is_same(const Trials *t, const void *a, const void *b);
 // Returns a variable that the machine writes, that one of these conditions reads, and that differs between two situations; or NULL.
 const Var *trial_find_difference(const Trials *t, const Condition *when, const void *a, const void *b);
@@ -131,7 +135,7 @@ double trial_pick_reading(Trials *t, const TrialInput *i, bool unhealthy);     /
 // Draws readings for the inputs that the state depends on (all inputs if s is NULL).  The sensors of a group mostly read the same
 // number.  Commands change only with `commands`.
 void trial_draw_inputs(Trials *t, double *in, const TrialState *s, bool commands, bool unhealthy);
-// The same for sensors, including unhealthy readings, and for bools that are not marked @command.
+// Draws readings, unhealthy ones too, for the sensors that the state depends on, and for bools that are not marked @command.
 void trial_draw_inputs_freely(Trials *t, double *in, const TrialState *s);
 // Adds noise to sensors: at most this fraction of their scale, the same within a group.  Healthy readings stay within their
 // range.

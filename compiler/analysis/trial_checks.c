@@ -21,11 +21,14 @@ double trial_check_round(double x)
     return strtod(text, NULL);
 }
 
+// Instructions that a check may execute in trials, about two seconds' worth.  Some checks have smaller limits of their own.
+static const uint64_t effort = 400000000;
+
 void analyse_trials(Analysis *a)
 {
     Trials *t = trials_of(a);
 
-#define TRIAL_CHECK(name, sentence) t->random = TRIAL_SEED, check_##name(t);
+#define TRIAL_CHECK(name, sentence) t->random = TRIAL_SEED, t->until = t->run->work + effort, check_##name(t);
 #include "compiler/analysis/trial_checks.def"
 #undef TRIAL_CHECK
 }

@@ -12,7 +12,7 @@ static uint32_t root_of(TrialFinder *f, uint32_t v)
     return v;
 }
 
-// Records that two variables have the same quantity, and returns one of them.  IR_NONE stands for no variable.
+// Records that two variables have the same quantity, and returns one of them.  IR_NONE means no variable.
 static uint32_t join_quantities(TrialFinder *f, uint32_t a, uint32_t b)
 {
     if (a == IR_NONE || b == IR_NONE)
@@ -21,16 +21,14 @@ static uint32_t join_quantities(TrialFinder *f, uint32_t a, uint32_t b)
     return a;
 }
 
-static bool is_sum(const Expr *e)
+// Whether the result of e measures the same quantity as its operands: a sum, a call, a statistic of a window, or a multiple by a
+// constant.  Scaling changes the unit, but the result still moves with its sensor.
+static bool preserves_quantity(const Expr *e)
 {
-    return (e->kind == EX_BINARY && (e->op == SM_OP_ADD || e->op == SM_OP_SUB)) || e->kind == EX_ROLL ||
-           (e->kind == EX_UNARY && e->op == SM_OP_NEG) || e->kind == EX_CALL;
-}
-
-static bool is_scaled(const Expr *e)
-{
-    return e->kind == EX_BINARY && (e->op == SM_OP_MUL || e->op == SM_OP_DIV) &&
-           (expr_is_constant(e->arg[0]) || expr_is_constant(e->arg[1]));
+    if (e->kind == EX_BINARY && (e->op == SM_OP_MUL || e->op == SM_OP_DIV))
+        return expr_is_constant(e->arg[0]) || expr_is_constant(e->arg[1]);
+    return (e->kind == EX_BINARY && (e->op == SM_OP_ADD || e->op == SM_OP_SUB)) || (e->kind == EX_UNARY && e->op == SM_OP_NEG)
+        || e->kind == EX_ROLL || e->kind == EX_CALL;
 }
 
 // Whether a variable holds a quantity that sensors can measure: neither a time, nor a command, nor a bool.
@@ -54,12 +52,13 @@ static uint32_t join_operands(TrialFinder *f, const Expr *e)
         return has_quantity(f, e->var) ? e->var->index : IR_NONE;
     for (uint32_t i = 0; i < e->n; i++) {
         const uint32_t q = join_operands(f, e->arg[i]);
-        if (compared || is_sum(e) || is_scaled(e))
+        if (compared || preserves_quantity(e))
             all = join_quantities(f, all, q);
     }
     return compared ? IR_NONE : all;
 }
 
+// Joins the variables in a statement's value, and the assigned variable with the value.
 static void join_stmt(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;
@@ -94,7 +93,7 @@ static bool match_expressions(TrialFinder *f, const Expr *a, const Expr *b, bool
     return alike;
 }
 
-// Sensors that one state compares in the same way are assumed to measure the same quantity.
+// Joins sensors that one state compares in the same way: they are assumed to measure the same quantity.
 static void join_similar_comparisons(TrialFinder *f)
 {
     const size_t n = f->comparison.n < COMPARISONS_MAX ? f->comparison.n : COMPARISONS_MAX;

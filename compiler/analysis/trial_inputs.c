@@ -77,14 +77,16 @@ static void list_inputs(TrialFinder *f)
 
 // ---- comparisons ----
 
-static void record_if_written(Expr *e, void *context)
+// Sets *computed if e is a variable that the machine writes.
+static void mark_computed_if_written(Expr *e, void *context)
 {
     bool *computed = context;
 
     *computed |= e->kind == EX_VAR && e->var->written;
 }
 
-static void record_expr(Expr *e, void *context)
+// Records the comparisons in e, the variables that it reads, and windows over variables that the machine writes.
+static void record_uses_in_expr(Expr *e, void *context)
 {
     TrialFinder *f = context;
 
@@ -93,18 +95,19 @@ static void record_expr(Expr *e, void *context)
     for (uint32_t i = 1; e->kind == EX_CALL && i < e->n; i++)
         vec_push(f->arena, &f->comparison, ((TrialComparison){{e->arg[0], e->arg[i], SM_OP_COUNT}, f->state}));
     if (e->kind == EX_ROLL)
-        expr_walk(e->arg[0], record_if_written, &f->t->computed[f->t->a->m->window_of[e->window]]);
+        expr_walk(e->arg[0], mark_computed_if_written, &f->t->computed[f->t->a->m->window_of[e->window]]);
     if (e->kind == EX_VAR)
         f->read[e->var->index] = true;
 }
 
-static void record_stmt(const StmtLocation *at, void *context)
+// Records what a statement reads, and if it is an assignment, what it assigns.
+static void record_uses_in_stmt(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;
 
     f->state = at->state->number;
     if (at->stmt->value)
-        expr_walk(at->stmt->value, record_expr, f);
+        expr_walk(at->stmt->value, record_uses_in_expr, f);
     if (at->stmt->kind != ST_ASSIGN)
         return;
     vec_push(f->arena, &f->assign, at->stmt);
@@ -120,6 +123,7 @@ static void record_stmt(const StmtLocation *at, void *context)
 
 // ---- dependencies of states ----
 
+// Marks the inputs that a statement of a state depends on as relevant for the state.
 static void record_relevant_inputs(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;
@@ -151,7 +155,7 @@ void trial_find_inputs(Trials *t)
         propagation.grew = false;
         each_stmt_location(f.arena, f.p, propagate_store, &propagation);
     }
-    each_stmt_location(f.arena, f.p, record_stmt, &f);
+    each_stmt_location(f.arena, f.p, record_uses_in_stmt, &f);
     trial_find_groups(&f);
     trial_find_readings(&f);
     trial_find_waits(&f);

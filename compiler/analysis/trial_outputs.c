@@ -109,8 +109,9 @@ static bool is_estimate(const TrialFinder *f, const Var *v)
     return from_sensors && !f->bounded[v->index] && count_distinct_nonzero(f->constants[v->index].at, f->constants[v->index].n) == 0;
 }
 
-// Whether v is an output that drives something, such as a valve.  That is every bool that the machine writes, and every number that some
-// assignment sets to 0 (off), unless it looks like a code, a count or an estimate, or the machine itself reads its constants.
+// Whether v is assumed to be an output that drives something, such as a valve: a bool element that the machine writes, or a number that
+// some assignment sets to 0 (off).  Excluded are codes, counts and estimates (see above), and a number that the machine reads back and
+// that is only ever assigned constants, because that is a mode of the machine.
 static bool is_actuator(const TrialFinder *f, const Var *v)
 {
     if (v->kind != VAR_ELEMENT || !v->written)
@@ -122,7 +123,8 @@ static bool is_actuator(const TrialFinder *f, const Var *v)
     return f->zeroed[v->index] && !is_estimate(f, v) && !(is_code(f, v->index) && !f->varied[v->index]);
 }
 
-// A variable to which a local is assigned gets the properties of the local.
+// For `v = local`, copies to v what the other functions here need to know about assigned values: that the local's value varies, that it
+// can be 0, and which constants it can be.
 static void copy_properties_of_local(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;

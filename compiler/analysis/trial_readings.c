@@ -43,7 +43,8 @@ static void add_root(Roots *r, double x)
         r->at[r->n++] = x;
 }
 
-// Which variables keep their values when a reading changes.  Another state, or an earlier step, can have stored its value long ago.
+// Which variables keep their values when a reading changes, because another state or an earlier step stored them: none, those that
+// other states assign, or all.
 typedef enum ReadingMemory { REMEMBER_NOTHING, REMEMBER_OTHER_STATES, REMEMBER_EVERYTHING, READING_MEMORIES } ReadingMemory;
 
 // Computes the difference of the two sides of each comparison into d.

@@ -241,8 +241,8 @@ void trial_fill_windows(Trials *t, void *situation, const double *in)
             ir_run_copy_window(t->run, situation, before, w);
 }
 
-// Finds healthy readings in *in with which, with the commands in *in, the machine stays in the state for some steps.  Returns whether
-// some were found.
+// Whether the machine stays in the state for some steps with the inputs in *in.  If not, draws other healthy readings for its sensors and
+// tries again a few times.  Returns false if it never stays; *in then has the last readings tried.
 static bool find_lasting_inputs(Trials *t, const TrialEntry *e, void *situation, double *in)
 {
     const uint32_t state = trial_state(e->situation);

@@ -39,14 +39,6 @@ static void mark_expr_needed(NeededParts *n, const Expr *e)
         mark_expr_needed(n, e->arg[i]);
 }
 
-static void mark_guards_needed(NeededParts *n, const Condition *when)
-{
-    for (; when && !n->guard[when->stmt->number]; when = when->outer) {
-        n->guard[when->stmt->number] = true;
-        mark_expr_needed(n, when->stmt->value);
-    }
-}
-
 // Whether stmt is a transition or an assignment to an element.  Also true for a conditional without statements, which has its own
 // warning.
 static bool has_effect(const Stmt *stmt)
@@ -59,9 +51,13 @@ static bool has_effect(const Stmt *stmt)
     return true;
 }
 
+// Marks what a statement and the guards around it read.
 static void mark_stmt_needed(NeededParts *n, const Stmt *stmt, const Condition *when)
 {
-    mark_guards_needed(n, when);
+    for (; when && !n->guard[when->stmt->number]; when = when->outer) {
+        n->guard[when->stmt->number] = true;
+        mark_expr_needed(n, when->stmt->value);
+    }
     if (stmt->value)
         mark_expr_needed(n, stmt->value);
 }

@@ -3,7 +3,7 @@
 //
 // Two machines run side by side from a situation in which windows have few samples.  In one of them the windows are filled
 // first, with the readings that the sensors are about to deliver.  If that one does nothing while the other makes a transition
-// or switches an output on, the missing samples decided.  The finding is at the first guard on which the two differ, which may
+// or switches an output on, the reason is the missing samples.  The finding is at the first guard on which the two differ, which may
 // set a flag or a code that decides later.
 //
 // Only situations that are reached without a command and in a known number of steps count.  A person waits long enough, and so
@@ -13,8 +13,8 @@
 #include "compiler/analysis/trial_checks.h"
 
 enum {
-    ENTRIES_TRIED = 8,                    // entries of a state
-    DRAWS_MAX = 500,              // inputs tried in each entry, for each window
+    ENTRIES_TRIED = 8,            // situations at the entry of a state
+    DRAWS_MAX = 500,              // inputs tried from each of them, for each window
     STEPS_FOLLOWED = 60           // steps, not counting skipped ones, that are run after windows are full
 };
 static const uint64_t work_max = 30000000;          // instructions
@@ -152,8 +152,9 @@ static void fill_window(WindowTrial *w, const TrialEntry *e, void *situation, ui
     w->noise = usual;
 }
 
-// Runs two machines from an entry with the same inputs; in one of them the window is full of the earlier readings.  Returns whether the
-// few samples of the other decide something.  glitch: an input that has this reading in the first step only; or IR_NONE.
+// Runs two machines from e with the same inputs; in one of them the window is full of earlier readings.  Returns whether the other, with
+// few samples, makes a transition or switches an output on that the first does not.  glitch: an input that has this reading in the first
+// step only; or IR_NONE.
 static bool run_with_few_samples(WindowTrial *w, const TrialEntry *e, uint32_t glitch, double reading)
 {
     Trials *t = w->t;

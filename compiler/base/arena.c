@@ -67,7 +67,7 @@ static void zero_up_to(Arena *a, char *to)
     a->zeroed_end = up;
 }
 
-// Returns `size` bytes of the newest chunk, of a new one if they do not fit.  The caller zeroes them.
+// Returns `size` bytes of the newest chunk, or of a new chunk if they do not fit.  The caller zeroes them.
 static char *bump_unzeroed(Arena *a, size_t size)
 {
     char *p;

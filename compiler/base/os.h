@@ -19,7 +19,7 @@ bool os_is_name(const char *name);                 // whether it contains no con
 bool os_read(const char *path, size_t most, char **text, size_t *len, const char **why);
 
 // Writes files so that each appears complete or not at all.  Each is written to a temporary file next to its target.  When all are
-// complete, they are renamed.  The path "-" is standard output.  Devices, pipes and open files of this process (os_own_descriptor) receive
+// complete, they are renamed.  The path "-" is standard output.  Devices, pipes and open files of this process (os_find_descriptor) receive
 // the bytes directly.  A signal that ends the process removes unfinished files.
 // A replaced file keeps its mode and, as far as the system allows, its owner.  A symbolic link stays a link, and its target is replaced.
 // If a file has several names (hard links), only this name gets the new contents.  To change all of them, the file would have to be
@@ -42,7 +42,7 @@ bool os_read_head(const char *path, char *into, size_t n, size_t *len);
 
 bool os_is_folder(const char *path);
 // The file descriptor of this process that a path names, as /dev/stdout, /dev/fd/1, /proc/self/fd/1 or a link to one; else -1.
-int os_own_descriptor(const char *path);
+int os_find_descriptor(const char *path);
 bool os_is_special(const char *path);              // a device or pipe, as /dev/null, or an open file of this process
 bool os_make_folder(const char *path, const char **why);     // the folder only, not its parents; true if it already exists
 // The path with symbolic links resolved, allocated on the heap.  The file need not exist.  NULL if its folder does not exist.

@@ -167,13 +167,13 @@ static mode_t mode_for_output(const char *target)
 bool os_is_special(const char *path)
 {
     struct stat st;
-    return os_own_descriptor(path) >= 0 || (stat(path, &st) == 0 && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode));
+    return os_find_descriptor(path) >= 0 || (stat(path, &st) == 0 && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode));
 }
 
 // Opens a path that is written directly. Open files of this process keep their position, so the output is appended at that position.
 static int open_directly(const char *path, bool *is_own, const char **why)
 {
-    int fd = strcmp(path, "-") == 0 ? 1 : os_own_descriptor(path);
+    int fd = strcmp(path, "-") == 0 ? 1 : os_find_descriptor(path);
 
     *is_own = fd >= 0;
     if (fd < 0 && (fd = open(path, O_WRONLY)) < 0)
@@ -407,7 +407,7 @@ static int parse_descriptor(const char *folder, const char *name)
     return atoi(name);
 }
 
-int os_own_descriptor(const char *path)
+int os_find_descriptor(const char *path)
 {
     char *at = strdup(path);
     int fd = -1;

@@ -53,6 +53,7 @@ static bool set_raw_mode(int fd, speed_t speed)
     t.c_lflag &= ~(tcflag_t)(ECHO | ECHONL | ICANON | ISIG | IEXTEN);
     t.c_cflag &= ~(tcflag_t)(CSIZE | PARENB | CSTOPB);
     t.c_cflag |= CS8 | CLOCAL | CREAD;
+    t.c_cflag &= ~(tcflag_t)HUPCL;         // DTR stays on at the close, so the next open does not restart an Arduino
     t.c_cc[VMIN] = 1;
     t.c_cc[VTIME] = 0;
     if (cfsetispeed(&t, speed) != 0 || cfsetospeed(&t, speed) != 0 || tcsetattr(fd, TCSANOW, &t) != 0)

@@ -44,16 +44,8 @@ static uint32_t larger(uint32_t a, uint32_t b) { return a > b ? a : b; }
 
 // ---- reading a function ----
 
-// Sets r->line to the source line of the instruction at this position.  Positions must ascend from call to call.
-static void advance_to_line_of(ImageReader *r, uint32_t at)
-{
-    while (r->more && r->lines.code <= at - r->m.code_at) {
-        r->line = r->lines.line;
-        r->more = smvm_next_line(&r->m, &r->lines);
-    }
-}
-
-// Reads the instruction at this position into *out and returns the position of the next one.  `end`: of the function.
+// Reads the instruction at this position into *out and returns the position of the next one.  `end`: of the function.  Positions must
+// ascend from call to call, because the line table is read along with the instructions.
 static uint32_t read_ins(ImageReader *r, uint32_t at, uint32_t end, ImageIns *out)
 {
     const uint8_t op = smvm_u8(r->m.image, at);
@@ -62,7 +54,10 @@ static uint32_t read_ins(ImageReader *r, uint32_t at, uint32_t end, ImageIns *ou
     uint32_t number[2] = {0, 0};
     unsigned n = 0;
 
-    advance_to_line_of(r, at);
+    while (r->more && r->lines.code <= at - r->m.code_at) {
+        r->line = r->lines.line;
+        r->more = smvm_next_line(&r->m, &r->lines);
+    }
     while (next < end && n < 2 && smvm_u8(r->m.image, next) < SMVM_OP_FIRST)
         smvm_read_varint(r->m.image, &next, (SmvmAt)end, &number[n++]);
     *out = (ImageIns){at, op, 0, r->line, r->unit == COST_INSTRUCTIONS ? 1 : cycles_of_ins(&r->cycles, op, number, n), {0, 0}};
@@ -73,7 +68,7 @@ static uint32_t read_ins(ImageReader *r, uint32_t at, uint32_t end, ImageIns *ou
 
 // ---- the longest path ----
 
-// The index of the instruction at this position of the image.
+// Returns the index of the instruction at this position of the image, which must be in the function.
 static uint32_t find_ins_at(const ImageFn *f, uint32_t at)
 {
     uint32_t low = 0, high = f->n - 1;
@@ -170,7 +165,7 @@ static void try_step_paths(LongestStep *best, const ImageFn *f, LongestStep s)
     }
 }
 
-// The longest first step of a state with the functions f: .entry, then .step unless .entry leaves.
+// Returns the longest first step of a state with the functions f: .entry, then .step unless .entry leaves.
 static LongestStep longest_first_step(const ImageFn *f)
 {
     LongestStep best = {0, false, false, false, PATH_ENDS, PATH_ENDS};
@@ -185,21 +180,12 @@ static LongestStep longest_first_step(const ImageFn *f)
     return best;
 }
 
-static void append_path_of_step(ImageReader *r, StateCost *s, const ImageFn *sample, const ImageFn *f, const LongestStep *step)
-{
-    append_path(r, s, sample, COST_SAMPLE, PATH_ENDS);
-    if (step->entry)
-        append_path(r, s, &f[COST_ENTRY], COST_ENTRY, step->entry_path);
-    if (step->step)
-        append_path(r, s, &f[COST_STEP], COST_STEP, step->step_path);
-    if (step->exit)
-        append_path(r, s, &f[COST_EXIT], COST_EXIT, PATH_ENDS);
-}
-
+// Fills in the costs of a state's steps, and the path of the most expensive one.
 static void cost_of_state(ImageReader *r, uint32_t state, const ImageFn *sample, StateCost *s)
 {
     ImageFn f[STATE_FUNCTIONS];
     LongestStep first, later = {0, false, false, false, PATH_ENDS, PATH_ENDS};
+    const LongestStep *worst;
 
     for (uint32_t b = 0; b < STATE_FUNCTIONS; b++)
         f[b] = read_function(r, 1 + STATE_FUNCTIONS * state + b);       // function 0 is the sample function
@@ -209,7 +195,14 @@ static void cost_of_state(ImageReader *r, uint32_t state, const ImageFn *sample,
     s->first = r->always + sample->longest[PATH_ENDS] + first.n;
     s->later = f[COST_ENTRY].ends && f[COST_STEP].ends ? r->always + sample->longest[PATH_ENDS] + later.n : 0;
     s->worst = larger(s->first, s->later);
-    append_path_of_step(r, s, sample, f, first.n >= later.n ? &first : &later);
+    worst = first.n >= later.n ? &first : &later;
+    append_path(r, s, sample, COST_SAMPLE, PATH_ENDS);
+    if (worst->entry)
+        append_path(r, s, &f[COST_ENTRY], COST_ENTRY, worst->entry_path);
+    if (worst->step)
+        append_path(r, s, &f[COST_STEP], COST_STEP, worst->step_path);
+    if (worst->exit)
+        append_path(r, s, &f[COST_EXIT], COST_EXIT, PATH_ENDS);
 }
 
 // ---- bytes ----

@@ -18,7 +18,7 @@ typedef enum CostUnit { COST_INSTRUCTIONS, COST_CYCLES_FLASH, COST_CYCLES_EEPROM
 typedef struct CostLine {
     CostPart part;
     uint32_t line;                // of the machine's source; 0: instructions of several lines, or the image has no lines
-    uint32_t units;               // its cost in the CostUnit
+    uint32_t units;               // their cost in the CostUnit
 } CostLine;
 
 typedef struct StateCost {
@@ -35,7 +35,7 @@ typedef struct CostWindow {
 } CostWindow;
 
 typedef struct Cost {
-    uint32_t sample;              // the cost of the code that samples the windows, which every step includes
+    uint32_t sample;              // the cost of the code that samples the rolling windows, which every step includes
     uint32_t worst;               // the longest step
     uint32_t worst_state;         // the number (from 1) of the first state with this step
     StateCost *state;             // at[0] is state 1

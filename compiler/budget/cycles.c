@@ -150,19 +150,6 @@ static uint32_t cycles_of_load(Cycles *c, uint8_t op, const uint32_t *number)
 
 static uint32_t cycles_of_store(Cycles *c, uint8_t type) { return row_cost(c, (CyclesRow)(CYCLES_store_I8 + type), c->x.whole); }
 
-static uint32_t cycles_of_output(Cycles *c, uint32_t n)
-{
-    return row_cost(c, n < 64 ? CYCLES_out : CYCLES_out_far, c->x.whole) + cycles_of_store(c, (uint8_t)smvm_output(c->m, (SmvmAt)n).type);
-}
-
-static uint32_t cycles_of_add_constant(Cycles *c, uint8_t op, uint32_t n)
-{
-    const CyclesReg y = reg_of_whole(false, n);
-
-    c->x = reg_of_binary(op == SMVM_addi ? SMVM_add : SMVM_sub, &c->x, &y);
-    return row_cost(c, CYCLES_addi, c->x.whole);
-}
-
 static uint32_t cycles_of_operation(Cycles *c, uint8_t op)
 {
     const bool is_binary = op < SMVM_neg;              // from there on, opcodes have the operand X alone
@@ -183,8 +170,10 @@ static uint32_t cycles_of_jump(const Cycles *c, uint8_t op, const uint32_t *numb
     return row_cost(c, number[0] >= SMVM_VARINT_MID ? CYCLES_jxn_4 : number[0] >= SMVM_VARINT_1 ? CYCLES_jxn_2 : CYCLES_jxn, c->x.whole);
 }
 
+// The cost of an instruction, without that of decoding long numbers.
 static uint32_t cycles_of_opcode(Cycles *c, uint8_t op, const uint32_t *number)
 {
+    const CyclesReg constant = reg_of_whole(false, number[0]);
     uint32_t cycles;
 
     if (op >= SMVM_add)
@@ -193,10 +182,14 @@ static uint32_t cycles_of_opcode(Cycles *c, uint8_t op, const uint32_t *number)
         return cycles_of_jump(c, op, number);
     switch (op) {
     case SMVM_stat: c->x = any_value; return cycles_of_statistic(c, number[0], number[1]);
-    case SMVM_addi: case SMVM_subi: return cycles_of_add_constant(c, op, number[0]);
+    case SMVM_addi: case SMVM_subi:
+        c->x = reg_of_binary(op == SMVM_addi ? SMVM_add : SMVM_sub, &c->x, &constant);
+        return row_cost(c, CYCLES_addi, c->x.whole);
     case SMVM_cvt: cycles = row_cost(c, CYCLES_cvt, c->x.whole); c->x = reg_of_type((uint8_t)number[0]); return cycles;
     case SMVM_set: cycles = row_cost(c, CYCLES_set, c->x.whole && c->y.whole); c->x = reg_of_whole(false, 1); return cycles;
-    case SMVM_out: return cycles_of_output(c, number[0]);
+    case SMVM_out:
+        return row_cost(c, number[0] < 64 ? CYCLES_out : CYCLES_out_far, c->x.whole)
+             + cycles_of_store(c, (uint8_t)smvm_output(c->m, (SmvmAt)number[0]).type);
     case SMVM_goto: return row_cost(c, CYCLES_end, true) + row_cost(c, CYCLES_goto, true);
     case SMVM_end: return row_cost(c, CYCLES_end, true);
     case SMVM_sample: return cycles_of_window(c, number[0], CYCLES_sample, CYCLES_sample_sorted);

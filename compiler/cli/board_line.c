@@ -28,6 +28,7 @@ static uint32_t line_now(void *context)
 
 // ---- messages ----
 
+// What to do about a refusal, where sm_result_text says less.
 static const struct { SmResult result; const char *text; } refusals[] = {
     {SM_E_ARMED, "the board is armed; disarm it first"},
     {SM_E_UNSAFE, "a machine is in a state that is not marked @safe; bring it into one that is"},
@@ -45,36 +46,26 @@ static const struct { SmResult result; const char *text; } refusals[] = {
     {SM_E_UNSUPPORTED, "the board does not know this request"},
 };
 
-static const char *refusal_text(SmResult result)
-{
-    for (size_t i = 0; i < sizeof refusals / sizeof *refusals; i++)
-        if (refusals[i].result == result)
-            return refusals[i].text;
-    return sm_result_text(result);
-}
-
 int board_report_failure(BoardLine *b, const char *what)
 {
-    if (b->host.answered)
-        return cli_print_error(b->c, TEXT_board_refuses, what, refusal_text(b->host.result)), EXIT_PROBLEM;
-    cli_print_error(b->c, b->host.gone ? TEXT_line_gone : TEXT_board_silent, what);
-    return EXIT_ENVIRONMENT;
+    const char *why = sm_result_text(b->host.result);
+
+    if (!b->host.answered) {
+        cli_print_error(b->c, b->host.gone ? TEXT_line_gone : TEXT_board_silent, what);
+        return EXIT_ENVIRONMENT;
+    }
+    for (size_t i = 0; i < sizeof refusals / sizeof *refusals; i++)
+        if (refusals[i].result == b->host.result)
+            why = refusals[i].text;
+    cli_print_error(b->c, TEXT_board_refuses, what, why);
+    return EXIT_PROBLEM;
 }
 
-static void write_image_state(Buf *out, const DeviceImage *i)
+const char *board_trial_end(uint8_t end)
 {
-    if (i->runs)
-        buf_str(out, ", runs");
-    if (i->period != 0)
-        buf_printf(out, ", every %u ms", (unsigned)i->period);
-    if (i->chosen && !i->runs)
-        buf_str(out, ", chosen, but does not run before the next start");
-    if (i->state == DEVICE_TRIAL)
-        buf_printf(out, ", on trial (%u start%s left)", (unsigned)i->starts, i->starts == 1 ? "" : "s");
-    else if (i->state == DEVICE_CONFIRMED && i->slot != DEVICE_BUILT_IN)
-        buf_str(out, ", confirmed");
-    else if (i->state == DEVICE_WHOLE && i->slot != DEVICE_BUILT_IN)
-        buf_str(out, i->runs ? ", until the next start" : i->before ? ", runs again if the chosen one does not" : ", not chosen");
+    return end == DEVICE_STARTS_USED    ? "it was not confirmed within its starts"
+           : end == DEVICE_NOT_RUNNABLE ? "the board cannot run it, as with two pins that are the same"
+                                        : "the board stopped it";
 }
 
 void board_describe(Buf *out, const DeviceImage *i)
@@ -89,13 +80,27 @@ void board_describe(Buf *out, const DeviceImage *i)
         buf_printf(out, "%lu bytes, checksum %08lx, identity ", (unsigned long)i->length, (unsigned long)i->checksum);
         for (size_t k = sizeof i->identity; k-- > 0;)          // most significant byte first, as disasm and report write it
             buf_printf(out, "%02x", i->identity[k]);
-        write_image_state(out, i);
+        if (i->runs)
+            buf_str(out, ", runs");
+        if (i->period != 0)
+            buf_printf(out, ", every %u ms", (unsigned)i->period);
+        if (i->chosen && !i->runs)
+            buf_str(out, ", chosen, but does not run before the next start");
+        if (i->state == DEVICE_TRIAL)
+            buf_printf(out, ", on trial (%u start%s left)", (unsigned)i->starts, i->starts == 1 ? "" : "s");
+        else if (i->state == DEVICE_CONFIRMED && i->slot != DEVICE_BUILT_IN)
+            buf_str(out, ", confirmed");
+        else if (i->state == DEVICE_WHOLE && i->slot != DEVICE_BUILT_IN)
+            buf_str(out, i->runs ? ", until the next start" : i->before ? ", runs again if the chosen one does not" : ", not chosen");
+        if (i->end != DEVICE_NOT_ENDED)
+            buf_printf(out, ", its trial ended: %s", board_trial_end(i->end));
     }
     buf_str(out, "\n");
 }
 
 // ---- opening ----
 
+// Reads the value of --speed; false if it is not a number.
 static bool read_speed(Cli *c, unsigned long *speed)
 {
     const char *word = c->given[OPT_SPEED] ? c->value[OPT_SPEED] : NULL;
@@ -112,15 +117,12 @@ static bool read_speed(Cli *c, unsigned long *speed)
 static int query_board(Cli *c, BoardLine *b, const char *port, unsigned long speed)
 {
     if (!device_hello(&b->host, &b->info)) {
-        cli_print_error(c, b->host.answered ? TEXT_not_a_board :
-                        TEXT_no_answer,
-                        port, speed);
+        cli_print_error(c, b->host.answered ? TEXT_not_a_board : TEXT_no_answer, port, speed);
         return EXIT_ENVIRONMENT;
     }
     if (device_is_usable(&b->info))
         return EXIT_OK;
-    cli_print_error(c, TEXT_link_version, port, (unsigned)b->info.protocol,
-                    (unsigned)LINK_PROTOCOL);
+    cli_print_error(c, TEXT_link_version, port, (unsigned)b->info.protocol, (unsigned)LINK_PROTOCOL);
     return EXIT_PROBLEM;
 }
 

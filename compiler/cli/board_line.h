@@ -22,6 +22,9 @@ void board_close(BoardLine *b);
 // no answer.
 int board_report_failure(BoardLine *b, const char *what);
 
+// Why a trial ended (DeviceEnd), as a clause.
+const char *board_trial_end(uint8_t end);
+
 // "slot 1: 443 bytes, checksum 2f0a11c4, identity 0011223344556677, runs, on trial (2 starts left)"
 void board_describe(Buf *out, const DeviceImage *image);
 

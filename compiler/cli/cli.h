@@ -30,7 +30,9 @@ typedef enum OptionId {
 typedef struct Cli Cli;
 
 typedef struct Command {
-    const char *name, *synopsis, *sentence;
+    const char *name;
+    const char *letter;                   // one character, which stands for the subcommand in options.def
+    const char *synopsis, *sentence;
     int (*run)(Cli *c);
 } Command;
 
@@ -42,7 +44,7 @@ struct Cli {
     bool given[OPT_COUNT];
     const char *value[OPT_COUNT];         // the values of options that take one; the last one wins
     DiagSelection warn;
-    Sentences sarif_messages;             // messages for the end of a SARIF document
+    PlainMessages sarif_messages;         // messages for the end of a SARIF document
     bool sarif_begun;                     // output of that document has begun
     const char *last_error;               // the last message of cli_print_error; allocated in the session
 };
@@ -69,7 +71,9 @@ int options_opt_level(const Cli *c);                           // -O: 0, 1 or 2
 
 // Prints "smc: " and an error message to standard error, as text or as --message-format selects.
 CLI_PRINTF void cli_print_error(Cli *c, const char *format, ...);
-CLI_PRINTF void cli_print_note(Cli *c, const char *format, ...);      // the same for a message that is no error
+// The same for a warning, which begins with "warning: " as text, and for what the user only needs to know.
+CLI_PRINTF void cli_print_warning(Cli *c, const char *format, ...);
+CLI_PRINTF void cli_print_note(Cli *c, const char *format, ...);
 // Usage error: prints a message and refers to --help. Returns EXIT_USAGE.
 CLI_PRINTF int cli_usage_error(Cli *c, const char *format, ...);
 
@@ -120,7 +124,7 @@ bool outputs_is_source_name(const char *name, size_t n);
 
 // Reads a source; NULL after a message (exit with EXIT_ENVIRONMENT).  Diagnostics show the name as given.
 Source *cli_read_source(Cli *c, const char *path);
-// Reads every file of the call and the files of --sv and --io, if given.  An application's own files are read too; a missing one is
+// Reads every file that the command line names, and those of --sv and --io.  An application's own files are read too; a missing one is
 // reported when it is checked.  "-" is a machine.  EXIT_OK, or EXIT_ENVIRONMENT after a message.
 int cli_read_inputs(Cli *c, CompileInput *in);
 // Reads -O, --step, the limits, -W and --soft.  false after a message: one of them is not a number.
@@ -135,7 +139,7 @@ void fix_write_changes(const Source *was, const Source *is, Buf *out);
 
 // ---- one file each ----
 
-#define COMMAND(name, synopsis, sentence) int cmd_##name(Cli *c);
+#define COMMAND(name, letter, synopsis, sentence) int cmd_##name(Cli *c);
 #include "compiler/cli/commands.def"
 #undef COMMAND
 

@@ -33,13 +33,30 @@ static const char *base_name(const char *path)
 
 // ---- names of outputs ----
 
-static const char *output_path(Cli *c, const char *input, const char *suffix)
+// Whether -o names a folder, which receives every output under its default name. A missing one is created if the name ends in '/'.
+static bool is_to_folder(const Cli *c)
 {
-    return c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : format_in(&c->session.arena, "%s%s", path_stem(c, input), suffix);
+    return c->given[OPT_OUTPUT] && (has_suffix(c->value[OPT_OUTPUT], "/") || os_is_folder(c->value[OPT_OUTPUT]));
 }
 
-// Returns the path of a C file generated from one input. `suffix`: ".c" or "_io.h", for example. -o names the .c, or the stem of both
-// files.
+static const char *path_in_folder(Cli *c, const char *name)
+{
+    const char *folder = c->value[OPT_OUTPUT];
+
+    return format_in(&c->session.arena, "%s%s%s", folder, *folder && !has_suffix(folder, "/") ? "/" : "", name);
+}
+
+static const char *output_path(Cli *c, const char *input, const char *suffix)
+{
+    const char *name = format_in(&c->session.arena, "%s%s", path_stem(c, input), suffix);
+
+    if (is_to_folder(c))
+        return path_in_folder(c, name);
+    return c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : name;
+}
+
+// Returns the path of a C file generated from one input. `suffix`: ".c" or "_io.h", for example. -o names the .c, the stem of both
+// files, or their folder.
 static const char *c_path(Cli *c, const char *input, const char *suffix)
 {
     const char *path = output_path(c, input, suffix);
@@ -62,20 +79,15 @@ static EmitCOptions make_c_options(Cli *c, const char *input, const char *header
     return e;
 }
 
-static const char *app_output_folder(Cli *c)
-{
-    const char *folder = c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "";
-    const size_t n = strlen(folder);
-
-    return n && folder[n - 1] != '/' ? format_in(&c->session.arena, "%s/", folder) : folder;
-}
-
+// Returns the path at which an artefact is written.
 static const char *artefact_path(Cli *c, const Artefact *a, CompileEmit emit)
 {
-    if (a->name)
-        return format_in(&c->session.arena, "%s%s", app_output_folder(c), a->name);
+    if (a->name)              // of an application: -o names the folder
+        return c->given[OPT_OUTPUT] ? path_in_folder(c, a->name) : a->name;
+    if (!a->suffix && !c->given[OPT_OUTPUT])
+        return "-";
     if (!a->suffix)
-        return c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-";
+        return output_path(c, c->file[a->source], format_in(&c->session.arena, ".%s", emit_name[emit]));
     return emit == EMIT_C ? c_path(c, c->file[a->source], a->suffix) : output_path(c, c->file[a->source], a->suffix);
 }
 
@@ -91,14 +103,6 @@ static void add_output(Outputs *o, const char *path, const Buf *bytes)
     o->at[o->n++] = (OsOutput){path, buf_text(bytes), bytes->n};
 }
 
-static bool has_output(const Outputs *o, const char *path)
-{
-    for (size_t i = 0; i < o->n; i++)
-        if (strcmp(o->at[i].path, path) == 0)
-            return true;
-    return false;
-}
-
 // Adds the soft-float files beside a .c, once per folder.
 static void add_soft_library(Cli *c, const char *code, Outputs *o)
 {
@@ -110,7 +114,10 @@ static void add_soft_library(Cli *c, const char *code, Outputs *o)
     emit_c_soft_library(&text[0], &text[1], &text[2]);
     for (size_t i = 0; i < 3; i++) {
         const char *path = format_in(&c->session.arena, "%.*s%s", (int)(base_name(code) - code), code, name[i]);
-        if (!has_output(o, path))
+        size_t k = 0;
+        while (k < o->n && strcmp(o->at[k].path, path) != 0)
+            k++;
+        if (k == o->n)
             add_output(o, path, &text[i]);
     }
 }
@@ -129,7 +136,22 @@ static Outputs list_outputs(Cli *c, const Compiled *made, CompileEmit emit)
     return o;
 }
 
-// The inputs for -MD: all files of the call, those that an application names, the state vector and the pins.
+// Creates the folder that -o names only after all outputs have been checked.
+static int write_outputs(Cli *c, const Outputs *o, bool to_folder)
+{
+    const char *folder = c->value[OPT_OUTPUT], *why;
+    const int code = outputs_check(c, o->at, o->n);
+
+    if (code != EXIT_OK)
+        return code;
+    if (to_folder && *folder && !os_make_folder(folder, &why)) {
+        cli_print_error(c, TEXT_cannot_make_folder, cli_printable_name(&c->session.arena, folder), why);
+        return EXIT_ENVIRONMENT;
+    }
+    return cli_write_outputs(c, o->at, o->n);
+}
+
+// Returns the inputs for -MD: all files of the command line, those that an application names, the state vector and the pins.
 static DepInputs list_inputs(Cli *c, const CompileInput *in)
 {
     const size_t named = in->app ? in->app->files.n : 0;
@@ -151,33 +173,14 @@ static DepInputs list_inputs(Cli *c, const CompileInput *in)
 // Checks that a .c and a .h can be written beside each other at `path`; false after a message.
 static bool check_c_pair_name(Cli *c, const char *path)
 {
-    const size_t n = strlen(path);
-
     if (strcmp(path, "-") == 0)
         cli_usage_error(c, TEXT_c_to_stdout);
     else if (os_is_special(path))
         cli_usage_error(c, TEXT_c_to_special, path);
-    else if (os_is_folder(path))
-        cli_usage_error(c, TEXT_c_to_folder, path, path, path[n - 1] == '/' ? "" : "/", path_stem(c, c->file[0]));
     else
         return true;
     return false;
 }
-
-// Checks that #include "…" can name the header of each input; false after a message.
-static bool check_includable(Cli *c)
-{
-    for (size_t i = 0; i < c->files; i++) {
-        const char *path = output_path(c, c->file[i], ".c"), *name = base_name(path);
-        if (strpbrk(name, "\"\\")) {
-            cli_usage_error(c, TEXT_c_not_includable, path);
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool has_c_suffix(const char *path) { return has_suffix(path, ".c") || has_suffix(path, ".h"); }
 
 static int check_app_use(Cli *c)
 {
@@ -240,14 +243,20 @@ static int check_use(Cli *c, CompileEmit emit)
         return cli_usage_error(c, TEXT_script_not_built, c->file[0]);
     if (first == FILE_SV && (is_image(emit) || emit == EMIT_IR))
         return cli_usage_error(c, TEXT_vector_alone, emit == EMIT_IR ? "IR" : "bytecode");
-    if (emit == EMIT_BYTECODE && !c->given[OPT_EMIT] && c->given[OPT_OUTPUT] && has_c_suffix(c->value[OPT_OUTPUT]))
+    if (emit == EMIT_BYTECODE && !c->given[OPT_EMIT] && c->given[OPT_OUTPUT] &&
+        (has_suffix(c->value[OPT_OUTPUT], ".c") || has_suffix(c->value[OPT_OUTPUT], ".h")))
         return cli_usage_error(c, TEXT_name_for_c, c->value[OPT_OUTPUT]);
     if (emit == EMIT_C && c->given[OPT_OUTPUT] && !check_c_pair_name(c, c->value[OPT_OUTPUT]))
         return EXIT_USAGE;
-    if (emit == EMIT_C && !check_includable(c))
-        return EXIT_USAGE;
-    if (emit == EMIT_C && c->files > 1 && (c->given[OPT_OUTPUT] || c->given[OPT_PREFIX]))
-        return cli_usage_error(c, TEXT_several_outputs, c->given[OPT_OUTPUT] ? "-o" : "--prefix");
+    for (size_t i = 0; i < c->files && emit == EMIT_C; i++) {
+        const char *path = output_path(c, c->file[i], ".c");
+        if (strpbrk(base_name(path), "\"\\"))           // #include "…" could not name its header
+            return cli_usage_error(c, TEXT_c_not_includable, path);
+    }
+    if (emit == EMIT_C && c->files > 1 && c->given[OPT_OUTPUT] && !is_to_folder(c))
+        return cli_usage_error(c, TEXT_several_outputs, c->value[OPT_OUTPUT], c->value[OPT_OUTPUT]);
+    if (emit == EMIT_C && c->files > 1 && c->given[OPT_PREFIX])
+        return cli_usage_error(c, TEXT_several_prefixes);
     return check_c_options(c, emit);
 }
 
@@ -266,17 +275,6 @@ static bool set_print_after(Cli *c)
     for (int i = 0; i < PASS_COUNT; i++)
         known = format_in(&c->session.arena, "%s, %s", known, pass_info[i].name);
     cli_usage_error(c, TEXT_no_such_pass, pass, known);
-    return false;
-}
-
-// Creates the folder of an application's -o if it does not exist.
-static bool make_folder(Cli *c)
-{
-    const char *folder = c->value[OPT_OUTPUT], *why;
-
-    if (!c->given[OPT_OUTPUT] || *folder == '\0' || os_make_folder(folder, &why))
-        return true;
-    cli_print_error(c, TEXT_cannot_make_folder, cli_printable_name(&c->session.arena, folder), why);
     return false;
 }
 
@@ -316,5 +314,5 @@ int cmd_build(Cli *c)
         return EXIT_USAGE;
     if (deps_wanted(c))
         deps_add_rule(c, out.at, &out.n, list_inputs(c, &in));
-    return in.app && !make_folder(c) ? EXIT_ENVIRONMENT : cli_write_outputs(c, out.at, out.n);
+    return write_outputs(c, &out, (in.app && c->given[OPT_OUTPUT]) || is_to_folder(c));
 }

@@ -7,22 +7,6 @@
 
 // ---- info and list ----
 
-static bool write_update_permission(BoardLine *b, Buf *out)
-{
-    const DeviceInfo *i = &b->info;
-    DeviceImage trial;
-    const bool on_trial = device_trial(&b->host, i, &trial);
-
-    if (i->may != SM_OK)
-        buf_printf(out, "no update may begin: %s\n", sm_result_text(i->may));
-    else if (on_trial)
-        buf_printf(out, "no update may begin: image %08lx is on trial; 'smc device confirm' keeps it, 'smc device erase %08lx' gives it up\n",
-                   (unsigned long)trial.checksum, (unsigned long)trial.checksum);
-    else
-        buf_str(out, "an update may begin\n");
-    return b->host.answered && b->host.result == SM_OK;
-}
-
 static int list_images(BoardLine *b, Buf *out)
 {
     DeviceImage image;
@@ -35,65 +19,74 @@ static int list_images(BoardLine *b, Buf *out)
     return EXIT_OK;
 }
 
-static void write_board_limits(Buf *out, const DeviceInfo *i)
-{
-    if (i->machines != 0)
-        buf_printf(out, "at most %u machines, ", (unsigned)i->machines);
-    buf_str(out, i->windows ? "with rolling windows" : "without rolling windows");
-    if (i->period != 0)
-        buf_printf(out, ", a step every %u ms", (unsigned)i->period);
-    if (i->cycles != 0)
-        buf_printf(out, ", of up to %u cycles in each of them", (unsigned)i->cycles);
-    buf_str(out, "\n");
-}
-
-static void write_signing(Buf *out, const DeviceInfo *i)
-{
-    buf_str(out, "takes signed images only");
-    if (i->reports_mark)
-        buf_printf(out, ", with key %08lx", (unsigned long)i->mark);
-    buf_printf(out, ", with numbers above %lu\n", (unsigned long)i->newest);
-}
-
 static int show_info(BoardLine *b, Buf *out)
 {
     const DeviceInfo *i = &b->info;
+    DeviceImage trial;
+    bool is_on_trial;
 
     buf_printf(out, "%u slot%s of %lu bytes, %lu bytes of RAM for machines", (unsigned)i->slots, i->slots == 1 ? "" : "s",
                (unsigned long)i->slot_size, (unsigned long)i->ram);
     if (i->longest)
         buf_printf(out, ", steps of up to %lu instructions", (unsigned long)i->longest);
     buf_str(out, "\n");
-    if (i->tells)
-        write_board_limits(out, i);
-    if (i->requires_signature)
-        write_signing(out, i);
-    if (!write_update_permission(b, out))
+    if (i->reports_limits) {
+        if (i->machines != 0)
+            buf_printf(out, "at most %u machines, ", (unsigned)i->machines);
+        buf_str(out, i->windows ? "with rolling windows" : "without rolling windows");
+        if (i->period != 0)
+            buf_printf(out, ", a step every %u ms", (unsigned)i->period);
+        if (i->cycles != 0)
+            buf_printf(out, ", of up to %u cycles in each of them", (unsigned)i->cycles);
+        buf_str(out, "\n");
+    }
+    if (i->requires_signature) {
+        buf_str(out, "takes signed images only");
+        if (i->reports_mark)
+            buf_printf(out, ", with key %08lx", (unsigned long)i->mark);
+        buf_printf(out, ", with numbers above %lu\n", (unsigned long)i->newest);
+    }
+    is_on_trial = device_trial(&b->host, i, &trial);
+    if (i->may != SM_OK)
+        buf_printf(out, "no update may begin: %s\n", sm_result_text(i->may));
+    else if (is_on_trial)
+        buf_printf(out, "no update may begin: image %08lx is on trial; 'smc device confirm' keeps it, 'smc device erase %08lx' gives it up\n",
+                   (unsigned long)trial.checksum, (unsigned long)trial.checksum);
+    else
+        buf_str(out, "an update may begin\n");
+    if (!b->host.answered || b->host.result != SM_OK)
         return board_report_failure(b, "asking what is on trial");
     return list_images(b, out);
 }
 
 // ---- confirm and erase ----
 
-static int confirm_image(BoardLine *b, Buf *out)
+// Reports the trial that has ended, if there is one: then the image that the user wants to confirm no longer runs.
+static void report_ended_trial(BoardLine *b)
 {
     DeviceImage image;
+
+    if (device_ended_trial(&b->host, &b->info, &image))
+        cli_print_error(b->c, TEXT_trial_ended, (unsigned long)image.checksum, board_trial_end(image.end));
+}
+
+static int confirm_image(BoardLine *b, Buf *out)
+{
+    DeviceImage image, trial;
 
     if (!device_running(&b->host, &b->info, &image))
         return board_report_failure(b, "asking what runs");
     if (image.slot == DEVICE_BUILT_IN) {
         cli_print_error(b->c, TEXT_nothing_to_confirm);
-        if (device_trial(&b->host, &b->info, &image))
-            board_describe(out, &image);
+        report_ended_trial(b);
+        if (device_trial(&b->host, &b->info, &trial))
+            board_describe(out, &trial);
         return EXIT_PROBLEM;
     }
-    if (!image.chosen) {
-        cli_print_error(b->c, TEXT_image_not_selected);
-        board_describe(out, &image);
-        return EXIT_PROBLEM;
-    }
-    if (image.state == DEVICE_CONFIRMED && b->info.may == SM_OK) {
-        cli_print_error(b->c, TEXT_already_confirmed);
+    if (!image.chosen || (image.state == DEVICE_CONFIRMED && b->info.may == SM_OK)) {
+        cli_print_error(b->c, image.chosen ? TEXT_already_confirmed : TEXT_image_not_selected);
+        if (image.chosen)
+            report_ended_trial(b);
         board_describe(out, &image);
         return EXIT_PROBLEM;
     }
@@ -103,35 +96,28 @@ static int confirm_image(BoardLine *b, Buf *out)
     return EXIT_OK;
 }
 
-// Checked before the line is opened, because opening it can restart a board.
-static bool names_checksum(const Cli *c)
-{
-    return c->files == 2 && strlen(c->file[1]) == 8 && strspn(c->file[1], "0123456789abcdefABCDEF") == 8;
-}
-
-// Whether a slot of the board contains an image with this checksum.
-static bool is_in_a_slot(BoardLine *b, uint32_t checksum)
-{
-    DeviceImage image;
-
-    for (uint8_t i = 0; i < b->info.slots; i++)
-        if (device_image(&b->host, i, &image) && image.state != DEVICE_EMPTY && image.checksum == checksum)
-            return true;
-    return false;
-}
-
 static int erase_image(BoardLine *b, Buf *out)
 {
     const char *word = b->c->file[1];
     const uint32_t checksum = (uint32_t)strtoul(word, NULL, 16);
-    const bool was_running = is_in_a_slot(b, checksum);
+    bool was_in_slot = false, runs = false;
+    DeviceImage image;
+    int code;
 
-    if (device_request_by_checksum(&b->host, LINK_ERASE, checksum))
-        return list_images(b, out);
+    for (uint8_t i = 0; i < b->info.slots; i++)
+        if (device_image(&b->host, i, &image) && image.state != DEVICE_EMPTY && image.checksum == checksum) {
+            was_in_slot = true;
+            runs = runs || image.runs;
+        }
+    if (device_request_by_checksum(&b->host, LINK_ERASE, checksum) || (was_in_slot && b->host.answered && b->host.result == SM_E_MISSING)) {
+        // SM_E_MISSING: the first answer was lost, and the request that followed found nothing more to erase.
+        code = list_images(b, out);
+        if (runs)                        // it is not stopped: it may hold a valve, and only a person knows when that may end
+            buf_printf(out, "image %s is erased, but it runs until the next start of the board: press its reset button, or switch it off and on\n", word);
+        return code;
+    }
     if (!b->host.answered || b->host.result != SM_E_MISSING)
         return board_report_failure(b, "it was not erased");
-    if (was_running)                     // the answer was lost, so the request was sent twice
-        return list_images(b, out);
     cli_print_error(b->c, TEXT_no_slot_with, word);
     return EXIT_PROBLEM;
 }
@@ -144,7 +130,7 @@ static const struct { uint8_t kind; const char *name, *source, *a, *b; } kinds[]
 #undef SM_EVENT
 };
 
-enum { EVENT = 19, EVENT_HEAD = 8 };
+enum { EVENT = 19, EVENT_HEAD = 8 };      // bytes of an event, and before the first one, in the answer to LINK_EVENTS
 
 static void write_event(Buf *out, const uint8_t *e)
 {
@@ -169,11 +155,43 @@ static void write_event(Buf *out, const uint8_t *e)
 // forever.
 enum { EVENTS_SHOWN = 1000 };
 
+static void write_transition(Buf *out, const LinkTransition *t)
+{
+    if (t->lost == LINK_LOST_MAX)
+        buf_printf(out, "%u or more transitions were not stored\n", (unsigned)t->lost);
+    else if (t->lost > 0)
+        buf_printf(out, "%u transition%s not stored\n", (unsigned)t->lost, t->lost == 1 ? " was" : "s were");
+    buf_printf(out, "%12.3f s  STATE of machine %u, from %u, to %u\n", t->time * 1048576e-9, (unsigned)t->machine, (unsigned)t->from, (unsigned)t->to);
+}
+
+// Prints what boards store in their slots, across restarts.  A machine that comes from state 0 has started.
+static bool show_stored_transitions(BoardLine *b, Buf *out)
+{
+    LinkTransition t[LINK_TRANSITIONS];
+    DeviceImage image;
+    size_t n, all = 0;
+
+    for (uint8_t slot = 0; slot < b->info.slots; slot++) {
+        if (!device_image(&b->host, slot, &image) || !device_read_transitions(&b->host, &b->info, &image, t, &n))
+            return false;
+        if (n > 0)
+            buf_printf(out, "stored by image %08lx, from earlier starts too:\n", (unsigned long)image.checksum);
+        for (size_t i = 0; i < n; i++)
+            write_transition(out, &t[i]);
+        all += n;
+    }
+    if (all > 0)
+        buf_str(out, "since the last start:\n");
+    return true;
+}
+
 static int show_log(BoardLine *b, Buf *out)
 {
     uint8_t body[4] = {0};
     size_t events, shown = 0;
 
+    if (!show_stored_transitions(b, out))
+        return board_report_failure(b, "reading the stored log");
     do {
         if (!link_request(&b->host, LINK_EVENTS, body, sizeof body) || b->host.result != SM_OK || b->host.n < EVENT_HEAD)
             return board_report_failure(b, "reading events");
@@ -216,7 +234,9 @@ int cmd_device(Cli *c)
         names[i] = actions[i].name;
     if (c->files == 0)
         return cli_usage_error(c, TEXT_device_what);
-    if (strcmp(c->file[0], "erase") == 0 && !names_checksum(c))
+    // Checked before the line is opened, because opening it can restart a board.
+    if (strcmp(c->file[0], "erase") == 0 &&
+        (c->files != 2 || strlen(c->file[1]) != 8 || strspn(c->file[1], "0123456789abcdefABCDEF") != 8))
         return cli_usage_error(c, TEXT_erase_what);
     for (size_t i = 0; i < ACTIONS; i++)
         if (strcmp(c->file[0], names[i]) == 0 && c->files <= (actions[i].run == erase_image ? 2u : 1u))

@@ -38,31 +38,16 @@ static void explain_flag(const DiagFlag *flag, Buf *out)
         }
 }
 
-static void explain_all(Buf *out)
-{
-    for (size_t i = 0; i < DIAG_COUNT; i++)
-        if (diag_info[i].id) {
-            write_page(&diag_info[i], out);
-            buf_char(out, '\n');
-        }
-}
-
-// Accepts a code and name as a diagnostic ends with them, [W0901 abort-blind], and removes the brackets.
-static const char *remove_brackets(Cli *c, const char *name)
-{
-    size_t n = strlen(name + (*name == '['));
-
-    name += *name == '[';
-    return format_in(&c->session.arena, "%.*s", (int)(n && name[n - 1] == ']' ? n - 1 : n), name);
-}
-
-// If some names are unknown, the known ones are still explained.
+// Explains each argument. If some names are unknown, the known ones are still explained.
 static int explain_names(Cli *c, Buf *out)
 {
     int code = EXIT_OK;
 
     for (size_t i = 0; i < c->files; i++) {
-        const char *name = remove_brackets(c, c->file[i]);
+        // Diagnostics end with code and name in brackets, as [W0901 abort-blind]: they are accepted around both.
+        const char *word = c->file[i] + (c->file[i][0] == '[');
+        const size_t n = strlen(word);
+        const char *name = format_in(&c->session.arena, "%.*s", (int)(n && word[n - 1] == ']' ? n - 1 : n), word);
         const DiagFlag *flag = diag_find_flag(name);
         const DiagInfo *d = diag_find(name);
         if (out->n > 0 && (flag || d))
@@ -83,11 +68,14 @@ int cmd_explain(Cli *c)
     Buf out;
 
     buf_init(&out, &c->session.arena);
-    if (c->given[OPT_ALL_PAGES])
-        explain_all(&out);
-    else if (c->files == 0)
+    if (!c->given[OPT_ALL_PAGES] && c->files == 0)
         return cli_usage_error(c, TEXT_explain_what);
-    else
+    if (!c->given[OPT_ALL_PAGES])
         code = explain_names(c, &out);
+    for (size_t i = 0; i < DIAG_COUNT && c->given[OPT_ALL_PAGES]; i++)
+        if (diag_info[i].id) {
+            write_page(&diag_info[i], &out);
+            buf_char(&out, '\n');
+        }
     return cli_print(c, 1, &out) ? code : EXIT_ENVIRONMENT;
 }

@@ -86,17 +86,6 @@ static bool apply_edits_to(Fix *f, size_t i)
     return true;
 }
 
-static void apply_all_edits(Fix *f)
-{
-    bool any = true;
-
-    for (int round = 0; round < ROUNDS && any; round++) {
-        any = false;
-        for (size_t i = 0; i < f->c->files; i++)
-            any = apply_edits_to(f, i) || any;
-    }
-}
-
 // ---- the command ----
 
 static bool write_fixed(Fix *f, Buf *report)
@@ -115,22 +104,16 @@ static bool write_fixed(Fix *f, Buf *report)
     return true;
 }
 
-static int check_use(Cli *c)
-{
-    if (c->files == 0)
-        return cli_usage_error(c, TEXT_fix_what);
-    return cli_check_sources(c, false) ? EXIT_OK : EXIT_USAGE;
-}
-
 int cmd_fix(Cli *c)
 {
     Fix f = {.c = c};
-    int code = check_use(c), left;
+    bool any = true;          // the last round fixed something
+    int code, left;
     Buf report;
 
-    if (code != EXIT_OK)
-        return code;
-    if (!cli_compile_options(c, &f.o))
+    if (c->files == 0)
+        return cli_usage_error(c, TEXT_fix_what);
+    if (!cli_check_sources(c, false) || !cli_compile_options(c, &f.o))
         return EXIT_USAGE;
     if ((code = cli_read_inputs(c, &f.in)) != EXIT_OK)
         return code;
@@ -140,7 +123,11 @@ int cmd_fix(Cli *c)
     for (size_t i = 0; i < c->files; i++)
         f.was[i] = f.in.at[i].text;
     diagnose(&f);
-    apply_all_edits(&f);
+    for (int round = 0; round < ROUNDS && any; round++) {
+        any = false;
+        for (size_t i = 0; i < c->files; i++)
+            any = apply_edits_to(&f, i) || any;
+    }
     buf_init(&report, &c->session.arena);
     code = write_fixed(&f, &report) ? EXIT_OK : EXIT_ENVIRONMENT;
     left = cli_print_diagnostics(c);

@@ -10,14 +10,6 @@ static const CliFormat formats[] = {
     {"svg", {".svg", NULL, NULL}, "a browser"}, {"dot", {".dot", ".gv", NULL}, NULL}, {"mermaid", {".mmd", ".mermaid", NULL}, NULL}};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
-static WriteGraph *find_format(Cli *c)
-{
-    static WriteGraph *const writer[FORMATS] = {diagram_write_svg, diagram_write_dot, diagram_write_mermaid};
-    size_t i;
-
-    return cli_choose_format(c, formats, FORMATS, &i) ? writer[i] : NULL;
-}
-
 // Prints the diagnostics of each run; the diagram shows how far a failed script got.
 static int report_runs(Cli *c, const Report *r)
 {
@@ -37,7 +29,8 @@ int cmd_graph(Cli *c)
 {
     const CompiledSource *m;
     OsOutput file = {NULL, NULL, 0};
-    WriteGraph *writer;
+    static WriteGraph *const writer[FORMATS] = {diagram_write_svg, diagram_write_dot, diagram_write_mermaid};
+    size_t format;
     DiagramOptions g = {NULL, NULL, NULL};
     DiagramCounts counts;
     CompileInput in;
@@ -48,7 +41,7 @@ int cmd_graph(Cli *c)
     Buf out;
     int code;
 
-    if ((writer = find_format(c)) == NULL)
+    if (!cli_choose_format(c, formats, FORMATS, &format))
         return EXIT_USAGE;
     if ((code = runs_check_use(c)) != EXIT_OK)
         return code;
@@ -75,7 +68,7 @@ int cmd_graph(Cli *c)
     if (r.runs > 0)
         g.counts = &counts;
     buf_init(&out, r.arena);
-    writer(&r.analysis, &g, &out);
+    writer[format](&r.analysis, &g, &out);
     file = (OsOutput){c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", buf_text(&out), out.n};
     if ((code = cli_write_outputs(c, &file, 1)) != EXIT_OK)
         return code;

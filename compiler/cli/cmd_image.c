@@ -20,28 +20,24 @@ static const char *advice_for_rule(uint8_t rule)
     }
 }
 
-// On a board, arbitrary bytes can follow an image; a file must not contain any.
-static int check_trailing_bytes(Cli *c, const Source *image)
-{
-    const uint32_t length = smvm_uint((SmvmBytes)image->text, SMVM_LENGTH_AT, 3);
-
-    if (length == image->len)
-        return EXIT_OK;
-    cli_print_error(c, TEXT_image_length, image->name, (unsigned long)length, (unsigned long)image->len);
-    cli_print_error(c, TEXT_image_extra);
-    return EXIT_PROBLEM;
-}
-
 int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v)
 {
+    uint32_t length;
+
     if ((*image = cli_read_source(c, path)) == NULL)
         return EXIT_ENVIRONMENT;
-    if (smvm_verify((SmvmBytes)(*image)->text, (*image)->len, v) == 0)
-        return check_trailing_bytes(c, *image);
-    cli_print_error(c, TEXT_image_rule, (*image)->name, (unsigned)v->rule, (unsigned long)v->at,
-                    smvm_rule_text(v->rule));
-    if (advice_for_rule(v->rule))
-        cli_print_error(c, TEXT_sentence, advice_for_rule(v->rule));
+    if (smvm_verify((SmvmBytes)(*image)->text, (*image)->len, v) != 0) {
+        cli_print_error(c, TEXT_image_rule, (*image)->name, (unsigned)v->rule, (unsigned long)v->at, smvm_rule_text(v->rule));
+        if (advice_for_rule(v->rule))
+            cli_print_note(c, TEXT_sentence, advice_for_rule(v->rule));
+        return EXIT_PROBLEM;
+    }
+    length = smvm_uint((SmvmBytes)(*image)->text, SMVM_LENGTH_AT, 3);
+    if (length == (*image)->len)
+        return EXIT_OK;
+    // The verifier accepts bytes after an image, because a board stores images in larger slots. A file must not contain any.
+    cli_print_error(c, TEXT_image_length, (*image)->name, (unsigned long)length, (unsigned long)(*image)->len);
+    cli_print_note(c, TEXT_image_extra);
     return EXIT_PROBLEM;
 }
 
@@ -70,12 +66,18 @@ void cli_write_pin(Buf *out, const SmvmPin *p)
                p->flags & 4 ? " with @pull_down" : p->flags & 2 ? " with @pull_up" : "");
 }
 
-static void describe_pins(const char *name, const Source *image, Buf *out)
+// Describes the machines and the pins of an image.
+static void describe_image(const char *name, const Source *image, Buf *out)
 {
+    SmvmMachine m;
     SmvmPins all;
     SmvmPin p;
     const char *between = ": pins: ";
 
+    for (uint32_t i = 0; smvm_machine((SmvmBytes)image->text, i, &m); i++)
+        buf_printf(out, "%s: machine %lu: %lu state%s%s, longest step %lu instructions, %lu bytes of RAM on a 64-bit computer, state vector %lu bytes (layout %08lx)\n",
+                   name, (unsigned long)(i + 1), (unsigned long)m.states, m.states == 1 ? "" : "s", smvm_state_is_safe(&m, 1) ? "" : ", the first not marked @safe", (unsigned long)smvm_longest_step(&m),
+                   (unsigned long)smvm_ram_size_64(&m), (unsigned long)m.sv_size, (unsigned long)m.layout);
     if (!smvm_pins((SmvmBytes)image->text, &all) || all.left == 0)
         return;
     buf_str(out, name);
@@ -84,17 +86,6 @@ static void describe_pins(const char *name, const Source *image, Buf *out)
         cli_write_pin(out, &p);
     }
     buf_str(out, "\n");
-}
-
-static void describe_image(const char *name, const Source *image, Buf *out)
-{
-    SmvmMachine m;
-
-    for (uint32_t i = 0; smvm_machine((SmvmBytes)image->text, i, &m); i++)
-        buf_printf(out, "%s: machine %lu: %lu state%s%s, longest step %lu instructions, %lu bytes of RAM on a 64-bit computer, state vector %lu bytes (layout %08lx)\n",
-                   name, (unsigned long)(i + 1), (unsigned long)m.states, m.states == 1 ? "" : "s", smvm_state_is_safe(&m, 1) ? "" : ", the first not marked @safe", (unsigned long)smvm_longest_step(&m),
-                   (unsigned long)smvm_ram_size_64(&m), (unsigned long)m.sv_size, (unsigned long)m.layout);
-    describe_pins(name, image, out);
 }
 
 // Reports whether an image is signed; with a key, also whether it is signed with that key.

@@ -17,19 +17,6 @@ static const uint32_t size_most = 0x7FFFFFFF;
 
 // ---- the file ----
 
-// The log keeps referring to *bytes; the caller frees them.
-static Log *read_log(Cli *c, const char *path, char **bytes)
-{
-    const char *why;
-    size_t n;
-
-    if (!os_read(path, size_most, bytes, &n, &why)) {
-        cli_print_error(c, TEXT_cannot_read, cli_printable_name(&c->session.arena, path), why);
-        return NULL;
-    }
-    return log_read(&c->session.arena, (const uint8_t *)*bytes, (uint32_t)n);
-}
-
 // Reports damage. Returns 0, or EXIT_PROBLEM if the log contains nothing else.
 static int report_damage(Cli *c, const char *path, const Log *log)
 {
@@ -81,17 +68,13 @@ static int report_unknown_name(Cli *c, const Flight *f, const char *what, const 
     return EXIT_PROBLEM;
 }
 
-// The description of the shown session; of the last one, if all are shown.
-static const LogDescription *description_of(const Flight *f)
+// Selects the elements that the arguments after the log name, and the machine that --machine names.
+static int choose_elements_and_machine(Cli *c, Flight *f)
 {
-    return f->session ? f->session->d : f->log->session.at[f->log->session.n - 1]->d;
-}
-
-static int choose_elements(Cli *c, Flight *f)
-{
-    const LogDescription *d = description_of(f);
+    const LogSession *last = f->log->session.at[f->log->session.n - 1];
+    const LogDescription *d = f->session ? f->session->d : last->d;       // if all sessions are shown, names are those of the last one
     const LogElement **element = ARENA_ARRAY(f->arena, const LogElement *, c->files);
-    const char **names = ARENA_ARRAY(f->arena, const char *, d->elements + 1);
+    const char **names = ARENA_ARRAY(f->arena, const char *, d->elements + d->machines + 1);
 
     for (uint32_t i = 0; i < d->elements; i++)
         names[i] = d->element[i].name;
@@ -100,16 +83,8 @@ static int choose_elements(Cli *c, Flight *f)
             return report_unknown_name(c, f, "element", c->file[i], names, d->elements);
     f->element = element;
     f->elements = c->files - 1;
-    if (f->elements)
-        f->session = f->session ? f->session : f->log->session.at[f->log->session.n - 1];
-    return EXIT_OK;
-}
-
-static int choose_machine(Cli *c, Flight *f)
-{
-    const LogDescription *d = description_of(f);
-    const char **names = ARENA_ARRAY(f->arena, const char *, d->machines + 1);
-
+    if (f->elements && !f->session)
+        f->session = last;
     for (uint32_t i = 0; i < d->machines; i++)
         names[i] = d->machine[i].name;
     if (!c->given[OPT_MACHINE])
@@ -119,30 +94,22 @@ static int choose_machine(Cli *c, Flight *f)
     return EXIT_OK;
 }
 
-static int choose_content(Cli *c, Flight *f, size_t format)
-{
-    int code = choose_session(c, f, format);
-
-    if (code == EXIT_OK)
-        code = choose_elements(c, f);
-    if (code == EXIT_OK)
-        code = choose_machine(c, f);
-    if (code == EXIT_OK && format == SVG && f->session->records == 0) {
-        cli_print_error(c, TEXT_no_record, f->name);
-        code = EXIT_PROBLEM;
-    }
-    return code;
-}
-
 // ---- the command ----
 
-static int write_flight(Cli *c, const Flight *f, WriteFlight *put)
+static int write_flight(Cli *c, Flight *f, size_t format)
 {
+    static WriteFlight *const writer[FORMATS] = {flight_write_text, flight_write_csv, flight_write_json, flight_write_svg};
     OsOutput file = {c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0};
+    int code;
     Buf out;
 
+    if ((code = report_damage(c, f->name, f->log)) != EXIT_OK || (code = choose_session(c, f, format)) != EXIT_OK ||
+        (code = choose_elements_and_machine(c, f)) != EXIT_OK)
+        return code;
+    if (format == SVG && f->session->records == 0)
+        return cli_print_error(c, TEXT_no_record, f->name), EXIT_PROBLEM;
     buf_init(&out, f->arena);
-    put(f, &out);
+    writer[format](f, &out);
     file.bytes = buf_text(&out);
     file.n = out.n;
     return cli_write_outputs(c, &file, 1);
@@ -150,25 +117,25 @@ static int write_flight(Cli *c, const Flight *f, WriteFlight *put)
 
 int cmd_log(Cli *c)
 {
-    static WriteFlight *const writer[FORMATS] = {flight_write_text, flight_write_csv, flight_write_json, flight_write_svg};
+    const char *why;
     Flight f;
-    size_t format;
+    size_t format, n;
     char *bytes;
     int code;
 
-    memset(&f, 0, sizeof f);
     if (c->files == 0)
         return cli_usage_error(c, TEXT_log_what);
     if (!cli_choose_format(c, formats, FORMATS, &format))
         return EXIT_USAGE;
+    if (!os_read(c->file[0], size_most, &bytes, &n, &why)) {
+        cli_print_error(c, TEXT_cannot_read, cli_printable_name(&c->session.arena, c->file[0]), why);
+        return EXIT_ENVIRONMENT;
+    }
+    memset(&f, 0, sizeof f);
     f.arena = &c->session.arena;
     f.name = strcmp(c->file[0], "-") == 0 ? "<stdin>" : c->file[0];
-    if ((f.log = read_log(c, c->file[0], &bytes)) == NULL)
-        return EXIT_ENVIRONMENT;
-    if ((code = report_damage(c, f.name, f.log)) == EXIT_OK)
-        code = choose_content(c, &f, format);
-    if (code == EXIT_OK)
-        code = write_flight(c, &f, writer[format]);
+    f.log = log_read(f.arena, (const uint8_t *)bytes, (uint32_t)n);       // refers to the bytes as long as it is used
+    code = write_flight(c, &f, format);
     os_alloc(NULL, bytes, 0);
     return code;
 }

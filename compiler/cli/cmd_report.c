@@ -14,38 +14,6 @@ static const CliFormat formats[] = {
     {"html", {".html", ".htm", NULL}, "a browser"}, {"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
-static WriteReport *find_format(Cli *c)
-{
-    static WriteReport *const writer[FORMATS] = {doc_write_html, doc_write_text, doc_write_json};
-    size_t i;
-
-    return cli_choose_format(c, formats, FORMATS, &i) ? writer[i] : NULL;
-}
-
-static int write_report(Cli *c, Report *r, WriteReport *writer)
-{
-    OsOutput file = {c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0};
-    Buf out;
-
-    buf_init(&out, &c->session.arena);
-    writer(report_build(r), &out);
-    file.bytes = buf_text(&out);
-    file.n = out.n;
-    return cli_write_outputs(c, &file, 1);
-}
-
-static int report_failed_runs(Cli *c, const Report *r)
-{
-    int code = EXIT_OK;
-
-    for (size_t i = 0; i < r->runs; i++)
-        if (!r->run[i].script || r->run[i].result.outcome != SCRIPT_PASSED) {
-            cli_print_error(c, TEXT_run_failed, r->run[i].name);
-            code = EXIT_PROBLEM;
-        }
-    return code;
-}
-
 // Findings, costs and the size of the image are those of the machine as it flies: without names, but with its pins.
 static void fill_report(Cli *c, const CompileOptions *o, const CompiledSource *m, const Buf *image, Report *r)
 {
@@ -65,16 +33,19 @@ static void fill_report(Cli *c, const CompileOptions *o, const CompiledSource *m
 
 int cmd_report(Cli *c)
 {
-    WriteReport *writer;
+    static WriteReport *const writer[FORMATS] = {doc_write_html, doc_write_text, doc_write_json};
+    OsOutput file = {c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0};
+    size_t format;
     CompileInput in;
     CompileOptions o;
     Compiled made;
     Report r;
+    Buf out;
     int code;
 
     if ((code = runs_check_use(c)) != EXIT_OK)
         return code;
-    if ((writer = find_format(c)) == NULL || !cli_compile_options(c, &o))
+    if (!cli_choose_format(c, formats, FORMATS, &format) || !cli_compile_options(c, &o))
         return EXIT_USAGE;
     if (c->given[OPT_IO] && !c->given[OPT_SV])
         return cli_usage_error(c, TEXT_io_needs_vector);
@@ -94,7 +65,16 @@ int cmd_report(Cli *c)
         cli_print_diagnostics(c);
         return code;
     }
-    if ((code = write_report(c, &r, writer)) != EXIT_OK)
+    buf_init(&out, &c->session.arena);
+    writer[format](report_build(&r), &out);
+    file.bytes = buf_text(&out);
+    file.n = out.n;
+    if ((code = cli_write_outputs(c, &file, 1)) != EXIT_OK)
         return code;
-    return report_failed_runs(c, &r);
+    for (size_t i = 0; i < r.runs; i++)
+        if (!r.run[i].script || r.run[i].result.outcome != SCRIPT_PASSED) {
+            cli_print_error(c, TEXT_run_failed, r.run[i].name);
+            code = EXIT_PROBLEM;
+        }
+    return code;
 }

@@ -81,7 +81,7 @@ unsigned test_absent_engines(TestRun *t, unsigned which)
     if (which == 0 || (t->engines && !all_engines(t->c)) || (all_engines(t->c) && os_getenv("CC")))
         return 0;
     if (!t->c_was_tried)
-        t->c_runs = engine_c_present(t->arena, NULL, &t->why_absent);
+        t->c_runs = engine_c_present(t->arena, &t->why_absent);
     t->c_was_tried = true;
     which = t->c_runs ? 0 : which;
     t->absent |= which;
@@ -130,17 +130,30 @@ static int exit_code(const TestRun *t)
 
 // ---- the command ----
 
-typedef struct Files { size_t machines, scripts, cases; const char *machine; } Files;
+bool test_is_script(const Cli *c, const char *path)
+{
+    bool has_machine = false;
+
+    if (strcmp(path, "-") != 0)
+        return has_suffix(path, ".ss");
+    for (size_t i = 0; i < c->files; i++)
+        has_machine |= has_suffix(c->file[i], ".sm");
+    return has_machine;
+}
+
+typedef struct Files { size_t machines, scripts, cases, standard_inputs; const char *machine; } Files;
 
 static Files sort_files(const Cli *c)
 {
-    Files f = {0, 0, 0, NULL};
+    Files f = {0, 0, 0, 0, NULL};
 
     for (size_t i = 0; i < c->files; i++) {
-        bool machine = has_suffix(c->file[i], ".sm") || strcmp(c->file[i], "-") == 0;
+        const bool standard = strcmp(c->file[i], "-") == 0, script = test_is_script(c, c->file[i]);
+        const bool machine = !script && (standard || has_suffix(c->file[i], ".sm"));
+        f.standard_inputs += standard;
         f.machines += machine;
-        f.scripts += has_suffix(c->file[i], ".ss");
-        f.cases += !machine && !has_suffix(c->file[i], ".ss");
+        f.scripts += script;
+        f.cases += !machine && !script;
         f.machine = machine ? c->file[i] : f.machine;
     }
     return f;
@@ -167,6 +180,8 @@ static int check_use(Cli *c, const Files *f)
         return cli_usage_error(c, TEXT_test_what);
     if (check_kinds(c) != EXIT_OK)
         return EXIT_USAGE;
+    if (f->standard_inputs > 1)
+        return cli_usage_error(c, TEXT_test_one_input);
     if (f->machines > 1)
         return cli_usage_error(c, TEXT_test_one_machine);
     if (f->machines && !f->scripts && f->cases)
@@ -221,20 +236,30 @@ static int read_options(TestRun *t)
     return cli_compile_options(c, &unused) ? EXIT_OK : EXIT_USAGE;
 }
 
+// Replaces other names of standard input, such as /dev/stdin, with "-".
+static void name_standard_input(Cli *c)
+{
+    for (size_t i = 0; i < c->files; i++)
+        if (os_find_descriptor(c->file[i]) == 0)
+            c->file[i] = "-";
+}
+
 int cmd_test(Cli *c)
 {
-    Files f = sort_files(c);
     TestRun t = {.c = c, .arena = &c->session.arena};
-    int code = check_use(c, &f), ran = EXIT_OK, written;
+    Files f;
+    int code, ran = EXIT_OK, written;
 
-    if (code != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
+    name_standard_input(c);
+    f = sort_files(c);
+    if ((code = check_use(c, &f)) != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
         return code;
     if (c->given[OPT_TRACE] && f.cases)
         cli_print_note(c, TEXT_cases_not_traced, f.machine);
     if (f.machine && (ran = test_run_machine(&t, f.machine)) == EXIT_USAGE)
         return ran;
     for (size_t i = 0; i < c->files; i++)
-        if (!has_suffix(c->file[i], ".ss") && c->file[i] != f.machine)
+        if (!test_is_script(c, c->file[i]) && c->file[i] != f.machine)
             collect_argument(&t, c->file[i]);
     test_run_cases(&t, t.path.at, t.path.n);
     report_absent(&t);

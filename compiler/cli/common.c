@@ -12,46 +12,48 @@ static bool is_message_format(const Cli *c, const char *format)
     return strcmp(c->given[OPT_FORMAT] ? c->value[OPT_FORMAT] : "text", format) == 0;
 }
 
-// Prints a message in JSON. For SARIF, stores it for the end of the document.
-static void print_for_program(Cli *c, const char *severity, const char *sentence)
+// Prints a message in the selected format; SARIF has it at the end of the document. Returns its text, allocated in the session.
+static const char *print_message(Cli *c, const char *severity, const char *format, va_list args)
 {
+    va_list again;
+    char *text;
+    int n;
     Buf out;
 
-    if (is_message_format(c, "sarif")) {
-        vec_push(&c->session.arena, &c->sarif_messages, sentence);
-        return;
-    }
-    buf_init(&out, &c->session.arena);
-    diag_plain_json(severity, sentence, &out);
-    fputs(buf_text(&out), stderr);
-}
-
-static void print_message(Cli *c, const char *severity, const char *format, va_list args)
-{
-    char sentence[5000];
-
+    va_copy(again, args);
+    n = vsnprintf(NULL, 0, format, again);
+    va_end(again);
+    text = arena_alloc(&c->session.arena, (size_t)n + 1);
+    vsnprintf(text, (size_t)n + 1, format, args);
     if (is_message_format(c, "text")) {
-        fputs("smc: ", stderr);
-        vfprintf(stderr, format, args);
-        fputc('\n', stderr);
+        fprintf(stderr, "smc: %s%s\n", strcmp(severity, "warning") == 0 ? "warning: " : "", text);
+    } else if (is_message_format(c, "sarif")) {
+        const PlainMessage message = {severity, text};
+        vec_push(&c->session.arena, &c->sarif_messages, message);
     } else {
-        vsnprintf(sentence, sizeof sentence, format, args);
-        print_for_program(c, severity, str_c(&c->session.strings, sentence)->text);
+        buf_init(&out, &c->session.arena);
+        diag_plain_json(severity, text, &out);
+        fputs(buf_text(&out), stderr);
     }
+    return text;
 }
 
 void cli_print_error(Cli *c, const char *format, ...)
 {
-    char sentence[5000];
     va_list args;
 
     va_start(args, format);
-    print_message(c, "error", format, args);
+    c->last_error = print_message(c, "error", format, args);
     va_end(args);
+}
+
+void cli_print_warning(Cli *c, const char *format, ...)
+{
+    va_list args;
+
     va_start(args, format);
-    vsnprintf(sentence, sizeof sentence, format, args);
+    print_message(c, "warning", format, args);
     va_end(args);
-    c->last_error = format_in(&c->session.arena, "%s", sentence);
 }
 
 void cli_print_note(Cli *c, const char *format, ...)
@@ -145,21 +147,10 @@ static bool wants_color(const Cli *c)
     return os_is_terminal(2) && !(term && strcmp(term, "dumb") == 0);
 }
 
-static void render_diagnostics(const Cli *c, const Diags *d, Buf *out)
-{
-    DiagStyle style = {wants_color(c), 20};
-
-    if (is_message_format(c, "json"))
-        diags_render_json(d, out);
-    else if (is_message_format(c, "sarif"))
-        diags_render_sarif(d, SMC_VERSION, out);
-    else
-        diags_render_text(d, &style, out);
-}
-
 int cli_print_diagnostics(Cli *c)
 {
     Diags *d = &c->session.diags;
+    const DiagStyle style = {wants_color(c), 20};
     Buf out;
     int code;
 
@@ -167,7 +158,12 @@ int cli_print_diagnostics(Cli *c)
     diags_select(d, &c->warn);
     diags_sort(d);
     buf_init(&out, &c->session.arena);
-    render_diagnostics(c, d, &out);
+    if (is_message_format(c, "json"))
+        diags_render_json(d, &out);
+    else if (is_message_format(c, "sarif"))
+        diags_render_sarif(d, SMC_VERSION, &out);
+    else
+        diags_render_text(d, &style, &out);
     code = d->errors ? EXIT_PROBLEM : EXIT_OK;
     if (!cli_print(c, 2, &out) && !code)
         code = EXIT_ENVIRONMENT;

@@ -25,35 +25,21 @@ static void write_make_name(Buf *out, const char *name)
     }
 }
 
-// Returns the output's path with its suffix replaced.
-static const char *deps_path(Cli *c, const char *output)
-{
-    const char *slash = strrchr(output, '/'), *name = slash ? slash + 1 : output, *dot = strrchr(name, '.');
-    size_t stem = dot && dot != name ? (size_t)(dot - output) : strlen(output);
-
-    if (c->given[OPT_DEPS_FILE])
-        return c->value[OPT_DEPS_FILE];
-    return format_in(&c->session.arena, "%.*s.d", (int)stem, output);
-}
-
-static void write_targets(Cli *c, const OsOutput *products, size_t n, Buf *out)
-{
-    if (c->given[OPT_DEPS_NAME])
-        buf_str(out, c->value[OPT_DEPS_NAME]);             // verbatim, as compilers do: it can be several names
-    else
-        for (size_t i = 0; i < n; i++) {
-            buf_str(out, i ? " " : "");
-            write_make_name(out, products[i].path);
-        }
-    buf_char(out, ':');
-}
-
 void deps_add_rule(Cli *c, OsOutput *o, size_t *n, DepInputs in)
 {
     Buf *out = ARENA_NEW(&c->session.arena, Buf);
+    const char *path = o[0].path, *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    const size_t stem = dot && dot != name ? (size_t)(dot - path) : strlen(path);
 
     buf_init(out, &c->session.arena);
-    write_targets(c, o, *n, out);
+    if (c->given[OPT_DEPS_NAME])
+        buf_str(out, c->value[OPT_DEPS_NAME]);             // verbatim, as compilers do: it can be several names
+    else
+        for (size_t i = 0; i < *n; i++) {
+            buf_str(out, i ? " " : "");
+            write_make_name(out, o[i].path);
+        }
+    buf_char(out, ':');
     for (size_t i = 0; i < in.n; i++)
         if (strcmp(in.at[i], "-") != 0) {
             buf_char(out, ' ');
@@ -66,6 +52,7 @@ void deps_add_rule(Cli *c, OsOutput *o, size_t *n, DepInputs in)
             write_make_name(out, in.at[i]);
             buf_str(out, ":\n");
         }
-    o[*n] = (OsOutput){deps_path(c, o[0].path), buf_text(out), out->n};
+    path = c->given[OPT_DEPS_FILE] ? c->value[OPT_DEPS_FILE] : format_in(&c->session.arena, "%.*s.d", (int)stem, path);
+    o[*n] = (OsOutput){path, buf_text(out), out->n};
     ++*n;
 }

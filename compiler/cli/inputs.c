@@ -30,25 +30,25 @@ Source *cli_read_source(Cli *c, const char *path)
     return src;
 }
 
-// Reads a file that the application at `app` names: its path is relative to the folder of the application.
-static void load_app_file(Cli *c, const char *app, AppFile *f)
-{
-    const char *name = f->name.text->text, *slash = strrchr(app, '/');
-    const char *path = name[0] == '/' || !slash ? name : format_in(&c->session.arena, "%.*s%s", (int)(slash + 1 - app), app, name);
-
-    if (strcmp(path, "-") == 0 || strlen(name) != f->name.text->len)
-        f->problem = "that is no name of a file";
-    else
-        f->src = open_source(c, path, path, &f->problem);
-}
-
+// Reads the files that an application names. Their paths are relative to its folder. A file that cannot be read is reported when the
+// application is checked.
 static void load_app(Cli *c, CompileInput *in)
 {
+    const char *app = in->at[0].text->name, *slash = strrchr(app, '/');
+
     in->app = ARENA_NEW(&c->session.arena, CompileApp);
     compile_open_app(&c->session, in->at[0].text, in->app);
-    for (size_t i = 0; i < in->app->files.n; i++)
-        if (!in->app->files.at[i].wrong_kind)
-            load_app_file(c, in->at[0].text->name, &in->app->files.at[i]);
+    for (size_t i = 0; i < in->app->files.n; i++) {
+        AppFile *f = &in->app->files.at[i];
+        const char *name = f->name.text->text;
+        const char *path = name[0] == '/' || !slash ? name : format_in(&c->session.arena, "%.*s%s", (int)(slash + 1 - app), app, name);
+        if (f->wrong_kind)
+            continue;
+        if (strcmp(path, "-") == 0 || strlen(name) != f->name.text->len)
+            f->problem = "that is no name of a file";
+        else
+            f->src = open_source(c, path, path, &f->problem);
+    }
 }
 
 int cli_read_inputs(Cli *c, CompileInput *in)

@@ -40,7 +40,7 @@ int key_load(Cli *c, uint8_t key[SMVM_KEY])
         return EXIT_PROBLEM;
     }
     if (!os_is_private(path))
-        cli_print_error(c, TEXT_key_readable, path, path);
+        cli_print_warning(c, TEXT_key_readable, path, path);
     for (unsigned i = 0; i < SMVM_KEY; i++)
         key[i] = (uint8_t)(digit_value(s->text[2 * i]) << 4 | digit_value(s->text[2 * i + 1]));
     return EXIT_OK;
@@ -63,21 +63,12 @@ bool key_check_signature(Cli *c, const Source *image, const uint8_t *key, const 
     return false;
 }
 
-// Prints the short mark of a key, as boards and images report it.
-static int print_key_mark(Cli *c, const uint8_t *key)
-{
-    Buf out;
-
-    buf_init(&out, &c->session.arena);
-    buf_printf(&out, "%s: key %08lx\n", c->file[0], (unsigned long)smvm_auth_mark(key));
-    return cli_print(c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
-}
-
 int cmd_key(Cli *c)
 {
     const char *why;
     uint8_t key[SMVM_KEY];
     char text[DIGITS + 1];
+    Buf out;
 
     if (c->files != 1 || strcmp(c->file[0], "-") == 0)
         return cli_usage_error(c, TEXT_key_what);
@@ -90,8 +81,11 @@ int cmd_key(Cli *c)
         text[2 * i + 1] = digit[key[i] & 15];
     }
     text[DIGITS] = '\n';
-    if (os_write_private(c->file[0], text, sizeof text, &why))
-        return print_key_mark(c, key);
-    cli_print_error(c, TEXT_cannot_create, cli_printable_name(&c->session.arena, c->file[0]), why);
-    return EXIT_ENVIRONMENT;
+    if (!os_write_private(c->file[0], text, sizeof text, &why)) {
+        cli_print_error(c, TEXT_cannot_create, cli_printable_name(&c->session.arena, c->file[0]), why);
+        return EXIT_ENVIRONMENT;
+    }
+    buf_init(&out, &c->session.arena);
+    buf_printf(&out, "%s: key %08lx\n", c->file[0], (unsigned long)smvm_auth_mark(key));       // as boards and images report it
+    return cli_print(c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }

@@ -7,7 +7,7 @@
 #include "compiler/version.h"
 
 static const Command commands[] = {
-#define COMMAND(name, synopsis, sentence) {#name, synopsis, sentence, cmd_##name},
+#define COMMAND(name, letter, synopsis, sentence) {#name, #letter, synopsis, sentence, cmd_##name},
 #include "compiler/cli/commands.def"
 #undef COMMAND
 };

@@ -15,15 +15,17 @@ static const OptionInfo option_info[OPT_COUNT] = {
 
 static bool is_joined(const OptionInfo *o) { return o->value && o->value[0] == '='; }
 
-// Returns a subcommand's letter in options.def: its first letter, or a capital one if an earlier subcommand already uses it.
-static char letter_of_command(const Command *command)
-{
-    return strcmp(command->name, "flash") == 0 ? 'F' : strcmp(command->name, "device") == 0 ? 'D' : command->name[0];
-}
+// Two subcommands with one letter would accept each other's options. These constants make that an error of the C compiler.
+enum {
+#define COMMAND(name, letter, synopsis, sentence) LETTER_##letter,
+#include "compiler/cli/commands.def"
+#undef COMMAND
+    LETTERS
+};
 
 static bool option_applies(const OptionInfo *o, const Command *command)
 {
-    return o->commands[0] == '*' || strchr(o->commands, letter_of_command(command)) != NULL;
+    return o->commands[0] == '*' || strchr(o->commands, command->letter[0]) != NULL;
 }
 
 // Finds the option that `arg` spells, and where its joined value starts (NULL: none). Returns OPT_COUNT for an unknown option.
@@ -102,44 +104,35 @@ static bool check_one_of(Cli *c, OptionId id, const char *const *allowed, size_t
     return false;
 }
 
-// A SARIF document describes one run, so only a command that reports once can write one.
-static bool check_sarif_allowed(Cli *c)
-{
-    if (!c->given[OPT_FORMAT] || strcmp(c->value[OPT_FORMAT], "sarif") != 0 || strcmp(c->command->name, "check") == 0 ||
-        strcmp(c->command->name, "build") == 0)
-        return true;
-    cli_usage_error(c, TEXT_sarif_commands);
-    return false;
-}
-
-static bool check_warning_names(Cli *c)
-{
-    const char *wrong = diag_selection_error(&c->session.arena, &c->warn);
-
-    if (wrong)
-        cli_usage_error(c, TEXT_sentence, wrong);
-    c->session.warnings = diag_selection_groups(&c->warn);
-    return !wrong;
-}
-
-// The name is copied verbatim into a make rule; no file of that name is opened.
-static bool check_target_name(Cli *c)
-{
-    if (!c->given[OPT_DEPS_NAME] || os_is_name(c->value[OPT_DEPS_NAME]))
-        return true;
-    cli_usage_error(c, TEXT_target_control, c->value[OPT_DEPS_NAME]);
-    return false;
-}
-
+// Checks the values of the options that every command reads in the same way; false after a message.
 static bool check_values(Cli *c)
 {
     static const char *const levels[] = {"0", "1", "2"};
     static const char *const formats[] = {"text", "json", "sarif"};
     static const char *const whens[] = {"auto", "always", "never"};
+    const char *wrong;
 
-    return check_one_of(c, OPT_OPT, levels, 3, "0, 1 or 2") && check_one_of(c, OPT_FORMAT, formats, 3, "text, json or sarif") &&
-           check_sarif_allowed(c) && check_target_name(c) && check_one_of(c, OPT_COLOR, whens, 3, "auto, always or never") &&
-           check_warning_names(c);
+    if (!check_one_of(c, OPT_OPT, levels, 3, "0, 1 or 2") || !check_one_of(c, OPT_FORMAT, formats, 3, "text, json or sarif"))
+        return false;
+    // A SARIF document describes one run, so only a command that reports once can write one.
+    if (c->given[OPT_FORMAT] && strcmp(c->value[OPT_FORMAT], "sarif") == 0 && strcmp(c->command->name, "check") != 0 &&
+        strcmp(c->command->name, "build") != 0) {
+        cli_usage_error(c, TEXT_sarif_commands);
+        return false;
+    }
+    // The name is copied verbatim into a make rule; no file of that name is opened.
+    if (c->given[OPT_DEPS_NAME] && !os_is_name(c->value[OPT_DEPS_NAME])) {
+        cli_usage_error(c, TEXT_target_control, c->value[OPT_DEPS_NAME]);
+        return false;
+    }
+    if (!check_one_of(c, OPT_COLOR, whens, 3, "auto, always or never"))
+        return false;
+    if ((wrong = diag_selection_error(&c->session.arena, &c->warn)) != NULL) {
+        cli_usage_error(c, TEXT_sentence, wrong);
+        return false;
+    }
+    c->session.warnings = diag_selection_groups(&c->warn);
+    return true;
 }
 
 bool options_parse(Cli *c, int argc, char **argv)

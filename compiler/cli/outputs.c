@@ -428,7 +428,7 @@ int outputs_check(Cli *c, const OsOutput *out, size_t n)
 // From here on, other names of standard output are replaced with "-".
 static const char *output_named(Cli *c, OptionId id)
 {
-    if (c->given[id] && os_own_descriptor(c->value[id]) == 1)
+    if (c->given[id] && os_find_descriptor(c->value[id]) == 1)
         c->value[id] = "-";
     return c->value[id];
 }

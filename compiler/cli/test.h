@@ -4,25 +4,7 @@
 #define SMC_TEST_H
 
 #include "compiler/cli/cli.h"
-#include "compiler/script/testfile.h"
-
-// ---- engines.c ----
-
-typedef enum EngineKind { ENGINE_REF, ENGINE_VM, ENGINE_VM_SOFT, ENGINE_C, ENGINE_C_SOFT, ENGINE_KINDS } EngineKind;
-
-extern const char *const engine_name[ENGINE_KINDS];
-
-// The engines of one program, the reference first. They can be closed at any time, even twice.
-typedef struct EngineSet {
-    Engine *at[ENGINE_KINDS];
-    size_t n;
-    const char *error;        // why engines_open failed
-} EngineSet;
-
-unsigned engines_named(const char *name);  // comma-separated names as bits 1u << kind; "all" means all but c-soft; 0: unknown name
-unsigned engines_in_list(const char *list);           // those of a header's `on ref vm c`; other words are ignored
-bool engines_open(EngineSet *set, Session *s, const Program *p, unsigned which, int opt_level);
-void engines_close(EngineSet *set);
+#include "compiler/device/engines.h"
 
 // ---- the results ----
 
@@ -59,6 +41,8 @@ typedef struct TestRun {      // one call of smc test
 bool test_stdout_is_for_program(const Cli *c);                                    // cmd_test.c
 // Where reports for people go: standard output, unless the trace goes there.
 int test_result_fd(const Cli *c);                                   // cmd_test.c
+// Whether an argument is a script. Standard input ("-") is one if the call names a machine; otherwise it is the machine.
+bool test_is_script(const Cli *c, const char *path);               // cmd_test.c
 const char *test_folder(Arena *arena, const char *path);           // cmd_test.c: the suite of a case
 
 // Runs every script of the call on the machine `path` and adds a result for each.  EXIT_OK, or the exit code after a message;
@@ -73,11 +57,11 @@ unsigned test_absent_engines(TestRun *t, unsigned which);           // cmd_test.
 
 typedef struct TestCase TestCase;
 
-TestCase *case_open(TestRun *t, const char *path);    // reads and compiles it
+TestCase *test_case_open(TestRun *t, const char *path);    // reads and compiles it
 // Returns whether the case has to run on emitted C of this kind; then also its program and machine.
-bool case_find_c(const TestCase *c, EngineKind kind, const Program **p, const IrMachine **ir);
+bool test_case_find_c(const TestCase *c, EngineKind kind, const Program **p, const IrMachine **ir);
 // Runs the case and frees everything. `emitted` are the engines of emitted C, by kind; NULL: it opens its own.
-TestResult case_close(TestCase *c, Engine *const *emitted);
+TestResult test_case_close(TestCase *c, Engine *const *emitted);
 
 // ---- test_batch.c ----
 
@@ -93,12 +77,6 @@ void test_trace_script(TestTrace *t, const char *path);            // the script
 void test_trace_left_out(TestTrace *t, const char *path);          // reports a script without a trace; t may be NULL
 void test_trace_step(void *trace, const ScriptStep *step);         // for ScriptOptions
 int test_trace_close(TestTrace *t);                                // t may be NULL; the file appears if a script ran
-
-// ---- test_text.c ----
-
-// Adds each difference to `why`, as one or more lines.
-void test_check_report(const TestPart *part, const Buf *report, Buf *why);
-void test_check_trace(const TestPart *part, const Buf *trace, Buf *why);
 
 // ---- test_output.c ----
 

@@ -18,17 +18,16 @@ typedef struct Batch {
 // error.
 static void open_c(Batch *b, EngineKind kind)
 {
-    const EngineCOptions o = {.soft = kind == ENGINE_C_SOFT};
     const Program *p[BATCH];
     const IrMachine *ir[BATCH];
     size_t owner[BATCH], n = 0;
     const char *error;
 
     for (size_t i = 0; i < b->n; i++)
-        if (case_find_c(b->at[i], kind, &p[n], &ir[n]))
+        if (test_case_find_c(b->at[i], kind, &p[n], &ir[n]))
             owner[n++] = i;
     if (n > 1)
-        b->c[kind] = engine_c_batch_open(&b->arena, p, ir, n, &o, &error);
+        b->c[kind] = engine_c_batch_open(&b->arena, p, ir, n, kind == ENGINE_C_SOFT, &error);
     for (size_t i = 0; b->c[kind] && i < n; i++)
         b->engine[owner[i]][kind] = engine_c_batch_engine(b->c[kind], i);
 }
@@ -55,11 +54,11 @@ static void test_batch(TestRun *t, const char *const *path, size_t n)
 
     arena_init(&b.arena, os_alloc, NULL, t->arena->oom);
     for (size_t i = 0; i < n; i++)
-        b.at[i] = case_open(t, path[i]);
+        b.at[i] = test_case_open(t, path[i]);
     open_c(&b, ENGINE_C);
     open_c(&b, ENGINE_C_SOFT);
     for (size_t i = 0; i < n; i++) {
-        TestResult r = case_close(b.at[i], b.engine[i]);
+        TestResult r = test_case_close(b.at[i], b.engine[i]);
         vec_push(t->arena, &t->result, r);
         if ((r.status == TEST_FAILED || r.status == TEST_BROKEN) && !t->c->given[OPT_TAP])
             print_failed(t, &r);

@@ -16,6 +16,9 @@ typedef struct MachineTest {
     TestTrace *trace;         // or NULL
 } MachineTest;
 
+// Returns a script's name in results: standard input has the name that diagnostics use.
+static const char *result_name(const char *path) { return strcmp(path, "-") == 0 ? "<stdin>" : path; }
+
 static void add_result(MachineTest *m, const char *path, TestStatus status, const char *message, int code)
 {
     TestResult r = {path, m->path, status, message, code, os_seconds() - m->begin};
@@ -29,8 +32,8 @@ static void add_errors(MachineTest *m, const char *message, int code)
     Cli *c = m->t->c;
 
     for (size_t i = 0; i < c->files; i++)
-        if (has_suffix(c->file[i], ".ss")) {
-            add_result(m, c->file[i], TEST_BROKEN, message, code);
+        if (test_is_script(c, c->file[i])) {
+            add_result(m, result_name(c->file[i]), TEST_BROKEN, message, code);
             m->begin = os_seconds();          // count the time spent so far only once
         }
 }
@@ -82,7 +85,7 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
 
 static void test_script(MachineTest *m, size_t argument)
 {
-    const char *const path = m->t->c->file[argument];
+    const char *const path = result_name(m->t->c->file[argument]);
     const Source *const src = m->ss[argument];
     const char *message;
     Script *s;
@@ -116,7 +119,7 @@ static int read_inputs(MachineTest *m, const char *path, CompileInput *in)
     if (!in->at[0].text || (c->given[OPT_SV] && (in->vector = cli_read_source(c, c->value[OPT_SV])) == NULL))
         return EXIT_ENVIRONMENT;
     for (size_t i = 0; i < c->files; i++)
-        if (has_suffix(c->file[i], ".ss")) {
+        if (test_is_script(c, c->file[i])) {
             if ((m->ss[i] = cli_read_source(c, c->file[i])) != NULL)
                 in->at[in->n++] = (CompileSource){.text = m->ss[i], .kind = FILE_SS};
             else
@@ -185,9 +188,9 @@ static int test_scripts(MachineTest *m)
     if (code == EXIT_ENVIRONMENT)
         add_errors(m, c->last_error, code);
     for (size_t i = 0; i < c->files && code == EXIT_OK; i++)
-        if (has_suffix(c->file[i], ".ss")) {
+        if (test_is_script(c, c->file[i])) {
             test_script(m, i);
-            code = print_report(m, c->file[i]);
+            code = print_report(m, result_name(c->file[i]));
         }
     closed = test_trace_close(m->trace);
     return code == EXIT_OK ? closed : code;

@@ -43,11 +43,11 @@ static void write_failed_scripts(const TestRun *t, Buf *out)
     size_t scripts = 0;
 
     for (size_t i = 0; i < t->result.n; i++)
-        scripts += t->result.at[i].status == TEST_FAILED && has_suffix(t->result.at[i].path, ".ss");
+        scripts += t->result.at[i].status == TEST_FAILED && !has_suffix(t->result.at[i].path, ".smt");
     for (size_t i = 0; i < t->result.n && scripts > 1; i++) {
         const TestResult *r = &t->result.at[i];
         const char *why = line_of_failure(r->message);
-        if (r->status == TEST_FAILED && has_suffix(r->path, ".ss"))
+        if (r->status == TEST_FAILED && !has_suffix(r->path, ".smt"))
             buf_printf(out, "failed: %.*s\n", (int)first_line(why), why);
     }
 }

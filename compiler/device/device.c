@@ -7,6 +7,7 @@ enum {
     // Lengths of the answer to HELLO: the least, and with each of the parts that newer firmware appends (docs/link.md).
     HELLO_BYTES = 15, HELLO_SIGNED = HELLO_BYTES + 5, HELLO_LIMITS = HELLO_SIGNED + 7, HELLO_MARK = HELLO_LIMITS + 4,
     IMAGE_BYTES = 18,         // least length of the answer to IMAGE
+    BEGIN_HEAD = 9,           // bytes before the permit in BEGIN
     DATA_HEAD = 5,            // bytes before the data in DATA: session, offset
     RESTARTS_MAX = 3          // attempts at an update or a restart
 };
@@ -53,8 +54,8 @@ bool device_hello(LinkHost *h, DeviceInfo *info)
     info->may = (SmResult)(int8_t)b[14];
     info->requires_signature = h->n >= HELLO_SIGNED && b[15] != 0;
     info->newest = h->n >= HELLO_SIGNED ? sm_link_load(b + 16, 4) : 0;
-    info->tells = h->n >= HELLO_LIMITS;
-    if (info->tells)
+    info->reports_limits = h->n >= HELLO_LIMITS;
+    if (info->reports_limits)
         read_limits(b + HELLO_SIGNED, info);
     info->reports_mark = h->n >= HELLO_MARK;
     info->mark = info->reports_mark ? sm_link_load(b + HELLO_LIMITS, 4) : 0;
@@ -77,6 +78,7 @@ bool device_image(LinkHost *h, uint8_t slot, DeviceImage *image)
     image->chosen = (b[16] & 2) != 0;
     image->before = (b[16] & 4) != 0;
     image->starts = b[17];
+    image->end = b[16] / LINK_TRIAL_END % 4;
     image->period = h->n < IMAGE_BYTES + 2 ? 0 : (uint16_t)sm_link_load(b + IMAGE_BYTES, 2);
     return true;
 }
@@ -92,16 +94,23 @@ bool device_running(LinkHost *h, const DeviceInfo *info, DeviceImage *image)
     return device_image(h, DEVICE_BUILT_IN, image);
 }
 
-bool device_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image)
+static bool is_on_trial(const DeviceImage *image) { return image->state == DEVICE_TRIAL; }
+static bool has_ended_trial(const DeviceImage *image) { return image->state != DEVICE_EMPTY && image->end != DEVICE_NOT_ENDED; }
+
+// Finds the first slot whose image is one that `is` accepts.
+static bool find_image(LinkHost *h, const DeviceInfo *info, bool (*is)(const DeviceImage *image), DeviceImage *image)
 {
     for (uint8_t slot = 0; slot < info->slots; slot++) {
         if (!device_image(h, slot, image))
             return false;
-        if (image->state == DEVICE_TRIAL)
+        if (is(image))
             return true;
     }
     return false;
 }
+
+bool device_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image) { return find_image(h, info, is_on_trial, image); }
+bool device_ended_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image) { return find_image(h, info, has_ended_trial, image); }
 
 bool device_request_by_checksum(LinkHost *h, LinkMessage message, uint32_t checksum)
 {
@@ -153,12 +162,14 @@ static bool request_in_session(LinkHost *h, const Update *u, LinkMessage message
 // Requests that the board prepares a slot for the image.
 static bool send_begin(LinkHost *h, const Update *u)
 {
-    uint8_t body[9];
+    uint8_t body[BEGIN_HEAD + DEVICE_PERMIT];
 
     sm_link_store(body, u->session, 2);
     sm_link_store(body + 2, u->length, 3);
     sm_link_store(body + 5, u->checksum, 4);
-    return send_request(h, LINK_BEGIN, body, sizeof body, 0);
+    if (u->permit)
+        memcpy(body + BEGIN_HEAD, u->permit, DEVICE_PERMIT);
+    return send_request(h, LINK_BEGIN, body, u->permit ? sizeof body : BEGIN_HEAD, 0);
 }
 
 // Sends the image in blocks.
@@ -205,6 +216,49 @@ static bool slot_has_same_bytes(LinkHost *h, const DeviceInfo *info, const Updat
         }
         at += n;
     }
+    return true;
+}
+
+// Reads n bytes of a slot.
+static bool read_slot(LinkHost *h, const DeviceInfo *info, uint8_t slot, uint32_t at, uint8_t *bytes, uint32_t n)
+{
+    const uint32_t most = info->body - 1u;
+
+    for (uint32_t done = 0; done < n;) {
+        const uint32_t part = n - done < most ? n - done : most;
+        uint8_t body[5] = {slot, 0, 0, 0, (uint8_t)part};
+        sm_link_store(body + 1, at + done, 3);
+        if (!send_request(h, LINK_READ, body, sizeof body, part))
+            return false;
+        memcpy(bytes + done, h->body, part);
+        done += part;
+    }
+    return true;
+}
+
+// Sorts records, all of which have other numbers, from the oldest to the newest.
+static void sort_transitions(LinkTransition *t, size_t n)
+{
+    for (size_t i = 1; i < n; i++)
+        for (size_t k = i; k > 0 && sm_link_is_later(t[k - 1].number, t[k].number); k--) {
+            const LinkTransition swap = t[k];
+            t[k] = t[k - 1];
+            t[k - 1] = swap;
+        }
+}
+
+bool device_read_transitions(LinkHost *h, const DeviceInfo *info, const DeviceImage *image, LinkTransition *out, size_t *n)
+{
+    uint8_t bytes[LINK_TRANSITIONS * LINK_TRANSITION];
+    const uint32_t room = image->state == DEVICE_EMPTY || image->length > info->slot_size ? 0 : (info->slot_size - image->length) / LINK_TRANSITION;
+    const uint32_t records = room < LINK_TRANSITIONS ? room : LINK_TRANSITIONS;
+
+    *n = 0;
+    if (!read_slot(h, info, image->slot, image->length, bytes, records * LINK_TRANSITION))
+        return false;
+    for (uint32_t i = 0; i < records; i++)
+        *n += sm_link_load_transition(bytes + i * LINK_TRANSITION, image->checksum, &out[*n]);
+    sort_transitions(out, *n);
     return true;
 }
 

@@ -5,6 +5,7 @@
 #define SMC_DEVICE_H
 
 #include "compiler/device/link_host.h"
+#include "runtime-c/link/transition.h"
 
 #define DEVICE_BUILT_IN 0xffu   // the slot number of the built-in image
 
@@ -19,8 +20,8 @@ typedef struct DeviceInfo {
     uint32_t newest;
     bool reports_mark;        // it reported the mark of its key (smvm_auth_mark)
     uint32_t mark;
-    // Valid if the firmware reports its limits (`tells`):
-    bool tells, windows;      // windows: it runs rolling windows
+    bool reports_limits;      // the firmware reports its limits; the following fields are valid only then
+    bool windows;             // it runs rolling windows
     uint8_t machines;         // the most machines in an image; 0: any number
     uint8_t ram_digital, ram_analog;      // bytes of `ram` for each pin
     uint16_t period;          // default number of milliseconds between steps
@@ -28,6 +29,8 @@ typedef struct DeviceInfo {
 } DeviceInfo;
 
 enum { DEVICE_EMPTY, DEVICE_WHOLE, DEVICE_TRIAL, DEVICE_CONFIRMED };
+
+typedef enum DeviceEnd { DEVICE_NOT_ENDED, DEVICE_STARTS_USED, DEVICE_NOT_RUNNABLE } DeviceEnd;
 
 typedef struct DeviceImage {
     uint8_t slot;
@@ -38,6 +41,7 @@ typedef struct DeviceImage {
     bool chosen;              // the next start runs it
     bool before;              // the board falls back to it if the chosen image cannot run
     uint8_t starts;           // remaining starts of a trial
+    uint8_t end;              // DeviceEnd: why its trial ended, if it is the last image whose trial did
     uint16_t period;          // milliseconds between its steps; 0: the board's default
 } DeviceImage;
 
@@ -51,12 +55,19 @@ bool device_running(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
 bool device_request_by_checksum(LinkHost *h, LinkMessage message, uint32_t checksum);  // sends CONFIRM or ERASE
 // Finds the image on trial, whether it already runs or will run from the next start on.  False with SM_OK if no image is on trial.
 bool device_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
+// Finds the image whose trial has ended.  False with SM_OK if there is none.
+bool device_ended_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
+// Reads the transitions that the board has stored in the slot of this image, the oldest first; *n: their number.  Bytes that are no record
+// of the image are skipped.
+bool device_read_transitions(LinkHost *h, const DeviceInfo *info, const DeviceImage *image, LinkTransition *out, size_t *n);
 // Finds the pin of the board's chip for a pin of an image (SmvmPhysicalPin).  False with SM_E_UNSUPPORTED if the board does not report it.
 bool device_find_chip_pin(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *chip_pin);
 // Restarts the board.  The request is never repeated, because every start of a trial counts.  True if a usable board answers again.
 bool device_restart(LinkHost *h, DeviceInfo *info);
 
 // ---- an update ----
+
+enum { DEVICE_PERMIT = 20 };
 
 // The steps of an update, by which a failure is reported.
 typedef enum DeviceStep {
@@ -66,6 +77,7 @@ typedef enum DeviceStep {
 typedef struct Update {
     const uint8_t *bytes;
     uint32_t length, checksum;
+    const uint8_t *permit;    // DEVICE_PERMIT bytes: the number of the image and its permit (smvm_permit_read); NULL: it has none
     uint16_t session;         // not 0; different for each update
     uint16_t period;          // milliseconds between its steps; 0: the board's default
     void (*progress)(void *context, uint32_t done);

@@ -34,36 +34,15 @@ enum { PATH_LEN = 512, MESSAGE_MAX = 2000 };
 // The temporary folder in which a program is built.
 typedef struct BuildFolder {
     Arena *arena;
-    char folder[PATH_LEN];
-    const char *source, *program, *log;       // paths of its files
+    char folder[PATH_LEN];    // "" before it exists
     const char **error;       // receives the reason of a failure
 } BuildFolder;
 
-// Stores a sentence in *w->error; returns false.
+// Stores the reason of a failure, `what` and `why` as one sentence; returns false.
 static bool set_error(BuildFolder *w, const char *what, const char *why)
 {
     *w->error = format_in(w->arena, "%s: %s", what, why);
     return false;
-}
-
-static bool create_build_folder(BuildFolder *w)
-{
-    const char *why;
-
-    if (!os_temp_folder(w->folder, sizeof w->folder, &why))
-        return set_error(w, "cannot make a folder for the emitted C", why);
-    w->source = format_in(w->arena, "%s/machine.c", w->folder);
-    w->program = format_in(w->arena, "%s/machine", w->folder);
-    w->log = format_in(w->arena, "%s/log", w->folder);
-    return true;
-}
-
-static bool write_source(BuildFolder *w, const Buf *code)
-{
-    const OsOutput out = { w->source, code->at, code->n };
-    const char *path, *why;
-
-    return os_write(&out, 1, &path, &why) ? true : set_error(w, "cannot write the emitted C", why);
 }
 
 typedef VEC(const char *) CommandWords;
@@ -92,89 +71,87 @@ static bool split_words(Arena *a, const char *text, CommandWords *words)
 }
 
 // Returns the diagnostics of the C compiler, cut off after MESSAGE_MAX bytes; a sentence with its exit code if there are none.
-static const char *read_log(BuildFolder *w, int exit_code)
+static const char *read_log(Arena *arena, const char *log, int exit_code)
 {
     char *text;
     const char *why, *result;
     size_t len = 0;
 
-    if (!os_read(w->log, 1 << 20, &text, &len, &why))
+    if (!os_read(log, 1 << 20, &text, &len, &why))
         text = NULL;
     if (len == 0)
-        result = format_in(w->arena, "it ended with exit code %d and no message", exit_code);
+        result = format_in(arena, "it ended with exit code %d and no message", exit_code);
     else
-        result = format_in(w->arena, "%.*s%s", len > MESSAGE_MAX ? MESSAGE_MAX : (int)len, text, len > MESSAGE_MAX ? "…" : "");
+        result = format_in(arena, "%.*s%s", len > MESSAGE_MAX ? MESSAGE_MAX : (int)len, text, len > MESSAGE_MAX ? "…" : "");
     os_alloc(NULL, text, 0);
     return result;
 }
 
-// Returns the command of the C compiler.
-static const char *compiler_of(const EngineCOptions *o)
-{
-    if (o && o->cc)
-        return o->cc;
-    return os_getenv("CC") ? os_getenv("CC") : "cc";
-}
+// Returns the command of the C compiler: its name and its first options.
+static const char *compiler_command(void) { return os_getenv("CC") ? os_getenv("CC") : "cc"; }
 
 static const char *no_compiler_message(Arena *arena, const char *compiler)
 {
     return format_in(arena, "cannot run the C compiler %s (the variable CC names another)", compiler);
 }
 
-bool engine_c_present(Arena *arena, const EngineCOptions *o, const char **why)
+bool engine_c_present(Arena *arena, const char **why)
 {
     CommandWords argv = {0};
     const char *reason;
     int exit_code;
 
-    if (!split_words(arena, compiler_of(o), &argv) || argv.n == 0)
+    if (!split_words(arena, compiler_command(), &argv) || argv.n == 0)
         return true;
     vec_push(arena, &argv, "--version");
     vec_push(arena, &argv, NULL);
     if (!os_run(argv.at, "/dev/null", &exit_code, &reason))
         *why = format_in(arena, "%s: %s", no_compiler_message(arena, argv.at[0]), reason);
     else if (exit_code != 0)
-        *why = format_in(arena, "%s: '%s --version' ended with exit code %d", no_compiler_message(arena, argv.at[0]), compiler_of(o), exit_code);
+        *why = format_in(arena, "%s: '%s --version' ended with exit code %d", no_compiler_message(arena, argv.at[0]), compiler_command(), exit_code);
     else
         return true;
     return false;
 }
 
-static bool compile_program(BuildFolder *w, const EngineCOptions *o)
+// Compiles the emitted C in the folder and starts the program.
+static bool build_in_folder(BuildFolder *w, const Buf *code, OsPartner *partner)
 {
-    const char *cc = compiler_of(o), *flags = o ? o->flags : NULL, *why;
-    const char *const others[] = { "-o", w->program, w->source, NULL };
+    const char *cc = compiler_command(), *path, *why;
+    const char *source = format_in(w->arena, "%s/machine.c", w->folder), *program = format_in(w->arena, "%s/machine", w->folder);
+    const char *log = format_in(w->arena, "%s/log", w->folder), *const program_argv[] = {program, NULL};
+    const OsOutput out = {source, code->at, code->n};
     CommandWords argv = {0};
     int exit_code;
 
-    if (!split_words(w->arena, cc, &argv) || (flags && !split_words(w->arena, flags, &argv)))
+    if (!os_write(&out, 1, &path, &why))
+        return set_error(w, "cannot write the emitted C", why);
+    if (!split_words(w->arena, cc, &argv))
         return set_error(w, format_in(w->arena, "the variable CC is %s", cc), "a quote in it is not closed");
     if (argv.n == 0)
         return set_error(w, "CC", "it names no compiler");
-    if (!flags && !strstr(cc, " -O"))
+    if (!strstr(cc, " -O"))
         vec_push(w->arena, &argv, "-O1");
-    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
-        vec_push(w->arena, &argv, others[i]);
-    if (!os_run(argv.at, w->log, &exit_code, &why))
+    vec_push(w->arena, &argv, "-o");
+    vec_push(w->arena, &argv, program);
+    vec_push(w->arena, &argv, source);
+    vec_push(w->arena, &argv, NULL);
+    if (!os_run(argv.at, log, &exit_code, &why))
         return set_error(w, no_compiler_message(w->arena, argv.at[0]), why);
     if (exit_code != 0)
-        return set_error(w, format_in(w->arena, "the C compiler %s does not accept the emitted C", argv.at[0]), read_log(w, exit_code));
+        return set_error(w, format_in(w->arena, "the C compiler %s does not accept the emitted C", argv.at[0]), read_log(w->arena, log, exit_code));
+    if (!os_partner_start(partner, program_argv, &why))
+        return set_error(w, "cannot start the compiled machine", why);
     return true;
-}
-
-static bool start_program(BuildFolder *w, OsPartner *partner)
-{
-    const char *argv[] = { w->program, NULL }, *why;
-
-    return os_partner_start(partner, argv, &why) ? true : set_error(w, "cannot start the compiled machine", why);
 }
 
 // Builds the program and starts it.  The folder is always removed, because a running program does not need its file.  If memory runs out,
 // this function intercepts the longjmp, removes the folder, and passes the longjmp on to the outer target.
-static bool build_and_start(Arena *arena, const Buf *code, const EngineCOptions *o, OsPartner *partner, const char **error)
+static bool build_and_start(Arena *arena, const Buf *code, OsPartner *partner, const char **error)
 {
     BuildFolder *w = ARENA_NEW(arena, BuildFolder);
     jmp_buf *outer = arena->oom, here;
+    const char *why;
     bool ok;
 
     w->arena = arena;
@@ -186,7 +163,10 @@ static bool build_and_start(Arena *arena, const Buf *code, const EngineCOptions 
         longjmp(*outer, 1);
     }
     arena->oom = &here;
-    ok = create_build_folder(w) && write_source(w, code) && compile_program(w, o) && start_program(w, partner);
+    if (os_temp_folder(w->folder, sizeof w->folder, &why))
+        ok = build_in_folder(w, code, partner);
+    else
+        ok = set_error(w, "cannot make a folder for the emitted C", why);
     if (w->folder[0])
         os_remove_folder(w->folder);
     arena->oom = outer;
@@ -280,39 +260,7 @@ static void c_close(Engine *engine) { engine_c_batch_close(((EngineC *)engine->s
 
 // ---- opening ----
 
-static void init_engine(EngineCBatch *b, size_t i, const Program *p, bool soft)
-{
-    EngineC *e = &b->at[i];
-
-    e->engine.name = soft ? "c-soft" : "c";
-    e->engine.program = p;
-    e->engine.self = e;
-    e->engine.init = c_init;
-    e->engine.step = c_step;
-    e->engine.close = c_close_in_batch;
-    e->batch = b;
-    e->machine = (uint32_t)i;
-    buf_init(&e->request, b->arena);
-    e->answer = arena_alloc(b->arena, VARIANTS * answer_size(p));
-}
-
-// Whether the program passes its self-test of arithmetic, which all machines of a batch share: if init of one succeeds, it does for all.
-static bool self_test_passes(EngineCBatch *b, const char **error)
-{
-    EngineC *e = &b->at[0];
-    EngineStep s;
-
-    if (b->n == 0)
-        return true;
-    engine_step_init(&s, b->arena, e->engine.program);
-    if (c_init(&e->engine, 1, &s) == ENGINE_OK)
-        return true;
-    *error = e->engine.error;
-    engine_c_batch_close(b);
-    return false;
-}
-
-// Emits the driver program: both variants of each machine, one after the other.
+// Emits the program: both variants of each machine, one after the other, and the driver.
 static void emit_program(Arena *arena, const IrMachine *const *m, size_t n, bool soft, Buf *code)
 {
     const IrMachine **variant = ARENA_ARRAY(arena, const IrMachine *, VARIANTS * n);
@@ -326,29 +274,45 @@ static void emit_program(Arena *arena, const IrMachine *const *m, size_t n, bool
     emit_c_driver(arena, variant, track_stores, VARIANTS * n, soft, code);
 }
 
-EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const IrMachine *const *m, size_t n,
-                                  const EngineCOptions *o, const char **error)
+EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const IrMachine *const *m, size_t n, bool soft, const char **error)
 {
     EngineCBatch *b = ARENA_NEW(arena, EngineCBatch);
+    EngineStep s;
     Buf code;
 
     b->arena = arena;
     b->at = ARENA_ARRAY(arena, EngineC, n);
     b->n = n;
-    for (size_t i = 0; i < n; i++)
-        init_engine(b, i, p[i], o && o->soft);
+    for (size_t i = 0; i < n; i++) {
+        EngineC *e = &b->at[i];
+        e->engine = (Engine){.name = soft ? "c-soft" : "c", .program = p[i], .self = e, .init = c_init, .step = c_step, .close = c_close_in_batch};
+        e->batch = b;
+        e->machine = (uint32_t)i;
+        buf_init(&e->request, arena);
+        e->answer = arena_alloc(arena, VARIANTS * answer_size(p[i]));
+    }
     buf_init(&code, arena);
-    emit_program(arena, m, n, o && o->soft, &code);
-    return build_and_start(arena, &code, o, &b->partner, error) && self_test_passes(b, error) ? b : NULL;
+    emit_program(arena, m, n, soft, &code);
+    if (!build_and_start(arena, &code, &b->partner, error))
+        return NULL;
+    if (n == 0)
+        return b;
+    // The program refuses every init if its self-test of arithmetic fails, so the init of one machine decides for all.
+    engine_step_init(&s, arena, p[0]);
+    if (c_init(&b->at[0].engine, 1, &s) == ENGINE_OK)
+        return b;
+    *error = b->at[0].engine.error;
+    engine_c_batch_close(b);
+    return NULL;
 }
 
 Engine *engine_c_batch_engine(EngineCBatch *b, size_t i) { return &b->at[i].engine; }
 
 void engine_c_batch_close(EngineCBatch *b) { os_partner_end(&b->partner); }
 
-Engine *engine_c_open(Arena *arena, const Program *p, const IrMachine *m, const EngineCOptions *o, const char **error)
+Engine *engine_c_open(Arena *arena, const Program *p, const IrMachine *m, bool soft, const char **error)
 {
-    EngineCBatch *b = engine_c_batch_open(arena, &p, &m, 1, o, error);
+    EngineCBatch *b = engine_c_batch_open(arena, &p, &m, 1, soft, error);
 
     if (!b)
         return NULL;

@@ -7,23 +7,20 @@
 #include "compiler/ir/ir.h"
 #include "compiler/script/engine.h"
 
-typedef struct EngineCOptions {
-    const char *cc;           // the compiler and its first options, split and quoted like words in a shell; NULL: $CC, or else cc
-    bool soft;                // numbers are soft (EmitCOptions.soft)
-    const char *flags;        // more options; NULL: -O1, unless cc contains an -O option
-} EngineCOptions;
+// The variable CC names the compiler and its first options, split and quoted like words in a shell; without it, the compiler is cc.  Unless
+// CC contains an -O option, -O1 is added.
 
-// Whether the compiler can be run; if not, *why is a sentence in arena.  Also true if its command has an unclosed quote; engine_c_open then
-// reports that.
-bool engine_c_present(Arena *arena, const EngineCOptions *o, const char **why);
+// Whether the compiler can be run; if not, *why is a sentence in arena.  Also true if CC has an unclosed quote; engine_c_open then reports
+// that.
+bool engine_c_present(Arena *arena, const char **why);
 
-// An engine for one machine.  `o` may be NULL.  Returns NULL and sets *error to a sentence if it cannot be built or started.
-Engine *engine_c_open(Arena *arena, const Program *p, const IrMachine *m, const EngineCOptions *o, const char **error);
+// An engine for one machine.  `soft`: with numbers in software (EmitCOptions.soft).  Returns NULL and sets *error to a sentence if the engine
+// cannot be built or started.
+Engine *engine_c_open(Arena *arena, const Program *p, const IrMachine *m, bool soft, const char **error);
 
 // Many machines in one program: one run of the compiler for all of them.  m[i] was built from p[i].
 typedef struct EngineCBatch EngineCBatch;
-EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const IrMachine *const *m, size_t n,
-                                  const EngineCOptions *o, const char **error);
+EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const IrMachine *const *m, size_t n, bool soft, const char **error);
 // The engine of machine i.  The engines of a batch may be used in any order.  Closing a single engine of a batch does nothing.
 Engine *engine_c_batch_engine(EngineCBatch *b, size_t i);
 void engine_c_batch_close(EngineCBatch *b);

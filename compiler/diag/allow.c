@@ -9,19 +9,18 @@
 #include "compiler/base/str.h"
 #include "compiler/diag/diag.h"
 
-static void add_allow(Diags *d, DiagAllow a)
-{
-    vec_push(d->arena, &d->allow, a);
-}
-
 void diag_allow(Diags *d, const char *flag, const char *reason, Span span, Span covers)
 {
-    add_allow(d, (DiagAllow){flag, reason, span, covers, false, false});
+    const DiagAllow a = {flag, reason, span, covers, false, false};
+
+    vec_push(d->arena, &d->allow, a);
 }
 
 void diag_allow_shared(Diags *d, const char *flag, const char *reason, Span span, Span covers)
 {
-    add_allow(d, (DiagAllow){flag, reason, span, covers, true, false});
+    const DiagAllow a = {flag, reason, span, covers, true, false};
+
+    vec_push(d->arena, &d->allow, a);
 }
 
 // ---- order ----
@@ -89,9 +88,12 @@ static bool has_ended(const DiagAllow *a, const Span *at)
     return a->covers.src != at->src || a->covers.at + a->covers.len <= at->at;
 }
 
-// Brings the stack of open allows to position `at`.
-static void open_allows_at(AllowWalk *w, const Span *at)
+// Sets x->by. Calls must visit the positions in file order: each brings the stack of open allows to its position.
+static void find_innermost_allow(AllowWalk *w, AllowPosition *x)
 {
+    const char *flag = diag_info[x->diag->code].flag;
+    const Span *at = &x->span;
+
     for (; w->next < w->n && compare_positions(&w->all[w->next]->covers, at) <= 0; w->next++) {
         while (w->depth && has_ended(w->open[w->depth - 1], &w->all[w->next]->covers))
             w->depth--;
@@ -99,14 +101,6 @@ static void open_allows_at(AllowWalk *w, const Span *at)
     }
     while (w->depth && has_ended(w->open[w->depth - 1], at))
         w->depth--;
-}
-
-// Sets x->by. The positions must be visited in file order.
-static void find_innermost_allow(AllowWalk *w, AllowPosition *x)
-{
-    const char *flag = diag_info[x->diag->code].flag;
-
-    open_allows_at(w, &x->span);
     for (size_t i = w->depth; i-- > 0 && !x->by; )
         if (strcmp(w->open[i]->flag, flag) == 0)
             x->by = w->open[i];
@@ -169,20 +163,6 @@ static void match_allows(Diags *d)
         decide_if_allowed(place[i].diag, &place[i]);
 }
 
-static void move_allowed(Diags *d)
-{
-    uint32_t kept = 0;
-
-    for (size_t i = 0; i < d->list.n; i++)
-        if (d->list.at[i]->allowed) {
-            vec_push(d->arena, &d->allowed, d->list.at[i]);
-            d->warnings--;
-        } else {
-            d->list.at[kept++] = d->list.at[i];
-        }
-    d->list.n = kept;
-}
-
 // ---- unused @allow ----
 
 // Returns the annotation with the spaces before it, or the whole line if it contains nothing else.
@@ -204,24 +184,8 @@ static Span span_to_remove(Span s)
     return (Span){s.src, s.at, end - s.at};                       // a statement follows on its line
 }
 
-static void report_unused_allow(Diags *d, const DiagAllow *a)
-{
-    Diag *x = diag_report(d, DIAG_unused_allow, a->span, a->flag);
-
-    diag_label(d, x, DIAG_label_leave_out);
-    diag_edit(d, x, span_to_remove(a->span), "");
-}
-
-// Whether this run would have produced the finding that the @allow is for.
-static bool can_judge_unused(const Diags *d, const DiagAllow *a)
-{
-    const DiagFlag *flag = diag_find_flag(a->flag);
-
-    return (d->analysed >> flag->group & 1u) && (flag->judged == DIAG_JUDGED_ALWAYS || d->known >> flag->judged & 1u);
-}
-
 // Reports each @allow that no warning has used: those of the warning unused-allow itself if `about_itself`, else all others. The list
-// contains an annotation once for each position that it covers.
+// contains an annotation once for each position that it covers. An @allow is not judged if this run could not have produced its finding.
 static void report_unused(Diags *d, bool about_itself)
 {
     DiagAllow **all = sorted_allows(d, compare_spans);
@@ -229,17 +193,24 @@ static void report_unused(Diags *d, bool about_itself)
     bool used = false;
 
     for (size_t i = 0; i < d->allow.n; i++) {
+        const DiagFlag *flag = diag_find_flag(all[i]->flag);
         used = used || all[i]->used || all[i]->shared;
         if (i + 1 < d->allow.n && compare_spans(&all[i], &all[i + 1]) == 0)
             continue;
-        if (!used && can_judge_unused(d, all[i]) && (strcmp(all[i]->flag, itself) == 0) == about_itself)
-            report_unused_allow(d, all[i]);
+        if (!used && (d->analysed >> flag->group & 1u) && (flag->judged == DIAG_JUDGED_ALWAYS || d->known >> flag->judged & 1u) &&
+            (strcmp(all[i]->flag, itself) == 0) == about_itself) {
+            Diag *x = diag_report(d, DIAG_unused_allow, all[i]->span, all[i]->flag);
+            diag_label(d, x, DIAG_label_leave_out);
+            diag_edit(d, x, span_to_remove(all[i]->span), "");
+        }
         used = false;
     }
 }
 
 void diags_apply_allows(Diags *d)
 {
+    uint32_t kept = 0;
+
     if (d->allow.n == 0)
         return;
     match_allows(d);
@@ -248,9 +219,17 @@ void diags_apply_allows(Diags *d)
         match_allows(d);
         report_unused(d, true);
     }
-    move_allowed(d);
-    for (size_t i = 0; i < d->list.n; i++)
-        d->list.at[i]->allow_checked = true;
+    for (size_t i = 0; i < d->list.n; i++) {
+        Diag *x = d->list.at[i];
+        if (x->allowed) {
+            vec_push(d->arena, &d->allowed, x);
+            d->warnings--;
+        } else {
+            x->allow_checked = true;
+            d->list.at[kept++] = x;
+        }
+    }
+    d->list.n = kept;
     for (size_t i = 0; i < d->allow.n; i++)
         d->allow.at[i].shared = true;
 }

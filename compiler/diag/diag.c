@@ -95,7 +95,7 @@ static const char *fill_arguments(Arena *arena, const char *message, va_list arg
     return buf_text(&b);
 }
 
-// Returns the listed source with the same name and text, else src: a file that was loaded twice counts as one.
+// Returns the source in d->files with the same name and text, else src.  A file that was loaded twice counts as one.
 static const Source *find_listed_file(const Diags *d, const Source *src)
 {
     for (size_t i = d->files.n; src && i-- > 0; ) {
@@ -106,41 +106,21 @@ static const Source *find_listed_file(const Diags *d, const Source *src)
     return src;
 }
 
-static void add_file(Diags *d, const Source *src)
-{
-    for (size_t i = d->files.n; i-- > 0; )
-        if (d->files.at[i] == src)
-            return;
-    vec_push(d->arena, &d->files, src);
-}
-
-// Counts a report; returns true if it belongs in the list.
-static bool count_report(Diags *d, DiagCode code, Span span)
-{
-    size_t *count = diag_info[code].severity == DIAG_ERROR ? &d->errors : &d->warnings;
-
-    d->met += diag_info[code].severity == DIAG_ERROR;
-    return !d->muted && record_position(d, code, span) && ++*count <= DIAG_KEPT_MAX;
-}
-
-// Returns the diagnostic for reports that are not wanted. All of them share one, so that a flood of reports costs no memory.
-static Diag *shared_dropped_report(Diags *d)
-{
-    if (!d->dropped) {
-        d->dropped = ARENA_NEW(d->arena, Diag);
-        d->dropped->text = "";
-    }
-    return d->dropped;
-}
-
 Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
 {
+    const bool is_error = diag_info[code].severity == DIAG_ERROR;
+    size_t *count = is_error ? &d->errors : &d->warnings, file = d->files.n;
     Diag *x;
 
+    d->met += is_error;
     span.src = find_listed_file(d, span.src);
-    if (!count_report(d, code, span)) {
+    if (d->muted || !record_position(d, code, span) || ++*count > DIAG_KEPT_MAX) {
         d->first = span.src && d->position_cap ? find_position(d, span.src, span.at, code)->diag : NULL;
-        return shared_dropped_report(d);
+        if (!d->dropped) {                    // all dropped reports share one, so that a flood of them costs no memory
+            d->dropped = ARENA_NEW(d->arena, Diag);
+            d->dropped->text = "";
+        }
+        return d->dropped;
     }
     x = ARENA_NEW(d->arena, Diag);
     if (span.src)
@@ -149,7 +129,10 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
     x->severity = diag_info[code].severity;
     x->span = span;
     x->text = fill_arguments(d->arena, diag_info[code].message, args);
-    add_file(d, span.src);
+    while (file > 0 && d->files.at[file - 1] != span.src)
+        file--;
+    if (file == 0)
+        vec_push(d->arena, &d->files, span.src);
     vec_push(d->arena, &d->list, x);
     return x;
 }
@@ -207,6 +190,17 @@ void diag_label(Diags *d, Diag *to, DiagCode text, ...)
     va_end(args);
 }
 
+const char *diag_text(Diags *d, DiagCode text, ...)
+{
+    const char *out;
+    va_list args;
+
+    va_start(args, text);
+    out = fill_arguments(d->arena, diag_info[text].message, args);
+    va_end(args);
+    return out;
+}
+
 void diag_about(Diags *d, Diag *to, DiagSubject subject, Span declaration)
 {
     const DiagAbout about = {declaration, subject};
@@ -221,10 +215,12 @@ void diag_about(Diags *d, Diag *to, DiagSubject subject, Span declaration)
 
 void diag_edit(Diags *d, Diag *to, Span span, const char *text)
 {
-    DiagEdit edit = {span, text};
+    DiagEdit edit = {span, NULL};
 
-    if (to != d->dropped)
-        vec_push(d->arena, &to->edits, edit);
+    if (to == d->dropped)
+        return;
+    edit.text = arena_copy(d->arena, text, strlen(text) + 1);
+    vec_push(d->arena, &to->edits, edit);
 }
 
 // ---- order ----

@@ -119,6 +119,8 @@ void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...);
 void diag_step(Diags *d, Diag *to, Span span, DiagCode text, ...);
 // Sets the text printed after the caret; `text` is a DIAG_NOTE_TEXT row.
 void diag_label(Diags *d, Diag *to, DiagCode text, ...);
+// Returns the text of a DIAG_NOTE_TEXT row with its arguments, to be an argument of another message.
+const char *diag_text(Diags *d, DiagCode text, ...);
 // Adds the declaration of a variable that the diagnostic names as its sensor or as one of its outputs. A report that repeats another adds
 // to the first one. The diagnostic is allowed only if everything that all of them name is allowed.
 void diag_about(Diags *d, Diag *to, DiagSubject subject, Span declaration);
@@ -161,9 +163,10 @@ size_t diag_put_printable(Buf *out, const char *s, size_t n);
 void diags_render_json(const Diags *d, Buf *out);
 void diag_plain_json(const char *severity, const char *message, Buf *out);    // for other messages: a file that cannot be read
 // SARIF is one document: the output is complete only after diags_end_sarif, which adds the messages that are not diagnostics.
-typedef VEC(const char *) Sentences;
+typedef struct PlainMessage { const char *severity, *text; } PlainMessage;      // "error", "warning" or "note"
+typedef VEC(PlainMessage) PlainMessages;
 void diags_render_sarif(const Diags *d, const char *version, Buf *out);
-void diags_end_sarif(const Sentences *plain, Buf *out);
+void diags_end_sarif(const PlainMessages *plain, Buf *out);
 
 // Identifies the same finding in a later version of its file.
 typedef struct DiagFingerprint {

@@ -16,14 +16,6 @@ static uint64_t hash_text(uint64_t h, const char *s, size_t n)         // FNV-1a
     return h;
 }
 
-static const char *skip_folders(const char *path)
-{
-    for (const char *at = path; *at; at++)
-        if (*at == '/' || *at == '\\')
-            path = at + 1;
-    return path;
-}
-
 // Returns where the comment begins, or the end of the line.
 static size_t length_without_comment(const char *s, size_t n)
 {
@@ -61,12 +53,15 @@ static uint64_t hash_diagnostic(const Diag *d)
 
     if (!d->span.src)
         return hash_text(h, d->text, strlen(d->text));
-    file = skip_folders(d->span.src->name);
+    file = d->span.src->name;
+    for (const char *at = file; *at; at++)                // without folders
+        if (*at == '/' || *at == '\\')
+            file = at + 1;
     line = source_line(d->span.src, source_position(d->span.src, d->span.at).line, &len);
     return hash_line(hash_text(h, file, strlen(file) + 1), line, len);
 }
 
-// By hash; findings with the same hash in file order, whether allowed or not.
+// Orders by hash; findings with the same hash in file order, whether allowed or not.
 static int compare_items(const void *a, const void *b)
 {
     const FingerprintItem *x = a, *y = b;

@@ -22,29 +22,27 @@ static int compare_changes(const void *a, const void *b)
     return x->order < y->order ? -1 : 1;
 }
 
-static bool edits_only_source(const Diag *d, const Source *src)
-{
-    for (size_t i = 0; i < d->edits.n; i++)
-        if (d->edits.at[i].span.src != src)
-            return false;
-    return true;
-}
-
+// Returns the edits of `src` in file order. A diagnostic that also edits another file contributes none.
 static EditChanges collect_changes(const Diags *d, const Source *src)
 {
     EditChanges all = {0};
 
-    for (size_t i = 0; i < d->list.n; i++)
-        for (size_t k = 0; edits_only_source(d->list.at[i], src) && k < d->list.at[i]->edits.n; k++) {
-            EditChange c = {&d->list.at[i]->edits.at[k], i, all.n};
+    for (size_t i = 0; i < d->list.n; i++) {
+        const Diag *x = d->list.at[i];
+        bool elsewhere = false;
+        for (size_t k = 0; k < x->edits.n; k++)
+            elsewhere = elsewhere || x->edits.at[k].span.src != src;
+        for (size_t k = 0; !elsewhere && k < x->edits.n; k++) {
+            EditChange c = {&x->edits.at[k], i, all.n};
             vec_push(d->arena, &all, c);
         }
+    }
     if (all.n)
         qsort(all.at, all.n, sizeof *all.at, compare_changes);
     return all;
 }
 
-// Sets refused[i] of each diagnostic whose edits touch those of an earlier one: the text that they apply to has changed.
+// Sets refused[i] of each diagnostic i that has an edit which touches one of an earlier diagnostic: that one changes the text.
 static void refuse_overlaps(const EditChanges *all, bool *refused)
 {
     uint32_t end = 0;

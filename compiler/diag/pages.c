@@ -27,36 +27,24 @@ static const struct { const char *title, *words; } groups[] = {
     [DIAG_GROUP_EXTRA]  = {"-Wextra", "Untidy code."},
     [DIAG_GROUP_FLIGHT] = {"-Wflight", "Questions of a flight review. They use the marks `@abort`, `@safe`, `@command` and `@range`."}};
 
-// Writes how to switch a warning.
-static void put_how_to_switch(Buf *out, const DiagFlag *flag)
-{
-    if (flag->group == DIAG_GROUP_ALL)
-        buf_printf(out, "A warning: `-Wno-%s` silences it, `-Werror=%s` makes it an error.\n\n", flag->name, flag->name);
-    else
-        buf_printf(out, "A warning of `-W%s`, or alone of `-W%s`; `-Werror=%s` makes it an error.\n\n", diag_group_name[flag->group],
-                   flag->name, flag->name);
-}
-
-static void put_codes_of(Buf *out, const DiagFlag *flag)
-{
-    bool any = false;
-
-    for (size_t i = 0; i < DIAG_COUNT; i++)
-        if (diag_info[i].flag && strcmp(diag_info[i].flag, flag->name) == 0) {
-            buf_printf(out, "%s%s", any ? " " : "", diag_info[i].id);
-            any = true;
-        }
-}
-
+// Writes the table of a group of warnings.
 static void put_group(Buf *out, DiagGroup group)
 {
     buf_printf(out, "### %s\n\n%s\n\n| name | what it finds | codes |\n|---|---|---|\n", groups[group].title, groups[group].words);
-    for (size_t i = 0; i < diag_flag_count; i++)
-        if (diag_flag[i].group == group) {
-            buf_printf(out, "| `%s` | %s | ", diag_flag[i].name, diag_flag[i].sentence);
-            put_codes_of(out, &diag_flag[i]);
-            buf_str(out, " |\n");
-        }
+    for (size_t i = 0; i < diag_flag_count; i++) {
+        const DiagFlag *flag = &diag_flag[i];
+        const char *separator = "";
+
+        if (flag->group != group)
+            continue;
+        buf_printf(out, "| `%s` | %s | ", flag->name, flag->sentence);
+        for (size_t code = 0; code < DIAG_COUNT; code++)
+            if (diag_info[code].flag && strcmp(diag_info[code].flag, flag->name) == 0) {
+                buf_printf(out, "%s%s", separator, diag_info[code].id);
+                separator = " ";
+            }
+        buf_str(out, " |\n");
+    }
     buf_char(out, '\n');
 }
 
@@ -72,13 +60,19 @@ void diag_put_flag(Buf *out, const DiagFlag *flag)
     buf_printf(out, ", and -Werror=%s makes it an error.\nTo accept it in one place: @allow(%s, \"the reason\")\n", name, name);
 }
 
+// Writes the page of a code; for a warning also how to switch it on or off.
 static void put_page(Buf *out, const DiagInfo *row)
 {
+    const DiagFlag *flag = row->flag ? diag_find_flag(row->flag) : NULL;
+
     buf_printf(out, "### %s: ", row->id);
     diag_put_title(row, out);
     buf_str(out, "\n\n");
-    if (row->flag)
-        put_how_to_switch(out, diag_find_flag(row->flag));
+    if (flag && flag->group == DIAG_GROUP_ALL)
+        buf_printf(out, "A warning: `-Wno-%s` silences it, `-Werror=%s` makes it an error.\n\n", flag->name, flag->name);
+    else if (flag)
+        buf_printf(out, "A warning of `-W%s`, or alone of `-W%s`; `-Werror=%s` makes it an error.\n\n", diag_group_name[flag->group],
+                   flag->name, flag->name);
     buf_str(out, row->page);
     buf_char(out, '\n');
 }

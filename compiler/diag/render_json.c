@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renders diagnostics for programs: one JSON object per line. The keys and their order are stable: severity, code, message, file, line,
 // column, endLine, endColumn, label, notes[], edits[], flag, group. The end is exclusive. A diagnostic without a position has null for
-// all five; an absent label is null. A note that is a step has its number; other notes have null. An error has null for flag (the name
-// after -W) and group. A problem of the call, not of a file, also has no code. A remark has the severity note.
+// file, line, column, endLine and endColumn; an absent label is null. A note that is a step has its number; other notes have null. An error has null for flag (the name
+// after -W) and group. A problem with the command line also has no code. A remark has the severity note.
 #include "compiler/base/json.h"
 #include "compiler/diag/diag.h"
 
@@ -28,43 +28,6 @@ static void put_span(Buf *out, Span span)
                (unsigned long)from.col, (unsigned long)to.line, (unsigned long)to.col);
 }
 
-static void put_notes(Buf *out, const Diag *d)
-{
-    buf_str(out, "\"notes\":[");
-    for (size_t i = 0; i < d->notes.n; i++) {
-        buf_str(out, i ? ",{" : "{");
-        put_key(out, "message", d->notes.at[i].text);
-        put_span(out, d->notes.at[i].span);
-        buf_str(out, ",\"step\":");
-        if (d->notes.at[i].step)
-            buf_printf(out, "%u}", d->notes.at[i].step);
-        else
-            buf_str(out, "null}");
-    }
-    buf_str(out, "],");
-}
-
-static void put_edits(Buf *out, const Diag *d)
-{
-    buf_str(out, "\"edits\":[");
-    for (size_t i = 0; i < d->edits.n; i++) {
-        buf_str(out, i ? ",{" : "{");
-        put_key(out, "text", d->edits.at[i].text);
-        put_span(out, d->edits.at[i].span);
-        buf_char(out, '}');
-    }
-    buf_str(out, "],");
-}
-
-static void put_flag(Buf *out, const char *name)
-{
-    const DiagFlag *flag = name ? diag_find_flag(name) : NULL;
-
-    put_key(out, "flag", name);
-    buf_str(out, "\"group\":");
-    json_put_string(out, flag ? diag_group_name[flag->group] : NULL);
-}
-
 void diag_plain_json(const char *severity, const char *message, Buf *out)
 {
     const Span nowhere = {NULL, 0, 0};
@@ -77,20 +40,46 @@ void diag_plain_json(const char *severity, const char *message, Buf *out)
     buf_str(out, ",\"label\":null,\"notes\":[],\"edits\":[],\"flag\":null,\"group\":null}\n");
 }
 
+static void put_diag_object(Buf *out, const Diag *x)
+{
+    const char *name = diag_info[x->code].flag;
+    const DiagFlag *flag = name ? diag_find_flag(name) : NULL;
+
+    buf_char(out, '{');
+    put_key(out, "severity", x->severity == DIAG_ERROR ? "error" : "warning");
+    put_key(out, "code", diag_info[x->code].id);
+    put_key(out, "message", x->text);
+    put_span(out, x->span);
+    buf_char(out, ',');
+    put_key(out, "label", x->label);
+    buf_str(out, "\"notes\":[");
+    for (size_t i = 0; i < x->notes.n; i++) {
+        const DiagNote *note = &x->notes.at[i];
+        buf_str(out, i ? ",{" : "{");
+        put_key(out, "message", note->text);
+        put_span(out, note->span);
+        buf_str(out, ",\"step\":");
+        if (note->step)
+            buf_printf(out, "%u}", note->step);
+        else
+            buf_str(out, "null}");
+    }
+    buf_str(out, "],\"edits\":[");
+    for (size_t i = 0; i < x->edits.n; i++) {
+        buf_str(out, i ? ",{" : "{");
+        put_key(out, "text", x->edits.at[i].text);
+        put_span(out, x->edits.at[i].span);
+        buf_char(out, '}');
+    }
+    buf_str(out, "],");
+    put_key(out, "flag", name);
+    buf_str(out, "\"group\":");
+    json_put_string(out, flag ? diag_group_name[flag->group] : NULL);
+    buf_str(out, "}\n");
+}
+
 void diags_render_json(const Diags *d, Buf *out)
 {
-    for (size_t i = 0; i < d->list.n; i++) {
-        const Diag *x = d->list.at[i];
-        buf_char(out, '{');
-        put_key(out, "severity", x->severity == DIAG_ERROR ? "error" : "warning");
-        put_key(out, "code", diag_info[x->code].id);
-        put_key(out, "message", x->text);
-        put_span(out, x->span);
-        buf_char(out, ',');
-        put_key(out, "label", x->label);
-        put_notes(out, x);
-        put_edits(out, x);
-        put_flag(out, diag_info[x->code].flag);
-        buf_str(out, "}\n");
-    }
+    for (size_t i = 0; i < d->list.n; i++)
+        put_diag_object(out, d->list.at[i]);
 }

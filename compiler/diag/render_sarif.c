@@ -9,22 +9,17 @@
 
 // ---- locations ----
 
-static bool is_literal_in_uri(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c && strchr("-._~/", c));
-}
-
 // Writes a path as a relative reference: characters with a meaning in URIs become %XX, a backslash becomes a slash.
 static void put_uri(Buf *out, const char *path)
 {
     buf_char(out, '"');
-    for (; *path; path++)
-        if (*path == '\\')
+    for (const char *s = path; *s; s++)
+        if (*s == '\\')
             buf_char(out, '/');
-        else if (is_literal_in_uri(*path))
-            buf_char(out, *path);
+        else if ((*s >= 'a' && *s <= 'z') || (*s >= 'A' && *s <= 'Z') || (*s >= '0' && *s <= '9') || strchr("-._~/", *s))
+            buf_char(out, *s);
         else
-            buf_printf(out, "%%%02X", (unsigned)(unsigned char)*path);
+            buf_printf(out, "%%%02X", (unsigned)(unsigned char)*s);
     buf_char(out, '"');
 }
 
@@ -93,42 +88,30 @@ static const char *first_paragraph(Arena *arena, const DiagInfo *row)
     return buf_text(&out);
 }
 
-static const char *title_of(Arena *arena, const DiagInfo *row)
-{
-    Buf out;
-
-    buf_init(&out, arena);
-    diag_put_title(row, &out);
-    return buf_text(&out);
-}
-
-static void put_rule_defaults(Buf *out, const DiagInfo *row)
-{
-    const DiagFlag *flag = row->flag ? diag_find_flag(row->flag) : NULL;
-
-    buf_printf(out, ",\"defaultConfiguration\":{\"enabled\":%s,\"level\":\"%s\"}",
-               flag && flag->group != DIAG_GROUP_ALL ? "false" : "true", row->severity == DIAG_ERROR ? "error" : "warning");
-    if (flag)
-        buf_printf(out, ",\"properties\":{\"tags\":[\"%s\",\"%s\"]}", diag_group_name[flag->group], flag->name);
-}
-
 // Writes the rule of a code. A warning is named as after -W, `smc explain` and @allow.
 static void put_rule(Buf *out, const DiagInfo *row)
 {
+    const DiagFlag *flag = row->flag ? diag_find_flag(row->flag) : NULL;
+    Buf title;
+
+    buf_init(&title, out->arena);
+    diag_put_title(row, &title);
     buf_printf(out, "{\"id\":\"%s\",\"name\":\"%s\",\"shortDescription\":", row->id, row->flag ? row->flag : row->name);
-    put_message(out, title_of(out->arena, row));
+    put_message(out, buf_text(&title));
     buf_str(out, ",\"fullDescription\":");
     put_message(out, first_paragraph(out->arena, row));
     buf_str(out, ",\"help\":{\"text\":");
     json_put_string(out, row->page);
     buf_str(out, ",\"markdown\":");
     json_put_string(out, row->page);
-    buf_char(out, '}');
-    put_rule_defaults(out, row);
+    buf_printf(out, "},\"defaultConfiguration\":{\"enabled\":%s,\"level\":\"%s\"}",
+               flag && flag->group != DIAG_GROUP_ALL ? "false" : "true", row->severity == DIAG_ERROR ? "error" : "warning");
+    if (flag)
+        buf_printf(out, ",\"properties\":{\"tags\":[\"%s\",\"%s\"]}", diag_group_name[flag->group], flag->name);
     buf_char(out, '}');
 }
 
-// Sets index[code] of every code that was used.
+// Writes the rules, and sets index[code] of every code that was used.
 static void put_rules(const Diags *d, Buf *out, size_t *index)
 {
     bool used[DIAG_COUNT] = {false};
@@ -147,17 +130,6 @@ static void put_rules(const Diags *d, Buf *out, size_t *index)
 }
 
 // ---- results ----
-
-static void put_locations(Buf *out, const Diag *d)
-{
-    buf_str(out, ",\"locations\":[");
-    if (d->span.src) {
-        buf_char(out, '{');
-        put_physical_location(out, d->span);
-        buf_char(out, '}');
-    }
-    buf_char(out, ']');
-}
 
 static void put_note(Buf *out, const DiagNote *n)
 {
@@ -214,6 +186,7 @@ static void put_code_flow(Buf *out, const Diag *d)
     buf_str(out, "]}]}]");
 }
 
+// SARIF allows several alternative fixes; the edits of a diagnostic are one fix.
 static void put_fix(Buf *out, const Diag *d)
 {
     if (d->edits.n == 0)
@@ -231,25 +204,7 @@ static void put_fix(Buf *out, const Diag *d)
     buf_str(out, "]}]}]");
 }
 
-// Code-hosting sites search for this key.
-static void put_fingerprint(Buf *out, const DiagFingerprint *p)
-{
-    buf_printf(out, ",\"partialFingerprints\":{\"primaryLocationLineHash\":\"%08lx%08lx:%lu\"}", (unsigned long)(p->hash >> 32),
-               (unsigned long)(p->hash & 0xffffffffu), p->twin);
-}
-
-static void put_suppressions(Buf *out, const Diag *d)
-{
-    buf_str(out, ",\"suppressions\":[");
-    if (d->allowed) {
-        buf_str(out, "{\"kind\":\"inSource\",\"justification\":");
-        json_put_string(out, d->allowed);
-        buf_char(out, '}');
-    }
-    buf_char(out, ']');
-}
-
-// Writes one result. `suppressions`: a result of the run is suppressed, so SARIF requires every result to state whether it is.
+// Writes one result. `suppressions`: some result of the run is suppressed, so SARIF requires every result to state whether it is.
 static void put_result(Buf *out, const Diag *d, const DiagFingerprint *print, size_t rule, bool suppressions)
 {
     Buf text;
@@ -261,34 +216,38 @@ static void put_result(Buf *out, const Diag *d, const DiagFingerprint *print, si
     buf_printf(out, "{\"ruleId\":\"%s\",\"ruleIndex\":%lu,\"level\":\"%s\",\"message\":", diag_info[d->code].id,
                (unsigned long)rule, d->severity == DIAG_ERROR ? "error" : "warning");
     put_message(out, buf_text(&text));
-    put_locations(out, d);
+    buf_str(out, ",\"locations\":[");
+    if (d->span.src) {
+        buf_char(out, '{');
+        put_physical_location(out, d->span);
+        buf_char(out, '}');
+    }
+    buf_char(out, ']');
     put_related_locations(out, d);
     put_code_flow(out, d);
-    put_fingerprint(out, print);
-    if (suppressions)
-        put_suppressions(out, d);
+    buf_printf(out, ",\"partialFingerprints\":{\"primaryLocationLineHash\":\"%08lx%08lx:%lu\"}",     // the key that code-hosting sites read
+               (unsigned long)(print->hash >> 32), (unsigned long)(print->hash & 0xffffffffu), print->twin);
+    if (suppressions && d->allowed) {
+        buf_str(out, ",\"suppressions\":[{\"kind\":\"inSource\",\"justification\":");
+        json_put_string(out, d->allowed);
+        buf_str(out, "}]");
+    } else if (suppressions)
+        buf_str(out, ",\"suppressions\":[]");
     put_fix(out, d);
     buf_char(out, '}');
 }
 
-// Writes the reported diagnostics, then the allowed ones.
-static void put_results(const Diags *d, Buf *out, const size_t *index)
+void diags_end_sarif(const PlainMessages *plain, Buf *out)
 {
-    const DiagFingerprint *print = diags_fingerprints(d, out->arena);
+    bool succeeded = true;
 
-    for (size_t i = 0; i < d->list.n + d->allowed.n; i++) {
-        const Diag *x = i < d->list.n ? d->list.at[i] : d->allowed.at[i - d->list.n];
-        buf_str(out, i ? ",\n" : "\n");
-        put_result(out, x, &print[i], index[x->code], d->allowed.n > 0);
-    }
-}
-
-void diags_end_sarif(const Sentences *plain, Buf *out)
-{
+    for (size_t i = 0; i < plain->n; i++)
+        succeeded &= strcmp(plain->at[i].severity, "error") != 0;
+    if (plain->n)
+        buf_printf(out, ",\n\"invocations\":[{\"executionSuccessful\":%s,\"toolExecutionNotifications\":[\n", succeeded ? "true" : "false");
     for (size_t i = 0; i < plain->n; i++) {
-        buf_str(out, i ? ",\n" : ",\n\"invocations\":[{\"executionSuccessful\":false,\"toolExecutionNotifications\":[\n");
-        buf_str(out, "{\"level\":\"error\",\"message\":");
-        put_message(out, plain->at[i]);
+        buf_printf(out, "%s{\"level\":\"%s\",\"message\":", i ? ",\n" : "", plain->at[i].severity);
+        put_message(out, plain->at[i].text);
         buf_char(out, '}');
     }
     buf_str(out, plain->n ? "]}]}]}\n" : "}]}\n");
@@ -297,6 +256,7 @@ void diags_end_sarif(const Sentences *plain, Buf *out)
 void diags_render_sarif(const Diags *d, const char *version, Buf *out)
 {
     size_t index[DIAG_COUNT] = {0};
+    const DiagFingerprint *print = diags_fingerprints(d, out->arena);
 
     buf_str(out, "{\"$schema\":\"https://json.schemastore.org/sarif-2.1.0.json\",\"version\":\"2.1.0\",\"runs\":[{\n"
                  "\"tool\":{\"driver\":{\"name\":\"smc\",\"version\":");
@@ -304,6 +264,10 @@ void diags_render_sarif(const Diags *d, const char *version, Buf *out)
     buf_str(out, ",\"rules\":[");
     put_rules(d, out, index);
     buf_str(out, "]}},\n\"columnKind\":\"unicodeCodePoints\",\n\"results\":[");
-    put_results(d, out, index);
+    for (size_t i = 0; i < d->list.n + d->allowed.n; i++) {
+        const Diag *x = i < d->list.n ? d->list.at[i] : d->allowed.at[i - d->list.n];
+        buf_str(out, i ? ",\n" : "\n");
+        put_result(out, x, &print[i], index[x->code], d->allowed.n > 0);
+    }
     buf_char(out, ']');
 }

@@ -83,65 +83,50 @@ static size_t end_of_fitting_bytes(Buf *scratch, const Excerpt *e, size_t from, 
     return from;
 }
 
-// Shortens a long line to the text around the mark.
-static void shorten_line(Buf *scratch, Excerpt *e)
-{
-    size_t left;
-
-    if (end_of_fitting_bytes(scratch, e, 0, WIDEST, &left) == e->len) {
-        e->to = e->len;
-        return;
-    }
-    e->from = e->at > BEFORE ? e->at - BEFORE : 0;
-    while (e->from > 0 && e->from < e->at && ((unsigned char)e->text[e->from] & 0xc0) == 0x80)
-        e->from++;                                                // do not split a character
-    while (end_of_fitting_bytes(scratch, e, e->from, BEFORE, &left) < e->at)
-        e->from++;
-    e->to = end_of_fitting_bytes(scratch, e, e->at, WIDEST - BEFORE + left, &left);
-}
-
+// Finds the part of the line that is printed: all of it, or of a long line the text around the mark.
 static Excerpt find_excerpt(Buf *scratch, Span span, LineCol where)
 {
     Excerpt e = {0};
     uint32_t len;
+    size_t left;
 
     e.text = source_line(span.src, where.line, &len);
-    e.len = len;
+    e.len = e.to = len;
     e.at = min_size(where.col - 1, e.len);
-    shorten_line(scratch, &e);
+    if (end_of_fitting_bytes(scratch, &e, 0, WIDEST, &left) < e.len) {
+        e.from = e.at > BEFORE ? e.at - BEFORE : 0;
+        while (e.from > 0 && e.from < e.at && ((unsigned char)e.text[e.from] & 0xc0) == 0x80)
+            e.from++;                                             // do not split a character
+        while (end_of_fitting_bytes(scratch, &e, e.from, BEFORE, &left) < e.at)
+            e.from++;
+        e.to = end_of_fitting_bytes(scratch, &e, e.at, WIDEST - BEFORE + left, &left);
+    }
     e.end = min_size(e.at + (span.len ? span.len : 1), e.to);      // a span over several lines ends at the end of the first
     return e;
 }
 
-static size_t put_ellipsis(Buf *out, bool cut)
-{
-    if (cut)
-        buf_str(out, "...");
-    return cut ? 3 : 0;
-}
-
-// Writes the line; *indent: columns before the marked text; *marked: its width.
-static void put_line(Buf *out, const Excerpt *e, size_t *indent, size_t *marked)
-{
-    *indent = put_ellipsis(out, e->from > 0);
-    *indent += diag_put_printable(out, e->text + e->from, e->at - e->from);
-    *marked = diag_put_printable(out, e->text + e->at, e->end - e->at);
-    diag_put_printable(out, e->text + e->end, e->to - e->end);
-    put_ellipsis(out, e->to < e->len);
-}
-
+// Writes the source line, and below it the caret with the label.
 static void put_snippet(const DiagStyle *style, Buf *out, const Diag *d, LineCol where)
 {
+    static const char ellipsis[] = "...";
     Excerpt e;
     Buf scratch;
-    size_t indent, marked, start = out->n, gutter;
+    size_t indent = 0, marked, start = out->n, gutter;    // in columns: before the marked text; its width; of the line's number
 
     buf_init(&scratch, out->arena);
     e = find_excerpt(&scratch, d->span, where);
     buf_printf(out, "%5lu", (unsigned long)where.line);
     gutter = out->n - start;
     buf_str(out, " | ");
-    put_line(out, &e, &indent, &marked);
+    if (e.from > 0) {
+        buf_str(out, ellipsis);
+        indent += sizeof ellipsis - 1;
+    }
+    indent += diag_put_printable(out, e.text + e.from, e.at - e.from);
+    marked = diag_put_printable(out, e.text + e.at, e.end - e.at);
+    diag_put_printable(out, e.text + e.end, e.to - e.end);
+    if (e.to < e.len)
+        buf_str(out, ellipsis);
     buf_char(out, '\n');
     buf_spaces(out, gutter);
     buf_str(out, " | ");
@@ -183,14 +168,6 @@ static void put_severity(const DiagStyle *style, Buf *out, DiagSeverity severity
     set_color(style, out, PAINT_OFF);
 }
 
-static void put_headline(const DiagStyle *style, Buf *out, const Diag *d)
-{
-    put_position(style, out, d->span);
-    put_severity(style, out, d->severity);
-    put_text(out, d->text);
-    buf_printf(out, " [%s]\n", diag_code_and_name(d, out->arena));
-}
-
 static void put_note(const DiagStyle *style, Buf *out, const DiagNote *n)
 {
     put_position(style, out, n->span);
@@ -210,7 +187,10 @@ static void put_note(const DiagStyle *style, Buf *out, const DiagNote *n)
 
 static void put_diag(const DiagStyle *style, Buf *out, const Diag *d)
 {
-    put_headline(style, out, d);
+    put_position(style, out, d->span);
+    put_severity(style, out, d->severity);
+    put_text(out, d->text);
+    buf_printf(out, " [%s]\n", diag_code_and_name(d, out->arena));
     if (d->span.src)
         put_snippet(style, out, d, source_position(d->span.src, d->span.at));
     for (size_t i = 0; i < d->notes.n; i++)

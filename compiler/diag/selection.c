@@ -39,13 +39,6 @@ static const char *flag_name_in(const char *w)
     return w;
 }
 
-static bool is_warning_word(const char *word)
-{
-    const char *name = flag_name_in(word);
-
-    return strcmp(word, "error") == 0 || strcmp(word, "no-error") == 0 || find_groups(name) || diag_find_flag(name);
-}
-
 static const char *nearest_warning(Arena *arena, const char *name)
 {
     const char **names = ARENA_ARRAY(arena, const char *, diag_flag_count + GROUPS);
@@ -61,8 +54,8 @@ static const char *nearest_warning(Arena *arena, const char *name)
 const char *diag_selection_error(Arena *arena, const DiagSelection *w)
 {
     for (size_t i = 0; i < w->n; i++) {
-        const char *name = flag_name_in(w->word[i]), *near;
-        if (is_warning_word(w->word[i]))
+        const char *word = w->word[i], *name = flag_name_in(word), *near;
+        if (strcmp(word, "error") == 0 || strcmp(word, "no-error") == 0 || find_groups(name) || diag_find_flag(name))
             continue;
         near = nearest_warning(arena, name);
         return near ? format_in(arena, "no warning is called '%s'; did you mean '%s'?", name, near)
@@ -73,11 +66,6 @@ const char *diag_selection_error(Arena *arena, const DiagSelection *w)
 
 typedef struct FlagChoice { bool on, error; } FlagChoice;
 
-static bool names_flag(const char *name, const DiagFlag *flag)
-{
-    return strcmp(name, flag->name) == 0 || (find_groups(name) & 1u << flag->group) != 0;
-}
-
 // Applies one -W… to the current decision about a warning.
 static void apply_word(const char *w, const DiagFlag *flag, FlagChoice *v)
 {
@@ -85,7 +73,7 @@ static void apply_word(const char *w, const DiagFlag *flag, FlagChoice *v)
 
     if (strcmp(w, "error") == 0 || strcmp(w, "no-error") == 0)
         v->error = w[0] == 'e';
-    else if (!names_flag(name, flag))
+    else if (strcmp(name, flag->name) != 0 && !(find_groups(name) & 1u << flag->group))
         return;
     else if (skip_prefix(w, "error="))
         *v = (FlagChoice){true, true};
@@ -121,20 +109,9 @@ unsigned diag_selection_groups(const DiagSelection *w)
     return wanted;
 }
 
-// A disabled warning needs no @allow either.
-static void drop_disabled_allows(const DiagSelection *w, Diags *d)
-{
-    uint32_t kept = 0;
-
-    for (size_t i = 0; i < d->allowed.n; i++)
-        if (select_diag(w, d->allowed.at[i]).on)
-            d->allowed.at[kept++] = d->allowed.at[i];
-    d->allowed.n = kept;
-}
-
 void diags_select(Diags *d, const DiagSelection *w)
 {
-    uint32_t kept = 0;
+    uint32_t kept = 0, allowed = 0;
 
     for (size_t i = 0; i < d->list.n; i++) {
         Diag *diag = d->list.at[i];
@@ -153,5 +130,8 @@ void diags_select(Diags *d, const DiagSelection *w)
     d->list.n = kept;
     if (w->none)
         d->warnings = 0;              // including those that were too many to store
-    drop_disabled_allows(w, d);
+    for (size_t i = 0; i < d->allowed.n; i++)
+        if (select_diag(w, d->allowed.at[i]).on)
+            d->allowed.at[allowed++] = d->allowed.at[i];
+    d->allowed.n = allowed;
 }

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/facts/env.h"
+#include "compiler/facts/env_table.h"
 
-enum { BITS = 3, CHILDREN = 1 << BITS };
+#include <string.h>
 
-struct Env {
-    union {
-        const Env *env;               // in an inner node
-        const Fact *fact;             // in a leaf
-    } child[CHILDREN];
-};
+enum { BITS = ENV_BITS, CHILDREN = ENV_CHILDREN };
 
 bool env_is_private(const IrVar *v) { return v->space == IR_LOCAL && !v->outside; }
 
+// With more variables than this, environments have so many nodes that finding an equal one is faster than a copy and later joins of it.
+enum { UNIQUE_FROM = 64 };
+
 EnvShape env_shape(Arena *arena, const IrMachine *m)
 {
-    EnvShape s = {arena, m, 1};
+    EnvShape s = {arena, m, 1, m->var.n > UNIQUE_FROM ? env_table_new(arena) : NULL};
 
     while ((m->var.n - 1) >> (s.levels * BITS))
         s.levels++;
@@ -24,7 +22,8 @@ EnvShape env_shape(Arena *arena, const IrMachine *m)
 
 static bool is_root(const EnvShape *s, unsigned level) { return level == s->levels - 1; }
 
-// Which child of a node on this level contains the variable.  The root has two: 1 has the private variables, 0 the others.
+// Which child of a node on this level contains the variable.  The root has two: 1 has the private variables (locals that only the machine
+// writes), 0 the others.
 static unsigned child_index(const EnvShape *s, uint32_t var, unsigned level)
 {
     return is_root(s, level) ? env_is_private(&s->m->var.at[var]) : var >> (level * BITS) & (CHILDREN - 1u);
@@ -40,39 +39,32 @@ Fact env_get(const EnvShape *s, const Env *e, uint32_t var)
     return fact ? *fact : fact_of_type(s->m->var.at[var].type);
 }
 
-// A copy of e that may be changed; an empty node if e is NULL.
-static Env *copy_node(const EnvShape *s, const Env *e)
+// A node in the arena equal to *e.
+static const Env *new_node(const EnvShape *s, const Env *e)
 {
-    Env *n = ARENA_NEW(s->arena, Env);
-
-    if (e)
-        *n = *e;
-    return n;
+    return s->unique ? env_table_node(s->unique, e) : arena_copy(s->arena, e, sizeof *e);
 }
 
 // A copy of the fact for a leaf; NULL if it only states the variable's type.
 static const Fact *new_fact(const EnvShape *s, Fact fact, SmType type)
 {
-    Fact *f;
-
     if (fact_equal(fact, fact_of_type(type)))
         return NULL;
-    f = ARENA_NEW(s->arena, Fact);
-    *f = fact;
-    return f;
+    return s->unique ? env_table_fact(s->unique, fact) : arena_copy(s->arena, &fact, sizeof fact);
 }
 
 // Returns a copy of the node e, which is on this level, with the variable's fact replaced.
 static const Env *set_below(const EnvShape *s, const Env *e, uint32_t var, const Fact *fact, unsigned level)
 {
-    Env *n = copy_node(s, e);
+    static const Env empty;
+    Env n = e ? *e : empty;
     const unsigned k = child_index(s, var, level);
 
     if (level == 0)
-        n->child[k].fact = fact;
+        n.child[k].fact = fact;
     else
-        n->child[k].env = set_below(s, n->child[k].env, var, fact, level - 1);
-    return n;
+        n.child[k].env = set_below(s, n.child[k].env, var, fact, level - 1);
+    return new_node(s, &n);
 }
 
 const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact)
@@ -82,50 +74,78 @@ const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact)
 
 static const Fact *join_facts(const EnvShape *s, const Fact *a, const Fact *b, uint32_t var, const FactLimits *widen)
 {
-    SmType type;
-    Fact r;
+    const SmType type = s->m->var.at[var].type;
+    const Fact r = fact_join(*a, *b);
 
-    if (a == b || !a || !b)                // where a leaf has more slots than there are variables, both are NULL
-        return a && b ? a : NULL;
-    type = s->m->var.at[var].type;
-    r = fact_join(*a, *b);
     if (fact_equal(r, *a))
         return a;
     return new_fact(s, widen ? fact_widen(*a, r, type, widen) : r, type);
 }
 
-// `first`: the first variable below the two nodes.
-static const Env *join_nodes(const EnvShape *s, const Env *a, const Env *b, uint32_t first, unsigned level, const FactLimits *widen)
+// The node with these children: `a` itself if it has the same ones, NULL if there are none.
+static const Env *node_of_children(const EnvShape *s, const Env *joined, const Env *a)
+{
+    static const Env empty;
+
+    if (memcmp(joined, a, sizeof *a) == 0)
+        return a;
+    return memcmp(joined, &empty, sizeof empty) == 0 ? NULL : new_node(s, joined);
+}
+
+// `first`: the first variable below the two nodes.  A leaf can have more slots than there are variables: they are NULL.
+static const Env *join_leaves(const EnvShape *s, const Env *a, const Env *b, uint32_t first, const FactLimits *widen)
 {
     Env both;
-    bool same = true, empty = true;
 
-    if (a == b || !a || !b)
-        return a && b ? a : NULL;
     for (uint32_t k = 0; k < CHILDREN; k++) {
-        const uint32_t at = is_root(s, level) ? 0 : first | k << (level * BITS);
-        if (level == 0)
-            both.child[k].fact = join_facts(s, a->child[k].fact, b->child[k].fact, at, widen);
-        else
-            both.child[k].env = join_nodes(s, a->child[k].env, b->child[k].env, at, level - 1, widen);
-        same &= level == 0 ? both.child[k].fact == a->child[k].fact : both.child[k].env == a->child[k].env;
-        empty &= level == 0 ? both.child[k].fact == NULL : both.child[k].env == NULL;
+        const Fact *of_a = a->child[k].fact, *of_b = b->child[k].fact;
+        both.child[k].fact = !of_a || !of_b ? NULL : of_a == of_b ? of_a : join_facts(s, of_a, of_b, first | k, widen);
     }
-    return same ? a : empty ? NULL : copy_node(s, &both);
+    return node_of_children(s, &both, a);
+}
+
+static const Env *join_nodes(const EnvShape *s, const Env *a, const Env *b, uint32_t first, unsigned level, const FactLimits *widen);
+
+static const Env *join_inner_nodes(const EnvShape *s, const Env *a, const Env *b, uint32_t first, unsigned level, const FactLimits *widen)
+{
+    const unsigned shift = is_root(s, level) ? 32 : level * BITS;
+    Env both;
+
+    for (uint32_t k = 0; k < CHILDREN; k++) {
+        const Env *of_a = a->child[k].env, *of_b = b->child[k].env;
+        const uint32_t at = shift < 32 ? first | k << shift : 0;
+        both.child[k].env = !of_a || !of_b ? NULL : of_a == of_b ? of_a : join_nodes(s, of_a, of_b, at, level - 1, widen);
+    }
+    return node_of_children(s, &both, a);
+}
+
+// The two nodes are not the same.
+static const Env *join_nodes(const EnvShape *s, const Env *a, const Env *b, uint32_t first, unsigned level, const FactLimits *widen)
+{
+    EnvJoin j = {a, b, widen, first, level, NULL};
+
+    if (s->unique && env_table_find_join(s->unique, &j))
+        return j.joined;
+    j.joined = level == 0 ? join_leaves(s, a, b, first, widen) : join_inner_nodes(s, a, b, first, level, widen);
+    if (s->unique)
+        env_table_add_join(s->unique, &j);
+    return j.joined;
 }
 
 const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLimits *widen)
 {
+    if (a == b || !a || !b)
+        return a && b ? a : NULL;
     return join_nodes(s, a, b, 0, s->levels - 1, widen);
 }
 
 const Env *env_replace_shared(const EnvShape *s, const Env *e, const Env *shared)
 {
-    Env *n;
+    static const Env empty;
+    Env n = shared ? *shared : empty;
 
     if (!e || !e->child[1].env)
         return shared;
-    n = copy_node(s, shared);
-    n->child[1] = e->child[1];
-    return n;
+    n.child[1] = e->child[1];
+    return new_node(s, &n);
 }

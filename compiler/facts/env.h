@@ -13,6 +13,7 @@ typedef struct EnvShape {
     Arena *arena;
     const IrMachine *m;
     unsigned levels;                  // of the tree: the leaves are level 0
+    struct EnvTable *unique;          // of equal subtrees; NULL: there may be several equal ones
 } EnvShape;
 
 EnvShape env_shape(Arena *arena, const IrMachine *m);

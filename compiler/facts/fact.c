@@ -205,39 +205,27 @@ static Fact fact_of_min_or_max(SmF64 (*op)(SmF64, SmF64), Fact a, Fact b)
 
 // ---- conversions ----
 
-static Fact convert_to_bool(Fact a)
-{
-    const bool zero = contains_number(a, 0) || a.nan;
-    const bool other = !is_empty(a) && (a.lo < 0 || a.hi > 0);
-
-    return fact_of_bool(zero, other);
-}
-
-static Fact convert_to_integer(Fact a, SmType to)
-{
-    const Fact t = fact_of_type(to);
-
-    return make_fact(sm_min(sm_max(sm_trunc(a.lo), t.lo), t.hi), sm_max(sm_min(sm_trunc(a.hi), t.hi), t.lo), true, false, false);
-}
-
-// Rounding to F32 is monotonic.  A small negative number becomes -0.
-static Fact convert_to_f32(Fact a)
-{
-    Fact r = make_fact(sm_from_f32(sm_round_f32(a.lo)), sm_from_f32(sm_round_f32(a.hi)), a.whole, false,
-                  a.minus_zero || (a.lo < 0 && !a.whole));
-
-    r.f32 = true;
-    return r;
-}
-
 Fact fact_convert(Fact a, SmType to)
 {
+    Fact r;
+
     if (to == SM_BOOL)
-        return convert_to_bool(a);
-    if (a.nan)                                        // a conversion turns NaN into 0
-        a = is_empty(a) ? make_fact(0, 0, true, false, false) : fact_join(a, make_fact(0, 0, true, false, false));
+        return fact_of_bool(contains_number(a, 0) || a.nan, !is_empty(a) && (a.lo < 0 || a.hi > 0));
+    if (a.nan) {                                      // a conversion turns NaN into 0
+        const Fact zero = make_fact(0, 0, true, false, false);
+        a = is_empty(a) ? zero : fact_join(a, zero);
+    }
     a.nan = false;
-    return to == SM_F64 ? a : to == SM_F32 ? convert_to_f32(a) : convert_to_integer(a, to);
+    if (to == SM_F64)
+        return a;
+    if (to != SM_F32) {
+        const Fact t = fact_of_type(to);
+        return make_fact(sm_min(sm_max(sm_trunc(a.lo), t.lo), t.hi), sm_max(sm_min(sm_trunc(a.hi), t.hi), t.lo), true, false, false);
+    }
+    // Rounding to F32 is monotonic.  A small negative number becomes -0.
+    r = make_fact(sm_from_f32(sm_round_f32(a.lo)), sm_from_f32(sm_round_f32(a.hi)), a.whole, false, a.minus_zero || (a.lo < 0 && !a.whole));
+    r.f32 = true;
+    return r;
 }
 
 // ---- comparisons ----
@@ -401,22 +389,33 @@ bool fact_equal(Fact a, Fact b)
     return a.lo == b.lo && a.hi == b.hi && a.whole == b.whole && a.f32 == b.f32 && a.nan == b.nan && a.minus_zero == b.minus_zero;
 }
 
+// The number of limits below x.
+static size_t count_limits_below(const FactLimits *limits, double x)
+{
+    size_t below = 0, end = limits->n;
+
+    while (below < end) {
+        const size_t middle = below + (end - below) / 2;
+        if (limits->at[middle] < x)
+            below = middle + 1;
+        else
+            end = middle;
+    }
+    return below;
+}
+
 Fact fact_widen(Fact before, Fact now, SmType type, const FactLimits *limits)
 {
     const Fact t = fact_of_type(type);
-    double lo = t.lo, hi = t.hi;
 
-    for (size_t i = 0; i < limits->n; i++) {
-        const double x = limits->at[i];
-        if (now.hi <= x && x < hi)
-            hi = x;
-        if (now.lo >= x && x > lo)
-            lo = x;
+    if (now.lo < before.lo) {
+        const size_t i = count_limits_below(limits, now.lo), next = i + (i < limits->n && limits->at[i] == now.lo);
+        now.lo = next > 0 && limits->at[next - 1] > t.lo ? limits->at[next - 1] : t.lo;
     }
-    if (now.lo < before.lo)
-        now.lo = lo;
-    if (now.hi > before.hi)
-        now.hi = hi;
+    if (now.hi > before.hi) {
+        const size_t next = count_limits_below(limits, now.hi);
+        now.hi = next < limits->n && limits->at[next] < t.hi ? limits->at[next] : t.hi;
+    }
     return normalize_fact(now);
 }
 

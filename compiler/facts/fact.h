@@ -13,7 +13,7 @@
 typedef struct Fact {
     double lo, hi;            // bounds, inclusive; may be infinite.  lo > hi: the value is never a number
     bool whole;               // every number is whole, and therefore finite
-    bool f32;                 // every number is exactly an F32 number; infinities are
+    bool f32;                 // every number is exactly an F32 number; the infinities are F32 numbers
     bool nan;                 // it may be NaN
     bool minus_zero;          // it may be -0
 } Fact;
@@ -30,7 +30,7 @@ Fact fact_of_bool(bool may_be_false, bool may_be_true);
 Fact fact_of_result(const IrIns *i, const Fact *a, const Fact *b, SmType type_of_a);
 // The result of converting a to `to`.
 Fact fact_convert(Fact a, SmType to);
-// The result of a statistic of a window whose samples have the fact `sample`.  A window is never empty when a statistic is computed.
+// The result of a statistic of a rolling window whose samples have the fact `sample`.  A window is never empty when a statistic is computed.
 Fact fact_of_stat(SmStat stat, Fact sample);
 
 Fact fact_join(Fact a, Fact b);                       // the fact of a value that satisfies a or b
@@ -38,7 +38,7 @@ Fact fact_meet(Fact a, Fact b);                       // the fact of a value tha
 bool fact_equal(Fact a, Fact b);
 
 typedef struct FactLimits {
-    const double *at;         // the numbers at which widening stops, in any order
+    const double *at;         // the numbers at which widening stops, in ascending order
     size_t n;
 } FactLimits;
 // Widens a fact that has grown from `before` to `now`: each bound that grew moves to the next limit beyond it, or to the type's bound

@@ -24,20 +24,10 @@ static const IrIns *ins(const FlowWalk *w, IrRef r) { return &w->f->ins.at[r]; }
 
 // ---- instructions ----
 
-static Fact fact_of_ins(const FlowWalk *w, const IrIns *i)
-{
-    static const Fact none;
-
-    if (i->op == IR_load)
-        return env_get(&w->fm->shape, w->env, i->var);
-    if (i->op == IR_stat)
-        return fact_of_stat(i->stat, w->fm->window[i->var]);
-    return fact_of_result(i, i->a == IR_NONE ? &none : &w->out.of[i->a], i->b == IR_NONE ? &none : &w->out.of[i->b],
-                          i->a == IR_NONE ? i->type : ins(w, i->a)->type);
-}
-
+// Computes the fact of temporary r, or applies the effect of a store or sample.  `at`: the instruction's position in its block.
 static void visit_ins(FlowWalk *w, IrRef r, uint32_t at)
 {
+    static const Fact none;
     const IrIns *i = ins(w, r);
 
     w->home[r] = (FactHome){i->op == IR_load ? i->var : IR_NONE, at};
@@ -50,8 +40,13 @@ static void visit_ins(FlowWalk *w, IrRef r, uint32_t at)
         w->home[i->a] = (FactHome){i->var, at};
     } else if (i->op == IR_sample) {
         w->fm->window[i->var] = fact_convert(w->out.of[i->a], SM_F64);
+    } else if (i->op == IR_load) {
+        w->out.of[r] = env_get(&w->fm->shape, w->env, i->var);
+    } else if (i->op == IR_stat) {
+        w->out.of[r] = fact_of_stat(i->stat, w->fm->window[i->var]);
     } else {
-        w->out.of[r] = fact_of_ins(w, i);
+        const Fact *a = i->a == IR_NONE ? &none : &w->out.of[i->a], *b = i->b == IR_NONE ? &none : &w->out.of[i->b];
+        w->out.of[r] = fact_of_result(i, a, b, i->a == IR_NONE ? i->type : ins(w, i->a)->type);
     }
 }
 

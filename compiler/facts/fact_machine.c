@@ -3,6 +3,7 @@
 // Bounds that keep growing are widened, so this ends after a few visits of each state.  If anything was widened, one last round over
 // all functions is the narrowing step.
 #include <stddef.h>
+#include <string.h>
 
 #include "compiler/base/worklist.h"
 #include "compiler/facts/facts.h"
@@ -30,7 +31,7 @@ typedef struct FactIteration {
 
 // ---- paths into functions ----
 
-// The facts at the beginning b of a function after a path has entered it with the facts `env`.
+// Merges the facts `env` of one more path into those at the beginning b of a function.  Returns the result; widened after several changes.
 static const Env *join_at_begin(FactIteration *v, const FactBegin *b, const Env *env)
 {
     static const double round[] = {-FACT_EXACT, -2147483648.0, -32768, -128, 0, 1, 255, 65535, 2147483647.0, FACT_EXACT};
@@ -45,7 +46,8 @@ static const Env *join_at_begin(FactIteration *v, const FactBegin *b, const Env 
     return env_join(&v->fm->shape, b->env, env, last || b->changes <= CHANGES_BEFORE_WIDENING ? NULL : b->changes <= CHANGES_BEFORE_FEW_LIMITS ? &v->limits : &few);
 }
 
-// Records that a path enters a function with the facts `env`, and queues its state if the facts at its beginning have changed.
+// Merges the facts `env` of a path into a function into the facts at the function's beginning.  If these change, queues its state for
+// another visit.
 static void enter_function(FactIteration *v, uint32_t state, int block, const Env *env)
 {
     FactBegin *b = &v->to[state][block];
@@ -60,7 +62,8 @@ static void enter_function(FactIteration *v, uint32_t state, int block, const En
         worklist_add(&v->queue, state);
 }
 
-// At the end of .exit: enters the target of each transition that has been found possible.
+// Called at the end of .exit, with the facts there: calls enter_function for the target of each transition of `block` (.entry or .step)
+// that has been found possible.
 static void enter_possible_targets(FactIteration *v, int block, const Env *env)
 {
     const IrFn *f = v->fm->shape.m->state.at[v->state].block[block];
@@ -71,7 +74,8 @@ static void enter_possible_targets(FactIteration *v, int block, const Env *env)
             enter_function(v, f->blk.at[b].jump.state - 1, BLOCK_ENTRY, env);
 }
 
-// Records that a transition is possible.  A new one requires a visit of .exit, even if it adds no fact at the beginning of .exit.
+// Records that a transition of the current function is possible, and enters .exit, or the target state if there is no .exit.  The first
+// time, .exit must be visited even if its facts do not change: only its end enters the target of this transition.
 static void mark_transition_possible(FactIteration *v, const IrJump *j, const Env *env)
 {
     const IrFn *f = v->fm->shape.m->state.at[v->state].block[v->block];
@@ -90,7 +94,8 @@ static void mark_transition_possible(FactIteration *v, const IrJump *j, const En
     (*possible)[b] = true;
 }
 
-// Called at each end of the current function.  From here on, other code may have written the elements.
+// Called at each end of the current function.  The code that runs next starts without facts about elements, because other code may write
+// them between steps.
 static void visit_end(void *context, const IrJump *end, const Env *env)
 {
     FactIteration *v = context;
@@ -108,7 +113,8 @@ static void visit_end(void *context, const IrJump *end, const Env *env)
 
 // ---- visits ----
 
-// Computes the flow of a function of the current state, which enters the functions that follow it.
+// Computes the facts in one function of the current state.  Merges the facts at each of its ends into those at the beginning of every
+// function that can run next (visit_end).
 static void visit_function(FactIteration *v, int block)
 {
     static const IrJump nothing = {.kind = IR_RET, .cond = IR_NONE};
@@ -145,7 +151,7 @@ static void narrow_facts(FactIteration *v, const Env *initial)
     v->fm->begin = v->to;
 }
 
-// The facts that private locals have their initial values: all, or only those that no code writes.
+// Returns the facts that private locals have their initial values: all such locals, or only those that no code writes.
 static const Env *initial_values(const FactMachine *fm, bool writable_too)
 {
     const EnvShape *s = &fm->shape;
@@ -161,13 +167,18 @@ static const Env *initial_values(const FactMachine *fm, bool writable_too)
 
 // ---- limits for widening ----
 
-static void add_distinct_limit(double *limit, size_t *n, double x)
+// Inserts x into the ascending list, unless the list has it or is full.
+static void add_limit(double *limit, size_t *n, double x)
 {
-    for (size_t i = 0; i < *n; i++)
-        if (limit[i] == x)
-            return;
-    if (*n < LIMITS_MAX && x > -FACT_EXACT && x < FACT_EXACT)
-        limit[(*n)++] = x;
+    size_t at = 0;
+
+    while (at < *n && limit[at] < x)
+        at++;
+    if (*n == LIMITS_MAX || (at < *n && limit[at] == x) || !(x > -FACT_EXACT && x < FACT_EXACT))
+        return;
+    memmove(limit + at + 1, limit + at, (*n - at) * sizeof *limit);
+    limit[at] = x;
+    (*n)++;
 }
 
 // The constants of the program, and the numbers one below and one above each.
@@ -183,15 +194,16 @@ static FactLimits limits_of_program(Arena *arena, const IrMachine *m)
                 const IrIns *ins = &f->ins.at[i];
                 const Fact c = ins->op == IR_const ? fact_of_cell(ins->type, ins->bits) : fact_of_type(SM_F64);
                 for (int beside = -1; c.lo == c.hi && beside <= 1; beside++)
-                    add_distinct_limit(limit, &n, c.lo + beside);
+                    add_limit(limit, &n, c.lo + beside);
             }
         }
-    add_distinct_limit(limit, &n, 0);
+    add_limit(limit, &n, 0);
     return (FactLimits){limit, n};
 }
 
 // ---- the iteration ----
 
+// Visits functions until no fact changes, then narrows the facts if bounds were widened.
 static void iterate_to_fixed_point(FactMachine *fm, bool any_start, const FactObserver *observer)
 {
     const IrMachine *m = fm->shape.m;
@@ -266,6 +278,7 @@ const Env *facts_at_begin(const FactMachine *fm, size_t state, int block)
 void facts_set_arena(FactMachine *fm, Arena *arena)
 {
     fm->shape.arena = arena;
+    fm->shape.unique = NULL;
     fm->temps = fm->blocks = 0;       // the old tables belong to the previous arena
 }
 

@@ -67,8 +67,8 @@ static void build_transition(Builder *b, const Stmt *s)
     j->span = s->span;
 }
 
-// Ends the current block with a branch to a new block, which becomes the current one.  Returns the old block; its `otherwise` is not set
-// yet.
+// Ends the current block with a branch on the guard.  A new block becomes the current one and is where the branch leads if the guard is
+// true.  Returns the old block: the caller sets the false edge of its branch (`otherwise`) when that target exists.
 static IrBlkRef build_branch_on(Builder *b, const Expr *guard)
 {
     IrRef cond = build_as_bool(b, guard);
@@ -85,7 +85,7 @@ static IrBlkRef build_branch_on(Builder *b, const Expr *guard)
     return from;
 }
 
-// The same, for the guard of a conditional statement.
+// Does the same for the guard of conditional statement s.
 static IrBlkRef build_branch(Builder *b, const Stmt *s)
 {
     b->stmt = s->number;
@@ -105,24 +105,12 @@ static const Stmt *find_else_if(const Stmt *s)
     return s->otherwise.n == 1 && s->otherwise.at[0]->kind == ST_IF ? s->otherwise.at[0] : NULL;
 }
 
-// Starts the block in which the arms meet: the jumps of `ends` lead to it, and the false edge of `skips` (IR_NONE: there is none).
-static void build_join(Builder *b, const OpenBlocks *ends, IrBlkRef skips)
-{
-    b->b = ir_add_block(b->arena, b->f);
-    if (skips != IR_NONE)
-        jump_of(b, skips)->otherwise = b->b;
-    for (size_t i = 0; i < ends->n; i++) {
-        jump_of(b, ends->at[i])->kind = IR_JMP;
-        jump_of(b, ends->at[i])->then = b->b;
-    }
-}
-
 // Builds a conditional with its whole chain of `else if`, in a loop because the chain may be too long for recursion.  Returns false if
 // control cannot reach the statement after it.
 static bool build_if(Builder *b, const Stmt *s)
 {
     OpenBlocks ends = {NULL, 0, 0};
-    IrBlkRef skips = build_branch(b, s);
+    IrBlkRef skips = build_branch(b, s);          // the block whose branch has no false edge yet; IR_NONE: every branch has one
 
     build_arm(b, &s->then, &ends);
     while (s->otherwise.n > 0) {
@@ -139,16 +127,12 @@ static bool build_if(Builder *b, const Stmt *s)
     }
     if (skips == IR_NONE && ends.n == 0)
         return false;
-    build_join(b, &ends, skips);
-    return true;
-}
-
-static bool build_stmt(Builder *b, const Stmt *s)
-{
-    switch (s->kind) {
-    case ST_ASSIGN: build_assign(b, s); return true;
-    case ST_TRANSITION: build_transition(b, s); return false;
-    case ST_IF: return build_if(b, s);
+    b->b = ir_add_block(b->arena, b->f);          // the block in which the arms meet
+    if (skips != IR_NONE)
+        jump_of(b, skips)->otherwise = b->b;
+    for (size_t i = 0; i < ends.n; i++) {
+        jump_of(b, ends.at[i])->kind = IR_JMP;
+        jump_of(b, ends.at[i])->then = b->b;
     }
     return true;
 }
@@ -157,18 +141,15 @@ static bool build_stmt(Builder *b, const Stmt *s)
 static bool build_stmts(Builder *b, const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++)
-        if (!build_stmt(b, list->at[i]))
-            return false;
+        switch (list->at[i]->kind) {
+        case ST_ASSIGN: build_assign(b, list->at[i]); break;
+        case ST_TRANSITION: build_transition(b, list->at[i]); return false;
+        case ST_IF:
+            if (!build_if(b, list->at[i]))
+                return false;
+            break;
+        }
     return true;
-}
-
-static IrFn *build_function(Builder *b, const Stmts *list)
-{
-    if (list->n == 0)
-        return NULL;
-    build_begin_function(b);
-    build_stmts(b, list);                                     // a block without another jump ends in `ret`
-    return build_end_function(b);
 }
 
 static void build_state(Builder *b, const State *s)
@@ -179,45 +160,35 @@ static void build_state(Builder *b, const State *s)
     state.name = s->name;
     state.is_safe = s->is_safe;
     state.span = s->span;
-    for (int k = 0; k < BLOCK_COUNT; k++)
-        state.block[k] = build_function(b, &s->block[k]);
+    for (int k = 0; k < BLOCK_COUNT; k++) {
+        if (s->block[k].n == 0)
+            continue;
+        build_begin_function(b);
+        build_stmts(b, &s->block[k]);                         // the last block ends in IR_RET unless a statement sets its jump
+        state.block[k] = build_end_function(b);
+    }
     vec_push(b->arena, &b->m->state, state);
 }
 
 // ---- variables ----
 
-static IrSpace ir_space_of(VarKind kind)
-{
-    switch (kind) {
-    case VAR_ELEMENT: return IR_ELEMENT;
-    case VAR_LOCAL: return IR_LOCAL;
-    case VAR_TIME: return IR_TIME;
-    }
-    return IR_TIME;
-}
-
-static void build_var_entry(Builder *b, const Var *v)
-{
-    IrVar out = {.space = ir_space_of(v->kind), .name = v->name, .type = v->type, .init = v->init, .span = v->span};
-
-    out.writable = v->written;
-    out.outside = v->outside;
-    if (v->element)
-        out.offset = v->element->offset;
-    b->var[v->index] = IR_NONE;
-    if (v->is_constant)
-        return;
-    b->var[v->index] = (uint32_t)b->m->var.n;
-    vec_push(b->arena, &b->m->var, out);
-}
-
 static void build_vars(Builder *b)
 {
+    static const IrSpace space_of[] = {[VAR_ELEMENT] = IR_ELEMENT, [VAR_LOCAL] = IR_LOCAL, [VAR_TIME] = IR_TIME};
     const Program *p = b->p;
 
     b->var = ARENA_ARRAY(b->arena, uint32_t, p->var.n);
-    for (size_t v = 0; v < p->var.n; v++)
-        build_var_entry(b, p->var.at[v]);
+    for (size_t k = 0; k < p->var.n; k++) {
+        const Var *v = p->var.at[k];
+        IrVar out = {.space = space_of[v->kind], .name = v->name, .type = v->type, .init = v->init, .span = v->span};
+        out.writable = v->written;
+        out.outside = v->outside;
+        if (v->element)
+            out.offset = v->element->offset;
+        b->var[v->index] = v->is_constant ? IR_NONE : (uint32_t)b->m->var.n;
+        if (!v->is_constant)
+            vec_push(b->arena, &b->m->var, out);
+    }
     b->m->g = b->var[p->g->index];
     b->m->s = b->var[p->s->index];
     b->m->t = b->var[p->t->index];

@@ -20,7 +20,7 @@ typedef struct Builder {
 // Appends the evaluation of an expression to the current block.  The value is an F64 (build_as_f64) or a bool (build_as_bool).
 IrRef build_as_f64(Builder *b, const Expr *e);
 IrRef build_as_bool(Builder *b, const Expr *e);
-// The same, converted to `type` as a store to a variable of that type requires.
+// Appends the evaluation of an expression, and its conversion to `type` as a store to a variable of that type requires.
 IrRef build_for_store(Builder *b, const Expr *e, SmType type);
 // Appends an instruction to the current block.
 IrRef build_emit(Builder *b, const IrIns *ins);

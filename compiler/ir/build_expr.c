@@ -54,43 +54,20 @@ IrRef build_for_store(Builder *b, const Expr *e, SmType type)
     return emit_op(b, IR_cvt, type, build_conversion(b, value, SM_F64, e->span), IR_NONE, e->span);  // also F64 to F64: it turns NaN into 0
 }
 
-// The value of a local that is a constant.
-static IrRef build_constant(Builder *b, const Var *v, Span span)
-{
-    if (v->type == SM_BOOL)
-        return emit_const(b, SM_BOOL, v->init, span);
-    return emit_const(b, SM_F64, sm_bits(sm_cell_to_f64(v->type, v->init)), span);
-}
-
 static IrRef build_var(Builder *b, const Expr *e)
 {
     const Var *v = e->var;
     IrIns i = {.op = IR_load, .type = v->type, .a = IR_NONE, .b = IR_NONE, .var = b->var[v->index], .span = e->span};
     IrRef value;
 
-    if (i.var == IR_NONE)
-        return build_constant(b, v, e->span);
+    if (i.var == IR_NONE)                             // a local that is a constant
+        return v->type == SM_BOOL ? emit_const(b, SM_BOOL, v->init, e->span)
+                                  : emit_const(b, SM_F64, sm_bits(sm_cell_to_f64(v->type, v->init)), e->span);
     value = build_emit(b, &i);
     return v->type == SM_BOOL ? value : build_conversion(b, value, SM_F64, e->span);
 }
 
-static IrRef build_roll(Builder *b, const Expr *e)
-{
-    IrIns i = {.op = IR_stat, .type = SM_F64, .a = IR_NONE, .b = IR_NONE, .var = b->window[e->window], .stat = e->stat, .span = e->span};
-
-    return build_emit(b, &i);
-}
-
 // ---- operators ----
-
-static IrRef build_unary(Builder *b, const Expr *e)
-{
-    if (e->op == SM_OP_NOT)
-        return emit_op(b, IR_not, SM_BOOL, build_as_bool(b, e->arg[0]), IR_NONE, e->span);
-    if (e->op == SM_OP_NEG)
-        return emit_op(b, IR_neg, SM_F64, build_as_f64(b, e->arg[0]), IR_NONE, e->span);
-    return build_as_f64(b, e->arg[0]);
-}
 
 static IrRef build_binary(Builder *b, const Expr *e)
 {
@@ -102,15 +79,15 @@ static IrRef build_binary(Builder *b, const Expr *e)
     return emit_op(b, op, ir_op_info[op].types == IR_T_SAME ? SM_F64 : SM_BOOL, x, y, e->span);
 }
 
-// a < b <= c is a < b and b <= c, with b evaluated once.
+// Builds a chain of comparisons: `a < b <= c` means `a < b and b <= c`, with b evaluated once.
 static IrRef build_chain(Builder *b, const Expr *e)
 {
     IrRef left = build_as_f64(b, e->arg[0]), all = IR_NONE;
 
     for (uint32_t k = 1; k < e->n; k++) {
         IrRef right = build_as_f64(b, e->arg[k]);
-        IrRef holds = emit_op(b, ir_op_of_operator(expr_ops(e)[k - 1]), SM_BOOL, left, right, e->span);
-        all = all == IR_NONE ? holds : emit_op(b, IR_and, SM_BOOL, all, holds, e->span);
+        IrRef is_true = emit_op(b, ir_op_of_operator(expr_ops(e)[k - 1]), SM_BOOL, left, right, e->span);
+        all = all == IR_NONE ? is_true : emit_op(b, IR_and, SM_BOOL, all, is_true, e->span);
         left = right;
     }
     return all;
@@ -150,14 +127,24 @@ static IrRef build_call(Builder *b, const Expr *e)
 
 static IrRef build_value(Builder *b, const Expr *e)
 {
+    IrIns stat = {.op = IR_stat, .type = SM_F64, .a = IR_NONE, .b = IR_NONE, .span = e->span};
+    IrRef value;
+
     switch (e->kind) {
     case EX_NUMBER: return emit_const(b, SM_F64, sm_bits(e->number), e->span);
     case EX_VAR: return build_var(b, e);
-    case EX_UNARY: return build_unary(b, e);
+    case EX_UNARY:
+        if (e->op == SM_OP_NOT)
+            return emit_op(b, IR_not, SM_BOOL, build_as_bool(b, e->arg[0]), IR_NONE, e->span);
+        value = build_as_f64(b, e->arg[0]);
+        return e->op == SM_OP_NEG ? emit_op(b, IR_neg, SM_F64, value, IR_NONE, e->span) : value;
     case EX_BINARY: return build_binary(b, e);
     case EX_CHAIN: return build_chain(b, e);
     case EX_CALL: return build_call(b, e);
-    case EX_ROLL: return build_roll(b, e);
+    case EX_ROLL:
+        stat.var = b->window[e->window];
+        stat.stat = e->stat;
+        return build_emit(b, &stat);
     }
     return IR_NONE;
 }

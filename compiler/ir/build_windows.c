@@ -8,8 +8,8 @@
 #include "stdlib/convert.h"
 
 // ---- shape ----
-// A hash of everything that expr_equal compares.  An inner roll call is hashed as its shared window and its statistic.  Its window is
-// already known, because inner roll calls precede the outer one.
+// The shape of an expression is everything that expr_equal compares.  The hash of an inner roll call mixes its statistic and the number
+// of its IR window.  That window exists already, because inner roll calls precede the outer one in Program.window.
 
 static uint64_t mix_hash(uint64_t hash, uint64_t x)
 {
@@ -17,31 +17,23 @@ static uint64_t mix_hash(uint64_t hash, uint64_t x)
     return hash ^ hash >> 29;
 }
 
-// The hash of an expression without its arguments.
-static uint64_t hash_node(const Builder *b, const Expr *e)
+static uint64_t hash_shape(const Builder *b, const Expr *e)
 {
     uint64_t h = mix_hash((uint64_t)e->kind, e->n);
 
     switch (e->kind) {
-    case EX_NUMBER: return mix_hash(h, sm_bits(e->number));
-    case EX_VAR: return mix_hash(h, e->var->index);
+    case EX_NUMBER: h = mix_hash(h, sm_bits(e->number)); break;
+    case EX_VAR: h = mix_hash(h, e->var->index); break;
     case EX_UNARY:
-    case EX_BINARY: return mix_hash(h, (uint64_t)e->op);
+    case EX_BINARY: h = mix_hash(h, (uint64_t)e->op); break;
     case EX_CHAIN:
         for (uint32_t k = 0; k + 1 < e->n; k++)
             h = mix_hash(h, (uint64_t)expr_ops(e)[k]);
-        return h;
-    case EX_CALL: return mix_hash(h, (uint64_t)e->fn);
+        break;
+    case EX_CALL: h = mix_hash(h, (uint64_t)e->fn); break;
     case EX_ROLL: return mix_hash(mix_hash(h, (uint64_t)e->stat), b->window[e->window]);
     }
-    return h;
-}
-
-static uint64_t hash_shape(const Builder *b, const Expr *e)
-{
-    uint64_t h = hash_node(b, e);
-
-    for (uint32_t k = 0; e->kind != EX_ROLL && k < e->n; k++)
+    for (uint32_t k = 0; k < e->n; k++)
         h = mix_hash(h, hash_shape(b, e->arg[k]));
     return h;
 }
@@ -61,28 +53,6 @@ static SharedWindow *find_shared_window(const Builder *b, SharedWindow *table, s
     return &table[at];
 }
 
-static void build_sample(Builder *b, const Window *w, uint32_t index)
-{
-    IrIns i = {.op = IR_sample, .type = SM_F64, .b = IR_NONE, .var = index, .span = w->span};
-
-    i.a = build_as_f64(b, w->sample);
-    build_emit(b, &i);
-}
-
-// Sets the IR window of program window `number`.  The first window of its shape adds a new IR window and samples it.
-static void build_window(Builder *b, const Window *w, SharedWindow *slot, uint32_t number)
-{
-    if (!slot->first) {
-        IrWindow window = {SM_F64, w->size, 0};
-        slot->first = w;
-        slot->index = (uint32_t)b->m->window.n;
-        vec_push(b->arena, &b->m->window, window);
-        build_sample(b, w, slot->index);
-    }
-    b->window[number] = slot->index;
-    b->m->window.at[slot->index].stats |= 1u << w->stat;
-}
-
 void build_windows(Builder *b)
 {
     const Windows *list = &b->p->window;
@@ -96,7 +66,20 @@ void build_windows(Builder *b)
     table = ARENA_ARRAY(b->arena, SharedWindow, cap);
     b->window = ARENA_ARRAY(b->arena, uint32_t, list->n);
     build_begin_function(b);
-    for (uint32_t w = 0; w < list->n; w++)
-        build_window(b, &list->at[w], find_shared_window(b, table, cap, &list->at[w]), w);
+    for (uint32_t k = 0; k < list->n; k++) {
+        const Window *w = &list->at[k];
+        SharedWindow *slot = find_shared_window(b, table, cap, w);
+        if (!slot->first) {                       // the first window of its size and shape: adds an IR window and its sample
+            IrWindow window = {SM_F64, w->size, 0};
+            IrIns sample = {.op = IR_sample, .type = SM_F64, .b = IR_NONE, .var = (uint32_t)b->m->window.n, .span = w->span};
+            slot->first = w;
+            slot->index = sample.var;
+            vec_push(b->arena, &b->m->window, window);
+            sample.a = build_as_f64(b, w->sample);
+            build_emit(b, &sample);
+        }
+        b->window[k] = slot->index;
+        b->m->window.at[slot->index].stats |= 1u << w->stat;
+    }
     b->m->sample = build_end_function(b);
 }

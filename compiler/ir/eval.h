@@ -10,7 +10,8 @@
 #include "compiler/ir/ir.h"
 #include "stdlib/f64.h"
 
-// Returns the number that a cell represents.  An F64 cell can be NaN (a load would read it as 0).
+// Returns the number that a cell (the bits of a value of this type, as a uint64_t) represents.  An F64 cell can be NaN, although a load
+// would read it as 0.
 SmF64 ir_number(SmType type, uint64_t cell);
 
 // The inverse of ir_number.  x is a number that `type` represents, or the F64 result of an operation narrowed to `type` (IrNarrow).

@@ -92,22 +92,19 @@ IrMachine *ir_copy(Arena *arena, const IrMachine *m)
     return copy;
 }
 
-static void count_operand_uses(const IrIns *i, uint32_t *uses)
-{
-    if (ir_op_info[i->op].operands > 0)
-        uses[i->a]++;
-    if (ir_op_info[i->op].operands > 1)
-        uses[i->b]++;
-}
-
 uint32_t *ir_count_uses(Arena *arena, const IrFn *f)
 {
     uint32_t *uses = ARENA_ARRAY(arena, uint32_t, f->ins.n);
 
     for (size_t b = 0; b < f->blk.n; b++) {
         const IrBlk *blk = &f->blk.at[b];
-        for (size_t i = 0; i < blk->ins.n; i++)
-            count_operand_uses(&f->ins.at[blk->ins.at[i]], uses);
+        for (size_t k = 0; k < blk->ins.n; k++) {
+            const IrIns *i = &f->ins.at[blk->ins.at[k]];
+            if (ir_op_info[i->op].operands > 0)
+                uses[i->a]++;
+            if (ir_op_info[i->op].operands > 1)
+                uses[i->b]++;
+        }
         if (blk->jump.kind == IR_BR)
             uses[blk->jump.cond]++;
     }

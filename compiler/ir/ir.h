@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The intermediate representation (IR) on which the passes and both backends work.
 //
-// A machine is a set of functions: one that samples the windows, and up to three for each state (entry, step, exit).  A function is a
-// list of basic blocks.  Control only moves forward, from a block to one with a higher number.  A block is a list of three-address
-// instructions and ends in one jump.  Every instruction produces at most one result, a temporary named by the instruction's own number
-// (%7).  A temporary is assigned once and is only used in its block.  Values that cross blocks are variables.  So there are no phi
-// functions, no conversion out of SSA is needed, and emitted C preserves the author's names.
+// A machine is a set of functions: one that samples the rolling windows, which store the last samples of an expression (language.md 7),
+// and up to three for each state (entry, step, exit).  A function is a list of basic blocks.  Control only moves forward, from a block to
+// one with a higher number.  A block is a list of three-address instructions and ends in one jump.  Every instruction produces at most
+// one result, a temporary named by the instruction's own number (%7).  A temporary is assigned once and is only used in its block.
+// Values that cross blocks are variables.  So there are no phi functions, no conversion out of SSA is needed, and emitted C preserves
+// the author's names.
 //
 // Letters, here and in all of compiler/: m machine, f function, b block, i instruction, v variable.
 #ifndef SMC_IR_H

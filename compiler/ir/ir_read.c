@@ -22,13 +22,6 @@ typedef struct IrReader {
 
 // ---- declarations ----
 
-static bool read_machine(IrReader *r)
-{
-    if (r->m->name)
-        return scan_fail(&r->scan, "the machine has a name already");
-    return scan_quoted(&r->scan, &r->m->name);
-}
-
 static bool read_vector(IrReader *r)
 {
     if (r->m->sv_name)
@@ -56,28 +49,11 @@ static bool read_role(IrReader *r, uint32_t index)
     return true;
 }
 
-static bool read_var_details(IrReader *r, IrVar *v, uint32_t index)
-{
-    v->writable = scan_match_word(&r->scan, "writable");
-    switch (v->space) {
-    case IR_ELEMENT: return scan_expect_word(&r->scan, "at") && scan_number(&r->scan, "an offset", &v->offset) && read_role(r, index);
-    case IR_LOCAL:
-        v->outside = scan_match_word(&r->scan, "outside");
-        v->hidden = scan_match_word(&r->scan, "hidden");
-        return scan_expect_char(&r->scan, '=') && scan_value(&r->scan, v->type, &v->init);
-    case IR_TIME:
-        if (r->m->t != IR_NONE)
-            return scan_fail(&r->scan, "there are two times");
-        r->m->t = index;
-        return true;
-    }
-    return false;
-}
-
 static bool read_var(IrReader *r, IrSpace space)
 {
     uint32_t index = (uint32_t)r->m->var.n;
     IrVar v;
+    bool ok = true;
 
     memset(&v, 0, sizeof v);
     v.space = space;
@@ -85,7 +61,21 @@ static bool read_var(IrReader *r, IrSpace space)
         return false;
     if (map_find(&r->vars, v.name))
         return scan_fail(&r->scan, "there are two variables '%.40s'", v.name->text);
-    if (!read_var_details(r, &v, index))
+    v.writable = scan_match_word(&r->scan, "writable");
+    switch (space) {
+    case IR_ELEMENT: ok = scan_expect_word(&r->scan, "at") && scan_number(&r->scan, "an offset", &v.offset) && read_role(r, index); break;
+    case IR_LOCAL:
+        v.outside = scan_match_word(&r->scan, "outside");
+        v.hidden = scan_match_word(&r->scan, "hidden");
+        ok = scan_expect_char(&r->scan, '=') && scan_value(&r->scan, v.type, &v.init);
+        break;
+    case IR_TIME:
+        if (r->m->t != IR_NONE)
+            return scan_fail(&r->scan, "there are two times");
+        r->m->t = index;
+        break;
+    }
+    if (!ok)
         return false;
     map_put(&r->vars, v.name, (void *)(uintptr_t)(index + 1));
     vec_push(r->arena, &r->m->var, v);
@@ -187,18 +177,11 @@ static bool read_ins_type(IrReader *r, IrIns *i)
     return good;
 }
 
-static bool read_ins_stat(IrReader *r, IrIns *i)
-{
-    SmStat stat;
-    const bool good = read_stat(r, &stat);
-
-    if (good)
-        i->stat = stat;
-    return good;
-}
-
+// Reads what follows the operation's name.
 static bool read_ins_details(IrReader *r, IrIns *i)
 {
+    SmStat stat;
+
     switch (ir_op_info[i->op].types) {
     case IR_T_CONST: return read_ins_type(r, i) && scan_value(&r->scan, i->type, &i->bits);
     case IR_T_CONVERT:
@@ -208,7 +191,12 @@ static bool read_ins_details(IrReader *r, IrIns *i)
     case IR_T_LOAD: return read_ins_type(r, i) && read_var_ref(r, i);
     case IR_T_STORE: return read_ins_type(r, i) && read_var_ref(r, i) && scan_expect_char(&r->scan, ',') && read_operands(r, i);
     case IR_T_SAMPLE: i->type = SM_F64; return read_window_ref(r, i) && scan_expect_char(&r->scan, ',') && read_operands(r, i);
-    case IR_T_STAT: i->type = SM_F64; return read_ins_stat(r, i) && read_window_ref(r, i);
+    case IR_T_STAT:
+        if (!read_stat(r, &stat))
+            return false;
+        i->type = SM_F64;
+        i->stat = stat;
+        return read_window_ref(r, i);
     }
     return false;
 }
@@ -222,6 +210,7 @@ static IrOp find_op(Str w)             // IR_OP_COUNT if there is no such operat
     return (IrOp)op;
 }
 
+// Reads an instruction after its operation.  `name` is the temporary to which the line assigns the result; NULL: it assigns none.
 static bool read_ins(IrReader *r, Str name, Str op)
 {
     IrIns i = {.op = find_op(op), .a = IR_NONE, .b = IR_NONE};
@@ -240,35 +229,10 @@ static bool read_ins(IrReader *r, Str name, Str op)
     return true;
 }
 
-static bool read_assignment(IrReader *r, Str name)
-{
-    Str op;
-
-    if (map_find(&r->temps, name))
-        return scan_fail(&r->scan, "'%.40s' is assigned twice", name->text);
-    return scan_expect_char(&r->scan, '=') && (op = scan_word(&r->scan, "an operation")) != NULL && read_ins(r, name, op);
-}
-
 // ---- jumps and blocks ----
 
-static bool read_goto(IrReader *r)
-{
-    PendingGoto g = {r->f, (IrBlkRef)(r->f->blk.n - 1), scan_word(&r->scan, "a state"), r->scan.line};
-
-    if (!g.name)
-        return false;
-    vec_push(r->arena, &r->gotos, g);
-    return true;
-}
-
-static bool read_branch(IrReader *r, IrJump *j)
-{
-    return read_temp(r, &j->cond) && scan_expect_char(&r->scan, ',') && scan_lettered_number(&r->scan, 'b', "a block", &j->then)
-        && scan_expect_char(&r->scan, ',') && scan_lettered_number(&r->scan, 'b', "a block", &j->otherwise);
-}
-
-// Whether w names a jump; then sets *kind.
-static bool match_jump(Str w, IrJumpKind *kind)
+// Returns false if w names no kind of jump.
+static bool find_jump_kind(Str w, IrJumpKind *kind)
 {
     static const char *const name[] = {"ret", "jmp", "br", "goto"};       // in the order of IrJumpKind
 
@@ -282,21 +246,30 @@ static bool match_jump(Str w, IrJumpKind *kind)
 
 static bool read_jump(IrReader *r, IrJumpKind kind)
 {
-    IrJump *j = &r->f->blk.at[r->f->blk.n - 1].jump;
+    IrBlkRef last = (IrBlkRef)(r->f->blk.n - 1);
+    IrJump *j = &r->f->blk.at[last].jump;
+    PendingGoto pending;
 
     r->open = false;
     j->kind = kind;
     switch (kind) {
     case IR_RET: return true;
     case IR_JMP: return scan_lettered_number(&r->scan, 'b', "a block", &j->then);
-    case IR_BR: return read_branch(r, j);
-    case IR_GOTO: return read_goto(r);
+    case IR_BR:
+        return read_temp(r, &j->cond) && scan_expect_char(&r->scan, ',') && scan_lettered_number(&r->scan, 'b', "a block", &j->then)
+            && scan_expect_char(&r->scan, ',') && scan_lettered_number(&r->scan, 'b', "a block", &j->otherwise);
+    case IR_GOTO:
+        pending = (PendingGoto){r->f, last, scan_word(&r->scan, "a state"), r->scan.line};
+        if (!pending.name)
+            return false;
+        vec_push(r->arena, &r->gotos, pending);
+        return true;
     }
     return false;
 }
 
-// Whether w, the word just read, is a label: it begins with `b`, and a colon follows.
-static bool is_label_next(const IrReader *r, Str w)
+// Whether w, the word just read, is a label: w begins with `b`, and a colon follows w.
+static bool is_label(const IrReader *r, Str w)
 {
     const char *c = r->scan.at;
 
@@ -321,18 +294,22 @@ static bool read_label(IrReader *r, Str w)
 // Reads a label, a jump or an instruction.
 static bool read_code_line(IrReader *r)
 {
-    Str w = scan_word(&r->scan, "an instruction");
+    Str w = scan_word(&r->scan, "an instruction"), op;
     IrJumpKind kind;
 
     if (!w)
         return false;
-    if (is_label_next(r, w))
+    if (is_label(r, w))
         return read_label(r, w);
     if (!r->open)
         return scan_fail(&r->scan, "expected a block's label, as 'b%lu:'", (unsigned long)r->f->blk.n);
-    if (match_jump(w, &kind))
+    if (find_jump_kind(w, &kind))
         return read_jump(r, kind);
-    return w->text[0] == '%' ? read_assignment(r, w) : read_ins(r, NULL, w);
+    if (w->text[0] != '%')
+        return read_ins(r, NULL, w);
+    if (map_find(&r->temps, w))
+        return scan_fail(&r->scan, "'%.40s' is assigned twice", w->text);
+    return scan_expect_char(&r->scan, '=') && (op = scan_word(&r->scan, "an operation")) != NULL && read_ins(r, w, op);
 }
 
 static bool expect_line_end(IrReader *r)
@@ -376,17 +353,7 @@ static bool read_state(IrReader *r)
     return true;
 }
 
-static bool read_state_function(IrReader *r, Str w)
-{
-    for (int k = 0; k < BLOCK_COUNT; k++)
-        if (scan_word_is(w, ir_block_name[k])) {
-            if (r->m->state.n == 0)
-                return scan_fail(&r->scan, "expected a state before this function");
-            return read_function(r, &r->m->state.at[r->m->state.n - 1].block[k]);
-        }
-    return scan_fail(&r->scan, "'%.40s' is not allowed here", w->text);
-}
-
+// Reads a declaration, or a function of the machine or of the last state.
 static bool read_declaration(IrReader *r)
 {
     Str w = scan_word(&r->scan, "a declaration or a function");
@@ -394,7 +361,7 @@ static bool read_declaration(IrReader *r)
     if (!w)
         return false;
     if (scan_word_is(w, "machine"))
-        return read_machine(r);
+        return r->m->name ? scan_fail(&r->scan, "the machine has a name already") : scan_quoted(&r->scan, &r->m->name);
     if (scan_word_is(w, "vector"))
         return read_vector(r);
     if (scan_word_is(w, "element"))
@@ -409,10 +376,14 @@ static bool read_declaration(IrReader *r)
         return read_function(r, &r->m->sample);
     if (scan_word_is(w, "state"))
         return read_state(r);
-    return read_state_function(r, w);
+    for (int k = 0; k < BLOCK_COUNT; k++)
+        if (scan_word_is(w, ir_block_name[k]))
+            return r->m->state.n > 0 ? read_function(r, &r->m->state.at[r->m->state.n - 1].block[k])
+                                     : scan_fail(&r->scan, "expected a state before this function");
+    return scan_fail(&r->scan, "'%.40s' is not allowed here", w->text);
 }
 
-// Sets the target of each transition, now that all states are known.
+// Sets the target state of each transition.  Runs after the last line, when all states are known.
 static bool resolve_gotos(IrReader *r)
 {
     for (size_t i = 0; i < r->gotos.n; i++) {

@@ -27,16 +27,6 @@ struct IrRunFn {
 
 // ---- flattening functions ----
 
-static IrRunOp flatten_ins(const IrFn *f, IrRef ref)
-{
-    const IrIns *i = &f->ins.at[ref];
-    IrRunOp op = {i->op, i->type, i->stat, ref, i->a, i->b, i->var, i->stmt, 0};
-
-    if (i->op == IR_const)
-        op.number = ir_number(i->type, i->bits);
-    return op;
-}
-
 // Flattens a function (NULL: none).  Raises *temps to the number of temporaries that it needs.
 static IrRunFn *flatten_function(Arena *arena, const IrFn *f, size_t *temps)
 {
@@ -50,8 +40,14 @@ static IrRunFn *flatten_function(Arena *arena, const IrFn *f, size_t *temps)
     out->blk = ARENA_ARRAY(arena, IrRunBlk, f->blk.n);
     for (size_t b = 0; b < f->blk.n; b++) {
         out->blk[b].first = n;
-        for (size_t k = 0; k < f->blk.at[b].ins.n; k++)
-            out->op[n++] = flatten_ins(f, f->blk.at[b].ins.at[k]);
+        for (size_t k = 0; k < f->blk.at[b].ins.n; k++) {
+            IrRef ref = f->blk.at[b].ins.at[k];
+            const IrIns *i = &f->ins.at[ref];
+            IrRunOp op = {i->op, i->type, i->stat, ref, i->a, i->b, i->var, i->stmt, 0};
+            if (i->op == IR_const)
+                op.number = ir_number(i->type, i->bits);
+            out->op[n++] = op;
+        }
         out->blk[b].end = n;
         out->blk[b].jump = f->blk.at[b].jump;
     }
@@ -60,7 +56,8 @@ static IrRunFn *flatten_function(Arena *arena, const IrFn *f, size_t *temps)
     return out;
 }
 
-// Windows store their samples as F64, because every sample is exactly an F64.
+// Computes the size of a situation and the offsets of its parts.  A rolling window stores its samples as F64, because every sample is
+// exactly an F64.
 static void lay_out_situation(Arena *arena, IrRun *r)
 {
     const IrMachine *m = r->m;

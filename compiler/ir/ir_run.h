@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs a machine from its IR, step by step, as language.md chapter 6 defines a step.  Used by analyses that search by running the machine.
-// A situation is the complete state of a running machine in one block of memory.  It can be copied, so that a search can return to it.
+// A situation is the complete state of a running machine (variables, rolling windows, state) in one block of memory.  A search copies it
+// and can then return to it.
 //
 //     IrRun *r = ir_run_new(arena, m);
 //     void *s = arena_alloc(arena, r->size);
@@ -32,8 +33,8 @@ typedef struct IrRun {
 typedef struct IrSituation {
     double last_g, start;             // G of the last step that ran; G when the current state began
     uint32_t state;                   // number of the state that the next step runs
-    bool first;                       // the next step is its first
-    bool ran;                         // a step has run
+    bool first;                       // the next step is the first one in `state`
+    bool ran;                         // some step has run
 } IrSituation;
 
 // The events of one step, in order.  Each statement of a machine is executed at most once in a step.

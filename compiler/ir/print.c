@@ -46,7 +46,22 @@
 const char *const ir_stat_name[SM_STAT_COUNT] = {"avg", "median", "min", "max", "range"};
 const char *const ir_block_name[BLOCK_COUNT] = {"entry", "step", "exit"};
 
-static double float_of_cell(SmType type, uint64_t cell)
+// Prints the fewest digits that read back as the same number.
+static void print_shortest(Buf *out, SmType type, double d)
+{
+    char text[40];
+    int digits = type == SM_F32 ? 6 : 15;
+    double back;
+
+    do {
+        snprintf(text, sizeof text, "%.*g", digits++, d);
+        back = strtod(text, NULL);
+    } while (digits <= 17 && (type == SM_F32 ? (float)back != (float)d : back != d));
+    buf_str(out, text);
+}
+
+// Prints a whole number in decimal.  Prints any other number as its bits in hexadecimal, followed by a comment with the number in decimal.
+static void print_float(Buf *out, SmType type, uint64_t cell)
 {
     uint32_t low = (uint32_t)cell;
     float f;
@@ -54,43 +69,15 @@ static double float_of_cell(SmType type, uint64_t cell)
 
     if (type == SM_F32) {
         memcpy(&f, &low, sizeof f);
-        return f;
-    }
-    memcpy(&d, &cell, sizeof d);
-    return d;
-}
-
-static bool reads_back_equal(const char *text, SmType type, double d)
-{
-    double back = strtod(text, NULL);
-
-    return type == SM_F32 ? (float)back == (float)d : back == d;
-}
-
-// Prints the fewest digits that read back as the same number.
-static void print_shortest(Buf *out, SmType type, double d)
-{
-    char text[40];
-    int digits = type == SM_F32 ? 6 : 15;
-
-    do
-        snprintf(text, sizeof text, "%.*g", digits++, d);
-    while (digits <= 17 && !reads_back_equal(text, type, d));
-    buf_str(out, text);
-}
-
-// Prints a whole number in decimal, any other as its cell, with the decimal number as a comment.
-static void print_float(Buf *out, SmType type, uint64_t cell)
-{
-    double d = float_of_cell(type, cell);
-    bool whole = d > -1e15 && d < 1e15 && d == (double)(int64_t)d && (d != 0 || cell == 0);
-
-    if (whole)
+        d = f;
+    } else
+        memcpy(&d, &cell, sizeof d);
+    if (d > -1e15 && d < 1e15 && d == (double)(int64_t)d && (d != 0 || cell == 0)) {      // of the zeros, -0 is printed as its cell
         buf_printf(out, "%.0f", d);
-    else {
-        buf_printf(out, "0x%0*llx  # ", type == SM_F32 ? 8 : 16, (unsigned long long)cell);
-        print_shortest(out, type, d);
+        return;
     }
+    buf_printf(out, "0x%0*llx  # ", type == SM_F32 ? 8 : 16, (unsigned long long)cell);
+    print_shortest(out, type, d);
 }
 
 static void print_value(Buf *out, SmType type, uint64_t cell)
@@ -145,15 +132,6 @@ static void print_var(const IrMachine *m, uint32_t index, Buf *out)
     buf_char(out, '\n');
 }
 
-static void print_window(uint32_t number, const IrWindow *w, Buf *out)
-{
-    buf_printf(out, "window w%lu %s size %lu stats", (unsigned long)number, sm_type_info[w->type].spelling, (unsigned long)w->size);
-    for (int stat = 0; stat < SM_STAT_COUNT; stat++)
-        if (w->stats >> stat & 1)
-            buf_printf(out, " %s", ir_stat_name[stat]);
-    buf_char(out, '\n');
-}
-
 static void print_declarations(const IrMachine *m, Buf *out)
 {
     buf_str(out, "machine ");
@@ -163,8 +141,15 @@ static void print_declarations(const IrMachine *m, Buf *out)
     buf_printf(out, " size %lu hash 0x%08lx\n\n", (unsigned long)m->sv_size, (unsigned long)m->sv_hash);
     for (uint32_t v = 0; v < m->var.n; v++)
         print_var(m, v, out);
-    for (uint32_t w = 0; w < m->window.n; w++)
-        print_window(w, &m->window.at[w], out);
+    for (uint32_t w = 0; w < m->window.n; w++) {
+        const IrWindow *window = &m->window.at[w];
+        buf_printf(out, "window w%lu %s size %lu stats", (unsigned long)w, sm_type_info[window->type].spelling,
+                   (unsigned long)window->size);
+        for (int stat = 0; stat < SM_STAT_COUNT; stat++)
+            if (window->stats >> stat & 1)
+                buf_printf(out, " %s", ir_stat_name[stat]);
+        buf_char(out, '\n');
+    }
 }
 
 // ---- functions ----
@@ -176,11 +161,6 @@ typedef struct IrPrinter {
     uint32_t next;
     Buf *out;
 } IrPrinter;
-
-static bool has_result(const IrIns *i)
-{
-    return !ir_op_info[i->op].effect;
-}
 
 static void print_temp(const IrPrinter *p, IrRef ref)
 {
@@ -202,8 +182,18 @@ static void print_type(const IrPrinter *p, SmType type)
     buf_printf(p->out, "%s ", sm_type_info[type].spelling);
 }
 
-static void print_ins_details(const IrPrinter *p, const IrIns *i)
+// Prints one line.  An instruction with a result gets the next number: temporaries are numbered in order of appearance.
+static void print_ins(IrPrinter *p, IrRef ref)
 {
+    const IrIns *i = &p->f->ins.at[ref];
+
+    buf_str(p->out, "    ");
+    if (!ir_op_info[i->op].effect) {               // an operation has an effect or a result, never both
+        p->number[ref] = p->next++;
+        print_temp(p, ref);
+        buf_str(p->out, " = ");
+    }
+    buf_printf(p->out, "%s ", ir_op_info[i->op].name);
     switch (ir_op_info[i->op].types) {
     case IR_T_CONST: print_type(p, i->type); print_value(p->out, i->type, i->bits); break;
     case IR_T_CONVERT:
@@ -219,20 +209,6 @@ static void print_ins_details(const IrPrinter *p, const IrIns *i)
     case IR_T_SAMPLE: buf_printf(p->out, "w%lu, ", (unsigned long)i->var); print_operands(p, i); break;
     case IR_T_STAT: buf_printf(p->out, "%s w%lu", ir_stat_name[i->stat], (unsigned long)i->var); break;
     }
-}
-
-static void print_ins(IrPrinter *p, IrRef ref)
-{
-    const IrIns *i = &p->f->ins.at[ref];
-
-    buf_str(p->out, "    ");
-    if (has_result(i)) {
-        p->number[ref] = p->next++;
-        print_temp(p, ref);
-        buf_str(p->out, " = ");
-    }
-    buf_printf(p->out, "%s ", ir_op_info[i->op].name);
-    print_ins_details(p, i);
     buf_char(p->out, '\n');
 }
 
@@ -265,14 +241,6 @@ static void print_function(const IrMachine *m, const char *title, const IrFn *f,
     buf_str(out, "}\n");
 }
 
-static void print_state(const IrMachine *m, const IrState *s, Buf *out)
-{
-    buf_printf(out, "\nstate %s%s\n", s->name->text, s->is_safe ? " safe" : "");
-    for (int k = 0; k < BLOCK_COUNT; k++)
-        if (s->block[k])
-            print_function(m, ir_block_name[k], s->block[k], out);
-}
-
 void ir_print(const IrMachine *m, Buf *out)
 {
     print_declarations(m, out);
@@ -280,6 +248,11 @@ void ir_print(const IrMachine *m, Buf *out)
         buf_char(out, '\n');
         print_function(m, "sample", m->sample, out);
     }
-    for (size_t s = 0; s < m->state.n; s++)
-        print_state(m, &m->state.at[s], out);
+    for (size_t s = 0; s < m->state.n; s++) {
+        const IrState *state = &m->state.at[s];
+        buf_printf(out, "\nstate %s%s\n", state->name->text, state->is_safe ? " safe" : "");
+        for (int k = 0; k < BLOCK_COUNT; k++)
+            if (state->block[k])
+                print_function(m, ir_block_name[k], state->block[k], out);
+    }
 }

@@ -182,25 +182,20 @@ bool scan_lettered_number(IrScan *s, char letter, const char *what, uint32_t *ou
     return true;
 }
 
-static bool match_type(Str w, SmType *out)
-{
-    for (int t = 0; t < SM_TYPE_COUNT; t++)
-        if (scan_word_is(w, sm_type_info[t].spelling)) {
-            *out = (SmType)t;
-            return true;
-        }
-    return false;
-}
-
 bool scan_type(IrScan *s, SmType *out)
 {
     Str w = scan_word(s, "a type");
 
-    return w && (match_type(w, out) || scan_fail(s, "expected a type, found '%.40s'", w->text));
+    for (int t = 0; w && t < SM_TYPE_COUNT; t++)
+        if (scan_word_is(w, sm_type_info[t].spelling)) {
+            *out = (SmType)t;
+            return true;
+        }
+    return w && scan_fail(s, "expected a type, found '%.40s'", w->text);
 }
 
-// Sets *cell to the bit cell of a whole number.  Returns false if the type cannot represent it exactly.
-static bool match_whole_number(SmType type, bool negative, uint64_t magnitude, uint64_t *cell)
+// Sets *cell to the bits of a whole number in this type.  Returns false if the type cannot represent it exactly.
+static bool convert_whole_number(SmType type, bool negative, uint64_t magnitude, uint64_t *cell)
 {
     unsigned bits = 8u * sm_type_info[type].bytes;
     double d = negative ? -(double)magnitude : (double)magnitude;
@@ -239,7 +234,7 @@ bool scan_value(IrScan *s, SmType type, uint64_t *cell)
         return scan_fail(s, "expected a value, found '%.40s'", w->text);
     if (hex)
         *cell = v;
-    else if (!match_whole_number(type, negative, v, cell))
+    else if (!convert_whole_number(type, negative, v, cell))
         return scan_fail(s, "%.40s is no value of type %s", w->text, sm_type_info[type].spelling);
     return true;
 }

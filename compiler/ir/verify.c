@@ -11,11 +11,11 @@
 typedef struct IrChecker {
     Arena *arena;
     const IrMachine *m;
-    const char *error;                // the first
-    const IrFn *f;                    // the function being checked, or NULL; errors in it name the next two
-    const char *state;                // its state; NULL for the sample function
-    const char *block;                // entry, step or exit
-    bool *computed;                      // by instruction: its result is available in the current block
+    const char *error;                // the first violation found; NULL: none
+    const IrFn *f;                    // the function being checked, or NULL
+    const char *state;                // the state of that function; NULL for the sample function
+    const char *block;                // which function of the state it is: entry, step or exit
+    bool *computed;                   // by instruction: its result is available in the current block
     bool *seen;                       // by instruction: it is in a block
     bool *sampled;                    // by window: it has been sampled
 } IrChecker;
@@ -91,21 +91,6 @@ static bool check_element(IrChecker *c, const IrVar *v)
 // belong to an element already.
 typedef struct UsedBytes { uint32_t group, bytes; } UsedBytes;        // bytes 0: an empty slot
 
-// Records the bytes of element v.  Returns false if one of them belongs to another element.
-static bool try_claim_bytes(UsedBytes *table, size_t cap, const IrVar *v)
-{
-    uint32_t group = v->offset / 8, bytes = ((1u << sm_type_info[v->type].bytes) - 1) << v->offset % 8;
-    size_t at = group * UINT32_C(2654435761) & (cap - 1);
-
-    while (table[at].bytes && table[at].group != group)
-        at = (at + 1) & (cap - 1);
-    if (table[at].bytes & bytes)
-        return false;
-    table[at].group = group;
-    table[at].bytes |= bytes;
-    return true;
-}
-
 static bool check_no_overlap(IrChecker *c)
 {
     size_t cap = 16;
@@ -114,9 +99,19 @@ static bool check_no_overlap(IrChecker *c)
     while (cap < c->m->var.n * 2)
         cap *= 2;
     table = ARENA_ARRAY(c->arena, UsedBytes, cap);
-    for (size_t v = 0; v < c->m->var.n; v++)
-        if (c->m->var.at[v].space == IR_ELEMENT && !try_claim_bytes(table, cap, &c->m->var.at[v]))
-            return report_violation(c, "element %.80s overlaps another", c->m->var.at[v].name->text);
+    for (size_t k = 0; k < c->m->var.n; k++) {
+        const IrVar *v = &c->m->var.at[k];
+        uint32_t group = v->offset / 8, bytes = ((1u << sm_type_info[v->type].bytes) - 1) << v->offset % 8;
+        size_t at = group * UINT32_C(2654435761) & (cap - 1);
+        if (v->space != IR_ELEMENT)
+            continue;
+        while (table[at].bytes && table[at].group != group)
+            at = (at + 1) & (cap - 1);
+        if (table[at].bytes & bytes)
+            return report_violation(c, "element %.80s overlaps another", v->name->text);
+        table[at].group = group;
+        table[at].bytes |= bytes;
+    }
     return true;
 }
 
@@ -127,23 +122,6 @@ static bool check_local(IrChecker *c, const IrVar *v)
     if (!cell_fits(v->type, v->init))
         return report_violation(c, "the initial value of %.80s does not fit its type", v->name->text);
     return !is_nan_cell(v->type, v->init) || report_violation(c, "the initial value of %.80s is not a number", v->name->text);
-}
-
-static bool check_var(IrChecker *c, const IrVar *v, uint32_t index, Map *names)
-{
-    if (!is_identifier(v->name))
-        return report_violation(c, "a variable's name is no identifier");
-    if (map_find(names, v->name))
-        return report_violation(c, "there are two variables %.80s", v->name->text);
-    map_put(names, v->name, (void *)(uintptr_t)(index + 1));
-    if (!is_valid_type(v->type))
-        return report_violation(c, "%.80s has no type", v->name->text);
-    switch (v->space) {
-    case IR_ELEMENT: return check_element(c, v);
-    case IR_LOCAL: return check_local(c, v);
-    case IR_TIME: return index == c->m->t || report_violation(c, "%.80s is a second time variable", v->name->text);
-    }
-    return report_violation(c, "%.80s is no element, local or time", v->name->text);
 }
 
 // Checks the variable that is G, S or T: its space, its type, and that the machine does not write it.
@@ -163,9 +141,22 @@ static bool check_vars(IrChecker *c)
 
     if (m->sv_size % 8 != 0)
         return report_violation(c, "the state vector's size is no multiple of 8");
-    for (uint32_t v = 0; v < m->var.n; v++)
-        if (!check_var(c, &m->var.at[v], v, &names))
+    for (uint32_t k = 0; k < m->var.n; k++) {
+        const IrVar *v = &m->var.at[k];
+        if (!is_identifier(v->name))
+            return report_violation(c, "a variable's name is no identifier");
+        if (map_find(&names, v->name))
+            return report_violation(c, "there are two variables %.80s", v->name->text);
+        map_put(&names, v->name, (void *)(uintptr_t)(k + 1));
+        if (!is_valid_type(v->type))
+            return report_violation(c, "%.80s has no type", v->name->text);
+        if (v->space != IR_ELEMENT && v->space != IR_LOCAL && v->space != IR_TIME)
+            return report_violation(c, "%.80s is no element, local or time", v->name->text);
+        if (v->space == IR_TIME && k != m->t)
+            return report_violation(c, "%.80s is a second time variable", v->name->text);
+        if ((v->space == IR_ELEMENT && !check_element(c, v)) || (v->space == IR_LOCAL && !check_local(c, v)))
             return false;
+    }
     return check_no_overlap(c) && check_role(c, m->g, "G", IR_ELEMENT, SM_U64) && check_role(c, m->s, "S", IR_ELEMENT, SM_U32)
         && check_role(c, m->t, "T", IR_TIME, SM_U64);
 }
@@ -252,43 +243,38 @@ static bool check_operand_types(IrChecker *c, const IrIns *i, IrRef ref, SmType 
     return check_operand_type(c, i->a, from, ref) && (ir_op_info[i->op].operands < 2 || check_operand_type(c, i->b, from, ref));
 }
 
-static bool check_ins_types(IrChecker *c, const IrIns *i, IrRef ref)
-{
-    if (!is_valid_type(i->type))
-        return report_violation(c, "instruction %lu has no type", (unsigned long)ref);
-    switch (ir_op_info[i->op].types) {
-    case IR_T_CONST: return check_const(c, i, ref);
-    case IR_T_CONVERT: return true;
-    case IR_T_LOGIC: return check_operand_types(c, i, ref, SM_BOOL, SM_BOOL);
-    case IR_T_SAME:
-        return check_operand_types(c, i, ref, i->type, i->type)
-            && (ir_op_allows_type(i->op, i->type) || report_violation(c, "instruction %lu cannot work on its type", (unsigned long)ref));
-    case IR_T_COMPARE: return check_operand_types(c, i, ref, c->f->ins.at[i->a].type, SM_BOOL);
-    case IR_T_LOAD: return check_variable_access(c, i, ref);
-    case IR_T_STORE: return check_variable_access(c, i, ref) && check_operand_type(c, i->a, i->type, ref);
-    case IR_T_SAMPLE: return check_sample(c, i, ref);
-    case IR_T_STAT: return check_stat(c, i, ref);
-    }
-    return false;
-}
-
 static bool check_ins(IrChecker *c, IrRef ref)
 {
     const IrIns *i = &c->f->ins.at[ref];
+    const IrOpInfo *op;
+    bool ok = false;
 
     if (c->seen[ref])
         return report_violation(c, "instruction %lu occurs twice", (unsigned long)ref);
     c->seen[ref] = true;
     if ((unsigned)i->op >= IR_OP_COUNT)
         return report_violation(c, "instruction %lu has no operation", (unsigned long)ref);
-    if (ir_op_info[i->op].operands > 0 && !check_operand(c, i->a, ref))
+    op = &ir_op_info[i->op];
+    if ((op->operands > 0 && !check_operand(c, i->a, ref)) || (op->operands > 1 && !check_operand(c, i->b, ref)))
         return false;
-    if (ir_op_info[i->op].operands > 1 && !check_operand(c, i->b, ref))
-        return false;
-    if (!check_ins_types(c, i, ref))
-        return false;
-    c->computed[ref] = !ir_op_info[i->op].effect;
-    return true;
+    if (!is_valid_type(i->type))
+        return report_violation(c, "instruction %lu has no type", (unsigned long)ref);
+    switch (op->types) {
+    case IR_T_CONST: ok = check_const(c, i, ref); break;
+    case IR_T_CONVERT: ok = true; break;
+    case IR_T_LOGIC: ok = check_operand_types(c, i, ref, SM_BOOL, SM_BOOL); break;
+    case IR_T_SAME:
+        ok = check_operand_types(c, i, ref, i->type, i->type)
+            && (ir_op_allows_type(i->op, i->type) || report_violation(c, "instruction %lu cannot work on its type", (unsigned long)ref));
+        break;
+    case IR_T_COMPARE: ok = check_operand_types(c, i, ref, c->f->ins.at[i->a].type, SM_BOOL); break;
+    case IR_T_LOAD: ok = check_variable_access(c, i, ref); break;
+    case IR_T_STORE: ok = check_variable_access(c, i, ref) && check_operand_type(c, i->a, i->type, ref); break;
+    case IR_T_SAMPLE: ok = check_sample(c, i, ref); break;
+    case IR_T_STAT: ok = check_stat(c, i, ref); break;
+    }
+    c->computed[ref] = ok && !op->effect;
+    return ok;
 }
 
 // ---- jumps, blocks, functions ----
@@ -315,20 +301,6 @@ static bool check_jump(IrChecker *c, IrBlkRef b, const IrJump *j)
     return report_violation(c, "block b%lu ends in no jump", (unsigned long)b);
 }
 
-static bool check_block(IrChecker *c, IrBlkRef b)
-{
-    const IrBlk *blk = &c->f->blk.at[b];
-    bool ok = true;
-
-    for (size_t i = 0; ok && i < blk->ins.n; i++)
-        ok = (blk->ins.at[i] < c->f->ins.n || report_violation(c, "block b%lu contains an instruction that does not exist", (unsigned long)b))
-          && check_ins(c, blk->ins.at[i]);
-    ok = ok && check_jump(c, b, &blk->jump);
-    for (size_t i = 0; ok && i < blk->ins.n; i++)
-        c->computed[blk->ins.at[i]] = false;                    // a temporary is only valid in its block
-    return ok;
-}
-
 static bool check_function(IrChecker *c, const IrFn *f, const char *state, const char *block)
 {
     bool ok = true;
@@ -340,8 +312,17 @@ static bool check_function(IrChecker *c, const IrFn *f, const char *state, const
     c->seen = ARENA_ARRAY(c->arena, bool, f->ins.n);
     if (f->blk.n == 0)
         return report_violation(c, "there is no block");
-    for (IrBlkRef b = 0; ok && b < f->blk.n; b++)
-        ok = check_block(c, b);
+    for (IrBlkRef b = 0; ok && b < f->blk.n; b++) {
+        const IrBlk *blk = &f->blk.at[b];
+        for (size_t k = 0; ok && k < blk->ins.n; k++) {
+            const IrRef ref = blk->ins.at[k];
+            ok = ref < f->ins.n ? check_ins(c, ref)
+                                : report_violation(c, "block b%lu contains an instruction that does not exist", (unsigned long)b);
+        }
+        ok = ok && check_jump(c, b, &blk->jump);
+        for (size_t k = 0; ok && k < blk->ins.n; k++)
+            c->computed[blk->ins.at[k]] = false;                // a temporary is only valid in its block
+    }
     return ok;
 }
 

@@ -23,12 +23,13 @@ static void replace_by_bool(IrIns *i, bool value)
 
 static bool is_op(const Identity *d, IrRef ref, IrOp op) { return identity_at(d, ref)->op == op; }
 
-// The first operand of the instruction that computes ref.
+// Returns the first operand of the instruction that computes ref.
 static IrRef operand_of(const Identity *d, IrRef ref) { return identity_at(d, ref)->a; }
 
 static bool is_negation(const Identity *d, IrRef ref) { return is_op(d, ref, IR_neg); }
 
-// IEEE 754 defines a - b as a + (-b), and addition commutes.  An integer result has no -0.
+// Removes a negation from a sum.  IEEE 754 defines a - b as a + (-b), and addition commutes.  On integers both forms are exact (ir.h), and
+// there is no -0 that they could treat differently.
 static void rewrite_sum(const Identity *d, IrIns *i)
 {
     if (is_negation(d, i->b))                                 // a + -b, a - -b
@@ -37,8 +38,8 @@ static void rewrite_sum(const Identity *d, IrIns *i)
         replace_op(i, IR_sub, i->b, operand_of(d, i->a));
 }
 
-// -a * -b is a * b, and -a / -b is a / b: the signs of the operands only determine the sign of the result.  Returns false if the rule
-// does not apply.
+// Removes the negations of both operands of a product or quotient: the signs of the operands only determine the sign of the result, and
+// two negations leave it unchanged.  Returns false if not both operands are negated.
 static bool try_cancel_negations(const Identity *d, IrIns *i)
 {
     if (!is_negation(d, i->a) || !is_negation(d, i->b))
@@ -47,11 +48,12 @@ static bool try_cancel_negations(const Identity *d, IrIns *i)
     return true;
 }
 
+// Replaces a multiplication by -1 by a negation, which also only changes the sign.
 static void rewrite_product(const Identity *d, IrIns *i)
 {
     if (try_cancel_negations(d, i))
         return;
-    if (identity_is_const(d, i->b, sm_from_i32(-1)))          // exact: only the sign changes
+    if (identity_is_const(d, i->b, sm_from_i32(-1)))
         replace_op(i, IR_neg, i->a, IR_NONE);
     else if (identity_is_const(d, i->a, sm_from_i32(-1)))
         replace_op(i, IR_neg, i->b, IR_NONE);
@@ -59,62 +61,46 @@ static void rewrite_product(const Identity *d, IrIns *i)
 
 // ---- comparisons ----
 
-// Whether i is a comparison that can be negated.  lt, le, gt and ge cannot if an operand may be NaN: both are false then.
-static bool is_negatable(const Identity *d, const IrIns *i)
-{
-    if (!ir_is_comparison(i->op))
-        return false;
-    return ir_is_equality(i->op) || (d->never_nan[i->a] && d->never_nan[i->b]);
-}
-
+// The negation of a comparison is the opposite comparison.  lt, le, gt and ge have none if an operand may be NaN: `a < b` and `a >= b`
+// are both false then.
 static void rewrite_not(const Identity *d, IrIns *i)
 {
     const IrIns *from = identity_at(d, i->a);
 
-    if (is_negatable(d, from))
+    if (ir_is_comparison(from->op) && (ir_is_equality(from->op) || (d->never_nan[from->a] && d->never_nan[from->b])))
         replace_op(i, ir_negated_comparison(from->op), from->a, from->b);
 }
 
-// Simplifies `boolean op number`, where boolean is 0 or 1, to false, true, `not boolean` or `boolean`.  The last becomes `boolean and
-// boolean`, which find_equal_operand (identity.c) then replaces by its operand.
-static void compare_bool_to_number(IrIns *i, IrOp op, IrRef boolean, SmF64 number)
-{
-    const bool of_false = ir_compare(op, sm_from_i32(0), number), of_true = ir_compare(op, sm_from_i32(1), number);
-
-    if (of_false == of_true)
-        replace_by_bool(i, of_false);
-    else if (of_false)
-        replace_op(i, IR_not, boolean, IR_NONE);
-    else
-        replace_op(i, IR_and, boolean, boolean);
-}
-
-// Returns ref if it is a bool, or the bool that ref is converted from; IR_NONE if ref is neither.
-static IrRef skip_bool_cvt(const Identity *d, IrRef ref)
-{
-    const IrIns *i = identity_at(d, ref);
-
-    if (i->type == SM_BOOL)
-        return ref;
-    return i->op == IR_cvt && identity_at(d, i->a)->type == SM_BOOL ? i->a : IR_NONE;
-}
-
-// Simplifies a comparison of a bool with a constant.  Returns false if i is not one.
+// Simplifies a comparison of a bool, or of a number converted from a bool, with a constant.  The result depends only on whether the bool
+// is true: it is a constant, the bool or its negation.  Returns false if i is no such comparison.
 static bool try_rewrite_bool_comparison(const Identity *d, IrIns *i)
 {
     const bool swap = identity_at(d, i->b)->op != IR_const;
     const IrIns *constant = identity_at(d, swap ? i->a : i->b);
-    const IrRef boolean = skip_bool_cvt(d, swap ? i->b : i->a);
+    const IrOp op = swap ? ir_swapped_comparison(i->op) : i->op;
+    IrRef boolean = swap ? i->b : i->a;
+    bool if_false, if_true;           // the result for each value of the bool
+    SmF64 number;
 
-    if (boolean == IR_NONE || constant->op != IR_const)
+    if (is_op(d, boolean, IR_cvt) && identity_at(d, boolean)->type != SM_BOOL)
+        boolean = operand_of(d, boolean);
+    if (identity_at(d, boolean)->type != SM_BOOL || constant->op != IR_const)
         return false;
-    compare_bool_to_number(i, swap ? ir_swapped_comparison(i->op) : i->op, boolean, ir_number(constant->type, constant->bits));
+    number = ir_number(constant->type, constant->bits);
+    if_false = ir_compare(op, sm_from_i32(0), number);
+    if_true = ir_compare(op, sm_from_i32(1), number);
+    if (if_false == if_true)
+        replace_by_bool(i, if_false);
+    else if (if_false)
+        replace_op(i, IR_not, boolean, IR_NONE);
+    else
+        replace_op(i, IR_and, boolean, boolean);              // find_equal_operand (identity.c) then replaces it by its operand
     return true;
 }
 
 static void rewrite_comparison(const Identity *d, IrIns *i)
 {
-    bool true_if_equal = i->op == IR_eq || i->op == IR_le || i->op == IR_ge;
+    const bool true_if_equal = i->op == IR_eq || i->op == IR_le || i->op == IR_ge;
 
     if (try_rewrite_bool_comparison(d, i) || i->a != i->b)
         return;
@@ -124,6 +110,7 @@ static void rewrite_comparison(const Identity *d, IrIns *i)
 
 // ---- conversions ----
 
+// Bypasses an operation before a conversion that the result of the conversion does not depend on.
 static void rewrite_cvt(const Identity *d, IrIns *i)
 {
     const IrIns *from = identity_at(d, i->a);

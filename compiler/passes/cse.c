@@ -28,7 +28,7 @@ typedef struct Cse {
     IrRef *leader;            // by value number: the instruction that replaces the others of that value
     IrRef *same;              // by instruction: the temporary that its users must name
     bool *sunk;               // by instruction: its only user is a store or a branch
-    CseSlot *table;              // hash table of the block's operations, by CseKey
+    CseSlot *table;           // hash table of the block's operations, by CseKey
     size_t cap;               // a power of two
     uint32_t block;
 } Cse;
@@ -71,11 +71,6 @@ static CseKey key_of(const Cse *c, const IrIns *i)
     return k;
 }
 
-static bool same_key(const CseKey *a, const CseKey *b)
-{
-    return a->op == b->op && a->type == b->type && a->a == b->a && a->b == b->b && a->var == b->var && a->bits == b->bits;
-}
-
 static size_t hash_key(const CseKey *k)
 {
     uint64_t h = k->bits * UINT64_C(0x9e3779b97f4a7c15) ^ (uint64_t)k->op << 8 ^ (uint64_t)k->type;
@@ -92,7 +87,7 @@ static IrRef find_or_add_operation(Cse *c, IrRef ref)
 
     for (; c->table[at].block == c->block; at = (at + 1) & (c->cap - 1)) {
         other = key_of(c, ins_at(c, c->table[at].ref));
-        if (same_key(&k, &other))
+        if (k.op == other.op && k.type == other.type && k.a == other.a && k.b == other.b && k.var == other.var && k.bits == other.bits)
             return c->table[at].ref;
     }
     c->table[at].block = c->block;
@@ -102,24 +97,25 @@ static IrRef find_or_add_operation(Cse *c, IrRef ref)
 
 // ---- operations that cost nothing in place ----
 
-// Marks ref as sunk if its only user, the caller's instruction, computes it in place.
-static void mark_if_used_once(Cse *c, IrRef ref)
+// Marks ref as sunk (computed in place by its user, without a temporary) if the current instruction is its only user.
+static void mark_sunk_if_used_once(Cse *c, IrRef ref)
 {
     c->sunk[ref] = c->facts->uses[ref] == 1;
 }
 
-// Walks from the block's end.  The operand of a store or branch is sunk, and so are the operands of sunk conversions and logic.
+// Fills in `sunk` for a block, from its end.  An operand of a store or branch is sunk if nothing else uses it, and so is one of a sunk
+// conversion or logic operation.
 static void mark_sunk(Cse *c, const IrBlk *blk)
 {
     if (blk->jump.kind == IR_BR)
-        mark_if_used_once(c, blk->jump.cond);
+        mark_sunk_if_used_once(c, blk->jump.cond);
     for (size_t p = blk->ins.n; p-- > 0;) {
         IrRef ref = blk->ins.at[p];
         const IrIns *i = ins_at(c, ref);
         if (i->op == IR_store || (c->sunk[ref] && (i->op == IR_cvt || ir_op_info[i->op].types == IR_T_LOGIC)))
-            mark_if_used_once(c, i->a);
+            mark_sunk_if_used_once(c, i->a);
         if (c->sunk[ref] && ir_op_info[i->op].types == IR_T_LOGIC && ir_op_info[i->op].operands > 1)
-            mark_if_used_once(c, i->b);
+            mark_sunk_if_used_once(c, i->b);
     }
 }
 
@@ -224,26 +220,18 @@ static void visit_block(Cse *c, IrBlk *blk)
         blk->jump.cond = replace_use(c, blk->jump.cond);
 }
 
-// Allocates room for twice the operations of the longest block.
-static void allocate_table(Arena *arena, Cse *c)
-{
-    size_t longest = 0;
-
-    for (size_t b = 0; b < c->f->blk.n; b++)
-        if (c->f->blk.at[b].ins.n > longest)
-            longest = c->f->blk.at[b].ins.n;
-    for (c->cap = 8; c->cap < 2 * longest; c->cap *= 2)
-        continue;
-    c->table = ARENA_ARRAY(arena, CseSlot, c->cap);
-}
-
 void pass_cse(Arena *arena, IrFn *f, Facts *facts)
 {
-    size_t n = f->ins.n;
+    size_t n = f->ins.n, longest = 0;
     Cse c = {f, facts, ARENA_ARRAY(arena, IrRef, n), ARENA_ARRAY(arena, IrRef, n), ARENA_ARRAY(arena, IrRef, n), ARENA_ARRAY(arena, bool, n),
-             NULL, 0, 0};
+             NULL, 8, 0};
 
-    allocate_table(arena, &c);
+    for (size_t b = 0; b < f->blk.n; b++)
+        if (f->blk.at[b].ins.n > longest)
+            longest = f->blk.at[b].ins.n;
+    while (c.cap < 2 * longest)
+        c.cap *= 2;
+    c.table = ARENA_ARRAY(arena, CseSlot, c.cap);
     for (size_t b = 0; b < f->blk.n; b++) {
         c.block = (uint32_t)b + 1;
         visit_block(&c, &f->blk.at[b]);

@@ -3,11 +3,6 @@
 // Needs nothing.  Breaks no facts about functions, but renumbers variables.
 #include "compiler/passes/pass.h"
 
-static bool does_nothing(const IrFn *f)
-{
-    return f->blk.n == 1 && f->blk.at[0].ins.n == 0 && f->blk.at[0].jump.kind == IR_RET;
-}
-
 static bool accesses_variable(const IrIns *i) { return i->op == IR_load || i->op == IR_store; }
 
 static void mark_accessed(const IrFn *f, bool *accessed)
@@ -26,7 +21,7 @@ static void renumber_variables(IrFn *f, const uint32_t *number)
                 f->ins.at[f->blk.at[b].ins.at[p]].var = number[f->ins.at[f->blk.at[b].ins.at[p]].var];
 }
 
-// Removes hidden locals that are not accessed, and renumbers the other variables.
+// Removes hidden locals (those that no code outside the machine reads) that no function accesses.  Renumbers the other variables.
 static void remove_unused_locals(Arena *arena, IrMachine *m)
 {
     bool *accessed = ARENA_ARRAY(arena, bool, m->var.n);
@@ -57,8 +52,10 @@ void pass_empty(Arena *arena, IrMachine *m, FactMachine *values)
 {
     (void)values;
     for (size_t s = 0; s < m->state.n; s++)
-        for (int k = 0; k < BLOCK_COUNT; k++)
-            if (m->state.at[s].block[k] && does_nothing(m->state.at[s].block[k]))
+        for (int k = 0; k < BLOCK_COUNT; k++) {
+            const IrFn *f = m->state.at[s].block[k];
+            if (f && f->blk.n == 1 && f->blk.at[0].ins.n == 0 && f->blk.at[0].jump.kind == IR_RET)
                 m->state.at[s].block[k] = NULL;
+        }
     remove_unused_locals(arena, m);
 }

@@ -30,8 +30,8 @@ bool identity_is_const(const Identity *d, IrRef ref, SmF64 number)
 
 // ---- arithmetic ----
 
-// Whether ref is an integer or bool that is not the result of arithmetic or a conversion.  A narrowed operation may still be computed on
-// F64 (ir.h) and be -0 there.
+// Whether ref is an integer or bool that is not the result of arithmetic or a conversion.  Such a number is never -0, even if a backend
+// computes narrowed operations on F64, where their result may be -0 (ir.h).
 static bool is_uncomputed_integer(const Identity *d, IrRef ref)
 {
     const IrIns *i = identity_at(d, ref);
@@ -58,21 +58,7 @@ static IrRef operand_equal_to_sum(const Identity *d, const IrIns *i)
     return IR_NONE;
 }
 
-static IrRef operand_equal_to_product(const Identity *d, const IrIns *i)
-{
-    if (identity_is_const(d, i->b, sm_from_i32(1)))
-        return i->a;
-    return i->op == IR_mul && identity_is_const(d, i->a, sm_from_i32(1)) ? i->b : IR_NONE;
-}
-
 static bool is_rounding(IrOp op) { return op == IR_floor || op == IR_ceil || op == IR_trunc || op == IR_round; }
-
-static IrRef operand_equal_to_rounding(const Identity *d, const IrIns *i)
-{
-    const IrIns *from = identity_at(d, i->a);
-
-    return is_rounding(from->op) || (from->op == IR_cvt && !is_float(identity_at(d, from->a)->type)) ? i->a : IR_NONE;
-}
 
 // ---- conversions ----
 
@@ -111,32 +97,36 @@ static bool is_bool_const(const Identity *d, IrRef ref, bool value)
     return identity_at(d, ref)->op == IR_const && identity_at(d, ref)->bits == value;
 }
 
-static IrRef operand_equal_to_logic(const Identity *d, const IrIns *i)
-{
-    bool neutral = i->op == IR_and;
-
-    if (i->a == i->b || is_bool_const(d, i->b, neutral))
-        return i->a;
-    return is_bool_const(d, i->a, neutral) ? i->b : IR_NONE;
-}
-
-// The temporary whose value always equals the result of instruction i; IR_NONE if there is none.
+// Returns a temporary whose value always equals the result of instruction i; IR_NONE if there is none.
 static IrRef find_equal_operand(const Identity *d, const IrIns *i)
 {
+    const SmF64 one = sm_from_i32(1);
+    const IrIns *from;
+
     switch (i->op) {
     case IR_add:
     case IR_sub: return operand_equal_to_sum(d, i);
     case IR_mul:
-    case IR_div: return operand_equal_to_product(d, i);
+        if (identity_is_const(d, i->b, one))
+            return i->a;
+        return identity_is_const(d, i->a, one) ? i->b : IR_NONE;
+    case IR_div: return identity_is_const(d, i->b, one) ? i->a : IR_NONE;
     case IR_neg:
-    case IR_not: return identity_at(d, i->a)->op == i->op ? identity_at(d, i->a)->a : IR_NONE;
+    case IR_not:
+        from = identity_at(d, i->a);
+        return from->op == i->op ? from->a : IR_NONE;
     case IR_abs: return identity_at(d, i->a)->op == IR_abs ? i->a : IR_NONE;
-    case IR_floor: case IR_ceil: case IR_trunc: case IR_round: return operand_equal_to_rounding(d, i);
+    case IR_floor: case IR_ceil: case IR_trunc: case IR_round:
+        from = identity_at(d, i->a);
+        return is_rounding(from->op) || (from->op == IR_cvt && !is_float(identity_at(d, from->a)->type)) ? i->a : IR_NONE;
     case IR_min:
     case IR_max: return i->a == i->b ? i->a : IR_NONE;
     case IR_cvt: return operand_equal_to_cvt(d, i);
     case IR_and:
-    case IR_or: return operand_equal_to_logic(d, i);
+    case IR_or:
+        if (i->a == i->b || is_bool_const(d, i->b, i->op == IR_and))
+            return i->a;
+        return is_bool_const(d, i->a, i->op == IR_and) ? i->b : IR_NONE;
     default: return IR_NONE;
     }
 }

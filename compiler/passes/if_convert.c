@@ -43,6 +43,7 @@ static bool can_count_in(SmType type, SmType counter)
     return type == counter || (ir_is_integer(type) && ir_integer_contains(type, counter));
 }
 
+// Returns the temporary from which r was converted, through conversions that preserve every value of a counter of this type.
 static IrRef skip_conversions(const IrFn *f, IrRef r, SmType counter)
 {
     while (f->ins.at[r].op == IR_cvt && can_count_in(f->ins.at[r].type, counter))
@@ -50,19 +51,16 @@ static IrRef skip_conversions(const IrFn *f, IrRef r, SmType counter)
     return r;
 }
 
-static bool is_const_one(const IrIns *i)
-{
-    return i->op == IR_const && i->type != SM_BOOL && i->bits == ir_cell(i->type, sm_from_i32(1));
-}
-
 // Whether x is the value of variable `var`, and `one` the constant 1; sets s->one.
 static bool match_plus_one(const IfConvert *c, uint32_t var, IrRef x, IrRef one, ArmStore *s)
 {
     const SmType type = c->m->var.at[var].type;
-    const IrIns *value = &c->f->ins.at[skip_conversions(c->f, x, type)];
+    const IrIns *value = &c->f->ins.at[skip_conversions(c->f, x, type)], *i;
 
     s->one = skip_conversions(c->f, one, type);
-    return value->op == IR_load && value->var == var && is_const_one(&c->f->ins.at[s->one]);
+    i = &c->f->ins.at[s->one];
+    return value->op == IR_load && value->var == var
+        && i->op == IR_const && i->type != SM_BOOL && i->bits == ir_cell(i->type, sm_from_i32(1));
 }
 
 // Whether `store` counts its variable up or down by one; then sets s->one.  The variable must be a local that no other code writes, because
@@ -79,16 +77,6 @@ static bool match_count(const IfConvert *c, const IrIns *store, ArmStore *s)
     return match_plus_one(c, store->var, sum->a, sum->b, s) || (sum->op == IR_add && match_plus_one(c, store->var, sum->b, sum->a, s));
 }
 
-// Whether `store` stores a boolean constant; then sets s->stored_bool.
-static bool match_bool_store(const IfConvert *c, const IrIns *store, ArmStore *s)
-{
-    const IrIns *value = &c->f->ins.at[store->a];
-
-    s->one = IR_NONE;
-    s->stored_bool = value->bits != 0;
-    return value->op == IR_const && value->type == SM_BOOL;
-}
-
 static const ArmStore *find_store(const Arm *arm, uint32_t var)
 {
     for (unsigned i = 0; i < arm->n; i++)
@@ -97,10 +85,11 @@ static const ArmStore *find_store(const Arm *arm, uint32_t var)
     return NULL;
 }
 
-// Adds a store to the arm.  Returns false if it is of neither kind, the arm is full or stores to the variable twice.
-static bool add_arm_store(const IfConvert *c, IrRef r, Arm *arm)
+// Adds a store to the arm.  Returns false if the block cannot be an arm because of it: the store is of neither kind, the arm is full, or
+// it stores to the variable twice.
+static bool try_add_arm_store(const IfConvert *c, IrRef r, Arm *arm)
 {
-    const IrIns *store = &c->f->ins.at[r];
+    const IrIns *store = &c->f->ins.at[r], *value = &c->f->ins.at[store->a];
     ArmStore *s = &arm->at[arm->n];
 
     if (arm->n == ARM_STORES || find_store(arm, store->var))
@@ -108,7 +97,12 @@ static bool add_arm_store(const IfConvert *c, IrRef r, Arm *arm)
     s->var = store->var;
     s->store = r;
     arm->n++;
-    return match_bool_store(c, store, s) || match_count(c, store, s);
+    if (value->op == IR_const && value->type == SM_BOOL) {
+        s->one = IR_NONE;
+        s->stored_bool = value->bits != 0;
+        return true;
+    }
+    return match_count(c, store, s);
 }
 
 // Fills in the arm from block b.  Returns false if the block cannot be an arm.
@@ -123,14 +117,14 @@ static bool match_arm(const IfConvert *c, IrBlkRef b, Arm *arm)
     for (size_t p = 0; fits && p < blk->ins.n; p++) {
         switch (c->f->ins.at[blk->ins.at[p]].op) {
         case IR_const: case IR_load: case IR_cvt: case IR_add: case IR_sub: break;
-        case IR_store: fits = add_arm_store(c, blk->ins.at[p], arm); break;
+        case IR_store: fits = try_add_arm_store(c, blk->ins.at[p], arm); break;
         default: fits = false; break;
         }
     }
     return fits;
 }
 
-// A boolean that an arm stores must be stored in the other arm, too; a counter must not.
+// Whether `other` also stores every boolean that `arm` stores, and none of its counters.
 static bool arms_agree(const Arm *arm, const Arm *other)
 {
     for (unsigned i = 0; i < arm->n; i++)

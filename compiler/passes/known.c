@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// known: simplifies with facts about values.  An operation that has only one possible result becomes a constant: a comparison with a
-// known result, a guard that an earlier guard implies, a local with one possible value.  An operation that never changes its operand
-// is bypassed: replacing NaN where none occurs, rounding of whole numbers, limits that are never reached.
+// known: simplifies with facts: the possible values of variables and temporaries (facts/facts.h).  An operation that has only one
+// possible result becomes a constant: a comparison with a known result, a guard that an earlier guard implies, a local with one possible
+// value.  An operation that never changes its operand is bypassed: replacing NaN where none occurs, rounding of whole numbers, limits
+// that are never reached.
 // Needs values; invalidates use counts.
 #include "compiler/facts/facts.h"
 #include "compiler/passes/pass.h"
@@ -46,13 +47,6 @@ static IrRef unchanged_operand(const KnownPass *k, const IrIns *i)
     return IR_NONE;
 }
 
-static void replace_by_number(IrIns *i, double x)
-{
-    i->op = IR_const;
-    i->a = i->b = IR_NONE;
-    i->bits = i->type == SM_F64 ? sm_bits(x) : sm_cell_from_f64(i->type, x);
-}
-
 static void rewrite_ins(KnownPass *k, IrRef ref)
 {
     IrIns *i = &k->f->ins.at[ref];
@@ -67,9 +61,12 @@ static void rewrite_ins(KnownPass *k, IrRef ref)
         i->b = k->same[i->b];
     if (ir_op_info[i->op].effect || i->op == IR_const)
         return;
-    if (fact_is_number(k->fact[ref], &x) && (sm_type_info[i->type].bytes < 8 || i->type == SM_F64 || fact_within(k->fact[ref], -FACT_EXACT, FACT_EXACT)))
-        replace_by_number(i, x);
-    else if (operands > 0 && (same = unchanged_operand(k, i)) != IR_NONE)
+    if (fact_is_number(k->fact[ref], &x)
+        && (sm_type_info[i->type].bytes < 8 || i->type == SM_F64 || fact_within(k->fact[ref], -FACT_EXACT, FACT_EXACT))) {
+        i->op = IR_const;
+        i->a = i->b = IR_NONE;
+        i->bits = i->type == SM_F64 ? sm_bits(x) : sm_cell_from_f64(i->type, x);
+    } else if (operands > 0 && (same = unchanged_operand(k, i)) != IR_NONE)
         k->same[ref] = same;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // locals: removes accesses to locals that need no memory.
 //   A local that no code stores to is a constant: its initial value.  (Not if a script may write it from outside.)
-//   A hidden local that is never loaded needs no stores.
+//   A hidden local (one that no code outside the machine reads) that is never loaded needs no stores.
 //   A hidden local that is only loaded after a store in the same block needs no memory: its loads are replaced by the stored value.
 // A stored value is never NaN and is of the variable's type, so loading it returns the same bits (ir.h).  Loads whose results are
 // unused count as reads: run dce before.  Needs nothing; invalidates use counts.
@@ -24,28 +24,25 @@ typedef struct LocalsPass {
 // A user may only read the F32 conversion of an operation narrowed to F32 (ir.h).  A store does so; readers of the local may not.
 static bool is_f32_operation(const IrIns *i) { return i->type == SM_F32 && ir_op_info[i->op].types == IR_T_SAME; }
 
-static void note_access(LocalsPass *l, const IrFn *f, const IrIns *i)
-{
-    LocalUse *v = &l->at[i->var];
-
-    if (i->op == IR_store) {
-        v->stored = true;
-        v->block = l->block;
-        v->exposed |= is_f32_operation(&f->ins.at[i->a]);
-    } else if (i->op == IR_load) {
-        v->loaded = true;
-        v->exposed |= v->block != l->block;
-    }
-}
-
-static void note_function(LocalsPass *l, const IrFn *f)
+// Records how a function accesses each variable.
+static void note_accesses(LocalsPass *l, const IrFn *f)
 {
     for (size_t b = 0; b < f->blk.n; b++) {
         l->block++;
         for (size_t p = 0; p < f->blk.at[b].ins.n; p++) {
             const IrIns *i = &f->ins.at[f->blk.at[b].ins.at[p]];
-            if (i->op == IR_store || i->op == IR_load)
-                note_access(l, f, i);
+            LocalUse *v;
+            if (i->op != IR_store && i->op != IR_load)
+                continue;
+            v = &l->at[i->var];
+            if (i->op == IR_store) {
+                v->stored = true;
+                v->block = l->block;
+                v->exposed |= is_f32_operation(&f->ins.at[i->a]);
+            } else {
+                v->loaded = true;
+                v->exposed |= v->block != l->block;
+            }
         }
     }
 }
@@ -62,19 +59,6 @@ static bool needs_no_memory(const LocalsPass *l, uint32_t var)
     return l->m->var.at[var].hidden && !l->at[var].exposed;
 }
 
-// Returns false if the load can be dropped.
-static bool visit_load(LocalsPass *l, IrIns *i, IrRef ref)
-{
-    if (is_constant(l, i->var)) {
-        i->op = IR_const;
-        i->bits = l->m->var.at[i->var].init;
-    } else if (needs_no_memory(l, i->var)) {
-        l->same[ref] = l->at[i->var].stored_temp;
-        return false;
-    }
-    return true;
-}
-
 // Returns false if the instruction can be dropped.
 static bool visit_instruction(LocalsPass *l, IrFn *f, IrRef ref)
 {
@@ -85,11 +69,17 @@ static bool visit_instruction(LocalsPass *l, IrFn *f, IrRef ref)
         i->a = l->same[i->a];
     if (ir_op_info[i->op].operands > 1)
         i->b = l->same[i->b];
-    if (i->op == IR_load)
-        return visit_load(l, i, ref);
-    if (i->op != IR_store || !needs_no_memory(l, i->var))
+    if (i->op == IR_load && is_constant(l, i->var)) {
+        i->op = IR_const;
+        i->bits = l->m->var.at[i->var].init;
         return true;
-    l->at[i->var].stored_temp = i->a;
+    }
+    if ((i->op != IR_load && i->op != IR_store) || !needs_no_memory(l, i->var))
+        return true;
+    if (i->op == IR_load)
+        l->same[ref] = l->at[i->var].stored_temp;
+    else
+        l->at[i->var].stored_temp = i->a;
     return false;
 }
 
@@ -122,11 +112,11 @@ void pass_locals(Arena *arena, IrMachine *m, FactMachine *values)
 
     (void)values;
     if (m->sample)
-        note_function(&l, m->sample);
+        note_accesses(&l, m->sample);
     for (size_t s = 0; s < m->state.n; s++)
         for (int k = 0; k < BLOCK_COUNT; k++)
             if (m->state.at[s].block[k])
-                note_function(&l, m->state.at[s].block[k]);
+                note_accesses(&l, m->state.at[s].block[k]);
     if (!has_removable_access(&l))
         return;
     if (m->sample)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// narrow: moves F64 operations to the types of their inputs, where facts prove that the difference is not observable.
+// narrow: moves F64 operations to the types of their inputs, where facts (the possible values, facts/facts.h) prove that the difference is
+// not observable.
 //   sums, products, …   of whole numbers that stay within 2^53: on I32 or I64.  F64 is exact there too.  Only the sign of a zero is
 //                       lost, so it must not be observable (by a store to a float, a division, …)
 //   sign of an F32      neg and abs: on F32
@@ -54,51 +55,44 @@ static void mark_zero_sign(Narrow *n, IrRef r, bool is_observable) { n->zero_sig
 
 static bool can_be_zero(Fact a) { return a.lo <= 0 && a.hi >= 0; }
 
-// Marks the operands of i whose sign of zero is observable.  `of_result`: whether that of the result is.
-static void mark_binary_zero_signs(Narrow *n, const IrIns *i, bool of_result)
-{
-    const Fact a = n->fact[i->a], b = n->fact[i->b];
-
-    if (i->op == IR_add) {                            // only -0 + -0 is -0
-        mark_zero_sign(n, i->a, of_result && b.minus_zero);
-        mark_zero_sign(n, i->b, of_result && a.minus_zero);
-    } else if (i->op == IR_sub) {                     // only -0 - 0 is -0
-        mark_zero_sign(n, i->a, of_result && can_be_zero(b));
-        mark_zero_sign(n, i->b, of_result && a.minus_zero);
-    } else if (i->op == IR_div) {
-        mark_zero_sign(n, i->a, of_result);
-        mark_zero_sign(n, i->b, can_be_zero(b));
-    } else if (ir_op_info[i->op].types == IR_T_SAME) {
-        mark_zero_sign(n, i->a, of_result);
-        mark_zero_sign(n, i->b, of_result);
-    }
-}
-
+// Marks those operands of ref whose sign of zero is observable.  Users are visited first: whether the sign of ref's own zero is observable
+// is known.
 static void mark_operand_zero_signs(Narrow *n, IrRef ref)
 {
     const IrIns *i = narrow_ins(n, ref);
+    const bool of_result = n->zero_sign_observable[ref];
 
-    if (ir_op_info[i->op].operands == 2)
-        mark_binary_zero_signs(n, i, n->zero_sign_observable[ref]);
-    else if (i->op == IR_store || i->op == IR_sample)
+    if (ir_op_info[i->op].operands == 2) {
+        const Fact a = n->fact[i->a], b = n->fact[i->b];
+        if (i->op == IR_add) {                            // only -0 + -0 is -0
+            mark_zero_sign(n, i->a, of_result && b.minus_zero);
+            mark_zero_sign(n, i->b, of_result && a.minus_zero);
+        } else if (i->op == IR_sub) {                     // only -0 - 0 is -0
+            mark_zero_sign(n, i->a, of_result && can_be_zero(b));
+            mark_zero_sign(n, i->b, of_result && a.minus_zero);
+        } else if (i->op == IR_div) {
+            mark_zero_sign(n, i->a, of_result);
+            mark_zero_sign(n, i->b, can_be_zero(b));
+        } else if (ir_op_info[i->op].types == IR_T_SAME) {
+            mark_zero_sign(n, i->a, of_result);
+            mark_zero_sign(n, i->b, of_result);
+        }
+    } else if (i->op == IR_store || i->op == IR_sample)
         mark_zero_sign(n, i->a, true);
     else if (ir_op_info[i->op].operands == 1)
-        mark_zero_sign(n, i->a, n->zero_sign_observable[ref] && ir_is_float(i->type) && i->op != IR_abs);
+        mark_zero_sign(n, i->a, of_result && ir_is_float(i->type) && i->op != IR_abs);
 }
 
 // ---- integers ----
 
-// Whether r is a constant that I64 represents.
-static bool is_whole_const(const Narrow *n, IrRef r)
-{
-    double x;
-
-    return narrow_is_const(n, r, &x) && n->fact[r].whole && fact_within(n->fact[r], -FACT_EXACT, FACT_EXACT) && !n->fact[r].minus_zero;
-}
-
 bool narrow_has_integer(const Narrow *n, IrRef r)
 {
-    return is_whole_const(n, r) || (n->narrow[r] != IR_NONE && narrow_ins(n, n->narrow[r])->type != SM_F32);
+    const Fact f = n->fact[r];
+    double x;
+
+    if (narrow_is_const(n, r, &x) && f.whole && fact_within(f, -FACT_EXACT, FACT_EXACT) && !f.minus_zero)
+        return true;                                  // a constant that I64 represents
+    return n->narrow[r] != IR_NONE && narrow_ins(n, n->narrow[r])->type != SM_F32;
 }
 
 static bool fits_i32(const Narrow *n, IrRef r) { return r == IR_NONE || fact_within(n->fact[r], INT32_MIN, INT32_MAX); }
@@ -108,35 +102,21 @@ SmType narrow_common_integer(const Narrow *n, IrRef r, IrRef a, IrRef b)
     return fits_i32(n, r) && fits_i32(n, a) && fits_i32(n, b) ? SM_I32 : SM_I64;
 }
 
-static IrRef emit_integer(Narrow *n, IrRef r, SmType type)
-{
-    const Span span = narrow_ins(n, r)->span;
-    const IrRef from = n->narrow[r];
-    double x;
-
-    if (narrow_is_const(n, r, &x))
-        return narrow_const(n, type, x, span);
-    if (narrow_ins(n, from)->type == type)
-        return from;
-    return narrow_emit(n, make_ins(IR_cvt, type, from, IR_NONE, span));
-}
-
 IrRef narrow_get_integer(Narrow *n, IrRef r, SmType type)
 {
     IrRef *made = type == SM_I32 ? &n->as_i32[r] : &n->as_i64[r];
+    const Span span = narrow_ins(n, r)->span;
+    double x;
 
-    if (*made == IR_NONE)
-        *made = emit_integer(n, r, type);
+    if (*made != IR_NONE)
+        return *made;
+    if (narrow_is_const(n, r, &x))
+        *made = narrow_const(n, type, x, span);
+    else if (narrow_ins(n, n->narrow[r])->type == type)
+        *made = n->narrow[r];
+    else
+        *made = narrow_emit(n, make_ins(IR_cvt, type, n->narrow[r], IR_NONE, span));
     return *made;
-}
-
-// Whether ref can be computed on integers.  A bound of 2^53 may be the rounding of a larger number: 1 + 2^53 is 2^53 on F64, but not on
-// I64.
-static bool is_integer_result(const Narrow *n, IrRef ref)
-{
-    const Fact r = n->fact[ref];
-
-    return r.whole && fact_within(r, -FACT_EXACT + 1, FACT_EXACT - 1) && !(r.minus_zero && n->zero_sign_observable[ref]);
 }
 
 // Emits i, which computes ref's number in a narrower type, and turns ref into a conversion of it.
@@ -146,14 +126,17 @@ static void replace_by_narrow(Narrow *n, IrRef ref, IrIns i)
     *narrow_ins(n, ref) = make_ins(IR_cvt, SM_F64, n->narrow[ref], IR_NONE, i.span);
 }
 
-// Moves an operation on whole numbers to I32 or I64.
+// Moves an operation on whole numbers to I32 or I64, if its result is a whole number below 2^53.  A bound of exactly 2^53 is too much,
+// because it may be the rounding of a larger number: 1 + 2^53 is 2^53 on F64, but not on I64.
 static void narrow_to_integer(Narrow *n, IrRef ref)
 {
     IrIns i = *narrow_ins(n, ref);
     const bool two = ir_op_info[i.op].operands == 2;
+    const Fact result = n->fact[ref];
 
-    if (!(ir_op_info[i.op].narrow & IR_N_INT) || i.type != SM_F64 || !is_integer_result(n, ref) || !narrow_has_integer(n, i.a)
-        || (two && !narrow_has_integer(n, i.b)))
+    if (!(ir_op_info[i.op].narrow & IR_N_INT) || i.type != SM_F64 || !narrow_has_integer(n, i.a) || (two && !narrow_has_integer(n, i.b)))
+        return;
+    if (!result.whole || !fact_within(result, -FACT_EXACT + 1, FACT_EXACT - 1) || (result.minus_zero && n->zero_sign_observable[ref]))
         return;
     i.type = narrow_common_integer(n, ref, i.a, two ? i.b : IR_NONE);
     i.a = narrow_get_integer(n, i.a, i.type);
@@ -218,24 +201,11 @@ static void narrow_to_f32(Narrow *n, IrRef cvt)
 
 // ---- conversions ----
 
-// Records that ref, a conversion to F64, has the number of its narrower operand.
-static void record_narrow_source(Narrow *n, IrRef ref)
-{
-    const IrRef from = narrow_ins(n, ref)->a;
-    const SmType type = narrow_ins(n, from)->type;
-
-    if (type == SM_F64)
-        return;
-    if (sm_type_info[type].bytes < 8 || fact_within(n->fact[ref], -FACT_EXACT + 1, FACT_EXACT - 1))
-        n->narrow[ref] = from;
-    else
-        n->wide[ref] = from;
-}
-
 static void narrow_conversion(Narrow *n, IrRef ref)
 {
     IrIns *i = narrow_ins(n, ref);
-    const IrRef from = narrow_ins(n, i->a)->type == SM_F64 ? n->narrow[i->a] : IR_NONE;
+    IrRef from = narrow_ins(n, i->a)->type == SM_F64 ? n->narrow[i->a] : IR_NONE;
+    SmType type;
 
     if (from != IR_NONE && narrow_ins(n, from)->type == i->type) {
         n->same[ref] = from;
@@ -244,9 +214,17 @@ static void narrow_conversion(Narrow *n, IrRef ref)
     if (from != IR_NONE)
         i->a = from;
     else if (i->type == SM_F32)
-        narrow_to_f32(n, ref);
-    if (narrow_ins(n, ref)->type == SM_F64)
-        record_narrow_source(n, ref);
+        narrow_to_f32(n, ref);                            // may move the instructions: i is invalid after it
+    if (narrow_ins(n, ref)->type != SM_F64)
+        return;
+    from = narrow_ins(n, ref)->a;                         // a conversion to F64 has the number of its narrower operand
+    type = narrow_ins(n, from)->type;
+    if (type == SM_F64)
+        return;
+    if (sm_type_info[type].bytes < 8 || fact_within(n->fact[ref], -FACT_EXACT + 1, FACT_EXACT - 1))
+        n->narrow[ref] = from;
+    else
+        n->wide[ref] = from;
 }
 
 // ---- functions ----
@@ -287,6 +265,7 @@ static void narrow_block(Narrow *n, IrBlk *blk)
     blk->ins.cap = n->out.cap;
 }
 
+// A table of `count` temporaries, all IR_NONE.
 static IrRef *new_empty_refs(Arena *arena, size_t count)
 {
     IrRef *r = ARENA_ARRAY(arena, IrRef, count);

@@ -105,27 +105,6 @@ static void run_on_function(PassRunner *r, const PassInfo *pass, IrFn *f, Facts 
     facts->valid &= ~pass->invalidates;
 }
 
-static void run_on_functions(PassRunner *r, const PassInfo *pass)
-{
-    Facts *facts = r->facts;
-
-    run_on_function(r, pass, r->m->sample, facts++);
-    for (size_t s = 0; s < r->m->state.n; s++)
-        for (int k = 0; k < BLOCK_COUNT; k++)
-            run_on_function(r, pass, r->m->state.at[s].block[k], facts++);
-}
-
-static void run_on_machine(PassRunner *r, const PassInfo *pass)
-{
-    size_t functions = 1 + r->m->state.n * BLOCK_COUNT;
-
-    if (pass->needs & FACT_VALUES && !r->values)
-        r->values = facts_of_machine(r->arena, r->m);
-    pass->on_machine(r->arena, r->m, pass->needs & FACT_VALUES ? r->values : NULL);
-    for (size_t f = 0; f < functions; f++)
-        r->facts[f].valid &= ~pass->invalidates;
-}
-
 // Whether the stored use counts of a function are correct.  Counts that are not marked valid need not be.
 static bool are_use_counts_correct(PassRunner *r, const IrFn *f, const Facts *facts)
 {
@@ -141,32 +120,42 @@ static bool are_use_counts_correct(PassRunner *r, const IrFn *f, const Facts *fa
     return true;
 }
 
-static bool are_all_use_counts_correct(PassRunner *r)
-{
-    const Facts *facts = r->facts;
-    bool hold = are_use_counts_correct(r, r->m->sample, facts++);
-
-    for (size_t s = 0; s < r->m->state.n; s++)
-        for (int k = 0; k < BLOCK_COUNT; k++)
-            hold = are_use_counts_correct(r, r->m->state.at[s].block[k], facts++) && hold;
-    return hold;
-}
-
 static const char *verify_machine(PassRunner *r, const char *when)
 {
-    const char *wrong = r->o->verify ? ir_verify(r->arena, r->m) : NULL;
+    const Facts *facts = r->facts;
+    const char *wrong;
+    bool correct;
 
-    if (!wrong && r->o->verify && !are_all_use_counts_correct(r))
-        wrong = "its use counts are wrong";
+    if (!r->o->verify)
+        return NULL;
+    wrong = ir_verify(r->arena, r->m);
+    if (!wrong) {
+        correct = are_use_counts_correct(r, r->m->sample, facts++);
+        for (size_t s = 0; s < r->m->state.n; s++)
+            for (int k = 0; k < BLOCK_COUNT; k++)
+                correct = are_use_counts_correct(r, r->m->state.at[s].block[k], facts++) && correct;
+        wrong = correct ? NULL : "its use counts are wrong";
+    }
     return wrong ? format_in(r->arena, "%s: %s", when, wrong) : NULL;
 }
 
 static const char *run_pass(PassRunner *r, const PassInfo *pass)
 {
-    if (pass->on_function)
-        run_on_functions(r, pass);
-    else
-        run_on_machine(r, pass);
+    const size_t functions = 1 + r->m->state.n * BLOCK_COUNT;
+    Facts *facts = r->facts;
+
+    if (pass->on_function) {
+        run_on_function(r, pass, r->m->sample, facts++);
+        for (size_t s = 0; s < r->m->state.n; s++)
+            for (int k = 0; k < BLOCK_COUNT; k++)
+                run_on_function(r, pass, r->m->state.at[s].block[k], facts++);
+    } else {
+        if (pass->needs & FACT_VALUES && !r->values)
+            r->values = facts_of_machine(r->arena, r->m);
+        pass->on_machine(r->arena, r->m, pass->needs & FACT_VALUES ? r->values : NULL);
+        for (size_t f = 0; f < functions; f++)
+            r->facts[f].valid &= ~pass->invalidates;
+    }
     if (pass->invalidates & FACT_VALUES)
         r->values = NULL;
     if (r->o->after)

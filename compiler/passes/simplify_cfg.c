@@ -9,25 +9,20 @@
 // Needs nothing; invalidates use counts, because conditions lose their user.
 #include "compiler/passes/pass.h"
 
-// Replaces a branch on `not c` by a branch on c with its targets swapped.
-static void remove_negations(const IrFn *f, IrJump *j)
-{
-    while (f->ins.at[j->cond].op == IR_not) {
-        IrBlkRef then = j->then;
-        j->then = j->otherwise;
-        j->otherwise = then;
-        j->cond = f->ins.at[j->cond].a;
-    }
-}
-
-static void fold_branch(const IrFn *f, IrJump *j)
+// Simplifies a branch.  On `not c`, swaps the targets and branches on c.  A branch on a constant, or whose targets are equal, becomes a
+// jump.
+static void simplify_branch(const IrFn *f, IrJump *j)
 {
     const IrIns *cond;
 
     if (j->kind != IR_BR)
         return;
-    remove_negations(f, j);
-    cond = &f->ins.at[j->cond];
+    for (cond = &f->ins.at[j->cond]; cond->op == IR_not; cond = &f->ins.at[j->cond]) {
+        IrBlkRef then = j->then;
+        j->then = j->otherwise;
+        j->otherwise = then;
+        j->cond = cond->a;
+    }
     if (cond->op == IR_const && cond->bits == 0)
         j->then = j->otherwise;
     if (cond->op == IR_const || j->then == j->otherwise) {
@@ -37,7 +32,7 @@ static void fold_branch(const IrFn *f, IrJump *j)
 }
 
 // Walks from the last block to the first.  The final target of a jump to any later block is then already known.
-static void shorten_jumps(Arena *arena, IrFn *f)
+static void simplify_jumps(Arena *arena, IrFn *f)
 {
     IrBlkRef *final_target = ARENA_ARRAY(arena, IrBlkRef, f->blk.n);
 
@@ -47,7 +42,7 @@ static void shorten_jumps(Arena *arena, IrFn *f)
             j->then = final_target[j->then];
         if (j->kind == IR_BR)
             j->otherwise = final_target[j->otherwise];
-        fold_branch(f, j);
+        simplify_branch(f, j);
         final_target[b] = j->kind == IR_JMP && f->blk.at[b].ins.n == 0 ? j->then : (IrBlkRef)b;
     }
 }
@@ -91,7 +86,7 @@ void pass_simplify_cfg(Arena *arena, IrFn *f, Facts *facts)
     uint32_t *predecessors;
 
     (void)facts;
-    shorten_jumps(arena, f);
+    simplify_jumps(arena, f);
     predecessors = ir_count_edges(arena, f);
     for (IrBlkRef b = 0; b < f->blk.n; b++)
         if (predecessors[b] > 0)

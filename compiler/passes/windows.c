@@ -14,14 +14,6 @@ static void collect_read_stats(const IrFn *f, uint32_t *wanted)
         }
 }
 
-static void mark_operands_used(const IrIns *i, bool *used)
-{
-    if (ir_op_info[i->op].operands > 0)
-        used[i->a] = true;
-    if (ir_op_info[i->op].operands > 1)
-        used[i->b] = true;
-}
-
 // Whether a window can store its samples in this type.  I64 and U64 are excluded, because a sample is rounded to F64.
 static bool is_window_type(SmType t) { return t != SM_I64 && t != SM_U64; }
 
@@ -51,7 +43,10 @@ static void drop_unused_samples(Arena *arena, IrMachine *m, uint32_t *wanted)
             continue;
         if (ins->op == IR_sample)
             choose_window_type(m, f, ins);
-        mark_operands_used(ins, used);
+        if (ir_op_info[ins->op].operands > 0)
+            used[ins->a] = true;
+        if (ir_op_info[ins->op].operands > 1)
+            used[ins->b] = true;
         if (ins->op == IR_stat)
             wanted[ins->var] |= 1u << ins->stat;
         blk->ins.at[--kept] = blk->ins.at[i];

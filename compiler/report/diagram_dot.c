@@ -53,6 +53,11 @@ static void write_node(Buf *out, const Diagram *d, const DiagramNode *n)
         buf_printf(out, "\\n(%s)", diag_info[n->finding.at[i]->code].id);
     if (d->o->counts)
         buf_printf(out, "\\n%s", diagram_count_text(d, "entered", diagram_node_count(d, n)));
+    for (size_t i = 0; i < n->action.n; i++) {
+        buf_printf(out, "%s%s ", i ? "\\l" : "\\n", n->action.at[i].block_name);
+        write_quoted(out, n->action.at[i].text);
+    }
+    buf_str(out, n->action.n ? "\\l" : "");
     buf_printf(out, "\", style=\"%s%s\"%s%s%s", style, line_style(d, n->reached, diagram_node_count(d, n), ","),
                *shape_attributes(n) ? ", " : "", shape_attributes(n), n->state->is_safe ? ", peripheries=2" : "");
     write_findings(out, &n->finding);

@@ -99,6 +99,14 @@ static FindingRanges find_state_ranges(Diagram *d)
     return out;
 }
 
+int32_t diagram_mark_width(const DiagramEdge *e)
+{
+    for (size_t g = 0; g < e->guard.n; g++)
+        if (e->guard.at[g].finding.n > 0)
+            return MARK_W + 4;
+    return 0;
+}
+
 void diagram_attach_findings(Diagram *d, const Diags *findings)
 {
     const FindingRanges transitions = find_transition_ranges(d), states = find_state_ranges(d);

@@ -26,7 +26,7 @@ typedef struct Bands {
 static uint32_t top_rank(const Layout *l, const DiagramEdge *e) { return l->rank[e->up ? e->to : e->from]; }
 static uint32_t bottom_rank(const Layout *l, const DiagramEdge *e) { return l->rank[e->up ? e->from : e->to]; }
 
-static int32_t label_width_with_margins(const DiagramEdge *e) { return e->label.w + 2 * LABEL_SIDE; }
+static int32_t label_width_with_margins(const DiagramEdge *e) { return e->label.w + 2 * LABEL_SIDE + diagram_mark_width(e); }
 
 // Returns the gap with the least load among those between an edge's ends; if several are equal, the one nearest to the edge's start.
 static uint32_t find_least_filled_gap(const Layout *l, const Bands *b, const DiagramEdge *e)
@@ -84,7 +84,8 @@ static uint32_t add_item(Layout *l, ItemKind kind, uint32_t ref, uint32_t layer)
     LayoutItem i = {kind, ref, layer, 0, BEND_SIDE, BEND_SIDE, 0, 0};
 
     if (kind == ITEM_LABEL) {
-        i.left = i.right = label_width_with_margins(&l->d->edge.at[ref]) / 2;
+        i.left = l->d->edge.at[ref].label.w / 2 + LABEL_SIDE;
+        i.right = i.left + diagram_mark_width(&l->d->edge.at[ref]);
         i.h = l->d->edge.at[ref].label.h + 4;
     }
     l->layer[layer].n++;

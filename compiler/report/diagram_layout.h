@@ -70,6 +70,8 @@ typedef struct Layout {
 // and last.  The label is on one of the vertical lines, between its points.
 void layout_diagram(Diagram *d);
 
+enum { NAME_H = 34, ACTION_SIDE = 13, ACTION_BOTTOM = 8 };   // of a box: the part with the name; space beside and below the actions
+
 // ---- the stages ----
 
 void layout_stub_hubs(Diagram *d);        // before rank: edges to states with many predecessors become stubs

@@ -55,6 +55,15 @@ static void write_node_class(Buf *out, const Diagram *d, const DiagramNode *n)
     write_findings(out, &n->finding, n->state->number);
 }
 
+static void write_actions(Buf *out, const DiagramNode *n)
+{
+    for (size_t i = 0; i < n->action.n; i++) {
+        buf_printf(out, "    s%lu : %s ", (unsigned long)n->state->number, n->action.at[i].block_name);
+        write_escaped(out, n->action.at[i].text);
+        buf_char(out, '\n');
+    }
+}
+
 static void write_transition(Buf *out, const Diagram *d, const DiagramEdge *e, const DiagramGuard *g)
 {
     buf_printf(out, "    s%lu --> s%lu : ", (unsigned long)e->from + 1, (unsigned long)e->to + 1);
@@ -78,6 +87,8 @@ void diagram_write_mermaid(const Analysis *a, const DiagramOptions *o, Buf *out)
                  "    classDef unrun stroke-dasharray:1\n");
     for (size_t n = 0; n < d->nodes; n++)
         buf_printf(out, "    state \"%s\" as s%lu\n", d->node[n].state->name->text, (unsigned long)n + 1);
+    for (size_t n = 0; n < d->nodes; n++)
+        write_actions(out, &d->node[n]);
     buf_str(out, "    [*] --> s1\n");
     for (size_t e = 0; e < d->edge.n; e++)
         for (size_t g = 0; g < d->edge.at[e].guard.n; g++)

@@ -88,8 +88,8 @@ static void size_label(DiagramEdge *e)
 
 // ---- edges ----
 
-// Returns the edge of a transition.  last[s] is 1 + the index of the current state's edge to s; smaller indices than the state's first
-// edge are left over from earlier states.
+// Returns the edge of a transition, and adds it if the diagram lacks it.  last[s] is 1 + the index of the edge from the current state to
+// state s.  A number not above the current state's first edge is left over from an earlier state: there is no such edge yet.
 static DiagramEdge *find_or_add_edge(Diagram *d, size_t *last, const Transition *t)
 {
     const uint32_t from = t->from->number - 1, to = t->to->number - 1;
@@ -176,6 +176,7 @@ Diagram *diagram_build(const Analysis *a, const DiagramOptions *o)
         n->name = diagram_text_truncate(a->arena, n->state->name->text, NAME_SIZE, true, NAME_W);
         n->name_w = diagram_text_width(n->name, NAME_SIZE, true);
     }
+    diagram_add_actions(d);
     add_edges(d);
     find_reached_states(d);
     for (size_t e = 0; e < d->edge.n; e++) {

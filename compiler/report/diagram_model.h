@@ -42,10 +42,20 @@ typedef struct DiagramEdge {
     VEC(Point) path;              // LINE: from state to state; see diagram_layout.h
 } DiagramEdge;
 
+// An assignment to an element of the state vector, as a line in the box of its state.
+typedef struct DiagramAction {
+    const char *block_name;       // "entry", "step", "exit"
+    bool first;                   // of its block: preceded by the name of the block
+    const char *text;             // "valve = true if T >= 60", truncated with "…"
+    int32_t w;                    // with the column of the block names
+} DiagramAction;
+
 typedef struct DiagramNode {
     const State *state;
     const char *name;             // as shown: truncated with "…" if it is very long
     int32_t name_w;
+    VEC(DiagramAction) action;    // in file order, at most ACTIONS and a line that counts the others
+    int32_t action_w;             // of the widest
     bool reached;                 // some run can reach it
     uint32_t first_edge, edges;   // outgoing edges: Diagram.edge[first_edge …]
     VEC(uint32_t) stub_in;        // incoming edges drawn as stubs elsewhere
@@ -63,14 +73,18 @@ typedef struct Diagram {
     VEC(DiagramEdge) edge;        // by source state, then in file order
     size_t nodes;
     int32_t w, h;                 // of the whole diagram
+    VEC(int32_t) cut;             // each y where a horizontal line meets only edges, downwards
     uint64_t crossings;           // number of pairs of edges that cross
 } Diagram;
 
 enum {
     NAME_SIZE = 13, GUARD_SIZE = 11,              // font sizes
     GUARD_LINE = 14,                              // line height
-    GUARD_W = 190, GUARD_LINES = 3,               // maximum width and number of lines of a guard
-    GUARD_GAP = 7,                                // between two guards of a label
+    GUARD_W = 260, GUARD_LINES = 6,               // maximum width and number of lines of a guard
+    GUARD_GAP = 8,                                // between two guards of a label
+    ACTION_W = 240, ACTIONS = 8,                  // maximum width of an action, and number of actions in a box
+    ACTION_LABEL_W = 34,                          // the column of "entry", "step" and "exit"
+    MARK_W = 16,                                  // of the mark at a guard with findings, right of its first line
     STUB_H = 20                                   // height of the box around a stub's name
 };
 
@@ -80,7 +94,7 @@ Diagram *diagram_build(const Analysis *a, const DiagramOptions *o);
 // ---- diagram_text.c: the width of a text, whatever sans-serif font the reader has ----
 
 int32_t diagram_text_width(const char *text, int32_t size, bool bold);
-// Wraps to at most `lines` lines, none wider than w, preferably before "and" and "or".
+// Wraps to at most `lines` lines, none wider than w, preferably before "and" and "or", and rather not inside brackets.
 DiagramLines diagram_text_wrap(Arena *arena, const char *text, int32_t size, int32_t w, size_t lines);
 bool diagram_text_is_truncated(const DiagramLines *lines);  // whether the last line ends with …
 // The text, or the longest start of it that fits with "…".
@@ -93,7 +107,13 @@ uint64_t diagram_node_count(const Diagram *d, const DiagramNode *n);
 const char *diagram_count_text(const Diagram *d, const char *done, uint64_t count);  // "taken 3 times"
 const char *diagram_edge_count_text(const Diagram *d, const DiagramEdge *e);
 
+// ---- diagram_actions.c: the lines in the boxes of states ----
+
+void diagram_add_actions(Diagram *d);
+
 // ---- diagram_findings.c: assigns findings to states and transitions ----
+
+int32_t diagram_mark_width(const DiagramEdge *e);       // the width beside its label that the marks of its guards need; 0: none
 
 void diagram_attach_findings(Diagram *d, const Diags *findings);
 

@@ -130,7 +130,7 @@ static int64_t crossings_saved(const Layout *l, const LayoutLinks *links, bool d
     return sum;
 }
 
-// Whether swapping item i is affordable (DEGREE).
+// Whether item i has few enough links (DEGREE) to be swapped.
 static bool has_few_links(const Layout *l, uint32_t i)
 {
     return l->above.first[i + 1] - l->above.first[i] <= DEGREE && l->below.first[i + 1] - l->below.first[i] <= DEGREE;

@@ -89,7 +89,7 @@ static bool try_align(Columns *c, uint32_t item, const LayoutLink *link, int64_t
 }
 
 // Adds an item to the column of the neighbour to which its link should be straight, otherwise of its median neighbour.  Of two medians the
-// left one is tried first.  A neighbour whose own straight link leads elsewhere is skipped.
+// left one is tried first.  A neighbour that should itself be aligned with another item is skipped.
 static void align_item(Columns *c, uint32_t item, int64_t *used)
 {
     const Layout *l = c->l;

@@ -20,7 +20,7 @@ static void turn_into_stub(Diagram *d, uint32_t edge)
     vec_push(d->a->arena, &d->node[e->to].stub_in, edge);
 }
 
-// Turns all edges to a state with many predecessors (a hub) into stubs.
+// Turns all edges to a state with many predecessors (a hub) into stubs: short arrows to the state's name instead of lines.
 void layout_stub_hubs(Diagram *d)
 {
     uint32_t *in = ARENA_ARRAY(d->a->arena, uint32_t, d->nodes);
@@ -215,7 +215,13 @@ static void place_components(Layout *l, const EdgesByEnd *out, const EdgesByEnd 
 
 // ---- the spine ----
 
-// Returns, by state, the number of edges on the longest downward path from it.  Only possible transitions count.
+// Whether the path down the page may take an edge: a possible one to a lower state, which is not entered to abort.
+static bool continues_path(const Layout *l, const DiagramEdge *e)
+{
+    return e->form == EDGE_LINE && !e->up && e->possible && !l->d->node[e->to].state->is_abort;
+}
+
+// Returns, by state, the number of edges on the longest downward path from it.
 static uint32_t *find_longest_paths(const Layout *l, const EdgesByEnd *out, const uint32_t *order)
 {
     uint32_t *longest = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes);
@@ -223,7 +229,7 @@ static uint32_t *find_longest_paths(const Layout *l, const EdgesByEnd *out, cons
     for (size_t i = l->d->nodes; i-- > 0;)
         for (uint32_t k = out->first[order[i]]; k < out->first[order[i] + 1]; k++) {
             const DiagramEdge *e = &l->d->edge.at[out->edge[k]];
-            if (!e->up && e->possible && longest[e->to] + 1 > longest[order[i]])
+            if (continues_path(l, e) && longest[e->to] + 1 > longest[order[i]])
                 longest[order[i]] = longest[e->to] + 1;
         }
     return longest;
@@ -234,7 +240,7 @@ static uint32_t next_on_longest_path(const Layout *l, const EdgesByEnd *out, con
 {
     for (uint32_t k = out->first[v]; k < out->first[v + 1]; k++) {
         const DiagramEdge *e = &l->d->edge.at[out->edge[k]];
-        if (e->form == EDGE_LINE && !e->up && e->possible && longest[e->to] + 1 == longest[v])
+        if (continues_path(l, e) && longest[e->to] + 1 == longest[v])
             return out->edge[k];
     }
     return UINT32_MAX;
@@ -263,7 +269,7 @@ static void find_spine(Layout *l, const EdgesByEnd *out, const uint32_t *order)
 
 // ---- stubs ----
 
-// Writes the text beside a state that is the target of stubs.
+// Sets the text beside each state to which stubs lead: where they come from. A stub is an edge drawn as a short arrow beside its source.
 static void set_origin_texts(Diagram *d)
 {
     for (size_t i = 0; i < d->nodes; i++) {
@@ -277,7 +283,7 @@ static void set_origin_texts(Diagram *d)
     }
 }
 
-// Draws the loop of a state that has stubs as one of them.
+// A state that has stubs shows its edge to itself as one more stub, instead of as a loop.
 static void turn_loops_into_stubs(Diagram *d)
 {
     for (size_t i = 0; i < d->nodes; i++) {

@@ -5,18 +5,18 @@
 
 enum {
     MARGIN = 16,
-    NODE_H = 34, NODE_SIDE = 16, NODE_LEAST = 76,
+    NODE_SIDE = 16, NODE_LEAST = 76,
     PORT = 14,                    // minimum distance between two ports of a state
     START_H = 26,                 // the mark above the first state
     STUB_AT = 26, STUB_SIDE = 8,  // from the state to a stub's name; on both sides of the name
     STUB_GAP = 6, STUB_TEXT = 6,  // between two stubs; between a stub's name and its guards
     FROM_AT = 28,                 // from "from 5 states" to the state
-    GAP = 20, GAP_MOST = 70       // between layers
+    GAP = 18, GAP_MOST = 70       // between layers
 };
 
 // ---- beside a state ----
 
-// True for stubs and loops.
+// Whether the edge is drawn beside its state: a stub (a short arrow to the other state's name) or a loop.
 static bool is_drawn_beside_state(const DiagramEdge *e) { return e->form != EDGE_LINE; }
 
 static int32_t stub_name_width(const Diagram *d, const DiagramEdge *e)
@@ -37,7 +37,7 @@ static StubRows measure_stub_columns(const Diagram *d, const DiagramNode *n)
         if (!is_drawn_beside_state(e))
             continue;
         r.name_w = stub_name_width(d, e) > r.name_w ? stub_name_width(d, e) : r.name_w;
-        r.label_w = e->label.w > r.label_w ? e->label.w : r.label_w;
+        r.label_w = e->label.w + diagram_mark_width(e) > r.label_w ? e->label.w + diagram_mark_width(e) : r.label_w;
         r.h += stub_height(e) + STUB_GAP;
     }
     return r;
@@ -45,7 +45,8 @@ static StubRows measure_stub_columns(const Diagram *d, const DiagramNode *n)
 
 static int32_t node_width(const DiagramNode *n, uint32_t lines)
 {
-    const int32_t text = n->name_w + 2 * NODE_SIDE, ports = (int32_t)(lines + 1) * PORT, w = text > ports ? text : ports;
+    const int32_t name = n->name_w + 2 * NODE_SIDE, actions = n->action.n ? n->action_w + 2 * ACTION_SIDE : 0;
+    const int32_t text = name > actions ? name : actions, ports = (int32_t)(lines + 1) * PORT, w = text > ports ? text : ports;
 
     return ((w > NODE_LEAST ? w : NODE_LEAST) + 1) & ~1;
 }
@@ -57,9 +58,9 @@ void layout_size_node(Diagram *d, uint32_t node, uint32_t lines, LayoutItem *out
     const StubRows r = measure_stub_columns(d, n);
 
     n->box.w = node_width(n, lines);
-    n->box.h = NODE_H;
+    n->box.h = NAME_H + (n->action.n ? (int32_t)n->action.n * GUARD_LINE + ACTION_BOTTOM : 0);
     out->left = out->right = n->box.w / 2;
-    out->h = r.h > NODE_H ? r.h : NODE_H;
+    out->h = r.h > n->box.h ? r.h : n->box.h;
     if (r.h > 0)
         out->right += STUB_AT + r.name_w + STUB_TEXT + r.label_w;
     if (n->from)
@@ -138,11 +139,14 @@ static void place_layers(Layout *l, const int32_t *top, const int32_t *bottom)
     }
     for (uint32_t i = 0; i < l->layers; i++) {
         Layer *layer = &l->layer[i];
+        int32_t gap;
         for (uint32_t p = 0; p < layer->n; p++)
             if (l->item.at[layer->item[p]].h > layer->h)
                 layer->h = l->item.at[layer->item[p]].h;
         layer->y = y;
-        y += layer->h + (far[i] / 8 > GAP_MOST - GAP ? GAP_MOST : GAP + far[i] / 8);
+        gap = far[i] / 8 > GAP_MOST - GAP ? GAP_MOST : GAP + far[i] / 8;
+        y += layer->h + gap;
+        vec_push(l->arena, &l->d->cut, y - gap / 2);
     }
 }
 
@@ -188,7 +192,7 @@ static void route_down(Layout *l, DiagramEdge *e, uint32_t first, uint32_t end, 
         const LayoutItem *above = &l->item.at[l->link.at[k].above], *below = &l->item.at[l->link.at[k].below];
         const Layer *from = &l->layer[above->layer], *to = &l->layer[below->layer];
         if (k == first) {
-            add_point(l, e, top[k], l->d->node[above->ref].box.y + NODE_H);
+            add_point(l, e, top[k], l->d->node[above->ref].box.y + l->d->node[above->ref].box.h);
             add_point(l, e, top[k], from->y + from->h);
         }
         add_point(l, e, bottom[k], to->y);

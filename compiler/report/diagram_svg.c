@@ -35,6 +35,7 @@ static const char common_style[] =
     ".smc-graph .g-to{font-weight:bold;text-anchor:middle}\n"
     ".smc-graph .g-mid{text-anchor:middle}\n"
     ".smc-graph .g-end{text-anchor:end}\n"
+    ".smc-graph .g-block{font-style:italic}\n"
     ".smc-graph .g-line{fill:none}\n"
     ".smc-graph .g-box{stroke-width:1.4}\n"
     ".smc-graph .g-abort,.smc-graph .g-safe{stroke-width:2.2}\n"
@@ -122,14 +123,15 @@ static const char *box_class(const DiagramNode *n)
 // Draws the outline of a state: cut corners for @abort, round ends for @safe, rounded corners for others.  `in`: inset from the box.
 static void write_outline(Buf *out, const char *class, const DiagramNode *n, Box b, int32_t in)
 {
-    const long x = b.x + in, y = b.y + in, w = b.w - 2 * in, h = b.h - 2 * in, cut = h / 3;
+    const long x = b.x + in, y = b.y + in, w = b.w - 2 * in, h = b.h - 2 * in;
+    const long name_h = b.h < NAME_H ? h : NAME_H - 2 * in, cut = name_h / 3;       // corners do not grow with the actions
 
     if (n->state->is_abort)
         buf_printf(out, "<path class=\"%s\" d=\"M%ld %ldh%ldl%ld %ldv%ldl-%ld %ldh-%ldl-%ld -%ldv-%ldz\"/>", class, x + cut, y,
                    w - 2 * cut, cut, cut, h - 2 * cut, cut, cut, w - 2 * cut, cut, cut, h - 2 * cut);
     else
         buf_printf(out, "<rect class=\"%s\" x=\"%ld\" y=\"%ld\" width=\"%ld\" height=\"%ld\" rx=\"%ld\"/>", class, x, y, w, h,
-                   n->state->is_safe ? h / 2 : h / 5);
+                   n->state->is_safe ? name_h / 2 : name_h / 5);
 }
 
 static void write_state_title(Buf *out, const Diagram *d, const DiagramNode *n)
@@ -147,6 +149,20 @@ static void write_state_title(Buf *out, const Diagram *d, const DiagramNode *n)
     buf_str(out, "</title>");
 }
 
+static void write_actions(Buf *out, const DiagramNode *n)
+{
+    const int32_t left = n->box.x + ACTION_SIDE;
+    int32_t y = n->box.y + NAME_H;
+
+    if (n->action.n)
+        buf_printf(out, "<path class=\"g-rule\" d=\"M%ld %ldh%ld\"/>", (long)left, (long)y - 4, (long)n->box.w - 2 * ACTION_SIDE);
+    for (size_t i = 0; i < n->action.n; i++, y += GUARD_LINE) {
+        if (n->action.at[i].first)
+            write_text(out, "g-block", left, y + 11, n->action.at[i].block_name);
+        write_text(out, "g-guard", left + ACTION_LABEL_W, y + 11, n->action.at[i].text);
+    }
+}
+
 static void write_state(Buf *out, const Diagram *d, const DiagramNode *n)
 {
     const Box b = n->box;
@@ -157,7 +173,8 @@ static void write_state(Buf *out, const Diagram *d, const DiagramNode *n)
     write_outline(out, box_class(n), n, b, 0);
     if (n->state->is_safe)
         write_outline(out, n->state->is_abort ? "g-in g-abort" : "g-in g-safe", n, b, 4);
-    write_text(out, "g-name", b.x + b.w / 2, middle + 5, n->name);
+    write_text(out, "g-name", b.x + b.w / 2, b.y + NAME_H / 2 + 5, n->name);
+    write_actions(out, n);
     if (n->from) {
         const Point tip = {b.x, middle};
         write_text(out, "g-guard g-end", b.x - 26, middle + 4, n->from);
@@ -205,7 +222,7 @@ static void write_guards(Buf *out, const DiagramEdge *e, bool centred)
 
     for (size_t g = 0; g < e->guard.n; g++) {
         const DiagramGuard *guard = &e->guard.at[g];
-        write_mark(out, &guard->finding, guard->mark, e->label.x + e->label.w + 4, y + 7);
+        write_mark(out, &guard->finding, guard->mark, e->label.x + e->label.w + MARK_W / 2 + 2, y + 7);
         for (size_t i = 0; i < guard->line.n; i++, y += GUARD_LINE)
             write_text(out, centred ? "g-guard g-mid" : "g-guard", x, y + 11, guard->line.at[i].text);
         if (g + 1 < e->guard.n)
@@ -274,7 +291,7 @@ static void write_path(Buf *out, const DiagramEdge *e)
     write_arrowhead(out, e->path.at[e->path.n - 1], e->up ? UP : DOWN);
 }
 
-// Draws a stub: a line from a state to the name of the other state, and that name.
+// Draws a stub, an edge shown as a short arrow: from its state to the name of the other state.
 static void write_stub(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
     const DiagramNode *from = &d->node[e->from], *to = &d->node[e->to];
@@ -337,27 +354,65 @@ static void write_description(Buf *out, const Diagram *d)
     buf_str(out, ".</desc>\n");
 }
 
-void diagram_write_svg(const Analysis *a, const DiagramOptions *o, Buf *out)
+// A diagram as it is drawn: the elements of the picture, and its size with the notes.
+typedef struct DrawnDiagram { Diagram *d; Buf elements; DiagramSize size; } DrawnDiagram;
+
+static void draw_diagram(const Analysis *a, const DiagramOptions *o, DrawnDiagram *out)
 {
-    Diagram *d = diagram_build(a, o);
+    Diagram *d = out->d = diagram_build(a, o);
     DiagramNotes notes;
-    DiagramSize size;
 
     layout_diagram(d);
     diagram_number_notes(d, &notes);
-    size = (DiagramSize){notes.w > d->w ? notes.w : d->w, d->h + notes.h};
-    if (o->size)
-        *o->size = size;
-    buf_str(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"smc-graph\" role=\"img\" stroke-width=\"1.4\"");
-    buf_printf(out, " width=\"%ld\" height=\"%ld\" viewBox=\"0 0 %ld %ld\">\n", (long)size.w, (long)size.h, (long)size.w, (long)size.h);
-    write_description(out, d);
-    write_style(out);
-    buf_printf(out, "<rect class=\"g-back\" width=\"%ld\" height=\"%ld\" rx=\"8\"/>\n", (long)size.w, (long)size.h);
-    write_start_arrow(out, &d->node[0]);
+    out->size = (DiagramSize){notes.w > d->w ? notes.w : d->w, d->h + notes.h};
+    for (size_t i = 0; i < notes.line.n; i++)
+        vec_push(a->arena, &d->cut, notes.line.at[i].y);
+    buf_init(&out->elements, a->arena);
+    write_description(&out->elements, d);
+    write_style(&out->elements);
+    buf_printf(&out->elements, "<rect class=\"g-back\" width=\"%ld\" height=\"%ld\" rx=\"8\"/>\n", (long)out->size.w, (long)out->size.h);
+    write_start_arrow(&out->elements, &d->node[0]);
     for (size_t e = 0; e < d->edge.n; e++)
-        write_edge(out, d, &d->edge.at[e]);
+        write_edge(&out->elements, d, &d->edge.at[e]);
     for (size_t n = 0; n < d->nodes; n++)
-        write_state(out, d, &d->node[n]);
-    diagram_write_notes(&notes, out);
+        write_state(&out->elements, d, &d->node[n]);
+    diagram_write_notes(&notes, &out->elements);
+}
+
+// Writes the picture between two heights.
+static void write_picture(const DrawnDiagram *drawn, int32_t top, int32_t bottom, Buf *out)
+{
+    const long w = drawn->size.w, h = bottom - top;
+
+    buf_str(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"smc-graph\" role=\"img\" stroke-width=\"1.4\"");
+    buf_printf(out, " width=\"%ld\" height=\"%ld\" viewBox=\"0 %ld %ld %ld\">\n", w, h, (long)top, w, h);
+    buf_put(out, drawn->elements.at, drawn->elements.n);
     buf_str(out, "</svg>\n");
+}
+
+void diagram_write_svg(const Analysis *a, const DiagramOptions *o, Buf *out)
+{
+    DrawnDiagram drawn;
+
+    draw_diagram(a, o, &drawn);
+    if (o->size)
+        *o->size = drawn.size;
+    write_picture(&drawn, 0, drawn.size.h, out);
+}
+
+void diagram_write_slices(const Analysis *a, const DiagramOptions *o, int32_t most, Buf *out)
+{
+    DrawnDiagram drawn;
+    size_t next = 0;
+
+    draw_diagram(a, o, &drawn);
+    for (int32_t top = 0, bottom; top < drawn.size.h; top = bottom) {
+        bottom = top + most;
+        for (; next < drawn.d->cut.n && drawn.d->cut.at[next] <= top + most; next++)
+            if (drawn.d->cut.at[next] > top)
+                bottom = drawn.d->cut.at[next];
+        if (drawn.size.h <= top + most)
+            bottom = drawn.size.h;
+        write_picture(&drawn, top, bottom, out);
+    }
 }

@@ -70,26 +70,67 @@ const char *diagram_text_truncate(Arena *arena, const char *text, int32_t size, 
     return format_in(arena, "%.*s%s", (int)count_fitting_bytes(text, n, size, bold, w - diagram_text_width(ellipsis, size, bold)), text, ellipsis);
 }
 
-static bool begins_with_conjunction(const char *s)
+// ---- wrapping ----
+
+// How bad it is to end a line at a position.  A reader takes in a condition best if its lines end before "and" and "or", and if each call
+// stays in one piece; a line more costs less than that.
+enum { NEW_LINE = 4, BEFORE_COMPARISON = 2, AFTER_COMMA = 3, ELSEWHERE = 4, AFTER_OPERATOR = 6, IN_GROUP = 2, IN_CALL = 6, NO_SPACE = 60 };
+
+// The cost of replacing the space at text[i] by a line break, outside of all brackets.
+static uint32_t break_cost(const char *text, size_t i)
 {
-    return strncmp(s, " and ", 5) == 0 || strncmp(s, " or ", 4) == 0;
+    const char *next = text + i + 1;
+
+    return strncmp(next, "and ", 4) == 0 || strncmp(next, "or ", 3) == 0 ? 0
+         : strchr("<>=!", *next)                                         ? BEFORE_COMPARISON
+         : text[i - 1] == ','                                            ? AFTER_COMMA
+         : strchr("<>=+-*/", text[i - 1])                                ? AFTER_OPERATOR
+                                                                         : ELSEWHERE;
 }
 
-// Where to end a line of which `fits` bytes would fit: at a space, as far right as possible.  A break before "and" or "or" gains three
-// quarters of a line; one after a comma or an operator costs a third.  Without a space, at `fits`.
-static size_t find_line_end(const char *text, size_t fits)
-{
-    size_t best = 0, found = 0;
+// For a text from some position on: where the first line ends so that the lines to the end cost least, and what they cost.
+// `brackets`: what a break here costs for the brackets around it.
+typedef struct BestBreak { size_t end; uint32_t cost, brackets; } BestBreak;
 
-    for (size_t i = 1; i <= fits; i++) {
-        const bool joint = begins_with_conjunction(text + i) && strncmp(text, ellipsis, i) != 0;    // "… and" stays together
-        const size_t worth = fits + i + (joint ? fits * 3 / 4 : 0) - (strchr(",<>=+-*/", text[i - 1]) ? fits / 3 : 0);
-        if (text[i] == ' ' && worth >= best) {
-            best = worth;
-            found = i;
+static void set_bracket_costs(const char *text, BestBreak *best)
+{
+    uint64_t calls = 0;           // by open bracket, the innermost first: whether it is that of a call
+    uint32_t cost = 0;
+
+    for (size_t i = 0; text[i]; i++) {
+        if (text[i] == '(') {
+            calls = calls << 1 | (i > 0 && !strchr(" (-", text[i - 1]));
+            cost += calls & 1 ? IN_CALL : IN_GROUP;
+        } else if (text[i] == ')' && cost > 0) {
+            cost -= calls & 1 ? IN_CALL : IN_GROUP;
+            calls >>= 1;
+        }
+        best[i].brackets = cost;
+    }
+}
+
+// Chooses the first line from text[i].  best[j] is known for all j > i.  Of equally good ends the last is taken, which fills the line.
+static void choose_line_end(const char *text, size_t n, size_t i, int32_t size, int32_t w, BestBreak *best)
+{
+    const size_t fits = i + count_fitting_bytes(text + i, n - i, size, false, w);
+
+    if (fits == n) {
+        best[i].end = n;
+        best[i].cost = 0;
+        return;
+    }
+    best[i].end = fits > i ? fits : i + 1;
+    best[i].cost = NEW_LINE + NO_SPACE + best[best[i].end].cost;
+    for (size_t end = i + 1; end <= fits; end++) {
+        uint32_t cost;
+        if (text[end] != ' ' || strncmp(text + i, ellipsis, end - i) == 0)        // "… and" stays together
+            continue;
+        cost = NEW_LINE + break_cost(text, end) + best[end].brackets + best[end + 1].cost;
+        if (cost <= best[i].cost) {
+            best[i].end = end;
+            best[i].cost = cost;
         }
     }
-    return found ? found : fits ? fits : 1;
 }
 
 static void add_line(Arena *arena, DiagramLines *out, const char *text, int32_t size)
@@ -101,18 +142,19 @@ static void add_line(Arena *arena, DiagramLines *out, const char *text, int32_t 
 
 DiagramLines diagram_text_wrap(Arena *arena, const char *text, int32_t size, int32_t w, size_t lines)
 {
+    const size_t n = strlen(text);
+    BestBreak *best = ARENA_ARRAY(arena, BestBreak, n + 1);
     DiagramLines out = {NULL, 0, 0};
+    size_t at = 0;
 
-    while (out.n + 1 < lines) {
-        const size_t n = strlen(text), fits = count_fitting_bytes(text, n, size, false, w);
-        size_t end;
-        if (fits == n)
-            break;
-        end = find_line_end(text, fits);
-        add_line(arena, &out, format_in(arena, "%.*s", (int)end, text), size);
-        text += end + (text[end] == ' ');
+    set_bracket_costs(text, best);
+    for (size_t i = n; i-- > 0;)
+        choose_line_end(text, n, i, size, w, best);
+    while (out.n + 1 < lines && best[at].end < n) {
+        add_line(arena, &out, format_in(arena, "%.*s", (int)(best[at].end - at), text + at), size);
+        at = best[at].end + (text[best[at].end] == ' ');
     }
-    add_line(arena, &out, diagram_text_truncate(arena, text, size, false, w), size);
+    add_line(arena, &out, diagram_text_truncate(arena, text + at, size, false, w), size);
     return out;
 }
 

@@ -67,6 +67,14 @@ typedef enum DocKind {
     DOC_SOURCE                // a whole source, only for HTML
 } DocKind;
 
+typedef enum DocFigure {
+    FIGURE_PLOT,              // as wide as the text
+    FIGURE_DIAGRAM,           // may be wider than the text; on paper it has a page
+    FIGURE_LOW,               // a diagram that is legible on part of a printed page
+    FIGURE_TALL,              // a diagram whose text is followed by the same in slices for paper, `print`
+    FIGURE_LARGE              // the same, for landscape pages
+} DocFigure;
+
 typedef struct DocPart {
     DocKind kind;
     const char *id, *text;
@@ -74,7 +82,8 @@ typedef struct DocPart {
     const char *state;        // HEADING: the name of its state
     const char *tone;         // HEADING: the badge's colour, "good", "bad" or "note"; badge: its text; or NULL
     const char *badge;
-    bool low;                 // FIGURE: fits on part of a printed page, so that it need not begin a new one
+    DocFigure figure;         // FIGURE
+    const char *print;        // FIGURE: what is printed instead of `text`; or NULL
     DocTable *table;
     DocList *list;
     Span span;                // EXCERPT

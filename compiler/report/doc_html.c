@@ -259,8 +259,15 @@ static void write_element(Buf *out, const char *open, const char *text, bool mar
 
 static void write_figure(Buf *out, const DocPart *p)
 {
-    buf_str(out, p->low ? "<figure class=\"low\">\n" : "<figure>\n");
+    static const char *const class[] = {"", " class=\"diagram\"", " class=\"diagram low\"", " class=\"diagram tall\"", " class=\"diagram large\""};
+
+    buf_printf(out, "<figure%s>\n", class[p->figure]);
     buf_str(out, p->text);
+    if (p->print) {
+        buf_str(out, "<div class=\"print\" aria-hidden=\"true\">\n");
+        buf_str(out, p->print);
+        buf_str(out, "</div>\n");
+    }
     if (p->badge)
         write_element(out, "<figcaption>", p->badge, true, "</figcaption>\n");
     buf_str(out, "</figure>\n");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A flight as a drawing: the states of a machine as bands, and elements below them, over time (thesis, Figure 4.1).  It reuses the plot of
+// A flight as a drawing: the states of a machine as bands, and elements below them, over time.  It reuses the plot of
 // a script's run: the records of a session are distributed over the plot's slots of time.  A band begins at the exact time of its event,
 // to the nanosecond.  The circle that marks this event on the curve of an element is at the last value in the slot of the event.
 #include <string.h>
@@ -133,38 +133,31 @@ static void add_visit(FlightDrawing *d, uint32_t state, uint64_t time)
         vec_push(d->f->arena, &d->t.visit, v);
 }
 
-static void add_visits_from_events(FlightDrawing *d)
+// Adds the visits of the machine's states. Events have their exact times. If some are missing, the visits come from the element that stores the
+// number of the state, at the times of records.
+static void add_visits(FlightDrawing *d)
 {
-    for (size_t i = 0; i < d->s->item.n; i++)
-        for (uint32_t k = 0; d->s->item.at[i].kind == ITEM_EVENTS && k < d->s->item.at[i].n; k++) {
-            const LogEvent e = log_read_event(&d->s->item.at[i], k);
-            if (e.kind == LOG_EVENT_STATE && e.source == d->f->machine->number)
-                add_visit(d, e.b, e.time);
-        }
-}
+    const LogMachine *m = d->f->machine;
+    uint64_t last = 0;            // number of the state in the previous record
 
-// Used if events are missing: finds visits in the element that stores the number of the state, at the times of records.
-static void add_visits_from_records(FlightDrawing *d)
-{
-    uint64_t last = 0;
-
+    if (!m)
+        return;
+    if ((d->s->lost == 0 && d->f->log->damaged == 0) || m->s == LOG_NONE)
+        for (size_t i = 0; i < d->s->item.n; i++)
+            for (uint32_t k = 0; d->s->item.at[i].kind == ITEM_EVENTS && k < d->s->item.at[i].n; k++) {
+                const LogEvent e = log_read_event(&d->s->item.at[i], k);
+                if (e.kind == LOG_EVENT_STATE && e.source == m->number)
+                    add_visit(d, e.b, e.time);
+            }
+    if (d->t.visits > 0 || m->s == LOG_NONE)
+        return;
     for (size_t i = 0; i < d->s->item.n; i++) {
         const LogItem *item = &d->s->item.at[i];
-        const uint64_t now = item->kind == ITEM_RECORD ? log_read_cell(item, &d->s->d->element[d->f->machine->s]) : last;
+        const uint64_t now = item->kind == ITEM_RECORD ? log_read_cell(item, &d->s->d->element[m->s]) : last;
         if (now != last && now <= d->p.state.n)
             add_visit(d, (uint32_t)now, log_read_time(item));
         last = now;
     }
-}
-
-static void add_visits(FlightDrawing *d)
-{
-    if (!d->f->machine)
-        return;
-    if ((d->s->lost == 0 && d->f->log->damaged == 0) || d->f->machine->s == LOG_NONE)
-        add_visits_from_events(d);
-    if (d->t.visits == 0 && d->f->machine->s != LOG_NONE)
-        add_visits_from_records(d);
 }
 
 // ---- the file ----

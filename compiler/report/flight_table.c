@@ -7,21 +7,10 @@
 
 static void write_cell(const LogItem *record, const LogElement *e, Buf *out)
 {
-    format_cell_exact(out, e->type, log_read_cell(record, e));
+    format_cell_shortest(out, e->type, log_read_cell(record, e));
 }
 
 // ---- CSV ----
-
-static void write_csv_line(const Flight *f, const LogSession *s, size_t number, const LogItem *record, Buf *out)
-{
-    buf_printf(out, "%lu,", (unsigned long)number);
-    flight_write_time(out, log_read_time(record));
-    for (size_t i = 0; i < flight_element_count(f, s->d); i++) {
-        buf_char(out, ',');
-        write_cell(record, flight_element(f, s->d, i), out);
-    }
-    buf_char(out, '\n');
-}
 
 void flight_write_csv(const Flight *f, Buf *out)
 {
@@ -34,9 +23,18 @@ void flight_write_csv(const Flight *f, Buf *out)
     for (size_t i = 0; i < flight_element_count(f, s->d); i++)
         buf_printf(out, ",%s", flight_element(f, s->d, i)->name);
     buf_char(out, '\n');
-    for (size_t i = 0; i < s->item.n; i++)
-        if (s->item.at[i].kind == ITEM_RECORD)
-            write_csv_line(f, s, number, &s->item.at[i], out);
+    for (size_t i = 0; i < s->item.n; i++) {
+        const LogItem *record = &s->item.at[i];
+        if (record->kind != ITEM_RECORD)
+            continue;
+        buf_printf(out, "%lu,", (unsigned long)number);
+        flight_write_time(out, log_read_time(record));
+        for (size_t k = 0; k < flight_element_count(f, s->d); k++) {
+            buf_char(out, ',');
+            write_cell(record, flight_element(f, s->d, k), out);
+        }
+        buf_char(out, '\n');
+    }
 }
 
 // ---- JSON ----
@@ -83,26 +81,26 @@ static void write_event(const Flight *f, const LogSession *s, const LogEvent *e,
     buf_str(out, "}\n");
 }
 
-static void write_json_item(const Flight *f, const LogSession *s, const LogItem *item, Buf *out)
-{
-    switch (item->kind) {
-    case ITEM_RECORD: write_record(f, s, item, out); break;
-    case ITEM_EVENTS:
-        for (uint32_t k = 0; k < item->n; k++) {
-            const LogEvent e = log_read_event(item, k);
-            write_event(f, s, &e, out);
-        }
-        break;
-    case ITEM_GAP: {
-        const LogGap gap = log_read_gap(item);
-        buf_printf(out, "{\"dropped\":%lu,\"lost\":%lu}\n", (unsigned long)gap.records, (unsigned long)gap.events);
-        break;
-    }
-    }
-}
-
 void flight_write_json(const Flight *f, Buf *out)
 {
-    for (size_t i = 0; i < f->session->item.n; i++)
-        write_json_item(f, f->session, &f->session->item.at[i], out);
+    const LogSession *s = f->session;
+
+    for (size_t i = 0; i < s->item.n; i++) {
+        const LogItem *item = &s->item.at[i];
+        LogEvent e;
+        LogGap gap;
+        switch (item->kind) {
+        case ITEM_RECORD: write_record(f, s, item, out); break;
+        case ITEM_EVENTS:
+            for (uint32_t k = 0; k < item->n; k++) {
+                e = log_read_event(item, k);
+                write_event(f, s, &e, out);
+            }
+            break;
+        case ITEM_GAP:
+            gap = log_read_gap(item);
+            buf_printf(out, "{\"dropped\":%lu,\"lost\":%lu}\n", (unsigned long)gap.records, (unsigned long)gap.events);
+            break;
+        }
+    }
 }

@@ -110,38 +110,6 @@ void flight_write_event(const Flight *f, const LogDescription *d, const LogEvent
 
 // ---- the summary ----
 
-static void write_file_summary(const Flight *f, Buf *out)
-{
-    const Log *log = f->log;
-
-    buf_printf(out, "%s: %s, %s", f->name, describe_count(f->arena, log->size, "byte", "bytes"),
-               describe_count(f->arena, log->session.n, "session", "sessions"));
-    if (log->damaged)
-        buf_printf(out, ", %s damaged in %s", describe_count(f->arena, log->damaged, "byte", "bytes"),
-                   describe_count(f->arena, log->damaged_ranges, "place", "places"));
-    if (log->unread)
-        buf_printf(out, ", %s not read", describe_count(f->arena, log->unread, "byte", "bytes"));
-    buf_char(out, '\n');
-}
-
-static void write_session_times(const Flight *f, const LogSession *s, Buf *out)
-{
-    buf_printf(out, "  %s", describe_count(f->arena, s->records, "record", "records"));
-    if (s->records > 0) {
-        buf_str(out, " from ");
-        flight_write_time(out, s->first);
-        buf_str(out, " s to ");
-        flight_write_time(out, s->last);
-        buf_str(out, " s");
-    }
-    buf_printf(out, ", %s", describe_count(f->arena, s->events, "event", "events"));
-    if (s->dropped)
-        buf_printf(out, "; %s dropped", describe_count(f->arena, s->dropped, "record", "records"));
-    if (s->lost)
-        buf_printf(out, "; %s lost", describe_count(f->arena, s->lost, "event", "events"));
-    buf_char(out, '\n');
-}
-
 static void write_events(const Flight *f, const LogSession *s, Buf *out)
 {
     if (s->events)
@@ -159,8 +127,6 @@ static void write_events(const Flight *f, const LogSession *s, Buf *out)
 
 // ---- values ----
 
-typedef struct ValueRange { uint64_t first, lo, hi, last; bool any, number; uint64_t nans; } ValueRange;        // lo, hi: of numbers only
-
 double flight_value(SmType type, uint64_t cell)
 {
     unsigned char memory[8] = {0};
@@ -175,38 +141,38 @@ double flight_value(SmType type, uint64_t cell)
     return f != f ? (double)f : d != d ? d : trace_cell_value(type, cell);
 }
 
-static void extend_range(ValueRange *x, SmType type, uint64_t cell)
-{
-    const double value = flight_value(type, cell);
-
-    if (!x->any)
-        x->first = cell;
-    x->any = true;
-    x->last = cell;
-    if (value != value) {
-        x->nans++;
-        return;
-    }
-    if (!x->number || value < flight_value(type, x->lo))
-        x->lo = cell;
-    if (!x->number || value > flight_value(type, x->hi))
-        x->hi = cell;
-    x->number = true;
-}
-
+// Writes the smallest, largest, first and last value of an element in the records of a session.
 static void write_value_range(const Flight *f, const LogSession *s, const LogElement *e, Buf *out)
 {
-    ValueRange x = {0, 0, 0, 0, false, false, 0};
+    uint64_t first = 0, last = 0, lo = 0, hi = 0, nans = 0;       // cells; lo and hi of numbers only
+    bool any = false, any_number = false;
 
-    for (size_t i = 0; i < s->item.n; i++)
-        if (s->item.at[i].kind == ITEM_RECORD)
-            extend_range(&x, e->type, log_read_cell(&s->item.at[i], e));
+    for (size_t i = 0; i < s->item.n; i++) {
+        uint64_t cell;
+        double value;
+        if (s->item.at[i].kind != ITEM_RECORD)
+            continue;
+        cell = log_read_cell(&s->item.at[i], e);
+        value = flight_value(e->type, cell);
+        first = any ? first : cell;
+        last = cell;
+        any = true;
+        if (value != value) {
+            nans++;
+            continue;
+        }
+        if (!any_number || value < flight_value(e->type, lo))
+            lo = cell;
+        if (!any_number || value > flight_value(e->type, hi))
+            hi = cell;
+        any_number = true;
+    }
     buf_printf(out, "    %-24s %-5s ", e->name, sm_type_info[e->type].spelling);
-    if (x.number)
-        buf_printf(out, "%s .. %s, from %s to %s", report_format_cell(f->arena, e->type, x.lo), report_format_cell(f->arena, e->type, x.hi),
-                   report_format_cell(f->arena, e->type, x.first), report_format_cell(f->arena, e->type, x.last));
-    if (x.nans)
-        buf_printf(out, "%snan in %s", x.number ? ", " : "", describe_count(f->arena, x.nans, "record", "records"));
+    if (any_number)
+        buf_printf(out, "%s .. %s, from %s to %s", report_format_cell(f->arena, e->type, lo), report_format_cell(f->arena, e->type, hi),
+                   report_format_cell(f->arena, e->type, first), report_format_cell(f->arena, e->type, last));
+    if (nans)
+        buf_printf(out, "%snan in %s", any_number ? ", " : "", describe_count(f->arena, nans, "record", "records"));
     buf_char(out, '\n');
 }
 
@@ -214,7 +180,20 @@ static void write_session(const Flight *f, size_t number, const LogSession *s, B
 {
     buf_printf(out, "\nsession %lu: %s, %s, layout %08lx\n", (unsigned long)number, s->d->vector,
                describe_count(f->arena, s->d->elements, "element", "elements"), (unsigned long)s->d->layout);
-    write_session_times(f, s, out);
+    buf_printf(out, "  %s", describe_count(f->arena, s->records, "record", "records"));
+    if (s->records > 0) {
+        buf_str(out, " from ");
+        flight_write_time(out, s->first);
+        buf_str(out, " s to ");
+        flight_write_time(out, s->last);
+        buf_str(out, " s");
+    }
+    buf_printf(out, ", %s", describe_count(f->arena, s->events, "event", "events"));
+    if (s->dropped)
+        buf_printf(out, "; %s dropped", describe_count(f->arena, s->dropped, "record", "records"));
+    if (s->lost)
+        buf_printf(out, "; %s lost", describe_count(f->arena, s->lost, "event", "events"));
+    buf_char(out, '\n');
     write_events(f, s, out);
     if (s->records == 0)
         return;
@@ -225,7 +204,16 @@ static void write_session(const Flight *f, size_t number, const LogSession *s, B
 
 void flight_write_text(const Flight *f, Buf *out)
 {
-    write_file_summary(f, out);
+    const Log *log = f->log;
+
+    buf_printf(out, "%s: %s, %s", f->name, describe_count(f->arena, log->size, "byte", "bytes"),
+               describe_count(f->arena, log->session.n, "session", "sessions"));
+    if (log->damaged)
+        buf_printf(out, ", %s damaged in %s", describe_count(f->arena, log->damaged, "byte", "bytes"),
+                   describe_count(f->arena, log->damaged_ranges, "place", "places"));
+    if (log->unread)
+        buf_printf(out, ", %s not read", describe_count(f->arena, log->unread, "byte", "bytes"));
+    buf_char(out, '\n');
     for (size_t i = 0; i < f->log->session.n; i++)
         if (!f->session || f->session == f->log->session.at[i])
             write_session(f, i + 1, f->log->session.at[i], out);

@@ -10,7 +10,7 @@ const char *report_format_number(Arena *arena, double x)
     Buf b;
 
     buf_init(&b, arena);
-    format_number_exact(&b, x);
+    format_number_shortest(&b, x);
     return buf_text(&b);
 }
 
@@ -19,7 +19,7 @@ const char *report_format_cell(Arena *arena, SmType type, uint64_t cell)
     Buf b;
 
     buf_init(&b, arena);
-    format_cell_exact(&b, type, cell);
+    format_cell_shortest(&b, type, cell);
     return buf_text(&b);
 }
 

@@ -66,10 +66,11 @@ const char *plot_patterns(Arena *arena);      // an invisible drawing that plots
 
 // ---- shared helpers ----
 
-bool report_is_low_diagram(DiagramSize s);      // a diagram of this size is readable on part of a printed page
+// Adds the state diagram; on paper in as many pieces as legible letters need.
+void report_add_diagram(Report *r, Doc *d, const Diags *findings, const DiagramCounts *counts, const char *caption);
 uint32_t report_line_of(Span span);           // line in the source; 0: none
-bool report_fits_uno(const Report *r);                            // whether its windows fit an Uno's RAM; nothing else counts
-const char *report_format_cycles(const Report *r, uint32_t cycles);  // with their duration on an Uno
+const char *report_board_name(const Report *r);       // "On an Arduino Uno": the smallest board whose firmware has room for the machine
+const char *report_board_time(const Report *r);       // "about 300 cycles, 0.02 ms, in Fill" of its longest step there
 const char *report_format_number(Arena *arena, double x);
 const char *report_format_cell(Arena *arena, SmType type, uint64_t cell);
 const char *report_base_name(const char *path);

@@ -10,6 +10,7 @@ static const DocColumn abort_columns[] = {
 static const DocColumn transition_columns[] = {
     {"state", "State"}, {"to", "To"}, {"guard", "Condition"}, {"reads", "Reads"}, {"steps", "Worst-case steps"}, {"line", "Line"}};
 
+// Whether some transition that leads to an abort state depends on a command or switch.
 static bool has_command(const AbortRow *row)
 {
     for (size_t w = 0; w < row->path.n; w++)
@@ -18,7 +19,7 @@ static bool has_command(const AbortRow *row)
     return false;
 }
 
-// Returns the cell of a column: whether the machine can abort with the help of commands, or (!commands) without any.
+// Returns whether the machine can abort with the help of commands, or (!commands) without any, as the text of a cell.
 static const char *verdict_text(const AbortRow *row, bool commands)
 {
     switch (row->verdict) {
@@ -52,15 +53,6 @@ static void add_steps_cell(const Report *r, DocTable *t, uint32_t steps)
     doc_add_plain_cell(t, steps == 0 ? "" : steps == ABORT_NOT_BOUNDED ? "unbounded" : format_in(r->arena, "%lu", (unsigned long)steps));
 }
 
-static void add_state_row(const Report *r, DocTable *t, const AbortRow *row)
-{
-    doc_add_state_cell(t, row->state->name->text);
-    doc_add_plain_cell(t, verdict_text(row, true));
-    doc_add_plain_cell(t, verdict_text(row, false));
-    add_steps_cell(r, t, row->steps);
-    doc_add_text_cell(t, dependence_text(r, row));
-}
-
 static const char *reads_text(const Report *r, const AbortPath *w)
 {
     Buf b;
@@ -75,19 +67,7 @@ static const char *reads_text(const Report *r, const AbortPath *w)
     return buf_text(&b);
 }
 
-static void add_transition_row(const Report *r, DocTable *t, const AbortRow *row, const AbortPath *w)
-{
-    doc_add_state_cell(t, row->state->name->text);
-    doc_add_state_cell(t, w->first->to->name->text);
-    if (*w->guard)
-        doc_add_code_cell(t, w->guard);
-    else
-        doc_add_plain_cell(t, "always");
-    doc_add_text_cell(t, w->possible ? reads_text(r, w) : "can never be taken");
-    add_steps_cell(r, t, w->steps);
-    doc_add_line_cell(t, report_line_of(w->first->stmt->span));
-}
-
+// Whether the steps until some transition fires have no bound.
 static bool has_unbounded(const AbortMatrix *x)
 {
     for (size_t i = 0; i < x->n; i++)
@@ -106,8 +86,18 @@ static void add_transitions(const Report *r, Doc *d, const AbortMatrix *x)
         doc_add_paragraph(d, TEXT_ABORT_UNBOUNDED);
     t = DOC_ADD_TABLE(d, "transitions", transition_columns);
     for (size_t i = 0; i < x->n; i++)
-        for (size_t w = 0; w < x->row[i].path.n; w++)
-            add_transition_row(r, t, &x->row[i], &x->row[i].path.at[w]);
+        for (size_t w = 0; w < x->row[i].path.n; w++) {
+            const AbortPath *path = &x->row[i].path.at[w];
+            doc_add_state_cell(t, x->row[i].state->name->text);
+            doc_add_state_cell(t, path->first->to->name->text);
+            if (*path->guard)
+                doc_add_code_cell(t, path->guard);
+            else
+                doc_add_plain_cell(t, "always");
+            doc_add_text_cell(t, path->possible ? reads_text(r, path) : "can never be taken");
+            add_steps_cell(r, t, path->steps);
+            doc_add_line_cell(t, report_line_of(path->first->stmt->span));
+        }
 }
 
 void report_add_abort_matrix(Report *r, Doc *d)
@@ -122,7 +112,13 @@ void report_add_abort_matrix(Report *r, Doc *d)
     }
     doc_add_paragraph(d, TEXT_ABORT);
     t = DOC_ADD_TABLE(d, "abort", abort_columns);
-    for (size_t i = 0; i < x.n; i++)
-        add_state_row(r, t, &x.row[i]);
+    for (size_t i = 0; i < x.n; i++) {
+        const AbortRow *row = &x.row[i];
+        doc_add_state_cell(t, row->state->name->text);
+        doc_add_plain_cell(t, verdict_text(row, true));
+        doc_add_plain_cell(t, verdict_text(row, false));
+        add_steps_cell(r, t, row->steps);
+        doc_add_text_cell(t, dependence_text(r, row));
+    }
     add_transitions(r, d, &x);
 }

@@ -8,19 +8,21 @@
 
 static const DocColumn step_columns[] = {
     {"state", "State"}, {"first", "First step"}, {"later", "Later steps"}, {"lines", "Most expensive lines of the longest step"},
-    {"cycles", "Cycles on an Uno"}};
+    {"cycles", "Cycles on AVR"}};
 static const DocColumn byte_columns[] = {{"part", "Part"}, {"bytes", "Bytes"}};
 static const DocColumn board_columns[] = {{"part", "Part"}, {"value", "Value"}};
 static const DocColumn longest_columns[] = {{"block", "Block"}, {"line", "Line"}, {"text", "Statement"}, {"instructions", "Instructions"}};
 
 // ---- where the time goes ----
 
-const char *report_format_cycles(const Report *r, uint32_t cycles)
+// The time of the longest step of all states, at the clock of a stock Uno or Mega.
+static const char *longest_step_time(const Report *r, const Cost *cycles)
 {
-    enum { MHZ = 16 };                                // of a stock Uno
-    const unsigned long hundredths = (cycles + 10 * MHZ - 1) / (10 * MHZ);
+    enum { MHZ = 16 };
+    const unsigned long hundredths = (cycles->worst + 10 * MHZ - 1) / (10 * MHZ);
 
-    return format_in(r->arena, "%lu cycles, %lu.%02lu ms", (unsigned long)cycles, hundredths / 100, hundredths % 100);
+    return format_in(r->arena, "%lu cycles, %lu.%02lu ms, in %s", (unsigned long)cycles->worst, hundredths / 100, hundredths % 100,
+                     r->analysis.p->state.at[cycles->worst_state - 1]->name->text);
 }
 
 static const char *expensive_lines_text(const Report *r, const StateCost *s)
@@ -91,28 +93,58 @@ static void add_longest_step(const Report *r, Doc *d)
 
 // ---- a board ----
 
-enum { UNO_RAM = 2048 };              // bytes
+// What the firmware of a board gives to an image, and to the state vector and the machine together (docs/boards.md).
+typedef struct Board { const char *name; uint32_t image, ram; } Board;
 
-bool report_fits_uno(const Report *r) { return r->cost.windows_small < UNO_RAM; }
+static const Board boards[] = {{"Uno", 960, 960}, {"Mega", 2016, 5056}};
+
+enum { BOARDS = sizeof boards / sizeof *boards };
+
+static uint32_t board_ram(const Report *r) { return r->analysis.p->sv->size + r->cost.locals + r->cost.windows_small; }
+
+// Returns the smallest board that has room for the machine; NULL if it fits none.
+static const Board *find_board(const Report *r)
+{
+    for (size_t i = 0; i < BOARDS; i++)
+        if (board_ram(r) <= boards[i].ram && r->image_size <= boards[i].image)
+            return &boards[i];
+    return NULL;
+}
+
+const char *report_board_name(const Report *r)
+{
+    const Board *board = find_board(r);
+
+    return board ? format_in(r->arena, "On an Arduino %s", board->name) : "On an Arduino";
+}
+
+const char *report_board_time(const Report *r)
+{
+    return find_board(r) ? format_in(r->arena, "about %s", longest_step_time(r, &r->eeprom)) : "does not fit into its memory";
+}
 
 static void add_board(const Report *r, Doc *d)
 {
+    const Board *board = find_board(r), *limits = board ? board : &boards[BOARDS - 1];
     DocTable *t;
 
-    doc_add_heading(d, "board", "On an Arduino Uno");
-    doc_add_paragraph(d, TEXT_COSTS_BOARD);
+    doc_add_heading(d, "board", report_board_name(r));
+    if (board)
+        doc_add_paragraph(d, TEXT_COSTS_BOARD);
     t = DOC_ADD_TABLE(d, "board", board_columns);
     t->narrow = true;
-    doc_add_plain_cell(t, "Longest step, image in EEPROM");
-    doc_add_plain_cell(t, report_format_cycles(r, r->eeprom.worst));
-    doc_add_plain_cell(t, "Longest step, image in flash");
-    doc_add_plain_cell(t, report_format_cycles(r, r->flash.worst));
-    doc_add_plain_cell(t, "Stack of a step, largest measured");
-    doc_add_plain_cell(t, format_in(r->arena, "%lu bytes", (unsigned long)cycles_stack_bytes()));
-    if (report_fits_uno(r))
-        return;
-    doc_add_plain_cell(t, "Windows alone");
-    doc_add_plain_cell(t, "more than its 2048 bytes of memory");
+    if (board) {
+        doc_add_plain_cell(t, "Longest step, image in EEPROM");
+        doc_add_plain_cell(t, longest_step_time(r, &r->eeprom));
+        doc_add_plain_cell(t, "Longest step, image in flash");
+        doc_add_plain_cell(t, longest_step_time(r, &r->flash));
+        doc_add_plain_cell(t, "Stack of a step, largest measured");
+        doc_add_plain_cell(t, format_in(r->arena, "%lu bytes", (unsigned long)cycles_stack_bytes()));
+    }
+    doc_add_plain_cell(t, "RAM of state vector, locals and windows");
+    doc_add_plain_cell(t, format_in(r->arena, "%lu bytes of at most %lu", (unsigned long)board_ram(r), (unsigned long)limits->ram));
+    doc_add_plain_cell(t, "Image");
+    doc_add_plain_cell(t, format_in(r->arena, "%lu bytes of at most %lu", (unsigned long)r->image_size, (unsigned long)limits->image));
 }
 
 // ---- bytes ----

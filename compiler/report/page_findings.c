@@ -28,21 +28,10 @@ static const char *position_text(const Report *r, Span span)
     return format_in(r->arena, "%s:%lu:%lu", report_base_name(span.src->name), (unsigned long)at.line, (unsigned long)at.col);
 }
 
-static void add_notes(const Report *r, Doc *d, const Diag *diag, size_t number)
-{
-    DocList *l;
-
-    if (diag->notes.n == 0)
-        return;
-    l = doc_add_list(d, format_in(r->arena, "notes.%lu", (unsigned long)number), NULL);
-    for (size_t i = 0; i < diag->notes.n; i++)
-        doc_add_list_line(l, 0, diag->notes.at[i].span.src == r->analysis.p->src ? report_line_of(diag->notes.at[i].span) : 0,
-                          diag->notes.at[i].text);
-}
-
 static void add_finding(const Report *r, Doc *d, const Diag *diag, size_t number)
 {
     DocPart *heading = doc_add_heading(d, format_in(r->arena, "finding-%lu", (unsigned long)number), diag->text);
+    DocList *l = NULL;
 
     heading->plain = true;
     heading->badge = diag->allowed ? "allowed" : diag_code_and_name(diag, r->arena);
@@ -50,7 +39,11 @@ static void add_finding(const Report *r, Doc *d, const Diag *diag, size_t number
     if (diag->allowed)
         doc_add_quote(d, format_in(r->arena, "Allowed: %s", diag->allowed));
     doc_add_excerpt(d, diag->span, diag->label);
-    add_notes(r, d, diag, number);
+    if (diag->notes.n)
+        l = doc_add_list(d, format_in(r->arena, "notes.%lu", (unsigned long)number), NULL);
+    for (size_t i = 0; i < diag->notes.n; i++)
+        doc_add_list_line(l, 0, diag->notes.at[i].span.src == r->analysis.p->src ? report_line_of(diag->notes.at[i].span) : 0,
+                          diag->notes.at[i].text);
     if (diag->edits.n)
         doc_add_paragraph(d, TEXT_FINDING_FIXABLE);
 }

@@ -70,8 +70,7 @@ static void add_facts(const Report *r, Doc *d)
         add_fact(t, "Transitions covered", transitions_covered_text(r, c));
     }
     add_fact(t, "Longest step", format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst, state));
-    add_fact(t, "On an Arduino Uno", report_fits_uno(r) ? format_in(r->arena, "about %s", report_format_cycles(r, r->eeprom.worst))
-                                                 : "does not fit into its memory");
+    add_fact(t, report_board_name(r), report_board_time(r));
     add_fact(t, "Memory on the VM", format_in(r->arena, "%lu bytes on a 64-bit computer", (unsigned long)r->cost.ram));
     add_fact(t, "Image", format_in(r->arena, "%lu bytes", (unsigned long)r->image_size));
     add_fact(t, "Image CRC", format_in(r->arena, "%08lx", (unsigned long)smvm_uint(r->image, SMVM_CRC_AT, 4)));
@@ -143,26 +142,38 @@ static void add_summary(Report *r, Doc *d)
     doc_add_paragraph(d, buf_text(&b));
 }
 
-// Below LEGIBLE, letters would be too small to read on paper.
-enum { PAPER_W = 688, LOW = 416, LEGIBLE = 65 };      // pixels between the margins of A4; 110 mm, as in page_style.c; percent
+// In pixels: the width of a page of A4 between its margins and the height left for a diagram below a heading, upright and landscape; the height
+// of a diagram on part of a page.  They are those of page_style.c.  Scaled to less than LEGIBLE percent, letters are too small to read.
+enum { PAPER_W = 688, PAPER_H = 850, LANDSCAPE_W = 1017, LANDSCAPE_H = 600, LOW = 416, LEGIBLE = 65 };
 
-bool report_is_low_diagram(DiagramSize s)
+static DocFigure choose_figure(DiagramSize s)
 {
     const int64_t h = s.w > PAPER_W ? (int64_t)s.h * PAPER_W / s.w : s.h;
 
-    return h * LEGIBLE <= LOW * 100;
+    if (h * LEGIBLE <= LOW * 100)
+        return FIGURE_LOW;
+    if (s.w * LEGIBLE > PAPER_W * 100)
+        return FIGURE_LARGE;
+    return s.h * LEGIBLE <= PAPER_H * 100 ? FIGURE_DIAGRAM : FIGURE_TALL;
 }
 
-static void add_diagram(Report *r, Doc *d)
+void report_add_diagram(Report *r, Doc *d, const Diags *findings, const DiagramCounts *counts, const char *caption)
 {
     DiagramSize size;
-    const DiagramOptions o = {r->analysis.diags, NULL, &size};
-    Buf svg;
+    const DiagramOptions o = {findings, counts, &size};
+    DocPart *figure;
+    Buf svg, print;
 
     buf_init(&svg, r->arena);
+    buf_init(&print, r->arena);
     diagram_write_svg(&r->analysis, &o, &svg);
-    doc_add_section(d, "diagram", "State diagram");
-    doc_add_figure(d, buf_text(&svg), NULL)->low = report_is_low_diagram(size);
+    figure = doc_add_figure(d, buf_text(&svg), caption);
+    figure->figure = choose_figure(size);
+    if (figure->figure == FIGURE_TALL || figure->figure == FIGURE_LARGE) {
+        const int32_t w = figure->figure == FIGURE_TALL ? PAPER_W : LANDSCAPE_W, h = figure->figure == FIGURE_TALL ? PAPER_H : LANDSCAPE_H;
+        diagram_write_slices(&r->analysis, &o, size.w > w ? (int32_t)((int64_t)h * size.w / w) : h, &print);
+        figure->print = buf_text(&print);
+    }
 }
 
 void report_add_overview(Report *r, Doc *d)
@@ -171,5 +182,6 @@ void report_add_overview(Report *r, Doc *d)
     doc_add_quote(d, comment_of_file(r->arena, r->analysis.p->src));
     add_summary(r, d);
     add_facts(r, d);
-    add_diagram(r, d);
+    doc_add_section(d, "diagram", "State diagram");
+    report_add_diagram(r, d, r->analysis.diags, NULL, NULL);
 }

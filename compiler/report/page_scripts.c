@@ -2,6 +2,7 @@
 // The results of the scripts, what they visited, and a plot of each.
 #include "compiler/report/comment.h"
 #include "compiler/report/diagram.h"
+#include "compiler/report/describe.h"
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"
 
@@ -178,25 +179,44 @@ static void add_shared_transitions(const Report *r, Doc *d)
         doc_add_paragraph(d, format_in(r->arena, TEXT_SHARED, buf_text(&out)));
 }
 
+// Names the states that no script has visited, and the pairs of states between which no transition was taken, each pair once.
+static void add_uncovered(const Report *r, Doc *d, const DiagramCounts *counts)
+{
+    const Program *p = r->analysis.p;
+    const Transitions *t = &r->analysis.transition;
+    VEC(const char *) state = {NULL, 0, 0}, pair = {NULL, 0, 0};
+    Buf b;
+
+    for (size_t i = 0; i < p->state.n; i++)
+        if (counts->state[i] == 0)
+            vec_push(r->arena, &state, p->state.at[i]->name->text);
+    for (size_t i = 0; i < t->n; i++) {
+        bool covered = false;
+        for (size_t k = 0; k < t->n && !covered; k++)
+            covered = t->at[k].from == t->at[i].from && t->at[k].to == t->at[i].to && (counts->transition[k] > 0 || k < i);
+        if (!covered)
+            vec_push(r->arena, &pair, format_in(r->arena, "from ^%s^ to ^%s^", t->at[i].from->name->text, t->at[i].to->name->text));
+    }
+    buf_init(&b, r->arena);
+    for (size_t i = 0; i < state.n; i++)
+        buf_printf(&b, "%s%s^%s^%s", i ? "" : "No script visits ", describe_separator(i, state.n), state.at[i], i + 1 < state.n ? "" : ". ");
+    for (size_t i = 0; i < pair.n; i++)
+        buf_printf(&b, "%s%s%s%s", i ? "" : "No script takes a transition ", describe_separator(i, pair.n), pair.at[i], i + 1 < pair.n ? "" : ".");
+    doc_add_paragraph(d, buf_text(&b));
+}
+
 static void add_not_covered(Report *r, Doc *d)
 {
     const Coverage c = report_measure_coverage(r);
     const DiagramCounts counts = report_sum_counts(r);
-    DiagramSize size;
-    DocPart *figure;
-    const DiagramOptions o = {NULL, &counts, &size};
-    Buf svg;
 
     doc_add_heading(d, "not-covered", "Not covered by the scripts");
-    if (c.states_covered == c.states && c.pairs_covered == c.pairs) {
+    if (c.states_covered == c.states && c.pairs_covered == c.pairs)
         doc_add_paragraph(d, c.pairs_shared ? TEXT_COVERED_ALL_EDGES : TEXT_COVERED_ALL);
-        add_shared_transitions(r, d);
-        return;
+    else {
+        add_uncovered(r, d, &counts);
+        report_add_diagram(r, d, NULL, &counts, "Dotted: states that no script has visited, and transitions that none has taken.");
     }
-    buf_init(&svg, r->arena);
-    diagram_write_svg(&r->analysis, &o, &svg);
-    figure = doc_add_figure(d, buf_text(&svg), "Dotted: states that no script has visited, and transitions that none has taken.");
-    figure->low = report_is_low_diagram(size);
     add_shared_transitions(r, d);
 }
 
@@ -222,29 +242,22 @@ static void add_visits(const Report *r, Doc *d, const ReportRun *run)
         doc_add_paragraph(d, format_in(r->arena, "And %llu more.", (unsigned long long)(t->visits - SHOWN)));
 }
 
-static const char *unchanged_text(const Report *r, const ReportRun *run)
-{
-    const Trace *t = &run->trace;
-    Buf b;
-
-    buf_init(&b, r->arena);
-    for (size_t i = 0; i < t->series.n; i++)
-        if (!t->series.at[i]->changes && t->steps > 0)
-            buf_printf(&b, "%s`%s` = %s", b.n ? ", " : "", t->series.at[i]->v->name->text,
-                       report_format_cell(r->arena, t->series.at[i]->v->type, run->result.cell[t->series.at[i]->v->index]));
-    return buf_text(&b);
-}
-
+// Adds the plot of a run. Its caption lists the variables that do not change, which the plot omits.
 static void add_plot(const Report *r, Doc *d, const ReportRun *run)
 {
-    const char *same = unchanged_text(r, run);
+    const Trace *t = &run->trace;
+    Buf same;
 
-    doc_add_figure(d, plot_draw_run(r->arena, &run->trace),
-                   format_in(r->arena, "Values after each step. A circle marks the start of a state.%s%s%s", *same ? " Unchanged: " : "",
-                             same, *same ? "." : ""));
+    buf_init(&same, r->arena);
+    for (size_t i = 0; i < t->series.n; i++)
+        if (!t->series.at[i]->changes && t->steps > 0)
+            buf_printf(&same, "%s`%s` = %s", same.n ? ", " : " Unchanged: ", t->series.at[i]->v->name->text,
+                       report_format_cell(r->arena, t->series.at[i]->v->type, run->result.cell[t->series.at[i]->v->index]));
+    doc_add_figure(d, plot_draw_run(r->arena, t),
+                   format_in(r->arena, "Values after each step. A circle marks the start of a state.%s%s", buf_text(&same), same.n ? "." : ""));
 }
 
-// What led to a failure, as smc test shows it: the last steps with the values that the assert reads, and the last transitions.
+// Adds what led to a failure, as smc test shows it: the last steps with the values that the assert reads, and the last transitions.
 static void add_history(const Report *r, Doc *d, const Diag *failure)
 {
     Buf lines;

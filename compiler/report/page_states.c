@@ -5,6 +5,7 @@
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"
 
+// Whether some block of the state can run.
 static bool is_reached(const Report *r, const State *s)
 {
     for (int b = 0; b < BLOCK_COUNT; b++)
@@ -13,6 +14,7 @@ static bool is_reached(const Report *r, const State *s)
     return false;
 }
 
+// Sets the badge beside the heading of a state: its most important property.
 static void set_badge(const Report *r, const State *s, DocPart *heading)
 {
     heading->state = s->name->text;
@@ -97,14 +99,7 @@ static const DocColumn transition_columns[] = {
     {"number", "No."}, {"from", "From"}, {"to", "To"}, {"when", "Condition"}, {"block", "Block"}, {"line", "Line"}, {"note", "Remark"},
     {"comment", "Comment"}};
 
-static const char *remark_text(const Report *r, const Transition *t)
-{
-    if (!r->analysis.stmt[t->stmt->number].reached)
-        return "can never be taken";
-    return t->to->is_abort ? "abort" : "";
-}
-
-// The comment after the transition, or after the guard if the transition is its only statement.
+// Returns the comment after the transition. If there is none and the transition is the only statement of its guard, the comment after the guard.
 static const char *comment_of_transition(const Report *r, const Transition *t)
 {
     const char *own = comment_after_lines(r->arena, t->stmt->span);
@@ -113,36 +108,32 @@ static const char *comment_of_transition(const Report *r, const Transition *t)
     return own || !guard || guard->then.n != 1 ? own : comment_after_lines(r->arena, guard->span);
 }
 
-static void add_transition_row(const Report *r, DocTable *table, const Transition *t)
-{
-    static const char *const block[BLOCK_COUNT] = {".entry", ".step", ".exit"};
-    const char *when = condition_text(r->arena, t->when);
-
-    doc_add_number_cell(table, t->number + 1u);
-    doc_add_state_cell(table, t->from->name->text);
-    doc_add_state_cell(table, t->to->name->text);
-    if (*when)
-        doc_add_code_cell(table, when);
-    else
-        doc_add_plain_cell(table, "always");
-    doc_add_plain_cell(table, block[t->block]);
-    doc_add_line_cell(table, report_line_of(t->stmt->span));
-    doc_add_plain_cell(table, remark_text(r, t));
-    doc_add_plain_cell(table, comment_of_transition(r, t));
-}
-
 void report_add_transitions(Report *r, Doc *d)
 {
-    const Transitions *t = &r->analysis.transition;
+    static const char *const block[BLOCK_COUNT] = {".entry", ".step", ".exit"};
+    const Transitions *all = &r->analysis.transition;
     DocTable *table;
 
     doc_add_section(d, "transitions", "Transitions");
-    if (t->n == 0) {
+    if (all->n == 0) {
         doc_add_paragraph(d, TEXT_TRANSITIONS_NONE);
         return;
     }
     doc_add_paragraph(d, TEXT_TRANSITIONS);
     table = DOC_ADD_TABLE(d, "transitions", transition_columns);
-    for (size_t i = 0; i < t->n; i++)
-        add_transition_row(r, table, &t->at[i]);
+    for (size_t i = 0; i < all->n; i++) {
+        const Transition *t = &all->at[i];
+        const char *when = condition_text(r->arena, t->when);
+        doc_add_number_cell(table, t->number + 1u);
+        doc_add_state_cell(table, t->from->name->text);
+        doc_add_state_cell(table, t->to->name->text);
+        if (*when)
+            doc_add_code_cell(table, when);
+        else
+            doc_add_plain_cell(table, "always");
+        doc_add_plain_cell(table, block[t->block]);
+        doc_add_line_cell(table, report_line_of(t->stmt->span));
+        doc_add_plain_cell(table, !r->analysis.stmt[t->stmt->number].reached ? "can never be taken" : t->to->is_abort ? "abort" : "");
+        doc_add_plain_cell(table, comment_of_transition(r, t));
+    }
 }

@@ -61,7 +61,8 @@ const char *const report_style[] = {
     ".no{display:inline-block;width:3.2em;padding-right:1em;text-align:right;color:var(--dim);user-select:none}\n",
     "pre .c{color:var(--dim);font-style:italic}mark{background:var(--mark);color:inherit;border-radius:2px}\n",
     ".source span:target{background:var(--mark)}.label{color:var(--dim);margin:.2rem 0 .6rem}\n",
-    "figure{margin:1rem 0;overflow-x:auto}figcaption{color:var(--dim);font-size:.9rem}figure svg{max-width:100%;height:auto}\n",
+    "figure{margin:1rem 0;overflow-x:auto}figcaption{color:var(--dim);font-size:.9rem}figure svg{max-width:100%;height:auto}\n"
+    "@media screen{figure.diagram{margin:1rem calc(50% - 50vw + 1.5rem);text-align:center}.print{display:none}}\n",
     "footer{border-top:1px solid var(--line);color:var(--dim);font-size:.85rem;margin-top:3rem}\n",
     PLOTS,
     "@media print{td code{overflow-wrap:anywhere}html{font-size:10pt}body{max-width:none;padding:0 "
@@ -71,7 +72,11 @@ const char *const report_style[] = {
     "a{color:inherit}.wide,pre,figure{overflow:visible}"
     "pre{white-space:pre-wrap}.source{font-size:8.5pt;border:0;background:none;padding:0}thead{display:table-header-group}"
     "nav{display:none}figure{margin:.3rem 0}figure svg{width:auto;max-height:225mm}figure.low svg{max-height:110mm}"
+    "figure.tall,figure.large{break-inside:auto}figure.tall>svg,figure.large>svg{display:none}"
+    ".print{display:block}.print svg{display:block;break-inside:avoid;max-width:100%;max-height:none}"
+    "section:has(figure.large){page:large}"
     "dl{grid-template-columns:repeat(4,minmax(0,1fr));gap:.3rem;margin:.5rem 0 .8rem}dl div{padding:.2rem .5rem}"
     "tbody tr:hover{background:none}.badge{border:1px solid #000}\n"
-    "@page{margin:16mm 14mm;@bottom-right{content:counter(page) \" of \" counter(pages);font:9pt sans-serif}}}\n",
+    "@page{margin:16mm 14mm;@bottom-right{content:counter(page) \" of \" counter(pages);font:9pt sans-serif}}\n"
+    "@page large{size:A4 landscape}}\n",
     0};

@@ -59,8 +59,8 @@
 #define TEXT_COSTS_SAMPLES \
     "Of each step, %s take the samples of windows. What a sample costs in addition to its instruction depends on the window."    // "5 instructions"
 #define TEXT_COSTS_BOARD \
-    "The longest step on an ATmega328P at 16 MHz. This is an estimate: for each instruction it assumes the highest cost that was " \
-    "measured, for any operands. In tests, real steps took between a third and three quarters of the estimate. It is not proved that " \
+    "The longest step at 16 MHz. This is an estimate: for each instruction it assumes the highest cost that was measured on an " \
+    "ATmega328P, for any operands. In tests, real steps took between a third and three quarters of the estimate. It is not proved that " \
     "no step can take longer. The cost of emitted C depends on the compiler and is not estimated."
 #define TEXT_COSTS_MEMORY \
     "RAM of this machine on the VM of a 64-bit computer. A board with shorter pointers needs slightly less. The state vector is shared " \

@@ -84,22 +84,12 @@ static const char *role_text(const Program *p, const Var *v)
     return v->read ? "input" : "unused";
 }
 
-static const char *element_name(Arena *arena, const Var *v)
-{
-    return v->alias ? format_in(arena, "%s (%s)", v->name->text, v->alias->text) : v->name->text;
-}
-
-static double to_double(SmF64 x)
-{
-    return trace_cell_value(SM_F64, sm_bits(x));
-}
-
 static const char *range_text(Arena *arena, const Var *v)
 {
     if (!v->range)
         return "";
-    return format_in(arena, "%s to %s", report_format_number(arena, to_double(v->range->lo)),
-                     report_format_number(arena, to_double(v->range->hi)));
+    return format_in(arena, "%s to %s", report_format_number(arena, trace_cell_value(SM_F64, sm_bits(v->range->lo))),
+                     report_format_number(arena, trace_cell_value(SM_F64, sm_bits(v->range->hi))));
 }
 
 static void add_elements(const Report *r, Doc *d, const VarUse *use)
@@ -111,7 +101,7 @@ static void add_elements(const Report *r, Doc *d, const VarUse *use)
         const Var *v = p->var.at[i];
         if (v->kind != VAR_ELEMENT)
             continue;
-        doc_add_code_cell(t, element_name(r->arena, v));
+        doc_add_code_cell(t, v->alias ? format_in(r->arena, "%s (%s)", v->name->text, v->alias->text) : v->name->text);
         doc_add_plain_cell(t, sm_type_info[v->type].spelling);
         doc_add_plain_cell(t, role_text(p, v));
         doc_add_plain_cell(t, range_text(r->arena, v));

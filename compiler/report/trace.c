@@ -19,42 +19,31 @@ double trace_cell_value(SmType type, uint64_t cell)
 
 size_t trace_buckets(const Trace *t) { return (size_t)((t->steps + t->per - 1) / t->per); }
 
-static void add_series(Trace *t, const Var *v)
-{
-    TraceSeries *s = ARENA_NEW(t->arena, TraceSeries);
-
-    s->v = v;
-    vec_push(t->arena, &t->series, s);
-}
-
-// Fills in Trace.first: for each state the index of its first transition.
-static void find_first_transitions(Trace *t)
-{
-    size_t i = 0;
-
-    for (size_t s = 0; s < t->p->state.n; s++) {
-        while (i < t->transition->n && t->transition->at[i].from->number < s + 1)
-            i++;
-        t->first[s] = i;
-    }
-}
-
 void trace_init(Trace *t, Arena *arena, const Program *p, const Transitions *transition)
 {
+    size_t transitions = 0;           // those of the states before the current one
+
     memset(t, 0, sizeof *t);
     t->arena = arena;
     t->p = p;
     t->transition = transition;
     t->first = ARENA_ARRAY(arena, size_t, p->state.n);
     t->taken = ARENA_ARRAY(arena, uint64_t, transition->n);
-    find_first_transitions(t);
+    for (size_t s = 0; s < p->state.n; s++) {
+        while (transitions < transition->n && transition->at[transitions].from->number < s + 1)
+            transitions++;
+        t->first[s] = transitions;
+    }
     t->per = 1;
     t->entered = ARENA_ARRAY(arena, uint64_t, p->state.n);
     t->spent = ARENA_ARRAY(arena, uint64_t, p->state.n);
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
-        if (v != p->g && v != p->s && (v->kind == VAR_ELEMENT || (v->kind == VAR_LOCAL && !v->is_constant)))
-            add_series(t, v);
+        if (v != p->g && v != p->s && (v->kind == VAR_ELEMENT || (v->kind == VAR_LOCAL && !v->is_constant))) {
+            TraceSeries *s = ARENA_NEW(arena, TraceSeries);
+            s->v = v;
+            vec_push(arena, &t->series, s);
+        }
     }
 }
 
@@ -65,6 +54,7 @@ static TraceBucket merge_buckets(const TraceBucket *a, const TraceBucket *b)
     return (TraceBucket){a->first, a->lo < b->lo ? a->lo : b->lo, a->hi > b->hi ? a->hi : b->hi, b->last};
 }
 
+// Halves the number of buckets in use: each now covers twice as many steps.
 static void merge_bucket_pairs(Trace *t)
 {
     for (size_t i = 0; i < t->series.n; i++) {

@@ -13,48 +13,33 @@ enum { OPERANDS_MOST = 8, OPERAND_LENGTH = 40 };      // limits of a label: numb
 typedef struct Operands {
     ScriptRun *r;
     Buf text;                 // "valveOpen = false, tankPressure = 776"
-    const Expr *seen[OPERANDS_MOST];
+    const Expr *shown[OPERANDS_MOST];         // the n expressions in `text`
     size_t n;
 } Operands;
 
-bool span_has_same_source(Span a, Span b)
+bool run_can_show(const Expr *const *shown, size_t n, const Expr *e, size_t most)
 {
-    return a.len == b.len && memcmp(a.src->text + a.at, b.src->text + b.at, a.len) == 0;
-}
+    const Span s = e->span;
 
-static bool is_operand_listed(const Operands *o, const Expr *e)
-{
-    for (size_t i = 0; i < o->n; i++)
-        if (o->seen[i] == e || span_has_same_source(o->seen[i]->span, e->span))
-            return true;
-    return false;
-}
-
-// Whether the source at s is short enough for a label, and on one line.
-static bool fits_in_label(Span s)
-{
-    return s.src && s.len > 0 && s.len <= OPERAND_LENGTH && !memchr(s.src->text + s.at, '\n', s.len);
+    if (!s.src || s.len == 0 || s.len > most || memchr(s.src->text + s.at, '\n', s.len))
+        return false;
+    for (size_t i = 0; i < n; i++) {
+        const Span other = shown[i]->span;
+        if (shown[i] == e || (other.len == s.len && memcmp(other.src->text + other.at, s.src->text + s.at, s.len) == 0))
+            return false;
+    }
+    return true;
 }
 
 void run_append_value(ScriptRun *r, const Expr *e, Buf *out)
 {
     if (e->kind == EX_VAR)
-        format_cell_exact(out, e->var->type, r->cell[e->var->index]);
+        format_cell_shortest(out, e->var->type, r->cell[e->var->index]);
     else
-        format_number_exact(out, ref_eval(e, r->cell, &r->windows));
+        format_number_shortest(out, ref_eval(e, r->cell, &r->windows));
 }
 
-static void add_operand(Operands *o, const Expr *e)
-{
-    if (o->n == OPERANDS_MOST || !fits_in_label(e->span) || is_operand_listed(o, e))
-        return;
-    buf_str(&o->text, o->n ? ", " : "");
-    buf_put(&o->text, e->span.src->text + e->span.at, e->span.len);
-    buf_str(&o->text, " = ");
-    run_append_value(o->r, e, &o->text);
-    o->seen[o->n++] = e;
-}
-
+// Whether e compares its operands.
 static bool is_relation(const Expr *e)
 {
     if (e->kind != EX_BINARY)
@@ -62,7 +47,7 @@ static bool is_relation(const Expr *e)
     return sm_op_info[e->op].op_class == SM_CLASS_RELATION || sm_op_info[e->op].op_class == SM_CLASS_EQUALITY;
 }
 
-// Adds the variables and calls anywhere in e, and the operands of comparisons.  `is_compared`: e is such an operand.
+// Adds the variables and calls anywhere in e, and the operands of comparisons.  `is_compared`: e is an operand of a comparison.
 static void add_operands(Operands *o, const Expr *e, bool is_compared)
 {
     if (e->kind == EX_NUMBER || o->n == OPERANDS_MOST)
@@ -70,8 +55,14 @@ static void add_operands(Operands *o, const Expr *e, bool is_compared)
     if (e->kind != EX_ROLL)                           // its operands may have changed since they were sampled
         for (uint32_t i = 0; i < e->n; i++)
             add_operands(o, e->arg[i], is_relation(e));
-    if (e->kind == EX_VAR || e->kind == EX_CALL || e->kind == EX_ROLL || is_compared)
-        add_operand(o, e);
+    if (o->n == OPERANDS_MOST || !(e->kind == EX_VAR || e->kind == EX_CALL || e->kind == EX_ROLL || is_compared) ||
+        !run_can_show(o->shown, o->n, e, OPERAND_LENGTH))
+        return;
+    buf_str(&o->text, o->n ? ", " : "");
+    buf_put(&o->text, e->span.src->text + e->span.at, e->span.len);
+    buf_str(&o->text, " = ");
+    run_append_value(o->r, e, &o->text);
+    o->shown[o->n++] = e;
 }
 
 void assert_report_failure(ScriptRun *r)
@@ -92,14 +83,14 @@ void assert_report_failure(ScriptRun *r)
 
 void assert_check_step(ScriptRun *r)
 {
-    for (size_t i = 0; i < r->notes && !r->over; i++) {
-        const NotedAssert *note = &r->noted[i];
+    for (size_t i = 0; i < r->noted.n && !r->over; i++) {
+        const NotedAssert *note = &r->noted.at[i];
 
         if (note->assert == note->item->asserts.n) {
             run_finish(r, SCRIPT_PASSED);
             continue;
         }
-        r->evaluated[note->number] = 1;
+        r->evaluated[note->item->first_assert + note->assert] = 1;
         if (ref_true(ref_eval(note->item->asserts.at[note->assert], r->cell, &r->windows))) {
             r->result.asserts_passed++;
         } else {
@@ -112,7 +103,7 @@ void assert_check_step(ScriptRun *r)
 
 // ---- asserts never evaluated ----
 
-// `@assert false` states that its condition is never true, so it is intended that no step evaluates it.
+// Whether the assert is `@assert false`.  It states that its guard is never true, so the author intends that no step evaluates it.
 static bool is_assert_false(const ScriptRun *r, const Expr *assert)
 {
     return expr_is_constant(assert) && !ref_true(ref_eval(assert, r->cell, &r->windows));
@@ -121,12 +112,12 @@ static bool is_assert_false(const ScriptRun *r, const Expr *assert)
 // Asserts that were not evaluated for the same reason.  They share one warning, at the first of them.
 typedef struct Unevaluated { const Expr *first; size_t n; } Unevaluated;
 
-// Counts the asserts of an item that were not evaluated.  `number`: that of its first assert.
-static void add_unevaluated(const ScriptRun *r, const ScriptItem *item, size_t number, Unevaluated *u)
+// Counts the asserts of an item that were not evaluated.
+static void add_unevaluated(const ScriptRun *r, const ScriptItem *item, Unevaluated *u)
 {
     for (size_t k = 0; k < item->asserts.n; k++) {
         const Expr *assert = item->asserts.at[k];
-        if (r->evaluated[number + k] || is_assert_false(r, assert))
+        if (r->evaluated[item->first_assert + k] || is_assert_false(r, assert))
             continue;
         u->first = u->n ? u->first : assert;
         u->n++;
@@ -146,15 +137,14 @@ static Diag *report_unevaluated(const ScriptRun *r, Unevaluated *u)
 
 static void report_all_unevaluated(const ScriptRun *r)
 {
-    size_t number = 0, items = 0;
-
     for (size_t i = 0; i < r->s->section.n; i++) {
         const ScriptSection *section = &r->s->section.at[i];
         Unevaluated u = {NULL, 0};
-        for (size_t j = 0; j < section->item.n; number += section->item.at[j++].asserts.n, items++) {
-            add_unevaluated(r, &section->item.at[j], number, &u);
+        for (size_t j = 0; j < section->item.n; j++) {
+            const ScriptItem *item = section->item.at[j];
+            add_unevaluated(r, item, &u);
             if (u.n && r->ran[i])
-                diag_label(r->diags, report_unevaluated(r, &u), r->was_true[items] ? DIAG_label_stopped_before : DIAG_label_never_true);
+                diag_label(r->diags, report_unevaluated(r, &u), r->was_true[item->number] ? DIAG_label_stopped_before : DIAG_label_never_true);
         }
         if (u.n)
             diag_label(r->diags, report_unevaluated(r, &u), DIAG_label_never_in_state, section->state->name->text);
@@ -165,7 +155,7 @@ static bool has_assert(const Script *s)
 {
     for (size_t i = 0; i < s->section.n; i++)
         for (size_t j = 0; j < s->section.at[i].item.n; j++)
-            if (s->section.at[i].item.at[j].asserts.n)
+            if (s->section.at[i].item.at[j]->asserts.n)
                 return true;
     return false;
 }

@@ -36,37 +36,8 @@ static const char *state_text(const Program *p, uint32_t number)
 static void append_value(Buf *b, const Engine *e, SmType type, uint64_t cell)
 {
     buf_printf(b, "%s has ", e->name);
-    format_cell_exact(b, type, cell);
+    format_cell_shortest(b, type, cell);
     buf_printf(b, " (bits 0x%0*" PRIx64 ")", sm_type_info[type].bytes * 2, cell);
-}
-
-static const char *describe_value_difference(Arena *arena, const Var *v, const Engine *a, uint64_t in_a, const Engine *b, uint64_t in_b)
-{
-    Buf text;
-
-    buf_init(&text, arena);
-    buf_printf(&text, "%s: ", v->report_name->text);
-    append_value(&text, a, v->type, in_a);
-    buf_str(&text, ", ");
-    append_value(&text, b, v->type, in_b);
-    return buf_text(&text);
-}
-
-static const char *describe_stored_difference(Arena *arena, const Var *v, const Engine *a, bool in_a, const Engine *b)
-{
-    return format_in(arena, "%s: %s stored it in this step, %s did not", v->report_name->text, in_a ? a->name : b->name,
-                     in_a ? b->name : a->name);
-}
-
-static const char *describe_next_difference(Arena *arena, const Engine *a, const EngineStep *of_a, const Engine *b, const EngineStep *of_b)
-{
-    const Program *p = a->program;
-
-    if (of_a->next_state != of_b->next_state)
-        return format_in(arena, "next state: %s goes to %s, %s to %s", a->name, state_text(p, of_a->next_state), b->name,
-                         state_text(p, of_b->next_state));
-    return format_in(arena, "%s makes a transition in this step, %s does not", of_a->next_is_first ? a->name : b->name,
-                     of_a->next_is_first ? b->name : a->name);
 }
 
 const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a, const Engine *b, const EngineStep *of_b)
@@ -76,12 +47,25 @@ const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a
     if (of_a->status != of_b->status)
         return format_in(arena, "%s %s, %s %s", a->name, status_text(of_a->status), b->name, status_text(of_b->status));
     for (size_t i = 0; i < p->var.n; i++)
-        if (of_a->cell[i] != of_b->cell[i])
-            return describe_value_difference(arena, p->var.at[i], a, of_a->cell[i], b, of_b->cell[i]);
-    if (of_a->next_state != of_b->next_state || of_a->next_is_first != of_b->next_is_first)
-        return describe_next_difference(arena, a, of_a, b, of_b);
+        if (of_a->cell[i] != of_b->cell[i]) {
+            const Var *v = p->var.at[i];
+            Buf text;
+            buf_init(&text, arena);
+            buf_printf(&text, "%s: ", v->report_name->text);
+            append_value(&text, a, v->type, of_a->cell[i]);
+            buf_str(&text, ", ");
+            append_value(&text, b, v->type, of_b->cell[i]);
+            return buf_text(&text);
+        }
+    if (of_a->next_state != of_b->next_state)
+        return format_in(arena, "next state: %s goes to %s, %s to %s", a->name, state_text(p, of_a->next_state), b->name,
+                         state_text(p, of_b->next_state));
+    if (of_a->next_is_first != of_b->next_is_first)
+        return format_in(arena, "%s makes a transition in this step, %s does not", of_a->next_is_first ? a->name : b->name,
+                         of_a->next_is_first ? b->name : a->name);
     for (size_t i = 0; i < p->var.n; i++)
         if (p->var.at[i]->kind == VAR_ELEMENT && !of_a->stored[i] != !of_b->stored[i])
-            return describe_stored_difference(arena, p->var.at[i], a, of_a->stored[i] != 0, b);
+            return format_in(arena, "%s: %s stored it in this step, %s did not", p->var.at[i]->report_name->text,
+                             of_a->stored[i] ? a->name : b->name, of_a->stored[i] ? b->name : a->name);
     return NULL;
 }

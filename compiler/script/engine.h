@@ -50,7 +50,7 @@ const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a
 
 // Opens the reference interpreter.
 Engine *engine_ref_open(Arena *arena, const Program *p);
-// Returns the transition that the last step took; NULL if none.
+// Returns the transition that the last step of the reference interpreter took; NULL if none.
 const Stmt *engine_ref_transition(const Engine *ref);
 // Opens the VM, with an image in which p is machine number `machine`.  Returns NULL and sets *error to a sentence if it cannot run it.
 Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);

@@ -50,20 +50,15 @@ static EngineStatus set_broken(Engine *e, EngineStep *out, const char *error)
     return out->status = ENGINE_BROKEN;
 }
 
-static bool has_same_stored_flags(const VmEngine *v)
+// Whether the decoded run and the run in place have the same state.  The compared locals include intermediate values.
+static bool has_same_state(const VmEngine *v)
 {
     for (uint32_t i = 0; i < v->m.outputs; i++)
         if (smvm_stored(v->vm, i) != smvm_stored(v->in_place, i))
             return false;
-    return smvm_stored_state(v->vm) == smvm_stored_state(v->in_place);
-}
-
-// Whether the decoded run and the run in place have the same state.  The compared locals include intermediate values.
-static bool has_same_state(const VmEngine *v)
-{
     return memcmp(v->sv, v->sv_in_place, v->m.sv_size) == 0 && memcmp(smvm_locals(v->vm), smvm_locals(v->in_place), v->m.locals) == 0
         && smvm_state(v->vm) == smvm_state(v->in_place) && v->vm->first == v->in_place->first && smvm_time(v->vm) == smvm_time(v->in_place)
-        && has_same_stored_flags(v);
+        && smvm_stored_state(v->vm) == smvm_stored_state(v->in_place);
 }
 
 // Writes an input to both runs.

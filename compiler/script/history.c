@@ -16,7 +16,7 @@ enum {
 typedef struct PastStep {
     uint64_t number, g;
     const State *state;
-    const char *value[COLUMNS];
+    const char *value[COLUMNS];       // by column, as text
 } PastStep;
 
 typedef struct PastTransition {
@@ -40,21 +40,12 @@ static const char *count_text(Arena *arena, uint64_t n) { return format_in(arena
 
 // ---- columns of the table ----
 
-static bool has_column(const History *h, const Expr *e)
-{
-    for (size_t i = 0; i < h->columns; i++)
-        if (h->column[i] == e || span_has_same_source(h->column[i]->span, e->span))
-            return true;
-    return false;
-}
-
 // Adds a column for each variable, except constants, and each rolling statistic that an expression reads.
 static void add_columns(History *h, const Expr *e)
 {
-    const bool is_value = e->kind == EX_ROLL || (e->kind == EX_VAR && !e->var->is_constant);
+    const bool is_value = e->kind == EX_ROLL || (e->kind == EX_VAR && !e->var->is_constant && e->var != h->failed->p->g);   // G has its own column
 
-    if (is_value && h->columns < COLUMNS && e->span.src && e->span.len <= COLUMN_WIDTH && !memchr(e->span.src->text + e->span.at, '\n', e->span.len) &&
-        !has_column(h, e) && !(e->kind == EX_VAR && e->var == h->failed->p->g))         // G has its own column
+    if (is_value && h->columns < COLUMNS && run_can_show(h->column, h->columns, e, COLUMN_WIDTH))
         h->column[h->columns++] = e;
     for (uint32_t i = 0; i < e->n && e->kind != EX_ROLL; i++)
         add_columns(h, e->arg[i]);
@@ -62,48 +53,28 @@ static void add_columns(History *h, const Expr *e)
 
 // ---- the second run ----
 
-static const char *value_text(ScriptRun *r, const Expr *e)
+// Called after each step of the second run: records the step if it is one of the last, and the transition that it took.
+static void record_after_step(void *context, const ScriptStep *step)
 {
-    Buf text;
-
-    buf_init(&text, r->arena);
-    run_append_value(r, e, &text);
-    return buf_text(&text);
-}
-
-// Records the values of a step if it is one of the last.
-static void record_step(History *h)
-{
+    History *h = context;
     ScriptRun *r = &h->run;
-    PastStep *s;
+    const Stmt *transition = engine_ref_transition(r->engine[0]);
 
-    if (r->result.steps + STEPS <= h->failed->result.steps)
-        return;
-    s = &h->step[h->steps++];
-    s->number = r->result.steps;
-    s->g = r->g;
-    s->state = r->state;
-    for (size_t i = 0; i < h->columns; i++)
-        s->value[i] = value_text(r, h->column[i]);
-}
-
-static void record_transition(History *h)
-{
-    ScriptRun *r = &h->run;
-    const Stmt *stmt = engine_ref_transition(r->engine[0]);
-
-    if (!stmt)
+    if (step->number + STEPS > h->failed->result.steps) {
+        PastStep *s = &h->step[h->steps++];
+        *s = (PastStep){step->number, step->g, step->state, {NULL}};
+        for (size_t i = 0; i < h->columns; i++) {
+            Buf text;
+            buf_init(&text, r->arena);
+            run_append_value(r, h->column[i], &text);
+            s->value[i] = buf_text(&text);
+        }
+    }
+    if (!transition)
         return;
     if (h->transitions == TRANSITIONS)
         memmove(h->transition, h->transition + 1, --h->transitions * sizeof *h->transition);
-    h->transition[h->transitions++] = (PastTransition){r->result.steps, r->g, r->state, stmt};
-}
-
-static void record_after_step(void *context, const ScriptStep *step)
-{
-    (void)step;
-    record_step(context);
-    record_transition(context);
+    h->transition[h->transitions++] = (PastTransition){step->number, step->g, step->state, transition};
 }
 
 // Whether a second run would take too long.  The reference interpreter reads every sample of every rolling window in each step.
@@ -223,28 +194,27 @@ static void add_state_note(const ScriptRun *r, Diag *d)
         diag_note(r->diags, d, (Span){0}, DIAG_note_no_transition, state->name->text);
 }
 
-// Adds a note about a @stop that did not end the run.  `ran`: the last step that ran its section, 0 if none.
-static void add_stop_note(const ScriptRun *r, Diag *d, const ScriptSection *section, uint64_t ran, Span stop)
-{
-    if (!section->state)
-        diag_note(r->diags, d, stop, DIAG_note_stop_never_true);
-    else if (ran == 0)
-        diag_note(r->diags, d, stop, DIAG_note_stop_never_run, section->state->name->text);
-    else
-        diag_note(r->diags, d, stop, DIAG_note_stop_last_run, section->state->name->text, count_text(r->arena, ran),
-                  count_text(r->arena, (ran - 1) * r->s->delta_t));
-}
-
+// Adds a note about each @stop, none of which ended the run.
 static void add_stop_notes(const ScriptRun *r, Diag *d)
 {
     size_t shown = 0;
 
-    for (size_t i = 0; i < r->s->section.n; i++)
-        for (size_t j = 0; j < r->s->section.at[i].item.n && shown < STOPS; j++)
-            if (r->s->section.at[i].item.at[j].stop) {
-                add_stop_note(r, d, &r->s->section.at[i], r->ran[i], r->s->section.at[i].item.at[j].stop_span);
-                shown++;
-            }
+    for (size_t i = 0; i < r->s->section.n; i++) {
+        const ScriptSection *section = &r->s->section.at[i];
+        for (size_t j = 0; j < section->item.n && shown < STOPS; j++) {
+            const Span stop = section->item.at[j]->stop_span;
+            if (!section->item.at[j]->stop)
+                continue;
+            shown++;
+            if (!section->state)
+                diag_note(r->diags, d, stop, DIAG_note_stop_never_true);
+            else if (r->ran[i] == 0)
+                diag_note(r->diags, d, stop, DIAG_note_stop_never_run, section->state->name->text);
+            else
+                diag_note(r->diags, d, stop, DIAG_note_stop_last_run, section->state->name->text, count_text(r->arena, r->ran[i]),
+                          count_text(r->arena, (r->ran[i] - 1) * r->s->delta_t));
+        }
+    }
 }
 
 void history_add(ScriptRun *failed, Diag *d)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the report of a script (thesis Figure 3.4), and values as text.  The C library prints the digits.  Its locale has no effect,
-// because its decimal separator is replaced by a point.
+// Writes the report of a script (its steps, passed asserts and final values), and values as text.  The C library prints the digits.  Its
+// locale has no effect, because its decimal separator is replaced by a point.
 #include "compiler/script/script.h"
 
 #include <inttypes.h>
@@ -73,7 +73,7 @@ static bool is_whole(double x)
 
 // Searches for the least precision that reads back as x.  For a normal number the search starts at 15 digits, because %.15g prints no
 // superfluous zeros; fewer digits may identify a subnormal number, so its search starts at 1.
-void format_number_exact(Buf *out, double x)
+void format_number_shortest(Buf *out, double x)
 {
     const bool is_normal = x >= 2.2250738585072014e-308 || x <= -2.2250738585072014e-308;
     char digits[40];
@@ -126,15 +126,10 @@ static void append_cell(Buf *out, SmType type, uint64_t cell, void (*append_floa
 }
 
 void format_cell(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, append_fixed); }
-void format_cell_exact(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, format_number_exact); }
+void format_cell_shortest(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, format_number_shortest); }
 void format_cell_hex(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, append_hex); }
 
 // ---- the report ----
-
-static bool is_name_before(const Var *a, const Var *b)
-{
-    return strcmp(a->report_name->text, b->report_name->text) < 0;
-}
 
 static void sort_by_name(const Var **v, size_t n)             // shellsort: the C library's qsort may allocate heap memory
 {
@@ -146,7 +141,7 @@ static void sort_by_name(const Var **v, size_t n)             // shellsort: the 
         for (size_t i = gap; i < n; i++) {
             const Var *moved = v[i];
             size_t j = i;
-            for (; j >= gap && is_name_before(moved, v[j - gap]); j -= gap)
+            for (; j >= gap && strcmp(moved->report_name->text, v[j - gap]->report_name->text) < 0; j -= gap)
                 v[j] = v[j - gap];
             v[j] = moved;
         }

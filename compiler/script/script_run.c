@@ -23,7 +23,7 @@ static void write_input(ScriptRun *r, const Var *v, uint64_t cell)
     EngineWrite w = {v->index, cell};
 
     r->cell[v->index] = cell;
-    r->write[r->writes++] = w;
+    vec_push(r->arena, &r->write, w);
 }
 
 // Sets G, T and S to their values in the next step, because guards and inputs may read them.
@@ -48,35 +48,30 @@ static void write_inputs_of_item(ScriptRun *r, const ScriptItem *item)
 }
 
 // Notes the asserts of an item and its @stop, to be evaluated after the step.
-static void note_asserts(ScriptRun *r, const ScriptItem *item, size_t first_number)
+static void note_asserts(ScriptRun *r, const ScriptItem *item)
 {
     size_t n = item->asserts.n + item->stop;
 
     for (size_t i = 0; i < n; i++) {
-        NotedAssert note = {item, i, first_number + i};
-        r->noted[r->notes++] = note;
+        NotedAssert note = {item, i};
+        vec_push(r->arena, &r->noted, note);
     }
 }
 
 // Executes the items whose section and guard match: writes their inputs, and notes their asserts.
 static void run_sections(ScriptRun *r)
 {
-    size_t number = 0, items = 0;
+    uint64_t *ran = r->ran_of_state[r->state->number - 1];
 
-    for (size_t i = 0; i < r->s->section.n; i++) {
-        const ScriptSection *section = &r->s->section.at[i];
-        bool matches = !section->state || section->state == r->state;
-
-        if (matches)
-            r->ran[i] = r->result.steps + 1;
-        for (size_t j = 0; j < section->item.n; j++, items++) {
-            const ScriptItem *item = &section->item.at[j];
-            if (matches && ref_true(ref_eval(item->guard, r->cell, &r->windows))) {
-                r->was_true[items] = 1;
-                write_inputs_of_item(r, item);
-                note_asserts(r, item, number);
-            }
-            number += item->asserts.n;
+    if (ran)
+        *ran = r->result.steps + 1;
+    schedule_find_due(r->schedule, r->state, r->cell, &r->due);
+    for (size_t i = 0; i < r->due.n; i++) {
+        const ScriptItem *item = r->due.at[i];
+        if (ref_true(ref_eval(item->guard, r->cell, &r->windows))) {
+            r->was_true[item->number] = 1;
+            write_inputs_of_item(r, item);
+            note_asserts(r, item);
         }
     }
 }
@@ -125,7 +120,7 @@ static void init_engines(ScriptRun *r)
 static void step_engines(ScriptRun *r)
 {
     for (size_t i = 0; i < r->engines; i++)
-        r->answer[i].status = r->engine[i]->step(r->engine[i], r->write, r->writes, &r->answer[i]);
+        r->answer[i].status = r->engine[i]->step(r->engine[i], r->write.at, r->write.n, &r->answer[i]);
     r->result.steps++;
     check_answers(r);
     if (!r->over)
@@ -151,8 +146,8 @@ static void advance_time(ScriptRun *r)
 
 static void run_step(ScriptRun *r)
 {
-    r->writes = 0;
-    r->notes = 0;
+    r->write.n = 0;
+    r->noted.n = 0;
     update_time_and_state(r);
     ref_windows_sample(&r->windows, r->cell);
     run_sections(r);
@@ -168,21 +163,31 @@ static void run_step(ScriptRun *r)
 // ---- the run ----
 
 // Numbers of things in a script, for allocation.
-typedef struct ScriptTotals { size_t inputs, asserts, notes, items; } ScriptTotals;
+typedef struct ScriptTotals { size_t items, asserts; } ScriptTotals;
 
 static ScriptTotals count_script_items(const Script *s)
 {
-    ScriptTotals t = {0, 0, 0, 0};
+    ScriptTotals t = {0, 0};
 
     for (size_t i = 0; i < s->section.n; i++)
         for (size_t j = 0; j < s->section.at[i].item.n; j++) {
-            const ScriptItem *item = &s->section.at[i].item.at[j];
-            t.inputs += item->inputs.n;
-            t.asserts += item->asserts.n;
             t.items++;
-            t.notes += item->asserts.n + item->stop;
+            t.asserts += s->section.at[i].item.at[j]->asserts.n;
         }
     return t;
+}
+
+// A state has at most one section: otherwise the script has errors.
+static void init_ran(ScriptRun *r)
+{
+    r->ran = ARENA_ARRAY(r->arena, uint64_t, r->s->section.n);
+    r->ran_of_state = ARENA_ARRAY(r->arena, uint64_t *, r->p->state.n);
+    for (size_t i = 0; i < r->s->section.n; i++) {
+        const State *state = r->s->section.at[i].state;
+        r->ran[i] = !state;
+        if (state)
+            r->ran_of_state[state->number - 1] = &r->ran[i];
+    }
 }
 
 static void allocate_run(ScriptRun *r)
@@ -194,19 +199,17 @@ static void allocate_run(ScriptRun *r)
         engine_step_init(&r->answer[i], r->arena, r->p);
     r->cell = ARENA_ARRAY(r->arena, uint64_t, r->p->var.n);
     ref_windows_init(&r->windows, r->arena, &r->s->window);
-    r->write = ARENA_ARRAY(r->arena, EngineWrite, t.inputs + 1);      // one more for G
-    r->noted = ARENA_ARRAY(r->arena, NotedAssert, t.notes);
     r->evaluated = arena_alloc(r->arena, t.asserts);
     r->was_true = arena_alloc(r->arena, t.items);
-    r->ran = ARENA_ARRAY(r->arena, uint64_t, r->s->section.n);
+    init_ran(r);
 }
 
 const ScriptItem *script_first_stop(const Script *s)
 {
     for (size_t i = 0; i < s->section.n; i++)
         for (size_t j = 0; j < s->section.at[i].item.n; j++)
-            if (s->section.at[i].item.at[j].stop)
-                return &s->section.at[i].item.at[j];
+            if (s->section.at[i].item.at[j]->stop)
+                return s->section.at[i].item.at[j];
     return NULL;
 }
 
@@ -227,6 +230,7 @@ void run_to_the_end(ScriptRun *r)
     allocate_run(r);
     r->result.cell = r->cell;
     init_engines(r);
+    r->schedule = schedule_new(r->arena, r->s, r->cell);
     while (!r->over && r->result.steps < r->o->max_steps)
         run_step(r);
     if (!r->over)

@@ -4,13 +4,13 @@
 #define SMC_RUN_H
 
 #include "compiler/script/ref.h"
+#include "compiler/script/schedule.h"
 #include "compiler/script/script.h"
 
 // An assert or a @stop whose guard was true in this step, noted before the step runs and evaluated after it.
 typedef struct NotedAssert {
     const ScriptItem *item;
     size_t assert;            // index into item->asserts; asserts.n means the item's @stop
-    size_t number;            // number of the assert in the script
 } NotedAssert;
 
 typedef struct ScriptRun {
@@ -26,13 +26,14 @@ typedef struct ScriptRun {
     RefWindows windows;       // the rolling windows of the script itself, not those of the machine
     uint64_t g, start;        // G of this step; G of the first step of its state
     const State *state;       // the state that this step runs
-    EngineWrite *write;       // the inputs that this step writes before the machine runs
-    uint32_t writes;          // number of inputs
-    NotedAssert *noted;       // by this step, in source order
-    size_t notes;             // number of them
+    Schedule *schedule;
+    DueItems due;             // the items of this step whose guards can be true
+    VEC(EngineWrite) write;   // the inputs that this step writes before the machine runs
+    VEC(NotedAssert) noted;   // by this step, in source order
     uint8_t *evaluated;       // by number of the assert: it was evaluated at least once
     uint8_t *was_true;        // by number of the conditional: its guard was true at least once
-    uint64_t *ran;            // by section: the last step in which it ran; 0: none
+    uint64_t *ran;            // by section: the last step in which it ran, 0: none; of [all_states], which runs in each step: 1
+    uint64_t **ran_of_state;  // by State.number - 1: the entry of `ran` for the state's section, or NULL
     const Expr *failed;       // the assert that failed, or NULL
     const ScriptItem *failed_item;
     ScriptResult result;
@@ -56,8 +57,9 @@ void assert_report_failure(ScriptRun *r);
 void assert_report_unevaluated(const ScriptRun *r);
 // Appends the value of e in the format of diagnostics.
 void run_append_value(ScriptRun *r, const Expr *e, Buf *out);
-// Whether the source at a and at b is the same, character by character.
-bool span_has_same_source(Span a, Span b);
+// Whether a message that shows the n expressions of `shown` with their values can show e too: its source is on one line of at most `most`
+// bytes, and differs from theirs.
+bool run_can_show(const Expr *const *shown, size_t n, const Expr *e, size_t most);
 
 // ---- history.c ----
 

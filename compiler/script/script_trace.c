@@ -55,7 +55,7 @@ void script_trace_row(Buf *out, const char *script, const ScriptStep *step, cons
         if (column[i]->type == SM_BOOL)
             buf_char(out, cell ? '1' : '0');
         else
-            format_cell_exact(out, column[i]->type, cell);
+            format_cell_shortest(out, column[i]->type, cell);
         if (out->n == start + 2 && memcmp(out->at + start, "-0", 2) == 0)      // a reader of integers would convert it to 0
             buf_str(out, ".0");
     }

@@ -27,6 +27,9 @@ const Element *app_find_element(AppCheck *k, const AstWord *name);
 
 Str app_file_stem(AppCheck *k, Str path);  // "rocket" for pins/rocket.io
 
+// Reports `name` as a duplicate if `seen` contains it; otherwise adds it.  `what` is the kind of thing that it names.
+void app_check_unique(AppCheck *k, Map *seen, const AstWord *name, const char *what);
+
 // ---- check_app_names.c ----
 
 void check_app_products(AppCheck *k);

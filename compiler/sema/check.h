@@ -23,6 +23,8 @@ StateVec *check_state_vector(CheckContext *c, const AstFile *sv);
 Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const Map *written_outside);
 
 Script *check_script(CheckContext *c, const AstFile *ss, const Program *program);
+// The same for a source without syntax errors, which it parses: only some items are in memory at a time.  The caller frees both arenas.
+Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const Source *ss, const Program *program);
 
 // Binds pins to elements of `sv`.
 IoMap *check_io(CheckContext *c, const AstFile *io, const StateVec *sv);
@@ -34,6 +36,7 @@ App *check_app(CheckContext *c, const AstFile *app, const StateVec *sv, const Io
 
 // Adds the names that the script assigns to `names` (name to itself). check_machine expects them as written_outside.
 void script_add_written_names(const AstFile *ss, Map *names);
+void script_add_names_of_item(const AstStmt *item, Map *names);
 // How much G advances per step in the script; 0 if the script has no valid delta_t.
 uint64_t script_delta_t(const AstFile *ss);
 

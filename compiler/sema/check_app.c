@@ -11,25 +11,19 @@
 
 static const char *const suffix[] = {[FILE_SV] = ".sv", [FILE_SM] = ".sm", [FILE_IO] = ".io"};
 
-static bool ends_with(const char *name, const char *end)
-{
-    size_t n = strlen(name), e = strlen(end);
-
-    return n > e && strcmp(name + n - e, end) == 0;
-}
-
 typedef struct FileListing { AppFiles *out; Map seen[FILE_APP]; } FileListing;
 
 static void add_file(FileListing *l, FileKind kind, const AstWord *name)
 {
     AppFile *f = &l->out->at[l->out->n];
+    const size_t n = name->text->len, end = strlen(suffix[kind]);
 
     if (map_find(&l->seen[kind], name->text))
         return;
     map_put(&l->seen[kind], name->text, f);
     f->kind = kind;
     f->name = *name;
-    f->wrong_kind = !ends_with(name->text->text, suffix[kind]);
+    f->wrong_kind = n <= end || strcmp(name->text->text + n - end, suffix[kind]) != 0;
     l->out->n++;
 }
 
@@ -41,14 +35,6 @@ static size_t count_tasks(const AstApp *ast)
         for (size_t r = 0; r < ast->executors.at[e]->rates.n; r++)
             n += ast->executors.at[e]->rates.at[r].tasks.n;
     return n;
-}
-
-static void add_machines(FileListing *l, const AstAppExecutor *e)
-{
-    for (size_t r = 0; r < e->rates.n; r++)
-        for (size_t t = 0; t < e->rates.at[r].tasks.n; t++)
-            if (e->rates.at[r].tasks.at[t].kind == AST_TASK_machine)
-                add_file(l, FILE_SM, &e->rates.at[r].tasks.at[t].file);
 }
 
 static const AstAppOption *find_option(const AstApp *ast, AstAppOptionKind kind)
@@ -74,26 +60,28 @@ void app_list_files(Arena *arena, const AstFile *f, AppFiles *out)
         add_file(&l, FILE_SV, &sv->file);
     if (io)
         add_file(&l, FILE_IO, &io->file);
-    for (size_t e = 0; e < f->app->executors.n; e++)
-        add_machines(&l, f->app->executors.at[e]);
+    for (size_t e = 0; e < f->app->executors.n; e++) {
+        const AstAppExecutor *executor = f->app->executors.at[e];
+        for (size_t r = 0; r < executor->rates.n; r++)
+            for (size_t t = 0; t < executor->rates.at[r].tasks.n; t++)
+                if (executor->rates.at[r].tasks.at[t].kind == AST_TASK_machine)
+                    add_file(&l, FILE_SM, &executor->rates.at[r].tasks.at[t].file);
+    }
 }
 
-static void check_file(AppCheck *k, const AppFile *f)
+// Reports files that cannot be read, and completes file_index.
+static void check_files(AppCheck *k)
 {
     static const char *const what[] = {[FILE_SV] = "state vector", [FILE_SM] = "machine", [FILE_IO] = "file of pins"};
 
-    if (f->wrong_kind)
-        diag_report(k->c->diags, DIAG_app_file_kind, f->name.span, f->name.text->text, what[f->kind], suffix[f->kind]);
-    else if (!f->src)
-        diag_report(k->c->diags, DIAG_app_file, f->name.span, f->name.text->text, f->problem);
-}
-
-static void check_files(AppCheck *k)
-{
     for (size_t i = 0; i < k->files->n; i++) {
-        check_file(k, &k->files->at[i]);
-        if (k->files->at[i].kind == FILE_SM)
-            map_put(&k->file_index, k->files->at[i].name.text, (void *)(i + 1));
+        const AppFile *f = &k->files->at[i];
+        if (f->wrong_kind)
+            diag_report(k->c->diags, DIAG_app_file_kind, f->name.span, f->name.text->text, what[f->kind], suffix[f->kind]);
+        else if (!f->src)
+            diag_report(k->c->diags, DIAG_app_file, f->name.span, f->name.text->text, f->problem);
+        if (f->kind == FILE_SM)
+            map_put(&k->file_index, f->name.text, (void *)(i + 1));
     }
 }
 
@@ -102,32 +90,38 @@ static void check_files(AppCheck *k)
 const Element *app_find_element(AppCheck *k, const AstWord *name)
 {
     const Element *e = k->sv ? map_find(&k->sv->by_name, name->text) : NULL;
-    Guess g = guess_init(name->text);
+    Str similar;
     Diag *d;
 
     if (e || !k->sv)
         return e;
     d = diag_report(k->c->diags, DIAG_unknown_element, name->span, name->text->text);
-    if (k->guesses == 0)
-        return NULL;
-    k->guesses--;
-    for (size_t i = 0; i < k->sv->element.n; i++)
-        guess_consider(&g, k->sv->element.at[i]->name);
-    guess_add_label(k->c->diags, d, &g);
-    if (g.best)
-        diag_note(k->c->diags, d, ((const Element *)map_find(&k->sv->by_name, g.best))->span, DIAG_note_declared_here,
-                  g.best->text);
+    similar = suggest_element(k->c->diags, d, &k->guesses, k->sv, name->text);
+    if (similar)
+        diag_note(k->c->diags, d, ((const Element *)map_find(&k->sv->by_name, similar))->span, DIAG_note_declared_here, similar->text);
     return NULL;
+}
+
+void app_check_unique(AppCheck *k, Map *seen, const AstWord *name, const char *what)
+{
+    const Span *first = map_find(seen, name->text);
+
+    if (first)
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_name_twice, name->span, what, name->text->text), *first,
+                  DIAG_note_first_here);
+    else
+        map_put(seen, name->text, (void *)(size_t)&name->span);
 }
 
 // ---- options ----
 
-static void report_missing(AppCheck *k, Span span, const char *what)
+// Where to report something missing from [options]: at the header, or if that is missing too at the start of the file.
+static Span options_span(const AppCheck *k)
 {
-    diag_report(k->c->diags, DIAG_app_missing, span.src ? span : (Span){k->app->src, 0, 0}, what);
+    return k->ast->options_header.src ? k->ast->options_header : (Span){k->app->src, 0, 0};
 }
 
-// Reports inputs of the pins that write element e, which `writer` writes too.
+// Reports element e, which `writer` writes, if inputs of the pins write it too.
 static void report_inputs_writing(AppCheck *k, const Element *e, Span span, const char *writer)
 {
     for (size_t i = 0; e && k->pins && i < k->pins->pin.n; i++)
@@ -159,24 +153,7 @@ Str app_file_stem(AppCheck *k, Str path)
     return sema_stem(k->c->strings, &named);
 }
 
-static void check_option(AppCheck *k, const AstAppOption *o)
-{
-    uint64_t n = 0;
-
-    switch (o->kind) {
-    case AST_APP_state_vector: break;
-    case AST_APP_io:           k->app->io = o->file.text; k->app->io_name = app_file_stem(k, o->file.text); break;
-    case AST_APP_time:         check_time(k, o); break;
-    case AST_APP_watchdog:     app_check_amount(k, &o->amount, APP_RANGE_watchdog, &k->app->watchdog); break;
-    case AST_APP_events:       app_check_amount(k, &o->amount, APP_RANGE_events, &n); k->app->events = (uint32_t)n; break;
-    case AST_APP_log:          app_check_amount(k, &o->amount, APP_RANGE_log_memory, &n); k->app->log_room = (uint32_t)n;
-                               k->app->log = o->file.text; break;
-    case AST_APP_keep:         k->app->keep = o->file.text; break;
-    case AST_APP_OPTION_COUNT: break;
-    }
-}
-
-// Checks the size against the smallest ring that the runtime accepts: runtime-c/log.h, SM_LOG_LEAST.
+// Reports a log that is smaller than the smallest ring that the runtime accepts: runtime-c/log.h, SM_LOG_LEAST.
 static void check_log_room(AppCheck *k, const AstAppOption *o)
 {
     uint32_t least = 0;
@@ -186,32 +163,60 @@ static void check_log_room(AppCheck *k, const AstAppOption *o)
     least = 2 * (least + 18) + 192;
     if (k->sv && k->app->log_room >= app_ranges[APP_RANGE_log_memory].least && k->app->log_room < least)
         diag_report(k->c->diags, DIAG_app_range, o->amount.span, app_ranges[APP_RANGE_log_memory].what,
-                    format_in(k->c->arena, "for this state vector at least %lu B", (unsigned long)least));
+                    diag_text(k->c->diags, DIAG_part_least_log, format_in(k->c->arena, "%lu", (unsigned long)least)));
 }
 
-// The platform opens files with these names; their length is limited by PAL_NAME in runtime-c/pal/config.h.
-static void check_name_length(AppCheck *k, const AstAppOption *o)
+// Reports a file name that is too long for the platform, which opens the file (PAL_NAME in runtime-c/pal/config.h).
+static void check_platform_name(AppCheck *k, const AstWord *file)
 {
     const AppRange *r = &app_ranges[APP_RANGE_name_length];
 
-    if ((o->kind == AST_APP_log || o->kind == AST_APP_keep) && (o->file.text->len < r->least || o->file.text->len > r->most))
-        diag_report(k->c->diags, DIAG_app_range, o->file.span, r->what, r->limits);
+    if (file->text->len < r->least || file->text->len > r->most)
+        diag_report(k->c->diags, DIAG_app_range, file->span, r->what, r->limits);
 }
 
 static void check_options(AppCheck *k)
 {
     k->app->events = 64;
     for (size_t i = 0; i < k->ast->options.n; i++) {
-        check_option(k, &k->ast->options.at[i]);
-        check_name_length(k, &k->ast->options.at[i]);
-        if (k->ast->options.at[i].kind == AST_APP_log)
-            check_log_room(k, &k->ast->options.at[i]);
+        const AstAppOption *o = &k->ast->options.at[i];
+        uint64_t n = 0;
+
+        switch (o->kind) {
+        case AST_APP_state_vector: case AST_APP_OPTION_COUNT:
+            break;
+        case AST_APP_io:
+            k->app->io = o->file.text;
+            k->app->io_name = app_file_stem(k, o->file.text);
+            break;
+        case AST_APP_time:
+            check_time(k, o);
+            break;
+        case AST_APP_watchdog:
+            app_check_amount(k, &o->amount, APP_RANGE_watchdog, &k->app->watchdog);
+            break;
+        case AST_APP_events:
+            app_check_amount(k, &o->amount, APP_RANGE_events, &n);
+            k->app->events = (uint32_t)n;
+            break;
+        case AST_APP_log:
+            app_check_amount(k, &o->amount, APP_RANGE_log_memory, &n);
+            k->app->log_room = (uint32_t)n;
+            k->app->log = o->file.text;
+            check_platform_name(k, &o->file);
+            check_log_room(k, o);
+            break;
+        case AST_APP_keep:
+            k->app->keep = o->file.text;
+            check_platform_name(k, &o->file);
+            break;
+        }
     }
     if (!find_option(k->ast, AST_APP_state_vector) && !k->ast->lost)
-        report_missing(k, k->ast->options_header, "an application needs a state vector: in [options], state_vector \"FILE.sv\"");
+        diag_report(k->c->diags, DIAG_app_missing, options_span(k), diag_text(k->c->diags, DIAG_part_no_state_vector));
 }
 
-// ---- [start]: the values of elements before any task runs (config.md 10.8), checked like those of a machine without variables ----
+// ---- [start]: the values of elements before any task runs (config.md 10.8) ----
 
 // Checks that the expression contains only numbers; reports each part that is not.
 static bool check_only_numbers(AppCheck *k, const Sema *s, const AstExpr *e)
@@ -232,46 +237,35 @@ static bool check_only_numbers(AppCheck *k, const Sema *s, const AstExpr *e)
     return good && e->kind != AST_ERROR;
 }
 
-// Reports a value that the type of its element cannot represent.
-static void check_start_value_fits(AppCheck *k, const AstStmt *in, const Element *e, SmF64 value, uint64_t cell)
-{
-    SmF64 kept = sm_cell_to_f64(e->type, cell);
-
-    if (e->type == SM_F32 || e->type == SM_F64 || sm_eq(kept, value))
-        return;
-    diag_report(k->c->diags, DIAG_start_range, in->value->span, const_text(k->c->arena, value), e->name->text,
-                sm_type_info[e->type].spelling, const_text(k->c->arena, kept));
-}
-
-// Returns true for the first value of an element; reports a second one.
-static bool add_start_name(AppCheck *k, const AstStmt *in)
-{
-    const Span *first = map_find(&k->start, in->name);
-
-    if (first) {
-        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_start_twice, in->name_span, in->name->text), *first,
-                  DIAG_note_first_here);
-        return false;
-    }
-    map_put(&k->start, in->name, &((AstStmt *)(size_t)in)->name_span);
-    return true;
-}
-
-static void check_start_value(AppCheck *k, Sema *s, const AstStmt *in)
+static void check_start_value(AppCheck *k, Sema *s, AstStmt *in)
 {
     const AstWord name = {in->name, in->name_span};
     const Element *e = app_find_element(k, &name);
-    Expr *value = add_start_name(k, in) && check_only_numbers(k, s, in->value) ? check_expr(s, in->value) : NULL;
+    const Span *first = map_find(&k->start, in->name);
+    Expr *value = NULL;
     AppStart out;
+    SmF64 written, stored;
 
+    if (first) {
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_start_twice, in->name_span, in->name->text), *first, DIAG_note_first_here);
+    } else {
+        map_put(&k->start, in->name, &in->name_span);
+        if (check_only_numbers(k, s, in->value))
+            value = check_expr(s, in->value);
+    }
     if (!e || !value)
         return;
+    written = expr_constant_value(value);
     out.element = e;
-    out.cell = sm_cell_from_f64(e->type, expr_constant_value(value));
-    check_start_value_fits(k, in, e, expr_constant_value(value), out.cell);
+    out.cell = sm_cell_from_f64(e->type, written);
+    stored = sm_cell_to_f64(e->type, out.cell);
+    if (e->type != SM_F32 && e->type != SM_F64 && !sm_eq(stored, written))
+        diag_report(k->c->diags, DIAG_start_range, in->value->span, const_text(k->c->arena, written), e->name->text,
+                    sm_type_info[e->type].spelling, const_text(k->c->arena, stored));
     vec_push(k->c->arena, &k->app->start, out);
 }
 
+// Checks the values like those of a machine that has no variables.
 static void check_start(AppCheck *k)
 {
     Program *nothing = ARENA_NEW(k->c->arena, Program);
@@ -286,9 +280,7 @@ static void check_start(AppCheck *k)
 
 // ---- executors ----
 
-static const char *const statistic_names[] = {"its ticks", "its overruns", "its skipped ticks", "its lateness", "its busy time"};
-
-// Reports an element that an executor writes and that a machine or an input writes too.
+// Reports element e, which an executor writes, if a machine or an input writes it too.
 static void check_other_writers(AppCheck *k, const AstAppAnnotation *a, const Element *e)
 {
     for (size_t i = 0; i < k->files->n; i++) {
@@ -296,7 +288,7 @@ static void check_other_writers(AppCheck *k, const AstAppAnnotation *a, const El
         for (size_t v = 0; p && v < p->var.n; v++)
             if (p->var.at[v]->element == e && p->var.at[v]->written)
                 diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_two_writers, a->word.span, "the executor", e->name->text,
-                                                   format_in(k->c->arena, "machine '%s'", p->name->text)),
+                                                   diag_text(k->c->diags, DIAG_part_machine, p->name->text)),
                           p->var.at[v]->span, DIAG_note_listed_there, p->name->text);
     }
     report_inputs_writing(k, e, a->word.span, "the executor");
@@ -304,9 +296,10 @@ static void check_other_writers(AppCheck *k, const AstAppAnnotation *a, const El
 
 static void check_statistic(AppCheck *k, const AstAppAnnotation *a, AppExecutor *out)
 {
+    static const char *const name[APP_STATISTICS] = {"its ticks", "its overruns", "its skipped ticks", "its lateness", "its busy time"};
     AppStatistic which = (AppStatistic)(a->kind - AST_ON_ticks);
     const Element *e = app_find_element(k, &a->word);
-    const char *holds = e ? map_find(&k->statistic, e->name) : NULL;
+    const char *content = e ? map_find(&k->statistic, e->name) : NULL;
     Diag *d;
 
     if (!e)
@@ -317,39 +310,12 @@ static void check_statistic(AppCheck *k, const AstAppAnnotation *a, AppExecutor 
         d = diag_report(k->c->diags, DIAG_app_element_type, a->word.span, e->name->text, sm_type_info[e->type].spelling,
                         "a statistic of an executor", "of an integer type");
         diag_note(k->c->diags, d, e->span, DIAG_note_declared_here, e->name->text);
-    } else if (holds || e == k->app->time) {
-        diag_report(k->c->diags, DIAG_vitals_twice, a->word.span, e->name->text, statistic_names[which], holds ? holds : "the time");
+    } else if (content || e == k->app->time) {
+        diag_report(k->c->diags, DIAG_vitals_twice, a->word.span, e->name->text, name[which], content ? content : "the time");
     } else {
-        map_put(&k->statistic, e->name, (void *)(size_t)format_in(k->c->arena, "%s of [%s]", statistic_names[which], out->name->text));
+        content = diag_text(k->c->diags, DIAG_part_statistic, name[which], out->name->text);
+        map_put(&k->statistic, e->name, (void *)(size_t)content);
     }
-}
-
-static void check_executor_annotation(AppCheck *k, const AstAppAnnotation *a, AppExecutor *out)
-{
-    uint64_t n = 0;
-
-    if (a->kind >= AST_ON_ticks && a->kind <= AST_ON_busy) {
-        check_statistic(k, a, out);
-    } else if (a->kind == AST_ON_priority) {
-        app_check_amount(k, &a->amount, APP_RANGE_priority, &n);
-        out->priority = (uint32_t)n;
-    } else if (a->kind == AST_ON_overrun && a->amount.of != APP_NOTHING) {
-        app_check_amount(k, &a->amount, APP_RANGE_catch_up, &n);
-        out->catch_up = true;
-        out->most = (uint32_t)n;
-    }
-}
-
-static void check_executor_name(AppCheck *k, const AstAppExecutor *in)
-{
-    const Span *first = map_find(&k->executor, in->name.text);
-
-    if (first)
-        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_name_twice, in->name.span, "executor", in->name.text->text),
-                  *first,
-                  DIAG_note_first_here);
-    else
-        map_put(&k->executor, in->name.text, (void *)(size_t)&in->name.span);
 }
 
 static void check_executor(AppCheck *k, const AstAppExecutor *in)
@@ -358,26 +324,26 @@ static void check_executor(AppCheck *k, const AstAppExecutor *in)
 
     out->name = in->name.text;
     out->span = in->header;
-    check_executor_name(k, in);
+    app_check_unique(k, &k->executor, &in->name, "executor");
     vec_push(k->c->arena, &k->app->executor, out);
-    for (size_t i = 0; i < in->annotations.n; i++)
-        check_executor_annotation(k, &in->annotations.at[i], out);
+    for (size_t i = 0; i < in->annotations.n; i++) {
+        const AstAppAnnotation *a = &in->annotations.at[i];
+        uint64_t n = 0;
+        if (a->kind >= AST_ON_ticks && a->kind <= AST_ON_busy) {
+            check_statistic(k, a, out);
+        } else if (a->kind == AST_ON_priority) {
+            app_check_amount(k, &a->amount, APP_RANGE_priority, &n);
+            out->priority = (uint32_t)n;
+        } else if (a->kind == AST_ON_overrun && a->amount.of != APP_NOTHING) {
+            app_check_amount(k, &a->amount, APP_RANGE_catch_up, &n);
+            out->catch_up = true;
+            out->most = (uint32_t)n;
+        }
+    }
     if (in->rates.n == 0 && !in->lost)
-        report_missing(k, in->header, format_in(k->c->arena,
-                                         "executor [%s] needs a rate with tasks, such as 'every 10 ms:'",
-                                         in->name.text->text));
+        diag_report(k->c->diags, DIAG_app_missing, in->header, diag_text(k->c->diags, DIAG_part_no_rate, in->name.text->text));
     check_app_rates(k, in, out);
     check_app_tasks(k, in, out);
-}
-
-static void report_missing_lock(AppCheck *k, size_t executors)
-{
-    const AstWord *file = &find_option(k->ast, AST_APP_state_vector)->file;
-    Diag *d = diag_report(k->c->diags, DIAG_app_no_lock, k->ast->executors.at[1]->header, format_in(k->c->arena, "%lu", (unsigned long)executors),
-                          k->sv->name->text);
-
-    diag_label(k->c->diags, d, DIAG_label_write, format_in(k->c->arena, "'lock' under [options] in %s", file->text->text));
-    diag_note(k->c->diags, d, file->span, DIAG_note_named_here);
 }
 
 static void check_executors(AppCheck *k)
@@ -388,11 +354,16 @@ static void check_executors(AppCheck *k)
     for (size_t i = 0; i < n; i++)
         check_executor(k, k->ast->executors.at[i]);
     if (n == 0 && !k->ast->lost)
-        report_missing(k, k->ast->options_header, "an application needs an executor, a section such as [flight] with rates and tasks");
+        diag_report(k->c->diags, DIAG_app_missing, options_span(k), diag_text(k->c->diags, DIAG_part_no_executor));
     if (n > MOST)
         diag_report(k->c->diags, DIAG_app_too_many, k->ast->executors.at[MOST]->header, "executors", "254");
-    if (n > 1 && k->sv && !k->sv->lock)
-        report_missing_lock(k, n);
+    if (n > 1 && k->sv && !k->sv->lock) {
+        const AstWord *file = &find_option(k->ast, AST_APP_state_vector)->file;
+        Diag *d = diag_report(k->c->diags, DIAG_app_no_lock, k->ast->executors.at[1]->header,
+                              format_in(k->c->arena, "%lu", (unsigned long)n), k->sv->name->text);
+        diag_label(k->c->diags, d, DIAG_label_write_lock, file->text->text);
+        diag_note(k->c->diags, d, file->span, DIAG_note_named_here);
+    }
 }
 
 // ---- entry points ----
@@ -400,15 +371,16 @@ static void check_executors(AppCheck *k)
 // Reports options that no task uses.
 static void report_unused_options(AppCheck *k)
 {
-    static const struct { AstAppOptionKind option; AstAppTaskKind a, b; const char *missing; } uses[] = {
-        {AST_APP_io, AST_TASK_inputs, AST_TASK_outputs, "neither 'inputs' nor 'outputs' is a task of an executor"},
-        {AST_APP_log, AST_TASK_log, AST_TASK_log, "'log' is a task of no executor"},
-        {AST_APP_keep, AST_TASK_keep, AST_TASK_keep, "'keep' is a task of no executor"}};
+    static const struct { AstAppOptionKind option; AstAppTaskKind a, b; DiagCode missing; } uses[] = {
+        {AST_APP_io, AST_TASK_inputs, AST_TASK_outputs, DIAG_part_no_pin_task},
+        {AST_APP_log, AST_TASK_log, AST_TASK_log, DIAG_part_no_task},
+        {AST_APP_keep, AST_TASK_keep, AST_TASK_keep, DIAG_part_no_task}};
 
     for (size_t i = 0; i < sizeof uses / sizeof *uses; i++) {
         const AstAppOption *o = find_option(k->ast, uses[i].option);
         if (o && !k->service[uses[i].a].src && !k->service[uses[i].b].src && !k->ast->lost)
-            diag_report(k->c->diags, DIAG_app_option_unused, o->name_span, app_option_name(o->kind), uses[i].missing);
+            diag_report(k->c->diags, DIAG_app_option_unused, o->name_span, app_option_name(o->kind),
+                        diag_text(k->c->diags, uses[i].missing, app_option_name(o->kind)));
     }
 }
 
@@ -425,14 +397,6 @@ static void report_unused_pins(AppCheck *k, bool output, AstAppTaskKind task, As
     if (i < k->pins->pin.n)
         diag_note(k->c->diags, diag_report(k->c->diags, DIAG_pins_without_task, o->name_span, app_task_word(task), app_task_word(task)),
                   k->pins->pin.at[i].span, output ? DIAG_note_output_here : DIAG_note_input_here);
-}
-
-static void register_allows(const AppCheck *k)
-{
-    for (size_t i = 0; i < k->ast->allows.n; i++) {
-        const AstAppAllow *a = &k->ast->allows.at[i];
-        diag_allow(k->c->diags, a->is->name->text, a->is->reason->text, a->is->span, a->covers);
-    }
 }
 
 App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMap *pins, const AppFiles *files)
@@ -454,7 +418,10 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     k.app->src = f->src;
     k.app->sv = sv;
     k.app->pins = pins;
-    register_allows(&k);
+    for (size_t i = 0; i < f->app->allows.n; i++) {
+        const AstAppAllow *a = &f->app->allows.at[i];
+        diag_allow(c->diags, a->is->name->text, a->is->reason->text, a->is->span, a->covers);
+    }
     check_files(&k);
     check_app_products(&k);
     check_options(&k);

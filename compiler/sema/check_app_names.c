@@ -6,7 +6,7 @@
 
 typedef struct GeneratedFile { const char *what; Span span; } GeneratedFile;
 
-// Returns the name in lower case: some file systems ignore case.
+// Returns the name in lower case.  Two files whose names differ only in case would be one file on some file systems.
 static Str fold_case(AppCheck *k, const char *name)
 {
     char *copy = arena_alloc(k->c->arena, strlen(name) + 1);
@@ -59,31 +59,16 @@ static bool is_reserved_stem(const char *stem)
     return begins_with_word(stem, "sm") || begins_with_word(stem, "pal") || begins_with_word(stem, "smvm");
 }
 
-// Whether the stem can appear in #include "…" and in a one-line comment.
-static bool is_printable(const char *stem)
-{
-    for (; *stem; stem++)
-        if ((unsigned char)*stem < 0x20 || *stem == 0x7f || *stem == '"')
-            return false;
-    return true;
-}
-
+// Reports a stem that generated C cannot use.
 static void check_stem(AppCheck *k, const char *stem, Span span)
 {
-    const char *problem = is_reserved_stem(stem) ? "it belongs to the runtime" : NULL;
+    bool includable = true;                       // can appear in #include "…" and in a one-line comment
 
-    if (!is_printable(stem))
-        problem = "C cannot include its header";
-    if (problem)
-        diag_report(k->c->diags, DIAG_task_name_reserved, span, stem, "file", problem);
-}
-
-static bool has_bytecode(const AstAppTask *t)
-{
-    for (size_t i = 0; i < t->annotations.n; i++)
-        if (t->annotations.at[i].kind == AST_ON_bytecode)
-            return true;
-    return false;
+    for (const char *c = stem; *c; c++)
+        includable = includable && (unsigned char)*c >= 0x20 && *c != 0x7f && *c != '"';
+    if (!includable || is_reserved_stem(stem))
+        diag_report(k->c->diags, DIAG_task_name_reserved, span, stem, "file",
+                    diag_text(k->c->diags, includable ? DIAG_part_reserved_name : DIAG_part_not_includable));
 }
 
 // Returns the files of machines that are emitted as C.  A machine with @bytecode becomes an array in the application's file instead.
@@ -95,7 +80,10 @@ static Map files_emitted_as_c(AppCheck *k)
         for (size_t r = 0; r < k->ast->executors.at[e]->rates.n; r++)
             for (size_t t = 0; t < k->ast->executors.at[e]->rates.at[r].tasks.n; t++) {
                 AstAppTask *task = &k->ast->executors.at[e]->rates.at[r].tasks.at[t];
-                if (task->kind == AST_TASK_machine && !has_bytecode(task))
+                bool bytecode = false;
+                for (size_t a = 0; a < task->annotations.n; a++)
+                    bytecode = bytecode || task->annotations.at[a].kind == AST_ON_bytecode;
+                if (task->kind == AST_TASK_machine && !bytecode)
                     map_put(&files, task->file.text, task);
             }
     return files;
@@ -131,6 +119,7 @@ static const char *without_dot_slash(const char *name)
     return name;
 }
 
+// Reports option o if the file that it names is also `other`, a file of the application.
 static void check_file_differs(AppCheck *k, const AstAppOption *o, const AstWord *other, const char *what)
 {
     if (strcmp(without_dot_slash(o->file.text->text), without_dot_slash(other->text->text)) == 0)
@@ -139,7 +128,7 @@ static void check_file_differs(AppCheck *k, const AstAppOption *o, const AstWord
                   other->span, DIAG_note_named_here);
 }
 
-// The log and keep files are written.  They must differ from each other and from every source.
+// Reports a log or keep file with the name of the other or of a source: the running application would overwrite that file.
 void check_app_platform_files(AppCheck *k)
 {
     static const char *const what[] = {[FILE_SV] = "the state vector's", [FILE_SM] = "a machine's", [FILE_IO] = "that of the pins"};

@@ -43,11 +43,6 @@ static Exactness amount_value(const AstAmount *a, uint64_t *value)
     return EXACT;
 }
 
-static const char *amount_text(AppCheck *k, const AstAmount *a)
-{
-    return format_in(k->c->arena, "%.*s", (int)a->span.len, a->span.src->text + a->span.at);
-}
-
 // Adds a label such as "32 KB or 64 KB would be".
 static void label_powers(AppCheck *k, Diag *d, const AstAmount *a, uint64_t value)
 {
@@ -113,14 +108,6 @@ static Exactness frequency_period(const AstAmount *a, uint64_t *period)
     return numerator % hertz ? FRACTION : EXACT;
 }
 
-static void report_fraction(AppCheck *k, const AstAppRate *r, uint64_t period)
-{
-    Diag *d = diag_report(k->c->diags, DIAG_period_fraction, r->amount.span, amount_text(k, &r->amount));
-
-    if (r->amount.of == APP_FREQUENCY)
-        diag_label(k->c->diags, d, DIAG_label_every_instead, app_time_text(k->c->arena, period));
-}
-
 // Returns the period of a rate in nanoseconds; 0 after a report.
 static uint64_t period_of(AppCheck *k, const AstAppRate *r)
 {
@@ -129,7 +116,11 @@ static uint64_t period_of(AppCheck *k, const AstAppRate *r)
     Exactness e = r->amount.of == APP_FREQUENCY ? frequency_period(&r->amount, &period) : amount_value(&r->amount, &period);
 
     if (e == FRACTION && (r->amount.of == APP_TIME || (period >= range->least && period < range->most))) {
-        report_fraction(k, r, period);
+        const Span written = r->amount.span;
+        Diag *d = diag_report(k->c->diags, DIAG_period_fraction, written,
+                              format_in(k->c->arena, "%.*s", (int)written.len, written.src->text + written.at));
+        if (r->amount.of == APP_FREQUENCY)
+            diag_label(k->c->diags, d, DIAG_label_every_instead, app_time_text(k->c->arena, period));
         return 0;
     }
     if (e == EXACT && period >= range->least && period <= range->most)
@@ -138,7 +129,9 @@ static uint64_t period_of(AppCheck *k, const AstAppRate *r)
     return 0;
 }
 
-// ---- groups ----
+// ---- the rates of an executor ----
+
+// Reports a period that is not a multiple of the executor's shortest one.
 
 static void check_multiple(AppCheck *k, const AppExecutor *e, const AppRate *r)
 {
@@ -153,7 +146,7 @@ static void check_multiple(AppCheck *k, const AppExecutor *e, const AppRate *r)
                app_time_text(k->c->arena, below + e->period));
 }
 
-// Reports two groups of an executor with the same period.
+// Reports two rates of an executor with the same period.
 static void check_duplicate_period(AppCheck *k, const AppExecutor *e, const AppRate *r, Map *seen)
 {
     Str key = str_c(k->c->strings, app_time_text(k->c->arena, r->period));

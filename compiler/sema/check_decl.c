@@ -22,34 +22,21 @@ typedef struct Declarations {
 
 // ---- one name, one meaning ----
 
-static const char *kind_of_name(const Var *v, Str name)
-{
-    if (v->kind == VAR_LOCAL)
-        return "a local";
-    return v->alias == name && v->name != name ? "an alias" : "an element";
-}
-
-static void report_name_taken(Declarations *k, const Var *v, Str name, Span span)
-{
-    const Var *first = map_find(&k->p->by_name, name);
-    bool same_element = v->kind == VAR_ELEMENT && first->kind == VAR_ELEMENT && v->name == name && first->name == name;
-    Diag *d;
-
-    if (same_element)
-        d = diag_report(k->s->diags, DIAG_element_listed_twice, span, name->text);
-    else
-        d = diag_report(k->s->diags, DIAG_name_taken, span, name->text, kind_of_name(first, name));
-    scope_note_declared(k->s, d, name);
-    map_put(&k->s->doubtful, name, (void *)name);
-}
-
+// Binds a name to v.  Reports a name that has a meaning already.
 static void declare_name(Declarations *k, Var *v, Str name, Span span)
 {
     if (name == k->time) {
         diag_report(k->s->diags, DIAG_time_declared, span);
         map_put(&k->s->doubtful, name, (void *)name);
     } else if (map_find(&k->p->by_name, name)) {
-        report_name_taken(k, v, name, span);
+        const Var *first = map_find(&k->p->by_name, name);
+        const char *what = first->kind == VAR_LOCAL ? "a local" : first->alias == name && first->name != name ? "an alias" : "an element";
+        bool same_element = v->kind == VAR_ELEMENT && first->kind == VAR_ELEMENT && v->name == name && first->name == name;
+        Diag *d = same_element ? diag_report(k->s->diags, DIAG_element_listed_twice, span, name->text)
+                               : diag_report(k->s->diags, DIAG_name_taken, span, name->text, what);
+
+        scope_note_declared(k->s, d, name);
+        map_put(&k->s->doubtful, name, (void *)name);
     } else {
         Span *place = ARENA_NEW(k->s->arena, Span);
         *place = span;
@@ -60,7 +47,7 @@ static void declare_name(Declarations *k, Var *v, Str name, Span span)
 
 // ---- annotations ----
 
-// The parser has already reported an unknown type.
+// Whether a declaration has a valid type.  If it has none, the parser has already reported that.
 static bool is_known_type(SmType type)
 {
     return type < SM_TYPE_COUNT;
@@ -104,14 +91,14 @@ static void add_alias(Declarations *k, Var *v, const AstAnnotation *a)
 
 // ---- @range ----
 
-// Reports an end of a range that the type cannot represent.
-static void check_range_end(const CheckContext *c, const AstAnnotation *a, SmF64 end, Str name, SmType type)
+// Reports a limit of a @range that the type cannot represent.
+static void check_range_limit(const CheckContext *c, const AstAnnotation *a, SmF64 limit, Str name, SmType type)
 {
-    const SmF64 kept = sm_cell_to_f64(type, sm_cell_from_f64(type, sm_trunc(end)));
+    const SmF64 stored = sm_cell_to_f64(type, sm_cell_from_f64(type, sm_trunc(limit)));
 
-    if (sm_type_info[type].kind != SM_KIND_FLOAT && !sm_eq(kept, sm_trunc(end)))
-        diag_report(c->diags, DIAG_range_beyond_type, a->span, name->text, const_text(c->arena, end), sm_type_info[type].spelling,
-                    const_text(c->arena, kept));
+    if (sm_type_info[type].kind != SM_KIND_FLOAT && !sm_eq(stored, sm_trunc(limit)))
+        diag_report(c->diags, DIAG_range_beyond_type, a->span, name->text, const_text(c->arena, limit), sm_type_info[type].spelling,
+                    const_text(c->arena, stored));
 }
 
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type)
@@ -128,8 +115,8 @@ const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str n
             diag_report(c->diags, DIAG_range_empty, a->span, name->text, const_text(c->arena, a->lo.value),
                         const_text(c->arena, a->hi.value));
         } else {
-            check_range_end(c, a, a->lo.value, name, type);
-            check_range_end(c, a, a->hi.value, name, type);
+            check_range_limit(c, a, a->lo.value, name, type);
+            check_range_limit(c, a, a->hi.value, name, type);
             r = ARENA_NEW(c->arena, Range);
             *r = (Range){a->lo.value, a->hi.value, a->span};
         }
@@ -137,12 +124,8 @@ const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str n
     return r;
 }
 
-static bool same_range(const Range *a, const Range *b)
-{
-    return sm_eq(a->lo, b->lo) && sm_eq(a->hi, b->hi);
-}
-
-// The machine's @range applies to the machine.  It must equal the @range of the .sv, if the .sv has one.
+// Sets the @range of v: that of the machine's list, or else that of the .sv.  Reports one in the machine's list that differs from that
+// of the .sv.
 static void set_range(Declarations *k, Var *v, const AstDecl *decl)
 {
     const CheckContext c = {k->s->arena, k->s->strings, k->s->diags};
@@ -155,32 +138,15 @@ static void set_range(Declarations *k, Var *v, const AstDecl *decl)
         v->element->range = v->range;
     else if (!v->range)
         v->range = v->element->range;
-    else if (v->element->range && !same_range(v->range, v->element->range)) {
+    else if (v->element->range && (!sm_eq(v->range->lo, v->element->range->lo) || !sm_eq(v->range->hi, v->element->range->hi))) {
         d = diag_report(k->s->diags, DIAG_range_differs, v->range->span, v->name->text);
         diag_note(k->s->diags, d, v->element->range->span, DIAG_note_range_in_sv);
     }
 }
 
-static void set_command(Var *v, const AstDecl *decl)
-{
-    v->command = has_annotation(&decl->annotations, AST_COMMAND) || (v->element && v->element->command);
-}
-
 // ---- elements ----
 
-static void suggest_element(Declarations *k, Diag *d, Str name)
-{
-    Guess g = guess_init(name);
-
-    if (k->s->guesses == 0)
-        return;
-    k->s->guesses--;
-    for (size_t i = 0; i < k->sv->element.n; i++)
-        guess_consider(&g, k->sv->element.at[i]->name);
-    guess_add_label(k->s->diags, d, &g);
-}
-
-// Whether it is G or S, by name or alias, with its required type.
+// Whether a declaration is that of G or S, by name or alias, with the type that the language requires.
 static bool is_g_or_s(const AstDecl *decl)
 {
     const char *name = decl->name->text;
@@ -191,7 +157,7 @@ static bool is_g_or_s(const AstDecl *decl)
     return (strcmp(name, "G") == 0 && decl->type == SM_U64) || (strcmp(name, "S") == 0 && decl->type == SM_U32);
 }
 
-// Returns the element of the .sv with this name; reports a missing element (NULL) or another type.
+// Returns the element that a declaration lists; NULL if the .sv does not have it.  Reports a missing element and a type that differs.
 static Element *find_element(Declarations *k, const AstDecl *decl)
 {
     Element *e = map_find(&k->sv->by_name, decl->name);
@@ -199,7 +165,7 @@ static Element *find_element(Declarations *k, const AstDecl *decl)
 
     if (!e) {
         d = diag_report(k->s->diags, DIAG_element_not_in_vector, decl->name_span, decl->name->text);
-        suggest_element(k, d, decl->name);
+        suggest_element(k->s->diags, d, &k->s->guesses, k->sv, decl->name);
     } else if (e->type != decl->type && is_known_type(decl->type) && !e->untyped) {
         d = diag_report(k->s->diags, DIAG_element_other_type, decl->type_span, e->name->text,
                         sm_type_info[e->type].spelling, sm_type_info[decl->type].spelling);
@@ -234,7 +200,7 @@ static void declare_element(Declarations *k, const AstDecl *decl)
     v->element = k->sv->from_machine ? add_element(k, decl) : find_element(k, decl);
     declare_name(k, v, v->name, v->span);
     set_range(k, v, decl);
-    set_command(v, decl);
+    v->command = has_annotation(&decl->annotations, AST_COMMAND) || (v->element && v->element->command);
     add_decl_allows(k->s, decl);
     if (v->element && !k->sv->from_machine)
         add_listed_allows(k->s, v->element, decl);
@@ -268,7 +234,7 @@ static void declare_local(Declarations *k, const AstDecl *decl)
     vec_push(k->s->arena, &k->local, l);
 }
 
-// Locals follow the elements, T follows the locals.
+// Completes Program.var and numbers it: locals follow the elements, T follows the locals.
 static void number_variables(Declarations *k)
 {
     Var *t = ARENA_NEW(k->s->arena, Var);
@@ -331,7 +297,7 @@ static Var *find_g_or_s(Declarations *k, const char *name, SmType type, DiagCode
 
 static void find_g_and_s(Declarations *k)
 {
-    bool any = k->p->var.n > k->local.n + 1;       // any besides locals and T
+    bool any = k->p->var.n > k->local.n + 1;       // there are variables besides locals and T: elements
 
     if (any && k->list) {
         k->p->g = find_g_or_s(k, "G", SM_U64, DIAG_no_global_time, DIAG_global_time_type);
@@ -344,17 +310,6 @@ static void find_g_and_s(Declarations *k)
 
 // ---- entry points ----
 
-static void check_declaration_section(Declarations *k, const AstSection *section)
-{
-    if (section->kind == AST_STATE_VECTOR) {
-        k->list = section;
-        for (size_t i = 0; i < section->decls.n; i++)
-            declare_element(k, &section->decls.at[i]);
-    } else if (section->kind == AST_LOCAL)
-        for (size_t i = 0; i < section->decls.n; i++)
-            declare_local(k, &section->decls.at[i]);
-}
-
 void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside)
 {
     Declarations k;
@@ -365,8 +320,16 @@ void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, co
     k.sv = sv;
     k.written_outside = written_outside;
     k.time = str_c(s->strings, "T");
-    for (size_t i = 0; i < sm->sections.n; i++)
-        check_declaration_section(&k, sm->sections.at[i]);
+    for (size_t i = 0; i < sm->sections.n; i++) {
+        const AstSection *section = sm->sections.at[i];
+        if (section->kind == AST_STATE_VECTOR)
+            k.list = section;
+        for (size_t j = 0; j < section->decls.n; j++)
+            if (section->kind == AST_STATE_VECTOR)
+                declare_element(&k, &section->decls.at[j]);
+            else if (section->kind == AST_LOCAL)
+                declare_local(&k, &section->decls.at[j]);
+    }
     number_variables(&k);
     compute_initial_values(&k);
     find_g_and_s(&k);

@@ -35,7 +35,8 @@ static bool check_args(Sema *s, AstExpr *const *in, uint32_t n, Expr **out)
 
 // ---- names ----
 
-// An initial value is computed at compile time, when only the locals declared above have a value.
+// Returns whether the initial value of a local can read v.  Reports it if not: the value is computed at compile time, when only the locals
+// declared above have a value.
 static bool check_use_in_initial(Sema *s, const Var *v, const AstExpr *e)
 {
     Diag *d;
@@ -54,7 +55,8 @@ static bool check_use_in_initial(Sema *s, const Var *v, const AstExpr *e)
     return false;
 }
 
-// A window's size is computed at compile time from the locals' initial values.
+// Returns whether the size of a window can depend on v.  Reports v if it is not a local: the size is computed at compile time, from the
+// initial values of locals.
 static bool check_use_in_size(Sema *s, Var *v, const AstExpr *e)
 {
     SizeUse use = {v, e->span};
@@ -71,17 +73,6 @@ static bool check_use_in_size(Sema *s, Var *v, const AstExpr *e)
     return !s->no_value || !s->no_value[v->index];
 }
 
-// Checks that variable v can be used in the current context; reports it if not.
-static bool check_use(Sema *s, Var *v, const AstExpr *e)
-{
-    switch (s->at) {
-    case EXPR_IN_STEP:    return true;
-    case EXPR_IN_INITIAL: return check_use_in_initial(s, v, e);
-    case EXPR_IN_SIZE:    return check_use_in_size(s, v, e);
-    }
-    return false;
-}
-
 static Expr *check_name(Sema *s, const AstExpr *e)
 {
     Var *v = scope_find_variable(s, e->name);
@@ -95,14 +86,15 @@ static Expr *check_name(Sema *s, const AstExpr *e)
         v->read = true;
     s->varies |= v->kind != VAR_LOCAL;
     s->knows_a_name |= v != s->p->g && v != s->p->s && v != s->p->t;
-    if (scope_is_doubtful(s, e->name) || !check_use(s, v, e))
+    if (scope_is_doubtful(s, e->name) || (s->at == EXPR_IN_INITIAL && !check_use_in_initial(s, v, e)) ||
+        (s->at == EXPR_IN_SIZE && !check_use_in_size(s, v, e)))
         return NULL;
     out = expr_new(s, EX_VAR, e->span, 0);
     out->var = v;
     return out;
 }
 
-// Builds a literal.  Above 2^53, not every whole number is an F64, so analyses have to know of it.
+// Builds a literal.  Records one of 2^53 or more: from there on not every whole number is an F64, which some analyses rely on.
 static Expr *check_number(Sema *s, const AstExpr *e)
 {
     Expr *out = expr_new(s, EX_NUMBER, e->span, 0);
@@ -149,32 +141,28 @@ static Span span_between(uint32_t from, Span to)
     return span;
 }
 
-// Reports `not a == b`: it means `(not a) == b`, which is rarely intended.  The diagnostic shows both readings (language.md 3.13).
-static void report_leading_not(Sema *s, const AstExpr *whole)
+// Warns of `not a == b`: it means `(not a) == b`, which is rarely intended.  The diagnostic shows both readings (language.md 3.13).
+// Called for every operator of an expression, outer ones first.  All operators on the left edge share one leftmost operand, which the
+// first call examines.
+static void warn_of_leading_not(Sema *s, const AstExpr *e)
 {
-    const AstExpr *left = whole;
+    const AstExpr *left = e;
+    bool searched = s->searched_left == e;
     Diag *d;
 
+    if (operator_class(e) == SM_CLASS_LOGIC)
+        return;
+    s->searched_left = e->a;
+    if (searched)
+        return;
     while (left->kind == AST_BINARY)
         left = left->a;
     if (left->kind != AST_UNARY || left->op != SM_OP_NOT)
         return;
     d = diag_report(s->diags, DIAG_not_binds_tight, left->span);
     diag_note(s->diags, d, (Span){0}, DIAG_note_not_as_written, sema_quote(s, left->a->span),
-              sema_quote(s, span_between(left->span.at + left->span.len, whole->span)));
-    diag_note(s->diags, d, (Span){0}, DIAG_note_not_of_all, sema_quote(s, span_between(left->a->span.at, whole->span)));
-}
-
-// Searches the whole expression that begins at the left of e for a leading `not`, once.
-static void warn_of_leading_not(Sema *s, const AstExpr *e)
-{
-    bool inside = s->searched_left == e;                // part of an expression that was already searched
-
-    if (operator_class(e) == SM_CLASS_LOGIC)
-        return;
-    s->searched_left = e->a;
-    if (!inside)
-        report_leading_not(s, e);
+              sema_quote(s, span_between(left->span.at + left->span.len, e->span)));
+    diag_note(s->diags, d, (Span){0}, DIAG_note_not_of_all, sema_quote(s, span_between(left->a->span.at, e->span)));
 }
 
 // The nearest comparison before the right side of an `and` or `or`; NULL if there is none.
@@ -185,7 +173,7 @@ static const AstExpr *comparison_before(const AstExpr *e)
     return e->kind == AST_BINARY && (operator_class(e) == SM_CLASS_RELATION || operator_class(e) == SM_CLASS_EQUALITY) ? e : NULL;
 }
 
-// Whether a number may be a switch: 0, 1, true and false, as in `steps and 1`; but after `mode == 2`, a 0 or 1 is not.
+// Whether a number may be intended as a condition: 0, 1, true and false, as in `steps and 1`.  After `mode == 2`, a 0 or 1 is a value.
 static bool may_be_switch(const AstExpr *number, const char *text, const AstExpr *before)
 {
     const bool is_word = strcmp(text, "true") == 0 || strcmp(text, "false") == 0;
@@ -194,7 +182,7 @@ static bool may_be_switch(const AstExpr *number, const char *text, const AstExpr
                        !(before && before->op == SM_OP_EQ && before->b->kind == AST_NUMBER));
 }
 
-// Warns of `mode == 1 or 2`.
+// Warns of an operand such as the 2 in `mode == 1 or 2`: the user means `mode == 2`, but every number except 0 is true.
 static void warn_of_number_as_condition(Sema *s, const AstExpr *logic, const AstExpr *number)
 {
     const AstExpr *before = number == logic->b ? comparison_before(logic->a) : NULL;
@@ -209,7 +197,7 @@ static void warn_of_number_as_condition(Sema *s, const AstExpr *logic, const Ast
                    format_in(s->arena, "%s %s %s", sema_quote(s, before->a->span), sm_op_info[before->op].spelling, text));
 }
 
-// Warns of `mode == not 5`.
+// Warns of a right side such as in `mode == not 5`: the user means `mode != 5`, but `not 5` is 0.
 static void warn_of_negated_number(Sema *s, const AstExpr *e)
 {
     const AstExpr *not = e->b, *number = not->a;
@@ -273,7 +261,7 @@ static Expr *check_unary(Sema *s, const AstExpr *e)
 
 // ---- calls ----
 
-// Suggests max(max(a, b), c) for max(a, b, c).
+// For a min or max of more than two arguments suggests nested calls, such as max(max(a, b), c), and proposes the edits.
 static void suggest_nested_calls(Sema *s, Diag *d, const AstExpr *e)
 {
     const AstArgs *args = e->args;
@@ -291,24 +279,6 @@ static void suggest_nested_calls(Sema *s, Diag *d, const AstExpr *e)
     }
     diag_edit(s->diags, d, (Span){first.src, first.at, 0}, calls);
     diag_label(s->diags, d, DIAG_label_write, text);
-}
-
-// Suggests what the user may mean with this number of arguments; returns false if that is unclear.
-static bool label_argument_count(Sema *s, Diag *d, const AstExpr *e, SmBuiltin fn)
-{
-    const AstArgs *args = e->args;
-    const char *first = args->n ? sema_quote(s, args->at[0]->span) : "";
-
-    if ((fn == SM_FN_min || fn == SM_FN_max) && args->n > 2)
-        suggest_nested_calls(s, d, e);
-    else if ((fn == SM_FN_min || fn == SM_FN_max) && args->n == 1)
-        diag_label(s->diags, d, DIAG_label_write_call, e->name->text,
-                   format_in(s->arena, "(a, b), or for the last n steps roll_%s(%s, n)", e->name->text, first));
-    else if (fn == SM_FN_round && args->n == 2)
-        diag_label(s->diags, d, DIAG_label_round_digits, first);
-    else
-        return false;
-    return true;
 }
 
 // Returns the comma after e if it is directly between the digits of two whole numbers, as in 0,5; otherwise an empty span.
@@ -355,36 +325,38 @@ static void report_argument_count(Sema *s, const AstExpr *e, const SmBuiltinInfo
 {
     const char *wanted = format_in(s->arena, "%u argument%s", fn->arguments, fn->arguments == 1 ? "" : "s");
     const char *found = format_in(s->arena, "%lu", (unsigned long)e->args->n);
+    const char *first = e->args->n ? sema_quote(s, e->args->at[0]->span) : "";
+    const SmBuiltin id = (SmBuiltin)(fn - sm_builtin_info);
+    const bool is_extremum = id == SM_FN_min || id == SM_FN_max;
     Diag *d = diag_report(s->diags, DIAG_argument_count, ast_op_span(e), fn->name, wanted, found);
 
-    if (!label_argument_count(s, d, e, (SmBuiltin)(fn - sm_builtin_info)))
+    if (is_extremum && e->args->n > 2)
+        suggest_nested_calls(s, d, e);
+    else if (is_extremum && e->args->n == 1)
+        diag_label(s->diags, d, DIAG_label_write_call, e->name->text,
+                   format_in(s->arena, "(a, b), or for the last n steps roll_%s(%s, n)", e->name->text, first));
+    else if (id == SM_FN_round && e->args->n == 2)
+        diag_label(s->diags, d, DIAG_label_round_digits, first);
+    else
         diag_label(s->diags, d, DIAG_label_write_call, fn->name, ast_function_usage(fn));
-}
-
-static Expr *check_pure_call(Sema *s, const AstExpr *e, const SmBuiltinInfo *fn)
-{
-    Expr *out = expr_new(s, EX_CALL, e->span, fn->arguments);
-
-    out->fn = (SmBuiltin)(fn - sm_builtin_info);
-    return check_args(s, e->args->at, fn->arguments, out->arg) ? out : NULL;
-}
-
-// Whether the parser could not read an argument.  Then the real number of arguments is unknown.
-static bool has_unreadable_argument(const AstExpr *e)
-{
-    for (size_t i = 0; i < e->args->n; i++)
-        if (e->args->at[i]->kind == AST_ERROR)
-            return true;
-    return false;
 }
 
 // Calls of roll functions (language.md 7) have two arguments: the sampled expression, and a size that is known at compile time.
 
-// Returns the size of a window, or 0 after a report.
-static uint32_t window_size(Sema *s, const AstExpr *n, const Expr *value, const SmBuiltinInfo *fn)
+// Returns the size of a roll call's window, or 0 after a report.
+static uint32_t check_window_size(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
 {
-    SmF64 x = expr_constant_value(value);
+    const AstExpr *n = call->args->at[1];
+    Expr *value;
+    SmF64 x;
 
+    s->at = EXPR_IN_SIZE;
+    s->size_of = call->name;
+    value = check_expr(s, n);
+    s->at = EXPR_IN_STEP;
+    if (!value)
+        return 0;
+    x = expr_constant_value(value);
     if (!sm_eq(sm_trunc(x), x))
         diag_report(s->diags, DIAG_window_size_not_whole, n->span, fn->name, const_text(s->arena, x));
     else if (sm_lt(x, sm_from_i32(1)) || sm_lt(sm_from_u32(SM_WINDOW_MAX), x))
@@ -394,35 +366,17 @@ static uint32_t window_size(Sema *s, const AstExpr *n, const Expr *value, const 
     return 0;
 }
 
-static uint32_t check_window_size(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
-{
-    const AstExpr *n = call->args->at[1];
-    Expr *value;
-
-    s->at = EXPR_IN_SIZE;
-    s->size_of = call->name;
-    value = check_expr(s, n);
-    s->at = EXPR_IN_STEP;
-    return value ? window_size(s, n, value, fn) : 0;
-}
-
-// Checks that the current context allows a roll call; reports it if not.
-static bool check_roll_allowed(Sema *s, const AstExpr *call)
-{
-    if (s->at == EXPR_IN_INITIAL)
-        diag_report(s->diags, DIAG_initial_value_rolls, ast_op_span(call), s->local->name->text, call->name->text);
-    else if (s->at == EXPR_IN_SIZE)
-        diag_report(s->diags, DIAG_window_size_rolls, ast_op_span(call), s->size_of->text, call->name->text);
-    return s->at == EXPR_IN_STEP;
-}
-
 static Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
 {
     Window w = {0};
     Expr *out;
 
     s->varies = true;
-    if (!check_roll_allowed(s, call))
+    if (s->at == EXPR_IN_INITIAL)
+        diag_report(s->diags, DIAG_initial_value_rolls, ast_op_span(call), s->local->name->text, call->name->text);
+    else if (s->at == EXPR_IN_SIZE)
+        diag_report(s->diags, DIAG_window_size_rolls, ast_op_span(call), s->size_of->text, call->name->text);
+    if (s->at != EXPR_IN_STEP)
         return NULL;
     out = expr_new(s, EX_ROLL, call->span, 1);
     out->arg[0] = w.sample = check_expr(s, call->args->at[0]);     // inner windows get a lower index than this one
@@ -439,13 +393,22 @@ static Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *
 static Expr *check_call(Sema *s, const AstExpr *e)
 {
     const SmBuiltinInfo *fn = scope_find_function(s, e->name);
+    bool readable = true;                         // otherwise the user may have written more arguments than the parser found
+    Expr *out;
 
-    if (fn && e->args->n == fn->arguments)
-        return fn->is_roll ? check_roll_call(s, e, fn) : check_pure_call(s, e, fn);
-    if (fn && !has_unreadable_argument(e) && (e->args->n < fn->arguments || !report_decimal_comma(s, e)))
-        report_argument_count(s, e, fn);
-    else if (!fn)
+    if (fn && e->args->n == fn->arguments) {
+        if (fn->is_roll)
+            return check_roll_call(s, e, fn);
+        out = expr_new(s, EX_CALL, e->span, fn->arguments);
+        out->fn = (SmBuiltin)(fn - sm_builtin_info);
+        return check_args(s, e->args->at, fn->arguments, out->arg) ? out : NULL;
+    }
+    for (size_t i = 0; i < e->args->n; i++)
+        readable = readable && e->args->at[i]->kind != AST_ERROR;
+    if (!fn)
         scope_report_unknown_function(s, e->name, ast_op_span(e));
+    else if (readable && (e->args->n < fn->arguments || !report_decimal_comma(s, e)))
+        report_argument_count(s, e, fn);
     if (s->at == EXPR_IN_STEP)                    // report errors in the arguments too; elsewhere, what is allowed depends on the function
         for (size_t i = 0; i < e->args->n; i++)
             check_expr(s, e->args->at[i]);

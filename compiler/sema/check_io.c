@@ -29,33 +29,20 @@ static const char *source_text(const CheckContext *c, Span s)
 
 // ---- the element ----
 
-static void report_unknown_element(IoCheck *k, const AstPin *pin)
-{
-    Diag *d;
-    Guess g = guess_init(pin->element);
-
-    if (map_find(&k->unknown, pin->element))
-        return;
-    map_put(&k->unknown, pin->element, (void *)pin->element);
-    d = diag_report(k->c->diags, DIAG_element_not_in_vector, pin->element_span, pin->element->text);
-    if (k->guesses == 0)
-        return;
-    k->guesses--;
-    for (size_t i = 0; i < k->io->sv->element.n; i++)
-        guess_consider(&g, k->io->sv->element.at[i]->name);
-    guess_add_label(k->c->diags, d, &g);
-}
-
-// config.md 9.4, 9.5
+// Returns the pin's element; NULL if the state vector does not have it, which is reported.  Also reports an element of a digital pin that
+// is not a bool, and a bool on an analog pin (config.md 9.4, 9.5).
 static const Element *check_element(IoCheck *k, const AstPin *pin, bool digital)
 {
     const Element *e = map_find(&k->io->sv->by_name, pin->element);
     Diag *d;
 
-    if (!e) {
-        report_unknown_element(k, pin);
-        return NULL;
+    if (!e && !map_find(&k->unknown, pin->element)) {
+        map_put(&k->unknown, pin->element, (void *)pin->element);
+        d = diag_report(k->c->diags, DIAG_element_not_in_vector, pin->element_span, pin->element->text);
+        suggest_element(k->c->diags, d, &k->guesses, k->io->sv, pin->element);
     }
+    if (!e)
+        return NULL;
     if (e->untyped || digital == (e->type == SM_BOOL))
         return e;
     if (digital)
@@ -66,7 +53,7 @@ static const Element *check_element(IoCheck *k, const AstPin *pin, bool digital)
     return e;
 }
 
-// config.md 9.7
+// Reports a second input pin for the same element (config.md 9.7).
 static void check_input(IoCheck *k, const AstPin *pin, const Element *e)
 {
     const AstPin *first = map_find(&k->input, e->name);
@@ -91,7 +78,8 @@ static bool try_whole_number(SmF64 x, uint32_t most, uint32_t *out)
     return sm_eq(sm_from_u32(*out), x);
 }
 
-// config.md 9.3, 9.6
+// Returns the pin's number; 0 after reporting one that is not a whole number of 16 bits.  Reports a number that an earlier pin of the same
+// kind uses (config.md 9.3, 9.6).
 static uint16_t check_number(IoCheck *k, const AstPin *pin, bool digital)
 {
     const AstPin *first;
@@ -116,18 +104,7 @@ static uint16_t check_number(IoCheck *k, const AstPin *pin, bool digital)
 
 // ---- annotations ----
 
-// config.md 9.8
-static void check_scale(IoCheck *k, const AstPin *pin, Pin *out)
-{
-    const AstAnnotation *scale = find_annotation(pin, AST_SCALE), *offset = find_annotation(pin, AST_OFFSET);
-
-    out->scale = scale ? scale->lo.value : sm_from_i32(1);
-    out->offset = offset ? offset->lo.value : sm_from_i32(0);
-    if (scale && sm_eq(out->scale, sm_from_i32(0)))
-        diag_report(k->c->diags, DIAG_scale_zero, scale->span, pin->element->text);
-}
-
-// config.md 9.9
+// Sets out->safe.  Reports a number as the @safe value of a digital pin, and true or false as that of an analog one (config.md 9.9).
 static void check_safe(IoCheck *k, const AstPin *pin, Pin *out)
 {
     const AstAnnotation *safe = find_annotation(pin, AST_SAFE_VALUE);
@@ -146,18 +123,7 @@ static void check_safe(IoCheck *k, const AstPin *pin, Pin *out)
     }
 }
 
-// config.md 9.11
-static void check_hold(IoCheck *k, const AstPin *pin, Pin *out)
-{
-    const AstAnnotation *hold = find_annotation(pin, AST_HOLD);
-    uint32_t n = 0;
-
-    if (hold && !try_whole_number(hold->lo.value, UINT8_MAX, &n))
-        diag_report(k->c->diags, DIAG_hold_value, hold->lo.span, source_text(k->c, hold->lo.span));
-    out->hold = (uint8_t)n;
-}
-
-// config.md 9.10
+// Sets the flags for @inverted and the pull resistors.  Reports a pin with both pull resistors (config.md 9.10).
 static void check_level_and_pulls(IoCheck *k, const AstPin *pin, Pin *out)
 {
     const AstAnnotation *up = find_annotation(pin, AST_PULL_UP), *down = find_annotation(pin, AST_PULL_DOWN);
@@ -172,7 +138,7 @@ static void check_level_and_pulls(IoCheck *k, const AstPin *pin, Pin *out)
     diag_note(k->c->diags, d, up->span.at > down->span.at ? down->span : up->span, DIAG_note_first_here);
 }
 
-// Only the check of machines shows whether an @allow here is needed, so none is reported as unused.
+// Registers each @allow as shared.  Whether it is needed is only known after machines are checked, so none is reported as unused.
 static void register_allows(IoCheck *k, const AstPin *pin)
 {
     Span covers = pin->element_span;
@@ -188,41 +154,39 @@ static void register_allows(IoCheck *k, const AstPin *pin)
 
 // ---- the file ----
 
-static PinKind pin_kind(const AstPin *pin, bool digital)
-{
-    if (digital)
-        return pin->output ? PIN_DIGITAL_OUT : PIN_DIGITAL_IN;
-    return pin->output ? PIN_ANALOG_OUT : PIN_ANALOG_IN;
-}
-
 static void check_pin(IoCheck *k, const AstPin *pin, bool digital)
 {
-    Pin p = {pin_kind(pin, digital), 0, NULL, false, false, false, 0, sm_from_i32(1), sm_from_i32(0), sm_from_i32(0), pin->element_span};
+    const AstAnnotation *scale = find_annotation(pin, AST_SCALE), *offset = find_annotation(pin, AST_OFFSET);
+    const AstAnnotation *hold = find_annotation(pin, AST_HOLD);
+    uint32_t hold_ticks = 0;
+    Pin p = {0};
 
+    if (digital)
+        p.kind = pin->output ? PIN_DIGITAL_OUT : PIN_DIGITAL_IN;
+    else
+        p.kind = pin->output ? PIN_ANALOG_OUT : PIN_ANALOG_IN;
+    p.span = pin->element_span;
     p.number = check_number(k, pin, digital);
     p.element = check_element(k, pin, digital);
     if (p.element && !pin->output)
         check_input(k, pin, p.element);
-    check_scale(k, pin, &p);
+    p.scale = scale ? scale->lo.value : sm_from_i32(1);
+    p.offset = offset ? offset->lo.value : sm_from_i32(0);
+    if (scale && sm_eq(p.scale, sm_from_i32(0)))                                          // config.md 9.8
+        diag_report(k->c->diags, DIAG_scale_zero, scale->span, pin->element->text);
     check_safe(k, pin, &p);
-    check_hold(k, pin, &p);
+    if (hold && !try_whole_number(hold->lo.value, UINT8_MAX, &hold_ticks))                // config.md 9.11
+        diag_report(k->c->diags, DIAG_hold_value, hold->lo.span, source_text(k->c, hold->lo.span));
+    p.hold = (uint8_t)hold_ticks;
     check_level_and_pulls(k, pin, &p);
     register_allows(k, pin);
     vec_push(k->c->arena, &k->io->pin, p);
 }
 
-// runtime-c/io.h counts pins with 16 bits.
-static void check_count(IoCheck *k)
-{
-    enum { MOST = 65535 };
-
-    if (k->io->pin.n > MOST)
-        diag_report(k->c->diags, DIAG_app_too_many, k->io->pin.at[MOST].span, "pins", "65535");
-}
-
 IoMap *check_io(CheckContext *c, const AstFile *f, const StateVec *sv)
 {
-    enum { GUESSES = 30 };            // more than the reports that are shown
+    enum { GUESSES = 30,              // more than the reports that are shown
+           MOST = 65535 };            // runtime-c/io.h counts pins with 16 bits
     size_t errors = c->diags->met;
     const Map none = {c->arena, NULL, NULL, 0, 0};
     IoCheck k = {c, ARENA_NEW(c->arena, IoMap), {none, none}, none, none, GUESSES};
@@ -235,6 +199,7 @@ IoMap *check_io(CheckContext *c, const AstFile *f, const StateVec *sv)
     for (size_t i = 0; i < f->sections.n; i++)
         for (size_t j = 0; j < f->sections.at[i]->pins.n; j++)
             check_pin(&k, &f->sections.at[i]->pins.at[j], f->sections.at[i]->digital);
-    check_count(&k);
+    if (k.io->pin.n > MOST)
+        diag_report(c->diags, DIAG_app_too_many, k.io->pin.at[MOST].span, "pins", "65535");
     return c->diags->met > errors ? NULL : k.io;
 }

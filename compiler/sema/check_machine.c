@@ -4,74 +4,61 @@
 
 // ---- states ----
 
-static void report_state_twice(Sema *s, const State *first, const AstSection *section)
-{
-    Diag *d = diag_report(s->diags, DIAG_state_twice, section->name_span, section->name->text);
-
-    diag_note(s->diags, d, first->span, DIAG_note_declared_here, first->name->text);
-}
-
-static void add_state(Sema *s, Program *p, const AstSection *section)
-{
-    State *state = ARENA_NEW(s->arena, State);
-    const State *first = map_find(&p->state_by_name, section->name);
-
-    state->name = section->name;
-    state->span = section->name_span;
-    state->is_abort = has_annotation(&section->annotations, AST_ABORT);
-    state->is_safe = has_annotation(&section->annotations, AST_SAFE);
-    state->number = (uint32_t)p->state.n + 1;
-    vec_push(s->arena, &p->state, state);
-    if (state->name->len == 0)
-        return;                   // the parser could not read its header
-    if (first)
-        report_state_twice(s, first, section);
-    else
-        map_put(&p->state_by_name, state->name, state);
-}
-
 static void add_states(Sema *s, Program *p, const AstFile *sm)
 {
-    for (size_t i = 0; i < sm->sections.n; i++)
-        if (sm->sections.at[i]->kind == AST_STATE)
-            add_state(s, p, sm->sections.at[i]);
+    for (size_t i = 0; i < sm->sections.n; i++) {
+        const AstSection *section = sm->sections.at[i];
+        const State *first = map_find(&p->state_by_name, section->name);
+        State *state;
+
+        if (section->kind != AST_STATE)
+            continue;
+        state = ARENA_NEW(s->arena, State);
+        state->name = section->name;
+        state->span = section->name_span;
+        state->is_abort = has_annotation(&section->annotations, AST_ABORT);
+        state->is_safe = has_annotation(&section->annotations, AST_SAFE);
+        state->number = (uint32_t)p->state.n + 1;
+        vec_push(s->arena, &p->state, state);
+        if (state->name->len == 0)
+            continue;             // the parser could not read its header
+        if (first)
+            diag_note(s->diags, diag_report(s->diags, DIAG_state_twice, section->name_span, section->name->text),
+                      first->span, DIAG_note_declared_here, first->name->text);
+        else
+            map_put(&p->state_by_name, state->name, state);
+    }
     if (p->state.n == 0 && !s->lost->sections)
         diag_report(s->diags, DIAG_no_state, (Span){p->src, 0, 0});
 }
 
 // ---- blocks ----
 
-static void check_state(Sema *s, State *state, const AstSection *section)
-{
-    static const BlockKind block_of[AST_LABEL_COUNT] = {[AST_ENTRY] = BLOCK_ENTRY, [AST_STEP] = BLOCK_STEP, [AST_EXIT] = BLOCK_EXIT};
-
-    for (int i = 0; i < AST_LABEL_COUNT; i++) {
-        s->block = block_of[i];
-        state->block_span[s->block] = section->block[i].label;
-        check_stmts(s, &section->block[i].stmts, &state->block[s->block]);
-        warn_of_unguarded_abort(s, state, section, (AstLabel)i);
-    }
-}
-
-static uint32_t end_of_section(const AstFile *sm, size_t i)
-{
-    return i + 1 < sm->sections.n ? sm->sections.at[i + 1]->header.at : sm->src->len;
-}
-
 static void check_states(Sema *s, Program *p, const AstFile *sm)
 {
-    size_t state = 0;
+    static const BlockKind block_of[AST_LABEL_COUNT] = {[AST_ENTRY] = BLOCK_ENTRY, [AST_STEP] = BLOCK_STEP, [AST_EXIT] = BLOCK_EXIT};
+    size_t n = 0;
 
-    for (size_t i = 0; i < sm->sections.n; i++)
-        if (sm->sections.at[i]->kind == AST_STATE) {
-            check_state(s, p->state.at[state++], sm->sections.at[i]);
-            add_state_allows(s, sm->sections.at[i], end_of_section(sm, i));
+    for (size_t i = 0; i < sm->sections.n; i++) {
+        const AstSection *section = sm->sections.at[i];
+        State *state;
+
+        if (section->kind != AST_STATE)
+            continue;
+        state = p->state.at[n++];
+        for (int label = 0; label < AST_LABEL_COUNT; label++) {
+            s->block = block_of[label];
+            state->block_span[s->block] = section->block[label].label;
+            check_stmts(s, &section->block[label].stmts, &state->block[s->block]);
+            warn_of_unguarded_abort(s, state, section, (AstLabel)label);
         }
+        add_state_allows(s, section, i + 1 < sm->sections.n ? sm->sections.at[i + 1]->header.at : sm->src->len);
+    }
 }
 
 // ---- entry points ----
 
-// Creates the state vector of a machine without a .sv: its [state_vector] section.
+// Creates the state vector of a machine without a .sv: one region, whose elements its [state_vector] section declares.
 static StateVec *new_own_state_vector(CheckContext *c, Program *p)
 {
     StateVec *sv = ARENA_NEW(c->arena, StateVec);
@@ -85,21 +72,15 @@ static StateVec *new_own_state_vector(CheckContext *c, Program *p)
     return sv;
 }
 
-static Program *new_program(CheckContext *c, const AstFile *sm)
+Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const Map *written_outside)
 {
+    size_t errors = c->diags->met;
     Program *p = ARENA_NEW(c->arena, Program);
+    Sema s;
 
     p->name = sema_stem(c->strings, sm->src);
     p->src = sm->src;
     p->by_name.arena = p->state_by_name.arena = c->arena;
-    return p;
-}
-
-Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const Map *written_outside)
-{
-    size_t errors = c->diags->met;
-    Program *p = new_program(c, sm);
-    Sema s;
 
     sema_init(&s, c, find_hidden_names(c, sm), p, &p->window);
     s.sv = sv;

@@ -5,6 +5,7 @@
 
 #include <string.h>
 
+#include "compiler/syntax/parse.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
@@ -13,6 +14,8 @@ typedef struct ScriptCheck {
     Script *script;
     Str delta_t, init_state;      // the names of the options
     bool has_delta_t, has_stop;
+    uint32_t items, asserts;      // the numbers of each so far
+    size_t errors;                // Diags.met before this check
     Map section;                  // state name to the Span of its section
 } ScriptCheck;
 
@@ -32,103 +35,78 @@ static uint64_t delta_t_value(const AstOption *o)
     return sm_to_u64(x);
 }
 
-static void check_delta_t(ScriptCheck *k, const AstOption *o)
-{
-    k->has_delta_t = true;
-    k->script->delta_t_span = o->value_span;
-    k->script->delta_t = delta_t_value(o);
-    if (k->script->delta_t == 0 && o->number && o->number->kind == AST_NUMBER)        // otherwise the parser has reported it
-        diag_report(k->s.diags, DIAG_delta_t_value, o->value_span);
-}
-
-static void check_init_state(ScriptCheck *k, const AstOption *o)
-{
-    State *state = o->word ? scope_find_state(&k->s, o->word, o->value_span) : NULL;
-
-    if (state)
-        k->script->init_state = state;
-}
-
 static void check_option(ScriptCheck *k, const AstOption *o)
 {
-    if (o->name == k->delta_t)
-        check_delta_t(k, o);
-    else if (o->name == k->init_state)
-        check_init_state(k, o);
+    if (o->name == k->delta_t) {
+        k->has_delta_t = true;
+        k->script->delta_t_span = o->value_span;
+        k->script->delta_t = delta_t_value(o);
+        if (k->script->delta_t == 0 && o->number && o->number->kind == AST_NUMBER)    // otherwise the parser has reported it
+            diag_report(k->s.diags, DIAG_delta_t_value, o->value_span);
+    } else if (o->name == k->init_state) {
+        State *state = o->word ? scope_find_state(&k->s, o->word, o->value_span) : NULL;
+        if (state)
+            k->script->init_state = state;
+    }
 }
 
 // ---- conditionals ----
 
-static void check_assert(ScriptCheck *k, ScriptItem *item, const AstStmt *in)
+// Reserves exactly the memory that the lists of the item need: a script can have a million items.
+static ScriptItem *new_item(ScriptCheck *k, const AstStmts *body)
 {
-    Expr *e = check_expr(&k->s, in->value);
+    ScriptItem *item = ARENA_NEW(k->s.arena, ScriptItem);
 
-    if (e)
-        vec_push(k->s.arena, &item->asserts, e);
-}
-
-static void check_input(ScriptCheck *k, ScriptItem *item, const AstStmt *in)
-{
-    Stmt *stmt = check_assignment(&k->s, in);
-
-    if (stmt)
-        vec_push(k->s.arena, &item->inputs, stmt);
-}
-
-static void check_item(ScriptCheck *k, ScriptItem *item, const AstStmt *in)
-{
-    switch (in->kind) {
-    case AST_ASSIGN: check_input(k, item, in); break;
-    case AST_ASSERT: check_assert(k, item, in); break;
-    case AST_STOP:
-        item->stop = k->has_stop = true;
-        item->stop_span = in->span;
-        break;
-    case AST_TRANSITION: case AST_IF: case AST_STMT_ERROR: case AST_ALLOWED: break;     // the parser has reported them
+    for (size_t i = 0; i < body->n; i++) {
+        item->inputs.cap += body->at[i]->kind == AST_ASSIGN;
+        item->asserts.cap += body->at[i]->kind == AST_ASSERT;
     }
-}
-
-static void check_items(ScriptCheck *k, ScriptItem *item, const AstStmts *in)
-{
-    for (size_t i = 0; i < in->n; i++)
-        check_item(k, item, in->at[i]);
+    item->inputs.at = ARENA_ARRAY(k->s.arena, Stmt *, item->inputs.cap);
+    item->asserts.at = ARENA_ARRAY(k->s.arena, Expr *, item->asserts.cap);
+    return item;
 }
 
 static void check_conditional(ScriptCheck *k, ScriptSection *section, const AstStmt *in)
 {
-    ScriptItem item;
+    ScriptItem *item = new_item(k, &in->arms->then);
 
-    memset(&item, 0, sizeof item);
-    item.span = in->span;
-    item.guard = check_expr(&k->s, in->value);
-    check_items(k, &item, &in->arms->then);
+    k->s.searched_left = NULL;                // the tree of the item before may have been at the same address
+    item->span = in->span;
+    item->guard = check_expr(&k->s, in->value);
+    item->number = k->items++;
+    item->first_assert = k->asserts;
+    for (size_t i = 0; i < in->arms->then.n; i++) {
+        const AstStmt *stmt = in->arms->then.at[i];
+        Stmt *input;
+        Expr *condition;
+
+        switch (stmt->kind) {
+        case AST_ASSIGN:
+            if ((input = check_assignment(&k->s, stmt)) != NULL)
+                vec_push(k->s.arena, &item->inputs, input);
+            break;
+        case AST_ASSERT:
+            if ((condition = check_expr(&k->s, stmt->value)) != NULL)
+                vec_push(k->s.arena, &item->asserts, condition);
+            break;
+        case AST_STOP:
+            item->stop = k->has_stop = true;
+            item->stop_span = stmt->span;
+            break;
+        case AST_TRANSITION: case AST_IF: case AST_STMT_ERROR: case AST_ALLOWED: break;     // the parser has reported them
+        }
+    }
+    k->asserts += item->asserts.n;
     vec_push(k->s.arena, &section->item, item);
 }
 
 // ---- sections ----
 
-static void check_section_twice(ScriptCheck *k, const AstSection *in)
-{
-    Span *first = map_find(&k->section, in->name);
-
-    if (first) {
-        Diag *d = diag_report(k->s.diags, DIAG_script_section_twice, in->name_span, in->name->text);
-        diag_note(k->s.diags, d, *first, DIAG_note_first_here);
-        return;
-    }
-    first = ARENA_NEW(k->s.arena, Span);
-    *first = in->name_span;
-    map_put(&k->section, in->name, first);
-}
-
-static bool means_all_states(const char *name)
-{
-    return strcmp(name, "all") == 0 || strcmp(name, "any") == 0 || strcmp(name, "every") == 0 || strcmp(name, "always") == 0;
-}
-
-// Reports [All_States] or [option]: not a state, but similar to a section that every script can have.  Returns whether it reported one.
+// Reports a section such as [All_States] or [option]: it is not a state, but similar to a section that every script can have.  Returns
+// false if the name is a state or is not similar.
 static bool report_misspelt_section(ScriptCheck *k, const AstSection *in)
 {
+    static const char *const for_all[] = {"all", "any", "every", "always"};
     Guess g = guess_init(in->name);
     Diag *d;
 
@@ -136,8 +114,9 @@ static bool report_misspelt_section(ScriptCheck *k, const AstSection *in)
         return false;
     guess_consider(&g, str_c(k->s.strings, "all_states"));
     guess_consider(&g, str_c(k->s.strings, "options"));
-    if (means_all_states(in->name->text))
-        g.best = str_c(k->s.strings, "all_states");
+    for (size_t i = 0; i < sizeof for_all / sizeof *for_all; i++)
+        if (strcmp(in->name->text, for_all[i]) == 0)
+            g.best = str_c(k->s.strings, "all_states");
     if (!g.best)
         return false;
     d = diag_report(k->s.diags, DIAG_unknown_state, in->name_span, in->name->text);
@@ -145,32 +124,46 @@ static bool report_misspelt_section(ScriptCheck *k, const AstSection *in)
     return true;
 }
 
-static void check_section(ScriptCheck *k, const AstSection *in)
+static void open_section(ScriptCheck *k, const AstSection *in)
 {
     ScriptSection section;
 
     memset(&section, 0, sizeof section);
     if (!in->all_states && in->name->len > 0 && !report_misspelt_section(k, in)) {
+        const Span *first = map_find(&k->section, in->name);
         section.state = scope_find_state(&k->s, in->name, in->name_span);
-        check_section_twice(k, in);
+        if (first)
+            diag_note(k->s.diags, diag_report(k->s.diags, DIAG_script_section_twice, in->name_span, in->name->text), *first,
+                      DIAG_note_first_here);
+        else
+            map_put(&k->section, in->name, arena_copy(k->s.arena, &in->name_span, sizeof in->name_span));
     }
-    for (size_t i = 0; i < in->items.n; i++)
-        if (in->items.at[i]->kind == AST_IF)
-            check_conditional(k, &section, in->items.at[i]);
     vec_push(k->s.arena, &k->script->section, section);
 }
 
-static void check_any_section(ScriptCheck *k, const AstSection *in)
+// Visits a section, without its items.
+static void check_section(void *context, const AstSection *in)
 {
+    ScriptCheck *k = context;
+
     if (in->kind == AST_SCRIPT_STATE)
-        check_section(k, in);
-    else if (in->kind == AST_OPTIONS)
-        for (size_t i = 0; i < in->options.n; i++)
-            check_option(k, &in->options.at[i]);
+        open_section(k, in);
+    for (size_t o = 0; in->kind == AST_OPTIONS && o < in->options.n; o++)
+        check_option(k, &in->options.at[o]);
+}
+
+// Visits an item of the last section.
+static void check_item(void *context, const AstStmt *in)
+{
+    ScriptCheck *k = context;
+
+    if (in->kind == AST_IF)
+        check_conditional(k, &k->script->section.at[k->script->section.n - 1], in);
 }
 
 // ---- times that the script compares with ----
 
+// Whether a clock that counts in steps of delta_t is ever equal to x.
 static bool is_reached_time(const ScriptCheck *k, SmF64 x)
 {
     const SmF64 limit = sm_from_u64(0x20000000000000u);          // 2^53: above it some whole numbers are not an F64
@@ -178,11 +171,6 @@ static bool is_reached_time(const ScriptCheck *k, SmF64 x)
     if (sm_lt(x, sm_from_i32(0)) || !sm_eq(sm_trunc(x), x))
         return false;
     return !sm_lt(x, limit) || sm_to_u64(x) % k->script->delta_t == 0;
-}
-
-static const char *source_text(const ScriptCheck *k, Span span)
-{
-    return format_in(k->s.arena, "%.*s", (int)span.len, span.src->text + span.at);
 }
 
 // Warns of a comparison such as G == 15 where G is 0, 10, 20.  Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX
@@ -195,19 +183,22 @@ static void warn_of_missed_times(ScriptCheck *k, const Expr *e)
         warn_of_missed_times(k, e->arg[i]);
     for (uint32_t i = 0; e->kind == EX_BINARY && e->op == SM_OP_EQ && i < 2; i++) {
         const Expr *time = e->arg[i], *at = e->arg[1 - i];
+        const Span delta_t = k->script->delta_t_span;
         if (time->kind == EX_VAR && (time->var == k->s.p->g || time->var == k->s.p->t) && expr_is_constant(at) &&
             !is_reached_time(k, expr_constant_value(at)))
             diag_report(k->s.diags, DIAG_moment_missed, e->span, time->var == k->s.p->g ? "G" : "T",
-                        const_text(k->s.arena, expr_constant_value(at)), source_text(k, k->script->delta_t_span));
+                        const_text(k->s.arena, expr_constant_value(at)),
+                        format_in(k->s.arena, "%.*s", (int)delta_t.len, delta_t.src->text + delta_t.at));
     }
 }
 
-// If the body has only asserts, the unchecked asserts are reported after the run instead.
+// Warns of missed times in the guards of conditionals without asserts.  If a guard with asserts is never true, the run itself reports its
+// asserts as unevaluated.
 static void check_guard_times(ScriptCheck *k)
 {
     for (size_t i = 0; k->script->delta_t > 0 && i < k->script->section.n; i++)
         for (size_t n = 0; n < k->script->section.at[i].item.n; n++) {
-            const ScriptItem *item = &k->script->section.at[i].item.at[n];
+            const ScriptItem *item = k->script->section.at[i].item.at[n];
             if (item->guard && item->asserts.n == 0)
                 warn_of_missed_times(k, item->guard);
         }
@@ -215,9 +206,10 @@ static void check_guard_times(ScriptCheck *k)
 
 // ---- entry points ----
 
-static void init_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, const Program *program)
+static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, const Program *program)
 {
     memset(k, 0, sizeof *k);
+    k->errors = c->diags->met;
     k->script = ARENA_NEW(c->arena, Script);
     k->script->src = ss->src;
     k->script->program = program;
@@ -229,31 +221,45 @@ static void init_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, const
     k->section.arena = c->arena;
 }
 
-Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)
+static Script *end_check(ScriptCheck *k)
 {
-    size_t errors = c->diags->met;
-    Span start = {ss->src, 0, 0};
-    ScriptCheck k;
+    Diags *diags = k->s.diags;
+    const Span start = {k->script->src, 0, 0};
 
-    init_check(&k, c, ss, program);
-    for (size_t i = 0; i < ss->sections.n; i++)
-        check_any_section(&k, ss->sections.at[i]);
-    if (!k.has_delta_t && !k.s.lost->any)
-        diag_report(c->diags, DIAG_no_delta_t, start);
-    if (!k.has_stop && !k.s.lost->any)
-        diag_report(c->diags, DIAG_no_stop, start);
-    if (k.s.unknown && !k.s.knows_a_name && k.s.unknown_name.n + k.s.unknown_state.n > 1)
-        diag_note(c->diags, k.s.unknown, (Span){0}, DIAG_note_other_machine, program->src->name);
-    if (c->diags->met == errors && !k.s.lost->any)
-        check_guard_times(&k);
-    return c->diags->met > errors ? NULL : k.script;
+    if (!k->has_delta_t && !k->s.lost->any)
+        diag_report(diags, DIAG_no_delta_t, start);
+    if (!k->has_stop && !k->s.lost->any)
+        diag_report(diags, DIAG_no_stop, start);
+    if (k->s.unknown && !k->s.knows_a_name && k->s.unknown_name.n + k->s.unknown_state.n > 1)
+        diag_note(diags, k->s.unknown, (Span){0}, DIAG_note_other_machine, k->script->program->src->name);
+    if (diags->met == k->errors && !k->s.lost->any)
+        check_guard_times(k);
+    return diags->met > k->errors ? NULL : k->script;
 }
 
-static void add_written(const AstStmts *stmts, Map *names)
+Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)
 {
-    for (size_t i = 0; i < stmts->n; i++)
-        if (stmts->at[i]->kind == AST_ASSIGN)
-            map_put(names, stmts->at[i]->name, (void *)stmts->at[i]->name);
+    ScriptCheck k;
+
+    begin_check(&k, c, ss, program);
+    for (size_t i = 0; i < ss->sections.n; i++) {
+        const AstSection *section = ss->sections.at[i];
+        check_section(&k, section);
+        for (size_t n = 0; n < section->items.n; n++)
+            check_item(&k, section->items.at[n]);
+    }
+    return end_check(&k);
+}
+
+Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const Source *ss, const Program *program)
+{
+    const AstFile none = {.kind = FILE_SS, .src = ss};
+    ScriptCheck k;
+    const ScriptVisitor v = {check_section, check_item, &k, items};
+
+    begin_check(&k, c, &none, program);
+    parse_script(tree, c->strings, c->diags, ss, &v);
+    return end_check(&k);
 }
 
 uint64_t script_delta_t(const AstFile *ss)
@@ -267,12 +273,18 @@ uint64_t script_delta_t(const AstFile *ss)
     return found;
 }
 
+void script_add_names_of_item(const AstStmt *item, Map *names)
+{
+    const AstStmts *body = item->kind == AST_IF ? &item->arms->then : NULL;
+
+    for (size_t n = 0; body && n < body->n; n++)
+        if (body->at[n]->kind == AST_ASSIGN)
+            map_put(names, body->at[n]->name, (void *)body->at[n]->name);
+}
+
 void script_add_written_names(const AstFile *ss, Map *names)
 {
-    for (size_t i = 0; i < ss->sections.n; i++) {
-        const AstStmts *items = &ss->sections.at[i]->items;
-        for (size_t j = 0; j < items->n; j++)
-            if (items->at[j]->kind == AST_IF)
-                add_written(&items->at[j]->arms->then, names);
-    }
+    for (size_t i = 0; i < ss->sections.n; i++)
+        for (size_t j = 0; j < ss->sections.at[i]->items.n; j++)
+            script_add_names_of_item(ss->sections.at[i]->items.at[j], names);
 }

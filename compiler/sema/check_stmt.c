@@ -24,34 +24,30 @@ static void check_value(Sema *s, const AstStmt *in, Stmt *out)
 
 // ---- assignments ----
 
-static Diag *report_read_only(Sema *s, const Var *v, Span span, Str name)
-{
-    if (v == s->p->t)
-        return diag_report(s->diags, DIAG_write_time, span);
-    if (v == s->p->g)
-        return diag_report(s->diags, DIAG_write_global_time, span, name->text);
-    if (v == s->p->s) {
-        Diag *d = diag_report(s->diags, DIAG_write_state_element, span, name->text);
-        if (!s->in_script)
-            diag_label(s->diags, d, DIAG_label_change_state);
-        return d;
-    }
-    if (v->kind == VAR_LOCAL)
-        return diag_report(s->diags, DIAG_write_constant, span, name->text);
-    return diag_report(s->diags, DIAG_write_read_only, span, name->text);
-}
-
 // Checks that a statement can assign v; reports it if not.  G, S and T can never be assigned.  A script can write variables that are
 // marked @read_only.
 static bool check_writable(Sema *s, const Var *v, Str name, Span span)
 {
     bool own = v == s->p->g || v == s->p->s || v == s->p->t;
+    Diag *d;
 
     if (scope_is_doubtful(s, name))
         return false;
     if (!v->read_only || (s->in_script && !own))
         return true;
-    scope_note_declared(s, report_read_only(s, v, span, name), name);
+    if (v == s->p->t) {
+        d = diag_report(s->diags, DIAG_write_time, span);
+    } else if (v == s->p->g) {
+        d = diag_report(s->diags, DIAG_write_global_time, span, name->text);
+    } else if (v == s->p->s) {
+        d = diag_report(s->diags, DIAG_write_state_element, span, name->text);
+        if (!s->in_script)
+            diag_label(s->diags, d, DIAG_label_change_state);
+    } else if (v->kind == VAR_LOCAL) {
+        d = diag_report(s->diags, DIAG_write_constant, span, name->text);
+    } else
+        d = diag_report(s->diags, DIAG_write_read_only, span, name->text);
+    scope_note_declared(s, d, name);
     return false;
 }
 
@@ -63,7 +59,8 @@ static const State *state_named_by(const Sema *s, const AstExpr *e)
     return e->kind == AST_NAME ? map_find(&s->p->state_by_name, e->name) : NULL;
 }
 
-// Reports S = Vent, and state = Vent if no variable is named `state`.  Returns whether it reported one.
+// Reports an assignment such as `S = Vent`, or `state = Vent` if no variable is named `state`: the user wants a transition.  Returns false
+// if the statement is not such an assignment.
 static bool report_state_assignment(Sema *s, const Var *v, const AstStmt *in)
 {
     const bool may_mean = !s->in_script && (v ? v == s->p->s : in->value->kind == AST_NAME && !scope_find_variable(s, in->value->name));
@@ -80,14 +77,7 @@ static bool report_state_assignment(Sema *s, const Var *v, const AstStmt *in)
     return true;
 }
 
-// Warns of x = 0/0 in a script: it is meant to simulate a broken sensor but stores 0 (language.md 2.14).  In machines an analysis reports
-// it.
-static void warn_of_nan(Sema *s, const Var *v, const Expr *value)
-{
-    if (expr_is_constant(value) && sm_is_nan(expr_constant_value(value)))
-        diag_report(s->diags, DIAG_stores_nan, value->span, v->name->text);
-}
-
+// Warns of a script that writes a read-only local, once for each name: the local never has that value in flight.
 static void warn_of_read_only_local(Sema *s, const Var *v, const AstStmt *in)
 {
     Diag *d;
@@ -119,8 +109,9 @@ Stmt *check_assignment(Sema *s, const AstStmt *in)
     s->knows_a_name |= v != NULL;
     out->var = v;
     check_value(s, in, out);
-    if (good && s->in_script && out->value)
-        warn_of_nan(s, v, out->value);
+    // A script that assigns 0/0 is meant to simulate a broken sensor but stores 0 (language.md 2.14).  In machines an analysis reports it.
+    if (good && s->in_script && out->value && expr_is_constant(out->value) && sm_is_nan(expr_constant_value(out->value)))
+        diag_report(s->diags, DIAG_stores_nan, out->value->span, v->name->text);
     return good && out->value ? out : NULL;
 }
 
@@ -140,20 +131,15 @@ static Stmt *check_transition(Sema *s, const AstStmt *in)
 
 // ---- conditionals ----
 
-static void warn_of_empty_braces(Sema *s, const AstStmt *in)
-{
-    if (in->arms->braces && in->arms->then.n == 0)
-        diag_report(s->diags, DIAG_empty_braces, in->arms->body_span);
-    if (in->arms->has_else && in->arms->else_braces && in->arms->otherwise.n == 0)
-        diag_report(s->diags, DIAG_empty_braces, in->arms->else_body_span);
-}
-
 static Stmt *check_if(Sema *s, const AstStmt *in)
 {
     Stmt *out = stmt_new(s, ST_IF, in);
     size_t met = s->diags->met;
 
-    warn_of_empty_braces(s, in);
+    if (in->arms->braces && in->arms->then.n == 0)
+        diag_report(s->diags, DIAG_empty_braces, in->arms->body_span);
+    if (in->arms->has_else && in->arms->else_braces && in->arms->otherwise.n == 0)
+        diag_report(s->diags, DIAG_empty_braces, in->arms->else_body_span);
     check_value(s, in, out);
     if (in->value->alone && s->diags->met == met)
         diag_label(s->diags, diag_report(s->diags, DIAG_no_effect, in->value->span), DIAG_label_statements);
@@ -162,43 +148,21 @@ static Stmt *check_if(Sema *s, const AstStmt *in)
     return out->value ? out : NULL;
 }
 
-static Stmt *check_stmt(Sema *s, const AstStmt *in)
-{
-    switch (in->kind) {
-    case AST_ASSIGN:     return check_assignment(s, in);
-    case AST_TRANSITION: return check_transition(s, in);
-    case AST_IF:         return check_if(s, in);
-    case AST_ASSERT: case AST_STOP: case AST_STMT_ERROR: case AST_ALLOWED: break;     // the parser has reported them
-    }
-    return NULL;
-}
-
 // ---- lists ----
 
-// Whether a brace is missing, so that the checker does not know which statements belong together.
-static bool are_braces_unbalanced(const Diags *diags)
-{
-    for (size_t i = 0; i < diags->list.n; i++)
-        if (diags->list.at[i]->code == DIAG_brace_unclosed || diags->list.at[i]->code == DIAG_stray_brace)
-            return true;
-    return false;
-}
-
+// Warns of `next`, a statement directly after a transition.  Not if a brace is missing: then the checker does not know which statements
+// belong together.
 static void warn_of_unreachable_statement(Sema *s, const AstStmt *transition, const AstStmt *next)
 {
     Diag *d;
 
-    if (are_braces_unbalanced(s->diags))
-        return;
+    for (size_t i = 0; i < s->diags->list.n; i++) {
+        const DiagCode code = s->diags->list.at[i]->code;
+        if (code == DIAG_brace_unclosed || code == DIAG_stray_brace)
+            return;
+    }
     d = diag_report(s->diags, DIAG_after_transition, next->span);
     diag_note(s->diags, d, transition->span, DIAG_note_transition_here);
-}
-
-// Applies the @allow annotations directly before statement i.
-static void apply_allows(Sema *s, const AstStmts *in, size_t i)
-{
-    for (size_t k = i; s->building && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )
-        add_stmt_allow(s, in->at[k]->allow, in->at[i]);
 }
 
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
@@ -207,12 +171,18 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
     bool is_warned = false;
 
     for (size_t i = 0; i < in->n; i++) {
-        Stmt *stmt;
-        if (in->at[i]->kind == AST_ALLOWED)
-            continue;
-        if ((stmt = check_stmt(s, in->at[i])) != NULL)
+        Stmt *stmt = NULL;
+        switch (in->at[i]->kind) {
+        case AST_ALLOWED:    continue;
+        case AST_ASSIGN:     stmt = check_assignment(s, in->at[i]); break;
+        case AST_TRANSITION: stmt = check_transition(s, in->at[i]); break;
+        case AST_IF:         stmt = check_if(s, in->at[i]); break;
+        case AST_ASSERT: case AST_STOP: case AST_STMT_ERROR: break;       // the parser has reported them
+        }
+        if (stmt)
             vec_push(s->arena, out, stmt);
-        apply_allows(s, in, i);
+        for (size_t k = i; s->building && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )       // the @allow lines directly before it
+            add_stmt_allow(s, in->at[k]->allow, in->at[i]);
         if (before && before->kind == AST_TRANSITION && !before->flawed && !is_warned) {
             warn_of_unreachable_statement(s, before, in->at[i]);
             is_warned = true;

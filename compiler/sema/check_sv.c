@@ -6,7 +6,6 @@
 typedef struct SvCheck {
     const CheckContext *c;
     StateVec *sv;
-    Str lock;                     // the name of the option
     Map region_by_name;
 } SvCheck;
 
@@ -36,23 +35,16 @@ static void check_element(SvCheck *k, Region *r, const AstDecl *decl)
     r->count++;
 }
 
-static Region *new_region(SvCheck *k, const AstSection *section)
+static void check_region(SvCheck *k, const AstSection *section, bool names_lost)
 {
+    const Region *first = map_find(&k->region_by_name, section->name);
     Region *r = ARENA_NEW(k->c->arena, Region);
 
     r->name = section->name;
     r->span = section->name_span;
     r->first = (uint32_t)k->sv->element.n;
     vec_push(k->c->arena, &k->sv->region, r);
-    return r;
-}
-
-static void check_region(SvCheck *k, const AstSection *section, bool names_lost)
-{
-    const Region *first = map_find(&k->region_by_name, section->name);
-    Region *r = new_region(k, section);
-
-    if (first && section->name->len > 0) {      // without a name: the parser could not read its header
+    if (first && section->name->len > 0) {      // the name is empty if the parser could not read the header
         Diag *d = diag_report(k->c->diags, DIAG_region_twice, section->name_span, section->name->text);
         diag_note(k->c->diags, d, first->span, DIAG_note_declared_here, first->name->text);
     } else
@@ -63,26 +55,24 @@ static void check_region(SvCheck *k, const AstSection *section, bool names_lost)
         check_element(k, r, &section->decls.at[i]);
 }
 
-static void check_section(SvCheck *k, const AstSection *section, bool names_lost)
-{
-    if (section->kind == AST_REGION)
-        check_region(k, section, names_lost);
-    else if (section->kind == AST_OPTIONS)
-        for (size_t i = 0; i < section->options.n; i++)
-            if (section->options.at[i].name == k->lock)
-                k->sv->lock = true;
-}
-
 StateVec *check_state_vector(CheckContext *c, const AstFile *f)
 {
     size_t errors = c->diags->met;
     bool names_lost = find_hidden_names(c, f)->names;
-    SvCheck k = {c, ARENA_NEW(c->arena, StateVec), str_c(c->strings, "lock"), {c->arena, NULL, NULL, 0, 0}};
+    SvCheck k = {c, ARENA_NEW(c->arena, StateVec), {c->arena, NULL, NULL, 0, 0}};
+    const Str lock = str_c(c->strings, "lock");
 
     k.sv->name = sema_stem(c->strings, f->src);
     k.sv->by_name.arena = c->arena;
-    for (size_t i = 0; i < f->sections.n; i++)
-        check_section(&k, f->sections.at[i], names_lost);
+    for (size_t i = 0; i < f->sections.n; i++) {
+        const AstSection *section = f->sections.at[i];
+        if (section->kind == AST_REGION)
+            check_region(&k, section, names_lost);
+        else if (section->kind == AST_OPTIONS)
+            for (size_t o = 0; o < section->options.n; o++)
+                if (section->options.at[o].name == lock)
+                    k.sv->lock = true;
+    }
     if (k.sv->region.n == 0 && !names_lost)
         diag_report(c->diags, DIAG_no_region, (Span){f->src, 0, 0});
     if (c->diags->met > errors)

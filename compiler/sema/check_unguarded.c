@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A transition to an @abort state directly below a one-line conditional may have been intended to depend on it:
+// Warns of a transition to an @abort state directly below a one-line conditional, which may have been intended to depend on it:
 //
 //     p > 50: code = 1
 //     -> Abort
@@ -42,7 +42,7 @@ static bool ends_with_else(const AstStmt *s)
 
 static bool list_assigns(const AstStmts *list, Str name, const AstStmt *but);
 
-// Whether a statement, or one inside it, assigns `name`; statement `but` does not count.
+// Whether a statement, or one inside it, assigns `name`.  Statement `but` does not count.
 static bool stmt_assigns(const AstStmt *s, Str name, const AstStmt *but)
 {
     if (s->kind == AST_ASSIGN)
@@ -72,41 +72,27 @@ static bool is_intended(const AstStmts *in, const AstStmt *above, const AstStmt 
     return false;
 }
 
-// The statement before statement i; NULL if there is none.
-static const AstStmt *statement_above(const AstStmts *in, size_t i)
-{
-    while (i > 0 && in->at[i - 1]->kind == AST_ALLOWED)
-        i--;
-    return i > 0 ? in->at[i - 1] : NULL;
-}
-
-static void warn_of_unguarded(Sema *s, const AstStmt *above, const AstStmt *transition)
-{
-    const char *guard = sema_quote(s, above->value->span), *state = transition->name->text;
-    Diag *d = diag_report(s->diags, DIAG_unguarded_abort, transition->span, state);
-
-    diag_note(s->diags, d, above->span, DIAG_note_not_guarded, state, guard);
-    diag_note(s->diags, d, (Span){0}, DIAG_note_perhaps_guarded, ends_with_else(above) ? "else" : guard);
-    diag_note(s->diags, d, (Span){0}, DIAG_note_in_every_case, state);
-}
-
-// Whether the state is itself an @abort state, or has no .step block, so that the machine only passes through it.
-static bool is_passed_through(const State *state, const AstSection *section)
-{
-    return state->is_abort || !section->block[AST_STEP].present;
-}
-
 void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *section, AstLabel label)
 {
     const AstStmts *in = &section->block[label].stmts;
+    const AstStmt *above = NULL;              // the statement before the current one, annotations not counted
 
-    if (label == AST_EXIT || is_passed_through(state, section))
+    if (label == AST_EXIT)
+        return;
+    if (state->is_abort || !section->block[AST_STEP].present)         // the machine only passes through this state
         return;
     for (size_t i = 0; i < in->n; i++) {
-        const AstStmt *above = statement_above(in, i), *transition = in->at[i], *last = last_unbraced(above);
+        const AstStmt *transition = in->at[i], *last = last_unbraced(above);
         const State *to = transition->kind == AST_TRANSITION ? map_find(&s->p->state_by_name, transition->name) : NULL;
         if (to && to->is_abort && last && last != above && last->kind == AST_ASSIGN && !above->flawed && !transition->flawed &&
-            line_of(transition->span) == line_of(last->span) + 1 && !is_intended(in, above, last, transition))
-            warn_of_unguarded(s, above, transition);
+            line_of(transition->span) == line_of(last->span) + 1 && !is_intended(in, above, last, transition)) {
+            const char *guard = sema_quote(s, above->value->span), *name = to->name->text;
+            Diag *d = diag_report(s->diags, DIAG_unguarded_abort, transition->span, name);
+            diag_note(s->diags, d, above->span, DIAG_note_not_guarded, name, guard);
+            diag_note(s->diags, d, (Span){0}, DIAG_note_perhaps_guarded, ends_with_else(above) ? "else" : guard);
+            diag_note(s->diags, d, (Span){0}, DIAG_note_in_every_case, name);
+        }
+        if (transition->kind != AST_ALLOWED)
+            above = transition;
     }
 }

@@ -46,13 +46,8 @@ bool expr_equal(const Expr *a, const Expr *b, const uint32_t *window_of)
 
 // ---- evaluate ----
 
-// Uses the same functions that run on targets (stdlib).  ir/eval.c does the same for IR operations.  They share no code because this one
-// evaluates the language's operators and builtins, chains and clamp among them, and sema is below the IR.
-
-static SmF64 eval_unary(SmOperator op, SmF64 x)
-{
-    return op == SM_OP_NOT ? sm_from_bool(!sm_to_bool(x)) : sm_neg(x);
-}
+// Calls the functions of stdlib that also run on targets, so a value computed here has the same bits.  ir/eval.c evaluates IR operations
+// in the same way.  The two share no code: the IR has no chains and no clamp, and sema is built without the IR.
 
 static bool eval_relation(SmOperator op, SmF64 a, SmF64 b)
 {
@@ -113,22 +108,17 @@ static SmF64 eval_call(const Expr *e, const SmF64 *value)
     return sm_from_i32(0);                                  // a roll call cannot reach this: the checker excludes it
 }
 
-// The statistic of a window filled with equal samples.
-static SmF64 eval_statistic(const Expr *e, const SmF64 *value)
-{
-    return value && e->stat != SM_STAT_RANGE ? expr_eval(e->arg[0], value) : sm_from_i32(0);
-}
-
 SmF64 expr_eval(const Expr *e, const SmF64 *value)
 {
+    SmF64 x;
     switch (e->kind) {
     case EX_NUMBER: return e->number;
     case EX_VAR:    return value && !e->var->is_constant ? value[e->var->index] : sm_cell_to_f64(e->var->type, e->var->init);
-    case EX_UNARY:  return eval_unary(e->op, expr_eval(e->arg[0], value));
+    case EX_UNARY:  x = expr_eval(e->arg[0], value); return e->op == SM_OP_NOT ? sm_from_bool(!sm_to_bool(x)) : sm_neg(x);
     case EX_BINARY: return eval_binary(e->op, expr_eval(e->arg[0], value), expr_eval(e->arg[1], value));
     case EX_CHAIN:  return eval_chain(e, value);
     case EX_CALL:   return eval_call(e, value);
-    case EX_ROLL:   return eval_statistic(e, value);
+    case EX_ROLL:   return value && e->stat != SM_STAT_RANGE ? expr_eval(e->arg[0], value) : sm_from_i32(0);    // all samples are equal
     }
     return sm_from_i32(0);
 }

@@ -184,6 +184,8 @@ typedef struct Program {
 
 typedef struct ScriptItem {   // one conditional
     Expr *guard;
+    uint32_t number;          // 0, 1, 2 … in file order, over the whole script
+    uint32_t first_assert;    // number of asserts in the items before it
     Span span;
     Stmts inputs;             // ST_ASSIGN, executed at once when the guard is true
     VEC(Expr *) asserts;      // evaluated after the step, in order
@@ -193,7 +195,7 @@ typedef struct ScriptItem {   // one conditional
 
 typedef struct ScriptSection {
     State *state;             // NULL for [all_states]
-    VEC(ScriptItem) item;
+    VEC(ScriptItem *) item;
 } ScriptSection;
 
 typedef struct Script {

@@ -46,14 +46,38 @@ void guess_add_label(Diags *diags, Diag *d, const Guess *g)
         diag_label(diags, d, DIAG_label_did_you_mean, g->best->text);
 }
 
-// Takes one of the comparisons with all known names that are left; false if none is.  The limit keeps hostile input from taking quadratic
-// time.
-static bool spend_guess(Sema *s)
+// Uses up one of the remaining searches for a similar name; returns false if none remains.  Each search compares with all known names, so
+// without the limit a hostile file would take quadratic time.
+static bool use_up_guess(unsigned *guesses)
 {
-    if (s->guesses == 0)
+    if (*guesses == 0)
         return false;
-    s->guesses--;
+    --*guesses;
     return true;
+}
+
+Str suggest_element(Diags *diags, Diag *d, unsigned *guesses, const StateVec *sv, Str name)
+{
+    Guess g = guess_init(name);
+
+    if (!use_up_guess(guesses))
+        return NULL;
+    for (size_t i = 0; i < sv->element.n; i++)
+        guess_consider(&g, sv->element.at[i]->name);
+    guess_add_label(diags, d, &g);
+    return g.best;
+}
+
+Str suggest_state(Diags *diags, Diag *d, unsigned *guesses, const Program *p, Str name)
+{
+    Guess g = guess_init(name);
+
+    if (!use_up_guess(guesses))
+        return NULL;
+    for (size_t i = 0; i < p->state.n; i++)
+        guess_consider(&g, p->state.at[i]->name);
+    guess_add_label(diags, d, &g);
+    return g.best;
 }
 
 // Adds a name to those already reported.  Returns whether it is new.
@@ -88,7 +112,7 @@ void scope_note_declared(Sema *s, Diag *d, Str name)
         diag_note(s->diags, d, v->span, DIAG_note_declared_here, v->name->text);
 }
 
-// What a user of another language or a spreadsheet means by a name or a function (foreign_names.def).
+// A name or function of another language or a spreadsheet, and the advice for it (foreign_names.def).
 typedef struct ForeignName {
     const char *name;
     DiagCode label;
@@ -113,8 +137,9 @@ static const ForeignName *find_foreign(const ForeignName *table, size_t n, Str n
     return NULL;
 }
 
-// Suggests the spelling for words of other languages (True, on, pi) and keywords in another spelling (ELSE).  Returns whether it did.
-static bool suggest_word(Sema *s, Diag *d, Str name)
+// Suggests the spelling of this language for a word of another one (True, on, pi) or a keyword in other case (ELSE).  Returns false if
+// foreign_names.def does not list the name.
+static bool suggest_spelling(Sema *s, Diag *d, Str name)
 {
     const ForeignName *f = find_foreign(foreign_names, sizeof foreign_names / sizeof *foreign_names, name);
 
@@ -140,25 +165,14 @@ static void suggest_variable(Sema *s, Diag *d, Str name)
         scope_note_declared(s, d, g.best);
 }
 
-static void label_unlisted_element(Sema *s, Diag *d, const Element *e)
-{
-    diag_label(s->diags, d, DIAG_label_list_it, sm_type_info[e->type].spelling, e->name->text);
-    diag_note(s->diags, d, e->span, DIAG_note_declared_here, e->name->text);
-}
-
-static void record_unknown(Sema *s, Diag *d)
+// Records d if it is the first report of an unknown name: in a script, a note that the script is for another machine may be added to it.
+static void record_first_unknown(Sema *s, Diag *d)
 {
     if (!s->unknown)
         s->unknown = d;
 }
 
-static void label_state(Sema *s, Diag *d, const State *state)
-{
-    diag_label(s->diags, d, DIAG_label_is_a_state, state->name->text, state->name->text,
-               format_in(s->arena, "%u", (unsigned)state->number));
-}
-
-// Whether a name contains letters of other alphabets: that is already reported.
+// Whether a name contains letters outside ASCII.  The lexer has reported them.
 static bool has_foreign_letter(Str name)
 {
     for (size_t i = 0; i < name->len; i++)
@@ -170,6 +184,7 @@ static bool has_foreign_letter(Str name)
 void scope_report_unknown(Sema *s, Str name, Span span)
 {
     const Element *unlisted = s->sv ? map_find(&s->sv->by_name, name) : NULL;
+    const State *state = map_find(&s->p->state_by_name, name);
     const SmBuiltinInfo *fn = scope_find_function(s, name);
     Diag *d;
 
@@ -180,12 +195,14 @@ void scope_report_unknown(Sema *s, Str name, Span span)
         return;
     }
     d = diag_report(s->diags, DIAG_unknown_element, span, name->text);
-    record_unknown(s, d);
-    if (unlisted)
-        label_unlisted_element(s, d, unlisted);
-    else if (map_find(&s->p->state_by_name, name))
-        label_state(s, d, map_find(&s->p->state_by_name, name));
-    else if (!suggest_word(s, d, name) && spend_guess(s))
+    record_first_unknown(s, d);
+    if (unlisted) {
+        diag_label(s->diags, d, DIAG_label_list_it, sm_type_info[unlisted->type].spelling, unlisted->name->text);
+        diag_note(s->diags, d, unlisted->span, DIAG_note_declared_here, unlisted->name->text);
+    } else if (state) {
+        diag_label(s->diags, d, DIAG_label_is_a_state, state->name->text, state->name->text,
+                   format_in(s->arena, "%u", (unsigned)state->number));
+    } else if (!suggest_spelling(s, d, name) && use_up_guess(&s->guesses))
         suggest_variable(s, d, name);
 }
 
@@ -194,23 +211,21 @@ void scope_report_unknown(Sema *s, Str name, Span span)
 State *scope_find_state(Sema *s, Str name, Span span)
 {
     State *state = map_find(&s->p->state_by_name, name);
-    Guess g = guess_init(name);
+    Str similar;
     Diag *d;
 
     s->knows_a_name |= state != NULL;
     if (state || map_find(&s->lost->word, name) || !add_reported_name(&s->unknown_state, name))
         return state;
     d = diag_report(s->diags, DIAG_unknown_state, span, name->text);
-    record_unknown(s, d);
-    if (!spend_guess(s))
+    record_first_unknown(s, d);
+    if (s->guesses == 0)
         return NULL;
-    for (size_t i = 0; i < s->p->state.n; i++)
-        guess_consider(&g, s->p->state.at[i]->name);
-    guess_add_label(s->diags, d, &g);
-    if (!g.best && !s->in_script && !scope_find_variable(s, name))
+    similar = suggest_state(s->diags, d, &s->guesses, s->p, name);
+    if (similar)
+        diag_note(s->diags, d, ((State *)map_find(&s->p->state_by_name, similar))->span, DIAG_note_declared_here, similar->text);
+    else if (!s->in_script && !scope_find_variable(s, name))
         diag_label(s->diags, d, DIAG_label_add_section, name->text);
-    if (g.best)
-        diag_note(s->diags, d, ((State *)map_find(&s->p->state_by_name, g.best))->span, DIAG_note_declared_here, g.best->text);
     return NULL;
 }
 
@@ -219,18 +234,6 @@ State *scope_find_state(Sema *s, Str name, Span span)
 const SmBuiltinInfo *scope_find_function(const Sema *s, Str name)
 {
     return map_find(&s->functions, name);
-}
-
-// Adds the note "abs, floor, ..., clamp; over the last n steps: roll_avg, ...".
-static void note_functions(Sema *s, Diag *d)
-{
-    const char *list[2] = {"", ""};
-
-    for (int i = 0; i < SM_FN_COUNT; i++) {
-        const char **to = &list[sm_builtin_info[i].is_roll];
-        *to = format_in(s->arena, "%s%s%s", *to, **to ? ", " : "", sm_builtin_info[i].name);
-    }
-    diag_note(s->diags, d, (Span){0}, DIAG_note_functions, list[0], list[1]);
 }
 
 void scope_report_unknown_function(Sema *s, Str name, Span span)
@@ -253,7 +256,12 @@ void scope_report_unknown_function(Sema *s, Str name, Span span)
     if (foreign)
         diag_label(s->diags, d, foreign->label, foreign->argument);
     if (!s->functions_noted && (!foreign || foreign->label == DIAG_label_no_such_function)) {
-        note_functions(s, d);
+        const char *list[2] = {"", ""};           // functions of values, and of windows
+        for (int i = 0; i < SM_FN_COUNT; i++) {
+            const char **to = &list[sm_builtin_info[i].is_roll];
+            *to = format_in(s->arena, "%s%s%s", *to, **to ? ", " : "", sm_builtin_info[i].name);
+        }
+        diag_note(s->diags, d, (Span){0}, DIAG_note_functions, list[0], list[1]);
         s->functions_noted = true;
     }
 }

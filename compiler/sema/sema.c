@@ -4,12 +4,6 @@
 
 #include <string.h>
 
-static void add_functions(Sema *s)
-{
-    for (int i = 0; i < SM_FN_COUNT; i++)
-        map_put(&s->functions, str_c(s->strings, sm_builtin_info[i].name), (void *)&sm_builtin_info[i]);
-}
-
 void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Program *p, Windows *windows)
 {
     enum { GUESSES = 30 };        // more than the reports that are shown
@@ -25,7 +19,8 @@ void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Pr
     s->functions.arena = s->arena;
     s->unknown_name.arena = s->unknown_state.arena = s->unknown_function.arena = s->arena;
     s->remarked.arena = s->doubtful.arena = s->declared_at.arena = s->arena;
-    add_functions(s);
+    for (int i = 0; i < SM_FN_COUNT; i++)
+        map_put(&s->functions, str_c(s->strings, sm_builtin_info[i].name), (void *)&sm_builtin_info[i]);
 }
 
 Str sema_stem(StrPool *strings, const Source *src)

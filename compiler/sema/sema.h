@@ -66,7 +66,7 @@ Str sema_stem(StrPool *strings, const Source *src);
 // ---- scope.c: names ----
 
 Var *scope_find_variable(const Sema *s, Str name);
-bool scope_is_doubtful(const Sema *s, Str name);
+bool scope_is_doubtful(const Sema *s, Str name);        // whether the name was declared twice, so that its meaning is uncertain
 // Reports a name that scope_find_variable does not find; once per name.
 void scope_report_unknown(Sema *s, Str name, Span span);
 // Returns the state, or NULL after reporting the name; once per name.
@@ -85,6 +85,10 @@ typedef struct Guess {
 Guess guess_init(Str wanted);
 void guess_consider(Guess *g, Str candidate);
 void guess_add_label(Diags *diags, Diag *d, const Guess *g);   // "did you mean …?", if a near word was found
+// Each labels the report of an unknown name with the most similar known one, which it returns: NULL if there is none.  *guesses is how many
+// more such searches are allowed.
+Str suggest_element(Diags *diags, Diag *d, unsigned *guesses, const StateVec *sv, Str name);
+Str suggest_state(Diags *diags, Diag *d, unsigned *guesses, const Program *p, Str name);
 
 // ---- the parts of the checker ----
 

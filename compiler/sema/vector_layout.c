@@ -10,24 +10,6 @@ static uint32_t align_up(uint32_t offset, uint32_t to)
     return (offset + to - 1) / to * to;
 }
 
-// Sets the offsets of a region that starts at or after `offset`, and returns its end.
-static uint32_t lay_out_region(StateVec *sv, Region *r, uint32_t offset)
-{
-    r->offset = align_up(offset, 8);
-    r->packed_size = 0;
-    offset = r->offset;
-    for (uint32_t i = 0; i < r->count; i++) {
-        Element *e = sv->element.at[r->first + i];
-        uint32_t bytes = sm_type_info[e->type].bytes;
-
-        e->offset = align_up(offset, bytes);
-        offset = e->offset + bytes;
-        r->packed_size += bytes;
-    }
-    r->size = offset - r->offset;
-    return offset;
-}
-
 static uint32_t crc_text(uint32_t crc, const char *text)
 {
     for (; *text; text++)
@@ -57,8 +39,21 @@ void layout_state_vector(StateVec *sv)
 {
     uint32_t offset = 0;
 
-    for (size_t i = 0; i < sv->region.n; i++)
-        offset = lay_out_region(sv, sv->region.at[i], offset);
+    for (size_t i = 0; i < sv->region.n; i++) {
+        Region *r = sv->region.at[i];
+
+        offset = r->offset = align_up(offset, 8);
+        r->packed_size = 0;
+        for (uint32_t j = 0; j < r->count; j++) {
+            Element *e = sv->element.at[r->first + j];
+            uint32_t bytes = sm_type_info[e->type].bytes;
+
+            e->offset = align_up(offset, bytes);
+            offset = e->offset + bytes;
+            r->packed_size += bytes;
+        }
+        r->size = offset - r->offset;
+    }
     sv->size = align_up(offset, 8);
     sv->hash = hash_regions(sv);
 }

@@ -30,7 +30,7 @@ struct AstExpr {
     AstExprKind kind;
     SmOperator op;            // UNARY, BINARY
     uint32_t depth;           // 1 + the depth of the deepest operand; at most AST_DEPTH_MAX, so that recursion over trees is bounded
-    bool alone;               // a name or call where a statement is expected: E0327, if nothing else is wrong with it
+    bool alone;               // a name or call where a statement is expected; the checker reports it (E0327)
     Span span;                // the whole expression
     uint32_t op_at, op_len;   // UNARY, BINARY: the operator; CALL: the name; PAREN: unused
     SmF64 number;             // NUMBER

@@ -89,7 +89,7 @@ struct AstApp {
     VEC(AstAppExecutor *) executors;
     VEC(AstAppAllow) allows;
     bool lost;                // entries may be missing, because errors were reported
-    bool strayed;             // has reported that options are in another section
+    bool strayed;             // an option outside [options] has been reported; further ones are not
 };
 
 void ast_print_app(const AstApp *app, Buf *out);

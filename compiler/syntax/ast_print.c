@@ -98,19 +98,6 @@ static void print_annotations(Buf *out, const AstAnnotations *all)
 
 // ---- statements ----
 
-static void print_if(Buf *out, const AstStmt *s, unsigned depth)
-{
-    buf_str(out, "if ");
-    print_expr(out, s->value);
-    buf_str(out, s->arms->braces ? " {}\n" : " :\n");
-    print_stmts(out, &s->arms->then, depth + 1);
-    if (!s->arms->has_else)
-        return;
-    print_line_start(out, depth);
-    buf_str(out, s->arms->else_braces ? "else {}\n" : "else :\n");
-    print_stmts(out, &s->arms->otherwise, depth + 1);
-}
-
 static void print_stmt(Buf *out, const AstStmt *s, unsigned depth)
 {
     print_line_start(out, depth);
@@ -134,7 +121,15 @@ static void print_stmt(Buf *out, const AstStmt *s, unsigned depth)
         buf_char(out, '\n');
         break;
     case AST_IF:
-        print_if(out, s, depth);
+        buf_str(out, "if ");
+        print_expr(out, s->value);
+        buf_str(out, s->arms->braces ? " {}\n" : " :\n");
+        print_stmts(out, &s->arms->then, depth + 1);
+        if (!s->arms->has_else)
+            break;
+        print_line_start(out, depth);
+        buf_str(out, s->arms->else_braces ? "else {}\n" : "else :\n");
+        print_stmts(out, &s->arms->otherwise, depth + 1);
         break;
     case AST_ASSERT:
         buf_str(out, "@assert ");
@@ -188,20 +183,10 @@ static void print_pin(Buf *out, const AstPin *p)
     buf_char(out, '\n');
 }
 
-static void print_blocks(Buf *out, const AstSection *s)
-{
-    static const char *const label[AST_LABEL_COUNT] = {".entry", ".step", ".exit"};
-
-    for (int i = 0; i < AST_LABEL_COUNT; i++)
-        if (s->block[i].present) {
-            buf_printf(out, "  %s\n", label[i]);
-            print_stmts(out, &s->block[i].stmts, 2);
-        }
-}
-
 static void print_section(Buf *out, const AstSection *s)
 {
     static const char *const kind[] = {"state_vector", "local", "options", "region", "state", "script", "pins", "ignored"};
+    static const char *const label[AST_LABEL_COUNT] = {".entry", ".step", ".exit"};
 
     buf_printf(out, "%s ", kind[s->kind]);
     print_name(out, s->name);
@@ -213,7 +198,11 @@ static void print_section(Buf *out, const AstSection *s)
         print_option(out, &s->options.at[i]);
     for (size_t i = 0; i < s->pins.n; i++)
         print_pin(out, &s->pins.at[i]);
-    print_blocks(out, s);
+    for (int i = 0; i < AST_LABEL_COUNT; i++)
+        if (s->block[i].present) {
+            buf_printf(out, "  %s\n", label[i]);
+            print_stmts(out, &s->block[i].stmts, 2);
+        }
     print_stmts(out, &s->items, 1);
 }
 

@@ -87,8 +87,7 @@ static void report_code_point(Lexer *l, uint32_t at, uint32_t len, uint32_t code
     if (!ascii)
         return;
     if (is_dash_of_range(l, like) || is_inside_number(l, at, len, code)) {
-        diag_label(l->diags, d, DIAG_label_text, l->annotated ? "separate two numbers by a space, and write a sign as -" :
-                   "leave it out of the number; a decimal point is written .");
+        diag_label(l->diags, d, l->annotated ? DIAG_label_range_dash : DIAG_label_in_number);
         return;
     }
     if (*ascii == '!' && !ascii[1] && !hint_is_negated_alone(l->src->text, at + len)) {
@@ -178,7 +177,7 @@ static void label_quoted_text(Lexer *l, Diag *d, uint32_t from, uint32_t end, ui
 
     if (remark) {
         text = format_in(l->diags->arena, "  # %.*s", (int)(end - from), l->src->text + from);
-        diag_label(l->diags, d, DIAG_label_text, "write it as a comment, after #");
+        diag_label(l->diags, d, DIAG_label_quoted_remark);
         diag_edit(l->diags, d, lexer_span(l, remark, end + closing - remark), text);
     } else if (is_word && (l->last == TOK_ARROW || hint_knows_word(l, from, end))) {
         diag_label(l->diags, d, DIAG_label_write, text);
@@ -186,9 +185,9 @@ static void label_quoted_text(Lexer *l, Diag *d, uint32_t from, uint32_t end, ui
     } else if (is_word) {
         diag_label(l->diags, d, DIAG_label_no_quotes, text);
     } else if (l->annotated) {
-        diag_label(l->diags, d, DIAG_label_text, "write it as a comment, after # at the end of the line");
+        diag_label(l->diags, d, DIAG_label_quoted_annotation);
     } else {
-        diag_label(l->diags, d, DIAG_label_text, "write names and conditions without quotation marks, and remarks after #");
+        diag_label(l->diags, d, DIAG_label_quoted_text);
     }
 }
 

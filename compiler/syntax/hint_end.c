@@ -85,7 +85,7 @@ HintResult hint_report_shared_line(HintCase *c)
 {
     Diag *d = hint_report_general(c);
 
-    if (!hint_report_line_sharing(c->p, d, c->p->last.at + c->p->last.len))
+    if (!hint_label_line_sharing(c->p, d, c->p->last.at + c->p->last.len))
         diag_label(c->p->diags, d, DIAG_label_own_line_or_braces);
     return HINT_READ;
 }

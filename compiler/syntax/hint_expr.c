@@ -31,7 +31,7 @@ static const HintPhrase *find_infix(const Parser *p, uint32_t *end)
 
 // ---- before an operand ----
 
-// Reads NOT x as not x. In some languages the operand is longer than here, as in NOT a > b.
+// Reads NOT x as not x. Proposes parentheses instead of an edit where languages differ in the operand, as in NOT a > b.
 HintResult hint_read_negation(HintCase *c)
 {
     Parser *p = c->p;
@@ -47,7 +47,7 @@ HintResult hint_read_negation(HintCase *c)
     return HINT_READ;
 }
 
-// Reads IF(a; b; c), of spreadsheets, as `if`, with which no value begins.
+// Turns the IF of a spreadsheet's IF(a; b; c) into the token `if`. No value begins with it, so hint_report_choice then reports it.
 HintResult hint_read_if_call(HintCase *c)
 {
     c->p->tok.kind = TOK_IF;
@@ -124,17 +124,11 @@ HintResult hint_report_index(HintCase *c)
 
 // ---- after an operand ----
 
-// Whether the = at `at` is inside parentheses and assigns in C, as in `x = (p = 9)` and `(x = p) > 3: ...`.
-static bool is_assignment_in_parens(const Parser *p, uint32_t at)
-{
-    return p->parens > 0 && (!(p->is_guard || hint_line_is_guard(p)) || hint_stores_in_parens(p->lex.src->text, at));
-}
-
-// Whether e is `not x`. In other languages the operand of `not` is longer: in not x is 3 it is all of x is 3.
+// Whether e is `not x`. In other languages the operand of `not` is longer: `not x is 3` negates all of `x is 3`.
 static bool is_negation(const AstExpr *e) { return e && e->kind == AST_UNARY && e->op == SM_OP_NOT; }
 
-// Whether an assignment follows the current colon, as in `valve = true: pump = true`. Then the colon may separate two assignments.
-static bool separates_statements(const Parser *p)
+// Whether the current token is a colon that may separate two assignments, as in `valve = true: pump = true`.
+static bool is_colon_before_assignment(const Parser *p)
 {
     const char *text = p->lex.src->text;
     uint32_t at = p->tok.at + 1;
@@ -151,6 +145,7 @@ static bool separates_statements(const Parser *p)
 void hint_report_assign_in_guard(Parser *p, const AstExpr *left, Span sign)
 {
     const char *text = p->lex.src->text;
+    bool assigns_in_c;                        // as the inner = of `x = (p = 9)` and `(x = p) > 3: ...`
     Diag *d;
 
     if (text[sign.at + 1] == '!') {
@@ -160,8 +155,9 @@ void hint_report_assign_in_guard(Parser *p, const AstExpr *left, Span sign)
     }
     d = parser_report(p, DIAG_assign_in_guard, sign);
     diag_label(p->diags, d, DIAG_label_write, "==");
-    if (text[sign.at] == '=' && !is_negation(left) && !is_assignment_in_parens(p, sign.at) &&
-        !hint_is_doubtful_comparison(text, sign.at + sign.len) && !separates_statements(p))
+    assigns_in_c = p->parens > 0 && (!(p->is_guard || hint_line_is_guard(p)) || hint_stores_in_parens(text, sign.at));
+    if (text[sign.at] == '=' && !is_negation(left) && !assigns_in_c &&
+        !hint_is_doubtful_comparison(text, sign.at + sign.len) && !is_colon_before_assignment(p))
         diag_edit(p->diags, d, sign, "==");
 }
 
@@ -189,7 +185,7 @@ HintResult hint_read_phrase(HintCase *c)
     words = (Span){p->lex.src, p->tok.at, end - p->tok.at};
     if (phrase->kind != TOK_AND && phrase->kind != TOK_OR && (is_negation(c->e) || hint_is_doubtful_comparison(p->lex.src->text, end))) {
         d = parser_fail(p, DIAG_foreign_word, words, parser_text(p, words));
-        diag_label(p->diags, d, DIAG_label_text, "compare with == != < <= > or >=, and join comparisons with and, or");
+        diag_label(p->diags, d, DIAG_label_comparisons);
         return HINT_READ;
     }
     d = parser_report(p, DIAG_foreign_word, words, parser_text(p, words));
@@ -244,9 +240,13 @@ HintResult hint_report_increment(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// After a line that ended with an operator: skips the next line if it looks like the operand, because the error is already reported.
-static void skip_continuation(Parser *p)
+// Reports an expression whose line ends with an operator. Skips the next line if it looks like the operand, because its error would follow
+// from this one.
+HintResult hint_report_line_break(HintCase *c)
 {
+    Parser *p = c->p;
+
+    diag_label(p->diags, hint_report_general(c), DIAG_label_line_break);
     while (hint_begins_value(&p->tok) && p->ahead.kind != TOK_ASSIGN && !hint_line_is_guard(p)) {
         parser_advance(p);
         while (!p->tok.first)
@@ -254,13 +254,6 @@ static void skip_continuation(Parser *p)
         if (p->last.kind != TOK_AND && p->last.kind != TOK_OR && p->last.kind != TOK_PLUS && p->last.kind != TOK_MINUS)
             break;
     }
-}
-
-// Reports an expression whose line ends with an operator.
-HintResult hint_report_line_break(HintCase *c)
-{
-    diag_label(c->p->diags, hint_report_general(c), DIAG_label_line_break);
-    skip_continuation(c->p);
     return HINT_READ;
 }
 
@@ -270,7 +263,7 @@ HintResult hint_report_and_arrow(HintCase *c)
     Parser *p = c->p;
     Diag *d = hint_report_general(c);
 
-    if (p->last.kind == TOK_OR || !hint_report_line_sharing(p, d, p->last.at))
+    if (p->last.kind == TOK_OR || !hint_label_line_sharing(p, d, p->last.at))
         diag_label(p->diags, d, DIAG_label_condition_or_colon, p->last.kind == TOK_AND ? "and" : "or");
     return HINT_READ;
 }
@@ -285,7 +278,7 @@ HintResult hint_report_comparison_without_left(HintCase *c)
 // Reports a list, as in x = [1, 2].
 HintResult hint_report_list(HintCase *c)
 {
-    diag_label(c->p->diags, hint_report_general(c), DIAG_label_text, "there are no lists: each value has an element of its own");
+    diag_label(c->p->diags, hint_report_general(c), DIAG_label_list);
     parser_advance(c->p);
     return HINT_READ;
 }

@@ -280,24 +280,6 @@ static void propose_braces(Diags *diags, Diag *d, const HintLine *l, const Prior
               format_in(diags->arena, "%s}%s", outer, last ? "" : " "));
 }
 
-// Proposes the edit of `a; b` to two lines, at the separator that contains `at`.
-static void propose_lines(Diags *diags, Diag *d, const HintLine *l, const PriorStatement *b, uint32_t at)
-{
-    const LineStatements s = split_statements(l, b->begin);
-
-    for (size_t i = 1; i < s.n; i++)
-        if (s.gap[i] <= at && s.begin[i] >= at && !leaves_block(l, s.begin[i - 1]))
-            diag_edit(diags, d, line_span(l, s.gap[i], s.begin[i]), format_line_break(diags->arena, l, b->braces));
-}
-
-// Whether the next statement after p is a transition. A comma or words can precede it.
-static bool is_transition(const HintLine *l, uint32_t p)
-{
-    while (p < l->end && !begins_statement(l, p))
-        p++;
-    return p < l->end && l->text[p] == '-';
-}
-
 uint32_t hint_label_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at, HintSeparator separator)
 {
     const HintLine l = find_line(src, at);
@@ -306,14 +288,22 @@ uint32_t hint_label_shared_line(Diags *diags, Diag *d, const Source *src, uint32
 
     if (b.is == UNKNOWN || is_too_long(&l))
         return 0;
-    // Without a ';' the transition may belong to a condition in which = was meant as ==: mode = 2 -> Abort.
-    if (b.is == PLAIN && separator == HINT_OTHER && is_transition(&l, at)) {
-        diag_label(diags, d, DIAG_label_transition_alone);
-        return at;
+    if (b.is == PLAIN && separator == HINT_OTHER) {
+        uint32_t next = at;                            // the next statement; a comma or words can precede it
+        while (next < l.end && !begins_statement(&l, next))
+            next++;
+        // Without a ';' a transition may belong to a condition in which = was meant as ==: mode = 2 -> Abort.
+        if (next < l.end && l.text[next] == '-') {
+            diag_label(diags, d, DIAG_label_transition_alone);
+            return at;
+        }
     }
     if (b.is == PLAIN) {
         diag_label(diags, d, DIAG_label_own_line);
-        propose_lines(diags, d, &l, &b, at);
+        s = split_statements(&l, b.begin);
+        for (size_t i = 1; i < s.n; i++)               // a line break instead of the separator that contains `at`
+            if (s.gap[i] <= at && s.begin[i] >= at && !leaves_block(&l, s.begin[i - 1]))
+                diag_edit(diags, d, line_span(&l, s.gap[i], s.begin[i]), format_line_break(diags->arena, &l, b.braces));
         return at;
     }
     diag_label(diags, d, DIAG_label_all_in_braces);
@@ -376,33 +366,13 @@ static bool ends_block(const HintLine *l, const HintLine *guard, uint32_t colon)
            !memchr(guard->text + guard->from, ':', colon - guard->from);
 }
 
-// Returns the number of parentheses open at the end of the line; `depth`: those open at its start.
-static uint32_t open_parens(const HintLine *l, uint32_t depth)
-{
-    for (uint32_t p = l->from; p < l->end && l->text[p] != '#'; p++) {
-        depth += l->text[p] == '(';
-        depth -= l->text[p] == ')' && depth > 0;
-    }
-    return depth;
-}
-
-// Returns the number of braces that the line opens, minus those that it closes.
-static int count_braces(const HintLine *l)
-{
-    int n = 0;
-
-    for (uint32_t p = l->from; p < l->end && l->text[p] != '#'; p++)
-        n += l->text[p] == '{' ? 1 : l->text[p] == '}' ? -1 : 0;
-    return n;
-}
-
 uint32_t hint_brace_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon)
 {
     const HintLine guard = find_line(src, colon);
     HintLine l = guard, last = guard;
     const uint32_t after = skip_spaces(&guard, colon + 1), from = skip_spaces_back(&guard, colon);
-    int braces = 0;
-    uint32_t parens = 0;
+    int braces = 0;                                    // opened since the colon minus closed ones
+    uint32_t parens = 0;                               // open
     IndentLevels levels = {0};
 
     if (is_too_long(&guard) || (after < guard.end && guard.text[after] != '#'))
@@ -418,8 +388,12 @@ uint32_t hint_brace_indented_lines(Diags *diags, Diag *d, const Source *src, uin
         }
         if (is_too_long(&l) || (parens == 0 && !record_indent(&levels, measure_indentation(&l))))
             return 0;
-        parens = open_parens(&l, parens);
-        if (strchr("{.[", c) || (braces += count_braces(&l)) < 0)
+        for (uint32_t p = l.from; p < l.end && l.text[p] != '#'; p++) {
+            parens += l.text[p] == '(';
+            parens -= l.text[p] == ')' && parens > 0;
+            braces += l.text[p] == '{' ? 1 : l.text[p] == '}' ? -1 : 0;
+        }
+        if (strchr("{.[", c) || braces < 0)
             return 0;
         last = l;
     }

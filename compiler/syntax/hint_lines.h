@@ -17,8 +17,8 @@ typedef enum HintSeparator {
 // own. Returns 0, and adds nothing, if the text that ends before `at` is not a statement.
 uint32_t hint_label_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at, HintSeparator separator);
 
-// Returns whether more statements follow the one at `at`. They follow after a ';' on its line, where in C they depend on no condition
-// before it. Or they follow on a line below with more indentation, where they seem to depend on it.
+// Returns whether more statements follow the one at `at`: after a ';' on its line, or on a line below with more indentation. It is then
+// unclear which of them depend on a condition before the first one: in C those after the ';' do not.
 bool hint_is_first_of_several(const Source *src, uint32_t at);
 
 // A line ends after a condition's colon. If the lines below are indented more, they are the condition's statements, and the function

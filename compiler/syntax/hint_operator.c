@@ -7,11 +7,6 @@
 
 // ---- arrows ----
 
-static bool begins_statement(const Lexer *l, const Token *t)
-{
-    return t->first || l->last == TOK_COLON || l->last == TOK_LBRACE || l->last == TOK_LABEL || l->last == TOK_HEADER;
-}
-
 // Whether a name is the last word of the line after the operator t, and the next line with code does not begin with a brace.
 static bool is_state_named_after(const Lexer *l, const Token *t)
 {
@@ -27,18 +22,10 @@ static bool is_state_named_after(const Lexer *l, const Token *t)
     return lexer_byte(l, p) != '{';
 }
 
-// Whether the name after the operator t is a declared value, not a state: a comparison whose body is missing.
-static bool is_declared_named_after(const Lexer *l, const Token *t)
-{
-    const uint32_t from = hint_skip_spaces(l, t->at + t->len);
-
-    return hint_is_declared(l, from, lexer_skip_word(l, from));
-}
-
 // ---- bits ----
 
-// Whether t is a bit operator, as in fault & 4 or ~3: a digit follows it. In p > 5 & 3 < x it joins two comparisons. The language has no
-// bit operators.
+// Whether t is a bit operator, as in fault & 4 or ~3: a number follows it, and no < or > follows the number. In p > 5 & 3 < x the &
+// joins two comparisons. The language has no bit operators.
 static bool is_bit_operator(const Lexer *l, const Token *t)
 {
     const uint32_t p = hint_skip_spaces(l, t->at + 1), after = hint_skip_spaces(l, lexer_skip_word(l, p));
@@ -82,6 +69,7 @@ static bool is_comparison_at(const char *s, uint32_t p)
     return s[p] == '<' || s[p] == '>' || (s[p] == '=' && (s[p + 1] == '=' || (p > 0 && s[p - 1] == '!')));
 }
 
+// Returns the operand that begins at p, on the right of an operator. The scan ends at most HINT_FAR bytes later.
 static ConditionSide scan_right_side(const Lexer *l, uint32_t p)
 {
     const char *s = l->src->text;
@@ -126,8 +114,8 @@ static ConditionSide scan_left_side(const Lexer *l, uint32_t at)
     return side;
 }
 
-// Whether t can be a bit operator, as in `status & mask` or `x = ~mask`, or is a | next to an `and`, whose precedence differs between
-// languages. Then no edit is proposed.
+// Whether t can be a bit operator, as in `status & mask` or `x = ~mask`, or is a | beside an `and`: languages differ in which of the two
+// binds tighter. If so, the caller proposes no edit.
 static bool may_be_bits(const Lexer *l, const Token *t)
 {
     const char sign = l->src->text[t->at];
@@ -160,16 +148,23 @@ static bool follows_target_only(const Lexer *l, uint32_t at)
     return at == l->line_start || strchr(":{};", s[at - 1]);
 }
 
-static void report_foreign(Lexer *l, Token *t, const char *spelling, const char *native)
+// Reports an operator that is spelled `native` here, and proposes the edit if what the user meant is unambiguous.
+static void report_foreign_spelling(Lexer *l, Token *t, const char *spelling, const char *native)
 {
-    bool arrow = strcmp(spelling, "=>") == 0, needs_space, names_value = false;
+    const bool begins_statement = t->first || l->last == TOK_COLON || l->last == TOK_LBRACE || l->last == TOK_LABEL || l->last == TOK_HEADER;
+    const uint32_t name = hint_skip_spaces(l, t->at + t->len);
+    bool arrow = strcmp(spelling, "=>") == 0, needs_space;
+    bool names_value = false;                 // a declared value follows, not a state: a comparison whose body is missing
     uint32_t from = t->at;
     Diag *d;
 
-    if (arrow && begins_statement(l, t))
+    if (arrow && begins_statement) {
         native = "->";
-    else if (arrow && is_state_named_after(l, t) && !(names_value = is_declared_named_after(l, t)))
-        native = ": ->";
+    } else if (arrow && is_state_named_after(l, t)) {
+        names_value = hint_is_declared(l, name, lexer_skip_word(l, name));
+        if (!names_value)
+            native = ": ->";
+    }
     if (native[strlen(native) - 1] == '>')
         t->kind = TOK_ARROW;
     needs_space = lex_is_letter(*native);
@@ -195,7 +190,7 @@ void hint_report_operator(Lexer *l, Token *t, const char *spelling, const char *
         diag_label(l->diags, diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), spelling), DIAG_label_bits);
         t->kind = *spelling == '~' ? TOK_MINUS : TOK_STAR;
     } else if (native) {
-        report_foreign(l, t, spelling, native);
+        report_foreign_spelling(l, t, spelling, native);
     } else if (label) {
         Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), spelling);
         diag_label(l->diags, d, DIAG_label_text, label);

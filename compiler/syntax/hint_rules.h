@@ -27,19 +27,20 @@ Diag *hint_report_general(HintCase *c);
 
 bool hint_is_word(const Token *t, const char *lower);   // a name that is this word, in upper or lower case
 bool hint_is_label(const char *word);                   // entry, step, exit
-bool hint_are_adjacent(const Token *a, const Token *b);      // the two are adjacent
+bool hint_are_adjacent(const Token *a, const Token *b);      // no space is between them
 bool hint_begins_value(const Token *t);
-// Whether this is a guard: its line, which continues inside parentheses, contains a : or a {; or the next line has a {.
+// Whether the text from the current token to the line end contains a : or a {, or the next line begins with a {: it is then a guard. A
+// line end inside parentheses does not count.
 bool hint_line_is_guard(const Parser *p);
 
-bool hint_is_and_then(const Parser *p);                 // x = 1 and then -> Idle, at `and`: no expression continues like this
+bool hint_is_and_then(const Parser *p);                 // at the `and` of x = 1 and then -> Idle, which joins two statements
 
 // ---- diagnostics that several rules share ----
 
 void hint_replace_word(Parser *p, const char *native, TokenKind kind);  // reports a foreign word and turns it into a token of that kind
-// Reports the = of a condition, whose left operand may be NULL. `=!` was meant as `!=`, or as `=` and a negation.
+// Reports the = or =! at `sign` in a condition, and suggests == or !=. `left`: its left operand, or NULL.
 void hint_report_assign_in_guard(Parser *p, const AstExpr *left, Span sign);
 // Labels d: the statement that ended before `at` shares its line with another. Returns false if no statement ended there.
-bool hint_report_line_sharing(Parser *p, Diag *d, uint32_t at);
+bool hint_label_line_sharing(Parser *p, Diag *d, uint32_t at);
 
 #endif

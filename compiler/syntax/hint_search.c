@@ -36,12 +36,6 @@ static bool is_token_in(uint64_t set, const Token *t)
     return (set >> t->kind & 1u) && !((set & FIRST) && !t->first) && !((set & SAME_LINE) && t->first);
 }
 
-static bool matches_row(const Hint *h, const Parser *p)
-{
-    return is_token_in(h->here, &p->tok) && is_token_in(h->before, &p->last) && is_token_in(h->after, &p->ahead) &&
-           (!h->word || hint_is_word(&p->tok, h->word));
-}
-
 Diag *hint_report_general(HintCase *c)
 {
     Parser *p = c->p;
@@ -85,32 +79,25 @@ void hint_init_index(HintIndex *index)
     }
 }
 
-// Applies the rows of the context in order. Returns the result of the first one that is not HINT_NONE; HINT_NONE if there is none.
-static HintResult apply_first_row(HintCase *c)
-{
-    HintResult result = HINT_NONE;
-
-    for (size_t i = c->p->hints.first_row[c->context]; i < HINT_ROWS && hints[i].context == c->context && result == HINT_NONE; i++) {
-        if (!matches_row(&hints[i], c->p))
-            continue;
-        if (hints[i].rule) {
-            result = hints[i].rule(c);
-        } else {
-            diag_label(c->p->diags, hint_report_general(c), hints[i].label, hints[i].text);
-            result = HINT_READ;
-        }
-    }
-    return result;
-}
-
 HintResult hint_explain(Parser *p, HintContext context, AstExpr *e)
 {
     HintCase c = {p, context, e, NULL};
-    HintResult result;
+    HintResult result = HINT_NONE;
 
     if (!(p->hints.tokens[context] >> p->tok.kind & 1u))         // no row can match: the usual case in valid sources
         return HINT_NONE;
-    result = apply_first_row(&c);
+    for (size_t i = p->hints.first_row[context]; i < HINT_ROWS && hints[i].context == context && result == HINT_NONE; i++) {
+        const Hint *h = &hints[i];
+        if (!is_token_in(h->here, &p->tok) || !is_token_in(h->before, &p->last) || !is_token_in(h->after, &p->ahead) ||
+            (h->word && !hint_is_word(&p->tok, h->word)))
+            continue;
+        if (h->rule) {
+            result = h->rule(&c);
+        } else {
+            diag_label(p->diags, hint_report_general(&c), h->label, h->text);
+            result = HINT_READ;
+        }
+    }
     if (result == HINT_NONE)
         hint_report_general(&c);
     return result;
@@ -118,15 +105,17 @@ HintResult hint_explain(Parser *p, HintContext context, AstExpr *e)
 
 // ---- tokens ----
 
-static bool equals_ignoring_case(const char *a, const char *lower)
+bool hint_is_word(const Token *t, const char *lower)
 {
-    for (; *a && *lower; a++, lower++)
+    const char *a;
+
+    if (t->kind != TOK_NAME)
+        return false;
+    for (a = t->text->text; *a && *lower; a++, lower++)
         if ((*a >= 'A' && *a <= 'Z' ? *a - 'A' + 'a' : *a) != *lower)
             return false;
     return !*a && !*lower;
 }
-
-bool hint_is_word(const Token *t, const char *lower) { return t->kind == TOK_NAME && equals_ignoring_case(t->text->text, lower); }
 bool hint_begins_value(const Token *t) { return is_token_in(OPERAND, t); }
 bool hint_are_adjacent(const Token *a, const Token *b) { return a->at + a->len == b->at; }
 
@@ -159,7 +148,7 @@ bool hint_line_is_guard(const Parser *p)
     return false;
 }
 
-bool hint_report_line_sharing(Parser *p, Diag *d, uint32_t at)
+bool hint_label_line_sharing(Parser *p, Diag *d, uint32_t at)
 {
     const uint32_t until = hint_label_shared_line(p->diags, d, p->lex.src, at, HINT_OTHER);
 

@@ -190,8 +190,7 @@ HintResult hint_report_comparison_alone(HintCase *c)
     if (e->kind != AST_BINARY)
         return HINT_NONE;
     if (p->kind == FILE_SS)
-        diag_label(p->diags, hint_report_general(c), DIAG_label_text,
-                   format_in(p->arena, "to check this, write @assert %s", parser_text(p, e->span)));
+        diag_label(p->diags, hint_report_general(c), DIAG_label_write_assert, parser_text(p, e->span));
     else if (e->op == SM_OP_EQ && e->a->kind == AST_NAME)
         diag_label(p->diags, hint_report_general(c), DIAG_label_store,
                    format_in(p->arena, "%s = %s", e->a->name->text, parser_text(p, e->b->span)));
@@ -275,25 +274,20 @@ HintResult hint_skip_bracketed_state(HintCase *c)
 
 // ---- statements of other languages ----
 
-// Whether the rest of the statement is the current operator and one operand.
-static bool ends_after_operand(const Parser *p)
-{
-    const char *text = p->lex.src->text;
-    uint32_t end = hint_skip_operand(text, p->tok.at + p->tok.len);
-
-    end += (uint32_t)strspn(text + end, " \t\r");
-    return !text[end] || strchr("\n#;}", text[end]) != NULL;
-}
-
 // Reports x += 1. The current token is +=.
 HintResult hint_report_op_assign(HintCase *c)
 {
     Parser *p = c->p;
     const char *sign = parser_text(p, parser_token_span(p)), *name = parser_text(p, parser_span(p, &p->last));
     Diag *d = parser_report(p, DIAG_op_assign, parser_token_span(p), sign);
+    const char *text = p->lex.src->text;
+    uint32_t end = hint_skip_operand(text, p->tok.at + p->tok.len);
+    bool one_operand;                         // then its value needs no parentheses
 
+    end += (uint32_t)strspn(text + end, " \t\r");
+    one_operand = !text[end] || strchr("\n#;}", text[end]);
     diag_label(p->diags, d, DIAG_label_write,
-               format_in(p->arena, ends_after_operand(p) ? "%s = %s %c ..." : "%s = %s %c (...)", name, name, sign[0]));
+               format_in(p->arena, one_operand ? "%s = %s %c ..." : "%s = %s %c (...)", name, name, sign[0]));
     return HINT_READ;
 }
 
@@ -322,12 +316,6 @@ static bool is_used_as_foreign(const Parser *p, HintEffect effect)
     return hint_begins_value(next) && (next->kind != TOK_LPAREN || effect == HINT_IF || gives_up);
 }
 
-// Whether the first word of a statement can be foreign, to judge by the token after it. After a name of this language that is mostly `=`.
-static bool may_follow_foreign(const Token *next)
-{
-    return next->first || hint_begins_value(next) || next->kind == TOK_IF || next->kind == TOK_ARROW;
-}
-
 // Returns the initial value, as in "= 3", that follows the name of a declaration at `at`; "" if there is none.
 static const char *find_decl_value(const Parser *p, uint32_t at)
 {
@@ -342,13 +330,8 @@ static const char *find_decl_value(const Parser *p, uint32_t at)
     return text[at] == '=' && end > at + 1 ? parser_text(p, (Span){p->lex.src, at, end - at}) : "";
 }
 
-static bool is_number_text(const char *s)
-{
-    return strcmp(s, "true") == 0 || strcmp(s, "false") == 0 || (*s && s[strspn(s, "-+.0123456789eE_")] == '\0');
-}
-
-// Reports the declaration of a variable among statements: U8 x, int x = 3, const U8 x = 3. Its value would be assigned every time it is
-// executed; the initial value of a local is not.
+// Reports the declaration of a variable among statements: U8 x, int x = 3, const U8 x = 3. As a statement it would
+// assign its value every time it is executed; the initial value of a local is assigned only once.
 HintResult hint_report_decl_in_state(HintCase *c)
 {
     Parser *p = c->p;
@@ -356,13 +339,18 @@ HintResult hint_report_decl_in_state(HintCase *c)
     const bool word = p->tok.kind == TOK_NAME && (hint_is_word(&p->tok, "const") || hint_is_word(&p->tok, "var"));
     uint32_t at = p->ahead.at;
     const char *type = word ? read_word_at(p, &at) : p->tok.text->text, *name = read_word_at(p, &at);
-    const char *value = find_decl_value(p, at), *initial;
+    const char *value = find_decl_value(p, at), *initial = "= 0";
 
     if (hint_find_synonym(HINT_TYPES, type))
         type = hint_find_synonym(HINT_TYPES, type);
     if (!lex_is_identifier(name, strlen(name)))
         return HINT_SKIPPED;
-    initial = *value && is_number_text(value + 1 + strspn(value + 1, " ")) ? value : "= 0";
+    if (*value) {
+        const char *number = value + 1 + strspn(value + 1, " ");
+        if (strcmp(number, "true") == 0 || strcmp(number, "false") == 0 ||
+            (*number && number[strspn(number, "-+.0123456789eE_")] == '\0'))
+            initial = value;
+    }
     if (word && hint_is_word(&p->tok, "const") && initial == value)
         diag_label(p->diags, d, DIAG_label_decl_constant, type, name, value);
     else if (*value)
@@ -380,19 +368,6 @@ HintResult hint_report_foreign_decl(HintCase *c)
                                                    : hint_find_synonym(HINT_TYPES, p->tok.text->text) != NULL;
 
     return is_decl ? hint_report_decl_in_state(c) : HINT_NONE;
-}
-
-// Reports goto, go to or transition to, and reads the words as ->.
-static void replace_with_arrow(Parser *p)
-{
-    Diag *d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
-    uint32_t at = p->tok.at;
-
-    if (hint_is_word(&p->ahead, "to") && !p->ahead.first)
-        parser_advance(p);
-    diag_label(p->diags, d, DIAG_label_write, "->");
-    diag_edit(p->diags, d, (Span){p->lex.src, at, p->tok.at + p->tok.len - at}, "->");
-    p->tok.kind = TOK_ARROW;
 }
 
 // Returns advice for wait(200), delay(200) and sleep(2), with that time. In other languages delay takes milliseconds and sleep takes
@@ -431,6 +406,7 @@ static void skip_header_of_loop(Parser *p)
 
 static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *text)
 {
+    const uint32_t at = p->tok.at;
     Diag *d;
 
     switch (effect) {
@@ -442,7 +418,12 @@ static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *t
         p->lost_body = true;
         return HINT_READ;
     case HINT_ARROW:
-        replace_with_arrow(p);
+        d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
+        if (hint_is_word(&p->ahead, "to") && !p->ahead.first)          // go to, transition to
+            parser_advance(p);
+        diag_label(p->diags, d, DIAG_label_write, "->");
+        diag_edit(p->diags, d, (Span){p->lex.src, at, p->tok.at + p->tok.len - at}, "->");
+        p->tok.kind = TOK_ARROW;
         return HINT_READ;
     case HINT_DROP:
         d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
@@ -464,8 +445,11 @@ static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *t
 HintResult hint_read_foreign_word(HintCase *c)
 {
     Parser *p = c->p;
+    const Token *next = &p->ahead;
 
-    for (size_t i = 0; may_follow_foreign(&p->ahead) && i < sizeof foreign_words / sizeof *foreign_words; i++)
+    if (!next->first && !hint_begins_value(next) && next->kind != TOK_IF && next->kind != TOK_ARROW)
+        return HINT_NONE;                     // the word is then a name of this language, mostly with = after it
+    for (size_t i = 0; i < sizeof foreign_words / sizeof *foreign_words; i++)
         if (hint_is_word(&p->tok, foreign_words[i].word) && is_used_as_foreign(p, foreign_words[i].effect))
             return apply_foreign_word(p, foreign_words[i].effect, foreign_words[i].text);
     return HINT_NONE;

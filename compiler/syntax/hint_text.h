@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declarations shared by the hints for the lexer: hint_text.c (search, comments, numbers, headers, lines of other languages),
-// hint_operator.c (operators), hint_chars.c (characters).
+// Declarations shared by the hints for the lexer: hint_text.c (search; lines such as `include`, ranges such as 0..5), hint_comment.c
+// (comments), hint_malformed.c (numbers, names and headers), hint_operator.c (operators), hint_chars.c (characters).
 #ifndef SMC_HINT_TEXT_H
 #define SMC_HINT_TEXT_H
 
@@ -19,12 +19,16 @@ enum { HINT_FAR = 200 };      // bytes; no hint reads further, so that hostile t
 
 uint32_t hint_skip_spaces(const Lexer *l, uint32_t p);         // skips spaces, tabs and \r
 bool hint_ends_line(const Lexer *l, uint32_t p);            // a line end, a comment or the end of the source is at p
+uint32_t hint_skip_name(const Lexer *l, uint32_t p);        // the end of the identifier at p that is not a word of the language; or p
 
 // ---- what is known about a word or a token ----
 
 bool hint_knows_word(const Lexer *l, uint32_t from, uint32_t end);      // the word appeared earlier in the sources, so it may be declared
-bool hint_is_declared(const Lexer *l, uint32_t from, uint32_t end);     // as an element or a variable, before this position; or T
-// Whether the last token ends a value. Then a binary operator or a closing bar can follow; otherwise an operand is missing.
+bool hint_is_declared(const Lexer *l, uint32_t from, uint32_t end);     // as an element or a variable, before this position; true also for T
+// Whether prose begins at p: two words in a row, unless the first is declared and the second is an operator word (size AND, size then).
+bool hint_is_prose(const Lexer *l, uint32_t p);
+// Whether the last token ends a value, and is on the same line as the next one (`first` is false). Then a binary operator or the closing
+// bar of |x| can follow; otherwise an operand is missing.
 bool hint_follows_value(const Lexer *l, bool first);
 
 // ---- what the files share ----

@@ -10,17 +10,9 @@ static const HintPhrase phrases[] = {
 #include "compiler/syntax/hints.def"
 };
 
-
 static uint32_t skip_spaces(const char *text, uint32_t p)
 {
     while (text[p] == ' ' || text[p] == '\t' || text[p] == '\r')
-        p++;
-    return p;
-}
-
-static uint32_t skip_word(const char *text, uint32_t p)
-{
-    while (lexer_is_word(text[p]))
         p++;
     return p;
 }
@@ -83,7 +75,8 @@ uint32_t hint_skip_operand(const char *text, uint32_t at)
         p = skip_spaces(text, p + 1);
     if (lex_is_digit(text[p]) || text[p] == '.')
         return skip_number(text, p);
-    end = skip_word(text, p);
+    for (end = p; lexer_is_word(text[end]); end++)
+        ;
     if (text[skip_spaces(text, end)] == '(')
         end = skip_parens(text, skip_spaces(text, end));
     return end > p ? end : at;

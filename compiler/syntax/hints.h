@@ -15,14 +15,14 @@ typedef enum HintResult {
 
 // ---- for the lexer ----
 
-void hint_init(Lexer *l);     // of lex_init
+void hint_init(Lexer *l);     // called by lex_init
 
-// At the start of a token, if l->first_hint has its first character or an annotation precedes it: text of another language (`&&`, `//
-// ...`, `state Hold:`), which the grammar could misread. HINT_READ: as token t.
+// Handles text of another language that the grammar could misread: `&&`, `// ...`, `state Hold:`. Called at the start of a token if
+// l->first_hint has a row for its first character, or an annotation precedes it. HINT_READ: t is the token that the user meant.
 HintResult hint_read_foreign_text(Lexer *l, Token *t);
 // A token of this kind is well formed only up to `end`: 5psi, größe, [two words]. Reports this; returns the end of the malformed token.
 uint32_t hint_report_malformed_token(Lexer *l, const Token *t, TokenKind kind, uint32_t end);
-// No token begins here. Never returns HINT_NONE.
+// Handles text with which no token begins. Never returns HINT_NONE.
 HintResult hint_read_stray_text(Lexer *l, Token *t);
 
 // ---- for the parser ----

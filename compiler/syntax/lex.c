@@ -155,6 +155,7 @@ static uint32_t skip_digits(const Lexer *l, uint32_t p, bool (*belongs)(char c))
     return p;
 }
 
+// Returns the end of the decimal number at p. An exponent without digits does not belong to it.
 static uint32_t skip_decimal(const Lexer *l, uint32_t p)
 {
     uint32_t e;
@@ -268,10 +269,10 @@ static bool lex_text(Lexer *l, Token *t)
 
 // ---- punctuators ----
 
+// Returns the punctuator at the current position; NULL if there is none. The rows of a first character begin with the longest spelling.
 static const Punctuator *find_punctuator(const Lexer *l)
 {
     const char *s = l->src->text + l->at;                          // terminated by a NUL, which no punctuator contains
-
     size_t row = (unsigned char)*s < sizeof l->first_punctuator ? l->first_punctuator[(unsigned char)*s] : 0;
 
     for (; row > 0; row = l->next_punctuator[row - 1]) {
@@ -285,17 +286,7 @@ static const Punctuator *find_punctuator(const Lexer *l)
     return NULL;
 }
 
-// Counts parentheses. A punctuator that cannot be inside parentheses closes those that were never closed.
-static void count_parens(Lexer *l, TokenKind kind)
-{
-    l->parens += kind == TOK_LPAREN;
-    l->parens -= kind == TOK_RPAREN && l->parens > 0;
-    l->open_parens += kind == TOK_LPAREN;
-    l->open_parens -= kind == TOK_RPAREN && l->open_parens > 0;
-    if (kind == TOK_ASSIGN || kind == TOK_COLON || kind == TOK_ARROW || kind == TOK_LBRACE || kind == TOK_RBRACE)
-        l->open_parens = 0;
-}
-
+// Reads a punctuator, and counts parentheses. A punctuator that cannot be inside parentheses closes those that were never closed.
 static bool lex_punctuator(Lexer *l, Token *t)
 {
     const Punctuator *s = find_punctuator(l);
@@ -303,7 +294,12 @@ static bool lex_punctuator(Lexer *l, Token *t)
     if (!s)
         return false;
     lexer_finish_token(l, t, s->kind, l->at + (uint32_t)s->len);
-    count_parens(l, s->kind);
+    l->parens += s->kind == TOK_LPAREN;
+    l->parens -= s->kind == TOK_RPAREN && l->parens > 0;
+    l->open_parens += s->kind == TOK_LPAREN;
+    l->open_parens -= s->kind == TOK_RPAREN && l->open_parens > 0;
+    if (s->kind == TOK_ASSIGN || s->kind == TOK_COLON || s->kind == TOK_ARROW || s->kind == TOK_LBRACE || s->kind == TOK_RBRACE)
+        l->open_parens = 0;
     return true;
 }
 

@@ -71,14 +71,14 @@ typedef struct Lexer {
     LexAllow allow;           // the current position relative to an @allow( )
 
     // Only the hints read these.
-    uint8_t first_hint[256];  // by character: 1 + the first such row whose spelling begins with it; 0: none
+    uint8_t first_hint[256];  // by character: 1 + the first row of hints.def whose spelling begins with it; 0: none
     uint8_t next_hint[LEX_HINTS];     // by row: 1 + the next row that begins with the same character
     bool stores, annotated;   // an = precedes the current position on its line; an annotation does
     bool no_comment_end;      // the rest of the source contains no */
     uint32_t bar;             // position of the | that closes |x|
     uint32_t parens;          // opened on this line and still open
     uint32_t open_parens;     // opened in this statement and still open, also on earlier lines
-    uint32_t hinted;          // shared lines before this position have been reported
+    uint32_t hinted;          // lines with several statements before this position have been reported
 } Lexer;
 
 void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src);

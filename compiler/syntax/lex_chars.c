@@ -16,6 +16,7 @@ bool lexer_mark_line_reported(Lexer *l)
 
 // ---- comments ----
 
+// Whether a control character other than a tab or part of a line end is at `at`.
 static bool is_control(const Lexer *l, uint32_t at)
 {
     unsigned char c = (unsigned char)l->src->text[at];
@@ -40,26 +41,21 @@ uint32_t lexer_report_not_utf8(Lexer *l, uint32_t at)
     if (lexer_mark_line_reported(l))
         diag_label(l->diags, diag_report(l->diags, DIAG_not_utf8, lexer_span(l, at, 1),
                                          format_in(l->diags->arena, "0x%02X", (unsigned)(unsigned char)l->src->text[at])),
-                   DIAG_label_text, "save the file as UTF-8");
+                   DIAG_label_save_file_utf8);
     return 1;
 }
 
-// Whether the character changes the direction of writing. It can make a reviewer see a different source from the one that the compiler
-// reads.
-static bool changes_text_direction(uint32_t code)
-{
-    return (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
-}
-
-// Checks the character at `at` of a comment, which is not ASCII. Returns its length.
+// Checks the character at `at` of a comment, which is not ASCII. Returns its length. A character that changes the direction of writing can
+// make a reviewer see a different source from the one that the compiler reads.
 static uint32_t check_comment_character(Lexer *l, uint32_t at)
 {
     uint32_t code = 0;
     size_t len = utf8_decode(l->src->text + at, l->src->len - at, &code);
+    const bool changes_direction = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
 
     if (len == 0)
         return lexer_report_not_utf8(l, at);
-    if (changes_text_direction(code) && lexer_mark_line_reported(l))
+    if (changes_direction && lexer_mark_line_reported(l))
         diag_report(l->diags, DIAG_hidden_direction, lexer_span(l, at, (uint32_t)len),
                     format_in(l->diags->arena, "U+%04X", (unsigned)code));
     return (uint32_t)len;
@@ -103,6 +99,6 @@ bool lexer_check_is_text(Lexer *l)
         return true;
     d = diag_report(l->diags, DIAG_not_text, lexer_span(l, 0, 0), format);
     if (strcmp(format, "UTF-16") == 0)
-        diag_label(l->diags, d, DIAG_label_text, "save it as UTF-8");
+        diag_label(l->diags, d, DIAG_label_save_utf8);
     return false;
 }

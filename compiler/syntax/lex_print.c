@@ -3,18 +3,6 @@
 #include "compiler/syntax/lex.h"
 #include "compiler/syntax/parse.h"
 
-static void print_token(const Source *src, const Token *t, Buf *out)
-{
-    LineCol at = source_position(src, t->at);
-
-    buf_printf(out, "%lu:%lu\t%s\t", (unsigned long)at.line, (unsigned long)at.col, lex_token_name(t->kind));
-    for (uint32_t i = 0; i < t->len; i++) {
-        char c = src->text[t->at + i];
-        buf_char(out, c == '\n' || c == '\r' || c == '\t' ? ' ' : c);
-    }
-    buf_char(out, '\n');
-}
-
 void lex_print(StrPool *strings, Diags *diags, const Source *src, FileKind kind, Buf *out)
 {
     Lexer l;
@@ -24,7 +12,14 @@ void lex_print(StrPool *strings, Diags *diags, const Source *src, FileKind kind,
     l.keep_comments = true;
     l.config = kind == FILE_IO || kind == FILE_APP;
     do {
+        LineCol at;
         lex_next(&l, &t);
-        print_token(src, &t, out);
+        at = source_position(src, t.at);
+        buf_printf(out, "%lu:%lu\t%s\t", (unsigned long)at.line, (unsigned long)at.col, lex_token_name(t.kind));
+        for (uint32_t i = 0; i < t.len; i++) {
+            char c = src->text[t.at + i];
+            buf_char(out, c == '\n' || c == '\r' || c == '\t' ? ' ' : c);
+        }
+        buf_char(out, '\n');
     } while (t.kind != TOK_END);
 }

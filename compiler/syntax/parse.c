@@ -53,16 +53,6 @@ void parser_skip_line(Parser *p)
         parser_advance(p);
 }
 
-static bool line_begins_with_bracket(const Source *src, uint32_t line)
-{
-    uint32_t len;
-    const char *s = source_line(src, line, &len);
-
-    while (len && (*s == ' ' || *s == '\t'))
-        s++, len--;
-    return len && *s == '[';
-}
-
 void parser_skip_section(Parser *p)
 {
     const Source *src = p->lex.src;
@@ -70,8 +60,14 @@ void parser_skip_section(Parser *p)
 
     if (p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END)
         return;
-    while (line < src->lines && !line_begins_with_bracket(src, line + 1))
-        line++;
+    for (; line < src->lines; line++) {                              // to the next line that begins with a bracket
+        uint32_t len;
+        const char *s = source_line(src, line + 1, &len);
+        while (len && (*s == ' ' || *s == '\t'))
+            s++, len--;
+        if (len && *s == '[')
+            break;
+    }
     lex_skip_to(&p->lex, line < src->lines ? src->line[line] : src->len);
     lex_next(&p->lex, &p->tok);
     lex_next(&p->lex, &p->ahead);
@@ -167,35 +163,27 @@ static int find_label(const char *word)
     return -1;
 }
 
-// Reports the current label, which is unknown; returns the label that the user probably meant, or -1.
-static int report_unknown_label(Parser *p)
-{
-    const char *word = p->tok.text->text, *synonym = hint_find_synonym(HINT_LABELS, word);
-    const char *meant = synonym ? synonym : str_nearest(word, labels, AST_LABEL_COUNT);
-    Diag *d = parser_report(p, DIAG_label_unknown, parser_token_span(p), word);
-
-    if (!meant)
-        return -1;
-    diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, ".%s", meant));
-    return find_label(meant);
-}
-
-// Returns the block that the current label opens; NULL, after a report, if the label is unknown or repeated.
+// Returns the block that the current label opens; NULL, after a report, if the label is unknown or repeated. An unknown label opens the
+// block that the user probably meant, if that is not yet open.
 static AstBlock *open_block(Parser *p, AstSection *s)
 {
-    int i = find_label(p->tok.text->text);
-    bool known = i >= 0;
-    Diag *d;
+    const char *word = p->tok.text->text;
+    int i = find_label(word);
+    const bool known = i >= 0;
 
-    if (!known)
-        i = report_unknown_label(p);
-    if (i < 0)
-        return NULL;
-    if (s->block[i].present) {
-        if (!known)
+    if (!known) {
+        const char *synonym = hint_find_synonym(HINT_LABELS, word), *meant = synonym ? synonym : str_nearest(word, labels, AST_LABEL_COUNT);
+        Diag *d = parser_report(p, DIAG_label_unknown, parser_token_span(p), word);
+        if (!meant)
             return NULL;
-        d = parser_report(p, DIAG_label_repeated, parser_token_span(p), labels[i], s->name->text);
-        diag_note(p->diags, d, s->block[i].label, DIAG_note_first_here);
+        diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, ".%s", meant));
+        i = find_label(meant);
+    }
+    if (s->block[i].present) {
+        if (known) {
+            Diag *d = parser_report(p, DIAG_label_repeated, parser_token_span(p), labels[i], s->name->text);
+            diag_note(p->diags, d, s->block[i].label, DIAG_note_first_here);
+        }
         return NULL;
     }
     s->block[i].present = true;
@@ -240,9 +228,9 @@ static void parse_unlabelled(Parser *p, AstSection *s)
     if (d && colon)
         diag_label(p->diags, d, DIAG_label_leave_out);
     else if (d && p->tok.kind == TOK_LABEL)
-        diag_label(p->diags, d, DIAG_label_text, "put it after a label: .entry is run once, .step in every step, .exit at the end");
+        diag_label(p->diags, d, DIAG_label_after_label);
     else if (d && assigns)
-        diag_label(p->diags, d, DIAG_label_text, "a list of constants is [local], each with its type: F64 limit = 3");
+        diag_label(p->diags, d, DIAG_label_constants);
 }
 
 // Parses the annotations and blocks of a state. Before its first label, line ends count as spaces.
@@ -258,7 +246,15 @@ static void parse_state(Parser *p, AstSection *s)
         parse_labelled(p, s);
 }
 
-static void parse_script_section(Parser *p, AstSection *s)
+void parser_visit_items(Parser *p)
+{
+    for (size_t i = 0; i < p->visited->n; i++)
+        p->visitor->item(p->visitor->context, p->visited->at[i]);
+    *p->visited = (AstStmts){0};
+    arena_free(p->visitor->items);
+}
+
+static void parse_script_items(Parser *p, AstSection *s)
 {
     p->reported_unguarded = false;
     parse_block(p, &s->items);
@@ -267,6 +263,23 @@ static void parse_script_section(Parser *p, AstSection *s)
         parser_advance(p);
         parse_block(p, &s->items);
     }
+}
+
+static void parse_script_section(Parser *p, AstSection *s)
+{
+    Arena *arena = p->arena;
+
+    if (!p->visitor) {
+        parse_script_items(p, s);
+        return;
+    }
+    p->visitor->section(p->visitor->context, s);
+    p->arena = p->visitor->items;
+    p->visited = &s->items;
+    parse_script_items(p, s);
+    parser_visit_items(p);
+    p->visited = NULL;
+    p->arena = arena;
 }
 
 // ---- sections ----
@@ -304,17 +317,6 @@ static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
 
 // ---- misnamed sections ----
 
-// Whether the line of the next token contains an =, as the declarations of locals do.
-static bool has_assignment_on_line(const Parser *p)
-{
-    const Source *s = p->lex.src;
-
-    for (uint32_t i = p->tok.at; i < s->len && s->text[i] != '\n' && s->text[i] != '#'; i++)
-        if (s->text[i] == '=')
-            return true;
-    return false;
-}
-
 // Corrects the kind of a section whose name is misspelt, to judge by its first line: a state that begins with a declaration is one of the
 // two sections for declarations; a section of a script that begins with an option is [options]. Reports the name.
 static void correct_section_kind(Parser *p, AstSection *s)
@@ -323,9 +325,10 @@ static void correct_section_kind(Parser *p, AstSection *s)
     AstSectionKind kind = s->kind;
     Diag *d;
 
-    if (kind == AST_STATE && p->tok.kind == TOK_TYPE && p->ahead.kind == TOK_NAME)
-        kind = has_assignment_on_line(p) ? AST_LOCAL : AST_STATE_VECTOR;
-    else if (kind == AST_SCRIPT_STATE && p->tok.kind == TOK_NAME && !p->ahead.first &&
+    if (kind == AST_STATE && p->tok.kind == TOK_TYPE && p->ahead.kind == TOK_NAME) {
+        const char *line = p->lex.src->text + p->tok.at;             // terminated by a NUL
+        kind = line[strcspn(line, "=\n#")] == '=' ? AST_LOCAL : AST_STATE_VECTOR;     // locals have initial values
+    } else if (kind == AST_SCRIPT_STATE && p->tok.kind == TOK_NAME && !p->ahead.first &&
              (p->ahead.kind == TOK_NUMBER || p->ahead.kind == TOK_NAME) &&
              (strcmp(p->tok.text->text, "delta_t") == 0 || strcmp(p->tok.text->text, "init_state") == 0))
         kind = AST_OPTIONS;
@@ -366,8 +369,15 @@ static AstSection *new_section(Parser *p, FileKind file)
     return s;
 }
 
-static void parse_contents(Parser *p, AstFile *f, AstSection *s)
+static void parse_section(Parser *p, AstFile *f)
 {
+    AstSection *s = new_section(p, f->kind);
+
+    p->failed = false;
+    check_repeated(p, f, s);
+    vec_push(p->arena, &f->sections, s);
+    parser_advance(p);
+    correct_section_kind(p, s);
     switch (s->kind) {
     case AST_STATE_VECTOR: case AST_LOCAL: case AST_REGION:
         parse_decls(p, s);
@@ -394,18 +404,8 @@ static void parse_contents(Parser *p, AstFile *f, AstSection *s)
         parser_skip_section(p);
         break;
     }
-}
-
-static void parse_section(Parser *p, AstFile *f)
-{
-    AstSection *s = new_section(p, f->kind);
-
-    p->failed = false;
-    check_repeated(p, f, s);
-    vec_push(p->arena, &f->sections, s);
-    parser_advance(p);
-    correct_section_kind(p, s);
-    parse_contents(p, f, s);
+    if (p->visitor && s->kind != AST_SCRIPT_STATE)
+        p->visitor->section(p->visitor->context, s);
 }
 
 // ---- a file ----
@@ -448,7 +448,7 @@ static const char *const first_section[] = {
     [FILE_APP] = "options belong in [options], tasks in a section with the name of an executor"
 };
 
-AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind)
+static AstFile *parse_visited(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind, const ScriptVisitor *v)
 {
     AstFile *f = ARENA_NEW(arena, AstFile);
     size_t met = diags->met;
@@ -459,6 +459,7 @@ AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *
     if (kind == FILE_APP)
         f->app = ARENA_NEW(arena, AstApp);
     init_parser(&p, arena, strings, diags, src, kind);
+    p.visitor = v;
     if (p.tok.kind != TOK_HEADER && p.tok.kind != TOK_END) {
         if (p.tok.kind != TOK_ERROR)
             diag_label(diags, parser_report(&p, DIAG_text_before_section, parser_token_span(&p)), DIAG_label_text, first_section[kind]);
@@ -472,4 +473,14 @@ AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *
     if (f->app)
         f->app->lost = f->app->lost || diags->met > met;
     return f;
+}
+
+AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind)
+{
+    return parse_visited(arena, strings, diags, src, kind, NULL);
+}
+
+AstFile *parse_script(Arena *arena, StrPool *strings, Diags *diags, const Source *src, const ScriptVisitor *v)
+{
+    return parse_visited(arena, strings, diags, src, FILE_SS, v);
 }

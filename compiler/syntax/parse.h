@@ -12,6 +12,18 @@
 // `arena`; names are interned in `strings`.
 AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind);
 
+// Receives the parts of a script in file order, so that the whole tree need not be in memory.
+typedef struct ScriptVisitor {
+    // Called for each section: before its items if it has items, otherwise after it has been parsed.
+    void (*section)(void *context, const AstSection *s);
+    void (*item)(void *context, const AstStmt *item);         // an item of the last section; freed when the call returns
+    void *context;
+    Arena *items;             // where items are allocated; nothing else may be in it
+} ScriptVisitor;
+
+// As parse_file of a script, but the sections of the returned tree have no items: `v` has received them.
+AstFile *parse_script(Arena *arena, StrPool *strings, Diags *diags, const Source *src, const ScriptVisitor *v);
+
 // Prints the tokens of a source, one per line, comments included: --emit=tokens.
 void lex_print(StrPool *strings, Diags *diags, const Source *src, FileKind kind, Buf *out);
 

@@ -6,6 +6,8 @@
 typedef enum Arguments { TAKES_NOTHING, TAKES_NAME, TAKES_NUMBER, TAKES_NUMBERS, TAKES_VALUE, TAKES_FINDING } Arguments;
 
 #define ON(target) (1u << AST_ON_##target)
+// The targets that occur in one kind of file: pins, or machines and state vectors. An annotation for none of them is unknown in such a file.
+#define ON_MACHINES (ON(ELEMENT) | ON(SV_ELEMENT) | ON(LOCAL) | ON(STATE))
 #define ON_PINS (ON(ANALOG_INPUT) | ON(ANALOG_OUTPUT) | ON(DIGITAL_INPUT) | ON(DIGITAL_OUTPUT))
 
 static const struct { const char *spelling; Arguments takes; unsigned where; } rows[] = {
@@ -13,9 +15,6 @@ static const struct { const char *spelling; Arguments takes; unsigned where; } r
 #include "compiler/syntax/annotations.def"
 #undef ANNOTATION
 };
-
-// The targets that occur in one kind of file. An annotation that is allowed on none of them is unknown in such a file.
-static const unsigned file_targets[] = {ON(ELEMENT) | ON(SV_ELEMENT) | ON(LOCAL) | ON(STATE), ON_PINS};
 
 // The declaration, header or pin that the current annotations follow.
 typedef struct Annotated {
@@ -27,24 +26,16 @@ typedef struct Annotated {
 
 // ---- the row of an annotation ----
 
-static unsigned find_file_targets(AstAnnotationTarget target)
-{
-    for (size_t i = 0; i < sizeof file_targets / sizeof *file_targets; i++)
-        if (file_targets[i] >> target & 1u)
-            return file_targets[i];
-    return 0;
-}
-
 static bool may_be_on(int row, AstAnnotationTarget target) { return rows[row].where >> target & 1u; }
 
 // Returns the row of that name for this target, else one for the same kind of file; AST_ANNOTATION_COUNT if there is none.
 static int find_row(Str word, AstAnnotationTarget target)
 {
+    const unsigned in_file = ON_PINS >> target & 1u ? ON_PINS : ON_MACHINES;
     int found = AST_ANNOTATION_COUNT;
 
     for (int i = AST_ANNOTATION_COUNT - 1; i >= 0; i--)
-        if (strcmp(rows[i].spelling, word->text) == 0 && rows[i].where & find_file_targets(target) &&
-            (found == AST_ANNOTATION_COUNT || may_be_on(i, target)))
+        if (strcmp(rows[i].spelling, word->text) == 0 && rows[i].where & in_file && (found == AST_ANNOTATION_COUNT || may_be_on(i, target)))
             found = i;
     return found;
 }
@@ -54,35 +45,23 @@ static bool is_for_states_only(int row)
     return row < AST_ANNOTATION_COUNT && may_be_on(row, AST_ON_STATE) && !may_be_on(row, AST_ON_ELEMENT);
 }
 
-static size_t list_annotations(unsigned places, const char *words[AST_ANNOTATION_COUNT])
-{
-    size_t n = 0;
-
-    for (int i = 0; i < AST_ANNOTATION_COUNT; i++)
-        if (rows[i].where & places)
-            words[n++] = rows[i].spelling;
-    return n;
-}
-
-static bool ends_arguments(const Parser *p)
-{
-    return p->tok.first || p->tok.kind == TOK_ANNOTATION || p->tok.kind == TOK_TYPE || p->tok.kind == TOK_HEADER ||
-           p->tok.kind == TOK_LABEL;
-}
-
+// Reports an unknown annotation and skips its arguments.
 static void report_unknown_annotation(Parser *p, AstAnnotationTarget target)
 {
     Diag *d = parser_report(p, DIAG_annotation_unknown, parser_token_span(p), p->tok.text->text);
     const char *here[AST_ANNOTATION_COUNT];
-    size_t n = list_annotations(1u << target, here);
+    size_t n = 0;
 
+    for (int i = 0; i < AST_ANNOTATION_COUNT; i++)
+        if (may_be_on(i, target))
+            here[n++] = rows[i].spelling;
     if (strncmp(p->tok.text->text, "unit", 4) == 0)
-        diag_label(p->diags, d, DIAG_label_text, "a unit belongs in a comment");
+        diag_label(p->diags, d, DIAG_label_unit_annotation);
     else
         parser_label_annotations(p, d, here, n);
-    parser_advance(p);
-    while (!ends_arguments(p))
+    do
         parser_advance(p);
+    while (!p->tok.first && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_TYPE && p->tok.kind != TOK_HEADER && p->tok.kind != TOK_LABEL);
 }
 
 // ---- where an annotation is allowed ----
@@ -94,28 +73,21 @@ static const char *get_pin_name(AstAnnotationTarget target)
     return name[target - AST_ON_ANALOG_INPUT];
 }
 
-// Names the pins that the annotation is for.
-static void report_annotation_of_other_pins(Parser *p, const Annotated *o, const AstAnnotation *a)
-{
-    Diag *d = parser_report(p, DIAG_annotation_on_pin, a->span, rows[a->kind].spelling, get_pin_name(o->target));
-    const char *list = NULL;
-
-    for (AstAnnotationTarget k = AST_ON_ANALOG_INPUT; k <= AST_ON_DIGITAL_OUTPUT; k++)
-        if (may_be_on((int)a->kind, k))
-            list = list ? format_in(p->arena, "%s or %s", list, get_pin_name(k)) : get_pin_name(k);
-    diag_label(p->diags, d, DIAG_label_of_pins, list);
-}
-
-// Returns false if it reported an error.
+// Returns false if the annotation is not allowed on its target, which is reported.
 static bool check_annotation_target(Parser *p, const Annotated *o, const AstAnnotation *a)
 {
     const char *word = rows[a->kind].spelling;
 
     if (may_be_on((int)a->kind, o->target))
         return true;
-    if (ON_PINS >> o->target & 1u)
-        report_annotation_of_other_pins(p, o, a);
-    else if (is_for_states_only((int)a->kind))
+    if (ON_PINS >> o->target & 1u) {
+        Diag *d = parser_report(p, DIAG_annotation_on_pin, a->span, word, get_pin_name(o->target));
+        const char *list = NULL;                  // the kinds of pins that the annotation is for
+        for (AstAnnotationTarget k = AST_ON_ANALOG_INPUT; k <= AST_ON_DIGITAL_OUTPUT; k++)
+            if (may_be_on((int)a->kind, k))
+                list = list ? format_in(p->arena, "%s or %s", list, get_pin_name(k)) : get_pin_name(k);
+        diag_label(p->diags, d, DIAG_label_of_pins, list);
+    } else if (is_for_states_only((int)a->kind))
         diag_label(p->diags, parser_report(p, DIAG_annotation_of_states, a->span, word), DIAG_label_after_header, word);
     else if (o->target == AST_ON_STATE)
         parser_report(p, DIAG_annotation_on_state, a->span, word);
@@ -137,15 +109,6 @@ static bool check_not_repeated(Parser *p, const Annotated *o, const AstAnnotatio
             return false;
         }
     return true;
-}
-
-// Reports an annotation that is written before a declaration on its line: because line ends count as spaces, it belongs to the declaration
-// above.
-static void report_annotation_above(Parser *p, const Annotated *o, const AstAnnotation *a)
-{
-    Diag *d = parser_report(p, DIAG_annotation_above, a->span, rows[a->kind].spelling, o->name->text);
-
-    diag_note(p->diags, d, o->span, DIAG_note_declared_here, o->name->text);
 }
 
 // ---- a name, numbers ----
@@ -224,24 +187,16 @@ static bool expect_token(Parser *p, TokenKind kind, const char *expected)
     return true;
 }
 
-static const char *find_nearest_flag(Parser *p, const char *word)
-{
-    const char **names = ARENA_ARRAY(p->arena, const char *, diag_flag_count);
-    const DiagInfo *code = diag_find(word);
-
-    if (code)
-        return code->flag;
-    for (size_t i = 0; i < diag_flag_count; i++)
-        names[i] = diag_flag[i].name;
-    return str_nearest(word, names, diag_flag_count);
-}
-
+// Reports a name in @allow that no warning has. A code such as W0408 is certainly the warning of that code.
 static void report_unknown_flag(Parser *p, const AstAnnotation *a)
 {
-    const char *near = find_nearest_flag(p, a->name->text);
-    const DiagInfo *code = diag_find(a->name->text);
-    Diag *d = parser_report(p, DIAG_allow_unknown, a->name_span, a->name->text);
+    const char *word = a->name->text, *near, **names = ARENA_ARRAY(p->arena, const char *, diag_flag_count);
+    const DiagInfo *code = diag_find(word);
+    Diag *d = parser_report(p, DIAG_allow_unknown, a->name_span, word);
 
+    for (size_t i = 0; i < diag_flag_count; i++)
+        names[i] = diag_flag[i].name;
+    near = code ? code->flag : str_nearest(word, names, diag_flag_count);
     if (near) {
         diag_label(p->diags, d, DIAG_label_did_you_mean, near);
         if (code)
@@ -319,18 +274,10 @@ static void parse_annotation_arguments(Parser *p, AstAnnotation *a)
 
 // ---- all of them ----
 
-// Whether the next token begins a declaration of the owner's kind.
-static bool begins_another(const Parser *p, AstAnnotationTarget target)
-{
-    if (ON_PINS >> target & 1u)
-        return p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NUMBER;
-    return p->tok.kind == TOK_TYPE;
-}
-
 static void parse_annotation(Parser *p, const Annotated *o)
 {
     AstAnnotation a = {0};
-    bool first = p->tok.first, allowed;
+    bool first = p->tok.first, allowed, begins_another;
     int row = find_row(p->tok.text, o->target);
 
     if (row == AST_ANNOTATION_COUNT) {
@@ -348,8 +295,10 @@ static void parse_annotation(Parser *p, const Annotated *o)
     a.span = parser_span_since(p, a.span.at);
     if (p->failed)
         return;
-    if (first && !p->tok.first && begins_another(p, o->target))
-        report_annotation_above(p, o, &a);
+    begins_another = ON_PINS >> o->target & 1u ? p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NUMBER : p->tok.kind == TOK_TYPE;
+    if (first && !p->tok.first && begins_another)            // line ends count as spaces: it belongs to the declaration above
+        diag_note(p->diags, parser_report(p, DIAG_annotation_above, a.span, rows[a.kind].spelling, o->name->text),
+                  o->span, DIAG_note_declared_here, o->name->text);
     if (check_not_repeated(p, o, &a) && allowed)
         vec_push(p->arena, o->all, a);
 }

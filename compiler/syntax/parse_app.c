@@ -43,20 +43,10 @@ static const char *const option_words[] = {
 #include "compiler/syntax/app.def"
 };
 
-static void add_option(Parser *p, AstApp *app, AstAppOption o)
-{
-    for (size_t i = 0; i < app->options.n; i++)
-        if (app->options.at[i].kind == o.kind) {
-            Diag *d = parser_report(p, DIAG_app_option_twice, o.name_span, app_option_name(o.kind));
-            diag_note(p->diags, d, app->options.at[i].name_span, DIAG_note_first_here);
-            return;
-        }
-    vec_push(p->arena, &app->options, o);
-}
-
 static void parse_option(Parser *p, AstApp *app)
 {
     AstAppOption o = {0};
+    const AstAppOption *first = NULL;
     const char *example;
 
     if (!app_match_option(p, &o.kind)) {
@@ -72,7 +62,14 @@ static void parse_option(Parser *p, AstApp *app)
         return;
     if (options[o.kind].amount != APP_NOTHING && !app_parse_amount(p, &o.amount, options[o.kind].amount, example))
         return;
-    add_option(p, app, o);
+    for (size_t i = 0; i < app->options.n && !first; i++)
+        if (app->options.at[i].kind == o.kind)
+            first = &app->options.at[i];
+    if (first)
+        diag_note(p->diags, parser_report(p, DIAG_app_option_twice, o.name_span, app_option_name(o.kind)), first->name_span,
+                  DIAG_note_first_here);
+    else
+        vec_push(p->arena, &app->options, o);
     app_parse_allows(p, o.name_span.at, app);
 }
 
@@ -211,6 +208,7 @@ static void parse_entry(Parser *p, AstApp *app, AstAppExecutor *e)
     }
 }
 
+// Parses the section of an executor: its annotations, and rates with their tasks.
 static void parse_executor(Parser *p, AstApp *app, AstWord name, Span header)
 {
     AstAppExecutor *e = ARENA_NEW(p->arena, AstAppExecutor);
@@ -233,20 +231,11 @@ static void parse_executor(Parser *p, AstApp *app, AstWord name, Span header)
         e->lost = e->lost || p->failed;
         recover_entry(p, app, at);
     }
-    while (own-- > first)                         // the whole section
+    while (own-- > first)                         // an @allow after the header covers the whole section
         app->allows.at[own].covers.len = p->tok.at - header.at;
 }
 
 // ---- sections ----
-
-static void parse_entries(Parser *p, AstApp *app, void (*entry)(Parser *p, AstApp *app))
-{
-    while (!is_at_section_end(p)) {
-        uint32_t at = p->tok.at;
-        entry(p, app);
-        recover_entry(p, app, at);
-    }
-}
 
 // Parses [options]. If a rate follows the options, it begins an executor whose header is missing or misspelt; parses that as well.
 static void parse_app_options(Parser *p, AstApp *app, AstWord name, Span header)
@@ -265,18 +254,6 @@ static void parse_app_options(Parser *p, AstApp *app, AstWord name, Span header)
     parse_executor(p, app, name, header);
 }
 
-// Returns "options" or "start" if the section begins with such a line, so that its name may be misspelt; else NULL.
-static const char *guess_section(const Parser *p)
-{
-    AstAppOptionKind option;
-
-    if (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_ASSIGN)
-        return "start";
-    if (p->ahead.first || !app_match_option(p, &option) || (options[option].file && p->ahead.kind != TOK_TEXT))
-        return NULL;
-    return "options";
-}
-
 static bool check_section_is_first(Parser *p, const Span *seen, Span header, const char *name)
 {
     if (!seen->src)
@@ -285,12 +262,19 @@ static bool check_section_is_first(Parser *p, const Span *seen, Span header, con
     return false;
 }
 
+// Whether a section is [options] or [start], as `which` says: by its name, or, if it has the name of neither, by its first line. Reports
+// the name in the second case, because it is probably misspelt.
 static bool match_section(Parser *p, const AstWord *name, Span header, const char *which)
 {
-    const char *meant = guess_section(p);
+    const char *meant = NULL;
+    AstAppOptionKind option;
 
     if (strcmp(name->text->text, which) == 0)
         return true;
+    if (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_ASSIGN)
+        meant = "start";
+    else if (!p->ahead.first && app_match_option(p, &option) && (!options[option].file || p->ahead.kind == TOK_TEXT))
+        meant = "options";
     if (!meant || strcmp(meant, which) != 0 || strcmp(name->text->text, "options") == 0 || strcmp(name->text->text, "start") == 0)
         return false;
     diag_label(p->diags, parser_report(p, DIAG_app_section_misspelt, header, name->text->text, format_in(p->arena, "[%s]", which)),
@@ -313,7 +297,11 @@ void parse_app_section(Parser *p, AstApp *app)
     } else if (match_section(p, &name, header, "start")) {
         if (check_section_is_first(p, &app->start_header, header, "start"))
             app->start_header = header;
-        parse_entries(p, app, parse_start_value);
+        while (!is_at_section_end(p)) {
+            uint32_t at = p->tok.at;
+            parse_start_value(p, app);
+            recover_entry(p, app, at);
+        }
     } else {
         parse_executor(p, app, name, header);
     }

@@ -136,14 +136,6 @@ static const char *find_unit_synonym(Parser *p, AppMeasure of)
     return NULL;
 }
 
-static const Unit *find_unit(const Parser *p)
-{
-    for (size_t i = 0; p->tok.kind == TOK_NAME && i < sizeof units / sizeof *units; i++)
-        if (strcmp(p->tok.text->text, units[i].spelling) == 0)
-            return &units[i];
-    return NULL;
-}
-
 // `every` takes a time and `at` a frequency. If the unit after the number belongs to the other keyword, returns the line written with
 // that one; else NULL.
 static const char *format_other_rate(Parser *p, const Unit *u, Span number, const char *example)
@@ -159,10 +151,13 @@ static const char *format_other_rate(Parser *p, const Unit *u, Span number, cons
 
 static bool parse_unit(Parser *p, AstAmount *into, Span number, const char *example)
 {
-    const Unit *u = find_unit(p);
+    const Unit *u = NULL;
     const char *near;
     Diag *d;
 
+    for (size_t i = 0; p->tok.kind == TOK_NAME && !u && i < sizeof units / sizeof *units; i++)
+        if (strcmp(p->tok.text->text, units[i].spelling) == 0)
+            u = &units[i];
     if (u && u->of == into->of) {
         into->factor = u->factor;
         parser_advance(p);
@@ -211,19 +206,6 @@ static const struct { AppArguments takes; bool on[APP_ANNOTATION_TARGETS]; const
 #include "compiler/syntax/app.def"
 };
 
-static void report_unknown_annotation(Parser *p, AppAnnotationTarget target)
-{
-    const char *here[AST_APP_ANNOTATION_COUNT + 1];
-    Diag *d = parser_fail(p, DIAG_annotation_unknown, parser_token_span(p), p->tok.text->text);
-    size_t n = 0;
-
-    for (int i = 0; i < AST_APP_ANNOTATION_COUNT; i++)
-        if (rows[i].on[target])
-            here[n++] = annotations[i];
-    here[n++] = "allow";
-    parser_label_annotations(p, d, here, n);
-}
-
 // Parses the argument of @overrun: `skip`, or `catch_up` and a number.
 static bool parse_overrun(Parser *p, AstAppAnnotation *a)
 {
@@ -249,17 +231,6 @@ static bool parse_annotation_arguments(Parser *p, AstAppAnnotation *a)
     return true;
 }
 
-static bool check_not_repeated(Parser *p, const AstAppAnnotation *a, const char *owner, const AstAppAnnotations *all)
-{
-    for (size_t i = 0; i < all->n; i++)
-        if (all->at[i].kind == a->kind) {
-            Diag *d = parser_report(p, DIAG_annotation_repeated, a->span, annotations[a->kind], owner);
-            diag_note(p->diags, d, all->at[i].span, DIAG_note_first_here);
-            return false;
-        }
-    return true;
-}
-
 static void parse_annotation(Parser *p, AppAnnotationTarget target, const char *owner, AstAppAnnotations *into)
 {
     static const char *const places[] = {"an executor", "a task", "a machine", "'outputs'", "'log' and 'keep'", "'inputs'"};
@@ -269,7 +240,14 @@ static void parse_annotation(Parser *p, AppAnnotationTarget target, const char *
     while (row < AST_APP_ANNOTATION_COUNT && strcmp(p->tok.text->text, annotations[row]) != 0)
         row++;
     if (row == AST_APP_ANNOTATION_COUNT) {
-        report_unknown_annotation(p, target);
+        const char *here[AST_APP_ANNOTATION_COUNT + 1];
+        Diag *d = parser_fail(p, DIAG_annotation_unknown, parser_token_span(p), p->tok.text->text);
+        size_t n = 0;
+        for (int i = 0; i < AST_APP_ANNOTATION_COUNT; i++)
+            if (rows[i].on[target])
+                here[n++] = annotations[i];
+        here[n++] = "allow";
+        parser_label_annotations(p, d, here, n);
         return;
     }
     a.kind = (AstAppAnnotationKind)row;
@@ -280,8 +258,13 @@ static void parse_annotation(Parser *p, AppAnnotationTarget target, const char *
     if (!parse_annotation_arguments(p, &a) || p->failed)
         return;
     a.span = parser_span_since(p, a.span.at);
-    if (check_not_repeated(p, &a, owner, into))
-        vec_push(p->arena, into, a);
+    for (size_t i = 0; i < into->n; i++)
+        if (into->at[i].kind == a.kind) {
+            Diag *d = parser_report(p, DIAG_annotation_repeated, a.span, annotations[row], owner);
+            diag_note(p->diags, d, into->at[i].span, DIAG_note_first_here);
+            return;
+        }
+    vec_push(p->arena, into, a);
 }
 
 void app_parse_allows(Parser *p, uint32_t from, AstApp *app)

@@ -25,16 +25,8 @@ static bool is_direction(const Token *t)
     return t->kind == TOK_NAME && t->text->len == 1 && (t->text->text[0] == 'i' || t->text->text[0] == 'o');
 }
 
-// Labels d with the correct order if the user wrote `batt 0 i`; returns false otherwise. The current token is the number.
-static bool label_wrong_order(Parser *p, Diag *d, const char *name)
-{
-    if (!is_direction(&p->ahead) || p->ahead.first)
-        return false;
-    diag_label(p->diags, d, DIAG_label_write,
-               format_in(p->arena, "%s %s %s", p->ahead.text->text, parser_text(p, parser_token_span(p)), name));
-    p->failed = true;
-    return true;
-}
+// Whether a pin begins at the current token, wherever it is on its line.
+static bool is_at_pin(const Parser *p) { return is_direction(&p->tok) && p->ahead.kind == TOK_NUMBER; }
 
 // Reports that the current pin begins with another word. Returns true if a number follows anyway; it is then the current token.
 static bool recover_direction(Parser *p, AstPin *pin)
@@ -55,24 +47,12 @@ static bool recover_direction(Parser *p, AstPin *pin)
     if (!number_follows)
         return false;
     parser_advance(p);
-    return guess || !label_wrong_order(p, d, p->last.text->text);
-}
-
-static bool parse_direction(Parser *p, AstPin *pin)
-{
-    bool known = is_direction(&p->tok);
-
-    if (!known)
-        return recover_direction(p, pin);
-    pin->output = p->tok.text->text[0] == 'o';
-    parser_advance(p);
-    return true;
-}
-
-// Whether the next pin begins here. The missing parts of this pin must not be searched for in that one.
-static bool begins_next_pin(const Parser *p)
-{
-    return p->tok.first && is_direction(&p->tok) && p->ahead.kind == TOK_NUMBER;
+    if (guess || !is_direction(&p->ahead) || p->ahead.first)
+        return true;
+    diag_label(p->diags, d, DIAG_label_write,                     // the user wrote `batt 0 i`
+               format_in(p->arena, "%s %s %s", p->ahead.text->text, parser_text(p, parser_token_span(p)), p->last.text->text));
+    p->failed = true;
+    return false;
 }
 
 static bool parse_pin_number(Parser *p, AstPin *pin)
@@ -91,7 +71,7 @@ static bool parse_pin_number(Parser *p, AstPin *pin)
 
 static bool parse_pin_element(Parser *p, AstPin *pin)
 {
-    if (p->tok.kind == TOK_NAME && !begins_next_pin(p)) {
+    if (p->tok.kind == TOK_NAME && !(p->tok.first && is_at_pin(p))) {        // a pin on the next line is not the element of this one
         pin->element = p->tok.text;
         pin->element_span = parser_token_span(p);
         parser_advance(p);
@@ -103,29 +83,23 @@ static bool parse_pin_element(Parser *p, AstPin *pin)
     return false;
 }
 
-static AstAnnotationTarget find_pin_target(const AstSection *s, const AstPin *pin)
-{
-    if (s->digital)
-        return pin->output ? AST_ON_DIGITAL_OUTPUT : AST_ON_DIGITAL_INPUT;
-    return pin->output ? AST_ON_ANALOG_OUTPUT : AST_ON_ANALOG_INPUT;
-}
-
-static bool ends_pin(const Parser *p)
-{
-    return p->tok.first || p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END || (is_direction(&p->tok) && p->ahead.kind == TOK_NUMBER);
-}
-
 static void parse_pin(Parser *p, AstSection *s)
 {
     AstPin pin = {0};
 
-    if (!parse_direction(p, &pin))
+    if (is_direction(&p->tok)) {
+        pin.output = p->tok.text->text[0] == 'o';
+        parser_advance(p);
+    } else if (!recover_direction(p, &pin))
         return;
-    p->pin_target = find_pin_target(s, &pin);
+    if (s->digital)
+        p->pin_target = pin.output ? AST_ON_DIGITAL_OUTPUT : AST_ON_DIGITAL_INPUT;
+    else
+        p->pin_target = pin.output ? AST_ON_ANALOG_OUTPUT : AST_ON_ANALOG_INPUT;
     if (!parse_pin_number(p, &pin) || !parse_pin_element(p, &pin))
         return;
     parse_annotations(p, p->pin_target, pin.element, pin.element_span, &pin.annotations);
-    if (!p->failed && !ends_pin(p))
+    if (!p->failed && !p->tok.first && p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END && !is_at_pin(p))
         hint_explain(p, HINT_AT_PIN_END, NULL);
     vec_push(p->arena, &s->pins, pin);
 }

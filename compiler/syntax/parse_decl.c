@@ -5,23 +5,16 @@
 
 // ---- types ----
 
-static const char *find_nearest_type(const char *word)
+static void report_unknown_type(Parser *p)
 {
     static const char *const types[] = {
 #define SM_TYPE(name, wire, spelling, ctype, bytes, kind) spelling,
 #include "stdlib/types.def"
 #undef SM_TYPE
     };
-
-    const char *type = hint_find_synonym(HINT_TYPES, word);
-
-    return type ? type : str_nearest(word, types, sizeof types / sizeof *types);
-}
-
-static void report_unknown_type(Parser *p)
-{
-    const char *near = find_nearest_type(p->tok.text->text);
-    Diag *d = parser_report(p, DIAG_type_unknown, parser_token_span(p), p->tok.text->text);
+    const char *word = p->tok.text->text, *synonym = hint_find_synonym(HINT_TYPES, word);
+    const char *near = synonym ? synonym : str_nearest(word, types, sizeof types / sizeof *types);
+    Diag *d = parser_report(p, DIAG_type_unknown, parser_token_span(p), word);
 
     if (near)
         diag_label(p->diags, d, DIAG_label_did_you_mean, near);
@@ -117,15 +110,11 @@ static void report_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
         hint_explain(p, HINT_AT_END, NULL);
 }
 
-static AstAnnotationTarget find_decl_target(const AstSection *s)
-{
-    if (s->kind == AST_REGION)
-        return AST_ON_SV_ELEMENT;
-    return s->kind == AST_LOCAL ? AST_ON_LOCAL : AST_ON_ELEMENT;
-}
-
 static void parse_decl(Parser *p, AstSection *s)
 {
+    const AstAnnotationTarget target = s->kind == AST_REGION  ? AST_ON_SV_ELEMENT
+                                       : s->kind == AST_LOCAL ? AST_ON_LOCAL
+                                                              : AST_ON_ELEMENT;
     AstDecl d = {0};
 
     if (hint_explain(p, HINT_AT_DECL, NULL) == HINT_SKIPPED)
@@ -142,7 +131,7 @@ static void parse_decl(Parser *p, AstSection *s)
         parse_initial_value(p, &d);
     if (!p->failed)
         hint_explain(p, HINT_AFTER_DECL, NULL);
-    parse_annotations(p, find_decl_target(s), d.name, d.name_span, &d.annotations);
+    parse_annotations(p, target, d.name, d.name_span, &d.annotations);
     if (!p->failed && !ends_decl(p, s, &d))
         report_after_decl(p, s, &d);
     vec_push(p->arena, &s->decls, d);
@@ -176,18 +165,6 @@ static const char *const option_words[] = {
 };
 
 enum { OPTION_COUNT = sizeof option_words / sizeof *option_words };
-
-static void report_unknown_option(Parser *p)
-{
-    const char *word = p->tok.text->text, *synonym = hint_find_synonym(HINT_OPTIONS, word);
-    const char *near = synonym ? synonym : str_nearest(word, option_words, OPTION_COUNT);
-
-    if (near)
-        diag_label(p->diags, parser_fail(p, DIAG_option_unknown, parser_token_span(p), word), DIAG_label_did_you_mean, near);
-    else
-        hint_explain(p, HINT_AT_OPTION, NULL);
-    parser_advance(p);
-}
 
 static bool parse_option_argument(Parser *p, AstOption *o, OptionTakes takes)
 {
@@ -236,7 +213,13 @@ static void parse_option(Parser *p, AstSection *s)
     while (i < OPTION_COUNT && strcmp(option_words[i], o.name->text) != 0)
         i++;
     if (i == OPTION_COUNT) {
-        report_unknown_option(p);
+        const char *synonym = hint_find_synonym(HINT_OPTIONS, o.name->text);
+        const char *near = synonym ? synonym : str_nearest(o.name->text, option_words, OPTION_COUNT);
+        if (near)
+            diag_label(p->diags, parser_fail(p, DIAG_option_unknown, o.name_span, o.name->text), DIAG_label_did_you_mean, near);
+        else
+            hint_explain(p, HINT_AT_OPTION, NULL);
+        parser_advance(p);
         return;
     }
     if (!(p->kind == FILE_SV ? options[i].in_sv : options[i].in_ss))

@@ -102,23 +102,6 @@ static AstExpr *parse_paren(Parser *p)
     return check_depth(p, e, e->a);
 }
 
-static void parse_arguments(Parser *p, AstExpr *call, Span open)
-{
-    p->parens++;
-    while (p->tok.kind != TOK_RPAREN) {                // if there are none, the checker reports how many are required
-        AstExpr *a = parse_level(p, 1);
-        vec_push(p->arena, call->args, a);
-        if (a->depth >= call->depth)
-            call->depth = a->depth + 1;
-        if (p->failed || p->tok.kind != TOK_COMMA)
-            break;
-        parser_advance(p);
-        if (p->tok.kind == TOK_RPAREN)
-            parse_missing_value(p);
-    }
-    expect_close(p, open);
-}
-
 const char *ast_function_usage(const SmBuiltinInfo *fn)
 {
     static const char *const usage[] = {"()", "(x)", "(a, b)", "(x, lo, hi)"};
@@ -137,7 +120,19 @@ static AstExpr *parse_call(Parser *p)
     parser_advance(p);
     open = parser_token_span(p);
     parser_advance(p);
-    parse_arguments(p, e, open);
+    p->parens++;
+    while (p->tok.kind != TOK_RPAREN) {                // if there are no arguments, the checker reports how many are required
+        AstExpr *a = parse_level(p, 1);
+        vec_push(p->arena, e->args, a);
+        if (a->depth >= e->depth)
+            e->depth = a->depth + 1;
+        if (p->failed || p->tok.kind != TOK_COMMA)
+            break;
+        parser_advance(p);
+        if (p->tok.kind == TOK_RPAREN)
+            parse_missing_value(p);
+    }
+    expect_close(p, open);
     e->span = parser_span_since(p, e->span.at);
     if (p->failed)                                     // the intended number of arguments is unknown
         e->kind = AST_ERROR;
@@ -236,17 +231,6 @@ static bool is_equality(const AstExpr *e)
     return e->kind == AST_BINARY && (e->op == SM_OP_EQ || e->op == SM_OP_NE);
 }
 
-// Reports e, which is a == b == c: its left operand is an equality too.
-static void report_equality_chain(Parser *p, const AstExpr *e)
-{
-    const AstExpr *a = e->a;
-    Diag *d = parser_report(p, DIAG_equality_chain, ast_op_span(e), sm_op_info[a->op].spelling, sm_op_info[e->op].spelling);
-
-    diag_label(p->diags, d, DIAG_label_did_you_mean,
-               format_in(p->arena, "%s and %s %s %s", parser_text(p, a->span), parser_text(p, a->b->span),
-                         sm_op_info[e->op].spelling, parser_text(p, e->b->span)));
-}
-
 static AstExpr *new_binary(Parser *p, SmOperator op, Span op_span, AstExpr *a, AstExpr *b)
 {
     AstExpr *e = new_expr(p, AST_BINARY, a->span);
@@ -256,8 +240,12 @@ static AstExpr *new_binary(Parser *p, SmOperator op, Span op_span, AstExpr *a, A
     e->a = a;
     e->b = b;
     e->span = parser_span_since(p, a->span.at);
-    if (is_equality(e) && is_equality(a) && !is_equality(a->a) && !p->failed)
-        report_equality_chain(p, e);
+    if (is_equality(e) && is_equality(a) && !is_equality(a->a) && !p->failed) {            // a == b == c
+        Diag *d = parser_report(p, DIAG_equality_chain, op_span, sm_op_info[a->op].spelling, sm_op_info[op].spelling);
+        diag_label(p->diags, d, DIAG_label_did_you_mean,
+                   format_in(p->arena, "%s and %s %s %s", parser_text(p, a->span), parser_text(p, a->b->span), sm_op_info[op].spelling,
+                             parser_text(p, b->span)));
+    }
     return check_depth(p, check_depth(p, e, a), b);
 }
 

@@ -44,6 +44,7 @@ static void recover_statement(Parser *p)
     p->failed = false;
 }
 
+// Reports text after a statement on its line, and skips what a failed statement left.
 static void finish_statement(Parser *p)
 {
     if (!p->failed && !parser_at_end_of_statement(p))
@@ -64,6 +65,8 @@ static void report_allow_of_nothing(Parser *p, const AstStmts *list)
     if (last && last->kind == AST_ALLOWED && !p->lost_body)
         parser_report(p, DIAG_allow_of_nothing, last->span);
 }
+
+enum { ITEMS_AT_ONCE = 256 };         // items of a script that are in memory when a visitor receives them
 
 void parse_block(Parser *p, AstStmts *into)
 {
@@ -94,6 +97,8 @@ void parse_block(Parser *p, AstStmts *into)
         if (into->n)
             into->at[into->n - 1]->flawed |= p->diags->errors > errors || claimed;
         p->lost_body |= claimed;
+        if (into == p->visited && into->n == ITEMS_AT_ONCE)
+            parser_visit_items(p);
     }
     report_allow_of_nothing(p, into);
     p->lost_body = lost_body;
@@ -243,13 +248,6 @@ static void recover_guard(Parser *p)
         p->failed = false;
 }
 
-static AstExpr *parse_guard(Parser *p)
-{
-    if (p->tok.first || p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE || parser_at_end_of_block(p))
-        parser_fail(p, DIAG_if_without_guard, parser_span(p, &p->last));
-    return parse_value_of(p, true);
-}
-
 static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *braces, Span *span)
 {
     Span colon = parser_token_span(p);
@@ -257,7 +255,7 @@ static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *
     parser_advance(p);
     if (p->tok.kind == TOK_LBRACE) {
         Diag *d = parser_report(p, DIAG_colon_and_braces, colon);
-        diag_label(p->diags, d, DIAG_label_text, "leave the ':' out");
+        diag_label(p->diags, d, DIAG_label_no_colon);
         diag_edit(p->diags, d, colon, "");
         *braces = true;
         parse_braces(p, into, span);
@@ -276,18 +274,11 @@ static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *
     *span = parser_span_since(p, into->n ? into->at[0]->span.at : colon.at);
 }
 
-static bool may_begin_statement(const Parser *p)
-{
-    return !p->tok.first && (p->tok.kind == TOK_ARROW || p->tok.kind == TOK_NAME || p->tok.kind == TOK_ANNOTATION ||
-                             p->tok.kind == TOK_IF);
-}
-
 // Reports a value, or a guard after `if`, that has no body.
 static void report_lone_value(Parser *p, AstExpr *e)
 {
     if (p->has_if)
-        diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p)), DIAG_label_text,
-                   "insert '{', and write '}' below the statements that depend on it");
+        diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p)), DIAG_label_insert_braces);
     else if (p->kind == FILE_SM && (e->kind == AST_NAME || e->kind == AST_CALL))
         e->alone = true;                      // the checker knows what is declared, and reports it
     else
@@ -307,7 +298,8 @@ static void parse_bare_body(Parser *p, const AstStmt *s, AstStmts *into)
         else
             hint_explain(p, HINT_AT_END, NULL);
     }
-    if (!p->failed && may_begin_statement(p))
+    if (!p->failed && !p->tok.first &&
+        (p->tok.kind == TOK_ARROW || p->tok.kind == TOK_NAME || p->tok.kind == TOK_ANNOTATION || p->tok.kind == TOK_IF))
         parse_statement(p, into);
     else
         p->failed = true;
@@ -330,12 +322,13 @@ static void parse_body(Parser *p, const AstStmt *s, AstStmts *into, bool *braces
     }
 }
 
+// Reports a nested or an empty conditional of a script, unless an error inside it has been reported.
 static void check_script_conditional(Parser *p, const AstStmt *s, size_t errors)
 {
     if (!in_script(p) || p->diags->errors > errors)
         return;
     if (p->nesting > 1)
-        diag_label(p->diags, parser_report(p, DIAG_script_nested, s->span), DIAG_label_text, "join the conditions with 'and'");
+        diag_label(p->diags, parser_report(p, DIAG_script_nested, s->span), DIAG_label_join_conditions);
     else if (s->arms->then.n == 0)
         parser_report(p, DIAG_script_empty, s->span);
 }
@@ -348,8 +341,7 @@ static AstStmt *parse_else(Parser *p, AstStmt *s)
     s->arms->has_else = true;
     s->arms->else_span = parser_token_span(p);
     if (in_script(p))
-        diag_label(p->diags, parser_report(p, DIAG_script_else, s->arms->else_span), DIAG_label_text,
-                   "write the opposite as a condition: not (...)");
+        diag_label(p->diags, parser_report(p, DIAG_script_else, s->arms->else_span), DIAG_label_script_else);
     parser_advance(p);
     if (p->tok.kind == TOK_IF && !p->tok.first)
         return add_stmt(p, AST_IF, &s->arms->otherwise);
@@ -369,8 +361,10 @@ static void parse_branches(Parser *p, AstStmt *s)
         p->has_if = p->tok.kind == TOK_IF;
         if (p->has_if)
             parser_advance(p);
+        if (p->has_if && (p->tok.first || p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE || parser_at_end_of_block(p)) && !s->value)
+            parser_fail(p, DIAG_if_without_guard, parser_span(p, &p->last));
         if (!s->value)
-            s->value = p->has_if ? parse_guard(p) : parse_expr(p, false);
+            s->value = p->has_if ? parse_value_of(p, true) : parse_expr(p, false);
         s->span = parser_span_since(p, s->span.at);
         if (p->failed)
             recover_guard(p);

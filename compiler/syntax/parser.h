@@ -20,6 +20,8 @@ typedef struct Parser {
     StrPool *strings;
     Diags *diags;
     FileKind kind;
+    const ScriptVisitor *visitor; // receives the items of a script; NULL: they become part of the tree
+    AstStmts *visited;            // the items of the current section that the visitor has not received; NULL: there is no visitor
     bool failed;                  // reports are dropped until the next statement
     bool lost_body;               // in this block a conditional lost statements, so its `else` will look misplaced
     bool stopped;                 // parsing was abandoned: every further token is TOK_END, and nothing more is reported
@@ -68,6 +70,7 @@ void parser_label_annotations(Parser *p, Diag *d, const char *const *here, size_
 AstExpr *parse_expr(Parser *p, bool is_guard);          // begins with the next token, on whatever line
 AstExpr *parse_value_of(Parser *p, bool is_guard);      // the same, but must begin on this line
 void parse_block(Parser *p, AstStmts *into);            // statements up to }, a label, a header or the end
+void parser_visit_items(Parser *p);                     // passes the parsed items to the visitor, and frees them
 void parse_decls(Parser *p, AstSection *s);
 void parse_options(Parser *p, AstSection *s);
 // Parses all annotations that follow; `owner` is the name of what they annotate.

@@ -25,6 +25,7 @@ extern "C" {
 // Buffer size in bytes for one frame to send, including COBS and the zero, or for one frame to receive.
 #define LINK_ROOM(body) (LINK_HEAD + (body) + LINK_TAIL + 2u)
 #define LINK_ANSWER   0x80u
+#define LINK_TRIAL_END 8u     // IMAGE: factor of the two bits with the end of a trial (store.h)
 #define LINK_WINDOWS  0x80u   // HELLO: flag in the byte with the number of machines: they may have windows
 
 typedef enum LinkMessage {

@@ -69,7 +69,7 @@ SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *
 // ---- all ----
 
 // The local address of the socket, with the port that the platform chose.
-SmResult pal_socket_own(PalSocket socket, PalAddress *own);
+SmResult pal_socket_local_address(PalSocket socket, PalAddress *own);
 
 // Closes the socket.  The peer of a stream still receives bytes sent earlier, if the network delivers them.
 SmResult pal_socket_close(PalSocket socket);

@@ -19,9 +19,11 @@ mkdir -p "$dir/libraries" "$dir/core" || exit 1
 
 field() { sed -n "s/^$1=//p" "$library/library.properties"; }
 json() { sed -n "s/^  \"$1\": \"\([^\"]*\)\".*/\1/p" "$library/library.json"; }
-for f in name version author maintainer sentence paragraph category url architectures includes dot_a_linkage; do
+for f in name version author maintainer sentence paragraph category architectures includes dot_a_linkage; do
     check "library.properties says $f, once" test "$(field $f | grep -c .)" = 1
 done
+check "library.properties has a url, that of the project or none" sh -c "test \"\$(grep -c '^url=' '$library/library.properties')\" = 1 && test '$(field url)' = '$(json homepage)'"
+check "no address is invented" sh -c "! grep -rn 'example\.org\|](/blob' '$library'"
 check "library.properties has no other line" test "$(wc -l <"$library/library.properties")" = 11
 check "the name is allowed in the index" sh -c "echo '$(field name)' | grep -Eq '^[A-Za-z0-9][A-Za-z0-9 _.-]{0,62}$'"
 check "the category is one that is known" sh -c "echo '$(field category)' |
@@ -85,21 +87,55 @@ sketches()  # CXX FLAGS…
 {
     cxx=$1
     shift
-    for sketch in "$examples"/*/*.ino; do
+    for sketch in "$examples"/Tank*/*.ino; do
         $cxx -x c++ -std=gnu++11 -Os $WARN -Werror "$@" -DARDUINO=10800 -Itests/arduino -I"$src" -include Arduino.h -c "$sketch" -o "$dir/object.o" || return 1
     done
+}
+refuses_firmware()      # CXX FLAGS…: says on which boards it runs
+{
+    cxx=$1
+    shift
+    ! $cxx -x c++ -std=gnu++11 "$@" -DARDUINO=10800 -Itests/arduino -I"$src" -include Arduino.h -fsyntax-only "$examples/Firmware/Firmware.ino" 2>"$dir/refused.txt" &&
+        grep -q '#error "smc.s firmware runs on an Uno, a Nano or a Pro Mini (ATmega328P) and on a Mega (ATmega2560), at 16 or 8 MHz' "$dir/refused.txt"
 }
 board()     # NAME CC CXX FLAGS…
 {
     name=$1 cc=$2 cxx=$3
     shift 3
     if has "$cc"; then check "the library for $name" compiles "$cc" "$@"; else skip "no $cc here (apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi gcc-avr avr-libc)"; fi
-    if has "$cxx"; then check "the sketches for $name" sketches "$cxx" "$@"; else skip "no $cxx here"; fi
+    if ! has "$cxx"; then
+        skip "no $cxx here"
+        return
+    fi
+    check "the sketches for $name" sketches "$cxx" "$@"
+    check "Firmware for $name is refused" refuses_firmware "$cxx" "$@"
+}
+# numbers WHERE CC FLAGS…: whether the numbers of TankC are the board's `double` or are computed in software
+numbers()
+{
+    where=$1 cc=$2
+    shift 2
+    $cc -std=gnu11 -Os "$@" -DARDUINO=10800 -c "$examples/TankC/tank.c" -o "$dir/tank.o" || return 1
+    case $where in
+    soft) $nm "$dir/tank.o" | grep -q sm_soft_ ;;
+    double) $nm "$dir/tank.o" | grep -q tank_step && ! $nm "$dir/tank.o" | grep -q sm_soft_ ;;
+    esac
 }
 board "Cortex-M0+ (Zero)" arm-none-eabi-gcc arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb
 board "Cortex-M7 (Teensy 4, Giga)" arm-none-eabi-gcc arm-none-eabi-g++ -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard
 board "a Leonardo" avr-gcc avr-g++ -mmcu=atmega32u4 -DF_CPU=16000000UL
 board "a Digispark" avr-gcc avr-g++ -mmcu=attiny85 -DF_CPU=16000000UL
+board "an Uno of 20 MHz" avr-gcc avr-g++ -mmcu=atmega328p -DF_CPU=20000000UL
+if has arm-none-eabi-gcc && has avr-gcc; then
+    nm=arm-none-eabi-nm
+    check "TankC on a Cortex-M7 has doubles" numbers double arm-none-eabi-gcc -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard
+    check "TankC on a Cortex-M0+ has doubles" numbers double arm-none-eabi-gcc -mcpu=cortex-m0plus -mthumb
+    check "TankC on a Cortex-M3 (Due) has soft numbers" numbers soft arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb
+    nm=avr-nm
+    check "TankC on an Uno has soft numbers" numbers soft avr-gcc -mmcu=atmega328p
+else
+    skip "no arm-none-eabi-gcc and avr-gcc here"
+fi
 if has riscv64-unknown-elf-gcc && echo '#include <string.h>' | riscv64-unknown-elf-gcc --specs=picolibc.specs -fsyntax-only -x c - 2>/dev/null; then
     check "the library for RV32 (ESP32-C3)" compiles riscv64-unknown-elf-gcc --specs=picolibc.specs -march=rv32imc -mabi=ilp32
 else
@@ -133,6 +169,20 @@ library_here()
         $CC -std=gnu11 -O1 -I"$src" -c "$src/$f" -o "$dir/$(echo "$f" | tr / _).o" || return 1
     done
     ar rcs "$dir/smc.a" "$dir"/._*.o
+}
+# The sketch with the decoded form of its machine, as docs/arduino.md describes it.
+decoded_here()
+{
+    mkdir -p "$dir/decoded" && cp "$examples/TankImage/"*.h "$dir/decoded" || return 1
+    sed -n '/^```c decoded$/,/^```$/ { /^```/!p; }' docs/arduino.md >"$dir/decoded/lines"
+    test "$(grep -c . "$dir/decoded/lines")" = 4 || return 1
+    { sed -n '1,/^TankSv sv/p' "$examples/TankImage/TankImage.ino" && sed -n 1,2p "$dir/decoded/lines" &&
+        sed '1,/^TankSv sv/d' "$examples/TankImage/TankImage.ino" | awk -v start="$(sed -n 3p "$dir/decoded/lines")" -v step="$(sed -n 4p "$dir/decoded/lines")" '
+            /return smvm_init/ { sub(/return/, "const int why_not ="); print; print "    if (why_not != 0)\n        return why_not;"; print start; next }
+            /smvm_step/ { print step; next }
+            { print }'; } >"$dir/decoded/TankImage.ino"
+    $CXX $(echo "$CC" | sed 's/^[^ ]* *//') -std=c++11 -O1 -I. -Itests/arduino -I"$src" -x c++ -include Arduino.h "$dir/decoded/TankImage.ino" tests/arduino/host.cpp -x none \
+        "$dir/smc.a" -o "$dir/decoded/run" && "$dir/decoded/run" >"$dir/decoded/here" && cmp "$dir/decoded/here" "$dir/TankImage.expected"
 }
 on_this_computer()
 {
@@ -190,7 +240,7 @@ firmware()
     line=$!
     for _ in 1 2 3 4 5 6 7 8 9; do [ -s "$dir/eeprom.line" ] || sleep 0.3; done
     port=--port=$(cat "$dir/eeprom.line")
-    "$build/smc" flash "$dir/tank.smb" "$port" --confirm && "$build/smc" device list "$port" | grep -q confirmed
+    "$build/smc" flash "$dir/tank.smb" "$port" --speed=$speed --confirm && "$build/smc" device list "$port" --speed=$speed | grep -q confirmed
     code=$?
     kill $line
     return $code
@@ -207,11 +257,13 @@ has_room_for_stack()
 check "the library for this computer" library_here
 example TankC uno mega
 example TankImage uno mega
-for chip in atmega328p atmega2560; do
+if has "$CXX"; then check "TankImage with the decoded form, on this computer" decoded_here; else skip "no $CXX here"; fi
+for board in uno mega:cpu=atmega2560 pro:cpu=8MHzatmega328; do
     [ $emulates = 1 ] || break
     rm -rf "$dir/made"
     mkdir "$dir/made"
-    board=$(case $chip in atmega328p) echo uno ;; *) echo mega:cpu=$chip ;; esac)
+    chip=$(case $board in mega*) echo atmega2560 ;; *) echo atmega328p ;; esac)
+    if [ $board = pro:cpu=8MHzatmega328 ]; then speed=57600; export F_CPU=8000000; else speed=115200; export F_CPU=16000000; fi
     check "Firmware for $board builds" arduino "$board" Firmware
     echo "Firmware on $board: $(sizes)"
     check "Firmware on $board" firmware $chip

@@ -3,9 +3,10 @@
 // garbage until then.  It can be killed at any time, as by a power cut, and started again: the EEPROM is stored in a file.
 //   board LINE MEMORY         LINE: a terminal device, or "-": it makes one and writes its name to MEMORY.line
 //     FIRMWARE, MCU           in the environment: an ELF file and its processor
+//     F_CPU                   its clock in Hz, 16000000; a board of 8000000 has 3.3 V and a line of 57600 bits per second
 //     PLANT                   the simulated surroundings: none, tank, rocket (plants.c); time advances there while a file MEMORY.go exists
 //     SPEED                   how many times faster than real time it may run; 1
-// While there is a file MEMORY.armed the arming plug is pulled.  When it is ended by SIGTERM it prints statistics.
+// While there is a file MEMORY.armed the arming plug is pulled.  When it is ended by SIGTERM or SIGINT it prints statistics.
 #define _XOPEN_SOURCE 700
 #define _DEFAULT_SOURCE
 #include <fcntl.h>
@@ -31,11 +32,13 @@
 #include "tests/avr/plants.h"
 
 enum {
-    HERTZ = 16000000, BAUD = 115200, BYTE = HERTZ / BAUD * 10, EEPROM_US = 3400, QUEUE = 4096,
+    EEPROM_US = 3400, QUEUE = 4096,
     EECR = 0x3F, EEDR = 0x40, EEARL = 0x41, EEARH = 0x42, EERE = 1, EEPE = 2, EEMPE = 4, GPIOR0 = 0x3E, ARM_PIN = 7, PAINT = 0xA5
 };
 
 static avr_t *avr;
+static uint32_t hertz, byte_cycles;   // byte_cycles: of a byte on the line
+static unsigned millivolts;           // the supply
 static int line;
 static const char *memory_path;
 static uint8_t *eeprom;               // the file
@@ -52,7 +55,7 @@ static void say_errors(struct avr_t *a, const int level, const char *format, va_
     (void)a;
     if (level > LOG_ERROR)
         return;
-    fprintf(stderr, "%.4f s: ", avr ? (double)avr->cycle / HERTZ : 0);
+    fprintf(stderr, "%.4f s: ", avr ? (double)avr->cycle / hertz : 0);
     vfprintf(stderr, format, args);
 }
 
@@ -158,7 +161,7 @@ void board_set_pin(unsigned pin, bool level)
 void board_set_volts(unsigned channel, double volts)
 {
     avr_raise_irq(avr_io_getirq(avr, AVR_IOCTL_ADC_GETIRQ, (int)(ADC_IRQ_ADC0 + channel)),
-                  volts < 0 ? 0 : volts > 5 ? 5000 : (uint32_t)(volts * 1000 + 0.5));
+                  volts < 0 ? 0 : volts * 1000 > millivolts ? millivolts : (uint32_t)(volts * 1000 + 0.5));
 }
 
 // ---- the line ----
@@ -185,7 +188,7 @@ static avr_cycle_count_t bring(struct avr_t *a, avr_cycle_count_t when, void *pa
         memmove(queue, queue + 1, --queued);
     }
     (void)param;
-    return when + (queued > 0 ? BYTE : 8 * BYTE);
+    return when + (queued > 0 ? byte_cycles : 8 * byte_cycles);
 }
 
 static bool open_line(const char *name)
@@ -216,14 +219,14 @@ static avr_cycle_count_t millisecond(struct avr_t *a, avr_cycle_count_t when, vo
 {
     static bool gone;
 
-    if (when / (HERTZ / 1000) % 64 == 0) {
+    if (when / (hertz / 1000) % 64 == 0) {
         board_set_pin(ARM_PIN, there_is("armed"));
         gone = there_is("go");
     }
     if (plant)
         plant->step(gone ? 0.001 : 0);
     (void)a, (void)param;
-    return when + HERTZ / 1000;
+    return when + hertz / 1000;
 }
 
 static uint64_t wall(void)            // µs
@@ -284,6 +287,15 @@ static unsigned deepest(void)
 
 static void on_end(int number) { (void)number, ended = 1; }
 
+static void read_clock(const char *text)
+{
+    const bool slow = text && strcmp(text, "8000000") == 0;
+
+    hertz = slow ? 8000000 : 16000000;
+    byte_cycles = hertz / (slow ? 57600 : 115200) * 10;
+    millivolts = slow ? 3300 : 5000;
+}
+
 static bool start(const char *elf, const char *mcu)
 {
     elf_firmware_t firmware = {0};
@@ -294,17 +306,17 @@ static bool start(const char *elf, const char *mcu)
     if (avr == NULL || elf_read_firmware(elf, &firmware) != 0)
         return false;
     avr_init(avr);
-    firmware.frequency = HERTZ;
+    firmware.frequency = hertz;
     avr_load_firmware(avr, &firmware);
     paint(&firmware);
-    avr->vcc = avr->avcc = avr->aref = 5000;
+    avr->vcc = avr->avcc = avr->aref = millivolts;
     avr->sleep = nap;
     avr_ioctl(avr, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
     avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUTPUT), on_sent, NULL);
     avr_register_io_write(avr, EECR, on_eecr, NULL);
     avr_register_io_write(avr, GPIOR0, on_step, NULL);
-    avr_cycle_timer_register(avr, BYTE, bring, NULL);
-    avr_cycle_timer_register(avr, HERTZ / 1000, millisecond, NULL);
+    avr_cycle_timer_register(avr, byte_cycles, bring, NULL);
+    avr_cycle_timer_register(avr, hertz / 1000, millisecond, NULL);
     return true;
 }
 
@@ -319,14 +331,16 @@ int main(int argc, char **argv)
     srand((unsigned)getpid());
     speed = getenv("SPEED") ? strtoul(getenv("SPEED"), NULL, 10) : 1;
     plant = plant_named(getenv("PLANT"));
+    read_clock(getenv("F_CPU"));
     signal(SIGTERM, on_end);
+    signal(SIGINT, on_end);
     if (!start(elf, mcu) || !open_eeprom() || !open_line(argv[1]))
         return fprintf(stderr, "the board cannot be run\n"), 3;
     while (!ended && state != cpu_Done && state != cpu_Crashed)
         state = avr_run(avr);
     printf("%.3f s, %llu steps, %llu cycles on average, %llu at most, %lu bytes of EEPROM written, "
            "%u bytes of stack, %u free\n",
-           (double)avr->cycle / HERTZ, (unsigned long long)seen.steps, (unsigned long long)(seen.steps ? seen.sum / seen.steps : 0),
+           (double)avr->cycle / hertz, (unsigned long long)seen.steps, (unsigned long long)(seen.steps ? seen.sum / seen.steps : 0),
            (unsigned long long)seen.most, seen.written, deepest(), avr->ramend + 1u - stack_from - deepest());
     if (plant)
         plant->report();

@@ -126,6 +126,16 @@ fly_rocket() {
     count awk '/^rocket:/ { seen = $7 > $3 - 15 && $14 > 80 && $14 < 101 } END { exit !seen }' "$D/rocket.mem.said"
 }
 
+# With one slot, an update without a permit of the key does not stop the machine.  (The permit ends 24 bytes before the image does.)
+keeps_its_machine() {
+    [ $MCU = atmega328p ] || return 0
+    cp "$D/signed.smb" "$D/stops.smb" && "$B/device/link" forge "$D/stops.smb" 25 || exit 1
+    text='the update was not begun: the board accepts only images that are signed with its key'
+    count says "$smc" flash "$D/stops.smb" "$port"
+    text='slot 0: .*, runs, confirmed'
+    count says "$smc" device list "$port"
+}
+
 # A board with a key accepts an image signed with it, once.
 fly_signed() {
     rm -f "$D/signed.mem"* "$D/rocket.key" "$D/other.key"
@@ -148,6 +158,7 @@ fly_signed() {
     count says "$smc" flash "$D/signed.smb" "$port"
     "$smc" sign "$D/signed.smb" --key="$D/rocket.key" --number=8 && "$B/device/link" forge "$D/signed.smb" || exit 1
     rest_on_uno signed
+    keeps_its_machine
     text='the image was not accepted: the board accepts only images that are signed with its key'
     for i in 1 2; do                           # and is no more chosen for having come before
         count says "$smc" flash "$D/signed.smb" "$port"
@@ -155,6 +166,44 @@ fly_signed() {
     text='slot .: [0-9]* bytes.*, chosen, but'
     count says_not "$smc" device list "$port"
     count board_off >"$D/signed.said" 2>&1
+}
+
+# A Pro Mini of 3.3 V and 8 MHz: a period is as long as on an Uno, and a voltage is measured as what it is.
+fly_slow() {
+    [ $MCU = atmega328p ] || return 0
+    export PLANT=tank F_CPU=8000000
+    rm -f "$D/slow.mem"*
+    $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU FIRMWARE_OUT="$D/slow" || exit 1
+    FIRMWARE=$D/slow/$MCU.elf board_on "$D/slow.mem"
+    text=', a step every 10 ms, of up to 7200 cycles in each of them'
+    count says "$smc" device info "$port" --speed=57600
+    count "$smc" flash "$D/tank.smb" "$port" --speed=57600 --confirm --period=5 >"$D/slow.out" 2>&1
+    touch "$D/slow.mem.go"
+    sleep 4
+    count board_off
+    count awk '/steps/ { seen = $3 > 150 * $1 && $3 < 201 * $1 } END { exit !seen }' "$D/slow.mem.said"
+    count awk '/^tank:/ { seen = $4 >= 699 && $6 > 770 && $6 <= 800 && $10 > 2 } END { exit !seen }' "$D/slow.mem.said"
+    unset F_CPU
+}
+
+# A Mega stores transitions in EEPROM, where they survive a power failure.  No step waits for that: a byte of EEPROM takes 54,400 cycles.
+fly_logged() {
+    [ $MCU = atmega2560 ] || return 0
+    rm -f "$D/logged.mem"*
+    board_on "$D/logged.mem"
+    count "$smc" flash "$D/toggle.smb" "$port" --period=5 --confirm >"$D/logged.out" 2>&1
+    touch "$D/logged.mem.go"
+    sleep 3
+    kill -9 "$board"
+    board_on "$D/logged.mem"
+    touch "$D/logged.mem.go"
+    "$smc" device log "$port" >"$D/logged.out" 2>&1
+    text='^stored by image [0-9a-f]*, from earlier starts too:$'
+    count says cat "$D/logged.out"
+    count awk '/^stored/ { stored = 1 } /^since/ { stored = 0 } stored && / s  STATE of machine 0, from [123], to [123]$/ { n++ } END { exit n < 60 }' "$D/logged.out"
+    sleep 2
+    count board_off
+    count awk '/steps/ { seen = $3 > 50 && $9 > 0 && $9 < 20000 } / EEPROM written/ { for (i = 2; i < NF; i++) if ($(i) == "bytes" && $(i + 2) == "EEPROM") wrote = $(i - 1) } END { exit !(seen && wrote > 100) }' "$D/logged.mem.said"
 }
 
 # As much stack as can be had: averages in the steps, and images verified beside them.
@@ -224,6 +273,8 @@ build twice "$D/tank.sm" --sv tests/avr/tank.sv --io "$D/twice.io"
 sed 's/o 8/o 7/' tests/avr/tank.io >"$D/plug.io"
 printf '[state_vector]\nU64 time @alias G\nU32 state @alias S\nF64 tankPressure\nbool valveOpen\n[Deep] .step\n    valveOpen = roll_avg(tankPressure, 40) > 3\n' >"$D/deep.sm"
 build deep "$D/deep.sm" --sv tests/avr/tank.sv --io tests/avr/tank.io
+printf '[state_vector]\nU64 time @alias G\nU32 state @alias S\n[A] @safe .step\n    T >= 20: -> B\n[B] @safe .step\n    T >= 20: -> C\n[C] @safe .step\n    T >= 20: -> A\n' >"$D/toggle.sm"
+build toggle "$D/toggle.sm"
 build plug "$D/tank.sm" --sv tests/avr/tank.sv --io "$D/plug.io"
 for MCU in ${BOARDS:-atmega2560 atmega328p}; do
     export MCU FIRMWARE=$D/$MCU.elf
@@ -239,6 +290,8 @@ for MCU in ${BOARDS:-atmega2560 atmega328p}; do
     fly_deep
     fly_signed
     fly_wrong_pins
+    fly_slow
+    fly_logged
 done
 echo "firmware: $passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ] && [ $((passed + skipped)) -gt 0 ]

@@ -37,7 +37,8 @@ typedef struct PinsBox {
     int8_t result;            // out
 } PinsBox;
 
-// psl.c: the checks that held and did not, and the line of the first that did not.
+// psl.c: a timer of PSL_SLEEP ms, whose cycles are counted.  Then the checks that held and did not, and the line of the first that did not.
+enum { PSL_SLEEP = 50 };
 typedef struct PslBox { uint16_t passed, failed, line; } PslBox;
 
 // auth.c: whether an image in flash is signed with a key.

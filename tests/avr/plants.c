@@ -5,7 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
-// ---- a tank that is filled all the time and has a vent valve; its transducer outputs 0 to 5 V for 0 to 1250 psi ----
+// ---- a tank that is filled up to SUPPLY psi and has a vent valve; its transducer outputs 0 to 5 V for 0 to 1250 psi ----
+
+#define SUPPLY 820.0                 // above the warning, below the abort threshold of examples/tank
 
 static struct { double time, psi, lowest, highest; unsigned opened; bool open; } tank = {0, 700, 1e9, 0, 0, false};
 
@@ -14,7 +16,8 @@ static void tank_step(double s)
     const bool open = board_pin(8);
 
     tank.time += s;
-    tank.psi += (open ? -60 : 25) * s;
+    tank.psi += (open ? -60 : tank.psi < SUPPLY ? 25 : 0) * s;
+    tank.psi = tank.psi < 0 ? 0 : tank.psi;
     tank.opened += open && !tank.open;
     tank.open = open;
     if (tank.time > 0.1) {

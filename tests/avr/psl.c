@@ -2,6 +2,7 @@
 // Firmware: calls of the platform layer, checked on the chip itself: what a pin that is opened for another use still does, and results
 // that need no other end of a line.
 #include "runtime-c/pal/aio.h"
+#include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/dio.h"
 #include "runtime-c/pal/serial.h"
 #include "runtime-c/psl/avr/avr.h"
@@ -99,7 +100,22 @@ static void sending(void)
     CHECK(pal_serial_close(line) == SM_OK);
 }
 
-static void act(void)
+// The clock counts in true milliseconds, whatever the chip's frequency is.
+static void sleep_on_clock(void) { (void)pal_clock_sleep_until(pal_clock_now() + PSL_SLEEP * (uint64_t)PAL_MILLISECOND); }
+
+// The supply is 5 V at 16 MHz, 3.3 V at 8 MHz.
+static void analog_range(void)
+{
+    PalAio channel = {0};
+    PalAioInfo info = {0};
+
+    CHECK(pal_aio_open(&channel, 9, PAL_AIO_OUTPUT) == SM_OK && pal_aio_info(channel, &info) == SM_OK);
+    CHECK(info.lowest == 0 && info.highest == (F_CPU == 8000000 ? 3300000 : 5000000));
+    CHECK(pal_aio_write(channel, info.highest / 2) == SM_OK && (OCR1A == 127 || OCR1A == 128));
+    CHECK(pal_aio_close(channel) == SM_OK);
+}
+
+static void run_checks(void)
 {
     for (uint8_t i = 0; i < PWMS; i++) {
         analog_to_digital(i, PAL_DIO_INPUT, false);
@@ -111,7 +127,14 @@ static void act(void)
         digital_to_analog(channel, PAL_DIO_OUTPUT);
         digital_to_analog(channel, PAL_DIO_PULL_UP);
     }
+    analog_range();
     sending();
 }
 
-int main(void) { mailbox_serve(&box, act, 0); }
+int main(void)
+{
+    uint64_t resolution;
+
+    (void)pal_clock_resolution(&resolution);           // starts the clock
+    mailbox_serve(&box, sleep_on_clock, run_checks);
+}

@@ -120,9 +120,13 @@ $CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr
 "$1/smc" build -w tests/avr/pins.sm --sv tests/avr/pins.sv --io tests/avr/pins.io -o "$B/pins.smb" || exit 1
 "$1/smc" build -w examples/tank/tank.sm --sv tests/avr/tank.sv --io tests/avr/tank.io -o "$B/tank_pins.smb" || exit 1
 count "$B/run_pins" "$B/pins.elf" 200 "$B/pins.smb" "$B/tank_pins.smb"
-# The platform layer: pins that are opened for another use, and results.
-avr psl -DF_CPU=16000000UL tests/avr/psl.c runtime-c/psl/avr/*.c || exit 1
+# The platform layer at each clock: time, pins that are opened for another use, and results.
 $CC -std=gnu99 -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_psl.c -o "$B/run_psl" -lsimavr -lelf || exit 1
-count "$B/run_psl" "$B/psl.elf"
+for hertz in 16000000 8000000; do
+    avr psl -DF_CPU=${hertz}UL tests/avr/psl.c runtime-c/psl/avr/*.c || exit 1
+    count "$B/run_psl" "$B/psl.elf" $hertz
+done
+refuses_clock() { ! avr psl -DF_CPU=$1 tests/avr/psl.c runtime-c/psl/avr/*.c 2>"$B/clock.txt" && grep -q 'error "smc: build with -DF_CPU=16000000UL or' "$B/clock.txt"; }
+count refuses_clock 20000000UL
 echo "avr: $passed passed, $failed failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

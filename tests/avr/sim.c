@@ -58,7 +58,9 @@ bool sim_open_flash(Sim *s, const char *mcu, const uint8_t *flash, uint32_t n)
     return true;
 }
 
-bool sim_open(Sim *s, const char *elf)
+bool sim_open(Sim *s, const char *elf) { return sim_open_at(s, elf, HERTZ); }
+
+bool sim_open_at(Sim *s, const char *elf, uint32_t hertz)
 {
     elf_firmware_t firmware = {0};
     avr_t *avr = make(s, "atmega328p");
@@ -67,7 +69,7 @@ bool sim_open(Sim *s, const char *elf)
         fprintf(stderr, "%s: cannot be run\n", elf);
         return false;
     }
-    firmware.frequency = HERTZ;
+    firmware.frequency = hertz;
     avr_load_firmware(avr, &firmware);
     avr_register_io_write(avr, GPIOR0, on_write, s);
     return true;

@@ -13,6 +13,7 @@ typedef struct Sim {
 } Sim;
 
 bool sim_open(Sim *s, const char *elf);               // prints the reason on standard error
+bool sim_open_at(Sim *s, const char *elf, uint32_t hertz);     // the same chip with another clock than 16 MHz
 bool sim_open_flash(Sim *s, const char *mcu, const uint8_t *flash, uint32_t n);     // another chip of the family
 void sim_connect(Sim *s);                             // the firmware's console (console.c) to standard input and output; `begin`: when it was last used
 bool sim_until_ready(Sim *s);                         // false: it has stopped, or needs more than a second

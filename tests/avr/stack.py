@@ -21,7 +21,7 @@ CALLS = [
     ("answer_hello|main", "may_update"),
     ("main", "answer_(pin|hello|image|begin|data|end|activate|confirm|erase|read|restart|events)"),
     ("answer_begin", "leave_slot"),
-    ("write_memory|main", "may_write"),
+    ("write_memory|avr_eeprom_begin_write|main", "may_write"),
     ("authenticate|is_intact|answer_end|answer_confirm", "is_authentic"),     # called through Store.is_authentic
     (r"__vector_\d+", "on_tick"),
 ]

@@ -39,22 +39,28 @@ static inline uint32_t rng_below(Rng *r, uint32_t n) { return (uint32_t)(rng_nex
 
 typedef struct Workload {
     const char *name;
-    const char *sm;                     // the machine; its state vector is workloads/NAME.sv
+    const char *sm;                     // the machine, unless it is workloads/NAME.sm; its state vector is workloads/NAME.sv
     size_t in_size, sv_size;            // bytes: of an input, of the state vector
     unsigned steps, warm;               // an episode: the number of steps from init on, of which the first `warm` are not measured
-    unsigned episodes;                  // the number of different episodes
     unsigned count, check;              // steps after the warm ones when instructions are counted; steps that are checked
     unsigned other;                     // an episode with another sequence of states than the first, which is checked too; or 0
     void (*inputs)(Rng *r, void *in, unsigned n, unsigned episode);
-    const Row *row;                     // empty, native, f64, C at -O0 to -O2
-    void (*drive_vm)(void *machine, void *sv, const void *in, size_t n);     // machine: an SmVm
-    void (*drive_fast)(void *machine, void *sv, const void *in, size_t n);   // machine: an SmvmDecoded
-    void (*drive_ref)(void *machine, void *sv, const void *in, size_t n);    // machine: a Reference
+    const Row *row;                     // those in C
+    void (*drive_in_place)(void *machine, void *sv, const void *in, size_t n);   // machine: an SmVm
+    void (*drive_decoded)(void *machine, void *sv, const void *in, size_t n);    // machine: an SmvmDecoded
+    void (*drive_ref)(void *machine, void *sv, const void *in, size_t n);        // machine: a Reference
 } Workload;
 
-enum { ROWS = 6 };                      // of Workload.row
+enum {
+    ROWS = 7,                           // of Workload.row: empty, native, f64, C at -O0 to -O2, C at -O2 by cc -Os
+    EPISODES = 8,                       // different ones, of each workload
+    MOST_STEPS = 6500,                  // of an episode
+};
 
-extern const Workload workload_tank, workload_mission, workload_arith, workload_bigwindow;
+// Each workload is in this list, and in WORKLOADS of tests.mk.
+#define EACH_WORKLOAD(X) X(tank) X(mission) X(arith) X(bigwindow) X(seq40) X(big200) X(intcount) X(f32filter) X(vote) X(decide) X(ledger) X(redlines)
+#define DECLARE_WORKLOAD(w) extern const Workload workload_##w;
+EACH_WORKLOAD(DECLARE_WORKLOAD)
 
 void bench_nothing(void *machine, void *sv);                    // the step of the row `empty`
 void bench_reference_step(void *reference, void *sv);

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // How fast the compiler is: to bytecode, from memory to memory, as the command does it, warnings and all; and how long a C
-// compiler needs for the emitted C.  "value" records on standard output.
+// compiler needs for the emitted C; how long `smc test` needs for long scripts.  "value" records on standard output.
 //
-//     compile CC FOLDER      FOLDER: where files may be written
+//     compile CC FOLDER SMC      FOLDER: where files may be written; SMC: the command
 #define _POSIX_C_SOURCE 200809L
 #define _DEFAULT_SOURCE                   // for the fields of getrusage
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "tests/bench/shapes.h"
 
@@ -94,6 +96,39 @@ static void extremes(void)
     }
 }
 
+// Ordinary input of many kinds, with warnings, at the default level.
+static void shapes_at_default(void)
+{
+    static const struct { const char *name; unsigned n; } ordinary[] = {
+        {"mission", 2500}, {"guards", 10000}, {"conditionals", 20000}, {"elements", 8000}, {"windows", 4000},
+    };
+
+    for (size_t i = 0; i < sizeof ordinary / sizeof ordinary[0]; i++) {
+        const Cost c = best(ordinary[i].name, ordinary[i].n, 2, 3);
+        printf("value compile lines-%s-O2 %.0f lines/s\n", ordinary[i].name, c.lines / c.seconds);
+    }
+}
+
+// Sizes that could take minutes or all memory are reached in steps, and only while the step before leaves room for a quadratic next.
+#define ROOM 2.0                  // seconds
+static const double room_memory = 400e6;
+
+static void states_by_locals(void)
+{
+    const Shape *shape = shape_find("states_locals");
+    Cost c = {0, 0, 0};
+    unsigned n = 250;
+
+    for (; n <= 2000 && c.seconds < ROOM && (double)c.memory < room_memory; n *= 2) {
+        if (!compile(shape, n, 2, &c))
+            break;
+        printf("value compile %u-states-%u-locals-time %.3f s\n", n, n, c.seconds);
+        printf("value compile %u-states-%u-locals-memory %.0f MB\n", n, n, (double)c.memory / 1e6);
+    }
+    if (n <= 2000)
+        printf("note compile: %u states with %u locals would take too long: not measured\n", n, n);
+}
+
 // ---- the C compiler ----
 
 static bool write_file(const char *path, const Buf *text)
@@ -143,14 +178,79 @@ static void c_compiler(const char *cc, const char *folder)
     printf("value gcc 1000-states-memory %.0f MB\n", (double)use.ru_maxrss / 1024);
 }
 
+// ---- scripts ----
+
+// Seconds and megabytes that `smc test` takes; false if it fails or exceeds the limit.
+static bool test_script(const char *smc, const char *sm, const char *ss, double *took, double *memory)
+{
+    static const struct rlimit limit = {60, 60};          // s
+    struct rusage use;
+    int status;
+    pid_t pid;
+
+    fflush(NULL);
+    pid = fork();
+    if (pid == 0) {
+        setrlimit(RLIMIT_CPU, &limit);
+        if (!freopen("/dev/null", "w", stdout))
+            _exit(1);
+        execl(smc, smc, "test", "-w", sm, ss, (char *)NULL);
+        _exit(1);
+    }
+    if (pid < 0 || wait4(pid, &status, 0, &use) < 0)
+        return false;
+    *took = of(use.ru_utime) + of(use.ru_stime);
+    *memory = (double)use.ru_maxrss / 1024;
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+static bool write_script(const char *sm, const char *ss, unsigned n)
+{
+    const Shape *shape = shape_find("script_blocks");
+    Buf machine, script;
+    jmp_buf oom;
+    Session s;
+
+    pool_empty();
+    session_init(&s, pool_alloc, NULL, &oom);
+    if (setjmp(oom) != 0)
+        return false;
+    buf_init(&machine, &s.arena);
+    buf_init(&script, &s.arena);
+    shape->write(&machine, n);
+    shape->ss(&script, n);
+    return write_file(sm, &machine) && write_file(ss, &script);
+}
+
+static void scripts(const char *folder, const char *smc)
+{
+    double took = 0, memory = 0;
+    char sm[500], ss[500];
+    unsigned n = 1000;
+
+    snprintf(sm, sizeof sm, "%s/script.sm", folder);
+    snprintf(ss, sizeof ss, "%s/script.ss", folder);
+    for (; n <= 1000000 && took < ROOM && memory < 2 * room_memory / 1e6; n *= 10) {
+        if (!write_script(sm, ss, n) || !test_script(smc, sm, ss, &took, &memory))
+            break;
+        printf("value script %u-blocks-time %.3f s\n", n, took);
+        printf("value script %u-blocks-memory %.0f MB\n", n, memory);
+    }
+    if (n <= 1000000)
+        printf("note script: %u blocks would take too long: not measured\n", n);
+}
+
 // The C compiler first: the memory of this process counts as its children's, too.
 int main(int argc, char **argv)
 {
-    if (argc != 3 || !pool_open())
+    if (argc != 4 || !pool_open())
         return 2;
     c_compiler(argv[1], argv[2]);
+    scripts(argv[2], argv[3]);
     throughput();
     growth();
     extremes();
+    shapes_at_default();
+    states_by_locals();
     return 0;
 }

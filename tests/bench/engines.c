@@ -56,11 +56,11 @@ void compile_workload(CompiledWorkload *c, const Workload *w)
     if (setjmp(oom) != 0)
         give_up(w->name, "out of memory");
     session_init(&c->session, from_heap, NULL, &oom);
-    in.sm = read_source(&c->session, w->sm);
+    in.sm = read_source(&c->session, w->sm ? w->sm : format_in(&c->session.arena, "tests/bench/workloads/%s.sm", w->name));
     in.sv = read_source(&c->session, format_in(&c->session.arena, "tests/bench/workloads/%s.sv", w->name));
     c->program = session_program(&c->session, &in);
     if (!c->program)
-        give_up(w->sm, "does not compile");
+        give_up(w->name, "does not compile");
     if (c->program->sv->size != w->sv_size)
         give_up(w->name, "the state vector has another size than in C");
     for (int level = 0; level < LEVELS; level++)

@@ -7,7 +7,7 @@
 #     value GROUP NAME N UNIT                                                              anything else
 #     note TEXT                                                                            what could not be measured
 /^#/ || NF == 0 { next }
-FNR == NR { goal[++goals] = $0; next }
+FNR == NR { rule[++rules] = $0; next }
 
 $1 == "time" || $1 == "insn" {
     if (!($2 in rows)) { rows[$2] = 0; workload[++workloads] = $2 }
@@ -23,6 +23,7 @@ $1 == "value" { if (!(($2 " " $3) in value)) name[++values] = $2 " " $3; value[$
 $1 == "note" { sub(/^note /, ""); note[++notes] = $0 }
 
 END {
+    read_goals()
     for (i = 1; i <= workloads; i++)
         print_workload(workload[i])
     print_values()
@@ -33,11 +34,11 @@ END {
 }
 
 function print_workload(w,    i, key) {
-    printf "%s%-12s %8s   %8s  %-19s %9s %9s %8s\n", (w == workload[1] ? "" : "\n"), w, "ns/step", "median", "quartiles", "instr.",
+    printf "%s%-13s %8s   %8s  %-19s %9s %9s %8s\n", (w == workload[1] ? "" : "\n"), w, "ns/step", "median", "quartiles", "instr.",
            "/native", "/f64"
     for (i = 1; i <= rows[w]; i++) {
         key = w " " row[w, i]
-        printf "  %-10s %8s   %8s  %-19s %9s %9s %8s\n", row[w, i], short(ns[key]), short(median[key]),
+        printf "  %-11s %8s   %8s  %-19s %9s %9s %8s\n", row[w, i], short(ns[key]), short(median[key]),
                key in timed ? short(quarter[key]) " … " short(three[key]) : "", short(insn[key]),
                short(native[key]), short(f64[key])
     }
@@ -61,11 +62,21 @@ function whole(x) { return x == int(x) ? sprintf("%d", x) : sprintf("%.3g", x) }
 
 # ---- goals ----
 
+# A rule for `*` is a goal of each workload.
+function read_goals(    i, k, g) {
+    for (i = 1; i <= rules; i++)
+        if (split(rule[i], g, /[ \t]+/) && g[2] != "*")
+            goal[++goals] = rule[i]
+        else
+            for (k = 1; k <= workloads; k++)
+                goal[++goals] = g[1] " " workload[k] " " g[3] " " g[4] " " g[5]
+}
+
 # The row of the VM that is the fastest against `native`.
 function best(w,    i, r, found) {
     for (i = 1; i <= rows[w]; i++) {
         r = row[w, i]
-        if (r ~ /^(vm|fast)-/ && (found == "" || native[w " " r] < native[w " " found]))
+        if (r ~ /^(in-place|decoded)-/ && (found == "" || native[w " " r] < native[w " " found]))
             found = r
     }
     return found

@@ -10,6 +10,13 @@
 #include "bytecode-vm/smvm.h"
 #include "tests/bench/bench.h"
 
+// The fields of a Workload that follow from its name.
+#define WORKLOAD(w, W)                                                                                         \
+    .name = #w, .in_size = sizeof(W##In), .sv_size = sizeof(W##Sv), .inputs = inputs, WORKLOAD_DRIVES
+
+#ifndef __wasm__
+#define WORKLOAD_DRIVES .row = row, .drive_in_place = drive_in_place, .drive_decoded = drive_decoded, .drive_ref = drive_ref
+
 #if defined(__GNUC__)
 #define NOINLINE __attribute__((noinline))    // by its name valgrind finds it
 #else
@@ -49,8 +56,9 @@
     EMITTED(c_o0, W##In, W##Sv, W##O0, w##_o0)                                                                 \
     EMITTED(c_o1, W##In, W##Sv, W##O1, w##_o1)                                                                 \
     EMITTED(c_o2, W##In, W##Sv, W##O2, w##_o2)                                                                 \
-    DRIVE(vm, W##In, W##Sv, SmVm, smvm_step)                                                                   \
-    DRIVE(fast, W##In, W##Sv, SmvmDecoded, smvm_step_decoded)                                                  \
+    EMITTED(c_os, W##In, W##Sv, W##Os, w##_os)                                                                 \
+    DRIVE(in_place, W##In, W##Sv, SmVm, smvm_step)                                                             \
+    DRIVE(decoded, W##In, W##Sv, SmvmDecoded, smvm_step_decoded)                                               \
     DRIVE(ref, W##In, W##Sv, void, bench_reference_step)                                                       \
     static const Row row[ROWS] = {                                                                             \
         {"empty", 0, init_empty, drive_empty, 0},                                                              \
@@ -59,6 +67,32 @@
         {"c-O0", sizeof(W##O0), init_c_o0, drive_c_o0, 1},                                                     \
         {"c-O1", sizeof(W##O1), init_c_o1, drive_c_o1, 1},                                                     \
         {"c-O2", sizeof(W##O2), init_c_o2, drive_c_o2, 1},                                                     \
+        {"c-Os", sizeof(W##Os), init_c_os, drive_c_os, 1},                                                     \
     };
+
+#else
+// The row `wasm3`: `f64` with a loop in WebAssembly, on inputs that are in its memory already (wasm.c).
+#define WORKLOAD_DRIVES .row = NULL
+#define EXPORT(name) __attribute__((export_name(#name)))
+
+#define WORKLOAD_ROWS(w, W)                                                                                    \
+    static W##In wasm_in[MOST_STEPS];                                                                          \
+    static W##Sv wasm_sv;                                                                                      \
+    static W##F64 wasm_machine;                                                                                \
+    EXPORT(in) void *in_(void) { return wasm_in; }                                                             \
+    EXPORT(sv) void *sv_(void) { return &wasm_sv; }                                                            \
+    EXPORT(init) void init_(void)                                                                              \
+    {                                                                                                          \
+        memset(&wasm_sv, 0, sizeof wasm_sv);                                                                   \
+        w##_f64_init(&wasm_machine, &wasm_sv);                                                                 \
+    }                                                                                                          \
+    EXPORT(drive) void drive_(unsigned from, unsigned to)                                                      \
+    {                                                                                                          \
+        for (; from < to; from++) {                                                                            \
+            memcpy(&wasm_sv, &wasm_in[from], sizeof wasm_in[from]);                                            \
+            w##_f64_step(&wasm_machine, &wasm_sv);                                                             \
+        }                                                                                                      \
+    }
+#endif
 
 #endif

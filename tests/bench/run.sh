@@ -6,6 +6,7 @@
 #     count     instructions a step, by callgrind
 #     sizes     images, memory, the VM's code
 #     compile   the speed of the compiler, and of gcc on the emitted C
+#     avr       cycles a step on an emulated ATmega328P
 build=$1 cc=$2 parts=$3 workloads=$4
 here=tests/bench dir=$build/bench
 records=$dir/records
@@ -26,6 +27,8 @@ for lua in lua5.4 luajit; do
     command -v $lua >/dev/null 2>&1 || note "$lua is not here: its rows are left out"
 done
 
+grep -q ".!" "$dir/wasm3.txt" || note "wasm3 is not here (tests/bench/README.md): its row is left out"
+
 part_time() {
     for w in $workloads; do
         echo "bench: time of $w" >&2
@@ -43,8 +46,8 @@ record_instructions() {       # record_instructions ROW NONE ALL STEPS
 count_rows() {
     rm -f "$dir"/callgrind.*
     set --
-    for drive in empty native f64 c_o0 c_o1 c_o2 vm fast ref; do
-        set -- "$@" "--dump-after=drive_$drive"
+    for drive in empty native f64 c_o0 c_o1 c_o2 c_os in_place decoded ref wasm; do
+        set -- "$@" "--dump-after=drive_$drive*"
     done
     valgrind --tool=callgrind --callgrind-out-file="$dir/callgrind" --toggle-collect='drive_*' "$@" \
         "$dir/steps" "$dir" count "$w" >"$dir/counted" 2>"$dir/log" || { cat "$dir/log" >&2; exit 1; }
@@ -118,7 +121,12 @@ part_sizes() {
 
 part_compile() {
     echo "bench: compiling" >&2
-    $pin "$dir/compile" "$cc" "$dir" >>"$records" || exit 1
+    $pin "$dir/compile" "$cc" "$dir" "$dir/prefix/bin/smc" >>"$records" || exit 1
+}
+
+part_avr() {
+    echo "bench: ATmega328P" >&2
+    sh $here/avr.sh "$build" "$cc" >>"$records" || exit 1
 }
 
 for part in $parts; do

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the time to compile grows with the size of the input: each shape of machine is compiled at some size and at four
-// times that size, and four times the input may take at most a little more than four times as long.
+// How the time and the memory of compiling, and of running a script, grow with the size of the input.  Each shape is measured at some
+// size and at four times that size: four times the input may take at most a little more than four times as much.
 //
 //     scale            every shape: times per stage, and whether they grow as they should
 //     scale SHAPE N    one shape at size N; prints the machine if N is followed by -p
@@ -17,11 +17,12 @@
 enum { FACTOR = 4 };
 #define MOST_GROWTH 8.0           // what four times the input may cost; 16 would be quadratic
 #define NOISE 0.02                // seconds: shorter times are noise
+#define SMALL_MEMORY 4e6          // bytes: of less, fixed costs and the sizes of blocks are a large part
 
 // ---- measuring ----
 
-enum { STAGES = 8 };
-static const char *const stage_name[STAGES] = {"parse+check", "analysis", "ir -O0", "ir -O2", "image", "C", "graph", "report"};
+enum { STAGES = 9 };
+static const char *const stage_name[STAGES] = {"parse+check", "analysis", "ir -O0", "ir -O2", "image", "C", "graph", "run", "report"};
 
 static double now(void)
 {
@@ -44,6 +45,14 @@ static void draw(Session *s, const Program *p, Buf *out)
     diagram_write_svg(&a, &o, out);
 }
 
+static void run(Session *s, const Program *p, const Script *script)
+{
+    const ScriptOptions o = {1000000, NULL, NULL, true};
+    Engine *ref = engine_ref_open(&s->arena, p);
+
+    script_run(&s->arena, &s->diags, script, &ref, 1, &o);
+}
+
 // All stages.  What they cost is the time between two entries of `at`.
 static void compile(Session *s, const Shape *shape, unsigned n, double *at)
 {
@@ -52,13 +61,14 @@ static void compile(Session *s, const Shape *shape, unsigned n, double *at)
     ImageOptions image = {true, NULL};
     EmitCOptions c;
     IrMachine *m = NULL;
+    Script *script = NULL;
     Buf out, header;
     Program *p;
 
     *at++ = now();
     p = session_program(s, &in);
     if (p && ss)
-        session_script(s, ss, p);
+        script = session_script(s, ss, p);
     memset(&c, 0, sizeof c);
     c.header = "m.h";
     c.source = "m.sm";
@@ -82,6 +92,9 @@ static void compile(Session *s, const Shape *shape, unsigned n, double *at)
     *at++ = now();
     if (p)
         draw(s, p, &out);
+    *at++ = now();
+    if (script)
+        run(s, p, script);
     *at = now();
 }
 
@@ -97,8 +110,11 @@ static void report(Session *s, double *at)
     *at = now();
 }
 
-// Seconds a stage took, into took; false when memory ran out.
-static bool measure(const Shape *shape, unsigned n, double *took)
+// What a size costs: seconds by stage, and bytes at the peak.
+typedef struct Cost { double took[STAGES], bytes; } Cost;
+
+// Returns false when memory ran out.
+static bool measure(const Shape *shape, unsigned n, Cost *c)
 {
     double at[STAGES + 1];
     jmp_buf oom;
@@ -106,13 +122,15 @@ static bool measure(const Shape *shape, unsigned n, double *took)
 
     pool_empty();
     session_init(&s, pool_alloc, NULL, &oom);
+    s.warnings &= ~shape->left_out;
     if (setjmp(oom) != 0)
         return false;
     compile(&s, shape, n, at);
     report(&s, &at[STAGES]);
     for (int k = 0; k < STAGES; k++)
-        took[k] = at[k + 1] - at[k];
+        c->took[k] = at[k + 1] - at[k];
     session_free(&s);
+    c->bytes = (double)pool_used();
     return true;
 }
 
@@ -125,12 +143,12 @@ static double total(const double *took)
     return sum;
 }
 
-static void print_times(const Shape *shape, unsigned n, const double *took)
+static void print_cost(const Shape *shape, unsigned n, const Cost *c)
 {
     printf("%-18s %7u", shape->name, n);
     for (int k = 0; k < STAGES; k++)
-        printf(k ? " %8.3f" : " %12.3f", took[k]);
-    printf(" %8.3f s\n", total(took));
+        printf(k ? " %8.3f" : " %12.3f", c->took[k]);
+    printf(" %8.3f s %7.1f MB\n", total(c->took), c->bytes / 1e6);
 }
 
 // The stage that grows too fast, or -1.
@@ -142,48 +160,63 @@ static int grows_too_fast(const double *small, const double *large)
     return -1;
 }
 
-static bool measure_best(const Shape *shape, unsigned n, double *best)
+static bool measure_best(const Shape *shape, unsigned n, Cost *best)
 {
-    double took[STAGES];
+    Cost c;
 
-    if (!measure(shape, n, took))
+    if (!measure(shape, n, &c))
         return false;
     for (int k = 0; k < STAGES; k++)
-        if (took[k] < best[k])
-            best[k] = took[k];
+        if (c.took[k] < best->took[k])
+            best->took[k] = c.took[k];
+    best->bytes = c.bytes;
     return true;
+}
+
+// Reports a shape whose cost grows too fast.
+static void check_growth(const Shape *shape, const Cost *small, const Cost *large, int fast)
+{
+    const bool bytes_fit = large->bytes < SMALL_MEMORY || large->bytes < MOST_GROWTH * small->bytes;
+
+    if (fast >= 0)
+        printf("%s: %s takes %.1f times as long for %d times as much\n", shape->name, stage_name[fast],
+               large->took[fast] / small->took[fast], FACTOR);
+    if (!bytes_fit)
+        printf("%s: %.1f times as much memory for %d times as much\n", shape->name, large->bytes / small->bytes, FACTOR);
+    CHECK(fast < 0 && bytes_fit);
 }
 
 // A machine that does something else at the same time gets three chances: what counts is the best time of each stage.
 static void check_shape(const Shape *shape)
 {
-    double small[STAGES], large[STAGES];
+    Cost small = {{0}, 0}, large = {{0}, 0};
     int fast = 0;
 
     for (int k = 0; k < STAGES; k++)
-        small[k] = large[k] = 1e9;
+        small.took[k] = large.took[k] = 1e9;
     for (int chance = 0; chance < 3 && fast >= 0; chance++) {
-        CHECK(measure_best(shape, shape->n, small));
-        CHECK(measure_best(shape, shape->n * FACTOR, large));
-        fast = grows_too_fast(small, large);
+        const bool fits = measure_best(shape, shape->n, &small) && measure_best(shape, shape->n * FACTOR, &large);
+        CHECK(fits);
+        if (!fits) {
+            printf("%s: out of memory\n", shape->name);
+            return;
+        }
+        fast = grows_too_fast(small.took, large.took);
     }
-    print_times(shape, shape->n, small);
-    print_times(shape, shape->n * FACTOR, large);
-    if (fast >= 0)
-        printf("%s: %s takes %.1f times as long for %d times as much\n", shape->name, stage_name[fast], large[fast] / small[fast],
-               FACTOR);
-    CHECK(fast < 0);
+    print_cost(shape, shape->n, &small);
+    print_cost(shape, shape->n * FACTOR, &large);
+    check_growth(shape, &small, &large, fast);
 }
 
 static int one(const Shape *shape, unsigned n, bool print)
 {
-    double took[STAGES];
+    Cost c;
     jmp_buf oom;
     Arena a;
     Buf text;
 
-    if (!print && measure(shape, n, took)) {
-        print_times(shape, n, took);
+    if (!print && measure(shape, n, &c)) {
+        print_cost(shape, n, &c);
         return 0;
     }
     arena_init(&a, pool_alloc, NULL, &oom);

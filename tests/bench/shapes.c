@@ -123,6 +123,31 @@ static void locals(Buf *b, unsigned n)
         buf_printf(b, "    local%u = local%u + 1\n", i, n - 1 - i);
 }
 
+// As many locals as states, each of them used in a few states.
+static void states_locals(Buf *b, unsigned n)
+{
+    buf_printf(b, "%s[local]\n", head);
+    for (unsigned i = 0; i < n; i++)
+        buf_printf(b, "F64 local%u = %u\n", i, i);
+    for (unsigned i = 0; i < n; i++) {
+        buf_printf(b, "[S%u]\n.entry\n    local%u = 0\n.step\n", i, i);
+        for (unsigned k = 0; k < 6; k++)
+            buf_printf(b, "    local%u = local%u + x\n", (i * 7 + k) % n, (i * 3 + k * 5) % n);
+        buf_printf(b, "    local%u > y: -> S%u\n    x > %u: -> S%u\n\n", i, (i + 1) % n, i, i * 7 % n);
+    }
+}
+
+// Twenty states with many conditional transitions each.
+static void transitions(Buf *b, unsigned n)
+{
+    buf_str(b, head);
+    for (unsigned i = 0; i < 20; i++) {
+        buf_printf(b, "[S%u]\n.step\n", i);
+        for (unsigned k = 0; k < n; k++)
+            buf_printf(b, "    x > %u and y < %u: -> S%u\n", k * 3 + i, k * 5, (i * 7 + k) % 20);
+    }
+}
+
 static void constants(Buf *b, unsigned n)
 {
     buf_printf(b, "%s[local]\nF64 c0 = 1 @read_only\n", head);
@@ -257,6 +282,23 @@ static void script_items(Buf *b, unsigned n)
     buf_str(b, "G == 100: @stop\n");
 }
 
+static void script_blocks(Buf *b, unsigned n)               // a block for each step
+{
+    buf_str(b, "[options]\ndelta_t 10\n[A]\n");
+    for (unsigned i = 0; i < n; i++)
+        buf_printf(b, "G == %u { x = %u }\n", i * 10, i % 1000);
+    buf_printf(b, "G == %u: @stop\n", (n - 1) * 10);
+}
+
+// Two conditionals for each step: for it alone, and for the ten steps from it.
+static void script_steps(Buf *b, unsigned n)
+{
+    buf_str(b, "[options]\ndelta_t 10\n[A]\n");
+    for (unsigned i = 0; i < n; i++)
+        buf_printf(b, "G == %u { x = %u\n @assert y == %u }\nT >= %u and T < %u and x > 5: p = 1\n", i * 10, i, i, i * 10, i * 10 + 100);
+    buf_printf(b, "[all_states]\nG == %u: @stop\n", (n - 1) * 10);
+}
+
 static void script_windows(Buf *b, unsigned n)
 {
     buf_str(b, "[options]\ndelta_t 1\n[all_states]\n");
@@ -266,30 +308,34 @@ static void script_windows(Buf *b, unsigned n)
 }
 
 const Shape shapes[] = {
-    {"states", states, 2500, NULL, NULL},
-    {"mission", mission, 1000, NULL, NULL},
-    {"guards", guards, 5000, NULL, NULL},
-    {"statements", statements, 25000, NULL, NULL},
-    {"conditionals", conditionals, 20000, NULL, NULL},
-    {"nested", nested, 400, NULL, NULL},
-    {"else_ifs", else_ifs, 400, NULL, NULL},
-    {"locals", locals, 8000, NULL, NULL},
-    {"constants", constants, 30000, NULL, NULL},
-    {"elements", elements, 8000, NULL, NULL},
-    {"windows", windows, 4000, NULL, NULL},
-    {"same_windows", same_windows, 15000, NULL, NULL},
-    {"nested_windows", nested_windows, 200, NULL, NULL},
-    {"deep_expression", deep_expression, 450, NULL, NULL},
-    {"long_line", long_line, 25000, NULL, NULL},
-    {"comments", comments, 250000, NULL, NULL},
-    {"unknown_names", unknown_names, 5000, NULL, NULL},
-    {"unknown_states", unknown_states, 5000, NULL, NULL},
-    {"syntax_errors", syntax_errors, 50000, NULL, NULL},
-    {"warnings", warnings, 10000, NULL, NULL},
-    {"unreachable_states", unreachable_states, 10000, NULL, NULL},
-    {"state_vector", one_state, 10000, write_sv, NULL},
-    {"script_items", one_state, 20000, NULL, script_items},
-    {"script_windows", one_state, 20000, NULL, script_windows},
+    {"states", states, 2500, NULL, NULL, 0},
+    {"mission", mission, 1000, NULL, NULL, 0},
+    {"guards", guards, 5000, NULL, NULL, 0},
+    {"statements", statements, 25000, NULL, NULL, 0},
+    {"conditionals", conditionals, 20000, NULL, NULL, 0},
+    {"nested", nested, 400, NULL, NULL, 0},
+    {"else_ifs", else_ifs, 400, NULL, NULL, 0},
+    {"locals", locals, 8000, NULL, NULL, 0},
+    {"states_locals", states_locals, 125, NULL, NULL, 1u << DIAG_GROUP_FLIGHT},       // each trial run copies every local
+    {"transitions", transitions, 40, NULL, NULL, 0},
+    {"constants", constants, 30000, NULL, NULL, 0},
+    {"elements", elements, 8000, NULL, NULL, 0},
+    {"windows", windows, 4000, NULL, NULL, 0},
+    {"same_windows", same_windows, 15000, NULL, NULL, 0},
+    {"nested_windows", nested_windows, 200, NULL, NULL, 0},
+    {"deep_expression", deep_expression, 450, NULL, NULL, 0},
+    {"long_line", long_line, 25000, NULL, NULL, 0},
+    {"comments", comments, 250000, NULL, NULL, 0},
+    {"unknown_names", unknown_names, 5000, NULL, NULL, 0},
+    {"unknown_states", unknown_states, 5000, NULL, NULL, 0},
+    {"syntax_errors", syntax_errors, 50000, NULL, NULL, 0},
+    {"warnings", warnings, 10000, NULL, NULL, 0},
+    {"unreachable_states", unreachable_states, 10000, NULL, NULL, 0},
+    {"state_vector", one_state, 10000, write_sv, NULL, 0},
+    {"script_items", one_state, 20000, NULL, script_items, 0},
+    {"script_blocks", one_state, 20000, NULL, script_blocks, 0},
+    {"script_steps", one_state, 3000, NULL, script_steps, 0},
+    {"script_windows", one_state, 20000, NULL, script_windows, 0},
 };
 const size_t shapes_n = sizeof shapes / sizeof shapes[0];
 

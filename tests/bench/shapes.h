@@ -12,6 +12,7 @@ typedef struct Shape {
     WriteFn *write;           // the machine
     unsigned n;               // the smaller size
     WriteFn *sv, *ss;         // a state vector and a script beside it; or NULL
+    unsigned left_out;        // groups of warnings that the bench of growth does not check, as 1u << DiagGroup
 } Shape;
 
 extern const Shape shapes[];

@@ -19,8 +19,10 @@
 #include "stdlib/convert.h"
 #include "tests/bench/engines.h"
 #include "tests/bench/lua.h"
+#include "tests/bench/wasm.h"
 
-static const Workload *const workloads[] = {&workload_tank, &workload_mission, &workload_arith, &workload_bigwindow};
+#define ADDRESS_OF(w) &workload_##w,
+static const Workload *const workloads[] = {EACH_WORKLOAD(ADDRESS_OF)};
 enum { WORKLOADS = sizeof workloads / sizeof workloads[0] };
 
 static const struct { const char *name, *command; } luas[] = {
@@ -41,6 +43,7 @@ typedef struct Runner {
     void *self, *machine;             // what init and what drive are given
     const VmRow *vm;                  // or NULL
     Lua *lua;                         // or NULL
+    Wasm *wasm;                       // or NULL
     unsigned every;                   // is measured in one of this many rounds
     double ns[ROUNDS];                // a step, by round; below 0: not in that round
 } Runner;
@@ -50,8 +53,9 @@ typedef struct Bench {
     const char *folder;
     CompiledWorkload compiled;
     Reference reference;
-    VmRow vm[LEVELS], fast[LEVELS];
+    VmRow in_place[LEVELS], decoded[LEVELS];
     Lua lua[LUAS];
+    Wasm wasm;
     uint8_t *in;                      // all episodes
     Runner runner[MANY];
     unsigned runners;
@@ -94,37 +98,38 @@ static void add_rows(Bench *b)
     }
 }
 
-static void add_vm(Bench *b, const char *name, VmRow *vm, const Buf *image)
+static void add_in_place(Bench *b, const char *name, VmRow *vm, const Buf *image)
 {
     Runner *r = add(b, name, 1);
 
     vm_row_open(vm, &b->compiled, image);
     r->init = vm_row_init;
-    r->drive = b->w->drive_vm;
+    r->drive = b->w->drive_in_place;
     r->self = vm;
     r->machine = vm->vm;
     r->vm = vm;
 }
 
-static void add_fast(Bench *b, const char *name, VmRow *vm, const Buf *image)
+static void add_decoded(Bench *b, const char *name, VmRow *vm, const Buf *image)
 {
     Runner *r;
 
-    add_vm(b, name, vm, image);
+    add_in_place(b, name, vm, image);
     vm_row_decode(vm, &b->compiled, sv);
     r = &b->runner[b->runners - 1];
-    r->drive = b->w->drive_fast;
+    r->drive = b->w->drive_decoded;
     r->machine = vm->decoded;
 }
 
 static void add_vms(Bench *b)
 {
-    static const char *const name[LEVELS] = {"vm-O0", "vm-O1", "vm-O2"}, *const fast[LEVELS] = {"fast-O0", "fast-O1", "fast-O2"};
+    static const char *const in_place[LEVELS] = {"in-place-O0", "in-place-O1", "in-place-O2"};
+    static const char *const decoded[LEVELS] = {"decoded-O0", "decoded-O1", "decoded-O2"};
 
     for (int level = 0; level < LEVELS; level++)
-        add_vm(b, name[level], &b->vm[level], &b->compiled.image[level]);
+        add_in_place(b, in_place[level], &b->in_place[level], &b->compiled.image[level]);
     for (int level = 0; level < LEVELS; level++)
-        add_fast(b, fast[level], &b->fast[level], &b->compiled.image[level]);
+        add_decoded(b, decoded[level], &b->decoded[level], &b->compiled.image[level]);
 }
 
 static void add_reference(Bench *b)
@@ -135,6 +140,18 @@ static void add_reference(Bench *b)
     r->init = reference_init;
     r->drive = b->w->drive_ref;
     r->self = r->machine = &b->reference;
+}
+
+static void add_wasm(Bench *b)
+{
+    Runner *r;
+
+    if (!wasm_open(&b->wasm, b->folder, b->w))
+        return;
+    r = add(b, "wasm3", 1);
+    r->init = wasm_init;
+    r->drive = wasm_drive;
+    r->self = r->machine = r->wasm = &b->wasm;
 }
 
 // ---- inputs ----
@@ -148,8 +165,8 @@ static void make_inputs(Bench *b)
 {
     Rng r = {UINT64_C(0x9e3779b97f4a7c15)};
 
-    b->in = in_heap((size_t)b->w->episodes * b->w->steps * b->w->in_size);
-    for (unsigned e = 0; e < b->w->episodes; e++)
+    b->in = in_heap((size_t)EPISODES * b->w->steps * b->w->in_size);
+    for (unsigned e = 0; e < EPISODES; e++)
         b->w->inputs(&r, (void *)(b->in + (size_t)e * b->w->steps * b->w->in_size), b->w->steps, e);
 }
 
@@ -223,6 +240,7 @@ static Bench *begin(const char *folder, const Workload *w)
     add_rows(b);
     add_vms(b);
     add_reference(b);
+    add_wasm(b);
     return b;
 }
 
@@ -231,6 +249,7 @@ static void end(Bench *b)
     for (unsigned i = 0; i < b->runners; i++)
         if (b->runner[i].lua)
             lua_close(b->runner[i].lua);
+    wasm_close(&b->wasm);
     session_free(&b->compiled.session);
     free(b->in);
     for (int i = 0; i < ROWS; i++)
@@ -244,6 +263,13 @@ static void start(const Runner *r)
     r->init(r->self, sv);
 }
 
+// What is done before the clock starts.
+static void bring(const Runner *r, const void *in, size_t n)
+{
+    if (r->wasm)
+        wasm_bring(r->wasm, in, n);
+}
+
 // ---- whether they all do the same ----
 
 // What the state vector is after each step of an episode, by this row.
@@ -253,6 +279,7 @@ static uint8_t *trace(const Bench *b, const Runner *r, unsigned episode, unsigne
 
     start(r);
     for (unsigned i = 0; i < steps; i++) {
+        bring(r, input(b, episode, i), 1);
         r->drive(r->machine, sv, input(b, episode, i), 1);
         memcpy(at + i * b->w->sv_size, sv, b->w->sv_size);
     }
@@ -394,6 +421,7 @@ static double sample(const Bench *b, const Runner *r, unsigned episode)
     if (r->lua)
         return lua_seconds(r, episode) * 1e9 / n;
     start(r);
+    bring(r, input(b, episode, 0), b->w->steps);
     r->drive(r->machine, sv, input(b, episode, 0), b->w->warm);
     took = -cpu();
     r->drive(r->machine, sv, input(b, episode, b->w->warm), n);
@@ -416,10 +444,10 @@ static unsigned run_rounds(Bench *b, double time)
     const double before = wall();
     unsigned round = 0;
 
-    for (; round < ROUNDS && (round < 2 * b->w->episodes || wall() - before < time); round++)
+    for (; round < ROUNDS && (round < 2 * EPISODES || wall() - before < time); round++)
         for (unsigned i = 0; i < b->runners; i++) {
             Runner *r = &b->runner[(round + i) % b->runners];
-            r->ns[round] = round % r->every == 0 ? sample(b, r, round % b->w->episodes) : -1;
+            r->ns[round] = round % r->every == 0 ? sample(b, r, round % EPISODES) : -1;
         }
     return round;
 }
@@ -450,24 +478,24 @@ static Spread spread(const Runner *r, unsigned rounds)
 
 // The best run of an episode among the rounds in which another row took part as well, or else the best of fewer would be
 // held against the best of many.  Below 0 if there was none.
-static double best_of(const Bench *b, const Runner *r, const Runner *other, unsigned episode, unsigned rounds)
+static double best_of(const Runner *r, const Runner *other, unsigned episode, unsigned rounds)
 {
     double least = -1;
 
-    for (unsigned i = episode; i < rounds; i += b->w->episodes)
+    for (unsigned i = episode; i < rounds; i += EPISODES)
         if (r->ns[i] >= 0 && other->ns[i] >= 0 && (least < 0 || r->ns[i] < least))
             least = r->ns[i];
     return least;
 }
 
 // The mean over the episodes that both have run.
-static double best(const Bench *b, const Runner *r, const Runner *other, unsigned rounds)
+static double best(const Runner *r, const Runner *other, unsigned rounds)
 {
     double sum = 0;
     unsigned n = 0;
 
-    for (unsigned e = 0; e < b->w->episodes; e++) {
-        const double ns = best_of(b, r, other, e, rounds);
+    for (unsigned e = 0; e < EPISODES; e++) {
+        const double ns = best_of(r, other, e, rounds);
         if (ns >= 0) {
             sum += ns;
             n++;
@@ -480,14 +508,14 @@ static double ratio(const Bench *b, const Runner *r, const char *to, unsigned ro
 {
     const Runner *other = find(b, to);
 
-    return best(b, r, other, rounds) / best(b, other, r, rounds);
+    return best(r, other, rounds) / best(other, r, rounds);
 }
 
 static void print_time(const Bench *b, const Runner *r, unsigned rounds)
 {
     const Spread s = spread(r, rounds);
 
-    printf("time %s %s %.4g ", b->w->name, r->name, best(b, r, r, rounds));
+    printf("time %s %s %.4g ", b->w->name, r->name, best(r, r, rounds));
     printf("%.4g %.4g %.4g %u ", s.quarter, s.median, s.three_quarters, s.n);
     printf("%.4g %.4g\n", ratio(b, r, "native", rounds), ratio(b, r, "f64", rounds));
 }
@@ -507,7 +535,7 @@ static int time_rows(const char *folder, double time, const Workload *w)
     Bench *b = begin(folder, w);
     unsigned passed = 0, bad;
 
-    add_luas(b, w->episodes);
+    add_luas(b, EPISODES);
     bad = check_all(b, 0, &passed) + b->failed;
     if (bad == 0)
         measure(b, time);
@@ -524,6 +552,7 @@ static int count(const char *folder, const Workload *w)
     for (unsigned i = 0; i < b->runners; i++) {
         Runner *r = &b->runner[i];
         start(r);
+        bring(r, input(b, 0, 0), w->steps);
         r->drive(r->machine, sv, input(b, 0, 0), w->warm);
         r->drive(r->machine, sv, input(b, 0, w->warm), w->count);
         printf("%s %s %u\n", w->name, r->name, w->count);
@@ -553,7 +582,7 @@ static void print_size(const Bench *b, const char *what, unsigned long bytes)
 static int sizes(const char *folder, const Workload *w)
 {
     Bench *b = begin(folder, w);
-    const VmRow *vm = &b->vm[LEVELS - 1];
+    const VmRow *vm = &b->in_place[LEVELS - 1];
 
     print_size(b, "image-O0", (unsigned long)b->compiled.image[0].n);
     print_size(b, "image-O1", (unsigned long)b->compiled.image[1].n);
@@ -564,7 +593,7 @@ static int sizes(const char *folder, const Workload *w)
     print_size(b, "ram-vm-O2", vm->size);
     if (vm->m.windows == 0)
         print_size(b, "ram-vm-O2-beside-locals", vm->size - vm->m.locals);
-    print_size(b, "ram-decoded-O2", b->fast[LEVELS - 1].decoded_size);
+    print_size(b, "ram-decoded-O2", b->decoded[LEVELS - 1].decoded_size);
     end(b);
     return 0;
 }

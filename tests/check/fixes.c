@@ -8,10 +8,7 @@
 // no other code has any.
 #include <string.h>
 
-#include "compiler/analysis/analysis.h"
-#include "compiler/compile.h"
-#include "compiler/script/testfile.h"
-#include "compiler/syntax/parse.h"
+#include "compiler/script/case.h"
 #include "tests/check/fixes_meaning.h"
 #include "tests/unit/host.h"
 
@@ -28,82 +25,31 @@ static bool helped[DIAG_COUNT];           // an edit of it did
 
 // ---- results of a case ----
 
-static const Source *find_source(const TestFile *f, const Run *r, const char *suffix)
-{
-    for (size_t i = 0; i < f->part.n; i++)
-        if (testfile_has_suffix(&f->part.at[i], suffix))
-            return r->src[i];
-    return NULL;
-}
-
-static void note_written(Run *r, const TestFile *f, Map *written)
-{
-    r->s.diags.muted = true;
-    for (size_t i = 0; i < f->part.n; i++)
-        if (testfile_has_suffix(&f->part.at[i], ".ss")) {
-            AstFile *ss = session_parse(&r->s, r->src[i], FILE_SS);
-            if (ss)
-                script_add_written_names(ss, written);
-        }
-    diags_init(&r->s.diags, &r->s.arena);
-}
-
-static void diagnose_machine(Run *r, const TestFile *f)
-{
-    Map written = {&r->s.arena, NULL, NULL, 0, 0};
-    MachineInput in = {find_source(f, r, ".sm"), find_source(f, r, ".sv"), NULL, 2};
-    const Program *p;
-
-    note_written(r, f, &written);
-    if ((p = session_program(&r->s, &in)) == NULL)
-        return;
-    session_analyse(&r->s, p);
-    in.written_outside = &written;
-    if ((p = session_program_for_scripts(&r->s, &in, p)) == NULL)
-        return;
-    r->program = p;
-    for (size_t i = 0; i < f->part.n; i++)
-        if (testfile_has_suffix(&f->part.at[i], ".ss"))
-            session_script(&r->s, r->src[i], p);
-}
-
-static void diagnose_app(Run *r, const TestFile *f)
-{
-    AstFile *tree = parse_file(&r->s.arena, &r->s.strings, &r->s.diags, find_source(f, r, ".app"), FILE_APP);
-    AppFiles files;
-
-    app_list_files(&r->s.arena, tree, &files);
-    for (size_t i = 0; i < files.n; i++) {
-        files.at[i].problem = "the case has no such part";
-        for (size_t k = 0; k < f->part.n; k++)
-            if (strcmp(f->part.at[k].name, files.at[i].name.text->text) == 0)
-                files.at[i].src = r->src[k];
-    }
-    session_app(&r->s, tree, &files);
-}
-
-// The case, part `changed` of which has another text; changed == the number of parts: none has.
+// Compiles the case as smc test does, but with the text of part `changed` replaced by `text`. changed == the number of parts: as it is.
 static void open_run(Run *r, const TestFile *f, size_t changed, const Buf *text)
 {
+    static const char *words[] = {"extra"};               // flight analyses take long and propose no edits
+    const DiagSelection warnings = {.word = words, .n = 1};
+    const CompileOptions o = {.opt_level = 2, .warnings = &warnings};
+    TestFile edited = *f;
+    CaseSources sources;
+    Compiled made;
+
     session_init(&r->s, host_alloc, NULL, &host_oom);
-    r->s.warnings &= ~(1u << DIAG_GROUP_FLIGHT);          // they take long and propose no edits
-    r->program = NULL;
-    r->src = ARENA_ARRAY(&r->s.arena, Source *, f->part.n + 1);
-    for (size_t i = 0; i < f->part.n; i++) {
-        const TestPart *p = &f->part.at[i];
-        if (testfile_is_source(p))
-            r->src[i] = source_new(&r->s.arena, p->name, i == changed ? text->at : p->text, i == changed ? text->n : p->n);
-    }
-    if (find_source(f, r, ".app"))
-        diagnose_app(r, f);
-    else if (find_source(f, r, ".sm"))
-        diagnose_machine(r, f);
-    else if (find_source(f, r, ".sv"))
-        session_state_vector(&r->s, find_source(f, r, ".sv"));
+    edited.part.at = ARENA_ARRAY(&r->s.arena, TestPart, f->part.n + 1);
     for (size_t i = 0; i < f->part.n; i++)
-        if (!find_source(f, r, ".app") && find_source(f, r, ".sv") && testfile_has_suffix(&f->part.at[i], ".io"))
-            session_io(&r->s, r->src[i], find_source(f, r, ".sv"));
-    diags_apply_allows(&r->s.diags);
+        edited.part.at[i] = f->part.at[i];
+    if (changed < f->part.n) {
+        edited.part.at[changed].text = text->at;
+        edited.part.at[changed].n = text->n;
+    }
+    case_list_sources(&r->s, &edited, &sources);
+    compile_sources(&r->s, &sources.in, &o, &made);
+    r->src = sources.src;
+    r->program = NULL;
+    for (size_t i = 0; i < f->part.n; i++)
+        if (!sources.in.app && testfile_has_suffix(&f->part.at[i], ".sm"))
+            r->program = made.of[sources.input[i]].scripted;
 }
 
 // ---- one finding ----

@@ -45,7 +45,7 @@ static bool open_engine(Rig *r, const char *name)
     if (strcmp(name, "ref") == 0)
         r->e = engine_ref_open(&r->s.arena, r->p);
     else if (strcmp(name, "c") == 0)
-        r->e = engine_c_open(&r->s.arena, r->p, ir, NULL, &error);
+        r->e = engine_c_open(&r->s.arena, r->p, ir, false, &error);
     else {
         buf_init(&image, &r->s.arena);
         if (session_image(&r->s, &ir, 1, &options, &image))

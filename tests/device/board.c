@@ -12,7 +12,7 @@
 #include "runtime-c/pal/nvm.h"
 #include "runtime-c/pal/serial.h"
 
-enum { MEMORY = 4096, BODY = 64, SLOTS = 2, EVENTS = 16, VECTOR = 1024, RAM = 8192, PERIOD = 10000000 };
+enum { MEMORY = 4096, BODY = 64, SLOTS = 2, EVENTS = 16, VECTOR = 1024, RAM = 8192, PERIOD = 10000000, COUNTED = 20 };  // COUNTED: steps, after which a start of a trial counts in full
 
 typedef struct Machine {
     SmvmMachine m;
@@ -75,7 +75,8 @@ static void machine_step(void)
 
     if (machine.state == 0)
         return;
-    ++*machine.time;
+    if (++*machine.time == COUNTED)
+        (void)smvm_store_count_start(&store);
     smvm_step(vm, machine.vector);
     if (smvm_state(vm) != machine.state)
         report(SM_EVENT_STATE, machine.state, smvm_state(vm));
@@ -92,10 +93,11 @@ static SmResult may_update(void *context)
     return machine.state == 0 || smvm_state_is_safe(&machine.m, machine.state) ? SM_OK : SM_E_UNSAFE;
 }
 
-static void leave_slot(void *context)
+static SmResult leave_slot(void *context, const uint8_t *begin, uint8_t n)
 {
-    (void)context;
+    (void)context, (void)begin, (void)n;
     machine.state = 0;
+    return SM_OK;
 }
 
 static bool reload_memory(void) { return pal_nvm_read(store.nvm, 0, shadow, MEMORY) == SM_OK; }

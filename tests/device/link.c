@@ -2,7 +2,7 @@
 // smc flash and smc device against a board that is a program (board.c), over terminals with this program in between: it loses and
 // damages bytes, and kills the board or smc in the middle.  Always the old or the new image runs afterwards, and is replaced again.
 //   link SMC BOARD FOLDER OLD.smb NEW.smb [RUNS [SEED]]         with SLOTS=1 in the environment the board has one slot
-//   link forge SIGNED.smb         makes its code a wrong one, and its checksum right
+//   link forge SIGNED.smb [N]     makes its code a wrong one, or the N-th byte from its end, and its checksum right
 #define _XOPEN_SOURCE 700
 #define _DEFAULT_SOURCE
 #include <fcntl.h>
@@ -240,6 +240,22 @@ static void restart_board(void)
     start_board();
 }
 
+// Restarts the board until its list has the text for the image, and returns how often; a trial has STARTS_MOST short starts.  Each start
+// lasts `ms` and a list.
+enum { STARTS_MOST = 12 };
+static int restarts_until(const char *image, const char *text, long ms)
+{
+    const struct timespec pause = {ms / 1000, ms % 1000 * 1000000};
+    int n = 0;
+
+    do {
+        restart_board();
+        nanosleep(&pause, NULL);
+        n++;
+    } while (quiet("device", "list", NULL) == 0 && !listed(image, text) && n <= STARTS_MOST);
+    return n;
+}
+
 // Builds an image of n machines with these states.
 enum { MACHINES = 5 };
 static bool build(const char *states, int machines, char *image)
@@ -332,7 +348,7 @@ static void pins_are_asked_about(void)
     }
     CHECK(build_with("[analog]\ni 0 x\no 9 y\n\n[digital]\ni 55 down\no 10 up\n", image));
     CHECK(quiet("flash", image, "--dry-run") == 0 && !says("warning"));
-    CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("names no pins: on this board it reads nothing and switches nothing"));
+    CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("smc: warning: ") && says("names no pins: on this board it reads nothing and switches nothing"));
 }
 
 // language.md 5.46: a board refuses updates in a state without @safe, if its machine has a state with @safe.
@@ -346,25 +362,36 @@ static void machine_in_unsafe_state_is_left_alone(void)
     CHECK(quiet("flash", images[0], NULL) == 1 && says("nothing was sent: a machine is in a state that is not marked @safe; bring it into one that is"));
     CHECK(says("or let its trial end: it has 2 more starts"));
     CHECK(quiet("device", "confirm", NULL) == 1 && says("it was not confirmed: a machine is in a state that is not marked @safe"));
-    for (int i = 0; i < 3; i++) {      // so its trial ends
-        restart_board();
-        CHECK(quiet("device", "list", NULL) == 0);
-    }
-    CHECK(listed(images[1], ", runs, confirmed"));
+    CHECK(restarts_until(images[1], ", runs, confirmed", 0) <= STARTS_MOST);         // its trial ends
     CHECK(build("[Aloft] @safe .step\n    down: -> Down\n\n[Down] @safe", 1, aloft) && quiet("flash", aloft, "--confirm") == 0 && !says("starts in a state") && listed(aloft, ", runs, confirmed"));
     CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
 }
 
-// A trial without a confirmation ends after its starts.
-static void a_trial_ends(void)
+// A trial without a confirmation ends after its starts, and the board reports that.  A start counts in full if the image has run for a
+// while (10 s; the board that is a program: 0.2 s).
+static void a_trial_ends(bool is_program)
 {
+    int starts;
+
     CHECK(quiet("flash", images[0], "--period=20ms") == 0 && listed(images[0], ", every 20 ms, on trial"));
-    for (int i = 0; i < 3; i++) {
-        kill_board();
-        start_board();
-        CHECK(quiet("device", "list", NULL) == 0 && (i == 2 || listed(images[0], ", runs")));
-    }
-    CHECK(listed(images[1], ", runs, confirmed"));       // as the board has it
+    starts = restarts_until(images[1], ", runs, confirmed", 0);
+    CHECK(starts >= 3 && starts <= STARTS_MOST);
+    CHECK(listed(images[0], ", not chosen, its trial ended: it was not confirmed within its starts"));
+    CHECK(quiet("device", "confirm", NULL) == 1 && says("no image is on trial") && says("smc: the trial of image "));
+    CHECK(says(" has ended: it was not confirmed within its starts; 'smc flash' sends it again"));
+    CHECK(quiet("flash", images[0], NULL) == 0 && !says("trial ended") && quiet("device", "list", NULL) == 0 && !says("trial ended"));
+    CHECK(restarts_until(images[1], ", runs, confirmed", is_program ? 400 : 0) <= (is_program ? 3 : STARTS_MOST));
+}
+
+// An Arduino restarts when DTR goes on.  So the command leaves it on.
+static void line_stays_on(void)
+{
+    struct termios t;
+
+    CHECK(tcgetattr(at_smc.slave, &t) == 0);
+    t.c_cflag |= HUPCL;
+    CHECK(tcsetattr(at_smc.slave, TCSANOW, &t) == 0 && quiet("device", "list", NULL) == 0);
+    CHECK(tcgetattr(at_smc.slave, &t) == 0 && (t.c_cflag & HUPCL) == 0);
 }
 
 static void an_image_is_erased(void)
@@ -377,22 +404,23 @@ static void an_image_is_erased(void)
     CHECK(quiet("device", "erase", "x") == 2);
     CHECK(quiet("flash", images[0], NULL) == 0 && quiet("device", "list", NULL) == 0 && listed(images[1], ", runs again if the chosen one does not"));
     CHECK(quiet("device", "erase", path) == 0 && listed(images[0], ", runs, until the next start"));
+    CHECK(says("is erased, but it runs until the next start of the board") && !says("trial ended"));
     CHECK(quiet("device", "confirm", NULL) == 1 && says("the image that runs is no longer selected, because it was erased"));
     restart_board();
     CHECK(quiet("device", "list", NULL) == 0 && listed(images[1], ", runs, confirmed") && listed(images[0], ", not chosen"));
 }
 
 // Its code, with which it ends, becomes a wrong one, and its checksum (all bytes but those at 4 to 7) right.
-static bool forge(const char *path)
+static bool forge(const char *path, size_t from_end)
 {
     unsigned char bytes[TEXT];
     uint32_t crc = SM_CRC32_START;
     FILE *f = fopen(path, "r+b");
     const size_t n = f ? fread(bytes, 1, sizeof bytes, f) : 0;
 
-    if (n < 24)
+    if (n < 48 || from_end < 1 || from_end > n)
         return false;
-    bytes[n - 1] ^= 1;
+    bytes[n - from_end] ^= 1;
     for (size_t i = 0; i < n; i++)
         crc = i / 4 == 1 ? crc : sm_crc32_byte(crc, bytes[i]);
     crc = sm_crc32_end(crc);
@@ -426,7 +454,7 @@ static void a_board_with_a_key(void)
     CHECK(alone("sign", images[1], with, to) == 0 && alone("sign", out, with, "--number=7") == 0);
     CHECK(quiet("flash", out, NULL) == 1 && says("has number 7, but the board has confirmed number 7") && says("nothing was sent"));
     CHECK(alone("sign", out, with, NULL) == 0 && quiet("flash", out, "--confirm") == 0 && listed(out, ", runs, confirmed"));
-    CHECK(alone("sign", images[0], with, to) == 0 && alone("sign", out, with, "--number=4000000000") == 0 && forge(out));
+    CHECK(alone("sign", images[0], with, to) == 0 && alone("sign", out, with, "--number=4000000000") == 0 && forge(out, 1));
     CHECK(quiet("flash", out, with) == 1 && says(" was changed after it was signed with the key '") && says("nothing was sent"));
     CHECK(quiet("flash", out, NULL) == 1 && says("the image was not accepted: the board accepts only images that are signed with its key"));
     CHECK(says("the board keeps the image that it ran before"));
@@ -475,9 +503,14 @@ static void an_update_in_trouble(int target)
 static void one_slot_is_enough(void)
 {
     CHECK(quiet("device", "list", NULL) == 0 && says("slot 0: no image") && says(", runs"));
+    line_stays_on();
     CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)"));
     CHECK(quiet("flash", images[1], NULL) == 1 && says("on trial; 'smc device confirm' keeps it, 'smc device erase "));
-    CHECK(quiet("device", "confirm", NULL) == 0 && quiet("flash", images[1], "--confirm") == 0);
+    CHECK(restarts_until(images[0], "trial ended", 0) <= STARTS_MOST && listed(images[0], ", not chosen, its trial ended: it was not confirmed within its starts"));
+    CHECK(quiet("device", "confirm", NULL) == 1 && says("nothing to confirm") && says("smc: the trial of image "));
+    CHECK(quiet("flash", images[0], "--confirm") == 0 && quiet("flash", images[1], "--confirm") == 0);
+    CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("smc: warning: the board has one slot: image "));
+    CHECK(says("would be sent to the board; nothing was sent") && !says("error"));
     CHECK(quiet("device", "info", NULL) == 0 && says("1 slot of ") && listed(images[1], ", runs, confirmed"));
 }
 
@@ -488,7 +521,8 @@ static void two_slots(void)
     machine_in_unsafe_state_is_left_alone();
     too_large_image_is_not_sent();
     pins_are_asked_about();
-    a_trial_ends();
+    line_stays_on();
+    a_trial_ends(!getenv("NO_KEY"));
     an_image_is_erased();
     no_board_answers();
     if (!getenv("NO_KEY"))             // a board that has its key from a file
@@ -499,8 +533,8 @@ int main(int argc, char **argv)
 {
     const int runs = argc > 6 ? atoi(argv[6]) : 8;
 
-    if (argc == 3 && strcmp(argv[1], "forge") == 0)
-        return !forge(argv[2]);
+    if (argc >= 3 && argc <= 4 && strcmp(argv[1], "forge") == 0)
+        return !forge(argv[2], argc == 4 ? strtoul(argv[3], NULL, 10) : 1);
     if (argc < 6)
         return fprintf(stderr, "link SMC BOARD FOLDER OLD.smb NEW.smb [RUNS [SEED]]\n"), 2;
     one_slot = getenv("SLOTS") != NULL;

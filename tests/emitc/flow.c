@@ -246,12 +246,12 @@ int main(int argc, char **argv)
         p[i] = &s[i].p;
         m[i] = &s[i].m;
     }
-    if (!engine_c_present(&arena, NULL, &error)) {
+    if (!engine_c_present(&arena, &error)) {
         arena_free(&arena);
         puts("flow: no C compiler\n0 passed, 0 failed, 1 skipped");
         return 0;
     }
-    batch = engine_c_batch_open(&arena, p, m, count, NULL, &error);
+    batch = engine_c_batch_open(&arena, p, m, count, false, &error);
     CHECK(batch != NULL);
     if (!batch)
         fprintf(stderr, "%s\n", error);

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Emitted C under many compilers and options: it compiles without a warning, runs as the reference does or refuses to, and
-# can be used as docs/embedding-c.md says.     run.sh SMC [matrix] [flags] [recommended] [use] [readings] [wide] [straight] [cases]     (all but cases when none is named)
+# can be used as docs/embedding-c.md says.     run.sh SMC [matrix] [flags] [recommended] [use] [foreign] [size] [readings] [wide] [straight] [cases]     (all but cases when none is named)
 smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 shift
 here=$(cd "$(dirname "$0")" && pwd)
@@ -153,6 +153,7 @@ matrix() {
     for name in nested deep chain states; do
         compile_machine few_compilers $name "$dir/$name.sm"
     done
+    if [ "$(grep -c 'switch (' "$dir/states.c")" -eq 32 ] && ! grep -q '(\*' "$dir/states.c"; then pass; else fail 'states: a step dispatches more than once'; fi
     if grep -q 'static SM_NOINLINE int32_t sm_to_i32' "$dir/states.c"; then pass; else fail 'states: what is called a thousand times is inlined'; fi
     run_large
 }
@@ -276,6 +277,68 @@ use() {
     done
 }
 
+# ---- foreign: the header can be read by programs that know C's declarations but do not calculate ----
+
+foreign() {
+    printf '[state_vector]\nU64 G\nU32 S\nF32 x @read_only\nF64 least\n[local]\nU16 steps = 0\nF64 limit = 5\n[A]\n.step\nsteps = steps + 1\nleast = roll_min(x, 100)\nx > limit * 100: -> B\n[B]\n' >"$dir/far.sm"
+    "$smc" build -w "$dir/far.sm" --emit=c -o "$dir/far.c" >"$dir/log" 2>&1
+    sed -e 's,//.*,,' -e '/^#/d' "$dir/far.h" | grep '[?]\|sizeof\|<<' >"$dir/log"
+    if [ ! -s "$dir/log" ]; then pass; else fail "foreign: the header calculates"; fi
+    if sed -n '/never stored/,/^}/p' "$dir/far.h" | grep -q '^    double   limit;' && ! sed -n '/never stored/,/^}/p' "$dir/far.h" | grep -q steps; then
+        pass
+    else
+        fail "foreign: the header does not say which locals are never stored"
+    fi
+    if ! present python3 || ! python3 -c 'import cffi' 2>/dev/null; then
+        skipped=$((skipped + 1))
+        return
+    fi
+    sed '/^#include/d' "$dir/far.h" | ${CC:-cc} -E -P -x c - >"$dir/far.i"
+    if ${CC:-cc} -shared -fPIC "$dir/far.c" -o "$dir/far.so" 2>"$dir/log" && python3 "$here/foreign.py" "$dir/far.i" "$dir/far.so" 2>"$dir/log"; then
+        pass
+    else
+        fail "foreign: cffi"
+    fi
+}
+
+# ---- size: what makes machines small ----
+
+# count_functions PATTERN OBJECT…: how many functions of the objects have such names
+count_functions() {
+    pattern=$1
+    shift
+    nm "$@" | grep -c " [tTwW] .*$pattern"
+}
+
+size() {
+    if ! present nm; then
+        skipped=$((skipped + 1))
+        return
+    fi
+    "$smc" build -w "$root/examples/mission/mission.sm" --sv "$root/examples/mission/rocket.sv" --emit=c -o "$dir/mission.c" >"$dir/log" 2>&1
+    "$smc" build -w "$root/examples/mission/airbrakes.sm" --sv "$root/examples/mission/rocket.sv" --emit=c -o "$dir/airbrakes.c" >"$dir/log" 2>&1
+    gcc -std=c99 -Os -c "$dir/mission.c" -o "$dir/mission.o" 2>"$dir/log"
+    if [ "$(count_functions 'sm_roll_\(key\|value\|load\|store\|shift\|row_bytes\|extreme_of_two\)' "$dir/mission.o")" -eq 0 ]; then
+        pass
+    else
+        fail "size: at -Os short functions of windows are called"
+    fi
+    for compiler in "gcc -std=c99" tcc "g++ -x c++"; do
+        try "$compiler" share_self_test
+    done
+}
+
+# One machine has the self-test for both.
+share_self_test() {
+    rm -f "$dir/log"
+    if $1 $strict -DSM_SHARED_SELF_TEST=1 -c "$dir/mission.c" -o "$dir/mission.o" && $1 $strict -DSM_SHARED_SELF_TEST=0 -c "$dir/airbrakes.c" -o "$dir/airbrakes.o" &&
+        [ "$(count_functions is_fit "$dir/mission.o" "$dir/airbrakes.o")" -eq 1 ] && nm "$dir/mission.o" | grep -q ' T sm_is_fit$'; then
+        pass
+    else
+        fail "size: the self-test is not shared, $1"
+    fi
+}
+
 # ---- readings: what no machine stores.  An element that is NaN reads as 0, though C does not look where a condition comes out the
 # same; a U64 beyond 2^53 as the nearest F64, although it can be counted exactly ----
 
@@ -357,7 +420,7 @@ cases() {
     done
 }
 
-for part in ${*:-matrix flags recommended use readings wide straight}; do
+for part in ${*:-matrix flags recommended use foreign size readings wide straight}; do
     $part
 done
 echo "emitc: $passed passed, $failed failed, $skipped skipped"

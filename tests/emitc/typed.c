@@ -301,9 +301,8 @@ static void try_one(Arena *a, const Subject *s, const Program *p, Engine *e)
 // `soft`: with numbers in software.
 static void try_all(Arena *a, const Subject *s, const Program *const *p, const IrMachine *const *m, size_t count, bool soft)
 {
-    const EngineCOptions o = { .soft = soft };
     const char *error = "";
-    EngineCBatch *batch = engine_c_batch_open(a, p, m, count, &o, &error);
+    EngineCBatch *batch = engine_c_batch_open(a, p, m, count, soft, &error);
 
     CHECK(batch != NULL);
     compared = 0;
@@ -345,7 +344,7 @@ int main(int argc, char **argv)
         if (wrong)
             fprintf(stderr, "%s\n", wrong);
     }
-    if (!engine_c_present(&arena, NULL, &error)) {
+    if (!engine_c_present(&arena, &error)) {
         arena_free(&arena);
         puts("typed: no C compiler\n0 passed, 0 failed, 1 skipped");
         return 0;

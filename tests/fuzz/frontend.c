@@ -95,7 +95,7 @@ static void check_tree(const AstFile *f)
 
 static void check_diags(Session *s)
 {
-    const Sentences none = {NULL, 0, 0};
+    const PlainMessages none = {NULL, 0, 0};
     DiagStyle plain = {false, 20};
     Buf out;
 

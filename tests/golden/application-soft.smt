@@ -27,6 +27,6 @@ every 10 ms:
 -- stdout --
 m.h:25:    SmF64    altitude;
 v.h:25:    SmF64    altitude;
-v.h:92:static inline SmF64 v_altitude(void)
-v.h:94:    SmF64 value = sm_from_i32(0);
-v.h:102:static inline void v_set_altitude(SmF64 value)
+v.h:90:static inline SmF64 v_altitude(void)
+v.h:92:    SmF64 value = sm_from_i32(0);
+v.h:100:static inline void v_set_altitude(SmF64 value)

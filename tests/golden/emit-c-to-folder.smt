@@ -1,5 +1,5 @@
-# C is called after what -o names: a .c, or the stem of both.  A folder or a device is neither.
-args build --emit=c -o made a.sm
+# C is named after what -o names: a .c, the stem of both files, or their folder. A device is none of these.
+args build --emit=c -o made a.sm && ls made
 args build --emit=c -o made/ a.sm
 args build --emit=c -o /dev/null a.sm
 args build --emit=c -o made/a.c a.sm
@@ -17,15 +17,14 @@ bool open
 -- stdout --
 a.c
 a.h
+note.txt
+a.c
+a.h
 b.c
 b.h
 note.txt
 -- stderr --
-smc: 'made' is a folder: name the .c in it, as in -o made/a.c
-Try 'smc build --help'.
-smc: 'made/' is a folder: name the .c in it, as in -o made/a.c
-Try 'smc build --help'.
 smc: C is two files, a .c and a .h: '/dev/null' cannot take both
 Try 'smc build --help'.
 -- exit --
-2 2 2 0 0
+0 0 2 0 0

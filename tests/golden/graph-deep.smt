@@ -21,4 +21,4 @@ F32 tank    @read_only
     }
 [Go]
 -- stdout --
-    "Hold" -> "Go" [label="… and T > 10000\nand roll_median(tank, 9) > 20\nand T > 30000\nor\n… and roll_median(tank, 9)\n> 20, else, chamber > 30\nand roll_avg(tank, 100) > 50"];
+    "Hold" -> "Go" [label="… and roll_median(chamber, 9) > 10\nand T > 10000 and roll_median(tank, 9) > 20\nand T > 30000\nor\n… and roll_median(tank, 9) > 20\nand not (T > 30000) and chamber > 30\nand roll_avg(tank, 100) > 50"];

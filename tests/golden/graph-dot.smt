@@ -36,7 +36,7 @@ digraph "tank" { // drawn by smc
     "/start" [shape=point, width=0.15];
     "/start" -> "Idle";
     "Idle" [label="Idle", style="filled,rounded"];
-    "Fill" [label="Fill", style="filled,rounded"];
+    "Fill" [label="Fill\nentry valve = true\lexit valve = false\l", style="filled,rounded"];
     "Abort" [label="Abort", style="filled", shape=octagon, color="#b5320f", fillcolor="#fdeae4"];
     "Done" [label="Done", style="filled,rounded", color="#0c7268", fillcolor="#e3f3f1", peripheries=2];
     "Lost" [label="Lost\n(W0503)", style="filled,rounded,dashed", tooltip="W0503: state 'Lost' is unreachable"];

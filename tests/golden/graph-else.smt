@@ -19,7 +19,7 @@ bool on
 .step
     on = true
 -- stdout --
-<svg xmlns="http://www.w3.org/2000/svg" class="smc-graph" role="img" stroke-width="1.4" width="240" height="254" viewBox="0 0 240 254">
+<svg xmlns="http://www.w3.org/2000/svg" class="smc-graph" role="img" stroke-width="1.4" width="300" height="338" viewBox="0 0 300 338">
 <title>State diagram of app</title>
 <desc>2 states, 3 transitions. The initial state is Coast.</desc>
 <style>
@@ -28,6 +28,7 @@ bool on
 .smc-graph .g-to{font-weight:bold;text-anchor:middle}
 .smc-graph .g-mid{text-anchor:middle}
 .smc-graph .g-end{text-anchor:end}
+.smc-graph .g-block{font-style:italic}
 .smc-graph .g-line{fill:none}
 .smc-graph .g-box{stroke-width:1.4}
 .smc-graph .g-abort,.smc-graph .g-safe{stroke-width:2.2}
@@ -68,11 +69,11 @@ bool on
 .smc-graph .g-bang{fill:#3d2f00}
 }
 </style>
-<rect class="g-back" width="240" height="254" rx="8"/>
-<g><title>initial state</title><circle class="g-start" cx="120" cy="18" r="5"/><path class="g-line" d="M120 36v-16"/><path class="g-head" d="M120 42l-4 -9h8z"/></g>
+<rect class="g-back" width="300" height="338" rx="8"/>
+<g><title>initial state</title><circle class="g-start" cx="150" cy="18" r="5"/><path class="g-line" d="M150 36v-16"/><path class="g-head" d="M150 42l-4 -9h8z"/></g>
 <g class="g-edge"><title>Coast to Drogue: T &gt; 2000 and highest - pad &gt; 300 and roll_median(baro, 9) &lt; highest - 10
 or: not (T &gt; 2000 and highest - pad &gt; 300 and roll_median(baro, 9) &lt; highest - 10) and T &gt; 25000
-or: not (T &gt; 2000 and highest - pad &gt; 300 and roll_median(baro, 9) &lt; highest - 10) and not (T &gt; 25000) and (baro &lt; 3 or T &gt; 30000)</title><path class="g-line" d="M120 76V96M120 184V198"/><path class="g-head" d="M120 204l-4 -9h8z"/><text class="g-guard g-mid" x="120" y="109">T &gt; 2000 and highest - pad &gt; 300</text><text class="g-guard g-mid" x="120" y="123">and roll_median(baro, 9)</text><text class="g-guard g-mid" x="120" y="137">&lt; highest - 10</text><path class="g-rule" d="M26 143h189"/><text class="g-guard g-mid" x="120" y="158">else, T &gt; 25000</text><path class="g-rule" d="M26 164h189"/><text class="g-guard g-mid" x="120" y="179">else, baro &lt; 3 or T &gt; 30000</text></g>
-<g class="g-node"><title>Coast, initial state</title><rect class="g-box g-state" x="82" y="42" width="76" height="34" rx="6"/><text class="g-name" x="120" y="64">Coast</text></g>
-<g class="g-node"><title>Drogue</title><rect class="g-box g-state" x="77" y="204" width="86" height="34" rx="6"/><text class="g-name" x="120" y="226">Drogue</text></g>
+or: not (T &gt; 2000 and highest - pad &gt; 300 and roll_median(baro, 9) &lt; highest - 10) and not (T &gt; 25000) and (baro &lt; 3 or T &gt; 30000)</title><path class="g-line" d="M150 98V116M150 248V260"/><path class="g-head" d="M150 266l-4 -9h8z"/><text class="g-guard g-mid" x="150" y="129">T &gt; 2000 and highest - pad &gt; 300</text><text class="g-guard g-mid" x="150" y="143">and roll_median(baro, 9) &lt; highest - 10</text><path class="g-rule" d="M26 150h249"/><text class="g-guard g-mid" x="150" y="165">not (T &gt; 2000 and highest - pad &gt; 300</text><text class="g-guard g-mid" x="150" y="179">and roll_median(baro, 9) &lt; highest - 10)</text><text class="g-guard g-mid" x="150" y="193">and T &gt; 25000</text><path class="g-rule" d="M26 200h249"/><text class="g-guard g-mid" x="150" y="215">not (T &gt; 2000 and highest - pad &gt; 300</text><text class="g-guard g-mid" x="150" y="229">and roll_median(baro, 9) &lt; highest - 10) and</text><text class="g-guard g-mid" x="150" y="243">not (T &gt; 25000) and (baro &lt; 3 or T &gt; 30000)</text></g>
+<g class="g-node"><title>Coast, initial state</title><rect class="g-box g-state" x="91" y="42" width="118" height="56" rx="6"/><text class="g-name" x="150" y="64">Coast</text><path class="g-rule" d="M104 72h92"/><text class="g-block" x="104" y="87">step</text><text class="g-guard" x="138" y="87">on = false</text></g>
+<g class="g-node"><title>Drogue</title><rect class="g-box g-state" x="93" y="266" width="114" height="56" rx="6"/><text class="g-name" x="150" y="288">Drogue</text><path class="g-rule" d="M106 296h88"/><text class="g-block" x="106" y="311">step</text><text class="g-guard" x="140" y="311">on = true</text></g>
 </svg>

@@ -40,6 +40,8 @@ stateDiagram-v2
     state "Abort" as s3
     state "Done" as s4
     state "Lost" as s5
+    s2 : entry valve = true
+    s2 : exit valve = false
     [*] --> s1
     s1 --> s2 : armed
     s2 --> s3 : pressure #62; 800 or pressure #60; 1

@@ -55,7 +55,7 @@ digraph "tank" { // drawn by smc
     "/start" [shape=point, width=0.15];
     "/start" -> "Idle";
     "Idle" [label="Idle\nentered once", style="filled,rounded", color="#0c7268", fillcolor="#e3f3f1", peripheries=2];
-    "Fill" [label="Fill\nentered once", style="filled,rounded"];
+    "Fill" [label="Fill\nentered once\nentry valve = true\lexit valve = false\l", style="filled,rounded"];
     "Abort" [label="Abort\nentered once", style="filled", shape=octagon, color="#b5320f", fillcolor="#fdeae4", peripheries=2];
     "Done" [label="Done\nnever entered", style="filled,rounded,dotted", color="#0c7268", fillcolor="#e3f3f1", peripheries=2];
     "Idle" -> "Fill" [label="armed\ntaken once"];
@@ -72,6 +72,8 @@ stateDiagram-v2
     state "Fill" as s2
     state "Abort" as s3
     state "Done" as s4
+    s2 : entry valve = true
+    s2 : exit valve = false
     [*] --> s1
     s1 --> s2 : armed (taken 2 times)
     s2 --> s3 : pressure #62; 800

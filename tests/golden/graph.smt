@@ -29,7 +29,7 @@ bool valve
 .entry
     -> Idle
 -- stdout --
-<svg xmlns="http://www.w3.org/2000/svg" class="smc-graph" role="img" stroke-width="1.4" width="539" height="392" viewBox="0 0 539 392">
+<svg xmlns="http://www.w3.org/2000/svg" class="smc-graph" role="img" stroke-width="1.4" width="648" height="422" viewBox="0 0 648 422">
 <title>State diagram of tank</title>
 <desc>5 states, 7 transitions. The initial state is Idle.</desc>
 <style>
@@ -38,6 +38,7 @@ bool valve
 .smc-graph .g-to{font-weight:bold;text-anchor:middle}
 .smc-graph .g-mid{text-anchor:middle}
 .smc-graph .g-end{text-anchor:end}
+.smc-graph .g-block{font-style:italic}
 .smc-graph .g-line{fill:none}
 .smc-graph .g-box{stroke-width:1.4}
 .smc-graph .g-abort,.smc-graph .g-safe{stroke-width:2.2}
@@ -78,18 +79,18 @@ bool valve
 .smc-graph .g-bang{fill:#3d2f00}
 }
 </style>
-<rect class="g-back" width="539" height="392" rx="8"/>
-<g><title>initial state</title><circle class="g-start" cx="113" cy="18" r="5"/><path class="g-line" d="M113 36v-16"/><path class="g-head" d="M113 42l-4 -9h8z"/></g>
-<g class="g-edge"><title>Idle to Fill: armed</title><path class="g-line" d="M113 76V138M113 156V170"/><path class="g-head" d="M113 176l-4 -9h8z"/><text class="g-guard g-mid" x="113" y="151">armed</text></g>
+<rect class="g-back" width="648" height="422" rx="8"/>
+<g><title>initial state</title><circle class="g-start" cx="308" cy="18" r="5"/><path class="g-line" d="M308 36v-16"/><path class="g-head" d="M308 42l-4 -9h8z"/></g>
+<g class="g-edge"><title>Idle to Fill: armed</title><path class="g-line" d="M308 76V126M308 144V156"/><path class="g-head" d="M308 162l-4 -9h8z"/><text class="g-guard g-mid" x="308" y="139">armed</text></g>
 <g class="g-edge"><title>Fill to Abort: pressure &gt; 800 or pressure &lt; 1
-or: T &gt; 60000</title><path class="g-line" d="M113 210V250M113 289V336"/><path class="g-head" d="M113 342l-4 -9h8z"/><text class="g-guard g-mid" x="113" y="263">pressure &gt; 800 or pressure &lt; 1</text><path class="g-rule" d="M26 269h175"/><text class="g-guard g-mid" x="113" y="284">T &gt; 60000</text></g>
-<g class="g-edge"><title>Fill to Done: pressure &gt; 500 and armed</title><path class="g-line" d="M142 210C142 230 308 230 308 250V260M308 278V289V336"/><path class="g-head" d="M308 342l-4 -9h8z"/><text class="g-guard g-mid" x="308" y="273">pressure &gt; 500 and armed</text></g>
-<g class="g-edge"><title>Fill to Fill: pressure == 499</title><path class="g-line" d="M151 185c28 -10 32 16 6 16"/><path class="g-head" d="M151 201l9 -4v8z"/><text class="g-guard" x="183" y="197">pressure == 499</text></g>
-<g class="g-edge g-never"><title>Abort to Idle: 1 &gt; 2 (never)</title><path class="g-line" d="M142 342C142 315 413 315 413 289V250V210V176V156M413 138C413 110 128 110 128 82"/><path class="g-head" d="M128 76l-4 9h8z"/><text class="g-guard g-mid" x="413" y="151">1 &gt; 2</text></g>
-<g class="g-edge g-never"><title>Lost to Idle: on entry (never)</title><path class="g-line" d="M485 176V156M485 138C485 110 142 110 142 82"/><path class="g-head" d="M142 76l-4 9h8z"/><text class="g-guard g-mid" x="485" y="151">on entry</text></g>
-<g class="g-node"><title>Idle, initial state</title><rect class="g-box g-state" x="75" y="42" width="76" height="34" rx="6"/><text class="g-name" x="113" y="64">Idle</text></g>
-<g class="g-node"><title>Fill</title><rect class="g-box g-state" x="75" y="176" width="76" height="34" rx="6"/><text class="g-name" x="113" y="198">Fill</text></g>
-<g class="g-node"><title>Abort, @abort</title><path class="g-box g-abort" d="M86 342h54l11 11v12l-11 11h-54l-11 -11v-12z"/><text class="g-name" x="113" y="364">Abort</text></g>
-<g class="g-node"><title>Done, @safe</title><rect class="g-box g-safe" x="270" y="342" width="76" height="34" rx="17"/><rect class="g-in g-safe" x="274" y="346" width="68" height="26" rx="13"/><text class="g-name" x="308" y="364">Done</text></g>
-<g class="g-node g-never"><title>Lost, unreachable</title><rect class="g-box g-state" x="447" y="176" width="76" height="34" rx="6"/><text class="g-name" x="485" y="198">Lost</text></g>
+or: T &gt; 60000</title><path class="g-line" d="M251 232C251 249 113 249 113 267M113 307V366"/><path class="g-head" d="M113 372l-4 -9h8z"/><text class="g-guard g-mid" x="113" y="280">pressure &gt; 800 or pressure &lt; 1</text><path class="g-rule" d="M26 287h175"/><text class="g-guard g-mid" x="113" y="302">T &gt; 60000</text></g>
+<g class="g-edge"><title>Fill to Done: pressure &gt; 500 and armed</title><path class="g-line" d="M308 232V267V278M308 296V307V366"/><path class="g-head" d="M308 372l-4 -9h8z"/><text class="g-guard g-mid" x="308" y="291">pressure &gt; 500 and armed</text></g>
+<g class="g-edge"><title>Fill to Fill: pressure == 499</title><path class="g-line" d="M374 189c28 -10 32 16 6 16"/><path class="g-head" d="M374 205l9 -4v8z"/><text class="g-guard" x="406" y="201">pressure == 499</text></g>
+<g class="g-edge g-never"><title>Abort to Idle: 1 &gt; 2 (never)</title><path class="g-line" d="M142 372C142 339 522 339 522 307V267V232V162V144M522 126C522 104 323 104 323 82"/><path class="g-head" d="M323 76l-4 9h8z"/><text class="g-guard g-mid" x="522" y="139">1 &gt; 2</text></g>
+<g class="g-edge g-never"><title>Lost to Idle: on entry (never)</title><path class="g-line" d="M594 180V162V144M594 126C594 104 337 104 337 82"/><path class="g-head" d="M337 76l-4 9h8z"/><text class="g-guard g-mid" x="594" y="139">on entry</text></g>
+<g class="g-node"><title>Idle, initial state</title><rect class="g-box g-state" x="270" y="42" width="76" height="34" rx="6"/><text class="g-name" x="308" y="64">Idle</text></g>
+<g class="g-node"><title>Fill</title><rect class="g-box g-state" x="242" y="162" width="132" height="70" rx="6"/><text class="g-name" x="308" y="184">Fill</text><path class="g-rule" d="M255 192h106"/><text class="g-block" x="255" y="207">entry</text><text class="g-guard" x="289" y="207">valve = true</text><text class="g-block" x="255" y="221">exit</text><text class="g-guard" x="289" y="221">valve = false</text></g>
+<g class="g-node"><title>Abort, @abort</title><path class="g-box g-abort" d="M86 372h54l11 11v12l-11 11h-54l-11 -11v-12z"/><text class="g-name" x="113" y="394">Abort</text></g>
+<g class="g-node"><title>Done, @safe</title><rect class="g-box g-safe" x="270" y="372" width="76" height="34" rx="17"/><rect class="g-in g-safe" x="274" y="376" width="68" height="26" rx="13"/><text class="g-name" x="308" y="394">Done</text></g>
+<g class="g-node g-never"><title>Lost, unreachable</title><rect class="g-box g-state" x="556" y="180" width="76" height="34" rx="6"/><text class="g-name" x="594" y="202">Lost</text></g>
 </svg>

@@ -1,7 +1,7 @@
 # The limits of an application apply to the images that it contains: with names, where locals can be observed, or with --strip.
-args check r.app --max-ram=80
-args build r.app -o out --max-ram=80
-args build r.app -o out --max-ram=80 --strip
+args check r.app --max-ram=120
+args build r.app -o out --max-ram=120
+args build r.app -o out --max-ram=120 --strip
 
 -- r.sv --
 [A]
@@ -33,15 +33,15 @@ time         time 1 ms
 every 10 ms:
     machine m "m.sm" @bytecode
 -- stderr --
-m.sm:1:1: error: machine 'm' needs 88 bytes of RAM on a 64-bit computer, but --max-ram allows 80 [E0860]
+m.sm:1:1: error: machine 'm' needs 128 bytes of RAM on a 64-bit computer, but --max-ram allows 120 [E0860]
     1 | [state_vector]
       | ^
-note: 0 bytes are for windows, 32 for locals, 56 for the VM itself
+note: 0 bytes are for windows, 32 for locals, 96 for the VM itself
 1 error
-m.sm:1:1: error: machine 'm' needs 88 bytes of RAM on a 64-bit computer, but --max-ram allows 80 [E0860]
+m.sm:1:1: error: machine 'm' needs 128 bytes of RAM on a 64-bit computer, but --max-ram allows 120 [E0860]
     1 | [state_vector]
       | ^
-note: 0 bytes are for windows, 32 for locals, 56 for the VM itself
+note: 0 bytes are for windows, 32 for locals, 96 for the VM itself
 1 error
 -- exit --
 1 1 0

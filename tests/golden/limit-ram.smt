@@ -20,15 +20,15 @@ bool open
 .step
     open = true
 -- stderr --
-a.sm:8:43: error: machine 'a' needs 60169 bytes of RAM on a 64-bit computer, but --max-ram allows 1000 [E0860]
+a.sm:8:43: error: machine 'a' needs 60209 bytes of RAM on a 64-bit computer, but --max-ram allows 1000 [E0860]
     8 |     open = roll_avg(pressure, 10) > 5 and roll_max(pressure, 5000) > 100
       |                                           ^~~~~~~~~~~~~~~~~~~~~~~~ the largest window: 5000 samples, 60048 bytes
-note: 60096 bytes are for windows, 1 for locals, 72 for the VM itself
+note: 60096 bytes are for windows, 1 for locals, 112 for the VM itself
 1 error
-b.sm:1:1: error: machine 'b' needs 56 bytes of RAM on a 64-bit computer, but --max-ram allows 10 [E0860]
+b.sm:1:1: error: machine 'b' needs 96 bytes of RAM on a 64-bit computer, but --max-ram allows 10 [E0860]
     1 | [state_vector]
       | ^
-note: 0 bytes are for windows, 0 for locals, 56 for the VM itself
+note: 0 bytes are for windows, 0 for locals, 96 for the VM itself
 1 error
 -- exit --
 1 1

@@ -49,8 +49,8 @@ The machine has 1 state and starts in `Idle`. It reads `x`. It writes `valve`. I
   States covered       1 of 1
   Transitions covered  0 of 0
   Longest step         5 instructions, in Idle
-  On an Arduino Uno    about [..] ms
-  Memory on the VM     56 bytes on a 64-bit computer
+  On an Arduino Uno    about [..] ms, in Idle
+  Memory on the VM     96 bytes on a 64-bit computer
   Image                76 bytes
   Image CRC            f712cd1a
   Source identity      2f257f5f61796867
@@ -98,7 +98,7 @@ VM instructions in the longest step of each state, computed from the image that 
 take more. The first step of a state also runs `.entry`, and a step that leaves the state also runs
 `.exit`.
 
-  State  First step  Later steps  Most expensive lines of the longest step  Cycles on an Uno
+  State  First step  Later steps  Most expensive lines of the longest step  Cycles on AVR
   Idle            5            5  line 8: 5[..]
 
 The longest step, in `Idle`
@@ -106,15 +106,17 @@ The longest step, in `Idle`
   .step     8  valve = x > 5             5
 
 On an Arduino Uno
-The longest step on an ATmega328P at 16 MHz. This is an estimate: for each instruction it assumes
-the highest cost that was measured, for any operands. In tests, real steps took between a third and
+The longest step at 16 MHz. This is an estimate: for each instruction it assumes the highest cost
+that was measured on an ATmega328P, for any operands. In tests, real steps took between a third and
 three quarters of the estimate. It is not proved that no step can take longer. The cost of emitted
 C depends on the compiler and is not estimated.
 
-  Part                               Value
-  Longest step, image in EEPROM[..] ms
-  Longest step, image in flash[..] ms
+  Part                                     Value
+  Longest step, image in EEPROM[..] ms, in Idle
+  Longest step, image in flash[..] ms, in Idle
   Stack of a step, largest measured[..] bytes
+  RAM of state vector, locals and windows  24 bytes of at most 960
+  Image                                    76 bytes of at most 960
 
 Memory
 RAM of this machine on the VM of a 64-bit computer. A board with shorter pointers needs slightly
@@ -123,8 +125,8 @@ less. The state vector is shared with the application and is not included.
   Part                           Bytes
   Windows of rolling statistics      0
   Locals and temporary values        0
-  State of the VM                   56
-  RAM in total                      56
+  State of the VM                   96
+  RAM in total                      96
   State vector                      24
   Image, in flash or RAM            76
   of which code                      9

@@ -23,8 +23,8 @@ bool valve    # lets "fuel" in
       "Findings": [..],
       "Scripts": "none were run",
       "Longest step": "7 instructions, in Idle",
-      "On an Arduino Uno": "about [..] ms",
-      "Memory on the VM": "56 bytes on a 64-bit computer",
+      "On an Arduino Uno": "about [..] ms, in Idle",
+      "Memory on the VM": "96 bytes on a 64-bit computer",
       "Image": "86 bytes",
       "Image CRC": "ced101b8",
       "Source identity": "fdba2cfd5231c29c",
@@ -61,7 +61,7 @@ bool valve    # lets "fuel" in
  "cost": {"title": "Costs",
    "text": [
     "VM instructions in the longest step of each state, computed from the image that flies. No step can take more. The first step of a state also runs `.entry`, and a step that leaves the state also runs `.exit`.",
-    "The longest step on an ATmega328P at 16 MHz. This is an estimate: for each instruction it assumes the highest cost that was measured, for any operands. In tests, real steps took between a third and three quarters of the estimate. It is not proved that no step can take longer. The cost of emitted C depends on the compiler and is not estimated.",
+    "The longest step at 16 MHz. This is an estimate: for each instruction it assumes the highest cost that was measured on an ATmega328P, for any operands. In tests, real steps took between a third and three quarters of the estimate. It is not proved that no step can take longer. The cost of emitted C depends on the compiler and is not estimated.",
     "RAM of this machine on the VM of a 64-bit computer. A board with shorter pointers needs slightly less. The state vector is shared with the application and is not included."],
    "tables": {
     "steps": [
@@ -75,13 +75,15 @@ bool valve    # lets "fuel" in
     "board": [
       {"part": "Longest step, image in EEPROM", "value": "[..]"},
       {"part": "Longest step, image in flash", "value": "[..]"},
-      {"part": "Stack of a step, largest measured", "value": "[..]"}
+      {"part": "Stack of a step, largest measured", "value": "[..]"},
+      {"part": "RAM of state vector, locals and windows", "value": "16 bytes of at most 960"},
+      {"part": "Image", "value": "86 bytes of at most 960"}
     ],
     "bytes": [
       {"part": "Windows of rolling statistics", "bytes": 0},
       {"part": "Locals and temporary values", "bytes": 0},
-      {"part": "State of the VM", "bytes": 56},
-      {"part": "RAM in total", "bytes": 56},
+      {"part": "State of the VM", "bytes": 96},
+      {"part": "RAM in total", "bytes": 96},
       {"part": "State vector", "bytes": 16},
       {"part": "Image, in flash or RAM", "bytes": 86},
       {"part": "of which code", "bytes": 16}

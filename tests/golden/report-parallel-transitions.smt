@@ -49,6 +49,8 @@ a.ss [passed]
   States covered       2 of 3
   Transitions covered  2 to 5 of 6
 Not covered by the scripts
+No script visits `Lost`. No script takes a transition from `Done` to `Lost`.
+
 If several transitions lead from one state to another, a run does not show which of them was taken:
 from `Idle` to `Done` (lines 7, 8), from `Done` to `Idle` (lines 11, 13, 14). Some of them may
 never have been taken.

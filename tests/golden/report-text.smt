@@ -72,8 +72,8 @@ its final states `Done` and `Abort`.
   States covered       3 of 4
   Transitions covered  2 of 3
   Longest step         16 instructions, in Fill
-  On an Arduino Uno    about [..] ms
-  Memory on the VM     120 bytes on a 64-bit computer
+  On an Arduino Uno    about [..] ms, in Fill
+  Memory on the VM     160 bytes on a 64-bit computer
   Image                161 bytes
   Image CRC            6677e475
   Source identity      5acf0981b6a5ecb5
@@ -178,7 +178,7 @@ take more. The first step of a state also runs `.entry`, and a step that leaves 
 Of each step, 3 instructions take the samples of windows. What a sample costs in addition to its
 instruction depends on the window.
 
-  State  First step  Later steps  Most expensive lines of the longest step      Cycles on an Uno
+  State  First step  Later steps  Most expensive lines of the longest step      Cycles on AVR
   Idle            8            8  line 17: 5, line 27 (samples): 3[..]
   Fill           16           13  line 31: 5, line 27 (samples): 3, line 24: 3[..]
   Done            3            3  line 27 (samples): 3[..]
@@ -194,15 +194,17 @@ The longest step, in `Fill`
   .step      31  valve = T < 40000                                          5
 
 On an Arduino Uno
-The longest step on an ATmega328P at 16 MHz. This is an estimate: for each instruction it assumes
-the highest cost that was measured, for any operands. In tests, real steps took between a third and
+The longest step at 16 MHz. This is an estimate: for each instruction it assumes the highest cost
+that was measured on an ATmega328P, for any operands. In tests, real steps took between a third and
 three quarters of the estimate. It is not proved that no step can take longer. The cost of emitted
 C depends on the compiler and is not estimated.
 
-  Part                               Value
-  Longest step, image in EEPROM[..] ms
-  Longest step, image in flash[..] ms
+  Part                                     Value
+  Longest step, image in EEPROM[..] ms, in Fill
+  Longest step, image in flash[..] ms, in Fill
   Stack of a step, largest measured[..] bytes
+  RAM of state vector, locals and windows  80 bytes of at most 960
+  Image                                    161 bytes of at most 960
 
 Memory
 RAM of this machine on the VM of a 64-bit computer. A board with shorter pointers needs slightly
@@ -211,8 +213,8 @@ less. The state vector is shared with the application and is not included.
   Part                           Bytes
   Windows of rolling statistics     56
   Locals and temporary values        0
-  State of the VM                   64
-  RAM in total                     120
+  State of the VM                  104
+  RAM in total                     160
   State vector                      24
   Image, in flash or RAM           161
   of which code                     72
@@ -237,6 +239,8 @@ Transitions taken by the scripts
   Fill  Abort      0  never taken
 
 Not covered by the scripts
+No script visits `Abort`. No script takes a transition from `Fill` to `Abort`.
+
 fill.ss [passed]
 A tank that fills.
 

@@ -70,7 +70,9 @@ static Things things_of(const Diagram *d)
     }
     for (size_t e = 0; e < d->edge.n; e++) {
         const DiagramEdge *edge = &d->edge.at[e];
-        add_thing(&t, edge->label, edge->guard.at[0].text, edge);
+        Box label = edge->label;
+        label.w += diagram_mark_width(edge);
+        add_thing(&t, label, edge->guard.at[0].text, edge);
         if (edge->form == EDGE_STUB)
             add_thing(&t, edge->name, "stub", NULL);
     }
@@ -100,7 +102,7 @@ static void check_boxes(const Diagram *d, const Things *t)
 static void check_text(const Diagram *d)
 {
     for (size_t n = 0; n < d->nodes; n++)
-        CHECK(d->node[n].name_w + 8 <= d->node[n].box.w);
+        CHECK(d->node[n].name_w + 8 <= d->node[n].box.w && d->node[n].action_w + 8 <= d->node[n].box.w && d->node[n].action.n <= ACTIONS + 1);
     for (size_t e = 0; e < d->edge.n; e++)
         for (size_t g = 0; g < d->edge.at[e].guard.n; g++) {
             const DiagramLines *line = &d->edge.at[e].guard.at[g].line;
@@ -164,17 +166,33 @@ static void check_complete(const Diagram *d)
     CHECK(guards == d->a->transition.n);
 }
 
+// No place at which slices are cut touches a box, and there is one below each layer.
+static void check_cuts(const Diagram *d, const Things *t)
+{
+    CHECK(d->cut.n > 0);
+    for (size_t c = 0; c < d->cut.n; c++)
+        for (size_t k = 0; k < t->n; k++)
+            CHECK(d->cut.at[c] <= t->at[k].box.y || d->cut.at[c] >= t->at[k].box.y + t->at[k].box.h);
+}
+
+// With a finding, and so a mark, at every third transition.
 static const Diagram *check_layout(const Program *p)
 {
-    const DiagramOptions none = {NULL, NULL, NULL};
+    Diags found;
+    const DiagramOptions o = {&found, NULL, NULL};
     Analysis a = analysed(p);
-    Diagram *d = diagram_build(&a, &none);
+    Diagram *d;
     Things t;
 
+    diags_init(&found, &session.arena);
+    for (size_t i = 0; i < a.transition.n; i += 3)
+        diag_report(&found, DIAG_unreachable_state, a.transition.at[i].stmt->span, "marked");
+    d = diagram_build(&a, &o);
     layout_diagram(d);
     t = things_of(d);
     check_boxes(d, &t);
     check_text(d);
+    check_cuts(d, &t);
     check_complete(d);
     check_ends(d);
     for (size_t e = 0; e < d->edge.n; e++)
@@ -216,12 +234,35 @@ static const char *drawn(const Analysis *a, const DiagramOptions *o)
     return buf_text(&out);
 }
 
+// The slices of a picture follow each other without gap or overlap, are no higher than allowed, and together as high as the picture.
+static void check_slices(const Analysis *a, int32_t most)
+{
+    DiagramSize size;
+    const DiagramOptions o = {NULL, NULL, &size};
+    int32_t bottom = 0;
+    Buf out;
+
+    drawn(a, &o);
+    buf_init(&out, &session.arena);
+    diagram_write_slices(a, &o, most, &out);
+    CHECK(well_formed(buf_text(&out)));
+    for (const char *s = buf_text(&out); (s = strstr(s, "viewBox=\"0 ")) != NULL; s++) {
+        char *end;
+        const long top = strtol(s + 11, &end, 10), w = strtol(end, &end, 10), h = strtol(end, &end, 10);
+        CHECK(top == bottom && w == size.w && h > 0 && h <= most);
+        bottom = (int32_t)(top + h);
+    }
+    CHECK(bottom == size.h);
+}
+
 static void check_svg(const Program *p)
 {
     const DiagramOptions none = {NULL, NULL, NULL};
     Analysis a = analysed(p), b = analysed(p);
 
     CHECK(strcmp(drawn(&a, &none), drawn(&b, &none)) == 0);
+    check_slices(&a, 300);
+    check_slices(&a, 100000);
 }
 
 // ---- machines from files ----
@@ -367,6 +408,62 @@ static void check_wrapping(void)
     CHECK(t.n == 1 && strcmp(t.at[0].text, "go") == 0);
 }
 
+// Lines end between conditions; a call is torn apart only if it is wider than a line.
+static void check_condition_lines(void)
+{
+    static const char *const want[] = {"T > 300", "and roll_min(max(pressureA, pressureB), 5)", "> mostPressure and not (a or b)"};
+    const DiagramLines t = diagram_text_wrap(&session.arena,
+                                             "T > 300 and roll_min(max(pressureA, pressureB), 5) > mostPressure and not (a or b)",
+                                             GUARD_SIZE, 260, 6);
+
+    CHECK(t.n == sizeof want / sizeof *want);
+    for (size_t i = 0; i < t.n; i++)
+        CHECK(strcmp(t.at[i].text, want[i]) == 0);
+}
+
+// ---- actions ----
+
+static const char acting[] = "[state_vector]\nU64 t @alias G\nU32 s @alias S\nF64 p\nbool valve\nU8 code\nU8 c\n[local]\nF64 l = 0\n"
+                             "[A]\n.entry\nvalve = true\nl = p\n.step\np > 5: valve = p > 7\n"
+                             "p > 9 {\ncode = 3\n-> B\n}\n.exit\nvalve = false\n"
+                             "[B]\n.step\nc = 1\nc = 2\nc = 3\nc = 4\nc = 5\nc = 6\nc = 7\nc = 8\nc = 9\nc = 10\n";
+
+// Boxes list the assignments to elements; those to locals and those beside a transition are missing, and the rest is counted.
+static void check_actions(void)
+{
+    static const char *const want[] = {"valve = true", "valve = p > 7 if p > 5", "valve = false"};
+    const DiagramOptions none = {NULL, NULL, NULL};
+    Analysis a = analysed(compile("acting.sm", acting, strlen(acting)));
+    const Diagram *d = diagram_build(&a, &none);
+
+    CHECK(d->node[0].action.n == sizeof want / sizeof *want);
+    for (size_t i = 0; i < d->node[0].action.n; i++)
+        CHECK(strcmp(d->node[0].action.at[i].text, want[i]) == 0 && d->node[0].action.at[i].first);
+    CHECK(d->node[1].action.n == ACTIONS + 1);
+    CHECK(d->node[1].action.at[0].first && !d->node[1].action.at[1].first);
+    CHECK(strcmp(d->node[1].action.at[ACTIONS].text, "\xe2\x80\xa6 and 2 more") == 0);
+    CHECK(strstr(drawn(&a, &none), ">exit<") != NULL);
+}
+
+// ---- the path down the page ----
+
+static const char aborting[] = "[state_vector]\nU64 t @alias G\nU32 s @alias S\nF64 p\n"
+                               "[A]\n.step\np > 1: -> X\np < 0: -> B\n[B]\n.step\np > 5: -> C\n[C]\n[X] @abort\n.step\n-> Y\n[Y]\n.step\n-> Z\n[Z]\n";
+
+static int32_t center_of(const Diagram *d, size_t node) { return d->node[node].box.x + d->node[node].box.w / 2; }
+
+// The longest path from A leads through the @abort state, but the column below A is A, B, C.
+static void check_spine(void)
+{
+    const DiagramOptions none = {NULL, NULL, NULL};
+    Analysis a = analysed(compile("aborting.sm", aborting, strlen(aborting)));
+    Diagram *d = diagram_build(&a, &none);
+
+    layout_diagram(d);
+    CHECK(abs(center_of(d, 0) - center_of(d, 1)) <= 1 && abs(center_of(d, 1) - center_of(d, 2)) <= 1);
+    CHECK(abs(center_of(d, 0) - center_of(d, 3)) > 20);
+}
+
 int main(int argc, char **argv)
 {
     if (setjmp(oom)) {
@@ -377,6 +474,9 @@ int main(int argc, char **argv)
     for (int i = 1; i < argc; i++)
         check_file(argv[i]);
     check_wrapping();
+    check_condition_lines();
+    check_actions();
+    check_spine();
     check_counts();
     check_findings();
     check_name();

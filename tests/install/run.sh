@@ -178,6 +178,48 @@ int main(void)
 EOF
 check "the VM library compiles in" $cc -std=c99 -I"$inst/include/smc" host.c -L"$inst/lib" -lsmvm -o host
 check "and runs" ./host
+# As a shared library for other languages: it exports what the headers declare, and nothing else.
+shared() { $cc -shared -o libsmvm.so -Wl,--whole-archive "$inst/lib/libsmvm.a" -Wl,--no-whole-archive; }
+declarations() { $cc -E -P -std=c99 -DSMVM_BINDINGS '-D__attribute__(x)=' -I"$inst/include/smc" "$inst/include/smc/bytecode-vm/smvm.h" >smvm.i; }
+exports_declared()
+{
+    grep -o '[ *]sm_result_text(\|[ *]smvm_[a-z_0-9]*(' smvm.i | tr -d ' *(' | sort >declared
+    nm -D --defined-only libsmvm.so | sed -n 's/.* [A-Z] \(sm.*\)/\1/p' | sort >exported
+    test "$(wc -l <declared)" -ge 24 && cmp declared exported
+}
+check "the VM library becomes a shared one" shared
+check "its header can be read as declarations" declarations
+if command -v nm >/dev/null; then
+    check "which are exactly what it exports" exports_declared
+else
+    echo "install: no nm here; apt-get install binutils"
+    skipped=$((skipped + 1))
+fi
+check "a program uses the shared one" sh -c "$cc -std=c99 -I'$inst/include/smc' host.c ./libsmvm.so -Wl,-rpath,. -o host3 && ./host3"
+runs_python()
+{
+    sed -n '/^import cffi/,/^```$/{/^```$/d;p;}' "$root/docs/embedding.md" >host.py && test "$(wc -l <host.py)" -ge 25 &&
+        "$inst/bin/smc" build -w -g tank.sm -o tank.smb && python3 host.py >host.out && grep -c 'psi in TankVentControl' host.out | grep -qx 4 &&
+        sed -n '/^\$ .\/host$/,/^```$/{/psi in/p;}' "$root/docs/embedding.md" | cmp - host.out
+}
+if python3 -c 'import cffi' 2>/dev/null; then
+    check "cffi reads the declarations, and the example of the documentation runs" runs_python
+else
+    echo "install: no cffi for python3 here; apt-get install python3-cffi"
+    skipped=$((skipped + 1))
+fi
+runs_rust()
+{
+    bindgen "$inst/include/smc/bytecode-vm/smvm.h" -o smvm.rs -- -DSMVM_BINDINGS -I"$inst/include/smc" &&
+        printf '#![allow(warnings)]\ninclude!("smvm.rs");\nfn main() { unsafe { assert!(smvm_machine_size() as usize == std::mem::size_of::<SmvmMachine>()); } }\n' >host.rs &&
+        rustc host.rs -L native="$inst/lib" -l static=smvm -o host_rs && ./host_rs
+}
+if command -v bindgen >/dev/null && command -v rustc >/dev/null; then
+    check "bindgen reads the header, and a program in Rust links the library" runs_rust
+else
+    echo "install: no bindgen or no rustc here; apt-get install bindgen rustc"
+    skipped=$((skipped + 1))
+fi
 if command -v pkg-config >/dev/null; then
     PKG_CONFIG_PATH=$inst/lib/pkgconfig
     export PKG_CONFIG_PATH

@@ -173,8 +173,8 @@ static void passing_errors(void)
     uint8_t x = 0;
     size_t n = 0;
 
-    CHECK(pal_socket_listen(&listening, &here) == SM_OK && pal_socket_own(listening, &to) == SM_OK);
-    CHECK(pal_socket_udp(&s, &here) == SM_OK && pal_socket_own(s, &at) == SM_OK);
+    CHECK(pal_socket_listen(&listening, &here) == SM_OK && pal_socket_local_address(listening, &to) == SM_OK);
+    CHECK(pal_socket_udp(&s, &here) == SM_OK && pal_socket_local_address(s, &at) == SM_OK);
     for (size_t i = 0; i < COUNT(of_network); i++) {
         fault(0, of_network[i], false);
         CHECK(pal_socket_accept(listening, &stream, NULL, 2 * MS) == SM_E_TIMEOUT && calls()[0] == 'a');

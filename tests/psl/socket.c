@@ -25,7 +25,7 @@ static void without(void)
     CHECK(pal_socket_send(s, &x, 1, &n, 0) == SM_E_UNSUPPORTED && n == 0);
     CHECK(pal_socket_send(s, &x, 1, NULL, 0) == SM_E_UNSUPPORTED);
     CHECK(pal_socket_receive(s, &x, 1, &n, 0) == SM_E_UNSUPPORTED);
-    CHECK(pal_socket_own(s, &a) == SM_E_UNSUPPORTED);
+    CHECK(pal_socket_local_address(s, &a) == SM_E_UNSUPPORTED);
     CHECK(pal_socket_close(s) == SM_E_UNSUPPORTED);
     CHECK(s.id == 0);
 }
@@ -34,7 +34,7 @@ static PalAddress own(PalSocket s)
 {
     PalAddress a = {{0, 0, 0, 0}, 0};
 
-    CHECK(pal_socket_own(s, &a) == SM_OK && memcmp(a.ip, here.ip, 4) == 0 && a.port != 0);
+    CHECK(pal_socket_local_address(s, &a) == SM_OK && memcmp(a.ip, here.ip, 4) == 0 && a.port != 0);
     return a;
 }
 
@@ -58,7 +58,7 @@ static void bad_handles(void)
         CHECK(pal_socket_receive_from(s, &a, &x, 1, &n, 0) == SM_E_HANDLE && n == 7);
         CHECK(pal_socket_send(s, &x, 1, &n, 0) == SM_E_HANDLE && n == 0);
         CHECK(pal_socket_receive(s, &x, 1, &n, 0) == SM_E_HANDLE);
-        CHECK(pal_socket_own(s, &a) == SM_E_HANDLE);
+        CHECK(pal_socket_local_address(s, &a) == SM_E_HANDLE);
         CHECK(pal_socket_close(s) == SM_E_HANDLE);
     }
 }
@@ -125,7 +125,7 @@ static void datagrams(void)
     CHECK(pal_socket_udp(&c, &taken) == SM_E_BUSY);
     CHECK(pal_socket_udp(&c, &elsewhere) == SM_E_MISSING);
     CHECK(c.id == 0);
-    CHECK(pal_socket_own(a, NULL) == SM_E_ARGUMENT);
+    CHECK(pal_socket_local_address(a, NULL) == SM_E_ARGUMENT);
     datagrams_arrive(a, b);
     datagrams_do_not(a, b);
     CHECK(pal_socket_close(a) == SM_OK && pal_socket_close(a) == SM_E_HANDLE);

@@ -54,11 +54,15 @@ page four-scripts 0 "$examples/mission/mission.sm" "--sv=$examples/mission/rocke
     "$examples"/mission/mission-accelerometer-broken.ss "$examples"/mission/mission-plugged-in.ss "$examples"/mission/mission-weak-motor.ss
 page airbrakes 0 "$examples/mission/airbrakes.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/airbrakes*.ss
 page hostile 1 "$here/hostile.sm" "$here/hostile.ss" "$here/failing.ss"
+page twostage 0 "$root/tests/graph/machines/twostage.sm"
 page alone 0 "$examples/tank/tank.sm"
 
 # A diagram that is readable on part of a page is marked as low, others are not.
-expect "a low diagram" grep -q '<figure class="low">' "$out/chilldown.html"
-expect "a diagram that is not low" sh -c "! grep -q '<figure class=\"low\">' '$out/ignition.html'"
+expect "a low diagram" grep -q '<figure class="diagram low">' "$out/chilldown.html"
+expect "a large diagram has slices for paper" test "$(grep -c '^<svg' "$out/twostage.html")" -ge 4
+expect "it is printed on landscape pages" grep -q '<figure class="diagram large">' "$out/twostage.html"
+expect "a diagram without slices" sh -c "! grep -q '<div class=\"print\"' '$out/chilldown.html'"
+expect "a diagram that is not low" sh -c "! grep -q '<figure class=\"diagram low\">' '$out/ignition.html'"
 
 # The JSON is valid, if python3 exists to check it.
 if command -v python3 >/dev/null; then

@@ -5,6 +5,7 @@
 //   agent OLD.smb NEW.smb [RUNS [SEED]]
 #include <stdlib.h>
 
+#include "bytecode-vm/target/state_log.h"
 #include "compiler/device/device.h"
 #include "tests/store/board.h"
 #include "tests/test.h"
@@ -192,7 +193,7 @@ static void check_recovery(Pair *p)
 
     CHECK(update(p, &new_image, &u) == DEVICE_DONE && runs(&p->board, &new_image));
     CHECK(device_request_by_checksum(&p->host, LINK_CONFIRM, new_image.checksum));
-    for (int i = 0; i < STORE_TRIES + 1; i++)
+    for (int i = 0; i < STORE_TRIES * STORE_START + 1; i++)
         CHECK(board_start(&p->board) && runs(&p->board, &new_image));
 }
 
@@ -320,6 +321,7 @@ static void unusable_image_is_skipped(const char *memory)
     CHECK(update(&p, &new_image, &u) == DEVICE_DONE && runs(&p.board, &new_image));
     CHECK(device_image(&p.host, 0, &image) && image.before && !image.chosen);
     CHECK(smvm_store_skip(&p.board.store, &p.board.slot) == SM_OK && runs(&p.board, &old_image));
+    CHECK(device_image(&p.host, 1, &image) && image.end == DEVICE_NOT_RUNNABLE);
     CHECK(board_start(&p.board) && runs(&p.board, &old_image));
     CHECK(smvm_store_skip(&p.board.store, &p.board.slot) == SM_OK && p.board.slot == STORE_BUILT_IN);
     CHECK(device_image(&p.host, 0, &image) && image.chosen && !image.runs);
@@ -379,7 +381,7 @@ static void images_are_listed_and_erased(void)
     CHECK(update(&p, &new_image, &u) == DEVICE_DONE && !u.was_running);
     CHECK(device_hello(&p.host, &info) && info.protocol == LINK_PROTOCOL && info.slots == 2);
     CHECK(info.ram == 1000 && info.block % 8 == 0);
-    CHECK(info.tells && info.windows && info.machines == 3 && info.ram_digital == 10 && info.ram_analog == 26 && info.period == 300 && info.cycles == 14400);
+    CHECK(info.reports_limits && info.windows && info.machines == 3 && info.ram_digital == 10 && info.ram_analog == 26 && info.period == 300 && info.cycles == 14400);
     CHECK(device_image(&p.host, 0, &image) && image.state == DEVICE_WHOLE && image.checksum == old_image.checksum && !image.runs);
     CHECK(device_image(&p.host, 1, &image) && image.state == DEVICE_TRIAL && image.runs && image.chosen);
     CHECK(image.starts == STORE_TRIES - 1);
@@ -586,6 +588,195 @@ static void events_fit_into_an_answer(void)
     CHECK(link_request(&p.host, LINK_EVENTS, cursor, 4) && p.host.n == 8);
 }
 
+// ---- the log of transitions in the slot of the image that runs ----
+
+typedef struct Logged { Pair p; StateLog log; LinkTransition read[LINK_TRANSITIONS]; size_t n; uint32_t g; } Logged;
+
+static uint8_t *logged_image(const Logged *l) { return (uint8_t *)(uintptr_t)l->p.board.store.plan.image[l->p.board.slot]; }
+
+static void reopen_log(Logged *l) { smvm_state_log_open(&l->log, logged_image(l), l->p.board.store.slot_size); }
+
+// The memory accepts `most` of the next bytes.
+static unsigned write_log(Logged *l, unsigned most)
+{
+    unsigned n = 0;
+    uint8_t byte;
+    SmvmAt at;
+
+    for (; n < most && smvm_state_log_next(&l->log, &at, &byte); n++) {
+        CHECK(at >= smvm_u24(logged_image(l), SMVM_LENGTH_AT) && at < l->p.board.store.slot_size);
+        logged_image(l)[at] = byte;
+        smvm_state_log_advance(&l->log);
+    }
+    return n;
+}
+
+// A transition in second `g` from state `g` to the next, with all of its bytes or only some.
+static unsigned log_transition(Logged *l, unsigned bytes, uint32_t lost)
+{
+    SmEvent e;
+
+    memset(&e, 0, sizeof e);
+    e.kind = SM_EVENT_STATE;
+    e.time = ++l->g * UINT64_C(1000000000);
+    e.source = 2;
+    e.a = l->g;
+    e.b = l->g + 1;
+    CHECK(smvm_state_log_is_idle(&l->log));
+    smvm_state_log_add(&l->log, &e, lost);
+    return write_log(l, bytes);
+}
+
+static void log_many(Logged *l, unsigned n)
+{
+    while (n-- > 0) {
+        smvm_state_log_earn(&l->log);
+        CHECK(log_transition(l, LINK_TRANSITION, 0) == LINK_TRANSITION);
+    }
+}
+
+static bool read_log(Logged *l, uint8_t slot)
+{
+    DeviceInfo info;
+    DeviceImage image;
+
+    return device_hello(&l->p.host, &info) && device_image(&l->p.host, slot, &image) && device_read_transitions(&l->p.host, &info, &image, l->read, &l->n);
+}
+
+// The log has n transitions, up to that of second `last`.
+static bool has_last(Logged *l, size_t n, uint32_t last)
+{
+    bool same = read_log(l, l->p.board.slot) && l->n == n;
+
+    for (size_t i = 0; i < n && same; i++) {
+        const uint32_t g = last - (uint32_t)(n - 1 - i);
+        same = l->read[i].from == g && l->read[i].to == g + 1 && l->read[i].machine == 2 && l->read[i].time == (uint32_t)(g * UINT64_C(1000000000) >> 20);
+    }
+    return same;
+}
+
+static void prepare_log(Logged *l, const char *memory, uint8_t slots)
+{
+    uint32_t room;
+
+    memset(l, 0, sizeof *l);
+    prepare(&l->p, memory, slots);
+    reopen_log(l);
+    room = (l->p.board.store.slot_size - old_image.length) / LINK_TRANSITION;
+    CHECK(l->log.records == (room < LINK_TRANSITIONS ? room : LINK_TRANSITIONS) && l->log.records >= STATE_LOG_LEAST);
+    CHECK(read_log(l, l->p.board.slot) && l->n == 0);
+}
+
+static void log_survives_restarts(void)
+{
+    Logged l;
+
+    for (uint8_t slots = 1; slots <= 2; slots++) {
+        prepare_log(&l, "eeprom", slots);
+        log_many(&l, 3);
+        CHECK(has_last(&l, 3, 3) && board_start(&l.p.board) && runs(&l.p.board, &old_image) && has_last(&l, 3, 3));
+        reopen_log(&l);
+        log_many(&l, 2);
+        CHECK(has_last(&l, 5, 5));
+        for (int i = 0; i < 10; i++) {                 // around the ring, and numbers beyond 255
+            log_many(&l, l.log.records - 1u);
+            CHECK(has_last(&l, l.log.records, l.g));
+            reopen_log(&l);
+        }
+        CHECK(l.g > 256);
+    }
+}
+
+// Power goes after any byte of a record: the one that it overwrites is lost, and no other.
+static void torn_record_is_skipped(void)
+{
+    Logged l;
+
+    for (unsigned bytes = 0; bytes < LINK_TRANSITION; bytes++) {
+        prepare_log(&l, "eeprom", 2);
+        log_many(&l, 2u * l.log.records);
+        smvm_state_log_earn(&l.log);
+        CHECK(log_transition(&l, bytes, 0) == bytes);
+        l.g--;
+        CHECK(has_last(&l, l.log.records - (bytes > 0 ? 1u : 0u), l.g));
+        reopen_log(&l);
+        log_many(&l, 1);
+        CHECK(has_last(&l, l.log.records, l.g));
+    }
+}
+
+// A machine that changes its state in every step does not wear out the memory.
+static void log_is_written_seldom(void)
+{
+    Logged l;
+
+    prepare_log(&l, "eeprom", 2);
+    for (int i = 0; i < STATE_LOG_CREDIT + 9; i++)
+        CHECK(log_transition(&l, LINK_TRANSITION, 0) == (i < STATE_LOG_CREDIT ? LINK_TRANSITION : 0u));
+    smvm_state_log_earn(&l.log);
+    CHECK(log_transition(&l, LINK_TRANSITION, 2) == LINK_TRANSITION && read_log(&l, l.p.board.slot));
+    CHECK(l.n > 1 && l.read[l.n - 1].lost == 11 && l.read[l.n - 2].lost == 0);
+    CHECK(log_transition(&l, LINK_TRANSITION, 400) == 0);
+    smvm_state_log_earn(&l.log);
+    CHECK(log_transition(&l, LINK_TRANSITION, 0) == LINK_TRANSITION && read_log(&l, l.p.board.slot) && l.read[l.n - 1].lost == LINK_LOST_MAX);
+}
+
+// It takes no room of a slot: an update uses all of it, and the log of the image that was there before is not that of the new one.
+static void log_yields_to_images(void)
+{
+    Image full = new_image;
+    Update u;
+    Logged l;
+
+    prepare_log(&l, "eeprom", 1);
+    log_many(&l, 2u * l.log.records);
+    CHECK(update(&l.p, &new_image, &u) == DEVICE_DONE && runs(&l.p.board, &new_image) && read_log(&l, 0) && l.n == 0);
+    reopen_log(&l);
+    log_many(&l, 1);
+    CHECK(has_last(&l, 1, l.g));
+    prepare_log(&l, "eeprom", 2);
+    log_many(&l, 5);
+    CHECK(update(&l.p, &new_image, &u) == DEVICE_DONE && read_log(&l, 0) && l.n == 5 && read_log(&l, 1) && l.n == 0);
+    full.length = l.p.board.store.slot_size - STATE_LOG_LEAST * LINK_TRANSITION + 1;
+    sm_link_store(full.bytes + SMVM_LENGTH_AT, full.length, 3);
+    smvm_state_log_open(&l.log, full.bytes, l.p.board.store.slot_size);
+    CHECK(l.log.records == 0 && log_transition(&l, LINK_TRANSITION, 0) == 0);
+}
+
+// Whatever is in the slot, neither end reads or writes elsewhere, and both end.
+static void any_bytes_are_a_log(void)
+{
+    DeviceImage image = {0};
+    DeviceInfo info;
+    Logged l;
+
+    prepare_log(&l, "eeprom", 2);
+    for (int round = 0; round < 300; round++) {
+        uint8_t *const at = logged_image(&l) + old_image.length;
+        for (uint32_t i = 0; i < l.p.board.store.slot_size - old_image.length; i++)
+            at[i] = (uint8_t)below(256);
+        for (uint32_t i = below(l.log.records + 1u); i > 0; i--) {         // records with any numbers
+            const LinkTransition t = {(uint8_t)below(256), (uint8_t)below(16), (uint8_t)below(16), 1, 2, below(1u << 31)};
+            sm_link_store_transition(at + below(l.log.records) * LINK_TRANSITION, &t, old_image.checksum);
+        }
+        reopen_log(&l);
+        CHECK(l.log.next < l.log.records && read_log(&l, l.p.board.slot) && l.n <= l.log.records);
+        CHECK(log_transition(&l, LINK_TRANSITION, 0) == LINK_TRANSITION);
+    }
+    image.state = DEVICE_WHOLE;                        // a board that reports an image longer than its slot
+    CHECK(device_hello(&l.p.host, &info));
+    image.length = info.slot_size + 1;
+    l.n = 1;
+    CHECK(device_read_transitions(&l.p.host, &info, &image, l.read, &l.n) && l.n == 0);
+    for (int round = 0; round < 100; round++) {        // a slot without an image
+        uint8_t bytes[IMAGE_ROOM];
+        for (size_t i = 0; i < sizeof bytes; i++)
+            bytes[i] = (uint8_t)below(256);
+        smvm_state_log_open(&l.log, bytes, round % 2 ? IMAGE_ROOM : 0);
+        CHECK(smvm_u24(bytes, SMVM_LENGTH_AT) + l.log.records * LINK_TRANSITION <= IMAGE_ROOM || l.log.records == 0);
+    }
+}
+
 // ---- boards of other firmware: a line that answers each request with the same bytes ----
 
 typedef struct Canned {
@@ -645,13 +836,13 @@ static void older_boards_report_less(void)
     link_host_init(&host, &line, 100, 1, 0);
     for (size_t n = 14; n <= sizeof all; n++) {
         memcpy(c.body, all, c.n = sizeof all);
-        CHECK(device_hello(&host, &info) && info.requires_signature && info.newest == 5 && info.tells && info.windows && info.machines == 3);
+        CHECK(device_hello(&host, &info) && info.requires_signature && info.newest == 5 && info.reports_limits && info.windows && info.machines == 3);
         CHECK(info.ram_digital == 10 && info.ram_analog == 26 && info.period == 20 && info.cycles == 8000 && info.reports_mark);
         CHECK(info.mark == 0x01020304 && info.slots == 2 && info.slot_size == 1024 && info.ram == 512 && info.longest == 9);
         c.n = n;
         CHECK(device_hello(&host, &info) == (n >= 15) && (n >= 15 || host.result == SM_E_UNSUPPORTED));
         CHECK(n < 15 || (info.requires_signature == (n >= 20) && info.newest == (n >= 20 ? 5 : 0)));
-        CHECK(n < 15 || (info.tells == (n >= 27) && info.windows == (n >= 27) && info.machines == (n >= 27 ? 3 : 0)));
+        CHECK(n < 15 || (info.reports_limits == (n >= 27) && info.windows == (n >= 27) && info.machines == (n >= 27 ? 3 : 0)));
         CHECK(n < 15 || (info.period == (n >= 27 ? 20 : 0) && info.reports_mark == (n >= 31) && info.mark == (n >= 31 ? 0x01020304 : 0)));
     }
     memcpy(c.body, none, c.n = 20);
@@ -696,6 +887,11 @@ int main(int argc, char **argv)
     events_come_once_and_in_order();
     events_fit_into_an_answer();
     too_short_request_is_refused();
+    log_survives_restarts();
+    torn_record_is_skipped();
+    log_is_written_seldom();
+    log_yields_to_images();
+    any_bytes_are_a_log();
     for (unsigned long i = 0; i < number; i++)
         one_update_in_trouble(memories[i % 2], (uint8_t)(1 + i / 2 % 2), &ends);
     printf("%lu updates: %u succeeded, %u refused, %u without an answer\n", number, ends.succeeded, ends.refused, ends.silent);

@@ -70,10 +70,10 @@ static void signing_has_limits(void)
     CHECK(image != NULL);
     if (!image)
         return;
-    image[SMVM_SECTIONS_AT] = 255;
-    CHECK(image_sign(image, SECTIONS, our_key, 1, out) == 0 && out[0] == 0);
     image[SMVM_SECTIONS_AT] = 254;
-    CHECK(image_sign(image, SECTIONS - SMVM_SECTION_ENTRY, our_key, 1, out) == SECTIONS - SMVM_SECTION_ENTRY + SIGN_ROOM && out[SMVM_SECTIONS_AT] == 255);
+    CHECK(image_sign(image, SECTIONS - SMVM_SECTION_ENTRY, our_key, 1, out) == 0 && out[0] == 0);
+    image[SMVM_SECTIONS_AT] = 253;
+    CHECK(image_sign(image, SECTIONS - 2 * SMVM_SECTION_ENTRY, our_key, 1, out) == SECTIONS - 2 * SMVM_SECTION_ENTRY + SIGN_ROOM && out[SMVM_SECTIONS_AT] == 255);
     image[SMVM_SECTIONS_AT] = 1;
     CHECK(image_sign(image, MOST - SIGN_ROOM + 1, our_key, 1, out) == 0);
     CHECK(image_sign(image, MOST - SIGN_ROOM, our_key, 1, out) == MOST);
@@ -169,7 +169,7 @@ static void no_number_is_reused(uint8_t slots)
     CHECK(send_number(&b, 4) == SM_E_REPLAY && smvm_store_activate(&b.store, IMAGE_SESSION, 0) == SM_E_HANDLE);
     CHECK(send_number(&b, 5) == SM_E_REPLAY);
     CHECK(runs_number(&b, 9, false) && newest(&b) == 5);
-    for (int i = 0; i < STORE_TRIES; i++)
+    for (int i = 0; i < STORE_TRIES * STORE_START; i++)
         CHECK(restarts(&b));
     CHECK(runs_number(&b, 6, true) && newest(&b) == 6);        // a trial without a confirmation does not count
     CHECK(restarts(&b) && newest(&b) == 6 && send_number(&b, 6) == SM_E_REPLAY);
@@ -223,6 +223,69 @@ static void refused_begin_has_no_effect(void)
     for (uint16_t i = 0; i < length; i++)
         (void)board_takes(&b, request[i]);
     CHECK(b.left == 0 && b.slot == 0);
+}
+
+// The result of a BEGIN for this image, with the first n bytes of a permit.
+static SmResult begin(Board *b, const Image *image, const uint8_t *permit, uint16_t n)
+{
+    uint8_t request[LINK_ROOM(SMVM_PERMIT_AT + SMVM_PERMIT)] = {0, 1, LINK_BEGIN, 77}, answer[LINK_ROOM(BOARD_BODY)];
+    LinkReceiver r;
+    uint16_t length, got = 0;
+
+    sm_link_store(request + 5, image->length, 3);
+    sm_link_store(request + 8, image->checksum, 4);
+    memcpy(request + 12, permit, n);
+    length = sm_link_encode(request, (uint16_t)(LINK_HEAD + SMVM_PERMIT_AT + n));
+    for (uint16_t i = 0; i < length; i++)
+        got = board_takes(b, request[i]);
+    sm_link_receiver_init(&r, answer, sizeof answer);
+    for (uint16_t i = 0; i < got; i++)
+        (void)sm_link_receive(&r, b->frame[i]);
+    return r.is_complete ? (SmResult)(int8_t)answer[LINK_HEAD] : SM_E_TIMEOUT;
+}
+
+// With one slot, the image that runs is stopped only for an owner of the key: no request without a permit for a new number does it.
+static void machine_is_stopped_with_a_permit_only(void)
+{
+    const Image s = signed_with(our_key, &old_image, 9), theirs = signed_with(other_key, &old_image, 9), used = signed_with(our_key, &old_image, 5);
+    uint8_t permit[SMVM_PERMIT], wrong[SMVM_PERMIT];
+    Image longer = s;
+    Board b;
+
+    board_with_key(&b, "eeprom", 1);
+    b.key = our_key;
+    CHECK(runs_number(&b, 5, true) && board_start(&b) && b.slot == 0 && smvm_permit_read(s.bytes, permit));
+    longer.length++;
+    for (uint16_t n = 0; n < SMVM_PERMIT; n++)
+        CHECK(begin(&b, &s, permit, n) == SM_E_UNSIGNED && b.left == 0);
+    for (unsigned bit = 0; bit < 8 * SMVM_PERMIT; bit++) {
+        memcpy(wrong, permit, sizeof wrong);
+        wrong[bit / 8] ^= (uint8_t)(1u << bit % 8);
+        CHECK(begin(&b, &s, wrong, SMVM_PERMIT) == SM_E_UNSIGNED && b.left == 0);
+    }
+    CHECK(begin(&b, &longer, permit, SMVM_PERMIT) == SM_E_UNSIGNED && b.left == 0);
+    CHECK(smvm_permit_read(theirs.bytes, wrong) && begin(&b, &s, wrong, SMVM_PERMIT) == SM_E_UNSIGNED && b.left == 0);
+    CHECK(smvm_permit_read(used.bytes, wrong) && begin(&b, &s, wrong, SMVM_PERMIT) == SM_E_REPLAY && b.left == 0 && b.slot == 0);
+    CHECK(begin(&b, &s, permit, SMVM_PERMIT) == SM_OK && b.left == 1 && b.slot == STORE_BUILT_IN);
+    CHECK(begin(&b, &s, permit, SMVM_PERMIT) == SM_OK && b.left == 1);           // the answer was lost
+}
+
+// An image that was signed by a version without permits gets one when it is signed again.
+static void signing_adds_a_permit(void)
+{
+    const Image s = signed_with(our_key, &new_image, 7);
+    uint8_t permit[SMVM_PERMIT], code[SMVM_CODE];
+    Image old = s, again;
+
+    CHECK(smvm_permit_read(s.bytes, permit) && sm_link_load(permit, 4) == 7 && !smvm_permit_read(new_image.bytes, permit));
+    smvm_permit_code(7, s.length, our_key, code);
+    CHECK(memcmp(permit + 4, code, SMVM_CODE) == 0);
+    old.bytes[SMVM_HEADER + (smvm_section_count(old.bytes) - 2) * SMVM_SECTION_ENTRY] = 0x70;     // a section that nothing knows
+    smvm_auth_code(old.bytes, old.length - SMVM_CODE, our_key, old.bytes + old.length - SMVM_CODE);
+    put_crc(&old);
+    CHECK(is_accepted(&old, our_key) && !smvm_permit_read(old.bytes, permit));
+    again = signed_with(our_key, &old, 8);
+    CHECK(is_accepted(&again, our_key) && smvm_permit_read(again.bytes, permit) && again.length == old.length + SMVM_SECTION_ENTRY + SMVM_CODE);
 }
 
 // A checksum proves nothing: what was written without asking, its checksum chosen, does not run on a board with a key.
@@ -303,6 +366,8 @@ int main(int argc, char **argv)
     board_without_key_accepts_all();
     an_update_cut_off_is_not_confirmed();
     refused_begin_has_no_effect();
+    signing_adds_a_permit();
+    machine_is_stopped_with_a_permit_only();
     hello_reports_the_key();
     confirming_is_cut("eeprom");
     confirming_is_cut("flash");

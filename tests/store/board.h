@@ -5,6 +5,7 @@
 
 #include <string.h>
 
+#include "bytecode-vm/permit.h"
 #include "bytecode-vm/target/agent.h"
 #include "tests/store/image.h"
 
@@ -20,6 +21,8 @@ typedef struct Board {
     uint8_t slot;             // what runs
     SmResult may, fits;
     bool (*is_authentic)(SmvmBytes image, uint32_t *number);      // its key; NULL: none
+    const uint8_t *key;       // if it asks for permits
+    SmResult permitted;       // the last answer to that
     uint32_t mark;
     unsigned left;            // how often it had to leave its slot
     bool up;                  // it has power, and answers
@@ -35,12 +38,15 @@ static SmResult board_fits(void *context, SmvmBytes image)
     return ((Board *)context)->fits;
 }
 
-static void board_leave(void *context)
+static SmResult board_leave(void *context, const uint8_t *begin, uint8_t n)
 {
     Board *b = context;
 
+    if (b->key && (b->permitted = smvm_permit_check(begin, n, sm_link_load(b->store.choice.newest, 4), b->key)) != SM_OK)
+        return b->permitted;
     b->slot = STORE_BUILT_IN;
     b->left++;
+    return SM_OK;
 }
 
 // It has pins 1 to 3, and they are what they are called.

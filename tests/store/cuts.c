@@ -5,6 +5,7 @@
 //   cuts OLD.smb NEW.smb all      all pairs
 #include <string.h>
 
+#include "runtime-c/link/link.h"
 #include "tests/store/image.h"
 #include "tests/test.h"
 
@@ -184,11 +185,60 @@ static void a_trial_that_is_not_confirmed_ends(void)
     CHECK(updates(&d, &new_image));
     CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_E_ARGUMENT);       // it does not run yet
     for (int i = 0; i < STORE_TRIES; i++) {
-        CHECK(start(&d) == RUNS_NEW);
+        CHECK(start(&d) == RUNS_NEW && smvm_store_count_start(&d.store) == SM_OK);
         CHECK(smvm_store_begin(&d.store, 8, old_image.length, old_image.checksum) == SM_E_BUSY);
     }
     CHECK(start(&d) == RUNS_OLD);
     CHECK(start(&d) == RUNS_OLD && d.store.choice.confirmed);
+}
+
+// A host that restarts the board whenever it opens the line uses up little of a trial; an image that never runs for long still loses it.
+static void a_short_start_counts_less(void)
+{
+    int starts = 0;
+    Device d;
+
+    prepare(&d, "eeprom", 2);
+    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW && smvm_store_count_start(&d.store) == SM_OK);
+    CHECK(d.store.choice.tries == (STORE_TRIES - 1) * STORE_START);
+    for (; starts < 100 && start(&d) == RUNS_NEW; starts++)
+        CHECK(smvm_store_flags(&d.store, 0) == STORE_FALLBACK);
+    CHECK(starts == (STORE_TRIES - 1) * STORE_START && d.slot == 0);
+    CHECK(smvm_store_flags(&d.store, 1) == STORE_STARTS_USED && smvm_store_flags(&d.store, 0) == 0);
+    CHECK(start(&d) == RUNS_OLD && smvm_store_flags(&d.store, 1) == STORE_STARTS_USED);
+    CHECK(updates(&d, &new_image) && smvm_store_flags(&d.store, 1) == 0 && smvm_store_flags(&d.store, 0) == STORE_FALLBACK);
+}
+
+// It counts once, only on trial, and only while the image on trial is what runs.
+static void a_start_counts_once(void)
+{
+    uint32_t number;
+    Device d;
+
+    prepare(&d, "eeprom", 2);
+    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
+    number = sm_link_load(d.store.choice.number, 4);
+    for (int i = 0; i < 3; i++)
+        CHECK(smvm_store_count_start(&d.store) == SM_OK && sm_link_load(d.store.choice.number, 4) == number + 1);
+    CHECK(start(&d) == RUNS_NEW && smvm_store_confirm(&d.store, new_image.checksum) == SM_OK);
+    number = sm_link_load(d.store.choice.number, 4);
+    CHECK(smvm_store_count_start(&d.store) == SM_OK && sm_link_load(d.store.choice.number, 4) == number);
+    CHECK(updates(&d, &old_image) && smvm_store_count_start(&d.store) == SM_OK);         // chosen, and not started yet
+    CHECK(d.store.choice.tries == STORE_TRIES * STORE_START);
+}
+
+// A record that cannot be written leaves the choice as it is on the medium.
+static void a_choice_that_cannot_be_written_is_none(void)
+{
+    Device d;
+
+    prepare(&d, "eeprom", 2);
+    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
+    sim_break(SIM_nvm_write, 0, SM_E_DEVICE);
+    CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_E_DEVICE && !d.store.choice.confirmed);
+    CHECK(smvm_store_count_start(&d.store) == SM_E_DEVICE && d.store.choice.tries == STORE_TRIES * STORE_START - 1);
+    sim_break(SIM_nvm_write, 0, SM_OK);
+    CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && d.store.choice.confirmed);
 }
 
 // A start that cannot be counted would be one of any number: the trial is not run.
@@ -355,7 +405,7 @@ static void a_period_goes_with_its_image(void)
         CHECK(smvm_store_period(&d.store, d.store.running) == 20 && smvm_store_confirm(&d.store, new_image.checksum) == SM_OK);
         smvm_store_run_built_in(&d.store);
         CHECK(sends(&d, &new_image) && smvm_store_activate(&d.store, 7, 30) == SM_OK);
-        for (int i = 0; i < STORE_TRIES; i++)
+        for (int i = 0; i < STORE_TRIES * STORE_START; i++)
             CHECK(start(&d) == RUNS_NEW && smvm_store_period(&d.store, d.store.running) == 30);
         CHECK(start(&d) == (slots == 1 ? RUNS_BUILT_IN : RUNS_NEW));
         CHECK(smvm_store_period(&d.store, d.store.running) == (slots == 1 ? 0 : 20));
@@ -430,6 +480,9 @@ int main(int argc, char **argv)
         return 2;
     }
     a_trial_that_is_not_confirmed_ends();
+    a_short_start_counts_less();
+    a_start_counts_once();
+    a_choice_that_cannot_be_written_is_none();
     a_trial_that_cannot_be_counted_does_not_run();
     power_cut_while_a_trial_is_skipped("eeprom");
     power_cut_while_a_trial_is_skipped("flash");

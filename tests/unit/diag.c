@@ -240,7 +240,7 @@ static void test_json(void)
 // Steps are numbered among the notes, and are a flow of their own in SARIF.
 static void test_steps(void)
 {
-    const Sentences none = {NULL, 0, 0};
+    const PlainMessages none = {NULL, 0, 0};
     const Source *s;
     Diag *d;
     Buf out;
@@ -267,6 +267,25 @@ static void test_steps(void)
         "\"message\":{\"text\":\"'first' is declared here\"}}},{\"location\":{\"message\":{\"text\":\"'second' is declared here\"}}}]}]}]"));
     CHECK(strstr(buf_text(&out), "\"relatedLocations\":[{\"physicalLocation\":{\"artifactLocation\":{\"uri\":\"a.sm\"},\"region\":{"
         "\"startLine\":1,\"startColumn\":5,\"endLine\":1,\"endColumn\":8}},\"message\":{\"text\":\"'aside' is declared here\"}}]"));
+    arena_free(&arena);
+}
+
+// Messages that are not diagnostics have their severity in SARIF, and only an error makes the run unsuccessful.
+static void test_sarif_severities(void)
+{
+    PlainMessage message[] = {{"warning", "w"}, {"note", "n"}, {"error", "e"}};
+    PlainMessages plain = {message, 2, 2};
+    Buf out;
+
+    HOST_ARENA(&arena);
+    buf_init(&out, &arena);
+    diags_end_sarif(&plain, &out);
+    CHECK(strstr(buf_text(&out), "\"executionSuccessful\":true"));
+    CHECK(strstr(buf_text(&out), "{\"level\":\"warning\",\"message\":{\"text\":\"w\"}},\n{\"level\":\"note\",\"message\":{\"text\":\"n\"}}]"));
+    out.n = 0;
+    plain.n = 3;
+    diags_end_sarif(&plain, &out);
+    CHECK(strstr(buf_text(&out), "\"executionSuccessful\":false") && strstr(buf_text(&out), "{\"level\":\"error\""));
     arena_free(&arena);
 }
 
@@ -383,6 +402,7 @@ int main(void)
     test_limits();
     test_json();
     test_steps();
+    test_sarif_severities();
     test_fingerprints();
     test_edits();
     test_table();

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "runtime-c/link/link.h"
+#include "runtime-c/link/transition.h"
 #include "tests/test.h"
 #include "tests/unit/random.h"
 
@@ -147,6 +148,25 @@ static void fields(void)
     CHECK(at[0] == 4 && at[3] == 1 && sm_link_load(at, 4) == 0x01020304u && sm_link_load(at, 3) == 0x020304u);
 }
 
+// A record arrives as it was stored.  With any other bit, or for another image, it is not one.
+static void transitions(void)
+{
+    static const LinkTransition t = {255, 15, LINK_LOST_MAX, 0x1234, 0xfedc, 0x89abcdef};
+    uint8_t record[LINK_TRANSITION];
+    LinkTransition read;
+
+    sm_link_store_transition(record, &t, 0xdeadbeef);
+    CHECK(sm_link_load_transition(record, 0xdeadbeef, &read) && read.number == t.number && read.machine == t.machine && read.lost == t.lost);
+    CHECK(read.from == t.from && read.to == t.to && read.time == t.time && !sm_link_load_transition(record, 0xdeadbeee, &read));
+    for (unsigned i = 0; i < sizeof record; i++)
+        for (unsigned bit = 1; bit < 256; bit *= 2) {
+            record[i] ^= (uint8_t)bit;
+            CHECK(!sm_link_load_transition(record, 0xdeadbeef, &read));
+            record[i] ^= (uint8_t)bit;
+        }
+    CHECK(sm_link_is_later(1, 0) && sm_link_is_later(0, 255) && sm_link_is_later(127, 0) && !sm_link_is_later(0, 0) && !sm_link_is_later(255, 0) && !sm_link_is_later(0, 1));
+}
+
 int main(void)
 {
     what_is_sent_arrives();
@@ -155,5 +175,6 @@ int main(void)
     what_is_cut_does_not_arrive();
     what_begins_well_and_is_too_long_is_dropped();
     fields();
+    transitions();
     return test_end("link");
 }

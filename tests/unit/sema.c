@@ -169,8 +169,8 @@ static void test_written_outside(void)
     ss = p ? session_script(&s, text(&s, "a.ss", script), p) : NULL;
     CHECK(ss && ss->delta_t == 5 && ss->init_state == p->state.at[0] && ss->section.n == 1 && s.diags.warnings == 1);
     if (ss) {
-        CHECK(ss->section.at[0].item.n == 2 && ss->section.at[0].item.at[0].inputs.n == 2);
-        CHECK(ss->section.at[0].item.at[1].stop && !ss->section.at[0].state);
+        CHECK(ss->section.at[0].item.n == 2 && ss->section.at[0].item.at[0]->inputs.n == 2);
+        CHECK(ss->section.at[0].item.at[1]->stop && !ss->section.at[0].state);
     }
     session_free(&s);
 }

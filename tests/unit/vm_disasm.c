@@ -135,6 +135,31 @@ static void names_of(void)
     CHECK(strstr(text, "ldx     local I16@2\n") && strstr(text, "ldy     F64@16\n") && strstr(text, "ldx     T\n"));
 }
 
+// A state's name is copied as far as it fits; an image without names has none, and neither has a state that does not exist.
+static void copied_name(void)
+{
+    const Names names = {0, {{0, 0}}, 5};
+    static uint8_t image[4000];
+    static Build b;
+    SmvmMachine m;
+    char to[8];
+
+    begin(&b);
+    end_functions(&b);
+    put_image(&b, &names, image);
+    CHECK(smvm_machine(image, 0, &m));
+    memset(to, '!', sizeof to);
+    CHECK(smvm_copy_state_name(&m, 1, to, sizeof to) == 5 && strcmp(to, "xxxxx") == 0 && to[6] == '!');
+    memset(to, '!', sizeof to);
+    CHECK(smvm_copy_state_name(&m, 1, to, 5) == 5 && strcmp(to, "xxxx") == 0 && to[5] == '!');
+    CHECK(smvm_copy_state_name(&m, 1, to, 0) == 5 && strcmp(to, "xxxx") == 0);
+    CHECK(smvm_copy_state_name(&m, 0, to, sizeof to) == 0 && to[0] == '\0');
+    CHECK(smvm_copy_state_name(&m, 2, to, sizeof to) == 0 && to[0] == '\0');
+    m.debug_size = 0;
+    CHECK(smvm_copy_state_name(&m, 1, to, sizeof to) == 0 && to[0] == '\0');
+    CHECK(smvm_machine_size() == sizeof m && smvm_verdict_size() == sizeof(SmvmVerdict));
+}
+
 // ---- opcodes ----
 
 typedef struct Line { const char *text; unsigned op; int numbers; unsigned n[2]; } Line;
@@ -202,6 +227,7 @@ int main(void)
 {
     long_name();
     names_of();
+    copied_name();
     every_opcode();
     return test_end("vm_disasm");
 }

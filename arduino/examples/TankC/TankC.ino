@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tank keeps its pressure in a band by a vent valve.  The logic is tank.sm in this folder; the C beside it was made of it, with numbers
-// that are the same on every board:
-//     smc build tank.sm --emit=c --soft
-// Change tank.sm, make the C again, upload.  This sketch needs no library.
+// A tank keeps its pressure in a band by a vent valve.  The logic is tank.sm in this folder; the C beside it was generated from it, with
+// numbers that are the same on every board.  It has two forms, of which the compiler chooses: for boards whose double has 64 bits and is
+// computed correctly (ESP32, Teensy 4), and for all others (Uno, Mega, Due).  Change tank.sm, generate the form for your board, upload:
+//     smc build tank.sm --emit=c              for the former
+//     smc build tank.sm --emit=c --soft       for the latter
+// This sketch needs no library.
 //
 // Wiring: a pressure sensor on A0 (or a potentiometer: 5 V are 1023 psi), the valve's driver on pin 8.
 // The Serial Plotter at 115200 shows pressure, state and valve.
@@ -35,7 +37,11 @@ void loop()
         return;
     pressure = analogRead(SENSOR);
     sv.time += PERIOD;
+#if SM_F64_SOFT
     sv.tankPressure = sm_from_i32(pressure);
+#else
+    sv.tankPressure = pressure;
+#endif
     tank_step(&tank, &sv);
     digitalWrite(VALVE, sv.valveOpen ? HIGH : LOW);
 

@@ -11,9 +11,9 @@ uint32_t bc_chain_depth(const BcSelect *s, IrRef r) { return s->value[r].waits &
 
 // ---- possible values ----
 
-// Whether r can have a value outside its type: a NaN, or for an F32 operation an unrounded number, because it is computed as F64. Loads,
-// conversions and integer operations always have a value of their type.
-static bool may_exceed_type(const BcSelect *s, IrRef r)
+// Whether a store would change r: a store turns NaN into 0, and rounds the result of an F32 operation, which is computed as F64. It does
+// not change loads, conversions and integer operations: they always have a value that a store in their type leaves as it is.
+static bool may_change_when_stored(const BcSelect *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
 
@@ -38,7 +38,7 @@ bool bc_is_within(SmType a, SmType b)
 
 bool bc_is_exact(const BcSelect *s, IrRef r, SmType type)
 {
-    return !may_exceed_type(s, r) && bc_is_within(bc_ins(s, r)->type, type) && !(bc_is_float(type) && s->value[r].minus_zero);
+    return !may_change_when_stored(s, r) && bc_is_within(bc_ins(s, r)->type, type) && !(bc_is_float(type) && s->value[r].minus_zero);
 }
 
 // ---- conversions that need no instruction ----

@@ -86,7 +86,7 @@ static void claim_vector(CNameClaims *k)
 // Claims the names that the files of a machine declare.
 static void claim_machine(CNameClaims *k, const Program *p)
 {
-    static const char *const functions[] = {"_init", "_step", "_state", "_T", "_state_name", "_machine"};
+    static const char *const functions[] = {"_init", "_step", "_state", "_T", "_state_name", "_size", "_sv_size", "_machine"};
     static const char *const types[] = {"", "Status", "Stored"};
     static const char *const numbers[] = {"_OK", "_REFUSED", "_NO_STATE", "_UNFIT", "_INITIAL_STATE", "_STATES"};
     const char *prefix = c_identifier(k->arena, p->name->text, p->name->len);

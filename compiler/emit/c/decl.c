@@ -105,12 +105,16 @@ void c_write_vector_struct(const CUnit *u, Buf *out)
     buf_printf(out, "#if !defined(%s_LAYOUT)\n#define %s_LAYOUT 0x%08xu\n", n->sv_macro, n->sv_macro, u->sv.hash);
     buf_printf(out, "typedef struct %s {\n", n->sv_type);
     write_vector_members(u, &u->sv, out);
-    buf_printf(out, "} %s;\n\n", n->sv_type);
-    buf_printf(out, "// Does not compile if the compiler inserts padding or has types of other sizes.\n"
-                    "typedef char %s_layout_check[sizeof(%s) == %u ? 1 : -1];\n", n->sv_type, n->sv_type, u->sv.size);
+    buf_printf(out, "} %s;\n#define %s_SIZE %u      // bytes\n", n->sv_type, n->sv_macro, u->sv.size);
     buf_printf(out, "#elif %s_LAYOUT != 0x%08xu\n", n->sv_macro, u->sv.hash);
     buf_printf(out, "#error \"%s: this header and one included before it were generated from different state vectors\"\n#endif\n",
                n->sv_type);
+}
+
+void c_write_vector_check(const CUnit *u, Buf *out)
+{
+    buf_printf(out, "// Does not compile if the compiler inserts padding into the state vector or has types of other sizes.\n"
+                    "typedef char %s_layout_check[sizeof(%s) == %s_SIZE ? 1 : -1];\n", u->names.sv_type, u->names.sv_type, u->names.sv_macro);
 }
 
 // ---- the machine ----
@@ -171,12 +175,16 @@ static void write_window_member(const CUnit *u, size_t w, const char *call, Buf 
                call ? call : format_in(u->arena, "samples of the last %u steps", (unsigned)win->size));
 }
 
-static bool has_locals(const IrMachine *m)
+// Writes the members of the locals that blocks store, or of the others, below a comment.
+static void write_local_members(const CUnit *u, bool stored, const char *comment, Buf *out)
 {
-    for (size_t v = 0; v < m->var.n; v++)
-        if (m->var.at[v].space == IR_LOCAL)
-            return true;
-    return false;
+    for (size_t v = 0; v < u->m->var.n; v++) {
+        if (u->m->var.at[v].space != IR_LOCAL || u->m->var.at[v].writable != stored)
+            continue;
+        buf_str(out, comment);
+        comment = "";
+        write_local_member(u, v, out);
+    }
 }
 
 static void write_machine_struct(CUnit *u, Buf *out)
@@ -194,11 +202,8 @@ static void write_machine_struct(CUnit *u, Buf *out)
     write_member(out, "uint64_t", "start_", "time of the state's first step");
     if (u->track_stores)
         write_member(out, format_in(u->arena, "%sStored", u->names.type), "stored", "what the last step that ran stored");
-    if (has_locals(m))
-        buf_str(out, "\n    // [local]\n");
-    for (size_t v = 0; v < m->var.n; v++)
-        if (m->var.at[v].space == IR_LOCAL)
-            write_local_member(u, v, out);
+    write_local_members(u, true, "\n    // [local]\n", out);
+    write_local_members(u, false, "\n    // [local], never stored: the code contains their values, and a change here has no defined effect\n", out);
     if (m->window.n)
         buf_str(out, "\n    // rolling windows\n");
     for (size_t w = 0; w < m->window.n; w++)
@@ -219,6 +224,7 @@ void c_write_machine_types(CUnit *u, Buf *out)
     if (u->m->window.n) {
         helper_write_type(u, "SmRoll", out);
         buf_char(out, '\n');
+        c_write_window_sizes(u, out);
     }
     write_machine_struct(u, out);
 }
@@ -238,4 +244,8 @@ void c_write_prototypes(const CUnit *u, Buf *out)
     buf_printf(out, "uint64_t %s_T(const %s *m);\n\n", n->prefix, n->type);
     buf_printf(out, "// A state's name as in the source; \"\" if no state has that number.\n");
     buf_printf(out, "const char *%s_state_name(uint32_t state);\n", n->prefix);
+    if (u->soft)
+        return;
+    buf_printf(out, "\n// sizeof(%s) and sizeof(%s), for callers in other languages.\n", n->type, n->sv_type);
+    buf_printf(out, "uint32_t %s_size(void);\nuint32_t %s_sv_size(void);\n", n->prefix, n->prefix);
 }

@@ -6,7 +6,7 @@
 #include "compiler/emit/c/fn.h"
 #include "compiler/emit/c/emit_c.h"
 
-// The part of every driver that follows the code of the machines.
+// The part of every test program that follows the code of the machines: a main that runs them on commands from standard input.
 static const char common_code[] =
     "#ifndef SM_IN_FLASH\n"
     "#define SM_IN_FLASH          // tables of constants stay in flash where this is __flash, as on AVR\n"
@@ -211,10 +211,11 @@ static CUnit *write_machine_code(Arena *arena, const IrMachine *m, size_t i, boo
 
     unit_init(u, arena, m, prefix, prefix);
     u->helper = helper;
-    u->fit = "machines_are_fit";
     unit_set_soft(u, soft);
     u->track_stores = track_stores;
     c_write_vector_struct(u, out);
+    c_write_vector_check(u, out);
+    buf_char(out, '\n');
     c_write_machine_types(u, out);
     c_write_prototypes(u, out);
     buf_char(out, '\n');
@@ -235,11 +236,17 @@ void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_st
     if (soft)
         c_write_soft_library(code);
     c_write_compiler_checks(code, "machines", soft);
-    if (!soft)
-        c_write_self_test("machines_are_fit", code);
+    if (!soft) {
+        c_write_self_test_declaration(code);
+        c_write_self_test(code);
+    }
     if (n == 0)
         return;
     helper_write_type(u[0], "SmRoll", code);
+    for (size_t i = 0; i < n; i++) {
+        u[0]->uses_noinline |= u[i]->uses_noinline;
+        u[0]->key_bits = u[0]->key_bits < u[i]->key_bits ? u[i]->key_bits : u[0]->key_bits;
+    }
     helpers_write_required(u[0], code);
     buf_str(code, buf_text(&machines));
     buf_str(code, common_code);

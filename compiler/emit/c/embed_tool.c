@@ -2,8 +2,8 @@
 // Runs while smc is built.  Writes a table of the snippets in the stdlib headers named as arguments to standard output.  A snippet is the source
 // of a function or type that the C emitter copies.
 //
-// In a header, the comment `//: NAME` marks the beginning of snippet NAME, which ends at the next such comment; `//: end` begins no snippet.
-// `//: NAME double` marks a snippet that exists only where SmF64 is a double.  A snippet depends on those whose names it contains outside
+// In a header, the comment `// snippet: NAME` marks the beginning of snippet NAME, which ends at the next such comment; `// snippet: end` begins no snippet.
+// `// snippet: NAME double` marks a snippet that exists only where SmF64 is a double.  A snippet depends on those whose names it contains outside
 // comments.  It may only depend on earlier ones, so the emitter can write them in table order.
 //
 // `-lines NAME FILE…` writes whole files as an array of lines instead, without SPDX lines and includes of stdlib files.
@@ -11,6 +11,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#define MARK "// snippet: "
 
 enum { SNIPPETS_MAX = 200, DEPS_MAX = 16, NAME_MAX_LEN = 40, TEXT_MAX = 4000, LINE_MAX_LEN = 400 };
 
@@ -63,16 +65,16 @@ static void read_header(const char *path)
     if (f == NULL)
         exit_with_error("cannot read", path);
     while (fgets(line, sizeof line, f) != NULL) {
-        if (strncmp(line, "//: ", 4) == 0) {
-            open = strcmp(line, "//: end\n") != 0;
+        if (strncmp(line, MARK, strlen(MARK)) == 0) {
+            open = strcmp(line, MARK "end\n") != 0;
             if (open)
-                begin_snippet(line + 4);
+                begin_snippet(line + strlen(MARK));
         } else if (open) {
             append_to_snippet(&snippet[snippets - 1], line);
         }
     }
     if (open)
-        exit_with_error("the last snippet is not closed by //: end", path);
+        exit_with_error("the last snippet is not closed by " MARK "end", path);
     fclose(f);
 }
 

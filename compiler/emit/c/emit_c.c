@@ -99,13 +99,13 @@ void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const
     for (size_t w = 0; w < m->window.n; w++)
         u->window_sample[w] = UINT32_MAX;
     u->facts = m->values;
-    u->fit = format_in(a, "%s_is_fit", prefix);
+    u->self_test = true;
 }
 
 void unit_set_soft(CUnit *u, bool soft)
 {
     u->soft = soft;
-    u->fit = soft ? NULL : u->fit;
+    u->self_test = !soft;
 }
 
 // Writes the beginning of a header.  `include`: an additional header that it includes, or NULL.
@@ -175,16 +175,18 @@ static void write_code(CUnit *u, const char *source, const char *header, Buf *ou
     buf_printf(out, "#include \"%s\"\n\n", header);
     c_write_compiler_checks(out, u->names.prefix, u->soft);
     buf_char(out, '\n');
-    if (u->fit)
-        buf_printf(out, "static bool %s(void);\n\n", u->fit);
+    c_write_vector_check(u, out);
+    buf_char(out, '\n');
+    if (u->self_test)
+        c_write_self_test_declaration(out);
     write_helpers(u, out);
     buf_str(out, buf_text(&body));
     if (u->runtime)
         c_write_machine_type(u, out);
-    if (!u->fit)
+    if (!u->self_test)
         return;
     buf_str(out, "\n// ---- self-test: whether this program's arithmetic is that of the language ----\n\n");
-    c_write_self_test(u->fit, out);
+    c_write_self_test(out);
 }
 
 void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code)
@@ -243,7 +245,8 @@ void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o
         c_write_vector_struct(&u, header);
     write_header_end(header);
     write_title("vector", sv->name->text, source, code);
-    buf_printf(code, "#include \"%s\"\n", header_file_name(arena, o, sv->name->text));
+    buf_printf(code, "#include \"%s\"\n\n", header_file_name(arena, o, sv->name->text));
+    c_write_vector_check(&u, code);
     if (u.runtime)
         c_write_vector_tables(&u, sv, &names, code);
 }

@@ -74,7 +74,7 @@ void c_write_compiler_checks(Buf *out, const char *name, bool soft)
 static const char self_test[] =
     "// Tests what no macro reports: the rounding mode, whether subnormal numbers survive, and what flags may have allowed the\n"
     "// compiler to do to arithmetic.  The operands are volatile, so that the compiler cannot evaluate it.\n"
-    "static bool %s(void)\n"
+    "SM_SELF_TEST bool sm_is_fit(void)\n"
     "{\n"
     "    const volatile double one = 1.0, three = 3.0, ten = 10.0, big = 9007199254740992.0, tiny = 4.9406564584124654e-324;\n"
     "    const volatile double tenth = 0.1, small = 1e-17, least = 2.2250738585072014e-308, zero = 0.0, minus_zero = -0.0;\n"
@@ -107,7 +107,23 @@ static const char self_test[] =
     "    return fit;\n"
     "}\n";
 
-void c_write_self_test(const char *name, Buf *out)
+void c_write_self_test_declaration(Buf *out)
 {
-    buf_printf(out, self_test, name);
+    buf_str(out, "// Machines of one program that are compiled with the same options can share the self-test at the end of this file.  Compile one of\n"
+                 "// them with -DSM_SHARED_SELF_TEST=1, and it has the function for all; the others with -DSM_SHARED_SELF_TEST=0.\n"
+                 "#ifndef SM_SHARED_SELF_TEST\n"
+                 "#define SM_SELF_TEST static\n"
+                 "#elif defined(__cplusplus)\n"
+                 "#define SM_SELF_TEST extern \"C\"\n"
+                 "#else\n"
+                 "#define SM_SELF_TEST extern\n"
+                 "#endif\n"
+                 "SM_SELF_TEST bool sm_is_fit(void);\n\n");
+}
+
+void c_write_self_test(Buf *out)
+{
+    buf_str(out, "#if !defined(SM_SHARED_SELF_TEST) || SM_SHARED_SELF_TEST\n\n");
+    buf_str(out, self_test);
+    buf_str(out, "\n#endif\n");
 }

@@ -65,7 +65,7 @@ static void require_dependencies(CUnit *u, int i, const char *text)
 enum { INLINE_USES_MAX = 500 };
 static const char noinline_macro[] =
     "#if defined(__GNUC__)\n"
-    "#define SM_NOINLINE __attribute__((noinline))    // called from many places\n"
+    "#define SM_NOINLINE __attribute__((noinline))    // inlined, they make compilation slow\n"
     "#else\n"
     "#define SM_NOINLINE\n"
     "#endif\n";
@@ -89,7 +89,8 @@ static void write_snippet(const CUnit *u, int i, const char *text, Buf *out)
         buf_printf(out, "%s\n", text);
 }
 
-static bool is_type_snippet(int i) { return strncmp(stdlib_text[i].name, "Sm", 2) == 0; }
+// Whether the snippet is written by helper_write_type.
+static bool is_type_snippet(int i) { return strcmp(stdlib_text[i].name, "SmF64") == 0 || strcmp(stdlib_text[i].name, "SmRoll") == 0; }
 
 // A snippet uses only snippets before it, so a single pass from last to first finds all.
 void helpers_write_required(CUnit *u, Buf *out)
@@ -104,10 +105,11 @@ void helpers_write_required(CUnit *u, Buf *out)
         require_dependencies(u, i, buf_text(&text[i]));
     }
     for (int i = 0; i < STDLIB_TEXT_COUNT; i++)
-        if (is_noinline(u, i)) {
-            buf_printf(out, "%s\n", noinline_macro);
-            break;
-        }
+        u->uses_noinline |= is_noinline(u, i);
+    if (u->uses_noinline)
+        buf_printf(out, "%s\n", noinline_macro);
+    if (u->key_bits)
+        buf_printf(out, "// The key by which windows store and order a sample (sm_roll_key).\ntypedef int%u_t SmRollKey;\n\n", u->key_bits);
     for (int i = 0; i < STDLIB_TEXT_COUNT; i++)
         if (text[i].n > 0)
             write_snippet(u, i, buf_text(&text[i]), out);

@@ -6,8 +6,9 @@
 
 // Limits on the number of states in one switch, because compile time grows faster than the switch.  gcc inlines a function that is called once
 // until the caller reaches 2,700 of its size units: with a hundred states of ten statements each, it inlined less than half.  A machine of a
-// thousand states took 1.4 times as long to compile with one switch as with parts of 32 states.
-enum { STATES_IN_ONE_SWITCH = 100, STATES_PER_PART = 32 };
+// thousand states took 1.4 times as long to compile with one switch, and 1.9 times with a function for each state, as with parts of 32 states.
+// One of 250 states takes 1.1 s instead of 0.7 s, but a step is a fifth faster.
+enum { STATES_IN_ONE_SWITCH = 256, STATES_PER_PART = 32 };
 
 // The block functions of a state.
 typedef struct CStateBlocks {
@@ -75,17 +76,10 @@ const char *c_state_type(const CUnit *u)
     return !u->soft || u->m->state.n > UINT16_MAX ? "uint32_t" : u->m->state.n > UINT8_MAX ? "uint16_t" : "uint8_t";
 }
 
-static const char *result_type(const CUnit *u, const CSignature *s) { return s->returns_state ? c_state_type(u) : "void"; }
-
 // Writes the argument list of a call of a function with signature s.
 static void write_arguments(const CSignature *s, Buf *out)
 {
     buf_printf(out, "(%s%s%s);\n", s->m ? "m" : "", s->m && s->sv ? ", " : "", s->sv ? "sv" : "");
-}
-
-static void write_parameters(const CUnit *u, const CSignature *s, Buf *out)
-{
-    buf_printf(out, "(%s *m%s%s%s)", u->names.type, s->sv ? ", " : "", s->sv ? u->names.sv_type : "", s->sv ? " *sv" : "");
 }
 
 // ---- init ----
@@ -110,8 +104,8 @@ static void write_init(CUnit *u, Buf *out)
     buf_printf(out, "%sStatus %s_init(%s *m, %s *sv, uint32_t state)\n{\n", n->type, n->prefix, n->type, n->sv_type);
     buf_printf(out, "    m->state_ = 0;\n    m->first_ = false;\n    m->gate_ = 0;\n%s    m->start_ = UINT64_MAX;\n",
                u->soft ? "" : "    m->left_ = UINT64_MAX;\n");
-    if (u->fit)
-        buf_printf(out, "    if (!%s()) {\n        return %s_UNFIT;\n    }\n", u->fit, n->macro);
+    if (u->self_test)
+        buf_printf(out, "    if (!sm_is_fit()) {\n        return %s_UNFIT;\n    }\n", n->macro);
     buf_printf(out, "    if (state < 1 || state > %s_STATES) {\n        return %s_NO_STATE;\n    }\n", n->macro, n->macro);
     buf_printf(out, "    m->state_ = %s%s%sstate;\n    m->first_ = true;\n", u->soft ? "(" : "", u->soft ? c_state_type(u) : "", u->soft ? ")" : "");
     write_initial_values(u, out);
@@ -120,121 +114,149 @@ static void write_init(CUnit *u, Buf *out)
     buf_printf(out, "    sv->%s = state;\n    return %s_OK;\n}\n\n", s, n->macro);
 }
 
-// ---- the blocks of the current state ----
+// ---- the blocks of the current state: a step dispatches once for all three ----
 
-// Returns the signature of a function that can call the blocks of a kind of all states.
-static CSignature common_signature(const CUnit *u, const CStateBlocks *s, BlockKind k)
+// The function that runs the blocks of the current state.
+typedef struct CRun {
+    bool any;                     // a state has a block
+    bool first;                   // it has the parameter `first`: whether this is the state's first step
+    CSignature as;
+} CRun;
+
+static CRun describe_run(const CUnit *u, const CStateBlocks *s)
 {
-    CSignature all = { false, true, false };
+    CRun run = { false, false, { false, false, false } };
 
-    for (size_t i = 0; i < u->m->state.n; i++) {
-        all.returns_state |= s[i].has[k] && s[i].block[k].returns_state;
-        all.sv |= s[i].has[k] && s[i].block[k].sv;
-    }
-    return all;
-}
-
-// Whether a state has a block of kind k.
-static bool has_block_of_kind(const CUnit *u, const CStateBlocks *s, BlockKind k)
-{
     for (size_t i = 0; i < u->m->state.n; i++)
-        if (s[i].has[k])
-            return true;
-    return false;
+        for (int k = 0; k < BLOCK_COUNT; k++) {
+            run.any |= s[i].has[k];
+            run.first |= s[i].has[k] && k == BLOCK_ENTRY;
+            run.as.returns_state |= s[i].has[k] && s[i].block[k].returns_state;
+            run.as.m |= s[i].has[k] && s[i].block[k].m;
+            run.as.sv |= s[i].has[k] && s[i].block[k].sv;
+        }
+    return run;
 }
 
-// Writes the case of state i, which calls its block.  `as`: signature of the function around the switch.
-static void write_case(const CUnit *u, size_t i, BlockKind k, const CStateBlocks *s, CSignature as, Buf *out)
+// Writes the call of a block of state i, inside `if (condition)` unless that is NULL.  Its result, if any, becomes `next`.
+static void write_block_call(const CUnit *u, const CStateBlocks *s, size_t i, BlockKind k, const char *condition, Buf *out)
 {
-    const CSignature *b = &s[i].block[k];
-
     if (!s[i].has[k])
         return;
-    buf_printf(out, "    case %s_STATE_%s:\n        %s%s_%s_%s", u->names.macro, u->names.state[i], b->returns_state ? "return " : "",
-               u->names.prefix, u->names.state[i], block_name[k]);
-    write_arguments(b, out);
-    buf_str(out, b->returns_state ? "" : as.returns_state ? "        return 0;\n" : "        break;\n");
+    if (condition)
+        buf_printf(out, "        if (%s) {\n", condition);
+    buf_printf(out, "%s%s%s_%s_%s", condition ? "            " : "        ", s[i].block[k].returns_state ? "next = " : "", u->names.prefix,
+               u->names.state[i], block_name[k]);
+    write_arguments(&s[i].block[k], out);
+    buf_str(out, condition ? "        }\n" : "");
 }
 
-// Writes a function with a switch that calls the block of the current state, for states `from` to `to` - 1.
-static void write_dispatch_switch(const CUnit *u, const char *name, BlockKind k, const CStateBlocks *s, size_t from, size_t to, CSignature as, Buf *out)
+static void write_block_calls(const CUnit *u, const CStateBlocks *s, size_t i, Buf *out)
 {
-    buf_printf(out, "static %s %s", result_type(u, &as), name);
-    write_parameters(u, &as, out);
-    buf_str(out, "\n{\n    switch (m->state_) {\n");
-    for (size_t i = from; i < to; i++)
-        write_case(u, i, k, s, as, out);
-    buf_printf(out, "    default:\n        %s;\n    }\n}\n\n", as.returns_state ? "return 0" : "break");
+    const bool entry_leaves = s[i].has[BLOCK_ENTRY] && s[i].block[BLOCK_ENTRY].returns_state;
+
+    write_block_call(u, s, i, BLOCK_ENTRY, "first", out);
+    write_block_call(u, s, i, BLOCK_STEP, entry_leaves ? "next == 0" : NULL, out);
+    write_block_call(u, s, i, BLOCK_EXIT, "next != 0", out);
 }
 
-// Writes the dispatch for more than STATES_IN_ONE_SWITCH states: several functions with a switch, called through a table of pointers, because
-// compilers would inline direct calls.
-static void write_split_dispatch(const CUnit *u, const char *name, BlockKind k, const CStateBlocks *s, CSignature as, Buf *out)
+// Returns the parameters of the function, after the number of the state.
+static const char *run_parameters(const CUnit *u, const CRun *run)
 {
-    const size_t n = u->m->state.n;
+    const char *m = run->as.m ? format_in(u->arena, ", %s *m", u->names.type) : "";
+    const char *sv = run->as.sv ? format_in(u->arena, ", %s *sv", u->names.sv_type) : "";
 
-    for (size_t i = 0; i < n; i += STATES_PER_PART) {
-        const size_t end = i + STATES_PER_PART < n ? i + STATES_PER_PART : n;
-        buf_printf(out, "// States %u to %u.\n", (unsigned)i + 1, (unsigned)end);
-        write_dispatch_switch(u, format_in(u->arena, "%s_%u", name, (unsigned)i + 1), k, s, i, end, as, out);
+    return format_in(u->arena, "%s%s%s", m, sv, run->first ? ", bool first" : "");
+}
+
+// Returns the same as arguments.
+static const char *run_arguments(const CUnit *u, const CRun *run)
+{
+    return format_in(u->arena, "%s%s%s", run->as.m ? ", m" : "", run->as.sv ? ", sv" : "", run->first ? ", first" : "");
+}
+
+// Writes the head of a function that runs the blocks of the current state.  `part`: appended to its name.
+static void write_run_head(const CUnit *u, const CRun *run, const char *noinline, const char *part, Buf *out)
+{
+    buf_printf(out, "static %s%s %s_run%s(%s state%s)\n{\n", noinline, run->as.returns_state ? c_state_type(u) : "void", u->names.prefix, part,
+               c_state_type(u), run_parameters(u, run));
+}
+
+// Writes the body of the function: a switch over the states `from` to `to` - 1.
+static void write_run_switch(const CUnit *u, const CStateBlocks *s, const CRun *run, size_t from, size_t to, Buf *out)
+{
+    if (run->as.returns_state)
+        buf_printf(out, "    %s next = 0;\n\n", c_state_type(u));
+    buf_str(out, "    switch (state) {\n");
+    for (size_t i = from; i < to; i++) {
+        if (!s[i].has[BLOCK_ENTRY] && !s[i].has[BLOCK_STEP])
+            continue;
+        buf_printf(out, "    case %s_STATE_%s:\n", u->names.macro, u->names.state[i]);
+        write_block_calls(u, s, i, out);
+        buf_str(out, "        break;\n");
     }
-    buf_printf(out, "static %s (*const %ss[])", result_type(u, &as), name);
-    write_parameters(u, &as, out);
-    buf_str(out, " = {\n");
-    for (size_t i = 0; i < n; i += STATES_PER_PART)
-        buf_printf(out, "    %s_%u,\n", name, (unsigned)i + 1);
-    buf_printf(out, "};\n\nstatic %s %s", result_type(u, &as), name);
-    write_parameters(u, &as, out);
-    buf_printf(out, "\n{\n    %s%ss[(m->state_ - 1) / %d]", as.returns_state ? "return " : "", name, STATES_PER_PART);
-    write_arguments(&as, out);
+    buf_printf(out, "    default:\n        break;\n    }\n%s}\n\n", run->as.returns_state ? "    return next;\n" : "");
+}
+
+static const char *part_name(const CUnit *u, size_t part) { return format_in(u->arena, "_%u", (unsigned)(part * STATES_PER_PART) + 1); }
+
+// Writes the binary search for the part that has the current state, among the parts `from` to `to` - 1.
+static void write_part_search(const CUnit *u, const CRun *run, size_t from, size_t to, const char *indent, Buf *out)
+{
+    const size_t middle = from + (to - from) / 2;
+    const char *inner = format_in(u->arena, "%s    ", indent);
+
+    if (to - from == 1) {
+        buf_printf(out, "%s%s%s_run%s(state%s);\n", indent, run->as.returns_state ? "return " : "", u->names.prefix, part_name(u, from),
+                   run_arguments(u, run));
+        return;
+    }
+    buf_printf(out, "%sif (state <= %u) {\n", indent, (unsigned)(middle * STATES_PER_PART));
+    write_part_search(u, run, from, middle, inner, out);
+    buf_printf(out, "%s} else {\n", indent);
+    write_part_search(u, run, middle, to, inner, out);
+    buf_printf(out, "%s}\n", indent);
+}
+
+// Writes the function for more than STATES_IN_ONE_SWITCH states: several with a switch, and one that calls them.  Compilers must not inline the parts.
+static void write_run_parts(CUnit *u, const CStateBlocks *s, const CRun *run, Buf *out)
+{
+    const size_t n = u->m->state.n, parts = (n + STATES_PER_PART - 1) / STATES_PER_PART;
+
+    u->uses_noinline = true;
+    for (size_t p = 0; p < parts; p++) {
+        const size_t from = p * STATES_PER_PART, to = from + STATES_PER_PART < n ? from + STATES_PER_PART : n;
+        buf_printf(out, "// States %u to %u.\n", (unsigned)from + 1, (unsigned)to);
+        write_run_head(u, run, "SM_NOINLINE ", part_name(u, p), out);
+        write_run_switch(u, s, run, from, to, out);
+    }
+    write_run_head(u, run, "", "", out);
+    write_part_search(u, run, 0, parts, "    ", out);
     buf_str(out, "}\n\n");
 }
 
-// Returns the name of the function that calls the block of a kind of the current state.
-static const char *dispatch_name(const CUnit *u, BlockKind k)
+// Writes the function that runs the blocks of the current state, unless no state has one.
+static void write_run(CUnit *u, const CStateBlocks *s, const CRun *run, Buf *out)
 {
-    return format_in(u->arena, "%s_%s", u->names.prefix, k == BLOCK_ENTRY ? "enter" : k == BLOCK_STEP ? "run" : "leave");
-}
-
-// Writes the function that calls the block of kind k of the current state, unless no state has one.  Returns its signature.
-static CSignature write_dispatch(const CUnit *u, BlockKind k, const CStateBlocks *s, Buf *out)
-{
-    const CSignature as = common_signature(u, s, k);
-
-    if (!has_block_of_kind(u, s, k))
-        return as;
-    buf_printf(out, "// The .%s of the state%s.\n", block_name[k], as.returns_state ? "; returns the next state, or 0" : "");
-    if (u->m->state.n > STATES_IN_ONE_SWITCH)
-        write_split_dispatch(u, dispatch_name(u, k), k, s, as, out);
-    else
-        write_dispatch_switch(u, dispatch_name(u, k), k, s, 0, u->m->state.n, as, out);
-    return as;
+    if (!run->any)
+        return;
+    buf_printf(out, "// Runs the blocks of the current state%s.\n", run->as.returns_state ? ".  Returns the next state, or 0 to stay" : "");
+    if (u->m->state.n > STATES_IN_ONE_SWITCH) {
+        write_run_parts(u, s, run, out);
+        return;
+    }
+    write_run_head(u, run, "", "", out);
+    write_run_switch(u, s, run, 0, u->m->state.n, out);
 }
 
 // ---- step ----
 
 // What the step function calls.
 typedef struct CStepParts {
-    bool has[BLOCK_COUNT];        // a state has a block of this kind
-    CSignature dispatch[BLOCK_COUNT];     // the functions that write_dispatch wrote
+    CRun run;
     const CSignature *sample;     // NULL: no windows to sample
     bool first;                   // the step must know whether it is a state's first
-    bool transition;              // a block can make a transition
 } CStepParts;
-
-// Writes the functions that call the blocks of the current state.  Returns what the step function has to call.
-static CStepParts write_dispatch_functions(CUnit *u, const CStateBlocks *s, const CSignature *sample, Buf *out)
-{
-    CStepParts w = { { false }, { { false, false, false } }, sample, false, false };
-
-    for (int k = 0; k < BLOCK_COUNT; k++) {
-        w.dispatch[k] = write_dispatch(u, (BlockKind)k, s, out);
-        w.has[k] = has_block_of_kind(u, s, (BlockKind)k);
-    }
-    w.first = w.has[BLOCK_ENTRY] || u->track_stores;
-    w.transition = w.dispatch[BLOCK_ENTRY].returns_state || w.dispatch[BLOCK_STEP].returns_state;
-    return w;
-}
 
 // Writes the check that time has advanced, and the start of a first step.  `left`, the time until time ends, is compared with m->gate_.
 static void write_time_check(const CUnit *u, const CStepParts *w, Buf *out)
@@ -243,8 +265,8 @@ static void write_time_check(const CUnit *u, const CStepParts *w, Buf *out)
 
     buf_str(out, "\n    // The gate is 0 before a state's first step, and if init has not succeeded.\n"
                  "    if (left >= m->gate_) {\n        if (!m->first_ || left >= m->left_) {\n");
-    buf_printf(out, "            return m->state_ == 0 ? %s_NO_STATE : %s_REFUSED;\n        }\n", n->macro, n->macro);
-    buf_printf(out, "        m->first_ = false;\n%s        m->start_ = sv->%s;\n        sv->%s = m->state_;\n    }\n    m->gate_ = left;\n",
+    buf_printf(out, "            return state == 0 ? %s_NO_STATE : %s_REFUSED;\n        }\n", n->macro, n->macro);
+    buf_printf(out, "        m->first_ = false;\n%s        m->start_ = sv->%s;\n        sv->%s = state;\n    }\n    m->gate_ = left;\n",
                w->first ? "        first = true;\n" : "", n->var[u->m->g], n->var[u->m->s]);
 }
 
@@ -255,8 +277,8 @@ static void write_soft_time_check(const CUnit *u, const CStepParts *w, Buf *out)
 
     buf_printf(out, "\n    if (m->state_ == 0 || !sm_soft_advance(&m->gate_, &sv->%s)) {\n", n->var[u->m->g]);
     buf_printf(out, "        return m->state_ == 0 ? %s_NO_STATE : %s_REFUSED;\n    }\n", n->macro, n->macro);
-    buf_printf(out, "    if (m->first_) {\n        m->first_ = false;\n%s        m->start_ = sv->%s;\n        sv->%s = m->state_;\n    }\n",
-               w->first ? "        first = true;\n" : "", n->var[u->m->g], n->var[u->m->s]);
+    buf_str(out, w->first ? "    first = m->first_;\n    if (first) {\n" : "    if (m->first_) {\n");
+    buf_printf(out, "        m->first_ = false;\n        m->start_ = sv->%s;\n        sv->%s = m->state_;\n    }\n", n->var[u->m->g], n->var[u->m->s]);
 }
 
 // Writes the step function up to where blocks run: the check of time, and the start of a first step.
@@ -267,49 +289,35 @@ static void write_step_head(const CUnit *u, const CStepParts *w, Buf *out)
     buf_printf(out, "%sStatus %s_step(%s *m, %s *sv)\n{\n", n->type, n->prefix, n->type, n->sv_type);
     if (!u->soft)
         buf_printf(out, "    const uint64_t left = UINT64_MAX - 1 - sv->%s;      // until time ends; the largest value when it has\n", n->var[u->m->g]);
-    buf_str(out, w->first ? "    bool first = false;\n" : "");
-    if (w->transition)
-        buf_printf(out, "    %s next = 0;      // the next state\n", c_state_type(u));
+    if (!u->soft)
+        buf_printf(out, "    const %s state = m->state_;      // what this step runs; 0 if init has not succeeded\n", c_state_type(u));
+    if (w->first)
+        buf_printf(out, "    bool first%s;\n", u->soft ? "" : " = false");
+    if (w->run.as.returns_state)
+        buf_printf(out, "    %s next;      // the next state, or 0\n", c_state_type(u));
     (u->soft ? write_soft_time_check : write_time_check)(u, w, out);
     if (u->track_stores)
         buf_printf(out, "    memset(&m->stored, 0, sizeof m->stored);\n    m->stored.%s = first;\n", n->var[u->m->s]);
 }
 
-static void write_dispatch_call(const CUnit *u, const CStepParts *w, BlockKind k, const char *result, Buf *out)
-{
-    buf_printf(out, "%s%s", result, dispatch_name(u, k));
-    write_arguments(&w->dispatch[k], out);
-}
-
 // Writes the rest of the step function: runs the blocks and takes the transition.
 static void write_step_blocks(const CUnit *u, const CStepParts *w, Buf *out)
 {
-    if (w->has[BLOCK_ENTRY]) {
-        buf_str(out, "    if (first) {\n        ");
-        write_dispatch_call(u, w, BLOCK_ENTRY, w->dispatch[BLOCK_ENTRY].returns_state ? "next = " : "", out);
-        buf_str(out, "    }\n");
-    }
-    if (w->has[BLOCK_STEP]) {
-        const bool guarded = w->has[BLOCK_ENTRY] && w->dispatch[BLOCK_ENTRY].returns_state;
-        buf_str(out, guarded ? "    if (next == 0) {\n        " : "    ");
-        write_dispatch_call(u, w, BLOCK_STEP, w->dispatch[BLOCK_STEP].returns_state ? "next = " : "", out);
-        buf_str(out, guarded ? "    }\n" : "");
-    }
-    if (w->transition) {
-        buf_str(out, "    if (next != 0) {\n");
-        if (w->has[BLOCK_EXIT]) {
-            buf_str(out, "        ");
-            write_dispatch_call(u, w, BLOCK_EXIT, "", out);
-        }
-        buf_printf(out, "        m->state_ = next;\n        m->first_ = true;\n%s    }\n", u->soft ? "" : "        m->left_ = left;\n        m->gate_ = 0;\n");
-    }
+    if (w->run.any)
+        buf_printf(out, "    %s%s_run(%s%s);\n", w->run.as.returns_state ? "next = " : "", u->names.prefix, u->soft ? "m->state_" : "state",
+                   run_arguments(u, &w->run));
+    if (w->run.as.returns_state)
+        buf_printf(out, "    if (next != 0) {\n        m->state_ = next;\n        m->first_ = true;\n%s    }\n",
+                   u->soft ? "" : "        m->left_ = left;\n        m->gate_ = 0;\n");
     buf_printf(out, "    return %s_OK;\n}\n\n", u->names.macro);
 }
 
 static void write_step(CUnit *u, const CStateBlocks *s, const CSignature *sample, Buf *out)
 {
-    const CStepParts w = write_dispatch_functions(u, s, sample, out);
+    CStepParts w = { describe_run(u, s), sample, false };
 
+    w.first = w.run.first || u->track_stores;
+    write_run(u, s, &w.run, out);
     write_step_head(u, &w, out);
     if (w.sample) {
         buf_printf(out, "    %s_sample", u->names.prefix);
@@ -332,6 +340,10 @@ static void write_queries(const CUnit *u, Buf *out)
     for (size_t i = 0; i < u->m->state.n; i++)
         buf_printf(out, "        \"%s\",\n", u->m->state.at[i].name->text);
     buf_printf(out, "    };\n\n    return state <= %s_STATES ? name[state] : \"\";\n}\n", n->macro);
+    if (u->soft)
+        return;
+    buf_printf(out, "\nuint32_t %s_size(void)\n{\n    return (uint32_t)sizeof(%s);\n}\n\n", n->prefix, n->type);
+    buf_printf(out, "uint32_t %s_sv_size(void)\n{\n    return (uint32_t)sizeof(%s);\n}\n", n->prefix, n->sv_type);
 }
 
 void c_write_machine(CUnit *u, Buf *out)

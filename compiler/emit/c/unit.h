@@ -64,7 +64,9 @@ typedef struct CUnit {
     bool soft;                    // F64 is SmF64 (soft.c)
     bool track_stores;            // each step reports which elements it stored
     bool runtime;                 // the output is for the flight runtime (runtime-c)
-    const char *fit;              // name of the emitted self-test function; NULL: no self-test is needed
+    bool uses_noinline;           // the code uses the macro SM_NOINLINE
+    unsigned key_bits;            // width of the widest key of a window's samples; 0: no window
+    bool self_test;               // init calls the self-test of the arithmetic (guard.c)
     StrPool constant_names;       // remark.c: names of the locals that are constants
     Map constants;                // the set of those names; its arena is NULL until it is filled
 } CUnit;
@@ -137,6 +139,8 @@ const char **remark_window_calls(CUnit *u);
 // ---- decl.c ----
 
 void c_write_vector_struct(const CUnit *u, Buf *out);
+// Writes the check of the struct's size, for the source file: foreign function interfaces read the header, and most cannot evaluate it.
+void c_write_vector_check(const CUnit *u, Buf *out);
 void c_write_machine_types(CUnit *u, Buf *out);
 void c_write_prototypes(const CUnit *u, Buf *out);
 const char *c_type_of(const CUnit *u, SmType type);       // the C type of a value of `type`
@@ -147,8 +151,9 @@ bool c_is_output(const IrMachine *m, size_t v);           // whether variable v 
 // Writes the includes, and the #error checks and pragmas against compilers and flags that change the meaning of arithmetic.  `name` begins the
 // name of the type that checks the size of constants.
 void c_write_compiler_checks(Buf *out, const char *name, bool soft);
-// Writes the function `name`, which tests the arithmetic at run time.
-void c_write_self_test(const char *name, Buf *out);
+// Write the declaration and the definition of the function that tests the arithmetic at run time.
+void c_write_self_test_declaration(Buf *out);
+void c_write_self_test(Buf *out);
 
 // ---- soft.c ----
 
@@ -157,6 +162,8 @@ void c_write_soft_library(Buf *out);
 
 // ---- window.c ----
 
+// Writes a macro for the size of each window whose size depends on SM_ROLL_SMALL.
+void c_write_window_sizes(const CUnit *u, Buf *out);
 // Returns the declarator of the window's member: its name and its size in words, as in `altitude_last_9[12]`.
 const char *c_window_declaration(const CUnit *u, size_t w);
 void c_write_empty_windows(const CUnit *u, Buf *out);        // the statements of init that empty all windows

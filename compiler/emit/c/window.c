@@ -25,13 +25,34 @@ static void write_kind(const IrWindow *w, Buf *out)
             buf_printf(out, " | SM_ROLL_%s", stat[s]);
 }
 
+static unsigned window_words(const CUnit *u, size_t w) { return sm_roll_words(get_window(u, w)->size, roll_kind(get_window(u, w))); }
+static unsigned small_window_words(const CUnit *u, size_t w) { return c_small_roll_words(get_window(u, w)->size, roll_kind(get_window(u, w))); }
+
+static void write_window_sizes(const CUnit *u, bool small, Buf *out)
+{
+    for (size_t w = 0; w < u->m->window.n; w++)
+        if (window_words(u, w) != small_window_words(u, w))
+            buf_printf(out, "#define %s_WORDS_%s %u\n", u->names.macro, u->window[w], small ? small_window_words(u, w) : window_words(u, w));
+}
+
+void c_write_window_sizes(const CUnit *u, Buf *out)
+{
+    Buf small;
+
+    buf_init(&small, u->arena);
+    write_window_sizes(u, true, &small);
+    if (small.n == 0)
+        return;
+    buf_printf(out, "// Words of rolling windows.\n#if SM_ROLL_SMALL\n%s#else\n", buf_text(&small));
+    write_window_sizes(u, false, out);
+    buf_str(out, "#endif\n\n");
+}
+
 const char *c_window_declaration(const CUnit *u, size_t w)
 {
-    const uint32_t kind = roll_kind(get_window(u, w)), n = get_window(u, w)->size;
-    const unsigned words = (unsigned)sm_roll_words(n, kind), small = (unsigned)c_small_roll_words(n, kind);
-
-    return words == small ? format_in(u->arena, "%s[%u]", u->window[w], words)
-                          : format_in(u->arena, "%s[SM_ROLL_SMALL ? %u : %u]", u->window[w], small, words);
+    if (window_words(u, w) == small_window_words(u, w))
+        return format_in(u->arena, "%s[%u]", u->window[w], window_words(u, w));
+    return format_in(u->arena, "%s[%s_WORDS_%s]", u->window[w], u->names.macro, u->window[w]);
 }
 
 void c_write_empty_windows(const CUnit *u, Buf *out)
@@ -72,9 +93,25 @@ static const char *push_function(const IrWindow *w)
     return "sm_roll_push";
 }
 
+// Returns the width of the signed integers that can represent all keys of a type of samples.
+static unsigned key_bits(uint32_t type)
+{
+    switch (type) {
+    case SM_ROLL_F64:
+    case SM_ROLL_U32: return 64;
+    case SM_ROLL_F32:
+    case SM_ROLL_I32:
+    case SM_ROLL_U16: return 32;
+    default: return 16;
+    }
+}
+
 // Writes `NAME(m->WINDOW, SIZE, KIND`; the caller closes the parenthesis.
 static void begin_roll_call(CUnit *u, const char *name, size_t w, Buf *out)
 {
+    const unsigned bits = key_bits(roll_kind(get_window(u, w)) & SM_ROLL_TYPE);
+
+    u->key_bits = u->key_bits < bits ? bits : u->key_bits;
     buf_printf(out, "%s(m->%s, %u, ", helper_require(u, name), u->window[w], (unsigned)get_window(u, w)->size);
     write_kind(get_window(u, w), out);
 }

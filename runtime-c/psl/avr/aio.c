@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Analog inputs: channel n is pin An, 10 bits, relative to the supply of 5 V.  Analog outputs: channel n is pin n, a PWM of 976 Hz
-// between 0 and 5 V.  A resistor and a capacitor at the pin turn it into a voltage.
+// Analog inputs: channel n is pin An, 10 bits, relative to the supply.  Analog outputs: channel n is pin n, a PWM of 976 Hz (at 8 MHz:
+// 488 Hz) between 0 and the supply.  A resistor and a capacitor at the pin turn it into a voltage.
 #include "runtime-c/pal/aio.h"
 
 #include "runtime-c/psl/avr/avr.h"
@@ -13,7 +13,10 @@ enum { DDR = 1, PORT = 2 };                    // offsets of registers from PIN
 // Channel indexes: inputs first; from OUTPUT on, the rows of avr_pwms.  The handle is the index plus 1.
 enum { OUTPUT = AVR_ANALOGS };
 
-#define SUPPLY 5000000                         // microvolts
+// The supply in microvolts.  Boards of 8 MHz have 3.3 V, which is too little for 16 MHz.
+#ifndef AVR_SUPPLY
+#define AVR_SUPPLY (F_CPU == 8000000 ? 3300000 : 5000000)
+#endif
 
 // Copies the row of an output channel from flash.
 static void load_pwm(uint8_t channel, AvrPwm *p) { memcpy_P(p, &avr_pwms[(uint8_t)(channel - OUTPUT)], sizeof *p); }
@@ -60,7 +63,7 @@ static SmResult open_input(PalAio *channel, uint16_t number)
     port = avr_pin_port(pin, &mask);
     avr_pin_set(port + PORT, mask, false);
     avr_pin_set(port + DDR, mask, false);
-    ADCSRA = 1 << ADEN | 7 << ADPS0;           // 125 kHz ADC clock
+    ADCSRA = 1 << ADEN | (F_CPU == 8000000 ? 6 : 7) << ADPS0;  // 125 kHz ADC clock
     return SM_OK;
 }
 
@@ -75,7 +78,7 @@ void avr_pin_disconnect(uint8_t number)
     avr_pin_set(reg(p.control), p.connect, false);
 }
 
-// 8-bit PWM, clocked at 16 MHz / 64.  Timer 2 counts to its maximum, the 16-bit timers to 255.
+// 8-bit PWM, clocked at F_CPU / 64.  Timer 2 counts to its maximum, the 16-bit timers to 255.
 static void start_timer(const AvrPwm *p)
 {
     const bool narrow = p->control == _SFR_ADDR(TCCR2A);
@@ -125,8 +128,8 @@ SmResult pal_aio_info(PalAio channel, PalAioInfo *info)
     if (!is_open(channel))
         return SM_E_HANDLE;
     info->lowest = 0;
-    info->highest = is_input(channel) ? SUPPLY - SUPPLY / 1024 : SUPPLY;
-    info->step = is_input(channel) ? SUPPLY / 1024 : SUPPLY / 255;
+    info->highest = is_input(channel) ? AVR_SUPPLY - AVR_SUPPLY / 1024 : AVR_SUPPLY;
+    info->step = is_input(channel) ? AVR_SUPPLY / 1024 : AVR_SUPPLY / 255;
     return SM_OK;
 }
 
@@ -149,7 +152,7 @@ SmResult pal_aio_read(PalAio channel, int32_t *millionths)
     ADCSRA |= 1 << ADSC;
     while (ADCSRA & 1 << ADSC)                 // 13 cycles of the ADC clock
         ;
-    *millionths = (int32_t)((uint32_t)ADC * (SUPPLY / 64) >> 4);
+    *millionths = (int32_t)((uint32_t)ADC * (AVR_SUPPLY / 32) >> 5);
     return SM_OK;
 }
 
@@ -170,11 +173,11 @@ static void set_duty(const AvrPwm *p, uint8_t duty)
     avr_pin_set(reg(p->control), p->connect, duty != 0 && duty != 255);
 }
 
-// The duty of an output voltage, 0 to 255 for 0 to SUPPLY, rounded.  The division bit by bit takes half the time and half the code
+// The duty of an output voltage, 0 to 255 for 0 to AVR_SUPPLY, rounded.  The division bit by bit takes half the time and half the code
 // of gcc's division.
 static uint8_t compute_duty(uint32_t millionths)
 {
-    uint32_t left = millionths * 51 + SUPPLY / 10, part = SUPPLY / 5 * UINT32_C(128);
+    uint32_t left = millionths * 51 + AVR_SUPPLY / 10, part = AVR_SUPPLY / 5 * UINT32_C(128);
     uint8_t duty = 0;
 
     for (uint8_t bit = 128; bit > 0; bit >>= 1, part >>= 1)
@@ -194,7 +197,7 @@ SmResult pal_aio_write(PalAio channel, int32_t millionths)
     if (is_input(channel))
         return SM_E_ARGUMENT;
     load_pwm((uint8_t)(channel.id - 1), &p);
-    set_duty(&p, millionths <= 0 ? 0 : millionths >= SUPPLY ? 255 : compute_duty((uint32_t)millionths));
+    set_duty(&p, millionths <= 0 ? 0 : millionths >= AVR_SUPPLY ? 255 : compute_duty((uint32_t)millionths));
     return SM_OK;
 }
 

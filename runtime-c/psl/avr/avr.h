@@ -7,11 +7,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "runtime-c/psl/avr/chip.h"
 #include "stdlib/result.h"
 
-// The chips of Uno and Mega.  For other chips these files compile to nothing.  A new chip also needs a table in board.h.
-#if defined(__AVR_ATmega328P__) || defined(__AVR_ATmega2560__)
-#define PSL_AVR
+#ifdef PSL_AVR                // a new chip also needs a table in board.h
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
@@ -19,7 +18,6 @@
 
 void avr_clock_start(void (*tick)(void));              // the interrupt calls `tick`, unless NULL, every ms
 uint32_t avr_milliseconds(void);                       // since the start of the clock, modulo 2^32
-uint16_t avr_time_4us(void);                           // in units of 4 microseconds, modulo 2^16; call with interrupts off
 
 // ---- pins: one owner each, digital or analog ----
 
@@ -45,6 +43,9 @@ volatile uint8_t *avr_pin_port(uint8_t number, uint8_t *mask);         // the po
 // repeatedly until it returns true.  Code that reads the EEPROM in real time returns false shortly before it reads.  NULL: always
 // allowed.
 void avr_eeprom_guard_writes(bool (*may)(void));
+
+// Begins to write a byte and does not wait for its end.  Returns false if another write is in progress or `may` returns false.
+bool avr_eeprom_begin_write(uint16_t at, uint8_t byte);
 
 static inline uint8_t avr_eeprom_read(uint16_t at)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The clock: timer 0 counts in steps of 4 µs and restarts every millisecond.
+// The clock: timer 0 counts in steps of 4 µs (at 8 MHz: 8 µs) and restarts every millisecond.
 #include "runtime-c/pal/clock.h"
 
 #include "runtime-c/psl/avr/avr.h"
@@ -8,7 +8,7 @@
 #include <avr/sleep.h>
 #include <util/atomic.h>
 
-enum { STEPS = 250, STEP = 4 };        // timer steps in a millisecond; microseconds in a step
+enum { STEPS = F_CPU / 64 / 1000, STEP = 1000 / STEPS };       // timer steps in a millisecond; microseconds in a step
 
 static volatile uint32_t milliseconds;
 static volatile uint16_t wraps;        // how often `milliseconds` wrapped around
@@ -30,7 +30,7 @@ void avr_clock_start(void (*tick)(void))
     TCNT0 = 0;
     TIFR0 = 1 << OCF0A;
     TIMSK0 = 1 << OCIE0A;
-    TCCR0B = 1 << CS01 | 1 << CS00;    // 16 MHz / 64
+    TCCR0B = 1 << CS01 | 1 << CS00;    // F_CPU / 64
 }
 
 uint32_t avr_milliseconds(void)
@@ -50,14 +50,6 @@ static uint8_t read_timer(uint8_t *more)
     if (*more)
         t = TCNT0;
     return t;
-}
-
-uint16_t avr_time_4us(void)
-{
-    uint8_t more;
-    const uint8_t t = read_timer(&more);
-
-    return (uint16_t)((uint16_t)((uint16_t)milliseconds + more) * STEPS + t);
 }
 
 uint64_t pal_clock_now(void)

@@ -65,9 +65,8 @@ SmResult pal_nvm_read(PalNvm memory, uint32_t at, void *bytes, uint32_t n)
     return r;
 }
 
-// Starts the write of a byte, if no other is in progress and may_write permits it.  Returns whether it was started.  Interrupts
-// are off from the check to the start.
-static bool begin_write(uint16_t at, uint8_t byte)
+// Interrupts are off from the check to the start.
+bool avr_eeprom_begin_write(uint16_t at, uint8_t byte)
 {
     const uint8_t flags = SREG;
     bool may;
@@ -88,7 +87,7 @@ static void write_byte(uint16_t at, uint8_t byte)
 {
     if (avr_eeprom_read(at) == byte)
         return;
-    while (!begin_write(at, byte))
+    while (!avr_eeprom_begin_write(at, byte))
         ;
     while (EECR & 1 << EEPE)
         ;

@@ -37,7 +37,8 @@ static SmResult lock_file(int fd, const char *name)
     return s.st_size == 0 ? psl_result_of_errno(psl_sync_folder(name)) : SM_OK;
 }
 
-static SmResult open_entry(uint8_t id, const char *name)
+// Opens and locks the file of log handle `id`.
+static SmResult open_and_lock_file(uint8_t id, const char *name)
 {
     int fd;
     SmResult r = open_file(name, &fd);
@@ -61,7 +62,7 @@ SmResult pal_log_open(PalLogFile *file, const char *name)
     id = psl_allocate(used, PAL_LOGS);
     if (id == 0)
         return SM_E_FULL;
-    r = open_entry(id, name);
+    r = open_and_lock_file(id, name);
     if (r == SM_OK)
         file->id = id;
     else

@@ -52,7 +52,7 @@ SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *
     return SM_E_UNSUPPORTED;
 }
 
-SmResult pal_socket_own(PalSocket socket, PalAddress *own)
+SmResult pal_socket_local_address(PalSocket socket, PalAddress *own)
 {
     (void)socket, (void)own;
     return SM_E_UNSUPPORTED;

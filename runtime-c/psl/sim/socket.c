@@ -306,7 +306,7 @@ SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *
 
 // ---- all ----
 
-SmResult pal_socket_own(PalSocket s, PalAddress *own)
+SmResult pal_socket_local_address(PalSocket s, PalAddress *own)
 {
     if (!own)
         return SM_E_ARGUMENT;

@@ -5,6 +5,7 @@
 #include "arith_o0.h"
 #include "arith_o1.h"
 #include "arith_o2.h"
+#include "arith_os.h"
 #include "tests/bench/rows.h"
 
 WORKLOAD_ROWS(arith, Arith)
@@ -63,6 +64,5 @@ static void inputs(Rng *r, void *at, unsigned n, unsigned episode)
 }
 
 const Workload workload_arith = {
-    "arith", "tests/bench/workloads/arith.sm", sizeof(ArithIn), sizeof(ArithSv), 4000, 100, 8, 3900, 4000, 0, inputs, row,
-    drive_vm, drive_fast, drive_ref,
+    WORKLOAD(arith, Arith), .steps = 4000, .warm = 100, .count = 3900, .check = 4000,
 };

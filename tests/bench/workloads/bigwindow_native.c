@@ -12,18 +12,14 @@ void bigwindow_native_init(BigwindowNative *m, BigwindowSv *sv)
     sv->state = 1;
 }
 
-static unsigned place(const double *sorted, unsigned n, double x)      // how many are less than x
+// How many are less than x; without branches on samples.
+static unsigned place(const double *sorted, unsigned n, double x)
 {
-    unsigned lo = 0, hi = n;
+    unsigned at = 0;
 
-    while (lo < hi) {
-        const unsigned mid = (lo + hi) / 2;
-        if (sorted[mid] < x)
-            lo = mid + 1;
-        else
-            hi = mid;
-    }
-    return lo;
+    for (; n > 1; n -= n / 2)
+        at += n / 2 * (sorted[at + n / 2 - 1] < x);
+    return at + (n != 0 && sorted[at] < x);
 }
 
 static void put(BigwindowNative *m, double x)

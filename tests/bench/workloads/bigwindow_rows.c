@@ -5,6 +5,7 @@
 #include "bigwindow_o0.h"
 #include "bigwindow_o1.h"
 #include "bigwindow_o2.h"
+#include "bigwindow_os.h"
 #include "tests/bench/rows.h"
 
 WORKLOAD_ROWS(bigwindow, Bigwindow)
@@ -23,6 +24,5 @@ static void inputs(Rng *r, void *at, unsigned n, unsigned episode)
 }
 
 const Workload workload_bigwindow = {
-    "bigwindow", "tests/bench/workloads/bigwindow.sm", sizeof(BigwindowIn), sizeof(BigwindowSv), 4000, 1100, 8, 300, 1500, 0,
-    inputs, row, drive_vm, drive_fast, drive_ref,
+    WORKLOAD(bigwindow, Bigwindow), .steps = 4000, .warm = 1100, .count = 300, .check = 1500,
 };

@@ -7,6 +7,8 @@
 #include <stdint.h>
 
 #include "mission_o2.h"
+#include "tests/bench/workloads/hand_window.h"
+#include "tests/bench/workloads/window.h"
 
 typedef struct MissionIn {
     uint64_t time;
@@ -20,9 +22,9 @@ enum { MEDIAN_OF = 11, AVERAGE_OF = 20, RANGE_OF = 15 };
 
 // ---- native types ----
 
-typedef struct Median { double sample[MEDIAN_OF]; unsigned n, next; } Median;
-typedef struct Average { float sample[AVERAGE_OF]; unsigned n, next; } Average;
-typedef struct Range { double sample[RANGE_OF]; unsigned n, next; } Range;
+HAND_RING(Median, altitudes, double, 11)
+HAND_RING(Average, accelerations, float, AVERAGE_OF)
+HAND_RING(Range, recent, double, RANGE_OF)
 
 typedef struct MissionNative {
     uint32_t state;
@@ -42,8 +44,6 @@ void mission_native_init(MissionNative *m, MissionSv *sv);
 void mission_native_step(MissionNative *m, MissionSv *sv);
 
 // ---- every value a double ----
-
-typedef struct Window { double *slot; uint32_t size, n, next; } Window;
 
 typedef struct MissionF64 {
     uint32_t state;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mission as a flight-software engineer writes it.  The windows are rings; a statistic is worked out where it is asked
-// for: the median from a copy that is sorted by insertion, the average by adding up (a sum that runs on would drift), the
-// range in one pass.
+// The mission as an expert writes it.  A statistic is computed where it is needed, from a ring (hand_window.h): a running sum would drift.
 #include <math.h>
 #include <string.h>
 
@@ -14,83 +12,17 @@ static const double main_height = 300.0;                             // m
 enum { BATTERY_LOW = 11000 };                                        // mV
 enum { LONGEST_BURN = 4500, LATEST_APOGEE = 30000, LATEST_GROUND = 300000 };   // ms
 
-// ---- windows ----
+HAND_MEDIAN(Median, altitudes, double, 11)
+HAND_AVERAGE(Average, accelerations, float, AVERAGE_OF)
+HAND_ENDS(Range, recent, double, RANGE_OF)
 
-static void median_put(Median *w, double x)
-{
-    w->sample[w->next] = x;
-    w->next = w->next + 1 < MEDIAN_OF ? w->next + 1 : 0;
-    if (w->n < MEDIAN_OF)
-        w->n++;
-}
-
-static double median_get(const Median *w)
-{
-    double sorted[MEDIAN_OF];
-
-    for (unsigned i = 0; i < w->n; i++) {
-        const double x = w->sample[i];
-        unsigned k = i;
-        for (; k > 0 && sorted[k - 1] > x; k--)
-            sorted[k] = sorted[k - 1];
-        sorted[k] = x;
-    }
-    return w->n % 2 != 0 ? sorted[w->n / 2] : (sorted[w->n / 2 - 1] + sorted[w->n / 2]) / 2;
-}
-
-static void average_put(Average *w, float x)
-{
-    w->sample[w->next] = x;
-    w->next = w->next + 1 < AVERAGE_OF ? w->next + 1 : 0;
-    if (w->n < AVERAGE_OF)
-        w->n++;
-}
-
-static float average_get(const Average *w)
-{
-    float sum = 0;
-
-    for (unsigned i = 0; i < w->n; i++)
-        sum += w->sample[i];
-    return sum / (float)w->n;
-}
-
-static void range_put(Range *w, double x)
-{
-    w->sample[w->next] = x;
-    w->next = w->next + 1 < RANGE_OF ? w->next + 1 : 0;
-    if (w->n < RANGE_OF)
-        w->n++;
-}
-
-static double range_max(const Range *w)
-{
-    double most = w->sample[0];
-
-    for (unsigned i = 1; i < w->n; i++)
-        if (w->sample[i] > most)
-            most = w->sample[i];
-    return most;
-}
-
-static double range_get(const Range *w)
-{
-    double least = w->sample[0], most = w->sample[0];
-
-    for (unsigned i = 1; i < w->n; i++) {
-        if (w->sample[i] < least)
-            least = w->sample[i];
-        if (w->sample[i] > most)
-            most = w->sample[i];
-    }
-    return most - least;
-}
+static double range(const Range *w) { return recent_most(w) - recent_least(w); }
 
 // ---- states ----
 
 static double height(const MissionNative *m)
 {
-    return median_get(&m->altitude_median) - m->ground;
+    return altitudes_median(&m->altitude_median) - m->ground;
 }
 
 static void fault(MissionSv *sv, unsigned n)
@@ -108,11 +40,11 @@ static void safe(MissionNative *m, MissionSv *sv, bool first)
 {
     if (first)
         sv->igniter = sv->drogue = sv->mainChute = sv->beacon = false;
-    m->ground = median_get(&m->altitude_median);
+    m->ground = altitudes_median(&m->altitude_median);
     sv->height = 0;
     if (sv->battery < BATTERY_LOW)
         fault(sv, 1);
-    if (sv->armSwitch && sv->battery >= BATTERY_LOW && m->in_state > 500 && range_get(&m->altitude_range) < 5)
+    if (sv->armSwitch && sv->battery >= BATTERY_LOW && m->in_state > 500 && range(&m->altitude_range) < 5)
         change(m, ARMED);
 }
 
@@ -137,7 +69,7 @@ static void ignition(MissionNative *m, MissionSv *sv, bool first)
             m->ignitions++;
     }
     sv->height = height(m);
-    sv->load = average_get(&m->acceleration_average);
+    sv->load = accelerations_average(&m->acceleration_average);
     if (sv->acceleration > thrust && sv->load > least_average) {
         sv->igniter = false;
         change(m, BOOST);
@@ -151,7 +83,7 @@ static void ignition(MissionNative *m, MissionSv *sv, bool first)
 static void boost(MissionNative *m, MissionSv *sv)
 {
     sv->height = height(m);
-    sv->load = average_get(&m->acceleration_average);
+    sv->load = accelerations_average(&m->acceleration_average);
     if (sv->height > m->top)
         m->top = sv->height;
     if (sv->load > m->peak)
@@ -184,8 +116,8 @@ static void apogee(MissionNative *m, MissionSv *sv, bool first)
         sv->drogue = true;
     }
     sv->height = height(m);
-    sv->load = average_get(&m->acceleration_average);
-    if (m->in_state > 500 && range_max(&m->altitude_range) - m->ground < sv->apogee - 4)
+    sv->load = accelerations_average(&m->acceleration_average);
+    if (m->in_state > 500 && recent_most(&m->altitude_range) - m->ground < sv->apogee - 4)
         change(m, DROGUE);
     else if (m->in_state > 5000)
         change(m, MAIN);
@@ -194,8 +126,8 @@ static void apogee(MissionNative *m, MissionSv *sv, bool first)
 static void drogue(MissionNative *m, MissionSv *sv)
 {
     sv->height = height(m);
-    sv->load = average_get(&m->acceleration_average);
-    if (range_get(&m->altitude_range) > 30)
+    sv->load = accelerations_average(&m->acceleration_average);
+    if (range(&m->altitude_range) > 30)
         fault(sv, 1);
     if (sv->height < main_height || m->in_state > LATEST_GROUND) {
         sv->drogue = false;
@@ -210,7 +142,7 @@ static void main_chute(MissionNative *m, MissionSv *sv, bool first)
         m->calm = 0;
     }
     sv->height = height(m);
-    if (range_get(&m->altitude_range) >= 2)
+    if (range(&m->altitude_range) >= 2)
         m->calm = 0;
     else if (m->calm < UINT16_MAX)
         m->calm++;
@@ -224,7 +156,7 @@ static void landed(MissionNative *m, MissionSv *sv, bool first)
 {
     if (first)
         sv->beacon = true;
-    sv->load = average_get(&m->acceleration_average);
+    sv->load = accelerations_average(&m->acceleration_average);
     if (sv->battery < BATTERY_LOW - 1000 && m->in_state > 60000)
         sv->beacon = false;
 }
@@ -258,9 +190,9 @@ void mission_native_step(MissionNative *m, MissionSv *sv)
         sv->state = m->state;
     }
     m->in_state = (uint32_t)(sv->time - m->start);
-    median_put(&m->altitude_median, sv->altitude);
-    average_put(&m->acceleration_average, sv->acceleration);
-    range_put(&m->altitude_range, sv->altitude);
+    altitudes_put(&m->altitude_median, sv->altitude);
+    accelerations_put(&m->acceleration_average, sv->acceleration);
+    recent_put(&m->altitude_range, sv->altitude);
     switch (m->state) {
     case SAFE: safe(m, sv, first); break;
     case ARMED: armed(m, sv, first); break;

@@ -5,6 +5,7 @@
 #include "mission_o0.h"
 #include "mission_o1.h"
 #include "mission_o2.h"
+#include "mission_os.h"
 #include "tests/bench/rows.h"
 
 WORKLOAD_ROWS(mission, Mission)
@@ -52,6 +53,5 @@ static void inputs(Rng *r, void *at, unsigned n, unsigned episode)
 }
 
 const Workload workload_mission = {
-    "mission", "tests/bench/workloads/mission.sm", sizeof(MissionIn), sizeof(MissionSv), 6500, 40, 8, 6460, 6500, 5, inputs, row,
-    drive_vm, drive_fast, drive_ref,
+    WORKLOAD(mission, Mission), .steps = 6500, .warm = 40, .count = 6460, .check = 6500, .other = 5,
 };

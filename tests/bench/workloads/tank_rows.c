@@ -6,6 +6,7 @@
 #include "tank_o0.h"
 #include "tank_o1.h"
 #include "tank_o2.h"
+#include "tank_os.h"
 #include "tests/bench/rows.h"
 
 WORKLOAD_ROWS(tank, Tank)
@@ -24,6 +25,5 @@ static void inputs(Rng *r, void *at, unsigned n, unsigned episode)
 }
 
 const Workload workload_tank = {
-    "tank", "examples/tank/tank.sm", sizeof(TankIn), sizeof(TankSv), 4000, 400, 8, 3600, 4000, 0, inputs, row,
-    drive_vm, drive_fast, drive_ref,
+    WORKLOAD(tank, Tank), .sm = "examples/tank/tank.sm", .steps = 4000, .warm = 400, .count = 3600, .check = 4000,
 };

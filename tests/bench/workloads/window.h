@@ -4,9 +4,13 @@
 #define BENCH_WINDOW_H
 
 #include <math.h>
+#include <stdbool.h>
+#include <string.h>
 
 #include "stdlib/f64.h"
-#include "tests/bench/workloads/mission.h"
+
+typedef struct Window { double *slot; uint32_t size, n, next; } Window;
+enum { MOST_SLOTS = 50 };
 
 static inline void window_init(Window *w, double *slot, uint32_t size)
 {
@@ -31,7 +35,7 @@ static inline bool comes_before(double x, double y)           // -0 before +0
 // Sums in pairs, those in pairs, and so on.
 static inline double window_avg(const Window *w)
 {
-    double sum[AVERAGE_OF];
+    double sum[MOST_SLOTS];
     uint32_t n = w->n;
 
     memcpy(sum, w->slot, n * sizeof *sum);
@@ -52,7 +56,7 @@ static inline double middle(double a, double b)
 
 static inline double window_median(const Window *w)
 {
-    double sorted[MEDIAN_OF];
+    double sorted[MOST_SLOTS];
 
     for (uint32_t i = 0; i < w->n; i++) {
         const double x = w->slot[i];

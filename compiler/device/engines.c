@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The engines of this build, by name.
+#include "compiler/device/engines.h"
+
 #include <string.h>
 
-#include "compiler/cli/test.h"
 #include "compiler/device/engine_c.h"
+#include "compiler/script/testfile.h"
 
 const char *const engine_name[ENGINE_KINDS] = {"ref", "vm", "vm-soft", "c", "c-soft"};
-
-static unsigned engine_named(const char *name, size_t n)
-{
-    for (unsigned i = 0; i < ENGINE_KINDS; i++)
-        if (strlen(engine_name[i]) == n && strncmp(name, engine_name[i], n) == 0)
-            return 1u << i;
-    return 0;
-}
 
 unsigned engines_named(const char *name)
 {
@@ -23,9 +16,12 @@ unsigned engines_named(const char *name)
         return ((1u << ENGINE_KINDS) - 1) & ~(1u << ENGINE_C_SOFT);
     for (;; name++) {
         const size_t n = strcspn(name, ",");
-        if (engine_named(name, n) == 0)
+        unsigned kind = 0;
+        while (kind < ENGINE_KINDS && (strlen(engine_name[kind]) != n || strncmp(name, engine_name[kind], n) != 0))
+            kind++;
+        if (kind == ENGINE_KINDS)
             return 0;
-        which |= engine_named(name, n);
+        which |= 1u << kind;
         if (*(name += n) == '\0')
             return which;
     }
@@ -56,25 +52,20 @@ static Engine *open_vm(OpenVm *open, Session *s, const Program *p, int opt_level
     return NULL;
 }
 
-static Engine *open_c(bool soft, Session *s, const Program *p, int opt_level, const char **error)
+static Engine *open_engine(EngineKind kind, Session *s, const Program *p, int opt_level, const char **error)
 {
-    const EngineCOptions o = {.soft = soft};
-    IrMachine *m = session_ir(s, p, opt_level);
+    IrMachine *m;
 
-    if (m)
-        return engine_c_open(&s->arena, p, m, &o, error);
-    *error = "the machine could not be made into C";
-    return NULL;
-}
-
-static Engine *open_one(EngineKind kind, Session *s, const Program *p, int opt_level, const char **error)
-{
     switch (kind) {
     case ENGINE_REF: return engine_ref_open(&s->arena, p);
     case ENGINE_VM: return open_vm(engine_vm_open, s, p, opt_level, error);
     case ENGINE_VM_SOFT: return open_vm(engine_vm_soft_open, s, p, opt_level, error);
     case ENGINE_C:
-    case ENGINE_C_SOFT: return open_c(kind == ENGINE_C_SOFT, s, p, opt_level, error);
+    case ENGINE_C_SOFT:
+        if ((m = session_ir(s, p, opt_level)) != NULL)
+            return engine_c_open(&s->arena, p, m, kind == ENGINE_C_SOFT, error);
+        *error = "the machine could not be made into C";
+        return NULL;
     case ENGINE_KINDS: break;
     }
     *error = "this build does not have it";
@@ -87,7 +78,7 @@ bool engines_open(EngineSet *set, Session *s, const Program *p, unsigned which, 
         const char *error = "";
         if (!(which & 1u << i))
             continue;
-        if ((set->at[set->n] = open_one((EngineKind)i, s, p, opt_level, &error)) == NULL) {
+        if ((set->at[set->n] = open_engine((EngineKind)i, s, p, opt_level, &error)) == NULL) {
             set->error = format_in(&s->arena, "engine %s: %s", engine_name[i], error);
             return false;
         }

@@ -2,7 +2,7 @@
 // Compares reports and traces with those that a case expects, line by line.
 #include <string.h>
 
-#include "compiler/cli/test.h"
+#include "compiler/script/case.h"
 
 typedef struct LineCursor { const char *at, *end; } LineCursor;
 typedef struct ReportLine { const char *at; size_t n; } ReportLine;
@@ -20,7 +20,8 @@ static bool read_line(LineCursor *l, ReportLine *line)
     return true;
 }
 
-static LineCursor lines_of_part(const TestPart *p)         // blank lines at its end separate it from the next part
+// Returns the lines of a part without the blank lines at its end, which separate it from the next part.
+static LineCursor lines_of_part(const TestPart *p)
 {
     size_t n = p->n;
 
@@ -29,17 +30,19 @@ static LineCursor lines_of_part(const TestPart *p)         // blank lines at its
     return (LineCursor){p->text, p->text + n};
 }
 
+static LineCursor lines_of_text(const Buf *text) { return (LineCursor){buf_text(text), buf_text(text) + text->n}; }
+
 static bool same_text(ReportLine a, ReportLine b) { return a.n == b.n && memcmp(a.at, b.at, a.n) == 0; }
 
-void test_check_report(const TestPart *part, const Buf *report, Buf *why)
+void case_compare_report(const TestPart *expected, const Buf *report, Buf *why)
 {
-    LineCursor expected = lines_of_part(part), came = {buf_text(report), buf_text(report) + report->n};
+    LineCursor wanted = lines_of_part(expected), written = lines_of_text(report);
     ReportLine e, r;
     bool more_e = true, more_r = true, differs = false;
 
     while (more_e || more_r) {
-        more_e = read_line(&expected, &e);
-        more_r = read_line(&came, &r);
+        more_e = read_line(&wanted, &e);
+        more_r = read_line(&written, &r);
         if (more_e == more_r && (!more_e || same_text(e, r)))
             continue;
         if (!differs)
@@ -52,7 +55,7 @@ void test_check_report(const TestPart *part, const Buf *report, Buf *why)
     }
 }
 
-// Returns the length of the part before the value in "STEP NAME VALUE".
+// Returns the length of "STEP NAME " in a line "STEP NAME VALUE" of a trace.
 static size_t length_before_value(ReportLine l)
 {
     size_t n = l.n;
@@ -62,9 +65,10 @@ static size_t length_before_value(ReportLine l)
     return n;
 }
 
+// Reports an expected line that the trace lacks, with the values that the trace has for the same step and name.
 static void report_missing_line(ReportLine wanted, const Buf *trace, Buf *why)
 {
-    LineCursor all = {buf_text(trace), buf_text(trace) + trace->n};
+    LineCursor all = lines_of_text(trace);
     size_t n = length_before_value(wanted);
     ReportLine l;
 
@@ -75,19 +79,20 @@ static void report_missing_line(ReportLine wanted, const Buf *trace, Buf *why)
     buf_char(why, '\n');
 }
 
-void test_check_trace(const TestPart *part, const Buf *trace, Buf *why)
+// The expected lines must occur in the trace in their order. Other lines may be between them, and blank lines are ignored.
+void case_compare_trace(const TestPart *expected, const Buf *trace, Buf *why)
 {
-    LineCursor expected = lines_of_part(part), came = {buf_text(trace), buf_text(trace) + trace->n};
+    LineCursor wanted = lines_of_part(expected), written = lines_of_text(trace);
     ReportLine e, l;
 
-    while (read_line(&expected, &e)) {
-        LineCursor before = came;
+    while (read_line(&wanted, &e)) {
+        const LineCursor before = written;
         bool found = e.n == 0;
-        while (!found && read_line(&came, &l))
+        while (!found && read_line(&written, &l))
             found = same_text(e, l);
         if (!found) {
             report_missing_line(e, trace, why);
-            came = before;
+            written = before;
         }
     }
 }

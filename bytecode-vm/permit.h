@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Permits.  A board with one slot has to stop its image before it can receive another one, and can check the code of that (auth.h) only at
+// its end.  So a signed image also has a permit, which a host sends first: a code over the number and the length of the image.  Without it
+// no request stops the machine of a board that has a key.
+//
+//     PERMIT: 16 bytes, directly before AUTH: the code of seven bytes, the number of the image (u32) and its length (u24).  No image is
+//     as short, so no code of an image is a permit.
+#ifndef SMVM_PERMIT_H
+#define SMVM_PERMIT_H
+
+#include "bytecode-vm/auth.h"
+#include "stdlib/result.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// The form in which a host sends a permit: the number (u32) and the code, at the end of BEGIN (runtime-c/link/link.def).
+enum { SMVM_PERMIT = 4 + SMVM_CODE, SMVM_PERMIT_AT = 9 };
+
+void smvm_permit_code(uint32_t number, uint32_t length, const uint8_t *key, uint8_t *code);
+
+// Copies the permit of an image that the verifier accepts.  Returns false if it has none.
+bool smvm_permit_read(SmvmBytes image, uint8_t *permit);
+
+// Whether the body of a BEGIN, of n bytes and at least SMVM_PERMIT_AT, permits to stop the image that runs.  SM_E_UNSIGNED: it has no
+// permit of this key for this length.  SM_E_REPLAY: its number is not above `newest`.
+SmResult smvm_permit_check(const uint8_t *begin, uint8_t n, uint32_t newest, const uint8_t *key);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a state does, as lines in its box: the assignments to elements of the state vector.  Locals are the machine's own affair, and an
+// assignment beside a transition happens when the state is left; neither is shown.
+#include "compiler/report/diagram_model.h"
+
+typedef struct ActionSearch { Diagram *d; uint32_t *hidden; } ActionSearch;     // hidden: by state, the actions beyond ACTIONS
+
+// Whether a transition follows in the same branch, so that the assignment belongs to the transition.
+static bool belongs_to_transition(const Condition *when)
+{
+    const Stmts *branch = !when ? NULL : when->holds ? &when->stmt->then : &when->stmt->otherwise;
+
+    return branch && branch->n > 0 && branch->at[branch->n - 1]->kind == ST_TRANSITION;
+}
+
+static void add_action(Diagram *d, DiagramNode *n, const char *block, const char *text)
+{
+    const bool repeats = n->action.n > 0 && n->action.at[n->action.n - 1].block_name == block;
+    DiagramAction action = {block, !repeats, diagram_text_truncate(d->a->arena, text, GUARD_SIZE, false, ACTION_W), 0};
+
+    action.w = ACTION_LABEL_W + diagram_text_width(action.text, GUARD_SIZE, false);
+    if (action.w > n->action_w)
+        n->action_w = action.w;
+    vec_push(d->a->arena, &n->action, action);
+}
+
+static void add_assignment(const StmtLocation *at, void *context)
+{
+    static const char *const block_name[BLOCK_COUNT] = {"entry", "step", "exit"};
+    ActionSearch *search = context;
+    Diagram *d = search->d;
+    DiagramNode *n = &d->node[at->state->number - 1];
+    const Stmt *s = at->stmt;
+    const char *text;
+
+    if (s->kind != ST_ASSIGN || s->var->kind != VAR_ELEMENT || belongs_to_transition(at->when))
+        return;
+    if (n->action.n == ACTIONS) {
+        search->hidden[at->state->number - 1]++;
+        return;
+    }
+    text = format_in(d->a->arena, "%s = %s", s->var->name->text, source_text(d->a->arena, s->value->span));
+    if (at->when)
+        text = format_in(d->a->arena, "%s if %s", text, condition_text(d->a->arena, at->when));
+    add_action(d, n, block_name[at->block], text);
+}
+
+void diagram_add_actions(Diagram *d)
+{
+    ActionSearch search = {d, ARENA_ARRAY(d->a->arena, uint32_t, d->nodes)};
+
+    each_stmt_location(d->a->arena, d->a->p, add_assignment, &search);
+    for (size_t s = 0; s < d->nodes; s++)
+        if (search.hidden[s] > 0)
+            add_action(d, &d->node[s], "", format_in(d->a->arena, "\xe2\x80\xa6 and %lu more", (unsigned long)search.hidden[s]));
+}

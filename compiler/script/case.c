@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/script/case.h"
+
+#include <string.h>
+
+// ---- the parts as sources ----
+
+static size_t count_parts(const TestFile *f, const char *suffix)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < f->part.n; i++)
+        n += testfile_has_suffix(&f->part.at[i], suffix);
+    return n;
+}
+
+bool case_has_part_of_kind(const TestFile *f, const char *suffix) { return count_parts(f, suffix) > 0; }
+
+static void supply_app_files(Session *s, const TestFile *f, CaseSources *out)
+{
+    out->in.app = ARENA_NEW(&s->arena, CompileApp);
+    compile_open_app(s, out->in.at[0].text, out->in.app);
+    for (size_t i = 0; i < out->in.app->files.n; i++) {
+        AppFile *file = &out->in.app->files.at[i];
+        file->problem = "the case has no such part";
+        for (size_t k = 0; k < f->part.n && !file->wrong_kind; k++)
+            if (strcmp(f->part.at[k].name, file->name.text->text) == 0)
+                file->src = out->src[k];
+    }
+}
+
+void case_list_sources(Session *s, const TestFile *f, CaseSources *out)
+{
+    const bool has_app = case_has_part_of_kind(f, ".app");
+    const bool vector_is_shared = case_has_part_of_kind(f, ".sm") || case_has_part_of_kind(f, ".io");
+
+    memset(out, 0, sizeof *out);
+    out->src = ARENA_ARRAY(&s->arena, Source *, f->part.n);
+    out->input = ARENA_ARRAY(&s->arena, size_t, f->part.n);
+    out->in.at = ARENA_ARRAY(&s->arena, CompileSource, f->part.n);
+    for (size_t i = 0; i < f->part.n; i++) {
+        const TestPart *p = &f->part.at[i];
+        FileKind kind;
+        if (!testfile_is_source(p) || !file_kind(p->name, &kind))
+            continue;
+        out->src[i] = source_new(&s->arena, p->name, p->text, p->n);
+        if (has_app ? kind != FILE_APP : vector_is_shared && kind == FILE_SV) {
+            if (!has_app && !out->in.vector)
+                out->in.vector = out->src[i];
+            continue;
+        }
+        out->input[i] = out->in.n;
+        out->in.at[out->in.n++] = (CompileSource){.text = out->src[i], .kind = kind};
+    }
+    if (has_app)
+        supply_app_files(s, f, out);
+}
+
+// ---- the case ----
+
+bool case_is_for_other_runner(const TestFile *f)
+{
+    return testfile_part(f, "stdout") || testfile_part(f, "stderr") || testfile_part(f, "exit") || testfile_part(f, "ir");
+}
+
+// Returns what is wrong with the kinds of the parts, or NULL.
+static const char *find_wrong_parts(const TestFile *f)
+{
+    const size_t machines = count_parts(f, ".sm"), scripts = count_parts(f, ".ss"), vectors = count_parts(f, ".sv"), pins = count_parts(f, ".io");
+
+    if (case_has_part_of_kind(f, ".app"))
+        return count_parts(f, ".app") > 1 || scripts ? "a case has at most one .app, and no script beside it" : NULL;
+    if (machines > 1 || vectors > 1 || pins > 1)
+        return "a case has at most one .sm, one .sv and one .io";
+    if (pins && !vectors)
+        return "pins need a state vector, as -- app.sv --";
+    if (machines + vectors == 0)
+        return "a case needs a machine, as -- app.sm --";
+    if (scripts && !machines)
+        return "a script needs a machine, as -- app.sm --";
+    if (f->outcome == TEST_FAIL && !scripts)
+        return "'expect fail' needs a script";
+    return NULL;
+}
+
+static const char *find_unknown_key(Arena *arena, const TestFile *f)
+{
+    static const char keys[] = "spec on expect steps args analyses warn advance";
+
+    for (size_t i = 0; i < f->header.n; i++)
+        if (!testfile_has_word(keys, f->header.at[i].key))
+            return format_in(arena, "line %lu: unknown header line '%s'; it is one of: %s", (unsigned long)f->header.at[i].line,
+                             f->header.at[i].key, keys);
+    return NULL;
+}
+
+const char *case_init(SmtCase *c, Session *s, const TestFile *f)
+{
+    const char *words = testfile_header(f, "warn"), *wrong;
+
+    memset(c, 0, sizeof *c);
+    c->s = s;
+    c->f = f;
+    buf_init(&c->why, &s->arena);
+    if (f->error)
+        return f->error;
+    if ((wrong = find_wrong_parts(f)) != NULL || (wrong = find_unknown_key(&s->arena, f)) != NULL)
+        return wrong;
+    c->warn.word = ARENA_ARRAY(&s->arena, const char *, words ? strlen(words) + 1 : 1);
+    while (words && *words) {                 // names as after -W: "extra no-dead-code"
+        size_t n = strcspn(words, " \t");
+        if (n)
+            c->warn.word[c->warn.n++] = format_in(&s->arena, "%.*s", (int)n, words);
+        words += n + (words[n] != '\0');
+    }
+    return diag_selection_error(&s->arena, &c->warn);
+}
+
+void case_compile(SmtCase *c, int opt_level)
+{
+    const TestFile *f = c->f;
+    const char *analyses = testfile_header(f, "analyses");
+    CompileOptions o;
+    Compiled made;
+
+    case_list_sources(c->s, f, &c->sources);
+    memset(&o, 0, sizeof o);
+    o.opt_level = opt_level;
+    o.warnings = &c->warn;
+    o.skip_analyses = !c->sources.in.app && c->warn.n == 0 && !(analyses && strcmp(analyses, "on") == 0);
+    o.step = f->advance;
+    compile_sources(c->s, &c->sources.in, &o, &made);
+    c->script = ARENA_ARRAY(&c->s->arena, const Script *, f->part.n);
+    for (size_t i = 0; i < f->part.n; i++)
+        if (testfile_has_suffix(&f->part.at[i], ".sm"))
+            c->p = made.of[c->sources.input[i]].scripted;
+        else if (testfile_has_suffix(&f->part.at[i], ".ss"))
+            c->script[i] = made.of[c->sources.input[i]].script;
+    c->has_runs = f->outcome != TEST_ERROR && c->s->diags.errors == 0 && case_has_part_of_kind(f, ".ss");
+    if (f->outcome == TEST_ERROR && c->s->diags.errors == 0)
+        buf_str(&c->why, "should not compile, but does\n");
+}
+
+// ---- running ----
+
+static const char *outcome_text(ScriptOutcome o)
+{
+    switch (o) {
+    case SCRIPT_PASSED: return "passed";
+    case SCRIPT_FAILED: return "failed";
+    case SCRIPT_ENDLESS: return "did not reach @stop";
+    case SCRIPT_TIME_OVER: return "ran out of time";
+    case SCRIPT_BROKEN: return "could not be run";
+    case SCRIPT_DIFFERENT: return "gave different values on different engines";
+    }
+    return "";
+}
+
+typedef struct CaseTrace { const Var **order; size_t n; Buf text; } CaseTrace;
+
+static void add_to_trace(void *context, const ScriptStep *step)
+{
+    CaseTrace *t = context;
+
+    script_trace_exact(&t->text, step, t->order, t->n);
+}
+
+bool case_run_scripts(SmtCase *c, Engine **engine, size_t engines, uint64_t max_steps)
+{
+    const TestFile *f = c->f;
+    const TestPart *report_part = testfile_part(f, "report"), *trace_part = testfile_part(f, "trace");
+    const bool must_pass = f->outcome == TEST_PASS;
+    Arena *arena = &c->s->arena;
+    CaseTrace trace = {report_order(arena, c->p), c->p->var.n, {0}};
+    bool is_first = true, works = true;
+
+    for (size_t i = 0; i < f->part.n; i++) {
+        ScriptOptions o = {f->steps ? f->steps : max_steps, trace_part && is_first ? add_to_trace : NULL, &trace, report_part || trace_part};
+        ScriptResult r;
+        Buf report;
+
+        if (!c->script[i])
+            continue;
+        buf_init(&report, arena);
+        buf_init(&trace.text, arena);
+        r = script_run(arena, &c->s->diags, c->script[i], engine, engines, &o);
+        if (must_pass ? r.outcome != SCRIPT_PASSED
+                      : r.outcome != SCRIPT_FAILED && r.outcome != SCRIPT_ENDLESS && r.outcome != SCRIPT_TIME_OVER)
+            buf_printf(&c->why, "%s should %s, but %s\n", f->part.at[i].name, must_pass ? "pass" : "fail", outcome_text(r.outcome));
+        works &= r.outcome != SCRIPT_BROKEN;
+        script_report(&r, c->p, &report);
+        if (report_part && is_first)
+            case_compare_report(report_part, &report, &c->why);
+        if (trace_part && is_first)
+            case_compare_trace(trace_part, &trace.text, &c->why);
+        is_first = false;
+    }
+    return works;
+}
+
+// ---- diagnostics: missing and unexpected ----
+
+static bool mentions_text(const Diag *d, const char *text)
+{
+    if (strstr(d->text, text) || (d->label && strstr(d->label, text)))
+        return true;
+    for (size_t i = 0; i < d->notes.n; i++)
+        if (strstr(d->notes.at[i].text, text))
+            return true;
+    return false;
+}
+
+static void add_unexpected(Buf *why, const Diag *d)
+{
+    buf_str(why, "not announced: ");
+    if (d->span.src) {
+        LineCol at = source_position(d->span.src, d->span.at);
+        buf_printf(why, "%s:%lu:%lu: ", d->span.src->name, (unsigned long)at.line, (unsigned long)at.col);
+    }
+    buf_printf(why, "%s: %s", d->severity == DIAG_ERROR ? "error" : "warning", d->text);
+    if (d->label)
+        buf_printf(why, " (%s)", d->label);
+    buf_printf(why, " [%s]\n", diag_code_and_name(d, why->arena));
+}
+
+void case_check_diagnostics(SmtCase *c)
+{
+    const TestFile *f = c->f;
+    Diags *diags = &c->s->diags;
+    uint8_t *met = arena_alloc(&c->s->arena, f->expected.n);      // by index in f->expected
+
+    diags_apply_allows(diags);
+    diags_select(diags, &c->warn);
+    for (size_t i = 0; i < diags->list.n; i++) {
+        const Diag *d = diags->list.at[i];
+        size_t j = 0;
+        for (; j < f->expected.n; j++) {
+            const TestExpected *e = &f->expected.at[j];
+            if (!met[j] && d->span.src && d->span.src == c->sources.src[e->part] &&
+                source_position(d->span.src, d->span.at).line == e->line && strcmp(diag_info[d->code].id, e->id) == 0 &&
+                mentions_text(d, e->text))
+                break;
+        }
+        if (j < f->expected.n)
+            met[j] = 1;
+        else
+            add_unexpected(&c->why, d);
+    }
+    for (size_t j = 0; j < f->expected.n; j++) {
+        const TestExpected *e = &f->expected.at[j];
+        if (!met[j])
+            buf_printf(&c->why, "announced, but not reported: %s:%lu: %s %s\n", f->part.at[e->part].name, (unsigned long)e->line, e->id,
+                       e->text);
+    }
+}

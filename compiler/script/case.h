@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// One .smt case: its parts as the input of a compilation, and the comparison of what came out with what the case expects. Opens no file and no
+// engine: the caller does (smc test).
+#ifndef SMC_CASE_H
+#define SMC_CASE_H
+
+#include "compiler/compile.h"
+#include "compiler/script/testfile.h"
+
+// ---- the parts as sources ----
+
+typedef struct CaseSources {
+    Source **src;             // by part; NULL: the part is not a source
+    size_t *input;            // by part that is a source of the call: its index in in.at
+    CompileInput in;
+} CaseSources;
+
+// Makes the parts the sources of a compilation. If one of them is an application, the others are the files that it names; otherwise a state
+// vector beside a machine or pins is theirs.
+void case_list_sources(Session *s, const TestFile *f, CaseSources *out);
+bool case_has_part_of_kind(const TestFile *f, const char *suffix);
+
+// ---- the case ----
+
+typedef struct SmtCase {
+    Session *s;
+    const TestFile *f;
+    DiagSelection warn;       // as its header `warn` selects
+    CaseSources sources;
+    const Program *p;         // the machine as the scripts run it; NULL: none, or it has errors
+    const Script **script;    // by part; NULL: not a script, or it has errors
+    bool has_runs;            // it is expected to compile, has compiled, and has scripts: case_run_scripts applies
+    Buf why;                  // every way in which the results differ from those expected, one or more lines each
+} SmtCase;
+
+// Whether the tests of the command (tests/golden) or of the IR (tests/ir) run the case, and smc test does not.
+bool case_is_for_other_runner(const TestFile *f);
+// Initialises c for f, whose text has been parsed, and reads its header `warn`. Returns what is wrong with the file, or NULL.
+const char *case_init(SmtCase *c, Session *s, const TestFile *f);
+void case_compile(SmtCase *c, int opt_level);
+// Runs the scripts in lock step on the engines and compares outcomes, report and trace. A case without `steps` gives up after max_steps. Returns
+// whether every engine worked.
+bool case_run_scripts(SmtCase *c, Engine **engine, size_t engines, uint64_t max_steps);
+// Compares the diagnostics with those that the case announces. To be called last, because runs of scripts report diagnostics too.
+void case_check_diagnostics(SmtCase *c);
+
+// ---- case_compare.c ----
+
+// Compare a report, and a trace, with the part that contains the expected one. Each difference becomes one or more lines of `why`.
+void case_compare_report(const TestPart *expected, const Buf *report, Buf *why);
+void case_compare_trace(const TestPart *expected, const Buf *trace, Buf *why);
+
+#endif

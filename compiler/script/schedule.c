@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/script/schedule.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+// ---- intervals ----
+
+// A closed interval of values, as F64: the values of G or T are compared as F64, too.  Empty if from > to.
+typedef struct Interval { double from, to; } Interval;
+
+static const Interval always = {-HUGE_VAL, HUGE_VAL}, never = {HUGE_VAL, -HUGE_VAL};
+
+static Interval intersection(Interval a, Interval b)
+{
+    return (Interval){a.from > b.from ? a.from : b.from, a.to < b.to ? a.to : b.to};
+}
+
+static Interval hull(Interval a, Interval b)
+{
+    return (Interval){a.from < b.from ? a.from : b.from, a.to > b.to ? a.to : b.to};
+}
+
+// The values of `time` outside which `a op b` is false.
+static Interval interval_of_comparison(SmOperator op, const Expr *a, const Expr *b, const Var *time, const uint64_t *cell)
+{
+    const bool on_left = a->kind == EX_VAR && a->var == time, on_right = b->kind == EX_VAR && b->var == time;
+    const Expr *limit = on_left ? b : a;
+    double x;
+
+    if (on_left == on_right || !expr_is_constant(limit))
+        return always;
+    x = ref_eval(limit, cell, NULL);
+    if (x != x)
+        return op == SM_OP_NE ? always : never;
+    switch ((int)op) {
+    case SM_OP_EQ: return (Interval){x, x};
+    case SM_OP_LT: case SM_OP_LE: return on_left ? (Interval){always.from, x} : (Interval){x, always.to};
+    case SM_OP_GT: case SM_OP_GE: return on_left ? (Interval){x, always.to} : (Interval){always.from, x};
+    default: return always;
+    }
+}
+
+// The values of `time` outside which e is false.
+static Interval interval_of(const Expr *e, const Var *time, const uint64_t *cell)
+{
+    Interval all = always;
+
+    if (e->kind == EX_BINARY && e->op == SM_OP_AND)
+        return intersection(interval_of(e->arg[0], time, cell), interval_of(e->arg[1], time, cell));
+    if (e->kind == EX_BINARY && e->op == SM_OP_OR)
+        return hull(interval_of(e->arg[0], time, cell), interval_of(e->arg[1], time, cell));
+    if (e->kind == EX_BINARY)
+        return interval_of_comparison(e->op, e->arg[0], e->arg[1], time, cell);
+    for (uint32_t i = 1; e->kind == EX_CHAIN && i < e->n; i++)
+        all = intersection(all, interval_of_comparison(expr_ops(e)[i - 1], e->arg[i - 1], e->arg[i], time, cell));
+    return all;
+}
+
+// ---- the search for intervals that contain a time ----
+
+typedef struct Entry {
+    const ScriptItem *item;
+    Interval when;
+    double latest;            // the largest when.to of the range whose middle this entry is
+} Entry;
+
+// Entries sorted by when.from: a binary search tree whose root is the middle of the array.
+typedef VEC(Entry) Entries;
+
+static int compare_entries(const void *left, const void *right)
+{
+    const Entry *a = left, *b = right;
+
+    if (a->when.from != b->when.from)
+        return a->when.from < b->when.from ? -1 : 1;
+    return a->item->number < b->item->number ? -1 : 1;
+}
+
+// Sets Entry.latest of the middles of at[from … end - 1] and its parts, and returns the largest when.to.
+static double set_latest(Entry *at, size_t from, size_t end)
+{
+    const size_t middle = from + (end - from) / 2;
+    double latest, other;
+
+    if (from == end)
+        return never.to;
+    latest = set_latest(at, from, middle);
+    other = set_latest(at, middle + 1, end);
+    latest = latest > other ? latest : other;
+    return at[middle].latest = latest > at[middle].when.to ? latest : at[middle].when.to;
+}
+
+// Adds the entries of at[from … end - 1] that contain `now`.
+static void add_containing(Arena *arena, const Entry *at, size_t from, size_t end, double now, DueItems *due)
+{
+    while (from < end) {
+        const size_t middle = from + (end - from) / 2;
+        if (at[middle].latest < now)
+            return;
+        add_containing(arena, at, from, middle, now, due);
+        if (at[middle].when.from > now)
+            return;
+        if (at[middle].when.to >= now)
+            vec_push(arena, due, at[middle].item);
+        from = middle + 1;
+    }
+}
+
+// ---- the schedule ----
+
+enum { BY_G, BY_T, TIMES };
+
+// The items that can run in one state, or those of [all_states].
+typedef struct Group { Entries by[TIMES]; } Group;
+
+struct Schedule {
+    Arena *arena;
+    const Var *time[TIMES];
+    Group all_states;
+    Group **of_state;         // by State.number - 1; NULL: the script has no section for it
+};
+
+// Adds an item by the time that limits it more.
+static void add_item(Schedule *h, Group *g, const ScriptItem *item, const uint64_t *cell)
+{
+    const Interval of_g = interval_of(item->guard, h->time[BY_G], cell), of_t = interval_of(item->guard, h->time[BY_T], cell);
+    const bool by_t = of_t.to - of_t.from < of_g.to - of_g.from;
+    const Entry e = {item, by_t ? of_t : of_g, 0};
+
+    vec_push(h->arena, &g->by[by_t ? BY_T : BY_G], e);
+}
+
+// Reserves memory for n more items that G limits, or nothing.
+static void reserve_items(Schedule *h, Group *g, size_t n)
+{
+    g->by[BY_G].cap = (uint32_t)n;
+    g->by[BY_G].at = ARENA_ARRAY(h->arena, Entry, n);
+}
+
+static size_t count_items_of_all_states(const Script *s)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < s->section.n; i++)
+        n += s->section.at[i].state ? 0 : s->section.at[i].item.n;
+    return n;
+}
+
+static void sort_group(Group *g)
+{
+    for (int i = 0; i < TIMES; i++) {
+        if (g->by[i].n > 1)
+            qsort(g->by[i].at, g->by[i].n, sizeof *g->by[i].at, compare_entries);
+        set_latest(g->by[i].at, 0, g->by[i].n);
+    }
+}
+
+Schedule *schedule_new(Arena *arena, const Script *s, const uint64_t *cell)
+{
+    Schedule *h = ARENA_NEW(arena, Schedule);
+
+    h->arena = arena;
+    h->time[BY_G] = s->program->g;
+    h->time[BY_T] = s->program->t;
+    h->of_state = ARENA_ARRAY(arena, Group *, s->program->state.n);
+    reserve_items(h, &h->all_states, count_items_of_all_states(s));
+    for (size_t i = 0; i < s->section.n; i++) {
+        const ScriptSection *section = &s->section.at[i];
+        Group *g = section->state ? ARENA_NEW(arena, Group) : &h->all_states;
+        if (section->state)
+            reserve_items(h, g, section->item.n);
+        for (size_t k = 0; k < section->item.n; k++)
+            add_item(h, g, section->item.at[k], cell);
+        if (!section->state)
+            continue;
+        sort_group(g);
+        h->of_state[section->state->number - 1] = g;
+    }
+    sort_group(&h->all_states);
+    return h;
+}
+
+static int compare_items(const void *left, const void *right)
+{
+    const ScriptItem *const *a = left, *const *b = right;
+
+    return (*a)->number < (*b)->number ? -1 : (*a)->number > (*b)->number;
+}
+
+static bool is_sorted(const DueItems *due)
+{
+    for (size_t i = 1; i < due->n; i++)
+        if (due->at[i - 1]->number > due->at[i]->number)
+            return false;
+    return true;
+}
+
+void schedule_find_due(const Schedule *h, const State *state, const uint64_t *cell, DueItems *due)
+{
+    const Group *const group[] = {&h->all_states, h->of_state[state->number - 1]};
+
+    due->n = 0;
+    for (int i = 0; i < 2 && group[i]; i++)
+        for (int k = 0; k < TIMES; k++)
+            add_containing(h->arena, group[i]->by[k].at, 0, group[i]->by[k].n, ref_read(h->time[k]->type, cell[h->time[k]->index]), due);
+    if (!is_sorted(due))
+        qsort(due->at, due->n, sizeof *due->at, compare_items);
+}
