@@ -143,7 +143,7 @@ INTERP_INLINE void mark_output_stored(const Interpreter *r, SmvmAt output)
         bits = (uint8_t *)r->vm + r->t->more;
         output = (SmvmAt)(output - 64);
     }
-    bits[output >> 3] |= (uint8_t)(1u << (output & 7));
+    bits[output >> 3] = (uint8_t)(bits[output >> 3] | 1u << (output & 7));
 }
 
 // Stores x as an element or local of this type, at an offset in units of the type's size.

@@ -319,7 +319,9 @@ SM_ROLL_INLINE_FOR_SPEED uint32_t sm_roll_count_below(const unsigned char *sorte
         half = count / 2;
         lo += half & (0u - (uint32_t)(sm_roll_load(sorted, sm_roll_index_of_rank(sorted, n, kind, lo + half - 1), kind) < key));
     }
-    return lo + (count == 1 && sm_roll_load(sorted, sm_roll_index_of_rank(sorted, n, kind, lo), kind) < key);
+    if (count == 1 && sm_roll_load(sorted, sm_roll_index_of_rank(sorted, n, kind, lo), kind) < key)
+        lo++;
+    return lo;
 }
 // snippet: sm_roll_slide
 // Moves a gap among the ordered samples from index `from` to index `to`, by shifting the samples between them by one.
@@ -422,10 +424,9 @@ SM_ROLL_INLINE_FOR_SPEED int64_t sm_roll_update_smallest(uint64_t *node, uint32_
 SM_ROLL_INLINE_FOR_SPEED void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind)
 {
     const unsigned partials = sm_roll_node_partials(n, kind);
-    const uint32_t next = sm_roll_next(w), count = sm_roll_count(w);
-    const SmRollSize i = (SmRollSize)((next == 0 ? n : next) - 1), neighbour = (SmRollSize)(i ^ 1u);
-    const bool paired = neighbour < count;
-    const SmRollKey key = sm_roll_slot_key(w, n, kind, i), other = sm_roll_slot_key(w, n, kind, paired ? neighbour : i);
+    const uint32_t next = sm_roll_next(w), i = (next == 0 ? n : next) - 1, count = sm_roll_count(w);
+    const bool paired = (i ^ 1u) < count;
+    const SmRollKey key = sm_roll_slot_key(w, n, kind, (SmRollSize)i), other = sm_roll_slot_key(w, n, kind, (SmRollSize)(i ^ (uint32_t)paired));
     uint64_t *node = w + sm_roll_nodes_at(n, kind), *all = w + 1 + (sm_roll_partials(n, kind) & 1u);
     SmF64 sum = sm_roll_value(kind, key);
     if ((partials & 2u) != 0) {
