@@ -19,13 +19,13 @@ typedef struct ImageIns {
     uint8_t op;
     uint32_t to;                  // target of its jump, in the image; 0: not a jump
     uint32_t line, units;         // its source line; its own cost
-    uint32_t longest_from_here[PATH_KINDS];     // cost of the longest path to that end, this instruction included; 0: there is no path
+    uint32_t longest_from_here[PATH_KINDS];     // by kind of end: cost of the longest path, this instruction included; 0: there is no path
 } ImageIns;
 
 typedef struct ImageFn {
     ImageIns *ins;
     uint32_t n;
-    uint32_t longest[PATH_KINDS];       // cost of its longest paths; all zero for a function without code, which ends in `end`
+    uint32_t longest[PATH_KINDS];       // by kind of end: cost of the longest path; all zero for a function without code, which ends in `end`
     bool ends;                    // some path ends in `end`
 } ImageFn;
 
@@ -36,7 +36,7 @@ typedef struct ImageReader {
     SmvmMachine m;
     Cycles cycles;                // state after the last instruction that was read
     SmvmLines lines;              // the first row of the line table that begins after the instruction being read
-    bool more;                    // there is such a row
+    bool more;                    // `lines` is valid: the table has such a row
     uint32_t line;                // of the instruction being read
 } ImageReader;
 

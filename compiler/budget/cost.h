@@ -42,7 +42,7 @@ typedef struct Cost {
     uint32_t states;
     uint32_t ram;                 // total bytes, with 64-bit pointers: the VM's own, windows, locals
     uint32_t own, windows, locals;
-    uint32_t windows_small;       // bytes of these windows on a chip with SM_ROLL_SMALL
+    uint32_t windows_small;       // bytes of the windows if the target is compiled with SM_ROLL_SMALL
     CostWindow *window;
     uint32_t window_count;
     uint32_t code;                // bytes of instructions in the image

@@ -50,7 +50,7 @@ uint32_t cycles_of_window_row(CyclesWindow row, uint8_t type, uint32_t slots)
 
 static const CyclesReg any_value = {false, true, UINT32_MAX};
 
-// A whole number of at most this magnitude; any value if that needs more than 32 bits.
+// Describes a register that contains a whole number of at most magnitude `most`; as any value, if that needs more than 32 bits.
 static CyclesReg reg_of_whole(bool is_signed, uint64_t most)
 {
     const CyclesReg r = {true, is_signed, (uint32_t)most};
@@ -58,7 +58,7 @@ static CyclesReg reg_of_whole(bool is_signed, uint64_t most)
     return most <= INT32_MAX + (uint64_t)is_signed ? r : any_value;
 }
 
-// A value loaded from a variable of this type.
+// Describes a register after a load from a variable of this type.
 static CyclesReg reg_of_type(uint8_t type)
 {
     switch (type) {
@@ -70,7 +70,7 @@ static CyclesReg reg_of_type(uint8_t type)
     }
 }
 
-// The result of an operation on X and Y; any value if a whole result may need more than 32 bits.
+// Describes X after an operation on X and Y; as any value, if a whole result may need more than 32 bits.
 static CyclesReg reg_of_binary(uint8_t op, const CyclesReg *x, const CyclesReg *y)
 {
     const uint64_t most = x->most > y->most ? x->most : y->most;
@@ -89,7 +89,7 @@ static CyclesReg reg_of_binary(uint8_t op, const CyclesReg *x, const CyclesReg *
     }
 }
 
-// The result of an operation on X alone.
+// Describes X after an operation on X alone.
 static CyclesReg reg_of_unary(uint8_t op, const CyclesReg *x)
 {
     if (!x->whole || op == SMVM_neg || op == SMVM_sqrt || x->most > INT32_MAX)
@@ -107,7 +107,7 @@ uint32_t cycles_begin(Cycles *c, CyclesChip chip, const SmvmMachine *m)
     c->chip = chip;
     c->m = m;
     c->x = c->y = any_value;
-    // `step` covers 64 outputs; each further eight, or part of them, cost `more`
+    // the row `step` covers 64 outputs; the row `more` is the cost of each further eight or part of eight
     return cycles_in_row(chip, CYCLES_step, true) + (m->outputs > 64 ? (m->outputs - 57) / 8 * cycles_in_row(chip, CYCLES_more, true) : 0);
 }
 

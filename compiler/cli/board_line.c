@@ -7,7 +7,7 @@
 #include "compiler/base/os_serial.h"
 
 // An Arduino restarts when its serial port is opened, and its boot loader then listens for two seconds. So the first request is repeated
-// for up to six: TRIES times WAIT_MS. DEFAULT_SPEED is in bits per second.
+// for up to six seconds: TRIES times WAIT_MS. DEFAULT_SPEED is in bits per second.
 enum { WAIT_MS = 500, TRIES = 12, DEFAULT_SPEED = 115200 };
 
 static bool line_send(void *context, const uint8_t *bytes, size_t n)
@@ -28,7 +28,7 @@ static uint32_t line_now(void *context)
 
 // ---- messages ----
 
-// What to do about a refusal, where sm_result_text says less.
+// What to print about a board's refusal, where it can say more than sm_result_text.
 static const struct { SmResult result; const char *text; } refusals[] = {
     {SM_E_ARMED, "the board is armed; disarm it first"},
     {SM_E_UNSAFE, "a machine is in a state that is not marked @safe; bring it into one that is"},

@@ -69,11 +69,10 @@ int options_opt_level(const Cli *c);                           // -O: 0, 1 or 2
 #include "compiler/cli/texts.def"
 #undef CLI_TEXT
 
-// Prints "smc: " and an error message to standard error, as text or as --message-format selects.
+// Each prints "smc: " and a message to standard error, as text or as --message-format selects.
 CLI_PRINTF void cli_print_error(Cli *c, const char *format, ...);
-// The same for a warning, which begins with "warning: " as text, and for what the user only needs to know.
-CLI_PRINTF void cli_print_warning(Cli *c, const char *format, ...);
-CLI_PRINTF void cli_print_note(Cli *c, const char *format, ...);
+CLI_PRINTF void cli_print_warning(Cli *c, const char *format, ...);      // text begins with "warning: "
+CLI_PRINTF void cli_print_note(Cli *c, const char *format, ...);         // for what the user only needs to know
 // Usage error: prints a message and refers to --help. Returns EXIT_USAGE.
 CLI_PRINTF int cli_usage_error(Cli *c, const char *format, ...);
 
@@ -104,8 +103,8 @@ typedef struct CliFormat {
     const char *suffix[3];                // of file names, such as ".dot"; NULL: end of the list
     const char *viewer;                   // a program to view it with, if a terminal cannot display it: "a browser"
 } CliFormat;
-// Finds the one of `formats` that --format names. Without --format, the suffix of the -o name decides; otherwise it is the first, unless
-// that would flood a terminal. Returns false after a message.
+// Stores the index in `format` of the format that --format names. Without --format, the suffix of the -o name decides; without both, it is
+// the first format, unless that would be printed on a terminal that cannot display it. Returns false after a message.
 bool cli_choose_format(Cli *c, const CliFormat *format, size_t formats, size_t *found);
 
 // "tank" for "dir/tank.sm"; "stdin" for "-". Allocated in the session.
@@ -116,7 +115,8 @@ const char *path_stem(Cli *c, const char *path);
 // Whether all outputs can be written. None can be a source, an input, or a file that smc did not write (--force allows that last one),
 // and no name can occur twice. Returns EXIT_OK, or the exit code after a message.
 int outputs_check(Cli *c, const OsOutput *out, size_t n);
-// The same for the outputs that options name, before anything is read. Other names of standard output, such as /dev/stdout, become "-".
+// Makes the same checks for the outputs that options name, before any input is read. Other names of standard output, such as /dev/stdout,
+// become "-".
 int outputs_check_options(Cli *c);
 bool outputs_is_source_name(const char *name, size_t n);
 

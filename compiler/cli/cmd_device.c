@@ -112,7 +112,7 @@ static int erase_image(BoardLine *b, Buf *out)
     if (device_request_by_checksum(&b->host, LINK_ERASE, checksum) || (was_in_slot && b->host.answered && b->host.result == SM_E_MISSING)) {
         // SM_E_MISSING: the first answer was lost, and the request that followed found nothing more to erase.
         code = list_images(b, out);
-        if (runs)                        // it is not stopped: it may hold a valve, and only a person knows when that may end
+        if (runs)                        // the board does not stop it: it may be holding a valve, and only the user knows when to stop that
             buf_printf(out, "image %s is erased, but it runs until the next start of the board: press its reset button, or switch it off and on\n", word);
         return code;
     }
@@ -151,8 +151,8 @@ static void write_event(Buf *out, const uint8_t *e)
     buf_printf(out, "event %u of %lu: %lu, %lu\n", (unsigned)e[8], source, a, b);
 }
 
-// A board stores far fewer. Without this limit, a board that produces events faster than the line transfers them would be queried
-// forever.
+// Maximum number of events that are read. A board stores far fewer. Without this limit, a board that produces events faster than the line
+// transfers them would be queried forever.
 enum { EVENTS_SHOWN = 1000 };
 
 static void write_transition(Buf *out, const LinkTransition *t)
@@ -164,7 +164,7 @@ static void write_transition(Buf *out, const LinkTransition *t)
     buf_printf(out, "%12.3f s  STATE of machine %u, from %u, to %u\n", t->time * 1048576e-9, (unsigned)t->machine, (unsigned)t->from, (unsigned)t->to);
 }
 
-// Prints what boards store in their slots, across restarts.  A machine that comes from state 0 has started.
+// Prints the transitions that the board has stored in its slots, also those from before its last restart.
 static bool show_stored_transitions(BoardLine *b, Buf *out)
 {
     LinkTransition t[LINK_TRANSITIONS];

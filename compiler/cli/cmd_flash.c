@@ -41,7 +41,7 @@ static int report_no_update_now(BoardLine *b)
     return code;
 }
 
-// Returns the exit code.
+// Reports why the image was not sent, and returns the exit code.
 static int report_refusal(BoardLine *b, const char *name, FlashRefusal refusal, const FlashImage *image, const FlashCheck *f)
 {
     Cli *const c = b->c;

@@ -5,7 +5,7 @@
 
 #include "compiler/cli/cli.h"
 
-typedef struct DepInputs { const char **at; size_t n; } DepInputs;      // "-" is not a file
+typedef struct DepInputs { const char **at; size_t n; } DepInputs;      // names of input files; "-", standard input, is skipped
 
 bool deps_wanted(const Cli *c);
 // Checks that the file of the rule has a name, from -MF or from the output. Returns false after a message.

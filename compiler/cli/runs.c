@@ -5,7 +5,7 @@
 
 #include "compiler/cli/test.h"
 
-enum { STEPS_MOST = 1000000 };        // of a script, as in smc test
+enum { STEPS_MOST = 1000000 };        // a script that runs longer is ended; the default limit of smc test
 
 int runs_check_use(Cli *c)
 {

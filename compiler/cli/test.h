@@ -58,9 +58,9 @@ unsigned test_absent_engines(TestRun *t, unsigned which);           // cmd_test.
 typedef struct TestCase TestCase;
 
 TestCase *test_case_open(TestRun *t, const char *path);    // reads and compiles it
-// Returns whether the case has to run on emitted C of this kind; then also its program and machine.
+// Returns whether the case has to run on emitted C of this kind; if so, stores its program and its IR.
 bool test_case_find_c(const TestCase *c, EngineKind kind, const Program **p, const IrMachine **ir);
-// Runs the case and frees everything. `emitted` are the engines of emitted C, by kind; NULL: it opens its own.
+// Runs the case and frees everything. `emitted`: the engines of emitted C, by kind; where one is NULL, the case opens its own engine.
 TestResult test_case_close(TestCase *c, Engine *const *emitted);
 
 // ---- test_batch.c ----
@@ -75,7 +75,7 @@ typedef struct TestTrace TestTrace;
 int test_trace_open(TestRun *run, const Program *p, TestTrace **trace);
 void test_trace_script(TestTrace *t, const char *path);            // the script whose steps follow
 void test_trace_left_out(TestTrace *t, const char *path);          // reports a script without a trace; t may be NULL
-void test_trace_step(void *trace, const ScriptStep *step);         // for ScriptOptions
+void test_trace_step(void *trace, const ScriptStep *step);         // writes a step; for ScriptOptions.after_step
 int test_trace_close(TestTrace *t);                                // t may be NULL; the file appears if a script ran
 
 // ---- test_output.c ----

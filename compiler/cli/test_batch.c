@@ -9,9 +9,9 @@ enum { BATCH = 50 };
 typedef struct Batch {
     Arena arena;
     TestCase *at[BATCH];
-    Engine *engine[BATCH][ENGINE_KINDS];      // emitted C, for the cases that want it
+    Engine *engine[BATCH][ENGINE_KINDS];      // by case: its engines in the programs `c`; NULL: it has none
     size_t n;
-    EngineCBatch *c[ENGINE_KINDS];            // or NULL
+    EngineCBatch *c[ENGINE_KINDS];            // emitted C as one program for several cases; NULL: none was built
 } Batch;
 
 // Builds the C of all cases of the batch as one program. If that fails, each case builds its own C, so that the faulty case reports the

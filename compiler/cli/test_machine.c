@@ -106,7 +106,7 @@ static void test_script(MachineTest *m, size_t argument)
     add_result(m, path, TEST_BROKEN, message, EXIT_PROBLEM);
 }
 
-// A script that cannot be read is an error of this script alone.
+// Reads the machine, the state vector and the scripts.  If a script cannot be read, m->problem has the reason and the others still run.
 static int read_inputs(MachineTest *m, const char *path, CompileInput *in)
 {
     Cli *c = m->t->c;

@@ -52,7 +52,7 @@ static void add_column(TestTrace *t, const Var *v)
     t->column[t->columns++] = v;
 }
 
-// --trace-elements=a,b,c: elements, locals and T, by name or alias.
+// Selects the columns that --trace-elements=a,b,c lists: elements, locals and T, by name or alias.
 static int choose_columns(TestTrace *t, const char *list)
 {
     Arena *arena = &t->c->session.arena;

@@ -97,7 +97,7 @@ bool device_running(LinkHost *h, const DeviceInfo *info, DeviceImage *image)
 static bool is_on_trial(const DeviceImage *image) { return image->state == DEVICE_TRIAL; }
 static bool has_ended_trial(const DeviceImage *image) { return image->state != DEVICE_EMPTY && image->end != DEVICE_NOT_ENDED; }
 
-// Finds the first slot whose image is one that `is` accepts.
+// Finds the first slot with an image for which `is` returns true.
 static bool find_image(LinkHost *h, const DeviceInfo *info, bool (*is)(const DeviceImage *image), DeviceImage *image)
 {
     for (uint8_t slot = 0; slot < info->slots; slot++) {
@@ -159,7 +159,7 @@ static bool request_in_session(LinkHost *h, const Update *u, LinkMessage message
     return send_request(h, message, body, sizeof body, 0);
 }
 
-// Requests that the board prepares a slot for the image.
+// Asks the board to prepare a slot for the image.
 static bool send_begin(LinkHost *h, const Update *u)
 {
     uint8_t body[BEGIN_HEAD + DEVICE_PERMIT];
@@ -191,7 +191,7 @@ static bool send_data(LinkHost *h, const DeviceInfo *info, Update *u)
     return true;
 }
 
-// Requests that the board verifies the image.  Stores the rule that its verifier reports.
+// Asks the board to verify the image.  Stores the rule that its verifier reports as broken.
 static bool send_end(LinkHost *h, Update *u)
 {
     const bool ok = request_in_session(h, u, LINK_END);
@@ -236,7 +236,7 @@ static bool read_slot(LinkHost *h, const DeviceInfo *info, uint8_t slot, uint32_
     return true;
 }
 
-// Sorts records, all of which have other numbers, from the oldest to the newest.
+// Sorts records from the oldest to the newest.  No two have the same number.
 static void sort_transitions(LinkTransition *t, size_t n)
 {
     for (size_t i = 1; i < n; i++)
@@ -277,7 +277,7 @@ static bool verify_slot(LinkHost *h, const DeviceInfo *info, const Update *u)
     return false;
 }
 
-// Requests that the next start runs the image.
+// Asks the board to run the image from its next start on.
 static bool send_activate(LinkHost *h, const Update *u)
 {
     uint8_t body[4];

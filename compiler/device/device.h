@@ -41,7 +41,7 @@ typedef struct DeviceImage {
     bool chosen;              // the next start runs it
     bool before;              // the board falls back to it if the chosen image cannot run
     uint8_t starts;           // remaining starts of a trial
-    uint8_t end;              // DeviceEnd: why its trial ended, if it is the last image whose trial did
+    uint8_t end;              // why its trial ended (DeviceEnd); only for the image whose trial ended last
     uint16_t period;          // milliseconds between its steps; 0: the board's default
 } DeviceImage;
 

@@ -13,7 +13,7 @@ typedef struct EngineC {
     EngineCBatch *batch;
     uint32_t machine;         // its number in the batch
     Buf request;              // the requests for both variants
-    uint8_t *answer;          // the answers of both variants, one after the other
+    uint8_t *answer;          // the answers of both variants, the first variant's first
 } EngineC;
 
 struct EngineCBatch {
@@ -24,7 +24,7 @@ struct EngineCBatch {
 };
 
 // Each machine is emitted in two variants, and both execute every step.  The first tracks which elements it stores, and its answer is the
-// engine's.  The second does not, as in flight, and must otherwise give the same answer.
+// result of the engine.  The second does not track stores, as in flight, and must otherwise give the same answer.
 enum { VARIANTS = 2 };
 
 enum { PATH_LEN = 512, MESSAGE_MAX = 2000 };

@@ -16,7 +16,8 @@ typedef struct FlashImage {
     uint16_t period;          // milliseconds between its steps; 0: the board's default
 } FlashImage;
 
-// The requirements of an image on any computer, its state vector included.  The VM's own requirements differ between computers.
+// What an image requires on any computer.  `ram`: bytes for the state vector, its machines and pins, without the VM's own structures, whose
+// size differs between computers.  `cycles`: of its longest steps, estimated for an ATmega.
 typedef struct ImageNeeds { uint32_t ram, longest, machines, windows, cycles; } ImageNeeds;
 
 typedef enum FlashRefusal {

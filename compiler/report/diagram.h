@@ -26,8 +26,8 @@ typedef struct DiagramOptions {
 
 // Each appends the diagram of a->p to `out`.  `a` comes from analysis_begin; its arena provides temporary memory.
 void diagram_write_svg(const Analysis *a, const DiagramOptions *o, Buf *out);
-// Appends the picture in slices, one below the other, each a picture of its own and at most `most` high.  They are cut between states and
-// between texts; only what is higher than `most` by itself is cut anyway.
+// Appends the picture in slices from top to bottom, each a picture of its own and at most `most` pixels high.  Cuts are between states and
+// between texts.  Only a state or text that is itself higher than `most` is cut through.
 void diagram_write_slices(const Analysis *a, const DiagramOptions *o, int32_t most, Buf *out);
 void diagram_write_dot(const Analysis *a, const DiagramOptions *o, Buf *out);
 void diagram_write_mermaid(const Analysis *a, const DiagramOptions *o, Buf *out);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a state does, as lines in its box: the assignments to elements of the state vector.  Locals are the machine's own affair, and an
-// assignment beside a transition happens when the state is left; neither is shown.
+// What a state does, as lines in its box: the assignments to elements of the state vector.  Two kinds of assignments are not shown: those to
+// locals, and those in the same branch as a transition, which happen when the state is left.
 #include "compiler/report/diagram_model.h"
 
-typedef struct ActionSearch { Diagram *d; uint32_t *hidden; } ActionSearch;     // hidden: by state, the actions beyond ACTIONS
+typedef struct ActionSearch { Diagram *d; uint32_t *hidden; } ActionSearch;     // hidden: by state, how many actions it has beyond ACTIONS
 
 // Whether a transition follows in the same branch, so that the assignment belongs to the transition.
 static bool belongs_to_transition(const Condition *when)

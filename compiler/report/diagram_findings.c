@@ -47,7 +47,7 @@ static const FindingRange *find_range(const FindingRanges *p, uint32_t at)
 
 // ---- source ranges of states and transitions ----
 
-// A transition, and its innermost guard.  If a conditional contains several transitions, the first one has the guard.
+// Returns the ranges of each transition and of its innermost guard.  A guard of several transitions belongs to the first of them.
 static FindingRanges find_transition_ranges(Diagram *d)
 {
     FindingRanges out = {NULL, 0, 0};

@@ -5,8 +5,8 @@
 // ---- layers ----
 
 enum {
-    LABELS_W = 700,               // when the labels of a band exceed this total width, it gets another layer
-    NODES_W = 900,                // the same for states
+    LABELS_W = 700,               // a band of labels whose total width exceeds this gets another layer
+    NODES_W = 900,                // a band of states whose total width exceeds this gets another layer
     ROWS = 8,                     // maximum number of layers of a band
     LABEL_SIDE = 10, BEND_SIDE = 7            // space on each side of a label's text, and of an edge that crosses a layer
 };
@@ -181,7 +181,8 @@ static void compute_first_links(const Layout *l, uint32_t *above, uint32_t *belo
     }
 }
 
-// Copies the links in `from`, item by item in the order of the layers, to the lists of the items at their other ends.
+// Copies the links in `from` to the lists of the items at their other ends.  It visits items in the order of the layers, so each list becomes
+// sorted by that order.
 static void sort_links_by_end(const Layout *l, const LayoutLinks *from, bool down, uint32_t *next, uint32_t *to)
 {
     for (uint32_t y = 0; y < l->layers; y++)

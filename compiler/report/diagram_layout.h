@@ -44,7 +44,7 @@ typedef struct Layer {
 
 // The links of each item, ordered by the items at their other ends.
 typedef struct LayoutLinks {
-    uint32_t *first;              // by item: at[first[i]] … at[first[i + 1] - 1]
+    uint32_t *first;              // by item: its links are at[first[i]] … at[first[i + 1] - 1]
     uint32_t *at;
 } LayoutLinks;
 
@@ -56,7 +56,7 @@ typedef struct Layout {
     bool *spine;                  // by edge: it is part of the spine (diagram_rank.c) and should be straight from end to end
     VEC(LayoutItem) item;         // first the nodes, then the other items
     VEC(LayoutLink) link;         // those of an edge are consecutive, downwards
-    uint32_t *first_link;         // by edge, plus the end of the last
+    uint32_t *first_link;         // by edge: index of its first link; then one more entry, the number of links
     Layer *layer;
     uint32_t layers;
     LayoutLinks above, below;

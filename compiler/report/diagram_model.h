@@ -21,7 +21,7 @@ typedef struct DiagramGuard {
     DiagramLines line;            // as shown: wrapped, at most GUARD_LINES, truncated with "…"
     bool possible;                // some run can take it
     DiagramFindings finding;      // on the transition or its guard
-    uint32_t mark;                // the number of the note below the diagram that lists them
+    uint32_t mark;                // number of the note below the diagram that lists these findings; 0: none
 } DiagramGuard;
 
 // How an edge is drawn.
@@ -45,9 +45,9 @@ typedef struct DiagramEdge {
 // An assignment to an element of the state vector, as a line in the box of its state.
 typedef struct DiagramAction {
     const char *block_name;       // "entry", "step", "exit"
-    bool first;                   // of its block: preceded by the name of the block
+    bool first;                   // it is the first of its block, and the name of the block precedes it
     const char *text;             // "valve = true if T >= 60", truncated with "…"
-    int32_t w;                    // with the column of the block names
+    int32_t w;                    // width, including the column of the block names
 } DiagramAction;
 
 typedef struct DiagramNode {
@@ -55,14 +55,14 @@ typedef struct DiagramNode {
     const char *name;             // as shown: truncated with "…" if it is very long
     int32_t name_w;
     VEC(DiagramAction) action;    // in file order, at most ACTIONS and a line that counts the others
-    int32_t action_w;             // of the widest
+    int32_t action_w;             // width of the widest action
     bool reached;                 // some run can reach it
     uint32_t first_edge, edges;   // outgoing edges: Diagram.edge[first_edge …]
     VEC(uint32_t) stub_in;        // incoming edges drawn as stubs elsewhere
     const char *from;             // "from 5 states", by stub_in; NULL: none
     int32_t from_w;
     DiagramFindings finding;      // on the state itself, not on one of its transitions
-    uint32_t mark;
+    uint32_t mark;                // number of the note that lists these findings; 0: none
     Box box;
 } DiagramNode;
 
@@ -73,7 +73,7 @@ typedef struct Diagram {
     VEC(DiagramEdge) edge;        // by source state, then in file order
     size_t nodes;
     int32_t w, h;                 // of the whole diagram
-    VEC(int32_t) cut;             // each y where a horizontal line meets only edges, downwards
+    VEC(int32_t) cut;             // each y where a horizontal line meets only edges, in ascending order
     uint64_t crossings;           // number of pairs of edges that cross
 } Diagram;
 
@@ -100,7 +100,7 @@ bool diagram_text_is_truncated(const DiagramLines *lines);  // whether the last 
 // The text, or the longest start of it that fits with "…".
 const char *diagram_text_truncate(Arena *arena, const char *text, int32_t size, bool bold, int32_t w);
 
-// ---- counts: of what a run has executed; 0 and false without them ----
+// ---- counts of what a run has executed; 0 or false if DiagramOptions.counts is NULL ----
 
 uint64_t diagram_edge_count(const Diagram *d, const DiagramEdge *e);
 uint64_t diagram_node_count(const Diagram *d, const DiagramNode *n);

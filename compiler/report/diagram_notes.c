@@ -5,7 +5,8 @@
 
 #include "compiler/report/xml.h"
 
-// In pixels: margin, width of the number, height of a line.  LINES: maximum number of lines of a note.  LEAST_W: minimum width of all.
+// In pixels: margin, width of the number, height of a line, and LEAST_W, the minimum width of all notes together.  LINES: maximum number of
+// lines of a finding.
 enum { MARGIN = 16, NUMBER_W = 22, LINE = 15, LINES = 3, LEAST_W = 420 };
 
 static int32_t note_text_width(const Diagram *d) { return (d->w > LEAST_W ? d->w : LEAST_W) - 2 * MARGIN - NUMBER_W; }

@@ -5,7 +5,8 @@
 
 #include "compiler/report/diagram_model.h"
 
-typedef struct DiagramNote { uint32_t number; const char *text; int32_t y; } DiagramNote;  // a line; number 0: it continues, or has none
+// A line of a note.  `number`: of the note, in its first line; 0 in its other lines, and in the explanation of dotted lines.
+typedef struct DiagramNote { uint32_t number; const char *text; int32_t y; } DiagramNote;
 
 typedef struct DiagramNotes {
     VEC(DiagramNote) line;

@@ -6,7 +6,7 @@
 
 #include "compiler/report/diagram_layout.h"
 
-enum { SWEEPS = 24, PATIENCE = 6 };       // maximum number of sweeps; maximum without improvement
+enum { SWEEPS = 24, PATIENCE = 6 };       // maximum number of sweeps; maximum number of consecutive sweeps without improvement
 
 // ---- initial order ----
 

@@ -72,8 +72,8 @@ static uint32_t item_in_layer(const Columns *c, const Layer *layer, uint32_t k)
     return layer->item[c->mirrored ? layer->n - 1 - k : k];
 }
 
-// Adds an item to the column of the item at the other end of `link`.  *used is the position of the last such item in its layer; false if
-// this one is not to the right of it.
+// Adds an item to the column of the neighbour at the other end of `link`.  Columns must not cross: *used is the position of the neighbour chosen
+// last, and false is returned if this neighbour is not to the right of it.
 static bool try_align(Columns *c, uint32_t item, const LayoutLink *link, int64_t *used)
 {
     const uint32_t to = c->from_below ? link->below : link->above;
@@ -127,7 +127,7 @@ static void align_columns(Columns *c)
 typedef struct Separation { uint32_t from, to; int64_t apart; } Separation;
 
 typedef struct Separations {
-    uint32_t *first;              // by column where the step starts: at[first[c]] … at[first[c + 1] - 1]
+    uint32_t *first;              // by left column: its separations are at[first[c]] … at[first[c + 1] - 1]
     Separation *at;
 } Separations;
 
@@ -138,7 +138,7 @@ static int32_t half_width(const Columns *c, uint32_t item, bool right)
     return right != c->mirrored ? i->right : i->left;
 }
 
-// Returns the minimum distance between items k and k + 1 of a layer.
+// Returns the separation that items k and k + 1 of a layer require of their columns.
 static Separation separation_at(const Columns *c, const Layer *layer, uint32_t k)
 {
     const uint32_t a = item_in_layer(c, layer, k), b = item_in_layer(c, layer, k + 1);

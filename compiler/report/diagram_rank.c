@@ -8,7 +8,7 @@
 
 enum {
     HUB_ABORT = 3,                // with this many predecessors of an @abort state, all edges to it become stubs
-    HUB = 6,                      // the same for other states
+    HUB = 6,                      // with this many predecessors of any other state, all edges to it become stubs
     LONGEST = 6                   // maximum number of ranks that a line can cross
 };
 
@@ -215,7 +215,7 @@ static void place_components(Layout *l, const EdgesByEnd *out, const EdgesByEnd 
 
 // ---- the spine ----
 
-// Whether the path down the page may take an edge: a possible one to a lower state, which is not entered to abort.
+// Whether the spine can contain an edge: a possible one that leads down to a state that is not an @abort state.
 static bool continues_path(const Layout *l, const DiagramEdge *e)
 {
     return e->form == EDGE_LINE && !e->up && e->possible && !l->d->node[e->to].state->is_abort;

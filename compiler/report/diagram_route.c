@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns order and x of items into boxes and paths: the distance of layers, the stubs beside a state, the ports (the points where edges meet
-// a state).
+// Computes boxes and paths from the order and x of items: the distance between layers, the stubs beside a state, and the ports (the points
+// where edges meet a state).
 #include "compiler/report/diagram_layout.h"
 
 enum {
@@ -185,7 +185,7 @@ static void add_point(Layout *l, DiagramEdge *e, int32_t x, int32_t y)
     vec_push(l->arena, &e->path, p);
 }
 
-// The path from top to bottom: out of the upper state, through each layer, into the lower state.
+// Computes the path of an edge from top to bottom: out of the upper state, through each layer, into the lower state.
 static void route_down(Layout *l, DiagramEdge *e, uint32_t first, uint32_t end, const int32_t *top, const int32_t *bottom)
 {
     for (uint32_t k = first; k < end; k++) {

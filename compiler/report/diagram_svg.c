@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A diagram as SVG.  Only whole numbers, so that it is the same on every computer.
+// A diagram as SVG.  All coordinates are whole numbers, so that the output is the same on every computer.
 #include <stdio.h>
 
 #include "compiler/report/diagram_layout.h"
@@ -8,7 +8,7 @@
 
 // ---- style ----
 
-// Everything with a colour, light and dark.  Shapes convey the same information as colours.
+// The style of each class of elements, for light and for dark screens.  Shapes convey the same information as colours.
 //   STYLE(selector, light, dark)
 typedef struct DiagramColour { const char *selector, *light, *dark; } DiagramColour;
 
@@ -28,7 +28,7 @@ static const DiagramColour colours[] = {
     {".g-bang", "fill:#3d2f00", "fill:#3d2f00"},
 };
 
-// The part that is the same for light and dark.
+// The styles that are the same for light and dark screens.
 static const char common_style[] =
     ".smc-graph text{font-family:Helvetica,Arial,sans-serif;font-size:11px}\n"
     ".smc-graph .g-name{font-size:13px;font-weight:bold;text-anchor:middle}\n"
@@ -354,7 +354,7 @@ static void write_description(Buf *out, const Diagram *d)
     buf_str(out, ".</desc>\n");
 }
 
-// A diagram as it is drawn: the elements of the picture, and its size with the notes.
+// A drawn diagram: the SVG elements of the picture, and its size including the notes.
 typedef struct DrawnDiagram { Diagram *d; Buf elements; DiagramSize size; } DrawnDiagram;
 
 static void draw_diagram(const Analysis *a, const DiagramOptions *o, DrawnDiagram *out)

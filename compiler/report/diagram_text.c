@@ -72,8 +72,8 @@ const char *diagram_text_truncate(Arena *arena, const char *text, int32_t size, 
 
 // ---- wrapping ----
 
-// How bad it is to end a line at a position.  A reader takes in a condition best if its lines end before "and" and "or", and if each call
-// stays in one piece; a line more costs less than that.
+// Costs of a line and of a line break at a position.  A condition is easiest to read if its lines end before "and" and "or", and if no call is
+// broken.  An additional line costs less than breaking a call.
 enum { NEW_LINE = 4, BEFORE_COMPARISON = 2, AFTER_COMMA = 3, ELSEWHERE = 4, AFTER_OPERATOR = 6, IN_GROUP = 2, IN_CALL = 6, NO_SPACE = 60 };
 
 // The cost of replacing the space at text[i] by a line break, outside of all brackets.
@@ -88,13 +88,13 @@ static uint32_t break_cost(const char *text, size_t i)
                                                                          : ELSEWHERE;
 }
 
-// For a text from some position on: where the first line ends so that the lines to the end cost least, and what they cost.
-// `brackets`: what a break here costs for the brackets around it.
+// The cheapest way to break the rest of a text, from a position on: where its first line ends, and the cost of all its lines.  `brackets`: the
+// additional cost of a break at this position, because of the brackets around it.
 typedef struct BestBreak { size_t end; uint32_t cost, brackets; } BestBreak;
 
 static void set_bracket_costs(const char *text, BestBreak *best)
 {
-    uint64_t calls = 0;           // by open bracket, the innermost first: whether it is that of a call
+    uint64_t calls = 0;           // a bit for each open bracket, lowest for the innermost: it encloses the arguments of a call
     uint32_t cost = 0;
 
     for (size_t i = 0; text[i]; i++) {
@@ -109,7 +109,8 @@ static void set_bracket_costs(const char *text, BestBreak *best)
     }
 }
 
-// Chooses the first line from text[i].  best[j] is known for all j > i.  Of equally good ends the last is taken, which fills the line.
+// Chooses the end of a line that begins at text[i].  best[j] is known for all j > i.  Of equally cheap ends it takes the last, which fills the
+// line most.
 static void choose_line_end(const char *text, size_t n, size_t i, int32_t size, int32_t w, BestBreak *best)
 {
     const size_t fits = i + count_fitting_bytes(text + i, n - i, size, false, w);

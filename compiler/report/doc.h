@@ -45,7 +45,7 @@ typedef struct DocLine {
     unsigned depth;           // 0: outermost
     const char *text;
     uint32_t line;            // in the source; 0: none
-    const char *comment;      // plain: the author's comment; or NULL
+    const char *comment;      // the author's comment, plain text; or NULL
 } DocLine;
 
 typedef struct DocList {
@@ -55,7 +55,7 @@ typedef struct DocList {
     VEC(DocLine) line;
 } DocList;
 
-typedef enum DocKind {
+typedef enum DocKind {        // with the members of DocPart that it uses
     DOC_HEADING,              // text; id: the target of links, or NULL
     DOC_PARAGRAPH,            // text
     DOC_QUOTE,                // plain: text by the machine's author
@@ -71,8 +71,8 @@ typedef enum DocFigure {
     FIGURE_PLOT,              // as wide as the text
     FIGURE_DIAGRAM,           // may be wider than the text; on paper it has a page
     FIGURE_LOW,               // a diagram that is legible on part of a printed page
-    FIGURE_TALL,              // a diagram whose text is followed by the same in slices for paper, `print`
-    FIGURE_LARGE              // the same, for landscape pages
+    FIGURE_TALL,              // a diagram too high for a page: on paper it is replaced by DocPart.print, slices for upright pages
+    FIGURE_LARGE              // a diagram too wide for a page: on paper it is replaced by DocPart.print, slices for landscape pages
 } DocFigure;
 
 typedef struct DocPart {
@@ -80,8 +80,8 @@ typedef struct DocPart {
     const char *id, *text;
     bool plain;               // HEADING, PARAGRAPH: the text has no markup
     const char *state;        // HEADING: the name of its state
-    const char *tone;         // HEADING: the badge's colour, "good", "bad" or "note"; badge: its text; or NULL
-    const char *badge;
+    const char *tone;         // HEADING: the badge's colour, "good", "bad" or "note"
+    const char *badge;        // HEADING: text of a badge beside it; or NULL
     DocFigure figure;         // FIGURE
     const char *print;        // FIGURE: what is printed instead of `text`; or NULL
     DocTable *table;
@@ -133,7 +133,7 @@ void doc_set_line_comment(DocList *l, const char *plain);  // for the last line
 
 // ---- writing ----
 
-// By column, whether any row has content in it.  JSON contains all columns.
+// Returns, by column, whether any row has content in it: other columns are omitted, except in JSON.
 bool *doc_columns_used(const DocTable *t);
 const char *doc_replace_links(Arena *arena, const char *text);         // ^Name^ as `Name`, for formats without links
 

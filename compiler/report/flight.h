@@ -10,9 +10,9 @@ typedef struct Flight {
     Arena *arena;
     const char *name;             // of the file
     const Log *log;
-    const LogSession *session;    // the session to show; for flight_write_text NULL is all
-    const LogElement *const *element;     // the elements to show, of that session; none: all
-    size_t elements;
+    const LogSession *session;    // the session to show; NULL, only for flight_write_text: all sessions
+    const LogElement *const *element;     // the elements of the session to show
+    size_t elements;              // their number; 0: all elements are shown
     const LogMachine *machine;    // its states are drawn; or NULL
 } Flight;
 
@@ -25,9 +25,9 @@ void flight_write_svg(const Flight *f, Buf *out);
 
 // Writes nanoseconds as seconds, exactly: "12.05".
 void flight_write_time(Buf *out, uint64_t ns);
-// "mission: Coast -> Recovery", "task engine fails: it is in use".
+// Writes an event in words, as in "mission: Coast -> Recovery" and "task engine fails: it is in use".
 void flight_write_event(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out);
-// The value as logged: NaN stays NaN, while machines read it as 0.
+// Returns the value of a logged cell.  A NaN is returned as NaN, although machines read it as 0.
 double flight_value(SmType type, uint64_t cell);
 size_t flight_element_count(const Flight *f, const LogDescription *d);
 const LogElement *flight_element(const Flight *f, const LogDescription *d, size_t i);

@@ -9,7 +9,7 @@
 #include "compiler/base/vec.h"
 #include "stdlib/types.h"
 
-enum { LOG_NONE = 0xFFFF };       // no element
+enum { LOG_NONE = 0xFFFF };       // for LogMachine.s: the log does not contain the element
 
 typedef struct LogElement {
     const char *name;

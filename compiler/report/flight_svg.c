@@ -28,7 +28,7 @@ static double position_of_time(const FlightDrawing *d, uint64_t time)
     return (share < 1 ? share : 1) * (double)d->t.steps;
 }
 
-// Returns the slot of a record.  Rounding can make its time up to a millionth of a slot too early.
+// Returns the slot that contains a time.  Rounding can make the computed position up to a millionth of a slot too small.
 static uint64_t slot_of_time(const FlightDrawing *d, uint64_t time)
 {
     const uint64_t slot = (uint64_t)(position_of_time(d, time) + 1e-6);
@@ -57,7 +57,7 @@ static void add_value(TraceBucket *b, double x, bool first)
 {
     if (first || b->first != b->first)
         *b = (TraceBucket){x, x, x, x};
-    if (x != x)                                   // NaN among numbers of a slot is not drawn
+    if (x != x)                                   // a slot with numbers and NaN shows only the numbers
         return;
     b->lo = x < b->lo ? x : b->lo;
     b->hi = x > b->hi ? x : b->hi;

@@ -22,9 +22,10 @@ typedef struct ReportRun {
 
 typedef struct Report {
     Arena *arena;
-    Analysis analysis;            // its diags hold all findings, including those that an @allow covers; findings assume its step
-    bool step_given;              // the user gave that step to the command; otherwise it is the delta_t of the scripts
-    Cost cost, flash, eeprom; // in instructions; estimated in cycles of an ATmega328P, with the image in flash or in EEPROM
+    Analysis analysis;            // its diags hold all findings, including those that an @allow covers
+    bool step_given;              // analysis.step is the user's --step; otherwise it is the delta_t of the scripts
+    Cost cost;                    // of a step, in instructions
+    Cost flash, eeprom;           // of a step, in estimated cycles of an ATmega328P, with the image in flash or in EEPROM
     const uint8_t *image;         // as `smc build` writes it
     size_t image_size;
     ReportRun *run;
@@ -49,11 +50,11 @@ void report_add_scripts(Report *r, Doc *d);
 typedef struct FindingCount { size_t open, allowed; } FindingCount;
 FindingCount report_count_findings(const Report *r);
 
-// The part of the machine that the scripts have executed.  A pair is two states (or one twice) that one or more transitions connect.
+// The part of the machine that the scripts have executed.  A pair is a state and the target of one or more of its transitions.
 typedef struct Coverage {
     size_t states_covered, states, pairs_covered, pairs;
-    size_t pairs_shared;          // covered, but it is unknown by which of several transitions
-    size_t transitions_most, transitions;     // at least pairs_covered and at most transitions_most of all transitions were taken
+    size_t pairs_shared;          // covered pairs with several transitions: it is unknown which of these were taken
+    size_t transitions_most, transitions;     // of `transitions`, at least pairs_covered and at most transitions_most were taken
 } Coverage;
 Coverage report_measure_coverage(const Report *r);
 DiagramCounts report_sum_counts(const Report *r);  // how often the scripts visited states and took transitions, summed over all scripts
@@ -66,11 +67,11 @@ const char *plot_patterns(Arena *arena);      // an invisible drawing that plots
 
 // ---- shared helpers ----
 
-// Adds the state diagram; on paper in as many pieces as legible letters need.
+// Adds the state diagram.  On paper it is cut into as many slices as are needed to keep its text legible.
 void report_add_diagram(Report *r, Doc *d, const Diags *findings, const DiagramCounts *counts, const char *caption);
 uint32_t report_line_of(Span span);           // line in the source; 0: none
 const char *report_board_name(const Report *r);       // "On an Arduino Uno": the smallest board whose firmware has room for the machine
-const char *report_board_time(const Report *r);       // "about 300 cycles, 0.02 ms, in Fill" of its longest step there
+const char *report_board_time(const Report *r);       // time of the longest step on that board: "about 300 cycles, 0.02 ms, in Fill"
 const char *report_format_number(Arena *arena, double x);
 const char *report_format_cell(Arena *arena, SmType type, uint64_t cell);
 const char *report_base_name(const char *path);

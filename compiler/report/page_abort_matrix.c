@@ -19,7 +19,7 @@ static bool has_command(const AbortRow *row)
     return false;
 }
 
-// Returns whether the machine can abort with the help of commands, or (!commands) without any, as the text of a cell.
+// Returns the text of a cell: whether the machine can abort if the operator gives commands (`commands`), or without any.
 static const char *verdict_text(const AbortRow *row, bool commands)
 {
     switch (row->verdict) {
@@ -67,7 +67,7 @@ static const char *reads_text(const Report *r, const AbortPath *w)
     return buf_text(&b);
 }
 
-// Whether the steps until some transition fires have no bound.
+// Whether, for some transition of the matrix, the number of steps until it fires has no bound.
 static bool has_unbounded(const AbortMatrix *x)
 {
     for (size_t i = 0; i < x->n; i++)

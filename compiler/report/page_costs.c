@@ -93,7 +93,7 @@ static void add_longest_step(const Report *r, Doc *d)
 
 // ---- a board ----
 
-// What the firmware of a board gives to an image, and to the state vector and the machine together (docs/boards.md).
+// Bytes that the firmware of a board has for an image, and for the state vector and the machine together (docs/boards.md).
 typedef struct Board { const char *name; uint32_t image, ram; } Board;
 
 static const Board boards[] = {{"Uno", 960, 960}, {"Mega", 2016, 5056}};

@@ -73,7 +73,7 @@ static void add_details(const Report *r, Doc *d, Diag *const *diag, size_t n, si
         add_finding(r, d, diag[i], first + i);
 }
 
-// Some findings assume how far time advances in a step.
+// Returns the paragraph about the time by which a step advances G, which some findings assume.
 static const char *step_text(const Report *r)
 {
     const unsigned long step = (unsigned long)r->analysis.step;

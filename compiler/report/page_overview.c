@@ -8,7 +8,7 @@
 
 static const DocColumn fact_columns[] = {{"name", "Name"}, {"value", "Value"}};
 
-// Returns the identity as the image contains it.
+// Returns the machine's identity, from the image, in hexadecimal.
 static const char *identity_text(const Report *r)
 {
     SmvmReader at;
@@ -29,7 +29,7 @@ static const char *scripts_text(const Report *r)
     return format_in(r->arena, "%lu of %lu passed", (unsigned long)passed, (unsigned long)r->runs);
 }
 
-// If several transitions lead from one state to another, it is unknown which of them a run has taken.
+// Returns how many transitions were taken.  It is a range if several lead from one state to another: a run does not show which it took.
 static const char *transitions_covered_text(const Report *r, Coverage c)
 {
     if (c.pairs_covered == c.transitions_most)

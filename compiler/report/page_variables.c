@@ -113,7 +113,7 @@ static void add_elements(const Report *r, Doc *d, const VarUse *use)
 
 // ---- locals ----
 
-// The sizes of windows are computed at compile time; no state reads them.
+// Returns where a variable is read: the names of states, and "sizes of windows" if a window's size, computed at compile time, depends on it.
 static const char *readers_text(const Report *r, const Var *v, VarUse *use)
 {
     return format_in(r->arena, "%s%s%s", buf_text(&use->readers), v->sizes && use->readers.n ? ", " : "",

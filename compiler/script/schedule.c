@@ -21,7 +21,7 @@ static Interval hull(Interval a, Interval b)
     return (Interval){a.from < b.from ? a.from : b.from, a.to > b.to ? a.to : b.to};
 }
 
-// The values of `time` outside which `a op b` is false.
+// Returns an interval of the variable `time` outside which the guard `a op b` is false.
 static Interval interval_of_comparison(SmOperator op, const Expr *a, const Expr *b, const Var *time, const uint64_t *cell)
 {
     const bool on_left = a->kind == EX_VAR && a->var == time, on_right = b->kind == EX_VAR && b->var == time;
@@ -41,7 +41,7 @@ static Interval interval_of_comparison(SmOperator op, const Expr *a, const Expr 
     }
 }
 
-// The values of `time` outside which e is false.
+// Returns an interval of the variable `time` outside which e is false.
 static Interval interval_of(const Expr *e, const Var *time, const uint64_t *cell)
 {
     Interval all = always;
@@ -62,7 +62,7 @@ static Interval interval_of(const Expr *e, const Var *time, const uint64_t *cell
 typedef struct Entry {
     const ScriptItem *item;
     Interval when;
-    double latest;            // the largest when.to of the range whose middle this entry is
+    double latest;            // the largest when.to in the subtree of which this entry is the root
 } Entry;
 
 // Entries sorted by when.from: a binary search tree whose root is the middle of the array.
@@ -77,7 +77,7 @@ static int compare_entries(const void *left, const void *right)
     return a->item->number < b->item->number ? -1 : 1;
 }
 
-// Sets Entry.latest of the middles of at[from … end - 1] and its parts, and returns the largest when.to.
+// Sets Entry.latest in the subtree at[from … end - 1], and returns its largest when.to.
 static double set_latest(Entry *at, size_t from, size_t end)
 {
     const size_t middle = from + (end - from) / 2;
@@ -91,7 +91,7 @@ static double set_latest(Entry *at, size_t from, size_t end)
     return at[middle].latest = latest > at[middle].when.to ? latest : at[middle].when.to;
 }
 
-// Adds the entries of at[from … end - 1] that contain `now`.
+// Adds to `due` the items of the subtree at[from … end - 1] whose interval contains `now`.
 static void add_containing(Arena *arena, const Entry *at, size_t from, size_t end, double now, DueItems *due)
 {
     while (from < end) {
@@ -121,7 +121,7 @@ struct Schedule {
     Group **of_state;         // by State.number - 1; NULL: the script has no section for it
 };
 
-// Adds an item by the time that limits it more.
+// Adds an item to the entries by G or to those by T, whichever gives it the shorter interval.
 static void add_item(Schedule *h, Group *g, const ScriptItem *item, const uint64_t *cell)
 {
     const Interval of_g = interval_of(item->guard, h->time[BY_G], cell), of_t = interval_of(item->guard, h->time[BY_T], cell);
@@ -131,7 +131,7 @@ static void add_item(Schedule *h, Group *g, const ScriptItem *item, const uint64
     vec_push(h->arena, &g->by[by_t ? BY_T : BY_G], e);
 }
 
-// Reserves memory for n more items that G limits, or nothing.
+// Reserves memory for n entries by G.  Items without a limit on time are among these.
 static void reserve_items(Schedule *h, Group *g, size_t n)
 {
     g->by[BY_G].cap = (uint32_t)n;

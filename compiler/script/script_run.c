@@ -177,7 +177,7 @@ static ScriptTotals count_script_items(const Script *s)
     return t;
 }
 
-// A state has at most one section: otherwise the script has errors.
+// Allocates `ran` and `ran_of_state`.  No state has two sections: a script with errors does not run.
 static void init_ran(ScriptRun *r)
 {
     r->ran = ARENA_ARRAY(r->arena, uint64_t, r->s->section.n);

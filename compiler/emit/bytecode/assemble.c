@@ -8,7 +8,7 @@
 
 enum { VARINT_BYTES_MAX = 4 };
 
-// Writes v so that it ends before `end`; returns its first byte.
+// Encodes v in the bytes just before `end`.  Returns a pointer to the first of them.
 static uint8_t *write_varint_before(uint8_t *end, uint32_t v)
 {
     if (v < SMVM_VARINT_1) {
@@ -65,7 +65,7 @@ static void assign_local_offsets(Arena *arena, BcMachine *m)
     }
 }
 
-static uint32_t offset_of(const BcMachine *m, uint32_t var)      // in units of its type
+static uint32_t offset_of(const BcMachine *m, uint32_t var)      // the variable's offset, in units of its type's size; 0 for T
 {
     const IrVar *v = &m->ir->var.at[var];
 
@@ -96,9 +96,9 @@ const char *bc_lay_out_locals(Arena *arena, BcMachine *m)
 
 // ---- instructions ----
 
-// Encodes from a function's end to its start.  Jumps only go forward, so their targets are already encoded and each distance gets its
-// shortest encoding at once.  Each of these functions writes an instruction that ends before `end`, and returns its first byte. `op` is the
-// first opcode of the group that loads X, loads Y or stores.
+// A function is encoded from its end to its start.  Jumps only go forward, so their targets are already encoded and each distance gets its
+// shortest encoding at once.  Each write_… function below writes one instruction in the bytes just before `end`, and returns a pointer to its
+// first byte.  `op` is SMVM_ldx_local, SMVM_ldy_local or SMVM_st_local: the first opcode of its group.
 
 static uint8_t *write_number(uint8_t *end, uint32_t op, uint32_t n)
 {
@@ -112,7 +112,7 @@ static uint8_t *write_const(uint8_t *end, uint32_t op, const BcOperand *o)
     const SmF64 x = sm_from_bits(o->bits);
     int32_t n;
 
-    op -= SMVM_ldx_local;             // 0, or the distance from the opcodes that load X to those that load Y
+    op -= SMVM_ldx_local;             // 0 for a load of X; for a load of Y, the distance between the two groups of opcodes
     if (bc_try_whole(x, &n))
         return n < 0 ? write_number(end, op + SMVM_ldx_minus, (uint32_t)(-1 - n)) : write_number(end, op + SMVM_ldx_plus, (uint32_t)n);
     return write_number(end, op + (bc_is_f32(x) ? SMVM_ldx_f32 : SMVM_ldx_f64), o->index);
@@ -148,7 +148,7 @@ static uint8_t *write_store(uint8_t *end, const BcMachine *m, const BcOperand *o
 // Distance from the first byte of instruction i to the function's end.
 static uint32_t distance_to_end(const BcFn *f, size_t i) { return i < f->ins.n ? f->ins.at[i].at : 0; }
 
-// Writes an instruction that is no load or store: the opcode, its immediate operand and its jump distance, as far as it has them.
+// Writes an instruction that is neither a load nor a store: the opcode, then its immediate operand and its jump distance if it has them.
 static uint8_t *write_plain(uint8_t *end, const BcFn *f, size_t i)
 {
     const BcIns *ins = &f->ins.at[i];

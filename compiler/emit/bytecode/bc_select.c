@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Selects the instructions for the IR of a block.  Each value is computed into X.  Of two operands, one that only needs a load goes to Y.
-// If both must be computed, the deeper one is computed first and waits in a slot.  Loads, stores and most conversions cost nothing besides
-// the load or store itself: `counter = counter + 1` is three instructions.
+// Selects the VM's instructions for the IR of a block.  Each value is computed into register X.  Of two operands, one that only needs a load
+// goes to register Y.  If both must be computed, the deeper one is computed first and saved in a slot.  Most conversions are performed by a
+// load or store and need no instruction: `counter = counter + 1` takes three (load, add, store).
 #include "compiler/emit/bytecode/bc_select.h"
 #include "stdlib/convert.h"
 
@@ -29,7 +29,7 @@ static bool is_in_x(BcSelect *s, IrRef r)
     return s->x.value == r || bc_register_has(&s->x, source_of(s, r));
 }
 
-// Subtracts one use of r.  After the last one its slot is free.
+// Subtracts one use of r.  After the last use, frees the slot of r.
 static void drop_use(BcSelect *s, IrRef r)
 {
     BcValue *v = &s->value[r];
@@ -82,12 +82,12 @@ static bool is_better_swapped(BcSelect *s, IrRef a, IrRef b)
     return must_be_computed(s, a) && must_be_computed(s, b) && bc_chain_depth(s, a) > bc_chain_depth(s, b);
 }
 
-// Ensures that b can be loaded into Y once a is in X.
+// Ensures that, once a is in X, b can be loaded into Y.
 static void ensure_loadable(BcSelect *s, IrRef b, IrRef a)
 {
     if (!s->value[b].is_computed && source_of(s, b) == BC_NONE)
         compute_waiting(s, b);
-    if (source_of(s, b) == BC_NONE && is_in_x(s, a))                // otherwise b is saved when a is computed into X
+    if (source_of(s, b) == BC_NONE && is_in_x(s, a))                // if a is not in X, bringing a into X saves b
         bc_save_x(s);
 }
 
@@ -177,7 +177,7 @@ static void compute_sub(BcSelect *s, IrRef a, IrRef b)
 
 // ---- operations ----
 
-// The opcode of an operation of types SAME.
+// The opcode of an operation whose operands and result have one type (SAME in compiler/ir/ops.def).
 static uint8_t opcode_of(IrOp op)
 {
     static const uint8_t of[IR_OP_COUNT] = {
@@ -243,7 +243,7 @@ static void compute_not(BcSelect *s, IrRef a)
     bc_emit_changing_x(s, SMVM_set, SMVM_EQUAL | SMVM_UNORDERED);
 }
 
-// Turns a possible -0 in X into 0 where the integer r becomes a float.  Returns true if that took an instruction.
+// If X holds integer r, which may be computed as -0, and becomes a float, emits a conversion that turns -0 into 0.  Returns whether it did.
 static bool emit_zero_normalization(BcSelect *s, IrRef r, SmType to)
 {
     if (!bc_is_float(to) || !s->value[r].minus_zero)
@@ -320,7 +320,7 @@ static void select_store(BcSelect *s, const IrIns *i, const BcValue *at)
         bc_drop_cvt(s, (uint32_t)i->type);
         same = s->x.value == r;
     }
-    bc_store_x(s, d, same && !s->value[r].minus_zero);           // if X can be -0, the variable is 0
+    bc_store_x(s, d, same && !s->value[r].minus_zero);           // where X is -0, the variable contains 0
 }
 
 static void select_sample(BcSelect *s, const IrIns *i)

@@ -8,7 +8,7 @@
 #include "compiler/emit/bytecode/bytecode.h"
 #include "compiler/ir/eval.h"
 
-#define BC_LATER (BC_NONE - 1)        // the operand is created when it is first needed, because constants are numbered in that order
+#define BC_LATER (BC_NONE - 1)        // BcValue.slot: the operand is created at its first use, because the image numbers constants in that order
 
 // Facts about one IR instruction, within its block.
 typedef struct BcValue {
@@ -18,7 +18,7 @@ typedef struct BcValue {
     uint32_t next_store;      // for a store: position + 1 of the next store to its variable; UINT32_MAX: no other in this block
     uint32_t depth;           // length of the longest chain of waiting operations in its expression
     bool is_computed;         // it has been computed at its own position: its value is in X or in `slot`
-    bool waits;               // it is computed where its only user needs it; a conversion that changes nothing, at each of its users
+    bool waits;               // it is computed where its only user needs it; a conversion that leaves the number as it is, at each user
     bool early;               // for a load: must execute at its own position, because a store to its variable precedes its last use
     bool negative;            // an integer that can be below zero
     bool inverted;            // for a waiting boolean: computes its negation instead
@@ -33,13 +33,13 @@ typedef struct BcRegister {
     BcRef from[BC_REGISTER_SOURCES];  // operands with the same number; BC_NONE: an empty entry
 } BcRegister;
 
-// An instruction that ends the function and that jumps can target: `end`, or `goto` a state.
+// An exit of the function that jumps can target: the instruction `end`, or `goto` with a state.  All jumps to one exit share its label.
 typedef struct BcExit {
     uint32_t fn;              // BcSelect.fn of the function for which the other fields are valid
     uint32_t label;           // UINT32_MAX: none yet
-    uint32_t at;              // 1 + index of the last such instruction; 0: none yet
-    Span span;                // of the first jump to it
-    bool of_many_lines;       // jumps from several lines
+    uint32_t at;              // 1 + index of the last instruction emitted for this exit; 0: none yet
+    Span span;                // source of the first jump to the exit
+    bool of_many_lines;       // the exit has jumps from several source lines
 } BcExit;
 
 typedef struct BcSelect {
@@ -75,7 +75,7 @@ uint32_t bc_chain_depth(const BcSelect *s, IrRef r);    // length of the longest
 static inline SmF64 bc_const_value(const IrIns *i) { return ir_number(i->type, i->bits); }      // i is a const
 static inline bool bc_is_waiting_cvt(const BcSelect *s, IrRef r) { return s->value[r].waits && bc_ins(s, r)->op == IR_cvt; }
 IrRef bc_follow_exact_cvts(const BcSelect *s, IrRef r);  // the part of bc_skip_exact_cvts that is not inline
-// r without waiting conversions that change nothing.
+// Returns the operand of r before the waiting conversions that leave the number unchanged; r itself if r is no such conversion.
 static inline IrRef bc_skip_exact_cvts(const BcSelect *s, IrRef r) { return bc_is_waiting_cvt(s, r) ? bc_follow_exact_cvts(s, r) : r; }
 IrRef bc_skip_truth_cvts(const BcSelect *s, IrRef r);   // r without conversions that do not affect whether it is true
 IrRef bc_skip_store_cvts(const BcSelect *s, IrRef r, SmType type);  // r without conversions that a store to that type performs anyway
@@ -114,10 +114,10 @@ void bc_label_place(BcSelect *s, uint32_t label);
 
 void bc_select_ins(BcSelect *s, IrRef r);
 void bc_bring_to_x(BcSelect *s, IrRef r);                     // loads or computes r into X and counts one use
-// Brings a and b into X and Y.  If `may_swap` and it is better, brings b into X and a into Y and returns true. `keep`: the next
-// instruction changes X.
+// Loads or computes a into X and b into Y.  If `may_swap` and fewer instructions result, puts b into X and a into Y and returns true.
+// `keep`: the next instruction changes X, so X is first saved if it is needed again.
 bool bc_load_operands(BcSelect *s, IrRef a, IrRef b, bool may_swap, bool keep);
-uint32_t bc_relation_of(IrOp op);                     // the results of SMVM_LESS … for which the comparison is true, as bits
+uint32_t bc_relation_of(IrOp op);                     // the outcomes for which comparison `op` is true: bits SMVM_LESS, SMVM_EQUAL …
 uint32_t bc_swapped_relation(uint32_t relation);           // the relation with X and Y exchanged
 uint32_t bc_negated_relation(uint32_t relation);
 

@@ -75,7 +75,7 @@ typedef struct BcMachine {
     VEC(uint32_t) output;     // the machine's outputs: variables by output number
     uint32_t slots[BC_POOLS]; // number of slots of each type
     uint32_t *window_number;  // by IR window: its number in the image, which is the order of sampling
-    BcFn *fn;                 // 1 + 3 * states, as in the image's table of functions
+    BcFn *fn;                 // one that samples the windows, then three for each state, as in the image's table of functions
     size_t fns;
     // filled in by assemble.c:
     uint32_t *local_at;       // by variable: offset among the locals
@@ -91,7 +91,7 @@ uint32_t bc_pack_offset(uint32_t offset, uint32_t type);
 // Returns the location of a variable; UINT32_MAX if its offset is too large for the format.
 uint32_t bc_pack_location(const BcMachine *m, uint32_t var);
 
-// Assigns offsets to locals and slots.  Returns NULL, or the name of what exceeds the format.
+// Assigns offsets to locals and slots.  Returns NULL, or the name of the quantity that exceeds a limit of the image format.
 const char *bc_lay_out_locals(Arena *arena, BcMachine *m);
 // Appends the function's bytes; sets *ok to false when it is too long.
 void bc_assemble(Arena *arena, const BcMachine *m, BcFn *f, Buf *out, bool *ok);

@@ -51,7 +51,7 @@ static void add_identity(ImageWriter *w, IrMachine *const *m, size_t n)
 
 enum { PIN_SCALE = 0x20, PIN_OFFSET = 0x40, PIN_SAFE_OR_HOLD = 0x80 };
 
-enum { NUMBER_F32 = 8, NUMBER_F64 = 9, NUMBER_WHOLE = 15 };      // used in place of a type
+enum { NUMBER_F32 = 8, NUMBER_F64 = 9, NUMBER_WHOLE = 15 };      // forms of a pin's number; stored where a location has its type
 
 static bool fits_whole_number(SmF64 x)
 {

@@ -17,8 +17,8 @@ static void emit_jump(BcSelect *s, uint32_t op, uint32_t n, uint32_t label)
     s->out->label.at[label].last_jump = (uint32_t)s->out->ins.n;
 }
 
-// Whether a label is one that the jump of the current block has created.  The code after it cannot rely on X, so a value in X that is
-// still needed must be saved before a jump to it.
+// Whether the conditional jump of the current block created the label.  The contents of X are unknown after such a label, so a value in X that
+// is still needed must be saved before a jump to it.
 static bool is_inner_label(const BcSelect *s, uint32_t label) { return label >= s->first_inner_label; }
 
 // Sets *n if r is a constant that a jump can encode: a whole number, not below 0.  Returns false if not.
@@ -52,7 +52,7 @@ static void emit_compare_jump(BcSelect *s, const IrIns *i, bool when, uint32_t l
     }
 }
 
-// Jumps to the label if the truth of r, which is no waiting comparison or logic, equals `when`.
+// Jumps to the label if the truth of r equals `when`.  r is not a waiting comparison, `and`, `or` or `not`.
 static void emit_truth_jump(BcSelect *s, IrRef r, bool when, uint32_t label)
 {
     if (bc_ins(s, r)->op == IR_const) {
@@ -148,7 +148,8 @@ static uint32_t find_or_add_label(BcSelect *s, IrBlkRef to)
     return e->label;
 }
 
-// Places the label of `end` or `goto state` at its last instruction.  Adds one if none follows the last jump to the label.
+// Places the label of the exit `end` (state 0) or `goto state` at the last instruction emitted for it.  Emits another one at the end of the
+// function if a jump to the label comes after that instruction.
 static void place_exit(BcSelect *s, uint32_t state)
 {
     BcExit *e = &s->exit[state];
@@ -170,7 +171,8 @@ static void place_exit(BcSelect *s, uint32_t state)
 
 // ---- a block's jump ----
 
-// Continues at block `to`; `next` is the block that follows in the output.  A jump to a block that only ends the function becomes that end.
+// Emits the jump to block `to`, unless it is `next`, the block that follows in the output.  If block `to` only ends the function, emits its
+// `end` or `goto` instead.
 static void select_jmp(BcSelect *s, IrBlkRef to, IrBlkRef next)
 {
     if (to == next)
@@ -225,7 +227,8 @@ static void select_block(BcSelect *s, IrBlkRef block, IrBlkRef next)
 
 // ---- the order of blocks ----
 
-// Sets label and `through` of each block.  Returns which blocks are emitted: those that are reachable and do more than jump or end.
+// Sets the label and the final target of each block.  Returns, by block, whether it is emitted: block 0, and each other block that is reachable
+// and does more than jump or end the function.
 static bool *find_emitted_blocks(BcSelect *s)
 {
     const IrFn *f = s->f;

@@ -11,8 +11,8 @@ uint32_t bc_chain_depth(const BcSelect *s, IrRef r) { return s->value[r].waits &
 
 // ---- possible values ----
 
-// Whether a store would change r: a store turns NaN into 0, and rounds the result of an F32 operation, which is computed as F64. It does
-// not change loads, conversions and integer operations: they always have a value that a store in their type leaves as it is.
+// Whether a store in the type of r would change r.  A store turns NaN into 0, and rounds the result of an F32 operation, which is computed as
+// F64.  It does not change the results of loads, conversions and integer operations.
 static bool may_change_when_stored(const BcSelect *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
@@ -22,7 +22,7 @@ static bool may_change_when_stored(const BcSelect *s, IrRef r)
     return bc_is_float(i->type) && i->op != IR_load && i->op != IR_cvt;
 }
 
-// Whether type `b` can represent every number of type `a`.  For I64 and U64 only those values count that are read exactly as an F64.
+// Whether type `b` can represent every number that a variable of type `a` can be read as.  An I64 or U64 is read as an F64.
 bool bc_is_within(SmType a, SmType b)
 {
     const SmTypeInfo *x = &sm_type_info[a], *y = &sm_type_info[b];
@@ -43,7 +43,7 @@ bool bc_is_exact(const BcSelect *s, IrRef r, SmType type)
 
 // ---- conversions that need no instruction ----
 
-// Whether a conversion leaves the number unchanged, once its operand has been read.
+// Whether a conversion leaves its operand's number unchanged.
 static bool is_exact_cvt(const BcSelect *s, const IrIns *cvt) { return bc_is_exact(s, cvt->a, cvt->type); }
 
 IrRef bc_follow_exact_cvts(const BcSelect *s, IrRef r)
@@ -60,8 +60,8 @@ IrRef bc_skip_truth_cvts(const BcSelect *s, IrRef r)
     return r;
 }
 
-// Whether a store to type `type` performs the conversion to `to` that precedes it.  NaN becomes 0 in all of them, so conversions of F64 to
-// itself vanish.  A value clamped to a range can skip the clamp if the store clamps to a narrower range.
+// Whether a store to a variable of `type` makes a preceding conversion to `to` unnecessary.  Both turn NaN into 0, so a conversion of F64 to
+// itself is unnecessary.  A conversion that clamps to a range is unnecessary if the store clamps to a narrower range.
 static bool store_performs_cvt(SmType to, SmType type)
 {
     return to == type || to == SM_F64 || (!bc_is_float(to) && type != SM_BOOL && to != SM_BOOL && bc_is_within(type, to));
@@ -97,7 +97,8 @@ static void note_store(BcSelect *s, const IrIns *i, BcValue *v, uint32_t at)
     s->store_in[i->var] = s->count;
 }
 
-// Counts uses by live instructions, from the end of the block to its start.  `at` is a position + 1.
+// Counts uses by live instructions, from the end of the block to its start, and decides which operations wait.  `deep_known`: BcValue.depth is
+// known from an earlier run, and operations deeper than DEEPEST do not wait.
 static void count_block_uses(BcSelect *s, const IrBlk *b, bool deep_known)
 {
     s->count++;
@@ -151,7 +152,8 @@ static bool may_be_negative(const BcSelect *s, const IrIns *i, const BcValue *x,
     }
 }
 
-// An integer product or negation that is 0 can be -0 as an F64.  Most integer operations can pass a -0 on.
+// Whether integer operation i, which the VM computes as an F64, can have the result -0; x and y describe its operands.  A product or negation
+// can create a -0; most other operations can return a -0 operand.
 static bool may_be_minus_zero(const BcSelect *s, const IrIns *i, const BcValue *x, const BcValue *y)
 {
     const bool is_passed_on = x->minus_zero || y->minus_zero;

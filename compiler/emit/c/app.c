@@ -138,7 +138,7 @@ static unsigned window_words(const SmvmMachine *m)
     return words;
 }
 
-// Writes the image as a constant array, its memory, and the SmvmTarget that refers to both.
+// Writes a machine's image as a constant array, the static memory of the VM that runs it, and the SmvmTarget that refers to both.
 static void write_image_and_memory(const AppMachine *m, const Buf *image, Buf *out)
 {
     const char *n = m->name->text;
@@ -251,7 +251,7 @@ static void write_log(const AppEmitter *e)
     buf_str(e->out, "    .buffer = logBuffer, .room = sizeof logBuffer\n};\n");
 }
 
-// Writes the SmKeep that saves the state vector in non-volatile memory, if there is such a task.
+// Writes the SmKeep that saves the state vector in non-volatile memory, if the application has a `keep` task.
 static void write_keeper(const AppEmitter *e)
 {
     if (!has_task(e, AST_TASK_keep))
@@ -264,7 +264,7 @@ static void write_keeper(const AppEmitter *e)
 
 // ---- tasks ----
 
-// Writes a function with the type of an SmTask function that calls the user's function `name`_`call`.
+// Writes a function that SmTask.init, .step or .safe can point to.  It calls the user's function `name`_`call`.
 static void write_trampoline(const AppEmitter *e, const char *name, const char *end, const char *call)
 {
     bool init = strcmp(end, "Init") == 0;
@@ -379,7 +379,7 @@ static void write_vitals_field(const AppEmitter *e, const AppExecutor *x)
         buf_str(e->out, "},\n");
 }
 
-// Writes the initialiser of an SmExecutor, whose rates begin at index first_rate.
+// Writes the initialiser of an SmExecutor, whose rates begin at index first_rate of the array `rates`.
 static void write_executor_row(const AppEmitter *e, const AppExecutor *x, size_t number, size_t first_rate)
 {
     buf_printf(e->out, "    {.name = \"%s\", .period = %lluu, .rate = &rates[%u], .rates = %u", x->name->text,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that each C name of an application denotes only one thing.  Covered: names that the application's files declare for each other,
-// names that the user writes, and the names in the application's own file.  Names without an underscore cannot clash.
+// Checks that each C name of an application denotes only one thing.  The check covers the names that the application's files declare for each
+// other, names that the user writes, and the names in the application's own file.  Names without an underscore cannot clash.
 #include "compiler/emit/c/app.h"
 
 #include <string.h>

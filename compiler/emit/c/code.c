@@ -15,7 +15,7 @@ enum {
 
 static void write_indent(CFn *fn) { buf_spaces(&fn->body, 4u * fn->indent); }
 
-// Whether a binary operator other than assignment, or ? or :, and a space start at `text`.
+// Whether `text` starts with a binary operator (not an assignment), `?` or `:`, followed by a space.
 static bool is_operator_at(const char *text)
 {
     const bool comment = (text[0] == '/' && text[1] == '*') || (text[0] == '*' && text[1] == '/');
@@ -97,7 +97,7 @@ static void write_variable_definition(CFn *fn, IrRef r)
     fn->ins[r].variable = name;
 }
 
-// Writes a store, and notes that the step stores the element if that is tracked.
+// Writes a store.  If stores are tracked, adds the element to fn->stored, for write_stored_flags.
 static void write_store(CFn *fn, const IrIns *i)
 {
     if (!soft_try_write_count(fn, i)) {
@@ -376,7 +376,7 @@ static void write_copy_definitions(CFn *fn)
     }
 }
 
-// Writes all blocks into fn->body.  A second call starts again.
+// Writes all blocks into fn->body.  A second call discards what the first has written.
 static void write_body(CFn *fn)
 {
     fn->body.n = fn->declarations.n = 0;
@@ -386,7 +386,7 @@ static void write_body(CFn *fn)
     write_dominated_blocks(fn, 0, fn->returns_state ? IR_NONE : fn->flow.n - 1);
 }
 
-// Returns the state for writing f, with facts, control flow and forms computed.
+// Returns a CFn for writing f, with the facts, the control flow and the form of each instruction computed.
 static CFn *prepare_function(CUnit *u, const IrFn *f, const Env *begin)
 {
     CFn *fn = ARENA_NEW(u->arena, CFn);

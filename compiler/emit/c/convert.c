@@ -41,7 +41,7 @@ static void write_bool_as_number(CFn *fn, IrRef r, SmType to, int prec)
     c_close_parens(fn, opened);
 }
 
-// Whether r is a load of an F32 element that is written as a subexpression.  The function that reads it with a NaN check can return a double.
+// Whether r is a load of an F32 element that is written as a subexpression.  c_write_float_load can write such a load as a double.
 static bool is_f32_load_subexpression(const CFn *fn, IrRef r)
 {
     const IrIns *i = c_ins(fn, r);
@@ -52,7 +52,7 @@ static bool is_f32_load_subexpression(const CFn *fn, IrRef r)
 // Whether a double can represent every value of integer r exactly.  Facts store bounds as doubles: a bound of 2^53 can be a rounded 2^53 + 1.
 static bool is_exact_as_double(const CFn *fn, IrRef r) { return fact_within(fn->ins[r].fact, -FACT_EXACT + 1, FACT_EXACT - 1); }
 
-// Writes r, a number that `to` can represent after truncation or rounding, as a cast or the call that takes its place.
+// Writes r converted to `to` as a C cast, or as a call where a cast would be wrong.  `to` must be able to represent r, truncated or rounded.
 static void write_cast(CFn *fn, SmType to, IrRef r, int prec)
 {
     const SmType from = c_ins(fn, r)->type;
@@ -179,14 +179,14 @@ static bool fits_when_truncated(Fact x, SmType to)
     return bit_width(to) == 64 ? fact_fits(x, to) : !x.nan && x.lo > t.lo - 1 && x.hi < t.hi + 1;
 }
 
-// An F64 division of integers that is truncated, which C's integer division x / d computes with the same result for 32 bits: a quotient that
-// is not whole differs from every whole number by at least 1/d, so the nearest F64 is not whole either.  `x * 2^-k` is the division by 2^k.
+// The F64 quotient of two integers, to be truncated.  C's 32-bit division x / d has the same result: a quotient that is not whole differs from
+// every whole number by at least 1/d, so the nearest F64 is not whole either.  `x * 2^-k` counts as the division by 2^k.
 typedef struct Quotient {
-    IrRef x;                  // an integer
-    double d;
+    IrRef x;                  // an integer that an I32 can represent
+    double d;                 // a whole number from 2 to 2^31 - 1
 } Quotient;
 
-// If i is `x / d` or `x * (1 / d)` with a d as Quotient allows, stores d and returns true.
+// If i is `x / d`, or `x * (1 / d)` where d is a power of two, and d is valid for a Quotient, stores d and returns true.
 static bool match_divisor(const CFn *fn, const IrIns *i, double *d)
 {
     if (!fact_is_number(fn->ins[i->b].fact, d) || (i->op != IR_div && i->op != IR_mul))
@@ -196,7 +196,7 @@ static bool match_divisor(const CFn *fn, const IrIns *i, double *d)
     return *d >= 2 && *d <= 2147483647.0 && (double)(int32_t)*d == *d && (i->op == IR_div || ((int32_t)*d & ((int32_t)*d - 1)) == 0);
 }
 
-// If r is a Quotient that is written as a subexpression, fills *q and returns true.
+// If r is such a quotient and is written as a subexpression, fills *q and returns true.
 static bool match_quotient(const CFn *fn, IrRef r, Quotient *q)
 {
     const IrIns *i = c_ins(fn, r), *a;

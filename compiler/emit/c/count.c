@@ -67,7 +67,8 @@ static bool counts_up_by_one(const CFn *fn, const CCounter *c, SmType to)
     return to == SM_U64 && !c->down && by_one && fact_within(fn->ins[c->v].fact, 0, FACT_EXACT);
 }
 
-// Writes the increment as the second argument of a helper.  `up`: the helper adds one, so it has no such argument, or a condition.
+// Writes the increment as the second argument of a helper.  `up`: the helper is sm_count_up, which has no second argument, or sm_count_up_if,
+// whose second argument is the condition.
 static void write_increment(CFn *fn, const CCounter *c, bool up)
 {
     const IrRef n = find_converted_integer(fn, c->by);

@@ -320,8 +320,8 @@ void c_write_condition(CFn *fn, IrRef r, bool negated, int prec)
 }
 
 // ---- comparisons ----
-// Both operands have the same type and are written in it.  If compilers would warn that a comparison is always true or always false, both
-// are written as doubles instead, for which compilers do not know that.
+// Both operands have the same type and are written in that type.  If compilers would warn that a comparison is always true or always false,
+// both operands are written as doubles instead, because compilers do not give this warning for doubles.
 
 static const char *const comparison_operator[] = {
     [IR_eq - IR_eq] = " == ", [IR_ne - IR_eq] = " != ", [IR_lt - IR_eq] = " < ",
@@ -356,7 +356,7 @@ static bool can_have_both_results(const CFn *fn, IrOp op, IrRef limit, SmType t)
 // Returns the type of integer r before its widening conversion, if it is one.
 static SmType unconverted_type(const CFn *fn, IrRef r) { return c_ins(fn, c_is_widening(fn, r) ? c_ins(fn, r)->a : r)->type; }
 
-// Whether i compares integers, and compilers do not warn if both are written in their type.
+// Whether i compares integers, and compilers do not warn if both operands are written as integers.
 static bool can_compare_integers(const CFn *fn, const IrIns *i)
 {
     if (!ir_is_integer(c_ins(fn, i->a)->type) || can_have_same_source(fn, i->a, i->b))
@@ -366,7 +366,7 @@ static bool can_compare_integers(const CFn *fn, const IrIns *i)
     return !c_is_const(fn, i->b) || can_have_both_results(fn, i->op, i->b, unconverted_type(fn, i->a));
 }
 
-// Whether i tests equality of bools, and compilers do not warn about it.
+// Whether i tests equality of bools, and compilers do not warn if both operands are written as bools.
 static bool can_compare_bools(const CFn *fn, const IrIns *i)
 {
     return ir_is_equality(i->op) && c_ins(fn, i->a)->type == SM_BOOL && !can_have_same_source(fn, i->a, i->b);

@@ -43,7 +43,7 @@ static bool has_effect(const IrFn *f, const IrBlk *b)
     return false;
 }
 
-// Computes then and other of every block, without empty blocks and branches on constants.
+// Fills CFlow.then and CFlow.other: the successors of each block, where empty blocks are skipped and a branch on a constant has one successor.
 static void find_successors(CFn *fn)
 {
     CFlow *w = &fn->flow;
@@ -73,7 +73,7 @@ static void find_successors(CFn *fn)
     }
 }
 
-// Records an edge and updates the immediate dominator of `to`.
+// Records the edge from block `from` to block `to`, and updates the immediate dominator of `to`.
 static void record_edge(CFlow *w, CDominators *t, uint32_t from, uint32_t to)
 {
     if (to == IR_NONE)
@@ -96,7 +96,7 @@ static void find_dominators(CFlow *w, CDominators *t)
     }
 }
 
-// Fills kid and sibling: lists the join blocks below their immediate dominators.
+// Fills CFlow.kid and CFlow.sibling: for each block, the list of join blocks that it immediately dominates.
 static void list_join_blocks(CFlow *w, const CDominators *t)
 {
     for (uint32_t b = 0; b < w->n; b++)
@@ -109,7 +109,8 @@ static void list_join_blocks(CFlow *w, const CDominators *t)
     }
 }
 
-// Fills falls.  Control leaves the blocks that b dominates if an edge leads from one of them to a block whose immediate dominator is above b.
+// Fills CFlow.falls.  An edge leaves the set of blocks that b dominates if it leads from one of them to a block whose immediate dominator is
+// above b in the tree.
 static void find_blocks_that_fall_out(Arena *arena, CFlow *w, const CDominators *t)
 {
     uint32_t *highest = ARENA_ARRAY(arena, uint32_t, w->n);       // by block: least depth of an immediate dominator that such an edge reaches

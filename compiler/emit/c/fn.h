@@ -123,7 +123,7 @@ void c_write_compare(CFn *fn, const IrIns *i, bool negated, int prec);
 void c_write_member(CFn *fn, uint32_t var);                               // `m->x` for a local, `sv->x` for an element
 void c_write_time(CFn *fn);                                               // T: `sv->g - m->start_`
 void c_write_constant(CFn *fn, IrRef r, SmType type, uint64_t bits);      // the literal, and the name of the constant as a comment
-// Returns a name for the C variable that holds a copy of the machine's variable `var`: the same name if that cannot clash.
+// Returns a name for the C variable that holds a copy of the machine's variable `var`: the variable's own name if that cannot clash.
 const char *c_copy_name(CFn *fn, uint32_t var);
 // Writes `(` and returns true if an expression of precedence `own` needs parentheses where precedence `wanted` is required.  The result is
 // the argument of c_close_parens.
@@ -169,7 +169,7 @@ void soft_write_compare(CFn *fn, const IrIns *i, bool negated);
 bool soft_try_write_byte_compare(CFn *fn, const IrIns *i, bool negated);
 // Whether soft_try_write_byte_compare writes comparison i, whose operand x is the load of a float.  It treats a NaN as 0.
 bool soft_compares_bytes(const CFn *fn, const IrIns *i, IrRef x);
-// As c_write_nonzero_test, for a float.
+// Writes `r != 0`, or `r == 0` if negated, for a float r that is never NaN.
 void soft_write_nonzero_test(CFn *fn, IrRef r, bool negated);
 
 // ---- window.c ----

@@ -50,7 +50,8 @@ static bool contains_word(const char *text, const char *name)
     return false;
 }
 
-// Counts the snippets that snippet i uses.  `text`: its source with calls replaced by C operators, which no longer uses some of them.
+// Counts a use of each snippet that occurs in `text`: the source of snippet i after calls have been replaced by C operators, so that some of
+// its recorded dependencies may no longer occur.
 static void require_dependencies(CUnit *u, int i, const char *text)
 {
     for (int d = 0; d < stdlib_text[i].deps; d++) {

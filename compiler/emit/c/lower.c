@@ -249,8 +249,8 @@ static bool needs_computation(const CFn *fn, uint32_t v)
     return (var->space == IR_TIME && !fn->u->soft) || (var->space == IR_ELEMENT && ir_is_float(var->type));
 }
 
-// Chooses the variables that are copied into a C variable at the start of the function: those that the function never stores and that are
-// read with a check or subtraction at least twice.
+// Chooses the variables loaded in block b that are copied into a C variable at the start of the function: those that the function never stores
+// and that it reads with a check or subtraction at least twice.
 static void choose_copies(CFn *fn, uint32_t b)
 {
     const IrBlk *blk = &fn->f->blk.at[b];
@@ -348,7 +348,7 @@ static void choose_forms_of_block(CFn *fn, uint32_t b)
         CIns *c = &fn->ins[r];
         c->form = choose_form(fn, i, c);
         if (c->form != C_OMITTED) {
-            const bool own = c->form != C_SUBEXPRESSION;  // it is its own statement
+            const bool own = c->form != C_SUBEXPRESSION;  // the instruction is a statement of its own
             record_use(fn, i->a, own ? (uint32_t)p : c->latest, own ? 1 : c->level + 1);
             record_use(fn, i->b, own ? (uint32_t)p : c->latest, own ? 1 : c->level + 1);
         }

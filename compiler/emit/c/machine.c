@@ -116,11 +116,11 @@ static void write_init(CUnit *u, Buf *out)
 
 // ---- the blocks of the current state: a step dispatches once for all three ----
 
-// The function that runs the blocks of the current state.
+// The run function of a machine, PREFIX_run: it runs the blocks of the current state.
 typedef struct CRun {
     bool any;                     // a state has a block
     bool first;                   // it has the parameter `first`: whether this is the state's first step
-    CSignature as;
+    CSignature as;                // its other parameters and its result
 } CRun;
 
 static CRun describe_run(const CUnit *u, const CStateBlocks *s)
@@ -160,7 +160,7 @@ static void write_block_calls(const CUnit *u, const CStateBlocks *s, size_t i, B
     write_block_call(u, s, i, BLOCK_EXIT, "next != 0", out);
 }
 
-// Returns the parameters of the function, after the number of the state.
+// Returns the declarations of the run function's parameters that follow the first, the number of the state.
 static const char *run_parameters(const CUnit *u, const CRun *run)
 {
     const char *m = run->as.m ? format_in(u->arena, ", %s *m", u->names.type) : "";
@@ -169,20 +169,20 @@ static const char *run_parameters(const CUnit *u, const CRun *run)
     return format_in(u->arena, "%s%s%s", m, sv, run->first ? ", bool first" : "");
 }
 
-// Returns the same as arguments.
+// Returns the arguments for these parameters, for a call.
 static const char *run_arguments(const CUnit *u, const CRun *run)
 {
     return format_in(u->arena, "%s%s%s", run->as.m ? ", m" : "", run->as.sv ? ", sv" : "", run->first ? ", first" : "");
 }
 
-// Writes the head of a function that runs the blocks of the current state.  `part`: appended to its name.
+// Writes the head of the run function, or of one of its parts.  `part` is appended to the function's name.
 static void write_run_head(const CUnit *u, const CRun *run, const char *noinline, const char *part, Buf *out)
 {
     buf_printf(out, "static %s%s %s_run%s(%s state%s)\n{\n", noinline, run->as.returns_state ? c_state_type(u) : "void", u->names.prefix, part,
                c_state_type(u), run_parameters(u, run));
 }
 
-// Writes the body of the function: a switch over the states `from` to `to` - 1.
+// Writes the body of a run function: a switch over the states `from` to `to` - 1.
 static void write_run_switch(const CUnit *u, const CStateBlocks *s, const CRun *run, size_t from, size_t to, Buf *out)
 {
     if (run->as.returns_state)
@@ -218,7 +218,8 @@ static void write_part_search(const CUnit *u, const CRun *run, size_t from, size
     buf_printf(out, "%s}\n", indent);
 }
 
-// Writes the function for more than STATES_IN_ONE_SWITCH states: several with a switch, and one that calls them.  Compilers must not inline the parts.
+// Writes the run function for more than STATES_IN_ONE_SWITCH states: parts that each have a switch, and the function that calls them.
+// Compilers must not inline the parts.
 static void write_run_parts(CUnit *u, const CStateBlocks *s, const CRun *run, Buf *out)
 {
     const size_t n = u->m->state.n, parts = (n + STATES_PER_PART - 1) / STATES_PER_PART;
@@ -258,7 +259,8 @@ typedef struct CStepParts {
     bool first;                   // the step must know whether it is a state's first
 } CStepParts;
 
-// Writes the check that time has advanced, and the start of a first step.  `left`, the time until time ends, is compared with m->gate_.
+// Writes the check that time has advanced, and the start of a state's first step.  Emitted code compares `left`, how far G can still advance,
+// with m->gate_.
 static void write_time_check(const CUnit *u, const CStepParts *w, Buf *out)
 {
     const CNames *n = &u->names;
@@ -270,7 +272,7 @@ static void write_time_check(const CUnit *u, const CStepParts *w, Buf *out)
                w->first ? "        first = true;\n" : "", n->var[u->m->g], n->var[u->m->s]);
 }
 
-// As write_time_check, for soft numbers: tests the flag m->first_ first, which an 8-bit chip does faster than comparing 64 bits.
+// Writes the same check for soft numbers.  Emitted code tests the flag m->first_ first, which is faster on an 8-bit chip than comparing 64 bits.
 static void write_soft_time_check(const CUnit *u, const CStepParts *w, Buf *out)
 {
     const CNames *n = &u->names;

@@ -41,7 +41,7 @@ static void write_run_function(const CUnit *u, Buf *out)
                n->type, n->prefix, n->type, n->sv_type, n->macro, n->macro);
 }
 
-// Writes the functions state, moved, T, name and states.
+// Writes the functions for SmMachineType.state, .moved, .T, .name and .states.
 static void write_queries(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;

@@ -192,7 +192,7 @@ static const char *make_name_part(Arena *a, const char *name)
     return name[0] != '_' && !strstr(name, "__") ? name : c_identifier(a, name, strlen(name));
 }
 
-// Reserves the names that an application with the same file name uses itself.  An element with such a name is renamed.
+// Reserves the names that the files of an application use if the application's name is `prefix`.  An element with such a name is renamed.
 static void reserve_application_names(NameSet *s, const char *prefix)
 {
     static const char *const own[] = { "sv", "vector", "layout", "element", "names", "regions", "element_names", "region_names",

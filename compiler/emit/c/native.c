@@ -211,7 +211,7 @@ static const char *write_native_call(CUnit *u, const F64Primitive *p, const char
     return b.at + b.n + 1;
 }
 
-// Writes the word at p, or what replaces the call there.  `before` is the preceding character.  Returns the end of what it replaced.
+// Copies the word at p, or writes the replacement of the call at p.  `before` is the preceding character.  Returns the end of the word or call.
 static const char *write_word_or_call(CUnit *u, const char *p, char before, Buf *out)
 {
     const size_t n = word_length(p);

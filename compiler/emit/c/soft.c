@@ -98,7 +98,7 @@ static double constant_value(const CFn *fn, const ByteCompare *l)
 }
 
 // Whether the upper 32 bits of an F64 variable do not decide the comparison, because the constant has bits in the lower half.  Also true if the
-// constant is not finite, the variable is no float, or an F32 that cannot have the value of the constant.
+// constant is not finite, if the variable is not a float, or if it is an F32 and the constant is not an F32 number.
 static bool needs_lower_half(const CFn *fn, const ByteCompare *l)
 {
     const double x = constant_value(fn, l);

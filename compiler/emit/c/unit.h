@@ -12,13 +12,13 @@
 // ---- names.c ----
 
 typedef struct CNames {
-    const char *prefix;           // `tank`: of functions
-    const char *type;             // `Tank`: of types
-    const char *macro;            // `TANK`: of constants
-    const char *sv_type;          // `TankSv`: the struct of the state vector
-    const char *sv_macro;         // `TANK_SV`: its constants
-    const char **var;             // by index in IrMachine.var: its member
-    const char **state;           // by index of a state: its name in C
+    const char *prefix;           // begins the names of functions, as in `tank`
+    const char *type;             // begins the names of types, as in `Tank`
+    const char *macro;            // begins the names of macros and enumerators, as in `TANK`
+    const char *sv_type;          // name of the state vector's struct, as in `TankSv`
+    const char *sv_macro;         // begins the macros of the state vector, as in `TANK_SV`
+    const char **var;             // by index in IrMachine.var: the variable's member
+    const char **state;           // by index of a state: the state's name in C
     Map element;                  // from the source name of each element of the state vector to its member (const char *)
 } CNames;
 
@@ -151,7 +151,7 @@ bool c_is_output(const IrMachine *m, size_t v);           // whether variable v 
 // Writes the includes, and the #error checks and pragmas against compilers and flags that change the meaning of arithmetic.  `name` begins the
 // name of the type that checks the size of constants.
 void c_write_compiler_checks(Buf *out, const char *name, bool soft);
-// Write the declaration and the definition of the function that tests the arithmetic at run time.
+// These write the declaration and the definition of the function that tests the arithmetic at run time.
 void c_write_self_test_declaration(Buf *out);
 void c_write_self_test(Buf *out);
 
@@ -169,11 +169,11 @@ const char *c_window_declaration(const CUnit *u, size_t w);
 void c_write_empty_windows(const CUnit *u, Buf *out);        // the statements of init that empty all windows
 // Writes a function for each statistic that window_stats_read lists.
 void c_write_statistic_functions(CUnit *u, Buf *out);
-uint32_t c_small_roll_words(uint32_t n, uint32_t kind);      // sm_roll_words with SM_ROLL_SMALL, for least memory
+uint32_t c_small_roll_words(uint32_t n, uint32_t kind);      // sm_roll_words as it is when compiled with SM_ROLL_SMALL, for least memory
 
 // ---- vector.c ----
 
-// Write the part of the header that follows the struct, and the tables in the source file.
+// These write the part of the header that follows the vector's struct, and the tables in the source file.
 void c_write_vector_interface(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out);
 void c_write_vector_tables(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out);
 
@@ -204,7 +204,7 @@ void c_write_machine(CUnit *u, Buf *out);
 
 // ---- machine_type.c ----
 
-// Write the machine's SmMachineType for the flight runtime, and its declaration.
+// These write the machine's SmMachineType for the flight runtime, and its declaration.
 void c_write_machine_type(const CUnit *u, Buf *out);
 void c_write_machine_type_declaration(const CUnit *u, Buf *out);
 

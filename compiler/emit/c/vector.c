@@ -8,7 +8,7 @@ static const char *accessor_type(const CUnit *u, SmType type) { return type == S
 
 // ---- the header ----
 
-// Writes an enum of n names and of `count`, their number.
+// Writes an enum of n names, followed by `count`, an enumerator whose value is n.
 static void write_enum(Buf *out, const char *const *name, size_t n, const char *count)
 {
     buf_str(out, "enum {\n");

@@ -68,7 +68,7 @@ bool c_window_reads_nan_as_zero(const CFn *fn, const IrIns *i)
     return (type == SM_ROLL_F32 || type == SM_ROLL_F64) && (uint32_t)fn->f->ins.at[i->a].type == type;
 }
 
-// Writes sample r, converted to the window's type, as the integer key by which roll.h stores and orders samples.  An integer is its own key.
+// Writes sample r, converted to the window's type, as the integer key that roll.h stores in its place and orders by.  An integer is its own key.
 static void write_sample_key(CFn *fn, IrRef r, SmType type)
 {
     const SmType from = fn->f->ins.at[r].type;
