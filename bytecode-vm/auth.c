@@ -10,7 +10,7 @@ enum { BLOCK = 16, ROUNDS = 12 };
 
 // ---- Chaskey-12 ----
 
-// The address of byte i of the block in v, whose words count as little-endian on every computer.
+// Returns the address of byte i of the block in v.  The algorithm defines the words of v as little-endian, whatever this computer is.
 static uint8_t *byte_of(uint32_t *v, uint8_t i)
 {
     const uint16_t one = 1;

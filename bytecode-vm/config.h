@@ -33,7 +33,7 @@
 #define SMVM_TEXT(image, at) ((const char *)(image) + (at))
 #endif
 
-// Selects assembly in place of the C interpreter.  It needs AVR, uint16_t as SMVM_BYTES and SMVM_AT, and SMVM_KEEP_TABLES.
+// Selects assembly in place of the C interpreter.  The assembly requires an AVR, uint16_t as SMVM_BYTES and SMVM_AT, and SMVM_KEEP_TABLES.
 //   0  none
 //   1  interp_avr.S: SMVM_FETCH reads flash
 //   2  interp_avr_eeprom.S: SMVM_FETCH reads EEPROM at address - 0x8000 for addresses from 0x8000 on, and flash below
@@ -53,7 +53,8 @@
 #define SMVM_AT uint32_t
 #endif
 
-// The largest image; and the limit on the RAM of one machine and on the size of a state vector.  The verifier rejects images beyond them.
+// SMVM_IMAGE_MAX: bytes of the largest image.  SMVM_RAM_MAX: limit, in bytes, on the RAM of one machine and on the size of a state vector.  The
+// verifier rejects images beyond these limits.
 #ifndef SMVM_IMAGE_MAX
 #define SMVM_IMAGE_MAX 0x00ffffffu
 #endif
@@ -76,8 +77,8 @@
 #endif
 #endif
 
-// 1: the interpreter has code of its own for each opcode (interp.def), which takes half the instructions.  0: opcodes share code, which is
-// 16 KB smaller on x86-64.
+// 1: the interpreter has code of its own for each opcode (interp.def), so a step executes half as many CPU instructions.  0: opcodes share
+// code, which is 16 KB smaller on x86-64.
 #ifndef SMVM_SPECIALIZE
 #if SIZE_MAX < 0x7fffffff || defined(__OPTIMIZE_SIZE__)
 #define SMVM_SPECIALIZE 0
@@ -107,12 +108,12 @@
 #endif
 
 // How many pending forward jump targets the verifier follows exactly when it computes the longest step.  Beyond that number it adds up all
-// instructions instead, which is never less than the exact result.  Each takes eight bytes of its stack.
+// instructions instead, which is never less than the exact result.  Each target takes eight bytes of the verifier's stack.
 #ifndef SMVM_JOINS
 #define SMVM_JOINS 32
 #endif
 
-// Whether the decoded form dispatches by addresses of labels, an extension of GNU C.
+// 1: the interpreters dispatch by addresses of labels, an extension of GNU C.  0: by a switch.
 #ifndef SMVM_COMPUTED_GOTO
 #ifdef __GNUC__
 #define SMVM_COMPUTED_GOTO 1

@@ -5,7 +5,7 @@
 
 #include "bytecode-vm/image.h"
 
-// Offsets in the image: `at` bytes into the section, and the end of the section.
+// These return offsets in the image: of byte `at` of the DEBUG section, and of the section's end.
 static SmvmAt debug_offset(const SmvmMachine *m, uint32_t at) { return (SmvmAt)(m->debug_at + at); }
 static SmvmAt debug_end(const SmvmMachine *m) { return debug_offset(m, m->debug_size); }
 
@@ -18,7 +18,7 @@ static bool read_debug_u24(const SmvmMachine *m, uint32_t at, uint32_t *value)
     return true;
 }
 
-// Reads the name whose offset is the number at `at`.  Returns an empty name if there is none.
+// Reads the name whose offset in the section is the number at `at`.  Returns an empty name if there is none.
 static SmvmName read_debug_name(const SmvmMachine *m, uint32_t at)
 {
     SmvmName none = {0, 0}, n;
@@ -73,7 +73,7 @@ SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, S
     return read_debug_name(m, at + 1 + SMVM_LOCATION_BYTES);
 }
 
-// Whether variable `index` sorts before one of this kind at this location.
+// Whether variable `index` sorts before a variable of kind `is` at `location`.
 static bool is_variable_before(const SmvmMachine *m, uint32_t index, SmvmVariable is, const SmvmLocation *location)
 {
     SmvmVariable there;
@@ -129,7 +129,7 @@ bool smvm_next_line(const SmvmMachine *m, SmvmLines *l)
     }
     l->left--;
     l->code += code;
-    // The difference to the previous line: 2 d if d >= 0, else -2 d - 1.
+    // `line` is the encoded difference d to the previous line: 2 d if d >= 0, else -2 d - 1.
     l->line += (line & 1u) != 0 ? 0u - (line + 1) / 2 : line / 2;
     return true;
 }

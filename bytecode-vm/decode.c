@@ -14,7 +14,7 @@ enum { END_WORD = 0 };                                 // index of the word that
 
 // ---- operands ----
 
-// The constant n of a load; the low two bits of the opcode say where it is.
+// Returns the constant that a load with operand n loads.  The low two bits of the opcode select its form: n, -1 - n, or entry n of a table.
 static DecodedValue decode_constant(const DecodeState *d, unsigned op, uint32_t n)
 {
     const SmvmMachine *m = d->m;
@@ -27,7 +27,7 @@ static DecodedValue decode_constant(const DecodeState *d, unsigned op, uint32_t 
     }
 }
 
-// The operand of a load of X or Y.
+// Returns the value that a load of X or Y loads.
 static DecodedValue decode_load(const DecodeState *d, unsigned op)
 {
     unsigned kind = op & 15u;

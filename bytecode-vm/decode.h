@@ -9,9 +9,9 @@
 
 enum { DEFERRED = FAST_SOURCE_COUNT };                // DecodedValue.kind of X if its operation is not emitted yet
 
-// What the decoder knows about the contents of a register.
+// What the decoder knows about the contents of register X or Y of the bytecode.
 typedef struct DecodedValue {
-    uint8_t kind;             // an SmType or FAST_RAW: a value of that type in memory; FAST_C: the constant c; FAST_A: in F; DEFERRED
+    uint8_t kind;             // SmType or FAST_RAW: a value of that type in memory; FAST_C: the constant c; FAST_A: it is in F; DEFERRED
     enum { A_LOCAL, AN_ELEMENT, THE_TIME } is;        // if it is in memory: what it is
     uint32_t offset;          // if it is in memory: of the local or element, in bytes
     SmF64 c;                  // if it is a constant
@@ -30,7 +30,7 @@ typedef struct DecodeState {
     const void *const *label; // the address of each FastOp's code
     uint32_t *where;          // indexed by offset in the function: the word where that instruction begins
     uint32_t words;           // words written so far
-    SmvmAt at, start, end;    // in the image: the current position; start and end of the function
+    SmvmAt at, start, end;    // offsets in the image: the current position; start and end of the function
     uint32_t n[2];            // operands of the current instruction
     DecodedValue x, y;
     DeferredOp deferred;      // valid if x is DEFERRED
@@ -76,8 +76,8 @@ bool smvm_match_whole(SmF64 c, int64_t limit, int64_t *v);    // if c is a whole
 SmvmWord *smvm_next_word(DecodeState *d);             // where the next word is stored; NULL in the pass that counts words
 void smvm_emit_op(DecodeState *d, unsigned op);
 void smvm_emit_integer(DecodeState *d, uint64_t u);
-void smvm_emit_operand(DecodeState *d, const DecodedValue *v);  // its address or constant; for F, an unused word
-void smvm_emit_target(DecodeState *d, uint32_t target);  // the target of a jump, an offset in the function
+void smvm_emit_operand(DecodeState *d, const DecodedValue *v);  // emits the address or constant of v; for F, an unused word
+void smvm_emit_target(DecodeState *d, uint32_t target);  // emits the target of a jump, given as an offset in the function
 
 // The kind of the value selects the instruction within the family; `family` is the family's first instruction.
 void smvm_emit_load(DecodeState *d, const DecodedValue *x);
@@ -88,22 +88,22 @@ void smvm_emit_two_operands(DecodeState *d, FastOp family, const DecodedValue *x
 
 enum { IS_TRUE = SMVM_LESS | SMVM_GREATER, IS_FALSE = SMVM_EQUAL | SMVM_UNORDERED };       // relations of x to 0
 
-// m without relations that are impossible for x and y: 0 if the condition is never true, 15 if it is always true.
+// Returns m, a set of relations of x to y, without the impossible ones: 0 if the condition is never true, 15 if it is always true.
 unsigned smvm_possible_relations(unsigned m, const DecodedValue *x, const DecodedValue *y);
 
-// m, or m with UNORDERED added if m is `less or greater` and neither operand can be NaN: then `not equal`, which has an instruction, is
-// equivalent.
+// Adds UNORDERED to m if m is `less or greater` and neither operand can be NaN.  The result, `not equal`, is then equivalent, and only that has
+// an instruction.  Returns any other m unchanged.
 unsigned smvm_add_unordered(unsigned m, const DecodedValue *x, const DecodedValue *y);
 
-DecodedValue *smvm_compute_x(DecodeState *d);         // X, which is not DEFERRED any more: emits its operation if it was
+DecodedValue *smvm_compute_x(DecodeState *d);         // emits the deferred operation of X, if it has one; returns X, no longer DEFERRED
 void smvm_load_x(DecodeState *d);                     // emits code that loads X into F
-void smvm_defer(DecodeState *d, uint8_t op, DecodedValue y);  // X = op of X, or of X and y
+void smvm_defer(DecodeState *d, uint8_t op, DecodedValue y);  // defers X = op X, or X = X op y
 
 // ---- windows (decode_window.c), stores (decode_store.c), jumps (decode_jump.c) ----
 
 void smvm_decode_sample(DecodeState *d);
 void smvm_emit_statistic(DecodeState *d);             // loads the deferred statistic of X into F
-bool smvm_try_emit_statistic_to(DecodeState *d, const StoreTarget *to);  // stores it too, if one instruction does both; else false
+bool smvm_try_emit_statistic_to(DecodeState *d, const StoreTarget *to);  // emits one instruction that also stores it; false: none exists
 void smvm_decode_store(DecodeState *d, uint8_t op);
 void smvm_emit_jump(DecodeState *d, unsigned op, uint32_t target);
 void smvm_decode_jump(DecodeState *d, uint8_t op);

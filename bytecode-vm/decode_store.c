@@ -92,8 +92,8 @@ static bool try_emit_operation_to(DecodeState *d, const StoreTarget *to)
     return true;
 }
 
-// Emits a store of X.  After a move, X still refers to its source in memory: an overlapping destination of the same type is the source
-// itself.
+// Emits a store of X.  After a move from memory to memory, X still refers to the source, which the move has not changed: a destination of the
+// same type that overlaps the source is the source itself.
 static void emit_store(DecodeState *d, const StoreTarget *to)
 {
     if (try_emit_increment(d, to) || try_emit_operation_to(d, to) || smvm_try_emit_statistic_to(d, to))

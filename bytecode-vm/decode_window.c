@@ -87,7 +87,7 @@ void smvm_emit_statistic(DecodeState *d)
     smvm_emit_integer(d, d->deferred.n);
 }
 
-// Possible if the destination is one of the first 64 outputs, of the window's type, and the statistic has a storing instruction.
+// There is such an instruction if the destination is one of the first 64 outputs and has the window's type, for some statistics.
 bool smvm_try_emit_statistic_to(DecodeState *d, const StoreTarget *to)
 {
     DecodedWindow w;

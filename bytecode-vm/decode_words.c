@@ -51,8 +51,8 @@ void smvm_emit_operand(DecodeState *d, const DecodedValue *v)
     d->words++;
 }
 
-// The target of a jump.  Until the whole function is decoded, the word contains the index of the previous jump and the target's
-// offset in the function, 32 bits each.
+// Emits the word for the target of a jump.  Until the whole function is decoded, the word contains the index of the previous such word and the
+// target's offset in the function, 32 bits each.
 void smvm_emit_target(DecodeState *d, uint32_t target)
 {
     uint64_t before = d->jumps;

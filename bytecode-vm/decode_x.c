@@ -14,11 +14,11 @@ static void emit_unary(DecodeState *d, uint8_t op, const DecodedValue *x)
     smvm_emit_op(d, unary_ops[op - SMVM_neg]);
 }
 
-// The families of instructions for an operation on two operands: F op y; x in memory op a constant; a constant op y in memory; two operands
-// of one type in memory.
+// The families of instructions for an operation on two operands.  `with`: F op y.  `number`: x in memory op a constant.  `number_first`: a
+// constant op y in memory.  `pair`: two operands of one type in memory.
 typedef struct OperationVariants { uint16_t with, number, number_first, pair; } OperationVariants;
 
-static const OperationVariants variants[] = {               // indexed by op - SMVM_add, up to SMVM_or; 0: there is none
+static const OperationVariants variants[] = {               // indexed by op - SMVM_add, up to SMVM_or; 0: there is no such instruction
     {FAST_ADD_I8_OP, FAST_ADDC_I8_OP, FAST_ADDC_I8_OP, FAST_ADD2_I8_OP},
     {FAST_SUB_I8_OP, FAST_ADDC_I8_OP, FAST_RSUBC_I8_OP, FAST_SUB2_I8_OP},
     {FAST_MUL_I8_OP, FAST_MULC_I8_OP, FAST_MULC_I8_OP, FAST_MUL2_I8_OP},
@@ -125,7 +125,7 @@ void smvm_load_x(DecodeState *d)
     d->x.kind = FAST_A;
 }
 
-// Whether converting X to this type changes nothing: it was read from a local of the type, or it is 0 or 1, which all types can represent.
+// Whether a conversion of X to this type changes nothing: X was read from a variable of the type, or is 0 or 1, which all types can represent.
 static bool is_of_type(const DecodeState *d, uint32_t type)
 {
     const uint8_t kind = d->x.kind, op = d->deferred.op;

@@ -26,7 +26,7 @@
 // ---- functions for each type K, used by the instructions of fast.h; `w` is the word of an operand ----
 //   cell_K     the value in memory, in its C type
 //   get_K      the value as the language reads it; `f`, the register F, is not used
-//   bare_K     the same, but a stored NaN remains NaN
+//   bare_K     the value as the language reads it, except that a stored NaN remains NaN
 //   put_K      stores x as the language does
 //   convert_K  x after it is stored and read again
 //   true_K     whether the value is neither zero nor NaN
@@ -69,7 +69,7 @@
     static inline void move_##K(const SmvmWord *d, const SmvmWord *x) { put_##K(d, get_##K(x, sm_from_i32(0))); }
 
 static inline int64_t clip_to(int64_t x, int64_t lo, int64_t hi) { return x < lo ? lo : x > hi ? hi : x; }
-// Like sm_read_f64, but with a rarely taken branch; without it compilers generate a chain of dependent instructions.
+// Like sm_read_f64, but with a rarely taken branch.  Without the branch, compilers generate a chain of dependent instructions.
 static inline SmF64 read_f64(SmF64 x)
 {
     if (sm_is_nan(x)) {

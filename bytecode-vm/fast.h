@@ -133,7 +133,7 @@ typedef enum FastOp {
 
 // The code is an array of words: each instruction is followed by its operands.
 typedef union SmvmWord {
-    const void *go;           // an instruction: the address of its code, or its FastOp
+    const void *go;           // an instruction: the address of its code.  (Without computed goto, `u` has its FastOp.)
     void *p;                  // an operand in memory
     const union SmvmWord *to; // the target of a jump
     SmF64 f;                  // a number
@@ -153,7 +153,7 @@ struct SmvmDecoded {
     SmvmWord *code;           // the sample function first
     const SmvmWord **body;    // two for each state: where the code of its later steps starts, and that of its first step
     const void *const *label; // see smvm_fast_labels
-    bool samples;             // a step first runs the code from the second word on: the sample function, or clearing stored bits
+    bool samples;             // a step begins at the second word of the code: it clears stored bits, runs the sample function, or both
 };
 
 // The address of the code of each FastOp, or NULL if the code contains its number instead.

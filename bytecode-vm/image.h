@@ -114,7 +114,7 @@ static inline uint64_t smvm_cell(SmvmBytes image, SmvmAt at, uint8_t bytes)
 // The size of a type is 1 << this, also for RAW.  Computed from the type's number, which an 8-bit computer does faster than a table lookup.
 #define SMVM_TYPE_SHIFT(type) ((type) < SM_F32 ? (type) & 3 : (type) == SM_BOOL ? 0 : (type) == SM_F32 ? 2 : 3)
 SMVM_INLINE uint8_t smvm_type_shift(uint32_t type) { return (uint8_t)SMVM_TYPE_SHIFT((uint8_t)type); }
-uint8_t smvm_shift(uint8_t type);                     // the same, never inlined, for small code
+uint8_t smvm_shift(uint8_t type);                     // smvm_type_shift as a call that is never inlined, for small code
 #define SM_TYPE(name, wire, spelling, ctype, bytes, kind) typedef char smvm_shift_of_##name[1 << SMVM_TYPE_SHIFT(wire) == (bytes) ? 1 : -1];
 #include "stdlib/types.def"
 #undef SM_TYPE
@@ -183,7 +183,7 @@ uint8_t smvm_section_count(SmvmBytes image);          // how many sections the i
 // Finds the first section of this id, in its known version, and sets r to it.  Returns false if there is none.
 bool smvm_find_section(SmvmBytes image, uint8_t id, SmvmReader *r);
 
-// Reads machine `number`.  Returns 0, or the rule that its MACHINE section breaks; SMVM_R_GROUP: there is no such machine.
+// Reads the properties of machine `number` into *m.  Returns 0, or the rule that its MACHINE section breaks; SMVM_R_GROUP: no such machine.
 uint8_t smvm_read_machine(SmvmBytes image, uint8_t number, SmvmMachine *m);
 
 // Reads the machine that runs at vm again, except for its INIT, DEBUG and SAFE sections.
@@ -204,7 +204,7 @@ typedef struct SmvmParts {
 static inline uint64_t **smvm_windows_of(SmVm *vm) { return (uint64_t **)(void *)((uint8_t *)vm + (sizeof *vm + 7) / 8 * 8); }
 SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m);
 
-SmvmLocation smvm_location(SmvmBytes image, SmvmAt at);      // reads one; its type may not exist
+SmvmLocation smvm_location(SmvmBytes image, SmvmAt at);      // reads the location at `at`, whose type number is not checked
 
 static inline uint32_t smvm_window(SmvmBytes image, SmvmAt windows_at, SmvmAt w)     // an entry of the table of windows
 {
@@ -247,7 +247,7 @@ void smvm_store(SmF64 x, uint8_t type, void *at);
 typedef struct SmvmName { SmvmAt at; uint32_t size; } SmvmName;  // a part of the image; size 0: none
 
 enum { SMVM_NAME_MACHINE = 2, SMVM_NAME_SOURCE = 3 };
-SmvmName smvm_name(const SmvmMachine *m, uint32_t which);        // `which` is one of these two
+SmvmName smvm_name(const SmvmMachine *m, uint32_t which);        // `which`: SMVM_NAME_MACHINE or SMVM_NAME_SOURCE
 SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state);
 
 uint32_t smvm_variables(const SmvmMachine *m);                   // how many have names; sorted by SmvmVariable, type, offset

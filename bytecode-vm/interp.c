@@ -80,7 +80,7 @@ typedef struct Interpreter {
 #endif
 } Interpreter;
 
-// For the parts of instructions: inlined where each opcode has code of its own, shared otherwise.
+// For functions that are parts of instructions: inlined where each opcode has code of its own, otherwise shared.
 #if SMVM_SPECIALIZE
 #define INTERP_INLINE SMVM_INLINE
 #else
@@ -311,7 +311,7 @@ SMVM_NOINLINE static void run_operation(Interpreter *r, uint8_t op)
 static uint8_t relation_of_x_to_y(const Interpreter *r) { return number_relation(&r->x, &r->y); }
 static bool is_x_related_to_y(const Interpreter *r, uint8_t m) { return (relation_of_x_to_y(r) & m) != 0; }
 
-// Runs ldx_plus, ldx_minus, ldx_f32, ldx_f64, the same for Y, addi and subi.  Bit 5 of a load selects Y.
+// Runs the loads of constants (ldx_plus, ldx_minus, ldx_f32, ldx_f64 and the four that load Y), addi and subi.  Bit 5 of a load selects Y.
 SMVM_NOINLINE static void load_number(Interpreter *r, uint8_t op, uint32_t n)
 {
     Number *x = op & 0x20 ? &r->y : &r->x, y;

@@ -262,7 +262,7 @@ static SmvmAt add_saturated(SmvmAt a, uint32_t b)     // a + b, or SMVM_NOWHERE 
     return b > (SmvmAt)(SMVM_NOWHERE - a) ? SMVM_NOWHERE : (SmvmAt)(a + b);
 }
 
-// n plus the bytes of window w.
+// Returns n plus the bytes of window w.
 static SmvmAt add_window_bytes(const SmvmMachine *m, SmvmAt w, SmvmAt n)
 {
     const uint32_t entry = smvm_window(m->image, m->windows_at, w);
@@ -308,7 +308,7 @@ void smvm_tables(const SmvmMachine *m, const SmVm *vm, SmvmTables *t)
     t->more_bytes = stored_bits_bytes(m);
 }
 
-// Sets the pointers to the windows, and vm->local to the offset after the last one.
+// Sets the pointers to the windows, and vm->local to the offset after the last window, where the locals begin.
 static void set_window_pointers(SmVm *vm, const SmvmMachine *m)
 {
     uint64_t **window = smvm_parts(vm, m).window;

@@ -54,7 +54,7 @@ static inline void longest_begin_summing(LongestPath *w)
     w->is_reachable = w->is_summing = true;
 }
 
-// Adds a jump to offset `at`, which ends or continues the current path.
+// Adds a jump from the current path to offset `at`.  If the jump is unconditional, the caller then ends the current path.
 static inline void longest_jump(LongestPath *w, uint32_t at)
 {
     uint8_t i = w->pending_count;

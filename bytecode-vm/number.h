@@ -311,7 +311,7 @@ SMVM_NOINLINE static void number_compute(Number *x, uint8_t op, const Number *y)
 #else
 typedef SmF64 Number;
 
-// The type or opcode that these functions are called with is a constant if the interpreter is specialized, so little of them remains.
+// If the interpreter is specialized, the following functions are called with a constant type or opcode and inlined, so each call becomes small.
 #if SMVM_SPECIALIZE
 #define NUMBER_INLINE SMVM_INLINE
 #else

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Permits.  A board with one slot has to stop its image before it can receive another one, and can check the code of that (auth.h) only at
-// its end.  So a signed image also has a permit, which a host sends first: a code over the number and the length of the image.  Without it
-// no request stops the machine of a board that has a key.
+// Permits.  A board with one slot has to stop its image before it can receive another one, and can check the authentication code of the new
+// image (auth.h) only after its last byte.  So a signed image also has a permit, which a host sends first: a code over the number and the length
+// of the image.  Without a permit, no request stops the machine of a board that has a key.
 //
-//     PERMIT: 16 bytes, directly before AUTH: the code of seven bytes, the number of the image (u32) and its length (u24).  No image is
-//     as short, so no code of an image is a permit.
+//     PERMIT: 16 bytes, directly before AUTH: the code of seven bytes, the number of the image (u32) and its length (u24).  Every image is
+//     longer than seven bytes, so the code of an image is never a permit.
 #ifndef SMVM_PERMIT_H
 #define SMVM_PERMIT_H
 

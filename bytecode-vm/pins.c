@@ -10,7 +10,7 @@
 enum {
     KIND = 3, DIGITAL = 2, OUTPUT = 1,        // bits 0 and 1, as SmvmPin.kind
     FLAGS_AT = 2, FLAGS = 7,                  // bits 2 to 4, as SmvmPin.flags
-    SCALED = 0x20, SHIFTED = 0x40,            // the row has a scale; an offset
+    SCALED = 0x20, SHIFTED = 0x40,            // SCALED: the row has a scale.  SHIFTED: the row has an offset
     MORE = 0x80                               // the row has a hold (inputs) or a safe value (outputs)
 };
 

@@ -77,7 +77,7 @@ typedef struct SmvmMachine {
     SmvmAt width;             // bytes of an entry in the table of functions
     SmvmAt machine_at, machine_size;
     SmvmAt code_at, code_size, init_at, init_size, debug_at, debug_size;       // size 0: the section is absent
-    SmvmAt safe_at, safe_size;        // a bit for each state: whether it is marked @safe; safe_at 0: no state is
+    SmvmAt safe_at, safe_size;        // a bit for each state: whether it is marked @safe; safe_at 0: the machine marks no state
     SmvmBytes image;
     uint32_t layout;          // layout hash of the state vector that the machine was compiled for
 } SmvmMachine;
@@ -85,8 +85,8 @@ typedef struct SmvmMachine {
 // Reads machine `number`, counted from 0.  Returns false if the image has no such machine.
 bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m);
 
-// The number of instructions in the longest step.  Does not include the time that statistics need to traverse their windows.
-// 0 if the VM is compiled without this count (SMVM_LONGEST).
+// Returns the number of instructions in the longest step; 0 if the VM is compiled without this count (SMVM_LONGEST).  The time that statistics
+// need to traverse their windows is additional.
 uint32_t smvm_longest_step(const SmvmMachine *m);
 
 // Whether state `state` (1 to m->states) is marked @safe.  True for every state of a machine that marks none.
@@ -113,8 +113,8 @@ typedef struct SmvmPin {
     SmF64 safe;               // outputs
 } SmvmPin;
 
-// A function of the board: returns which pin of the chip a pin of an image uses.  Two pins with the same result are the same pin of the
-// chip.  SMVM_NO_PIN: an image may not use this pin.  `kind` is SmvmPin.kind, with the flags from bit 2 on (smvm_pin_kind).
+// A function of the board: returns the number of the chip's pin that pin `number` of an image uses, so two pins with the same result are the
+// same pin of the chip.  SMVM_NO_PIN: an image may not use this pin.  `kind` is SmvmPin.kind, with the flags from bit 2 on (smvm_pin_kind).
 typedef uint8_t SmvmPhysicalPin(uint16_t number, uint8_t kind);
 #ifndef SMVM_BINDINGS
 static inline uint8_t smvm_pin_kind(const SmvmPin *p) { return (uint8_t)(p->kind | p->flags << 2); }
@@ -148,7 +148,7 @@ typedef struct SmvmTables {
 // A running machine.  It is at the start of the memory passed to smvm_init.  Read it through the functions below.
 typedef struct SmVm {
     SmvmBytes image;
-    uint64_t start, next;     // G + 1 at the first step of `state`, and at the last step that ran; 0: none has run
+    uint64_t start, next;     // start: G + 1 at the first step of `state`.  next: G + 1 at the last step that ran; 0: none has run
     uint8_t stored[8];        // one bit for each of the first 64 outputs; the bits of further outputs follow the locals
     SmvmAt machine, code;     // offsets in the image of MACHINE and CODE, which are read again at each step
     SmvmAt local;             // offset of the locals from this structure
@@ -190,7 +190,7 @@ SmResult smvm_step(SmVm *vm, void *sv);
 uint32_t smvm_state(const SmVm *vm);                  // the state that the next step runs
 uint64_t smvm_time(const SmVm *vm);                   // T: the time since the first step of the state (language.md 6)
 bool smvm_stored(const SmVm *vm, uint32_t output);    // whether the last step stored this output, 0 to m.outputs - 1
-bool smvm_stored_state(const SmVm *vm);               // whether that step stored S
+bool smvm_stored_state(const SmVm *vm);               // whether the last step stored S
 void *smvm_locals(SmVm *vm);                          // the locals, at the offsets that the code and the debug section use
 
 // ---- faster execution, where there is RAM to spare ----

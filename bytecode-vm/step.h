@@ -18,8 +18,8 @@ static inline bool smvm_advance(SmVm *vm, const void *g)
     return true;
 }
 
-// Notes whether this is the first step of the state.  If so, T starts at 0, and element S, at s, gets the state's number.  Called after
-// smvm_advance returned true.
+// Sets vm->entered to whether this step is the first of its state.  If it is, T starts at 0, and element S, at s, gets the state's number.  Call
+// it after smvm_advance has returned true.
 static inline void smvm_enter(SmVm *vm, void *s)
 {
     vm->entered = vm->first;

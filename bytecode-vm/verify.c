@@ -24,7 +24,7 @@ enum {
 #define FY SMVM_SHAPE_FY
 #define Z SMVM_SHAPE_Z
 
-// The operands of a shape as one of SMVM_OPERAND_NONE to SMVM_OPERANDS_N_J (image.h).
+// SMVM_PACK_OPERANDS converts the operand bits of a shape to one of SMVM_OPERAND_NONE to SMVM_OPERANDS_N_J (image.h).
 #define SMVM_IS(what, number) ((uint16_t)((what) & SMVM_SHAPE_FOLLOWS) == (number))
 #define SMVM_PACK_OPERANDS(s) \
     (SMVM_IS(s, L) ? SMVM_OPERAND_L : SMVM_IS(s, E) ? SMVM_OPERAND_E : SMVM_IS(s, N) ? SMVM_OPERAND_N : SMVM_IS(s, F) ? SMVM_OPERAND_F : \
@@ -70,8 +70,8 @@ typedef struct Verifier {
     SmvmAt where;             // offset of the data being checked
     SmvmAt furthest_target;   // the furthest target of the function's jumps
     SmvmAt windows_sampled;   // how many windows have their sample
-    uint8_t stat;             // the statistic that the instruction reads
-    uint8_t defined;          // HAS_X, HAS_Y
+    uint8_t stat;             // the statistic that the current instruction reads
+    uint8_t defined;          // the registers that contain a number: HAS_X, HAS_Y
     bool is_ended;            // control cannot continue after the last instruction
     uint8_t kind;             // of the function: SmvmFunctionKind
     SmvmMachine m;

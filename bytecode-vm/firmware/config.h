@@ -31,8 +31,9 @@ static inline uint8_t smvm_firmware_byte(uint16_t at)
 
 // These depend on the chip.  FIRMWARE_STORE, FIRMWARE_SLOTS: bytes of EEPROM that the store uses, and the number of its slots.
 // FIRMWARE_MEMORY: bytes of RAM for state vector, machines and pins.  FIRMWARE_EVENTS: the number of events that are stored.
-// FIRMWARE_LOG: it stores transitions in EEPROM (target/state_log.h).  FIRMWARE_BODY: the largest body of a frame.  A frame with its head, its end and a zero before it must fit into the ring buffer of the
-// line.  Otherwise a request that arrives during a long step would be cut off.
+// FIRMWARE_LOG: 1 if transitions are stored in EEPROM (target/state_log.h).  FIRMWARE_BODY: the largest body of a frame, in bytes.  A frame with
+// its head, its end and a zero before it must fit into the ring buffer of the line: otherwise a request that arrives during a long step would be
+// cut off.
 #if defined(__AVR_ATmega2560__)
 #define FIRMWARE_STORE 4096
 #define FIRMWARE_SLOTS 2

@@ -23,7 +23,8 @@
 enum {
     PERIOD = 10,              // ms, for an image that was sent without one
     EEPROM_WRITE = 4,         // ms, rounded up: no byte write starts if it would still be in progress at the next step
-    MS_CYCLES = F_CPU / 1000, STEP_CYCLES = MS_CYCLES / 10 * 9  // of a millisecond; limit of a step for each of them: the rest is for clock and line
+    MS_CYCLES = F_CPU / 1000, // CPU cycles of a millisecond
+    STEP_CYCLES = MS_CYCLES / 10 * 9      // cycles that a step may take per millisecond of its period: clock and line use the others
 };
 // The chip divides its clock to these with an error of 2.1 %.  (115,200 at 8 MHz would be 3.5 % off.)
 #define BITS_PER_SECOND (F_CPU == 8000000 ? UINT32_C(57600) : UINT32_C(115200))
@@ -78,7 +79,7 @@ static volatile uint16_t ms_left = 1, period = PERIOD;  // ms until the next ste
 static volatile bool stepping;         // a step is running
 static volatile bool is_paused = true; // no step begins
 static volatile bool is_after_step;    // a step has ended since the last tick
-static bool is_logging;                // a write to EEPROM is one of the log, for which no step waits
+static bool is_logging;                // the EEPROM write that may_write decides on belongs to the log: no step may wait for it
 static uint16_t skipped;                               // steps that were due while another ran
 static struct { uint32_t low, high; } now_g;           // G in milliseconds, as two halves: a third of the code of a uint64_t with avr-gcc
 
@@ -159,7 +160,8 @@ static void on_tick(void)
     is_after_step = true;
 }
 
-// Whether a byte write to EEPROM may start now: if it ends before the next step, or directly after a step, for periods that are too short.
+// Whether a byte write to EEPROM may start now: it ends before the next step, or a step has just ended.  (A period can be too short for a write
+// between two steps.)
 static bool may_write(void)
 {
     const bool may = is_paused || ms_left > EEPROM_WRITE || (!(FIRMWARE_LOG && is_logging) && is_after_step);
@@ -340,8 +342,8 @@ SMVM_NOINLINE static void start_board(void)
     smvm_agent_init(&agent, &store, &board, &events, frame, FIRMWARE_BODY);
 }
 
-// Whether the image has run for 10 s: 40 times 256 ms, in the second byte of G.  (Also false again later, when the start has counted long
-// ago.  A byte is read in one instruction, which the clock cannot interrupt.)
+// Whether the image has run for 10 s: the second byte of G, which counts 256 ms, has reached 40.  (When that byte has wrapped around, the result
+// is false again; the start has counted by then.  One byte is read because the interrupt of the clock cannot change it during the read.)
 static bool has_run_for_a_while(void) { return ((const volatile uint8_t *)&now_g.low)[1] >= 40; }
 
 // Processes a received byte; returns false if there is none.
@@ -377,7 +379,7 @@ SMVM_NOINLINE static void open_log(void)
         smvm_state_log_open(&state_log, store.plan.image[store.running], store.slot_size);
 }
 
-// Begins a record for the next transition, or the write of the next byte of one, unless a step would have to wait for that.
+// Begins a record for the next transition, and writes the next byte of the current record, unless a step would have to wait for the write.
 SMVM_NOINLINE static void write_log(void)
 {
     static uint8_t earned_at;          // in units of 8.192 s

@@ -26,7 +26,7 @@ enum {
 
 typedef struct SmvmRunner {
     uint64_t *memory;         // for the state vector, followed by machines and pins
-    uint16_t size;            // bytes of it
+    uint16_t size;            // bytes of `memory`
     SmvmPhysicalPin *physical_pin;  // NULL: smvm_runner_fits cannot detect a missing pin, only smvm_runner_open can
     // The remaining fields belong to the runner.
     uint8_t machines;         // 0: nothing runs

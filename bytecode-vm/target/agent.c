@@ -8,7 +8,8 @@
 #include "bytecode-vm/image.h"
 #include "stdlib/flash.h"
 
-// Bytes: DATA before its payload, an event, the body of the answer to IMAGE; offsets in the frame: result, answer after the result.
+// Sizes in bytes: DATA_HEAD, the body of DATA before its payload; EVENT, an event; IMAGE, the body of the answer to IMAGE.  Offsets in the
+// frame: RESULT_AT, the result; ANSWER_AT, the rest of the answer.
 enum { DATA_HEAD = 5, EVENT = 19, IMAGE = 20, RESULT_AT = 1 + LINK_HEAD, ANSWER_AT = RESULT_AT + 1 };
 
 void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *events, uint8_t *frame, uint8_t body)
@@ -23,11 +24,11 @@ void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *
     sm_link_receiver_init(&a->in, frame + 1, (uint16_t)(LINK_HEAD + a->body + LINK_TAIL));
 }
 
-// The body of the request, and the body of its answer after the result.  They overlap.
+// These return the body of the request, and the body of its answer after the result.  The two overlap.
 static const uint8_t *body_of(const Agent *a) { return a->frame + RESULT_AT; }
 static uint8_t *answer_of(const Agent *a) { return a->frame + ANSWER_AT; }
 
-// Append to the answer.
+// put_u8 and the other put_ functions append to the answer.
 static void put_u8(Agent *a, uint8_t value) { a->frame[ANSWER_AT + a->length++] = value; }
 
 static void put_uint(Agent *a, uint32_t value, uint8_t bytes)

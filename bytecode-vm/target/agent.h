@@ -29,13 +29,13 @@ typedef struct AgentBoard {
     uint8_t ram_digital, ram_analog;      // bytes of `ram` for a pin of each kind
     uint16_t period;          // default milliseconds between steps
     uint16_t cycles;          // limit on the cycles of a step on an ATmega, for each millisecond of its period; 0: none
-    uint32_t mark;            // identifies its key (smvm_auth_mark), if it has one
+    uint32_t mark;            // identifies the board's key (smvm_auth_mark), if it has one
     SmvmPhysicalPin *physical_pin;  // NULL: the board has no pins, or cannot report the pins of its chip
     SmResult (*may_update)(void *context);                        // SM_OK, SM_E_ARMED, SM_E_UNSAFE
     // Whether this board can run the image: RAM, pins, state vector.  SM_E_MEMORY, SM_E_MISSING, SM_E_LAYOUT.
     SmResult (*fits)(void *context, SmvmBytes image);
-    // Run the built-in image from now on (boards with one slot), because of a BEGIN with this body of n bytes.  Any other result than SM_OK
-    // refuses the BEGIN, and the image continues to run (bytecode-vm/permit.h).
+    // For boards with one slot: called when a BEGIN with this body of n bytes arrives, to run the built-in image from now on.  Any other result
+    // than SM_OK refuses the BEGIN, and the image in the slot must continue to run (bytecode-vm/permit.h).
     SmResult (*leave_slot)(void *context, const uint8_t *begin, uint8_t n);
     SmvmBytes built_in;
     uint32_t built_in_size;   // 0: there is none
@@ -54,8 +54,8 @@ typedef struct Agent {
     bool restart;             // a host asked for a restart
 } Agent;
 
-// `body` is at least 28, for an answer with one event (32 on a board with a key), and at most LINK_BODY_MAX.  Sets a->block to the payload
-// of DATA that fits into a body, rounded down to the write unit.
+// Initialises *a.  `body` is at least 28, for an answer with one event (32 on a board with a key), and at most LINK_BODY_MAX.  Sets a->block to
+// the payload of DATA that fits into a body, rounded down to the write unit.
 void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *events, uint8_t *frame, uint8_t body);
 
 // Processes a received byte.  Returns the length of the answer in a->frame, or 0 if there is none to send.  The caller must send the answer

@@ -6,7 +6,7 @@
 //     static SmIo pins = {row, 0, &rocket_vector, handle, missed, value, 0};
 //     if (smvm_target_pins(image, &rocket_vector, row, 16, &pins.pins) != SM_OK)
 //         refuse();
-//     sm_inputs_init(&pins); sm_outputs_init(&pins);                    // one table: each ignores the other direction
+//     sm_inputs_init(&pins); sm_outputs_init(&pins);                    // the table has both directions: each call opens only its own
 #ifndef SMVM_TARGET_IO_H
 #define SMVM_TARGET_IO_H
 

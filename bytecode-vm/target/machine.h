@@ -55,8 +55,8 @@ extern const SmMachineType smvm_machine_type;
 // Verifies an image.  Returns how much `memory` a machine of it needs here, or 0 if it is rejected or has no such machine.
 uint32_t smvm_target_memory(SmvmBytes image, uint32_t size, uint32_t machine);
 
-// The same as a constant expression, in words of 8 bytes, from the numbers that `smc image` prints.  window_words is the sum for all
-// windows (sm_roll_words).
+// The size that smvm_target_memory returns, but in words of 8 bytes and as a constant expression, for the size of an array.  `windows` and
+// `outputs` are numbers of these, `locals` is in bytes, and window_words is the sum of sm_roll_words for all windows.
 #define SMVM_WORDS(windows, window_words, locals, outputs) \
     ((sizeof(SmVm) + 7) / 8 + ((windows) * sizeof(uint64_t *) + 7) / 8 + (window_words) + \
      ((locals) + ((outputs) > 64 ? ((outputs) - 64u + 7u) / 8 : 0u) + 7) / 8)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores transitions in non-volatile memory, where they survive a restart: in the part of a slot that its image does not use.  A ring of
-// records (runtime-c/link/transition.h).  An image that needs the whole slot leaves no room for a log.
+// Stores transitions in non-volatile memory, where they survive a restart.  The log is a ring of records (runtime-c/link/transition.h) in the
+// part of a slot that its image does not use.  An image that needs the whole slot leaves no room for a log.
 //
 //     smvm_state_log_open(&log, image, size of its slot);
 //     if (smvm_state_log_is_idle(&log) && sm_events_read(&events, &cursor, &e, 1, &lost) == 1)
@@ -29,8 +29,8 @@ typedef struct StateLog {
     SmvmBytes image;
     uint8_t records;          // how many records fit; 0: none is stored
     uint8_t next;             // index of the record that is written next
-    uint8_t number;           // its number
-    uint8_t credit;           // how many more may be written now
+    uint8_t number;           // sequence number of that record
+    uint8_t credit;           // how many more records may be written now
     uint8_t lost;             // transitions that were not stored since the last record
     uint8_t written;          // bytes of `record` that are written; LINK_TRANSITION: all
     uint8_t record[LINK_TRANSITION];

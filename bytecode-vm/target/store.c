@@ -186,7 +186,7 @@ uint8_t smvm_store_flags(const Store *s, uint8_t slot)
 {
     if (slot >= s->plan.slots || image_checksum(s, slot) != load32(s->choice.checksum_previous))
         return 0;
-    return slot == s->choice.previous && s->plan.slots > 1 ? STORE_FALLBACK : s->choice.ended;         // `ended`: then there is no previous one
+    return slot == s->choice.previous && s->plan.slots > 1 ? STORE_FALLBACK : s->choice.ended;         // `ended` is nonzero only if there is no previous image
 }
 
 uint16_t smvm_store_period(const Store *s, uint8_t slot)
@@ -198,16 +198,16 @@ uint16_t smvm_store_period(const Store *s, uint8_t slot)
 
 // ---- starting ----
 
-// Whether the previous image can still run.  With one slot it cannot: an update has overwritten it.  If the slot has its checksum again, it
-// has been sent again and is not accepted yet.
+// Whether the previous image can still run.  With one slot it cannot: an update has overwritten it.  Even if the slot has its checksum again,
+// the image has only been sent again and is not accepted yet.
 static bool has_previous(const Store *s)
 {
     return s->plan.slots > 1 && s->choice.previous != STORE_BUILT_IN && has_image(s, s->choice.previous, s->choice.checksum_previous);
 }
 
-// Chooses the image that runs instead of the active one: the previous one if `there`, else the built-in one; sets *slot to it.  `end`: why
-// the trial of the active one ended, if it is on trial.  (A confirmed one that does not start is damaged, and no longer listed.)  (Callers compute `there` with has_previous, and this is not inlined, so that verifier and record are
-// not on the stack at the same time.)
+// Chooses the image that runs instead of the active one, and sets *slot to it: the previous image if `there`, else the built-in one.  `end`: why
+// the trial of the active image ended, if it is on trial.  (A confirmed image that does not start is damaged, and no longer listed.)  Callers
+// compute `there` with has_previous, and this function is not inlined, so that the verifier and a record are not on the stack at the same time.
 SMVM_NOINLINE static SmResult fall_back(Store *s, bool there, uint8_t end, uint8_t *slot)
 {
     StoreChoice *const c = &s->choice;
@@ -284,8 +284,8 @@ void smvm_store_run_built_in(Store *s) { s->running = STORE_BUILT_IN; }
 
 static bool is_on_trial(const Store *s) { return s->choice.active != STORE_BUILT_IN && !s->choice.confirmed; }
 
-// Finds a slot for an update: neither chosen nor running.  A single slot may be chosen, but not running.  (The choice includes the image's
-// checksum, so a partly overwritten image never runs.)
+// Finds a slot for an update, which is neither chosen nor running.  If the memory has only one slot, it may be chosen, but not running.  (The
+// choice includes the image's checksum, so a partly overwritten image never runs.)
 static bool find_target(const Store *s, uint8_t *target)
 {
     for (uint8_t i = 0; i < s->plan.slots; i++)

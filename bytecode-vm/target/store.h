@@ -30,7 +30,7 @@ extern "C" {
 
 enum {
     STORE_TRIES = 3,          // how many times an image on trial is started before the previous image runs again
-    STORE_START = 4,          // units of the count that a start takes; one of them at once, all when the image has run for a while
+    STORE_START = 4,          // units of a trial's count that a start takes: one at once, the others when the image has run for a while
     STORE_RECORD = 32,        // bytes of a selector record, before rounding up to the erase unit of the memory
     STORE_UNIT = 32           // the largest supported write unit
 };
@@ -50,10 +50,10 @@ typedef struct StoreChoice {
     uint8_t previous;         // the image that runs again if the trial fails
     uint8_t tries;            // remaining units of a trial, STORE_START for each start
     uint8_t confirmed;        // 0 or 1
-    uint8_t ended;            // STORE_STARTS_USED, …: why the last trial ended, of the image with the checksum `checksum_previous`; 0: it has not
+    uint8_t ended;            // why the trial of the image with checksum_previous ended: STORE_STARTS_USED …; 0: it has not ended
     uint8_t zeros[2];
     uint8_t checksum[4];      // of the active image; a slot whose image has another checksum does not run
-    uint8_t checksum_previous[4];  // the same for `previous`; or of the image whose trial has ended
+    uint8_t checksum_previous[4];  // of the previous image; or, if `ended` is nonzero, of the image whose trial has ended
     uint8_t newest[4];        // the highest number (image section AUTH) of an image that a board with a key has confirmed
     uint8_t period[2], period_previous[2];    // milliseconds between steps of each image, as set by the host; 0: the board's default
     uint8_t crc[4];           // CRC-32 of all bytes before this field
@@ -140,9 +140,9 @@ uint16_t smvm_store_period(const Store *s, uint8_t slot);      // 0 if none was 
 
 StoreState smvm_store_state(const Store *s, uint8_t slot);
 
-// What the record knows about an image that is not chosen, as flags of IMAGE (runtime-c/link/link.def): it runs if the chosen image cannot,
-// provided that it is intact; or its trial was the last to end, because its starts were used up, or because the board could not run it
-// (smvm_store_skip).
+// What the record knows about an image that is not chosen, as flags of IMAGE (runtime-c/link/link.def).  STORE_FALLBACK: if it is intact, it runs
+// when the chosen image cannot.  STORE_STARTS_USED and STORE_NOT_RUNNABLE: its trial was the last to end, because its starts were used up, or
+// because the board could not run it (smvm_store_skip).
 enum { STORE_FALLBACK = 4, STORE_STARTS_USED = 8, STORE_NOT_RUNNABLE = 16 };
 uint8_t smvm_store_flags(const Store *s, uint8_t slot);
 
