@@ -73,7 +73,7 @@ static void compile_machine(Compilation *c, size_t i)
 {
     const bool has_scripts = count_kind(c->in, FILE_SM) == 1 && count_kind(c->in, FILE_SS) > 0;
     CompiledSource *of = &c->out->of[i];
-    MachineInput m = {c->in->at[i].text, c->in->vector, NULL, c->o->opt_level};
+    MachineInput m = {c->in->at[i].text, c->in->vector, NULL};
     Map written = {&c->s->arena, NULL, NULL, 0, 0};
 
     c->s->step = c->o->step;

@@ -38,7 +38,6 @@ typedef struct MachineInput {
     const Source *sm;
     const Source *sv;             // or NULL
     const Map *written_outside;   // see check_machine; or NULL
-    int opt_level;                // 0, 1, 2
 } MachineInput;
 
 // Each returns NULL if there were errors, which are then in s->diags.

@@ -105,7 +105,7 @@ static void do_everything(Session *s, const Case *c, Buf *out)
 {
     const Source *ss = source_of(s, c->ss);
     Map written = {&s->arena, NULL, NULL, 0, 0};
-    MachineInput in = {source_of(s, c->sm), source_of(s, c->sv), &written, 2};
+    MachineInput in = {source_of(s, c->sm), source_of(s, c->sv), &written};
     AstFile *ast = ss ? session_parse(s, ss, FILE_SS) : NULL;
     ImageOptions image = {true, NULL};
     Program *p;

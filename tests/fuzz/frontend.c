@@ -191,7 +191,7 @@ const unsigned fuzz_floor = 2;
 
 static void try_check(Session *s, const Source *src, FileKind kind)
 {
-    MachineInput machine = {src, NULL, NULL, 0};
+    MachineInput machine = {src, NULL, NULL};
 
     if (kind == FILE_SV) {
         session_state_vector(s, src);

@@ -56,7 +56,7 @@ static void run_script(Session *s, const TestFile *f)
 {
     const Source *ss = source_of(s, find_part(f, ".ss"));
     Map written = {&s->arena, NULL, NULL, 0, 0};
-    MachineInput in = {source_of(s, find_part(f, ".sm")), source_of(s, find_part(f, ".sv")), &written, 1};
+    MachineInput in = {source_of(s, find_part(f, ".sm")), source_of(s, find_part(f, ".sv")), &written};
     AstFile *ast;
     ScriptOptions o = {STEPS_MOST, NULL, NULL, false};
     Engine *engine[3];

@@ -120,7 +120,7 @@ static const TestPart *find_part(const TestFile *t, const char *suffix)
 // NULL when it has errors.
 static const Program *program_of(Session *s, const TestFile *t)
 {
-    MachineInput in = {source_of(s, find_part(t, ".sm")), source_of(s, find_part(t, ".sv")), NULL, 0};
+    MachineInput in = {source_of(s, find_part(t, ".sm")), source_of(s, find_part(t, ".sv")), NULL};
 
     return session_program(s, &in);
 }

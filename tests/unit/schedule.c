@@ -95,7 +95,7 @@ static bool misses_none(const Script *s, const State *state, const uint64_t *cel
 
 static Script *compile(Session *s, const char *text, size_t n, const Program **p)
 {
-    MachineInput in = {source_new(&s->arena, "m.sm", machine, strlen(machine)), NULL, NULL, 1};
+    MachineInput in = {source_new(&s->arena, "m.sm", machine, strlen(machine)), NULL, NULL};
 
     *p = session_program(s, &in);
     return session_script(s, source_new(&s->arena, "m.ss", text, n), *p);
