@@ -138,17 +138,20 @@ static void compile_files(Compilation *c)
 }
 
 // Checks the limits of each bytecode machine, on the image that artefacts_emit_app generates: with names, unless the option `names` is off.
+// A machine that becomes C is an error.
 static void check_app_limits(Compilation *c, const App *a)
 {
     CompiledSource of;
 
     memset(&of, 0, sizeof of);
     c->s->hide_locals = !c->o->names;
-    for (size_t i = 0; i < a->machine.n && limits_exist(&c->o->limits); i++)
-        if (a->machine.at[i]->bytecode) {
-            of.program = a->machine.at[i]->program;
+    for (size_t i = 0; i < a->machine.n; i++) {
+        of.program = a->machine.at[i]->program;
+        if (a->machine.at[i]->bytecode)
             build_ir_and_measure(c, &of);
-        }
+        else
+            limits_report_c(&c->s->diags, of.program);
+    }
     c->s->hide_locals = false;
 }
 
@@ -159,8 +162,9 @@ static void compile_app(Compilation *c)
     c->out->app = a;
     if (!a)
         return;
-    check_app_limits(c, a);
-    if (c->o->emit == EMIT_C)
+    if (limits_exist(&c->o->limits))
+        check_app_limits(c, a);
+    if (c->o->emit == EMIT_C && c->s->diags.errors == 0)
         artefacts_emit_app(c, a);
 }
 

@@ -92,3 +92,8 @@ void limits_check(Arena *arena, Diags *d, const Program *p, const uint8_t *image
     cost_of_machine(arena, image, 0, COST_CYCLES_EEPROM, &cost);
     check_step(&x, &cost, DIAG_limit_cycles, l->cycles);
 }
+
+void limits_report_c(Diags *d, const Program *p)
+{
+    diag_report(d, DIAG_limit_of_c, span_of_window(p, NULL), p->name->text);
+}

@@ -20,5 +20,7 @@ static inline bool limits_exist(const CompileLimits *l) { return l->ram || l->st
 
 // Reports by how much a machine exceeds the limits.  `image` contains only this machine, compiled from p as it will fly, with lines.
 void limits_check(Arena *arena, Diags *d, const Program *p, const uint8_t *image, const CompileLimits *l);
+// Reports that the limits cannot be judged for a machine, because an application compiles it to C.
+void limits_report_c(Diags *d, const Program *p);
 
 #endif
