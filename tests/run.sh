@@ -73,6 +73,7 @@ report() {
     s=$(printf '%s\n' "$last" | sed -n 's/.* failed, \([0-9][0-9]*\) skipped.*/\1/p')
     if [ -z "$p" ] || { [ "$code" -ne 0 ] && [ "${f:-0}" -eq 0 ]; }; then
         echo "$name: ended with exit code $code${p:+, with nothing failed}" >>"$out"
+        last="${last:+$last, }ended with exit code $code"
         f=$((${f:-0} + 1))
         code=1
     elif [ $((p + f + ${s:-0})) -eq 0 ]; then

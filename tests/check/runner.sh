@@ -24,6 +24,8 @@ ends 0 '^3 passed, 0 failed$' 'a: echo a: 1 passed, 0 failed' '+b: echo 2 passed
 ends 0 '^1 passed, 0 failed, 1 skipped$' 'a: echo 1 passed, 0 failed' 'b: echo 0 passed, 0 failed, 1 skipped'
 ends 1 '^1 passed, 2 failed$' 'a: echo 1 passed, 2 failed; exit 1'
 ends 1 'a: ended with exit code 0' 'a: echo nothing'
+ends 1 '^\[1/1\] a  *[0-9]* s  ended with exit code 0$' 'a: echo nothing'
+ends 1 '^\[1/1\] a  *[0-9]* s  1 passed, 0 failed, ended with exit code 3$' 'a: echo 1 passed, 0 failed; exit 3'
 ends 1 'a: ended with exit code 3, with nothing failed' 'a: echo 1 passed, 0 failed; exit 3'
 ends 1 'a: no test was run' 'a: echo 0 passed, 0 failed'
 ends 1 'counted: 9 tests were run; .* requires at least 10' 'counted: echo 9 passed, 0 failed'
