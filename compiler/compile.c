@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // The compiler: every stage from source text to findings and artefacts.  Read compile_sources() at the end first.
 //
-//    .sv ── parse ── AST ── check ──▶ StateVec, for every machine and for the pins
+//    .sv ── parse ── AST ── check ──▶ StateVec; again for each machine that is bound to it, and for the pins
 //    .io ── parse ── AST ── check ──▶ IoMap, for the image, the C of the pins, and findings about pins
-//    .sm ── parse ── AST ── check ──▶ Program ── build ──▶ IR ── passes ──▶ IR ──┬──▶ image (emit/bytecode)
-//                                        │                 │                     ├── passes for C ──▶ C (emit/c)
-//                                        │                 │                     └──▶ image with lines ── costs ── limits ──▶ findings
-//                                        │                 └── analyse ──▶ findings
-//                                        └── compiled again if scripts write its locals ──▶ Program for scripts
+//    .sm ── parse ── AST ── check ──▶ Program ── build ──▶ IR ──┬── analyse ──▶ findings
+//                                        │                      └── passes ──▶ IR ──┬──▶ image (emit/bytecode)
+//                                        │                                          ├── passes for C ──▶ C (emit/c)
+//                                        │                                          └──▶ image with lines ── costs ── limits ──▶ findings
+//                                        └── checked again if scripts write its locals ──▶ Program for scripts
 //    .ss ── parse ── AST ── check with that Program ──▶ Script
-//    .app ─ parse ── AST ── check ──▶ App; its machines pass all stages above, and all its C is emitted together
+//    .app ─ parse ── AST ── check ──▶ App, with the IoMap of its pins, a StateVec for all and a Program for each machine, as above;
+//                                     ── analyse ──▶ findings; all its C is emitted together
+//    findings ── @allow ── -W ── sort ──▶ diagnostics of the caller
 //
-// The caller runs scripts on engines (script/) and writes reports (report/).
+// Machines pass their stages one after the other; then findings about all of them together.  Images and C are emitted last, and only if
+// there is no error.  The caller runs scripts on engines (script/), writes reports (report/), and writes files if compile_sources()
+// returned true: -Werror turns findings into errors after images and C have been emitted.
 //
 // Each stage is a function of its folder, and the header of that folder states what the stage relies on.  A function of session.h that
 // reported an error returns NULL.  Stages that do not depend on its result still run, so that one call reports as many errors as possible.

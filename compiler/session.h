@@ -56,7 +56,9 @@ App *session_app(Session *s, const AstFile *app, AppFiles *files);
 // Adds the names of the locals and elements that a script writes to `written`, and returns its delta_t; 0 if it has none, or errors.
 uint64_t session_script_writes(Session *s, const Source *ss, Map *written);
 Script *session_script(Session *s, const Source *ss, const Program *p);
-void session_analyse(Session *s, const Program *p);           // reports warnings for a machine without errors
+// Reports warnings for a machine without errors. Leaves the IR that it builds in s->built.
+void session_analyse(Session *s, const Program *p);
+// Returns the optimised IR, by passes over s->built if that is of p.
 IrMachine *session_ir(Session *s, const Program *p, int opt_level);
 
 // Several machines over one state vector form one image.

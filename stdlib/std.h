@@ -4,7 +4,7 @@
 //   types.h    the types, operators and builtins as tables
 //   f64.h      SmF64, the only number type, and its arithmetic
 //   convert.h  between F64 and the other types, saturating
-//   math.h     abs floor ceil trunc round sqrt sign min max clamp
+//   math.h     the builtins that depend only on their arguments
 //   roll.h     rolling windows
 //   crc32.h    the checksum of images and links
 //   result.h   the status of a call

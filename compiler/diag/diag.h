@@ -130,8 +130,8 @@ void diag_edit(Diags *d, Diag *to, Span span, const char *text);
 // Adds an @allow. A shared one is never reported as unused, because another machine may need it.
 void diag_allow(Diags *d, const char *flag, const char *reason, Span span, Span covers);
 void diag_allow_shared(Diags *d, const char *flag, const char *reason, Span span, Span covers);
-// Moves the warnings that are allowed from the list into `allowed`. Call it after everything has been reported. If analyses have
-// run and there is no error, it also reports every @allow that no warning needed. A second call examines only what was reported since.
+// Moves the warnings that are allowed from the list into `allowed`. If analyses have run and there is no error, it also reports every
+// @allow that no warning needed: so the first call follows the analyses. A later call examines only what was reported since.
 void diags_apply_allows(Diags *d);
 
 // -W… as given: each word without its -W, in order. The caller owns the words.
@@ -141,7 +141,8 @@ typedef struct DiagSelection {
     bool none;                            // -w: no warnings
 } DiagSelection;
 
-// Drops disabled warnings and turns those that -Werror names into errors (selection.c). Call it once, after diags_apply_allows.
+// Drops disabled warnings and turns those that -Werror names into errors (selection.c). Call it after diags_apply_allows, which covers
+// warnings but no errors. A later call with the same words changes only what was reported since.
 void diags_select(Diags *d, const DiagSelection *w);
 // Returns the groups with at least one enabled warning: a set of 1u << DiagGroup.
 unsigned diag_selection_groups(const DiagSelection *w);
