@@ -9,7 +9,7 @@
 // A cell is the bits of a value in its own type, zero-extended to 64: I8 -1 is 0xff, F32 its binary32, bool 0 or 1.
 // Memory is in the host's byte order and need not be aligned.  A bool is one byte; any nonzero byte reads as true.
 //
-// Lines `//: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
+// Lines `// snippet: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
 #ifndef SM_CONVERT_H
 #define SM_CONVERT_H
 
@@ -104,13 +104,13 @@ static inline int64_t sm_clip_i64(int64_t x, int64_t lo, int64_t hi) { return x 
 // x, clipped to the upper limit of another integer type.
 static inline uint64_t sm_clip_u64(uint64_t x, uint64_t hi) { return x > hi ? hi : x; }
 // snippet: sm_count_up
-// v + 1 as computed in floating point, for v up to 2^53, where counting by one stops.
+// Returns v + 1 as floating-point arithmetic computes it.  v is at most 2^53, from where adding one changes nothing.
 static inline uint64_t sm_count_up(uint64_t v) { return v + (v < 0x20000000000000u); }
 // snippet: sm_count_up_if
-// v + 1 as computed in floating point if c is true, else v; for v up to 2^53, where counting by one stops.
+// Returns v + 1 as floating-point arithmetic computes it if c is true, else v.  v is at most 2^53, from where adding one changes nothing.
 static inline uint64_t sm_count_up_if(uint64_t v, bool c) { return v + (c && v < 0x20000000000000u); }
 // snippet: sm_count_u64
-// v + n as computed in floating point and stored: exact for small v, rounded beyond 2^53 like every number.  n is up to 2^52.
+// Returns v + n as floating-point arithmetic computes and stores it: exact for small v, rounded beyond 2^53.  n is from -2^52 to 2^52.
 static inline uint64_t sm_count_u64(uint64_t v, int64_t n)
 {
     if (v <= 0x10000000000000u && (n >= 0 || v >= (uint64_t)-n))
@@ -118,7 +118,7 @@ static inline uint64_t sm_count_u64(uint64_t v, int64_t n)
     return sm_to_u64(sm_add(sm_from_u64(v), sm_from_i64(n)));
 }
 // snippet: sm_count_i64
-// v + n as computed in floating point and stored: exact for small v, rounded beyond 2^53 like every number.  n is up to 2^52.
+// Returns v + n as floating-point arithmetic computes and stores it: exact for small v, rounded beyond 2^53.  n is from -2^52 to 2^52.
 static inline int64_t sm_count_i64(int64_t v, int64_t n)
 {
     if (-0x10000000000000 <= v && v <= 0x10000000000000)
@@ -222,8 +222,8 @@ static inline void sm_cell_store(SmType type, void *p, uint64_t cell)
     }
 }
 
-// The F64 value that reading the element at p returns.  sm_store stores x in the element at p.  Both are equivalent to using a cell, but an
-// 8-bit computer need not widen 8 bits to 64.
+// sm_load returns the value that reading the element at p yields, as an F64.  sm_store stores x in the element at p.  Functions on cells have
+// the same results, but with these an 8-bit computer need not widen 8 bits to 64.
 static inline SmF64 sm_load(SmType type, const void *p)
 {
     switch (type) {
@@ -244,7 +244,7 @@ static inline SmF64 sm_load(SmType type, const void *p)
 }
 
 #if defined(__OPTIMIZE_SIZE__) && !SM_F64_SOFT
-// When optimizing for size: integers are converted to 64 bits, then clipped to the limits of their type, and all are stored as cells.
+// When optimizing for size, x is first converted to a 64-bit integer, then clipped to the limits of the type, and stored as a cell.
 static inline int64_t sm_to_signed(SmType type, SmF64 x)
 {
     const int64_t v = sm_to_i64(x), one = 1;

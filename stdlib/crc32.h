@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // CRC-32 as in IEEE 802.3 (reflected 0xEDB88320, initial value and final XOR all ones); for "123456789" it is 0xCBF43926.
-// Computed four bits at a time; bit by bit on AVR, where tables take RAM.
+// It is computed four bits at a time; bit by bit on AVR, where the table for four bits would take RAM.
 #ifndef SM_CRC32_H
 #define SM_CRC32_H
 
@@ -27,7 +27,7 @@ __attribute__((noinline, unused)) static uint32_t sm_crc32_byte(uint32_t crc, ui
 #else
 static inline uint32_t sm_crc32_byte(uint32_t crc, uint8_t byte)
 {
-    static const uint32_t step[16] = {                // indexed by the four bits that are shifted out: what to XOR
+    static const uint32_t step[16] = {                // the value to XOR, indexed by the four bits that are shifted out
         0x00000000u, 0x1DB71064u, 0x3B6E20C8u, 0x26D930ACu, 0x76DC4190u, 0x6B6B51F4u, 0x4DB26158u, 0x5005713Cu,
         0xEDB88320u, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu, 0x9B64C2B0u, 0x86D3D2D4u, 0xA00AE278u, 0xBDBDF21Cu,
     };

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// SmF64: the only number type of the language, IEEE binary64, and its operators.  Only this file decides how it is
-// represented.  Where C's `double` is binary64 and is computed correctly, it is a `double`.  Elsewhere, as on AVR, it is the bits, with
-// arithmetic in software (soft.h).  -DSM_F64_SOFT=1 selects software on any target; all files of a program must agree on it.  Callers use
-// the functions below and never C's operators, which the software type does not support.
+// SmF64: the only number type of the language, IEEE binary64, and its operators.  Only this file decides how SmF64 is represented.  Where
+// C's `double` is binary64 and is computed correctly, SmF64 is a `double`.  Elsewhere, as on AVR, it is a struct with the bits of the number,
+// with arithmetic in software (soft.h).  -DSM_F64_SOFT=1 selects software on any target; all files of a program must agree on it.  Callers use
+// the functions below and never C's operators, which the struct does not support.
 // All functions are exact IEEE: round to nearest even, no trap, no errno.  The sign and payload of a NaN carry no meaning.
 //
-// Emitted C contains the source of the functions that it uses, as snippets (compiler/emit/c/embed_tool.c).  A line `//: NAME` begins the
-// snippet NAME, which ends at the next such line; `//: end` begins none.  `//: NAME double` marks a snippet that exists only where SmF64 is
-// a `double`.  Comments inside a snippet appear in emitted C, so write them for its readers.
+// Emitted C contains the source of the functions that it uses, as snippets (compiler/emit/c/embed_tool.c).  A line `// snippet: NAME` begins the
+// snippet NAME, which ends at the next such line; `// snippet: end` begins none.  `// snippet: NAME double` marks a snippet that exists only
+// where SmF64 is a `double`.  Comments inside a snippet appear in emitted C, so write them for its readers.
 #ifndef SM_F64_H
 #define SM_F64_H
 
@@ -96,7 +96,7 @@ static inline SmF64 sm_from_i64(int64_t v)
 #endif
 }
 // snippet: sm_from_u64 double
-// Rounds above 2^53; in halves for the same reason.
+// Rounds above 2^53.  On 32-bit x86 the two halves are converted, and their sum is rounded once, as in sm_from_i64.
 static inline SmF64 sm_from_u64(uint64_t v)
 {
 #if defined(__i386__) || defined(_M_IX86)

@@ -2,7 +2,7 @@
 // The pure builtins (language.md 3), F64 in and F64 out.  All are exact or correctly rounded, so their results have
 // the same bits on every target; no libm.
 //
-// Lines `//: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
+// Lines `// snippet: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
 #ifndef SM_MATH_H
 #define SM_MATH_H
 
@@ -100,7 +100,7 @@ static inline SmF64 sm_lower(SmF64 x, SmF64 y) { return sm_lt(y, x) ? y : x; }
 // The larger one.  y must not be NaN, and x and y must not be zeros of different signs.
 static inline SmF64 sm_higher(SmF64 x, SmF64 y) { return sm_lt(x, y) ? y : x; }
 // snippet: sm_abs_i32
-// For an integer; used where the result equals that for its F64.
+// |x| of an integer.  x must not be the smallest integer, for which C's minus overflows.
 static inline int32_t sm_abs_i32(int32_t x) { return x < 0 ? -x : x; }
 // snippet: sm_abs_i64
 static inline int64_t sm_abs_i64(int64_t x) { return x < 0 ? -x : x; }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rolling windows (language.md 7), in memory that the caller owns.  A window stores the last n samples of a value, one a step; sample k is
-// stored in slot k mod n.  A statistic depends only on the
-// contents of the slots, so a sample that has left the window has no influence.
+// Rolling windows (language.md 7), in memory that the caller owns.  A window stores the last n samples of a value, one a step.  Sample k is
+// stored in slot k mod n.  A statistic depends only on the contents of the slots, so a sample that has left the window has no influence.
 //
 //     uint32_t kind = sm_roll_kind(SM_F32, stats);      // the type of the samples, and the set of statistics that will be read
 //     uint64_t w[…];                                    // sm_roll_words(n, kind) words, all zero: an empty window
@@ -27,10 +26,10 @@
 //                  longer                   2 log2 n comparisons, moving 2 SM_   constant         n samples, in order, and
 //                                           ROLL_BLOCK samples and 1 a block                      2 bytes a block
 //
-// With a median, the smallest and largest are free.  With SM_ROLL_SMALL a window stores only its slots and, for a median, the samples in
-// order.  Average, smallest and largest then visit all slots, and adding a sample for a median moves up to n samples.
+// In a window with a median, the smallest and largest have no additional cost.  With SM_ROLL_SMALL a window stores only its slots and, for a
+// median, the samples in order.  Average, smallest and largest then visit all slots, and adding a sample for a median moves up to n samples.
 //
-// Lines `//: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
+// Lines `// snippet: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
 #ifndef SM_ROLL_H
 #define SM_ROLL_H
 
@@ -51,7 +50,7 @@
 #endif
 #endif
 // snippet: end
-// Outside emitted C size and kind are arguments of one copy of each function when optimizing for size.
+// Outside emitted C: inlined when optimizing for speed.  Otherwise there is one copy of each function, with size and kind as arguments.
 #if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
 #define SM_ROLL_INLINE static inline __attribute__((always_inline))
 #else
@@ -62,8 +61,8 @@
 #define SM_ROLL_AT_ONCE 1u
 #endif
 // snippet: SM_ROLL_INLINE
-// Callers pass size and kind of a window as constants; inlined with them, these functions are short.  The longer ones are inlined everywhere
-// only when optimizing for speed.
+// Callers pass the size and kind of a window as constants, and inlined with constants these functions are short.  The longer functions are
+// inlined at every call only when optimizing for speed (SM_ROLL_INLINE_FOR_SPEED).
 #if !defined(SM_ROLL_INLINE) && defined(__OPTIMIZE__)
 #define SM_ROLL_INLINE static inline __attribute__((always_inline))
 #elif !defined(SM_ROLL_INLINE)
@@ -79,7 +78,7 @@ enum {
     SM_ROLL_I8 = 0, SM_ROLL_I16 = 1, SM_ROLL_I32 = 2, SM_ROLL_U8 = 4, SM_ROLL_U16 = 5, SM_ROLL_U32 = 6,
     SM_ROLL_F32 = 8, SM_ROLL_F64 = 9, SM_ROLL_BOOL = 10, SM_ROLL_TYPE = 15,
     SM_ROLL_AVG = 16, SM_ROLL_MEDIAN = 32, SM_ROLL_MIN = 64, SM_ROLL_MAX = 128, SM_ROLL_RANGE = 256,
-    SM_ROLL_ORDER = 480        // the statistics that need an order
+    SM_ROLL_ORDER = 480        // the statistics that compare samples: all but the average
 };
 // SM_ROLL_SHORT: the longest window whose average is summed up when it is read, and which is sorted by one pass over all samples.
 // SM_ROLL_SCAN: the longest window whose smallest and largest are found by visiting all samples.
@@ -110,7 +109,7 @@ enum {
 // The key of a sample.  Emitted C defines it as the smallest type that its windows need.
 typedef int64_t SmRollKey;
 // snippet: SmRollSize
-// Counts samples: at most 100000, and fewer where memory has 64 KB.
+// The type of a number of samples: at most 100000, and fewer where memory has 64 KB.
 #if SIZE_MAX > 65535
 typedef uint32_t SmRollSize;
 #else
@@ -133,8 +132,8 @@ static inline int64_t sm_roll_of_f64(SmF64 x)
     return sm_is_nan(x) ? 0 : bits;
 }
 // snippet: sm_roll_key
-// Converts a sample to its key, or a key to its sample.  Keys have the order of the numbers, with -0 below 0.  A window without a statistic
-// that needs an order stores the sample as it is.
+// Converts a sample to its key, or a key to its sample.  Keys have the order of the numbers, with -0 below 0.  In a window without a statistic
+// that compares samples (SM_ROLL_ORDER), the key is the sample itself.
 SM_ROLL_INLINE SmRollKey sm_roll_key(uint32_t kind, SmRollKey sample)
 {
     if ((kind & SM_ROLL_TYPE) < SM_ROLL_F32 || sample >= 0 || (!SM_ROLL_SMALL && (kind & SM_ROLL_ORDER) == 0))
@@ -187,7 +186,8 @@ SM_ROLL_INLINE void sm_roll_store(unsigned char *a, SmRollSize i, uint32_t kind,
     }
 }
 // snippet: sm_roll_partials
-// What a window stores beside its samples: their sum as a whole number (1) or as an F64 (2), the smallest (4), the largest (8).
+// Returns which partial results a window stores beside its samples, as bits: the sum as a whole number (1) or as an F64 (2), the smallest
+// sample (4), the largest (8).
 SM_ROLL_INLINE unsigned sm_roll_partials(uint32_t n, uint32_t kind)
 {
     const bool real = (kind & SM_ROLL_TYPE) == SM_ROLL_F32 || (kind & SM_ROLL_TYPE) == SM_ROLL_F64;
@@ -199,27 +199,28 @@ SM_ROLL_INLINE unsigned sm_roll_partials(uint32_t n, uint32_t kind)
     return sum | ((kind & (SM_ROLL_MIN | SM_ROLL_RANGE)) != 0 ? 4u : 0) | ((kind & (SM_ROLL_MAX | SM_ROLL_RANGE)) != 0 ? 8u : 0);
 }
 // snippet: sm_roll_partial_words
-// The number of words for these results (sm_roll_partials).
+// The number of words that the partial results of the whole window take: one each.
 SM_ROLL_INLINE unsigned sm_roll_partial_words(unsigned partials) { return ((partials & 3u) != 0) + (partials >> 2 & 1u) + (partials >> 3); }
 // snippet: sm_roll_node_partials
-// The results, as in sm_roll_partials, that it also stores for groups of 2, 4, 8, … slots.
+// Returns which partial results a window also stores for each group of 2, 4, 8, … slots, as bits of sm_roll_partials.
 SM_ROLL_INLINE unsigned sm_roll_node_partials(uint32_t n, uint32_t kind) { return sm_roll_partials(n, kind) & 14u; }
 // snippet: sm_roll_slots_at
-// The index of the word where the slots begin.  Layout: a word with the number of samples and the next slot; the results for the whole
-// window, in the order of sm_roll_partials, the largest as the complement of its key; the slots; for a median the samples in order; the
-// results for groups of 2, 4, 8, … slots.
+// The index of the word where the slots begin.  A window consists of: a word with the number of samples and the next slot; the partial results
+// of the whole window, in the order of sm_roll_partials, the largest as the complement of its key; the slots; for a median the samples in
+// order; the partial results of the groups of 2, 4, 8, … slots.
 SM_ROLL_INLINE unsigned sm_roll_slots_at(uint32_t n, uint32_t kind) { return 1u + sm_roll_partial_words(sm_roll_partials(n, kind)); }
 // snippet: sm_roll_row_bytes
 // Bytes of an array of n samples, rounded up to words.
 SM_ROLL_INLINE uint32_t sm_roll_row_bytes(uint32_t n, uint32_t kind) { return ((n << sm_roll_shift(kind)) + 7u) & ~(uint32_t)7; }
 // snippet: sm_roll_heads_bytes
-// Bytes of the numbers that store where the blocks of ordered samples begin.
+// Bytes of the array that stores, for each block of ordered samples, at which index in the block its order begins.
 SM_ROLL_INLINE uint32_t sm_roll_heads_bytes(uint32_t n) { return SM_ROLL_LONG(n) ? (n / SM_ROLL_BLOCK * 2u + 9u) & ~(uint32_t)7 : 0; }
 // snippet: sm_roll_tree_words
-// Words for the results of groups of 2, 4, 8, … slots, n / 2, n / 4, …, each rounded up.  Used for all such trees but the last.
+// Words between the trees of two kinds of partial results.  A tree has n / 2 results for pairs of slots, n / 4 for groups of four, and so on,
+// each number rounded up.
 SM_ROLL_INLINE uint32_t sm_roll_tree_words(uint32_t n) { return n + 15; }
 // snippet: sm_roll_nodes_at
-// The index of the word where the results for pairs of slots begin.
+// The index of the word where the partial results of pairs of slots begin.
 SM_ROLL_INLINE uint32_t sm_roll_nodes_at(uint32_t n, uint32_t kind)
 {
     const uint32_t row = sm_roll_row_bytes(n, kind);
@@ -232,9 +233,10 @@ SM_ROLL_INLINE SmRollSize sm_roll_count(const uint64_t *w) { uint32_t v; memcpy(
 // The slot of the next sample.
 SM_ROLL_INLINE SmRollSize sm_roll_next(const uint64_t *w) { uint32_t v; memcpy(&v, (const unsigned char *)w + 4, 4); return (SmRollSize)v; }
 // snippet: sm_roll_set_count
-// Stores the number of samples, and the slot of the next one.
+// Stores the number of samples.
 SM_ROLL_INLINE void sm_roll_set_count(uint64_t *w, uint32_t count) { memcpy(w, &count, 4); }
 // snippet: sm_roll_set_next
+// Stores the slot of the next sample.
 SM_ROLL_INLINE void sm_roll_set_next(uint64_t *w, uint32_t next) { memcpy((unsigned char *)w + 4, &next, 4); }
 // snippet: sm_roll_slot_key
 // The key in slot i.
@@ -264,7 +266,7 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_push(uint64_t *w, uint32_t n, uint32_t kin
     sm_roll_push_key(w, n, kind, sm_roll_key(kind, sample));
 }
 // snippet: sm_roll_insert_stepwise
-// Inserts a key among `count` ordered ones.  In a full window it replaces `old`: the gap moves from there, step by step.
+// Inserts a key among `count` ordered keys.  In a full window it replaces `old`.  The gap moves from the end, or from `old`, step by step.
 SM_ROLL_INLINE_FOR_SPEED void sm_roll_insert_stepwise(unsigned char *sorted, SmRollSize count, bool full, uint32_t kind, SmRollKey old, SmRollKey key)
 {
     SmRollSize i = full ? 0 : count;
@@ -277,7 +279,7 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_insert_stepwise(unsigned char *sorted, SmR
     sm_roll_store(sorted, i, kind, key);
 }
 // snippet: sm_roll_push_sorted
-// The same for a short window that also stores its samples in order.  One pass without branches inserts the new one and removes the oldest.
+// Adds a sample to a short window that also stores its samples in order.  One pass without branches inserts the new one and removes the oldest.
 SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, SmRollKey sample)
 {
     unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);
@@ -335,7 +337,7 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_slide(unsigned char *sorted, uint32_t kind
         memmove(b + ((size_t)1 << shift), b, (size_t)(a - b));
 }
 // snippet: sm_roll_slide_in_block
-// The same for ranks of one block.  The shift may need two parts, because a block is a ring.
+// Moves a gap from rank `from` to rank `to` of one block.  The shift may need two parts, because a block is a ring.
 SM_ROLL_INLINE_FOR_SPEED void sm_roll_slide_in_block(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
 {
     const uint32_t first = from & ~(SM_ROLL_BLOCK - 1), last = (n - first < SM_ROLL_BLOCK ? n : first + SM_ROLL_BLOCK) - 1;
@@ -350,7 +352,7 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_slide_in_block(unsigned char *sorted, uint
     sm_roll_slide(sorted, kind, a, b);
 }
 // snippet: sm_roll_slide_ranks
-// The same for any ranks.  Samples cross from block to block at the blocks' ends; blocks in between are only rotated.
+// Moves a gap from rank `from` to rank `to`.  Each block on the way passes one sample to the next; whole blocks in between are only rotated.
 SM_ROLL_INLINE_FOR_SPEED void sm_roll_slide_ranks(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
 {
     unsigned char *const heads = sorted + sm_roll_row_bytes(n, kind);
@@ -372,14 +374,15 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_slide_ranks(unsigned char *sorted, uint32_
     sm_roll_slide_in_block(sorted, n, kind, from, to);
 }
 // snippet: sm_roll_insert_sorted
-// Before a key enters a longer window: finds its position among the ordered samples and that of the oldest sample, and shifts those between.
+// Inserts a key among the ordered samples of a longer window; if the window is full, removes the oldest sample.  Finds the rank of the key and
+// the rank that becomes free, and shifts the samples between them.
 SM_ROLL_INLINE_FOR_SPEED void sm_roll_insert_sorted(uint64_t *w, uint32_t n, uint32_t kind, SmRollKey key)
 {
     unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);
     const uint32_t count = sm_roll_count(w);
     const uint32_t from = count < n ? count : sm_roll_count_below(sorted, n, kind, count, sm_roll_oldest_key(w, n, kind));
     uint32_t to = sm_roll_count_below(sorted, n, kind, count, key);
-    to -= from < to;                                 // not counting the old one
+    to -= from < to;                                 // the rank without the oldest sample
     sm_roll_slide_ranks(sorted, n, kind, from, to);
     sm_roll_store(sorted, sm_roll_index_of_rank(sorted, n, kind, to), kind, key);
 }
@@ -406,7 +409,8 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_update_sums(uint64_t *node, uint32_t n, u
     return sum;
 }
 // snippet: sm_roll_update_smallest
-// The same for the smallest key.
+// Returns the smallest key of all slots after sample i was added; `least` is the smaller key of its pair.  Stores the smallest keys of pairs
+// and of groups of four, eight, … slots.
 SM_ROLL_INLINE_FOR_SPEED int64_t sm_roll_update_smallest(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, int64_t least)
 {
     for (n = (n + 1) / 2; n > 1; n = (n + 1) / 2) {
@@ -442,7 +446,7 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t 
         *all = (uint64_t)sm_roll_update_smallest(node, n, i, count, ~(int64_t)(key > other ? key : other));
 }
 // snippet: sm_roll_sum_group
-// The sum of up to SM_ROLL_AT_ONCE slots, in pairs.  `at` is the first of the `left` remaining slots.
+// The sum of the first SM_ROLL_AT_ONCE of the `left` slots from `at` on, or of all if these are fewer, added in pairs.
 SM_ROLL_INLINE SmF64 sm_roll_sum_group(const unsigned char *at, uint32_t left, uint32_t kind)
 {
     SmF64 sum = sm_roll_value(kind, sm_roll_load(at, 0, kind)), other;
@@ -455,7 +459,7 @@ SM_ROLL_INLINE SmF64 sm_roll_sum_group(const unsigned char *at, uint32_t left, u
     return sm_add(sum, left > 3 ? sm_add(other, sm_roll_value(kind, sm_roll_load(at, 3, kind))) : other);
 }
 // snippet: sm_roll_sum
-// Adds slots in pairs, the sums in pairs again, and so on.  `part` has the sums that wait for their partner.
+// The sum of all slots: adds slots in pairs, the sums of pairs in pairs again, and so on.  `part` has the sums that wait for their partner.
 SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_sum(const uint64_t *w, uint32_t n, uint32_t kind)
 {
     const unsigned char *at = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
@@ -524,7 +528,7 @@ SM_ROLL_INLINE SmRollKey sm_roll_extreme_key(const uint64_t *w, uint32_t n, uint
     return end;
 }
 // snippet: sm_roll_value_of_rank
-// The number of the ordered sample of a rank.
+// The value of the ordered sample of a rank.
 SM_ROLL_INLINE SmF64 sm_roll_value_of_rank(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize rank)
 {
     const unsigned char *const sorted = (const unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);
@@ -606,7 +610,7 @@ static inline uint32_t sm_roll_words(uint32_t n, uint32_t kind)
     return words;
 }
 
-// The same in bytes.
+// The number of bytes of memory that a window needs.
 static inline uint32_t sm_roll_bytes(uint32_t n, uint32_t kind)
 {
     if (SM_ROLL_SMALL)
@@ -726,7 +730,7 @@ SM_ROLL_INLINE SmF64 sm_roll_read_stat(const uint64_t *w, uint32_t n, uint32_t k
     return sm_from_i32(0);
 }
 
-// The same for a window of any kind.  Specialized for each type unless optimizing for size.
+// Reads one of the statistics that a window of any kind supports.  Specialized for each type unless optimizing for size.
 static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
 #ifdef __OPTIMIZE_SIZE__

@@ -100,7 +100,7 @@ SM_ROLL_NOINLINE void sm_roll_small_value(const SmRollSmall *s, SmF64 *x, const 
 
 // ---- a sample ----
 
-// The address after the last ordered sample that is below key.
+// Returns the address after the last ordered sample that is below key.
 static inline unsigned char *sm_roll_find_position(const SmRollSmall *s, const unsigned char *key)
 {
     unsigned char *at = s->sorted;
@@ -130,7 +130,7 @@ SM_ROLL_NOINLINE void sm_roll_small_insert(const SmRollSmall *s, const unsigned 
     memcpy(to, key, s->bytes);
 }
 
-// Adds a sample, whose bits in the window's type are at `key`, and converts them to its key.  The caller must update count and next.
+// Adds the sample whose bits in the window's type are at `key`; overwrites them with the sample's key.  The caller must update count and next.
 SM_ROLL_NOINLINE void sm_roll_small_push(const SmRollSmall *s, unsigned char *key)
 {
     sm_roll_small_key(s->type, s->bytes, key);
@@ -173,7 +173,7 @@ SM_ROLL_NOINLINE void sm_roll_small_avg(const SmRollSmall *s, SmF64 *x)
     sm_roll_calculate(x, '/', end);
 }
 
-// Sets *x to the value of the ordered sample of a rank.  If the window stores no order: the smallest for rank 0, else the largest.
+// Sets *x to the value of the ordered sample of a rank.  If the window does not store its samples in order, `rank` must be the first or last.
 SM_ROLL_NOINLINE void sm_roll_small_value_of_rank(const SmRollSmall *s, SmF64 *x, size_t rank)
 {
     const unsigned char *at = s->slot, *best = at;
@@ -189,7 +189,7 @@ SM_ROLL_NOINLINE void sm_roll_small_value_of_rank(const SmRollSmall *s, SmF64 *x
     sm_roll_small_value(s, x, best);
 }
 
-static inline bool sm_roll_is_infinite(const SmF64 *x)       // only for positive numbers
+static inline bool sm_roll_is_infinite(const SmF64 *x)       // x must not be negative
 {
     const unsigned char *const byte = (const unsigned char *)x;
     return byte[sm_roll_byte(7, 8)] == 0x7Fu && byte[sm_roll_byte(6, 8)] >= 0xF0u;

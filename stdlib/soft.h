@@ -21,7 +21,7 @@ uint64_t sm_soft_sub(uint64_t a, uint64_t b);
 uint64_t sm_soft_mul(uint64_t a, uint64_t b);
 uint64_t sm_soft_div(uint64_t a, uint64_t b);
 
-bool sm_soft_lt(uint64_t a, uint64_t b);      // these three are false if either is NaN
+bool sm_soft_lt(uint64_t a, uint64_t b);      // sm_soft_lt, _le and _eq are false if either is NaN
 bool sm_soft_le(uint64_t a, uint64_t b);
 bool sm_soft_eq(uint64_t a, uint64_t b);
 uint8_t sm_soft_relation(uint64_t a, uint64_t b);     // 1 if a is less, 2 if equal, 4 if a is greater, 8 if one is NaN
@@ -34,7 +34,7 @@ uint64_t sm_soft_from_i64(int64_t v);         // rounds above 2^53
 uint64_t sm_soft_from_u64(uint64_t v);        // rounds above 2^53
 uint64_t sm_soft_from_f32(uint32_t v);        // from the bits of a binary32: exact
 
-int32_t sm_soft_to_i32(uint64_t a);           // truncates toward zero, then saturates; NaN becomes 0
+int32_t sm_soft_to_i32(uint64_t a);           // to integers: truncate toward zero, then saturate; NaN becomes 0
 uint32_t sm_soft_to_u32(uint64_t a);
 int64_t sm_soft_to_i64(uint64_t a);
 uint64_t sm_soft_to_u64(uint64_t a);

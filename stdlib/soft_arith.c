@@ -6,7 +6,7 @@
 #ifndef SM_SOFT_ASSEMBLY
 // ---- add, subtract ----
 
-// |a| + |b|, or |a| - |b| if `subtract`, with the sign of a.  |a| must not be below |b|, and both must be finite.
+// Returns |a| + |b|, or |a| - |b| if `subtract`, with the sign of a.  |a| must not be below |b|, and both must be finite.
 static uint64_t add_ordered(uint64_t a, uint64_t b, bool subtract)
 {
     SmSoft x = sm_soft_unpack(a), y = sm_soft_unpack(b);
@@ -40,7 +40,7 @@ uint64_t sm_soft_sub(uint64_t a, uint64_t b) { return sm_soft_add(a, b ^ SM_SOFT
 
 // ---- multiply, divide ----
 
-// The upper half of a 128-bit product.  Its lowest bit is also set if the lower half is not zero.
+// Returns the upper half of the 128-bit product a * b.  Its lowest bit is also set if the lower half is not zero.
 static uint64_t multiply_upper_half(uint64_t a, uint64_t b)
 {
     const uint64_t mask = 0xFFFFFFFFu, a0 = a & mask, a1 = a >> 32, b0 = b & mask, b1 = b >> 32;

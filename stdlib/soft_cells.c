@@ -5,7 +5,7 @@
 #include "stdlib/soft_pack.h"
 
 #ifndef SM_SOFT_ASSEMBLY
-// The bits of |x| if x has the sign of n; 0 if it has the other sign or is NaN.
+// Returns the bits of |*x| if *x has the sign of n; 0 if it has the other sign or is NaN.
 static uint64_t magnitude_if_same_sign(const SmF64 *x, uint32_t n)
 {
     const uint64_t u = x->bits ^ ((uint64_t)(n & 0x80000000u) << 32);

@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-// Comparisons with a finite number whose lower 32 bits are zero; `n` is its upper 32 bits.  A NaN in memory counts as 0.
+// These compare *x with a finite binary64 whose lower 32 bits are zero; `n` is its upper 32 bits.  A NaN in *x counts as 0.
 bool sm_soft_beyond(const SmF64 *x, uint32_t n);      // *x > n if n > 0 or +0; *x < n if n < 0 or -0
 bool sm_soft_reaches(const SmF64 *x, uint32_t n);     // *x >= n if n > 0; *x <= n if n < 0; n is not zero
 
@@ -21,8 +21,8 @@ bool sm_soft_exceeds(const uint64_t *v, uint32_t n);                            
 bool sm_soft_elapsed_exceeds(const uint64_t *start, const uint64_t *time, uint32_t n);    // *time - *start > n
 void sm_soft_increment(uint64_t *v);                      // adds one as F64 does: 2^53 remains 2^53; *v must not be above 2^53
 
-// Begins a step at *time.  Returns true and updates *gate if that is later than the last step and not the largest time.  *gate is the time
-// of the last step plus 1, or 0 before the first.
+// Begins a step at *time: if *time is later than the last step and not the largest time, updates *gate and returns true.  *gate is the time of
+// the last step plus 1; 0 before the first step.
 bool sm_soft_advance(uint64_t *gate, const uint64_t *time);
 
 #ifdef __cplusplus

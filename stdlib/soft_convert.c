@@ -32,7 +32,7 @@ uint8_t sm_soft_relation(uint64_t a, uint64_t b) { return sm_soft_lt(a, b) ? 1 :
 
 // ---- from integers ----
 
-// The binary64 of the integer v, with a sign bit.
+// Returns the binary64 of the integer v, with this sign bit.
 static uint64_t pack_integer(uint64_t sign, uint64_t v)
 {
     SmSoft x = {sign, 1023 + 62, v};
@@ -53,7 +53,7 @@ uint64_t sm_soft_from_i32(int32_t v) { return sm_soft_from_i64(v); }
 
 // ---- to integers ----
 
-// |a| truncated toward zero, at most `limit`; 0 for NaN.
+// Returns |a| truncated toward zero, but at most `limit`; 0 for NaN.
 static uint64_t truncate_magnitude(uint64_t a, uint64_t limit)
 {
     const int16_t exponent = (int16_t)((int16_t)(a >> 52) & 0x7FF);

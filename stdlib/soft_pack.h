@@ -27,7 +27,7 @@ typedef struct SmSoft {
 
 static inline bool sm_soft_is_finite(uint64_t a) { return a << 1 < SM_SOFT_INFINITY << 1; }
 
-// digits >> n, whose lowest bit is sticky: also set if a nonzero bit was shifted out.
+// Returns digits >> n.  The lowest bit of the result is sticky: it is also set if a nonzero bit was shifted out.
 static inline uint64_t sm_soft_shift(uint64_t digits, int16_t n)
 {
     if (n == 0)
