@@ -58,7 +58,7 @@ static void print_start_failure(const SmApp *app, SmResult r)
     sm_app_print(app, SM_TEXT("\n"));
 }
 
-// If r is an error, records the part `what` that failed and the reason `why`; NULL: the text of r is the reason.  Returns r.
+// If r is an error, records the part `what` that failed and the reason `why`.  `why` NULL: the text of r is the reason.  Returns r.
 static SmResult note_failure(SmApp *app, SmResult r, const char *what, const char *why)
 {
     if (r != SM_OK) {

@@ -67,9 +67,10 @@ typedef struct SmApp {
     uint32_t stop;            // read and written through sm_app_stop and sm_app_stopping
     const SmTask *failed_task;  // the task whose init failed
     const SmExecutor *failed_executor;    // the executor that did not start, or to which `failed_task` belongs
-    const char *failed_part, *reason;  // other part that did not start; reason, or NULL: the result's text (flash strings, stdlib/flash.h)
+    const char *failed_part;  // the part, neither task nor executor, that did not start (a flash string: stdlib/flash.h); or NULL
+    const char *reason;       // why the start failed (a flash string); NULL: the text of the SmResult is the reason
     const char *failed_file;  // the file that the failure concerns; or NULL
-    char failed_pin[16];      // "pin 17: ", likewise; or empty
+    char failed_pin[16];      // the pin that the failure concerns, as "pin 17: "; or empty
     bool print_messages;      // print messages on the console
     uint64_t start;           // PAL clock time at which tick 0 is due
     uint64_t fed_at, wrote_at;// PAL clock times: of the last watchdog feed; of the last check for pending writes

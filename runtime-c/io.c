@@ -26,7 +26,7 @@ static SmResult record_result(SmIo *io, uint16_t i, SmResult r)
 
 static SmResult first_error(SmResult before, SmResult now) { return before == SM_OK ? now : before; }
 
-// The bits of an element without a valid measurement: NaN if the type has one, else 0.
+// Returns the bits of an element without a valid measurement: NaN if the type has one, else 0.
 static uint64_t unknown_cell(SmType type)
 {
     return type == SM_F64 ? 0x7FF8000000000000u : type == SM_F32 ? 0x7FC00000u : 0;
@@ -109,7 +109,8 @@ SmResult sm_outputs_init(void *io) { return open_pins((SmIo *)io, OUTPUT); }
 
 static uint8_t *element_address(const SmIo *io, uint16_t i) { return (uint8_t *)io->sv->at + io->pin[i].offset; }
 
-// config.md 9.11: after more than `hold` consecutive failures the value is no longer valid.
+// Stores the values of all inputs in their elements.  After more than `hold` consecutive failures of a pin its value is no longer valid
+// (config.md 9.11).
 static void store_inputs(SmIo *io)
 {
     for (uint16_t i = 0; i < io->pins; i++) {

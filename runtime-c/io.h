@@ -26,7 +26,7 @@ typedef struct SmIo {
     uint16_t pins;
     SmStateVec *sv;
     uint8_t *handle;          // one byte for each pin: the PAL handles
-    uint16_t *missed;         // one for each pin: consecutive failed steps, at most 65535; init does not need a defined value
+    uint16_t *missed;         // one for each pin: consecutive failed steps, at most 65535; init sets them
     uint64_t *value;          // one for each pin: bits of the value that is being copied between pin and element
     // The field below belongs to the runtime.
     uint16_t failed;          // index into `pin`: after init, the pin that could not be opened; later, the last pin that failed

@@ -84,8 +84,8 @@ static bool begins_with_intact_slot(const SmKeep *k, const PalNvmInfo *info, con
     return n > 0 && log_get32(head + SLOT_CHECKSUM) == sm_crc32_end(crc);
 }
 
-// Whether the memory contains a saved vector or is blank, so that it may be written.  For blank only the number and the hash of
-// the first slot are checked, because a power cut may have interrupted an erase after them.
+// Whether the memory contains a saved vector or is blank, so that it may be written.  It counts as blank if the number and the hash of
+// the first slot are blank: a power cut may have interrupted an erase after these.
 static bool is_ours_or_blank(const SmKeep *k, const PalNvmInfo *info)
 {
     uint8_t first[SM_KEEP_HEAD], second[SM_KEEP_HEAD];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Saves the state vector in non-volatile memory, so that an application that was killed can continue where it was (thesis 2.4).
+// Saves the state vector in non-volatile memory, so that an application that was killed can continue where it was.
 // Two slots are written alternately.  Each has a sequence number, the layout's hash and a checksum.  Whenever the power fails, one
 // of them is intact: the last one or the one before it.  A slot written with another .sv is not used.  A task's step takes the
 // snapshot.  A thread without a deadline writes it to the memory; without threads the executor does, while it is idle.

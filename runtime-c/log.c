@@ -132,7 +132,7 @@ static uint32_t append_events_block(SmLog *log)
     return n;
 }
 
-// Limited to the size of the event ring, so that events emitted meanwhile cannot prolong the loop.
+// Appends the events of the event ring.  At most as many as the ring has room for, so that events emitted meanwhile cannot prolong the loop.
 static void append_events(SmLog *log)
 {
     uint32_t left = log->events ? log->events->room : 0, n = 1;

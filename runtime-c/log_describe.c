@@ -6,7 +6,7 @@
 #include "runtime-c/log_block.h"
 #include "runtime-c/log_describe.h"
 
-// Receives all bytes in order and stores up to `room` of them, starting at byte `from`.
+// Receives all bytes of the description in order, and stores those from byte `from` on, at most `room` of them, at `out`.
 typedef struct DescriptionSink {
     uint32_t at, from, room;  // at: bytes received so far
     uint8_t *out;

@@ -139,7 +139,7 @@ static SmResult enter_and_write_back(SmMachine *m)
     return SM_OK;
 }
 
-// Returns the result of the step; *delivered is the result of writing its stores back.
+// Steps the machine on its snapshot and writes its stores back.  Returns the result of the step; *delivered is the result of writing back.
 static SmResult step_on_copy(SmMachine *m, SmResult *delivered)
 {
     SmResult r = take_snapshot(m);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See pin.h.
+// Opens, reads, writes and closes single pins, and converts between their levels or voltages and the values of elements.
 #include "runtime-c/pin.h"
 
 #include "runtime-c/pal/aio.h"
@@ -11,7 +11,7 @@ static bool is_inverted(const SmIoPin *p) { return p->flags & SM_IO_INVERTED; }
 
 // ---- conversion ----
 
-// 1,000,000
+// Returns 1,000,000: the millionths of a volt in a volt.
 static SmF64 million(void) { return sm_from_bits(0x412E848000000000u); }
 
 SmF64 sm_pin_from_raw(const SmIoPin *p, int32_t v)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One pin and its element (docs/config.md 9). io.h has tables of them.
+// One pin and its element (docs/config.md 9).  io.h accesses tables of pins.
 #ifndef SM_PIN_H
 #define SM_PIN_H
 
@@ -35,7 +35,8 @@ SmResult sm_pin_read(const SmIoPin *p, uint8_t handle, SmF64 *x);  // x: the val
 SmResult sm_pin_write(const SmIoPin *p, uint8_t handle, SmF64 x);
 void sm_pin_close(const SmIoPin *p, uint8_t handle);                 // leaves the level unchanged
 
-// The same operations in parts. v: millionths; for a digital pin, 1 if its element is true, else 0.
+// sm_pin_read and sm_pin_write in two parts: access to the pin, and conversion between v and the value of the element.  v: the pin's value in
+// millionths; for a digital pin, 1 if its element is true, else 0.
 SmResult sm_pin_read_raw(const SmIoPin *p, uint8_t handle, int32_t *v);
 SmResult sm_pin_write_raw(const SmIoPin *p, uint8_t handle, int32_t v);
 SmF64 sm_pin_from_raw(const SmIoPin *p, int32_t v);                   // converts v to the value of the element (config.md 9.8)

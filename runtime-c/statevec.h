@@ -117,8 +117,8 @@ const SmRegion *sm_find_region(const SmNames *names, const char *name);
 SmResult sm_read_region(SmStateVec *sv, const SmRegion *r, void *bytes);
 SmResult sm_write_region(SmStateVec *sv, const SmRegion *r, const void *bytes);
 
-// The same in wire form: r->packed bytes, identical on every computer.  SM_E_SIZE: `room` is less than r->packed, or `n` differs
-// from it.
+// Copy a region to and from its wire form: r->packed bytes, identical on every computer.  SM_E_SIZE: `room` is less than r->packed, or
+// `n` differs from r->packed.
 SmResult sm_pack_region(SmStateVec *sv, const SmRegion *r, void *bytes, size_t room);
 SmResult sm_unpack_region(SmStateVec *sv, const SmRegion *r, const void *bytes, size_t n);
 

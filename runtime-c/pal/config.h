@@ -14,7 +14,7 @@
 #include SM_CONFIG
 #endif
 
-// The maximum number of each that can be open at once, 1 to 254.
+// How many locks, threads, sockets, pins, analog channels, serial lines, memories and logs can be open at once: 1 to 254 of each.
 #ifndef PAL_LOCKS
 #define PAL_LOCKS 8
 #endif

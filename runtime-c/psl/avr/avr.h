@@ -33,8 +33,8 @@ uint8_t avr_physical_pin(uint16_t number, uint8_t kind);      // kind: 1: output
 SmResult avr_pin_claim(uint8_t number);                // SM_E_BUSY: in use, or the serial line's
 void avr_pin_release(uint8_t number);
 bool avr_pin_is_claimed(uint8_t number);               // numbers from AVR_PINS on are analog channels
-void avr_pin_set(volatile uint8_t *byte, uint8_t mask, bool level);     // bits of a port's register, not interrupted
-void avr_pin_disconnect(uint8_t number);               // from the PWM of its timer, if it has one
+void avr_pin_set(volatile uint8_t *byte, uint8_t mask, bool level);     // sets or clears bits of a port's register, with interrupts off
+void avr_pin_disconnect(uint8_t number);               // disconnects the pin from its timer's PWM, if it has one
 volatile uint8_t *avr_pin_port(uint8_t number, uint8_t *mask);         // the port's PIN register; DDR and PORT follow it
 
 // ---- EEPROM ----

@@ -57,7 +57,7 @@ static bool try_acquire(uint32_t *word)
     return __atomic_compare_exchange_n(word, &unheld, thread_id(), false, __ATOMIC_ACQUIRE, __ATOMIC_RELAXED);
 }
 
-// Succeeds only without waiters; otherwise the kernel must release the lock.
+// Releases the lock if no thread waits for it.  Otherwise returns false: the kernel must release it.
 static bool try_release(uint32_t *word)
 {
     uint32_t held_without_waiters = thread_id();

@@ -58,13 +58,13 @@ static bool is_network_error(int error)
     }
 }
 
-// For a connected stream.  A peer that no longer answers ends the stream, too.
+// Converts an errno of a connected stream to a result.  A peer that no longer answers ends the stream, too.
 static SmResult stream_result(int error)
 {
     return is_network_error(error) ? SM_E_CLOSED : psl_result_of_errno(error);
 }
 
-// For a connect: no route or no listening socket is SM_E_UNREACHABLE; no answer (ETIMEDOUT) is SM_E_TIMEOUT.
+// Converts an errno of a connect to a result.  No route or no listening socket: SM_E_UNREACHABLE.  No answer (ETIMEDOUT): SM_E_TIMEOUT.
 static SmResult connect_result(int error)
 {
     return is_network_error(error) && error != ETIMEDOUT ? SM_E_UNREACHABLE : psl_result_of_errno(error);
@@ -159,7 +159,7 @@ static SmResult open_bound(PalSocket *s, const PalAddress *own, SocketKind kind,
 
 SmResult pal_socket_udp(PalSocket *s, const PalAddress *own) { return open_bound(s, own, DATAGRAMS, SO_BROADCAST); }
 
-// SO_REUSEADDR: the port of a program that has just ended is immediately available again.
+// With SO_REUSEADDR, the port of a program that has just ended is immediately available again.
 SmResult pal_socket_listen(PalSocket *s, const PalAddress *own) { return open_bound(s, own, LISTENING, SO_REUSEADDR); }
 
 // Waits until the pending connection is established.

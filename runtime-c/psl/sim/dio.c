@@ -7,7 +7,7 @@
 
 typedef struct SimPin {
     bool open, output, level;      // level: of an output
-    bool driven, external_level;   // whether it is driven externally, and that level
+    bool driven, external_level;   // whether it is driven externally, and to which level
     bool pulled_up;
     uint16_t source;               // 1 + number of the pin that it is wired to; 0: none
     uint32_t edges;

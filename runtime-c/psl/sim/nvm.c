@@ -25,7 +25,7 @@ enum { MEDIA = sizeof media / sizeof *media };
 static bool used[PAL_NVMS];
 static uint8_t medium_of[PAL_NVMS];
 
-// The planned power cut: during the write after `after` more ones, which still stores `bytes` bytes.  off: the power is off.
+// The planned power cut.  `after` more writes succeed; the next one stores `bytes` bytes, then the power is cut.  off: the power is off.
 static struct {
     bool planned, off;
     uint32_t after, bytes;
