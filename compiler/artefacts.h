@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files that a compilation produces, as bytes: its last stage, and the texts of --emit=tokens and ast, which stop before checking.
+// The output files of a compilation, as bytes in memory.  Most are produced after all other stages; those of --emit=tokens and --emit=ast
+// are produced before checking.
 #ifndef SMC_ARTEFACTS_H
 #define SMC_ARTEFACTS_H
 
 #include "compiler/compile.h"
 
-// One call of compile_sources.
+// The state of one call of compile_sources.
 typedef struct Compilation {
     Session *s;
     const CompileInput *in;
     const CompileOptions *o;
     Compiled *out;
-    const Program **program;      // of all machines without errors
+    const Program **program;      // the machines without errors
     size_t programs;
-    IoMap *image_pins;            // in->pins, or NULL
+    IoMap *image_pins;            // in->pins after checking; NULL if absent or with errors
 } Compilation;
 
 // Adds the output of --emit=tokens or ast: the tokens or the syntax tree of every source.
 void artefacts_add_syntax_dump(Compilation *c);
-// Emits what options->emit requests of machines, state vectors and pins without errors.
+// Emits the outputs that o->emit requests.  Call it only if no source has an error.
 void artefacts_emit(Compilation *c);
-// Emits the C of an application: its own, and that of its state vector, its machines that are C, and its pins.
+// Emits the C of an application: its tables, its state vector, its machines without @bytecode, and its pins.
 void artefacts_emit_app(Compilation *c, const App *a);
 
 #endif

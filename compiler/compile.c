@@ -37,8 +37,8 @@ static size_t count_kind(const CompileInput *in, FileKind kind)
     return n;
 }
 
-// Adds the locals that the scripts write to `written`.  Without the option `step`, the session's step is the delta_t of the scripts if
-// all have the same one.  Errors in a script are reported when it is compiled, not here.
+// Adds the locals that the scripts write to `written`.  If the option `step` is 0 and all scripts have the same delta_t, the session's step
+// becomes that delta_t.  Errors in a script are reported when the script is compiled, not here.
 static void read_script_writes_and_step(Compilation *c, Map *written)
 {
     uint64_t step = 0;
@@ -54,7 +54,7 @@ static void read_script_writes_and_step(Compilation *c, Map *written)
         c->s->step = step;
 }
 
-// Optimises a machine.  If its costs are needed, also builds an image with line numbers, and counts the costs in it.
+// Optimises a machine.  If its costs are needed, also builds an image with line numbers, and checks the limits on that image.
 static void build_ir_and_measure(Compilation *c, CompiledSource *of)
 {
     const ImageOptions with_lines = {true, NULL};
@@ -186,7 +186,7 @@ bool compile_sources(Session *s, const CompileInput *in, const CompileOptions *o
     out->of = ARENA_ARRAY(&s->arena, CompiledSource, in->n);
     s->warnings = o->skip_analyses ? 0 : o->warnings ? diag_selection_groups(o->warnings) : DIAG_GROUPS_ALL;
     s->step = o->step;
-    s->hide_locals = o->emit != EMIT_C && !o->names;       // in C other code can read them
+    s->hide_locals = o->emit != EMIT_C && !o->names;       // emitted C declares locals where the user's code can read them
     if (o->emit == EMIT_AST || o->emit == EMIT_TOKENS)
         artefacts_add_syntax_dump(&c);
     else if (in->app)

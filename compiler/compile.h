@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The compiler as a library: one function from sources to findings and artefacts.  Every front end calls it.  It does no I/O: the
-// caller reads the sources, prints the diagnostics and writes the artefacts.  compile.c begins with a drawing of the stages.
+// The compiler as a library: compile_sources turns sources into findings and output files (artefacts).  Every front end calls it.  It does
+// no I/O: the caller reads the sources, prints the diagnostics and writes the artefacts.  compile.c begins with a drawing of the stages.
 #ifndef SMC_COMPILE_H
 #define SMC_COMPILE_H
 
@@ -22,8 +22,8 @@ typedef struct CompileApp {
     AppFiles files;
 } CompileApp;
 
-// The sources of one call, in its order.  If exactly one of them is a machine, the scripts among them are its scripts; other scripts
-// are only parsed.  So are pins without a vector, and an application without `app`.
+// The sources of one call, in the order that the user named them.  If exactly one of them is a machine, the scripts among them are its
+// scripts.  Scripts of several machines are only parsed, and so are pins if `vector` is NULL and an application if `app` is NULL.
 typedef struct CompileInput {
     CompileSource *at;
     size_t n;
@@ -35,9 +35,9 @@ typedef struct CompileInput {
 typedef enum CompileEmit {
     EMIT_NOTHING,
     EMIT_BYTECODE,                // one image of all machines
-    EMIT_ARRAY,                   // the same as a C array
-    EMIT_C,                       // of each source; of an application, all its files
-    EMIT_IR, EMIT_AST, EMIT_TOKENS        // a stage as text
+    EMIT_ARRAY,                   // that image as a C array
+    EMIT_C,                       // C of each source; for an application, of everything that it names
+    EMIT_IR, EMIT_AST, EMIT_TOKENS        // the result of a stage, as text
 } CompileEmit;
 
 typedef struct CompileOptions {
@@ -45,19 +45,19 @@ typedef struct CompileOptions {
     int opt_level;                        // 0, 1, 2
     const DiagSelection *warnings;        // NULL: every warning is found and stays in the list
     bool skip_analyses;                   // reports errors only, and the warnings of the checker
-    uint64_t step;                        // how much G advances from step to step; 0: as the scripts declare, if they agree
+    uint64_t step;                        // how much G advances from step to step; 0: the delta_t of the scripts, if all have the same
     CompileLimits limits;
     bool names;                           // the image contains names and lines; without them locals are not observable
     bool soft;                            // C of an application: see EmitCOptions
-    bool measure;                         // also makes CompiledSource.measured
+    bool measure;                         // also sets CompiledSource.measured
     bool scripts_later;                   // scripts are only searched for the locals that they write; see session_script
 } CompileOptions;
 
 // ---- what is compiled ----
 
-// Every field is NULL if it does not apply to the kind of the source, was not required, or had errors.
+// The results for one source.  A field is NULL if it does not apply to the kind of the source, was not requested, or had errors.
 typedef struct CompiledSource {
-    const Program *program;       // a machine as it flies
+    const Program *program;       // a machine as it will fly, without scripts
     const Program *scripted;           // the same machine as its scripts run it (session_program_for_scripts)
     IrMachine *ir;                // of `program`, optimised
     const uint8_t *measured;      // an image of this machine alone, with lines, for cost_of_machine
@@ -70,21 +70,22 @@ typedef struct CompiledSource {
 typedef struct Artefact {
     size_t source;                // index of the source that it is generated from
     const char *name;             // of an application's C: the file's name.  Otherwise NULL, and
-    const char *suffix;           // ".smb": the default name is the stem of the source and this; NULL: text for standard output
+    const char *suffix;           // such as ".smb": the default name is the source's stem plus suffix; NULL: for standard output
     Buf *bytes;
 } Artefact;
 
 typedef struct Compiled {
-    CompiledSource *of;           // by source
+    CompiledSource *of;           // one entry per source
     const App *app;
     VEC(Artefact) artefact;       // complete only if compile_sources() returned true
 } Compiled;
 
-// Lists the files that the application names in out->files.  The caller sets the source or the problem of each and then calls compile.
+// Parses an application, and lists the files that it names in out->files.  The caller reads each file, sets its `src` or `problem`, and
+// passes `out` to compile_sources.
 void compile_open_app(Session *s, const Source *app, CompileApp *out);
 
-// Compiles everything that `o` requests.  Diagnostics are in s->diags: allowed and disabled ones removed, sorted.  Returns whether
-// there was no error.
+// Compiles everything that `o` requests.  s->diags then has the diagnostics, sorted, without the allowed and the disabled ones.  Returns
+// whether there was no error.
 bool compile_sources(Session *s, const CompileInput *in, const CompileOptions *o, Compiled *out);
 
 #endif

@@ -27,7 +27,7 @@ static const CostWindow *largest_window(const Cost *cost)
     return most;
 }
 
-// Returns where a window of that size is used; the start of the machine if w is NULL.
+// Returns the position of a roll call whose window has the size of w; the start of the file if w is NULL.
 static Span span_of_window(const Program *p, const CostWindow *w)
 {
     for (size_t i = 0; w && i < p->window.n; i++)

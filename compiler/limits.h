@@ -12,13 +12,13 @@
 // 0: no limit.
 typedef struct CompileLimits {
     uint32_t ram;             // bytes, windows included
-    uint32_t step;            // instructions of the longest step
-    uint32_t cycles;          // of an ATmega for the longest step
+    uint32_t step;            // bytecode instructions of the longest step
+    uint32_t cycles;          // processor cycles of the longest step on an ATmega
 } CompileLimits;
 
 static inline bool limits_exist(const CompileLimits *l) { return l->ram || l->step || l->cycles; }
 
-// Reports by how much a machine exceeds the limits.  `image` contains only this machine, compiled from p as it will fly, with lines.
+// Reports by how much a machine exceeds the limits.  `image` contains only this machine, compiled from p as it will fly, and line numbers.
 void limits_check(Arena *arena, Diags *d, const Program *p, const uint8_t *image, const CompileLimits *l);
 // Reports that the limits cannot be judged for a machine, because an application compiles it to C.
 void limits_report_c(Diags *d, const Program *p);

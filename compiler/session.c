@@ -34,8 +34,8 @@ void session_free(Session *s)
 
 // ---- text to tree to program ----
 
-// Returns a tree even if there were errors, so that checking finds further errors in the same run.  The caller frees s->tree when it has
-// checked it: a tree is larger than the program that is made of it.
+// Returns a tree even if there were errors, so that checking finds further errors in the same run.  The caller frees s->tree after checking,
+// because a tree is larger than the program that is built from it.
 static AstFile *parse(Session *s, const Source *src, FileKind kind)
 {
     return parse_file(&s->tree, &s->strings, &s->diags, src, kind);
@@ -112,7 +112,7 @@ static void withdraw_read_only_edits(Diags *d, const Program *p, const Map *writ
 }
 
 // Checks with a separate list of diagnostics, which is dropped, because the check of `flown` has reported the same warnings.  Only errors
-// can be new: those about a local that is constant in flight but variable for scripts.  After an error, checks again to report them.
+// about a local that is constant in flight but variable for scripts can be new.  If there are any, checks again to report them.
 const Program *session_program_for_scripts(Session *s, const MachineInput *in, const Program *flown)
 {
     const Diags reported = s->diags;
@@ -137,7 +137,7 @@ static const Source *find_source(const AppFiles *files, FileKind kind)
     return NULL;
 }
 
-// Without the state vector, only errors in a machine's own text can be reported.
+// Compiles a machine of an application.  If sv is NULL because the state vector has errors, only syntax errors are reported.
 static const Program *app_program(Session *s, const Source *sm, StateVec *sv)
 {
     size_t errors = s->diags.met;
@@ -213,8 +213,8 @@ static void add_written_names(void *context, const AstStmt *item)
     script_add_names_of_item(item, context);
 }
 
-// Parses a script without reports, and collects the names that it writes.  Returns NULL if it has syntax errors; otherwise its tree
-// without items, in s->tree.
+// Parses a script without reporting errors, and adds the names that it writes to `written`.  Returns NULL if it has syntax errors; otherwise
+// its tree without items, in s->tree.
 static const AstFile *parse_silently(Session *s, const Source *ss, Map *written)
 {
     const ScriptVisitor v = {ignore_section, add_written_names, written, &s->work};
@@ -231,7 +231,8 @@ static const AstFile *parse_silently(Session *s, const Source *ss, Map *written)
     return good ? f : NULL;
 }
 
-// If there are syntax errors, the whole tree is checked: what they may have hidden silences other reports.
+// Checks a script without syntax errors item by item, which needs little memory.  With syntax errors, builds the whole tree first: the
+// checker does not report names whose declarations an error may have hidden.
 Script *session_script(Session *s, const Source *ss, const Program *p)
 {
     size_t errors = s->diags.met;
@@ -285,7 +286,7 @@ static void print_after_pass(void *context, const PassInfo *pass, const IrMachin
     print_requested_stage(context, pass->name, m);
 }
 
-// Hides locals. Scripts and debuggers observe locals, but nothing does in a flight image without names.
+// Marks locals as not observable between steps. Only scripts and debuggers observe locals, and a flight image without names has neither.
 static void hide_locals(IrMachine *m)
 {
     for (size_t v = 0; v < m->var.n; v++)

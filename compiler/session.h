@@ -15,12 +15,12 @@
 typedef struct Session {
     Arena arena;
     Arena tree;                   // the syntax tree of the file that is being checked; freed when it has been
-    Arena work, scratch;          // freed when a stage ends, and when a part of a stage ends
+    Arena work, scratch;          // `work` is freed when a stage ends, `scratch` when a part of a stage ends
     StrPool strings;
     Diags diags;
     const char *print_after;      // session_ir prints the machine to print_to after this optimiser pass;
     Buf *print_to;                // "build": before the first pass; NULL: no printing
-    bool check_passes;            // session_ir verifies the machine after every pass, not only the last: a third of a build's time
+    bool check_passes;            // session_ir verifies the IR after every pass, not only the last: takes a third of a build's time
     unsigned warnings;            // 1u << DiagGroup of each group that session_analyse checks
     uint64_t step;                // how much G advances from step to step, for session_analyse; 0: unknown
     IrMachine *built;             // the machine that session_analyse analysed last, for session_ir; or NULL
@@ -40,7 +40,7 @@ typedef struct MachineInput {
     const Map *written_outside;   // see check_machine; or NULL
 } MachineInput;
 
-// Each returns NULL if there were errors, which are then in s->diags.
+// Each of these functions returns NULL if there were errors, which are then in s->diags.
 AstFile *session_parse(Session *s, const Source *src, FileKind kind);
 StateVec *session_state_vector(Session *s, const Source *sv);
 // The pins of `io`; also returns NULL if the state vector has errors.
@@ -61,9 +61,9 @@ void session_analyse(Session *s, const Program *p);
 // Returns the optimised IR, by passes over s->built if that is of p.
 IrMachine *session_ir(Session *s, const Program *p, int opt_level);
 
-// Several machines over one state vector form one image.
+// Emits an image with n machines, which share one state vector.
 typedef struct ImageOptions {
-    bool debug;               // with names and lines
+    bool debug;               // the image contains names and line numbers
     const IoMap *io;          // the pins that the image contains; or NULL
 } ImageOptions;
 bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions *o, Buf *out);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bump allocation in chunks that double, so that a large input needs few of them.
+// Bump allocation.  Each new chunk is twice as large as the last, so that a large input needs few chunks.
 #include "compiler/base/arena.h"
 
 #include <stdint.h>
@@ -10,7 +10,7 @@ struct ArenaChunk {
     size_t size;          // usable bytes after this header
 };
 
-#ifndef ARENA_FIRST_CHUNK                // a test makes chunks so small that every allocation calls the host
+#ifndef ARENA_FIRST_CHUNK                // a test defines it as so small that every allocation calls the host's allocator
 #define ARENA_FIRST_CHUNK (32 * 1024)
 #define ARENA_LARGEST_CHUNK (16 * 1024 * 1024)
 #endif
@@ -58,7 +58,7 @@ static void add_chunk(Arena *a, size_t wanted)
     a->zeroed_end = a->next;
 }
 
-// Zeroes the chunk up to `to`, and some bytes beyond it, so that one memset serves many small allocations.
+// Zeroes the chunk up to `to` and up to ZERO_AHEAD bytes after `to`, so that one memset serves many small allocations.
 static void zero_up_to(Arena *a, char *to)
 {
     char *up = (size_t)(a->end - to) > ZERO_AHEAD ? to + ZERO_AHEAD : a->end;
@@ -100,7 +100,7 @@ void *arena_alloc_unzeroed(Arena *a, size_t size)
     return p;
 }
 
-// Allocates `room` bytes and copies `size` bytes into them.  The rest is zeroed.
+// Allocates `room` bytes, copies `size` bytes to their start, and zeroes the rest.
 static void *alloc_copy(Arena *a, const void *from, size_t size, size_t room)
 {
     char *p = bump_unzeroed(a, room);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory by lifetime.  An arena allocates zeroed memory and frees all of it at once; single allocations are not freed.
+// Arenas: memory for objects with one lifetime.  An arena allocates zeroed memory and frees all of it at once, never single allocations.
 // If the host is out of memory, arena_alloc does not return: it longjmps to the entry point of the library (*oom).
 #ifndef SMC_ARENA_H
 #define SMC_ARENA_H
@@ -7,7 +7,7 @@
 #include <setjmp.h>
 #include <stddef.h>
 
-// The host's allocator: like realloc, with size 0 to free.  NULL if out of memory.
+// The host's allocator.  It works like realloc; size 0 frees `old`.  It returns NULL if it is out of memory.
 typedef void *(*SmcAllocFn)(void *context, void *old, size_t size);
 
 typedef struct ArenaChunk ArenaChunk;
@@ -24,7 +24,7 @@ typedef struct Arena {
 void arena_init(Arena *a, SmcAllocFn alloc, void *context, jmp_buf *oom);
 void arena_free(Arena *a);                       // frees every chunk; the arena may be used again
 
-enum { ARENA_ALIGN = 8 };                         // enough for everything the compiler stores: numbers and pointers
+enum { ARENA_ALIGN = 8 };                         // alignment of every allocation: enough for the numbers and pointers of the compiler
 void *arena_alloc_more(Arena *a, size_t size);   // the slow path of arena_alloc, when the zeroed memory is too short
 
 // Zeroed memory, aligned for anything.  Never NULL; size 0 is allowed.
@@ -37,7 +37,7 @@ static inline void *arena_alloc(Arena *a, size_t size)
     a->next += room;
     return a->next - room;
 }
-void *arena_array(Arena *a, size_t count, size_t size);          // checks count * size
+void *arena_array(Arena *a, size_t count, size_t size);          // longjmps to *oom if count * size overflows
 void *arena_alloc_unzeroed(Arena *a, size_t size);               // as arena_alloc, but not zeroed
 void *arena_copy(Arena *a, const void *from, size_t size);
 void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size);   // copies, or extends the last allocation in place

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets of numbers, one bit for each, in arrays of words that the caller allocates (zeroed: the empty set).
+// Sets of numbers as arrays of bits: bit n is set if the set contains n.  The caller allocates the words; zeroed words are the empty set.
 #ifndef SMC_BITSET_H
 #define SMC_BITSET_H
 
@@ -7,13 +7,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
-static inline size_t bitset_words(size_t limit) { return limit / 64 + 1; }       // for numbers below limit
+static inline size_t bitset_words(size_t limit) { return limit / 64 + 1; }       // for a set of numbers below limit
 
 static inline bool bitset_has(const uint64_t *set, size_t number) { return (set[number / 64] >> number % 64 & 1) != 0; }
 static inline void bitset_add(uint64_t *set, size_t number) { set[number / 64] |= UINT64_C(1) << number % 64; }
 static inline void bitset_remove(uint64_t *set, size_t number) { set[number / 64] &= ~(UINT64_C(1) << number % 64); }
 
-// Adds all numbers of `more`.  Returns true if the set grew.
+// Adds all numbers of the set `more`.  Returns true if the set grew.
 static inline bool bitset_merge(uint64_t *set, const uint64_t *more, size_t words)
 {
     bool grew = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A growing buffer of text or bytes, in an arena.  It always ends with a NUL that `n` does not count.
+// A growing buffer of text or bytes, in an arena.  A NUL that `n` does not count follows the content.
 #ifndef SMC_BUF_H
 #define SMC_BUF_H
 
@@ -27,16 +27,16 @@ static inline void buf_char(Buf *b, char c)
 }
 void buf_str(Buf *b, const char *text);
 void buf_spaces(Buf *b, size_t n);
-// Like printf, with the formats of the C library's vsnprintf.
+// Appends formatted text.  The formats are those of printf.
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
 void buf_printf(Buf *b, const char *format, ...);
-const char *buf_text(const Buf *b);          // the text so far; "" if empty
-void buf_u32(Buf *b, uint32_t v);            // little-endian
-void buf_u64(Buf *b, uint64_t v);
+const char *buf_text(const Buf *b);          // the content so far; "" if there is none
+void buf_u32(Buf *b, uint32_t v);            // 4 bytes, little-endian
+void buf_u64(Buf *b, uint64_t v);            // 8 bytes, little-endian
 
-// printf into arena memory that lives as long as the arena.
+// Formats text like printf, in new memory of the arena.
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif

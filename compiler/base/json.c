@@ -5,7 +5,8 @@
 
 #include "compiler/base/utf8.h"
 
-// Appends one character of a JSON string, and returns its length in bytes.  A byte that is not UTF-8 becomes U+FFFD.
+// Appends the first character of the n bytes at s to a JSON string, escaped if necessary.  Returns how many bytes of s it used.  A byte
+// that is not UTF-8 becomes U+FFFD.
 static size_t put_json_character(Buf *out, const char *s, size_t n)
 {
     uint32_t code = 0;

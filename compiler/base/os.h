@@ -9,26 +9,26 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-// Memory for SmcAllocFn: the host's heap.
+// An SmcAllocFn that allocates on the heap.  `context` is not used.
 void *os_alloc(void *context, void *old, size_t size);
 
-bool os_is_name(const char *name);                 // whether it contains no control character
+bool os_is_name(const char *name);                 // whether the name contains no control character
 
 // Reads a whole file or, for "-", standard input.  *text is allocated on the heap (os_alloc) and ends with a NUL that *len does not
 // count.  Refuses folders and anything longer than `most` bytes.
 bool os_read(const char *path, size_t most, char **text, size_t *len, const char **why);
 
-// Writes files so that each appears complete or not at all.  Each is written to a temporary file next to its target.  When all are
-// complete, they are renamed.  The path "-" is standard output.  Devices, pipes and open files of this process (os_find_descriptor) receive
-// the bytes directly.  A signal that ends the process removes unfinished files.
+// Writes files so that each appears complete or not at all.  Writes each output to a temporary file next to its target, and renames the
+// temporary files when all of them are complete.  The path "-" is standard output.  Devices, pipes and open files of this process
+// (os_find_descriptor) receive the bytes directly.  A signal that ends the process removes the temporary files.
 // A replaced file keeps its mode and, as far as the system allows, its owner.  A symbolic link stays a link, and its target is replaced.
 // If a file has several names (hard links), only this name gets the new contents.  To change all of them, the file would have to be
 // overwritten in place: a power cut would leave half of it, and a backup made of hard links would change.
 typedef struct OsOutput { const char *path; const void *bytes; size_t n; } OsOutput;
 bool os_write(const OsOutput *out, size_t n, const char **failed_path, const char **why);
 
-// A file written piece by piece.  It appears when it is closed with `keep`.  Standard output and devices receive the data at once.
-// Only one stream may be open at a time.
+// A file written piece by piece.  The file appears when the stream is closed with `keep`; without `keep` it never appears.  Standard
+// output and devices receive each piece at once.  Only one stream may be open at a time.
 typedef struct OsStream { char *target; int fd; bool is_direct, is_own; } OsStream;
 bool os_stream_open(OsStream *s, const char *path, const char **why);
 bool os_stream_put(OsStream *s, const void *bytes, size_t n, const char **why);
@@ -52,12 +52,12 @@ bool os_same_file(const char *a, const char *b);   // whether both name the same
 // The names in a folder, sorted, without . and ..; *names and its strings are one heap allocation.
 bool os_list(const char *path, char ***names, size_t *n, const char **why);
 
-// For keys.  os_write_private creates a file that only its owner can read, and fails if the file already exists.
+// For secret keys.  os_random stores n random bytes.  os_write_private creates a file that only its owner can read, and fails if it exists.
 bool os_random(void *bytes, size_t n, const char **why);
 bool os_write_private(const char *path, const void *bytes, size_t n, const char **why);
-bool os_is_private(const char *path);              // whether only its owner may read it, or it does not exist
+bool os_is_private(const char *path);              // whether only its owner can read the file, or the file does not exist
 
-double os_seconds(void);                           // of a monotonic clock
+double os_seconds(void);                           // time of a monotonic clock
 bool os_is_terminal(int fd);
 const char *os_getenv(const char *name);           // NULL if unset or empty
 

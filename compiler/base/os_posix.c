@@ -26,7 +26,7 @@ void *os_alloc(void *context, void *old, size_t size)
         free(old);
         return NULL;
     }
-#ifdef MADV_HUGEPAGE                     // Linux: large blocks get pages of 2 MB; with 4 KB pages each page costs a fault
+#ifdef MADV_HUGEPAGE                     // Linux: large blocks get pages of 2 MB, because every page costs a page fault
     if (!old && size >= HUGE_PAGE && posix_memalign(&old, HUGE_PAGE, size) == 0)
         return madvise(old, size, MADV_HUGEPAGE), old;
 #endif
@@ -56,7 +56,7 @@ static bool check_name(const char *path, const char **why)
 
 // ---- reading ----
 
-// Reads to the end of the file into a buffer that doubles when full.
+// Reads to the end of the file into a heap buffer, which doubles when it is full.
 static bool read_all(int fd, size_t most, char **text, size_t *len, const char **why)
 {
     size_t cap = 16384, n = 0;
@@ -150,7 +150,7 @@ bool os_print(int fd, const void *bytes, size_t n, const char **why)
     return write_all(fd, bytes, n, why);
 }
 
-// Temporary files, by their numbers in os_signal.h.
+// Temporary files have numbers in os_signal.h: os_write uses 0 to MOST_OUTPUTS - 1, the open stream uses STREAM.
 enum { MOST_OUTPUTS = OS_UNFINISHED - 1, STREAM = MOST_OUTPUTS };
 
 // Returns the mode of the replaced file, or else the default mode of a new file.
@@ -170,7 +170,8 @@ bool os_is_special(const char *path)
     return os_find_descriptor(path) >= 0 || (stat(path, &st) == 0 && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode));
 }
 
-// Opens a path that is written directly. Open files of this process keep their position, so the output is appended at that position.
+// Opens a path that is written without a temporary file. If it names an open file of this process (*is_own), returns that descriptor:
+// output continues at its current position.
 static int open_directly(const char *path, bool *is_own, const char **why)
 {
     int fd = strcmp(path, "-") == 0 ? 1 : os_find_descriptor(path);
@@ -193,7 +194,7 @@ static char *resolve_target(const char *path, const char **why)
     return target;
 }
 
-// Creates a new file next to `target`. From its creation on, a signal removes it.
+// Creates a temporary file next to `target`. From then on, a signal that ends the process removes the temporary file.
 static int open_temporary(const char *target, int number, const char **why)
 {
     char *temp;
@@ -218,8 +219,8 @@ static int open_temporary(const char *target, int number, const char **why)
     return fd;
 }
 
-// Gives the finished file the owner and mode of the file that it replaces, and closes it. Its bytes are on the medium before it is
-// renamed: after a power cut either the old file or the new one exists.
+// Gives the temporary file the owner and mode of the file that it will replace, and closes it. fsync stores its bytes on the medium before
+// the rename, so that after a power cut either the old file or the complete new one exists.
 static bool close_temporary(int fd, const char *target, bool ok, const char **why)
 {
     struct stat old, own;
@@ -234,7 +235,7 @@ static bool close_temporary(int fd, const char *target, bool ok, const char **wh
     return ok;
 }
 
-// Ends the registration of a temporary file for removal, and frees its path.
+// Unregisters a temporary file, so that a signal no longer removes it, and frees its path.
 static void forget_temporary(int number)
 {
     char *temp = os_unfinished_path(number);
@@ -256,7 +257,7 @@ static bool write_directly(const OsOutput *out, const char **why)
     return ok;
 }
 
-// Writes one output completely, except for renaming the temporary file to *target; *target stays NULL if there is nothing to rename.
+// Writes one output to a temporary file, which the caller renames to *target. *target stays NULL if the output was written directly.
 static bool write_temporary(const OsOutput *out, int number, char **target, const char **why)
 {
     int fd;
@@ -282,7 +283,7 @@ bool os_write(const OsOutput *out, size_t n, const char **failed_path, const cha
         *failed_path = out[i].path;
         ok = write_temporary(&out[i], (int)i, &target[i], why);
     }
-    os_signals_delay();                               // rename all of them or none
+    os_signals_delay();                               // a signal cannot interrupt the renames
     for (size_t i = 0; ok && i < n; i++)
         if (target[i]) {
             *failed_path = out[i].path;
@@ -372,7 +373,7 @@ static char *real_folder(const char *path)
     return real;
 }
 
-enum { LINKS_MOST = 40, LINK_LENGTH = 4096 };         // links followed in a row, and the length of one: common limits
+enum { LINKS_MOST = 40, LINK_LENGTH = 4096 };         // the most links followed in a row, and the longest target of a link: common limits
 
 // Returns the target of a symbolic link in the folder `folder`, allocated on the heap. NULL: `path` is not a link, or memory is
 // exhausted.
@@ -391,8 +392,8 @@ static char *follow_link(const char *path, const char *folder)
     return next;
 }
 
-// Returns the descriptor that `name` in `folder` stands for. On Linux /dev/fd links to /proc/PID/fd; on other systems it is a separate
-// folder.
+// Returns the number of the file descriptor that the file `name` in `folder` represents, else -1. On Linux /dev/fd links to /proc/PID/fd;
+// on other systems /dev/fd is a folder.
 static int parse_descriptor(const char *folder, const char *name)
 {
     char own[40];

@@ -12,20 +12,20 @@ bool os_temp_folder(char *path, size_t n, const char **why);
 // Removes the folder that os_temp_folder made, and the files in it.
 void os_remove_folder(const char *path);
 
-// Runs argv[0] (searched in PATH) with the NULL-terminated list argv, and waits for its end.  Its output goes to the file `output`.
-// *exit_code is 128 + the signal's number if a signal ended it.  It runs in its own process group.  A signal that ends this process ends
-// the whole group first.
+// Runs the program argv[0] (searched in PATH) with the NULL-terminated list argv, and waits for its end.  Its output goes to the file
+// `output`.  *exit_code is 128 + the signal's number if a signal ended the program.  The program runs in its own process group.  A signal
+// that ends this process ends that whole group first.
 bool os_run(const char *const *argv, const char *output, int *exit_code, const char **why);
 
-// A partner: a child process whose standard input and output are connected to this process.  If it has died, the next write or read
-// fails; no signal is raised.
+// A partner: a child process whose standard input and output are connected to this process.  After a partner has died, the next write or
+// read fails; no signal is raised.
 typedef struct OsPartner {
     int fd;
     long pid;
 } OsPartner;
 
 bool os_partner_start(OsPartner *p, const char *const *argv, const char **why);
-bool os_partner_write(OsPartner *p, const void *bytes, size_t n, const char **why);      // all of it
+bool os_partner_write(OsPartner *p, const void *bytes, size_t n, const char **why);      // all n bytes
 bool os_partner_read(OsPartner *p, void *bytes, size_t n, const char **why);             // exactly n bytes
 void os_partner_end(OsPartner *p);                        // closes its input and waits for its end
 

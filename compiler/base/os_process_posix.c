@@ -73,7 +73,8 @@ static int wait_for_exit(pid_t pid)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-// Ends a process group whose leader is our child: first with the pending signal, after a second by force.
+// Ends a process group whose leader is a child of this process: first with the signal that this process received, after a second with
+// SIGKILL.
 static void terminate_group(pid_t leader)
 {
     const struct timespec pause = {0, 10 * 1000 * 1000};
@@ -92,8 +93,8 @@ static void terminate_group(pid_t leader)
 
 static void ignore_signal(int number) { (void)number; }
 
-// Waits for the child. Returns false if a signal is pending that ends this process. All signals are blocked except while it sleeps, so
-// that none can arrive between the last check and the sleep. SIGCHLD has a handler because an ignored signal does not wake the sleep.
+// Waits for the child. Returns false if this process has received a signal that will end it. Signals are blocked except during sigsuspend,
+// so that none can arrive between the last check and the wait. SIGCHLD has a handler because an ignored signal does not end sigsuspend.
 static bool wait_or_signal(pid_t pid, int *exit_code)
 {
     struct sigaction action, before;

@@ -8,9 +8,10 @@
 #include <stdint.h>
 
 // Opens a line in raw mode: 8 data bits, no parity, 1 stop bit, no flow control.  Bytes that arrived earlier are dropped.  DTR stays on
-// after the close, because an Arduino restarts whenever it goes on.
+// after the close, because an Arduino restarts whenever DTR turns on.
 bool os_serial_open(const char *path, unsigned long bits_per_second, int *fd, const char **why);
-bool os_serial_send(int fd, const uint8_t *bytes, size_t n);                           // false: it accepted no byte for 5 s, or is disconnected
+// Returns false if the line accepted no byte for 5 s, or the device is disconnected.
+bool os_serial_send(int fd, const uint8_t *bytes, size_t n);
 // Waits up to `wait` milliseconds.  Returns the number of bytes received, 0 if none, -1 if the device is disconnected.
 int os_serial_receive(int fd, uint8_t *bytes, size_t room, uint32_t wait);
 void os_serial_close(int fd);

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
-static char *volatile unfinished[OS_UNFINISHED];      // written by the main flow, read by the handler
+static char *volatile unfinished[OS_UNFINISHED];      // written by normal code, read by the signal handler
 static volatile sig_atomic_t waiting, held;
 static int begun;                                     // nesting depth of os_signals_begin
 
@@ -30,7 +30,7 @@ void os_remove_unfinished(void)
 
 int os_signal_at(int i) { return i < NUMBERS ? numbers[i] : 0; }
 
-// Ends the process by the same signal, so that its parent process sees which signal it was.
+// Ends the process by the default action of the signal, so that the parent process sees which signal it was.
 static void end_process(int number)
 {
     sigset_t set;

@@ -24,12 +24,12 @@ typedef struct Span {
 
 typedef struct LineCol { uint32_t line, col; } LineCol;
 
-enum { SOURCE_MAX = 0x40000000 };   // the longest source in bytes: offsets and their sums fit 32 bits
+enum { SOURCE_MAX = 0x40000000 };   // the longest source in bytes: the sum of two offsets fits in 32 bits
 
 // Wraps `text` without copying it, and finds its lines.  `name` and `text` must outlive the result; len <= SOURCE_MAX.
 Source *source_new(Arena *arena, const char *name, const char *text, size_t len);
 LineCol source_position(const Source *s, uint32_t at);
-// The line's text without its LF or CR LF.
+// Returns the text of a line, counted from 1, without its LF or CR LF; *len is its length.
 const char *source_line(const Source *s, uint32_t line, uint32_t *len);
 Span span_join(Span a, Span b);     // from the start of a to the end of b
 

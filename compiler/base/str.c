@@ -110,7 +110,7 @@ static size_t smallest(size_t a, size_t b, size_t c)
 
 size_t str_distance(const char *a, const char *b, size_t limit)
 {
-    enum { LONGEST = 64 };                                  // longer names are never suggested
+    enum { LONGEST = 64 };                                  // the distance of longer strings is not computed: it counts as `limit`
     size_t row[3][LONGEST + 1];
     size_t la = strlen(a), lb = strlen(b);
     size_t *before = row[0], *last = row[1], *now = row[2];

@@ -13,7 +13,7 @@ typedef struct StrData {
     uint32_t hash;
     uint32_t len;         // without the final NUL
     uint8_t mark;         // set by str_mark; 0: none
-    bool declared;        // by str_declare
+    bool declared;        // set by str_declare
     char text[1];         // len bytes and a NUL
 } StrData;
 typedef const StrData *Str;
@@ -26,17 +26,17 @@ typedef struct StrPool {
 
 void str_pool_init(StrPool *p, Arena *arena);
 Str str_intern(StrPool *p, const char *text, size_t len);
-void str_declare(StrPool *p, Str name);                     // a source declares an element or a variable of that name
+void str_declare(StrPool *p, Str name);                     // records that a source declares an element or a variable `name`
 Str str_find(const StrPool *p, const char *text, size_t len);      // NULL if it has not been interned
 Str str_c(StrPool *p, const char *text);                    // interns a C string
-void str_mark(StrPool *p, const char *text, uint8_t mark);   // for fast tests whether a string is one of a small set
+void str_mark(StrPool *p, const char *text, uint8_t mark);   // sets StrData.mark, for fast tests whether a string is in a small set
 
 // The edit distance from a to b: insertions, deletions, replacements and swaps of adjacent characters.  Returns at most `limit`.
 size_t str_distance(const char *a, const char *b, size_t limit);
 // Returns the word nearest to `word`; NULL if none is near.  Up to a third of its characters, plus one, can differ.
 const char *str_nearest(const char *word, const char *const *among, size_t n);
 
-// Whitespace within a line.  The second one also accepts the carriage return before a line feed.
+// Whitespace within a line.  is_space_tab_or_return also accepts the carriage return before a line feed.
 static inline bool is_space_or_tab(char c) { return c == ' ' || c == '\t'; }
 static inline bool is_space_tab_or_return(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 

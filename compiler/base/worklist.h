@@ -10,7 +10,7 @@
 
 typedef struct Worklist {
     uint32_t *at;                     // a ring buffer
-    bool *queued;                     // by number
+    bool *queued;                     // queued[number]: `number` is in the queue
     size_t first, n, limit;
 } Worklist;
 
@@ -27,7 +27,7 @@ static inline void worklist_add(Worklist *w, uint32_t number)
     w->at[(w->first + w->n++) % w->limit] = number;
 }
 
-// Removes the number that has waited longest.  The queue must not be empty.
+// Removes and returns the number that was added first.  The queue must not be empty.
 static inline uint32_t worklist_next(Worklist *w)
 {
     const uint32_t number = w->at[w->first];

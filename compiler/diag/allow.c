@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Implements @allow: removes warnings that the user has accepted from the list, and reports an @allow that no warning needs. Any two
-// covered parts of a source are either nested or disjoint. So one walk over allows and warnings in file order, with a stack of the open
-// allows, finds the innermost one for each warning.
+// Implements @allow: removes warnings that the user has accepted from the list, and reports an @allow that no warning needs. The parts of
+// a source that two @allow cover are either nested or disjoint. So one pass over allows and warnings in file order, with a stack of the
+// allows that cover the current position, finds the innermost @allow for each warning.
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,7 +34,7 @@ static int compare_positions(const Span *a, const Span *b)
     return (a->at > b->at) - (a->at < b->at);
 }
 
-// Sorts by covered text; of two that begin at one position the longer first.
+// Sorts allows by the start of the text that they cover; if two begin at the same position, the longer comes first.
 static int compare_covers(const void *a, const void *b)
 {
     const DiagAllow *x = *(DiagAllow *const *)a, *y = *(DiagAllow *const *)b;
@@ -77,8 +77,8 @@ static DiagAllow **sorted_allows(const Diags *d, int (*compare)(const void *, co
 // ---- removing allowed warnings ----
 
 typedef struct AllowWalk {
-    DiagAllow **all;          // by compare_covers
-    size_t n, next;           // all[next] is the first that has not begun
+    DiagAllow **all;          // sorted by compare_covers
+    size_t n, next;           // all[next] is the first whose text begins after the current position
     DiagAllow **open;
     size_t depth;
 } AllowWalk;
@@ -88,7 +88,7 @@ static bool has_ended(const DiagAllow *a, const Span *at)
     return a->covers.src != at->src || a->covers.at + a->covers.len <= at->at;
 }
 
-// Sets x->by. Calls must visit the positions in file order: each brings the stack of open allows to its position.
+// Sets x->by. Must be called for positions in file order, because each call advances the stack of open allows to x.
 static void find_innermost_allow(AllowWalk *w, AllowPosition *x)
 {
     const char *flag = diag_info[x->diag->code].flag;
@@ -106,8 +106,8 @@ static void find_innermost_allow(AllowWalk *w, AllowPosition *x)
             x->by = w->open[i];
 }
 
-// places[0] is the warning's position; the others are the declarations that it names. A warning that names several outputs is
-// allowed only if each of them has an @allow. An @allow of some of them still counts as used, because it is part of what would allow it.
+// Decides whether warning x is allowed. places[0] is the warning's position; the others are the declarations that it names. A warning that
+// names several outputs is allowed only if each of them has an @allow. Even if some have none, the @allow of the others count as used.
 static void decide_if_allowed(Diag *x, const AllowPosition *places)
 {
     size_t open[DIAG_SUBJECTS] = {0};
@@ -184,8 +184,8 @@ static Span span_to_remove(Span s)
     return (Span){s.src, s.at, end - s.at};                       // a statement follows on its line
 }
 
-// Reports each @allow that no warning has used: those of the warning unused-allow itself if `about_itself`, else all others. The list
-// contains an annotation once for each position that it covers. An @allow is not judged if this run could not have produced its finding.
+// Reports each @allow that no warning has used: if `about_itself`, only @allow(unused-allow), else all others. d->allow contains an
+// annotation once for each part of the source that it covers. An @allow is not reported if this run could not have produced its finding.
 static void report_unused(Diags *d, bool about_itself)
 {
     DiagAllow **all = sorted_allows(d, compare_spans);

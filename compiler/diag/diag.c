@@ -12,13 +12,13 @@ const DiagInfo diag_info[DIAG_COUNT] = {
 #undef DIAG_NOTE_TEXT
 };
 
-// One code at one position.
+// A slot of the hash table that recognises a second report of the same code at the same position.
 typedef struct DiagPosition {
     const Source *src;        // valid only if `used` is set; otherwise the slot is empty
     uint32_t at;
     DiagCode code;
     bool used;
-    Diag *diag;               // NULL: it was not stored
+    Diag *diag;               // NULL: the report was not stored in the list
 } DiagPosition;
 
 void diags_clear(Diags *d)
@@ -95,7 +95,7 @@ static const char *fill_arguments(Arena *arena, const char *message, va_list arg
     return buf_text(&b);
 }
 
-// Returns the source in d->files with the same name and text, else src.  A file that was loaded twice counts as one.
+// Returns the source in d->files that has the same name and text as src, so that a file loaded twice counts as one file; else src.
 static const Source *find_listed_file(const Diags *d, const Source *src)
 {
     for (size_t i = d->files.n; src && i-- > 0; ) {
@@ -116,7 +116,7 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
     span.src = find_listed_file(d, span.src);
     if (d->muted || !record_position(d, code, span) || ++*count > DIAG_KEPT_MAX) {
         d->first = span.src && d->position_cap ? find_position(d, span.src, span.at, code)->diag : NULL;
-        if (!d->dropped) {                    // all dropped reports share one, so that a flood of them costs no memory
+        if (!d->dropped) {                    // all dropped reports share one Diag, so that many of them need no memory
             d->dropped = ARENA_NEW(d->arena, Diag);
             d->dropped->text = "";
         }

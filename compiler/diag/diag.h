@@ -40,7 +40,7 @@ extern const DiagInfo diag_info[DIAG_COUNT];
 // A row of flags.def.
 typedef enum DiagGroup { DIAG_GROUP_ALL, DIAG_GROUP_EXTRA, DIAG_GROUP_FLIGHT, DIAG_GROUPS } DiagGroup;
 #define DIAG_GROUPS_ALL ((1u << DIAG_GROUPS) - 1u)        // all of them, as bits
-typedef enum DiagJudged {                                 // what a run must know to report an unused @allow
+typedef enum DiagJudged {                                 // what a run must know to report an @allow of the warning as unused (flags.def)
     DIAG_JUDGED_ALWAYS, DIAG_JUDGED_VECTOR, DIAG_JUDGED_APP, DIAG_JUDGED_STEP, DIAG_JUDGED_NO_STEP, DIAG_JUDGED_NEVER
 } DiagJudged;
 typedef struct DiagFlag {
@@ -70,36 +70,36 @@ typedef struct DiagAbout { Span span; DiagSubject subject; } DiagAbout;
 typedef struct DiagAllow {
     const char *flag, *reason;
     Span span, covers;        // the annotation; what it applies to
-    bool shared;              // it may be needed elsewhere: by other machines, or by later reports
+    bool shared;              // other machines or later reports may need it, so it is never reported as unused
     bool used;
 } DiagAllow;
 
 typedef struct Diag {
     DiagCode code;
-    DiagSeverity severity;                // as reported: -Werror may have raised it
+    DiagSeverity severity;                // DIAG_ERROR also for a warning that -Werror made an error
     Span span;
     const char *text;                     // the message, arguments filled in
     const char *label;                    // printed after the caret, as "did you mean 'valveOpen'?"; or NULL
     VEC(DiagNote) notes;
     VEC(DiagEdit) edits;                  // together they are one proposed fix
-    VEC(DiagAbout) about;
-    bool allow_checked;                   // diags_apply_allows has seen it
+    VEC(DiagAbout) about;                 // declarations where an @allow can cover this finding
+    bool allow_checked;                   // an earlier call of diags_apply_allows has examined it
     const char *allowed;                  // the reason of the @allow that covers it; else NULL
 } Diag;
 
 typedef struct Diags {
     Arena *arena;
-    VEC(Diag *) list;                     // in the order reported; diags_sort puts them in source order
-    size_t errors, warnings;              // reported; if there are many errors the list contains the first DIAG_KEPT_MAX
-    size_t met;                           // errors reported, including repeated and muted ones: lets a caller detect that it failed
+    VEC(Diag *) list;                     // in the order of the reports; diags_sort sorts them by position
+    size_t errors, warnings;              // how many were reported; the list has at most DIAG_KEPT_MAX of each
+    size_t met;                           // errors, including repeated and muted ones: if it grew during a check, the check failed
     VEC(DiagAllow) allow;
     VEC(Diag *) allowed;                  // removed from the list by diags_apply_allows
     unsigned known;                       // what this run knows besides the machine: a set of 1u << DiagJudged
     unsigned analysed;                    // the groups whose warnings have all been reported, because analyses have run: a set of 1u << DiagGroup
     bool muted;                           // while set, reports are dropped
     Diag *dropped;                        // returned for every report that is not in the list; its fields are meaningless
-    Diag *first;                          // the diagnostic that the last dropped report repeats; NULL: none
-    VEC(const Source *) files;            // in the order first seen
+    Diag *first;                          // the diagnostic in the list that the last dropped report repeats; NULL: none
+    VEC(const Source *) files;            // sources of reports, in the order of their first report
     struct DiagPosition *position;        // positions already reported: a hash table with open addressing; its size is a power of two
     size_t position_cap, position_n;
 } Diags;
@@ -109,32 +109,32 @@ enum { DIAG_KEPT_MAX = 10000 };
 void diags_init(Diags *d, Arena *arena);
 void diags_clear(Diags *d);               // removes all reports; every @allow still covers later reports
 
-// Adds a diagnostic. One `const char *` follows for each {} of its message. Returns it so that the caller can add notes, a label and
-// edits; never NULL. A second report of one code at one position is dropped: the result is then not in the list and stores nothing.
+// Adds a diagnostic. One `const char *` argument follows for each {} of its message. Returns the diagnostic so that the caller can add
+// notes, a label and edits; never NULL. A second report of one code at one position is dropped: notes and edits of the result are ignored.
 Diag *diag_report(Diags *d, DiagCode code, Span span, ...);
-Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args);     // the same, for a function that has a va_list
+Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args);     // diag_report with a va_list
 // Adds a note; `text` is a DIAG_NOTE_TEXT row, its arguments follow.
 void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...);
-// The same, as the next numbered step of the path that leads to the finding.
+// Adds a note that is the next numbered step of the path that leads to the finding.
 void diag_step(Diags *d, Diag *to, Span span, DiagCode text, ...);
 // Sets the text printed after the caret; `text` is a DIAG_NOTE_TEXT row.
 void diag_label(Diags *d, Diag *to, DiagCode text, ...);
 // Returns the text of a DIAG_NOTE_TEXT row with its arguments, to be an argument of another message.
 const char *diag_text(Diags *d, DiagCode text, ...);
-// Adds the declaration of a variable that the diagnostic names as its sensor or as one of its outputs. A report that repeats another adds
-// to the first one. The diagnostic is allowed only if everything that all of them name is allowed.
+// Adds the declaration of a variable that the diagnostic names, for example as one of its outputs. If `to` was dropped because it repeats
+// a diagnostic in the list, the declaration is added to that diagnostic.
 void diag_about(Diags *d, Diag *to, DiagSubject subject, Span declaration);
-// Proposes an edit that is certainly what the user meant. `text` must live as long as the diagnostics.
+// Proposes an edit that is certainly what the user meant: replaces `span` by a copy of `text`.
 void diag_edit(Diags *d, Diag *to, Span span, const char *text);
 
 // Adds an @allow. A shared one is never reported as unused, because another machine may need it.
 void diag_allow(Diags *d, const char *flag, const char *reason, Span span, Span covers);
 void diag_allow_shared(Diags *d, const char *flag, const char *reason, Span span, Span covers);
 // Moves the warnings that are allowed from the list into `allowed`. If analyses have run and there is no error, it also reports every
-// @allow that no warning needed: so the first call follows the analyses. A later call examines only what was reported since.
+// @allow that no warning needed. So first call it after the analyses. A later call examines only warnings reported since.
 void diags_apply_allows(Diags *d);
 
-// -W… as given: each word without its -W, in order. The caller owns the words.
+// The -W options of the command line in order, each without its -W. The caller owns the words.
 typedef struct DiagSelection {
     const char **word;
     size_t n;
@@ -149,7 +149,7 @@ unsigned diag_selection_groups(const DiagSelection *w);
 // Returns what is wrong with the words: "no warning is called 'x'; did you mean 'y'?"; NULL if they are correct.
 const char *diag_selection_error(Arena *arena, const DiagSelection *w);
 
-void diags_sort(Diags *d);                // by file as first seen, then position; stable
+void diags_sort(Diags *d);                // by file in the order of Diags.files, then by position; stable
 
 typedef struct DiagStyle {
     bool color;
@@ -162,20 +162,20 @@ void diags_render_text(const Diags *d, const DiagStyle *style, Buf *out);
 size_t diag_put_printable(Buf *out, const char *s, size_t n);
 // One JSON object per line.
 void diags_render_json(const Diags *d, Buf *out);
-void diag_plain_json(const char *severity, const char *message, Buf *out);    // for other messages: a file that cannot be read
+void diag_plain_json(const char *severity, const char *message, Buf *out);    // for messages without a code, such as that a file cannot be read
 // SARIF is one document: the output is complete only after diags_end_sarif, which adds the messages that are not diagnostics.
 typedef struct PlainMessage { const char *severity, *text; } PlainMessage;      // "error", "warning" or "note"
 typedef VEC(PlainMessage) PlainMessages;
 void diags_render_sarif(const Diags *d, const char *version, Buf *out);
 void diags_end_sarif(const PlainMessages *plain, Buf *out);
 
-// Identifies the same finding in a later version of its file.
+// Recognises a finding again in a later version of its file.
 typedef struct DiagFingerprint {
     uint64_t hash;
     unsigned long twin;                   // 1, 2, 3 … among findings with the same hash
 } DiagFingerprint;
 
-const DiagFingerprint *diags_fingerprints(const Diags *d, Arena *arena);  // of the list, then of `allowed`
+const DiagFingerprint *diags_fingerprints(const Diags *d, Arena *arena);  // one for each of d->list, then of d->allowed
 
 // The row whose id (or warning name) is `id`, upper or lower case; NULL if there is none.
 const DiagInfo *diag_find(const char *id);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Identifies a finding when lines above it are added or removed. A fingerprint is a hash of the code, the file's name and the text of the
-// line, and a number that distinguishes findings with the same hash.
+// Computes fingerprints, which recognise a finding after lines above it were added or removed. A fingerprint is a hash of the code, the
+// file's name and the text of the line, and a number that distinguishes findings with the same hash.
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,7 +16,7 @@ static uint64_t hash_text(uint64_t h, const char *s, size_t n)         // FNV-1a
     return h;
 }
 
-// Returns where the comment begins, or the end of the line.
+// Returns the length of the line up to its comment; n if it has none.
 static size_t length_without_comment(const char *s, size_t n)
 {
     bool quoted = false;
@@ -54,14 +54,14 @@ static uint64_t hash_diagnostic(const Diag *d)
     if (!d->span.src)
         return hash_text(h, d->text, strlen(d->text));
     file = d->span.src->name;
-    for (const char *at = file; *at; at++)                // without folders
+    for (const char *at = file; *at; at++)                // the name without its folders
         if (*at == '/' || *at == '\\')
             file = at + 1;
     line = source_line(d->span.src, source_position(d->span.src, d->span.at).line, &len);
     return hash_line(hash_text(h, file, strlen(file) + 1), line, len);
 }
 
-// Orders by hash; findings with the same hash in file order, whether allowed or not.
+// Orders findings by hash, then by position in the file.
 static int compare_items(const void *a, const void *b)
 {
     const FingerprintItem *x = a, *y = b;

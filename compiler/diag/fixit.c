@@ -8,7 +8,7 @@
 typedef struct EditChange {
     const DiagEdit *edit;
     size_t owner;             // index of its diagnostic
-    size_t order;             // as proposed
+    size_t order;             // in the order of the calls of diag_edit
 } EditChange;
 
 typedef VEC(EditChange) EditChanges;
@@ -42,7 +42,7 @@ static EditChanges collect_changes(const Diags *d, const Source *src)
     return all;
 }
 
-// Sets refused[i] of each diagnostic i that has an edit which touches one of an earlier diagnostic: that one changes the text.
+// Sets refused[i] for each diagnostic i with an edit that touches an accepted edit of another diagnostic.
 static void refuse_overlaps(const EditChanges *all, bool *refused)
 {
     uint32_t end = 0;

@@ -4,7 +4,7 @@
 
 #include "compiler/diag/diag.h"
 
-// By the first two digits of the codes, starting at 01.
+// chapters[n - 1] is the title for the codes whose first two digits are n.
 static const char *const chapters[] = {
     "Characters and numbers", "Names and declarations", "Grammar", "Expressions and constants", "States and transitions", "State vector",
     "Scripts", "Files and images", "Flight", "Applications", "Pins"};
@@ -96,6 +96,6 @@ void diags_write_markdown(Buf *out)
             if (diag_info[i].id && chapter_of(&diag_info[i]) == c + 1)
                 put_page(out, &diag_info[i]);
     }
-    out->n--;                                             // the file ends with one line end
+    out->n--;                                             // removes the second of two line ends at the end of the file
     out->at[out->n] = '\0';
 }

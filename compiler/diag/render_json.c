@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renders diagnostics for programs: one JSON object per line. The keys and their order are stable: severity, code, message, file, line,
-// column, endLine, endColumn, label, notes[], edits[], flag, group. The end is exclusive. A diagnostic without a position has null for
-// file, line, column, endLine and endColumn; an absent label is null. A note that is a step has its number; other notes have null. An error has null for flag (the name
-// after -W) and group. A problem with the command line also has no code. A remark has the severity note.
+// column, endLine, endColumn, label, notes[], edits[], flag, group. endColumn is exclusive. Absent values are null: the file and
+// positions of a diagnostic without a position, a label, the number of a note that is not a step, the flag (the name after -W) and group
+// of an error. A message without a diagnostic, such as a problem with the command line, also has a null code; its severity can be note.
 #include "compiler/base/json.h"
 #include "compiler/diag/diag.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renders the diagnostics as one document of SARIF 2.1.0, the OASIS format that code-hosting sites and review tools read. Columns count
-// characters, not bytes, and the end is exclusive.
+// characters, not bytes, and the end column is exclusive.
 #include <string.h>
 
 #include "compiler/base/json.h"
@@ -70,7 +70,7 @@ static void put_message(Buf *out, const char *text)
 
 // ---- rules: the codes that were used, each once, in the order of codes.def ----
 
-// Returns the first paragraph of a page that is not an example, on one line; the message if there is none.
+// Returns the first paragraph of the page that is not an example, on one line; the diagnostic's message if there is no such paragraph.
 static const char *first_paragraph(Arena *arena, const DiagInfo *row)
 {
     const char *at = row->page, *end;
@@ -88,7 +88,7 @@ static const char *first_paragraph(Arena *arena, const DiagInfo *row)
     return buf_text(&out);
 }
 
-// Writes the rule of a code. A warning is named as after -W, `smc explain` and @allow.
+// Writes the SARIF rule of a code. The rule of a warning has the warning's name, as after -W and in @allow.
 static void put_rule(Buf *out, const DiagInfo *row)
 {
     const DiagFlag *flag = row->flag ? diag_find_flag(row->flag) : NULL;
@@ -168,7 +168,7 @@ static void put_related_locations(Buf *out, const Diag *d)
     buf_char(out, ']');
 }
 
-// The steps form one flow that leads to the finding.
+// Writes the numbered steps among the notes as one SARIF code flow: the path that leads to the finding.
 static void put_code_flow(Buf *out, const Diag *d)
 {
     bool any = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders the diagnostics for people: position and message, the source line with a caret below the marked text, notes, a count. Every
-// character of a line takes one column: a tab becomes a space, an unprintable byte becomes \x07.
+// Renders the diagnostics for people: position and message, the source line with a caret below the marked text, notes, a count. A tab
+// becomes a space, and an unprintable byte is written as an escape such as \x07.
 #include <string.h>
 
 #include "compiler/base/utf8.h"
@@ -8,7 +8,7 @@
 
 enum {
     WIDEST = 160,             // columns of a source line that are printed
-    BEFORE = 60               // how many of them are before the caret in a shortened line
+    BEFORE = 60               // columns before the caret in a line that is too long to print
 };
 
 typedef enum Paint { PAINT_OFF, PAINT_POSITION, PAINT_ERROR, PAINT_WARNING, PAINT_NOTE, PAINT_CARET } Paint;
@@ -23,7 +23,7 @@ static void set_color(const DiagStyle *style, Buf *out, Paint what)
 
 // ---- printable text ----
 
-// Writes the character at s, of which n bytes can be read.  Returns its length in bytes, and sets *width to its columns.
+// Writes the first character of the n bytes at s in printable form.  Returns its length in s, and sets *width to the columns written.
 static size_t put_character(Buf *out, const char *s, size_t n, size_t *width)
 {
     uint32_t code = 0;
@@ -68,7 +68,7 @@ typedef struct Excerpt {
 
 static size_t min_size(size_t a, size_t b) { return a < b ? a : b; }
 
-// Returns the end of the bytes after `from` that fit in `columns`; *left: the columns that remain.
+// Returns the end of the bytes from `from` on that fit in `columns`; *left is the number of columns that remain.
 static size_t end_of_fitting_bytes(Buf *scratch, const Excerpt *e, size_t from, size_t columns, size_t *left)
 {
     while (from < e->len) {
@@ -111,7 +111,7 @@ static void put_snippet(const DiagStyle *style, Buf *out, const Diag *d, LineCol
     static const char ellipsis[] = "...";
     Excerpt e;
     Buf scratch;
-    size_t indent = 0, marked, start = out->n, gutter;    // in columns: before the marked text; its width; of the line's number
+    size_t indent = 0, marked, start = out->n, gutter;    // in columns: the text before the mark; the marked text; the line's number
 
     buf_init(&scratch, out->arena);
     e = find_excerpt(&scratch, d->span, where);

@@ -6,7 +6,7 @@
 
 #include "compiler/base/str.h"
 
-// The groups that a name after -W covers, as bits; 0: not a group.
+// A name after -W that selects whole groups: bit 1u << DiagGroup for each.
 typedef struct GroupName { const char *name; unsigned groups; } GroupName;
 
 enum { ALL = 1u << DIAG_GROUP_ALL, EXTRA = 1u << DIAG_GROUP_EXTRA, FLIGHT = 1u << DIAG_GROUP_FLIGHT };
@@ -28,7 +28,7 @@ static const char *skip_prefix(const char *text, const char *prefix)
     return strncmp(text, prefix, n) == 0 ? text + n : NULL;
 }
 
-// The warning's name in "no-x", "error=x", "no-error=x" or "x".
+// Returns the warning's name x in a word "no-x", "error=x", "no-error=x" or "x".
 static const char *flag_name_in(const char *w)
 {
     const char *rest;
@@ -66,7 +66,7 @@ const char *diag_selection_error(Arena *arena, const DiagSelection *w)
 
 typedef struct FlagChoice { bool on, error; } FlagChoice;
 
-// Applies one -W… to the current decision about a warning.
+// Applies one word after -W to the current decision *v about a warning.
 static void apply_word(const char *w, const DiagFlag *flag, FlagChoice *v)
 {
     const char *name = flag_name_in(w);
@@ -129,7 +129,7 @@ void diags_select(Diags *d, const DiagSelection *w)
     }
     d->list.n = kept;
     if (w->none)
-        d->warnings = 0;              // including those that were too many to store
+        d->warnings = 0;              // Diags.warnings also counts warnings that were dropped
     for (size_t i = 0; i < d->allowed.n; i++)
         if (select_diag(w, d->allowed.at[i]).on)
             d->allowed.at[allowed++] = d->allowed.at[i];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shared by the files that check applications.  Include it inside sema/ only.
+// Shared by the files that check applications.  Only files in sema/ include this header.
 #ifndef SMC_APP_CHECK_H
 #define SMC_APP_CHECK_H
 
@@ -14,12 +14,12 @@ typedef struct AppCheck {
     const StateVec *sv;           // NULL if it has errors; then elements are not looked up
     const IoMap *pins;            // or NULL
     unsigned guesses;             // how many more unknown names may be compared with all known ones
-    Map file_index;               // of machines: name as written to 1 + its index in files
-    Map machine_file;             // name as written to the Span of its first use
-    Map task, executor;           // name to the Span of the first
-    Map statistic;                // element's name to a description of its content: const char *
-    Map start;                    // element's name to the Span of its first value
-    Span service[AST_APP_TASK_COUNT];     // positions of the inputs, outputs, log and keep tasks
+    Map file_index;               // a machine's file name as written, to 1 + its index in files->at
+    Map machine_file;             // a machine's file name as written, to the Span of its first use
+    Map task, executor;           // the name of a task or executor, to the Span of its first use
+    Map statistic;                // the name of an element that an executor writes, to a description of its content (const char *)
+    Map start;                    // the name of an element in [start], to the Span of its first value
+    Span service[AST_APP_TASK_COUNT];     // by AstAppTaskKind: the position of the inputs, outputs, log and keep task
 } AppCheck;
 
 // Returns the element, or NULL after a report.  Also returns NULL, without a report, if the state vector has errors.
@@ -33,7 +33,7 @@ void app_check_unique(AppCheck *k, Map *seen, const AstWord *name, const char *w
 // ---- check_app_names.c ----
 
 void check_app_products(AppCheck *k);
-void check_app_platform_files(AppCheck *k);     // the files of log and keep
+void check_app_platform_files(AppCheck *k);     // the files that the log and keep tasks write
 
 // ---- check_app_time.c ----
 
@@ -53,13 +53,14 @@ typedef struct AppRange {
 
 extern const AppRange app_ranges[APP_RANGES];
 
-// Converts the amount to a whole number.  Returns false after reporting that it is outside its range; *value is then the least value.
+// Converts the amount to a whole number.  If it is not in the range, reports that, sets *value to the range's least value, and returns
+// false.
 bool app_check_amount(AppCheck *k, const AstAmount *a, AppRangeId range, uint64_t *value);
 void check_app_rates(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);
 
 // ---- check_app_task.c ----
 
-bool app_is_reserved_name(const char *name);    // names with this prefix may belong to runtime-c
+bool app_is_reserved_name(const char *name);    // whether runtime-c may use the name, because it begins with one of its prefixes
 
 void check_app_tasks(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);      // call after check_app_rates
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A typed application: the checker's output for a .app whose files have no errors (docs/config.md 10).  Elements and states are
-// bound and times are exact.  The C backend and the command read it.  No code changes it after the check.
+// A typed application: the checker's output for a .app whose files have no errors (docs/config.md 10).  Names of elements and states
+// are bound to Element and State, and times are exact.  The C backend and the command read an App.  No code changes it after the check.
 #ifndef SMC_APPLICATION_H
 #define SMC_APPLICATION_H
 
@@ -12,11 +12,11 @@ typedef enum AppStatistic { APP_TICKS, APP_OVERRUNS, APP_SKIPPED, APP_LATE, APP_
 
 typedef struct AppMachine {
     Str name;
-    uint32_t file;            // AppFiles.at[file]
+    uint32_t file;            // its file is AppFiles.at[file]
     const Program *program;
     const State *initial;     // NULL: the first state
     bool bytecode, resume;
-    uint16_t number;          // 0, 1, 2 … of machines, in file order
+    uint16_t number;          // numbers the machines 0, 1, 2 … in file order
 } AppMachine;
 
 typedef struct AppTask {
@@ -24,14 +24,14 @@ typedef struct AppTask {
     Str name;
     Span span;
     const Element *mode;      // or NULL
-    bool has_init, has_safe;  // TASK
+    bool has_init, has_safe;  // only for AST_TASK_task
     const AppMachine *machine;
-    uint16_t number;          // 0, 1, 2 … of all tasks, in file order
+    uint16_t number;          // numbers all tasks 0, 1, 2 … in file order
 } AppTask;
 
 typedef struct AppRate {
     uint64_t period;          // nanoseconds
-    uint32_t every;           // ticks of its executor
+    uint32_t every;           // its tasks run once in this many ticks of the executor
     VEC(const AppTask *) task;
     Span span;
 } AppRate;
@@ -42,38 +42,38 @@ typedef struct AppExecutor {
     uint64_t period;          // nanoseconds: the shortest of its rates
     uint32_t priority;        // 0: an ordinary thread
     bool catch_up;
-    uint32_t most;            // ticks to catch up
+    uint32_t most;            // the most ticks that are caught up
     const Element *statistic[APP_STATISTICS];     // or NULL
     VEC(AppRate *) rate;      // in file order
 } AppExecutor;
 
-typedef struct AppStart { const Element *element; uint64_t cell; } AppStart;      // convert.h
+typedef struct AppStart { const Element *element; uint64_t cell; } AppStart;      // the value, as a bit cell of the element's type (convert.h)
 
 typedef struct App {
     Str name;                 // "rocket" of rocket.app
     const Source *src;
     const StateVec *sv;
-    const Element *time;      // or NULL: no machine needs the time
+    const Element *time;      // the element with the time; NULL if no machine needs it
     Span time_span;
     uint64_t unit, watchdog;  // nanoseconds; watchdog 0: none
     uint32_t events;
     Str io, log, keep;        // file names as written; NULL if absent
     Str io_name;              // the stem of io: "rocket" of pins/rocket.io
     const IoMap *pins;        // or NULL
-    uint32_t log_room;        // bytes
+    uint32_t log_room;        // capacity in bytes
     VEC(AppStart) start;
     VEC(AppExecutor *) executor;
     VEC(AppTask *) task;
     VEC(AppMachine *) machine;
 } App;
 
-// The files of an application, each once: the state vector first, then the pins, then machines in file order.
+// AppFiles lists each file that an application names once: the state vector first, then the pins, then machines in file order.
 typedef struct AppFile {
     FileKind kind;
-    AstWord name;             // as written at its first use
+    AstWord name;             // the file's name as written at its first use
     bool wrong_kind;          // its name has the wrong extension, so it need not be opened
-    const Source *src;        // set by the caller, which opens files: the source, or NULL and
-    const char *problem;      // the reason why it cannot be read
+    const Source *src;        // set by the caller, which opens files; NULL if the file cannot be read
+    const char *problem;      // set by the caller if src is NULL: why the file cannot be read
     const Program *program;   // of a machine, after its check
 } AppFile;
 

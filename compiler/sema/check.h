@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checker: AST to typed program.  Reports every root cause once and returns NULL if there was an error.
+// The checker: AST to typed program.  Reports every error once, without errors that only follow from it, and returns NULL if there was one.
 #ifndef SMC_CHECK_H
 #define SMC_CHECK_H
 
@@ -23,7 +23,8 @@ StateVec *check_state_vector(CheckContext *c, const AstFile *sv);
 Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const Map *written_outside);
 
 Script *check_script(CheckContext *c, const AstFile *ss, const Program *program);
-// The same for a source without syntax errors, which it parses: only some items are in memory at a time.  The caller frees both arenas.
+// Parses and checks a script without syntax errors.  Only some of its items are in memory at a time: they are in `items`, the rest of the
+// syntax tree is in `tree`.  The caller frees both arenas.
 Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const Source *ss, const Program *program);
 
 // Binds pins to elements of `sv`.
@@ -31,13 +32,13 @@ IoMap *check_io(CheckContext *c, const AstFile *io, const StateVec *sv);
 
 // Lists the files that an application names.  The caller opens them before check_app.
 void app_list_files(Arena *arena, const AstFile *app, AppFiles *out);
-// `sv`, `pins` and a machine's program are NULL if that file has errors, which are already reported.  The rest is checked.
+// `sv`, `pins` and a machine's program are NULL if that file has errors, which are already reported.  Everything else is still checked.
 App *check_app(CheckContext *c, const AstFile *app, const StateVec *sv, const IoMap *pins, const AppFiles *files);
 
-// Adds the names that the script assigns to `names` (name to itself). check_machine expects them as written_outside.
+// Adds the names that the script assigns to `names`; each is key and value. `names` is then the parameter written_outside of check_machine.
 void script_add_written_names(const AstFile *ss, Map *names);
 void script_add_names_of_item(const AstStmt *item, Map *names);
-// How much G advances per step in the script; 0 if the script has no valid delta_t.
+// Returns how much G advances per step in the script; 0 if the script has no valid delta_t.
 uint64_t script_delta_t(const AstFile *ss);
 
 // Computes offsets, sizes and hash of a state vector whose elements and regions are complete (vector_layout.c).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// @allow (language.md 5): which part of the source each annotation covers.  It is registered with the diagnostics at once
-// (diag/allow.c), so it applies even if errors prevent a Program.  Program.allow is for reports.
+// @allow (language.md 5): computes which part of the source each annotation covers, and registers it with the diagnostics (diag/allow.c)
+// at once, so that it applies even if errors prevent a Program.  The copies in Program.allow are for reports.
 #include "compiler/sema/sema.h"
 
 static Span span_from_to(const Source *src, uint32_t at, uint32_t end)
@@ -73,7 +73,7 @@ void add_state_allows(Sema *s, const AstSection *section, uint32_t end)
             register_allow(s, make_allow(&section->annotations.at[i], span_from_to(section->header.src, section->header.at, end)));
 }
 
-// The end of a conditional, including all its branches.
+// Returns the end position of a conditional, including all its branches.
 static uint32_t conditional_end(const AstStmt *s)
 {
     while (s->arms->has_else && !s->arms->else_body_span.src && s->arms->otherwise.n)           // else if

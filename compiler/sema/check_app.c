@@ -115,7 +115,7 @@ void app_check_unique(AppCheck *k, Map *seen, const AstWord *name, const char *w
 
 // ---- options ----
 
-// Where to report something missing from [options]: at the header, or if that is missing too at the start of the file.
+// Returns where to report that something is missing in [options]: its header, or the start of the file if there is no header.
 static Span options_span(const AppCheck *k)
 {
     return k->ast->options_header.src ? k->ast->options_header : (Span){k->app->src, 0, 0};
@@ -265,7 +265,7 @@ static void check_start_value(AppCheck *k, Sema *s, AstStmt *in)
     vec_push(k->c->arena, &k->app->start, out);
 }
 
-// Checks the values like those of a machine that has no variables.
+// Checks the values of [start] with the checker of machines, in an empty Program: no variable exists there.
 static void check_start(AppCheck *k)
 {
     Program *nothing = ARENA_NEW(k->c->arena, Program);
@@ -348,7 +348,7 @@ static void check_executor(AppCheck *k, const AstAppExecutor *in)
 
 static void check_executors(AppCheck *k)
 {
-    enum { MOST = 254 };                          // the most threads that a platform can be built for (runtime-c/pal/config.h)
+    enum { MOST = 254 };                          // the most threads that any platform supports (runtime-c/pal/config.h)
     size_t n = k->ast->executors.n;
 
     for (size_t i = 0; i < n; i++)
@@ -384,7 +384,7 @@ static void report_unused_options(AppCheck *k)
     }
 }
 
-// Reports pins of one direction if only the other direction's task exists.
+// Reports outputs (or inputs, if `output` is false) among the pins if their task does not exist but the task of the other direction does.
 static void report_unused_pins(AppCheck *k, bool output, AstAppTaskKind task, AstAppTaskKind other)
 {
     const AstAppOption *o = find_option(k->ast, AST_APP_io);
@@ -401,7 +401,7 @@ static void report_unused_pins(AppCheck *k, bool output, AstAppTaskKind task, As
 
 App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMap *pins, const AppFiles *files)
 {
-    enum { GUESSES = 30 };        // more than the reports that are shown
+    enum { GUESSES = 30 };        // unknown names that get a suggestion: more than the reports that are shown
     size_t errors = c->diags->met;
     AppCheck k;
 

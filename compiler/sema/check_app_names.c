@@ -51,7 +51,7 @@ static bool begins_with_word(const char *stem, const char *word)
     return !is_letter(stem[n]) || (is_upper(stem[n]) && is_lower(stem[n - 1]));
 }
 
-// Whether a generated name would begin like those of runtime-c: sm.sv would generate sm_vector, SM.sm SM_OK, SmApp.sm a struct SmApp.
+// Whether names generated from this stem would conflict with runtime-c: sm.sv generates sm_vector, SM.sm SM_OK, SmApp.sm struct SmApp.
 static bool is_reserved_stem(const char *stem)
 {
     while (*stem && !is_letter(*stem) && !(*stem >= '0' && *stem <= '9'))
@@ -128,7 +128,7 @@ static void check_file_differs(AppCheck *k, const AstAppOption *o, const AstWord
                   other->span, DIAG_note_named_here);
 }
 
-// Reports a log or keep file with the name of the other or of a source: the running application would overwrite that file.
+// Reports a log or keep file that is also the other of the two, or a source: the running application would overwrite that file.
 void check_app_platform_files(AppCheck *k)
 {
     static const char *const what[] = {[FILE_SV] = "the state vector's", [FILE_SM] = "a machine's", [FILE_IO] = "that of the pins"};

@@ -34,7 +34,7 @@ static bool find_name_problem(const char *name, DiagCode *problem)
     return true;
 }
 
-// Checks one of the tasks inputs, outputs, log and keep: each at most once, and only with its option.
+// Checks an inputs, outputs, log or keep task: an application has at most one of each, and only if it has the option that the task needs.
 static void check_service_task(AppCheck *k, const AstAppTask *in)
 {
     AstAppOptionKind needs = app_find_required_option(in->kind);
@@ -87,7 +87,7 @@ static const AppMachine *check_machine_task(AppCheck *k, const AstAppTask *in)
     m->program = k->files->at[m->file].program;
     m->number = (uint16_t)k->app->machine.n;
     vec_push(k->c->arena, &k->app->machine, m);
-    if (first)                    // two tasks with one machine file would write the same elements, including S
+    if (first)                    // two tasks with the same machine would both write its elements, including S
         diag_note(k->c->diags, diag_report(k->c->diags, DIAG_machine_twice, in->file.span, in->file.text->text), *first,
                   DIAG_note_first_here);
     else
@@ -115,7 +115,7 @@ static const AppMachine *check_machine_task(AppCheck *k, const AstAppTask *in)
 static void warn_of_mode_without_safe(AppCheck *k, const AppTask *t)
 {
     const Program *p = t->machine ? t->machine->program : NULL;
-    const Var *written = NULL;    // the first element that the machine writes; S does not count
+    const Var *written = NULL;    // the first element that the machine assigns (`written` is not set for S)
 
     for (size_t i = 0; p && !written && i < p->var.n; i++)
         if (p->var.at[i]->element && p->var.at[i]->written)

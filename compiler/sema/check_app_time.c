@@ -27,7 +27,7 @@ static bool try_multiply_by_ten(uint64_t *x, int power)
 
 typedef enum Exactness { EXACT, FRACTION, TOO_LARGE } Exactness;
 
-// Stores digits * 10^exponent * factor in *value if that is a whole number that fits (EXACT).
+// If the amount is a whole number that fits in *value, stores it and returns EXACT.  An amount is digits * 10^exponent * factor.
 static Exactness amount_value(const AstAmount *a, uint64_t *value)
 {
     uint64_t divisor = 1;
@@ -43,7 +43,7 @@ static Exactness amount_value(const AstAmount *a, uint64_t *value)
     return EXACT;
 }
 
-// Adds a label such as "32 KB or 64 KB would be".
+// Adds a label with the powers of two below and above `value`, such as "32 KB or 64 KB would be".
 static void label_powers(AppCheck *k, Diag *d, const AstAmount *a, uint64_t value)
 {
     const char *text[2];
@@ -131,8 +131,7 @@ static uint64_t period_of(AppCheck *k, const AstAppRate *r)
 
 // ---- the rates of an executor ----
 
-// Reports a period that is not a multiple of the executor's shortest one.
-
+// Reports a period that is not a multiple of the executor's shortest period.
 static void check_multiple(AppCheck *k, const AppExecutor *e, const AppRate *r)
 {
     uint64_t below = r->period / e->period * e->period;

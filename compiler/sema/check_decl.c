@@ -13,7 +13,7 @@ typedef struct LocalDecl { Var *var; const AstDecl *decl; } LocalDecl;
 typedef struct Declarations {
     Sema *s;
     Program *p;
-    StateVec *sv;                 // filled here if the machine has its own
+    StateVec *sv;                 // without a .sv: filled with the elements that the machine declares
     const Map *written_outside;
     VEC(LocalDecl) local;
     Str time;                     // "T"
@@ -22,7 +22,7 @@ typedef struct Declarations {
 
 // ---- one name, one meaning ----
 
-// Binds a name to v.  Reports a name that has a meaning already.
+// Binds `name` to v.  Reports the name if it already has a meaning.
 static void declare_name(Declarations *k, Var *v, Str name, Span span)
 {
     if (name == k->time) {
@@ -47,7 +47,7 @@ static void declare_name(Declarations *k, Var *v, Str name, Span span)
 
 // ---- annotations ----
 
-// Whether a declaration has a valid type.  If it has none, the parser has already reported that.
+// Whether a declaration has a valid type.  If not, the parser has already reported it.
 static bool is_known_type(SmType type)
 {
     return type < SM_TYPE_COUNT;
@@ -91,7 +91,7 @@ static void add_alias(Declarations *k, Var *v, const AstAnnotation *a)
 
 // ---- @range ----
 
-// Reports a limit of a @range that the type cannot represent.
+// Reports the lower or upper limit of a @range if the element's type cannot represent it.
 static void check_range_limit(const CheckContext *c, const AstAnnotation *a, SmF64 limit, Str name, SmType type)
 {
     const SmF64 stored = sm_cell_to_f64(type, sm_cell_from_f64(type, sm_trunc(limit)));
@@ -124,8 +124,8 @@ const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str n
     return r;
 }
 
-// Sets the @range of v: that of the machine's list, or else that of the .sv.  Reports one in the machine's list that differs from that
-// of the .sv.
+// Sets the range of v to the @range in the machine's list, or else to the @range in the .sv.  Reports a @range in the list that differs
+// from that in the .sv.
 static void set_range(Declarations *k, Var *v, const AstDecl *decl)
 {
     const CheckContext c = {k->s->arena, k->s->strings, k->s->diags};
@@ -146,7 +146,7 @@ static void set_range(Declarations *k, Var *v, const AstDecl *decl)
 
 // ---- elements ----
 
-// Whether a declaration is that of G or S, by name or alias, with the type that the language requires.
+// Whether a declaration declares G or S, by name or alias, with the type that the language requires.
 static bool is_g_or_s(const AstDecl *decl)
 {
     const char *name = decl->name->text;
@@ -282,7 +282,7 @@ static Var *find_g_or_s(Declarations *k, const char *name, SmType type, DiagCode
 {
     Str key = str_c(k->s->strings, name);
     Var *v = map_find(&k->p->by_name, key);
-    bool is_reported;             // already reported as E0206: the state vector has the right type
+    bool is_reported;             // the list has the wrong type but the state vector the right one: already reported as E0206
 
     if (!v && !k->s->lost->names)
         diag_report(k->s->diags, missing, k->list->header);
@@ -297,7 +297,7 @@ static Var *find_g_or_s(Declarations *k, const char *name, SmType type, DiagCode
 
 static void find_g_and_s(Declarations *k)
 {
-    bool any = k->p->var.n > k->local.n + 1;       // there are variables besides locals and T: elements
+    bool any = k->p->var.n > k->local.n + 1;       // whether the machine lists an element: a variable besides locals and T
 
     if (any && k->list) {
         k->p->g = find_g_or_s(k, "G", SM_U64, DIAG_no_global_time, DIAG_global_time_type);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions (language.md 3): binds names, flattens chains of relations, drops parentheses and unary plus.  Recursion depth
-// equals the depth of the tree, which AST_DEPTH_MAX bounds.
+// Checks expressions (language.md 3) and builds typed ones: binds names, flattens chains of relations, drops parentheses and unary plus.
+// Recursion depth equals the depth of the tree, which AST_DEPTH_MAX bounds.
 #include "compiler/sema/sema.h"
 
 #include <string.h>
@@ -21,7 +21,7 @@ Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
     return e;
 }
 
-// Checks all arguments, so that errors in each are found.  Returns whether all are valid.
+// Checks all n arguments, even after an error in one, so that all errors are found.  Returns whether all are valid.
 static bool check_args(Sema *s, AstExpr *const *in, uint32_t n, Expr **out)
 {
     bool good = true;
@@ -35,8 +35,8 @@ static bool check_args(Sema *s, AstExpr *const *in, uint32_t n, Expr **out)
 
 // ---- names ----
 
-// Returns whether the initial value of a local can read v.  Reports it if not: the value is computed at compile time, when only the locals
-// declared above have a value.
+// Returns whether the initial value of a local can read v, and reports the use of v if not.  The initial value is computed at compile time,
+// when only the locals declared before it have a value.
 static bool check_use_in_initial(Sema *s, const Var *v, const AstExpr *e)
 {
     Diag *d;
@@ -94,7 +94,8 @@ static Expr *check_name(Sema *s, const AstExpr *e)
     return out;
 }
 
-// Builds a literal.  Records one of 2^53 or more: from there on not every whole number is an F64, which some analyses rely on.
+// Builds a literal.  Records whether the machine has a literal of 2^53 or more: analyses that need every whole number to be exact in F64
+// then find less.
 static Expr *check_number(Sema *s, const AstExpr *e)
 {
     Expr *out = expr_new(s, EX_NUMBER, e->span, 0);
@@ -142,8 +143,8 @@ static Span span_between(uint32_t from, Span to)
 }
 
 // Warns of `not a == b`: it means `(not a) == b`, which is rarely intended.  The diagnostic shows both readings (language.md 3.13).
-// Called for every operator of an expression, outer ones first.  All operators on the left edge share one leftmost operand, which the
-// first call examines.
+// Called for every operator of an expression, outer ones first.  Operators that are nested on the left share one leftmost operand, which
+// only the first of these calls examines.
 static void warn_of_leading_not(Sema *s, const AstExpr *e)
 {
     const AstExpr *left = e;
@@ -165,7 +166,7 @@ static void warn_of_leading_not(Sema *s, const AstExpr *e)
     diag_note(s->diags, d, (Span){0}, DIAG_note_not_of_all, sema_quote(s, span_between(left->a->span.at, e->span)));
 }
 
-// The nearest comparison before the right side of an `and` or `or`; NULL if there is none.
+// Returns the last comparison in e, the left side of an `and` or `or`: for `x or a == 1` the `a == 1`.  NULL if e does not end with one.
 static const AstExpr *comparison_before(const AstExpr *e)
 {
     while (e->kind == AST_BINARY && operator_class(e) == SM_CLASS_LOGIC)
@@ -173,7 +174,8 @@ static const AstExpr *comparison_before(const AstExpr *e)
     return e->kind == AST_BINARY && (operator_class(e) == SM_CLASS_RELATION || operator_class(e) == SM_CLASS_EQUALITY) ? e : NULL;
 }
 
-// Whether a number may be intended as a condition: 0, 1, true and false, as in `steps and 1`.  After `mode == 2`, a 0 or 1 is a value.
+// Whether a number may be intended as a condition: 0, 1, true or false, as in `steps and 1`.  After a comparison such as `mode == 2`, a 0
+// or 1 is probably another value of `mode`.
 static bool may_be_switch(const AstExpr *number, const char *text, const AstExpr *before)
 {
     const bool is_word = strcmp(text, "true") == 0 || strcmp(text, "false") == 0;
@@ -261,7 +263,7 @@ static Expr *check_unary(Sema *s, const AstExpr *e)
 
 // ---- calls ----
 
-// For a min or max of more than two arguments suggests nested calls, such as max(max(a, b), c), and proposes the edits.
+// For a min or max with more than two arguments, suggests nested calls, such as max(max(a, b), c), and proposes the edits.
 static void suggest_nested_calls(Sema *s, Diag *d, const AstExpr *e)
 {
     const AstArgs *args = e->args;
@@ -379,7 +381,7 @@ static Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *
     if (s->at != EXPR_IN_STEP)
         return NULL;
     out = expr_new(s, EX_ROLL, call->span, 1);
-    out->arg[0] = w.sample = check_expr(s, call->args->at[0]);     // inner windows get a lower index than this one
+    out->arg[0] = w.sample = check_expr(s, call->args->at[0]);     // gives roll calls in the sample lower indices
     w.size = check_window_size(s, call, fn);
     w.stat = out->stat = fn->stat;
     w.span = call->span;
@@ -393,7 +395,7 @@ static Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *
 static Expr *check_call(Sema *s, const AstExpr *e)
 {
     const SmBuiltinInfo *fn = scope_find_function(s, e->name);
-    bool readable = true;                         // otherwise the user may have written more arguments than the parser found
+    bool readable = true;                         // false: an argument has a syntax error, so the number of arguments is uncertain
     Expr *out;
 
     if (fn && e->args->n == fn->arguments) {
@@ -409,7 +411,7 @@ static Expr *check_call(Sema *s, const AstExpr *e)
         scope_report_unknown_function(s, e->name, ast_op_span(e));
     else if (readable && (e->args->n < fn->arguments || !report_decimal_comma(s, e)))
         report_argument_count(s, e, fn);
-    if (s->at == EXPR_IN_STEP)                    // report errors in the arguments too; elsewhere, what is allowed depends on the function
+    if (s->at == EXPR_IN_STEP)                    // report errors in the arguments, too
         for (size_t i = 0; i < e->args->n; i++)
             check_expr(s, e->args->at[i]);
     return NULL;

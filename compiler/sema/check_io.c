@@ -8,9 +8,9 @@
 typedef struct IoCheck {
     const CheckContext *c;
     IoMap *io;
-    Map taken[2];                 // analog, digital: the pin number to the first AstPin that uses it
-    Map input;                    // elements that an input writes, to the first AstPin
-    Map unknown;                  // names already reported
+    Map taken[2];                 // [0] analog, [1] digital: a pin number, to the first AstPin that uses it
+    Map input;                    // the name of an element that an input writes, to the first AstPin that does
+    Map unknown;                  // unknown names that are already reported
     unsigned guesses;             // how many more unknown names may be compared with all known ones
 } IoCheck;
 
@@ -29,8 +29,8 @@ static const char *source_text(const CheckContext *c, Span s)
 
 // ---- the element ----
 
-// Returns the pin's element; NULL if the state vector does not have it, which is reported.  Also reports an element of a digital pin that
-// is not a bool, and a bool on an analog pin (config.md 9.4, 9.5).
+// Returns the pin's element; NULL after reporting that the state vector does not have it.  Also reports a digital pin whose element is not
+// a bool, and an analog pin whose element is one (config.md 9.4, 9.5).
 static const Element *check_element(IoCheck *k, const AstPin *pin, bool digital)
 {
     const Element *e = map_find(&k->io->sv->by_name, pin->element);
@@ -138,7 +138,7 @@ static void check_level_and_pulls(IoCheck *k, const AstPin *pin, Pin *out)
     diag_note(k->c->diags, d, up->span.at > down->span.at ? down->span : up->span, DIAG_note_first_here);
 }
 
-// Registers each @allow as shared.  Whether it is needed is only known after machines are checked, so none is reported as unused.
+// Registers each @allow of a pin as shared, so that it is never reported as unused: machines that are checked later may need it.
 static void register_allows(IoCheck *k, const AstPin *pin)
 {
     Span covers = pin->element_span;
@@ -185,7 +185,7 @@ static void check_pin(IoCheck *k, const AstPin *pin, bool digital)
 
 IoMap *check_io(CheckContext *c, const AstFile *f, const StateVec *sv)
 {
-    enum { GUESSES = 30,              // more than the reports that are shown
+    enum { GUESSES = 30,              // unknown names that get a suggestion: more than the reports that are shown
            MOST = 65535 };            // runtime-c/io.h counts pins with 16 bits
     size_t errors = c->diags->met;
     const Map none = {c->arena, NULL, NULL, 0, 0};

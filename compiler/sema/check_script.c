@@ -14,14 +14,14 @@ typedef struct ScriptCheck {
     Script *script;
     Str delta_t, init_state;      // the names of the options
     bool has_delta_t, has_stop;
-    uint32_t items, asserts;      // the numbers of each so far
-    size_t errors;                // Diags.met before this check
+    uint32_t items, asserts;      // how many items and asserts have been checked
+    size_t errors;                // Diags.met when this check began
     Map section;                  // state name to the Span of its section
 } ScriptCheck;
 
 // ---- options ----
 
-// Accepts one whole number without a sign, 1 … 2^63.  Returns 0 for anything else.
+// Returns the value of delta_t: a whole number without a sign, from 1 to 2^63.  Returns 0 for anything else.
 static uint64_t delta_t_value(const AstOption *o)
 {
     const SmF64 highest = sm_from_u64(0x8000000000000000u);
@@ -52,7 +52,7 @@ static void check_option(ScriptCheck *k, const AstOption *o)
 
 // ---- conditionals ----
 
-// Reserves exactly the memory that the lists of the item need: a script can have a million items.
+// Allocates an item whose lists have exactly the capacity that they need, because a script can have a million items.
 static ScriptItem *new_item(ScriptCheck *k, const AstStmts *body)
 {
     ScriptItem *item = ARENA_NEW(k->s.arena, ScriptItem);
@@ -70,7 +70,7 @@ static void check_conditional(ScriptCheck *k, ScriptSection *section, const AstS
 {
     ScriptItem *item = new_item(k, &in->arms->then);
 
-    k->s.searched_left = NULL;                // the tree of the item before may have been at the same address
+    k->s.searched_left = NULL;                // a freed tree of an earlier item may have been at this address
     item->span = in->span;
     item->guard = check_expr(&k->s, in->value);
     item->number = k->items++;
@@ -141,7 +141,7 @@ static void open_section(ScriptCheck *k, const AstSection *in)
     vec_push(k->s.arena, &k->script->section, section);
 }
 
-// Visits a section, without its items.
+// Called for each section when its header and options are parsed, before its items.
 static void check_section(void *context, const AstSection *in)
 {
     ScriptCheck *k = context;
@@ -152,7 +152,7 @@ static void check_section(void *context, const AstSection *in)
         check_option(k, &in->options.at[o]);
 }
 
-// Visits an item of the last section.
+// Called for each item of the current section.
 static void check_item(void *context, const AstStmt *in)
 {
     ScriptCheck *k = context;
@@ -163,7 +163,7 @@ static void check_item(void *context, const AstStmt *in)
 
 // ---- times that the script compares with ----
 
-// Whether a clock that counts in steps of delta_t is ever equal to x.
+// Whether a clock that starts at 0 and advances by delta_t is ever equal to x.
 static bool is_reached_time(const ScriptCheck *k, SmF64 x)
 {
     const SmF64 limit = sm_from_u64(0x20000000000000u);          // 2^53: above it some whole numbers are not an F64

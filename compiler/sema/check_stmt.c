@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements (language.md 5): what may be written, where transitions may appear and lead, what can never run.  Recursion depth
-// equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
+// Checks statements (language.md 5): which variables they assign, where transitions appear and lead, what can never run.  Recursion
+// depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
 #include "compiler/sema/sema.h"
 
 static Stmt *stmt_new(Sema *s, StmtKind kind, const AstStmt *in)
@@ -24,8 +24,8 @@ static void check_value(Sema *s, const AstStmt *in, Stmt *out)
 
 // ---- assignments ----
 
-// Checks that a statement can assign v; reports it if not.  G, S and T can never be assigned.  A script can write variables that are
-// marked @read_only.
+// Returns whether a statement can assign v, and reports the assignment if not.  G, S and T can never be assigned.  Other variables marked
+// @read_only can only be assigned by a script.
 static bool check_writable(Sema *s, const Var *v, Str name, Span span)
 {
     bool own = v == s->p->g || v == s->p->s || v == s->p->t;
@@ -59,8 +59,8 @@ static const State *state_named_by(const Sema *s, const AstExpr *e)
     return e->kind == AST_NAME ? map_find(&s->p->state_by_name, e->name) : NULL;
 }
 
-// Reports an assignment such as `S = Vent`, or `state = Vent` if no variable is named `state`: the user wants a transition.  Returns false
-// if the statement is not such an assignment.
+// Reports an assignment such as `S = Vent`, or `state = Vent` if no variable is named `state`: the user wants a transition to Vent.
+// Returns false if the statement is no such assignment.
 static bool report_state_assignment(Sema *s, const Var *v, const AstStmt *in)
 {
     const bool may_mean = !s->in_script && (v ? v == s->p->s : in->value->kind == AST_NAME && !scope_find_variable(s, in->value->name));
@@ -77,7 +77,7 @@ static bool report_state_assignment(Sema *s, const Var *v, const AstStmt *in)
     return true;
 }
 
-// Warns of a script that writes a read-only local, once for each name: the local never has that value in flight.
+// Warns of a script that writes a read-only local, because the local never changes in flight.  Warns once for each name.
 static void warn_of_read_only_local(Sema *s, const Var *v, const AstStmt *in)
 {
     Diag *d;
@@ -150,8 +150,8 @@ static Stmt *check_if(Sema *s, const AstStmt *in)
 
 // ---- lists ----
 
-// Warns of `next`, a statement directly after a transition.  Not if a brace is missing: then the checker does not know which statements
-// belong together.
+// Warns of `next`, a statement directly after a transition, which can never run.  Does not warn if a brace is missing, because then the
+// checker does not know which statements belong together.
 static void warn_of_unreachable_statement(Sema *s, const AstStmt *transition, const AstStmt *next)
 {
     Diag *d;

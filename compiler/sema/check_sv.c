@@ -44,7 +44,7 @@ static void check_region(SvCheck *k, const AstSection *section, bool names_lost)
     r->span = section->name_span;
     r->first = (uint32_t)k->sv->element.n;
     vec_push(k->c->arena, &k->sv->region, r);
-    if (first && section->name->len > 0) {      // the name is empty if the parser could not read the header
+    if (first && section->name->len > 0) {      // the parser sets an empty name if it could not read the header
         Diag *d = diag_report(k->c->diags, DIAG_region_twice, section->name_span, section->name->text);
         diag_note(k->c->diags, d, first->span, DIAG_note_declared_here, first->name->text);
     } else

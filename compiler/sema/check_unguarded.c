@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Warns of a transition to an @abort state directly below a one-line conditional, which may have been intended to depend on it:
+// Warns of an unconditional transition to an @abort state directly below a one-line conditional, if it may be meant as part of that
+// conditional:
 //
 //     p > 50: code = 1
 //     -> Abort
 //
-// Only the layout shows this, so the check works on the tree as written.  It does not warn where the layout or the statements
-// show that the transition is unconditional:
-//   - the state is itself an @abort state, or has only an .entry block: it is passed through;
-//   - another line, empty or a comment, separates them;
-//   - the conditional itself has a transition, or has an else: the remaining cases abort, or every case is handled;
-//   - an earlier statement of the block assigns the same variable: the lines classify, then the machine aborts.
-// A transition that is indented more than the conditional always causes the warning.
+// Only the layout suggests this, so the check reads positions in the syntax tree.  It does not warn where the layout or the statements
+// show that the transition is meant to be unconditional:
+//   - the state is itself an @abort state, or has no .step block: the machine only passes through it;
+//   - another line, empty or a comment, separates conditional and transition;
+//   - the conditional itself contains a transition: the transition below handles the remaining cases;
+//   - the conditional has an else, so it already handles every case;
+//   - an earlier statement of the block assigns the same variable: the lines select a value, then the machine aborts.
+// A transition that is indented more than the conditional is reported even after an else or an earlier assignment.
 #include "compiler/sema/sema.h"
 
 static uint32_t line_of(Span span) { return source_position(span.src, span.at).line; }
 
 static uint32_t column_of(Span span) { return source_position(span.src, span.at).col; }
 
-// The last statement of a conditional, if it ends without braces; NULL if it ends with braces.
+// Returns the last statement of a conditional; NULL if the conditional ends with a brace.
 static const AstStmt *last_unbraced(const AstStmt *s)
 {
     while (s && s->kind == AST_IF) {
@@ -42,7 +44,7 @@ static bool ends_with_else(const AstStmt *s)
 
 static bool list_assigns(const AstStmts *list, Str name, const AstStmt *but);
 
-// Whether a statement, or one inside it, assigns `name`.  Statement `but` does not count.
+// Whether statement s, or a statement inside it, assigns `name`.  The assignment `but` does not count.
 static bool stmt_assigns(const AstStmt *s, Str name, const AstStmt *but)
 {
     if (s->kind == AST_ASSIGN)
@@ -75,7 +77,7 @@ static bool is_intended(const AstStmts *in, const AstStmt *above, const AstStmt 
 void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *section, AstLabel label)
 {
     const AstStmts *in = &section->block[label].stmts;
-    const AstStmt *above = NULL;              // the statement before the current one, annotations not counted
+    const AstStmt *above = NULL;              // the statement before in->at[i], without annotations
 
     if (label == AST_EXIT)
         return;

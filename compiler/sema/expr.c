@@ -46,8 +46,8 @@ bool expr_equal(const Expr *a, const Expr *b, const uint32_t *window_of)
 
 // ---- evaluate ----
 
-// Calls the functions of stdlib that also run on targets, so a value computed here has the same bits.  ir/eval.c evaluates IR operations
-// in the same way.  The two share no code: the IR has no chains and no clamp, and sema is built without the IR.
+// Constant evaluation calls the functions of stdlib that also run on targets, so that the results have the same bits.  ir/eval.c evaluates
+// IR operations with the same functions, but shares no code with this file: the IR has no chains and no clamp, and sema cannot use the IR.
 
 static bool eval_relation(SmOperator op, SmF64 a, SmF64 b)
 {
@@ -68,7 +68,7 @@ static SmF64 eval_binary(SmOperator op, SmF64 a, SmF64 b)
     case SM_OP_DIV: return sm_div(a, b);
     case SM_OP_NOT: case SM_OP_NEG: case SM_OP_PLUS: case SM_OP_COUNT: break;
     }
-    return sm_from_i32(0);                                  // not a binary operator
+    return sm_from_i32(0);                                  // not reached: the others are not binary operators
 }
 
 static SmF64 eval_chain(const Expr *e, const SmF64 *value)
@@ -105,7 +105,7 @@ static SmF64 eval_call(const Expr *e, const SmF64 *value)
 #undef SM_ROLL
     case SM_FN_COUNT: break;
     }
-    return sm_from_i32(0);                                  // a roll call cannot reach this: the checker excludes it
+    return sm_from_i32(0);                                  // not reached: a roll call is an EX_ROLL, not an EX_CALL
 }
 
 SmF64 expr_eval(const Expr *e, const SmF64 *value)
@@ -139,7 +139,7 @@ bool expr_is_constant(const Expr *e)
 
 const char *const_text(Arena *arena, SmF64 x)
 {
-    enum { FEW = 6, ENOUGH = 17 };             // decimal digits; 17 distinguish every two F64
+    enum { FEW = 6, ENOUGH = 17 };             // decimal digits; 17 digits distinguish any two F64
     const char *text = "";
 
     if (sm_is_nan(x))

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the parser's errors may have hidden: the words of an unreadable declaration, or of a section whose header is unreadable.
-// If such a word is unknown later, that follows from an error already reported.
+// Collects the words that syntax errors may have hidden: those of a declaration, or of a section whose header the parser could not read.
+// If a name is unknown but is one of these words, the checker does not report it, because that error is already reported.
 #include "compiler/sema/sema.h"
 
 #include "compiler/syntax/lex.h"
 
-// The number of sections that begin at or before a position.
+// Returns the number of sections that begin at or before a position.
 static size_t sections_up_to(const AstFile *f, uint32_t at)
 {
     size_t low = 0, high = f->sections.n;
@@ -20,7 +20,7 @@ static size_t sections_up_to(const AstFile *f, uint32_t at)
     return low;
 }
 
-// The last declaration that begins at or before a position; NULL if there is none.
+// Returns the last declaration of the section that begins at or before a position; NULL if there is none.
 static const AstDecl *decl_at(const AstSection *section, uint32_t at)
 {
     size_t low = 0, high = section->decls.n;
@@ -35,8 +35,8 @@ static const AstDecl *decl_at(const AstSection *section, uint32_t at)
     return low ? &section->decls.at[low - 1] : NULL;
 }
 
-// Whether an error may have hidden a declaration.  An error after the name in the line of a declaration hides none; after an @ it may hide
-// an alias.
+// Whether a syntax error may have hidden a declared name.  An error after the name in the line of a declaration hides none, unless it
+// follows an @: then it may hide an alias.
 static bool may_hide(const AstSection *section, Span error)
 {
     const char *text = error.src->text;
@@ -89,7 +89,7 @@ static void add_hidden_range(HiddenWords *k, uint32_t from, uint32_t to)
         k->done = to;
 }
 
-// Adds the names that an error may have hidden: those to the end of its section, those of its line, or none.
+// Adds the names that error d may have hidden: all words up to the end of its section, those of its line, or none.
 static void add_names_hidden_by(HiddenWords *k, const Diag *d)
 {
     const Span error = d->span;

@@ -34,10 +34,10 @@ typedef struct Allow {
 typedef struct Element {
     Str name;
     SmType type;
-    bool untyped;             // the declaration has no valid type; already reported
+    bool untyped;             // the declaration has no valid type, which is already reported
     const Range *range;       // or NULL
     bool command;             // @command: operated by a person
-    uint32_t first_allow, allows;     // StateVec.allow: the @allow annotations of its declaration
+    uint32_t first_allow, allows;     // its @allow annotations: StateVec.allow.at[first_allow …], `allows` of them
     uint32_t index;           // index in StateVec.element
     uint32_t offset;          // bytes from the start of the state vector in memory (vector_layout.c)
     Region *region;
@@ -46,8 +46,8 @@ typedef struct Element {
 
 struct Region {
     Str name;
-    uint32_t offset, size;    // in memory; size ends with the last element
-    uint32_t packed_size;     // on the wire
+    uint32_t offset, size;    // bytes in memory, without padding after the last element
+    uint32_t packed_size;     // bytes in a message, where elements have no padding
     uint32_t first, count;    // its elements: StateVec.element.at[first …]
     Span span;
 };
@@ -55,13 +55,13 @@ struct Region {
 typedef struct StateVec {
     Str name;                 // the .sv file's stem, or the machine's when its own section is the whole vector
     bool lock;
-    bool from_machine;        // no .sv was given: [state_vector] of the machine is the vector, one region of that name
+    bool from_machine;        // there is no .sv: the machine's [state_vector] section declares all elements, in one region
     VEC(Element *) element;   // in declaration order
     VEC(Region *) region;
     VEC(Allow) allow;         // of a .sv: the @allow annotations of its elements
     Map by_name;              // name to Element
     uint32_t size;            // bytes in memory, a multiple of 8
-    uint32_t hash;            // of names, types and order: binds machines to a layout
+    uint32_t hash;            // of names, types and order: machines run only with a vector that has this hash
 } StateVec;
 
 // ---- variables ----
@@ -74,16 +74,16 @@ typedef enum VarKind {
 
 typedef struct Expr Expr;
 
-typedef struct Var {
+typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only this kind has
     VarKind kind;
-    Str name;                 // as listed
+    Str name;                 // as written in the list or declaration
     Str alias;                // or NULL
     Str report_name;          // its name in reports: name or alias, whichever comes first in ASCII
     SmType type;
     uint32_t index;           // in Program.var
-    Element *element;         // ELEMENT
+    Element *element;         // ELEMENT: its element
     const Range *range;       // ELEMENT: from the machine, or else from the .sv; or NULL
-    bool read_only;           // the machine may not write it; true for G, S and T
+    bool read_only;           // the machine cannot assign the variable; true for G, S and T
     bool command;             // ELEMENT: marked @command, here or in the .sv
     uint64_t init;            // LOCAL: its initial value, as a bit cell of its type (convert.h)
     Expr *init_value;         // LOCAL: the expression that init was computed from
@@ -107,7 +107,7 @@ typedef enum ExprKind {
     EX_ROLL                   // statistic `stat` of window `window`; arg[0] is the sampled expression
 } ExprKind;
 
-struct Expr {                 // bit fields save memory: most of a program is Exprs
+struct Expr {                 // "CALL:" marks a field that only EX_CALL has.  Bit fields save memory, because a program is mostly Exprs
     ExprKind kind : 8;
     SmOperator op : 8;        // UNARY, BINARY
     SmBuiltin fn : 8;         // CALL
@@ -116,13 +116,13 @@ struct Expr {                 // bit fields save memory: most of a program is Ex
     Span span;
     SmF64 number;
     Var *var;
-    Expr **arg;               // stored directly after this struct; a CHAIN's n - 1 operators follow them
+    Expr **arg;               // n pointers stored directly after this struct; for a CHAIN its n - 1 operators follow
     uint32_t window;          // ROLL: index into the owner's window list
 };
 
 static inline SmOperator *expr_ops(const Expr *e) { return (SmOperator *)(void *)(e->arg + e->n); }      // CHAIN
 
-// One roll call of the source.  Every call has its own window; the IR builder shares equal ones.
+// The window of one roll call in the source.  Every call has its own Window; the IR builder merges equal windows.
 typedef struct Window {
     Expr *sample;             // the sampled expression
     uint32_t size;            // n: 1 … SM_WINDOW_MAX
@@ -130,7 +130,7 @@ typedef struct Window {
     Span span;
 } Window;
 
-typedef VEC(Window) Windows;  // inner calls come before outer ones: sample them in index order
+typedef VEC(Window) Windows;  // a roll call inside another one comes first, so sample windows in index order
 
 // ---- the machine ----
 
@@ -148,8 +148,8 @@ struct Stmt {
     bool varies;              // `value` reads an element, T or a statistic, so it is not constant
     Var *var;                 // ASSIGN: the variable that is written
     Expr *value;              // ASSIGN: converted to var's type; IF: converted to bool
-    Stmts then, otherwise;    // IF
-    State *target;            // TRANSITION
+    Stmts then, otherwise;    // IF: the branches
+    State *target;            // TRANSITION: the next state
 };
 
 typedef enum BlockKind { BLOCK_ENTRY, BLOCK_STEP, BLOCK_EXIT, BLOCK_COUNT } BlockKind;
@@ -175,7 +175,7 @@ typedef struct Program {
     bool large_numbers;       // the program contains a literal of 2^53 or more
     uint32_t stmts;           // statements in all blocks: the largest Stmt.number
     Windows window;
-    VEC(Allow) allow;         // includes those of the .sv, each covering the place where the machine lists the element
+    VEC(Allow) allow;         // also those of the .sv, which cover the position where the machine lists the element
     Map by_name;              // name or alias to Var
     Map state_by_name;
 } Program;
@@ -205,7 +205,7 @@ typedef struct Script {
     Span delta_t_span;        // its value in [options]
     State *init_state;
     VEC(ScriptSection) section;       // in file order
-    Windows window;           // the script's own, over all sections
+    Windows window;           // of the roll calls in all sections of the script
 } Script;
 
 // Whether two expressions apply the same operators to the same numbers, variables and statistics.  Equal expressions have the
@@ -218,12 +218,12 @@ void expr_walk(Expr *e, void (*f)(Expr *e, void *context), void *context);
 
 // Whether the value of e never changes: it contains only numbers, constant locals, operators and pure functions.
 bool expr_is_constant(const Expr *e);
-// The value of a constant expression.  A local that is not constant counts with its initial value.
+// Returns the value of a constant expression.  If e reads a local that is not constant, uses its initial value.
 SmF64 expr_constant_value(const Expr *e);
-// The value of any expression, given the values of variables (by Var.index).  Every window is assumed to be filled with its
-// current sample.
+// Returns the value of any expression for the given values of variables (by Var.index).  Assumes that every window is filled with
+// its current sample.  NULL: uses the initial values.
 SmF64 expr_eval(const Expr *e, const SmF64 *value);
-// A value for messages, with the fewest digits that read back as the same number.
+// Formats a value for messages, with the fewest digits from which the same number can be read back, but at least 6.
 const char *const_text(Arena *arena, SmF64 x);
 
 #endif

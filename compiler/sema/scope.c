@@ -19,7 +19,7 @@ static bool is_same_but_for_case(const char *a, const char *b)
     return *a == *b;
 }
 
-// Starts a search.  Up to a third of the characters may be wrong; with more it is another word.
+// Starts a search for the known name that is most similar to `wanted`.  At most a third of its characters, and at most 3, can differ.
 Guess guess_init(Str wanted)
 {
     size_t typos = wanted->len / 3;
@@ -46,8 +46,8 @@ void guess_add_label(Diags *diags, Diag *d, const Guess *g)
         diag_label(diags, d, DIAG_label_did_you_mean, g->best->text);
 }
 
-// Uses up one of the remaining searches for a similar name; returns false if none remains.  Each search compares with all known names, so
-// without the limit a hostile file would take quadratic time.
+// Uses up one of the remaining searches for a similar name; returns false if none remains.  Each search compares the name with all known
+// names, so without a limit a hostile file would take quadratic time.
 static bool use_up_guess(unsigned *guesses)
 {
     if (*guesses == 0)
@@ -80,7 +80,7 @@ Str suggest_state(Diags *diags, Diag *d, unsigned *guesses, const Program *p, St
     return g.best;
 }
 
-// Adds a name to those already reported.  Returns whether it is new.
+// Adds a name to the set of names already reported.  Returns whether it was not yet in the set.
 static bool add_reported_name(Map *reported, Str name)
 {
     if (map_find(reported, name))
@@ -137,8 +137,8 @@ static const ForeignName *find_foreign(const ForeignName *table, size_t n, Str n
     return NULL;
 }
 
-// Suggests the spelling of this language for a word of another one (True, on, pi) or a keyword in other case (ELSE).  Returns false if
-// foreign_names.def does not list the name.
+// Suggests what to write for a word of another language (True, on, pi) or a keyword in the wrong case (ELSE).  Returns false if
+// foreign_names.def does not list the word.
 static bool suggest_spelling(Sema *s, Diag *d, Str name)
 {
     const ForeignName *f = find_foreign(foreign_names, sizeof foreign_names / sizeof *foreign_names, name);
@@ -165,7 +165,8 @@ static void suggest_variable(Sema *s, Diag *d, Str name)
         scope_note_declared(s, d, g.best);
 }
 
-// Records d if it is the first report of an unknown name: in a script, a note that the script is for another machine may be added to it.
+// Records d if it is the first report of an unknown name.  If a script knows no name of its machine, the checker later adds a note to d
+// that the script may belong to another machine.
 static void record_first_unknown(Sema *s, Diag *d)
 {
     if (!s->unknown)
@@ -256,7 +257,7 @@ void scope_report_unknown_function(Sema *s, Str name, Span span)
     if (foreign)
         diag_label(s->diags, d, foreign->label, foreign->argument);
     if (!s->functions_noted && (!foreign || foreign->label == DIAG_label_no_such_function)) {
-        const char *list[2] = {"", ""};           // functions of values, and of windows
+        const char *list[2] = {"", ""};           // [0] functions of values, [1] functions of windows
         for (int i = 0; i < SM_FN_COUNT; i++) {
             const char **to = &list[sm_builtin_info[i].is_roll];
             *to = format_in(s->arena, "%s%s%s", *to, **to ? ", " : "", sm_builtin_info[i].name);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Starts the check of a machine or script: initial scopes, the known functions, the name of the file.
+// Starts the check of a machine or script: sets up the scopes and the known functions.
 #include "compiler/sema/sema.h"
 
 #include <string.h>
 
 void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Program *p, Windows *windows)
 {
-    enum { GUESSES = 30 };        // more than the reports that are shown
+    enum { GUESSES = 30 };        // unknown names that get a suggestion: more than the reports that are shown
 
     memset(s, 0, sizeof *s);
     s->arena = c->arena;

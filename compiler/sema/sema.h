@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shared by the files of the checker.  Include it inside sema/ only; other folders include check.h.
+// Shared by the files of the checker.  Only files in sema/ include this header; other folders include check.h.
 #ifndef SMC_SEMA_H
 #define SMC_SEMA_H
 
@@ -40,22 +40,22 @@ typedef struct Sema {
     Map functions;            // name to SmBuiltinInfo
     Map unknown_name, unknown_state, unknown_function;   // already reported (name to itself)
     bool functions_noted;     // the list of functions has been shown
-    Map remarked;             // names that already have a remark, which is made only once
+    Map remarked;             // names with a warning that is given only once per name
     Map doubtful;             // names declared twice: they cause no further reports
     Map declared_at;          // name or alias to the Span of its declaration
     unsigned guesses;         // how many more unknown names may be compared with all known ones
 
     ExprContext at;
     const Var *local;         // EXPR_IN_INITIAL: the local whose initial value is being checked
-    Str size_of;              // EXPR_IN_SIZE: the function whose window size is being checked
-    const AstExpr *searched_left;     // the left operand of an operator that has already been searched for `not`
+    Str size_of;              // EXPR_IN_SIZE: the roll function whose size argument is being checked
+    const AstExpr *searched_left;     // the leftmost operand of this operand has already been examined for a `not`
     bool no_elements;         // the machine lists no elements; already reported
     bool *no_value;           // by Var.index: the local's initial value has an error
-    VEC(SizeUse) size_use;
+    VEC(SizeUse) size_use;    // for check_size_uses
     BlockKind block;          // the block that contains the current statement
     uint32_t stmts;           // the number of statements so far
-    uint32_t operators;       // of the current value, as in Stmt
-    bool varies;
+    uint32_t operators;       // of the value that is being checked; becomes Stmt.operators
+    bool varies;              // becomes Stmt.varies
     Program *building;        // the machine being built; NULL for a script
 } Sema;
 
@@ -79,22 +79,22 @@ void scope_note_declared(Sema *s, Diag *d, Str name);
 // A search for the known word nearest to an unknown one.
 typedef struct Guess {
     Str wanted, best;         // best: NULL until a near word is found
-    size_t limit;             // only words nearer than this count
+    size_t limit;             // only words whose edit distance is below limit count
 } Guess;
 
 Guess guess_init(Str wanted);
 void guess_consider(Guess *g, Str candidate);
 void guess_add_label(Diags *diags, Diag *d, const Guess *g);   // "did you mean …?", if a near word was found
-// Each labels the report of an unknown name with the most similar known one, which it returns: NULL if there is none.  *guesses is how many
-// more such searches are allowed.
+// Each of these two functions finds the known name that is most similar to an unknown `name`, adds it as a label to d, and returns it; NULL
+// if there is none.  *guesses is how many more such searches are allowed.
 Str suggest_element(Diags *diags, Diag *d, unsigned *guesses, const StateVec *sv, Str name);
 Str suggest_state(Diags *diags, Diag *d, unsigned *guesses, const Program *p, Str name);
 
 // ---- the parts of the checker ----
 
-// [state_vector] and [local] of a machine: its variables.
+// Checks the [state_vector] and [local] sections of a machine, and builds its variables.
 void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside);
-// Each returns NULL after an error, which it has reported.
+// check_expr and check_assignment return NULL after an error, which they have reported.
 Expr *check_expr(Sema *s, const AstExpr *e);
 Stmt *check_assignment(Sema *s, const AstStmt *in);
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out);
@@ -107,15 +107,15 @@ bool has_annotation(const AstAnnotations *all, AstAnnotationKind kind);
 // Returns the @range among the annotations of an element; NULL if there is none or it is invalid, which is reported.
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type);
 
-// ---- check_allow.c: each adds @allow annotations with the part of the source that they cover ----
+// ---- check_allow.c: these functions register @allow annotations with the part of the source that they cover ----
 
-// The annotations of a declaration: in a .sv, and in a machine.
+// Register the annotations of a declaration, in a .sv and in a machine.
 void add_sv_allows(const CheckContext *c, StateVec *sv, const AstDecl *decl);
 void add_decl_allows(Sema *s, const AstDecl *decl);
-// The annotations after the header of a state.  `end` is the end of its section.
+// Registers the annotations after the header of a state.  `end` is the end of its section.
 void add_state_allows(Sema *s, const AstSection *section, uint32_t end);
 void add_stmt_allow(Sema *s, const AstAnnotation *a, const AstStmt *stmt);
-// The annotations of the element in the .sv.  They also apply where a machine lists the element.
+// Registers the annotations of an element in the .sv for the position where a machine lists the element.
 void add_listed_allows(Sema *s, const Element *e, const AstDecl *listed);
 
 Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args);

@@ -17,8 +17,8 @@ static uint32_t crc_text(uint32_t crc, const char *text)
     return crc;
 }
 
-// Returns the CRC of one line "[Region]" per region, followed by a line "TYPE name" per element.  Two layouts are equal exactly if these
-// lines are equal.
+// Returns the CRC of a text that describes the layout: a line "[Region]" for each region, followed by a line "TYPE name" for each of its
+// elements.  Two layouts are equal exactly if these texts are equal.
 static uint32_t hash_regions(const StateVec *sv)
 {
     uint32_t crc = SM_CRC32_START;

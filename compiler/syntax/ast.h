@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The syntax tree exactly as written, with one shape for every kind of file. The parser builds it; no later stage changes it. Where the
-// source was wrong the tree has an error node. Code that meets an error node stays silent, because the error has already been reported.
+// The syntax tree, which represents the source exactly as written, for every kind of file. The parser builds it; no later stage changes it.
+// Where the source has an error, the tree has an error node. Code that visits an error node reports nothing, because the parser has
+// already reported the error.
 #ifndef SMC_AST_H
 #define SMC_AST_H
 
@@ -28,7 +29,7 @@ typedef struct AstExpr AstExpr;
 typedef VEC(AstExpr *) AstArgs;
 struct AstExpr {
     AstExprKind kind;
-    SmOperator op;            // UNARY, BINARY
+    SmOperator op;            // only for UNARY and BINARY; "NUMBER:" and others below mean the same
     uint32_t depth;           // 1 + the depth of the deepest operand; at most AST_DEPTH_MAX, so that recursion over trees is bounded
     bool alone;               // a name or call where a statement is expected; the checker reports it (E0327)
     Span span;                // the whole expression
@@ -41,7 +42,7 @@ struct AstExpr {
 
 static inline Span ast_op_span(const AstExpr *e) { return (Span){e->span.src, e->op_at, e->op_len}; }
 
-enum { AST_DEPTH_MAX = 2000 };    // of expressions and of nested conditionals
+enum { AST_DEPTH_MAX = 2000 };    // the greatest depth of expressions and of nested conditionals
 
 // ---- annotations ----
 
@@ -63,7 +64,7 @@ typedef enum AstAnnotationTarget {
     AST_ANNOTATION_TARGETS
 } AstAnnotationTarget;
 
-// A number with its sign, where an expression is not allowed.
+// A number with an optional sign, at a position where the grammar allows no expression.
 typedef struct AstNumber { SmF64 value; Span span; } AstNumber;
 
 typedef struct AstAnnotation {
@@ -73,7 +74,7 @@ typedef struct AstAnnotation {
     Span name_span;
     Str reason;               // ALLOW
     AstNumber lo, hi;         // RANGE: both; annotations with one number or a value: lo
-    bool is_truth;            // lo was written as true or false
+    bool is_truth;            // `lo` was written as true or false
 } AstAnnotation;
 
 typedef VEC(AstAnnotation) AstAnnotations;
@@ -92,11 +93,11 @@ typedef enum AstStmtKind {
 
 typedef struct AstStmt AstStmt;
 typedef VEC(AstStmt *) AstStmts;
-typedef struct AstArms {      // of a conditional
+typedef struct AstArms {      // the branches of a conditional
     AstStmts then, otherwise;
     Span body_span, else_body_span;   // the statement after the colon, or { … } including the braces
     Span else_span;           // the word `else`
-    bool braces, else_braces; // written { } rather than with a colon
+    bool braces, else_braces; // whether the body is in { } rather than after a colon
     bool has_else;
 } AstArms;
 struct AstStmt {
@@ -161,7 +162,7 @@ typedef enum AstSectionKind {
 typedef struct AstSection {
     AstSectionKind kind;
     Str name;
-    Span name_span;           // between the brackets
+    Span name_span;           // the text between the brackets
     Span header;              // including the brackets
     AstAnnotations annotations;   // STATE
     VEC(AstDecl) decls;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The syntax tree of an application (.app) as written: options, start values, executors with their rate groups. app.def lists its words.
-// Parts that could not be parsed have been reported and are missing here.
+// Parts with syntax errors have been reported and are missing in the tree.
 #ifndef SMC_AST_APP_H
 #define SMC_AST_APP_H
 
@@ -10,7 +10,8 @@ typedef struct AstWord { Str text; Span span; } AstWord;      // text NULL: abse
 
 typedef enum AppMeasure { APP_NOTHING, APP_NUMBER, APP_TIME, APP_FREQUENCY, APP_SIZE } AppMeasure;
 
-// 10 ms, 1 kHz, 64 KB, 80: exactly digits * 10^exponent * factor, in ns, Hz, bytes or without a unit.
+// A number with an optional unit, such as 10 ms, 1 kHz, 64 KB or 80. Its exact value in ns, Hz, bytes or without a unit is
+// digits * 10^exponent * factor.
 typedef struct AstAmount {
     AppMeasure of;            // NOTHING: absent
     uint64_t digits;
@@ -56,13 +57,13 @@ typedef enum AstAppTaskKind {
 
 typedef struct AstAppTask {
     AstAppTaskKind kind;
-    AstWord name;             // of log: "log"
+    AstWord name;             // of a task without a name: its word, such as "log"
     AstWord file;
     AstAppAnnotations annotations;
 } AstAppTask;
 
 typedef struct AstAppRate {
-    AstAmount amount;         // TIME after `every`, FREQUENCY after `at`
+    AstAmount amount;         // an APP_TIME after `every`, an APP_FREQUENCY after `at`
     Span span;
     VEC(AstAppTask) tasks;
 } AstAppRate;
@@ -85,11 +86,11 @@ typedef struct AstApp AstApp;
 struct AstApp {
     Span options_header, start_header;    // src NULL: absent
     VEC(AstAppOption) options;
-    AstStmts start;           // AST_ASSIGN
+    AstStmts start;           // the assignments of [start]: AST_ASSIGN
     VEC(AstAppExecutor *) executors;
     VEC(AstAppAllow) allows;
     bool lost;                // entries may be missing, because errors were reported
-    bool strayed;             // an option outside [options] has been reported; further ones are not
+    bool strayed;             // an option outside [options] has been reported, so further ones are not reported
 };
 
 void ast_print_app(const AstApp *app, Buf *out);

@@ -13,7 +13,7 @@ static void print_line_start(Buf *out, unsigned depth) { buf_spaces(out, depth *
 
 static void print_name(Buf *out, Str name) { buf_put(out, name ? name->text : "?", name ? name->len : 1); }
 
-// Prints the source text unchanged, so that nothing is lost.
+// Prints the source text unchanged, so that the dump shows how a literal was written.
 static void print_source(Buf *out, Span span) { buf_put(out, span.src->text + span.at, span.len); }
 
 static void print_expr(Buf *out, const AstExpr *e)

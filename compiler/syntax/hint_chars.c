@@ -6,7 +6,7 @@
 #include "compiler/syntax/hint_text.h"
 #include "compiler/syntax/hint_words.h"
 
-// Unicode characters that word processors and mathematical texts use where this language has an ASCII operator or a space (TOK_END).
+// Unicode characters that word processors and mathematical texts use where this language has an ASCII operator. TOK_END: a space.
 static const struct { uint32_t code; const char *ascii; TokenKind kind; } lookalikes[] = {
     {0xa0, " ", TOK_END}, {0x2007, " ", TOK_END}, {0x2009, " ", TOK_END}, {0x202f, " ", TOK_END},
     {0x2010, "-", TOK_MINUS}, {0x2011, "-", TOK_MINUS}, {0x2012, "-", TOK_MINUS}, {0x2013, "-", TOK_MINUS},
@@ -44,20 +44,21 @@ static size_t skip_foreign_letter(const Lexer *l, uint32_t p)
     return len > 1 && find_lookalike(code) == NO_LOOKALIKE && !is_quote(code) && !utf8_is_hidden(code) ? len : 0;
 }
 
-// Whether a dash at `at`, `len` bytes long, is followed by `>`: – and > are meant as ->.
+// Whether the character at `at`, row `like` of lookalikes, is a dash directly before `>`: then the user means the arrow ->.
 static bool is_long_arrow(const Lexer *l, uint32_t at, uint32_t len, size_t like)
 {
     return like < NO_LOOKALIKE && lookalikes[like].kind == TOK_MINUS && lexer_byte(l, at + len) == '>';
 }
 
-// Whether the character is a dash between two numbers, as in @range 0 – 5. It does not negate the second number.
+// Whether the character, row `like` of lookalikes, is a dash after the first number of an annotation, as in @range 0 – 5. Such a dash
+// does not negate the second number.
 static bool is_dash_of_range(const Lexer *l, size_t like)
 {
     return l->annotated && !l->first && l->last == TOK_NUMBER && like < NO_LOOKALIKE && lookalikes[like].kind == TOK_MINUS;
 }
 
-// Whether the character is part of a number, as in 0·5 or in 60 000 with a no-break space. It must then not be replaced with the operator
-// or space that it resembles.
+// Whether the character is part of a number, as in 0·5 or in 60 000 with a no-break space. Such a character must not be replaced with the
+// operator or space that it resembles.
 static bool is_inside_number(const Lexer *l, uint32_t at, uint32_t len, uint32_t code)
 {
     const bool may_be = code == 0xb7 || code == 0x22c5 || code == 0xa0 || code == 0x2007 || code == 0x2009 || code == 0x202f;
@@ -115,8 +116,8 @@ uint32_t hint_report_non_ascii(Lexer *l, uint32_t at)
 
 // ---- text that begins no token ----
 
-// Returns the position of the quote that closes the text from p on, or the end of its line; *len: the length of the quote, 0 if there is
-// none.
+// Returns the position of the quote that closes the text from p on, and its length in *len; the end of the line and 0 if there is none.
+// `plain`: only a " can close the text.
 static uint32_t find_closing_quote(const Lexer *l, uint32_t p, bool plain, uint32_t *len)
 {
     uint32_t code = 0;
@@ -131,7 +132,7 @@ static uint32_t find_closing_quote(const Lexer *l, uint32_t p, bool plain, uint3
     return p;
 }
 
-// Reports the reason of an @allow, or the name of a file, that is in other quotes or not closed on its line, and reads it as TOK_ERROR.
+// Reports the reason of an @allow, or a file name, that is in quotes other than " or is not closed on its line. Reads it as TOK_ERROR.
 static void read_misquoted_text(Lexer *l, Token *t, uint32_t quote_len)
 {
     bool plain = l->src->text[l->at] == '"';
@@ -147,8 +148,8 @@ static void read_misquoted_text(Lexer *l, Token *t, uint32_t quote_len)
     lexer_finish_token(l, t, TOK_ERROR, end + closing);
 }
 
-// Quoted text can be a remark after a complete statement: @assert p > 5, "too low". If it ends its line at `end`, returns where the spaces
-// and the comma before the quote begin; else 0, as in init_state "Idle".
+// Quoted text can be a remark after a complete statement: @assert p > 5, "too low". If the text, which ends at `end`, is such a remark and
+// the last on its line, returns where the spaces and the comma before the quote begin; else 0, as for init_state "Idle".
 static uint32_t find_remark_start(const Lexer *l, uint32_t end)
 {
     const char *s = l->src->text;
@@ -222,7 +223,7 @@ static HintResult read_lookalike(Lexer *l, Token *t, uint32_t code)
 
 uint32_t hint_skip_foreign_letters(Lexer *l, uint32_t end)
 {
-    while ((unsigned char)lexer_byte(l, end) >= 0x80 && skip_foreign_letter(l, end))   // one word, reported once
+    while ((unsigned char)lexer_byte(l, end) >= 0x80 && skip_foreign_letter(l, end))   // one report for the word
         end = lexer_skip_word(l, end + hint_report_non_ascii(l, end));
     return end;
 }

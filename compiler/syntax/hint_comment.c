@@ -6,7 +6,7 @@
 #include "compiler/syntax/hint_text.h"
 #include "compiler/syntax/hint_words.h"
 
-// Whether a line that begins with `//` continues the expression of the line above: it closes a parenthesis of that line.
+// Whether a line that begins with `//` continues the expression of the line above: it closes a parenthesis that is open at its start.
 static bool divides_line_above(const Lexer *l)
 {
     const char *text = l->src->text;
@@ -50,12 +50,12 @@ static int estimate_division(const Lexer *l)
                                            : hint_is_declared(l, p, end);
     if (!hint_ends_line(l, after))
         return known && lexer_byte(l, after) != '.';
-    // In x = 1   // open and x = 1 //open the slashes are spaced like a comment, not like an operator.
+    // In `x = 1   // open` and `x = 1 //open` the spaces around the slashes are those of a comment, not of an operator.
     spaced = is_space_tab_or_return(l->src->text[l->at - 1]) && (p == l->at + 2 || is_space_tab_or_return(l->src->text[l->at - 2]));
     return known || !spaced;
 }
 
-// Changes a comment that is closed on its line, with nothing after it, to a comment of this language.
+// Proposes to replace a comment in /* */, at `at` to `end`, with a # comment, if the comment ends its line.
 static void propose_closed_comment(Lexer *l, Diag *d, uint32_t at, uint32_t end)
 {
     if (memchr(l->src->text + at, '\n', end - at) || !hint_ends_line(l, hint_skip_spaces(l, end)))
@@ -64,8 +64,8 @@ static void propose_closed_comment(Lexer *l, Diag *d, uint32_t at, uint32_t end)
     diag_edit(l->diags, d, lexer_span(l, end - 2, 2), "");
 }
 
-// Whether % follows a number and is meant as percent, as in p > 50 % of limit: -> Vent: the text after it contains a declared name or
-// begins a body. Otherwise that text can be a comment.
+// Whether % follows a number and means percent, as in `p > 50 % of limit: -> Vent`: the text after % contains a declared name, or the colon
+// or brace of a body. Otherwise the text can be a comment.
 static bool is_percentage(const Lexer *l)
 {
     uint32_t p = l->at + 1, end;
@@ -81,8 +81,8 @@ static bool is_percentage(const Lexer *l)
     return false;
 }
 
-// Whether a condition precedes the foreign comment and a colon or brace is inside it, as in p > 5 -- high: -> Vent. A # would hide that
-// body.
+// Whether a condition precedes the foreign comment and a colon or brace is inside the comment, as in `p > 5 -- high: -> Vent`. Replacing
+// `--` with # would then hide the body of the condition.
 static bool contains_guard_body(const Lexer *l)
 {
     const char *s = l->src->text;
@@ -136,7 +136,8 @@ HintResult hint_read_slashes(Lexer *l, Token *t)
     return HINT_SKIPPED;
 }
 
-// Reads `-- …` or `% …` as a comment if no expression can continue like this: prose follows, or for a % one name that is not declared.
+// Reads `-- …` or `% …` as a comment if the text after it cannot continue an expression: it is prose, or for a % one name that is not
+// declared.
 HintResult hint_read_remark(Lexer *l, Token *t)
 {
     const uint32_t p = hint_skip_spaces(l, l->at + t->len), end = hint_skip_name(l, p);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hints where a statement or a declaration should end and more text follows on its line, and where a declaration begins.
+// Hints for text on the line of a statement or declaration after its end, and for text where a declaration should begin.
 #include "compiler/syntax/hint_lines.h"
 #include "compiler/syntax/hint_rules.h"
 #include "compiler/syntax/hint_unit.h"
@@ -39,7 +39,7 @@ HintResult hint_report_decimal_comma(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// Reads `-- …`, where no expression is possible, as a comment.
+// Reads `-- …` as a comment, at a position where no expression can begin or continue.
 HintResult hint_skip_remark(HintCase *c)
 {
     Parser *p = c->p;
@@ -65,7 +65,7 @@ HintResult hint_report_stray_paren(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// Reports the unit in T > 5 ms.
+// Reports a unit after a number, as in x = 5 ms.
 HintResult hint_report_unit(HintCase *c)
 {
     hint_label_unit(c->p->diags, hint_report_general(c), parser_text(c->p, parser_span(c->p, &c->p->last)), c->p->tok.text->text);
@@ -98,7 +98,7 @@ HintResult hint_report_item_on_line(HintCase *c)
     return strcmp(word, "assert") == 0 || strcmp(word, "stop") == 0 ? hint_report_shared_line(c) : HINT_NONE;
 }
 
-// Reports a second statement after `and then`, as in x = true and then -> Idle.
+// Reports a second statement on a line after the words `and then`, as in x = true and then -> Idle.
 HintResult hint_report_and_then_on_line(HintCase *c) { return hint_is_and_then(c->p) ? hint_report_shared_line(c) : HINT_NONE; }
 
 // Reports parentheses after an annotation that has no argument: @stop().
@@ -150,7 +150,7 @@ HintResult hint_skip_bracketed_unit(HintCase *c)
 
 enum { UNO_A0 = 14, UNO_ANALOGS = 6, MEGA_A0 = 54, MEGA_ANALOGS = 16 };      // docs/boards.md
 
-// Reports a letter before the number of a pin, as in i A3 pressure: Arduino boards are printed like that.
+// Reports a letter before the number of a pin, as in i A3 pressure: Arduino boards are labelled A3 or D3.
 HintResult hint_report_printed_pin(HintCase *c)
 {
     Parser *p = c->p;

@@ -17,7 +17,8 @@ void hint_replace_word(Parser *p, const char *native, TokenKind kind)
     p->tok.kind = kind;
 }
 
-// Returns the operator in words (`is not`) that begins with the current word, if a value follows it, and its end in *end; else NULL.
+// If an operator in words (`is not`) begins at the current word and a value follows it, returns the operator, and its end in *end; else
+// NULL.
 static const HintPhrase *find_infix(const Parser *p, uint32_t *end)
 {
     const HintPhrase *phrase = p->tok.kind == TOK_NAME ? hint_find_phrase(p->lex.src->text, p->tok.at, end) : NULL;
@@ -31,7 +32,7 @@ static const HintPhrase *find_infix(const Parser *p, uint32_t *end)
 
 // ---- before an operand ----
 
-// Reads NOT x as not x. Proposes parentheses instead of an edit where languages differ in the operand, as in NOT a > b.
+// Reads NOT x as not x. Does not propose an edit if the operand depends on the language, as in NOT a > b; suggests parentheses instead.
 HintResult hint_read_negation(HintCase *c)
 {
     Parser *p = c->p;
@@ -65,7 +66,7 @@ static int find_function(Str name)
     return i;
 }
 
-// Reports abs x. The current token is the operand; an element named `abs` could not have one.
+// Reports a function without parentheses, as in `abs x`. The current token is x; no operand can follow an element named `abs`.
 HintResult hint_report_missing_call(HintCase *c)
 {
     Parser *p = c->p;
@@ -94,7 +95,7 @@ HintResult hint_report_missing_call(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// Reports the dot in tank.pressure, after `tank`.
+// Reports a name with a dot, as in tank.pressure. The current token is `.pressure`.
 HintResult hint_report_dotted_name(HintCase *c)
 {
     Parser *p = c->p;
@@ -124,7 +125,7 @@ HintResult hint_report_index(HintCase *c)
 
 // ---- after an operand ----
 
-// Whether e is `not x`. In other languages the operand of `not` is longer: `not x is 3` negates all of `x is 3`.
+// Whether e is `not x`. In some languages `not` has lower precedence than here: `not x is 3` negates all of `x is 3`.
 static bool is_negation(const AstExpr *e) { return e && e->kind == AST_UNARY && e->op == SM_OP_NOT; }
 
 // Whether the current token is a colon that may separate two assignments, as in `valve = true: pump = true`.
@@ -171,7 +172,7 @@ bool hint_is_and_then(const Parser *p)
     return lex_is_letter(*s) || (s[0] == '-' && s[1] == '>');
 }
 
-// Reads an operator in words, as in x is 3. If its operands are unclear, the rest of the condition is skipped.
+// Reads an operator in words, as in `x is 3`. If the intended operands are unclear, skips the rest of the condition.
 HintResult hint_read_phrase(HintCase *c)
 {
     Parser *p = c->p;
@@ -204,7 +205,7 @@ HintResult hint_read_comparison(HintCase *c)
 
     if (!p->is_guard && p->parens == 0)
         return HINT_NONE;
-    if (p->last.first && p->parens)                    // a new statement: the parenthesis before it was never closed
+    if (p->last.first && p->parens)                    // a new statement: an earlier parenthesis was never closed
         return HINT_NONE;
     hint_report_assign_in_guard(p, c->e, parser_token_span(p));
     p->tok.kind = TOK_EQ;
@@ -214,7 +215,7 @@ HintResult hint_read_comparison(HintCase *c)
 // Ends the expression at `and` in x = 1 and then -> Idle.
 HintResult hint_end_at_and_then(HintCase *c) { return hint_is_and_then(c->p) ? HINT_SKIPPED : HINT_NONE; }
 
-// Reports the assignment before the colon in x = 5: ..., which was meant as a condition.
+// Reports an assignment before a colon, as in `x = 5: ...`: it is meant as the condition x == 5.
 HintResult hint_report_assignment_as_guard(HintCase *c)
 {
     hint_report_assign_in_guard(c->p, NULL, c->p->assign_operator);
@@ -223,7 +224,7 @@ HintResult hint_report_assignment_as_guard(HintCase *c)
 
 // ---- where a value is missing ----
 
-// Reports x++ and x--.
+// Reports an increment or decrement: x++ or x--.
 HintResult hint_report_increment(HintCase *c)
 {
     Parser *p = c->p;
@@ -240,8 +241,8 @@ HintResult hint_report_increment(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// Reports an expression whose line ends with an operator. Skips the next line if it looks like the operand, because its error would follow
-// from this one.
+// Reports an expression whose line ends with an operator. Skips the next line if it looks like the operand, because any error in that line
+// would follow from this one.
 HintResult hint_report_line_break(HintCase *c)
 {
     Parser *p = c->p;
@@ -257,7 +258,7 @@ HintResult hint_report_line_break(HintCase *c)
     return HINT_READ;
 }
 
-// Reports a transition as an operand, as in x = 1 and -> Idle.
+// Reports a transition that is written as an operand, as in `x = 1 and -> Idle`.
 HintResult hint_report_and_arrow(HintCase *c)
 {
     Parser *p = c->p;
@@ -275,7 +276,7 @@ HintResult hint_report_comparison_without_left(HintCase *c)
     return HINT_READ;
 }
 
-// Reports a list, as in x = [1, 2].
+// Reports a list, which the language does not have, as in x = [1, 2].
 HintResult hint_report_list(HintCase *c)
 {
     diag_label(c->p->diags, hint_report_general(c), DIAG_label_list);
@@ -294,7 +295,7 @@ HintResult hint_report_second_if(HintCase *c)
     return HINT_READ;
 }
 
-// Reports a conditional as a value, as in x = if y ...
+// Reports a conditional that is used as a value, as in `x = if y ...`.
 HintResult hint_report_choice(HintCase *c)
 {
     diag_label(c->p->diags, hint_report_general(c), DIAG_label_text, hint_no_choice);

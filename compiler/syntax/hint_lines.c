@@ -6,15 +6,15 @@
 #include "compiler/syntax/lexer.h"
 
 enum {
-    STATEMENTS_MAX = 16,      // on one line; a line with more gets no edit
+    STATEMENTS_MAX = 16,      // statements on one line; for a line with more no edit is proposed
     LINE_MAX = 1000           // bytes; a longer line gets no hint, so that hostile text cannot cost time quadratic in its length
 };
 
 typedef struct HintLine {
     const Source *src;
-    const char *text;         // of the source
-    uint32_t from, end;       // end: without the line end and spaces before it
-    const char *line_end;     // the line end of this line
+    const char *text;         // text of the source
+    uint32_t from, end;       // the line is text[from … end), without its line end and the spaces before that
+    const char *line_end;     // "\n" or "\r\n", as this line ends
 } HintLine;
 
 static uint32_t skip_spaces(const HintLine *l, uint32_t p)
@@ -90,7 +90,7 @@ static bool begins_statement(const HintLine *l, uint32_t p)
     return sign < l->end && l->text[sign] == '=' && (sign + 1 == l->end || (l->text[sign + 1] != '=' && l->text[sign + 1] != '>'));
 }
 
-// Whether a declaration such as F64 x begins at p: a type is there.
+// Whether a declaration such as F64 x begins at p: whether the word at p is a type.
 static bool begins_declaration(const HintLine *l, uint32_t p)
 {
     const uint32_t end = skip_word(l, p);
@@ -139,7 +139,7 @@ static bool is_indented_deeper(const HintLine *l, const HintLine *outer)
     return is_indented_like(l, outer) && is_space_or_tab(l->text[l->from + measure_indentation(outer)]);
 }
 
-// Whether the next nonempty line is indented more than l: perhaps it depends on the same condition.
+// Whether the next nonempty line is indented more than l. If so, it may be meant to depend on the condition of l.
 static bool has_deeper_line_below(const HintLine *l)
 {
     HintLine next = *l;
@@ -155,9 +155,9 @@ static bool has_deeper_line_below(const HintLine *l)
 // What the line of a statement shows about it.
 typedef struct PriorStatement {
     enum { PLAIN, GUARDED, UNKNOWN } is;      // GUARDED: after a condition's colon on this line
-    uint32_t colon;
-    uint32_t begin;           // of the statement
-    bool braces;              // opened on this line and still open
+    uint32_t colon;           // GUARDED: position of that colon
+    uint32_t begin;           // start of the statement
+    bool braces;              // a brace opened on this line is still open before the statement
 } PriorStatement;
 
 // Finds the last statement that begins before `at` on line l.
@@ -165,7 +165,7 @@ static PriorStatement find_prior_statement(const HintLine *l, uint32_t at)
 {
     PriorStatement b = {UNKNOWN, 0, l->from, false};
     uint32_t depth = 0;
-    bool colon = false, lost = false;         // lost: earlier text on the line is not a statement, perhaps a condition
+    bool colon = false, lost = false;         // lost: the line contains text that is not a statement, perhaps a condition
 
     for (uint32_t p = l->from; p < at; p++)
         switch (l->text[p]) {
@@ -210,13 +210,13 @@ static PriorStatement find_prior_statement(const HintLine *l, uint32_t at)
 typedef struct LineStatements {
     size_t n;
     uint32_t gap[STATEMENTS_MAX], begin[STATEMENTS_MAX];  // gap: start of the separator before each statement; begin: its first byte
-    uint32_t end;             // of the last one
-    uint32_t trailing;        // end of a ';' after it; 0 if none
-    bool clear;               // the line contains nothing else
+    uint32_t end;             // end of the last statement
+    uint32_t trailing;        // end of a ';' after the last statement; 0 if there is none
+    bool clear;               // several statements, all of them executed, and nothing else follow
 } LineStatements;
 
-// Whether the statement at p is -> or @stop. No statement after it is executed, so the user must have meant something else by text that
-// follows it on its line.
+// Whether the statement at p is -> or @stop. No statement after it is executed, so if another statement follows on the line, it is unclear
+// what the user means.
 static bool leaves_block(const HintLine *l, uint32_t p)
 {
     return l->text[p] == '-' || (l->text[p] == '@' && is_text_equal(l, p + 1, skip_word(l, p + 1), "stop"));
@@ -264,7 +264,7 @@ static LineStatements split_statements(const HintLine *l, uint32_t p)
     return s;
 }
 
-// Proposes the edit of `condition: a; b` to `condition { a b }`, with a and b on lines of their own.
+// Proposes to replace `condition: a; b` with `condition { a b }`, with a and b on lines of their own.
 static void propose_braces(Diags *diags, Diag *d, const HintLine *l, const PriorStatement *b, const LineStatements *s)
 {
     const uint32_t end = s->trailing ? s->trailing : s->end, after = skip_spaces(l, end), colon = skip_spaces_back(l, b->colon);
@@ -289,7 +289,7 @@ uint32_t hint_label_shared_line(Diags *diags, Diag *d, const Source *src, uint32
     if (b.is == UNKNOWN || is_too_long(&l))
         return 0;
     if (b.is == PLAIN && separator == HINT_OTHER) {
-        uint32_t next = at;                            // the next statement; a comma or words can precede it
+        uint32_t next = at;                            // start of the next statement, after any comma or words
         while (next < l.end && !begins_statement(&l, next))
             next++;
         // Without a ';' a transition may belong to a condition in which = was meant as ==: mode = 2 -> Abort.
@@ -301,7 +301,7 @@ uint32_t hint_label_shared_line(Diags *diags, Diag *d, const Source *src, uint32
     if (b.is == PLAIN) {
         diag_label(diags, d, DIAG_label_own_line);
         s = split_statements(&l, b.begin);
-        for (size_t i = 1; i < s.n; i++)               // a line break instead of the separator that contains `at`
+        for (size_t i = 1; i < s.n; i++)               // replace the separator that contains `at` with a line break
             if (s.gap[i] <= at && s.begin[i] >= at && !leaves_block(&l, s.begin[i - 1]))
                 diag_edit(diags, d, line_span(&l, s.gap[i], s.begin[i]), format_line_break(diags->arena, &l, b.braces));
         return at;
@@ -340,8 +340,8 @@ typedef struct IndentLevels {
     uint32_t at[LEVELS_MAX];
 } IndentLevels;
 
-// Records the indentation of the next line. Returns false if it is between two recorded ones, because it is then unclear to which
-// condition the line belongs, or if there are too many.
+// Records the indentation of the next line. Returns false if there are too many levels, or if the indentation is between two recorded ones,
+// because then it is unclear to which condition the line belongs.
 static bool record_indent(IndentLevels *levels, uint32_t indent)
 {
     while (levels->n > 0 && levels->at[levels->n - 1] > indent)
@@ -354,8 +354,8 @@ static bool record_indent(IndentLevels *levels, uint32_t indent)
     return true;
 }
 
-// Whether line l, below a block, clearly does not belong to it: l is indented like the line of the condition or less. An `else` must be
-// indented exactly like the condition.
+// Whether line l clearly does not belong to the block above it: l is indented as much as the condition's line `guard`, or less. An `else`
+// must be indented exactly like the condition.
 static bool ends_block(const HintLine *l, const HintLine *guard, uint32_t colon)
 {
     const uint32_t p = skip_spaces(l, l->from);
@@ -371,8 +371,8 @@ uint32_t hint_brace_indented_lines(Diags *diags, Diag *d, const Source *src, uin
     const HintLine guard = find_line(src, colon);
     HintLine l = guard, last = guard;
     const uint32_t after = skip_spaces(&guard, colon + 1), from = skip_spaces_back(&guard, colon);
-    int braces = 0;                                    // opened since the colon minus closed ones
-    uint32_t parens = 0;                               // open
+    int braces = 0;                                    // braces opened since the colon minus braces closed
+    uint32_t parens = 0;                               // open parentheses
     IndentLevels levels = {0};
 
     if (is_too_long(&guard) || (after < guard.end && guard.text[after] != '#'))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hints about tokens that are well formed only at their beginning: 5psi, 1__0, größe, [two words].
+// Hints about malformed tokens: 5psi, 1__0, größe, [two words].
 #include <string.h>
 
 #include "compiler/syntax/hint_text.h"
@@ -21,8 +21,8 @@ static bool is_name_expected(const Lexer *l, uint32_t at)
            (from && s[from - 1] == '@' && (end - from != 8 || memcmp(s + from, "priority", 8) != 0));
 }
 
-// Reports a number with letters after it, as 5psi or 0x1G, or a name that begins with a digit. The number ends at `end`, the word at
-// `stop`.
+// Reports a number with letters after it, such as 5psi or 0x1G, or a name that begins with a digit. The number ends at `end`, the letters
+// at `stop`.
 static void report_number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t stop)
 {
     Diag *d = diag_report(l->diags, DIAG_number_run_on, lexer_span(l, at, stop - at), lexer_text(l, at, end),
@@ -72,7 +72,7 @@ static uint32_t report_malformed_number(Lexer *l, uint32_t at, uint32_t end)
 
 // ---- headers ----
 
-// Returns a header such as [Hold Pressure] or [Vent-Fast] with _ between the words; NULL if the error is a different one.
+// For a header with several words, such as [Hold Pressure] or [Vent-Fast], returns the header with _ between the words; else NULL.
 static const char *join_header_words(Arena *arena, Str name)
 {
     char *fixed = (char *)format_in(arena, "[%s]", name->text);
@@ -83,7 +83,7 @@ static const char *join_header_words(Arena *arena, Str name)
     return lex_is_header_name(fixed + 1, name->len) ? fixed : NULL;
 }
 
-// Returns a header such as [Abort @abort] with the annotations after the brackets; NULL if the error is a different one.
+// For a header with annotations inside the brackets, such as [Abort @abort], returns the header with them after the brackets; else NULL.
 static const char *move_annotations_outside(Arena *arena, Str name)
 {
     const char *at = strchr(name->text, '@');
@@ -94,7 +94,7 @@ static const char *move_annotations_outside(Arena *arena, Str name)
     return lex_is_header_name(name->text, n) ? format_in(arena, "[%.*s] %s", (int)n, name->text, at) : NULL;
 }
 
-// Reports a header whose name is malformed, as [two words]. It begins at l->at; its ] is at `end`.
+// Reports a header whose name is malformed, such as [two words]. The header begins at l->at; its ] is at `end`.
 static void report_header_name(Lexer *l, uint32_t end, Str name)
 {
     const uint32_t from = l->at + 1;

@@ -24,8 +24,8 @@ static bool is_state_named_after(const Lexer *l, const Token *t)
 
 // ---- bits ----
 
-// Whether t is a bit operator, as in fault & 4 or ~3: a number follows it, and no < or > follows the number. In p > 5 & 3 < x the &
-// joins two comparisons. The language has no bit operators.
+// Whether t is certainly a bit operator, as in `fault & 4` or `~3`, which the language does not have: a number follows t, and no < or >
+// follows the number. In `p > 5 & 3 < x` the & joins two comparisons.
 static bool is_bit_operator(const Lexer *l, const Token *t)
 {
     const uint32_t p = hint_skip_spaces(l, t->at + 1), after = hint_skip_spaces(l, lexer_skip_word(l, p));
@@ -34,7 +34,7 @@ static bool is_bit_operator(const Lexer *l, const Token *t)
            lexer_byte(l, after) != '>' && lexer_byte(l, after) != '.';
 }
 
-// The text on one side of a & or |, up to the next operator that joins conditions (&& || & | and or), within the same parentheses.
+// The text on one side of a & or |, up to the next operator that joins conditions (&& || & | and or) in the same parentheses: `until`.
 typedef struct ConditionSide {
     bool compares;            // contains a comparison
     enum { SIDE_END, SIDE_AND, SIDE_OR, SIDE_BIT_AND, SIDE_BIT_OR } until;
@@ -69,7 +69,7 @@ static bool is_comparison_at(const char *s, uint32_t p)
     return s[p] == '<' || s[p] == '>' || (s[p] == '=' && (s[p + 1] == '=' || (p > 0 && s[p - 1] == '!')));
 }
 
-// Returns the operand that begins at p, on the right of an operator. The scan ends at most HINT_FAR bytes later.
+// Describes the operand on the right of an operator, which begins at p. Reads at most HINT_FAR bytes.
 static ConditionSide scan_right_side(const Lexer *l, uint32_t p)
 {
     const char *s = l->src->text;
@@ -90,7 +90,8 @@ static ConditionSide scan_right_side(const Lexer *l, uint32_t p)
     return side;
 }
 
-// Returns the operand of the operator at `at` that ends there; the scan begins at the enclosing parenthesis or at the start of the line.
+// Describes the operand on the left of the operator at `at`. Begins at the enclosing parenthesis or at the start of the line, and reads at
+// most HINT_FAR bytes.
 static ConditionSide scan_left_side(const Lexer *l, uint32_t at)
 {
     const char *s = l->src->text;
@@ -114,8 +115,8 @@ static ConditionSide scan_left_side(const Lexer *l, uint32_t at)
     return side;
 }
 
-// Whether t can be a bit operator, as in `status & mask` or `x = ~mask`, or is a | beside an `and`: languages differ in which of the two
-// binds tighter. If so, the caller proposes no edit.
+// Whether it is unclear what t means, so that no edit is proposed: t can be a bit operator, as in `status & mask` or `x = ~mask`, or t is a
+// | next to an `and`, whose relative precedence differs between languages.
 static bool may_be_bits(const Lexer *l, const Token *t)
 {
     const char sign = l->src->text[t->at];
@@ -134,7 +135,7 @@ static bool may_be_bits(const Lexer *l, const Token *t)
 
 // ---- one operator ----
 
-// Whether only a name precedes `at` in its statement, as in x := 1.
+// Whether the operator at `at` follows the name that begins the statement, as in x := 1.
 static bool follows_target_only(const Lexer *l, uint32_t at)
 {
     const char *s = l->src->text;
@@ -148,13 +149,13 @@ static bool follows_target_only(const Lexer *l, uint32_t at)
     return at == l->line_start || strchr(":{};", s[at - 1]);
 }
 
-// Reports an operator that is spelled `native` here, and proposes the edit if what the user meant is unambiguous.
+// Reports an operator that this language spells `native`, and proposes the edit if what the user meant is unambiguous.
 static void report_foreign_spelling(Lexer *l, Token *t, const char *spelling, const char *native)
 {
     const bool begins_statement = t->first || l->last == TOK_COLON || l->last == TOK_LBRACE || l->last == TOK_LABEL || l->last == TOK_HEADER;
     const uint32_t name = hint_skip_spaces(l, t->at + t->len);
     bool arrow = strcmp(spelling, "=>") == 0, needs_space;
-    bool names_value = false;                 // a declared value follows, not a state: a comparison whose body is missing
+    bool names_value = false;                 // the name after => is a declared variable, so => is probably meant as >=
     uint32_t from = t->at;
     Diag *d;
 
@@ -213,7 +214,7 @@ static void skip_nested_bars(Lexer *l, Token *t)
     lexer_finish_token(l, t, TOK_ERROR, end);
 }
 
-// Whether the text from `at` to `end`, between two bars, is one value.
+// Whether the text from `at` to `end`, between two bars, is a single value or expression.
 static bool is_single_value(const Lexer *l, uint32_t at, uint32_t end)
 {
     const char *s = l->src->text;

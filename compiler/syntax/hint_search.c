@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches the rows of hints.def for the parser, and tests that several rules share.
+// Searches the rows of hints.def for the parser. Contains the tests that several rules share.
 #include "compiler/syntax/hint_lines.h"
 #include "compiler/syntax/hint_rules.h"
 
@@ -16,11 +16,11 @@ typedef char tokens_fit_a_set[TOK_COUNT < 62 ? 1 : -1];
 
 typedef struct Hint {
     HintContext context;
-    uint64_t before, here, after;         // the last token, the next token and the one after it
-    const char *word;                     // the next token is this word, in upper or lower case; NULL: any text
-    HintResult (*rule)(HintCase *c);      // NULL: the label is enough
+    uint64_t before, here, after;         // sets of token kinds for the last token, the next token and the one after it
+    const char *word;                     // the text of the next token; case does not matter. NULL: any text
+    HintResult (*rule)(HintCase *c);      // NULL: report the general diagnostic with `label`
     DiagCode label;
-    const char *text;                     // of the label
+    const char *text;                     // argument of the label; or NULL
 } Hint;
 
 static const Hint hints[] = {
@@ -30,7 +30,7 @@ static const Hint hints[] = {
 };
 enum { HINT_ROWS = sizeof hints / sizeof *hints };
 
-// Whether the kind of t is in the set, and t is at the start of its line or not, as FIRST and SAME_LINE require.
+// Whether the kind of t is in the set. If the set contains FIRST, t must also be the first token on its line; if SAME_LINE, it must not.
 static bool is_token_in(uint64_t set, const Token *t)
 {
     return (set >> t->kind & 1u) && !((set & FIRST) && !t->first) && !((set & SAME_LINE) && t->first);
@@ -59,7 +59,7 @@ Diag *hint_report_general(HintCase *c)
     case HINT_AT_END: case HINT_AT_ELEMENT_END: case HINT_AT_PIN_END:
         c->general = parser_fail(p, DIAG_expected_end, parser_token_span(p), parser_describe(p, &p->tok));
         break;
-    default:                              // the other contexts have no diagnostic of their own
+    default:                              // the other contexts have no general diagnostic
         break;
     }
     return c->general;
@@ -68,7 +68,7 @@ Diag *hint_report_general(HintCase *c)
 void hint_init_index(HintIndex *index)
 {
     static const HintContext with_message[] = {HINT_AT_VALUE, HINT_AT_LONE_VALUE, HINT_AT_END, HINT_AT_ELEMENT_END, HINT_AT_PIN_NUMBER,
-                                             HINT_AT_PIN_END, HINT_AT_OPTION};      // those that hint_report_general handles
+                                             HINT_AT_PIN_END, HINT_AT_OPTION};      // the contexts with a general diagnostic
 
     memset(index, 0, sizeof *index);
     for (size_t i = 0; i < sizeof with_message / sizeof *with_message; i++)
@@ -130,7 +130,7 @@ bool hint_line_is_guard(const Parser *p)
 {
     const Source *s = p->lex.src;
     uint32_t depth = 0, i = p->tok.at;
-    bool below = false;                                // after the line end, where only '{' may follow
+    bool below = false;                                // the current character is on a following line
 
     for (; i < s->len; i++) {
         const char c = s->text[i];

@@ -21,7 +21,7 @@ static const char *read_word_at(const Parser *p, uint32_t *at)
     return parser_text(p, (Span){p->lex.src, from, end - from});
 }
 
-// Returns advice for x between a and b: write a <= x <= b. The current token is `between`; e is x.
+// Returns the advice to write a <= x <= b for `x between a and b`. The current token is `between`; e is x.
 static const char *format_between(const Parser *p, const AstExpr *e)
 {
     uint32_t at = p->ahead.at;
@@ -86,7 +86,7 @@ HintResult hint_read_then(HintCase *c)
     return HINT_READ;
 }
 
-// Reports the unit in T > 5 s: ...
+// Reports a unit after the last number of a guard, as in `T > 5 s: ...`.
 HintResult hint_report_unit_in_guard(HintCase *c)
 {
     Parser *p = c->p;
@@ -109,7 +109,7 @@ HintResult hint_report_comma_for_colon(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// Reports text after a guard that is not a statement, so that a colon would not help.
+// Reports text after a guard that is not a statement, as in `x between 3 and 5: ...`, where inserting a colon would not help.
 HintResult hint_report_prose_in_guard(HintCase *c)
 {
     Parser *p = c->p;
@@ -123,10 +123,10 @@ HintResult hint_report_prose_in_guard(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// Whether the current arrow is spelled =>, as in p > 5 => Idle. Then the lexer has also reported the missing colon.
+// Whether the current token is an arrow spelled =>, as in p > 5 => Idle. The lexer has then already reported the missing colon.
 static bool is_foreign_arrow(const Parser *p) { return p->tok.kind == TOK_ARROW && p->lex.src->text[p->tok.at] == '='; }
 
-// Proposes to insert a colon, unless more statements follow: after a colon all of them would depend on the condition.
+// Proposes to insert a colon after the guard, unless more statements follow: then it is unclear which of them the guard controls.
 static void propose_colon(Parser *p, Diag *d)
 {
     if (!hint_is_first_of_several(p->lex.src, p->tok.at))
@@ -169,7 +169,7 @@ HintResult hint_report_label_alone(HintCase *c)
 
 // ---- a value alone on its line ----
 
-// Reports a value alone on its line whose next line begins with `and` or `or`, and skips that line.
+// Reports a value alone on its line if the next line begins with `and` or `or`, and skips that next line.
 HintResult hint_skip_rest_of_guard(HintCase *c)
 {
     Parser *p = c->p;
@@ -274,7 +274,7 @@ HintResult hint_skip_bracketed_state(HintCase *c)
 
 // ---- statements of other languages ----
 
-// Reports x += 1. The current token is +=.
+// Reports an assignment with an operator, as in x += 1. The current token is +=.
 HintResult hint_report_op_assign(HintCase *c)
 {
     Parser *p = c->p;
@@ -282,7 +282,7 @@ HintResult hint_report_op_assign(HintCase *c)
     Diag *d = parser_report(p, DIAG_op_assign, parser_token_span(p), sign);
     const char *text = p->lex.src->text;
     uint32_t end = hint_skip_operand(text, p->tok.at + p->tok.len);
-    bool one_operand;                         // then its value needs no parentheses
+    bool one_operand;                         // the right side needs no parentheses
 
     end += (uint32_t)strspn(text + end, " \t\r");
     one_operand = !text[end] || strchr("\n#;}", text[end]);
@@ -295,7 +295,7 @@ typedef enum HintEffect {
     HINT_IF, HINT_ELSE, HINT_ARROW,       // the word is read as that token
     HINT_DROP,                            // the word is skipped
     HINT_SKIP,                            // the statement is skipped up to the next one
-    HINT_WAIT                             // the same, and the text depends on the time to wait
+    HINT_WAIT                             // the statement is skipped, and the advice contains the time to wait
 } HintEffect;
 
 static const struct { const char *word; HintEffect effect; const char *text; } foreign_words[] = {
@@ -303,16 +303,16 @@ static const struct { const char *word; HintEffect effect; const char *text; } f
 #include "compiler/syntax/hints.def"
 };
 
-// Whether the word is used as in another language, and not as a name of this one.
+// Whether the word is used as in another language, rather than as the name of a variable.
 static bool is_used_as_foreign(const Parser *p, HintEffect effect)
 {
     const Token *next = &p->ahead;
     const bool gives_up = effect == HINT_SKIP || effect == HINT_WAIT;
 
     if (next->first)
-        return gives_up && next->kind != TOK_LBRACE;              // `stop` with { on the next line is a guard
+        return gives_up && next->kind != TOK_LBRACE;              // `stop` followed by a { on the next line is a guard
     if (effect == HINT_ELSE)
-        return next->kind == TOK_IF || next->kind == TOK_NAME || next->kind == TOK_ARROW;     // ELSE: can be a guard
+        return next->kind == TOK_IF || next->kind == TOK_NAME || next->kind == TOK_ARROW;     // `ELSE:` can be a guard: a variable named ELSE
     return hint_begins_value(next) && (next->kind != TOK_LPAREN || effect == HINT_IF || gives_up);
 }
 
@@ -370,8 +370,8 @@ HintResult hint_report_foreign_decl(HintCase *c)
     return is_decl ? hint_report_decl_in_state(c) : HINT_NONE;
 }
 
-// Returns advice for wait(200), delay(200) and sleep(2), with that time. In other languages delay takes milliseconds and sleep takes
-// seconds.
+// Returns the advice for wait(200), delay(200) or sleep(2), which contains the time to wait. In other languages delay takes milliseconds
+// and sleep takes seconds.
 static const char *format_wait(const Parser *p)
 {
     static const char general[] = "put what follows in braces, under a limit to the time in the state: T >= 100 { ... }";
@@ -441,14 +441,14 @@ static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *t
     return HINT_SKIPPED;
 }
 
-// Reads or skips a word of another language at the start of a statement, as in when x: ..., goto Idle, while x.
+// Reads or skips a word of another language at the start of a statement: `when x: ...`, `goto Idle`, `while x`.
 HintResult hint_read_foreign_word(HintCase *c)
 {
     Parser *p = c->p;
     const Token *next = &p->ahead;
 
     if (!next->first && !hint_begins_value(next) && next->kind != TOK_IF && next->kind != TOK_ARROW)
-        return HINT_NONE;                     // the word is then a name of this language, mostly with = after it
+        return HINT_NONE;                     // the word is the name of a variable, mostly with = after it
     for (size_t i = 0; i < sizeof foreign_words / sizeof *foreign_words; i++)
         if (hint_is_word(&p->tok, foreign_words[i].word) && is_used_as_foreign(p, foreign_words[i].effect))
             return apply_foreign_word(p, foreign_words[i].effect, foreign_words[i].text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches the rows of hints.def for the lexer. Hints about state headers, includes, ranges and semicolons of other languages: reports
-// them and returns the token that the user meant.
+// Searches the rows of hints.def for the lexer. Also contains the hints about state headers, includes, ranges, semicolons and ?: of other
+// languages: they report the text and return the token that the user meant.
 #include <string.h>
 
 #include "compiler/syntax/hint_lines.h"
@@ -12,7 +12,7 @@
 typedef struct HintText {
     const char *spelling;
     size_t len;
-    TokenKind after;          // only after a token of this kind; TOK_END: after any
+    TokenKind after;          // the row applies only after a token of this kind; TOK_END: after any token
     HintResult (*read)(Lexer *l, Token *t);      // NULL: the row is an operator
     TokenKind kind;           // of an operator
     const char *native, *label;
@@ -38,13 +38,14 @@ static bool is_spelling_at(const HintText *row, const char *s, bool first)
 void hint_init(Lexer *l)
 {
     for (size_t row = LEX_HINTS; row > 0; row--) {
-        uint8_t *first = &l->first_hint[(unsigned char)*rows[row - 1].spelling];     // [0]: rows of HINT_AFTER, which have no spelling
+        uint8_t *first = &l->first_hint[(unsigned char)*rows[row - 1].spelling];     // [0]: rows of HINT_AFTER, whose spelling is ""
         l->next_hint[row - 1] = *first;
         *first = (uint8_t)row;
     }
 }
 
-// Returns what the first row that matches returns, from row `first` on; HINT_NONE if none matches.
+// Applies the first row that matches, in the list that begins with row `first` (1 + its index), and returns its result; HINT_NONE if no row
+// matches.
 static HintResult apply_rows_from(Lexer *l, Token *t, uint8_t first)
 {
     const char *s = l->src->text + l->at;                          // terminated by a NUL
@@ -66,7 +67,7 @@ static HintResult apply_rows_from(Lexer *l, Token *t, uint8_t first)
     return read;
 }
 
-// Tries the rows of HINT_AFTER if an annotation precedes, and then the rows whose spelling begins with the next character.
+// Tries the rows of HINT_AFTER if the last token is an annotation, and then the rows whose spelling begins with the next character.
 HintResult hint_read_foreign_text(Lexer *l, Token *t)
 {
     const char c = l->src->text[l->at];
@@ -158,7 +159,7 @@ HintResult hint_read_state(Lexer *l, Token *t)
     return HINT_READ;
 }
 
-// Whether the rest of the line from p on is a file name, as "common.sm", <common.sm> or common.
+// Whether the rest of the line from p on is a file name, such as "common.sm", <common.sm> or common.
 static bool is_file_name(const Lexer *l, uint32_t p)
 {
     const char open = lexer_byte(l, p);
@@ -190,7 +191,8 @@ HintResult hint_read_include(Lexer *l, Token *t)
 
 // ---- ranges ----
 
-// Returns the end of the number at p, with or without a sign; p if there is none. A digit must follow a point: 0..5.
+// Returns the end of the number at p, with or without a sign; p if there is none. A point belongs to the number only if a digit follows:
+// in 0..5 the number is 0.
 static uint32_t skip_plain_number(const Lexer *l, uint32_t p)
 {
     uint32_t at = p + (lexer_byte(l, p) == '-' || lexer_byte(l, p) == '+'), end = at;
@@ -227,7 +229,8 @@ static void report_range(Lexer *l, Token *t, Span wrong, Span lo, Span hi, uint3
     lexer_finish_token(l, t, TOK_ERROR, end);
 }
 
-// Reads the notations of other languages after @range: [0, 5], closed or not, 0..5, and 0, 5. In 0,5 10 the comma is a decimal comma.
+// Reports the range notations of other languages after @range: [0, 5], closed or not, 0..5, and 0, 5. Does not apply to `0,5 10`, where
+// the comma is a decimal comma.
 HintResult hint_read_range(Lexer *l, Token *t)
 {
     static const char word[] = "@range";
@@ -236,7 +239,7 @@ HintResult hint_read_range(Lexer *l, Token *t)
     uint32_t back = l->at, lo = hint_skip_spaces(l, l->at + brackets), lo_end = skip_plain_number(l, lo), sign = hint_skip_spaces(l, lo_end);
     uint32_t sign_end = skip_range_separator(l, sign), hi = hint_skip_spaces(l, sign_end);
     uint32_t hi_end = skip_plain_number(l, hi), end = hint_skip_spaces(l, hi_end);
-    // Another annotation, a comment or the end of the line follows.
+    // whether another annotation, a comment or the end of the line follows the range
     const bool is_last = hint_ends_line(l, end) || s[end] == '@' || (s[end] == '/' && strchr("/*", lexer_byte(l, end + 1))) ||
                          (s[end] == ';' && hint_ends_line(l, hint_skip_spaces(l, end + 1)));
 
@@ -255,7 +258,7 @@ HintResult hint_read_range(Lexer *l, Token *t)
 
 // ---- semicolons and choices ----
 
-// Whether the line has a comma directly between digits. Where ; separates values, this is a decimal comma.
+// Whether the line has a comma directly between digits. If ; separates the arguments, such a comma is a decimal comma.
 static bool has_decimal_comma(const Lexer *l)
 {
     const char *s = l->src->text;
@@ -267,7 +270,7 @@ static bool has_decimal_comma(const Lexer *l)
     return false;
 }
 
-// Reads the ; of f(a; b) as a comma. Skips any other and reads the next token as the first of a line.
+// Reads the ; of f(a; b) as a comma. Skips any other ; and reads the next token as if it were the first on its line.
 HintResult hint_read_semicolon(Lexer *l, Token *t)
 {
     const Span span = lexer_span(l, l->at, 1);
@@ -285,7 +288,7 @@ HintResult hint_read_semicolon(Lexer *l, Token *t)
     }
     l->at = next;
     l->first = true;
-    if (span.at < l->hinted)                  // an earlier hint already covers it
+    if (span.at < l->hinted)                  // an earlier hint has reported this line
         return HINT_SKIPPED;
     d = diag_report(l->diags, DIAG_semicolon, span);
     if (next == l->src->len || strchr("\n#}", lexer_byte(l, next)) || else_follows) {
@@ -302,7 +305,7 @@ HintResult hint_read_semicolon(Lexer *l, Token *t)
 
 const char *const hint_no_choice = "write it as if ...: x = a, and on the next line else: x = b";
 
-// Reports the ? of c ? a : b, and skips the rest of the line, which belongs to the operator.
+// Reports the ? of `c ? a : b`, and skips the rest of the line, which belongs to this operator.
 HintResult hint_read_choice(Lexer *l, Token *t)
 {
     Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), "?");

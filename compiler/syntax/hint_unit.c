@@ -5,7 +5,7 @@
 
 #include "compiler/syntax/number.h"
 
-// Units of time, in milliseconds: factor * 10^exponent.
+// Units of time. A unit is factor * 10^exponent milliseconds.
 static const struct { const char *name; unsigned factor; int exponent; } times[] = {
     {"us", 1, -3}, {"usec", 1, -3}, {"ms", 1, 0}, {"msec", 1, 0}, {"millis", 1, 0}, {"milliseconds", 1, 0},
     {"s", 1, 3}, {"sec", 1, 3}, {"secs", 1, 3}, {"second", 1, 3}, {"seconds", 1, 3}, {"S", 1, 3},

@@ -5,10 +5,10 @@
 
 #include "compiler/diag/diag.h"
 
-// Labels d with what to write instead of a number literal and the unit after it.
+// Labels d with what to write instead of the literal `number` followed by `unit`.
 void hint_label_unit(Diags *diags, Diag *d, const char *number, const char *unit);
 bool hint_is_time_unit(const char *unit);
-// Converts a time to milliseconds, as a decimal literal; returns NULL if `unit` is not a unit of time or the result is too long to read.
+// Converts the time `number` `unit` to a literal in milliseconds; returns NULL if `unit` is not a unit of time or the literal is too long.
 const char *hint_to_milliseconds(Arena *arena, const char *number, const char *unit);
 
 #endif

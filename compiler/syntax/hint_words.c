@@ -19,7 +19,7 @@ static uint32_t skip_spaces(const char *text, uint32_t p)
 
 static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
 
-// Returns the end of `words` at p; 0 if the text there differs.
+// Returns the end of the text at p if it equals `words`; else 0. A space in `words` matches any number of spaces.
 static uint32_t skip_words(const char *text, uint32_t p, const char *words)
 {
     for (; *words; words++)
@@ -45,7 +45,7 @@ bool hint_is_operator_word(const char *text, uint32_t at)
     return hint_find_phrase(text, at, &end) || skip_words(text, at, "then") || skip_words(text, at, "do");
 }
 
-enum { PARENS_MAX = 1000 };   // bytes; longer ones are not scanned, so that hostile text cannot cost time quadratic in its length
+enum { PARENS_MAX = 1000 };   // bytes that a scan for parentheses reads at most, so that hostile text cannot cost time quadratic in its length
 
 // Returns the end of the parentheses that open at p; p if they do not close on the line.
 static uint32_t skip_parens(const char *text, uint32_t p)
@@ -82,7 +82,7 @@ uint32_t hint_skip_operand(const char *text, uint32_t at)
     return end > p ? end : at;
 }
 
-// Whether the text at p ends a condition, or joins another one to it.
+// Whether the text at p ends a condition or joins another condition to it: a line end, a colon, `and`, `then` and others.
 static bool ends_condition(const char *text, uint32_t p)
 {
     p = skip_spaces(text, p);
@@ -90,7 +90,7 @@ static bool ends_condition(const char *text, uint32_t p)
            skip_words(text, p, "do") || strncmp(text + p, "&&", 2) == 0 || strncmp(text + p, "||", 2) == 0;
 }
 
-// Whether `or 6`, `and 6` or `or burning` is at p: perhaps the user meant to compare with that value too.
+// Whether `or 6`, `and 6` or `or burning` is at p, after a comparison: the user may mean to compare with this value, too.
 static bool adds_another_value(const char *text, uint32_t p)
 {
     uint32_t value, is_or;
@@ -117,12 +117,12 @@ bool hint_is_doubtful_comparison(const char *text, uint32_t at)
     if (next > end && lexer_is_word(text[next]) && lex_is_letter(text[p])) {
         const uint32_t then = skip_words(text, next, "then");            // `is greater then 5`
         if (then ? lex_is_digit(text[skip_spaces(text, then)]) : !hint_is_operator_word(text, next))
-            return true;                               // words in a row are prose
+            return true;                               // two words in a row are prose
     }
     return adds_another_value(text, end);
 }
 
-// Returns the parenthesis around `at`; `at` if it is not found nearby on the line.
+// Returns the position of the ( that encloses `at`; `at` if there is none within PARENS_MAX bytes on the line.
 static uint32_t find_open_paren(const char *text, uint32_t at)
 {
     uint32_t depth = 0;
@@ -147,7 +147,7 @@ bool hint_stores_in_parens(const char *text, uint32_t at)
     if (open == at || close == open)
         return true;
     if (end > from && !hint_is_operator_word(text, from) && !skip_words(text, from, "if") && !skip_words(text, from, "not"))
-        return true;                                   // the word is a function call
+        return true;                                   // a function name precedes the parenthesis
     end = skip_spaces(text, close);
     return text[end] && strchr("<>=!+-*/%^", text[end]);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hints about operators written as words (`is not`, `is greater than`), and about the operands that follow an operator. An edit replaces
-// the operator only; these functions check whether the operands then have the same meaning as before. All of them take the source,
-// which ends with a NUL, and read one line of it.
+// only the operator; these functions check whether the operands are then still what the user means. `text` is the whole source, which
+// ends with a NUL; each function reads only the line of its position.
 #ifndef SMC_HINT_WORDS_H
 #define SMC_HINT_WORDS_H
 
@@ -16,19 +16,19 @@ typedef struct HintPhrase {
 // Returns the longest operator in words that begins at `at`, and its end in *end; NULL if there is none.
 const HintPhrase *hint_find_phrase(const char *text, uint32_t at, uint32_t *end);
 
-// Returns the end of the operand at `at`, which may have a + or - before it; `at` if there is none. Spaces before the operand are skipped.
+// Returns the end of the operand at `at`; `at` if there is none. Spaces and a + or - can precede the operand.
 uint32_t hint_skip_operand(const char *text, uint32_t at);
 
-// Whether the word at `at` continues or ends a condition: and, or, then, do, is, gt, in any case of the letters.
+// Whether the word at `at` continues or ends a condition: and, or, then, do, is, gt and others; case does not matter.
 bool hint_is_operator_word(const char *text, uint32_t at);
 
-// Whether what follows a comparison operator that ends before `at` has more than one reading: not 5, 5 or 6, between 3 and 5.
+// Whether the text after a comparison operator, which begins at `at`, has more than one meaning: not 5, 5 or 6, between 3 and 5.
 bool hint_is_doubtful_comparison(const char *text, uint32_t at);
 
-// Whether an '=' at `at`, which is inside parentheses, can be meant to store or to name an argument: (x = p) > 3, roll_avg(p, n = 5).
+// Whether the '=' at `at`, inside parentheses, can mean an assignment or a named argument: (x = p) > 3, roll_avg(p, n = 5).
 bool hint_stores_in_parens(const char *text, uint32_t at);
 
-// Whether only the one operand at `at` is negated by a `not` before it, in every language: no comparison or calculation follows.
+// Whether a `not` before `at` negates only the operand at `at` in every language: no comparison or calculation follows the operand.
 bool hint_is_negated_alone(const char *text, uint32_t at);
 
 #endif

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hints: what the user meant by text that the grammar does not allow. Users know other languages (`&&`, `5 s`, `if x then`), write prose,
-// or type fast. Lexer and parser contain the grammar alone. Where it does not allow the text, they call one of these functions, which
-// searches hints.def for the likeliest cause, reports it instead of a general diagnostic, and proposes an edit if that is unambiguous.
+// or make typing errors. Lexer and parser contain only the grammar. For text that the grammar does not allow they call one of these
+// functions, which searches hints.def for the likeliest cause, reports that cause instead of a general diagnostic, and proposes an edit if
+// the meaning is unambiguous.
 #ifndef SMC_HINTS_H
 #define SMC_HINTS_H
 
@@ -9,26 +10,26 @@
 
 typedef enum HintResult {
     HINT_NONE,                // no row of hints.def matches the text
-    HINT_READ,                // reported, and read as what the user meant: the caller goes on
-    HINT_SKIPPED              // reported, and skipped or given up
+    HINT_READ,                // the text was reported and read as what the user meant: the caller continues normally
+    HINT_SKIPPED              // the text was reported and skipped: the caller ends what it was parsing
 } HintResult;
 
 // ---- for the lexer ----
 
 void hint_init(Lexer *l);     // called by lex_init
 
-// Handles text of another language that the grammar could misread: `&&`, `// ...`, `state Hold:`. Called at the start of a token if
-// l->first_hint has a row for its first character, or an annotation precedes it. HINT_READ: t is the token that the user meant.
+// Handles text of another language that the lexer could misread: `&&`, `// ...`, `state Hold:`. Called at the start of a token if
+// l->first_hint has a row for the token's first character, or the last token is an annotation. After HINT_READ, t is the token meant.
 HintResult hint_read_foreign_text(Lexer *l, Token *t);
-// A token of this kind is well formed only up to `end`: 5psi, größe, [two words]. Reports this; returns the end of the malformed token.
+// Reports a token of this kind that is well formed only up to `end`: 5psi, größe, [two words]. Returns the end of the malformed token.
 uint32_t hint_report_malformed_token(Lexer *l, const Token *t, TokenKind kind, uint32_t end);
-// Handles text with which no token begins. Never returns HINT_NONE.
+// Handles text that cannot begin a token. Never returns HINT_NONE.
 HintResult hint_read_stray_text(Lexer *l, Token *t);
 
 // ---- for the parser ----
 
-// What the parser is doing where the source is wrong, and what the argument `e` of hint_explain is there. Contexts with a general
-// diagnostic report it if no row explains more.
+// What the parser is doing at the error, and what the argument `e` of hint_explain is in this context. "general diagnostic" marks the
+// contexts in which hint_explain reports one if no row matches, such as "expected a value".
 typedef enum HintContext {
     HINT_AT_OPERAND,          // begins an operand
     HINT_AFTER_NAME,          // has read a name in an expression: e. SKIPPED: e is wrong
@@ -47,7 +48,7 @@ typedef enum HintContext {
     HINT_AFTER_DECL_NAME,     // has read the name of an element, variable or pin
     HINT_AFTER_DECL,          // expects annotations or the end of a declaration
     HINT_AT_DECL_END,         // expects the end of a declaration
-    HINT_AT_ELEMENT_END,      // the same, where no row of AT_DECL_END matches the declaration of an element; general diagnostic
+    HINT_AT_ELEMENT_END,      // expects the end of an element's declaration, and no row of AT_DECL_END matched; general diagnostic
     HINT_AT_PIN_NUMBER,       // expects the number of a pin, and is at a word; general diagnostic
     HINT_AT_PIN_END,          // expects the end of a pin; general diagnostic
     HINT_AT_OPTION            // is at a word that is no option; general diagnostic
@@ -55,11 +56,11 @@ typedef enum HintContext {
 
 enum { HINT_CONTEXTS = HINT_AT_OPTION + 1 };
 
-// Derived from hints.def when a parser starts, so that valid sources do not pay for the search.
+// Computed from hints.def when a parser starts, so that valid sources need no search.
 typedef struct HintIndex {
-    // By context: the kinds of the next token that one of its rows accepts, as a set; all kinds if it has a general diagnostic.
+    // tokens[context]: the set of kinds of the next token that a row of the context accepts; all kinds if it has a general diagnostic.
     uint64_t tokens[HINT_CONTEXTS];
-    uint8_t first_row[HINT_CONTEXTS];   // by context; its rows are adjacent
+    uint8_t first_row[HINT_CONTEXTS];   // first_row[context]: the rows of a context are adjacent
 } HintIndex;
 
 struct Parser;
@@ -67,10 +68,11 @@ struct AstExpr;
 
 void hint_init_index(HintIndex *index);
 
-// The grammar does not allow the next tokens at `context`, or another language would read them differently. Reports the likeliest cause.
+// Called in `context` if the grammar does not allow the next tokens, or if another language gives them another meaning. Reports the
+// likeliest cause.
 HintResult hint_explain(struct Parser *p, HintContext context, struct AstExpr *e);
 
-// Returns the word of this language for that of another one, as I32 for int; NULL if none is known.
+// Returns the word of this language for a word of another one, such as I32 for int; NULL if none is known.
 typedef enum HintWords { HINT_TYPES, HINT_LABELS, HINT_OPTIONS, HINT_DIRECTIONS, HINT_UNITS } HintWords;
 const char *hint_find_synonym(HintWords of, const char *word);
 

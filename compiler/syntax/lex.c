@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scanner. It reads each byte once (punctuators are compared with the rows of tokens.def) and interns every name when it finds it.
+// The scanner. It reads almost every byte once (punctuators are compared with several rows of tokens.def), and interns every name.
 #include <string.h>
 
 #include "compiler/syntax/hints.h"
@@ -22,7 +22,7 @@ static const Word words[] = {
 #undef SM_TYPE
 };
 
-static const Word *find_reserved(Str s) { return s->mark ? &words[s->mark - 1] : NULL; }      // lex_init sets the marks
+static const Word *find_reserved(Str s) { return s->mark ? &words[s->mark - 1] : NULL; }      // 1 + the row, from lex_init
 
 typedef struct Punctuator {
     const char *spelling;
@@ -147,7 +147,7 @@ void lexer_read_word(Lexer *l, Token *t)
     lexer_finish_token(l, t, w ? w->kind : TOK_NAME, end);
 }
 
-// Returns the end of the digits at p, which can have single underscores between them.
+// Returns the end of the digits at p, which can have single underscores between them. belongs(c): whether c is a digit.
 static uint32_t skip_digits(const Lexer *l, uint32_t p, bool (*belongs)(char c))
 {
     while (belongs(lexer_byte(l, p)))
@@ -155,7 +155,7 @@ static uint32_t skip_digits(const Lexer *l, uint32_t p, bool (*belongs)(char c))
     return p;
 }
 
-// Returns the end of the decimal number at p. An exponent without digits does not belong to it.
+// Returns the end of the decimal number at p. An `e` without digits after it does not belong to the number.
 static uint32_t skip_decimal(const Lexer *l, uint32_t p)
 {
     uint32_t e;
@@ -198,7 +198,7 @@ bool lex_is_header_name(const char *s, size_t n)
     return n > 0;
 }
 
-// Reports a [name without a closing bracket on its line. The token ends after the longest possible name.
+// Reports a header without a closing bracket on its line, such as `[name`. The token ends after the longest possible name.
 static void lex_unclosed_header(Lexer *l, Token *t)
 {
     uint32_t from = l->at + 1, end;
@@ -236,7 +236,7 @@ static void lex_header(Lexer *l, Token *t)
     lexer_finish_token(l, t, TOK_HEADER, end + 1);
 }
 
-// Reads .name and @name.
+// Reads a label (.name) or an annotation (@name).
 static void lex_prefixed(Lexer *l, Token *t, TokenKind kind)
 {
     uint32_t end = lexer_skip_word(l, l->at + 1);
@@ -247,8 +247,8 @@ static void lex_prefixed(Lexer *l, Token *t, TokenKind kind)
     lexer_finish_token(l, t, end == l->at + 1 ? TOK_ERROR : kind, end);
 }
 
-// The reason of an @allow, or the name of a file, in quotes. It can contain what a comment can contain. Returns false if no text is
-// allowed here or it does not end on its line.
+// Reads text in quotes: the reason of an @allow, or a file name. It can contain the characters that a comment can contain. Returns false if
+// the position allows no text, or the text does not end on its line.
 static bool lex_text(Lexer *l, Token *t)
 {
     const char *s = l->src->text;
@@ -269,7 +269,7 @@ static bool lex_text(Lexer *l, Token *t)
 
 // ---- punctuators ----
 
-// Returns the punctuator at the current position; NULL if there is none. The rows of a first character begin with the longest spelling.
+// Returns the punctuator at the current position; NULL if there is none. Among the rows with one first character, the longest comes first.
 static const Punctuator *find_punctuator(const Lexer *l)
 {
     const char *s = l->src->text + l->at;                          // terminated by a NUL, which no punctuator contains
@@ -286,7 +286,7 @@ static const Punctuator *find_punctuator(const Lexer *l)
     return NULL;
 }
 
-// Reads a punctuator, and counts parentheses. A punctuator that cannot be inside parentheses closes those that were never closed.
+// Reads a punctuator, and counts parentheses. A punctuator that cannot be inside parentheses resets open_parens.
 static bool lex_punctuator(Lexer *l, Token *t)
 {
     const Punctuator *s = find_punctuator(l);
@@ -314,7 +314,7 @@ bool lex_find_reserved(Str word, TokenKind *kind)
 
 // ---- the next token ----
 
-// Returns false if it skipped text instead of producing a token.
+// Reads the next token into t. Returns false if it skipped text instead.
 static bool lex_try_token(Lexer *l, Token *t)
 {
     const char c = l->src->text[l->at];
@@ -338,7 +338,7 @@ static bool lex_try_token(Lexer *l, Token *t)
     return true;
 }
 
-// Returns the state after token t: inside an @allow, until a token that cannot be part of it.
+// Returns the value of l->allow after token t. It says that the position is in an @allow until a token that cannot be part of one.
 static LexAllow next_allow_state(const Lexer *l, const Token *t)
 {
     static const char word[] = "allow";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts text to tokens. Line ends are not tokens: each token records whether it is the first on its line. Errors in single characters,
-// numbers and operators of other languages are reported here; the lexer then returns the nearest sensible token.
+// Converts text to tokens. Line ends are not tokens: each token records whether it is the first on its line. The lexer reports wrong
+// characters, malformed numbers and operators of other languages, and returns the token that the user probably meant.
 #ifndef SMC_LEX_H
 #define SMC_LEX_H
 
@@ -62,10 +62,10 @@ typedef struct Lexer {
     uint8_t first_punctuator[128];        // by character: 1 + the first row of the punctuators that begin with it; 0: none
     uint8_t next_punctuator[LEX_PUNCTUATORS];     // by row: 1 + the next row that begins with the same character
     uint32_t at;              // the next byte to read
-    uint32_t line_start;      // directly after the last line end seen
-    uint32_t reported_line;   // 1 + line_start of the line whose stray characters have been reported
+    uint32_t line_start;      // offset of the current line's first byte
+    uint32_t reported_line;   // 1 + line_start of the last line in which a wrong character was reported
     bool first;               // the next token is the first on its line
-    bool keep_comments;       // return them as tokens
+    bool keep_comments;       // return comments as tokens
     bool config;              // a .io or .app: file names are quoted, and units follow numbers
     TokenKind last;           // kind of the last token returned
     LexAllow allow;           // the current position relative to an @allow( )
@@ -73,18 +73,18 @@ typedef struct Lexer {
     // Only the hints read these.
     uint8_t first_hint[256];  // by character: 1 + the first row of hints.def whose spelling begins with it; 0: none
     uint8_t next_hint[LEX_HINTS];     // by row: 1 + the next row that begins with the same character
-    bool stores, annotated;   // an = precedes the current position on its line; an annotation does
+    bool stores, annotated;   // an = precedes the current position on its line; an annotation precedes it
     bool no_comment_end;      // the rest of the source contains no */
     uint32_t bar;             // position of the | that closes |x|
-    uint32_t parens;          // opened on this line and still open
-    uint32_t open_parens;     // opened in this statement and still open, also on earlier lines
-    uint32_t hinted;          // lines with several statements before this position have been reported
+    uint32_t parens;          // number of parentheses opened on this line and still open
+    uint32_t open_parens;     // number of parentheses opened in this statement, on any line, and still open
+    uint32_t hinted;          // before this position, lines with several statements need no further report
 } Lexer;
 
 void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src);
-void lex_next(Lexer *l, Token *t);          // after the last token always END
+void lex_next(Lexer *l, Token *t);          // at the end of the source always TOK_END
 
-void lex_skip_to(Lexer *l, uint32_t at);    // continues at the start of a line
+void lex_skip_to(Lexer *l, uint32_t at);    // continues at `at`, the start of a line
 
 // How a diagnostic names tokens of a kind: "+", "if", "name".
 const char *lex_token_name(TokenKind kind);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks characters: a comment is UTF-8 text without control characters and without characters that make it look different from what it
-// contains; a source is text, not binary data.
+// Checks characters. A comment must be UTF-8 text without control characters and without characters that change the direction of writing.
+// A source must be text, not binary data.
 #include <string.h>
 
 #include "compiler/base/utf8.h"
@@ -45,8 +45,8 @@ uint32_t lexer_report_not_utf8(Lexer *l, uint32_t at)
     return 1;
 }
 
-// Checks the character at `at` of a comment, which is not ASCII. Returns its length. A character that changes the direction of writing can
-// make a reviewer see a different source from the one that the compiler reads.
+// Checks a character of a comment that is not ASCII, and returns its length. Reports a character that changes the direction of writing: it
+// can make a reviewer see a different source from the one that the compiler reads.
 static uint32_t check_comment_character(Lexer *l, uint32_t at)
 {
     uint32_t code = 0;
@@ -72,7 +72,7 @@ void lexer_check_comment(Lexer *l, uint32_t at, uint32_t end)
 
 // ---- the whole source ----
 
-// Names the format of a source that is not text ("UTF-16", "binary data"); NULL for text.
+// Returns the format of a source that is not text, such as "UTF-16" or "binary data"; NULL for text.
 static const char *find_binary_format(const Source *s)
 {
     uint32_t n = s->len < 512 ? s->len : 512, controls = 0, zeros = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A literal is digits times a power of ten. It becomes a fraction of two big whole numbers. Their quotient is computed bit by bit, to 63
-// or 64 bits and a flag for a nonzero remainder, and is rounded once. Short literals take an exact shortcut.
+// Converts literals exactly. A literal is digits times a power of ten, so it equals a fraction of two big integers. Their quotient is
+// computed bit by bit, to 63 or 64 bits and a flag for a nonzero remainder, and is rounded once. Short literals take an exact shortcut.
 #include "compiler/syntax/number.h"
 
 #include <string.h>
@@ -9,15 +9,15 @@
 
 enum { E_MIN = -1022, E_MAX = 1023 };
 
-// Rounds q * 2^e. `more` means that the true value is larger by less than one unit of q. q is not 0.
+// Rounds q * 2^e to an F64; returns false if it is too large. `more`: the exact value is larger by less than one unit of q. q is not 0.
 static bool round_to_f64(uint64_t q, long e, bool more, SmF64 *value)
 {
     uint64_t mantissa, rest, half, bits;
-    long drop = 11;                                   // 53 of the 64 bits remain
+    long drop = 11;                                   // bits of q to drop: 53 of the 64 remain
 
     for (; !(q >> 63); e--)
         q <<= 1;
-    e += 63;                                          // now 2^e <= value < 2^(e + 1)
+    e += 63;                                          // now 2^e <= exact value < 2^(e + 1)
     if (e > E_MAX)
         return false;
     if (e < E_MIN) {                                  // subnormal: fewer bits remain
@@ -128,15 +128,15 @@ static uint64_t big_divide(Big *top, Big *bottom)
 // ---- decimal ----
 
 enum {
-    DIGITS_MAX = 800,         // digits stored. The midpoint between two adjacent F64 has at most 767; further ones only break ties
-    LARGEST = 310, SMALLEST = -330    // values of Decimal.point beyond which every value is too large, or 0
+    DIGITS_MAX = 800,         // digits stored. The midpoint between two adjacent F64 has at most 767 digits; further digits only break ties
+    LARGEST = 310, SMALLEST = -330    // above this Decimal.point every value is too large; below it every value is 0
 };
 
 typedef struct Decimal {
     char digit[DIGITS_MAX + 1];   // '0' … '9', the first not '0'; value: 0.d d d… * 10^point
     int n;
     int64_t point;
-    bool more;                // digits were left out, at least one of them nonzero
+    bool more;                // a nonzero digit after the stored digits was left out
 } Decimal;
 
 static void add_digit(Decimal *d, char c)
@@ -182,11 +182,11 @@ static void read_decimal(Decimal *d, const char *s, const char *end)
     while (d->n && !d->more && d->digit[d->n - 1] == '0')
         d->n--;
     if (d->more)
-        d->digit[d->n++] = '1';                       // the digits left out are worth more than nothing and less than one unit
+        d->digit[d->n++] = '1';                       // for the digits left out: more than 0, less than 1 in the last place
 }
 
-// Converts a literal with few digits and a small power of ten by one operation on two exact numbers, which rounds only once. Returns
-// false if it has more digits or a larger power.
+// Converts a literal with few digits and a small power of ten by one F64 operation on two exact numbers, which rounds only once. Returns
+// false if the literal has too many digits or too large a power.
 static bool convert_exactly(const Decimal *d, SmF64 *value)
 {
     enum { EXACT = 15 };                              // 10^15 < 2^53

@@ -9,8 +9,8 @@
 
 #include "stdlib/f64.h"
 
-// Computes the F64 nearest to a well-formed literal (language.md 1.12 to 1.15, 1.17; `_` included); ties go to the even one. Returns false
-// if the literal is too large. Too small a literal produces a subnormal number or 0.
+// Computes the F64 nearest to a well-formed literal, which can contain `_` (language.md 1.12 to 1.15, 1.17); ties round to even. Returns
+// false if the literal is too large. Too small a literal produces a subnormal number or 0.
 bool number_to_f64(const char *text, size_t len, SmF64 *value);
 
 // Splits a literal exactly into digits * 10^exponent, where digits has no trailing zeros. Returns false if it has more than 18 digits.

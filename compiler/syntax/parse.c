@@ -60,7 +60,7 @@ void parser_skip_section(Parser *p)
 
     if (p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END)
         return;
-    for (; line < src->lines; line++) {                              // to the next line that begins with a bracket
+    for (; line < src->lines; line++) {                              // find the next line that begins with a bracket
         uint32_t len;
         const char *s = source_line(src, line + 1, &len);
         while (len && (*s == ' ' || *s == '\t'))
@@ -163,8 +163,8 @@ static int find_label(const char *word)
     return -1;
 }
 
-// Returns the block that the current label opens; NULL, after a report, if the label is unknown or repeated. An unknown label opens the
-// block that the user probably meant, if that is not yet open.
+// Returns the block that the current label begins; NULL after reporting a repeated label. Reports an unknown label, and returns the block
+// that the user probably meant; NULL if there is none or the state already has that block.
 static AstBlock *open_block(Parser *p, AstSection *s)
 {
     const char *word = p->tok.text->text;
@@ -207,7 +207,8 @@ static void parse_labelled(Parser *p, AstSection *s)
     parse_block(p, b ? &b->stmts : &ignored);
 }
 
-// Parses statements, or other text, between a header and the first label. Errors inside them are reported first.
+// Parses statements or other text between a header and the first label, where none is allowed. Reports this misplaced text only if no
+// error inside it has been reported.
 static void parse_unlabelled(Parser *p, AstSection *s)
 {
     AstStmts ignored = {0};
@@ -233,7 +234,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
         diag_label(p->diags, d, DIAG_label_constants);
 }
 
-// Parses the annotations and blocks of a state. Before its first label, line ends count as spaces.
+// Parses the annotations and blocks of a state. Annotations after the header can continue on further lines.
 static void parse_state(Parser *p, AstSection *s)
 {
     parse_annotations(p, AST_ON_STATE, s->name, s->name_span, &s->annotations);
@@ -302,7 +303,7 @@ static AstSectionKind find_section_kind(FileKind file, const AstSection *s)
     return is_section_named(s, "state_vector") || is_section_named(s, "local") ? AST_IGNORED : AST_SCRIPT_STATE;
 }
 
-// Reports the second occurrence of a section that a file can have only once.
+// Reports s if the file has already had such a section and can have only one.
 static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
 {
     if (s->kind != AST_STATE_VECTOR && s->kind != AST_LOCAL && s->kind != AST_PINS && (s->kind != AST_OPTIONS || f->kind == FILE_SS))
@@ -317,8 +318,8 @@ static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
 
 // ---- misnamed sections ----
 
-// Corrects the kind of a section whose name is misspelt, to judge by its first line: a state that begins with a declaration is one of the
-// two sections for declarations; a section of a script that begins with an option is [options]. Reports the name.
+// Corrects the kind of a section whose first line shows that its name is misspelt, and reports the name. A "state" that begins with a
+// declaration is [state_vector] or [local]; a section of a script that begins with an option is [options].
 static void correct_section_kind(Parser *p, AstSection *s)
 {
     static const char *const names[] = {[AST_STATE_VECTOR] = "state_vector", [AST_LOCAL] = "local", [AST_OPTIONS] = "options"};
@@ -439,7 +440,7 @@ static void init_parser(Parser *p, Arena *arena, StrPool *strings, Diags *diags,
     lex_next(&p->lex, &p->ahead);
 }
 
-// The label of text before the first section, by kind of file.
+// first_section[kind of file] is the label of the report of text before the first section.
 static const char *const first_section[] = {
     [FILE_SV] = "elements are declared in sections, as in [Tank]",
     [FILE_SM] = "a machine begins with [state_vector]",

@@ -8,20 +8,20 @@
 #include "compiler/diag/diag.h"
 #include "compiler/syntax/ast.h"
 
-// Always returns a tree. Where the source was wrong the tree contains error nodes, and the errors are in `diags`. Everything lives in
-// `arena`; names are interned in `strings`.
+// Always returns a tree. Where the source has errors the tree contains error nodes, and the errors are in `diags`. The tree is allocated
+// in `arena`; names are interned in `strings`.
 AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind);
 
 // Receives the parts of a script in file order, so that the whole tree need not be in memory.
 typedef struct ScriptVisitor {
     // Called for each section: before its items if it has items, otherwise after it has been parsed.
     void (*section)(void *context, const AstSection *s);
-    void (*item)(void *context, const AstStmt *item);         // an item of the last section; freed when the call returns
+    void (*item)(void *context, const AstStmt *item);         // called for each item, which is freed after the call
     void *context;
-    Arena *items;             // where items are allocated; nothing else may be in it
+    Arena *items;             // where items are allocated; the parser frees it, so it must contain nothing else
 } ScriptVisitor;
 
-// As parse_file of a script, but the sections of the returned tree have no items: `v` has received them.
+// Parses a script. The sections of the returned tree have no items, because `v` has received them.
 AstFile *parse_script(Arena *arena, StrPool *strings, Diags *diags, const Source *src, const ScriptVisitor *v);
 
 // Prints the tokens of a source, one per line, comments included: --emit=tokens.

@@ -6,7 +6,7 @@
 typedef enum Arguments { TAKES_NOTHING, TAKES_NAME, TAKES_NUMBER, TAKES_NUMBERS, TAKES_VALUE, TAKES_FINDING } Arguments;
 
 #define ON(target) (1u << AST_ON_##target)
-// The targets that occur in one kind of file: pins, or machines and state vectors. An annotation for none of them is unknown in such a file.
+// The targets in machines and state vectors, and the targets in pin files. An annotation is unknown in a file that has none of its targets.
 #define ON_MACHINES (ON(ELEMENT) | ON(SV_ELEMENT) | ON(LOCAL) | ON(STATE))
 #define ON_PINS (ON(ANALOG_INPUT) | ON(ANALOG_OUTPUT) | ON(DIGITAL_INPUT) | ON(DIGITAL_OUTPUT))
 
@@ -20,7 +20,7 @@ static const struct { const char *spelling; Arguments takes; unsigned where; } r
 typedef struct Annotated {
     AstAnnotationTarget target;
     Str name;
-    Span span;                // of the name
+    Span span;                // position of the name
     AstAnnotations *all;      // the annotations found so far
 } Annotated;
 
@@ -28,7 +28,8 @@ typedef struct Annotated {
 
 static bool may_be_on(int row, AstAnnotationTarget target) { return rows[row].where >> target & 1u; }
 
-// Returns the row of that name for this target, else one for the same kind of file; AST_ANNOTATION_COUNT if there is none.
+// Returns the row of the annotation `word` for this target, else a row for another target in the same kind of file; AST_ANNOTATION_COUNT if
+// there is none.
 static int find_row(Str word, AstAnnotationTarget target)
 {
     const unsigned in_file = ON_PINS >> target & 1u ? ON_PINS : ON_MACHINES;
@@ -73,7 +74,7 @@ static const char *get_pin_name(AstAnnotationTarget target)
     return name[target - AST_ON_ANALOG_INPUT];
 }
 
-// Returns false if the annotation is not allowed on its target, which is reported.
+// Returns whether the annotation is allowed on its target, and reports it if not.
 static bool check_annotation_target(Parser *p, const Annotated *o, const AstAnnotation *a)
 {
     const char *word = rows[a->kind].spelling;
@@ -155,7 +156,7 @@ static void parse_bound(Parser *p, AstNumber *into, const char *which)
     diag_label(p->diags, d, DIAG_label_range_form);
 }
 
-// Parses one number; for a VALUE also true or false.
+// Parses the argument of an annotation that takes a NUMBER, or a VALUE (`accepts_truth`): also true or false.
 static void parse_annotation_value(Parser *p, AstAnnotation *a, bool accepts_truth)
 {
     if (accepts_truth && (p->tok.kind == TOK_TRUE || p->tok.kind == TOK_FALSE)) {
@@ -187,7 +188,7 @@ static bool expect_token(Parser *p, TokenKind kind, const char *expected)
     return true;
 }
 
-// Reports a name in @allow that no warning has. A code such as W0408 is certainly the warning of that code.
+// Reports a name in @allow that is not the name of a warning. For a code such as W0408, proposes the name of that warning.
 static void report_unknown_flag(Parser *p, const AstAnnotation *a)
 {
     const char *word = a->name->text, *near, **names = ARENA_ARRAY(p->arena, const char *, diag_flag_count);
@@ -205,7 +206,7 @@ static void report_unknown_flag(Parser *p, const AstAnnotation *a)
         diag_label(p->diags, d, DIAG_label_error_stays);
 }
 
-// Whether t can be part of a warning's name, which consists of words with dashes between them; some of the words are words of the language.
+// Whether t can be part of a warning's name: words with dashes between them. Some of the words, such as `if`, are reserved.
 static bool is_part_of_flag(const Token *t)
 {
     return t->kind == TOK_MINUS || (t->text && t->kind != TOK_TEXT && t->kind != TOK_HEADER && t->kind != TOK_LABEL &&
@@ -289,14 +290,14 @@ static void parse_annotation(Parser *p, const Annotated *o)
     allowed = check_annotation_target(p, o, &a);
     parser_advance(p);
     first = first && !p->tok.first;
-    p->failed = !allowed;                     // then whether its arguments are correct is irrelevant
+    p->failed = !allowed;                     // silences errors in the arguments of an annotation that is not allowed
     parse_annotation_arguments(p, &a);
     p->failed = p->failed && allowed;
     a.span = parser_span_since(p, a.span.at);
     if (p->failed)
         return;
     begins_another = ON_PINS >> o->target & 1u ? p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NUMBER : p->tok.kind == TOK_TYPE;
-    if (first && !p->tok.first && begins_another)            // line ends count as spaces: it belongs to the declaration above
+    if (first && !p->tok.first && begins_another)            // it belongs to the declaration on the line above
         diag_note(p->diags, parser_report(p, DIAG_annotation_above, a.span, rows[a.kind].spelling, o->name->text),
                   o->span, DIAG_note_declared_here, o->name->text);
     if (check_not_repeated(p, o, &a) && allowed)

@@ -5,7 +5,7 @@
 
 static bool is_at_section_end(const Parser *p) { return p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END; }
 
-// After an error in the entry that began at `at`: skips to the next line, and always makes progress.
+// After an error in the entry that began at `at`: skips to the next line, and at least one token, so that parsing never loops.
 static void recover_entry(Parser *p, AstApp *app, uint32_t at)
 {
     if (!p->failed)
@@ -17,7 +17,7 @@ static void recover_entry(Parser *p, AstApp *app, uint32_t at)
     p->failed = false;
 }
 
-// Reports text that begins no entry, with the nearest of the words that begin one.
+// Reports text that does not begin an entry. Suggests the most similar of `words`, which begin one.
 static void report_unknown_entry(Parser *p, DiagCode code, const char *const *words, size_t n)
 {
     const char *near = p->tok.kind == TOK_NAME ? str_nearest(p->tok.text->text, words, n) : NULL;
@@ -85,7 +85,7 @@ static bool is_at_stray_option(const Parser *p)
     return p->ahead.kind == expected;
 }
 
-// Parses an option in another section. The first one of an application is reported: the header [options] is missing.
+// Parses an option that is in another section. Reports only the first of an application, because the header [options] is probably missing.
 static void parse_stray_option(Parser *p, AstApp *app)
 {
     if (!app->strayed)
@@ -113,7 +113,7 @@ static void parse_start_value(Parser *p, AstApp *app)
                    DIAG_label_as_in, "engineMode = 2");
         return;
     }
-    name.text = p->tok.text;                      // an element can have the name of a word of another section
+    name.text = p->tok.text;                      // the element's name may equal a keyword of another section
     name.span = parser_token_span(p);
     parser_advance(p);
     s->name = name.text;
@@ -150,7 +150,7 @@ static const char *const task_words[] = {
 #include "compiler/syntax/app.def"
 };
 
-// Adds the current task, whose kind app_match_task has returned.
+// Parses the current task, whose kind app_match_task has returned, and adds it to r.
 static void parse_task(Parser *p, AstApp *app, AstAppTaskKind kind, AstAppRate *r)
 {
     AstAppTask t = {0};
@@ -217,7 +217,7 @@ static void parse_executor(Parser *p, AstApp *app, AstWord name, Span header)
 
     e->name = name;
     e->header = header;
-    if (lex_is_header_name(name.text->text, name.text->len) &&          // else reported as a header
+    if (lex_is_header_name(name.text->text, name.text->len) &&          // otherwise the lexer has reported the header
         (!lex_is_identifier(name.text->text, name.text->len) || lex_find_reserved(name.text, &reserved)))
         parser_report(p, DIAG_executor_name, name.span, name.text->text);
     vec_push(p->arena, &app->executors, e);
@@ -262,8 +262,8 @@ static bool check_section_is_first(Parser *p, const Span *seen, Span header, con
     return false;
 }
 
-// Whether a section is [options] or [start], as `which` says: by its name, or, if it has the name of neither, by its first line. Reports
-// the name in the second case, because it is probably misspelt.
+// Whether a section is the section `which`, "options" or "start": by its name or, if it has neither name, by its first line. In the second
+// case reports the name, because it is probably misspelt.
 static bool match_section(Parser *p, const AstWord *name, Span header, const char *which)
 {
     const char *meant = NULL;

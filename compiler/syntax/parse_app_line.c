@@ -65,7 +65,7 @@ bool app_is_at_rate(const Parser *p)
     return find_word(p, words, 2) < 2;
 }
 
-// Whether the next token is the first on its line and begins another entry: it is then not the missing name of this one.
+// Whether the next token begins another entry on a new line, so that it is not the name or file that the current entry lacks.
 static bool begins_entry(const Parser *p)
 {
     AstAppOptionKind option;
@@ -125,7 +125,7 @@ static const Unit units[] = {
 
 static const char *const unit_lists[] = {"", "", "ns, us, ms or s", "Hz or kHz", "B or KB"};
 
-// Returns the unit meant by another common spelling, as s for seconds; NULL if none is known for this measure.
+// Returns the unit for another common spelling of it, such as s for seconds; NULL if none is known for this measure.
 static const char *find_unit_synonym(Parser *p, AppMeasure of)
 {
     const char *ours = p->tok.kind == TOK_NAME ? hint_find_synonym(HINT_UNITS, p->tok.text->text) : NULL;
@@ -136,8 +136,8 @@ static const char *find_unit_synonym(Parser *p, AppMeasure of)
     return NULL;
 }
 
-// `every` takes a time and `at` a frequency. If the unit after the number belongs to the other keyword, returns the line written with
-// that one; else NULL.
+// `every` takes a time and `at` a frequency. If the unit u after the number fits the other keyword, returns the line with that keyword;
+// else NULL. `example` begins with the keyword that was written.
 static const char *format_other_rate(Parser *p, const Unit *u, Span number, const char *example)
 {
     const char *word = NULL;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses the pins of a .io (config.md 9): each has a direction, a number and an element, in which line ends count as spaces.
+// Parses the pins of a .io (config.md 9). A pin has a direction, a number, an element and annotations; it can continue on further lines.
 #include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
 
@@ -11,7 +11,7 @@ void parser_report_pin_section(Parser *p, const AstSection *s)
     const char *near = str_nearest(s->name->text, sections, 2);
     Diag *d;
 
-    if (s->name->len == 0)                    // the lexer has reported what is wrong with it
+    if (s->name->len == 0)                    // the lexer has reported the malformed header
         return;
     d = parser_report(p, DIAG_pin_section, s->header, s->name->text);
     if (near)
@@ -25,10 +25,10 @@ static bool is_direction(const Token *t)
     return t->kind == TOK_NAME && t->text->len == 1 && (t->text->text[0] == 'i' || t->text->text[0] == 'o');
 }
 
-// Whether a pin begins at the current token, wherever it is on its line.
+// Whether a pin begins at the current token, which need not be the first on its line.
 static bool is_at_pin(const Parser *p) { return is_direction(&p->tok) && p->ahead.kind == TOK_NUMBER; }
 
-// Reports that the current pin begins with another word. Returns true if a number follows anyway; it is then the current token.
+// Reports that the current pin does not begin with a direction. Returns true if a number follows; the number is then the current token.
 static bool recover_direction(Parser *p, AstPin *pin)
 {
     const char *guess = p->tok.kind == TOK_NAME ? hint_find_synonym(HINT_DIRECTIONS, p->tok.text->text) : NULL;

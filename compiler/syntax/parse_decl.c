@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses lists of declarations and of options, in which line ends count as spaces.
+// Parses lists of declarations and of options. A declaration or option can continue on further lines.
 #include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
 
@@ -20,7 +20,7 @@ static void report_unknown_type(Parser *p)
         diag_label(p->diags, d, DIAG_label_did_you_mean, near);
 }
 
-// Reports text that is not a type where a declaration should begin. Returns true if a name follows anyway.
+// Reports text that is not a type where a declaration should begin. Returns true if a name follows, so that parsing can continue.
 static bool recover_type(Parser *p, const AstSection *s)
 {
     if (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NAME && !p->ahead.first) {
@@ -93,7 +93,7 @@ static bool ends_decl(const Parser *p, const AstSection *s, const AstDecl *d)
     return p->tok.kind == TOK_TYPE && (s->kind != AST_LOCAL || d->annotations.n > 0 || p->last.kind == TOK_ANNOTATION);
 }
 
-// Reports further text after a declaration.
+// Reports text that follows declaration d and does not belong to it.
 static void report_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
 {
     if (hint_explain(p, HINT_AT_DECL_END, NULL) != HINT_NONE)
@@ -103,7 +103,7 @@ static void report_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
     else if (p->tok.kind == TOK_COMMA)
         parser_fail(p, DIAG_decl_comma, parser_token_span(p));
     else if (p->tok.kind == TOK_NAME && s->kind != AST_LOCAL && p->ahead.kind == TOK_NAME && !p->ahead.first)
-        return;                                    // probably a declaration whose type is misspelt: its turn is next
+        return;                                    // probably a declaration whose type is misspelt: parsed next
     else if (s->kind != AST_LOCAL && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_LPAREN || p->tok.kind == TOK_MINUS))
         hint_explain(p, HINT_AT_ELEMENT_END, NULL);
     else

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses expressions by precedence climbing over operators.def. A loop handles operators of one level. Only parentheses, calls, prefix
-// operators and tighter levels recurse, and p->depth bounds that.
+// Parses expressions by precedence climbing over operators.def. A loop handles operators of one precedence. Only parentheses, calls, prefix
+// operators and operators of higher precedence recurse, and p->depth bounds the recursion.
 #include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
 
@@ -33,7 +33,7 @@ static AstExpr *report_too_deep(Parser *p, Span span)
     return new_error_expr(p);
 }
 
-// Sets the depth of `e`, whose operand is `a`; returns an error node instead if the depth exceeds the limit.
+// Increases the depth of `e` for its operand `a`, and returns `e`; returns an error node if the depth exceeds the limit.
 static AstExpr *check_depth(Parser *p, AstExpr *e, const AstExpr *a)
 {
     if (a->depth >= e->depth)
@@ -43,7 +43,7 @@ static AstExpr *check_depth(Parser *p, AstExpr *e, const AstExpr *a)
     return report_too_deep(p, ast_op_span(e));
 }
 
-// Counts one level of recursion; reports an error and returns false if there are too many.
+// Counts one level of recursion in p->depth; reports an error and returns false if there are too many levels.
 static bool enter_recursion(Parser *p)
 {
     if (p->depth < AST_DEPTH_MAX) {
@@ -134,7 +134,7 @@ static AstExpr *parse_call(Parser *p)
     }
     expect_close(p, open);
     e->span = parser_span_since(p, e->span.at);
-    if (p->failed)                                     // the intended number of arguments is unknown
+    if (p->failed)                                     // an error node, because the intended number of arguments is unknown
         e->kind = AST_ERROR;
     if (e->depth <= AST_DEPTH_MAX)
         return e;
@@ -159,7 +159,7 @@ static AstExpr *parse_missing_value(Parser *p)
 {
     AstExpr *e = new_error_expr(p);
 
-    if (p->tok.kind == TOK_ERROR)                      // the lexer has reported it: continue as if it were a value
+    if (p->tok.kind == TOK_ERROR)                      // the lexer has reported the token: treat it as a value
         parser_advance(p);
     else
         hint_explain(p, HINT_AT_VALUE, NULL);

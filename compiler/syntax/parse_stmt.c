@@ -24,7 +24,7 @@ static bool in_script(const Parser *p) { return p->kind == FILE_SS; }
 
 static void parse_braces(Parser *p, AstStmts *into, Span *span);
 
-// After an error: skips to the next statement. Blocks in braces are parsed on the way, so that their } is not reported as stray.
+// After an error: skips to the next statement. Parses blocks in braces on the way, so that their } is not reported as unmatched.
 static void recover_statement(Parser *p)
 {
     AstStmts ignored = {0};
@@ -44,7 +44,7 @@ static void recover_statement(Parser *p)
     p->failed = false;
 }
 
-// Reports text after a statement on its line, and skips what a failed statement left.
+// Reports text after a statement on its line. After an error in the statement, skips the rest of the statement.
 static void finish_statement(Parser *p)
 {
     if (!p->failed && !parser_at_end_of_statement(p))
@@ -66,12 +66,12 @@ static void report_allow_of_nothing(Parser *p, const AstStmts *list)
         parser_report(p, DIAG_allow_of_nothing, last->span);
 }
 
-enum { ITEMS_AT_ONCE = 256 };         // items of a script that are in memory when a visitor receives them
+enum { ITEMS_AT_ONCE = 256 };         // how many items of a script are parsed before the visitor receives them
 
 void parse_block(Parser *p, AstStmts *into)
 {
     bool lost_body = p->lost_body;
-    bool claimed;                               // a condition that was already reported should have had this statement
+    bool claimed;                               // the statement probably belongs to a condition that is already reported
     size_t errors;
     uint32_t at;
 
@@ -90,7 +90,7 @@ void parse_block(Parser *p, AstStmts *into)
         if (p->nesting && into->n && into->at[into->n - 1]->kind == AST_STOP)
             parser_report(p, DIAG_after_stop, parser_token_span(p));
         parse_statement(p, into);
-        if (p->tok.at == at)                    // no token was consumed: the token begins no statement
+        if (p->tok.at == at)                    // the token begins no statement: skip it
             parser_advance(p);
         finish_statement(p);
         claimed = at < p->lex.hinted || at < p->indented;
@@ -121,7 +121,7 @@ static void parse_braces(Parser *p, AstStmts *into, Span *span)
     *span = parser_span_since(p, open.at);
 }
 
-// Enters one nesting level. If a file is nested too deeply, the rest of it is not read.
+// Enters one nesting level. If there are too many levels, reports that, ends parsing of the file, and returns false.
 static bool enter_nesting(Parser *p)
 {
     if (++p->nesting <= AST_DEPTH_MAX)
@@ -159,7 +159,7 @@ static void parse_if(Parser *p, AstStmts *into, AstExpr *guard);
 static void parse_assignment(Parser *p, AstStmts *into)
 {
     AstStmt *s = add_stmt(p, AST_ASSIGN, into);
-    bool after_colon = p->last.kind == TOK_COLON;        // x = 1: y = 2 is two statements there
+    bool after_colon = p->last.kind == TOK_COLON;        // after a colon, `x = 1: y = 2` is two statements
 
     s->name = p->tok.text;
     s->name_span = s->span;
@@ -222,7 +222,7 @@ static void parse_annotated(Parser *p, AstStmts *into)
 
 // ---- @allow ----
 
-// Parses the @allow annotations at the current token; the statement that they cover can follow on their line.
+// Parses the @allow annotations at the current token. The statement that they cover can follow on the same line.
 static void parse_allows(Parser *p, AstStmts *into)
 {
     while (parser_is_allow(&p->tok) && !p->failed) {
@@ -239,7 +239,7 @@ static void parse_allows(Parser *p, AstStmts *into)
 
 // ---- conditionals ----
 
-// After an error in the guard: skips to the token that closes it, so that its statements still belong to it.
+// After an error in a guard: skips to the : or { after it, so that its statements are still parsed as its body.
 static void recover_guard(Parser *p)
 {
     while (!parser_at_end_of_block(p) && p->tok.kind != TOK_COLON && p->tok.kind != TOK_LBRACE && !p->tok.first)
@@ -264,7 +264,7 @@ static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *
     if (p->tok.first || p->tok.kind == TOK_ASSIGN || p->tok.kind == TOK_ELSE || parser_at_end_of_block(p)) {
         const bool lines_below = p->tok.first && !parser_at_end_of_block(p) && p->tok.kind != TOK_ELSE;
         hint_explain(p, HINT_AFTER_COLON, s->arms->has_else ? NULL : s->value);
-        if (lines_below)                      // most likely the statement is there
+        if (lines_below)                      // the body is probably on the next line
             parse_statement(p, into);
         p->lost_body = true;
     } else {
@@ -274,18 +274,18 @@ static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *
     *span = parser_span_since(p, into->n ? into->at[0]->span.at : colon.at);
 }
 
-// Reports a value, or a guard after `if`, that has no body.
+// Reports an expression that is neither a statement nor, because it has no body, a guard. With `if` before it, reports the missing body.
 static void report_lone_value(Parser *p, AstExpr *e)
 {
     if (p->has_if)
         diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p)), DIAG_label_insert_braces);
     else if (p->kind == FILE_SM && (e->kind == AST_NAME || e->kind == AST_CALL))
-        e->alone = true;                      // the checker knows what is declared, and reports it
+        e->alone = true;                      // the checker, which knows the declarations, reports it
     else
         hint_explain(p, HINT_AT_LONE_VALUE, e);
 }
 
-// Parses the body of a guard, or of `else`, that neither : nor { follows: reports that, and reads a statement on the same line as the body.
+// Called if neither : nor { follows a guard or an `else`: reports that, and parses a statement on the same line as the body.
 static void parse_bare_body(Parser *p, const AstStmt *s, AstStmts *into)
 {
     if (p->failed)
@@ -349,7 +349,7 @@ static AstStmt *parse_else(Parser *p, AstStmt *s)
     return NULL;
 }
 
-// Parses the guard, the body and every `else if`. They nest in the tree, hence the count.
+// Parses the guard, the body and every `else if` of a conditional. Each `else if` is one level deeper in the tree, so it counts as nesting.
 static void parse_branches(Parser *p, AstStmt *s)
 {
     for (bool chained = false; s; chained = true) {
@@ -375,7 +375,7 @@ static void parse_branches(Parser *p, AstStmt *s)
     }
 }
 
-// Parses a conditional. `guard`: its guard, if that has been parsed already; else NULL.
+// Parses a conditional. `guard`: the guard, if it has already been parsed; else NULL.
 static void parse_if(Parser *p, AstStmts *into, AstExpr *guard)
 {
     unsigned nesting = p->nesting;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Declarations shared by the files of the parser. parse.c: files, sections, blocks; parse_decl.c: declarations and options;
-// parse_annotation.c: annotations; parse_config.c: pins; parse_stmt.c: statements; parse_expr.c: expressions. They contain the grammar
-// alone: what the user meant where it is violated is found by hints.h.
-// An error is reported once: p->failed then silences everything up to the next statement, where it is cleared.
+// parse_annotation.c: annotations; parse_config.c: pins; parse_stmt.c: statements; parse_expr.c: expressions. These files contain only the
+// grammar. Where the source violates it, hints.h finds what the user meant.
+// Errors that follow from a reported error are not reported: parser_fail sets p->failed, which silences reports up to the next statement.
 #ifndef SMC_PARSER_H
 #define SMC_PARSER_H
 
@@ -14,7 +14,7 @@
 
 typedef struct Parser {
     Lexer lex;
-    Token tok, ahead;             // the next token and the one after it
+    Token tok, ahead;             // the next token (the current one, in comments), and the one after it
     Token last;                   // the last token consumed
     Arena *arena;
     StrPool *strings;
@@ -22,68 +22,69 @@ typedef struct Parser {
     FileKind kind;
     const ScriptVisitor *visitor; // receives the items of a script; NULL: they become part of the tree
     AstStmts *visited;            // the items of the current section that the visitor has not received; NULL: there is no visitor
-    bool failed;                  // reports are dropped until the next statement
+    bool failed;                  // an error was reported: further reports are dropped until the next statement
     bool lost_body;               // in this block a conditional lost statements, so its `else` will look misplaced
     bool stopped;                 // parsing was abandoned: every further token is TOK_END, and nothing more is reported
     unsigned braces;              // number of open braces
     bool reported_unguarded;          // SS: this section's unguarded items have been reported
     unsigned nesting;             // number of conditionals around the current position
-    unsigned depth;               // of recursion in the current expression
-    unsigned parens;              // number of open parentheses there; inside them line ends count as spaces
+    unsigned depth;               // depth of the recursion in the current expression
+    unsigned parens;              // open parentheses in the current expression; inside them line ends count as spaces
     bool has_if;                  // the current condition begins with `if`
 
     // For the hints.
     HintIndex hints;
-    bool is_guard;                // the current expression is a condition: an = in it was meant as ==
-    Span assign_operator; // of the last assignment
-    AstAnnotationTarget pin_target;           // of the current pin: its section and direction
-    uint32_t indented;            // lines before this position belong to a condition whose braces are missing
+    bool is_guard;                // the current expression is a condition, in which the user means == by =
+    Span assign_operator;         // the operator of the last assignment
+    AstAnnotationTarget pin_target;   // the kind of the current pin: from its section and direction
+    uint32_t indented;            // lines before this position belong to a condition whose missing braces are reported
 } Parser;
 
 // ---- tokens ----
 
 void parser_advance(Parser *p);
-void parser_stop(Parser *p);                            // stops reading and reporting
+void parser_stop(Parser *p);                            // ends parsing: every further token is TOK_END, and nothing is reported
 Span parser_span(const Parser *p, const Token *t);
-Span parser_token_span(const Parser *p);                // of the next token
-Span parser_gap_span(const Parser *p);                       // directly after the last token
+Span parser_token_span(const Parser *p);                // position of the next token
+Span parser_gap_span(const Parser *p);                       // the empty position directly after the last token
 Span parser_missing_span(const Parser *p);             // the next token, or the end of the line before it
 Span parser_span_since(const Parser *p, uint32_t at);        // from `at` to the end of the last token
 bool parser_at_end_of_statement(const Parser *p);
-bool parser_at_end_of_block(const Parser *p);           // } label header end
+bool parser_at_end_of_block(const Parser *p);           // whether the next token is }, a label, a header or the end
 
 // ---- diagnostics ----
 
 // Like diag_report, but does nothing while p->failed is set.
 Diag *parser_report(Parser *p, DiagCode code, Span span, ...);
-// The same, and sets p->failed.
+// Reports like parser_report, and sets p->failed.
 Diag *parser_fail(Parser *p, DiagCode code, Span span, ...);
 const char *parser_text(const Parser *p, Span span);    // the source text, cut to a readable length
 // Describes a token for a diagnostic: "'>='", "the end of the line", "the section [Idle]".
 const char *parser_describe(const Parser *p, const Token *t);
 const char *parser_describe_found(const Parser *p);              // describes the next token, or the end of the line before it
-// Labels the current annotation, which is unknown, with the nearest one allowed here. If none is near, the label lists all of them.
+// Labels d, which reports that the current annotation is unknown, with the most similar of the n annotations in `here`, which are allowed
+// at this position. If none is similar, the label lists all of them.
 void parser_label_annotations(Parser *p, Diag *d, const char *const *here, size_t n);
 
 // ---- grammar ----
 
-AstExpr *parse_expr(Parser *p, bool is_guard);          // begins with the next token, on whatever line
-AstExpr *parse_value_of(Parser *p, bool is_guard);      // the same, but must begin on this line
+AstExpr *parse_expr(Parser *p, bool is_guard);          // parses an expression from the next token on, on this line or a later one
+AstExpr *parse_value_of(Parser *p, bool is_guard);      // parses an expression that must begin on this line
 void parse_block(Parser *p, AstStmts *into);            // statements up to }, a label, a header or the end
 void parser_visit_items(Parser *p);                     // passes the parsed items to the visitor, and frees them
 void parse_decls(Parser *p, AstSection *s);
 void parse_options(Parser *p, AstSection *s);
-// Parses all annotations that follow; `owner` is the name of what they annotate.
+// Parses all annotations that follow; `owner` is the name of the annotated declaration, state or pin's element.
 void parse_annotations(Parser *p, AstAnnotationTarget target, Str owner, Span owner_span, AstAnnotations *into);
 bool parse_signed_number(Parser *p, AstNumber *into);   // a number with or without a sign; false: none found
 void parse_pins(Parser *p, AstSection *s);
 void parser_report_pin_section(Parser *p, const AstSection *s);
 bool parser_is_allow(const Token *t);
 const AstAnnotation *parse_allow(Parser *p);            // an @allow before a statement; NULL if it reported an error
-void parser_report_annotation_before_decl(Parser *p);                 // reports the current annotation, where a declaration should begin
-void parser_report_annotation_in_block(Parser *p);                    // the same, where a statement should begin
-void parse_app_section(Parser *p, struct AstApp *app);  // at its header
-void parser_skip_section(Parser *p);                           // to the next line that begins with a header; does not even read tokens
-void parser_skip_line(Parser *p);                              // to the next line, header or the end
+void parser_report_annotation_before_decl(Parser *p);                 // reports an annotation where a declaration should begin
+void parser_report_annotation_in_block(Parser *p);                    // reports an annotation where a statement should begin
+void parse_app_section(Parser *p, struct AstApp *app);  // the next token is the section's header
+void parser_skip_section(Parser *p);                           // skips to the next line that begins with a header, without reading tokens
+void parser_skip_line(Parser *p);                              // skips to the next line, header or the end of the file
 
 #endif
