@@ -26,7 +26,7 @@ static uint32_t rotate_right_1(uint32_t x) { return x >> 1 | x << 31; }
 static uint32_t rotate_left_8(uint32_t x) { return x << 8 | x >> 24; }
 static uint32_t rotate_left_16(uint32_t x) { return x << 16 | x >> 16; }
 
-// The permutation of Chaskey: ROUNDS rounds.
+// Applies the permutation of Chaskey, ROUNDS rounds, to v.
 static void permute(uint32_t *v)
 {
     for (uint8_t i = 0; i < ROUNDS; i++) {

@@ -22,7 +22,7 @@ enum { SMVM_KEY = 16, SMVM_CODE = 16, SMVM_AUTH = 8 + SMVM_CODE };     // bytes 
 typedef struct SmvmAuth { uint32_t number, mark; } SmvmAuth;
 bool smvm_auth_read(SmvmBytes image, SmvmAuth *auth);
 
-// The mark of a key: the first four bytes of its code for empty input.
+// Returns the mark of a key: the first four bytes of its code for empty input.
 uint32_t smvm_auth_mark(const uint8_t *key);
 
 // Checks an image's code with this key.  If the image has an AUTH section, sets *number to its number.  Returns whether the code is

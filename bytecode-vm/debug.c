@@ -51,7 +51,7 @@ uint32_t smvm_copy_state_name(const SmvmMachine *m, uint32_t state, char *to, ui
 uint32_t smvm_verdict_size(void) { return sizeof(SmvmVerdict); }
 uint32_t smvm_machine_size(void) { return sizeof(SmvmMachine); }
 
-// The offset of the table of variables in the section.
+// Returns the offset of the table of variables in the section.
 static uint32_t variables_offset(const SmvmMachine *m) { return 3 * (SMVM_DEBUG_NUMBERS + m->states); }
 
 uint32_t smvm_variables(const SmvmMachine *m)

@@ -44,7 +44,7 @@ typedef struct DecodeState {
 typedef struct StoreTarget {
     DecodedValue to;
     bool output;              // `to` is an output; otherwise a local
-    uint32_t index;           // of an output: its number, counted from 0
+    uint32_t index;           // if `to` is an output: its number, counted from 0
 } StoreTarget;
 
 // ---- values ----

@@ -2,7 +2,7 @@
 // Jumps in the decoded form, together with their comparisons.  A condition is a sum of relations of x to y: SMVM_LESS and so on.
 #include "bytecode-vm/decode.h"
 
-// The relations of y to x for which x is in one of the relations m to y: exchanges SMVM_LESS and SMVM_GREATER.
+// Returns the relations of y to x for which x is in one of the relations m to y: exchanges SMVM_LESS and SMVM_GREATER.
 static unsigned mirror_relation(unsigned m) { return (m & (SMVM_EQUAL | SMVM_UNORDERED)) | (m & SMVM_LESS) << 2 | (m & SMVM_GREATER) >> 2; }
 
 static unsigned relation_between(SmF64 x, SmF64 y)

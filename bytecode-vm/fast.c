@@ -114,7 +114,7 @@ static inline bool is_related(unsigned m, SmF64 x, SmF64 y)
     return (m & (is != 0 ? is : (unsigned)SMVM_UNORDERED)) != 0;
 }
 
-// Not inlined: sm_sqrt is long.
+// A function that is not inlined, because sm_sqrt is long.
 static SmF64 compute_sqrt(SmF64 x) { return sm_sqrt(x); }
 
 // ---- execution: each instruction jumps directly to the next, or through a switch if C has no computed goto ----

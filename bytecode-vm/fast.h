@@ -146,9 +146,9 @@ typedef union SmvmWord {
 struct SmvmDecoded {
     SmVm *vm;
     void *sv;                 // the state vector that addresses in the code point into
-    const void *g;            // its elements G and S
-    void *s;
-    SmvmParts parts;          // of the machine's memory
+    const void *g;            // element G of that vector
+    void *s;                  // element S
+    SmvmParts parts;          // the parts of the machine's memory
     uint64_t t;               // T, updated at the start of each step: instructions read it as an operand in memory
     SmvmWord *code;           // the sample function first
     const SmvmWord **body;    // two for each state: where the code of its later steps starts, and that of its first step
@@ -156,7 +156,7 @@ struct SmvmDecoded {
     bool samples;             // a step begins at the second word of the code: it clears stored bits, runs the sample function, or both
 };
 
-// The address of the code of each FastOp, or NULL if the code contains its number instead.
+// Returns the address of the code of each FastOp, or NULL if the code contains its number instead.
 const void *const *smvm_fast_labels(void);
 
 #endif

@@ -21,7 +21,7 @@
 #endif
 
 static inline uint64_t *window_words(const SmvmWord *w) { return (uint64_t *)w->p; }
-// The number of slots of a window; the decoder has selected the instruction for windows of at most `most` slots.
+// Returns the number of slots of a window; the decoder has selected the instruction for windows of at most `most` slots.
 static inline uint32_t window_size(const SmvmWord *w, uint32_t most)
 {
     const uint32_t n = (uint32_t)w[1].u;

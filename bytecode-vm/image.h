@@ -100,7 +100,7 @@ void smvm_read_bits(SmvmBytes image, SmvmAt at, void *to, uint8_t bytes);
 
 static inline uint32_t smvm_u24(SmvmBytes image, SmvmAt at) { return smvm_uint(image, at, 3); }
 
-// The bits of a value of `bytes` bytes.
+// Returns the bits of the value of `bytes` bytes at this offset of the image.
 static inline uint64_t smvm_cell(SmvmBytes image, SmvmAt at, uint8_t bytes)
 {
     uint64_t v;
@@ -200,7 +200,7 @@ typedef struct SmvmParts {
     uint32_t stored_bytes;
 } SmvmParts;
 
-// The pointers to the windows directly follow SmVm.
+// Returns the array of pointers to the windows, which directly follows SmVm in memory.
 static inline uint64_t **smvm_windows_of(SmVm *vm) { return (uint64_t **)(void *)((uint8_t *)vm + (sizeof *vm + 7) / 8 * 8); }
 SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m);
 
@@ -211,11 +211,11 @@ static inline uint32_t smvm_window(SmvmBytes image, SmvmAt windows_at, SmvmAt w)
     return smvm_uint(image, (SmvmAt)(windows_at + w * SMVM_WINDOW_ENTRY), SMVM_WINDOW_ENTRY);
 }
 
-// The parts of an entry.  (The kind has 16 bits because that code is shorter on an 8-bit computer.)
+// These return the parts of an entry of the table of windows.  (The kind has 16 bits because the code is then shorter on an 8-bit computer.)
 static inline uint32_t smvm_window_size(uint32_t entry) { return entry & SMVM_WINDOW_SIZE_MASK; }
 static inline uint16_t smvm_window_kind(uint32_t entry) { return (uint16_t)((uint16_t)(entry >> 16) >> (SMVM_WINDOW_SIZE_BITS - 16)); }
 
-// The end of function `index`, as an offset in the code.  Function 0 is the sample function; 1 + 3 * (s - 1) + b is block b of state s.
+// Returns the end of function `index`, as an offset in the code.  Function 0 is the sample function; 1 + 3 * (s - 1) + b is block b of state s.
 // A function starts where the previous one ends.
 static inline SmvmAt smvm_function_end(const SmvmMachine *m, SmvmAt index)
 {

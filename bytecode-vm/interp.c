@@ -110,14 +110,14 @@ SMVM_INLINE SmvmBytes skip_varint(SmvmBytes at, uint8_t b)      // skips the oth
 }
 
 #if SMVM_SPECIALIZE
-// The little-endian number at `at`: compilers turn the sum into one load.
+// Returns the little-endian number at `at`: compilers turn the sum into one load.
 SMVM_INLINE uint32_t fetch_u32(SmvmBytes at)
 {
     return fetch_byte(at) | (uint32_t)fetch_byte(at + 1) << 8 | (uint32_t)fetch_byte(at + 2) << 16 | (uint32_t)fetch_byte(at + 3) << 24;
 }
 #endif
 
-// The bits of entry n of a table in the image, whose entries have 4 or 8 bytes.
+// Returns the bits of entry n of a table in the image, whose entries have 4 or 8 bytes.
 SMVM_INLINE uint64_t read_entry(const Interpreter *r, SmvmAt table, uint32_t n, uint8_t bytes)
 {
     const SmvmAt offset = (SmvmAt)(table + bytes * (SmvmAt)n);

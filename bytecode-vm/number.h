@@ -194,7 +194,7 @@ SMVM_NOINLINE static uint8_t number_relation(const Number *x, const Number *y)
     return number_integer_relation(x->as.whole, y->as.whole);
 }
 
-// The relation of x, which is real, to n.
+// Returns the relation of x, which must be stored as an F64, to n.
 SMVM_NOINLINE static uint8_t number_real_relation_to(const Number *x, int32_t n)
 {
     return sm_soft_relation(sm_bits(x->as.real), sm_bits(sm_from_i32(n)));

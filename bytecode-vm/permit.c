@@ -4,7 +4,7 @@
 
 #include "bytecode-vm/image.h"
 
-enum { LENGTH_AT = 2 };                // of the image, in BEGIN
+enum { LENGTH_AT = 2 };                // offset of the image's length in the body of BEGIN
 
 static uint32_t load(const uint8_t *at, uint8_t bytes)
 {

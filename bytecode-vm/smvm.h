@@ -66,9 +66,9 @@ typedef struct SmvmReader {
 // The properties of a machine, and the offsets of its parts from the start of the image (fields with _at).
 typedef struct SmvmMachine {
     SmvmAt sv_size;           // bytes of the machine's state vector in memory
-    SmvmAt from, to;          // the machine accesses bytes from … to - 1 of it only; both are multiples of 8
-    SmvmAt windows, f32s, f64s;       // the number of each
-    SmvmAt states;            // numbered from 1
+    SmvmAt from, to;          // the machine accesses only bytes from … to - 1 of the state vector; both are multiples of 8
+    SmvmAt windows, f32s, f64s;       // numbers of windows, F32 constants and F64 constants
+    SmvmAt states;            // number of states; they are numbered from 1
     // The fields from here to width match the layout of SmvmTables, except for locals and outputs.  locals: bytes of locals and of
     // intermediate results.  outputs: the number of elements that the machine can store, besides S.
     SmvmAt windows_at, outputs_at, functions_at, f32s_at, f64s_at;
@@ -104,13 +104,13 @@ SmvmLocation smvm_output(const SmvmMachine *m, uint32_t output);      // counted
 // A pin that an image describes (config.md 9).  The values of kind and flags are those of runtime-c/io.h.
 typedef struct SmvmPin {
     uint8_t kind;             // bit 0: an output; bit 1: digital
-    uint8_t type;             // of the element
+    uint8_t type;             // type of the pin's element (SmType)
     uint8_t flags;            // 1 inverted, 2 pulled up, 4 pulled down
     uint8_t hold;             // inputs: for how many steps the last measurement remains valid
     uint32_t pin;             // 0 to 65535
-    SmvmAt offset;            // of the element in the state vector
+    SmvmAt offset;            // offset of the element in the state vector, in bytes
     SmF64 scale, zero;        // analog: element = volts * scale + zero
-    SmF64 safe;               // outputs
+    SmF64 safe;               // outputs: the safe value
 } SmvmPin;
 
 // A function of the board: returns the number of the chip's pin that pin `number` of an image uses, so two pins with the same result are the
@@ -125,7 +125,7 @@ static inline uint8_t smvm_pin_kind(const SmvmPin *p) { return (uint8_t)(p->kind
 typedef struct SmvmPins {
     SmvmReader in;
     uint32_t layout;          // layout hash of the state vector that the pins belong to
-    SmvmAt sv_size;           // of that state vector, in units of 8 bytes; at most the largest SmvmAt / 8
+    SmvmAt sv_size;           // size of that state vector, in units of 8 bytes; at most the largest SmvmAt / 8
     SmvmAt left;              // the number of pins not read yet
 } SmvmPins;
 

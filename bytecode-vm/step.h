@@ -29,7 +29,7 @@ static inline void smvm_enter(SmVm *vm, void *s)
     }
 }
 
-// The value that a RAW local stores for x.  Every NaN becomes one fixed NaN: which NaN an operation on two NaNs returns depends on the
+// Returns the value that a RAW local stores for x.  Every NaN becomes one fixed NaN: which NaN an operation on two NaNs returns depends on the
 // C compiler, and code that reads the local as another type could see the difference.
 static inline SmF64 smvm_raw(SmF64 x) { return sm_is_nan(x) ? sm_from_bits(UINT64_C(0x7ff8000000000000)) : x; }
 

@@ -73,7 +73,7 @@ typedef struct Verifier {
     uint8_t stat;             // the statistic that the current instruction reads
     uint8_t defined;          // the registers that contain a number: HAS_X, HAS_Y
     bool is_ended;            // control cannot continue after the last instruction
-    uint8_t kind;             // of the function: SmvmFunctionKind
+    uint8_t kind;             // kind of the current function (SmvmFunctionKind)
     SmvmMachine m;
     LongestPath longest;
 } Verifier;

@@ -44,7 +44,7 @@ void sm_event(SmEvents *e, const SmEvent *event)
     unlock_ring(e);
 }
 
-// The number of events after a cursor that have been overwritten.
+// Returns the number of events after a cursor that have been overwritten.
 static uint32_t count_overwritten(const SmEvents *e, uint32_t cursor)
 {
     const uint32_t behind = e->next - cursor;

@@ -55,7 +55,7 @@ void sm_event(SmEvents *e, const SmEvent *event);
 // counts are modulo 2^32.
 uint32_t sm_events_read(SmEvents *e, uint32_t *cursor, SmEvent *out, uint32_t n, uint32_t *lost);
 
-// The name of a kind ("STATE", …), or "" for an unknown number.
+// Returns the name of a kind ("STATE", …), or "" for an unknown number.
 const char *sm_event_name(uint8_t kind);
 
 #ifdef __cplusplus

@@ -174,7 +174,7 @@ static void run_due_groups(const SmExecutor *e, const SmTick *tick)
     }
 }
 
-// The time from a to b; 0 if b is before a.
+// Returns the time from a to b; 0 if b is before a.
 static uint64_t time_between(uint64_t a, uint64_t b)
 {
     return (int64_t)(b - a) > 0 ? b - a : 0;

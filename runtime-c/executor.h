@@ -48,7 +48,7 @@ typedef struct SmExecutor {
     uint64_t period;          // nanoseconds between ticks
     const SmRate *rate;
     uint16_t rates;
-    uint8_t priority;         // of its thread (pal/thread.h); 0: not real-time
+    uint8_t priority;         // priority of its thread (pal/thread.h); 0: not real-time
     SmOverrun overrun;
     uint32_t most;            // for SM_CATCH_UP: largest number of ticks to run late
     SmStateVec *sv;
@@ -56,7 +56,7 @@ typedef struct SmExecutor {
     const SmElement *time;    // G, a U64; or NULL
     uint64_t unit;            // nanoseconds per unit of G
     SmVitals vitals;
-    uint16_t number;          // of the executor in its application: SmEvent.source
+    uint16_t number;          // number of the executor in its application, for SmEvent.source
     // The fields below belong to the runtime; initially all zero.
     uint64_t start;           // PAL clock time at which tick 0 is due
     uint64_t base;            // value of G before the first tick
@@ -87,7 +87,7 @@ SmResult sm_executor_init(SmExecutor *e, const SmTask **failed);
 // Sets the PAL clock time at which tick 0 is due.
 void sm_executor_start(SmExecutor *e, uint64_t at);
 
-// The PAL clock time at which the next tick is due.
+// Returns the PAL clock time at which the next tick is due.
 uint64_t sm_executor_due(const SmExecutor *e);
 
 // Runs the next tick immediately, and determines which tick follows it.

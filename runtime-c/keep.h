@@ -24,7 +24,7 @@ typedef struct SmKeep {
     uint32_t number;          // sequence number of the newest slot
     uint8_t waiting, writing; // the half of `buffer`, 1 or 2, that waits to be written, and that is being written; 0: none
     uint32_t taken, written, replaced;    // number of snapshots taken, written, and replaced by a later one before being written
-    SmResult result;          // of the last access to the medium
+    SmResult result;          // result of the last access to the medium
     bool restored;
     bool unusable;            // there was a slot, but it is damaged or of another layout
 } SmKeep;

@@ -19,7 +19,7 @@ extern "C" {
 typedef struct SmLog {
     const char *file;         // name of the file, for pal_log_open
     SmStateVec *sv;
-    const SmNames *names;     // of sv
+    const SmNames *names;     // names of the elements and regions of sv
     SmEvents *events;         // or NULL
     const SmMachine *const *machine;      // machines whose state names the log describes
     uint16_t machines;
@@ -27,14 +27,14 @@ typedef struct SmLog {
     uint32_t room;
     const char *const *task;  // names of the tasks by number, for the readers of events; or NULL
     uint16_t tasks;
-    const char *const *executor;          // likewise for the executors
+    const char *const *executor;          // names of the executors by number; or NULL
     uint16_t executors;
     // The fields below belong to the runtime; initially all zero.
     PalLogFile out;
     PalLock lock;             // protects head, end and tail
     uint32_t head, end;       // of the step: position of the next block; end of the last block before the ring wrapped around
     uint32_t tail, checksummed;    // of the drain: start of what is not yet being written; end of the blocks that have their checksum
-    uint32_t cursor;          // of the event ring
+    uint32_t cursor;          // the log's cursor in the event ring
     uint32_t dropped, lost;   // totals: records dropped for lack of space, events overwritten before the step read them
     uint32_t dropped_reported, lost_reported;  // parts of these totals that the log already reports
     uint64_t start;           // size of the file in bytes before this session
@@ -43,7 +43,7 @@ typedef struct SmLog {
     uint32_t description_done, description_size;  // bytes of the description that are written; its total size.  Both 0: not begun
     uint64_t synced_at;       // PAL clock time of the last sync
     bool unsynced;
-    SmResult result;          // of the last access to the medium
+    SmResult result;          // result of the last access to the medium
 } SmLog;
 
 // Sizes in bytes: the overhead of a block; a record; the smallest ring, in which one record fits wherever the free space begins.

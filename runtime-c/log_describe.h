@@ -11,7 +11,7 @@ uint32_t sm_log_description_size(const SmLog *log);
 // Fills `out` with up to `room` bytes of a block of `size` bytes, from byte `from` on, and returns the number of bytes.
 uint32_t sm_log_describe(const SmLog *log, uint32_t size, uint32_t from, uint8_t *out, uint32_t room);
 
-// The CRC of the session's identity, not finalised.  The CRCs of the session's other blocks continue from it.
+// Returns the CRC of the session's identity, not finalised.  The CRCs of the session's other blocks continue from it.
 uint32_t sm_log_identity(const SmLog *log);
 
 #endif

@@ -32,7 +32,7 @@ typedef struct SmMachine {
     uint32_t initial;         // the initial state; 0: the first
     bool resume;              // after a restart with a restored vector, start in the state whose number is in S, if that state exists
     const bool *restored;     // whether the vector was restored; or NULL
-    uint16_t number;          // of the machine in its application: SmEvent.source
+    uint16_t number;          // number of the machine in its application, for SmEvent.source
     // The fields below belong to the runtime; initially all zero.
     uint32_t last_state;      // the state that the next step runs; 0 if init has not succeeded
     uint32_t refused;         // number of refused steps

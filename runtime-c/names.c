@@ -9,7 +9,7 @@ static bool is_same_name(const char *a, const char *b)
     return *a == *b;
 }
 
-// The index of `name` among n names; n if it is not found.
+// Returns the index of `name` among n names; n if it is not found.
 static uint16_t find_name(const char *const *names, uint16_t n, const char *name)
 {
     uint16_t i = 0;

@@ -6,7 +6,7 @@
 
 #include "stdlib/convert.h"
 
-// The address of r; NULL if it is not a region of the vector.  The offsets and counts in the vector's own table are trusted.
+// Returns the address of r; NULL if it is not a region of the vector.  The offsets and counts in the vector's own table are trusted.
 static uint8_t *region_address(const SmStateVec *sv, const SmRegion *r)
 {
     if (!sv || (r != &sv->layout->whole && (uintptr_t)r - (uintptr_t)sv->layout->region >= sv->layout->regions * sizeof *r))

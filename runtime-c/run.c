@@ -21,7 +21,7 @@ static uint64_t shorter_of(uint64_t a, uint64_t b)
     return a < b ? a : b;
 }
 
-// The time from `now` to `then`; 0 if `then` has passed.
+// Returns the time from `now` to `then`; 0 if `then` has passed.
 static uint64_t time_until(uint64_t now, uint64_t then)
 {
     return (int64_t)(then - now) > 0 ? then - now : 0;
@@ -29,13 +29,13 @@ static uint64_t time_until(uint64_t now, uint64_t then)
 
 // ---- the watchdog ----
 
-// The check interval of the watchdog thread.
+// Returns the check interval of the watchdog thread.
 static uint64_t watchdog_check_interval(const SmApp *app)
 {
     return app->watchdog / 8 > PAL_MILLISECOND ? app->watchdog / 8 : PAL_MILLISECOND;
 }
 
-// The number of the next tick of e, from the low 32 bits that the executor's thread publishes.
+// Returns the number of the next tick of e, from the low 32 bits that the executor's thread publishes.
 static uint64_t next_tick_number(const SmExecutor *e)
 {
     return e->next_at_feed + (uint32_t)(sm_shared_read(&e->next_shared) - (uint32_t)e->next_at_feed);
@@ -94,7 +94,7 @@ static void run_tick(SmExecutor *e)
     sm_shared_write(&e->next_shared, (uint32_t)e->next);
 }
 
-// The time, counted from the start, at which e began to wait: its next tick was due, and its last one had ended.
+// Returns the time, counted from the start, at which e began to wait: its next tick was due, and its last one had ended.
 static uint64_t waiting_since(const SmApp *app, const SmExecutor *e)
 {
     const uint64_t due = sm_executor_due(e) - app->start, ended = e->ended - app->start;
@@ -102,7 +102,7 @@ static uint64_t waiting_since(const SmApp *app, const SmExecutor *e)
     return due > ended ? due : ended;
 }
 
-// The executor that began to wait first; of several, the first in the table.
+// Returns the executor that began to wait first; of several, the first in the table.
 static SmExecutor *longest_waiting(const SmApp *app)
 {
     SmExecutor *best = app->executor[0];
@@ -187,7 +187,7 @@ static void watchdog_thread_main(void *of)
     }
 }
 
-// The work of the calling thread while the executors run in their own threads.
+// Writes pending data until the threads of all executors have ended: the work of the calling thread while they run.
 static void write_until_threads_end(SmApp *app)
 {
     while (!sm_app_stopping(app)) {
@@ -242,7 +242,7 @@ static SmResult create_executor_thread(SmApp *app, SmExecutor *e)
     return r;
 }
 
-// The watchdog thread has a higher priority than all executors, because a busy executor is not stuck.
+// Creates the thread that feeds the watchdog.  Its priority is higher than that of all executors, because a busy executor is not stuck.
 static SmResult create_watchdog_thread(SmApp *app)
 {
     PalThreadPlan plan = {"watchdog", 0, 0};

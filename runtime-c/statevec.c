@@ -44,7 +44,7 @@ const uint8_t sm_type_bytes[SM_TYPE_COUNT] = {
 #undef SM_TYPE
 };
 
-// The address of e in memory; NULL if it is not an element of the vector.  The offsets and types in the vector's own table are
+// Returns the address of e in memory; NULL if it is not an element of the vector.  The offsets and types in the vector's own table are
 // trusted.
 static uint8_t *element_address(const SmStateVec *sv, const SmElement *e)
 {

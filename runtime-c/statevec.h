@@ -48,13 +48,13 @@ typedef struct SmElement {
 } SmElement;
 
 typedef struct SmRegion {
-    uint32_t offset, size;    // in memory, in bytes
+    uint32_t offset, size;    // offset and size in memory, in bytes
     uint32_t packed;          // size in wire form: its elements without gaps, little-endian (language.md 4.12)
     uint16_t first, count;    // its elements: from SmLayout.element[first]
 } SmRegion;
 
 typedef struct SmLayout {
-    uint32_t hash;            // of names, types and order; another hash means another .sv
+    uint32_t hash;            // hash of the elements' names, types and order; another hash means another .sv
     uint16_t elements, regions;
     const SmElement *element;
     const SmRegion *region;

@@ -17,7 +17,7 @@ static void emit_event(const SmTask *t, SmEvents *events, const SmTick *tick, Sm
     sm_event(events, &e);
 }
 
-// The mode selected in sv.  If it cannot be read, the mode of the last tick.
+// Returns the mode that element t->mode of sv selects.  If it cannot be read, returns the mode of the last tick.
 static uint8_t read_mode(const SmTask *t, SmStateVec *sv)
 {
     uint8_t mode;
@@ -39,7 +39,7 @@ static void update_mode(SmTask *t, uint8_t mode, SmEvents *events, const SmTick 
     t->last_mode = mode;
 }
 
-// The number of an error in event FAULT: -r, because errors are negative.
+// Returns the number of an error in event FAULT: -r, because errors are negative.
 static uint32_t fault_number(SmResult r)
 {
     return 0u - (uint32_t)(int32_t)r;

@@ -35,13 +35,13 @@ typedef struct SmTask {
     const char *name;
     SmTaskInit *init;         // called once, before the first step of any task; or NULL.  If it fails, the application does not start
     SmTaskStep *step;         // SM_OK or an error, which is counted and emitted as an event; the task is called again regardless
-    SmTaskStep *safe;         // or NULL
+    SmTaskStep *safe;         // called instead of `step` in mode SM_SAFED; or NULL
     void *context;
-    const SmElement *mode;    // of type U8; NULL: always enabled
-    uint16_t number;          // of the task in its application: SmEvent.source
+    const SmElement *mode;    // element of type U8 that selects the mode; NULL: always enabled
+    uint16_t number;          // number of the task in its application, for SmEvent.source
     // The fields below belong to the runtime; initially all zero.
     uint8_t last_mode;        // mode at its last tick
-    SmResult last_result;     // of the last call of step or safe
+    SmResult last_result;     // result of the last call of step or safe
     uint32_t steps, safings, failures;        // number of calls of step, of safe, and of failed calls of both; modulo 2^32
     uint32_t failures_in_row; // consecutive failures, at most UINT32_MAX
 } SmTask;

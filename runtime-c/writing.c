@@ -11,7 +11,7 @@ static SmResult restore_vector(SmApp *app)
     return r;
 }
 
-// If a medium fails, the next call retries.
+// Writes what is pending to the media.  If a medium fails, the next call retries.
 static void write_pending(SmApp *app, uint64_t budget)
 {
     if (app->keep)

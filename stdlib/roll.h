@@ -155,7 +155,7 @@ SM_ROLL_INLINE SmF64 sm_roll_value(uint32_t kind, SmRollKey key)
     return sm_from_f32(f);
 }
 // snippet: sm_roll_shift
-// A sample has 1 << this bytes.
+// Returns the size of a sample as a power of two: it has 1 << result bytes.
 SM_ROLL_INLINE unsigned sm_roll_shift(uint32_t kind)
 {
     const unsigned type = kind & SM_ROLL_TYPE;

@@ -19,7 +19,7 @@
 typedef struct SmRollSmall {
     unsigned char *slot, *sorted;      // sorted: the samples in order; NULL: no median is needed
     size_t n, count, next;             // number of slots, number of samples, slot of the next sample
-    uint8_t type, bytes;               // of a sample: its SmType and size
+    uint8_t type, bytes;               // SmType of a sample, and its size
 } SmRollSmall;
 
 // The index of byte i of a key, where i counts from the least significant byte.

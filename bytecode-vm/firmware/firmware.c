@@ -43,7 +43,7 @@ typedef char firmware_has_no_pin_as_the_vm[AVR_NO_PIN == SMVM_NO_PIN ? 1 : -1];
 #endif
 static PalDio arming;
 
-// A plug to ground keeps the board disarmed.  If it is removed or its wire breaks, the board is armed.
+// Whether the board is armed.  A plug that connects the pin to ground keeps it disarmed; if the plug is removed or its wire breaks, it is armed.
 static bool is_armed(void)
 {
     bool armed = true;
@@ -77,11 +77,11 @@ static uint16_t state[SMVM_RUNNER_MACHINES];           // the state of each mach
 
 static volatile uint16_t ms_left = 1, period = PERIOD;  // ms until the next step, and between steps
 static volatile bool stepping;         // a step is running
-static volatile bool is_paused = true; // no step begins
+static volatile bool is_paused = true; // no step may begin
 static volatile bool is_after_step;    // a step has ended since the last tick
 static bool is_logging;                // the EEPROM write that may_write decides on belongs to the log: no step may wait for it
 static uint16_t skipped;                               // steps that were due while another ran
-static struct { uint32_t low, high; } now_g;           // G in milliseconds, as two halves: a third of the code of a uint64_t with avr-gcc
+static struct { uint32_t low, high; } now_g;           // G in milliseconds.  Two halves, because avr-gcc needs three times the code for a uint64_t
 
 // Converts milliseconds to nanoseconds: multiplies by 125, 125 and 64, byte by byte.  This takes half the flash of gcc's multiplication.
 typedef char firmware_multiplies_by_a_million[UINT32_C(125) * 125 * 64 == PAL_MILLISECOND ? 1 : -1];
@@ -137,7 +137,7 @@ static void step_machines(void)
     skipped = 0;
 }
 
-// Called every millisecond, in the interrupt.
+// Called every millisecond, in the interrupt of the clock.
 static void on_tick(void)
 {
     is_after_step = false;

@@ -19,7 +19,7 @@
 extern "C" {
 #endif
 
-// Properties and functions of the board.
+// The properties of the board, and functions that the agent calls on it.
 typedef struct AgentBoard {
     void *context;
     uint32_t ram;             // bytes available to machines

@@ -123,7 +123,7 @@ static uint32_t target_states(const void *self) { return ((const SmvmTarget *)se
 static SmRange target_accessed(const void *self) { return ((const SmvmTarget *)self)->accessed; }
 static SmRange target_state_number(const void *self) { return ((const SmvmTarget *)self)->state_number; }
 
-// The verifier does not check names: a name without a terminating 0 after its last character is treated as absent.
+// Returns the name of a state.  The verifier does not check names, so a name without a terminating 0 after its last character counts as absent.
 static const char *target_state_name(const void *self, uint32_t state)
 {
     const SmvmTarget *t = self;

@@ -8,7 +8,7 @@
 static SmvmAt length_of(const StateLog *l) { return smvm_read_offset(l->image, SMVM_LENGTH_AT, 3); }
 static uint32_t checksum_of(const StateLog *l) { return smvm_uint(l->image, SMVM_CRC_AT, 4); }
 
-// The offset of a record from the start of the image.
+// Returns the offset of a record from the start of the image.
 static SmvmAt record_at(const StateLog *l, uint8_t index) { return (SmvmAt)(length_of(l) + (SmvmAt)index * LINK_TRANSITION); }
 
 static bool load_record(const StateLog *l, uint8_t index, LinkTransition *t)

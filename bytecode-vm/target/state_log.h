@@ -44,7 +44,7 @@ static inline bool smvm_state_log_is_idle(const StateLog *l) { return l->written
 // Begins a record, if the event is a transition.  `lost`: how many events before it were lost.  The log must be idle.
 void smvm_state_log_add(StateLog *l, const SmEvent *e, uint32_t lost);
 
-// The next byte to write, and its offset from the start of the image.  Returns false if the log is idle.
+// Stores the next byte to write in *byte, and its offset from the start of the image in *at.  Returns false if the log is idle.
 bool smvm_state_log_next(const StateLog *l, SmvmAt *at, uint8_t *byte);
 void smvm_state_log_advance(StateLog *l);
 

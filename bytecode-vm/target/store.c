@@ -24,7 +24,7 @@ bool smvm_load_offset(const uint8_t *field, SmvmAt *at)
 
 // ---- the memory ----
 
-// The erase unit (0: the memory need not be erased) and the write unit.  Constants if SMVM_STORE_BYTES is 1.
+// These return the erase unit (0: the memory need not be erased) and the write unit.  They are constants if SMVM_STORE_BYTES is 1.
 static SmvmAt erase_unit(const Store *s) { return (SmvmAt)(SMVM_STORE_BYTES ? 0 : s->erase); }
 static uint8_t write_unit(const Store *s) { return (uint8_t)(SMVM_STORE_BYTES ? 1 : s->write); }
 
@@ -41,7 +41,7 @@ static bool is_valid_record(const Store *s, const StoreChoice *c)
            is_slot(c->previous, s) && c->tries <= STORE_TRIES * STORE_START;
 }
 
-// The offset in the memory of the record with this number: even numbers at 0, odd numbers after that.
+// Returns the offset in the memory of the record with this number: even numbers at 0, odd numbers after that.
 static SmvmAt record_offset(const Store *s, const uint8_t *number) { return number[0] & 1u ? s->record_size : 0; }
 
 // Sets s->choice to the newest valid record.  Without one, the built-in image is chosen.
@@ -138,7 +138,7 @@ SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan)
 
 // ---- contents of slots ----
 
-// The length field of the image in a slot; 0: the slot cannot contain an image.
+// Returns the length field of the image in a slot; 0: the slot cannot contain an image.
 SMVM_NOINLINE static SmvmAt image_length(const Store *s, uint8_t slot)
 {
     SmvmAt length;

@@ -52,8 +52,8 @@ typedef struct StoreChoice {
     uint8_t confirmed;        // 0 or 1
     uint8_t ended;            // why the trial of the image with checksum_previous ended: STORE_STARTS_USED …; 0: it has not ended
     uint8_t zeros[2];
-    uint8_t checksum[4];      // of the active image; a slot whose image has another checksum does not run
-    uint8_t checksum_previous[4];  // of the previous image; or, if `ended` is nonzero, of the image whose trial has ended
+    uint8_t checksum[4];      // checksum of the active image; a slot whose image has another checksum does not run
+    uint8_t checksum_previous[4];  // checksum of the previous image, or of the image whose trial has ended if `ended` is nonzero
     uint8_t newest[4];        // the highest number (image section AUTH) of an image that a board with a key has confirmed
     uint8_t period[2], period_previous[2];    // milliseconds between steps of each image, as set by the host; 0: the board's default
     uint8_t crc[4];           // CRC-32 of all bytes before this field
@@ -71,11 +71,11 @@ typedef struct Store {
     // image's number.  NULL: the board has no key.  Set it after smvm_store_open and before smvm_store_boot.
     bool (*is_authentic)(SmvmBytes image, uint32_t *number);
     // The current update.
-    uint16_t session;         // the host's number for it; 0: none
+    uint16_t session;         // the host's number for this update; 0: no update
     uint8_t target;           // the slot that it writes
     bool is_accepted;         // smvm_store_end has accepted it
     SmvmAt length, next;      // size of the image; how many bytes of it are written
-    uint8_t checksum[4];      // of the image, as sent by the host
+    uint8_t checksum[4];      // checksum of the image, as sent by the host
 } Store;
 
 // Opens a store and reads its selector.  Without a valid record, as in a new chip, the built-in image is chosen.  SM_E_SPACE: the memory is

@@ -15,10 +15,10 @@ enum { STATE_FUNCTIONS = 3 };           // .entry, .step and .exit, by CostPart
 typedef enum PathEnd { PATH_ENDS, PATH_LEAVES, PATH_KINDS } PathEnd;        // the path ends in `end` (stays in the state), in `goto`
 
 typedef struct ImageIns {
-    uint32_t at;                  // in the image
+    uint32_t at;                  // offset of the instruction in the image
     uint8_t op;
     uint32_t to;                  // target of its jump, in the image; 0: not a jump
-    uint32_t line, units;         // its source line; its own cost
+    uint32_t line, units;         // its source line; the cost of this instruction alone
     uint32_t longest_from_here[PATH_KINDS];     // by kind of end: cost of the longest path, this instruction included; 0: there is no path
 } ImageIns;
 
@@ -37,7 +37,7 @@ typedef struct ImageReader {
     Cycles cycles;                // state after the last instruction that was read
     SmvmLines lines;              // the first row of the line table that begins after the instruction being read
     bool more;                    // `lines` is valid: the table has such a row
-    uint32_t line;                // of the instruction being read
+    uint32_t line;                // source line of the instruction being read
 } ImageReader;
 
 static uint32_t larger(uint32_t a, uint32_t b) { return a > b ? a : b; }
@@ -136,7 +136,7 @@ static void append_path(ImageReader *r, StateCost *s, const ImageFn *f, CostPart
 // ---- a state ----
 
 typedef struct LongestStep {
-    uint32_t n;                   // its cost
+    uint32_t n;                   // cost of the step
     bool entry, step, exit;       // which functions it runs
     PathEnd entry_path, step_path;    // how .entry and .step end
 } LongestStep;

@@ -17,8 +17,8 @@ typedef enum CostUnit { COST_INSTRUCTIONS, COST_CYCLES_FLASH, COST_CYCLES_EEPROM
 // Consecutive instructions of the longest path that belong to the same source line.
 typedef struct CostLine {
     CostPart part;
-    uint32_t line;                // of the machine's source; 0: instructions of several lines, or the image has no lines
-    uint32_t units;               // their cost in the CostUnit
+    uint32_t line;                // line of the machine's source; 0: instructions of several lines, or the image has no lines
+    uint32_t units;               // cost of these instructions, in the CostUnit
 } CostLine;
 
 typedef struct StateCost {

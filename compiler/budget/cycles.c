@@ -113,7 +113,7 @@ uint32_t cycles_begin(Cycles *c, CyclesChip chip, const SmvmMachine *m)
 
 static uint32_t row_cost(const Cycles *c, CyclesRow r, bool is_whole) { return cycles_in_row(c->chip, r, is_whole); }
 
-// The cost of an instruction on this window: the row `plain`, or `sorted` if the window has a median.
+// Returns the cost of an instruction on this window: the row `plain`, or `sorted` if the window has a median.
 static uint32_t cycles_of_window(const Cycles *c, uint32_t window, CyclesWindow plain, CyclesWindow sorted)
 {
     const uint32_t entry = smvm_window(c->m->image, c->m->windows_at, (SmvmAt)window), kind = entry >> SMVM_WINDOW_SIZE_BITS;
@@ -170,7 +170,7 @@ static uint32_t cycles_of_jump(const Cycles *c, uint8_t op, const uint32_t *numb
     return row_cost(c, number[0] >= SMVM_VARINT_MID ? CYCLES_jxn_4 : number[0] >= SMVM_VARINT_1 ? CYCLES_jxn_2 : CYCLES_jxn, c->x.whole);
 }
 
-// The cost of an instruction, without that of decoding long numbers.
+// Returns the cost of an instruction, without that of decoding long numbers.
 static uint32_t cycles_of_opcode(Cycles *c, uint8_t op, const uint32_t *number)
 {
     const CyclesReg constant = reg_of_whole(false, number[0]);

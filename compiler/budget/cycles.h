@@ -50,9 +50,9 @@ typedef struct Cycles {
 } Cycles;
 
 uint32_t cycles_stack_bytes(void);              // bytes of stack below a step, the largest measured value
-// The cycles in a row of CYCLES_ROW; `whole`: the registers contain whole numbers.
+// Returns the cycles in a row of CYCLES_ROW; `whole`: the registers contain whole numbers.
 uint32_t cycles_in_row(CyclesChip chip, CyclesRow row, bool whole);
-// The cycles in a row of CYCLES_WINDOW, for a window of this sample type and size.
+// Returns the cycles in a row of CYCLES_WINDOW, for a window of this sample type and size.
 uint32_t cycles_of_window_row(CyclesWindow row, uint8_t type, uint32_t slots);
 
 // Call before the first instruction.  Returns the cost of a step without its functions.

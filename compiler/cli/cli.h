@@ -64,7 +64,7 @@ int options_opt_level(const Cli *c);                           // -O: 0, 1 or 2
 #define CLI_PRINTF
 #endif
 
-// The messages, as constants TEXT_name.
+// Defines the messages of texts.def as constants TEXT_name.
 #define CLI_TEXT(name, format) static const char TEXT_##name[] = format;
 #include "compiler/cli/texts.def"
 #undef CLI_TEXT
@@ -72,7 +72,7 @@ int options_opt_level(const Cli *c);                           // -O: 0, 1 or 2
 // Each prints "smc: " and a message to standard error, as text or as --message-format selects.
 CLI_PRINTF void cli_print_error(Cli *c, const char *format, ...);
 CLI_PRINTF void cli_print_warning(Cli *c, const char *format, ...);      // text begins with "warning: "
-CLI_PRINTF void cli_print_note(Cli *c, const char *format, ...);         // for what the user only needs to know
+CLI_PRINTF void cli_print_note(Cli *c, const char *format, ...);         // for information that requires no action
 // Usage error: prints a message and refers to --help. Returns EXIT_USAGE.
 CLI_PRINTF int cli_usage_error(Cli *c, const char *format, ...);
 
@@ -86,7 +86,7 @@ void cli_write_pin(Buf *out, const SmvmPin *p);          // "digital input 2 wit
 int cli_write_outputs(Cli *c, const OsOutput *out, size_t n);
 // Writes an edited file over its input, without outputs_check. Reports hard links, because os_write changes only one of them.
 int cli_write_edited(Cli *c, const OsOutput *out);
-bool cli_print(Cli *c, int fd, const Buf *text);          // to standard output or error; false after a message
+bool cli_print(Cli *c, int fd, const Buf *text);          // prints to standard output (1) or error (2); false after a message
 
 // Prints the session's diagnostics to standard error, with warnings as -W… selects them, and empties the list. Returns EXIT_PROBLEM if
 // there was an error, EXIT_ENVIRONMENT if printing failed, else EXIT_OK.
@@ -100,14 +100,14 @@ bool has_suffix(const char *path, const char *suffix);
 // A format that a command can write; the first one is the default.
 typedef struct CliFormat {
     const char *name;
-    const char *suffix[3];                // of file names, such as ".dot"; NULL: end of the list
+    const char *suffix[3];                // endings of file names in this format, such as ".dot"; NULL: end of the list
     const char *viewer;                   // a program to view it with, if a terminal cannot display it: "a browser"
 } CliFormat;
 // Stores the index in `format` of the format that --format names. Without --format, the suffix of the -o name decides; without both, it is
 // the first format, unless that would be printed on a terminal that cannot display it. Returns false after a message.
 bool cli_choose_format(Cli *c, const CliFormat *format, size_t formats, size_t *found);
 
-// "tank" for "dir/tank.sm"; "stdin" for "-". Allocated in the session.
+// Returns a file's name without folders and ending: "tank" for "dir/tank.sm", "stdin" for "-". Allocated in the session.
 const char *path_stem(Cli *c, const char *path);
 
 // ---- outputs.c: which files a command can write ----

@@ -82,7 +82,7 @@ static EmitCOptions make_c_options(Cli *c, const char *input, const char *header
 // Returns the path at which an artefact is written.
 static const char *artefact_path(Cli *c, const Artefact *a, CompileEmit emit)
 {
-    if (a->name)              // of an application: -o names the folder
+    if (a->name)              // a file of an application: -o names the folder
         return c->given[OPT_OUTPUT] ? path_in_folder(c, a->name) : a->name;
     if (!a->suffix && !c->given[OPT_OUTPUT])
         return "-";

@@ -44,7 +44,7 @@ int cmd_check(Cli *c)
         return EXIT_USAGE;
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
-    o.names = in.app != NULL;             // as smc build, whose images of applications contain names
+    o.names = in.app != NULL;             // smc build also puts names into the images of an application
     compile_sources(&c->session, &in, &o, &out);
     return cli_print_diagnostics(c);
 }

@@ -10,8 +10,8 @@ typedef struct Fix {
     Cli *c;
     CompileInput in;
     CompileOptions o;
-    const Source **was;       // of each argument: the text as read
-    size_t *fixed;            // number of findings fixed in each
+    const Source **was;       // by argument: the source as it was read first
+    size_t *fixed;            // by argument: number of findings fixed
 } Fix;
 
 static void diagnose(Fix *f)
@@ -45,8 +45,8 @@ static uint32_t first_error(const Diags *d, const Source *src)
     return UINT32_MAX;
 }
 
-// A round is better if fewer errors remain.  With equally many errors it is better if the first one of the file is further down than
-// before, so that a later one was revealed, or if some diagnostic that has edits occurs less often.
+// Whether a round has improved the sources: fewer errors remain; or as many remain, but the first error of the file is further down than before
+// (a later one was revealed), or some diagnostic that has edits occurs less often.
 static bool is_better(const Diags *now, const Source *src, const Diags *before, const Source *was)
 {
     const uint32_t grown = src->len > was->len ? src->len - was->len : 0, old = first_error(before, was);

@@ -24,7 +24,7 @@ static int report_runs(Cli *c, const Report *r)
     return code;
 }
 
-// The diagram shows the same findings as the report, but not disabled warnings.
+// Runs smc graph.  The diagram shows the findings that smc report shows, except disabled warnings.
 int cmd_graph(Cli *c)
 {
     const CompiledSource *m;

@@ -74,7 +74,7 @@ int test_result_fd(const Cli *c) { return is_standard_output(c, OPT_TRACE) ? 2 :
 
 static bool all_engines(const Cli *c) { return c->given[OPT_ENGINE] && strcmp(c->value[OPT_ENGINE], "all") == 0; }
 
-// Only emitted C depends on tools outside smc.
+// Only the engines of emitted C can be absent, because only they depend on a tool outside smc.
 unsigned test_absent_engines(TestRun *t, unsigned which)
 {
     which &= 1u << ENGINE_C | 1u << ENGINE_C_SOFT;

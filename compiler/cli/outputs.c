@@ -89,7 +89,7 @@ static bool is_name_char(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-// A value as --trace-format=exact writes it: whole, true or false, or hexadecimal with an exponent.
+// Whether the text is a value as --trace-format=exact writes it: whole, true or false, or hexadecimal with an exponent.
 static bool is_exact_value(const char *at, const char *end)
 {
     static const char *const words[] = {"true", "false", "nan", "inf", "-inf"};
@@ -107,7 +107,7 @@ static bool is_exact_value(const char *at, const char *end)
     return at < end;
 }
 
-// Lines `STEP NAME VALUE`; every machine has at least G, S and T.
+// Whether the file is an exact trace: lines `STEP NAME VALUE`, at least three, because every machine has G, S and T.
 static bool is_exact_trace(const Head *h)
 {
     const char *at = h->at, *end = h->at + h->n, *lf;
@@ -425,7 +425,7 @@ int outputs_check(Cli *c, const OsOutput *out, size_t n)
     return code;
 }
 
-// From here on, other names of standard output are replaced with "-".
+// Returns the value of an option that names an output.  Replaces it with "-" if it is another name of standard output.
 static const char *output_named(Cli *c, OptionId id)
 {
     if (c->given[id] && os_find_descriptor(c->value[id]) == 1)

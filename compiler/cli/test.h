@@ -16,12 +16,12 @@ typedef enum TestStatus {
 } TestStatus;
 
 typedef struct TestResult {
-    const char *path;         // of the script or the case
+    const char *path;         // path of the script or the case
     const char *suite;        // the machine, or the folder of the case
     TestStatus status;
     const char *message;      // lines: why it did not pass; else ""
     int code;                 // the exit code that it requires
-    double seconds;           // its duration
+    double seconds;           // duration of the test
 } TestResult;
 
 typedef struct TestRun {      // one call of smc test

@@ -9,11 +9,11 @@ struct TestCase {
     TestRun *t;
     jmp_buf oom;
     Session s;
-    char *text;               // of the file; on the heap
+    char *text;               // content of the file; on the heap
     SmtCase smt;
     EngineSet engines;
     unsigned which;           // engines it runs on
-    IrMachine *ir;            // of its machine, if emitted C is among the engines; else NULL
+    IrMachine *ir;            // IR of the case's machine, if emitted C is among the engines; else NULL
     bool is_done;             // nothing more to do: `result` is final
     TestResult result;
 };

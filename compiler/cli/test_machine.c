@@ -6,13 +6,13 @@
 
 typedef struct MachineTest {
     TestRun *t;
-    const char *path;         // of the machine
+    const char *path;         // path of the machine's source
     double begin;             // start time of the current script
-    const Program *p;         // compiled for its scripts
+    const Program *p;         // the machine, compiled for scripts
     EngineSet engines;
     const Source **ss;        // by argument: the scripts, each read once; NULL: not a script, or unreadable
     const char **problem;     // by argument: why a script cannot be read
-    Buf report;               // of the last script
+    Buf report;               // report of the last script
     TestTrace *trace;         // or NULL
 } MachineTest;
 

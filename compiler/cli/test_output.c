@@ -37,7 +37,7 @@ static size_t count_status(const TestRun *t, TestStatus status)
     return n;
 }
 
-// If many scripts failed, their output is long; this adds one line for each at the end.
+// Adds a line for each script that failed.  If many failed, their output is long, and these lines at the end are an overview.
 static void write_failed_scripts(const TestRun *t, Buf *out)
 {
     size_t scripts = 0;

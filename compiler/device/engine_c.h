@@ -14,14 +14,14 @@
 // that.
 bool engine_c_present(Arena *arena, const char **why);
 
-// An engine for one machine.  `soft`: with numbers in software (EmitCOptions.soft).  Returns NULL and sets *error to a sentence if the engine
-// cannot be built or started.
+// Opens an engine for one machine.  `soft`: with numbers in software (EmitCOptions.soft).  Returns NULL and sets *error to a sentence if the
+// engine cannot be built or started.
 Engine *engine_c_open(Arena *arena, const Program *p, const IrMachine *m, bool soft, const char **error);
 
 // Many machines in one program: one run of the compiler for all of them.  m[i] was built from p[i].
 typedef struct EngineCBatch EngineCBatch;
 EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const IrMachine *const *m, size_t n, bool soft, const char **error);
-// The engine of machine i.  The engines of a batch may be used in any order.  Closing a single engine of a batch does nothing.
+// Returns the engine of machine i.  The engines of a batch may be used in any order.  Closing a single engine of a batch does nothing.
 Engine *engine_c_batch_engine(EngineCBatch *b, size_t i);
 void engine_c_batch_close(EngineCBatch *b);
 

@@ -43,7 +43,7 @@ typedef struct FlashCheck {
     SmvmPin pin, other;       // FLASH_PIN_ABSENT: the pin; FLASH_PINS_CLASH: two that are one pin of the board
 } FlashCheck;
 
-// An image that already runs or is on trial is not checked for its signature: it is not sent.
+// Decides whether `image` can be sent.  The signature of an image that already runs or is on trial is not checked, because it is not sent.
 FlashRefusal flash_check(Arena *arena, LinkHost *h, const DeviceInfo *info, const FlashImage *image, FlashCheck *out);
 
 // What became of the previously running image after an update that failed before the new one was chosen.

@@ -21,8 +21,8 @@ typedef struct LinkHost {
     uint8_t sequence;         // sequence number of the last request
     bool gone;                // the line is closed: a device that was unplugged, or an error
     bool answered;            // the last request was answered
-    SmResult result;          // of its answer
-    const uint8_t *body;      // the n bytes after the result
+    SmResult result;          // result in the last answer
+    const uint8_t *body;      // the n bytes that follow the result in that answer
     size_t n;
     LinkReceiver in;          // decodes received bytes into `arrived`
     uint8_t arrived[LINK_ROOM(LINK_BODY_MAX)];

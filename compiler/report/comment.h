@@ -16,7 +16,7 @@ const char *comment_after_lines(Arena *arena, Span span);  // after the code, on
 const char *comment_around(Arena *arena, Span span);      // above and after
 const char *comment_of_file(Arena *arena, const Source *src);     // on the first lines of the file
 const char *comment_of_variable(Arena *arena, const Var *v);       // at its declaration in the machine, otherwise in the state vector
-// The start of the line of the `else` whose first statement is `first`; `first` itself if it is on that line.
+// Returns the start of the line of the `else` whose first statement is `first`; `first` itself if it is on that line.
 Span comment_else_line(Span first);
 bool comment_find_start(const char *line, uint32_t len, uint32_t *at);    // finds the start of a line's comment; false: it has none
 

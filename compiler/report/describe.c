@@ -120,7 +120,7 @@ static void add_conditional(DocList *l, const Stmt *s, unsigned depth)
         add_branch(l, "otherwise", &last->otherwise, comment_else_line(last->otherwise.at[0]->span), depth);
 }
 
-// Recursion is bounded by the nesting of conditionals, AST_DEPTH_MAX.
+// Adds a sentence for each statement.  Recursion is bounded by the nesting of conditionals, AST_DEPTH_MAX.
 static void add_statements(DocList *l, const Stmts *stmts, unsigned depth)
 {
     for (size_t i = 0; i < stmts->n; i++)

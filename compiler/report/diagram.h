@@ -11,8 +11,8 @@
 
 // Counts of a run.  States and transitions with count 0 are drawn differently.
 typedef struct DiagramCounts {
-    const uint64_t *state;        // by State.number - 1: times entered
-    const uint64_t *transition;   // by Transition.number: times taken
+    const uint64_t *state;        // by State.number - 1: how often the state was entered
+    const uint64_t *transition;   // by Transition.number: how often it was taken
 } DiagramCounts;
 
 typedef struct DiagramSize { int32_t w, h; } DiagramSize;         // CSS pixels, 1/96 inch

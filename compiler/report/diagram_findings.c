@@ -30,7 +30,7 @@ static void sort_ranges(FindingRanges *p)
         qsort(p->at, p->n, sizeof *p->at, compare_ranges);
 }
 
-// The last range that begins at or before `at`, if it extends that far.
+// Returns the last range that begins at or before `at`, or NULL if that range ends before `at`.
 static const FindingRange *find_range(const FindingRanges *p, uint32_t at)
 {
     size_t low = 0, high = p->n;

@@ -37,7 +37,7 @@ typedef struct LayoutLink {
 } LayoutLink;
 
 typedef struct Layer {
-    uint32_t *item;               // in order
+    uint32_t *item;               // the items of the layer, from left to right
     uint32_t n;
     int32_t y, h;
 } Layer;
@@ -70,7 +70,7 @@ typedef struct Layout {
 // and last.  The label is on one of the vertical lines, between its points.
 void layout_diagram(Diagram *d);
 
-enum { NAME_H = 34, ACTION_SIDE = 13, ACTION_BOTTOM = 8 };   // of a box: the part with the name; space beside and below the actions
+enum { NAME_H = 34, ACTION_SIDE = 13, ACTION_BOTTOM = 8 };   // in a state's box: height of the name; space beside and below the actions
 
 // ---- the stages ----
 

@@ -29,7 +29,7 @@ static void find_reached_states(Diagram *d)
 
 // ---- guards ----
 
-// The text for a transition without a guard: it depends on the transitions before it in the block.
+// Returns the text for a transition without a guard: it depends on the transitions before it in the block.
 static const char *unguarded_text(const Analysis *a, const Transition *t)
 {
     const Transition *before = t->number > 0 ? &a->transition.at[t->number - 1] : NULL;

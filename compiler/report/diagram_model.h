@@ -72,7 +72,7 @@ typedef struct Diagram {
     DiagramNode *node;            // by State.number - 1
     VEC(DiagramEdge) edge;        // by source state, then in file order
     size_t nodes;
-    int32_t w, h;                 // of the whole diagram
+    int32_t w, h;                 // size of the whole diagram
     VEC(int32_t) cut;             // each y where a horizontal line meets only edges, in ascending order
     uint64_t crossings;           // number of pairs of edges that cross
 } Diagram;
@@ -84,7 +84,7 @@ enum {
     GUARD_GAP = 8,                                // between two guards of a label
     ACTION_W = 240, ACTIONS = 8,                  // maximum width of an action, and number of actions in a box
     ACTION_LABEL_W = 34,                          // the column of "entry", "step" and "exit"
-    MARK_W = 16,                                  // of the mark at a guard with findings, right of its first line
+    MARK_W = 16,                                  // width of the mark that follows the first line of a guard with findings
     STUB_H = 20                                   // height of the box around a stub's name
 };
 
@@ -97,7 +97,7 @@ int32_t diagram_text_width(const char *text, int32_t size, bool bold);
 // Wraps to at most `lines` lines, none wider than w, preferably before "and" and "or", and rather not inside brackets.
 DiagramLines diagram_text_wrap(Arena *arena, const char *text, int32_t size, int32_t w, size_t lines);
 bool diagram_text_is_truncated(const DiagramLines *lines);  // whether the last line ends with …
-// The text, or the longest start of it that fits with "…".
+// Returns the text, or the longest start of it that fits with "…".
 const char *diagram_text_truncate(Arena *arena, const char *text, int32_t size, bool bold, int32_t w);
 
 // ---- counts of what a run has executed; 0 or false if DiagramOptions.counts is NULL ----

@@ -85,7 +85,7 @@ static int compare_keys(const void *a, const void *b)
     return x->at != y->at ? (x->at < y->at ? -1 : 1) : (x->pos > y->pos) - (x->pos < y->pos);
 }
 
-// The average position of an item's neighbours above (or below), in 1024ths; its own position if it has none.
+// Returns the average position of an item's neighbours above (or below), in 1024ths; its own position if it has none.
 static int64_t mean_neighbour_position(const Layout *l, uint32_t item, bool down)
 {
     const LayoutLinks *links = down ? &l->above : &l->below;
@@ -116,7 +116,7 @@ static void sort_layer(Layout *l, Layer *layer, bool down, OrderKey *key)
 
 enum { DEGREE = 32 };             // items with more links are not swapped: comparing two takes the product of their numbers of links
 
-// The number of crossings that swapping i with its right neighbour j would save on one side.
+// Returns the number of crossings that swapping i with its right neighbour j would save on one side.
 static int64_t crossings_saved(const Layout *l, const LayoutLinks *links, bool down, uint32_t i, uint32_t j)
 {
     int64_t sum = 0;

@@ -6,7 +6,7 @@
 #include "compiler/base/utf8.h"
 #include "compiler/report/diagram_model.h"
 
-// In thousandths of the font size, from ' ' to '~'.
+// Widths of the characters from ' ' to '~' in thousandths of the font size; [1]: bold.
 static const uint16_t ascii_width[2][95] = {
     {318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337,
      636, 636, 636, 636, 636, 636, 636, 636, 636, 636, 337, 337, 838, 838, 838, 556,
@@ -21,9 +21,9 @@ static const uint16_t ascii_width[2][95] = {
      500, 675, 716, 593, 716, 678, 435, 716, 712, 343, 343, 665, 343, 1042, 712, 687,
      716, 716, 493, 595, 478, 712, 652, 924, 645, 652, 582, 712, 365, 712, 838}};
 
-enum { OTHER_WIDTH = 1000 };      // of characters outside ASCII
+enum { OTHER_WIDTH = 1000 };      // width of every character outside ASCII, in thousandths of the font size
 
-// The width of the character at s in thousandths of the font size, and its length in bytes.
+// Returns the width of the character at s in thousandths of the font size, and stores its length in *bytes.
 static int32_t character_width(const char *s, size_t n, bool bold, size_t *bytes)
 {
     uint32_t code;
@@ -45,7 +45,7 @@ int32_t diagram_text_width(const char *text, int32_t size, bool bold)
     return (int32_t)((sum * size + 999) / 1000);
 }
 
-// The number of bytes from the start of the text whose width is at most w.
+// Returns the number of bytes from the start of the text whose width is at most w.
 static size_t count_fitting_bytes(const char *text, size_t n, int32_t size, bool bold, int32_t w)
 {
     int64_t sum = 0;
@@ -76,7 +76,7 @@ const char *diagram_text_truncate(Arena *arena, const char *text, int32_t size, 
 // broken.  An additional line costs less than breaking a call.
 enum { NEW_LINE = 4, BEFORE_COMPARISON = 2, AFTER_COMMA = 3, ELSEWHERE = 4, AFTER_OPERATOR = 6, IN_GROUP = 2, IN_CALL = 6, NO_SPACE = 60 };
 
-// The cost of replacing the space at text[i] by a line break, outside of all brackets.
+// Returns the cost of replacing the space at text[i] by a line break, outside of all brackets.
 static uint32_t break_cost(const char *text, size_t i)
 {
     const char *next = text + i + 1;

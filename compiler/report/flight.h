@@ -8,7 +8,7 @@
 
 typedef struct Flight {
     Arena *arena;
-    const char *name;             // of the file
+    const char *name;             // name of the file
     const Log *log;
     const LogSession *session;    // the session to show; NULL, only for flight_write_text: all sessions
     const LogElement *const *element;     // the elements of the session to show

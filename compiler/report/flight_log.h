@@ -42,7 +42,7 @@ typedef struct LogDescription {
     LogMachine *machine;
     uint32_t machines;
     LogNames task, executor;      // by number; empty if the log does not contain them
-    LogKindName *kind;            // of events
+    LogKindName *kind;            // names of the kinds of events
     uint32_t kinds;
 } LogDescription;
 
@@ -96,13 +96,13 @@ typedef struct LogGap { uint32_t records, events; } LogGap;       // records dro
 LogGap log_read_gap(const LogItem *item);
 LogEvent log_read_event(const LogItem *item, uint32_t i);
 uint64_t log_read_time(const LogItem *record);
-// The value of an element in a record, as a bit cell of its type (stdlib/convert.h).
+// Returns the value of an element in a record, as a bit cell of its type (stdlib/convert.h).
 uint64_t log_read_cell(const LogItem *record, const LogElement *e);
 
 const LogElement *log_find_element(const LogDescription *d, const char *name);        // or NULL
 const LogMachine *log_find_machine(const LogDescription *d, const char *name);
 const LogMachine *log_machine_by_number(const LogDescription *d, uint16_t number);
-const char *log_kind_name(const LogDescription *d, uint8_t kind);                     // of events; NULL if it has no name
+const char *log_kind_name(const LogDescription *d, uint8_t kind);                     // name of a kind of events; NULL: it has none
 const char *log_state_name(Arena *arena, const LogMachine *m, uint32_t state);        // "state 7" if it has no name
 
 // ---- inside: flight_log_description.c ----

@@ -29,7 +29,7 @@ typedef struct LogReader {
     Log *log;
 } LogReader;
 
-// The limit on failed_bytes: real damage causes far fewer than 16 checksums over each byte of the file.
+// Whether failed_bytes is within its limit.  Real damage causes far fewer than 16 checksums over each byte of the file.
 static bool may_continue(const LogReader *r) { return r->failed_bytes <= 16 * (uint64_t)r->n + 65536; }
 
 // Stores the content length of the block at `pos`.  False if no block can begin there.
@@ -168,7 +168,7 @@ static bool try_add_block(LogReader *r, LogSession *s, uint32_t pos, uint32_t le
     return true;
 }
 
-// The session that follows the current one, or NULL.  Its first blocks may be here, without the description before them.
+// Returns the session that follows the current one, or NULL.  If its description is damaged, its first blocks follow those of the current one.
 static LogSession *following_session(const LogReader *r)
 {
     size_t i = r->next;

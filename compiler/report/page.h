@@ -24,8 +24,8 @@ typedef struct Report {
     Arena *arena;
     Analysis analysis;            // its diags hold all findings, including those that an @allow covers
     bool step_given;              // analysis.step is the user's --step; otherwise it is the delta_t of the scripts
-    Cost cost;                    // of a step, in instructions
-    Cost flash, eeprom;           // of a step, in estimated cycles of an ATmega328P, with the image in flash or in EEPROM
+    Cost cost;                    // cost of steps, in instructions
+    Cost flash, eeprom;           // cost of steps, in estimated cycles of an ATmega328P, with the image in flash or in EEPROM
     const uint8_t *image;         // as `smc build` writes it
     size_t image_size;
     ReportRun *run;

@@ -15,7 +15,7 @@ static const DocColumn longest_columns[] = {{"block", "Block"}, {"line", "Line"}
 
 // ---- where the time goes ----
 
-// The time of the longest step of all states, at the clock of a stock Uno or Mega.
+// Returns the time of the longest step of all states, at the clock of a stock Uno or Mega.
 static const char *longest_step_time(const Report *r, const Cost *cycles)
 {
     enum { MHZ = 16 };

@@ -81,7 +81,7 @@ static void add_facts(const Report *r, Doc *d)
 
 // ---- in words ----
 
-// The names of the variables for which `wanted` is true, in backticks, with "and" before the last.
+// Returns the names of the variables for which `wanted` is true, in backticks, with "and" before the last.
 static const char *variable_names(const Report *r, bool (*wanted)(const Program *p, const Var *v), size_t *n)
 {
     const Program *p = r->analysis.p;
@@ -102,7 +102,7 @@ static bool is_element(const Program *p, const Var *v) { return v->kind == VAR_E
 static bool is_input(const Program *p, const Var *v) { return is_element(p, v) && v->read && !v->written; }
 static bool is_output(const Program *p, const Var *v) { return is_element(p, v) && v->written; }
 
-// The names of the states that no transition leaves.
+// Returns the names of the states that no transition leaves.
 static const char *final_states(const Report *r, size_t *n)
 {
     const Program *p = r->analysis.p;

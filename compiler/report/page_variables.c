@@ -32,7 +32,7 @@ static void record_read(Expr *e, void *context)
         add_state_name(&u->of[e->var->index].readers, &u->of[e->var->index].last_read, u->state);
 }
 
-// Recursion is bounded by the nesting of conditionals, AST_DEPTH_MAX.
+// Records the variables that statements read and write.  Recursion is bounded by the nesting of conditionals, AST_DEPTH_MAX.
 static void record_statements(VarUses *u, const Stmts *stmts)
 {
     for (size_t i = 0; i < stmts->n; i++) {

@@ -92,7 +92,7 @@ const char *plot_label(Arena *arena, double x)
 typedef struct PlotRow {
     const TraceSeries *s;
     double lo, hi;                // range of the row
-    long top;                     // of its frame
+    long top;                     // y of the upper edge of its frame
 } PlotRow;
 
 static bool is_finite(double x) { return x - x == 0; }

@@ -14,7 +14,7 @@ enum {
 typedef struct Plot {
     Buf *out;
     const Trace *t;
-    long top, bottom;             // of the rows below the band
+    long top, bottom;             // y of the upper and lower end of the rows below the band
 } Plot;
 
 void plot_write_tenths(Buf *out, long x);             // writes 123 as 12.3

@@ -47,7 +47,7 @@ typedef struct Trace {
 
 // `transition`: the transitions of the machine, from its analysis, whose states have the same numbers as those of p.
 void trace_init(Trace *t, Arena *arena, const Program *p, const Transitions *transition);
-// Wraps `inner`: the returned engine does the same and records every step in t.
+// Returns an engine that passes every call to `inner` and records every step in t.
 Engine *trace_wrap_engine(Trace *t, Engine *inner);
 
 size_t trace_buckets(const Trace *t);                 // number of buckets in use

@@ -37,8 +37,8 @@ struct Engine {
     // Starts the machine in `state`, as init does (language.md 6): elements are zero, locals have their initial values, then `S` is
     // stored. *out receives the resulting cells.
     EngineStatus (*init)(Engine *e, uint32_t state, EngineStep *out);
-    // Writes n cells, runs one step, and stores the result in *out.  Cells may be locals, including read-only ones that are not
-    // constants.
+    // Writes n cells, runs one step, and stores the result in *out.  A cell may be an element or a local, even a read-only local, but not a
+    // constant.
     EngineStatus (*step)(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out);
     void (*close)(Engine *e);
 };

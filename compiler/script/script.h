@@ -52,7 +52,7 @@ void format_cell_hex(Buf *out, SmType type, uint64_t cell);
 void format_cell_shortest(Buf *out, SmType type, uint64_t cell);
 void format_number_shortest(Buf *out, double x);
 
-// The variables in the order of reports and traces; allocated in `arena`.
+// Returns the variables in the order of reports and traces; allocated in `arena`.
 const Var **report_order(Arena *arena, const Program *p);
 
 // ---- script_trace.c ----

@@ -52,7 +52,7 @@ typedef struct TestFile {
     VEC(TestExpected) expected;       // in file order
     TestOutcome outcome;      // from `expect`, else derived from the announced diagnostics
     uint64_t steps;           // `steps N`; 0 if absent
-    uint64_t advance;         // `advance N`, likewise: increment of G per step, for the analyses
+    uint64_t advance;         // `advance N`, the increment of G per step for the analyses; 0 if absent
 } TestFile;
 
 // Parses text (not copied).  Everything is allocated in the arena.

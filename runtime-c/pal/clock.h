@@ -20,7 +20,7 @@
 extern "C" {
 #endif
 
-// The resolution of the clock in nanoseconds, 1 or more.  SM_E_UNSUPPORTED: there is no clock.
+// Stores the resolution of the clock in *ns, in nanoseconds, 1 or more.  SM_E_UNSUPPORTED: there is no clock.
 SmResult pal_clock_resolution(uint64_t *ns);
 
 // Returns the time in nanoseconds, never less than any value that it returned before, to any thread.  It takes no lock and may be

@@ -35,7 +35,7 @@ SmResult pal_log_sync(PalLogFile file);
 // Reads the first n bytes of the file.  SM_E_ARGUMENT: the file is shorter than n bytes.
 SmResult pal_log_read(PalLogFile file, void *bytes, size_t n);
 
-// The size of the file in bytes.
+// Stores the size of the file in *size, in bytes.
 SmResult pal_log_size(PalLogFile file, uint64_t *size);
 
 SmResult pal_log_close(PalLogFile file);

@@ -24,7 +24,7 @@ typedef struct PalNvmInfo {
     uint32_t size;            // size in bytes; a multiple of the sizes below
     uint32_t write;           // address and length of a write must be multiples of this; 1: no restriction
     uint32_t erase;           // address and length of an erase must be multiples of this; 0: bytes can be rewritten without an erase
-    uint32_t atomic;          // unit that survives a power cut undamaged, see above; 0: none
+    uint32_t atomic;          // unit that a power cut leaves either old or new (see "Power cuts" above); 0: none
     uint64_t slowest;         // longest time to write or erase one unit, in nanoseconds; 0: unknown
     uint8_t blank;            // value of an erased byte; if `erase` is 0, also of a byte that was never written
 } PalNvmInfo;

@@ -68,7 +68,7 @@ SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *
 
 // ---- all ----
 
-// The local address of the socket, with the port that the platform chose.
+// Stores the local address of the socket in *own, with the port that the platform chose.
 SmResult pal_socket_local_address(PalSocket socket, PalAddress *own);
 
 // Closes the socket.  The peer of a stream still receives bytes sent earlier, if the network delivers them.

@@ -9,7 +9,7 @@ enum { MUCH_DEEPER = 3 };     // a left operand deeper than the right one by mor
 
 // ---- where a value can be loaded from ----
 
-// The operand that r can be loaded from; BC_NONE: r must be computed, or only X holds it.
+// Returns the operand that r can be loaded from; BC_NONE: r must be computed, or only X holds it.
 static BcRef source_of(BcSelect *s, IrRef r)
 {
     BcValue *v = &s->value[r];
@@ -144,7 +144,7 @@ static void compute_add(BcSelect *s, IrRef a, IrRef b)
     }
 }
 
-// a - b where only a can be loaded: computed as -b + a, which is the same number.
+// Computes a - b where only a can be loaded: as -b + a, which is the same number.
 static void compute_swapped_sub(BcSelect *s, IrRef a, IrRef b)
 {
     bc_bring_to_x(s, b);
@@ -177,7 +177,7 @@ static void compute_sub(BcSelect *s, IrRef a, IrRef b)
 
 // ---- operations ----
 
-// The opcode of an operation whose operands and result have one type (SAME in compiler/ir/ops.def).
+// Returns the opcode of an operation whose operands and result have one type (SAME in compiler/ir/ops.def).
 static uint8_t opcode_of(IrOp op)
 {
     static const uint8_t of[IR_OP_COUNT] = {

@@ -55,7 +55,7 @@ typedef struct BcSelect {
     VEC(BcRef) free[BC_POOLS];       // slots that are not in use
     BcRegister x, y;
     uint32_t straight_start;  // index of the first instruction after the last label that a jump targets
-    Span span;                // of the IR instruction being selected
+    Span span;                // source of the IR instruction being selected
     uint32_t *label;          // by block: its label
     uint32_t first_inner_label;  // the first label that the jump of the current block has created
     IrBlkRef *final_target;   // by block: itself, or its final target if it only jumps

@@ -7,7 +7,7 @@
 
 // ---- lines ----
 
-// The source line of an instruction: 0 if several lines share it, `last` if it has no position.
+// Returns the source line of an instruction: 0 if several lines share it, `last` if it has no position.
 static uint32_t line_of_ins(const BcIns *i, uint32_t last)
 {
     if (i->of_many_lines)

@@ -75,7 +75,7 @@ static void write_number(Buf *b, SmF64 x)
 
 static bool is_zero(SmF64 x) { return sm_eq(x, sm_from_i32(0)); }
 
-// The first byte of a pin (docs/bytecode.md): its kind, its switches, and which optional fields follow.
+// Returns the first byte of a pin (docs/bytecode.md): its kind, its switches, and which optional fields follow.
 static uint8_t pin_flags(const Pin *p)
 {
     bool scale = !pin_is_digital(p) && !sm_eq(p->scale, sm_from_i32(1)), more = pin_is_output(p) ? !is_zero(p->safe) : p->hold > 0;
@@ -144,7 +144,7 @@ static void write_windows(ImageWriter *w, Buf *b, const BcMachine *m)
     }
 }
 
-// The part of the state vector that the machine uses, in units of 8 bytes: [*from, *to).
+// Finds the part of the state vector that the machine uses, in units of 8 bytes: from *from to *to - 1.
 static void find_used_vector_range(const BcMachine *m, uint32_t *from, uint32_t *to)
 {
     const IrMachine *ir = m->ir;

@@ -53,7 +53,7 @@ bool bc_try_whole(SmF64 x, int32_t *n)
 
 bool bc_is_f32(SmF64 x) { return sm_is_nan(x) || sm_bits(sm_from_f32(sm_round_f32(x))) == sm_bits(x); }
 
-static void add_to_const_table(BcSelect *s, BcOperand *o)          // to the table of F32 or F64 constants, if it needs one
+static void add_to_const_table(BcSelect *s, BcOperand *o)          // adds it to the F32s or F64s, unless instructions can encode it
 {
     const SmF64 x = sm_from_bits(o->bits);
     int32_t n;
@@ -69,7 +69,7 @@ static void add_to_const_table(BcSelect *s, BcOperand *o)          // to the tab
     }
 }
 
-// The index of the constant in the hash table, or of the free entry where it would be added.
+// Returns the index of the constant in the hash table, or of the free entry where it would be added.
 static size_t find_const_slot(const BcMachine *m, const BcRef *table, size_t cap, uint64_t bits)
 {
     size_t i = (size_t)(bits * UINT64_C(0x9e3779b97f4a7c15) >> 32) & (cap - 1);

@@ -43,7 +43,7 @@ static bool is_x_unsaved(const BcSelect *s)             // X holds the only copy
     return v && v->is_computed && v->uses_left > 0 && v->slot == BC_NONE;
 }
 
-// The pool of the slot that saves r: its own type, or BC_RAW for the result of an F64 operation, which is saved unchanged.
+// Returns the pool of the slot that saves r: its own type, or BC_RAW for the result of an F64 operation, which is saved unchanged.
 static uint32_t slot_pool_of(const BcSelect *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);

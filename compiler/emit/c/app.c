@@ -16,9 +16,9 @@
 typedef struct AppEmitter {
     Arena *arena;
     const App *app;
-    const char *prefix;           // of the application: `rocket` in rocket_app
-    const char *sv;               // of the state vector: `rocket` in rocket_vector
-    const char *io;               // of the pin file: `rocket` in rocket_inputs
+    const char *prefix;           // begins names of the application: `rocket` in rocket_app
+    const char *sv;               // begins names of the state vector: `rocket` in rocket_vector
+    const char *io;               // begins names of the pin file: `rocket` in rocket_inputs
     CUnit vector;                 // the names of the state vector's members
     CVectorNames names;           // the names of the elements' enumerators
     const Buf *const *image;      // by machine; NULL if the machine is emitted as C

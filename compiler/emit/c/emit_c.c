@@ -53,7 +53,7 @@ static int compare_offsets(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-// For a machine that was read from an IR file, which lists only the elements that the machine uses.
+// Lists the elements of a machine that was read from an IR file.  Such a file has only the elements that the machine uses.
 static void describe_listed_elements(Arena *a, const IrMachine *m, CVector *out)
 {
     out->at = ARENA_ARRAY(a, CElement, m->var.n);

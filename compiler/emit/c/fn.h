@@ -80,7 +80,7 @@ typedef struct CFn {
     Buf line;                 // the statement under construction
     unsigned indent;          // nesting level of the statement under construction
     unsigned values;          // number of C variables defined so far, without copies
-    Buf declarations;         // of those variables, if hoist is set
+    Buf declarations;         // if `hoist` is set: the declarations of C variables, without copies
     bool hoist;               // variables are declared at the top of the function, because gotos may not skip their initialisation
     bool labels_used;
     bool *label;              // by block: a goto leads to it

@@ -73,7 +73,7 @@ void soft_write_compare(CFn *fn, const IrIns *i, bool negated)
 typedef struct ByteCompare {
     IrRef operand;            // the value of the variable: `load`, or its conversion from F32 to F64
     IrRef load, constant;
-    IrOp op;                  // with the variable as left operand
+    IrOp op;                  // the comparison, written with the variable as left operand
 } ByteCompare;
 
 // If numbers are soft and i compares a variable with a constant by < <= > or >=, fills *l and returns true.

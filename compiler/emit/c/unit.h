@@ -27,7 +27,7 @@ typedef struct CElement {
     const char *member;
     SmType type;
     uint32_t offset;
-    Str name;                     // in the source
+    Str name;                     // its name in the source
     Str region;                   // NULL when unknown
     Span span;
 } CElement;
@@ -188,7 +188,7 @@ typedef struct CSignature {
 typedef struct CFunction {
     const IrFn *f;
     const Env *begin;             // facts at its start
-    const char *name;             // in C
+    const char *name;             // name of the C function
     const char *comment;          // a whole comment line that precedes it
 } CFunction;
 

@@ -21,7 +21,7 @@ enum { OUTPUT = AVR_ANALOGS };
 // Copies the row of an output channel from flash.
 static void load_pwm(uint8_t channel, AvrPwm *p) { memcpy_P(p, &avr_pwms[(uint8_t)(channel - OUTPUT)], sizeof *p); }
 
-// The row of the pin in avr_pwms; AVR_PWMS if the pin has no PWM.
+// Returns the row of the pin in avr_pwms; AVR_PWMS if the pin has no PWM.
 static uint8_t pwm_row(uint16_t pin)
 {
     uint8_t row = 0;
@@ -31,7 +31,7 @@ static uint8_t pwm_row(uint16_t pin)
     return row;
 }
 
-// The register at an address.
+// Returns a pointer to the register at an address.
 static volatile uint8_t *reg(uint16_t address) { return (volatile uint8_t *)address; }
 
 // ---- opening ----
@@ -173,7 +173,7 @@ static void set_duty(const AvrPwm *p, uint8_t duty)
     avr_pin_set(reg(p->control), p->connect, duty != 0 && duty != 255);
 }
 
-// The duty of an output voltage, 0 to 255 for 0 to AVR_SUPPLY, rounded.  The division bit by bit takes half the time and half the code
+// Returns the duty of an output voltage, 0 to 255 for 0 to AVR_SUPPLY, rounded.  The division bit by bit takes half the time and half the code
 // of gcc's division.
 static uint8_t compute_duty(uint32_t millionths)
 {

@@ -28,7 +28,7 @@ uint32_t avr_milliseconds(void);                       // since the start of the
 #endif
 #define AVR_SERIAL_PINS 2     // pins 0 and 1 belong to the serial line
 #define AVR_NO_PIN 0xffu
-// The number of the digital pin that a pin or analog channel uses.  AVR_NO_PIN: it does not exist, or belongs to the serial line.
+// Returns the number of the digital pin that a pin or analog channel uses.  AVR_NO_PIN: it does not exist, or belongs to the serial line.
 uint8_t avr_physical_pin(uint16_t number, uint8_t kind);      // kind: 1: output, 2: digital, 16: pull-down
 SmResult avr_pin_claim(uint8_t number);                // SM_E_BUSY: in use, or the serial line's
 void avr_pin_release(uint8_t number);

@@ -12,7 +12,7 @@ enum { DDR = 1, PORT = 2 };                    // offsets of registers from PIN
 
 static uint8_t claimed[(AVR_PINS + AVR_ANALOGS + AVR_PWMS + 7) / 8] = {(1 << AVR_SERIAL_PINS) - 1};
 
-// The mask with bit number % 8 set.
+// Returns the mask with bit number % 8 set.
 static uint8_t bit_of(uint8_t number)
 {
     uint8_t bit = 1;

@@ -12,8 +12,8 @@
 // A pipe that is ready accepts this many bytes at once without blocking and without interleaving (PIPE_BUF of POSIX).
 #define CHUNK 512u
 
-// A terminal that is ready may accept only one byte before it blocks.  So the terminal is opened again in non-blocking mode.
-// Standard output itself may be shared with programs that expect blocking mode.
+// Returns a descriptor for the console.  A terminal that is ready may accept only one byte before it blocks, so it is opened again in
+// non-blocking mode.  Standard output itself may be shared with programs that expect blocking mode.
 static int open_console(void)
 {
     int fd = isatty(STDOUT_FILENO) ? open("/proc/self/fd/1", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC) : -1;

@@ -67,7 +67,7 @@ static int write_all(int fd, const uint8_t *from, size_t n)
     return 0;
 }
 
-// The file's size, or -1 if it is not a regular file or exceeds the address range.
+// Returns the file's size, or -1 if it is not a regular file or exceeds the address range.
 static int64_t file_size(int fd)
 {
     struct stat s;

@@ -86,7 +86,7 @@ SmResult pal_serial_open(PalSerial *line, const char *name, uint32_t bits_per_se
     return r;
 }
 
-// The result of a read or write that returned `got` and did not transfer anything.  If the line hung up, it returned 0 or failed
+// Returns the result of a read or write that returned `got` and did not transfer anything.  If the line hung up, it returned 0 or failed
 // with EIO.
 static SmResult result_of_transfer(ssize_t got)
 {

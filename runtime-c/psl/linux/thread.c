@@ -68,7 +68,7 @@ static void *thread_main(void *of)
     return NULL;
 }
 
-// The stack size in bytes for a wanted size (0: PAL_THREAD_STACK): at least the system's minimum, in whole pages.
+// Returns the stack size in bytes for a wanted size (0: PAL_THREAD_STACK): at least the system's minimum, in whole pages.
 static size_t stack_size(uint32_t wanted)
 {
     size_t page = (size_t)sysconf(_SC_PAGESIZE), least = (size_t)PTHREAD_STACK_MIN, n = wanted ? wanted : PAL_THREAD_STACK;

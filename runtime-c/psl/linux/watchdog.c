@@ -21,7 +21,7 @@
 
 static int device = -1;
 
-// A 'V' before the close tells the driver that the stop is intended.
+// Stops the watchdog: a 'V' before the close tells the driver that the stop is intended.
 static void stop_device(void)
 {
     while (write(device, "V", 1) < 0 && errno == EINTR) {}

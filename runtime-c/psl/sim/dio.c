@@ -23,7 +23,7 @@ void sim_dio_reset(void)
     memset(used, 0, sizeof used);
 }
 
-// The level at a pin that is not an output.  A wire connects to an output, not to another wire.
+// Returns the level at a pin that is not an output.  A wire connects to an output, not to another wire.
 static bool input_level(const SimPin *p)
 {
     if (p->source != 0 && pins[p->source - 1].output)

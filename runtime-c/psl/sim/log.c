@@ -36,7 +36,7 @@ void sim_log_power_on(void)
         logs[i].open = false;
 }
 
-// The index of the log with that name; SIM_LOGS if there is none.
+// Returns the index of the log with that name; SIM_LOGS if there is none.
 static uint8_t find_log(const char *name)
 {
     uint8_t i = 0;

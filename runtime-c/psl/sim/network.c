@@ -81,7 +81,7 @@ bool sim_reaches(const PalAddress *to, const PalAddress *own)
     return to->port == own->port && (memcmp(own->ip, any, 4) == 0 || memcmp(own->ip, to->ip, 4) == 0);
 }
 
-// The datagram for a socket at that address that arrives first; NULL if there is none.
+// Returns the datagram for a socket at that address that arrives first; NULL if there is none.
 static SimDatagram *find_earliest(const PalAddress *at)
 {
     SimDatagram *next = NULL;

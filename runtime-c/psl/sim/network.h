@@ -18,7 +18,7 @@ void sim_datagrams_reset(void);
 // Sends a datagram, subject to the faults of SimNetwork.  Returns false if there are too many in transit; the datagram is lost.
 bool sim_datagram_send(const SimDatagram *d);
 
-// The next datagram for an address, or NULL.  The caller clears `used` after reading it.
+// Returns the next datagram for an address, or NULL.  The caller clears `used` after reading it.
 SimDatagram *sim_datagram_next(const PalAddress *at);
 
 // Whether a message to `to` reaches a socket at `own`.
@@ -40,10 +40,10 @@ typedef struct SimStream {
 
 void sim_streams_reset(void);
 
-// A new stream with end 0 open, or NULL if the table is full.
+// Returns a new stream with end 0 open, or NULL if the table is full.
 SimStream *sim_stream_new(uint8_t listening);
 
-// The oldest stream that waits for that listening socket, or NULL.
+// Returns the oldest stream that waits for that listening socket, or NULL.
 SimStream *sim_stream_waiting(uint8_t listening);
 
 // Send bytes to an end, as many as fit; receive bytes that arrived at an end.  Both return their number.

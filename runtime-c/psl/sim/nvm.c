@@ -56,7 +56,7 @@ static void apply_stuck_bits(size_t medium)
     *b = (uint8_t)((*b & ~bits) | (media[medium].stuck_value & bits));
 }
 
-// The index of the medium with that name; the last one for an unknown name.
+// Returns the index of the medium with that name; the last one for an unknown name.
 static size_t find_medium(const char *name)
 {
     size_t i = 0;

@@ -39,7 +39,7 @@ void sim_break(SimCall call, uint32_t after, SmResult result);
 // From now on each call of that kind takes `ns` nanoseconds.
 void sim_delay(SimCall call, uint64_t ns);
 
-// The number of calls of that kind since sim_reset.
+// Returns the number of calls of that kind since sim_reset.
 uint32_t sim_count(SimCall call);
 
 // ---- time ----
@@ -57,7 +57,7 @@ void sim_every(uint64_t period, void (*world)(void));
 
 // ---- the console ----
 
-// The text written since sim_reset, at most 4095 bytes.
+// Returns the text written since sim_reset, at most 4095 bytes.
 const char *sim_console(void);
 
 // ---- digital and analog ----
@@ -67,11 +67,11 @@ const char *sim_console(void);
 // Drives a pin externally.  A pin that is neither driven nor wired reads as the level of its pull resistor, or low without one.
 void sim_drive(uint16_t pin, bool level);
 
-// Connects output pin `from` to pin `to`; likewise for analog channels.
+// Connect output pin `from` to pin `to`, or analog output `from` to analog input `to`.
 void sim_wire(uint16_t from, uint16_t to);
 void sim_wire_analog(uint16_t from, uint16_t to);
 
-// The level at a pin, as on an oscilloscope, and how often it has changed since sim_reset.
+// sim_pin returns the level at a pin, as on an oscilloscope; sim_edges, how often it has changed since sim_reset.
 bool sim_pin(uint16_t pin);
 uint32_t sim_edges(uint16_t pin);
 
@@ -109,7 +109,7 @@ void sim_network(SimNetwork network);
 void sim_cut_power(uint32_t after, uint32_t bytes);
 void sim_power_on(void);
 
-// The SIM_NVM_SIZE bytes of a memory.  Tests may read and damage them.
+// Returns the SIM_NVM_SIZE bytes of a memory.  Tests may read and damage them.
 uint8_t *sim_nvm(const char *name);
 
 // From now on the bits in `bits` of byte `at` have the values in `value`, whatever is written.  `bits` = 0 repairs it.
@@ -123,8 +123,8 @@ void sim_stick(const char *name, uint32_t at, uint8_t bits, uint8_t value);
 #define SIM_LOG_SIZE 1048576u
 #endif
 
-// The content of the log with that name, *n bytes, valid until sim_reset; NULL if there is none.  sim_log_synced: how
-// many of its bytes were appended before the last sync.
+// sim_log returns the content of the log with that name, *n bytes, valid until sim_reset; NULL if there is none.  sim_log_synced
+// returns how many of its bytes were appended before the last sync.
 const uint8_t *sim_log(const char *name, size_t *n);
 size_t sim_log_synced(const char *name);
 

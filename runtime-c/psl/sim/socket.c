@@ -14,7 +14,7 @@ typedef struct SimSocket {
     SimSocketKind kind;
     PalAddress own;
     SimStream *stream;
-    int end;                  // of the stream
+    int end;                  // which end of `stream` this socket is
 } SimSocket;
 
 static bool used[PAL_SOCKETS];
@@ -56,7 +56,7 @@ static SmResult choose_port(PalAddress *a, SimSocketKind kind)
     return SM_OK;
 }
 
-// The sender address that others see, which is never "any".
+// Returns the sender address that others see, which is never "any".
 static PalAddress visible_address(const PalAddress *own)
 {
     PalAddress a = *own;

@@ -7,7 +7,7 @@
 static struct {
     uint32_t count, after;    // calls so far; calls that still succeed before the fault
     uint64_t delay;
-    SmResult result;          // of the fault; SM_OK: no call fails
+    SmResult result;          // result of the injected fault; SM_OK: no call fails
     bool permanent;           // all calls after the fault fail too
 } calls[SIM_CALLS];
 

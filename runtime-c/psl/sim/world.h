@@ -16,7 +16,7 @@ void sim_advance_to(uint64_t time);
 // the world.  The caller then checks again.  Returns false if `end` had been reached before.
 bool sim_wait(uint64_t end);
 
-// The parts of sim_reset.
+// Each resets one part of the platform, for sim_reset.
 void sim_clock_reset(void);
 void sim_console_reset(void);
 void sim_lock_reset(void);
