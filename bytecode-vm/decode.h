@@ -32,7 +32,7 @@ typedef struct DecodeState {
     uint32_t words;           // words written so far
     SmvmAt at, start, end;    // offsets in the image: the current position; start and end of the function
     uint32_t n[2];            // operands of the current instruction
-    DecodedValue x, y;
+    DecodedValue x, y;        // the contents of registers X and Y
     DeferredOp deferred;      // valid if x is DEFERRED
     uint32_t jumps;           // the last word that is an unresolved jump target, or 0
     uint32_t gotos;           // the last GO whose target is not resolved yet, or 0
@@ -81,8 +81,8 @@ void smvm_emit_target(DecodeState *d, uint32_t target);  // emits the target of 
 
 // The kind of the value selects the instruction within the family; `family` is the family's first instruction.
 void smvm_emit_load(DecodeState *d, const DecodedValue *x);
-void smvm_emit_f_and(DecodeState *d, FastOp family, const DecodedValue *y);         // an instruction with the operands F and y
-void smvm_emit_two_operands(DecodeState *d, FastOp family, const DecodedValue *x, const DecodedValue *y);  // x in memory; y in memory or constant
+void smvm_emit_f_and(DecodeState *d, FastOp family, const DecodedValue *y);         // emits an instruction with the operands F and y
+void smvm_emit_two_operands(DecodeState *d, FastOp family, const DecodedValue *x, const DecodedValue *y);  // emits one with x in memory, y in memory or constant
 
 // ---- X (decode_x.c) ----
 

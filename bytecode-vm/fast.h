@@ -152,7 +152,7 @@ struct SmvmDecoded {
     uint64_t t;               // T, updated at the start of each step: instructions read it as an operand in memory
     SmvmWord *code;           // the sample function first
     const SmvmWord **body;    // two for each state: where the code of its later steps starts, and that of its first step
-    const void *const *label; // see smvm_fast_labels
+    const void *const *label; // the result of smvm_fast_labels
     bool samples;             // a step begins at the second word of the code: it clears stored bits, runs the sample function, or both
 };
 

@@ -93,7 +93,7 @@ enum { SMVM_DEBUG_NUMBERS = 4, SMVM_DEBUG_VARIABLE = 7 };
 
 static inline uint8_t smvm_u8(SmvmBytes image, SmvmAt at) { return (uint8_t)SMVM_FETCH(image, at); }
 
-uint32_t smvm_uint(SmvmBytes image, SmvmAt at, uint8_t bytes);   // little-endian, at most 4 bytes
+uint32_t smvm_uint(SmvmBytes image, SmvmAt at, uint8_t bytes);   // reads a little-endian number of at most 4 bytes
 
 // Reads the bits of a number of `bytes` bytes into memory, in the byte order of this computer.
 void smvm_read_bits(SmvmBytes image, SmvmAt at, void *to, uint8_t bytes);
@@ -171,7 +171,7 @@ typedef struct SmvmSectionKind {
     uint8_t part;             // offset in SmvmMachine of the fields for its offset and size; 0: it has none
 } SmvmSectionKind;
 
-typedef struct SmvmSection {  // as in the image; not checked
+typedef struct SmvmSection {  // a section as its table entry describes it; not checked
     uint8_t id;
     SmvmAt at, size;
     SmvmSectionKind kind;     // all zero if id or version is unknown
@@ -206,7 +206,7 @@ SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m);
 
 SmvmLocation smvm_location(SmvmBytes image, SmvmAt at);      // reads the location at `at`, whose type number is not checked
 
-static inline uint32_t smvm_window(SmvmBytes image, SmvmAt windows_at, SmvmAt w)     // an entry of the table of windows
+static inline uint32_t smvm_window(SmvmBytes image, SmvmAt windows_at, SmvmAt w)     // reads entry w of the table of windows
 {
     return smvm_uint(image, (SmvmAt)(windows_at + w * SMVM_WINDOW_ENTRY), SMVM_WINDOW_ENTRY);
 }
@@ -229,7 +229,7 @@ enum {
     SMVM_OPERAND_K, SMVM_OPERAND_W, SMVM_OPERAND_T, SMVM_OPERAND_M, SMVM_OPERAND_J, SMVM_OPERANDS_K_W, SMVM_OPERANDS_N_J
 };
 uint16_t smvm_packed_shape(uint8_t opcode);
-uint32_t smvm_shape(uint8_t opcode);                  // 0 if the opcode does not exist
+uint32_t smvm_shape(uint8_t opcode);                  // returns the SMVM_SHAPE_ bits; 0: no such opcode
 
 // Returns 0, or the rule that the IO section breaks, and sets *at to the offset of the error (pins.c).
 uint8_t smvm_check_pins(SmvmBytes image, SmvmAt *at);

@@ -262,7 +262,7 @@ SMVM_INLINE uint32_t read_operand(SmvmBytes *at)
 #else
 #define NEXT continue
 #endif
-#define JUMP_IF(condition) if (condition) { at += (SmvmAt)n; NEXT; }       // a branch of its own, so that each side has its prediction
+#define JUMP_IF(condition) if (condition) { at += (SmvmAt)n; NEXT; }       // each opcode has this branch for itself, which CPUs predict better
 
 // Runs a function's code from `at` to `end` or `goto`.  Returns the state of its transition, or 0 if it has none.
 static SmvmAt run_code(const Interpreter *r, SmvmBytes at)
@@ -352,7 +352,7 @@ SMVM_NOINLINE static void run_store_or_convert(Interpreter *r, uint8_t op, uint3
     }
 }
 
-SMVM_NOINLINE static bool is_jump_taken(const Interpreter *r, uint8_t op)  // for jxy, jmp, jf and jt
+SMVM_NOINLINE static bool is_jump_taken(const Interpreter *r, uint8_t op)  // op: a jxy, jmp, jf or jt
 {
     switch (op) {
     case SMVM_jmp: return true;

@@ -23,7 +23,7 @@ typedef struct LongestPath {
     uint32_t end_cost, goto_cost;  // the longest path that ends with `end`, with `goto`; 0: none does
     uint32_t sample_cost;     // cost of the sample function
     uint32_t state_goto_cost, state_end_cost;         // the state's longest paths so far, with and without goto
-    uint32_t max_state_cost;  // the largest of all states
+    uint32_t max_state_cost;  // cost of the longest step of all states so far
 } LongestPath;
 
 static inline void longest_begin(LongestPath *w)      // called at the start of each function

@@ -97,7 +97,7 @@ typedef struct SmvmLocation {
     SmType type;
     SmvmAt offset;            // in bytes
 } SmvmLocation;
-SmvmLocation smvm_output(const SmvmMachine *m, uint32_t output);      // counted from 0
+SmvmLocation smvm_output(const SmvmMachine *m, uint32_t output);      // returns where output number `output`, counted from 0, is stored
 
 // ---- pins ----
 
@@ -107,7 +107,7 @@ typedef struct SmvmPin {
     uint8_t type;             // type of the pin's element (SmType)
     uint8_t flags;            // 1 inverted, 2 pulled up, 4 pulled down
     uint8_t hold;             // inputs: for how many steps the last measurement remains valid
-    uint32_t pin;             // 0 to 65535
+    uint32_t pin;             // number of the pin, 0 to 65535
     SmvmAt offset;            // offset of the element in the state vector, in bytes
     SmF64 scale, zero;        // analog: element = volts * scale + zero
     SmF64 safe;               // outputs: the safe value

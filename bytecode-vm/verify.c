@@ -69,7 +69,7 @@ typedef struct Verifier {
     SmvmReader in;            // the current position, and the end of the current function
     SmvmAt where;             // offset of the data being checked
     SmvmAt furthest_target;   // the furthest target of the function's jumps
-    SmvmAt windows_sampled;   // how many windows have their sample
+    SmvmAt windows_sampled;   // how many windows the sample function has sampled so far
     uint8_t stat;             // the statistic that the current instruction reads
     uint8_t defined;          // the registers that contain a number: HAS_X, HAS_Y
     bool is_ended;            // control cannot continue after the last instruction

@@ -42,7 +42,7 @@ struct SmApp;
 // Writes saved state vectors and logs to their media.  A separate struct, so that a program that has neither does not link this
 // code.
 typedef struct SmWriting {
-    SmResult (*restore)(struct SmApp *app);               // before the tasks' init
+    SmResult (*restore)(struct SmApp *app);               // restores the saved state vector, before init of the tasks
     void (*write)(struct SmApp *app, uint64_t budget);    // writes what is pending; logs for at most `budget` nanoseconds
     void (*close)(struct SmApp *app, const SmTick *last); // appends a last record, then writes everything pending
 } SmWriting;
@@ -60,7 +60,7 @@ typedef struct SmApp {
     SmLog *log;               // or NULL
     const SmWriting *writing; // &sm_writing if `keep` or `log` is set; else NULL
     const SmIo *inputs, *outputs;         // the contexts of the two I/O tasks, so that a message can name the pin; or NULL
-    uint64_t watchdog;        // nanoseconds; 0: none
+    uint64_t watchdog;        // period of the watchdog in nanoseconds; 0: no watchdog
     bool one_thread;          // runs all executors in the calling thread, even on a platform with threads
     // The fields below belong to the runtime; initially all zero.
     bool restored;

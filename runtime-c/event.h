@@ -36,7 +36,7 @@ typedef struct SmEvent {
 typedef struct SmEvents {
     SmEvent *at;
     uint16_t room;            // number of elements, a power of two
-    bool guarded;             // used by several threads
+    bool guarded;             // several threads use the ring, so it has a lock
     PalLock lock;
     uint32_t next;            // number of events so far, modulo 2^32
     uint32_t faults;          // how often the lock timed out (SM_LOCK_WAIT): an event was dropped, or a read returned none

@@ -27,7 +27,7 @@ extern "C" {
 
 // A rate group: tasks that run together at every `every`-th tick.
 typedef struct SmRate {
-    uint32_t every;           // in ticks
+    uint32_t every;           // number of ticks from one run of the group to the next
     uint16_t tasks;           // a task appears only once in an application
     SmTask *const *task;
 } SmRate;
@@ -36,9 +36,9 @@ typedef enum SmOverrun { SM_SKIP, SM_CATCH_UP } SmOverrun;
 
 // Elements that receive statistics of the executor at the end of each tick.  Any integer type (values saturate), or NULL.
 typedef struct SmVitals {
-    const SmElement *ticks;       // ticks run
-    const SmElement *overruns;    // ticks that began when the next one was already due
-    const SmElement *skipped;     // ticks left out
+    const SmElement *ticks;       // number of ticks run
+    const SmElement *overruns;    // number of ticks that began when the next one was already due
+    const SmElement *skipped;     // number of ticks left out
     const SmElement *late;        // delay of the start of the last tick, in microseconds
     const SmElement *busy;        // duration of the last tick, in microseconds
 } SmVitals;
@@ -53,7 +53,7 @@ typedef struct SmExecutor {
     uint32_t most;            // for SM_CATCH_UP: largest number of ticks to run late
     SmStateVec *sv;
     SmEvents *events;
-    const SmElement *time;    // G, a U64; or NULL
+    const SmElement *time;    // element G, a U64; or NULL
     uint64_t unit;            // nanoseconds per unit of G
     SmVitals vitals;
     uint16_t number;          // number of the executor in its application, for SmEvent.source
@@ -63,7 +63,7 @@ typedef struct SmExecutor {
     uint64_t step;            // increment of G per tick; 0: the period is not a multiple of the unit
     uint64_t next;            // number of the next tick
     uint64_t ticks, overruns, skipped;
-    uint64_t late, late_max, busy, busy_max;      // nanoseconds
+    uint64_t late, late_max, busy, busy_max;      // delay and duration of the last tick, and the greatest so far, in nanoseconds
     uint64_t ended;           // PAL clock time at which the last tick ended
     uint64_t reported_at, reported_skipped;       // time of the last OVERRUN event, and ticks reported so far
     // Used by the application that runs the executor (run.c).

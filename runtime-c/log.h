@@ -20,7 +20,7 @@ typedef struct SmLog {
     const char *file;         // name of the file, for pal_log_open
     SmStateVec *sv;
     const SmNames *names;     // names of the elements and regions of sv
-    SmEvents *events;         // or NULL
+    SmEvents *events;         // events to log; or NULL
     const SmMachine *const *machine;      // machines whose state names the log describes
     uint16_t machines;
     uint8_t *buffer;          // the ring: `room` bytes, at least SM_LOG_LEAST(packed size of the vector)
@@ -38,7 +38,7 @@ typedef struct SmLog {
     uint32_t dropped, lost;   // totals: records dropped for lack of space, events overwritten before the step read them
     uint32_t dropped_reported, lost_reported;  // parts of these totals that the log already reports
     uint64_t start;           // size of the file in bytes before this session
-    uint64_t written;         // its size now
+    uint64_t written;         // size of the file now
     uint64_t described_at;    // value of `written` when the last description began
     uint32_t description_done, description_size;  // bytes of the description that are written; its total size.  Both 0: not begun
     uint64_t synced_at;       // PAL clock time of the last sync

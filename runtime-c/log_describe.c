@@ -8,7 +8,7 @@
 
 // Receives all bytes of the description in order, and stores those from byte `from` on, at most `room` of them, at `out`.
 typedef struct DescriptionSink {
-    uint32_t at, from, room;  // at: bytes received so far
+    uint32_t at, from, room;  // at: number of bytes received so far
     uint8_t *out;
     uint32_t crc;
 } DescriptionSink;

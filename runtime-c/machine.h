@@ -29,7 +29,7 @@ typedef struct SmMachine {
     SmStateVec *sv;
     SmEvents *events;
     void *copy;               // layout->whole.size bytes, aligned as uint64_t, not shared; NULL if sv is not guarded
-    uint32_t initial;         // the initial state; 0: the first
+    uint32_t initial;         // number of the state in which it starts; 0: the first
     bool resume;              // after a restart with a restored vector, start in the state whose number is in S, if that state exists
     const bool *restored;     // whether the vector was restored; or NULL
     uint16_t number;          // number of the machine in its application, for SmEvent.source

@@ -31,11 +31,11 @@ typedef struct SmMachineType {
     SmResult (*step)(void *self, void *sv);                       // SM_OK or SM_REFUSED; SM_E_ARGUMENT if init has not succeeded
     uint32_t (*state)(const void *self);                          // the state that the next step runs
     bool (*moved)(const void *self);                              // whether the last step made a transition, possibly to the same state
-    uint64_t (*time)(const void *self);                           // T
+    uint64_t (*time)(const void *self);                           // T, the time in the current state
     const char *(*state_name)(const void *self, uint32_t state);  // "" for an unknown state, and without names
     uint32_t (*states)(const void *self);                         // number of states; they are numbered from 1
     SmRange (*accessed)(const void *self);                        // range of sv from the first byte that it may access to the last
-    SmRange (*state_number)(const void *self);                    // the element S
+    SmRange (*state_number)(const void *self);                    // range of element S, which stores the number of the state
     // Copies what the last step stored from one state vector to another, including S if it was stored, and nothing else.  NULL: the
     // machine was built without --track-stores and does not record its stores, so it requires a state vector without `lock`.
     void (*publish)(const void *self, const void *from, void *to);

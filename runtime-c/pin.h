@@ -20,7 +20,7 @@ enum { SM_IO_INVERTED = 1, SM_IO_PULL_UP = 2, SM_IO_PULL_DOWN = 4 };     // SmIo
 typedef struct SmIoPin {
     uint8_t kind;             // SmIoKind
     uint8_t type;             // type of the element (SmType)
-    uint8_t flags;
+    uint8_t flags;            // SM_IO_INVERTED …
     uint8_t hold;             // IN: number of failed steps for which the last measurement stays valid
     uint16_t pin;
     uint32_t offset;          // offset of the element in the state vector, in bytes
@@ -33,14 +33,14 @@ typedef struct SmIoPin {
 SmResult sm_pin_open(const SmIoPin *p, uint8_t *handle);             // an output starts at its safe value
 SmResult sm_pin_read(const SmIoPin *p, uint8_t handle, SmF64 *x);  // x: the value of the element
 SmResult sm_pin_write(const SmIoPin *p, uint8_t handle, SmF64 x);
-void sm_pin_close(const SmIoPin *p, uint8_t handle);                 // leaves the level unchanged
+void sm_pin_close(const SmIoPin *p, uint8_t handle);                 // does not change the level of an output
 
 // sm_pin_read and sm_pin_write in two parts: access to the pin, and conversion between v and the value of the element.  v: the pin's value in
 // millionths; for a digital pin, 1 if its element is true, else 0.
 SmResult sm_pin_read_raw(const SmIoPin *p, uint8_t handle, int32_t *v);
 SmResult sm_pin_write_raw(const SmIoPin *p, uint8_t handle, int32_t v);
 SmF64 sm_pin_from_raw(const SmIoPin *p, int32_t v);                   // converts v to the value of the element (config.md 9.8)
-int32_t sm_pin_to_raw(const SmIoPin *p, SmF64 x);                     // the inverse: the nearest millionth, saturated to int32_t
+int32_t sm_pin_to_raw(const SmIoPin *p, SmF64 x);                     // converts a value to v, the nearest millionth, saturated
 
 #ifdef __cplusplus
 }

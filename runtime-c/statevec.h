@@ -65,8 +65,8 @@ typedef struct SmLayout {
 typedef struct SmNames {
     const SmLayout *layout;
     const char *vector;               // name of the .sv
-    const char *const *element;       // in the order of SmLayout.element
-    const char *const *region;
+    const char *const *element;       // names of the elements, in the order of SmLayout.element
+    const char *const *region;        // names of the regions, in the order of SmLayout.region
 } SmNames;
 
 // ---- one vector ----

@@ -25,7 +25,7 @@ typedef enum SmMode { SM_DISABLED = 0, SM_SAFED = 1, SM_ENABLED = 2 } SmMode;
 // The time at which a step runs.  All tasks of a tick receive the same value.
 typedef struct SmTick {
     uint64_t time;            // due time of this tick in nanoseconds since the start of the application: k times the executor's period
-    uint64_t number;          // k
+    uint64_t number;          // k, the number of the tick, from 0
 } SmTick;
 
 typedef SmResult SmTaskInit(void *context);

@@ -108,13 +108,13 @@ static inline SmF64 sm_from_u64(uint64_t v)
 // snippet: sm_from_f32 double
 static inline SmF64 sm_from_f32(float v) { return (SmF64)v; }       // exact
 // snippet: sm_truncate_i32 double
-static inline int32_t sm_truncate_i32(SmF64 x) { return (int32_t)x; }    // toward zero; the result must fit
+static inline int32_t sm_truncate_i32(SmF64 x) { return (int32_t)x; }    // toward zero; the result must be in range
 // snippet: sm_truncate_u32 double
-static inline uint32_t sm_truncate_u32(SmF64 x) { return (uint32_t)x; }  // toward zero; the result must fit
+static inline uint32_t sm_truncate_u32(SmF64 x) { return (uint32_t)x; }  // toward zero; the result must be in range
 // snippet: sm_truncate_i64 double
-static inline int64_t sm_truncate_i64(SmF64 x) { return (int64_t)x; }    // toward zero; the result must fit
+static inline int64_t sm_truncate_i64(SmF64 x) { return (int64_t)x; }    // toward zero; the result must be in range
 // snippet: sm_truncate_u64 double
-static inline uint64_t sm_truncate_u64(SmF64 x) { return (uint64_t)x; }  // toward zero; the result must fit
+static inline uint64_t sm_truncate_u64(SmF64 x) { return (uint64_t)x; }  // toward zero; the result must be in range
 // snippet: sm_round_f32 double
 static inline float sm_round_f32(SmF64 x) { return (float)x; }      // to nearest even, overflow to infinity
 // snippet: end

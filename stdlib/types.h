@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#ifndef SMVM_BINDINGS        // tools that read smvm.h for another language
+#ifndef SMVM_BINDINGS        // defined for tools that read smvm.h for another language
 #include "stdlib/f64.h"
 #endif
 

@@ -382,7 +382,7 @@ SMVM_NOINLINE static void open_log(void)
 // Begins a record for the next transition, and writes the next byte of the current record, unless a step would have to wait for the write.
 SMVM_NOINLINE static void write_log(void)
 {
-    static uint8_t earned_at;          // in units of 8.192 s
+    static uint8_t earned_at;          // time of the last smvm_state_log_earn, in units of 8.192 s
     const uint8_t now = (uint8_t)(avr_milliseconds() >> 13);
     uint32_t lost;
     SmvmAt at;
@@ -423,7 +423,7 @@ void smvm_firmware(void)
     }
 }
 
-#ifndef ARDUINO                            // Arduino has its own main, and a sketch
+#ifndef ARDUINO                            // Arduino's core has its own main, which calls the sketch
 int main(void) { smvm_firmware(); }
 #endif
 

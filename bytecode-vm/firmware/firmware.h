@@ -6,7 +6,7 @@
 #include "runtime-c/psl/avr/chip.h"
 
 #ifdef PSL_AVR
-#define SMVM_HAS_FIRMWARE     // on other boards there is none
+#define SMVM_HAS_FIRMWARE     // the firmware supports this board
 
 #ifdef __cplusplus
 extern "C" {

@@ -31,20 +31,21 @@ typedef struct AgentBoard {
     uint16_t cycles;          // limit on the cycles of a step on an ATmega, for each millisecond of its period; 0: none
     uint32_t mark;            // identifies the board's key (smvm_auth_mark), if it has one
     SmvmPhysicalPin *physical_pin;  // NULL: the board has no pins, or cannot report the pins of its chip
-    SmResult (*may_update)(void *context);                        // SM_OK, SM_E_ARMED, SM_E_UNSAFE
+    // Whether an update may begin now: SM_OK, SM_E_ARMED, SM_E_UNSAFE.
+    SmResult (*may_update)(void *context);
     // Whether this board can run the image: RAM, pins, state vector.  SM_E_MEMORY, SM_E_MISSING, SM_E_LAYOUT.
     SmResult (*fits)(void *context, SmvmBytes image);
     // For boards with one slot: called when a BEGIN with this body of n bytes arrives, to run the built-in image from now on.  Any other result
     // than SM_OK refuses the BEGIN, and the image in the slot must continue to run (bytecode-vm/permit.h).
     SmResult (*leave_slot)(void *context, const uint8_t *begin, uint8_t n);
     SmvmBytes built_in;
-    uint32_t built_in_size;   // 0: there is none
+    uint32_t built_in_size;   // bytes; 0: there is no built-in image
 } AgentBoard;
 
 typedef struct Agent {
     Store *store;
     const AgentBoard *board;
-    SmEvents *events;         // or NULL
+    SmEvents *events;         // the board's events, for hosts that request them; or NULL
     uint8_t *frame;           // LINK_ROOM(body) bytes: the request, then its answer
     uint8_t body;             // the largest body of a request or an answer
     uint8_t block;            // the preferred number of payload bytes in DATA

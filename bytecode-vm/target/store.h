@@ -72,8 +72,8 @@ typedef struct Store {
     bool (*is_authentic)(SmvmBytes image, uint32_t *number);
     // The current update.
     uint16_t session;         // the host's number for this update; 0: no update
-    uint8_t target;           // the slot that it writes
-    bool is_accepted;         // smvm_store_end has accepted it
+    uint8_t target;           // the slot that the update writes
+    bool is_accepted;         // smvm_store_end has accepted the image
     SmvmAt length, next;      // size of the image; how many bytes of it are written
     uint8_t checksum[4];      // checksum of the image, as sent by the host
 } Store;
@@ -136,7 +136,7 @@ static inline bool smvm_store_has_key(const Store *s) { return SMVM_STORE_KEY &&
 
 typedef enum StoreState { STORE_EMPTY, STORE_INTACT, STORE_TRIAL, STORE_CONFIRMED } StoreState;
 
-uint16_t smvm_store_period(const Store *s, uint8_t slot);      // 0 if none was set
+uint16_t smvm_store_period(const Store *s, uint8_t slot);      // milliseconds between steps of its image; 0: none was set
 
 StoreState smvm_store_state(const Store *s, uint8_t slot);
 

@@ -26,13 +26,13 @@ typedef struct ImageFn {
     ImageIns *ins;
     uint32_t n;
     uint32_t longest[PATH_KINDS];       // by kind of end: cost of the longest path; all zero for a function without code, which ends in `end`
-    bool ends;                    // some path ends in `end`
+    bool ends;                    // some path of the function ends in the instruction `end`
 } ImageFn;
 
 typedef struct ImageReader {
     Arena *arena;
     CostUnit unit;
-    uint32_t always;              // the cost of a step without its functions
+    uint32_t always;              // the cost of a step besides the functions that it runs
     SmvmMachine m;
     Cycles cycles;                // state after the last instruction that was read
     SmvmLines lines;              // the first row of the line table that begins after the instruction being read

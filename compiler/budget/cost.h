@@ -24,24 +24,24 @@ typedef struct CostLine {
 typedef struct StateCost {
     uint32_t first;               // the cost of the longest first step of the state: samples, .entry, .step, .exit
     uint32_t later;               // the cost of the longest of its other steps; 0: it has none
-    uint32_t worst;               // the larger of the two
+    uint32_t worst;               // the larger of `first` and `later`
     VEC(CostLine) path;           // the path through the worst step, in order
 } StateCost;
 
 typedef struct CostWindow {
-    uint32_t size;                // slots
+    uint32_t size;                // number of slots
     SmType type;
-    uint32_t bytes;               // samples and the data that speeds up statistics
+    uint32_t bytes;               // bytes of the samples and of the data that speeds up statistics
 } CostWindow;
 
 typedef struct Cost {
     uint32_t sample;              // the cost of the code that samples the rolling windows, which every step includes
-    uint32_t worst;               // the longest step
+    uint32_t worst;               // the cost of the longest step of all states
     uint32_t worst_state;         // the number (from 1) of the first state with this step
-    StateCost *state;             // at[0] is state 1
+    StateCost *state;             // costs of the states; state[0] is that of state 1
     uint32_t states;
-    uint32_t ram;                 // total bytes, with 64-bit pointers: the VM's own, windows, locals
-    uint32_t own, windows, locals;
+    uint32_t ram;                 // bytes of memory that the machine needs on a computer with 64-bit pointers
+    uint32_t own, windows, locals;        // parts of `ram`: the VM's own structures, the windows, the locals
     uint32_t windows_small;       // bytes of the windows if the target is compiled with SM_ROLL_SMALL
     CostWindow *window;
     uint32_t window_count;

@@ -163,7 +163,7 @@ static uint32_t cycles_of_jump(const Cycles *c, uint8_t op, const uint32_t *numb
 {
     if (op == SMVM_jmp || op == SMVM_jf || op == SMVM_jt)
         return row_cost(c, op == SMVM_jmp ? CYCLES_jmp : op == SMVM_jf ? CYCLES_jf : CYCLES_jt, c->x.whole);
-    if (op < SMVM_jmp)                                // jxy, with any relations of X and Y
+    if (op < SMVM_jmp)                                // a jxy: the cost is the same for all sets of relations
         return row_cost(c, CYCLES_jxy, c->x.whole && c->y.whole);
     if (number[0] > UINT16_MAX)
         return row_cost(c, CYCLES_jxn_wide, c->x.whole);

@@ -34,19 +34,19 @@ typedef enum CyclesWindow {
 
 enum { CYCLES_SAMPLE_KINDS = 6 };         // how windows store their samples: as integers of 1, 2, 4 or 8 bytes, as F32, as F64
 
-typedef enum CyclesChip { CYCLES_FLASH, CYCLES_EEPROM } CyclesChip;       // an ATmega328P with its image there
+typedef enum CyclesChip { CYCLES_FLASH, CYCLES_EEPROM } CyclesChip;       // an ATmega328P with its image in flash or in EEPROM
 
 // What is known about a register.
 typedef struct CyclesReg {
-    bool whole;               // always a whole number
-    bool signed_;             // may be negative
-    uint32_t most;            // the largest possible magnitude of a whole number
+    bool whole;               // it always contains a whole number
+    bool signed_;             // that number may be negative
+    uint32_t most;            // the largest possible magnitude of that number
 } CyclesReg;
 
 typedef struct Cycles {
     CyclesChip chip;
     const SmvmMachine *m;
-    CyclesReg x, y;           // after the last instruction
+    CyclesReg x, y;           // X and Y after the last instruction
 } Cycles;
 
 uint32_t cycles_stack_bytes(void);              // bytes of stack below a step, the largest measured value
@@ -55,7 +55,7 @@ uint32_t cycles_in_row(CyclesChip chip, CyclesRow row, bool whole);
 // Returns the cycles in a row of CYCLES_WINDOW, for a window of this sample type and size.
 uint32_t cycles_of_window_row(CyclesWindow row, uint8_t type, uint32_t slots);
 
-// Call before the first instruction.  Returns the cost of a step without its functions.
+// Call before the first instruction.  Returns the cost of a step besides the functions that it runs.
 uint32_t cycles_begin(Cycles *c, CyclesChip chip, const SmvmMachine *m);
 // Returns the cost of the next instruction in the order of the image, and updates the registers.  number: its operands.  The cost of
 // `end` and `goto` includes the call of the function that they end.

@@ -17,7 +17,7 @@ enum {
     EXIT_USAGE = 2,
     EXIT_ENVIRONMENT = 3,     // cannot read or write, out of memory, no device
     EXIT_INTERNAL = 4,        // a bug in smc
-    EXIT_INCONCLUSIVE = 5     // a bound was reached
+    EXIT_INCONCLUSIVE = 5     // a bound was reached, so there is no result
 };
 
 typedef enum OptionId {
@@ -53,8 +53,8 @@ struct Cli {
 
 // Parses argv after the subcommand into the fields of c. false: a message has been printed, exit with EXIT_USAGE.
 bool options_parse(Cli *c, int argc, char **argv);
-void options_write_help(const Command *command, Buf *out);      // the options of a subcommand, one per line
-int options_opt_level(const Cli *c);                           // -O: 0, 1 or 2
+void options_write_help(const Command *command, Buf *out);      // writes the options of a subcommand, one per line
+int options_opt_level(const Cli *c);                           // returns the value of -O: 0, 1 or 2
 
 // ---- common.c ----
 
@@ -81,7 +81,7 @@ CLI_PRINTF int cli_usage_error(Cli *c, const char *format, ...);
 const char *cli_printable_name(Arena *a, const char *name);
 // Reads an image and runs the device's own verifier on it.  EXIT_OK, or the exit code after a message.
 int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v);
-void cli_write_pin(Buf *out, const SmvmPin *p);          // "digital input 2 with @pull_up"
+void cli_write_pin(Buf *out, const SmvmPin *p);          // writes a pin in words: "digital input 2 with @pull_up"
 // Writes outputs, after outputs_check. Returns EXIT_OK, or the exit code after a message: then no file has been replaced.
 int cli_write_outputs(Cli *c, const OsOutput *out, size_t n);
 // Writes an edited file over its input, without outputs_check. Reports hard links, because os_write changes only one of them.

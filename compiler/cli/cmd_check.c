@@ -4,7 +4,7 @@
 
 static int check_use(Cli *c)
 {
-    size_t of[FILE_APP + 1] = {0};        // files of each kind
+    size_t of[FILE_APP + 1] = {0};        // by FileKind: number of files of this kind
     const char *pins = NULL;
     FileKind kind;
 

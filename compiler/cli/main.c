@@ -96,7 +96,7 @@ static int dispatch(Cli *c, int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    static Cli cli;           // survives the longjmp
+    static Cli cli;           // static, so that its value is defined after the longjmp
     jmp_buf oom;
     int code;
 

@@ -153,7 +153,7 @@ static bool is_name(const char *at, size_t n)
 {
     size_t i = 0;
 
-    while (i < n && (is_name_char(at[i]) || at[i] == '.'))         // "tank.state" if "state" is in use
+    while (i < n && (is_name_char(at[i]) || at[i] == '.'))         // with a point as in "tank.state", if another column is called "state"
         i++;
     return i == n;
 }
@@ -330,7 +330,7 @@ bool outputs_is_source_name(const char *name, size_t n)
     for (size_t i = 0; i < sizeof suffix / sizeof *suffix; i++) {
         const size_t m = strlen(suffix[i]);
         size_t k = 0;
-        while (n >= m && k < m && (name[n - m + k] | (suffix[i][k] & 0x20)) == suffix[i][k])      // also in capitals
+        while (n >= m && k < m && (name[n - m + k] | (suffix[i][k] & 0x20)) == suffix[i][k])      // also matches capitals
             k++;
         if (k == m)
             return true;

@@ -17,10 +17,10 @@ typedef enum TestStatus {
 
 typedef struct TestResult {
     const char *path;         // path of the script or the case
-    const char *suite;        // the machine, or the folder of the case
+    const char *suite;        // path of the script's machine, or folder of the case
     TestStatus status;
-    const char *message;      // lines: why it did not pass; else ""
-    int code;                 // the exit code that it requires
+    const char *message;      // why it did not pass, one or more lines; "" if it passed
+    int code;                 // the exit code of the command that this result requires
     double seconds;           // duration of the test
 } TestResult;
 
@@ -29,7 +29,7 @@ typedef struct TestRun {      // one call of smc test
     Arena *arena;
     unsigned engines;         // bits requested; 0: as each case specifies, or vm
     unsigned absent;          // engines that were requested but not available
-    const char *why_absent;   // a sentence
+    const char *why_absent;   // why they are not available, as a sentence
     bool c_was_tried, c_runs; // whether the C compiler runs, once it has been tried
     size_t left_out;          // runs on absent engines that were omitted from cases
     uint64_t max_steps;
@@ -73,7 +73,7 @@ typedef struct TestTrace TestTrace;
 
 // Opens the file that --trace names; *trace is NULL without --trace. EXIT_OK, or the exit code after a message.
 int test_trace_open(TestRun *run, const Program *p, TestTrace **trace);
-void test_trace_script(TestTrace *t, const char *path);            // the script whose steps follow
+void test_trace_script(TestTrace *t, const char *path);            // names the script whose steps follow
 void test_trace_left_out(TestTrace *t, const char *path);          // reports a script without a trace; t may be NULL
 void test_trace_step(void *trace, const ScriptStep *step);         // writes a step; for ScriptOptions.after_step
 int test_trace_close(TestTrace *t);                                // t may be NULL; the file appears if a script ran

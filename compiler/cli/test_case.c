@@ -14,7 +14,7 @@ struct TestCase {
     EngineSet engines;
     unsigned which;           // engines it runs on
     IrMachine *ir;            // IR of the case's machine, if emitted C is among the engines; else NULL
-    bool is_done;             // nothing more to do: `result` is final
+    bool is_done;             // `result` is final, and the case must not run
     TestResult result;
 };
 

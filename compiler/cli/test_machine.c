@@ -34,7 +34,7 @@ static void add_errors(MachineTest *m, const char *message, int code)
     for (size_t i = 0; i < c->files; i++)
         if (test_is_script(c, c->file[i])) {
             add_result(m, result_name(c->file[i]), TEST_BROKEN, message, code);
-            m->begin = os_seconds();          // count the time spent so far only once
+            m->begin = os_seconds();          // the time spent so far counts only for the first script
         }
 }
 

@@ -12,9 +12,9 @@ struct TestTrace {
     const Var **column;
     size_t columns;
     bool is_exact;
-    const char *script;           // the current one; NULL: none has run yet
+    const char *script;           // the current script; NULL: none has run yet
     const Var *rounded;           // the first column with a value that a double cannot represent
-    Buf text;                     // not yet written
+    Buf text;                     // text that is not yet written to the file
     OsStream file;
     const char *error;            // why writing failed; NULL: no failure
 };

@@ -18,12 +18,12 @@ typedef struct DeviceInfo {
     SmResult may;             // SM_OK if an update may begin, otherwise the reason why not
     bool requires_signature;  // it only accepts images that are signed with its key and have a number above `newest`
     uint32_t newest;
-    bool reports_mark;        // it reported the mark of its key (smvm_auth_mark)
+    bool reports_mark;        // the board reported the mark of its key (smvm_auth_mark)
     uint32_t mark;
     bool reports_limits;      // the firmware reports its limits; the following fields are valid only then
-    bool windows;             // it runs rolling windows
+    bool windows;             // the firmware supports rolling windows
     uint8_t machines;         // the most machines in an image; 0: any number
-    uint8_t ram_digital, ram_analog;      // bytes of `ram` for each pin
+    uint8_t ram_digital, ram_analog;      // bytes of `ram` that each digital and each analog pin takes
     uint16_t period;          // default number of milliseconds between steps
     uint16_t cycles;          // ATmega cycles that a step may take for each millisecond of the period; 0: no limit
 } DeviceInfo;
@@ -78,7 +78,7 @@ typedef struct Update {
     const uint8_t *bytes;
     uint32_t length, checksum;
     const uint8_t *permit;    // DEVICE_PERMIT bytes: the number of the image and its permit (smvm_permit_read); NULL: it has none
-    uint16_t session;         // not 0; different for each update
+    uint16_t session;         // a number other than 0 that is different for each update
     uint16_t period;          // milliseconds between its steps; 0: the board's default
     void (*progress)(void *context, uint32_t done);
     void *context;

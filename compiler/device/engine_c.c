@@ -34,7 +34,7 @@ enum { PATH_LEN = 512, MESSAGE_MAX = 2000 };
 // The temporary folder in which a program is built.
 typedef struct BuildFolder {
     Arena *arena;
-    char folder[PATH_LEN];    // "" before it exists
+    char folder[PATH_LEN];    // path of the folder; "" before it exists
     const char **error;       // receives the reason of a failure
 } BuildFolder;
 

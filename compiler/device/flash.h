@@ -22,7 +22,7 @@ typedef struct ImageNeeds { uint32_t ram, longest, machines, windows, cycles; } 
 
 typedef enum FlashRefusal {
     FLASH_ACCEPTED,
-    FLASH_LINK_FAILED,        // while `asking`; the reason is in the LinkHost
+    FLASH_LINK_FAILED,        // the request for FlashCheck.asking failed; the reason is in the LinkHost
     // The board has too little for the image:
     FLASH_TOO_LARGE, FLASH_RAM_TOO_SMALL, FLASH_STEP_TOO_LONG, FLASH_HAS_WINDOWS, FLASH_TOO_MANY_MACHINES, FLASH_STEP_TOO_SLOW,
     // A board of this kind would refuse or ignore a pin:
@@ -37,7 +37,7 @@ typedef struct FlashCheck {
     uint32_t period;          // milliseconds between steps, if necessary the board's default
     const char *asking;       // FLASH_LINK_FAILED: what the failed request was for, as "asking what runs"
     DeviceImage running;      // the running image
-    bool runs_already;        // it is this image, with this period
+    bool runs_already;        // the running image is the one to send, with the same period
     DeviceImage trial;        // FLASH_OTHER_ON_TRIAL: the image on trial
     SmvmAuth code;            // FLASH_OTHER_KEY, FLASH_OLD_NUMBER: the mark and number of the image
     SmvmPin pin, other;       // FLASH_PIN_ABSENT: the pin; FLASH_PINS_CLASH: two that are one pin of the board

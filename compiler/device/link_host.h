@@ -8,10 +8,10 @@
 // A byte stream to the board, and a clock.
 typedef struct SerialLine {
     void *context;
-    bool (*send)(void *context, const uint8_t *bytes, size_t n);                                  // false: the line is closed
+    bool (*send)(void *context, const uint8_t *bytes, size_t n);                                  // sends n bytes; false: the line is closed
     // Waits up to `wait` milliseconds.  Returns the number of bytes received, 0 if none, -1 if the line is closed.
     int (*receive)(void *context, uint8_t *bytes, size_t room, uint32_t wait);
-    uint32_t (*now)(void *context);       // milliseconds, modulo 2^32
+    uint32_t (*now)(void *context);       // returns the time in milliseconds, modulo 2^32
 } SerialLine;
 
 typedef struct LinkHost {

@@ -4,7 +4,7 @@
 
 bool comment_find_start(const char *line, uint32_t len, uint32_t *at)
 {
-    bool quoted = false;              // inside the reason of an @allow
+    bool quoted = false;              // position i is inside the quoted reason of an @allow
 
     for (uint32_t i = 0; i < len; i++) {
         quoted ^= line[i] == '"';

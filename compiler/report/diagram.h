@@ -20,7 +20,7 @@ typedef struct DiagramSize { int32_t w, h; } DiagramSize;         // CSS pixels,
 // Additions to the diagram; all zero: none.
 typedef struct DiagramOptions {
     const Diags *findings;        // marked on their states and transitions; or NULL
-    const DiagramCounts *counts;    // or NULL
+    const DiagramCounts *counts;    // written beside states and transitions; or NULL
     DiagramSize *size;              // receives the size of the picture from diagram_write_svg; or NULL
 } DiagramOptions;
 

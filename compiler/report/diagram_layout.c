@@ -13,13 +13,13 @@ enum {
 
 // The states of a rank, or the labels between a rank and the next.  They occupy `rows` layers, the first of which is `layer`.
 typedef struct Band {
-    int64_t load;                 // their total width
+    int64_t load;                 // total width of its states or labels
     uint32_t rows, layer;
     int64_t row_load[ROWS];
 } Band;
 
 typedef struct Bands {
-    Band *rank, *gap;             // by rank; by the rank above the gap
+    Band *rank, *gap;             // bands of states, by rank; bands of labels, by the rank above them
     uint32_t *gap_of;             // by edge: the gap of its label
 } Bands;
 
@@ -45,7 +45,7 @@ static uint32_t find_least_filled_gap(const Layout *l, const Bands *b, const Dia
 // Chooses a gap for the label of each edge.  Edges that cross only one gap come first, because they have no choice.
 static void assign_gaps(const Layout *l, Bands *b)
 {
-    for (int is_long = 0; is_long < 2; is_long++)         // first those with only one gap
+    for (int is_long = 0; is_long < 2; is_long++)         // first the edges that cross only one gap
         for (size_t e = 0; e < l->d->edge.n; e++) {
             const DiagramEdge *edge = &l->d->edge.at[e];
             if (edge->form != EDGE_LINE || (bottom_rank(l, edge) - top_rank(l, edge) > 1) != is_long)

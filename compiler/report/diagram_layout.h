@@ -23,7 +23,7 @@ typedef enum ItemKind {
 
 typedef struct LayoutItem {
     ItemKind kind;
-    uint32_t ref;                 // NODE: Diagram.node; else Diagram.edge
+    uint32_t ref;                 // ITEM_NODE: index in Diagram.node; otherwise index in Diagram.edge
     uint32_t layer, pos;          // pos: its position in the layer
     int32_t left, right, h;       // its extent from x; h: height, centred in its layer
     int32_t x;
@@ -31,7 +31,7 @@ typedef struct LayoutItem {
 
 // A part of an edge, from an item to one in the next layer.
 typedef struct LayoutLink {
-    uint32_t above, below;        // items
+    uint32_t above, below;        // the items that it joins
     uint32_t edge;
     bool crossed;                 // crosses a link that should be straight, so this one cannot be straight
 } LayoutLink;
@@ -51,11 +51,11 @@ typedef struct LayoutLinks {
 typedef struct Layout {
     Arena *arena;
     Diagram *d;
-    uint32_t *rank;               // by node
+    uint32_t *rank;               // by node: its rank
     uint32_t ranks;
     bool *spine;                  // by edge: it is part of the spine (diagram_rank.c) and should be straight from end to end
     VEC(LayoutItem) item;         // first the nodes, then the other items
-    VEC(LayoutLink) link;         // those of an edge are consecutive, downwards
+    VEC(LayoutLink) link;         // the links of an edge are consecutive, from top to bottom
     uint32_t *first_link;         // by edge: index of its first link; then one more entry, the number of links
     Layer *layer;
     uint32_t layers;
@@ -80,7 +80,7 @@ void layout_size_node(Diagram *d, uint32_t node, uint32_t lines, LayoutItem *out
 void layout_create_items(Layout *l);
 void layout_order_items(Layout *l);
 void layout_sort_links(Layout *l);        // sorts `above` and `below` by the current order
-uint64_t layout_count_crossings(const Layout *l, uint32_t layer);       // between this layer and the next
+uint64_t layout_count_crossings(const Layout *l, uint32_t layer);       // counts crossings between this layer and the next
 void layout_place_items(Layout *l);
 void layout_route_edges(Layout *l);
 

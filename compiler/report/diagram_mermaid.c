@@ -70,7 +70,7 @@ static void write_transition(Buf *out, const Diagram *d, const DiagramEdge *e, c
     write_escaped(out, g->text);
     if (!e->possible)
         buf_str(out, " (never)");
-    if (d->o->counts && g == &e->guard.at[e->guard.n - 1])        // the count of all transitions of the edge
+    if (d->o->counts && g == &e->guard.at[e->guard.n - 1])        // the last guard: the count of all transitions of the edge follows
         buf_printf(out, " (%s)", diagram_edge_count_text(d, e));
     buf_char(out, '\n');
     write_findings(out, &g->finding, e->from + 1);

@@ -7,7 +7,7 @@
 #include "compiler/report/diagram.h"
 
 typedef struct Point { int32_t x, y; } Point;
-typedef struct Box { int32_t x, y, w, h; } Box;           // x, y: left and top
+typedef struct Box { int32_t x, y, w, h; } Box;           // x, y: its upper left corner
 
 typedef struct DiagramLine { const char *text; int32_t w; } DiagramLine;
 typedef VEC(DiagramLine) DiagramLines;
@@ -20,7 +20,7 @@ typedef struct DiagramGuard {
     const char *text;             // the whole text; never empty
     DiagramLines line;            // as shown: wrapped, at most GUARD_LINES, truncated with "…"
     bool possible;                // some run can take it
-    DiagramFindings finding;      // on the transition or its guard
+    DiagramFindings finding;      // findings on the transition or its guard
     uint32_t mark;                // number of the note below the diagram that lists these findings; 0: none
 } DiagramGuard;
 
@@ -32,14 +32,14 @@ typedef enum EdgeForm {
 } EdgeForm;
 
 typedef struct DiagramEdge {
-    uint32_t from, to;            // Diagram.node
+    uint32_t from, to;            // indices in Diagram.node
     VEC(DiagramGuard) guard;      // in file order, at least one
     EdgeForm form;
     bool possible;                // some run can take it
-    bool up;                      // LINE: `to` is above `from`
-    Box label;                    // all guards, stacked
-    Box name;                     // STUB: box with the name of the target state
-    VEC(Point) path;              // LINE: from state to state; see diagram_layout.h
+    bool up;                      // EDGE_LINE: `to` is above `from`
+    Box label;                    // box of all guards, stacked
+    Box name;                     // EDGE_STUB: box with the name of the target state
+    VEC(Point) path;              // EDGE_LINE: the line from state to state; see diagram_layout.h
 } DiagramEdge;
 
 // An assignment to an element of the state vector, as a line in the box of its state.
@@ -58,10 +58,10 @@ typedef struct DiagramNode {
     int32_t action_w;             // width of the widest action
     bool reached;                 // some run can reach it
     uint32_t first_edge, edges;   // outgoing edges: Diagram.edge[first_edge …]
-    VEC(uint32_t) stub_in;        // incoming edges drawn as stubs elsewhere
-    const char *from;             // "from 5 states", by stub_in; NULL: none
+    VEC(uint32_t) stub_in;        // incoming edges that are drawn as stubs beside their source states
+    const char *from;             // text about the edges in stub_in, such as "from 5 states"; NULL: none
     int32_t from_w;
-    DiagramFindings finding;      // on the state itself, not on one of its transitions
+    DiagramFindings finding;      // findings on the state itself, not on one of its transitions
     uint32_t mark;                // number of the note that lists these findings; 0: none
     Box box;
 } DiagramNode;
@@ -78,12 +78,12 @@ typedef struct Diagram {
 } Diagram;
 
 enum {
-    NAME_SIZE = 13, GUARD_SIZE = 11,              // font sizes
-    GUARD_LINE = 14,                              // line height
+    NAME_SIZE = 13, GUARD_SIZE = 11,              // font sizes of names and guards
+    GUARD_LINE = 14,                              // height of a line of a guard
     GUARD_W = 260, GUARD_LINES = 6,               // maximum width and number of lines of a guard
-    GUARD_GAP = 8,                                // between two guards of a label
+    GUARD_GAP = 8,                                // distance between two guards of a label
     ACTION_W = 240, ACTIONS = 8,                  // maximum width of an action, and number of actions in a box
-    ACTION_LABEL_W = 34,                          // the column of "entry", "step" and "exit"
+    ACTION_LABEL_W = 34,                          // width of the column of "entry", "step" and "exit"
     MARK_W = 16,                                  // width of the mark that follows the first line of a guard with findings
     STUB_H = 20                                   // height of the box around a stub's name
 };
@@ -94,7 +94,7 @@ Diagram *diagram_build(const Analysis *a, const DiagramOptions *o);
 // ---- diagram_text.c: the width of a text, whatever sans-serif font the reader has ----
 
 int32_t diagram_text_width(const char *text, int32_t size, bool bold);
-// Wraps to at most `lines` lines, none wider than w, preferably before "and" and "or", and rather not inside brackets.
+// Wraps a text to at most `lines` lines, none wider than w.  It prefers breaks before "and" and "or", and avoids breaks inside brackets.
 DiagramLines diagram_text_wrap(Arena *arena, const char *text, int32_t size, int32_t w, size_t lines);
 bool diagram_text_is_truncated(const DiagramLines *lines);  // whether the last line ends with …
 // Returns the text, or the longest start of it that fits with "…".

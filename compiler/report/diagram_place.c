@@ -13,8 +13,8 @@ typedef struct Columns {
     bool from_below, mirrored;
     const LayoutLink **above, **below;  // by item: its link on that side that should be straight; or NULL
     uint32_t *root;               // by item: the item that represents its column
-    uint32_t *next;               // by item: the next in its column, circular
-    int64_t *x;                   // by item, once columns are placed
+    uint32_t *next;               // by item: the next item in its column; the last is followed by the first
+    int64_t *x;                   // by item: its position, once columns are placed
 } Columns;
 
 // ---- links that can be straight ----

@@ -186,7 +186,7 @@ static void mark_component(const Layout *l, const EdgesByEnd *out, const EdgesBy
     }
 }
 
-enum { ROW = 4 };                 // isolated states per rank
+enum { ROW = 4 };                 // maximum number of isolated states in a rank
 
 // Moves every component except the first state's down, so that it ends at the lowest rank in use.  Isolated states follow, ROW to a rank.
 static void place_components(Layout *l, const EdgesByEnd *out, const EdgesByEnd *in)

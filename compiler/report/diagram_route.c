@@ -3,15 +3,15 @@
 // where edges meet a state).
 #include "compiler/report/diagram_layout.h"
 
-enum {
+enum {                            // lengths in pixels
     MARGIN = 16,
     NODE_SIDE = 16, NODE_LEAST = 76,
     PORT = 14,                    // minimum distance between two ports of a state
-    START_H = 26,                 // the mark above the first state
-    STUB_AT = 26, STUB_SIDE = 8,  // from the state to a stub's name; on both sides of the name
-    STUB_GAP = 6, STUB_TEXT = 6,  // between two stubs; between a stub's name and its guards
-    FROM_AT = 28,                 // from "from 5 states" to the state
-    GAP = 18, GAP_MOST = 70       // between layers
+    START_H = 26,                 // height of the mark above the first state
+    STUB_AT = 26, STUB_SIDE = 8,  // distance from the state to a stub's name; space on both sides of the name
+    STUB_GAP = 6, STUB_TEXT = 6,  // distance between two stubs; between a stub's name and its guards
+    FROM_AT = 28,                 // distance from the text "from 5 states" to the state
+    GAP = 18, GAP_MOST = 70       // least and greatest distance between layers
 };
 
 // ---- beside a state ----

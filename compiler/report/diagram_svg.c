@@ -124,7 +124,7 @@ static const char *box_class(const DiagramNode *n)
 static void write_outline(Buf *out, const char *class, const DiagramNode *n, Box b, int32_t in)
 {
     const long x = b.x + in, y = b.y + in, w = b.w - 2 * in, h = b.h - 2 * in;
-    const long name_h = b.h < NAME_H ? h : NAME_H - 2 * in, cut = name_h / 3;       // corners do not grow with the actions
+    const long name_h = b.h < NAME_H ? h : NAME_H - 2 * in, cut = name_h / 3;       // computed from the name's part of the box, so that actions do not enlarge the corners
 
     if (n->state->is_abort)
         buf_printf(out, "<path class=\"%s\" d=\"M%ld %ldh%ldl%ld %ldv%ldl-%ld %ldh-%ldl-%ld -%ldv-%ldz\"/>", class, x + cut, y,

@@ -38,13 +38,13 @@ typedef struct DocTable {
     size_t columns;
     bool facts;               // pairs of name and value: shown without column titles
     bool narrow;              // no wider than necessary
-    VEC(DocCell) cell;        // row by row
+    VEC(DocCell) cell;        // the cells, row by row
 } DocTable;
 
 typedef struct DocLine {
-    unsigned depth;           // 0: outermost
+    unsigned depth;           // nesting depth in the list; 0: outermost
     const char *text;
-    uint32_t line;            // in the source; 0: none
+    uint32_t line;            // line of the source; 0: none
     const char *comment;      // the author's comment, plain text; or NULL
 } DocLine;
 
@@ -99,7 +99,7 @@ typedef struct Doc {
     Arena *arena;
     const char *title;
     const char *subtitle;
-    const char *maker;        // "smc 0.1"
+    const char *maker;        // program and version: "smc 0.1"
     VEC(DocSection *) section;
 } Doc;
 
@@ -129,13 +129,13 @@ void doc_add_line_cell(DocTable *t, uint32_t line);
 void doc_add_state_cell(DocTable *t, const char *name);
 
 void doc_add_list_line(DocList *l, unsigned depth, uint32_t line, const char *text);
-void doc_set_line_comment(DocList *l, const char *plain);  // for the last line
+void doc_set_line_comment(DocList *l, const char *plain);  // sets DocLine.comment of the last line
 
 // ---- writing ----
 
 // Returns, by column, whether any row has content in it: other columns are omitted, except in JSON.
 bool *doc_columns_used(const DocTable *t);
-const char *doc_replace_links(Arena *arena, const char *text);         // ^Name^ as `Name`, for formats without links
+const char *doc_replace_links(Arena *arena, const char *text);         // writes ^Name^ as `Name`, for formats without links
 
 void doc_write_html(const Doc *d, Buf *out);
 void doc_write_text(const Doc *d, Buf *out);

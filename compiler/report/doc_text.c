@@ -7,7 +7,7 @@
 
 enum { WIDE = 100 };                  // maximum width of a paragraph, in columns
 
-static size_t columns_in(const char *text, size_t n)              // one for each character
+static size_t columns_in(const char *text, size_t n)              // counts characters: each takes one column
 {
     size_t columns = 0;
 

@@ -23,7 +23,7 @@ typedef struct LogMachine {
     uint16_t number;
     const char *name;
     uint16_t s;                   // the element with the number of its state, or LOG_NONE
-    LogNames state;               // name[0] is state 1
+    LogNames state;               // names of the states; name[0] is that of state 1
 } LogMachine;
 
 typedef struct LogKindName { uint8_t kind; const char *name; } LogKindName;
@@ -103,7 +103,7 @@ const LogElement *log_find_element(const LogDescription *d, const char *name);  
 const LogMachine *log_find_machine(const LogDescription *d, const char *name);
 const LogMachine *log_machine_by_number(const LogDescription *d, uint16_t number);
 const char *log_kind_name(const LogDescription *d, uint8_t kind);                     // name of a kind of events; NULL: it has none
-const char *log_state_name(Arena *arena, const LogMachine *m, uint32_t state);        // "state 7" if it has no name
+const char *log_state_name(Arena *arena, const LogMachine *m, uint32_t state);        // its name, or "state 7" if it has none
 
 // ---- inside: flight_log_description.c ----
 

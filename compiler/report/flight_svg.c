@@ -15,7 +15,7 @@ typedef struct FlightDrawing {
     StrPool names;
     Program p;
     Trace t;
-    double span;                  // in nanoseconds, including one period after the last record
+    double span;                  // duration in nanoseconds, including one period after the last record
 } FlightDrawing;
 
 // ---- time ----

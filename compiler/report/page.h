@@ -26,11 +26,11 @@ typedef struct Report {
     bool step_given;              // analysis.step is the user's --step; otherwise it is the delta_t of the scripts
     Cost cost;                    // cost of steps, in instructions
     Cost flash, eeprom;           // cost of steps, in estimated cycles of an ATmega328P, with the image in flash or in EEPROM
-    const uint8_t *image;         // as `smc build` writes it
+    const uint8_t *image;         // the image that `smc build` writes
     size_t image_size;
     ReportRun *run;
     size_t runs;
-    const char *maker;            // "smc 0.1"
+    const char *maker;            // program and version: "smc 0.1"
 } Report;
 
 Doc *report_build(Report *r);

@@ -26,12 +26,12 @@ void plot_draw_text(Plot *p, const char *class_name, const char *anchor, long x,
 
 // Returns a round step size of which about `about` multiples are between lo and hi; 0 if there is none.
 double plot_round_step(double lo, double hi, int about);
-const char *plot_label(Arena *arena, double x);       // at most five digits
+const char *plot_label(Arena *arena, double x);       // x as text with at most five digits, unless it is a whole number below 10^7
 
 extern const char plot_defs[];                        // the patterns, for the start of a drawing
 long plot_draw_body(Arena *arena, const Trace *t, Buf *out);  // everything inside the <svg> tag; returns the height
 
-void plot_draw_bands(Plot *p);                        // at the top, and tinted behind the rows
+void plot_draw_bands(Plot *p);                        // draws the states as bands at the top, and as tints behind the rows
 long plot_draw_legend(Plot *p, long y);               // returns the y of its end
 
 #endif

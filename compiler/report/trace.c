@@ -21,7 +21,7 @@ size_t trace_buckets(const Trace *t) { return (size_t)((t->steps + t->per - 1) /
 
 void trace_init(Trace *t, Arena *arena, const Program *p, const Transitions *transition)
 {
-    size_t transitions = 0;           // those of the states before the current one
+    size_t transitions = 0;           // number of transitions of the states before the current one
 
     memset(t, 0, sizeof *t);
     t->arena = arena;

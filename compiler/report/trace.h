@@ -22,7 +22,7 @@ typedef struct TraceSeries {
 
 typedef struct TraceVisit {       // a visit of a state, from its first step on
     const State *state;
-    uint64_t step, g;             // steps counted from 0
+    uint64_t step, g;             // number of its first step, counted from 0; G in that step
     double plot_step;             // position on the time axis, in steps and fractions, where a plot draws its start
 } TraceVisit;
 

@@ -16,7 +16,7 @@ enum {
 typedef struct PastStep {
     uint64_t number, g;
     const State *state;
-    const char *value[COLUMNS];       // by column, as text
+    const char *value[COLUMNS];       // by column: the value as text
 } PastStep;
 
 typedef struct PastTransition {

@@ -117,7 +117,7 @@ double ref_statistic(const RefWindows *w, uint32_t window, SmStat stat)
     double *x = w->scratch;
 
     if (r->filled == 0)
-        return 0;                                     // before the first step; no expression reads it
+        return 0;                                     // no step has run yet, so no expression reads this result
     memcpy(x, r->slot, r->filled * sizeof *x);
     switch (stat) {
     case SM_STAT_AVG: return pairwise_average(x, r->filled);

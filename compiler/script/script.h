@@ -11,14 +11,14 @@
 typedef enum ScriptOutcome {
     SCRIPT_PASSED,
     SCRIPT_FAILED,            // an assert was false
-    SCRIPT_ENDLESS,           // max_steps without @stop
+    SCRIPT_ENDLESS,           // no @stop was reached within max_steps
     SCRIPT_TIME_OVER,         // G cannot advance any further
     SCRIPT_BROKEN,            // an engine failed
     SCRIPT_DIFFERENT          // two engines disagree
 } ScriptOutcome;
 
 typedef struct ScriptStep {
-    uint64_t number;          // from 1
+    uint64_t number;          // number of the step, from 1
     uint64_t g;               // G in this step
     const State *state;       // the state that the step ran
     const uint64_t *cell;     // the value of every variable after the step, by index

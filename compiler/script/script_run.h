@@ -29,7 +29,7 @@ typedef struct ScriptRun {
     Schedule *schedule;
     DueItems due;             // the items of this step whose guards can be true
     VEC(EngineWrite) write;   // the inputs that this step writes before the machine runs
-    VEC(NotedAssert) noted;   // by this step, in source order
+    VEC(NotedAssert) noted;   // the asserts that this step has noted, in source order
     uint8_t *evaluated;       // by number of the assert: it was evaluated at least once
     uint8_t *was_true;        // by number of the conditional: its guard was true at least once
     uint64_t *ran;            // by section: the last step in which it ran, 0: none; of [all_states], which runs in each step: 1

@@ -32,8 +32,8 @@ typedef struct TestPart {
 
 // `#! E0204 unknown element` after a line of a source part.
 typedef struct TestExpected {
-    size_t part;              // index
-    uint32_t line;            // within the part, from 1
+    size_t part;              // index of the part in TestFile.part
+    uint32_t line;            // line within the part, counted from 1
     const char *id;           // "E0204"
     const char *text;         // text that the diagnostic must contain; may be ""
 } TestExpected;

@@ -19,7 +19,7 @@ typedef enum PalDioMode {
     PAL_DIO_INPUT,            // follows the connected signal; floats if nothing is connected
     PAL_DIO_PULL_UP,          // an input that reads high if nothing is connected
     PAL_DIO_PULL_DOWN,        // an input that reads low if nothing is connected
-    PAL_DIO_OUTPUT            // driven
+    PAL_DIO_OUTPUT            // drives the level that was set
 } PalDioMode;
 
 // Opens a pin.  An output has `level` as soon as it becomes an output, without a pulse of the opposite level.  For an input `level`

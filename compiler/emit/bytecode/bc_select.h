@@ -29,14 +29,14 @@ typedef struct BcValue {
 // The known contents of register X or Y: the value, and operands with the same number.
 enum { BC_REGISTER_SOURCES = 3 };
 typedef struct BcRegister {
-    IrRef value;              // the temporary; IR_NONE: unknown
+    IrRef value;              // the temporary that it contains; IR_NONE: unknown
     BcRef from[BC_REGISTER_SOURCES];  // operands with the same number; BC_NONE: an empty entry
 } BcRegister;
 
 // An exit of the function that jumps can target: the instruction `end`, or `goto` with a state.  All jumps to one exit share its label.
 typedef struct BcExit {
     uint32_t fn;              // BcSelect.fn of the function for which the other fields are valid
-    uint32_t label;           // UINT32_MAX: none yet
+    uint32_t label;           // label for jumps to the exit; UINT32_MAX: none yet
     uint32_t at;              // 1 + index of the last instruction emitted for this exit; 0: none yet
     Span span;                // source of the first jump to the exit
     bool of_many_lines;       // the exit has jumps from several source lines
@@ -47,8 +47,8 @@ typedef struct BcSelect {
     BcMachine *m;
     const IrFn *f;
     BcFn *out;
-    VEC(BcValue) values;      // capacity for the largest function so far
-    BcValue *value;           // by instruction
+    VEC(BcValue) values;      // memory of `value`, with capacity for the largest function so far
+    BcValue *value;           // by IR instruction of the current function: facts about it
     uint32_t *store_at;       // by variable: position + 1 of the next store to it…
     uint32_t *store_in;       // …valid if this equals `count`
     uint32_t count;           // which run of count_block_uses this is, from 1; each block has one or two
@@ -59,8 +59,8 @@ typedef struct BcSelect {
     uint32_t *label;          // by block: its label
     uint32_t first_inner_label;  // the first label that the jump of the current block has created
     IrBlkRef *final_target;   // by block: itself, or its final target if it only jumps
-    BcExit *exit;             // by state; [0] is `end`
-    VEC(uint32_t) exits;      // the indices in `exit` that this function uses
+    BcExit *exit;             // by state: the exit `goto` this state; [0]: the exit `end`
+    VEC(uint32_t) exits;      // the indices in `exit` that the current function uses
     uint32_t fn;              // number of the current function, from 1
 } BcSelect;
 
@@ -87,8 +87,8 @@ bool bc_is_exact(const BcSelect *s, IrRef r, SmType type);          // whether t
 BcRef bc_var_operand(BcSelect *s, uint32_t var);
 BcRef bc_stat_operand(BcSelect *s, uint32_t window, SmStat stat);
 BcRef bc_const_operand(BcSelect *s, SmF64 x);
-BcRef bc_operand_of(BcSelect *s, const IrIns *i);       // for a constant or load
-uint32_t bc_type_of(const BcSelect *s, BcRef r);        // for a variable or slot
+BcRef bc_operand_of(BcSelect *s, const IrIns *i);       // returns the operand for a constant or load
+uint32_t bc_type_of(const BcSelect *s, BcRef r);        // returns the type of a variable or slot (BcOperand.type)
 
 // A slot is a local that stores the result of an operation until it is used.  Each type, and BC_RAW, has a pool of slots.
 BcRef bc_slot_alloc(BcSelect *s, uint32_t pool);
@@ -118,7 +118,7 @@ void bc_bring_to_x(BcSelect *s, IrRef r);                     // loads or comput
 // `keep`: the next instruction changes X, so X is first saved if it is needed again.
 bool bc_load_operands(BcSelect *s, IrRef a, IrRef b, bool may_swap, bool keep);
 uint32_t bc_relation_of(IrOp op);                     // the outcomes for which comparison `op` is true: bits SMVM_LESS, SMVM_EQUAL …
-uint32_t bc_swapped_relation(uint32_t relation);           // the relation with X and Y exchanged
+uint32_t bc_swapped_relation(uint32_t relation);           // returns the relation with X and Y exchanged
 uint32_t bc_negated_relation(uint32_t relation);
 
 // ---- jumps.c ----

@@ -48,12 +48,12 @@ typedef struct BcIns {
     uint32_t n;               // the immediate operand: a number after the opcode that is not a jump distance
     uint32_t to;              // for a jump: its target label
     Span span;
-    bool of_many_lines;             // it is shared by several source lines
+    bool of_many_lines;       // several source lines share the instruction
     uint32_t at;              // offset in its function (assemble.c)
 } BcIns;
 
 typedef struct BcLabel {
-    uint32_t at;              // index of the instruction that it precedes
+    uint32_t at;              // index of the instruction that the label precedes
     uint32_t last_jump;       // 1 + the last instruction that jumps here; 0: no jump
 } BcLabel;
 

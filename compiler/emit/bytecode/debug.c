@@ -134,7 +134,7 @@ void bc_write_debug(Arena *arena, const BcMachine *m, Buf *out)
     n.tables = out;
     n.first = (uint32_t)(3 * (SMVM_DEBUG_NUMBERS + ir->state.n) + SMVM_DEBUG_VARIABLE * ir->var.n);
     bc_write_u24(out, (uint32_t)ir->var.n);
-    bc_write_u24(out, 0);                                        // where the lines start, filled in below
+    bc_write_u24(out, 0);                                        // offset of the lines, filled in below
     add_name(&n, ir->name->text, ir->name->len);
     add_name(&n, source, strlen(source));
     for (size_t s = 0; s < ir->state.n; s++)

@@ -84,7 +84,7 @@ static void emit_conditional_jump(BcSelect *s, IrRef r, bool when, uint32_t labe
     if (!s->value[r].waits) {
         emit_truth_jump(s, r, when, label);
     } else if (i->op == IR_and || i->op == IR_or) {
-        if ((i->op == IR_or) == when) {                          // either operand decides
+        if ((i->op == IR_or) == when) {                          // each operand alone can cause the jump
             emit_conditional_jump(s, i->a, when, label);
             emit_conditional_jump(s, i->b, when, label);
         } else {

@@ -61,7 +61,7 @@ void bc_drop_cvt(BcSelect *s, uint32_t type)
     }
 }
 
-static void save_to_slot(BcSelect *s, bool is_needed)                // is_needed: X must stay unchanged
+static void save_to_slot(BcSelect *s, bool is_needed)                // is_needed: the value is also needed in X afterwards
 {
     const IrRef r = s->x.value;
     BcValue *v = &s->value[r];

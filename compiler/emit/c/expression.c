@@ -220,7 +220,7 @@ static void write_binary(CFn *fn, const IrIns *i, const char *text, int own, int
     c_write(fn, i->type == SM_F32 ? "(float)(" : "");
     c_write_value(fn, i->a, own);
     c_write(fn, text);
-    c_write_value(fn, i->b, own + 1);         // floating-point operators do not associate
+    c_write_value(fn, i->b, own + 1);         // in parentheses even if its precedence is the same: a + (b + c) is not (a + b) + c
     c_write(fn, i->type == SM_F32 ? ")" : "");
     c_close_parens(fn, opened);
 }

@@ -29,7 +29,7 @@ typedef struct CIns {
     uint32_t nan_is_zero_uses;        // how many of its uses have the same result for NaN and 0
     bool is_masked;           // a comparison whose result does not matter when an operand is NaN or 0
     IrRef decided_by;         // a load that decides this condition if it reads NaN or 0; IR_NONE: none
-    bool decided_value;       // the value of the condition then
+    bool decided_value;       // the value of the condition if `decided_by` reads NaN or 0
 } CIns;
 
 // How a function uses a variable of the machine.  Stale unless `stamp` equals the stamp of the current function, so that no function has to
@@ -39,8 +39,8 @@ typedef struct CVarUse {
     uint32_t loads;           // number of uses of its loads
     bool stored;              // the function stores it
     bool as_double;           // it is an F32, and some uses need it as a double
-    bool never_nan;           // it is not NaN from a store in block never_nan_from on, and in the blocks that this one dominates
-    uint32_t never_nan_from;
+    bool never_nan;           // a store of the function has set it to a value that is not NaN: in the rest of the store's block, and in all
+    uint32_t never_nan_from;  // blocks that this block dominates, it is not NaN.  never_nan_from: the store's block
     const char *copy;         // name of the C variable that is initialised from it at the start of the function; NULL: none
     SmType copy_type;         // F64, F32, or the type of T
     uint32_t block_stamp;     // stamp of the block for which next_store is valid
@@ -83,7 +83,7 @@ typedef struct CFn {
     Buf declarations;         // if `hoist` is set: the declarations of C variables, without copies
     bool hoist;               // variables are declared at the top of the function, because gotos may not skip their initialisation
     bool labels_used;
-    bool *label;              // by block: a goto leads to it
+    bool *label;              // by block: it needs a label, because a goto leads to it
     bool uses_m, uses_sv, writes_m, writes_sv;
     bool returns_state;
 } CFn;

@@ -222,7 +222,7 @@ static void find_unchecked_loads(CFn *fn, uint32_t b)
         track_never_nan(fn, b, blk->ins.at[p]);
         analyze_condition(fn, blk->ins.at[p]);
     }
-    for (size_t p = blk->ins.n; p-- > 0;) {           // conversions before their operands
+    for (size_t p = blk->ins.n; p-- > 0;) {           // backwards, so that a conversion is visited before its operand
         const IrRef r = blk->ins.at[p], load = find_float_load(fn, r);
         CIns *c = &fn->ins[r];
         if (load == IR_NONE || c->uses == 0 || c->nan_is_zero_uses != c->uses)

@@ -118,7 +118,7 @@ static void write_init(CUnit *u, Buf *out)
 
 // The run function of a machine, PREFIX_run: it runs the blocks of the current state.
 typedef struct CRun {
-    bool any;                     // a state has a block
+    bool any;                     // at least one state has a block, so the function exists
     bool first;                   // it has the parameter `first`: whether this is the state's first step
     CSignature as;                // its other parameters and its result
 } CRun;

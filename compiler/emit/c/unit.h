@@ -28,7 +28,7 @@ typedef struct CElement {
     SmType type;
     uint32_t offset;
     Str name;                     // its name in the source
-    Str region;                   // NULL when unknown
+    Str region;                   // name of its region; NULL: unknown
     Span span;
 } CElement;
 
@@ -55,13 +55,13 @@ typedef struct CUnit {
     CNames names;
     CVector sv;
     uint32_t *helper;             // by index in stdlib_text (stdlib_text.h): number of uses of that snippet of stdlib source
-    const char **window;          // by rolling window: its member
+    const char **window;          // by rolling window: its member in the machine's struct
     struct CVarUse *var_use;      // by variable: how the current function uses it
     uint32_t *window_stats_read;  // by window: a bit for each statistic that the code reads
     uint32_t *window_sample;      // by window: position of its next sample in the current block; UINT32_MAX: none (lower.c)
     uint32_t stamps;              // number of functions and blocks so far; see CFn.stamp
     FactMachine *facts;           // possible values of variables
-    bool soft;                    // F64 is SmF64 (soft.c)
+    bool soft;                    // an F64 is an SmF64, not a double (soft.c)
     bool track_stores;            // each step reports which elements it stored
     bool runtime;                 // the output is for the flight runtime (runtime-c)
     bool uses_noinline;           // the code uses the macro SM_NOINLINE
@@ -187,7 +187,7 @@ typedef struct CSignature {
 
 typedef struct CFunction {
     const IrFn *f;
-    const Env *begin;             // facts at its start
+    const Env *begin;             // facts at the start of the function
     const char *name;             // name of the C function
     const char *comment;          // a whole comment line that precedes it
 } CFunction;

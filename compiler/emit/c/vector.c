@@ -77,7 +77,7 @@ void c_write_vector_interface(const CUnit *u, const StateVec *sv, const CVectorN
     buf_str(out, "// Copy a whole region at once, from or to its members in a copy of the vector; other members stay unchanged.\n\n");
     for (size_t r = 0; r < sv->region.n; r++)
         write_region_functions(u, n->region[r], n->reader[r], n->writer[r], sv->region.at[r]->offset, out);
-    out->n--;                        // the empty line after the last function
+    out->n--;                        // removes the empty line after the last function
     out->at[out->n] = '\0';
 }
 

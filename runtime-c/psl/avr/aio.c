@@ -217,7 +217,7 @@ uint8_t avr_physical_pin(uint16_t number, uint8_t kind)
     if ((kind & 3) == 0)
         return number < AVR_ANALOGS ? (uint8_t)(AVR_ANALOG_FIRST + number) : AVR_NO_PIN;
     if (kind & 16)
-        return AVR_NO_PIN;                     // there are no pull-down resistors
+        return AVR_NO_PIN;                     // the chip has no pull-down resistors
     return (kind & 2 ? number >= AVR_SERIAL_PINS && number < AVR_PINS : pwm_row(number) < AVR_PWMS) ? (uint8_t)number : AVR_NO_PIN;
 }
 

@@ -17,7 +17,7 @@
 // ---- clock: timer 0 with a period of 1 ms (so its pins have no PWM) ----
 
 void avr_clock_start(void (*tick)(void));              // the interrupt calls `tick`, unless NULL, every ms
-uint32_t avr_milliseconds(void);                       // since the start of the clock, modulo 2^32
+uint32_t avr_milliseconds(void);                       // milliseconds since the start of the clock, modulo 2^32
 
 // ---- pins: one owner each, digital or analog ----
 
@@ -30,7 +30,7 @@ uint32_t avr_milliseconds(void);                       // since the start of the
 #define AVR_NO_PIN 0xffu
 // Returns the number of the digital pin that a pin or analog channel uses.  AVR_NO_PIN: it does not exist, or belongs to the serial line.
 uint8_t avr_physical_pin(uint16_t number, uint8_t kind);      // kind: 1: output, 2: digital, 16: pull-down
-SmResult avr_pin_claim(uint8_t number);                // SM_E_BUSY: in use, or the serial line's
+SmResult avr_pin_claim(uint8_t number);                // makes the caller its owner; SM_E_BUSY: it has one, or is the serial line's
 void avr_pin_release(uint8_t number);
 bool avr_pin_is_claimed(uint8_t number);               // numbers from AVR_PINS on are analog channels
 void avr_pin_set(volatile uint8_t *byte, uint8_t mask, bool level);     // sets or clears bits of a port's register, with interrupts off
@@ -62,7 +62,7 @@ static inline uint16_t avr_eeprom_save_address(void) { return EEAR; }
 static inline void avr_eeprom_restore_address(uint16_t address)
 {
     if (EECR & 1 << EEPE)
-        return;                            // then nothing was read
+        return;                            // a write is in progress, so the handler has read nothing
     EEAR = address;
     EECR |= 1 << EERE;
 }

@@ -83,7 +83,7 @@ SmResult pal_clock_sleep_until(uint64_t time)
 
     if (time > now && time - now > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    SMCR = 1 << SE;                    // idle
+    SMCR = 1 << SE;                    // enables idle mode
     for (; now < time; now = pal_clock_now())
         if (time - now > PAL_MILLISECOND)
             sleep_cpu();               // the timer wakes it

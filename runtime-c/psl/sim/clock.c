@@ -6,7 +6,7 @@
 static uint64_t now = PAL_SECOND, late;         // late: how much each sleep exceeds its end (sim_oversleep)
 
 static struct {
-    void (*step)(void);       // or NULL
+    void (*step)(void);       // the function of sim_every; or NULL
     uint64_t period, next;
 } world;
 

@@ -6,7 +6,7 @@
 #include "runtime-c/psl/sim/world.h"
 
 typedef struct SimPin {
-    bool open, output, level;      // level: of an output
+    bool open, output, level;      // level: the level that it has as an output
     bool driven, external_level;   // whether it is driven externally, and to which level
     bool pulled_up;
     uint16_t source;               // 1 + number of the pin that it is wired to; 0: none
