@@ -10,8 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compiler/compile.h"
-#include "compiler/script/testfile.h"
+#include "compiler/script/case.h"
 #include "tests/test.h"
 
 // ---- a host that refuses the N-th request ----
@@ -47,13 +46,6 @@ static void *from_heap(void *context, void *old, size_t size)
 }
 
 // ---- everything the library does with a machine ----
-
-typedef struct Case { const TestPart *sm, *sv, *ss; } Case;
-
-static const Source *source_of(Session *s, const TestPart *part)
-{
-    return part ? source_new(&s->arena, part->name, part->text, part->n) : NULL;
-}
 
 static void make_outputs(Session *s, IrMachine *m, Buf *out)
 {
@@ -101,23 +93,22 @@ static void run_script(Session *s, const Program *p, const Script *script, const
     script_report(&r, p, out);
 }
 
-static void do_everything(Session *s, const Case *c, Buf *out)
+static void do_everything(Session *s, const TestFile *f, Buf *out)
 {
-    const Source *ss = source_of(s, c->ss);
-    Map written = {&s->arena, NULL, NULL, 0, 0};
-    MachineInput in = {source_of(s, c->sm), source_of(s, c->sv), &written};
-    AstFile *ast = ss ? session_parse(s, ss, FILE_SS) : NULL;
-    ImageOptions image = {true, NULL};
-    Program *p;
+    const CompileOptions o = {.opt_level = 2};
+    const ImageOptions image = {true, NULL};
+    CaseSources sources;
+    Compiled made;
+    const Program *p = NULL;
     IrMachine *m;
-    Script *script;
     Buf bytes;
 
-    if (ast)
-        script_add_written_names(ast, &written);
-    if ((p = session_program(s, &in)) == NULL)
+    case_list_sources(s, f, &sources);
+    compile_sources(s, &sources.in, &o, &made);
+    for (size_t i = 0; i < sources.in.n; i++)
+        p = made.of[i].scripted ? made.of[i].scripted : p;
+    if (!p)
         return;
-    session_analyse(s, p);
     m = session_ir(s, p, 0);
     make_outputs(s, m, out);
     m = session_ir(s, p, 2);
@@ -126,8 +117,9 @@ static void do_everything(Session *s, const Case *c, Buf *out)
     if (!session_image(s, &m, 1, &image, &bytes))
         return;
     buf_put(out, buf_text(&bytes), bytes.n);
-    if (ast && (script = session_script(s, ss, p)) != NULL)
-        run_script(s, p, script, &bytes, out);
+    for (size_t i = 0; i < sources.in.n; i++)
+        if (made.of[i].script)
+            run_script(s, p, made.of[i].script, &bytes, out);
 }
 
 static void report(Session *s, Buf *out)
@@ -149,7 +141,7 @@ static uint64_t digest(const Buf *b)
 }
 
 // Whether it ended normally; then *result is its output.
-static bool attempt(Host *h, const Case *c, uint64_t *result)
+static bool attempt(Host *h, const TestFile *f, uint64_t *result)
 {
     volatile bool done = false;
     jmp_buf oom;
@@ -159,7 +151,7 @@ static bool attempt(Host *h, const Case *c, uint64_t *result)
     session_init(&s, take, h, &oom);
     if (setjmp(oom) == 0) {
         buf_init(&out, &s.arena);
-        do_everything(&s, c, &out);
+        do_everything(&s, f, &out);
         report(&s, &out);
         *result = digest(&out);
         done = true;
@@ -172,30 +164,22 @@ static bool attempt(Host *h, const Case *c, uint64_t *result)
 
 enum { MOST_TRIES = 2000 };           // of a case that makes more requests, only some are refused, evenly spread
 
-static bool refuse_each(const char *file, const Case *c)
+static bool refuse_each(const TestFile *f)
 {
     Host plenty = {0, 0, 0};
     uint64_t expected = 0, result;
 
-    if (!attempt(&plenty, c, &expected) || plenty.live != 0)
-        return fprintf(stderr, "%s: it does not even work with plenty of memory\n", file), false;
+    if (!attempt(&plenty, f, &expected) || plenty.live != 0)
+        return fprintf(stderr, "%s: it does not even work with plenty of memory\n", f->name), false;
     for (size_t n = 1; n <= plenty.requests + 1; n += 1 + plenty.requests / MOST_TRIES) {
         Host h = {0, n, 0};
-        bool done = attempt(&h, c, &result);
+        bool done = attempt(&h, f, &result);
         if (h.live != 0)
-            return fprintf(stderr, "%s: request %lu: %lu pieces are not given back\n", file, (unsigned long)n, (unsigned long)h.live), false;
+            return fprintf(stderr, "%s: request %lu: %lu pieces are not given back\n", f->name, (unsigned long)n, (unsigned long)h.live), false;
         if (done != (n > plenty.requests) || (done && result != expected))
-            return fprintf(stderr, "%s: request %lu: refused, and it went on\n", file, (unsigned long)n), false;
+            return fprintf(stderr, "%s: request %lu: refused, and it went on\n", f->name, (unsigned long)n), false;
     }
     return true;
-}
-
-static const TestPart *find_part(const TestFile *t, const char *suffix)
-{
-    for (size_t i = 0; i < t->part.n; i++)
-        if (testfile_has_suffix(&t->part.at[i], suffix))
-            return &t->part.at[i];
-    return NULL;
 }
 
 static char *read_all(const char *path, size_t *n)
@@ -224,14 +208,12 @@ static bool check_file(const char *file)
     jmp_buf oom;
     Arena a;
     TestFile *t;
-    Case c;
 
     arena_init(&a, from_heap, NULL, &oom);
     if (setjmp(oom) == 0) {
         t = testfile_parse(&a, file, text, n);
-        c = (Case){find_part(t, ".sm"), find_part(t, ".sv"), find_part(t, ".ss")};
-        ok = !t->error && (c.sm ? refuse_each(file, &c) : true);
-        machines += c.sm != NULL;
+        ok = !t->error && (!case_has_part_of_kind(t, ".sm") || refuse_each(t));
+        machines += case_has_part_of_kind(t, ".sm");
     }
     arena_free(&a);
     free(text);

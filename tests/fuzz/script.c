@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fuzz target: an .smt text; its machine is compiled and its scripts run on every engine in lock step.  Whatever the text
 // holds, nothing may crash or hang, and the engines must agree.  Any conformance case is a seed.
-#include "compiler/compile.h"
-#include "compiler/script/testfile.h"
+#include "compiler/script/case.h"
 #include "tests/fuzz/fuzz.h"
 
 enum { STEPS_MOST = 1000, MEMORY_MOST = 256 << 20 };
@@ -16,16 +15,6 @@ static void *small_heap(void *context, void *old, size_t size)
         return NULL;
     memory_taken += size;
     return fuzz_alloc(context, old, size);
-}
-
-static const Source *source_of(Session *s, const TestPart *p) { return p ? source_new(&s->arena, p->name, p->text, p->n) : NULL; }
-
-static const TestPart *find_part(const TestFile *f, const char *suffix)
-{
-    for (size_t i = 0; i < f->part.n; i++)
-        if (testfile_has_suffix(&f->part.at[i], suffix))
-            return &f->part.at[i];
-    return NULL;
 }
 
 static size_t open_engines(Session *s, const Program *p, Engine **engine)
@@ -54,22 +43,22 @@ const unsigned fuzz_floor = 15;
 
 static void run_script(Session *s, const TestFile *f)
 {
-    const Source *ss = source_of(s, find_part(f, ".ss"));
-    Map written = {&s->arena, NULL, NULL, 0, 0};
-    MachineInput in = {source_of(s, find_part(f, ".sm")), source_of(s, find_part(f, ".sv")), &written};
-    AstFile *ast;
-    ScriptOptions o = {STEPS_MOST, NULL, NULL, false};
+    const CompileOptions compile = {.skip_analyses = true};
+    const ScriptOptions o = {STEPS_MOST, NULL, NULL, false};
+    const Program *p = NULL;
+    const Script *script = NULL;
     Engine *engine[3];
-    Program *p;
-    Script *script;
+    CaseSources sources;
+    Compiled made;
     ScriptResult r;
 
-    s->diags.muted = true;                            // mistakes in the script are reported when it is compiled
-    ast = ss ? session_parse(s, ss, FILE_SS) : NULL;
-    s->diags.muted = false;
-    if (ast)
-        script_add_written_names(ast, &written);
-    if (!in.sm || (p = session_program(s, &in)) == NULL || !ss || (script = session_script(s, ss, p)) == NULL)
+    case_list_sources(s, f, &sources);
+    compile_sources(s, &sources.in, &compile, &made);
+    for (size_t i = 0; i < sources.in.n; i++) {
+        p = made.of[i].scripted ? made.of[i].scripted : p;
+        script = script ? script : made.of[i].script;
+    }
+    if (!script)
         return;
     fuzz_reached++;
     r = script_run(&s->arena, &s->diags, script, engine, open_engines(s, p, engine), &o);

@@ -13,8 +13,7 @@
 #include <string.h>
 
 #include "compiler/passes/pass.h"
-#include "compiler/compile.h"
-#include "compiler/script/testfile.h"
+#include "compiler/script/case.h"
 #include "tests/test.h"
 
 static const char preamble[] =
@@ -104,25 +103,19 @@ static const char *print_of(Session *s, const IrMachine *m)
     return buf_text(&out);
 }
 
-static const Source *source_of(Session *s, const TestPart *part)
-{
-    return part ? source_new(&s->arena, part->name, part->text, part->n) : NULL;
-}
-
-static const TestPart *find_part(const TestFile *t, const char *suffix)
-{
-    for (size_t i = 0; i < t->part.n; i++)
-        if (testfile_has_suffix(&t->part.at[i], suffix))
-            return &t->part.at[i];
-    return NULL;
-}
-
-// NULL when it has errors.
+// NULL when the case has no machine, or it has errors.
 static const Program *program_of(Session *s, const TestFile *t)
 {
-    MachineInput in = {source_of(s, find_part(t, ".sm")), source_of(s, find_part(t, ".sv")), NULL};
+    const CompileOptions o = {.skip_analyses = true};
+    CaseSources sources;
+    Compiled made;
 
-    return session_program(s, &in);
+    case_list_sources(s, t, &sources);
+    compile_sources(s, &sources.in, &o, &made);
+    for (size_t i = 0; i < sources.in.n; i++)
+        if (sources.in.at[i].kind == FILE_SM)
+            return made.of[i].program;
+    return NULL;
 }
 
 // ---- there and back ----
@@ -219,7 +212,7 @@ static bool check_smt(Session *s, const char *file, const char *text, size_t n, 
         return complain(file, t->error, NULL);
     if (testfile_part(t, "ir out"))
         return check_passes(s, t, print);
-    return !find_part(t, ".sm") || check_every_level(s, file, t);
+    return check_every_level(s, file, t);
 }
 
 static bool check_file(const char *file, bool print)

@@ -7,8 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "compiler/script/testfile.h"
-#include "compiler/sema/check.h"
+#include "compiler/script/case.h"
 #include "tests/diff/batch.h"
 #include "tests/diff/subject.h"
 
@@ -37,14 +36,6 @@ static void *heap(void *context, void *old, size_t size)
 
 // ---- a case as a part of the conversation ----
 
-static const Source *source(Case *c, const char *suffix)
-{
-    for (size_t i = 0; i < c->f->part.n; i++)
-        if (testfile_has_suffix(&c->f->part.at[i], suffix))
-            return source_new(&c->s.arena, c->f->part.at[i].name, c->f->part.at[i].text, c->f->part.at[i].n);
-    return NULL;
-}
-
 static bool is_for(const Case *c, const char *engine)
 {
     const char *on = testfile_header(c->f, "on");
@@ -52,25 +43,24 @@ static bool is_for(const Case *c, const char *engine)
     return c->f->error == NULL && c->f->outcome != TEST_ERROR && (on == NULL || testfile_has_word(on, engine));
 }
 
-static Program *compile(Case *c, const Source *ss)
-{
-    Map written = { .arena = &c->s.arena };
-    const MachineInput in = { .sm = source(c, ".sm"), .sv = source(c, ".sv"), .written_outside = &written };
-
-    AstFile *tree = session_parse(&c->s, ss, FILE_SS);
-    if (tree != NULL)
-        script_add_written_names(tree, &written);
-    return in.sm != NULL ? session_program(&c->s, &in) : NULL;
-}
-
 static void record(Case *c, Talk *t, uint32_t number)
 {
-    const Source *ss = source(c, ".ss");
-    Program *p = ss != NULL && is_for(c, t->images ? "vm" : "c") ? compile(c, ss) : NULL;
-    Script *script = p != NULL ? session_script(&c->s, ss, p) : NULL;
     const ScriptOptions options = { .max_steps = c->f->steps != 0 && c->f->steps < STEPS_MAX ? c->f->steps : STEPS_MAX };
+    const CompileOptions compile = { .skip_analyses = true };
     const Form form = (Form)(number % 3);
+    const Program *p = NULL;
+    const Script *script = NULL;
+    CaseSources sources;
+    Compiled made;
 
+    if (!is_for(c, t->images ? "vm" : "c"))
+        return;
+    case_list_sources(&c->s, c->f, &sources);
+    compile_sources(&c->s, &sources.in, &compile, &made);
+    for (size_t i = 0; i < sources.in.n; i++) {
+        p = made.of[i].scripted != NULL ? made.of[i].scripted : p;
+        script = script != NULL ? script : made.of[i].script;
+    }
     if (script == NULL)
         return;
     c->runs = true;
