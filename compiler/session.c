@@ -249,13 +249,13 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
 
 uint64_t session_script_writes(Session *s, const Source *ss, Map *written)
 {
-    Map own = {&s->tree, NULL, NULL, 0, 0};
-    const AstFile *f = parse_silently(s, ss, &own);
+    Map names = {&s->tree, NULL, NULL, 0, 0};
+    const AstFile *f = parse_silently(s, ss, &names);
     const uint64_t delta_t = f ? script_delta_t(f) : 0;
 
-    for (size_t i = 0; f && i < own.cap; i++)
-        if (own.key[i])
-            map_put(written, own.key[i], own.value[i]);
+    for (size_t i = 0; f && i < names.cap; i++)
+        if (names.key[i])
+            map_put(written, names.key[i], names.value[i]);
     arena_free(&s->tree);
     return delta_t;
 }

@@ -162,7 +162,7 @@ static bool is_due(const SmRate *r, uint64_t number)
     return number <= UINT32_MAX ? (uint32_t)number % r->every == 0 : number % r->every == 0;
 }
 
-static void run_due_groups(const SmExecutor *e, const SmTick *tick)
+static void run_due_rate_groups(const SmExecutor *e, const SmTick *tick)
 {
     for (uint16_t i = 0; i < e->rates; i++) {
         const SmRate *const r = &e->rate[i];
@@ -232,7 +232,7 @@ void sm_executor_tick(SmExecutor *e)
 
     if (e->time)
         set_time(e, &tick);
-    run_due_groups(e, &tick);
+    run_due_rate_groups(e, &tick);
     e->ended = pal_clock_now();
     record_tick_times(e, due, began);
     if (e->late >= e->period)

@@ -396,10 +396,10 @@ static char *follow_link(const char *path, const char *folder)
 // on other systems /dev/fd is a folder.
 static int parse_descriptor(const char *folder, const char *name)
 {
-    char own[40];
-    const int n = snprintf(own, sizeof own, "/proc/%ld/", (long)getpid());
+    char process_folder[40];
+    const int n = snprintf(process_folder, sizeof process_folder, "/proc/%ld/", (long)getpid());
     const size_t length = strlen(folder);
-    const bool is_proc = strncmp(folder, own, (size_t)n) == 0 && strcmp(folder + length - 3, "/fd") == 0;
+    const bool is_proc = strncmp(folder, process_folder, (size_t)n) == 0 && strcmp(folder + length - 3, "/fd") == 0;
 
     if (strcmp(folder, "/dev") == 0)
         return strcmp(name, "stdin") == 0 ? 0 : strcmp(name, "stdout") == 0 ? 1 : strcmp(name, "stderr") == 0 ? 2 : -1;

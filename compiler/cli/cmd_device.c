@@ -12,7 +12,7 @@ static int list_images(BoardLine *b, Buf *out)
     DeviceImage image;
 
     for (uint8_t i = 0; i <= b->info.slots; i++) {
-        if (!device_image(&b->host, i < b->info.slots ? i : DEVICE_BUILT_IN, &image))
+        if (!device_read_image_info(&b->host, i < b->info.slots ? i : DEVICE_BUILT_IN, &image))
             return board_report_failure(b, "asking what is there");
         board_describe(out, &image);
     }
@@ -90,7 +90,7 @@ static int confirm_image(BoardLine *b, Buf *out)
         board_describe(out, &image);
         return EXIT_PROBLEM;
     }
-    if (!device_request_by_checksum(&b->host, LINK_CONFIRM, image.checksum) || !device_image(&b->host, image.slot, &image))
+    if (!device_request_by_checksum(&b->host, LINK_CONFIRM, image.checksum) || !device_read_image_info(&b->host, image.slot, &image))
         return board_report_failure(b, "it was not confirmed");
     board_describe(out, &image);
     return EXIT_OK;
@@ -105,7 +105,7 @@ static int erase_image(BoardLine *b, Buf *out)
     int code;
 
     for (uint8_t i = 0; i < b->info.slots; i++)
-        if (device_image(&b->host, i, &image) && image.state != DEVICE_EMPTY && image.checksum == checksum) {
+        if (device_read_image_info(&b->host, i, &image) && image.state != DEVICE_EMPTY && image.checksum == checksum) {
             was_in_slot = true;
             runs = runs || image.runs;
         }
@@ -172,7 +172,7 @@ static bool show_stored_transitions(BoardLine *b, Buf *out)
     size_t n, all = 0;
 
     for (uint8_t slot = 0; slot < b->info.slots; slot++) {
-        if (!device_image(&b->host, slot, &image) || !device_read_transitions(&b->host, &b->info, &image, t, &n))
+        if (!device_read_image_info(&b->host, slot, &image) || !device_read_transitions(&b->host, &b->info, &image, t, &n))
             return false;
         if (n > 0)
             buf_printf(out, "stored by image %08lx, from earlier starts too:\n", (unsigned long)image.checksum);

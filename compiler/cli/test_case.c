@@ -98,11 +98,11 @@ bool test_case_find_c(const TestCase *c, EngineKind kind, const Program **p, con
 // failure to run requires, or EXIT_OK.
 static int run_scripts(TestCase *c, Engine *const *emitted)
 {
-    unsigned own = c->which;
+    unsigned to_open = c->which;
 
     for (int kind = 0; kind < ENGINE_KINDS; kind++)
-        own &= emitted[kind] ? ~(1u << kind) : ~0u;
-    if (!engines_open(&c->engines, &c->s, c->smt.p, own, options_opt_level(c->t->c))) {
+        to_open &= emitted[kind] ? ~(1u << kind) : ~0u;
+    if (!engines_open(&c->engines, &c->s, c->smt.p, to_open, options_opt_level(c->t->c))) {
         buf_printf(&c->smt.why, "%s\n", c->engines.error);
         return c->s.diags.errors == 0 ? EXIT_ENVIRONMENT : EXIT_OK;       // an image that is too large is a failure of the case
     }

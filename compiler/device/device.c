@@ -62,7 +62,7 @@ bool device_hello(LinkHost *h, DeviceInfo *info)
     return true;
 }
 
-bool device_image(LinkHost *h, uint8_t slot, DeviceImage *image)
+bool device_read_image_info(LinkHost *h, uint8_t slot, DeviceImage *image)
 {
     const uint8_t *b;
 
@@ -86,12 +86,12 @@ bool device_image(LinkHost *h, uint8_t slot, DeviceImage *image)
 bool device_running(LinkHost *h, const DeviceInfo *info, DeviceImage *image)
 {
     for (uint8_t slot = 0; slot < info->slots; slot++) {
-        if (!device_image(h, slot, image))
+        if (!device_read_image_info(h, slot, image))
             return false;
         if (image->runs)
             return true;
     }
-    return device_image(h, DEVICE_BUILT_IN, image);
+    return device_read_image_info(h, DEVICE_BUILT_IN, image);
 }
 
 static bool is_on_trial(const DeviceImage *image) { return image->state == DEVICE_TRIAL; }
@@ -101,7 +101,7 @@ static bool has_ended_trial(const DeviceImage *image) { return image->state != D
 static bool find_image(LinkHost *h, const DeviceInfo *info, bool (*is)(const DeviceImage *image), DeviceImage *image)
 {
     for (uint8_t slot = 0; slot < info->slots; slot++) {
-        if (!device_image(h, slot, image))
+        if (!device_read_image_info(h, slot, image))
             return false;
         if (is(image))
             return true;
@@ -268,7 +268,7 @@ static bool verify_slot(LinkHost *h, const DeviceInfo *info, const Update *u)
     DeviceImage image;
 
     for (uint8_t slot = 0; slot < info->slots; slot++) {
-        if (!device_image(h, slot, &image))
+        if (!device_read_image_info(h, slot, &image))
             return false;
         if (!image.runs && image.state != DEVICE_EMPTY && image.length == u->length && image.checksum == u->checksum)
             return slot_has_same_bytes(h, info, u, slot);
@@ -308,7 +308,7 @@ static bool find_status_of_image(LinkHost *h, const DeviceInfo *info, const Upda
 
     *chosen = *runs = false;
     for (uint8_t slot = 0; slot < info->slots; slot++) {
-        if (!device_image(h, slot, &image))
+        if (!device_read_image_info(h, slot, &image))
             return false;
         if (image.state != DEVICE_EMPTY && image.length == u->length && image.checksum == u->checksum && image.period == u->period) {
             *chosen |= image.chosen;

@@ -137,5 +137,5 @@ FlashPrevious flash_find_previous(LinkHost *h, const DeviceInfo *info, const Dev
         return PREVIOUS_UNKNOWN;
     if (now.slot == previous->slot)
         return PREVIOUS_RUNS;
-    return device_image(h, previous->slot, &now) && now.chosen ? PREVIOUS_RUNS_AFTER_RESTART : PREVIOUS_OVERWRITTEN;
+    return device_read_image_info(h, previous->slot, &now) && now.chosen ? PREVIOUS_RUNS_AFTER_RESTART : PREVIOUS_OVERWRITTEN;
 }

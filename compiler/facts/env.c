@@ -42,7 +42,7 @@ Fact env_get(const EnvShape *s, const Env *e, uint32_t var)
 // A node in the arena equal to *e.
 static const Env *new_node(const EnvShape *s, const Env *e)
 {
-    return s->unique ? env_table_node(s->unique, e) : arena_copy(s->arena, e, sizeof *e);
+    return s->unique ? env_table_intern_node(s->unique, e) : arena_copy(s->arena, e, sizeof *e);
 }
 
 // A copy of the fact for a leaf; NULL if it only states the variable's type.
@@ -50,7 +50,7 @@ static const Fact *new_fact(const EnvShape *s, Fact fact, SmType type)
 {
     if (fact_equal(fact, fact_of_type(type)))
         return NULL;
-    return s->unique ? env_table_fact(s->unique, fact) : arena_copy(s->arena, &fact, sizeof fact);
+    return s->unique ? env_table_intern_fact(s->unique, fact) : arena_copy(s->arena, &fact, sizeof fact);
 }
 
 // Returns a copy of the node e, which is on this level, with the variable's fact replaced.

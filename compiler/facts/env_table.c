@@ -91,7 +91,7 @@ static void add_item(EnvTable *t, Slots *s, const void *item, uint32_t hash)
     add_to_slot(s, item, hash);
 }
 
-const Fact *env_table_fact(EnvTable *t, Fact f)
+const Fact *env_table_intern_fact(EnvTable *t, Fact f)
 {
     const uint32_t hash = hash_fact(&f);
     const Slots *s = &t->facts;
@@ -106,7 +106,7 @@ const Fact *env_table_fact(EnvTable *t, Fact f)
     return added;
 }
 
-const Env *env_table_node(EnvTable *t, const Env *e)
+const Env *env_table_intern_node(EnvTable *t, const Env *e)
 {
     const uint32_t hash = hash_node(e);
     const Slots *s = &t->nodes;

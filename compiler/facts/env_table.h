@@ -29,8 +29,8 @@ typedef struct EnvJoin {
 
 EnvTable *env_table_new(Arena *arena);
 // Each returns the stored equal of its argument.  If there is none, stores a copy.
-const Fact *env_table_fact(EnvTable *t, Fact f);
-const Env *env_table_node(EnvTable *t, const Env *e);
+const Fact *env_table_intern_fact(EnvTable *t, Fact f);
+const Env *env_table_intern_node(EnvTable *t, const Env *e);
 // Looks up the join of j->a and j->b, and sets j->joined.  Returns whether it is known.
 bool env_table_find_join(const EnvTable *t, EnvJoin *j);
 void env_table_add_join(EnvTable *t, const EnvJoin *j);

@@ -168,7 +168,7 @@ const char *comment_of_file(Arena *arena, const Source *src)
 
 const char *comment_of_variable(Arena *arena, const Var *v)
 {
-    const char *own = comment_after(arena, v->span);
+    const char *comment = comment_after(arena, v->span);
 
-    return own || !v->element ? own : comment_after(arena, v->element->span);
+    return comment || !v->element ? comment : comment_after(arena, v->element->span);
 }

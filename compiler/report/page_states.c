@@ -102,10 +102,10 @@ static const DocColumn transition_columns[] = {
 // Returns the comment after the transition. If there is none and the transition is the only statement of its guard, the comment after the guard.
 static const char *comment_of_transition(const Report *r, const Transition *t)
 {
-    const char *own = comment_after_lines(r->arena, t->stmt->span);
+    const char *comment = comment_after_lines(r->arena, t->stmt->span);
     const Stmt *guard = t->when && t->when->holds ? t->when->stmt : NULL;
 
-    return own || !guard || guard->then.n != 1 ? own : comment_after_lines(r->arena, guard->span);
+    return comment || !guard || guard->then.n != 1 ? comment : comment_after_lines(r->arena, guard->span);
 }
 
 void report_add_transitions(Report *r, Doc *d)

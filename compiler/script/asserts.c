@@ -83,7 +83,7 @@ void assert_report_failure(ScriptRun *r)
 
 void assert_check_step(ScriptRun *r)
 {
-    for (size_t i = 0; i < r->noted.n && !r->over; i++) {
+    for (size_t i = 0; i < r->noted.n && !r->ended; i++) {
         const NotedAssert *note = &r->noted.at[i];
 
         if (note->assert == note->item->asserts.n) {

@@ -12,7 +12,7 @@
 void run_finish(ScriptRun *r, ScriptOutcome outcome)
 {
     r->result.outcome = outcome;
-    r->over = true;
+    r->ended = true;
 }
 
 // ---- before the step ----
@@ -90,7 +90,7 @@ static void report_broken_engine(ScriptRun *r, const Engine *e, const char *why)
 // Checks the results of all engines after init or a step: for errors, and for differences.
 static void check_answers(ScriptRun *r)
 {
-    for (size_t i = 0; i < r->engines && !r->over; i++) {
+    for (size_t i = 0; i < r->engines && !r->ended; i++) {
         const Engine *e = r->engine[i];
         const char *difference;
 
@@ -103,9 +103,9 @@ static void check_answers(ScriptRun *r)
             run_finish(r, SCRIPT_DIFFERENT);
         }
     }
-    if (!r->over && r->answer[0].status == ENGINE_REFUSED)
+    if (!r->ended && r->answer[0].status == ENGINE_REFUSED)
         report_broken_engine(r, r->engine[0], "refused a step although G advanced");
-    if (!r->over && (r->answer[0].next_state < 1 || r->answer[0].next_state > r->p->state.n))
+    if (!r->ended && (r->answer[0].next_state < 1 || r->answer[0].next_state > r->p->state.n))
         report_broken_engine(r, r->engine[0], "is in a state that the machine does not have");
 }
 
@@ -123,7 +123,7 @@ static void step_engines(ScriptRun *r)
         r->answer[i].status = r->engine[i]->step(r->engine[i], r->write.at, r->write.n, &r->answer[i]);
     r->result.steps++;
     check_answers(r);
-    if (!r->over)
+    if (!r->ended)
         memcpy(r->cell, r->answer[0].cell, r->p->var.n * sizeof *r->cell);
 }
 
@@ -152,11 +152,11 @@ static void run_step(ScriptRun *r)
     ref_windows_sample(&r->windows, r->cell);
     run_sections(r);
     step_engines(r);
-    if (r->over)
+    if (r->ended)
         return;
     call_after_step(r);
     assert_check_step(r);
-    if (!r->over)
+    if (!r->ended)
         advance_time(r);
 }
 
@@ -231,9 +231,9 @@ void run_to_the_end(ScriptRun *r)
     r->result.cell = r->cell;
     init_engines(r);
     r->schedule = schedule_new(r->arena, r->s, r->cell);
-    while (!r->over && r->result.steps < r->o->max_steps)
+    while (!r->ended && r->result.steps < r->o->max_steps)
         run_step(r);
-    if (!r->over)
+    if (!r->ended)
         run_finish(r, SCRIPT_ENDLESS);
 }
 

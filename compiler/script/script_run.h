@@ -37,7 +37,7 @@ typedef struct ScriptRun {
     const Expr *failed;       // the assert that failed, or NULL
     const ScriptItem *failed_item;
     ScriptResult result;
-    bool over;                // the run has ended; result.outcome is the reason
+    bool ended;               // then result.outcome is the reason
 } ScriptRun;
 
 // Ends the run.

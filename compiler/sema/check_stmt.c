@@ -28,12 +28,12 @@ static void check_value(Sema *s, const AstStmt *in, Stmt *out)
 // @read_only can only be assigned by a script.
 static bool check_writable(Sema *s, const Var *v, Str name, Span span)
 {
-    bool own = v == s->p->g || v == s->p->s || v == s->p->t;
+    bool never_assigned = v == s->p->g || v == s->p->s || v == s->p->t;
     Diag *d;
 
     if (scope_is_doubtful(s, name))
         return false;
-    if (!v->read_only || (s->in_script && !own))
+    if (!v->read_only || (s->in_script && !never_assigned))
         return true;
     if (v == s->p->t) {
         d = diag_report(s->diags, DIAG_write_time, span);

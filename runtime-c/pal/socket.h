@@ -24,9 +24,9 @@ typedef struct PalAddress {
 
 // ---- datagrams ----
 
-// Creates a UDP socket at the local address `own`.  It may send to broadcast addresses.  SM_E_BUSY: the port is in use.
+// Creates a UDP socket at the address `local`.  It may send to broadcast addresses.  SM_E_BUSY: the port is in use.
 // SM_E_MISSING: the computer does not have this address.  SM_E_DENIED: no permission.  SM_E_FULL: the table has no free entry.
-SmResult pal_socket_udp(PalSocket *socket, const PalAddress *own);
+SmResult pal_socket_udp(PalSocket *socket, const PalAddress *local);
 
 // Sends n bytes, 0 to PAL_DATAGRAM_MAX, as one datagram.  Never waits.  SM_OK does not mean that the datagram arrives.
 //     SM_E_BUSY          the network cannot accept more now; the datagram is lost
@@ -42,8 +42,8 @@ SmResult pal_socket_receive_from(PalSocket socket, PalAddress *from, void *bytes
 
 // ---- streams ----
 
-// Listens for streams at the local address `own`.  Results as for pal_socket_udp.
-SmResult pal_socket_listen(PalSocket *socket, const PalAddress *own);
+// Listens for streams at the address `local`.  Results as for pal_socket_udp.
+SmResult pal_socket_listen(PalSocket *socket, const PalAddress *local);
 
 // Accepts the next incoming stream.  If `peer` is not NULL, it receives the peer's address.  The caller must close the new socket
 // separately.  A stream that broke before it could be accepted is skipped.
@@ -68,8 +68,8 @@ SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *
 
 // ---- all ----
 
-// Stores the local address of the socket in *own, with the port that the platform chose.
-SmResult pal_socket_local_address(PalSocket socket, PalAddress *own);
+// Stores the local address of the socket in *local, with the port that the platform chose.
+SmResult pal_socket_local_address(PalSocket socket, PalAddress *local);
 
 // Closes the socket.  The peer of a stream still receives bytes sent earlier, if the network delivers them.
 SmResult pal_socket_close(PalSocket socket);

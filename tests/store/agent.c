@@ -305,7 +305,7 @@ static void refused_image_is_not_chosen(void)
     p.board.fits = SM_E_MEMORY;
     for (int i = 0; i < 2; i++) {
         CHECK(update(&p, &new_image, &u) == DEVICE_END && p.host.result == SM_E_MEMORY);
-        CHECK(device_image(&p.host, 0, &image) && image.state == DEVICE_WHOLE && !image.chosen && !image.runs);
+        CHECK(device_read_image_info(&p.host, 0, &image) && image.state == DEVICE_WHOLE && !image.chosen && !image.runs);
     }
     CHECK(board_start(&p.board) && p.board.slot == STORE_BUILT_IN);
 }
@@ -319,12 +319,12 @@ static void unusable_image_is_skipped(const char *memory)
 
     prepare(&p, memory, 2);
     CHECK(update(&p, &new_image, &u) == DEVICE_DONE && runs(&p.board, &new_image));
-    CHECK(device_image(&p.host, 0, &image) && image.before && !image.chosen);
+    CHECK(device_read_image_info(&p.host, 0, &image) && image.before && !image.chosen);
     CHECK(smvm_store_skip(&p.board.store, &p.board.slot) == SM_OK && runs(&p.board, &old_image));
-    CHECK(device_image(&p.host, 1, &image) && image.end == DEVICE_NOT_RUNNABLE);
+    CHECK(device_read_image_info(&p.host, 1, &image) && image.end == DEVICE_NOT_RUNNABLE);
     CHECK(board_start(&p.board) && runs(&p.board, &old_image));
     CHECK(smvm_store_skip(&p.board.store, &p.board.slot) == SM_OK && p.board.slot == STORE_BUILT_IN);
-    CHECK(device_image(&p.host, 0, &image) && image.chosen && !image.runs);
+    CHECK(device_read_image_info(&p.host, 0, &image) && image.chosen && !image.runs);
     CHECK(board_start(&p.board) && runs(&p.board, &old_image));
 }
 
@@ -337,10 +337,10 @@ static void previous_image_is_known_by_checksum(void)
 
     prepare(&p, "eeprom", 2);
     CHECK(update(&p, &new_image, &u) == DEVICE_DONE && device_request_by_checksum(&p.host, LINK_CONFIRM, new_image.checksum));
-    CHECK(device_image(&p.host, 0, &image) && image.checksum == old_image.checksum && image.before);
+    CHECK(device_read_image_info(&p.host, 0, &image) && image.checksum == old_image.checksum && image.before);
     CHECK(image_send(&p.board.store, &new_image) == SM_OK);
-    CHECK(device_image(&p.host, 0, &image) && image.checksum == new_image.checksum && !image.before && !image.chosen);
-    CHECK(device_image(&p.host, DEVICE_BUILT_IN, &image) && !image.before);
+    CHECK(device_read_image_info(&p.host, 0, &image) && image.checksum == new_image.checksum && !image.before && !image.chosen);
+    CHECK(device_read_image_info(&p.host, DEVICE_BUILT_IN, &image) && !image.before);
 }
 
 static void pins_have_places(void)
@@ -382,11 +382,11 @@ static void images_are_listed_and_erased(void)
     CHECK(device_hello(&p.host, &info) && info.protocol == LINK_PROTOCOL && info.slots == 2);
     CHECK(info.ram == 1000 && info.block % 8 == 0);
     CHECK(info.reports_limits && info.windows && info.machines == 3 && info.ram_digital == 10 && info.ram_analog == 26 && info.period == 300 && info.cycles == 14400);
-    CHECK(device_image(&p.host, 0, &image) && image.state == DEVICE_WHOLE && image.checksum == old_image.checksum && !image.runs);
-    CHECK(device_image(&p.host, 1, &image) && image.state == DEVICE_TRIAL && image.runs && image.chosen);
+    CHECK(device_read_image_info(&p.host, 0, &image) && image.state == DEVICE_WHOLE && image.checksum == old_image.checksum && !image.runs);
+    CHECK(device_read_image_info(&p.host, 1, &image) && image.state == DEVICE_TRIAL && image.runs && image.chosen);
     CHECK(image.starts == STORE_TRIES - 1);
-    CHECK(device_image(&p.host, DEVICE_BUILT_IN, &image) && image.state == DEVICE_EMPTY && !image.runs);
-    CHECK(!device_image(&p.host, 2, &image) && p.host.result == SM_E_MISSING);
+    CHECK(device_read_image_info(&p.host, DEVICE_BUILT_IN, &image) && image.state == DEVICE_EMPTY && !image.runs);
+    CHECK(!device_read_image_info(&p.host, 2, &image) && p.host.result == SM_E_MISSING);
     CHECK(update(&p, &new_image, &u) == DEVICE_DONE && u.was_running);
     CHECK(!device_request_by_checksum(&p.host, LINK_CONFIRM, old_image.checksum) && p.host.result == SM_E_ARGUMENT);
     CHECK(!device_request_by_checksum(&p.host, LINK_ERASE, 1) && p.host.result == SM_E_MISSING);
@@ -520,7 +520,7 @@ static void sent_image_is_read_back(const char *memory, uint8_t slots)
         CHECK(update(&p, &new_image, &u) == DEVICE_READ && p.host.answered && p.host.result == SM_E_DEVICE);
         CHECK(!runs(&p.board, &new_image));
         p.board.board.fits = board_fits;
-        CHECK(device_image(&p.host, slots == 2 ? 1 : 0, &image) && !image.chosen && !image.runs);
+        CHECK(device_read_image_info(&p.host, slots == 2 ? 1 : 0, &image) && !image.chosen && !image.runs);
         CHECK(board_start(&p.board) && (slots == 2 ? runs(&p.board, &old_image) : p.board.slot == STORE_BUILT_IN));
     }
 }
@@ -640,7 +640,7 @@ static bool read_log(Logged *l, uint8_t slot)
     DeviceInfo info;
     DeviceImage image;
 
-    return device_hello(&l->p.host, &info) && device_image(&l->p.host, slot, &image) && device_read_transitions(&l->p.host, &info, &image, l->read, &l->n);
+    return device_hello(&l->p.host, &info) && device_read_image_info(&l->p.host, slot, &image) && device_read_transitions(&l->p.host, &info, &image, l->read, &l->n);
 }
 
 // The log has n transitions, up to that of second `last`.
@@ -847,9 +847,9 @@ static void older_boards_report_less(void)
     }
     memcpy(c.body, none, c.n = 20);
     c.body[18] = 44;                       // of IMAGE the milliseconds between its steps came later
-    CHECK(device_image(&host, 0, &image) && image.period == 44);
+    CHECK(device_read_image_info(&host, 0, &image) && image.period == 44);
     for (c.n = 17; c.n < 20; c.n++)
-        CHECK(device_image(&host, 0, &image) == (c.n >= 18) && (c.n < 18 || image.period == 0));
+        CHECK(device_read_image_info(&host, 0, &image) == (c.n >= 18) && (c.n < 18 || image.period == 0));
     c.n = 0;                               // an answer without a position reports none
     CHECK(!device_find_chip_pin(&host, 2, 3, &place) && host.result == SM_E_UNSUPPORTED);
 }

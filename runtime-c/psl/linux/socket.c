@@ -129,21 +129,21 @@ static SmResult set_option(int fd, int level, int option)
     return setsockopt(fd, level, option, &on, sizeof on) == 0 ? SM_OK : psl_result_of_errno(errno);
 }
 
-static SmResult bind_to(int fd, const PalAddress *own)
+static SmResult bind_to(int fd, const PalAddress *local)
 {
-    struct sockaddr_in a = to_sockaddr(own);
+    struct sockaddr_in a = to_sockaddr(local);
 
     return bind(fd, (struct sockaddr *)&a, sizeof a) == 0 ? SM_OK : psl_result_of_errno(errno);
 }
 
-// Opens a socket of this kind with one option set, bound to `own`.
-static SmResult open_bound(PalSocket *s, const PalAddress *own, SocketKind kind, int option)
+// Opens a socket of this kind with one option set, bound to `local`.
+static SmResult open_bound(PalSocket *s, const PalAddress *local, SocketKind kind, int option)
 {
     uint8_t id;
     SmResult r;
     int fd;
 
-    if (!s || !own)
+    if (!s || !local)
         return SM_E_ARGUMENT;
     id = allocate_entry();
     if (id == 0)
@@ -151,16 +151,16 @@ static SmResult open_bound(PalSocket *s, const PalAddress *own, SocketKind kind,
     fd = new_socket(kind == DATAGRAMS ? SOCK_DGRAM : SOCK_STREAM);
     r = fd < 0 ? psl_result_of_errno(errno) : set_option(fd, SOL_SOCKET, option);
     if (r == SM_OK)
-        r = bind_to(fd, own);
+        r = bind_to(fd, local);
     if (r == SM_OK && kind == LISTENING && listen(fd, PAL_SOCKETS) != 0)
         r = psl_result_of_errno(errno);
     return finish_open(s, id, fd, kind, r);
 }
 
-SmResult pal_socket_udp(PalSocket *s, const PalAddress *own) { return open_bound(s, own, DATAGRAMS, SO_BROADCAST); }
+SmResult pal_socket_udp(PalSocket *s, const PalAddress *local) { return open_bound(s, local, DATAGRAMS, SO_BROADCAST); }
 
 // With SO_REUSEADDR, the port of a program that has just ended is immediately available again.
-SmResult pal_socket_listen(PalSocket *s, const PalAddress *own) { return open_bound(s, own, LISTENING, SO_REUSEADDR); }
+SmResult pal_socket_listen(PalSocket *s, const PalAddress *local) { return open_bound(s, local, LISTENING, SO_REUSEADDR); }
 
 // Waits until the pending connection is established.
 static SmResult wait_until_connected(int fd, uint64_t deadline)
@@ -367,18 +367,18 @@ SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *
 
 // ---- all ----
 
-SmResult pal_socket_local_address(PalSocket s, PalAddress *own)
+SmResult pal_socket_local_address(PalSocket s, PalAddress *local)
 {
     struct sockaddr_in a;
     socklen_t n = sizeof a;
 
-    if (!own)
+    if (!local)
         return SM_E_ARGUMENT;
     if (!psl_table_is_used(used, PAL_SOCKETS, s.id))
         return SM_E_HANDLE;
     if (getsockname(entries[s.id - 1].fd, (struct sockaddr *)&a, &n) != 0)
         return psl_result_of_errno(errno);
-    *own = from_sockaddr(&a);
+    *local = from_sockaddr(&a);
     return SM_OK;
 }
 

@@ -2,9 +2,9 @@
 // Platform without a network.
 #include "runtime-c/pal/socket.h"
 
-SmResult pal_socket_udp(PalSocket *socket, const PalAddress *own)
+SmResult pal_socket_udp(PalSocket *socket, const PalAddress *local)
 {
-    (void)socket, (void)own;
+    (void)socket, (void)local;
     return SM_E_UNSUPPORTED;
 }
 
@@ -20,9 +20,9 @@ SmResult pal_socket_receive_from(PalSocket socket, PalAddress *from, void *bytes
     return SM_E_UNSUPPORTED;
 }
 
-SmResult pal_socket_listen(PalSocket *socket, const PalAddress *own)
+SmResult pal_socket_listen(PalSocket *socket, const PalAddress *local)
 {
-    (void)socket, (void)own;
+    (void)socket, (void)local;
     return SM_E_UNSUPPORTED;
 }
 
@@ -52,9 +52,9 @@ SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *
     return SM_E_UNSUPPORTED;
 }
 
-SmResult pal_socket_local_address(PalSocket socket, PalAddress *own)
+SmResult pal_socket_local_address(PalSocket socket, PalAddress *local)
 {
-    (void)socket, (void)own;
+    (void)socket, (void)local;
     return SM_E_UNSUPPORTED;
 }
 

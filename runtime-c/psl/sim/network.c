@@ -74,11 +74,11 @@ bool sim_datagram_send(const SimDatagram *d)
     return accepted;
 }
 
-bool sim_reaches(const PalAddress *to, const PalAddress *own)
+bool sim_reaches(const PalAddress *to, const PalAddress *local)
 {
     const uint8_t any[4] = {0, 0, 0, 0};
 
-    return to->port == own->port && (memcmp(own->ip, any, 4) == 0 || memcmp(own->ip, to->ip, 4) == 0);
+    return to->port == local->port && (memcmp(local->ip, any, 4) == 0 || memcmp(local->ip, to->ip, 4) == 0);
 }
 
 // Returns the datagram for a socket at that address that arrives first; NULL if there is none.

@@ -21,8 +21,8 @@ bool sim_datagram_send(const SimDatagram *d);
 // Returns the next datagram for an address, or NULL.  The caller clears `used` after reading it.
 SimDatagram *sim_datagram_next(const PalAddress *at);
 
-// Whether a message to `to` reaches a socket at `own`.
-bool sim_reaches(const PalAddress *to, const PalAddress *own);
+// Whether a message to `to` reaches a socket at `local`.
+bool sim_reaches(const PalAddress *to, const PalAddress *local);
 
 // ---- streams ----
 

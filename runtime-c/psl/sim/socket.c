@@ -12,7 +12,7 @@ typedef enum SimSocketKind { DATAGRAMS, LISTENING, STREAM } SimSocketKind;
 
 typedef struct SimSocket {
     SimSocketKind kind;
-    PalAddress own;
+    PalAddress local;
     SimStream *stream;
     int end;                  // which end of `stream` this socket is
 } SimSocket;
@@ -37,8 +37,8 @@ static bool is_any_address(const PalAddress *a)
 static bool is_port_taken(const PalAddress *a, SimSocketKind kind)
 {
     for (uint8_t i = 0; i < PAL_SOCKETS; i++)
-        if (used[i] && entries[i].kind == kind && entries[i].own.port == a->port &&
-            (is_any_address(a) || is_any_address(&entries[i].own) || memcmp(a->ip, entries[i].own.ip, 4) == 0))
+        if (used[i] && entries[i].kind == kind && entries[i].local.port == a->port &&
+            (is_any_address(a) || is_any_address(&entries[i].local) || memcmp(a->ip, entries[i].local.ip, 4) == 0))
             return true;
     return false;
 }
@@ -57,11 +57,11 @@ static SmResult choose_port(PalAddress *a, SimSocketKind kind)
 }
 
 // Returns the sender address that others see, which is never "any".
-static PalAddress visible_address(const PalAddress *own)
+static PalAddress visible_address(const PalAddress *local)
 {
-    PalAddress a = *own;
+    PalAddress a = *local;
 
-    if (is_any_address(own)) {
+    if (is_any_address(local)) {
         a.ip[0] = 127;
         a.ip[3] = 1;
     }
@@ -70,10 +70,10 @@ static PalAddress visible_address(const PalAddress *own)
 
 // ---- opening ----
 
-// Takes an entry for a socket at `own`, or returns the reason for the failure.
-static SmResult open_socket(PalSocket *s, SimSocketKind kind, const PalAddress *own)
+// Takes an entry for a socket at `local`, or returns the reason for the failure.
+static SmResult open_socket(PalSocket *s, SimSocketKind kind, const PalAddress *local)
 {
-    PalAddress a = *own;
+    PalAddress a = *local;
     SmResult r = choose_port(&a, kind);
     uint8_t id;
 
@@ -84,7 +84,7 @@ static SmResult open_socket(PalSocket *s, SimSocketKind kind, const PalAddress *
         return SM_E_FULL;
     memset(&entries[id - 1], 0, sizeof entries[0]);
     entries[id - 1].kind = kind;
-    entries[id - 1].own = a;
+    entries[id - 1].local = a;
     s->id = id;
     return SM_OK;
 }
@@ -97,30 +97,30 @@ static bool is_table_full(void)
     return true;
 }
 
-SmResult pal_socket_udp(PalSocket *s, const PalAddress *own)
+SmResult pal_socket_udp(PalSocket *s, const PalAddress *local)
 {
     SmResult r;
 
-    if (!s || !own)
+    if (!s || !local)
         return SM_E_ARGUMENT;
     r = sim_begin_call(SIM_socket_udp);
-    return r == SM_OK ? open_socket(s, DATAGRAMS, own) : r;
+    return r == SM_OK ? open_socket(s, DATAGRAMS, local) : r;
 }
 
-SmResult pal_socket_listen(PalSocket *s, const PalAddress *own)
+SmResult pal_socket_listen(PalSocket *s, const PalAddress *local)
 {
     SmResult r;
 
-    if (!s || !own)
+    if (!s || !local)
         return SM_E_ARGUMENT;
     r = sim_begin_call(SIM_socket_listen);
-    return r == SM_OK ? open_socket(s, LISTENING, own) : r;
+    return r == SM_OK ? open_socket(s, LISTENING, local) : r;
 }
 
 static uint8_t find_listening(const PalAddress *to)
 {
     for (uint8_t i = 0; i < PAL_SOCKETS; i++)
-        if (used[i] && entries[i].kind == LISTENING && sim_reaches(to, &entries[i].own))
+        if (used[i] && entries[i].kind == LISTENING && sim_reaches(to, &entries[i].local))
             return (uint8_t)(i + 1);
     return 0;
 }
@@ -147,7 +147,7 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
         return SM_E_FULL;
     open_socket(stream, STREAM, &local);
     entries[stream->id - 1].stream = s;
-    s->address[0] = entries[stream->id - 1].own;
+    s->address[0] = entries[stream->id - 1].local;
     s->address[1] = *to;
     return SM_OK;
 }
@@ -186,7 +186,7 @@ SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *p
     stream->id = psl_table_allocate(used, PAL_SOCKETS);
     e = &entries[stream->id - 1];
     e->kind = STREAM;
-    e->own = s->address[1];
+    e->local = s->address[1];
     e->stream = s;
     e->end = 1;
     s->open[1] = true;
@@ -212,7 +212,7 @@ SmResult pal_socket_send_to(PalSocket s, const PalAddress *to, const void *bytes
     if (r != SM_OK)
         return r;
     memset(&d, 0, sizeof d);
-    d.from = visible_address(&e->own);
+    d.from = visible_address(&e->local);
     d.to = *to;
     d.n = n;
     memcpy(d.bytes, bytes, n);
@@ -241,7 +241,7 @@ SmResult pal_socket_receive_from(PalSocket s, PalAddress *from, void *bytes, siz
     r = find_socket(s, DATAGRAMS, &e);
     if (r == SM_OK)
         r = sim_begin_call(SIM_socket_receive_from);
-    while (r == SM_OK && ((d = sim_datagram_next(&e->own)) == NULL || d->arrives > pal_clock_now()))
+    while (r == SM_OK && ((d = sim_datagram_next(&e->local)) == NULL || d->arrives > pal_clock_now()))
         r = sim_wait(d && d->arrives < deadline ? d->arrives : deadline) ? find_socket(s, DATAGRAMS, &e) : SM_E_TIMEOUT;
     return r == SM_OK ? deliver_datagram(d, from, bytes, room, n) : r;
 }
@@ -306,13 +306,13 @@ SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *
 
 // ---- all ----
 
-SmResult pal_socket_local_address(PalSocket s, PalAddress *own)
+SmResult pal_socket_local_address(PalSocket s, PalAddress *local)
 {
-    if (!own)
+    if (!local)
         return SM_E_ARGUMENT;
     if (!psl_table_is_used(used, PAL_SOCKETS, s.id))
         return SM_E_HANDLE;
-    *own = entries[s.id - 1].own;
+    *local = entries[s.id - 1].local;
     return SM_OK;
 }
 
