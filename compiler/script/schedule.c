@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/script/schedule.h"
 
-#include <math.h>
+#include <float.h>
 #include <stdlib.h>
 
 // ---- intervals ----
 
-// A closed interval of values, as F64: the values of G or T are compared as F64, too.  Empty if from > to.
+// A closed interval of values, as F64: the values of G or T are compared as F64, too, and are finite.  Empty if from > to.
 typedef struct Interval { double from, to; } Interval;
 
-static const Interval always = {-HUGE_VAL, HUGE_VAL}, never = {HUGE_VAL, -HUGE_VAL};
+static const Interval always = {-DBL_MAX, DBL_MAX}, never = {DBL_MAX, -DBL_MAX};
 
 static Interval intersection(Interval a, Interval b)
 {
