@@ -102,7 +102,7 @@ void smvm_defer(DecodeState *d, uint8_t op, DecodedValue y);  // defers X = op X
 // ---- windows (decode_window.c), stores (decode_store.c), jumps (decode_jump.c) ----
 
 void smvm_decode_sample(DecodeState *d);
-void smvm_emit_statistic(DecodeState *d);             // loads the deferred statistic of X into F
+void smvm_emit_statistic(DecodeState *d);             // emits code that loads the deferred statistic of X into F
 bool smvm_try_emit_statistic_to(DecodeState *d, const StoreTarget *to);  // emits one instruction that also stores it; false: none exists
 void smvm_decode_store(DecodeState *d, uint8_t op);
 void smvm_emit_jump(DecodeState *d, unsigned op, uint32_t target);

@@ -30,8 +30,8 @@ bool sm_soft_truth(uint64_t a);               // whether a is neither zero nor N
 
 uint64_t sm_soft_from_i32(int32_t v);
 uint64_t sm_soft_from_u32(uint32_t v);
-uint64_t sm_soft_from_i64(int64_t v);         // rounds above 2^53
-uint64_t sm_soft_from_u64(uint64_t v);        // rounds above 2^53
+uint64_t sm_soft_from_i64(int64_t v);         // exact up to 2^53, rounded above
+uint64_t sm_soft_from_u64(uint64_t v);        // exact up to 2^53, rounded above
 uint64_t sm_soft_from_f32(uint32_t v);        // v: the bits of a binary32; the conversion is exact
 
 int32_t sm_soft_to_i32(uint64_t a);           // to integers: truncate toward zero, then saturate; NaN becomes 0

@@ -301,7 +301,7 @@ SmResult smvm_store_may_begin(const Store *s, SmvmAt length)
     return length < SMVM_HEADER ? SM_E_ARGUMENT : length > s->slot_size ? SM_E_SPACE : is_on_trial(s) ? SM_E_BUSY : SM_OK;
 }
 
-// Writes a record whose previous image is the built-in one.
+// Removes the previous image from the record, so that the built-in image runs if the chosen one cannot.
 SMVM_NOINLINE static SmResult forget_previous(Store *s)
 {
     s->choice.previous = STORE_BUILT_IN;

@@ -8,7 +8,7 @@
 
 enum { HEAD = 1 << 16 };                  // bytes read from an existing file to recognise it
 
-// The first bytes of a file; is_whole: all of it.
+// The first n bytes of a file.  is_whole: the file has no more.
 typedef struct Head { const char *at; size_t n; bool is_whole; } Head;
 
 // ---- recognising files of smc ----

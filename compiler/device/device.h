@@ -11,10 +11,10 @@
 
 typedef struct DeviceInfo {
     uint8_t protocol;         // version of the link protocol
-    uint8_t body, block;      // most bytes in the body of a frame, and of data in one DATA
+    uint8_t body, block;      // maximum number of bytes in the body of a frame, and of data in one DATA request
     uint8_t slots;            // number of slots for images
     uint32_t slot_size, ram;  // bytes of a slot, and of memory for a machine
-    uint32_t longest;         // most VM instructions of a step; 0: no limit
+    uint32_t longest;         // maximum number of VM instructions in a step; 0: no limit
     SmResult may;             // SM_OK if an update may begin, otherwise the reason why not
     bool requires_signature;  // it only accepts images that are signed with its key and have a number above `newest`
     uint32_t newest;

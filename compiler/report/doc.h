@@ -55,16 +55,17 @@ typedef struct DocList {
     VEC(DocLine) line;
 } DocList;
 
-typedef enum DocKind {        // with the members of DocPart that it uses
-    DOC_HEADING,              // text; id: the target of links, or NULL
-    DOC_PARAGRAPH,            // text
-    DOC_QUOTE,                // plain: text by the machine's author
-    DOC_TABLE,
-    DOC_LIST,
-    DOC_EXCERPT,              // a line of a source with a marked part; text: plain, follows the mark, or NULL
-    DOC_LINES,                // text: plain lines, shown as they are
-    DOC_FIGURE,               // text: SVG, only for HTML; caption
-    DOC_SOURCE                // a whole source, only for HTML
+// The kinds of parts.  `text`, `id` and so on are members of DocPart.
+typedef enum DocKind {
+    DOC_HEADING,              // `text`, with a badge if `badge` is set; links refer to it by `id`, unless that is NULL
+    DOC_PARAGRAPH,            // `text`
+    DOC_QUOTE,                // `text`, plain text by the machine's author
+    DOC_TABLE,                // `table`
+    DOC_LIST,                 // `list`
+    DOC_EXCERPT,              // a line of a source with `span` marked, followed by the plain `text`, unless that is NULL
+    DOC_LINES,                // `text`, plain lines that are shown unchanged
+    DOC_FIGURE,               // `text`, an SVG, with a caption; only in HTML
+    DOC_SOURCE                // `source`, the whole of it; only in HTML
 } DocKind;
 
 typedef enum DocFigure {
@@ -81,12 +82,12 @@ typedef struct DocPart {
     bool plain;               // HEADING, PARAGRAPH: the text has no markup
     const char *state;        // HEADING: the name of its state
     const char *tone;         // HEADING: the badge's colour, "good", "bad" or "note"
-    const char *badge;        // HEADING: text of a badge beside it; or NULL
-    DocFigure figure;         // FIGURE
+    const char *badge;        // HEADING: text of a badge beside it, or NULL.  FIGURE: the caption, or NULL
+    DocFigure figure;         // FIGURE: its kind
     const char *print;        // FIGURE: what is printed instead of `text`; or NULL
-    DocTable *table;
-    DocList *list;
-    Span span;                // EXCERPT
+    DocTable *table;          // TABLE
+    DocList *list;            // LIST
+    Span span;                // EXCERPT: the marked part of the source
     const Source *source;     // SOURCE
 } DocPart;
 

@@ -101,11 +101,11 @@ BcIns *bc_emit(BcSelect *s, uint8_t op);
 void bc_forget_registers(BcSelect *s);                  // forgets the contents of X and Y
 void bc_load_x(BcSelect *s, BcRef o);                   // emits nothing if X contains it already
 void bc_load_y(BcSelect *s, BcRef o);
-void bc_save_x(BcSelect *s);                            // before X changes (and Y is loaded): saves X to a slot if still needed
+void bc_save_x(BcSelect *s);                            // saves X to a slot if its value is needed later; call before X changes and before Y is loaded
 void bc_emit_changing_x(BcSelect *s, uint8_t op, uint32_t n);  // emits an instruction whose result replaces X
 void bc_record_x(BcSelect *s, IrRef r);                       // records that X contains r; saves the value recorded before if it is still needed
-void bc_drop_cvt(BcSelect *s, uint32_t type);           // removes the last instruction if it converts X to that type: a store does that
-void bc_store_x(BcSelect *s, BcRef d, bool same);       // same: loading d returns what X contains
+void bc_drop_cvt(BcSelect *s, uint32_t type);           // removes a conversion of X to `type` before a store to this type, which converts too
+void bc_store_x(BcSelect *s, BcRef d, bool same);       // stores X in d.  same: a load of d then returns exactly what X contains
 void bc_sample_x(BcSelect *s, uint32_t window);
 uint32_t bc_label_new(BcSelect *s);
 void bc_label_place(BcSelect *s, uint32_t label);

@@ -3,7 +3,7 @@
 #ifndef PSL_AVR_BOARD_H
 #define PSL_AVR_BOARD_H
 
-#ifdef PSL_AVR               // defined by avr.h on the supported boards
+#ifdef PSL_AVR               // defined by chip.h on the supported boards
 #include <avr/io.h>
 #include <avr/pgmspace.h>
 #include <stdint.h>
