@@ -19,9 +19,9 @@ static bool is_x_dead(const DecodeState *d)
     }
 }
 
-// Emits a store instruction up to its destination operand: `family` + `which`, or, for the first 64 outputs, `noting` + `which`, which has
-// the output's bit as its first operand.  Before the store of another output it emits NOTE, whose operand has the index of a byte of
-// parts.stored from bit 8 on, and a mask for that byte in the low eight bits.
+// Emits a store instruction up to its destination operand.  For a local: instruction `family` + `which`.  For one of the first 64 outputs:
+// instruction `noting` + `which`, whose first operand is the output's bit.  For any other output: NOTE, then `family` + `which`.  The operand of
+// NOTE has a mask in its low eight bits, and above them the index of the byte of parts.stored to which the mask applies.
 static void emit_store_op(DecodeState *d, FastOp family, FastOp noting, unsigned which, const StoreTarget *to)
 {
     if (to->output && to->index >= 64) {

@@ -244,7 +244,7 @@ void smvm_store(SmF64 x, uint8_t type, void *at);
 
 // ---- names and source lines, for hosts (debug.c); DEBUG is not verified, so these check what they read ----
 
-typedef struct SmvmName { SmvmAt at; uint32_t size; } SmvmName;  // a part of the image; size 0: none
+typedef struct SmvmName { SmvmAt at; uint32_t size; } SmvmName;  // where a name is in the image; size 0: it has none
 
 enum { SMVM_NAME_MACHINE = 2, SMVM_NAME_SOURCE = 3 };
 SmvmName smvm_name(const SmvmMachine *m, uint32_t which);        // `which`: SMVM_NAME_MACHINE or SMVM_NAME_SOURCE

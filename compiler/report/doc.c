@@ -67,7 +67,7 @@ DocPart *doc_add_figure(Doc *d, const char *svg, const char *caption)
     DocPart *p = add_part(d, DOC_FIGURE);
 
     p->text = svg;
-    p->badge = caption;
+    p->caption = caption;
     return p;
 }
 

@@ -64,7 +64,7 @@ typedef enum DocKind {
     DOC_LIST,                 // `list`
     DOC_EXCERPT,              // a line of a source with `span` marked, followed by the plain `text`, unless that is NULL
     DOC_LINES,                // `text`, plain lines that are shown unchanged
-    DOC_FIGURE,               // `text`, an SVG, with a caption; only in HTML
+    DOC_FIGURE,               // `text`, an SVG, with `caption`; only in HTML
     DOC_SOURCE                // `source`, the whole of it; only in HTML
 } DocKind;
 
@@ -82,7 +82,8 @@ typedef struct DocPart {
     bool plain;               // HEADING, PARAGRAPH: the text has no markup
     const char *state;        // HEADING: the name of its state
     const char *tone;         // HEADING: the badge's colour, "good", "bad" or "note"
-    const char *badge;        // HEADING: text of a badge beside it, or NULL.  FIGURE: the caption, or NULL
+    const char *badge;        // HEADING: text of a badge beside it; or NULL
+    const char *caption;      // FIGURE: text below it; or NULL
     DocFigure figure;         // FIGURE: its kind
     const char *print;        // FIGURE: what is printed instead of `text`; or NULL
     DocTable *table;          // TABLE

@@ -268,8 +268,8 @@ static void write_figure(Buf *out, const DocPart *p)
         buf_str(out, p->print);
         buf_str(out, "</div>\n");
     }
-    if (p->badge)
-        write_element(out, "<figcaption>", p->badge, true, "</figcaption>\n");
+    if (p->caption)
+        write_element(out, "<figcaption>", p->caption, true, "</figcaption>\n");
     buf_str(out, "</figure>\n");
 }
 

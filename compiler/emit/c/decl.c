@@ -194,11 +194,11 @@ static void write_machine_struct(CUnit *u, Buf *out)
 
     buf_printf(out, "// The machine.  A copy of the struct is a copy of the machine.  Members are for reading only; those that end in an underscore are\n"
                     "// private.\ntypedef struct %s {\n", u->names.type);
-    write_member(out, c_state_type(u), "state_", "what the next step runs; 0 before init");
+    write_member(out, c_state_type(u), "state_", "the state that the next step runs; 0 before init");
     write_member(out, "bool", "first_", "the next step is the state's first");
-    write_member(out, "uint64_t", "gate_", u->soft ? "time of the last step, and 1; 0 before one" : "how much time was left at the last step");
+    write_member(out, "uint64_t", "gate_", u->soft ? "time of the last step plus 1; 0 before the first" : "how far time could advance after the last step");
     if (!u->soft)
-        write_member(out, "uint64_t", "left_", "the same before a first step, when the gate is 0");
+        write_member(out, "uint64_t", "left_", "that value while gate_ is 0, before a state's first step");
     write_member(out, "uint64_t", "start_", "time of the state's first step");
     if (u->track_stores)
         write_member(out, format_in(u->arena, "%sStored", u->names.type), "stored", "what the last step that ran stored");
@@ -240,7 +240,7 @@ void c_write_prototypes(const CUnit *u, Buf *out)
     buf_printf(out, "%sStatus %s_step(%s *m, %s *sv);\n\n", n->type, n->prefix, n->type, n->sv_type);
     buf_printf(out, "// The number of the state that the next step runs.\n");
     buf_printf(out, "uint32_t %s_state(const %s *m);\n\n", n->prefix, n->type);
-    buf_printf(out, "// T: the time in the current state, as of the last step that ran.\n");
+    buf_printf(out, "// T, the time in the current state, at the last step that ran.\n");
     buf_printf(out, "uint64_t %s_T(const %s *m);\n\n", n->prefix, n->type);
     buf_printf(out, "// A state's name as in the source; \"\" if no state has that number.\n");
     buf_printf(out, "const char *%s_state_name(uint32_t state);\n", n->prefix);

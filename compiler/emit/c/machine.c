@@ -290,9 +290,9 @@ static void write_step_head(const CUnit *u, const CStepParts *w, Buf *out)
 
     buf_printf(out, "%sStatus %s_step(%s *m, %s *sv)\n{\n", n->type, n->prefix, n->type, n->sv_type);
     if (!u->soft)
-        buf_printf(out, "    const uint64_t left = UINT64_MAX - 1 - sv->%s;      // until time ends; the largest value when it has\n", n->var[u->m->g]);
+        buf_printf(out, "    const uint64_t left = UINT64_MAX - 1 - sv->%s;      // how far time can still advance; the largest value if it cannot\n", n->var[u->m->g]);
     if (!u->soft)
-        buf_printf(out, "    const %s state = m->state_;      // what this step runs; 0 if init has not succeeded\n", c_state_type(u));
+        buf_printf(out, "    const %s state = m->state_;      // the state that this step runs; 0 if init has not succeeded\n", c_state_type(u));
     if (w->first)
         buf_printf(out, "    bool first%s;\n", u->soft ? "" : " = false");
     if (w->run.as.returns_state)

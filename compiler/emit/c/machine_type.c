@@ -81,12 +81,12 @@ static void write_range_functions(const CUnit *u, Buf *out)
         from = m->var.at[v].offset < from ? m->var.at[v].offset : from;
         to = end_offset(&m->var.at[v]) > to ? end_offset(&m->var.at[v]) : to;
     }
-    buf_str(out, "// From the first listed element to the last.\n");
+    buf_str(out, "// The range from the first element that the machine uses to the last.\n");
     write_range_function(u, "uses", from, to, out);
     write_range_function(u, "number", m->var.at[m->s].offset, end_offset(&m->var.at[m->s]), out);
 }
 
-// Writes the function that copies the elements that the last step stored from one state vector to another.
+// Writes the function that copies, from one state vector to another, the elements that the last step stored.
 static void write_publish_function(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
