@@ -87,7 +87,8 @@ void smvm_emit_statistic(DecodeState *d)
     smvm_emit_integer(d, d->deferred.n);
 }
 
-// There is such an instruction if the destination is one of the first 64 outputs and has the window's type, for some statistics.
+// Emits one instruction that computes the deferred statistic of X and stores it in `to`.  Some statistics have such an instruction, for a
+// destination that is one of the first 64 outputs and has the window's type.
 bool smvm_try_emit_statistic_to(DecodeState *d, const StoreTarget *to)
 {
     DecodedWindow w;

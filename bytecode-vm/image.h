@@ -33,7 +33,7 @@ enum {
     SMVM_R_OK = 0
 };
 
-// Opcodes; of a range of opcodes, the first.
+// The opcodes of opcodes.def; for a range of opcodes, the first of them.
 typedef enum SmvmOp {
 #define SMVM_OP(name, first, last, shape, meaning) SMVM_##name = first,
 #include "bytecode-vm/opcodes.def"

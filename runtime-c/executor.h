@@ -28,7 +28,7 @@ extern "C" {
 // A rate group: tasks that run together at every `every`-th tick.
 typedef struct SmRate {
     uint32_t every;           // number of ticks from one run of the group to the next
-    uint16_t tasks;           // a task appears only once in an application
+    uint16_t tasks;           // number of tasks; each task appears only once in an application
     SmTask *const *task;
 } SmRate;
 

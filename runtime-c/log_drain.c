@@ -10,7 +10,7 @@
 
 enum { DESCRIBE_AT_ONCE = 64 };
 
-// Returns how many of the bytes are in the file now.
+// Appends n bytes to the file.  Returns how many of them are in the file now, which after an error can be fewer than n.
 static uint32_t append_to_file(SmLog *log, const uint8_t *bytes, uint32_t n)
 {
     uint64_t size = log->written;

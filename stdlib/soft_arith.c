@@ -69,8 +69,8 @@ uint64_t sm_soft_mul(uint64_t a, uint64_t b)
     return sm_soft_pack(sm_soft_normal(x));
 }
 
-// The quotient of two significands, whose leading bits are bit 62, by long division, one bit at a time.  It is less than 2, and its bit 62
-// has weight 1.  A nonzero remainder sets the lowest bit.
+// Divides two significands, whose leading bits are bit 62, by long division, one bit at a time.  The quotient is less than 2, and its bit 62
+// has weight 1.  A nonzero remainder sets its lowest bit.
 static uint64_t divide_significands(uint64_t a, uint64_t b)
 {
     uint64_t q = 0;

@@ -265,7 +265,7 @@ static bool is_authentic(SmvmBytes image, uint32_t *number)
     return smvm_auth_check(image, key, number);
 }
 
-// Not inlined, so that its stack is released before the built-in image is started.
+// Checks the permit in the body of a BEGIN.  Not inlined, so that its stack is released before the built-in image is started.
 SMVM_NOINLINE static SmResult check_permit(const uint8_t *begin, uint8_t n)
 {
     uint8_t key[SMVM_KEY];
@@ -322,7 +322,7 @@ static void start_store(void)
     run_built_in();
 }
 
-// Not inlined, so that its stack is released before the main loop.
+// Starts the parts of the board.  Not inlined, so that its stack is released before the main loop.
 SMVM_NOINLINE static void start_board(void)
 {
     uint64_t period_ns;

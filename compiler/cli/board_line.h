@@ -22,10 +22,10 @@ void board_close(BoardLine *b);
 // no answer.
 int board_report_failure(BoardLine *b, const char *what);
 
-// Why a trial ended (DeviceEnd), as a clause.
+// Returns why a trial ended (DeviceEnd), as a clause of a sentence.
 const char *board_trial_end(uint8_t end);
 
-// "slot 1: 443 bytes, checksum 2f0a11c4, identity 0011223344556677, runs, on trial (2 starts left)"
+// Describes an image, as in "slot 1: 443 bytes, checksum 2f0a11c4, identity 0011223344556677, runs, on trial (2 starts left)".
 void board_describe(Buf *out, const DeviceImage *image);
 
 #endif

@@ -382,8 +382,8 @@ static int check_name(Cli *c, const char *path, const char *option)
     return EXIT_OK;
 }
 
-// Checks a file that exists. A missing, empty or non-regular file has nothing to lose. --force does not replace a key, because a key
-// cannot be generated again: boards that have it would refuse every other key.
+// Checks whether an existing file may be replaced. A missing, empty or non-regular file is accepted, because it has no content to lose. --force
+// does not replace a key, because a key cannot be generated again: boards that have it would refuse every other key.
 static int check_existing(Cli *c, const char *path)
 {
     char *head;

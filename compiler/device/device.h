@@ -69,7 +69,7 @@ bool device_restart(LinkHost *h, DeviceInfo *info);
 
 enum { DEVICE_PERMIT = 20 };
 
-// The steps of an update, by which a failure is reported.
+// The steps of an update.  device_update returns the one that failed.
 typedef enum DeviceStep {
     DEVICE_DONE, DEVICE_FIND, DEVICE_BEGIN, DEVICE_DATA, DEVICE_END, DEVICE_READ, DEVICE_ACTIVATE, DEVICE_RESTART, DEVICE_RUN
 } DeviceStep;

@@ -89,7 +89,7 @@ typedef struct Log {
     bool newer;                   // the file contains a description of a later, unknown version
 } Log;
 
-// `bytes` must outlive the result.  The result has no session if nothing is readable.
+// Reads a log.  `bytes` must outlive the result.  The result has no session if nothing is readable.
 Log *log_read(Arena *arena, const uint8_t *bytes, uint32_t n);
 
 typedef struct LogGap { uint32_t records, events; } LogGap;       // records dropped, events lost

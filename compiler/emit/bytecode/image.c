@@ -84,7 +84,7 @@ static uint8_t pin_flags(const Pin *p)
                      | (is_zero(p->offset) ? 0u : PIN_OFFSET) | (more ? PIN_SAFE_OR_HOLD : 0u));
 }
 
-// Returns false if the element's offset is too large for a location.
+// Writes a row of the IO section.  Returns false if the element's offset is too large for a location.
 static bool write_pin(Buf *b, const Pin *p)
 {
     const uint32_t at = p->element->offset >> smvm_type_shift(p->element->type), front = pin_flags(p);

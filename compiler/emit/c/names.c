@@ -130,7 +130,7 @@ static const char *take_free_name(NameSet *s, const char *name)
     return tried;
 }
 
-// Returns a valid C name that is similar to a name that C does not allow.
+// Returns a valid C name derived from `name`, which C does not allow.
 static const char *make_valid_name(Arena *arena, const char *name)
 {
     const char *plain = c_identifier(arena, name, strlen(name));

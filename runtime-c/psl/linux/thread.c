@@ -108,7 +108,7 @@ static void name_thread(pthread_t thread, const char *text)
     }
 }
 
-// Called with the mutex held, so that the creator and the joiner never see a partial entry.
+// Starts the thread of an entry.  Called with the mutex held, so that the creator and the joiner never see a partial entry.
 static SmResult create_thread(ThreadEntry *e, const PalThreadPlan *plan)
 {
     int error = start_thread(e, plan, plan->priority > 0);
@@ -146,7 +146,7 @@ SmResult pal_thread_create(PalThread *thread, const PalThreadPlan *plan, PalThre
     return r;
 }
 
-// Called with the mutex held; releases it while waiting.
+// Waits until the thread of an entry has ended.  Called with the mutex held; releases it while waiting.
 static SmResult wait_for_end(ThreadEntry *e, uint64_t deadline)
 {
     struct timespec end = psl_timespec(deadline);
