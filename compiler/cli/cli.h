@@ -44,8 +44,10 @@ struct Cli {
     bool given[OPT_COUNT];
     const char *value[OPT_COUNT];         // the values of options that take one; the last one wins
     DiagSelection warn;
-    PlainMessages sarif_messages;         // messages for the end of a SARIF document
-    bool sarif_begun;                     // output of that document has begun
+    Diags reported;                       // what cli_print_diagnostics has printed so far, for a SARIF document
+    PlainMessages plain;                  // likewise the other messages
+    Buf message_file;                     // what --message-file will contain, unless that is SARIF
+    bool has_reported;                    // cli_print_diagnostics was called, or a message recorded
     const char *last_error;               // the last message of cli_print_error; allocated in the session
 };
 
@@ -73,6 +75,8 @@ int options_opt_level(const Cli *c);                           // returns the va
 CLI_PRINTF void cli_print_error(Cli *c, const char *format, ...);
 CLI_PRINTF void cli_print_warning(Cli *c, const char *format, ...);      // text begins with "warning: "
 CLI_PRINTF void cli_print_note(Cli *c, const char *format, ...);         // for information that requires no action
+// Adds a message to the file that --message-file names, and does not print it.
+void cli_record_message(Cli *c, const char *severity, const char *text);
 // Usage error: prints a message and refers to --help. Returns EXIT_USAGE.
 CLI_PRINTF int cli_usage_error(Cli *c, const char *format, ...);
 
@@ -92,10 +96,12 @@ bool cli_print(Cli *c, int fd, const Buf *text);          // prints to standard 
 // there was an error, EXIT_ENVIRONMENT if printing failed, else EXIT_OK.
 int cli_print_diagnostics(Cli *c);
 
-// Ends a SARIF document that cli_print_diagnostics has begun. Every command returns through it, with its exit code.
+// Prints a SARIF document, and writes the file that --message-file names. Every command returns through it, with its exit code. After a usage
+// error without any report, there is no document and no file.
 int cli_finish(Cli *c, int code);
 
 bool has_suffix(const char *path, const char *suffix);
+bool cli_is_standard_output(const Cli *c, OptionId id);         // whether an option names "-"
 
 // A format that a command can write; the first one is the default.
 typedef struct CliFormat {

@@ -131,5 +131,5 @@ int cmd_fix(Cli *c)
     buf_init(&report, &c->session.arena);
     code = write_fixed(&f, &report) ? EXIT_OK : EXIT_ENVIRONMENT;
     left = cli_print_diagnostics(c);
-    return cli_print(c, 1, &report) && code == EXIT_OK ? left : EXIT_ENVIRONMENT;
+    return cli_print(c, cli_is_standard_output(c, OPT_MESSAGE_FILE) ? 2 : 1, &report) && code == EXIT_OK ? left : EXIT_ENVIRONMENT;
 }

@@ -66,11 +66,12 @@ static void collect_argument(TestRun *t, const char *path)
 
 // ---- results ----
 
-static bool is_standard_output(const Cli *c, OptionId id) { return c->given[id] && strcmp(c->value[id], "-") == 0; }
+bool test_stdout_is_for_program(const Cli *c) { return c->given[OPT_TAP] || cli_is_standard_output(c, OPT_JUNIT); }
 
-bool test_stdout_is_for_program(const Cli *c) { return c->given[OPT_TAP] || is_standard_output(c, OPT_JUNIT); }
-
-int test_result_fd(const Cli *c) { return is_standard_output(c, OPT_TRACE) ? 2 : 1; }
+int test_result_fd(const Cli *c)
+{
+    return cli_is_standard_output(c, OPT_TRACE) || cli_is_standard_output(c, OPT_MESSAGE_FILE) ? 2 : 1;
+}
 
 static bool all_engines(const Cli *c) { return c->given[OPT_ENGINE] && strcmp(c->value[OPT_ENGINE], "all") == 0; }
 
@@ -176,6 +177,9 @@ static int check_kinds(Cli *c)
 
 static int check_use(Cli *c, const Files *f)
 {
+    static const struct { OptionId id; const char *spelling; } other[] = {
+        {OPT_JUNIT, "--junit"}, {OPT_TRACE, "--trace"}, {OPT_MESSAGE_FILE, "--message-file"}};
+
     if (c->files == 0)
         return cli_usage_error(c, TEXT_test_what);
     if (check_kinds(c) != EXIT_OK)
@@ -190,8 +194,9 @@ static int check_use(Cli *c, const Files *f)
         return cli_usage_error(c, TEXT_test_no_script, f->machine, f->machine);
     if (f->scripts && !f->machines)
         return cli_usage_error(c, TEXT_test_no_machine);
-    if (c->given[OPT_TAP] && (is_standard_output(c, OPT_JUNIT) || is_standard_output(c, OPT_TRACE)))
-        return cli_usage_error(c, TEXT_tap_and, is_standard_output(c, OPT_JUNIT) ? "--junit" : "--trace");
+    for (size_t i = 0; i < sizeof other / sizeof *other && c->given[OPT_TAP]; i++)
+        if (cli_is_standard_output(c, other[i].id))
+            return cli_usage_error(c, TEXT_both_to_stdout, "--tap", other[i].spelling);
     return EXIT_OK;
 }
 

@@ -7,12 +7,49 @@
 #include <stdio.h>
 #include <string.h>
 
-static bool is_message_format(const Cli *c, const char *format)
+// ---- messages: to standard error, and to the file that --message-file names ----
+
+typedef enum MessageFormat { MESSAGE_TEXT, MESSAGE_JSON, MESSAGE_SARIF } MessageFormat;
+
+static MessageFormat named_format(const Cli *c)
 {
-    return strcmp(c->given[OPT_FORMAT] ? c->value[OPT_FORMAT] : "text", format) == 0;
+    const char *name = c->value[OPT_FORMAT];
+
+    return !c->given[OPT_FORMAT] || strcmp(name, "text") == 0 ? MESSAGE_TEXT : strcmp(name, "json") == 0 ? MESSAGE_JSON : MESSAGE_SARIF;
 }
 
-// Prints a message in the selected format; SARIF has it at the end of the document. Returns its text, allocated in the session.
+// With --message-file, --message-format applies to that file.
+static MessageFormat console_format(const Cli *c) { return c->given[OPT_MESSAGE_FILE] ? MESSAGE_TEXT : named_format(c); }
+
+// Without --message-format, the suffix of the file's name decides.
+static MessageFormat file_format(const Cli *c)
+{
+    const char *path = c->value[OPT_MESSAGE_FILE];
+
+    if (c->given[OPT_FORMAT])
+        return named_format(c);
+    return has_suffix(path, ".sarif") || has_suffix(path, ".sarif.json") ? MESSAGE_SARIF : has_suffix(path, ".json") ? MESSAGE_JSON : MESSAGE_TEXT;
+}
+
+static void put_plain_message(MessageFormat format, const char *severity, const char *text, Buf *out)
+{
+    if (format == MESSAGE_TEXT)
+        buf_printf(out, "smc: %s%s\n", strcmp(severity, "warning") == 0 ? "warning: " : "", text);
+    else if (format == MESSAGE_JSON)
+        diag_plain_json(severity, text, out);
+}
+
+void cli_record_message(Cli *c, const char *severity, const char *text)
+{
+    const PlainMessage message = {severity, text};
+
+    vec_push(&c->session.arena, &c->plain, message);
+    if (c->given[OPT_MESSAGE_FILE])
+        put_plain_message(file_format(c), severity, text, &c->message_file);
+    c->has_reported = true;
+}
+
+// Prints a message and records it. Returns its text, allocated in the session.
 static const char *print_message(Cli *c, const char *severity, const char *format, va_list args)
 {
     va_list again;
@@ -25,16 +62,10 @@ static const char *print_message(Cli *c, const char *severity, const char *forma
     va_end(again);
     text = arena_alloc(&c->session.arena, (size_t)n + 1);
     vsnprintf(text, (size_t)n + 1, format, args);
-    if (is_message_format(c, "text")) {
-        fprintf(stderr, "smc: %s%s\n", strcmp(severity, "warning") == 0 ? "warning: " : "", text);
-    } else if (is_message_format(c, "sarif")) {
-        const PlainMessage message = {severity, text};
-        vec_push(&c->session.arena, &c->sarif_messages, message);
-    } else {
-        buf_init(&out, &c->session.arena);
-        diag_plain_json(severity, text, &out);
-        fputs(buf_text(&out), stderr);
-    }
+    buf_init(&out, &c->session.arena);
+    put_plain_message(console_format(c), severity, text, &out);
+    fputs(buf_text(&out), stderr);
+    cli_record_message(c, severity, text);
     return text;
 }
 
@@ -147,6 +178,29 @@ static bool wants_color(const Cli *c)
     return os_is_terminal(2) && !(term && strcmp(term, "dumb") == 0);
 }
 
+static void put_diagnostics(const Diags *d, MessageFormat format, const DiagStyle *style, Buf *out)
+{
+    if (format == MESSAGE_TEXT)
+        diags_render_text(d, style, out);
+    else if (format == MESSAGE_JSON)
+        diags_render_json(d, out);
+}
+
+// Adds the session's diagnostics to those that have been reported.
+static void record_diagnostics(Cli *c)
+{
+    const Diags *d = &c->session.diags;
+    const DiagStyle plain = {false, 0};
+
+    for (size_t i = 0; i < d->list.n; i++)
+        vec_push(&c->session.arena, &c->reported.list, d->list.at[i]);
+    for (size_t i = 0; i < d->allowed.n; i++)
+        vec_push(&c->session.arena, &c->reported.allowed, d->allowed.at[i]);
+    if (c->given[OPT_MESSAGE_FILE])
+        put_diagnostics(d, file_format(c), &plain, &c->message_file);
+    c->has_reported = true;
+}
+
 int cli_print_diagnostics(Cli *c)
 {
     Diags *d = &c->session.diags;
@@ -158,31 +212,38 @@ int cli_print_diagnostics(Cli *c)
     diags_select(d, &c->warn);
     diags_sort(d);
     buf_init(&out, &c->session.arena);
-    if (is_message_format(c, "json"))
-        diags_render_json(d, &out);
-    else if (is_message_format(c, "sarif"))
-        diags_render_sarif(d, SMC_VERSION, &out);
-    else
-        diags_render_text(d, &style, &out);
+    put_diagnostics(d, console_format(c), &style, &out);
+    record_diagnostics(c);
     code = d->errors ? EXIT_PROBLEM : EXIT_OK;
     if (!cli_print(c, 2, &out) && !code)
         code = EXIT_ENVIRONMENT;
     diags_clear(d);
-    c->sarif_begun = true;
     return code;
+}
+
+static int write_message_file(Cli *c, const Buf *document)
+{
+    const Buf *text = file_format(c) == MESSAGE_SARIF ? document : &c->message_file;
+    const OsOutput file = {c->value[OPT_MESSAGE_FILE], buf_text(text), text->n};
+
+    return cli_write_outputs(c, &file, 1);
 }
 
 int cli_finish(Cli *c, int code)
 {
-    Buf out;
+    const bool prints_sarif = console_format(c) == MESSAGE_SARIF, writes_file = c->given[OPT_MESSAGE_FILE];
+    int written = EXIT_OK;
+    Buf document;
 
-    if (!is_message_format(c, "sarif") || (code == EXIT_USAGE && !c->sarif_begun))
+    if ((!prints_sarif && !writes_file) || (code == EXIT_USAGE && !c->has_reported))
         return code;
-    if (!c->sarif_begun)
-        cli_print_diagnostics(c);
-    buf_init(&out, &c->session.arena);
-    diags_end_sarif(&c->sarif_messages, &out);
-    return cli_print(c, 2, &out) || code ? code : EXIT_ENVIRONMENT;
+    buf_init(&document, &c->session.arena);
+    diags_render_sarif(&c->reported, &c->plain, SMC_VERSION, &document);
+    if (prints_sarif && !cli_print(c, 2, &document))
+        written = EXIT_ENVIRONMENT;
+    if (writes_file)
+        written = write_message_file(c, &document);
+    return code != EXIT_OK ? code : written;
 }
 
 bool has_suffix(const char *path, const char *suffix)
@@ -190,6 +251,8 @@ bool has_suffix(const char *path, const char *suffix)
     size_t n = strlen(path), m = strlen(suffix);
     return n >= m && strcmp(path + n - m, suffix) == 0;
 }
+
+bool cli_is_standard_output(const Cli *c, OptionId id) { return c->given[id] && strcmp(c->value[id], "-") == 0; }
 
 // ---- formats ----
 

@@ -63,6 +63,7 @@ static int run_command(Cli *c, int argc, char **argv)
         options_write_help(c->command, &out);
         return print_text(c, 1, &out, EXIT_OK);
     }
+    buf_init(&c->message_file, &c->session.arena);
     if ((code = outputs_check_options(c)) != EXIT_OK)
         return code;
     return cli_finish(c, c->command->run(c));

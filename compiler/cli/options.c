@@ -114,10 +114,10 @@ static bool check_values(Cli *c)
 
     if (!check_one_of(c, OPT_OPT, levels, 3, "0, 1 or 2") || !check_one_of(c, OPT_FORMAT, formats, 3, "text, json or sarif"))
         return false;
-    // A SARIF document describes one run, so only a command that reports once can write one.
-    if (c->given[OPT_FORMAT] && strcmp(c->value[OPT_FORMAT], "sarif") == 0 && strcmp(c->command->name, "check") != 0 &&
-        strcmp(c->command->name, "build") != 0) {
-        cli_usage_error(c, TEXT_sarif_commands);
+    // SARIF describes findings in sources.  The failed cases of smc test go to standard error as text, which no document can contain.
+    if (c->given[OPT_FORMAT] && strcmp(c->value[OPT_FORMAT], "sarif") == 0 && !c->given[OPT_MESSAGE_FILE] &&
+        (!option_applies(&option_info[OPT_MESSAGE_FILE], c->command) || c->command->run == cmd_test)) {
+        cli_usage_error(c, c->command->run == cmd_test ? TEXT_sarif_of_test : TEXT_sarif_commands);
         return false;
     }
     // The name is copied verbatim into a make rule; no file of that name is opened.

@@ -282,6 +282,65 @@ static bool is_junit(const Head *h)
     return open.depth == 0 || !h->is_whole;
 }
 
+// ---- messages as text ----
+
+// Makes the format of a message a pattern of a line: each directive becomes *. Returns false if it is too long, or too little of it is fixed.
+static bool make_pattern(const char *format, char *pattern, size_t room)
+{
+    enum { LEAST_FIXED = 10 };
+    size_t n = 0, directives = 0;
+
+    for (const char *at = format; *at && n + 2 < room; at++) {
+        const bool is_directive = *at == '%';
+        pattern[n++] = is_directive ? '*' : *at;
+        directives += is_directive;
+        at += is_directive ? strspn(at + 1, "0123456789l") + 1 : 0;       // to the letter of the directive
+    }
+    memcpy(pattern + n, "\n", 2);
+    return n + 2 < room && n - directives >= LEAST_FIXED;
+}
+
+// Whether the text begins with a message of the command, as cli_print_error and the others write it.
+static bool is_plain_message(const char *at, const char *end)
+{
+    static const char *const text[] = {
+#define CLI_TEXT(name, format) format,
+#include "compiler/cli/texts.def"
+#undef CLI_TEXT
+    };
+    char pattern[500];
+
+    if (!matches_pattern(at, end, "smc: "))
+        return false;
+    at += matches_pattern(at, end, "smc: warning: ") ? strlen("smc: warning: ") : strlen("smc: ");
+    for (size_t i = 0; i < sizeof text / sizeof *text; i++)
+        if (make_pattern(text[i], pattern, sizeof pattern) && matches_pattern(at, end, pattern))
+            return true;
+    return matches_pattern(at, end, "*.smt: failed\n");
+}
+
+static bool begins_with_any(const char *at, const char *end, const char *const *pattern, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (matches_pattern(at, end, pattern[i]))
+            return true;
+    return false;
+}
+
+// Whether the file begins with a message, and every further line is another one or belongs to one.
+static bool is_message_text(const Head *h)
+{
+    static const char *const first[] = {"*error: * [E*", "*error: * [W*", "*warning: * [W*"};
+    static const char *const more[] = {" ", "note: ", "*: note: ", "1 error", "1 warning", "* errors", "* warnings"};
+    const char *at = h->at, *end = at + h->n, *lf;
+
+    for (; at < end && (lf = memchr(at, '\n', (size_t)(end - at))) != NULL; at = lf + 1)
+        if (!begins_with_any(at, end, first, sizeof first / sizeof *first) && !is_plain_message(at, end) &&
+            (at == h->at || !begins_with_any(at, end, more, sizeof more / sizeof *more)))
+            return false;
+    return at > h->at && (at == end || !h->is_whole);
+}
+
 // ---- all kinds ----
 
 // Every kind of file that smc writes through an option, and how to recognise it.
@@ -308,6 +367,9 @@ static const struct {
     {"{\"time\":*,\"event\":\"*\",\"number\":*,\"source\":", NULL},
     {"{\"dropped\":*,\"lost\":", NULL},
     {"<svg *class=\"plot smc-flight\"", NULL},
+    {"{\"severity\":\"*\",\"code\":*,\"message\":\"*", NULL},               // --message-file, as JSON, SARIF and text
+    {"{\"$schema\":\"*\",\"version\":\"2.1.0\",\"runs\":[{\n\"tool\":{\"driver\":{\"name\":\"smc\",", NULL},
+    {NULL, is_message_text},
     {NULL, is_junit},                                                     // test --junit
     {NULL, is_trace},                                                     // test --trace
     {NULL, is_exact_trace},
@@ -413,12 +475,16 @@ static bool is_same_output(Cli *c, const char *a, const char *b)
 
 int outputs_check(Cli *c, const OsOutput *out, size_t n)
 {
+    const char *messages = c->given[OPT_MESSAGE_FILE] ? c->value[OPT_MESSAGE_FILE] : NULL;        // written when the command ends
     int code = EXIT_OK;
 
     for (size_t i = 0; i < n && code == EXIT_OK; i++) {
         for (size_t k = 0; k < i; k++)
             if (is_same_output(c, out[k].path, out[i].path))
                 return cli_usage_error(c, TEXT_outputs_same, out[k].path, out[i].path);
+        if (messages && out[i].path != messages && is_same_output(c, messages, out[i].path))
+            return strcmp(messages, "-") == 0 ? cli_usage_error(c, TEXT_both_to_stdout, "this output", "--message-file")
+                                              : cli_usage_error(c, TEXT_outputs_same, out[i].path, messages);
         if ((code = check_name(c, out[i].path, NULL)) == EXIT_OK)
             code = check_existing(c, out[i].path);
     }
@@ -436,7 +502,8 @@ static const char *output_named(Cli *c, OptionId id)
 int outputs_check_options(Cli *c)
 {
     static const struct { OptionId id; const char *spelling; } option[] = {
-        {OPT_OUTPUT, "-o"}, {OPT_DEPS_FILE, "-MF"}, {OPT_TRACE, "--trace"}, {OPT_JUNIT, "--junit"}};
+        {OPT_OUTPUT, "-o"}, {OPT_DEPS_FILE, "-MF"}, {OPT_TRACE, "--trace"}, {OPT_JUNIT, "--junit"},
+        {OPT_MESSAGE_FILE, "--message-file"}};
     const bool is_build = c->command->run == cmd_build;
     int code = EXIT_OK;
 

@@ -39,7 +39,7 @@ typedef struct TestRun {      // one call of smc test
 
 // Whether results for another program go to standard output: then reports for people do not go there.
 bool test_stdout_is_for_program(const Cli *c);                                    // cmd_test.c
-// Where reports for people go: standard output, unless the trace goes there.
+// Where reports for people go: standard output, unless the trace or the diagnostics go there.
 int test_result_fd(const Cli *c);                                   // cmd_test.c
 // Whether an argument is a script. Standard input ("-") is one if the call names a machine; otherwise it is the machine.
 bool test_is_script(const Cli *c, const char *path);               // cmd_test.c

@@ -32,20 +32,23 @@ static void open_c(Batch *b, EngineKind kind)
         b->engine[owner[i]][kind] = engine_c_batch_engine(b->c[kind], i);
 }
 
-static void print_failed(TestRun *t, const TestResult *r)
+// Reports why a case did not pass. With --tap, which has the reason too, it is not printed.
+static void report_failed(TestRun *t, const TestResult *r)
 {
     Buf b;
 
     buf_init(&b, t->arena);
-    buf_printf(&b, "%s: failed\n", r->path);
+    buf_printf(&b, "%s: failed", r->path);
     for (const char *at = r->message; *at; at++) {
         if (at == r->message || at[-1] == '\n')
-            buf_str(&b, "    ");
-        buf_char(&b, *at);
+            buf_str(&b, "\n    ");
+        if (*at != '\n')
+            buf_char(&b, *at);
     }
-    if (b.at[b.n - 1] != '\n')
-        buf_char(&b, '\n');
-    cli_print(t->c, 2, &b);
+    cli_record_message(t->c, "error", format_in(t->arena, "%s", buf_text(&b)));
+    buf_char(&b, '\n');
+    if (!t->c->given[OPT_TAP])
+        cli_print(t->c, 2, &b);
 }
 
 static void test_batch(TestRun *t, const char *const *path, size_t n)
@@ -60,8 +63,8 @@ static void test_batch(TestRun *t, const char *const *path, size_t n)
     for (size_t i = 0; i < n; i++) {
         TestResult r = test_case_close(b.at[i], b.engine[i]);
         vec_push(t->arena, &t->result, r);
-        if ((r.status == TEST_FAILED || r.status == TEST_BROKEN) && !t->c->given[OPT_TAP])
-            print_failed(t, &r);
+        if (r.status == TEST_FAILED || r.status == TEST_BROKEN)
+            report_failed(t, &r);
     }
     for (int kind = 0; kind < ENGINE_KINDS; kind++)
         if (b.c[kind])

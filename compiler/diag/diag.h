@@ -163,11 +163,10 @@ size_t diag_put_printable(Buf *out, const char *s, size_t n);
 // One JSON object per line.
 void diags_render_json(const Diags *d, Buf *out);
 void diag_plain_json(const char *severity, const char *message, Buf *out);    // for messages without a code, such as that a file cannot be read
-// SARIF is one document: the output is complete only after diags_end_sarif, which adds the messages that are not diagnostics.
 typedef struct PlainMessage { const char *severity, *text; } PlainMessage;      // "error", "warning" or "note"
 typedef VEC(PlainMessage) PlainMessages;
-void diags_render_sarif(const Diags *d, const char *version, Buf *out);
-void diags_end_sarif(const PlainMessages *plain, Buf *out);
+// One document of SARIF, with the messages that are not diagnostics.
+void diags_render_sarif(const Diags *d, const PlainMessages *plain, const char *version, Buf *out);
 
 // Recognises a finding again in a later version of its file.
 typedef struct DiagFingerprint {

@@ -237,7 +237,8 @@ static void put_result(Buf *out, const Diag *d, const DiagFingerprint *print, si
     buf_char(out, '}');
 }
 
-void diags_end_sarif(const PlainMessages *plain, Buf *out)
+// Writes the messages that are not diagnostics, and ends the document.
+static void put_notifications(const PlainMessages *plain, Buf *out)
 {
     bool succeeded = true;
 
@@ -253,7 +254,7 @@ void diags_end_sarif(const PlainMessages *plain, Buf *out)
     buf_str(out, plain->n ? "]}]}]}\n" : "}]}\n");
 }
 
-void diags_render_sarif(const Diags *d, const char *version, Buf *out)
+void diags_render_sarif(const Diags *d, const PlainMessages *plain, const char *version, Buf *out)
 {
     size_t index[DIAG_COUNT] = {0};
     const DiagFingerprint *print = diags_fingerprints(d, out->arena);
@@ -270,4 +271,5 @@ void diags_render_sarif(const Diags *d, const char *version, Buf *out)
         put_result(out, x, &print[i], index[x->code], d->allowed.n > 0);
     }
     buf_char(out, ']');
+    put_notifications(plain, out);
 }

@@ -27,8 +27,8 @@ for file; do
     set -- "$here"/*.sm
     [ -f "$1" ] || continue
     sv=$(ls "$here"/*.sv 2>/dev/null | head -n 1)
-    "$smc" check "$@" ${sv:+--sv "$sv"} -Weverything --message-format=sarif 2>"$here/found.sarif"
+    "$smc" check "$@" ${sv:+--sv "$sv"} -Weverything --message-file="$here/found.sarif" 2>/dev/null
 done
 mkdir "$folder/case/none"
-"$smc" check "$folder/case/none/there-is-none.sm" --message-format=sarif 2>"$folder/case/none/found.sarif"
+"$smc" check "$folder/case/none/there-is-none.sm" --message-file="$folder/case/none/found.sarif" 2>/dev/null
 "$python" tests/check/sarif.py "$schema" "$folder"/case/*/found.sarif

@@ -113,8 +113,7 @@ static void check_diags(Session *s)
     diags_render_text(&s->diags, &plain, &out);
     FUZZ_CHECK(strlen(buf_text(&out)) == out.n);              // nothing unprintable has got through
     diags_render_json(&s->diags, &out);
-    diags_render_sarif(&s->diags, "1", &out);
-    diags_end_sarif(&none, &out);
+    diags_render_sarif(&s->diags, &none, "1", &out);
     FUZZ_CHECK(strlen(buf_text(&out)) == out.n);
 }
 

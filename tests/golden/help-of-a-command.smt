@@ -20,7 +20,8 @@ Options:
   --max-steps=N            give up on a script after N steps (default 1000000)
   --junit=FILE             write the results as JUnit XML
   --tap                    print the results in the Test Anything Protocol
-  --message-format=FORMAT  diagnostics, on standard error, as text (default), json or sarif
+  --message-format=FORMAT  the form of messages: text (default), json, or sarif if the command reads sources
+  --message-file=FILE      write the messages to FILE in that form, else as its name ends (.json, .sarif); standard error then has text
   --color=WHEN             auto (default), always or never
   -w                       no warnings
   -WNAME                   -Wextra, -Wflight, -Weverything, -Wname, -Wno-name, -Werror, -Werror=name

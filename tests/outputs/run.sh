@@ -75,6 +75,10 @@ writers()
         '--junit=@' 'test tank.sm tank.ss' \
         '--trace=@' 'test tank.sm tank.ss' \
         '--trace=@' 'test tank.sm tank.ss --trace-format=exact' \
+        '--message-file=@' 'check tank.sm -Weverything' \
+        '--message-file=@' 'check tank.sm -Weverything --message-format=json' \
+        '--message-file=@' 'graph tank.sm -Weverything --message-format=sarif -o /dev/null' \
+        '--message-file=@' 'test tank.sm tank.ss -Weverything' \
         '-o @' 'log flight.log --format=text' \
         '-o @' 'log flight.log --format=csv' \
         '-o @' 'log flight.log --format=json' \
@@ -247,6 +251,12 @@ twice test tank.sm tank.ss --junit=dangling --trace=nowhere.xml
 : >a; ln a b
 twice test tank.sm tank.ss --junit=a --trace=b
 twice test tank.sm tank.ss --junit=- --trace=-
+twice test tank.sm tank.ss --junit=m --message-file=m
+twice test tank.sm tank.ss --tap --message-file=/dev/stdout
+twice build tank.sm -o c.smb --message-file=c.smb
+twice build tank.sm -MD -o c.smb --message-file=c.d
+twice build tank.sm -MD --emit=c --message-file=tank.h
+twice report tank.sm --message-file=-
 twice build tank.sm -o a -MF a
 twice build tank.sm -o - -MF -
 twice build tank.sm -o - -MF /dev/stdout
@@ -317,6 +327,15 @@ near()
 }
 near 'seconds,altitude\n0,1\n'
 near 'script,step\n'
+near '{"severity": "none"}\n'
+near '{"version":"2.1.0","runs":[]}\n'
+near 'smc: my notes\n\nlater\n'
+near 'smc: my notes\nlater\n'
+near 'smc: my notes'
+near 'a.c:1:2: error: wrong [-Werror]\n'
+near 'note: later\n'
+near 'smc: cannot open the valve\n'
+near 'smc: cannot: later\n'
 trace='script,step,G,state,T,open\n"a, b.ss",1,0,Idle,0,1\n'
 near "script,step,G,state,T,my notes\na.ss,1,0,Idle,0,1\n"
 near "script,step,G,state,T,notes\na.ss,1,0,Idle,0,ok\n"

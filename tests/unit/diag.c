@@ -260,8 +260,7 @@ static void test_steps(void)
         "note: step 2: 'second' is declared here\n"
         "1 warning\n");
     buf_init(&out, &arena);
-    diags_render_sarif(&diags, "1", &out);
-    diags_end_sarif(&none, &out);
+    diags_render_sarif(&diags, &none, "1", &out);
     CHECK(strstr(buf_text(&out), "\"codeFlows\":[{\"threadFlows\":[{\"locations\":[{\"location\":{\"physicalLocation\":{"
         "\"artifactLocation\":{\"uri\":\"a.sm\"},\"region\":{\"startLine\":1,\"startColumn\":1,\"endLine\":1,\"endColumn\":4}},"
         "\"message\":{\"text\":\"'first' is declared here\"}}},{\"location\":{\"message\":{\"text\":\"'second' is declared here\"}}}]}]}]"));
@@ -278,13 +277,14 @@ static void test_sarif_severities(void)
     Buf out;
 
     HOST_ARENA(&arena);
+    diags_init(&diags, &arena);
     buf_init(&out, &arena);
-    diags_end_sarif(&plain, &out);
+    diags_render_sarif(&diags, &plain, "1", &out);
     CHECK(strstr(buf_text(&out), "\"executionSuccessful\":true"));
     CHECK(strstr(buf_text(&out), "{\"level\":\"warning\",\"message\":{\"text\":\"w\"}},\n{\"level\":\"note\",\"message\":{\"text\":\"n\"}}]"));
     out.n = 0;
     plain.n = 3;
-    diags_end_sarif(&plain, &out);
+    diags_render_sarif(&diags, &plain, "1", &out);
     CHECK(strstr(buf_text(&out), "\"executionSuccessful\":false") && strstr(buf_text(&out), "{\"level\":\"error\""));
     arena_free(&arena);
 }

@@ -2,7 +2,7 @@
 args test --message-format=sarif a.sm a.ss
 
 -- stderr --
-smc: --message-format=sarif is for check and build only
+smc: --message-format=sarif requires --message-file=FILE here: standard error also has the failures of cases, as text
 Try 'smc test --help'.
 -- exit --
 2
