@@ -666,6 +666,7 @@ $(foreach level,$(LEVELS),$(call test,conformance-O$(level),thorough,,$(if $(fil
 $(call test, conformance-c-small,  thorough,, CC='$(CC) -O0 -DSM_ROLL_SMALL=1' $(B)/smc test --engine=ref,c conformance/07-windows)
 $(call test, conformance-c-soft,   thorough,, CC='$(CC) -O0' $(B)/smc test --engine=ref,c-soft conformance)
 $(foreach u,$(UNIT_SLOW),$(call test,$(u),thorough,$(B)/unit/$(u),$(B)/unit/$(u)))
+$(call test, ci-pages,             thorough,, sh tests/check/ci_pages.sh $(B)/smc $(B)/ci-pages)
 $(call test, check-docs,           thorough,, sh tests/check/docs.sh $(B)/smc $(B)/docs README.md */README.md docs/*.md)
 $(call test, applications,         thorough, $(RUNTIME_ARCHIVES), sh tests/check/applications.sh $(B)/smc '$(CC)' $(B)/runtime $(patsubst %/,%,$(dir $(wildcard examples/*/*.app))))
 $(call test, flight-docs,          thorough, $(B)/flight/flight.log, $(FLIGHT_SVG) | cmp - docs/flight.svg && echo 1 passed$(,) 0 failed)

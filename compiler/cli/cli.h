@@ -47,7 +47,6 @@ struct Cli {
     Diags reported;                       // what cli_print_diagnostics has printed so far, for a SARIF document
     PlainMessages plain;                  // likewise the other messages
     Buf message_file;                     // what --message-file will contain, unless that is SARIF
-    bool has_reported;                    // cli_print_diagnostics was called, or a message recorded
     const char *last_error;               // the last message of cli_print_error; allocated in the session
 };
 
@@ -97,7 +96,7 @@ bool cli_print(Cli *c, int fd, const Buf *text);          // prints to standard 
 int cli_print_diagnostics(Cli *c);
 
 // Prints a SARIF document, and writes the file that --message-file names. Every command returns through it, with its exit code. After a usage
-// error without any report, there is no document and no file.
+// error there is no document and no file: the file can be what the error is about.
 int cli_finish(Cli *c, int code);
 
 bool has_suffix(const char *path, const char *suffix);

@@ -46,7 +46,6 @@ void cli_record_message(Cli *c, const char *severity, const char *text)
     vec_push(&c->session.arena, &c->plain, message);
     if (c->given[OPT_MESSAGE_FILE])
         put_plain_message(file_format(c), severity, text, &c->message_file);
-    c->has_reported = true;
 }
 
 // Prints a message and records it. Returns its text, allocated in the session.
@@ -198,7 +197,6 @@ static void record_diagnostics(Cli *c)
         vec_push(&c->session.arena, &c->reported.allowed, d->allowed.at[i]);
     if (c->given[OPT_MESSAGE_FILE])
         put_diagnostics(d, file_format(c), &plain, &c->message_file);
-    c->has_reported = true;
 }
 
 int cli_print_diagnostics(Cli *c)
@@ -235,7 +233,7 @@ int cli_finish(Cli *c, int code)
     int written = EXIT_OK;
     Buf document;
 
-    if ((!prints_sarif && !writes_file) || (code == EXIT_USAGE && !c->has_reported))
+    if ((!prints_sarif && !writes_file) || code == EXIT_USAGE)
         return code;
     buf_init(&document, &c->session.arena);
     diags_render_sarif(&c->reported, &c->plain, SMC_VERSION, &document);
