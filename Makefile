@@ -122,7 +122,7 @@ emulate: $(B)/smc
 # PROJECT_URL: the address where the project is published, for its description; without one the library names none.
 PROJECT_URL      ?=
 ARDUINO           = $(B)/arduino/smc
-ARDUINO_SOURCES   = $(sort $(STDLIB) $(filter-out $(VM_TEXT) %/debug.c,$(VM)) $(FIRMWARE_SRC))
+ARDUINO_SOURCES   = $(sort $(STDLIB) $(filter-out $(VM_TEXT) %/debug.c %/swap.c,$(VM)) $(FIRMWARE_SRC))
 ARDUINO_INPUTS    = $(wildcard arduino/* arduino/examples/*/* stdlib/* bytecode-vm/*.* bytecode-vm/firmware/* bytecode-vm/target/* runtime-c/*.* \
                       runtime-c/link/* runtime-c/pal/* runtime-c/psl/avr/*) docs/arduino.md compiler/version.h
 arduino: $(ARDUINO)/library.properties

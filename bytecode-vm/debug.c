@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads names and source lines from the DEBUG section.  The verifier does not check it, because a machine runs without it.  So the
-// functions here check every offset in it: data that is not inside the section counts as absent.
+// Reads names and source lines from the DEBUG section, and the marks of states from SWAP and ABORT.  The verifier does not check these
+// sections, because a machine runs without them.  So the functions here check every offset: data that is not inside counts as absent.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
@@ -47,6 +47,31 @@ uint32_t smvm_copy_state_name(const SmvmMachine *m, uint32_t state, char *to, ui
         to[i] = 0;
     return n.size;
 }
+
+// ---- marks ----
+
+bool smvm_is_marked(const SmvmMachine *m, uint8_t id, uint32_t state)
+{
+    const uint32_t bit = state - 1;
+    bool inside = false;
+    SmvmSection s;
+
+    for (uint8_t i = 0; i < smvm_section_count(m->image); i++) {
+        smvm_read_section(m->image, i, &s);
+        if (s.kind.id == SMVM_S_MACHINE)
+            inside = s.at == m->machine_at;
+        if (inside && s.id == id && smvm_u8(m->image, (SmvmAt)(SMVM_HEADER + i * SMVM_SECTION_ENTRY + 1)) == 1 && bit >> 3 < s.size)
+            return (smvm_u8(m->image, (SmvmAt)(s.at + (bit >> 3))) >> (bit & 7) & 1) != 0;
+    }
+    return false;
+}
+
+bool smvm_state_allows_swap(const SmvmMachine *m, uint32_t state)
+{
+    return (m->safe_at != 0 && smvm_state_is_safe(m, state)) || smvm_is_marked(m, SMVM_S_SWAP, state);
+}
+
+bool smvm_state_is_abort(const SmvmMachine *m, uint32_t state) { return smvm_is_marked(m, SMVM_S_ABORT, state); }
 
 uint32_t smvm_verdict_size(void) { return sizeof(SmvmVerdict); }
 uint32_t smvm_machine_size(void) { return sizeof(SmvmMachine); }

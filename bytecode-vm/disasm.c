@@ -31,6 +31,8 @@ static void print_window(DisasmOutput *o, uint32_t w)
 {
     static const char *const stat[] = {" average", " median", " smallest", " largest", " range"};
     uint32_t entry = smvm_window(o->m->image, o->m->windows_at, w), kind = entry >> SMVM_WINDOW_SIZE_BITS;
+    const SmvmLocation number = {SM_I8, w};
+    const SmvmName name = smvm_name_of(o->m, SMVM_IS_SAMPLE, &number);
 
     smvm_print(o, "    w");
     smvm_print_unsigned(o, w);
@@ -42,6 +44,8 @@ static void print_window(DisasmOutput *o, uint32_t w)
     for (uint32_t i = 0; i < SM_STAT_COUNT; i++)
         if (kind & (uint32_t)SM_ROLL_AVG << i)
             smvm_print(o, stat[i]);
+    smvm_print(o, name.size > 0 ? " of " : "");
+    smvm_print_name(o, name);
     smvm_print(o, "\n");
 }
 
@@ -89,17 +93,18 @@ static void print_initial_values(DisasmOutput *o)
     }
 }
 
-static void print_safe_states(DisasmOutput *o)
+static void print_marked_states(DisasmOutput *o, const char *what, uint8_t section)
 {
-    if (o->m->safe_at == 0)
-        return;
-    smvm_print(o, "    safe states    ");
-    for (uint32_t s = 1; s <= o->m->states; s++)
-        if (smvm_state_is_safe(o->m, s)) {
-            smvm_print(o, " ");
-            smvm_print_unsigned(o, s);
-        }
-    smvm_print(o, "\n");
+    bool any = false;
+
+    for (uint32_t s = 1; s <= o->m->states; s++) {
+        if (section == SMVM_S_SAFE ? o->m->safe_at == 0 || !smvm_state_is_safe(o->m, s) : !smvm_is_marked(o->m, section, s))
+            continue;
+        smvm_print(o, any ? " " : what);
+        smvm_print_unsigned(o, s);
+        any = true;
+    }
+    smvm_print(o, any ? "\n" : "");
 }
 
 static void print_machine(DisasmOutput *o, uint32_t index)
@@ -119,7 +124,9 @@ static void print_machine(DisasmOutput *o, uint32_t index)
     smvm_print_unsigned(o, m->to);
     smvm_print(o, "\n");
     print_property(o, "states", m->states, "\n");
-    print_safe_states(o);
+    print_marked_states(o, "    safe states     ", SMVM_S_SAFE);
+    print_marked_states(o, "    swap states     ", SMVM_S_SWAP);
+    print_marked_states(o, "    abort states    ", SMVM_S_ABORT);
     print_property(o, "memory", smvm_ram_size_64(m), " bytes on a 64-bit computer, of these ");
     smvm_print_unsigned(o, m->locals);
     smvm_print(o, " for locals\n");

@@ -88,6 +88,8 @@ enum { SMVM_VARINT_1 = 0x60, SMVM_VARINT_2 = 0x78 };
 // name and of the source's name.  Next is the offset of each state's name (0: none).  Then each variable has SMVM_DEBUG_VARIABLE bytes:
 // its SmvmVariable, its location and its name's offset.
 enum { SMVM_DEBUG_NUMBERS = 4, SMVM_DEBUG_VARIABLE = 7 };
+// The longest name of samples.  A longer one is not written, because a part of it does not identify what is sampled.
+enum { SMVM_SAMPLE_NAME_MAX = 2000 };
 
 // ---- reading ----
 
@@ -242,7 +244,10 @@ SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat);
 SmF64 smvm_load(uint8_t type, const void *at);
 void smvm_store(SmF64 x, uint8_t type, void *at);
 
-// ---- names and source lines, for hosts (debug.c); DEBUG is not verified, so these check what they read ----
+// ---- names, source lines and marks, for hosts (debug.c); DEBUG, SWAP and ABORT are not verified, so these check what they read ----
+
+// Whether a state is marked in section `id` of the machine: SMVM_S_SWAP or SMVM_S_ABORT.
+bool smvm_is_marked(const SmvmMachine *m, uint8_t id, uint32_t state);
 
 typedef struct SmvmName { SmvmAt at; uint32_t size; } SmvmName;  // where a name is in the image; size 0: it has none
 
@@ -251,7 +256,8 @@ SmvmName smvm_name(const SmvmMachine *m, uint32_t which);        // `which`: SMV
 SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state);
 
 uint32_t smvm_variables(const SmvmMachine *m);                   // how many have names; sorted by SmvmVariable, type, offset
-typedef enum SmvmVariable { SMVM_IS_LOCAL, SMVM_IS_ELEMENT, SMVM_IS_TIME } SmvmVariable;
+// SMVM_IS_SAMPLE: what a window samples.  Its location has type 0, and the number of the window as its offset.
+typedef enum SmvmVariable { SMVM_IS_LOCAL, SMVM_IS_ELEMENT, SMVM_IS_TIME, SMVM_IS_SAMPLE } SmvmVariable;
 SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, SmvmLocation *location);
 SmvmName smvm_name_of(const SmvmMachine *m, SmvmVariable is, const SmvmLocation *location);  // `location` is ignored for T
 

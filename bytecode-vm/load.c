@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "bytecode-vm/image.h"
-#include "bytecode-vm/smvm.h"
+#include "bytecode-vm/swap.h"
 #include "stdlib/convert.h"
 #include "stdlib/flash.h"
 
@@ -91,6 +91,7 @@ static SmvmAt scale_offset(SmvmAt at, uint8_t shift)
 // ---- sections ----
 
 static const SmvmSectionKind kinds[] SM_FLASH = {
+#define SMVM_HOST_SECTION(name, id, version, meaning)
 #define SMVM_SECTION(name, id, version, meaning) {id, version, KIND_##name},
 #define KIND_IDENTITY 0, 0, 0, 0
 #define KIND_DEBUG SMVM_HAS_MACHINE, 0, 0, offsetof(SmvmMachine, debug_at)
@@ -344,7 +345,7 @@ static bool is_aligned(const void *p)
     return (uintptr_t)p % offsetof(struct Strict, at) == 0;
 }
 
-SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const SmvmVector *sv, uint32_t state)
+SmResult smvm_prepare(void *memory, uint32_t size, const SmvmMachine *m, const SmvmVector *sv, uint32_t state)
 {
     SmVm *vm = memory;
     SmvmAt bytes;
@@ -369,8 +370,16 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const Smvm
 #endif
     vm->state = (SmvmAt)state;
     vm->first = true;
-    sm_cell_store(SM_U32, (uint8_t *)sv->at + m->s, state);
     return SM_OK;
+}
+
+SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const SmvmVector *sv, uint32_t state)
+{
+    const SmResult r = smvm_prepare(memory, size, m, sv, state);
+
+    if (r == SM_OK)
+        sm_cell_store(SM_U32, (uint8_t *)sv->at + m->s, state);
+    return r;
 }
 
 // ---- reading its state ----

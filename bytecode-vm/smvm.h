@@ -179,7 +179,7 @@ typedef struct SmvmVector {
 
 // Starts a machine in state `state` (1 is the initial state), in memory that the caller owns.  The memory must be aligned as an array
 // of uint64_t and have at least smvm_ram_size(m) bytes.  Sets locals to their initial values, empties windows, and writes the state's
-// number to S.
+// number to S. 
 // SM_E_LAYOUT: m was compiled for a state vector of another layout or size.  SM_E_ARGUMENT: there is no such state.
 // SM_E_MEMORY: `size` is too small.  SM_E_ALIGNMENT: the memory or the state vector is not aligned.
 SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const SmvmVector *sv, uint32_t state);
@@ -222,6 +222,15 @@ const char *smvm_rule_text(uint8_t rule);             // the sentence of a rule;
 // Copies the name of a state (1 to m->states) to `to`, at most size - 1 characters and a 0.  Returns the length of the name; 0 if the image
 // has no names (smc build -g).
 uint32_t smvm_copy_state_name(const SmvmMachine *m, uint32_t state, char *to, uint32_t size);
+
+// ---- marks of states; on hosts ----
+
+// Whether a machine may be replaced while it is in a state (1 to m->states): the state is marked @swap or @safe (swapping.md 12.4).  False for
+// every state of a machine that marks none.
+bool smvm_state_allows_swap(const SmvmMachine *m, uint32_t state);
+
+// Whether a state is marked @abort.  False if the image has no names (smc build -g).
+bool smvm_state_is_abort(const SmvmMachine *m, uint32_t state);
 
 // ---- for other languages ----
 

@@ -49,6 +49,8 @@ void artefacts_add_syntax_dump(Compilation *c)
 
 // ---- machines, state vectors, pins ----
 
+SessionLocals artefacts_image_locals(const CompileOptions *o) { return o->names ? LOCALS_SWAPPED : LOCALS_HIDDEN; }
+
 static void emit_image(Compilation *c)
 {
     const ImageOptions o = {c->o->names, c->image_pins};
@@ -128,9 +130,9 @@ void artefacts_emit_app(Compilation *c, const App *a)
         if (a->machine.at[i]->bytecode) {
             Buf *bytes = new_buf(c->s);
             IrMachine *m;
-            c->s->hide_locals = !c->o->names;
+            c->s->locals = artefacts_image_locals(c->o);
             m = session_ir(c->s, a->machine.at[i]->program, c->o->opt_level);
-            c->s->hide_locals = false;
+            c->s->locals = LOCALS_READ;
             if (!session_image(c->s, &m, 1, &image_options, bytes))
                 return;
             image[i] = bytes;

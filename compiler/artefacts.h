@@ -17,6 +17,8 @@ typedef struct Compilation {
     IoMap *image_pins;            // in->pins after checking; NULL if absent or with errors
 } Compilation;
 
+// How code outside a machine accesses the locals of a machine that becomes an image.
+SessionLocals artefacts_image_locals(const CompileOptions *o);
 // Adds the output of --emit=tokens or ast: the tokens or the syntax tree of every source.
 void artefacts_add_syntax_dump(Compilation *c);
 // Emits the outputs that o->emit requests.  Call it only if no source has an error.

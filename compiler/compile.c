@@ -148,7 +148,7 @@ static void check_app_limits(Compilation *c, const App *a)
     CompiledSource of;
 
     memset(&of, 0, sizeof of);
-    c->s->hide_locals = !c->o->names;
+    c->s->locals = artefacts_image_locals(c->o);
     for (size_t i = 0; i < a->machine.n; i++) {
         of.program = a->machine.at[i]->program;
         if (a->machine.at[i]->bytecode)
@@ -156,7 +156,7 @@ static void check_app_limits(Compilation *c, const App *a)
         else
             limits_report_c(&c->s->diags, of.program);
     }
-    c->s->hide_locals = false;
+    c->s->locals = LOCALS_READ;
 }
 
 static void compile_app(Compilation *c)
@@ -186,14 +186,14 @@ bool compile_sources(Session *s, const CompileInput *in, const CompileOptions *o
     out->of = ARENA_ARRAY(&s->arena, CompiledSource, in->n);
     s->warnings = o->skip_analyses ? 0 : o->warnings ? diag_selection_groups(o->warnings) : DIAG_GROUPS_ALL;
     s->step = o->step;
-    s->hide_locals = o->emit != EMIT_C && !o->names;       // emitted C declares locals where the user's code can read them
+    s->locals = o->emit == EMIT_C ? LOCALS_READ : artefacts_image_locals(o);       // emitted C declares locals where the user's code can read them
     if (o->emit == EMIT_AST || o->emit == EMIT_TOKENS)
         artefacts_add_syntax_dump(&c);
     else if (in->app)
         compile_app(&c);
     else
         compile_files(&c);
-    s->hide_locals = false;
+    s->locals = LOCALS_READ;
 
     diags_apply_allows(&s->diags);
     if (o->warnings)

@@ -286,11 +286,16 @@ static void print_after_pass(void *context, const PassInfo *pass, const IrMachin
     print_requested_stage(context, pass->name, m);
 }
 
-// Marks locals as not observable between steps. Only scripts and debuggers observe locals, and a flight image without names has neither.
-static void hide_locals(IrMachine *m)
+// Marks which locals code outside the machine observes and changes between steps.
+static void mark_locals(IrMachine *m, SessionLocals locals)
 {
-    for (size_t v = 0; v < m->var.n; v++)
-        m->var.at[v].hidden = m->var.at[v].space == IR_LOCAL && !m->var.at[v].outside;
+    for (size_t v = 0; v < m->var.n; v++) {
+        IrVar *var = &m->var.at[v];
+        if (var->space != IR_LOCAL)
+            continue;
+        var->outside = var->outside || locals == LOCALS_SWAPPED;
+        var->hidden = locals == LOCALS_HIDDEN && !var->outside;
+    }
 }
 
 // Returns the IR before any pass: that of session_analyse if it analysed p last, otherwise a new one. Passes will change it.
@@ -308,8 +313,7 @@ IrMachine *session_ir(Session *s, const Program *p, int opt_level)
     PassOptions o = {opt_level, NULL, s->check_passes, false, print_after_pass, s};
     const char *wrong;
 
-    if (s->hide_locals)
-        hide_locals(m);
+    mark_locals(m, s->locals);
     print_requested_stage(s, "build", m);
     wrong = passes_run(&s->arena, m, &o);
     assert(!wrong && !ir_verify(&s->arena, m));

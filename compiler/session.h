@@ -12,6 +12,13 @@
 #include "compiler/syntax/ast.h"
 
 // One compilation.  All its results live in its arena.
+// What code outside a machine does with its locals between two steps.
+typedef enum SessionLocals {
+    LOCALS_READ,              // reads them: scripts, and in C any code
+    LOCALS_HIDDEN,            // nothing: an image without names
+    LOCALS_SWAPPED            // reads and writes them: an image with names, because a swap copies locals by name (swapping.md 12)
+} SessionLocals;
+
 typedef struct Session {
     Arena arena;
     Arena tree;                   // the syntax tree of the file that is being checked; freed when it has been
@@ -24,7 +31,7 @@ typedef struct Session {
     unsigned warnings;            // 1u << DiagGroup of each group that session_analyse checks
     uint64_t step;                // how much G advances from step to step, for session_analyse; 0: unknown
     IrMachine *built;             // the machine that session_analyse analysed last, for session_ir; or NULL
-    bool hide_locals;             // locals are not observable between steps: session_ir marks them as hidden
+    SessionLocals locals;         // session_ir marks locals as hidden or written from outside accordingly
 } Session;
 
 // `alloc` with `context` provides all memory.  If it returns NULL, the session calls longjmp(*oom, 1); the caller then calls session_free.

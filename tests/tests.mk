@@ -133,6 +133,19 @@ $(B)/diff/difftest: $(DIFF_OBJ) $(B)/libsmc.a $(B)/runtime/sim.a
 diff: $(B)/diff/difftest
 	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign --resume
 
+# tests/swap: machines that are replaced while they run.  `make swap-campaign N=100000 SEED=1` swaps random pairs.
+SWAP_OBJ = $(B)/obj/tests/swap/machine.o $(B)/obj/tests/swap/reference.o
+$(B)/swap/clauses $(B)/swap/hostile: $(B)/swap/%: $(B)/obj/tests/swap/%.o $(SWAP_OBJ) $(B)/libsmc.a
+$(B)/swap/random: $(B)/obj/tests/swap/random.o $(SWAP_OBJ) $(filter %/subject.o %/gen.o %/gen_bias.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o,$(DIFF_OBJ)) $(B)/libsmc.a
+$(B)/swap/clauses $(B)/swap/hostile $(B)/swap/random:
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+
+swap-campaign: $(B)/swap/random $(B)/swap/hostile
+	$(B)/swap/random $(SEED) $(N)
+	$(B)/swap/hostile $(SEED) $(N)
+.PHONY: swap-campaign
+
 # Runs random programs for a thousand steps each, and fails if something happens that the analyses report as impossible.
 SOUND = $(B)/diff/difftest --sound --steps=1000
 sound: $(B)/diff/difftest
@@ -625,6 +638,7 @@ $(call test, script,               quick,, $(B)/smc test tests/script)
 $(call test, graph-layout,         quick, $(B)/graph/layout, $(B)/graph/layout tests/graph/machines/*.sm)
 $(call test, clauses-steps,        quick, $(B)/clauses/steps, $(B)/clauses/steps)
 $(call test, clauses-memory,       quick, $(B)/clauses/memory $(B)/clauses/probe.smb, $(B)/clauses/memory $(B)/clauses/probe.smb)
+$(call test, swap-clauses,         quick, $(B)/swap/clauses, $(B)/swap/clauses)
 $(call test, clauses-regions,      quick, $(B)/clauses/regions, $(B)/clauses/regions)
 $(call test, fixes,                quick, $(B)/fixes, $(B)/fixes tests/check/fixes.txt conformance/*/*.smt tests/*/*.smt README.md docs/*.md examples/*/*.sm tests/findings/*/*.sm)
 $(call test, diagnostics,          quick, $(B)/diagnostics, $(DIAGNOSTICS) | cmp - docs/diagnostics.md && echo 1 passed$(,) 0 failed)
@@ -644,8 +658,8 @@ $(call test, check-hints,          quick,, sh tests/check/files.sh cases | awk -
 $(call test, check-codes,          quick,, sh tests/check/files.sh cases | awk -f tests/check/codes.awk compiler/diag/flags.def compiler/diag/codes.def tests/check/codes.txt -)
 $(call test, check-builtins,       quick,, sh tests/check/builtins.sh)
 $(call test, check-arguments,      quick,, sh tests/check/files.sh compiler | awk -f tests/check/arguments.awk compiler/diag/codes.def compiler/syntax/hints.def compiler/sema/foreign_names.def -)
-$(call test, check-clauses,        quick,, sh tests/check/files.sh evidence | awk -f tests/check/clauses.awk docs/language.md docs/config.md tests/check/clauses.txt -)
-$(call test, check-citations,      quick,, sh tests/check/files.sh sources | awk -f tests/check/citations.awk docs/language.md docs/config.md -)
+$(call test, check-clauses,        quick,, sh tests/check/files.sh evidence | awk -f tests/check/clauses.awk docs/language.md docs/config.md docs/swapping.md tests/check/clauses.txt -)
+$(call test, check-citations,      quick,, sh tests/check/files.sh sources | awk -f tests/check/citations.awk docs/language.md docs/config.md docs/swapping.md -)
 $(call test, check-licence,        quick,, sh tests/check/files.sh code | awk -f tests/check/licence.awk)
 $(call test, check-places,         quick,, sh tests/check/files.sh text | awk -f tests/check/places.awk)
 $(call test, check-configurations, quick,, sh tests/check/configurations.sh)
@@ -685,6 +699,8 @@ $(call test, soft,                 thorough, $(B)/soft/run, $(B)/soft/run)
 $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh $(VM_SOFT))
 
 $(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
+$(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
+$(call test, swap-hostile,         thorough, $(B)/swap/hostile, $(B)/swap/hostile 1 3000)
 $(call test, sound,                thorough, $(B)/diff/difftest, $(SOUND) --count=300 --jobs=2 --out=$(B)/diff/check-sound)
 $(call test, diff-c,               thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=25 --forms=012h --cc='$(CC) -std=c99 -O1' --out=$(B)/diff/check-c)
 $(call test, diff-c-soft,          thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=10 --forms=012h --cc-soft='$(CC) -std=c99 -O1' --out=$(B)/diff/check-c-soft)

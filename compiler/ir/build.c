@@ -159,6 +159,8 @@ static void build_state(Builder *b, const State *s)
     memset(&state, 0, sizeof state);
     state.name = s->name;
     state.is_safe = s->is_safe;
+    state.allows_swap = s->allows_swap;
+    state.is_abort = s->is_abort;
     state.span = s->span;
     for (int k = 0; k < BLOCK_COUNT; k++) {
         if (s->block[k].n == 0)

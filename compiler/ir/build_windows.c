@@ -70,7 +70,7 @@ void build_windows(Builder *b)
         const Window *w = &list->at[k];
         SharedWindow *slot = find_shared_window(b, table, cap, w);
         if (!slot->first) {                       // the first window of its size and shape: adds an IR window and its sample
-            IrWindow window = {SM_F64, w->size, 0};
+            IrWindow window = {SM_F64, w->size, 0, w};
             IrIns sample = {.op = IR_sample, .type = SM_F64, .b = IR_NONE, .var = (uint32_t)b->m->window.n, .span = w->span};
             slot->first = w;
             slot->index = sample.var;

@@ -128,11 +128,14 @@ typedef struct IrWindow {
     SmType type;                      // of the stored samples: every sample is exactly of this type
     uint32_t size;                    // number of samples
     uint32_t stats;                   // 1u << SmStat for each statistic that is read
+    const Window *first;              // set by ir_build: the first call of the program that has this window; else NULL
 } IrWindow;
 
 typedef struct IrState {
     Str name;
     bool is_safe;                     // @safe
+    bool allows_swap;                 // @swap
+    bool is_abort;                    // @abort
     IrFn *block[BLOCK_COUNT];         // NULL: no code
     Span span;
 } IrState;

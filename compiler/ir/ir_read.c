@@ -96,7 +96,7 @@ static bool read_stat(IrReader *r, SmStat *out)
 
 static bool read_window(IrReader *r)
 {
-    IrWindow w = {SM_F64, 0, 0};
+    IrWindow w = {SM_F64, 0, 0, NULL};
     uint32_t number;
     SmStat stat;
 
@@ -348,6 +348,8 @@ static bool read_state(IrReader *r)
     if (map_find(&r->states, s.name))
         return scan_fail(&r->scan, "there are two states '%.40s'", s.name->text);
     s.is_safe = scan_match_word(&r->scan, "safe");
+    s.allows_swap = scan_match_word(&r->scan, "swap");
+    s.is_abort = scan_match_word(&r->scan, "abort");
     vec_push(r->arena, &r->m->state, s);
     map_put(&r->states, s.name, (void *)(uintptr_t)r->m->state.n);
     return true;

@@ -18,7 +18,7 @@
 //         sample w0, %0
 //         ret
 //     }
-//     state Vent safe                             states are numbered from 1; this one is marked @safe
+//     state Vent safe                             states are numbered from 1; this one is marked @safe; also "swap", "abort"
 //     step {                                      entry, step, exit
 //     b0:
 //         %0 = stat avg w0
@@ -250,7 +250,8 @@ void ir_print(const IrMachine *m, Buf *out)
     }
     for (size_t s = 0; s < m->state.n; s++) {
         const IrState *state = &m->state.at[s];
-        buf_printf(out, "\nstate %s%s\n", state->name->text, state->is_safe ? " safe" : "");
+        buf_printf(out, "\nstate %s%s%s%s\n", state->name->text, state->is_safe ? " safe" : "", state->allows_swap ? " swap" : "",
+                   state->is_abort ? " abort" : "");
         for (int k = 0; k < BLOCK_COUNT; k++)
             if (state->block[k])
                 print_function(m, ir_block_name[k], state->block[k], out);

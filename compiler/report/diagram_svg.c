@@ -138,8 +138,8 @@ static void write_state_title(Buf *out, const Diagram *d, const DiagramNode *n)
 {
     buf_str(out, "<title>");
     xml_write_str(out, n->state->name->text);
-    buf_printf(out, "%s%s%s%s", n->state->number == 1 ? ", initial state" : "", n->state->is_abort ? ", @abort" : "",
-               n->state->is_safe ? ", @safe" : "", n->reached ? "" : ", unreachable");
+    buf_printf(out, "%s%s%s%s%s", n->state->number == 1 ? ", initial state" : "", n->state->is_abort ? ", @abort" : "",
+               n->state->is_safe ? ", @safe" : "", n->state->allows_swap ? ", @swap" : "", n->reached ? "" : ", unreachable");
     if (d->o->counts)
         buf_printf(out, "\n%s", diagram_count_text(d, "entered", diagram_node_count(d, n)));
     for (size_t i = 0; i < n->stub_in.n; i++) {

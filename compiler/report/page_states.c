@@ -27,6 +27,8 @@ static void set_badge(const Report *r, const State *s, DocPart *heading)
         heading->badge = "unreachable";
     else if (s->number == 1)
         heading->badge = "initial state";
+    if (s->allows_swap)
+        heading->badge = heading->badge ? format_in(r->arena, "%s, swap", heading->badge) : "swap";
 }
 
 // ---- predecessors ----

@@ -1,27 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reference interpreter: runs a Program by the rules of language.md 6, one by one.  Every differential test compares other
 // engines with it.  It therefore prefers plain code to speed, and shares no code with another engine.
-#include "compiler/script/engine.h"
+#include "compiler/script/engine_ref.h"
 
 #include <string.h>
 
 #include "compiler/base/buf.h"
-#include "compiler/script/ref.h"
-
-typedef struct RefEngine {
-    Engine engine;
-    Arena *arena;
-    const Program *p;
-    uint64_t *cell;           // every variable, by index
-    uint8_t *stored;          // by variable: this step stored it
-    RefWindows windows;
-    const State *state;       // the state that the next step runs
-    bool is_first;            // the next step is the first of its state
-    bool has_run;             // a step has run since init
-    uint64_t last_g;          // G at the last step that ran
-    uint64_t start;           // G at the first step of the state
-    const Stmt *transition;   // the transition that the last step took, or NULL
-} RefEngine;
 
 static void store_cell(RefEngine *r, const Var *v, uint64_t cell)
 {

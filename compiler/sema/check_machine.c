@@ -18,6 +18,7 @@ static void add_states(Sema *s, Program *p, const AstFile *sm)
         state->span = section->name_span;
         state->is_abort = has_annotation(&section->annotations, AST_ABORT);
         state->is_safe = has_annotation(&section->annotations, AST_SAFE);
+        state->allows_swap = has_annotation(&section->annotations, AST_SWAP);
         state->number = (uint32_t)p->state.n + 1;
         vec_push(s->arena, &p->state, state);
         if (state->name->len == 0)

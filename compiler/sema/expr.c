@@ -137,6 +137,125 @@ bool expr_is_constant(const Expr *e)
 
 // ---- text ----
 
+static const char *const operator_spelling[SM_OP_COUNT] = {
+#define SM_OPERATOR(name, spelling, arity, precedence, class) [SM_OP_##name] = spelling,
+#include "stdlib/operators.def"
+#undef SM_OPERATOR
+};
+
+static const char *const builtin_name[SM_FN_COUNT] = {
+#define SM_PURE(name, arguments, sentence) [SM_FN_##name] = #name,
+#define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
+#define SM_ROLL(name, stat, sentence) SM_PURE(name, 2, sentence)
+#include "stdlib/builtins.def"
+#undef SM_PURE
+#undef SM_COMPOSED
+#undef SM_ROLL
+};
+
+static const char *const statistic_name[SM_STAT_COUNT] = {
+#define SM_PURE(name, arguments, sentence)
+#define SM_COMPOSED(name, arguments, steps, sentence)
+#define SM_ROLL(name, stat, sentence) [SM_STAT_##stat] = #name,
+#include "stdlib/builtins.def"
+#undef SM_PURE
+#undef SM_COMPOSED
+#undef SM_ROLL
+};
+
+// Appends names to `out`.  Stops soon after `most` characters, so that nested calls do not take quadratic time.
+typedef struct Namer {
+    Arena *arena;
+    const Windows *window;
+    size_t most;
+    Buf *out;
+} Namer;
+
+static void name_expr(const Namer *n, const Expr *e);
+
+// An operand with an operator is in parentheses, whatever the precedence: different trees have different texts.
+static void name_operand(const Namer *n, const Expr *e)
+{
+    const bool enclosed = (e->kind == EX_UNARY || e->kind == EX_BINARY || e->kind == EX_CHAIN) && !expr_is_constant(e);
+
+    buf_str(n->out, enclosed ? "(" : "");
+    name_expr(n, e);
+    buf_str(n->out, enclosed ? ")" : "");
+}
+
+// An infinity and NaN are written as divisions, because `inf` and `NaN` can be names.
+static void name_constant(const Namer *n, SmF64 x)
+{
+    if (sm_is_nan(x))
+        buf_str(n->out, "0/0");
+    else if (sm_is_nan(sm_sub(x, x)))
+        buf_str(n->out, sm_lt(x, sm_from_i32(0)) ? "-1/0" : "1/0");
+    else
+        buf_str(n->out, const_text(n->arena, x));
+}
+
+static void name_variable(const Namer *n, const Var *v)
+{
+    if (v->kind == VAR_LOCAL)
+        buf_printf(n->out, "%s %s", sm_type_info[v->type].spelling, v->name->text);
+    else
+        buf_str(n->out, v->name->text);
+}
+
+static void name_window(const Namer *n, const char *function, const Window *w)
+{
+    buf_printf(n->out, "%s(", function);
+    name_expr(n, w->sample);
+    buf_printf(n->out, ", %lu)", (unsigned long)w->size);
+}
+
+static void name_operation(const Namer *n, const Expr *e)
+{
+    for (uint32_t i = 0; i < e->n; i++) {
+        if (e->kind == EX_UNARY)
+            buf_printf(n->out, "%s%s", operator_spelling[e->op], e->op == SM_OP_NOT ? " " : "");
+        else if (i > 0)
+            buf_printf(n->out, " %s ", operator_spelling[e->kind == EX_CHAIN ? expr_ops(e)[i - 1] : e->op]);
+        name_operand(n, e->arg[i]);
+    }
+}
+
+static void name_call(const Namer *n, const Expr *e)
+{
+    buf_printf(n->out, "%s(", builtin_name[e->fn]);
+    for (uint32_t i = 0; i < e->n; i++) {
+        buf_str(n->out, i > 0 ? ", " : "");
+        name_expr(n, e->arg[i]);
+    }
+    buf_str(n->out, ")");
+}
+
+static void name_expr(const Namer *n, const Expr *e)
+{
+    if (n->out->n > n->most)
+        return;
+    if (expr_is_constant(e)) {
+        name_constant(n, expr_constant_value(e));
+        return;
+    }
+    switch (e->kind) {
+    case EX_NUMBER: break;                                  // a constant
+    case EX_VAR: name_variable(n, e->var); break;
+    case EX_UNARY:
+    case EX_BINARY:
+    case EX_CHAIN: name_operation(n, e); break;
+    case EX_CALL: name_call(n, e); break;
+    case EX_ROLL: name_window(n, statistic_name[e->stat], &n->window->at[e->window]); break;
+    }
+}
+
+void expr_name_window(Arena *arena, const Windows *all, const Window *w, size_t most, Buf *out)
+{
+    const Namer n = {arena, all, most, out};
+
+    name_window(&n, "roll", w);
+}
+
 const char *const_text(Arena *arena, SmF64 x)
 {
     enum { FEW = 6, ENOUGH = 17 };             // decimal digits; 17 digits distinguish any two F64

@@ -8,6 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "compiler/base/buf.h"
 #include "compiler/base/source.h"
 #include "compiler/base/str.h"
 #include "compiler/base/vec.h"
@@ -162,6 +163,7 @@ struct State {
     Span span;                // the name in its header
     bool is_abort;            // @abort: the machine goes here after a fault
     bool is_safe;             // @safe: the machine may stay here forever
+    bool allows_swap;         // @swap: the machine may be replaced here while it runs
 };
 
 typedef struct Program {
@@ -223,6 +225,9 @@ SmF64 expr_constant_value(const Expr *e);
 // Returns the value of any expression for the given values of variables (by Var.index).  Assumes that every window is filled with
 // its current sample.  NULL: uses the initial values.
 SmF64 expr_eval(const Expr *e, const SmF64 *value);
+// Appends the canonical name of what a window samples, as in `roll(tankPressure + 1, 10)` (swapping.md 12.11).  If that has more than
+// `most` characters, appends a part of it that is also longer than `most`.
+void expr_name_window(Arena *arena, const Windows *all, const Window *w, size_t most, Buf *out);
 // Formats a value for messages, with the fewest digits from which the same number can be read back, but at least 6.
 const char *const_text(Arena *arena, SmF64 x);
 

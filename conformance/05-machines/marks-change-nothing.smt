@@ -15,7 +15,7 @@ F64 seen
 .exit
     seen = seen + 1
 
-[Run] @safe
+[Run] @safe @swap
 .step
     pressure < 0: -> Abort
     seen = pressure

@@ -8,11 +8,13 @@ F64 a @abort              #! E0375 [Name] @abort
 F64 b
 [local]
 U8 n = 0 @safe            #! E0375 [Name] @safe
+U8 o = 0 @swap            #! E0375 [Name] @swap
 [A] @read_only            #! E0376 '@read_only'
 .step
-    b = a + n
+    b = a + n + o
     @safe                 #! E0340 [Name] @safe
     b > 1: @abort         #! E0340 [Name] @abort
+    @swap                 #! E0340 [Name] @swap
 [B] @range 0 1            #! E0376 '@range'
 .step
     -> A

@@ -1,4 +1,4 @@
-spec 5.45, 5.46  @abort and @safe follow a header, one or both, in any order, before the first label.
+spec 5.45, 5.46, 5.55  @abort, @safe and @swap follow a header, one or several, in any order, before the first label.
 
 -- app.sm --
 [state_vector]
@@ -9,14 +9,14 @@ F64 x
 .step
     x = x + 1
     -> B
-[B]@safe@abort .step -> C
-[C]
+[B]@swap@safe@abort .step -> C
+[C] @swap
 # no fuel is left
 @abort    # here
     @safe
 .step
     -> D
-[D] @safe
+[D] @safe @swap
 -- app.ss --
 [options]
 delta_t 1

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # Checks that every clause or chapter that the code cites exists.
-# Input: docs/language.md and docs/config.md, then the names of the source files, one a line.
+# Input: docs/language.md, docs/config.md and docs/swapping.md, then the names of the source files, one a line.
 #
 # A citation names the document: `language.md 7.4`, `config.md 9.4, 9.5`, `language.md 4.7 to 4.10`, or a chapter, `language.md 7`.
-# A comment of the product that cites a number without the document, as `// 9.4` or `(6.5)`, is refused.  In the two documents themselves a
-# number in parentheses is a clause of either: `(5.49)`, `(5.46, 5.47)`.
+# A comment of the product that cites a number without the document, as `// 9.4` or `(6.5)`, is refused.  In the documents themselves a
+# number in parentheses is a clause of any: `(5.49)`, `(5.46, 5.47)`.
 
 function complain(what) {
     print what
@@ -31,11 +31,19 @@ function check_comment(text, where,    name, rest) {
     if (where !~ /^tests\// && (text ~ /^\/\/ *[0-9][0-9]?\.[0-9][0-9]?([,:;]|\.? |\.?$)/ || text ~ /\([0-9][0-9]?\.[0-9][0-9]?(\)|[,;:] | to | and )/))
         complain(where ": a citation names its document, as in `language.md 7.4`:  " text)
     rest = text
-    while (match(rest, /(language|config)\.md( chapter)? [0-9]/)) {
+    while (match(rest, /(language|config|swapping)\.md( chapter)? [0-9]/)) {
         name = substr(rest, RSTART, index(substr(rest, RSTART), ".md") + 2)
         rest = substr(rest, RSTART + RLENGTH - 1)
         check_list(rest, name, where)
     }
+}
+
+# The document that has the clause; any of them, if none has.
+function document_of(number,    name) {
+    for (name in document)
+        if ((name, number) in place)
+            return name
+    return "language.md"
 }
 
 # The documents: their clauses and chapters, then what they cite in parentheses.
@@ -48,6 +56,7 @@ FILENAME ~ /\.md$/ {
         place[name, substr($1, 3, length($1) - 4)] = 1
     if (/^## [0-9]+ /)
         place[name, $2] = 1
+    document[name] = 1
     text = $0
     gsub(/`[^`]*`/, "", text)
     while (!fenced && match(text, /\([0-9]+\.[0-9]+(, [0-9]+\.[0-9]+)*\)/)) {
@@ -70,7 +79,7 @@ END {
     for (i = 1; i <= inners; i++) {
         count = split(inner[i], number, ", ")
         for (k = 1; k <= count; k++)
-            check(number[k], ("language.md", number[k]) in place ? "language.md" : "config.md", inner_at[i])
+            check(number[k], document_of(number[k]), inner_at[i])
     }
     print cited - bad " passed, " bad + (cited == 0) " failed"
     exit bad > 0 || cited == 0

@@ -48,7 +48,7 @@ bool run_is_unknown(const Var *v, Form form)
 
 IrMachine *run_machine(Subject *s, const Program *p, Form form)
 {
-    s->session.hide_locals = form == FORM_HIDDEN;
+    s->session.locals = form == FORM_HIDDEN ? LOCALS_HIDDEN : LOCALS_READ;
     s->session.check_passes = true;
     return session_ir(&s->session, p, form < FORM_O2 ? (int)form : 2);
 }

@@ -43,12 +43,12 @@ U64 G
 U32 S
 [Idle]
 -- stdout --
-image of 411 bytes, format 2, crc 89022922
+image of 462 bytes, format 2, crc 7e5597ca
     section 01 IDENTITY   8 bytes at 52: 003740f815ec1432
-    section 81 MACHINE    61 bytes at 60
-    section 82 CODE       85 bytes at 121
-    section 83 INIT       16 bytes at 206
-    section 02 DEBUG      189 bytes at 222
+    section 81 MACHINE    53 bytes at 60
+    section 82 CODE       85 bytes at 113
+    section 83 INIT       16 bytes at 198
+    section 02 DEBUG      248 bytes at 214
 
 machine 1 sub
     state vector    32 bytes, layout f4b2fddc; of these it names 0 to 32
@@ -61,8 +61,8 @@ machine 1 sub
     S               U32@8 state
     initial value   local F64@0 = 0x3fb999999999999a
     initial value   local U16@8 = 0x0003
-    w0              5 F32 samples: average
-    w1              3 F64 samples: range
+    w0              5 F32 samples: average of roll(pressure, 5)
+    w1              3 F64 samples: range of roll(pressure - rate, 3)
 
 sample:
      0  ldx     pressure                        sub.sm:18
@@ -79,7 +79,7 @@ Hold.entry:
 
 Hold.step:
     15  stat    average, w0                     sub.sm:18
-    18  ldy     0.1
+    18  ldy     scale
     20  mul
     21  out     rate
     23  stat    range, w1                       sub.sm:19

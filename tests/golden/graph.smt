@@ -24,7 +24,7 @@ bool valve
 [Abort] @abort
 .step
     1 > 2: -> Idle
-[Done] @safe
+[Done] @safe @swap
 [Lost]
 .entry
     -> Idle
@@ -91,6 +91,6 @@ or: T &gt; 60000</title><path class="g-line" d="M251 232C251 249 113 249 113 267
 <g class="g-node"><title>Idle, initial state</title><rect class="g-box g-state" x="270" y="42" width="76" height="34" rx="6"/><text class="g-name" x="308" y="64">Idle</text></g>
 <g class="g-node"><title>Fill</title><rect class="g-box g-state" x="242" y="162" width="132" height="70" rx="6"/><text class="g-name" x="308" y="184">Fill</text><path class="g-rule" d="M255 192h106"/><text class="g-block" x="255" y="207">entry</text><text class="g-guard" x="289" y="207">valve = true</text><text class="g-block" x="255" y="221">exit</text><text class="g-guard" x="289" y="221">valve = false</text></g>
 <g class="g-node"><title>Abort, @abort</title><path class="g-box g-abort" d="M86 372h54l11 11v12l-11 11h-54l-11 -11v-12z"/><text class="g-name" x="113" y="394">Abort</text></g>
-<g class="g-node"><title>Done, @safe</title><rect class="g-box g-safe" x="270" y="372" width="76" height="34" rx="17"/><rect class="g-in g-safe" x="274" y="376" width="68" height="26" rx="13"/><text class="g-name" x="308" y="394">Done</text></g>
+<g class="g-node"><title>Done, @safe, @swap</title><rect class="g-box g-safe" x="270" y="372" width="76" height="34" rx="17"/><rect class="g-in g-safe" x="274" y="376" width="68" height="26" rx="13"/><text class="g-name" x="308" y="394">Done</text></g>
 <g class="g-node g-never"><title>Lost, unreachable</title><rect class="g-box g-state" x="556" y="180" width="76" height="34" rx="6"/><text class="g-name" x="594" y="202">Lost</text></g>
 </svg>

@@ -16,7 +16,7 @@ F64  margin  = 100 - full @read_only
 U32  pulses  = 0
 
 # Nothing flows.
-[Idle]
+[Idle] @swap
 .step
     if level < 10 and T > 1000 {
         pulses = pulses + 1
@@ -37,7 +37,7 @@ U32  pulses  = 0
 .exit
     valve = false
 
-[Done] @safe
+[Done] @safe @swap
 
 [Abort] @abort @safe
 .entry
@@ -74,9 +74,9 @@ its final states `Done` and `Abort`.
   Longest step         16 instructions, in Fill
   On an Arduino Uno    about [..] ms, in Fill
   Memory on the VM     160 bytes on a 64-bit computer
-  Image                161 bytes
-  Image CRC            6677e475
-  Source identity      5acf0981b6a5ecb5
+  Image                170 bytes
+  Image CRC            4cb8b36a
+  Source identity      b6d78073ede69e23
   State vector         declared in the machine
 
 States
@@ -87,7 +87,7 @@ also in the step in which it enters the state. The first transition whose condit
 taken, and the statements after it are skipped. The next step runs the state to which the
 transition leads. `T` is the time since the machine entered the state, `G` is the time.
 
-1. Idle [initial state]
+1. Idle [initial state, swap]
 Nothing flows.
 
   In each step, the machine
@@ -111,7 +111,7 @@ Nothing flows.
 
 Entered from `Idle`.
 
-3. Done [safe to stay]
+3. Done [safe to stay, swap]
 This state has no statements: the machine does nothing and stays.
 
 Entered from `Fill`.
@@ -204,7 +204,7 @@ C depends on the compiler and is not estimated.
   Longest step, image in flash[..] ms, in Fill
   Stack of a step, largest measured[..] bytes
   RAM of state vector, locals and windows  80 bytes of at most 960
-  Image                                    161 bytes of at most 960
+  Image                                    170 bytes of at most 960
 
 Memory
 RAM of this machine on the VM of a 64-bit computer. A board with shorter pointers needs slightly
@@ -216,7 +216,7 @@ less. The state vector is shared with the application and is not included.
   State of the VM                  104
   RAM in total                     160
   State vector                      24
-  Image, in flash or RAM           161
+  Image, in flash or RAM           170
   of which code                     72
 
 Scripts

@@ -122,7 +122,7 @@ static inline uint32_t put_header(uint8_t *image, unsigned n, const uint8_t *id,
 
     for (unsigned i = 0; i < n; i++) {
         *p++ = id[i];
-        *p++ = id[i] == 0x01 || id[i] == 0x04 || id[i] == 0x05 ? 1 : 2;
+        *p++ = id[i] == 0x01 || id[i] == 0x04 || id[i] == 0x05 || id[i] == 0x07 || id[i] == 0x08 ? 1 : 2;
         put_bytes(&p, at, 3);
         put_bytes(&p, size[i], 3);
         at += size[i];
@@ -135,7 +135,7 @@ static inline uint32_t put_header(uint8_t *image, unsigned n, const uint8_t *id,
     return at;
 }
 
-// Puts the sections with these ids, at most 20: each MACHINE, CODE, INIT and SAFE is that of the next machine of b; others are two
+// Puts the sections with these ids, at most 20: each MACHINE, CODE, INIT, SAFE, SWAP and ABORT is that of the next machine of b; others are two
 // bytes of no meaning.
 static inline uint32_t build_sections(const Build *b, unsigned n, const uint8_t *id, uint8_t *image)
 {
@@ -143,16 +143,17 @@ static inline uint32_t build_sections(const Build *b, unsigned n, const uint8_t 
     const Build *next = b;
 
     for (unsigned i = 0; i < n; i++) {
+        const bool marks = id[i] == 0x05 || id[i] == 0x07 || id[i] == 0x08;
         if (id[i] == 0x81)
             b = next++;
-        size[i] = id[i] == 0x82 ? b->size : id[i] == 0x83 ? b->init_size : id[i] == 0x05 ? b->safe_size : 2;
+        size[i] = id[i] == 0x82 ? b->size : id[i] == 0x83 ? b->init_size : marks ? b->safe_size : 2;
         if (id[i] == 0x81)
             size[i] = put_machine(b, image + at);
         else if (id[i] == 0x82)
             memcpy(image + at, b->code, b->size);
         else if (id[i] == 0x83)
             memcpy(image + at, b->init, b->init_size);
-        else if (id[i] == 0x05)
+        else if (marks)
             memcpy(image + at, b->safe, b->safe_size);
         else
             image[at] = image[at + 1] = 0xa5;

@@ -251,9 +251,9 @@ static void sections(void)
 
 // ---- safe states ----
 
-static uint8_t safe(uint32_t size, uint8_t first, uint8_t second)
+static uint8_t marked(uint8_t section, uint32_t size, uint8_t first, uint8_t second)
 {
-    static const uint8_t id[] = {0x81, 0x82, 0x05};
+    const uint8_t id[] = {0x81, 0x82, section};
     Build b = whole();
     SmvmVerdict v;
 
@@ -261,6 +261,32 @@ static uint8_t safe(uint32_t size, uint8_t first, uint8_t second)
     b.safe[0] = first;
     b.safe[1] = second;
     return smvm_verify(image, build_sections(&b, 3, id, image), &v);
+}
+
+static uint8_t safe(uint32_t size, uint8_t first, uint8_t second) { return marked(0x05, size, first, second); }
+
+static void swap_and_abort_states(void)               // of a machine of two states
+{
+    Build b[2] = {whole(), whole()};
+    SmvmVerdict v;
+    SmvmMachine m;
+
+    for (uint8_t id = 0x07; id <= 0x08; id++) {
+        for (unsigned bits = 0; bits < 256; bits++) {
+            CHECK(marked(id, 1, (uint8_t)bits, 0) == 0 && smvm_machine(image, 0, &m) && smvm_state_is_safe(&m, 1) && smvm_state_is_safe(&m, 2));
+            CHECK(smvm_state_allows_swap(&m, 1) == (id == 0x07 && (bits & 1)) && smvm_state_allows_swap(&m, 2) == (id == 0x07 && (bits & 2)));
+            CHECK(smvm_state_is_abort(&m, 1) == (id == 0x08 && (bits & 1)) && smvm_state_is_abort(&m, 2) == (id == 0x08 && (bits & 2)));
+        }
+        CHECK(marked(id, 0, 0, 0) == 0 && smvm_machine(image, 0, &m) && !smvm_state_allows_swap(&m, 1) && !smvm_state_is_abort(&m, 1));
+        CHECK(arranged(3, (const uint8_t[]){id, 0x81, 0x82}) == 0);
+        CHECK(smvm_machine(image, 0, &m) && !smvm_state_allows_swap(&m, 1) && !smvm_state_is_abort(&m, 1));   // before MACHINE: of no machine
+    }
+    CHECK(safe(1, 2, 0) == 0 && smvm_machine(image, 0, &m) && !smvm_state_allows_swap(&m, 1) && smvm_state_allows_swap(&m, 2));
+    b[1].safe_size = 1;
+    b[1].safe[0] = 2;
+    CHECK(smvm_verify(image, build_sections(b, 6, (const uint8_t[]){0x81, 0x82, 0x81, 0x82, 0x07, 0x08}, image), &v) == 0);
+    CHECK(smvm_machine(image, 0, &m) && !smvm_state_allows_swap(&m, 2) && !smvm_state_is_abort(&m, 2));
+    CHECK(smvm_machine(image, 1, &m) && !smvm_state_allows_swap(&m, 1) && smvm_state_allows_swap(&m, 2) && smvm_state_is_abort(&m, 2));
 }
 
 static void safe_states(void)                         // of a machine of two states
@@ -997,6 +1023,7 @@ int main(void)
     container();
     sections();
     safe_states();
+    swap_and_abort_states();
     nine_states();
     record();
     short_machine();

@@ -122,24 +122,65 @@ static void write_variables(Arena *arena, BcNames *n, const BcMachine *m)
     }
 }
 
+// Names the samples of window `window` of the machine.  Returns false if it has no name.
+static bool name_samples(Arena *arena, const BcMachine *m, uint32_t window, Buf *name)
+{
+    const IrWindow *w = &m->ir->window.at[window];
+
+    buf_init(name, arena);
+    if (w->first && m->ir->program && m->window_number[window] < SMVM_LOCATION_OFFSETS)
+        expr_name_window(arena, &m->ir->program->window, w->first, SMVM_SAMPLE_NAME_MAX, name);
+    return name->n > 0 && name->n <= SMVM_SAMPLE_NAME_MAX;
+}
+
+// Returns the names of samples by window number in the image; empty: none.  *count: how many there are.
+static Buf *find_sample_names(Arena *arena, const BcMachine *m, uint32_t *count)
+{
+    Buf *name = ARENA_ARRAY(arena, Buf, m->ir->window.n);
+
+    *count = 0;
+    for (uint32_t w = 0; w < m->ir->window.n; w++) {
+        Buf *of = &name[m->window_number[w]];
+        if (name_samples(arena, m, w, of))
+            ++*count;
+        else
+            of->n = 0;
+    }
+    return name;
+}
+
+static void write_samples(BcNames *n, const BcMachine *m, const Buf *name)
+{
+    for (uint32_t w = 0; w < m->ir->window.n; w++) {
+        if (name[w].n == 0)
+            continue;
+        buf_char(n->tables, SMVM_IS_SAMPLE);
+        bc_write_u24(n->tables, bc_pack_offset(w, 0));
+        add_name(n, name[w].at, name[w].n);
+    }
+}
+
 // Writes the section: numbers, then tables of name offsets, then the names, then the lines.
 void bc_write_debug(Arena *arena, const BcMachine *m, Buf *out)
 {
     const Program *p = m->ir->program;
     const char *source = p && p->src ? base_name(p->src->name) : "";
     const IrMachine *ir = m->ir;
+    uint32_t samples;
+    const Buf *sample = find_sample_names(arena, m, &samples);
     BcNames n;
 
     buf_init(&n.names, arena);
     n.tables = out;
-    n.first = (uint32_t)(3 * (SMVM_DEBUG_NUMBERS + ir->state.n) + SMVM_DEBUG_VARIABLE * ir->var.n);
-    bc_write_u24(out, (uint32_t)ir->var.n);
+    n.first = (uint32_t)(3 * (SMVM_DEBUG_NUMBERS + ir->state.n) + SMVM_DEBUG_VARIABLE * (ir->var.n + samples));
+    bc_write_u24(out, (uint32_t)ir->var.n + samples);
     bc_write_u24(out, 0);                                        // offset of the lines, filled in below
     add_name(&n, ir->name->text, ir->name->len);
     add_name(&n, source, strlen(source));
     for (size_t s = 0; s < ir->state.n; s++)
         add_name(&n, ir->state.at[s].name->text, ir->state.at[s].name->len);
     write_variables(arena, &n, m);
+    write_samples(&n, m, sample);
     for (int i = 0; i < 3; i++)
         out->at[3 + i] = (char)((n.first + n.names.n) >> 8 * i & 0xff);
     buf_put(out, n.names.at, n.names.n);

@@ -207,23 +207,29 @@ static void add_init(ImageWriter *w, const BcMachine *m)
         add_section(w, SMVM_S_INIT, SMVM_V_INIT, &b);
 }
 
-// ---- SAFE ----
+// ---- SAFE, SWAP, ABORT ----
 
-static void add_safe(ImageWriter *w, const IrMachine *m)
+static bool is_safe(const IrState *s) { return s->is_safe; }
+static bool allows_swap(const IrState *s) { return s->allows_swap; }
+static bool is_abort(const IrState *s) { return s->is_abort; }
+
+// Adds a section with a bit for each state that has a mark.  Adds none if no state has it.
+static void add_marks(ImageWriter *w, const IrMachine *m, uint8_t id, uint8_t version, bool (*has_mark)(const IrState *s))
 {
     uint8_t *bits = ARENA_ARRAY(w->arena, uint8_t, (m->state.n + 7) / 8);
     bool any = false;
     Buf b;
 
     for (size_t s = 0; s < m->state.n; s++) {
-        bits[s / 8] = (uint8_t)(bits[s / 8] | (unsigned)m->state.at[s].is_safe << s % 8);
-        any = any || m->state.at[s].is_safe;
+        const bool marked = has_mark(&m->state.at[s]);
+        bits[s / 8] = (uint8_t)(bits[s / 8] | (unsigned)marked << s % 8);
+        any = any || marked;
     }
     if (!any)
         return;
     buf_init(&b, w->arena);
     buf_put(&b, (const char *)bits, (m->state.n + 7) / 8);
-    add_section(w, SMVM_S_SAFE, SMVM_V_SAFE, &b);
+    add_section(w, id, version, &b);
 }
 
 // ---- the whole image ----
@@ -260,8 +266,10 @@ static bool add_machine_sections(ImageWriter *w, const IrMachine *ir, bool debug
     add_machine(w, &m, code.n);
     add_section(w, SMVM_S_CODE, SMVM_V_CODE, &code);
     add_init(w, &m);
-    add_safe(w, ir);
+    add_marks(w, ir, SMVM_S_SAFE, SMVM_V_SAFE, is_safe);
+    add_marks(w, ir, SMVM_S_SWAP, SMVM_V_SWAP, allows_swap);
     if (debug) {
+        add_marks(w, ir, SMVM_S_ABORT, SMVM_V_ABORT, is_abort);
         bc_write_debug(w->arena, &m, &names);
         add_section(w, SMVM_S_DEBUG, SMVM_V_DEBUG, &names);
     }

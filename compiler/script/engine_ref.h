@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The state of a machine in the reference interpreter: Engine.self of engine_ref_open.  Tests of swaps copy parts of it.
+#ifndef SMC_ENGINE_REF_H
+#define SMC_ENGINE_REF_H
+
+#include "compiler/script/engine.h"
+#include "compiler/script/ref.h"
+
+typedef struct RefEngine {
+    Engine engine;
+    Arena *arena;
+    const Program *p;
+    uint64_t *cell;           // every variable, by index
+    uint8_t *stored;          // by variable: this step stored it
+    RefWindows windows;
+    const State *state;       // the state that the next step runs
+    bool is_first;            // the next step is the first of its state
+    bool has_run;             // a step has run since init
+    uint64_t last_g;          // G at the last step that ran
+    uint64_t start;           // G at the first step of the state
+    const Stmt *transition;   // the transition that the last step took, or NULL
+} RefEngine;
+
+#endif

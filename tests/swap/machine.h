@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// A machine compiled from text to an image with names, and its memory in the VM.
+#ifndef SM_SWAP_MACHINE_H
+#define SM_SWAP_MACHINE_H
+
+#include "bytecode-vm/image.h"
+#include "bytecode-vm/swap.h"
+#include "compiler/session.h"
+#include "compiler/script/engine_ref.h"
+
+typedef struct SwapMachine {
+    Session session;
+    const Program *program;
+    IrMachine *ir;
+    const uint8_t *image;
+    uint32_t image_size;
+    SmvmMachine m;
+    SmVm *vm;                 // smvm_ram_size(&m) bytes
+    uint32_t ram;
+    void *decoded_memory;
+    SmvmDecoded *decoded;
+} SwapMachine;
+
+// Makes an image of a program that s->session has compiled, and allocates its memory.  Returns false if there is no image.
+bool machine_build(SwapMachine *s, int opt_level, bool names);
+// The same from texts; sv may be NULL.  An error ends the test.
+void machine_compile(SwapMachine *s, const char *sm, const char *sv, int opt_level, bool names);
+// Starts the machine; without a state vector, prepares it.
+SmResult machine_start(SwapMachine *s, void *sv, uint32_t state);
+SmResult machine_decode(SwapMachine *s, void *sv);
+void machine_free(SwapMachine *s);
+
+// A plan in memory of its exact size.  The caller frees it.  NULL: *result is the reason.
+SmvmSwap *machine_plan(const SwapMachine *from, const SwapMachine *to, SmResult *result);
+
+// Continues `from` in `to` with the reference interpreter: copies by the names and expressions of the programs.  Returns false, and changes
+// nothing, if `to` has no state of the name.  `from_has` and `to_has`, by window: whether the images have it.
+bool reference_continue(const RefEngine *from, RefEngine *to, const bool *from_has, const bool *to_has);
+void reference_restart(const RefEngine *from, RefEngine *to, uint32_t state);
+// For each window of the program, whether the image has it under a name.
+const bool *machine_windows(SwapMachine *s);
+
+#endif
