@@ -137,7 +137,7 @@ INSTALLED_HEADERS = $(wildcard stdlib/*.h stdlib/*.def bytecode-vm/*.h bytecode-
 # What smc.mk builds applications from, as it lies here.
 INSTALLED_RUNTIME = $(sort $(shell find runtime-c stdlib bytecode-vm -type f ! -name "*.in"))
 
-# The library is built with CFLAGS as they are, position-independent, and exports the functions of smvm.h and result.h only.
+# The library is built with CFLAGS as they are, position-independent, and exports the functions of smvm.h, swap.h and result.h only.
 VM_LIB_FLAGS ?= -fPIC -fvisibility=hidden
 $(B)/lib/obj/%.o: %.c
 	@mkdir -p $(@D)
