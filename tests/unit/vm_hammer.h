@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "bytecode-vm/image.h"
-#include "bytecode-vm/smvm.h"
+#include "bytecode-vm/swap.h"
 #include "stdlib/convert.h"
 #include "tests/unit/vm_build.h"
 
@@ -117,6 +117,49 @@ static inline void hammer_machine(const SmvmMachine *m, uint32_t steps, uint64_t
     hammer_close(&fast);
 }
 
+// Lets `to` continue where `from` is, whatever their names, and runs it in place and decoded.
+static inline void hammer_swap(const SmvmMachine *from, const SmvmMachine *to, uint32_t steps, uint64_t *seed)
+{
+    const uint32_t size = smvm_swap_size(from, to);
+    Hammered old, plain, fast;
+    SmvmSwapItem item;
+    SmvmSwap *plan;
+    size_t sum = 0;
+
+    if (smvm_ram_size(from) > HAMMER_MEMORY || smvm_ram_size(to) > HAMMER_MEMORY || to->sv_size > HAMMER_MEMORY || smvm_decoded_size(to) > HAMMER_MEMORY)
+        return;
+    plan = malloc(size);
+    if (!plan)
+        abort();
+    if (smvm_swap_plan(plan, size, from, to) != SM_OK) {
+        free(plan);
+        return;
+    }
+    hammer_open(&old, from, 1 + (uint32_t)(hammer_random(seed) % from->states), false);
+    hammer_open(&plain, to, 1, false);
+    hammer_open(&fast, to, 1, true);
+    for (uint32_t i = 0; i < 10; i++) {
+        old.sv[from->g / 8] = i;
+        smvm_step((SmVm *)old.memory, old.sv);
+    }
+    for (uint32_t i = 0; smvm_swap_item(plan, i, &item); i++)
+        hammer_sink(&sum, item.name, item.length);
+    memcpy(plain.sv, old.sv, to->sv_size);
+    memcpy(fast.sv, old.sv, to->sv_size);
+    if (smvm_swap_continue(plan, (SmVm *)old.memory, (SmVm *)plain.memory, plain.sv)
+        != smvm_swap_continue(plan, (SmVm *)old.memory, (SmVm *)fast.memory, fast.sv))
+        abort();
+    for (uint32_t i = 10; i < 10 + steps; i++) {
+        plain.sv[to->g / 8] = fast.sv[to->g / 8] = i;
+        if (smvm_step((SmVm *)plain.memory, plain.sv) != smvm_step_decoded(fast.code, fast.sv) || !hammer_same(to, &plain, &fast))
+            abort();
+    }
+    hammer_close(&old);
+    hammer_close(&plain);
+    hammer_close(&fast);
+    free(plan);
+}
+
 // The descriptions of the pins are usable: their elements are inside a vector of exactly that size.
 static inline void hammer_pins(const uint8_t *image)
 {
@@ -143,13 +186,15 @@ static inline void hammer_pins(const uint8_t *image)
 static inline uint8_t hammer(const uint8_t *image, uint32_t n, uint32_t steps, uint64_t seed)
 {
     SmvmVerdict v;
-    SmvmMachine m;
+    SmvmMachine m, before;
     size_t sum = 0;
 
     if (smvm_verify(image, n, &v) != 0)
         return v.rule;
-    for (uint32_t i = 0; smvm_machine(image, i, &m); i++)
+    for (uint32_t i = 0; smvm_machine(image, i, &m); i++, before = m) {
         hammer_machine(&m, steps, &seed);
+        hammer_swap(i > 0 ? &before : &m, &m, steps < 20 ? steps : 20, &seed);
+    }
     hammer_pins(image);
     smvm_disasm(image, hammer_sink, &sum);
     return 0;
