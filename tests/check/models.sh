@@ -7,10 +7,12 @@ cc=x86_64-w64-mingw32-gcc
 command -v $cc >/dev/null || { echo "no $cc here (apt-get install gcc-mingw-w64-x86-64): 0 passed, 0 failed, 1 skipped"; exit 0; }
 command -v tcc >/dev/null || { echo "no tcc here (apt-get install tcc): 0 passed, 0 failed, 1 skipped"; exit 0; }
 passed=0 failed=0
+object=$(mktemp "${TMPDIR:-/tmp}/smc-models.XXXXXX") || exit 1          # tcc would replace /dev/null
+trap 'rm -f "$object"' EXIT
 count() { if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi; }
 for source in $(find compiler stdlib bytecode-vm runtime-c -name '*.c' | sort | grep -v '/os_[a-z_]*_*posix.c$\|/firmware/\|/psl/\(linux\|avr\|desk\)/'); do
     count $cc "$@" -Werror -fsyntax-only "$source"
-    count tcc "$@" -w -c "$source" -o /dev/null
+    count tcc "$@" -w -c "$source" -o "$object"
 done
 [ $passed -gt 600 ] || { failed=$((failed + 1)); echo "only $passed sources"; }
 echo "models: $passed passed, $failed failed"
