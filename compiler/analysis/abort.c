@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Builds the abort matrix: for each state, its paths to @abort states.  A state is called bound (for an @abort state) if it has
-// transitions and all of them lead to bound states or to @abort states.
+// transitions to other states and all of them lead to bound states or to @abort states.
 #include "compiler/analysis/abort.h"
 
 static size_t state_index(const State *s) { return s->number - 1u; }
@@ -17,7 +17,7 @@ typedef struct BoundSearch {
     bool *may_wait;               // by state: the machine may stay in it for more than a step
     uint32_t *first, *into;       // the transitions into a state are into[first[i]] … into[first[i + 1] - 1], as indices in
                                   // Analysis.transition; i is the state's index
-    VEC(const State *) found;     // the states found to be bound, and the @abort states, in the order in which they are visited
+    VEC(const State *) found;     // the @abort states and the states found to be bound, in the order in which the search visits them
 } BoundSearch;
 
 // Whether the transition can be taken and its target is not the state that contains it.
@@ -40,7 +40,8 @@ static void sort_by_target(BoundSearch *b)
         b->into[next[state_index(list->at[i].to)]++] = (uint32_t)i;
 }
 
-// Called for each reachable function.  If .entry or .step can end only in transitions, its state is always left in its first step.
+// Called for each reachable function.  Clears b->may_wait of a state whose .entry or .step always ends in a transition: the machine
+// leaves the state in its first step.
 static void clear_may_wait_if_left_at_once(Analysis *a, const ReachableFn *r, void *context)
 {
     BoundSearch *b = context;
@@ -60,8 +61,8 @@ static void add_bound_state(BoundSearch *b, const State *s, uint32_t steps)
     vec_push(b->a->arena, &b->found, s);
 }
 
-// Called once for each state `to` that is bound or an @abort state: counts it for every state with a transition to it.  A state becomes
-// bound when this was its last transition to a state not yet known to be bound.
+// Called once for each state `to` that is bound or an @abort state: updates `unbound` of every state with a transition to it.  A state
+// becomes bound when its `unbound` becomes 0.
 static void visit_transitions_into(BoundSearch *b, const State *to)
 {
     for (uint32_t k = b->first[state_index(to)]; k < b->first[to->number]; k++) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The abort matrix: from which states a machine can abort, by which guards, after how many steps, and on which inputs that depends.
-// Reports show it.  The findings abort-blind and abort-single-sensor are derived from it.
+// The abort matrix: from which states a machine can abort, by which guards, after how many steps, and on which inputs this depends.
+// Reports show the matrix.  The findings abort-blind and abort-single-sensor are derived from it.
 //
 //     const AbortMatrix x = abort_build_matrix(trials_of(a));
 //     for (size_t s = 0; s < x.n; s++)                          // x.row[s] is the row of the state with State.number s + 1
@@ -13,26 +13,26 @@
 #include "compiler/analysis/input_deps.h"
 #include "compiler/analysis/trial.h"
 
-#define ABORT_NOT_BOUNDED UINT32_MAX      // as a number of steps: unknown, because a state on the path may wait for something
+#define ABORT_NOT_BOUNDED UINT32_MAX      // a number of steps that is unknown, because the machine may wait in a state on the path
 
 // One transition out of a state from which every path ends in an @abort state.
 typedef struct AbortPath {
     const Transition *first;      // its condition is first->when, its position first->stmt->span
-    const char *guard;            // condition_text of it; "" if it is unconditional
-    uint32_t steps;               // at most, from the step in which the guard is true to the first step in an @abort state; 1: the
-                                  // transition itself leads to one
+    const char *guard;            // the text of its condition (condition_text); "" if it is unconditional
+    uint32_t steps;               // the most steps from the step in which the guard is true to the first step in an @abort state; 1:
+                                  // the transition itself leads to an @abort state
     const Var **sensor;           // the sensors that its guard depends on, also through windows and locals
     size_t sensors;
     bool by_time;                 // its guard depends on T or G
-    bool by_input;                // its guard depends on a bool or a command (an integer that is only compared by == or !=); these
-                                  // are not sensors
+    bool by_input;                // its guard depends on an input that is not a sensor: a bool, or a command (an integer that is only
+                                  // compared by == or !=)
     bool possible;                // the facts allow the transition to be taken
 } AbortPath;
 
 typedef enum AbortVerdict {
     ABORT_ITSELF,                 // an @abort state
-    ABORT_UNREACHED,              // the machine never reaches it
-    ABORT_NO_PATH,                // no transition out of it leads only to @abort states
+    ABORT_UNREACHED,              // the machine never reaches the state
+    ABORT_NO_PATH,                // no transition out of it starts a path that always ends in an @abort state
     ABORT_LATER,                  // it aborts only through states that may wait
     ABORT_BY_COMMAND,             // it aborts only if a person gives a command
     ABORT_ONE_SENSOR,             // it cannot abort if one sensor fails: `single` or `blind`
@@ -43,18 +43,18 @@ typedef struct AbortRow {
     const State *state;
     AbortVerdict verdict;
     VEC(AbortPath) path;          // in file order
-    uint32_t steps;               // the highest `steps` of the bounded paths; 0: none is bounded
+    uint32_t steps;               // the highest AbortPath.steps of the bounded paths; 0: no path is bounded
     const Var *single;            // if this sensor sticks at `stuck`, which can be a healthy reading, no path remains; or NULL
     SmF64 stuck;
     const Var *blind;             // if this sensor reads `blind_at`, no path remains; or NULL
     const char *blind_at;         // "0", "more than 40", "0 or less than -5"
     const Var *latch;             // a variable whose old value prevents an abort when the state is entered again; or NULL
-    const AbortPath *latched;     // the path whose guard reads it
-    double latched_at;            // its value at that time
+    const AbortPath *latched;     // the path whose guard reads `latch`
+    double latched_at;            // the old value of `latch`
     bool drives;                  // an output was on in this state in some trial
     bool by_itself;               // some trial aborted, or left the state at once, without a command
-    bool by_command;              // no trial without commands did so, but some trial with a command did
-    const State *next;            // the next state of the longest path from here; NULL: no path, or this is an @abort state
+    bool by_command;              // no trial without commands aborted or left at once, but some trial with a command did
+    const State *next;            // the next state of the longest path from this state; NULL: there is no path, or this is an @abort state
 } AbortRow;
 
 typedef struct AbortMatrix {
@@ -75,12 +75,12 @@ const State *abort_next_state(const AbortMatrix *x, const State *s);
 // Indexed by state (State.number - 1).
 typedef struct AbortBound {
     bool *bound;                  // it is an @abort state, or all its transitions lead to bound states
-    uint32_t *steps;              // of a bound state: at most until the machine is in the @abort state, or ABORT_NOT_BOUNDED
-    const State **next;           // of a bound state that is not an @abort state: the next state on that path
+    uint32_t *steps;              // of a bound state: the most steps until the machine is in the @abort state, or ABORT_NOT_BOUNDED
+    const State **next;           // of a bound state that is not an @abort state: the next state on the longest path
 } AbortBound;
 
 AbortBound abort_find_bound(Analysis *a);
-bool abort_is_bounded(const AbortPath *p);     // it can be taken, and reaches an @abort state within a bounded number of steps
+bool abort_is_bounded(const AbortPath *p);     // whether p can be taken and reaches an @abort state within a bounded number of steps
 
 // abort_sensors.c: fills in the inputs that the paths of each row depend on, and the results of the trials.
 void abort_run_trials(Trials *t, AbortMatrix *x, const AbortBound *b);

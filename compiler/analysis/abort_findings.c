@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// States from which a failed sensor leaves no path to an @abort state: reports the abort matrix, one finding per state and
-// kind.
+// Reports states that cannot abort, or not if one sensor fails, or not without a command.  Derives the findings from the abort matrix: at
+// most one per state and kind.
 #include "compiler/analysis/abort.h"
 #include "compiler/analysis/trial_checks.h"
 
@@ -14,7 +14,8 @@ static const State *follow_to_abort_state(const AbortMatrix *x, const State *s)
     return s;
 }
 
-// Adds a note for each transition to an abort that depends on the sensor.  Of several inside the same guard, only the first gets one.
+// Adds a note for each transition that starts a path to an @abort state and depends on the sensor.  If several are inside one guard, only
+// the first gets a note.
 static void note_paths(Analysis *a, Diag *d, const AbortMatrix *x, const AbortRow *r, const Var *sensor)
 {
     const char *name = sensor->name->text;
@@ -50,7 +51,7 @@ static void report_row(Analysis *a, const AbortMatrix *x, const AbortRow *r)
     if (r->state->is_safe && !r->drives)
         return;                                       // nothing to abort
     if (r->verdict == ABORT_NO_PATH && r->drives && !r->state->is_safe)
-        diag_report(a->diags, DIAG_abort_missing, span, state);      // not for a state that only has to wait in another one (ABORT_LATER)
+        diag_report(a->diags, DIAG_abort_missing, span, state);      // not for ABORT_LATER: the machine can abort from a later state
     if (r->verdict == ABORT_BY_COMMAND && r->drives)
         diag_report(a->diags, DIAG_abort_by_command, span, state);
     if (r->latch)

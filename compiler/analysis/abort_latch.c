@@ -17,8 +17,8 @@ enum {
 typedef struct LatchSearch {
     Trials *t;
     AbortBound bound;
-    void *at;                     // the situation that is run
-    double *in;                   // its inputs
+    void *at;                     // the current situation of a run
+    double *in;                   // the inputs of the run
 } LatchSearch;
 
 // Runs STEPS_AT_ONCE steps from the situation of e with the current inputs.  Returns the first transition taken if it leads to an

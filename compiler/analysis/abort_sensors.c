@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds out what the ability to abort depends on, by trials in which a sensor has failed and trials without any command.
+// Finds out on which sensors and commands a state's ability to abort depends, by trials in which a sensor has failed and trials without
+// any command.
 //
 // A state can abort if some trial from it reaches an @abort state, directly or through states that lead nowhere else.  It is
 // reported as unable to abort only if two things are true: no trial aborts, and every transition to an abort depends on the failed
@@ -9,7 +10,7 @@
 
 enum {
     ENTRIES_TRIED = 4,            // situations at the entry of a state (TrialEntry) from which trials start
-    LATCH_ENTRIES_TRIED = 8,      // the same, when situations at the entry of one state are compared with each other
+    LATCH_ENTRIES_TRIED = 8,      // how many situations at the entry of a state find_latch compares with each other
     TRIALS_PER_ENTRY = 80,        // if so many trials from a situation do not abort, it is assumed that none does
     INPUT_CHANGES = 4,            // how often the inputs change in one trial
     WORK_MAX = 400000             // instructions spent on one state and sensor
@@ -24,7 +25,7 @@ typedef struct AbortTrials {
     bool commands;                // the trial may give any command
     const SensorFailure *failed;  // or NULL
     bool left_at_once;            // some trial left the state within two steps, and did not abort
-    bool left;                    // the same, later, but before windows were full
+    bool left;                    // some trial left the state later, but before windows were full, and did not abort
     bool stayed;                  // some trial stayed in the state until windows were full
     bool aborted;                 // some trial aborted
     bool driven;                  // an output was on during a trial
@@ -35,7 +36,7 @@ typedef enum TrialEnd { TRIAL_STAYS, TRIAL_ABORTS, TRIAL_LEAVES } TrialEnd;
 
 // ---- trials ----
 
-// Returns where the last step led from this state.  If it stayed there, records whether an output is on.
+// Returns where the last step led from this state.  If the machine stayed in the state, records whether an output is on.
 static TrialEnd classify_last_step(AbortTrials *k, uint32_t state)
 {
     Trials *t = k->t;
@@ -57,7 +58,7 @@ static TrialEnd run_step(AbortTrials *k, uint32_t state)
 }
 
 // Runs with constant inputs until the rolling windows are full, and then until no timer or counter can change anything any more.
-// Returns where the machine is then.
+// Returns whether the machine stays in the state, aborts or leaves otherwise.
 static TrialEnd hold_inputs_in_state(AbortTrials *k, uint32_t state)
 {
     Trials *t = k->t;
@@ -101,8 +102,8 @@ static bool find_aborting_trial(AbortTrials *k, const TrialEntry *e)
     return false;
 }
 
-// Runs trials of a state, with or without commands, and with or without a failed sensor.  Returns true if one aborted.  Also returns true
-// if none stayed in the state: then the trials do not show that it cannot abort.
+// Runs trials of a state, with or without commands, and with or without a failed sensor.  Returns true if a trial aborted.  Also returns
+// true if no trial stayed in the state: then the trials do not show that the state cannot abort.
 static bool try_to_abort(AbortTrials *k, const AbortRow *r, bool commands, const SensorFailure *failed)
 {
     const TrialState *s = &k->t->state[r->state->number - 1];
@@ -123,7 +124,7 @@ static bool try_to_abort(AbortTrials *k, const AbortRow *r, bool commands, const
 
 // A path is bounded (abort_is_bounded) if it can be taken and reaches an @abort state within a known number of steps.
 
-// Whether every bounded path that does not depend on commands alone depends on this sensor, and there is such a path.
+// Whether there are bounded paths that do not depend on commands alone, and all of them depend on this sensor.
 static bool all_paths_depend_on(const AbortRow *r, const Var *v)
 {
     bool any = false;
@@ -161,8 +162,8 @@ static bool can_abort_in_known_time(const AbortRow *r)
 
 // ---- a sensor that has failed ----
 
-// Whether the trials show that the state cannot abort at this reading: none aborts, and one stays until windows are full, or all leave the
-// state later than within two steps.  (If all leave it at once, the state has no time to abort.)
+// Whether the trials show that the state cannot abort at this reading: no trial aborts, and at least one stays until windows are full, or
+// all leave the state, but not within two steps.  (If they leave within two steps, the state has no time to abort.)
 static bool fails_to_abort_at(AbortTrials *k, const AbortRow *r, uint32_t input, double reading)
 {
     const SensorFailure f = {input, reading, 0};
@@ -170,8 +171,8 @@ static bool fails_to_abort_at(AbortTrials *k, const AbortRow *r, uint32_t input,
     return !try_to_abort(k, r, false, &f) || (!k->stayed && !k->aborted && k->left && !k->left_at_once);
 }
 
-// Whether the state fails to abort at a reading that no healthy sensor delivers.  Unlike in fails_to_abort_at, leaving the state at once
-// without an abort counts as failing, too.
+// Whether the state fails to abort at a reading that no healthy sensor delivers.  Unlike in fails_to_abort_at, a state that is left at once
+// without an abort also counts as failing.
 static bool is_blind_at(AbortTrials *k, const AbortRow *r, uint32_t input, double reading)
 {
     return fails_to_abort_at(k, r, input, reading) || (!k->stayed && !k->aborted && k->left_at_once);
@@ -216,8 +217,8 @@ static void find_stuck_reading(AbortTrials *k, AbortRow *r, uint32_t input)
 
 // ---- state that remains from an earlier abort ----
 
-// If trials abort from one situation at the entry of the state but not from another, stores in *r a variable that differs between the two
-// and that the guard of a path reads.
+// If trials from one situation at the entry of the state abort but trials from another one do not, stores in *r a variable that differs
+// between the two situations and that the guard of a path reads.
 static void find_latch(AbortTrials *k, AbortRow *r)
 {
     const TrialState *s = &k->t->state[r->state->number - 1];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs all analyses.  Contains the functions that they share.
+// Runs all analyses.  Contains the functions that the analyses share.
 #include "compiler/analysis/analysis.h"
 
 #include <string.h>
@@ -50,7 +50,7 @@ Fact fact_of_comparison(SmOperator op, Fact a, Fact b)
 
 // ---- statements ----
 
-// Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
+// Calls f for each statement of a list and those inside it.  AST_DEPTH_MAX bounds the nesting of conditionals and so the recursion depth.
 static void each_stmt_in(const Stmts *stmts, void (*f)(const Stmt *stmt, void *context), void *context)
 {
     for (size_t i = 0; i < stmts->n; i++) {
@@ -81,10 +81,11 @@ void each_reachable_fn(Analysis *a, void (*f)(Analysis *a, const ReachableFn *r,
         }
 }
 
-// Whether every number of f has a magnitude of 2^53 or more.
+// Whether every number that the fact allows has a magnitude of 2^53 or more.
 static bool is_large(Fact f) { return f.lo >= FACT_EXACT || f.hi <= -FACT_EXACT; }
 
-// Called by compiler/facts for each reachable function, again whenever its facts have changed.  Overwrites what earlier calls stored.
+// Called by compiler/facts for each reachable function, and again whenever its facts have changed.  Stores the facts about each statement
+// in a->stmt, over those of earlier calls.
 static void record_flow(void *context, const IrFn *f, FactFlow flow)
 {
     Analysis *a = context;
@@ -102,7 +103,7 @@ static void record_flow(void *context, const IrFn *f, FactFlow flow)
             if (i->op == IR_store) {
                 const IrIns *value = &f->ins.at[i->a];
                 a->stmt[i->stmt].reached = true;
-                a->stmt[i->stmt].value = flow.of[value->op == IR_cvt ? value->a : i->a];     // before conversion, if there is one
+                a->stmt[i->stmt].value = flow.of[value->op == IR_cvt ? value->a : i->a];     // the value before its conversion
             }
         }
         if (j->kind != IR_BR && j->kind != IR_GOTO)

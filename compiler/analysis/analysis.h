@@ -5,8 +5,8 @@
 // A machine is analysed as it runs on the target, where no script writes its locals: IrVar.outside is false for all of them.
 //
 // The facts (`facts`, `stmt`) come from compiler/facts, run on the IR before any pass.  They assume that the machine starts in
-// its first state and that elements can have any value of their type at the start of every step.  So whatever is called
-// impossible here is impossible for all inputs.  Only analyses that document it use @range (assume.h).
+// its first state and that elements can have any value of their type at the start of every step.  So what the facts exclude is
+// impossible for all inputs.  Only analyses whose comment says so also use @range (assume.h).
 #ifndef SMC_ANALYSIS_H
 #define SMC_ANALYSIS_H
 
@@ -18,10 +18,10 @@
 
 // The facts about a statement.
 typedef struct StmtFact {
-    bool reached;                 // a run may execute it
-    bool then, otherwise;         // IF: its guard can be true; it can be false
+    bool reached;                 // a run may execute the statement
+    bool then, otherwise;         // IF: its guard can be true; its guard can be false
     Fact value;                   // ASSIGN: the stored value before conversion to the variable's type; IF: its guard, as a bool
-    const Env *env;               // IF: the facts where its guard is evaluated; TRANSITION: where it is taken
+    const Env *env;               // the facts where the guard (IF) is evaluated, or the transition is executed
 } StmtFact;
 
 typedef struct Analysis {
@@ -31,7 +31,7 @@ typedef struct Analysis {
                                   // text of an edit) is in diags->arena
     Diags *diags;
     const Program *p;
-    const IrMachine *m;           // as built
+    const IrMachine *m;           // the IR of p before any pass
     FactMachine *facts;
     StmtFact *stmt;               // by Stmt.number
     bool large_sums;              // some sum has an operand whose magnitude is always 2^53 or more
@@ -64,7 +64,8 @@ enum {
     COMPARISONS = EQUALITIES | 1 << SM_OP_LT | 1 << SM_OP_LE | 1 << SM_OP_GT | 1 << SM_OP_GE
 };
 
-// The comparisons in the outermost node of an expression: a chain such as `0 < x < 9` has several, `a < b` has one, others have none.
+// A comparison in the outermost node of an expression.  A chain such as `0 < x < 9` has several, `a < b` has one, other expressions have
+// none.
 typedef struct Comparison {
     const Expr *a, *b;
     SmOperator op;
@@ -72,10 +73,11 @@ typedef struct Comparison {
 uint32_t comparison_count(const Expr *e);
 Comparison comparison_at(const Expr *e, uint32_t i);
 
-// The operator that is true exactly where op is false (if no operand is NaN), and the one for exchanged operands (< for >).
+// comparison_negated returns the operator that is true exactly if op is false (when no operand is NaN).  comparison_swapped returns the
+// operator for exchanged operands (< for >).
 SmOperator comparison_negated(SmOperator op);
 SmOperator comparison_swapped(SmOperator op);
-// The possible results of `a op b`, as a bool.
+// Returns the possible results of `a op b`, as the fact of a bool.
 Fact fact_of_comparison(SmOperator op, Fact a, Fact b);
 
 // Whether every path through these statements ends in a transition, whatever the guards evaluate to (dead_code.c).

@@ -26,10 +26,10 @@ typedef struct GuardFacts {
     const IrFn *f;
     bool holds;                   // the assumed value of the guard
     bool possible;                // the guard can have this value
-    const Env *env;               // the facts if it has
+    const Env *env;               // the facts if the guard has this value
 } GuardFacts;
 
-// Called for both ends of the guard's function (ir_build_guard): block 1 is the one for true.
+// Called for both ends of the guard's function (ir_build_guard): block 1 is the end for a true guard.
 static void record_result(void *context, const IrJump *end, const Env *env)
 {
     GuardFacts *out = context;
@@ -40,8 +40,8 @@ static void record_result(void *context, const IrJump *end, const Env *env)
     }
 }
 
-// Computes the facts of the guard twice, the second time starting from the results of the first.  An operand of `and` can restrict a
-// variable of an earlier operand: in `p > q and q > 5`, p > 5 follows only the second time.
+// Computes the facts of the guard twice; the second time begins with the results of the first.  An operand of `and` can restrict a variable
+// of an earlier operand: in `p > q and q > 5`, p > 5 follows only the second time.
 bool assume_guard(const Analysis *a, const Env **env, const Expr *guard, bool holds)
 {
     GuardFacts out = {.f = ir_build_guard(a->arena, a->m, guard), .holds = holds, .env = *env};
@@ -62,7 +62,7 @@ Fact fact_of_expr(const Analysis *a, const Env *env, const Expr *e)
     const IrFn *f;
     const IrIns *cond;
 
-    if (e->kind == EX_VAR && a->m->var_of[e->var->index] != IR_NONE)       // the most frequent case, which needs no function
+    if (e->kind == EX_VAR && a->m->var_of[e->var->index] != IR_NONE)       // a shortcut for the most frequent case
         return env_get(&a->facts->shape, env, a->m->var_of[e->var->index]);
     f = ir_build_guard(a->arena, a->m, e);
     cond = &f->ins.at[f->blk.at[0].jump.cond];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guards that are always or never true, and the reason: constants alone (a switch, intended by the user), a type, a part that
-// contradicts another, an earlier guard that covers all other cases, or the facts about the variables.
+// Finds guards that are always or never true, and the reason: constants alone (a switch, intended by the user), a type, two parts of the
+// guard that contradict each other, an earlier guard that covers all other cases, or the facts about the variables.
 #include "compiler/analysis/decided_comparison.h"
 #include <string.h>
 
@@ -20,7 +20,7 @@ uint32_t add_dead_code(ReachWalk *k, DeadCause cause, const Stmt *stmt, const St
 
 // ---- explained by other findings ----
 
-// Whether e contains only numbers and locals that never change.  If such a local is not marked @read_only, it has its own finding.
+// Whether e contains only numbers and locals that never change.  Another analysis reports such locals that are not marked @read_only.
 static bool is_constant_expr(const Expr *e)
 {
     if (e->kind == EX_ROLL || (e->kind == EX_VAR && (e->var->kind != VAR_LOCAL || e->var->written)))
@@ -31,7 +31,7 @@ static bool is_constant_expr(const Expr *e)
     return true;
 }
 
-// The value of a guard if constants alone decide it; SOMETIMES if they do not.
+// Returns the value of a guard if constants alone decide it, else SOMETIMES.
 static Truth truth_by_constants(const Expr *e)
 {
     if (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR)) {
@@ -44,7 +44,7 @@ static Truth truth_by_constants(const Expr *e)
     return sm_to_bool(expr_constant_value(e)) ? ALWAYS : NEVER;
 }
 
-// Whether e reads a local that still has its initial value here and gets other values elsewhere.  read_before_write.c reports that.
+// Whether e reads a local that always has its initial value at this position but other values elsewhere.  read_before_write.c reports that.
 static bool reads_initial_value(const ReachWalk *k, const Expr *e, const Env *env)
 {
     const Var *v = e->var;
@@ -61,7 +61,7 @@ static bool reads_initial_value(const ReachWalk *k, const Expr *e, const Env *en
 
 // ---- the facts at the guard ----
 
-// The first expression that the guard compares, or the bool that it reads; or NULL.
+// Returns the first expression that the guard compares, or the bool that it reads; NULL if there is none.
 static const Expr *find_compared_expr(const Expr *e)
 {
     const bool comparison = comparison_count(e) > 0;
@@ -74,8 +74,8 @@ static const Expr *find_compared_expr(const Expr *e)
     return found;
 }
 
-// Returns the text of a bound x.  `beside` is the next number outside the bound.  If its text is shorter, the result is strict: "above
-// 400" instead of "at least 400.00000000000006".  The parameters strict and or_equal are these words.
+// Returns the text of a bound x, such as "at least 400" (or_equal and x).  `beside` is the next number outside the bound.  If the text of
+// `beside` is shorter, returns a strict bound: "above 400" (strict and beside) instead of "at least 400.00000000000006".
 static const char *bound_text(Arena *arena, double x, double beside, const char *strict, const char *or_equal)
 {
     const char *text = const_text(arena, x), *other = const_text(arena, beside);
@@ -83,8 +83,8 @@ static const char *bound_text(Arena *arena, double x, double beside, const char 
     return strlen(other) < strlen(text) ? format_in(arena, "%s %s", strict, other) : format_in(arena, "%s %s", or_equal, text);
 }
 
-// What the facts state about the expression that a guard compares: "here 'mode' is always at least 1 and at most 2".  NULL: only that
-// it is a number.
+// Describes the facts about the expression that a guard compares: "here 'mode' is always at least 1 and at most 2".  NULL if the facts give
+// no bound.
 static const char *facts_text(const ReachWalk *k, const Stmt *s)
 {
     const Expr *e = find_compared_expr(s->value);
@@ -97,7 +97,7 @@ static const char *facts_text(const ReachWalk *k, const Stmt *s)
         return NULL;
     name = source_text(arena, e->span);
     f = fact_of_expr(k->a, k->a->stmt[s->number].env, e);
-    open = f.lo - f.lo != 0;                          // there is no finite lower bound; `endless`: no finite upper bound
+    open = f.lo - f.lo != 0;                          // `open`: there is no finite lower bound; `endless`: no finite upper bound
     endless = f.hi - f.hi != 0;
     if (f.lo > f.hi || f.nan || (open && endless))
         return NULL;
@@ -110,7 +110,7 @@ static const char *facts_text(const ReachWalk *k, const Stmt *s)
     return format_in(arena, "here '%s' is always %s%s%s", name, lo, open || endless ? "" : " and ", hi);
 }
 
-// Whether the guard is always true (or always false) whatever its variables contain.
+// Whether the guard is always true (`holds`) or always false, whatever its variables contain.
 static bool is_decided_alone(const ReachWalk *k, const Expr *guard, bool holds)
 {
     const Env *env = NULL;
@@ -127,7 +127,7 @@ static bool is_compound(const Expr *e)
     return e->kind == EX_CHAIN || (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR));
 }
 
-// Which diagnostic fits a guard that is never true: its parts contradict each other, or the facts at the guard decide.
+// Chooses the diagnostic of a guard that is never true: its parts contradict each other, or the facts at the guard decide it.
 static DiagCode code_of_never_true(const ReachWalk *k, const Stmt *s)
 {
     return is_compound(s->value) && is_decided_alone(k, s->value, false) ? DIAG_guard_contradiction : DIAG_guard_never;
@@ -168,8 +168,8 @@ static void report_always_true(ReachWalk *k, const Stmt *s, const Stmt *around)
         diag_note(k->a->diags, finding, around->span, DIAG_note_guard_around);
 }
 
-// For a guard of s that is never true because of the earlier guard b, which has the same outcome on every path to s.  Reports it, or only
-// records it in ReachWalk.dead if the finding belongs to a state that becomes unreachable.  Returns 1 + its index there.
+// Called if the guard of s is never true because of the earlier guard b, which has one outcome on every path to s.  Reports the guard of s,
+// or only records it in ReachWalk.dead if a state that becomes unreachable may be reported instead.  Returns 1 + its index in dead.
 static uint32_t report_earlier_guard(ReachWalk *k, const Stmt *s, const EarlierGuard *b)
 {
     const bool same = is_same_guard(k, s->value, b);
@@ -218,7 +218,7 @@ static GuardVerdict judge_always_true(ReachWalk *k, const Stmt *s, const Earlier
     return v;
 }
 
-// An enclosing guard that is true here and implies this one, as in `a > b { a > b: … }`; or NULL.
+// Returns an enclosing guard that is true at s and implies the guard of s, as in `a > b { a > b: … }`; NULL if there is none.
 static const Stmt *find_implying_guard(const ReachWalk *k, const Stmt *s, const Branch *branch)
 {
     for (unsigned n = 0; branch && n < EARLIER_MAX; branch = branch->outer, n++)

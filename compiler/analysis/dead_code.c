@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements that no run executes: after conditionals that always leave, in branches that are never taken, in a .step or .exit
-// that never runs.  One finding, at the first statement, covers all statements inside and after it.  The recursion depth equals the
-// nesting of conditionals, which AST_DEPTH_MAX bounds.
+// Finds statements that no run executes: after conditionals that always leave the state, in branches that are never taken, in a .step or
+// .exit that never runs.  One finding, at the first such statement, covers all statements inside and after it.  The recursion depth equals
+// the nesting of conditionals, which AST_DEPTH_MAX bounds.
 #include <string.h>
 
 #include "compiler/analysis/reach.h"
@@ -42,15 +42,15 @@ static void mark_transitions_dead(ReachWalk *k, const Stmts *list, size_t first,
     }
 }
 
-// Marks the transitions from list->at[first] on as never taken.  `finding`, at that statement, explains why; NULL: another one does.
+// Marks the transitions from list->at[first] on as never taken.  `finding`, at list->at[first], explains why; NULL: another finding does.
 static void mark_reported_from(ReachWalk *k, const Stmts *list, size_t first, Diag *finding)
 {
     mark_transitions_dead(k, list, first, add_dead_code(k, CAUSE_REPORTED, list->at[first], NULL, finding));
 }
 
-// Reports list->at[first], which is never executed because the statement before it always leaves the state.  Does not report it after a
-// transition, because sema does; nor if a conditional always leaves only because of a guard that has a finding or is a switch
-// (`explained`).
+// Reports list->at[first], which is never executed because the statement before it always leaves the state.  If that statement is a
+// transition, the checker has already reported this.  Reports nothing if the statement before always leaves only because one of its guards
+// has a finding or is a switch (`explained`).
 static void report_dead_rest(ReachWalk *k, const Stmts *list, size_t first, bool explained)
 {
     const Stmt *before = list->at[first - 1];
@@ -66,7 +66,7 @@ static void report_dead_rest(ReachWalk *k, const Stmts *list, size_t first, bool
 
 // ---- the walk ----
 
-// Restores `written` to what it was when k->undo had `to` entries.
+// Restores k->written to its content when k->undo had `to` entries.
 static void undo_writes_after(ReachWalk *k, size_t to)
 {
     while (k->undo.n > to) {
@@ -77,8 +77,8 @@ static void undo_writes_after(ReachWalk *k, size_t to)
 
 static bool walk_stmts(ReachWalk *k, const Stmts *list, const Branch *branch);
 
-// Walks a branch of the conditional s.  Returns whether it always leaves the state.  If so, its assignments are undone, because they
-// are not visible after the conditional.
+// Walks a branch of the conditional s.  Returns whether the branch always leaves the state.  If so, removes its assignments from
+// k->written, because the code after the conditional does not see them.
 static bool walk_branch(ReachWalk *k, const Stmts *list, const Stmt *s, bool holds, const Branch *outer)
 {
     const uint32_t writes = k->undo.n, leaving = k->leaving.n;
@@ -96,7 +96,7 @@ static bool walk_branch(ReachWalk *k, const Stmts *list, const Stmt *s, bool hol
     return true;
 }
 
-// Returns whether every path through the conditional s leaves the state.
+// Walks the conditional s.  Returns whether every path through it leaves the state.
 static bool walk_if(ReachWalk *k, const Stmt *s, const Branch *branch)
 {
     const GuardVerdict v = judge_guard(k, s, branch);
@@ -120,7 +120,7 @@ static bool walk_if(ReachWalk *k, const Stmt *s, const Branch *branch)
     return then && otherwise;
 }
 
-// Returns whether every path through the list leaves the state.
+// Walks a list of statements.  Returns whether every path through it leaves the state.
 static bool walk_stmts(ReachWalk *k, const Stmts *list, const Branch *branch)
 {
     for (size_t i = 0; i < list->n; i++) {
@@ -150,7 +150,7 @@ static bool walk_block(ReachWalk *k, BlockKind block)
     return walk_stmts(k, &k->state->block[block], NULL);
 }
 
-// Forgets assignments and branches that left the state: the code that follows runs in a later step, or after a transition.
+// Forgets the recorded assignments and leaving branches, because the code that is walked next runs in a later step or after a transition.
 static void forget_earlier_guards(ReachWalk *k)
 {
     undo_writes_after(k, 0);
@@ -165,7 +165,7 @@ static void walk_step(ReachWalk *k, bool entry_leaves, bool explained)
     if (step->n == 0)
         return;
     if (!entry_leaves) {
-        if (!always_leaves(step))             // otherwise it runs only once, directly after .entry, whose guards still apply
+        if (!always_leaves(step))             // otherwise .step runs only once, directly after .entry, whose guards still apply
             forget_earlier_guards(k);
         walk_block(k, BLOCK_STEP);
         return;

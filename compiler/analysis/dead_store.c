@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assignments without a visible effect: a variable's own value, or a value that is overwritten on every path before it is read.
+// Reports assignments without a visible effect: of a variable to itself, or of a value that is overwritten on every path before it is read.
 #include "compiler/analysis/liveness.h"
 
-// Limits of the search for the overwriting assignment: states per search, and blocks for all searches together.
+// Limits of the search for the overwriting assignment: the most states in one search, and the most basic blocks in all searches together.
 enum { STATES_MAX = 100, BLOCKS_MAX = 10000000 };
 
 typedef struct DeadStores {
     Analysis *a;
-    size_t *first;                // by state: index of its first transition in the list of all; one more for the end
+    size_t *first;                // by state: index of its first transition in Analysis.transition; the last entry is the list's length
     uint32_t *seen, searches;     // by state: the number of the last search that visited it; the number of searches so far
     uint32_t *walked, walks;      // by block of a function: the number of the last walk that reached it; the number of walks so far
     size_t work;                  // blocks that may still be walked
@@ -43,7 +43,7 @@ static const Stmt *find_last_up_to(const Stmts *list, uint32_t number)
     return list->at[low];
 }
 
-// The statement with that number, in a block or nested in it.  Statements are numbered in file order.
+// Returns the statement with that number, in `block` or nested in it.  Statements are numbered in file order.
 static const Stmt *find_stmt(const Stmts *block, uint32_t number)
 {
     const Stmt *stmt = find_last_up_to(block, number);
@@ -57,7 +57,7 @@ static const Stmt *find_stmt(const Stmts *block, uint32_t number)
 
 // ---- the overwriting store ----
 
-// The first store to var at or after ins.at[at] of block blk; NULL if there is none.
+// Returns the first store to var at or after ins.at[at] of block blk; NULL if there is none.
 static const IrIns *find_store_in_block(const IrFn *f, size_t blk, size_t at, uint32_t var)
 {
     for (size_t k = at; k < f->blk.at[blk].ins.n; k++) {
@@ -68,7 +68,7 @@ static const IrIns *find_store_in_block(const IrFn *f, size_t blk, size_t at, ui
     return NULL;
 }
 
-// The first store to var in f that can be reached from ins.at[at] of block blk; NULL if there is none.
+// Returns the first store to var in f that can be reached from ins.at[at] of block blk; NULL if there is none.
 static const IrIns *find_store_after(DeadStores *k, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var)
 {
     const IrIns *found = NULL;
@@ -87,7 +87,7 @@ static const IrIns *find_store_after(DeadStores *k, const IrFn *f, IrBlkRef blk,
     return found;
 }
 
-// The first store to var in the state's functions from `block` on; NULL if there is none.
+// Returns the first store to var in the state's functions from `block` (such as BLOCK_STEP) on; NULL if there is none.
 static const IrIns *find_store_in_state(DeadStores *k, size_t state, int block, uint32_t var)
 {
     const IrIns *found = NULL;
@@ -98,7 +98,7 @@ static const IrIns *find_store_in_state(DeadStores *k, size_t state, int block, 
     return found;
 }
 
-// States that are still to be searched, each once.
+// The states that a search visits, each once, in order.
 typedef struct StateQueue { size_t state[STATES_MAX], n; } StateQueue;
 
 static void enqueue_state(DeadStores *k, StateQueue *q, size_t state)
@@ -114,8 +114,8 @@ static void enqueue_next_states(DeadStores *k, StateQueue *q, size_t from)
         enqueue_state(k, q, k->a->transition.at[t].to->number - 1);
 }
 
-// Adds to the queue the target states of transitions that can be reached from block blk of f.  Returns whether the end of f can
-// be reached too.
+// Adds to the queue the target states of transitions that can be reached from block blk of f.  Returns whether the end of f can also be
+// reached.
 static bool enqueue_targets_and_check_return(DeadStores *k, const IrFn *f, IrBlkRef blk, StateQueue *q)
 {
     bool returns = false;
@@ -173,8 +173,8 @@ static Overwrite find_overwrite(DeadStores *k, const DeadStore *dead)
     return o;
 }
 
-// Whether var is stored on every path from ins.at[at] of block blk to the end of f.  `after`: whether it is stored after f
-// returns.
+// Whether var is stored on every path from ins.at[at] of block blk to the end of f, or after it.  `after`: whether var is always stored
+// after f returns.
 static bool is_always_stored(DeadStores *k, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var, bool after)
 {
     const uint32_t yes = ++k->walks;
@@ -188,8 +188,8 @@ static bool is_always_stored(DeadStores *k, const IrFn *f, IrBlkRef blk, size_t 
     return k->walked[blk] == yes;
 }
 
-// Whether a dead store sets an output to a number in .entry.  That is a proper initialisation, unless the rest of .entry or .step stores
-// to the output again on every path.
+// Whether a dead store initialises an output: it sets the output to a constant in .entry, and not every path through the rest of .entry and
+// .step stores to the output again.
 static bool is_initialisation(DeadStores *k, const DeadStore *dead, const Stmt *stmt)
 {
     const IrFn *step = k->a->m->state.at[dead->state].block[BLOCK_STEP];

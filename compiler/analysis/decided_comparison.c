@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reports comparisons with the same result for all values of the operands' types, such as `u8 < 300`, and equalities with a value that
-// the type cannot represent.  A guard that only the facts about its variables decide is not a mistake in the comparison:
-// constant_guard.c reports it.
+// the type cannot represent.  If only the facts about its variables decide a guard, constant_guard.c reports it.
 #include "compiler/analysis/decided_comparison.h"
 
 #include "compiler/analysis/assume.h"
@@ -17,7 +16,7 @@ Fact fact_of_types(const Analysis *a, const Expr *e)
 
 typedef struct Operand { const Expr *e; Fact fact; bool is_constant; } Operand;
 
-// The operand e, with its possible values by types alone.
+// Returns the operand e with its possible values by types alone.
 static Operand operand_of(const Analysis *a, const Expr *e)
 {
     Operand s = {.e = e, .is_constant = expr_is_constant(e)};
@@ -36,14 +35,15 @@ typedef struct TypedComparison {
     Truth truth;
 } TypedComparison;
 
-// Whether p compares for equality with a number that is within the bounds of the type but that the type cannot represent.
+// Called if the types decide p.  Whether p is an equality with a number within the bounds of the other operand, which the type of that
+// operand cannot represent.
 static bool is_equality_with_unrepresentable(const TypedComparison *p)
 {
     return (p->op == SM_OP_EQ || p->op == SM_OP_NE) && p->b.is_constant && p->b.fact.lo >= p->a.fact.lo &&
            p->b.fact.lo <= p->a.fact.hi;
 }
 
-// Whether both bounds are finite (the difference of an infinity and itself is NaN).  Infinite bounds come from arithmetic, not types.
+// Whether both bounds are finite (the difference of an infinity and itself is NaN).
 static bool is_bounded(Fact f) { return f.lo - f.lo == 0 && f.hi - f.hi == 0; }
 
 // Fills in the operands, operator and result of *p for the comparison c.  Returns whether the result is the same for all values of the
@@ -72,8 +72,8 @@ static bool find_decision_by_types(const Analysis *a, const Comparison *c, Typed
 
 static bool is_upper_bound(SmOperator op) { return op == SM_OP_LT || op == SM_OP_LE; }
 
-// Whether the comparison is one half of a range, as `n >= 0` in `n >= 0 and n <= 100`: the other operand of the `and` bounds the same
-// variable from the other side.
+// Whether the comparison is one half of a range check, as `n >= 0` in `n >= 0 and n <= 100`: the other operand of the `and` bounds the
+// same variable from the other side.
 static bool is_half_of_range(const TypedComparison *p)
 {
     if (!p->within || p->a.e->kind != EX_VAR)
@@ -108,7 +108,8 @@ static void report_equality_with_unrepresentable(const Analysis *a, const TypedC
     diag_label(a->diags, d, DIAG_label_nearest_f32, const_text(a->arena, sm_from_f32(sm_round_f32(x))));
 }
 
-// The diagnostic shows the bounds of the type for a variable, and the possible values for other expressions.
+// Reports a comparison that types decide.  The diagnostic shows the bounds of a variable's type, or the possible values of another
+// expression.
 static void report_decided_by_types(const Analysis *a, const TypedComparison *p)
 {
     const Expr *e = p->a.e;
@@ -130,8 +131,8 @@ static void report_decided_by_types(const Analysis *a, const TypedComparison *p)
 
 // ---- expressions ----
 
-// Returns whether some comparison in e is decided by types (decided_comparison.h), and reports each one if `report`.  `within`: the `and`
-// that e is one operand of; or NULL.
+// Returns whether types decide some comparison in e (decided_comparison.h), and reports each such comparison if `report`.  `within`: the
+// `and` whose operand e is; or NULL.
 // Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
 static bool check_comparisons(const Analysis *a, const Expr *e, const Expr *within, bool report)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Divisions by a value that is always 0, and by a value that can be 0 because no stored value, guard or @range of a sensor
-// excludes it.
+// Reports divisions by a value that is always 0, and by a value that can be 0 because no stored value, guard or @range of a sensor
+// excludes 0.
 //
 // Facts describe one variable at a time.  A guard can relate two variables (with `a > b`, a - b is not 0) or limit an expression
 // (with `abs(d) > 0.1`, d is not 0).  Where the facts do not exclude 0, such relations are searched in the guards themselves.
@@ -15,12 +15,12 @@
 typedef struct PossibleZero PossibleZero;
 struct PossibleZero {                    // a divisor that can be 0 according to the facts
     Span span;
-    const PossibleZero *next;            // of the same statement
+    const PossibleZero *next;            // the next such divisor of the same statement
 };
 
 typedef struct Divisions {
     Analysis *a;
-    const PossibleZero **possible;       // by Stmt.number; [0] has those of windows
+    const PossibleZero **possible;       // by Stmt.number; [0] has the divisors in samples of windows
     const Stmt *stmt;                    // the current statement; NULL: the sample of a window is checked
 } Divisions;
 
@@ -28,7 +28,7 @@ typedef struct Divisions {
 
 static bool contains_zero(Fact f) { return f.lo <= 0 && f.hi >= 0; }
 
-// Whether temporary r can be 0 according to the facts `of`.  Underflow does not count: a product can be 0 only if a factor can.
+// Whether temporary r can be 0 according to the facts `of`.  Ignores underflow: a product is assumed to be 0 only if a factor can be 0.
 static bool can_be_zero(const Analysis *a, const IrFn *f, const Fact *of, IrRef r)
 {
     const IrIns *i = &f->ins.at[r];
@@ -43,7 +43,7 @@ static bool can_be_zero(const Analysis *a, const IrFn *f, const Fact *of, IrRef 
     return true;
 }
 
-// Reports divisors that are always 0, and records those that can be 0 in k->possible.
+// Reports divisors that are always 0, and records divisors that can be 0 in k->possible.
 static void check_function(Divisions *k, const IrFn *f, const FactFlow *flow)
 {
     for (size_t b = 0; b < f->blk.n; b++)
@@ -72,7 +72,7 @@ static void check_reachable_function(Analysis *a, const ReachableFn *r, void *co
 
 // ---- guards ----
 
-// What the diagnostic says about the quotient: what the division results in, and what is stored instead of it.
+// Describes the result of a division by 0 for the diagnostic, and what an assignment stores instead of it.
 static const char *describe_quotient(const Divisions *k)
 {
     const Stmt *stmt = k->stmt;

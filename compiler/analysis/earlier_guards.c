@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guards that were evaluated before another one: enclosing guards that were false, and guards whose branch left the state.
-// Finds the earlier guard that excludes every case in which the current one is true, or exactly all the other cases.
+// Compares a guard with the guards that were evaluated before it: enclosing guards that were false, and guards whose branch left the
+// state.  Finds an earlier guard because of which the current guard is never true, or earlier guards that leave exactly its cases.
 #include "compiler/analysis/earlier_guards.h"
 
 #include "compiler/analysis/assume.h"
@@ -16,7 +16,7 @@ bool is_unchanged(const ReachWalk *k, const Stmt *s, const Expr *e)
     return true;
 }
 
-// Whether the current branch `branch` is after the conditional that `arm` is a branch of: in the same list of statements, or nested in it.
+// Whether the current branch `branch` contains or is in a statement after the conditional of `arm`, in the same list of statements.
 static bool is_after_branch(const Branch *arm, const Branch *branch)
 {
     for (unsigned n = 0; branch && branch->depth >= arm->depth && n < EARLIER_MAX; n++)
@@ -24,7 +24,7 @@ static bool is_after_branch(const Branch *arm, const Branch *branch)
     return branch == arm->outer;
 }
 
-// Adds the guard of s, unless a variable that it reads was assigned since.
+// Adds the guard of s to *b, unless a variable that the guard reads was assigned after its evaluation.
 static void add_guard(const ReachWalk *k, EarlierGuards *b, const Stmt *s, bool holds, bool leaves)
 {
     const EarlierGuard add = {s, holds, leaves};
@@ -55,9 +55,9 @@ bool is_same_guard(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
     return b->holds && expr_equal(guard, b->stmt->value, k->a->m->window_of);
 }
 
-// The excluded outcome of the earlier guard b is the one that it has on no path to the current position (EarlierGuard).
+// "Excluded outcome" of an earlier guard b: the outcome that b has on no path to the current position (EarlierGuard).
 
-// Whether the source of the two guards shows that `guard` can be true only if b has its excluded outcome.
+// Whether the expressions alone show that `guard` can be true only if b has its excluded outcome.
 static bool is_excluded_syntactically(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
 {
     return b->holds ? guard_implies(k->a, guard, b->stmt->value) : guard_excludes(k->a, guard, b->stmt->value);
@@ -130,7 +130,7 @@ bool covers_remaining_cases(ReachWalk *k, const Expr *guard, const EarlierGuards
         if (!reads_marked_var(k, earlier->stmt->value))
             continue;
         if (assume_guard(k->a, &env, earlier->stmt->value, earlier->holds) && assume_guard(k->a, &env, guard, true))
-            return false;                             // the guard can be true together with the excluded outcome
+            return false;                             // the guard can be true even if the earlier guard has its excluded outcome
         any = true;
     }
     return any;

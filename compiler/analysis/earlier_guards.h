@@ -10,7 +10,7 @@ enum { EARLIER_MAX = 16 };            // how many earlier guards a guard is comp
 typedef struct EarlierGuard {
     const Stmt *stmt;
     bool holds;                       // the excluded outcome
-    bool leaves;                      // the excluded outcome leaves the state; false for enclosing guards, where it may or may not
+    bool leaves;                      // the branch of the excluded outcome leaves the state; false for enclosing guards
 } EarlierGuard;
 
 typedef struct EarlierGuards {
@@ -18,20 +18,21 @@ typedef struct EarlierGuards {
     size_t n;
 } EarlierGuards;
 
-// The earlier guards of a guard that is evaluated inside `branch`, at the current position of the walk.
+// Returns the earlier guards of a guard that is evaluated inside `branch`, at the current position of the walk.
 EarlierGuards earlier_guards_of(const ReachWalk *k, const Branch *branch);
 
 // Whether no variable of e has been assigned since s was evaluated.
 bool is_unchanged(const ReachWalk *k, const Stmt *s, const Expr *e);
 
-// Whether b is the same expression as `guard`, and must be false here.
+// Whether the guard of b is the same expression as `guard`, and is false on every path to the current position.
 bool is_same_guard(const ReachWalk *k, const Expr *guard, const EarlierGuard *b);
-// Returns an earlier guard that has its excluded outcome whenever `guard` is true, so `guard` is never true; or NULL.  The first
-// function compares only the source of the two guards, the second also uses facts.
+// Both return an earlier guard that has its excluded outcome whenever `guard` is true, so that `guard` is never true; or NULL.
+// find_excluding_guard only compares the two expressions, find_explaining_guard also uses facts.
 const EarlierGuard *find_excluding_guard(const ReachWalk *k, const Expr *guard, const EarlierGuards *b);
 const EarlierGuard *find_explaining_guard(const ReachWalk *k, const Expr *guard, const EarlierGuards *b);
 
-// Whether the guard is true in exactly the cases that earlier guards leave: `p <= 10: -> B` after `p > 10: -> A`.
+// For a guard that is always true at its position: whether it describes exactly the cases that earlier guards leave, as `p <= 10: -> B`
+// after `p > 10: -> A`.
 bool covers_remaining_cases(ReachWalk *k, const Expr *guard, const EarlierGuards *b);
 
 #endif

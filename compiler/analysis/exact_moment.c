@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two mistakes with times.  First, waiting for one exact time: T, G, or a local computed from them is compared by == or != with a time
-// that steps may jump over.  Comparing a time with itself is not reported: T == 0 is true in a state's first step, G == start in the
-// step in which start was stored.  Second, comparing T with a number that is below the length of a step or not whole: the user
+// Reports two mistakes with times.  First, waiting for one exact time: T, G, or a local computed from them is compared by == or != with a
+// time that no step may have.  Comparing a time with itself is not reported: T == 0 is true in a state's first step, G == start in the
+// step in which `start` was stored.  Second, comparing T with a number that is less than the length of a step or not whole: the user
 // probably meant seconds, but T counts milliseconds.
 #include "compiler/analysis/analysis.h"
 #include "compiler/analysis/timestamps.h"
@@ -9,8 +9,8 @@
 
 typedef struct TimeChecks { Analysis *a; Timestamps m; } TimeChecks;
 
-// Whether s, the difference of the two sides of an equality, contains only times and no constant.  Then the sides are equal in a step that
-// the user intends, such as the one in which a time was stored.  False if a local with a shifted time is compared with T or G.
+// s is the difference of the two sides of an equality.  Whether s contains only times and no constant, so that the sides are equal in an
+// intended step, such as the one in which a time was stored.  False if a local with a shifted time is compared with T or G.
 static bool is_zero_difference(const TimeSum *s)
 {
     const bool zero = sm_eq(s->number, sm_from_i32(0)) && !s->other;
@@ -18,7 +18,7 @@ static bool is_zero_difference(const TimeSum *s)
     return zero && (!s->shifted || !s->time);
 }
 
-// Whether T is compared with a fraction, as in T == 5.5.  That is never true, and decided_comparison.c reports it.
+// Whether T is compared with a fraction, as in T == 5.5, which is never true.  decided_comparison.c reports such comparisons.
 static bool is_never_equal(const Expr *time, const Expr *other)
 {
     const SmF64 x = expr_is_constant(other) ? expr_constant_value(other) : sm_from_i32(0);
@@ -26,7 +26,7 @@ static bool is_never_equal(const Expr *time, const Expr *other)
     return time->kind == EX_VAR && !sm_eq(x, sm_floor(x));
 }
 
-// Whether T is compared with a multiple of the step, which it does reach.  False if the step is unknown.
+// Whether T is compared with a multiple of the step, so that T reaches this value exactly.  False if the length of the step is unknown.
 static bool is_multiple_of_step(const TimeChecks *k, const Expr *time, const Expr *other)
 {
     double steps;
@@ -37,8 +37,8 @@ static bool is_multiple_of_step(const TimeChecks *k, const Expr *time, const Exp
     return steps == sm_floor(steps);
 }
 
-// Whether the user probably did not mean milliseconds: x, which T is compared with, is a fraction or less than a step.  False for x up to 0
-// and from 1000 on.  `first_step`: the operator is >= or <; then 1 is accepted, because it separates the first step from the others.
+// Whether x, with which T is compared, is probably not in milliseconds: x is a fraction or less than a step.  False for x <= 0 and for
+// x >= 1000.  `first_step`: the operator is >= or <; then false also for 1, which separates the first step from the others.
 static bool is_unlikely_limit(const TimeChecks *k, SmF64 x, bool first_step)
 {
     const SmF64 one = sm_from_i32(1);
@@ -48,7 +48,7 @@ static bool is_unlikely_limit(const TimeChecks *k, SmF64 x, bool first_step)
     return !sm_eq(x, sm_floor(x)) || (sm_lt(x, sm_from_u64(k->a->step)) && !(first_step && sm_eq(x, one)));
 }
 
-// Reports `time op other` if time is T and other an unlikely number.  `whole`: the expression that contains the comparison.
+// Reports `time op other` if `time` is T and `other` is an unlikely number.  `whole`: the expression that contains the comparison.
 static void check_limit(TimeChecks *k, const Expr *whole, const Expr *time, SmOperator op, const Expr *other)
 {
     const bool first_step = op == SM_OP_GE || op == SM_OP_LT;

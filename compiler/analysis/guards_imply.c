@@ -3,7 +3,7 @@
 
 #include "stdlib/math.h"
 
-enum { PAIRS_MAX = 64 };              // pairs of subexpressions compared in one query; each `and` and `or` multiplies them
+enum { PAIRS_MAX = 64 };              // most pairs of subexpressions compared in one query: `and` and `or` multiply them
 
 typedef struct ImplySearch {
     const uint32_t *window_of;        // IrMachine.window_of
@@ -19,7 +19,7 @@ typedef struct Side {
     SmF64 plus;
 } Side;
 
-// small < large, or small <= large.
+// The relation small < large; with `or_equal` small <= large.
 typedef struct Order {
     Side small, large;
     bool or_equal;
@@ -45,7 +45,7 @@ static Side side_of(const Expr *e)
     return s;
 }
 
-// Whether p <= q because both are the same base plus a constant, or both are numbers.
+// Whether p <= q is certain: both are the same base plus a constant, or both are numbers.
 static bool is_at_most(const ImplySearch *k, const Side *p, const Side *q)
 {
     const bool same_base = p->base && q->base ? expr_equal(p->base, q->base, k->window_of) : p->base == q->base;
@@ -53,11 +53,11 @@ static bool is_at_most(const ImplySearch *k, const Side *p, const Side *q)
     return same_base && sm_le(p->plus, q->plus);
 }
 
-// Whether p < q because both are numbers.  With a base, rounding can make p and q equal.
+// Whether p < q is certain: both are numbers.  If they had a base, rounding could make p and q equal.
 static bool is_number_below(const Side *p, const Side *q) { return !p->base && !q->base && sm_lt(p->plus, q->plus); }
 
-// Whether order a implies order b.  It does if b.small <= a.small and a.large <= b.large; and if b is strict, one of the three
-// relations must be strict.
+// Whether order a implies order b.  This is so if b.small <= a.small and a.large <= b.large.  If b is strict (<), one of these two
+// relations, or a, must also be strict.
 static bool order_implies(const ImplySearch *k, const Order *a, const Order *b)
 {
     if (!is_at_most(k, &b->small, &a->small) || !is_at_most(k, &a->large, &b->large))
@@ -95,7 +95,7 @@ static bool comparison_implies_order(const ImplySearch *k, const Comparison *c, 
     return order_implies(k, &one, o) || order_implies(k, &other, o);
 }
 
-// Whether comparison x implies y.  An == is both orders of its sides at once; a != is one of the two strict orders.
+// Whether comparison x implies comparison y.  If y is ==, x must imply both orders (a <= b and b <= a); if y is !=, one strict order.
 static bool comparison_implies(const ImplySearch *k, const Comparison *x, const Comparison *y)
 {
     Order one, other;
@@ -127,7 +127,7 @@ static bool some_comparison_implies(ImplySearch *k, const Expr *x, const Compari
     return false;
 }
 
-// Whether the comparisons of x imply each of those of y, which must have some.
+// Whether y has comparisons in its outermost node, and those of x imply each of them.
 static bool comparisons_imply(ImplySearch *k, const Expr *x, const Expr *y)
 {
     for (uint32_t i = 0; i < comparison_count(y); i++) {
@@ -160,8 +160,8 @@ static bool expr_implies(ImplySearch *k, const Expr *x, const Expr *y)
 
 // ---- contradictions ----
 
-// Whether some comparison in x is never true together with one in y, because it implies its negation.  A true comparison has no NaN
-// operand (except !=), so the negated operator is the exact opposite.
+// Whether some comparison in x implies the negation of a comparison in y, so that x and y are never true together.  A true comparison has
+// no NaN operand (except !=), so the negated operator is the exact opposite.
 static bool comparisons_exclude(ImplySearch *k, const Expr *x, const Expr *y)
 {
     for (uint32_t i = 0; i < comparison_count(y); i++) {
@@ -196,7 +196,7 @@ static bool expr_excludes(ImplySearch *k, const Expr *x, const Expr *y)
 // Variables and numbers are never NaN; computed values may be.
 static bool is_never_nan(const Expr *e) { return e->kind == EX_VAR || e->kind == EX_NUMBER; }
 
-// Whether `x or y` is always true, because one is true whenever the other is false.
+// Whether `x or y` is always true, because one operand is true whenever the other is false.
 static bool is_one_always_true(ImplySearch *k, const Expr *x, const Expr *y)
 {
     Comparison a, b;
@@ -213,7 +213,7 @@ static bool is_one_always_true(ImplySearch *k, const Expr *x, const Expr *y)
     return is_never_nan(a.a) && is_never_nan(a.b) && comparison_implies(k, &a, &b);
 }
 
-// Whether e compares an expression with itself, as x < x or x == x, and is always true (never true if `holds` is false).
+// Whether e compares an expression with itself, as in x < x or x == x, and is therefore always true (`holds`) or never true.
 static bool is_decided_by_equal_operands(const ImplySearch *k, const Expr *e, bool holds)
 {
     if (e->kind != EX_BINARY || comparison_count(e) == 0 || !expr_equal(e->arg[0], e->arg[1], k->window_of))

@@ -31,8 +31,8 @@ typedef struct GuardsAfter { const KnownGuard *known; bool leaves; } GuardsAfter
 
 static GuardsAfter walk_stmts(GuardWalk *w, const Stmts *stmts, const KnownGuard *known);
 
-// Adds to `known` the assignments of a branch: those in the list `arm`, up to its element `begin`, which precedes the branch.  After the
-// conditional they may or may not have been executed.
+// Adds the assignments of a branch to `known`, because they may have been executed before the code after the conditional.  They are the
+// entries of the list `arm` before `begin`, which is the entry for the branch itself.
 static const KnownGuard *add_assignments_of(Arena *arena, const KnownGuard *known, const KnownGuard *arm, const KnownGuard *begin)
 {
     for (; arm && arm != begin; arm = arm->outer)
@@ -41,7 +41,8 @@ static const KnownGuard *add_assignments_of(Arena *arena, const KnownGuard *know
     return known;
 }
 
-// Walks a conditional.  If one of its branches always leaves the state, the guard that leads to the other one is known afterwards.
+// Walks a conditional.  If only one of its branches always leaves the state, the value of the guard that leads to the other branch is known
+// after the conditional.
 static GuardsAfter walk_if(GuardWalk *w, const Stmt *stmt, const KnownGuard *known)
 {
     const KnownGuard *yes = add_guard(w->a->arena, known, stmt->value, true), *no = add_guard(w->a->arena, known, stmt->value, false);
@@ -55,7 +56,7 @@ static GuardsAfter walk_if(GuardWalk *w, const Stmt *stmt, const KnownGuard *kno
     return (GuardsAfter){after, then.leaves && otherwise.leaves};
 }
 
-// Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
+// Walks a list of statements.  Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
 static GuardsAfter walk_stmts(GuardWalk *w, const Stmts *stmts, const KnownGuard *known)
 {
     GuardsAfter at = {known, false};
@@ -80,8 +81,8 @@ void guards_known_each_stmt(Analysis *a, const Stmts *block, KnownGuardsStmt *f,
     walk_stmts(&w, block, NULL);
 }
 
-// Inside an operand of `and`, the other operand is assumed to be true, on either side: in `b != 0 and a / b > 5` the whole is false if b
-// is 0, whatever a / b is.  Inside an operand of `or`, the other one is assumed to be false.
+// Inside either operand of `and`, the other operand is assumed to be true: in `b != 0 and a / b > 5` the result is false if b is 0,
+// whatever a / b is.  Inside either operand of `or`, the other operand is assumed to be false.
 void guards_known_each_expr(Analysis *a, const Expr *e, const KnownGuard *known, bool (*wanted)(const Expr *e), KnownGuardsExpr *f,
                             void *context)
 {
@@ -101,7 +102,7 @@ static bool is_same_expr(const Analysis *a, const Expr *x, const Expr *y) { retu
 
 static bool is_call(const Expr *e, SmBuiltin fn) { return e->kind == EX_CALL && e->fn == fn; }
 
-// Whether x and d are the same expression, apart from abs() around either, and `x op y` is false if x is 0.
+// Whether `x op y` is false if d is 0: x and d are the same expression, apart from abs() around either, and `0 op y` is false.
 static bool contradicts_zero(const Analysis *a, const Expr *x, SmOperator op, const Expr *y, const Expr *d)
 {
     const Expr *x_inside = is_call(x, SM_FN_abs) ? x->arg[0] : x, *d_inside = is_call(d, SM_FN_abs) ? d->arg[0] : d;
@@ -121,7 +122,7 @@ static bool comparison_excludes_zero(const Analysis *a, Comparison c, const Expr
     return contradicts_zero(a, c.a, c.op, c.b, d) || contradicts_zero(a, c.b, comparison_swapped(c.op), c.a, d);
 }
 
-// Whether d cannot be 0 if the guard g, without `and`, `or` and `not`, is true (or false).
+// Whether d cannot be 0 if the guard g is true (`holds`) or false.  g contains no `and`, `or` or `not`.
 static bool simple_guard_excludes_zero(const Analysis *a, const Expr *g, bool holds, const Expr *d)
 {
     if (g->kind == EX_CHAIN && !holds)
@@ -136,7 +137,7 @@ static bool simple_guard_excludes_zero(const Analysis *a, const Expr *g, bool ho
     return comparison_count(g) != 1 && holds && is_same_expr(a, g, d);
 }
 
-// 1 if e is never negative, -1 if it is never positive, 0 if neither is known.
+// Returns 1 if e is never negative, -1 if it is never positive, 0 if neither is known.
 static int known_sign_of(const Analysis *a, const Expr *e)
 {
     const Fact f = fact_of_types(a, e);
@@ -144,7 +145,7 @@ static int known_sign_of(const Analysis *a, const Expr *e)
     return f.lo >= 0 ? 1 : f.hi <= 0 ? -1 : 0;
 }
 
-// Whether d is a sum, difference or maximum that is 0 only if both operands are 0, because they cannot cancel each other.
+// Whether d is a sum, difference or maximum that is 0 only if both operands are 0, because their signs are known.
 static bool is_zero_only_with_both(const Analysis *a, const Expr *d)
 {
     const bool is_sum = d->kind == EX_BINARY && d->op == SM_OP_ADD, is_difference = d->kind == EX_BINARY && d->op == SM_OP_SUB;
@@ -159,8 +160,8 @@ static bool is_zero_only_with_both(const Analysis *a, const Expr *d)
     return one != 0 && other == (is_sum ? one : -one);
 }
 
-// Whether d cannot be 0 if the guard g, without `and`, `or` and `not`, is true (or false): because g excludes 0 itself, or a 0 of an
-// operand without which d cannot be 0.
+// Whether d cannot be 0 if the guard g is true (`holds`) or false: g excludes that d is 0, or that an operand of d is 0 which must be 0 for
+// d to be 0.  g contains no `and`, `or` or `not`.
 // Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
 static bool guard_excludes_zero_of_parts(const Analysis *a, const Expr *g, bool holds, const Expr *d)
 {
@@ -172,7 +173,7 @@ static bool guard_excludes_zero_of_parts(const Analysis *a, const Expr *g, bool 
            (guard_excludes_zero_of_parts(a, g, holds, d->arg[0]) || guard_excludes_zero_of_parts(a, g, holds, d->arg[1]));
 }
 
-// Whether d cannot be 0 if the guard g is true (or false).
+// Whether d cannot be 0 if the guard g is true (`holds`) or false.
 static bool guard_excludes_zero(const Analysis *a, const Expr *g, bool holds, const Expr *d)
 {
     if (g->kind == EX_UNARY && g->op == SM_OP_NOT)
@@ -194,7 +195,7 @@ static bool reads_var(const Expr *e, const Var *v)
     return false;
 }
 
-// Whether a known guard excludes that d is 0.  A guard does not count if a variable that it reads was assigned after its evaluation.
+// Whether a known guard excludes that d is 0.  Ignores guards that read a variable which was assigned after their evaluation.
 static bool some_guard_excludes_zero(const Analysis *a, const KnownGuard *known, const Expr *d)
 {
     const Var *assigned[ENTRIES_MAX];
@@ -212,7 +213,7 @@ static bool some_guard_excludes_zero(const Analysis *a, const KnownGuard *known,
     return false;
 }
 
-// Whether d cannot be 0 because its operands cannot.
+// Whether d cannot be 0 because its operands cannot be 0.
 static bool operands_exclude_zero(const Analysis *a, const KnownGuard *known, const Expr *d)
 {
     if (d->kind == EX_UNARY)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes which inputs values depend on.  The nodes of a graph are the variables and the guards.  A local depends on the values
-// stored in it and on the guards around those stores; a guard depends on the variables it reads and on the enclosing guards.  Sets of
-// inputs propagate along these edges to a fixed point.  A set has at most INPUT_DEPS_MAX sensors, so it grows only a few times.
+// Computes the inputs that values depend on, with a graph whose nodes are the variables and the guards.  A local depends on the values
+// stored in it and on the guards around those stores; a guard depends on the variables that it reads and on the enclosing guards.  Sets
+// of inputs propagate along these edges to a fixed point.  A set has at most INPUT_DEPS_MAX sensors, so it grows only a few times.
 #include "compiler/analysis/input_deps.h"
 
 typedef VEC(uint32_t) NodeNumbers;
@@ -10,7 +10,7 @@ typedef struct DepGraph {
     InputDepsTable *s;
     NodeNumbers *readers;         // by node: the nodes that depend on it
     NodeNumbers waiting;          // a stack of nodes whose readers are to be visited
-    bool *waits;                  // by node: it is on the stack
+    bool *waits;                  // by node: whether it is in `waiting`
 } DepGraph;
 
 static uint32_t node_of_guard(const InputDepsTable *s, const Stmt *stmt) { return (uint32_t)s->a->p->var.n + stmt->number; }
@@ -24,7 +24,7 @@ static bool is_only_read(const InputDepsTable *s, const Var *v)
 
 bool is_sensor(const InputDepsTable *s, const Var *v) { return is_only_read(s, v) && v->type != SM_BOOL && !s->command[v->index]; }
 
-typedef struct UseCount { uint32_t *reads, *equalities; } UseCount;     // by Var.index: reads; reads in == or != with a constant
+typedef struct UseCount { uint32_t *reads, *equalities; } UseCount;     // by Var.index: all reads; those in == or != with a constant
 
 static void count_use(Expr *e, void *context)
 {
@@ -98,7 +98,7 @@ static bool merge_deps(InputDeps *to, const InputDeps *from)
     return to->n != was.n || to->more != was.more || to->time != was.time || to->input != was.input || to->other != was.other;
 }
 
-// Returns the set that contains v itself, if v is an input; else an empty set.
+// Returns the set of v's own inputs: v itself if it is an input, else the empty set.
 static InputDeps deps_of_var(const InputDepsTable *s, const Var *v)
 {
     InputDeps l = {.n = 0};
@@ -134,7 +134,7 @@ static void add_edges_from_vars(DepGraph *g, const Expr *e, uint32_t reader)
         add_edge(g, e->var->index, reader);
 }
 
-// Adds the edges into the node that a statement computes: the variable that it assigns, or its guard.
+// Adds the edges into the node that a statement determines: the variable that it assigns, or its guard.
 static void add_edges_of_stmt(const StmtLocation *at, void *context)
 {
     DepGraph *g = context;
@@ -206,8 +206,8 @@ const Condition *input_deps_find_condition(const InputDepsTable *s, const Condit
     return NULL;
 }
 
-// Returns whether e itself reads the sensor.  If e reads a local that depends on the sensor, also sets *store to an assignment to that
-// local, unless *store is set already.
+// Returns whether e reads the sensor directly.  If e reads a local that depends on the sensor, also sets *store to an assignment to that
+// local, unless *store is already set.
 static bool reads_sensor_itself(const InputDepsTable *s, const Expr *e, const Var *sensor, const Stmt **store)
 {
     bool itself = e->kind == EX_VAR && e->var == sensor;

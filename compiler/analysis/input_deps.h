@@ -20,22 +20,23 @@ typedef struct InputDeps {
 typedef struct InputDepsTable {
     Analysis *a;
     bool *command;                // by Var.index: marked @command; or an integer that is only ever compared with constants by == or !=
-    InputDeps *deps;              // first by Var.index, then by Stmt.number of conditionals (for its guard and the enclosing guards)
+    InputDeps *deps;              // first by Var.index, then by Stmt.number of conditionals (the guard with its enclosing guards)
     const Stmt **store;           // by Var.index: its first assignment in the file; or NULL
 } InputDepsTable;
 
 const InputDepsTable *input_deps_of(Analysis *a);
 
-bool is_sensor(const InputDepsTable *s, const Var *v);       // a numeric element that the machine only reads; not a command, G, S or T
+// Whether v is a numeric element that the machine only reads, and not a command, G or S.
+bool is_sensor(const InputDepsTable *s, const Var *v);
 
-// The inputs that decide whether `when` and its outer conditions are met, and the inputs that the value of e depends on.
+// Return the inputs on which `when` and its outer conditions depend, and the inputs on which the value of e depends.
 InputDeps input_deps_of_condition(const InputDepsTable *s, const Condition *when);
 InputDeps input_deps_of_expr(const InputDepsTable *s, const Expr *e);
 bool input_deps_include(const InputDeps *l, const Var *sensor);
-// The innermost condition, from `when` outwards, whose own guard depends on the sensor; NULL: none does.
+// Returns the innermost of `when` and its outer conditions whose own guard depends on the sensor; NULL if none does.
 const Condition *input_deps_find_condition(const InputDepsTable *s, const Condition *when, const Var *sensor);
-// If e depends on the sensor only through locals: an assignment to such a local.  NULL: e reads the sensor itself, or does not depend on
-// it.
+// If e depends on the sensor only through locals, returns an assignment to such a local.  Returns NULL if e reads the sensor directly, or
+// does not depend on the sensor.
 const Stmt *input_deps_find_indirect_store(const InputDepsTable *s, const Expr *e, const Var *sensor);
 
 #endif

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rolling windows that sample a variable before the step assigns it.  Windows take their samples when a step begins (language.md 7.4).
-// If the machine assigns the variable and then uses a statistic of it, the statistic does not include the value of this step.
+// Reports rolling windows that sample a variable before the step assigns it.  Windows take their samples when a step begins
+// (language.md 7.4).  If the machine assigns the variable and then uses a statistic of it, the statistic lacks the value of this step.
 //
-// Not reported, because there the old value is intended or is the only one available:
-// 1. assignments after the use, as in `rate = x - last` ... `last = x`: the variable itself is also old at the use;
-// 2. assignments in .entry alone: an initial value, followed by samples of the values that .step leaves;
-// 3. an element combined with an input, as in `abs(order - position)`: the input is the result of the order of the step before;
-// 4. a variable that the same expression also reads without a window, as in `min(p, roll_min(p, 1))`: it has this step's value.
+// Not reported, because the old value is intended or is the only one available:
+// 1. assignments after the use, as in `rate = x - last` ... `last = x`: at the use, the variable also has its old value;
+// 2. assignments in .entry alone: they store an initial value, and the window samples the values that .step stores later;
+// 3. an element combined with an input, as in `abs(order - position)`: the input is the reaction to the element's value of the last step;
+// 4. a variable that the same expression also reads without a window, as in `min(p, roll_min(p, 1))`: that read has this step's value.
 #include "compiler/analysis/guards_known.h"
 
 typedef struct StatUse {
@@ -14,10 +14,10 @@ typedef struct StatUse {
     const Stmts *block;
     const KnownGuard *known;      // guards and assignments at the expression
     const Expr *value;            // the whole expression of the statement
-    const Expr *roll;             // the window call in it whose sample is being searched
+    const Expr *roll;             // the roll call in `value` whose sample is being searched
 } StatUse;
 
-// The last assignment to v that was or may have been executed before; or NULL.
+// Returns the last assignment to v in the list, which was or may have been executed before the expression; or NULL.
 static const Stmt *find_assignment(const KnownGuard *known, const Var *v)
 {
     for (; known; known = known->outer)
@@ -36,7 +36,7 @@ static bool reads_written_variable(const Expr *e)
 }
 
 // Whether the window could sample the assigned expression instead of the variable: the assignment is executed in every step of the
-// state, the expression reads nothing that the machine writes, and the variable stores exactly its value, without rounding, truncation
+// state, the expression reads nothing that the machine writes, and the variable stores its value exactly, without rounding, truncation
 // or saturation.
 static bool can_sample_assigned_value(const StatUse *u, const Stmt *assigned)
 {
@@ -79,7 +79,8 @@ static void report_late_sample(const StatUse *u, const Var *v, const Stmt *assig
         diag_note(diags, d, (Span){0}, DIAG_note_sample_itself, v->name->text, source_text(diags->arena, assigned->value->span));
 }
 
-// Reports variables that the sample of u->roll reads although the step assigns them.  Inner windows are visited separately.
+// Reports variables in e, a part of the sample of u->roll, that the step assigns before the use.  Roll calls inside the sample are visited
+// separately.
 static void check_sample(const StatUse *u, const Expr *e)
 {
     const Stmt *assigned = e->kind == EX_VAR ? find_assignment(u->known, e->var) : NULL;

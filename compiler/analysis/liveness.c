@@ -8,7 +8,8 @@
 
 typedef VEC(uint32_t) StateNumbers;
 
-// A load or store of a function.  They are listed once, because every function is visited several times and most of its IR is neither.
+// A load or store of a function.  Loads and stores are listed once, because every function is visited several times and most of its
+// instructions are neither.
 typedef struct Access {
     uint32_t var;
     uint32_t at;                  // index in its block's list
@@ -22,11 +23,11 @@ struct Liveness {
     size_t words;                 // words of a set: one bit for each variable of the IR that is written
     uint32_t *bit;                // by IrVar; IR_NONE: it is never written
     uint64_t *read_after_step;    // the set of variables that other code or windows read after each step
-    uint64_t **begin[BLOCK_COUNT];    // by state: what is live at the start of the block; for a missing block, where it would start
+    uint64_t **begin[BLOCK_COUNT];    // by state: the set of variables live where the block starts, or would start if it is missing
     StateNumbers *before, *after;     // by state: the states with a transition into it, and the targets of its own transitions
     Accesses *access[BLOCK_COUNT];    // by state, in order
     size_t blocks;                // the number of blocks that `live` has room for
-    uint64_t *live;               // by block of the current function: what is live at its start
+    uint64_t *live;               // by block of the current function: the set of variables live at its start
     size_t state;                 // the current state
     BlockKind block;
     void (*report)(Analysis *a, const DeadStore *dead, void *context);    // NULL while sets still grow
@@ -45,14 +46,14 @@ static void merge_set(const Liveness *l, uint64_t *set, const uint64_t *more) { 
 
 // ---- functions ----
 
-// Adds what is live at the end of a step if the next step begins in this block of this state.
+// Adds the variables that are live at the end of a step if the next step begins in this block of this state.
 static void merge_live_in_next_step(const Liveness *l, uint64_t *set, size_t state, BlockKind block)
 {
     merge_set(l, set, l->read_after_step);
     merge_set(l, set, l->begin[block][state]);
 }
 
-// Adds what is live where the current function returns without a transition; for .exit, where it returns.
+// Adds the variables that are live after the current function returns without a transition (.exit always returns).
 static void merge_live_after_return(const Liveness *l, uint64_t *set)
 {
     const StateNumbers *after = &l->after[l->state];
@@ -60,7 +61,7 @@ static void merge_live_after_return(const Liveness *l, uint64_t *set)
     switch (l->block) {
     case BLOCK_ENTRY: merge_set(l, set, l->begin[BLOCK_STEP][l->state]); break;
     case BLOCK_STEP:  merge_live_in_next_step(l, set, l->state, BLOCK_STEP); break;
-    case BLOCK_EXIT:                                  // .exit does not know the target of the transition
+    case BLOCK_EXIT:                                  // the target of the transition is unknown: assume all targets
         merge_set(l, set, l->read_after_step);
         for (size_t i = 0; i < after->n; i++)
             merge_set(l, set, l->begin[BLOCK_ENTRY][after->at[i]]);
@@ -84,7 +85,8 @@ static void merge_live_after_jump(const Liveness *l, uint64_t *set, const IrJump
     }
 }
 
-// Computes what is live at the start of each block of the function.  Reports stores to variables that are not live, if l->report is set.
+// Computes the variables that are live at the start of each block of the function.  If l->report is set, reports stores to variables that
+// are not live.
 static void visit_function(Liveness *l, const IrFn *f)
 {
     const Accesses *all = &l->access[l->block][l->state];
@@ -114,7 +116,7 @@ static void visit_function(Liveness *l, const IrFn *f)
     }
 }
 
-// Returns true if what is live at the start of the state's block has changed.
+// Updates the set of variables that are live at the start of the state's block.  Returns whether it has changed.
 static bool update_begin(Liveness *l, BlockKind block)
 {
     const IrFn *f = l->a->m->state.at[l->state].block[block];
@@ -136,8 +138,8 @@ static bool update_begin(Liveness *l, BlockKind block)
 
 // ---- the iteration ----
 
-// Computes `begin` of all states.  What is live at the start of .step is also live where .step returns, because .step runs again.  Passing
-// that set backward through .step yields no further variables, so one visit of .step is enough.
+// Computes `begin` of all states.  Variables that are live at the start of .step are also live where .step returns, because .step runs
+// again.  Passing that set backward through .step adds no further variables, so one visit of .step is enough.
 static void compute_live_at_begins(Liveness *l)
 {
     Worklist queue = worklist_new(l->a->arena, l->a->m->state.n);

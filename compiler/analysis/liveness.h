@@ -2,8 +2,8 @@
 // Liveness analysis: which variables have values that may still be read.  It goes backward through every function and, for locals,
 // backward over the transitions between states.
 //
-// Other code reads all elements at the end of each step.  Rolling windows read what they sample when the next step begins.  Every path
-// counts, even if its guards are never true.
+// The analysis assumes that other code reads all elements at the end of each step.  Rolling windows read the variables that they sample
+// when the next step begins.  Every path counts, even if its guards are never true.
 #ifndef SMC_LIVENESS_H
 #define SMC_LIVENESS_H
 

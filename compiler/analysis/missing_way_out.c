@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// States that are never left.
+// Reports states that are never left.
 #include "compiler/analysis/analysis.h"
 
 void analyse_missing_way_out(Analysis *a)

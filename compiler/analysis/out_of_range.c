@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values that do not fit the variable they are stored in: constants, and computed ones that never fit.
+// Reports stored values that do not fit the type of their variable: constants, and computed values that never fit.
 #include "compiler/analysis/analysis.h"
 
 #include "stdlib/convert.h"
@@ -30,8 +30,8 @@ static void check_constant(Analysis *a, const Var *v, const Expr *value)
 
 // ---- computed values ----
 
-// Whether all values of f are above the largest value of the type, or all are below the smallest.  A value of which only the fraction
-// is lost fits.
+// Whether all values of f are above the largest value of the type, or all are below the smallest.  A value that only loses its fraction
+// fits.
 static bool never_fits(Fact f, SmType type)
 {
     const Fact t = fact_of_type(type);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outputs that stay on where the machine may rest: in a state marked @safe, and in a state that only a person can end.
+// Reports outputs that stay on in a state where the machine may stay forever: a state marked @safe, or a state that only a command ends.
 //
-// Starts from every situation that the search (trial.h) found at the entry of such a state, and keeps inputs constant with which the
-// machine stays in the state.  If an output that another state switched on is still on when nothing more happens, it is reported.
+// Starts from every situation that the search (trial.h) found at the entry of such a state, with constant inputs for which the machine
+// stays in the state.  Reports an output that another state switched on and that is still on when nothing changes any more.
 #include <string.h>
 
 #include "compiler/analysis/trial_checks.h"
@@ -36,7 +36,7 @@ static bool is_ever_switched_off(const Trials *t, const Var *v)
 
 // ---- findings ----
 
-// One finding for a state, with the outputs that are on and the transition into it.
+// Reports a state, with the outputs that are on and the transition into the state.
 static void report_outputs(const LeftOnSearch *l, const State *s)
 {
     const Analysis *a = l->t->a;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Effects of a single failed sensor: an output switches on, or an @abort state ends.
+// Reports effects of a single failed sensor: an output switches on, or an @abort state ends.
 //
 // Two machines run side by side from one situation.  In the healthy one every reading is constant or moves a little; in the
 // other one sensor fails.  If the healthy machine stays in its state and an output switches on in the other, the failure is the
 // cause.
 //
-// It is reported only if it does not depend on another sensor: the same output switches on for all tried readings of the others with
-// which the healthy machine is quiet (it stays in its state with the output off).  An effect that a second sensor must currently
-// confirm is not reported.  Earlier readings of other sensors, earlier commands of a person, and a timer that would have had the
-// same effect later do not prevent a report.
+// The failure is reported only if its effect does not depend on another sensor: the same output switches on for all tried readings of the
+// other sensors with which the healthy machine is quiet (it stays in its state with the output off).  An effect that needs a second sensor
+// with a certain reading at the same time is not reported.  An effect that depends on earlier readings of other sensors or earlier
+// commands, or that a timer would have had later, is reported.
 //
-// For an @abort state the same test asks whether the machine leaves it, without any command.
+// For an @abort state, the effect is that the failed machine leaves the state without any command, but the healthy one does not.
 //
 // A reaction to a failed sensor can be intended:
 //   - the machine goes to an @abort state, or to a state that always leads there;
@@ -25,7 +25,7 @@
 typedef enum FailureKind { READS_ZERO, READS_LOW_END, READS_HIGH_END, STICKS, READS_FAR_ABOVE, READS_FAR_BELOW, FAILURES } FailureKind;
 
 // How healthy readings move.  `noise` is in units of the distance to the next reading that a comparison distinguishes.  `slope`
-// is in TrialInput.scale per step.  Only the group of the failing sensor moves like this; others have small noise.
+// is in units of TrialInput.scale per step.  Only the group of the failing sensor moves like this; other sensors have small noise.
 typedef struct ReadingMotion { double noise, slope; } ReadingMotion;
 static const ReadingMotion motion[] = {{0, 0}, {0.02, 0}, {0, 0.003}, {0.3, 0}, {5, 0}, {100, 0}};
 static const double noise_of_others[] = {0, 0.02, 0.3};
@@ -33,10 +33,10 @@ enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 4 };     // 
 
 enum {
     OUTPUTS_NAMED = 4,            // outputs named in one finding
-    ENTRIES_TRIED = 6,            // entries of a state
+    ENTRIES_TRIED = 6,            // situations at the entry of a state
     OTHERS_FIRST = 12,            // readings of the other sensors with which a failure is tried
     OTHERS = 32,                  // random readings of the other sensors with which an effect must be confirmed
-    OTHERS_OF_ONE = 12,           // before them: readings of one other sensor at a time
+    OTHERS_OF_ONE = 12,           // tried before OTHERS: readings of one other sensor at a time
     QUIET_LEAST = 4,              // with how many of all these readings the healthy machine must stay quiet
     PASSES_MAX = 200              // calls of trial_steps_to_event after a sensor has failed
 };
@@ -52,7 +52,7 @@ typedef struct FailureCase {      // one trial: the sensor reads `reading`, with
 
 typedef struct FailureEffect {
     uint32_t transition;          // the first transition of the failed machine (Stmt.number); 0: none
-    const Stmt *at;               // the cause in the failed machine, absent in the healthy one: a transition, or the assignment
+    const Stmt *at;               // the statement that only the failed machine executed: a transition, or an assignment
     const Var *output[OUTPUTS_NAMED];
     const Stmt *on[OUTPUTS_NAMED];      // the assignment that switched it on
     uint32_t outputs;
@@ -64,13 +64,13 @@ typedef struct FailureTrial {
     Trials *t;
     AbortBound bound;
     void *healthy, *failed;       // the situations of the two machines
-    void *begin, *saved;          // the situation when the sensor fails; a copy of it, while other readings are tried
+    void *begin, *saved;          // the situation when the sensor fails; a copy of `begin`, while other readings are tried
     double *in;                   // inputs without motion
     double *now, *broken;         // inputs of this step: of the healthy machine, of the failed one
     double *before, *before_failed;       // variables before a step, of the two machines
     double *other;                // replaces `in` while other readings are tried
     double reading;               // the sensor's reading in the step before it fails
-    uint32_t clock;               // steps of this trial, for the motion
+    uint32_t clock;               // number of steps in this trial, from which the motion is computed
     double *level;                // by IR variable: its largest magnitude in the healthy machine before the sensor fails
     uint32_t only;                // only an effect with this cause (Stmt.number) counts; 0: any
     bool *reported;               // by Stmt.number: already reported for this sensor and state
@@ -84,7 +84,7 @@ typedef struct FailureTrial {
 
 // ---- readings ----
 
-// The reading of a sensor that has failed like this; `before` is its last healthy reading.
+// Returns the reading of a sensor with failure f; `before` is its last healthy reading.
 static double reading_of_failure(const TrialInput *i, FailureKind f, double before)
 {
     const Fact type = fact_of_type(i->v->type);
@@ -100,7 +100,7 @@ static double reading_of_failure(const TrialInput *i, FailureKind f, double befo
     return before;
 }
 
-// A pseudo-random number between -1 and 1 that is always the same for this step and input.
+// Returns a pseudo-random number between -1 and 1 that depends only on the step and the input.
 static double hash_to_noise(uint32_t step, uint32_t input)
 {
     return (double)((step * 2654435761u ^ (input + 1) * 2246822519u) * 3266489917u >> 8) / 8388608.0 - 1;
@@ -108,7 +108,7 @@ static double hash_to_noise(uint32_t step, uint32_t input)
 
 // ---- one trial ----
 
-// The distance from a reading to the nearest other one that comparisons distinguish.
+// Returns the distance from a reading to the nearest other reading that comparisons distinguish.
 static double distance_to_next(const TrialInput *i, double reading)
 {
     double least = i->scale;
@@ -130,7 +130,7 @@ static void vary_readings(const FailureTrial *z, const FailureCase *c, double *i
 
     for (uint32_t k = 0; k < t->inputs && (m.noise > 0 || z->others > 0); k++) {
         const TrialInput *other = &t->input[k];
-        double most;                                          // how far the noise moves it
+        double most;                                          // the largest noise on this sensor
         if (other->command || other->group == i->group)
             continue;
         most = z->others == 0 ? other->scale / 1000 : other->rough ? 300 * z->others : z->others * distance_to_next(other, in[k]);
@@ -140,7 +140,7 @@ static void vary_readings(const FailureTrial *z, const FailureCase *c, double *i
         trial_set_group(t, in, c->sensor, trial_clamp(i, c->reading + by));
 }
 
-// Runs one step of a healthy machine, in this situation.  Leaves the inputs of the step in z->now.
+// Runs one step of a healthy machine from this situation.  Stores the inputs of the step in z->now.
 static void step_healthy(FailureTrial *z, const FailureCase *c, void *situation)
 {
     memcpy(z->now, z->in, z->t->inputs * sizeof *z->now);
@@ -149,7 +149,7 @@ static void step_healthy(FailureTrial *z, const FailureCase *c, void *situation)
     trial_step(z->t, situation, z->now, z->t->dt, &z->t->trace);
 }
 
-// Runs the healthy machine until its rolling windows contain only the current inputs.  Returns false if it leaves its state.
+// Runs the healthy machine until its rolling windows contain only the current inputs.  Returns false if the machine leaves its state.
 static bool run_to_steady_state(FailureTrial *z, const FailureCase *c)
 {
     const double *var = ir_run_vars(z->t->run, z->healthy);
@@ -189,8 +189,8 @@ static bool advance_to_next_timer(FailureTrial *z, const FailureCase *c)
     return run_to_steady_state(z, c);
 }
 
-// Adds the outputs that the failed machine has switched on and the healthy one has not, for one cause: the transition that the failed
-// machine has taken, or else one assignment.  Each cause is reported once.
+// Adds to *e the outputs that the failed machine has switched on and the healthy one has not.  Adds only outputs with one cause: the
+// transition that the failed machine has taken, or else one assignment.  Each cause is reported once.
 static void add_outputs_switched_on(FailureTrial *z, FailureEffect *e)
 {
     const Trials *t = z->t;
@@ -214,7 +214,8 @@ static bool is_bound_for_abort(const FailureTrial *z, const void *situation) { r
 
 typedef enum StepEffect { NO_EFFECT, INCONCLUSIVE, HAS_EFFECT } StepEffect;
 
-// Whether the last transition was a later one, out of an @safe state.  Then the safe state is the cause of what follows.
+// Whether the last transition of the failed machine was not its first one and left an @safe state.  The safe state is then the cause of
+// what follows.
 static bool has_left_safe_state(const FailureTrial *z, const FailureEffect *e)
 {
     const uint32_t taken = z->t->trace.transition;
@@ -250,8 +251,9 @@ static StepEffect step_both(FailureTrial *z, const FailureCase *c, FailureEffect
     return e->outputs > 0 ? HAS_EFFECT : NO_EFFECT;
 }
 
-// Runs both machines until their windows contain only readings after the failure, and ends there if their variables are equal again.  Then
-// runs them until no timer or counter can change anything, skipping steps in which nothing happens in either.  Returns the first effect.
+// Runs both machines until their windows contain only readings after the failure, and ends if their variables are equal again then.
+// Otherwise runs them until no timer or counter can change anything, skipping steps in which nothing happens in either machine.  Returns
+// the first effect.
 static StepEffect run_both(FailureTrial *z, const FailureCase *c, FailureEffect *e)
 {
     Trials *t = z->t;
@@ -290,7 +292,7 @@ static StepEffect run_failure(FailureTrial *z, const FailureCase *c, FailureEffe
     memset(e, 0, sizeof *e);
     trial_copy(t, z->healthy, z->begin);
     trial_copy(t, z->failed, z->begin);
-    e->before = motion[c->motion].noise > 0 ? c->reading : z->reading;      // the value at rest, not at a peak of the noise
+    e->before = motion[c->motion].noise > 0 ? c->reading : z->reading;      // without the noise of the last step
     e->failed = reading_of_failure(&t->input[c->sensor], c->failure, e->before);
     effect = run_both(z, c, e);
     z->clock = clock;
@@ -299,8 +301,8 @@ static StepEffect run_failure(FailureTrial *z, const FailureCase *c, FailureEffe
 
 // ---- confirming a finding ----
 
-// Chooses other readings of the other sensors: first each group alone through its readings, then all at random.  Returns false
-// after the last.
+// Chooses the n-th combination of readings of the other sensors: first each reading of each group alone, then all groups at random.
+// Returns false if there are no more combinations.
 static bool choose_others(FailureTrial *z, const FailureCase *c, uint32_t n)
 {
     Trials *t = z->t;
@@ -326,8 +328,7 @@ static bool choose_others(FailureTrial *z, const FailureCase *c, uint32_t n)
 }
 
 // Whether the effect is the same for all tried readings of other sensors from z->begin on, as long as the healthy machine stays quiet.
-// Earlier readings of other sensors and earlier commands of a person are not varied, because they do not describe the current
-// situation.
+// Earlier readings of other sensors and earlier commands are not varied, because only the current situation counts.
 static bool is_effect_independent_of_other_sensors(FailureTrial *z, const FailureCase *c, const FailureEffect *e)
 {
     Trials *t = z->t;
@@ -378,7 +379,7 @@ static bool has_same_effect(FailureTrial *z, const FailureCase *c, FailureKind f
     return found;
 }
 
-// Whether the effect is an intended reaction to a failed sensor (see the top of this file).  z->begin: when the sensor fails.
+// Whether the effect is an intended reaction to a failed sensor (see the top of this file).  The sensor fails at z->begin.
 static bool is_intended(FailureTrial *z, const FailureCase *c, const FailureEffect *e)
 {
     const TrialInput *i = &z->t->input[c->sensor];
@@ -437,7 +438,7 @@ static bool is_failure_of_case(const TrialInput *i, const FailureCase *c, Failur
     return false;
 }
 
-// Tries each failure of the sensor, once the healthy machine is in a steady state.
+// Tries each failure of the sensor.  The healthy machine must be in a steady state.
 static void try_failures(FailureTrial *z, FailureCase *c)
 {
     FailureEffect e;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Machines that change their state in every step while their inputs are constant.
+// Reports machines that change their state in every step while their inputs are constant.
 //
 //   ping-pong      two states, or a few, whose conditions are true together
 //   never-rests    a cycle of transitions without any condition
 //   cascade        a state that is always left in its first step, by a conditional transition on the same sensor that led into it
 //
-// A state that is left without a condition lasts one step intentionally.  A cycle with such a state and a condition repeats
-// something as long as the condition is true.  If it switches an output in every step, it is still reported.
+// A state that is left without a condition lasts one step, which is intended.  A cycle with such a state and at least one condition is
+// intended, too: it repeats an action as long as the condition is true.  It is reported only if an output changes in it.
 #include <string.h>
 
 #include "compiler/analysis/input_deps.h"
 #include "compiler/analysis/trial_checks.h"
 
 enum {
-    ENTRIES_TRIED = 6,            // entries of a state
-    INPUTS_TRIED = 80,            // inputs tried in each entry
+    ENTRIES_TRIED = 6,            // situations at the entry of a state
+    INPUTS_TRIED = 80,            // inputs tried from each of these situations
     STEPS_SEARCHED = 24,          // the number of last steps of a run that are searched for a cycle
     ARRIVALS_LEAST = 8,           // how often a transition must lead to a state before it can be reported as a cascade
     CYCLE_MAX = 8                 // transitions in the longest cycle
@@ -29,7 +29,7 @@ typedef struct CycleSearch {
     double *level;                // by IR variable: its value in the step before
 } CycleSearch;
 
-// Chooses inputs without commands, with one command, or with any.
+// Chooses the inputs of the n-th try: without commands, with one command, or with any commands.
 static void choose_inputs(CycleSearch *f, const TrialEntry *e, int n)
 {
     Trials *t = f->t;
@@ -50,12 +50,12 @@ static void choose_inputs(CycleSearch *f, const TrialEntry *e, int n)
     }
 }
 
-// Runs from an entry with constant inputs.  Returns the number of transitions in the cycle that the last steps repeat; 0: a step took no
-// transition, or the transitions do not repeat.
+// Runs from an entry with constant inputs.  If the last steps repeat a cycle of transitions, returns the number of transitions in the
+// cycle; 0 if a step took no transition, or the transitions do not repeat.
 static size_t find_cycle(CycleSearch *f, const TrialEntry *e)
 {
     Trials *t = f->t;
-    const uint32_t counted = STEPS_SEARCHED + (t->count ? 300 : 0);      // a sequence that a counter ends is not a cycle
+    const uint32_t counted = STEPS_SEARCHED + (t->count ? 300 : 0);      // enough steps for a counter to end the repetition
     const double *var = ir_run_vars(t->run, f->at);
     size_t n = 1;
 
@@ -82,7 +82,7 @@ static size_t find_cycle(CycleSearch *f, const TrialEntry *e)
     return n <= CYCLE_MAX ? n : 0;
 }
 
-// Whether some condition of the transition can also have the other value, so that the transition is not taken.
+// Whether some condition of the transition can be unmet, so that the transition is not taken.
 static bool has_undecided_condition(const Analysis *a, const Transition *x)
 {
     for (const Condition *c = x->when; c; c = c->outer)
@@ -109,7 +109,7 @@ static void report_cycle(const CycleSearch *f, size_t n)
         if (f->taken[STEPS_SEARCHED - 1 - k]->to == there->from)
             back = f->taken[STEPS_SEARCHED - 1 - k];
     if (n == 1 && conditions == 1)
-        return;                               // a state that repeats as long as an input requests it
+        return;                               // intended: the state starts again as long as a condition is true
     if (conditions == 0) {
         d = diag_report(a->diags, DIAG_never_rests, there->stmt->span, there->from->name->text);
         for (size_t k = n; k > 0 && n > 1; k--)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole numbers beyond 2^53, which F64 cannot distinguish: literals whose value differs from their digits, and sums whose
+// Reports whole numbers beyond 2^53, not all of which F64 can represent: literals whose value differs from their digits, and sums whose
 // smaller operand is always lost in rounding.
 #include "compiler/analysis/analysis.h"
 #include "stdlib/math.h"
@@ -27,8 +27,8 @@ static bool read_whole_literal(Span span, uint64_t *out)
     return true;
 }
 
-// Whether n is stored as written after its conversion to F64, which has 53 binary digits.  The largest values of U64 and I64 are: F64
-// rounds them up, and the store saturates.
+// Whether a store of the literal n stores exactly n, although n is converted to F64, which has 53 binary digits.  True for the largest
+// values of U64 and I64: F64 rounds them up, and the store saturates to them.
 static bool survives_f64(uint64_t n)
 {
     if (n == UINT64_MAX || n == INT64_MAX)
@@ -64,8 +64,7 @@ static void check_literals(const Stmt *stmt, void *context)
 
 static SmF64 smallest_magnitude(Fact f) { return f.lo > 0 ? f.lo : f.hi < 0 ? sm_neg(f.hi) : sm_from_i32(0); }
 
-// The distance between adjacent F64 numbers at magnitude x, which is at least 2^53: there all F64 numbers are whole.  Beyond x the distance
-// is the same or larger.
+// Returns the distance between adjacent F64 numbers at magnitude x, which is at least 2^53.  Beyond x the distance is at least as large.
 static SmF64 spacing_of_large_f64(SmF64 x)
 {
     SmF64 step = sm_from_i32(1);
@@ -75,8 +74,8 @@ static SmF64 spacing_of_large_f64(SmF64 x)
     return step;
 }
 
-// Whether a sum always loses or changes its operand `small`: it is a whole number smaller than the distance between F64 numbers at
-// `large`.
+// Whether a sum always loses or changes its operand `small`: `small` is a whole number other than 0 and smaller than the distance between
+// adjacent F64 numbers at `large`.
 static bool is_lost_in_sum(Fact large, Fact small)
 {
     const SmF64 size = smallest_magnitude(large);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// States that no transition can reach.  Of the unreachable states on a path only the first is reported; its notes name the others.
+// Reports states that no transition can reach.  On a path of unreachable states only the first is reported; its notes name the others.
 #include "compiler/analysis/reach.h"
 #include "stdlib/convert.h"
 
@@ -7,10 +7,10 @@ enum { FOLLOWERS_NAMED = 3 };         // how many states that follow an unreacha
 
 typedef struct Reach {
     ReachWalk *k;
-    const Transitions *t;             // the transitions of a state are adjacent
+    const Transitions *t;             // all transitions; those of a state are adjacent
     size_t *first;                    // by state (from 0), plus one: index of its first transition
     uint32_t *stack, n;               // states whose transitions are not yet followed
-    bool *reached;                    // by state
+    bool *reached;                    // by state: transitions that may be taken lead to it
     bool *explained;                  // by state: it is reachable, or a finding explains why it is not
 } Reach;
 
@@ -23,8 +23,8 @@ static void push_state_once(Reach *r, bool *set, uint32_t s)
     r->stack[r->n++] = s;
 }
 
-// Adds to `set` all states that transitions reach from those on the stack, which is empty afterwards.  Transitions that are never taken
-// are followed only with `dead_too`.
+// Adds to `set` all states that transitions reach from the states on the stack, and empties the stack.  With `dead_too`, also follows
+// transitions that are never taken.
 static void follow_transitions(Reach *r, bool *set, bool dead_too)
 {
     while (r->n > 0) {
@@ -37,7 +37,7 @@ static void follow_transitions(Reach *r, bool *set, bool dead_too)
 
 // ---- explained by other findings ----
 
-// Returns why t is never taken although the state that contains it is reachable; NULL if t may be taken, or that state is not reachable.
+// Returns the cause why t is never taken although its state is reachable; NULL if t may be taken, or its state is not reachable.
 static DeadCode *find_cause_at_transition(const Reach *r, const Transition *t)
 {
     const uint32_t dead = r->k->dead_by[t->stmt->number];
@@ -45,8 +45,8 @@ static DeadCode *find_cause_at_transition(const Reach *r, const Transition *t)
     return dead != 0 && r->reached[t->from->number - 1] ? &r->k->dead.at[dead - 1] : NULL;
 }
 
-// Marks as explained the targets of transitions that are never taken because of another finding or of a switch, and all states after
-// them.
+// Marks as explained the targets of transitions that are never taken because of another finding or of a switch, and all states that
+// follow these targets.
 static void mark_explained(Reach *r)
 {
     for (size_t i = 0; i < r->t->n; i++) {
@@ -63,7 +63,7 @@ static void mark_explained(Reach *r)
 
 // ---- reported ----
 
-// Reports a state and marks it, and all states that it leads to, as explained.
+// Reports a state, and marks the state and all states that it leads to as explained.
 static Diag *report_state(Reach *r, uint32_t state, DiagCode code)
 {
     Diags *diags = r->k->a->diags;
@@ -103,8 +103,8 @@ static void report_impossible_states(Reach *r)
     }
 }
 
-// Lists the states that are not explained in postorder of the transitions, and returns how many there are.  The last state in the list
-// leads to others, and only states of its own cycle lead to it.
+// Stores the states that are not explained in `order`, in postorder of the transitions, and returns their number.  No other unexplained
+// state, except those of its own cycle, leads to the last state of the list.
 static size_t list_in_postorder(const Reach *r, uint32_t *order)
 {
     const size_t states = r->k->a->p->state.n;
@@ -156,7 +156,7 @@ static void report_states(ReachWalk *k)
 
 // ---- entry points ----
 
-// Records whether an assignment stores the initial value in a local, or another value.
+// Records in ReachWalk.stored whether an assignment stores a local's initial value or another value.
 static void record_stored_value(const Stmt *s, void *context)
 {
     ReachWalk *k = context;

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shared by the files that find what no run reaches: dead_code.c walks the statements, constant_guard.c judges each guard that the
-// walk meets, reach.c reports states.  One cause produces one finding: consequences of a finding, or of an intentional switch,
+// Shared by the files that find code and states which no run reaches: dead_code.c walks the statements, constant_guard.c judges each guard
+// on this walk, reach.c reports states.  One cause produces one finding: consequences of a finding, or of an intentional switch,
 // are not reported again.
 #ifndef SMC_REACH_H
 #define SMC_REACH_H
 
 #include "compiler/analysis/analysis.h"
 
-// Why something is never executed.
+// Why a statement is never executed.
 typedef enum DeadCause {
     CAUSE_REPORTED,               // explained by a finding, of this analysis or another one
-    CAUSE_SWITCH,                 // a guard of constants: intentional
+    CAUSE_SWITCH,                 // a guard that constants alone decide, which is intentional
     CAUSE_NEVER                   // a guard that is never true: reported at the state to which it leads, or else at the guard
 } DeadCause;
 
 typedef struct DeadCode {
     DeadCause cause;
     const Stmt *stmt;             // NEVER: the conditional
-    const Stmt *earlier;          // NEVER: an earlier conditional whose guard is true whenever this one is; or NULL
+    const Stmt *earlier;          // NEVER: an earlier conditional whose guard makes the guard of `stmt` never true; or NULL
     Diag *finding;                // REPORTED by this analysis: the finding whose notes name the states that become unreachable; or NULL
-    bool at_state;                // NEVER: it is reported at a state, so not at the guard
+    bool at_state;                // NEVER: a state is reported instead of the guard
 } DeadCode;
 
-// A branch of a conditional, with the branches around it, within its block.
+// A branch of a conditional.  `outer` is the branch around it in the same block (.entry, .step or .exit), or NULL.
 typedef struct Branch Branch;
 struct Branch {
     const Stmt *stmt;             // the conditional
@@ -32,10 +32,10 @@ struct Branch {
 };
 
 typedef struct WriteUndo {
-    uint32_t var, was;            // Program.var; its earlier value in ReachWalk.written
+    uint32_t var, was;            // Var.index; the earlier value of ReachWalk.written[var]
 } WriteUndo;
 
-enum { STORED_INITIAL = 1, STORED_OTHER = 2 };    // the initial value of the local; any other value
+enum { STORED_INITIAL = 1, STORED_OTHER = 2 };    // a local's initial value; any other value
 
 typedef struct ReachWalk {
     Analysis *a;
@@ -46,10 +46,10 @@ typedef struct ReachWalk {
     VEC(const Branch *) leaving;  // branches of this block that ended in a transition
     uint32_t *order, passed;      // by Stmt.number: its position in the walk; how many statements the walk has passed
     uint32_t *written;            // by Program.var: the position of its last write in this block; 0: never
-    VEC(WriteUndo) undo;          // what `written` was before each of its changes
-    uint8_t *stored;              // by Program.var: which values the machine stores in its locals, STORED_…
+    VEC(WriteUndo) undo;          // the changes of `written`, so that they can be undone
+    uint8_t *stored;              // by Program.var: which values the machine stores in the local: a set of STORED_…
     uint32_t *marked, mark;       // by Program.var: equal to `mark` if the current guard reads it
-    size_t explained;             // how many conditionals so far have a dead branch with an entry in `dead`
+    size_t explained;             // how many conditionals walked so far have an entry in `dead`
 } ReachWalk;
 
 // dead_code.c: walks all statements of the states that are reachable according to the facts.
@@ -63,9 +63,9 @@ typedef struct GuardVerdict {
     uint32_t dead;                // 1 + index in ReachWalk.dead; 0: earlier guards cover all other cases, as intended
 } GuardVerdict;
 GuardVerdict judge_guard(ReachWalk *k, const Stmt *s, const Branch *branch);
-void report_never_true(ReachWalk *k, const DeadCode *d);                   // at the guard
-void note_never_true(ReachWalk *k, Diag *to, const DeadCode *d);           // as a note
-// Returns 1 + index in ReachWalk.dead.
+void report_never_true(ReachWalk *k, const DeadCode *d);                   // reports a guard that is never true
+void note_never_true(ReachWalk *k, Diag *to, const DeadCode *d);           // adds a note about such a guard to a finding
+// Adds an entry to ReachWalk.dead.  Returns 1 + its index.
 uint32_t add_dead_code(ReachWalk *k, DeadCause cause, const Stmt *stmt, const Stmt *earlier, Diag *finding);
 
 #endif

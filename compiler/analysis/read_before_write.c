@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Locals that are read before any store to them can have been executed, although a later state stores to them: the assignment
-// was intended to come first.
+// Reports locals that are read before any store to them can have been executed, although a later state stores to them: probably the
+// store was intended to come first.
 //
 // Three kinds of reads are intended.  An initial value other than 0 was chosen by the author, so its read is reported only if it
 // decides a guard.  A plain copy (shown = phase) publishes the current value.  A counter reads the variable that it assigns.
@@ -17,8 +17,8 @@ typedef VEC(const State *) States;
 
 typedef struct StoreOrder {
     Analysis *a;
-    uint32_t *bit;                // by Var.index; IR_NONE: not checked
-    size_t words;                 // of a set of locals
+    uint32_t *bit;                // by Var.index: its bit in the sets; IR_NONE: not checked
+    size_t words;                 // number of words of a set of locals
     uint64_t *stored[BLOCK_COUNT];    // by state, a set: what the block may store
     uint64_t *before, *after;     // by state, a set: what may have been stored when it begins; what later states store
     const States *next;           // by State.number: the states that it leads to
@@ -33,7 +33,7 @@ static uint64_t *set_of_state(const StoreOrder *o, uint64_t *sets, const State *
 
 // ---- what is stored where ----
 
-// Gives each local that is checked a bit in the sets.  Returns whether any local is checked.
+// Gives each local to check (one that is read and written) a bit in the sets.  Returns whether there is any.
 static bool assign_bits_to_locals(StoreOrder *o)
 {
     const Program *p = o->a->p;
@@ -60,14 +60,14 @@ static void add_stores(StoreOrder *o, const Stmts *stmts, uint64_t *set)
     }
 }
 
-// Returns, for each state, the set of locals that its direct and indirect predecessors may store; `backwards`: its successors.
+// Returns, for each state, the set of locals that its direct and indirect predecessors may store; with `backwards`, its successors.
 static uint64_t *propagate_stores(StoreOrder *o, bool backwards)
 {
     const Analysis *a = o->a;
     State *const *state = a->p->state.at;
     const size_t n = a->p->state.n;
     uint64_t *sets = ARENA_ARRAY(a->arena, uint64_t, o->words * n);
-    States *next = arena_array(a->arena, n + 1, sizeof *next);    // by State.number: the states that receive its set
+    States *next = arena_array(a->arena, n + 1, sizeof *next);    // next[State.number]: the states to which this state's set propagates
     Worklist queue = worklist_new(a->arena, n);
 
     for (size_t i = 0; i < a->transition.n; i++) {
@@ -134,7 +134,7 @@ static const Stmt *find_later_store(StoreOrder *o, const Var *v, const State **l
     return found;
 }
 
-// Reports that e reads a local before its first store, unless no store to it is found.
+// Reports that e reads a local before its first store.  Does not report it if no later store is found.
 static void report_early_read(StoreOrder *o, const Expr *e)
 {
     const Var *v = e->var;
@@ -153,8 +153,8 @@ static void report_early_read(StoreOrder *o, const Expr *e)
 
 // ---- reads ----
 
-// Reports reads in e of locals that cannot have been stored yet but are stored later: in a later state, or in the .exit of this one.
-// Reads by windows do not count: windows take their samples in every state, so the order of states does not affect what they read.
+// Reports reads in e of locals that cannot have been stored yet but are stored later: in a later state, or in the .exit of this state.
+// Ignores reads by windows, which take their samples in every state, so that the order of states does not matter.
 static void check_reads(StoreOrder *o, const Stmt *stmt, const Expr *e)
 {
     const StmtFact *f = &o->a->stmt[stmt->number];
@@ -214,7 +214,7 @@ void analyse_read_before_write(Analysis *a)
         memcpy(o.here, set_of_state(&o, o.before, o.state), o.words * sizeof *o.here);
         for (int b = 0; b < BLOCK_COUNT; b++) {
             o.block = (BlockKind)b;
-            if (b == BLOCK_STEP)                              // the next step reads what a step stores
+            if (b == BLOCK_STEP)                              // a step reads what the step before stored
                 bitset_merge(o.here, set_of_state(&o, o.stored[b], o.state), o.words);
             check_stmts(&o, &o.state->block[b]);
         }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conflicts over the elements that several machines, or a machine and pins, share.  An element may have only one writer; the elements
-// for the time (G) and the state (S) of a machine may not be written by others.  An input pin counts as a writer.
+// Reports conflicts over elements that several machines, or a machine and pins, share.  An element may have only one writer; the elements
+// for the time (G) and the state (S) of a machine must not be written by others.  An input pin counts as a writer.
 #include "compiler/analysis/analysis.h"
 
-typedef struct SharedUse { const Program *p; Span span; } SharedUse;      // one use of an element; p is NULL: no machine uses it so
+typedef struct SharedUse { const Program *p; Span span; } SharedUse;      // a machine and where it uses an element; p NULL: none
 
-typedef struct Owners {           // of an element
+typedef struct Owners {           // which machines use an element, and how
     SharedUse writer, state, time;    // the machine that assigns it; the machine whose S it is; whose G
 } Owners;
 
@@ -23,7 +23,7 @@ static void record_first_assignment(const Stmt *stmt, void *context)
         first[stmt->var->index] = stmt->span;
 }
 
-// By Var.index: the first assignment to it in the file; src is NULL: none.
+// Returns for each variable (Var.index) its first assignment in the file; src is NULL if there is none.
 static const Span *first_assignments(Arena *arena, const Program *p)
 {
     Span *first = ARENA_ARRAY(arena, Span, p->var.n);
@@ -45,7 +45,7 @@ static Owners *owners_of(SharedVector *t, Str element)
     return o;
 }
 
-// Reports that a use conflicts with that of `owner`.  An @allow at either position suppresses the finding.
+// Reports that a use of an element conflicts with the use `owner` by another machine.  An @allow at either position suppresses the finding.
 static void report_conflict(SharedVector *t, DiagCode code, SharedUse use, Str element, SharedUse owner, DiagCode note)
 {
     Diag *d = diag_report(t->diags, code, use.span, use.p->name->text, element->text, owner.p->name->text);
@@ -110,7 +110,7 @@ void analyse_shared_pins(Arena *arena, Diags *diags, const IoMap *io, const Prog
         const Var *v = map_find(&p->by_name, pin->element->name);
         Diag *d;
         if (pin_is_output(pin) || !v || v->kind != VAR_ELEMENT || v->element->name != pin->element->name)
-            continue;                                 // `v` may be another variable with this alias
+            continue;                                 // `v` may be another variable whose alias is the element's name
         if (v == p->g || v == p->s) {
             d = diag_report(diags, v == p->g ? DIAG_input_of_time : DIAG_input_of_state, pin->span, element, machine);
             diag_note(diags, d, v->span, DIAG_note_listed_there, machine);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counters used as clocks: a variable that only counts up or down by one constant is compared by == or != with a number that it
-// skips.  Whether it skips the number is found by counting from each constant that is assigned to it, with the rounding of its
+// Reports counters that are compared by == or != with a number that they skip.  A counter is a variable that only counts up or down by one
+// constant.  Whether it skips the number is found by counting from each constant that is assigned to it, with the rounding of its
 // type.
 #include "compiler/analysis/analysis.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-enum { STARTS_MAX = 8, COUNTS_MAX = 2000000 };        // constants per counter; increments that are simulated from one of them
+enum { STARTS_MAX = 8, COUNTS_MAX = 2000000 };        // constants stored for a counter; increments simulated from one
 
 typedef struct Counter {
     bool other;                   // an assignment is neither a constant nor the increment `by`: the variable is not checked
@@ -17,7 +17,7 @@ typedef struct Counter {
 
 typedef struct Counters { Analysis *a; Counter *counter; } Counters;
 
-// The increment k of v + k, k + v or v - k (there -k); 0 for anything else.
+// Returns the increment of an assignment v = v + k or v = k + v (k) or v = v - k (-k); 0 for any other assignment.
 static SmF64 increment_of(const Stmt *s)
 {
     const Expr *e = s->value;
@@ -50,7 +50,7 @@ static void record_assignment(const Stmt *s, void *context)
         c->by = by;
 }
 
-// Whether the variable becomes x when it counts from `start`.  True also if COUNTS_MAX increments do not decide it.
+// Whether the variable becomes x when it counts from `start`.  Also true if COUNTS_MAX increments do not decide this.
 static bool counts_to(const Counter *c, const Var *v, SmF64 start, SmF64 x)
 {
     const bool up = sm_lt(sm_from_i32(0), c->by);

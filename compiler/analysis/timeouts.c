@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// States that the machine may stay in forever.
+// Reports states in which the machine may stay forever.
 //
 //   waits-for-sensor    only one sensor can end the state: while it reads 0 or an end of its @range, sticks or is noisy, the machine
 //                       does not leave the state at any reading of another sensor or at any time
-//   missing-timeout     the state switches an output on, and while inputs are constant it never ends
+//   missing-timeout     the state switches an output on, and never ends while inputs are constant
 //
-// The first state is checked only if it switches something on: otherwise nothing has begun that would have to continue.
-// Elements marked @command do not move: a state that a person can end may still last forever in flight.  Other bools do move in
+// The first state is checked only if it switches an output on, because before that nothing has begun that must continue.
+// Elements marked @command do not change: a state that only a person can end may last forever in flight.  Other bools do change in
 // the check for one sensor: they can be switches that the flight operates, such as a pull wire.
 #include <string.h>
 
@@ -15,7 +15,7 @@
 enum {
     ENTRIES_TRIED = 3,            // situations at the entry of a state from which histories start
     HISTORIES_MAX = 24,           // histories (sequences of inputs) that are tried before a state is reported as never ending
-    LAST_PASSES = 20,             // the last calls of trial_pass_time: what still happens in these is assumed to happen forever
+    LAST_PASSES = 20,             // an output that is on in one of the last calls of trial_pass_time is assumed to stay or come on forever
     INPUT_CHANGES = 4             // changes of the other inputs in one history
 };
 
@@ -23,13 +23,13 @@ typedef struct TimeoutCheck {
     Trials *t;
     void *at;
     double *in, *now;             // inputs without noise; inputs of this step
-    double *mid;                  // variables halfway through a long stay
+    double *mid;                  // the variables halfway through a long stay in the state
     double noise;                 // on healthy sensors, in units of their scale
     const SensorFailure *failed;  // or NULL
-    const Stmt *on;               // a statement of the state whose output is on at the end, or repeatedly forever; or NULL
+    const Stmt *on;               // a statement of the state that switched on an output which is on at the end; or NULL
 } TimeoutCheck;
 
-// Sets the inputs of this step: `in` with noise, and the failed sensor.
+// Sets w->now, the inputs of this step: w->in with noise, and the reading of the failed sensor.
 static void set_inputs(TimeoutCheck *w)
 {
     Trials *t = w->t;
@@ -41,7 +41,7 @@ static void set_inputs(TimeoutCheck *w)
         w->now[f->input] = f->reading + f->noise * (trial_random_below(t, 2001) / 1000.0 - 1);
 }
 
-// Sets w->on to a statement of the state that switched on an output that is on now, unless it is set.
+// Unless w->on is set: sets it to a statement of the state that switched on an output which is on now.
 static void find_output_on(TimeoutCheck *w, const State *s)
 {
     const Trials *t = w->t;
@@ -55,8 +55,8 @@ static void find_output_on(TimeoutCheck *w, const State *s)
     }
 }
 
-// Runs with constant inputs until windows are full, then for as long as anything can happen.  Returns false if the machine leaves the
-// state, or if a timer or counter still approaches a limit at the end.
+// Runs with constant inputs until windows are full, and then until nothing can change any more, for at most TRIAL_PASSES calls of
+// trial_pass_time.  Returns false if the machine leaves the state, or if a timer or counter still approaches a limit at the end.
 static bool hold_inputs_in_state(TimeoutCheck *w, uint32_t state)
 {
     Trials *t = w->t;
@@ -103,8 +103,8 @@ static bool lasts_in_one_history(TimeoutCheck *w, const TrialEntry *e)
     return true;
 }
 
-// Runs many histories, with one failed sensor or (`failed` is NULL) with none.  Returns whether the machine stays in the state in all;
-// false if not all could be run.
+// Runs many histories, with one failed sensor, or with none if `failed` is NULL.  Returns whether the machine stays in the state in all of
+// them; false if the effort limit does not allow all.
 static bool lasts_in_all_histories(TimeoutCheck *w, const TrialEntry *e, const SensorFailure *failed)
 {
     bool all = true;
@@ -134,7 +134,7 @@ static bool report_if_lasts(TimeoutCheck *w, const State *s, const TrialEntry *e
     return true;
 }
 
-// Tries failures of the sensor until the state never ends with one, and reports that one.  Returns whether one was found.
+// Tries failures of the sensor, and reports the first with which the state never ends.  Returns whether there is one.
 static bool try_failures_of_sensor(TimeoutCheck *w, const State *s, const TrialEntry *e, uint32_t input)
 {
     static const double noise[] = {0.1, 5, 100};
@@ -175,7 +175,7 @@ static TimeoutCheck new_timeout_check(Trials *t)
                           .mid = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n)};
 }
 
-// Whether the state depends on an input that can fail, in the sense of this check.
+// Whether the state depends on an input other than a command.
 static bool has_relevant_sensor(const Trials *t, size_t state)
 {
     for (uint32_t i = 0; i < t->inputs; i++)
@@ -205,8 +205,8 @@ void check_waits_for_sensor(Trials *t)
 
 // ---- no time limit ----
 
-// Reports a state that never ends with the output of w->on switched on.  Names that output first, and then the others that the state
-// switches on: none of them has a time limit.
+// Reports a state that never ends and has switched on the output of w->on.  Names that output first, and then the other outputs that the
+// state switches on: none of them has a time limit.
 static void report_missing_timeout(const TimeoutCheck *w, const State *s)
 {
     const Trials *t = w->t;
@@ -231,7 +231,7 @@ static void report_missing_timeout(const TimeoutCheck *w, const State *s)
     diag_note(a->diags, d, w->on->span, DIAG_note_switched_on, w->on->var->name->text);
 }
 
-// Whether a transition to another state can be taken.  If none can, missing-way-out reports the state instead.
+// Whether a transition from s to another state can be taken.  If none can, missing-way-out reports the state instead.
 static bool is_ever_left(const Trials *t, const State *s)
 {
     for (size_t i = 0; i < t->a->transition.n; i++) {
@@ -243,7 +243,7 @@ static bool is_ever_left(const Trials *t, const State *s)
 }
 
 // Tries several inputs from e, a situation at the entry of the state.  Reports the state if it never ends and has an output on.  Returns
-// whether it was reported.
+// whether the state was reported.
 static bool try_entry_for_timeout(TimeoutCheck *w, const State *s, const TrialEntry *e)
 {
     Trials *t = w->t;

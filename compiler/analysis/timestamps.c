@@ -37,7 +37,7 @@ static TimeSum scale_sum(TimeSum s, SmF64 number)
     return s;
 }
 
-// Whether the sum has no variable.
+// Whether the sum contains no variable.
 static bool is_number(const TimeSum *s) { return !s->time && !s->stamp && !s->other; }
 
 static TimeSum sum_of_product(const Timestamps *m, const Expr *e)
@@ -69,7 +69,7 @@ static TimeSum sum_of_operator(const Timestamps *m, const Expr *e)
     return time_sum_difference(time_sum_of(m, e->arg[0]), b);
 }
 
-// Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
+// The recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
 TimeSum time_sum_of(const Timestamps *m, const Expr *e)
 {
     TimeSum s;
@@ -96,7 +96,7 @@ typedef struct TimestampSearch {
     uint8_t *found;           // by Var.index: the highest TimestampKind of an assignment
 } TimestampSearch;
 
-// Records which kind of time an assignment stores in a local: a copy of a time, a shifted one (a time plus a constant), or none.
+// Records which kind of time an assignment stores in a local: a copy of a time, a shifted time (a time plus a constant), or no time.
 static void record_assignment(const Stmt *stmt, void *context)
 {
     TimestampSearch *f = context;
@@ -119,7 +119,7 @@ Timestamps timestamps_of(Arena *arena, const Program *p)
 {
     TimestampSearch f = {{p, ARENA_ARRAY(arena, uint8_t, p->var.n)}, NULL, NULL};
 
-    for (int round = 0; round < 2; round++) {                 // the second time, locals that contain a time are known
+    for (int round = 0; round < 2; round++) {                 // in round 2, the locals found in round 1 count as times
         f.refused = ARENA_ARRAY(arena, bool, p->var.n);
         f.found = ARENA_ARRAY(arena, uint8_t, p->var.n);
         each_stmt(p, record_assignment, &f);

@@ -7,11 +7,11 @@
 
 typedef enum TimestampKind {
     TIMESTAMP_NONE,
-    TIMESTAMP_COPY,           // of G or T, unchanged, or a difference of two such copies
-    TIMESTAMP_SHIFTED         // something was added: a time in the future, or one that is long past
+    TIMESTAMP_COPY,           // an unchanged G or T, or a difference of two such times
+    TIMESTAMP_SHIFTED         // a time plus something: a time in the future or in the past
 } TimestampKind;
 
-typedef struct Timestamps { const Program *p; uint8_t *of; } Timestamps;        // by Var.index
+typedef struct Timestamps { const Program *p; uint8_t *of; } Timestamps;        // of[Var.index] is a TimestampKind
 
 Timestamps timestamps_of(Arena *arena, const Program *p);
 
@@ -26,9 +26,9 @@ typedef struct TimeSum {
     SmF64 number;             // the sum of its constants
 } TimeSum;
 
-// `linear` is false if the expression is not such a sum.
+// Returns the sum that e is; `linear` is false if e is not a sum of variables and constants.
 TimeSum time_sum_of(const Timestamps *m, const Expr *e);
-// The sum a - b.
+// Returns the sum a - b.
 TimeSum time_sum_difference(TimeSum a, TimeSum b);
 
 #endif

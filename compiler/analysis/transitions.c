@@ -12,7 +12,7 @@ typedef struct StmtWalk {
     void *context;
 } StmtWalk;
 
-// Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
+// The recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
 static void walk_stmts(StmtWalk *w, const Stmts *stmts, const Condition *when)
 {
     for (size_t i = 0; i < stmts->n; i++) {
@@ -98,7 +98,7 @@ const char *source_text(Arena *arena, Span span)
     return buf_text(&out);
 }
 
-// Writes one condition.  It needs parentheses after "not", and if it is an `or` beside other conditions (not `alone`).
+// Writes one condition.  Puts it in parentheses after "not", and if it is an `or` next to other conditions (not `alone`).
 static void write_condition(Arena *arena, Buf *out, const Condition *c, bool alone)
 {
     const Expr *g = c->stmt->value;
@@ -135,7 +135,7 @@ const char *condition_brief(Arena *arena, const Condition *when, size_t most)
 
     buf_init(&out, arena);
     for (; when && n < most; when = when->outer)
-        if (when->holds || n == 0 || shown[n - 1]->holds)              // of several consecutive "else", only one is shown
+        if (when->holds || n == 0 || shown[n - 1]->holds)              // several consecutive "else" are shown as one
             shown[n++] = when;
     if (when)
         buf_str(&out, "… and ");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine's transitions, each with the conditions around it.  Graphs, the abort matrix and the analyses start from them.
+// Lists a machine's transitions, each with the conditions around it, for graphs, the abort matrix and the analyses.
 #ifndef SMC_TRANSITIONS_H
 #define SMC_TRANSITIONS_H
 
@@ -9,15 +9,15 @@ typedef struct Condition Condition;
 struct Condition {
     const Stmt *stmt;             // the conditional
     bool holds;                   // whether its guard must be true (then) or false (else)
-    const Condition *outer;       // the enclosing condition; NULL: none
+    const Condition *outer;       // the condition around it; NULL: none
 };
 
 typedef struct Transition {
     const State *from, *to;
-    BlockKind block;              // of `from`: BLOCK_ENTRY or BLOCK_STEP
+    BlockKind block;              // the block of `from` that contains it: BLOCK_ENTRY or BLOCK_STEP
     const Stmt *stmt;
     const Condition *when;        // innermost first; NULL: unconditional
-    uint32_t number;              // its index in the list
+    uint32_t number;              // its index in Transitions
 } Transition;
 
 typedef VEC(Transition) Transitions;
@@ -33,20 +33,20 @@ typedef struct StmtLocation {
 // Calls f for every statement in file order.  A conditional comes before the statements inside it.
 void each_stmt_location(Arena *arena, const Program *p, void (*f)(const StmtLocation *at, void *context), void *context);
 
-// All transitions in file order.  The condition that no earlier transition of the block was taken is not included.
+// Returns all transitions in file order.  `when` does not include the condition that no earlier transition of the block was taken.
 Transitions transitions_of(Arena *arena, const Program *p);
 
-// Returns, by state (from 0), the index of its first transition in `all`, where the transitions of a state are adjacent.  One more
-// entry is the length of `all`.
+// Returns for each state (from 0) the index of its first transition in `all`, where the transitions of a state are adjacent.  The last
+// entry, after those of the states, is the length of `all`.
 size_t *transitions_by_state(Arena *arena, const Program *p, const Transitions *all);
 
-// The source of an expression on one line, without comments.
+// Returns the source of an expression on one line, without comments.
 const char *source_text(Arena *arena, Span span);
-enum { CONDITIONS_SHOWN = 4 };        // the most conditions in one of the following texts
-// A condition and its outer conditions, as "pressure > 800 and not (valveOpen)", outermost first; "" for NULL.  If there are more than
-// CONDITIONS_SHOWN, the text is "… and" and the innermost of them.
+enum { CONDITIONS_SHOWN = 4 };        // the most conditions that condition_text and condition_brief show
+// Returns a condition and its outer conditions as text, outermost first: "pressure > 800 and not (valveOpen)"; "" for NULL.  If there are
+// more than CONDITIONS_SHOWN, the text is "… and" and the innermost conditions.
 const char *condition_text(Arena *arena, const Condition *when);
-// The same, shortened: "else" replaces conditions that must be false, and at most `most` are shown, 1 to CONDITIONS_SHOWN.
+// Returns a shorter text: "else" replaces conditions that must be false, and at most `most` (1 to CONDITIONS_SHOWN) are shown.
 const char *condition_brief(Arena *arena, const Condition *when, size_t most);
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search for situations that the machine can reach.  Each try starts from one already found, changes inputs, and keeps them for a
-// few steps, until windows are full, or until the next timers end.  Every new entry into a state is stored with the inputs that led
-// there.
+// The search for situations that the machine can reach.  Each try starts from a situation already found, changes inputs, and keeps them
+// constant for a few steps, until windows are full, or until the next timers end.  Every new situation at the entry of a state is stored
+// with the inputs that led to it.
 #include "compiler/analysis/trial.h"
 
 #include <string.h>
@@ -13,8 +13,8 @@
 enum {
     ENTRIES_MAX = 32,             // situations stored for each state
     ROUNDS = 8,
-    ROUNDS_MORE = 16,             // from states with transitions that no trial has taken
-    TRIES = 40,                   // from each state in each round
+    ROUNDS_MORE = 16,             // further rounds, only from states with transitions that no trial has taken
+    TRIES = 40,                   // tries from each state in each round
     INPUT_CHANGES = 4,            // changes of inputs in one try
     STORED_BYTES_MAX = 4 << 20    // bytes for all stored situations
 };
@@ -24,7 +24,7 @@ static const uint64_t work_max = 40000000;          // instructions spent on the
 
 enum { SIZES = 5, SIZE_CLASSES = 2 * (SIZES + 1) + 1 };
 
-// A class for the magnitude and sign of x: 0 for zero, below SIZE_CLASSES.
+// Returns a class for the magnitude and sign of x, below SIZE_CLASSES; 0 for zero.
 static uint32_t size_class(double x)
 {
     static const double size[SIZES] = {0, 2, 20, 200, 2000};
@@ -35,7 +35,7 @@ static uint32_t size_class(double x)
     return n == 0 ? 0 : x > 0 ? n : SIZES + 1 + n;
 }
 
-// A hash of the size classes of all variables that the machine writes, except times and the state.
+// Returns a hash of the size classes of all variables that the machine writes, except G, T and S.
 static uint64_t entry_key(const Trials *t, const void *situation)
 {
     const double *var = trial_vars(t, situation);
@@ -50,7 +50,7 @@ static uint64_t entry_key(const Trials *t, const void *situation)
 
 typedef struct TrialSearch {
     Trials *t;
-    void *at;                     // the starting situation of the try
+    void *at;                     // the current situation of the try
     double *in, *now, *was;       // inputs without noise; inputs of this step; `in` before its last change
     double noise;                 // on sensors, in units of their scale
     uint32_t steps;
@@ -59,7 +59,7 @@ typedef struct TrialSearch {
     void *after;                  // a copy of the situation, for the step after a transition
 } TrialSearch;
 
-// Stores the situation as an entry of its state, unless a similar one is stored.
+// Stores the situation as an entry of its state, unless a similar one (entry_key) is already stored.
 static void add_entry(TrialSearch *k, const Transition *via)
 {
     Trials *t = k->t;
@@ -78,7 +78,7 @@ static void add_entry(TrialSearch *k, const Transition *via)
     vec_push(t->a->arena, &s->entry, e);
 }
 
-// Runs the step after a transition in a copy of the situation, and counts what it does.
+// Runs the step after a transition in a copy of the situation, and counts in t->next whether and where that step makes a transition.
 static void record_next_step(TrialSearch *k, uint32_t transition)
 {
     Trials *t = k->t;
@@ -96,8 +96,8 @@ static void record_next_step(TrialSearch *k, uint32_t transition)
 
 // ---- the search ----
 
-// Adds to k->steps the steps since G was `before`.  If some were skipped, windows get samples for them.  If the length of a step is
-// unknown, so is the number of skipped steps.
+// Adds to k->steps the steps since G was `before`.  If some steps were skipped, fills windows with samples for them.  If the length of a
+// step is unknown, the number of skipped steps is unknown, too (TRIAL_MANY).
 static void add_elapsed_steps(TrialSearch *k, double before)
 {
     const Trials *t = k->t;
@@ -112,8 +112,8 @@ static void add_elapsed_steps(TrialSearch *k, double before)
         ir_run_fill_windows(t->run, k->at, n - 1 < t->window ? (uint32_t)n - 1 : t->window, NULL, NULL);
 }
 
-// Runs one step, or with `pass` skips to the next timer.  Stores the situation after a transition, if it is new.  Returns whether the
-// machine went to another state.
+// Runs one step, or with `pass` passes time up to the next timer.  After a transition, stores the situation if it is new.  Returns whether
+// the machine went to another state.
 static bool search_step(TrialSearch *k, bool pass)
 {
     Trials *t = k->t;
@@ -199,7 +199,7 @@ static void run_one_try(TrialSearch *k, uint32_t state)
     }
 }
 
-// Whether the state has a transition that no trial has taken and that is not impossible.
+// Whether the state has a transition that the facts allow but that no trial has taken.
 static bool has_untaken_transition(const Trials *t, uint32_t state)
 {
     for (size_t i = 0; i < t->a->transition.n; i++) {
@@ -304,7 +304,7 @@ Trials *trials_of(Analysis *a)
             t->window = a->m->window.at[w].size;
     t->computed = ARENA_ARRAY(a->arena, bool, a->m->window.n + 1u);
     trial_find_inputs(t);
-    // Times are mostly in milliseconds, with steps of 10.  If no time is long, time is counted in another unit.
+    // If the step is unknown, assumes milliseconds and steps of 10.  If all times are below 100, assumes another unit and steps of 1.
     t->dt = a->step > 0 ? (double)a->step : t->waits > 0 && t->wait[t->waits - 1] < 100 ? 1 : 10;
     search_situations(t);
     return t;

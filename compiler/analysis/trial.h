@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trial runs: the machine is simulated from situations that it can reach, with inputs that are chosen to make its conditions true
 // and false.  A situation is the complete state of a running machine: its state, variables and rolling windows.  A check compares the
-// machine's behaviour with and without an assumption (a sensor fails, a window is full, inputs stay constant).  What a trial shows
-// does happen with those inputs.  What no trial shows may still happen.
+// machine's behaviour with and without an assumption (a sensor fails, a window is full, inputs stay constant).  Behaviour that a trial
+// shows does occur with those inputs.  Behaviour that no trial shows may still occur.
 //
 // All choices come from one generator with a fixed seed, and the effort is bounded by instructions, not by time.  So the same
 // machine produces the same findings everywhere.
@@ -21,9 +21,9 @@
 
 typedef struct TrialInput {
     const Var *v;
-    uint32_t var;                     // in IrMachine.var
+    uint32_t var;                     // index in IrMachine.var
     bool command;
-    uint32_t group;                   // the first input (index) of its group
+    uint32_t group;                   // index of the first input of its group
     double lo, hi;                    // the readings of a healthy sensor: @range, or the range of its type
     double *reading;                  // readings that comparisons distinguish, ascending
     uint32_t readings;
@@ -34,7 +34,7 @@ typedef struct TrialInput {
 // A situation just before the first step in a state.
 typedef struct TrialEntry {
     void *situation;
-    double *in;                       // inputs of the step that led here, by input
+    double *in;                       // by input: its value in the step that led to this situation
     const Transition *via;            // NULL: the start
     uint32_t steps;                   // steps since the start; TRIAL_MANY: many, or an unknown number
     bool unhealthy;                   // earlier in this trial a sensor left its healthy range, or disagreed with its group
@@ -43,11 +43,11 @@ typedef struct TrialEntry {
 } TrialEntry;
 #define TRIAL_MANY UINT32_MAX
 
-// What happens in the step after a transition, counted over all trials, with the inputs that led to the transition.
+// Counts over all trials what the machine does in the step after a transition, with the inputs that led to the transition.
 typedef struct TrialNext {
     uint32_t trials, left;            // number of trials; how many of them made another transition in this step
     uint32_t transition;              // Stmt.number of the majority's transition, by the Boyer-Moore vote; 0: none is made
-    int most;                         // the counter of that vote; above 0 if there is a majority
+    int most;                         // the counter of that vote; it is above 0 if there is a majority
 } TrialNext;
 
 typedef struct TrialState {
@@ -64,14 +64,14 @@ typedef struct Trials {
     TrialState *state;                // by State.number - 1
     const Transition **transition;    // by Stmt.number
     const Stmt **stmt;                // by Stmt.number; [0] is NULL
-    const State **state_of;           // by Stmt.number
+    const State **state_of;           // by Stmt.number: the state that contains it
     const Condition **when;           // by Stmt.number: the conditions around it
     bool *taken;                      // by Stmt.number of a transition: it was taken in some trial
     bool *by_time;                    // by Stmt.number of a transition: its condition depends on T or G
     TrialNext *next;                  // by Stmt.number of a transition
     bool *actuator;                   // by IR variable: it is an output that drives something (is_actuator)
     double *peak;                     // by IR variable: its largest magnitude in a trial
-    const Var **var;                  // by IR variable
+    const Var **var;                  // by IR variable: its Var
     double *wait;                     // the times that conditions compare T and G with, ascending
     uint32_t waits;
     bool stamped;                     // some variable contains a time: waits may begin at any time
@@ -92,11 +92,11 @@ Trials *trials_of(Analysis *a);
 
 // ---- running ----
 
-// Whether the present check has instructions left.  Without, it concludes nothing from the trials that it has not run.
+// Whether the present check may execute further instructions.  A check that may not continue must conclude nothing from trials not run.
 static inline bool trial_may_continue(const Trials *t) { return t->run->work < t->until; }
 
 void *trial_copy(const Trials *t, void *to, const void *from);
-// Runs one step; G is dt later than in the last one.
+// Runs one step with the inputs `in`; G is dt later than in the last step.
 void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace *trace);
 static inline uint32_t trial_state(const void *situation) { return ((const IrSituation *)situation)->state; }
 static inline const double *trial_vars(const Trials *t, const void *situation)
@@ -104,25 +104,26 @@ static inline const double *trial_vars(const Trials *t, const void *situation)
     return (const double *)(const void *)((const char *)situation + t->run->vars);
 }
 static inline bool trial_is_entering(const void *situation) { return ((const IrSituation *)situation)->first; }
-// How many steps that change the variables like the last one can follow before a timer or a counter reaches a limit.  The last step
-// led from the variables `before` to the situation.  0: a variable that is not a counter has changed.  TRIAL_MANY: no limit is ahead.
+// Returns how many steps that change the variables like the last step can follow before a timer or a counter reaches a limit.  The last
+// step led from the variables `before` to the situation.  0: a variable that is not a counter has changed.  TRIAL_MANY: no limit is ahead.
 uint32_t trial_steps_to_event(const Trials *t, const double *before, const void *situation);
-// How many steps can follow before a timer reaches a limit, whatever else changes; TRIAL_MANY: no limit is ahead.
+// Returns how many steps can follow before a timer reaches a limit, whatever else changes; TRIAL_MANY: no limit is ahead.
 uint32_t trial_steps_to_timer(const Trials *t, const void *situation);
-// Advances time and counters by so many steps like the last one (see above).  Windows keep their samples.
+// Advances time and counters by `steps` steps that change the variables like the last step (see trial_steps_to_event).  Windows keep
+// their samples.
 void trial_skip_steps(const Trials *t, const double *before, void *situation, uint32_t steps);
 // Runs at least one step with constant inputs, and then skips all steps before the next timer or counter reaches its limit.  Returns
-// false if nothing can happen any more.
+// false if nothing can change any more.
 bool trial_pass_time(Trials *t, void *situation, const double *in, IrTrace *trace);
-enum { TRIAL_PASSES = 300 };          // after so many calls of trial_pass_time, a machine that is still active is assumed to stay active
-// Whether a timer or a rising counter has moved closer to a limit since the variables were `before`, so that it can still reach it.
+enum { TRIAL_PASSES = 300 };          // after this many calls of trial_pass_time, a machine that still changes is assumed to change forever
+// Whether a timer or a rising counter has moved closer to a limit since the variables were `before`, so that it may reach the limit later.
 bool trial_approaches_limit(const Trials *t, const double *before, const void *situation);
 // Whether two situations are in the same state, with equal values in all variables that the machine writes, except G, S and T.
 bool trial_is_same(const Trials *t, const void *a, const void *b);
 // Returns a variable that the machine writes, that one of these conditions reads, and that differs between two situations; or NULL.
 const Var *trial_find_difference(const Trials *t, const Condition *when, const void *a, const void *b);
-// Copies the situation of an entry, and sets `in` to the inputs that led there, or to other readings if the machine would leave the
-// state with those.  All commands are 0, unless the machine stays in the state only with the commands that led there.
+// Copies the situation of an entry, and sets `in` to the inputs that led to it, or to other readings if the machine would leave the
+// state with those inputs.  All commands are 0, unless the machine stays in the state only with the commands that led to the entry.
 void trial_begin(Trials *t, const TrialEntry *e, void *situation, double *in);
 // Fills every window with samples of these inputs.  Windows over variables that the machine writes keep their samples.
 void trial_fill_windows(Trials *t, void *situation, const double *in);
@@ -137,15 +138,15 @@ double trial_pick_reading(Trials *t, const TrialInput *i, bool unhealthy);     /
 void trial_draw_inputs(Trials *t, double *in, const TrialState *s, bool commands, bool unhealthy);
 // Draws readings, unhealthy ones too, for the sensors that the state depends on, and for bools that are not marked @command.
 void trial_draw_inputs_freely(Trials *t, double *in, const TrialState *s);
-// Adds noise to sensors: at most this fraction of their scale, the same within a group.  Healthy readings stay within their
-// range.
+// Adds noise to sensors: at most the fraction `most` of their scale, equal for all sensors of a group.  Healthy readings stay within
+// their range.
 void trial_add_noise(Trials *t, double *in, double most);
-// Makes all sensors of each group read the same number, that of its first.
+// Makes all sensors of a group read the same number as the first sensor of the group.
 void trial_unify_groups(const Trials *t, double *in);
 void trial_set_group(const Trials *t, double *in, uint32_t input, double reading);
 bool trial_is_healthy(const TrialInput *i, double reading);
-double trial_clamp(const TrialInput *i, double reading);          // within @range, if there is one
-// Stores the inputs in the variables of a situation, as their types.
+double trial_clamp(const TrialInput *i, double reading);          // returns the nearest reading within the @range, if there is one
+// Stores the inputs in the variables of a situation, converted to the types of the variables.
 void trial_set_vars(const Trials *t, double *vars, const double *in);
 
 #endif

@@ -15,9 +15,9 @@ typedef struct SensorFailure {
     double reading, noise;
 } SensorFailure;
 
-// "a', 'b' and 'c": for a diagnostic that puts its argument in quotes.
+// Returns a list of names such as "a', 'b' and 'c", for a diagnostic that puts its argument in quotes.
 const char *trial_check_join_names(Arena *arena, const Var *const *v, uint32_t n);
-// x rounded to four digits, for diagnostics.
+// Returns x rounded to four significant digits, for diagnostics.
 double trial_check_round(double x);
 
 #endif

@@ -3,7 +3,7 @@
 #include "compiler/analysis/trial_inputs.h"
 #include "stdlib/math.h"
 
-enum { COMPARISONS_MAX = 400 };         // limit of the comparisons that are compared pairwise
+enum { COMPARISONS_MAX = 400 };         // the most comparisons of a machine that are compared with each other pairwise
 
 static uint32_t root_of(TrialFinder *f, uint32_t v)
 {
@@ -12,7 +12,7 @@ static uint32_t root_of(TrialFinder *f, uint32_t v)
     return v;
 }
 
-// Records that two variables have the same quantity, and returns one of them.  IR_NONE means no variable.
+// Records that two variables measure the same quantity, and returns one of them.  If one is IR_NONE (no variable), returns the other.
 static uint32_t join_quantities(TrialFinder *f, uint32_t a, uint32_t b)
 {
     if (a == IR_NONE || b == IR_NONE)
@@ -41,8 +41,8 @@ static bool has_quantity(const TrialFinder *f, const Var *v)
     return v->kind == VAR_LOCAL || v->written || (input != IR_NONE && !f->t->input[input].command);
 }
 
-// Joins the variables in e that must have the same quantity, such as the two sides of a comparison.  Returns one (Var.index) that has
-// the same quantity as e; IR_NONE: unknown.
+// Joins the variables in e that must measure the same quantity, such as the two sides of a comparison.  Returns a variable (Var.index)
+// that measures the same quantity as e; IR_NONE if none is known.
 static uint32_t join_operands(TrialFinder *f, const Expr *e)
 {
     const bool compared = comparison_count(e) > 0;
@@ -58,7 +58,7 @@ static uint32_t join_operands(TrialFinder *f, const Expr *e)
     return compared ? IR_NONE : all;
 }
 
-// Joins the variables in a statement's value, and the assigned variable with the value.
+// Joins the variables in a statement's value, and the assigned variable with the quantity of the value.
 static void join_stmt(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;
@@ -71,7 +71,7 @@ static void join_stmt(const StmtLocation *at, void *context)
         join_quantities(f, at->stmt->var->index, q);
 }
 
-// Returns whether two expressions are equal except for their variables.  `join_them`: joins variables at the same position.
+// Returns whether two expressions are equal except for their variables.  With `join_them`, joins variables at the same position.
 static bool match_expressions(TrialFinder *f, const Expr *a, const Expr *b, bool join_them)
 {
     bool alike = a->kind == b->kind && a->op == b->op && a->fn == b->fn && a->stat == b->stat && a->n == b->n;
@@ -109,7 +109,7 @@ static void join_similar_comparisons(TrialFinder *f)
         }
 }
 
-// Whether the ranges of two sensors overlap for the most part (80 percent of the wider one).  True if one has no range.
+// Whether the overlap of two sensors' ranges is at least 80 percent of the wider range.  True if one sensor has no @range.
 static bool have_similar_ranges(const TrialInput *a, const TrialInput *b)
 {
     const double wide = sm_max(a->hi - a->lo, b->hi - b->lo);

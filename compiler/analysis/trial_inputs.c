@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the inputs of a machine, and for each variable the set of inputs that its value depends on.  The sets propagate through
-// assignments to a fixed point: `data` through the assigned values alone, `all` also through the guards around the assignments.
+// assignments to a fixed point: those in `data` only through assigned values, those in `all` also through the guards around assignments.
 #include "compiler/analysis/trial_inputs.h"
 
 #include <string.h>
@@ -19,7 +19,7 @@ void trial_add_inputs(TrialFinder *f, const Expr *e, const uint64_t *of, uint64_
 
 typedef struct InputPropagation { TrialFinder *f; bool grew; } InputPropagation;
 
-// Adds to the sets of an assigned variable those of the assigned value and of the guards.
+// Adds to the sets of an assigned variable the inputs of the assigned value and of the guards.
 static void propagate_store(const StmtLocation *at, void *context)
 {
     InputPropagation *s = context;
@@ -166,5 +166,5 @@ void trial_find_inputs(Trials *t)
     each_stmt_location(f.arena, f.p, record_relevant_inputs, &f);
     for (size_t s = 0; s < f.p->state.n; s++)
         for (uint32_t i = 0; i < t->inputs; i++)
-            t->state[s].relevant[t->input[i].group] |= t->state[s].relevant[i];        // the first input of a group moves the whole group
+            t->state[s].relevant[t->input[i].group] |= t->state[s].relevant[i];        // the first input of a group stands for the group
 }

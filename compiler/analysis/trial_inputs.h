@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// What trials need to know about a machine: its inputs and the readings that its conditions distinguish, the outputs that drive
-// something, and the times that it waits for.
+// Finds what trials need to know about a machine: its inputs and the readings that its conditions distinguish, its outputs that drive
+// something, such as a valve, and the times that it waits for.
 #ifndef SMC_TRIAL_INPUTS_H
 #define SMC_TRIAL_INPUTS_H
 
 #include "compiler/analysis/trial.h"
 #include "compiler/base/bitset.h"
 
-// Fills in input, state[].relevant, actuator, wait, limit and count. run, state and var of the trials must exist.
+// Fills in the fields input, state[].relevant, actuator, wait, limit and count of *t.  Its fields run, state and var must be set.
 void trial_find_inputs(Trials *t);
 
 // ---- parts of trial_find_inputs ----
 
-// `pair.op` is SM_OP_COUNT for two arguments of a call.
-typedef struct TrialComparison { Comparison pair; uint32_t state; } TrialComparison;          // state: its number
+// A comparison in the state with number `state`.  `pair.op` is SM_OP_COUNT for two arguments of a call.
+typedef struct TrialComparison { Comparison pair; uint32_t state; } TrialComparison;
 
 typedef struct TrialFinder {
     Trials *t;
     Arena *arena;
     const Program *p;
     size_t words;                 // of a set of inputs (bitset.h)
-    uint64_t *data, *all;         // by Var.index, sets: the inputs that its values depend on; with those that guards depend on
-    uint32_t *input_of;           // by Var.index; IR_NONE
-    uint32_t *parent;             // by Var.index: union-find over sensors and values computed from them, joined if they are combined
+    uint64_t *data, *all;         // by Var.index: sets of the inputs that its values depend on; `all` includes those of guards
+    uint32_t *input_of;           // by Var.index: its index in Trials.input, or IR_NONE
+    uint32_t *parent;             // by Var.index: union-find over variables that measure the same quantity
     VEC(TrialComparison) comparison;
     VEC(const Stmt *) assign;     // every assignment, in file order
-    VEC(uint32_t) assign_state;   // the number of its state
+    VEC(uint32_t) assign_state;   // for each entry of `assign`, the number of its state
     double *value, *saved;        // by Var.index: the current values while readings are searched; a copy of them
     uint32_t state;               // number of the state whose statements are visited
     uint64_t *bits;               // a set of inputs, for one expression
@@ -36,9 +36,10 @@ typedef struct TrialFinder {
     VEC(double) *constants;       // by Var.index: the constants assigned to it
 } TrialFinder;
 
-// Adds the inputs that an expression depends on.  `of` has those of each variable (data or all of TrialFinder).
+// Adds to the set `to` the inputs that an expression depends on.  `of` has the inputs of each variable: TrialFinder.data or .all.
 void trial_add_inputs(TrialFinder *f, const Expr *e, const uint64_t *of, uint64_t *to);
 
+// Each sets these fields of the Trials:
 void trial_find_groups(TrialFinder *f);            // input[].group
 void trial_find_readings(TrialFinder *f);          // input[].reading and the fields after it
 void trial_find_waits(TrialFinder *f);             // wait, stamped

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the machine's counters, and the outputs that drive something.
+// Finds the machine's counters, and its outputs that drive something, such as a valve.
 #include "compiler/analysis/trial_inputs.h"
 #include "stdlib/math.h"
 
@@ -14,7 +14,7 @@ static bool is_increment(const Stmt *s)
             (e->op == SM_OP_ADD && e->arg[1]->kind == EX_VAR && e->arg[1]->var == s->var && expr_is_constant(e->arg[0])));
 }
 
-// Whether every assignment to v sets a constant or counts, and at least one counts.
+// Whether every assignment to v stores a constant or adds a constant to v, and at least one adds.
 static bool is_counter(const TrialFinder *f, const Var *v)
 {
     bool counts = false;
@@ -28,7 +28,7 @@ static bool is_counter(const TrialFinder *f, const Var *v)
     return counts;
 }
 
-// The constants that v is compared with, then a NaN.
+// Returns the constants that v is compared with, followed by a NaN.
 static double *limits_of(TrialFinder *f, const Var *v)
 {
     VEC(double) limit = {NULL, 0, 0};
@@ -69,8 +69,8 @@ static int count_distinct_nonzero(const double *at, uint32_t n)
     return count;
 }
 
-// Whether v is assigned codes, such as the number of a mode: several different whole numbers that differ by less than 100.  Levels of an
-// output, such as percentages, differ by more or reach 100.
+// Whether the values assigned to v are codes, such as the number of a mode: several different constants of an integer type that differ by
+// less than 100.  Levels of an output, such as percentages, differ by more or reach 100.
 static bool is_code(const TrialFinder *f, uint32_t v)
 {
     double least = 0, most = 0;
@@ -83,7 +83,7 @@ static bool is_code(const TrialFinder *f, uint32_t v)
            sm_type_info[f->p->var.at[v]->type].kind != SM_KIND_FLOAT;
 }
 
-// Whether v counts events: every assignment adds a constant or sets it to 0.
+// Whether v counts events: every assignment adds a constant to v or sets v to 0.
 static bool is_event_count(const TrialFinder *f, const Var *v)
 {
     bool counts = false;
@@ -99,7 +99,7 @@ static bool is_event_count(const TrialFinder *f, const Var *v)
     return counts;
 }
 
-// Whether v is an estimate computed from sensors: its values are unbounded, and no constant except 0 is assigned to it.
+// Whether v is an estimate computed from sensors: its values have no bounds, and no constant except 0 is assigned to it.
 static bool is_estimate(const TrialFinder *f, const Var *v)
 {
     bool from_sensors = false;
@@ -110,8 +110,8 @@ static bool is_estimate(const TrialFinder *f, const Var *v)
 }
 
 // Whether v is assumed to be an output that drives something, such as a valve: a bool element that the machine writes, or a number that
-// some assignment sets to 0 (off).  Excluded are codes, counts and estimates (see above), and a number that the machine reads back and
-// that is only ever assigned constants, because that is a mode of the machine.
+// some assignment sets to 0 (off).  A number is not an output if it is a code, a count or an estimate (see above), or if the machine reads
+// it back and only assigns constants to it, because then it is a mode of the machine.
 static bool is_actuator(const TrialFinder *f, const Var *v)
 {
     if (v->kind != VAR_ELEMENT || !v->written)
@@ -123,8 +123,8 @@ static bool is_actuator(const TrialFinder *f, const Var *v)
     return f->zeroed[v->index] && !is_estimate(f, v) && !(is_code(f, v->index) && !f->varied[v->index]);
 }
 
-// For `v = local`, copies to v what the other functions here need to know about assigned values: that the local's value varies, that it
-// can be 0, and which constants it can be.
+// For an assignment `v = local`, copies the properties of the local's values to v: whether they vary, whether they can be 0, and which
+// constants they can be.
 static void copy_properties_of_local(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;
@@ -139,7 +139,7 @@ static void copy_properties_of_local(const StmtLocation *at, void *context)
         vec_push(f->arena, &f->constants[to], f->constants[from->index].at[i]);
 }
 
-// Records whether an assigned value is bounded, and whether its lower bound is 0: then it can switch the output off.
+// Records whether an assigned value is bounded, and whether its lower bound is 0, so that it can switch the output off.
 static void record_bounds(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The readings of an input that trials choose from, and the times that a machine waits for.
 //
-// A comparison changes its result where its two sides are equal.  That reading is found with the secant method, because most
-// comparisons are linear.  One reading from each interval between such readings, and zero, are enough to make every comparison
+// A comparison changes its result at a reading (a root) where its two sides are equal.  Roots are found with the secant method, because
+// most comparisons are linear.  One reading from each interval between roots, and zero, are enough to make every comparison
 // true and false.
 #include <stdlib.h>
 #include <string.h>
@@ -11,9 +11,9 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-enum { ROOTS_MAX = 16 };              // readings at which comparisons change, for one input
+enum { ROOTS_MAX = 16 };              // the most roots stored for one input
 
-// Executes the assignments of one state, or of all (0), once each in file order.
+// Executes each assignment of one state, or of all states if `state` is 0, once in file order.
 static void run_assignments(TrialFinder *f, uint32_t state)
 {
     for (size_t i = 0; i < f->assign.n; i++)
@@ -30,7 +30,7 @@ static void compute_vars(TrialFinder *f)
     run_assignments(f, 0);
 }
 
-typedef struct Roots { double at[ROOTS_MAX]; uint32_t n; } Roots;       // readings at which the two sides of a comparison are equal
+typedef struct Roots { double at[ROOTS_MAX]; uint32_t n; } Roots;       // readings at which the sides of a comparison are equal
 
 static void add_root(Roots *r, double x)
 {
@@ -43,11 +43,11 @@ static void add_root(Roots *r, double x)
         r->at[r->n++] = x;
 }
 
-// Which variables keep their values when a reading changes, because another state or an earlier step stored them: none, those that
-// other states assign, or all.
+// Which variables are assumed to keep their values when a reading changes, because another state or an earlier step stored them: none,
+// those that other states assign, or all.
 typedef enum ReadingMemory { REMEMBER_NOTHING, REMEMBER_OTHER_STATES, REMEMBER_EVERYTHING, READING_MEMORIES } ReadingMemory;
 
-// Computes the difference of the two sides of each comparison into d.
+// Computes the difference of the two sides of each comparison, and stores it in d.
 static void compute_differences(TrialFinder *f, ReadingMemory remembered, double *d)
 {
     for (size_t c = 0; c < f->comparison.n; c++) {
@@ -59,8 +59,8 @@ static void compute_differences(TrialFinder *f, ReadingMemory remembered, double
     }
 }
 
-// Finds the readings of the varied input, group or time at which comparisons change.  set: sets it to the reading x.  bit: the input
-// that a comparison has to depend on; IR_NONE: any comparison.
+// Finds the roots of an input, a group or the time, which `set` sets to the reading x.  bit: the input on which a comparison must depend to
+// be considered; IR_NONE: considers all comparisons.
 static void find_roots(TrialFinder *f, void (*set)(TrialFinder *f, uint32_t which, double x), uint32_t which, uint32_t bit,
                        ReadingMemory remembered, Roots *out)
 {
@@ -109,7 +109,7 @@ static void set_input_group(TrialFinder *f, uint32_t input, double x)
             f->value[f->t->input[i].v->index] = x;
 }
 
-// G and T are equal when the machine has just begun.  A stored time is 0.
+// Sets G and T to x, as in the first state of a machine that started at 0, and all inputs to 0.
 static void set_time(TrialFinder *f, uint32_t which, double x)
 {
     (void)which;

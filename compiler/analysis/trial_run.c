@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a machine from a situation, lets time pass in it, and chooses the readings of its inputs.
+// Runs a machine from a situation, passes time, and chooses the readings of its inputs.
 #include <string.h>
 
 #include "compiler/analysis/trial.h"
@@ -7,9 +7,9 @@
 #include "stdlib/math.h"
 
 enum {
-    STEPS_PER_PASS = 40,              // steps in one call of trial_pass_time while a variable changes that is not a counter
+    STEPS_PER_PASS = 40,              // most steps in one call of trial_pass_time while a variable other than a counter changes
     READINGS_TRIED = 6,               // readings that are tried to make a state last
-    LASTING_STEPS = 3                 // steps for which it has to last
+    LASTING_STEPS = 3                 // steps for which the machine must stay in the state
 };
 
 // ---- running ----
@@ -41,7 +41,8 @@ void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace
 
 static const double endless = 1e9;                   // steps: longer than any timer
 
-// How many steps follow before the one in which a value, changing by `by` per step, reaches the limit; `endless` if it never does.
+// Returns how many steps come before the step in which a value that changes by `by` per step reaches the limit; `endless` if it never
+// does.
 static double steps_to(double from, double limit, double by)
 {
     const double n = sm_ceil((limit - from) / by);
@@ -49,7 +50,7 @@ static double steps_to(double from, double limit, double by)
     return n > 0 ? n - 1 : n == 0 ? 0 : endless;
 }
 
-// How many steps follow before the next time that the machine waits for.
+// Returns how many steps come before the next time that the machine waits for.
 static double steps_to_wait(const Trials *t, const void *situation)
 {
     const IrSituation *s = situation;
@@ -241,8 +242,8 @@ void trial_fill_windows(Trials *t, void *situation, const double *in)
             ir_run_copy_window(t->run, situation, before, w);
 }
 
-// Whether the machine stays in the state for some steps with the inputs in *in.  If not, draws other healthy readings for its sensors and
-// tries again a few times.  Returns false if it never stays; *in then has the last readings tried.
+// Returns whether the machine stays in the state for some steps with the inputs `in`.  If not, draws other healthy readings for the sensors
+// in `in`, and tries again a few times.  Returns false if the machine never stays.
 static bool find_lasting_inputs(Trials *t, const TrialEntry *e, void *situation, double *in)
 {
     const uint32_t state = trial_state(e->situation);
@@ -277,7 +278,7 @@ void trial_begin(Trials *t, const TrialEntry *e, void *situation, double *in)
 
 // ---- comparing ----
 
-// The first variable in e that the machine writes and that differs; or NULL.
+// Returns the first variable in e that the machine writes and whose values in a and b differ; or NULL.
 static const Var *find_differing_var(const Trials *t, const Expr *e, const double *a, const double *b)
 {
     const Var *found = NULL;

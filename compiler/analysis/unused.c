@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts that affect neither an element nor a transition: elements that are listed but never used, locals that only their own
-// assignments read, rolling statistics that only such parts use.  Also locals that never change, which are constants.
+// Reports parts that affect neither an element nor a transition: elements that are listed but never used, locals that only their own
+// assignments read, rolling statistics that only such parts use.  Also reports locals that never change, which are constants.
 //
-// A transition and an assignment to an element have an effect, and so does every guard around them.  The search goes backwards
-// from there.  If a local is needed, so is every assignment to it, with its guards.  If a statistic is needed, so is its
-// sample.
+// Transitions, assignments to elements, and the guards around both are needed.  The search goes backwards from these.  If a local is
+// needed, every assignment to it is needed, with the guards around it.  If a statistic is needed, its sample is needed.
 #include "compiler/analysis/analysis.h"
 
 // ---- needed variables ----
 
 typedef struct StoreSite StoreSite;
-struct StoreSite {                // of an assignment
+struct StoreSite {                // an assignment and the conditions around it
     const Stmt *stmt;
     const Condition *when;
-    const StoreSite *next;        // of the same variable
+    const StoreSite *next;        // the next assignment to the same variable
 };
 
 typedef struct NeededParts {
     Analysis *a;
-    bool everywhere;              // statements that are never executed count too
-    bool *var, *window;           // by Var.index; by index of the window: it is needed
+    bool everywhere;              // the search also visits statements that are never executed
+    bool *var, *window;           // by Var.index, by index of the window: whether it is needed
     bool *guard;                  // by Stmt.number: the guard is needed
     const StoreSite **site;       // by Var.index: its assignments
-    VEC(const Var *) waiting;     // needed, but their assignments are not yet visited
+    VEC(const Var *) waiting;     // needed variables whose assignments are not yet visited
 } NeededParts;
 
 static void mark_expr_needed(NeededParts *n, const Expr *e)
@@ -39,8 +38,8 @@ static void mark_expr_needed(NeededParts *n, const Expr *e)
         mark_expr_needed(n, e->arg[i]);
 }
 
-// Whether stmt is a transition or an assignment to an element.  Also true for a conditional without statements, which has its own
-// warning.
+// Whether stmt is a transition or an assignment to an element.  Also true for a conditional without statements, which another warning
+// reports.
 static bool has_effect(const Stmt *stmt)
 {
     switch (stmt->kind) {
@@ -51,7 +50,7 @@ static bool has_effect(const Stmt *stmt)
     return true;
 }
 
-// Marks what a statement and the guards around it read.
+// Marks as needed what a statement and the guards around it read.
 static void mark_stmt_needed(NeededParts *n, const Stmt *stmt, const Condition *when)
 {
     for (; when && !n->guard[when->stmt->number]; when = when->outer) {
@@ -63,7 +62,7 @@ static void mark_stmt_needed(NeededParts *n, const Stmt *stmt, const Condition *
 }
 
 // Marks what statements with an effect need, and lists the other assignments in n->site.  Without `everywhere`, every executed guard
-// counts as needed, because a guard that decides nothing has its own finding.
+// counts as needed, because another finding reports guards that decide nothing.
 // Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
 static void mark_needed_in_stmts(NeededParts *n, const Stmts *stmts, const Condition *when)
 {
@@ -112,8 +111,8 @@ static NeededParts find_needed(Analysis *a, bool everywhere)
 
 // ---- variables ----
 
-// Inserts @read_only after the declaration of a local.  It must follow the last ')' of the initial value, because the span of
-// an expression does not include the parentheses around it.
+// Proposes to insert @read_only after the declaration of a local.  It must follow the last ')' of the initial value, because the span
+// of an expression does not include the parentheses around the expression.
 static void insert_read_only(Diags *diags, Diag *d, const Var *local)
 {
     const Source *src = local->span.src;
@@ -134,7 +133,7 @@ static void insert_read_only(Diags *diags, Diag *d, const Var *local)
     diag_edit(diags, d, span, " @read_only");
 }
 
-// Whether v is a local that is read and written, so that perhaps only its own assignments read it.
+// Whether v is a local that is both read and written, so that it is possible that only its own assignments read it.
 static bool may_feed_itself(const Var *v)
 {
     return v->kind == VAR_LOCAL && !v->read_only && v->read && v->written;
@@ -184,7 +183,7 @@ static void check_windows(Analysis *a, const NeededParts *all)
 void analyse_unused(Analysis *a)
 {
     const Program *p = a->p;
-    bool wanted = p->window.n > 0;                     // whether the needed set is used at all: computing it visits the whole program
+    bool wanted = p->window.n > 0;                     // whether the needed parts must be computed, which visits the whole program
     NeededParts all = {.var = NULL};
 
     for (size_t i = 0; i < p->var.n; i++)

@@ -1,40 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rolling windows that decide before they are full.
+// Reports rolling windows whose statistics decide a guard before the window is full.
 //
-// Two machines run side by side from a situation in which windows have few samples.  In one of them the windows are filled
-// first, with the readings that the sensors are about to deliver.  If that one does nothing while the other makes a transition
-// or switches an output on, the reason is the missing samples.  The finding is at the first guard on which the two differ, which may
-// set a flag or a code that decides later.
+// Two machines run side by side from a situation in which windows have few samples.  In one of them a window is filled first, with
+// earlier readings.  If that machine does nothing while the other makes a transition or switches an output on, the reason is the missing
+// samples.  The finding is at the first guard whose value differs between the two; its branch may only set a variable that has an effect
+// later.
 //
-// Only situations that are reached without a command and in a known number of steps count.  A person waits long enough, and so
-// does a timer if the step is unknown.
+// Only situations that are reached without a command and in a known number of steps are checked.  A person is assumed to wait until
+// windows are full, and so is a timer if the length of a step is unknown.
 #include <string.h>
 
 #include "compiler/analysis/trial_checks.h"
 
 enum {
     ENTRIES_TRIED = 8,            // situations at the entry of a state
-    DRAWS_MAX = 500,              // inputs tried from each of them, for each window
+    DRAWS_MAX = 500,              // inputs tried from each situation, for each window
     STEPS_FOLLOWED = 60           // steps, not counting skipped ones, that are run after windows are full
 };
-static const uint64_t work_max = 30000000;          // instructions
+static const uint64_t work_max = 30000000;          // the most IR instructions that this check executes
 static const double noise[] = {0.001, 0.02, 0.3, 5, 100};          // in TrialInput.scale
 enum { NOISES = sizeof noise / sizeof *noise };
 
 typedef struct WindowTrial {
     Trials *t;
     void *full, *few, *filled;    // situations: with a full window; with few samples; a temporary one
-    uint32_t window;              // in IrMachine.window: the window that is full in `full`
+    uint32_t window;              // index in IrMachine.window of the window that is full in `full`
     double *in, *now;
     IrTrace few_did, full_did;
     double noise;
     uint32_t clock;
-    double *earlier;              // the samples of the full window before the start
+    double *earlier;              // the inputs whose samples fill the window in `full`
     double *before, *before_full; // variables before a step
     bool same;                    // sensors have had their current readings since the machine's start
     bool later;                   // both windows are full, or both machines are in another state: a difference now has an earlier cause
-    const Stmt *guard;            // the first guard on which the two differed
-    uint32_t samples;             // number of samples in the window then
+    const Stmt *guard;            // the first guard whose value differed between the two
+    uint32_t samples;             // number of samples in the window when it differed
     uint64_t until;               // value of Trials.run.work at which the search stops
     uint32_t *deciding;           // by Stmt.number: the window that decided
     uint32_t *found;              // by Stmt.number of a guard: the fewest samples with which it decided; 0: none
@@ -72,7 +72,7 @@ static bool switches_on(const WindowTrial *w)
     return false;
 }
 
-// Finds the first guard with different results.
+// Finds the first guard with different results in the two machines, and stores it in w->guard.
 static void find_differing_guard(WindowTrial *w, uint32_t samples)
 {
     const uint32_t n = samples > w->t->window ? 0 : w->few_did.n < w->full_did.n ? w->few_did.n : w->full_did.n;
@@ -92,7 +92,7 @@ typedef enum FillOutcome { SAME, FULL_ACTS, FEW_DECIDE } FillOutcome;
 // Compares the two machines after a step.  A transition or output by the machine with the full window is not a finding.
 static FillOutcome compare_after_step(WindowTrial *w, uint32_t samples)
 {
-    const bool before = w->guard && w->later;         // they have differed, without a visible effect yet
+    const bool before = w->guard && w->later;         // a guard has differed before, without a visible effect
 
     find_differing_guard(w, samples);
     if (w->few_did.transition != w->full_did.transition)
@@ -103,8 +103,8 @@ static FillOutcome compare_after_step(WindowTrial *w, uint32_t samples)
     return SAME;
 }
 
-// Runs both machines on, with commands and passing time, until their outputs or transitions differ.  Returns whether the machine with
-// few samples acts: a wrong decision may have a visible effect only later, in another state.
+// Continues both machines, with commands and passing time, until their outputs or transitions differ, because a wrong decision may have a
+// visible effect only later, in another state.  Returns whether the machine with few samples acts.
 static bool run_until_difference_shows(WindowTrial *w)
 {
     Trials *t = w->t;
@@ -145,16 +145,16 @@ static void fill_window(WindowTrial *w, const TrialEntry *e, void *situation, ui
     w->in = w->earlier;
     ir_run_fill_windows(t->run, w->filled, earlier, fill_inputs, w);
     w->in = w->same ? in : e->in;
-    w->noise = 0;                     // the same in both
+    w->noise = 0;                     // no noise: the samples must be equal in both machines
     ir_run_fill_windows(t->run, w->filled, e->steps, fill_inputs, w);
     ir_run_copy_window(t->run, situation, w->filled, w->window);
     w->in = in;
     w->noise = usual;
 }
 
-// Runs two machines from e with the same inputs; in one of them the window is full of earlier readings.  Returns whether the other, with
-// few samples, makes a transition or switches an output on that the first does not.  glitch: an input that has this reading in the first
-// step only; or IR_NONE.
+// Runs two machines from e with the same inputs; in one of them the window is full of earlier readings.  Returns whether the other one,
+// with few samples, makes a transition or switches an output on that the first does not.  glitch: an input that has the value `reading`
+// in the first step only; or IR_NONE.
 static bool run_with_few_samples(WindowTrial *w, const TrialEntry *e, uint32_t glitch, double reading)
 {
     Trials *t = w->t;
@@ -235,7 +235,7 @@ static void report_guard(const WindowTrial *w)
         return;
     text = source_text(a->arena, f.roll->span);
     size = a->p->window.at[f.roll->window].size;
-    if (w->samples >= size)       // the cause is not the window but a value that the machine stored before
+    if (w->samples >= size)       // the window is full now, so the cause is a value that the machine stored earlier
         reason = format_in(a->arena, "it reads what was stored before the window of '%s' was full", text);
     else
         reason = format_in(a->arena, "the window of '%s' has %lu of %lu samples", text, (unsigned long)w->samples, (unsigned long)size);
@@ -244,7 +244,7 @@ static void report_guard(const WindowTrial *w)
         diag_note(a->diags, d, f.roll->span, DIAG_note_statistic_here, f.through->name->text);
 }
 
-// Chooses the readings before the start.  kind 0: the current readings; 1: others; 2: far too high; 3: far too low.
+// Chooses w->earlier, the readings before the start.  kind 0: the current readings; 1: other readings; 2: far too high; 3: far too low.
 static void choose_earlier(WindowTrial *w, uint32_t kind)
 {
     Trials *t = w->t;
@@ -277,7 +277,7 @@ static void try_entry(WindowTrial *w, const TrialState *s, const TrialEntry *e)
         reading = glitch == IR_NONE ? 0 : t->input[glitch].reading[trial_random_below(t, t->input[glitch].readings)];
         if (!run_with_few_samples(w, e, glitch, reading))
             continue;
-        least = &w->found[w->guard->number];          // of several findings at one guard, the one with the fewest samples
+        least = &w->found[w->guard->number];          // one finding per guard: the trial with the fewest samples
         if (*least == 0 || w->samples < *least) {
             *least = w->samples;
             w->deciding[w->guard->number] = w->window;

@@ -7,7 +7,7 @@ enum { BITS = ENV_BITS, CHILDREN = ENV_CHILDREN };
 
 bool env_is_private(const IrVar *v) { return v->space == IR_LOCAL && !v->outside; }
 
-// With more variables than this, environments have so many nodes that finding an equal one is faster than a copy and later joins of it.
+// With more variables than this, environments have so many nodes that looking up an equal node is faster than storing and joining copies.
 enum { UNIQUE_FROM = 64 };
 
 EnvShape env_shape(Arena *arena, const IrMachine *m)
@@ -22,8 +22,8 @@ EnvShape env_shape(Arena *arena, const IrMachine *m)
 
 static bool is_root(const EnvShape *s, unsigned level) { return level == s->levels - 1; }
 
-// Which child of a node on this level contains the variable.  The root has two: 1 has the private variables (locals that only the machine
-// writes), 0 the others.
+// Returns which child of a node on this level contains the variable.  The root has two children: child 1 contains the private variables
+// (locals that only the machine writes), child 0 the others.
 static unsigned child_index(const EnvShape *s, uint32_t var, unsigned level)
 {
     return is_root(s, level) ? env_is_private(&s->m->var.at[var]) : var >> (level * BITS) & (CHILDREN - 1u);
@@ -39,13 +39,13 @@ Fact env_get(const EnvShape *s, const Env *e, uint32_t var)
     return fact ? *fact : fact_of_type(s->m->var.at[var].type);
 }
 
-// A node in the arena equal to *e.
+// Returns a node in the arena that is equal to *e.
 static const Env *new_node(const EnvShape *s, const Env *e)
 {
     return s->unique ? env_table_intern_node(s->unique, e) : arena_copy(s->arena, e, sizeof *e);
 }
 
-// A copy of the fact for a leaf; NULL if it only states the variable's type.
+// Returns a copy of the fact for a leaf; NULL if the fact says no more than the variable's type.
 static const Fact *new_fact(const EnvShape *s, Fact fact, SmType type)
 {
     if (fact_equal(fact, fact_of_type(type)))
@@ -53,7 +53,7 @@ static const Fact *new_fact(const EnvShape *s, Fact fact, SmType type)
     return s->unique ? env_table_intern_fact(s->unique, fact) : arena_copy(s->arena, &fact, sizeof fact);
 }
 
-// Returns a copy of the node e, which is on this level, with the variable's fact replaced.
+// Returns a copy of the node e, which is on level `level`, with the variable's fact replaced.
 static const Env *set_below(const EnvShape *s, const Env *e, uint32_t var, const Fact *fact, unsigned level)
 {
     static const Env empty;
@@ -82,7 +82,7 @@ static const Fact *join_facts(const EnvShape *s, const Fact *a, const Fact *b, u
     return new_fact(s, widen ? fact_widen(*a, r, type, widen) : r, type);
 }
 
-// The node with these children: `a` itself if it has the same ones, NULL if there are none.
+// Returns a node with the children of *joined: `a` itself if it has the same children, NULL if all children are NULL.
 static const Env *node_of_children(const EnvShape *s, const Env *joined, const Env *a)
 {
     static const Env empty;
@@ -92,7 +92,7 @@ static const Env *node_of_children(const EnvShape *s, const Env *joined, const E
     return memcmp(joined, &empty, sizeof empty) == 0 ? NULL : new_node(s, joined);
 }
 
-// `first`: the first variable below the two nodes.  A leaf can have more slots than there are variables: they are NULL.
+// Joins two leaves.  `first`: the first variable below them.  Slots beyond the last variable are NULL.
 static const Env *join_leaves(const EnvShape *s, const Env *a, const Env *b, uint32_t first, const FactLimits *widen)
 {
     Env both;
@@ -119,7 +119,7 @@ static const Env *join_inner_nodes(const EnvShape *s, const Env *a, const Env *b
     return node_of_children(s, &both, a);
 }
 
-// The two nodes are not the same.
+// Joins two different nodes on one level.
 static const Env *join_nodes(const EnvShape *s, const Env *a, const Env *b, uint32_t first, unsigned level, const FactLimits *widen)
 {
     EnvJoin j = {a, b, widen, first, level, NULL};

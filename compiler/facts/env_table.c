@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-// Open addressing; a power of two slots, at most half of them in use.
+// A hash table with open addressing: `room` slots, a power of two, of which `n` are used, at most half.
 typedef struct Slots {
     const void **at;
     uint32_t *hash;
@@ -13,8 +13,8 @@ typedef struct Slots {
 struct EnvTable {
     Arena *arena;
     Slots facts, nodes;
-    EnvJoin *join;            // by hash, as many as `nodes` has slots: a new join replaces an old one with the same hash
-    size_t joins;             // number of entries; 0 or a power of two
+    EnvJoin *join;            // a cache of joins, by hash: a new join replaces an old one in the same entry
+    size_t joins;             // number of entries of `join`; 0 or a power of two
 };
 
 enum { FIRST_ROOM = 64 };
@@ -43,7 +43,7 @@ static uint64_t bits_of(double x)
     return u;
 }
 
-// Facts with the bounds 0 and -0 are equal, but not the same.
+// Whether two facts have the same bits.  fact_equal alone is not enough, because it treats the bounds 0 and -0 as equal.
 static bool is_same_fact(const Fact *a, const Fact *b)
 {
     return bits_of(a->lo) == bits_of(b->lo) && bits_of(a->hi) == bits_of(b->hi) && fact_equal(*a, *b);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Equal subtrees of environments as one subtree in memory, and the joins of subtrees that have been computed.  Facts that hold in
-// thousands of states are then stored once, and compared and joined once.  Without it, memory and time grow with states times variables.
+// A table that stores equal subtrees of environments only once, and remembers the joins of subtrees.  So facts that are true in thousands
+// of states are stored once, and compared and joined once.  Without the table, memory and time grow with states times variables.
 //
-// Only the cost depends on the table: without one, equal subtrees may be different nodes.
+// The table affects only the cost, not the facts.
 #ifndef SMC_ENV_TABLE_H
 #define SMC_ENV_TABLE_H
 
@@ -19,7 +19,7 @@ struct Env {
 
 typedef struct EnvTable EnvTable;
 
-// A join of two nodes: `first` is the first variable below them, and their level.
+// The join of nodes a and b.  `first` is the first variable below them, `level` their level, `joined` the result.
 typedef struct EnvJoin {
     const Env *a, *b;
     const FactLimits *widen;
@@ -28,7 +28,7 @@ typedef struct EnvJoin {
 } EnvJoin;
 
 EnvTable *env_table_new(Arena *arena);
-// Each returns the stored equal of its argument.  If there is none, stores a copy.
+// Each returns the stored fact or node that equals its argument.  If there is none, stores a copy first.
 const Fact *env_table_intern_fact(EnvTable *t, Fact f);
 const Env *env_table_intern_node(EnvTable *t, const Env *e);
 // Looks up the join of j->a and j->b, and sets j->joined.  Returns whether it is known.

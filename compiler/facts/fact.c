@@ -26,7 +26,7 @@ static double next_up(double x)
     return x == 0 ? sm_from_bits(1) : sm_from_bits(x > 0 ? u + 1 : u - 1);
 }
 
-// Sets `whole`, `f32` and `minus_zero` to what the bounds imply.
+// Adjusts `whole`, `f32` and `minus_zero` to what the bounds imply.
 static inline Fact normalize_fact(Fact a)
 {
     if (a.whole && !is_finite(a))
@@ -40,7 +40,7 @@ static inline Fact normalize_fact(Fact a)
     return a;
 }
 
-// A fact with these bounds and properties; `f32` is derived.
+// Returns a fact with these bounds and properties; `f32` is derived from them.
 static Fact make_fact(double lo, double hi, bool whole, bool nan, bool minus_zero)
 {
     const Fact a = {lo, hi, whole, false, nan, minus_zero};
@@ -48,10 +48,10 @@ static Fact make_fact(double lo, double hi, bool whole, bool nan, bool minus_zer
     return normalize_fact(a);
 }
 
-// The fact of a value of which nothing is known.
+// Returns the fact about a value of which nothing is known.
 static Fact any_fact(void) { return make_fact(-infinity(), infinity(), false, true, true); }
 
-// 2^63 - 1 and 2^64 - 1 are not F64 numbers.  The bounds of these types are one higher.
+// 2^63 - 1 and 2^64 - 1 are not F64 numbers, so the upper bounds of I64 and U64 are 2^63 and 2^64, one above the largest value.
 #define HALF(bytes) (2.0 * (double)(UINT64_C(1) << (bytes * 8 - 2)))              // half the number of values of that many bytes
 #define BELOW(x, bytes) ((x) - (bytes < 8))
 #define BOUNDS_SM_KIND_SIGNED(bytes) -HALF(bytes), BELOW(HALF(bytes), bytes), true, bytes < 4, false, false
@@ -86,7 +86,7 @@ Fact fact_of_bool(bool may_be_false, bool may_be_true)
 }
 
 // ---- arithmetic ----
-// A bound that evaluates to NaN (inf - inf, 0 * inf) is discarded.
+// If computing a bound gives NaN (inf - inf, 0 * inf), that bound is ignored.
 
 static Fact fact_without_number(bool nan) { return make_fact(1, 0, false, nan, false); }
 static bool is_empty(Fact a) { return a.lo > a.hi; }
@@ -124,7 +124,7 @@ static void extend_to_number(Fact *r, double x)
         r->hi = x;
 }
 
-// The smallest interval that contains four numbers: the results of an operation on each pair of its operands' bounds.
+// Returns the smallest interval that contains four numbers: the results of an operation on each pair of its operands' bounds.
 static Fact hull_of_four(SmF64 w, SmF64 x, SmF64 y, SmF64 z)
 {
     Fact r = {infinity(), -infinity(), false, false, false, false};
@@ -151,7 +151,7 @@ static Fact multiply_facts(Fact a, Fact b)
     return normalize_fact(r);
 }
 
-// A value multiplied by itself: the result is never negative, and zero is never multiplied by infinity.
+// Returns the fact about a value multiplied by itself: the result is never negative, and zero is never multiplied by infinity.
 static Fact square_fact(Fact a)
 {
     const double reach = sm_max(sm_abs(a.lo), sm_abs(a.hi)), least = contains_number(a, 0) ? 0 : sm_min(sm_abs(a.lo), sm_abs(a.hi));
@@ -173,7 +173,8 @@ static Fact divide_facts(Fact a, Fact b)
     return normalize_fact(r);
 }
 
-// The result of a rounding operation or of sign, which are monotonic: the bounds of the result are the results at the bounds.
+// Returns the fact about the result of a rounding operation or of sign.  These are monotonic, so applying `op` to the bounds of a gives the
+// bounds of the result.
 static Fact apply_monotonic(SmF64 (*op)(SmF64), Fact a, bool minus_zero)
 {
     return make_fact(op(a.lo), op(a.hi), true, a.nan, minus_zero);
@@ -230,10 +231,10 @@ Fact fact_convert(Fact a, SmType to)
 
 // ---- comparisons ----
 
-// A comparison's result, if it is known to be always true, or never; if neither, it can be both.
+// Returns the fact about the result of a comparison that is always true, never true, or (neither) sometimes true.
 static Fact fact_of_outcome(bool always, bool never) { return fact_of_bool(!always, !never); }
 
-// a < b; `nan`: an operand may be NaN, and then the comparison is false.
+// The results of a < b and of a <= b.  `nan`: an operand may be NaN, which makes the comparison false.
 static Fact fact_of_less(Fact a, Fact b, bool nan) { return fact_of_outcome(!nan && a.hi < b.lo, a.lo >= b.hi); }
 static Fact fact_of_less_or_equal(Fact a, Fact b, bool nan) { return fact_of_outcome(!nan && a.hi <= b.lo, a.lo > b.hi); }
 
@@ -243,7 +244,8 @@ static bool cannot_contain(Fact a, Fact b) { return b.lo == b.hi && ((a.whole &&
 static bool always_equal(Fact a, Fact b, bool nan) { return !nan && a.lo == a.hi && b.lo == b.hi && a.lo == b.lo; }
 static bool never_equal(Fact a, Fact b) { return a.hi < b.lo || b.hi < a.lo || cannot_contain(a, b) || cannot_contain(b, a); }
 
-// For I64 and U64, a fact bounds the number before it is rounded to F64.  From 2^53 on, different numbers may round to the same F64.
+// Whether the conversion of a value of this type to F64 may round.  The fact of an I64 or U64 bounds the number before the conversion.
+// From 2^53 on, different numbers may round to the same F64.
 static bool may_be_rounded(Fact a, SmType type)
 {
     return sm_type_info[type].bytes == 8 && type != SM_F64 && !fact_within(a, -FACT_EXACT, FACT_EXACT);
@@ -299,7 +301,8 @@ static Fact fact_of_arithmetic(const IrIns *i, Fact a, Fact b)
     return any_fact();
 }
 
-// An operation whose type was narrowed to an integer or F32 (passes/narrow.c) has the result of the operation on F64, converted.
+// Returns the fact about the result of an arithmetic operation.  An operation narrowed to an integer or F32 (passes/narrow.c) has the
+// result of the operation on F64, converted to its type.
 static Fact fact_of_operation(const IrIns *i, Fact a, Fact b)
 {
     const bool two = ir_op_info[i->op].operands == 2;
@@ -331,8 +334,8 @@ Fact fact_of_result(const IrIns *i, const Fact *a, const Fact *b, SmType type_of
     return any_fact();
 }
 
-// The mean of the samples `a` of a window.  A sum of up to SM_WINDOW_MAX whole 32-bit numbers is exact.  Other sums are added in
-// pairs, which rounds at most 17 times (`error` covers that), and can overflow.
+// Returns the fact about the mean of samples that have the fact a.  The sum of up to SM_WINDOW_MAX whole 32-bit numbers is exact.  Other
+// samples are summed in pairs, which rounds each at most 17 times (`error` covers that), and can overflow.
 static Fact fact_of_average(Fact a)
 {
     const double reach = sm_max(sm_abs(a.lo), sm_abs(a.hi)), error = reach / 1099511627776.0;       // a relative error of 2^-40
@@ -350,7 +353,7 @@ Fact fact_of_stat(SmStat stat, Fact sample)
 
     switch (stat) {
     case SM_STAT_AVG: return fact_of_average(sample);
-    case SM_STAT_MEDIAN: return make_fact(sample.lo, sample.hi, false, infinite, true);      // with two middle samples, their mean
+    case SM_STAT_MEDIAN: return make_fact(sample.lo, sample.hi, false, infinite, true);      // perhaps the mean of two samples
     case SM_STAT_RANGE: return make_fact(0, infinite ? infinity() : sample.hi - sample.lo, sample.whole, infinite, false);
     case SM_STAT_MIN: case SM_STAT_MAX: case SM_STAT_COUNT: break;
     }
@@ -389,7 +392,7 @@ bool fact_equal(Fact a, Fact b)
     return a.lo == b.lo && a.hi == b.hi && a.whole == b.whole && a.f32 == b.f32 && a.nan == b.nan && a.minus_zero == b.minus_zero;
 }
 
-// The number of limits below x.
+// Returns the number of limits below x.
 static size_t count_limits_below(const FactLimits *limits, double x)
 {
     size_t below = 0, end = limits->n;
@@ -433,7 +436,7 @@ bool fact_fits(Fact a, SmType type)
 {
     const Fact t = fact_of_type(type);
 
-    // The bounds 2^63 and 2^64 are one above the largest value of the 64-bit types.
+    // The upper bounds of I64 and U64, 2^63 and 2^64, are one above their largest values.
     return fact_within(a, t.lo, t.hi) && (sm_type_info[type].bytes < 8 || type == SM_F64 || a.hi < t.hi);
 }
 

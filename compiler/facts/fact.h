@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is known about a value: a set of numbers that contains it (an interval and a few properties).  Bounds are computed with the
-// language's own operations, which round.  Rounding is monotonic, so the computed bounds are bounds of the rounded results.  Facts
-// come only from types and code; declarations such as @range are not used.
+// What is known about a value: an interval that contains it, and a few properties.  Bounds are computed with the language's own
+// operations, which round.  Rounding is monotonic, so the computed bounds are bounds of the rounded results.  Facts come only from types
+// and code; declarations such as @range are not used.
 #ifndef SMC_FACT_H
 #define SMC_FACT_H
 
@@ -11,26 +11,27 @@
 #include "stdlib/types.h"
 
 typedef struct Fact {
-    double lo, hi;            // bounds, inclusive; may be infinite.  lo > hi: the value is never a number
-    bool whole;               // every number is whole, and therefore finite
-    bool f32;                 // every number is exactly an F32 number; the infinities are F32 numbers
-    bool nan;                 // it may be NaN
-    bool minus_zero;          // it may be -0
+    double lo, hi;            // bounds, inclusive; may be infinite.  lo > hi: the value is never a number, only NaN
+    bool whole;               // if the value is a number, it is whole, and therefore finite
+    bool f32;                 // if the value is a number, F32 represents it exactly; F32 has infinities, too
+    bool nan;                 // the value may be NaN
+    bool minus_zero;          // the value may be -0
 } Fact;
 
-// Whole numbers of at most this magnitude are exact in F64, and so is any sum of two whose result is within it.
+// F64 represents every whole number of at most this magnitude, and the sum of two such numbers is exact if it is within it, too.
 #define FACT_EXACT 9007199254740992.0     // 2^53
 
-Fact fact_of_type(SmType type);                       // every value that a variable of the type can hold; a loaded value is never NaN
+Fact fact_of_type(SmType type);                       // every value that a load of this type can produce; never NaN
 Fact fact_of_cell(SmType type, uint64_t bits);        // exactly the number that these bits encode in this type
 Fact fact_of_bool(bool may_be_false, bool may_be_true);
 
-// The result of instruction i when its operands have facts *a and *b.  Facts of operands that i does not have are ignored.
-// Not for loads and statistics.
+// Returns the fact about the result of instruction i if its operands have the facts *a and *b.  Facts of operands that i does not have are
+// ignored.  i must not be a load or a statistic.
 Fact fact_of_result(const IrIns *i, const Fact *a, const Fact *b, SmType type_of_a);
-// The result of converting a to `to`.
+// Returns the fact about a value with the fact a, converted to type `to`.
 Fact fact_convert(Fact a, SmType to);
-// The result of a statistic of a rolling window whose samples have the fact `sample`.  A window is never empty when a statistic is computed.
+// Returns the fact about a statistic of a rolling window whose samples have the fact `sample`.  When a statistic is computed, its window is
+// never empty.
 Fact fact_of_stat(SmStat stat, Fact sample);
 
 Fact fact_join(Fact a, Fact b);                       // the fact of a value that satisfies a or b
@@ -41,8 +42,8 @@ typedef struct FactLimits {
     const double *at;         // the numbers at which widening stops, in ascending order
     size_t n;
 } FactLimits;
-// Widens a fact that has grown from `before` to `now`: each bound that grew moves to the next limit beyond it, or to the type's bound
-// if there is none.  So a bound can grow only as often as there are limits.
+// Widens a fact that has grown from `before` to `now`: each bound that grew moves outward to the next limit, or to the type's bound if
+// there is no limit beyond it.  So a bound can grow only as often as there are limits.
 Fact fact_widen(Fact before, Fact now, SmType type, const FactLimits *limits);
 
 bool fact_is_number(Fact a, double *x);               // whether a is exactly one number, which *x receives; +0 and -0 count as two

@@ -13,11 +13,11 @@ typedef struct FlowWalk {
     const IrFn *f;
     FactFlow out;
     const Env **begin;                // by block
-    const Env *env;                   // at the current instruction
-    uint32_t epoch;                   // of the current block
-    FactHome *home;                   // by temporary
-    unsigned budget;                  // conditions that may still be visited for this branch
-    bool contradicts;                 // the conditions of the edge being checked contradict the facts
+    const Env *env;                   // the facts at the current instruction
+    uint32_t epoch;                   // number of the current block visit (FactMachine.epochs)
+    FactHome *home;                   // by temporary: a variable with the same value
+    unsigned budget;                  // how many conditions may still be visited for this branch
+    bool contradicts;                 // the conditions of the edge being checked contradict the facts: it is never taken
 } FlowWalk;
 
 static const IrIns *ins(const FlowWalk *w, IrRef r) { return &w->f->ins.at[r]; }
@@ -60,7 +60,8 @@ static bool has_home(const FlowWalk *w, IrRef r)
     return h.var != IR_NONE && (w->fm->epoch[h.var] != w->epoch || w->fm->stored[h.var] <= h.at);
 }
 
-// Bounds on a number that was converted from a 64-bit integer apply to the integer only where the conversion is exact.
+// Converts bounds of an F64 that was converted from a value of this type to bounds of that value.  For a 64-bit integer, a bound is kept
+// only where the conversion is exact.
 static Fact bounds_before_conversion(Fact bounds, SmType type)
 {
     if (sm_type_info[type].bytes == 8 && type != SM_F64) {
@@ -73,8 +74,8 @@ static Fact bounds_before_conversion(Fact bounds, SmType type)
     return bounds;
 }
 
-// Returns env with the knowledge that r is within bounds and not NaN, for its home variable and for the values from which r was
-// converted.  Sets w->contradicts if no value remains: so `p > 20 and p < 10` is found to be always false, although neither half is.
+// Returns env with the added fact that r is within bounds and not NaN, for the home variable (FactHome) of r and of the values from which r
+// was converted.  Sets w->contradicts if no value remains: so `p > 20 and p < 10` is found to be always false, although neither half is.
 static const Env *refine_value(FlowWalk *w, const Env *env, IrRef r, Fact bounds)
 {
     w->contradicts |= bounds.lo > bounds.hi;
@@ -136,8 +137,8 @@ static void bound_by_comparison(Fact *a, IrOp op, Fact *b)
     }
 }
 
-// Whether a comparison uses the exact value of r.  64-bit integers are converted to F64 for it, which rounds from 2^53 on, and then
-// a bound of one operand is not a bound of the other.
+// Whether a comparison compares the exact value of r.  It converts 64-bit integers to F64, which rounds from 2^53 on.  If an operand is
+// rounded, a bound of one operand does not follow from a bound of the other.
 static bool is_compared_exactly(const FlowWalk *w, IrRef r)
 {
     const SmType type = ins(w, r)->type;
@@ -145,7 +146,7 @@ static bool is_compared_exactly(const FlowWalk *w, IrRef r)
     return sm_type_info[type].bytes < 8 || type == SM_F64 || fact_within(w->out.of[r], -FACT_EXACT + 1, FACT_EXACT - 1);
 }
 
-// Returns env, narrowed to the case that the comparison i is true (or false); env itself if nothing follows from that.
+// Returns env, narrowed to the case that the comparison i is true (`holds`) or false; env itself if nothing follows from that.
 static const Env *refine_comparison(FlowWalk *w, const Env *env, const IrIns *i, bool holds)
 {
     Fact a = w->out.of[i->a], b = w->out.of[i->b];
@@ -163,7 +164,7 @@ static const Env *refine_comparison(FlowWalk *w, const Env *env, const IrIns *i,
     return refine_value(w, refine_value(w, env, i->a, a), i->b, b);
 }
 
-// Returns env, narrowed to the case that condition r is true (or false).
+// Returns env, narrowed to the case that condition r is true (`holds`) or false.
 static const Env *refine_by_condition(FlowWalk *w, const Env *env, IrRef r, bool holds)
 {
     const IrIns *i = ins(w, r);
@@ -182,14 +183,14 @@ static const Env *refine_by_condition(FlowWalk *w, const Env *env, IrRef r, bool
 
 // ---- blocks ----
 
-// Adds an edge to block `to` on which the facts env are true.
+// Merges the facts `env` of an edge to block `to` into the facts at the beginning of that block.
 static void join_at_block(FlowWalk *w, IrBlkRef to, const Env *env)
 {
     w->begin[to] = w->out.reached[to] ? env_join(&w->fm->shape, w->begin[to], env, NULL) : env;
     w->out.reached[to] = true;
 }
 
-// Follows the edge that is taken when the value of cond is `holds`.  Returns whether the facts allow that edge.
+// Follows the edge to block `to` that is taken if cond is true (`holds`) or false.  Returns whether the facts allow that edge.
 static bool follow_edge(FlowWalk *w, IrRef cond, bool holds, IrBlkRef to)
 {
     const Fact f = w->out.of[cond];
@@ -226,8 +227,8 @@ static void visit_block(FlowWalk *w, IrBlkRef b, const FactEnds *ends)
     }
 }
 
-// Lets w use the tables of the machine, after growing them if the function needs more.  They are allocated once because thousands of
-// functions are analysed several times each.
+// Lets w use the tables of the machine (FactMachine), after growing them if the function needs larger ones.  The tables are used again
+// for each function, because thousands of functions are analysed several times each.
 static void reuse_tables(FlowWalk *w)
 {
     FactMachine *fm = w->fm;

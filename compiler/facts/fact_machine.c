@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // Facts of a machine: the possible values of its locals when each function begins.  Transitions are followed until no fact changes.
-// Bounds that keep growing are widened, so this ends after a few visits of each state.  If anything was widened, one last round over
-// all functions is the narrowing step.
+// Bounds that grow repeatedly are widened, so this iteration ends after a few visits of each state.  If anything was widened, one last
+// round over all functions is the narrowing step of abstract interpretation.
 #include <stddef.h>
 #include <string.h>
 
 #include "compiler/base/worklist.h"
 #include "compiler/facts/facts.h"
 
-// How often the facts at the beginning of a function may change before they are treated more roughly.
+// How often the facts at the beginning of a function may change before joins become less precise.
 enum {
-    CHANGES_BEFORE_WIDENING = 3,      // then bounds are widened to constants of the program
-    CHANGES_BEFORE_FEW_LIMITS = 12,   // then to a few round numbers
-    CHANGES_MAX = 20,                 // then only locals that never change remain known
+    CHANGES_BEFORE_WIDENING = 3,      // after these, bounds are widened to constants of the program
+    CHANGES_BEFORE_FEW_LIMITS = 12,   // after these, bounds are widened to a few round numbers
+    CHANGES_MAX = 20,                 // after these, only the facts about locals that never change remain
     LIMITS_MAX = 64                   // how many constants of the program are collected
 };
 
 typedef struct FactIteration {
     FactMachine *fm;
     FactBegin (*to)[BLOCK_COUNT];     // receives the facts: fm->begin, or in the last round a new table that replaces it
-    bool *(*possible)[BLOCK_COUNT];   // by state with an .exit, then by function: a table of its IR blocks whose transition is possible
+    bool *(*possible)[BLOCK_COUNT];   // [state with an .exit][function][IR block]: whether the block's transition is possible
     Worklist queue;                   // the states to visit
-    uint32_t state;                   // the current one
-    int block;
+    uint32_t state;                   // the state that is visited
+    int block;                        // the function of this state that is visited: BLOCK_ENTRY, …
     bool any_start;                   // the machine may be started in any state
     const FactObserver *observer;           // or NULL
     bool widened;                     // some bound was widened, so the last round may improve facts
@@ -31,7 +31,8 @@ typedef struct FactIteration {
 
 // ---- paths into functions ----
 
-// Merges the facts `env` of one more path into those at the beginning b of a function.  Returns the result; widened after several changes.
+// Merges the facts `env` of one more path into those at the beginning b of a function, and returns the result.  After several changes,
+// widens the result.
 static const Env *join_at_begin(FactIteration *v, const FactBegin *b, const Env *env)
 {
     static const double round[] = {-FACT_EXACT, -2147483648.0, -32768, -128, 0, 1, 255, 65535, 2147483647.0, FACT_EXACT};
@@ -62,8 +63,8 @@ static void enter_function(FactIteration *v, uint32_t state, int block, const En
         worklist_add(&v->queue, state);
 }
 
-// Called at the end of .exit, with the facts there: calls enter_function for the target of each transition of `block` (.entry or .step)
-// that has been found possible.
+// Called at the end of .exit with the facts `env` at that point: calls enter_function for the target of each transition of `block` (.entry
+// or .step) that has been found possible.
 static void enter_possible_targets(FactIteration *v, int block, const Env *env)
 {
     const IrFn *f = v->fm->shape.m->state.at[v->state].block[block];
@@ -74,8 +75,8 @@ static void enter_possible_targets(FactIteration *v, int block, const Env *env)
             enter_function(v, f->blk.at[b].jump.state - 1, BLOCK_ENTRY, env);
 }
 
-// Records that a transition of the current function is possible, and enters .exit, or the target state if there is no .exit.  The first
-// time, .exit must be visited even if its facts do not change: only its end enters the target of this transition.
+// Records that a transition of the current function is possible, and enters .exit, or the target state if there is no .exit.  After the
+// first record of a transition, .exit must be visited even if its facts do not change, because only that visit enters the target state.
 static void mark_transition_possible(FactIteration *v, const IrJump *j, const Env *env)
 {
     const IrFn *f = v->fm->shape.m->state.at[v->state].block[v->block];
@@ -94,8 +95,8 @@ static void mark_transition_possible(FactIteration *v, const IrJump *j, const En
     (*possible)[b] = true;
 }
 
-// Called at each end of the current function.  The code that runs next starts without facts about elements, because other code may write
-// them between steps.
+// Called at each end of the current function: enters the functions that can run next.  They start without facts about elements, because
+// other code may write elements between steps.
 static void visit_end(void *context, const IrJump *end, const Env *env)
 {
     FactIteration *v = context;
@@ -151,7 +152,8 @@ static void narrow_facts(FactIteration *v, const Env *initial)
     v->fm->begin = v->to;
 }
 
-// Returns the facts that private locals have their initial values: all such locals, or only those that no code writes.
+// Returns the facts that private locals have their initial values: all private locals if `writable_too`, else only those that no code
+// writes.
 static const Env *initial_values(const FactMachine *fm, bool writable_too)
 {
     const EnvShape *s = &fm->shape;
@@ -181,7 +183,7 @@ static void add_limit(double *limit, size_t *n, double x)
     (*n)++;
 }
 
-// The constants of the program, and the numbers one below and one above each.
+// Returns the constants of the program, and the numbers one below and one above each.
 static FactLimits limits_of_program(Arena *arena, const IrMachine *m)
 {
     double *limit = ARENA_ARRAY(arena, double, LIMITS_MAX);
@@ -279,7 +281,7 @@ void facts_set_arena(FactMachine *fm, Arena *arena)
 {
     fm->shape.arena = arena;
     fm->shape.unique = NULL;
-    fm->temps = fm->blocks = 0;       // the old tables belong to the previous arena
+    fm->temps = fm->blocks = 0;       // allocate new tables in the new arena
 }
 
 bool facts_may_reach(const FactMachine *fm, size_t state, int block) { return fm->begin[state][block].found; }

@@ -2,8 +2,8 @@
 // Facts about a whole machine: the possible values of its locals when each state's functions begin.  From these, the possible
 // values of every temporary of a function are derived, including what the guards around it imply.
 //
-// When a function begins, elements and locals that other code writes are known only by their type.  Within a function they are
-// known from the last store or from a guard.  A machine may be started in any state, with its locals at their initial values.
+// When a function begins, only the type of elements, and of locals that other code writes, is known.  Within a function, stores and
+// guards add facts about them.  A machine may be started in any state, with its locals at their initial values.
 //
 //     FactMachine *fm = facts_of_machine(arena, m);
 //     FactFlow flow = facts_of_function(fm, f, facts_at_begin(fm, state, BLOCK_STEP));     // flow.of[ref]
@@ -17,7 +17,7 @@
 typedef struct FactMachine FactMachine;
 
 typedef struct FactExit {             // the end of a block
-    const Env *env;                   // the facts there, before its branch is taken
+    const Env *env;                   // the facts at the end of the block, before its branch is taken
     bool then, otherwise;             // IR_BR: whether the facts allow that edge to be taken
 } FactExit;
 
@@ -36,22 +36,22 @@ typedef struct FactObserver {
 } FactObserver;
 
 FactMachine *facts_of_machine(Arena *arena, const IrMachine *m);
-// The same for a machine that is only ever started in its first state, as analyses assume.  `observer` may be NULL.
+// Computes the facts of a machine that is only ever started in its first state, as analyses assume.  `observer` may be NULL.
 FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m, const FactObserver *observer);
-// As facts_from_first_state, and assumes that the elements satisfy `assumed` whenever a step begins.
+// Like facts_from_first_state, but assumes that the elements satisfy `assumed` whenever a step begins.
 FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed);
-// Later flows allocate from `arena`.
+// Makes later calls of facts_of_function allocate from `arena`.
 void facts_set_arena(FactMachine *fm, Arena *arena);
 // Whether the facts allow a path to this function.
 bool facts_may_reach(const FactMachine *fm, size_t state, int block);
 
-// The facts when a function of state `state` (from 0) begins, and when the sample function begins.
+// Return the facts when a function of state `state` (from 0) begins, and when the sample function begins.
 const Env *facts_at_begin(const FactMachine *fm, size_t state, int block);
 const Env *facts_at_begin_of_sample(const FactMachine *fm);
 
 FactFlow facts_of_function(FactMachine *fm, const IrFn *f, const Env *begin);
 
-Fact facts_of_window(const FactMachine *fm, uint32_t window);      // the fact of all its samples
+Fact facts_of_window(const FactMachine *fm, uint32_t window);      // the fact that is true of all samples of the window
 
 // ---- inside compiler/facts ----
 
@@ -62,10 +62,10 @@ typedef struct FactEnds {             // receives the facts at each end of a fun
 
 typedef struct FactHome {
     uint32_t var;                     // a variable with the same value as a temporary; IR_NONE: none is known
-    uint32_t at;                      // the position in the block from which on they have the same value
+    uint32_t at;                      // position in the block from which on variable and temporary have the same value
 } FactHome;
 
-typedef struct FactBegin {            // the beginning of a function
+typedef struct FactBegin {            // what is known at the beginning of a function
     const Env *env;
     bool found, dirty;                // a path to it has been found; env has changed since the last visit
     unsigned changes;                 // how often env has changed
@@ -73,13 +73,13 @@ typedef struct FactBegin {            // the beginning of a function
 
 struct FactMachine {
     EnvShape shape;
-    const Env *assumed;               // what is assumed of elements, or NULL
+    const Env *assumed;               // the facts that are assumed of elements, or NULL
     const Env *constants;             // `assumed`, and the values of locals that no code writes
     FactBegin (*begin)[BLOCK_COUNT];  // by state
     Fact *window;                     // by window: its samples
-    uint32_t *epoch, *stored;         // by variable: in which visit of a block (from 1) it was last stored, and the position of the store
-    uint32_t epochs;                  // visits of blocks so far
-    size_t temps, blocks;             // capacity of the following tables, which each facts_flow uses again
+    uint32_t *epoch, *stored;         // by variable: `epochs` during the last block visit that stored to it; position of that store
+    uint32_t epochs;                  // number of block visits so far
+    size_t temps, blocks;             // capacity of the following tables, which every call of facts_flow uses
     Fact *of;
     FactHome *home;
     bool *reached;

@@ -13,8 +13,8 @@ void build_begin_function(Builder *b)
     b->b = ir_add_block(b->arena, b->f);
 }
 
-// Instructions are numbered in the order of their blocks.  The lists of all blocks share one allocation.  Each list is padded to
-// the arena's alignment, like a separate allocation, so that vec_push can extend it.
+// Copies the function out of the buffer, with instructions numbered in the order of their blocks.  The instruction lists of all blocks
+// share one allocation.  Each list is padded to the arena's alignment, like a separate allocation, so that vec_push can extend it.
 IrFn *build_end_function(Builder *b)
 {
     IrFn *f = arena_copy(b->arena, b->f, sizeof *f);
@@ -38,7 +38,7 @@ IrFn *build_end_function(Builder *b)
 
 // ---- statements ----
 
-// Blocks whose final jump has no target yet.
+// Blocks that end an arm of a conditional and whose final jump has no target yet.
 typedef VEC(IrBlkRef) OpenBlocks;
 
 static IrJump *jump_of(Builder *b, IrBlkRef blk)
@@ -67,8 +67,8 @@ static void build_transition(Builder *b, const Stmt *s)
     j->span = s->span;
 }
 
-// Ends the current block with a branch on the guard.  A new block becomes the current one and is where the branch leads if the guard is
-// true.  Returns the old block: the caller sets the false edge of its branch (`otherwise`) when that target exists.
+// Ends the current block with a branch on the guard.  A new block becomes the current one and the target of the true edge.  Returns the
+// old block: the caller sets the false edge of its branch (`otherwise`) when the target of that edge exists.
 static IrBlkRef build_branch_on(Builder *b, const Expr *guard)
 {
     IrRef cond = build_as_bool(b, guard);
@@ -85,7 +85,7 @@ static IrBlkRef build_branch_on(Builder *b, const Expr *guard)
     return from;
 }
 
-// Does the same for the guard of conditional statement s.
+// Ends the current block with a branch on the guard of conditional s, as build_branch_on does.
 static IrBlkRef build_branch(Builder *b, const Stmt *s)
 {
     b->stmt = s->number;
@@ -99,7 +99,7 @@ static void build_arm(Builder *b, const Stmts *list, OpenBlocks *ends)
         vec_push(b->arena, ends, b->b);
 }
 
-// The conditional that is the only statement of the `else` arm; NULL if there is none.
+// Returns the conditional that is the only statement of the `else` arm of s; NULL if there is none.
 static const Stmt *find_else_if(const Stmt *s)
 {
     return s->otherwise.n == 1 && s->otherwise.at[0]->kind == ST_IF ? s->otherwise.at[0] : NULL;
@@ -110,7 +110,7 @@ static const Stmt *find_else_if(const Stmt *s)
 static bool build_if(Builder *b, const Stmt *s)
 {
     OpenBlocks ends = {NULL, 0, 0};
-    IrBlkRef skips = build_branch(b, s);          // the block whose branch has no false edge yet; IR_NONE: every branch has one
+    IrBlkRef skips = build_branch(b, s);          // the block whose branch has no false edge yet; IR_NONE: no such block
 
     build_arm(b, &s->then, &ends);
     while (s->otherwise.n > 0) {
@@ -137,7 +137,7 @@ static bool build_if(Builder *b, const Stmt *s)
     return true;
 }
 
-// Returns false if control cannot reach the end of the list.  Unreachable statements at its end are not built.
+// Builds a list of statements up to the first one after which control never continues.  Returns false if there is such a statement.
 static bool build_stmts(Builder *b, const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++)

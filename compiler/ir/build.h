@@ -14,13 +14,13 @@ typedef struct Builder {
     uint32_t *window;     // by Program.window: index into m->window
     uint32_t stmt;        // Stmt.number of the statement being built
     IrFn *f;              // the function being built: a buffer reused for all functions, which build_end_function copies
-    IrBlkRef b;           // its last block, the current one
+    IrBlkRef b;           // the current block: the last one of f, to which instructions are appended
 } Builder;
 
 // Appends the evaluation of an expression to the current block.  The value is an F64 (build_as_f64) or a bool (build_as_bool).
 IrRef build_as_f64(Builder *b, const Expr *e);
 IrRef build_as_bool(Builder *b, const Expr *e);
-// Appends the evaluation of an expression, and its conversion to `type` as a store to a variable of that type requires.
+// Appends the evaluation of an expression, and the conversion to `type` that a store to a variable of this type requires.
 IrRef build_for_store(Builder *b, const Expr *e, SmType type);
 // Appends an instruction to the current block.
 IrRef build_emit(Builder *b, const IrIns *ins);

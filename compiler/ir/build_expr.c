@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Translates expressions to straight-line IR (language.md 3).  Every value of the language is an F64.  Here comparisons, logic and bool
-// variables produce a bool, which is converted where a number is needed.  The result is the same, because true is 1 and false is 0 in both.
-// The recursion depth is the depth of the tree, which AST_DEPTH_MAX bounds.
+// Translates expressions to straight-line IR (language.md 3).  In the language every value is an F64.  In the IR comparisons, logic and
+// bool variables produce a bool, which is converted to F64 where a number is needed.  The results are the same, because true is 1 and false
+// is 0 in the language.  The recursion depth is the depth of the tree, which AST_DEPTH_MAX bounds.
 #include <stddef.h>
 
 #include "compiler/ir/build.h"
@@ -51,7 +51,7 @@ IrRef build_for_store(Builder *b, const Expr *e, SmType type)
 
     if (b->f->ins.at[value].type == type && type == SM_BOOL)
         return value;
-    return emit_op(b, IR_cvt, type, build_conversion(b, value, SM_F64, e->span), IR_NONE, e->span);  // also F64 to F64: it turns NaN into 0
+    return emit_op(b, IR_cvt, type, build_conversion(b, value, SM_F64, e->span), IR_NONE, e->span);  // even F64 to F64: turns NaN into 0
 }
 
 static IrRef build_var(Builder *b, const Expr *e)
@@ -98,7 +98,7 @@ static IrRef build_chain(Builder *b, const Expr *e)
 // Builds a call of a builtin: one operation, or several for a composed one (SM_COMPOSED in builtins.def).
 static IrRef build_call(Builder *b, const Expr *e)
 {
-    enum { MOST_VALUES = 16 };                        // the arguments, then the result of each step
+    enum { MOST_VALUES = 16 };                        // v[] has the arguments, then the result of each operation
     IrRef v[MOST_VALUES];
     uint32_t n = 0;
 
@@ -120,7 +120,7 @@ static IrRef build_call(Builder *b, const Expr *e)
 #undef SM_PURE
 #undef SM_COMPOSED
 #undef SM_ROLL
-    case SM_FN_COUNT: break;                          // a roll call has a kind of its own (EX_ROLL)
+    case SM_FN_COUNT: break;                          // not reached; a roll call is an EX_ROLL
     }
     return v[n - 1];
 }

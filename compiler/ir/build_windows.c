@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds rolling windows, which store the last samples of an expression.  In the source, every roll call has its own window.  Here, calls
-// of the same size whose sample expressions have the same shape share a window (language.md 7).  Also builds the function that samples
-// every window.
+// Builds rolling windows, which store the last samples of an expression.  In the source, every roll call has its own window.  In the IR,
+// calls of the same size whose sample expressions have the same shape share a window (language.md 7).  Also builds the function that
+// samples every window.
 #include <string.h>
 
 #include "compiler/ir/build.h"
 #include "stdlib/convert.h"
 
 // ---- shape ----
-// The shape of an expression is everything that expr_equal compares.  The hash of an inner roll call mixes its statistic and the number
-// of its IR window.  That window exists already, because inner roll calls precede the outer one in Program.window.
+// The shape of an expression is everything that expr_equal compares.  For a roll call inside the sample of another, the hash mixes its
+// statistic and the number of its IR window.  That window exists already, because inner roll calls come first in Program.window.
 
 static uint64_t mix_hash(uint64_t hash, uint64_t x)
 {
@@ -43,7 +43,7 @@ static uint64_t hash_shape(const Builder *b, const Expr *e)
 // A slot of an open-addressing hash table; empty if `first` is NULL.
 typedef struct SharedWindow { const Window *first; uint32_t index; } SharedWindow;
 
-// The slot of the window with the same size and sample expression as w, or the empty slot where it would be added.
+// Returns the slot of the window with the same size and sample expression as w, or the empty slot where w is to be added.
 static SharedWindow *find_shared_window(const Builder *b, SharedWindow *table, size_t cap, const Window *w)
 {
     size_t at = (size_t)mix_hash(hash_shape(b, w->sample), w->size) & (cap - 1);
@@ -69,7 +69,7 @@ void build_windows(Builder *b)
     for (uint32_t k = 0; k < list->n; k++) {
         const Window *w = &list->at[k];
         SharedWindow *slot = find_shared_window(b, table, cap, w);
-        if (!slot->first) {                       // the first window of its size and shape: adds an IR window and its sample
+        if (!slot->first) {                       // the first window of its size and shape: add an IR window, and code that samples it
             IrWindow window = {SM_F64, w->size, 0, w};
             IrIns sample = {.op = IR_sample, .type = SM_F64, .b = IR_NONE, .var = (uint32_t)b->m->window.n, .span = w->span};
             slot->first = w;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The control-flow graph of a function.  Jumps only lead to blocks with a higher number, so every analysis here is one walk in block
-// order, forwards or backwards.
+// Analyses of the control-flow graph of a function.  Jumps only lead to blocks with a higher number, so each analysis visits every block
+// once, in ascending or descending order.
 #include "compiler/ir/ir.h"
 
 bool *ir_find_reachable(Arena *arena, const IrFn *f)
@@ -34,8 +34,8 @@ uint32_t *ir_count_edges(Arena *arena, const IrFn *f)
     return n;
 }
 
-// The nearest common postdominator of x and y.  A postdominator has a higher number than the blocks that it postdominates.  IR_NONE, the
-// function's end, is the highest number.
+// Returns the nearest common postdominator of x and y.  A postdominator has a higher number than the blocks that it postdominates.
+// IR_NONE, the function's end, is the highest number.
 static IrBlkRef common_postdominator(const IrBlkRef *post, IrBlkRef x, IrBlkRef y)
 {
     while (x != y) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The six comparisons of the IR, and how one is turned into another.
+// The six comparison operations of the IR: their classes, swapped and negated forms, and results.
 #ifndef SMC_IR_COMPARISON_H
 #define SMC_IR_COMPARISON_H
 
@@ -8,17 +8,17 @@
 
 static inline bool ir_is_comparison(IrOp op) { return ir_op_info[op].types == IR_T_COMPARE; }
 
-// eq and ne have the same result with the operands exchanged, and can be negated even if an operand is NaN.
+// Whether op is eq or ne.  Both have the same result with the operands exchanged, and can be negated even if an operand is NaN.
 static inline bool ir_is_equality(IrOp op) { return op == IR_eq || op == IR_ne; }
 
-// The comparison with the operands exchanged: `a op b` equals `b ir_swapped_comparison(op) a`.
+// Returns the comparison for exchanged operands: `a op b` equals `b ir_swapped_comparison(op) a`.
 static inline IrOp ir_swapped_comparison(IrOp op)
 {
     return op == IR_lt ? IR_gt : op == IR_le ? IR_ge : op == IR_gt ? IR_lt : op == IR_ge ? IR_le : op;
 }
 
-// The negated comparison: `not (a op b)` equals `a ir_negated_comparison(op) b`.  With a NaN operand this is true only of eq and ne: the
-// other four are all false then.
+// Returns the negated comparison: `not (a op b)` equals `a ir_negated_comparison(op) b`.  With a NaN operand this is true only of eq and
+// ne, because lt, le, gt and ge are all false.
 static inline IrOp ir_negated_comparison(IrOp op)
 {
     switch ((int)op) {
@@ -31,7 +31,7 @@ static inline IrOp ir_negated_comparison(IrOp op)
     }
 }
 
-// The result of a comparison of two numbers.
+// Returns the result of `a op b`.
 static inline bool ir_compare(IrOp op, SmF64 a, SmF64 b)
 {
     switch ((int)op) {

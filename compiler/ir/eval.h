@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The value of an IR operation on known operands.  It is computed with the functions of stdlib and never with the host's operators, so it
-// cannot disagree with the engines.
+// Evaluates IR operations on known operands, with the functions of stdlib and never with the host's operators, so that the result cannot
+// differ from that of the engines.
 //
-// Here the value of a temporary is a number, an F64, whatever its type: a bool is 0 or 1, and an I64 or U64 beyond 2^53 is rounded.  A const
-// stores the number as a bit cell of its type (stdlib/convert.h).
+// In these functions the value of a temporary of any type is a number, an F64: a bool is 0 or 1, and an I64 or U64 beyond 2^53 is rounded.
+// A const stores its number as a bit cell of its type (stdlib/convert.h).
 #ifndef SMC_IR_EVAL_H
 #define SMC_IR_EVAL_H
 
@@ -17,11 +17,11 @@ SmF64 ir_number(SmType type, uint64_t cell);
 // The inverse of ir_number.  x is a number that `type` represents, or the F64 result of an operation narrowed to `type` (IrNarrow).
 uint64_t ir_cell(SmType type, SmF64 x);
 
-// Returns x converted to `type` (language.md 2): saturated, for integers without its fraction, NaN as 0.
+// Returns x converted to `type` (language.md 2): saturated, truncated if the type is an integer; NaN becomes 0.
 SmF64 ir_convert(SmType type, SmF64 x);
 
-// The number that an operation on `a` and `b` produces; the operands that `op` does not have are ignored.  `type` is the type of the result,
-// which only cvt needs.  A narrowed operation produces the same number as on F64, rounded by ir_cell.
+// Returns the number that an operation on `a` and `b` produces.  If `op` has fewer operands, the others are ignored.  `type` is the type of
+// the result, used only by cvt.  A narrowed operation (IrNarrow) produces the same number as on F64, which ir_cell then rounds.
 // Returns 0 for const, load, store, stat and sample, whose values do not depend on operands.
 SmF64 ir_eval(IrOp op, SmType type, SmF64 a, SmF64 b);
 

@@ -31,17 +31,17 @@ typedef enum IrOp {
 // How the types of the operands and of the result depend on each other (ops.def).
 typedef enum IrTypes { IR_T_CONST, IR_T_CONVERT, IR_T_SAME, IR_T_COMPARE, IR_T_LOGIC, IR_T_LOAD, IR_T_STORE, IR_T_SAMPLE, IR_T_STAT } IrTypes;
 
-// The types other than F64 on which a SAME operation may work.  It then produces the same number as on F64.  The pass that narrowed it
-// has proved that every operand is exactly of that type, and
+// The types other than F64 on which an operation of types SAME can work.  A narrowed operation (one on such a type) produces the same
+// number as on F64.  The pass that narrowed it has proved that every operand is exactly of that type, and
 //   on I32, I64  that the result is a whole number that fits, is at most 2^53 in magnitude, and is never an observable -0;
 //   on F32       that every user reads only the F32 conversion of the result.  (The widths of both types imply that rounding to F64
 //                first changes nothing.)
 // So a pass may change a narrowed operation only where the change is also correct on F64: 0 + x stays, because on F64 it turns -0
-// into 0.  Likewise, a comparison of operands that are not F64 must have the same result as after converting them to F64.  For I64 and
-// U64 beyond 2^53 this is not automatic.
+// into 0.  A comparison of operands that are not F64 must have the same result as a comparison of the operands converted to F64.  The pass
+// that creates it must prove this for I64 and U64, because conversion rounds them beyond 2^53.
 typedef enum IrNarrow { IR_N_NONE, IR_N_INT, IR_N_F32, IR_N_BOTH } IrNarrow;
 
-typedef enum IrNanRule { IR_NAN_NEVER, IR_NAN_OPERAND, IR_NAN_ANY } IrNanRule;        // when a result can be NaN
+typedef enum IrNanRule { IR_NAN_NEVER, IR_NAN_OPERAND, IR_NAN_ANY } IrNanRule;        // when a result can be NaN (ops.def)
 
 typedef struct IrOpInfo {             // a row of ops.def
     const char *name;
@@ -73,7 +73,7 @@ typedef uint32_t IrBlkRef;            // index into IrFn.blk
 #define IR_NONE UINT32_MAX
 #define IR_NAN UINT64_C(0x7ff8000000000000)   // the only bit pattern of NaN in a const
 
-typedef struct IrIns {                // small, because a machine consists mostly of these and every pass visits all of them
+typedef struct IrIns {                // bit fields keep it small: every pass visits all instructions
     IrOp op : 8;
     SmType type : 8;                  // type of the result; store: the variable's type; sample: unused, F64
     SmStat stat : 8;                  // stat
@@ -81,7 +81,7 @@ typedef struct IrIns {                // small, because a machine consists mostl
     uint32_t var;                     // load, store: index into IrMachine.var; stat, sample: into IrMachine.window
     uint64_t bits;                    // const: the value as a bit cell of `type` (stdlib/convert.h)
     Span span;                        // its origin in the source
-    uint32_t stmt;                    // set by ir_build: the statement of its origin (Stmt.number); else 0
+    uint32_t stmt;                    // set by ir_build: Stmt.number of the statement that it comes from; else 0
 } IrIns;
 
 typedef enum IrJumpKind {
@@ -106,7 +106,7 @@ typedef struct IrBlk {
 } IrBlk;
 
 typedef struct IrFn {
-    VEC(IrIns) ins;                   // the pool; an instruction in no block is dead
+    VEC(IrIns) ins;                   // all instructions, by IrRef; one that is in no block's list is dead
     VEC(IrBlk) blk;                   // at[0] is the entry block
 } IrFn;
 
@@ -116,18 +116,18 @@ typedef struct IrVar {
     IrSpace space;
     Str name;                         // unique in the machine
     SmType type;
-    uint32_t offset;                  // ELEMENT: in the state vector
+    uint32_t offset;                  // ELEMENT: bytes from the start of the state vector
     uint64_t init;                    // LOCAL: its initial value, as a bit cell
     bool writable;                    // some function of the machine stores to it
-    bool outside;                     // LOCAL: code outside the machine writes it between steps; else it starts at init
+    bool outside;                     // LOCAL: code outside the machine, such as a script, writes it between steps
     bool hidden;                      // LOCAL: no code outside the machine reads it between steps
     Span span;
 } IrVar;
 
 typedef struct IrWindow {
-    SmType type;                      // of the stored samples: every sample is exactly of this type
+    SmType type;                      // type of the stored samples; it represents every sample exactly
     uint32_t size;                    // number of samples
-    uint32_t stats;                   // 1u << SmStat for each statistic that is read
+    uint32_t stats;                   // the statistics that are read: 1u << SmStat for each
     const Window *first;              // set by ir_build: the first call of the program that has this window; else NULL
 } IrWindow;
 
@@ -150,16 +150,17 @@ typedef struct IrMachine {
     IrFn *sample;                     // samples every window; NULL if there are no windows
     VEC(IrState) state;               // at[0] is number 1
     const Program *program;           // the program it was built from, for names and spans; NULL if read from text
-    const uint32_t *var_of;           // set by ir_build: by Program.var, the index into `var`; IR_NONE: a constant
-    const uint32_t *window_of;        // set by ir_build: by Program.window, the index into `window`
+    const uint32_t *var_of;           // var_of[Var.index]: index into `var`; IR_NONE: a constant.  Set by ir_build
+    const uint32_t *window_of;        // window_of[index in Program.window]: index into `window`.  Set by ir_build
     struct FactMachine *values;       // set by passes_for_c: the possible values of variables when functions begin (facts/facts.h)
 } IrMachine;
 
 // ---- building, printing, parsing, checking ----
 
-// The whole machine, unoptimised.  Constant locals become constants; equal windows are merged.
+// Builds the unoptimised IR of a machine.  Constant locals become constants; equal windows are merged.
 IrMachine *ir_build(Arena *arena, const Program *p);
-// A function that evaluates a condition of the program that m was built from.  Control reaches block 1 if it is true, else block 2.
+// Builds a function that evaluates a condition of the program that m was built from.  Control reaches block 1 if the condition is true,
+// else block 2.
 IrFn *ir_build_guard(Arena *arena, const IrMachine *m, const Expr *guard);
 
 void ir_print(const IrMachine *m, Buf *out);                  // --emit=ir
@@ -173,15 +174,15 @@ const char *ir_verify(Arena *arena, const IrMachine *m);
 
 IrRef ir_emit(Arena *arena, IrFn *f, IrBlkRef b, IrIns ins);  // appends an instruction to a block
 IrBlkRef ir_add_block(Arena *arena, IrFn *f);                 // a new, empty block, last in f
-// A copy whose functions can be changed.  It shares everything else with m.
+// Returns a copy of m whose functions can be changed.  Everything else is shared with m.
 IrMachine *ir_copy(Arena *arena, const IrMachine *m);
-// For each instruction, the number of operands and jumps that name it.
+// Returns for each instruction the number of operands and jumps that use its result.
 uint32_t *ir_count_uses(Arena *arena, const IrFn *f);
-// For each block, whether it is reachable from the first.
+// Returns for each block whether it is reachable from the first block.
 bool *ir_find_reachable(Arena *arena, const IrFn *f);
-// For each block, the number of edges into it from reachable blocks.  The first block counts one more, for the start of the function.
+// Returns for each block the number of edges into it from reachable blocks.  The start of the function counts as an edge into block 0.
 uint32_t *ir_count_edges(Arena *arena, const IrFn *f);
-// For each block its immediate postdominator: the nearest block on every path from it to the function's end; IR_NONE is the end.
+// Returns for each block its immediate postdominator: the nearest block on every path from it to the function's end; IR_NONE is the end.
 IrBlkRef *ir_find_postdominators(Arena *arena, const IrFn *f);
 
 #endif

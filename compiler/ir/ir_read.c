@@ -13,10 +13,10 @@ typedef struct IrReader {
     Arena *arena;
     IrScan scan;
     IrMachine *m;
-    Map vars, states;                 // name to index + 1
-    Map temps;                        // of the current function: "%7" to instruction + 1
+    Map vars, states;                 // the name of a variable or state, to its index + 1
+    Map temps;                        // the name of a temporary of the current function, such as "%7", to its instruction + 1
     IrFn *f;                          // the current function
-    bool open;                        // its last block has no jump yet
+    bool open;                        // the last block of f has no jump yet
     VEC(PendingGoto) gotos;           // transitions to resolve at the end, because they may name later states
 } IrReader;
 
@@ -177,7 +177,7 @@ static bool read_ins_type(IrReader *r, IrIns *i)
     return good;
 }
 
-// Reads what follows the operation's name.
+// Reads the type, operands and other details after the operation's name.
 static bool read_ins_details(IrReader *r, IrIns *i)
 {
     SmStat stat;
@@ -210,7 +210,7 @@ static IrOp find_op(Str w)             // IR_OP_COUNT if there is no such operat
     return (IrOp)op;
 }
 
-// Reads an instruction after its operation.  `name` is the temporary to which the line assigns the result; NULL: it assigns none.
+// Reads the rest of an instruction whose operation is `op`.  `name` is the temporary to which the line assigns the result; NULL: none.
 static bool read_ins(IrReader *r, Str name, Str op)
 {
     IrIns i = {.op = find_op(op), .a = IR_NONE, .b = IR_NONE};
@@ -231,7 +231,7 @@ static bool read_ins(IrReader *r, Str name, Str op)
 
 // ---- jumps and blocks ----
 
-// Returns false if w names no kind of jump.
+// Sets *kind to the kind of jump that w names; returns false if there is none.
 static bool find_jump_kind(Str w, IrJumpKind *kind)
 {
     static const char *const name[] = {"ret", "jmp", "br", "goto"};       // in the order of IrJumpKind

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Executes IR on doubles.  Functions are flattened once: the instructions of a block are adjacent, and operands are indices of temporaries.
+// Executes IR on doubles.  ir_run_new flattens each function: the instructions of a block become adjacent, so that a block is a range.
 #include "compiler/ir/ir_run.h"
 
 #include <string.h>
@@ -27,7 +27,7 @@ struct IrRunFn {
 
 // ---- flattening functions ----
 
-// Flattens a function (NULL: none).  Raises *temps to the number of temporaries that it needs.
+// Flattens a function; returns NULL if f is NULL.  Raises *temps to the number of temporaries of f, if that is larger.
 static IrRunFn *flatten_function(Arena *arena, const IrFn *f, size_t *temps)
 {
     IrRunFn *out;
@@ -123,7 +123,7 @@ void ir_run_start(const IrRun *r, void *situation, uint32_t state)
 
 // ---- running ----
 
-// Appends an entry of IrTrace.at, unless it repeats the last one or belongs to no statement (entry 0 or 1).
+// Appends an entry to IrTrace.at, unless it equals the last entry or belongs to no statement (Stmt.number 0: entry 0 or 1).
 static void record_event(IrTrace *trace, uint32_t entry)
 {
     if (trace && entry > 1 && (trace->n == 0 || trace->at[trace->n - 1] != entry))

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs a machine from its IR, step by step, as language.md chapter 6 defines a step.  Used by analyses that search by running the machine.
-// A situation is the complete state of a running machine (variables, rolling windows, state) in one block of memory.  A search copies it
-// and can then return to it.
+// A situation is the complete state of a running machine (variables, rolling windows, state) in one block of memory.  A search copies
+// situations so that it can return to them.
 //
 //     IrRun *r = ir_run_new(arena, m);
 //     void *s = arena_alloc(arena, r->size);
 //     ir_run_start(r, s, 1);
-//     ir_run_vars(r, s)[m->g] = 10;                     // inputs, by IR variable, as the F64 that a load produces
+//     ir_run_vars(r, s)[m->g] = 10;                     // set inputs, by IR variable, as the F64 that a load produces
 //     ir_run_step(r, s, NULL);
 //
 // Every variable is stored as F64.  For I64 and U64 beyond 2^53, that is the rounded number that a load produces.
@@ -20,16 +20,16 @@ typedef struct IrRunFn IrRunFn;
 typedef struct IrRun {
     const IrMachine *m;
     size_t size;                      // bytes of a situation
-    size_t vars, writers, windows;    // byte offsets of its parts
-    size_t *window_at;                // by window: offset of its words
-    uint32_t *window_kind;            // by window: the result of sm_roll_kind
+    size_t vars, writers, windows;    // byte offsets of the parts of a situation
+    size_t *window_at;                // by window: byte offset of its data in a situation
+    uint32_t *window_kind;            // by window: its sample type and set of statistics, from sm_roll_kind
     uint64_t work;                    // instructions and jumps executed so far; callers limit it
     IrRunFn *sample;
     IrRunFn *(*block)[BLOCK_COUNT];   // by state
     double *temp;                     // temporaries of the running function
 } IrRun;
 
-// The start of a situation in memory.  The functions below access the rest.
+// The first bytes of a situation.  Variables and windows follow, which the functions below access.
 typedef struct IrSituation {
     double last_g, start;             // G of the last step that ran; G when the current state began
     uint32_t state;                   // number of the state that the next step runs
@@ -39,7 +39,7 @@ typedef struct IrSituation {
 
 // The events of one step, in order.  Each statement of a machine is executed at most once in a step.
 typedef struct IrTrace {
-    uint32_t *at;                     // a store or transition: its Stmt.number << 1; an evaluated guard: the same, plus 1 if it was true
+    uint32_t *at;                     // Stmt.number << 1 of a store, transition or evaluated guard; bit 0 is set if the guard was true
     uint32_t n;                       // number of entries; `at` has room for one per statement of the machine
     uint32_t transition;              // Stmt.number of the transition that was executed; 0: none
 } IrTrace;
@@ -50,7 +50,7 @@ IrRun *ir_run_new(Arena *arena, const IrMachine *m);
 void ir_run_start(const IrRun *r, void *situation, uint32_t state);
 // Returns the values of all variables, indexed by IR variable.
 double *ir_run_vars(const IrRun *r, void *situation);
-// Returns for each IR variable the statement (Stmt.number) that last stored to it; 0: none.
+// Returns for each IR variable the Stmt.number of the last assignment to it; 0: none was executed.
 const uint32_t *ir_run_writers(const IrRun *r, const void *situation);
 // Runs one step.  Returns false and leaves the situation unchanged if G forbids the step (language.md 6.3).  `trace` may be NULL.
 bool ir_run_step(IrRun *r, void *situation, IrTrace *trace);

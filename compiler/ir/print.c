@@ -34,8 +34,8 @@
 //     }
 //
 // The type after an operation is the type of its result; after a comparison, the type of its operands.  Logic, statistics and samples
-// have no type in the text, because it is always the same.  Temporaries are numbered in order of appearance, and blocks in order.
-// A value is a whole number, as `-3`, or its bit cell in hexadecimal, as 0x3fb999999999999a, which preserves every bit.
+// have no type in the text, because each of them has only one.  Temporaries are numbered in order of appearance, blocks by their index.
+// A constant is a whole number, as `-3`, or its bit cell in hexadecimal, as 0x3fb999999999999a, which preserves every bit.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -46,7 +46,7 @@
 const char *const ir_stat_name[SM_STAT_COUNT] = {"avg", "median", "min", "max", "range"};
 const char *const ir_block_name[BLOCK_COUNT] = {"entry", "step", "exit"};
 
-// Prints the fewest digits that read back as the same number.
+// Prints d with the fewest digits from which the same number of this type can be read back.
 static void print_shortest(Buf *out, SmType type, double d)
 {
     char text[40];
@@ -182,7 +182,7 @@ static void print_type(const IrPrinter *p, SmType type)
     buf_printf(p->out, "%s ", sm_type_info[type].spelling);
 }
 
-// Prints one line.  An instruction with a result gets the next number: temporaries are numbered in order of appearance.
+// Prints one instruction on a line.  Its result gets the next number, because temporaries are numbered in order of appearance.
 static void print_ins(IrPrinter *p, IrRef ref)
 {
     const IrIns *i = &p->f->ins.at[ref];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scans the words and numbers of IR text for ir_read.c.  A function that does not find what it requires sets an error and returns false (or
-// NULL).  Later errors are ignored.
+// Scans the words and numbers of IR text for ir_read.c.  A function that does not find what it requires sets the error and returns false
+// (or NULL).  Only the first error is stored.
 #ifndef SMC_IR_SCAN_H
 #define SMC_IR_SCAN_H
 
@@ -18,18 +18,18 @@ typedef struct IrScan {
 __attribute__((format(printf, 2, 3)))
 #endif
 bool scan_fail(IrScan *s, const char *format, ...);             // sets the error if there is none yet; always returns false
-bool scan_next_line(IrScan *s);                                 // skips to the first word of the next nonempty line; false at the end
+bool scan_next_line(IrScan *s);                                 // skips to the next nonempty line; false at the end of the input
 bool scan_at_line_end(IrScan *s);                               // whether only whitespace and a comment are left on the line
 
-Str scan_word(IrScan *s, const char *expected);                 // reads the next word of the line; NULL: none, `expected` names it in the error
-bool scan_word_is(Str word, const char *text);                // false for NULL
+Str scan_word(IrScan *s, const char *expected);                 // reads the next word; NULL if none: the error says `expected`
+bool scan_word_is(Str word, const char *text);                // whether the word equals `text`; false if `word` is NULL
 bool scan_expect_char(IrScan *s, char c);
 bool scan_match_char(IrScan *s, char c);                        // consumes c if it is next
 bool scan_expect_word(IrScan *s, const char *text);
 bool scan_match_word(IrScan *s, const char *text);              // consumes the word if it is next
 bool scan_quoted(IrScan *s, Str *out);
-bool scan_number(IrScan *s, const char *what, uint32_t *out);
-bool scan_lettered_number(IrScan *s, char letter, const char *what, uint32_t *out);  // the number after a letter: b7, w7
+bool scan_number(IrScan *s, const char *what, uint32_t *out);   // `what` names the expected number in the error
+bool scan_lettered_number(IrScan *s, char letter, const char *what, uint32_t *out);  // reads a letter and a number: b7, w7
 bool scan_type(IrScan *s, SmType *out);
 bool scan_value(IrScan *s, SmType type, uint64_t *cell);        // a whole number that fits the type, or a cell in hexadecimal
 bool scan_try_parse_number(const char *text, uint64_t *out);  // decimal, or hexadecimal after 0x

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the invariants of ir.h, so that passes and emitters can rely on them.  The first violation is reported as a sentence.
+// Checks the invariants that ir.h states, so that passes and emitters can rely on them.  Returns the first violation as a sentence.
 // tests/ir/verify.c breaks each invariant once.
 #include <stdarg.h>
 #include <stdio.h>
@@ -66,7 +66,7 @@ static bool is_nan_cell(SmType type, uint64_t cell)
     return type == SM_F64 && (cell & 0x7fffffffffffffffu) > 0x7ff0000000000000u;
 }
 
-// Whether no bit is set beyond the type's size, and a bool is 0 or 1.
+// Whether a cell is valid for the type: no bit beyond the type's size is set, and a bool is 0 or 1.
 static bool cell_fits(SmType type, uint64_t cell)
 {
     if (type == SM_BOOL)
@@ -87,8 +87,8 @@ static bool check_element(IrChecker *c, const IrVar *v)
     return true;
 }
 
-// Elements are at multiples of their size, so each is within one group of eight bytes.  A hash table records which bytes of each group
-// belong to an element already.
+// Elements are at multiples of their size, so each element is within one group of eight bytes.  A hash table records which bytes of each
+// group belong to an element that has been checked.
 typedef struct UsedBytes { uint32_t group, bytes; } UsedBytes;        // bytes 0: an empty slot
 
 static bool check_no_overlap(IrChecker *c)
@@ -124,7 +124,7 @@ static bool check_local(IrChecker *c, const IrVar *v)
     return !is_nan_cell(v->type, v->init) || report_violation(c, "the initial value of %.80s is not a number", v->name->text);
 }
 
-// Checks the variable that is G, S or T: its space, its type, and that the machine does not write it.
+// Checks the variable with the role G, S or T: its space, its type, and that the machine does not write it.
 static bool check_role(IrChecker *c, uint32_t index, const char *role, IrSpace space, SmType type)
 {
     const IrVar *v = index < c->m->var.n ? &c->m->var.at[index] : NULL;

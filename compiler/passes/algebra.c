@@ -28,8 +28,8 @@ static IrRef operand_of(const Identity *d, IrRef ref) { return identity_at(d, re
 
 static bool is_negation(const Identity *d, IrRef ref) { return is_op(d, ref, IR_neg); }
 
-// Removes a negation from a sum.  IEEE 754 defines a - b as a + (-b), and addition commutes.  On integers both forms are exact (ir.h), and
-// there is no -0 that they could treat differently.
+// Replaces the addition of a negated operand by a subtraction, and the reverse.  IEEE 754 defines a - b as a + (-b), and addition commutes.
+// On integers both forms are exact (ir.h), and no -0 exists that they could treat differently.
 static void rewrite_sum(const Identity *d, IrIns *i)
 {
     if (is_negation(d, i->b))                                 // a + -b, a - -b
@@ -38,8 +38,8 @@ static void rewrite_sum(const Identity *d, IrIns *i)
         replace_op(i, IR_sub, i->b, operand_of(d, i->a));
 }
 
-// Removes the negations of both operands of a product or quotient: the signs of the operands only determine the sign of the result, and
-// two negations leave it unchanged.  Returns false if not both operands are negated.
+// Removes the negations if both operands of a product or quotient are negated; returns false if not.  The signs of the operands determine
+// only the sign of the result, and two negations do not change that sign.
 static bool try_cancel_negations(const Identity *d, IrIns *i)
 {
     if (!is_negation(d, i->a) || !is_negation(d, i->b))
@@ -48,7 +48,7 @@ static bool try_cancel_negations(const Identity *d, IrIns *i)
     return true;
 }
 
-// Replaces a multiplication by -1 by a negation, which also only changes the sign.
+// Cancels two negations; otherwise replaces a multiplication by -1 with a negation: both change only the sign.
 static void rewrite_product(const Identity *d, IrIns *i)
 {
     if (try_cancel_negations(d, i))
@@ -61,8 +61,8 @@ static void rewrite_product(const Identity *d, IrIns *i)
 
 // ---- comparisons ----
 
-// The negation of a comparison is the opposite comparison.  lt, le, gt and ge have none if an operand may be NaN: `a < b` and `a >= b`
-// are both false then.
+// Replaces `not` of a comparison with the opposite comparison.  lt, le, gt and ge have an opposite only if no operand can be NaN: with a
+// NaN, `a < b` and `a >= b` are both false.
 static void rewrite_not(const Identity *d, IrIns *i)
 {
     const IrIns *from = identity_at(d, i->a);
@@ -94,7 +94,7 @@ static bool try_rewrite_bool_comparison(const Identity *d, IrIns *i)
     else if (if_false)
         replace_op(i, IR_not, boolean, IR_NONE);
     else
-        replace_op(i, IR_and, boolean, boolean);              // find_equal_operand (identity.c) then replaces it by its operand
+        replace_op(i, IR_and, boolean, boolean);              // find_equal_operand (identity.c) then replaces `b and b` with b
     return true;
 }
 
@@ -104,13 +104,13 @@ static void rewrite_comparison(const Identity *d, IrIns *i)
 
     if (try_rewrite_bool_comparison(d, i) || i->a != i->b)
         return;
-    if (i->op == IR_lt || i->op == IR_gt || d->never_nan[i->a])       // x < x is false for NaN too
+    if (i->op == IR_lt || i->op == IR_gt || d->never_nan[i->a])       // x < x and x > x are false for NaN, too
         replace_by_bool(i, true_if_equal);
 }
 
 // ---- conversions ----
 
-// Bypasses an operation before a conversion that the result of the conversion does not depend on.
+// Bypasses the operation that produces the operand of a conversion, if the result of the conversion is the same without it.
 static void rewrite_cvt(const Identity *d, IrIns *i)
 {
     const IrIns *from = identity_at(d, i->a);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// cse: common subexpression elimination within a block, by value numbering.  Every temporary gets the number of the first one that
-// certainly has the same value: the same operation on operands with the same numbers.  A load has the value of the last store to its
+// cse: common subexpression elimination within a block, by value numbering.  The value number of a temporary is the first temporary that
+// certainly has the same value: the same operation on operands with the same value numbers.  A load has the value of the last store to its
 // variable in the block, or of the last load.  This is correct because a stored value is never NaN and is of the variable's type, so
-// loading it returns the same bits (ir.h).  Operands of add, mul, eq, ne, min, max, and, or are sorted: which NaN a result is, is not
-// observable, and min and max order -0 and +0 the same for both operand orders.
+// loading it returns the same bits (ir.h).  Operands of add, mul, eq, ne, min, max, and, or are sorted by value number.  This is correct
+// because the bits of a NaN are not observable, and min and max treat -0 and +0 the same in both operand orders.
 //
-// Not every repetition is worth a temporary.  An operation is "sunk" if its only user is a store or a branch.  Both backends compute a
-// sunk operation in place, so it needs no temporary.  An operation is therefore replaced only if neither it nor the earlier one is
-// sunk.  Exceptions are window statistics and square roots, which cost more than a copy.  A conversion to F64 that changes nothing is
-// free and is not replaced.  A load after a store stays a load, because the variable already contains the value.
+// Not every repeated operation is worth a temporary.  An operation is "sunk" if its only user is a store or a branch.  Both backends
+// compute a sunk operation in place, without a temporary.  So a repeated operation is replaced by the earlier one only if neither is
+// sunk.  Constants are always replaced, and so are window statistics and square roots, which cost more than a copy.  A conversion to F64
+// that changes nothing is free and is not replaced.  A load after a store stays a load, because the variable already contains the value.
 //
 // A store of the value that the variable already has is dropped.  For an element, this requires an earlier store in the block, because
-// it is observable that an element was stored.  For a local, it requires that no other code writes it.
-// Needs use counts and updates them.
+// other code can observe that an element was stored.  For a local, it requires that only the machine writes the local.
+// Needs use counts (FACT_USES) and updates them.
 #include <string.h>
 
 #include "compiler/ir/comparison.h"
@@ -26,7 +26,7 @@ typedef struct Cse {
     Facts *facts;
     IrRef *value;             // by instruction: its value number, which is the first instruction of the same value
     IrRef *leader;            // by value number: the instruction that replaces the others of that value
-    IrRef *same;              // by instruction: the temporary that its users must name
+    IrRef *same;              // by instruction: the temporary that its users must use instead
     bool *sunk;               // by instruction: its only user is a store or a branch
     CseSlot *table;           // hash table of the block's operations, by CseKey
     size_t cap;               // a power of two
@@ -47,7 +47,7 @@ static void swap_operands(CseKey *k)
     k->b = a;
 }
 
-// The key of an operation.  Two operations of a block with equal keys have the same value.
+// Returns the key of an operation.  Two operations of a block with equal keys have the same value.
 static CseKey key_of(const Cse *c, const IrIns *i)
 {
     CseKey k = {i->op, i->type, IR_NONE, IR_NONE, 0, 0};
@@ -103,8 +103,8 @@ static void mark_sunk_if_used_once(Cse *c, IrRef ref)
     c->sunk[ref] = c->facts->uses[ref] == 1;
 }
 
-// Fills in `sunk` for a block, from its end.  An operand of a store or branch is sunk if nothing else uses it, and so is one of a sunk
-// conversion or logic operation.
+// Fills in `sunk` for a block, from its end.  An operand of a store, of a branch, or of a sunk conversion or logic operation is sunk if it
+// has no other user.
 static void mark_sunk(Cse *c, const IrBlk *blk)
 {
     if (blk->jump.kind == IR_BR)
@@ -145,7 +145,7 @@ static void visit_load(Cse *c, IrRef ref)
         note->load = ref;
 }
 
-// Returns false if the store can be dropped.
+// Updates what is known about the variable.  Returns false if the store can be dropped.
 static bool visit_store(Cse *c, const IrIns *i)
 {
     VarNote *note = note_on_variable(c->facts->notes, i->var);
@@ -179,7 +179,7 @@ static void visit_operation(Cse *c, IrRef ref)
         c->leader[first] = ref;
 }
 
-// Returns the temporary that replaces `ref` as an operand, and moves one use to it.
+// Returns the temporary that replaces `ref` as an operand, and moves one use in the use counts from `ref` to this temporary.
 static IrRef replace_use(Cse *c, IrRef ref)
 {
     c->facts->uses[ref]--;
@@ -187,7 +187,7 @@ static IrRef replace_use(Cse *c, IrRef ref)
     return c->same[ref];
 }
 
-// Returns false if the instruction can be dropped at once.
+// Numbers the value of an instruction.  Returns false if the instruction can be dropped.
 static bool visit_instruction(Cse *c, IrRef ref)
 {
     IrIns *i = ins_at(c, ref);

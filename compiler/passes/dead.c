@@ -2,11 +2,11 @@
 // dce: drops operations whose results are unused.
 // dse: drops a store that the same block overwrites before any load reads it.  Only two effects of a step are observable: the values of
 // variables at its end, and which elements were stored.  The later store produces both.  A load whose result is unused is no read.
-// Both walk backwards, so that one walk drops whole expressions.  They need use counts and update them.
+// Both passes walk backwards, so that one walk drops whole expressions.  They need use counts (FACT_USES) and update them.
 #include "compiler/passes/pass.h"
 
-// Returns whether an instruction stays.  Called for each instruction of a block, from the last to the first.  For an instruction that does
-// not stay, it subtracts one use from each operand.
+// Decides whether an instruction stays.  Called for each instruction of a block, from the last to the first.  If the instruction does not
+// stay, the function subtracts one from the use counts of its operands.
 typedef bool VisitFn(const IrFn *f, IrRef ref, Facts *facts);
 
 static void filter_block(const IrFn *f, IrBlk *blk, Facts *facts, VisitFn *visit)
@@ -36,7 +36,8 @@ static bool visit_for_dce(const IrFn *f, IrRef ref, Facts *facts)
     return false;
 }
 
-// Returns whether the instruction stays.  `stored` in the note of a variable: a later store of the block overwrites it, and no load between reads it.
+// Returns whether the instruction stays.  VarNote.stored is set if a later store of the block overwrites the variable and no load between
+// the current position and that store reads it.
 static bool visit_for_dse(const IrFn *f, IrRef ref, Facts *facts)
 {
     const IrIns *i = &f->ins.at[ref];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // empty: removes functions of states that do nothing, and hidden locals that no function accesses.
-// Needs nothing.  Breaks no facts about functions, but renumbers variables.
+// Needs no facts.  Invalidates values (FACT_VALUES), because it renumbers variables.
 #include "compiler/passes/pass.h"
 
 static bool accesses_variable(const IrIns *i) { return i->op == IR_load || i->op == IR_store; }

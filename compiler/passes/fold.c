@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // fold: constant folding.  An operation on constants becomes its result (ir/eval.h).  `and` and `or` become a constant if one operand
 // decides them.
-// Needs nothing; invalidates use counts, because the operands lose a user.
+// Needs no facts; invalidates use counts, because the operands lose a user.
 #include "compiler/ir/eval.h"
 #include "compiler/passes/pass.h"
 
@@ -10,7 +10,7 @@ static bool is_const(const IrFn *f, IrRef ref)
     return f->ins.at[ref].op == IR_const;
 }
 
-// The number of a constant; 0 for IR_NONE, the operand that an operation does not have.
+// Returns the number of a constant; 0 for IR_NONE, which stands for an operand that the operation does not have.
 static SmF64 const_number(const IrFn *f, IrRef ref)
 {
     return ref == IR_NONE ? sm_from_i32(0) : ir_number(f->ins.at[ref].type, f->ins.at[ref].bits);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // identity: bypasses operations whose result equals an operand.  Users of the result name the operand instead.
 //   x * 1, x / 1             exact, including the sign of zero
-//   x - 0, x + -0            likewise: -0 - 0 is -0, and 0 + -0 is 0.  x + 0 is not x if x is -0.  It is bypassed only if x is an
-//                            integer, was converted from an integer, or is the result of abs
+//   x - 0, x + -0            exact, including the sign of zero: -0 - 0 is -0, and 0 + -0 is 0
+//   x + 0                    only if x cannot be -0: an integer, a number converted from an integer, or a result of abs
 //   --x, min(x, x), max(x, x)
-//   floor, ceil, trunc, round of the result of one of these, or of a converted integer.  They do not change whole numbers,
-//                            infinities, NaN or the sign of zero
-//   cvt there and back       U8 to F64 to U8: if the intermediate type represents every value of the other type exactly
+//   floor, ceil, trunc, round  of the result of one of these operations, or of a converted integer, because they do not change whole
+//                            numbers, infinities, NaN or the sign of zero
+//   cvt there and back       such as U8 to F64 to U8: if the intermediate type represents every value of the other type exactly
 //   cvt to the same type     unless the operand is a float that may be NaN, which cvt would change to 0
 //   and, or                  with a constant that does not decide the result, or with the same operand twice
 //   not of a not
 // algebra.c replaces operations by cheaper ones.
-// Needs nothing; invalidates use counts.  dce removes the operations that become unused.
+// Needs no facts; invalidates use counts.  dce removes the operations that become unused.
 #include "compiler/passes/identity.h"
 
 #include "compiler/ir/eval.h"
@@ -30,8 +30,8 @@ bool identity_is_const(const Identity *d, IrRef ref, SmF64 number)
 
 // ---- arithmetic ----
 
-// Whether ref is an integer or bool that is not the result of arithmetic or a conversion.  Such a number is never -0, even if a backend
-// computes narrowed operations on F64, where their result may be -0 (ir.h).
+// Whether ref is an integer or bool that is not the result of arithmetic or a conversion, so that it is certainly not -0.  An integer
+// result of a narrowed operation could be -0 if a backend computes the operation on F64 (ir.h).
 static bool is_uncomputed_integer(const Identity *d, IrRef ref)
 {
     const IrIns *i = identity_at(d, ref);

@@ -18,7 +18,7 @@ static inline const IrIns *identity_at(const Identity *d, IrRef ref) { return &d
 bool identity_is_const(const Identity *d, IrRef ref, SmF64 number);
 bool identity_is_integer(SmType type);
 
-// Replaces i by a cheaper operation with the same result, if there is one.
+// Replaces i with a cheaper operation that has the same result, if there is one.
 void identity_rewrite_cheaper(const Identity *d, IrIns *i);
 
 #endif

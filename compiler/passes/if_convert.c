@@ -2,22 +2,22 @@
 // if_convert: replaces conditionals that only choose a value by code without a branch, which a processor would have to predict.
 //   if p > 775 { open = true } else: open = false     becomes open = p > 775
 //   if p > 775: n = n + 1                             becomes n = n + (p > 775), for a local n that only the machine writes
-// A conditional is converted if both arms lead to the same block and contain only stores of boolean constants and counts by one, and what
-// those need.  An element is stored only where the source stores it, because other code can write it meanwhile.  If a boolean is stored in
-// one arm, it must also be stored in the other.
+// A conditional is converted if both arms lead to the same block and contain only stores of boolean constants, counts by one, and the
+// operations that these need.  If a boolean is stored in one arm, it must also be stored in the other.  Only locals are counted: code
+// without a branch stores the count in every case, and an element must only be stored where the source stores it.
 // Only emitted C profits: on the VM the addition costs as much as the branch.  With numbers in software the counts stay branches, because
 // an 8-bit chip does not predict branches, and adds 64-bit numbers slowly.
-// Needs nothing; invalidates use counts.
+// Needs no facts; invalidates use counts.
 #include "compiler/ir/eval.h"
 #include "compiler/passes/pass.h"
 
-enum { ARM_INS = 32, ARM_STORES = 8 };       // limits of an arm: a larger one is worth a branch
+enum { ARM_INS = 32, ARM_STORES = 8 };       // most instructions and stores of an arm: for a larger one a branch is faster
 
 // A store of an arm: of a boolean constant, or of the variable's value plus or minus `one`.
 typedef struct ArmStore {
     uint32_t var;
     bool stored_bool;         // the boolean constant
-    IrRef store, one;         // the store; the constant 1, or IR_NONE if it stores a boolean
+    IrRef store, one;         // the store instruction; the constant 1, or IR_NONE if a boolean is stored
 } ArmStore;
 
 typedef struct Arm {                  // one of the two arms of a conditional
@@ -34,8 +34,8 @@ typedef struct IfConvert {
     bool counts;              // whether to convert counts
 } IfConvert;
 
-// Whether adding 0 in type `type` leaves every value of a counter unchanged.  A stored 64-bit integer is always exactly an F64.  A
-// narrower counter is counted as an integer once the pass `narrow` has run; before, as at -O0, its conditional stays.
+// Whether adding 0 in `type` leaves every value of a counter unchanged.  A stored 64-bit integer is always exactly an F64.  Narrower
+// counters are only matched if the pass `narrow` has made their addition an integer operation; without narrow (-O0), the branch stays.
 static bool can_count_in(SmType type, SmType counter)
 {
     if (sm_type_info[counter].bytes == 8)
@@ -51,7 +51,7 @@ static IrRef skip_conversions(const IrFn *f, IrRef r, SmType counter)
     return r;
 }
 
-// Whether x is the value of variable `var`, and `one` the constant 1; sets s->one.
+// Whether x is the value of variable `var`, and `one` is the constant 1.  Sets s->one to that constant.
 static bool match_plus_one(const IfConvert *c, uint32_t var, IrRef x, IrRef one, ArmStore *s)
 {
     const SmType type = c->m->var.at[var].type;
@@ -85,8 +85,8 @@ static const ArmStore *find_store(const Arm *arm, uint32_t var)
     return NULL;
 }
 
-// Adds a store to the arm.  Returns false if the block cannot be an arm because of it: the store is of neither kind, the arm is full, or
-// it stores to the variable twice.
+// Adds a store to the arm.  Returns false if the block cannot be an arm: the store is neither of a boolean constant nor a count, the arm is
+// full, or it already stores to the variable.
 static bool try_add_arm_store(const IfConvert *c, IrRef r, Arm *arm)
 {
     const IrIns *store = &c->f->ins.at[r], *value = &c->f->ins.at[store->a];
@@ -124,7 +124,7 @@ static bool match_arm(const IfConvert *c, IrBlkRef b, Arm *arm)
     return fits;
 }
 
-// Whether `other` also stores every boolean that `arm` stores, and none of its counters.
+// Whether `other` also stores every boolean variable that `arm` stores, and counts none of the counters of `arm`.
 static bool arms_agree(const Arm *arm, const Arm *other)
 {
     for (unsigned i = 0; i < arm->n; i++)
@@ -152,8 +152,8 @@ static bool match_arms(const IfConvert *c, IrBlkRef b, Arm *then, Arm *other)
 
 // ---- converting ----
 
-// Moves what the arm computes to the end of block b.  The constant `one` of a count becomes the conversion of `cond`: 1 if it is true, else
-// 0.
+// Moves the operations of the arm to the end of block b.  The constant `one` of a count becomes the conversion of `cond` to a number: 1 if
+// cond is true, else 0.
 static void move_computations(IfConvert *c, IrBlkRef b, const Arm *arm, IrRef cond)
 {
     IrBlk *from = &c->f->blk.at[arm->blk];
@@ -172,7 +172,8 @@ static void move_computations(IfConvert *c, IrBlkRef b, const Arm *arm, IrRef co
     from->ins.n = 0;
 }
 
-// Moves the stores of booleans, which both arms have: the condition or its negation is stored, unless both arms store the same.
+// Moves the stores of booleans, which both arms have, to block b.  If the arms store different constants, stores the condition or its
+// negation instead.
 static void move_bool_stores(IfConvert *c, IrBlkRef b, const Arm *then, const Arm *other, IrRef cond, IrRef negated)
 {
     for (unsigned i = 0; i < then->n; i++) {
@@ -216,6 +217,6 @@ void pass_if_convert(Arena *arena, IrFn *f, Facts *facts)
     Arm then, other;
 
     for (IrBlkRef b = (IrBlkRef)f->blk.n; b-- > 0;)
-        if (c.preds[b] > 0 && match_arms(&c, b, &then, &other))      // an unreachable block must not take arms from others
+        if (c.preds[b] > 0 && match_arms(&c, b, &then, &other))      // an unreachable block must not take the arms of a reachable one
             convert_branch(&c, b, &then, &other);
 }

@@ -18,8 +18,8 @@ static bool is_rounding(const IrIns *i) { return i->op == IR_floor || i->op == I
 
 static bool is_never_negative(Fact a) { return a.lo >= 0 && !a.minus_zero; }
 
-// The operand that a min or max always returns, or IR_NONE.  The bounds must not touch, because -0 and +0 differ, and neither operand
-// may be NaN.
+// Returns the operand that a min or max always returns, or IR_NONE.  Neither operand may be NaN, and the bounds must not be equal, because
+// they could be -0 and +0.
 static IrRef decided_min_max_operand(const IrIns *i, Fact a, Fact b)
 {
     const Fact low = i->op == IR_min ? a : b, high = i->op == IR_min ? b : a;
@@ -31,7 +31,7 @@ static IrRef decided_min_max_operand(const IrIns *i, Fact a, Fact b)
     return high.hi < low.lo ? i->b : IR_NONE;
 }
 
-// The operand that always equals the result of i, or IR_NONE.
+// Returns the operand that always equals the result of i, or IR_NONE.
 static IrRef unchanged_operand(const KnownPass *k, const IrIns *i)
 {
     const Fact a = k->fact[i->a];
@@ -39,7 +39,7 @@ static IrRef unchanged_operand(const KnownPass *k, const IrIns *i)
     if (i->op == IR_cvt)
         return i->type == SM_F64 && k->f->ins.at[i->a].type == SM_F64 && !a.nan ? i->a : IR_NONE;
     if (is_rounding(i))
-        return a.whole ? i->a : IR_NONE;                         // these do not change NaN and -0 either
+        return a.whole ? i->a : IR_NONE;                         // rounding does not change NaN and -0, either
     if (i->op == IR_abs)
         return is_never_negative(a) ? i->a : IR_NONE;            // the sign of a NaN is not observable
     if (i->op == IR_min || i->op == IR_max)

@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 // locals: removes accesses to locals that need no memory.
-//   A local that no code stores to is a constant: its initial value.  (Not if a script may write it from outside.)
+//   A local that no code of the machine or a script stores to is a constant: its initial value.
 //   A hidden local (one that no code outside the machine reads) that is never loaded needs no stores.
 //   A hidden local that is only loaded after a store in the same block needs no memory: its loads are replaced by the stored value.
 // A stored value is never NaN and is of the variable's type, so loading it returns the same bits (ir.h).  Loads whose results are
-// unused count as reads: run dce before.  Needs nothing; invalidates use counts.
+// unused count as reads, so dce must run first.  Needs no facts; invalidates use counts.
 #include "compiler/passes/pass.h"
 
 typedef struct LocalUse {
     bool stored, loaded;
     bool exposed;             // a load may read the value of an earlier block or step, or a stored temporary cannot replace its loads
-    uint32_t block;           // the last block that stored to it
-    IrRef stored_temp;        // the temporary that the last store stored
+    uint32_t block;           // number of the last block that stored to the local
+    IrRef stored_temp;        // the temporary that this store stored
 } LocalUse;
 
 typedef struct LocalsPass {
     IrMachine *m;
     LocalUse *at;             // by variable
     uint32_t block;           // the current block; counts all blocks of the machine from 1
-    IrRef *same;              // by instruction of a function: the temporary that its users must name
+    IrRef *same;              // by instruction of a function: the temporary that its users must use instead
 } LocalsPass;
 
-// A user may only read the F32 conversion of an operation narrowed to F32 (ir.h).  A store does so; readers of the local may not.
+// Whether i is narrowed to F32.  Users may only read the F32 conversion of its result (ir.h).  A store does so, but a user that gets the
+// result instead of a load might not.  So such a result cannot replace loads.
 static bool is_f32_operation(const IrIns *i) { return i->type == SM_F32 && ir_op_info[i->op].types == IR_T_SAME; }
 
-// Records how a function accesses each variable.
+// Records in l->at how a function accesses each variable.
 static void note_accesses(LocalsPass *l, const IrFn *f)
 {
     for (size_t b = 0; b < f->blk.n; b++) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // narrow: moves F64 operations to the types of their inputs, where facts (the possible values, facts/facts.h) prove that the difference is
 // not observable.
-//   sums, products, …   of whole numbers that stay within 2^53: on I32 or I64.  F64 is exact there too.  Only the sign of a zero is
-//                       lost, so it must not be observable (by a store to a float, a division, …)
-//   sign of an F32      neg and abs: on F32
-//   op, then to F32     of F32 operands: on F32.  The intermediate rounding to F64 changes nothing, because F64 has more than twice
-//                       the digits of F32, plus two
+//   sums, products, …   of whole numbers whose results stay below 2^53 become operations on I32 or I64.  F64 is exact there, too.  Only the
+//                       sign of a zero is lost, so it must not be observable (by a store to a float, a division, …)
+//   neg, abs            of an F32 become operations on F32
+//   op, then to F32     an operation on F32 operands whose result is only converted to F32 becomes an operation on F32.  The intermediate
+//                       rounding to F64 changes nothing, because F64 has more than twice the digits of F32, plus two
 //   comparisons         see narrow_compare.c
-//   conversions         of a number that also exists in a narrower type: from that type
+//   conversions         of a number that is also available in a narrower type convert from that type
 //   windows             store samples in the narrowest type that represents all of them
-// Needs values; invalidates use counts.  dce removes the operations that become unused.
+// Needs values (FACT_VALUES); invalidates use counts.  dce removes the operations that become unused.
 #include "compiler/passes/narrow.h"
 
 #include <string.h>
@@ -55,8 +55,8 @@ static void mark_zero_sign(Narrow *n, IrRef r, bool is_observable) { n->zero_sig
 
 static bool can_be_zero(Fact a) { return a.lo <= 0 && a.hi >= 0; }
 
-// Marks those operands of ref whose sign of zero is observable.  Users are visited first: whether the sign of ref's own zero is observable
-// is known.
+// Marks the operands of ref for which -0 instead of 0 would be observable.  Users are visited before their operands, so the mark of ref is
+// already final.
 static void mark_operand_zero_signs(Narrow *n, IrRef ref)
 {
     const IrIns *i = narrow_ins(n, ref);
@@ -119,15 +119,15 @@ IrRef narrow_get_integer(Narrow *n, IrRef r, SmType type)
     return *made;
 }
 
-// Emits i, which computes ref's number in a narrower type, and turns ref into a conversion of it.
+// Emits i, which computes ref's number in a narrower type, and changes ref into a conversion of the result of i to F64.
 static void replace_by_narrow(Narrow *n, IrRef ref, IrIns i)
 {
     n->narrow[ref] = narrow_emit(n, i);
     *narrow_ins(n, ref) = make_ins(IR_cvt, SM_F64, n->narrow[ref], IR_NONE, i.span);
 }
 
-// Moves an operation on whole numbers to I32 or I64, if its result is a whole number below 2^53.  A bound of exactly 2^53 is too much,
-// because it may be the rounding of a larger number: 1 + 2^53 is 2^53 on F64, but not on I64.
+// Moves an operation on whole numbers to I32 or I64, if its result is a whole number below 2^53.  A result of 2^53 is not allowed, because
+// it may be the rounding of a larger number: 1 + 2^53 is 2^53 on F64, but not on I64.
 static void narrow_to_integer(Narrow *n, IrRef ref)
 {
     IrIns i = *narrow_ins(n, ref);
@@ -147,7 +147,7 @@ static void narrow_to_integer(Narrow *n, IrRef ref)
 
 // ---- F32 ----
 
-// Moves neg and abs of an F32 to F32.  They are exact there, for every use of the result.
+// Moves neg and abs of an F32 to F32.  Their results are exact there, so every user gets the same number.
 static void narrow_neg_or_abs(Narrow *n, IrRef ref)
 {
     IrIns i = *narrow_ins(n, ref);
@@ -159,7 +159,7 @@ static void narrow_neg_or_abs(Narrow *n, IrRef ref)
     replace_by_narrow(n, ref, i);
 }
 
-// Whether r exists as an F32.  Sets *is_variable if r is not a constant.
+// Whether r's number is available as an F32.  Sets *is_variable if r is not a constant.
 static bool match_f32_operand(const Narrow *n, IrRef r, bool *is_variable)
 {
     double x;
@@ -177,7 +177,7 @@ static IrRef emit_f32_operand(Narrow *n, IrRef r)
     return narrow_is_const(n, r, &x) ? narrow_const(n, SM_F32, x, narrow_ins(n, r)->span) : n->narrow[r];
 }
 
-// Narrows an operation on F32s whose only user is the `cvt F32`.
+// Narrows an operation on F32 operands whose only user is `cvt`, a conversion to F32.
 static void narrow_to_f32(Narrow *n, IrRef cvt)
 {
     const IrRef r = narrow_ins(n, cvt)->a;
@@ -214,10 +214,10 @@ static void narrow_conversion(Narrow *n, IrRef ref)
     if (from != IR_NONE)
         i->a = from;
     else if (i->type == SM_F32)
-        narrow_to_f32(n, ref);                            // may move the instructions: i is invalid after it
+        narrow_to_f32(n, ref);                            // adds instructions, so that i may point to freed memory
     if (narrow_ins(n, ref)->type != SM_F64)
         return;
-    from = narrow_ins(n, ref)->a;                         // a conversion to F64 has the number of its narrower operand
+    from = narrow_ins(n, ref)->a;                         // a conversion to F64: its operand is the same number in a narrower type
     type = narrow_ins(n, from)->type;
     if (type == SM_F64)
         return;
@@ -265,7 +265,7 @@ static void narrow_block(Narrow *n, IrBlk *blk)
     blk->ins.cap = n->out.cap;
 }
 
-// A table of `count` temporaries, all IR_NONE.
+// Returns a table of `count` temporaries, all IR_NONE.
 static IrRef *new_empty_refs(Arena *arena, size_t count)
 {
     IrRef *r = ARENA_ARRAY(arena, IrRef, count);

@@ -11,11 +11,11 @@
 typedef struct Narrow {
     Arena *arena;
     IrFn *f;
-    const Fact *fact;         // its possible values
-    uint32_t *uses;
+    const Fact *fact;         // the possible values of the temporary
+    uint32_t *uses;           // its use count
     IrRef *same;              // a temporary with the same value: an earlier one, or itself
     IrRef *narrow;            // for an F64: a temporary of a narrower type that is exactly the same number, or IR_NONE
-    IrRef *wide;              // likewise, an I64 or U64 whose conversion to F64 may have rounded
+    IrRef *wide;              // for an F64: the I64 or U64 that it was converted from, perhaps with rounding, or IR_NONE
     IrRef *as_i32, *as_i64;   // the same number in that type, once narrow_get_integer has created it
     bool *zero_sign_observable;  // whether -0 instead of 0 would be observable
     VEC(IrRef) out;           // the new instruction list of the block
@@ -23,13 +23,13 @@ typedef struct Narrow {
 
 static inline IrIns *narrow_ins(const Narrow *n, IrRef r) { return &n->f->ins.at[r]; }
 
-IrRef narrow_emit(Narrow *n, IrIns i);                           // appends a new instruction to `out`
+IrRef narrow_emit(Narrow *n, IrIns i);                           // appends a new instruction to n->out
 IrRef narrow_const(Narrow *n, SmType type, double x, Span span);
-bool narrow_is_const(const Narrow *n, IrRef r, double *x);       // a number, not NaN
+bool narrow_is_const(const Narrow *n, IrRef r, double *x);       // whether r is a constant number, not NaN; sets *x
 
 bool narrow_has_integer(const Narrow *n, IrRef r);               // whether r's number exists as an integer (or bool)
-IrRef narrow_get_integer(Narrow *n, IrRef r, SmType type);       // that integer as I32 or I64; `type` must be able to represent it
-SmType narrow_common_integer(const Narrow *n, IrRef r, IrRef a, IrRef b);  // I32 if all three fit (IR_NONE is ignored), else I64
+IrRef narrow_get_integer(Narrow *n, IrRef r, SmType type);       // returns r's number as I32 or I64; `type` must be able to represent it
+SmType narrow_common_integer(const Narrow *n, IrRef r, IrRef a, IrRef b);  // I32 if r, a and b fit (IR_NONE is ignored), else I64
 
 void narrow_compare(Narrow *n, IrRef ref);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// narrow: comparisons in the type of the inputs.  A constant is replaced by the nearest number of that type that does not exceed it,
-// and the operator is changed so that the result is the same for every value.  Converting an I64 or U64 to F64 may round it, but
-// preserves its order relative to every constant below 2^53, because numbers of that size are not rounded.
+// Part of `narrow`: moves comparisons to the type of their inputs.  A constant is replaced with the largest number of that type that does
+// not exceed it, and the operator is changed so that the result is the same for every value.  Converting an I64 or U64 to F64 may round
+// it, but preserves its order relative to every constant below 2^53, because numbers of that size are not rounded.
 #include "compiler/ir/comparison.h"
 #include "compiler/passes/narrow.h"
 #include "stdlib/convert.h"
@@ -16,7 +16,7 @@ static void replace_compare(Narrow *n, IrRef ref, IrOp op, IrRef a, IrRef b)
     i->b = b;
 }
 
-// A bool compared with a constant is the bool itself, its negation, or a constant.
+// Replaces ref, a comparison of the bool `flag` with the constant c, with the bool itself, its negation, or a constant.
 static void compare_bool(Narrow *n, IrRef ref, IrOp op, IrRef flag, double c)
 {
     const bool of_false = ir_compare(op, 0, c), of_true = ir_compare(op, 1, c);
@@ -33,11 +33,11 @@ static void compare_bool(Narrow *n, IrRef ref, IrOp op, IrRef flag, double c)
     i->bits = of_true;
 }
 
-// The operator for which comparing x with `below` has the same result as `x op c`.  c is not a number of the type; `below` is the
-// largest number of the type below c.
+// Returns the operator for which comparing x with `below` has the same result as `x op c`.  c is not a number of x's type; `below` is the
+// largest number of that type below c.
 static IrOp op_for_lower_bound(IrOp op) { return op == IR_lt || op == IR_le ? IR_le : IR_gt; }
 
-// Replaces `x op c` by a comparison of x with `below`, the largest number of its type that is not above c.
+// Replaces `x op c` with a comparison of x with `below`, the largest number of x's type that is not above c.
 static void compare_with_lower_bound(Narrow *n, IrRef ref, IrOp op, IrRef x, double c, double below)
 {
     const SmType type = narrow_ins(n, x)->type;
@@ -70,7 +70,7 @@ static void compare_f32(Narrow *n, IrRef ref, IrOp op, IrRef x, double c)
     compare_with_lower_bound(n, ref, op, x, c, below);
 }
 
-// Replaces ref, which is `r op c` on F64, by a comparison in a narrower type, if r exists in one.
+// Replaces ref, which is `r op c` on F64, with a comparison in a narrower type, if r's number is available in one.
 static void compare_constant(Narrow *n, IrRef ref, IrOp op, IrRef r, double c)
 {
     const IrRef x = n->narrow[r] != IR_NONE ? n->narrow[r] : n->wide[r];
@@ -84,7 +84,7 @@ static void compare_constant(Narrow *n, IrRef ref, IrOp op, IrRef r, double c)
         compare_integer(n, ref, op, x, c);
 }
 
-// Replaces a comparison of two F64 temporaries by one in a narrower type, if both exist in one.
+// Replaces a comparison of two F64 temporaries with one in a narrower type, if both numbers are available in a narrower type.
 static void compare_temporaries(Narrow *n, IrRef ref)
 {
     const IrIns i = *narrow_ins(n, ref);

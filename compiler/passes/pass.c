@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the passes in their order, computes the facts they need when those are missing, and checks their work.
+// Runs the passes in their order.  Computes the facts that a pass needs if they are not valid, and verifies the IR after each pass.
 #include <assert.h>
 #include <string.h>
 
@@ -47,7 +47,7 @@ typedef struct PassRunner {
     Arena *arena;
     IrMachine *m;
     const PassOptions *o;
-    Facts *facts;                     // of the sample function, then of every state's functions
+    Facts *facts;                     // facts[0] of the sample function, then those of every state's functions
     VarNotes notes;
     FactMachine *values;              // NULL: not computed yet, or invalidated
 } PassRunner;
@@ -105,7 +105,7 @@ static void run_on_function(PassRunner *r, const PassInfo *pass, IrFn *f, Facts 
     facts->valid &= ~pass->invalidates;
 }
 
-// Whether the stored use counts of a function are correct.  Counts that are not marked valid need not be.
+// Whether the stored use counts of a function are correct.  True if they are marked as not valid.
 static bool are_use_counts_correct(PassRunner *r, const IrFn *f, const Facts *facts)
 {
     const uint32_t *uses;
@@ -206,8 +206,8 @@ const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o)
     return wrong;
 }
 
-// Computes the values before the passes run.  They stay true, because passes preserve the meaning of the machine.  Computed afterwards
-// they would be less precise: if_convert removes the branches whose guards limit counters.
+// Computes the values (FACT_VALUES) before the passes run.  They stay true, because passes preserve the meaning of the machine.  Values
+// computed afterwards would be less precise, because if_convert removes the branches whose guards limit counters.
 IrMachine *passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o)
 {
     static const PassOptions none = {0};

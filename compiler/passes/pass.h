@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The optimiser: the passes of passes.def, run in order on a machine.  It changes the machine in place, preserves its meaning, and
-// never reports anything to the user.  passes.def has two pipelines: RUN for every machine, and RUN_FOR_C for what only emitted C profits
-// from, which runs after it on a copy.
+// never reports anything to the user.  passes.def has two pipelines: RUN for every machine, and then RUN_FOR_C, on a copy of the machine,
+// for emitted C only.
 #ifndef SMC_PASS_H
 #define SMC_PASS_H
 
@@ -11,16 +11,16 @@
 // Facts that pass.c computes for the passes that need them.
 enum {
     FACT_NONE = 0,
-    FACT_USES = 1,        // how many operands and jumps name each instruction
-    FACT_VALUES = 2       // possible values (compiler/facts) in the whole machine.  A pass that renumbers variables or windows invalidates them
+    FACT_USES = 1,        // use counts: how many operands and jumps use the result of each instruction
+    FACT_VALUES = 2       // values: the possible values (compiler/facts) in the machine.  Renumbering variables or windows invalidates them
 };
 
 // A pass's notes about each variable while it walks a block.  One table serves all functions, because a machine may have as many
 // states as variables.  notes_begin_block empties all notes at once.
 typedef struct VarNote {
-    uint32_t block;       // the block in which the note was made, counted by VarNotes.block
-    IrRef ref, load;      // cse: the value number of its value; the load that replaces later loads of it
-    bool stored;          // a store was visited (dse: and no load since)
+    uint32_t block;       // VarNotes.block when the note was made; in another block the note counts as empty
+    IrRef ref, load;      // cse: the value number of the variable's value; the load that replaces later loads of the variable
+    bool stored;          // the pass has visited a store in this block (dse: and no load since)
 } VarNote;
 
 typedef struct VarNotes {
@@ -29,17 +29,17 @@ typedef struct VarNotes {
 } VarNotes;
 
 void notes_begin_block(VarNotes *n);
-VarNote *note_on_variable(VarNotes *n, uint32_t var);  // empty (IR_NONE, false) if nothing was noted in this block
+VarNote *note_on_variable(VarNotes *n, uint32_t var);  // an empty note (IR_NONE, false) if the block has none yet
 
 typedef struct Facts {
     unsigned valid;       // which facts are valid: FACT_USES or nothing
     uint32_t *uses;       // by instruction
     const IrMachine *m;   // the machine that the function belongs to
-    VarNotes *notes;      // free for use by a pass
+    VarNotes *notes;      // working memory that any pass may use
     bool soft;            // PassOptions.soft
 } Facts;
 
-// A pass over one function.  It may change `facts` along with the function.
+// A pass over one function.  If it updates use counts itself, it changes `facts` along with the function.
 typedef void PassFn(Arena *arena, IrFn *f, Facts *facts);
 typedef void PassMachineFn(Arena *arena, IrMachine *m, FactMachine *values);     // values: NULL if the pass does not need them
 
@@ -47,7 +47,7 @@ typedef struct PassInfo {
     const char *name;
     unsigned needs, invalidates;      // sets of FACT_…
     const char *sentence;             // what it does
-    PassFn *on_function;              // the other one is NULL
+    PassFn *on_function;              // one of these two is NULL
     PassMachineFn *on_machine;
 } PassInfo;
 
@@ -71,7 +71,7 @@ const PassInfo *pass_find(const char *name);          // NULL if no pass has tha
 typedef struct PassOptions {
     int level;                                        // -O: passes of a higher level do not run; 0 runs none
     const char *only;                                 // a comma-separated list: run just these, in this order; or NULL
-    bool verify;                                      // check the machine before the first pass and after each
+    bool verify;                                      // verify the machine before the first pass and after each pass
     bool soft;                                        // for emitted C whose numbers are computed in software
     void (*after)(void *context, const PassInfo *pass, const IrMachine *m);    // called after each pass; or NULL
     void *context;
@@ -85,7 +85,7 @@ const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o);
 // m is unchanged and can become an image.  `o` may be NULL; `level` and `only` are ignored.
 IrMachine *passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o);
 
-// Calls `pass` for each function of m, with the facts that are true when it begins.
+// Calls `pass` for each function of m, with the facts that are true when the function begins.
 typedef void PassValuesFn(Arena *arena, FactMachine *values, IrFn *f, const Env *begin);
 void pass_on_each_function(Arena *arena, IrMachine *m, FactMachine *values, PassValuesFn *pass);
 

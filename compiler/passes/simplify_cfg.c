@@ -6,7 +6,7 @@
 //   a block whose single predecessor has it as its only successor is merged into that predecessor
 //   unreachable blocks are dropped
 // Conditionals stay properly nested, because no path is added and paths only become shorter.
-// Needs nothing; invalidates use counts, because conditions lose their user.
+// Needs no facts; invalidates use counts, because conditions lose their user.
 #include "compiler/passes/pass.h"
 
 // Simplifies a branch.  On `not c`, swaps the targets and branches on c.  A branch on a constant, or whose targets are equal, becomes a
@@ -31,7 +31,7 @@ static void simplify_branch(const IrFn *f, IrJump *j)
     }
 }
 
-// Walks from the last block to the first.  The final target of a jump to any later block is then already known.
+// Redirects jumps to empty blocks.  Walks from the last block to the first, so that the final target of a jump to any later block is known.
 static void simplify_jumps(Arena *arena, IrFn *f)
 {
     IrBlkRef *final_target = ARENA_ARRAY(arena, IrBlkRef, f->blk.n);

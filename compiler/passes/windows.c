@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // windows: drops statistics of rolling windows that no code reads.  A window without statistics is dropped, with the computation of its
-// sample.  This may leave an inner window without statistics, so the sample function is walked backwards.  A window whose samples are all
-// of a type narrower than F64 stores them in that type.  Needs nothing; invalidates use counts.
+// sample.  This may leave a window that this sample reads without statistics, so the sample function is walked backwards.  A window whose
+// samples are all of a type narrower than F64 stores them in that type.  Needs no facts; invalidates use counts and values.
 #include "compiler/passes/pass.h"
 
 static void collect_read_stats(const IrFn *f, uint32_t *wanted)
@@ -17,7 +17,7 @@ static void collect_read_stats(const IrFn *f, uint32_t *wanted)
 // Whether a window can store its samples in this type.  I64 and U64 are excluded, because a sample is rounded to F64.
 static bool is_window_type(SmType t) { return t != SM_I64 && t != SM_U64; }
 
-// Chooses the type in which a window stores its samples: the type before the conversion to F64.  A NaN becomes 0 either way.
+// Makes a window store its samples in the type that they have before their conversion to F64.  With or without it, a NaN becomes 0.
 static void choose_window_type(IrMachine *m, IrFn *f, IrIns *sample)
 {
     const IrIns *x = &f->ins.at[sample->a];
@@ -29,7 +29,8 @@ static void choose_window_type(IrMachine *m, IrFn *f, IrIns *sample)
         w->type = f->ins.at[sample->a].type;
 }
 
-// Drops from the sample function everything that wanted windows do not need, and records the statistics that their samples need.
+// Drops from the sample function all code that no window with statistics in `wanted` needs.  Adds to `wanted` the statistics that the
+// samples of those windows read.
 static void drop_unused_samples(Arena *arena, IrMachine *m, uint32_t *wanted)
 {
     IrFn *f = m->sample;
