@@ -12,8 +12,8 @@
 typedef struct CompileSource {
     const Source *text;
     FileKind kind;
-    EmitCOptions c;               // for EMIT_C and EMIT_ARRAY
-    const char *array;            // for EMIT_ARRAY, in the first source: the name of the array
+    EmitCOptions c;               // options of this source's C, for EMIT_C and EMIT_ARRAY
+    const char *array;            // only in the first source, for EMIT_ARRAY: the name of the array
 } CompileSource;
 
 // An application and the files that it names, from compile_open_app.
@@ -42,7 +42,7 @@ typedef enum CompileEmit {
 
 typedef struct CompileOptions {
     CompileEmit emit;
-    int opt_level;                        // 0, 1, 2
+    int opt_level;                        // level of optimisation: 0, 1 or 2
     const DiagSelection *warnings;        // NULL: every warning is found and stays in the list
     bool skip_analyses;                   // reports errors only, and the warnings of the checker
     uint64_t step;                        // how much G advances from step to step; 0: the delta_t of the scripts, if all have the same
@@ -59,7 +59,7 @@ typedef struct CompileOptions {
 typedef struct CompiledSource {
     const Program *program;       // a machine as it will fly, without scripts
     const Program *scripted;           // the same machine as its scripts run it (session_program_for_scripts)
-    IrMachine *ir;                // of `program`, optimised
+    IrMachine *ir;                // the optimised IR of `program`
     const uint8_t *measured;      // an image of this machine alone, with lines, for cost_of_machine
     StateVec *vector;
     IoMap *pins;
@@ -69,8 +69,8 @@ typedef struct CompiledSource {
 // A file to write.
 typedef struct Artefact {
     size_t source;                // index of the source that it is generated from
-    const char *name;             // of an application's C: the file's name.  Otherwise NULL, and
-    const char *suffix;           // such as ".smb": the default name is the source's stem plus suffix; NULL: for standard output
+    const char *name;             // the file's name, for the C of an application; otherwise NULL, and `suffix` determines the name:
+    const char *suffix;           // the default name is the source's stem and suffix, such as ".smb"; NULL: for standard output
     Buf *bytes;
 } Artefact;
 

@@ -11,7 +11,7 @@
 
 // 0: no limit.
 typedef struct CompileLimits {
-    uint32_t ram;             // bytes, windows included
+    uint32_t ram;             // bytes of RAM, windows included
     uint32_t step;            // bytecode instructions of the longest step
     uint32_t cycles;          // processor cycles of the longest step on an ATmega
 } CompileLimits;

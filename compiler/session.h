@@ -43,7 +43,7 @@ void session_free(Session *s);
 // The sources and options of one machine's compilation.
 typedef struct MachineInput {
     const Source *sm;
-    const Source *sv;             // or NULL
+    const Source *sv;             // the state vector, or NULL
     const Map *written_outside;   // see check_machine; or NULL
 } MachineInput;
 

@@ -49,7 +49,7 @@ static void report_row(Analysis *a, const AbortMatrix *x, const AbortRow *r)
     Diag *d;
 
     if (r->state->is_safe && !r->drives)
-        return;                                       // nothing to abort
+        return;                                       // a safe state with all outputs off needs no abort
     if (r->verdict == ABORT_NO_PATH && r->drives && !r->state->is_safe)
         diag_report(a->diags, DIAG_abort_missing, span, state);      // not for ABORT_LATER: the machine can abort from a later state
     if (r->verdict == ABORT_BY_COMMAND && r->drives)

@@ -11,7 +11,7 @@
 enum {
     ENTRIES_TRIED = 4,            // situations at the entry of a state (TrialEntry) from which trials start
     LATCH_ENTRIES_TRIED = 8,      // how many situations at the entry of a state find_latch compares with each other
-    TRIALS_PER_ENTRY = 80,        // if so many trials from a situation do not abort, it is assumed that none does
+    TRIALS_PER_ENTRY = 80,        // after this many trials from a situation without an abort, no trial is assumed to abort
     INPUT_CHANGES = 4,            // how often the inputs change in one trial
     WORK_MAX = 400000             // instructions spent on one state and sensor
 };
@@ -21,9 +21,9 @@ typedef struct AbortTrials {
     const AbortBound *b;
     const InputDepsTable *deps;
     void *at;                     // the current situation
-    double *in;                   // its inputs
+    double *in;                   // the inputs of the next step
     bool commands;                // the trial may give any command
-    const SensorFailure *failed;  // or NULL
+    const SensorFailure *failed;  // the failed sensor, or NULL
     bool left_at_once;            // some trial left the state within two steps, and did not abort
     bool left;                    // some trial left the state later, but before windows were full, and did not abort
     bool stayed;                  // some trial stayed in the state until windows were full

@@ -33,7 +33,7 @@ typedef struct Analysis {
     const Program *p;
     const IrMachine *m;           // the IR of p before any pass
     FactMachine *facts;
-    StmtFact *stmt;               // by Stmt.number
+    StmtFact *stmt;               // stmt[Stmt.number]: the facts about a statement
     bool large_sums;              // some sum has an operand whose magnitude is always 2^53 or more
     Transitions transition;       // all transitions of the machine, in file order
 } Analysis;

@@ -144,7 +144,7 @@ static bool check_comparisons(const Analysis *a, const Expr *e, const Expr *with
         TypedComparison p = {.whole = e, .within = within};
         if (!find_decision_by_types(a, &c, &p))
             continue;
-        if (p.truth == ALWAYS && (e->kind == EX_CHAIN || is_half_of_range(&p)))       // usual style: 0 <= x <= 100
+        if (p.truth == ALWAYS && (e->kind == EX_CHAIN || is_half_of_range(&p)))       // usual style, not a mistake: 0 <= x <= 100
             continue;
         found = true;
         if (report && is_equality_with_unrepresentable(&p))

@@ -20,7 +20,7 @@ struct PossibleZero {                    // a divisor that can be 0 according to
 
 typedef struct Divisions {
     Analysis *a;
-    const PossibleZero **possible;       // by Stmt.number; [0] has the divisors in samples of windows
+    const PossibleZero **possible;       // possible[Stmt.number] lists its divisors that can be 0; [0] those in samples
     const Stmt *stmt;                    // the current statement; NULL: the sample of a window is checked
 } Divisions;
 

@@ -12,7 +12,7 @@
 typedef struct StatUse {
     Analysis *a;
     const Stmts *block;
-    const KnownGuard *known;      // guards and assignments at the expression
+    const KnownGuard *known;      // the guards known at the expression, and the assignments before it (guards_known.h)
     const Expr *value;            // the whole expression of the statement
     const Expr *roll;             // the roll call in `value` whose sample is being searched
 } StatUse;

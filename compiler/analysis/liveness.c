@@ -21,11 +21,11 @@ typedef VEC(Access) Accesses;
 struct Liveness {
     Analysis *a;
     size_t words;                 // words of a set: one bit for each variable of the IR that is written
-    uint32_t *bit;                // by IrVar; IR_NONE: it is never written
+    uint32_t *bit;                // by IR variable: its bit in the sets; IR_NONE: the machine never writes it
     uint64_t *read_after_step;    // the set of variables that other code or windows read after each step
     uint64_t **begin[BLOCK_COUNT];    // by state: the set of variables live where the block starts, or would start if it is missing
     StateNumbers *before, *after;     // by state: the states with a transition into it, and the targets of its own transitions
-    Accesses *access[BLOCK_COUNT];    // by state, in order
+    Accesses *access[BLOCK_COUNT];    // by state: the loads and stores of its block, in order
     size_t blocks;                // the number of blocks that `live` has room for
     uint64_t *live;               // by block of the current function: the set of variables live at its start
     size_t state;                 // the current state

@@ -15,7 +15,7 @@ Liveness *liveness_of(Analysis *a);
 
 // Calls f for each store, in a reachable state, whose value is never read.
 typedef struct DeadStore {
-    size_t state;                 // from 0
+    size_t state;                 // State.number - 1
     BlockKind block;
     const IrFn *f;
     IrBlkRef blk;                 // the store is at blk's ins.at[at]

@@ -34,13 +34,13 @@ enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 4 };     // 
 enum {
     OUTPUTS_NAMED = 4,            // outputs named in one finding
     ENTRIES_TRIED = 6,            // situations at the entry of a state
-    OTHERS_FIRST = 12,            // readings of the other sensors with which a failure is tried
+    OTHERS_FIRST = 12,            // how many readings of the other sensors a failure is first tried with
     OTHERS = 32,                  // random readings of the other sensors with which an effect must be confirmed
     OTHERS_OF_ONE = 12,           // tried before OTHERS: readings of one other sensor at a time
-    QUIET_LEAST = 4,              // with how many of all these readings the healthy machine must stay quiet
+    QUIET_LEAST = 4,              // for a report, the healthy machine must be quiet with at least so many of these readings
     PASSES_MAX = 200              // calls of trial_steps_to_event after a sensor has failed
 };
-static const uint64_t effort = 4000000, effort_in_all = 100000000;      // instructions per sensor and state; in total
+static const uint64_t effort = 4000000, effort_in_all = 100000000;      // most IR instructions per sensor and state; in total
 
 typedef struct FailureCase {      // one trial: the sensor reads `reading`, with a motion, and fails at some time
     const TrialEntry *entry;

@@ -8,8 +8,8 @@ enum { FOLLOWERS_NAMED = 3 };         // how many states that follow an unreacha
 typedef struct Reach {
     ReachWalk *k;
     const Transitions *t;             // all transitions; those of a state are adjacent
-    size_t *first;                    // by state (from 0), plus one: index of its first transition
-    uint32_t *stack, n;               // states whose transitions are not yet followed
+    size_t *first;                    // by state (from 0): index of its first transition in *t; the last entry is the length of *t
+    uint32_t *stack, n;               // the n states whose transitions are not yet followed
     bool *reached;                    // by state: transitions that may be taken lead to it
     bool *explained;                  // by state: it is reachable, or a finding explains why it is not
 } Reach;

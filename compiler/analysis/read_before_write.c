@@ -19,12 +19,12 @@ typedef struct StoreOrder {
     Analysis *a;
     uint32_t *bit;                // by Var.index: its bit in the sets; IR_NONE: not checked
     size_t words;                 // number of words of a set of locals
-    uint64_t *stored[BLOCK_COUNT];    // by state, a set: what the block may store
-    uint64_t *before, *after;     // by state, a set: what may have been stored when it begins; what later states store
-    const States *next;           // by State.number: the states that it leads to
-    uint64_t *here;               // what may have been stored when the current statement is executed
-    bool *reported;               // by Var.index
-    uint32_t *seen, searches;     // by State.number: the last search that visited it
+    uint64_t *stored[BLOCK_COUNT];    // by state: the set of locals that its block may store
+    uint64_t *before, *after;     // by state: the locals that may have been stored when it begins; those that later states may store
+    const States *next;           // by State.number: the targets of the state's transitions
+    uint64_t *here;               // the set of locals that may have been stored when the current statement is executed
+    bool *reported;               // by Var.index: an early read of it has been reported
+    uint32_t *seen, searches;     // by State.number: the number of the last search that visited it; the number of searches so far
     const State *state;           // the current state
     BlockKind block;
 } StoreOrder;

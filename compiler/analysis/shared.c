@@ -12,7 +12,7 @@ typedef struct Owners {           // which machines use an element, and how
 typedef struct SharedVector {
     Arena *arena;
     Diags *diags;
-    Map by_name;                  // element to Owners
+    Map by_name;                  // an element's name, to its Owners
 } SharedVector;
 
 static void record_first_assignment(const Stmt *stmt, void *context)

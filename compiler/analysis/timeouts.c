@@ -24,8 +24,8 @@ typedef struct TimeoutCheck {
     void *at;
     double *in, *now;             // inputs without noise; inputs of this step
     double *mid;                  // the variables halfway through a long stay in the state
-    double noise;                 // on healthy sensors, in units of their scale
-    const SensorFailure *failed;  // or NULL
+    double noise;                 // largest noise on healthy sensors, in units of TrialInput.scale
+    const SensorFailure *failed;  // the failed sensor, or NULL
     const Stmt *on;               // a statement of the state that switched on an output which is on at the end; or NULL
 } TimeoutCheck;
 

@@ -16,7 +16,7 @@ enum {
     ROUNDS_MORE = 16,             // further rounds, only from states with transitions that no trial has taken
     TRIES = 40,                   // tries from each state in each round
     INPUT_CHANGES = 4,            // changes of inputs in one try
-    STORED_BYTES_MAX = 4 << 20    // bytes for all stored situations
+    STORED_BYTES_MAX = 4 << 20    // the most bytes of all stored situations
 };
 static const uint64_t work_max = 40000000;          // instructions spent on the search
 
@@ -52,7 +52,7 @@ typedef struct TrialSearch {
     Trials *t;
     void *at;                     // the current situation of the try
     double *in, *now, *was;       // inputs without noise; inputs of this step; `in` before its last change
-    double noise;                 // on sensors, in units of their scale
+    double noise;                 // largest noise on sensors, in units of TrialInput.scale
     uint32_t steps;
     bool unhealthy, commanded;
     uint32_t most;                // how many entries may be stored for each state

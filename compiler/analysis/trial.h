@@ -52,7 +52,7 @@ typedef struct TrialNext {
 
 typedef struct TrialState {
     VEC(TrialEntry) entry;
-    bool *relevant;                   // by input: the state's behaviour can depend on it
+    bool *relevant;                   // by input: the state's behaviour can depend on this input
 } TrialState;
 
 typedef struct Trials {
@@ -61,14 +61,14 @@ typedef struct Trials {
     uint64_t until;                   // value of run->work at which the present check ends
     TrialInput *input;
     uint32_t inputs;
-    TrialState *state;                // by State.number - 1
-    const Transition **transition;    // by Stmt.number
-    const Stmt **stmt;                // by Stmt.number; [0] is NULL
+    TrialState *state;                // state[State.number - 1]
+    const Transition **transition;    // by Stmt.number: the transition that the statement is; or NULL
+    const Stmt **stmt;                // stmt[Stmt.number] is the statement; [0] is NULL
     const State **state_of;           // by Stmt.number: the state that contains it
     const Condition **when;           // by Stmt.number: the conditions around it
     bool *taken;                      // by Stmt.number of a transition: it was taken in some trial
     bool *by_time;                    // by Stmt.number of a transition: its condition depends on T or G
-    TrialNext *next;                  // by Stmt.number of a transition
+    TrialNext *next;                  // by Stmt.number of a transition: what follows it
     bool *actuator;                   // by IR variable: it is an output that drives something (is_actuator)
     double *peak;                     // by IR variable: its largest magnitude in a trial
     const Var **var;                  // by IR variable: its Var
@@ -78,7 +78,7 @@ typedef struct Trials {
     double **limit;                   // by IR variable: if it is a counter, the values it is compared with, then NaN; otherwise NULL
     double dt;                        // how much G advances in a step
     uint32_t window;                  // samples until every window is full
-    bool *computed;                   // by IrMachine.window: it samples variables that the machine itself writes
+    bool *computed;                   // by index in IrMachine.window: the window samples variables that the machine writes
     uint32_t count;                   // total number of limits of counters
     uint64_t random;
     double *before;                   // variables before a step, for trial_pass_time

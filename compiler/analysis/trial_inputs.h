@@ -19,7 +19,7 @@ typedef struct TrialFinder {
     Trials *t;
     Arena *arena;
     const Program *p;
-    size_t words;                 // of a set of inputs (bitset.h)
+    size_t words;                 // number of words of a set of inputs (bitset.h)
     uint64_t *data, *all;         // by Var.index: sets of the inputs that its values depend on; `all` includes those of guards
     uint32_t *input_of;           // by Var.index: its index in Trials.input, or IR_NONE
     uint32_t *parent;             // by Var.index: union-find over variables that measure the same quantity

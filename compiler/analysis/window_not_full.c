@@ -18,7 +18,7 @@ enum {
     STEPS_FOLLOWED = 60           // steps, not counting skipped ones, that are run after windows are full
 };
 static const uint64_t work_max = 30000000;          // the most IR instructions that this check executes
-static const double noise[] = {0.001, 0.02, 0.3, 5, 100};          // in TrialInput.scale
+static const double noise[] = {0.001, 0.02, 0.3, 5, 100};          // noises that are tried, in units of TrialInput.scale
 enum { NOISES = sizeof noise / sizeof *noise };
 
 typedef struct WindowTrial {

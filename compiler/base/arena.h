@@ -18,7 +18,7 @@ typedef struct Arena {
     jmp_buf *oom;         // the longjmp target when alloc returns NULL; must be set before the first arena_alloc
     ArenaChunk *chunk;    // newest first
     char *next, *end;     // the free part of the newest chunk
-    char *zeroed_end;     // memory from `next` up to here is zeroed
+    char *zeroed_end;     // memory from `next` up to zeroed_end is zeroed
 } Arena;
 
 void arena_init(Arena *a, SmcAllocFn alloc, void *context, jmp_buf *oom);
@@ -27,7 +27,7 @@ void arena_free(Arena *a);                       // frees every chunk; the arena
 enum { ARENA_ALIGN = 8 };                         // alignment of every allocation: enough for the numbers and pointers of the compiler
 void *arena_alloc_more(Arena *a, size_t size);   // the slow path of arena_alloc, when the zeroed memory is too short
 
-// Zeroed memory, aligned for anything.  Never NULL; size 0 is allowed.
+// Returns zeroed memory, aligned to ARENA_ALIGN.  Never returns NULL; size 0 is allowed.
 static inline void *arena_alloc(Arena *a, size_t size)
 {
     const size_t room = (size + ARENA_ALIGN - 1) / ARENA_ALIGN * ARENA_ALIGN;

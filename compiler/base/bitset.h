@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-static inline size_t bitset_words(size_t limit) { return limit / 64 + 1; }       // for a set of numbers below limit
+static inline size_t bitset_words(size_t limit) { return limit / 64 + 1; }       // number of words of a set of numbers below limit
 
 static inline bool bitset_has(const uint64_t *set, size_t number) { return (set[number / 64] >> number % 64 & 1) != 0; }
 static inline void bitset_add(uint64_t *set, size_t number) { set[number / 64] |= UINT64_C(1) << number % 64; }

@@ -26,7 +26,7 @@ typedef struct OsPartner {
 
 bool os_partner_start(OsPartner *p, const char *const *argv, const char **why);
 bool os_partner_write(OsPartner *p, const void *bytes, size_t n, const char **why);      // all n bytes
-bool os_partner_read(OsPartner *p, void *bytes, size_t n, const char **why);             // exactly n bytes
-void os_partner_end(OsPartner *p);                        // closes its input and waits for its end
+bool os_partner_read(OsPartner *p, void *bytes, size_t n, const char **why);             // waits for exactly n bytes
+void os_partner_end(OsPartner *p);                        // closes the partner's input and waits for the partner's end
 
 #endif

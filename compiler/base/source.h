@@ -12,8 +12,8 @@ typedef struct Source {
     const char *name;     // as the user named it, for messages
     const char *text;     // len bytes and a NUL; may contain NUL bytes itself
     uint32_t len;
-    uint32_t *line;       // offset of the first byte of each line
-    uint32_t lines;       // at least 1
+    uint32_t *line;       // line[i]: offset of the first byte of line i + 1
+    uint32_t lines;       // number of lines; at least 1
 } Source;
 
 // A range of a source.  Zeroed: no position (src is NULL).
@@ -31,6 +31,6 @@ Source *source_new(Arena *arena, const char *name, const char *text, size_t len)
 LineCol source_position(const Source *s, uint32_t at);
 // Returns the text of a line, counted from 1, without its LF or CR LF; *len is its length.
 const char *source_line(const Source *s, uint32_t line, uint32_t *len);
-Span span_join(Span a, Span b);     // from the start of a to the end of b
+Span span_join(Span a, Span b);     // the range from the start of a to the end of b
 
 #endif

@@ -11,7 +11,7 @@
 
 typedef struct StrData {
     uint32_t hash;
-    uint32_t len;         // without the final NUL
+    uint32_t len;         // length in bytes, without the final NUL
     uint8_t mark;         // set by str_mark; 0: none
     bool declared;        // set by str_declare
     char text[1];         // len bytes and a NUL

@@ -39,12 +39,12 @@ extern const DiagInfo diag_info[DIAG_COUNT];
 
 // A row of flags.def.
 typedef enum DiagGroup { DIAG_GROUP_ALL, DIAG_GROUP_EXTRA, DIAG_GROUP_FLIGHT, DIAG_GROUPS } DiagGroup;
-#define DIAG_GROUPS_ALL ((1u << DIAG_GROUPS) - 1u)        // all of them, as bits
+#define DIAG_GROUPS_ALL ((1u << DIAG_GROUPS) - 1u)        // the set of all groups: 1u << DiagGroup for each
 typedef enum DiagJudged {                                 // what a run must know to report an @allow of the warning as unused (flags.def)
     DIAG_JUDGED_ALWAYS, DIAG_JUDGED_VECTOR, DIAG_JUDGED_APP, DIAG_JUDGED_STEP, DIAG_JUDGED_NO_STEP, DIAG_JUDGED_NEVER
 } DiagJudged;
 typedef struct DiagFlag {
-    const char *name;         // after -W
+    const char *name;         // the name after -W, such as "unused-element"
     DiagGroup group;
     DiagJudged judged;
     const char *sentence;
@@ -52,7 +52,7 @@ typedef struct DiagFlag {
 
 extern const DiagFlag diag_flag[];
 extern const size_t diag_flag_count;
-const DiagFlag *diag_find_flag(const char *name);         // NULL if there is none
+const DiagFlag *diag_find_flag(const char *name);         // NULL if no warning has this name
 extern const char *const diag_group_name[];               // by DiagGroup, as after -W: "all", "extra", "flight"
 
 typedef struct DiagEdit { Span span; const char *text; } DiagEdit;     // replace span by text
@@ -62,7 +62,7 @@ typedef struct DiagNote {
     unsigned step;            // number of the step on the path that leads to the finding, from 1; 0: a plain note
 } DiagNote;
 
-// A declaration that a finding is about. An @allow there also covers the finding, if all of its declarations of one subject have one.
+// A declaration that a finding is about. If all of a finding's declarations of one subject have an @allow, the finding is allowed.
 typedef enum DiagSubject { DIAG_SENSOR, DIAG_OUTPUTS, DIAG_OTHER_WRITER, DIAG_CONSTANT, DIAG_SUBJECTS } DiagSubject;
 typedef struct DiagAbout { Span span; DiagSubject subject; } DiagAbout;
 
@@ -81,7 +81,7 @@ typedef struct Diag {
     const char *text;                     // the message, arguments filled in
     const char *label;                    // printed after the caret, as "did you mean 'valveOpen'?"; or NULL
     VEC(DiagNote) notes;
-    VEC(DiagEdit) edits;                  // together they are one proposed fix
+    VEC(DiagEdit) edits;                  // all edits together are one proposed fix
     VEC(DiagAbout) about;                 // declarations where an @allow can cover this finding
     bool allow_checked;                   // an earlier call of diags_apply_allows has examined it
     const char *allowed;                  // the reason of the @allow that covers it; else NULL
@@ -176,7 +176,7 @@ typedef struct DiagFingerprint {
 
 const DiagFingerprint *diags_fingerprints(const Diags *d, Arena *arena);  // one for each of d->list, then of d->allowed
 
-// The row whose id (or warning name) is `id`, upper or lower case; NULL if there is none.
+// Returns the row whose id, or warning name, is `id`; case does not matter. NULL if there is none.
 const DiagInfo *diag_find(const char *id);
 
 // Appends the text of src with the proposed edits applied. Edits that touch each other are skipped; those of one diagnostic are applied

@@ -217,7 +217,7 @@ static void put_counts(Buf *out, size_t errors, size_t warnings, const char *mor
 
 void diags_render_text(const Diags *d, const DiagStyle *style, Buf *out)
 {
-    size_t shown[2] = {0, 0};                 // by severity
+    size_t shown[2] = {0, 0};                 // how many errors, how many warnings were shown
 
     for (size_t i = 0; i < d->list.n; i++) {
         const Diag *x = d->list.at[i];

@@ -12,8 +12,8 @@ enum { ENV_BITS = 3, ENV_CHILDREN = 1 << ENV_BITS };
 
 struct Env {
     union {
-        const Env *env;               // in an inner node
-        const Fact *fact;             // in a leaf
+        const Env *env;               // in an inner node: a child
+        const Fact *fact;             // in a leaf: the fact about a variable
     } child[ENV_CHILDREN];
 };
 
@@ -31,7 +31,7 @@ EnvTable *env_table_new(Arena *arena);
 // Each returns the stored fact or node that equals its argument.  If there is none, stores a copy first.
 const Fact *env_table_intern_fact(EnvTable *t, Fact f);
 const Env *env_table_intern_node(EnvTable *t, const Env *e);
-// Looks up the join of j->a and j->b, and sets j->joined.  Returns whether it is known.
+// Looks up the join that j describes.  If it is stored, sets j->joined and returns true.
 bool env_table_find_join(const EnvTable *t, EnvJoin *j);
 void env_table_add_join(EnvTable *t, const EnvJoin *j);
 

@@ -22,7 +22,7 @@ typedef struct Fact {
 #define FACT_EXACT 9007199254740992.0     // 2^53
 
 Fact fact_of_type(SmType type);                       // every value that a load of this type can produce; never NaN
-Fact fact_of_cell(SmType type, uint64_t bits);        // exactly the number that these bits encode in this type
+Fact fact_of_cell(SmType type, uint64_t bits);        // the fact of exactly the number that these bits encode in this type
 Fact fact_of_bool(bool may_be_false, bool may_be_true);
 
 // Returns the fact about the result of instruction i if its operands have the facts *a and *b.  Facts of operands that i does not have are
@@ -34,8 +34,8 @@ Fact fact_convert(Fact a, SmType to);
 // never empty.
 Fact fact_of_stat(SmStat stat, Fact sample);
 
-Fact fact_join(Fact a, Fact b);                       // the fact of a value that satisfies a or b
-Fact fact_meet(Fact a, Fact b);                       // the fact of a value that satisfies both; returns a if no number satisfies both
+Fact fact_join(Fact a, Fact b);                       // what is known about a value for which a or b is true
+Fact fact_meet(Fact a, Fact b);                       // what is known about a value for which a and b are true; a if they contradict
 bool fact_equal(Fact a, Fact b);
 
 typedef struct FactLimits {

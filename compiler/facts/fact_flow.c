@@ -12,7 +12,7 @@ typedef struct FlowWalk {
     FactMachine *fm;
     const IrFn *f;
     FactFlow out;
-    const Env **begin;                // by block
+    const Env **begin;                // by block: the facts at its beginning
     const Env *env;                   // the facts at the current instruction
     uint32_t epoch;                   // number of the current block visit (FactMachine.epochs)
     FactHome *home;                   // by temporary: a variable with the same value

@@ -24,7 +24,7 @@ typedef struct FactIteration {
     uint32_t state;                   // the state that is visited
     int block;                        // the function of this state that is visited: BLOCK_ENTRY, …
     bool any_start;                   // the machine may be started in any state
-    const FactObserver *observer;           // or NULL
+    const FactObserver *observer;     // receives the flows, or NULL
     bool widened;                     // some bound was widened, so the last round may improve facts
     FactLimits limits;                // constants of the program and their neighbours, because guards stop counters there
 } FactIteration;

@@ -22,9 +22,9 @@ typedef struct FactExit {             // the end of a block
 } FactExit;
 
 typedef struct FactFlow {             // valid until the next function is analysed
-    Fact *of;                         // by temporary of the function; undefined for temporaries in unreached blocks
+    Fact *of;                         // by temporary: its possible values; undefined for temporaries in unreached blocks
     bool *reached;                    // by block: whether the facts allow a path to it
-    FactExit *exit;                   // by block; undefined for unreached blocks
+    FactExit *exit;                   // by block: the facts at its end; undefined for unreached blocks
 } FactFlow;
 
 // Receives the flow of each reachable function while the facts of a machine are computed.  `visit` is called again for a function
@@ -75,7 +75,7 @@ struct FactMachine {
     EnvShape shape;
     const Env *assumed;               // the facts that are assumed of elements, or NULL
     const Env *constants;             // `assumed`, and the values of locals that no code writes
-    FactBegin (*begin)[BLOCK_COUNT];  // by state
+    FactBegin (*begin)[BLOCK_COUNT];  // [state][block]: the facts at the beginning of each function
     Fact *window;                     // by window: its samples
     uint32_t *epoch, *stored;         // by variable: `epochs` during the last block visit that stored to it; position of that store
     uint32_t epochs;                  // number of block visits so far

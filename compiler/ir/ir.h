@@ -76,18 +76,18 @@ typedef uint32_t IrBlkRef;            // index into IrFn.blk
 typedef struct IrIns {                // bit fields keep it small: every pass visits all instructions
     IrOp op : 8;
     SmType type : 8;                  // type of the result; store: the variable's type; sample: unused, F64
-    SmStat stat : 8;                  // stat
+    SmStat stat : 8;                  // stat: which statistic of the window
     IrRef a, b;                       // operands, or IR_NONE
     uint32_t var;                     // load, store: index into IrMachine.var; stat, sample: into IrMachine.window
     uint64_t bits;                    // const: the value as a bit cell of `type` (stdlib/convert.h)
-    Span span;                        // its origin in the source
+    Span span;                        // the expression or statement in the source that it comes from
     uint32_t stmt;                    // set by ir_build: Stmt.number of the statement that it comes from; else 0
 } IrIns;
 
 typedef enum IrJumpKind {
     IR_RET,                           // ends the function without a transition
-    IR_JMP,                           // to `then`
-    IR_BR,                            // to `then` if temporary `cond` (bool) is true, else to `otherwise`
+    IR_JMP,                           // jumps to block `then`
+    IR_BR,                            // jumps to block `then` if temporary `cond` (bool) is true, else to block `otherwise`
     IR_GOTO                           // transition to the state with number `state`; ends the function
 } IrJumpKind;
 
@@ -96,12 +96,12 @@ typedef struct IrJump {
     IrRef cond;
     IrBlkRef then, otherwise;
     uint32_t state;
-    uint32_t stmt;                    // as IrIns.stmt
+    uint32_t stmt;                    // set by ir_build: Stmt.number of the guard or transition; else 0
     Span span;
 } IrJump;
 
 typedef struct IrBlk {
-    VEC(IrRef) ins;                   // its instructions, in order
+    VEC(IrRef) ins;                   // numbers of its instructions in IrFn.ins, in order of execution
     IrJump jump;
 } IrBlk;
 
@@ -133,10 +133,10 @@ typedef struct IrWindow {
 
 typedef struct IrState {
     Str name;
-    bool is_safe;                     // @safe
-    bool allows_swap;                 // @swap
-    bool is_abort;                    // @abort
-    IrFn *block[BLOCK_COUNT];         // NULL: no code
+    bool is_safe;                     // the state is marked @safe
+    bool allows_swap;                 // the state is marked @swap
+    bool is_abort;                    // the state is marked @abort
+    IrFn *block[BLOCK_COUNT];         // the functions of .entry, .step and .exit; NULL: no code
     Span span;
 } IrState;
 
@@ -148,7 +148,7 @@ typedef struct IrMachine {
     uint32_t g, s, t;                 // indices into var: G (the time), S (the state), T (the time in the state)
     VEC(IrWindow) window;
     IrFn *sample;                     // samples every window; NULL if there are no windows
-    VEC(IrState) state;               // at[0] is number 1
+    VEC(IrState) state;               // at[0] is the state with number 1
     const Program *program;           // the program it was built from, for names and spans; NULL if read from text
     const uint32_t *var_of;           // var_of[Var.index]: index into `var`; IR_NONE: a constant.  Set by ir_build
     const uint32_t *window_of;        // window_of[index in Program.window]: index into `window`.  Set by ir_build
@@ -163,7 +163,7 @@ IrMachine *ir_build(Arena *arena, const Program *p);
 // else block 2.
 IrFn *ir_build_guard(Arena *arena, const IrMachine *m, const Expr *guard);
 
-void ir_print(const IrMachine *m, Buf *out);                  // --emit=ir
+void ir_print(const IrMachine *m, Buf *out);                  // prints the IR as text: the output of --emit=ir
 // Parses the output of ir_print.  On a syntax error returns NULL and sets *error to a message ("line 7: …").
 IrMachine *ir_read(Arena *arena, StrPool *strings, const char *text, size_t len, const char **error);
 
@@ -173,7 +173,7 @@ const char *ir_verify(Arena *arena, const IrMachine *m);
 // ---- working on functions ----
 
 IrRef ir_emit(Arena *arena, IrFn *f, IrBlkRef b, IrIns ins);  // appends an instruction to a block
-IrBlkRef ir_add_block(Arena *arena, IrFn *f);                 // a new, empty block, last in f
+IrBlkRef ir_add_block(Arena *arena, IrFn *f);                 // appends an empty block to f, and returns its number
 // Returns a copy of m whose functions can be changed.  Everything else is shared with m.
 IrMachine *ir_copy(Arena *arena, const IrMachine *m);
 // Returns for each instruction the number of operands and jumps that use its result.

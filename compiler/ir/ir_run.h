@@ -25,7 +25,7 @@ typedef struct IrRun {
     uint32_t *window_kind;            // by window: its sample type and set of statistics, from sm_roll_kind
     uint64_t work;                    // instructions and jumps executed so far; callers limit it
     IrRunFn *sample;
-    IrRunFn *(*block)[BLOCK_COUNT];   // by state
+    IrRunFn *(*block)[BLOCK_COUNT];   // by state: its .entry, .step and .exit; NULL: missing
     double *temp;                     // temporaries of the running function
 } IrRun;
 

@@ -72,7 +72,7 @@ static void print_float(Buf *out, SmType type, uint64_t cell)
         d = f;
     } else
         memcpy(&d, &cell, sizeof d);
-    if (d > -1e15 && d < 1e15 && d == (double)(int64_t)d && (d != 0 || cell == 0)) {      // of the zeros, -0 is printed as its cell
+    if (d > -1e15 && d < 1e15 && d == (double)(int64_t)d && (d != 0 || cell == 0)) {      // -0 is printed as its cell
         buf_printf(out, "%.0f", d);
         return;
     }

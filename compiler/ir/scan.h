@@ -31,7 +31,7 @@ bool scan_quoted(IrScan *s, Str *out);
 bool scan_number(IrScan *s, const char *what, uint32_t *out);   // `what` names the expected number in the error
 bool scan_lettered_number(IrScan *s, char letter, const char *what, uint32_t *out);  // reads a letter and a number: b7, w7
 bool scan_type(IrScan *s, SmType *out);
-bool scan_value(IrScan *s, SmType type, uint64_t *cell);        // a whole number that fits the type, or a cell in hexadecimal
-bool scan_try_parse_number(const char *text, uint64_t *out);  // decimal, or hexadecimal after 0x
+bool scan_value(IrScan *s, SmType type, uint64_t *cell);        // reads a whole number that fits the type, or a cell in hexadecimal
+bool scan_try_parse_number(const char *text, uint64_t *out);  // decimal, or after 0x hexadecimal; false: not a number
 
 #endif

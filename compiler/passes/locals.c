@@ -16,7 +16,7 @@ typedef struct LocalUse {
 
 typedef struct LocalsPass {
     IrMachine *m;
-    LocalUse *at;             // by variable
+    LocalUse *at;             // at[variable]: how functions access it
     uint32_t block;           // the current block; counts all blocks of the machine from 1
     IrRef *same;              // by instruction of a function: the temporary that its users must use instead
 } LocalsPass;

@@ -24,7 +24,7 @@ typedef struct VarNote {
 } VarNote;
 
 typedef struct VarNotes {
-    VarNote *at;          // by variable
+    VarNote *at;          // at[variable]: the pass's note about it
     uint32_t block;       // number of the current block, counted over all functions
 } VarNotes;
 
@@ -33,8 +33,8 @@ VarNote *note_on_variable(VarNotes *n, uint32_t var);  // an empty note (IR_NONE
 
 typedef struct Facts {
     unsigned valid;       // which facts are valid: FACT_USES or nothing
-    uint32_t *uses;       // by instruction
-    const IrMachine *m;   // the machine that the function belongs to
+    uint32_t *uses;       // by instruction: its use count
+    const IrMachine *m;   // the machine that contains the function
     VarNotes *notes;      // working memory that any pass may use
     bool soft;            // PassOptions.soft
 } Facts;

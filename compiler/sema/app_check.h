@@ -12,7 +12,7 @@ typedef struct AppCheck {
     App *app;
     const AppFiles *files;
     const StateVec *sv;           // NULL if it has errors; then elements are not looked up
-    const IoMap *pins;            // or NULL
+    const IoMap *pins;            // NULL if there are none, or they have errors
     unsigned guesses;             // how many more unknown names may be compared with all known ones
     Map file_index;               // a machine's file name as written, to 1 + its index in files->at
     Map machine_file;             // a machine's file name as written, to the Span of its first use
@@ -25,7 +25,7 @@ typedef struct AppCheck {
 // Returns the element, or NULL after a report.  Also returns NULL, without a report, if the state vector has errors.
 const Element *app_find_element(AppCheck *k, const AstWord *name);
 
-Str app_file_stem(AppCheck *k, Str path);  // "rocket" for pins/rocket.io
+Str app_file_stem(AppCheck *k, Str path);  // the file's stem: "rocket" of pins/rocket.io
 
 // Reports `name` as a duplicate if `seen` contains it; otherwise adds it.  `what` is the kind of thing that it names.
 void app_check_unique(AppCheck *k, Map *seen, const AstWord *name, const char *what);

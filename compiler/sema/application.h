@@ -12,7 +12,7 @@ typedef enum AppStatistic { APP_TICKS, APP_OVERRUNS, APP_SKIPPED, APP_LATE, APP_
 
 typedef struct AppMachine {
     Str name;
-    uint32_t file;            // its file is AppFiles.at[file]
+    uint32_t file;            // index of its file in AppFiles
     const Program *program;
     const State *initial;     // NULL: the first state
     bool bytecode, resume;
@@ -23,7 +23,7 @@ typedef struct AppTask {
     AstAppTaskKind kind;
     Str name;
     Span span;
-    const Element *mode;      // or NULL
+    const Element *mode;      // the element of its @mode, or NULL
     bool has_init, has_safe;  // only for AST_TASK_task
     const AppMachine *machine;
     uint16_t number;          // numbers all tasks 0, 1, 2 … in file order
@@ -43,14 +43,14 @@ typedef struct AppExecutor {
     uint32_t priority;        // 0: an ordinary thread
     bool catch_up;
     uint32_t most;            // the most ticks that are caught up
-    const Element *statistic[APP_STATISTICS];     // or NULL
+    const Element *statistic[APP_STATISTICS];     // the element that receives the statistic, or NULL
     VEC(AppRate *) rate;      // in file order
 } AppExecutor;
 
 typedef struct AppStart { const Element *element; uint64_t cell; } AppStart;      // the value, as a bit cell of the element's type (convert.h)
 
 typedef struct App {
-    Str name;                 // "rocket" of rocket.app
+    Str name;                 // the file's stem: "rocket" of rocket.app
     const Source *src;
     const StateVec *sv;
     const Element *time;      // the element with the time; NULL if no machine needs it
@@ -59,7 +59,7 @@ typedef struct App {
     uint32_t events;
     Str io, log, keep;        // file names as written; NULL if absent
     Str io_name;              // the stem of io: "rocket" of pins/rocket.io
-    const IoMap *pins;        // or NULL
+    const IoMap *pins;        // the pins of io, or NULL
     uint32_t log_room;        // capacity in bytes
     VEC(AppStart) start;
     VEC(AppExecutor *) executor;
@@ -74,11 +74,11 @@ typedef struct AppFile {
     bool wrong_kind;          // its name has the wrong extension, so it need not be opened
     const Source *src;        // set by the caller, which opens files; NULL if the file cannot be read
     const char *problem;      // set by the caller if src is NULL: why the file cannot be read
-    const Program *program;   // of a machine, after its check
+    const Program *program;   // the program of a machine, set after its check
 } AppFile;
 
 typedef struct AppFiles { AppFile *at; size_t n; } AppFiles;
 
-const char *app_time_text(Arena *arena, uint64_t ns);         // "10 ms"
+const char *app_time_text(Arena *arena, uint64_t ns);         // the time with a unit: "10 ms"
 
 #endif

@@ -121,7 +121,7 @@ static Span options_span(const AppCheck *k)
     return k->ast->options_header.src ? k->ast->options_header : (Span){k->app->src, 0, 0};
 }
 
-// Reports element e, which `writer` writes, if inputs of the pins write it too.
+// Reports element e, which `writer` writes, if an input pin also writes it.
 static void report_inputs_writing(AppCheck *k, const Element *e, Span span, const char *writer)
 {
     for (size_t i = 0; e && k->pins && i < k->pins->pin.n; i++)
@@ -280,7 +280,7 @@ static void check_start(AppCheck *k)
 
 // ---- executors ----
 
-// Reports element e, which an executor writes, if a machine or an input writes it too.
+// Reports element e, which an executor writes, if a machine or an input pin also writes it.
 static void check_other_writers(AppCheck *k, const AstAppAnnotation *a, const Element *e)
 {
     for (size_t i = 0; i < k->files->n; i++) {

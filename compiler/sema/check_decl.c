@@ -17,7 +17,7 @@ typedef struct Declarations {
     const Map *written_outside;
     VEC(LocalDecl) local;
     Str time;                     // "T"
-    const AstSection *list;       // [state_vector], or NULL
+    const AstSection *list;       // the machine's [state_vector] section, or NULL
 } Declarations;
 
 // ---- one name, one meaning ----

@@ -78,8 +78,8 @@ static bool try_whole_number(SmF64 x, uint32_t most, uint32_t *out)
     return sm_eq(sm_from_u32(*out), x);
 }
 
-// Returns the pin's number; 0 after reporting one that is not a whole number of 16 bits.  Reports a number that an earlier pin of the same
-// kind uses (config.md 9.3, 9.6).
+// Returns the pin's number; 0 after reporting a number that is not a whole number of 16 bits.  Also reports a number that an earlier pin of
+// the same kind uses (config.md 9.3, 9.6).
 static uint16_t check_number(IoCheck *k, const AstPin *pin, bool digital)
 {
     const AstPin *first;

@@ -6,7 +6,7 @@
 
 #include "compiler/sema/program.h"
 
-typedef enum PinKind { PIN_ANALOG_IN, PIN_ANALOG_OUT, PIN_DIGITAL_IN, PIN_DIGITAL_OUT } PinKind;      // as SmIoKind of runtime-c/io.h
+typedef enum PinKind { PIN_ANALOG_IN, PIN_ANALOG_OUT, PIN_DIGITAL_IN, PIN_DIGITAL_OUT } PinKind;      // ordered as SmIoKind of runtime-c/io.h
 
 typedef struct Pin {
     PinKind kind;
@@ -16,7 +16,7 @@ typedef struct Pin {
     uint8_t hold;             // inputs: how many steps in a row the element keeps its value while the pin cannot be read
     SmF64 scale, offset;      // analog: element = volts * scale + offset
     SmF64 safe;               // outputs, in the element's unit; digital: 0 or 1
-    Span span;                // the element's name
+    Span span;                // position of the element's name
 } Pin;
 
 typedef struct IoMap {

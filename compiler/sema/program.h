@@ -38,18 +38,18 @@ typedef struct Element {
     bool untyped;             // the declaration has no valid type, which is already reported
     const Range *range;       // or NULL
     bool command;             // @command: operated by a person
-    uint32_t first_allow, allows;     // its @allow annotations: StateVec.allow.at[first_allow …], `allows` of them
+    uint32_t first_allow, allows;     // its @allow annotations are the `allows` entries of StateVec.allow from index first_allow on
     uint32_t index;           // index in StateVec.element
     uint32_t offset;          // bytes from the start of the state vector in memory (vector_layout.c)
     Region *region;
-    Span span;                // its name in the declaration
+    Span span;                // position of its name in the declaration
 } Element;
 
 struct Region {
     Str name;
     uint32_t offset, size;    // bytes in memory, without padding after the last element
     uint32_t packed_size;     // bytes in a message, where elements have no padding
-    uint32_t first, count;    // its elements: StateVec.element.at[first …]
+    uint32_t first, count;    // its elements are the `count` entries of StateVec.element from index `first` on
     Span span;
 };
 
@@ -59,7 +59,7 @@ typedef struct StateVec {
     bool from_machine;        // there is no .sv: the machine's [state_vector] section declares all elements, in one region
     VEC(Element *) element;   // in declaration order
     VEC(Region *) region;
-    VEC(Allow) allow;         // of a .sv: the @allow annotations of its elements
+    VEC(Allow) allow;         // the @allow annotations of the elements in a .sv
     Map by_name;              // name to Element
     uint32_t size;            // bytes in memory, a multiple of 8
     uint32_t hash;            // of names, types and order: machines run only with a vector that has this hash
@@ -68,7 +68,7 @@ typedef struct StateVec {
 // ---- variables ----
 
 typedef enum VarKind {
-    VAR_ELEMENT,              // of the state vector
+    VAR_ELEMENT,              // an element of the state vector
     VAR_LOCAL,
     VAR_TIME                  // T
 } VarKind;
@@ -81,7 +81,7 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     Str alias;                // or NULL
     Str report_name;          // its name in reports: name or alias, whichever comes first in ASCII
     SmType type;
-    uint32_t index;           // in Program.var
+    uint32_t index;           // its index in Program.var
     Element *element;         // ELEMENT: its element
     const Range *range;       // ELEMENT: from the machine, or else from the .sv; or NULL
     bool read_only;           // the machine cannot assign the variable; true for G, S and T
@@ -93,7 +93,7 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     bool written;             // the machine contains an assignment to it
     bool read;                // the machine reads it
     bool sizes;               // LOCAL: the size of a window depends on it
-    Span span;                // its name in the list
+    Span span;                // position of its name in the list or declaration
 } Var;
 
 // ---- expressions: every value is an F64 ----
@@ -110,10 +110,10 @@ typedef enum ExprKind {
 
 struct Expr {                 // "CALL:" marks a field that only EX_CALL has.  Bit fields save memory, because a program is mostly Exprs
     ExprKind kind : 8;
-    SmOperator op : 8;        // UNARY, BINARY
-    SmBuiltin fn : 8;         // CALL
-    SmStat stat : 8;          // ROLL
-    uint32_t n;               // arguments
+    SmOperator op : 8;        // UNARY, BINARY: the operator
+    SmBuiltin fn : 8;         // CALL: the function
+    SmStat stat : 8;          // ROLL: the statistic
+    uint32_t n;               // number of arguments
     Span span;
     SmF64 number;
     Var *var;
@@ -144,7 +144,7 @@ typedef enum StmtKind { ST_ASSIGN, ST_IF, ST_TRANSITION } StmtKind;
 struct Stmt {
     StmtKind kind;
     uint32_t number;          // 1, 2, 3 … in file order, over the whole machine or script
-    Span span;                // of an IF: up to the end of its guard
+    Span span;                // the statement; for an IF only up to the end of its guard
     uint32_t operators;       // 1u << SmOperator for each operator in `value`; lets analyses skip the other statements
     bool varies;              // `value` reads an element, T or a statistic, so it is not constant
     Var *var;                 // ASSIGN: the variable that is written
@@ -159,8 +159,8 @@ struct State {
     Str name;
     uint32_t number;          // 1, 2, 3 … in file order
     Stmts block[BLOCK_COUNT];
-    Span block_span[BLOCK_COUNT];     // the label; its source is NULL if the block is missing
-    Span span;                // the name in its header
+    Span block_span[BLOCK_COUNT];     // position of the label; src is NULL if the state lacks the block
+    Span span;                // position of the name in its header
     bool is_abort;            // @abort: the machine goes here after a fault
     bool is_safe;             // @safe: the machine may stay here forever
     bool allows_swap;         // @swap: the machine may be replaced here while it runs
@@ -204,15 +204,15 @@ typedef struct Script {
     const Source *src;
     const Program *program;
     uint64_t delta_t;
-    Span delta_t_span;        // its value in [options]
+    Span delta_t_span;        // position of the value of delta_t in [options]
     State *init_state;
     VEC(ScriptSection) section;       // in file order
     Windows window;           // of the roll calls in all sections of the script
 } Script;
 
 // Whether two expressions apply the same operators to the same numbers, variables and statistics.  Equal expressions have the
-// same value if no assignment happens between them. window_of maps a Window number to an id that is equal for windows with
-// equal contents (IrMachine.window_of).
+// same value if no assignment is executed between their evaluations. window_of maps a Window number to an id that is equal for
+// windows with equal contents (IrMachine.window_of).
 bool expr_equal(const Expr *a, const Expr *b, const uint32_t *window_of);
 
 // Calls f(x, context) for e and all its subexpressions, operands before the expression that owns them.

@@ -116,7 +116,7 @@ void scope_note_declared(Sema *s, Diag *d, Str name)
 typedef struct ForeignName {
     const char *name;
     DiagCode label;
-    const char *argument;         // of the label, or ""
+    const char *argument;         // the argument of the label; "" if it has none
 } ForeignName;
 
 static const ForeignName foreign_names[] = {

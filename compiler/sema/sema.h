@@ -17,7 +17,7 @@ typedef struct SizeUse { Var *local; Span span; } SizeUse;
 
 // What the parser's errors may have hidden in a file (lost.c).
 typedef struct HiddenNames {
-    bool any;                 // there were errors
+    bool any;                 // the parser reported errors in the file
     bool names;               // some errors may have hidden declarations
     bool sections;            // some errors may have hidden whole sections
     Map word;                 // the words that the hidden parts may have declared
@@ -38,7 +38,7 @@ typedef struct Sema {
     bool knows_a_name;        // in a script: at least one name in it, other than G, S and T, exists in the machine
     const HiddenNames *lost;
     Map functions;            // name to SmBuiltinInfo
-    Map unknown_name, unknown_state, unknown_function;   // already reported (name to itself)
+    Map unknown_name, unknown_state, unknown_function;   // unknown names that are already reported: sets, name to itself
     bool functions_noted;     // the list of functions has been shown
     Map remarked;             // names with a warning that is given only once per name
     Map doubtful;             // names declared twice: they cause no further reports

@@ -16,7 +16,7 @@
 // ---- expressions ----
 
 typedef enum AstExprKind {
-    AST_ERROR,        // already reported
+    AST_ERROR,        // text with an error, which is already reported
     AST_NUMBER,       // 5 0x1F true false
     AST_NAME,         // tankPressure
     AST_UNARY,        // op a
@@ -29,15 +29,15 @@ typedef struct AstExpr AstExpr;
 typedef VEC(AstExpr *) AstArgs;
 struct AstExpr {
     AstExprKind kind;
-    SmOperator op;            // only for UNARY and BINARY; "NUMBER:" and others below mean the same
+    SmOperator op;            // UNARY, BINARY (only these kinds have this field; comments below begin with the kinds in the same way)
     uint32_t depth;           // 1 + the depth of the deepest operand; at most AST_DEPTH_MAX, so that recursion over trees is bounded
     bool alone;               // a name or call where a statement is expected; the checker reports it (E0327)
     Span span;                // the whole expression
-    uint32_t op_at, op_len;   // UNARY, BINARY: the operator; CALL: the name; PAREN: unused
-    SmF64 number;             // NUMBER
-    Str name;                 // NAME, CALL
-    AstExpr *a, *b;           // UNARY, PAREN: a; BINARY: both
-    AstArgs *args;            // CALL
+    uint32_t op_at, op_len;   // offset and length of the operator (UNARY, BINARY) or the name (CALL)
+    SmF64 number;             // NUMBER: its value
+    Str name;                 // NAME, CALL: the name
+    AstExpr *a, *b;           // UNARY, PAREN: the operand a; BINARY: both operands
+    AstArgs *args;            // CALL: the arguments
 };
 
 static inline Span ast_op_span(const AstExpr *e) { return (Span){e->span.src, e->op_at, e->op_len}; }
@@ -54,13 +54,13 @@ typedef enum AstAnnotationKind {
     AST_ANNOTATION_COUNT
 } AstAnnotationKind;
 
-// What an annotation can follow: a column of annotations.def.
+// What an annotation can follow, as in the column `where` of annotations.def.
 typedef enum AstAnnotationTarget {
-    AST_ON_ELEMENT,           // listed in [state_vector] of a machine
-    AST_ON_SV_ELEMENT,        // of a .sv
-    AST_ON_LOCAL,
-    AST_ON_STATE,             // after its header
-    AST_ON_ANALOG_INPUT, AST_ON_ANALOG_OUTPUT, AST_ON_DIGITAL_INPUT, AST_ON_DIGITAL_OUTPUT,       // of a .io
+    AST_ON_ELEMENT,           // an element that a machine lists in [state_vector]
+    AST_ON_SV_ELEMENT,        // a declaration of an element in a .sv
+    AST_ON_LOCAL,             // a declaration of a local
+    AST_ON_STATE,             // the header of a state
+    AST_ON_ANALOG_INPUT, AST_ON_ANALOG_OUTPUT, AST_ON_DIGITAL_INPUT, AST_ON_DIGITAL_OUTPUT,       // a pin in a .io
     AST_ANNOTATION_TARGETS
 } AstAnnotationTarget;
 
@@ -72,7 +72,7 @@ typedef struct AstAnnotation {
     Span span;                // including its @ and its arguments
     Str name;                 // ALIAS: the other name; ALLOW: the name of the warning, as after -W
     Span name_span;
-    Str reason;               // ALLOW
+    Str reason;               // ALLOW: the reason
     AstNumber lo, hi;         // RANGE: both; annotations with one number or a value: lo
     bool is_truth;            // `lo` was written as true or false
 } AstAnnotation;
@@ -106,9 +106,9 @@ struct AstStmt {
     Span span;                // the whole statement; IF: up to the end of its guard
     Str name;                 // ASSIGN: the assigned variable; TRANSITION: the target state
     Span name_span;
-    const AstAnnotation *allow;       // ALLOWED
+    const AstAnnotation *allow;       // ALLOWED: the @allow
     AstExpr *value;           // ASSIGN, ASSERT: the expression; IF: the guard
-    AstArms *arms;            // IF
+    AstArms *arms;            // IF: its branches
 };
 
 // ---- declarations and sections ----
@@ -118,7 +118,7 @@ typedef struct AstDecl {
     Span type_span;
     Str name;
     Span name_span;
-    AstExpr *value;           // of a local: its initial value
+    AstExpr *value;           // the initial value of a local
     AstAnnotations annotations;
 } AstDecl;
 
@@ -134,7 +134,7 @@ typedef struct AstOption {
 // A line of a .io: `i 0 tankPressure @scale 250`.
 typedef struct AstPin {
     bool output;
-    AstNumber number;         // as written
+    AstNumber number;         // the pin's number as written; not yet checked
     Str element;
     Span element_span;
     AstAnnotations annotations;
@@ -156,7 +156,7 @@ typedef enum AstSectionKind {
     AST_STATE,                // a state of a machine: blocks
     AST_SCRIPT_STATE,         // a state's section in a script, or [all_states]: items
     AST_PINS,                 // [analog] and [digital] of a .io: pins
-    AST_IGNORED               // already reported
+    AST_IGNORED               // a section that this kind of file cannot have; already reported
 } AstSectionKind;
 
 typedef struct AstSection {
@@ -164,17 +164,17 @@ typedef struct AstSection {
     Str name;
     Span name_span;           // the text between the brackets
     Span header;              // including the brackets
-    AstAnnotations annotations;   // STATE
+    AstAnnotations annotations;   // STATE: the annotations after its header
     VEC(AstDecl) decls;
     VEC(AstOption) options;
     VEC(AstPin) pins;
-    bool digital;             // PINS
+    bool digital;             // PINS: the section is [digital]
     AstBlock block[AST_LABEL_COUNT];
     AstStmts items;           // SCRIPT_STATE: conditionals (AST_IF)
     bool all_states;          // SCRIPT_STATE: it is [all_states]
 } AstSection;
 
-typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP } FileKind;     // .io, .app: docs/config.md
+typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP } FileKind;     // docs/config.md defines .io and .app
 
 // Finds the kind of a file from its name; returns false if the name has no known ending.
 bool file_kind(const char *path, FileKind *kind);
@@ -183,11 +183,11 @@ typedef struct AstFile {
     FileKind kind;
     const Source *src;
     VEC(AstSection *) sections;       // in file order
-    struct AstApp *app;               // of a .app, which has no AstSection (ast_app.h)
+    struct AstApp *app;               // the tree of a .app, which has no AstSection (ast_app.h); else NULL
 } AstFile;
 
 const char *ast_function_usage(const SmBuiltinInfo *fn);    // how a function's arguments are written: "(x, n)"
 
-void ast_print(const AstFile *f, Buf *out);      // --emit=ast
+void ast_print(const AstFile *f, Buf *out);      // prints the tree as text: the output of --emit=ast
 
 #endif

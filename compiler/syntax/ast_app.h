@@ -6,7 +6,7 @@
 
 #include "compiler/syntax/ast.h"
 
-typedef struct AstWord { Str text; Span span; } AstWord;      // text NULL: absent
+typedef struct AstWord { Str text; Span span; } AstWord;      // text is NULL if the word is absent
 
 typedef enum AppMeasure { APP_NOTHING, APP_NUMBER, APP_TIME, APP_FREQUENCY, APP_SIZE } AppMeasure;
 
@@ -84,7 +84,7 @@ typedef struct AstAppAllow {
 
 typedef struct AstApp AstApp;
 struct AstApp {
-    Span options_header, start_header;    // src NULL: absent
+    Span options_header, start_header;    // src is NULL if the section is absent
     VEC(AstAppOption) options;
     AstStmts start;           // the assignments of [start]: AST_ASSIGN
     VEC(AstAppExecutor *) executors;
@@ -98,6 +98,6 @@ void ast_print_app(const AstApp *app, Buf *out);
 const char *app_option_name(AstAppOptionKind kind);
 const char *app_task_word(AstAppTaskKind kind);
 const char *app_annotation_name(AstAppAnnotationKind kind);
-AstAppOptionKind app_find_required_option(AstAppTaskKind kind);         // AST_APP_OPTION_COUNT: no option
+AstAppOptionKind app_find_required_option(AstAppTaskKind kind);         // AST_APP_OPTION_COUNT if the task requires no option
 
 #endif

@@ -148,13 +148,14 @@ HintResult hint_skip_bracketed_unit(HintCase *c)
 
 // ---- pins ----
 
-enum { UNO_A0 = 14, UNO_ANALOGS = 6, MEGA_A0 = 54, MEGA_ANALOGS = 16 };      // docs/boards.md
+// The pin number of A0 and the number of analog inputs, for Arduino Uno and Mega (docs/boards.md).
+enum { UNO_A0 = 14, UNO_ANALOGS = 6, MEGA_A0 = 54, MEGA_ANALOGS = 16 };
 
 // Reports a letter before the number of a pin, as in i A3 pressure: Arduino boards are labelled A3 or D3.
 HintResult hint_report_printed_pin(HintCase *c)
 {
     Parser *p = c->p;
-    const char *name = p->tok.text->text, letter = (char)(*name & ~0x20), *digits = name + 1;          // a3 as A3
+    const char *name = p->tok.text->text, letter = (char)(*name & ~0x20), *digits = name + 1;          // in upper case: a3 counts as A3
     const bool analog_input = p->pin_target == AST_ON_ANALOG_INPUT;
     const size_t n = strspn(digits, "0123456789");
 

@@ -48,7 +48,7 @@ HintResult hint_read_negation(HintCase *c)
     return HINT_READ;
 }
 
-// Turns the IF of a spreadsheet's IF(a; b; c) into the token `if`. No value begins with it, so hint_report_choice then reports it.
+// Turns the IF of a spreadsheet's IF(a; b; c) into the token `if`. No value begins with `if`, so hint_report_choice then reports an error.
 HintResult hint_read_if_call(HintCase *c)
 {
     c->p->tok.kind = TOK_IF;
@@ -89,7 +89,7 @@ HintResult hint_report_missing_call(HintCase *c)
         return HINT_SKIPPED;
     }
     if (!p->tok.first && (p->tok.kind == TOK_PLUS || p->tok.kind == TOK_MINUS || p->tok.kind == TOK_STAR || p->tok.kind == TOK_SLASH))
-        return HINT_SKIPPED;                           // abs x - y can mean abs(x - y)
+        return HINT_SKIPPED;                           // no edit, because abs x - y can mean abs(x - y)
     diag_edit(p->diags, d, (Span){operand.src, name_end, operand.at - name_end}, "(");
     diag_edit(p->diags, d, (Span){operand.src, operand.at + operand.len, 0}, ")");
     return HINT_SKIPPED;
@@ -125,7 +125,7 @@ HintResult hint_report_index(HintCase *c)
 
 // ---- after an operand ----
 
-// Whether e is `not x`. In some languages `not` has lower precedence than here: `not x is 3` negates all of `x is 3`.
+// Whether e is `not x`. In some languages `not` has lower precedence than in this language: `not x is 3` negates all of `x is 3`.
 static bool is_negation(const AstExpr *e) { return e && e->kind == AST_UNARY && e->op == SM_OP_NOT; }
 
 // Whether the current token is a colon that may separate two assignments, as in `valve = true: pump = true`.
@@ -146,7 +146,7 @@ static bool is_colon_before_assignment(const Parser *p)
 void hint_report_assign_in_guard(Parser *p, const AstExpr *left, Span sign)
 {
     const char *text = p->lex.src->text;
-    bool assigns_in_c;                        // as the inner = of `x = (p = 9)` and `(x = p) > 3: ...`
+    bool assigns_in_c;                        // the = is an assignment in C, as inside the parentheses of `x = (p = 9)`
     Diag *d;
 
     if (text[sign.at + 1] == '!') {

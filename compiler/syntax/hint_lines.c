@@ -332,7 +332,7 @@ bool hint_is_first_of_several(const Source *src, uint32_t at)
 
 // ---- lines below a colon ----
 
-enum { LEVELS_MAX = 16 };     // of indentation; a block with more gets no edit
+enum { LEVELS_MAX = 16 };     // levels of indentation; for a block with more no edit is proposed
 
 // The indentations of the current line and of the lines that enclose it, in bytes; each is larger than the previous one.
 typedef struct IndentLevels {

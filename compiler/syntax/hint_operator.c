@@ -123,7 +123,7 @@ static bool may_be_bits(const Lexer *l, const Token *t)
     ConditionSide left, right;
 
     if (t->len > 1 || sign == '~')
-        return t->len == 1 && l->stores && !t->first;      // at a first token l->stores describes the previous line
+        return t->len == 1 && l->stores && !t->first;      // for the first token of a line, l->stores still describes the previous line
     if (sign != '&' && sign != '|')
         return false;
     left = scan_left_side(l, t->at);

@@ -22,10 +22,10 @@ typedef enum TokenKind {
 typedef struct Token {
     TokenKind kind;
     bool first;               // the first token on its line
-    uint32_t at, len;         // in the source
+    uint32_t at, len;         // offset and length in the source
     Str text;                 // NAME, TYPE, words: as written; HEADER, LABEL, ANNOTATION: the name without its punctuation; TEXT: without quotes
-    SmType type;              // TYPE
-    SmF64 number;             // NUMBER
+    SmType type;              // TYPE: the type
+    SmF64 number;             // NUMBER: its value
 } Token;
 
 // Quoted text is a token only inside an @allow( ), and wherever Lexer.config is set.
@@ -86,14 +86,14 @@ void lex_next(Lexer *l, Token *t);          // at the end of the source always T
 
 void lex_skip_to(Lexer *l, uint32_t at);    // continues at `at`, the start of a line
 
-// How a diagnostic names tokens of a kind: "+", "if", "name".
+// Returns how a diagnostic names tokens of this kind: "+", "if", "name".
 const char *lex_token_name(TokenKind kind);
 
 bool lex_find_reserved(Str word, TokenKind *kind);
 
 bool lex_is_header_name(const char *s, size_t n);
 
-bool lex_is_letter(char c);                     // A-Z a-z _
+bool lex_is_letter(char c);                     // whether c is A-Z, a-z or _
 bool lex_is_digit(char c);
 bool lex_is_identifier(const char *s, size_t n);
 

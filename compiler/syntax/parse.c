@@ -303,7 +303,7 @@ static AstSectionKind find_section_kind(FileKind file, const AstSection *s)
     return is_section_named(s, "state_vector") || is_section_named(s, "local") ? AST_IGNORED : AST_SCRIPT_STATE;
 }
 
-// Reports s if the file has already had such a section and can have only one.
+// Reports section s if f already contains a section of this kind and a file can have only one.
 static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
 {
     if (s->kind != AST_STATE_VECTOR && s->kind != AST_LOCAL && s->kind != AST_PINS && (s->kind != AST_OPTIONS || f->kind == FILE_SS))
@@ -336,7 +336,7 @@ static void correct_section_kind(Parser *p, AstSection *s)
     if (kind == s->kind)
         return;
     s->kind = kind;
-    if (!lex_is_header_name(s->name->text, s->name->len))             // reported as a header
+    if (!lex_is_header_name(s->name->text, s->name->len))             // the lexer has reported the header
         return;
     d = parser_report(p, DIAG_section_misspelt, s->header, s->name->text, kind == AST_OPTIONS ? "options" : "declarations");
     diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "[%s]", names[kind]));
@@ -346,7 +346,7 @@ static void check_state_name(Parser *p, const AstSection *s)
 {
     TokenKind reserved;
 
-    if (!lex_is_header_name(s->name->text, s->name->len))             // reported as a header
+    if (!lex_is_header_name(s->name->text, s->name->len))             // the lexer has reported the header
         return;
     if (lex_find_reserved(s->name, &reserved))
         parser_report(p, DIAG_state_name_reserved, s->name_span, s->name->text);
@@ -413,7 +413,7 @@ static void parse_section(Parser *p, AstFile *f)
 
 bool file_kind(const char *path, FileKind *kind)
 {
-    static const char *const ending[] = {".sv", ".sm", ".ss", ".io", ".app"};         // by FileKind
+    static const char *const ending[] = {".sv", ".sm", ".ss", ".io", ".app"};         // ending[FileKind]
     const size_t n = strlen(path);
 
     for (size_t i = 0; i < sizeof ending / sizeof *ending; i++) {

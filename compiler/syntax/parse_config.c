@@ -71,7 +71,7 @@ static bool parse_pin_number(Parser *p, AstPin *pin)
 
 static bool parse_pin_element(Parser *p, AstPin *pin)
 {
-    if (p->tok.kind == TOK_NAME && !(p->tok.first && is_at_pin(p))) {        // a pin on the next line is not the element of this one
+    if (p->tok.kind == TOK_NAME && !(p->tok.first && is_at_pin(p))) {        // not if the name begins another pin on the next line
         pin->element = p->tok.text;
         pin->element_span = parser_token_span(p);
         parser_advance(p);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses statements of machines and items of scripts. They share one grammar; items that only one of the two may contain are reported
-// here.
+// Parses statements of machines and items of scripts, which share one grammar. Reports statements and items in a file whose kind does not
+// allow them.
 #include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
 

@@ -20,7 +20,7 @@ typedef struct Parser {
     StrPool *strings;
     Diags *diags;
     FileKind kind;
-    const ScriptVisitor *visitor; // receives the items of a script; NULL: they become part of the tree
+    const ScriptVisitor *visitor; // receives the items of a script; NULL: items become part of the tree
     AstStmts *visited;            // the items of the current section that the visitor has not received; NULL: there is no visitor
     bool failed;                  // an error was reported: further reports are dropped until the next statement
     bool lost_body;               // in this block a conditional lost statements, so its `else` will look misplaced
@@ -32,7 +32,7 @@ typedef struct Parser {
     unsigned parens;              // open parentheses in the current expression; inside them line ends count as spaces
     bool has_if;                  // the current condition begins with `if`
 
-    // For the hints.
+    // Only the hints use these fields.
     HintIndex hints;
     bool is_guard;                // the current expression is a condition, in which the user means == by =
     Span assign_operator;         // the operator of the last assignment
@@ -48,7 +48,7 @@ Span parser_span(const Parser *p, const Token *t);
 Span parser_token_span(const Parser *p);                // position of the next token
 Span parser_gap_span(const Parser *p);                       // the empty position directly after the last token
 Span parser_missing_span(const Parser *p);             // the next token, or the end of the line before it
-Span parser_span_since(const Parser *p, uint32_t at);        // from `at` to the end of the last token
+Span parser_span_since(const Parser *p, uint32_t at);        // the range from `at` to the end of the last token
 bool parser_at_end_of_statement(const Parser *p);
 bool parser_at_end_of_block(const Parser *p);           // whether the next token is }, a label, a header or the end
 

@@ -7,7 +7,7 @@
 #include "compiler/syntax/ast_app.h"
 #include "compiler/syntax/parser.h"
 
-// The kinds of lines, by which annotations they can have.
+// The kinds of lines that can have different annotations (columns of app.def).
 typedef enum AppAnnotationTarget { APP_ON_EXECUTOR, APP_ON_TASK, APP_ON_MACHINE, APP_ON_OUTPUTS, APP_ON_SERVICE, APP_ON_INPUTS,
                        APP_ANNOTATION_TARGETS } AppAnnotationTarget;
 
