@@ -188,7 +188,7 @@ static bool run_with_few_samples(WindowTrial *w, const TrialEntry *e, uint32_t g
 // The search for the statistic of the deciding window that a guard reads.
 typedef struct RollSearch {
     const WindowTrial *w;
-    const Expr *roll;             // NULL: not yet found
+    const Expr *roll;             // the roll call that was found; NULL: not yet found
     const Var *through;           // the variable that the guard reads instead, if a store to it reads the statistic; or NULL
     const Var *stored;            // the variable whose stores are being searched
     int depth;

@@ -36,7 +36,7 @@ typedef struct Element {
     Str name;
     SmType type;
     bool untyped;             // the declaration has no valid type, which is already reported
-    const Range *range;       // or NULL
+    const Range *range;       // its @range, or NULL
     bool command;             // @command: operated by a person
     uint32_t first_allow, allows;     // its @allow annotations are the `allows` entries of StateVec.allow from index first_allow on
     uint32_t index;           // index in StateVec.element
@@ -99,12 +99,12 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
 // ---- expressions: every value is an F64 ----
 
 typedef enum ExprKind {
-    EX_NUMBER,                // number
-    EX_VAR,                   // var, read as F64
+    EX_NUMBER,                // the number `number`
+    EX_VAR,                   // the value of `var`, read as F64
     EX_UNARY,                 // op arg[0]          (NOT NEG; PLUS was dropped)
     EX_BINARY,                // arg[0] op arg[1]   (never part of a chain; each operand is evaluated once)
     EX_CHAIN,                 // arg[0] ops[0] arg[1] ops[1] arg[2] …: relations only; true if all of them are
-    EX_CALL,                  // fn(arg …), pure
+    EX_CALL,                  // fn(arg …), a function without side effects
     EX_ROLL                   // statistic `stat` of window `window`; arg[0] is the sampled expression
 } ExprKind;
 

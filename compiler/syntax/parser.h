@@ -70,13 +70,13 @@ void parser_label_annotations(Parser *p, Diag *d, const char *const *here, size_
 
 AstExpr *parse_expr(Parser *p, bool is_guard);          // parses an expression from the next token on, on this line or a later one
 AstExpr *parse_value_of(Parser *p, bool is_guard);      // parses an expression that must begin on this line
-void parse_block(Parser *p, AstStmts *into);            // statements up to }, a label, a header or the end
+void parse_block(Parser *p, AstStmts *into);            // parses statements up to }, a label, a header or the end
 void parser_visit_items(Parser *p);                     // passes the parsed items to the visitor, and frees them
 void parse_decls(Parser *p, AstSection *s);
 void parse_options(Parser *p, AstSection *s);
 // Parses all annotations that follow; `owner` is the name of the annotated declaration, state or pin's element.
 void parse_annotations(Parser *p, AstAnnotationTarget target, Str owner, Span owner_span, AstAnnotations *into);
-bool parse_signed_number(Parser *p, AstNumber *into);   // a number with or without a sign; false: none found
+bool parse_signed_number(Parser *p, AstNumber *into);   // parses a number with or without a sign; false: there is none
 void parse_pins(Parser *p, AstSection *s);
 void parser_report_pin_section(Parser *p, const AstSection *s);
 bool parser_is_allow(const Token *t);
