@@ -309,8 +309,8 @@ SmResult smvm_swap_continue(const SmvmSwap *plan, const SmVm *from, SmVm *to, vo
         else if (name[i].kind == SMVM_SWAP_SAMPLE)
             copy_window(plan, from, name[i].source, to, name[i].number);
     }
-    smvm_store_state(to, &plan->to, sv);
+    smvm_write_state(to, &plan->to, sv);
     return SM_OK;
 }
 
-void smvm_store_state(const SmVm *vm, const SmvmMachine *m, void *sv) { sm_cell_store(SM_U32, (uint8_t *)sv + m->s, vm->state); }
+void smvm_write_state(const SmVm *vm, const SmvmMachine *m, void *sv) { sm_cell_store(SM_U32, (uint8_t *)sv + m->s, vm->state); }

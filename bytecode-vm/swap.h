@@ -11,7 +11,7 @@
 //     if (smvm_state_allows_swap(&from, smvm_state(old)) && smvm_swap_continue(plan, old, new_memory, sv) == SM_OK)
 //         old = new_memory;                                      // from now on
 //
-// To restart instead, name the state in smvm_prepare, and call smvm_store_state between two steps; no plan is needed.
+// To restart instead, name the state in smvm_prepare, and call smvm_write_state between two steps; no plan is needed.
 #ifndef SMVM_SWAP_H
 #define SMVM_SWAP_H
 
@@ -24,7 +24,7 @@ extern "C" {
 #pragma GCC visibility push(default)
 #endif
 
-// Like smvm_init, but neither reads nor writes the state vector: smvm_store_state, or smvm_swap_continue, does so later.
+// Like smvm_init, but neither reads nor writes the state vector: smvm_write_state, or smvm_swap_continue, does so later.
 SmResult smvm_prepare(void *memory, uint32_t size, const SmvmMachine *m, const SmvmVector *sv, uint32_t state);
 
 // What one machine takes over from another, in memory of the caller.  Valid while both images are; it needs neither SmvmMachine.
@@ -49,7 +49,7 @@ uint32_t smvm_swap_state(const SmvmSwap *plan, uint32_t state);
 SmResult smvm_swap_continue(const SmvmSwap *plan, const SmVm *from, SmVm *to, void *sv);
 
 // Stores the number of the machine's state in S, as smvm_init does: for a machine that smvm_prepare started.
-void smvm_store_state(const SmVm *vm, const SmvmMachine *m, void *sv);
+void smvm_write_state(const SmVm *vm, const SmvmMachine *m, void *sv);
 
 // ---- what is kept ----
 

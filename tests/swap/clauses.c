@@ -157,10 +157,10 @@ static void test_restart(void)
     CHECK(machine_start(&new, NULL, 2) == SM_OK && machine_decode(&new, sv.byte) == SM_OK);
     free(machine_plan(&old, &new, &result));
     CHECK(memcmp(before, sv.byte, sizeof before) == 0);
-    smvm_store_state(new.vm, &new.m, sv.byte);
+    smvm_write_state(new.vm, &new.m, sv.byte);
     CHECK(state_number() == 2 && step(&new, 41, 3) == SM_OK && number_at(AT_OUT) == 7 && number_at(AT_MORE) == 3);
     CHECK(machine_start(&new, NULL, 1) == SM_OK);
-    smvm_store_state(new.vm, &new.m, sv.byte);
+    smvm_write_state(new.vm, &new.m, sv.byte);
     CHECK(step(&new, 41, 3) == SM_OK && state_number() == 1 && number_at(AT_OUT) == 1 && number_at(AT_MORE) == 0 && sv.byte[AT_FIRED] == 1);
     free_both(&old, &new);
 }

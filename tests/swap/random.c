@@ -275,8 +275,8 @@ static void swap(Pair *p, Rng *r)
         const uint32_t state = 1 + rng_below(r, (uint32_t)new->compiled.program->state.n);
         start(new, new->compiled.vm, state);
         start(new, new->decoded_vm, state);
-        smvm_store_state(new->compiled.vm, &new->compiled.m, p->sv);
-        smvm_store_state(new->decoded_vm, &new->compiled.m, p->sv_decoded);
+        smvm_write_state(new->compiled.vm, &new->compiled.m, p->sv);
+        smvm_write_state(new->decoded_vm, &new->compiled.m, p->sv_decoded);
         reference_restart(old->reference->self, new->reference->self, state);
         p->at = new;
         met.restarted++;
@@ -297,8 +297,8 @@ static void run(Pair *p)
     h->reference->init(h->reference, state, &h->answer);
     if (start(h, h->compiled.vm, state) != SM_OK || start(h, h->decoded_vm, state) != SM_OK || !decode(p, h))
         p->difference = "the machine does not start";
-    smvm_store_state(h->compiled.vm, &h->compiled.m, p->sv);
-    smvm_store_state(h->decoded_vm, &h->compiled.m, p->sv_decoded);
+    smvm_write_state(h->compiled.vm, &h->compiled.m, p->sv);
+    smvm_write_state(h->decoded_vm, &h->compiled.m, p->sv_decoded);
     for (uint32_t k = 0; k < STEPS && p->difference == NULL; k++) {
         if (rng_percent(&r, 12))
             swap(p, &r);
