@@ -53,7 +53,7 @@ SessionLocals artefacts_image_locals(const CompileOptions *o) { return o->names 
 
 static void emit_image(Compilation *c)
 {
-    const ImageOptions o = {c->o->names, c->image_pins};
+    const ImageOptions o = {c->o->names, c->out->image_pins};
     IrMachine **m = ARENA_ARRAY(&c->s->arena, IrMachine *, c->in->n);
     size_t n = 0;
     Buf *image;
@@ -93,7 +93,7 @@ void artefacts_emit(Compilation *c)
     if (c->o->emit == EMIT_IR)
         text = add_artefact(c, 0, NULL, NULL);
     for (size_t i = 0; i < c->in->n; i++)
-        if (c->o->emit == EMIT_C)
+        if (c->o->emit == EMIT_C && c->in->at[i].kind != FILE_SS)
             emit_c_for_source(c, i);
         else if (text && c->out->of[i].ir)
             ir_print(c->out->of[i].ir, text);

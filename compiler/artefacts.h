@@ -14,7 +14,6 @@ typedef struct Compilation {
     Compiled *out;
     const Program **program;      // the machines without errors
     size_t programs;
-    IoMap *image_pins;            // in->pins after checking; NULL if absent or with errors
 } Compilation;
 
 // How code outside a machine accesses the locals of a machine that becomes an image.

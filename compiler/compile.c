@@ -112,7 +112,7 @@ static void analyse_all_machines(Compilation *c)
     if (c->in->vector)
         analyse_shared_vector(&c->s->arena, &c->s->diags, c->program, c->programs);
     for (size_t i = 0; i <= c->in->n; i++) {
-        const IoMap *pins = i < c->in->n ? c->out->of[i].pins : c->image_pins;
+        const IoMap *pins = i < c->in->n ? c->out->of[i].pins : c->out->image_pins;
         for (size_t m = 0; pins && m < c->programs; m++)
             analyse_shared_pins(&c->s->arena, &c->s->diags, pins, c->program[m]);
     }
@@ -135,7 +135,7 @@ static void compile_files(Compilation *c)
     if (!c->o->scripts_later)
         compile_scripts(c);
     if (c->in->pins)
-        c->image_pins = session_io(c->s, c->in->pins, c->in->vector);
+        c->out->image_pins = session_io(c->s, c->in->pins, c->in->vector);
     analyse_all_machines(c);
     if (c->s->diags.errors == 0)
         artefacts_emit(c);
@@ -178,26 +178,54 @@ void compile_open_app(Session *s, const Source *app, CompileApp *out)
     app_list_files(&s->arena, out->tree, &out->files);
 }
 
+static bool is_syntax_dump(const CompileOptions *o) { return o->emit == EMIT_AST || o->emit == EMIT_TOKENS; }
+
+// How code outside the machines accesses their locals.  Emitted C declares locals where the user's code can read them.
+static SessionLocals locals_of_output(const CompileOptions *o) { return o->emit == EMIT_C ? LOCALS_READ : artefacts_image_locals(o); }
+
+static bool finish_diagnostics(Session *s, const CompileOptions *o)
+{
+    diags_apply_allows(&s->diags);
+    if (o->warnings)
+        diags_select(&s->diags, o->warnings);
+    diags_sort(&s->diags);
+    return s->diags.errors == 0;
+}
+
 bool compile_sources(Session *s, const CompileInput *in, const CompileOptions *o, Compiled *out)
 {
-    Compilation c = {s, in, o, out, ARENA_ARRAY(&s->arena, const Program *, in->n), 0, NULL};
+    Compilation c = {s, in, o, out, ARENA_ARRAY(&s->arena, const Program *, in->n), 0};
 
     memset(out, 0, sizeof *out);
     out->of = ARENA_ARRAY(&s->arena, CompiledSource, in->n);
     s->warnings = o->skip_analyses ? 0 : o->warnings ? diag_selection_groups(o->warnings) : DIAG_GROUPS_ALL;
     s->step = o->step;
-    s->locals = o->emit == EMIT_C ? LOCALS_READ : artefacts_image_locals(o);       // emitted C declares locals where the user's code can read them
-    if (o->emit == EMIT_AST || o->emit == EMIT_TOKENS)
+    s->locals = locals_of_output(o);
+    if (is_syntax_dump(o))
         artefacts_add_syntax_dump(&c);
     else if (in->app)
         compile_app(&c);
     else
         compile_files(&c);
     s->locals = LOCALS_READ;
+    return finish_diagnostics(s, o);
+}
 
-    diags_apply_allows(&s->diags);
-    if (o->warnings)
-        diags_select(&s->diags, o->warnings);
-    diags_sort(&s->diags);
-    return s->diags.errors == 0;
+bool compile_emit(Session *s, const CompileInput *in, const CompileOptions *o, Compiled *out)
+{
+    Compilation c = {s, in, o, out, NULL, 0};
+
+    s->locals = locals_of_output(o);
+    if (is_syntax_dump(o))
+        artefacts_add_syntax_dump(&c);
+    else if (in->app && o->emit == EMIT_C)
+        artefacts_emit_app(&c, out->app);
+    else if (!in->app) {
+        for (size_t i = 0; i < in->n; i++)
+            if (out->of[i].program)
+                build_ir_and_measure(&c, &out->of[i]);
+        artefacts_emit(&c);
+    }
+    s->locals = LOCALS_READ;
+    return finish_diagnostics(s, o);
 }

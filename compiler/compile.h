@@ -77,6 +77,7 @@ typedef struct Artefact {
 typedef struct Compiled {
     CompiledSource *of;           // one entry per source
     const App *app;
+    IoMap *image_pins;            // CompileInput.pins after checking; NULL if absent or with errors
     VEC(Artefact) artefact;       // complete only if compile_sources() returned true
 } Compiled;
 
@@ -87,5 +88,10 @@ void compile_open_app(Session *s, const Source *app, CompileApp *out);
 // Compiles everything that `o` requests.  s->diags then has the diagnostics, sorted, without the allowed and the disabled ones.  Returns
 // whether there was no error.
 bool compile_sources(Session *s, const CompileInput *in, const CompileOptions *o, Compiled *out);
+
+// Adds the artefacts of o->emit to those of an earlier compile_sources of the same input, which found no error; other options must be as they
+// were then.  Parses and analyses nothing again, except for EMIT_AST and EMIT_TOKENS.  Reports errors, such as an image that is too large, and
+// returns false if there was one.
+bool compile_emit(Session *s, const CompileInput *in, const CompileOptions *o, Compiled *out);
 
 #endif

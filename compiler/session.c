@@ -328,6 +328,20 @@ bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions
     return emit_image(&s->arena, &s->diags, m, n, o->io, o->debug, out);
 }
 
+Engine *session_open_vm(Session *s, const Program *p, int opt_level, bool soft, const char **error)
+{
+    IrMachine *m = session_ir(s, p, opt_level);
+    const ImageOptions with_names = {true, NULL};
+    Buf image;
+
+    buf_init(&image, &s->arena);
+    if (!session_image(s, &m, 1, &with_names, &image)) {
+        *error = "the machine could not be made into an image";
+        return NULL;
+    }
+    return (soft ? engine_vm_soft_open : engine_vm_open)(&s->arena, p, (const uint8_t *)image.at, image.n, 0, error);
+}
+
 void session_emit_c(Session *s, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code)
 {
     const PassOptions p = {0, NULL, s->check_passes, o && o->soft, print_after_pass, s};

@@ -75,6 +75,10 @@ typedef struct ImageOptions {
 } ImageOptions;
 bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions *o, Buf *out);
 
+// Opens the VM, or the VM with soft numbers, on an image with names that is built for this engine.  Returns NULL and sets *error to a sentence if
+// the image exceeds a limit, which is then also in s->diags, or if the VM cannot run it.
+Engine *session_open_vm(Session *s, const Program *p, int opt_level, bool soft, const char **error);
+
 // The C of one machine, self-contained (emit_c.h).
 void session_emit_c(Session *s, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code);
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc graph: draws the state diagram of a machine, with its findings and the parts that its scripts have reached.
-#include <string.h>
-
 #include "compiler/cli/runs.h"
 
 typedef void WriteGraph(const Analysis *a, const DiagramOptions *o, Buf *out);
@@ -57,9 +55,7 @@ int cmd_graph(Cli *c)
     if ((code = cli_print_diagnostics(c)) != EXIT_OK)
         return code;
     m = runs_machine(&in, &made);
-    memset(&r, 0, sizeof r);
-    r.arena = &c->session.arena;
-    analysis_begin(&r.analysis, r.arena, &c->session.diags, m->program);
+    review_begin(&c->session, m->program, &r);
     if ((code = runs_execute(c, &r, m->scripted, &in)) != EXIT_OK) {
         cli_print_diagnostics(c);
         return code;

@@ -1,35 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc report: one page about a machine for a design review. Findings are those of `smc check` with the same files. Costs are
 // those of the image that `smc build` makes. The scripts run on the VM, on an image with names.
-#include <string.h>
-
-#include "bytecode-vm/smvm.h"
-#include "compiler/analysis/analysis.h"
 #include "compiler/cli/runs.h"
-#include "compiler/version.h"
 
 typedef void WriteReport(const Doc *d, Buf *out);
 
 static const CliFormat formats[] = {
     {"html", {".html", ".htm", NULL}, "a browser"}, {"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
 enum { FORMATS = sizeof formats / sizeof *formats };
-
-// Findings, costs and the size of the image are those of the machine as it flies: without names, but with its pins.
-static void fill_report(Cli *c, const CompileOptions *o, const CompiledSource *m, const Buf *image, Report *r)
-{
-    Arena *arena = &c->session.arena;
-
-    r->arena = arena;
-    r->maker = "smc " SMC_VERSION;
-    r->step_given = o->step != 0;
-    analysis_begin(&r->analysis, arena, &c->session.diags, m->program);
-    r->analysis.step = c->session.step;
-    cost_of_machine(arena, m->measured, 0, COST_INSTRUCTIONS, &r->cost);
-    cost_of_machine(arena, m->measured, 0, COST_CYCLES_FLASH, &r->flash);
-    cost_of_machine(arena, m->measured, 0, COST_CYCLES_EEPROM, &r->eeprom);
-    r->image = (const uint8_t *)image->at;
-    r->image_size = image->n;
-}
 
 int cmd_report(Cli *c)
 {
@@ -59,8 +37,8 @@ int cmd_report(Cli *c)
         cli_print_diagnostics(c);
         return EXIT_PROBLEM;
     }
-    memset(&r, 0, sizeof r);
-    fill_report(c, &o, runs_machine(&in, &made), made.artefact.at[0].bytes, &r);
+    review_begin(&c->session, runs_machine(&in, &made)->program, &r);
+    review_add_costs(&c->session, runs_machine(&in, &made), made.artefact.at[0].bytes, o.step != 0, &r);
     if ((code = runs_execute(c, &r, runs_machine(&in, &made)->scripted, &in)) != EXIT_OK) {
         cli_print_diagnostics(c);
         return code;

@@ -35,27 +35,9 @@ const CompiledSource *runs_machine(const CompileInput *in, const Compiled *made)
 
 // ---- on the VM ----
 
-static void run_script(Cli *c, const Report *r, const Program *p, ReportRun *run, const Source *ss, Engine *vm)
-{
-    Session *s = &c->session;
-    const ScriptOptions o = {STEPS_MOST, NULL, NULL, true};
-    const Diags machine = s->diags;
-    Engine *traced;
-
-    run->name = report_base_name(ss->name);
-    trace_init(&run->trace, &s->arena, p, &r->analysis.transition);
-    diags_clear(&s->diags);
-    if ((run->script = session_script(s, ss, p)) != NULL) {
-        traced = trace_wrap_engine(&run->trace, vm);
-        run->result = script_run(&s->arena, &s->diags, run->script, &traced, 1, &o);
-    }
-    diags_apply_allows(&s->diags);
-    run->diags = s->diags;
-    s->diags = machine;
-}
-
 int runs_execute(Cli *c, Report *r, const Program *p, const CompileInput *in)
 {
+    const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true};
     EngineSet engines = {{NULL}, 0, NULL};
 
     if (in->n < 2)
@@ -67,7 +49,7 @@ int runs_execute(Cli *c, Report *r, const Program *p, const CompileInput *in)
     r->run = ARENA_ARRAY(&c->session.arena, ReportRun, in->n);
     for (size_t i = 0; i < in->n; i++)
         if (in->at[i].kind == FILE_SS)
-            run_script(c, r, p, &r->run[r->runs++], in->at[i].text, engines.at[0]);
+            review_run_script(&c->session, r, p, in->at[i].text, NULL, engines.at, engines.n, &o, &r->run[r->runs++]);
     engines_close(&engines);
     return EXIT_OK;
 }

@@ -4,7 +4,7 @@
 #define SMC_CLI_RUNS_H
 
 #include "compiler/cli/cli.h"
-#include "compiler/report/page.h"
+#include "compiler/review.h"
 
 // Checks that the arguments are one machine and scripts.  Returns EXIT_OK, or the exit code after a message.
 int runs_check_use(Cli *c);

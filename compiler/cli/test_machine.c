@@ -59,7 +59,7 @@ static int exit_code_of(ScriptOutcome o)
     switch (o) {
     case SCRIPT_PASSED: return EXIT_OK;
     case SCRIPT_FAILED: case SCRIPT_ENDLESS: case SCRIPT_TIME_OVER: return EXIT_PROBLEM;
-    case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: return EXIT_INTERNAL;
+    case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: case SCRIPT_CANCELLED: return EXIT_INTERNAL;      // this command cancels no run
     }
     return EXIT_INTERNAL;
 }
@@ -67,7 +67,7 @@ static int exit_code_of(ScriptOutcome o)
 static void run_script(MachineTest *m, const char *path, const Script *s)
 {
     TestRun *t = m->t;
-    ScriptOptions o = {t->max_steps, m->trace ? test_trace_step : NULL, m->trace, false};
+    ScriptOptions o = {.max_steps = t->max_steps, .after_step = m->trace ? test_trace_step : NULL, .context = m->trace};
     ScriptResult r;
     int code, reported;
     const char *message;

@@ -37,29 +37,14 @@ unsigned engines_in_list(const char *list)
     return which;
 }
 
-typedef Engine *OpenVm(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
-
-static Engine *open_vm(OpenVm *open, Session *s, const Program *p, int opt_level, const char **error)
-{
-    IrMachine *m = session_ir(s, p, opt_level);
-    const ImageOptions with_names = {true, NULL};
-    Buf image;
-
-    buf_init(&image, &s->arena);
-    if (m && session_image(s, &m, 1, &with_names, &image))
-        return open(&s->arena, p, (const uint8_t *)image.at, image.n, 0, error);
-    *error = "the machine could not be made into an image";
-    return NULL;
-}
-
 static Engine *open_engine(EngineKind kind, Session *s, const Program *p, int opt_level, const char **error)
 {
     IrMachine *m;
 
     switch (kind) {
     case ENGINE_REF: return engine_ref_open(&s->arena, p);
-    case ENGINE_VM: return open_vm(engine_vm_open, s, p, opt_level, error);
-    case ENGINE_VM_SOFT: return open_vm(engine_vm_soft_open, s, p, opt_level, error);
+    case ENGINE_VM: return session_open_vm(s, p, opt_level, false, error);
+    case ENGINE_VM_SOFT: return session_open_vm(s, p, opt_level, true, error);
     case ENGINE_C:
     case ENGINE_C_SOFT:
         if ((m = session_ir(s, p, opt_level)) != NULL)

@@ -151,6 +151,7 @@ static const char *outcome_text(ScriptOutcome o)
     case SCRIPT_ENDLESS: return "did not reach @stop";
     case SCRIPT_TIME_OVER: return "ran out of time";
     case SCRIPT_BROKEN: return "could not be run";
+    case SCRIPT_CANCELLED: return "was cancelled";
     case SCRIPT_DIFFERENT: return "gave different values on different engines";
     }
     return "";
@@ -175,7 +176,8 @@ bool case_run_scripts(SmtCase *c, Engine **engine, size_t engines, uint64_t max_
     bool is_first = true, works = true;
 
     for (size_t i = 0; i < f->part.n; i++) {
-        ScriptOptions o = {f->steps ? f->steps : max_steps, trace_part && is_first ? add_to_trace : NULL, &trace, report_part || trace_part};
+        ScriptOptions o = {.max_steps = f->steps ? f->steps : max_steps, .after_step = trace_part && is_first ? add_to_trace : NULL, .context = &trace,
+                           .is_compared = report_part || trace_part};
         ScriptResult r;
         Buf report;
 

@@ -13,6 +13,7 @@ typedef enum ScriptOutcome {
     SCRIPT_FAILED,            // an assert was false
     SCRIPT_ENDLESS,           // no @stop was reached within max_steps
     SCRIPT_TIME_OVER,         // G cannot advance any further
+    SCRIPT_CANCELLED,         // ScriptOptions.is_cancelled returned true
     SCRIPT_BROKEN,            // an engine failed
     SCRIPT_DIFFERENT          // two engines disagree
 } ScriptOutcome;
@@ -27,7 +28,8 @@ typedef struct ScriptStep {
 typedef struct ScriptOptions {
     uint64_t max_steps;
     void (*after_step)(void *context, const ScriptStep *step);      // called after each step, before its asserts are evaluated; or NULL
-    void *context;
+    void *context;            // passed to both functions
+    bool (*is_cancelled)(void *context);      // called after each step that does not end the run; or NULL
     bool is_compared;         // the report or trace is compared or only displayed, so the script needs no assert
 } ScriptOptions;
 

@@ -156,6 +156,8 @@ static void run_step(ScriptRun *r)
         return;
     call_after_step(r);
     assert_check_step(r);
+    if (!r->ended && r->o->is_cancelled && r->o->is_cancelled(r->o->context))
+        run_finish(r, SCRIPT_CANCELLED);
     if (!r->ended)
         advance_time(r);
 }
@@ -247,6 +249,7 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
     case SCRIPT_ENDLESS: report_endless(&r); break;
     case SCRIPT_TIME_OVER: report_time_over(&r); break;
     case SCRIPT_PASSED: case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: break;
+    case SCRIPT_CANCELLED: return r.result;
     }
     assert_report_unevaluated(&r);
     return r.result;

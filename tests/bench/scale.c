@@ -47,7 +47,7 @@ static void draw(Session *s, const Program *p, Buf *out)
 
 static void run(Session *s, const Program *p, const Script *script)
 {
-    const ScriptOptions o = {1000000, NULL, NULL, true};
+    const ScriptOptions o = {.max_steps = 1000000, .is_compared = true};
     Engine *ref = engine_ref_open(&s->arena, p);
 
     script_run(&s->arena, &s->diags, script, &ref, 1, &o);

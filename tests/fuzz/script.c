@@ -44,7 +44,7 @@ const unsigned fuzz_floor = 15;
 static void run_script(Session *s, const TestFile *f)
 {
     const CompileOptions compile = {.skip_analyses = true};
-    const ScriptOptions o = {STEPS_MOST, NULL, NULL, false};
+    const ScriptOptions o = {.max_steps = STEPS_MOST};
     const Program *p = NULL;
     const Script *script = NULL;
     Engine *engine[3];

@@ -142,7 +142,7 @@ static ScriptResult run_spoiled(Fixture *f, int what, bool alone)
     Spoiler spoiler = {{"spoiler", f->p, NULL, &spoiler, spoil_init, spoil_step, close_nothing},
                        engine_ref_open(&f->s.arena, f->p), 0, what, var(f, "y")};
     Engine *both[2] = {f->e, &spoiler.engine};
-    ScriptOptions o = {100, NULL, NULL, false};
+    ScriptOptions o = {.max_steps = 100};
 
     return script_run(&f->s.arena, &f->s.diags, f->script, alone ? both + 1 : both, alone ? 1 : 2, &o);
 }
@@ -170,7 +170,7 @@ static void check_lock_step(Fixture *f)
 
 static void check_end_of_time(Fixture *f)
 {
-    ScriptOptions o = {100, NULL, NULL, false};
+    ScriptOptions o = {.max_steps = 100};
 
     f->script->delta_t = UINT64_MAX / 3;                                          // the third advance would give 2^64-1
     CHECK(script_run(&f->s.arena, &f->s.diags, f->script, &f->e, 1, &o).steps == 3);
@@ -194,7 +194,7 @@ static void show(void *context, const ScriptStep *step)
 
 static void check_after_step(Fixture *f)
 {
-    ScriptOptions o = {100, show, &shown, false};
+    ScriptOptions o = {.max_steps = 100, .after_step = show, .context = &shown};
 
     script_run(&f->s.arena, &f->s.diags, f->script, &f->e, 1, &o);
     CHECK(shown == 4);
@@ -202,7 +202,7 @@ static void check_after_step(Fixture *f)
 
 static bool run_with(Fixture *f, long allocations)     // false when memory ran out
 {
-    ScriptOptions o = {100, NULL, NULL, false};
+    ScriptOptions o = {.max_steps = 100};
     jmp_buf oom;
 
     memset(f, 0, sizeof *f);

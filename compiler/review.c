@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/review.h"
+
+#include <string.h>
+
+#include "compiler/version.h"
+
+void review_begin(Session *s, const Program *flown, Report *r)
+{
+    memset(r, 0, sizeof *r);
+    r->arena = &s->arena;
+    r->maker = "smc " SMC_VERSION;
+    analysis_begin(&r->analysis, r->arena, &s->diags, flown);
+}
+
+void review_add_costs(Session *s, const CompiledSource *m, const Buf *image, bool step_given, Report *r)
+{
+    r->step_given = step_given;
+    r->analysis.step = s->step;
+    cost_of_machine(r->arena, m->measured, 0, COST_INSTRUCTIONS, &r->cost);
+    cost_of_machine(r->arena, m->measured, 0, COST_CYCLES_FLASH, &r->flash);
+    cost_of_machine(r->arena, m->measured, 0, COST_CYCLES_EEPROM, &r->eeprom);
+    r->image = (const uint8_t *)image->at;
+    r->image_size = image->n;
+}
+
+void review_run_script(Session *s, const Report *r, const Program *p, const Source *src, const Script *script, Engine **engine, size_t engines,
+                       const ScriptOptions *o, ReportRun *run)
+{
+    const Diags of_machine = s->diags;
+    Engine **all = ARENA_ARRAY(&s->arena, Engine *, engines);
+
+    run->name = report_base_name(src->name);
+    trace_init(&run->trace, &s->arena, p, &r->analysis.transition);
+    diags_clear(&s->diags);
+    if ((run->script = script ? script : session_script(s, src, p)) != NULL) {
+        memcpy(all, engine, engines * sizeof *all);
+        all[0] = trace_wrap_engine(&run->trace, engine[0]);
+        run->result = script_run(&s->arena, &s->diags, run->script, all, engines, o);
+    }
+    diags_apply_allows(&s->diags);
+    run->diags = s->diags;
+    s->diags = of_machine;
+}
