@@ -23,7 +23,7 @@ VM_FAST  = $(wildcard bytecode-vm/decode*.c) bytecode-vm/fast.c
 LINK     = $(wildcard runtime-c/link/*.c)
 EMIT_C   = $(filter-out %/embed_tool.c,$(wildcard compiler/emit/c/*.c))
 LIBSMC   = $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c)) $(wildcard compiler/diag/*.c compiler/syntax/*.c compiler/sema/*.c compiler/ir/*.c \
-             compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c compiler/budget/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/report/*.c compiler/script/*.c compiler/*.c) $(STDLIB) $(VM) $(LINK)
+             compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c compiler/budget/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/report/*.c compiler/script/*.c compiler/library/*.c compiler/*.c) $(STDLIB) $(VM) $(LINK)
 COMMAND  = $(wildcard compiler/base/os_*.c compiler/device/*.c compiler/cli/*.c)
 
 # `make V=1` shows the commands themselves, `make -s` nothing.
@@ -31,9 +31,12 @@ say = $(if $(V)$(findstring s,$(firstword -$(MAKEFLAGS))),,@echo '  $(1)  $(pats
 
 all: $(B)/smc
 
+# The objects of libsmc are also those of the installed library: position-independent, and only what smc.h declares is exported.
+LIB_FLAGS ?= $(if $(findstring tcc,$(CC)),,-fPIC -fvisibility=hidden) -DSMC_LIBRARY
+$(LIBSMC:%.c=$(B)/obj/%.o): OWN_FLAGS = $(LIB_FLAGS)
 $(B)/obj/%.o: %.c
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) -c $< -o $@
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(OWN_FLAGS) $(DEPFLAGS) -c $< -o $@
 
 # The engine vm-soft: the VM once more as on a chip, with soft numbers and opcodes that share code, its names changed so that both fit in one
 # program.
@@ -44,7 +47,7 @@ $(B)/gen/soft_names.h: $(wildcard bytecode-vm/*.[ch]) compiler/script/engine_vm.
 	    sed -e 's/.*/#define & soft_&/' -e 's/soft_engine_vm_open/engine_vm_soft_open/' >$@.new && mv $@.new $@
 $(B)/soft/obj/%.o: %.c $(B)/gen/soft_names.h
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) -DSM_F64_SOFT=1 -DSMVM_KEEP_TABLES=1 -DSMVM_SPECIALIZE=0 -include $(B)/gen/soft_names.h $(WARN) $(CFLAGS) $(DEPFLAGS) -c $< -o $@
+	$(call say,CC)$(CC) $(STRICT_C) -DSM_F64_SOFT=1 -DSMVM_KEEP_TABLES=1 -DSMVM_SPECIALIZE=0 -include $(B)/gen/soft_names.h $(WARN) $(CFLAGS) $(LIB_FLAGS) $(DEPFLAGS) -c $< -o $@
 
 # What need not be fast is built in half the time.  (The command only tests with the VM; the library is built apart.)
 SELDOM = $(filter compiler/cli/% compiler/device/% compiler/diag/% compiler/report/% compiler/script/%,$(LIBSMC) $(COMMAND))
@@ -147,11 +150,31 @@ $(B)/libsmvm.a: $(VM:%.c=$(B)/lib/obj/%.o) $(STDLIB:%.c=$(B)/lib/obj/%.o)
 	@rm -f $@
 	$(call say,AR)$(AR) rcs $@ $^
 
-install: all $(B)/libsmvm.a
+# libsmc, for programs that compile and run machines (smc.h).  The archive has one object, whose only global names are those of smc.h, so that
+# it can be linked beside anything.  Its VM is built with CFLAGS as they are, because programs step machines with it.
+SONAME      = libsmc.so.$(shell sed -n 's/^.define SMC_API_VERSION //p' compiler/library/smc.h)
+LIB_VM      = bytecode-vm/interp bytecode-vm/fast
+LIB_OBJECTS = $(filter-out $(LIB_VM:%=$(B)/obj/%.o),$(LIBSMC:%.c=$(B)/obj/%.o)) $(LIB_VM:%=$(B)/lib/smc/%.o) $(VM_SOFT)
+OBJCOPY    ?= objcopy
+$(LIB_VM:%=$(B)/lib/smc/%.o): $(B)/lib/smc/%.o: %.c
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(LIB_FLAGS) $(DEPFLAGS) -c $< -o $@
+$(B)/lib/libsmc.a: $(LIB_OBJECTS)
+	@rm -f $@
+	$(call say,AR)$(CC) -r -nostdlib -o $(@D)/libsmc.o $^ && $(OBJCOPY) --localize-hidden $(@D)/libsmc.o && $(AR) rcs $@ $(@D)/libsmc.o
+$(B)/lib/$(SONAME): $(LIB_OBJECTS)
+	$(call say,LD)$(CC) $(CFLAGS) -shared -Wl,-soname,$(SONAME) -o $@ $^
+
+install: all $(B)/libsmvm.a $(B)/lib/libsmc.a $(B)/lib/$(SONAME)
 	mkdir -p "$(DEST)/bin" "$(DEST)/lib/pkgconfig" "$(DEST)/share/smc/docs/evidence" "$(DEST)/include/smc/stdlib" "$(DEST)/include/smc/bytecode-vm"
 	cp $(B)/smc "$(DEST)/bin/smc"
 	cp $(B)/libsmvm.a "$(DEST)/lib/libsmvm.a"
+	cp $(B)/lib/libsmc.a "$(DEST)/lib/libsmc.a"
+	cp $(B)/lib/$(SONAME) "$(DEST)/lib/$(SONAME)"
+	ln -sf $(SONAME) "$(DEST)/lib/libsmc.so"
+	cp compiler/library/smc.h "$(DEST)/include/smc.h"
 	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' bytecode-vm/smvm.pc.in >"$(DEST)/lib/pkgconfig/smvm.pc"
+	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' compiler/library/smc.pc.in >"$(DEST)/lib/pkgconfig/smc.pc"
 	cp compiler/smc.mk "$(DEST)/share/smc/smc.mk"
 	cp docs/*.md docs/*.svg "$(DEST)/share/smc/docs"
 	cp docs/evidence/*.md "$(DEST)/share/smc/docs/evidence"
@@ -159,7 +182,8 @@ install: all $(B)/libsmvm.a
 	@for f in $(INSTALLED_RUNTIME); do mkdir -p "$(DEST)/share/smc/$$(dirname $$f)" && cp $$f "$(DEST)/share/smc/$$f" || exit 1; done
 
 uninstall:
-	rm -f "$(DEST)/bin/smc" "$(DEST)/lib/libsmvm.a" "$(DEST)/lib/pkgconfig/smvm.pc"
+	rm -f "$(DEST)/bin/smc" "$(DEST)/lib/libsmvm.a" "$(DEST)/lib/pkgconfig/smvm.pc" \
+	    "$(DEST)/lib/libsmc.a" "$(DEST)/lib/libsmc.so" "$(DEST)/lib/$(SONAME)" "$(DEST)/lib/pkgconfig/smc.pc" "$(DEST)/include/smc.h"
 	rm -rf "$(DEST)/share/smc" "$(DEST)/include/smc"
 
 help:
@@ -175,6 +199,7 @@ help:
 	@echo 'make avr-c-campaign N=1000  runs so many random programs as C on an emulated ATmega328P, and every conformance case'
 	@echo 'make sound N=100000  runs so many random programs and holds them against what the analyses say of them'
 	@echo 'make stress-runtime  N=1000000 steps of random applications of the flight runtime, from SEED=1; make lateness: how late ticks begin here'
+	@echo 'make library-campaign N=100000  makes random calls into libsmc under the sanitizers, from SEED=1'
 	@echo 'make asan            runs the tests under the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz            fuzzes with clang: FUZZ=target FUZZ_SECONDS=60'
 	@echo 'make docs            writes docs/diagnostics.md and the pictures of documents; wrap-docs: wraps documents at 100 columns'

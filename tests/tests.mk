@@ -146,6 +146,19 @@ swap-campaign: $(B)/swap/random $(B)/swap/hostile
 	$(B)/swap/hostile $(SEED) $(N)
 .PHONY: swap-campaign
 
+# tests/library: libsmc by its public header.  `make library-campaign N=100000 SEED=1` makes random calls under sanitizers.
+LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api memory threads random command)
+$(LIBRARY_TESTS): $(B)/library/%: $(B)/obj/tests/library/%.o $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -pthread
+$(LIBRARY_TESTS:$(B)/%=$(B)/obj/tests/%.o): override CFLAGS := $(CFLAGS:-O2=-O1)
+LIBRARY_FILES = $(B)/lib/libsmc.a $(B)/lib/$(SONAME)
+
+library-campaign:
+	$(MAKE) -s B=$(B)/san CFLAGS='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=undefined' $(B)/san/library/random
+	$(B)/san/library/random $(SEED) $(N)
+.PHONY: library-campaign
+
 # Runs random programs for a thousand steps each, and fails if something happens that the analyses report as impossible.
 SOUND = $(B)/diff/difftest --sound --steps=1000
 sound: $(B)/diff/difftest
@@ -638,6 +651,11 @@ $(call test, script,               quick,, $(B)/smc test tests/script)
 $(call test, graph-layout,         quick, $(B)/graph/layout, $(B)/graph/layout tests/graph/machines/*.sm)
 $(call test, clauses-steps,        quick, $(B)/clauses/steps, $(B)/clauses/steps)
 $(call test, clauses-memory,       quick, $(B)/clauses/memory $(B)/clauses/probe.smb, $(B)/clauses/memory $(B)/clauses/probe.smb)
+$(call test, library-api,          quick, $(B)/library/api, $(B)/library/api)
+$(call test, library-locale,       quick, $(B)/library/api, sh tests/library/locale.sh $(B)/library/api)
+$(call test, library-memory,       quick, $(B)/library/memory, $(B)/library/memory)
+$(call test, library-threads,      quick, $(B)/library/threads, $(B)/library/threads)
+$(call test, library-random,       quick, $(B)/library/random, $(B)/library/random 1 500)
 $(call test, swap-clauses,         quick, $(B)/swap/clauses, $(B)/swap/clauses)
 $(call test, clauses-regions,      quick, $(B)/clauses/regions, $(B)/clauses/regions)
 $(call test, fixes,                quick, $(B)/fixes, $(B)/fixes tests/check/fixes.txt conformance/*/*.smt tests/*/*.smt README.md docs/*.md examples/*/*.sm tests/findings/*/*.sm)
@@ -699,6 +717,8 @@ $(call test, soft,                 thorough, $(B)/soft/run, $(B)/soft/run)
 $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh $(VM_SOFT))
 
 $(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
+$(call test, library-parity,       thorough, $(B)/library/command, sh tests/library/parity.sh $(B)/smc $(B)/library/command)
+$(call test, library-abi,          thorough, $(LIBRARY_FILES), sh tests/library/abi.sh $(B) '$(CC)')
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
 $(call test, swap-hostile,         thorough, $(B)/swap/hostile, $(B)/swap/hostile 1 3000)
 $(call test, sound,                thorough, $(B)/diff/difftest, $(SOUND) --count=300 --jobs=2 --out=$(B)/diff/check-sound)
@@ -737,6 +757,7 @@ $(call test, +processors,          targets, $(B)/diff/difftest $(B)/targets/case
 $(call test, +native-x86-32,       targets, $(B)/golden, sh tests/targets/native.sh $(B) '$(MAKE)' x86-32)
 $(call test, +sizes,               targets,, sh tests/bench/sizes.sh $(B) '$(CC)' '$(MAKE)')
 $(call test, +install,             targets,, sh tests/install/run.sh $(MAKE) $(B) '$(CC)')
+$(call test, +library-programs,    targets,, sh tests/library/programs.sh $(MAKE) $(B) '$(CC)')
 $(call test, emitc,                targets,, sh tests/emitc/run.sh $(B)/smc)
 $(call test, emulated,             targets,, sh tests/avr/emulated.sh '$(MAKE)' $(B) '$(CC)')
 $(call test, avr,                  targets, $(B)/diff/difftest, sh tests/avr/run.sh $(B) '$(CC)')

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// The state of a session of libsmc (smc.h), and what its files share.
+#ifndef SMC_LIBRARY_H
+#define SMC_LIBRARY_H
+
+#include "bytecode-vm/smvm.h"
+#include "compiler/compile.h"
+#include "compiler/library/smc.h"
+#include "compiler/review.h"
+
+enum { OPTION_COUNT = SMC_OPTION_TRACE + 1, ENGINE_COUNT = 3, ERROR_TEXT_MAX = 400 };
+
+// Memory of a session: blocks from malloc, or from one area that the program provided (library_memory.c).
+typedef struct LibraryMemory {
+    uint64_t limit;               // bytes, with the headers of blocks; 0: none
+    uint64_t used, peak;
+    unsigned char *area, *end;    // NULL: malloc
+} LibraryMemory;
+
+typedef struct LibrarySource {
+    int32_t kind;
+    char *name, *text;            // `size` bytes; may be NULL if that is 0
+    uint64_t size;
+} LibrarySource;
+
+// One script's last run.
+typedef struct LibraryRun {
+    bool is_done;                 // the fields below are valid
+    uint32_t engines;
+    uint64_t max_steps;
+    bool is_traced;
+    ReportRun run;
+    Buf report, trace;
+} LibraryRun;
+
+typedef struct LibraryVariable {
+    const char *name;
+    SmType type;
+    int32_t kind;                 // SMC_VARIABLE_…
+    uint32_t offset;              // in bytes
+    uint32_t output;              // its number among the machine's outputs, and 1 more; 0: it is none
+} LibraryVariable;
+
+typedef struct LibraryMachine {
+    SmcMachine id;
+    uint8_t *image;
+    uint32_t image_size;
+    SmvmMachine m;
+    SmVm *vm;
+    SmvmDecoded *decoded;
+    uint8_t *vector;
+    LibraryVariable *variable;    // sorted by name
+    uint32_t variables;
+    char *names;                  // the names of variables, then of states, each with a NUL
+    const char **state_name;
+    bool has_names;
+} LibraryMachine;
+
+// What the last smc_compile produced.  It is in the arenas of SmcSession.compiler; zeroed when that is freed.
+typedef struct LibraryResults {
+    bool is_compiled;
+    uint32_t sources;             // how many there were; the arrays below are indexed by their numbers
+    const Source **text;
+    uint32_t *input;              // 1 + its index in in.at; 0: it is no input of its own
+    LibraryRun *run;
+    Report **review;              // of a machine; NULL: not begun
+    const Buf **image;            // of a machine, with names; NULL: not built
+    CompileInput in;
+    CompileOptions o;
+    DiagSelection selection;
+    Compiled made;
+    Engine *engine[ENGINE_COUNT]; // by bit of SMC_ENGINE_…; NULL: not opened
+    Diags shown;                  // the diagnostics that the session shows: selected by the warnings, of smc_compile and of runs
+    struct LibraryOutput { const char *name; const Buf *bytes; } *output;
+    uint32_t outputs;
+} LibraryResults;
+
+struct SmcSession {
+    uint64_t magic;               // LIBRARY_MAGIC while it is open
+    LibraryMemory memory;
+    jmp_buf oom;
+    void *locale;                 // "C" (library_locale.h)
+    int is_cancelled;             // accessed atomically
+    int is_busy;                  // accessed atomically
+    bool is_guarded;              // a guarded call runs, so an allocation may fail because it is cancelled
+    Session compiler;
+    bool has_compiler;
+    Diags saved;                  // compiler.diags at the start of a guarded call
+    LibrarySource *source;
+    uint32_t sources;
+    uint64_t option[OPTION_COUNT];
+    char *prefix;                 // NULL: none
+    char **word;                  // of smc_warning_select
+    uint32_t words;
+    Arena words_arena;            // for a message about a word; empty between two calls
+    LibraryResults of;
+    LibraryMachine **machine;     // open machines, sorted by id
+    uint32_t machines, machines_cap;
+    uint32_t next_machine;
+    char error[ERROR_TEXT_MAX];
+};
+
+// ---- library_memory.c ----
+
+// Initialises memory of the program, or an account of malloc.
+void library_memory_init(LibraryMemory *m, void *area, uint64_t size);
+// Works like realloc; size 0 frees `old`.  Blocks are aligned to 16 bytes.  NULL: out of memory.
+void *library_memory_alloc(LibraryMemory *m, void *old, uint64_t size);
+
+// ---- library_session.c ----
+
+bool library_is_open(const SmcSession *s);
+// Records the sentence of an error, and returns it.  `text` NULL: that of smc_result_text.
+SmcResult library_fail(const SmcSession *s, SmcResult r, const char *text);
+// Allocates memory outside the arenas; NULL: out of memory.
+void *library_compiler_alloc(void *session, void *old, size_t size);      // the SmcAllocFn of the compiler's arenas
+void *library_alloc(SmcSession *s, uint64_t size);
+void library_release(SmcSession *s, void *memory);
+char *library_copy(SmcSession *s, const void *bytes, uint64_t size);      // and a NUL
+
+// Calls work(s, argument), which may allocate in the arenas of s->compiler.  If memory runs out or smc_cancel was called, the diagnostics are as
+// before, and the result is SMC_E_MEMORY or SMC_E_CANCELLED.
+typedef SmcResult LibraryWork(SmcSession *s, void *argument);
+SmcResult library_guard(SmcSession *s, LibraryWork *work, void *argument);
+bool library_is_cancelled(void *session);
+
+// ---- library_compile.c ----
+
+void library_drop_results(SmcSession *s);
+// Rebuilds of.shown from the diagnostics of the compiler and of all runs.
+void library_update_shown(SmcSession *s);
+// Returns what was compiled from a source, or NULL if it is not an input, was not compiled, or there is no such source.
+CompiledSource *library_compiled(const SmcSession *s, uint32_t source);
+// The number of the only machine; UINT32_MAX if there is not exactly one.
+uint32_t library_only_machine(const SmcSession *s);
+const char *library_base_name(const char *path);
+
+// ---- library_machine.c ----
+
+void library_close_machines(SmcSession *s);
+
+#endif

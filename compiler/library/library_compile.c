@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compiles the sources of a session, and generates output files.
+#include <string.h>
+
+#include "compiler/library/library.h"
+
+// ---- results ----
+
+CompiledSource *library_compiled(const SmcSession *s, uint32_t source)
+{
+    const LibraryResults *of = &s->of;
+
+    return of->is_compiled && source < of->sources && of->input[source] ? &of->made.of[of->input[source] - 1] : NULL;
+}
+
+uint32_t library_only_machine(const SmcSession *s)
+{
+    uint32_t found = UINT32_MAX, n = 0;
+
+    for (uint32_t i = 0; s->of.is_compiled && i < s->of.sources; i++)
+        if (s->of.input[i] && s->of.in.at[s->of.input[i] - 1].kind == FILE_SM) {
+            found = i;
+            n++;
+        }
+    return n == 1 ? found : UINT32_MAX;
+}
+
+const char *library_base_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+
+    return slash ? slash + 1 : path;
+}
+
+void library_drop_results(SmcSession *s)
+{
+    for (int i = 0; i < ENGINE_COUNT; i++)
+        if (s->of.engine[i])
+            s->of.engine[i]->close(s->of.engine[i]);
+    if (s->has_compiler)
+        session_free(&s->compiler);
+    s->has_compiler = false;
+    memset(&s->of, 0, sizeof s->of);
+}
+
+// ---- the diagnostics that are shown ----
+
+// Adds copies of diagnostics to the list that is shown, selected by the warnings.  Reports and diagrams use the originals.
+static void add_shown(SmcSession *s, const Diags *from)
+{
+    Arena *arena = &s->compiler.arena;
+    Diags one = *from;
+
+    one.arena = arena;
+    one.list.at = arena_copy(arena, from->list.at, from->list.n * sizeof *from->list.at);
+    one.list.cap = one.list.n;
+    for (uint32_t i = 0; i < one.list.n; i++)
+        one.list.at[i] = arena_copy(arena, from->list.at[i], sizeof *from->list.at[i]);
+    diags_select(&one, &s->of.selection);
+    for (uint32_t i = 0; i < one.list.n; i++)
+        vec_push(arena, &s->of.shown.list, one.list.at[i]);
+    for (uint32_t i = 0; i < one.allowed.n; i++)
+        vec_push(arena, &s->of.shown.allowed, one.allowed.at[i]);
+    s->of.shown.errors += one.errors;
+    s->of.shown.warnings += one.warnings;
+}
+
+void library_update_shown(SmcSession *s)
+{
+    diags_init(&s->of.shown, &s->compiler.arena);
+    s->of.shown.files = s->compiler.diags.files;
+    add_shown(s, &s->compiler.diags);
+    for (uint32_t i = 0; i < s->of.sources; i++)
+        if (s->of.run[i].is_done)
+            add_shown(s, &s->of.run[i].run.diags);
+}
+
+// ---- sources to inputs ----
+
+typedef struct KindCount { uint32_t of[SMC_KIND_APP + 1]; } KindCount;
+
+static KindCount count_kinds(const SmcSession *s)
+{
+    KindCount n = {{0}};
+
+    for (uint32_t i = 0; i < s->sources; i++)
+        n.of[s->source[i].kind]++;
+    return n;
+}
+
+// Returns why the sources do not fit together; NULL: they do.
+static const char *find_misfit(const SmcSession *s)
+{
+    const KindCount n = count_kinds(s);
+    const bool is_shared = n.of[SMC_KIND_SM] + n.of[SMC_KIND_IO] > 0;
+
+    if (s->sources == 0)
+        return "there is no source to compile";
+    if (n.of[SMC_KIND_APP] > 1)
+        return "there are two applications; compile each in a session of its own";
+    if (n.of[SMC_KIND_APP] == 1)
+        return NULL;
+    if (is_shared && n.of[SMC_KIND_SV] > 1)
+        return "there are two state vectors; machines and pins have one";
+    if (n.of[SMC_KIND_IO] > 1)
+        return "there are two .io files; an image has one";
+    return NULL;
+}
+
+static FileKind kind_of(const LibrarySource *source)
+{
+    static const FileKind kind[] = {FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP};      // by SMC_KIND_…
+
+    return kind[source->kind];
+}
+
+// The files that the application names are sources of these names.
+static void supply_app_files(SmcSession *s, const Source *app)
+{
+    CompileApp *a = ARENA_NEW(&s->compiler.arena, CompileApp);
+
+    s->of.in.app = a;
+    compile_open_app(&s->compiler, app, a);
+    for (size_t f = 0; f < a->files.n; f++) {
+        AppFile *file = &a->files.at[f];
+        file->problem = "the session has no source of this name";
+        for (uint32_t i = 0; i < s->sources && !file->wrong_kind; i++)
+            if (kind_of(&s->source[i]) == file->kind && strcmp(s->source[i].name, file->name.text->text) == 0)
+                file->src = s->of.text[i];
+    }
+}
+
+static void list_inputs(SmcSession *s)
+{
+    const KindCount n = count_kinds(s);
+    const bool has_app = n.of[SMC_KIND_APP] > 0, vector_is_shared = n.of[SMC_KIND_SM] + n.of[SMC_KIND_IO] > 0;
+    LibraryResults *of = &s->of;
+    Arena *arena = &s->compiler.arena;
+
+    of->sources = s->sources;
+    of->text = ARENA_ARRAY(arena, const Source *, s->sources);
+    of->input = ARENA_ARRAY(arena, uint32_t, s->sources);
+    of->run = ARENA_ARRAY(arena, LibraryRun, s->sources);
+    of->review = ARENA_ARRAY(arena, Report *, s->sources);
+    of->image = ARENA_ARRAY(arena, const Buf *, s->sources);
+    of->in.at = ARENA_ARRAY(arena, CompileSource, s->sources);
+    for (uint32_t i = 0; i < s->sources; i++) {
+        const LibrarySource *source = &s->source[i];
+        char *copy = arena_copy(arena, source->text, source->size + 1);
+        of->text[i] = source_new(arena, arena_copy(arena, source->name, strlen(source->name) + 1), copy, source->size);
+        if (has_app ? source->kind != SMC_KIND_APP : source->kind == SMC_KIND_SV && vector_is_shared) {
+            if (!has_app)
+                of->in.vector = of->text[i];
+            continue;
+        }
+        of->input[i] = (uint32_t)of->in.n + 1;
+        of->in.at[of->in.n++] = (CompileSource){.text = of->text[i], .kind = kind_of(source)};
+    }
+    if (has_app)
+        supply_app_files(s, of->in.at[0].text);
+}
+
+// ---- compiling ----
+
+static void set_options(SmcSession *s, CompileOptions *o, CompileEmit emit)
+{
+    memset(o, 0, sizeof *o);
+    o->emit = emit;
+    o->opt_level = (int)s->option[SMC_OPTION_LEVEL];
+    o->warnings = s->option[SMC_OPTION_REVIEW] ? NULL : &s->of.selection;
+    o->step = s->option[SMC_OPTION_STEP];
+    o->limits.ram = (uint32_t)s->option[SMC_OPTION_MAX_RAM];
+    o->limits.step = (uint32_t)s->option[SMC_OPTION_MAX_STEP];
+    o->limits.cycles = (uint32_t)s->option[SMC_OPTION_MAX_CYCLES];
+    o->names = s->option[SMC_OPTION_NAMES] != 0 || s->of.in.app;      // a log requires the names of an application
+    o->soft = s->option[SMC_OPTION_SOFT] != 0;
+}
+
+static void copy_selection(SmcSession *s)
+{
+    DiagSelection *of = &s->of.selection;
+
+    of->word = ARENA_ARRAY(&s->compiler.arena, const char *, s->words);
+    of->n = s->words;
+    of->none = s->option[SMC_OPTION_WARNINGS] == 0;
+    for (uint32_t i = 0; i < s->words; i++)
+        of->word[i] = arena_copy(&s->compiler.arena, s->word[i], strlen(s->word[i]) + 1);
+}
+
+static SmcResult compile(SmcSession *s, void *unused)
+{
+    const char *misfit = find_misfit(s);
+
+    (void)unused;
+    library_drop_results(s);
+    if (misfit)
+        return library_fail(s, SMC_E_STATE, misfit);
+    session_init(&s->compiler, library_compiler_alloc, s, &s->oom);
+    s->has_compiler = true;
+    list_inputs(s);
+    copy_selection(s);
+    set_options(s, &s->of.o, EMIT_NOTHING);
+    compile_sources(&s->compiler, &s->of.in, &s->of.o, &s->of.made);
+    library_update_shown(s);
+    s->of.is_compiled = true;
+    return s->of.shown.errors ? library_fail(s, SMC_E_SOURCE, NULL) : SMC_OK;
+}
+
+SmcResult smc_compile(SmcSession *s) { return library_is_open(s) ? library_guard(s, compile, NULL) : SMC_E_HANDLE; }
+
+// ---- output files ----
+
+static const char *stem_of(SmcSession *s, const Source *src)
+{
+    const char *name = library_base_name(src->name), *dot = strrchr(name, '.');
+
+    return format_in(&s->compiler.arena, "%.*s", (int)(dot && dot != name ? (size_t)(dot - name) : strlen(name)), name);
+}
+
+static void set_c_options(SmcSession *s, CompileSource *in, CompileEmit emit)
+{
+    memset(&in->c, 0, sizeof in->c);
+    in->c.prefix = s->prefix;
+    in->c.header = format_in(&s->compiler.arena, "%s%s", stem_of(s, in->text), emit == EMIT_ARRAY ? "_image.h" : in->kind == FILE_IO ? "_io.h" : ".h");
+    in->c.source = library_base_name(in->text->name);
+    in->c.track_stores = s->option[SMC_OPTION_TRACK] != 0;
+    in->c.soft = s->option[SMC_OPTION_SOFT] != 0;
+    in->c.runtime = s->option[SMC_OPTION_RUNTIME] != 0;
+}
+
+static const IoMap *first_pins(const LibraryResults *of)
+{
+    for (size_t i = 0; i < of->in.n; i++)
+        if (of->made.of[i].pins)
+            return of->made.of[i].pins;
+    return NULL;
+}
+
+// Returns why the sources do not have this output; NULL: they do.
+static const char *find_missing_input(const SmcSession *s, CompileEmit emit)
+{
+    const LibraryResults *of = &s->of;
+    uint32_t machines = 0, units = 0;
+
+    for (size_t i = 0; i < of->in.n; i++) {
+        machines += of->in.at[i].kind == FILE_SM;
+        units += of->in.at[i].kind != FILE_SS;
+    }
+    if (of->in.app && (emit == EMIT_C || emit == EMIT_AST || emit == EMIT_TOKENS))
+        return s->prefix && emit == EMIT_C ? "the C of an application has no prefix" : NULL;
+    if (of->in.app)
+        return "an application becomes C, which contains its images";
+    if (machines == 0 && (emit == EMIT_BYTECODE || emit == EMIT_ARRAY || emit == EMIT_IR))
+        return "there is no machine";
+    if (emit == EMIT_C && units > 1 && s->prefix)
+        return "a prefix is for the C of one source";
+    return NULL;
+}
+
+static const char *output_name(SmcSession *s, const Artefact *a, CompileEmit emit)
+{
+    static const char *const dump[] = {"", "", "", "", ".ir", ".ast", ".tokens"};       // by CompileEmit
+
+    if (a->name)
+        return a->name;
+    return format_in(&s->compiler.arena, "%s%s", stem_of(s, s->of.in.at[a->source].text), a->suffix ? a->suffix : dump[emit]);
+}
+
+// Two sources of one file name in different folders would have the same output.
+static bool has_duplicate_output(const LibraryResults *of)
+{
+    for (uint32_t i = 0; i < of->outputs; i++)
+        for (uint32_t k = 0; k < i; k++)
+            if (strcmp(of->output[i].name, of->output[k].name) == 0)
+                return true;
+    return false;
+}
+
+static void store_outputs(SmcSession *s, const Compiled *made, CompileEmit emit)
+{
+    LibraryResults *of = &s->of;
+    Buf soft[3];
+    static const char *const soft_name[] = {"sm_soft.h", "sm_soft.c", "sm_soft_avr.S"};
+
+    of->output = arena_array(&s->compiler.arena, made->artefact.n + 3u, sizeof *of->output);
+    for (uint32_t i = 0; i < made->artefact.n; i++) {
+        of->output[i].name = output_name(s, &made->artefact.at[i], emit);
+        of->output[i].bytes = made->artefact.at[i].bytes;
+    }
+    of->outputs = made->artefact.n;
+    if (emit != EMIT_C || of->in.app || !s->option[SMC_OPTION_SOFT] || s->option[SMC_OPTION_RUNTIME])
+        return;
+    for (int i = 0; i < 3; i++)
+        buf_init(&soft[i], &s->compiler.arena);
+    emit_c_soft_library(&soft[0], &soft[1], &soft[2]);
+    for (int i = 0; i < 3; i++) {
+        of->output[of->outputs].name = soft_name[i];
+        of->output[of->outputs++].bytes = arena_copy(&s->compiler.arena, &soft[i], sizeof soft[i]);
+    }
+}
+
+static SmcResult emit_outputs(SmcSession *s, void *argument)
+{
+    static const CompileEmit emit_of[] = {EMIT_NOTHING, EMIT_BYTECODE, EMIT_ARRAY, EMIT_C, EMIT_IR, EMIT_AST, EMIT_TOKENS};     // by SMC_EMIT_…
+    const CompileEmit emit = emit_of[*(int32_t *)argument];
+    const bool is_dump = emit == EMIT_AST || emit == EMIT_TOKENS;
+    LibraryResults *of = &s->of;
+    const size_t errors = s->compiler.diags.errors;
+    const char *missing;
+    CompileOptions o;
+    Compiled made = of->made;
+
+    if (!is_dump && of->shown.errors)
+        return library_fail(s, SMC_E_STATE, "the sources have errors");
+    if ((missing = find_missing_input(s, emit)) != NULL)
+        return library_fail(s, SMC_E_STATE, missing);
+    for (size_t i = 0; i < of->in.n; i++)
+        set_c_options(s, &of->in.at[i], emit);
+    of->in.at[0].array = stem_of(s, of->in.at[0].text);
+    set_options(s, &o, emit);
+    made.image_pins = (IoMap *)(uintptr_t)first_pins(of);
+    made.of = arena_copy(&s->compiler.arena, of->made.of, of->in.n * sizeof *made.of);
+    compile_emit(&s->compiler, &of->in, &o, &made);
+    library_update_shown(s);
+    if (s->compiler.diags.errors > errors)
+        return library_fail(s, SMC_E_SOURCE, NULL);
+    store_outputs(s, &made, emit);
+    if (!has_duplicate_output(of))
+        return SMC_OK;
+    of->outputs = 0;
+    return library_fail(s, SMC_E_STATE, "two sources have the same file name, so their outputs would, too");
+}
+
+SmcResult smc_emit(SmcSession *s, int32_t what)
+{
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (what < SMC_EMIT_IMAGE || what > SMC_EMIT_TOKENS)
+        return library_fail(s, SMC_E_ARGUMENT, NULL);
+    if (!s->of.is_compiled)
+        return library_fail(s, SMC_E_STATE, NULL);
+    s->of.outputs = 0;
+    return library_guard(s, emit_outputs, &what);
+}
+
+uint32_t smc_output_count(const SmcSession *s) { return library_is_open(s) ? s->of.outputs : 0; }
+
+const char *smc_output_name(const SmcSession *s, uint32_t output)
+{
+    return library_is_open(s) && output < s->of.outputs ? s->of.output[output].name : "";
+}
+
+SmcResult smc_output(const SmcSession *s, uint32_t output, const void **bytes, uint64_t *size)
+{
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (!bytes || !size)
+        return library_fail(s, SMC_E_ARGUMENT, NULL);
+    if (output >= s->of.outputs)
+        return library_fail(s, SMC_E_INDEX, NULL);
+    *bytes = buf_text(s->of.output[output].bytes);
+    *size = s->of.output[output].bytes->n;
+    return SMC_OK;
+}

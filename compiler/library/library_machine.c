@@ -1,0 +1,556 @@
+// SPDX-License-Identifier: Apache-2.0
+// Machines of a session: each a copy of an image, the memory of the VM, and a state vector.
+#include <stdlib.h>
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+#include "bytecode-vm/swap.h"
+#include "compiler/library/library.h"
+#include "stdlib/convert.h"
+
+// ---- handles ----
+
+// The upper half of the handles of a session, so that another open session refuses them: different addresses have different halves unless
+// they are 64 GB apart.
+static uint32_t handle_tag(const SmcSession *s) { return (uint32_t)((uintptr_t)s >> 4); }
+
+static uint32_t position_of(const SmcSession *s, SmcMachine m)
+{
+    uint32_t from = 0, end = s->machines;
+
+    while (from < end) {
+        const uint32_t middle = from + (end - from) / 2;
+        if (s->machine[middle]->id < m)
+            from = middle + 1;
+        else
+            end = middle;
+    }
+    return from;
+}
+
+// Returns an open machine of an open session, or NULL.
+static LibraryMachine *machine_of(const SmcSession *s, SmcMachine m)
+{
+    uint32_t at;
+
+    if (!library_is_open(s) || s->machines == 0 || m >> 32 != handle_tag(s))
+        return NULL;
+    at = position_of(s, m);
+    return at < s->machines && s->machine[at]->id == m ? s->machine[at] : NULL;
+}
+
+static SmcResult no_machine(const SmcSession *s) { return library_is_open(s) ? library_fail(s, SMC_E_HANDLE, NULL) : SMC_E_HANDLE; }
+
+static void free_machine(SmcSession *s, LibraryMachine *m)
+{
+    library_release(s, m->image);
+    library_release(s, m->vm);
+    library_release(s, m->decoded);
+    library_release(s, m->vector);
+    library_release(s, m->variable);
+    library_release(s, m->names);
+    library_release(s, (void *)(uintptr_t)m->state_name);
+    library_release(s, m);
+}
+
+void library_close_machines(SmcSession *s)
+{
+    for (uint32_t i = 0; i < s->machines; i++)
+        free_machine(s, s->machine[i]);
+    library_release(s, s->machine);
+    s->machine = NULL;
+    s->machines = s->machines_cap = 0;
+}
+
+// ---- names ----
+
+// Whether a variable that the image names exists: the verifier does not check names.
+static bool is_inside(const SmvmMachine *m, SmvmVariable is, const SmvmLocation *l)
+{
+    const uint32_t size = is == SMVM_IS_ELEMENT ? m->sv_size : m->locals;
+
+    return (is == SMVM_IS_ELEMENT || is == SMVM_IS_LOCAL) && l->type < SM_TYPE_COUNT && l->offset % sm_type_info[l->type].bytes == 0 &&
+           l->offset <= size && sm_type_info[l->type].bytes <= size - l->offset;
+}
+
+static int compare_names(const void *a, const void *b)
+{
+    return strcmp(((const LibraryVariable *)a)->name, ((const LibraryVariable *)b)->name);
+}
+
+static uint32_t output_at(const SmvmMachine *m, uint32_t offset)
+{
+    for (uint32_t i = 0; i < m->outputs; i++)
+        if (smvm_output(m, i).offset == offset)
+            return i + 1;
+    return 0;
+}
+
+// Copies a name of the image and a NUL to *at, and returns the copy.
+static const char *copy_name(const LibraryMachine *m, SmvmName n, char **at)
+{
+    char *copy = *at;
+
+    memcpy(copy, m->image + n.at, n.size);
+    copy[n.size] = '\0';
+    *at += n.size + 1;
+    return copy;
+}
+
+static uint64_t bytes_of_names(const SmvmMachine *m)
+{
+    uint64_t bytes = 1;
+    SmvmVariable is;
+    SmvmLocation l;
+
+    for (uint32_t i = 0; i < smvm_variables(m); i++)
+        bytes += smvm_variable(m, i, &is, &l).size + UINT64_C(1);
+    for (uint32_t i = 1; i <= m->states; i++)
+        bytes += smvm_state_name(m, i).size + UINT64_C(1);
+    return bytes;
+}
+
+// Lists the variables and states by name.  Returns false if memory runs out.
+static bool read_names(SmcSession *s, LibraryMachine *m)
+{
+    const uint32_t named = smvm_variables(&m->m);
+    char *at;
+
+    m->names = library_alloc(s, bytes_of_names(&m->m));
+    m->variable = library_alloc(s, (uint64_t)named * sizeof *m->variable);
+    m->state_name = library_alloc(s, ((uint64_t)m->m.states + 1) * sizeof *m->state_name);
+    if (!m->names || !m->variable || !m->state_name)
+        return false;
+    at = m->names;
+    for (uint32_t i = 0; i < named; i++) {
+        SmvmVariable is;
+        SmvmLocation l;
+        const SmvmName n = smvm_variable(&m->m, i, &is, &l);
+        LibraryVariable *v = &m->variable[m->variables];
+        if (n.size == 0 || !is_inside(&m->m, is, &l))
+            continue;
+        *v = (LibraryVariable){copy_name(m, n, &at), l.type, is == SMVM_IS_ELEMENT ? SMC_VARIABLE_ELEMENT : SMC_VARIABLE_LOCAL, l.offset, 0};
+        v->output = is == SMVM_IS_ELEMENT ? output_at(&m->m, l.offset) : 0;
+        m->variables++;
+    }
+    qsort(m->variable, m->variables, sizeof *m->variable, compare_names);
+    m->state_name[0] = "";
+    for (uint32_t i = 1; i <= m->m.states; i++)
+        m->state_name[i] = copy_name(m, smvm_state_name(&m->m, i), &at);
+    m->has_names = m->m.states > 0 && m->state_name[1][0] != '\0';
+    return true;
+}
+
+// ---- opening ----
+
+static SmcResult start(LibraryMachine *m, uint32_t state)
+{
+    const SmvmVector vector = {m->vector, m->m.sv_size, m->m.layout};
+
+    memset(m->vector, 0, m->m.sv_size);
+    return smvm_init(m->vm, smvm_ram_size(&m->m), &m->m, &vector, state) == SM_OK ? SMC_OK : SMC_E_INDEX;
+}
+
+// Fills in a machine whose image has been copied.
+static SmcResult prepare(SmcSession *s, LibraryMachine *m, uint32_t number)
+{
+    SmvmVerdict why;
+
+    if (smvm_verify(m->image, m->image_size, &why) != 0)
+        return library_fail(s, SMC_E_IMAGE, smvm_rule_text(why.rule));
+    if (!smvm_machine(m->image, number, &m->m))
+        return library_fail(s, SMC_E_INDEX, "the image has no machine of this number");
+    m->vm = library_alloc(s, smvm_ram_size(&m->m));
+    m->vector = library_alloc(s, m->m.sv_size);
+    m->decoded = library_alloc(s, smvm_decoded_size(&m->m));
+    if (!m->vm || !m->vector || !m->decoded || !read_names(s, m))
+        return library_fail(s, SMC_E_MEMORY, NULL);
+    start(m, 1);
+    if (smvm_decode(&m->decoded, m->decoded, smvm_decoded_size(&m->m), &m->m, m->vm, m->vector) != SM_OK)
+        return library_fail(s, SMC_E_IMAGE, NULL);
+    return SMC_OK;
+}
+
+// Makes room for one more open machine.
+static bool reserve_machine(SmcSession *s)
+{
+    const uint32_t cap = s->machines_cap ? s->machines_cap * 2 : 8;
+    LibraryMachine **more;
+
+    if (s->machines < s->machines_cap)
+        return true;
+    if ((more = library_alloc(s, (uint64_t)cap * sizeof *more)) == NULL)
+        return false;
+    if (s->machines)
+        memcpy(more, s->machine, s->machines * sizeof *more);
+    library_release(s, s->machine);
+    s->machine = more;
+    s->machines_cap = cap;
+    return true;
+}
+
+static SmcResult open_machine(SmcSession *s, const void *image, uint64_t size, uint32_t number, SmcMachine *id)
+{
+    LibraryMachine *m = library_alloc(s, sizeof *m);
+    SmcResult r;
+
+    if (!m)
+        return library_fail(s, SMC_E_MEMORY, NULL);
+    memset(m, 0, sizeof *m);
+    if (!reserve_machine(s) || (m->image = (uint8_t *)library_copy(s, image, size)) == NULL) {
+        free_machine(s, m);
+        return library_fail(s, SMC_E_MEMORY, NULL);
+    }
+    m->image_size = (uint32_t)size;
+    if ((r = prepare(s, m, number)) != SMC_OK) {
+        free_machine(s, m);
+        return r;
+    }
+    *id = m->id = (uint64_t)handle_tag(s) << 32 | ++s->next_machine;
+    s->machine[s->machines++] = m;
+    return SMC_OK;
+}
+
+SmcResult smc_machine_open_image(SmcSession *s, const void *image, uint64_t size, uint32_t number, SmcMachine *m)
+{
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (!image || !m)
+        return library_fail(s, SMC_E_ARGUMENT, NULL);
+    if (size > SMVM_IMAGE_MAX || s->next_machine == UINT32_MAX)
+        return library_fail(s, SMC_E_SIZE, NULL);
+    return open_machine(s, image, size, number, m);
+}
+
+// Builds the image of a compiled machine, with names.
+static SmcResult build_image(SmcSession *s, void *argument)
+{
+    const uint32_t source = *(uint32_t *)argument;
+    const ImageOptions with_names = {true, NULL};
+    Buf *image = ARENA_NEW(&s->compiler.arena, Buf);
+    IrMachine *ir;
+
+    s->compiler.locals = LOCALS_SWAPPED;
+    ir = session_ir(&s->compiler, library_compiled(s, source)->program, (int)s->option[SMC_OPTION_LEVEL]);
+    s->compiler.locals = LOCALS_READ;
+    buf_init(image, &s->compiler.arena);
+    if (!session_image(&s->compiler, &ir, 1, &with_names, image)) {
+        library_update_shown(s);
+        return library_fail(s, SMC_E_SOURCE, NULL);
+    }
+    s->of.image[source] = image;
+    return SMC_OK;
+}
+
+SmcResult smc_machine_open(SmcSession *s, uint32_t source, SmcMachine *m)
+{
+    const CompiledSource *of;
+    SmcResult r;
+
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (!m)
+        return library_fail(s, SMC_E_ARGUMENT, NULL);
+    if (!s->of.is_compiled)
+        return library_fail(s, SMC_E_STATE, NULL);
+    if ((of = library_compiled(s, source)) == NULL || s->of.in.at[s->of.input[source] - 1].kind != FILE_SM)
+        return library_fail(s, SMC_E_INDEX, "there is no machine of this number");
+    if (!of->program)
+        return library_fail(s, SMC_E_STATE, "the machine has errors");
+    if (!s->of.image[source] && (r = library_guard(s, build_image, &source)) != SMC_OK)
+        return r;
+    return smc_machine_open_image(s, s->of.image[source]->at, s->of.image[source]->n, 0, m);
+}
+
+SmcResult smc_machine_close(SmcSession *s, SmcMachine m)
+{
+    LibraryMachine *own = machine_of(s, m);
+    uint32_t at;
+
+    if (!own)
+        return no_machine(s);
+    at = position_of(s, m);
+    memmove(s->machine + at, s->machine + at + 1, (s->machines - at - 1) * sizeof *s->machine);
+    s->machines--;
+    free_machine(s, own);
+    return SMC_OK;
+}
+
+// ---- running ----
+
+SmcResult smc_machine_start(SmcSession *s, SmcMachine m, uint32_t state)
+{
+    LibraryMachine *own = machine_of(s, m);
+
+    if (!own)
+        return no_machine(s);
+    if (state < 1 || state > own->m.states)
+        return library_fail(s, SMC_E_INDEX, "there is no state of this number");
+    return start(own, state);
+}
+
+SmcResult smc_machine_step(SmcSession *s, SmcMachine m, uint64_t g)
+{
+    LibraryMachine *own = machine_of(s, m);
+    uint64_t before;
+
+    if (!own)
+        return no_machine(s);
+    before = sm_cell_load(SM_U64, own->vector + own->m.g);
+    sm_cell_store(SM_U64, own->vector + own->m.g, g);
+    if (smvm_step_decoded(own->decoded, own->vector) == SM_OK)
+        return SMC_OK;
+    sm_cell_store(SM_U64, own->vector + own->m.g, before);
+    return library_fail(s, SMC_E_REFUSED, "G is not above that of the last step");
+}
+
+// Returns why a machine cannot be replaced, from the result of the plan and its state; NULL: neither prevents it.
+static const char *find_obstacle(const LibraryMachine *from, SmResult plan)
+{
+    if (plan == SM_E_LAYOUT)
+        return "the machines have state vectors of different layouts";
+    if (plan == SM_E_UNSUPPORTED)
+        return "an image has no names";
+    if (!smvm_state_allows_swap(&from->m, smvm_state(from->vm)))
+        return "the machine is in a state that is marked neither @swap nor @safe";
+    return NULL;
+}
+
+SmcResult smc_machine_continue(SmcSession *s, SmcMachine from, SmcMachine to)
+{
+    LibraryMachine *old = machine_of(s, from), *new = machine_of(s, to);
+    uint32_t size;
+    SmvmSwap *plan;
+    const char *obstacle;
+    SmResult planned;
+    SmcResult r = SMC_OK;
+
+    if (!old || !new)
+        return no_machine(s);
+    if (old == new)
+        return library_fail(s, SMC_E_ARGUMENT, "a machine cannot continue in itself");
+    size = smvm_swap_size(&old->m, &new->m);
+    if ((plan = library_alloc(s, size)) == NULL)
+        return library_fail(s, SMC_E_MEMORY, NULL);
+    planned = smvm_swap_plan(plan, size, &old->m, &new->m);
+    if ((obstacle = find_obstacle(old, planned)) == NULL && smvm_swap_state(plan, smvm_state(old->vm)) == 0)
+        obstacle = "the new machine has no state of the name of the current one";
+    if (obstacle) {
+        r = library_fail(s, SMC_E_REFUSED, obstacle);
+    } else {
+        start(new, 1);                            // as smvm_swap_continue requires: it has not stepped
+        memcpy(new->vector, old->vector, old->m.sv_size);
+        smvm_swap_continue(plan, old->vm, new->vm, new->vector);
+    }
+    library_release(s, plan);
+    return r;
+}
+
+// ---- states ----
+
+uint32_t smc_machine_state(const SmcSession *s, SmcMachine m)
+{
+    const LibraryMachine *own = machine_of(s, m);
+
+    return own ? smvm_state(own->vm) : 0;
+}
+
+uint32_t smc_machine_state_count(const SmcSession *s, SmcMachine m)
+{
+    const LibraryMachine *own = machine_of(s, m);
+
+    return own ? own->m.states : 0;
+}
+
+const char *smc_machine_state_name(const SmcSession *s, SmcMachine m, uint32_t state)
+{
+    const LibraryMachine *own = machine_of(s, m);
+
+    return own && state >= 1 && state <= own->m.states ? own->state_name[state] : "";
+}
+
+uint32_t smc_machine_state_marks(const SmcSession *s, SmcMachine m, uint32_t state)
+{
+    const LibraryMachine *own = machine_of(s, m);
+
+    if (!own || state < 1 || state > own->m.states)
+        return 0;
+    return (own->m.safe_at && smvm_state_is_safe(&own->m, state) ? SMC_MARK_SAFE : 0u) | (smvm_state_is_abort(&own->m, state) ? SMC_MARK_ABORT : 0u) |
+           (smvm_state_allows_swap(&own->m, state) ? SMC_MARK_SWAP : 0u);
+}
+
+uint64_t smc_machine_time(const SmcSession *s, SmcMachine m)
+{
+    const LibraryMachine *own = machine_of(s, m);
+
+    return own ? smvm_time(own->vm) : 0;
+}
+
+// ---- variables ----
+
+static const LibraryVariable *variable_of(const SmcSession *s, SmcMachine m, uint32_t variable)
+{
+    const LibraryMachine *own = machine_of(s, m);
+
+    return own && variable < own->variables ? &own->variable[variable] : NULL;
+}
+
+uint32_t smc_machine_variable_count(const SmcSession *s, SmcMachine m)
+{
+    const LibraryMachine *own = machine_of(s, m);
+
+    return own ? own->variables : 0;
+}
+
+SmcResult smc_machine_find(const SmcSession *s, SmcMachine m, const char *name, uint32_t *variable)
+{
+    const LibraryMachine *own = machine_of(s, m);
+    LibraryVariable key;
+    const LibraryVariable *found;
+
+    if (!own)
+        return no_machine(s);
+    if (!name || !variable)
+        return library_fail(s, SMC_E_ARGUMENT, NULL);
+    key.name = name;
+    found = bsearch(&key, own->variable, own->variables, sizeof key, compare_names);
+    if (!found)
+        return library_fail(s, SMC_E_INDEX, NULL);
+    *variable = (uint32_t)(found - own->variable);
+    return SMC_OK;
+}
+
+const char *smc_machine_name(const SmcSession *s, SmcMachine m, uint32_t variable)
+{
+    const LibraryVariable *v = variable_of(s, m, variable);
+
+    return v ? v->name : "";
+}
+
+int32_t smc_machine_type(const SmcSession *s, SmcMachine m, uint32_t variable)
+{
+    const LibraryVariable *v = variable_of(s, m, variable);
+
+    return v ? (int32_t)v->type : -1;
+}
+
+int32_t smc_machine_kind(const SmcSession *s, SmcMachine m, uint32_t variable)
+{
+    const LibraryVariable *v = variable_of(s, m, variable);
+
+    return v ? v->kind : -1;
+}
+
+uint32_t smc_machine_offset(const SmcSession *s, SmcMachine m, uint32_t variable)
+{
+    const LibraryVariable *v = variable_of(s, m, variable);
+
+    return v ? v->offset : 0;
+}
+
+int32_t smc_machine_stored(const SmcSession *s, SmcMachine m, uint32_t variable)
+{
+    const LibraryMachine *own = machine_of(s, m);
+    const LibraryVariable *v = variable_of(s, m, variable);
+
+    if (!v || v->kind != SMC_VARIABLE_ELEMENT)
+        return 0;
+    if (v->offset == own->m.s)
+        return smvm_stored_state(own->vm);
+    return v->output && smvm_stored(own->vm, v->output - 1);
+}
+
+// Stores where the value of a variable is.
+static SmcResult find_value(const SmcSession *s, SmcMachine m, uint32_t variable, SmType *type, uint8_t **at)
+{
+    const LibraryMachine *own = machine_of(s, m);
+    const LibraryVariable *v = variable_of(s, m, variable);
+
+    if (!own)
+        return no_machine(s);
+    if (!v)
+        return library_fail(s, SMC_E_INDEX, NULL);
+    *type = v->type;
+    *at = (v->kind == SMC_VARIABLE_ELEMENT ? own->vector : (uint8_t *)smvm_locals(own->vm)) + v->offset;
+    return SMC_OK;
+}
+
+SmcResult smc_machine_get(const SmcSession *s, SmcMachine m, uint32_t variable, double *value)
+{
+    SmType type;
+    uint8_t *at;
+    const SmcResult r = find_value(s, m, variable, &type, &at);
+
+    if (r != SMC_OK)
+        return r;
+    if (!value)
+        return library_fail(s, SMC_E_ARGUMENT, NULL);
+    *value = sm_load(type, at);
+    return SMC_OK;
+}
+
+SmcResult smc_machine_set(SmcSession *s, SmcMachine m, uint32_t variable, double value)
+{
+    SmType type;
+    uint8_t *at;
+    const SmcResult r = find_value(s, m, variable, &type, &at);
+
+    if (r == SMC_OK)
+        sm_store(type, at, value);
+    return r;
+}
+
+static SmcResult check_value(const SmcSession *s, const void *value, SmType type, uint32_t size)
+{
+    if (!value)
+        return library_fail(s, SMC_E_ARGUMENT, NULL);
+    return size == sm_type_info[type].bytes ? SMC_OK : library_fail(s, SMC_E_SIZE, NULL);
+}
+
+SmcResult smc_machine_read(const SmcSession *s, SmcMachine m, uint32_t variable, void *value, uint32_t size)
+{
+    SmType type;
+    uint8_t *at;
+    SmcResult r = find_value(s, m, variable, &type, &at);
+
+    if (r == SMC_OK && (r = check_value(s, value, type, size)) == SMC_OK)
+        memcpy(value, at, size);
+    return r;
+}
+
+SmcResult smc_machine_write(SmcSession *s, SmcMachine m, uint32_t variable, const void *value, uint32_t size)
+{
+    SmType type;
+    uint8_t *at;
+    SmcResult r = find_value(s, m, variable, &type, &at);
+
+    if (r == SMC_OK && (r = check_value(s, value, type, size)) == SMC_OK)
+        memcpy(at, value, size);
+    return r;
+}
+
+// ---- sizes ----
+
+uint64_t smc_machine_size(const SmcSession *s, SmcMachine m, int32_t what)
+{
+    const LibraryMachine *own = machine_of(s, m);
+
+    if (!own)
+        return 0;
+    switch (what) {
+    case SMC_SIZE_VECTOR: return own->m.sv_size;
+    case SMC_SIZE_LAYOUT: return own->m.layout;
+    case SMC_SIZE_MEMORY: return smvm_ram_size(&own->m);
+    case SMC_SIZE_DECODED: return smvm_decoded_size(&own->m);
+    case SMC_SIZE_IMAGE: return own->image_size;
+    case SMC_SIZE_LONGEST_STEP: return smvm_longest_step(&own->m);
+    }
+    return 0;
+}
+
+void *smc_machine_vector(SmcSession *s, SmcMachine m)
+{
+    const LibraryMachine *own = machine_of(s, m);
+
+    return own ? own->vector : NULL;
+}

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the scripts of a session's machine, and writes its diagram and its report.
+#include <string.h>
+
+#include "compiler/library/library.h"
+
+enum { STEPS_DEFAULT = 1000000 };
+
+// ---- reviews ----
+
+// Returns the review of a compiled machine; NULL if there is no such machine.  Its runs are those done so far.
+static Report *review_of(SmcSession *s, uint32_t machine)
+{
+    const CompiledSource *m = library_compiled(s, machine);
+    Report *r;
+
+    if (!m || !m->program)
+        return NULL;
+    if (!s->of.review[machine]) {
+        r = ARENA_NEW(&s->compiler.arena, Report);
+        review_begin(&s->compiler, m->program, r);
+        s->of.review[machine] = r;
+    }
+    r = s->of.review[machine];
+    r->run = ARENA_ARRAY(&s->compiler.arena, ReportRun, s->of.sources);
+    r->runs = 0;
+    for (uint32_t i = 0; machine == library_only_machine(s) && i < s->of.sources; i++)
+        if (s->of.run[i].is_done)
+            r->run[r->runs++] = s->of.run[i].run;
+    return r;
+}
+
+// ---- runs ----
+
+typedef struct RunRequest {
+    uint32_t script, engines;
+    uint64_t max_steps;
+    bool is_displayed;            // the run is for a report, so it needs no assert
+} RunRequest;
+
+typedef struct Tracing {
+    SmcSession *s;
+    const Program *p;
+    const Var **column;
+    const char *script;
+    Buf *out;                     // NULL: no trace
+} Tracing;
+
+static void trace_step(void *context, const ScriptStep *step)
+{
+    Tracing *t = context;
+
+    if (t->out)
+        script_trace_row(t->out, t->script, step, t->column, t->p->var.n);
+}
+
+static bool is_cancelled(void *context) { return library_is_cancelled(((Tracing *)context)->s); }
+
+// Opens the requested engines that are not open yet.  Returns how many `engine` has, or 0 after an error.
+static size_t open_engines(SmcSession *s, const Program *p, uint32_t engines, Engine *engine[ENGINE_COUNT])
+{
+    const int level = (int)s->option[SMC_OPTION_LEVEL];
+    const char *error = "";
+    size_t n = 0;
+
+    for (int i = 0; i < ENGINE_COUNT; i++) {
+        if (!(engines & 1u << i))
+            continue;
+        if (!s->of.engine[i])
+            s->of.engine[i] = 1u << i == SMC_ENGINE_REF ? engine_ref_open(&s->compiler.arena, p)
+                                                        : session_open_vm(&s->compiler, p, level, 1u << i == SMC_ENGINE_VM_SOFT, &error);
+        if (!s->of.engine[i]) {
+            library_fail(s, SMC_E_SOURCE, error);
+            return 0;
+        }
+        engine[n++] = s->of.engine[i];
+    }
+    return n;
+}
+
+static SmcResult result_of_outcome(const SmcSession *s, const LibraryRun *run)
+{
+    return run->run.result.outcome == SCRIPT_PASSED ? SMC_OK : library_fail(s, SMC_E_FAILED, NULL);
+}
+
+static SmcResult run_script(SmcSession *s, const RunRequest *q)
+{
+    const CompiledSource *m = library_compiled(s, library_only_machine(s)), *ss = library_compiled(s, q->script);
+    Report *review = review_of(s, library_only_machine(s));
+    const Source *src = s->of.text[q->script];
+    Tracing t = {s, m->scripted, NULL, src->name, NULL};
+    const ScriptOptions o = {.max_steps = q->max_steps, .after_step = trace_step, .is_cancelled = is_cancelled, .context = &t,
+                             .is_compared = q->is_displayed};
+    Engine *engine[ENGINE_COUNT];
+    size_t n;
+    LibraryRun run = {.engines = q->engines, .max_steps = q->max_steps, .is_traced = s->option[SMC_OPTION_TRACE] != 0};
+
+    if ((n = open_engines(s, m->scripted, q->engines, engine)) == 0) {
+        library_update_shown(s);
+        return SMC_E_SOURCE;
+    }
+    buf_init(&run.report, &s->compiler.arena);
+    buf_init(&run.trace, &s->compiler.arena);
+    if (run.is_traced) {
+        t.out = &run.trace;
+        t.column = report_order(&s->compiler.arena, m->scripted);
+        script_trace_header(t.out, m->scripted, t.column, m->scripted->var.n);
+    }
+    review_run_script(&s->compiler, review, m->scripted, src, ss->script, engine, n, &o, &run.run);
+    if (run.run.result.outcome == SCRIPT_CANCELLED)
+        return library_fail(s, SMC_E_CANCELLED, NULL);
+    script_report(&run.run.result, m->scripted, &run.report);
+    run.is_done = true;
+    s->of.run[q->script] = run;
+    library_update_shown(s);
+    return result_of_outcome(s, &run);
+}
+
+static SmcResult run_if_needed(SmcSession *s, void *argument)
+{
+    const RunRequest *q = argument;
+    const LibraryRun *last = &s->of.run[q->script];
+
+    if (last->is_done && last->engines == q->engines && last->max_steps == q->max_steps &&
+        last->is_traced == (s->option[SMC_OPTION_TRACE] != 0))
+        return result_of_outcome(s, last);
+    return run_script(s, q);
+}
+
+SmcResult smc_run(SmcSession *s, uint32_t script, uint32_t engines, uint64_t max_steps)
+{
+    RunRequest q = {script, engines, max_steps ? max_steps : STEPS_DEFAULT, false};
+    const CompiledSource *m, *ss;
+
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (engines == 0 || engines >= 1u << ENGINE_COUNT)
+        return library_fail(s, SMC_E_ARGUMENT, NULL);
+    if (!s->of.is_compiled)
+        return library_fail(s, SMC_E_STATE, NULL);
+    if ((ss = library_compiled(s, script)) == NULL || s->of.in.at[s->of.input[script] - 1].kind != FILE_SS)
+        return library_fail(s, SMC_E_INDEX, "there is no script of this number");
+    if ((m = library_compiled(s, library_only_machine(s))) == NULL)
+        return library_fail(s, SMC_E_STATE, "scripts run on the machine of the session, and it does not have exactly one");
+    if (!m->scripted || !ss->script)
+        return library_fail(s, SMC_E_SOURCE, NULL);
+    return library_guard(s, run_if_needed, &q);
+}
+
+// ---- the results of a run ----
+
+static const LibraryRun *done_run(const SmcSession *s, uint32_t script)
+{
+    return library_is_open(s) && script < s->of.sources && s->of.run[script].is_done ? &s->of.run[script] : NULL;
+}
+
+int32_t smc_run_outcome(const SmcSession *s, uint32_t script)
+{
+    const LibraryRun *run = done_run(s, script);
+
+    if (!run)
+        return SMC_OUTCOME_NONE;
+    switch (run->run.result.outcome) {
+    case SCRIPT_PASSED: return SMC_OUTCOME_PASSED;
+    case SCRIPT_FAILED: return SMC_OUTCOME_FAILED;
+    case SCRIPT_ENDLESS: return SMC_OUTCOME_ENDLESS;
+    case SCRIPT_TIME_OVER: return SMC_OUTCOME_TIME_OVER;
+    case SCRIPT_BROKEN: return SMC_OUTCOME_BROKEN;
+    case SCRIPT_DIFFERENT: return SMC_OUTCOME_DIFFERENT;
+    case SCRIPT_CANCELLED: break;
+    }
+    return SMC_OUTCOME_NONE;
+}
+
+uint64_t smc_run_steps(const SmcSession *s, uint32_t script)
+{
+    const LibraryRun *run = done_run(s, script);
+
+    return run ? run->run.result.steps : 0;
+}
+
+uint64_t smc_run_asserts(const SmcSession *s, uint32_t script)
+{
+    const LibraryRun *run = done_run(s, script);
+
+    return run ? run->run.result.asserts_passed : 0;
+}
+
+const char *smc_run_report(const SmcSession *s, uint32_t script)
+{
+    const LibraryRun *run = done_run(s, script);
+
+    return run ? buf_text(&run->report) : "";
+}
+
+const char *smc_run_trace(const SmcSession *s, uint32_t script)
+{
+    const LibraryRun *run = done_run(s, script);
+
+    return run ? buf_text(&run->trace) : "";
+}
+
+// ---- diagrams and reports ----
+
+typedef struct PageRequest {
+    uint32_t machine;
+    int32_t form;
+    Buf out;
+} PageRequest;
+
+static SmcResult draw_diagram(SmcSession *s, void *argument)
+{
+    typedef void Write(const Analysis *a, const DiagramOptions *o, Buf *out);
+    static Write *const writer[] = {diagram_write_svg, diagram_write_dot, diagram_write_mermaid};      // by SMC_DIAGRAM_…
+    PageRequest *q = argument;
+    const Report *r = review_of(s, q->machine);
+    const DiagramCounts counts = report_sum_counts(r);
+    const DiagramOptions o = {&s->of.shown, r->runs > 0 ? &counts : NULL, NULL};
+
+    buf_init(&q->out, &s->compiler.arena);
+    writer[q->form](&r->analysis, &o, &q->out);
+    return SMC_OK;
+}
+
+// Runs the scripts that have not run.
+static SmcResult run_missing_scripts(SmcSession *s)
+{
+    for (uint32_t i = 0; i < s->of.sources; i++) {
+        const CompiledSource *ss = library_compiled(s, i);
+        const RunRequest q = {i, SMC_ENGINE_VM, STEPS_DEFAULT, true};
+        SmcResult r;
+        if (!ss || !ss->script || s->of.run[i].is_done)
+            continue;
+        r = run_script(s, &q);
+        if (r != SMC_OK && r != SMC_E_FAILED)
+            return r;
+    }
+    return SMC_OK;
+}
+
+static SmcResult write_report(SmcSession *s, void *argument)
+{
+    typedef void Write(const Doc *d, Buf *out);
+    static Write *const writer[] = {doc_write_html, doc_write_text, doc_write_json};      // by SMC_REPORT_…
+    PageRequest *q = argument;
+    LibraryResults *of = &s->of;
+    CompileOptions o = of->o;
+    Compiled made = of->made;
+    Report *r;
+    SmcResult result = run_missing_scripts(s);
+
+    if (result != SMC_OK)
+        return result;
+    o.emit = EMIT_BYTECODE;
+    o.names = false;
+    o.measure = true;
+    memset(&o.limits, 0, sizeof o.limits);
+    made.of = arena_copy(&s->compiler.arena, of->made.of, of->in.n * sizeof *made.of);
+    for (size_t i = 0; i < of->in.n && !made.image_pins; i++)
+        made.image_pins = made.of[i].pins;
+    if (!compile_emit(&s->compiler, &of->in, &o, &made)) {
+        library_update_shown(s);
+        return library_fail(s, SMC_E_SOURCE, NULL);
+    }
+    r = review_of(s, q->machine);
+    review_add_costs(&s->compiler, &made.of[of->input[q->machine] - 1], made.artefact.at[0].bytes, o.step != 0, r);
+    buf_init(&q->out, &s->compiler.arena);
+    writer[q->form](report_build(r), &q->out);
+    return SMC_OK;
+}
+
+static SmcResult make_page(SmcSession *s, LibraryWork *work, PageRequest *q, const char **text, uint64_t *size)
+{
+    const SmcResult r = library_guard(s, work, q);
+
+    if (r != SMC_OK)
+        return r;
+    *text = buf_text(&q->out);
+    *size = q->out.n;
+    return SMC_OK;
+}
+
+// Checks what smc_diagram and smc_report have in common.
+static SmcResult check_page(const SmcSession *s, const PageRequest *q, int32_t last_form, const char **text, const uint64_t *size)
+{
+    const CompiledSource *m;
+
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (!text || !size || q->form < 0 || q->form > last_form)
+        return library_fail(s, SMC_E_ARGUMENT, NULL);
+    if (!s->of.is_compiled)
+        return library_fail(s, SMC_E_STATE, NULL);
+    if ((m = library_compiled(s, q->machine)) == NULL || s->of.in.at[s->of.input[q->machine] - 1].kind != FILE_SM)
+        return library_fail(s, SMC_E_INDEX, "there is no machine of this number");
+    return m->program ? SMC_OK : library_fail(s, SMC_E_STATE, "the machine has errors");
+}
+
+SmcResult smc_diagram(SmcSession *s, uint32_t machine, int32_t form, const char **text, uint64_t *size)
+{
+    PageRequest q = {machine, form, {0}};
+    const SmcResult r = check_page(s, &q, SMC_DIAGRAM_MERMAID, text, size);
+
+    return r == SMC_OK ? make_page(s, draw_diagram, &q, text, size) : r;
+}
+
+SmcResult smc_report(SmcSession *s, uint32_t machine, int32_t form, const char **text, uint64_t *size)
+{
+    PageRequest q = {machine, form, {0}};
+    const SmcResult r = check_page(s, &q, SMC_REPORT_JSON, text, size);
+
+    if (r != SMC_OK)
+        return r;
+    if (s->compiler.diags.errors)
+        return library_fail(s, SMC_E_STATE, "the sources have errors");
+    if (s->of.o.warnings)
+        return library_fail(s, SMC_E_STATE, "set SMC_OPTION_REVIEW before compiling");
+    if (library_only_machine(s) != machine)
+        return library_fail(s, SMC_E_STATE, "a report is about the only machine of a session");
+    return make_page(s, write_report, &q, text, size);
+}

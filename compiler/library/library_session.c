@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sessions of libsmc: opening and closing, sources and options, and the guard around every call that compiles or runs something.
+#include <stdio.h>
+#include <string.h>
+
+#include "compiler/library/library.h"
+#include "compiler/library/library_locale.h"
+#include "compiler/version.h"
+
+#define LIBRARY_MAGIC UINT64_C(0x736d635f6f70656e)
+
+#if defined(__GNUC__)
+#define atomic_read(at) __atomic_load_n((at), __ATOMIC_ACQUIRE)
+#define atomic_write(at, value) __atomic_store_n((at), (value), __ATOMIC_RELEASE)
+#define atomic_swap(at, value) __atomic_exchange_n((at), (value), __ATOMIC_ACQ_REL)
+#else         // a compiler without atomic accesses: smc_cancel from another thread is then seen as soon as that compiler's volatile is
+#define atomic_read(at) (*(volatile int *)(at))
+#define atomic_write(at, value) (*(volatile int *)(at) = (value))
+static int atomic_swap(int *at, int value)
+{
+    const int was = atomic_read(at);
+
+    atomic_write(at, value);
+    return was;
+}
+#endif
+
+// ---- results and versions ----
+
+const char *smc_result_text(SmcResult result)
+{
+    static const struct { SmcResult result; const char *text; } row[] = {
+        {SMC_OK, "ok"},
+        {SMC_E_ARGUMENT, "an argument is NULL, or has none of the values that the function accepts"},
+        {SMC_E_HANDLE, "no open session, or no open machine of this session"},
+        {SMC_E_MEMORY, "out of memory"},
+        {SMC_E_STATE, "the session has not compiled what the call needs"},
+        {SMC_E_SOURCE, "the sources have errors"},
+        {SMC_E_INDEX, "no item has this number or name"},
+        {SMC_E_SIZE, "a size is not that of the value, or exceeds a limit"},
+        {SMC_E_IMAGE, "not an image that this version can run"},
+        {SMC_E_REFUSED, "refused: nothing has changed"},
+        {SMC_E_FAILED, "the script did not pass"},
+        {SMC_E_CANCELLED, "cancelled"},
+        {SMC_E_BUSY, "another call of this session has not returned"}};
+
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++)
+        if (row[i].result == result)
+            return row[i].text;
+    return "unknown result";
+}
+
+uint32_t smc_api_version(void) { return SMC_API_VERSION; }
+const char *smc_version(void) { return SMC_VERSION; }
+
+// ---- errors and memory ----
+
+bool library_is_open(const SmcSession *s) { return s && s->magic == LIBRARY_MAGIC; }
+
+// The text of an error belongs to the session even where a call only reads it.
+SmcResult library_fail(const SmcSession *s, SmcResult r, const char *text)
+{
+    SmcSession *own = (SmcSession *)(uintptr_t)s;
+
+    snprintf(own->error, sizeof own->error, "%s", text ? text : smc_result_text(r));
+    return r;
+}
+
+const char *smc_error_text(const SmcSession *s) { return library_is_open(s) ? s->error : ""; }
+uint64_t smc_memory_used(const SmcSession *s) { return library_is_open(s) ? s->memory.used : 0; }
+uint64_t smc_memory_peak(const SmcSession *s) { return library_is_open(s) ? s->memory.peak : 0; }
+
+void *library_alloc(SmcSession *s, uint64_t size) { return library_memory_alloc(&s->memory, NULL, size ? size : 1); }
+
+void library_release(SmcSession *s, void *memory)
+{
+    if (memory)
+        library_memory_alloc(&s->memory, memory, 0);
+}
+
+char *library_copy(SmcSession *s, const void *bytes, uint64_t size)
+{
+    char *copy = size < UINT64_MAX ? library_alloc(s, size + 1) : NULL;
+
+    if (!copy)
+        return NULL;
+    if (size)
+        memcpy(copy, bytes, (size_t)size);
+    copy[size] = '\0';
+    return copy;
+}
+
+void *library_compiler_alloc(void *context, void *old, size_t size)
+{
+    SmcSession *s = context;
+
+    if (size > 0 && s->is_guarded && library_is_cancelled(s))
+        return NULL;
+    return library_memory_alloc(&s->memory, old, size);
+}
+
+// ---- guarded calls ----
+
+bool library_is_cancelled(void *session) { return atomic_read(&((SmcSession *)session)->is_cancelled) != 0; }
+
+SmcResult smc_cancel(SmcSession *s, int32_t on)
+{
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (on != 0 && on != 1)
+        return SMC_E_ARGUMENT;
+    atomic_write(&s->is_cancelled, on);
+    return SMC_OK;
+}
+
+// Makes the compiler usable again after a stage was left by longjmp.
+static void recover(SmcSession *s)
+{
+    arena_free(&s->words_arena);
+    if (!s->of.is_compiled) {
+        library_drop_results(s);
+        return;
+    }
+    arena_free(&s->compiler.tree);
+    arena_free(&s->compiler.work);
+    arena_free(&s->compiler.scratch);
+    s->compiler.diags = s->saved;
+    s->compiler.locals = LOCALS_READ;
+    s->compiler.built = NULL;
+}
+
+SmcResult library_guard(SmcSession *s, LibraryWork *work, void *argument)
+{
+    void *own_locale;
+    SmcResult r;
+
+    if (atomic_swap(&s->is_busy, 1))
+        return SMC_E_BUSY;
+    own_locale = library_locale_enter(s->locale);
+    s->saved = s->compiler.diags;
+    s->is_guarded = true;
+    if (setjmp(s->oom) != 0) {
+        recover(s);
+        r = library_fail(s, library_is_cancelled(s) ? SMC_E_CANCELLED : SMC_E_MEMORY, NULL);
+    } else if (library_is_cancelled(s)) {
+        r = library_fail(s, SMC_E_CANCELLED, NULL);
+    } else {
+        r = work(s, argument);
+    }
+    s->is_guarded = false;
+    library_locale_leave(own_locale);
+    if (r == SMC_E_CANCELLED)
+        atomic_write(&s->is_cancelled, 0);
+    atomic_write(&s->is_busy, 0);
+    return r;
+}
+
+// ---- opening and closing ----
+
+SmcResult smc_open(void *memory, uint64_t size, SmcSession **s)
+{
+    LibraryMemory m;
+    SmcSession *new;
+
+    if (!s)
+        return SMC_E_ARGUMENT;
+    library_memory_init(&m, memory, size);
+    if ((new = library_memory_alloc(&m, NULL, sizeof *new)) == NULL)
+        return SMC_E_MEMORY;
+    memset(new, 0, sizeof *new);
+    if ((new->locale = library_locale_new()) == NULL) {
+        library_memory_alloc(&m, new, 0);
+        return SMC_E_MEMORY;
+    }
+    new->memory = m;
+    new->magic = LIBRARY_MAGIC;
+    arena_init(&new->words_arena, library_compiler_alloc, new, &new->oom);
+    new->option[SMC_OPTION_LEVEL] = 2;
+    new->option[SMC_OPTION_WARNINGS] = 1;
+    *s = new;
+    return SMC_OK;
+}
+
+static void free_sources(SmcSession *s)
+{
+    for (uint32_t i = 0; i < s->sources; i++) {
+        library_release(s, s->source[i].name);
+        library_release(s, s->source[i].text);
+    }
+    library_release(s, s->source);
+    s->source = NULL;
+    s->sources = 0;
+}
+
+static void free_words(SmcSession *s)
+{
+    for (uint32_t i = 0; i < s->words; i++)
+        library_release(s, s->word[i]);
+    library_release(s, s->word);
+    s->word = NULL;
+    s->words = 0;
+}
+
+SmcResult smc_close(SmcSession *s)
+{
+    LibraryMemory m;
+
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (atomic_swap(&s->is_busy, 1))
+        return SMC_E_BUSY;
+    library_drop_results(s);
+    library_close_machines(s);
+    free_sources(s);
+    free_words(s);
+    library_release(s, s->prefix);
+    library_locale_free(s->locale);
+    s->magic = 0;
+    m = s->memory;
+    library_memory_alloc(&m, s, 0);
+    return SMC_OK;
+}
+
+// ---- sources ----
+
+// Whether a name can stand in messages and in comments of emitted C.
+static bool is_valid_name(const char *name)
+{
+    for (const char *at = name; *at; at++)
+        if ((unsigned char)*at < ' ' || *at == 0x7f)
+            return false;
+    return *name != '\0';
+}
+
+static SmcResult check_text(const SmcSession *s, const char *text, uint64_t size)
+{
+    if (!text && size > 0)
+        return library_fail(s, SMC_E_ARGUMENT, NULL);
+    if (size > SOURCE_MAX)
+        return library_fail(s, SMC_E_SIZE, "a source can have at most 1 GB");
+    return SMC_OK;
+}
+
+SmcResult smc_source_add(SmcSession *s, int32_t kind, const char *name, const char *text, uint64_t size, uint32_t *source)
+{
+    LibrarySource new, *more;
+    SmcResult r;
+
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (!name || !source || kind < SMC_KIND_SV || kind > SMC_KIND_APP)
+        return library_fail(s, SMC_E_ARGUMENT, NULL);
+    if (!is_valid_name(name))
+        return library_fail(s, SMC_E_ARGUMENT, "the name of a source cannot be empty or contain a control character");
+    if ((r = check_text(s, text, size)) != SMC_OK)
+        return r;
+    new.kind = kind;
+    new.size = size;
+    new.name = library_copy(s, name, strlen(name));
+    new.text = library_copy(s, text, size);
+    more = library_alloc(s, (s->sources + UINT64_C(1)) * sizeof *more);
+    if (!new.name || !new.text || !more) {
+        library_release(s, new.name);
+        library_release(s, new.text);
+        library_release(s, more);
+        return library_fail(s, SMC_E_MEMORY, NULL);
+    }
+    if (s->sources)
+        memcpy(more, s->source, s->sources * sizeof *more);
+    library_release(s, s->source);
+    s->source = more;
+    s->source[s->sources] = new;
+    *source = s->sources++;
+    return SMC_OK;
+}
+
+SmcResult smc_source_replace(SmcSession *s, uint32_t source, const char *text, uint64_t size)
+{
+    char *copy;
+    SmcResult r;
+
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (source >= s->sources)
+        return library_fail(s, SMC_E_INDEX, NULL);
+    if ((r = check_text(s, text, size)) != SMC_OK)
+        return r;
+    if ((copy = library_copy(s, text, size)) == NULL)
+        return library_fail(s, SMC_E_MEMORY, NULL);
+    library_release(s, s->source[source].text);
+    s->source[source].text = copy;
+    s->source[source].size = size;
+    return SMC_OK;
+}
+
+SmcResult smc_sources_clear(SmcSession *s)
+{
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    library_drop_results(s);
+    free_sources(s);
+    return SMC_OK;
+}
+
+uint32_t smc_source_count(const SmcSession *s) { return library_is_open(s) ? s->sources : 0; }
+
+const char *smc_source_name(const SmcSession *s, uint32_t source)
+{
+    return library_is_open(s) && source < s->sources ? s->source[source].name : "";
+}
+
+int32_t smc_source_kind(const SmcSession *s, uint32_t source)
+{
+    return library_is_open(s) && source < s->sources ? s->source[source].kind : -1;
+}
+
+// ---- options ----
+
+SmcResult smc_option_set(SmcSession *s, int32_t option, uint64_t value)
+{
+    static const uint64_t most[OPTION_COUNT] = {2, UINT64_MAX, UINT32_MAX, UINT32_MAX, UINT32_MAX, 1, 1, 1, 1, 1, 1, 1};      // by option
+
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (option < 0 || option >= OPTION_COUNT || value > most[option])
+        return library_fail(s, SMC_E_ARGUMENT, NULL);
+    s->option[option] = value;
+    return SMC_OK;
+}
+
+uint64_t smc_option(const SmcSession *s, int32_t option)
+{
+    return library_is_open(s) && option >= 0 && option < OPTION_COUNT ? s->option[option] : 0;
+}
+
+SmcResult smc_prefix_set(SmcSession *s, const char *prefix)
+{
+    char *copy = NULL;
+
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (!prefix)
+        return library_fail(s, SMC_E_ARGUMENT, NULL);
+    if (*prefix && emit_c_prefix_error(prefix))
+        return library_fail(s, SMC_E_ARGUMENT, emit_c_prefix_error(prefix));
+    if (*prefix && (copy = library_copy(s, prefix, strlen(prefix))) == NULL)
+        return library_fail(s, SMC_E_MEMORY, NULL);
+    library_release(s, s->prefix);
+    s->prefix = copy;
+    return SMC_OK;
+}
+
+// Checks a word by itself.
+static SmcResult check_word(SmcSession *s, void *word)
+{
+    const char *one = word, *wrong;
+    const DiagSelection only = {&one, 1, false};
+    SmcResult r;
+
+    wrong = diag_selection_error(&s->words_arena, &only);
+    r = wrong ? library_fail(s, SMC_E_ARGUMENT, wrong) : SMC_OK;
+    arena_free(&s->words_arena);
+    return r;
+}
+
+SmcResult smc_warning_select(SmcSession *s, const char *word)
+{
+    char *copy, **more;
+    SmcResult r;
+
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (!word)
+        return library_fail(s, SMC_E_ARGUMENT, NULL);
+    if ((r = library_guard(s, check_word, (void *)(uintptr_t)word)) != SMC_OK)
+        return r;
+    copy = library_copy(s, word, strlen(word));
+    more = library_alloc(s, (s->words + UINT64_C(1)) * sizeof *more);
+    if (!copy || !more) {
+        library_release(s, copy);
+        library_release(s, more);
+        return library_fail(s, SMC_E_MEMORY, NULL);
+    }
+    if (s->words)
+        memcpy(more, s->word, s->words * sizeof *more);
+    library_release(s, s->word);
+    s->word = more;
+    s->word[s->words++] = copy;
+    return SMC_OK;
+}
+
+SmcResult smc_warnings_reset(SmcSession *s)
+{
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    free_words(s);
+    return SMC_OK;
+}
+
+// ---- tables ----
+
+uint32_t smc_warning_count(void) { return (uint32_t)diag_flag_count; }
+const char *smc_warning_name(uint32_t warning) { return warning < diag_flag_count ? diag_flag[warning].name : ""; }
+const char *smc_warning_group(uint32_t warning) { return warning < diag_flag_count ? diag_group_name[diag_flag[warning].group] : ""; }
+const char *smc_warning_sentence(uint32_t warning) { return warning < diag_flag_count ? diag_flag[warning].sentence : ""; }
+
+const char *smc_explain(const char *code)
+{
+    const DiagInfo *row = code ? diag_find(code) : NULL;
+
+    return row && row->page ? row->page : "";
+}

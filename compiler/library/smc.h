@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+// libsmc: the compiler, its reports and its machines as a C library.  docs/library.md has whole programs in C, C++, Python, Rust and C#.
+//
+//     SmcSession *s;
+//     uint32_t tank;
+//     SmcMachine m;
+//     if (smc_open(NULL, 0, &s) != SMC_OK)
+//         fail();
+//     smc_source_add(s, SMC_KIND_SM, "tank.sm", text, size, &tank);
+//     if (smc_compile(s) == SMC_OK && smc_machine_open(s, tank, &m) == SMC_OK)
+//         smc_machine_step(s, m, 10);
+//     for (uint32_t i = 0; i < smc_diag_count(s); i++)
+//         show(smc_diag_message(s, i));
+//     smc_close(s);
+//
+// The library opens no file, prints nothing, never exits and has no global state.  Numbers look the same in every locale.  (If the compiler
+// finds that one of its own passes has broken a program, which is a bug of smc, it calls abort rather than return a wrong program.)
+//
+// **Threads.**  Any number of threads can call it at once, each with sessions of its own.  Only smc_cancel may be called while another thread
+// uses the session.
+//
+// **Stability.**  A program that is compiled with one version runs with every later one of the same SMC_API_VERSION.  Functions and constants are
+// only added.  Handle an unknown value of a list, such as a new kind of source, as "other".
+//
+// **Bad input.**  Every function checks its arguments.  What it returns is one of these, unless its description says otherwise:
+//
+//   - a function of type SmcResult: SMC_E_ARGUMENT if a pointer is NULL or a value is none of those listed, SMC_E_HANDLE if `s` is not an open
+//     session or `m` is not an open machine of it, SMC_E_INDEX if there is no item of that number or name.  Then no result is stored.
+//   - a function that returns a text: "".  One that returns a number: 0.
+//
+// Only a pointer to memory that the program has freed, or that is shorter than it says, is undefined.  A session that was closed is freed memory,
+// unless the program provided its memory.
+//
+// **Texts** are UTF-8 and end with a NUL.  Every pointer that a function returns or stores belongs to the session.  It is valid until the next
+// smc_compile, smc_run, smc_source_* call that changes something, or smc_close; a text of a machine until smc_machine_close.
+//
+// **Out of memory**: SMC_E_MEMORY.  The session stays usable.  After smc_compile ran out of memory, nothing is compiled; after any other
+// function, everything is as before the call.
+#ifndef SMC_H
+#define SMC_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#ifdef SMC_LIBRARY            // building the library: it exports what is declared here
+#pragma GCC visibility push(default)
+#endif
+
+#define SMC_API_VERSION 1
+
+// ---- results ----
+
+// Values of the enumerations below are passed as int32_t or uint32_t, so the size of an enumeration does not matter.
+typedef int32_t SmcResult;
+enum SmcResultCode {
+    SMC_OK = 0,
+    SMC_E_ARGUMENT = -1,          // a pointer is NULL, or a value is none of those listed
+    SMC_E_HANDLE = -2,            // no open session, or no open machine of this session
+    SMC_E_MEMORY = -3,            // out of memory, or beyond the limit of smc_open
+    SMC_E_STATE = -4,             // the session has not compiled what the call needs
+    SMC_E_SOURCE = -5,            // the sources have errors, which the diagnostics describe
+    SMC_E_INDEX = -6,             // no item has this number or name
+    SMC_E_SIZE = -7,              // a size is not that of the value, or exceeds a limit
+    SMC_E_IMAGE = -8,             // the bytes are no image that a VM can run: smc_error_text has the reason
+    SMC_E_REFUSED = -9,           // G did not advance, or a swap is not allowed here; nothing has changed
+    SMC_E_FAILED = -10,           // a script ran and did not pass: smc_run_outcome
+    SMC_E_CANCELLED = -11,        // smc_cancel ended the call
+    SMC_E_BUSY = -12              // another call of this session has not returned
+};
+
+// The sentence of a result: "out of memory"; "unknown result" for an unknown number.  Static.
+const char *smc_result_text(SmcResult result);
+// SMC_API_VERSION of the library that runs.
+uint32_t smc_api_version(void);
+// The version of smc, such as "0.1.0".  Static.
+const char *smc_version(void);
+
+// ---- sessions ----
+
+typedef struct SmcSession SmcSession;
+
+// Opens a session and stores it in *s.  If `memory` is NULL, the session takes its memory from malloc, at most `size` bytes; a size of 0 is no
+// limit.  Otherwise it uses only the `size` bytes at `memory`, which must stay valid until smc_close.  A small machine takes about 200 KB to
+// compile, and 500 KB with its report.
+// SMC_E_MEMORY: that is not enough for an empty session.
+SmcResult smc_open(void *memory, uint64_t size, SmcSession **s);
+// Closes the session and its machines, and frees its memory.
+SmcResult smc_close(SmcSession *s);
+// A sentence about the last call that did not return SMC_OK, more precise than smc_result_text where there is more to say.
+const char *smc_error_text(const SmcSession *s);
+// The bytes that the session uses now, and the most that it has used so far.
+uint64_t smc_memory_used(const SmcSession *s);
+uint64_t smc_memory_peak(const SmcSession *s);
+// With `on` 1, the call that compiles, runs, draws or renders something now returns SMC_E_CANCELLED soon; if there is none, the next such call.
+// 0 withdraws that.  Any thread can call it at any time before smc_close, and so can a signal handler.
+SmcResult smc_cancel(SmcSession *s, int32_t on);
+
+// ---- sources ----
+
+enum SmcKind {    // a kind of source; later versions can have more
+    SMC_KIND_SV = 0,              // a state vector, .sv
+    SMC_KIND_SM = 1,              // a machine, .sm
+    SMC_KIND_SS = 2,              // a state script, .ss
+    SMC_KIND_IO = 3,              // pins, .io
+    SMC_KIND_APP = 4              // an application, .app; it comes with the files that it names
+};
+
+// Adds a source of `size` bytes, which are copied, and stores its number in *source: 0, 1, 2 …  Diagnostics show `name`, which can be a path.
+// The file name in it, without folders and suffix, names what is generated.  An application finds its files by their names, written as in
+// the application.  `text` can be NULL if `size` is 0.
+// SMC_E_ARGUMENT: the name is empty, or contains a control character.  SMC_E_SIZE: the text is longer than 1 GB.
+SmcResult smc_source_add(SmcSession *s, int32_t kind, const char *name, const char *text, uint64_t size, uint32_t *source);
+// Replaces the text of a source.  What has been compiled stays as it is until the next smc_compile.
+SmcResult smc_source_replace(SmcSession *s, uint32_t source, const char *text, uint64_t size);
+// Removes all sources, and everything that was compiled from them.  Machines stay open.
+SmcResult smc_sources_clear(SmcSession *s);
+uint32_t smc_source_count(const SmcSession *s);
+const char *smc_source_name(const SmcSession *s, uint32_t source);
+int32_t smc_source_kind(const SmcSession *s, uint32_t source);       // -1: there is no such source
+
+// ---- options ----
+
+enum SmcOption {
+    SMC_OPTION_LEVEL = 0,         // of optimisation: 0, 1 or 2; initially 2
+    SMC_OPTION_STEP = 1,          // by how much G advances in a step, for warnings; 0: the delta_t of the scripts, if all have the same
+    SMC_OPTION_MAX_RAM = 2,       // limits of a machine on the VM, each an error if it is exceeded: bytes of RAM,
+    SMC_OPTION_MAX_STEP = 3,      //   instructions of the longest step,
+    SMC_OPTION_MAX_CYCLES = 4,    //   cycles of the longest step on an ATmega328P.  0: no limit
+    SMC_OPTION_NAMES = 5,         // 1: images contain names and lines, as with smc build -g
+    SMC_OPTION_SOFT = 6,          // 1: C for chips whose double is not a binary64, as with --soft
+    SMC_OPTION_RUNTIME = 7,       // 1: C for the flight runtime, as with --runtime
+    SMC_OPTION_TRACK = 8,         // 1: C whose machine records which elements a step stored, as with --track-stores
+    SMC_OPTION_WARNINGS = 9,      // 0: no warnings, as with -w; initially 1
+    SMC_OPTION_REVIEW = 10,       // 1: smc_compile also does what smc_report needs: it searches for everything that any warning finds
+    SMC_OPTION_TRACE = 11         // 1: smc_run records smc_run_trace
+};
+
+// Sets an option for the calls that follow.  SMC_E_ARGUMENT: there is no such option, or it cannot have this value.
+SmcResult smc_option_set(SmcSession *s, int32_t option, uint64_t value);
+uint64_t smc_option(const SmcSession *s, int32_t option);
+// Sets the prefix of every name in C; "": the name of the machine.  SMC_E_ARGUMENT: it is no valid prefix, and smc_error_text has the reason.
+SmcResult smc_prefix_set(SmcSession *s, const char *prefix);
+
+// Selects warnings as an option -W does, given without the -W: "flight", "no-dead-code", "error=output-left-on".  Later words override earlier
+// ones.  SMC_E_ARGUMENT: no warning has this name; smc_error_text proposes one.
+SmcResult smc_warning_select(SmcSession *s, const char *word);
+SmcResult smc_warnings_reset(SmcSession *s);      // forgets the words
+
+// All warnings: their names as after -W, their groups ("all", "extra", "flight"), and what each finds.  Static.
+uint32_t smc_warning_count(void);
+const char *smc_warning_name(uint32_t warning);
+const char *smc_warning_group(uint32_t warning);
+const char *smc_warning_sentence(uint32_t warning);
+// The page of a diagnostic, by its code or its name: "E0204", "unused-element".  Static.
+const char *smc_explain(const char *code);
+
+// ---- compiling ----
+
+// Compiles all sources: checks them, and searches for what the selected warnings find.  An application is compiled with the files that it names.
+// Without one, a state vector is that of every machine and of the pins, pins are checked against it, and scripts are those of the one machine.
+// SMC_E_SOURCE: there are errors, or warnings that are selected as errors.  What has none of its own is compiled nevertheless.
+// SMC_E_STATE: the sources do not fit together (two applications, two state vectors, or two .io files); smc_error_text has the reason.
+SmcResult smc_compile(SmcSession *s);
+
+enum SmcEmit {    // what smc_emit generates
+    SMC_EMIT_IMAGE = 1,           // one image of all machines, with the pins
+    SMC_EMIT_ARRAY = 2,           // that image as a C array
+    SMC_EMIT_C = 3,               // C of each machine, state vector and pins; of an application, everything that it consists of
+    SMC_EMIT_IR = 4,              // for developers of smc: the optimised IR, the syntax tree, and the tokens, as text
+    SMC_EMIT_AST = 5,
+    SMC_EMIT_TOKENS = 6
+};
+
+// Generates output files in memory, in place of those of the last smc_emit.  It needs an smc_compile without errors, except for SMC_EMIT_AST and
+// SMC_EMIT_TOKENS; else SMC_E_STATE.  SMC_E_SOURCE: there are new errors, for example because the image is too large.
+SmcResult smc_emit(SmcSession *s, int32_t what);
+uint32_t smc_output_count(const SmcSession *s);
+const char *smc_output_name(const SmcSession *s, uint32_t output);        // its default file name: "tank.smb", "tank.h"
+// Stores the address and the size of an output file.
+SmcResult smc_output(const SmcSession *s, uint32_t output, const void **bytes, uint64_t *size);
+
+// ---- diagnostics ----
+//
+// The diagnostics of the last smc_compile, then those of each smc_emit and smc_run since.  They are numbered from 0.  Warnings that an @allow
+// covers follow after smc_diag_count, smc_diag_allowed_count of them.
+
+enum SmcSeverity { SMC_SEVERITY_ERROR = 0, SMC_SEVERITY_WARNING = 1, SMC_SEVERITY_NOTE = 2 };
+
+uint32_t smc_diag_count(const SmcSession *s);
+uint32_t smc_diag_allowed_count(const SmcSession *s);
+int32_t smc_diag_severity(const SmcSession *s, uint32_t diag);            // -1: there is no such diagnostic
+const char *smc_diag_code(const SmcSession *s, uint32_t diag);            // "E0204"
+const char *smc_diag_warning(const SmcSession *s, uint32_t diag);         // the name after -W: "unused-element"; "" for an error
+const char *smc_diag_message(const SmcSession *s, uint32_t diag);
+const char *smc_diag_label(const SmcSession *s, uint32_t diag);           // what text output prints beside the underlined characters; or ""
+const char *smc_diag_allowed(const SmcSession *s, uint32_t diag);         // the reason of the @allow that covers it; or ""
+
+// Its notes.  A step above 0 is the position of the note on the path that leads to the finding.
+uint32_t smc_diag_note_count(const SmcSession *s, uint32_t diag);
+const char *smc_diag_note(const SmcSession *s, uint32_t diag, uint32_t note);
+uint32_t smc_diag_note_step(const SmcSession *s, uint32_t diag, uint32_t note);
+
+// The edits that fix it: each replaces the characters at its place.  They belong together.
+uint32_t smc_diag_edit_count(const SmcSession *s, uint32_t diag);
+const char *smc_diag_edit(const SmcSession *s, uint32_t diag, uint32_t edit);
+
+enum SmcPart { SMC_PART_DIAG = 0, SMC_PART_NOTE = 1, SMC_PART_EDIT = 2 };
+enum SmcColumn { SMC_COLUMN_BYTES = 0, SMC_COLUMN_UTF16 = 1 };
+enum SmcPlace {    // what smc_diag_place returns
+    SMC_PLACE_SOURCE = 0,         // number of the source
+    SMC_PLACE_LINE = 1,           // lines and columns count from 1
+    SMC_PLACE_COLUMN = 2,
+    SMC_PLACE_END_LINE = 3,       // the end is after the last character
+    SMC_PLACE_END_COLUMN = 4,
+    SMC_PLACE_OFFSET = 5,         // in bytes, from 0
+    SMC_PLACE_LENGTH = 6          // in bytes
+};
+
+// Returns one number of the place of a diagnostic, or of its note or edit number `item`.  `columns`: how columns are counted; a byte that is
+// not UTF-8 counts as one.  -1: there is none, because the diagnostic is about no source, or because an argument is not valid.
+int64_t smc_diag_place(const SmcSession *s, uint32_t diag, int32_t part, uint32_t item, int32_t place, int32_t columns);
+
+enum SmcRender { SMC_RENDER_TEXT = 0, SMC_RENDER_COLOR = 1, SMC_RENDER_JSON = 2, SMC_RENDER_SARIF = 3 };
+
+// Stores all diagnostics as smc prints them: as text, as text with colours for a terminal, as one JSON object per line, as a SARIF 2.1.0 document.
+SmcResult smc_render(SmcSession *s, int32_t form, const char **text, uint64_t *size);
+// Stores the text of a source with all edits applied, as smc fix writes it, and how many diagnostics were fixed.
+SmcResult smc_apply_edits(SmcSession *s, uint32_t source, const char **text, uint64_t *size, uint32_t *fixed);
+
+// ---- running scripts ----
+
+enum SmcEngine {    // engines; add them to run several in lock step
+    SMC_ENGINE_VM = 1,            // the VM that flies
+    SMC_ENGINE_REF = 2,           // the reference interpreter
+    SMC_ENGINE_VM_SOFT = 4        // the VM with soft numbers, as on a chip without binary64
+};
+enum SmcOutcome {
+    SMC_OUTCOME_NONE = 0,         // it has not run
+    SMC_OUTCOME_PASSED = 1,
+    SMC_OUTCOME_FAILED = 2,       // an assert was false
+    SMC_OUTCOME_ENDLESS = 3,      // it did not stop within the limit of steps
+    SMC_OUTCOME_TIME_OVER = 4,    // G cannot advance any further
+    SMC_OUTCOME_BROKEN = 5,       // an engine failed
+    SMC_OUTCOME_DIFFERENT = 6     // two engines disagree
+};
+
+// Runs a script of the compiled machine for at most `max_steps` steps; 0: 1,000,000.  SMC_OK: it passed.  SMC_E_FAILED: it did not.  Its
+// diagnostics replace those of its last run.  A run with the same engines and limits as the last one is not repeated.
+// SMC_E_SOURCE: the script or the machine has errors.  SMC_E_STATE: nothing is compiled, or there is not exactly one machine.
+SmcResult smc_run(SmcSession *s, uint32_t script, uint32_t engines, uint64_t max_steps);
+int32_t smc_run_outcome(const SmcSession *s, uint32_t script);
+uint64_t smc_run_steps(const SmcSession *s, uint32_t script);
+uint64_t smc_run_asserts(const SmcSession *s, uint32_t script);       // how many asserts passed
+const char *smc_run_report(const SmcSession *s, uint32_t script);     // the report that smc test prints
+// CSV with a row for each step, as smc test --trace writes it; "" unless SMC_OPTION_TRACE was set.
+const char *smc_run_trace(const SmcSession *s, uint32_t script);
+
+// ---- diagrams and reports ----
+
+enum SmcDiagram { SMC_DIAGRAM_SVG = 0, SMC_DIAGRAM_DOT = 1, SMC_DIAGRAM_MERMAID = 2 };
+enum SmcReport { SMC_REPORT_HTML = 0, SMC_REPORT_TEXT = 1, SMC_REPORT_JSON = 2 };
+
+// Stores the state diagram of a compiled machine, with a mark at each finding, and with the counts of the scripts that have run.
+// SMC_E_STATE: the machine is not compiled, or has errors.
+SmcResult smc_diagram(SmcSession *s, uint32_t machine, int32_t form, const char **text, uint64_t *size);
+// Stores the page for a design review, as smc report writes it.  Scripts that have not run are run for it.
+// SMC_E_STATE: the machine is not compiled, there are errors, or SMC_OPTION_REVIEW was not set when it was compiled.
+SmcResult smc_report(SmcSession *s, uint32_t machine, int32_t form, const char **text, uint64_t *size);
+
+// ---- machines ----
+//
+// A machine that runs on the VM, with a state vector of its own.  It does not depend on what the session compiles later.
+
+typedef uint64_t SmcMachine;      // 0 is never a machine; no number is used twice by a session
+
+// Starts a compiled machine in its first state.  SMC_E_STATE: it is not compiled, or has errors.
+SmcResult smc_machine_open(SmcSession *s, uint32_t source, SmcMachine *m);
+// Starts machine `number`, counted from 0, of an image, which is verified and copied.  Its variables have names only if the image has
+// (SMC_OPTION_NAMES, smc build -g).  SMC_E_IMAGE: the verifier refuses it.  SMC_E_INDEX: it has no such machine.
+SmcResult smc_machine_open_image(SmcSession *s, const void *image, uint64_t size, uint32_t number, SmcMachine *m);
+SmcResult smc_machine_close(SmcSession *s, SmcMachine m);
+
+// Starts the machine again in state `state`, 1 to smc_machine_state_count: the state vector is zero, locals have their initial values, windows
+// are empty.  SMC_E_INDEX: there is no such state.
+SmcResult smc_machine_start(SmcSession *s, SmcMachine m, uint32_t state);
+// Sets G to `g` and runs a step.  SMC_E_REFUSED: g is not above that of the last step.
+SmcResult smc_machine_step(SmcSession *s, SmcMachine m, uint64_t g);
+// Lets `to` continue where `from` is (docs/swapping.md): `to` receives the state vector, and the state, T, locals and samples that both have by
+// name.  `from` does not change.  Both need names.  SMC_E_REFUSED: the layouts differ, an image has no names, `from` is in a state that is
+// marked neither @swap nor @safe, or `to` has no state of that name; smc_error_text has the reason.
+SmcResult smc_machine_continue(SmcSession *s, SmcMachine from, SmcMachine to);
+
+uint32_t smc_machine_state(const SmcSession *s, SmcMachine m);            // the state that the next step runs, from 1
+uint32_t smc_machine_state_count(const SmcSession *s, SmcMachine m);
+const char *smc_machine_state_name(const SmcSession *s, SmcMachine m, uint32_t state);
+enum SmcMark { SMC_MARK_SAFE = 1, SMC_MARK_ABORT = 2, SMC_MARK_SWAP = 4 };        // SWAP: the state is marked @swap or @safe
+uint32_t smc_machine_state_marks(const SmcSession *s, SmcMachine m, uint32_t state);       // a sum of these; without names no ABORT
+uint64_t smc_machine_time(const SmcSession *s, SmcMachine m);             // T
+
+enum SmcType {    // types, with the numbers that images use
+    SMC_TYPE_I8 = 0, SMC_TYPE_I16 = 1, SMC_TYPE_I32 = 2, SMC_TYPE_I64 = 3, SMC_TYPE_U8 = 4, SMC_TYPE_U16 = 5, SMC_TYPE_U32 = 6, SMC_TYPE_U64 = 7,
+    SMC_TYPE_F32 = 8, SMC_TYPE_F64 = 9, SMC_TYPE_BOOL = 10
+};
+enum SmcVariableKind { SMC_VARIABLE_ELEMENT = 0, SMC_VARIABLE_LOCAL = 1 };
+
+// The elements that the machine lists, by their names in the state vector, and its locals that are not constants.  Sorted by name.
+uint32_t smc_machine_variable_count(const SmcSession *s, SmcMachine m);
+SmcResult smc_machine_find(const SmcSession *s, SmcMachine m, const char *name, uint32_t *variable);
+const char *smc_machine_name(const SmcSession *s, SmcMachine m, uint32_t variable);
+int32_t smc_machine_type(const SmcSession *s, SmcMachine m, uint32_t variable);       // -1: there is no such variable
+int32_t smc_machine_kind(const SmcSession *s, SmcMachine m, uint32_t variable);       // -1: there is no such variable
+// Its offset in bytes in the state vector, or among the locals.
+uint32_t smc_machine_offset(const SmcSession *s, SmcMachine m, uint32_t variable);
+// 1: the last step stored this element; 0: it did not, or the variable is no output.
+int32_t smc_machine_stored(const SmcSession *s, SmcMachine m, uint32_t variable);
+
+// The value as a machine reads and stores it (language.md 2): a stored NaN reads as 0; a number beyond an integer type becomes its limit.
+SmcResult smc_machine_get(const SmcSession *s, SmcMachine m, uint32_t variable, double *value);
+SmcResult smc_machine_set(SmcSession *s, SmcMachine m, uint32_t variable, double value);
+// The value in its own type, such as an int16_t for I16; a bool is one byte.  SMC_E_SIZE: `size` is not that of the type.
+SmcResult smc_machine_read(const SmcSession *s, SmcMachine m, uint32_t variable, void *value, uint32_t size);
+SmcResult smc_machine_write(SmcSession *s, SmcMachine m, uint32_t variable, const void *value, uint32_t size);
+
+enum SmcSize {
+    SMC_SIZE_VECTOR = 0,          // bytes of the state vector
+    SMC_SIZE_LAYOUT = 1,          // the hash of its layout: machines run only on a vector of the same hash
+    SMC_SIZE_MEMORY = 2,          // bytes of memory that the VM needs for the machine
+    SMC_SIZE_DECODED = 3,         // bytes of memory for its decoded form
+    SMC_SIZE_IMAGE = 4,           // bytes of its image
+    SMC_SIZE_LONGEST_STEP = 5     // instructions of the longest step
+};
+uint64_t smc_machine_size(const SmcSession *s, SmcMachine m, int32_t what);
+// The state vector: SMC_SIZE_VECTOR bytes, which the program can read and write between two calls.  NULL: there is no such machine.
+void *smc_machine_vector(SmcSession *s, SmcMachine m);
+
+#ifdef SMC_LIBRARY
+#pragma GCC visibility pop
+#endif
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every call of libsmc with too little memory: each limit of a session, from nothing to plenty, in malloc and in an area.  A call either works or
+// returns SMC_E_MEMORY; the session stays usable, and closing it returns all memory.
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/library/smc.h"
+#include "tests/test.h"
+
+static const char vector[] = "[Bus]\nU64 G\nU32 S\nF64 p\nbool v\n";
+static const char machine[] = "[state_vector]\nU64 G\nU32 S\nF64 p\nbool v\n[local]\nU32 n = 0\n[A] @safe\n.step\n    n = n + 1\n    v = roll_avg(p, 20) > 5 and n > 3\n    p > 90: -> B\n"
+                              "[B]\n.step\n    v = false\n";
+static const char script[] = "[options]\ndelta_t 1\n[all_states]\nG == 5: p = 7\nG == 9 {\n    @assert not v\n    @stop\n}\n";
+
+static size_t refused;
+
+// Counts a call, which may only fail for lack of memory or because an earlier one did.
+static bool worked(SmcResult r)
+{
+    CHECK(r == SMC_OK || r == SMC_E_MEMORY || r == SMC_E_STATE || r == SMC_E_HANDLE || r == SMC_E_INDEX);
+    refused += r == SMC_E_MEMORY;
+    return r == SMC_OK;
+}
+
+// Returns whether everything worked.
+static bool use(SmcSession *s)
+{
+    uint32_t sv, sm, ss;
+    const char *text;
+    const void *bytes;
+    uint64_t size;
+    SmcMachine m = 0, second = 0;
+    bool all = worked(smc_source_add(s, SMC_KIND_SV, "bus.sv", vector, strlen(vector), &sv));
+
+    all = worked(smc_source_add(s, SMC_KIND_SM, "a.sm", machine, strlen(machine), &sm)) && all;
+    all = worked(smc_source_add(s, SMC_KIND_SS, "a.ss", script, strlen(script), &ss)) && all;
+    if (!all)
+        return false;
+    all = worked(smc_warning_select(s, "everything"));
+    all = worked(smc_option_set(s, SMC_OPTION_REVIEW, 1)) && all;
+    all = worked(smc_option_set(s, SMC_OPTION_TRACE, 1)) && all;
+    all = worked(smc_compile(s)) && all;
+    all = worked(smc_machine_open(s, sm, &m)) && all;
+    all = worked(smc_machine_open(s, sm, &second)) && all;
+    if (m)
+        CHECK(smc_machine_step(s, m, 1) == SMC_OK && smc_machine_step(s, m, 2) == SMC_OK);
+    if (m && second)
+        worked(smc_machine_continue(s, m, second));
+    all = worked(smc_emit(s, SMC_EMIT_IMAGE)) && all;
+    if (smc_output_count(s) == 1)
+        CHECK(smc_output(s, 0, &bytes, &size) == SMC_OK && size > 100);
+    all = worked(smc_emit(s, SMC_EMIT_C)) && all;
+    all = worked(smc_run(s, ss, SMC_ENGINE_VM | SMC_ENGINE_REF, 0)) && all;
+    all = worked(smc_diagram(s, sm, SMC_DIAGRAM_SVG, &text, &size)) && all;
+    all = worked(smc_report(s, sm, SMC_REPORT_HTML, &text, &size)) && all;
+    all = worked(smc_render(s, SMC_RENDER_SARIF, &text, &size)) && all;
+    if (m)
+        CHECK(smc_machine_step(s, m, 3) == SMC_OK && smc_machine_close(s, m) == SMC_OK);
+    return all;
+}
+
+// Returns whether everything worked with `size` bytes.
+static bool try_size(void *area, uint64_t size)
+{
+    SmcSession *s = NULL;
+    const SmcResult r = smc_open(area, size, &s);
+    bool all;
+
+    CHECK(r == SMC_OK || r == SMC_E_MEMORY);
+    if (r != SMC_OK)
+        return false;
+    all = use(s);
+    CHECK(smc_memory_peak(s) <= size);
+    CHECK(smc_sources_clear(s) == SMC_OK);
+    if (all) {                    // again, in the memory that the first time has returned
+        CHECK(use(s));
+        CHECK(smc_memory_peak(s) <= size);
+    }
+    CHECK(smc_close(s) == SMC_OK);
+    return all;
+}
+
+int main(int argc, char **argv)
+{
+    const uint64_t most = 4000000, step = argc > 1 ? (uint64_t)atoi(argv[1]) : 20011;
+    unsigned char *area = malloc(most + 64);
+    size_t worked_at = 0;
+
+    CHECK(area != NULL);
+    for (uint64_t size = 1; size < most && worked_at < 3; size += step) {
+        memset(area + size, 0xa5, 64);
+        worked_at += try_size(area, size);
+        for (int i = 0; i < 64; i++)
+            CHECK(area[size + (uint64_t)i] == 0xa5);
+        try_size(NULL, size);
+    }
+    CHECK(worked_at == 3 && refused > 50);
+    free(area);
+    return test_end("memory");
+}

@@ -1,0 +1,40 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# libsmc gives what smc gives, byte for byte: images, C, reports, diagrams, diagnostics and runs of every example.    parity.sh SMC COMMAND
+smc=$1 command=$2
+. tests/checks.sh
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+
+# equal WHAT FILE…: `command WHAT` printed what smc wrote to $dir/smc.
+equal()
+{
+    "$command" "$@" >"$dir/library" 2>"$dir/errors"
+    cmp "$dir/smc" "$dir/library"
+}
+for machine in examples/*/*.sm tests/app/*.sm; do
+    scripts=$(ls "${machine%.sm}".ss 2>/dev/null)
+    "$smc" build -w "$machine" -o "$dir/smc" --force 2>/dev/null || continue         # it needs a state vector
+    check "image of $machine" equal image "$machine"
+    (cd "$dir" && rm -rf c && mkdir c) && "$smc" build -w "$machine" --emit=c -o "$dir/c/" 2>/dev/null && cat "$dir"/c/*.c "$dir"/c/*.h >"$dir/smc"
+    check "C of $machine" equal c "$machine"
+    "$smc" check "$machine" 2>"$dir/smc"
+    check "diagnostics of $machine" equal check "$machine"
+    "$smc" report "$machine" $scripts -o "$dir/smc" --format=html --force 2>/dev/null
+    check "report of $machine" equal report "$machine" $scripts
+    "$smc" graph -w "$machine" -o "$dir/smc" --format=svg --force 2>/dev/null
+    "$smc" graph "$machine" -o "$dir/smc" --format=svg --force 2>/dev/null
+    check "diagram of $machine" equal graph "$machine"
+    for script in $scripts; do
+        "$smc" test "$machine" "$script" >"$dir/smc" 2>/dev/null
+        check "run of $script" equal run "$machine" "$script"
+    done
+done
+
+# An application: its files are named as it names them.
+"$smc" build -w examples/rocket/rocket.app -o "$dir/made" 2>/dev/null
+rocket() { "$command" c examples/rocket/rocket.app $(cd examples/rocket && for f in *.sv *.sm *.io; do test -e "$f" && echo "examples/rocket/$f=$f"; done) >"$dir/library"; }
+check "the C of an application" rocket
+lines_of_app() { cat "$dir"/made/*.c "$dir"/made/*.h | sort >"$dir/a"; sort "$dir/library" >"$dir/b"; cmp "$dir/a" "$dir/b"; }
+check "is that of smc" lines_of_app
+finish parity

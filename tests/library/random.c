@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random sequences of calls into all of smc.h: valid and nonsensical arguments, changed sources and images, little memory, closed handles.
+// Nothing may crash, and every result must be one that the header lists.    random SEED COUNT      COUNT sequences, from seed SEED on
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/library/smc.h"
+#include "tests/test.h"
+
+enum { CALLS = 60, HANDLES = 6 };
+
+static uint64_t state;
+
+static uint32_t draw(uint32_t n)
+{
+    state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+    return (uint32_t)(((state >> 33) * n) >> 31);
+}
+
+static const char *const text_of[] = {
+    "[Bus]\nU64 G\nU32 S\nF64 p @range 0 100\nbool v\nI8 k\n",
+    "[state_vector]\nU64 G\nU32 S\nF64 p\nbool v\nI8 k\n[local]\nU32 n = 0\n[A] @safe\n.step\n    n = n + 1\n    k = n\n    v = roll_avg(p, 20) > 5\n    p > 90: -> B\n[B] @abort\n.entry\n    v = false\n",
+    "[state_vector]\nU64 G\nU32 S\nF64 p\nbool v\n[local]\nF64 n = 1\n[First]\n[A] @swap\n.step\n    n = n * 2\n    v = roll_max(p, 20) > n\n",
+    "[options]\ndelta_t 1\n[all_states]\nG == 5: p = 7\nG == 9 {\n    @assert not v\n    @stop\n}\n",
+    "[options]\ndelta_t 1\n[A]\np > 5: @assert false\nG > 50: @stop\n",
+    "[digital]\no 8 v\n",
+    "[options]\nstate_vector \"0.sv\"\ntime_unit 1 ms\n[executor main]\nevery 10 ms {\n    machine m \"1.sm\"\n}\n",
+    "if x then y = 1 else ->", ""};
+enum { TEXTS = sizeof text_of / sizeof *text_of };
+
+static double nan_value(void)
+{
+    const double zero = 0;
+
+    return zero / zero;
+}
+
+// A text with a few bytes changed, removed or repeated; in `text`, which has room for 2000 bytes.
+static size_t mutate(char *text)
+{
+    const char *from = text_of[draw(TEXTS)];
+    size_t n = strlen(from);
+
+    memcpy(text, from, n);
+    for (uint32_t i = draw(4); i > 0 && n > 0 && draw(2); i--) {
+        const size_t at = draw((uint32_t)n), length = draw(20);
+        if (draw(2))
+            text[at] = (char)draw(256);
+        else if (at + length <= n) {
+            memmove(text + at, text + at + length, n - at - length);
+            n -= length;
+        }
+    }
+    return n;
+}
+
+static void add_source(SmcSession *s)
+{
+    static const char *const names[] = {"0.sv", "1.sm", "dir/2.sm", "3.ss", "4.ss", "5.io", "6.app", "a\nb", ""};
+    const uint32_t i = draw(sizeof names / sizeof *names);
+    char text[2000];
+    uint32_t source;
+
+    smc_source_add(s, draw(8) ? (int32_t)(i == 0 ? 0 : i < 3 ? 1 : i < 5 ? 2 : i == 5 ? 3 : 4) : (int32_t)draw(8) - 1, names[i], text, mutate(text), &source);
+}
+
+static void read_diagnostics(const SmcSession *s)
+{
+    for (uint32_t i = 0; i < smc_diag_count(s) + smc_diag_allowed_count(s) + 1; i++) {
+        CHECK(strlen(smc_diag_message(s, i)) + strlen(smc_diag_label(s, i)) + strlen(smc_diag_code(s, i)) < 100000);
+        for (int32_t place = -1; place < 8; place++)
+            CHECK(smc_diag_place(s, i, (int32_t)draw(4), draw(3), place, (int32_t)draw(3)) >= -1);
+        for (uint32_t k = 0; k <= smc_diag_note_count(s, i); k++)
+            CHECK(strlen(smc_diag_note(s, i, k)) < 100000 && smc_diag_note_step(s, i, k) < 10000);
+        for (uint32_t k = 0; k <= smc_diag_edit_count(s, i); k++)
+            CHECK(strlen(smc_diag_edit(s, i, k)) < 100000);
+    }
+}
+
+static void open_changed_image(SmcSession *s, SmcMachine *m)
+{
+    const void *bytes;
+    uint64_t size;
+    unsigned char *copy;
+
+    if (smc_output(s, draw(2), &bytes, &size) != SMC_OK || (copy = malloc((size_t)size + 1)) == NULL)
+        return;
+    memcpy(copy, bytes, (size_t)size);
+    for (uint32_t i = draw(3); i > 0 && size > 0; i--)
+        copy[draw((uint32_t)size)] ^= (unsigned char)(1u << draw(8));
+    smc_machine_open_image(s, copy, draw(10) ? size : draw((uint32_t)size + 1), draw(3), m);
+    free(copy);
+}
+
+static void use_machine(SmcSession *s, SmcMachine m, SmcMachine other)
+{
+    const uint32_t i = draw(10);
+    double x = draw(3) ? (double)draw(2000) - 1000 : nan_value();
+    unsigned char bytes[8];
+
+    switch (draw(12)) {
+    case 0: smc_machine_step(s, m, draw(4) ? smc_machine_time(s, m) + draw(1000) : UINT64_MAX - draw(2)); break;
+    case 1: smc_machine_start(s, m, draw(4)); break;
+    case 2: smc_machine_set(s, m, i, x); break;
+    case 3: smc_machine_get(s, m, i, &x); break;
+    case 4: smc_machine_read(s, m, i, bytes, draw(10)); break;
+    case 5: memset(bytes, (int)draw(256), sizeof bytes); smc_machine_write(s, m, i, bytes, draw(9)); break;
+    case 6: smc_machine_continue(s, m, other); break;
+    case 7: CHECK(smc_machine_type(s, m, i) >= -1 && smc_machine_kind(s, m, i) >= -1 && smc_machine_stored(s, m, i) >= 0); break;
+    case 8: CHECK(strlen(smc_machine_name(s, m, i)) < 3000 && strlen(smc_machine_state_name(s, m, draw(4))) < 3000); break;
+    case 9: smc_machine_size(s, m, (int32_t)draw(8) - 1); break;
+    case 10: if (smc_machine_vector(s, m)) memset(smc_machine_vector(s, m), (int)draw(256), (size_t)smc_machine_size(s, m, SMC_SIZE_VECTOR)); break;
+    case 11: smc_machine_state_marks(s, m, draw(4)); break;
+    }
+}
+
+static void call_once(SmcSession *s, SmcMachine *machine)
+{
+    const char *text;
+    uint64_t size;
+    uint32_t n, source = draw(6);
+    char changed[2000];
+    SmcMachine *m = &machine[draw(HANDLES)];
+    static const char *const words[] = {"everything", "no-dead-code", "error", "flight", "nonsense", "error=output-left-on"};
+
+    switch (draw(20)) {
+    case 0: case 1: case 2: add_source(s); break;
+    case 3: size = mutate(changed); smc_source_replace(s, source, changed, size); break;
+    case 4: if (draw(5) == 0) smc_sources_clear(s); break;
+    case 5: smc_option_set(s, (int32_t)draw(14) - 1, draw(3)); break;
+    case 6: smc_warning_select(s, words[draw(6)]); break;
+    case 7: if (draw(4) == 0) smc_cancel(s, (int32_t)draw(3)); break;
+    case 8: case 9: smc_compile(s); break;
+    case 10: smc_emit(s, (int32_t)draw(8)); break;
+    case 11: smc_run(s, source, draw(9), draw(200)); break;
+    case 12: smc_diagram(s, source, (int32_t)draw(4), &text, &size); break;
+    case 13: smc_report(s, source, (int32_t)draw(4), &text, &size); break;
+    case 14: smc_render(s, (int32_t)draw(5), &text, &size); break;
+    case 15: smc_apply_edits(s, source, &text, &size, &n); break;
+    case 16: smc_machine_open(s, source, m); break;
+    case 17: open_changed_image(s, m); break;
+    case 18: if (draw(4) == 0) smc_machine_close(s, *m); else read_diagnostics(s); break;
+    default: use_machine(s, *m, machine[draw(HANDLES)]); break;
+    }
+    CHECK(strlen(smc_error_text(s)) < 1000 && strlen(smc_run_report(s, source)) < 1000000 && strlen(smc_run_trace(s, source)) < 10000000);
+}
+
+static void run_sequence(uint64_t seed)
+{
+    SmcSession *s = NULL;
+    SmcMachine machine[HANDLES] = {0};
+    uint64_t size;
+    void *area;
+
+    state = seed * UINT64_C(0x9e3779b97f4a7c15) + 1;
+    size = draw(3) == 0 ? 10000 + draw(600000) : 4000000;
+    area = draw(2) ? malloc((size_t)size) : NULL;
+    if (smc_open(area, size, &s) == SMC_OK) {
+        for (int i = 0; i < CALLS; i++)
+            call_once(s, machine);
+        CHECK(smc_memory_peak(s) <= size);
+        CHECK(smc_close(s) == SMC_OK);
+    }
+    free(area);
+}
+
+int main(int argc, char **argv)
+{
+    const uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 1, count = argc > 2 ? strtoull(argv[2], NULL, 10) : 300;
+
+    for (uint64_t i = 0; i < count; i++) {
+        run_sequence(seed + i);
+        test_passed++;
+        if (i % 10000 == 9999)
+            fprintf(stderr, "seeds up to %" PRIu64 " done\n", seed + i);
+    }
+    return test_end("random");
+}
