@@ -19,8 +19,8 @@ typedef struct LibraryMemory {
 
 typedef struct LibrarySource {
     int32_t kind;
-    char *name, *text;            // `size` bytes; may be NULL if that is 0
-    uint64_t size;
+    char *name, *text;            // text: `size` bytes and a NUL
+    size_t size;
 } LibrarySource;
 
 // One script's last run.

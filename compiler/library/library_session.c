@@ -255,7 +255,7 @@ SmcResult smc_source_add(SmcSession *s, int32_t kind, const char *name, const ch
     if ((r = check_text(s, text, size)) != SMC_OK)
         return r;
     new.kind = kind;
-    new.size = size;
+    new.size = (size_t)size;
     new.name = library_copy(s, name, strlen(name));
     new.text = library_copy(s, text, size);
     more = library_alloc(s, (s->sources + UINT64_C(1)) * sizeof *more);
@@ -289,7 +289,7 @@ SmcResult smc_source_replace(SmcSession *s, uint32_t source, const char *text, u
         return library_fail(s, SMC_E_MEMORY, NULL);
     library_release(s, s->source[source].text);
     s->source[source].text = copy;
-    s->source[source].size = size;
+    s->source[source].size = (size_t)size;
     return SMC_OK;
 }
 
