@@ -187,6 +187,7 @@ static void decode_machine(DecodeState *d)
 
 // ---- memory: SmvmDecoded, the words, the states, and during decoding `where` for the longest function ----
 
+// Returns the bytes of memory for decoding m, and stores in *words the number of words.
 static uint64_t decoded_bytes(const SmvmMachine *m, uint32_t *words)
 {
     DecodeState d;

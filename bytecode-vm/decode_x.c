@@ -39,7 +39,7 @@ static void emit_binary(DecodeState *d, uint8_t op, DecodedValue x, DecodedValue
     }
     if (is_in_f(&x)) {
         smvm_emit_f_and(d, (FastOp)f->with, &y);
-    } else if (is_in_f(&y)) {                         // only for sub
+    } else if (is_in_f(&y)) {                         // a subtraction: of the other operations, smvm_defer makes the operand in F the first
         smvm_emit_f_and(d, FAST_RSUB_I8_OP, &x);
     } else if (is_memory(&x) && is_constant(&y) && f->number != 0) {
         smvm_emit_two_operands(d, (FastOp)f->number, &x, &y);

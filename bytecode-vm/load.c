@@ -41,6 +41,7 @@ SmvmAt smvm_skip(SmvmReader *r, uint8_t bytes)
     return at;
 }
 
+// Reads the next byte.  At the end returns SMVM_OP_FIRST, which no varint contains.
 SMVM_NOINLINE static uint8_t next_byte(SmvmReader *r)
 {
     return r->at < r->end ? smvm_u8(r->image, r->at++) : SMVM_OP_FIRST;
@@ -152,6 +153,7 @@ static const struct RecordField { uint8_t at, shift; } record[] SM_FLASH = {
 
 static SmvmAt *field_at(SmvmMachine *m, uint8_t at) { return (SmvmAt *)(void *)((uint8_t *)m + at); }
 
+// Reads the varints of `record` into m.  Returns 0, or the rule that is broken.
 static uint8_t read_numbers(SmvmMachine *m, SmvmReader *r)
 {
     for (uint8_t i = 0; i < sizeof record / sizeof *record; i++) {

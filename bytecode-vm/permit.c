@@ -6,6 +6,7 @@
 
 enum { LENGTH_AT = 2 };                // offset of the image's length in the body of BEGIN
 
+// Returns a little-endian number of up to 4 bytes.
 static uint32_t load(const uint8_t *at, uint8_t bytes)
 {
     uint32_t number = 0;

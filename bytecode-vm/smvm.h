@@ -69,8 +69,9 @@ typedef struct SmvmMachine {
     SmvmAt from, to;          // the machine accesses only bytes from … to - 1 of the state vector; both are multiples of 8
     SmvmAt windows, f32s, f64s;       // numbers of windows, F32 constants and F64 constants
     SmvmAt states;            // number of states; they are numbered from 1
-    // The fields from here to width match the layout of SmvmTables, except for locals and outputs.  locals: bytes of locals and of
-    // intermediate results.  outputs: the number of elements that the machine can store, besides S.
+    // The fields from here to width are also those of SmvmTables, at the same distances, so that the VM copies them as a block.  In place of
+    // locals and outputs, SmvmTables has more and more_bytes.  locals: bytes of locals and of intermediate results.  outputs: the number of
+    // elements that the machine can store, besides S.
     SmvmAt windows_at, outputs_at, functions_at, f32s_at, f64s_at;
     SmvmAt locals, outputs;
     SmvmAt g, s;              // byte offsets of G and S in the state vector

@@ -78,8 +78,8 @@ static uint16_t state[SMVM_RUNNER_MACHINES];           // the state of each mach
 static volatile uint16_t ms_left = 1, period = PERIOD;  // ms until the next step, and between steps
 static volatile bool stepping;         // a step is running
 static volatile bool is_paused = true; // no step may begin
-static volatile bool is_after_step;    // a step has ended since the last tick
-static bool is_logging;                // the EEPROM write that may_write decides on belongs to the log: no step may wait for it
+static volatile bool is_after_step;    // a step has ended since the last tick (on_tick), and may_write has not been called since
+static bool is_logging;                // the EEPROM write that may_write decides on is one of the log, for which no step may wait
 static uint16_t skipped;                               // steps that were due while another ran
 static struct { uint32_t low, high; } now_g;           // G in milliseconds.  Two halves, because avr-gcc needs three times the code for a uint64_t
 
@@ -297,6 +297,7 @@ static SmResult leave_slot(void *context, const uint8_t *begin, uint8_t n)
     return r;
 }
 
+// Opens the store and gives it the board's key.  Returns false if the store could not be opened.
 static bool open_store(PalNvm nvm, const StorePlan *plan)
 {
     const SmResult r = smvm_store_open(&store, nvm, plan);
@@ -342,8 +343,9 @@ SMVM_NOINLINE static void start_board(void)
     smvm_agent_init(&agent, &store, &board, &events, frame, FIRMWARE_BODY);
 }
 
-// Whether the image has run for 10 s: the second byte of G, which counts 256 ms, has reached 40.  (When that byte has wrapped around, the result
-// is false again; the start has counted by then.  One byte is read because the interrupt of the clock cannot change it during the read.)
+// Whether the image has run for 10 s: the second byte of G, which counts units of 256 ms, has reached 40.  It wraps around every 65 s; then the
+// result is false again for 10 s.  That is harmless: smvm_store_count_start, which the result triggers, needs one call only.  One byte is read
+// because the interrupt of the clock cannot change it during the read.
 static bool has_run_for_a_while(void) { return ((const volatile uint8_t *)&now_g.low)[1] >= 40; }
 
 // Processes a received byte; returns false if there is none.

@@ -69,8 +69,8 @@ static TrialEnd hold_inputs_in_state(AbortTrials *k, uint32_t state)
         *(n > t->window + 3 ? &k->left_at_once : &k->left) |= f == TRIAL_LEAVES;
     }
     k->stayed |= f == TRIAL_STAYS;
-    for (int n = 0, idle = 0; n < TRIAL_PASSES && f == TRIAL_STAYS && idle < 2; n++) {
-        idle = trial_pass_time(t, k->at, k->in, &t->trace) ? 0 : idle + 1;
+    for (int n = 0, idle = 0; n < TRIAL_ADVANCES && f == TRIAL_STAYS && idle < 2; n++) {
+        idle = trial_advance_to_event(t, k->at, k->in, &t->trace) ? 0 : idle + 1;
         f = classify_last_step(k, state);
     }
     return f;

@@ -61,8 +61,8 @@ static bool hold_inputs_in_state(LeftOnSearch *l, uint32_t state)
         if (trial_state(l->at) != state)
             return false;
     }
-    for (int n = 0, idle = 0; n < TRIAL_PASSES && idle < 2; n++) {
-        idle = trial_pass_time(t, l->at, l->in, &t->trace) ? 0 : idle + 1;
+    for (int n = 0, idle = 0; n < TRIAL_ADVANCES && idle < 2; n++) {
+        idle = trial_advance_to_event(t, l->at, l->in, &t->trace) ? 0 : idle + 1;
         if (trial_state(l->at) != state)
             return false;
     }

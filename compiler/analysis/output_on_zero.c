@@ -38,7 +38,7 @@ enum {
     OTHERS = 32,                  // random readings of the other sensors with which an effect must be confirmed
     OTHERS_OF_ONE = 12,           // tried before OTHERS: readings of one other sensor at a time
     QUIET_LEAST = 4,              // for a report, the healthy machine must be quiet with at least so many of these readings
-    PASSES_MAX = 200              // calls of trial_steps_to_event after a sensor has failed
+    ADVANCES_MAX = 200            // how often both machines advance to the next event after a sensor has failed
 };
 static const uint64_t effort = 4000000, effort_in_all = 100000000;      // most IR instructions per sensor and state; in total
 
@@ -265,7 +265,7 @@ static StepEffect run_both(FailureTrial *z, const FailureCase *c, FailureEffect 
         if (n > t->window + 2 && trial_is_same(t, z->healthy, z->failed))
             return effect;
     }
-    for (int n = 0, idle = 0; n < (c->motion == 0 ? PASSES_MAX : PASSES_MAX / 10) && effect == NO_EFFECT && idle < 2; n++) {
+    for (int n = 0, idle = 0; n < (c->motion == 0 ? ADVANCES_MAX : ADVANCES_MAX / 10) && effect == NO_EFFECT && idle < 2; n++) {
         uint32_t skip, in_failed;
         memcpy(z->before, ir_run_vars(t->run, z->healthy), size);
         memcpy(z->before_failed, ir_run_vars(t->run, z->failed), size);

@@ -78,10 +78,10 @@ typedef struct Trials {
     double **limit;                   // by IR variable: if it is a counter, the values it is compared with, then NaN; otherwise NULL
     double dt;                        // how much G advances in a step
     uint32_t window;                  // samples until every window is full
-    bool *computed;                   // by index in IrMachine.window: the window samples variables that the machine writes
+    bool *samples_written;            // by index in IrMachine.window: the window samples variables that the machine writes
     uint32_t count;                   // total number of limits of counters
     uint64_t random;
-    double *before;                   // variables before a step, for trial_pass_time
+    double *before;                   // variables before a step, for trial_advance_to_event
     void *scratch;                    // a situation, for trial_fill_windows
     IrTrace trace;
 } Trials;
@@ -112,10 +112,10 @@ uint32_t trial_steps_to_timer(const Trials *t, const void *situation);
 // Advances time and counters by `steps` steps that change the variables like the last step (see trial_steps_to_event).  Windows keep
 // their samples.
 void trial_skip_steps(const Trials *t, const double *before, void *situation, uint32_t steps);
-// Runs at least one step with constant inputs, and then skips all steps before the next timer or counter reaches its limit.  Returns
-// false if nothing can change any more.
-bool trial_pass_time(Trials *t, void *situation, const double *in, IrTrace *trace);
-enum { TRIAL_PASSES = 300 };          // after this many calls of trial_pass_time, a machine that still changes is assumed to change forever
+// Runs with constant inputs: steps until a transition, or until only timers and counters change, at most 40; then, without a transition, skips
+// the steps that remain before the next timer or counter reaches its limit.  Returns false if none will: nothing can change any more.
+bool trial_advance_to_event(Trials *t, void *situation, const double *in, IrTrace *trace);
+enum { TRIAL_ADVANCES = 300 };          // after this many calls of trial_advance_to_event, a machine that still changes is assumed to change forever
 // Whether a timer or a rising counter has moved closer to a limit since the variables were `before`, so that it may reach the limit later.
 bool trial_approaches_limit(const Trials *t, const double *before, const void *situation);
 // Whether two situations are in the same state, with equal values in all variables that the machine writes, except G, S and T.

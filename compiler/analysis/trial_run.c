@@ -7,7 +7,7 @@
 #include "stdlib/math.h"
 
 enum {
-    STEPS_PER_PASS = 40,              // most steps in one call of trial_pass_time while a variable other than a counter changes
+    STEPS_PER_ADVANCE = 40,              // most steps in one call of trial_advance_to_event while a variable other than a counter changes
     READINGS_TRIED = 6,               // readings that are tried to make a state last
     LASTING_STEPS = 3                 // steps for which the machine must stay in the state
 };
@@ -101,11 +101,11 @@ void trial_skip_steps(const Trials *t, const double *before, void *situation, ui
             var[v] = ir_convert(m->var.at[v].type, var[v] + n * (var[v] - before[v]));
 }
 
-bool trial_pass_time(Trials *t, void *situation, const double *in, IrTrace *trace)
+bool trial_advance_to_event(Trials *t, void *situation, const double *in, IrTrace *trace)
 {
     uint32_t n = 0;
 
-    for (int k = 0; k < STEPS_PER_PASS && n == 0; k++) {
+    for (int k = 0; k < STEPS_PER_ADVANCE && n == 0; k++) {
         memcpy(t->before, ir_run_vars(t->run, situation), t->run->m->var.n * sizeof *t->before);
         trial_step(t, situation, in, t->dt, trace);
         if (trace->transition)
@@ -238,7 +238,7 @@ void trial_fill_windows(Trials *t, void *situation, const double *in)
 
     ir_run_fill_windows(t->run, situation, t->window, set_held_inputs, &h);
     for (uint32_t w = 0; w < t->run->m->window.n; w++)
-        if (t->computed[w])
+        if (t->samples_written[w])
             ir_run_copy_window(t->run, situation, before, w);
 }
 

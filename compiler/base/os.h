@@ -49,7 +49,7 @@ bool os_make_folder(const char *path, const char **why);     // the folder only,
 char *os_real_path(const char *path);
 bool os_has_other_names(const char *path);         // a regular file with several hard links
 bool os_same_file(const char *a, const char *b);   // whether both name the same existing regular file; "-" is not a file
-// The names in a folder, sorted, without . and ..; *names and its strings are one heap allocation.
+// Lists the names in a folder, sorted, without . and ..; *names and its strings are one heap allocation.
 bool os_list(const char *path, char ***names, size_t *n, const char **why);
 
 // For secret keys.  os_random stores n random bytes.  os_write_private creates a file that only its owner can read, and fails if it exists.

@@ -48,6 +48,7 @@ bool os_is_name(const char *name)
     return *name == '\0';
 }
 
+// Returns false and sets *why if the name contains a control character.
 static bool check_name(const char *path, const char **why)
 {
     *why = "its name contains a control character";
@@ -56,7 +57,8 @@ static bool check_name(const char *path, const char **why)
 
 // ---- reading ----
 
-// Reads to the end of the file into a heap buffer, which doubles when it is full.
+// Reads to the end of the file into a heap buffer, which doubles when it is full. Returns false and sets *why if reading fails or the file has
+// more than `most` bytes.
 static bool read_all(int fd, size_t most, char **text, size_t *len, const char **why)
 {
     size_t cap = 16384, n = 0;
@@ -129,6 +131,7 @@ bool os_read_head(const char *path, char *into, size_t n, size_t *len)
 
 // ---- writing ----
 
+// Writes all n bytes. Returns false and sets *why if that fails.
 static bool write_all(int fd, const void *bytes, size_t n, const char **why)
 {
     const char *p = bytes;
@@ -194,7 +197,8 @@ static char *resolve_target(const char *path, const char **why)
     return target;
 }
 
-// Creates a temporary file next to `target`. From then on, a signal that ends the process removes the temporary file.
+// Creates a temporary file next to `target`, and returns its descriptor; -1, and the reason in *why, if it cannot be created. From then on, a
+// signal that ends the process removes the temporary file.
 static int open_temporary(const char *target, int number, const char **why)
 {
     char *temp;
@@ -244,6 +248,7 @@ static void forget_temporary(int number)
     free(temp);
 }
 
+// Writes one output without a temporary file. Returns false and sets *why if that fails.
 static bool write_directly(const OsOutput *out, const char **why)
 {
     bool ok, is_own;
@@ -363,7 +368,7 @@ bool os_has_other_names(const char *path)
     return stat(path, &st) == 0 && S_ISREG(st.st_mode) && st.st_nlink > 1;
 }
 
-// Returns the folder that contains `path`, with links followed; allocated on the heap.
+// Returns the folder that contains `path`, with links followed; allocated on the heap. NULL, with errno set, if there is no such folder.
 static char *real_folder(const char *path)
 {
     const char *slash = strrchr(path, '/');

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Child processes: run to completion, or connected as a partner that exchanges data with this process.  Like os.h, for the command only.
+// On failure a function returns false and sets *why to a reason.
 #ifndef SMC_OS_PROCESS_H
 #define SMC_OS_PROCESS_H
 
@@ -25,8 +26,8 @@ typedef struct OsPartner {
 } OsPartner;
 
 bool os_partner_start(OsPartner *p, const char *const *argv, const char **why);
-bool os_partner_write(OsPartner *p, const void *bytes, size_t n, const char **why);      // all n bytes
-bool os_partner_read(OsPartner *p, void *bytes, size_t n, const char **why);             // waits for exactly n bytes
+bool os_partner_write(OsPartner *p, const void *bytes, size_t n, const char **why);      // writes all n bytes to its standard input
+bool os_partner_read(OsPartner *p, void *bytes, size_t n, const char **why);             // waits for exactly n bytes of its standard output
 void os_partner_end(OsPartner *p);                        // closes the partner's input and waits for the partner's end
 
 #endif

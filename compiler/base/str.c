@@ -135,6 +135,7 @@ size_t str_distance(const char *a, const char *b, size_t limit)
     return last[lb] < limit ? last[lb] : limit;
 }
 
+// Returns the slot of the key, or the free slot where it would be inserted. The map must have slots.
 static size_t find_map_slot(const Map *m, Str key)
 {
     size_t at = key->hash & (m->cap - 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The smc command: declarations shared by its subcommands. A subcommand parses arguments, calls the library and returns an exit code.
+// Unless its comment says otherwise, a function of this folder that returns int returns an exit code: any other than EXIT_OK follows a message.
 #ifndef SMC_CLI_H
 #define SMC_CLI_H
 
@@ -17,7 +18,7 @@ enum {
     EXIT_USAGE = 2,
     EXIT_ENVIRONMENT = 3,     // cannot read or write, out of memory, no device
     EXIT_INTERNAL = 4,        // a bug in smc
-    EXIT_INCONCLUSIVE = 5     // a bound was reached, so there is no result
+    EXIT_INCONCLUSIVE = 5     // reserved for "a bound was reached, so there is no result"; no command returns it
 };
 
 typedef enum OptionId {

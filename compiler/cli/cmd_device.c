@@ -164,7 +164,7 @@ static void write_transition(Buf *out, const LinkTransition *t)
     buf_printf(out, "%12.3f s  STATE of machine %u, from %u, to %u\n", t->time * 1048576e-9, (unsigned)t->machine, (unsigned)t->from, (unsigned)t->to);
 }
 
-// Prints the transitions that the board has stored in its slots, also those from before its last restart.
+// Prints the transitions that the board has stored in its slots, also those from before its last restart. Returns false if a request failed.
 static bool show_stored_transitions(BoardLine *b, Buf *out)
 {
     LinkTransition t[LINK_TRANSITIONS];

@@ -88,6 +88,8 @@ static bool apply_edits_to(Fix *f, size_t i)
 
 // ---- the command ----
 
+// Writes the changed files, unless --dry-run is given, and adds their changed lines to `report`. Returns false after the message of a failed
+// write.
 static bool write_fixed(Fix *f, Buf *report)
 {
     Cli *c = f->c;

@@ -175,7 +175,7 @@ static int check_kinds(Cli *c)
     return EXIT_OK;
 }
 
-static int check_use(Cli *c, const Files *f)
+static int check_arguments(Cli *c, const Files *f)
 {
     static const struct { OptionId id; const char *spelling; } other[] = {
         {OPT_JUNIT, "--junit"}, {OPT_TRACE, "--trace"}, {OPT_MESSAGE_FILE, "--message-file"}};
@@ -217,6 +217,7 @@ static int check_trace(Cli *c, const Files *f)
     return EXIT_OK;
 }
 
+// Reads the value of --max-steps. Returns false if it is not a whole number from 1 on that 64 bits can hold.
 static bool read_steps(const char *text, uint64_t *steps)
 {
     *steps = 0;
@@ -257,7 +258,7 @@ int cmd_test(Cli *c)
 
     name_standard_input(c);
     f = sort_files(c);
-    if ((code = check_use(c, &f)) != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
+    if ((code = check_arguments(c, &f)) != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
         return code;
     if (c->given[OPT_TRACE] && f.cases)
         cli_print_note(c, TEXT_cases_not_traced, f.machine);

@@ -177,7 +177,7 @@ static bool wants_color(const Cli *c)
     return os_is_terminal(2) && !(term && strcmp(term, "dumb") == 0);
 }
 
-static void put_diagnostics(const Diags *d, MessageFormat format, const DiagStyle *style, Buf *out)
+static void append_diagnostics(const Diags *d, MessageFormat format, const DiagStyle *style, Buf *out)
 {
     if (format == MESSAGE_TEXT)
         diags_render_text(d, style, out);
@@ -196,7 +196,7 @@ static void record_diagnostics(Cli *c)
     for (size_t i = 0; i < d->allowed.n; i++)
         vec_push(&c->session.arena, &c->reported.allowed, d->allowed.at[i]);
     if (c->given[OPT_MESSAGE_FILE])
-        put_diagnostics(d, file_format(c), &plain, &c->message_file);
+        append_diagnostics(d, file_format(c), &plain, &c->message_file);
 }
 
 int cli_print_diagnostics(Cli *c)
@@ -210,7 +210,7 @@ int cli_print_diagnostics(Cli *c)
     diags_select(d, &c->warn);
     diags_sort(d);
     buf_init(&out, &c->session.arena);
-    put_diagnostics(d, console_format(c), &style, &out);
+    append_diagnostics(d, console_format(c), &style, &out);
     record_diagnostics(c);
     code = d->errors ? EXIT_PROBLEM : EXIT_OK;
     if (!cli_print(c, 2, &out) && !code)
@@ -262,6 +262,7 @@ static bool has_format_suffix(const char *path, const CliFormat *f)
     return false;
 }
 
+// Reports a --format that the command cannot write. Always returns false, the result of cli_choose_format.
 static bool report_unknown_format(Cli *c, const CliFormat *format, size_t formats)
 {
     Buf list;

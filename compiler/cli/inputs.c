@@ -7,6 +7,7 @@
 
 // ---- sources ----
 
+// Reads a file as a source that diagnostics call `name`.  Returns NULL and sets *why if it cannot be read.
 static Source *open_source(Cli *c, const char *path, const char *name, const char **why)
 {
     char *text, *copy;

@@ -23,6 +23,7 @@ bool key_is_file(const char *text, size_t n)
     return i == n;
 }
 
+// Returns the value of a hexadecimal digit.
 static uint8_t digit_value(char c)
 {
     return (uint8_t)(c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10);

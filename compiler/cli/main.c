@@ -22,6 +22,7 @@ static void general_help(Buf *out)
     buf_str(out, "\n'smc COMMAND --help' lists a command's options.\n");
 }
 
+// Returns the subcommand; NULL after reporting an unknown name.
 static const Command *find_command(Cli *c, const char *name)
 {
     const char *names[COMMANDS], *near;

@@ -49,6 +49,7 @@ static OptionId find_option(const char *arg, const char **value)
     return OPT_COUNT;
 }
 
+// Reports an unknown option, with the most similar known one.  Always returns false, the result of options_parse.
 static bool report_unknown_option(Cli *c, const char *arg)
 {
     const char *names[OPT_COUNT], *near;
@@ -67,7 +68,7 @@ static bool report_unknown_option(Cli *c, const char *arg)
     return false;
 }
 
-// Stores option `id`; `next` is the following argument or NULL.  Sets *took_next when that was its value.
+// Stores option `id`; `next` is the following argument or NULL.  Sets *took_next when that was its value.  Returns false after a message.
 static bool store_option(Cli *c, OptionId id, const char *arg, const char *value, const char *next, bool *took_next)
 {
     const OptionInfo *o = &option_info[id];
@@ -93,6 +94,7 @@ static bool store_option(Cli *c, OptionId id, const char *arg, const char *value
     return true;
 }
 
+// Checks that the value of an option, if given, is one of n words; `list` names them in the message.  Returns false after the message.
 static bool check_one_of(Cli *c, OptionId id, const char *const *allowed, size_t n, const char *list)
 {
     if (!c->given[id])

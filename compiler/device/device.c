@@ -23,6 +23,8 @@ static bool send_request(LinkHost *h, LinkMessage message, const uint8_t *body, 
     return h->result == SM_OK;
 }
 
+// All functions here that send requests return false if the board did not answer or refused, as those of device.h.
+
 // ---- the board and its images ----
 
 // Decodes the limits of the firmware in the answer to HELLO.

@@ -50,7 +50,7 @@ bool device_hello(LinkHost *h, DeviceInfo *info);
 // Whether the host can use the board's protocol version and sizes.  The functions below require it.
 bool device_is_usable(const DeviceInfo *info);
 bool device_read_image_info(LinkHost *h, uint8_t slot, DeviceImage *image);
-// Finds the running image.
+// Finds the running image: that of a slot, or else the built-in one.
 bool device_running(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
 bool device_request_by_checksum(LinkHost *h, LinkMessage message, uint32_t checksum);  // sends CONFIRM or ERASE
 // Finds the image on trial, whether it already runs or will run from the next start on.  False with SM_OK if no image is on trial.

@@ -114,7 +114,7 @@ bool engine_c_present(Arena *arena, const char **why)
     return false;
 }
 
-// Compiles the emitted C in the folder and starts the program.
+// Compiles the emitted C in the folder and starts the program.  Returns false after storing the reason of a failure.
 static bool build_in_folder(BuildFolder *w, const Buf *code, OsPartner *partner)
 {
     const char *cc = compiler_command(), *path, *why;
@@ -146,7 +146,8 @@ static bool build_in_folder(BuildFolder *w, const Buf *code, OsPartner *partner)
 }
 
 // Builds the program and starts it.  The folder is always removed, because a running program does not need its file.  If memory runs out,
-// this function intercepts the longjmp, removes the folder, and passes the longjmp on to the outer target.
+// this function intercepts the longjmp, removes the folder, and passes the longjmp on to the outer target.  Returns false and sets *error if
+// the program could not be built or started.
 static bool build_and_start(Arena *arena, const Buf *code, OsPartner *partner, const char **error)
 {
     BuildFolder *w = ARENA_NEW(arena, BuildFolder);
@@ -204,6 +205,7 @@ static void begin_request(EngineC *e, uint32_t variant, uint32_t command)
 // Bytes of an answer: three u32, then a u64 and a u8 for each variable.
 enum { ANSWER_HEAD = 12, ANSWER_PER_VARIABLE = 9 };
 
+// Returns the bytes of one answer for a machine.
 static size_t answer_size(const Program *p) { return ANSWER_HEAD + ANSWER_PER_VARIABLE * p->var.n; }
 
 // Sends the requests to both variants and decodes the answers, which must be equal except for the flags of stored elements.

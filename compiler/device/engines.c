@@ -39,6 +39,7 @@ unsigned engines_in_list(const char *list)
 
 typedef Engine *OpenVm(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
 
+// Opens a VM on an image of the program, with `open`. Returns NULL and sets *error on failure.
 static Engine *open_vm(OpenVm *open, Session *s, const Program *p, int opt_level, const char **error)
 {
     IrMachine *m = session_ir(s, p, opt_level);
@@ -52,6 +53,7 @@ static Engine *open_vm(OpenVm *open, Session *s, const Program *p, int opt_level
     return NULL;
 }
 
+// Returns NULL and sets *error if the engine cannot be opened.
 static Engine *open_engine(EngineKind kind, Session *s, const Program *p, int opt_level, const char **error)
 {
     IrMachine *m;

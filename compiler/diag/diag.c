@@ -112,7 +112,7 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
     size_t *count = is_error ? &d->errors : &d->warnings, file = d->files.n;
     Diag *x;
 
-    d->met += is_error;
+    d->errors_seen += is_error;
     span.src = find_listed_file(d, span.src);
     if (d->muted || !record_position(d, code, span) || ++*count > DIAG_KEPT_MAX) {
         d->first = span.src && d->position_cap ? find_position(d, span.src, span.at, code)->diag : NULL;
@@ -225,6 +225,7 @@ void diag_edit(Diags *d, Diag *to, Span span, const char *text)
 
 // ---- order ----
 
+// Returns the position of a source in the order of diagnostics: its index in d->files.
 static size_t file_rank(const Diags *d, const Source *src)
 {
     size_t i = 0;

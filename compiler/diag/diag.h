@@ -91,7 +91,7 @@ typedef struct Diags {
     Arena *arena;
     VEC(Diag *) list;                     // in the order of the reports; diags_sort sorts them by position
     size_t errors, warnings;              // how many were reported; the list has at most DIAG_KEPT_MAX of each
-    size_t met;                           // errors, including repeated and muted ones: if it grew during a check, the check failed
+    size_t errors_seen;                   // errors, including repeated and muted ones: if it grew during a check, the check failed
     VEC(DiagAllow) allow;
     VEC(Diag *) allowed;                  // removed from the list by diags_apply_allows
     unsigned known;                       // what this run knows besides the machine: a set of 1u << DiagJudged

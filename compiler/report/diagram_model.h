@@ -100,12 +100,12 @@ bool diagram_text_is_truncated(const DiagramLines *lines);  // whether the last 
 // Returns the text, or the longest start of it that fits with "…".
 const char *diagram_text_truncate(Arena *arena, const char *text, int32_t size, bool bold, int32_t w);
 
-// ---- counts of what a run has executed; 0 or false if DiagramOptions.counts is NULL ----
+// ---- how often runs took the transitions of an edge and entered a state; 0 if DiagramOptions.counts is NULL ----
 
-uint64_t diagram_edge_count(const Diagram *d, const DiagramEdge *e);
-uint64_t diagram_node_count(const Diagram *d, const DiagramNode *n);
+uint64_t diagram_times_taken(const Diagram *d, const DiagramEdge *e);
+uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n);
 const char *diagram_count_text(const Diagram *d, const char *done, uint64_t count);  // "taken 3 times"
-const char *diagram_edge_count_text(const Diagram *d, const DiagramEdge *e);
+const char *diagram_times_taken_text(const Diagram *d, const DiagramEdge *e);
 
 // ---- diagram_actions.c: the lines in the boxes of states ----
 

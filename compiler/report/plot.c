@@ -186,7 +186,7 @@ static void pen_lift(Pen *pen, long x)
     pen->down = false;
 }
 
-// Draws a horizontal line to x, then a vertical one to y.
+// Draws a horizontal line to x, then a vertical one to y.  Draws nothing if y has not changed: a later call draws the horizontal line.
 static void pen_line_to(Pen *pen, long x, long y)
 {
     if (y == pen->y)

@@ -218,7 +218,7 @@ static void check_options(AppCheck *k)
 
 // ---- [start]: the values of elements before any task runs (config.md 10.8) ----
 
-// Checks that the expression contains only numbers; reports each part that is not.
+// Returns whether the expression contains only numbers; reports each part that is not one.
 static bool check_only_numbers(AppCheck *k, const Sema *s, const AstExpr *e)
 {
     const SmBuiltinInfo *fn = e->kind == AST_CALL ? scope_find_function(s, e->name) : NULL;
@@ -402,7 +402,7 @@ static void report_unused_pins(AppCheck *k, bool output, AstAppTaskKind task, As
 App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMap *pins, const AppFiles *files)
 {
     enum { GUESSES = 30 };        // unknown names that get a suggestion: more than the reports that are shown
-    size_t errors = c->diags->met;
+    size_t errors = c->diags->errors_seen;
     AppCheck k;
 
     memset(&k, 0, sizeof k);
@@ -431,5 +431,5 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     report_unused_pins(&k, false, AST_TASK_inputs, AST_TASK_outputs);
     report_unused_pins(&k, true, AST_TASK_outputs, AST_TASK_inputs);
     check_app_platform_files(&k);
-    return c->diags->met > errors || !sv || f->app->lost ? NULL : k.app;
+    return c->diags->errors_seen > errors || !sv || f->app->lost ? NULL : k.app;
 }

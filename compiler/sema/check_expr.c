@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks expressions (language.md 3) and builds typed ones: binds names, flattens chains of relations, drops parentheses and unary plus.
+// Functions that return an Expr return NULL after an error, which they or the functions that they call have reported.
 // Recursion depth equals the depth of the tree, which AST_DEPTH_MAX bounds.
 #include "compiler/sema/sema.h"
 
@@ -302,7 +303,8 @@ static Span decimal_comma_after(const AstExpr *e)
     return (Span){e->span.src, comma, from < comma && end > comma + 1};
 }
 
-// Reports a call such as min(p, 0,5), where a comma in a number adds an argument.
+// Reports a call such as min(p, 0,5), where a comma in a number adds an argument.  Returns false, and reports nothing, if there is no such
+// comma.
 static bool report_decimal_comma(Sema *s, const AstExpr *e)
 {
     for (size_t i = 0; i + 1 < e->args->n; i++) {

@@ -187,7 +187,7 @@ IoMap *check_io(CheckContext *c, const AstFile *f, const StateVec *sv)
 {
     enum { GUESSES = 30,              // unknown names that get a suggestion: more than the reports that are shown
            MOST = 65535 };            // runtime-c/io.h counts pins with 16 bits
-    size_t errors = c->diags->met;
+    size_t errors = c->diags->errors_seen;
     const Map none = {c->arena, NULL, NULL, 0, 0};
     IoCheck k = {c, ARENA_NEW(c->arena, IoMap), {none, none}, none, none, GUESSES};
 
@@ -201,5 +201,5 @@ IoMap *check_io(CheckContext *c, const AstFile *f, const StateVec *sv)
             check_pin(&k, &f->sections.at[i]->pins.at[j], f->sections.at[i]->digital);
     if (k.io->pin.n > MOST)
         diag_report(c->diags, DIAG_app_too_many, k.io->pin.at[MOST].span, "pins", "65535");
-    return c->diags->met > errors ? NULL : k.io;
+    return c->diags->errors_seen > errors ? NULL : k.io;
 }

@@ -52,7 +52,8 @@ static bool stmt_assigns(const AstStmt *s, Str name, const AstStmt *but)
     return s->kind == AST_IF && (list_assigns(&s->arms->then, name, but) || list_assigns(&s->arms->otherwise, name, but));
 }
 
-// Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
+// Whether a statement of the list, or one inside it, assigns `name`; like stmt_assigns.  Recursion depth equals the nesting of conditionals,
+// which AST_DEPTH_MAX bounds.
 static bool list_assigns(const AstStmts *list, Str name, const AstStmt *but)
 {
     for (size_t i = 0; i < list->n; i++)

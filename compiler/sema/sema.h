@@ -51,7 +51,7 @@ typedef struct Sema {
     const AstExpr *searched_left;     // the leftmost operand of this operand has already been examined for a `not`
     bool no_elements;         // the machine lists no elements; already reported
     bool *no_value;           // by Var.index: the local's initial value has an error
-    VEC(SizeUse) size_use;    // for check_size_uses
+    VEC(SizeUse) size_use;    // the locals that window sizes depend on so far; check_size_uses reads it
     BlockKind block;          // the block that contains the current statement
     uint32_t stmts;           // the number of statements so far
     uint32_t operators;       // of the value that is being checked; becomes Stmt.operators

@@ -60,6 +60,7 @@ static uint32_t skip_parens(const char *text, uint32_t p)
     return p;
 }
 
+// Returns the end of the number at p, with any letters directly after it.
 static uint32_t skip_number(const char *text, uint32_t p)
 {
     while (lexer_is_word(text[p]) || (text[p] == '.' && lex_is_digit(text[p + 1])))

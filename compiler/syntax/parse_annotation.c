@@ -99,6 +99,7 @@ static bool check_annotation_target(Parser *p, const Annotated *o, const AstAnno
     return false;
 }
 
+// Returns false after reporting that the owner has this annotation already.
 static bool check_not_repeated(Parser *p, const Annotated *o, const AstAnnotation *a)
 {
     Diag *d;
@@ -178,6 +179,7 @@ static void report_allow_syntax(Parser *p, const char *expected)
     diag_label(p->diags, parser_fail(p, DIAG_allow_form, parser_missing_span(p), expected, parser_describe_found(p)), DIAG_label_allow_form);
 }
 
+// Consumes the next token of an @allow if it is of this kind. Otherwise reports what was expected, and returns false.
 static bool expect_token(Parser *p, TokenKind kind, const char *expected)
 {
     if (p->tok.kind != kind) {

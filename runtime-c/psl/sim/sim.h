@@ -136,7 +136,7 @@ void sim_log_shrink(const char *name, size_t bytes);
 
 // ---- the watchdog ----
 
-// Whether it has fired, because it was not fed in time.
+// Whether the watchdog has fired, because it was not fed in time.
 bool sim_watchdog_fired(void);
 
 #ifdef __cplusplus

@@ -117,6 +117,7 @@ SmResult pal_socket_listen(PalSocket *s, const PalAddress *local)
     return r == SM_OK ? open_socket(s, LISTENING, local) : r;
 }
 
+// Returns the handle number of the socket that listens at the address; 0 if there is none.
 static uint8_t find_listening(const PalAddress *to)
 {
     for (uint8_t i = 0; i < PAL_SOCKETS; i++)
