@@ -72,12 +72,12 @@ static void decode_end(DecodeState *d)
 static void decode_operation(DecodeState *d, uint8_t op)
 {
     if (op == SMVM_addi || op == SMVM_subi)
-        smvm_defer(d, op == SMVM_addi ? SMVM_add : SMVM_sub, smvm_constant_operand(sm_from_u32(d->n[0])));
+        smvm_defer_operation(d, op == SMVM_addi ? SMVM_add : SMVM_sub, smvm_constant_operand(sm_from_u32(d->n[0])));
     else if (op == SMVM_stat) {
         d->x = smvm_constant_operand(sm_from_i32(0));
-        smvm_defer(d, op, d->x);
+        smvm_defer_operation(d, op, d->x);
     } else
-        smvm_defer(d, op, d->y);
+        smvm_defer_operation(d, op, d->y);
 }
 
 static void decode_instruction(DecodeState *d)

@@ -59,7 +59,7 @@ static inline uint32_t size_of_kind(unsigned kind) { return 1u << smvm_type_shif
 // Whether v cannot be NaN.  A stored NaN reads as 0 in every type but RAW.
 static inline bool is_never_nan(const DecodedValue *v) { return v->kind < FAST_RAW || (is_constant(v) && !sm_is_nan(v->c)); }
 
-static inline void swap(DecodedValue *x, DecodedValue *y)
+static inline void swap_values(DecodedValue *x, DecodedValue *y)
 {
     DecodedValue t = *x;
 
@@ -81,7 +81,7 @@ void smvm_emit_target(DecodeState *d, uint32_t target);  // emits the target of 
 
 void smvm_emit_load(DecodeState *d, const DecodedValue *x);         // emits code that loads x into F; nothing if x is there already
 // In these two, `family` is the first instruction of a family; the kind of y selects the instruction within it.
-void smvm_emit_f_and(DecodeState *d, FastOp family, const DecodedValue *y);         // emits an instruction with the operands F and y
+void smvm_emit_operation_on_f(DecodeState *d, FastOp family, const DecodedValue *y);         // emits an instruction with the operands F and y
 void smvm_emit_two_operands(DecodeState *d, FastOp family, const DecodedValue *x, const DecodedValue *y);  // x is in memory, y in memory or constant
 
 // ---- X (decode_x.c) ----
@@ -97,7 +97,7 @@ unsigned smvm_add_unordered(unsigned m, const DecodedValue *x, const DecodedValu
 
 DecodedValue *smvm_compute_x(DecodeState *d);         // emits the deferred operation of X, if it has one; returns X, no longer DEFERRED
 void smvm_load_x(DecodeState *d);                     // emits code that loads X into F
-void smvm_defer(DecodeState *d, uint8_t op, DecodedValue y);  // defers X = op X, or X = X op y
+void smvm_defer_operation(DecodeState *d, uint8_t op, DecodedValue y);  // defers X = op X, or X = X op y
 
 // ---- windows (decode_window.c), stores (decode_store.c), jumps (decode_jump.c) ----
 

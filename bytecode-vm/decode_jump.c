@@ -114,7 +114,7 @@ static void emit_jump_if(DecodeState *d, unsigned m, DecodedValue x, DecodedValu
         return;
     }
     if (must_swap(m, &x, &y)) {
-        swap(&x, &y);
+        swap_values(&x, &y);
         m = mirror_relation(m);
     }
     if (is_memory(&x) && is_constant(&y)) {

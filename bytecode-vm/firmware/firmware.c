@@ -225,7 +225,7 @@ static SmResult may_update(void *context)
     return is_armed() ? SM_E_ARMED : is_safe() ? SM_OK : SM_E_UNSAFE;
 }
 
-static SmResult fits(void *context, SmvmBytes image)
+static SmResult fits_board(void *context, SmvmBytes image)
 {
     (void)context;
     return smvm_runner_fits(&runner, image);
@@ -236,7 +236,7 @@ static SmResult leave_slot(void *context, const uint8_t *begin, uint8_t n);
 static AgentBoard board = {
     .ram = FIRMWARE_MEMORY - (sizeof(SmVm) + 7) / 8 * 8, .machines = SMVM_RUNNER_MACHINES, .windows = !SM_ROLL_NONE,
     .ram_digital = SMVM_RUNNER_DIGITAL, .ram_analog = SMVM_RUNNER_ANALOG, .period = PERIOD, .cycles = STEP_CYCLES,
-    .physical_pin = physical_pin_of, .may_update = may_update, .fits = fits, .leave_slot = leave_slot, .built_in_size = sizeof built_in};
+    .physical_pin = physical_pin_of, .may_update = may_update, .fits = fits_board, .leave_slot = leave_slot, .built_in_size = sizeof built_in};
 
 // ---- start ----
 
@@ -317,7 +317,7 @@ static void start_store(void)
     for (uint8_t i = 0; i < FIRMWARE_SLOTS && slot != STORE_BUILT_IN; i++) {
         if (run_image(plan.image[slot], smvm_store_period(&store, slot)) == SM_OK)
             return;
-        (void)smvm_store_skip(&store, &slot);          // for example, two of its pins are the same pin of the chip
+        (void)smvm_store_skip_image(&store, &slot);          // for example, two of its pins are the same pin of the chip
     }
     smvm_store_run_built_in(&store);
     run_built_in();
@@ -384,7 +384,7 @@ SMVM_NOINLINE static void open_log(void)
 // Begins a record for the next transition, and writes the next byte of the current record, unless a step would have to wait for the write.
 SMVM_NOINLINE static void write_log(void)
 {
-    static uint8_t earned_at;          // time of the last smvm_state_log_earn, in units of 8.192 s
+    static uint8_t earned_at;          // time of the last smvm_state_log_add_credit, in units of 8.192 s
     const uint8_t now = (uint8_t)(avr_milliseconds() >> 13);
     uint32_t lost;
     SmvmAt at;
@@ -394,7 +394,7 @@ SMVM_NOINLINE static void write_log(void)
     if (state_log.records == 0)
         return;
     if (now != earned_at)
-        smvm_state_log_earn(&state_log);
+        smvm_state_log_add_credit(&state_log);
     earned_at = now;
     if (smvm_state_log_is_idle(&state_log) && sm_events_read(&events, &log_cursor, &e, 1, &lost) == 1)
         smvm_state_log_add(&state_log, &e, lost);

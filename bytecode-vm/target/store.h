@@ -89,7 +89,7 @@ SmResult smvm_store_boot(Store *s, uint8_t *slot);
 // Reports that the caller cannot run the image that smvm_store_boot returned, for example because one of its pins is in use.  Sets *slot to
 // the image to run instead.  If the image is on trial, its trial ends, and *slot is the previous image, or else the built-in one.  A confirmed
 // image stays chosen, because other firmware may be able to run it, and *slot is the built-in one.
-SmResult smvm_store_skip(Store *s, uint8_t *slot);
+SmResult smvm_store_skip_image(Store *s, uint8_t *slot);
 
 // Reports that the running image has run for a while: its start counts in full.  Writes a record if the image is on trial and this start has
 // not counted in full yet; otherwise does nothing.
@@ -147,7 +147,7 @@ StoreState smvm_store_state(const Store *s, uint8_t slot);
 
 // What the record knows about an image that is not chosen, as flags of IMAGE (runtime-c/link/link.def).  STORE_FALLBACK: if it is intact, it runs
 // when the chosen image cannot.  STORE_STARTS_USED and STORE_NOT_RUNNABLE: its trial was the last to end, because its starts were used up, or
-// because the board could not run it (smvm_store_skip).
+// because the board could not run it (smvm_store_skip_image).
 enum { STORE_FALLBACK = 4, STORE_STARTS_USED = 8, STORE_NOT_RUNNABLE = 16 };
 uint8_t smvm_store_flags(const Store *s, uint8_t slot);
 

@@ -84,7 +84,7 @@ static bool find_aborting_trial(AbortTrials *k, const TrialEntry *e)
 
     for (int n = 0; n < TRIALS_PER_ENTRY && t->run->work < k->until; n++) {
         TrialEnd f = TRIAL_STAYS;
-        trial_begin(t, e, k->at, k->in);
+        trial_begin_at_entry(t, e, k->at, k->in);
         if (k->failed) {
             k->in[k->failed->input] = k->failed->reading;
             trial_fill_windows(t, k->at, k->in);

@@ -60,7 +60,7 @@ static size_t find_cycle(CycleSearch *f, const TrialEntry *e)
     size_t n = 1;
 
     f->switches = false;
-    trial_copy(t, f->at, e->situation);
+    trial_copy_situation(t, f->at, e->situation);
     for (uint32_t left = counted + t->window; left > 0; left--) {
         trial_step(t, f->at, f->in, t->dt, &t->trace);
         if (t->trace.transition == 0 && left <= counted)

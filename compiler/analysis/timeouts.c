@@ -92,7 +92,7 @@ static bool lasts_in_one_history(TimeoutCheck *w, const TrialEntry *e)
     Trials *t = w->t;
     const uint32_t state = trial_state(e->situation);
 
-    trial_begin(t, e, w->at, w->in);
+    trial_begin_at_entry(t, e, w->at, w->in);
     for (int n = 0; n < INPUT_CHANGES; n++) {
         static const double noise[] = {0, 0.001, 0.01, 0.1};
         trial_draw_inputs_freely(t, w->in, &t->state[state - 1]);
@@ -227,7 +227,7 @@ static void report_missing_timeout(const TimeoutCheck *w, const State *s)
     }
     d = diag_report(a->diags, DIAG_no_timeout, s->span, s->name->text, trial_check_join_names(a->arena, output, outputs));
     for (uint32_t i = 0; i < outputs; i++)
-        diag_about(a->diags, d, DIAG_OUTPUTS, output[i]->span);
+        diag_note_declaration(a->diags, d, DIAG_OUTPUTS, output[i]->span);
     diag_note(a->diags, d, w->on->span, DIAG_note_switched_on, w->on->var->name->text);
 }
 
@@ -249,7 +249,7 @@ static bool try_entry_for_timeout(TimeoutCheck *w, const State *s, const TrialEn
     Trials *t = w->t;
 
     for (int n = 0; n < HISTORIES_MAX && trial_may_continue(t); n++) {
-        trial_begin(t, e, w->at, w->in);
+        trial_begin_at_entry(t, e, w->at, w->in);
         if (n > 0)
             trial_draw_inputs(t, w->in, &t->state[s->number - 1], n % 2, false);
         if (!hold_inputs_in_state(w, s->number) || !w->on)

@@ -73,7 +73,7 @@ static void add_entry(TrialSearch *k, const Transition *via)
         if (old->via == e.via && old->key == e.key && old->unhealthy == e.unhealthy)
             return;
     }
-    e.situation = trial_copy(t, NULL, k->at);
+    e.situation = trial_copy_situation(t, NULL, k->at);
     e.in = arena_copy(t->a->arena, k->in, (t->inputs + 1) * sizeof *k->in);
     vec_push(t->a->arena, &s->entry, e);
 }
@@ -86,7 +86,7 @@ static void record_next_step(TrialSearch *k, uint32_t transition)
 
     if (next->trials == UINT32_MAX)
         return;
-    trial_step(t, trial_copy(t, k->after, k->at), k->now, t->dt, &t->trace);
+    trial_step(t, trial_copy_situation(t, k->after, k->at), k->now, t->dt, &t->trace);
     next->left += t->trace.transition != 0;
     if (next->most == 0)
         next->transition = t->trace.transition;
@@ -188,7 +188,7 @@ static void run_one_try(TrialSearch *k, uint32_t state)
     const TrialState *s = &t->state[state];
     const TrialEntry *e = &s->entry.at[trial_random_below(t, (uint32_t)s->entry.n)];
 
-    trial_copy(t, k->at, e->situation);
+    trial_copy_situation(t, k->at, e->situation);
     memcpy(k->in, e->in, (t->inputs + 1) * sizeof *k->in);
     k->steps = e->steps;
     k->unhealthy = e->unhealthy;

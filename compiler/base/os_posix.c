@@ -91,7 +91,7 @@ static bool read_all(int fd, size_t most, char **text, size_t *len, const char *
     return false;
 }
 
-bool os_read(const char *path, size_t most, char **text, size_t *len, const char **why)
+bool os_read_file(const char *path, size_t most, char **text, size_t *len, const char **why)
 {
     bool ok;
     int fd;
@@ -153,7 +153,7 @@ bool os_print(int fd, const void *bytes, size_t n, const char **why)
     return write_all(fd, bytes, n, why);
 }
 
-// Temporary files have numbers in os_signal.h: os_write uses 0 to MOST_OUTPUTS - 1, the open stream uses STREAM.
+// Temporary files have numbers in os_signal.h: os_write_files uses 0 to MOST_OUTPUTS - 1, the open stream uses STREAM.
 enum { MOST_OUTPUTS = OS_UNFINISHED - 1, STREAM = MOST_OUTPUTS };
 
 // Returns the mode of the replaced file, or else the default mode of a new file.
@@ -276,7 +276,7 @@ static bool write_temporary(const OsOutput *out, int number, char **target, cons
     return close_temporary(fd, *target, write_all(fd, out->bytes, out->n, why), why);
 }
 
-bool os_write(const OsOutput *out, size_t n, const char **failed_path, const char **why)
+bool os_write_files(const OsOutput *out, size_t n, const char **failed_path, const char **why)
 {
     char *target[MOST_OUTPUTS] = {NULL};
     bool ok = n <= MOST_OUTPUTS;
@@ -482,7 +482,7 @@ static int compare_names(const void *a, const void *b)
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-bool os_list(const char *path, char ***names, size_t *n, const char **why)
+bool os_list_folder(const char *path, char ***names, size_t *n, const char **why)
 {
     struct dirent *entry;
     char **list = NULL, *text;
@@ -521,7 +521,7 @@ bool os_list(const char *path, char ***names, size_t *n, const char **why)
 
 // ---- keys ----
 
-bool os_random(void *bytes, size_t n, const char **why)
+bool os_get_random_bytes(void *bytes, size_t n, const char **why)
 {
     const int fd = open("/dev/urandom", O_RDONLY);
     const ssize_t got = fd >= 0 ? read(fd, bytes, n) : -1;

@@ -8,7 +8,7 @@
 #include <stddef.h>
 
 // Creates a folder that only this user can access, and stores its path in `path` (n bytes).  Only one may exist at a time.  While it
-// exists, a signal that ends the process is delayed: os_run ends its program and fails, and the process ends in os_remove_folder.
+// exists, a signal that ends the process is delayed: os_run_program ends its program and fails, and the process ends in os_remove_folder.
 bool os_temp_folder(char *path, size_t n, const char **why);
 // Removes the folder that os_temp_folder made, and the files in it.
 void os_remove_folder(const char *path);
@@ -16,7 +16,7 @@ void os_remove_folder(const char *path);
 // Runs the program argv[0] (searched in PATH) with the NULL-terminated list argv, and waits for its end.  Its output goes to the file
 // `output`.  *exit_code is 128 + the signal's number if a signal ended the program.  The program runs in its own process group.  A signal
 // that ends this process ends that whole group first.
-bool os_run(const char *const *argv, const char *output, int *exit_code, const char **why);
+bool os_run_program(const char *const *argv, const char *output, int *exit_code, const char **why);
 
 // A partner: a child process whose standard input and output are connected to this process.  After a partner has died, the next write or
 // read fails; no signal is raised.

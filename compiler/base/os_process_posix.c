@@ -136,7 +136,7 @@ static int spawn_group(pid_t *pid, const char *const *argv, const posix_spawn_fi
     return error;
 }
 
-bool os_run(const char *const *argv, const char *output, int *exit_code, const char **why)
+bool os_run_program(const char *const *argv, const char *output, int *exit_code, const char **why)
 {
     posix_spawn_file_actions_t actions;
     pid_t pid;

@@ -88,7 +88,7 @@ int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v);
 void cli_write_pin(Buf *out, const SmvmPin *p);          // writes a pin in words: "digital input 2 with @pull_up"
 // Writes outputs, after outputs_check. Returns EXIT_OK, or the exit code after a message: then no file has been replaced.
 int cli_write_outputs(Cli *c, const OsOutput *out, size_t n);
-// Writes an edited file over its input, without outputs_check. Reports hard links, because os_write changes only one of them.
+// Writes an edited file over its input, without outputs_check. Reports hard links, because os_write_files changes only one of them.
 int cli_write_edited(Cli *c, const OsOutput *out);
 bool cli_print(Cli *c, int fd, const Buf *text);          // prints to standard output (1) or error (2); false after a message
 

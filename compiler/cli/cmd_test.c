@@ -40,7 +40,7 @@ static void collect_cases(TestRun *t, const char *path, int depth)
         vec_push(t->arena, &t->path, path);
         return;
     }
-    if (depth == FOLDER_DEPTH_MAX || !os_list(path, &names, &n, &why)) {
+    if (depth == FOLDER_DEPTH_MAX || !os_list_folder(path, &names, &n, &why)) {
         refuse_folder(t, path, why);
         return;
     }
@@ -144,7 +144,7 @@ bool test_is_script(const Cli *c, const char *path)
 
 typedef struct Files { size_t machines, scripts, cases, standard_inputs; const char *machine; } Files;
 
-static Files sort_files(const Cli *c)
+static Files classify_files(const Cli *c)
 {
     Files f = {0, 0, 0, 0, NULL};
 
@@ -257,7 +257,7 @@ int cmd_test(Cli *c)
     int code, ran = EXIT_OK, written;
 
     name_standard_input(c);
-    f = sort_files(c);
+    f = classify_files(c);
     if ((code = check_arguments(c, &f)) != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
         return code;
     if (c->given[OPT_TRACE] && f.cases)

@@ -11,7 +11,7 @@
 
 typedef enum MessageFormat { MESSAGE_TEXT, MESSAGE_JSON, MESSAGE_SARIF } MessageFormat;
 
-static MessageFormat named_format(const Cli *c)
+static MessageFormat format_of_option(const Cli *c)
 {
     const char *name = c->value[OPT_FORMAT];
 
@@ -19,7 +19,7 @@ static MessageFormat named_format(const Cli *c)
 }
 
 // With --message-file, --message-format applies to that file.
-static MessageFormat console_format(const Cli *c) { return c->given[OPT_MESSAGE_FILE] ? MESSAGE_TEXT : named_format(c); }
+static MessageFormat console_format(const Cli *c) { return c->given[OPT_MESSAGE_FILE] ? MESSAGE_TEXT : format_of_option(c); }
 
 // Without --message-format, the suffix of the file's name decides.
 static MessageFormat file_format(const Cli *c)
@@ -27,7 +27,7 @@ static MessageFormat file_format(const Cli *c)
     const char *path = c->value[OPT_MESSAGE_FILE];
 
     if (c->given[OPT_FORMAT])
-        return named_format(c);
+        return format_of_option(c);
     return has_suffix(path, ".sarif") || has_suffix(path, ".sarif.json") ? MESSAGE_SARIF : has_suffix(path, ".json") ? MESSAGE_JSON : MESSAGE_TEXT;
 }
 
@@ -130,7 +130,7 @@ static int write_files(Cli *c, const OsOutput *out, size_t n)
 {
     const char *path, *why;
 
-    if (os_write(out, n, &path, &why))
+    if (os_write_files(out, n, &path, &why))
         return EXIT_OK;
     cli_print_error(c, TEXT_cannot_write, strcmp(path, "-") == 0 ? "standard output" : cli_printable_name(&c->session.arena, path), why);
     return EXIT_ENVIRONMENT;

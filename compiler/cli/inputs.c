@@ -13,7 +13,7 @@ static Source *open_source(Cli *c, const char *path, const char *name, const cha
     char *text, *copy;
     size_t len;
 
-    if (!os_read(path, SOURCE_MAX, &text, &len, why))
+    if (!os_read_file(path, SOURCE_MAX, &text, &len, why))
         return NULL;
     copy = arena_alloc(&c->session.arena, len + 1);
     memcpy(copy, text, len);

@@ -75,7 +75,7 @@ int cmd_key(Cli *c)
         return cli_usage_error(c, TEXT_key_what);
     if (outputs_is_source_name(c->file[0], strlen(c->file[0])))
         return cli_usage_error(c, TEXT_key_is_source, c->file[0]);
-    if (!os_random(key, sizeof key, &why))
+    if (!os_get_random_bytes(key, sizeof key, &why))
         return cli_print_error(c, TEXT_cannot_make_key, why), EXIT_ENVIRONMENT;
     for (unsigned i = 0; i < SMVM_KEY; i++) {
         text[2 * i] = digit[key[i] >> 4];

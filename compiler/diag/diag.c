@@ -167,7 +167,7 @@ void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...)
     va_end(args);
 }
 
-void diag_step(Diags *d, Diag *to, Span span, DiagCode text, ...)
+void diag_note_step(Diags *d, Diag *to, Span span, DiagCode text, ...)
 {
     unsigned step = 1;
     va_list args;
@@ -201,7 +201,7 @@ const char *diag_text(Diags *d, DiagCode text, ...)
     return out;
 }
 
-void diag_about(Diags *d, Diag *to, DiagSubject subject, Span declaration)
+void diag_note_declaration(Diags *d, Diag *to, DiagSubject subject, Span declaration)
 {
     const DiagAbout about = {declaration, subject};
     Diag *x = to == d->dropped ? d->first : to;

@@ -116,14 +116,14 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args);     //
 // Adds a note; `text` is a DIAG_NOTE_TEXT row, its arguments follow.
 void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...);
 // Adds a note that is the next numbered step of the path that leads to the finding.
-void diag_step(Diags *d, Diag *to, Span span, DiagCode text, ...);
+void diag_note_step(Diags *d, Diag *to, Span span, DiagCode text, ...);
 // Sets the text printed after the caret; `text` is a DIAG_NOTE_TEXT row.
 void diag_label(Diags *d, Diag *to, DiagCode text, ...);
 // Returns the text of a DIAG_NOTE_TEXT row with its arguments, to be an argument of another message.
 const char *diag_text(Diags *d, DiagCode text, ...);
 // Adds the declaration of a variable that the diagnostic names, for example as one of its outputs. If `to` was dropped because it repeats
 // a diagnostic in the list, the declaration is added to that diagnostic.
-void diag_about(Diags *d, Diag *to, DiagSubject subject, Span declaration);
+void diag_note_declaration(Diags *d, Diag *to, DiagSubject subject, Span declaration);
 // Proposes an edit that is certainly what the user meant: replaces `span` by a copy of `text`.
 void diag_edit(Diags *d, Diag *to, Span span, const char *text);
 

@@ -111,7 +111,7 @@ static void write_mark(Buf *out, const DiagramFindings *f, uint32_t number, int3
 }
 
 // Returns the CSS class " g-unrun" if no run has executed the state or edge, otherwise "".
-static const char *run_class(const Diagram *d, uint64_t count) { return d->o->counts && count == 0 ? " g-unrun" : ""; }
+static const char *css_class_of_count(const Diagram *d, uint64_t count) { return d->o->counts && count == 0 ? " g-unrun" : ""; }
 
 // ---- states ----
 
@@ -168,7 +168,7 @@ static void write_state(Buf *out, const Diagram *d, const DiagramNode *n)
     const Box b = n->box;
     const int32_t middle = b.y + b.h / 2;
 
-    buf_printf(out, "<g class=\"g-node%s%s\">", n->reached ? "" : " g-never", run_class(d, diagram_times_entered(d, n)));
+    buf_printf(out, "<g class=\"g-node%s%s\">", n->reached ? "" : " g-never", css_class_of_count(d, diagram_times_entered(d, n)));
     write_state_title(out, d, n);
     write_outline(out, box_class(n), n, b, 0);
     if (n->state->is_safe)
@@ -327,7 +327,7 @@ static void write_line_width(Buf *out, uint64_t count)
 
 static void write_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
-    buf_printf(out, "<g class=\"g-edge%s%s\"", e->possible ? "" : " g-never", run_class(d, diagram_times_taken(d, e)));
+    buf_printf(out, "<g class=\"g-edge%s%s\"", e->possible ? "" : " g-never", css_class_of_count(d, diagram_times_taken(d, e)));
     write_line_width(out, diagram_times_taken(d, e));
     buf_str(out, ">");
     write_edge_title(out, d, e);

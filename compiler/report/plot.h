@@ -18,7 +18,7 @@ typedef struct Plot {
 } Plot;
 
 void plot_write_tenths(Buf *out, long x);             // writes 123 as 12.3
-long plot_x(const Trace *t, double step);             // where a step, or a fraction of one, begins
+long plot_x_of_step(const Trace *t, double step);             // where a step, or a fraction of one, begins
 void plot_draw_line(Plot *p, const char *class_name, long x1, long y1, long x2, long y2);
 void plot_draw_rect(Plot *p, const char *class_name, long x, long y, long wide, long high);
 // Writes text of a class; `anchor` aligns its start, middle or end at x.

@@ -79,7 +79,7 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     Program *p = ARENA_NEW(c->arena, Program);
     Sema s;
 
-    p->name = sema_stem(c->strings, sm->src);
+    p->name = sema_file_stem(c->strings, sm->src);
     p->src = sm->src;
     p->by_name.arena = p->state_by_name.arena = c->arena;
 

@@ -88,7 +88,7 @@ static void warn_of_read_only_local(Sema *s, const Var *v, const AstStmt *in)
     map_put(&s->remarked, in->name, (void *)in->name);
     d = diag_report(s->diags, DIAG_script_writes_constant, in->name_span, in->name->text);
     scope_note_declared(s, d, in->name);
-    diag_about(s->diags, d, DIAG_CONSTANT, v->span);
+    diag_note_declaration(s->diags, d, DIAG_CONSTANT, v->span);
 }
 
 Stmt *check_assignment(Sema *s, const AstStmt *in)

@@ -62,7 +62,7 @@ StateVec *check_state_vector(CheckContext *c, const AstFile *f)
     SvCheck k = {c, ARENA_NEW(c->arena, StateVec), {c->arena, NULL, NULL, 0, 0}};
     const Str lock = str_c(c->strings, "lock");
 
-    k.sv->name = sema_stem(c->strings, f->src);
+    k.sv->name = sema_file_stem(c->strings, f->src);
     k.sv->by_name.arena = c->arena;
     for (size_t i = 0; i < f->sections.n; i++) {
         const AstSection *section = f->sections.at[i];

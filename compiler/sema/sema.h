@@ -61,7 +61,7 @@ typedef struct Sema {
 
 void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Program *p, Windows *windows);
 // The file's name without folders and extension.
-Str sema_stem(StrPool *strings, const Source *src);
+Str sema_file_stem(StrPool *strings, const Source *src);
 
 // ---- scope.c: names ----
 
@@ -99,7 +99,7 @@ Expr *check_expr(Sema *s, const AstExpr *e);
 Stmt *check_assignment(Sema *s, const AstStmt *in);
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out);
 void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *section, AstLabel label);   // check_unguarded.c
-const char *sema_quote(Sema *s, Span span);     // part of the source for a diagnostic: one line, shortened to a readable length
+const char *sema_quote_source(Sema *s, Span span);     // part of the source for a diagnostic: one line, shortened to a readable length
 // Warns of windows whose size depends on a local that the machine assigns.
 void check_size_uses(Sema *s);
 
