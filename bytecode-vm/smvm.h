@@ -111,7 +111,7 @@ typedef struct SmvmPin {
     uint32_t pin;             // number of the pin, 0 to 65535
     SmvmAt offset;            // offset of the element in the state vector, in bytes
     SmF64 scale, zero;        // analog: element = volts * scale + zero
-    SmF64 safe;               // outputs: the safe value
+    SmF64 safe;               // outputs: the value in the safe state, in the element's unit
 } SmvmPin;
 
 // A function of the board: returns the number of the chip's pin that pin `number` of an image uses, so two pins with the same result are the
@@ -140,9 +140,9 @@ bool smvm_next_pin(SmvmPins *p, SmvmPin *pin);
 
 // Where the tables and elements of a running machine are, as offsets.
 typedef struct SmvmTables {
-    SmvmAt windows, outputs, functions, f32s, f64s;       // in the image
+    SmvmAt windows, outputs, functions, f32s, f64s;       // offsets in the image
     SmvmAt more, more_bytes;                              // in the memory of SmVm: offset and size of the bits of outputs from 64 on
-    SmvmAt g, s;                                          // in the state vector
+    SmvmAt g, s;                                          // offsets in the state vector
     uint8_t width;            // bytes of an entry in the table of functions
 } SmvmTables;
 

@@ -13,11 +13,11 @@ enum { SWAP_NAME_MAX = SMVM_VARINT_MID - 2 };
 
 typedef struct SwapName {
     SmvmName name;
-    uint32_t hash;            // of the name
-    uint32_t number;          // of the state or window; offset of the local among the locals
+    uint32_t hash;            // hash of the name
+    uint32_t number;          // number of the state or window; or offset of the local among the locals
     uint32_t source;          // for what `to` keeps: `number` in `from`
     uint8_t kind, fate;       // SmvmSwapKind, SmvmSwapFate
-    uint8_t type;             // of the local
+    uint8_t type;             // SmType of the local
 } SwapName;
 
 // In memory: SmvmSwap, the names of `to`, those of `from`, and for each state of `from` its number in `to`.

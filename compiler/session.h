@@ -14,7 +14,7 @@
 // What code outside a machine does with the machine's locals between two steps.
 typedef enum SessionLocals {
     LOCALS_READ,              // reads them: scripts, and in C any code
-    LOCALS_HIDDEN,            // nothing: an image without names
+    LOCALS_HIDDEN,            // does nothing with them: an image without names
     LOCALS_SWAPPED            // reads and writes them: an image with names, because a swap copies locals by name (swapping.md 12)
 } SessionLocals;
 
@@ -44,7 +44,7 @@ void session_free(Session *s);
 typedef struct MachineInput {
     const Source *sm;
     const Source *sv;             // the state vector, or NULL
-    const Map *written_outside;   // see check_machine; or NULL
+    const Map *written_outside;   // the locals that code outside the machine writes (check_machine); or NULL
 } MachineInput;
 
 // Each of these functions returns NULL if there were errors, which are then in s->diags.

@@ -29,7 +29,7 @@ typedef struct SmvmRunner {
     uint16_t size;            // bytes of `memory`
     SmvmPhysicalPin *physical_pin;  // NULL: smvm_runner_fits cannot detect a missing pin, only smvm_runner_open can
     // The remaining fields belong to the runner.
-    uint8_t machines;         // 0: nothing runs
+    uint8_t machines;         // number of machines that run; 0: nothing runs
     uint16_t rows, rows_end;  // start and end of the rows of open pins in `memory`, as byte offsets
     SmvmBytes image;
     SmVm *vm[SMVM_RUNNER_MACHINES];

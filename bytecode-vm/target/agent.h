@@ -27,7 +27,7 @@ typedef struct AgentBoard {
     uint8_t machines;         // the most machines that an image may have; 0: any number
     bool windows;             // whether machines may have windows
     uint8_t ram_digital, ram_analog;      // bytes of `ram` that each digital pin takes, and each analog pin
-    uint16_t period;          // default milliseconds between steps
+    uint16_t period;          // milliseconds between steps of an image that was sent without a period
     uint16_t cycles;          // limit on the cycles of a step on an ATmega, for each millisecond of its period; 0: none
     uint32_t mark;            // identifies the board's key (smvm_auth_mark), if it has one
     SmvmPhysicalPin *physical_pin;  // NULL: the board has no pins, or cannot report the pins of its chip

@@ -38,7 +38,7 @@ enum {
 
 typedef struct StorePlan {
     uint32_t size;            // bytes of the memory that the store may use
-    uint8_t slots;            // 1 or 2
+    uint8_t slots;            // number of slots, 1 or 2
     SmvmBytes image[2];       // the addresses at which the VM reads the slots (SMVM_FETCH)
 } StorePlan;
 

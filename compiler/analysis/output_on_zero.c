@@ -33,7 +33,7 @@ enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 4 };     // 
 
 enum {
     OUTPUTS_NAMED = 4,            // outputs named in one finding
-    ENTRIES_TRIED = 6,            // situations at the entry of a state
+    ENTRIES_TRIED = 6,            // how many situations at the entry of a state are tried
     OTHERS_FIRST = 12,            // how many readings of the other sensors a failure is first tried with
     OTHERS = 32,                  // random readings of the other sensors with which an effect must be confirmed
     OTHERS_OF_ONE = 12,           // tried before OTHERS: readings of one other sensor at a time
@@ -44,9 +44,9 @@ static const uint64_t effort = 4000000, effort_in_all = 100000000;      // most 
 
 typedef struct FailureCase {      // one trial: the sensor reads `reading`, with a motion, and fails at some time
     const TrialEntry *entry;
-    uint32_t sensor;              // index of the input
+    uint32_t sensor;              // the failing sensor: index in Trials.input
     double reading;
-    uint32_t motion;              // index of motion[]
+    uint32_t motion;              // how the readings move: index in motion[]
     FailureKind failure;
 } FailureCase;
 

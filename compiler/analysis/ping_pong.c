@@ -13,7 +13,7 @@
 #include "compiler/analysis/trial_checks.h"
 
 enum {
-    ENTRIES_TRIED = 6,            // situations at the entry of a state
+    ENTRIES_TRIED = 6,            // how many situations at the entry of a state are tried
     INPUTS_TRIED = 80,            // inputs tried from each of these situations
     STEPS_SEARCHED = 24,          // the number of last steps of a run that are searched for a cycle
     ARRIVALS_LEAST = 8,           // how often a transition must lead to a state before it can be reported as a cascade

@@ -35,7 +35,7 @@ typedef struct TrialInput {
 typedef struct TrialEntry {
     void *situation;
     double *in;                       // by input: its value in the step that led to this situation
-    const Transition *via;            // NULL: the start
+    const Transition *via;            // the transition that led to it; NULL: the machine's start
     uint32_t steps;                   // steps since the start; TRIAL_MANY: many, or an unknown number
     bool unhealthy;                   // earlier in this trial a sensor left its healthy range, or disagreed with its group
     bool commanded;                   // earlier in this trial a person changed a command
@@ -79,10 +79,10 @@ typedef struct Trials {
     double dt;                        // how much G advances in a step
     uint32_t window;                  // samples until every window is full
     bool *samples_written;            // by index in IrMachine.window: the window samples variables that the machine writes
-    uint32_t count;                   // total number of limits of counters
+    uint32_t count;                   // number of limits of all counters (`limit`)
     uint64_t random;
     double *before;                   // variables before a step, for trial_advance_to_event
-    void *scratch;                    // a situation, for trial_fill_windows
+    void *scratch;                    // memory for a situation, for trial_fill_windows
     IrTrace trace;
 } Trials;
 

@@ -13,7 +13,7 @@
 #include "compiler/analysis/trial_checks.h"
 
 enum {
-    ENTRIES_TRIED = 8,            // situations at the entry of a state
+    ENTRIES_TRIED = 8,            // how many situations at the entry of a state are tried
     DRAWS_MAX = 500,              // inputs tried from each situation, for each window
     STEPS_FOLLOWED = 60           // steps, not counting skipped ones, that are run after windows are full
 };
@@ -34,9 +34,9 @@ typedef struct WindowTrial {
     bool same;                    // sensors have had their current readings since the machine's start
     bool later;                   // both windows are full, or both machines are in another state: a difference now has an earlier cause
     const Stmt *guard;            // the first guard whose value differed between the two
-    uint32_t samples;             // number of samples in the window when it differed
+    uint32_t samples;             // number of samples in the window when that guard differed
     uint64_t until;               // value of Trials.run.work at which the search stops
-    uint32_t *deciding;           // by Stmt.number: the window that decided
+    uint32_t *deciding;           // by Stmt.number of a guard: the window whose samples decided it
     uint32_t *found;              // by Stmt.number of a guard: the fewest samples with which it decided; 0: none
 } WindowTrial;
 

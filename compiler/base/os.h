@@ -57,8 +57,8 @@ bool os_get_random_bytes(void *bytes, size_t n, const char **why);
 bool os_write_private(const char *path, const void *bytes, size_t n, const char **why);
 bool os_is_private(const char *path);              // whether only its owner can read the file, or the file does not exist
 
-double os_seconds(void);                           // time of a monotonic clock
+double os_seconds(void);                           // returns the time of a monotonic clock, in seconds
 bool os_is_terminal(int fd);
-const char *os_getenv(const char *name);           // NULL if unset or empty
+const char *os_getenv(const char *name);           // returns the value of a variable; NULL if unset or empty
 
 #endif

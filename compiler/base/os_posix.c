@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // os.h on POSIX systems.
 #define _XOPEN_SOURCE 700
-#define _DEFAULT_SOURCE                  // madvise
+#define _DEFAULT_SOURCE                  // for the declaration of madvise
 
 #include "compiler/base/os.h"
 #include "compiler/base/os_signal.h"
@@ -441,7 +441,7 @@ char *os_real_path(const char *path)
         struct stat st;
         if ((real = realpath(at, NULL)) != NULL || (folder = real_folder(at)) == NULL)
             break;
-        if (lstat(at, &st) == 0 && S_ISLNK(st.st_mode)) {         // a link to a missing file
+        if (lstat(at, &st) == 0 && S_ISLNK(st.st_mode)) {         // `at` is a link to a missing file
             next = follow_link(at, folder);
             free(at);
             at = next;

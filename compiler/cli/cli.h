@@ -46,7 +46,7 @@ struct Cli {
     const char *value[OPT_COUNT];         // the values of options that take one; the last one wins
     DiagSelection warn;
     Diags reported;                       // what cli_print_diagnostics has printed so far, for a SARIF document
-    PlainMessages plain;                  // likewise the other messages
+    PlainMessages plain;                  // the other messages printed so far, for the same document
     Buf message_file;                     // what --message-file will contain, unless that is SARIF
     const char *last_error;               // the last message of cli_print_error; allocated in the session
 };

@@ -4,7 +4,7 @@
 
 #include "compiler/cli/cli.h"
 
-enum { ROUNDS = 10 };         // one edit can reveal another error
+enum { ROUNDS = 10 };         // most rounds: one edit can reveal another error
 
 typedef struct Fix {
     Cli *c;

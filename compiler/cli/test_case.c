@@ -12,7 +12,7 @@ struct TestCase {
     char *text;               // content of the file; on the heap
     SmtCase smt;
     EngineSet engines;
-    unsigned which;           // engines it runs on
+    unsigned which;           // the engines that the case runs on: a set of 1u << EngineKind
     IrMachine *ir;            // IR of the case's machine, if emitted C is among the engines; else NULL
     bool is_done;             // `result` is final, and the case must not run
     TestResult result;

@@ -13,7 +13,7 @@ extern const char *const engine_name[ENGINE_KINDS];
 typedef struct EngineSet {
     Engine *at[ENGINE_KINDS];
     size_t n;
-    const char *error;        // why engines_open failed
+    const char *error;        // the reason if engines_open has failed
 } EngineSet;
 
 // Sets of kinds are bits: 1u << kind.

@@ -28,10 +28,10 @@ typedef enum DiagCode {
 
 typedef struct DiagInfo {
     const char *id;           // "E0204"; NULL for the message of a note
-    const char *name;         // "unknown_element"
+    const char *name;         // its name in the code: "unknown_element"
     DiagSeverity severity;
     const char *flag;         // of a warning: the name after -W, as "unused-element"; else NULL
-    const char *message;      // {} marks an argument
+    const char *message;      // the message, in which each {} stands for an argument
     const char *page;         // what `smc explain` prints: the meaning, an example, what to do
 } DiagInfo;
 
@@ -57,7 +57,7 @@ extern const char *const diag_group_name[];               // by DiagGroup, as af
 
 typedef struct DiagEdit { Span span; const char *text; } DiagEdit;     // replace span by text
 typedef struct DiagNote {
-    Span span;                // span.src may be NULL
+    Span span;                // where the note points; span.src may be NULL
     const char *text;
     unsigned step;            // number of the step on the path that leads to the finding, from 1; 0: a plain note
 } DiagNote;
@@ -69,7 +69,7 @@ typedef struct DiagAbout { Span span; DiagSubject subject; } DiagAbout;
 // @allow: the user knows and accepts the warnings of one flag in one part of a source.
 typedef struct DiagAllow {
     const char *flag, *reason;
-    Span span, covers;        // the annotation; what it applies to
+    Span span, covers;        // span: the annotation; covers: the part of the source that it applies to
     bool shared;              // other machines or later reports may need it, so it is never reported as unused
     bool used;
 } DiagAllow;
@@ -138,7 +138,7 @@ void diags_apply_allows(Diags *d);
 typedef struct DiagSelection {
     const char **word;
     size_t n;
-    bool none;                            // -w: no warnings
+    bool none;                            // -w was given: all warnings are dropped
 } DiagSelection;
 
 // Drops disabled warnings and turns those that -Werror names into errors (selection.c). Call it after diags_apply_allows, which covers

@@ -16,7 +16,7 @@ enum { ARM_INS = 32, ARM_STORES = 8 };       // most instructions and stores of 
 // A store of an arm: of a boolean constant, or of the variable's value plus or minus `one`.
 typedef struct ArmStore {
     uint32_t var;
-    bool stored_bool;         // the boolean constant
+    bool stored_bool;         // the boolean constant that is stored
     IrRef store, one;         // the store instruction; the constant 1, or IR_NONE if a boolean is stored
 } ArmStore;
 

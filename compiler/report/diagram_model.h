@@ -17,16 +17,16 @@ typedef VEC(const Diag *) DiagramFindings;
 // The condition of one transition.
 typedef struct DiagramGuard {
     const Transition *transition;
-    const char *text;             // the whole text; never empty
-    DiagramLines line;            // as shown: wrapped, at most GUARD_LINES, truncated with "…"
-    bool possible;                // some run can take it
+    const char *text;             // the condition as text, complete; never empty
+    DiagramLines line;            // the text as shown: wrapped, at most GUARD_LINES, truncated with "…"
+    bool possible;                // some run can take the transition
     DiagramFindings finding;      // findings on the transition or its guard
     uint32_t mark;                // number of the note below the diagram that lists these findings; 0: none
 } DiagramGuard;
 
 // How an edge is drawn.
 typedef enum EdgeForm {
-    EDGE_LINE,                    // a line to the state
+    EDGE_LINE,                    // a line to the target state
     EDGE_STUB,                    // an arrow to the other state's name, beside the source state
     EDGE_LOOP                     // back to the state itself; if the state also has stubs, it is drawn as one of them
 } EdgeForm;
@@ -35,7 +35,7 @@ typedef struct DiagramEdge {
     uint32_t from, to;            // indices in Diagram.node
     VEC(DiagramGuard) guard;      // in file order, at least one
     EdgeForm form;
-    bool possible;                // some run can take it
+    bool possible;                // some run can take one of its transitions
     bool up;                      // EDGE_LINE: `to` is above `from`
     Box label;                    // box of all guards, stacked
     Box name;                     // EDGE_STUB: box with the name of the target state

@@ -116,7 +116,7 @@ static PlotRow measure_row(const Trace *t, const TraceSeries *s, long top)
         extend_row(&r, s->at[i].hi);
     }
     if (r.lo > r.hi)
-        r.lo = r.hi = 0;                              // every value is infinite
+        r.lo = r.hi = 0;                              // no value is finite: any range does
     margin = r.hi / 16 - r.lo / 16;
     r.lo -= margin > 0 ? margin : 1;
     r.hi += margin > 0 ? margin : 1;

@@ -32,6 +32,6 @@ extern const char plot_defs[];                        // the patterns, for the s
 long plot_draw_body(Arena *arena, const Trace *t, Buf *out);  // everything inside the <svg> tag; returns the height
 
 void plot_draw_bands(Plot *p);                        // draws the states as bands at the top, and as tints behind the rows
-long plot_draw_legend(Plot *p, long y);               // returns the y of its end
+long plot_draw_legend(Plot *p, long y);               // draws the legend at y; returns the y of its end
 
 #endif

@@ -55,7 +55,7 @@ typedef struct Sema {
     BlockKind block;          // the block that contains the current statement
     uint32_t stmts;           // the number of statements so far
     uint32_t operators;       // of the value that is being checked; becomes Stmt.operators
-    bool varies;              // becomes Stmt.varies
+    bool varies;              // whether the value that is being checked varies; becomes Stmt.varies
     Program *building;        // the machine being built; NULL for a script
 } Sema;
 
@@ -98,7 +98,8 @@ void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, co
 Expr *check_expr(Sema *s, const AstExpr *e);
 Stmt *check_assignment(Sema *s, const AstStmt *in);
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out);
-void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *section, AstLabel label);   // check_unguarded.c
+// Warns of an unconditional transition to an @abort state that the layout makes look conditional (check_unguarded.c).
+void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *section, AstLabel label);
 const char *sema_quote_source(Sema *s, Span span);     // part of the source for a diagnostic: one line, shortened to a readable length
 // Warns of windows whose size depends on a local that the machine assigns.
 void check_size_uses(Sema *s);

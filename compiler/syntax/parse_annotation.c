@@ -20,7 +20,7 @@ static const struct { const char *spelling; Arguments takes; unsigned where; } r
 typedef struct Annotated {
     AstAnnotationTarget target;
     Str name;
-    Span span;                // position of the name
+    Span span;                // position of the owner's name
     AstAnnotations *all;      // the annotations found so far
 } Annotated;
 

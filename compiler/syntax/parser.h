@@ -44,7 +44,7 @@ typedef struct Parser {
 
 void parser_advance(Parser *p);                         // consumes the next token
 void parser_stop(Parser *p);                            // ends parsing: every further token is TOK_END, and nothing is reported
-Span parser_span(const Parser *p, const Token *t);      // position of a token
+Span parser_span(const Parser *p, const Token *t);      // returns the position of a token
 Span parser_token_span(const Parser *p);                // position of the next token
 Span parser_gap_span(const Parser *p);                       // the empty position directly after the last token
 Span parser_missing_span(const Parser *p);             // the next token, or the end of the line before it

@@ -49,8 +49,8 @@ typedef struct BcSelect {
     BcFn *out;
     VEC(BcValue) values;      // memory of `value`, with capacity for the largest function so far
     BcValue *value;           // by IR instruction of the current function: facts about it
-    uint32_t *store_at;       // by variable: position + 1 of the next store to it…
-    uint32_t *store_in;       // …valid if this equals `count`
+    uint32_t *store_at;       // by variable: position + 1 of the next store to the variable…
+    uint32_t *store_in;       // …which is valid only if store_in of the variable equals `count`
     uint32_t count;           // which run of count_block_uses this is, from 1; each block has one or two
     VEC(BcRef) free[BC_POOLS];       // slots that are not in use
     BcRegister x, y;

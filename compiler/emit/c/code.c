@@ -169,7 +169,7 @@ typedef enum CEdge {
 // Whether b is the virtual block at the end of the function.
 static bool is_end(const CFn *fn, uint32_t b) { return b == fn->flow.n - 1; }
 
-// Returns how control reaches `to`.
+// Returns how control reaches `to` from the current position in the C code, after which `next` follows.
 static CEdge classify_edge(const CFn *fn, uint32_t to, uint32_t next)
 {
     if (to == next)

@@ -14,7 +14,7 @@
 #define CHANNELS_OF_A_DEVICE 1000u
 
 typedef struct AioEntry {
-    int fd;                   // the file of the raw value
+    int fd;                   // descriptor of the file of the raw value
     bool output;
     uint16_t number;
     double offset, scale;     // scale: millionths per step

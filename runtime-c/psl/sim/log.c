@@ -95,7 +95,7 @@ SmResult pal_log_open(PalLogFile *file, const char *name)
     if (!file || !name || name[0] == '\0' || strlen(name) >= PAL_NAME)
         return SM_E_ARGUMENT;
     if (strchr(name, '/'))
-        return SM_E_MISSING;                              // there are no folders
+        return SM_E_MISSING;                              // the name contains a folder, and there are no folders
     r = sim_is_power_off() ? SM_E_DEVICE : find_or_create_log(name, &log);
     if (r != SM_OK)
         return r;
