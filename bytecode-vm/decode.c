@@ -27,7 +27,7 @@ static DecodedValue decode_constant(const DecodeState *d, unsigned op, uint32_t 
     }
 }
 
-// Returns the value that a load of X or Y loads.
+// Returns the value that opcode `op`, a load of X or Y, loads.
 static DecodedValue decode_load(const DecodeState *d, unsigned op)
 {
     unsigned kind = op & 15u;
@@ -59,7 +59,8 @@ static void emit_end_of_entry(DecodeState *d)
         smvm_emit_jump(d, FAST_JMP_OP, (uint32_t)(d->end - d->start));
 }
 
-// Emits the end of a function: .entry continues with .step, the sample function with the state's first block; others end the step.
+// Decodes the instruction that ends a function: .entry continues with .step, the sample function with the state's first block; the others
+// end the step.
 static void decode_end(DecodeState *d)
 {
     if (d->in == IN_ENTRY)
@@ -72,12 +73,12 @@ static void decode_end(DecodeState *d)
 static void decode_operation(DecodeState *d, uint8_t op)
 {
     if (op == SMVM_addi || op == SMVM_subi)
-        smvm_defer(d, op == SMVM_addi ? SMVM_add : SMVM_sub, smvm_constant_operand(sm_from_u32(d->n[0])));
+        smvm_defer_operation(d, op == SMVM_addi ? SMVM_add : SMVM_sub, smvm_constant_operand(sm_from_u32(d->n[0])));
     else if (op == SMVM_stat) {
         d->x = smvm_constant_operand(sm_from_i32(0));
-        smvm_defer(d, op, d->x);
+        smvm_defer_operation(d, op, d->x);
     } else
-        smvm_defer(d, op, d->y);
+        smvm_defer_operation(d, op, d->y);
 }
 
 static void decode_instruction(DecodeState *d)
@@ -125,7 +126,7 @@ static void link_transitions(DecodeState *d, uint32_t exit)
     }
 }
 
-// Returns the word where the function begins, or END_WORD if it is empty.
+// Decodes function `index` of the image.  Returns the word where its decoded form begins, or END_WORD if the function is empty.
 static uint32_t decode_function(DecodeState *d, uint32_t index)
 {
     uint32_t first = d->words, length;
@@ -187,6 +188,7 @@ static void decode_machine(DecodeState *d)
 
 // ---- memory: SmvmDecoded, the words, the states, and during decoding `where` for the longest function ----
 
+// Returns the bytes of memory for decoding m, and stores in *words the number of words.
 static uint64_t decoded_bytes(const SmvmMachine *m, uint32_t *words)
 {
     DecodeState d;

@@ -11,15 +11,15 @@ enum { DEFERRED = FAST_SOURCE_COUNT };                // DecodedValue.kind of X 
 
 // What the decoder knows about the contents of register X or Y of the bytecode.
 typedef struct DecodedValue {
-    uint8_t kind;             // SmType or FAST_RAW: a value of that type in memory; FAST_C: the constant c; FAST_A: it is in F; DEFERRED
-    enum { A_LOCAL, AN_ELEMENT, THE_TIME } is;        // if it is in memory: what it is
-    uint32_t offset;          // if it is in memory: of the local or element, in bytes
-    SmF64 c;                  // if it is a constant
+    uint8_t kind;             // SmType or FAST_RAW: a value of that type in memory; FAST_C: the constant c; FAST_A: the value is in F; DEFERRED
+    enum { A_LOCAL, AN_ELEMENT, THE_TIME } is;        // a value in memory: what it is the value of
+    uint32_t offset;          // a value in memory: offset of the local or element, in bytes
+    SmF64 c;                  // FAST_C: the constant
 } DecodedValue;
 
 // A deferred operation whose result is X.
 typedef struct DeferredOp {
-    uint8_t op;               // SMVM_sub also for subi, and so on
+    uint8_t op;               // the opcode of the operation on registers: SMVM_sub also stands for subi, and so on
     uint32_t n, w;            // n: relations of set, type of cvt, or statistic; w: window
     DecodedValue a, b;
 } DeferredOp;
@@ -59,7 +59,7 @@ static inline uint32_t size_of_kind(unsigned kind) { return 1u << smvm_type_shif
 // Whether v cannot be NaN.  A stored NaN reads as 0 in every type but RAW.
 static inline bool is_never_nan(const DecodedValue *v) { return v->kind < FAST_RAW || (is_constant(v) && !sm_is_nan(v->c)); }
 
-static inline void swap(DecodedValue *x, DecodedValue *y)
+static inline void swap_values(DecodedValue *x, DecodedValue *y)
 {
     DecodedValue t = *x;
 
@@ -79,10 +79,10 @@ void smvm_emit_integer(DecodeState *d, uint64_t u);
 void smvm_emit_operand(DecodeState *d, const DecodedValue *v);  // emits the address or constant of v; for F, an unused word
 void smvm_emit_target(DecodeState *d, uint32_t target);  // emits the target of a jump, given as an offset in the function
 
-// The kind of the value selects the instruction within the family; `family` is the family's first instruction.
-void smvm_emit_load(DecodeState *d, const DecodedValue *x);
-void smvm_emit_f_and(DecodeState *d, FastOp family, const DecodedValue *y);         // emits an instruction with the operands F and y
-void smvm_emit_two_operands(DecodeState *d, FastOp family, const DecodedValue *x, const DecodedValue *y);  // emits one with x in memory, y in memory or constant
+void smvm_emit_load(DecodeState *d, const DecodedValue *x);         // emits code that loads x into F; nothing if x is there already
+// In these two, `family` is the first instruction of a family; the kind of y selects the instruction within it.
+void smvm_emit_operation_on_f(DecodeState *d, FastOp family, const DecodedValue *y);         // emits an instruction with the operands F and y
+void smvm_emit_two_operands(DecodeState *d, FastOp family, const DecodedValue *x, const DecodedValue *y);  // x is in memory, y in memory or constant
 
 // ---- X (decode_x.c) ----
 
@@ -97,13 +97,14 @@ unsigned smvm_add_unordered(unsigned m, const DecodedValue *x, const DecodedValu
 
 DecodedValue *smvm_compute_x(DecodeState *d);         // emits the deferred operation of X, if it has one; returns X, no longer DEFERRED
 void smvm_load_x(DecodeState *d);                     // emits code that loads X into F
-void smvm_defer(DecodeState *d, uint8_t op, DecodedValue y);  // defers X = op X, or X = X op y
+void smvm_defer_operation(DecodeState *d, uint8_t op, DecodedValue y);  // defers X = op X, or X = X op y
 
 // ---- windows (decode_window.c), stores (decode_store.c), jumps (decode_jump.c) ----
 
 void smvm_decode_sample(DecodeState *d);
 void smvm_emit_statistic(DecodeState *d);             // emits code that loads the deferred statistic of X into F
-bool smvm_try_emit_statistic_to(DecodeState *d, const StoreTarget *to);  // emits one instruction that also stores it; false: none exists
+// Emits one instruction that computes the deferred statistic of X and stores it in `to`.  Returns false if no instruction does both.
+bool smvm_try_emit_statistic_to(DecodeState *d, const StoreTarget *to);
 void smvm_decode_store(DecodeState *d, uint8_t op);
 void smvm_emit_jump(DecodeState *d, unsigned op, uint32_t target);
 void smvm_decode_jump(DecodeState *d, uint8_t op);

@@ -5,6 +5,7 @@
 // Returns the relations of y to x for which x is in one of the relations m to y: exchanges SMVM_LESS and SMVM_GREATER.
 static unsigned mirror_relation(unsigned m) { return (m & (SMVM_EQUAL | SMVM_UNORDERED)) | (m & SMVM_LESS) << 2 | (m & SMVM_GREATER) >> 2; }
 
+// Returns the one relation of x to y that is true.
 static unsigned relation_between(SmF64 x, SmF64 y)
 {
     if (sm_lt(x, y))
@@ -42,7 +43,7 @@ void smvm_emit_jump(DecodeState *d, unsigned op, uint32_t target)
     smvm_emit_target(d, target);
 }
 
-// Emits a jump if x is true, or, unless `when`, if x is not true.
+// Emits a conditional jump, taken if x is true (`when`) or if x is not true (not `when`).
 static void emit_jump_on_truth(DecodeState *d, bool when, const DecodedValue *x, uint32_t target)
 {
     if (is_memory(x)) {
@@ -54,7 +55,7 @@ static void emit_jump_on_truth(DecodeState *d, bool when, const DecodedValue *x,
     smvm_emit_jump(d, when ? FAST_JT_A_OP : FAST_JF_A_OP, target);
 }
 
-// Emits a jump if F, which may be NaN, is in one of the relations m to y.
+// Emits a conditional jump, taken if F, which may be NaN, is in one of the relations m to y.
 static void emit_jump_comparing_f(DecodeState *d, unsigned m, const DecodedValue *y, uint32_t target)
 {
     unsigned with = conditions[m].with;
@@ -69,8 +70,8 @@ static void emit_jump_comparing_f(DecodeState *d, unsigned m, const DecodedValue
         smvm_emit_integer(d, m);
 }
 
-// Emits a jump if x, in memory, is in one of the relations m to the constant c.  The instructions compare a stored NaN as NaN, but in the
-// language it reads as 0.  Therefore UNORDERED is set in m exactly if 0 satisfies the condition.
+// Emits a conditional jump, taken if x, in memory, is in one of the relations m to the constant c.  The instructions compare a stored NaN as
+// NaN, but in the language it reads as 0.  Therefore UNORDERED is set in m exactly if 0 satisfies the condition.
 static void emit_jump_comparing_constant(DecodeState *d, unsigned m, const DecodedValue *x, const DecodedValue *c, uint32_t target)
 {
     int64_t v;
@@ -101,7 +102,8 @@ static bool must_swap(unsigned m, const DecodedValue *x, const DecodedValue *y)
     return is_memory(y) && (is_constant(x) || (x->kind == y->kind && (m == SMVM_GREATER || m == (SMVM_GREATER | SMVM_EQUAL))));
 }
 
-// Emits a jump if x is in one of the relations m to y; nothing if that is impossible.
+// Emits a conditional jump, taken if x is in one of the relations m to y.  Emits an unconditional jump if x is in one of m whatever the
+// values, and nothing if it never is.
 static void emit_jump_if(DecodeState *d, unsigned m, DecodedValue x, DecodedValue y, uint32_t target)
 {
     m = smvm_possible_relations(m, &x, &y);
@@ -112,7 +114,7 @@ static void emit_jump_if(DecodeState *d, unsigned m, DecodedValue x, DecodedValu
         return;
     }
     if (must_swap(m, &x, &y)) {
-        swap(&x, &y);
+        swap_values(&x, &y);
         m = mirror_relation(m);
     }
     if (is_memory(&x) && is_constant(&y)) {
@@ -128,7 +130,7 @@ static void emit_jump_if(DecodeState *d, unsigned m, DecodedValue x, DecodedValu
     }
 }
 
-// Decodes jt, or jf unless `when`.  If X is a deferred comparison, its condition becomes the jump's.
+// Decodes jt (`when`) or jf (not `when`).  If X is a deferred comparison, its condition becomes the jump's.
 static void decode_jump_truth(DecodeState *d, bool when, uint32_t target)
 {
     if (d->x.kind == DEFERRED && d->deferred.op == SMVM_set)

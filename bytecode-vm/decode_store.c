@@ -56,7 +56,7 @@ static bool try_emit_increment(DecodeState *d, const StoreTarget *to)
     if (d->x.kind != DEFERRED || (d->deferred.op != SMVM_add && d->deferred.op != SMVM_sub) || !is_x_dead(d))
         return false;
     if (d->deferred.op == SMVM_add && is_constant(&x))
-        swap(&x, &y);
+        swap_values(&x, &y);
     if (!is_integer(&x) || to->to.kind != x.kind || !is_constant(&y) || !smvm_match_whole(y.c, INT32_MAX, &c))
         return false;
     emit_store_op(d, FAST_INC_I8_OP, FAST_INCN_I8_OP, x.kind, to);

@@ -28,7 +28,7 @@ static void emit_window(DecodeState *d, const DecodedWindow *w)
 // extremes (smallest, largest, range).
 enum { FOR_MEDIAN, FOR_AVG, FOR_EXTREMES, FOR_NONE };
 
-// Returns which specialized instructions a window has, and the index of its type among the five in *type.
+// Returns which specialized instructions exist for a window (FOR_NONE: none), and in *type the index of its type among the five.
 static unsigned find_specialized_use(const DecodedWindow *w, unsigned *type)
 {
     static const uint8_t types[] = {SM_ROLL_I16, SM_ROLL_U16, SM_ROLL_I32, SM_ROLL_F32, SM_ROLL_F64};

@@ -100,7 +100,7 @@ void smvm_emit_load(DecodeState *d, const DecodedValue *x)
     smvm_emit_operand(d, x);
 }
 
-void smvm_emit_f_and(DecodeState *d, FastOp family, const DecodedValue *y)
+void smvm_emit_operation_on_f(DecodeState *d, FastOp family, const DecodedValue *y)
 {
     smvm_emit_op(d, (unsigned)family + y->kind);
     smvm_emit_operand(d, y);

@@ -38,9 +38,9 @@ static void emit_binary(DecodeState *d, uint8_t op, DecodedValue x, DecodedValue
         f = &variants[0];
     }
     if (is_in_f(&x)) {
-        smvm_emit_f_and(d, (FastOp)f->with, &y);
-    } else if (is_in_f(&y)) {                         // only for sub
-        smvm_emit_f_and(d, FAST_RSUB_I8_OP, &x);
+        smvm_emit_operation_on_f(d, (FastOp)f->with, &y);
+    } else if (is_in_f(&y)) {                         // a subtraction: of the other operations, smvm_defer_operation makes the operand in F the first
+        smvm_emit_operation_on_f(d, FAST_RSUB_I8_OP, &x);
     } else if (is_memory(&x) && is_constant(&y) && f->number != 0) {
         smvm_emit_two_operands(d, (FastOp)f->number, &x, &y);
     } else if (is_constant(&x) && is_memory(&y) && f->number_first != 0) {
@@ -49,7 +49,7 @@ static void emit_binary(DecodeState *d, uint8_t op, DecodedValue x, DecodedValue
         smvm_emit_two_operands(d, (FastOp)f->pair, &x, &y);
     } else {
         smvm_emit_load(d, &x);
-        smvm_emit_f_and(d, (FastOp)f->with, &y);
+        smvm_emit_operation_on_f(d, (FastOp)f->with, &y);
     }
 }
 
@@ -85,7 +85,7 @@ static void emit_set(DecodeState *d, unsigned m, DecodedValue x, DecodedValue y)
         smvm_emit_op(d, m == IS_TRUE ? FAST_TRUTH_OP : FAST_NOT_OP);
         return;
     }
-    smvm_emit_f_and(d, (FastOp)(set_ops[m] != 0 ? set_ops[m] : FAST_REL_I8_OP), &y);
+    smvm_emit_operation_on_f(d, (FastOp)(set_ops[m] != 0 ? set_ops[m] : FAST_REL_I8_OP), &y);
     if (set_ops[m] == 0)
         smvm_emit_integer(d, m);
 }
@@ -133,7 +133,7 @@ static bool is_of_type(const DecodeState *d, uint32_t type)
     return kind == type || kind == SM_BOOL || (kind == DEFERRED && (op == SMVM_set || op == SMVM_and || op == SMVM_or));
 }
 
-void smvm_defer(DecodeState *d, uint8_t op, DecodedValue y)
+void smvm_defer_operation(DecodeState *d, uint8_t op, DecodedValue y)
 {
     bool opposite = d->x.kind == DEFERRED && d->deferred.op == SMVM_neg && op == SMVM_add;  // y + -a is y - a
     DecodedValue x;

@@ -12,7 +12,7 @@ typedef struct DisasmOutput {
     const SmvmMachine *m;     // the machine that is printed
     uint32_t column;          // how many characters the current line has
     SmvmLines lines;          // iterates over the source lines of the machine
-    bool more_lines;          // `lines` is at a line
+    bool more_lines;          // `lines` has not reached the end: it is at a line
 } DisasmOutput;
 
 // ---- text (disasm_text.c) ----

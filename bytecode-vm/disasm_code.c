@@ -3,7 +3,7 @@
 #include "bytecode-vm/disasm.h"
 #include "stdlib/convert.h"
 
-static void print_right_aligned(DisasmOutput *o, uint32_t v, uint32_t width)  // right-aligned in `width` columns
+static void print_right_aligned(DisasmOutput *o, uint32_t v, uint32_t width)  // prints v right-aligned in `width` columns
 {
     for (uint32_t least = 10, i = 1; i < width; i++, least *= 10)
         if (v < least)
@@ -111,7 +111,7 @@ static void print_source_line(DisasmOutput *o, uint32_t code)    // prints the s
     smvm_print_unsigned(o, line);
 }
 
-static SmvmAt print_instruction(DisasmOutput *o, SmvmAt at)      // returns the offset of the next one
+static SmvmAt print_instruction(DisasmOutput *o, SmvmAt at)      // returns the offset of the next instruction
 {
     uint8_t op = smvm_u8(o->m->image, at);
     uint32_t start = (uint32_t)at++ - o->m->code_at, shape = smvm_shape(op) & SMVM_SHAPE_FOLLOWS, v = 0;

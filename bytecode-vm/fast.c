@@ -177,7 +177,7 @@ SmResult smvm_step_decoded(SmvmDecoded *d, void *sv)
         return step_other_vector(d, sv, label);
     if (!smvm_advance(vm, d->g))
         return SM_REFUSED;
-    if (vm->first || vm->entered) {                   // most often neither is set
+    if (vm->first || vm->entered) {                   // in most steps neither is set
         smvm_enter(vm, d->s);
         vm->first = false;                            // until a transition sets it; `entered` has the old value
     }

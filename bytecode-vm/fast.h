@@ -134,9 +134,9 @@ typedef enum FastOp {
 // The code is an array of words: each instruction is followed by its operands.
 typedef union SmvmWord {
     const void *go;           // an instruction: the address of its code.  (Without computed goto, `u` has its FastOp.)
-    void *p;                  // an operand in memory
+    void *p;                  // the address of an operand in memory
     const union SmvmWord *to; // the target of a jump
-    SmF64 f;                  // a number
+    SmF64 f;                  // a constant
     int64_t i;
     uint64_t u;
 } SmvmWord;
@@ -147,10 +147,10 @@ struct SmvmDecoded {
     SmVm *vm;
     void *sv;                 // the state vector that addresses in the code point into
     const void *g;            // element G of that vector
-    void *s;                  // element S
+    void *s;                  // its element S
     SmvmParts parts;          // the parts of the machine's memory
     uint64_t t;               // T, updated at the start of each step: instructions read it as an operand in memory
-    SmvmWord *code;           // the sample function first
+    SmvmWord *code;           // the words, which begin with the sample function
     const SmvmWord **body;    // two for each state: where the code of its later steps starts, and that of its first step
     const void *const *label; // the result of smvm_fast_labels
     bool samples;             // a step begins at the second word of the code: it clears stored bits, runs the sample function, or both

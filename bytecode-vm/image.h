@@ -13,7 +13,7 @@
 
 #define SMVM_MAGIC (0x6d73u | UINT32_C(0x620000))      // 's' 'm' 'b', as a number
 enum {
-    SMVM_FORMAT = 2,                  // the version of the whole format
+    SMVM_FORMAT = 2,                  // the version of the image format as a whole
     SMVM_CRC_AT = 4, SMVM_LENGTH_AT = 8, SMVM_SECTIONS_AT = 11, SMVM_HEADER = 12,
     SMVM_SECTION_ENTRY = 8,           // bytes of an entry of the section table: id u8, version u8, offset u24, length u24
     SMVM_MUST_KNOW = 0x80             // a section whose id has this bit cannot be skipped
@@ -147,7 +147,7 @@ static inline bool smvm_read_varint(SmvmBytes image, SmvmAt *at, SmvmAt end, uin
     *at = r.at;
     if (found == SMVM_VARINT_OK)
         *value = r.n;
-    else if (found == SMVM_VARINT_TOO_LARGE)          // it has four bytes
+    else if (found == SMVM_VARINT_TOO_LARGE)          // then the varint has four bytes
         *value = SMVM_VARINT_MID + ((smvm_u8(image, first) & 7u) * UINT32_C(0x200000) + smvm_u8(image, first + 1) * UINT32_C(0x4000) +
                                     smvm_u8(image, first + 2) * UINT32_C(0x80) + smvm_u8(image, first + 3));
     return found != SMVM_VARINT_CUT_SHORT;
@@ -196,7 +196,7 @@ void smvm_tables(const SmvmMachine *m, const SmVm *vm, SmvmTables *t);
 
 // Where the parts of a machine's memory are.  The memory is one block after SmVm.
 typedef struct SmvmParts {
-    uint64_t **window;        // each window's words
+    uint64_t **window;        // by window: its words (stdlib/roll.h)
     uint8_t *local;
     uint8_t *stored;          // bits of the outputs from 64 on
     uint32_t stored_bytes;
@@ -255,7 +255,7 @@ enum { SMVM_NAME_MACHINE = 2, SMVM_NAME_SOURCE = 3 };
 SmvmName smvm_name(const SmvmMachine *m, uint32_t which);        // `which`: SMVM_NAME_MACHINE or SMVM_NAME_SOURCE
 SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state);
 
-uint32_t smvm_variables(const SmvmMachine *m);                   // how many have names; sorted by SmvmVariable, type, offset
+uint32_t smvm_variables(const SmvmMachine *m);                   // number of variables with names; they are sorted by SmvmVariable, type, offset
 // SMVM_IS_SAMPLE: what a window samples.  Its location has type 0, and the number of the window as its offset.
 typedef enum SmvmVariable { SMVM_IS_LOCAL, SMVM_IS_ELEMENT, SMVM_IS_TIME, SMVM_IS_SAMPLE } SmvmVariable;
 SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, SmvmLocation *location);

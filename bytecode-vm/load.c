@@ -41,6 +41,7 @@ SmvmAt smvm_skip(SmvmReader *r, uint8_t bytes)
     return at;
 }
 
+// Reads the next byte.  At the end returns SMVM_OP_FIRST, which no varint contains.
 SMVM_NOINLINE static uint8_t next_byte(SmvmReader *r)
 {
     return r->at < r->end ? smvm_u8(r->image, r->at++) : SMVM_OP_FIRST;
@@ -152,6 +153,7 @@ static const struct RecordField { uint8_t at, shift; } record[] SM_FLASH = {
 
 static SmvmAt *field_at(SmvmMachine *m, uint8_t at) { return (SmvmAt *)(void *)((uint8_t *)m + at); }
 
+// Reads the varints of `record` into m.  Returns 0, or the rule that is broken.
 static uint8_t read_numbers(SmvmMachine *m, SmvmReader *r)
 {
     for (uint8_t i = 0; i < sizeof record / sizeof *record; i++) {
@@ -168,7 +170,7 @@ static uint8_t read_numbers(SmvmMachine *m, SmvmReader *r)
 }
 
 // Sets *table to the current position, where a table of `count` entries begins, and skips it.  Returns false if it is not complete.
-static bool find_table(SmvmReader *r, SmvmAt *table, SmvmAt count, uint8_t bytes)
+static bool skip_table(SmvmReader *r, SmvmAt *table, SmvmAt count, uint8_t bytes)
 {
     *table = r->at;
     for (; count > 0; count--)
@@ -188,9 +190,9 @@ static uint8_t read_machine(SmvmMachine *m)
     if (rule != 0)
         return rule;
     m->layout = smvm_uint(m->image, layout, 4);
-    return find_table(&r, &m->windows_at, m->windows, SMVM_WINDOW_ENTRY) && find_table(&r, &m->outputs_at, m->outputs, SMVM_LOCATION_BYTES)
-           && find_table(&r, &m->functions_at, m->states, (uint8_t)(3 * width)) && smvm_skip(&r, width) != 0
-           && find_table(&r, &m->f32s_at, m->f32s, 4) && find_table(&r, &m->f64s_at, m->f64s, 8) && r.at == r.end ? 0 : SMVM_R_RECORD;
+    return skip_table(&r, &m->windows_at, m->windows, SMVM_WINDOW_ENTRY) && skip_table(&r, &m->outputs_at, m->outputs, SMVM_LOCATION_BYTES)
+           && skip_table(&r, &m->functions_at, m->states, (uint8_t)(3 * width)) && smvm_skip(&r, width) != 0
+           && skip_table(&r, &m->f32s_at, m->f32s, 4) && skip_table(&r, &m->f64s_at, m->f64s, 8) && r.at == r.end ? 0 : SMVM_R_RECORD;
 }
 
 void smvm_reread_machine(const SmVm *vm, SmvmMachine *m)

@@ -6,7 +6,8 @@
 
 enum { LENGTH_AT = 2 };                // offset of the image's length in the body of BEGIN
 
-static uint32_t load(const uint8_t *at, uint8_t bytes)
+// Returns a little-endian number of up to 4 bytes.
+static uint32_t load_number(const uint8_t *at, uint8_t bytes)
 {
     uint32_t number = 0;
 
@@ -52,8 +53,8 @@ SmResult smvm_permit_check(const uint8_t *begin, uint8_t n, uint32_t newest, con
 
     if (n < SMVM_PERMIT_AT + SMVM_PERMIT)
         return SM_E_UNSIGNED;
-    smvm_permit_code(load(permit, 4), load(begin + LENGTH_AT, 3), key, code);
+    smvm_permit_code(load_number(permit, 4), load_number(begin + LENGTH_AT, 3), key, code);
     for (uint8_t i = 0; i < SMVM_CODE; i++)
         differs |= (uint8_t)(code[i] ^ permit[4 + i]);
-    return differs != 0 ? SM_E_UNSIGNED : load(permit, 4) <= newest ? SM_E_REPLAY : SM_OK;
+    return differs != 0 ? SM_E_UNSIGNED : load_number(permit, 4) <= newest ? SM_E_REPLAY : SM_OK;
 }

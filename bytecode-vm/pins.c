@@ -38,6 +38,7 @@ bool smvm_pins(SmvmBytes image, SmvmPins *p)
 // Otherwise the type is F32 or F64, the offset field is 0, and the number's bits follow.
 enum { WHOLE = 15 };
 
+// Returns false if the section ends inside the number, or its encoding is invalid.
 static bool read_f64(SmvmPins *p, SmF64 *x)
 {
     const SmvmAt at = smvm_skip(&p->in, SMVM_LOCATION_BYTES);
@@ -64,6 +65,7 @@ static bool read_f64(SmvmPins *p, SmF64 *x)
     return true;
 }
 
+// Reads the location of the pin's element.  Returns false if the section ends inside it.
 static bool read_element(SmvmPins *p, SmvmPin *pin)
 {
     const SmvmAt at = smvm_skip(&p->in, SMVM_LOCATION_BYTES);
@@ -77,7 +79,8 @@ static bool read_element(SmvmPins *p, SmvmPin *pin)
     return true;
 }
 
-// Reads the field that is present if bit MORE is set.
+// Reads the field that is present if bit MORE is set: the safe value of an output, the hold of an input.  Returns false if the section ends
+// inside it, or the number is invalid.
 static bool read_safe_or_hold(SmvmPins *p, SmvmPin *pin)
 {
     SmvmAt at;
@@ -133,6 +136,7 @@ static bool are_flags_valid(const SmvmPin *pin)
     return pin->flags == 0;
 }
 
+// Returns 0, or the rule that the pin breaks.
 static uint8_t check_pin(const SmvmPins *p, const SmvmPin *pin)
 {
     if (pin->pin > UINT16_MAX || pin->type >= SM_TYPE_COUNT || !are_flags_valid(pin) || (pin->type == SM_BOOL) != ((pin->kind & DIGITAL) != 0)
@@ -143,6 +147,7 @@ static uint8_t check_pin(const SmvmPins *p, const SmvmPin *pin)
     return 0;
 }
 
+// Returns 0, or the rule that a pin or the section breaks, and sets *at to the offset of the error.
 static uint8_t check_pins(SmvmPins *p, SmvmAt *at)
 {
     SmvmPin pin;

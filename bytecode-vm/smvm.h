@@ -69,8 +69,9 @@ typedef struct SmvmMachine {
     SmvmAt from, to;          // the machine accesses only bytes from … to - 1 of the state vector; both are multiples of 8
     SmvmAt windows, f32s, f64s;       // numbers of windows, F32 constants and F64 constants
     SmvmAt states;            // number of states; they are numbered from 1
-    // The fields from here to width match the layout of SmvmTables, except for locals and outputs.  locals: bytes of locals and of
-    // intermediate results.  outputs: the number of elements that the machine can store, besides S.
+    // The fields from here to width are also those of SmvmTables, at the same distances, so that the VM copies them as a block.  In place of
+    // locals and outputs, SmvmTables has more and more_bytes.  locals: bytes of locals and of intermediate results.  outputs: the number of
+    // elements that the machine can store, besides S.
     SmvmAt windows_at, outputs_at, functions_at, f32s_at, f64s_at;
     SmvmAt locals, outputs;
     SmvmAt g, s;              // byte offsets of G and S in the state vector
@@ -110,7 +111,7 @@ typedef struct SmvmPin {
     uint32_t pin;             // number of the pin, 0 to 65535
     SmvmAt offset;            // offset of the element in the state vector, in bytes
     SmF64 scale, zero;        // analog: element = volts * scale + zero
-    SmF64 safe;               // outputs: the safe value
+    SmF64 safe;               // outputs: the value in the safe state, in the element's unit
 } SmvmPin;
 
 // A function of the board: returns the number of the chip's pin that pin `number` of an image uses, so two pins with the same result are the
@@ -139,9 +140,9 @@ bool smvm_next_pin(SmvmPins *p, SmvmPin *pin);
 
 // Where the tables and elements of a running machine are, as offsets.
 typedef struct SmvmTables {
-    SmvmAt windows, outputs, functions, f32s, f64s;       // in the image
+    SmvmAt windows, outputs, functions, f32s, f64s;       // offsets in the image
     SmvmAt more, more_bytes;                              // in the memory of SmVm: offset and size of the bits of outputs from 64 on
-    SmvmAt g, s;                                          // in the state vector
+    SmvmAt g, s;                                          // offsets in the state vector
     uint8_t width;            // bytes of an entry in the table of functions
 } SmvmTables;
 

@@ -8,16 +8,16 @@
 #include "bytecode-vm/swap.h"
 #include "stdlib/convert.h"
 
-// Longer names are ignored.  The compiler cuts a name at one byte more.
+// Longer names are ignored: the compiler cuts names at SWAP_NAME_MAX + 1 bytes, so two names of that length can differ in what was cut.
 enum { SWAP_NAME_MAX = SMVM_VARINT_MID - 2 };
 
 typedef struct SwapName {
     SmvmName name;
-    uint32_t hash;            // of the name
-    uint32_t number;          // of the state or window; offset of the local among the locals
+    uint32_t hash;            // hash of the name
+    uint32_t number;          // number of the state or window; or offset of the local among the locals
     uint32_t source;          // for what `to` keeps: `number` in `from`
     uint8_t kind, fate;       // SmvmSwapKind, SmvmSwapFate
-    uint8_t type;             // of the local
+    uint8_t type;             // SmType of the local
 } SwapName;
 
 // In memory: SmvmSwap, the names of `to`, those of `from`, and for each state of `from` its number in `to`.
@@ -63,7 +63,7 @@ static bool read_variable(const SmvmMachine *m, uint32_t index, SwapName *n)
     return is == SMVM_IS_SAMPLE && p.offset < m->windows;
 }
 
-// Collects the names of m at `names`, or only counts them if that is NULL.
+// Stores the names of m in the array `names`, or only counts them if `names` is NULL.  Returns their number.
 static uint32_t collect_names(const SmvmMachine *m, SwapName *names)
 {
     const uint32_t variables = smvm_variables(m);

@@ -64,8 +64,8 @@ typedef enum SmvmSwapFate {
 typedef struct SmvmSwapItem {
     SmvmSwapKind kind;
     SmvmSwapFate fate;
-    const char *name;         // in the image; no 0 need follow
-    uint32_t length;          // of the name
+    const char *name;         // points into the image of `to`, or of `from` if fate is SMVM_SWAP_REMOVED; not NUL-terminated
+    uint32_t length;          // of the name, in bytes
 } SmvmSwapItem;
 
 // Item i of the list: states, locals and samples of `to`, then those that only `from` has.  Returns false at the end.

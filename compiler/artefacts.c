@@ -101,6 +101,7 @@ void artefacts_emit(Compilation *c)
 
 // ---- an application ----
 
+// Adds the output file `stem``end` of an application.  Returns the buffer for its content.
 static Buf *add_app_file(Compilation *c, const char *stem, const char *end)
 {
     return add_artefact(c, 0, format_in(&c->s->arena, "%s%s", stem, end), NULL);

@@ -28,7 +28,7 @@
 #include "compiler/artefacts.h"
 #include "compiler/syntax/parse.h"
 
-static size_t count_kind(const CompileInput *in, FileKind kind)
+static size_t count_sources_of_kind(const CompileInput *in, FileKind kind)
 {
     size_t n = 0;
 
@@ -75,7 +75,7 @@ static void build_ir_and_measure(Compilation *c, CompiledSource *of)
 
 static void compile_machine(Compilation *c, size_t i)
 {
-    const bool has_scripts = count_kind(c->in, FILE_SM) == 1 && count_kind(c->in, FILE_SS) > 0;
+    const bool has_scripts = count_sources_of_kind(c->in, FILE_SM) == 1 && count_sources_of_kind(c->in, FILE_SS) > 0;
     CompiledSource *of = &c->out->of[i];
     MachineInput m = {c->in->at[i].text, c->in->vector, NULL};
     Map written = {&c->s->arena, NULL, NULL, 0, 0};
@@ -96,7 +96,7 @@ static void compile_scripts(Compilation *c)
 {
     const Program *p = NULL;
 
-    for (size_t i = 0; i < c->in->n && count_kind(c->in, FILE_SM) == 1; i++)
+    for (size_t i = 0; i < c->in->n && count_sources_of_kind(c->in, FILE_SM) == 1; i++)
         if (c->in->at[i].kind == FILE_SM)
             p = c->out->of[i].scripted;
     for (size_t i = 0; i < c->in->n; i++)

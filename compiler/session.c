@@ -49,37 +49,37 @@ static CheckContext make_check_context(Session *s)
 
 AstFile *session_parse(Session *s, const Source *src, FileKind kind)
 {
-    size_t errors = s->diags.met;
+    size_t errors = s->diags.errors_seen;
     AstFile *f = parse_file(&s->arena, &s->strings, &s->diags, src, kind);
 
-    return s->diags.met > errors ? NULL : f;
+    return s->diags.errors_seen > errors ? NULL : f;
 }
 
 StateVec *session_state_vector(Session *s, const Source *sv)
 {
-    size_t errors = s->diags.met;
+    size_t errors = s->diags.errors_seen;
     CheckContext c = make_check_context(s);
     StateVec *out = check_state_vector(&c, parse(s, sv, FILE_SV));
 
     arena_free(&s->tree);
-    return s->diags.met > errors ? NULL : out;
+    return s->diags.errors_seen > errors ? NULL : out;
 }
 
 IoMap *session_io(Session *s, const Source *io, const Source *sv)
 {
-    size_t errors = s->diags.met;
+    size_t errors = s->diags.errors_seen;
     CheckContext c = make_check_context(s);
     StateVec *vector = session_state_vector(s, sv);
     AstFile *f = parse(s, io, FILE_IO);
     IoMap *out = vector ? check_io(&c, f, vector) : NULL;
 
     arena_free(&s->tree);
-    return s->diags.met > errors ? NULL : out;
+    return s->diags.errors_seen > errors ? NULL : out;
 }
 
 Program *session_program(Session *s, const MachineInput *in)
 {
-    size_t errors = s->diags.met;
+    size_t errors = s->diags.errors_seen;
     CheckContext c = make_check_context(s);
     StateVec *sv = in->sv ? session_state_vector(s, in->sv) : NULL;
     AstFile *sm = parse(s, in->sm, FILE_SM);
@@ -87,7 +87,7 @@ Program *session_program(Session *s, const MachineInput *in)
 
     arena_free(&s->tree);
     s->diags.known |= in->sv ? 1u << DIAG_JUDGED_VECTOR : 0;
-    return s->diags.met > errors ? NULL : p;
+    return s->diags.errors_seen > errors ? NULL : p;
 }
 
 // Whether the machine declares a local that scripts write.
@@ -140,16 +140,17 @@ static const Source *find_source(const AppFiles *files, FileKind kind)
 // Compiles a machine of an application.  If sv is NULL because the state vector has errors, only syntax errors are reported.
 static const Program *app_program(Session *s, const Source *sm, StateVec *sv)
 {
-    size_t errors = s->diags.met;
+    size_t errors = s->diags.errors_seen;
     CheckContext c = make_check_context(s);
     AstFile *f = parse(s, sm, FILE_SM);
     Program *p = sv ? check_machine(&c, f, sv, NULL) : NULL;
 
     arena_free(&s->tree);
-    return s->diags.met > errors ? NULL : p;
+    return s->diags.errors_seen > errors ? NULL : p;
 }
 
-// Returns by how much time advances from one step of a machine to the next, in units of G; 0 if that is not a whole number.
+// Returns by how much time advances from one step of a machine to the next, in units of G; 0 if that is not a whole number, or if no task of
+// an executor runs the machine.
 static uint64_t time_per_step(const App *a, const AppMachine *m)
 {
     for (size_t e = 0; e < a->executor.n; e++)
@@ -181,7 +182,7 @@ static void analyse_app(Session *s, const App *a)
 
 App *session_app(Session *s, const AstFile *app, AppFiles *files)
 {
-    size_t errors = s->diags.met;
+    size_t errors = s->diags.errors_seen;
     CheckContext c = make_check_context(s);
     const Source *vector = find_source(files, FILE_SV), *pins = find_source(files, FILE_IO);
     StateVec *sv = vector ? session_state_vector(s, vector) : NULL;
@@ -193,11 +194,11 @@ App *session_app(Session *s, const AstFile *app, AppFiles *files)
         if (files->at[i].kind == FILE_SM && files->at[i].src)
             files->at[i].program = app_program(s, files->at[i].src, sv);
     a = check_app(&c, app, sv, map, files);
-    if (!a || s->diags.met > errors)
+    if (!a || s->diags.errors_seen > errors)
         return NULL;
     emit_c_check_app_names(&s->arena, &s->diags, a);
     analyse_app(s, a);
-    return s->diags.met > errors ? NULL : a;
+    return s->diags.errors_seen > errors ? NULL : a;
 }
 
 // ---- scripts: their items are parsed, checked and freed one after the other ----
@@ -219,23 +220,23 @@ static const AstFile *parse_silently(Session *s, const Source *ss, Map *written)
 {
     const ScriptVisitor v = {ignore_section, add_written_names, written, &s->work};
     const bool muted = s->diags.muted;
-    const size_t met = s->diags.met;
+    const size_t before = s->diags.errors_seen;
     const AstFile *f;
     bool good;
 
     s->diags.muted = true;
     f = parse_script(&s->tree, &s->strings, &s->diags, ss, &v);
-    good = s->diags.met == met;
+    good = s->diags.errors_seen == before;
     s->diags.muted = muted;
-    s->diags.met = met;
+    s->diags.errors_seen = before;
     return good ? f : NULL;
 }
 
-// Checks a script without syntax errors item by item, which needs little memory.  With syntax errors, builds the whole tree first: the
-// checker does not report names whose declarations an error may have hidden.
+// A script without syntax errors is checked item by item, which needs little memory.  For a script with syntax errors, builds the whole tree
+// first: the checker does not report names whose declarations an error may have hidden.
 Script *session_script(Session *s, const Source *ss, const Program *p)
 {
-    size_t errors = s->diags.met;
+    size_t errors = s->diags.errors_seen;
     CheckContext c = make_check_context(s);
     Map unused = {&s->tree, NULL, NULL, 0, 0};
     const bool good = parse_silently(s, ss, &unused) != NULL;
@@ -244,7 +245,7 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
     arena_free(&s->tree);
     out = good ? check_script_source(&c, &s->tree, &s->work, ss, p) : check_script(&c, parse(s, ss, FILE_SS), p);
     arena_free(&s->tree);
-    return s->diags.met > errors ? NULL : out;
+    return s->diags.errors_seen > errors ? NULL : out;
 }
 
 uint64_t session_script_writes(Session *s, const Source *ss, Map *written)
@@ -298,7 +299,8 @@ static void mark_locals(IrMachine *m, SessionLocals locals)
     }
 }
 
-// Returns the IR before any pass: that of session_analyse if it analysed p last, otherwise a new one. Passes will change it.
+// Returns the IR before any pass: that of session_analyse if it analysed p last, otherwise a new one.  The caller runs passes on it, so it can
+// be used only once.
 static IrMachine *reuse_or_build_ir(Session *s, const Program *p)
 {
     IrMachine *m = s->built && s->built->program == p ? s->built : ir_build(&s->arena, p);

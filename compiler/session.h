@@ -11,14 +11,14 @@
 #include "compiler/sema/check.h"
 #include "compiler/syntax/ast.h"
 
-// One compilation.  All its results live in its arena.
-// What code outside a machine does with its locals between two steps.
+// What code outside a machine does with the machine's locals between two steps.
 typedef enum SessionLocals {
     LOCALS_READ,              // reads them: scripts, and in C any code
-    LOCALS_HIDDEN,            // nothing: an image without names
+    LOCALS_HIDDEN,            // does nothing with them: an image without names
     LOCALS_SWAPPED            // reads and writes them: an image with names, because a swap copies locals by name (swapping.md 12)
 } SessionLocals;
 
+// One compilation.  All its results live in its arena.
 typedef struct Session {
     Arena arena;
     Arena tree;                   // the syntax tree of the file that is being checked; freed when it has been
@@ -44,7 +44,7 @@ void session_free(Session *s);
 typedef struct MachineInput {
     const Source *sm;
     const Source *sv;             // the state vector, or NULL
-    const Map *written_outside;   // see check_machine; or NULL
+    const Map *written_outside;   // the locals that code outside the machine writes (check_machine); or NULL
 } MachineInput;
 
 // Each of these functions returns NULL if there were errors, which are then in s->diags.
@@ -62,17 +62,18 @@ const Program *session_program_for_scripts(Session *s, const MachineInput *in, c
 App *session_app(Session *s, const AstFile *app, AppFiles *files);
 // Adds the names of the locals and elements that a script writes to `written`, and returns its delta_t; 0 if it has none, or errors.
 uint64_t session_script_writes(Session *s, const Source *ss, Map *written);
+// Checks a script for the machine p.
 Script *session_script(Session *s, const Source *ss, const Program *p);
 // Reports warnings for a machine without errors. Leaves the IR that it builds in s->built.
 void session_analyse(Session *s, const Program *p);
 // Returns the optimised IR, by passes over s->built if that is of p.
 IrMachine *session_ir(Session *s, const Program *p, int opt_level);
 
-// Emits an image with n machines, which share one state vector.
 typedef struct ImageOptions {
     bool debug;               // the image contains names and line numbers
     const IoMap *io;          // the pins that the image contains; or NULL
 } ImageOptions;
+// Emits an image with n machines, which share one state vector.  Returns false after reporting what exceeds the format.
 bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions *o, Buf *out);
 
 // Opens the VM, or the VM with soft numbers, on an image with names that is built for this engine.  Returns NULL and sets *error to a sentence if

@@ -171,6 +171,7 @@ static SmResult init_executors(SmApp *app)
     return r;
 }
 
+// Whether the watchdog caused this start; false if the platform cannot determine it.
 static bool watchdog_caused_start(void)
 {
     bool caused = false;

@@ -56,8 +56,8 @@ typedef struct SmApp {
     SmExecutor *const *executor;
     uint16_t executors;
     void (*set)(void *sv);    // stores the values of [start]; or NULL
-    SmKeep *keep;             // or NULL
-    SmLog *log;               // or NULL
+    SmKeep *keep;             // saves the state vector; or NULL
+    SmLog *log;               // the flight log; or NULL
     const SmWriting *writing; // &sm_writing if `keep` or `log` is set; else NULL
     const SmIo *inputs, *outputs;         // the contexts of the two I/O tasks, so that a message can name the pin; or NULL
     uint64_t watchdog;        // period of the watchdog in nanoseconds; 0: no watchdog

@@ -13,6 +13,7 @@ SmResult sm_events_init(SmEvents *e)
     return e->guarded ? pal_lock_open(&e->lock) : SM_OK;
 }
 
+// Takes the lock of a guarded ring.  Returns false, and counts a fault, if the lock timed out.
 static bool lock_ring(SmEvents *e)
 {
     if (!e->guarded || pal_lock_take(e->lock, SM_LOCK_WAIT) == SM_OK)

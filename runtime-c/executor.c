@@ -6,7 +6,7 @@
 
 // ---- configuration ----
 
-// Whether e is an element of the vector, or NULL.
+// Whether e is NULL or an element of the vector.
 static bool belongs_to(const SmStateVec *sv, const SmElement *e)
 {
     return !e || (sv && sv->layout && (uintptr_t)e - (uintptr_t)sv->layout->element < sv->layout->elements * sizeof *e);

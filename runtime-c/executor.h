@@ -70,7 +70,7 @@ typedef struct SmExecutor {
     struct SmApp *app;
     PalThread thread;
     uint32_t next_shared;     // low 32 bits of `next`, for other threads
-    uint32_t done;            // its thread has ended
+    uint32_t done;            // the executor's thread has ended
     uint64_t next_at_feed;    // value of `next` at the last watchdog feed
 } SmExecutor;
 

@@ -15,7 +15,7 @@ enum {
     LOG_VERSION = 1,
     LOG_MARK = 0xA5,
     LOG_HEAD = 6,             // mark, kind, four bytes of length
-    LOG_CHECK = 4,            // the CRC
+    LOG_CHECK = 4,            // bytes of the CRC at the end of a block
     LOG_IDENTITY = 13,        // the first bytes of a description: version, its position in the file (8), layout hash (4)
     LOG_EVENT = 19,           // time (8), kind, source (2), a (4), b (4)
     LOG_DROPPED = 8           // payload of a gap: records dropped (4), events lost (4)

@@ -101,7 +101,7 @@ static bool drain_piece(SmLog *log)
 {
     uint32_t limit, n;
 
-    if (!is_describing(log) && is_description_due(log) && log->tail == log->checksummed)       // between blocks
+    if (!is_describing(log) && is_description_due(log) && log->tail == log->checksummed)       // only between blocks of the ring
         begin_description(log);
     if (is_describing(log)) {
         write_description_piece(log);

@@ -15,7 +15,7 @@ extern "C" {
 // Bit 0: an output; bit 1: digital.
 typedef enum SmIoKind { SM_ANALOG_IN, SM_ANALOG_OUT, SM_DIGITAL_IN, SM_DIGITAL_OUT } SmIoKind;
 
-enum { SM_IO_INVERTED = 1, SM_IO_PULL_UP = 2, SM_IO_PULL_DOWN = 4 };     // SmIoPin.flags
+enum { SM_IO_INVERTED = 1, SM_IO_PULL_UP = 2, SM_IO_PULL_DOWN = 4 };     // bits of SmIoPin.flags
 
 typedef struct SmIoPin {
     uint8_t kind;             // SmIoKind

@@ -189,7 +189,7 @@ SM_ROLL_NOINLINE void sm_roll_small_value_of_rank(const SmRollSmall *s, SmF64 *x
     sm_roll_small_value(s, x, best);
 }
 
-static inline bool sm_roll_is_infinite(const SmF64 *x)       // x must not be negative
+static inline bool sm_roll_is_infinite(const SmF64 *x)       // whether *x, which must not be negative, is infinite
 {
     const unsigned char *const byte = (const unsigned char *)x;
     return byte[sm_roll_byte(7, 8)] == 0x7Fu && byte[sm_roll_byte(6, 8)] >= 0xF0u;

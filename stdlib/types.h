@@ -70,7 +70,7 @@ typedef struct SmBuiltinInfo {
     const char *sentence;   // describes the result, for messages and docs
     uint8_t arguments;      // how many it has; a roll function has 2
     bool is_roll;
-    SmStat stat;            // for a roll function
+    SmStat stat;            // for a roll function: the statistic that it returns
 } SmBuiltinInfo;
 
 extern const SmBuiltinInfo sm_builtin_info[SM_FN_COUNT];   // indexed by SmBuiltin

@@ -78,8 +78,8 @@ static uint16_t state[SMVM_RUNNER_MACHINES];           // the state of each mach
 static volatile uint16_t ms_left = 1, period = PERIOD;  // ms until the next step, and between steps
 static volatile bool stepping;         // a step is running
 static volatile bool is_paused = true; // no step may begin
-static volatile bool is_after_step;    // a step has ended since the last tick
-static bool is_logging;                // the EEPROM write that may_write decides on belongs to the log: no step may wait for it
+static volatile bool is_after_step;    // a step has ended since the last tick (on_tick), and may_write has not been called since
+static bool is_logging;                // the EEPROM write that may_write decides on is one of the log, for which no step may wait
 static uint16_t skipped;                               // steps that were due while another ran
 static struct { uint32_t low, high; } now_g;           // G in milliseconds.  Two halves, because avr-gcc needs three times the code for a uint64_t
 
@@ -225,7 +225,7 @@ static SmResult may_update(void *context)
     return is_armed() ? SM_E_ARMED : is_safe() ? SM_OK : SM_E_UNSAFE;
 }
 
-static SmResult fits(void *context, SmvmBytes image)
+static SmResult fits_board(void *context, SmvmBytes image)
 {
     (void)context;
     return smvm_runner_fits(&runner, image);
@@ -236,7 +236,7 @@ static SmResult leave_slot(void *context, const uint8_t *begin, uint8_t n);
 static AgentBoard board = {
     .ram = FIRMWARE_MEMORY - (sizeof(SmVm) + 7) / 8 * 8, .machines = SMVM_RUNNER_MACHINES, .windows = !SM_ROLL_NONE,
     .ram_digital = SMVM_RUNNER_DIGITAL, .ram_analog = SMVM_RUNNER_ANALOG, .period = PERIOD, .cycles = STEP_CYCLES,
-    .physical_pin = physical_pin_of, .may_update = may_update, .fits = fits, .leave_slot = leave_slot, .built_in_size = sizeof built_in};
+    .physical_pin = physical_pin_of, .may_update = may_update, .fits = fits_board, .leave_slot = leave_slot, .built_in_size = sizeof built_in};
 
 // ---- start ----
 
@@ -297,6 +297,7 @@ static SmResult leave_slot(void *context, const uint8_t *begin, uint8_t n)
     return r;
 }
 
+// Opens the store and gives it the board's key.  Returns false if the store could not be opened.
 static bool open_store(PalNvm nvm, const StorePlan *plan)
 {
     const SmResult r = smvm_store_open(&store, nvm, plan);
@@ -316,7 +317,7 @@ static void start_store(void)
     for (uint8_t i = 0; i < FIRMWARE_SLOTS && slot != STORE_BUILT_IN; i++) {
         if (run_image(plan.image[slot], smvm_store_period(&store, slot)) == SM_OK)
             return;
-        (void)smvm_store_skip(&store, &slot);          // for example, two of its pins are the same pin of the chip
+        (void)smvm_store_skip_image(&store, &slot);          // for example, two of its pins are the same pin of the chip
     }
     smvm_store_run_built_in(&store);
     run_built_in();
@@ -342,8 +343,9 @@ SMVM_NOINLINE static void start_board(void)
     smvm_agent_init(&agent, &store, &board, &events, frame, FIRMWARE_BODY);
 }
 
-// Whether the image has run for 10 s: the second byte of G, which counts 256 ms, has reached 40.  (When that byte has wrapped around, the result
-// is false again; the start has counted by then.  One byte is read because the interrupt of the clock cannot change it during the read.)
+// Whether the image has run for 10 s: the second byte of G, which counts units of 256 ms, has reached 40.  It wraps around every 65 s; then the
+// result is false again for 10 s.  That is harmless: smvm_store_count_start, which the result triggers, needs one call only.  One byte is read
+// because the interrupt of the clock cannot change it during the read.
 static bool has_run_for_a_while(void) { return ((const volatile uint8_t *)&now_g.low)[1] >= 40; }
 
 // Processes a received byte; returns false if there is none.
@@ -382,7 +384,7 @@ SMVM_NOINLINE static void open_log(void)
 // Begins a record for the next transition, and writes the next byte of the current record, unless a step would have to wait for the write.
 SMVM_NOINLINE static void write_log(void)
 {
-    static uint8_t earned_at;          // time of the last smvm_state_log_earn, in units of 8.192 s
+    static uint8_t earned_at;          // time of the last smvm_state_log_add_credit, in units of 8.192 s
     const uint8_t now = (uint8_t)(avr_milliseconds() >> 13);
     uint32_t lost;
     SmvmAt at;
@@ -392,7 +394,7 @@ SMVM_NOINLINE static void write_log(void)
     if (state_log.records == 0)
         return;
     if (now != earned_at)
-        smvm_state_log_earn(&state_log);
+        smvm_state_log_add_credit(&state_log);
     earned_at = now;
     if (smvm_state_log_is_idle(&state_log) && sm_events_read(&events, &log_cursor, &e, 1, &lost) == 1)
         smvm_state_log_add(&state_log, &e, lost);

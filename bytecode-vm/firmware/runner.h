@@ -29,11 +29,11 @@ typedef struct SmvmRunner {
     uint16_t size;            // bytes of `memory`
     SmvmPhysicalPin *physical_pin;  // NULL: smvm_runner_fits cannot detect a missing pin, only smvm_runner_open can
     // The remaining fields belong to the runner.
-    uint8_t machines;         // 0: nothing runs
+    uint8_t machines;         // number of machines that run; 0: nothing runs
     uint16_t rows, rows_end;  // start and end of the rows of open pins in `memory`, as byte offsets
     SmvmBytes image;
     SmVm *vm[SMVM_RUNNER_MACHINES];
-    uint16_t g[SMVM_RUNNER_MACHINES];                  // offset of the time in the state vector
+    uint16_t g[SMVM_RUNNER_MACHINES];                  // by machine: offset of element G in the state vector
 } SmvmRunner;
 
 // Whether an image that smvm_verify has accepted fits.  SM_E_MEMORY: too little RAM or too many machines.
@@ -44,7 +44,8 @@ SmResult smvm_runner_fits(const SmvmRunner *r, SmvmBytes image);
 // first pin that could not be opened; then nothing runs and no pin is open.
 SmResult smvm_runner_open(SmvmRunner *r, SmvmBytes image);
 
-void smvm_runner_step(SmvmRunner *r, const void *g);       // g: the time, as a U64 in memory
+// Reads the input pins, steps each machine and writes the output pins.  g points to the time of the step, a U64.
+void smvm_runner_step(SmvmRunner *r, const void *g);
 
 // Sets outputs to their safe values, closes the pins and stops all machines.
 void smvm_runner_stop(SmvmRunner *r);

@@ -258,7 +258,7 @@ static SmResult run_handler(const AgentHandler *h, Agent *a)
     return a->n < h->min_body ? SM_E_ARGUMENT : may != SM_OK ? may : h->run(a);
 }
 
-static SmResult dispatch(Agent *a, uint8_t message)
+static SmResult dispatch_request(Agent *a, uint8_t message)
 {
     for (uint8_t i = 0; i < sizeof handlers / sizeof *handlers; i++) {
         AgentHandler h;
@@ -279,7 +279,7 @@ uint16_t smvm_agent_receive(Agent *a, uint8_t byte)
         return 0;
     a->n = (uint8_t)(a->in.n - LINK_HEAD);
     a->length = 0;
-    r = dispatch(a, message);
+    r = dispatch_request(a, message);
     frame[2] = (uint8_t)(message | LINK_ANSWER);
     frame[RESULT_AT] = (uint8_t)(int8_t)r;
     return sm_link_encode(frame, (uint16_t)(LINK_HEAD + 1 + a->length));

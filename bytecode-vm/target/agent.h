@@ -26,14 +26,15 @@ typedef struct AgentBoard {
     uint32_t longest_step;    // limit on the instructions of a step; 0: none
     uint8_t machines;         // the most machines that an image may have; 0: any number
     bool windows;             // whether machines may have windows
-    uint8_t ram_digital, ram_analog;      // bytes of `ram` for a pin of each kind
-    uint16_t period;          // default milliseconds between steps
+    uint8_t ram_digital, ram_analog;      // bytes of `ram` that each digital pin takes, and each analog pin
+    uint16_t period;          // milliseconds between steps of an image that was sent without a period
     uint16_t cycles;          // limit on the cycles of a step on an ATmega, for each millisecond of its period; 0: none
     uint32_t mark;            // identifies the board's key (smvm_auth_mark), if it has one
     SmvmPhysicalPin *physical_pin;  // NULL: the board has no pins, or cannot report the pins of its chip
-    // Whether an update may begin now: SM_OK, SM_E_ARMED, SM_E_UNSAFE.
+    // Whether an update may begin now.  SM_E_ARMED: the board is armed.  SM_E_UNSAFE: a machine is in a state that is not @safe.
     SmResult (*may_update)(void *context);
-    // Whether this board can run the image: RAM, pins, state vector.  SM_E_MEMORY, SM_E_MISSING, SM_E_LAYOUT.
+    // Whether this board can run the image.  SM_E_MEMORY: too little RAM.  SM_E_MISSING: it uses a pin that the board lacks.  SM_E_LAYOUT: its
+    // machines and pins belong to different state vectors.
     SmResult (*fits)(void *context, SmvmBytes image);
     // For boards with one slot: called when a BEGIN with this body of n bytes arrives, to run the built-in image from now on.  Any other result
     // than SM_OK refuses the BEGIN, and the image in the slot must continue to run (bytecode-vm/permit.h).
@@ -48,7 +49,7 @@ typedef struct Agent {
     SmEvents *events;         // the board's events, for hosts that request them; or NULL
     uint8_t *frame;           // LINK_ROOM(body) bytes: the request, then its answer
     uint8_t body;             // the largest body of a request or an answer
-    uint8_t block;            // the preferred number of payload bytes in DATA
+    uint8_t block;            // the number of payload bytes that a host should send in each DATA: the most that fit, in whole write units
     LinkReceiver in;
     uint8_t n;                // size of the body of the current request
     uint8_t length;           // size of the body of its answer, without the result

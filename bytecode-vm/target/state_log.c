@@ -11,6 +11,7 @@ static uint32_t checksum_of(const StateLog *l) { return smvm_uint(l->image, SMVM
 // Returns the offset of a record from the start of the image.
 static SmvmAt record_at(const StateLog *l, uint8_t index) { return (SmvmAt)(length_of(l) + (SmvmAt)index * LINK_TRANSITION); }
 
+// Returns false if the bytes at this index are no record of the image.
 static bool load_record(const StateLog *l, uint8_t index, LinkTransition *t)
 {
     SmvmAt at = record_at(l, index);
@@ -24,7 +25,7 @@ static bool load_record(const StateLog *l, uint8_t index, LinkTransition *t)
 static uint8_t index_after(const StateLog *l, uint8_t index) { return (uint8_t)(index + 1u) == l->records ? 0 : (uint8_t)(index + 1u); }
 
 // Sets `next` and `number` to those after the latest record.
-static void find_latest(StateLog *l)
+static void find_latest_record(StateLog *l)
 {
     bool found = false;
     LinkTransition t;
@@ -47,7 +48,7 @@ void smvm_state_log_open(StateLog *l, SmvmBytes image, SmvmAt slot_size)
     l->credit = STATE_LOG_CREDIT;
     if (room >= STATE_LOG_LEAST)
         l->records = (uint8_t)(room > LINK_TRANSITIONS ? LINK_TRANSITIONS : room);
-    find_latest(l);
+    find_latest_record(l);
 }
 
 static void count_lost(StateLog *l, uint32_t lost) { l->lost = lost >= (uint8_t)(LINK_LOST_MAX - l->lost) ? LINK_LOST_MAX : (uint8_t)(l->lost + lost); }
@@ -92,7 +93,7 @@ void smvm_state_log_advance(StateLog *l)
     l->next = index_after(l, l->next);
 }
 
-void smvm_state_log_earn(StateLog *l)
+void smvm_state_log_add_credit(StateLog *l)
 {
     if (l->credit < STATE_LOG_CREDIT)
         l->credit++;

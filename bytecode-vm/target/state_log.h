@@ -11,7 +11,7 @@
 // The caller writes byte by byte, when the memory is ready and no step has to wait for it.  A record that is not complete is ignored.
 //
 // Wear: a full ring overwrites its oldest record, so each byte is written once per `records` transitions.  A start stores at most
-// STATE_LOG_CREDIT transitions at once, and one more per call of smvm_state_log_earn.
+// STATE_LOG_CREDIT transitions at once, and one more per call of smvm_state_log_add_credit.
 #ifndef SMVM_STATE_LOG_H
 #define SMVM_STATE_LOG_H
 
@@ -48,7 +48,7 @@ void smvm_state_log_add(StateLog *l, const SmEvent *e, uint32_t lost);
 bool smvm_state_log_next(const StateLog *l, SmvmAt *at, uint8_t *byte);
 void smvm_state_log_advance(StateLog *l);
 
-void smvm_state_log_earn(StateLog *l);                 // one more transition may be stored; at most STATE_LOG_CREDIT
+void smvm_state_log_add_credit(StateLog *l);                 // one more transition may be stored; at most STATE_LOG_CREDIT
 
 #ifdef __cplusplus
 }

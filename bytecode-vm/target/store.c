@@ -259,7 +259,7 @@ SmResult smvm_store_boot(Store *s, uint8_t *slot)
     return r;
 }
 
-SmResult smvm_store_skip(Store *s, uint8_t *slot)
+SmResult smvm_store_skip_image(Store *s, uint8_t *slot)
 {
     SmResult r = SM_OK;
 

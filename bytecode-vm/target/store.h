@@ -38,7 +38,7 @@ enum {
 
 typedef struct StorePlan {
     uint32_t size;            // bytes of the memory that the store may use
-    uint8_t slots;            // 1 or 2
+    uint8_t slots;            // number of slots, 1 or 2
     SmvmBytes image[2];       // the addresses at which the VM reads the slots (SMVM_FETCH)
 } StorePlan;
 
@@ -49,7 +49,7 @@ typedef struct StoreChoice {
     uint8_t active;           // the image that runs: a slot or STORE_BUILT_IN
     uint8_t previous;         // the image that runs again if the trial fails
     uint8_t tries;            // remaining units of a trial, STORE_START for each start
-    uint8_t confirmed;        // 0 or 1
+    uint8_t confirmed;        // 1: the active image is not on trial, because the host confirmed it or it is a fallback; 0: it is on trial
     uint8_t ended;            // why the trial of the image with checksum_previous ended: STORE_STARTS_USED …; 0: it has not ended
     uint8_t zeros[2];
     uint8_t checksum[4];      // checksum of the active image; a slot whose image has another checksum does not run
@@ -66,7 +66,7 @@ typedef struct Store {
     SmvmAt erase;             // erase unit of the memory, see PalNvmInfo; write is at least 1
     uint8_t write, blank;     // write unit of the memory; value of an erased byte
     StoreChoice choice;       // the newest valid record
-    uint8_t running;          // the slot that smvm_store_boot returned
+    uint8_t running;          // the image that the caller runs: a slot or STORE_BUILT_IN
     // Checks an image's authentication code with the board's key (smvm_auth_check).  Returns whether it is correct; sets *number to the
     // image's number.  NULL: the board has no key.  Set it after smvm_store_open and before smvm_store_boot.
     bool (*is_authentic)(SmvmBytes image, uint32_t *number);
@@ -86,32 +86,36 @@ SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan);
 // is damaged is skipped: the previous image runs, or else the built-in one.
 SmResult smvm_store_boot(Store *s, uint8_t *slot);
 
-// The caller cannot run the image that smvm_store_boot returned, because one of its pins is in use.  Returns in *slot the image to run
-// instead.  A trial ends.  A confirmed image stays chosen, because other firmware may be able to run it.
-SmResult smvm_store_skip(Store *s, uint8_t *slot);
+// Reports that the caller cannot run the image that smvm_store_boot returned, for example because one of its pins is in use.  Sets *slot to
+// the image to run instead.  If the image is on trial, its trial ends, and *slot is the previous image, or else the built-in one.  A confirmed
+// image stays chosen, because other firmware may be able to run it, and *slot is the built-in one.
+SmResult smvm_store_skip_image(Store *s, uint8_t *slot);
 
-// The running image has run for a while: its start counts in full.  Writes a record if it is on trial and the start has not counted yet.
+// Reports that the running image has run for a while: its start counts in full.  Writes a record if the image is on trial and this start has
+// not counted in full yet; otherwise does nothing.
 SmResult smvm_store_count_start(Store *s);
 
-// The caller has stopped the image in the slot and runs the built-in one.
+// Reports that the caller has stopped the image in the slot and runs the built-in one.
 void smvm_store_run_built_in(Store *s);
 
 // ---- an update, step by step; each step may be repeated ----
 
-// Whether an update can begin once a slot is free (with one slot: after smvm_store_run_built_in).  SM_E_SPACE: longer than a slot.
-// SM_E_BUSY: the chosen image is on trial.
+// Whether an update can begin once a slot is free (with one slot: after smvm_store_run_built_in).  SM_E_ARGUMENT: `length` is less than that
+// of any image.  SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen image is on trial.
 SmResult smvm_store_may_begin(const Store *s, SmvmAt length);
 
-// SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen image is on trial and must first be confirmed or erased; or every slot is chosen
-// or running.
+// Begins an update; `session` is the host's number for it, not 0.  A repeated call with the same arguments changes nothing and returns SM_OK.
+// SM_E_ARGUMENT: `session` is 0, or `length` is less than that of any image.  SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen image is
+// on trial and must first be confirmed or erased; or every slot is chosen or running.
 SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t checksum);
 
 // Writes n bytes at offset `at`: s->next, or less to repeat bytes written before.  `at` must be a multiple of s->write, and n too except at
 // the end.  SM_E_HANDLE: no such session.  SM_E_ARGUMENT: these are neither the next bytes nor the same as before.
 SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *bytes, uint8_t n);
 
-// Reads the image back and verifies it in place.  SM_E_DEVICE: it differs from what was sent.  SM_E_ARGUMENT: the verifier rejects it, see
-// *why.  SM_E_UNSIGNED: its code is wrong or missing.  SM_E_REPLAY: its number is not above that of a confirmed image.
+// Reads the image back and verifies it in place.  SM_E_HANDLE: no such session.  SM_E_DEVICE: the image differs from what was sent.
+// SM_E_ARGUMENT: bytes are missing (then why->rule is 0), or the verifier rejects the image, see *why.  SM_E_UNSIGNED: its code is wrong or
+// missing.  SM_E_REPLAY: its number is not above that of a confirmed image.
 SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why);
 
 // Chooses the image that was sent.  From the next start on it is on trial, with `period` milliseconds between steps (0: the board's
@@ -120,7 +124,8 @@ SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period);
 
 // ---- after an update ----
 
-// Confirms the running image.  SM_E_ARGUMENT: another one is running.
+// Confirms the running image, which has this checksum.  SM_E_ARGUMENT: another image is running, or the built-in one.  SM_E_UNSIGNED: the
+// slot's contents have changed and no longer have a correct code.
 SmResult smvm_store_confirm(Store *s, uint32_t checksum);
 
 // From the next start on, the image with this checksum does not run; the previous or the built-in one does.  SM_E_MISSING: no slot contains
@@ -142,7 +147,7 @@ StoreState smvm_store_state(const Store *s, uint8_t slot);
 
 // What the record knows about an image that is not chosen, as flags of IMAGE (runtime-c/link/link.def).  STORE_FALLBACK: if it is intact, it runs
 // when the chosen image cannot.  STORE_STARTS_USED and STORE_NOT_RUNNABLE: its trial was the last to end, because its starts were used up, or
-// because the board could not run it (smvm_store_skip).
+// because the board could not run it (smvm_store_skip_image).
 enum { STORE_FALLBACK = 4, STORE_STARTS_USED = 8, STORE_NOT_RUNNABLE = 16 };
 uint8_t smvm_store_flags(const Store *s, uint8_t slot);
 

@@ -17,13 +17,13 @@
 
 // One transition out of a state from which every path ends in an @abort state.
 typedef struct AbortPath {
-    const Transition *first;      // its condition is first->when, its position first->stmt->span
-    const char *guard;            // the text of its condition (condition_text); "" if it is unconditional
+    const Transition *first;      // the transition; its condition is first->when, its position first->stmt->span
+    const char *guard;            // the text of the transition's condition (condition_text); "" if it is unconditional
     uint32_t steps;               // the most steps from the step in which the guard is true to the first step in an @abort state; 1:
                                   // the transition itself leads to an @abort state
-    const Var **sensor;           // the sensors that its guard depends on, also through windows and locals
+    const Var **sensor;           // the sensors that the guard of `first` depends on, also through windows and locals
     size_t sensors;
-    bool by_time;                 // its guard depends on T or G
+    bool by_time;                 // the guard of `first` depends on T or G
     bool by_input;                // its guard depends on an input that is not a sensor: a bool, or a command (an integer that is only
                                   // compared by == or !=)
     bool possible;                // the facts allow the transition to be taken

@@ -27,7 +27,7 @@ static const Transition *find_early_abort(LatchSearch *l, const TrialEntry *e)
 {
     Trials *t = l->t;
 
-    trial_copy(t, l->at, e->situation);
+    trial_copy_situation(t, l->at, e->situation);
     trial_fill_windows(t, l->at, l->in);
     for (int k = 0; k < STEPS_AT_ONCE; k++) {
         const Transition *taken;

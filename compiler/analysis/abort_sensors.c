@@ -69,8 +69,8 @@ static TrialEnd hold_inputs_in_state(AbortTrials *k, uint32_t state)
         *(n > t->window + 3 ? &k->left_at_once : &k->left) |= f == TRIAL_LEAVES;
     }
     k->stayed |= f == TRIAL_STAYS;
-    for (int n = 0, idle = 0; n < TRIAL_PASSES && f == TRIAL_STAYS && idle < 2; n++) {
-        idle = trial_pass_time(t, k->at, k->in, &t->trace) ? 0 : idle + 1;
+    for (int n = 0, idle = 0; n < TRIAL_ADVANCES && f == TRIAL_STAYS && idle < 2; n++) {
+        idle = trial_advance_to_event(t, k->at, k->in, &t->trace) ? 0 : idle + 1;
         f = classify_last_step(k, state);
     }
     return f;
@@ -84,7 +84,7 @@ static bool find_aborting_trial(AbortTrials *k, const TrialEntry *e)
 
     for (int n = 0; n < TRIALS_PER_ENTRY && t->run->work < k->until; n++) {
         TrialEnd f = TRIAL_STAYS;
-        trial_begin(t, e, k->at, k->in);
+        trial_begin_at_entry(t, e, k->at, k->in);
         if (k->failed) {
             k->in[k->failed->input] = k->failed->reading;
             trial_fill_windows(t, k->at, k->in);

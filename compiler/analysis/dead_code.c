@@ -144,6 +144,7 @@ static bool walk_stmts(ReachWalk *k, const Stmts *list, const Branch *branch)
 
 // ---- blocks ----
 
+// Walks a block of the current state.  Returns whether every path through it leaves the state.
 static bool walk_block(ReachWalk *k, BlockKind block)
 {
     k->block = block;

@@ -29,7 +29,7 @@ static void check_self_assignment(const Stmt *stmt, void *context)
 }
 
 // Returns the last statement of a list whose number is at most `number`; the first statement if all numbers are higher.
-static const Stmt *find_last_up_to(const Stmts *list, uint32_t number)
+static const Stmt *find_last_stmt_up_to(const Stmts *list, uint32_t number)
 {
     size_t low = 0, high = list->n;
 
@@ -46,11 +46,11 @@ static const Stmt *find_last_up_to(const Stmts *list, uint32_t number)
 // Returns the statement with that number, in `block` or nested in it.  Statements are numbered in file order.
 static const Stmt *find_stmt(const Stmts *block, uint32_t number)
 {
-    const Stmt *stmt = find_last_up_to(block, number);
+    const Stmt *stmt = find_last_stmt_up_to(block, number);
 
     while (stmt->number != number) {
         const Stmts *no = &stmt->otherwise;
-        stmt = find_last_up_to(no->n && no->at[0]->number <= number ? no : &stmt->then, number);
+        stmt = find_last_stmt_up_to(no->n && no->at[0]->number <= number ? no : &stmt->then, number);
     }
     return stmt;
 }

@@ -28,7 +28,7 @@ static Operand operand_of(const Analysis *a, const Expr *e)
 }
 
 typedef struct TypedComparison {
-    Operand a, b;             // b is the constant if one is
+    Operand a, b;             // the operands; if one of them is a constant, it is b
     SmOperator op;
     const Expr *whole;        // the comparison, or the chain that it is part of
     const Expr *within;       // the `and` that it is one operand of; or NULL

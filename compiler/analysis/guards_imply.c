@@ -6,7 +6,7 @@
 enum { PAIRS_MAX = 64 };              // most pairs of subexpressions compared in one query: `and` and `or` multiply them
 
 typedef struct ImplySearch {
-    const uint32_t *window_of;        // IrMachine.window_of
+    const uint32_t *window_of;        // the machine's IrMachine.window_of, for expr_equal
     unsigned budget;                  // pairs of parts that may still be compared
 } ImplySearch;
 
@@ -15,7 +15,7 @@ typedef struct ImplySearch {
 // One side of a comparison: `base + plus`, or the number `plus` alone.  Adding the same constant to two bases preserves their order,
 // also after rounding.
 typedef struct Side {
-    const Expr *base;                 // NULL: none
+    const Expr *base;                 // NULL: the side is the number `plus`
     SmF64 plus;
 } Side;
 

@@ -117,7 +117,7 @@ static void visit_function(Liveness *l, const IrFn *f)
 }
 
 // Updates the set of variables that are live at the start of the state's block.  Returns whether it has changed.
-static bool update_begin(Liveness *l, BlockKind block)
+static bool update_live_at_begin(Liveness *l, BlockKind block)
 {
     const IrFn *f = l->a->m->state.at[l->state].block[block];
     uint64_t *begin = l->begin[block][l->state];
@@ -148,9 +148,9 @@ static void compute_live_at_begins(Liveness *l)
         worklist_add(&queue, (uint32_t)s);
     while (queue.n > 0) {
         l->state = worklist_next(&queue);
-        update_begin(l, BLOCK_EXIT);
-        update_begin(l, BLOCK_STEP);
-        if (update_begin(l, BLOCK_ENTRY))
+        update_live_at_begin(l, BLOCK_EXIT);
+        update_live_at_begin(l, BLOCK_STEP);
+        if (update_live_at_begin(l, BLOCK_ENTRY))
             for (size_t i = 0; i < l->before[l->state].n; i++)
                 worklist_add(&queue, l->before[l->state].at[i]);
     }
@@ -237,6 +237,6 @@ void each_dead_store(Liveness *l, void (*f)(Analysis *a, const DeadStore *dead, 
     for (l->state = 0; l->state < l->a->m->state.n; l->state++)
         for (int b = 0; b < BLOCK_COUNT; b++)
             if (l->a->m->state.at[l->state].block[b] && facts_may_reach(l->a->facts, l->state, b))
-                update_begin(l, (BlockKind)b);
+                update_live_at_begin(l, (BlockKind)b);
     l->report = NULL;
 }

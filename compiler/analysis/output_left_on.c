@@ -43,9 +43,9 @@ static void report_outputs(const LeftOnSearch *l, const State *s)
     Diag *d = diag_report(a->diags, DIAG_output_left_on, s->span, s->name->text, trial_check_join_names(a->arena, l->output, l->outputs));
 
     for (uint32_t i = 0; i < l->outputs; i++) {
-        diag_about(a->diags, d, DIAG_OUTPUTS, l->output[i]->span);
-        diag_step(a->diags, d, l->on[i]->span, DIAG_note_switched_on, l->output[i]->name->text);
-        diag_step(a->diags, d, l->via[i]->stmt->span, DIAG_note_still_on, l->output[i]->name->text, s->name->text);
+        diag_note_declaration(a->diags, d, DIAG_OUTPUTS, l->output[i]->span);
+        diag_note_step(a->diags, d, l->on[i]->span, DIAG_note_switched_on, l->output[i]->name->text);
+        diag_note_step(a->diags, d, l->via[i]->stmt->span, DIAG_note_still_on, l->output[i]->name->text, s->name->text);
         if (!is_ever_switched_off(l->t, l->output[i]))
             diag_note(a->diags, d, (Span){0}, DIAG_note_never_off, l->output[i]->name->text);
     }
@@ -61,8 +61,8 @@ static bool hold_inputs_in_state(LeftOnSearch *l, uint32_t state)
         if (trial_state(l->at) != state)
             return false;
     }
-    for (int n = 0, idle = 0; n < TRIAL_PASSES && idle < 2; n++) {
-        idle = trial_pass_time(t, l->at, l->in, &t->trace) ? 0 : idle + 1;
+    for (int n = 0, idle = 0; n < TRIAL_ADVANCES && idle < 2; n++) {
+        idle = trial_advance_to_event(t, l->at, l->in, &t->trace) ? 0 : idle + 1;
         if (trial_state(l->at) != state)
             return false;
     }
@@ -109,7 +109,7 @@ static void try_entry(LeftOnSearch *l, const State *s, const TrialEntry *e)
     Trials *t = l->t;
 
     for (int n = 0; n < INPUTS_TRIED && trial_may_continue(t); n++) {
-        trial_copy(t, l->at, e->situation);
+        trial_copy_situation(t, l->at, e->situation);
         memcpy(l->in, e->in, t->inputs * sizeof *l->in);
         for (uint32_t i = 0; i < t->inputs && n > 0; i++)
             if (t->input[i].command)
@@ -129,7 +129,7 @@ static bool can_end_without_command(LeftOnSearch *l, const State *s)
 
     for (size_t n = 0; n < ts->entry.n && n < 4; n++)
         for (int k = 0; k < 4 * INPUTS_TRIED; k++) {
-            trial_copy(t, l->at, ts->entry.at[n].situation);
+            trial_copy_situation(t, l->at, ts->entry.at[n].situation);
             memcpy(l->in, ts->entry.at[n].in, t->inputs * sizeof *l->in);
             trial_draw_inputs(t, l->in, ts, false, true);
             if (!trial_may_continue(t) || !hold_inputs_in_state(l, s->number))

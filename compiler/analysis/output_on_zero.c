@@ -33,20 +33,20 @@ enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 4 };     // 
 
 enum {
     OUTPUTS_NAMED = 4,            // outputs named in one finding
-    ENTRIES_TRIED = 6,            // situations at the entry of a state
+    ENTRIES_TRIED = 6,            // how many situations at the entry of a state are tried
     OTHERS_FIRST = 12,            // how many readings of the other sensors a failure is first tried with
     OTHERS = 32,                  // random readings of the other sensors with which an effect must be confirmed
     OTHERS_OF_ONE = 12,           // tried before OTHERS: readings of one other sensor at a time
     QUIET_LEAST = 4,              // for a report, the healthy machine must be quiet with at least so many of these readings
-    PASSES_MAX = 200              // calls of trial_steps_to_event after a sensor has failed
+    ADVANCES_MAX = 200            // how often both machines advance to the next event after a sensor has failed
 };
 static const uint64_t effort = 4000000, effort_in_all = 100000000;      // most IR instructions per sensor and state; in total
 
 typedef struct FailureCase {      // one trial: the sensor reads `reading`, with a motion, and fails at some time
     const TrialEntry *entry;
-    uint32_t sensor;              // index of the input
+    uint32_t sensor;              // the failing sensor: index in Trials.input
     double reading;
-    uint32_t motion;              // index of motion[]
+    uint32_t motion;              // how the readings move: index in motion[]
     FailureKind failure;
 } FailureCase;
 
@@ -134,10 +134,10 @@ static void vary_readings(const FailureTrial *z, const FailureCase *c, double *i
         if (other->command || other->group == i->group)
             continue;
         most = z->others == 0 ? other->scale / 1000 : other->rough ? 300 * z->others : z->others * distance_to_next(other, in[k]);
-        in[k] = trial_clamp(other, in[k] + most * hash_to_noise(z->clock, other->group));
+        in[k] = trial_clamp_reading(other, in[k] + most * hash_to_noise(z->clock, other->group));
     }
     if (by != 0)
-        trial_set_group(t, in, c->sensor, trial_clamp(i, c->reading + by));
+        trial_set_group(t, in, c->sensor, trial_clamp_reading(i, c->reading + by));
 }
 
 // Runs one step of a healthy machine from this situation.  Stores the inputs of the step in z->now.
@@ -173,7 +173,7 @@ static bool advance_to_next_timer(FailureTrial *z, const FailureCase *c)
     Trials *t = z->t;
     uint32_t n = 0;
 
-    trial_copy(t, z->healthy, z->begin);
+    trial_copy_situation(t, z->healthy, z->begin);
     for (int k = 0; k < 3 && n == 0; k++) {
         memcpy(z->before, ir_run_vars(t->run, z->healthy), t->run->m->var.n * sizeof *z->before);
         step_healthy(z, c, z->healthy);
@@ -262,10 +262,10 @@ static StepEffect run_both(FailureTrial *z, const FailureCase *c, FailureEffect 
 
     for (uint32_t n = 0; n < t->window + 20 && effect == NO_EFFECT; n++) {
         effect = step_both(z, c, e);
-        if (n > t->window + 2 && trial_is_same(t, z->healthy, z->failed))
+        if (n > t->window + 2 && trial_is_same_situation(t, z->healthy, z->failed))
             return effect;
     }
-    for (int n = 0, idle = 0; n < (c->motion == 0 ? PASSES_MAX : PASSES_MAX / 10) && effect == NO_EFFECT && idle < 2; n++) {
+    for (int n = 0, idle = 0; n < (c->motion == 0 ? ADVANCES_MAX : ADVANCES_MAX / 10) && effect == NO_EFFECT && idle < 2; n++) {
         uint32_t skip, in_failed;
         memcpy(z->before, ir_run_vars(t->run, z->healthy), size);
         memcpy(z->before_failed, ir_run_vars(t->run, z->failed), size);
@@ -290,8 +290,8 @@ static StepEffect run_failure(FailureTrial *z, const FailureCase *c, FailureEffe
     StepEffect effect;
 
     memset(e, 0, sizeof *e);
-    trial_copy(t, z->healthy, z->begin);
-    trial_copy(t, z->failed, z->begin);
+    trial_copy_situation(t, z->healthy, z->begin);
+    trial_copy_situation(t, z->failed, z->begin);
     e->before = motion[c->motion].noise > 0 ? c->reading : z->reading;      // without the noise of the last step
     e->failed = reading_of_failure(&t->input[c->sensor], c->failure, e->before);
     effect = run_both(z, c, e);
@@ -303,7 +303,7 @@ static StepEffect run_failure(FailureTrial *z, const FailureCase *c, FailureEffe
 
 // Chooses the n-th combination of readings of the other sensors: first each reading of each group alone, then all groups at random.
 // Returns false if there are no more combinations.
-static bool choose_others(FailureTrial *z, const FailureCase *c, uint32_t n)
+static bool choose_other_readings(FailureTrial *z, const FailureCase *c, uint32_t n)
 {
     Trials *t = z->t;
     const TrialState *s = &t->state[trial_state(z->saved) - 1];
@@ -340,23 +340,23 @@ static bool is_effect_independent_of_other_sensors(FailureTrial *z, const Failur
     uint32_t quiet = 0;
     FailureEffect again;
 
-    trial_copy(t, z->saved, z->begin);
+    trial_copy_situation(t, z->saved, z->begin);
     z->rise = 0.02;
     z->only = e->at->number;
-    for (uint32_t n = 0; !needed && choose_others(z, c, n); n++) {
-        trial_copy(t, z->healthy, z->saved);
+    for (uint32_t n = 0; !needed && choose_other_readings(z, c, n); n++) {
+        trial_copy_situation(t, z->healthy, z->saved);
         z->clock = clock;
         z->others = noise_of_others[n % 3];
         z->in = z->other;
         if (run_to_steady_state(z, c)) {
             quiet++;
             z->reading = z->now[c->sensor];
-            trial_copy(t, z->begin, z->healthy);
+            trial_copy_situation(t, z->begin, z->healthy);
             needed = run_failure(z, c, &again) != HAS_EFFECT && (!level || *level == 0);
         }
         z->in = in;
     }
-    trial_copy(t, z->begin, z->saved);
+    trial_copy_situation(t, z->begin, z->saved);
     z->clock = clock;
     z->reading = reading;
     z->others = 0;
@@ -412,11 +412,11 @@ static void report_effect(FailureTrial *z, const FailureCase *c, const FailureEf
         d = diag_report(a->diags, DIAG_output_on_zero, e->at->span, sensor, trial_check_join_names(a->arena, e->output, e->outputs),
                         failure);
     for (uint32_t i = 0; i < e->outputs; i++) {
-        diag_about(a->diags, d, DIAG_OUTPUTS, e->output[i]->span);
+        diag_note_declaration(a->diags, d, DIAG_OUTPUTS, e->output[i]->span);
         if (e->on[i] != e->at)
             diag_note(a->diags, d, e->on[i]->span, DIAG_note_switched_on, e->output[i]->name->text);
     }
-    diag_about(a->diags, d, DIAG_SENSOR, z->t->input[c->sensor].v->span);
+    diag_note_declaration(a->diags, d, DIAG_SENSOR, z->t->input[c->sensor].v->span);
     diag_note(a->diags, d, (Span){0}, DIAG_note_failure_example, state, sensor, const_text(a->arena, trial_check_round(e->before)),
               const_text(a->arena, e->failed), format_in(a->arena, "%lu", (unsigned long)e->steps));
     diag_note(a->diags, d, (Span){0}, DIAG_note_failure_advice, sensor);
@@ -443,7 +443,7 @@ static void try_failures(FailureTrial *z, FailureCase *c)
 {
     FailureEffect e;
 
-    trial_copy(z->t, z->begin, z->healthy);
+    trial_copy_situation(z->t, z->begin, z->healthy);
     z->reading = z->now[c->sensor];
     for (FailureKind f = READS_ZERO; f <= STICKS; f++) {
         c->failure = f;
@@ -470,7 +470,7 @@ static void try_reading(FailureTrial *z, FailureCase *c)
             if (t->input[i].command)
                 z->in[i] = 0;
         z->clock = 0;
-        trial_copy(t, z->healthy, c->entry->situation);
+        trial_copy_situation(t, z->healthy, c->entry->situation);
         if (!run_to_steady_state(z, c))
             continue;
         do

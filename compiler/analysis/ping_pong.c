@@ -13,7 +13,7 @@
 #include "compiler/analysis/trial_checks.h"
 
 enum {
-    ENTRIES_TRIED = 6,            // situations at the entry of a state
+    ENTRIES_TRIED = 6,            // how many situations at the entry of a state are tried
     INPUTS_TRIED = 80,            // inputs tried from each of these situations
     STEPS_SEARCHED = 24,          // the number of last steps of a run that are searched for a cycle
     ARRIVALS_LEAST = 8,           // how often a transition must lead to a state before it can be reported as a cascade
@@ -60,7 +60,7 @@ static size_t find_cycle(CycleSearch *f, const TrialEntry *e)
     size_t n = 1;
 
     f->switches = false;
-    trial_copy(t, f->at, e->situation);
+    trial_copy_situation(t, f->at, e->situation);
     for (uint32_t left = counted + t->window; left > 0; left--) {
         trial_step(t, f->at, f->in, t->dt, &t->trace);
         if (t->trace.transition == 0 && left <= counted)

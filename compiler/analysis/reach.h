@@ -16,7 +16,7 @@ typedef enum DeadCause {
 
 typedef struct DeadCode {
     DeadCause cause;
-    const Stmt *stmt;             // NEVER: the conditional
+    const Stmt *stmt;             // NEVER: the conditional whose guard is never true
     const Stmt *earlier;          // NEVER: an earlier conditional whose guard makes the guard of `stmt` never true; or NULL
     Diag *finding;                // REPORTED by this analysis: the finding whose notes name the states that become unreachable; or NULL
     bool at_state;                // NEVER: a state is reported instead of the guard

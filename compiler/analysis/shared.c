@@ -51,7 +51,7 @@ static void report_conflict(SharedVector *t, DiagCode code, SharedUse use, Str e
     Diag *d = diag_report(t->diags, code, use.span, use.p->name->text, element->text, owner.p->name->text);
 
     diag_note(t->diags, d, owner.span, note, owner.p->name->text);
-    diag_about(t->diags, d, DIAG_OTHER_WRITER, owner.span);
+    diag_note_declaration(t->diags, d, DIAG_OTHER_WRITER, owner.span);
 }
 
 static bool is_other(SharedUse use, const Program *p) { return use.p && use.p != p; }

@@ -11,7 +11,7 @@ enum { STARTS_MAX = 8, COUNTS_MAX = 2000000 };        // constants stored for a 
 typedef struct Counter {
     bool other;                   // an assignment is neither a constant nor the increment `by`: the variable is not checked
     SmF64 by;                     // the increment of the counter; 0: not yet known
-    SmF64 start[STARTS_MAX];      // the constants assigned to it
+    SmF64 start[STARTS_MAX];      // the constants assigned to the counter
     uint32_t starts;
 } Counter;
 

@@ -15,7 +15,7 @@
 enum {
     ENTRIES_TRIED = 3,            // situations at the entry of a state from which histories start
     HISTORIES_MAX = 24,           // histories (sequences of inputs) that are tried before a state is reported as never ending
-    LAST_PASSES = 20,             // an output that is on in one of the last calls of trial_pass_time is assumed to stay or come on forever
+    LAST_ADVANCES = 20,             // an output that is on in one of the last calls of trial_advance_to_event is assumed to stay or come on forever
     INPUT_CHANGES = 4             // changes of the other inputs in one history
 };
 
@@ -55,8 +55,8 @@ static void find_output_on(TimeoutCheck *w, const State *s)
     }
 }
 
-// Runs with constant inputs until windows are full, and then until nothing can change any more, for at most TRIAL_PASSES calls of
-// trial_pass_time.  Returns false if the machine leaves the state, or if a timer or counter still approaches a limit at the end.
+// Runs with constant inputs until windows are full, and then until nothing can change any more, for at most TRIAL_ADVANCES calls of
+// trial_advance_to_event.  Returns false if the machine leaves the state, or if a timer or counter still approaches a limit at the end.
 static bool hold_inputs_in_state(TimeoutCheck *w, uint32_t state)
 {
     Trials *t = w->t;
@@ -70,17 +70,17 @@ static bool hold_inputs_in_state(TimeoutCheck *w, uint32_t state)
             return false;
     }
     w->on = NULL;
-    for (int n = 0; n < TRIAL_PASSES && idle < 2; n++) {
-        if (n == TRIAL_PASSES / 2)
+    for (int n = 0; n < TRIAL_ADVANCES && idle < 2; n++) {
+        if (n == TRIAL_ADVANCES / 2)
             memcpy(w->mid, var, t->run->m->var.n * sizeof *w->mid);
         set_inputs(w);
-        idle = trial_pass_time(t, w->at, w->now, &t->trace) ? 0 : idle + 1;
+        idle = trial_advance_to_event(t, w->at, w->now, &t->trace) ? 0 : idle + 1;
         if (trial_state(w->at) != state)
             return false;
         for (uint32_t v = 0; v < t->run->m->var.n; v++)
             if (var[v] < w->mid[v])
                 w->mid[v] = 1e300;                    // a variable that falls starts again, so it does not count as advancing
-        if (idle == 2 || n > TRIAL_PASSES - LAST_PASSES)
+        if (idle == 2 || n > TRIAL_ADVANCES - LAST_ADVANCES)
             find_output_on(w, t->a->p->state.at[state - 1]);
     }
     return idle == 2 || !trial_approaches_limit(t, w->mid, w->at);
@@ -92,7 +92,7 @@ static bool lasts_in_one_history(TimeoutCheck *w, const TrialEntry *e)
     Trials *t = w->t;
     const uint32_t state = trial_state(e->situation);
 
-    trial_begin(t, e, w->at, w->in);
+    trial_begin_at_entry(t, e, w->at, w->in);
     for (int n = 0; n < INPUT_CHANGES; n++) {
         static const double noise[] = {0, 0.001, 0.01, 0.1};
         trial_draw_inputs_freely(t, w->in, &t->state[state - 1]);
@@ -227,7 +227,7 @@ static void report_missing_timeout(const TimeoutCheck *w, const State *s)
     }
     d = diag_report(a->diags, DIAG_no_timeout, s->span, s->name->text, trial_check_join_names(a->arena, output, outputs));
     for (uint32_t i = 0; i < outputs; i++)
-        diag_about(a->diags, d, DIAG_OUTPUTS, output[i]->span);
+        diag_note_declaration(a->diags, d, DIAG_OUTPUTS, output[i]->span);
     diag_note(a->diags, d, w->on->span, DIAG_note_switched_on, w->on->var->name->text);
 }
 
@@ -249,7 +249,7 @@ static bool try_entry_for_timeout(TimeoutCheck *w, const State *s, const TrialEn
     Trials *t = w->t;
 
     for (int n = 0; n < HISTORIES_MAX && trial_may_continue(t); n++) {
-        trial_begin(t, e, w->at, w->in);
+        trial_begin_at_entry(t, e, w->at, w->in);
         if (n > 0)
             trial_draw_inputs(t, w->in, &t->state[s->number - 1], n % 2, false);
         if (!hold_inputs_in_state(w, s->number) || !w->on)

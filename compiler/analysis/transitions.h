@@ -9,7 +9,7 @@ typedef struct Condition Condition;
 struct Condition {
     const Stmt *stmt;             // the conditional
     bool holds;                   // whether its guard must be true (then) or false (else)
-    const Condition *outer;       // the condition around it; NULL: none
+    const Condition *outer;       // the condition around `stmt`; NULL: none
 };
 
 typedef struct Transition {
@@ -17,7 +17,7 @@ typedef struct Transition {
     BlockKind block;              // the block of `from` that contains it: BLOCK_ENTRY or BLOCK_STEP
     const Stmt *stmt;
     const Condition *when;        // innermost first; NULL: unconditional
-    uint32_t number;              // its index in Transitions
+    uint32_t number;              // the transition's index in Transitions
 } Transition;
 
 typedef VEC(Transition) Transitions;

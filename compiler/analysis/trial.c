@@ -73,7 +73,7 @@ static void add_entry(TrialSearch *k, const Transition *via)
         if (old->via == e.via && old->key == e.key && old->unhealthy == e.unhealthy)
             return;
     }
-    e.situation = trial_copy(t, NULL, k->at);
+    e.situation = trial_copy_situation(t, NULL, k->at);
     e.in = arena_copy(t->a->arena, k->in, (t->inputs + 1) * sizeof *k->in);
     vec_push(t->a->arena, &s->entry, e);
 }
@@ -86,7 +86,7 @@ static void record_next_step(TrialSearch *k, uint32_t transition)
 
     if (next->trials == UINT32_MAX)
         return;
-    trial_step(t, trial_copy(t, k->after, k->at), k->now, t->dt, &t->trace);
+    trial_step(t, trial_copy_situation(t, k->after, k->at), k->now, t->dt, &t->trace);
     next->left += t->trace.transition != 0;
     if (next->most == 0)
         next->transition = t->trace.transition;
@@ -112,9 +112,9 @@ static void add_elapsed_steps(TrialSearch *k, double before)
         ir_run_fill_windows(t->run, k->at, n - 1 < t->window ? (uint32_t)n - 1 : t->window, NULL, NULL);
 }
 
-// Runs one step, or with `pass` passes time up to the next timer.  After a transition, stores the situation if it is new.  Returns whether
-// the machine went to another state.
-static bool search_step(TrialSearch *k, bool pass)
+// Runs one step, or, with `to_event`, up to the next transition, timer or counter limit (trial_advance_to_event).  After a transition, stores
+// the situation if it is new.  Returns whether the machine went to another state.
+static bool search_step(TrialSearch *k, bool to_event)
 {
     Trials *t = k->t;
     const IrSituation *at = k->at;
@@ -123,8 +123,8 @@ static bool search_step(TrialSearch *k, bool pass)
 
     memcpy(k->now, k->in, t->inputs * sizeof *k->now);
     trial_add_noise(t, k->now, k->noise);
-    if (pass)
-        trial_pass_time(t, k->at, k->now, &t->trace);
+    if (to_event)
+        trial_advance_to_event(t, k->at, k->now, &t->trace);
     else
         trial_step(t, k->at, k->now, t->dt, &t->trace);
     add_elapsed_steps(k, before);
@@ -148,14 +148,14 @@ static void hold_inputs(TrialSearch *k)
     static const uint32_t holds[] = {1, 1, 2, 5};
     static const double noise[] = {0, 0, 0, 0.001, 0.01, 0.1};
     Trials *t = k->t;
-    const bool pass = trial_random_below(t, 3) == 0;
-    uint32_t n = pass ? 1 + trial_random_below(t, 2 * (t->waits + t->count) + 2) : holds[trial_random_below(t, 4)];
+    const bool to_event = trial_random_below(t, 3) == 0;
+    uint32_t n = to_event ? 1 + trial_random_below(t, 2 * (t->waits + t->count) + 2) : holds[trial_random_below(t, 4)];
 
     k->noise = noise[trial_random_below(t, 6)];
-    if (!pass && trial_random_below(t, 4) == 0)
+    if (!to_event && trial_random_below(t, 4) == 0)
         n = t->window + 1;
     while (n-- > 0)
-        if (search_step(k, pass))
+        if (search_step(k, to_event))
             return;
 }
 
@@ -188,7 +188,7 @@ static void run_one_try(TrialSearch *k, uint32_t state)
     const TrialState *s = &t->state[state];
     const TrialEntry *e = &s->entry.at[trial_random_below(t, (uint32_t)s->entry.n)];
 
-    trial_copy(t, k->at, e->situation);
+    trial_copy_situation(t, k->at, e->situation);
     memcpy(k->in, e->in, (t->inputs + 1) * sizeof *k->in);
     k->steps = e->steps;
     k->unhealthy = e->unhealthy;
@@ -302,7 +302,7 @@ Trials *trials_of(Analysis *a)
     for (size_t w = 0; w < a->m->window.n; w++)
         if (a->m->window.at[w].size > t->window)
             t->window = a->m->window.at[w].size;
-    t->computed = ARENA_ARRAY(a->arena, bool, a->m->window.n + 1u);
+    t->samples_written = ARENA_ARRAY(a->arena, bool, a->m->window.n + 1u);
     trial_find_inputs(t);
     // If the step is unknown, assumes milliseconds and steps of 10.  If all times are below 100, assumes another unit and steps of 1.
     t->dt = a->step > 0 ? (double)a->step : t->waits > 0 && t->wait[t->waits - 1] < 100 ? 1 : 10;

@@ -35,7 +35,7 @@ typedef struct TrialInput {
 typedef struct TrialEntry {
     void *situation;
     double *in;                       // by input: its value in the step that led to this situation
-    const Transition *via;            // NULL: the start
+    const Transition *via;            // the transition that led to it; NULL: the machine's start
     uint32_t steps;                   // steps since the start; TRIAL_MANY: many, or an unknown number
     bool unhealthy;                   // earlier in this trial a sensor left its healthy range, or disagreed with its group
     bool commanded;                   // earlier in this trial a person changed a command
@@ -78,11 +78,11 @@ typedef struct Trials {
     double **limit;                   // by IR variable: if it is a counter, the values it is compared with, then NaN; otherwise NULL
     double dt;                        // how much G advances in a step
     uint32_t window;                  // samples until every window is full
-    bool *computed;                   // by index in IrMachine.window: the window samples variables that the machine writes
-    uint32_t count;                   // total number of limits of counters
+    bool *samples_written;            // by index in IrMachine.window: the window samples variables that the machine writes
+    uint32_t count;                   // number of limits of all counters (`limit`)
     uint64_t random;
-    double *before;                   // variables before a step, for trial_pass_time
-    void *scratch;                    // a situation, for trial_fill_windows
+    double *before;                   // variables before a step, for trial_advance_to_event
+    void *scratch;                    // memory for a situation, for trial_fill_windows
     IrTrace trace;
 } Trials;
 
@@ -95,7 +95,7 @@ Trials *trials_of(Analysis *a);
 // Whether the present check may execute further instructions.  A check that may not continue must conclude nothing from trials not run.
 static inline bool trial_may_continue(const Trials *t) { return t->run->work < t->until; }
 
-void *trial_copy(const Trials *t, void *to, const void *from);
+void *trial_copy_situation(const Trials *t, void *to, const void *from);
 // Runs one step with the inputs `in`; G is dt later than in the last step.
 void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace *trace);
 static inline uint32_t trial_state(const void *situation) { return ((const IrSituation *)situation)->state; }
@@ -112,19 +112,19 @@ uint32_t trial_steps_to_timer(const Trials *t, const void *situation);
 // Advances time and counters by `steps` steps that change the variables like the last step (see trial_steps_to_event).  Windows keep
 // their samples.
 void trial_skip_steps(const Trials *t, const double *before, void *situation, uint32_t steps);
-// Runs at least one step with constant inputs, and then skips all steps before the next timer or counter reaches its limit.  Returns
-// false if nothing can change any more.
-bool trial_pass_time(Trials *t, void *situation, const double *in, IrTrace *trace);
-enum { TRIAL_PASSES = 300 };          // after this many calls of trial_pass_time, a machine that still changes is assumed to change forever
+// Runs with constant inputs: steps until a transition, or until only timers and counters change, at most 40; then, without a transition, skips
+// the steps that remain before the next timer or counter reaches its limit.  Returns false if none will: nothing can change any more.
+bool trial_advance_to_event(Trials *t, void *situation, const double *in, IrTrace *trace);
+enum { TRIAL_ADVANCES = 300 };          // after this many calls of trial_advance_to_event, a machine that still changes is assumed to change forever
 // Whether a timer or a rising counter has moved closer to a limit since the variables were `before`, so that it may reach the limit later.
 bool trial_approaches_limit(const Trials *t, const double *before, const void *situation);
 // Whether two situations are in the same state, with equal values in all variables that the machine writes, except G, S and T.
-bool trial_is_same(const Trials *t, const void *a, const void *b);
+bool trial_is_same_situation(const Trials *t, const void *a, const void *b);
 // Returns a variable that the machine writes, that one of these conditions reads, and that differs between two situations; or NULL.
 const Var *trial_find_difference(const Trials *t, const Condition *when, const void *a, const void *b);
 // Copies the situation of an entry, and sets `in` to the inputs that led to it, or to other readings if the machine would leave the
 // state with those inputs.  All commands are 0, unless the machine stays in the state only with the commands that led to the entry.
-void trial_begin(Trials *t, const TrialEntry *e, void *situation, double *in);
+void trial_begin_at_entry(Trials *t, const TrialEntry *e, void *situation, double *in);
 // Fills every window with samples of these inputs.  Windows over variables that the machine writes keep their samples.
 void trial_fill_windows(Trials *t, void *situation, const double *in);
 
@@ -145,8 +145,8 @@ void trial_add_noise(Trials *t, double *in, double most);
 void trial_unify_groups(const Trials *t, double *in);
 void trial_set_group(const Trials *t, double *in, uint32_t input, double reading);
 bool trial_is_healthy(const TrialInput *i, double reading);
-double trial_clamp(const TrialInput *i, double reading);          // returns the nearest reading within the @range, if there is one
+double trial_clamp_reading(const TrialInput *i, double reading);          // returns the nearest reading within the @range, if there is one
 // Stores the inputs in the variables of a situation, converted to the types of the variables.
-void trial_set_vars(const Trials *t, double *vars, const double *in);
+void trial_store_inputs(const Trials *t, double *vars, const double *in);
 
 #endif

@@ -5,6 +5,7 @@
 
 enum { COMPARISONS_MAX = 400 };         // the most comparisons of a machine that are compared with each other pairwise
 
+// Returns the variable that represents the set of v in the union-find (TrialFinder.parent).
 static uint32_t root_of(TrialFinder *f, uint32_t v)
 {
     while (f->parent[v] != v)

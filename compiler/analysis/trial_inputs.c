@@ -78,11 +78,11 @@ static void list_inputs(TrialFinder *f)
 // ---- comparisons ----
 
 // Sets *computed if e is a variable that the machine writes.
-static void mark_computed_if_written(Expr *e, void *context)
+static void mark_if_written(Expr *e, void *context)
 {
-    bool *computed = context;
+    bool *is_written = context;
 
-    *computed |= e->kind == EX_VAR && e->var->written;
+    *is_written |= e->kind == EX_VAR && e->var->written;
 }
 
 // Records the comparisons in e, the variables that it reads, and windows over variables that the machine writes.
@@ -95,7 +95,7 @@ static void record_uses_in_expr(Expr *e, void *context)
     for (uint32_t i = 1; e->kind == EX_CALL && i < e->n; i++)
         vec_push(f->arena, &f->comparison, ((TrialComparison){{e->arg[0], e->arg[i], SM_OP_COUNT}, f->state}));
     if (e->kind == EX_ROLL)
-        expr_walk(e->arg[0], mark_computed_if_written, &f->t->computed[f->t->a->m->window_of[e->window]]);
+        expr_walk(e->arg[0], mark_if_written, &f->t->samples_written[f->t->a->m->window_of[e->window]]);
     if (e->kind == EX_VAR)
         f->read[e->var->index] = true;
 }

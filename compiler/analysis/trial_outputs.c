@@ -139,7 +139,7 @@ static void copy_properties_of_local(const StmtLocation *at, void *context)
         vec_push(f->arena, &f->constants[to], f->constants[from->index].at[i]);
 }
 
-// Records whether an assigned value is bounded, and whether its lower bound is 0, so that it can switch the output off.
+// Records whether an assigned value is bounded, and whether its lower bound is 0: then the assignment can switch the output off.
 static void record_bounds(const StmtLocation *at, void *context)
 {
     TrialFinder *f = context;

@@ -7,21 +7,21 @@
 #include "stdlib/math.h"
 
 enum {
-    STEPS_PER_PASS = 40,              // most steps in one call of trial_pass_time while a variable other than a counter changes
+    STEPS_PER_ADVANCE = 40,              // most steps in one call of trial_advance_to_event while a variable other than a counter changes
     READINGS_TRIED = 6,               // readings that are tried to make a state last
     LASTING_STEPS = 3                 // steps for which the machine must stay in the state
 };
 
 // ---- running ----
 
-void *trial_copy(const Trials *t, void *to, const void *from)
+void *trial_copy_situation(const Trials *t, void *to, const void *from)
 {
     if (!to)
         to = arena_alloc(t->a->arena, t->run->size);
     return memcpy(to, from, t->run->size);
 }
 
-void trial_set_vars(const Trials *t, double *vars, const double *in)
+void trial_store_inputs(const Trials *t, double *vars, const double *in)
 {
     for (uint32_t i = 0; i < t->inputs; i++)
         vars[t->input[i].var] = ir_convert(t->input[i].v->type, in[i]);
@@ -33,7 +33,7 @@ void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace
     double *var = ir_run_vars(t->run, situation);
 
     var[t->run->m->g] = s->ran ? s->last_g + dt : 0;
-    trial_set_vars(t, var, in);
+    trial_store_inputs(t, var, in);
     ir_run_step(t->run, situation, trace);
 }
 
@@ -43,7 +43,7 @@ static const double endless = 1e9;                   // steps: longer than any t
 
 // Returns how many steps come before the step in which a value that changes by `by` per step reaches the limit; `endless` if it never
 // does.
-static double steps_to(double from, double limit, double by)
+static double steps_to_limit(double from, double limit, double by)
 {
     const double n = sm_ceil((limit - from) / by);
 
@@ -51,14 +51,14 @@ static double steps_to(double from, double limit, double by)
 }
 
 // Returns how many steps come before the next time that the machine waits for.
-static double steps_to_wait(const Trials *t, const void *situation)
+static double steps_to_next_wait(const Trials *t, const void *situation)
 {
     const IrSituation *s = situation;
     double n = endless;
 
     for (uint32_t w = 0; w < t->waits; w++)
         if (t->wait[w] >= s->last_g - s->start)
-            n = sm_min(n, steps_to(s->last_g - s->start, t->wait[w], t->dt));
+            n = sm_min(n, steps_to_limit(s->last_g - s->start, t->wait[w], t->dt));
     for (uint32_t w = 0; w < t->waits && t->stamped; w++)
         n = sm_min(n, sm_max(sm_ceil(sm_max(t->wait[w] / 2, (s->last_g - s->start) / 4) / t->dt) - 1, 0));
     return n;
@@ -66,7 +66,7 @@ static double steps_to_wait(const Trials *t, const void *situation)
 
 uint32_t trial_steps_to_timer(const Trials *t, const void *situation)
 {
-    const double n = steps_to_wait(t, situation);
+    const double n = steps_to_next_wait(t, situation);
 
     return n >= endless ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
 }
@@ -75,7 +75,7 @@ uint32_t trial_steps_to_event(const Trials *t, const double *before, const void 
 {
     const double *var = trial_vars(t, situation);
     const IrMachine *m = t->run->m;
-    double n = steps_to_wait(t, situation);
+    double n = steps_to_next_wait(t, situation);
 
     for (uint32_t v = 0; v < m->var.n; v++) {
         if (!m->var.at[v].writable || v == m->s || var[v] == before[v])
@@ -83,7 +83,7 @@ uint32_t trial_steps_to_event(const Trials *t, const double *before, const void 
         if (!t->limit[v])
             return 0;
         for (const double *l = t->limit[v]; *l == *l; l++)
-            n = sm_min(n, steps_to(var[v], *l, var[v] - before[v]));
+            n = sm_min(n, steps_to_limit(var[v], *l, var[v] - before[v]));
     }
     return n >= endless ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
 }
@@ -101,11 +101,11 @@ void trial_skip_steps(const Trials *t, const double *before, void *situation, ui
             var[v] = ir_convert(m->var.at[v].type, var[v] + n * (var[v] - before[v]));
 }
 
-bool trial_pass_time(Trials *t, void *situation, const double *in, IrTrace *trace)
+bool trial_advance_to_event(Trials *t, void *situation, const double *in, IrTrace *trace)
 {
     uint32_t n = 0;
 
-    for (int k = 0; k < STEPS_PER_PASS && n == 0; k++) {
+    for (int k = 0; k < STEPS_PER_ADVANCE && n == 0; k++) {
         memcpy(t->before, ir_run_vars(t->run, situation), t->run->m->var.n * sizeof *t->before);
         trial_step(t, situation, in, t->dt, trace);
         if (trace->transition)
@@ -131,7 +131,7 @@ bool trial_approaches_limit(const Trials *t, const double *before, const void *s
     return false;
 }
 
-bool trial_is_same(const Trials *t, const void *a, const void *b)
+bool trial_is_same_situation(const Trials *t, const void *a, const void *b)
 {
     const double *x = trial_vars(t, a);
     const double *y = trial_vars(t, b);
@@ -164,7 +164,7 @@ void trial_set_group(const Trials *t, double *in, uint32_t input, double reading
             in[i] = reading;
 }
 
-double trial_clamp(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
+double trial_clamp_reading(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
 
 void trial_add_noise(Trials *t, double *in, double most)
 {
@@ -174,7 +174,7 @@ void trial_add_noise(Trials *t, double *in, double most)
             continue;
         for (uint32_t i = g; i < t->inputs; i++)
             if (t->input[i].group == g)
-                in[i] = trial_is_healthy(&t->input[i], in[i]) ? trial_clamp(&t->input[i], in[i] + noise) : in[i] + noise;
+                in[i] = trial_is_healthy(&t->input[i], in[i]) ? trial_clamp_reading(&t->input[i], in[i] + noise) : in[i] + noise;
     }
 }
 
@@ -228,17 +228,17 @@ static void set_held_inputs(void *context, double *vars, uint32_t sample)
     const HeldInputs *h = context;
 
     (void)sample;
-    trial_set_vars(h->t, vars, h->in);
+    trial_store_inputs(h->t, vars, h->in);
 }
 
 void trial_fill_windows(Trials *t, void *situation, const double *in)
 {
-    void *before = trial_copy(t, t->scratch, situation);
+    void *before = trial_copy_situation(t, t->scratch, situation);
     HeldInputs h = {t, in};
 
     ir_run_fill_windows(t->run, situation, t->window, set_held_inputs, &h);
     for (uint32_t w = 0; w < t->run->m->window.n; w++)
-        if (t->computed[w])
+        if (t->samples_written[w])
             ir_run_copy_window(t->run, situation, before, w);
 }
 
@@ -252,7 +252,7 @@ static bool find_lasting_inputs(Trials *t, const TrialEntry *e, void *situation,
     for (int readings = 0; readings < READINGS_TRIED && !same; readings++) {
         if (readings > 0)
             trial_draw_inputs(t, in, &t->state[state - 1], false, false);
-        trial_copy(t, situation, e->situation);
+        trial_copy_situation(t, situation, e->situation);
         same = true;
         for (int n = 0; n < LASTING_STEPS && same; n++) {
             trial_step(t, situation, in, t->dt, &t->trace);
@@ -262,7 +262,7 @@ static bool find_lasting_inputs(Trials *t, const TrialEntry *e, void *situation,
     return same;
 }
 
-void trial_begin(Trials *t, const TrialEntry *e, void *situation, double *in)
+void trial_begin_at_entry(Trials *t, const TrialEntry *e, void *situation, double *in)
 {
     bool lasts_with_commands;
 
@@ -273,7 +273,7 @@ void trial_begin(Trials *t, const TrialEntry *e, void *situation, double *in)
             in[i] = 0;
     if (!find_lasting_inputs(t, e, situation, in) && lasts_with_commands)
         memcpy(in, e->in, t->inputs * sizeof *in);
-    trial_copy(t, situation, e->situation);
+    trial_copy_situation(t, situation, e->situation);
 }
 
 // ---- comparing ----

@@ -89,7 +89,7 @@ static void mark_needed_in_stmts(NeededParts *n, const Stmts *stmts, const Condi
     }
 }
 
-static NeededParts find_needed(Analysis *a, bool everywhere)
+static NeededParts find_needed_parts(Analysis *a, bool everywhere)
 {
     const Program *p = a->p;
     NeededParts n = {.a = a, .everywhere = everywhere};
@@ -169,7 +169,7 @@ static void mark_vars_of_constants(const Program *p, bool *needed)
 
 static void check_windows(Analysis *a, const NeededParts *all)
 {
-    const NeededParts executed = find_needed(a, false);
+    const NeededParts executed = find_needed_parts(a, false);
 
     for (size_t i = 0; i < a->p->window.n; i++) {
         const Span span = a->p->window.at[i].span;
@@ -189,7 +189,7 @@ void analyse_unused(Analysis *a)
     for (size_t i = 0; i < p->var.n; i++)
         wanted |= may_feed_itself(p->var.at[i]);
     if (wanted) {
-        all = find_needed(a, true);
+        all = find_needed_parts(a, true);
         mark_vars_of_constants(p, all.var);
     }
     if (p->window.n > 0)

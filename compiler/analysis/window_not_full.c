@@ -13,7 +13,7 @@
 #include "compiler/analysis/trial_checks.h"
 
 enum {
-    ENTRIES_TRIED = 8,            // situations at the entry of a state
+    ENTRIES_TRIED = 8,            // how many situations at the entry of a state are tried
     DRAWS_MAX = 500,              // inputs tried from each situation, for each window
     STEPS_FOLLOWED = 60           // steps, not counting skipped ones, that are run after windows are full
 };
@@ -34,9 +34,9 @@ typedef struct WindowTrial {
     bool same;                    // sensors have had their current readings since the machine's start
     bool later;                   // both windows are full, or both machines are in another state: a difference now has an earlier cause
     const Stmt *guard;            // the first guard whose value differed between the two
-    uint32_t samples;             // number of samples in the window when it differed
+    uint32_t samples;             // number of samples in the window when that guard differed
     uint64_t until;               // value of Trials.run.work at which the search stops
-    uint32_t *deciding;           // by Stmt.number: the window that decided
+    uint32_t *deciding;           // by Stmt.number of a guard: the window whose samples decided it
     uint32_t *found;              // by Stmt.number of a guard: the fewest samples with which it decided; 0: none
 } WindowTrial;
 
@@ -56,7 +56,7 @@ static void fill_inputs(void *context, double *vars, uint32_t sample)
 
     (void)sample;
     set_inputs(w);
-    trial_set_vars(w->t, vars, w->now);
+    trial_store_inputs(w->t, vars, w->now);
 }
 
 // ---- one trial ----
@@ -111,7 +111,7 @@ static bool run_until_difference_shows(WindowTrial *w)
     const size_t size = t->run->m->var.n * sizeof *w->before;
     FillOutcome o = SAME;
 
-    for (int n = 0; n < STEPS_FOLLOWED && o == SAME && !trial_is_same(t, w->few, w->full); n++) {
+    for (int n = 0; n < STEPS_FOLLOWED && o == SAME && !trial_is_same_situation(t, w->few, w->full); n++) {
         uint32_t leap, in_full;
         if (n % 10 == 9)
             trial_draw_inputs(t, w->in, NULL, true, false);
@@ -140,7 +140,7 @@ static void fill_window(WindowTrial *w, const TrialEntry *e, void *situation, ui
     Trials *t = w->t;
     double *in = w->in, usual = w->noise;
 
-    trial_copy(t, w->filled, e->situation);
+    trial_copy_situation(t, w->filled, e->situation);
     ir_run_clear_windows(t->run, w->filled);
     w->in = w->earlier;
     ir_run_fill_windows(t->run, w->filled, earlier, fill_inputs, w);
@@ -160,8 +160,8 @@ static bool run_with_few_samples(WindowTrial *w, const TrialEntry *e, uint32_t g
     Trials *t = w->t;
     w->guard = NULL;
     w->later = false;
-    trial_copy(t, w->few, e->situation);
-    trial_copy(t, w->full, e->situation);
+    trial_copy_situation(t, w->few, e->situation);
+    trial_copy_situation(t, w->full, e->situation);
     fill_window(w, e, w->few, 0);
     fill_window(w, e, w->full, t->window);
     for (uint32_t n = 0; n < 2 * t->window; n++) {
@@ -245,7 +245,7 @@ static void report_guard(const WindowTrial *w)
 }
 
 // Chooses w->earlier, the readings before the start.  kind 0: the current readings; 1: other readings; 2: far too high; 3: far too low.
-static void choose_earlier(WindowTrial *w, uint32_t kind)
+static void choose_earlier_readings(WindowTrial *w, uint32_t kind)
 {
     Trials *t = w->t;
 
@@ -270,7 +270,7 @@ static void try_entry(WindowTrial *w, const TrialState *s, const TrialEntry *e)
         memcpy(w->in, e->in, t->inputs * sizeof *w->in);
         trial_draw_inputs(t, w->in, s, true, false);
         w->same = trial_random_below(t, 2);
-        choose_earlier(w, trial_random_below(t, 4));
+        choose_earlier_readings(w, trial_random_below(t, 4));
         w->noise = trial_random_below(t, 2) ? 0 : noise[trial_random_below(t, NOISES)];
         if (glitch != IR_NONE && t->input[glitch].command)
             continue;

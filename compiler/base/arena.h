@@ -16,7 +16,7 @@ typedef struct Arena {
     SmcAllocFn alloc;
     void *context;        // passed to alloc
     jmp_buf *oom;         // the longjmp target when alloc returns NULL; must be set before the first arena_alloc
-    ArenaChunk *chunk;    // newest first
+    ArenaChunk *chunk;    // the list of chunks, the newest first
     char *next, *end;     // the free part of the newest chunk
     char *zeroed_end;     // memory from `next` up to zeroed_end is zeroed
 } Arena;

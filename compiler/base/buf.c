@@ -11,7 +11,7 @@ void buf_init(Buf *b, Arena *arena)
     b->arena = arena;
 }
 
-static void reserve(Buf *b, size_t n)
+static void reserve_bytes(Buf *b, size_t n)
 {
     size_t cap = b->cap ? b->cap : 128;
 
@@ -28,7 +28,7 @@ static void reserve(Buf *b, size_t n)
 
 void buf_put(Buf *b, const void *bytes, size_t n)
 {
-    reserve(b, n);
+    reserve_bytes(b, n);
     if (n)
         memcpy(b->at + b->n, bytes, n);
     b->n += n;
@@ -49,7 +49,7 @@ static void put_formatted(Buf *b, const char *format, va_list args, va_list args
 
     if (n < 0)
         return;
-    reserve(b, (size_t)n);
+    reserve_bytes(b, (size_t)n);
     vsnprintf(b->at + b->n, (size_t)n + 1, format, args_copy);
     b->n += (size_t)n;
 }

@@ -32,9 +32,9 @@ void buf_spaces(Buf *b, size_t n);
 __attribute__((format(printf, 2, 3)))
 #endif
 void buf_printf(Buf *b, const char *format, ...);
-const char *buf_text(const Buf *b);          // the content so far; "" if there is none
-void buf_u32(Buf *b, uint32_t v);            // 4 bytes, little-endian
-void buf_u64(Buf *b, uint64_t v);            // 8 bytes, little-endian
+const char *buf_text(const Buf *b);          // returns the content so far; "" if nothing was written
+void buf_u32(Buf *b, uint32_t v);            // appends 4 bytes, little-endian
+void buf_u64(Buf *b, uint64_t v);            // appends 8 bytes, little-endian
 
 // Formats text like printf, in new memory of the arena.
 #if defined(__GNUC__)

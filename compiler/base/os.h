@@ -16,7 +16,7 @@ bool os_is_name(const char *name);                 // whether the name contains 
 
 // Reads a whole file or, for "-", standard input.  *text is allocated on the heap (os_alloc) and ends with a NUL that *len does not
 // count.  Refuses folders and anything longer than `most` bytes.
-bool os_read(const char *path, size_t most, char **text, size_t *len, const char **why);
+bool os_read_file(const char *path, size_t most, char **text, size_t *len, const char **why);
 
 // Writes files so that each appears complete or not at all.  Writes each output to a temporary file next to its target, and renames the
 // temporary files when all of them are complete.  The path "-" is standard output.  Devices, pipes and open files of this process
@@ -25,7 +25,7 @@ bool os_read(const char *path, size_t most, char **text, size_t *len, const char
 // If a file has several names (hard links), only this name gets the new contents.  To change all of them, the file would have to be
 // overwritten in place: a power cut would leave half of it, and a backup made of hard links would change.
 typedef struct OsOutput { const char *path; const void *bytes; size_t n; } OsOutput;
-bool os_write(const OsOutput *out, size_t n, const char **failed_path, const char **why);
+bool os_write_files(const OsOutput *out, size_t n, const char **failed_path, const char **why);
 
 // A file written piece by piece.  The file appears when the stream is closed with `keep`; without `keep` it never appears.  Standard
 // output and devices receive each piece at once.  Only one stream may be open at a time.
@@ -49,16 +49,16 @@ bool os_make_folder(const char *path, const char **why);     // the folder only,
 char *os_real_path(const char *path);
 bool os_has_other_names(const char *path);         // a regular file with several hard links
 bool os_same_file(const char *a, const char *b);   // whether both name the same existing regular file; "-" is not a file
-// The names in a folder, sorted, without . and ..; *names and its strings are one heap allocation.
-bool os_list(const char *path, char ***names, size_t *n, const char **why);
+// Lists the names in a folder, sorted, without . and ..; *names and its strings are one heap allocation.
+bool os_list_folder(const char *path, char ***names, size_t *n, const char **why);
 
-// For secret keys.  os_random stores n random bytes.  os_write_private creates a file that only its owner can read, and fails if it exists.
-bool os_random(void *bytes, size_t n, const char **why);
+// For secret keys.  os_get_random_bytes stores n random bytes.  os_write_private creates a file that only its owner can read, and fails if it exists.
+bool os_get_random_bytes(void *bytes, size_t n, const char **why);
 bool os_write_private(const char *path, const void *bytes, size_t n, const char **why);
 bool os_is_private(const char *path);              // whether only its owner can read the file, or the file does not exist
 
-double os_seconds(void);                           // time of a monotonic clock
+double os_seconds(void);                           // returns the time of a monotonic clock, in seconds
 bool os_is_terminal(int fd);
-const char *os_getenv(const char *name);           // NULL if unset or empty
+const char *os_getenv(const char *name);           // returns the value of a variable; NULL if unset or empty
 
 #endif

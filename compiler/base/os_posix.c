@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // os.h on POSIX systems.
 #define _XOPEN_SOURCE 700
-#define _DEFAULT_SOURCE                  // madvise
+#define _DEFAULT_SOURCE                  // for the declaration of madvise
 
 #include "compiler/base/os.h"
 #include "compiler/base/os_signal.h"
@@ -48,6 +48,7 @@ bool os_is_name(const char *name)
     return *name == '\0';
 }
 
+// Returns false and sets *why if the name contains a control character.
 static bool check_name(const char *path, const char **why)
 {
     *why = "its name contains a control character";
@@ -56,7 +57,8 @@ static bool check_name(const char *path, const char **why)
 
 // ---- reading ----
 
-// Reads to the end of the file into a heap buffer, which doubles when it is full.
+// Reads to the end of the file into a heap buffer, which doubles when it is full. Returns false and sets *why if reading fails or the file has
+// more than `most` bytes.
 static bool read_all(int fd, size_t most, char **text, size_t *len, const char **why)
 {
     size_t cap = 16384, n = 0;
@@ -89,7 +91,7 @@ static bool read_all(int fd, size_t most, char **text, size_t *len, const char *
     return false;
 }
 
-bool os_read(const char *path, size_t most, char **text, size_t *len, const char **why)
+bool os_read_file(const char *path, size_t most, char **text, size_t *len, const char **why)
 {
     bool ok;
     int fd;
@@ -129,6 +131,7 @@ bool os_read_head(const char *path, char *into, size_t n, size_t *len)
 
 // ---- writing ----
 
+// Writes all n bytes. Returns false and sets *why if that fails.
 static bool write_all(int fd, const void *bytes, size_t n, const char **why)
 {
     const char *p = bytes;
@@ -150,7 +153,7 @@ bool os_print(int fd, const void *bytes, size_t n, const char **why)
     return write_all(fd, bytes, n, why);
 }
 
-// Temporary files have numbers in os_signal.h: os_write uses 0 to MOST_OUTPUTS - 1, the open stream uses STREAM.
+// Temporary files have numbers in os_signal.h: os_write_files uses 0 to MOST_OUTPUTS - 1, the open stream uses STREAM.
 enum { MOST_OUTPUTS = OS_UNFINISHED - 1, STREAM = MOST_OUTPUTS };
 
 // Returns the mode of the replaced file, or else the default mode of a new file.
@@ -194,7 +197,8 @@ static char *resolve_target(const char *path, const char **why)
     return target;
 }
 
-// Creates a temporary file next to `target`. From then on, a signal that ends the process removes the temporary file.
+// Creates a temporary file next to `target`, and returns its descriptor; -1, and the reason in *why, if it cannot be created. From then on, a
+// signal that ends the process removes the temporary file.
 static int open_temporary(const char *target, int number, const char **why)
 {
     char *temp;
@@ -244,6 +248,7 @@ static void forget_temporary(int number)
     free(temp);
 }
 
+// Writes one output without a temporary file. Returns false and sets *why if that fails.
 static bool write_directly(const OsOutput *out, const char **why)
 {
     bool ok, is_own;
@@ -271,7 +276,7 @@ static bool write_temporary(const OsOutput *out, int number, char **target, cons
     return close_temporary(fd, *target, write_all(fd, out->bytes, out->n, why), why);
 }
 
-bool os_write(const OsOutput *out, size_t n, const char **failed_path, const char **why)
+bool os_write_files(const OsOutput *out, size_t n, const char **failed_path, const char **why)
 {
     char *target[MOST_OUTPUTS] = {NULL};
     bool ok = n <= MOST_OUTPUTS;
@@ -363,7 +368,7 @@ bool os_has_other_names(const char *path)
     return stat(path, &st) == 0 && S_ISREG(st.st_mode) && st.st_nlink > 1;
 }
 
-// Returns the folder that contains `path`, with links followed; allocated on the heap.
+// Returns the folder that contains `path`, with links followed; allocated on the heap. NULL, with errno set, if there is no such folder.
 static char *real_folder(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -436,7 +441,7 @@ char *os_real_path(const char *path)
         struct stat st;
         if ((real = realpath(at, NULL)) != NULL || (folder = real_folder(at)) == NULL)
             break;
-        if (lstat(at, &st) == 0 && S_ISLNK(st.st_mode)) {         // a link to a missing file
+        if (lstat(at, &st) == 0 && S_ISLNK(st.st_mode)) {         // `at` is a link to a missing file
             next = follow_link(at, folder);
             free(at);
             at = next;
@@ -477,7 +482,7 @@ static int compare_names(const void *a, const void *b)
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-bool os_list(const char *path, char ***names, size_t *n, const char **why)
+bool os_list_folder(const char *path, char ***names, size_t *n, const char **why)
 {
     struct dirent *entry;
     char **list = NULL, *text;
@@ -516,7 +521,7 @@ bool os_list(const char *path, char ***names, size_t *n, const char **why)
 
 // ---- keys ----
 
-bool os_random(void *bytes, size_t n, const char **why)
+bool os_get_random_bytes(void *bytes, size_t n, const char **why)
 {
     const int fd = open("/dev/urandom", O_RDONLY);
     const ssize_t got = fd >= 0 ? read(fd, bytes, n) : -1;

@@ -21,6 +21,7 @@
 
 extern char **environ;
 
+// Sets *why to the text of an errno. Always returns false, the result of the failed function.
 static bool set_reason(int error, const char **why)
 {
     *why = strerror(error);
@@ -63,6 +64,7 @@ void os_remove_folder(const char *path)
 
 // ---- processes ----
 
+// Waits for a child to end. Returns its exit code: 128 + the signal's number if a signal ended it, 127 if it is not a child of this process.
 static int wait_for_exit(pid_t pid)
 {
     int status;
@@ -119,7 +121,7 @@ static bool wait_or_signal(pid_t pid, int *exit_code)
     return ended != 0;
 }
 
-// Starts the process in its own process group, for terminate_group.
+// Starts the process in its own process group, for terminate_group. Returns 0 or an errno.
 static int spawn_group(pid_t *pid, const char *const *argv, const posix_spawn_file_actions_t *actions)
 {
     posix_spawnattr_t attributes;
@@ -134,7 +136,7 @@ static int spawn_group(pid_t *pid, const char *const *argv, const posix_spawn_fi
     return error;
 }
 
-bool os_run(const char *const *argv, const char *output, int *exit_code, const char **why)
+bool os_run_program(const char *const *argv, const char *output, int *exit_code, const char **why)
 {
     posix_spawn_file_actions_t actions;
     pid_t pid;
@@ -162,6 +164,7 @@ bool os_run(const char *const *argv, const char *output, int *exit_code, const c
     return error == 0;
 }
 
+// Starts the process with fd as its standard input and output. Returns 0 or an errno.
 static int spawn_with_stdio(int fd, const char *const *argv, pid_t *pid)
 {
     posix_spawn_file_actions_t actions;

@@ -42,6 +42,7 @@ static bool find_speed(unsigned long bits_per_second, speed_t *speed)
     return false;
 }
 
+// Returns false, with errno set, if the device refuses the mode.
 static bool set_raw_mode(int fd, speed_t speed)
 {
     struct termios t;

@@ -11,7 +11,7 @@
 
 static char *volatile unfinished[OS_UNFINISHED];      // written by normal code, read by the signal handler
 static volatile sig_atomic_t waiting, held;
-static int begun;                                     // nesting depth of os_signals_begin
+static int begun;                                     // how many calls of os_signals_begin are not ended yet
 
 static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGQUIT, SIGXCPU, SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2};
 enum { NUMBERS = sizeof numbers / sizeof *numbers };

@@ -62,7 +62,7 @@ Str str_find(const StrPool *p, const char *text, size_t len)
     return p->cap ? p->slot[find_slot(p, text, len, hash_bytes(text, len))] : NULL;
 }
 
-static StrData *intern(StrPool *p, const char *text, size_t len)
+static StrData *find_or_add_string(StrPool *p, const char *text, size_t len)
 {
     uint32_t hash = hash_bytes(text, len);
     size_t at;
@@ -84,7 +84,7 @@ static StrData *intern(StrPool *p, const char *text, size_t len)
 
 Str str_intern(StrPool *p, const char *text, size_t len)
 {
-    return intern(p, text, len);
+    return find_or_add_string(p, text, len);
 }
 
 Str str_c(StrPool *p, const char *text)
@@ -94,12 +94,12 @@ Str str_c(StrPool *p, const char *text)
 
 void str_declare(StrPool *p, Str name)
 {
-    intern(p, name->text, name->len)->declared = true;
+    find_or_add_string(p, name->text, name->len)->declared = true;
 }
 
 void str_mark(StrPool *p, const char *text, uint8_t mark)
 {
-    intern(p, text, strlen(text))->mark = mark;
+    find_or_add_string(p, text, strlen(text))->mark = mark;
 }
 
 static size_t smallest(size_t a, size_t b, size_t c)
@@ -135,6 +135,7 @@ size_t str_distance(const char *a, const char *b, size_t limit)
     return last[lb] < limit ? last[lb] : limit;
 }
 
+// Returns the slot of the key, or the free slot where it would be inserted. The map must have slots.
 static size_t find_map_slot(const Map *m, Str key)
 {
     size_t at = key->hash & (m->cap - 1);

@@ -13,7 +13,7 @@ typedef struct StrData {
     uint32_t hash;
     uint32_t len;         // length in bytes, without the final NUL
     uint8_t mark;         // set by str_mark; 0: none
-    bool declared;        // set by str_declare
+    bool declared;        // some source declares this name (str_declare)
     char text[1];         // len bytes and a NUL
 } StrData;
 typedef const StrData *Str;
@@ -27,8 +27,8 @@ typedef struct StrPool {
 void str_pool_init(StrPool *p, Arena *arena);
 Str str_intern(StrPool *p, const char *text, size_t len);
 void str_declare(StrPool *p, Str name);                     // records that a source declares an element or a variable `name`
-Str str_find(const StrPool *p, const char *text, size_t len);      // NULL if it has not been interned
-Str str_c(StrPool *p, const char *text);                    // interns a C string
+Str str_find(const StrPool *p, const char *text, size_t len);      // returns the interned string; NULL if there is none
+Str str_c(StrPool *p, const char *text);                    // interns a NUL-terminated string
 void str_mark(StrPool *p, const char *text, uint8_t mark);   // sets StrData.mark, for fast tests whether a string is in a small set
 
 // The edit distance from a to b: insertions, deletions, replacements and swaps of adjacent characters.  Returns at most `limit`.
@@ -48,7 +48,7 @@ typedef struct Map {
     size_t cap, n;
 } Map;
 
-void *map_find(const Map *m, Str key);                      // NULL if absent
+void *map_find(const Map *m, Str key);                      // returns the value; NULL if the map lacks the key
 void map_put(Map *m, Str key, void *value);                 // replaces an existing value
 
 #endif

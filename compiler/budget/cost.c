@@ -136,8 +136,8 @@ static void append_path(ImageReader *r, StateCost *s, const ImageFn *f, CostPart
 // ---- a state ----
 
 typedef struct LongestStep {
-    uint32_t n;                   // cost of the step
-    bool entry, step, exit;       // which functions it runs
+    uint32_t n;                   // the step's cost
+    bool entry, step, exit;       // whether the step runs .entry, .step and .exit
     PathEnd entry_path, step_path;    // how .entry and .step end
 } LongestStep;
 

@@ -29,7 +29,7 @@ typedef struct StateCost {
 } StateCost;
 
 typedef struct CostWindow {
-    uint32_t size;                // number of slots
+    uint32_t size;                // how many samples the window stores
     SmType type;
     uint32_t bytes;               // bytes of the samples and of the data that speeds up statistics
 } CostWindow;

@@ -116,7 +116,7 @@ static bool read_speed(Cli *c, unsigned long *speed)
 // Asks the board for its properties. Returns EXIT_OK, or the exit code after a message.
 static int query_board(Cli *c, BoardLine *b, const char *port, unsigned long speed)
 {
-    if (!device_hello(&b->host, &b->info)) {
+    if (!device_query_info(&b->host, &b->info)) {
         cli_print_error(c, b->host.answered ? TEXT_not_a_board : TEXT_no_answer, port, speed);
         return EXIT_ENVIRONMENT;
     }

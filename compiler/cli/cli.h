@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The smc command: declarations shared by its subcommands. A subcommand parses arguments, calls the library and returns an exit code.
+// Unless its comment says otherwise, a function of this folder that returns int returns an exit code: any other than EXIT_OK follows a message.
 #ifndef SMC_CLI_H
 #define SMC_CLI_H
 
@@ -17,7 +18,7 @@ enum {
     EXIT_USAGE = 2,
     EXIT_ENVIRONMENT = 3,     // cannot read or write, out of memory, no device
     EXIT_INTERNAL = 4,        // a bug in smc
-    EXIT_INCONCLUSIVE = 5     // a bound was reached, so there is no result
+    EXIT_INCONCLUSIVE = 5     // reserved for "a bound was reached, so there is no result"; no command returns it
 };
 
 typedef enum OptionId {
@@ -45,7 +46,7 @@ struct Cli {
     const char *value[OPT_COUNT];         // the values of options that take one; the last one wins
     DiagSelection warn;
     Diags reported;                       // what cli_print_diagnostics has printed so far, for a SARIF document
-    PlainMessages plain;                  // likewise the other messages
+    PlainMessages plain;                  // the other messages printed so far, for the same document
     Buf message_file;                     // what --message-file will contain, unless that is SARIF
     const char *last_error;               // the last message of cli_print_error; allocated in the session
 };
@@ -87,7 +88,7 @@ int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v);
 void cli_write_pin(Buf *out, const SmvmPin *p);          // writes a pin in words: "digital input 2 with @pull_up"
 // Writes outputs, after outputs_check. Returns EXIT_OK, or the exit code after a message: then no file has been replaced.
 int cli_write_outputs(Cli *c, const OsOutput *out, size_t n);
-// Writes an edited file over its input, without outputs_check. Reports hard links, because os_write changes only one of them.
+// Writes an edited file over its input, without outputs_check. Reports hard links, because os_write_files changes only one of them.
 int cli_write_edited(Cli *c, const OsOutput *out);
 bool cli_print(Cli *c, int fd, const Buf *text);          // prints to standard output (1) or error (2); false after a message
 

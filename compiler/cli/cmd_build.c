@@ -182,7 +182,7 @@ static bool check_c_pair_name(Cli *c, const char *path)
     return false;
 }
 
-static int check_app_use(Cli *c)
+static int check_app_arguments(Cli *c)
 {
     if (c->files > 1)
         return cli_usage_error(c, TEXT_app_built_alone);
@@ -211,8 +211,8 @@ static int check_c_options(Cli *c, CompileEmit emit)
     return EXIT_OK;
 }
 
-// Checks that the inputs, the kind of output and -o are compatible.
-static int check_use(Cli *c, CompileEmit emit)
+// Checks that the inputs, the kind of output and the options are compatible.  Returns EXIT_OK, or EXIT_USAGE after a message.
+static int check_arguments(Cli *c, CompileEmit emit)
 {
     FileKind kind, first = FILE_SM;
 
@@ -224,7 +224,7 @@ static int check_use(Cli *c, CompileEmit emit)
     if (is_stage_text(emit))
         return check_c_options(c, emit);
     if (first == FILE_APP)
-        return check_app_use(c);
+        return check_app_arguments(c);
     for (size_t i = 0; i < c->files; i++) {
         kind = FILE_SM;
         file_kind(c->file[i], &kind);
@@ -290,7 +290,7 @@ int cmd_build(Cli *c)
 
     if (!find_emit(c, &emit))
         return EXIT_USAGE;
-    if ((code = check_use(c, emit)) != EXIT_OK)
+    if ((code = check_arguments(c, emit)) != EXIT_OK)
         return code;
     if (!cli_compile_options(c, &o) || !set_print_after(c))
         return EXIT_USAGE;

@@ -2,7 +2,7 @@
 // smc check: checks sources without running them.
 #include "compiler/cli/cli.h"
 
-static int check_use(Cli *c)
+static int check_arguments(Cli *c)
 {
     size_t of[FILE_APP + 1] = {0};        // by FileKind: number of files of this kind
     const char *pins = NULL;
@@ -36,7 +36,7 @@ int cmd_check(Cli *c)
     CompileInput in;
     CompileOptions o;
     Compiled out;
-    int code = check_use(c);
+    int code = check_arguments(c);
 
     if (code != EXIT_OK)
         return code;

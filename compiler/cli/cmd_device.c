@@ -46,7 +46,7 @@ static int show_info(BoardLine *b, Buf *out)
             buf_printf(out, ", with key %08lx", (unsigned long)i->mark);
         buf_printf(out, ", with numbers above %lu\n", (unsigned long)i->newest);
     }
-    is_on_trial = device_trial(&b->host, i, &trial);
+    is_on_trial = device_find_trial_image(&b->host, i, &trial);
     if (i->may != SM_OK)
         buf_printf(out, "no update may begin: %s\n", sm_result_text(i->may));
     else if (is_on_trial)
@@ -66,7 +66,7 @@ static void report_ended_trial(BoardLine *b)
 {
     DeviceImage image;
 
-    if (device_ended_trial(&b->host, &b->info, &image))
+    if (device_find_ended_trial(&b->host, &b->info, &image))
         cli_print_error(b->c, TEXT_trial_ended, (unsigned long)image.checksum, board_trial_end(image.end));
 }
 
@@ -74,12 +74,12 @@ static int confirm_image(BoardLine *b, Buf *out)
 {
     DeviceImage image, trial;
 
-    if (!device_running(&b->host, &b->info, &image))
+    if (!device_find_running_image(&b->host, &b->info, &image))
         return board_report_failure(b, "asking what runs");
     if (image.slot == DEVICE_BUILT_IN) {
         cli_print_error(b->c, TEXT_nothing_to_confirm);
         report_ended_trial(b);
-        if (device_trial(&b->host, &b->info, &trial))
+        if (device_find_trial_image(&b->host, &b->info, &trial))
             board_describe(out, &trial);
         return EXIT_PROBLEM;
     }
@@ -164,7 +164,7 @@ static void write_transition(Buf *out, const LinkTransition *t)
     buf_printf(out, "%12.3f s  STATE of machine %u, from %u, to %u\n", t->time * 1048576e-9, (unsigned)t->machine, (unsigned)t->from, (unsigned)t->to);
 }
 
-// Prints the transitions that the board has stored in its slots, also those from before its last restart.
+// Prints the transitions that the board has stored in its slots, also those from before its last restart. Returns false if a request failed.
 static bool show_stored_transitions(BoardLine *b, Buf *out)
 {
     LinkTransition t[LINK_TRANSITIONS];

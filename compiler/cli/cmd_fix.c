@@ -4,7 +4,7 @@
 
 #include "compiler/cli/cli.h"
 
-enum { ROUNDS = 10 };         // one edit can reveal another error
+enum { ROUNDS = 10 };         // most rounds: one edit can reveal another error
 
 typedef struct Fix {
     Cli *c;
@@ -14,7 +14,7 @@ typedef struct Fix {
     size_t *fixed;            // by argument: number of findings fixed
 } Fix;
 
-static void diagnose(Fix *f)
+static void compile_and_diagnose(Fix *f)
 {
     Compiled out;
 
@@ -76,7 +76,7 @@ static bool apply_edits_to(Fix *f, size_t i)
     if ((made = diags_apply_edits(&before, was, &text)) == 0)
         return false;
     f->in.at[i].text = source_new(&c->session.arena, was->name, buf_text(&text), text.n);
-    diagnose(f);
+    compile_and_diagnose(f);
     if (!is_better(&c->session.diags, f->in.at[i].text, &before, was)) {
         f->in.at[i].text = was;
         c->session.diags = before;
@@ -88,6 +88,8 @@ static bool apply_edits_to(Fix *f, size_t i)
 
 // ---- the command ----
 
+// Writes the changed files, unless --dry-run is given, and adds their changed lines to `report`. Returns false after the message of a failed
+// write.
 static bool write_fixed(Fix *f, Buf *report)
 {
     Cli *c = f->c;
@@ -122,7 +124,7 @@ int cmd_fix(Cli *c)
     f.fixed = ARENA_ARRAY(&c->session.arena, size_t, c->files);
     for (size_t i = 0; i < c->files; i++)
         f.was[i] = f.in.at[i].text;
-    diagnose(&f);
+    compile_and_diagnose(&f);
     for (int round = 0; round < ROUNDS && any; round++) {
         any = false;
         for (size_t i = 0; i < c->files; i++)

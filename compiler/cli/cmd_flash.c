@@ -36,7 +36,7 @@ static int report_no_update_now(BoardLine *b)
 
     b->host.result = b->info.may;
     code = board_report_failure(b, "nothing was sent");
-    if (b->info.may == SM_E_UNSAFE && device_running(&b->host, &b->info, &now) && now.state == DEVICE_TRIAL)
+    if (b->info.may == SM_E_UNSAFE && device_find_running_image(&b->host, &b->info, &now) && now.state == DEVICE_TRIAL)
         cli_print_note(b->c, TEXT_trial_left, (unsigned)now.starts, b->info.slots > 1 ? TEXT_previous_runs : TEXT_built_in_runs);
     return code;
 }
@@ -146,7 +146,7 @@ static int report_success(BoardLine *b, const Update *u, const DeviceImage *befo
     DeviceImage now;
     Buf out;
 
-    if (!device_running(&b->host, &b->info, &now))
+    if (!device_find_running_image(&b->host, &b->info, &now))
         return board_report_failure(b, "asking what runs");
     buf_init(&out, &b->c->session.arena);
     buf_str(&out, u->was_running ? "it runs already: " : "before: ");

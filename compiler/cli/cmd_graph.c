@@ -41,7 +41,7 @@ int cmd_graph(Cli *c)
 
     if (!cli_choose_format(c, formats, FORMATS, &format))
         return EXIT_USAGE;
-    if ((code = runs_check_use(c)) != EXIT_OK)
+    if ((code = runs_check_arguments(c)) != EXIT_OK)
         return code;
     if (!cli_compile_options(c, &o))
         return EXIT_USAGE;

@@ -127,7 +127,7 @@ int cmd_log(Cli *c)
         return cli_usage_error(c, TEXT_log_what);
     if (!cli_choose_format(c, formats, FORMATS, &format))
         return EXIT_USAGE;
-    if (!os_read(c->file[0], size_most, &bytes, &n, &why)) {
+    if (!os_read_file(c->file[0], size_most, &bytes, &n, &why)) {
         cli_print_error(c, TEXT_cannot_read, cli_printable_name(&c->session.arena, c->file[0]), why);
         return EXIT_ENVIRONMENT;
     }

@@ -21,7 +21,7 @@ int cmd_report(Cli *c)
     Buf out;
     int code;
 
-    if ((code = runs_check_use(c)) != EXIT_OK)
+    if ((code = runs_check_arguments(c)) != EXIT_OK)
         return code;
     if (!cli_choose_format(c, formats, FORMATS, &format) || !cli_compile_options(c, &o))
         return EXIT_USAGE;

@@ -40,7 +40,7 @@ static void collect_cases(TestRun *t, const char *path, int depth)
         vec_push(t->arena, &t->path, path);
         return;
     }
-    if (depth == FOLDER_DEPTH_MAX || !os_list(path, &names, &n, &why)) {
+    if (depth == FOLDER_DEPTH_MAX || !os_list_folder(path, &names, &n, &why)) {
         refuse_folder(t, path, why);
         return;
     }
@@ -144,7 +144,7 @@ bool test_is_script(const Cli *c, const char *path)
 
 typedef struct Files { size_t machines, scripts, cases, standard_inputs; const char *machine; } Files;
 
-static Files sort_files(const Cli *c)
+static Files classify_files(const Cli *c)
 {
     Files f = {0, 0, 0, 0, NULL};
 
@@ -175,7 +175,7 @@ static int check_kinds(Cli *c)
     return EXIT_OK;
 }
 
-static int check_use(Cli *c, const Files *f)
+static int check_arguments(Cli *c, const Files *f)
 {
     static const struct { OptionId id; const char *spelling; } other[] = {
         {OPT_JUNIT, "--junit"}, {OPT_TRACE, "--trace"}, {OPT_MESSAGE_FILE, "--message-file"}};
@@ -217,6 +217,7 @@ static int check_trace(Cli *c, const Files *f)
     return EXIT_OK;
 }
 
+// Reads the value of --max-steps. Returns false if it is not a whole number from 1 on that 64 bits can hold.
 static bool read_steps(const char *text, uint64_t *steps)
 {
     *steps = 0;
@@ -256,8 +257,8 @@ int cmd_test(Cli *c)
     int code, ran = EXIT_OK, written;
 
     name_standard_input(c);
-    f = sort_files(c);
-    if ((code = check_use(c, &f)) != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
+    f = classify_files(c);
+    if ((code = check_arguments(c, &f)) != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
         return code;
     if (c->given[OPT_TRACE] && f.cases)
         cli_print_note(c, TEXT_cases_not_traced, f.machine);

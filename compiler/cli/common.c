@@ -11,7 +11,7 @@
 
 typedef enum MessageFormat { MESSAGE_TEXT, MESSAGE_JSON, MESSAGE_SARIF } MessageFormat;
 
-static MessageFormat named_format(const Cli *c)
+static MessageFormat format_of_option(const Cli *c)
 {
     const char *name = c->value[OPT_FORMAT];
 
@@ -19,7 +19,7 @@ static MessageFormat named_format(const Cli *c)
 }
 
 // With --message-file, --message-format applies to that file.
-static MessageFormat console_format(const Cli *c) { return c->given[OPT_MESSAGE_FILE] ? MESSAGE_TEXT : named_format(c); }
+static MessageFormat console_format(const Cli *c) { return c->given[OPT_MESSAGE_FILE] ? MESSAGE_TEXT : format_of_option(c); }
 
 // Without --message-format, the suffix of the file's name decides.
 static MessageFormat file_format(const Cli *c)
@@ -27,7 +27,7 @@ static MessageFormat file_format(const Cli *c)
     const char *path = c->value[OPT_MESSAGE_FILE];
 
     if (c->given[OPT_FORMAT])
-        return named_format(c);
+        return format_of_option(c);
     return has_suffix(path, ".sarif") || has_suffix(path, ".sarif.json") ? MESSAGE_SARIF : has_suffix(path, ".json") ? MESSAGE_JSON : MESSAGE_TEXT;
 }
 
@@ -130,7 +130,7 @@ static int write_files(Cli *c, const OsOutput *out, size_t n)
 {
     const char *path, *why;
 
-    if (os_write(out, n, &path, &why))
+    if (os_write_files(out, n, &path, &why))
         return EXIT_OK;
     cli_print_error(c, TEXT_cannot_write, strcmp(path, "-") == 0 ? "standard output" : cli_printable_name(&c->session.arena, path), why);
     return EXIT_ENVIRONMENT;
@@ -177,7 +177,7 @@ static bool wants_color(const Cli *c)
     return os_is_terminal(2) && !(term && strcmp(term, "dumb") == 0);
 }
 
-static void put_diagnostics(const Diags *d, MessageFormat format, const DiagStyle *style, Buf *out)
+static void append_diagnostics(const Diags *d, MessageFormat format, const DiagStyle *style, Buf *out)
 {
     if (format == MESSAGE_TEXT)
         diags_render_text(d, style, out);
@@ -196,7 +196,7 @@ static void record_diagnostics(Cli *c)
     for (size_t i = 0; i < d->allowed.n; i++)
         vec_push(&c->session.arena, &c->reported.allowed, d->allowed.at[i]);
     if (c->given[OPT_MESSAGE_FILE])
-        put_diagnostics(d, file_format(c), &plain, &c->message_file);
+        append_diagnostics(d, file_format(c), &plain, &c->message_file);
 }
 
 int cli_print_diagnostics(Cli *c)
@@ -210,7 +210,7 @@ int cli_print_diagnostics(Cli *c)
     diags_select(d, &c->warn);
     diags_sort(d);
     buf_init(&out, &c->session.arena);
-    put_diagnostics(d, console_format(c), &style, &out);
+    append_diagnostics(d, console_format(c), &style, &out);
     record_diagnostics(c);
     code = d->errors ? EXIT_PROBLEM : EXIT_OK;
     if (!cli_print(c, 2, &out) && !code)
@@ -262,6 +262,7 @@ static bool has_format_suffix(const char *path, const CliFormat *f)
     return false;
 }
 
+// Reports a --format that the command cannot write. Always returns false, the result of cli_choose_format.
 static bool report_unknown_format(Cli *c, const CliFormat *format, size_t formats)
 {
     Buf list;

@@ -7,12 +7,13 @@
 
 // ---- sources ----
 
+// Reads a file as a source that diagnostics call `name`.  Returns NULL and sets *why if it cannot be read.
 static Source *open_source(Cli *c, const char *path, const char *name, const char **why)
 {
     char *text, *copy;
     size_t len;
 
-    if (!os_read(path, SOURCE_MAX, &text, &len, why))
+    if (!os_read_file(path, SOURCE_MAX, &text, &len, why))
         return NULL;
     copy = arena_alloc(&c->session.arena, len + 1);
     memcpy(copy, text, len);

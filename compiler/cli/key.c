@@ -23,6 +23,7 @@ bool key_is_file(const char *text, size_t n)
     return i == n;
 }
 
+// Returns the value of a hexadecimal digit.
 static uint8_t digit_value(char c)
 {
     return (uint8_t)(c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10);
@@ -74,7 +75,7 @@ int cmd_key(Cli *c)
         return cli_usage_error(c, TEXT_key_what);
     if (outputs_is_source_name(c->file[0], strlen(c->file[0])))
         return cli_usage_error(c, TEXT_key_is_source, c->file[0]);
-    if (!os_random(key, sizeof key, &why))
+    if (!os_get_random_bytes(key, sizeof key, &why))
         return cli_print_error(c, TEXT_cannot_make_key, why), EXIT_ENVIRONMENT;
     for (unsigned i = 0; i < SMVM_KEY; i++) {
         text[2 * i] = digit[key[i] >> 4];

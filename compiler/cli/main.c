@@ -14,7 +14,7 @@ static const Command commands[] = {
 
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
-static void general_help(Buf *out)
+static void write_general_help(Buf *out)
 {
     buf_str(out, "smc - state machines for rockets: checks them, tests them, compiles them to C and bytecode\n\nUsage:\n");
     for (size_t i = 0; i < COMMANDS; i++)
@@ -22,6 +22,7 @@ static void general_help(Buf *out)
     buf_str(out, "\n'smc COMMAND --help' lists a command's options.\n");
 }
 
+// Returns the subcommand; NULL after reporting an unknown name.
 static const Command *find_command(Cli *c, const char *name)
 {
     const char *names[COMMANDS], *near;
@@ -69,13 +70,13 @@ static int run_command(Cli *c, int argc, char **argv)
     return cli_finish(c, c->command->run(c));
 }
 
-static int dispatch(Cli *c, int argc, char **argv)
+static int dispatch_command(Cli *c, int argc, char **argv)
 {
     Buf out;
 
     buf_init(&out, &c->session.arena);
     if (argc < 2) {
-        general_help(&out);
+        write_general_help(&out);
         return print_text(c, 2, &out, EXIT_USAGE);
     }
     if (strcmp(argv[1], "help") == 0 && argc > 2) {
@@ -83,7 +84,7 @@ static int dispatch(Cli *c, int argc, char **argv)
         return run_command(c, 3, swapped);
     }
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
-        general_help(&out);
+        write_general_help(&out);
         return print_text(c, 1, &out, EXIT_OK);
     }
     if (strcmp(argv[1], "--version") == 0) {
@@ -107,7 +108,7 @@ int main(int argc, char **argv)
         return EXIT_ENVIRONMENT;
     }
     session_init(&cli.session, os_alloc, NULL, &oom);
-    code = dispatch(&cli, argc, argv);
+    code = dispatch_command(&cli, argc, argv);
     session_free(&cli.session);
     return code;
 }

@@ -13,7 +13,7 @@ static const OptionInfo option_info[OPT_COUNT] = {
 #undef OPTION
 };
 
-static bool is_joined(const OptionInfo *o) { return o->value && o->value[0] == '='; }
+static bool has_joined_value(const OptionInfo *o) { return o->value && o->value[0] == '='; }
 
 // Two subcommands with one letter would accept each other's options. These constants make that an error of the C compiler.
 enum {
@@ -49,6 +49,7 @@ static OptionId find_option(const char *arg, const char **value)
     return OPT_COUNT;
 }
 
+// Reports an unknown option, with the most similar known one.  Always returns false, the result of options_parse.
 static bool report_unknown_option(Cli *c, const char *arg)
 {
     const char *names[OPT_COUNT], *near;
@@ -67,7 +68,7 @@ static bool report_unknown_option(Cli *c, const char *arg)
     return false;
 }
 
-// Stores option `id`; `next` is the following argument or NULL.  Sets *took_next when that was its value.
+// Stores option `id`; `next` is the following argument or NULL.  Sets *took_next when that was its value.  Returns false after a message.
 static bool store_option(Cli *c, OptionId id, const char *arg, const char *value, const char *next, bool *took_next)
 {
     const OptionInfo *o = &option_info[id];
@@ -77,13 +78,13 @@ static bool store_option(Cli *c, OptionId id, const char *arg, const char *value
     if (!o->value && value)
         return cli_usage_error(c, TEXT_option_no_value, o->spelling), false;
     if (o->value && !value) {
-        if (is_joined(o) || !next)
-            return cli_usage_error(c, TEXT_option_needs_value, arg, o->value + is_joined(o)), false;
+        if (has_joined_value(o) || !next)
+            return cli_usage_error(c, TEXT_option_needs_value, arg, o->value + has_joined_value(o)), false;
         value = next;
         *took_next = true;
     }
     if (o->value && *value == '\0')
-        return cli_usage_error(c, TEXT_option_empty, o->spelling, o->value + is_joined(o)), false;
+        return cli_usage_error(c, TEXT_option_empty, o->spelling, o->value + has_joined_value(o)), false;
     c->given[id] = true;
     c->value[id] = value;
     if (id == OPT_WARN)
@@ -93,6 +94,7 @@ static bool store_option(Cli *c, OptionId id, const char *arg, const char *value
     return true;
 }
 
+// Checks that the value of an option, if given, is one of n words; `list` names them in the message.  Returns false after the message.
 static bool check_one_of(Cli *c, OptionId id, const char *const *allowed, size_t n, const char *list)
 {
     if (!c->given[id])
@@ -169,8 +171,8 @@ void options_write_help(const Command *command, Buf *out)
         char left[64];
         if (!option_applies(o, command))
             continue;
-        snprintf(left, sizeof left, "%s%s%s", o->spelling, !o->value || is_joined(o) ? "" : o->spelling[1] == '-' ? "=" : " ",
-                 o->value ? o->value + is_joined(o) : "");
+        snprintf(left, sizeof left, "%s%s%s", o->spelling, !o->value || has_joined_value(o) ? "" : o->spelling[1] == '-' ? "=" : " ",
+                 o->value ? o->value + has_joined_value(o) : "");
         buf_printf(out, "  %-24s %s\n", left, o->sentence);
     }
 }

@@ -428,7 +428,8 @@ static const char *real_path(Cli *c, const char *path)
 
 // ---- refused outputs ----
 
-// `option`: the option that named the output, or NULL if the command chose the name.
+// Checks that an output is not an input and does not have the name of a source.  `option`: the option that named the output, or NULL if the
+// command chose the name.
 static int check_name(Cli *c, const char *path, const char *option)
 {
     const char *real = real_path(c, path);

@@ -7,7 +7,7 @@
 
 enum { STEPS_MOST = 1000000 };        // a script that runs longer is ended; the default limit of smc test
 
-int runs_check_use(Cli *c)
+int runs_check_arguments(Cli *c)
 {
     size_t machines = 0;
 

@@ -7,7 +7,7 @@
 #include "compiler/review.h"
 
 // Checks that the arguments are one machine and scripts.  Returns EXIT_OK, or the exit code after a message.
-int runs_check_use(Cli *c);
+int runs_check_arguments(Cli *c);
 // Returns the machine among the compiled sources.
 const CompiledSource *runs_machine(const CompileInput *in, const Compiled *made);
 // Runs the scripts of `in` into r->run, on an image with names of p: the machine of r->analysis, compiled for scripts.

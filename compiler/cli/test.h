@@ -38,7 +38,7 @@ typedef struct TestRun {      // one call of smc test
 } TestRun;
 
 // Whether results for another program go to standard output: then reports for people do not go there.
-bool test_stdout_is_for_program(const Cli *c);                                    // cmd_test.c
+bool test_stdout_is_for_program(const Cli *c);                                    // cmd_test.c: whether standard output is for a program
 // Where reports for people go: standard output, unless the trace or the diagnostics go there.
 int test_result_fd(const Cli *c);                                   // cmd_test.c
 // Whether an argument is a script. Standard input ("-") is one if the call names a machine; otherwise it is the machine.
@@ -57,7 +57,7 @@ unsigned test_absent_engines(TestRun *t, unsigned which);           // cmd_test.
 
 typedef struct TestCase TestCase;
 
-TestCase *test_case_open(TestRun *t, const char *path);    // reads and compiles it
+TestCase *test_case_open(TestRun *t, const char *path);    // reads and compiles the case
 // Returns whether the case has to run on emitted C of this kind; if so, stores its program and its IR.
 bool test_case_find_c(const TestCase *c, EngineKind kind, const Program **p, const IrMachine **ir);
 // Runs the case and frees everything. `emitted`: the engines of emitted C, by kind; where one is NULL, the case opens its own engine.

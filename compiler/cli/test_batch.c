@@ -16,7 +16,7 @@ typedef struct Batch {
 
 // Builds the C of all cases of the batch as one program. If that fails, each case builds its own C, so that the faulty case reports the
 // error.
-static void open_c(Batch *b, EngineKind kind)
+static void open_emitted_c(Batch *b, EngineKind kind)
 {
     const Program *p[BATCH];
     const IrMachine *ir[BATCH];
@@ -58,8 +58,8 @@ static void test_batch(TestRun *t, const char *const *path, size_t n)
     arena_init(&b.arena, os_alloc, NULL, t->arena->oom);
     for (size_t i = 0; i < n; i++)
         b.at[i] = test_case_open(t, path[i]);
-    open_c(&b, ENGINE_C);
-    open_c(&b, ENGINE_C_SOFT);
+    open_emitted_c(&b, ENGINE_C);
+    open_emitted_c(&b, ENGINE_C_SOFT);
     for (size_t i = 0; i < n; i++) {
         TestResult r = test_case_close(b.at[i], b.engine[i]);
         vec_push(t->arena, &t->result, r);

@@ -12,7 +12,7 @@ struct TestCase {
     char *text;               // content of the file; on the heap
     SmtCase smt;
     EngineSet engines;
-    unsigned which;           // engines it runs on
+    unsigned which;           // the engines that the case runs on: a set of 1u << EngineKind
     IrMachine *ir;            // IR of the case's machine, if emitted C is among the engines; else NULL
     bool is_done;             // `result` is final, and the case must not run
     TestResult result;
@@ -75,7 +75,7 @@ TestCase *test_case_open(TestRun *t, const char *path)
     c->t = t;
     c->result.path = path;
     c->result.suite = test_folder(t->arena, path);
-    if (!os_read(path, SOURCE_MAX, &c->text, &n, &why)) {
+    if (!os_read_file(path, SOURCE_MAX, &c->text, &n, &why)) {
         set_result(c, TEST_BROKEN, format_in(t->arena, "cannot read '%s': %s", cli_printable_name(t->arena, path), why), EXIT_ENVIRONMENT);
     } else if (setjmp(c->oom) == 0) {
         session_init(&c->s, os_alloc, NULL, &c->oom);

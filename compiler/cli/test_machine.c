@@ -13,7 +13,7 @@ typedef struct MachineTest {
     const Source **ss;        // by argument: the scripts, each read once; NULL: not a script, or unreadable
     const char **problem;     // by argument: why a script cannot be read
     Buf report;               // report of the last script
-    TestTrace *trace;         // or NULL
+    TestTrace *trace;         // the trace that --trace requests; or NULL
 } MachineTest;
 
 // Returns a script's name in results: standard input has the name that diagnostics use.

@@ -99,7 +99,7 @@ static int report_write_error(TestTrace *t, const char *why)
     return EXIT_ENVIRONMENT;
 }
 
-static bool is_a_double(SmType type, uint64_t cell)
+static bool is_exact_double(SmType type, uint64_t cell)
 {
     const bool is_negative = sm_type_info[type].kind == SM_KIND_SIGNED && cell >> 63;
     const uint64_t x = is_negative ? (uint64_t)0 - cell : cell;
@@ -112,12 +112,12 @@ static void find_rounded(TestTrace *t, const uint64_t *cell)
 {
     const Var *g = t->p->g;
 
-    if (!t->rounded && !is_a_double(g->type, cell[g->index]))
+    if (!t->rounded && !is_exact_double(g->type, cell[g->index]))
         t->rounded = g;
     for (size_t i = 0; i < t->columns && !t->rounded; i++) {
         const Var *v = t->column[i];
         const SmKind kind = sm_type_info[v->type].kind;
-        if (sm_type_info[v->type].bytes == 8 && (kind == SM_KIND_SIGNED || kind == SM_KIND_UNSIGNED) && !is_a_double(v->type, cell[v->index]))
+        if (sm_type_info[v->type].bytes == 8 && (kind == SM_KIND_SIGNED || kind == SM_KIND_UNSIGNED) && !is_exact_double(v->type, cell[v->index]))
             t->rounded = v;
     }
 }

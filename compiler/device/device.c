@@ -23,6 +23,8 @@ static bool send_request(LinkHost *h, LinkMessage message, const uint8_t *body, 
     return h->result == SM_OK;
 }
 
+// All functions here that send requests return false if the board did not answer or refused, as those of device.h.
+
 // ---- the board and its images ----
 
 // Decodes the limits of the firmware in the answer to HELLO.
@@ -36,7 +38,7 @@ static void read_limits(const uint8_t *b, DeviceInfo *info)
     info->cycles = (uint16_t)sm_link_load(b + 5, 2);
 }
 
-bool device_hello(LinkHost *h, DeviceInfo *info)
+bool device_query_info(LinkHost *h, DeviceInfo *info)
 {
     const uint8_t *b;
 
@@ -83,7 +85,7 @@ bool device_read_image_info(LinkHost *h, uint8_t slot, DeviceImage *image)
     return true;
 }
 
-bool device_running(LinkHost *h, const DeviceInfo *info, DeviceImage *image)
+bool device_find_running_image(LinkHost *h, const DeviceInfo *info, DeviceImage *image)
 {
     for (uint8_t slot = 0; slot < info->slots; slot++) {
         if (!device_read_image_info(h, slot, image))
@@ -109,8 +111,8 @@ static bool find_image(LinkHost *h, const DeviceInfo *info, bool (*is)(const Dev
     return false;
 }
 
-bool device_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image) { return find_image(h, info, is_on_trial, image); }
-bool device_ended_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image) { return find_image(h, info, has_ended_trial, image); }
+bool device_find_trial_image(LinkHost *h, const DeviceInfo *info, DeviceImage *image) { return find_image(h, info, is_on_trial, image); }
+bool device_find_ended_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image) { return find_image(h, info, has_ended_trial, image); }
 
 bool device_request_by_checksum(LinkHost *h, LinkMessage message, uint32_t checksum)
 {
@@ -145,7 +147,7 @@ bool device_restart(LinkHost *h, DeviceInfo *info)
     h->tries = 1;
     refused = link_request(h, LINK_RESTART, NULL, 0) && h->result != SM_OK;
     h->tries = tries;
-    return !refused && device_hello(h, info) && device_is_usable(info);
+    return !refused && device_query_info(h, info) && device_is_usable(info);
 }
 
 // ---- an update ----

@@ -46,17 +46,17 @@ typedef struct DeviceImage {
 } DeviceImage;
 
 // The following functions return false if the board did not answer (h->answered is false) or refused (h->result is the reason).
-bool device_hello(LinkHost *h, DeviceInfo *info);
+bool device_query_info(LinkHost *h, DeviceInfo *info);
 // Whether the host can use the board's protocol version and sizes.  The functions below require it.
 bool device_is_usable(const DeviceInfo *info);
 bool device_read_image_info(LinkHost *h, uint8_t slot, DeviceImage *image);
-// Finds the running image.
-bool device_running(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
+// Finds the running image: that of a slot, or else the built-in one.
+bool device_find_running_image(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
 bool device_request_by_checksum(LinkHost *h, LinkMessage message, uint32_t checksum);  // sends CONFIRM or ERASE
 // Finds the image on trial, whether it already runs or will run from the next start on.  False with SM_OK if no image is on trial.
-bool device_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
+bool device_find_trial_image(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
 // Finds the image whose trial has ended.  False with SM_OK if there is none.
-bool device_ended_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
+bool device_find_ended_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
 // Reads the transitions that the board has stored in the slot of this image, the oldest first; *n: their number.  Bytes that are no record
 // of the image are skipped.
 bool device_read_transitions(LinkHost *h, const DeviceInfo *info, const DeviceImage *image, LinkTransition *out, size_t *n);

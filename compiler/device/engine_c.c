@@ -71,13 +71,13 @@ static bool split_words(Arena *a, const char *text, CommandWords *words)
 }
 
 // Returns the diagnostics of the C compiler, cut off after MESSAGE_MAX bytes; a sentence with its exit code if there are none.
-static const char *read_log(Arena *arena, const char *log, int exit_code)
+static const char *read_compiler_output(Arena *arena, const char *log, int exit_code)
 {
     char *text;
     const char *why, *result;
     size_t len = 0;
 
-    if (!os_read(log, 1 << 20, &text, &len, &why))
+    if (!os_read_file(log, 1 << 20, &text, &len, &why))
         text = NULL;
     if (len == 0)
         result = format_in(arena, "it ended with exit code %d and no message", exit_code);
@@ -105,7 +105,7 @@ bool engine_c_present(Arena *arena, const char **why)
         return true;
     vec_push(arena, &argv, "--version");
     vec_push(arena, &argv, NULL);
-    if (!os_run(argv.at, "/dev/null", &exit_code, &reason))
+    if (!os_run_program(argv.at, "/dev/null", &exit_code, &reason))
         *why = format_in(arena, "%s: %s", no_compiler_message(arena, argv.at[0]), reason);
     else if (exit_code != 0)
         *why = format_in(arena, "%s: '%s --version' ended with exit code %d", no_compiler_message(arena, argv.at[0]), compiler_command(), exit_code);
@@ -114,7 +114,7 @@ bool engine_c_present(Arena *arena, const char **why)
     return false;
 }
 
-// Compiles the emitted C in the folder and starts the program.
+// Compiles the emitted C in the folder and starts the program.  Returns false after storing the reason of a failure.
 static bool build_in_folder(BuildFolder *w, const Buf *code, OsPartner *partner)
 {
     const char *cc = compiler_command(), *path, *why;
@@ -124,7 +124,7 @@ static bool build_in_folder(BuildFolder *w, const Buf *code, OsPartner *partner)
     CommandWords argv = {0};
     int exit_code;
 
-    if (!os_write(&out, 1, &path, &why))
+    if (!os_write_files(&out, 1, &path, &why))
         return set_error(w, "cannot write the emitted C", why);
     if (!split_words(w->arena, cc, &argv))
         return set_error(w, format_in(w->arena, "the variable CC is %s", cc), "a quote in it is not closed");
@@ -136,17 +136,18 @@ static bool build_in_folder(BuildFolder *w, const Buf *code, OsPartner *partner)
     vec_push(w->arena, &argv, program);
     vec_push(w->arena, &argv, source);
     vec_push(w->arena, &argv, NULL);
-    if (!os_run(argv.at, log, &exit_code, &why))
+    if (!os_run_program(argv.at, log, &exit_code, &why))
         return set_error(w, no_compiler_message(w->arena, argv.at[0]), why);
     if (exit_code != 0)
-        return set_error(w, format_in(w->arena, "the C compiler %s does not accept the emitted C", argv.at[0]), read_log(w->arena, log, exit_code));
+        return set_error(w, format_in(w->arena, "the C compiler %s does not accept the emitted C", argv.at[0]), read_compiler_output(w->arena, log, exit_code));
     if (!os_partner_start(partner, program_argv, &why))
         return set_error(w, "cannot start the compiled machine", why);
     return true;
 }
 
 // Builds the program and starts it.  The folder is always removed, because a running program does not need its file.  If memory runs out,
-// this function intercepts the longjmp, removes the folder, and passes the longjmp on to the outer target.
+// this function intercepts the longjmp, removes the folder, and passes the longjmp on to the outer target.  Returns false and sets *error if
+// the program could not be built or started.
 static bool build_and_start(Arena *arena, const Buf *code, OsPartner *partner, const char **error)
 {
     BuildFolder *w = ARENA_NEW(arena, BuildFolder);
@@ -204,6 +205,7 @@ static void begin_request(EngineC *e, uint32_t variant, uint32_t command)
 // Bytes of an answer: three u32, then a u64 and a u8 for each variable.
 enum { ANSWER_HEAD = 12, ANSWER_PER_VARIABLE = 9 };
 
+// Returns the bytes of one answer for a machine.
 static size_t answer_size(const Program *p) { return ANSWER_HEAD + ANSWER_PER_VARIABLE * p->var.n; }
 
 // Sends the requests to both variants and decodes the answers, which must be equal except for the flags of stored elements.

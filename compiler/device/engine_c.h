@@ -18,7 +18,7 @@ bool engine_c_present(Arena *arena, const char **why);
 // engine cannot be built or started.
 Engine *engine_c_open(Arena *arena, const Program *p, const IrMachine *m, bool soft, const char **error);
 
-// Many machines in one program: one run of the compiler for all of them.  m[i] was built from p[i].
+// Many machines in one program: one run of the compiler for all of them.  m[i] was built from p[i].  NULL and *error as for engine_c_open.
 typedef struct EngineCBatch EngineCBatch;
 EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const IrMachine *const *m, size_t n, bool soft, const char **error);
 // Returns the engine of machine i.  The engines of a batch may be used in any order.  Closing a single engine of a batch does nothing.

@@ -13,13 +13,13 @@ extern const char *const engine_name[ENGINE_KINDS];
 typedef struct EngineSet {
     Engine *at[ENGINE_KINDS];
     size_t n;
-    const char *error;        // why engines_open failed
+    const char *error;        // the reason if engines_open has failed
 } EngineSet;
 
 // Sets of kinds are bits: 1u << kind.
 unsigned engines_named(const char *name);             // comma-separated names; "all" means all but c-soft; 0: one name is unknown
 unsigned engines_in_list(const char *list);           // those of a header's `on ref vm c`; other words are ignored
-// Opens those of `which`. On failure the set contains the engines that were opened before.
+// Opens the engines of `which`. Returns false after a failure: set->error is the reason, and the set contains the engines opened before.
 bool engines_open(EngineSet *set, Session *s, const Program *p, unsigned which, int opt_level);
 void engines_close(EngineSet *set);
 

@@ -56,7 +56,7 @@ static FlashRefusal check_limits(const DeviceInfo *i, const FlashImage *image, c
 
 // ---- what the board accepts now ----
 
-static FlashRefusal fail_while(FlashCheck *c, const char *asking)
+static FlashRefusal fail_request(FlashCheck *c, const char *asking)
 {
     c->asking = asking;
     return FLASH_LINK_FAILED;
@@ -69,10 +69,10 @@ static bool is_same_image(const DeviceImage *there, const FlashImage *image)
 
 static FlashRefusal check_trial_and_signature(LinkHost *h, const DeviceInfo *info, const FlashImage *image, FlashCheck *c)
 {
-    if (device_trial(h, info, &c->trial))
+    if (device_find_trial_image(h, info, &c->trial))
         return is_same_image(&c->trial, image) ? FLASH_ACCEPTED : FLASH_OTHER_ON_TRIAL;
     if (!h->answered)
-        return fail_while(c, "asking what is there");
+        return fail_request(c, "asking what is there");
     if (!info->requires_signature)
         return FLASH_ACCEPTED;
     if (!smvm_auth_read(image->bytes, &c->code))
@@ -85,7 +85,7 @@ static FlashRefusal check_trial_and_signature(LinkHost *h, const DeviceInfo *inf
 // Queries the board about each pin.  A board that does not report pins accepts all of them.
 static FlashRefusal check_pins(LinkHost *h, const FlashImage *image, FlashCheck *c)
 {
-    SmvmPin at[SMVM_NO_PIN] = {{0}};   // by the index of a pin on the board
+    SmvmPin at[SMVM_NO_PIN] = {{0}};   // by number of the chip's pin: the image's pin that uses it
     bool taken[SMVM_NO_PIN] = {false};
     SmvmPins all;
     uint8_t index;
@@ -93,7 +93,7 @@ static FlashRefusal check_pins(LinkHost *h, const FlashImage *image, FlashCheck 
     (void)smvm_pins(image->bytes, &all);
     while (smvm_next_pin(&all, &c->pin)) {
         if (!device_find_chip_pin(h, smvm_pin_kind(&c->pin), (uint16_t)c->pin.pin, &index))
-            return h->answered && h->result == SM_E_UNSUPPORTED ? FLASH_ACCEPTED : fail_while(c, "asking about pins");
+            return h->answered && h->result == SM_E_UNSUPPORTED ? FLASH_ACCEPTED : fail_request(c, "asking about pins");
         if (index == SMVM_NO_PIN)
             return FLASH_PIN_ABSENT;
         if (taken[index]) {
@@ -117,8 +117,8 @@ FlashRefusal flash_check(Arena *arena, LinkHost *h, const DeviceInfo *info, cons
         return refusal;
     if (info->may != SM_OK)
         return FLASH_NO_UPDATE_NOW;
-    if (!device_running(h, info, &c->running))
-        return fail_while(c, "asking what runs");
+    if (!device_find_running_image(h, info, &c->running))
+        return fail_request(c, "asking what runs");
     c->runs_already = is_same_image(&c->running, image);
     if (!c->runs_already && (refusal = check_trial_and_signature(h, info, image, c)) != FLASH_ACCEPTED)
         return refusal;
@@ -133,7 +133,7 @@ FlashPrevious flash_find_previous(LinkHost *h, const DeviceInfo *info, const Dev
 
     if (info->slots > 1)
         return PREVIOUS_RUNS;
-    if (!h->answered || !device_running(h, info, &now))
+    if (!h->answered || !device_find_running_image(h, info, &now))
         return PREVIOUS_UNKNOWN;
     if (now.slot == previous->slot)
         return PREVIOUS_RUNS;

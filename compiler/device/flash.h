@@ -34,9 +34,9 @@ typedef enum FlashRefusal {
 
 typedef struct FlashCheck {
     ImageNeeds needs;
-    uint32_t period;          // milliseconds between steps, if necessary the board's default
+    uint32_t period;          // milliseconds between steps: the image's, or the board's default if it has none
     const char *asking;       // FLASH_LINK_FAILED: what the failed request was for, as "asking what runs"
-    DeviceImage running;      // the running image
+    DeviceImage running;      // the image that runs on the board
     bool runs_already;        // the running image is the one to send, with the same period
     DeviceImage trial;        // FLASH_OTHER_ON_TRIAL: the image on trial
     SmvmAuth code;            // FLASH_OTHER_KEY, FLASH_OLD_NUMBER: the mark and number of the image

@@ -27,7 +27,8 @@ static bool accept_answer(LinkHost *h, LinkMessage message)
     return true;
 }
 
-// Receives until the answer is complete or the timeout is over.  Reads byte by byte, so that bytes after an answer stay on the line.
+// Receives until the answer is complete (then returns true), the timeout is over or the line is closed.  Reads byte by byte, so that bytes
+// after an answer stay on the line.
 static bool wait_for_answer(LinkHost *h, LinkMessage message)
 {
     const uint32_t start = h->line->now(h->line->context);

@@ -112,7 +112,7 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
     size_t *count = is_error ? &d->errors : &d->warnings, file = d->files.n;
     Diag *x;
 
-    d->met += is_error;
+    d->errors_seen += is_error;
     span.src = find_listed_file(d, span.src);
     if (d->muted || !record_position(d, code, span) || ++*count > DIAG_KEPT_MAX) {
         d->first = span.src && d->position_cap ? find_position(d, span.src, span.at, code)->diag : NULL;
@@ -167,7 +167,7 @@ void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...)
     va_end(args);
 }
 
-void diag_step(Diags *d, Diag *to, Span span, DiagCode text, ...)
+void diag_note_step(Diags *d, Diag *to, Span span, DiagCode text, ...)
 {
     unsigned step = 1;
     va_list args;
@@ -201,7 +201,7 @@ const char *diag_text(Diags *d, DiagCode text, ...)
     return out;
 }
 
-void diag_about(Diags *d, Diag *to, DiagSubject subject, Span declaration)
+void diag_note_declaration(Diags *d, Diag *to, DiagSubject subject, Span declaration)
 {
     const DiagAbout about = {declaration, subject};
     Diag *x = to == d->dropped ? d->first : to;
@@ -225,6 +225,7 @@ void diag_edit(Diags *d, Diag *to, Span span, const char *text)
 
 // ---- order ----
 
+// Returns the position of a source in the order of diagnostics: its index in d->files.
 static size_t file_rank(const Diags *d, const Source *src)
 {
     size_t i = 0;

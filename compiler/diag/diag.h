@@ -28,10 +28,10 @@ typedef enum DiagCode {
 
 typedef struct DiagInfo {
     const char *id;           // "E0204"; NULL for the message of a note
-    const char *name;         // "unknown_element"
+    const char *name;         // its name in the code: "unknown_element"
     DiagSeverity severity;
     const char *flag;         // of a warning: the name after -W, as "unused-element"; else NULL
-    const char *message;      // {} marks an argument
+    const char *message;      // the message, in which each {} stands for an argument
     const char *page;         // what `smc explain` prints: the meaning, an example, what to do
 } DiagInfo;
 
@@ -57,7 +57,7 @@ extern const char *const diag_group_name[];               // by DiagGroup, as af
 
 typedef struct DiagEdit { Span span; const char *text; } DiagEdit;     // replace span by text
 typedef struct DiagNote {
-    Span span;                // span.src may be NULL
+    Span span;                // where the note points; span.src may be NULL
     const char *text;
     unsigned step;            // number of the step on the path that leads to the finding, from 1; 0: a plain note
 } DiagNote;
@@ -69,7 +69,7 @@ typedef struct DiagAbout { Span span; DiagSubject subject; } DiagAbout;
 // @allow: the user knows and accepts the warnings of one flag in one part of a source.
 typedef struct DiagAllow {
     const char *flag, *reason;
-    Span span, covers;        // the annotation; what it applies to
+    Span span, covers;        // span: the annotation; covers: the part of the source that it applies to
     bool shared;              // other machines or later reports may need it, so it is never reported as unused
     bool used;
 } DiagAllow;
@@ -91,7 +91,7 @@ typedef struct Diags {
     Arena *arena;
     VEC(Diag *) list;                     // in the order of the reports; diags_sort sorts them by position
     size_t errors, warnings;              // how many were reported; the list has at most DIAG_KEPT_MAX of each
-    size_t met;                           // errors, including repeated and muted ones: if it grew during a check, the check failed
+    size_t errors_seen;                   // errors, including repeated and muted ones: if it grew during a check, the check failed
     VEC(DiagAllow) allow;
     VEC(Diag *) allowed;                  // removed from the list by diags_apply_allows
     unsigned known;                       // what this run knows besides the machine: a set of 1u << DiagJudged
@@ -116,14 +116,14 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args);     //
 // Adds a note; `text` is a DIAG_NOTE_TEXT row, its arguments follow.
 void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...);
 // Adds a note that is the next numbered step of the path that leads to the finding.
-void diag_step(Diags *d, Diag *to, Span span, DiagCode text, ...);
+void diag_note_step(Diags *d, Diag *to, Span span, DiagCode text, ...);
 // Sets the text printed after the caret; `text` is a DIAG_NOTE_TEXT row.
 void diag_label(Diags *d, Diag *to, DiagCode text, ...);
 // Returns the text of a DIAG_NOTE_TEXT row with its arguments, to be an argument of another message.
 const char *diag_text(Diags *d, DiagCode text, ...);
 // Adds the declaration of a variable that the diagnostic names, for example as one of its outputs. If `to` was dropped because it repeats
 // a diagnostic in the list, the declaration is added to that diagnostic.
-void diag_about(Diags *d, Diag *to, DiagSubject subject, Span declaration);
+void diag_note_declaration(Diags *d, Diag *to, DiagSubject subject, Span declaration);
 // Proposes an edit that is certainly what the user meant: replaces `span` by a copy of `text`.
 void diag_edit(Diags *d, Diag *to, Span span, const char *text);
 
@@ -138,7 +138,7 @@ void diags_apply_allows(Diags *d);
 typedef struct DiagSelection {
     const char **word;
     size_t n;
-    bool none;                            // -w: no warnings
+    bool none;                            // -w was given: all warnings are dropped
 } DiagSelection;
 
 // Drops disabled warnings and turns those that -Werror names into errors (selection.c). Call it after diags_apply_allows, which covers

@@ -14,6 +14,7 @@ enum { ALL = 1u << DIAG_GROUP_ALL, EXTRA = 1u << DIAG_GROUP_EXTRA, FLIGHT = 1u <
 static const GroupName groups[] = {{"all", ALL}, {"extra", EXTRA}, {"flight", FLIGHT}, {"everything", ALL | EXTRA | FLIGHT}};
 enum { GROUPS = sizeof groups / sizeof *groups };
 
+// Returns the groups that a name such as "all" selects, as in GroupName.groups; 0 if it is no name of groups.
 static unsigned find_groups(const char *name)
 {
     for (size_t i = 0; i < GROUPS; i++)
@@ -22,6 +23,7 @@ static unsigned find_groups(const char *name)
     return 0;
 }
 
+// Returns the text after the prefix; NULL if it does not begin with it.
 static const char *skip_prefix(const char *text, const char *prefix)
 {
     size_t n = strlen(prefix);

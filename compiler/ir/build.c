@@ -127,7 +127,7 @@ static bool build_if(Builder *b, const Stmt *s)
     }
     if (skips == IR_NONE && ends.n == 0)
         return false;
-    b->b = ir_add_block(b->arena, b->f);          // the block in which the arms meet
+    b->b = ir_add_block(b->arena, b->f);          // the arms meet in a new block
     if (skips != IR_NONE)
         jump_of(b, skips)->otherwise = b->b;
     for (size_t i = 0; i < ends.n; i++) {

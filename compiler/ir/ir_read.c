@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses IR text, in the format described at the top of print.c, line by line.  It only resolves names and numbers; ir_verify checks
-// the machine.  Parsing stops at the first error.
+// the machine.  Parsing stops at the first error: the functions here return false after an error, which is then in IrScan.error.
 #include <string.h>
 
 #include "compiler/ir/ir.h"

@@ -104,6 +104,7 @@ bool scan_expect_word(IrScan *s, const char *text)
     return scan_match_word(s, text) || scan_fail(s, "expected '%s'", text);
 }
 
+// Returns the value of a hexadecimal digit, in lower case; -1 for other characters.
 static int hex_digit(char c)
 {
     if (c >= '0' && c <= '9')

@@ -5,7 +5,7 @@
 
 #include "compiler/ir/ir.h"
 
-extern const char *const ir_stat_name[SM_STAT_COUNT];         // avg median …
-extern const char *const ir_block_name[BLOCK_COUNT];          // entry step exit
+extern const char *const ir_stat_name[SM_STAT_COUNT];         // names of the statistics, by SmStat: avg median …
+extern const char *const ir_block_name[BLOCK_COUNT];          // names of the blocks, by BlockKind: entry step exit
 
 #endif

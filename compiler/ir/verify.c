@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks the invariants that ir.h states, so that passes and emitters can rely on them.  Returns the first violation as a sentence.
-// tests/ir/verify.c breaks each invariant once.
+// tests/ir/verify.c breaks each invariant once.  The check_ functions return false after a violation, which is then in IrChecker.error.
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -20,6 +20,7 @@ typedef struct IrChecker {
     bool *sampled;                    // by window: it has been sampled
 } IrChecker;
 
+// Stores the sentence about a violation, preceded by where it is.  Always returns false, the result of the check.
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif

@@ -16,7 +16,7 @@ enum { ARM_INS = 32, ARM_STORES = 8 };       // most instructions and stores of 
 // A store of an arm: of a boolean constant, or of the variable's value plus or minus `one`.
 typedef struct ArmStore {
     uint32_t var;
-    bool stored_bool;         // the boolean constant
+    bool stored_bool;         // the boolean constant that is stored
     IrRef store, one;         // the store instruction; the constant 1, or IR_NONE if a boolean is stored
 } ArmStore;
 
@@ -34,8 +34,10 @@ typedef struct IfConvert {
     bool counts;              // whether to convert counts
 } IfConvert;
 
-// Whether adding 0 in `type` leaves every value of a counter unchanged.  A stored 64-bit integer is always exactly an F64.  Narrower
-// counters are only matched if the pass `narrow` has made their addition an integer operation; without narrow (-O0), the branch stays.
+// Whether adding 0 in `type` leaves every value of a counter unchanged.  That is true of a 64-bit counter in F64: each of its values, the
+// initial one included, was converted from an F64 when it was stored.  So a store converts the nearest F64 of the value back to the value,
+// also where storing has clamped it: INT64_MAX is read as 2^63, which is stored as INT64_MAX.  Narrower counters are only matched if the pass
+// `narrow` has made their addition an integer operation; without narrow (-O0), the branch stays.
 static bool can_count_in(SmType type, SmType counter)
 {
     if (sm_type_info[counter].bytes == 8)

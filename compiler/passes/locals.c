@@ -11,7 +11,7 @@ typedef struct LocalUse {
     bool stored, loaded;
     bool exposed;             // a load may read the value of an earlier block or step, or a stored temporary cannot replace its loads
     uint32_t block;           // number of the last block that stored to the local
-    IrRef stored_temp;        // the temporary that this store stored
+    IrRef stored_temp;        // the temporary that the last store of that block stored
 } LocalUse;
 
 typedef struct LocalsPass {

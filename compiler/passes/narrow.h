@@ -12,7 +12,7 @@ typedef struct Narrow {
     Arena *arena;
     IrFn *f;
     const Fact *fact;         // the possible values of the temporary
-    uint32_t *uses;           // its use count
+    uint32_t *uses;           // the temporary's use count
     IrRef *same;              // a temporary with the same value: an earlier one, or itself
     IrRef *narrow;            // for an F64: a temporary of a narrower type that is exactly the same number, or IR_NONE
     IrRef *wide;              // for an F64: the I64 or U64 that it was converted from, perhaps with rounding, or IR_NONE

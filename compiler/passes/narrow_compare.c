@@ -64,7 +64,7 @@ static void compare_f32(Narrow *n, IrRef ref, IrOp op, IrRef x, double c)
     double below = sm_from_f32(near);
 
     if (below > c) {
-        const uint32_t u = sm_f32_bits(near);         // step down to the next smaller F32
+        const uint32_t u = sm_f32_bits(near);         // `near` is above c, so take the next smaller F32
         below = sm_from_f32(sm_f32_from_bits(below > 0 ? u - 1 : u + 1));
     }
     compare_with_lower_bound(n, ref, op, x, c, below);

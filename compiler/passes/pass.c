@@ -120,6 +120,7 @@ static bool are_use_counts_correct(PassRunner *r, const IrFn *f, const Facts *fa
     return true;
 }
 
+// Checks the IR and the stored use counts, if PassOptions.verify is set.  Returns NULL, or a sentence about what is wrong, with `when`.
 static const char *verify_machine(PassRunner *r, const char *when)
 {
     const Facts *facts = r->facts;

@@ -45,9 +45,9 @@ typedef void PassMachineFn(Arena *arena, IrMachine *m, FactMachine *values);    
 
 typedef struct PassInfo {
     const char *name;
-    unsigned needs, invalidates;      // sets of FACT_…
-    const char *sentence;             // what it does
-    PassFn *on_function;              // one of these two is NULL
+    unsigned needs, invalidates;      // facts that the pass needs, and that it makes invalid: sets of FACT_…
+    const char *sentence;             // what the pass does, for docs
+    PassFn *on_function;              // a pass over functions; NULL for a pass over machines, and the reverse
     PassMachineFn *on_machine;
 } PassInfo;
 

@@ -28,6 +28,7 @@ static void append_comment(Buf *out, const char *line, uint32_t len, uint32_t at
 
 static const char *buf_text_or_null(const Buf *b) { return b->n ? buf_text(b) : NULL; }
 
+// Returns the comment of a line; NULL if it has none.
 static const char *comment_of_line(Arena *arena, const Source *src, uint32_t number)
 {
     uint32_t len, at;

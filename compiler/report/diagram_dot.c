@@ -52,13 +52,13 @@ static void write_node(Buf *out, const Diagram *d, const DiagramNode *n)
     for (size_t i = 0; i < n->finding.n; i++)
         buf_printf(out, "\\n(%s)", diag_info[n->finding.at[i]->code].id);
     if (d->o->counts)
-        buf_printf(out, "\\n%s", diagram_count_text(d, "entered", diagram_node_count(d, n)));
+        buf_printf(out, "\\n%s", diagram_count_text(d, "entered", diagram_times_entered(d, n)));
     for (size_t i = 0; i < n->action.n; i++) {
         buf_printf(out, "%s%s ", i ? "\\l" : "\\n", n->action.at[i].block_name);
         write_quoted(out, n->action.at[i].text);
     }
     buf_str(out, n->action.n ? "\\l" : "");
-    buf_printf(out, "\", style=\"%s%s\"%s%s%s", style, line_style(d, n->reached, diagram_node_count(d, n), ","),
+    buf_printf(out, "\", style=\"%s%s\"%s%s%s", style, line_style(d, n->reached, diagram_times_entered(d, n), ","),
                *shape_attributes(n) ? ", " : "", shape_attributes(n), n->state->is_safe ? ", peripheries=2" : "");
     write_findings(out, &n->finding);
     buf_str(out, "];\n");
@@ -83,7 +83,7 @@ static void write_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
         buf_str(out, g ? "\\nor\\n" : "");
         write_guard(out, &e->guard.at[g]);
     }
-    buf_printf(out, "\"%s", line_style(d, e->possible, diagram_edge_count(d, e), ", style="));
+    buf_printf(out, "\"%s", line_style(d, e->possible, diagram_times_taken(d, e), ", style="));
     for (size_t g = 0; g < e->guard.n; g++)
         if (e->guard.at[g].finding.n > 0) {
             write_findings(out, &e->guard.at[g].finding);

@@ -50,7 +50,7 @@ static void write_node_class(Buf *out, const Diagram *d, const DiagramNode *n)
         buf_printf(out, "    class s%lu safe\n", s);
     if (!n->reached)
         buf_printf(out, "    class s%lu never\n", s);
-    if (d->o->counts && diagram_node_count(d, n) == 0)
+    if (d->o->counts && diagram_times_entered(d, n) == 0)
         buf_printf(out, "    class s%lu unrun\n", s);
     write_findings(out, &n->finding, n->state->number);
 }
@@ -71,7 +71,7 @@ static void write_transition(Buf *out, const Diagram *d, const DiagramEdge *e, c
     if (!e->possible)
         buf_str(out, " (never)");
     if (d->o->counts && g == &e->guard.at[e->guard.n - 1])        // the last guard: the count of all transitions of the edge follows
-        buf_printf(out, " (%s)", diagram_edge_count_text(d, e));
+        buf_printf(out, " (%s)", diagram_times_taken_text(d, e));
     buf_char(out, '\n');
     write_findings(out, &g->finding, e->from + 1);
 }

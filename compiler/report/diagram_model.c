@@ -120,7 +120,7 @@ static void add_edges(Diagram *d)
 
 // ---- counts ----
 
-uint64_t diagram_edge_count(const Diagram *d, const DiagramEdge *e)
+uint64_t diagram_times_taken(const Diagram *d, const DiagramEdge *e)
 {
     uint64_t sum = 0;
 
@@ -129,7 +129,7 @@ uint64_t diagram_edge_count(const Diagram *d, const DiagramEdge *e)
     return sum;
 }
 
-uint64_t diagram_node_count(const Diagram *d, const DiagramNode *n)
+uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n)
 {
     return d->o->counts ? d->o->counts->state[n->state->number - 1] : 0;
 }
@@ -142,9 +142,9 @@ const char *diagram_count_text(const Diagram *d, const char *done, uint64_t coun
 }
 
 // If several transitions lead from one state to another, a run does not record which it took.
-const char *diagram_edge_count_text(const Diagram *d, const DiagramEdge *e)
+const char *diagram_times_taken_text(const Diagram *d, const DiagramEdge *e)
 {
-    const char *text = diagram_count_text(d, "taken", diagram_edge_count(d, e));
+    const char *text = diagram_count_text(d, "taken", diagram_times_taken(d, e));
 
     return e->guard.n > 1 ? format_in(d->a->arena, "together: %s", text) : text;
 }
@@ -152,7 +152,7 @@ const char *diagram_edge_count_text(const Diagram *d, const DiagramEdge *e)
 // Adds the count below the last guard of an edge.
 static void add_count(const Diagram *d, DiagramEdge *e)
 {
-    const char *text = diagram_edge_count_text(d, e);
+    const char *text = diagram_times_taken_text(d, e);
     const DiagramLine line = {text, diagram_text_width(text, GUARD_SIZE, false)};
 
     vec_push(d->a->arena, &e->guard.at[e->guard.n - 1].line, line);

@@ -17,16 +17,16 @@ typedef VEC(const Diag *) DiagramFindings;
 // The condition of one transition.
 typedef struct DiagramGuard {
     const Transition *transition;
-    const char *text;             // the whole text; never empty
-    DiagramLines line;            // as shown: wrapped, at most GUARD_LINES, truncated with "…"
-    bool possible;                // some run can take it
+    const char *text;             // the condition as text, complete; never empty
+    DiagramLines line;            // the text as shown: wrapped, at most GUARD_LINES, truncated with "…"
+    bool possible;                // some run can take the transition
     DiagramFindings finding;      // findings on the transition or its guard
     uint32_t mark;                // number of the note below the diagram that lists these findings; 0: none
 } DiagramGuard;
 
 // How an edge is drawn.
 typedef enum EdgeForm {
-    EDGE_LINE,                    // a line to the state
+    EDGE_LINE,                    // a line to the target state
     EDGE_STUB,                    // an arrow to the other state's name, beside the source state
     EDGE_LOOP                     // back to the state itself; if the state also has stubs, it is drawn as one of them
 } EdgeForm;
@@ -35,7 +35,7 @@ typedef struct DiagramEdge {
     uint32_t from, to;            // indices in Diagram.node
     VEC(DiagramGuard) guard;      // in file order, at least one
     EdgeForm form;
-    bool possible;                // some run can take it
+    bool possible;                // some run can take one of its transitions
     bool up;                      // EDGE_LINE: `to` is above `from`
     Box label;                    // box of all guards, stacked
     Box name;                     // EDGE_STUB: box with the name of the target state
@@ -100,12 +100,12 @@ bool diagram_text_is_truncated(const DiagramLines *lines);  // whether the last 
 // Returns the text, or the longest start of it that fits with "…".
 const char *diagram_text_truncate(Arena *arena, const char *text, int32_t size, bool bold, int32_t w);
 
-// ---- counts of what a run has executed; 0 or false if DiagramOptions.counts is NULL ----
+// ---- how often runs took the transitions of an edge and entered a state; 0 if DiagramOptions.counts is NULL ----
 
-uint64_t diagram_edge_count(const Diagram *d, const DiagramEdge *e);
-uint64_t diagram_node_count(const Diagram *d, const DiagramNode *n);
+uint64_t diagram_times_taken(const Diagram *d, const DiagramEdge *e);
+uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n);
 const char *diagram_count_text(const Diagram *d, const char *done, uint64_t count);  // "taken 3 times"
-const char *diagram_edge_count_text(const Diagram *d, const DiagramEdge *e);
+const char *diagram_times_taken_text(const Diagram *d, const DiagramEdge *e);
 
 // ---- diagram_actions.c: the lines in the boxes of states ----
 

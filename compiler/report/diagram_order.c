@@ -64,6 +64,7 @@ uint64_t layout_count_crossings(const Layout *l, uint32_t layer)
     return crossings;
 }
 
+// Returns the number of crossings between all layers, after sorting the links by the current order.
 static uint64_t all_crossings(Layout *l)
 {
     uint64_t sum = 0;

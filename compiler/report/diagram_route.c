@@ -43,6 +43,7 @@ static StubRows measure_stub_columns(const Diagram *d, const DiagramNode *n)
     return r;
 }
 
+// Returns the width of a state's box: enough for its name, its actions and `lines` ports. It is even.
 static int32_t node_width(const DiagramNode *n, uint32_t lines)
 {
     const int32_t name = n->name_w + 2 * NODE_SIDE, actions = n->action.n ? n->action_w + 2 * ACTION_SIDE : 0;

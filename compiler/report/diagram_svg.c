@@ -111,7 +111,7 @@ static void write_mark(Buf *out, const DiagramFindings *f, uint32_t number, int3
 }
 
 // Returns the CSS class " g-unrun" if no run has executed the state or edge, otherwise "".
-static const char *run_class(const Diagram *d, uint64_t count) { return d->o->counts && count == 0 ? " g-unrun" : ""; }
+static const char *css_class_of_count(const Diagram *d, uint64_t count) { return d->o->counts && count == 0 ? " g-unrun" : ""; }
 
 // ---- states ----
 
@@ -141,7 +141,7 @@ static void write_state_title(Buf *out, const Diagram *d, const DiagramNode *n)
     buf_printf(out, "%s%s%s%s%s", n->state->number == 1 ? ", initial state" : "", n->state->is_abort ? ", @abort" : "",
                n->state->is_safe ? ", @safe" : "", n->state->allows_swap ? ", @swap" : "", n->reached ? "" : ", unreachable");
     if (d->o->counts)
-        buf_printf(out, "\n%s", diagram_count_text(d, "entered", diagram_node_count(d, n)));
+        buf_printf(out, "\n%s", diagram_count_text(d, "entered", diagram_times_entered(d, n)));
     for (size_t i = 0; i < n->stub_in.n; i++) {
         buf_str(out, i ? ", " : "\nreached from ");
         xml_write_str(out, d->node[d->edge.at[n->stub_in.at[i]].from].state->name->text);
@@ -168,7 +168,7 @@ static void write_state(Buf *out, const Diagram *d, const DiagramNode *n)
     const Box b = n->box;
     const int32_t middle = b.y + b.h / 2;
 
-    buf_printf(out, "<g class=\"g-node%s%s\">", n->reached ? "" : " g-never", run_class(d, diagram_node_count(d, n)));
+    buf_printf(out, "<g class=\"g-node%s%s\">", n->reached ? "" : " g-never", css_class_of_count(d, diagram_times_entered(d, n)));
     write_state_title(out, d, n);
     write_outline(out, box_class(n), n, b, 0);
     if (n->state->is_safe)
@@ -210,7 +210,7 @@ static void write_edge_title(Buf *out, const Diagram *d, const DiagramEdge *e)
         buf_str(out, e->guard.at[g].possible ? "" : " (never)");
     }
     if (d->o->counts)
-        buf_printf(out, "\n%s", diagram_edge_count_text(d, e));
+        buf_printf(out, "\n%s", diagram_times_taken_text(d, e));
     buf_str(out, "</title>");
 }
 
@@ -327,8 +327,8 @@ static void write_line_width(Buf *out, uint64_t count)
 
 static void write_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
-    buf_printf(out, "<g class=\"g-edge%s%s\"", e->possible ? "" : " g-never", run_class(d, diagram_edge_count(d, e)));
-    write_line_width(out, diagram_edge_count(d, e));
+    buf_printf(out, "<g class=\"g-edge%s%s\"", e->possible ? "" : " g-never", css_class_of_count(d, diagram_times_taken(d, e)));
+    write_line_width(out, diagram_times_taken(d, e));
     buf_str(out, ">");
     write_edge_title(out, d, e);
     if (e->form == EDGE_LINE)

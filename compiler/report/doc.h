@@ -14,8 +14,8 @@
 #include "compiler/base/vec.h"
 
 typedef enum DocCellKind {
-    CELL_TEXT,                // can contain `code`
-    CELL_PLAIN,               // written unchanged
+    CELL_TEXT,                // text that can contain `code`
+    CELL_PLAIN,               // plain text, written unchanged
     CELL_CODE,
     CELL_NUMBER,
     CELL_BAR,                 // a number, with a bar that shows its share of `most`
@@ -84,12 +84,12 @@ typedef struct DocPart {
     const char *tone;         // HEADING: the badge's colour, "good", "bad" or "note"
     const char *badge;        // HEADING: text of a badge beside it; or NULL
     const char *caption;      // FIGURE: text below it; or NULL
-    DocFigure figure;         // FIGURE: its kind
+    DocFigure figure;         // FIGURE: how it is laid out
     const char *print;        // FIGURE: what is printed instead of `text`; or NULL
-    DocTable *table;          // TABLE
-    DocList *list;            // LIST
+    DocTable *table;          // TABLE: the table
+    DocList *list;            // LIST: the list
     Span span;                // EXCERPT: the marked part of the source
-    const Source *source;     // SOURCE
+    const Source *source;     // SOURCE: the whole source
 } DocPart;
 
 typedef struct DocSection {
@@ -135,7 +135,7 @@ void doc_set_line_comment(DocList *l, const char *plain);  // sets DocLine.comme
 
 // ---- writing ----
 
-// Returns, by column, whether any row has content in it: other columns are omitted, except in JSON.
+// Returns, by column, whether some row has content in the column.  Columns without content are omitted, except in JSON.
 bool *doc_columns_used(const DocTable *t);
 const char *doc_replace_links(Arena *arena, const char *text);         // writes ^Name^ as `Name`, for formats without links
 

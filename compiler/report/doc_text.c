@@ -92,7 +92,7 @@ static const char *cell_string(const DocTable *t, size_t i)
     return buf_text(&b);
 }
 
-static bool is_right(const DocTable *t, size_t i)     // numbers are right-aligned
+static bool is_right(const DocTable *t, size_t i)     // whether a column is right-aligned, as numbers are
 {
     const DocCellKind k = t->cell.at[i].kind;
 

@@ -99,7 +99,8 @@ uint64_t log_read_time(const LogItem *record);
 // Returns the value of an element in a record, as a bit cell of its type (stdlib/convert.h).
 uint64_t log_read_cell(const LogItem *record, const LogElement *e);
 
-const LogElement *log_find_element(const LogDescription *d, const char *name);        // or NULL
+// These return NULL if the log describes no such element or machine.
+const LogElement *log_find_element(const LogDescription *d, const char *name);
 const LogMachine *log_find_machine(const LogDescription *d, const char *name);
 const LogMachine *log_machine_by_number(const LogDescription *d, uint16_t number);
 const char *log_kind_name(const LogDescription *d, uint8_t kind);                     // name of a kind of events; NULL: it has none

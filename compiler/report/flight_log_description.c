@@ -8,10 +8,11 @@
 typedef struct LogCursor {
     Arena *arena;
     const uint8_t *at;
-    uint32_t left;
-    bool wrong;
+    uint32_t left;            // bytes from `at` to the end of the description
+    bool wrong;               // the description is invalid; all later reads fail too
 } LogCursor;
 
+// Returns the next n bytes.  If fewer than n remain, sets c->wrong and returns 8 zero bytes, which is enough for the integers below.
 static const uint8_t *read_bytes(LogCursor *c, uint32_t n)
 {
     static const uint8_t nothing[8];

@@ -67,7 +67,7 @@ static void add_value(TraceBucket *b, double x, bool first)
 // Stores the values of an element in the slots of its series.  A slot without a record repeats the last value before it.
 static void fill_series(FlightDrawing *d, TraceSeries *series, const LogElement *e)
 {
-    bool *filled = ARENA_ARRAY(d->f->arena, bool, (size_t)d->t.steps);        // by slot
+    bool *filled = ARENA_ARRAY(d->f->arena, bool, (size_t)d->t.steps);        // by slot: some record falls into it
 
     for (size_t i = 0; i < d->s->item.n; i++) {
         const LogItem *item = &d->s->item.at[i];

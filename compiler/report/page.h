@@ -15,7 +15,7 @@
 typedef struct ReportRun {
     const char *name;             // its file name, without folders
     const Script *script;         // NULL: it does not compile
-    ScriptResult result;          // if the script ran
+    ScriptResult result;          // the result, if the script ran
     Trace trace;
     Diags diags;                  // diagnostics of the script
 } ReportRun;

@@ -107,7 +107,7 @@ static const char *final_states(const Report *r, size_t *n)
 {
     const Program *p = r->analysis.p;
     const Transitions *t = &r->analysis.transition;
-    bool *is_left = ARENA_ARRAY(r->arena, bool, p->state.n + 1u);         // by State.number
+    bool *is_left = ARENA_ARRAY(r->arena, bool, p->state.n + 1u);         // by State.number: some transition leaves the state
     VEC(const State *) final = {NULL, 0, 0};
     Buf out;
 

@@ -12,7 +12,7 @@ typedef struct VarUse { const State *last_read, *last_written; Buf readers, writ
 
 typedef struct VarUses {
     Arena *arena;
-    VarUse *of;                   // by Var.index
+    VarUse *of;                   // by Var.index: where the variable is used
     const State *state;
 } VarUses;
 

@@ -19,7 +19,7 @@ void plot_write_tenths(Buf *out, long x)
         buf_printf(out, ".%ld", (x < 0 ? -x : x) % 10);
 }
 
-long plot_x(const Trace *t, double step)
+long plot_x_of_step(const Trace *t, double step)
 {
     return PLOT_LEFT + (long)((double)(PLOT_RIGHT - PLOT_LEFT) * (step / (double)t->steps));
 }
@@ -116,7 +116,7 @@ static PlotRow measure_row(const Trace *t, const TraceSeries *s, long top)
         extend_row(&r, s->at[i].hi);
     }
     if (r.lo > r.hi)
-        r.lo = r.hi = 0;                              // every value is infinite
+        r.lo = r.hi = 0;                              // no value is finite: any range does
     margin = r.hi / 16 - r.lo / 16;
     r.lo -= margin > 0 ? margin : 1;
     r.hi += margin > 0 ? margin : 1;
@@ -165,7 +165,7 @@ static void draw_grid(Plot *p, const PlotRow *r)
 
 typedef struct Pen { Buf *out; long x, y; bool down; } Pen;
 
-static void pen_down(Pen *pen, long x, long y)
+static void pen_lower(Pen *pen, long x, long y)
 {
     if (pen->down)
         return;
@@ -186,7 +186,7 @@ static void pen_lift(Pen *pen, long x)
     pen->down = false;
 }
 
-// Draws a horizontal line to x, then a vertical one to y.
+// Draws a horizontal line to x, then a vertical one to y.  Draws nothing if y has not changed: a later call draws the horizontal line.
 static void pen_line_to(Pen *pen, long x, long y)
 {
     if (y == pen->y)
@@ -208,12 +208,12 @@ static void draw_curve(Plot *p, const PlotRow *r)
 
     buf_str(p->out, "<path class=\"trace\" d=\"");
     for (size_t i = 0; i < trace_buckets(p->t); i++) {
-        const long x = plot_x(p->t, (double)(i * p->t->per));
+        const long x = plot_x_of_step(p->t, (double)(i * p->t->per));
         if (b[i].first != b[i].first) {
             pen_lift(&pen, x);
             continue;
         }
-        pen_down(&pen, x, y_of_value(r, b[i].first));
+        pen_lower(&pen, x, y_of_value(r, b[i].first));
         pen_line_to(&pen, x, y_of_value(r, b[i].first));
         pen_line_to(&pen, x, y_of_value(r, b[i].lo));
         pen_line_to(&pen, x, y_of_value(r, b[i].hi));
@@ -232,7 +232,7 @@ static void draw_circles(Plot *p, const PlotRow *r)
         if (r->s->at[v->step / p->t->per].last != r->s->at[v->step / p->t->per].last)
             continue;
         buf_str(p->out, "<circle class=\"begin\"");
-        write_length(p->out, "cx", plot_x(p->t, v->plot_step));
+        write_length(p->out, "cx", plot_x_of_step(p->t, v->plot_step));
         write_length(p->out, "cy", y_of_value(r, r->s->at[v->step / p->t->per].last));
         buf_str(p->out, " r=\"3.4\"/>\n");
     }
@@ -258,9 +258,9 @@ static void draw_row(Plot *p, const TraceSeries *s, long top)
 static void draw_strip_part(Plot *p, const char *class_name, size_t from, size_t to, long top)
 {
     const uint64_t end = to * p->t->per < p->t->steps ? to * p->t->per : p->t->steps;
-    const long x = plot_x(p->t, (double)(from * p->t->per));
+    const long x = plot_x_of_step(p->t, (double)(from * p->t->per));
 
-    plot_draw_rect(p, class_name, x, top, plot_x(p->t, (double)end) - x, PLOT_STRIP);
+    plot_draw_rect(p, class_name, x, top, plot_x_of_step(p->t, (double)end) - x, PLOT_STRIP);
 }
 
 // Returns 2 if the bool was true in all steps of a bucket, 1 if in some, 0 if in none.
@@ -304,7 +304,7 @@ static long draw_rows(Plot *p, bool strips, bool draw, long y)
     return y;
 }
 
-static const char *axis_text(const Plot *p)
+static const char *describe_axis(const Plot *p)
 {
     const char *comment;
 
@@ -327,7 +327,7 @@ static void draw_time_axis(Plot *p)
         plot_draw_text(p, "dim", x > PLOT_RIGHT - 150 ? "end" : "middle", x, p->bottom + 170,
                        plot_label(p->out->arena, from + i * step));
     }
-    plot_draw_text(p, "dim", "start", PLOT_LEFT, p->bottom + 310, axis_text(p));
+    plot_draw_text(p, "dim", "start", PLOT_LEFT, p->bottom + 310, describe_axis(p));
 }
 
 long plot_draw_body(Arena *arena, const Trace *t, Buf *out)

@@ -18,7 +18,7 @@ typedef struct Plot {
 } Plot;
 
 void plot_write_tenths(Buf *out, long x);             // writes 123 as 12.3
-long plot_x(const Trace *t, double step);             // where a step, or a fraction of one, begins
+long plot_x_of_step(const Trace *t, double step);             // where a step, or a fraction of one, begins
 void plot_draw_line(Plot *p, const char *class_name, long x1, long y1, long x2, long y2);
 void plot_draw_rect(Plot *p, const char *class_name, long x, long y, long wide, long high);
 // Writes text of a class; `anchor` aligns its start, middle or end at x.
@@ -32,6 +32,6 @@ extern const char plot_defs[];                        // the patterns, for the s
 long plot_draw_body(Arena *arena, const Trace *t, Buf *out);  // everything inside the <svg> tag; returns the height
 
 void plot_draw_bands(Plot *p);                        // draws the states as bands at the top, and as tints behind the rows
-long plot_draw_legend(Plot *p, long y);               // returns the y of its end
+long plot_draw_legend(Plot *p, long y);               // draws the legend at y; returns the y of its end
 
 #endif

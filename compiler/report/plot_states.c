@@ -53,7 +53,7 @@ static void draw_band(Plot *p, size_t i)
     const Trace *t = p->t;
     const TraceVisit *v = &t->visit.at[i];
     const double end = i + 1 < t->visit.n ? v[1].plot_step : (double)t->steps;
-    const long from = plot_x(t, v->plot_step), wide = plot_x(t, end) - from;
+    const long from = plot_x_of_step(t, v->plot_step), wide = plot_x_of_step(t, end) - from;
 
     if (wide <= 0)
         return;

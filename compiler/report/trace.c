@@ -125,7 +125,7 @@ typedef struct TraceEngine {
     Trace *trace;
 } TraceEngine;
 
-static EngineStatus forward_status(Engine *e, EngineStatus status)
+static EngineStatus forward_error(Engine *e, EngineStatus status)
 {
     e->error = ((TraceEngine *)e->self)->inner->error;
     return status;
@@ -135,7 +135,7 @@ static EngineStatus traced_init(Engine *e, uint32_t state, EngineStep *out)
 {
     Engine *inner = ((TraceEngine *)e->self)->inner;
 
-    return forward_status(e, inner->init(inner, state, out));
+    return forward_error(e, inner->init(inner, state, out));
 }
 
 static EngineStatus traced_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
@@ -145,7 +145,7 @@ static EngineStatus traced_step(Engine *e, const EngineWrite *write, uint32_t n,
 
     if (status == ENGINE_OK)
         record_step(t->trace, out->cell);
-    return forward_status(e, status);
+    return forward_error(e, status);
 }
 
 static void traced_close(Engine *e)

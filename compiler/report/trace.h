@@ -14,8 +14,8 @@ typedef struct TraceBucket { double first, lo, hi, last; } TraceBucket;
 
 typedef struct TraceSeries {
     const Var *v;
-    bool changes;                 // it had more than one value
-    bool infinite;                // it was infinite at least once
+    bool changes;                 // the variable had more than one value
+    bool infinite;                // the variable was infinite at least once
     bool nan;                     // only for a log: it was NaN at least once; a bucket with only NaN is NaN
     TraceBucket at[TRACE_BUCKETS];
 } TraceSeries;

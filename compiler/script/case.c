@@ -83,6 +83,7 @@ static const char *find_wrong_parts(const TestFile *f)
     return NULL;
 }
 
+// Returns a sentence about the first header line with an unknown key, or NULL.
 static const char *find_unknown_key(Arena *arena, const TestFile *f)
 {
     static const char keys[] = "spec on expect steps args analyses warn advance";
@@ -202,6 +203,7 @@ bool case_run_scripts(SmtCase *c, Engine **engine, size_t engines, uint64_t max_
 
 // ---- diagnostics: missing and unexpected ----
 
+// Whether the message, the label or a note of a diagnostic contains the text.
 static bool mentions_text(const Diag *d, const char *text)
 {
     if (strstr(d->text, text) || (d->label && strstr(d->label, text)))

@@ -7,6 +7,7 @@
 typedef struct LineCursor { const char *at, *end; } LineCursor;
 typedef struct ReportLine { const char *at; size_t n; } ReportLine;
 
+// Reads the next line, without its line end, into *line. Returns false at the end.
 static bool read_line(LineCursor *l, ReportLine *line)
 {
     const char *lf;

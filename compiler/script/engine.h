@@ -30,7 +30,7 @@ typedef struct EngineStep {
 
 typedef struct Engine Engine;
 struct Engine {
-    const char *name;         // "ref", "vm", "vm-soft", "c"
+    const char *name;         // as --engine names it: "ref", "vm", "vm-soft", "c"
     const Program *program;
     const char *error;        // after ENGINE_BROKEN: the reason
     void *self;

@@ -10,8 +10,8 @@ typedef struct RefEngine {
     Engine engine;
     Arena *arena;
     const Program *p;
-    uint64_t *cell;           // every variable, by index
-    uint8_t *stored;          // by variable: this step stored it
+    uint64_t *cell;           // by variable: its cell
+    uint8_t *stored;          // by variable: the last step stored it
     RefWindows windows;
     const State *state;       // the state that the next step runs
     bool is_first;            // the next step is the first of its state

@@ -14,7 +14,7 @@
 
 double ref_read(SmType type, uint64_t cell);          // the value of a cell as an F64; a stored NaN reads as 0
 uint64_t ref_convert(SmType type, double x);          // the cell of a variable of `type` after x is stored in it
-bool ref_true(double x);                              // truth of a condition: not zero and not NaN
+bool ref_true(double x);                              // whether a condition with this value is true: not zero and not NaN
 bool ref_negative(double x);                          // whether x is below zero or -0; false for NaN
 double ref_pure(SmBuiltin fn, const double *arg);     // the result of a builtin that depends on its arguments alone
 

@@ -172,7 +172,7 @@ static double ref_min(double a, double b)
     if (is_nan(a) || is_nan(b))
         return make_nan();
     if (a == b)
-        return ref_negative(a) ? a : b;               // -0 is the smaller zero
+        return ref_negative(a) ? a : b;               // of two zeros -0 is the smaller
     return a < b ? a : b;
 }
 

@@ -40,7 +40,7 @@ void ref_windows_sample(RefWindows *w, const uint64_t *cell)
     }
 }
 
-static bool sorts_before(double a, double b)          // the order of the samples: -0 before +0
+static bool sorts_before(double a, double b)          // whether a comes before b: by value, and -0 before +0
 {
     return a < b || (a == b && ref_negative(a) && !ref_negative(b));
 }

@@ -55,7 +55,7 @@ static void append_decimal(Buf *out, const char *digits)
     }
 }
 
-static void append_fixed(Buf *out, double x)          // as %f
+static void append_fixed(Buf *out, double x)          // appends x as printf's %f does
 {
     char digits[400];                                 // 309 before the point, 6 after it
 

@@ -14,7 +14,7 @@ typedef struct AppMachine {
     Str name;
     uint32_t file;            // index of its file in AppFiles
     const Program *program;
-    const State *initial;     // NULL: the first state
+    const State *initial;     // the state in which it starts; NULL: the first
     bool bytecode, resume;
     uint16_t number;          // numbers the machines 0, 1, 2 … in file order
 } AppMachine;
@@ -24,13 +24,13 @@ typedef struct AppTask {
     Str name;
     Span span;
     const Element *mode;      // the element of its @mode, or NULL
-    bool has_init, has_safe;  // only for AST_TASK_task
+    bool has_init, has_safe;  // the user writes an init, a safe function; only for AST_TASK_task
     const AppMachine *machine;
     uint16_t number;          // numbers all tasks 0, 1, 2 … in file order
 } AppTask;
 
 typedef struct AppRate {
-    uint64_t period;          // nanoseconds
+    uint64_t period;          // period of the rate in nanoseconds
     uint32_t every;           // its tasks run once in this many ticks of the executor
     VEC(const AppTask *) task;
     Span span;

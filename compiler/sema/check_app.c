@@ -130,7 +130,7 @@ static void report_inputs_writing(AppCheck *k, const Element *e, Span span, cons
                       k->pins->pin.at[i].span, DIAG_note_input_here);
 }
 
-static void check_time(AppCheck *k, const AstAppOption *o)
+static void check_time_option(AppCheck *k, const AstAppOption *o)
 {
     const Element *e = app_find_element(k, &o->element);
 
@@ -150,7 +150,7 @@ Str app_file_stem(AppCheck *k, Str path)
     Source named = {0};
 
     named.name = path->text;
-    return sema_stem(k->c->strings, &named);
+    return sema_file_stem(k->c->strings, &named);
 }
 
 // Reports a log that is smaller than the smallest ring that the runtime accepts: runtime-c/log.h, SM_LOG_LEAST.
@@ -190,7 +190,7 @@ static void check_options(AppCheck *k)
             k->app->io_name = app_file_stem(k, o->file.text);
             break;
         case AST_APP_time:
-            check_time(k, o);
+            check_time_option(k, o);
             break;
         case AST_APP_watchdog:
             app_check_amount(k, &o->amount, APP_RANGE_watchdog, &k->app->watchdog);
@@ -218,7 +218,7 @@ static void check_options(AppCheck *k)
 
 // ---- [start]: the values of elements before any task runs (config.md 10.8) ----
 
-// Checks that the expression contains only numbers; reports each part that is not.
+// Returns whether the expression contains only numbers; reports each part that is not one.
 static bool check_only_numbers(AppCheck *k, const Sema *s, const AstExpr *e)
 {
     const SmBuiltinInfo *fn = e->kind == AST_CALL ? scope_find_function(s, e->name) : NULL;
@@ -266,7 +266,7 @@ static void check_start_value(AppCheck *k, Sema *s, AstStmt *in)
 }
 
 // Checks the values of [start] with the checker of machines, in an empty Program: no variable exists there.
-static void check_start(AppCheck *k)
+static void check_start_section(AppCheck *k)
 {
     Program *nothing = ARENA_NEW(k->c->arena, Program);
     HiddenNames *lost = ARENA_NEW(k->c->arena, HiddenNames);
@@ -402,7 +402,7 @@ static void report_unused_pins(AppCheck *k, bool output, AstAppTaskKind task, As
 App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMap *pins, const AppFiles *files)
 {
     enum { GUESSES = 30 };        // unknown names that get a suggestion: more than the reports that are shown
-    size_t errors = c->diags->met;
+    size_t errors = c->diags->errors_seen;
     AppCheck k;
 
     memset(&k, 0, sizeof k);
@@ -414,7 +414,7 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     k.guesses = GUESSES;
     k.file_index.arena = k.machine_file.arena = k.task.arena = k.executor.arena = k.statistic.arena = k.start.arena = c->arena;
     k.app = ARENA_NEW(c->arena, App);
-    k.app->name = sema_stem(c->strings, f->src);
+    k.app->name = sema_file_stem(c->strings, f->src);
     k.app->src = f->src;
     k.app->sv = sv;
     k.app->pins = pins;
@@ -425,11 +425,11 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     check_files(&k);
     check_app_products(&k);
     check_options(&k);
-    check_start(&k);
+    check_start_section(&k);
     check_executors(&k);
     report_unused_options(&k);
     report_unused_pins(&k, false, AST_TASK_inputs, AST_TASK_outputs);
     report_unused_pins(&k, true, AST_TASK_outputs, AST_TASK_inputs);
     check_app_platform_files(&k);
-    return c->diags->met > errors || !sv || f->app->lost ? NULL : k.app;
+    return c->diags->errors_seen > errors || !sv || f->app->lost ? NULL : k.app;
 }

@@ -16,7 +16,7 @@ typedef struct Declarations {
     StateVec *sv;                 // without a .sv: filled with the elements that the machine declares
     const Map *written_outside;
     VEC(LocalDecl) local;
-    Str time;                     // "T"
+    Str time;                     // the interned name "T"
     const AstSection *list;       // the machine's [state_vector] section, or NULL
 } Declarations;
 

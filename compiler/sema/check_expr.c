@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks expressions (language.md 3) and builds typed ones: binds names, flattens chains of relations, drops parentheses and unary plus.
+// Functions that return an Expr return NULL after an error, which they or the functions that they call have reported.
 // Recursion depth equals the depth of the tree, which AST_DEPTH_MAX bounds.
 #include "compiler/sema/sema.h"
 
@@ -125,7 +126,7 @@ static void record_operator(Sema *s, SmOperator op)
         s->building->operators |= 1u << op;
 }
 
-const char *sema_quote(Sema *s, Span span)
+const char *sema_quote_source(Sema *s, Span span)
 {
     enum { LONGEST = 60 };
     const char *text = span.src->text + span.at;
@@ -161,9 +162,9 @@ static void warn_of_leading_not(Sema *s, const AstExpr *e)
     if (left->kind != AST_UNARY || left->op != SM_OP_NOT)
         return;
     d = diag_report(s->diags, DIAG_not_binds_tight, left->span);
-    diag_note(s->diags, d, (Span){0}, DIAG_note_not_as_written, sema_quote(s, left->a->span),
-              sema_quote(s, span_between(left->span.at + left->span.len, e->span)));
-    diag_note(s->diags, d, (Span){0}, DIAG_note_not_of_all, sema_quote(s, span_between(left->a->span.at, e->span)));
+    diag_note(s->diags, d, (Span){0}, DIAG_note_not_as_written, sema_quote_source(s, left->a->span),
+              sema_quote_source(s, span_between(left->span.at + left->span.len, e->span)));
+    diag_note(s->diags, d, (Span){0}, DIAG_note_not_of_all, sema_quote_source(s, span_between(left->a->span.at, e->span)));
 }
 
 // Returns the last comparison in e, the left side of an `and` or `or`: for `x or a == 1` the `a == 1`.  NULL if e does not end with one.
@@ -188,7 +189,7 @@ static bool may_be_switch(const AstExpr *number, const char *text, const AstExpr
 static void warn_of_number_as_condition(Sema *s, const AstExpr *logic, const AstExpr *number)
 {
     const AstExpr *before = number == logic->b ? comparison_before(logic->a) : NULL;
-    const char *text = sema_quote(s, number->span);
+    const char *text = sema_quote_source(s, number->span);
     Diag *d;
 
     if (number->kind != AST_NUMBER || may_be_switch(number, text, before))
@@ -196,7 +197,7 @@ static void warn_of_number_as_condition(Sema *s, const AstExpr *logic, const Ast
     d = diag_report(s->diags, DIAG_number_as_condition, number->span, text, sm_to_bool(number->number) ? "always" : "never");
     if (before)
         diag_label(s->diags, d, DIAG_label_did_you_mean,
-                   format_in(s->arena, "%s %s %s", sema_quote(s, before->a->span), sm_op_info[before->op].spelling, text));
+                   format_in(s->arena, "%s %s %s", sema_quote_source(s, before->a->span), sm_op_info[before->op].spelling, text));
 }
 
 // Warns of a right side such as in `mode == not 5`: the user means `mode != 5`, but `not 5` is 0.
@@ -205,11 +206,11 @@ static void warn_of_negated_number(Sema *s, const AstExpr *e)
     const AstExpr *not = e->b, *number = not->a;
     Diag *d;
 
-    if (not->kind != AST_UNARY || not->op != SM_OP_NOT || number->kind != AST_NUMBER || may_be_switch(number, sema_quote(s, number->span), NULL))
+    if (not->kind != AST_UNARY || not->op != SM_OP_NOT || number->kind != AST_NUMBER || may_be_switch(number, sema_quote_source(s, number->span), NULL))
         return;
-    d = diag_report(s->diags, DIAG_number_as_condition, not->span, sema_quote(s, not->span), "never");
+    d = diag_report(s->diags, DIAG_number_as_condition, not->span, sema_quote_source(s, not->span), "never");
     if (e->op == SM_OP_EQ)
-        diag_label(s->diags, d, DIAG_label_did_you_mean, format_in(s->arena, "%s != %s", sema_quote(s, e->a->span), sema_quote(s, number->span)));
+        diag_label(s->diags, d, DIAG_label_did_you_mean, format_in(s->arena, "%s != %s", sema_quote_source(s, e->a->span), sema_quote_source(s, number->span)));
 }
 
 static Expr *check_binary(Sema *s, const AstExpr *e)
@@ -268,12 +269,12 @@ static void suggest_nested_calls(Sema *s, Diag *d, const AstExpr *e)
 {
     const AstArgs *args = e->args;
     const Span first = args->at[0]->span;
-    const char *calls = "", *text = sema_quote(s, first);
+    const char *calls = "", *text = sema_quote_source(s, first);
 
     for (size_t i = 1; i < args->n; i++) {
         const Span span = args->at[i]->span;
         const bool last = i + 1 == args->n;
-        text = format_in(s->arena, "%s(%s, %s)", e->name->text, text, sema_quote(s, span));
+        text = format_in(s->arena, "%s(%s, %s)", e->name->text, text, sema_quote_source(s, span));
         if (!last) {
             calls = format_in(s->arena, "%s%s(", calls, e->name->text);
             diag_edit(s->diags, d, (Span){span.src, span.at + span.len, 0}, ")");
@@ -302,7 +303,8 @@ static Span decimal_comma_after(const AstExpr *e)
     return (Span){e->span.src, comma, from < comma && end > comma + 1};
 }
 
-// Reports a call such as min(p, 0,5), where a comma in a number adds an argument.
+// Reports a call such as min(p, 0,5), where a comma in a number adds an argument.  Returns false, and reports nothing, if there is no such
+// comma.
 static bool report_decimal_comma(Sema *s, const AstExpr *e)
 {
     for (size_t i = 0; i + 1 < e->args->n; i++) {
@@ -327,7 +329,7 @@ static void report_argument_count(Sema *s, const AstExpr *e, const SmBuiltinInfo
 {
     const char *wanted = format_in(s->arena, "%u argument%s", fn->arguments, fn->arguments == 1 ? "" : "s");
     const char *found = format_in(s->arena, "%lu", (unsigned long)e->args->n);
-    const char *first = e->args->n ? sema_quote(s, e->args->at[0]->span) : "";
+    const char *first = e->args->n ? sema_quote_source(s, e->args->at[0]->span) : "";
     const SmBuiltin id = (SmBuiltin)(fn - sm_builtin_info);
     const bool is_extremum = id == SM_FN_min || id == SM_FN_max;
     Diag *d = diag_report(s->diags, DIAG_argument_count, ast_op_span(e), fn->name, wanted, found);

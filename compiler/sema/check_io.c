@@ -54,7 +54,7 @@ static const Element *check_element(IoCheck *k, const AstPin *pin, bool digital)
 }
 
 // Reports a second input pin for the same element (config.md 9.7).
-static void check_input(IoCheck *k, const AstPin *pin, const Element *e)
+static void check_single_input(IoCheck *k, const AstPin *pin, const Element *e)
 {
     const AstPin *first = map_find(&k->input, e->name);
     Diag *d;
@@ -80,7 +80,7 @@ static bool try_whole_number(SmF64 x, uint32_t most, uint32_t *out)
 
 // Returns the pin's number; 0 after reporting a number that is not a whole number of 16 bits.  Also reports a number that an earlier pin of
 // the same kind uses (config.md 9.3, 9.6).
-static uint16_t check_number(IoCheck *k, const AstPin *pin, bool digital)
+static uint16_t check_pin_number(IoCheck *k, const AstPin *pin, bool digital)
 {
     const AstPin *first;
     uint32_t n = 0;
@@ -105,7 +105,7 @@ static uint16_t check_number(IoCheck *k, const AstPin *pin, bool digital)
 // ---- annotations ----
 
 // Sets out->safe.  Reports a number as the @safe value of a digital pin, and true or false as that of an analog one (config.md 9.9).
-static void check_safe(IoCheck *k, const AstPin *pin, Pin *out)
+static void check_safe_value(IoCheck *k, const AstPin *pin, Pin *out)
 {
     const AstAnnotation *safe = find_annotation(pin, AST_SAFE_VALUE);
     const char *edit;
@@ -166,15 +166,15 @@ static void check_pin(IoCheck *k, const AstPin *pin, bool digital)
     else
         p.kind = pin->output ? PIN_ANALOG_OUT : PIN_ANALOG_IN;
     p.span = pin->element_span;
-    p.number = check_number(k, pin, digital);
+    p.number = check_pin_number(k, pin, digital);
     p.element = check_element(k, pin, digital);
     if (p.element && !pin->output)
-        check_input(k, pin, p.element);
+        check_single_input(k, pin, p.element);
     p.scale = scale ? scale->lo.value : sm_from_i32(1);
     p.offset = offset ? offset->lo.value : sm_from_i32(0);
     if (scale && sm_eq(p.scale, sm_from_i32(0)))                                          // config.md 9.8
         diag_report(k->c->diags, DIAG_scale_zero, scale->span, pin->element->text);
-    check_safe(k, pin, &p);
+    check_safe_value(k, pin, &p);
     if (hold && !try_whole_number(hold->lo.value, UINT8_MAX, &hold_ticks))                // config.md 9.11
         diag_report(k->c->diags, DIAG_hold_value, hold->lo.span, source_text(k->c, hold->lo.span));
     p.hold = (uint8_t)hold_ticks;
@@ -187,11 +187,11 @@ IoMap *check_io(CheckContext *c, const AstFile *f, const StateVec *sv)
 {
     enum { GUESSES = 30,              // unknown names that get a suggestion: more than the reports that are shown
            MOST = 65535 };            // runtime-c/io.h counts pins with 16 bits
-    size_t errors = c->diags->met;
+    size_t errors = c->diags->errors_seen;
     const Map none = {c->arena, NULL, NULL, 0, 0};
     IoCheck k = {c, ARENA_NEW(c->arena, IoMap), {none, none}, none, none, GUESSES};
 
-    k.io->name = sema_stem(c->strings, f->src);
+    k.io->name = sema_file_stem(c->strings, f->src);
     k.io->src = f->src;
     k.io->sv = sv;
     if (f->sections.n == 0 && !find_hidden_names(c, f)->any)
@@ -201,5 +201,5 @@ IoMap *check_io(CheckContext *c, const AstFile *f, const StateVec *sv)
             check_pin(&k, &f->sections.at[i]->pins.at[j], f->sections.at[i]->digital);
     if (k.io->pin.n > MOST)
         diag_report(c->diags, DIAG_app_too_many, k.io->pin.at[MOST].span, "pins", "65535");
-    return c->diags->met > errors ? NULL : k.io;
+    return c->diags->errors_seen > errors ? NULL : k.io;
 }

@@ -75,11 +75,11 @@ static StateVec *new_own_state_vector(CheckContext *c, Program *p)
 
 Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const Map *written_outside)
 {
-    size_t errors = c->diags->met;
+    size_t errors = c->diags->errors_seen;
     Program *p = ARENA_NEW(c->arena, Program);
     Sema s;
 
-    p->name = sema_stem(c->strings, sm->src);
+    p->name = sema_file_stem(c->strings, sm->src);
     p->src = sm->src;
     p->by_name.arena = p->state_by_name.arena = c->arena;
 
@@ -92,7 +92,7 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     check_states(&s, p, sm);
     check_size_uses(&s);
     p->stmts = s.stmts;
-    if (c->diags->met > errors)
+    if (c->diags->errors_seen > errors)
         return NULL;
     if (!sv)
         layout_state_vector(p->sv);

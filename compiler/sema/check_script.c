@@ -15,7 +15,7 @@ typedef struct ScriptCheck {
     Str delta_t, init_state;      // the names of the options
     bool has_delta_t, has_stop;
     uint32_t items, asserts;      // how many items and asserts have been checked
-    size_t errors;                // Diags.met when this check began
+    size_t errors;                // Diags.errors_seen when this check began
     Map section;                  // state name to the Span of its section
 } ScriptCheck;
 
@@ -209,7 +209,7 @@ static void check_guard_times(ScriptCheck *k)
 static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, const Program *program)
 {
     memset(k, 0, sizeof *k);
-    k->errors = c->diags->met;
+    k->errors = c->diags->errors_seen;
     k->script = ARENA_NEW(c->arena, Script);
     k->script->src = ss->src;
     k->script->program = program;
@@ -221,6 +221,7 @@ static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, cons
     k->section.arena = c->arena;
 }
 
+// Reports what the script as a whole lacks.  Returns the script, or NULL if there were errors.
 static Script *end_check(ScriptCheck *k)
 {
     Diags *diags = k->s.diags;
@@ -232,9 +233,9 @@ static Script *end_check(ScriptCheck *k)
         diag_report(diags, DIAG_no_stop, start);
     if (k->s.unknown && !k->s.knows_a_name && k->s.unknown_name.n + k->s.unknown_state.n > 1)
         diag_note(diags, k->s.unknown, (Span){0}, DIAG_note_other_machine, k->script->program->src->name);
-    if (diags->met == k->errors && !k->s.lost->any)
+    if (diags->errors_seen == k->errors && !k->s.lost->any)
         check_guard_times(k);
-    return diags->met > k->errors ? NULL : k->script;
+    return diags->errors_seen > k->errors ? NULL : k->script;
 }
 
 Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)

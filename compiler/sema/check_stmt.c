@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks statements (language.md 5): which variables they assign, where transitions appear and lead, what can never run.  Recursion
-// depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
+// depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.  Functions that return a Stmt return NULL after an error, which is
+// reported.
 #include "compiler/sema/sema.h"
 
 static Stmt *stmt_new(Sema *s, StmtKind kind, const AstStmt *in)
@@ -87,7 +88,7 @@ static void warn_of_read_only_local(Sema *s, const Var *v, const AstStmt *in)
     map_put(&s->remarked, in->name, (void *)in->name);
     d = diag_report(s->diags, DIAG_script_writes_constant, in->name_span, in->name->text);
     scope_note_declared(s, d, in->name);
-    diag_about(s->diags, d, DIAG_CONSTANT, v->span);
+    diag_note_declaration(s->diags, d, DIAG_CONSTANT, v->span);
 }
 
 Stmt *check_assignment(Sema *s, const AstStmt *in)
@@ -134,14 +135,14 @@ static Stmt *check_transition(Sema *s, const AstStmt *in)
 static Stmt *check_if(Sema *s, const AstStmt *in)
 {
     Stmt *out = stmt_new(s, ST_IF, in);
-    size_t met = s->diags->met;
+    size_t before = s->diags->errors_seen;
 
     if (in->arms->braces && in->arms->then.n == 0)
         diag_report(s->diags, DIAG_empty_braces, in->arms->body_span);
     if (in->arms->has_else && in->arms->else_braces && in->arms->otherwise.n == 0)
         diag_report(s->diags, DIAG_empty_braces, in->arms->else_body_span);
     check_value(s, in, out);
-    if (in->value->alone && s->diags->met == met)
+    if (in->value->alone && s->diags->errors_seen == before)
         diag_label(s->diags, diag_report(s->diags, DIAG_no_effect, in->value->span), DIAG_label_statements);
     check_stmts(s, &in->arms->then, &out->then);
     check_stmts(s, &in->arms->otherwise, &out->otherwise);

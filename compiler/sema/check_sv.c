@@ -57,12 +57,12 @@ static void check_region(SvCheck *k, const AstSection *section, bool names_lost)
 
 StateVec *check_state_vector(CheckContext *c, const AstFile *f)
 {
-    size_t errors = c->diags->met;
+    size_t errors = c->diags->errors_seen;
     bool names_lost = find_hidden_names(c, f)->names;
     SvCheck k = {c, ARENA_NEW(c->arena, StateVec), {c->arena, NULL, NULL, 0, 0}};
     const Str lock = str_c(c->strings, "lock");
 
-    k.sv->name = sema_stem(c->strings, f->src);
+    k.sv->name = sema_file_stem(c->strings, f->src);
     k.sv->by_name.arena = c->arena;
     for (size_t i = 0; i < f->sections.n; i++) {
         const AstSection *section = f->sections.at[i];
@@ -75,7 +75,7 @@ StateVec *check_state_vector(CheckContext *c, const AstFile *f)
     }
     if (k.sv->region.n == 0 && !names_lost)
         diag_report(c->diags, DIAG_no_region, (Span){f->src, 0, 0});
-    if (c->diags->met > errors)
+    if (c->diags->errors_seen > errors)
         return NULL;
     layout_state_vector(k.sv);
     return k.sv;

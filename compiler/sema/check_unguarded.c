@@ -52,7 +52,8 @@ static bool stmt_assigns(const AstStmt *s, Str name, const AstStmt *but)
     return s->kind == AST_IF && (list_assigns(&s->arms->then, name, but) || list_assigns(&s->arms->otherwise, name, but));
 }
 
-// Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
+// Whether a statement of the list, or one inside it, assigns `name`; like stmt_assigns.  Recursion depth equals the nesting of conditionals,
+// which AST_DEPTH_MAX bounds.
 static bool list_assigns(const AstStmts *list, Str name, const AstStmt *but)
 {
     for (size_t i = 0; i < list->n; i++)
@@ -88,7 +89,7 @@ void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *sect
         const State *to = transition->kind == AST_TRANSITION ? map_find(&s->p->state_by_name, transition->name) : NULL;
         if (to && to->is_abort && last && last != above && last->kind == AST_ASSIGN && !above->flawed && !transition->flawed &&
             line_of(transition->span) == line_of(last->span) + 1 && !is_intended(in, above, last, transition)) {
-            const char *guard = sema_quote(s, above->value->span), *name = to->name->text;
+            const char *guard = sema_quote_source(s, above->value->span), *name = to->name->text;
             Diag *d = diag_report(s->diags, DIAG_unguarded_abort, transition->span, name);
             diag_note(s->diags, d, above->span, DIAG_note_not_guarded, name, guard);
             diag_note(s->diags, d, (Span){0}, DIAG_note_perhaps_guarded, ends_with_else(above) ? "else" : guard);

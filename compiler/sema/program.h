@@ -191,12 +191,12 @@ typedef struct ScriptItem {   // one conditional
     Span span;
     Stmts inputs;             // ST_ASSIGN, executed at once when the guard is true
     VEC(Expr *) asserts;      // evaluated after the step, in order
-    bool stop;                // the body ends with @stop
+    bool stop;                // the item's body ends with @stop
     Span stop_span;
 } ScriptItem;
 
 typedef struct ScriptSection {
-    State *state;             // NULL for [all_states]
+    State *state;             // the state of the section; NULL for [all_states]
     VEC(ScriptItem *) item;
 } ScriptSection;
 

@@ -23,7 +23,7 @@ void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Pr
         map_put(&s->functions, str_c(s->strings, sm_builtin_info[i].name), (void *)&sm_builtin_info[i]);
 }
 
-Str sema_stem(StrPool *strings, const Source *src)
+Str sema_file_stem(StrPool *strings, const Source *src)
 {
     const char *name = src->name, *end;
 

@@ -51,17 +51,17 @@ typedef struct Sema {
     const AstExpr *searched_left;     // the leftmost operand of this operand has already been examined for a `not`
     bool no_elements;         // the machine lists no elements; already reported
     bool *no_value;           // by Var.index: the local's initial value has an error
-    VEC(SizeUse) size_use;    // for check_size_uses
+    VEC(SizeUse) size_use;    // the locals that window sizes depend on so far; check_size_uses reads it
     BlockKind block;          // the block that contains the current statement
     uint32_t stmts;           // the number of statements so far
     uint32_t operators;       // of the value that is being checked; becomes Stmt.operators
-    bool varies;              // becomes Stmt.varies
+    bool varies;              // whether the value that is being checked varies; becomes Stmt.varies
     Program *building;        // the machine being built; NULL for a script
 } Sema;
 
 void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Program *p, Windows *windows);
 // The file's name without folders and extension.
-Str sema_stem(StrPool *strings, const Source *src);
+Str sema_file_stem(StrPool *strings, const Source *src);
 
 // ---- scope.c: names ----
 
@@ -98,8 +98,9 @@ void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, co
 Expr *check_expr(Sema *s, const AstExpr *e);
 Stmt *check_assignment(Sema *s, const AstStmt *in);
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out);
-void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *section, AstLabel label);   // check_unguarded.c
-const char *sema_quote(Sema *s, Span span);     // part of the source for a diagnostic: one line, shortened to a readable length
+// Warns of an unconditional transition to an @abort state that the layout makes look conditional (check_unguarded.c).
+void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *section, AstLabel label);
+const char *sema_quote_source(Sema *s, Span span);     // part of the source for a diagnostic: one line, shortened to a readable length
 // Warns of windows whose size depends on a local that the machine assigns.
 void check_size_uses(Sema *s);
 

@@ -126,8 +126,8 @@ typedef struct AstDecl {
 typedef struct AstOption {
     Str name;
     Span name_span;
-    AstExpr *number;          // delta_t: the literal
-    Str word;                 // init_state: the name
+    AstExpr *number;          // delta_t: the literal of its value
+    Str word;                 // init_state: the name of the state
     Span value_span;
 } AstOption;
 

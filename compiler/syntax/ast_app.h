@@ -13,7 +13,7 @@ typedef enum AppMeasure { APP_NOTHING, APP_NUMBER, APP_TIME, APP_FREQUENCY, APP_
 // A number with an optional unit, such as 10 ms, 1 kHz, 64 KB or 80. Its exact value in ns, Hz, bytes or without a unit is
 // digits * 10^exponent * factor.
 typedef struct AstAmount {
-    AppMeasure of;            // NOTHING: absent
+    AppMeasure of;            // the measure of the amount; NOTHING: the amount is absent
     uint64_t digits;
     int exponent;
     uint64_t factor;

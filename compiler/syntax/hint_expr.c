@@ -66,7 +66,8 @@ static int find_function(Str name)
     return i;
 }
 
-// Reports a function without parentheses, as in `abs x`. The current token is x; no operand can follow an element named `abs`.
+// Reports a function without parentheses, as in `abs x`. The current token is x. This is an error even if an element is named `abs`, because
+// no operand can follow a name.
 HintResult hint_report_missing_call(HintCase *c)
 {
     Parser *p = c->p;

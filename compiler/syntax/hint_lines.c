@@ -227,7 +227,7 @@ static LineStatements split_statements(const HintLine *l, uint32_t p)
 {
     LineStatements s = {.end = p};
     uint32_t depth = 0, gap = 0, next;
-    bool strong = false;              // the gap contains a separator that no expression contains: ; , or `then`
+    bool gap_ends_statement = false;  // the gap contains a separator that no expression contains: ; , or `then`
 
     for (p = skip_spaces(l, p); p < l->end; p = skip_spaces(l, next)) {
         const char c = l->text[p];
@@ -245,16 +245,16 @@ static LineStatements split_statements(const HintLine *l, uint32_t p)
         } else if (depth == 0 && s.n > 0 &&
                    (c == ';' || c == ',' || c == '&' || is_text_equal(l, p, next, "and") || is_text_equal(l, p, next, "then"))) {
             gap = gap ? gap : s.end;
-            strong = strong || c == ';' || c == ',' || is_text_equal(l, p, next, "then");
+            gap_ends_statement = gap_ends_statement || c == ';' || c == ',' || is_text_equal(l, p, next, "then");
             s.trailing = c == ';' ? next : 0;
             continue;
-        } else if (strong || s.n == 0) {
+        } else if (gap_ends_statement || s.n == 0) {
             return s;
         }
         depth += c == '(';
         depth -= c == ')' && depth > 0;
         gap = 0;
-        strong = false;
+        gap_ends_statement = false;
         s.trailing = 0;
         s.end = next;
     }

@@ -115,9 +115,9 @@ static ConditionSide scan_left_side(const Lexer *l, uint32_t at)
     return side;
 }
 
-// Whether it is unclear what t means, so that no edit is proposed: t can be a bit operator, as in `status & mask` or `x = ~mask`, or t is a
-// | next to an `and`, whose relative precedence differs between languages.
-static bool may_be_bits(const Lexer *l, const Token *t)
+// Whether the user can have meant several things by the operator t, so that no edit is proposed: t can be a bit operator, as in
+// `status & mask` or `x = ~mask`, or t is a | next to an `and`, whose relative precedence differs between languages.
+static bool has_unclear_meaning(const Lexer *l, const Token *t)
 {
     const char sign = l->src->text[t->at];
     ConditionSide left, right;
@@ -170,7 +170,7 @@ static void report_foreign_spelling(Lexer *l, Token *t, const char *spelling, co
         t->kind = TOK_ARROW;
     needs_space = lex_is_letter(*native);
     d = diag_report(l->diags, DIAG_foreign_operator, lexer_span(l, t->at, t->len), spelling, native);
-    if (may_be_bits(l, t)) {
+    if (has_unclear_meaning(l, t)) {
         diag_label(l->diags, d, DIAG_label_no_bits, native);
         return;
     }

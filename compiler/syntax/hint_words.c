@@ -17,7 +17,7 @@ static uint32_t skip_spaces(const char *text, uint32_t p)
     return p;
 }
 
-static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
+static char to_lower_case(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
 
 // Returns the end of the text at p if it equals `words`; else 0. A space in `words` matches any number of spaces.
 static uint32_t skip_words(const char *text, uint32_t p, const char *words)
@@ -25,7 +25,7 @@ static uint32_t skip_words(const char *text, uint32_t p, const char *words)
     for (; *words; words++)
         if (*words == ' ' && (text[p] == ' ' || text[p] == '\t'))
             p = skip_spaces(text, p);
-        else if (lower(text[p++]) != *words)
+        else if (to_lower_case(text[p++]) != *words)
             return 0;
     return lexer_is_word(text[p]) ? 0 : p;
 }
@@ -60,6 +60,7 @@ static uint32_t skip_parens(const char *text, uint32_t p)
     return p;
 }
 
+// Returns the end of the number at p, with any letters directly after it.
 static uint32_t skip_number(const char *text, uint32_t p)
 {
     while (lexer_is_word(text[p]) || (text[p] == '.' && lex_is_digit(text[p + 1])))

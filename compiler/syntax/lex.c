@@ -286,7 +286,8 @@ static const Punctuator *find_punctuator(const Lexer *l)
     return NULL;
 }
 
-// Reads a punctuator, and counts parentheses. A punctuator that cannot be inside parentheses resets open_parens.
+// Reads a punctuator, and counts parentheses. A punctuator that cannot be inside parentheses resets open_parens. Returns false if no
+// punctuator is at the current position.
 static bool lex_punctuator(Lexer *l, Token *t)
 {
     const Punctuator *s = find_punctuator(l);

@@ -24,7 +24,7 @@ typedef struct Token {
     bool first;               // the first token on its line
     uint32_t at, len;         // offset and length in the source
     Str text;                 // NAME, TYPE, words: as written; HEADER, LABEL, ANNOTATION: the name without its punctuation; TEXT: without quotes
-    SmType type;              // TYPE: the type
+    SmType type;              // TYPE: which type it names
     SmF64 number;             // NUMBER: its value
 } Token;
 
@@ -47,7 +47,7 @@ enum {
 };
 
 enum {
-    LEX_HINTS = 0             // rows of hints.def that the lexer searches
+    LEX_HINTS = 0             // number of rows of hints.def that the lexer searches
 #define HINT_TEXT(...) + 1
 #define HINT_AFTER(...) + 1
 #define HINT_OPERATOR(...) + 1
@@ -65,7 +65,7 @@ typedef struct Lexer {
     uint32_t line_start;      // offset of the current line's first byte
     uint32_t reported_line;   // 1 + line_start of the last line in which a wrong character was reported
     bool first;               // the next token is the first on its line
-    bool keep_comments;       // return comments as tokens
+    bool keep_comments;       // lex_next returns comments as tokens
     bool config;              // a .io or .app: file names are quoted, and units follow numbers
     TokenKind last;           // kind of the last token returned
     LexAllow allow;           // the current position relative to an @allow( )

@@ -16,7 +16,7 @@ const char *lexer_text(const Lexer *l, uint32_t at, uint32_t end);      // a par
 void lexer_skip_comment(Lexer *l);                          // skips to the end of the line
 void lexer_end_line(Lexer *l);                              // consumes the line end
 void lexer_finish_token(Lexer *l, Token *t, TokenKind kind, uint32_t end);
-void lexer_read_word(Lexer *l, Token *t);                        // a name, or a reserved word
+void lexer_read_word(Lexer *l, Token *t);                        // reads the name or reserved word at the current position
 bool lexer_is_hex_prefix(const Lexer *l, uint32_t p);       // whether 0x is at p
 
 // ---- lex_chars.c ----

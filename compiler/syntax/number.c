@@ -203,6 +203,7 @@ static bool convert_exactly(const Decimal *d, SmF64 *value)
     return true;
 }
 
+// Converts any decimal literal by an exact division of big integers. Returns false if the value is too large for an F64.
 static bool convert_by_division(const Decimal *d, SmF64 *value)
 {
     Big top = {{0}, 0}, bottom = {{1}, 1};
@@ -218,6 +219,7 @@ static bool convert_by_division(const Decimal *d, SmF64 *value)
     return round_to_f64(q, -shift, top.n > 0, value);
 }
 
+// Returns false if the value is too large for an F64.
 static bool convert_decimal(const char *text, size_t len, SmF64 *value)
 {
     Decimal d;
@@ -238,6 +240,7 @@ static unsigned hex_digit_value(char c)
     return c <= '9' ? (unsigned)(c - '0') : (unsigned)((c | 0x20) - 'a' + 10);
 }
 
+// Converts the hexadecimal digits from s to `end`. Returns false if the value is too large for an F64.
 static bool convert_hexadecimal(const char *s, const char *end, SmF64 *value)
 {
     uint64_t q = 0;
@@ -267,6 +270,7 @@ bool number_to_f64(const char *text, size_t len, SmF64 *value)
 
 // ---- literals as decimal digits ----
 
+// Stores the exact value of the hexadecimal digits from s to `end`. Returns false if it has more than 60 bits.
 static bool read_hexadecimal(const char *s, const char *end, uint64_t *digits)
 {
     for (*digits = 0; s < end; s++) {

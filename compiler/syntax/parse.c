@@ -155,6 +155,7 @@ void parser_label_annotations(Parser *p, Diag *d, const char *const *here, size_
 
 static const char *const labels[AST_LABEL_COUNT] = {"entry", "step", "exit"};
 
+// Returns the AstLabel of the word; -1 if it is no label.
 static int find_label(const char *word)
 {
     for (int i = 0; i < AST_LABEL_COUNT; i++)
@@ -452,7 +453,7 @@ static const char *const first_section[] = {
 static AstFile *parse_visited(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind, const ScriptVisitor *v)
 {
     AstFile *f = ARENA_NEW(arena, AstFile);
-    size_t met = diags->met;
+    size_t before = diags->errors_seen;
     Parser p;
 
     f->kind = kind;
@@ -472,7 +473,7 @@ static AstFile *parse_visited(Arena *arena, StrPool *strings, Diags *diags, cons
         else
             parse_section(&p, f);
     if (f->app)
-        f->app->lost = f->app->lost || diags->met > met;
+        f->app->lost = f->app->lost || diags->errors_seen > before;
     return f;
 }
 

@@ -20,30 +20,30 @@ static const struct { const char *spelling; Arguments takes; unsigned where; } r
 typedef struct Annotated {
     AstAnnotationTarget target;
     Str name;
-    Span span;                // position of the name
+    Span span;                // position of the owner's name
     AstAnnotations *all;      // the annotations found so far
 } Annotated;
 
 // ---- the row of an annotation ----
 
-static bool may_be_on(int row, AstAnnotationTarget target) { return rows[row].where >> target & 1u; }
+static bool may_follow_target(int row, AstAnnotationTarget target) { return rows[row].where >> target & 1u; }
 
 // Returns the row of the annotation `word` for this target, else a row for another target in the same kind of file; AST_ANNOTATION_COUNT if
 // there is none.
-static int find_row(Str word, AstAnnotationTarget target)
+static int find_annotation_row(Str word, AstAnnotationTarget target)
 {
     const unsigned in_file = ON_PINS >> target & 1u ? ON_PINS : ON_MACHINES;
     int found = AST_ANNOTATION_COUNT;
 
     for (int i = AST_ANNOTATION_COUNT - 1; i >= 0; i--)
-        if (strcmp(rows[i].spelling, word->text) == 0 && rows[i].where & in_file && (found == AST_ANNOTATION_COUNT || may_be_on(i, target)))
+        if (strcmp(rows[i].spelling, word->text) == 0 && rows[i].where & in_file && (found == AST_ANNOTATION_COUNT || may_follow_target(i, target)))
             found = i;
     return found;
 }
 
 static bool is_for_states_only(int row)
 {
-    return row < AST_ANNOTATION_COUNT && may_be_on(row, AST_ON_STATE) && !may_be_on(row, AST_ON_ELEMENT);
+    return row < AST_ANNOTATION_COUNT && may_follow_target(row, AST_ON_STATE) && !may_follow_target(row, AST_ON_ELEMENT);
 }
 
 // Reports an unknown annotation and skips its arguments.
@@ -54,7 +54,7 @@ static void report_unknown_annotation(Parser *p, AstAnnotationTarget target)
     size_t n = 0;
 
     for (int i = 0; i < AST_ANNOTATION_COUNT; i++)
-        if (may_be_on(i, target))
+        if (may_follow_target(i, target))
             here[n++] = rows[i].spelling;
     if (strncmp(p->tok.text->text, "unit", 4) == 0)
         diag_label(p->diags, d, DIAG_label_unit_annotation);
@@ -79,13 +79,13 @@ static bool check_annotation_target(Parser *p, const Annotated *o, const AstAnno
 {
     const char *word = rows[a->kind].spelling;
 
-    if (may_be_on((int)a->kind, o->target))
+    if (may_follow_target((int)a->kind, o->target))
         return true;
     if (ON_PINS >> o->target & 1u) {
         Diag *d = parser_report(p, DIAG_annotation_on_pin, a->span, word, get_pin_name(o->target));
         const char *list = NULL;                  // the kinds of pins that the annotation is for
         for (AstAnnotationTarget k = AST_ON_ANALOG_INPUT; k <= AST_ON_DIGITAL_OUTPUT; k++)
-            if (may_be_on((int)a->kind, k))
+            if (may_follow_target((int)a->kind, k))
                 list = list ? format_in(p->arena, "%s or %s", list, get_pin_name(k)) : get_pin_name(k);
         diag_label(p->diags, d, DIAG_label_of_pins, list);
     } else if (is_for_states_only((int)a->kind))
@@ -99,6 +99,7 @@ static bool check_annotation_target(Parser *p, const Annotated *o, const AstAnno
     return false;
 }
 
+// Returns false after reporting that the owner has this annotation already.
 static bool check_not_repeated(Parser *p, const Annotated *o, const AstAnnotation *a)
 {
     Diag *d;
@@ -178,6 +179,7 @@ static void report_allow_syntax(Parser *p, const char *expected)
     diag_label(p->diags, parser_fail(p, DIAG_allow_form, parser_missing_span(p), expected, parser_describe_found(p)), DIAG_label_allow_form);
 }
 
+// Consumes the next token of an @allow if it is of this kind. Otherwise reports what was expected, and returns false.
 static bool expect_token(Parser *p, TokenKind kind, const char *expected)
 {
     if (p->tok.kind != kind) {
@@ -279,7 +281,7 @@ static void parse_annotation(Parser *p, const Annotated *o)
 {
     AstAnnotation a = {0};
     bool first = p->tok.first, allowed, begins_another;
-    int row = find_row(p->tok.text, o->target);
+    int row = find_annotation_row(p->tok.text, o->target);
 
     if (row == AST_ANNOTATION_COUNT) {
         report_unknown_annotation(p, o->target);
@@ -318,7 +320,7 @@ void parser_report_annotation_before_decl(Parser *p)
 {
     const char *word = p->tok.text->text;
 
-    if (is_for_states_only(find_row(p->tok.text, AST_ON_ELEMENT)))
+    if (is_for_states_only(find_annotation_row(p->tok.text, AST_ON_ELEMENT)))
         diag_label(p->diags, parser_fail(p, DIAG_annotation_of_states, parser_token_span(p), word), DIAG_label_after_header, word);
     else
         parser_fail(p, DIAG_annotation_before, parser_token_span(p), word);
@@ -347,7 +349,7 @@ void parser_report_annotation_in_block(Parser *p)
     const char *word = p->tok.text->text, *near = str_nearest(word, script_words, 2);
     Diag *d = parser_fail(p, DIAG_annotation_here, parser_token_span(p), word);
 
-    if (is_for_states_only(find_row(p->tok.text, AST_ON_STATE)))
+    if (is_for_states_only(find_annotation_row(p->tok.text, AST_ON_STATE)))
         diag_label(p->diags, d, DIAG_label_after_header, word);
     else if (parser_is_allow(&p->tok))
         diag_label(p->diags, d, DIAG_label_not_in_script);

@@ -37,6 +37,7 @@ AstAppOptionKind app_find_required_option(AstAppTaskKind kind)
     return needs[kind];
 }
 
+// Returns the index of the next token among n words; n if it is another one.
 static int find_word(const Parser *p, const char *const *words, int n)
 {
     int i = 0;
@@ -149,6 +150,7 @@ static const char *format_other_rate(Parser *p, const Unit *u, Span number, cons
     return word ? format_in(p->arena, "%s %s %s", word, parser_text(p, number), u->spelling) : NULL;
 }
 
+// Parses the unit after a number. Returns false after reporting that the unit is missing or belongs to another measure.
 static bool parse_unit(Parser *p, AstAmount *into, Span number, const char *example)
 {
     const Unit *u = NULL;
@@ -206,7 +208,7 @@ static const struct { AppArguments takes; bool on[APP_ANNOTATION_TARGETS]; const
 #include "compiler/syntax/app.def"
 };
 
-// Parses the argument of @overrun: `skip`, or `catch_up` and a number.
+// Parses the argument of @overrun: `skip`, or `catch_up` and a number. Returns false after reporting an error.
 static bool parse_overrun(Parser *p, AstAppAnnotation *a)
 {
     const char *example = rows[a->kind].example;
@@ -219,6 +221,7 @@ static bool parse_overrun(Parser *p, AstAppAnnotation *a)
     return a->word.text->text[0] == 's' || app_parse_amount(p, &a->amount, APP_NUMBER, example);
 }
 
+// Returns false after reporting an error.
 static bool parse_annotation_arguments(Parser *p, AstAppAnnotation *a)
 {
     switch (rows[a->kind].takes) {

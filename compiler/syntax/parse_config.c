@@ -55,6 +55,7 @@ static bool recover_direction(Parser *p, AstPin *pin)
     return false;
 }
 
+// Returns false after reporting that no number follows.
 static bool parse_pin_number(Parser *p, AstPin *pin)
 {
     const Span at = parser_missing_span(p);
@@ -69,6 +70,7 @@ static bool parse_pin_number(Parser *p, AstPin *pin)
     return false;
 }
 
+// Parses the name of the pin's element. Returns false after reporting that none follows, or that it is malformed.
 static bool parse_pin_element(Parser *p, AstPin *pin)
 {
     if (p->tok.kind == TOK_NAME && !(p->tok.first && is_at_pin(p))) {        // not if the name begins another pin on the next line

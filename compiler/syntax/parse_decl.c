@@ -46,6 +46,7 @@ static bool recover_type(Parser *p, const AstSection *s)
 
 // ---- declarations ----
 
+// Parses the name of a declaration. Returns false after reporting that none follows, or that it is malformed.
 static bool parse_decl_name(Parser *p, AstDecl *d)
 {
     TokenKind reserved;
@@ -166,6 +167,7 @@ static const char *const option_words[] = {
 
 enum { OPTION_COUNT = sizeof option_words / sizeof *option_words };
 
+// Parses what follows the word of an option. Returns false, and reports nothing, if the option does not take it.
 static bool parse_option_argument(Parser *p, AstOption *o, OptionTakes takes)
 {
     o->value_span = parser_token_span(p);

@@ -42,14 +42,14 @@ typedef struct Parser {
 
 // ---- tokens ----
 
-void parser_advance(Parser *p);
+void parser_advance(Parser *p);                         // consumes the next token
 void parser_stop(Parser *p);                            // ends parsing: every further token is TOK_END, and nothing is reported
-Span parser_span(const Parser *p, const Token *t);
+Span parser_span(const Parser *p, const Token *t);      // returns the position of a token
 Span parser_token_span(const Parser *p);                // position of the next token
 Span parser_gap_span(const Parser *p);                       // the empty position directly after the last token
 Span parser_missing_span(const Parser *p);             // the next token, or the end of the line before it
 Span parser_span_since(const Parser *p, uint32_t at);        // the range from `at` to the end of the last token
-bool parser_at_end_of_statement(const Parser *p);
+bool parser_at_end_of_statement(const Parser *p);       // whether the next token begins a line or ends the block, or the last one is }
 bool parser_at_end_of_block(const Parser *p);           // whether the next token is }, a label, a header or the end
 
 // ---- diagnostics ----

@@ -47,7 +47,7 @@ uint16_t sm_link_encode(uint8_t *frame, uint16_t n)
 // ---- receiving ----
 
 // Prepares for the next frame.
-static void reset(LinkReceiver *r)
+static void reset_frame(LinkReceiver *r)
 {
     r->n = 0;
     r->run_left = 0;
@@ -60,7 +60,7 @@ void sm_link_receiver_init(LinkReceiver *r, uint8_t *buffer, uint16_t room)
     r->buffer = buffer;
     r->room = room;
     r->is_complete = false;
-    reset(r);
+    reset_frame(r);
 }
 
 // Called at the zero that ends a frame.  If the frame is intact, removes its checksum and returns true.
@@ -78,12 +78,12 @@ bool sm_link_receive(LinkReceiver *r, uint8_t byte)
 {
     if (r->is_complete) {
         r->is_complete = false;
-        reset(r);
+        reset_frame(r);
     }
     if (byte == 0) {
         r->is_complete = try_finish_frame(r);
         if (!r->is_complete)
-            reset(r);
+            reset_frame(r);
         return r->is_complete;
     }
     if (r->run_left > 0) {

@@ -54,7 +54,7 @@ bool sm_link_receive(LinkReceiver *r, uint8_t byte);
 // available after them.  Returns the number of bytes to send, starting at frame[0].
 uint16_t sm_link_encode(uint8_t *frame, uint16_t n);
 
-uint32_t sm_link_crc(const uint8_t *bytes, uint16_t n);             // their CRC-32
+uint32_t sm_link_crc(const uint8_t *bytes, uint16_t n);             // returns the CRC-32 of n bytes
 
 // Fields of 1 to 4 bytes, little-endian.
 uint32_t sm_link_load(const uint8_t *at, unsigned bytes);

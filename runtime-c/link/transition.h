@@ -18,7 +18,7 @@ enum {
 
 typedef struct LinkTransition {
     uint8_t number;           // modulo 256: one more than that of the record before
-    uint8_t machine;          // 0 to 15
+    uint8_t machine;          // number of the machine in the image, 0 to 15
     uint8_t lost;             // how many transitions before it were not stored; LINK_LOST_MAX: that many or more
     uint16_t from, to;        // states; from 0: the machine started
     uint32_t time;            // since the start of the board, in units of 2^20 ns

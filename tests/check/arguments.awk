@@ -100,7 +100,7 @@ function check_call(file, text,    n, i, part, rest) {
     n = split_arguments(text, part)
     for (i = 1; i <= n; i++) {
         rest = part[i]
-        sub(/(diag_report|diag_note|diag_step|diag_label|diag_text|parser_report|parser_fail)\(.*/, "", rest)      # a call of its own
+        sub(/(diag_report|diag_note|diag_note_step|diag_label|diag_text|parser_report|parser_fail)\(.*/, "", rest)      # a call of its own
         while (match(rest, /(^|[^A-Za-z0-9_])DIAG_[a-z][a-z0-9_]*/)) {
             code = substr(rest, RSTART, RLENGTH)
             sub(/.*DIAG_/, "", code)
@@ -126,7 +126,7 @@ FILENAME !~ /codes\.def$/ {
         if (call ~ /^cli_[a-z_]*\([^(,]*, (S|[^,]*\? S|[^,]*: S)/)
             complain($0 ": a message is a literal here; it belongs into compiler/cli/texts.def")
     }
-    while (match(text, /(diag_report|diag_note|diag_step|diag_label|diag_text|parser_report|parser_fail)\(/)) {
+    while (match(text, /(diag_report|diag_note|diag_note_step|diag_label|diag_text|parser_report|parser_fail)\(/)) {
         text = substr(text, RSTART + RLENGTH)
         check_call($0, substr(text, 1, 600))
         if (text ~ /^[^;]*DIAG_label_text, *S/)

@@ -46,7 +46,7 @@ static bool put(const char *path, const char *text)
     const char *failed, *why;
 
     memset(calls, 0, sizeof calls);
-    return os_write(&out, 1, &failed, &why);
+    return os_write_files(&out, 1, &failed, &why);
 }
 
 static bool stream(const char *path, const char *text, bool keep)
@@ -65,7 +65,7 @@ static bool holds(const char *path, const char *text)
     size_t n;
     bool same;
 
-    if (!os_read(path, 1000, &found, &n, &why))
+    if (!os_read_file(path, 1000, &found, &n, &why))
         return false;
     same = strcmp(found, text) == 0;
     os_alloc(NULL, found, 0);
@@ -92,7 +92,7 @@ static size_t entries(const char *folder)
     char **names;
     size_t n = 0;
 
-    if (!os_list(folder, &names, &n, &why))
+    if (!os_list_folder(folder, &names, &n, &why))
         return 0;
     os_alloc(NULL, names, 0);
     return n;
@@ -118,7 +118,7 @@ static void whole_or_not_at_all(void)
         CHECK(!stream("a", "new", true) && holds("a", "OLD") && entries(".") == before);
     }
     failing = 0;
-    CHECK(!os_write(two, 2, &failed, &why) && strcmp(failed, "no/such/b") == 0 && holds("a", "OLD") && entries(".") == before);
+    CHECK(!os_write_files(two, 2, &failed, &why) && strcmp(failed, "no/such/b") == 0 && holds("a", "OLD") && entries(".") == before);
 }
 
 static void modes(void)
@@ -176,7 +176,7 @@ static void names(void)
         const size_t before = entries(".");
         why = "";
         CHECK(!put(bad[i], "x") && !stream(bad[i], "x", true) && entries(".") == before);
-        CHECK(!os_read(bad[i], 100, &text, &n, &why) && strcmp(why, "its name contains a control character") == 0);
+        CHECK(!os_read_file(bad[i], 100, &text, &n, &why) && strcmp(why, "its name contains a control character") == 0);
         CHECK(!os_make_folder(bad[i], &why) && !os_write_private(bad[i], "x", 1, &why));
     }
     CHECK(put("Höhe über \"Grund\" $1 #2", "x") && holds("Höhe über \"Grund\" $1 #2", "x"));

@@ -20,7 +20,7 @@ static bool write_file(const char *path, const char *text, size_t n)
 {
     const OsOutput out = {path, text, n};
 
-    return os_write(&out, 1, &which, &why);
+    return os_write_files(&out, 1, &which, &why);
 }
 
 static bool holds(const char *path, const char *text, size_t n)
@@ -29,7 +29,7 @@ static bool holds(const char *path, const char *text, size_t n)
     size_t len;
     bool same;
 
-    if (!os_read(path, SIZE_MAX, &found, &len, &why))
+    if (!os_read_file(path, SIZE_MAX, &found, &len, &why))
         return false;
     same = len == n && memcmp(found, text, n) == 0 && found[n] == '\0';
     os_alloc(NULL, found, 0);
@@ -41,7 +41,7 @@ static size_t files(void)
     char **names;
     size_t n = 0;
 
-    CHECK(os_list(".", &names, &n, &why));
+    CHECK(os_list_folder(".", &names, &n, &why));
     os_alloc(NULL, names, 0);
     return n;
 }
@@ -57,7 +57,7 @@ static void test_lengths(void)
         text[i] = (char)('a' + i * i % 23);
     for (size_t n = 0; text && n < LONGEST; n = n == 10 ? 16370 : n == 16400 ? 32750 : n == 32790 ? 65520 : n == 65560 ? LONGEST : n + 1)
         CHECK(write_file("long", text, n) && holds("long", text, n));
-    CHECK(!os_read("long", 100, &text, &(size_t){0}, &why) && strcmp(why, "the file is too large") == 0);
+    CHECK(!os_read_file("long", 100, &text, &(size_t){0}, &why) && strcmp(why, "the file is too large") == 0);
     CHECK(unlink("long") == 0);
     free(text);
 }
@@ -68,7 +68,7 @@ static void test_all_or_none(void)
     const OsOutput out[] = {{"first", "new", 3}, {"folder", "new", 3}, {"third", "new", 3}};
 
     CHECK(write_file("first", "old", 3) && mkdir("folder", 0777) == 0);
-    CHECK(!os_write(out, 3, &which, &why) && strcmp(which, "folder") == 0 && strcmp(why, "it is a folder") == 0);
+    CHECK(!os_write_files(out, 3, &which, &why) && strcmp(which, "folder") == 0 && strcmp(why, "it is a folder") == 0);
     CHECK(holds("first", "old", 3) && access("third", F_OK) != 0 && files() == 2);
     CHECK(rmdir("folder") == 0 && unlink("first") == 0);
 }
@@ -121,7 +121,7 @@ static void test_folders(void)
 
     for (size_t i = 0; i < sizeof made / sizeof *made; i++)
         CHECK(write_file(made[i], "", 0));
-    CHECK(os_list(".", &names, &n, &why) && n == sizeof made / sizeof *made);
+    CHECK(os_list_folder(".", &names, &n, &why) && n == sizeof made / sizeof *made);
     for (size_t i = 1; i < n; i++)
         CHECK(strcmp(names[i - 1], names[i]) < 0);
     os_alloc(NULL, names, 0);

@@ -72,7 +72,7 @@ static size_t entries(const char *folder)
     char **names;
     size_t n = 99;
 
-    if (os_list(folder, &names, &n, &why))
+    if (os_list_folder(folder, &names, &n, &why))
         os_alloc(NULL, names, 0);
     return n;
 }
@@ -84,7 +84,7 @@ static void make_slow_compiler(void)
     const OsOutput out = {"slow cc", text, sizeof text - 1};
     const char *failed, *why;
 
-    CHECK(os_write(&out, 1, &failed, &why) && chmod("slow cc", 0755) == 0);
+    CHECK(os_write_files(&out, 1, &failed, &why) && chmod("slow cc", 0755) == 0);
 }
 
 static bool read_ids(long *a, long *b)

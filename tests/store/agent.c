@@ -147,7 +147,7 @@ static DeviceStep update(Pair *p, const Image *image, Update *u)
     u->length = image->length;
     u->checksum = image->checksum;
     u->session = (uint16_t)(1 + below(65535));
-    return device_hello(&p->host, &info) ? device_update(&p->host, &info, u) : DEVICE_FIND;
+    return device_query_info(&p->host, &info) ? device_update(&p->host, &info, u) : DEVICE_FIND;
 }
 
 static bool runs(const Board *b, const Image *image)
@@ -238,12 +238,12 @@ static void armed_board_refuses_update(const char *memory, uint8_t slots)
         prepare(&p, memory, slots);
         memcpy(kept, sim_nvm(memory), sizeof kept);
         p.board.may = reasons[i];
-        CHECK(device_hello(&p.host, &info) && info.may == reasons[i]);
+        CHECK(device_query_info(&p.host, &info) && info.may == reasons[i]);
         CHECK(update(&p, &new_image, &u) == DEVICE_BEGIN && p.host.answered && p.host.result == reasons[i]);
         CHECK(!device_request_by_checksum(&p.host, LINK_ERASE, old_image.checksum) && p.host.result == reasons[i]);
         CHECK(!device_request_by_checksum(&p.host, LINK_CONFIRM, old_image.checksum) && p.host.result == reasons[i]);
         CHECK(!device_restart(&p.host, &info) && p.host.answered && p.host.result == reasons[i]);
-        CHECK(device_running(&p.host, &info, &image) && image.checksum == old_image.checksum);
+        CHECK(device_find_running_image(&p.host, &info, &image) && image.checksum == old_image.checksum);
         CHECK(memcmp(kept, sim_nvm(memory), sizeof kept) == 0 && p.board.left == 0);
     }
 }
@@ -320,10 +320,10 @@ static void unusable_image_is_skipped(const char *memory)
     prepare(&p, memory, 2);
     CHECK(update(&p, &new_image, &u) == DEVICE_DONE && runs(&p.board, &new_image));
     CHECK(device_read_image_info(&p.host, 0, &image) && image.before && !image.chosen);
-    CHECK(smvm_store_skip(&p.board.store, &p.board.slot) == SM_OK && runs(&p.board, &old_image));
+    CHECK(smvm_store_skip_image(&p.board.store, &p.board.slot) == SM_OK && runs(&p.board, &old_image));
     CHECK(device_read_image_info(&p.host, 1, &image) && image.end == DEVICE_NOT_RUNNABLE);
     CHECK(board_start(&p.board) && runs(&p.board, &old_image));
-    CHECK(smvm_store_skip(&p.board.store, &p.board.slot) == SM_OK && p.board.slot == STORE_BUILT_IN);
+    CHECK(smvm_store_skip_image(&p.board.store, &p.board.slot) == SM_OK && p.board.slot == STORE_BUILT_IN);
     CHECK(device_read_image_info(&p.host, 0, &image) && image.chosen && !image.runs);
     CHECK(board_start(&p.board) && runs(&p.board, &old_image));
 }
@@ -379,7 +379,7 @@ static void images_are_listed_and_erased(void)
 
     prepare(&p, "flash", 2);
     CHECK(update(&p, &new_image, &u) == DEVICE_DONE && !u.was_running);
-    CHECK(device_hello(&p.host, &info) && info.protocol == LINK_PROTOCOL && info.slots == 2);
+    CHECK(device_query_info(&p.host, &info) && info.protocol == LINK_PROTOCOL && info.slots == 2);
     CHECK(info.ram == 1000 && info.block % 8 == 0);
     CHECK(info.reports_limits && info.windows && info.machines == 3 && info.ram_digital == 10 && info.ram_analog == 26 && info.period == 300 && info.cycles == 14400);
     CHECK(device_read_image_info(&p.host, 0, &image) && image.state == DEVICE_WHOLE && image.checksum == old_image.checksum && !image.runs);
@@ -391,9 +391,9 @@ static void images_are_listed_and_erased(void)
     CHECK(!device_request_by_checksum(&p.host, LINK_CONFIRM, old_image.checksum) && p.host.result == SM_E_ARGUMENT);
     CHECK(!device_request_by_checksum(&p.host, LINK_ERASE, 1) && p.host.result == SM_E_MISSING);
     CHECK(device_request_by_checksum(&p.host, LINK_ERASE, new_image.checksum) && device_restart(&p.host, &info));
-    CHECK(runs(&p.board, &old_image) && device_running(&p.host, &info, &image) && image.checksum == old_image.checksum);
+    CHECK(runs(&p.board, &old_image) && device_find_running_image(&p.host, &info, &image) && image.checksum == old_image.checksum);
     CHECK(device_request_by_checksum(&p.host, LINK_ERASE, old_image.checksum) && device_restart(&p.host, &info));
-    CHECK(device_running(&p.host, &info, &image) && image.slot == DEVICE_BUILT_IN);
+    CHECK(device_find_running_image(&p.host, &info, &image) && image.slot == DEVICE_BUILT_IN);
 }
 
 static void invalid_request_is_rejected(void)
@@ -433,7 +433,7 @@ static void noise_before_a_request_does_not_spoil_it(void)
     prepare(&p, "eeprom", 2);
     p.host.tries = 1;
     put(&p.wire.to_board, rubbish, sizeof rubbish);
-    CHECK(device_hello(&p.host, &info));
+    CHECK(device_query_info(&p.host, &info));
 }
 
 // A board that restarts in the middle of an update has forgotten it; the host begins again.
@@ -541,7 +541,7 @@ static void running_image_is_not_read_back(const char *memory)
     u.checksum = old_image.checksum;
     u.session = 9;
     u.period = 7;
-    CHECK(device_hello(&p.host, &info) && device_update(&p.host, &info, &u) == DEVICE_READ && p.host.result == SM_E_DEVICE);
+    CHECK(device_query_info(&p.host, &info) && device_update(&p.host, &info, &u) == DEVICE_READ && p.host.result == SM_E_DEVICE);
     p.board.board.fits = board_fits;
     u.session = 10;
     CHECK(device_update(&p.host, &info, &u) == DEVICE_DONE && !u.was_running && smvm_store_period(&p.board.store, p.board.slot) == 7);
@@ -630,7 +630,7 @@ static unsigned log_transition(Logged *l, unsigned bytes, uint32_t lost)
 static void log_many(Logged *l, unsigned n)
 {
     while (n-- > 0) {
-        smvm_state_log_earn(&l->log);
+        smvm_state_log_add_credit(&l->log);
         CHECK(log_transition(l, LINK_TRANSITION, 0) == LINK_TRANSITION);
     }
 }
@@ -640,7 +640,7 @@ static bool read_log(Logged *l, uint8_t slot)
     DeviceInfo info;
     DeviceImage image;
 
-    return device_hello(&l->p.host, &info) && device_read_image_info(&l->p.host, slot, &image) && device_read_transitions(&l->p.host, &info, &image, l->read, &l->n);
+    return device_query_info(&l->p.host, &info) && device_read_image_info(&l->p.host, slot, &image) && device_read_transitions(&l->p.host, &info, &image, l->read, &l->n);
 }
 
 // The log has n transitions, up to that of second `last`.
@@ -695,7 +695,7 @@ static void torn_record_is_skipped(void)
     for (unsigned bytes = 0; bytes < LINK_TRANSITION; bytes++) {
         prepare_log(&l, "eeprom", 2);
         log_many(&l, 2u * l.log.records);
-        smvm_state_log_earn(&l.log);
+        smvm_state_log_add_credit(&l.log);
         CHECK(log_transition(&l, bytes, 0) == bytes);
         l.g--;
         CHECK(has_last(&l, l.log.records - (bytes > 0 ? 1u : 0u), l.g));
@@ -713,11 +713,11 @@ static void log_is_written_seldom(void)
     prepare_log(&l, "eeprom", 2);
     for (int i = 0; i < STATE_LOG_CREDIT + 9; i++)
         CHECK(log_transition(&l, LINK_TRANSITION, 0) == (i < STATE_LOG_CREDIT ? LINK_TRANSITION : 0u));
-    smvm_state_log_earn(&l.log);
+    smvm_state_log_add_credit(&l.log);
     CHECK(log_transition(&l, LINK_TRANSITION, 2) == LINK_TRANSITION && read_log(&l, l.p.board.slot));
     CHECK(l.n > 1 && l.read[l.n - 1].lost == 11 && l.read[l.n - 2].lost == 0);
     CHECK(log_transition(&l, LINK_TRANSITION, 400) == 0);
-    smvm_state_log_earn(&l.log);
+    smvm_state_log_add_credit(&l.log);
     CHECK(log_transition(&l, LINK_TRANSITION, 0) == LINK_TRANSITION && read_log(&l, l.p.board.slot) && l.read[l.n - 1].lost == LINK_LOST_MAX);
 }
 
@@ -764,7 +764,7 @@ static void any_bytes_are_a_log(void)
         CHECK(log_transition(&l, LINK_TRANSITION, 0) == LINK_TRANSITION);
     }
     image.state = DEVICE_WHOLE;                        // a board that reports an image longer than its slot
-    CHECK(device_hello(&l.p.host, &info));
+    CHECK(device_query_info(&l.p.host, &info));
     image.length = info.slot_size + 1;
     l.n = 1;
     CHECK(device_read_transitions(&l.p.host, &info, &image, l.read, &l.n) && l.n == 0);
@@ -836,11 +836,11 @@ static void older_boards_report_less(void)
     link_host_init(&host, &line, 100, 1, 0);
     for (size_t n = 14; n <= sizeof all; n++) {
         memcpy(c.body, all, c.n = sizeof all);
-        CHECK(device_hello(&host, &info) && info.requires_signature && info.newest == 5 && info.reports_limits && info.windows && info.machines == 3);
+        CHECK(device_query_info(&host, &info) && info.requires_signature && info.newest == 5 && info.reports_limits && info.windows && info.machines == 3);
         CHECK(info.ram_digital == 10 && info.ram_analog == 26 && info.period == 20 && info.cycles == 8000 && info.reports_mark);
         CHECK(info.mark == 0x01020304 && info.slots == 2 && info.slot_size == 1024 && info.ram == 512 && info.longest == 9);
         c.n = n;
-        CHECK(device_hello(&host, &info) == (n >= 15) && (n >= 15 || host.result == SM_E_UNSUPPORTED));
+        CHECK(device_query_info(&host, &info) == (n >= 15) && (n >= 15 || host.result == SM_E_UNSUPPORTED));
         CHECK(n < 15 || (info.requires_signature == (n >= 20) && info.newest == (n >= 20 ? 5 : 0)));
         CHECK(n < 15 || (info.reports_limits == (n >= 27) && info.windows == (n >= 27) && info.machines == (n >= 27 ? 3 : 0)));
         CHECK(n < 15 || (info.period == (n >= 27 ? 20 : 0) && info.reports_mark == (n >= 31) && info.mark == (n >= 31 ? 0x01020304 : 0)));

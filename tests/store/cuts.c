@@ -265,12 +265,12 @@ static void power_cut_while_a_trial_is_skipped(const char *memory)
         prepare(&d, memory, 2);
         CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
         sim_cut_power(cut / (STORE_RECORD + 1), cut % (STORE_RECORD + 1));
-        (void)smvm_store_skip(&d.store, &d.slot);
+        (void)smvm_store_skip_image(&d.store, &d.slot);
         CHECK(d.slot == 0);
         runs = start(&d);
         CHECK(runs == RUNS_OLD || runs == RUNS_NEW);
         if (runs == RUNS_NEW)
-            CHECK(smvm_store_skip(&d.store, &d.slot) == SM_OK && start(&d) == RUNS_OLD);
+            CHECK(smvm_store_skip_image(&d.store, &d.slot) == SM_OK && start(&d) == RUNS_OLD);
     }
 }
 

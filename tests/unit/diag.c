@@ -219,7 +219,7 @@ static void test_json(void)
     d = diag_report(&diags, DIAG_unknown_element, (Span){s, 3, 2}, "\xff\xc3\xa9\t");
     diag_label(&diags, d, DIAG_label_did_you_mean, "ab");
     diag_note(&diags, d, (Span){s, 0, 2}, DIAG_note_declared_here, "ab");
-    diag_step(&diags, d, (Span){0}, DIAG_note_declared_here, "c");
+    diag_note_step(&diags, d, (Span){0}, DIAG_note_declared_here, "c");
     diag_edit(&diags, d, (Span){s, 3, 2}, "ab");
     diag_report(&diags, DIAG_annotation_above, (Span){0}, "a", "b");
     buf_init(&out, &arena);
@@ -248,9 +248,9 @@ static void test_steps(void)
     start();
     s = source("a.sm", "one two\n", 8);
     d = diag_report(&diags, DIAG_annotation_above, (Span){s, 0, 3}, "x", "y");
-    diag_step(&diags, d, (Span){s, 0, 3}, DIAG_note_declared_here, "first");
+    diag_note_step(&diags, d, (Span){s, 0, 3}, DIAG_note_declared_here, "first");
     diag_note(&diags, d, (Span){s, 4, 3}, DIAG_note_declared_here, "aside");
-    diag_step(&diags, d, (Span){0}, DIAG_note_declared_here, "second");
+    diag_note_step(&diags, d, (Span){0}, DIAG_note_declared_here, "second");
     check_text(rendered(0),
         "a.sm:1:1: warning: '@x' belongs to 'y' above it, not to what follows on its line [W0301 annotation-above]\n"
         "    1 | one two\n"

@@ -39,13 +39,13 @@ static void errors_met(Arena *a)
 
     diags_init(&d, a);
     diag_report(&d, DIAG_unknown_element, span, "p");
-    CHECK(d.met == 1 && d.errors == 1 && d.list.n == 1);
+    CHECK(d.errors_seen == 1 && d.errors == 1 && d.list.n == 1);
     diag_report(&d, DIAG_unknown_element, span, "p");
-    CHECK(d.met == 2 && d.errors == 1 && d.list.n == 1);
+    CHECK(d.errors_seen == 2 && d.errors == 1 && d.list.n == 1);
     d.muted = true;
     span.at = 1;
     diag_report(&d, DIAG_unknown_element, span, "q");
-    CHECK(d.met == 3 && d.errors == 1 && d.list.n == 1);
+    CHECK(d.errors_seen == 3 && d.errors == 1 && d.list.n == 1);
 }
 
 int main(void)

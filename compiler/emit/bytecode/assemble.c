@@ -44,7 +44,7 @@ void bc_write_u24(Buf *out, uint32_t v)
 
 // ---- locals: the largest types first, so that no byte is lost to alignment ----
 
-static uint32_t bytes_of(uint32_t pool) { return pool == BC_RAW ? 8 : sm_type_info[pool].bytes; }
+static uint32_t bytes_of_pool_type(uint32_t pool) { return pool == BC_RAW ? 8 : sm_type_info[pool].bytes; }
 
 static void assign_local_offsets(Arena *arena, BcMachine *m)
 {
@@ -58,7 +58,7 @@ static void assign_local_offsets(Arena *arena, BcMachine *m)
                 m->locals += bytes;
             }
         for (uint32_t t = 0; t < BC_POOLS; t++)
-            if (bytes_of(t) == bytes) {
+            if (bytes_of_pool_type(t) == bytes) {
                 m->slot_at[t] = m->locals;
                 m->locals += m->slots[t] * bytes;
             }
@@ -133,7 +133,7 @@ static uint8_t *write_load_or_store(uint8_t *end, const BcMachine *m, uint32_t o
 {
     switch (o->kind) {
     case BC_VAR: return write_var(end, m, op, o);
-    case BC_SLOT: return write_number(end, op + o->type, m->slot_at[o->type] / bytes_of(o->type) + o->index);
+    case BC_SLOT: return write_number(end, op + o->type, m->slot_at[o->type] / bytes_of_pool_type(o->type) + o->index);
     case BC_STAT: return write_number(write_varint_before(end, m->window_number[o->var]), op - SMVM_ldx_local + SMVM_stat, o->index);
     case BC_CONST: break;
     }

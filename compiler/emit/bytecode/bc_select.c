@@ -10,7 +10,7 @@ enum { MUCH_DEEPER = 3 };     // a left operand deeper than the right one by mor
 // ---- where a value can be loaded from ----
 
 // Returns the operand that r can be loaded from; BC_NONE: r must be computed, or only X holds it.
-static BcRef source_of(BcSelect *s, IrRef r)
+static BcRef find_source_operand(BcSelect *s, IrRef r)
 {
     BcValue *v = &s->value[r];
 
@@ -26,7 +26,7 @@ static bool is_in_x(BcSelect *s, IrRef r)
 
     if (i->op == IR_stat && !s->value[r].is_computed)
         return bc_register_has(&s->x, bc_stat_operand(s, i->var, i->stat));
-    return s->x.value == r || bc_register_has(&s->x, source_of(s, r));
+    return s->x.value == r || bc_register_has(&s->x, find_source_operand(s, r));
 }
 
 // Subtracts one use of r.  After the last use, frees the slot of r.
@@ -44,10 +44,10 @@ void bc_bring_to_x(BcSelect *s, IrRef r)
 {
     r = bc_skip_exact_cvts(s, r);
     if (!is_in_x(s, r)) {
-        if (source_of(s, r) == BC_NONE)
+        if (find_source_operand(s, r) == BC_NONE)
             compute_into_x(s, r);
         else
-            bc_load_x(s, source_of(s, r));
+            bc_load_x(s, find_source_operand(s, r));
         bc_record_x(s, r);
     }
     drop_use(s, r);
@@ -68,12 +68,12 @@ static void compute_waiting(BcSelect *s, IrRef r)
 
 // ---- two operands ----
 
-static bool must_be_computed(BcSelect *s, IrRef r) { return !is_in_x(s, r) && source_of(s, r) == BC_NONE; }
+static bool must_be_computed(BcSelect *s, IrRef r) { return !is_in_x(s, r) && find_source_operand(s, r) == BC_NONE; }
 
 // Whether loading b into X and a into Y needs fewer instructions than a into X and b into Y.
 static bool is_better_swapped(BcSelect *s, IrRef a, IrRef b)
 {
-    const bool a_is_loadable = source_of(s, a) != BC_NONE, b_is_loadable = source_of(s, b) != BC_NONE;
+    const bool a_is_loadable = find_source_operand(s, a) != BC_NONE, b_is_loadable = find_source_operand(s, b) != BC_NONE;
 
     if (b_is_loadable)
         return a_is_loadable && !is_in_x(s, a) && (is_in_x(s, b) || (bc_ins(s, a)->op == IR_const && bc_ins(s, b)->op != IR_const));
@@ -85,9 +85,9 @@ static bool is_better_swapped(BcSelect *s, IrRef a, IrRef b)
 // Ensures that, once a is in X, b can be loaded into Y.
 static void ensure_loadable(BcSelect *s, IrRef b, IrRef a)
 {
-    if (!s->value[b].is_computed && source_of(s, b) == BC_NONE)
+    if (!s->value[b].is_computed && find_source_operand(s, b) == BC_NONE)
         compute_waiting(s, b);
-    if (source_of(s, b) == BC_NONE && is_in_x(s, a))                // if a is not in X, bringing a into X saves b
+    if (find_source_operand(s, b) == BC_NONE && is_in_x(s, a))                // if a is not in X, bringing a into X saves b
         bc_save_x(s);
 }
 
@@ -109,7 +109,7 @@ bool bc_load_operands(BcSelect *s, IrRef a, IrRef b, bool may_swap, bool keep)
     bc_bring_to_x(s, a);
     if (keep)
         bc_save_x(s);
-    bc_load_y(s, source_of(s, b));
+    bc_load_y(s, find_source_operand(s, b));
     drop_use(s, b);
     return swapped;
 }
@@ -150,7 +150,7 @@ static void compute_swapped_sub(BcSelect *s, IrRef a, IrRef b)
     bc_bring_to_x(s, b);
     bc_save_x(s);
     bc_emit_changing_x(s, SMVM_neg, 0);
-    bc_load_y(s, source_of(s, a));
+    bc_load_y(s, find_source_operand(s, a));
     drop_use(s, a);
     bc_emit_changing_x(s, SMVM_add, 0);
 }
@@ -167,7 +167,7 @@ static void compute_sub(BcSelect *s, IrRef a, IrRef b)
         compute_waiting(s, a);
     if (is_in_x(s, a) && must_be_computed(s, b))
         bc_save_x(s);
-    if (source_of(s, a) != BC_NONE && source_of(s, b) == BC_NONE) {
+    if (find_source_operand(s, a) != BC_NONE && find_source_operand(s, b) == BC_NONE) {
         compute_swapped_sub(s, a, b);
     } else {
         bc_load_operands(s, a, b, false, true);

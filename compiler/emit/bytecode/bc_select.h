@@ -49,8 +49,8 @@ typedef struct BcSelect {
     BcFn *out;
     VEC(BcValue) values;      // memory of `value`, with capacity for the largest function so far
     BcValue *value;           // by IR instruction of the current function: facts about it
-    uint32_t *store_at;       // by variable: position + 1 of the next store to it…
-    uint32_t *store_in;       // …valid if this equals `count`
+    uint32_t *store_at;       // by variable: position + 1 of the next store to the variable…
+    uint32_t *store_in;       // …which is valid only if store_in of the variable equals `count`
     uint32_t count;           // which run of count_block_uses this is, from 1; each block has one or two
     VEC(BcRef) free[BC_POOLS];       // slots that are not in use
     BcRegister x, y;
@@ -71,7 +71,8 @@ static inline bool bc_is_float(uint32_t type) { return type == SM_F32 || type ==
 
 // Fills in BcValue for each instruction of a block.
 void bc_analyse_block(BcSelect *s, uint32_t block);
-uint32_t bc_chain_depth(const BcSelect *s, IrRef r);    // length of the longest chain of waiting operations in r; 0 if r does not wait
+// Returns the length of the longest chain of waiting operations in r; 0 if r does not wait, or if the chain is too long to wait (waiting.c).
+uint32_t bc_chain_depth(const BcSelect *s, IrRef r);
 static inline SmF64 bc_const_value(const IrIns *i) { return ir_number(i->type, i->bits); }      // i is a const
 static inline bool bc_is_waiting_cvt(const BcSelect *s, IrRef r) { return s->value[r].waits && bc_ins(s, r)->op == IR_cvt; }
 IrRef bc_follow_exact_cvts(const BcSelect *s, IrRef r);  // the part of bc_skip_exact_cvts that is not inline
@@ -99,8 +100,8 @@ void bc_slot_free(BcSelect *s, BcRef r);                // returns a slot to its
 static inline bool bc_register_has(const BcRegister *h, BcRef o) { return o != BC_NONE && (h->from[0] == o || h->from[1] == o || h->from[2] == o); }
 BcIns *bc_emit(BcSelect *s, uint8_t op);
 void bc_forget_registers(BcSelect *s);                  // forgets the contents of X and Y
-void bc_load_x(BcSelect *s, BcRef o);                   // emits nothing if X contains it already
-void bc_load_y(BcSelect *s, BcRef o);
+void bc_load_x(BcSelect *s, BcRef o);                   // loads operand o into X; emits nothing if X contains its value already
+void bc_load_y(BcSelect *s, BcRef o);                   // the same for Y
 void bc_save_x(BcSelect *s);                            // saves X to a slot if its value is needed later; call before X changes and before Y is loaded
 void bc_emit_changing_x(BcSelect *s, uint8_t op, uint32_t n);  // emits an instruction whose result replaces X
 void bc_record_x(BcSelect *s, IrRef r);                       // records that X contains r; saves the value recorded before if it is still needed

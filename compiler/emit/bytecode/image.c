@@ -103,6 +103,7 @@ static bool write_pin(Buf *b, const Pin *p)
     return at < SMVM_LOCATION_OFFSETS;
 }
 
+// Adds the section IO.  Returns false, and reports nothing, if the offset of an element is too large for the format.
 static bool add_pins(ImageWriter *w, const IoMap *io)
 {
     bool ok = true;
@@ -244,6 +245,7 @@ static bool report_limit(ImageWriter *w, const IrMachine *m, const char *what)
     return false;
 }
 
+// Adds the sections of a machine.  Returns false after reporting that the machine exceeds a limit of the format.
 static bool add_machine_sections(ImageWriter *w, const IrMachine *ir, bool debug)
 {
     const char *what;
@@ -295,7 +297,8 @@ static uint32_t read_u32(const Buf *b, size_t at)
     return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
 }
 
-// Joins header, table with absolute offsets, sections and checksum.
+// Joins header, table with absolute offsets, sections and checksum.  Returns false, and reports nothing, if the image is too long or has too
+// many sections.
 static bool join_image(ImageWriter *w, Buf *out)
 {
     size_t first = SMVM_HEADER + (size_t)SMVM_SECTION_ENTRY * w->sections, start = out->n;

@@ -314,7 +314,7 @@ void bc_select_function(BcSelect *s, const IrFn *f, BcFn *out)
     s->value = s->values.at;
     if (f->ins.n)
         memset(s->value, 0, f->ins.n * sizeof *s->value);
-    out->ins.cap = f->ins.n;                                     // usually enough
+    out->ins.cap = f->ins.n;                                     // bytecode usually has no more instructions than the IR
     out->ins.at = arena_alloc_unzeroed(s->arena, out->ins.cap * sizeof *out->ins.at);
     order = order_blocks(s, find_emitted_blocks(s), &n);
     bc_forget_registers(s);

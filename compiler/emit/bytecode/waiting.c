@@ -7,6 +7,7 @@
 
 enum { DEEPEST = 100 };       // bound on the chain of waiting operations, and so on the recursion in bc_select.c
 
+// An operation deeper than DEEPEST does not wait (count_block_uses), so chains are counted again from there.
 uint32_t bc_chain_depth(const BcSelect *s, IrRef r) { return s->value[r].waits && s->value[r].depth <= DEEPEST ? s->value[r].depth : 0; }
 
 // ---- possible values ----

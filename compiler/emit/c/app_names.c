@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks that each C name of an application denotes only one thing.  The check covers the names that the application's files declare for each
-// other, names that the user writes, and the names in the application's own file.  Names without an underscore cannot clash.
+// other, names that the user writes, and those static names of the application's own file that begin with the name of a task.  The other
+// static names of that file, such as `executors`, are fixed.  They need no claim: they have no underscore and no capital at the start, and do
+// not end like a name that claim_task claims.
 #include "compiler/emit/c/app.h"
 
 #include <string.h>

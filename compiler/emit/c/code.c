@@ -169,7 +169,7 @@ typedef enum CEdge {
 // Whether b is the virtual block at the end of the function.
 static bool is_end(const CFn *fn, uint32_t b) { return b == fn->flow.n - 1; }
 
-// Returns how control reaches `to`.
+// Returns how control reaches `to` from the current position in the C code, after which `next` follows.
 static CEdge classify_edge(const CFn *fn, uint32_t to, uint32_t next)
 {
     if (to == next)
@@ -197,7 +197,8 @@ static void write_label(CFn *fn, uint32_t b)
 
 static void write_dominated_blocks(CFn *fn, uint32_t b, uint32_t next);
 
-// Writes one arm of a conditional, inside its braces: block `to`, and a jump if control must not fall through to `next`.
+// Writes one arm of a conditional, inside its braces: block `to` and the blocks that it dominates, or a jump to `to` if they are written
+// elsewhere.  Writes nothing if control reaches `to` by falling through.
 static void write_arm(CFn *fn, uint32_t to, uint32_t next)
 {
     fn->indent++;

@@ -8,7 +8,7 @@
 typedef struct CCounter {
     IrRef v, by;              // the counter and the increment, as F64s
     IrRef condition;          // a bool: the increment is one if it is true, otherwise zero; or IR_NONE
-    bool down;                // the increment is subtracted
+    bool down;                // the increment is subtracted, not added
 } CCounter;
 
 // If r is the conversion of an integer to F64 and is written as a subexpression, returns the integer; otherwise IR_NONE.

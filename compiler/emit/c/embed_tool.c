@@ -90,6 +90,7 @@ static const char *find_token_end(const char *p)
     return p;
 }
 
+// Returns the index of a snippet in the table; -1 if it is not in it.
 static int find_snippet(const char *name, size_t n)
 {
     for (int i = 0; i < snippets; i++)

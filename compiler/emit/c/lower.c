@@ -172,7 +172,8 @@ static void find_deciding_operand(CFn *fn, IrRef r)
     }
 }
 
-// Finds how the result of r depends on whether a load reads NaN or 0.
+// Sets decided_by and decided_value of r if a load that reads NaN or 0 decides r's result, and counts in nan_is_zero_uses the uses of loads
+// to which NaN and 0 make no difference.
 static void analyze_condition(CFn *fn, IrRef r)
 {
     const IrIns *i = c_ins(fn, r);

@@ -101,8 +101,8 @@ static bool is_integer_literal(SourceSlice t)
     return t.n > 0;
 }
 
-// Returns the precedence of expression t, whose calls are not replaced: 0 if it has an operator with spaces around it, UNARY if it starts
-// with a minus, otherwise PRIMARY.
+// Returns the precedence of expression t as it is written, before calls in it are replaced by native syntax: 0 if it has an operator with
+// spaces around it outside brackets, UNARY if it starts with a minus, otherwise PRIMARY.
 static int text_precedence(SourceSlice t)
 {
     int depth = 0;

@@ -32,7 +32,7 @@ static uint8_t pwm_row(uint16_t pin)
 }
 
 // Returns a pointer to the register at an address.
-static volatile uint8_t *reg(uint16_t address) { return (volatile uint8_t *)address; }
+static volatile uint8_t *register_at(uint16_t address) { return (volatile uint8_t *)address; }
 
 // ---- opening ----
 
@@ -75,7 +75,7 @@ void avr_pin_disconnect(uint8_t number)
     if (row == AVR_PWMS)
         return;
     load_pwm((uint8_t)(OUTPUT + row), &p);
-    avr_pin_set(reg(p.control), p.connect, false);
+    avr_pin_set(register_at(p.control), p.connect, false);
 }
 
 // 8-bit PWM, clocked at F_CPU / 64.  Timer 2 counts to its maximum, the 16-bit timers to 255.
@@ -83,8 +83,8 @@ static void start_timer(const AvrPwm *p)
 {
     const bool narrow = p->control == _SFR_ADDR(TCCR2A);
 
-    *reg(p->control) = (uint8_t)(*reg(p->control) | (narrow ? 1 << WGM21 | 1 << WGM20 : 1 << WGM10));
-    *reg(p->control + 1) = narrow ? 1 << CS22 : 1 << WGM12 | 1 << CS11 | 1 << CS10;
+    *register_at(p->control) = (uint8_t)(*register_at(p->control) | (narrow ? 1 << WGM21 | 1 << WGM20 : 1 << WGM10));
+    *register_at(p->control + 1) = narrow ? 1 << CS22 : 1 << WGM12 | 1 << CS11 | 1 << CS10;
 }
 
 static SmResult open_output(PalAio *channel, uint16_t number)
@@ -104,7 +104,7 @@ static SmResult open_output(PalAio *channel, uint16_t number)
     port = avr_pin_port((uint8_t)number, &mask);
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE)
     {
-        *reg(p.control) &= (uint8_t)~p.connect;
+        *register_at(p.control) &= (uint8_t)~p.connect;
         port[PORT] &= (uint8_t)~mask;
         port[DDR] |= mask;
     }
@@ -166,11 +166,11 @@ static void set_duty(const AvrPwm *p, uint8_t duty)
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE)
     {
         if (p->control != _SFR_ADDR(TCCR2A))
-            *reg(p->compare + 1) = 0;          // the high byte is buffered until the low one is written
-        *reg(p->compare) = duty;
+            *register_at(p->compare + 1) = 0;          // the high byte is buffered until the low one is written
+        *register_at(p->compare) = duty;
     }
     avr_pin_set(port + PORT, mask, duty == 255);           // first: the pin has this level as soon as the timer is disconnected
-    avr_pin_set(reg(p->control), p->connect, duty != 0 && duty != 255);
+    avr_pin_set(register_at(p->control), p->connect, duty != 0 && duty != 255);
 }
 
 // Returns the duty of an output voltage, 0 to 255 for 0 to AVR_SUPPLY, rounded.  The division bit by bit takes half the time and half the code

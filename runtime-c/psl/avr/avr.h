@@ -30,7 +30,7 @@ uint32_t avr_milliseconds(void);                       // milliseconds since the
 #define AVR_NO_PIN 0xffu
 // Returns the number of the digital pin that a pin or analog channel uses.  AVR_NO_PIN: it does not exist, or belongs to the serial line.
 uint8_t avr_physical_pin(uint16_t number, uint8_t kind);      // kind: 1: output, 2: digital, 16: pull-down
-SmResult avr_pin_claim(uint8_t number);                // makes the caller its owner; SM_E_BUSY: it has one, or is the serial line's
+SmResult avr_pin_claim(uint8_t number);                // marks a pin as in use; SM_E_BUSY: it already is, or it belongs to the serial line
 void avr_pin_release(uint8_t number);
 bool avr_pin_is_claimed(uint8_t number);               // numbers from AVR_PINS on are analog channels
 void avr_pin_set(volatile uint8_t *byte, uint8_t mask, bool level);     // sets or clears bits of a port's register, with interrupts off

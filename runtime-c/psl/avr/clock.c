@@ -86,7 +86,7 @@ SmResult pal_clock_sleep_until(uint64_t time)
     SMCR = 1 << SE;                    // enables idle mode
     for (; now < time; now = pal_clock_now())
         if (time - now > PAL_MILLISECOND)
-            sleep_cpu();               // the timer wakes it
+            sleep_cpu();               // until the next interrupt: that of the timer follows within a millisecond
     SMCR = 0;
     return SM_OK;
 }

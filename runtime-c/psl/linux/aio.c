@@ -14,7 +14,7 @@
 #define CHANNELS_OF_A_DEVICE 1000u
 
 typedef struct AioEntry {
-    int fd;                   // the file of the raw value
+    int fd;                   // descriptor of the file of the raw value
     bool output;
     uint16_t number;
     double offset, scale;     // scale: millionths per step
@@ -155,7 +155,7 @@ SmResult pal_aio_open(PalAio *channel, uint16_t number, PalAioMode mode)
 // ---- using ----
 
 // Rounds to the nearest integer, saturated.
-static int32_t saturate(double x)
+static int32_t round_saturated(double x)
 {
     return x >= INT32_MAX ? INT32_MAX : x <= INT32_MIN ? INT32_MIN : (int32_t)(x < 0 ? x - 0.5 : x + 0.5);
 }
@@ -190,7 +190,7 @@ SmResult pal_aio_read(PalAio channel, int32_t *millionths)
         return SM_E_ARGUMENT;
     r = read_number(e->fd, &raw);
     if (r == SM_OK)
-        *millionths = saturate((raw + e->offset) * e->scale);
+        *millionths = round_saturated((raw + e->offset) * e->scale);
     return r;
 }
 
@@ -203,7 +203,7 @@ SmResult pal_aio_write(PalAio channel, int32_t millionths)
     e = &entries[channel.id - 1];
     if (!e->output)
         return SM_E_ARGUMENT;
-    return write_number(e->fd, saturate(millionths / e->scale - e->offset));
+    return write_number(e->fd, round_saturated(millionths / e->scale - e->offset));
 }
 
 SmResult pal_aio_close(PalAio channel)

@@ -6,7 +6,7 @@
 
 #include "runtime-c/psl/linux/linux.h"
 
-static uint64_t nanoseconds(struct timespec t)
+static uint64_t to_nanoseconds(struct timespec t)
 {
     return (uint64_t)t.tv_sec * PAL_SECOND + (uint64_t)t.tv_nsec;
 }
@@ -19,7 +19,7 @@ SmResult pal_clock_resolution(uint64_t *ns)
         return SM_E_ARGUMENT;
     if (clock_getres(CLOCK_MONOTONIC, &t) != 0)
         return SM_E_UNSUPPORTED;
-    *ns = nanoseconds(t) > 0 ? nanoseconds(t) : 1;
+    *ns = to_nanoseconds(t) > 0 ? to_nanoseconds(t) : 1;
     return SM_OK;
 }
 
@@ -28,7 +28,7 @@ uint64_t pal_clock_now(void)
     struct timespec t = {0, 0};
 
     clock_gettime(CLOCK_MONOTONIC, &t);
-    return nanoseconds(t);
+    return to_nanoseconds(t);
 }
 
 SmResult pal_clock_sleep_until(uint64_t time)

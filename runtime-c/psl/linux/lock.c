@@ -40,6 +40,7 @@ __attribute__((noinline)) static uint32_t request_thread_id(void)
     return own_id = (uint32_t)syscall(SYS_gettid);
 }
 
+// Returns the caller's thread id, which the kernel must be asked for only once.
 static uint32_t thread_id(void)
 {
     return own_id ? own_id : request_thread_id();
@@ -104,7 +105,7 @@ static int wait_with_realtime_clock(uint32_t *word, uint64_t left)
     return futex(word, FUTEX_LOCK_PI, &end);
 }
 
-// Waits in the kernel until it passes the lock to the caller.  A holder whose thread has ended (ESRCH) never releases the lock,
+// Waits until the kernel passes the lock to the caller.  A holder whose thread has ended (ESRCH) never releases the lock,
 // which is a timeout.  EINTR remains if a signal interrupted the wait at the deadline.
 static SmResult wait_for_lock(uint32_t *word, uint64_t deadline)
 {

@@ -14,7 +14,7 @@
 static bool used[PAL_LOGS];
 static int descriptors[PAL_LOGS];
 
-// O_NONBLOCK: a pipe without a reader fails immediately.
+// Opens or creates the file for appending.  O_NONBLOCK: if the name is that of a pipe without a reader, opening fails instead of waiting.
 static SmResult open_file(const char *name, int *fd)
 {
     *fd = open(name, O_RDWR | O_APPEND | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0644);

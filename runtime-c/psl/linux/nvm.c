@@ -85,7 +85,7 @@ static void apply_change(uint8_t *block, uint32_t at, uint32_t n, const NvmChang
             block[i] = c->bytes ? c->bytes[at + i - c->at] : BLANK;
 }
 
-// Copies the first `size` bytes of `old` with the change applied.  Bytes after the end of `old` are blank.
+// Copies the first `size` bytes of `old` with the change applied.  Bytes after the end of `old` are blank.  Returns 0 or an errno.
 static int copy_changed(int to, int old, uint32_t old_size, uint32_t size, const NvmChange *c)
 {
     uint8_t block[512];
@@ -104,7 +104,7 @@ static int copy_changed(int to, int old, uint32_t old_size, uint32_t size, const
     return error;
 }
 
-// Opens NAME.new, empty and locked.
+// Opens NAME.new, empty and locked.  Returns its descriptor; -1, and the errno in *error, on failure.
 static int open_new(const char *name, int *error)
 {
     int fd = open(name, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0644);
@@ -118,7 +118,7 @@ static int open_new(const char *name, int *error)
     return fd;
 }
 
-// Replaces the file by a copy with the change.  If no file exists yet, e->fd is -1.
+// Replaces the file by a copy with the change.  If no file exists yet, e->fd is -1.  Returns 0 or an errno.
 static int replace_file(NvmEntry *e, uint32_t old_size, const NvmChange *c)
 {
     char name[PAL_NAME + 4];

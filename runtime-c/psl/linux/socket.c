@@ -81,6 +81,7 @@ static SmResult find_socket(PalSocket socket, SocketKind kind, int *fd)
     return entries[socket.id - 1].kind == kind ? SM_OK : SM_E_ARGUMENT;
 }
 
+// Returns the handle number of a free entry, which it takes; 0 if all are in use.
 static uint8_t allocate_entry(void)
 {
     uint8_t id;
@@ -117,6 +118,7 @@ static SmResult finish_open(PalSocket *s, uint8_t id, int fd, SocketKind kind, S
 
 // ---- opening ----
 
+// Returns the descriptor of a new socket, or -1 with errno set.
 static int new_socket(int type)
 {
     return socket(AF_INET, type | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);

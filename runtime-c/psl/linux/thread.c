@@ -44,7 +44,7 @@ static void init_condition(void)
 
 // Prevents page faults in a real-time thread: touches most of its stack, and locks the program's present memory if permitted.
 // (Memory allocated later is not locked: beyond a limit, the allocation would fail.)
-static void prefault(size_t stack)
+static void prefault_stack(size_t stack)
 {
     const size_t page = 4096, n = stack / 4 * 3;
     volatile char *room = alloca(n);
@@ -59,7 +59,7 @@ static void *thread_main(void *of)
     ThreadEntry *e = of;
 
     if (e->prefault > 0)
-        prefault(e->prefault);
+        prefault_stack(e->prefault);
     e->run(e->argument);
     pthread_mutex_lock(&mutex);
     e->ended = true;
@@ -201,6 +201,6 @@ SmResult pal_thread_set_priority(uint8_t priority)
     p.sched_priority = priority;
     r = psl_result_of_errno(pthread_setschedparam(pthread_self(), priority > 0 ? SCHED_FIFO : SCHED_OTHER, &p));
     if (r == SM_OK && priority > 0)
-        prefault(PAL_THREAD_STACK);
+        prefault_stack(PAL_THREAD_STACK);
     return r;
 }

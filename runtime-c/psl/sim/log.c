@@ -95,7 +95,7 @@ SmResult pal_log_open(PalLogFile *file, const char *name)
     if (!file || !name || name[0] == '\0' || strlen(name) >= PAL_NAME)
         return SM_E_ARGUMENT;
     if (strchr(name, '/'))
-        return SM_E_MISSING;                              // there are no folders
+        return SM_E_MISSING;                              // the name contains a folder, and there are no folders
     r = sim_is_power_off() ? SM_E_DEVICE : find_or_create_log(name, &log);
     if (r != SM_OK)
         return r;
@@ -109,6 +109,7 @@ SmResult pal_log_open(PalLogFile *file, const char *name)
     return SM_OK;
 }
 
+// Appends the bytes that fit and that precede a power cut.  Returns how many of the n bytes it stored undamaged.
 static uint32_t store_bytes(uint8_t log, const uint8_t *bytes, uint32_t n)
 {
     const uint32_t left = space > logs[log].size ? space - logs[log].size : 0, fits = n < left ? n : left;

@@ -34,6 +34,7 @@ static bool is_fault_due(uint32_t every)
     return every != 0 && sent % every == 0;
 }
 
+// Puts a copy of the datagram in transit.  Returns false if there is no space.
 static bool enqueue(const SimDatagram *d)
 {
     for (size_t i = 0; i < DATAGRAMS_IN_TRANSIT; i++)

@@ -40,6 +40,7 @@ static size_t enqueue(SerialQueue *q, const void *bytes, size_t n)
     return n;
 }
 
+// Removes up to `room` bytes from the front of the queue.  Returns their number.
 static size_t dequeue(SerialQueue *q, void *bytes, size_t room)
 {
     size_t n = q->n < room ? q->n : room;

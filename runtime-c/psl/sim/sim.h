@@ -3,7 +3,7 @@
 // thread, and nothing depends on the real world, so a run is the same each time.
 //
 //     sim_reset();
-//     sim_wire(4, 7);                            // pin 7 follows pin 4
+//     sim_wire(4, 7);                            // pin 7 follows output pin 4
 //     sim_fail(SIM_dio_write, 2, SM_E_DEVICE);   // the third write from now fails with this result and does nothing
 //     run_the_mission();                         // a sleep or wait advances time by exactly its duration
 //     CHECK(sim_pin(4));
@@ -136,7 +136,7 @@ void sim_log_shrink(const char *name, size_t bytes);
 
 // ---- the watchdog ----
 
-// Whether it has fired, because it was not fed in time.
+// Whether the watchdog has fired, because it was not fed in time.
 bool sim_watchdog_fired(void);
 
 #ifdef __cplusplus

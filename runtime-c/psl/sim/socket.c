@@ -51,7 +51,7 @@ static SmResult choose_port(PalAddress *a, SimSocketKind kind)
     if (a->port != 0)
         return is_port_taken(a, kind) ? SM_E_BUSY : SM_OK;
     a->port = FIRST_PORT;
-    while (is_port_taken(a, kind))                              // there are more ports than sockets
+    while (is_port_taken(a, kind))                              // ends, because there are more ports than sockets
         a->port++;
     return SM_OK;
 }
@@ -117,6 +117,7 @@ SmResult pal_socket_listen(PalSocket *s, const PalAddress *local)
     return r == SM_OK ? open_socket(s, LISTENING, local) : r;
 }
 
+// Returns the handle number of the socket that listens at the address; 0 if there is none.
 static uint8_t find_listening(const PalAddress *to)
 {
     for (uint8_t i = 0; i < PAL_SOCKETS; i++)

@@ -6,7 +6,8 @@
 #include "runtime-c/psl/sim/sim.h"
 #include "runtime-c/psl/table.h"
 
-// Called first in each call of SimCall: counts it, advances time by its delay, and returns the result to fail with, or SM_OK.
+// Every function that SimCall names calls this first.  Counts the call, advances time by the delay set with sim_delay, and returns the error
+// that sim_fail or sim_break injects into this call; SM_OK if the call shall succeed.
 SmResult sim_begin_call(SimCall call);
 
 // Advances time to `time`, if that is in the future.
