@@ -72,7 +72,7 @@ enum {
 // The location of a local or element whose type the opcode does not imply, as three bytes in the image.  The offset, in units of the type's
 // size, is in the low 16 bits and the highest 4; the type is in the 4 between.
 enum { SMVM_LOCATION_BYTES = 3 };
-#define SMVM_LOCATION_OFFSETS UINT32_C(0x100000)      // the number of possible offsets
+#define SMVM_LOCATION_OFFSETS UINT32_C(0x100000)      // every offset in a location is below this
 
 // A window in the image, four bytes: its size in the low 17 bits, above them its kind as defined in stdlib/roll.h.
 enum { SMVM_WINDOW_ENTRY = 4, SMVM_WINDOW_SIZE_BITS = 17 };

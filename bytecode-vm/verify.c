@@ -64,7 +64,7 @@ uint16_t smvm_packed_shape(uint8_t opcode)
 
 enum { HAS_X = 1, HAS_Y = 2 };                        // registers that contain a number
 
-// The state of the pass.  The check_ functions return 0, or the number of the rule that is broken at `where`.
+// The state of the pass over an image.  The check_ functions return 0, or the number of the rule that is broken at `where`.
 typedef struct Verifier {
     SmvmReader in;            // the current position, and the end of the current function
     SmvmAt where;             // offset of the data being checked

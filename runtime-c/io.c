@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Copies pins to elements and back (config.md 9).  Values pass through `value`, so that slow pin accesses and arithmetic stay
+// Copies pins to elements and back (config.md 9).  Values are kept in SmIo.value in between, so that slow pin accesses and arithmetic stay
 // outside the single critical section.
 #include "runtime-c/io.h"
 

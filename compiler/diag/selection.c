@@ -23,7 +23,7 @@ static unsigned find_groups(const char *name)
     return 0;
 }
 
-// Returns the text after the prefix; NULL if it does not begin with it.
+// Returns the rest of the text after the prefix; NULL if the text does not begin with the prefix.
 static const char *skip_prefix(const char *text, const char *prefix)
 {
     size_t n = strlen(prefix);

@@ -76,7 +76,7 @@ static bool is_comment_line(const Source *src, uint32_t number)
     return comment_find_start(line, len, &at) && at == i;
 }
 
-// Whether only whitespace and '{' precede the comment, or column `len` if there is no comment.
+// Whether only whitespace and '{' precede the line's comment or, if it has none, its end.  `len`: length of the line in bytes.
 static bool has_no_code(const char *line, uint32_t len)
 {
     uint32_t i = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// By state: whether the machine can abort from there, by what, how fast, and what that depends on (analysis/abort.h).
+// A table of the states: whether the machine can abort from each, by which guards, after how many steps, and on which inputs this depends
+// (analysis/abort.h).
 #include "compiler/analysis/abort.h"
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"

@@ -3,7 +3,7 @@
 #ifndef SMC_PAGE_STYLE_H
 #define SMC_PAGE_STYLE_H
 
-extern const char *const report_style[];              // NULL-terminated
+extern const char *const report_style[];              // the CSS in several strings; NULL-terminated
 
 // The part for a plot in a file of its own: ":root{--name:value;…}" of the light page, and rules that use these variables.
 extern const char plot_style_light[], plot_style[];

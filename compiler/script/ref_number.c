@@ -218,7 +218,7 @@ static double ref_sqrt(double x)
         return make_nan();
     if (x == 0 || is_nan(x) || is_infinite(x))
         return x;
-    for (; x >= 4; x /= 4)                            // exact, as all steps by powers of two here
+    for (; x >= 4; x /= 4)                            // exact, like every multiplication or division by a power of two below
         scale *= 2;
     for (; x < 1; x *= 4)
         scale /= 2;

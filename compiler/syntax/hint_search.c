@@ -5,7 +5,7 @@
 
 // ---- rows ----
 
-// Sets of token kinds, for the columns of a row.
+// Sets of token kinds, for the columns `before`, `here` and `after` of a row of hints.def.
 #define T(kind) (UINT64_C(1) << TOK_##kind)
 #define ANY (T(COUNT) - 1)
 #define OPERAND (T(NAME) | T(NUMBER) | T(LPAREN) | T(TRUE) | T(FALSE) | T(NOT) | T(BANG))

@@ -56,7 +56,7 @@ uint16_t sm_link_encode(uint8_t *frame, uint16_t n);
 
 uint32_t sm_link_crc(const uint8_t *bytes, uint16_t n);             // returns the CRC-32 of n bytes
 
-// Fields of 1 to 4 bytes, little-endian.
+// These load and store a field of 1 to 4 bytes, little-endian.
 uint32_t sm_link_load(const uint8_t *at, unsigned bytes);
 void sm_link_store(uint8_t *at, uint32_t value, unsigned bytes);
 
