@@ -141,6 +141,11 @@ $(B)/swap/clauses $(B)/swap/hostile $(B)/swap/random:
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
+# Swaps in an application that runs, in the simulation.
+$(B)/swap/running: $(patsubst %,$(B)/obj/tests/swap/%.o,running stage machine) $(B)/runtime/sim.a $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+
 swap-campaign: $(B)/swap/random $(B)/swap/hostile
 	$(B)/swap/random $(SEED) $(N)
 	$(B)/swap/hostile $(SEED) $(N)
@@ -699,6 +704,7 @@ $(call test, soft,                 thorough, $(B)/soft/run, $(B)/soft/run)
 $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh $(VM_SOFT))
 
 $(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
+$(call test, swap-running,         thorough, $(B)/swap/running, $(B)/swap/running)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
 $(call test, swap-hostile,         thorough, $(B)/swap/hostile, $(B)/swap/hostile 1 3000)
 $(call test, sound,                thorough, $(B)/diff/difftest, $(SOUND) --count=300 --jobs=2 --out=$(B)/diff/check-sound)

@@ -56,6 +56,7 @@ typedef struct LogEvent {
 // Every kind of event that this reader knows.
 typedef enum LogEventKind {
 #define SM_EVENT(name, number, source, a, b, text) LOG_EVENT_##name = number,
+#define SM_EVENT_OF_SWAP SM_EVENT
 #include "runtime-c/events.def"
 #undef SM_EVENT
     LOG_EVENT_KINDS
@@ -104,6 +105,7 @@ const LogMachine *log_find_machine(const LogDescription *d, const char *name);
 const LogMachine *log_machine_by_number(const LogDescription *d, uint16_t number);
 const char *log_kind_name(const LogDescription *d, uint8_t kind);                     // name of a kind of events; NULL: it has none
 const char *log_state_name(Arena *arena, const LogMachine *m, uint32_t state);        // its name, or "state 7" if it has none
+const char *log_swap_refusal(uint32_t reason);        // why a swap was refused, from an event
 
 // ---- inside: flight_log_description.c ----
 

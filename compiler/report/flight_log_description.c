@@ -144,3 +144,13 @@ bool log_parse_description(Arena *arena, const uint8_t *bytes, uint32_t n, LogDe
     read_kinds(&c, d);
     return !c.wrong && c.left == 0;
 }
+
+const char *log_swap_refusal(uint32_t reason)
+{
+    switch (reason) {
+#define SM_SWAP(name, number, text) case number: return text;
+#include "runtime-c/swaps.def"
+#undef SM_SWAP
+    default: return "?";
+    }
+}

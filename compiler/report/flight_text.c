@@ -82,6 +82,13 @@ static void write_unknown_event(const LogDescription *d, const LogEvent *e, Buf 
                (unsigned long)e->b);
 }
 
+static void write_trial_end(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
+{
+    static const char *const ends[] = {"?", "was confirmed", "was not confirmed in time", "entered a state marked @abort"};
+
+    buf_printf(out, "%s: image %08lx %s", machine_name(f, d, e->source), (unsigned long)e->b, ends[e->a < 4 ? e->a : 0]);
+}
+
 void flight_write_event(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
 {
     static const char *const restored[] = {
@@ -102,6 +109,13 @@ void flight_write_event(const Flight *f, const LogDescription *d, const LogEvent
     case LOG_EVENT_REFUSED:
         buf_printf(out, "%s did not step because time did not advance (%s so far)", machine_name(f, d, e->source),
                    describe_count(f->arena, e->a, "time", "times"));
+        break;
+    case LOG_EVENT_SWAP:
+        buf_printf(out, "%s: image %08lx was replaced by %08lx", machine_name(f, d, e->source), (unsigned long)e->a, (unsigned long)e->b);
+        break;
+    case LOG_EVENT_TRIAL: write_trial_end(f, d, e, out); break;
+    case LOG_EVENT_SWAP_REFUSED:
+        buf_printf(out, "%s was not replaced: %s", machine_name(f, d, e->source), log_swap_refusal(e->a));
         break;
     case LOG_EVENT_STOP: buf_str(out, "the application was stopped"); break;
     default: write_unknown_event(d, e, out); break;
