@@ -196,7 +196,7 @@ static void finish_part(SmSwaps *s, SmSwapReason why)
 
 bool sm_swaps_prepare(SmSwaps *s)
 {
-    const SmSwappable *w;
+    SmSwappable *w;
     bool is_due;
     SmSwapReason why;
 
@@ -207,6 +207,7 @@ bool sm_swaps_prepare(SmSwaps *s)
     if (!is_due)
         return false;
     w = &s->machine[s->at];
+    w->logged.self = running_slot(w);             // the log must not read names in the slot that changes now
     why = w->type->prepare(other_slot(w), running_slot(w), &w->change, w->machine, s->part);
     if (sm_handover_lock(s->lock) != SM_OK)
         return false;
@@ -219,12 +220,15 @@ static SmSwaps *swaps_of(const SmApp *app) { return (SmSwaps *)(uintptr_t)app->w
 
 SmResult sm_swaps_restore(SmApp *app) { return swaps_of(app)->next ? swaps_of(app)->next->restore(app) : SM_OK; }
 
+// Whether the log is in the middle of a description, which has the names of the machines and must not change until it is written.
+static bool is_log_describing(const SmLog *log) { return log && log->description_done < log->description_size; }
+
 void sm_swaps_write(SmApp *app, uint64_t budget)
 {
     SmSwaps *const s = swaps_of(app);
     const uint64_t start = pal_clock_now();
 
-    while (sm_swaps_prepare(s) && pal_clock_now() - start < budget) {}
+    while (!is_log_describing(app->log) && sm_swaps_prepare(s) && pal_clock_now() - start < budget) {}
     if (s->next)
         s->next->write(app, budget);
 }
@@ -350,6 +354,7 @@ SmResult sm_swappable_init(void *swappable)
     SmSwappable *w = swappable;
     SmResult r = sm_machine_init(w->machine);
 
+    w->logged = *w->machine;
     if (r == SM_OK)
         w->type->init(w->slot[0]);
     return r;

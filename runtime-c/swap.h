@@ -23,7 +23,7 @@
 //             or has entered a state marked @abort.
 //
 // The application has two slots of memory for each machine that can be swapped.  Nothing is allocated.  The machine in one slot runs, the
-// other slot receives the next one.  tests/swap/stage.c sets up all tables by hand.
+// other slot receives the next one.  smc generates all tables from a .app with @swap (docs/config.md 10.21).
 #ifndef SM_SWAP_H
 #define SM_SWAP_H
 
@@ -105,6 +105,7 @@ typedef struct SmSwappable {
     SmSwapChange change;
     uint32_t steps;           // number of steps since the exchange
     bool was_aborting;        // at the last check, its state was marked @abort
+    SmMachine logged;         // for SmLog.machine: has the names of the image that ran when the last preparation began
 } SmSwappable;
 
 // An executor that runs such machines, or any other one.
