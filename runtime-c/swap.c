@@ -12,6 +12,7 @@
 
 #include "runtime-c/handover.h"
 #include "runtime-c/pal/clock.h"
+#include "runtime-c/shared.h"
 
 enum { TRIES = 1000 };        // after so many ticks without a common boundary, the swap is refused
 
@@ -91,6 +92,9 @@ static void emit_due_events(SmSwaps *s, uint64_t time)
 
 // ---- begin ----
 
+// Takes the lock for a caller that may be in any thread.
+static SmResult enter_from_outside(const SmSwaps *s) { return sm_shared_read(&s->is_open) ? sm_handover_lock(s->lock) : SM_E_BUSY; }
+
 // Stores the changes in their machines.  Returns why that is not possible; then *failed is the machine, or the change if it has no machine.
 static SmSwapReason store_changes(SmSwaps *s, const SmSwapChange *change, uint16_t n, uint16_t *failed)
 {
@@ -113,7 +117,7 @@ static SmSwapReason store_changes(SmSwaps *s, const SmSwapChange *change, uint16
 
 SmResult sm_swap_begin(SmSwaps *s, const SmSwapChange *change, uint16_t n)
 {
-    SmResult r = s && change && n > 0 ? sm_handover_lock(s->lock) : SM_E_ARGUMENT;
+    SmResult r = s && change && n > 0 ? enter_from_outside(s) : SM_E_ARGUMENT;
     uint16_t failed = 0;
     SmSwapReason why;
 
@@ -140,7 +144,7 @@ SmResult sm_swap_begin(SmSwaps *s, const SmSwapChange *change, uint16_t n)
 
 SmResult sm_swap_status(SmSwaps *s, SmSwapStatus *status)
 {
-    SmResult r = s && status ? sm_handover_lock(s->lock) : SM_E_ARGUMENT;
+    SmResult r = s && status ? enter_from_outside(s) : SM_E_ARGUMENT;
 
     if (r != SM_OK)
         return r;
@@ -151,7 +155,7 @@ SmResult sm_swap_status(SmSwaps *s, SmSwapStatus *status)
 
 SmResult sm_swap_confirm(SmSwaps *s)
 {
-    SmResult r = s ? sm_handover_lock(s->lock) : SM_E_ARGUMENT;
+    SmResult r = s ? enter_from_outside(s) : SM_E_ARGUMENT;
 
     if (r != SM_OK)
         return r;
@@ -372,8 +376,11 @@ SmResult sm_swappable_step(void *swappable, const SmTick *tick)
 SmResult sm_swap_gate_init(void *gate)
 {
     SmSwapGate *g = gate;
+    const SmResult r = sm_handover_open(&g->swaps->lock);
 
-    return sm_handover_open(&g->swaps->lock);
+    if (r == SM_OK)
+        sm_shared_write(&g->swaps->is_open, 1);
+    return r;
 }
 
 // If the lock times out, a thread has ended inside a critical section.  Then no exchange follows, and the machines run on.

@@ -127,6 +127,7 @@ typedef struct SmSwaps {
     SmEvents *events;
     const SmElement *armed;   // a bool: while it is true, swaps are refused; NULL: never
     // The fields below belong to the runtime; initially all zero.
+    uint32_t is_open;         // shared.h: the lock is open
     PalLock lock;             // protects everything below, SmSwapGate.is_in_tick, and what SmSwappable has for the runtime
     SmSwapStatus status;
     bool refusal_due;         // the refusal is not yet in the events
@@ -140,11 +141,11 @@ typedef struct SmSwaps {
 
 // ---- swaps: can be called from any task or thread ----
 
-// Begins a swap of n machines.  SM_E_BUSY: another one is in progress.  SM_E_ARGUMENT: n is 0, or a pointer is NULL.  SM_E_TIMEOUT: a
+// Begins a swap of n machines.  SM_E_BUSY: another one is in progress, or ended in the current tick, or the application has not started.  SM_E_ARGUMENT: n is 0, or a pointer is NULL.  SM_E_TIMEOUT: a
 // thread has ended inside a critical section, so no swap is possible any more.  Every other problem is in the status.
 SmResult sm_swap_begin(SmSwaps *s, const SmSwapChange *change, uint16_t n);
 
-// Reads the status of the last swap.
+// Reads the status of the last swap.  SM_E_BUSY: the application has not started.
 SmResult sm_swap_status(SmSwaps *s, SmSwapStatus *status);
 
 // Ends the trial: the new machines stay.  SM_E_ARGUMENT: no machine is on trial.

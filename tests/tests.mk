@@ -146,6 +146,11 @@ $(B)/swap/running: $(patsubst %,$(B)/obj/tests/swap/%.o,running stage machine) $
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
+# The same with threads, on Linux, and once more under the thread sanitizer.
+$(B)/swap/threads: $(patsubst %,$(B)/obj/tests/swap/%.o,threads stage machine) $(B)/runtime/linux.a $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -pthread -lrt
+
 swap-campaign: $(B)/swap/random $(B)/swap/hostile
 	$(B)/swap/random $(SEED) $(N)
 	$(B)/swap/hostile $(SEED) $(N)
@@ -487,6 +492,9 @@ $(RUNTIME_READS): | $(B)/libsmc.a
 .SECONDARY: $(RUNTIME_TSAN_OBJ)
 $(B)/runtime/%_tsan: tests/runtime/%_linux.c $(RUNTIME_TSAN_OBJ)
 	$(call say,CC)$(TSAN) -I$(B)/runtime/made $^ -o $@ $(RUNTIME_LIBS) -pthread -lrt
+$(B)/swap/threads_tsan: $(patsubst %,$(B)/tsan/tests/swap/%.o,threads stage machine) $(RUNTIME_TSAN_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(TSAN) $^ -o $@ -pthread -lrt
 # `make kill-runtime N=10000`: kills a program N times, at random times.
 kill-runtime: $(B)/runtime/kill_linux
 	$(B)/runtime/kill_linux $(N)
@@ -705,6 +713,8 @@ $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh
 
 $(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
 $(call test, swap-running,         thorough, $(B)/swap/running, $(B)/swap/running)
+$(call test, swap-threads,         thorough, $(B)/swap/threads, $(B)/swap/threads)
+$(call test, swap-tsan,            thorough, $(B)/swap/threads_tsan, if test -x $(B)/swap/threads_tsan; then $(B)/swap/threads_tsan; else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
 $(call test, swap-hostile,         thorough, $(B)/swap/hostile, $(B)/swap/hostile 1 3000)
 $(call test, sound,                thorough, $(B)/diff/difftest, $(SOUND) --count=300 --jobs=2 --out=$(B)/diff/check-sound)

@@ -21,12 +21,18 @@ static void ticks(unsigned n)
         stage_tick(0);
 }
 
+static void reset_and_begin(const StagePlan *plan)
+{
+    sim_reset();
+    stage_begin(plan);
+}
+
 // Begins with machine `a` alone.
 static void begin(const SwapMachine *a)
 {
     const StagePlan plan = {.a = a, .room = STAGE_ROOM};
 
-    stage_begin(&plan);
+    reset_and_begin(&plan);
 }
 
 // Swaps a for `to` and runs until the swap has been exchanged or refused.  Returns the reason.
@@ -103,7 +109,7 @@ static void begin_two(bool two_executors, bool guarded)
 {
     const StagePlan plan = {.a = &one, .b = &b_one, .room = STAGE_ROOM, .two_executors = two_executors, .guarded = guarded};
 
-    stage_begin(&plan);
+    reset_and_begin(&plan);
 }
 
 static SmResult swap_two(const SwapMachine *a, const SwapMachine *b)
@@ -213,7 +219,7 @@ static void test_refusals(void)
     CHECK(swap(&names, SM_SWAP_RESTART, NULL) == SM_SWAP_NOT_REFUSED && stage_phase() == SM_SWAP_TRIAL);
     // clause 12.24
     const StagePlan plan = {.a = &unmarked, .room = STAGE_ROOM};
-    stage_begin(&plan);
+    reset_and_begin(&plan);
     ticks(2);
     CHECK(swap(&ten, SM_SWAP_CONTINUE, NULL) == SM_SWAP_NO_UNMARKED);
     check_refused(SM_SWAP_NO_UNMARKED);
@@ -227,7 +233,7 @@ static void test_refusals(void)
     // clause 12.26: the longest step
     for (uint32_t longest = smvm_longest_step(&one.m); longest <= smvm_longest_step(&slow.m); longest++) {
         const StagePlan limited = {.a = &one, .room = STAGE_ROOM, .longest = longest};
-        stage_begin(&limited);
+        reset_and_begin(&limited);
         ticks(1);
         CHECK(swap(&slow, SM_SWAP_CONTINUE, NULL) == (longest < smvm_longest_step(&slow.m) ? SM_SWAP_NO_SLOW : SM_SWAP_NOT_REFUSED));
         if (longest < smvm_longest_step(&slow.m))
@@ -268,7 +274,7 @@ static void test_trial(void)
 
     // clause 12.30: it is not confirmed in time
     const StagePlan plan = {.a = &one, .room = STAGE_ROOM, .trial = 7};
-    stage_begin(&plan);
+    reset_and_begin(&plan);
     ticks(4);
     CHECK(swap(&ten, SM_SWAP_CONTINUE, NULL) == SM_SWAP_NOT_REFUSED);
     double before = stage_number(AT_OUT);
@@ -302,7 +308,7 @@ static void test_trial(void)
     SwapMachine stopped;
     compile(&stopped, A "[A] @swap\n.step\nout = 1\n[Stop] @abort @safe\n.step\nout = 2\n");
     const StagePlan in_abort = {.a = &stopped, .room = STAGE_ROOM, .trial = 10};
-    stage_begin(&in_abort);
+    reset_and_begin(&in_abort);
     CHECK(swap(&stopped, SM_SWAP_RESTART, "Stop") == SM_SWAP_NOT_REFUSED);
     ticks(3);
     CHECK(stage_phase() == SM_SWAP_TRIAL && sm_swap_confirm(&stage.swaps) == SM_OK);
@@ -335,7 +341,7 @@ static void test_return_of_two(void)
     const StagePlan plan = {.a = &one, .b = &b_one, .room = STAGE_ROOM, .trial = 3, .two_executors = true, .guarded = true};
     const SmTick tick = {0, 0};
 
-    stage_begin(&plan);
+    reset_and_begin(&plan);
     stage_tick(1);
     CHECK(swap_two(&ten, &b_ten) == SM_OK);
     stage_settle();
@@ -387,7 +393,7 @@ static void test_every_point(void)
     CHECK(needed > ten.image_size && needed < STAGE_ROOM);
     for (uint32_t room = 0; room <= needed; room++, points++) {
         const StagePlan plan = {.a = &one, .room = room};
-        stage_begin(&plan);
+        reset_and_begin(&plan);
         ticks(2);
         CHECK(swap(&ten, SM_SWAP_CONTINUE, NULL) == (room < needed ? SM_SWAP_NO_MEMORY : SM_SWAP_NOT_REFUSED));
         if (room < needed)
@@ -472,6 +478,7 @@ static void test_many(bool decoded)
 
     exchanged = refused = 0;
     expected = 0;
+    sim_reset();
     stage_set_up(&plan);
     CHECK(sm_app_run(&stage.app) == SM_OK);
     CHECK(exchanged == SWAPS && refused == 0);

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "runtime-c/pal/clock.h"
-#include "runtime-c/psl/sim/sim.h"
 
 Stage stage;
 
@@ -107,16 +106,15 @@ static unsigned add_executor(unsigned x, unsigned n, unsigned r, const StagePlan
     n = add_task(n, NULL, sm_swap_gate_leave, &stage.gate[x]);
     rate[r + 2] = (SmRate){1, 1, &order[n - 1]};
     e->name = "executor";
-    e->period = PAL_MILLISECOND;
+    e->period = plan->period[x] != 0 ? plan->period[x] : PAL_MILLISECOND;
     e->rate = &rate[r];
     e->rates = 3;
     e->sv = &sv;
     e->events = &stage.events;
     e->time = &element[0];
-    e->unit = PAL_MILLISECOND;
+    e->unit = PAL_MICROSECOND;
     e->number = (uint16_t)x;
     executors[x] = e;
-    (void)plan;
     return n;
 }
 
@@ -125,7 +123,6 @@ void stage_set_up(const StagePlan *plan)
     const unsigned n = plan->two_executors ? 2 : 1;
     unsigned tasks;
 
-    sim_reset();
     memset(&stage, 0, sizeof stage);
     memset(&sv, 0, sizeof sv);
     memset(&vector, 0, sizeof vector);
@@ -139,6 +136,7 @@ void stage_set_up(const StagePlan *plan)
     sv.at = vector.byte;
     sv.guarded = plan->guarded;
     stage.events.at = ring;
+    stage.events.guarded = plan->guarded;
     stage.events.room = STAGE_EVENTS;
     stage.swaps = (SmSwaps){.writing = SM_SWAP_WRITING, .machine = stage.machine, .machines = plan->b != NULL ? 2 : 1, .gate = stage.gate,
                             .gates = (uint16_t)n, .trial = plan->trial != 0 ? plan->trial : 100, .sv = &sv, .events = &stage.events, .armed = &element[6]};

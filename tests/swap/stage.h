@@ -36,6 +36,7 @@ typedef struct StagePlan {
     uint32_t longest;
     bool two_executors;       // b has an executor of its own
     bool guarded, decoded;
+    uint64_t period[2];       // of each executor, in nanoseconds; 0: 1 ms
     void (*act)(const SmTick *tick);      // called once a tick in the first executor, after the machines; or NULL
 } StagePlan;
 
