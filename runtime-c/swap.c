@@ -13,6 +13,7 @@
 #include "runtime-c/handover.h"
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/shared.h"
+#include "runtime-c/swap_log.h"
 
 enum { TRIES = 1000 };        // after so many ticks without a common boundary, the swap is refused
 
@@ -190,6 +191,7 @@ static void finish_part(SmSwaps *s, SmSwapReason why)
     }
     if (++s->part < s->machine[s->at].type->parts)
         return;
+    s->machine[s->at].unnamed = other_slot(&s->machine[s->at]);
     s->part = 0;
     s->at = next_concerned(s, (uint16_t)(s->at + 1));
     if (s->at == s->machines) {
@@ -212,6 +214,7 @@ bool sm_swaps_prepare(SmSwaps *s)
         return false;
     w = &s->machine[s->at];
     w->logged.self = running_slot(w);             // the log must not read names in the slot that changes now
+    w->unnamed = NULL;
     why = w->type->prepare(other_slot(w), running_slot(w), &w->change, w->machine, s->part);
     if (sm_handover_lock(s->lock) != SM_OK)
         return false;
@@ -227,12 +230,24 @@ SmResult sm_swaps_restore(SmApp *app) { return swaps_of(app)->next ? swaps_of(ap
 // Whether the log is in the middle of a description, which has the names of the machines and must not change until it is written.
 static bool is_log_describing(const SmLog *log) { return log && log->description_done < log->description_size; }
 
+// Writes the names of the machines that have been prepared into the log.
+static void log_names(SmSwaps *s, SmLog *log)
+{
+    for (uint16_t i = 0; i < s->machines; i++) {
+        SmSwappable *w = &s->machine[i];
+        if (w->unnamed && sm_swap_log_names(log, w->machine, w->unnamed, w->type->identity(w->unnamed)))
+            w->unnamed = NULL;
+    }
+}
+
 void sm_swaps_write(SmApp *app, uint64_t budget)
 {
     SmSwaps *const s = swaps_of(app);
     const uint64_t start = pal_clock_now();
 
     while (!is_log_describing(app->log) && sm_swaps_prepare(s) && pal_clock_now() - start < budget) {}
+    if (app->log)
+        log_names(s, app->log);
     if (s->next)
         s->next->write(app, budget);
 }

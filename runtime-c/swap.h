@@ -106,6 +106,7 @@ typedef struct SmSwappable {
     uint32_t steps;           // number of steps since the exchange
     bool was_aborting;        // at the last check, its state was marked @abort
     SmMachine logged;         // for SmLog.machine: has the names of the image that ran when the last preparation began
+    const void *unnamed;      // the slot whose names are not in the log yet; or NULL
 } SmSwappable;
 
 // An executor that runs such machines, or any other one.

@@ -147,9 +147,14 @@ $(B)/swap/running: $(patsubst %,$(B)/obj/tests/swap/%.o,running stage machine) $
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
 # The same with threads, on Linux, and once more under the thread sanitizer.
-$(B)/swap/threads: $(patsubst %,$(B)/obj/tests/swap/%.o,threads stage machine) $(B)/runtime/linux.a $(B)/libsmc.a
+# `make swap-lateness SECONDS=5` measures whether swaps make ticks late on this computer.
+$(B)/swap/threads $(B)/swap/lateness: $(B)/swap/%: $(B)/obj/tests/swap/%.o $(patsubst %,$(B)/obj/tests/swap/%.o,stage machine) $(B)/runtime/linux.a $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -pthread -lrt
+
+swap-lateness: $(B)/swap/lateness
+	$(B)/swap/lateness $(or $(SECONDS),5)
+.PHONY: swap-lateness
 
 swap-campaign: $(B)/swap/random $(B)/swap/hostile
 	$(B)/swap/random $(SEED) $(N)
@@ -704,7 +709,7 @@ $(call test, sarif,                thorough,, sh tests/check/sarif.sh $(B)/smc $
 $(call test, analysis-effort,      thorough,, sh tests/analysis/effort.sh $(B)/smc)
 $(call test, report,               thorough,, sh tests/report/run.sh $(B)/smc $(B)/report)
 $(call test, log,                  thorough, $(B)/runtime/log, sh tests/log/run.sh $(B)/smc $(B)/runtime/log $(B)/log)
-$(call test, app,                  thorough, $(B)/runtime/sim.a, sh tests/app/run.sh $(B)/smc $(B)/runtime/sim.a '$(CC)')
+$(call test, app,                  thorough, $(B)/runtime/sim.a $(B)/runtime/desk.a, sh tests/app/run.sh $(B)/smc $(B)/runtime/sim.a '$(CC)' $(B)/runtime/desk.a)
 $(call test, cost,                 thorough, $(B)/cost, $(B)/cost)
 $(call test, emitc-flow,           thorough, $(B)/emitc/flow, $(B)/emitc/flow 100)
 $(call test, emitc-typed,          thorough, $(B)/emitc/typed, $(B)/emitc/typed 100)

@@ -63,10 +63,10 @@ parts()     # TARGET
 }
 
 # The runtime, and what an application that swaps machines links in addition.
-SWAP_PARTS="runtime-c/swap.c bytecode-vm/swap.c bytecode-vm/debug.c bytecode-vm/target/slot.c"
+SWAP_PARTS="runtime-c/swap.c runtime-c/swap_log.c bytecode-vm/swap.c bytecode-vm/debug.c bytecode-vm/target/slot.c"
 runtime_parts()     # TARGET
 {
-    part "$1" runtime $(ls runtime-c/*.c | grep -v '/swap\.c$')
+    part "$1" runtime $(ls runtime-c/*.c | grep -v '/swap')
     part "$1" swap $SWAP_PARTS
 }
 

@@ -141,6 +141,37 @@ static void test_two_machines(void)
     stage_settle();
     CHECK(stage_phase() == SM_SWAP_REFUSED && stage_status().reason == SM_SWAP_NO_MEMORY && stage_status().machine == 1);
     CHECK(stage_events(SM_EVENT_SWAP, NULL) == 0 && stage.machine[0].machine->self == &stage.slot[0][0]);
+    // One of them cannot continue.
+    SwapMachine gone;
+    compile(&gone, A "[Other]\n");
+    begin_two(false, false);
+    CHECK(swap_two(&gone, &b_ten) == SM_OK);
+    stage_settle();
+    CHECK(stage_phase() == SM_SWAP_REFUSED && stage_status().reason == SM_SWAP_NO_GONE && stage_status().machine == 0);
+    CHECK(stage_events(SM_EVENT_SWAP, NULL) == 0);
+    machine_free(&gone);
+}
+
+// A step whose stores could not be written to the guarded vector yet has not ended: the exchange waits for it.
+static void test_stores_due(void)
+{
+    unsigned due = 0;
+
+    for (uint32_t after = 0; after < 40; after++) {
+        begin_two(false, true);
+        ticks(2);
+        CHECK(swap_two(&ten, &b_ten) == SM_OK);
+        while (sm_swaps_prepare(&stage.swaps)) {}
+        sim_fail(SIM_lock_take, after, SM_E_TIMEOUT);
+        ticks(1);
+        if (stage.machine[0].machine->write_back_due || stage.machine[1].machine->write_back_due) {
+            due++;
+            CHECK(stage_phase() == SM_SWAP_WAITING);
+            ticks(1);
+            CHECK(stage_phase() == SM_SWAP_TRIAL && stage_number(AT_OUT) == 4 && stage_number(AT_MORE) == 4);
+        }
+    }
+    CHECK(due == 2);
 }
 
 // With two executors: the exchange waits until neither is inside a tick.
@@ -194,6 +225,21 @@ static void check_refusal(const SwapMachine *to, SmSwapMode mode, const char *st
     ticks(2);
     CHECK(swap(to, mode, state) == why);
     check_refused(why);
+}
+
+// An image with two machines.
+static SwapMachine two_in_one(void)
+{
+    const ImageOptions options = {.debug = true};
+    IrMachine *both[] = {one.ir, b_one.ir};
+    SwapMachine m = one;
+    Buf image;
+
+    buf_init(&image, &one.session.arena);
+    CHECK(session_image(&one.session, both, 2, &options, &image));
+    m.image = (const uint8_t *)image.at;
+    m.image_size = (uint32_t)image.n;
+    return m;
 }
 
 static void test_refusals(void)
@@ -253,6 +299,8 @@ static void test_refusals(void)
     ticks(1);
     check_refused(SM_SWAP_NO_TWICE);
     CHECK(sm_swap_begin(&stage.swaps, twice, 0) == SM_E_ARGUMENT && sm_swap_begin(&stage.swaps, NULL, 1) == SM_E_ARGUMENT);
+    const SwapMachine several = two_in_one();
+    check_refusal(&several, SM_SWAP_CONTINUE, NULL, SM_SWAP_NO_SEVERAL);
     const SmSwapChange none = {"a", NULL, 0, SM_SWAP_CONTINUE, NULL};
     begin(&one);
     CHECK(sm_swap_begin(&stage.swaps, &none, 1) == SM_OK);
@@ -371,6 +419,13 @@ static void test_items(void)
     CHECK(n == 2 && kept == 2);
     begin(&one);
     CHECK(swap(&ten, SM_SWAP_RESTART, NULL) == SM_SWAP_NOT_REFUSED && !smvm_slot_item(&stage.slot[0][1], 0, &item));
+    // in a slot from which a machine has continued before
+    begin(&one);
+    for (int i = 0; i < 3; i++) {
+        CHECK(swap(&ten, i < 2 ? SM_SWAP_CONTINUE : SM_SWAP_RESTART, NULL) == SM_SWAP_NOT_REFUSED && sm_swap_confirm(&stage.swaps) == SM_OK);
+        ticks(1);
+    }
+    CHECK(stage.machine[0].running == 1 && !smvm_slot_item(&stage.slot[0][1], 0, &item));
 }
 
 // ---- every point at which a swap can fail ----
@@ -497,6 +552,7 @@ int main(void)
     test_exchange();
     test_restart();
     test_two_machines();
+    test_stores_due();
     test_two_executors();
     test_refusals();
     test_trial();
