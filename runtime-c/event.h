@@ -21,6 +21,7 @@ extern "C" {
 
 typedef enum SmEventKind {
 #define SM_EVENT(name, number, source, a, b, text) SM_EVENT_##name = number,
+#define SM_EVENT_OF_SWAP SM_EVENT
 #include "runtime-c/events.def"
 #undef SM_EVENT
     SM_EVENT_NONE = 0

@@ -18,10 +18,11 @@ enum {
     LOG_CHECK = 4,            // bytes of the CRC at the end of a block
     LOG_IDENTITY = 13,        // the first bytes of a description: version, its position in the file (8), layout hash (4)
     LOG_EVENT = 19,           // time (8), kind, source (2), a (4), b (4)
-    LOG_DROPPED = 8           // payload of a gap: records dropped (4), events lost (4)
+    LOG_DROPPED = 8,          // payload of a gap: records dropped (4), events lost (4)
+    LOG_NAMES_HEAD = 10       // the first bytes of names: number of the machine (2), checksum of its image (4), number of states (4)
 };
 
-typedef enum LogKind { LOG_DESCRIPTION = 'D', LOG_RECORD = 'R', LOG_EVENTS = 'E', LOG_GAP = 'G' } LogKind;
+typedef enum LogKind { LOG_DESCRIPTION = 'D', LOG_RECORD = 'R', LOG_EVENTS = 'E', LOG_GAP = 'G', LOG_NAMES = 'N' } LogKind;
 
 static inline void log_put16(uint8_t *to, uint16_t x)
 {

@@ -141,6 +141,21 @@ $(B)/swap/clauses $(B)/swap/hostile $(B)/swap/random:
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
+# Swaps in an application that runs, in the simulation.
+$(B)/swap/running: $(patsubst %,$(B)/obj/tests/swap/%.o,running stage machine) $(B)/runtime/sim.a $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+
+# The same with threads, on Linux, and once more under the thread sanitizer.
+# `make swap-lateness SECONDS=5` measures whether swaps make ticks late on this computer.
+$(B)/swap/threads $(B)/swap/lateness: $(B)/swap/%: $(B)/obj/tests/swap/%.o $(patsubst %,$(B)/obj/tests/swap/%.o,stage machine) $(B)/runtime/linux.a $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -pthread -lrt
+
+swap-lateness: $(B)/swap/lateness
+	$(B)/swap/lateness $(or $(SECONDS),5)
+.PHONY: swap-lateness
+
 swap-campaign: $(B)/swap/random $(B)/swap/hostile
 	$(B)/swap/random $(SEED) $(N)
 	$(B)/swap/hostile $(SEED) $(N)
@@ -495,6 +510,9 @@ $(RUNTIME_READS): | $(B)/libsmc.a
 .SECONDARY: $(RUNTIME_TSAN_OBJ)
 $(B)/runtime/%_tsan: tests/runtime/%_linux.c $(RUNTIME_TSAN_OBJ)
 	$(call say,CC)$(TSAN) -I$(B)/runtime/made $^ -o $@ $(RUNTIME_LIBS) -pthread -lrt
+$(B)/swap/threads_tsan: $(patsubst %,$(B)/tsan/tests/swap/%.o,threads stage machine) $(RUNTIME_TSAN_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(TSAN) $^ -o $@ -pthread -lrt
 # `make kill-runtime N=10000`: kills a program N times, at random times.
 kill-runtime: $(B)/runtime/kill_linux
 	$(B)/runtime/kill_linux $(N)
@@ -709,7 +727,7 @@ $(call test, sarif,                thorough,, sh tests/check/sarif.sh $(B)/smc $
 $(call test, analysis-effort,      thorough,, sh tests/analysis/effort.sh $(B)/smc)
 $(call test, report,               thorough,, sh tests/report/run.sh $(B)/smc $(B)/report)
 $(call test, log,                  thorough, $(B)/runtime/log, sh tests/log/run.sh $(B)/smc $(B)/runtime/log $(B)/log)
-$(call test, app,                  thorough, $(B)/runtime/sim.a, sh tests/app/run.sh $(B)/smc $(B)/runtime/sim.a '$(CC)')
+$(call test, app,                  thorough, $(B)/runtime/sim.a $(B)/runtime/desk.a, sh tests/app/run.sh $(B)/smc $(B)/runtime/sim.a '$(CC)' $(B)/runtime/desk.a)
 $(call test, cost,                 thorough, $(B)/cost, $(B)/cost)
 $(call test, emitc-flow,           thorough, $(B)/emitc/flow, $(B)/emitc/flow 100)
 $(call test, emitc-typed,          thorough, $(B)/emitc/typed, $(B)/emitc/typed 100)
@@ -719,6 +737,9 @@ $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh
 $(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
 $(call test, library-parity,       thorough, $(B)/library/command, sh tests/library/parity.sh $(B)/smc $(B)/library/command)
 $(call test, library-abi,          thorough, $(LIBRARY_FILES), sh tests/library/abi.sh $(B) '$(CC)')
+$(call test, swap-running,         thorough, $(B)/swap/running, $(B)/swap/running)
+$(call test, swap-threads,         thorough, $(B)/swap/threads, $(B)/swap/threads)
+$(call test, swap-tsan,            thorough, $(B)/swap/threads_tsan, if test -x $(B)/swap/threads_tsan; then $(B)/swap/threads_tsan; else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
 $(call test, swap-hostile,         thorough, $(B)/swap/hostile, $(B)/swap/hostile 1 3000)
 $(call test, sound,                thorough, $(B)/diff/difftest, $(SOUND) --count=300 --jobs=2 --out=$(B)/diff/check-sound)

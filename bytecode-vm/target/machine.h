@@ -21,6 +21,7 @@ extern "C" {
 // Functions that create and run the decoded form of a machine (smvm_decode), which is several times as fast.  They are pointers, so that
 // only programs that refer to smvm_decoder link decode*.c, fast.c and this folder's decoder.c.
 typedef struct SmvmDecoder {
+    uint32_t (*size)(const SmvmMachine *m);       // smvm_decoded_size
     SmResult (*decode)(SmvmDecoded **decoded, void *memory, uint32_t size, const SmvmMachine *m, SmVm *vm, void *sv);
     SmResult (*step)(SmvmDecoded *decoded, void *sv);
 } SmvmDecoder;

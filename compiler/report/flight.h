@@ -26,7 +26,7 @@ void flight_write_svg(const Flight *f, Buf *out);
 // Writes nanoseconds as seconds, exactly: "12.05".
 void flight_write_time(Buf *out, uint64_t ns);
 // Writes an event in words, as in "mission: Coast -> Recovery" and "task engine fails: it is in use".
-void flight_write_event(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out);
+void flight_write_event(const Flight *f, const LogSession *s, const LogEvent *e, Buf *out);
 // Returns the value of a logged cell.  A NaN is returned as NaN, although machines read it as 0.
 double flight_value(SmType type, uint64_t cell);
 size_t flight_element_count(const Flight *f, const LogDescription *d);

@@ -56,6 +56,7 @@ typedef struct LogEvent {
 // Every kind of event that this reader knows.
 typedef enum LogEventKind {
 #define SM_EVENT(name, number, source, a, b, text) LOG_EVENT_##name = number,
+#define SM_EVENT_OF_SWAP SM_EVENT
 #include "runtime-c/events.def"
 #undef SM_EVENT
     LOG_EVENT_KINDS
@@ -69,6 +70,20 @@ typedef struct LogItem {
     const uint8_t *at;            // the bytes of the block.  RECORD: its time; EVENTS: the first event; GAP: the counts
 } LogItem;
 
+// The names of the states of an image that has replaced another one.
+typedef struct LogImage {
+    uint16_t machine;             // number of the machine
+    uint32_t identity;            // checksum of the image
+    LogNames state;
+} LogImage;
+
+// A machine's image was replaced at the end of a tick.
+typedef struct LogSwap {
+    uint64_t time;
+    uint16_t machine;
+    uint32_t from, to;            // checksums of the images
+} LogSwap;
+
 // One run of an application.
 typedef struct LogSession {
     const LogDescription *d;
@@ -76,6 +91,8 @@ typedef struct LogSession {
     VEC(LogItem) item;            // in the order of the file
     uint64_t records, events;
     uint64_t first, last;         // times of its first and last record
+    VEC(LogImage) image;
+    VEC(LogSwap) swap;            // in order
     uint64_t dropped, lost;       // records and events that were left out because the application had no room for them
 } LogSession;
 
@@ -103,12 +120,17 @@ uint64_t log_read_cell(const LogItem *record, const LogElement *e);
 const LogElement *log_find_element(const LogDescription *d, const char *name);
 const LogMachine *log_find_machine(const LogDescription *d, const char *name);
 const LogMachine *log_machine_by_number(const LogDescription *d, uint16_t number);
+// Returns the machine of event STATE, with the names of the image that ran then.  NULL: the log does not contain the machine.
+const LogMachine *log_machine_of_event(Arena *arena, const LogSession *s, const LogEvent *e);
 const char *log_kind_name(const LogDescription *d, uint8_t kind);                     // name of a kind of events; NULL: it has none
 const char *log_state_name(Arena *arena, const LogMachine *m, uint32_t state);        // its name, or "state 7" if it has none
+const char *log_swap_refusal(uint32_t reason);        // why a swap was refused, from an event
 
 // ---- inside: flight_log_description.c ----
 
 // Parses the contents of a description whose checksum is right.  False if it is inconsistent or its version is unknown.
 bool log_parse_description(Arena *arena, const uint8_t *bytes, uint32_t n, LogDescription *d);
+// Parses the contents of a block of names.  False if it is inconsistent.
+bool log_parse_names(Arena *arena, const uint8_t *bytes, uint32_t n, LogImage *image);
 
 #endif

@@ -145,3 +145,23 @@ bool log_parse_description(Arena *arena, const uint8_t *bytes, uint32_t n, LogDe
     read_kinds(&c, d);
     return !c.wrong && c.left == 0;
 }
+
+bool log_parse_names(Arena *arena, const uint8_t *bytes, uint32_t n, LogImage *image)
+{
+    LogCursor c = {arena, bytes, n, false};
+
+    image->machine = read_u16(&c);
+    image->identity = read_u32(&c);
+    image->state = read_names(&c, read_u32(&c));
+    return !c.wrong && c.left == 0;
+}
+
+const char *log_swap_refusal(uint32_t reason)
+{
+    switch (reason) {
+#define SM_SWAP(name, number, text) case number: return text;
+#include "runtime-c/swaps.def"
+#undef SM_SWAP
+    default: return "?";
+    }
+}

@@ -132,14 +132,37 @@ static bool is_valid_block_length(const LogSession *s, uint8_t kind, uint32_t le
     case LOG_RECORD: return length == 8 + (uint64_t)s->d->packed;
     case LOG_EVENTS: return length > 0 && length % LOG_EVENT == 0;
     case LOG_GAP: return length == LOG_DROPPED;
+    case LOG_NAMES: return length >= LOG_NAMES_HEAD;
     default: return false;
     }
+}
+
+static void add_swaps(LogReader *r, LogSession *s, const LogItem *events)
+{
+    for (uint32_t i = 0; i < events->n; i++) {
+        const LogEvent e = log_read_event(events, i);
+        const LogSwap swap = {e.time, e.source, e.a, e.b};
+        if (e.kind == LOG_EVENT_SWAP)
+            vec_push(r->arena, &s->swap, swap);
+    }
+}
+
+static void add_names(LogReader *r, LogSession *s, uint32_t pos, uint32_t length)
+{
+    LogImage image;
+
+    if (log_parse_names(r->arena, r->bytes + pos + LOG_HEAD, length, &image))
+        vec_push(r->arena, &s->image, image);
 }
 
 static void add_item(LogReader *r, LogSession *s, uint32_t pos, uint32_t length)
 {
     LogItem item = {ITEM_RECORD, 0, r->bytes + pos + LOG_HEAD};
 
+    if (r->bytes[pos + 1] == LOG_NAMES) {
+        add_names(r, s, pos, length);
+        return;
+    }
     if (r->bytes[pos + 1] == LOG_RECORD) {
         const uint64_t time = log_get64(item.at);
         if (s->records++ == 0)
@@ -150,6 +173,7 @@ static void add_item(LogReader *r, LogSession *s, uint32_t pos, uint32_t length)
         item.kind = ITEM_EVENTS;
         item.n = length / LOG_EVENT;
         s->events += item.n;
+        add_swaps(r, s, &item);
     } else {
         item.kind = ITEM_GAP;
         s->dropped += log_read_gap(&item).records;
@@ -285,6 +309,43 @@ const LogMachine *log_machine_by_number(const LogDescription *d, uint16_t number
         if (d->machine[i].number == number)
             return &d->machine[i];
     return NULL;
+}
+
+// Returns the last swap of the event's machine before the event; NULL if there is none.  A swap is at the end of a tick: of the same tick, it is
+// after a transition and before a start.
+static const LogSwap *swap_before(const LogSession *s, const LogEvent *e)
+{
+    for (size_t i = s->swap.n; i-- > 0;)
+        if (s->swap.at[i].machine == e->source && (s->swap.at[i].time < e->time || (s->swap.at[i].time == e->time && e->a == 0)))
+            return &s->swap.at[i];
+    return NULL;
+}
+
+// Returns the checksum of the image that a machine ran first; the machine has been swapped.
+static uint32_t first_image(const LogSession *s, uint16_t machine)
+{
+    size_t i = 0;
+
+    while (s->swap.at[i].machine != machine)
+        i++;
+    return s->swap.at[i].from;
+}
+
+const LogMachine *log_machine_of_event(Arena *arena, const LogSession *s, const LogEvent *e)
+{
+    const LogMachine *m = log_machine_by_number(s->d, e->source);
+    const LogSwap *swap = m ? swap_before(s, e) : NULL;
+    LogMachine *other;
+
+    if (!swap || swap->to == first_image(s, e->source))
+        return m;
+    other = ARENA_NEW(arena, LogMachine);
+    *other = *m;
+    other->state.n = 0;
+    for (size_t i = 0; i < s->image.n; i++)
+        if (s->image.at[i].machine == e->source && s->image.at[i].identity == swap->to)
+            other->state = s->image.at[i].state;
+    return other;
 }
 
 const char *log_kind_name(const LogDescription *d, uint8_t kind)

@@ -108,17 +108,52 @@ static bool is_state_element(const FlightDrawing *d, const LogElement *e)
 
 // ---- states ----
 
+// Returns the number of a state in the drawing; 0 if it has none of that name.
+static uint32_t drawn_state(const FlightDrawing *d, const char *name)
+{
+    for (size_t i = 0; i < d->p.state.n; i++)
+        if (strcmp(d->p.state.at[i]->name->text, name) == 0)
+            return (uint32_t)i + 1;
+    return 0;
+}
+
+static void add_state(FlightDrawing *d, const char *name)
+{
+    State *s = ARENA_NEW(d->f->arena, State);
+
+    s->name = str_c(&d->names, name);
+    vec_push(d->f->arena, &d->p.state, s);
+    s->number = (uint32_t)d->p.state.n;
+}
+
+// Adds the states of the machine, and those that only images have that replaced it.
 static void add_states(FlightDrawing *d)
 {
     const LogMachine *m = d->f->machine;
 
-    d->t.entered = ARENA_ARRAY(d->f->arena, uint64_t, m ? m->state.n + 1 : 1);
-    for (uint32_t i = 1; m && i <= m->state.n; i++) {
-        State *s = ARENA_NEW(d->f->arena, State);
-        s->name = str_c(&d->names, log_state_name(d->f->arena, m, i));
-        s->number = i;
-        vec_push(d->f->arena, &d->p.state, s);
-    }
+    for (uint32_t i = 1; m && i <= m->state.n; i++)
+        add_state(d, log_state_name(d->f->arena, m, i));
+    for (size_t i = 0; m && i < d->s->image.n; i++)
+        for (uint32_t k = 0; d->s->image.at[i].machine == m->number && k < d->s->image.at[i].state.n; k++)
+            if (drawn_state(d, d->s->image.at[i].state.name[k]) == 0)
+                add_state(d, d->s->image.at[i].state.name[k]);
+    d->t.entered = ARENA_ARRAY(d->f->arena, uint64_t, d->p.state.n + 1);
+}
+
+static bool was_swapped(const FlightDrawing *d, const LogMachine *m)
+{
+    for (size_t i = 0; i < d->s->swap.n; i++)
+        if (d->s->swap.at[i].machine == m->number)
+            return true;
+    return false;
+}
+
+// Returns the number in the drawing of the state that event e leads to.
+static uint32_t state_of_event(const FlightDrawing *d, const LogEvent *e)
+{
+    const LogMachine *m = log_machine_of_event(d->f->arena, d->s, e);
+
+    return m == d->f->machine ? e->b : drawn_state(d, log_state_name(d->f->arena, m, e->b));
 }
 
 static void add_visit(FlightDrawing *d, uint32_t state, uint64_t time)
@@ -147,9 +182,9 @@ static void add_visits(FlightDrawing *d)
             for (uint32_t k = 0; d->s->item.at[i].kind == ITEM_EVENTS && k < d->s->item.at[i].n; k++) {
                 const LogEvent e = log_read_event(&d->s->item.at[i], k);
                 if (e.kind == LOG_EVENT_STATE && e.source == m->number)
-                    add_visit(d, e.b, e.time);
+                    add_visit(d, state_of_event(d, &e), e.time);
             }
-    if (d->t.visits > 0 || m->s == LOG_NONE)
+    if (d->t.visits > 0 || m->s == LOG_NONE || was_swapped(d, m))      // after a swap, the number can be that of another state
         return;
     for (size_t i = 0; i < d->s->item.n; i++) {
         const LogItem *item = &d->s->item.at[i];

@@ -70,7 +70,7 @@ static void write_event(const Flight *f, const LogSession *s, const LogEvent *e,
     Buf words;
 
     buf_init(&words, f->arena);
-    flight_write_event(f, s->d, e, &words);
+    flight_write_event(f, s, e, &words);
     buf_str(out, "{\"time\":");
     flight_write_time(out, e->time);
     buf_str(out, ",\"event\":");

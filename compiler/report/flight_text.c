@@ -54,11 +54,11 @@ static const char *mode_name(Arena *arena, uint32_t mode)
     return mode < 3 ? names[mode] : format_in(arena, "mode %lu (safed)", (unsigned long)mode);
 }
 
-static void write_state_change(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
+static void write_state_change(const Flight *f, const LogSession *s, const LogEvent *e, Buf *out)
 {
-    const LogMachine *m = log_machine_by_number(d, e->source);
+    const LogMachine *m = log_machine_of_event(f->arena, s, e);
 
-    buf_printf(out, "%s: ", machine_name(f, d, e->source));
+    buf_printf(out, "%s: ", machine_name(f, s->d, e->source));
     if (e->a == 0)
         buf_printf(out, "starts in %s", log_state_name(f->arena, m, e->b));
     else
@@ -82,8 +82,16 @@ static void write_unknown_event(const LogDescription *d, const LogEvent *e, Buf 
                (unsigned long)e->b);
 }
 
-void flight_write_event(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
+static void write_trial_end(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
 {
+    static const char *const ends[] = {"?", "was confirmed", "was not confirmed in time", "entered a state marked @abort"};
+
+    buf_printf(out, "%s: image %08lx %s", machine_name(f, d, e->source), (unsigned long)e->b, ends[e->a < 4 ? e->a : 0]);
+}
+
+void flight_write_event(const Flight *f, const LogSession *s, const LogEvent *e, Buf *out)
+{
+    const LogDescription *d = s->d;
     static const char *const restored[] = {
         "", " with the saved state vector", "; the saved state vector could not be used: it is damaged or has another layout"};
     const char *task = numbered_name(f, &d->task, "task", e->source);
@@ -92,7 +100,7 @@ void flight_write_event(const Flight *f, const LogDescription *d, const LogEvent
     case LOG_EVENT_START:
         buf_printf(out, "the application started%s%s", restored[e->a < 2 ? e->a : 2], e->b ? ", after a watchdog reset" : "");
         break;
-    case LOG_EVENT_STATE: write_state_change(f, d, e, out); break;
+    case LOG_EVENT_STATE: write_state_change(f, s, e, out); break;
     case LOG_EVENT_MODE: buf_printf(out, "%s: %s -> %s", task, mode_name(f->arena, e->a), mode_name(f->arena, e->b)); break;
     case LOG_EVENT_FAULT: write_fault(f, task, e, out); break;
     case LOG_EVENT_OVERRUN:
@@ -102,6 +110,13 @@ void flight_write_event(const Flight *f, const LogDescription *d, const LogEvent
     case LOG_EVENT_REFUSED:
         buf_printf(out, "%s did not step because time did not advance (%s so far)", machine_name(f, d, e->source),
                    describe_count(f->arena, e->a, "time", "times"));
+        break;
+    case LOG_EVENT_SWAP:
+        buf_printf(out, "%s: image %08lx was replaced by %08lx", machine_name(f, d, e->source), (unsigned long)e->a, (unsigned long)e->b);
+        break;
+    case LOG_EVENT_TRIAL: write_trial_end(f, d, e, out); break;
+    case LOG_EVENT_SWAP_REFUSED:
+        buf_printf(out, "%s was not replaced: %s", machine_name(f, d, e->source), log_swap_refusal(e->a));
         break;
     case LOG_EVENT_STOP: buf_str(out, "the application was stopped"); break;
     default: write_unknown_event(d, e, out); break;
@@ -120,7 +135,7 @@ static void write_events(const Flight *f, const LogSession *s, Buf *out)
             buf_str(out, "    ");
             flight_write_time(out, e.time);
             buf_str(out, " s  ");
-            flight_write_event(f, s->d, &e, out);
+            flight_write_event(f, s, &e, out);
             buf_char(out, '\n');
         }
 }

@@ -16,6 +16,8 @@ typedef struct AppMachine {
     const Program *program;
     const State *initial;     // the state in which it starts; NULL: the first
     bool bytecode, resume;
+    bool swap;                // it can be swapped while the application runs
+    uint32_t longest;         // if it can be swapped: the most instructions of a step
     uint16_t number;          // numbers the machines 0, 1, 2 … in file order
 } AppMachine;
 
@@ -61,6 +63,10 @@ typedef struct App {
     Str io_name;              // the stem of io: "rocket" of pins/rocket.io
     const IoMap *pins;        // the pins of io, or NULL
     uint32_t log_room;        // capacity in bytes
+    uint32_t swap_room;       // bytes of each of the two slots of a machine that can be swapped
+    uint32_t swap_trial;      // how many steps a machine is on trial
+    uint32_t swap_limit;      // the most instructions of its step, for each millisecond of its period
+    const Element *armed;     // while it is true, swaps are refused; or NULL
     VEC(AppStart) start;
     VEC(AppExecutor *) executor;
     VEC(AppTask *) task;

@@ -175,9 +175,23 @@ static void check_platform_name(AppCheck *k, const AstWord *file)
         diag_report(k->c->diags, DIAG_app_range, file->span, r->what, r->limits);
 }
 
+// Stores the element that shows whether the application is armed.
+static void check_armed(AppCheck *k, const AstAppOption *o)
+{
+    const Element *e = app_find_element(k, &o->element);
+
+    k->app->armed = e;
+    if (e && e->type != SM_BOOL)
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_element_type, o->element.span, e->name->text,
+                                           sm_type_info[e->type].spelling, "'armed'", "a bool"),
+                  e->span, DIAG_note_declared_here, e->name->text);
+}
+
 static void check_options(AppCheck *k)
 {
     k->app->events = 64;
+    k->app->swap_trial = 1000;
+    k->app->swap_limit = 10000;
     for (size_t i = 0; i < k->ast->options.n; i++) {
         const AstAppOption *o = &k->ast->options.at[i];
         uint64_t n = 0;
@@ -209,6 +223,21 @@ static void check_options(AppCheck *k)
         case AST_APP_keep:
             k->app->keep = o->file.text;
             check_platform_name(k, &o->file);
+            break;
+        case AST_APP_swap:
+            app_check_amount(k, &o->amount, APP_RANGE_swap_memory, &n);
+            k->app->swap_room = (uint32_t)(n + 7) / 8 * 8;
+            break;
+        case AST_APP_swap_trial:
+            app_check_amount(k, &o->amount, APP_RANGE_swap_trial, &n);
+            k->app->swap_trial = (uint32_t)n;
+            break;
+        case AST_APP_swap_limit:
+            app_check_amount(k, &o->amount, APP_RANGE_swap_limit, &n);
+            k->app->swap_limit = (uint32_t)n;
+            break;
+        case AST_APP_armed:
+            check_armed(k, o);
             break;
         }
     }
@@ -368,6 +397,21 @@ static void check_executors(AppCheck *k)
 
 // ---- entry points ----
 
+// Reports the options of swaps if no machine can be swapped.
+static void report_unused_swap_options(AppCheck *k)
+{
+    bool any = k->ast->lost;
+
+    for (size_t i = 0; i < k->app->machine.n; i++)
+        any = any || k->app->machine.at[i]->swap;
+    for (size_t i = 0; i < k->ast->options.n && !any; i++) {
+        const AstAppOption *o = &k->ast->options.at[i];
+        if (o->kind >= AST_APP_swap && o->kind <= AST_APP_armed)
+            diag_report(k->c->diags, DIAG_app_option_unused, o->name_span, app_option_name(o->kind),
+                        diag_text(k->c->diags, DIAG_part_no_swap_mark));
+    }
+}
+
 // Reports options that no task uses.
 static void report_unused_options(AppCheck *k)
 {
@@ -428,6 +472,7 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     check_start_section(&k);
     check_executors(&k);
     report_unused_options(&k);
+    report_unused_swap_options(&k);
     report_unused_pins(&k, false, AST_TASK_inputs, AST_TASK_outputs);
     report_unused_pins(&k, true, AST_TASK_outputs, AST_TASK_inputs);
     check_app_platform_files(&k);

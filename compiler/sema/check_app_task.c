@@ -77,7 +77,39 @@ static void check_machine_time(AppCheck *k, const AstAppTask *in, const Program 
     diag_note(k->c->diags, d, k->app->time_span, DIAG_note_named_here);
 }
 
-static const AppMachine *check_machine_task(AppCheck *k, const AstAppTask *in)
+// Whether the machine can be in a state in which it may be replaced (swapping.md 12.4).
+static bool has_swap_state(const Program *p)
+{
+    for (size_t i = 0; i < p->state.n; i++)
+        if (p->state.at[i]->allows_swap || p->state.at[i]->is_safe)
+            return true;
+    return false;
+}
+
+// Returns the most instructions of a step of a machine that steps once in `period` nanoseconds; at least 1.
+static uint32_t step_limit(const App *app, uint64_t period)
+{
+    const uint64_t whole = period / 1000000 * app->swap_limit, rest = period % 1000000 * app->swap_limit / 1000000;
+
+    return whole + rest > UINT32_MAX ? UINT32_MAX : whole + rest == 0 ? 1 : (uint32_t)(whole + rest);
+}
+
+// Checks a machine with @swap (config.md 10.21).
+static void check_swap(AppCheck *k, const AstAppTask *in, const AppMachine *m)
+{
+    const AstAppAnnotation *a = in->annotations.at;
+
+    while (a->kind != AST_ON_swap)
+        a++;
+    if (!m->bytecode)
+        diag_report(k->c->diags, DIAG_swap_without_bytecode, a->span);
+    if (k->app->swap_room == 0 && !k->ast->lost)
+        diag_report(k->c->diags, DIAG_app_missing, a->span, diag_text(k->c->diags, DIAG_part_no_swap_memory, m->name->text));
+    if (m->program && !has_swap_state(m->program))
+        diag_report(k->c->diags, DIAG_swap_without_state, a->span, m->name->text);
+}
+
+static const AppMachine *check_machine_task(AppCheck *k, const AstAppTask *in, uint64_t period)
 {
     const Span *first = map_find(&k->machine_file, in->file.text);
     AppMachine *m = ARENA_NEW(k->c->arena, AppMachine);
@@ -97,6 +129,7 @@ static const AppMachine *check_machine_task(AppCheck *k, const AstAppTask *in)
         const AstAppAnnotation *a = &in->annotations.at[i];
         m->bytecode = m->bytecode || a->kind == AST_ON_bytecode;
         m->resume = m->resume || a->kind == AST_ON_resume;
+        m->swap = m->swap || a->kind == AST_ON_swap;
         if (a->kind == AST_ON_resume && !k->app->keep && !k->ast->lost)
             diag_report(k->c->diags, DIAG_resume_without_keep, a->span);
         if (a->kind == AST_ON_state && m->program)
@@ -105,6 +138,9 @@ static const AppMachine *check_machine_task(AppCheck *k, const AstAppTask *in)
             suggest_state(k->c->diags, diag_report(k->c->diags, DIAG_unknown_state, a->word.span, a->word.text->text), &k->guesses,
                           m->program, a->word.text);
     }
+    m->longest = step_limit(k->app, period);
+    if (m->swap)
+        check_swap(k, in, m);
     return m;
 }
 
@@ -126,7 +162,7 @@ static void warn_of_mode_without_safe(AppCheck *k, const AppTask *t)
                 written ? diag_text(k->c->diags, DIAG_part_machine_stays, written->name->text) : diag_text(k->c->diags, DIAG_part_no_safe));
 }
 
-static AppTask *check_task(AppCheck *k, const AstAppTask *in)
+static AppTask *check_task(AppCheck *k, const AstAppTask *in, uint64_t period)
 {
     AppTask *t = ARENA_NEW(k->c->arena, AppTask);
     DiagCode problem;
@@ -155,7 +191,7 @@ static AppTask *check_task(AppCheck *k, const AstAppTask *in)
                       t->mode->span, DIAG_note_declared_here, t->mode->name->text);
     }
     if (in->kind == AST_TASK_machine)
-        t->machine = check_machine_task(k, in);
+        t->machine = check_machine_task(k, in, period);
     warn_of_mode_without_safe(k, t);
     return t;
 }
@@ -170,7 +206,7 @@ void check_app_tasks(AppCheck *k, const AstAppExecutor *in, AppExecutor *out)
         for (size_t t = 0; t < in->rates.at[r].tasks.n; t++) {
             const AstAppTask *written = &in->rates.at[r].tasks.at[t];
             const AppRate *rate = out->rate.at[r];
-            AppTask *task = check_task(k, written);
+            AppTask *task = check_task(k, written, rate->period);
             if (k->app->task.n == MOST)
                 diag_report(k->c->diags, DIAG_app_too_many, task->span, "tasks", "65535");
             // A machine refuses a step in which the time is the same as in the step before.

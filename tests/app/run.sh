@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Builds applications and runs them in simulated time: as C and on the VM, in place and guarded.  And wrong, missing or large parts:
-# a message at its place, the exit code that is promised, and nothing half written.        sh tests/app/run.sh SMC SIM.a CC
-smc=$1 sim=$2 cc=$3
+# a message at its place, the exit code that is promised, and nothing half written.        sh tests/app/run.sh SMC SIM.a CC DESK.a
+smc=$1 sim=$2 cc=$3 desk=$4
 passed=0 failed=0 skipped=0
 root=$(pwd)
 here=$root/tests/app
@@ -10,6 +10,7 @@ dir=$(mktemp -d "${TMPDIR:-/tmp}/smc-app.XXXXXX") || exit 1
 trap 'rm -rf "$dir"' EXIT
 case $smc in /*) ;; *) smc=$root/$smc ;; esac
 case $sim in /*) ;; *) sim=$root/$sim ;; esac
+case $desk in /*) ;; *) desk=$root/$desk ;; esac
 warn="-Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -pedantic -Werror"
 
 good() { passed=$((passed + 1)); }
@@ -42,10 +43,39 @@ fresh guarded;  printf '[options]\nlock\n' | cat - probe.sv >new && mv new probe
 fresh both;     printf '[options]\nlock\n' | cat - probe.sv >new && mv new probe.sv
 sed -i.old 's/"rise.sm"/& @bytecode/' probe.app; flies "a guarded vector, on the VM"
 
+# swaps NAME: builds and runs the application of this folder that swaps a machine, and compares.
+swaps()
+{
+    mkdir out
+    if "$smc" build bench.app -Werror -o out 2>log && "$smc" build -w -g faster.sm --sv bench.sv -o faster.smb 2>>log &&
+       { echo 'static const unsigned char image[] = {'; od -An -v -tx1 faster.smb | sed 's/ *\([0-9a-f][0-9a-f]\)/0x\1, /g'; echo '};'; } >out/image.h &&
+       $cc -std=c99 -O1 $warn -I"$root" -Iout -o run out/*.c tasks.c "$sim" 2>>log && ./run >trace 2>>log && diff expected.txt trace >>log; then
+        good
+    else
+        bad "$1"
+        head -20 log
+    fi
+}
+
+for vector in plain guarded; do
+    mkdir "$dir/swap-$vector" && cd "$dir/swap-$vector" && cp "$here"/swap/* . || exit 1
+    if [ $vector = guarded ]; then printf '[options]\nlock\n' | cat - bench.sv >new && mv new bench.sv; fi
+    swaps "a swap of a machine, $vector"
+    # The log has the names of both images, and why a swap was refused.
+    if $cc -std=c99 -O1 $warn -I"$root" -Iout -o run_desk out/*.c tasks.c "$desk" -pthread 2>log && rm -f bench.log && ./run_desk >trace && diff expected.txt trace >>log &&
+       "$smc" log bench.log | sed -n '/^  events/,/^$/p' | sed 's/[0-9a-f]\{8\}/IMAGE/g' | diff events.txt - >>log && "$smc" log bench.log --format=svg n | grep -q Before; then
+        good
+    else
+        bad "the log of swaps, $vector"
+        head -20 log
+    fi
+done
+
 # Other compilers take the sources without a word, C++ the header.
 for other in gcc clang clang-19; do
     if command -v $other >/dev/null 2>&1; then
-        if $other -std=c99 $warn -I"$root" -I"$dir/both/out" -fsyntax-only "$dir/both/out/probe_app.c" "$dir/plain/out/probe_app.c" 2>"$dir/log"; then
+        if $other -std=c99 $warn -I"$root" -I"$dir/both/out" -fsyntax-only "$dir/both/out/probe_app.c" "$dir/plain/out/probe_app.c" &&
+           $other -std=c99 $warn -I"$root" -I"$dir/swap-guarded/out" -fsyntax-only "$dir/swap-guarded/out/bench_app.c" 2>"$dir/log"; then
             good
         else
             bad "$other"

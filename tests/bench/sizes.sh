@@ -62,6 +62,14 @@ parts()     # TARGET
     part "$1" auth bytecode-vm/auth.c
 }
 
+# The runtime, and what an application that swaps machines links in addition.
+SWAP_PARTS="runtime-c/swap.c runtime-c/swap_log.c bytecode-vm/swap.c bytecode-vm/debug.c bytecode-vm/target/slot.c"
+runtime_parts()     # TARGET
+{
+    part "$1" runtime $(ls runtime-c/*.c | grep -v '/swap')
+    part "$1" swap $SWAP_PARTS
+}
+
 # ---- an Uno's chip ----
 
 AVR_FLAGS="-mmcu=atmega328p -DF_CPU=16000000UL -Os -std=c99 -ffunction-sections -fdata-sections"
@@ -161,7 +169,7 @@ arm()       # TARGET FLAGS…
     shift
     compile="arm-none-eabi-gcc -Os -std=c99 -ffp-contract=off -mthumb $*"
     parts "$target"
-    part "$target" runtime runtime-c/*.c
+    runtime_parts "$target"
 }
 if has arm-none-eabi-gcc; then
     prefix=arm-none-eabi- in_ram=0
@@ -173,7 +181,7 @@ fi
 if has gcc && [ "$(gcc -dumpmachine)" = x86_64-linux-gnu ]; then
     prefix= in_ram=0 compile="gcc -Os -std=c99 -ffp-contract=off"
     parts x86-64
-    part x86-64 runtime runtime-c/*.c
+    runtime_parts x86-64
 else
     skipped=$((skipped + 1))
 fi

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes an application as C: a header that declares the functions that the user writes, and a source file with the tables that the flight
 // runtime (runtime-c) runs.  The headers of runtime-c document the tables.  Static names in the source file have no underscore, or are a user's
-// name followed by Step, Init, Safe, Self, Copy, Image or Memory, so that no two clash.
+// name followed by Step, Init, Safe, Self, Copy, Image, Memory, First or Second, so that no two clash.
 #include "compiler/emit/c/app.h"
 
 #include <string.h>
@@ -41,6 +41,24 @@ static void init_emitter(AppEmitter *e, Arena *arena, const App *app, Buf *out)
     names_assign_runtime(arena, &e->vector.names, app->sv, &e->names);
 }
 
+static bool has_swaps(const App *app)
+{
+    for (size_t i = 0; i < app->machine.n; i++)
+        if (app->machine.at[i]->swap)
+            return true;
+    return false;
+}
+
+// Whether the executor runs a machine that can be swapped.
+static bool has_gate(const AppExecutor *x)
+{
+    for (size_t r = 0; r < x->rate.n; r++)
+        for (size_t t = 0; t < x->rate.at[r]->task.n; t++)
+            if (x->rate.at[r]->task.at[t]->machine && x->rate.at[r]->task.at[t]->machine->swap)
+                return true;
+    return false;
+}
+
 // Returns the address of an element's SmElement.
 static const char *element_address(const AppEmitter *e, const Element *x)
 {
@@ -57,7 +75,8 @@ static void write_title(const AppEmitter *e)
 
 static void write_header_includes(const AppEmitter *e)
 {
-    buf_printf(e->out, "#include \"runtime-c/sm.h\"\n#include \"%s.h\"\n", e->app->sv->name->text);
+    buf_printf(e->out, "#include \"runtime-c/sm.h\"\n%s#include \"%s.h\"\n", has_swaps(e->app) ? "#include \"runtime-c/swap.h\"\n" : "",
+               e->app->sv->name->text);
 }
 
 // Writes the prototypes of the functions that the user writes for a task.
@@ -91,8 +110,10 @@ static void write_header(const AppEmitter *e)
     buf_printf(e->out, "#ifndef %s_APP_H_INCLUDED\n#define %s_APP_H_INCLUDED\n\n", macro, macro);
     write_header_includes(e);
     buf_str(e->out, "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
-    buf_printf(e->out, "extern SmApp %s_app;\n\n// ---- you write these: runtime-c/task.h documents them ----\n",
-               e->prefix);
+    buf_printf(e->out, "extern SmApp %s_app;\n", e->prefix);
+    if (has_swaps(e->app))
+        buf_printf(e->out, "extern SmSwaps %s_swaps;        // runtime-c/swap.h\n", e->prefix);
+    buf_str(e->out, "\n// ---- you write these: runtime-c/task.h documents them ----\n");
     write_user_prototypes(e);
     buf_str(e->out, "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
 }
@@ -113,8 +134,8 @@ static void write_machine_row(const AppEmitter *e, const AppMachine *m)
 {
     const char *n = m->name->text, *type = format_in(e->arena, "%s_machine", make_identifier(e->arena, m->program->name->text));
 
-    buf_printf(e->out, "    {.name = \"%s\", .type = &%s, .self = &%sSelf, .sv = &%s_vector, .events = &events", n,
-               m->bytecode ? "smvm_machine_type" : type, n, e->sv);
+    buf_printf(e->out, "    {.name = \"%s\", .type = &%s, .self = &%sSelf%s, .sv = &%s_vector, .events = &events", n,
+               m->bytecode ? "smvm_machine_type" : type, n, m->swap ? "[0]" : "", e->sv);
     if (has_lock(e))
         buf_printf(e->out, ", .copy = %sCopy", n);
     if (m->initial)
@@ -138,8 +159,27 @@ static unsigned window_words(const SmvmMachine *m)
     return words;
 }
 
-// Writes a machine's image as a constant array, the static memory of the VM that runs it, and the SmvmTarget that refers to both.
-static void write_image_and_memory(const AppMachine *m, const Buf *image, Buf *out)
+// Writes the initialiser of the SmvmTarget that runs a machine's image.
+static void write_target(const char *n, Buf *out)
+{
+    buf_printf(out, "{.image = SMVM_IMAGE(%sImage), .size = sizeof %sImage, .memory = %sMemory, .memory_size = sizeof %sMemory}", n, n, n, n);
+}
+
+// Writes the two slots of a machine that can be swapped.  The first one runs at the start.
+static void write_slots(const AppEmitter *e, const AppMachine *m)
+{
+    const char *n = m->name->text;
+    const unsigned words = (unsigned)(e->app->swap_room / 8), longest = (unsigned)m->longest;
+
+    buf_printf(e->out, "static uint64_t %sFirst[%u], %sSecond[%u];        // for images that replace it\n", n, words, n, words);
+    buf_printf(e->out, "static SmvmSlot %sSelf[2] = {\n    {.target = ", n);
+    write_target(n, e->out);
+    buf_printf(e->out, ",\n     .memory = %sFirst, .size = sizeof %sFirst, .longest = %u},\n", n, n, longest);
+    buf_printf(e->out, "    {.memory = %sSecond, .size = sizeof %sSecond, .longest = %u},\n};\n", n, n, longest);
+}
+
+// Writes a machine's image as a constant array, the static memory of the VM that runs it, and what refers to both: an SmvmTarget or two slots.
+static void write_image_and_memory(const AppEmitter *e, const AppMachine *m, const Buf *image, Buf *out)
 {
     const char *n = m->name->text;
     SmvmMachine vm;
@@ -151,10 +191,13 @@ static void write_image_and_memory(const AppMachine *m, const Buf *image, Buf *o
                "\n};\nstatic uint64_t %sMemory[SMVM_WORDS(%u, %u, %u, %u)];"
                "        // windows, their words, bytes of locals, outputs\n",
                n, (unsigned)vm.windows, window_words(&vm), (unsigned)vm.locals, (unsigned)vm.outputs);
-    buf_printf(out,
-               "static SmvmTarget %sSelf = {.image = SMVM_IMAGE(%sImage), .size = sizeof %sImage, "
-               ".memory = %sMemory, .memory_size = sizeof %sMemory};\n",
-               n, n, n, n, n);
+    if (m->swap) {
+        write_slots(e, m);
+        return;
+    }
+    buf_printf(out, "static SmvmTarget %sSelf = ", n);
+    write_target(n, out);
+    buf_str(out, ";\n");
 }
 
 static void write_machines(const AppEmitter *e)
@@ -165,7 +208,7 @@ static void write_machines(const AppEmitter *e)
     for (size_t i = 0; i < e->app->machine.n; i++) {
         const AppMachine *m = e->app->machine.at[i];
         if (m->bytecode)
-            write_image_and_memory(m, e->image[i], e->out);
+            write_image_and_memory(e, m, e->image[i], e->out);
         else
             buf_printf(e->out, "static %s %sSelf;\n", machine_type_name(e, m), m->name->text);
         if (has_lock(e))
@@ -178,7 +221,7 @@ static void write_machines(const AppEmitter *e)
     buf_str(e->out, "};\n");
 }
 
-// ---- log, saved state vector ----
+// ---- swaps ----
 
 static bool has_task(const AppEmitter *e, AstAppTaskKind kind)
 {
@@ -187,6 +230,71 @@ static bool has_task(const AppEmitter *e, AstAppTaskKind kind)
             return true;
     return false;
 }
+
+// Returns the index of a machine among those that can be swapped.
+static unsigned swappable_index(const App *app, const AppMachine *m)
+{
+    unsigned n = 0;
+
+    for (size_t i = 0; app->machine.at[i] != m; i++)
+        n += app->machine.at[i]->swap;
+    return n;
+}
+
+// Writes the row of each machine that executor x runs and that can be swapped.  `gate`: the index of the executor's gate.
+static void write_swappables_of(const AppEmitter *e, const AppExecutor *x, unsigned gate)
+{
+    for (size_t r = 0; r < x->rate.n; r++)
+        for (size_t t = 0; t < x->rate.at[r]->task.n; t++) {
+            const AppMachine *m = x->rate.at[r]->task.at[t]->machine;
+            if (m && m->swap)
+                buf_printf(e->out, "    {.machine = &machines[%u], .type = &smvm_slot_type, .slot = {&%sSelf[0], &%sSelf[1]}, .executor = %u},\n",
+                           (unsigned)m->number, m->name->text, m->name->text, gate);
+        }
+}
+
+// Writes the gates and their tasks: of each gate, the task at the beginning of a tick and the one at its end.
+static void write_gates(const AppEmitter *e, unsigned gates)
+{
+    const unsigned number = (unsigned)e->app->task.n;
+
+    buf_str(e->out, "static SmSwapGate gates[] = {\n");
+    for (unsigned g = 0; g < gates; g++)
+        buf_printf(e->out, "    {.swaps = &%s_swaps},\n", e->prefix);
+    buf_str(e->out, "};\nstatic SmTask gateTasks[] = {\n");
+    for (unsigned g = 0; g < gates; g++)
+        buf_printf(e->out,
+                   "    {.name = \"swap\", .init = sm_swap_gate_init, .step = sm_swap_gate_enter, .context = &gates[%u], .number = %u},\n"
+                   "    {.name = \"swap\", .step = sm_swap_gate_leave, .context = &gates[%u], .number = %u},\n", g, number, g, number);
+    buf_str(e->out, "};\nstatic SmTask *const gateOrder[] = {\n");
+    for (unsigned i = 0; i < 2 * gates; i++)
+        buf_printf(e->out, "    &gateTasks[%u],\n", i);
+    buf_str(e->out, "};\n");
+}
+
+// Writes the tables of runtime-c/swap.h.
+static void write_swaps(const AppEmitter *e)
+{
+    unsigned gates = 0;
+
+    if (!has_swaps(e->app))
+        return;
+    buf_str(e->out, "\n// ---- swaps ----\n\nstatic SmSwappable swappables[] = {\n");
+    for (size_t x = 0; x < e->app->executor.n; x++)
+        if (has_gate(e->app->executor.at[x]))
+            write_swappables_of(e, e->app->executor.at[x], gates++);
+    buf_str(e->out, "};\n");
+    write_gates(e, gates);
+    buf_printf(e->out, "\nSmSwaps %s_swaps = {\n    .writing = SM_SWAP_WRITING, .next = %s, .machine = swappables, "
+                       ".machines = sizeof swappables / sizeof *swappables,\n    .gate = gates, .gates = %u, .trial = %u, "
+                       ".sv = &%s_vector, .events = &events", e->prefix,
+               has_task(e, AST_TASK_keep) || has_task(e, AST_TASK_log) ? "&sm_writing" : "NULL", gates, (unsigned)e->app->swap_trial, e->sv);
+    if (e->app->armed)
+        buf_printf(e->out, ", .armed = %s", element_address(e, e->app->armed));
+    buf_str(e->out, "\n};\n");
+}
+
+// ---- log, saved state vector ----
 
 // Returns the number of bytes of the state vector without padding.
 static unsigned packed_size(const StateVec *sv)
@@ -216,13 +324,16 @@ static const char *escape_string(const AppEmitter *e, Str text)
     return buf_text(&b);
 }
 
-static void write_name_table(const AppEmitter *e, const char *table, bool tasks)
+// Writes the names of all tasks or executors, and `more` if it is not NULL.
+static void write_name_table(const AppEmitter *e, const char *table, bool tasks, const char *more)
 {
     size_t n = tasks ? e->app->task.n : e->app->executor.n;
 
     buf_printf(e->out, "static const char *const %s[] = {\n", table);
     for (size_t i = 0; i < n; i++)
         buf_printf(e->out, "    \"%s\",\n", tasks ? e->app->task.at[i]->name->text : e->app->executor.at[i]->name->text);
+    if (more)
+        buf_printf(e->out, "    \"%s\",\n", more);
     buf_str(e->out, "};\n");
 }
 
@@ -236,18 +347,21 @@ static void write_log(const AppEmitter *e)
     if (a->machine.n) {
         buf_str(e->out, "static const SmMachine *const logged[] = {\n");
         for (size_t i = 0; i < a->machine.n; i++)
-            buf_printf(e->out, "    &machines[%u],\n", (unsigned)i);
+            if (a->machine.at[i]->swap)
+                buf_printf(e->out, "    &swappables[%u].logged,\n", swappable_index(a, a->machine.at[i]));
+            else
+                buf_printf(e->out, "    &machines[%u],\n", (unsigned)i);
         buf_str(e->out, "};\n");
     }
-    write_name_table(e, "taskNames", true);
-    write_name_table(e, "executorNames", false);
+    write_name_table(e, "taskNames", true, has_swaps(a) ? "swap" : NULL);
+    write_name_table(e, "executorNames", false, NULL);
     buf_printf(e->out, "static uint8_t logBuffer[%u];\n", (unsigned)a->log_room);
     buf_printf(e->out, "static SmLog flightLog = {\n    .file = \"%s\", .sv = &%s_vector, .names = &%s_names, .events = &events,\n",
                escape_string(e, a->log), e->sv, e->sv);
     if (a->machine.n)
         buf_printf(e->out, "    .machine = logged, .machines = %u,\n", (unsigned)a->machine.n);
-    buf_printf(e->out, "    .task = taskNames, .tasks = %u, .executor = executorNames, .executors = %u,\n", (unsigned)a->task.n,
-               (unsigned)a->executor.n);
+    buf_printf(e->out, "    .task = taskNames, .tasks = %u, .executor = executorNames, .executors = %u,\n",
+               (unsigned)(a->task.n + has_swaps(a)), (unsigned)a->executor.n);
     buf_str(e->out, "    .buffer = logBuffer, .room = sizeof logBuffer\n};\n");
 }
 
@@ -302,8 +416,12 @@ static void write_task_functions(const AppEmitter *e, const AppTask *t)
             buf_printf(e->out, ", .safe = %sSafe", n);
         break;
     case AST_TASK_machine:
-        buf_printf(e->out, ".init = sm_machine_init, .step = sm_machine_step, .context = &machines[%u]",
-                   (unsigned)t->machine->number);
+        if (t->machine->swap)
+            buf_printf(e->out, ".init = sm_swappable_init, .step = sm_swappable_step, .context = &swappables[%u]",
+                       swappable_index(e->app, t->machine));
+        else
+            buf_printf(e->out, ".init = sm_machine_init, .step = sm_machine_step, .context = &machines[%u]",
+                       (unsigned)t->machine->number);
         break;
     case AST_TASK_inputs:
         buf_printf(e->out, ".init = sm_inputs_init, .step = sm_inputs_step, .context = &%s_inputs", e->io);
@@ -348,19 +466,32 @@ static void write_tasks(const AppEmitter *e)
 
 // ---- executors ----
 
+// Writes the rate group of a task of a gate, which runs at each tick.
+static void write_gate_rate(const AppEmitter *e, const AppExecutor *x, unsigned task)
+{
+    if (has_gate(x))
+        buf_printf(e->out, "    {.every = 1, .tasks = 1, .task = &gateOrder[%u]},        // [%s] swaps\n", task, x->name->text);
+}
+
 static void write_rate_table(const AppEmitter *e)
 {
     size_t task = 0;
+    unsigned gate = 0;
 
     buf_str(e->out, "\n// ---- executors ----\n\nstatic const SmRate rates[] = {\n");
-    for (size_t x = 0; x < e->app->executor.n; x++)
-        for (size_t r = 0; r < e->app->executor.at[x]->rate.n; r++) {
-            const AppRate *rate = e->app->executor.at[x]->rate.at[r];
+    for (size_t x = 0; x < e->app->executor.n; x++) {
+        const AppExecutor *executor = e->app->executor.at[x];
+        write_gate_rate(e, executor, gate);
+        for (size_t r = 0; r < executor->rate.n; r++) {
+            const AppRate *rate = executor->rate.at[r];
             buf_printf(e->out, "    {.every = %u, .tasks = %u, .task = &order[%u]},        // [%s] every %s\n",
-                       (unsigned)rate->every, (unsigned)rate->task.n, (unsigned)task, e->app->executor.at[x]->name->text,
+                       (unsigned)rate->every, (unsigned)rate->task.n, (unsigned)task, executor->name->text,
                        app_time_text(e->arena, rate->period));
             task += rate->task.n;
         }
+        write_gate_rate(e, executor, gate + 1);
+        gate += has_gate(executor) ? 2 : 0;
+    }
     buf_str(e->out, "};\n");
 }
 
@@ -379,12 +510,15 @@ static void write_vitals_field(const AppEmitter *e, const AppExecutor *x)
         buf_str(e->out, "},\n");
 }
 
+// Returns the number of an executor's rate groups, with those of its gate.
+static size_t rate_count(const AppExecutor *x) { return x->rate.n + (has_gate(x) ? 2 : 0); }
+
 // Writes the initialiser of an SmExecutor, whose rates begin at index first_rate of the array `rates`.
 static void write_executor_row(const AppEmitter *e, const AppExecutor *x, size_t number, size_t first_rate)
 {
     buf_printf(e->out, "    {.name = \"%s\", .period = %lluu, .rate = &rates[%u], .rates = %u", x->name->text,
                (unsigned long long)x->period,
-               (unsigned)first_rate, (unsigned)x->rate.n);
+               (unsigned)first_rate, (unsigned)rate_count(x));
     if (x->priority)
         buf_printf(e->out, ", .priority = %u", (unsigned)x->priority);
     if (x->catch_up)
@@ -404,7 +538,7 @@ static void write_executors(const AppEmitter *e)
     buf_str(e->out, "\nstatic SmExecutor executors[] = {\n");
     for (size_t x = 0; x < e->app->executor.n; x++) {
         write_executor_row(e, e->app->executor.at[x], x, rate);
-        rate += e->app->executor.at[x]->rate.n;
+        rate += rate_count(e->app->executor.at[x]);
     }
     buf_str(e->out, "};\n\nstatic SmExecutor *const threads[] = {\n");
     for (size_t x = 0; x < e->app->executor.n; x++)
@@ -452,7 +586,9 @@ static void write_app_and_main(const AppEmitter *e)
         buf_str(e->out, "    .keep = &keeper,\n");
     if (has_task(e, AST_TASK_log))
         buf_str(e->out, "    .log = &flightLog,\n");
-    if (has_task(e, AST_TASK_keep) || has_task(e, AST_TASK_log))
+    if (has_swaps(e->app))
+        buf_printf(e->out, "    .writing = &%s_swaps.writing,\n", e->prefix);
+    else if (has_task(e, AST_TASK_keep) || has_task(e, AST_TASK_log))
         buf_str(e->out, "    .writing = &sm_writing,\n");
     if (has_task(e, AST_TASK_inputs))
         buf_printf(e->out, "    .inputs = &%s_inputs,\n", e->io);
@@ -477,7 +613,7 @@ static void write_code_includes(const AppEmitter *e)
             buf_printf(e->out, "#include \"%s.h\"\n", e->app->machine.at[i]->program->name->text);
     }
     if (bytecode)
-        buf_str(e->out, "#include \"bytecode-vm/target/machine.h\"\n");
+        buf_printf(e->out, "#include \"bytecode-vm/target/%s.h\"\n", has_swaps(e->app) ? "slot" : "machine");
     if (e->app->start.n)
         buf_str(e->out, "#include \"stdlib/convert.h\"\n");
 }
@@ -496,6 +632,7 @@ void emit_c_app(Arena *arena, const App *app, const Buf *const *image, Buf *head
                (unsigned)app->events,
                (unsigned)app->events, has_lock(&e) ? "true" : "false");
     write_machines(&e);
+    write_swaps(&e);
     write_log(&e);
     write_keeper(&e);
     write_tasks(&e);

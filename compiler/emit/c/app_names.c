@@ -104,7 +104,7 @@ static void claim_machine(CNameClaims *k, const Program *p)
 // Claims the names of the functions that the user writes for a task, and the static names that the application's file derives from its name.
 static void claim_task(CNameClaims *k, const AppTask *t)
 {
-    static const char *const machines[] = {"Self", "Copy", "Image", "Memory"};
+    static const char *const machines[] = {"Self", "Copy", "Image", "Memory", "First", "Second"};
     const char *n = t->name->text;
     const CNameOwner *o = new_owner(k, t->span, format_in(k->arena, "task '%s'", n));
 
@@ -142,6 +142,7 @@ bool emit_c_check_app_names(Arena *arena, Diags *diags, const App *app)
 {
     static const char *const pins[] = {"_inputs", "_outputs"};
     CNameClaims k;
+    const CNameOwner *application;
     const char *name = app->name->text;
 
     memset(&k, 0, sizeof k);
@@ -154,8 +155,11 @@ bool emit_c_check_app_names(Arena *arena, Diags *diags, const App *app)
     if (app->pins)
         CLAIM_NAMES(&k, c_identifier(arena, app->io_name->text, app->io_name->len), pins,
                   new_owner(&k, (Span){app->pins->src, 0, 0}, "the pins"));
-    claim_name(&k, format_in(arena, "%s_app", c_identifier(arena, name, strlen(name))),
-          new_owner(&k, (Span){app->src, 0, 0}, "the application"));
+    application = new_owner(&k, (Span){app->src, 0, 0}, "the application");
+    claim_name(&k, format_in(arena, "%s_app", c_identifier(arena, name, strlen(name))), application);
+    for (size_t i = 0; i < app->machine.n; i++)
+        if (app->machine.at[i]->swap)
+            claim_name(&k, format_in(arena, "%s_swaps", c_identifier(arena, name, strlen(name))), application);
     for (size_t i = 0; i < app->task.n; i++)
         claim_task(&k, app->task.at[i]);
     return !k.clash;

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// Swaps: replaces machines of an application while it runs (docs/swapping.md 12.21 to 12.34).  One or several machines are exchanged
+// between two ticks, all of them or none.  If a swap is refused or its preparation ends early, the old machines run on.
+//
+//     static const SmSwapChange change = {.machine = "tank", .image = image, .size = n, .mode = SM_SWAP_CONTINUE};
+//     SmSwapStatus s;
+//     if (sm_swap_begin(&stand_swaps, &change, 1) == SM_OK)
+//         do sm_swap_status(&stand_swaps, &s); while (s.phase == SM_SWAP_PREPARING || s.phase == SM_SWAP_WAITING);      // in a thread that may wait
+//     if (s.phase == SM_SWAP_TRIAL && …the machine does what it should…)
+//         sm_swap_confirm(&stand_swaps);
+//
+// Phases of a swap:
+//
+//   sm_swap_begin ──▶ PREPARING ──▶ WAITING ──▶ TRIAL ──▶ CONFIRMED         by sm_swap_confirm
+//                         │            │          └─────▶ RETURNED          the old machines run again
+//                         └────────────┴────────────────▶ REFUSED           `reason` and `machine` say why
+//
+// PREPARING   The thread that writes the log, which has no deadline, copies the images, verifies and decodes them, and plans what is kept.
+//             It uses no memory that a task uses.
+// WAITING     At the end of a tick, if all executors of the concerned machines are between two ticks, the executor checks the remaining
+//             conditions.  If all are met it exchanges all machines, which takes a pointer and a copy of what each machine keeps.
+// TRIAL       The old machines are still in memory.  They return if a machine on trial has stepped `trial` times without a confirmation,
+//             or has entered a state marked @abort.
+//
+// The application has two slots of memory for each machine that can be swapped.  Nothing is allocated.  The machine in one slot runs, the
+// other slot receives the next one.  smc generates all tables from a .app with @swap (docs/config.md 10.21).
+#ifndef SM_SWAP_H
+#define SM_SWAP_H
+
+#include "runtime-c/app.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum SmSwapReason {
+    SM_SWAP_NOT_REFUSED = 0,
+#define SM_SWAP(name, number, text) SM_SWAP_NO_##name = number,
+#include "runtime-c/swaps.def"
+#undef SM_SWAP
+} SmSwapReason;
+
+typedef enum SmSwapMode {
+    SM_SWAP_RESTART = 1,      // the new machine starts, in a state that the swap names or in its first
+    SM_SWAP_CONTINUE = 2      // the new machine continues in the state of the same name
+} SmSwapMode;
+
+typedef enum SmSwapPhase {
+    SM_SWAP_IDLE,             // no swap has begun yet
+    SM_SWAP_PREPARING, SM_SWAP_WAITING, SM_SWAP_TRIAL,            // a swap is in progress: another one cannot begin
+    SM_SWAP_CONFIRMED, SM_SWAP_RETURNED, SM_SWAP_REFUSED          // it has ended
+} SmSwapPhase;
+
+// How a trial ends: a of event TRIAL.
+typedef enum SmSwapEnd { SM_SWAP_WAS_CONFIRMED = 1, SM_SWAP_TOOK_TOO_LONG = 2, SM_SWAP_ABORTED = 3 } SmSwapEnd;
+
+// One machine of a swap.  What it points to must stay unchanged while the swap is PREPARING.
+typedef struct SmSwapChange {
+    const char *machine;      // its name in the application
+    const uint8_t *image;     // the new image (.smb), with one machine
+    uint32_t size;            // bytes
+    uint8_t mode;             // SmSwapMode; there is no default
+    const char *state;        // to restart: the name of the first state; NULL: the first of the machine
+} SmSwapChange;
+
+typedef struct SmSwapStatus {
+    SmSwapPhase phase;
+    SmSwapReason reason;      // REFUSED: why
+    uint16_t machine;         // REFUSED: which machine, an index into SmSwaps.machine.  SM_SWAP_NO_MACHINE: an index into the changes
+    SmSwapEnd end;            // CONFIRMED and RETURNED: how the trial ended
+    uint32_t number;          // how many swaps have begun, modulo 2^32
+} SmSwapStatus;
+
+// ---- the tables of an application ----
+
+// What is specific to the kind of a machine: bytecode-vm/target/slot.h for images.  `slot`, `from` and `to` are memory for one machine each;
+// `m` is the machine that runs in one of them.
+typedef struct SmSwapType {
+    // Reads the machine that runs at the start.
+    void (*init)(void *slot);
+    // Runs part `part` of the preparation of the machine in `to`, which does not run.  Called for parts 0 to parts - 1 in order.
+    uint8_t parts;
+    SmSwapReason (*prepare)(void *to, const void *from, const SmSwapChange *change, const SmMachine *m, uint8_t part);
+    // Whether `to` may replace `from` now.
+    SmSwapReason (*check)(const void *from, const void *to, uint8_t mode);
+    // Replaces `from` by `to`.  Called inside a critical section of the state vector.  Cannot fail once `check` has succeeded.
+    void (*exchange)(const void *from, void *to, uint8_t mode, const SmMachine *m);
+    // The same for the return of the old machine in `to`.  Returns whether it continues; otherwise it restarts in its first @safe state.
+    bool (*give_back)(const void *from, void *to, const SmMachine *m);
+    // Whether the state that the next step runs is marked @abort.
+    bool (*is_aborting)(const void *slot);
+    // The checksum of the image; 0: the preparation has not yet accepted an image.
+    uint32_t (*identity)(const void *slot);
+} SmSwapType;
+
+// A machine that can be swapped.
+typedef struct SmSwappable {
+    SmMachine *machine;       // its `self` is slot[0] at the start
+    const SmSwapType *type;
+    void *slot[2];
+    uint16_t executor;        // the index of its executor in SmSwaps.gate
+    // The fields below belong to the runtime; initially all zero.
+    uint8_t running;          // index of the slot that runs
+    bool concerned;           // the current swap replaces it
+    SmSwapChange change;
+    uint32_t steps;           // number of steps since the exchange
+    bool was_aborting;        // at the last check, its state was marked @abort
+    SmMachine logged;         // for SmLog.machine: has the names of the image that ran when the last preparation began
+    const void *unnamed;      // the slot whose names are not in the log yet; or NULL
+} SmSwappable;
+
+// An executor that runs such machines, or any other one.
+typedef struct SmSwapGate {
+    struct SmSwaps *swaps;
+    bool is_in_tick;          // belongs to the runtime
+} SmSwapGate;
+
+// `writing` is the first field, because SmApp.writing points to it.
+typedef struct SmSwaps {
+    SmWriting writing;        // SM_SWAP_WRITING
+    const SmWriting *next;    // &sm_writing if the application has a log or saves its state vector; else NULL
+    SmSwappable *machine;
+    uint16_t machines;
+    SmSwapGate *gate;         // by executor
+    uint16_t gates;
+    uint32_t trial;           // how many steps a machine is on trial: at least 1
+    SmStateVec *sv;
+    SmEvents *events;
+    const SmElement *armed;   // a bool: while it is true, swaps are refused; NULL: never
+    // The fields below belong to the runtime; initially all zero.
+    uint32_t is_open;         // shared.h: the lock is open
+    PalLock lock;             // protects everything below, SmSwapGate.is_in_tick, and what SmSwappable has for the runtime
+    SmSwapStatus status;
+    bool refusal_due;         // the refusal is not yet in the events
+    bool end_due;             // the confirmation is not yet in the events
+    uint16_t at;              // PREPARING: the machine that is being prepared
+    uint8_t part;             // PREPARING: the next part of its preparation
+    uint32_t tries;           // WAITING: how many ticks have ended in which an executor was inside another one
+} SmSwaps;
+
+#define SM_SWAP_WRITING {sm_swaps_restore, sm_swaps_write, sm_swaps_close}
+
+// ---- swaps: can be called from any task or thread ----
+
+// Begins a swap of n machines.  SM_E_BUSY: another one is in progress, or ended in the current tick, or the application has not started.  SM_E_ARGUMENT: n is 0, or a pointer is NULL.  SM_E_TIMEOUT: a
+// thread has ended inside a critical section, so no swap is possible any more.  Every other problem is in the status.
+SmResult sm_swap_begin(SmSwaps *s, const SmSwapChange *change, uint16_t n);
+
+// Reads the status of the last swap.  SM_E_BUSY: the application has not started.
+SmResult sm_swap_status(SmSwaps *s, SmSwapStatus *status);
+
+// Ends the trial: the new machines stay.  SM_E_ARGUMENT: no machine is on trial.
+SmResult sm_swap_confirm(SmSwaps *s);
+
+// Returns the sentence of a reason; "" for an unknown one.
+const char *sm_swap_reason_text(SmSwapReason reason);
+
+// ---- called by the generated tables ----
+
+// SmTaskInit and SmTaskStep of a machine that can be swapped; the context is an SmSwappable.
+SmResult sm_swappable_init(void *swappable);
+SmResult sm_swappable_step(void *swappable, const SmTick *tick);
+
+// The first and the last task of each executor, in rate groups of their own that run at every tick; the context is an SmSwapGate.
+SmResult sm_swap_gate_init(void *gate);
+SmResult sm_swap_gate_enter(void *gate, const SmTick *tick);
+SmResult sm_swap_gate_leave(void *gate, const SmTick *tick);
+
+// The functions of SM_SWAP_WRITING.
+SmResult sm_swaps_restore(struct SmApp *app);
+void sm_swaps_write(struct SmApp *app, uint64_t budget);
+void sm_swaps_close(struct SmApp *app, const SmTick *last);
+
+// Runs the next part of a preparation.  Returns false if there was none.  Only one thread may call it.
+bool sm_swaps_prepare(SmSwaps *s);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

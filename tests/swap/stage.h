@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// An application with two machines that can be swapped, for the tests of runtime-c/swap.h.  The test runs its ticks and its preparations.
+#ifndef SM_SWAP_STAGE_H
+#define SM_SWAP_STAGE_H
+
+#include "bytecode-vm/target/slot.h"
+#include "tests/swap/machine.h"
+
+// The state vector: elements, and their offsets.
+#define STAGE_SV "[Stage]\nU64 time\nU32 sa\nU32 sb\nF64 p\nF64 out\nF64 more\nbool armed\n"
+enum { AT_TIME = 0, AT_SA = 8, AT_SB = 12, AT_P = 16, AT_OUT = 24, AT_MORE = 32, AT_ARMED = 40, STAGE_SIZE = 48 };
+
+// The beginning of the source of machine "a", and of machine "b".
+#define A "[state_vector]\nU64 time @alias G\nU32 sa @alias S\nF64 p\nF64 out\n"
+#define B "[state_vector]\nU64 time @alias G\nU32 sb @alias S\nF64 p\nF64 more\n"
+
+enum { STAGE_ROOM = 16384, STAGE_EVENTS = 64, STAGE_WORKERS = 5 };
+
+typedef struct Stage {
+    SmSwaps swaps;
+    SmvmSlot slot[2][2];      // by machine and slot
+    SmSwappable machine[2];
+    SmSwapGate gate[2];
+    SmExecutor executor[2];
+    uint32_t calls[STAGE_WORKERS];        // of each other task
+    SmEvents events;
+    SmApp app;
+} Stage;
+
+extern Stage stage;
+
+typedef struct StagePlan {
+    const SwapMachine *a, *b; // b may be NULL
+    uint32_t room;            // bytes of each slot, at most STAGE_ROOM
+    uint32_t trial;           // 0: 100
+    uint32_t longest;
+    bool two_executors;       // b has an executor of its own
+    bool guarded, decoded;
+    uint64_t period[2];       // of each executor, in nanoseconds; 0: 1 ms
+    void (*act)(const SmTick *tick);      // called once a tick in the first executor, after the machines; or NULL
+} StagePlan;
+
+// Sets up the application, with nothing running, and initialises its tasks.
+void stage_begin(const StagePlan *plan);
+// The same without initialising the tasks, for sm_app_run.
+void stage_set_up(const StagePlan *plan);
+
+void stage_tick(unsigned executor);       // runs the next tick of an executor
+// Ticks the first executor, with a part of the preparation between two ticks, until the swap is not PREPARING or WAITING any more.
+void stage_settle(void);
+
+SmSwapStatus stage_status(void);
+SmSwapPhase stage_phase(void);
+double stage_number(uint32_t at);         // element values
+uint32_t stage_u32(uint32_t at);
+void stage_set_number(uint32_t at, double value);
+void stage_arm(bool armed);
+
+// Begins a swap of machine "a" (or "b") by an image.
+SmResult stage_swap(const char *name, const SwapMachine *to, SmSwapMode mode, const char *state);
+
+// Returns the number of events of a kind since stage_begin; *last receives the last one.
+unsigned stage_events(SmEventKind kind, SmEvent *last);
+uint32_t stage_identity(const SwapMachine *m);
+
+#endif

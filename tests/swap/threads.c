@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Swaps between threads, on Linux: two executors with a machine each, the thread that prepares, and one that asks.  A step that is
+// lost or runs twice shows in the sum that a machine computes.  Runs for SECONDS, also under the thread sanitizer.
+#define _POSIX_C_SOURCE 200809L
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "runtime-c/pal/clock.h"
+#include "runtime-c/shared.h"
+#include "tests/swap/stage.h"
+#include "tests/test.h"
+
+// Both machines add to their element; a swap never changes it.
+#define COUNT(elements, element, by) elements "[local]\nU32 n = 0\n[A] @swap\n.step\nn = n + 1\n" element " = " element " + " #by "\n"
+
+static SwapMachine machine[2][2];
+static uint32_t ended;
+static unsigned confirmed, returned, both, refused;
+static SmSwapStatus last;
+
+static unsigned long draw(void)
+{
+    static uint64_t seed = 1;
+
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    return (unsigned long)(seed >> 33);
+}
+
+static const SwapMachine *other_image(unsigned i) { return &machine[i][draw() & 1]; }
+
+// Begins a swap of one machine, or of both.
+static void begin(void)
+{
+    const SwapMachine *a = other_image(0), *b = other_image(1);
+    const uint8_t mode = (uint8_t)(draw() % 4 != 0 ? SM_SWAP_CONTINUE : SM_SWAP_RESTART);
+    const SmSwapChange change[] = {{"a", a->image, a->image_size, mode, NULL}, {"b", b->image, b->image_size, mode, NULL}};
+    const unsigned first = (unsigned)(draw() & 1), n = draw() & 1 ? 2 : 1;
+
+    if (sm_swap_begin(&stage.swaps, n == 2 ? change : &change[first], (uint16_t)n) == SM_OK)
+        both += n == 2;
+}
+
+// The thread that asks: begins swaps, confirms half of them, and counts how they end.
+static void *ask(void *argument)
+{
+    (void)argument;
+    while (!sm_shared_read(&ended)) {
+        const SmSwapStatus s = stage_status();
+        if (s.phase == SM_SWAP_TRIAL && s.number != last.number) {
+            last = s;
+            if (s.number & 1)
+                (void)sm_swap_confirm(&stage.swaps);
+        }
+        if (s.phase == SM_SWAP_CONFIRMED || s.phase == SM_SWAP_RETURNED || s.phase == SM_SWAP_REFUSED || s.phase == SM_SWAP_IDLE) {
+            confirmed += s.phase == SM_SWAP_CONFIRMED;
+            returned += s.phase == SM_SWAP_RETURNED;
+            refused += s.phase == SM_SWAP_REFUSED;
+            begin();
+        }
+        (void)pal_clock_sleep_until(pal_clock_now() + 100 * PAL_MICROSECOND);
+    }
+    return NULL;
+}
+
+static uint64_t run_time;
+
+static void act(const SmTick *tick)
+{
+    if (tick->time >= run_time)
+        sm_app_stop(&stage.app);
+}
+
+int main(int argc, char **argv)
+{
+    const StagePlan plan = {.a = &machine[0][0], .b = &machine[1][0], .room = STAGE_ROOM, .trial = 30, .two_executors = true, .guarded = true,
+                            .period = {200 * PAL_MICROSECOND, 300 * PAL_MICROSECOND}, .act = act};
+    pthread_t thread;
+
+    run_time = (argc > 1 ? strtoul(argv[1], NULL, 10) : 3) * (uint64_t)PAL_SECOND;
+    machine_compile(&machine[0][0], COUNT(A, "out", 1), STAGE_SV, 2, true);
+    machine_compile(&machine[0][1], COUNT(A, "out", 1000), STAGE_SV, 2, true);
+    machine_compile(&machine[1][0], COUNT(B, "more", 1), STAGE_SV, 2, true);
+    machine_compile(&machine[1][1], COUNT(B, "more", 1000), STAGE_SV, 2, true);
+    stage_set_up(&plan);
+    CHECK(pthread_create(&thread, NULL, ask, NULL) == 0);
+    CHECK(sm_app_run(&stage.app) == SM_OK);
+    sm_shared_write(&ended, 1);
+    CHECK(pthread_join(thread, NULL) == 0);
+    fprintf(stderr, "%u swaps confirmed, %u returned, %u refused, %u of both machines\n", confirmed, returned, refused, both);
+    CHECK(confirmed > 10 && returned > 10 && both > 5 && refused == 0);
+    for (int i = 0; i < 2; i++) {
+        // Each tick was one step, of one of the images, which added 1 or 1000.  A step is refused where the other executor was ahead.
+        const uint64_t sum = (uint64_t)stage_number(i == 0 ? AT_OUT : AT_MORE), steps = stage.executor[i].ticks - stage.machine[i].machine->refused;
+        CHECK(steps > 1000 && sum >= steps && (sum - steps) % 999 == 0);
+    }
+    return test_end("swap/threads");
+}
