@@ -20,7 +20,9 @@
 #define ASSUME(condition) (void)0
 #endif
 
-static inline uint64_t *window_words(const SmvmWord *w) { return (uint64_t *)w->p; }
+static inline uint64_t *window_ring(const SmvmWord *w) { return (uint64_t *)w->p; }
+static inline uint64_t *window_words(const SmvmWord *w) { return (uint64_t *)w->p + 1; }
+static inline SmRollSize window_count(const SmvmWord *w) { return sm_roll_count(window_ring(w)); }
 // Returns the number of slots of a window; the decoder has selected the instruction for windows of at most `most` slots.
 static inline uint32_t window_size(const SmvmWord *w, uint32_t most)
 {
@@ -53,15 +55,14 @@ static inline uint32_t window_size(const SmvmWord *w, uint32_t most)
     }                                                                                                                                      \
     static inline SmF64 avg_##K(const SmvmWord *w)                                                                                         \
     {                                                                                                                                      \
-        const uint64_t *const words = window_words(w);                                                                                     \
-        const uint32_t count = sm_roll_count(words);                                                                                       \
+        const uint32_t count = window_count(w);                                                                                            \
         if (count == 0)                                                                                                                    \
             return sm_from_i32(0);                                                                                                         \
-        return sm_div(sum_##K((const unsigned char *)(words + 1), count), sm_from_u32(count));                                             \
+        return sm_div(sum_##K((const unsigned char *)window_words(w), count), sm_from_u32(count));                                         \
     }
 
 #define DEFINE_INTEGER_AVERAGE(K)                                                                                                          \
-    static inline SmF64 avg_##K(const SmvmWord *w) { return sm_roll_avg(window_words(w), window_size(w, SM_WINDOW_MAX), SM_ROLL_##K | SM_ROLL_AVG); }
+    static inline SmF64 avg_##K(const SmvmWord *w) { return sm_roll_avg(window_words(w), window_size(w, SM_WINDOW_MAX), SM_ROLL_##K | SM_ROLL_AVG, window_count(w)); }
 
 enum { BYTES_F32 = 4, BYTES_F64 = 8 };
 DEFINE_FLOAT_AVERAGE(F32)
@@ -77,23 +78,26 @@ DEFINE_INTEGER_AVERAGE(I32)
     static inline int64_t memory_sample_##K(const SmvmWord *w) { ctype v; memcpy(&v, w->p, sizeof v); return of(v); }                      \
     static inline void push_avg_##K(const SmvmWord *w, int64_t sample)                                                                     \
     {                                                                                                                                      \
-        sm_roll_push(window_words(w), window_size(w, most_of_avg), SM_ROLL_##K | SM_ROLL_AVG, sample);                                     \
+        const uint32_t n = window_size(w, most_of_avg);                                                                                    \
+        sm_roll_push(window_words(w), n, SM_ROLL_##K | SM_ROLL_AVG, sm_roll_advance(window_ring(w), n), sample);                           \
     }                                                                                                                                      \
     static inline void push_extremes_##K(const SmvmWord *w, int64_t sample)                                                                \
     {                                                                                                                                      \
-        sm_roll_push(window_words(w), window_size(w, SM_ROLL_SCAN), SM_ROLL_##K | SM_ROLL_RANGE, sample);                                  \
+        const uint32_t n = window_size(w, SM_ROLL_SCAN);                                                                                   \
+        sm_roll_push(window_words(w), n, SM_ROLL_##K | SM_ROLL_RANGE, sm_roll_advance(window_ring(w), n), sample);                         \
     }                                                                                                                                      \
     static inline void push_median_##K(const SmvmWord *w, int64_t sample)                                                                  \
     {                                                                                                                                      \
-        sm_roll_push_sorted(window_words(w), window_size(w, SM_ROLL_SHORT), SM_ROLL_##K | SM_ROLL_MEDIAN, sample);                         \
+        const uint32_t n = window_size(w, SM_ROLL_SHORT);                                                                                  \
+        sm_roll_push_sorted(window_words(w), n, SM_ROLL_##K | SM_ROLL_MEDIAN, sm_roll_advance(window_ring(w), n), sample);                 \
     }                                                                                                                                      \
     static inline SmF64 median_##K(const SmvmWord *w)                                                                                      \
     {                                                                                                                                      \
-        return sm_roll_median(window_words(w), window_size(w, SM_ROLL_SHORT), SM_ROLL_##K | SM_ROLL_MEDIAN);                               \
+        return sm_roll_median(window_words(w), window_size(w, SM_ROLL_SHORT), SM_ROLL_##K | SM_ROLL_MEDIAN, window_count(w));                               \
     }                                                                                                                                      \
-    static inline SmF64 smallest_##K(const SmvmWord *w) { return sm_roll_min(window_words(w), window_size(w, SM_ROLL_SCAN), SM_ROLL_##K | SM_ROLL_MIN); } \
-    static inline SmF64 largest_##K(const SmvmWord *w) { return sm_roll_max(window_words(w), window_size(w, SM_ROLL_SCAN), SM_ROLL_##K | SM_ROLL_MAX); } \
-    static inline SmF64 range_##K(const SmvmWord *w) { return sm_roll_range(window_words(w), window_size(w, SM_ROLL_SCAN), SM_ROLL_##K | SM_ROLL_RANGE); }
+    static inline SmF64 smallest_##K(const SmvmWord *w) { return sm_roll_min(window_words(w), window_size(w, SM_ROLL_SCAN), SM_ROLL_##K | SM_ROLL_MIN, window_count(w)); } \
+    static inline SmF64 largest_##K(const SmvmWord *w) { return sm_roll_max(window_words(w), window_size(w, SM_ROLL_SCAN), SM_ROLL_##K | SM_ROLL_MAX, window_count(w)); } \
+    static inline SmF64 range_##K(const SmvmWord *w) { return sm_roll_range(window_words(w), window_size(w, SM_ROLL_SCAN), SM_ROLL_##K | SM_ROLL_RANGE, window_count(w)); }
 
 DEFINE_FOR_TYPE(I16, int16_t, sm_to_i16, , SM_WINDOW_MAX)
 DEFINE_FOR_TYPE(U16, uint16_t, sm_to_u16, , SM_WINDOW_MAX)

@@ -272,7 +272,7 @@ static void refill_window(const uint64_t *from, uint32_t from_kind, uint64_t *to
 
     memset(to, 0, sm_roll_bytes(n, to_kind));
     for (uint32_t i = 0; i < count + more; i++)
-        smvm_sample(to, n, to_kind, sm_roll_value(from_kind, sm_roll_slot_key(from, n, from_kind, (SmRollSize)(i < count ? i : i - count))));
+        smvm_sample(to, n, to_kind, sm_roll_value(from_kind, sm_roll_slot_key(from + 1, n, from_kind, (SmRollSize)(i < count ? i : i - count))));
 }
 
 static void copy_window(const SmvmSwap *plan, const SmVm *from, uint32_t source, SmVm *to, uint32_t w)

@@ -11,8 +11,10 @@
 // sm_roll_of_f64), with NaN replaced by 0.  A window stores the key of each sample: an integer whose order is that of the samples' values,
 // with -0 below 0.  Samples of I64 and U64 are stored as F64.
 //
-// Emitted C calls the functions that sm_roll_sample calls, with n and kind as constants: sm_roll_push or one of its variants;
-// then sm_roll_combine, if the window stores partial results; and sm_roll_avg and similar.
+// The first word of w is the ring: the number of samples, and the slot of the next one.  The functions that sm_roll_sample and sm_roll_stat call
+// receive w + 1, which is the window without its ring.  Emitted C calls these, with n and kind as constants: sm_roll_advance; sm_roll_push or one
+// of its variants; then sm_roll_combine, if the window stores partial results; and sm_roll_avg and similar.  There, windows of one size share a
+// ring, because every step adds a sample to each.
 //
 // The cost of adding a sample, the cost of reading a statistic, and the memory beside the n slots:
 //
@@ -205,10 +207,10 @@ SM_ROLL_INLINE unsigned sm_roll_partial_words(unsigned partials) { return ((part
 // Returns which partial results a window also stores for each group of 2, 4, 8, … slots, as bits of sm_roll_partials.
 SM_ROLL_INLINE unsigned sm_roll_node_partials(uint32_t n, uint32_t kind) { return sm_roll_partials(n, kind) & 14u; }
 // snippet: sm_roll_slots_at
-// The index of the word where the slots begin.  A window consists of: a word with the number of samples and the next slot; the partial results
-// of the whole window, in the order of sm_roll_partials, the largest as the complement of its key; the slots; for a median the samples in
-// order; the partial results of the groups of 2, 4, 8, … slots.
-SM_ROLL_INLINE unsigned sm_roll_slots_at(uint32_t n, uint32_t kind) { return 1u + sm_roll_partial_words(sm_roll_partials(n, kind)); }
+// The index of the word where the slots begin.  A window consists of: the partial results of the whole window, in the order of
+// sm_roll_partials, the largest as the complement of its key; the slots; for a median the samples in order; the partial results of the groups
+// of 2, 4, 8, … slots.
+SM_ROLL_INLINE unsigned sm_roll_slots_at(uint32_t n, uint32_t kind) { return sm_roll_partial_words(sm_roll_partials(n, kind)); }
 // snippet: sm_roll_row_bytes
 // Bytes of an array of n samples, rounded up to words.
 SM_ROLL_INLINE uint32_t sm_roll_row_bytes(uint32_t n, uint32_t kind) { return ((n << sm_roll_shift(kind)) + 7u) & ~(uint32_t)7; }
@@ -227,43 +229,49 @@ SM_ROLL_INLINE uint32_t sm_roll_nodes_at(uint32_t n, uint32_t kind)
     return sm_roll_slots_at(n, kind) + ((kind & SM_ROLL_MEDIAN) == 0 ? row : 2 * row + sm_roll_heads_bytes(n)) / 8;
 }
 // snippet: sm_roll_count
-// The number of samples.
-SM_ROLL_INLINE SmRollSize sm_roll_count(const uint64_t *w) { uint32_t v; memcpy(&v, w, 4); return (SmRollSize)v; }
+// The number of samples in the windows of a ring, at most its number of slots.
+SM_ROLL_INLINE SmRollSize sm_roll_count(const uint64_t *ring) { uint32_t v; memcpy(&v, ring, 4); return (SmRollSize)v; }
 // snippet: sm_roll_next
 // The slot of the next sample.
-SM_ROLL_INLINE SmRollSize sm_roll_next(const uint64_t *w) { uint32_t v; memcpy(&v, (const unsigned char *)w + 4, 4); return (SmRollSize)v; }
+SM_ROLL_INLINE SmRollSize sm_roll_next(const uint64_t *ring) { uint32_t v; memcpy(&v, (const unsigned char *)ring + 4, 4); return (SmRollSize)v; }
 // snippet: sm_roll_set_count
 // Stores the number of samples.
-SM_ROLL_INLINE void sm_roll_set_count(uint64_t *w, uint32_t count) { memcpy(w, &count, 4); }
+SM_ROLL_INLINE void sm_roll_set_count(uint64_t *ring, uint32_t count) { memcpy(ring, &count, 4); }
 // snippet: sm_roll_set_next
 // Stores the slot of the next sample.
-SM_ROLL_INLINE void sm_roll_set_next(uint64_t *w, uint32_t next) { memcpy((unsigned char *)w + 4, &next, 4); }
+SM_ROLL_INLINE void sm_roll_set_next(uint64_t *ring, uint32_t next) { memcpy((unsigned char *)ring + 4, &next, 4); }
+// snippet: SmRollAt
+// Where a step adds its samples: the slot, and the number of samples before.
+typedef struct SmRollAt { SmRollSize slot, count; } SmRollAt;
+// snippet: sm_roll_advance
+// Begins a step of the windows of a ring of n slots.  Returns where the step adds their samples; the ring then counts these.
+SM_ROLL_INLINE_FOR_SPEED SmRollAt sm_roll_advance(uint64_t *ring, uint32_t n)
+{
+    const SmRollAt at = { sm_roll_next(ring), sm_roll_count(ring) };
+    sm_roll_set_next(ring, at.slot + 1u < n ? at.slot + 1u : 0);
+    if (at.count < n)
+        sm_roll_set_count(ring, at.count + 1u);
+    return at;
+}
 // snippet: sm_roll_slot_key
 // The key in slot i.
 SM_ROLL_INLINE SmRollKey sm_roll_slot_key(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize i)
 {
     return sm_roll_load((const unsigned char *)(w + sm_roll_slots_at(n, kind)), i, kind);
 }
-// snippet: sm_roll_oldest_key
-// In a full window, the key of the sample that the next one will replace.
-SM_ROLL_INLINE SmRollKey sm_roll_oldest_key(const uint64_t *w, uint32_t n, uint32_t kind) { return sm_roll_slot_key(w, n, kind, sm_roll_next(w)); }
 // snippet: sm_roll_push_key
 // Adds a sample to a window of n slots, by its key.
-SM_ROLL_INLINE void sm_roll_push_key(uint64_t *w, uint32_t n, uint32_t kind, SmRollKey key)
+SM_ROLL_INLINE void sm_roll_push_key(uint64_t *w, uint32_t n, uint32_t kind, SmRollAt at, SmRollKey key)
 {
-    const SmRollSize next = sm_roll_next(w), count = sm_roll_count(w);
     if ((sm_roll_partials(n, kind) & 1u) != 0)
-        w[1] += (uint64_t)((int64_t)key - sm_roll_oldest_key(w, n, kind));   // an empty slot contains 0
-    sm_roll_store((unsigned char *)(w + sm_roll_slots_at(n, kind)), next, kind, key);
-    sm_roll_set_next(w, next + 1u < n ? next + 1u : 0);
-    if (count < n)
-        sm_roll_set_count(w, count + 1u);
+        w[0] += (uint64_t)((int64_t)key - sm_roll_slot_key(w, n, kind, at.slot));   // an empty slot contains 0
+    sm_roll_store((unsigned char *)(w + sm_roll_slots_at(n, kind)), at.slot, kind, key);
 }
 // snippet: sm_roll_push
 // Adds a sample to a window of n slots.
-SM_ROLL_INLINE_FOR_SPEED void sm_roll_push(uint64_t *w, uint32_t n, uint32_t kind, SmRollKey sample)
+SM_ROLL_INLINE_FOR_SPEED void sm_roll_push(uint64_t *w, uint32_t n, uint32_t kind, SmRollAt at, SmRollKey sample)
 {
-    sm_roll_push_key(w, n, kind, sm_roll_key(kind, sample));
+    sm_roll_push_key(w, n, kind, at, sm_roll_key(kind, sample));
 }
 // snippet: sm_roll_insert_stepwise
 // Inserts a key among `count` ordered keys.  In a full window it replaces `old`.  The gap moves from the end, or from `old`, step by step.
@@ -274,22 +282,22 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_insert_stepwise(unsigned char *sorted, SmR
         i++;
     for (; i > 0 && key < sm_roll_load(sorted, (SmRollSize)(i - 1u), kind); i--)
         sm_roll_store(sorted, i, kind, sm_roll_load(sorted, (SmRollSize)(i - 1u), kind));
-    for (; i + 1u < count && sm_roll_load(sorted, (SmRollSize)(i + 1u), kind) < key; i++)
+    for (; full && i + 1u < count && sm_roll_load(sorted, (SmRollSize)(i + 1u), kind) < key; i++)
         sm_roll_store(sorted, i, kind, sm_roll_load(sorted, (SmRollSize)(i + 1u), kind));
     sm_roll_store(sorted, i, kind, key);
 }
 // snippet: sm_roll_push_sorted
 // Adds a sample to a short window that also stores its samples in order.  One pass without branches inserts the new one and removes the oldest.
-SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, SmRollKey sample)
+SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, SmRollAt at, SmRollKey sample)
 {
     unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);
-    const SmRollKey old = sm_roll_oldest_key(w, n, kind);
+    const SmRollKey old = sm_roll_slot_key(w, n, kind, at.slot);
     SmRollKey key = sm_roll_key(kind, sample), a = sm_roll_load(sorted, 0, kind), next;
-    SmRollSize i = sm_roll_count(w);
-    const bool full = i == n;
-    sm_roll_push_key(w, n, kind, key);
+    const bool full = at.count == n;
+    SmRollSize i;
+    sm_roll_push_key(w, n, kind, at, key);
     if (SM_ROLL_SMALL || !full) {
-        sm_roll_insert_stepwise(sorted, i, full, kind, old, key);
+        sm_roll_insert_stepwise(sorted, at.count, full, kind, old, key);
     } else {
         SM_ROLL_UNROLL
         for (i = 0; i + 1u < n; i++) {
@@ -376,11 +384,11 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_slide_ranks(unsigned char *sorted, uint32_
 // snippet: sm_roll_insert_sorted
 // Inserts a key among the ordered samples of a longer window; if the window is full, removes the oldest sample.  Finds the rank of the key and
 // the rank that becomes free, and shifts the samples between them.
-SM_ROLL_INLINE_FOR_SPEED void sm_roll_insert_sorted(uint64_t *w, uint32_t n, uint32_t kind, SmRollKey key)
+SM_ROLL_INLINE_FOR_SPEED void sm_roll_insert_sorted(uint64_t *w, uint32_t n, uint32_t kind, SmRollAt at, SmRollKey key)
 {
     unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);
-    const uint32_t count = sm_roll_count(w);
-    const uint32_t from = count < n ? count : sm_roll_count_below(sorted, n, kind, count, sm_roll_oldest_key(w, n, kind));
+    const uint32_t count = at.count;
+    const uint32_t from = count < n ? count : sm_roll_count_below(sorted, n, kind, count, sm_roll_slot_key(w, n, kind, at.slot));
     uint32_t to = sm_roll_count_below(sorted, n, kind, count, key);
     to -= from < to;                                 // the rank without the oldest sample
     sm_roll_slide_ranks(sorted, n, kind, from, to);
@@ -388,10 +396,10 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_insert_sorted(uint64_t *w, uint32_t n, uin
 }
 // snippet: sm_roll_push_blocks
 // Adds a sample to a longer window that also stores its samples in order.
-SM_ROLL_INLINE_FOR_SPEED void sm_roll_push_blocks(uint64_t *w, uint32_t n, uint32_t kind, SmRollKey sample)
+SM_ROLL_INLINE_FOR_SPEED void sm_roll_push_blocks(uint64_t *w, uint32_t n, uint32_t kind, SmRollAt at, SmRollKey sample)
 {
-    sm_roll_insert_sorted(w, n, kind, sm_roll_key(kind, sample));
-    sm_roll_push(w, n, kind, sample);
+    sm_roll_insert_sorted(w, n, kind, at, sm_roll_key(kind, sample));
+    sm_roll_push(w, n, kind, at, sample);
 }
 // snippet: sm_roll_update_sums
 // Returns the sum of all slots after sample i was added; `sum` is the sum of its pair.  Stores the sums of pairs and of groups of four,
@@ -425,13 +433,13 @@ SM_ROLL_INLINE_FOR_SPEED int64_t sm_roll_update_smallest(uint64_t *node, uint32_
 }
 // snippet: sm_roll_combine
 // After a sample was added: updates the results of the groups of 2, 4, 8, … slots that contain it, and of the whole window.
-SM_ROLL_INLINE_FOR_SPEED void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind)
+SM_ROLL_INLINE_FOR_SPEED void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind, SmRollAt at)
 {
     const unsigned partials = sm_roll_node_partials(n, kind);
-    const uint32_t next = sm_roll_next(w), i = (next == 0 ? n : next) - 1, count = sm_roll_count(w);
+    const uint32_t i = at.slot, count = at.count < n ? at.count + 1u : n;
     const bool paired = (i ^ 1u) < count;
     const SmRollKey key = sm_roll_slot_key(w, n, kind, (SmRollSize)i), other = sm_roll_slot_key(w, n, kind, (SmRollSize)(i ^ (uint32_t)paired));
-    uint64_t *node = w + sm_roll_nodes_at(n, kind), *all = w + 1 + (sm_roll_partials(n, kind) & 1u);
+    uint64_t *node = w + sm_roll_nodes_at(n, kind), *all = w + (sm_roll_partials(n, kind) & 1u);
     SmF64 sum = sm_roll_value(kind, key);
     if ((partials & 2u) != 0) {
         sum = paired ? sm_add(sum, sm_roll_value(kind, other)) : sum;
@@ -460,11 +468,10 @@ SM_ROLL_INLINE SmF64 sm_roll_sum_group(const unsigned char *at, uint32_t left, u
 }
 // snippet: sm_roll_sum
 // The sum of all slots: adds slots in pairs, the sums of pairs in pairs again, and so on.  `part` has the sums that wait for their partner.
-SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_sum(const uint64_t *w, uint32_t n, uint32_t kind)
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_sum(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
 {
     const unsigned char *at = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
     SmF64 part[17], *end = part, sum = sm_from_bits(0);
-    const SmRollSize count = sm_roll_count(w);
     SmRollSize i, whole;
     for (i = 0; i < count; i = (SmRollSize)(i + SM_ROLL_AT_ONCE), at += (size_t)SM_ROLL_AT_ONCE << sm_roll_shift(kind)) {
         sum = sm_roll_sum_group(at, (uint32_t)(count - i), kind);
@@ -477,10 +484,9 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_sum(const uint64_t *w, uint32_t n, uint32
     return sum;
 }
 // snippet: sm_roll_sum_of_integers
-SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_sum_of_integers(const uint64_t *w, uint32_t n, uint32_t kind)
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_sum_of_integers(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
 {
     const unsigned char *const at = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
-    const SmRollSize count = sm_roll_count(w);
     int64_t sum = 0;
     int32_t sum_of_short = 0;                           // no overflow: 32768 samples of 16 bits
     SmRollSize i;
@@ -494,17 +500,16 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_sum_of_integers(const uint64_t *w, uint32
     return sm_from_i64(sum);
 }
 // snippet: sm_roll_avg
-SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_avg(const uint64_t *w, uint32_t n, uint32_t kind)
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_avg(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
 {
     const unsigned partials = sm_roll_partials(n, kind);
-    const SmRollSize count = sm_roll_count(w);
     SmF64 sum;
     if (count == 0)
         return sm_from_i32(0);
     if ((partials & 3u) != 0)
-        sum = (partials & 1u) != 0 ? sm_from_i64((int64_t)w[1]) : sm_from_bits(w[1]);
+        sum = (partials & 1u) != 0 ? sm_from_i64((int64_t)w[0]) : sm_from_bits(w[0]);
     else
-        sum = !SM_ROLL_SMALL || (kind & SM_ROLL_TYPE) == SM_ROLL_F32 || (kind & SM_ROLL_TYPE) == SM_ROLL_F64 ? sm_roll_sum(w, n, kind) : sm_roll_sum_of_integers(w, n, kind);
+        sum = !SM_ROLL_SMALL || (kind & SM_ROLL_TYPE) == SM_ROLL_F32 || (kind & SM_ROLL_TYPE) == SM_ROLL_F64 ? sm_roll_sum(w, n, kind, count) : sm_roll_sum_of_integers(w, n, kind, count);
     return sm_div(sum, sm_from_u32(count));
 }
 // snippet: sm_roll_extreme_of_two
@@ -512,13 +517,13 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_avg(const uint64_t *w, uint32_t n, uint32
 SM_ROLL_INLINE SmRollKey sm_roll_extreme_of_two(bool up, SmRollKey a, SmRollKey b) { return (up ? a > b : a < b) ? a : b; }
 // snippet: sm_roll_extreme_key
 // The smallest key of all, or the largest if `up`.
-SM_ROLL_INLINE SmRollKey sm_roll_extreme_key(const uint64_t *w, uint32_t n, uint32_t kind, bool up)
+SM_ROLL_INLINE SmRollKey sm_roll_extreme_key(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, bool up)
 {
     const unsigned char *at = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
     const size_t one = (size_t)1 << sm_roll_shift(kind);
     SmRollKey end = sm_roll_load(at, 0, kind), a, b;
     SmRollSize left;
-    for (left = sm_roll_count(w); !SM_ROLL_SMALL && SM_ROLL_AT_ONCE == 4u && left >= 4; left = (SmRollSize)(left - 4u), at += 4 * one) {
+    for (left = count; !SM_ROLL_SMALL && SM_ROLL_AT_ONCE == 4u && left >= 4; left = (SmRollSize)(left - 4u), at += 4 * one) {
         a = sm_roll_extreme_of_two(up, sm_roll_load(at, 0, kind), sm_roll_load(at, 1, kind));
         b = sm_roll_extreme_of_two(up, sm_roll_load(at, 2, kind), sm_roll_load(at, 3, kind));
         end = sm_roll_extreme_of_two(up, end, sm_roll_extreme_of_two(up, a, b));
@@ -535,9 +540,8 @@ SM_ROLL_INLINE SmF64 sm_roll_value_of_rank(const uint64_t *w, uint32_t n, uint32
     return sm_roll_value(kind, sm_roll_load(sorted, sm_roll_index_of_rank(sorted, n, kind, rank), kind));
 }
 // snippet: sm_roll_median
-SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind)
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
 {
-    const SmRollSize count = sm_roll_count(w);
     SmF64 a, b, d;
     if (count == 0)
         return sm_from_i32(0);
@@ -554,27 +558,26 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uin
 }
 // snippet: sm_roll_extreme
 // The smallest sample, or the largest if `up`; -0 is below +0.
-SM_ROLL_INLINE SmF64 sm_roll_extreme(const uint64_t *w, uint32_t n, uint32_t kind, bool up)
+SM_ROLL_INLINE SmF64 sm_roll_extreme(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, bool up)
 {
     const unsigned partials = sm_roll_partials(n, kind);
-    const SmRollSize count = sm_roll_count(w);
     if (count == 0)
         return sm_from_i32(0);
     if ((kind & SM_ROLL_MEDIAN) != 0)
         return sm_roll_value_of_rank(w, n, kind, up ? count - 1u : 0);
     if (partials < 4)
-        return sm_roll_value(kind, sm_roll_extreme_key(w, n, kind, up));
-    return sm_roll_value(kind, (SmRollKey)(up ? ~w[sm_roll_partial_words(partials)] : w[1 + sm_roll_partial_words(partials & 3u)]));
+        return sm_roll_value(kind, sm_roll_extreme_key(w, n, kind, count, up));
+    return sm_roll_value(kind, (SmRollKey)(up ? ~w[sm_roll_partial_words(partials) - 1u] : w[sm_roll_partial_words(partials & 3u)]));
 }
 // snippet: sm_roll_min
-SM_ROLL_INLINE SmF64 sm_roll_min(const uint64_t *w, uint32_t n, uint32_t kind) { return sm_roll_extreme(w, n, kind, false); }
+SM_ROLL_INLINE SmF64 sm_roll_min(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count) { return sm_roll_extreme(w, n, kind, count, false); }
 // snippet: sm_roll_max
-SM_ROLL_INLINE SmF64 sm_roll_max(const uint64_t *w, uint32_t n, uint32_t kind) { return sm_roll_extreme(w, n, kind, true); }
+SM_ROLL_INLINE SmF64 sm_roll_max(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count) { return sm_roll_extreme(w, n, kind, count, true); }
 // snippet: sm_roll_range
 // The largest minus the smallest sample; 0 if they are equal, even if infinite.
-SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_range(const uint64_t *w, uint32_t n, uint32_t kind)
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_range(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
 {
-    const SmF64 lo = sm_roll_min(w, n, kind), hi = sm_roll_max(w, n, kind);
+    const SmF64 lo = sm_roll_min(w, n, kind, count), hi = sm_roll_max(w, n, kind, count);
     return sm_eq(lo, hi) ? sm_from_i32(0) : sm_sub(hi, lo);
 }
 // snippet: end
@@ -597,16 +600,16 @@ static inline bool sm_roll_is_kind(uint32_t kind)
     return !SM_ROLL_NONE && kind >> 4 >> SM_STAT_COUNT == 0 && (0x777u >> (kind & SM_ROLL_TYPE) & 1u) != 0;
 }
 
-// The number of words of memory that a window needs.  n is at most SM_WINDOW_MAX.
+// The number of words of memory that a window needs, and the ring that precedes it.  n is at most SM_WINDOW_MAX.
 static inline uint32_t sm_roll_words(uint32_t n, uint32_t kind)
 {
     const unsigned partials = sm_roll_node_partials(n, kind);
     uint32_t words = sm_roll_nodes_at(n, kind);
     if (partials == 0)
-        return words;
+        return words + 1;
     words += (sm_roll_partial_words(partials) - 1) * sm_roll_tree_words(n);
-    while ((n = (n + 1) / 2) > 1)
-        words += n;
+    for (; n > 1; words += n)           // the last group is the whole window, whose result is not here: its word is the ring
+        n = (n + 1) / 2;
     return words;
 }
 
@@ -630,18 +633,19 @@ static inline int64_t sm_roll_convert(uint32_t kind, SmF64 x)
 // Adds a sample to a window of any kind.
 SM_ROLL_INLINE void sm_roll_add_sample(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
 {
+    const SmRollAt at = sm_roll_advance(w++, n);
 #ifndef __OPTIMIZE_SIZE__
     if ((kind & SM_ROLL_MEDIAN) != 0 && n <= SM_ROLL_SHORT)
-        sm_roll_push_sorted(w, n, kind, sample);
+        sm_roll_push_sorted(w, n, kind, at, sample);
     else
 #endif
     {
         if ((kind & SM_ROLL_MEDIAN) != 0)
-            sm_roll_insert_sorted(w, n, kind, sm_roll_key(kind, sample));
-        sm_roll_push(w, n, kind, sample);
+            sm_roll_insert_sorted(w, n, kind, at, sm_roll_key(kind, sample));
+        sm_roll_push(w, n, kind, at, sample);
     }
     if (sm_roll_node_partials(n, kind) != 0)
-        sm_roll_combine(w, n, kind);
+        sm_roll_combine(w, n, kind, at);
 }
 
 #if SM_ROLL_NONE
@@ -659,7 +663,7 @@ SM_ROLL_NOINLINE void sm_roll_small_init(SmRollSmall *s, const uint64_t *w, size
 {
     s->type = (uint8_t)kind & SM_ROLL_TYPE;
     s->bytes = (uint8_t)(1u << sm_roll_shift(s->type));
-    s->slot = (unsigned char *)(uintptr_t)(w + sm_roll_slots_at((uint32_t)n, kind));
+    s->slot = (unsigned char *)(uintptr_t)(w + 1 + sm_roll_slots_at((uint32_t)n, kind));
     s->sorted = (kind & SM_ROLL_MEDIAN) == 0 ? NULL : s->slot + ((n * s->bytes + 7u) & ~(size_t)7);
     s->n = n;
     s->count = (size_t)sm_roll_count(w);
@@ -719,12 +723,13 @@ static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 
 // Reads one of the statistics that the window supports.
 SM_ROLL_INLINE SmF64 sm_roll_read_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
+    const SmRollSize count = sm_roll_count(w++);
     switch (stat) {
-    case SM_STAT_AVG: return sm_roll_avg(w, n, kind);
-    case SM_STAT_MEDIAN: return sm_roll_median(w, n, kind);
-    case SM_STAT_MIN: return sm_roll_min(w, n, kind);
-    case SM_STAT_MAX: return sm_roll_max(w, n, kind);
-    case SM_STAT_RANGE: return sm_roll_range(w, n, kind);
+    case SM_STAT_AVG: return sm_roll_avg(w, n, kind, count);
+    case SM_STAT_MEDIAN: return sm_roll_median(w, n, kind, count);
+    case SM_STAT_MIN: return sm_roll_min(w, n, kind, count);
+    case SM_STAT_MAX: return sm_roll_max(w, n, kind, count);
+    case SM_STAT_RANGE: return sm_roll_range(w, n, kind, count);
     case SM_STAT_COUNT: break;
     }
     return sm_from_i32(0);

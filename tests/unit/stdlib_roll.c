@@ -122,11 +122,11 @@ static uint64_t emitted[5 * SM_WINDOW_MAX];
 static double emitted_stat(uint32_t n, uint32_t kind, int s)
 {
     switch (s) {
-    case SM_STAT_AVG: return sm_roll_avg(emitted, n, kind);
-    case SM_STAT_MEDIAN: return sm_roll_median(emitted, n, kind);
-    case SM_STAT_MIN: return sm_roll_min(emitted, n, kind);
-    case SM_STAT_MAX: return sm_roll_max(emitted, n, kind);
-    default: return sm_roll_range(emitted, n, kind);
+    case SM_STAT_AVG: return sm_roll_avg(emitted + 1, n, kind, sm_roll_count(emitted));
+    case SM_STAT_MEDIAN: return sm_roll_median(emitted + 1, n, kind, sm_roll_count(emitted));
+    case SM_STAT_MIN: return sm_roll_min(emitted + 1, n, kind, sm_roll_count(emitted));
+    case SM_STAT_MAX: return sm_roll_max(emitted + 1, n, kind, sm_roll_count(emitted));
+    default: return sm_roll_range(emitted + 1, n, kind, sm_roll_count(emitted));
     }
 }
 
@@ -276,10 +276,10 @@ static void test_no_trace(void)
     uint64_t w[2][64] = { { 0 }, { 0 } };
     CHECK(sm_roll_words(8, kind) <= 64);
     for (int k = 0; k < 8; k++)
-        sm_roll_push(w[0], 8, kind, sm_roll_of_f64(k % 3 == 0 ? sm_from_bits(0x7FF0000000000000u) : 1e300));
+        sm_roll_push(w[0] + 1, 8, kind, sm_roll_advance(w[0], 8), sm_roll_of_f64(k % 3 == 0 ? sm_from_bits(0x7FF0000000000000u) : 1e300));
     for (int k = 0; k < 8; k++)
         for (int i = 0; i < 2; i++)
-            sm_roll_push(w[i], 8, kind, sm_roll_of_f64(0.1 * k));
+            sm_roll_push(w[i] + 1, 8, kind, sm_roll_advance(w[i], 8), sm_roll_of_f64(0.1 * k));
     for (int stat = 0; stat < SM_STAT_COUNT; stat++)
         CHECK(same(sm_roll_stat(w[0], 8, kind, (SmStat)stat), sm_roll_stat(w[1], 8, kind, (SmStat)stat)));
 }

@@ -439,6 +439,8 @@ CSignature c_write_function(CUnit *u, const CFunction *what, Buf *out)
                s.m && s.sv ? ", " : "");
     buf_printf(out, "%s%s%s", s.sv ? fn->writes_sv ? "" : "const " : "", s.sv ? u->names.sv_type : "", s.sv ? " *sv" : "");
     buf_printf(out, "%s)\n{\n", s.m || s.sv ? "" : "void");
+    if (what->f == u->m->sample)
+        c_write_ring_steps(u, out);
     buf_printf(out, "%s%s%s", buf_text(&copies), buf_text(&fn->declarations), needs_line_after_declarations(fn, &copies) ? "\n" : "");
     buf_printf(out, "%s}\n\n", buf_text(&fn->body));
     return s;

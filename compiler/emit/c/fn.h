@@ -174,6 +174,7 @@ void soft_write_nonzero_test(CFn *fn, IrRef r, bool negated);
 
 // ---- window.c ----
 
+void c_write_ring_steps(CUnit *u, Buf *out);               // what the function that samples the windows begins with
 void c_write_sample(CFn *fn, const IrIns *i);              // the statement that adds a sample to a rolling window
 // Whether the function that adds sample i to its rolling window reads a NaN as 0, so that the caller need not check for it.
 bool c_window_reads_nan_as_zero(const CFn *fn, const IrIns *i);

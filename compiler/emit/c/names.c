@@ -282,6 +282,18 @@ static const char *choose_window_name(const CUnit *u, size_t w, uint32_t var)
                           : format_in(u->arena, "%s_last_%lu", u->names.var[var], (unsigned long)u->m->window.at[w].size);
 }
 
+static void assign_ring_names(CUnit *u, NameSet *s)
+{
+    u->ring = ARENA_ARRAY(u->arena, const char *, u->m->window.n);
+    for (size_t w = 0; w < u->m->window.n; w++) {
+        const unsigned long size = (unsigned long)u->m->window.at[w].size;
+        size_t first = 0;
+        while (u->m->window.at[first].size != size)
+            first++;
+        u->ring[w] = first < w ? u->ring[first] : take_free_name(s, format_in(u->arena, "ring%lu_", size));
+    }
+}
+
 static void assign_window_names(CUnit *u, NameSet *s)
 {
     const uint32_t *var = find_sampled_variables(u);
@@ -291,6 +303,7 @@ static void assign_window_names(CUnit *u, NameSet *s)
         const char *name = choose_window_name(u, w, var[w]);
         u->window[w] = take_free_name(s, c_is_reserved(name) ? make_valid_name(u->arena, name) : name);
     }
+    assign_ring_names(u, s);
 }
 
 static void assign_variable_names(CUnit *u)

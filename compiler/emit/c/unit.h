@@ -56,6 +56,7 @@ typedef struct CUnit {
     CVector sv;
     uint32_t *helper;             // by index in stdlib_text (stdlib_text.h): number of uses of that snippet of stdlib source
     const char **window;          // by rolling window: its member in the machine's struct
+    const char **ring;            // by rolling window: the member that counts its samples; windows of one size share it
     struct CVarUse *var_use;      // by variable: how the current function uses it
     uint32_t *window_stats_read;  // by window: a bit for each statistic that the code reads
     uint32_t *window_sample;      // by window: position of its next sample in the current block; UINT32_MAX: none (lower.c)
@@ -164,6 +165,8 @@ void c_write_soft_library(Buf *out);
 
 // Writes a macro for the size of each window whose size depends on SM_ROLL_SMALL.
 void c_write_window_sizes(const CUnit *u, Buf *out);
+// Whether window w is the first of its size.
+bool c_begins_ring(const CUnit *u, size_t w);
 // Returns the declarator of the window's member: its name and its size in words, as in `altitude_last_9[12]`.
 const char *c_window_declaration(const CUnit *u, size_t w);
 void c_write_empty_windows(const CUnit *u, Buf *out);        // the statements of init that empty all windows

@@ -25,8 +25,9 @@ static void write_kind(const IrWindow *w, Buf *out)
             buf_printf(out, " | SM_ROLL_%s", stat[s]);
 }
 
-static unsigned window_words(const CUnit *u, size_t w) { return sm_roll_words(get_window(u, w)->size, roll_kind(get_window(u, w))); }
-static unsigned small_window_words(const CUnit *u, size_t w) { return c_small_roll_words(get_window(u, w)->size, roll_kind(get_window(u, w))); }
+// The words of a window without its ring, which is a member of its own.
+static unsigned window_words(const CUnit *u, size_t w) { return sm_roll_words(get_window(u, w)->size, roll_kind(get_window(u, w))) - 1; }
+static unsigned small_window_words(const CUnit *u, size_t w) { return c_small_roll_words(get_window(u, w)->size, roll_kind(get_window(u, w))) - 1; }
 
 static void write_window_sizes(const CUnit *u, bool small, Buf *out)
 {
@@ -55,10 +56,32 @@ const char *c_window_declaration(const CUnit *u, size_t w)
     return format_in(u->arena, "%s[%s_WORDS_%s]", u->window[w], u->names.macro, u->window[w]);
 }
 
+bool c_begins_ring(const CUnit *u, size_t w)
+{
+    for (size_t i = 0; i < w; i++)
+        if (get_window(u, i)->size == get_window(u, w)->size)
+            return false;
+    return true;
+}
+
 void c_write_empty_windows(const CUnit *u, Buf *out)
 {
-    for (size_t w = 0; w < u->m->window.n; w++)
+    for (size_t w = 0; w < u->m->window.n; w++) {
+        if (c_begins_ring(u, w))
+            buf_printf(out, "    m->%s = 0;\n", u->ring[w]);
         buf_printf(out, "    memset(m->%s, 0, sizeof m->%s);\n", u->window[w], u->window[w]);
+    }
+}
+
+// ---- samples: every step adds one to every window, so windows of one size share a ring ----
+
+void c_write_ring_steps(CUnit *u, Buf *out)
+{
+    for (size_t w = 0; w < u->m->window.n; w++) {
+        const unsigned n = (unsigned)get_window(u, w)->size;
+        if (c_begins_ring(u, w))
+            buf_printf(out, "    const SmRollAt sm_at_%u = %s(&m->%s, %u);\n", n, helper_require(u, "sm_roll_advance"), u->ring[w], n);
+    }
 }
 
 bool c_window_reads_nan_as_zero(const CFn *fn, const IrIns *i)
@@ -122,14 +145,14 @@ void c_write_sample(CFn *fn, const IrIns *i)
 
     fn->uses_m = fn->writes_m = true;
     begin_roll_call(fn->u, push_function(w), i->var, &fn->line);
-    buf_str(&fn->line, ", ");
+    buf_printf(&fn->line, ", sm_at_%u, ", (unsigned)w->size);
     write_sample_key(fn, i->a, (SmType)(roll_kind(w) & SM_ROLL_TYPE));
     buf_str(&fn->line, ");");
     c_end_line(fn);
     if (sm_roll_node_partials(w->size, roll_kind(w)) == 0)
         return;
     begin_roll_call(fn->u, "sm_roll_combine", i->var, &fn->line);
-    buf_str(&fn->line, ");");
+    buf_printf(&fn->line, ", sm_at_%u);", (unsigned)w->size);
     c_end_line(fn);
 }
 
@@ -151,7 +174,7 @@ static void write_statistic_function(CUnit *u, size_t w, int stat, Buf *out)
     buf_printf(out, "static %s %s_%s_%s(const %s *m)\n{\n    return ", c_type_of(u, SM_F64), u->names.prefix, u->window[w],
                stat_name[stat], u->names.type);
     begin_roll_call(u, format_in(u->arena, "sm_roll_%s", stat_name[stat]), w, out);
-    buf_str(out, ");\n}\n\n");
+    buf_printf(out, ", %s(&m->%s));\n}\n\n", helper_require(u, "sm_roll_count"), u->ring[w]);
 }
 
 void c_write_statistic_functions(CUnit *u, Buf *out)
