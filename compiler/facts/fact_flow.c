@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Facts within one function.  Control only moves forward, so one visit of the blocks in order is enough.  Each block begins with the
 // facts that are true on every edge into it.
+//
+// Most functions use few of the machine's variables.  Inside such a function, environments have only these, as slots: the variables that
+// the function loads or stores, numbered from 0.  They are small, and discarded with the function; only what the function has changed is
+// transferred to the environments of the machine.
 #include <string.h>
 
 #include "compiler/facts/facts.h"
@@ -12,15 +16,114 @@ typedef struct FlowWalk {
     FactMachine *fm;
     const IrFn *f;
     FactFlow out;
+    const FactEnds *ends;
+    const Env *start;                 // the facts at the beginning of the function, of all variables of the machine
+    bool has_slots;                   // environments are of slots; else of all variables, because there are more than FACT_SLOTS
+    uint32_t slots;
+    EnvShape shape;                   // of the following environments
+    const Env *first;                 // the facts `start`
     const Env **begin;                // by block: the facts at its beginning
     const Env *env;                   // the facts at the current instruction
+    IrBlkRef block;                   // the current block
     uint32_t epoch;                   // number of the current block visit (FactMachine.epochs)
     FactHome *home;                   // by temporary: a variable with the same value
     unsigned budget;                  // how many conditions may still be visited for this branch
+    uint32_t edge;                    // number of the current edge (FactRefined.edge)
+    uint32_t refined;                 // number of slots in FactMachine.refined_slot: those about which this edge adds facts
     bool contradicts;                 // the conditions of the edge being checked contradict the facts: it is never taken
 } FlowWalk;
 
 static const IrIns *ins(const FlowWalk *w, IrRef r) { return &w->f->ins.at[r]; }
+
+// ---- slots ----
+
+static uint32_t slot_of(const FlowWalk *w, uint32_t var) { return w->has_slots ? w->fm->slot_of[var].slot : var; }
+
+// Returns the slot of a variable that the function uses, a new one if it has none.
+static uint32_t find_or_add_slot(FlowWalk *w, uint32_t var)
+{
+    FactMachine *fm = w->fm;
+    FactSlotOf *of = &fm->slot_of[var];
+
+    if (of->function != fm->functions) {
+        *of = (FactSlotOf){w->slots, fm->functions};
+        fm->slot_type[w->slots] = fm->shape.type[var];
+        fm->slot[w->slots++] = (FactSlot){var, 0};
+    }
+    return of->slot;
+}
+
+// Numbers the variables that the function uses, and finds the last block that loads each.  Returns false if they are too many.
+static bool number_slots(FlowWalk *w)
+{
+    w->fm->functions++;
+    for (IrBlkRef b = 0; b < w->f->blk.n; b++)
+        for (size_t k = 0; k < w->f->blk.at[b].ins.n; k++) {
+            const IrIns *i = ins(w, w->f->blk.at[b].ins.at[k]);
+            uint32_t slot;
+            if (i->op != IR_load && i->op != IR_store)
+                continue;
+            if (w->slots == FACT_SLOTS)
+                return false;
+            slot = find_or_add_slot(w, i->var);
+            if (i->op == IR_load)
+                w->fm->slot[slot].last_load = b;
+        }
+    return true;
+}
+
+// Whether a fact about the slot can matter in block b or later: it is loaded there, or required at the end of the function.
+static bool is_needed_from(const FlowWalk *w, uint32_t slot, IrBlkRef b)
+{
+    const FactSlot *s = &w->fm->slot[slot];
+
+    return !w->has_slots || (w->ends && w->ends->all) || w->fm->shape.is_private[s->var] || s->last_load >= b;
+}
+
+// Sets w->first to the facts w->start.  `at_entry`: a state is entered, so T is 0.
+static void begin_function(FlowWalk *w, bool at_entry)
+{
+    FactMachine *fm = w->fm;
+    const uint32_t t = fm->m->t;
+    const Fact *fact[FACT_SLOTS];
+
+    w->has_slots = number_slots(w);
+    if (!w->has_slots) {
+        w->shape = fm->shape;
+        w->first = at_entry ? env_set(&fm->shape, w->start, t, fm->zero) : w->start;
+        return;
+    }
+    w->shape = env_shape_of_types(&fm->local, fm->slot_type, w->slots ? w->slots : 1);
+    for (uint32_t slot = 0; slot < w->slots; slot++)
+        fact[slot] = env_find(&fm->shape, w->start, fm->slot[slot].var);
+    if (at_entry && fm->slot_of[t].function == fm->functions)
+        fact[fm->slot_of[t].slot] = &fm->zero;
+    w->first = env_of_facts(&w->shape, fact, w->slots);
+}
+
+typedef struct FactTransfer { FlowWalk *w; const Env *env; } FactTransfer;
+
+static void transfer_fact(void *context, uint32_t slot, const Fact *fact)
+{
+    FactTransfer *t = context;
+    const EnvShape *shape = &t->w->fm->shape;
+    const uint32_t var = t->w->fm->slot[slot].var;
+
+    if (t->w->ends->all || shape->is_private[var])
+        t->env = env_set(shape, t->env, var, fact ? *fact : fact_of_type(shape->type[var]));
+}
+
+// Returns the current facts as an environment of all variables.  Without FactEnds.all, the facts about variables that are not private are
+// those that are assumed.
+static const Env *env_of_machine(FlowWalk *w)
+{
+    FactTransfer t = {w, w->start};
+
+    if (!w->has_slots)
+        return w->ends->all ? w->env : env_replace_shared(&w->shape, w->env, w->fm->assumed);
+    env_each_difference(&w->shape, w->first, w->env, transfer_fact, &t);
+    return t.env;
+}
 
 // ---- instructions ----
 
@@ -34,14 +137,15 @@ static void visit_ins(FlowWalk *w, IrRef r, uint32_t at)
     if (i->op == IR_store) {
         Fact stored = w->out.of[i->a];
         stored.nan = false;
-        w->env = env_set(&w->fm->shape, w->env, i->var, stored);
+        if (is_needed_from(w, slot_of(w, i->var), w->block))
+            w->env = env_set(&w->shape, w->env, slot_of(w, i->var), stored);
         w->fm->epoch[i->var] = w->epoch;
         w->fm->stored[i->var] = at;
         w->home[i->a] = (FactHome){i->var, at};
     } else if (i->op == IR_sample) {
         w->fm->window[i->var] = fact_convert(w->out.of[i->a], SM_F64);
     } else if (i->op == IR_load) {
-        w->out.of[r] = env_get(&w->fm->shape, w->env, i->var);
+        w->out.of[r] = env_get(&w->shape, w->env, slot_of(w, i->var));
     } else if (i->op == IR_stat) {
         w->out.of[r] = fact_of_stat(i->stat, w->fm->window[i->var]);
     } else {
@@ -74,20 +178,32 @@ static Fact bounds_before_conversion(Fact bounds, SmType type)
     return bounds;
 }
 
-// Returns env with the added fact that r is within bounds and not NaN, for the home variable (FactHome) of r and of the values from which r
-// was converted.  Sets w->contradicts if no value remains: so `p > 20 and p < 10` is found to be always false, although neither half is.
-static const Env *refine_value(FlowWalk *w, const Env *env, IrRef r, Fact bounds)
+// Returns what is known on the current edge about the slot, which the caller may replace by a better fact.
+static Fact *refined_fact(FlowWalk *w, uint32_t slot)
+{
+    FactRefined *r = &w->fm->refined[slot];
+
+    if (r->edge != w->edge) {
+        r->edge = w->edge;
+        r->fact = env_get(&w->shape, w->env, slot);
+        w->fm->refined_slot[w->refined++] = slot;
+    }
+    return &r->fact;
+}
+
+// Adds the fact that r is within bounds and not NaN on the current edge, for the home variable (FactHome) of r and of the values from which
+// r was converted.  Sets w->contradicts if no value remains: so `p > 20 and p < 10` is found to be always false, although neither half is.
+static void refine_value(FlowWalk *w, IrRef r, Fact bounds)
 {
     w->contradicts |= bounds.lo > bounds.hi;
     for (;; r = ins(w, r)->a) {
         if (has_home(w, r)) {
-            const uint32_t var = w->home[r].var;
-            const Fact known = env_get(&w->fm->shape, env, var);
-            w->contradicts |= known.lo > bounds.hi || bounds.lo > known.hi;
-            env = env_set(&w->fm->shape, env, var, fact_meet(known, bounds));
+            Fact *known = refined_fact(w, slot_of(w, w->home[r].var));
+            w->contradicts |= known->lo > bounds.hi || bounds.lo > known->hi;
+            *known = fact_meet(*known, bounds);
         }
         if (ins(w, r)->op != IR_cvt || ins(w, r)->type != SM_F64 || w->out.of[ins(w, r)->a].nan)
-            return env;
+            return;
         bounds = bounds_before_conversion(bounds, ins(w, ins(w, r)->a)->type);
     }
 }
@@ -146,39 +262,43 @@ static bool is_compared_exactly(const FlowWalk *w, IrRef r)
     return sm_type_info[type].bytes < 8 || type == SM_F64 || fact_within(w->out.of[r], -FACT_EXACT + 1, FACT_EXACT - 1);
 }
 
-// Returns env, narrowed to the case that the comparison i is true (`holds`) or false; env itself if nothing follows from that.
-static const Env *refine_comparison(FlowWalk *w, const Env *env, const IrIns *i, bool holds)
+// Adds what follows from comparison i being true (`holds`) or false.
+static void refine_comparison(FlowWalk *w, const IrIns *i, bool holds)
 {
     Fact a = w->out.of[i->a], b = w->out.of[i->b];
     const bool nan = a.nan || b.nan;
     const bool a_exact = is_compared_exactly(w, i->a), b_exact = is_compared_exactly(w, i->b);
 
     if (a.lo > a.hi || b.lo > b.hi || (nan && holds != (i->op != IR_ne)))
-        return env;
+        return;
     if (!a_exact && !(b_exact && b.lo == b.hi))
-        return env;
+        return;
     if (!b_exact && !(a_exact && a.lo == a.hi))
-        return env;
+        return;
     bound_by_comparison(&a, holds ? i->op : ir_negated_comparison(i->op), &b);
     a.nan = b.nan = false;
-    return refine_value(w, refine_value(w, env, i->a, a), i->b, b);
+    refine_value(w, i->a, a);
+    refine_value(w, i->b, b);
 }
 
-// Returns env, narrowed to the case that condition r is true (`holds`) or false.
-static const Env *refine_by_condition(FlowWalk *w, const Env *env, IrRef r, bool holds)
+// Adds what follows from condition r being true (`holds`) or false.
+static void refine_by_condition(FlowWalk *w, IrRef r, bool holds)
 {
     const IrIns *i = ins(w, r);
 
     if (w->budget == 0)
-        return env;
+        return;
     w->budget--;
-    if (i->op == IR_not)
-        return refine_by_condition(w, env, i->a, !holds);
-    if ((i->op == IR_and && holds) || (i->op == IR_or && !holds))
-        return refine_by_condition(w, refine_by_condition(w, env, i->a, holds), i->b, holds);
-    if (ir_op_info[i->op].types == IR_T_COMPARE)
-        return refine_comparison(w, env, i, holds);
-    return refine_value(w, env, r, fact_of_bool(!holds, holds));
+    if (i->op == IR_not) {
+        refine_by_condition(w, i->a, !holds);
+    } else if ((i->op == IR_and && holds) || (i->op == IR_or && !holds)) {
+        refine_by_condition(w, i->a, holds);
+        refine_by_condition(w, i->b, holds);
+    } else if (ir_op_info[i->op].types == IR_T_COMPARE) {
+        refine_comparison(w, i, holds);
+    } else {
+        refine_value(w, r, fact_of_bool(!holds, holds));
+    }
 }
 
 // ---- blocks ----
@@ -186,7 +306,7 @@ static const Env *refine_by_condition(FlowWalk *w, const Env *env, IrRef r, bool
 // Merges the facts `env` of an edge to block `to` into the facts at the beginning of that block.
 static void join_at_block(FlowWalk *w, IrBlkRef to, const Env *env)
 {
-    w->begin[to] = w->out.reached[to] ? env_join(&w->fm->shape, w->begin[to], env, NULL) : env;
+    w->begin[to] = w->out.reached[to] ? env_join(&w->shape, w->begin[to], env, NULL) : env;
     w->out.reached[to] = true;
 }
 
@@ -200,30 +320,39 @@ static bool follow_edge(FlowWalk *w, IrRef cond, bool holds, IrBlkRef to)
         return false;
     w->budget = REFINEMENTS;
     w->contradicts = false;
-    env = refine_by_condition(w, env, cond, holds);
-    if (!w->contradicts)
-        join_at_block(w, to, env);
-    return !w->contradicts;
+    w->refined = 0;
+    w->edge = ++w->fm->edges;
+    refine_by_condition(w, cond, holds);
+    if (w->contradicts)
+        return false;
+    for (uint32_t k = 0; k < w->refined; k++) {
+        const uint32_t slot = w->fm->refined_slot[k];
+        if (is_needed_from(w, slot, to))
+            env = env_set(&w->shape, env, slot, w->fm->refined[slot].fact);
+    }
+    join_at_block(w, to, env);
+    return true;
 }
 
-static void visit_block(FlowWalk *w, IrBlkRef b, const FactEnds *ends)
+static void visit_block(FlowWalk *w, IrBlkRef b)
 {
     const IrBlk *block = &w->f->blk.at[b];
     const IrJump *j = &block->jump;
     FactExit *exit = &w->out.exit[b];
 
+    w->block = b;
     w->env = w->begin[b];
     w->epoch = ++w->fm->epochs;
     for (uint32_t k = 0; k < block->ins.n; k++)
         visit_ins(w, block->ins.at[k], k);
-    exit->env = w->env;
+    exit->env = w->ends && w->ends->all ? env_of_machine(w) : NULL;
     if (j->kind == IR_JMP) {
         join_at_block(w, j->then, w->env);
     } else if (j->kind == IR_BR) {
         exit->then = follow_edge(w, j->cond, true, j->then);
         exit->otherwise = follow_edge(w, j->cond, false, j->otherwise);
-    } else if (ends) {
-        ends->visit(ends->context, j, w->env);
+    } else if (w->ends && w->ends->visit) {
+        w->ends->visit(w->ends->context, j, exit->env ? exit->env : env_of_machine(w));
     }
 }
 
@@ -255,13 +384,15 @@ static void reuse_tables(FlowWalk *w)
 
 FactFlow facts_flow(FactMachine *fm, const IrFn *f, const Env *begin, const FactEnds *ends)
 {
-    FlowWalk w = {.fm = fm, .f = f};
+    FlowWalk w = {.fm = fm, .f = f, .ends = ends, .start = begin};
 
+    arena_reset(&fm->local);
     reuse_tables(&w);
-    join_at_block(&w, 0, begin);
+    begin_function(&w, ends && ends->at_entry);
+    join_at_block(&w, 0, w.first);
     for (IrBlkRef b = 0; b < f->blk.n; b++)
         if (w.out.reached[b])
-            visit_block(&w, b, ends);
+            visit_block(&w, b);
     return w.out;
 }
 
