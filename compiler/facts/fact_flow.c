@@ -20,6 +20,8 @@ typedef struct FlowWalk {
     const Env *start;                 // the facts at the beginning of the function, of all variables of the machine
     bool has_slots;                   // environments are of slots; else of all variables, because there are more than FACT_SLOTS
     uint32_t slots;
+    FactSlot *slot;                   // by slot
+    FactEffect *effect;               // by block: its effect, or NULL
     EnvShape shape;                   // of the following environments
     const Env *first;                 // the facts `start`
     const Env **begin;                // by block: the facts at its beginning
@@ -67,7 +69,7 @@ static bool number_slots(FlowWalk *w)
                 return false;
             slot = find_or_add_slot(w, i->var);
             if (i->op == IR_load)
-                w->fm->slot[slot].last_load = b;
+                w->slot[slot].last_load = b;
         }
     return true;
 }
@@ -75,9 +77,43 @@ static bool number_slots(FlowWalk *w)
 // Whether a fact about the slot can matter in block b or later: it is loaded there, or required at the end of the function.
 static bool is_needed_from(const FlowWalk *w, uint32_t slot, IrBlkRef b)
 {
-    const FactSlot *s = &w->fm->slot[slot];
+    const FactSlot *s = &w->slot[slot];
 
-    return !w->has_slots || (w->ends && w->ends->all) || w->fm->shape.is_private[s->var] || s->last_load >= b;
+    return !w->has_slots || (w->ends && (w->ends->all || w->ends->exits)) || w->fm->shape.is_private[s->var] || s->last_load >= b;
+}
+
+// Stores the slots of the function, for later visits.
+static void store_slots(FlowWalk *w, FactFn *fn)
+{
+    FactMachine *fm = w->fm;
+
+    fn->slot = arena_copy(fm->shape.arena, fm->slot, (w->slots + 1u) * sizeof *fn->slot);
+    fn->type = arena_copy(fm->shape.arena, fm->slot_type, (w->slots + 1u) * sizeof *fn->type);
+    fn->slots = w->slots;
+    fn->effect = ARENA_ARRAY(fm->shape.arena, FactEffect, w->f->blk.n);
+}
+
+// Finds the slots of the function: those of an earlier visit, if they are stored.
+static void find_slots(FlowWalk *w)
+{
+    FactMachine *fm = w->fm;
+    FactFn *fn = w->ends ? w->ends->fn : NULL;
+
+    w->slot = fm->slot;
+    w->has_slots = (fn && fn->slot) || number_slots(w);
+    if (!w->has_slots)
+        return;
+    if (fn && !fn->slot)
+        store_slots(w, fn);
+    w->shape = env_shape_of_types(&fm->local, fn ? fn->type : fm->slot_type, fn && fn->slots ? fn->slots : w->slots ? w->slots : 1);
+    if (!fn)
+        return;
+    w->slot = fn->slot;
+    w->slots = fn->slots;
+    w->effect = fn->effect;
+    fm->functions++;
+    for (uint32_t slot = 0; slot < w->slots; slot++)
+        fm->slot_of[w->slot[slot].var] = (FactSlotOf){slot, fm->functions};
 }
 
 // Sets w->first to the facts w->start.  `at_entry`: a state is entered, so T is 0.
@@ -87,42 +123,69 @@ static void begin_function(FlowWalk *w, bool at_entry)
     const uint32_t t = fm->m->t;
     const Fact *fact[FACT_SLOTS];
 
-    w->has_slots = number_slots(w);
+    find_slots(w);
     if (!w->has_slots) {
         w->shape = fm->shape;
         w->first = at_entry ? env_set(&fm->shape, w->start, t, fm->zero) : w->start;
         return;
     }
-    w->shape = env_shape_of_types(&fm->local, fm->slot_type, w->slots ? w->slots : 1);
     for (uint32_t slot = 0; slot < w->slots; slot++)
-        fact[slot] = env_find(&fm->shape, w->start, fm->slot[slot].var);
+        fact[slot] = env_find(&fm->shape, w->start, w->slot[slot].var);
     if (at_entry && fm->slot_of[t].function == fm->functions)
         fact[fm->slot_of[t].slot] = &fm->zero;
     w->first = env_of_facts(&w->shape, fact, w->slots);
 }
 
-typedef struct FactTransfer { FlowWalk *w; const Env *env; } FactTransfer;
+typedef struct FactTransfer {
+    FlowWalk *w;
+    const Env *env;
+    bool all;                         // all facts, else only those about private variables
+} FactTransfer;
 
 static void transfer_fact(void *context, uint32_t slot, const Fact *fact)
 {
     FactTransfer *t = context;
     const EnvShape *shape = &t->w->fm->shape;
-    const uint32_t var = t->w->fm->slot[slot].var;
+    const uint32_t var = t->w->slot[slot].var;
 
-    if (t->w->ends->all || shape->is_private[var])
+    if (t->all || shape->is_private[var])
         t->env = env_set(shape, t->env, var, fact ? *fact : fact_of_type(shape->type[var]));
 }
 
-// Returns the current facts as an environment of all variables.  Without FactEnds.all, the facts about variables that are not private are
-// those that are assumed.
-static const Env *env_of_machine(FlowWalk *w)
+// Returns the current facts as an environment of all variables: all facts, or those about private variables and those that are assumed.
+static const Env *env_of_machine(FlowWalk *w, bool all)
 {
-    FactTransfer t = {w, w->start};
+    FactTransfer t = {w, w->start, all};
 
     if (!w->has_slots)
-        return w->ends->all ? w->env : env_replace_shared(&w->shape, w->env, w->fm->assumed);
+        return all ? w->env : env_replace_shared(&w->shape, w->env, w->fm->assumed);
+    if (all && w->ends->at_entry)
+        t.env = env_set(&w->fm->shape, t.env, w->fm->m->t, w->fm->zero);
     env_each_difference(&w->shape, w->first, w->env, transfer_fact, &t);
     return t.env;
+}
+
+// ---- effects of blocks ----
+
+// Sets the fact about a slot in *env, if it can matter in block b or later.
+static void set_if_needed(FlowWalk *w, const Env **env, uint32_t slot, Fact fact, IrBlkRef b)
+{
+    if (!is_needed_from(w, slot, b))
+        return;
+    *env = env_set(&w->shape, *env, slot, fact);
+    if (w->effect)
+        vec_push(w->fm->shape.arena, &w->fm->update, ((FactUpdate){slot, fact}));
+}
+
+// Returns what is known about a variable that the current block loads.
+static Fact load_fact(FlowWalk *w, uint32_t var)
+{
+    const uint32_t slot = slot_of(w, var);
+    const Fact fact = env_get(&w->shape, w->env, slot);
+
+    if (w->effect && w->fm->epoch[var] != w->epoch)       // not stored by this block before
+        vec_push(w->fm->shape.arena, &w->fm->load, ((FactUpdate){slot, fact}));
+    return fact;
 }
 
 // ---- instructions ----
@@ -137,15 +200,14 @@ static void visit_ins(FlowWalk *w, IrRef r, uint32_t at)
     if (i->op == IR_store) {
         Fact stored = w->out.of[i->a];
         stored.nan = false;
-        if (is_needed_from(w, slot_of(w, i->var), w->block))
-            w->env = env_set(&w->shape, w->env, slot_of(w, i->var), stored);
+        set_if_needed(w, &w->env, slot_of(w, i->var), stored, w->block);
         w->fm->epoch[i->var] = w->epoch;
         w->fm->stored[i->var] = at;
         w->home[i->a] = (FactHome){i->var, at};
     } else if (i->op == IR_sample) {
         w->fm->window[i->var] = fact_convert(w->out.of[i->a], SM_F64);
     } else if (i->op == IR_load) {
-        w->out.of[r] = env_get(&w->shape, w->env, slot_of(w, i->var));
+        w->out.of[r] = load_fact(w, i->var);
     } else if (i->op == IR_stat) {
         w->out.of[r] = fact_of_stat(i->stat, w->fm->window[i->var]);
     } else {
@@ -325,35 +387,96 @@ static bool follow_edge(FlowWalk *w, IrRef cond, bool holds, IrBlkRef to)
     refine_by_condition(w, cond, holds);
     if (w->contradicts)
         return false;
-    for (uint32_t k = 0; k < w->refined; k++) {
-        const uint32_t slot = w->fm->refined_slot[k];
-        if (is_needed_from(w, slot, to))
-            env = env_set(&w->shape, env, slot, w->fm->refined[slot].fact);
-    }
+    for (uint32_t k = 0; k < w->refined; k++)
+        set_if_needed(w, &env, w->fm->refined_slot[k], w->fm->refined[w->fm->refined_slot[k]].fact, to);
     join_at_block(w, to, env);
     return true;
 }
 
-static void visit_block(FlowWalk *w, IrBlkRef b)
+// Computes the facts in the current block, and follows its edges.
+static void visit_instructions(FlowWalk *w, FactEffect *effect)
 {
-    const IrBlk *block = &w->f->blk.at[b];
+    const IrBlk *block = &w->f->blk.at[w->block];
     const IrJump *j = &block->jump;
-    FactExit *exit = &w->out.exit[b];
+    FactExit *exit = &w->out.exit[w->block];
 
-    w->block = b;
-    w->env = w->begin[b];
     w->epoch = ++w->fm->epochs;
     for (uint32_t k = 0; k < block->ins.n; k++)
         visit_ins(w, block->ins.at[k], k);
-    exit->env = w->ends && w->ends->all ? env_of_machine(w) : NULL;
+    effect->stores = (uint32_t)w->fm->update.n;
+    exit->env = w->ends && w->ends->exits ? env_of_machine(w, true) : NULL;
     if (j->kind == IR_JMP) {
         join_at_block(w, j->then, w->env);
     } else if (j->kind == IR_BR) {
-        exit->then = follow_edge(w, j->cond, true, j->then);
-        exit->otherwise = follow_edge(w, j->cond, false, j->otherwise);
+        effect->then = exit->then = follow_edge(w, j->cond, true, j->then);
+        effect->on_then = (uint32_t)w->fm->update.n - effect->stores;
+        effect->otherwise = exit->otherwise = follow_edge(w, j->cond, false, j->otherwise);
+        effect->on_otherwise = (uint32_t)w->fm->update.n - effect->stores - effect->on_then;
     } else if (w->ends && w->ends->visit) {
-        w->ends->visit(w->ends->context, j, exit->env ? exit->env : env_of_machine(w));
+        w->ends->visit(w->ends->context, j, env_of_machine(w, w->ends->all));
     }
+}
+
+// Whether the block loads the same facts as when its effect was stored.
+static bool has_same_loads(const FlowWalk *w, const FactEffect *effect)
+{
+    if (!effect->known)
+        return false;
+    for (uint32_t k = 0; k < effect->loads; k++)
+        if (!fact_equal(env_get(&w->shape, w->env, effect->load[k].slot), effect->load[k].fact))
+            return false;
+    return true;
+}
+
+static const Env *apply_updates(const FlowWalk *w, const Env *env, const FactUpdate *update, uint32_t n)
+{
+    for (uint32_t k = 0; k < n; k++)
+        env = env_set(&w->shape, env, update[k].slot, update[k].fact);
+    return env;
+}
+
+// Does what visit_instructions does, from the stored effect.
+static void repeat_effect(FlowWalk *w, const FactEffect *e)
+{
+    const IrJump *j = &w->f->blk.at[w->block].jump;
+
+    w->env = apply_updates(w, w->env, e->update, e->stores);
+    if (j->kind == IR_JMP)
+        join_at_block(w, j->then, w->env);
+    else if (j->kind != IR_BR)
+        w->ends->visit(w->ends->context, j, env_of_machine(w, false));
+    if (e->then)
+        join_at_block(w, j->then, apply_updates(w, w->env, e->update + e->stores, e->on_then));
+    if (e->otherwise)
+        join_at_block(w, j->otherwise, apply_updates(w, w->env, e->update + e->stores + e->on_then, e->on_otherwise));
+}
+
+// Stores the facts that the visit of the current block has recorded.
+static void store_effect(FlowWalk *w, FactEffect *effect)
+{
+    FactMachine *fm = w->fm;
+
+    effect->known = true;
+    effect->loads = (uint32_t)fm->load.n;
+    effect->load = arena_copy(fm->shape.arena, fm->load.at, fm->load.n * sizeof *fm->load.at);
+    effect->update = arena_copy(fm->shape.arena, fm->update.at, fm->update.n * sizeof *fm->update.at);
+    w->effect[w->block] = *effect;
+}
+
+static void visit_block(FlowWalk *w, IrBlkRef b)
+{
+    FactEffect effect = {0};
+
+    w->block = b;
+    w->env = w->begin[b];
+    if (w->effect && has_same_loads(w, &w->effect[b])) {
+        repeat_effect(w, &w->effect[b]);
+        return;
+    }
+    w->fm->load.n = w->fm->update.n = 0;
+    visit_instructions(w, &effect);
+    if (w->effect)
+        store_effect(w, &effect);
 }
 
 // Lets w use the tables of the machine (FactMachine), after growing them if the function needs larger ones.  The tables are used again

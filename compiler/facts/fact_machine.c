@@ -20,9 +20,11 @@ typedef struct FactIteration {
     FactMachine *fm;
     FactBegin (*to)[BLOCK_COUNT];     // receives the facts: fm->begin, or in the last round a new table that replaces it
     bool *(*possible)[BLOCK_COUNT];   // [state with an .exit][function][IR block]: whether the block's transition is possible
+    FactFn (*fn)[BLOCK_COUNT];        // [state][function]
     Worklist queue;                   // the states to visit
     uint32_t state;                   // the state that is visited
     int block;                        // the function of this state that is visited: BLOCK_ENTRY, …
+    const FactObserver *observer;     // receives the flow of each visit, or NULL
     bool any_start;                   // the machine may be started in any state
     bool widened;                     // some bound was widened, so the last round may improve facts
     FactLimits limits;                // constants of the program and their neighbours, because guards stop counters there
@@ -117,7 +119,9 @@ static void visit_end(void *context, const IrJump *end, const Env *env)
 static void visit_function(FactIteration *v, int block)
 {
     static const IrJump nothing = {.kind = IR_RET, .cond = IR_NONE};
-    const FactEnds ends = {visit_end, v, .at_entry = block == BLOCK_ENTRY};
+    FactFn *fn = v->fm->has_variable_locals ? &v->fn[v->state][block] : NULL;       // else few functions are visited twice
+    const FactEnds ends = {visit_end, v, .at_entry = block == BLOCK_ENTRY, .exits = v->observer != NULL, .fn = fn};
+    FactFlow flow;
     const IrFn *f = v->fm->m->state.at[v->state].block[block];
     FactBegin *b = &v->fm->begin[v->state][block];
 
@@ -127,7 +131,9 @@ static void visit_function(FactIteration *v, int block)
         visit_end(v, &nothing, b->env);
         return;
     }
-    facts_flow(v->fm, f, b->env, &ends);
+    flow = facts_flow(v->fm, f, b->env, &ends);
+    if (v->observer)
+        v->observer->visit(v->observer->context, f, flow);
 }
 
 static void enter_start_states(FactIteration *v, const Env *env)
@@ -201,15 +207,29 @@ static FactLimits limits_of_program(Arena *arena, const IrMachine *m)
 
 // ---- the iteration ----
 
-// Visits functions until no fact changes, then narrows the facts if bounds were widened.
-static void iterate_to_fixed_point(FactMachine *fm, bool any_start)
+// Gives the observer the flow of each reachable function.
+static void observe_functions(FactMachine *fm, const FactObserver *observer)
+{
+    for (size_t s = 0; s < fm->m->state.n; s++)
+        for (int block = 0; block < BLOCK_COUNT; block++) {
+            const FactEnds ends = {.exits = true, .at_entry = block == BLOCK_ENTRY};
+            const IrFn *f = fm->m->state.at[s].block[block];
+            if (f && fm->begin[s][block].found)
+                observer->visit(observer->context, f, facts_flow(fm, f, fm->begin[s][block].env, &ends));
+        }
+}
+
+// Visits functions until no fact changes, then narrows the facts if bounds were widened.  Where each visit of a function begins with the
+// same facts, its first flow is final and goes to the observer.  Else the observer receives the flows at the end.
+static void iterate_to_fixed_point(FactMachine *fm, bool any_start, const FactObserver *observer)
 {
     const IrMachine *m = fm->m;
     const Env *initial = initial_values(fm, true);
-    FactIteration v = {.fm = fm, .to = fm->begin, .any_start = any_start};
+    FactIteration v = {.fm = fm, .to = fm->begin, .any_start = any_start, .observer = fm->has_variable_locals ? NULL : observer};
 
     v.limits = limits_of_program(fm->shape.arena, m);
     v.possible = arena_array(fm->shape.arena, m->state.n, sizeof *v.possible);
+    v.fn = arena_array(fm->shape.arena, m->state.n, sizeof *v.fn);
     v.queue = worklist_new(fm->shape.arena, m->state.n);
     enter_start_states(&v, initial);
     while (v.queue.n > 0) {
@@ -220,21 +240,11 @@ static void iterate_to_fixed_point(FactMachine *fm, bool any_start)
     }
     if (v.widened)
         narrow_facts(&v, initial);
+    if (observer && !v.observer)
+        observe_functions(fm, observer);
 }
 
-static void observe(FactMachine *fm, const FactObserver *observer)
-{
-    static const FactEnds all = {.all = true};
-
-    for (size_t s = 0; s < fm->m->state.n; s++)
-        for (int block = 0; block < BLOCK_COUNT; block++) {
-            const IrFn *f = fm->m->state.at[s].block[block];
-            if (f && fm->begin[s][block].found)
-                observer->visit(observer->context, f, facts_flow(fm, f, facts_at_begin(fm, s, block), &all));
-        }
-}
-
-static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool any_start, const Env *assumed)
+static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool any_start, const Env *assumed, const FactObserver *observer)
 {
     FactMachine *fm = ARENA_NEW(arena, FactMachine);
     const size_t slots = m->var.n > FACT_SLOTS ? m->var.n : FACT_SLOTS;
@@ -252,26 +262,25 @@ static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool any_start,
     fm->refined_slot = ARENA_ARRAY(arena, uint32_t, slots);
     fm->zero = fact_of_cell(SM_U64, 0);
     fm->constants = initial_values(fm, false);
+    for (uint32_t v = 0; v < m->var.n; v++)
+        fm->has_variable_locals |= env_is_private(&m->var.at[v]) && m->var.at[v].writable;
     if (m->sample)
         facts_flow(fm, m->sample, fm->constants, NULL);
-    iterate_to_fixed_point(fm, any_start);
+    if (fm->has_variable_locals || !any_start)
+        iterate_to_fixed_point(fm, any_start, observer);
     return fm;
 }
 
-FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return find_facts(arena, m, true, NULL); }
+FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return find_facts(arena, m, true, NULL, NULL); }
 
 FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m, const FactObserver *observer)
 {
-    FactMachine *fm = find_facts(arena, m, false, NULL);
-
-    if (observer)
-        observe(fm, observer);
-    return fm;
+    return find_facts(arena, m, false, NULL, observer);
 }
 
 FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed)
 {
-    return find_facts(arena, m, false, assumed);
+    return find_facts(arena, m, false, assumed, NULL);
 }
 
 // ---- results ----
