@@ -91,6 +91,7 @@ static void store_slots(FlowWalk *w, FactFn *fn)
     fn->type = arena_copy(fm->shape.arena, fm->slot_type, (w->slots + 1u) * sizeof *fn->type);
     fn->slots = w->slots;
     fn->effect = ARENA_ARRAY(fm->shape.arena, FactEffect, w->f->blk.n);
+    fn->begin = ARENA_ARRAY(fm->shape.arena, Fact, w->slots);
 }
 
 // Finds the slots of the function: those of an earlier visit, if they are stored.
@@ -131,6 +132,9 @@ static void begin_function(FlowWalk *w, bool at_entry)
     }
     for (uint32_t slot = 0; slot < w->slots; slot++)
         fact[slot] = env_find(&fm->shape, w->start, w->slot[slot].var);
+    for (uint32_t slot = 0; w->effect && slot < w->slots; slot++)
+        if (fm->shape.is_private[w->slot[slot].var])
+            w->ends->fn->begin[slot] = fact[slot] ? *fact[slot] : fact_of_type(w->shape.type[slot]);
     if (at_entry && fm->slot_of[t].function == fm->functions)
         fact[fm->slot_of[t].slot] = &fm->zero;
     w->first = env_of_facts(&w->shape, fact, w->slots);
@@ -145,11 +149,16 @@ typedef struct FactTransfer {
 static void transfer_fact(void *context, uint32_t slot, const Fact *fact)
 {
     FactTransfer *t = context;
-    const EnvShape *shape = &t->w->fm->shape;
-    const uint32_t var = t->w->slot[slot].var;
+    FlowWalk *w = t->w;
+    const EnvShape *shape = &w->fm->shape;
+    const uint32_t var = w->slot[slot].var;
+    const FactUpdate update = {slot, fact ? *fact : fact_of_type(shape->type[var])};
 
-    if (t->all || shape->is_private[var])
-        t->env = env_set(shape, t->env, var, fact ? *fact : fact_of_type(shape->type[var]));
+    if (!t->all && !shape->is_private[var])
+        return;
+    t->env = env_set(shape, t->env, var, update.fact);
+    if (w->effect)
+        vec_push(shape->arena, &w->ends->fn->update, update);
 }
 
 // Returns the current facts as an environment of all variables: all facts, or those about private variables and those that are assumed.
@@ -163,6 +172,45 @@ static const Env *env_of_machine(FlowWalk *w, bool all)
         t.env = env_set(&w->fm->shape, t.env, w->fm->m->t, w->fm->zero);
     env_each_difference(&w->shape, w->first, w->env, transfer_fact, &t);
     return t.env;
+}
+
+// ---- ends ----
+
+// Calls the caller's function for an end of this function.  Stores the end, for later visits.
+static void visit_function_end(FlowWalk *w, const IrJump *j)
+{
+    FactFn *fn = w->ends->fn;
+    const size_t before = fn ? fn->update.n : 0;
+    const Env *env = env_of_machine(w, w->ends->all);
+
+    if (w->effect)
+        vec_push(w->fm->shape.arena, &fn->end, ((FactEnd){j, (uint32_t)(fn->update.n - before)}));
+    w->ends->visit(w->ends->context, j, env);
+}
+
+// Whether the function begins with the same facts as in its last visit.  Facts that are assumed never change.
+static bool has_same_begin(const FactMachine *fm, const FactFn *fn, const Env *begin)
+{
+    for (uint32_t slot = 0; slot < fn->slots; slot++) {
+        const uint32_t var = fn->slot[slot].var;
+        if (fm->shape.is_private[var] && !fact_equal(env_get(&fm->shape, begin, var), fn->begin[slot]))
+            return false;
+    }
+    return true;
+}
+
+// Visits the same ends as in the last visit of the function.
+static void repeat_ends(const FactMachine *fm, const FactEnds *ends, const Env *begin)
+{
+    const FactFn *fn = ends->fn;
+    size_t at = 0;
+
+    for (size_t k = 0; k < fn->end.n; k++) {
+        const Env *env = begin;
+        for (uint32_t n = fn->end.at[k].updates; n > 0; n--, at++)
+            env = env_set(&fm->shape, env, fn->slot[fn->update.at[at].slot].var, fn->update.at[at].fact);
+        ends->visit(ends->context, fn->end.at[k].jump, env);
+    }
 }
 
 // ---- effects of blocks ----
@@ -413,7 +461,7 @@ static void visit_instructions(FlowWalk *w, FactEffect *effect)
         effect->otherwise = exit->otherwise = follow_edge(w, j->cond, false, j->otherwise);
         effect->on_otherwise = (uint32_t)w->fm->update.n - effect->stores - effect->on_then;
     } else if (w->ends && w->ends->visit) {
-        w->ends->visit(w->ends->context, j, env_of_machine(w, w->ends->all));
+        visit_function_end(w, j);
     }
 }
 
@@ -444,7 +492,7 @@ static void repeat_effect(FlowWalk *w, const FactEffect *e)
     if (j->kind == IR_JMP)
         join_at_block(w, j->then, w->env);
     else if (j->kind != IR_BR)
-        w->ends->visit(w->ends->context, j, env_of_machine(w, false));
+        visit_function_end(w, j);
     if (e->then)
         join_at_block(w, j->then, apply_updates(w, w->env, e->update + e->stores, e->on_then));
     if (e->otherwise)
@@ -509,6 +557,12 @@ FactFlow facts_flow(FactMachine *fm, const IrFn *f, const Env *begin, const Fact
 {
     FlowWalk w = {.fm = fm, .f = f, .ends = ends, .start = begin};
 
+    if (ends && ends->fn && ends->fn->slot && has_same_begin(fm, ends->fn, begin)) {
+        repeat_ends(fm, ends, begin);
+        return w.out;
+    }
+    if (ends && ends->fn)
+        ends->fn->end.n = ends->fn->update.n = 0;
     arena_reset(&fm->local);
     reuse_tables(&w);
     begin_function(&w, ends && ends->at_entry);

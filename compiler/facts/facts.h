@@ -88,11 +88,19 @@ typedef struct FactEffect {
     FactUpdate *update;               // the facts that it stores, and then those that its two edges add
 } FactEffect;
 
+typedef struct FactEnd {              // an end that the facts at the beginning of a function allow
+    const IrJump *jump;
+    uint32_t updates;                 // how many facts about private variables differ from those at the beginning
+} FactEnd;
+
 typedef struct FactFn {               // what an iteration stores about a function, to visit it again with less work
     FactSlot *slot;                   // its slots, or NULL: not visited yet, or too many variables for slots
     SmType *type;                     // by slot: the variable's type
     uint32_t slots;
     FactEffect *effect;               // by block
+    Fact *begin;                      // by slot: the fact at the beginning of the last visit.  Only of private variables
+    VEC(FactEnd) end;                 // the ends of the last visit
+    VEC(FactUpdate) update;           // the facts that differ at these ends
 } FactFn;
 
 typedef struct FactSlotOf {           // the slot of a variable, if `function` is FactMachine.functions
