@@ -84,8 +84,7 @@ void each_reachable_fn(Analysis *a, void (*f)(Analysis *a, const ReachableFn *r,
 // Whether every number that the fact allows has a magnitude of 2^53 or more.
 static bool is_large(Fact f) { return f.lo >= FACT_EXACT || f.hi <= -FACT_EXACT; }
 
-// Called by compiler/facts for each reachable function, and again whenever its facts have changed.  Stores the facts about each statement
-// in a->stmt, over those of earlier calls.
+// Called by compiler/facts for each reachable function.  Stores the facts about each statement in a->stmt.
 static void record_flow(void *context, const IrFn *f, FactFlow flow)
 {
     Analysis *a = context;
@@ -118,21 +117,12 @@ static void record_flow(void *context, const IrFn *f, FactFlow flow)
     }
 }
 
-// Called before functions are visited again with better facts: clears what record_flow has stored.
-static void discard_flows(void *context)
-{
-    Analysis *a = context;
-
-    memset(a->stmt, 0, (a->p->stmts + 1u) * sizeof *a->stmt);
-    a->large_sums = false;
-}
-
 // ---- entry points ----
 
 // Fills in *a for a machine whose IR has been built: computes its facts and lists its transitions.  Reports nothing.
 static void begin_on_ir(Analysis *a, Arena *arena, Diags *diags, const IrMachine *m)
 {
-    const FactObserver observer = {record_flow, discard_flows, a};
+    const FactObserver observer = {record_flow, a};
     const Program *p = m->program;
 
     memset(a, 0, sizeof *a);

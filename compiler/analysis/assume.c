@@ -45,7 +45,7 @@ static void record_result(void *context, const IrJump *end, const Env *env)
 bool assume_guard(const Analysis *a, const Env **env, const Expr *guard, bool holds)
 {
     GuardFacts out = {.f = ir_build_guard(a->arena, a->m, guard), .holds = holds, .env = *env};
-    const FactEnds ends = {record_result, &out};
+    const FactEnds ends = {record_result, &out, .all = true};
 
     for (int pass = 0; pass < 2; pass++) {
         out.possible = false;

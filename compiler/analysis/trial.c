@@ -154,9 +154,10 @@ static void hold_inputs(TrialSearch *k)
     k->noise = noise[trial_random_below(t, 6)];
     if (!to_event && trial_random_below(t, 4) == 0)
         n = t->window + 1;
-    while (n-- > 0)
+    while (n-- > 0) {
         if (search_step(k, to_event))
             return;
+    }
 }
 
 // Draws inputs at random, or changes one of them.

@@ -39,6 +39,32 @@ void arena_free(Arena *a)
     a->next = a->end = a->zeroed_end = NULL;
 }
 
+void arena_reset(Arena *a)
+{
+    ArenaChunk *newest = a->chunk;
+
+    if (!newest)
+        return;
+    a->chunk = newest->older;
+    arena_free(a);
+    newest->older = NULL;
+    a->chunk = newest;
+    a->next = a->zeroed_end = (char *)newest + HEADER;
+    a->end = a->next + newest->size;
+}
+
+// The allocator of an arena within another one.  Each chunk is larger than the last, so freed chunks waste at most as much as is used.
+static void *alloc_within(void *parent, void *old, size_t size)
+{
+    (void)old;                                        // an arena frees or allocates, it never resizes
+    return size ? arena_alloc_unzeroed(parent, size) : NULL;
+}
+
+void arena_init_within(Arena *a, Arena *parent)
+{
+    arena_init(a, alloc_within, parent, parent->oom);
+}
+
 static void add_chunk(Arena *a, size_t wanted)
 {
     size_t size = a->chunk ? a->chunk->size * 2 : FIRST_CHUNK;

@@ -23,6 +23,9 @@ typedef struct Arena {
 
 void arena_init(Arena *a, SmcAllocFn alloc, void *context, jmp_buf *oom);
 void arena_free(Arena *a);                       // frees every chunk; the arena may be used again
+void arena_reset(Arena *a);                      // frees every object, but keeps the newest chunk for later allocations
+// Initialises an arena whose chunks are memory of `parent`, so that freeing the parent frees it.  For objects that arena_reset frees often.
+void arena_init_within(Arena *a, Arena *parent);
 
 enum { ARENA_ALIGN = 8 };                         // alignment of every allocation: enough for the numbers and pointers of the compiler
 void *arena_alloc_more(Arena *a, size_t size);   // the slow path of arena_alloc, when the zeroed memory is too short

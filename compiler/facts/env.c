@@ -10,33 +10,54 @@ bool env_is_private(const IrVar *v) { return v->space == IR_LOCAL && !v->outside
 // With more variables than this, environments have so many nodes that looking up an equal node is faster than storing and joining copies.
 enum { UNIQUE_FROM = 64 };
 
-EnvShape env_shape(Arena *arena, const IrMachine *m)
+static unsigned levels_for(uint32_t n)
 {
-    EnvShape s = {arena, m, 1, m->var.n > UNIQUE_FROM ? env_table_new(arena) : NULL};
+    unsigned levels = 1;
 
-    while ((m->var.n - 1) >> (s.levels * BITS))
-        s.levels++;
-    s.levels++;                                       // the root separates private variables from the others
-    return s;
+    while ((n - 1) >> (levels * BITS))
+        levels++;
+    return levels;
 }
 
-static bool is_root(const EnvShape *s, unsigned level) { return level == s->levels - 1; }
+EnvShape env_shape_of_types(Arena *arena, const SmType *type, uint32_t n)
+{
+    return (EnvShape){arena, type, NULL, levels_for(n), NULL};
+}
 
-// Returns which child of a node on this level contains the variable.  The root has two children: child 1 contains the private variables
-// (locals that only the machine writes), child 0 the others.
+EnvShape env_shape(Arena *arena, const IrMachine *m)
+{
+    SmType *type = ARENA_ARRAY(arena, SmType, m->var.n);
+    bool *is_private = ARENA_ARRAY(arena, bool, m->var.n);
+
+    for (uint32_t v = 0; v < m->var.n; v++) {
+        type[v] = m->var.at[v].type;
+        is_private[v] = env_is_private(&m->var.at[v]);
+    }
+    // One more level: the root separates private variables from the others.
+    return (EnvShape){arena, type, is_private, levels_for((uint32_t)m->var.n) + 1, m->var.n > UNIQUE_FROM ? env_table_new(arena) : NULL};
+}
+
+static bool is_root(const EnvShape *s, unsigned level) { return s->is_private && level == s->levels - 1; }
+
+// Returns which child of a node on this level contains the variable.  A root that separates variables has two children: child 1 contains
+// the private variables (locals that only the machine writes), child 0 the others.
 static unsigned child_index(const EnvShape *s, uint32_t var, unsigned level)
 {
-    return is_root(s, level) ? env_is_private(&s->m->var.at[var]) : var >> (level * BITS) & (CHILDREN - 1u);
+    return is_root(s, level) ? s->is_private[var] : var >> (level * BITS) & (CHILDREN - 1u);
+}
+
+const Fact *env_find(const EnvShape *s, const Env *e, uint32_t var)
+{
+    for (unsigned level = s->levels - 1; e && level > 0; level--)
+        e = e->child[child_index(s, var, level)].env;
+    return e ? e->child[var & (CHILDREN - 1u)].fact : NULL;
 }
 
 Fact env_get(const EnvShape *s, const Env *e, uint32_t var)
 {
-    const Fact *fact;
+    const Fact *fact = env_find(s, e, var);
 
-    for (unsigned level = s->levels - 1; e && level > 0; level--)
-        e = e->child[child_index(s, var, level)].env;
-    fact = e ? e->child[child_index(s, var, 0)].fact : NULL;
-    return fact ? *fact : fact_of_type(s->m->var.at[var].type);
+    return fact ? *fact : fact_of_type(s->type[var]);
 }
 
 // Returns a node in the arena that is equal to *e.
@@ -69,12 +90,12 @@ static const Env *set_below(const EnvShape *s, const Env *e, uint32_t var, const
 
 const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact)
 {
-    return fact_equal(env_get(s, e, var), fact) ? e : set_below(s, e, var, new_fact(s, fact, s->m->var.at[var].type), s->levels - 1);
+    return fact_equal(env_get(s, e, var), fact) ? e : set_below(s, e, var, new_fact(s, fact, s->type[var]), s->levels - 1);
 }
 
 static const Fact *join_facts(const EnvShape *s, const Fact *a, const Fact *b, uint32_t var, const FactLimits *widen)
 {
-    const SmType type = s->m->var.at[var].type;
+    const SmType type = s->type[var];
     const Fact r = fact_join(*a, *b);
 
     if (fact_equal(r, *a))
@@ -148,4 +169,50 @@ const Env *env_replace_shared(const EnvShape *s, const Env *e, const Env *shared
         return shared;
     n.child[1] = e->child[1];
     return new_node(s, &n);
+}
+
+// ---- all variables ----
+
+// Returns the node of this level for the facts from variable `first` on; NULL if it is empty.
+static const Env *node_of_facts(const EnvShape *s, const Fact *const *fact, uint32_t n, uint32_t first, unsigned level)
+{
+    Env e;
+    bool any = false;
+
+    for (uint32_t k = 0; k < CHILDREN; k++) {
+        const uint32_t at = first | k << (level * BITS);
+        if (level == 0)
+            e.child[k].fact = at < n ? fact[at] : NULL;
+        else
+            e.child[k].env = at < n ? node_of_facts(s, fact, n, at, level - 1) : NULL;
+        any |= level == 0 ? e.child[k].fact != NULL : e.child[k].env != NULL;
+    }
+    return any ? new_node(s, &e) : NULL;
+}
+
+const Env *env_of_facts(const EnvShape *s, const Fact *const *fact, uint32_t n)
+{
+    return node_of_facts(s, fact, n, 0, s->levels - 1);
+}
+
+static void each_difference_below(const Env *from, const Env *to, uint32_t first, unsigned level, EnvVisitFn *visit, void *context)
+{
+    static const Env empty;
+
+    if (from == to)
+        return;
+    from = from ? from : &empty;
+    to = to ? to : &empty;
+    for (uint32_t k = 0; k < CHILDREN; k++) {
+        const uint32_t at = first | k << (level * BITS);
+        if (level > 0)
+            each_difference_below(from->child[k].env, to->child[k].env, at, level - 1, visit, context);
+        else if (from->child[k].fact != to->child[k].fact)
+            visit(context, at, to->child[k].fact);
+    }
+}
+
+void env_each_difference(const EnvShape *s, const Env *from, const Env *to, EnvVisitFn *visit, void *context)
+{
+    each_difference_below(from, to, 0, s->levels - 1, visit, context);
 }

@@ -9,20 +9,33 @@
 
 typedef struct Env Env;
 
+// The variables whose facts an environment can contain, numbered from 0.
 typedef struct EnvShape {
     Arena *arena;
-    const IrMachine *m;
+    const SmType *type;               // by variable
+    const bool *is_private;           // by variable: env_is_private; NULL: the variables are not separated (env_replace_shared)
     unsigned levels;                  // number of levels of the tree; the leaves are level 0
     struct EnvTable *unique;          // stores equal subtrees only once; NULL: equal subtrees may be stored several times
 } EnvShape;
 
-EnvShape env_shape(Arena *arena, const IrMachine *m);
+EnvShape env_shape(Arena *arena, const IrMachine *m);     // all variables of a machine
+// Returns the shape of environments of n variables (at least 1) of these types.
+EnvShape env_shape_of_types(Arena *arena, const SmType *type, uint32_t n);
 
 Fact env_get(const EnvShape *s, const Env *e, uint32_t var);
+// Returns the stored fact about the variable; NULL if it is known only by its type.
+const Fact *env_find(const EnvShape *s, const Env *e, uint32_t var);
 const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact);
 // Returns the join: the facts that are true on both of two paths with the facts a and b.  Returns `a` itself if b adds no values.
 // `widen`: bounds that exceed those of a are widened to these limits; NULL: no widening.
 const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLimits *widen);
+
+// Returns the environment with the facts *fact[v] for the variables below n; NULL: only the type is known.  Does not copy the facts.
+const Env *env_of_facts(const EnvShape *s, const Fact *const *fact, uint32_t n);
+// Calls `visit` for each variable whose fact in `to` is stored apart from its fact in `from`; `fact`: that in `to`, NULL as in env_find.
+// The cost depends only on how much the trees differ.  The variables of the shape must not be separated.
+typedef void EnvVisitFn(void *context, uint32_t var, const Fact *fact);
+void env_each_difference(const EnvShape *s, const Env *from, const Env *to, EnvVisitFn *visit, void *context);
 
 bool env_is_private(const IrVar *v);                          // whether v is a local that only the machine itself writes
 // Returns an environment with the facts of e for private variables, and the facts of `shared` for all other variables.

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Facts within one function.  Control only moves forward, so one visit of the blocks in order is enough.  Each block begins with the
 // facts that are true on every edge into it.
+//
+// Most functions use few of the machine's variables.  Inside such a function, environments have only these, as slots: the variables that
+// the function loads or stores, numbered from 0.  They are small, and discarded with the function; only what the function has changed is
+// transferred to the environments of the machine.
 #include <string.h>
 
 #include "compiler/facts/facts.h"
@@ -12,15 +16,225 @@ typedef struct FlowWalk {
     FactMachine *fm;
     const IrFn *f;
     FactFlow out;
+    const FactEnds *ends;
+    const Env *start;                 // the facts at the beginning of the function, of all variables of the machine
+    bool has_slots;                   // environments are of slots; else of all variables, because there are more than FACT_SLOTS
+    uint32_t slots;
+    FactSlot *slot;                   // by slot
+    FactEffect *effect;               // by block: its effect, or NULL
+    EnvShape shape;                   // of the following environments
+    const Env *first;                 // the facts `start`
     const Env **begin;                // by block: the facts at its beginning
     const Env *env;                   // the facts at the current instruction
+    IrBlkRef block;                   // the current block
     uint32_t epoch;                   // number of the current block visit (FactMachine.epochs)
     FactHome *home;                   // by temporary: a variable with the same value
     unsigned budget;                  // how many conditions may still be visited for this branch
+    uint32_t edge;                    // number of the current edge (FactRefined.edge)
+    uint32_t refined;                 // number of slots in FactMachine.refined_slot: those about which this edge adds facts
     bool contradicts;                 // the conditions of the edge being checked contradict the facts: it is never taken
 } FlowWalk;
 
 static const IrIns *ins(const FlowWalk *w, IrRef r) { return &w->f->ins.at[r]; }
+
+// ---- slots ----
+
+static uint32_t slot_of(const FlowWalk *w, uint32_t var) { return w->has_slots ? w->fm->slot_of[var].slot : var; }
+
+// Returns the slot of a variable that the function uses, a new one if it has none.
+static uint32_t find_or_add_slot(FlowWalk *w, uint32_t var)
+{
+    FactMachine *fm = w->fm;
+    FactSlotOf *of = &fm->slot_of[var];
+
+    if (of->function != fm->functions) {
+        *of = (FactSlotOf){w->slots, fm->functions};
+        fm->slot_type[w->slots] = fm->shape.type[var];
+        fm->slot[w->slots++] = (FactSlot){var, 0};
+    }
+    return of->slot;
+}
+
+// Numbers the variables that the function uses, and finds the last block that loads each.  Returns false if they are too many.
+static bool number_slots(FlowWalk *w)
+{
+    w->fm->functions++;
+    for (IrBlkRef b = 0; b < w->f->blk.n; b++)
+        for (size_t k = 0; k < w->f->blk.at[b].ins.n; k++) {
+            const IrIns *i = ins(w, w->f->blk.at[b].ins.at[k]);
+            uint32_t slot;
+            if (i->op != IR_load && i->op != IR_store)
+                continue;
+            if (w->slots == FACT_SLOTS)
+                return false;
+            slot = find_or_add_slot(w, i->var);
+            if (i->op == IR_load)
+                w->slot[slot].last_load = b;
+        }
+    return true;
+}
+
+// Whether a fact about the slot can matter in block b or later: it is loaded there, or required at the end of the function.
+static bool is_needed_from(const FlowWalk *w, uint32_t slot, IrBlkRef b)
+{
+    const FactSlot *s = &w->slot[slot];
+
+    return !w->has_slots || (w->ends && (w->ends->all || w->ends->exits)) || w->fm->shape.is_private[s->var] || s->last_load >= b;
+}
+
+// Stores the slots of the function, for later visits.
+static void store_slots(FlowWalk *w, FactFn *fn)
+{
+    FactMachine *fm = w->fm;
+
+    fn->slot = arena_copy(fm->shape.arena, fm->slot, (w->slots + 1u) * sizeof *fn->slot);
+    fn->type = arena_copy(fm->shape.arena, fm->slot_type, (w->slots + 1u) * sizeof *fn->type);
+    fn->slots = w->slots;
+    fn->effect = ARENA_ARRAY(fm->shape.arena, FactEffect, w->f->blk.n);
+    fn->begin = ARENA_ARRAY(fm->shape.arena, Fact, w->slots);
+}
+
+// Finds the slots of the function: those of an earlier visit, if they are stored.
+static void find_slots(FlowWalk *w)
+{
+    FactMachine *fm = w->fm;
+    FactFn *fn = w->ends ? w->ends->fn : NULL;
+
+    w->slot = fm->slot;
+    w->has_slots = (fn && fn->slot) || number_slots(w);
+    if (!w->has_slots)
+        return;
+    if (fn && !fn->slot)
+        store_slots(w, fn);
+    w->shape = env_shape_of_types(&fm->local, fn ? fn->type : fm->slot_type, fn && fn->slots ? fn->slots : w->slots ? w->slots : 1);
+    if (!fn)
+        return;
+    w->slot = fn->slot;
+    w->slots = fn->slots;
+    w->effect = fn->effect;
+    fm->functions++;
+    for (uint32_t slot = 0; slot < w->slots; slot++)
+        fm->slot_of[w->slot[slot].var] = (FactSlotOf){slot, fm->functions};
+}
+
+// Sets w->first to the facts w->start.  `at_entry`: a state is entered, so T is 0.
+static void begin_function(FlowWalk *w, bool at_entry)
+{
+    FactMachine *fm = w->fm;
+    const uint32_t t = fm->m->t;
+    const Fact *fact[FACT_SLOTS];
+
+    find_slots(w);
+    if (!w->has_slots) {
+        w->shape = fm->shape;
+        w->first = at_entry ? env_set(&fm->shape, w->start, t, fm->zero) : w->start;
+        return;
+    }
+    for (uint32_t slot = 0; slot < w->slots; slot++)
+        fact[slot] = env_find(&fm->shape, w->start, w->slot[slot].var);
+    for (uint32_t slot = 0; w->effect && slot < w->slots; slot++)
+        if (fm->shape.is_private[w->slot[slot].var])
+            w->ends->fn->begin[slot] = fact[slot] ? *fact[slot] : fact_of_type(w->shape.type[slot]);
+    if (at_entry && fm->slot_of[t].function == fm->functions)
+        fact[fm->slot_of[t].slot] = &fm->zero;
+    w->first = env_of_facts(&w->shape, fact, w->slots);
+}
+
+typedef struct FactTransfer {
+    FlowWalk *w;
+    const Env *env;
+    bool all;                         // all facts, else only those about private variables
+} FactTransfer;
+
+static void transfer_fact(void *context, uint32_t slot, const Fact *fact)
+{
+    FactTransfer *t = context;
+    FlowWalk *w = t->w;
+    const EnvShape *shape = &w->fm->shape;
+    const uint32_t var = w->slot[slot].var;
+    const FactUpdate update = {slot, fact ? *fact : fact_of_type(shape->type[var])};
+
+    if (!t->all && !shape->is_private[var])
+        return;
+    t->env = env_set(shape, t->env, var, update.fact);
+    if (w->effect)
+        vec_push(shape->arena, &w->ends->fn->update, update);
+}
+
+// Returns the current facts as an environment of all variables: all facts, or those about private variables and those that are assumed.
+static const Env *env_of_machine(FlowWalk *w, bool all)
+{
+    FactTransfer t = {w, w->start, all};
+
+    if (!w->has_slots)
+        return all ? w->env : env_replace_shared(&w->shape, w->env, w->fm->assumed);
+    if (all && w->ends->at_entry)
+        t.env = env_set(&w->fm->shape, t.env, w->fm->m->t, w->fm->zero);
+    env_each_difference(&w->shape, w->first, w->env, transfer_fact, &t);
+    return t.env;
+}
+
+// ---- ends ----
+
+// Calls the caller's function for an end of this function.  Stores the end, for later visits.
+static void visit_function_end(FlowWalk *w, const IrJump *j)
+{
+    FactFn *fn = w->ends->fn;
+    const size_t before = fn ? fn->update.n : 0;
+    const Env *env = env_of_machine(w, w->ends->all);
+
+    if (w->effect)
+        vec_push(w->fm->shape.arena, &fn->end, ((FactEnd){j, (uint32_t)(fn->update.n - before)}));
+    w->ends->visit(w->ends->context, j, env);
+}
+
+// Whether the function begins with the same facts as in its last visit.  Facts that are assumed never change.
+static bool has_same_begin(const FactMachine *fm, const FactFn *fn, const Env *begin)
+{
+    for (uint32_t slot = 0; slot < fn->slots; slot++) {
+        const uint32_t var = fn->slot[slot].var;
+        if (fm->shape.is_private[var] && !fact_equal(env_get(&fm->shape, begin, var), fn->begin[slot]))
+            return false;
+    }
+    return true;
+}
+
+// Visits the same ends as in the last visit of the function.
+static void repeat_ends(const FactMachine *fm, const FactEnds *ends, const Env *begin)
+{
+    const FactFn *fn = ends->fn;
+    size_t at = 0;
+
+    for (size_t k = 0; k < fn->end.n; k++) {
+        const Env *env = begin;
+        for (uint32_t n = fn->end.at[k].updates; n > 0; n--, at++)
+            env = env_set(&fm->shape, env, fn->slot[fn->update.at[at].slot].var, fn->update.at[at].fact);
+        ends->visit(ends->context, fn->end.at[k].jump, env);
+    }
+}
+
+// ---- effects of blocks ----
+
+// Sets the fact about a slot in *env, if it can matter in block b or later.
+static void set_if_needed(FlowWalk *w, const Env **env, uint32_t slot, Fact fact, IrBlkRef b)
+{
+    if (!is_needed_from(w, slot, b))
+        return;
+    *env = env_set(&w->shape, *env, slot, fact);
+    if (w->effect)
+        vec_push(w->fm->shape.arena, &w->fm->update, ((FactUpdate){slot, fact}));
+}
+
+// Returns what is known about a variable that the current block loads.
+static Fact load_fact(FlowWalk *w, uint32_t var)
+{
+    const uint32_t slot = slot_of(w, var);
+    const Fact fact = env_get(&w->shape, w->env, slot);
+
+    if (w->effect && w->fm->epoch[var] != w->epoch)       // not stored by this block before
+        vec_push(w->fm->shape.arena, &w->fm->load, ((FactUpdate){slot, fact}));
+    return fact;
+}
 
 // ---- instructions ----
 
@@ -34,14 +248,14 @@ static void visit_ins(FlowWalk *w, IrRef r, uint32_t at)
     if (i->op == IR_store) {
         Fact stored = w->out.of[i->a];
         stored.nan = false;
-        w->env = env_set(&w->fm->shape, w->env, i->var, stored);
+        set_if_needed(w, &w->env, slot_of(w, i->var), stored, w->block);
         w->fm->epoch[i->var] = w->epoch;
         w->fm->stored[i->var] = at;
         w->home[i->a] = (FactHome){i->var, at};
     } else if (i->op == IR_sample) {
         w->fm->window[i->var] = fact_convert(w->out.of[i->a], SM_F64);
     } else if (i->op == IR_load) {
-        w->out.of[r] = env_get(&w->fm->shape, w->env, i->var);
+        w->out.of[r] = load_fact(w, i->var);
     } else if (i->op == IR_stat) {
         w->out.of[r] = fact_of_stat(i->stat, w->fm->window[i->var]);
     } else {
@@ -74,20 +288,32 @@ static Fact bounds_before_conversion(Fact bounds, SmType type)
     return bounds;
 }
 
-// Returns env with the added fact that r is within bounds and not NaN, for the home variable (FactHome) of r and of the values from which r
-// was converted.  Sets w->contradicts if no value remains: so `p > 20 and p < 10` is found to be always false, although neither half is.
-static const Env *refine_value(FlowWalk *w, const Env *env, IrRef r, Fact bounds)
+// Returns what is known on the current edge about the slot, which the caller may replace by a better fact.
+static Fact *refined_fact(FlowWalk *w, uint32_t slot)
+{
+    FactRefined *r = &w->fm->refined[slot];
+
+    if (r->edge != w->edge) {
+        r->edge = w->edge;
+        r->fact = env_get(&w->shape, w->env, slot);
+        w->fm->refined_slot[w->refined++] = slot;
+    }
+    return &r->fact;
+}
+
+// Adds the fact that r is within bounds and not NaN on the current edge, for the home variable (FactHome) of r and of the values from which
+// r was converted.  Sets w->contradicts if no value remains: so `p > 20 and p < 10` is found to be always false, although neither half is.
+static void refine_value(FlowWalk *w, IrRef r, Fact bounds)
 {
     w->contradicts |= bounds.lo > bounds.hi;
     for (;; r = ins(w, r)->a) {
         if (has_home(w, r)) {
-            const uint32_t var = w->home[r].var;
-            const Fact known = env_get(&w->fm->shape, env, var);
-            w->contradicts |= known.lo > bounds.hi || bounds.lo > known.hi;
-            env = env_set(&w->fm->shape, env, var, fact_meet(known, bounds));
+            Fact *known = refined_fact(w, slot_of(w, w->home[r].var));
+            w->contradicts |= known->lo > bounds.hi || bounds.lo > known->hi;
+            *known = fact_meet(*known, bounds);
         }
         if (ins(w, r)->op != IR_cvt || ins(w, r)->type != SM_F64 || w->out.of[ins(w, r)->a].nan)
-            return env;
+            return;
         bounds = bounds_before_conversion(bounds, ins(w, ins(w, r)->a)->type);
     }
 }
@@ -146,39 +372,43 @@ static bool is_compared_exactly(const FlowWalk *w, IrRef r)
     return sm_type_info[type].bytes < 8 || type == SM_F64 || fact_within(w->out.of[r], -FACT_EXACT + 1, FACT_EXACT - 1);
 }
 
-// Returns env, narrowed to the case that the comparison i is true (`holds`) or false; env itself if nothing follows from that.
-static const Env *refine_comparison(FlowWalk *w, const Env *env, const IrIns *i, bool holds)
+// Adds what follows from comparison i being true (`holds`) or false.
+static void refine_comparison(FlowWalk *w, const IrIns *i, bool holds)
 {
     Fact a = w->out.of[i->a], b = w->out.of[i->b];
     const bool nan = a.nan || b.nan;
     const bool a_exact = is_compared_exactly(w, i->a), b_exact = is_compared_exactly(w, i->b);
 
     if (a.lo > a.hi || b.lo > b.hi || (nan && holds != (i->op != IR_ne)))
-        return env;
+        return;
     if (!a_exact && !(b_exact && b.lo == b.hi))
-        return env;
+        return;
     if (!b_exact && !(a_exact && a.lo == a.hi))
-        return env;
+        return;
     bound_by_comparison(&a, holds ? i->op : ir_negated_comparison(i->op), &b);
     a.nan = b.nan = false;
-    return refine_value(w, refine_value(w, env, i->a, a), i->b, b);
+    refine_value(w, i->a, a);
+    refine_value(w, i->b, b);
 }
 
-// Returns env, narrowed to the case that condition r is true (`holds`) or false.
-static const Env *refine_by_condition(FlowWalk *w, const Env *env, IrRef r, bool holds)
+// Adds what follows from condition r being true (`holds`) or false.
+static void refine_by_condition(FlowWalk *w, IrRef r, bool holds)
 {
     const IrIns *i = ins(w, r);
 
     if (w->budget == 0)
-        return env;
+        return;
     w->budget--;
-    if (i->op == IR_not)
-        return refine_by_condition(w, env, i->a, !holds);
-    if ((i->op == IR_and && holds) || (i->op == IR_or && !holds))
-        return refine_by_condition(w, refine_by_condition(w, env, i->a, holds), i->b, holds);
-    if (ir_op_info[i->op].types == IR_T_COMPARE)
-        return refine_comparison(w, env, i, holds);
-    return refine_value(w, env, r, fact_of_bool(!holds, holds));
+    if (i->op == IR_not) {
+        refine_by_condition(w, i->a, !holds);
+    } else if ((i->op == IR_and && holds) || (i->op == IR_or && !holds)) {
+        refine_by_condition(w, i->a, holds);
+        refine_by_condition(w, i->b, holds);
+    } else if (ir_op_info[i->op].types == IR_T_COMPARE) {
+        refine_comparison(w, i, holds);
+    } else {
+        refine_value(w, r, fact_of_bool(!holds, holds));
+    }
 }
 
 // ---- blocks ----
@@ -186,7 +416,7 @@ static const Env *refine_by_condition(FlowWalk *w, const Env *env, IrRef r, bool
 // Merges the facts `env` of an edge to block `to` into the facts at the beginning of that block.
 static void join_at_block(FlowWalk *w, IrBlkRef to, const Env *env)
 {
-    w->begin[to] = w->out.reached[to] ? env_join(&w->fm->shape, w->begin[to], env, NULL) : env;
+    w->begin[to] = w->out.reached[to] ? env_join(&w->shape, w->begin[to], env, NULL) : env;
     w->out.reached[to] = true;
 }
 
@@ -200,31 +430,101 @@ static bool follow_edge(FlowWalk *w, IrRef cond, bool holds, IrBlkRef to)
         return false;
     w->budget = REFINEMENTS;
     w->contradicts = false;
-    env = refine_by_condition(w, env, cond, holds);
-    if (!w->contradicts)
-        join_at_block(w, to, env);
-    return !w->contradicts;
+    w->refined = 0;
+    w->edge = ++w->fm->edges;
+    refine_by_condition(w, cond, holds);
+    if (w->contradicts)
+        return false;
+    for (uint32_t k = 0; k < w->refined; k++)
+        set_if_needed(w, &env, w->fm->refined_slot[k], w->fm->refined[w->fm->refined_slot[k]].fact, to);
+    join_at_block(w, to, env);
+    return true;
 }
 
-static void visit_block(FlowWalk *w, IrBlkRef b, const FactEnds *ends)
+// Computes the facts in the current block, and follows its edges.
+static void visit_instructions(FlowWalk *w, FactEffect *effect)
 {
-    const IrBlk *block = &w->f->blk.at[b];
+    const IrBlk *block = &w->f->blk.at[w->block];
     const IrJump *j = &block->jump;
-    FactExit *exit = &w->out.exit[b];
+    FactExit *exit = &w->out.exit[w->block];
 
-    w->env = w->begin[b];
     w->epoch = ++w->fm->epochs;
     for (uint32_t k = 0; k < block->ins.n; k++)
         visit_ins(w, block->ins.at[k], k);
-    exit->env = w->env;
+    effect->stores = (uint32_t)w->fm->update.n;
+    exit->env = w->ends && w->ends->exits ? env_of_machine(w, true) : NULL;
     if (j->kind == IR_JMP) {
         join_at_block(w, j->then, w->env);
     } else if (j->kind == IR_BR) {
-        exit->then = follow_edge(w, j->cond, true, j->then);
-        exit->otherwise = follow_edge(w, j->cond, false, j->otherwise);
-    } else if (ends) {
-        ends->visit(ends->context, j, w->env);
+        effect->then = exit->then = follow_edge(w, j->cond, true, j->then);
+        effect->on_then = (uint32_t)w->fm->update.n - effect->stores;
+        effect->otherwise = exit->otherwise = follow_edge(w, j->cond, false, j->otherwise);
+        effect->on_otherwise = (uint32_t)w->fm->update.n - effect->stores - effect->on_then;
+    } else if (w->ends && w->ends->visit) {
+        visit_function_end(w, j);
     }
+}
+
+// Whether the block loads the same facts as when its effect was stored.
+static bool has_same_loads(const FlowWalk *w, const FactEffect *effect)
+{
+    if (!effect->known)
+        return false;
+    for (uint32_t k = 0; k < effect->loads; k++)
+        if (!fact_equal(env_get(&w->shape, w->env, effect->load[k].slot), effect->load[k].fact))
+            return false;
+    return true;
+}
+
+static const Env *apply_updates(const FlowWalk *w, const Env *env, const FactUpdate *update, uint32_t n)
+{
+    for (uint32_t k = 0; k < n; k++)
+        env = env_set(&w->shape, env, update[k].slot, update[k].fact);
+    return env;
+}
+
+// Does what visit_instructions does, from the stored effect.
+static void repeat_effect(FlowWalk *w, const FactEffect *e)
+{
+    const IrJump *j = &w->f->blk.at[w->block].jump;
+
+    w->env = apply_updates(w, w->env, e->update, e->stores);
+    if (j->kind == IR_JMP)
+        join_at_block(w, j->then, w->env);
+    else if (j->kind != IR_BR)
+        visit_function_end(w, j);
+    if (e->then)
+        join_at_block(w, j->then, apply_updates(w, w->env, e->update + e->stores, e->on_then));
+    if (e->otherwise)
+        join_at_block(w, j->otherwise, apply_updates(w, w->env, e->update + e->stores + e->on_then, e->on_otherwise));
+}
+
+// Stores the facts that the visit of the current block has recorded.
+static void store_effect(FlowWalk *w, FactEffect *effect)
+{
+    FactMachine *fm = w->fm;
+
+    effect->known = true;
+    effect->loads = (uint32_t)fm->load.n;
+    effect->load = arena_copy(fm->shape.arena, fm->load.at, fm->load.n * sizeof *fm->load.at);
+    effect->update = arena_copy(fm->shape.arena, fm->update.at, fm->update.n * sizeof *fm->update.at);
+    w->effect[w->block] = *effect;
+}
+
+static void visit_block(FlowWalk *w, IrBlkRef b)
+{
+    FactEffect effect = {0};
+
+    w->block = b;
+    w->env = w->begin[b];
+    if (w->effect && has_same_loads(w, &w->effect[b])) {
+        repeat_effect(w, &w->effect[b]);
+        return;
+    }
+    w->fm->load.n = w->fm->update.n = 0;
+    visit_instructions(w, &effect);
+    if (w->effect)
+        store_effect(w, &effect);
 }
 
 // Lets w use the tables of the machine (FactMachine), after growing them if the function needs larger ones.  The tables are used again
@@ -255,13 +555,21 @@ static void reuse_tables(FlowWalk *w)
 
 FactFlow facts_flow(FactMachine *fm, const IrFn *f, const Env *begin, const FactEnds *ends)
 {
-    FlowWalk w = {.fm = fm, .f = f};
+    FlowWalk w = {.fm = fm, .f = f, .ends = ends, .start = begin};
 
+    if (ends && ends->fn && ends->fn->slot && has_same_begin(fm, ends->fn, begin)) {
+        repeat_ends(fm, ends, begin);
+        return w.out;
+    }
+    if (ends && ends->fn)
+        ends->fn->end.n = ends->fn->update.n = 0;
+    arena_reset(&fm->local);
     reuse_tables(&w);
-    join_at_block(&w, 0, begin);
+    begin_function(&w, ends && ends->at_entry);
+    join_at_block(&w, 0, w.first);
     for (IrBlkRef b = 0; b < f->blk.n; b++)
         if (w.out.reached[b])
-            visit_block(&w, b, ends);
+            visit_block(&w, b);
     return w.out;
 }
 

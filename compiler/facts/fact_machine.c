@@ -20,11 +20,12 @@ typedef struct FactIteration {
     FactMachine *fm;
     FactBegin (*to)[BLOCK_COUNT];     // receives the facts: fm->begin, or in the last round a new table that replaces it
     bool *(*possible)[BLOCK_COUNT];   // [state with an .exit][function][IR block]: whether the block's transition is possible
+    FactFn (*fn)[BLOCK_COUNT];        // [state][function]
     Worklist queue;                   // the states to visit
     uint32_t state;                   // the state that is visited
     int block;                        // the function of this state that is visited: BLOCK_ENTRY, …
+    const FactObserver *observer;     // receives the flow of each visit, or NULL
     bool any_start;                   // the machine may be started in any state
-    const FactObserver *observer;     // receives the flows, or NULL
     bool widened;                     // some bound was widened, so the last round may improve facts
     FactLimits limits;                // constants of the program and their neighbours, because guards stop counters there
 } FactIteration;
@@ -67,7 +68,7 @@ static void enter_function(FactIteration *v, uint32_t state, int block, const En
 // or .step) that has been found possible.
 static void enter_possible_targets(FactIteration *v, int block, const Env *env)
 {
-    const IrFn *f = v->fm->shape.m->state.at[v->state].block[block];
+    const IrFn *f = v->fm->m->state.at[v->state].block[block];
     const bool *possible = v->possible[v->state][block];
 
     for (size_t b = 0; possible && b < f->blk.n; b++)
@@ -79,13 +80,13 @@ static void enter_possible_targets(FactIteration *v, int block, const Env *env)
 // first record of a transition, .exit must be visited even if its facts do not change, because only that visit enters the target state.
 static void mark_transition_possible(FactIteration *v, const IrJump *j, const Env *env)
 {
-    const IrFn *f = v->fm->shape.m->state.at[v->state].block[v->block];
+    const IrFn *f = v->fm->m->state.at[v->state].block[v->block];
     const IrBlk *blk = (const IrBlk *)((const char *)j - offsetof(IrBlk, jump));
     bool **possible = &v->possible[v->state][v->block];
     const size_t b = (size_t)(blk - f->blk.at);
 
     enter_function(v, v->state, BLOCK_EXIT, env);
-    if (!v->fm->shape.m->state.at[v->state].block[BLOCK_EXIT]) {
+    if (!v->fm->m->state.at[v->state].block[BLOCK_EXIT]) {
         enter_function(v, j->state - 1, BLOCK_ENTRY, env);
         return;
     }
@@ -95,14 +96,13 @@ static void mark_transition_possible(FactIteration *v, const IrJump *j, const En
     (*possible)[b] = true;
 }
 
-// Called at each end of the current function: enters the functions that can run next.  They start without facts about elements, because
-// other code may write elements between steps.
+// Called at each end of the current function: enters the functions that can run next.  `env` has no facts about elements except those that
+// are assumed, because other code may write elements between steps.
 static void visit_end(void *context, const IrJump *end, const Env *env)
 {
     FactIteration *v = context;
 
-    env = env_replace_shared(&v->fm->shape, env, v->fm->assumed);
-    if (v->block == BLOCK_EXIT && v->fm->shape.m->state.at[v->state].block[BLOCK_EXIT]) {
+    if (v->block == BLOCK_EXIT && v->fm->m->state.at[v->state].block[BLOCK_EXIT]) {
         enter_possible_targets(v, BLOCK_ENTRY, env);
         enter_possible_targets(v, BLOCK_STEP, env);
     } else if (end->kind == IR_GOTO) {
@@ -119,8 +119,10 @@ static void visit_end(void *context, const IrJump *end, const Env *env)
 static void visit_function(FactIteration *v, int block)
 {
     static const IrJump nothing = {.kind = IR_RET, .cond = IR_NONE};
-    const FactEnds ends = {visit_end, v};
-    const IrFn *f = v->fm->shape.m->state.at[v->state].block[block];
+    FactFn *fn = v->fm->has_variable_locals ? &v->fn[v->state][block] : NULL;       // else few functions are visited twice
+    const FactEnds ends = {visit_end, v, .at_entry = block == BLOCK_ENTRY, .exits = v->observer != NULL, .fn = fn};
+    FactFlow flow;
+    const IrFn *f = v->fm->m->state.at[v->state].block[block];
     FactBegin *b = &v->fm->begin[v->state][block];
 
     v->block = block;
@@ -129,23 +131,23 @@ static void visit_function(FactIteration *v, int block)
         visit_end(v, &nothing, b->env);
         return;
     }
-    FactFlow flow = facts_flow(v->fm, f, facts_at_begin(v->fm, v->state, block), &ends);
+    flow = facts_flow(v->fm, f, b->env, &ends);
     if (v->observer)
         v->observer->visit(v->observer->context, f, flow);
 }
 
 static void enter_start_states(FactIteration *v, const Env *env)
 {
-    for (uint32_t s = 0; s < (v->any_start ? v->fm->shape.m->state.n : 1); s++)
+    for (uint32_t s = 0; s < (v->any_start ? v->fm->m->state.n : 1); s++)
         enter_function(v, s, BLOCK_ENTRY, env);
 }
 
 // The narrowing step: derives all facts once more from facts that are true.  The results are also true, and may be tighter.
 static void narrow_facts(FactIteration *v, const Env *initial)
 {
-    v->to = arena_array(v->fm->shape.arena, v->fm->shape.m->state.n, sizeof *v->to);
+    v->to = arena_array(v->fm->shape.arena, v->fm->m->state.n, sizeof *v->to);
     enter_start_states(v, initial);
-    for (v->state = 0; v->state < v->fm->shape.m->state.n; v->state++)
+    for (v->state = 0; v->state < v->fm->m->state.n; v->state++)
         for (int block = 0; block < BLOCK_COUNT; block++)
             if (v->fm->begin[v->state][block].found)
                 visit_function(v, block);
@@ -159,8 +161,8 @@ static const Env *initial_values(const FactMachine *fm, bool writable_too)
     const EnvShape *s = &fm->shape;
     const Env *env = fm->assumed;
 
-    for (uint32_t v = 0; v < s->m->var.n; v++) {
-        const IrVar *var = &s->m->var.at[v];
+    for (uint32_t v = 0; v < fm->m->var.n; v++) {
+        const IrVar *var = &fm->m->var.at[v];
         if (env_is_private(var) && (writable_too || !var->writable))
             env = env_set(s, env, v, fact_convert(fact_of_cell(var->type, var->init), var->type));
     }
@@ -205,15 +207,29 @@ static FactLimits limits_of_program(Arena *arena, const IrMachine *m)
 
 // ---- the iteration ----
 
-// Visits functions until no fact changes, then narrows the facts if bounds were widened.
+// Gives the observer the flow of each reachable function.
+static void observe_functions(FactMachine *fm, const FactObserver *observer)
+{
+    for (size_t s = 0; s < fm->m->state.n; s++)
+        for (int block = 0; block < BLOCK_COUNT; block++) {
+            const FactEnds ends = {.exits = true, .at_entry = block == BLOCK_ENTRY};
+            const IrFn *f = fm->m->state.at[s].block[block];
+            if (f && fm->begin[s][block].found)
+                observer->visit(observer->context, f, facts_flow(fm, f, fm->begin[s][block].env, &ends));
+        }
+}
+
+// Visits functions until no fact changes, then narrows the facts if bounds were widened.  Where each visit of a function begins with the
+// same facts, its first flow is final and goes to the observer.  Else the observer receives the flows at the end.
 static void iterate_to_fixed_point(FactMachine *fm, bool any_start, const FactObserver *observer)
 {
-    const IrMachine *m = fm->shape.m;
+    const IrMachine *m = fm->m;
     const Env *initial = initial_values(fm, true);
-    FactIteration v = {.fm = fm, .to = fm->begin, .any_start = any_start, .observer = observer};
+    FactIteration v = {.fm = fm, .to = fm->begin, .any_start = any_start, .observer = fm->has_variable_locals ? NULL : observer};
 
     v.limits = limits_of_program(fm->shape.arena, m);
     v.possible = arena_array(fm->shape.arena, m->state.n, sizeof *v.possible);
+    v.fn = arena_array(fm->shape.arena, m->state.n, sizeof *v.fn);
     v.queue = worklist_new(fm->shape.arena, m->state.n);
     enter_start_states(&v, initial);
     while (v.queue.n > 0) {
@@ -222,35 +238,36 @@ static void iterate_to_fixed_point(FactMachine *fm, bool any_start, const FactOb
             if (fm->begin[v.state][block].dirty)
                 visit_function(&v, block);
     }
-    if (!v.widened)
-        return;
-    v.observer = NULL;
-    narrow_facts(&v, initial);
-    if (!observer)
-        return;
-    observer->discard(observer->context);
-    for (size_t s = 0; s < m->state.n; s++)
-        for (int block = 0; block < BLOCK_COUNT; block++) {
-            const IrFn *f = m->state.at[s].block[block];
-            if (f && fm->begin[s][block].found)
-                observer->visit(observer->context, f, facts_of_function(fm, f, facts_at_begin(fm, s, block)));
-        }
+    if (v.widened)
+        narrow_facts(&v, initial);
+    if (observer && !v.observer)
+        observe_functions(fm, observer);
 }
 
 static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool any_start, const Env *assumed, const FactObserver *observer)
 {
     FactMachine *fm = ARENA_NEW(arena, FactMachine);
+    const size_t slots = m->var.n > FACT_SLOTS ? m->var.n : FACT_SLOTS;
 
+    fm->m = m;
     fm->shape = env_shape(arena, m);
+    arena_init_within(&fm->local, arena);
     fm->assumed = assumed;
     fm->begin = arena_array(arena, m->state.n, sizeof *fm->begin);
     fm->window = ARENA_ARRAY(arena, Fact, m->window.n);
     fm->epoch = ARENA_ARRAY(arena, uint32_t, m->var.n);
     fm->stored = ARENA_ARRAY(arena, uint32_t, m->var.n);
+    fm->slot_of = ARENA_ARRAY(arena, FactSlotOf, m->var.n);
+    fm->refined = ARENA_ARRAY(arena, FactRefined, slots);
+    fm->refined_slot = ARENA_ARRAY(arena, uint32_t, slots);
+    fm->zero = fact_of_cell(SM_U64, 0);
     fm->constants = initial_values(fm, false);
+    for (uint32_t v = 0; v < m->var.n; v++)
+        fm->has_variable_locals |= env_is_private(&m->var.at[v]) && m->var.at[v].writable;
     if (m->sample)
         facts_flow(fm, m->sample, fm->constants, NULL);
-    iterate_to_fixed_point(fm, any_start, observer);
+    if (fm->has_variable_locals || !any_start)
+        iterate_to_fixed_point(fm, any_start, observer);
     return fm;
 }
 
@@ -272,15 +289,16 @@ const Env *facts_at_begin(const FactMachine *fm, size_t state, int block)
 {
     const FactBegin *b = &fm->begin[state][block];
     const Env *env = b->found ? b->env : fm->constants;
-    const IrMachine *m = fm->shape.m;
+    const IrMachine *m = fm->m;
 
-    return block == BLOCK_ENTRY ? env_set(&fm->shape, env, m->t, fact_of_cell(SM_U64, 0)) : env;
+    return block == BLOCK_ENTRY ? env_set(&fm->shape, env, m->t, fm->zero) : env;
 }
 
 void facts_set_arena(FactMachine *fm, Arena *arena)
 {
     fm->shape.arena = arena;
     fm->shape.unique = NULL;
+    arena_init_within(&fm->local, arena);
     fm->temps = fm->blocks = 0;       // allocate new tables in the new arena
 }
 

@@ -17,7 +17,7 @@
 typedef struct FactMachine FactMachine;
 
 typedef struct FactExit {             // the end of a block
-    const Env *env;                   // the facts at the end of the block, before its branch is taken
+    const Env *env;                   // the facts at the end of the block, before its branch is taken; NULL without FactEnds.exits
     bool then, otherwise;             // IR_BR: whether the facts allow that edge to be taken
 } FactExit;
 
@@ -27,11 +27,9 @@ typedef struct FactFlow {             // valid until the next function is analys
     FactExit *exit;                   // by block: the facts at its end; undefined for unreached blocks
 } FactFlow;
 
-// Receives the flow of each reachable function while the facts of a machine are computed.  `visit` is called again for a function
-// whose facts at the beginning have changed.  Its last call has the final facts.
+// Receives the flow of each reachable function, with its final facts and FactExit.env.  A function can be visited again with equal facts.
 typedef struct FactObserver {
     void (*visit)(void *context, const IrFn *f, FactFlow flow);
-    void (*discard)(void *context);   // the narrowing step has found better facts: discard all earlier visits; new ones follow
     void *context;
 } FactObserver;
 
@@ -56,14 +54,63 @@ Fact facts_of_window(const FactMachine *fm, uint32_t window);      // the fact t
 // ---- inside compiler/facts ----
 
 typedef struct FactEnds {             // receives the facts at each end of a function
-    void (*visit)(void *context, const IrJump *end, const Env *env);  // called for each reached IR_RET or IR_GOTO
+    void (*visit)(void *context, const IrJump *end, const Env *env);  // called for each reached IR_RET or IR_GOTO; or NULL
     void *context;
+    bool all;                         // `visit` receives all facts; else only those about private variables, and those that are assumed
+    bool exits;                       // FactExit.env is required, with all facts
+    bool at_entry;                    // the function begins when its state is entered: T is 0
+    struct FactFn *fn;                // stores the effects of the function's blocks, or NULL.  Not with `all` or `exits`
 } FactEnds;
 
 typedef struct FactHome {
     uint32_t var;                     // a variable with the same value as a temporary; IR_NONE: none is known
     uint32_t at;                      // position in the block from which on variable and temporary have the same value
 } FactHome;
+
+enum { FACT_SLOTS = 64 };             // most slots of a function (fact_flow.c)
+
+typedef struct FactSlot {
+    uint32_t var;
+    IrBlkRef last_load;               // the last block that loads the variable
+} FactSlot;
+
+typedef struct FactUpdate {           // the fact about a slot before or after something
+    uint32_t slot;
+    Fact fact;
+} FactUpdate;
+
+// What a visit of a block has found.  Another visit finds the same if the block loads the same facts.
+typedef struct FactEffect {
+    bool known;                       // the block has been visited
+    bool then, otherwise;             // as in FactExit
+    uint32_t loads, stores, on_then, on_otherwise;      // numbers of facts
+    FactUpdate *load;                 // the facts that it loads
+    FactUpdate *update;               // the facts that it stores, and then those that its two edges add
+} FactEffect;
+
+typedef struct FactEnd {              // an end that the facts at the beginning of a function allow
+    const IrJump *jump;
+    uint32_t updates;                 // how many facts about private variables differ from those at the beginning
+} FactEnd;
+
+typedef struct FactFn {               // what an iteration stores about a function, to visit it again with less work
+    FactSlot *slot;                   // its slots, or NULL: not visited yet, or too many variables for slots
+    SmType *type;                     // by slot: the variable's type
+    uint32_t slots;
+    FactEffect *effect;               // by block
+    Fact *begin;                      // by slot: the fact at the beginning of the last visit.  Only of private variables
+    VEC(FactEnd) end;                 // the ends of the last visit
+    VEC(FactUpdate) update;           // the facts that differ at these ends
+} FactFn;
+
+typedef struct FactSlotOf {           // the slot of a variable, if `function` is FactMachine.functions
+    uint32_t slot, function;
+} FactSlotOf;
+
+typedef struct FactRefined {          // what an edge adds about a slot, if `edge` is the number of the current edge
+    Fact fact;
+    uint32_t edge;
+} FactRefined;
 
 typedef struct FactBegin {            // what is known at the beginning of a function
     const Env *env;
@@ -72,13 +119,24 @@ typedef struct FactBegin {            // what is known at the beginning of a fun
 } FactBegin;
 
 struct FactMachine {
+    const IrMachine *m;
     EnvShape shape;
+    Arena local;                      // the environments of slots in the current function
     const Env *assumed;               // the facts that are assumed of elements, or NULL
+    bool has_variable_locals;         // the machine writes private locals; else all functions begin with the facts `constants`
     const Env *constants;             // `assumed`, and the values of locals that no code writes
     FactBegin (*begin)[BLOCK_COUNT];  // [state][block]: the facts at the beginning of each function
     Fact *window;                     // by window: its samples
     uint32_t *epoch, *stored;         // by variable: `epochs` during the last block visit that stored to it; position of that store
     uint32_t epochs;                  // number of block visits so far
+    uint32_t functions, edges;        // number of functions analysed so far, and of their edges
+    FactSlotOf *slot_of;              // by variable
+    FactSlot slot[FACT_SLOTS];        // the slots of the current function
+    SmType slot_type[FACT_SLOTS];     // by slot: the variable's type
+    VEC(FactUpdate) load, update;     // the effect of the current block (FactEffect)
+    FactRefined *refined;             // by slot, or by variable where a function has too many for slots
+    uint32_t *refined_slot;           // the slots about which the current edge adds facts
+    Fact zero;                        // the fact of the number 0 in a U64
     size_t temps, blocks;             // capacity of the following tables, which every call of facts_flow uses
     Fact *of;
     FactHome *home;

@@ -60,11 +60,12 @@ static bool try_expr(Reducer *r, GExpr **place, GExpr *other)
 static void reduce_size(Reducer *r, GExpr **place)
 {
     static const char *const small[] = { "1", "2", "3", "4" };
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; i++) {
         if ((*place)->kind == G_NUMBER && strcmp((*place)->text, small[i]) == 0)
             return;
-        else if (try_expr(r, place, simple_number(r, small[i])))
+        if (try_expr(r, place, simple_number(r, small[i])))
             return;
+    }
 }
 
 static void reduce_expr(Reducer *r, GExpr **place)
