@@ -21,36 +21,45 @@ static unsigned levels_for(uint32_t n)
 
 EnvShape env_shape_of_types(Arena *arena, const SmType *type, uint32_t n)
 {
-    return (EnvShape){arena, type, NULL, levels_for(n), NULL};
+    return (EnvShape){arena, type, NULL, NULL, {{NULL, 0}, {type, levels_for(n)}}, NULL};
 }
 
 EnvShape env_shape(Arena *arena, const IrMachine *m)
 {
-    SmType *type = ARENA_ARRAY(arena, SmType, m->var.n);
+    SmType *type = ARENA_ARRAY(arena, SmType, m->var.n), *of_side[2];
     bool *is_private = ARENA_ARRAY(arena, bool, m->var.n);
+    uint32_t *place = ARENA_ARRAY(arena, uint32_t, m->var.n), n[2] = {0, 0};
+    EnvShape s = {arena, type, is_private, place, {{NULL, 0}, {NULL, 0}}, m->var.n > UNIQUE_FROM ? env_table_new(arena) : NULL};
 
+    of_side[0] = ARENA_ARRAY(arena, SmType, m->var.n);
+    of_side[1] = ARENA_ARRAY(arena, SmType, m->var.n);
     for (uint32_t v = 0; v < m->var.n; v++) {
-        type[v] = m->var.at[v].type;
-        is_private[v] = env_is_private(&m->var.at[v]);
+        const int side = env_is_private(&m->var.at[v]);
+        is_private[v] = side;
+        place[v] = n[side]++;
+        type[v] = of_side[side][place[v]] = m->var.at[v].type;
     }
-    // One more level: the root separates private variables from the others.
-    return (EnvShape){arena, type, is_private, levels_for((uint32_t)m->var.n) + 1, m->var.n > UNIQUE_FROM ? env_table_new(arena) : NULL};
+    for (int side = 0; side < 2; side++)
+        s.side[side] = (EnvSide){of_side[side], levels_for(n[side] ? n[side] : 1)};
+    return s;
 }
 
-static bool is_root(const EnvShape *s, unsigned level) { return s->is_private && level == s->levels - 1; }
+static unsigned side_of(const EnvShape *s, uint32_t var) { return s->is_private ? s->is_private[var] : 1; }
+static uint32_t place_of(const EnvShape *s, uint32_t var) { return s->place ? s->place[var] : var; }
 
-// Returns which child of a node on this level contains the variable.  A root that separates variables has two children: child 1 contains
-// the private variables (locals that only the machine writes), child 0 the others.
-static unsigned child_index(const EnvShape *s, uint32_t var, unsigned level)
-{
-    return is_root(s, level) ? s->is_private[var] : var >> (level * BITS) & (CHILDREN - 1u);
-}
+// Returns which child of a node on this level contains the place.
+static unsigned child_index(uint32_t place, unsigned level) { return place >> (level * BITS) & (CHILDREN - 1u); }
 
 const Fact *env_find(const EnvShape *s, const Env *e, uint32_t var)
 {
-    for (unsigned level = s->levels - 1; e && level > 0; level--)
-        e = e->child[child_index(s, var, level)].env;
-    return e ? e->child[var & (CHILDREN - 1u)].fact : NULL;
+    const uint32_t place = place_of(s, var);
+    const unsigned side = side_of(s, var);
+
+    if (e && s->is_private)
+        e = e->child[side].env;
+    for (unsigned level = s->side[side].levels - 1; e && level > 0; level--)
+        e = e->child[child_index(place, level)].env;
+    return e ? e->child[child_index(place, 0)].fact : NULL;
 }
 
 Fact env_get(const EnvShape *s, const Env *e, uint32_t var)
@@ -74,28 +83,41 @@ static const Fact *new_fact(const EnvShape *s, Fact fact, SmType type)
     return s->unique ? env_table_intern_fact(s->unique, fact) : arena_copy(s->arena, &fact, sizeof fact);
 }
 
-// Returns a copy of the node e, which is on level `level`, with the variable's fact replaced.
-static const Env *set_below(const EnvShape *s, const Env *e, uint32_t var, const Fact *fact, unsigned level)
+// Returns a copy of the node e, which is on level `level`, with the fact of the variable at this place replaced.
+static const Env *set_below(const EnvShape *s, const Env *e, uint32_t place, const Fact *fact, unsigned level)
 {
     static const Env empty;
     Env n = e ? *e : empty;
-    const unsigned k = child_index(s, var, level);
+    const unsigned k = child_index(place, level);
 
     if (level == 0)
         n.child[k].fact = fact;
     else
-        n.child[k].env = set_below(s, n.child[k].env, var, fact, level - 1);
+        n.child[k].env = set_below(s, n.child[k].env, place, fact, level - 1);
     return new_node(s, &n);
 }
 
 const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact)
 {
-    return fact_equal(env_get(s, e, var), fact) ? e : set_below(s, e, var, new_fact(s, fact, s->type[var]), s->levels - 1);
+    static const Env empty;
+    const unsigned side = side_of(s, var), top = s->side[side].levels - 1;
+    const Fact *copy;
+    Env root;
+
+    if (fact_equal(env_get(s, e, var), fact))
+        return e;
+    copy = new_fact(s, fact, s->type[var]);
+    if (!s->is_private)
+        return set_below(s, e, place_of(s, var), copy, top);
+    root = e ? *e : empty;
+    root.child[side].env = set_below(s, root.child[side].env, place_of(s, var), copy, top);
+    return new_node(s, &root);
 }
 
-static const Fact *join_facts(const EnvShape *s, const Fact *a, const Fact *b, uint32_t var, const FactLimits *widen)
+// ---- joins ----
+
+static const Fact *join_facts(const EnvShape *s, const Fact *a, const Fact *b, SmType type, const FactLimits *widen)
 {
-    const SmType type = s->type[var];
     const Fact r = fact_join(*a, *b);
 
     if (fact_equal(r, *a))
@@ -113,51 +135,68 @@ static const Env *node_of_children(const EnvShape *s, const Env *joined, const E
     return memcmp(joined, &empty, sizeof empty) == 0 ? NULL : new_node(s, joined);
 }
 
-// Joins two leaves.  `first`: the first variable below them.  Slots beyond the last variable are NULL.
-static const Env *join_leaves(const EnvShape *s, const Env *a, const Env *b, uint32_t first, const FactLimits *widen)
+// Joins the leaves j->a and j->b.  Children after the last place are NULL.
+static const Env *join_leaves(const EnvShape *s, const EnvJoin *j)
 {
     Env both;
 
     for (uint32_t k = 0; k < CHILDREN; k++) {
-        const Fact *of_a = a->child[k].fact, *of_b = b->child[k].fact;
-        both.child[k].fact = !of_a || !of_b ? NULL : of_a == of_b ? of_a : join_facts(s, of_a, of_b, first | k, widen);
+        const Fact *of_a = j->a->child[k].fact, *of_b = j->b->child[k].fact;
+        if (!of_a || !of_b)
+            both.child[k].fact = NULL;
+        else
+            both.child[k].fact = of_a == of_b ? of_a : join_facts(s, of_a, of_b, s->side[j->side].type[j->first | k], j->widen);
     }
-    return node_of_children(s, &both, a);
+    return node_of_children(s, &both, j->a);
 }
 
-static const Env *join_nodes(const EnvShape *s, const Env *a, const Env *b, uint32_t first, unsigned level, const FactLimits *widen);
+static const Env *join_nodes(const EnvShape *s, EnvJoin j);
 
-static const Env *join_inner_nodes(const EnvShape *s, const Env *a, const Env *b, uint32_t first, unsigned level, const FactLimits *widen)
+static const Env *join_inner_nodes(const EnvShape *s, const EnvJoin *j)
 {
-    const unsigned shift = is_root(s, level) ? 32 : level * BITS;
     Env both;
 
     for (uint32_t k = 0; k < CHILDREN; k++) {
-        const Env *of_a = a->child[k].env, *of_b = b->child[k].env;
-        const uint32_t at = shift < 32 ? first | k << shift : 0;
-        both.child[k].env = !of_a || !of_b ? NULL : of_a == of_b ? of_a : join_nodes(s, of_a, of_b, at, level - 1, widen);
+        const Env *of_a = j->a->child[k].env, *of_b = j->b->child[k].env;
+        const uint32_t at = j->first | k << (j->level * BITS);
+        if (!of_a || !of_b)
+            both.child[k].env = NULL;
+        else
+            both.child[k].env = of_a == of_b ? of_a : join_nodes(s, (EnvJoin){of_a, of_b, j->widen, at, j->level - 1u, j->side, NULL});
     }
-    return node_of_children(s, &both, a);
+    return node_of_children(s, &both, j->a);
 }
 
 // Joins two different nodes on one level.
-static const Env *join_nodes(const EnvShape *s, const Env *a, const Env *b, uint32_t first, unsigned level, const FactLimits *widen)
+static const Env *join_nodes(const EnvShape *s, EnvJoin j)
 {
-    EnvJoin j = {a, b, widen, first, level, NULL};
-
     if (s->unique && env_table_find_join(s->unique, &j))
         return j.joined;
-    j.joined = level == 0 ? join_leaves(s, a, b, first, widen) : join_inner_nodes(s, a, b, first, level, widen);
+    j.joined = j.level == 0 ? join_leaves(s, &j) : join_inner_nodes(s, &j);
     if (s->unique)
         env_table_add_join(s->unique, &j);
     return j.joined;
 }
 
-const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLimits *widen)
+// Joins the trees of one side.
+static const Env *join_sides(const EnvShape *s, const Env *a, const Env *b, unsigned side, const FactLimits *widen)
 {
     if (a == b || !a || !b)
         return a && b ? a : NULL;
-    return join_nodes(s, a, b, 0, s->levels - 1, widen);
+    return join_nodes(s, (EnvJoin){a, b, widen, 0, s->side[side].levels - 1u, side, NULL});
+}
+
+const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLimits *widen)
+{
+    Env both = {{{NULL}}};
+
+    if (!s->is_private || a == b || !a || !b)
+        return join_sides(s, a, b, 1, widen);
+    for (unsigned side = 0; side < 2; side++)
+        both.child[side].env = join_sides(s, a->child[side].env, b->child[side].env, side, widen);
+    if (both.child[0].env == a->child[0].env && both.child[1].env == a->child[1].env)
+        return a;
+    return both.child[0].env || both.child[1].env ? new_node(s, &both) : NULL;
 }
 
 const Env *env_replace_shared(const EnvShape *s, const Env *e, const Env *shared)
@@ -192,7 +231,7 @@ static const Env *node_of_facts(const EnvShape *s, const Fact *const *fact, uint
 
 const Env *env_of_facts(const EnvShape *s, const Fact *const *fact, uint32_t n)
 {
-    return node_of_facts(s, fact, n, 0, s->levels - 1);
+    return node_of_facts(s, fact, n, 0, s->side[1].levels - 1);
 }
 
 static void each_difference_below(const Env *from, const Env *to, uint32_t first, unsigned level, EnvVisitFn *visit, void *context)
@@ -214,5 +253,5 @@ static void each_difference_below(const Env *from, const Env *to, uint32_t first
 
 void env_each_difference(const EnvShape *s, const Env *from, const Env *to, EnvVisitFn *visit, void *context)
 {
-    each_difference_below(from, to, 0, s->levels - 1, visit, context);
+    each_difference_below(from, to, 0, s->side[1].levels - 1, visit, context);
 }

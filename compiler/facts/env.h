@@ -9,12 +9,19 @@
 
 typedef struct Env Env;
 
-// The variables whose facts an environment can contain, numbered from 0.
+typedef struct EnvSide {              // some variables, by their place from 0
+    const SmType *type;               // by place
+    unsigned levels;                  // number of levels of their tree; the leaves are level 0
+} EnvSide;
+
+// The variables whose facts an environment can contain, numbered from 0.  If private variables are separated from the others, the root has
+// a tree for each of the two sides: child 1 contains the private variables (env_is_private), child 0 the others.
 typedef struct EnvShape {
     Arena *arena;
     const SmType *type;               // by variable
-    const bool *is_private;           // by variable: env_is_private; NULL: the variables are not separated (env_replace_shared)
-    unsigned levels;                  // number of levels of the tree; the leaves are level 0
+    const bool *is_private;           // by variable; NULL: not separated, all variables are on side 1
+    const uint32_t *place;            // by variable: its place on its side; NULL: its number
+    EnvSide side[2];
     struct EnvTable *unique;          // stores equal subtrees only once; NULL: equal subtrees may be stored several times
 } EnvShape;
 

@@ -125,7 +125,7 @@ const Env *env_table_intern_node(EnvTable *t, const Env *e)
 
 static EnvJoin *join_slot(const EnvTable *t, const EnvJoin *j)
 {
-    const uint32_t hash = hash_word(hash_word(j->first + j->level, (uint64_t)(uintptr_t)j->a), (uint64_t)(uintptr_t)j->b);
+    const uint32_t hash = hash_word(hash_word(j->first + j->level + j->side, (uint64_t)(uintptr_t)j->a), (uint64_t)(uintptr_t)j->b);
 
     return &t->join[hash & (t->joins - 1)];
 }
@@ -134,7 +134,7 @@ bool env_table_find_join(const EnvTable *t, EnvJoin *j)
 {
     const EnvJoin *known = t->joins ? join_slot(t, j) : NULL;
 
-    if (!known || known->a != j->a || known->b != j->b || known->widen != j->widen || known->first != j->first || known->level != j->level)
+    if (!known || known->a != j->a || known->b != j->b || known->widen != j->widen || known->first != j->first || known->level != j->level || known->side != j->side)
         return false;
     j->joined = known->joined;
     return true;

@@ -19,11 +19,12 @@ struct Env {
 
 typedef struct EnvTable EnvTable;
 
-// The join of nodes a and b.  `first` is the first variable below them, `level` their level, `joined` the result.
+// The join of nodes a and b.  `first` is the first place below them, `level` their level, `side` their side, `joined` the result.
 typedef struct EnvJoin {
     const Env *a, *b;
     const FactLimits *widen;
-    uint32_t first, level;
+    uint32_t first;
+    uint32_t level, side;
     const Env *joined;
 } EnvJoin;
 

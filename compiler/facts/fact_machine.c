@@ -53,8 +53,12 @@ static const Env *join_at_begin(FactIteration *v, const FactBegin *b, const Env 
 static void enter_function(FactIteration *v, uint32_t state, int block, const Env *env)
 {
     FactBegin *b = &v->to[state][block];
-    const Env *now = join_at_begin(v, b, env);
+    const Env *now;
 
+    if (b->found && b->joined == env)
+        return;
+    now = join_at_begin(v, b, env);
+    b->joined = env;
     if (b->found && now == b->env)
         return;
     b->env = now;

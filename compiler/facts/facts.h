@@ -40,7 +40,7 @@ FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m, const Fact
 FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed);
 // Makes later calls of facts_of_function allocate from `arena`.
 void facts_set_arena(FactMachine *fm, Arena *arena);
-// Whether the facts allow a path to this function.
+// Whether the facts allow a path to this function.  Not for facts_of_machine, which assumes that each state can be the first.
 bool facts_may_reach(const FactMachine *fm, size_t state, int block);
 
 // Return the facts when a function of state `state` (from 0) begins, and when the sample function begins.
@@ -116,6 +116,7 @@ typedef struct FactBegin {            // what is known at the beginning of a fun
     const Env *env;
     bool found, dirty;                // a path to it has been found; env has changed since the last visit
     unsigned changes;                 // how often env has changed
+    const Env *joined;                // the facts that were joined last: joining them again changes nothing
 } FactBegin;
 
 struct FactMachine {
