@@ -142,8 +142,9 @@ typedef struct SmSwaps {
 
 // ---- swaps: can be called from any task or thread ----
 
-// Begins a swap of n machines.  SM_E_BUSY: another one is in progress, or ended in the current tick, or the application has not started.  SM_E_ARGUMENT: n is 0, or a pointer is NULL.  SM_E_TIMEOUT: a
-// thread has ended inside a critical section, so no swap is possible any more.  Every other problem is in the status.
+// Begins a swap of n machines.
+// SM_E_BUSY: another one is in progress, or ended in the current tick, or the application has not started.  SM_E_ARGUMENT: n is 0, or a pointer
+// is NULL.  SM_E_TIMEOUT: a thread has ended inside a critical section, so no swap is possible any more.  Every other problem is in the status.
 SmResult sm_swap_begin(SmSwaps *s, const SmSwapChange *change, uint16_t n);
 
 // Reads the status of the last swap.  SM_E_BUSY: the application has not started.

@@ -126,6 +126,26 @@ check "a broken application stops make" stops '^probe.app:.*error' CC="$cc" CFLA
 check "on Linux it links too" sh -c "sed /nonsense/d probe.app >new && mv new probe.app && $make -s CC='$cc' CFLAGS=-O1 SMC_PLATFORM=linux SMC_OUT=real"
 cd "$dir/project" || exit 1
 
+# An application that swaps one of its machines: the image comes from smc.mk, too.
+mkdir "$dir/swapping"
+cp "$root"/tests/app/swap/* "$dir/swapping"
+cd "$dir/swapping" || exit 1
+cat >Makefile <<EOF
+SMC          = $inst/bin/smc
+SMCFLAGS     = -w -g
+SMC_APP      = bench
+SMC_SV       = bench.sv
+SMC_SOURCES  = tasks.c
+SMC_PLATFORM = sim
+all: bench
+image.h: faster.smb
+	{ echo 'static const unsigned char image[] = {'; od -An -v -tx1 faster.smb | sed 's/ *\([0-9a-f][0-9a-f]\)/0x\1, /g'; echo '};'; } >image.h
+include $inst/share/smc/smc.mk
+EOF
+check "an application with swaps builds with smc.mk" sh -c "$make -s image.h CC='$cc' && $make -s CC='$cc' CFLAGS='-O1 -I.'"
+check "and swaps its machine" sh -c "./bench | cmp - expected.txt"
+check "with its log, on a desk" sh -c "$make -s CC='$cc' CFLAGS='-O1 -I.' SMC_PLATFORM=desk && ./bench | cmp - expected.txt && '$inst/bin/smc' log bench.log | grep -q 'confirmed'"
+
 # One program, other settings: each time it is the one that was asked for.
 cd "$dir/app" || exit 1
 programs()
