@@ -122,11 +122,23 @@
 #endif
 #endif
 
+// Runs at each instruction that the C interpreter executes, for tests that count instructions.
+#ifndef SMVM_ON_INSTRUCTION
+#define SMVM_ON_INSTRUCTION (void)0
+#endif
+
 // For functions that their callers run rarely: not inlined when the compiler optimizes for size.
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define SMVM_NOINLINE __attribute__((noinline))
 #else
 #define SMVM_NOINLINE
+#endif
+
+// For functions that frequently executed code calls rarely: never inlined, and compilers keep the callers' registers for the other paths.
+#ifdef __GNUC__
+#define SMVM_RARE __attribute__((cold, noinline))
+#else
+#define SMVM_RARE
 #endif
 
 // For small functions in frequently executed code: always inlined.
@@ -136,10 +148,12 @@
 #define SMVM_INLINE static inline
 #endif
 
-// Tells the compiler that a condition is rarely true.
+// Tells the compiler that a condition is rarely true, or almost always.
 #ifdef __GNUC__
+#define SMVM_LIKELY(condition) __builtin_expect((condition) != 0, 1)
 #define SMVM_UNLIKELY(condition) __builtin_expect((condition), 0)
 #else
+#define SMVM_LIKELY(condition) (condition)
 #define SMVM_UNLIKELY(condition) (condition)
 #endif
 

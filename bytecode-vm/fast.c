@@ -12,12 +12,6 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-// Keeps compilers from replacing a branch by a conditional move.
-#ifdef __GNUC__
-#define KEEP_BRANCH __asm__ volatile("")
-#else
-#define KEEP_BRANCH
-#endif
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-gcse", "no-crossjumping", "no-tree-tail-merge")   // these would merge the jumps between instructions into one
 #pragma GCC optimize("no-tree-fre", "no-tree-pre")     // these take a third of gcc's time for this file and gain nothing
@@ -69,16 +63,7 @@
     static inline void move_##K(const SmvmWord *d, const SmvmWord *x) { put_##K(d, get_##K(x, sm_from_i32(0))); }
 
 static inline int64_t clip_to(int64_t x, int64_t lo, int64_t hi) { return x < lo ? lo : x > hi ? hi : x; }
-// Like sm_read_f64, but with a rarely taken branch.  Without the branch, compilers generate a chain of dependent instructions.
-static inline SmF64 read_f64(SmF64 x)
-{
-    if (sm_is_nan(x)) {
-        KEEP_BRANCH;
-        return sm_from_i32(0);
-    }
-    return x;
-}
-static inline SmF64 read_f32(float v) { return read_f64(sm_from_f32(v)); }
+static inline SmF64 read_f32(float v) { return smvm_read_f64(sm_from_f32(v)); }
 static inline SmF64 from_byte(uint8_t v) { return sm_from_bool(v != 0); }
 #define is_not_zero(v) ((v) != 0)
 static inline bool is_f32_true(float v) { return sm_to_bool(sm_from_f32(v)); }
@@ -93,7 +78,7 @@ DEFINE_SMALL_INTEGER(U16, uint16_t, sm_from_u16, sm_to_u16, 0, UINT16_MAX)
 DEFINE_SMALL_INTEGER(U32, uint32_t, sm_from_u32, sm_to_u32, 0, UINT32_MAX)
 DEFINE_LARGE_INTEGER(U64, uint64_t, sm_from_u64, sm_to_u64, sm_count_u64)
 DEFINE_OTHER(F32, float, read_f32, sm_to_f32, sm_from_f32, is_f32_true)
-DEFINE_OTHER(F64, SmF64, read_f64, sm_to_f64, identity, sm_to_bool)
+DEFINE_OTHER(F64, SmF64, smvm_read_f64, sm_to_f64, identity, sm_to_bool)
 DEFINE_OTHER(BOOL, uint8_t, from_byte, sm_to_bool, from_byte, is_not_zero)
 DEFINE_OTHER(RAW, SmF64, identity, smvm_raw, identity, sm_to_bool)
 static inline int64_t whole_I64(const SmvmWord *w) { return cell_I64(w); }
@@ -132,19 +117,6 @@ static SmF64 compute_sqrt(SmF64 x) { return sm_sqrt(x); }
 #define FINISH case FAST_OPS: return SM_OK; }
 #endif
 #define GO_IF(condition, n) if (condition) { ip = ip[1].to; NEXT(0); } NEXT(n)
-
-// Stores the bits of the first 64 outputs.  Compilers turn this into one store on little-endian machines.
-static inline void store_notes(uint8_t *stored, uint64_t notes)
-{
-    stored[0] = (uint8_t)notes;
-    stored[1] = (uint8_t)(notes >> 8);
-    stored[2] = (uint8_t)(notes >> 16);
-    stored[3] = (uint8_t)(notes >> 24);
-    stored[4] = (uint8_t)(notes >> 32);
-    stored[5] = (uint8_t)(notes >> 40);
-    stored[6] = (uint8_t)(notes >> 48);
-    stored[7] = (uint8_t)(notes >> 56);
-}
 
 // Runs a step on a state vector other than that of the decoded form.  If d has no machine, only sets d->label (smvm_fast_labels).
 static SmResult step_other_vector(SmvmDecoded *d, void *sv, const void *const *label)

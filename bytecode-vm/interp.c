@@ -75,7 +75,9 @@ typedef struct Interpreter {
     SmVm *vm;
     uint8_t *sv, *locals;
     const SmvmTables *t;
-#if !SMVM_SPECIALIZE
+#if SMVM_SPECIALIZE
+    uint64_t stored;          // the bits of the first 64 outputs that this step stored, until it ends
+#else
     Number x, y;
 #endif
 } Interpreter;
@@ -92,7 +94,7 @@ typedef struct Interpreter {
 SMVM_INLINE uint8_t fetch_byte(SmvmBytes at) { return (uint8_t)SMVM_FETCH(at, 0); }
 
 // Reads a varint of two or four bytes: b is its first byte, and the others start at `at`.
-SMVM_NOINLINE static uint32_t read_long_varint(SmvmBytes at, uint8_t b)
+SMVM_RARE static uint32_t read_long_varint(SmvmBytes at, uint8_t b)
 {
     uint32_t v;
 
@@ -110,11 +112,12 @@ SMVM_INLINE SmvmBytes skip_varint(SmvmBytes at, uint8_t b)      // skips the oth
 }
 
 #if SMVM_SPECIALIZE
-// Returns the little-endian number at `at`: compilers turn the sum into one load.
-SMVM_INLINE uint32_t fetch_u32(SmvmBytes at)
-{
-    return fetch_byte(at) | (uint32_t)fetch_byte(at + 1) << 8 | (uint32_t)fetch_byte(at + 2) << 16 | (uint32_t)fetch_byte(at + 3) << 24;
-}
+SMVM_INLINE SmvmBytes image_at(SmvmBytes base, uintptr_t offset) { return (SmvmBytes)(base + offset); }
+
+// Return the little-endian number at `at`: compilers turn each sum into one load.
+SMVM_INLINE uint32_t fetch_u16(SmvmBytes at) { return fetch_byte(at) | (uint32_t)fetch_byte(at + 1) << 8; }
+SMVM_INLINE uint32_t fetch_u32(SmvmBytes at) { return fetch_u16(at) | (uint32_t)fetch_byte(at + 2) << 16 | (uint32_t)fetch_byte(at + 3) << 24; }
+SMVM_INLINE uint64_t fetch_u64(SmvmBytes at) { return fetch_u32(at) | (uint64_t)fetch_u32(at + 4) << 32; }
 #endif
 
 // Returns the bits of entry n of a table in the image, whose entries have 4 or 8 bytes.
@@ -124,7 +127,7 @@ SMVM_INLINE uint64_t read_entry(const Interpreter *r, SmvmAt table, uint32_t n, 
 
 #if SMVM_SPECIALIZE
     const SmvmBytes at = r->vm->image + offset;
-    return bytes == 4 ? fetch_u32(at) : fetch_u32(at) | (uint64_t)fetch_u32(at + 4) << 32;
+    return bytes == 4 ? fetch_u32(at) : fetch_u64(at);
 #else
     return smvm_cell(r->vm->image, offset, bytes);
 #endif
@@ -132,7 +135,32 @@ SMVM_INLINE uint64_t read_entry(const Interpreter *r, SmvmAt table, uint32_t n, 
 
 // ---- loads and stores ----
 
-SMVM_INLINE uint8_t *operand_address(uint8_t *base, uint8_t type, SmvmAt at) { return base + ((size_t)at << smvm_type_shift(type)); }
+SMVM_INLINE uint8_t *operand_address(uint8_t *base, uint8_t type, size_t at) { return base + (at << smvm_type_shift(type)); }
+
+#if SMVM_SPECIALIZE
+// Stores x as an element or local of this type, at an offset in units of the type's size.
+SMVM_INLINE void store_at(const Number *x, uint8_t type, uint8_t *base, SmvmAt offset)
+{
+    switch (type) {
+#define STORE_AT(K) case SMVM_KIND_##K: number_store(x, SMVM_KIND_##K, operand_address(base, SMVM_KIND_##K, offset)); break;
+    SMVM_EACH_KIND(STORE_AT)
+    }
+}
+
+// Returns the bit of one of the first 64 outputs.  Sets the bit of any other in memory, and returns 0.
+SMVM_INLINE uint64_t mark_output_stored(const Interpreter *r, uintptr_t output)
+{
+    uint8_t *more;
+
+    if (!SMVM_UNLIKELY(output >= 64))
+        return (uint64_t)1 << output;
+    more = (uint8_t *)r->vm + r->t->more + (output - 64) / 8;
+    *more = (uint8_t)(*more | 1u << (output & 7));
+    return 0;
+}
+
+#else
+SMVM_INLINE void store_at(const Number *x, uint8_t type, uint8_t *base, SmvmAt offset) { number_store(x, type, operand_address(base, type, offset)); }
 
 // Sets the bit of an output that this step stores.
 INTERP_INLINE void mark_output_stored(const Interpreter *r, SmvmAt output)
@@ -146,19 +174,6 @@ INTERP_INLINE void mark_output_stored(const Interpreter *r, SmvmAt output)
     bits[output >> 3] = (uint8_t)(bits[output >> 3] | 1u << (output & 7));
 }
 
-// Stores x as an element or local of this type, at an offset in units of the type's size.
-#if SMVM_SPECIALIZE
-SMVM_INLINE void store_at(const Number *x, uint8_t type, uint8_t *base, SmvmAt offset)
-{
-    switch (type) {
-#define STORE_AT(K) case SMVM_KIND_##K: number_store(x, SMVM_KIND_##K, operand_address(base, SMVM_KIND_##K, offset)); break;
-    SMVM_EACH_KIND(STORE_AT)
-    }
-}
-#else
-SMVM_INLINE void store_at(const Number *x, uint8_t type, uint8_t *base, SmvmAt offset) { number_store(x, type, operand_address(base, type, offset)); }
-#endif
-
 INTERP_INLINE void store_output(const Interpreter *r, SmvmAt output, const Number *x)
 {
     const SmvmBytes at = r->vm->image + (SmvmAt)(r->t->outputs + SMVM_LOCATION_BYTES * output);
@@ -170,11 +185,12 @@ INTERP_INLINE void store_output(const Interpreter *r, SmvmAt output, const Numbe
     mark_output_stored(r, output);
     store_at(x, high & 0xf, r->sv, offset);
 }
+#endif
 
 // Converts x to the value that a local of this type would store.
 SMVM_NOINLINE static void convert_as_local(Number *x, uint8_t type)
 {
-    uint64_t cell;
+    uint64_t cell = 0;
 
     store_at(x, type, (uint8_t *)&cell, 0);
     number_load(x, type, (uint8_t *)&cell);
@@ -214,6 +230,10 @@ SMVM_NOINLINE static void read_statistic(const Interpreter *r, uint8_t stat, Smv
 
 // ---- instructions ----
 
+#if SMVM_SPECIALIZE
+SMVM_INLINE void load_f32(SmvmBytes at, Number *x) { number_set_real(x, sm_from_f32(sm_f32_from_bits(fetch_u32(at)))); }
+SMVM_INLINE void load_f64(SmvmBytes at, Number *x) { number_set_real(x, sm_from_bits(fetch_u64(at))); }
+#else
 SMVM_NOINLINE static void load_f32(const Interpreter *r, uint32_t n, Number *x)
 {
     number_set_real(x, sm_from_f32(sm_f32_from_bits((uint32_t)read_entry(r, r->t->f32s, n, 4))));
@@ -223,8 +243,9 @@ SMVM_NOINLINE static void load_f64(const Interpreter *r, uint32_t n, Number *x)
 {
     number_set_real(x, sm_from_bits(read_entry(r, r->t->f64s, n, 8)));
 }
+#endif
 
-SMVM_NOINLINE static void load_time(const Interpreter *r, Number *x)
+INTERP_INLINE void load_time(const Interpreter *r, Number *x)
 {
     const uint64_t time = r->vm->next - r->vm->start;
 
@@ -232,63 +253,130 @@ SMVM_NOINLINE static void load_time(const Interpreter *r, Number *x)
 }
 
 #if SMVM_SPECIALIZE
+// ---- instructions: each opcode has code of its own (interp.def) ----
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-crossjumping", "no-tree-tail-merge")           // these would merge the jumps between instructions
+#endif
+
 // Reads the varint at *at and moves past it.
-SMVM_INLINE uint32_t read_operand(SmvmBytes *at)
+SMVM_INLINE uintptr_t read_varint(SmvmBytes *at)
 {
     const uint8_t b = fetch_byte((*at)++);
-    const SmvmBytes more = *at;
 
-    if (SMVM_UNLIKELY(b >= SMVM_VARINT_1)) {
-        *at = skip_varint(more, b);
-        return read_long_varint(more, b);
-    }
-    return b;
+    if (b < SMVM_VARINT_1)
+        return b;
+    if (SMVM_LIKELY(b < SMVM_VARINT_2))
+        return SMVM_VARINT_1 + ((uintptr_t)(b - SMVM_VARINT_1) << 7) + fetch_byte((*at)++);
+    *at += 3;
+    return read_long_varint(*at - 3, b);
 }
 
-// The families of interp.def.
-#define AT_OPERAND(base, K) operand_address(base, SMVM_KIND_##K, (SmvmAt)read_operand(&at))
-#define LDX_LOCAL(K) RUN(ldx_local_##K, SMVM_ldx_local + SMVM_KIND_##K, number_load(&x, SMVM_KIND_##K, AT_OPERAND(locals, K)))
-#define LDY_LOCAL(K) RUN(ldy_local_##K, SMVM_ldy_local + SMVM_KIND_##K, number_load(&y, SMVM_KIND_##K, AT_OPERAND(locals, K)))
-#define LDX_ELEM(K) RUN(ldx_elem_##K, SMVM_ldx_elem + SMVM_KIND_##K, number_load(&x, SMVM_KIND_##K, AT_OPERAND(sv, K)))
-#define LDY_ELEM(K) RUN(ldy_elem_##K, SMVM_ldy_elem + SMVM_KIND_##K, number_load(&y, SMVM_KIND_##K, AT_OPERAND(sv, K)))
-#define ST_LOCAL(K) RUN(st_local_##K, SMVM_st_local + SMVM_KIND_##K, number_store(&x, SMVM_KIND_##K, AT_OPERAND(locals, K)))
-#define JXY(M) RUN(jxy_##M, SMVM_jxy + (M) - 1, n = read_operand(&at); JUMP_IF(number_is_related(&x, &y, M)))
-#define JXN(M) RUN(jxn_##M, SMVM_jxn + (M) - 1, \
-                   number_set_integer(&z, (int32_t)read_operand(&at)); n = read_operand(&at); JUMP_IF(number_is_related(&x, &z, M)))
+// Ends a function.  Returns the state of its transition, or 0 if it has none.
+SMVM_INLINE SmvmAt finish_function(Interpreter *r, uint64_t stored, uintptr_t to)
+{
+    r->stored = stored;
+    return (SmvmAt)to;
+}
 
+// READ_… reads the operands of an instruction and `next`, the opcode after them.  A byte with its top bit set is an opcode.  So if the byte
+// after the shortest operands has it, each operand is one byte.
+#define READ_NONE next = fetch_byte(at++)
+#define READ_N                                                                                                                  \
+    next = fetch_byte(at + 1);                                                                                                  \
+    if (SMVM_LIKELY(next >= SMVM_OP_FIRST)) {                                                                                   \
+        n = fetch_byte(at);                                                                                                     \
+        at += 2;                                                                                                                \
+    } else {                                                                                                                    \
+        n = read_varint(&at);                                                                                                   \
+        READ_NONE;                                                                                                              \
+    }
+#define READ_NJ                                                                                                                 \
+    next = fetch_byte(at + 2);                                                                                                  \
+    if (SMVM_LIKELY(next >= SMVM_OP_FIRST)) {                                                                                   \
+        n = fetch_byte(at);                                                                                                     \
+        j = fetch_byte(at + 1);                                                                                                 \
+        at += 3;                                                                                                                \
+    } else {                                                                                                                    \
+        n = read_varint(&at);                                                                                                   \
+        j = read_varint(&at);                                                                                                   \
+        READ_NONE;                                                                                                              \
+    }
+#define READ_END (void)0      // no opcode follows: the function ends, and perhaps the image
+
+// Jumps to the instruction that starts `bytes` after the end of this one.
+#define JUMP(bytes) at += (SmvmAt)(bytes); next = fetch_byte(at - 1)
+#define JUMP_IF(condition, bytes) if (condition) { JUMP(bytes); NEXT; }    // each opcode has this branch for itself, which CPUs predict better
+
+// CPUs predict a branch better than a jump to a computed address.  So an instruction tests for the most frequent successors first.
+// FUSE: if it is this operation, runs it here.  GO_IF_NEXT: if it is this instruction, goes there.
+#define FUSE(op) if (next == SMVM_##op) { SMVM_ON_INSTRUCTION; READ_NONE; number_compute(&x, SMVM_##op, &y); GO_IF_NEXT(out); NEXT; }
+#define FUSE_ARITHMETIC FUSE(mul) FUSE(add) FUSE(sub) FUSE(div)
+
+// The families of interp.def.
+#define AT_N(base, K) operand_address(base, SMVM_KIND_##K, n)
+#define LDX_LOCAL(K) RUN(ldx_local_##K, SMVM_ldx_local + SMVM_KIND_##K, N, number_load(&x, SMVM_KIND_##K, AT_N(locals, K)))
+#define LDY_LOCAL(K) RUN(ldy_local_##K, SMVM_ldy_local + SMVM_KIND_##K, N, number_load(&y, SMVM_KIND_##K, AT_N(locals, K)); FUSE_ARITHMETIC)
+#define LDX_ELEM(K) RUN(ldx_elem_##K, SMVM_ldx_elem + SMVM_KIND_##K, N, number_load(&x, SMVM_KIND_##K, AT_N(sv, K)))
+#define LDY_ELEM(K) RUN(ldy_elem_##K, SMVM_ldy_elem + SMVM_KIND_##K, N, number_load(&y, SMVM_KIND_##K, AT_N(sv, K)); FUSE_ARITHMETIC)
+#define ST_LOCAL(K) RUN(st_local_##K, SMVM_st_local + SMVM_KIND_##K, N, number_store(&x, SMVM_KIND_##K, AT_N(locals, K)))
+#define JXY(M) RUN(jxy_##M, SMVM_jxy + (M) - 1, N, JUMP_IF(number_is_related(&x, &y, M), n))
+#define JXN(M) RUN(jxn_##M, SMVM_jxn + (M) - 1, NJ, number_set_integer(&z, (int32_t)n); JUMP_IF(number_is_related(&x, &z, M), j))
+
+// Sets n and j to the offset and the type of output n (SMVM_LOCATION_BYTES).
+#define READ_LOCATION                                                                                                           \
+    n *= SMVM_LOCATION_BYTES;                                                                                                   \
+    j = fetch_byte(image_at(outputs, n + 2));                                                                                       \
+    n = fetch_u16(image_at(outputs, n));                                                                                      \
+    if (SMVM_UNLIKELY(j > 0xf)) {                                                                                               \
+        n |= (j & 0xf0) << 12;                                                                                                  \
+        j &= 0xf;                                                                                                               \
+    }
+// STORE_OUTPUT stores X in the element of type j at offset n.
 #if SMVM_COMPUTED_GOTO
 #pragma GCC diagnostic ignored "-Wpedantic"
-#define NEXT goto *label[fetch_byte(at++)]
+#define NEXT goto *label[next]
+#define GO_IF_NEXT(name) if (next == SMVM_##name) goto name##_
+#define STORE_OUTPUT goto *store_label[j]
+#define STORE_LABEL(K) &&store_##K##_,
+#define STORE_TYPE(K) store_##K##_: number_store(&x, SMVM_KIND_##K, AT_N(sv, K)); NEXT;
 #else
 #define NEXT continue
+#define GO_IF_NEXT(name) (void)0
+#define STORE_OUTPUT store_at(&x, (uint8_t)j, sv, (SmvmAt)n)
 #endif
-#define JUMP_IF(condition) if (condition) { at += (SmvmAt)n; NEXT; }       // each opcode has this branch for itself, which CPUs predict better
 
 // Runs a function's code from `at` to `end` or `goto`.  Returns the state of its transition, or 0 if it has none.
-static SmvmAt run_code(const Interpreter *r, SmvmBytes at)
+static SmvmAt run_code(Interpreter *r, SmvmBytes at)
 {
     uint8_t *const sv = r->sv, *const locals = r->locals;
+    const SmvmBytes outputs = r->vm->image + r->t->outputs, f32s = r->vm->image + r->t->f32s, f64s = r->vm->image + r->t->f64s;
+    uint64_t stored = r->stored;
     Number x, y, z;           // z: an operand of an instruction that preserves Y
-    uint32_t n;
+    Number passed;            // X, for functions that are not inlined: so only this one has to be in memory
+    uintptr_t n = 0, j, next;     // as wide as an address: none needs a conversion
 #if SMVM_COMPUTED_GOTO
     static const void *const label[] = {
-#define RUN(name, opcode, ...) [opcode] = &&name##_,
+#define RUN(name, opcode, read, ...) [opcode] = &&name##_,
 #include "bytecode-vm/interp.def"
 #undef RUN
     };
+    static const void *const store_label[] = {SMVM_EACH_TYPE(STORE_LABEL)};
 #endif
 
     number_set_integer(&x, 0);
     number_set_integer(&y, 0);
+    READ_NONE;
 #if SMVM_COMPUTED_GOTO
     NEXT;
-#define RUN(name, opcode, ...) name##_: __VA_ARGS__; NEXT;
+#define RUN(name, opcode, read, ...) name##_: SMVM_ON_INSTRUCTION; READ_##read; __VA_ARGS__; NEXT;
 #include "bytecode-vm/interp.def"
 #undef RUN
+    SMVM_EACH_TYPE(STORE_TYPE)
 #else
     for (;;)
-        switch (fetch_byte(at++)) {
-#define RUN(name, opcode, ...) case opcode: __VA_ARGS__; NEXT;
+        switch (next) {
+#define RUN(name, opcode, read, ...) case opcode: SMVM_ON_INSTRUCTION; READ_##read; __VA_ARGS__; NEXT;
 #include "bytecode-vm/interp.def"
 #undef RUN
         }
@@ -369,6 +457,7 @@ SMVM_NOINLINE static SmvmAt run_code(Interpreter *r, SmvmBytes at)
         const uint8_t op = fetch_byte(at++);
         uint8_t b;
         uint32_t n;
+        SMVM_ON_INSTRUCTION;
         if (op >= SMVM_add) {
             run_operation(r, op);
             continue;
@@ -413,11 +502,17 @@ SMVM_NOINLINE static SmvmAt run_code(Interpreter *r, SmvmBytes at)
 
 static SmvmAt read_function_end(const Interpreter *r, SmvmBytes at)  // reads the entry at `at` of the table of functions (image.h)
 {
+#if SMVM_SPECIALIZE
+    const uint8_t width = r->t->width;
+
+    return (SmvmAt)(width == 1 ? fetch_byte(at) : width == 2 ? fetch_u16(at) : fetch_u16(at) | (uint32_t)fetch_byte(at + 2) << 16);
+#else
     SmvmAt end = fetch_byte(at);
 
     for (uint8_t i = 1; i < r->t->width; i++)
         end = (SmvmAt)(end | (SmvmAt)fetch_byte(at + i) << 8 * i);
     return end;
+#endif
 }
 
 // Runs a function by its number (smvm_function_end).  Returns the state of its transition, or 0 if it has none.
@@ -434,19 +529,16 @@ static SmvmAt run_function(Interpreter *r, SmvmAt function)
     return start == read_function_end(r, at) ? 0 : run_code(r, r->vm->image + (SmvmAt)(r->vm->code + start));
 }
 
-// Begins a step and clears the bits of the first 64 stored outputs.  Returns false, and changes nothing, if G did not advance.
-static bool try_begin_step(SmVm *vm, const void *g)
-{
-    if (!smvm_advance(vm, g))
-        return false;
-    memset(vm->stored, 0, sizeof vm->stored);
-    return true;
-}
-
 // ---- the step ----
 
-static void clear_more_stored_bits(Interpreter *r)
+// Forgets which outputs the previous step stored.
+static void clear_stored_bits(Interpreter *r)
 {
+#if SMVM_SPECIALIZE
+    r->stored = 0;
+#else
+    memset(r->vm->stored, 0, sizeof r->vm->stored);
+#endif
     if (r->t->more_bytes != 0)
         memset((uint8_t *)r->vm + r->t->more, 0, r->t->more_bytes);
 }
@@ -456,10 +548,10 @@ static SmResult run_step(Interpreter *r)
     SmVm *vm = r->vm;
     SmvmAt block = (SmvmAt)(3 * vm->state - 2), to = 0;        // the state's functions: entry, step, exit
 
-    if (!try_begin_step(vm, r->sv + r->t->g))
+    if (!smvm_advance(vm, r->sv + r->t->g))
         return SM_REFUSED;
     smvm_enter(vm, r->sv + r->t->s);
-    clear_more_stored_bits(r);
+    clear_stored_bits(r);
     run_function(r, 0);
     if (vm->first)
         to = run_function(r, block);
@@ -470,6 +562,9 @@ static SmResult run_step(Interpreter *r)
         vm->state = to;
     }
     vm->first = to != 0;
+#if SMVM_SPECIALIZE
+    smvm_store_bits(vm->stored, r->stored);
+#endif
     return SM_OK;
 }
 

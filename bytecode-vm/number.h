@@ -326,6 +326,16 @@ NUMBER_INLINE void number_load(Number *x, uint8_t type, const uint8_t *p)
 {
     if (type == SMVM_RAW)
         memcpy(x, p, sizeof *x);
+#if SMVM_SPECIALIZE
+    else if (type == SM_F32) {
+        float v;
+        memcpy(&v, p, sizeof v);
+        *x = smvm_read_f64(sm_from_f32(v));
+    } else if (type == SM_F64) {
+        memcpy(x, p, sizeof *x);
+        *x = smvm_read_f64(*x);
+    }
+#endif
     else
         *x = sm_load((SmType)type, p);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a step that all interpreters share: how it begins (language.md 6), and the value of a RAW local.  Internal to the VM.
+// The parts of a step that all interpreters share: how it begins (language.md 6), and what reading a number or storing a RAW local means.
+// Internal to the VM.
 #ifndef SMVM_STEP_H
 #define SMVM_STEP_H
 
@@ -29,8 +30,45 @@ static inline void smvm_enter(SmVm *vm, void *s)
     }
 }
 
+// Stores the bits of the first 64 outputs.  Compilers turn this into one store on little-endian machines.
+static inline void smvm_store_bits(uint8_t *stored, uint64_t bits)
+{
+    stored[0] = (uint8_t)bits;
+    stored[1] = (uint8_t)(bits >> 8);
+    stored[2] = (uint8_t)(bits >> 16);
+    stored[3] = (uint8_t)(bits >> 24);
+    stored[4] = (uint8_t)(bits >> 32);
+    stored[5] = (uint8_t)(bits >> 40);
+    stored[6] = (uint8_t)(bits >> 48);
+    stored[7] = (uint8_t)(bits >> 56);
+}
+
+// Keeps compilers from replacing a rarely taken branch by a conditional move, which makes a chain of dependent instructions.
+#if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
+#define SMVM_KEEP_BRANCH __asm__ volatile("")
+#else
+#define SMVM_KEEP_BRANCH
+#endif
+
+// As sm_read_f64: the value that reading a stored x returns.
+static inline SmF64 smvm_read_f64(SmF64 x)
+{
+    if (sm_is_nan(x)) {
+        SMVM_KEEP_BRANCH;
+        return sm_from_i32(0);
+    }
+    return x;
+}
+
 // Returns the value that a RAW local stores for x.  Every NaN becomes one fixed NaN: which NaN an operation on two NaNs returns depends on the
 // C compiler, and code that reads the local as another type could see the difference.
-static inline SmF64 smvm_raw(SmF64 x) { return sm_is_nan(x) ? sm_from_bits(UINT64_C(0x7ff8000000000000)) : x; }
+static inline SmF64 smvm_raw(SmF64 x)
+{
+    if (sm_is_nan(x)) {
+        SMVM_KEEP_BRANCH;
+        return sm_from_bits(UINT64_C(0x7ff8000000000000));
+    }
+    return x;
+}
 
 #endif

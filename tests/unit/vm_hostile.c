@@ -182,8 +182,6 @@ static void run_image(uint32_t longest)
 
     if (!smvm_machine(START, 0, &m) || m.sv_size != sizeof sv || (size = smvm_ram_size(&m)) > MEMORY)
         return;
-    small_code = START + m.code_at;
-    small_code_end = small_code + m.code_size;
     v.layout = m.layout;
     memset(memory, 0xa5, sizeof memory);
     CHECK(smvm_init(memory, size, &m, &v, 1 + below(m.states)) == SM_OK);
@@ -192,7 +190,6 @@ static void run_image(uint32_t longest)
         step(&m, (SmVm *)memory, sv, g, longest);
     for (uint32_t i = size; i < sizeof memory; i++)
         CHECK(((uint8_t *)memory)[i] == 0xa5);
-    small_code_end = 0;
     exact += most_opcodes == longest;
 }
 
