@@ -162,10 +162,11 @@ swap-campaign: $(B)/swap/random $(B)/swap/hostile
 .PHONY: swap-campaign
 
 # tests/library: libsmc by its public header.  `make library-campaign N=100000 SEED=1` makes random calls under sanitizers.
-LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api memory threads random command)
+LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api memory refuse threads random command)
 $(LIBRARY_TESTS): $(B)/library/%: $(B)/obj/tests/library/%.o $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -pthread
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBRARY_WRAP) -pthread
+$(B)/library/refuse: LIBRARY_WRAP = -Wl,--wrap=malloc
 $(LIBRARY_TESTS:$(B)/%=$(B)/obj/tests/%.o): override CFLAGS := $(CFLAGS:-O2=-O1)
 LIBRARY_FILES = $(B)/lib/libsmc.a $(B)/lib/$(SONAME)
 
@@ -671,6 +672,7 @@ $(call test, clauses-steps,        quick, $(B)/clauses/steps, $(B)/clauses/steps
 $(call test, clauses-memory,       quick, $(B)/clauses/memory $(B)/clauses/probe.smb, $(B)/clauses/memory $(B)/clauses/probe.smb)
 $(call test, library-api,          quick, $(B)/library/api, $(B)/library/api)
 $(call test, library-locale,       quick, $(B)/library/api, sh tests/library/locale.sh $(B)/library/api)
+$(call test, library-refuse,       quick, $(B)/library/refuse, $(B)/library/refuse)
 $(call test, library-memory,       quick, $(B)/library/memory, $(B)/library/memory)
 $(call test, library-threads,      quick, $(B)/library/threads, $(B)/library/threads)
 $(call test, library-random,       quick, $(B)/library/random, $(B)/library/random 1 500)

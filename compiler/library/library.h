@@ -26,6 +26,7 @@ typedef struct LibrarySource {
 // One script's last run.
 typedef struct LibraryRun {
     bool is_done;                 // the fields below are valid
+    Arena arena;                  // of everything below
     uint32_t engines;
     uint64_t max_steps;
     bool is_traced;
@@ -56,22 +57,42 @@ typedef struct LibraryMachine {
     bool has_names;
 } LibraryMachine;
 
-// What the last smc_compile produced.  It is in the arenas of SmcSession.compiler; zeroed when that is freed.
+// Texts of which a session stores the last one, each in an arena of its own.
+enum { PAGE_RENDERED, PAGE_EDITED, PAGE_DIAGRAM, PAGE_REPORT, PAGE_COUNT };
+
+typedef struct LibraryOutput {
+    const char *name;
+    const Buf *bytes;
+} LibraryOutput;
+
+typedef struct LibraryImage {
+    char *bytes;                  // NULL: not built
+    uint64_t size;
+} LibraryImage;
+
+// What the last smc_compile produced.  It is in the arenas of SmcSession.compiler, except for what has an arena here.  Zeroed when these are
+// freed.
 typedef struct LibraryResults {
     bool is_compiled;
     uint32_t sources;             // how many there were; the arrays below are indexed by their numbers
     const Source **text;
     uint32_t *input;              // 1 + its index in in.at; 0: it is no input of its own
     LibraryRun *run;
-    Report **review;              // of a machine; NULL: not begun
-    const Buf **image;            // of a machine, with names; NULL: not built
+    Report *review;               // of the only machine; NULL: not begun.  Runs refer to its transitions
+    LibraryImage *image;          // of a machine, with names
     CompileInput in;
     CompileOptions o;
     DiagSelection selection;
     Compiled made;
+    size_t errors;                // that smc_compile found, and warnings selected as errors
     Engine *engine[ENGINE_COUNT]; // by bit of SMC_ENGINE_…; NULL: not opened
-    Diags shown;                  // the diagnostics that the session shows: selected by the warnings, of smc_compile and of runs
-    struct LibraryOutput { const char *name; const Buf *bytes; } *output;
+    Arena engine_arena[ENGINE_COUNT], review_arena;
+    Diags shown;                  // the diagnostics that the session shows, selected by the warnings: of smc_compile, smc_emit and runs
+    Arena shown_arena, next_shown_arena;
+    Arena page[PAGE_COUNT];
+    Diags emitted;                // those of the last smc_emit
+    Arena output_arena;           // of that and of `output`
+    LibraryOutput *output;
     uint32_t outputs;
 } LibraryResults;
 
@@ -83,9 +104,10 @@ struct SmcSession {
     int is_cancelled;             // accessed atomically
     int is_busy;                  // accessed atomically
     bool is_guarded;              // a guarded call runs, so an allocation may fail because it is cancelled
+    bool has_layer;               // library_begin_layer was called
+    Session below;                // `compiler` as it was then
     Session compiler;
     bool has_compiler;
-    Diags saved;                  // compiler.diags at the start of a guarded call
     LibrarySource *source;
     uint32_t sources;
     uint64_t option[OPTION_COUNT];
@@ -118,17 +140,25 @@ void *library_alloc(SmcSession *s, uint64_t size);
 void library_release(SmcSession *s, void *memory);
 char *library_copy(SmcSession *s, const void *bytes, uint64_t size);      // and a NUL
 
-// Calls work(s, argument), which may allocate in the arenas of s->compiler.  If memory runs out or smc_cancel was called, the diagnostics are as
-// before, and the result is SMC_E_MEMORY or SMC_E_CANCELLED.
+// Calls work(s, argument), which may allocate in a layer of s->compiler.  If memory runs out or smc_cancel was called, drops the layer, and the
+// result is SMC_E_MEMORY or SMC_E_CANCELLED.
 typedef SmcResult LibraryWork(SmcSession *s, void *argument);
 SmcResult library_guard(SmcSession *s, LibraryWork *work, void *argument);
 bool library_is_cancelled(void *session);
 
+// A layer is memory for what one call computes from the results of smc_compile.  From library_begin_layer on, s->compiler allocates in a new
+// arena and has an empty list of diagnostics.  Until the end of the layer, nothing outside of it may point into it.
+void library_begin_layer(SmcSession *s);
+// End the layer: s->compiler is as before.  The first moves its memory to *in, and frees what was there; the second frees it.
+void library_keep_layer(SmcSession *s, Arena *in);
+void library_drop_layer(SmcSession *s);
+
 // ---- library_compile.c ----
 
 void library_drop_results(SmcSession *s);
-// Rebuilds of.shown from the diagnostics of the compiler and of all runs.
-void library_update_shown(SmcSession *s);
+// Rebuilds of.shown from the diagnostics of smc_compile, of the last smc_emit, and of all runs: those of `script` are in *run if that is not NULL.
+// If memory runs out, of.shown does not change.
+void library_update_shown(SmcSession *s, const Diags *emitted, uint32_t script, const Diags *run);
 // Returns what was compiled from a source, or NULL if it is not an input, was not compiled, or there is no such source.
 CompiledSource *library_compiled(const SmcSession *s, uint32_t source);
 // The number of the only machine; UINT32_MAX if there is not exactly one.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiles the sources of a session, and generates output files.
+#include <stdlib.h>
 #include <string.h>
 
 #include "compiler/library/library.h"
@@ -32,11 +33,29 @@ const char *library_base_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
+// Frees what has an arena of its own.
+static void free_arenas(LibraryResults *of)
+{
+    for (int i = 0; i < ENGINE_COUNT; i++)
+        arena_free(&of->engine_arena[i]);
+    for (int i = 0; i < PAGE_COUNT; i++)
+        arena_free(&of->page[i]);
+    for (uint32_t i = 0; of->run && i < of->sources; i++)
+        arena_free(&of->run[i].arena);
+    arena_free(&of->review_arena);
+    arena_free(&of->output_arena);
+    arena_free(&of->shown_arena);
+    arena_free(&of->next_shown_arena);
+}
+
 void library_drop_results(SmcSession *s)
 {
     for (int i = 0; i < ENGINE_COUNT; i++)
         if (s->of.engine[i])
             s->of.engine[i]->close(s->of.engine[i]);
+    free_arenas(&s->of);
+    for (uint32_t i = 0; s->of.image && i < s->of.sources; i++)
+        library_release(s, s->of.image[i].bytes);
     if (s->has_compiler)
         session_free(&s->compiler);
     s->has_compiler = false;
@@ -46,9 +65,9 @@ void library_drop_results(SmcSession *s)
 // ---- the diagnostics that are shown ----
 
 // Adds copies of diagnostics to the list that is shown, selected by the warnings.  Reports and diagrams use the originals.
-static void add_shown(SmcSession *s, const Diags *from)
+static void add_shown(SmcSession *s, const Diags *from, Diags *shown)
 {
-    Arena *arena = &s->compiler.arena;
+    Arena *arena = shown->arena;
     Diags one = *from;
 
     one.arena = arena;
@@ -58,21 +77,34 @@ static void add_shown(SmcSession *s, const Diags *from)
         one.list.at[i] = arena_copy(arena, from->list.at[i], sizeof *from->list.at[i]);
     diags_select(&one, &s->of.selection);
     for (uint32_t i = 0; i < one.list.n; i++)
-        vec_push(arena, &s->of.shown.list, one.list.at[i]);
+        vec_push(arena, &shown->list, one.list.at[i]);
     for (uint32_t i = 0; i < one.allowed.n; i++)
-        vec_push(arena, &s->of.shown.allowed, one.allowed.at[i]);
-    s->of.shown.errors += one.errors;
-    s->of.shown.warnings += one.warnings;
+        vec_push(arena, &shown->allowed, one.allowed.at[i]);
+    shown->errors += one.errors;
+    shown->warnings += one.warnings;
 }
 
-void library_update_shown(SmcSession *s)
+void library_update_shown(SmcSession *s, const Diags *emitted, uint32_t script, const Diags *run)
 {
-    diags_init(&s->of.shown, &s->compiler.arena);
-    s->of.shown.files = s->compiler.diags.files;
-    add_shown(s, &s->compiler.diags);
+    const Diags *compiled = s->has_layer ? &s->below.diags : &s->compiler.diags;
+    Arena *arena = &s->of.next_shown_arena;
+    Diags shown;
+
+    arena_init(arena, library_compiler_alloc, s, &s->oom);
+    diags_init(&shown, arena);
+    shown.files = compiled->files;
+    add_shown(s, compiled, &shown);
+    add_shown(s, emitted, &shown);
     for (uint32_t i = 0; i < s->of.sources; i++)
-        if (s->of.run[i].is_done)
-            add_shown(s, &s->of.run[i].run.diags);
+        if (run && i == script)
+            add_shown(s, run, &shown);
+        else if (s->of.run[i].is_done)
+            add_shown(s, &s->of.run[i].run.diags, &shown);
+    arena_free(&s->of.shown_arena);
+    s->of.shown_arena = *arena;
+    memset(arena, 0, sizeof *arena);
+    shown.arena = &s->of.shown_arena;
+    s->of.shown = shown;
 }
 
 // ---- sources to inputs ----
@@ -141,8 +173,7 @@ static void list_inputs(SmcSession *s)
     of->text = ARENA_ARRAY(arena, const Source *, s->sources);
     of->input = ARENA_ARRAY(arena, uint32_t, s->sources);
     of->run = ARENA_ARRAY(arena, LibraryRun, s->sources);
-    of->review = ARENA_ARRAY(arena, Report *, s->sources);
-    of->image = ARENA_ARRAY(arena, const Buf *, s->sources);
+    of->image = ARENA_ARRAY(arena, LibraryImage, s->sources);
     of->in.at = ARENA_ARRAY(arena, CompileSource, s->sources);
     for (uint32_t i = 0; i < s->sources; i++) {
         const LibrarySource *source = &s->source[i];
@@ -201,9 +232,11 @@ static SmcResult compile(SmcSession *s, void *unused)
     copy_selection(s);
     set_options(s, &s->of.o, EMIT_NOTHING);
     compile_sources(&s->compiler, &s->of.in, &s->of.o, &s->of.made);
-    library_update_shown(s);
+    diags_init(&s->of.emitted, NULL);
+    library_update_shown(s, &s->of.emitted, 0, NULL);
+    s->of.errors = s->of.shown.errors;
     s->of.is_compiled = true;
-    return s->of.shown.errors ? library_fail(s, SMC_E_SOURCE, NULL) : SMC_OK;
+    return s->of.errors ? library_fail(s, SMC_E_SOURCE, NULL) : SMC_OK;
 }
 
 SmcResult smc_compile(SmcSession *s) { return library_is_open(s) ? library_guard(s, compile, NULL) : SMC_E_HANDLE; }
@@ -266,37 +299,48 @@ static const char *output_name(SmcSession *s, const Artefact *a, CompileEmit emi
     return format_in(&s->compiler.arena, "%s%s", stem_of(s, s->of.in.at[a->source].text), a->suffix ? a->suffix : dump[emit]);
 }
 
-// Two sources of one file name in different folders would have the same output.
-static bool has_duplicate_output(const LibraryResults *of)
+typedef struct LibraryOutputs {
+    LibraryOutput *at;
+    uint32_t n;
+} LibraryOutputs;
+
+static int compare_outputs(const void *a, const void *b)
 {
-    for (uint32_t i = 0; i < of->outputs; i++)
-        for (uint32_t k = 0; k < i; k++)
-            if (strcmp(of->output[i].name, of->output[k].name) == 0)
-                return true;
+    return strcmp(((const LibraryOutput *)a)->name, ((const LibraryOutput *)b)->name);
+}
+
+// Two sources of one file name in different folders would have the same output.
+static bool has_duplicate_output(SmcSession *s, const LibraryOutputs *out)
+{
+    LibraryOutput *sorted = arena_copy(&s->compiler.arena, out->at, out->n * sizeof *out->at);
+
+    qsort(sorted, out->n, sizeof *sorted, compare_outputs);
+    for (uint32_t i = 1; i < out->n; i++)
+        if (strcmp(sorted[i - 1].name, sorted[i].name) == 0)
+            return true;
     return false;
 }
 
-static void store_outputs(SmcSession *s, const Compiled *made, CompileEmit emit)
+static LibraryOutputs list_outputs(SmcSession *s, const Compiled *made, CompileEmit emit)
 {
-    LibraryResults *of = &s->of;
+    LibraryOutputs out = {arena_array(&s->compiler.arena, made->artefact.n + 3u, sizeof *out.at), made->artefact.n};
     Buf soft[3];
     static const char *const soft_name[] = {"sm_soft.h", "sm_soft.c", "sm_soft_avr.S"};
 
-    of->output = arena_array(&s->compiler.arena, made->artefact.n + 3u, sizeof *of->output);
     for (uint32_t i = 0; i < made->artefact.n; i++) {
-        of->output[i].name = output_name(s, &made->artefact.at[i], emit);
-        of->output[i].bytes = made->artefact.at[i].bytes;
+        out.at[i].name = output_name(s, &made->artefact.at[i], emit);
+        out.at[i].bytes = made->artefact.at[i].bytes;
     }
-    of->outputs = made->artefact.n;
-    if (emit != EMIT_C || of->in.app || !s->option[SMC_OPTION_SOFT] || s->option[SMC_OPTION_RUNTIME])
-        return;
+    if (emit != EMIT_C || s->of.in.app || !s->option[SMC_OPTION_SOFT] || s->option[SMC_OPTION_RUNTIME])
+        return out;
     for (int i = 0; i < 3; i++)
         buf_init(&soft[i], &s->compiler.arena);
     emit_c_soft_library(&soft[0], &soft[1], &soft[2]);
     for (int i = 0; i < 3; i++) {
-        of->output[of->outputs].name = soft_name[i];
-        of->output[of->outputs++].bytes = arena_copy(&s->compiler.arena, &soft[i], sizeof soft[i]);
+        out.at[out.n].name = soft_name[i];
+        out.at[out.n++].bytes = arena_copy(&s->compiler.arena, &soft[i], sizeof soft[i]);
     }
+    return out;
 }
 
 static SmcResult emit_outputs(SmcSession *s, void *argument)
@@ -305,42 +349,54 @@ static SmcResult emit_outputs(SmcSession *s, void *argument)
     const CompileEmit emit = emit_of[*(int32_t *)argument];
     const bool is_dump = emit == EMIT_AST || emit == EMIT_TOKENS;
     LibraryResults *of = &s->of;
-    const size_t errors = s->compiler.diags.errors;
     const char *missing;
     CompileOptions o;
     Compiled made = of->made;
+    CompileInput in = of->in;
+    LibraryOutputs out = {NULL, 0};
+    Diags diags;
+    SmcResult r;
 
-    if (!is_dump && of->shown.errors)
+    if (!is_dump && of->errors)
         return library_fail(s, SMC_E_STATE, "the sources have errors");
     if ((missing = find_missing_input(s, emit)) != NULL)
         return library_fail(s, SMC_E_STATE, missing);
-    for (size_t i = 0; i < of->in.n; i++)
-        set_c_options(s, &of->in.at[i], emit);
-    of->in.at[0].array = stem_of(s, of->in.at[0].text);
+    library_begin_layer(s);
+    in.at = arena_copy(&s->compiler.arena, in.at, in.n * sizeof *in.at);
+    for (size_t i = 0; i < in.n; i++)
+        set_c_options(s, &in.at[i], emit);
+    in.at[0].array = stem_of(s, in.at[0].text);
     set_options(s, &o, emit);
     made.image_pins = (IoMap *)(uintptr_t)first_pins(of);
     made.of = arena_copy(&s->compiler.arena, of->made.of, of->in.n * sizeof *made.of);
-    compile_emit(&s->compiler, &of->in, &o, &made);
-    library_update_shown(s);
-    if (s->compiler.diags.errors > errors)
-        return library_fail(s, SMC_E_SOURCE, NULL);
-    store_outputs(s, &made, emit);
-    if (!has_duplicate_output(of))
-        return SMC_OK;
-    of->outputs = 0;
-    return library_fail(s, SMC_E_STATE, "two sources have the same file name, so their outputs would, too");
+    r = compile_emit(&s->compiler, &in, &o, &made) ? SMC_OK : SMC_E_SOURCE;
+    diags = s->compiler.diags;
+    if (r == SMC_OK) {
+        out = list_outputs(s, &made, emit);
+        r = has_duplicate_output(s, &out) ? SMC_E_STATE : SMC_OK;
+    }
+    library_update_shown(s, &diags, 0, NULL);                 // the last allocation
+    library_keep_layer(s, &of->output_arena);
+    of->emitted = diags;
+    of->output = out.at;
+    of->outputs = r == SMC_OK ? out.n : 0;
+    return r == SMC_OK ? SMC_OK : library_fail(s, r, r == SMC_E_STATE ? "two sources have the same file name, so their outputs would, too" : NULL);
 }
 
 SmcResult smc_emit(SmcSession *s, int32_t what)
 {
+    SmcResult r;
+
     if (!library_is_open(s))
         return SMC_E_HANDLE;
     if (what < SMC_EMIT_IMAGE || what > SMC_EMIT_TOKENS)
         return library_fail(s, SMC_E_ARGUMENT, NULL);
     if (!s->of.is_compiled)
         return library_fail(s, SMC_E_STATE, NULL);
-    s->of.outputs = 0;
-    return library_guard(s, emit_outputs, &what);
+    r = library_guard(s, emit_outputs, &what);
+    if (r == SMC_E_STATE)
+        s->of.outputs = 0;
+    return r;
 }
 
 uint32_t smc_output_count(const SmcSession *s) { return library_is_open(s) ? s->of.outputs : 0; }

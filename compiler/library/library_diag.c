@@ -180,6 +180,7 @@ static SmcResult render(SmcSession *s, void *argument)
     const DiagStyle style = {t->form == SMC_RENDER_COLOR, 0};
     const PlainMessages none = {NULL, 0, 0};
 
+    library_begin_layer(s);
     buf_init(&t->out, &s->compiler.arena);
     if (t->form == SMC_RENDER_JSON)
         diags_render_json(&s->of.shown, &t->out);
@@ -187,6 +188,7 @@ static SmcResult render(SmcSession *s, void *argument)
         diags_render_sarif(&s->of.shown, &none, SMC_VERSION, &t->out);
     else
         diags_render_text(&s->of.shown, &style, &t->out);
+    library_keep_layer(s, &s->of.page[PAGE_RENDERED]);
     return SMC_OK;
 }
 
@@ -194,8 +196,10 @@ static SmcResult apply_edits(SmcSession *s, void *argument)
 {
     TextRequest *t = argument;
 
+    library_begin_layer(s);
     buf_init(&t->out, &s->compiler.arena);
     t->fixed = (uint32_t)diags_apply_edits(&s->of.shown, s->of.text[t->source], &t->out);
+    library_keep_layer(s, &s->of.page[PAGE_EDITED]);
     return SMC_OK;
 }
 

@@ -227,18 +227,24 @@ static SmcResult build_image(SmcSession *s, void *argument)
 {
     const uint32_t source = *(uint32_t *)argument;
     const ImageOptions with_names = {true, NULL};
-    Buf *image = ARENA_NEW(&s->compiler.arena, Buf);
+    LibraryImage made;
+    Buf image;
     IrMachine *ir;
 
+    library_begin_layer(s);
     s->compiler.locals = LOCALS_SWAPPED;
-    ir = session_ir(&s->compiler, library_compiled(s, source)->program, (int)s->option[SMC_OPTION_LEVEL]);
-    s->compiler.locals = LOCALS_READ;
-    buf_init(image, &s->compiler.arena);
-    if (!session_image(&s->compiler, &ir, 1, &with_names, image)) {
-        library_update_shown(s);
-        return library_fail(s, SMC_E_SOURCE, NULL);
+    ir = session_ir(&s->compiler, library_compiled(s, source)->program, s->of.o.opt_level);
+    buf_init(&image, &s->compiler.arena);
+    if (!session_image(&s->compiler, &ir, 1, &with_names, &image)) {
+        library_fail(s, SMC_E_SOURCE, s->compiler.diags.list.n ? s->compiler.diags.list.at[0]->text : NULL);
+        library_drop_layer(s);
+        return SMC_E_SOURCE;
     }
-    s->of.image[source] = image;
+    made = (LibraryImage){library_copy(s, image.at, image.n), image.n};
+    library_drop_layer(s);
+    if (!made.bytes)
+        return library_fail(s, SMC_E_MEMORY, NULL);
+    s->of.image[source] = made;
     return SMC_OK;
 }
 
@@ -257,9 +263,9 @@ SmcResult smc_machine_open(SmcSession *s, uint32_t source, SmcMachine *m)
         return library_fail(s, SMC_E_INDEX, "there is no machine of this number");
     if (!of->program)
         return library_fail(s, SMC_E_STATE, "the machine has errors");
-    if (!s->of.image[source] && (r = library_guard(s, build_image, &source)) != SMC_OK)
+    if (!s->of.image[source].bytes && (r = library_guard(s, build_image, &source)) != SMC_OK)
         return r;
-    return smc_machine_open_image(s, s->of.image[source]->at, s->of.image[source]->n, 0, m);
+    return smc_machine_open_image(s, s->of.image[source].bytes, s->of.image[source].size, 0, m);
 }
 
 SmcResult smc_machine_close(SmcSession *s, SmcMachine m)

@@ -8,26 +8,29 @@ enum { STEPS_DEFAULT = 1000000 };
 
 // ---- reviews ----
 
-// Returns the review of a compiled machine; NULL if there is no such machine.  Its runs are those done so far.
-static Report *review_of(SmcSession *s, uint32_t machine)
+// Returns the review that runs of the only machine refer to.  Not to be called in a layer.
+static const Report *review_of_runs(SmcSession *s)
 {
-    const CompiledSource *m = library_compiled(s, machine);
-    Report *r;
-
-    if (!m || !m->program)
-        return NULL;
-    if (!s->of.review[machine]) {
+    if (!s->of.review) {
+        Report *r;
+        library_begin_layer(s);
         r = ARENA_NEW(&s->compiler.arena, Report);
-        review_begin(&s->compiler, m->program, r);
-        s->of.review[machine] = r;
+        review_begin(&s->compiler, library_compiled(s, library_only_machine(s))->program, r);
+        library_keep_layer(s, &s->of.review_arena);
+        s->of.review = r;
     }
-    r = s->of.review[machine];
+    return s->of.review;
+}
+
+// Begins a review of a compiled machine with the runs done so far, in the current layer.  Its findings are those of smc_compile.
+static void begin_review(SmcSession *s, uint32_t machine, Report *r)
+{
+    s->compiler.diags = s->below.diags;
+    review_begin(&s->compiler, library_compiled(s, machine)->program, r);
     r->run = ARENA_ARRAY(&s->compiler.arena, ReportRun, s->of.sources);
-    r->runs = 0;
     for (uint32_t i = 0; machine == library_only_machine(s) && i < s->of.sources; i++)
         if (s->of.run[i].is_done)
             r->run[r->runs++] = s->of.run[i].run;
-    return r;
 }
 
 // ---- runs ----
@@ -59,19 +62,24 @@ static bool is_cancelled(void *context) { return library_is_cancelled(((Tracing 
 // Opens the requested engines that are not open yet.  Returns how many `engine` has, or 0 after an error.
 static size_t open_engines(SmcSession *s, const Program *p, uint32_t engines, Engine *engine[ENGINE_COUNT])
 {
-    const int level = (int)s->option[SMC_OPTION_LEVEL];
     const char *error = "";
     size_t n = 0;
 
     for (int i = 0; i < ENGINE_COUNT; i++) {
         if (!(engines & 1u << i))
             continue;
-        if (!s->of.engine[i])
-            s->of.engine[i] = 1u << i == SMC_ENGINE_REF ? engine_ref_open(&s->compiler.arena, p)
-                                                        : session_open_vm(&s->compiler, p, level, 1u << i == SMC_ENGINE_VM_SOFT, &error);
         if (!s->of.engine[i]) {
-            library_fail(s, SMC_E_SOURCE, error);
-            return 0;
+            Engine *new;
+            library_begin_layer(s);
+            new = 1u << i == SMC_ENGINE_REF ? engine_ref_open(&s->compiler.arena, p)
+                                            : session_open_vm(&s->compiler, p, s->of.o.opt_level, 1u << i == SMC_ENGINE_VM_SOFT, &error);
+            if (!new) {
+                library_fail(s, SMC_E_SOURCE, error);
+                library_drop_layer(s);
+                return 0;
+            }
+            library_keep_layer(s, &s->of.engine_arena[i]);
+            s->of.engine[i] = new;
         }
         engine[n++] = s->of.engine[i];
     }
@@ -86,7 +94,7 @@ static SmcResult result_of_outcome(const SmcSession *s, const LibraryRun *run)
 static SmcResult run_script(SmcSession *s, const RunRequest *q)
 {
     const CompiledSource *m = library_compiled(s, library_only_machine(s)), *ss = library_compiled(s, q->script);
-    Report *review = review_of(s, library_only_machine(s));
+    const Report *review = review_of_runs(s);
     const Source *src = s->of.text[q->script];
     Tracing t = {s, m->scripted, NULL, src->name, NULL};
     const ScriptOptions o = {.max_steps = q->max_steps, .after_step = trace_step, .is_cancelled = is_cancelled, .context = &t,
@@ -95,10 +103,9 @@ static SmcResult run_script(SmcSession *s, const RunRequest *q)
     size_t n;
     LibraryRun run = {.engines = q->engines, .max_steps = q->max_steps, .is_traced = s->option[SMC_OPTION_TRACE] != 0};
 
-    if ((n = open_engines(s, m->scripted, q->engines, engine)) == 0) {
-        library_update_shown(s);
+    if ((n = open_engines(s, m->scripted, q->engines, engine)) == 0)
         return SMC_E_SOURCE;
-    }
+    library_begin_layer(s);
     buf_init(&run.report, &s->compiler.arena);
     buf_init(&run.trace, &s->compiler.arena);
     if (run.is_traced) {
@@ -107,12 +114,16 @@ static SmcResult run_script(SmcSession *s, const RunRequest *q)
         script_trace_header(t.out, m->scripted, t.column, m->scripted->var.n);
     }
     review_run_script(&s->compiler, review, m->scripted, src, ss->script, engine, n, &o, &run.run);
-    if (run.run.result.outcome == SCRIPT_CANCELLED)
+    if (run.run.result.outcome == SCRIPT_CANCELLED) {
+        library_drop_layer(s);
         return library_fail(s, SMC_E_CANCELLED, NULL);
+    }
     script_report(&run.run.result, m->scripted, &run.report);
+    library_update_shown(s, &s->of.emitted, q->script, &run.run.diags);        // the last allocation
     run.is_done = true;
+    run.arena = s->of.run[q->script].arena;
+    library_keep_layer(s, &run.arena);
     s->of.run[q->script] = run;
-    library_update_shown(s);
     return result_of_outcome(s, &run);
 }
 
@@ -213,12 +224,17 @@ static SmcResult draw_diagram(SmcSession *s, void *argument)
     typedef void Write(const Analysis *a, const DiagramOptions *o, Buf *out);
     static Write *const writer[] = {diagram_write_svg, diagram_write_dot, diagram_write_mermaid};      // by SMC_DIAGRAM_…
     PageRequest *q = argument;
-    const Report *r = review_of(s, q->machine);
-    const DiagramCounts counts = report_sum_counts(r);
-    const DiagramOptions o = {&s->of.shown, r->runs > 0 ? &counts : NULL, NULL};
+    DiagramCounts counts;
+    DiagramOptions o = {&s->of.shown, &counts, NULL};
+    Report r;
 
+    library_begin_layer(s);
+    begin_review(s, q->machine, &r);
+    counts = report_sum_counts(&r);
+    o.counts = r.runs > 0 ? &counts : NULL;
     buf_init(&q->out, &s->compiler.arena);
-    writer[q->form](&r->analysis, &o, &q->out);
+    writer[q->form](&r.analysis, &o, &q->out);
+    library_keep_layer(s, &s->of.page[PAGE_DIAGRAM]);
     return SMC_OK;
 }
 
@@ -246,11 +262,12 @@ static SmcResult write_report(SmcSession *s, void *argument)
     LibraryResults *of = &s->of;
     CompileOptions o = of->o;
     Compiled made = of->made;
-    Report *r;
+    Report r;
     SmcResult result = run_missing_scripts(s);
 
     if (result != SMC_OK)
         return result;
+    library_begin_layer(s);
     o.emit = EMIT_BYTECODE;
     o.names = false;
     o.measure = true;
@@ -259,13 +276,15 @@ static SmcResult write_report(SmcSession *s, void *argument)
     for (size_t i = 0; i < of->in.n && !made.image_pins; i++)
         made.image_pins = made.of[i].pins;
     if (!compile_emit(&s->compiler, &of->in, &o, &made)) {
-        library_update_shown(s);
-        return library_fail(s, SMC_E_SOURCE, NULL);
+        library_fail(s, SMC_E_SOURCE, s->compiler.diags.list.n ? s->compiler.diags.list.at[0]->text : NULL);
+        library_drop_layer(s);
+        return SMC_E_SOURCE;
     }
-    r = review_of(s, q->machine);
-    review_add_costs(&s->compiler, &made.of[of->input[q->machine] - 1], made.artefact.at[0].bytes, o.step != 0, r);
+    begin_review(s, q->machine, &r);
+    review_add_costs(&s->compiler, &made.of[of->input[q->machine] - 1], made.artefact.at[0].bytes, o.step != 0, &r);
     buf_init(&q->out, &s->compiler.arena);
-    writer[q->form](report_build(r), &q->out);
+    writer[q->form](report_build(&r), &q->out);
+    library_keep_layer(s, &s->of.page[PAGE_REPORT]);
     return SMC_OK;
 }
 

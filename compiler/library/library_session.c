@@ -117,16 +117,47 @@ SmcResult smc_cancel(SmcSession *s, int32_t on)
 static void recover(SmcSession *s)
 {
     arena_free(&s->words_arena);
-    if (!s->of.is_compiled) {
+    arena_free(&s->of.next_shown_arena);
+    if (s->has_layer)
+        library_drop_layer(s);
+    if (!s->of.is_compiled)
         library_drop_results(s);
-        return;
-    }
+}
+
+void library_begin_layer(SmcSession *s)
+{
+    Session *c = &s->compiler;
+
+    c->built = NULL;                              // passes would change it in place
+    s->below = *c;
+    s->has_layer = true;
+    arena_init(&c->arena, library_compiler_alloc, s, &s->oom);
+    c->strings.slot = arena_copy(&c->arena, c->strings.slot, c->strings.cap * sizeof *c->strings.slot);
+    diags_clear(&c->diags);
+}
+
+static void end_layer(SmcSession *s)
+{
     arena_free(&s->compiler.tree);
     arena_free(&s->compiler.work);
     arena_free(&s->compiler.scratch);
-    s->compiler.diags = s->saved;
-    s->compiler.locals = LOCALS_READ;
-    s->compiler.built = NULL;
+    s->compiler = s->below;
+    s->has_layer = false;
+}
+
+void library_keep_layer(SmcSession *s, Arena *in)
+{
+    const Arena layer = s->compiler.arena;
+
+    arena_free(in);
+    *in = layer;
+    end_layer(s);
+}
+
+void library_drop_layer(SmcSession *s)
+{
+    arena_free(&s->compiler.arena);
+    end_layer(s);
 }
 
 SmcResult library_guard(SmcSession *s, LibraryWork *work, void *argument)
@@ -137,7 +168,6 @@ SmcResult library_guard(SmcSession *s, LibraryWork *work, void *argument)
     if (atomic_swap(&s->is_busy, 1))
         return SMC_E_BUSY;
     own_locale = library_locale_enter(s->locale);
-    s->saved = s->compiler.diags;
     s->is_guarded = true;
     if (setjmp(s->oom) != 0) {
         recover(s);

@@ -31,11 +31,16 @@
 // Only a pointer to memory that the program has freed, or that is shorter than it says, is undefined.  A session that was closed is freed memory,
 // unless the program provided its memory.
 //
-// **Texts** are UTF-8 and end with a NUL.  Every pointer that a function returns or stores belongs to the session.  It is valid until the next
-// smc_compile, smc_run, smc_source_* call that changes something, or smc_close; a text of a machine until smc_machine_close.
+// **Texts** end with a NUL.  Every pointer that a function returns or stores belongs to the session, and is valid until the next smc_close,
+// smc_compile, smc_emit, smc_run, smc_report, or smc_source_* call that changes something.  Exceptions:
 //
-// **Out of memory**: SMC_E_MEMORY.  The session stays usable.  After smc_compile ran out of memory, nothing is compiled; after any other
-// function, everything is as before the call.
+//   - smc_render, smc_apply_edits and smc_diagram each store one text, which is also valid only until the next call of the same function;
+//   - smc_error_text: until the next call that does not return SMC_OK;
+//   - texts and the state vector of a machine: until smc_machine_close, however often the session compiles, or smc_close.
+//
+// **Memory**: The session stores one result of each kind, so repeated calls do not use more and more memory.  A function that runs out of memory
+// returns SMC_E_MEMORY, and the session stays usable.  After smc_compile ran out of memory, nothing is compiled; after any other function,
+// everything is as before the call.
 #ifndef SMC_H
 #define SMC_H
 
@@ -123,7 +128,7 @@ int32_t smc_source_kind(const SmcSession *s, uint32_t source);       // -1: ther
 // ---- options ----
 
 enum SmcOption {
-    SMC_OPTION_LEVEL = 0,         // of optimisation: 0, 1 or 2; initially 2
+    SMC_OPTION_LEVEL = 0,         // of optimisation: 0, 1 or 2; initially 2.  Scripts and machines have the level of smc_compile
     SMC_OPTION_STEP = 1,          // by how much G advances in a step, for warnings; 0: the delta_t of the scripts, if all have the same
     SMC_OPTION_MAX_RAM = 2,       // limits of a machine on the VM, each an error if it is exceeded: bytes of RAM,
     SMC_OPTION_MAX_STEP = 3,      //   instructions of the longest step,
@@ -173,7 +178,7 @@ enum SmcEmit {    // what smc_emit generates
     SMC_EMIT_TOKENS = 6
 };
 
-// Generates output files in memory, in place of those of the last smc_emit.  It needs an smc_compile without errors, except for SMC_EMIT_AST and
+// Generates output files in memory, in place of those of the last smc_emit, also if there are errors.  It needs an smc_compile without errors, except for SMC_EMIT_AST and
 // SMC_EMIT_TOKENS; else SMC_E_STATE.  SMC_E_SOURCE: there are new errors, for example because the image is too large.
 SmcResult smc_emit(SmcSession *s, int32_t what);
 uint32_t smc_output_count(const SmcSession *s);
@@ -183,7 +188,7 @@ SmcResult smc_output(const SmcSession *s, uint32_t output, const void **bytes, u
 
 // ---- diagnostics ----
 //
-// The diagnostics of the last smc_compile, then those of each smc_emit and smc_run since.  They are numbered from 0.  Warnings that an @allow
+// The diagnostics of the last smc_compile, then those of the last smc_emit and of the last run of each script since.  They are numbered from 0.  Warnings that an @allow
 // covers follow after smc_diag_count, smc_diag_allowed_count of them.
 
 enum SmcSeverity { SMC_SEVERITY_ERROR = 0, SMC_SEVERITY_WARNING = 1, SMC_SEVERITY_NOTE = 2 };
@@ -265,7 +270,8 @@ enum SmcReport { SMC_REPORT_HTML = 0, SMC_REPORT_TEXT = 1, SMC_REPORT_JSON = 2 }
 // Stores the state diagram of a compiled machine, with a mark at each finding, and with the counts of the scripts that have run.
 // SMC_E_STATE: the machine is not compiled, or has errors.
 SmcResult smc_diagram(SmcSession *s, uint32_t machine, int32_t form, const char **text, uint64_t *size);
-// Stores the page for a design review, as smc report writes it.  Scripts that have not run are run for it.
+// Stores the page for a design review, as smc report writes it.  Scripts that have not run are run for it, and
+// have run even if it then fails.
 // SMC_E_STATE: the machine is not compiled, there are errors, or SMC_OPTION_REVIEW was not set when it was compiled.
 SmcResult smc_report(SmcSession *s, uint32_t machine, int32_t form, const char **text, uint64_t *size);
 

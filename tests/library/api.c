@@ -209,6 +209,7 @@ static void runs_scripts(void)
     CHECK(strncmp(smc_run_trace(s, good), "script,step,", 12) == 0);
     CHECK(smc_run(s, bad, SMC_ENGINE_VM, 0) == SMC_E_FAILED && smc_run_outcome(s, bad) == SMC_OUTCOME_FAILED && smc_diag_count(s) == 1);
     CHECK(smc_diag_place(s, 0, 0, 0, SMC_PLACE_SOURCE, 0) == bad && smc_diag_severity(s, 0) == SMC_SEVERITY_ERROR);
+    CHECK(smc_emit(s, SMC_EMIT_IMAGE) == SMC_OK && smc_output_count(s) == 1 && smc_diag_count(s) == 1);     // a failed script is no error of the sources
     CHECK(smc_run(s, good, SMC_ENGINE_VM, 2) == SMC_E_FAILED && smc_run_outcome(s, good) == SMC_OUTCOME_ENDLESS);
     CHECK(smc_run(s, good, 0, 0) == SMC_E_ARGUMENT && smc_run(s, good, 8, 0) == SMC_E_ARGUMENT && smc_run(s, sm, 1, 0) == SMC_E_INDEX && smc_run(s, 77, 1, 0) == SMC_E_INDEX);
     CHECK(smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_OK);

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+// Refuses each single allocation of each call of libsmc, one after the other: the call returns SMC_E_MEMORY, and everything that the session shows
+// is as before the call.  Calls that are repeated do not use more and more memory.
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/library/smc.h"
+#include "tests/test.h"
+
+static const char machine[] = "[state_vector]\nU64 G\nU32 S\nF64 p\nbool v\nbool w\n[local]\nU32 n = 0\n[A] @safe\n.step\n    n = n + 1\n    v = roll_avg(p, 20) > 5 and n > 3\n"
+                              "    p > 90: -> B\n[B]\n.step\n    v = false\n[C]\n";
+static const char script[] = "[options]\ndelta_t 1\n[all_states]\nG == 5: p = 7\nG == 9 {\n    @assert v\n    @stop\n}\n";
+
+// ---- malloc ----
+
+static long refuse_at;            // which allocation from now on fails, from 1; 0: none
+
+void *__real_malloc(size_t size);
+void *__wrap_malloc(size_t size);
+void *__wrap_malloc(size_t size) { return refuse_at > 0 && --refuse_at == 0 ? NULL : __real_malloc(size); }
+
+// ---- calls ----
+
+static uint32_t sm, ss;
+
+typedef SmcResult Call(SmcSession *s);
+
+static SmcResult call_add(SmcSession *s)
+{
+    uint32_t source;
+
+    return smc_source_add(s, SMC_KIND_SM, "new.sm", machine, strlen(machine), &source);
+}
+
+static SmcResult call_replace(SmcSession *s) { return smc_source_replace(s, sm, script, strlen(script)); }
+static SmcResult call_select(SmcSession *s) { return smc_warning_select(s, "extra"); }
+static SmcResult call_prefix(SmcSession *s) { return smc_prefix_set(s, "Other"); }
+static SmcResult call_emit(SmcSession *s) { return smc_emit(s, SMC_EMIT_C); }
+static SmcResult call_emit_ast(SmcSession *s) { return smc_emit(s, SMC_EMIT_AST); }
+static SmcResult call_run(SmcSession *s) { return smc_run(s, ss, SMC_ENGINE_VM | SMC_ENGINE_REF, 0); }
+
+static SmcResult call_render(SmcSession *s)
+{
+    const char *text;
+    uint64_t size;
+
+    return smc_render(s, SMC_RENDER_SARIF, &text, &size);
+}
+
+static SmcResult call_edit(SmcSession *s)
+{
+    const char *text;
+    uint64_t size;
+    uint32_t fixed;
+
+    return smc_apply_edits(s, sm, &text, &size, &fixed);
+}
+
+static SmcResult call_draw(SmcSession *s)
+{
+    const char *text;
+    uint64_t size;
+
+    return smc_diagram(s, sm, SMC_DIAGRAM_SVG, &text, &size);
+}
+
+static SmcResult call_report(SmcSession *s)
+{
+    const char *text;
+    uint64_t size;
+
+    return smc_report(s, sm, SMC_REPORT_HTML, &text, &size);
+}
+
+static SmcResult call_open_and_close(SmcSession *s)
+{
+    SmcMachine m = 0;
+    const SmcResult r = smc_machine_open(s, sm, &m);
+
+    CHECK(r == SMC_OK ? smc_machine_close(s, m) == SMC_OK : m == 0);
+    return r;
+}
+
+static const struct { const char *name; Call *call; SmcResult result; } calls[] = {
+    {"add", call_add, SMC_OK}, {"replace", call_replace, SMC_OK}, {"select", call_select, SMC_OK}, {"prefix", call_prefix, SMC_OK},
+    {"emit", call_emit, SMC_OK}, {"emit the tree", call_emit_ast, SMC_OK}, {"run", call_run, SMC_E_FAILED}, {"render", call_render, SMC_OK},
+    {"edit", call_edit, SMC_OK}, {"draw", call_draw, SMC_OK}, {"report", call_report, SMC_OK}, {"open", call_open_and_close, SMC_OK}};
+enum { CALLS = sizeof calls / sizeof *calls };
+
+// ---- what a session shows ----
+
+typedef struct Shown { char *text; size_t n; } Shown;
+
+static void append(Shown *to, const void *bytes, size_t n)
+{
+    to->text = realloc(to->text, to->n + n + 1);
+    CHECK(to->text != NULL);
+    memcpy(to->text + to->n, bytes, n);
+    to->n += n;
+    to->text[to->n] = '\n';
+}
+
+static void append_text(Shown *to, const char *text) { append(to, text, strlen(text) + 1); }
+
+// Reads everything that the session shows, with calls that need no memory.
+static Shown read_session(const SmcSession *s)
+{
+    Shown to = {NULL, 0};
+    const uint64_t number[] = {smc_source_count(s), smc_diag_count(s), smc_diag_allowed_count(s), smc_output_count(s), smc_run_steps(s, ss),
+                               (uint64_t)smc_run_outcome(s, ss), smc_run_asserts(s, ss)};
+
+    append(&to, number, sizeof number);
+    for (uint32_t i = 0; i < smc_diag_count(s); i++) {
+        const int64_t place[] = {smc_diag_severity(s, i), smc_diag_place(s, i, 0, 0, SMC_PLACE_OFFSET, 0), smc_diag_place(s, i, 0, 0, SMC_PLACE_SOURCE, 0)};
+        append_text(&to, smc_diag_message(s, i));
+        append_text(&to, smc_diag_label(s, i));
+        append(&to, place, sizeof place);
+    }
+    for (uint32_t i = 0; i < smc_output_count(s); i++) {
+        const void *bytes = NULL;
+        uint64_t size = 0;
+        CHECK(smc_output(s, i, &bytes, &size) == SMC_OK);
+        append_text(&to, smc_output_name(s, i));
+        append(&to, bytes, (size_t)size);
+    }
+    append_text(&to, smc_run_report(s, ss));
+    return to;
+}
+
+static bool is_equal(Shown a, Shown b) { return a.n == b.n && memcmp(a.text, b.text, a.n) == 0; }
+
+// ---- tests ----
+
+static SmcSession *open_compiled(void)
+{
+    SmcSession *s = NULL;
+
+    CHECK(smc_open(NULL, 0, &s) == SMC_OK);
+    CHECK(smc_source_add(s, SMC_KIND_SM, "a.sm", machine, strlen(machine), &sm) == SMC_OK);
+    CHECK(smc_source_add(s, SMC_KIND_SS, "a.ss", script, strlen(script), &ss) == SMC_OK);
+    CHECK(smc_option_set(s, SMC_OPTION_REVIEW, 1) == SMC_OK && smc_compile(s) == SMC_OK && smc_diag_count(s) > 0);
+    return s;
+}
+
+// Refuses the allocations of one call one after the other, until none is left.  Returns how many there were.
+static long refuse_each(SmcSession *s, Call *call, SmcResult expected)
+{
+    for (long k = 1; k < 100000; k++) {
+        const Shown before = read_session(s);
+        Shown after;
+        SmcResult r;
+        bool was_refused;
+
+        refuse_at = k;
+        r = call(s);
+        was_refused = refuse_at == 0;
+        refuse_at = 0;
+        CHECK(r == (was_refused ? SMC_E_MEMORY : expected));
+        after = read_session(s);
+        CHECK(!was_refused || is_equal(before, after) || (call == call_report && smc_run_outcome(s, ss) == SMC_OUTCOME_FAILED));       // it ran the script
+        free(before.text);
+        free(after.text);
+        if (!was_refused)
+            return k - 1;
+    }
+    return 0;
+}
+
+// In a new session, and in one in which the call and an emission have been made before.
+static void refuses(int i)
+{
+    SmcSession *s = open_compiled();
+
+    CHECK(refuse_each(s, calls[i].call, calls[i].result) > 0);
+    CHECK(smc_close(s) == SMC_OK);
+    s = open_compiled();
+    CHECK(smc_emit(s, SMC_EMIT_IMAGE) == SMC_OK && smc_run(s, ss, SMC_ENGINE_VM, 0) == SMC_E_FAILED);
+    refuse_each(s, calls[i].call, calls[i].result);
+    CHECK(calls[i].call == call_replace || calls[i].call == call_add || smc_compile(s) == SMC_OK);
+    CHECK(smc_close(s) == SMC_OK);
+}
+
+static void refuses_compiling(void)
+{
+    SmcSession *s = open_compiled();
+    SmcResult r = SMC_E_MEMORY;
+
+    for (long k = 1; r == SMC_E_MEMORY && k < 100000; k++) {
+        refuse_at = k;
+        r = smc_compile(s);
+        CHECK(r == SMC_E_MEMORY ? refuse_at == 0 && smc_diag_count(s) == 0 && smc_emit(s, SMC_EMIT_IMAGE) == SMC_E_STATE : r == SMC_OK && k > 3);
+        refuse_at = 0;
+    }
+    CHECK(smc_close(s) == SMC_OK);
+}
+
+static void refuses_opening(void)
+{
+    SmcSession *s = NULL;
+
+    refuse_at = 1;
+    CHECK(smc_open(NULL, 0, &s) == SMC_E_MEMORY && s == NULL);
+    refuse_at = 0;
+}
+
+static void use_everything(SmcSession *s, int round)
+{
+    const char *text;
+    uint64_t size;
+
+    for (int i = 2; i < CALLS; i++)
+        CHECK(calls[i].call(s) == calls[i].result || calls[i].call == call_replace);
+    for (int i = 0; i < 3; i++) {
+        CHECK(smc_render(s, i, &text, &size) == SMC_OK && smc_diagram(s, sm, i, &text, &size) == SMC_OK && smc_report(s, sm, i, &text, &size) == SMC_OK);
+        CHECK(smc_emit(s, SMC_EMIT_IMAGE + (round + i) % 6) == SMC_OK);
+    }
+    CHECK(smc_run(s, ss, 1u << round % 3, 0) == SMC_E_FAILED && smc_run(s, ss, 1, 3) == SMC_E_FAILED);
+    CHECK(smc_warning_select(s, "nonsense") == SMC_E_ARGUMENT && smc_warnings_reset(s) == SMC_OK);
+}
+
+static void uses_bounded_memory(void)
+{
+    SmcSession *s = open_compiled();
+    uint64_t peak = 0;
+
+    for (int round = 0; round < 36; round++) {
+        use_everything(s, round);
+        if (round == 11)
+            peak = smc_memory_peak(s);
+    }
+    CHECK(peak > 0 && smc_memory_peak(s) == peak);
+    CHECK(smc_close(s) == SMC_OK);
+}
+
+int main(void)
+{
+    for (int i = 0; i < CALLS; i++)
+        refuses(i);
+    refuses_compiling();
+    refuses_opening();
+    uses_bounded_memory();
+    return test_end("refuse");
+}
