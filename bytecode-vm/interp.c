@@ -385,6 +385,11 @@ static SmvmAt run_code(Interpreter *r, SmvmBytes at)
 #else
 // ---- instructions: opcodes share code, for small chips ----
 
+SMVM_INLINE SmvmBytes skip_varint(SmvmBytes at, uint8_t b)      // skips the other bytes of a varint that starts with b
+{
+    return b < SMVM_VARINT_1 ? at : b < SMVM_VARINT_2 ? at + 1 : at + 3;
+}
+
 // Runs an opcode from SMVM_add on: an operation without operand bytes.
 SMVM_NOINLINE static void run_operation(Interpreter *r, uint8_t op)
 {
