@@ -113,11 +113,6 @@ SMVM_INLINE SmvmBytes image_at(SmvmBytes base, uintptr_t offset) { return (SmvmB
 SMVM_INLINE uint32_t fetch_u16(SmvmBytes at) { return fetch_byte(at) | (uint32_t)fetch_byte(at + 1) << 8; }
 SMVM_INLINE uint32_t fetch_u32(SmvmBytes at) { return fetch_u16(at) | (uint32_t)fetch_byte(at + 2) << 16 | (uint32_t)fetch_byte(at + 3) << 24; }
 SMVM_INLINE uint64_t fetch_u64(SmvmBytes at) { return fetch_u32(at) | (uint64_t)fetch_u32(at + 4) << 32; }
-#else
-SMVM_INLINE SmvmBytes skip_varint(SmvmBytes at, uint8_t b)      // skips the other bytes of a varint that starts with b
-{
-    return b < SMVM_VARINT_1 ? at : b < SMVM_VARINT_2 ? at + 1 : at + 3;
-}
 #endif
 
 // Returns the bits of entry n of a table in the image, whose entries have 4 or 8 bytes.
