@@ -171,33 +171,18 @@ static SmcResult prepare(SmcSession *s, LibraryMachine *m, uint32_t number)
     return SMC_OK;
 }
 
-// Makes room for one more open machine.
-static bool reserve_machine(SmcSession *s)
-{
-    const uint32_t cap = s->machines_cap ? s->machines_cap * 2 : 8;
-    LibraryMachine **more;
-
-    if (s->machines < s->machines_cap)
-        return true;
-    if ((more = library_alloc(s, (uint64_t)cap * sizeof *more)) == NULL)
-        return false;
-    if (s->machines)
-        memcpy(more, s->machine, s->machines * sizeof *more);
-    library_release(s, s->machine);
-    s->machine = more;
-    s->machines_cap = cap;
-    return true;
-}
-
 static SmcResult open_machine(SmcSession *s, const void *image, uint64_t size, uint32_t number, SmcMachine *id)
 {
     LibraryMachine *m = library_alloc(s, sizeof *m);
+    LibraryMachine **more;
     SmcResult r;
 
     if (!m)
         return library_fail(s, SMC_E_MEMORY, NULL);
     memset(m, 0, sizeof *m);
-    if (!reserve_machine(s) || (m->image = (uint8_t *)library_copy(s, image, size)) == NULL) {
+    if ((more = library_grow(s, s->machine, s->machines, &s->machines_cap, sizeof *more)) != NULL)
+        s->machine = more;
+    if (!more || (m->image = (uint8_t *)library_copy(s, image, size)) == NULL) {
         free_machine(s, m);
         return library_fail(s, SMC_E_MEMORY, NULL);
     }

@@ -31,7 +31,7 @@
 // Only a pointer to memory that the program has freed, or that is shorter than it says, is undefined.  A session that was closed is freed memory,
 // unless the program provided its memory.
 //
-// **Texts** end with a NUL.  Every pointer that a function returns or stores belongs to the session, and is valid until the next smc_close,
+// **Texts** are UTF-8, except for names that are not, and end with a NUL.  Every pointer that a function returns or stores belongs to the session, and is valid until the next smc_close,
 // smc_compile, smc_emit, smc_run, smc_report, or smc_source_* call that changes something.  Exceptions:
 //
 //   - smc_render, smc_apply_edits and smc_diagram each store one text, which is also valid only until the next call of the same function;

@@ -179,6 +179,20 @@ static void selects_warnings(void)
     smc_close(s);
 }
 
+// The text of an error is UTF-8, also if the argument is not, or is longer than the text can be.
+static void reports_errors_in_utf8(void)
+{
+    SmcSession *s = open_session();
+    char word[700] = "";
+
+    for (int i = 0; i < 200; i++)
+        strcat(word, "\xe2\x82\xac");
+    CHECK(smc_warning_select(s, word) == SMC_E_ARGUMENT && strlen(smc_error_text(s)) > 390);
+    CHECK(strcmp(smc_error_text(s) + strlen(smc_error_text(s)) - 3, "\xe2\x82\xac") == 0);
+    CHECK(smc_warning_select(s, "\xff") == SMC_E_ARGUMENT && strstr(smc_error_text(s), "'?'") != NULL);
+    smc_close(s);
+}
+
 static void keeps_allowed_warnings(void)
 {
     SmcSession *s = open_session();
@@ -230,6 +244,7 @@ static void cancels(void)
 
     (void)sm;
     CHECK(smc_cancel(s, 1) == SMC_OK && smc_compile(s) == SMC_E_CANCELLED && smc_compile(s) == SMC_OK);
+    CHECK(smc_cancel(s, 1) == SMC_OK && smc_warning_select(s, "all") == SMC_OK && smc_compile(s) == SMC_E_CANCELLED && smc_compile(s) == SMC_OK);
     CHECK(smc_cancel(s, 1) == SMC_OK && smc_run(s, ss, SMC_ENGINE_VM, 0) == SMC_E_CANCELLED && smc_run_outcome(s, ss) == SMC_OUTCOME_NONE);
     CHECK(smc_run(s, ss, SMC_ENGINE_VM, 0) == SMC_OK);
     CHECK(smc_cancel(s, 1) == SMC_OK && smc_cancel(s, 0) == SMC_OK && smc_compile(s) == SMC_OK && smc_cancel(s, 2) == SMC_E_ARGUMENT);
@@ -436,6 +451,7 @@ int main(void)
     applies_edits();
     counts_utf16_columns();
     selects_warnings();
+    reports_errors_in_utf8();
     keeps_allowed_warnings();
     runs_scripts();
     cancels();
