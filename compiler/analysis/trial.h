@@ -59,6 +59,7 @@ typedef struct Trials {
     Analysis *a;
     IrRun *run;
     uint64_t until;                   // value of run->work at which the present check ends
+    uint64_t check_at;                // value of run->work at which trial_step lets the host end the trials
     TrialInput *input;
     uint32_t inputs;
     TrialState *state;                // state[State.number - 1]

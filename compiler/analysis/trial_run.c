@@ -9,7 +9,8 @@
 enum {
     STEPS_PER_ADVANCE = 40,              // most steps in one call of trial_advance_to_event while a variable other than a counter changes
     READINGS_TRIED = 6,               // readings that are tried to make a state last
-    LASTING_STEPS = 3                 // steps for which the machine must stay in the state
+    LASTING_STEPS = 3,                // steps for which the machine must stay in the state
+    WORK_PER_CHECK = 100000           // instructions between two checks whether the host ends the trials: about a millisecond
 };
 
 // ---- running ----
@@ -35,6 +36,10 @@ void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace
     var[t->run->m->g] = s->ran ? s->last_g + dt : 0;
     trial_store_inputs(t, var, in);
     ir_run_step(t->run, situation, trace);
+    if (t->run->work >= t->check_at) {
+        arena_check_host(t->a->arena);
+        t->check_at = t->run->work + WORK_PER_CHECK;
+    }
 }
 
 // ---- passing time ----

@@ -84,6 +84,15 @@ static void add_chunk(Arena *a, size_t wanted)
     a->zeroed_end = a->next;
 }
 
+void arena_check_host(const Arena *a)
+{
+    void *byte = a->alloc(a->context, NULL, 1);
+
+    if (!byte)
+        longjmp(*a->oom, 1);
+    a->alloc(a->context, byte, 0);
+}
+
 // Zeroes the chunk up to `to` and up to ZERO_AHEAD bytes after `to`, so that one memset serves many small allocations.
 static void zero_up_to(Arena *a, char *to)
 {

@@ -45,6 +45,9 @@ void *arena_alloc_unzeroed(Arena *a, size_t size);               // as arena_all
 void *arena_copy(Arena *a, const void *from, size_t size);
 void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size);   // copies, or extends the last allocation in place
 
+// Allocates and frees one byte, so that a host whose allocator returns NULL ends a long computation that allocates nothing.
+void arena_check_host(const Arena *a);
+
 #define ARENA_NEW(a, T) ((T *)arena_alloc((a), sizeof(T)))
 #define ARENA_ARRAY(a, T, count) ((T *)arena_array((a), (count), sizeof(T)))
 

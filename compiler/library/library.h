@@ -15,6 +15,7 @@ typedef struct LibraryMemory {
     uint64_t limit;               // bytes, with the headers of blocks; 0: none
     uint64_t used, peak;
     unsigned char *area, *end;    // NULL: malloc
+    unsigned char *search;        // a block of the area; no block before it is free
 } LibraryMemory;
 
 typedef struct LibrarySource {
@@ -103,17 +104,17 @@ struct SmcSession {
     void *locale;                 // "C" (library_locale.h)
     int is_cancelled;             // accessed atomically
     int is_busy;                  // accessed atomically
-    bool is_guarded;              // a guarded call runs, so an allocation may fail because it is cancelled
+    bool is_guarded;              // a guarded call that can be cancelled runs, so an allocation may fail because it is cancelled
     bool has_layer;               // library_begin_layer was called
     Session below;                // `compiler` as it was then
     Session compiler;
     bool has_compiler;
     LibrarySource *source;
-    uint32_t sources;
+    uint32_t sources, sources_cap;
     uint64_t option[OPTION_COUNT];
     char *prefix;                 // NULL: none
     char **word;                  // of smc_warning_select
-    uint32_t words;
+    uint32_t words, words_cap;
     Arena words_arena;            // for a message about a word; empty between two calls
     LibraryResults of;
     LibraryMachine **machine;     // open machines, sorted by id
@@ -139,6 +140,8 @@ void *library_compiler_alloc(void *session, void *old, size_t size);      // the
 void *library_alloc(SmcSession *s, uint64_t size);
 void library_release(SmcSession *s, void *memory);
 char *library_copy(SmcSession *s, const void *bytes, uint64_t size);      // and a NUL
+
+void *library_grow(SmcSession *s, void *old, uint32_t n, uint32_t *cap, size_t item);
 
 // Calls work(s, argument), which may allocate in a layer of s->compiler.  If memory runs out or smc_cancel was called, drops the layer, and the
 // result is SMC_E_MEMORY or SMC_E_CANCELLED.

@@ -139,11 +139,11 @@ static const char *find_misfit(const SmcSession *s)
     return NULL;
 }
 
-static FileKind kind_of(const LibrarySource *source)
+static FileKind kind_of(int32_t source)
 {
     static const FileKind kind[] = {FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP};      // by SMC_KIND_…
 
-    return kind[source->kind];
+    return kind[source];
 }
 
 // The files that the application names are sources of these names.
@@ -157,7 +157,7 @@ static void supply_app_files(SmcSession *s, const Source *app)
         AppFile *file = &a->files.at[f];
         file->problem = "the session has no source of this name";
         for (uint32_t i = 0; i < s->sources && !file->wrong_kind; i++)
-            if (kind_of(&s->source[i]) == file->kind && strcmp(s->source[i].name, file->name.text->text) == 0)
+            if (kind_of(s->source[i].kind) == file->kind && strcmp(s->source[i].name, file->name.text->text) == 0)
                 file->src = s->of.text[i];
     }
 }
@@ -185,7 +185,7 @@ static void list_inputs(SmcSession *s)
             continue;
         }
         of->input[i] = (uint32_t)of->in.n + 1;
-        of->in.at[of->in.n++] = (CompileSource){.text = of->text[i], .kind = kind_of(source)};
+        of->in.at[of->in.n++] = (CompileSource){.text = of->text[i], .kind = kind_of(source->kind)};
     }
     if (has_app)
         supply_app_files(s, of->in.at[0].text);
@@ -240,6 +240,37 @@ static SmcResult compile(SmcSession *s, void *unused)
 }
 
 SmcResult smc_compile(SmcSession *s) { return library_is_open(s) ? library_guard(s, compile, NULL) : SMC_E_HANDLE; }
+
+// ---- the files of an application ----
+
+static const AppFile *app_file(const SmcSession *s, uint32_t file)
+{
+    const CompileApp *app = library_is_open(s) && s->of.is_compiled ? s->of.in.app : NULL;
+
+    return app && file < app->files.n ? &app->files.at[file] : NULL;
+}
+
+uint32_t smc_app_file_count(const SmcSession *s)
+{
+    return library_is_open(s) && s->of.is_compiled && s->of.in.app ? (uint32_t)s->of.in.app->files.n : 0;
+}
+
+const char *smc_app_file_name(const SmcSession *s, uint32_t file)
+{
+    const AppFile *f = app_file(s, file);
+
+    return f ? f->name.text->text : "";
+}
+
+int32_t smc_app_file_kind(const SmcSession *s, uint32_t file)
+{
+    const AppFile *f = app_file(s, file);
+
+    for (int32_t kind = SMC_KIND_SV; f && kind <= SMC_KIND_APP; kind++)
+        if (kind_of(kind) == f->kind)
+            return kind;
+    return -1;
+}
 
 // ---- output files ----
 

@@ -171,33 +171,18 @@ static SmcResult prepare(SmcSession *s, LibraryMachine *m, uint32_t number)
     return SMC_OK;
 }
 
-// Makes room for one more open machine.
-static bool reserve_machine(SmcSession *s)
-{
-    const uint32_t cap = s->machines_cap ? s->machines_cap * 2 : 8;
-    LibraryMachine **more;
-
-    if (s->machines < s->machines_cap)
-        return true;
-    if ((more = library_alloc(s, (uint64_t)cap * sizeof *more)) == NULL)
-        return false;
-    if (s->machines)
-        memcpy(more, s->machine, s->machines * sizeof *more);
-    library_release(s, s->machine);
-    s->machine = more;
-    s->machines_cap = cap;
-    return true;
-}
-
 static SmcResult open_machine(SmcSession *s, const void *image, uint64_t size, uint32_t number, SmcMachine *id)
 {
     LibraryMachine *m = library_alloc(s, sizeof *m);
+    LibraryMachine **more;
     SmcResult r;
 
     if (!m)
         return library_fail(s, SMC_E_MEMORY, NULL);
     memset(m, 0, sizeof *m);
-    if (!reserve_machine(s) || (m->image = (uint8_t *)library_copy(s, image, size)) == NULL) {
+    if ((more = library_grow(s, s->machine, s->machines, &s->machines_cap, sizeof *more)) != NULL)
+        s->machine = more;
+    if (!more || (m->image = (uint8_t *)library_copy(s, image, size)) == NULL) {
         free_machine(s, m);
         return library_fail(s, SMC_E_MEMORY, NULL);
     }
@@ -426,35 +411,35 @@ SmcResult smc_machine_find(const SmcSession *s, SmcMachine m, const char *name, 
     return SMC_OK;
 }
 
-const char *smc_machine_name(const SmcSession *s, SmcMachine m, uint32_t variable)
+const char *smc_machine_variable_name(const SmcSession *s, SmcMachine m, uint32_t variable)
 {
     const LibraryVariable *v = variable_of(s, m, variable);
 
     return v ? v->name : "";
 }
 
-int32_t smc_machine_type(const SmcSession *s, SmcMachine m, uint32_t variable)
+int32_t smc_machine_variable_type(const SmcSession *s, SmcMachine m, uint32_t variable)
 {
     const LibraryVariable *v = variable_of(s, m, variable);
 
     return v ? (int32_t)v->type : -1;
 }
 
-int32_t smc_machine_kind(const SmcSession *s, SmcMachine m, uint32_t variable)
+int32_t smc_machine_variable_kind(const SmcSession *s, SmcMachine m, uint32_t variable)
 {
     const LibraryVariable *v = variable_of(s, m, variable);
 
     return v ? v->kind : -1;
 }
 
-uint32_t smc_machine_offset(const SmcSession *s, SmcMachine m, uint32_t variable)
+uint32_t smc_machine_variable_offset(const SmcSession *s, SmcMachine m, uint32_t variable)
 {
     const LibraryVariable *v = variable_of(s, m, variable);
 
     return v ? v->offset : 0;
 }
 
-int32_t smc_machine_stored(const SmcSession *s, SmcMachine m, uint32_t variable)
+int32_t smc_machine_variable_stored(const SmcSession *s, SmcMachine m, uint32_t variable)
 {
     const LibraryMachine *own = machine_of(s, m);
     const LibraryVariable *v = variable_of(s, m, variable);
@@ -537,19 +522,19 @@ SmcResult smc_machine_write(SmcSession *s, SmcMachine m, uint32_t variable, cons
 
 // ---- sizes ----
 
-uint64_t smc_machine_size(const SmcSession *s, SmcMachine m, int32_t what)
+uint64_t smc_machine_info(const SmcSession *s, SmcMachine m, int32_t what)
 {
     const LibraryMachine *own = machine_of(s, m);
 
     if (!own)
         return 0;
     switch (what) {
-    case SMC_SIZE_VECTOR: return own->m.sv_size;
-    case SMC_SIZE_LAYOUT: return own->m.layout;
-    case SMC_SIZE_MEMORY: return smvm_ram_size(&own->m);
-    case SMC_SIZE_DECODED: return smvm_decoded_size(&own->m);
-    case SMC_SIZE_IMAGE: return own->image_size;
-    case SMC_SIZE_LONGEST_STEP: return smvm_longest_step(&own->m);
+    case SMC_INFO_VECTOR: return own->m.sv_size;
+    case SMC_INFO_LAYOUT: return own->m.layout;
+    case SMC_INFO_MEMORY: return smvm_ram_size(&own->m);
+    case SMC_INFO_DECODED: return smvm_decoded_size(&own->m);
+    case SMC_INFO_IMAGE: return own->image_size;
+    case SMC_INFO_LONGEST_STEP: return smvm_longest_step(&own->m);
     }
     return 0;
 }

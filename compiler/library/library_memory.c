@@ -30,6 +30,7 @@ void library_memory_init(LibraryMemory *m, void *area, uint64_t size)
             size = skip;                          // too small for any block: every allocation fails
         m->area = (unsigned char *)area + skip;
         m->end = m->area + (size - skip) / BLOCK_ALIGN * BLOCK_ALIGN;
+        m->search = m->area;
         if (m->area == m->end)
             return;
         first = (Block *)(void *)m->area;
@@ -64,14 +65,21 @@ static void split_block(const LibraryMemory *m, Block *b, uint64_t size)
         after->before = block_size(free_block);
 }
 
-static void *take_from_area(const LibraryMemory *m, uint64_t size)
+static void *take_from_area(LibraryMemory *m, uint64_t size)
 {
-    for (Block *b = m->area < m->end ? (Block *)(void *)m->area : NULL; b; b = next_block(m, b))
-        if (!(b->size & IN_USE) && b->size >= size) {
-            split_block(m, b, size);
-            b->size |= IN_USE;
-            return b + 1;
-        }
+    Block *lowest_free = NULL;
+
+    for (Block *b = m->search < m->end ? (Block *)(void *)m->search : NULL; b; b = next_block(m, b)) {
+        if (b->size & IN_USE)
+            continue;
+        lowest_free = lowest_free ? lowest_free : b;
+        if (b->size < size)
+            continue;
+        split_block(m, b, size);
+        b->size |= IN_USE;
+        m->search = (unsigned char *)(lowest_free != b || !next_block(m, b) ? lowest_free : next_block(m, b));
+        return b + 1;
+    }
     return NULL;
 }
 
@@ -87,14 +95,16 @@ static void merge_with_next(const LibraryMemory *m, Block *b)
         after->before = block_size(b);
 }
 
-static void return_to_area(const LibraryMemory *m, Block *b)
+static void return_to_area(LibraryMemory *m, Block *b)
 {
     Block *before = (unsigned char *)b > m->area ? (Block *)(void *)((unsigned char *)b - b->before) - 1 : NULL;
 
     b->size &= ~(uint64_t)IN_USE;
     merge_with_next(m, b);
     if (before && !(before->size & IN_USE))
-        merge_with_next(m, before);
+        merge_with_next(m, b = before);
+    if ((unsigned char *)b < m->search)
+        m->search = (unsigned char *)b;
 }
 
 // ---- both ----

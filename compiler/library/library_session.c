@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sessions of libsmc: opening and closing, sources and options, and the guard around every call that compiles or runs something.
-#include <stdio.h>
 #include <string.h>
 
+#include "compiler/base/utf8.h"
 #include "compiler/library/library.h"
 #include "compiler/library/library_locale.h"
 #include "compiler/version.h"
@@ -57,12 +57,28 @@ const char *smc_version(void) { return SMC_VERSION; }
 
 bool library_is_open(const SmcSession *s) { return s && s->magic == LIBRARY_MAGIC; }
 
+// Copies as many whole characters as fit into `room` bytes, and a NUL.  A byte that is not UTF-8 becomes '?'.
+static void copy_utf8(char *to, size_t room, const char *from)
+{
+    size_t n = strlen(from), length;
+    uint32_t code;
+
+    for (; n > 0; from += length, n -= length) {
+        const bool is_character = (length = utf8_decode(from, n, &code)) > 0;
+        length = is_character ? length : 1;
+        if (length >= room)
+            break;
+        memcpy(to, is_character ? from : "?", length);
+        to += length;
+        room -= length;
+    }
+    *to = '\0';
+}
+
 // The text of an error belongs to the session even where a call only reads it.
 SmcResult library_fail(const SmcSession *s, SmcResult r, const char *text)
 {
-    SmcSession *own = (SmcSession *)(uintptr_t)s;
-
-    snprintf(own->error, sizeof own->error, "%s", text ? text : smc_result_text(r));
+    copy_utf8(((SmcSession *)(uintptr_t)s)->error, ERROR_TEXT_MAX, text ? text : smc_result_text(r));
     return r;
 }
 
@@ -160,7 +176,7 @@ void library_drop_layer(SmcSession *s)
     end_layer(s);
 }
 
-SmcResult library_guard(SmcSession *s, LibraryWork *work, void *argument)
+static SmcResult guard(SmcSession *s, LibraryWork *work, void *argument, bool can_cancel)
 {
     void *own_locale;
     SmcResult r;
@@ -168,11 +184,11 @@ SmcResult library_guard(SmcSession *s, LibraryWork *work, void *argument)
     if (atomic_swap(&s->is_busy, 1))
         return SMC_E_BUSY;
     own_locale = library_locale_enter(s->locale);
-    s->is_guarded = true;
+    s->is_guarded = can_cancel;
     if (setjmp(s->oom) != 0) {
         recover(s);
-        r = library_fail(s, library_is_cancelled(s) ? SMC_E_CANCELLED : SMC_E_MEMORY, NULL);
-    } else if (library_is_cancelled(s)) {
+        r = library_fail(s, can_cancel && library_is_cancelled(s) ? SMC_E_CANCELLED : SMC_E_MEMORY, NULL);
+    } else if (can_cancel && library_is_cancelled(s)) {
         r = library_fail(s, SMC_E_CANCELLED, NULL);
     } else {
         r = work(s, argument);
@@ -183,6 +199,26 @@ SmcResult library_guard(SmcSession *s, LibraryWork *work, void *argument)
         atomic_write(&s->is_cancelled, 0);
     atomic_write(&s->is_busy, 0);
     return r;
+}
+
+SmcResult library_guard(SmcSession *s, LibraryWork *work, void *argument) { return guard(s, work, argument, true); }
+
+// Returns an array of pointers or structures with room for one more item: `old`, or a copy of its n items in an array twice as large, which
+// replaces it.  NULL: out of memory.
+void *library_grow(SmcSession *s, void *old, uint32_t n, uint32_t *cap, size_t item)
+{
+    const uint64_t room = *cap ? UINT64_C(2) * *cap : 8;
+    void *more;
+
+    if (n < *cap)
+        return old;
+    if (room > UINT32_MAX || (more = library_alloc(s, room * item)) == NULL)
+        return NULL;
+    if (n)
+        memcpy(more, old, n * item);
+    library_release(s, old);
+    *cap = (uint32_t)room;
+    return more;
 }
 
 // ---- opening and closing ----
@@ -219,7 +255,7 @@ static void free_sources(SmcSession *s)
     }
     library_release(s, s->source);
     s->source = NULL;
-    s->sources = 0;
+    s->sources = s->sources_cap = 0;
 }
 
 static void free_words(SmcSession *s)
@@ -228,7 +264,7 @@ static void free_words(SmcSession *s)
         library_release(s, s->word[i]);
     library_release(s, s->word);
     s->word = NULL;
-    s->words = 0;
+    s->words = s->words_cap = 0;
 }
 
 SmcResult smc_close(SmcSession *s)
@@ -284,21 +320,18 @@ SmcResult smc_source_add(SmcSession *s, int32_t kind, const char *name, const ch
         return library_fail(s, SMC_E_ARGUMENT, "the name of a source cannot be empty or contain a control character");
     if ((r = check_text(s, text, size)) != SMC_OK)
         return r;
+    if ((more = library_grow(s, s->source, s->sources, &s->sources_cap, sizeof *more)) == NULL)
+        return library_fail(s, SMC_E_MEMORY, NULL);
+    s->source = more;
     new.kind = kind;
     new.size = (size_t)size;
     new.name = library_copy(s, name, strlen(name));
     new.text = library_copy(s, text, size);
-    more = library_alloc(s, (s->sources + UINT64_C(1)) * sizeof *more);
-    if (!new.name || !new.text || !more) {
+    if (!new.name || !new.text) {
         library_release(s, new.name);
         library_release(s, new.text);
-        library_release(s, more);
         return library_fail(s, SMC_E_MEMORY, NULL);
     }
-    if (s->sources)
-        memcpy(more, s->source, s->sources * sizeof *more);
-    library_release(s, s->source);
-    s->source = more;
     s->source[s->sources] = new;
     *source = s->sources++;
     return SMC_OK;
@@ -402,19 +435,13 @@ SmcResult smc_warning_select(SmcSession *s, const char *word)
         return SMC_E_HANDLE;
     if (!word)
         return library_fail(s, SMC_E_ARGUMENT, NULL);
-    if ((r = library_guard(s, check_word, (void *)(uintptr_t)word)) != SMC_OK)
+    if ((r = guard(s, check_word, (void *)(uintptr_t)word, false)) != SMC_OK)
         return r;
-    copy = library_copy(s, word, strlen(word));
-    more = library_alloc(s, (s->words + UINT64_C(1)) * sizeof *more);
-    if (!copy || !more) {
-        library_release(s, copy);
-        library_release(s, more);
+    if ((more = library_grow(s, s->word, s->words, &s->words_cap, sizeof *more)) == NULL)
         return library_fail(s, SMC_E_MEMORY, NULL);
-    }
-    if (s->words)
-        memcpy(more, s->word, s->words * sizeof *more);
-    library_release(s, s->word);
     s->word = more;
+    if ((copy = library_copy(s, word, strlen(word))) == NULL)
+        return library_fail(s, SMC_E_MEMORY, NULL);
     s->word[s->words++] = copy;
     return SMC_OK;
 }

@@ -31,8 +31,9 @@
 // Only a pointer to memory that the program has freed, or that is shorter than it says, is undefined.  A session that was closed is freed memory,
 // unless the program provided its memory.
 //
-// **Texts** end with a NUL.  Every pointer that a function returns or stores belongs to the session, and is valid until the next smc_close,
-// smc_compile, smc_emit, smc_run, smc_report, or smc_source_* call that changes something.  Exceptions:
+// **Texts** are UTF-8, except for names that are not, and end with a NUL.  Every pointer that a function returns or stores belongs to the
+// session, and is valid until the next smc_close, smc_compile, smc_emit, smc_run, smc_report, or smc_source_* call that changes something.
+// Exceptions:
 //
 //   - smc_render, smc_apply_edits and smc_diagram each store one text, which is also valid only until the next call of the same function;
 //   - smc_error_text: until the next call that does not return SMC_OK;
@@ -169,6 +170,12 @@ const char *smc_explain(const char *code);
 // SMC_E_STATE: the sources do not fit together (two applications, two state vectors, or two .io files); smc_error_text has the reason.
 SmcResult smc_compile(SmcSession *s);
 
+// The files that the compiled application names: those that it needs as sources, also if the session has none of that name.  So compile an
+// application alone, add these files, and compile again.  The name is written as in the application.  SMC_KIND_…; -1: there is no such file.
+uint32_t smc_app_file_count(const SmcSession *s);
+const char *smc_app_file_name(const SmcSession *s, uint32_t file);
+int32_t smc_app_file_kind(const SmcSession *s, uint32_t file);
+
 enum SmcEmit {    // what smc_emit generates
     SMC_EMIT_IMAGE = 1,           // one image of all machines, with the pins
     SMC_EMIT_ARRAY = 2,           // that image as a C array
@@ -178,8 +185,8 @@ enum SmcEmit {    // what smc_emit generates
     SMC_EMIT_TOKENS = 6
 };
 
-// Generates output files in memory, in place of those of the last smc_emit, also if there are errors.  It needs an smc_compile without errors, except for SMC_EMIT_AST and
-// SMC_EMIT_TOKENS; else SMC_E_STATE.  SMC_E_SOURCE: there are new errors, for example because the image is too large.
+// Generates output files in memory, in place of those of the last smc_emit, also if there are errors.  It needs an smc_compile without errors,
+// except for SMC_EMIT_AST and SMC_EMIT_TOKENS; else SMC_E_STATE.  SMC_E_SOURCE: there are new errors, for example because the image is too large.
 SmcResult smc_emit(SmcSession *s, int32_t what);
 uint32_t smc_output_count(const SmcSession *s);
 const char *smc_output_name(const SmcSession *s, uint32_t output);        // its default file name: "tank.smb", "tank.h"
@@ -188,8 +195,8 @@ SmcResult smc_output(const SmcSession *s, uint32_t output, const void **bytes, u
 
 // ---- diagnostics ----
 //
-// The diagnostics of the last smc_compile, then those of the last smc_emit and of the last run of each script since.  They are numbered from 0.  Warnings that an @allow
-// covers follow after smc_diag_count, smc_diag_allowed_count of them.
+// The diagnostics of the last smc_compile, then those of the last smc_emit and of the last run of each script since.  They are numbered from 0.
+// Warnings that an @allow covers follow after smc_diag_count, smc_diag_allowed_count of them.
 
 enum SmcSeverity { SMC_SEVERITY_ERROR = 0, SMC_SEVERITY_WARNING = 1, SMC_SEVERITY_NOTE = 2 };
 
@@ -314,13 +321,13 @@ enum SmcVariableKind { SMC_VARIABLE_ELEMENT = 0, SMC_VARIABLE_LOCAL = 1 };
 // The elements that the machine lists, by their names in the state vector, and its locals that are not constants.  Sorted by name.
 uint32_t smc_machine_variable_count(const SmcSession *s, SmcMachine m);
 SmcResult smc_machine_find(const SmcSession *s, SmcMachine m, const char *name, uint32_t *variable);
-const char *smc_machine_name(const SmcSession *s, SmcMachine m, uint32_t variable);
-int32_t smc_machine_type(const SmcSession *s, SmcMachine m, uint32_t variable);       // -1: there is no such variable
-int32_t smc_machine_kind(const SmcSession *s, SmcMachine m, uint32_t variable);       // -1: there is no such variable
+const char *smc_machine_variable_name(const SmcSession *s, SmcMachine m, uint32_t variable);
+int32_t smc_machine_variable_type(const SmcSession *s, SmcMachine m, uint32_t variable);       // -1: there is no such variable
+int32_t smc_machine_variable_kind(const SmcSession *s, SmcMachine m, uint32_t variable);       // -1: there is no such variable
 // Its offset in bytes in the state vector, or among the locals.
-uint32_t smc_machine_offset(const SmcSession *s, SmcMachine m, uint32_t variable);
+uint32_t smc_machine_variable_offset(const SmcSession *s, SmcMachine m, uint32_t variable);
 // 1: the last step stored this element; 0: it did not, or the variable is no output.
-int32_t smc_machine_stored(const SmcSession *s, SmcMachine m, uint32_t variable);
+int32_t smc_machine_variable_stored(const SmcSession *s, SmcMachine m, uint32_t variable);
 
 // The value as a machine reads and stores it (language.md 2): a stored NaN reads as 0; a number beyond an integer type becomes its limit.
 SmcResult smc_machine_get(const SmcSession *s, SmcMachine m, uint32_t variable, double *value);
@@ -329,16 +336,16 @@ SmcResult smc_machine_set(SmcSession *s, SmcMachine m, uint32_t variable, double
 SmcResult smc_machine_read(const SmcSession *s, SmcMachine m, uint32_t variable, void *value, uint32_t size);
 SmcResult smc_machine_write(SmcSession *s, SmcMachine m, uint32_t variable, const void *value, uint32_t size);
 
-enum SmcSize {
-    SMC_SIZE_VECTOR = 0,          // bytes of the state vector
-    SMC_SIZE_LAYOUT = 1,          // the hash of its layout: machines run only on a vector of the same hash
-    SMC_SIZE_MEMORY = 2,          // bytes of memory that the VM needs for the machine
-    SMC_SIZE_DECODED = 3,         // bytes of memory for its decoded form
-    SMC_SIZE_IMAGE = 4,           // bytes of its image
-    SMC_SIZE_LONGEST_STEP = 5     // instructions of the longest step
+enum SmcInfo {
+    SMC_INFO_VECTOR = 0,          // bytes of the state vector
+    SMC_INFO_LAYOUT = 1,          // the hash of its layout: machines run only on a vector of the same hash
+    SMC_INFO_MEMORY = 2,          // bytes of memory that the VM needs for the machine
+    SMC_INFO_DECODED = 3,         // bytes of memory for its decoded form
+    SMC_INFO_IMAGE = 4,           // bytes of its image
+    SMC_INFO_LONGEST_STEP = 5     // instructions of the longest step
 };
-uint64_t smc_machine_size(const SmcSession *s, SmcMachine m, int32_t what);
-// The state vector: SMC_SIZE_VECTOR bytes, which the program can read and write between two calls.  NULL: there is no such machine.
+uint64_t smc_machine_info(const SmcSession *s, SmcMachine m, int32_t what);
+// The state vector: SMC_INFO_VECTOR bytes, which the program can read and write between two calls.  NULL: there is no such machine.
 void *smc_machine_vector(SmcSession *s, SmcMachine m);
 
 #ifdef SMC_LIBRARY

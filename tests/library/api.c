@@ -93,8 +93,14 @@ static void compiles_an_application(void)
     const uint32_t of = add(s, SMC_KIND_APP, "rocket.app", app);
 
     (void)of;
-    CHECK(smc_compile(s) == SMC_E_SOURCE && smc_diag_count(s) > 0);
+    CHECK(smc_app_file_count(s) == 0 && smc_compile(s) == SMC_E_SOURCE && smc_diag_count(s) > 0);
     CHECK(smc_emit(s, SMC_EMIT_C) == SMC_E_STATE);
+    CHECK(smc_app_file_count(s) == 2 && is_text(smc_app_file_name(s, 2), "") && smc_app_file_kind(s, 2) == -1);
+    for (uint32_t i = 0; i < 2; i++) {
+        const bool is_vector = smc_app_file_kind(s, i) == SMC_KIND_SV;
+        CHECK(is_vector || smc_app_file_kind(s, i) == SMC_KIND_SM);
+        CHECK(is_text(smc_app_file_name(s, i), is_vector ? "bus.sv" : "valve.sm"));
+    }
     smc_close(s);
 }
 
@@ -179,6 +185,20 @@ static void selects_warnings(void)
     smc_close(s);
 }
 
+// The text of an error is UTF-8, also if the argument is not, or is longer than the text can be.
+static void reports_errors_in_utf8(void)
+{
+    SmcSession *s = open_session();
+    char word[700] = "";
+
+    for (int i = 0; i < 200; i++)
+        strcat(word, "\xe2\x82\xac");
+    CHECK(smc_warning_select(s, word) == SMC_E_ARGUMENT && strlen(smc_error_text(s)) > 390);
+    CHECK(strcmp(smc_error_text(s) + strlen(smc_error_text(s)) - 3, "\xe2\x82\xac") == 0);
+    CHECK(smc_warning_select(s, "\xff") == SMC_E_ARGUMENT && strstr(smc_error_text(s), "'?'") != NULL);
+    smc_close(s);
+}
+
 static void keeps_allowed_warnings(void)
 {
     SmcSession *s = open_session();
@@ -230,6 +250,7 @@ static void cancels(void)
 
     (void)sm;
     CHECK(smc_cancel(s, 1) == SMC_OK && smc_compile(s) == SMC_E_CANCELLED && smc_compile(s) == SMC_OK);
+    CHECK(smc_cancel(s, 1) == SMC_OK && smc_warning_select(s, "all") == SMC_OK && smc_compile(s) == SMC_E_CANCELLED && smc_compile(s) == SMC_OK);
     CHECK(smc_cancel(s, 1) == SMC_OK && smc_run(s, ss, SMC_ENGINE_VM, 0) == SMC_E_CANCELLED && smc_run_outcome(s, ss) == SMC_OUTCOME_NONE);
     CHECK(smc_run(s, ss, SMC_ENGINE_VM, 0) == SMC_OK);
     CHECK(smc_cancel(s, 1) == SMC_OK && smc_cancel(s, 0) == SMC_OK && smc_compile(s) == SMC_OK && smc_cancel(s, 2) == SMC_E_ARGUMENT);
@@ -269,11 +290,11 @@ static void runs_machines(void)
     CHECK(smc_machine_state_marks(s, m, 1) == (SMC_MARK_SAFE | SMC_MARK_SWAP) && smc_machine_state_marks(s, m, 2) == SMC_MARK_ABORT);
     CHECK(smc_machine_state_marks(s, m, 3) == 0 && is_text(smc_machine_state_name(s, m, 0), "") && is_text(smc_machine_state_name(s, m, 3), ""));
     CHECK(smc_machine_variable_count(s, m) == 7);                  // G S p valve small n level; limit is a constant
-    CHECK(smc_machine_type(s, m, find(s, m, "n")) == SMC_TYPE_U8 && smc_machine_kind(s, m, find(s, m, "n")) == SMC_VARIABLE_LOCAL);
-    CHECK(smc_machine_type(s, m, find(s, m, "p")) == SMC_TYPE_F32 && smc_machine_offset(s, m, find(s, m, "S")) == 8);
+    CHECK(smc_machine_variable_type(s, m, find(s, m, "n")) == SMC_TYPE_U8 && smc_machine_variable_kind(s, m, find(s, m, "n")) == SMC_VARIABLE_LOCAL);
+    CHECK(smc_machine_variable_type(s, m, find(s, m, "p")) == SMC_TYPE_F32 && smc_machine_variable_offset(s, m, find(s, m, "S")) == 8);
     CHECK(smc_machine_set(s, m, find(s, m, "p"), 750) == SMC_OK && smc_machine_step(s, m, 10) == SMC_OK);
     CHECK(get(s, m, "valve") == 1 && get(s, m, "n") == 4 && get(s, m, "level") == 1.75 && get(s, m, "small") == 4000 && get(s, m, "S") == 1 && get(s, m, "G") == 10);
-    CHECK(smc_machine_stored(s, m, find(s, m, "valve")) == 1 && smc_machine_stored(s, m, find(s, m, "S")) == 1 && smc_machine_stored(s, m, find(s, m, "p")) == 0);
+    CHECK(smc_machine_variable_stored(s, m, find(s, m, "valve")) == 1 && smc_machine_variable_stored(s, m, find(s, m, "S")) == 1 && smc_machine_variable_stored(s, m, find(s, m, "p")) == 0);
     CHECK(smc_machine_step(s, m, 10) == SMC_E_REFUSED && get(s, m, "n") == 4 && smc_machine_step(s, m, 30) == SMC_OK && smc_machine_time(s, m) == 20);
     CHECK(smc_machine_read(s, m, find(s, m, "small"), &small, sizeof small) == SMC_OK && small == 5000);
     CHECK(smc_machine_read(s, m, find(s, m, "small"), &small, 4) == SMC_E_SIZE && smc_machine_write(s, m, find(s, m, "small"), &small, 1) == SMC_E_SIZE);
@@ -283,10 +304,10 @@ static void runs_machines(void)
     CHECK(smc_machine_set(s, m, find(s, m, "n"), 200) == SMC_OK && smc_machine_set(s, m, find(s, m, "p"), 950) == SMC_OK && smc_machine_step(s, m, 40) == SMC_OK);
     CHECK(get(s, m, "n") == 201 && smc_machine_state(s, m) == 2 && get(s, m, "S") == 1);
     CHECK(smc_machine_start(s, m, 3) == SMC_E_INDEX && smc_machine_start(s, m, 2) == SMC_OK && get(s, m, "S") == 2 && get(s, m, "n") == 3 && get(s, m, "p") == 0);
-    CHECK(get(s, other, "n") == 3 && smc_machine_size(s, m, SMC_SIZE_VECTOR) == 24 && smc_machine_size(s, m, SMC_SIZE_LONGEST_STEP) > 3);
-    CHECK(smc_machine_size(s, m, SMC_SIZE_IMAGE) > 100 && smc_machine_size(s, m, 99) == 0 && smc_machine_vector(s, m) != NULL);
-    CHECK(smc_machine_size(s, m, SMC_SIZE_LAYOUT) == smc_machine_size(s, other, SMC_SIZE_LAYOUT));
-    CHECK(smc_machine_find(s, m, "nothing", &at) == SMC_E_INDEX && smc_machine_get(s, m, 7, &x) == SMC_E_INDEX && smc_machine_type(s, m, 7) == -1);
+    CHECK(get(s, other, "n") == 3 && smc_machine_info(s, m, SMC_INFO_VECTOR) == 24 && smc_machine_info(s, m, SMC_INFO_LONGEST_STEP) > 3);
+    CHECK(smc_machine_info(s, m, SMC_INFO_IMAGE) > 100 && smc_machine_info(s, m, 99) == 0 && smc_machine_vector(s, m) != NULL);
+    CHECK(smc_machine_info(s, m, SMC_INFO_LAYOUT) == smc_machine_info(s, other, SMC_INFO_LAYOUT));
+    CHECK(smc_machine_find(s, m, "nothing", &at) == SMC_E_INDEX && smc_machine_get(s, m, 7, &x) == SMC_E_INDEX && smc_machine_variable_type(s, m, 7) == -1);
     CHECK(smc_machine_close(s, m) == SMC_OK && smc_machine_close(s, m) == SMC_E_HANDLE && smc_machine_step(s, m, 50) == SMC_E_HANDLE);
     CHECK(smc_sources_clear(s) == SMC_OK && smc_machine_step(s, other, 10) == SMC_OK);
     smc_close(s);
@@ -436,6 +457,7 @@ int main(void)
     applies_edits();
     counts_utf16_columns();
     selects_warnings();
+    reports_errors_in_utf8();
     keeps_allowed_warnings();
     runs_scripts();
     cancels();

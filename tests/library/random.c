@@ -107,10 +107,10 @@ static void use_machine(SmcSession *s, SmcMachine m, SmcMachine other)
     case 4: smc_machine_read(s, m, i, bytes, draw(10)); break;
     case 5: memset(bytes, (int)draw(256), sizeof bytes); smc_machine_write(s, m, i, bytes, draw(9)); break;
     case 6: smc_machine_continue(s, m, other); break;
-    case 7: CHECK(smc_machine_type(s, m, i) >= -1 && smc_machine_kind(s, m, i) >= -1 && smc_machine_stored(s, m, i) >= 0); break;
-    case 8: CHECK(strlen(smc_machine_name(s, m, i)) < 3000 && strlen(smc_machine_state_name(s, m, draw(4))) < 3000); break;
-    case 9: smc_machine_size(s, m, (int32_t)draw(8) - 1); break;
-    case 10: if (smc_machine_vector(s, m)) memset(smc_machine_vector(s, m), (int)draw(256), (size_t)smc_machine_size(s, m, SMC_SIZE_VECTOR)); break;
+    case 7: CHECK(smc_machine_variable_type(s, m, i) >= -1 && smc_machine_variable_kind(s, m, i) >= -1 && smc_machine_variable_stored(s, m, i) >= 0); break;
+    case 8: CHECK(strlen(smc_machine_variable_name(s, m, i)) < 3000 && strlen(smc_machine_state_name(s, m, draw(4))) < 3000); break;
+    case 9: smc_machine_info(s, m, (int32_t)draw(8) - 1); break;
+    case 10: if (smc_machine_vector(s, m)) memset(smc_machine_vector(s, m), (int)draw(256), (size_t)smc_machine_info(s, m, SMC_INFO_VECTOR)); break;
     case 11: smc_machine_state_marks(s, m, draw(4)); break;
     }
 }

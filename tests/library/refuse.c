@@ -3,6 +3,7 @@
 // is as before the call.  Calls that are repeated do not use more and more memory.
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "compiler/library/smc.h"
 #include "tests/test.h"
@@ -17,7 +18,18 @@ static long refuse_at;            // which allocation from now on fails, from 1;
 
 void *__real_malloc(size_t size);
 void *__wrap_malloc(size_t size);
-void *__wrap_malloc(size_t size) { return refuse_at > 0 && --refuse_at == 0 ? NULL : __real_malloc(size); }
+static long allocations;
+static clock_t last_allocation, longest_gap;      // CPU time between two allocations
+
+void *__wrap_malloc(size_t size)
+{
+    const clock_t now = clock();
+
+    longest_gap = now - last_allocation > longest_gap ? now - last_allocation : longest_gap;
+    last_allocation = now;
+    allocations++;
+    return refuse_at > 0 && --refuse_at == 0 ? NULL : __real_malloc(size);
+}
 
 // ---- calls ----
 
@@ -232,6 +244,34 @@ static void uses_bounded_memory(void)
     CHECK(smc_close(s) == SMC_OK);
 }
 
+// smc_cancel is seen when memory is allocated, so no part of a long search may pass without an allocation.
+static void allocates_often(void)
+{
+    SmcSession *s = open_compiled();
+    clock_t start;
+
+    CHECK(smc_warning_select(s, "flight") == SMC_OK && smc_option_set(s, SMC_OPTION_REVIEW, 0) == SMC_OK);
+    longest_gap = 0;
+    start = last_allocation = clock();
+    CHECK(smc_compile(s) == SMC_OK);
+    CHECK(longest_gap <= (last_allocation - start) / 4);
+    CHECK(smc_close(s) == SMC_OK);
+}
+
+static void adds_many_sources(void)
+{
+    enum { SOURCES = 2000 };
+    SmcSession *s = NULL;
+    uint32_t source;
+
+    CHECK(smc_open(NULL, 0, &s) == SMC_OK);
+    allocations = 0;
+    for (int i = 0; i < SOURCES; i++)
+        CHECK(smc_source_add(s, SMC_KIND_SM, "a.sm", "", 0, &source) == SMC_OK && smc_warning_select(s, "all") == SMC_OK);
+    CHECK(allocations < 5 * SOURCES);              // name, text, word, and two for the check of the word; but no array for each source
+    CHECK(smc_close(s) == SMC_OK);
+}
+
 int main(void)
 {
     for (int i = 0; i < CALLS; i++)
@@ -239,5 +279,7 @@ int main(void)
     refuses_compiling();
     refuses_opening();
     uses_bounded_memory();
+    allocates_often();
+    adds_many_sources();
     return test_end("refuse");
 }
