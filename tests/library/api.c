@@ -66,7 +66,7 @@ static void compiles_together(void)
     static const char vector[] = "[Tank]\nU64 G\nU32 S\nbool open\n", pins[] = "[digital]\no 8 open\n";
     static const char valve[] = "[state_vector]\nU64 G\nU32 S\nbool open\n[Idle]\n.step\n    open = G > 5\n";
     const void *bytes;
-    uint64_t plain, with_pins;
+    uint64_t plain = 0, with_pins = 0;
 
     add(s, SMC_KIND_SM, "valve.sm", valve);
     add(s, SMC_KIND_SV, "tank.sv", vector);
