@@ -9,7 +9,8 @@
 // A cell is the bits of a value in its own type, zero-extended to 64: I8 -1 is 0xff, F32 its binary32, bool 0 or 1.
 // Memory is in the host's byte order and need not be aligned.  A bool is one byte; any nonzero byte reads as true.
 //
-// Lines `// snippet: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
+// Lines `// snippet: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.  `double` after the name: the
+// snippet exists only where an SmF64 is a double.
 #ifndef SM_CONVERT_H
 #define SM_CONVERT_H
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the locals that contain a time: every assignment to them stores a constant, or T or G plus or minus other values.
+// Finds the locals that contain a time: every assignment to them stores a constant or a time, and at least one a time.  A time is T, G or
+// another such local, plus or minus other values.
 #ifndef SMC_TIMESTAMPS_H
 #define SMC_TIMESTAMPS_H
 

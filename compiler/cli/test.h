@@ -60,7 +60,7 @@ typedef struct TestCase TestCase;
 TestCase *test_case_open(TestRun *t, const char *path);    // reads and compiles the case
 // Returns whether the case has to run on emitted C of this kind; if so, stores its program and its IR.
 bool test_case_find_c(const TestCase *c, EngineKind kind, const Program **p, const IrMachine **ir);
-// Runs the case and frees everything. `emitted`: the engines of emitted C, by kind; where one is NULL, the case opens its own engine.
+// Runs the case and frees it. `emitted`, which the caller closes: the engines of emitted C, by kind; where one is NULL, the case opens its own engine.
 TestResult test_case_close(TestCase *c, Engine *const *emitted);
 
 // ---- test_batch.c ----

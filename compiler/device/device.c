@@ -114,6 +114,7 @@ static bool find_image(LinkHost *h, const DeviceInfo *info, bool (*is)(const Dev
 bool device_find_trial_image(LinkHost *h, const DeviceInfo *info, DeviceImage *image) { return find_image(h, info, is_on_trial, image); }
 bool device_find_ended_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image) { return find_image(h, info, has_ended_trial, image); }
 
+// Sends a request whose body is the checksum of an image: CONFIRM or ERASE.  Returns whether the board answered SM_OK.
 bool device_request_by_checksum(LinkHost *h, LinkMessage message, uint32_t checksum)
 {
     uint8_t body[4];

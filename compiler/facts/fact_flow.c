@@ -143,7 +143,7 @@ static void begin_function(FlowWalk *w, bool at_entry)
 typedef struct FactTransfer {
     FlowWalk *w;
     const Env *env;
-    bool all;                         // all facts, else only those about private variables
+    bool all;                         // all facts, else only those about private variables: no code but the machine writes them between steps
 } FactTransfer;
 
 static void transfer_fact(void *context, uint32_t slot, const Fact *fact)

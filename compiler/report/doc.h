@@ -2,8 +2,8 @@
 // The content of a report, independent of its output format: sections of paragraphs, tables, lists and figures.  The sections of a report
 // build it; doc_html.c, doc_text.c and doc_json.c each write all of it.
 //
-// Texts can contain `code` in backticks, and ^Name^ for a state, so only the compiler's own texts are allowed there.  Text from the author
-// of a machine must be plain text or code.
+// A text has markup: `code` in backticks, and ^Name^ for a state.  So only the compiler's own words may be passed as a text.  What the author of
+// a machine wrote has no markup; pass it where a function accepts plain text or code.
 #ifndef SMC_DOC_H
 #define SMC_DOC_H
 

@@ -75,6 +75,7 @@ void plot_draw_bands(Plot *p)
         plot_draw_text(p, "dim", "end", PLOT_RIGHT, PLOT_BAND - 65, "the state changes too often to be drawn");
 }
 
+// Returns the y of the legend's end.
 long plot_draw_legend(Plot *p, long y)
 {
     long x = PLOT_LEFT;

@@ -127,6 +127,7 @@ static void append_cell(Buf *out, SmType type, uint64_t cell, void (*append_floa
 
 void format_cell(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, append_fixed); }
 void format_cell_shortest(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, format_number_shortest); }
+// Floats in hexadecimal, as C99 %a; all other values in decimal.
 void format_cell_hex(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, append_hex); }
 
 // ---- the report ----

@@ -510,7 +510,8 @@ static void write_vitals_field(const AppEmitter *e, const AppExecutor *x)
         buf_str(e->out, "},\n");
 }
 
-// Returns the number of an executor's rate groups, with those of its gate.
+// Returns the number of an executor's rate groups.  In an application with machines that can be swapped, two are those of the gate tasks that
+// run at the beginning and at the end of each tick (runtime-c/swap.h).
 static size_t rate_count(const AppExecutor *x) { return x->rate.n + (has_gate(x) ? 2 : 0); }
 
 // Writes the initialiser of an SmExecutor, whose rates begin at index first_rate of the array `rates`.

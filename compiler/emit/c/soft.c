@@ -114,7 +114,8 @@ bool soft_compares_bytes(const CFn *fn, const IrIns *i, IrRef x)
     return match_byte_compare(fn, i, &l) && x == l.operand && !needs_lower_half(fn, &l);
 }
 
-// Writes the address of the variable's value: of the C variable of a temporary, or of the member.  An F32 is passed by value.
+// Writes the address of the value that l compares: that of the C variable of its temporary, or of the member that it loads.  An F32 is written as
+// its value.
 static void write_address(CFn *fn, const ByteCompare *l)
 {
     const IrRef r = fn->ins[l->operand].variable ? l->operand : l->load;

@@ -36,6 +36,7 @@ bool sim_pin(uint16_t pin)
     return pins[pin].output ? pins[pin].level : input_level(&pins[pin]);
 }
 
+// Returns how often the level has changed, in either direction, since sim_reset.
 uint32_t sim_edges(uint16_t pin)
 {
     return pins[pin].edges;
