@@ -30,7 +30,7 @@ typedef struct SmvmSlot {
     uint32_t longest;         // the most instructions of a step; 0: any number
     // The fields below belong to the runtime; initially all zero.
     SmvmMachine m;
-    uint32_t identity;        // checksum of the image; 0: there is none
+    uint32_t identity;        // checksum of the image; 0: the slot has no image
     uint32_t used;            // bytes of `memory` that are in use
     uint32_t first;           // number of the state in which the machine starts
     SmvmSwap *plan, *back;    // what this slot takes over from the other one, and the other one from this; NULL: nothing

@@ -27,7 +27,7 @@ typedef struct StrPool {
 void str_pool_init(StrPool *p, Arena *arena);
 Str str_intern(StrPool *p, const char *text, size_t len);
 void str_declare(StrPool *p, Str name);                     // records that a source declares an element or a variable `name`
-Str str_find(const StrPool *p, const char *text, size_t len);      // returns the interned string; NULL if there is none
+Str str_find(const StrPool *p, const char *text, size_t len);      // NULL if the text has not been interned
 Str str_c(StrPool *p, const char *text);                    // interns a NUL-terminated string
 void str_mark(StrPool *p, const char *text, uint8_t mark);   // sets StrData.mark, for fast tests whether a string is in a small set
 

@@ -40,7 +40,7 @@ typedef struct LibraryVariable {
     SmType type;
     int32_t kind;                 // SMC_VARIABLE_…
     uint32_t offset;              // in bytes
-    uint32_t output;              // its number among the machine's outputs, and 1 more; 0: it is none
+    uint32_t output;              // 1 + its number among the machine's outputs; 0: it is not an output
 } LibraryVariable;
 
 typedef struct LibraryMachine {

@@ -289,7 +289,7 @@ SmcResult smc_close(SmcSession *s)
 
 // ---- sources ----
 
-// Whether a name can stand in messages and in comments of emitted C.
+// Whether messages and comments of emitted C can contain the name.
 static bool is_valid_name(const char *name)
 {
     for (const char *at = name; *at; at++)

@@ -24,14 +24,14 @@
 //
 // **Bad input.**  Every function checks its arguments.  What it returns is one of these, unless its description says otherwise:
 //
-//   - a function of type SmcResult: SMC_E_ARGUMENT if a pointer is NULL or a value is none of those listed, SMC_E_HANDLE if `s` is not an open
-//     session or `m` is not an open machine of it, SMC_E_INDEX if there is no item of that number or name.  Then no result is stored.
+//   - a function of type SmcResult: SMC_E_ARGUMENT if a pointer is NULL or a value is not in its list, SMC_E_HANDLE if `s` is not an open
+//     session or `m` is not an open machine of it, SMC_E_INDEX if no item has that number or name.  Then no result is stored.
 //   - a function that returns a text: "".  One that returns a number: 0.
 //
 // Only a pointer to memory that the program has freed, or that is shorter than it says, is undefined.  A session that was closed is freed memory,
 // unless the program provided its memory.
 //
-// **Texts** are UTF-8, except for names that are not, and end with a NUL.  Every pointer that a function returns or stores belongs to the
+// **Texts** end with a NUL.  They are UTF-8, unless a name that the program passed is not.  Every pointer that a function returns or stores belongs to the
 // session, and is valid until the next smc_close, smc_compile, smc_emit, smc_run, smc_report, or smc_source_* call that changes something.
 // Exceptions:
 //
@@ -62,7 +62,7 @@ extern "C" {
 typedef int32_t SmcResult;
 enum SmcResultCode {
     SMC_OK = 0,
-    SMC_E_ARGUMENT = -1,          // a pointer is NULL, or a value is none of those listed
+    SMC_E_ARGUMENT = -1,          // a pointer is NULL, or a value is not in its list
     SMC_E_HANDLE = -2,            // no open session, or no open machine of this session
     SMC_E_MEMORY = -3,            // out of memory, or beyond the limit of smc_open
     SMC_E_STATE = -4,             // the session has not compiled what the call needs
@@ -99,7 +99,7 @@ const char *smc_error_text(const SmcSession *s);
 // The bytes that the session uses now, and the most that it has used so far.
 uint64_t smc_memory_used(const SmcSession *s);
 uint64_t smc_memory_peak(const SmcSession *s);
-// With `on` 1, the call that compiles, runs, draws or renders something now returns SMC_E_CANCELLED soon; if there is none, the next such call.
+// With `on` 1, the call that compiles, runs, draws or renders something now returns SMC_E_CANCELLED soon; if none runs, the next one does.
 // 0 withdraws that.  Any thread can call it at any time before smc_close, and so can a signal handler.
 SmcResult smc_cancel(SmcSession *s, int32_t on);
 
@@ -231,7 +231,7 @@ enum SmcPlace {    // what smc_diag_place returns
 };
 
 // Returns one number of the place of a diagnostic, or of its note or edit number `item`.  `columns`: how columns are counted; a byte that is
-// not UTF-8 counts as one.  -1: there is none, because the diagnostic is about no source, or because an argument is not valid.
+// not UTF-8 counts as one.  -1: the diagnostic is about no source, or an argument is not valid.
 int64_t smc_diag_place(const SmcSession *s, uint32_t diag, int32_t part, uint32_t item, int32_t place, int32_t columns);
 
 enum SmcRender { SMC_RENDER_TEXT = 0, SMC_RENDER_COLOR = 1, SMC_RENDER_JSON = 2, SMC_RENDER_SARIF = 3 };

@@ -311,7 +311,7 @@ const LogMachine *log_machine_by_number(const LogDescription *d, uint16_t number
     return NULL;
 }
 
-// Returns the last swap of the event's machine before the event; NULL if there is none.  A swap is at the end of a tick: of the same tick, it is
+// Returns the last swap of the event's machine before the event; NULL if it was not swapped before.  A swap is at the end of a tick: of the same tick, it is
 // after a transition and before a start.
 static const LogSwap *swap_before(const LogSession *s, const LogEvent *e)
 {
