@@ -67,7 +67,7 @@ static void report_ended_trial(BoardLine *b)
     DeviceImage image;
 
     if (device_find_ended_trial(&b->host, &b->info, &image))
-        cli_print_error(b->c, TEXT_trial_ended, (unsigned long)image.checksum, board_trial_end(image.end));
+        cli_print_error(b->c, TEXT_trial_ended, (unsigned long)image.checksum, board_trial_end_text(image.end));
 }
 
 static int confirm_image(BoardLine *b, Buf *out)
