@@ -18,6 +18,8 @@ bool sm_soft_exceeds(const uint64_t *v, uint32_t n) { return *v > n; }
 bool sm_soft_elapsed_exceeds(const uint64_t *start, const uint64_t *time, uint32_t n) { return *time - *start > n; }
 void sm_soft_increment(uint64_t *v) { *v += *v < UINT64_C(0x20000000000000); }
 
+// Begins a step at *time: if *time is later than the last step and not the largest time, updates *gate and returns true.  *gate is the time
+// of the last step plus 1; 0 before the first step.
 bool sm_soft_advance(uint64_t *gate, const uint64_t *time)
 {
     const uint64_t next = *time + 1;

@@ -7,6 +7,8 @@
 // ---- compare ----
 
 bool sm_soft_is_nan(uint64_t a) { return a << 1 > SM_SOFT_INFINITY << 1; }
+
+// Whether a is neither zero nor NaN.
 bool sm_soft_truth(uint64_t a) { return a << 1 != 0 && !sm_soft_is_nan(a); }
 
 bool sm_soft_eq(uint64_t a, uint64_t b)
@@ -28,6 +30,8 @@ static bool is_below_as_bits(uint64_t a, uint64_t b)
 
 bool sm_soft_lt(uint64_t a, uint64_t b) { return (a | b) << 1 != 0 && is_below_as_bits(a, b); }
 bool sm_soft_le(uint64_t a, uint64_t b) { return sm_soft_eq(a, b) || is_below_as_bits(a, b); }
+
+// Returns 1 if a is less than b, 2 if equal, 4 if a is greater, 8 if one is NaN.
 uint8_t sm_soft_relation(uint64_t a, uint64_t b) { return sm_soft_lt(a, b) ? 1 : sm_soft_eq(a, b) ? 2 : sm_soft_lt(b, a) ? 4 : 8; }
 
 // ---- from integers ----
@@ -67,6 +71,7 @@ static uint64_t truncate_magnitude(uint64_t a, uint64_t limit)
     return digits < limit ? digits : limit;
 }
 
+// Converts to an integer: truncates toward zero, then saturates; NaN becomes 0.
 int32_t sm_soft_to_i32(uint64_t a)
 {
     if (a >> 63 != 0)
