@@ -13,6 +13,7 @@
 
 // ---- messages ----
 
+// Prints a flash string (SM_TEXT) on the console, if app->print_messages is set.
 void sm_app_print(const SmApp *app, const char *text)
 {
     char line[32];                         // small, because on AVR this is part of main's stack frame
@@ -26,6 +27,7 @@ void sm_app_print(const SmApp *app, const char *text)
     } while (n == sizeof line);
 }
 
+// Prints a name, or nothing for NULL, on the console, if app->print_messages is set.
 void sm_app_print_name(const SmApp *app, const char *name)
 {
     size_t n = 0;
@@ -206,6 +208,7 @@ static void end_app(SmApp *app)
         app->writing->close(app, &last);
 }
 
+// Starts the application and runs it until sm_app_stop.  Any result but SM_OK means that the start failed and nothing has run.
 SmResult sm_app_run(SmApp *app)
 {
     const SmResult r = start_app(app);
@@ -217,6 +220,7 @@ SmResult sm_app_run(SmApp *app)
     return SM_OK;
 }
 
+// Makes executors end after their current tick.  May be called from any thread, a signal handler or an interrupt.
 void sm_app_stop(SmApp *app)
 {
     sm_shared_write(&app->stop, 1);
@@ -227,6 +231,7 @@ bool sm_app_stopping(const SmApp *app)
     return sm_shared_read(&app->stop) != 0;
 }
 
+// Calls sm_app_run and prints messages on the console.  Returns 0, or 1 if the application did not start.
 int sm_app_main(SmApp *app)
 {
     SmResult r;

@@ -4,6 +4,7 @@
 
 #include "runtime-c/shared.h"
 
+// Empties the ring and opens its lock.
 SmResult sm_events_init(SmEvents *e)
 {
     if (!e || !e->at || e->room == 0 || (e->room & (e->room - 1u)) != 0)
@@ -37,6 +38,7 @@ static void copy_event(SmEvent *to, const SmEvent *from)
 
 static SmEvent *event_slot(const SmEvents *e, uint32_t number) { return &e->at[(uint16_t)number & (uint16_t)(e->room - 1u)]; }
 
+// Adds an event, in place of the oldest one if the ring is full.  Never waits for a reader.
 void sm_event(SmEvents *e, const SmEvent *event)
 {
     if (!e || !event || !lock_ring(e))
@@ -53,6 +55,7 @@ static uint32_t count_overwritten(const SmEvents *e, uint32_t cursor)
     return behind > e->room ? behind - e->room : 0;
 }
 
+// Reads up to n events from *cursor on, the oldest first, advances *cursor past them, and returns their number.
 uint32_t sm_events_read(SmEvents *e, uint32_t *cursor, SmEvent *out, uint32_t n, uint32_t *lost)
 {
     uint32_t missing, taken = 0;
@@ -71,6 +74,7 @@ uint32_t sm_events_read(SmEvents *e, uint32_t *cursor, SmEvent *out, uint32_t n,
     return taken;
 }
 
+// Returns the name of a kind ("STATE", …), or "" for an unknown number.
 const char *sm_event_name(uint8_t kind)
 {
     switch (kind) {

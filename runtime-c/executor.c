@@ -67,6 +67,7 @@ static void *element_address(const SmExecutor *e, const SmElement *element)
     return (uint8_t *)e->sv->at + element->offset;
 }
 
+// Checks the configuration, calls init of all tasks in order, and reads the starting value of G.
 SmResult sm_executor_init(SmExecutor *e, const SmTask **failed)
 {
     SmResult r = SM_OK;
@@ -144,11 +145,13 @@ static void store_statistics(const SmExecutor *e)
 
 // ---- ticks ----
 
+// Sets the PAL clock time at which tick 0 is due.
 void sm_executor_start(SmExecutor *e, uint64_t at)
 {
     e->start = e->ended = at;
 }
 
+// Returns the PAL clock time at which the next tick is due.
 uint64_t sm_executor_due(const SmExecutor *e)
 {
     return e->start + e->next * e->period;
@@ -225,6 +228,7 @@ static void record_tick_times(SmExecutor *e, uint64_t due, uint64_t began)
     e->busy_max = e->busy > e->busy_max ? e->busy : e->busy_max;
 }
 
+// Runs the next tick immediately, and determines which tick follows it.
 void sm_executor_tick(SmExecutor *e)
 {
     const SmTick tick = {e->next * e->period, e->next};
@@ -240,6 +244,7 @@ void sm_executor_tick(SmExecutor *e)
     store_statistics(e);
 }
 
+// Called after the last tick: puts all tasks into their safe state, in order (sm_task_safe).
 void sm_executor_safe(SmExecutor *e)
 {
     const SmTick tick = {e->next * e->period, e->next};

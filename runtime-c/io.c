@@ -124,6 +124,7 @@ static void store_inputs(SmIo *io)
     }
 }
 
+// Reads all input pins into the elements.  Returns SM_OK, or the error of the first pin that failed.
 SmResult sm_inputs_step(void *context, const SmTick *tick)
 {
     SmIo *io = (SmIo *)context;
@@ -150,6 +151,7 @@ static void load_outputs(SmIo *io)
             io->value[i] = sm_cell_load(type_of(&io->pin[i]), element_address(io, i));
 }
 
+// Sets every output in every step, even if its element has not changed, so that a disturbance of a pin lasts at most one step.
 SmResult sm_outputs_step(void *context, const SmTick *tick)
 {
     SmIo *io = (SmIo *)context;
@@ -166,6 +168,7 @@ SmResult sm_outputs_step(void *context, const SmTick *tick)
     return result;
 }
 
+// Sets every output to its safe value.
 SmResult sm_outputs_safe(void *context, const SmTick *tick)
 {
     SmIo *io = (SmIo *)context;
@@ -180,8 +183,10 @@ SmResult sm_outputs_safe(void *context, const SmTick *tick)
 
 // ---- closing ----
 
+// Closes all input pins.
 void sm_inputs_close(SmIo *io) { close_pins(io, io->pins, 0); }
 
+// Sets all outputs to their safe values and closes their pins.
 void sm_outputs_close(SmIo *io)
 {
     (void)sm_outputs_safe(io, NULL);

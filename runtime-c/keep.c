@@ -169,6 +169,7 @@ static uint8_t find_newest_half(SmKeep *k)
     return first ? 1 : second ? 2 : 0;
 }
 
+// Opens the memory.  If it contains an intact slot of this layout, restores the state vector and sets k->restored.
 SmResult sm_keep_restore(SmKeep *k)
 {
     SmResult r;
@@ -224,6 +225,7 @@ static SmResult hand_over_snapshot(SmKeep *k, uint8_t snapshot)
     return r;
 }
 
+// Takes a snapshot of the state vector, in place of one that still waits to be written.
 SmResult sm_keep_step(void *context, const SmTick *tick)
 {
     SmKeep *k = (SmKeep *)context;
@@ -290,6 +292,7 @@ static SmResult write_slot(const SmKeep *k, uint8_t *slot, uint32_t number)
     return r == SM_OK ? pal_nvm_write(k->nvm, at, slot, slot_size(k)) : r;
 }
 
+// Writes the waiting snapshot, if there is one, and waits for the medium.
 SmResult sm_keep_write(SmKeep *k)
 {
     const uint8_t snapshot = begin_write(k);

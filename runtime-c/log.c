@@ -175,6 +175,7 @@ static SmResult append_record(SmLog *log, uint64_t time)
     return r;
 }
 
+// Copies the events since the last step and the state vector into the ring.  SM_E_FULL: there was no space for the record.
 SmResult sm_log_step(void *context, const SmTick *tick)
 {
     SmLog *log = (SmLog *)context;

@@ -145,6 +145,7 @@ static void put_description(DescriptionSink *s, const SmLog *log, uint32_t lengt
 
 // ---- for the log ----
 
+// Returns the size of the whole block in bytes, including its head and checksum.
 uint32_t sm_log_description_size(const SmLog *log)
 {
     DescriptionSink s = {0, 0, 0, NULL, SM_CRC32_START};
@@ -153,6 +154,7 @@ uint32_t sm_log_description_size(const SmLog *log)
     return s.at;
 }
 
+// Fills `out` with up to `room` bytes of a block of `size` bytes, from byte `from` on, and returns the number of bytes.
 uint32_t sm_log_describe(const SmLog *log, uint32_t size, uint32_t from, uint8_t *out, uint32_t room)
 {
     DescriptionSink s = {0, 0, 0, NULL, SM_CRC32_START};
@@ -164,6 +166,7 @@ uint32_t sm_log_describe(const SmLog *log, uint32_t size, uint32_t from, uint8_t
     return s.room;
 }
 
+// Returns the CRC of the session's identity, not finalised.
 uint32_t sm_log_identity(const SmLog *log)
 {
     uint8_t bytes[LOG_IDENTITY];

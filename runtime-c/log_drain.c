@@ -141,6 +141,8 @@ static bool drain_until(SmLog *log, uint64_t start, uint64_t budget)
     return left;
 }
 
+// Writes the ring to the medium until it is empty or `budget` nanoseconds have passed.  Returns whether data remains; false also if the
+// medium fails.
 bool sm_log_drain(SmLog *log, uint64_t budget)
 {
     const uint64_t start = pal_clock_now();
@@ -151,6 +153,7 @@ bool sm_log_drain(SmLog *log, uint64_t budget)
     return left;
 }
 
+// Writes the whole ring, waits for the medium and closes the file.
 SmResult sm_log_close(SmLog *log)
 {
     (void)sm_log_drain(log, UINT64_MAX);

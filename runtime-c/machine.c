@@ -83,6 +83,7 @@ static SmResult start_in_state(SmMachine *m, uint32_t state)
     return SM_OK;
 }
 
+// Starts the machine: sets locals to their initial values, empties windows, and stores the number of the state in S.
 SmResult sm_machine_init(void *machine)
 {
     SmMachine *m = machine;
@@ -175,6 +176,7 @@ static void report_step(SmMachine *m, const SmTick *tick)
     m->last_state = state;
 }
 
+// Runs one step, and emits event STATE at each transition.  SM_REFUSED: time did not advance, and nothing has changed.
 SmResult sm_machine_step(void *machine, const SmTick *tick)
 {
     SmMachine *m = machine;

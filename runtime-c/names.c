@@ -19,6 +19,7 @@ static uint16_t find_name(const char *const *names, uint16_t n, const char *name
     return i;
 }
 
+// Finds an element by name; NULL if there is none.
 const SmElement *sm_find_element(const SmNames *names, const char *name)
 {
     uint16_t i;
@@ -29,6 +30,7 @@ const SmElement *sm_find_element(const SmNames *names, const char *name)
     return i < names->layout->elements ? &names->layout->element[i] : NULL;
 }
 
+// Finds a region by name; "*" is the whole vector.
 const SmRegion *sm_find_region(const SmNames *names, const char *name)
 {
     uint16_t i;

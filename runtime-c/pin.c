@@ -14,6 +14,7 @@ static bool is_inverted(const SmIoPin *p) { return p->flags & SM_IO_INVERTED; }
 // Returns 1,000,000: the millionths of a volt in a volt.
 static SmF64 million(void) { return sm_from_bits(0x412E848000000000u); }
 
+// Converts a pin's value in millionths to the value of the element (config.md 9.8).
 SmF64 sm_pin_from_raw(const SmIoPin *p, int32_t v)
 {
     if (is_digital(p))
@@ -32,6 +33,7 @@ static int32_t round_to_i32(SmF64 x)
     return n > INT32_MIN && sm_le(rest, sm_neg(half)) ? n - 1 : n;
 }
 
+// Converts the value of an element to that of its pin: the nearest millionth, saturated.
 int32_t sm_pin_to_raw(const SmIoPin *p, SmF64 x)
 {
     if (is_digital(p))
@@ -49,6 +51,7 @@ SmResult sm_pin_write_raw(const SmIoPin *p, uint8_t handle, int32_t v)
     return is_digital(p) ? pal_dio_write(dio, (v != 0) != is_inverted(p)) : pal_aio_write(aio, v);
 }
 
+// Reads the value of a pin: in millionths, or 0 or 1 for a digital pin, where an inverted one is 1 if its level is low.
 SmResult sm_pin_read_raw(const SmIoPin *p, uint8_t handle, int32_t *v)
 {
     const PalDio dio = {handle};
@@ -75,6 +78,7 @@ SmResult sm_pin_read(const SmIoPin *p, uint8_t handle, SmF64 *x)
     return r;
 }
 
+// Closes the pin.  The level of an output does not change.
 void sm_pin_close(const SmIoPin *p, uint8_t handle)
 {
     const PalDio dio = {handle};
@@ -121,6 +125,7 @@ static SmResult open_analog(const SmIoPin *p, uint8_t *handle)
     return r;
 }
 
+// Opens the pin; an output starts at its safe value.
 SmResult sm_pin_open(const SmIoPin *p, uint8_t *handle)
 {
     return is_digital(p) ? open_digital(p, handle) : open_analog(p, handle);

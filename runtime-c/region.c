@@ -14,6 +14,7 @@ static uint8_t *region_address(const SmStateVec *sv, const SmRegion *r)
     return (uint8_t *)sv->at + r->offset;
 }
 
+// Copies a region in its memory layout, r->size bytes, in one critical section.
 SmResult sm_read_region(SmStateVec *sv, const SmRegion *r, void *bytes)
 {
     const uint8_t *at = region_address(sv, r);
@@ -97,6 +98,7 @@ static void convert_to_wire(const SmStateVec *sv, const SmRegion *r, uint8_t *ou
     }
 }
 
+// Copies a region to its wire form, r->packed bytes that are identical on every computer.
 SmResult sm_pack_region(SmStateVec *sv, const SmRegion *r, void *bytes, size_t room)
 {
     SmResult result = region_address(sv, r) && bytes ? SM_OK : SM_E_ARGUMENT;
@@ -125,6 +127,7 @@ static void store_unpacked(const SmStateVec *sv, const SmRegion *r, const uint8_
     }
 }
 
+// Copies a region from its wire form; SM_E_SIZE if n is not r->packed.
 SmResult sm_unpack_region(SmStateVec *sv, const SmRegion *r, const void *bytes, size_t n)
 {
     SmResult result = region_address(sv, r) && bytes ? SM_OK : SM_E_ARGUMENT;

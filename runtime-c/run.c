@@ -203,6 +203,7 @@ static void write_until_threads_end(SmApp *app)
 
 // ---- creating threads ----
 
+// Whether executors get their own threads if the platform has threads.
 bool sm_run_wants_threads(const SmApp *app)
 {
     return !app->one_thread && (app->executors > 1 || app->writing);
@@ -284,6 +285,7 @@ static SmResult create_threads(SmApp *app)
 
 // ---- start and run ----
 
+// Creates the threads, which wait, and starts the watchdog.  If it fails, no thread is left running.
 SmResult sm_run_prepare(SmApp *app)
 {
     SmResult r = SM_E_UNSUPPORTED;
@@ -327,6 +329,7 @@ static void run_without_threads(SmApp *app)
         pal_thread_set_priority(0);
 }
 
+// Runs until the application stops and all ticks have ended, then stops the watchdog.
 void sm_run(SmApp *app)
 {
     if (app->executor[0]->thread.id == 0) {

@@ -16,6 +16,7 @@ SmResult sm_statevec_init(SmStateVec *sv)
     return sv->guarded ? pal_lock_open(&sv->lock) : SM_OK;
 }
 
+// Locks the state vector, if it is guarded.  SM_E_TIMEOUT: it is not locked.
 SmResult sm_enter(SmStateVec *sv)
 {
     SmResult r;
@@ -55,6 +56,7 @@ static uint8_t *element_address(const SmStateVec *sv, const SmElement *e)
 
 // ---- as numbers ----
 
+// Reads any element as a number, by the rules of the language (language.md 2): a NaN is read as 0.
 SmResult sm_read_number(SmStateVec *sv, const SmElement *e, SmF64 *value)
 {
     const uint8_t *at = element_address(sv, e);
@@ -71,6 +73,7 @@ SmResult sm_read_number(SmStateVec *sv, const SmElement *e, SmF64 *value)
     return SM_OK;
 }
 
+// Stores a number in any element, by the rules of the language (language.md 2): integers lose the fraction and saturate.
 SmResult sm_write_number(SmStateVec *sv, const SmElement *e, SmF64 value)
 {
     uint8_t *at = element_address(sv, e);

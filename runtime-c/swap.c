@@ -200,6 +200,7 @@ static void finish_part(SmSwaps *s, SmSwapReason why)
     }
 }
 
+// Runs the next part of a preparation.  Returns false if there was none.  Only one thread may call it.
 bool sm_swaps_prepare(SmSwaps *s)
 {
     SmSwappable *w;

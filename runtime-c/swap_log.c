@@ -65,6 +65,8 @@ static bool is_between_blocks(const SmLog *log)
     return log->out.id != 0 && log->description_size > 0 && log->description_done == log->description_size && log->tail == log->checksummed;
 }
 
+// Appends a block with the names of the states of the machine in `slot`, whose image has the checksum `identity`.  If false, the caller
+// tries again later.
 bool sm_swap_log_names(SmLog *log, const SmMachine *m, const void *slot, uint32_t identity)
 {
     const uint32_t states = m->type->states(slot);

@@ -2,6 +2,7 @@
 // A task: calls the function that its mode selects, counts calls, and emits events for changes.
 #include "runtime-c/task.h"
 
+// Calls init of the task.  SM_E_ARGUMENT: `step` is NULL, or `mode` is not a U8.
 SmResult sm_task_init(SmTask *t)
 {
     if (!t || !t->step || (t->mode && t->mode->type != SM_U8))
@@ -69,6 +70,7 @@ static void call_safe(SmTask *t, SmEvents *events, const SmTick *tick)
     record_result(t, t->safe(t->context, tick), events, tick);
 }
 
+// Runs the task once in the mode selected in sv.
 void sm_task_run(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick)
 {
     const uint8_t mode = read_mode(t, sv);
@@ -82,6 +84,7 @@ void sm_task_run(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick
     record_result(t, t->step(t->context, tick), events, tick);
 }
 
+// Called at the end of the application: calls `safe` once, unless the task is disabled.
 void sm_task_safe(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick)
 {
     if (read_mode(t, sv) != SM_DISABLED)

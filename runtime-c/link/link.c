@@ -7,6 +7,7 @@
 
 typedef char link_frame_is_one_run[LINK_HEAD + LINK_BODY_MAX + LINK_TAIL < 254 ? 1 : -1];
 
+// Stores a field of 1 to 4 bytes, little-endian.
 void sm_link_store(uint8_t *at, uint32_t value, unsigned bytes)
 {
     for (unsigned i = 0; i < bytes; i++) {
@@ -15,6 +16,7 @@ void sm_link_store(uint8_t *at, uint32_t value, unsigned bytes)
     }
 }
 
+// Loads a field of 1 to 4 bytes, little-endian.
 uint32_t sm_link_load(const uint8_t *at, unsigned bytes)
 {
     uint32_t value = 0;
@@ -28,6 +30,7 @@ uint32_t sm_link_crc(const uint8_t *bytes, uint16_t n) { return sm_crc32(bytes, 
 
 // ---- sending ----
 
+// Encodes in place a frame whose n bytes from frame[1] on are sequence, message and body.  Returns the number of bytes to send.
 uint16_t sm_link_encode(uint8_t *frame, uint16_t n)
 {
     const uint16_t end = (uint16_t)(1 + n + LINK_TAIL);
@@ -74,6 +77,7 @@ static bool try_finish_frame(LinkReceiver *r)
     return true;
 }
 
+// Processes one byte.  Returns true if r->buffer now contains an intact frame, which stays valid until the next byte.
 bool sm_link_receive(LinkReceiver *r, uint8_t byte)
 {
     if (r->is_complete) {

@@ -15,6 +15,7 @@ void sm_link_store_transition(uint8_t *record, const LinkTransition *t, uint32_t
     sm_link_store(record + CHECK, compute_check(record, checksum), 2);
 }
 
+// Decodes a stored transition.  Returns false if these bytes are no record of the image with this checksum.
 bool sm_link_load_transition(const uint8_t *record, uint32_t checksum, LinkTransition *t)
 {
     t->number = record[0];

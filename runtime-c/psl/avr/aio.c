@@ -67,6 +67,7 @@ static SmResult open_input(PalAio *channel, uint16_t number)
     return SM_OK;
 }
 
+// Disconnects the pin from its timer's PWM, if it has one.
 void avr_pin_disconnect(uint8_t number)
 {
     const uint8_t row = pwm_row(number);

@@ -33,6 +33,7 @@ void avr_clock_start(void (*tick)(void))
     TCCR0B = 1 << CS01 | 1 << CS00;    // F_CPU / 64
 }
 
+// Returns the milliseconds since the start of the clock, modulo 2^32.
 uint32_t avr_milliseconds(void)
 {
     uint32_t now;

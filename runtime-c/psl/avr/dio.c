@@ -22,6 +22,7 @@ static uint8_t bit_of(uint8_t number)
     return bit;
 }
 
+// Returns the PIN register of the pin's port, which DDR and PORT follow; *mask receives the pin's bit.
 volatile uint8_t *avr_pin_port(uint8_t number, uint8_t *mask)
 {
     const uint8_t port_and_bit = pgm_read_byte(&avr_pins[number]);
@@ -31,8 +32,10 @@ volatile uint8_t *avr_pin_port(uint8_t number, uint8_t *mask)
     return (volatile uint8_t *)(uint16_t)(port < AVR_PORTS_LOW ? AVR_PORT_LOW + 3 * port : AVR_PORT_HIGH + 3 * (port - AVR_PORTS_LOW));
 }
 
+// Whether the pin is in use; numbers from AVR_PINS on are analog channels.
 bool avr_pin_is_claimed(uint8_t number) { return (claimed[number >> 3] & bit_of(number)) != 0; }
 
+// Marks a pin as in use; SM_E_BUSY: it already is, or it belongs to the serial line.
 SmResult avr_pin_claim(uint8_t number)
 {
     if (avr_pin_is_claimed(number))
@@ -43,6 +46,7 @@ SmResult avr_pin_claim(uint8_t number)
 
 void avr_pin_release(uint8_t number) { claimed[number >> 3] &= (uint8_t)~bit_of(number); }
 
+// Sets or clears bits of a port's register, with interrupts off.
 void avr_pin_set(volatile uint8_t *byte, uint8_t mask, bool level)
 {
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE) *byte = (uint8_t)(level ? *byte | mask : *byte & ~mask);

@@ -15,6 +15,7 @@ enum { SIZE = E2END + 1, BLANK = 0xff };
 static bool is_opened;
 static bool (*may_write)(void);
 
+// From now on `may` decides before each write of a byte whether it may begin; NULL: always.
 void avr_eeprom_guard_writes(bool (*may)(void)) { may_write = may; }
 
 SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)

@@ -66,6 +66,7 @@ SmResult pal_watchdog_caused_start(bool *caused)
     return SM_OK;
 }
 
+// Jumps to the reset vector; pins keep their levels until they are opened.
 void avr_restart(void)
 {
     cli();

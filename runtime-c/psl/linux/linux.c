@@ -23,6 +23,7 @@ void psl_unlock_tables(void)
     pthread_mutex_unlock(&guard);
 }
 
+// Reserves an entry of a table (table.h), with the mutex locked only during this call.  Returns its number, from 1; 0: the table is full.
 uint8_t psl_allocate(bool *used, uint8_t size)
 {
     uint8_t id;
@@ -40,6 +41,7 @@ void psl_free(bool *used, uint8_t id)
     psl_unlock_tables();
 }
 
+// Converts an errno to a result; SM_E_DEVICE for an error without a PAL code.
 SmResult psl_result_of_errno(int error)
 {
     switch (error) {
@@ -58,6 +60,7 @@ SmResult psl_result_of_errno(int error)
     }
 }
 
+// Converts nanoseconds to a timespec.
 struct timespec psl_timespec(uint64_t ns)
 {
     struct timespec t;
@@ -67,6 +70,7 @@ struct timespec psl_timespec(uint64_t ns)
     return t;
 }
 
+// Waits until one of `events` (of poll) occurs or the clock reaches `deadline`.  Returns SM_OK, SM_E_TIMEOUT or an error.
 SmResult psl_wait_for_events(int fd, short events, uint64_t deadline)
 {
     struct pollfd p = {fd, events, 0};
@@ -126,6 +130,7 @@ static void folder_of(char *to, const char *path)
         strcpy(to, ".");
 }
 
+// Waits until the entries of the folder that contains `path` are on the medium (fsync).  Returns 0 or an errno.
 int psl_sync_folder(const char *path)
 {
     char folder[PAL_NAME];

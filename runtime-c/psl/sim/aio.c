@@ -32,11 +32,13 @@ static int32_t round_to_step(int32_t x)
     return (x < -LIMIT ? -LIMIT : x > LIMIT ? LIMIT : x) / STEP * STEP;
 }
 
+// Sets the value that an analog channel measures, in millionths.
 void sim_set_analog(uint16_t channel, int32_t millionths)
 {
     channels[channel].value = round_to_step(millionths);
 }
 
+// Returns the value of an analog output, in millionths.
 int32_t sim_analog(uint16_t channel)
 {
     return channels[channel].source ? channels[channels[channel].source - 1].value : channels[channel].value;

@@ -17,6 +17,7 @@ void sim_clock_reset(void)
     world.step = NULL;
 }
 
+// From now on `step` simulates the external world every `period` nanoseconds, whatever advances the time; period 0: never.
 void sim_every(uint64_t period, void (*step)(void))
 {
     world.step = period > 0 ? step : NULL;
@@ -24,6 +25,7 @@ void sim_every(uint64_t period, void (*step)(void))
     world.next = now + period;
 }
 
+// Advances the time by `ns` nanoseconds, and runs the external world (sim_every) at each of its times.
 void sim_advance(uint64_t ns)
 {
     uint64_t end = now + ns;
@@ -38,12 +40,14 @@ void sim_advance(uint64_t ns)
     sim_watchdog_check(now);
 }
 
+// Advances time to `time`, if that is in the future.
 void sim_advance_to(uint64_t time)
 {
     if (time > now)
         sim_advance(time - now);
 }
 
+// Advances the time to `end`, but only to the next action of the external world (sim_every) if that is earlier.
 bool sim_wait(uint64_t end)
 {
     if (now >= end)
@@ -52,6 +56,7 @@ bool sim_wait(uint64_t end)
     return true;
 }
 
+// From now on each sleep ends `ns` nanoseconds late.
 void sim_oversleep(uint64_t ns)
 {
     late = ns;

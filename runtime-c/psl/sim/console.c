@@ -14,6 +14,7 @@ void sim_console_reset(void)
     length = 0;
 }
 
+// Returns the text written since sim_reset, at most 4095 bytes.
 const char *sim_console(void)
 {
     return text_written;

@@ -31,6 +31,7 @@ static bool input_level(const SimPin *p)
     return p->driven ? p->external_level : p->pulled_up;
 }
 
+// Returns the level at a pin, as an oscilloscope shows it.
 bool sim_pin(uint16_t pin)
 {
     return pins[pin].output ? pins[pin].level : input_level(&pins[pin]);
@@ -42,6 +43,7 @@ uint32_t sim_count_pin_changes(uint16_t pin)
     return pins[pin].edges;
 }
 
+// Drives a pin externally to `level`.
 void sim_drive(uint16_t pin, bool level)
 {
     bool before = sim_pin(pin);
@@ -51,6 +53,7 @@ void sim_drive(uint16_t pin, bool level)
     pins[pin].edges += sim_pin(pin) != before;
 }
 
+// Connects output pin `from` to pin `to`.
 void sim_wire(uint16_t from, uint16_t to)
 {
     pins[to].source = (uint16_t)(from + 1);

@@ -46,6 +46,7 @@ static uint8_t find_log(const char *name)
     return i;
 }
 
+// Returns the content of the log of that name, *n bytes, valid until sim_reset; NULL if there is none.
 const uint8_t *sim_log(const char *name, size_t *n)
 {
     uint8_t i = find_log(name);
@@ -54,6 +55,7 @@ const uint8_t *sim_log(const char *name, size_t *n)
     return i < SIM_LOGS ? logs[i].bytes : NULL;
 }
 
+// Returns how many bytes of the log are safe from a power cut.
 size_t sim_log_synced(const char *name)
 {
     uint8_t i = find_log(name);
@@ -61,11 +63,13 @@ size_t sim_log_synced(const char *name)
     return i < SIM_LOGS ? logs[i].synced : 0;
 }
 
+// From now on a log accepts at most `bytes` bytes in total.
 void sim_log_space(uint32_t bytes)
 {
     space = bytes < SIM_LOG_SIZE ? bytes : SIM_LOG_SIZE;
 }
 
+// Truncates the log with that name to at most `bytes` bytes, like the repair of a file system.
 void sim_log_shrink(const char *name, size_t bytes)
 {
     uint8_t i = find_log(name);

@@ -22,6 +22,7 @@ void sim_datagrams_reset(void)
     order = 0;
 }
 
+// Sets the faults of the network from now on.
 void sim_network(SimNetwork n)
 {
     network = n;
@@ -57,6 +58,7 @@ static bool enqueue_held(void)
     return was && enqueue(&held);
 }
 
+// Sends a datagram, subject to the faults of SimNetwork.  Returns false if too many are in transit; the datagram is lost.
 bool sim_datagram_send(const SimDatagram *d)
 {
     bool accepted = true;
@@ -75,6 +77,7 @@ bool sim_datagram_send(const SimDatagram *d)
     return accepted;
 }
 
+// Whether a message to `to` reaches a socket at `local`.
 bool sim_reaches(const PalAddress *to, const PalAddress *local)
 {
     const uint8_t any[4] = {0, 0, 0, 0};
@@ -111,6 +114,7 @@ void sim_streams_reset(void)
     memset(streams, 0, sizeof streams);
 }
 
+// Returns a new stream with end 0 open, or NULL if the table is full.
 SimStream *sim_stream_new(uint8_t listening)
 {
     for (SimStream *s = streams; s < streams + PAL_SOCKETS; s++)
@@ -124,6 +128,7 @@ SimStream *sim_stream_new(uint8_t listening)
     return NULL;
 }
 
+// Returns the oldest stream that waits for that listening socket, or NULL.
 SimStream *sim_stream_waiting(uint8_t listening)
 {
     SimStream *oldest = NULL;
@@ -158,12 +163,14 @@ static void free_if_unused(SimStream *s)
     s->used = s->open[0] || s->open[1] || s->listening != 0;
 }
 
+// Closes an end; frees the stream when both are closed.
 void sim_stream_close(SimStream *s, int end)
 {
     s->open[end] = false;
     free_if_unused(s);
 }
 
+// Called when a listening socket is closed: drops the streams that wait for it.
 void sim_streams_drop(uint8_t listening)
 {
     for (SimStream *s = streams; s < streams + PAL_SOCKETS; s++)

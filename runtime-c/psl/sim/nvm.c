@@ -66,8 +66,10 @@ static size_t find_medium(const char *name)
     return i;
 }
 
+// Returns the SIM_NVM_SIZE bytes of a memory.
 uint8_t *sim_nvm(const char *name) { return media[find_medium(name)].bytes; }
 
+// From now on the bits in `bits` of byte `at` have the values in `value`, whatever is written.  `bits` = 0 repairs it.
 void sim_stick(const char *name, uint32_t at, uint8_t bits, uint8_t value)
 {
     const size_t i = find_medium(name);
@@ -78,6 +80,7 @@ void sim_stick(const char *name, uint32_t at, uint8_t bits, uint8_t value)
     apply_stuck_bits(i);
 }
 
+// Cuts the power after `after` more writes, erases or appends: the next one stores `bytes` bytes, and the byte after them becomes undefined.
 void sim_cut_power(uint32_t after, uint32_t bytes)
 {
     cut.planned = true;
@@ -96,6 +99,7 @@ bool sim_is_power_off(void)
     return cut.off;
 }
 
+// Counts a write, erase or append of n bytes that is about to begin.  Returns how many of the bytes are stored before a power cut.
 uint32_t sim_bytes_before_power_cut(uint32_t n)
 {
     if (!cut.planned || cut.after-- > 0)

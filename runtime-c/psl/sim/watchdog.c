@@ -14,12 +14,14 @@ void sim_watchdog_reset(void)
     running = fired = false;
 }
 
+// Reports the current time to the watchdog, without feeding it.
 void sim_watchdog_check(uint64_t now)
 {
     if (running && now - fed > period)
         fired = true;
 }
 
+// Whether the watchdog has fired, because it was not fed in time.
 bool sim_watchdog_fired(void)
 {
     return fired;

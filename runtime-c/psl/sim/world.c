@@ -11,6 +11,7 @@ static struct {
     bool permanent;           // all calls after the fault fail too
 } calls[SIM_CALLS];
 
+// Restores the state of program start: time at 1 s, nothing open, pins low, no faults, memories and logs erased.
 void sim_reset(void)
 {
     memset(calls, 0, sizeof calls);
@@ -33,26 +34,31 @@ static void plan_fault(SimCall call, uint32_t after, SmResult result, bool perma
     calls[call].permanent = permanent;
 }
 
+// After `after` more calls of that kind, one call fails with `result` and does nothing.
 void sim_fail(SimCall call, uint32_t after, SmResult result)
 {
     plan_fault(call, after, result, false);
 }
 
+// Like sim_fail, but all later calls fail too: the device is broken.
 void sim_break(SimCall call, uint32_t after, SmResult result)
 {
     plan_fault(call, after, result, true);
 }
 
+// From now on each call of that kind takes `ns` nanoseconds.
 void sim_delay(SimCall call, uint64_t ns)
 {
     calls[call].delay = ns;
 }
 
+// Returns the number of calls of that kind since sim_reset.
 uint32_t sim_count(SimCall call)
 {
     return calls[call].count;
 }
 
+// Counts a call, advances time by its delay (sim_delay), and returns the error that was set with sim_fail or sim_break.
 SmResult sim_begin_call(SimCall call)
 {
     SmResult r = calls[call].result;
