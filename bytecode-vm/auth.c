@@ -93,6 +93,7 @@ void smvm_mac_end(SmvmMac *m, const uint8_t *key, uint8_t *code)
 
 // ---- images ----
 
+// Computes the code of an image whose last SMVM_CODE bytes are reserved for it.  `length` is the number of bytes before them.
 void smvm_auth_code(SmvmBytes image, uint32_t length, const uint8_t *key, uint8_t *code)
 {
     SmvmMac m;
@@ -115,6 +116,7 @@ static SmvmAt find_auth_section(SmvmBytes image)
     return 0;
 }
 
+// Reads the number and the mark in the AUTH section of an image.  Returns false, and both are 0, if it has none.
 bool smvm_auth_read(SmvmBytes image, SmvmAuth *auth)
 {
     const SmvmAt at = find_auth_section(image);
@@ -124,6 +126,7 @@ bool smvm_auth_read(SmvmBytes image, SmvmAuth *auth)
     return at != 0;
 }
 
+// Returns the mark of a key: the first four bytes of its code for empty input.
 uint32_t smvm_auth_mark(const uint8_t *key)
 {
     uint8_t code[SMVM_CODE];
@@ -134,6 +137,7 @@ uint32_t smvm_auth_mark(const uint8_t *key)
     return (uint32_t)code[3] << 24 | (uint32_t)code[2] << 16 | (uint32_t)code[1] << 8 | code[0];
 }
 
+// Checks an image's code with this key.  If the image has an AUTH section, sets *number to its number.  Returns whether the code is correct.
 bool smvm_auth_check(SmvmBytes image, const uint8_t *key, uint32_t *number)
 {
     const SmvmAt at = find_auth_section(image), end = (SmvmAt)(at + SMVM_AUTH - SMVM_CODE);

@@ -34,6 +34,7 @@ SmvmName smvm_name(const SmvmMachine *m, uint32_t which) { return read_debug_nam
 
 SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state) { return read_debug_name(m, 3 * (SMVM_DEBUG_NUMBERS + state - 1)); }
 
+// Copies the name of a state to `to`, at most size - 1 characters and a 0.  Returns the length of the name; 0 if the image has no names.
 uint32_t smvm_copy_state_name(const SmvmMachine *m, uint32_t state, char *to, uint32_t size)
 {
     SmvmName n = {0, 0};
@@ -50,6 +51,7 @@ uint32_t smvm_copy_state_name(const SmvmMachine *m, uint32_t state, char *to, ui
 
 // ---- marks ----
 
+// Whether a state is marked in section `id` of the machine: SMVM_S_SWAP or SMVM_S_ABORT.
 bool smvm_is_marked(const SmvmMachine *m, uint8_t id, uint32_t state)
 {
     const uint32_t bit = state - 1;
@@ -66,11 +68,13 @@ bool smvm_is_marked(const SmvmMachine *m, uint8_t id, uint32_t state)
     return false;
 }
 
+// Whether a machine may be replaced while it is in a state (1 to m->states): the state is marked @swap or @safe (swapping.md 12.4).
 bool smvm_state_allows_swap(const SmvmMachine *m, uint32_t state)
 {
     return (m->safe_at != 0 && smvm_state_is_safe(m, state)) || smvm_is_marked(m, SMVM_S_SWAP, state);
 }
 
+// Whether a state is marked @abort.
 bool smvm_state_is_abort(const SmvmMachine *m, uint32_t state) { return smvm_is_marked(m, SMVM_S_ABORT, state); }
 
 uint32_t smvm_verdict_size(void) { return sizeof(SmvmVerdict); }
@@ -79,6 +83,7 @@ uint32_t smvm_machine_size(void) { return sizeof(SmvmMachine); }
 // Returns the offset of the table of variables in the section.
 static uint32_t variables_offset(const SmvmMachine *m) { return 3 * (SMVM_DEBUG_NUMBERS + m->states); }
 
+// Returns the number of variables with names; they are sorted by SmvmVariable, type, offset.
 uint32_t smvm_variables(const SmvmMachine *m)
 {
     uint32_t n, most;
@@ -89,6 +94,7 @@ uint32_t smvm_variables(const SmvmMachine *m)
     return n < most ? n : most;
 }
 
+// Returns the name of variable `index`, and stores what it is and where it is stored.
 SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, SmvmLocation *location)
 {
     uint32_t at = variables_offset(m) + SMVM_DEBUG_VARIABLE * index;
@@ -110,6 +116,7 @@ static bool is_variable_before(const SmvmMachine *m, uint32_t index, SmvmVariabl
     return p.type != location->type ? p.type < location->type : p.offset < location->offset;
 }
 
+// Returns the name of the variable at a location, which is ignored for T; size 0: it has none.
 SmvmName smvm_name_of(const SmvmMachine *m, SmvmVariable is, const SmvmLocation *location)
 {
     uint32_t from = 0, end = smvm_variables(m), count = end;
@@ -142,6 +149,7 @@ static bool try_open_lines(const SmvmMachine *m, SmvmLines *l)
     return smvm_read_varint(m->image, &l->at, debug_end(m), &l->left);
 }
 
+// Advances to the next source line: l->line applies from l->code on, an offset in CODE.  Returns false at the end.
 bool smvm_next_line(const SmvmMachine *m, SmvmLines *l)
 {
     uint32_t code = 0, line = 0;

@@ -201,6 +201,7 @@ static uint64_t decoded_bytes(const SmvmMachine *m, uint32_t *words)
         + ((uint64_t)d.longest + 1) * sizeof(uint32_t);
 }
 
+// Returns the bytes of memory that smvm_decode needs for m.
 uint32_t smvm_decoded_size(const SmvmMachine *m)
 {
     uint32_t words;
@@ -209,6 +210,7 @@ uint32_t smvm_decoded_size(const SmvmMachine *m)
     return size > UINT32_MAX ? UINT32_MAX : (uint32_t)size;
 }
 
+// Decodes the code of the machine that runs at vm, into memory that the caller owns; *decoded is set to it.
 SmResult smvm_decode(SmvmDecoded **decoded, void *memory, uint32_t size, const SmvmMachine *m, SmVm *vm, void *sv)
 {
     SmvmDecoded *out = memory;

@@ -78,6 +78,7 @@ void smvm_decode_sample(DecodeState *d)
         smvm_emit_operand(d, x);
 }
 
+// Emits code that loads the deferred statistic of X into F.
 void smvm_emit_statistic(DecodeState *d)
 {
     const DecodedWindow w = read_window(d, d->deferred.w);

@@ -6,6 +6,7 @@
 
 // ---- words ----
 
+// Returns where the next word is stored; NULL in the pass that counts words.
 SmvmWord *smvm_next_word(DecodeState *d) { return d->out != NULL ? &d->out->code[d->words] : NULL; }
 
 void smvm_emit_op(DecodeState *d, unsigned op)
@@ -40,6 +41,7 @@ static void *operand_address_of(const DecodeState *d, const DecodedValue *v)
     }
 }
 
+// Emits the address or constant of v; for F, an unused word.
 void smvm_emit_operand(DecodeState *d, const DecodedValue *v)
 {
     if (v->kind == FAST_C) {
@@ -63,6 +65,7 @@ void smvm_emit_target(DecodeState *d, uint32_t target)
 
 // ---- values ----
 
+// Returns the operand for a value of type `kind` in memory; `is`: what it is the value of (DecodedValue.is).
 DecodedValue smvm_memory_operand(unsigned kind, unsigned is, uint32_t offset)
 {
     DecodedValue v;
@@ -82,6 +85,7 @@ DecodedValue smvm_constant_operand(SmF64 c)
     return v;
 }
 
+// If c is a whole number in -limit … limit, sets *v to it and returns true.
 bool smvm_match_whole(SmF64 c, int64_t limit, int64_t *v)
 {
     if (!sm_le(sm_from_i64(-limit), c) || !sm_le(c, sm_from_i64(limit)))
@@ -92,6 +96,7 @@ bool smvm_match_whole(SmF64 c, int64_t limit, int64_t *v)
 
 // ---- families: the kind of an operand selects the instruction ----
 
+// Emits code that loads x into F; nothing if x is there already.
 void smvm_emit_load(DecodeState *d, const DecodedValue *x)
 {
     if (is_in_f(x))
@@ -100,12 +105,14 @@ void smvm_emit_load(DecodeState *d, const DecodedValue *x)
     smvm_emit_operand(d, x);
 }
 
+// Emits the instruction of the family with the operands F and y; the kind of y selects it.
 void smvm_emit_operation_on_f(DecodeState *d, FastOp family, const DecodedValue *y)
 {
     smvm_emit_op(d, (unsigned)family + y->kind);
     smvm_emit_operand(d, y);
 }
 
+// Emits the instruction of the family for x in memory, and y in memory or constant.
 void smvm_emit_two_operands(DecodeState *d, FastOp family, const DecodedValue *x, const DecodedValue *y)
 {
     smvm_emit_op(d, (unsigned)family + x->kind);

@@ -55,6 +55,7 @@ static void emit_binary(DecodeState *d, uint8_t op, DecodedValue x, DecodedValue
 
 // ---- relations of x to y: sums of SMVM_LESS, SMVM_EQUAL, SMVM_GREATER, SMVM_UNORDERED ----
 
+// Returns m, a set of relations of x to y, without the impossible ones: 0 if the condition is never true, 15 if it is always true.
 unsigned smvm_possible_relations(unsigned m, const DecodedValue *x, const DecodedValue *y)
 {
     unsigned can = is_never_nan(x) && is_never_nan(y) ? 7u : 15u;
@@ -62,6 +63,7 @@ unsigned smvm_possible_relations(unsigned m, const DecodedValue *x, const Decode
     return (m & can) == 0 ? 0 : (m & can) == can ? 15u : m & can;
 }
 
+// Adds UNORDERED to m if m is `less or greater` and neither operand can be NaN.
 unsigned smvm_add_unordered(unsigned m, const DecodedValue *x, const DecodedValue *y)
 {
     return m == IS_TRUE && is_never_nan(x) && is_never_nan(y) ? m | SMVM_UNORDERED : m;
@@ -112,6 +114,7 @@ static void emit_deferred(DecodeState *d)
     d->x.kind = FAST_IN_F;
 }
 
+// Emits the deferred operation of X, if it has one; returns X, no longer DEFERRED.
 DecodedValue *smvm_compute_x(DecodeState *d)
 {
     if (d->x.kind == DEFERRED)
@@ -119,6 +122,7 @@ DecodedValue *smvm_compute_x(DecodeState *d)
     return &d->x;
 }
 
+// Emits code after which register F contains X.
 void smvm_move_x_to_f(DecodeState *d)
 {
     smvm_emit_load(d, smvm_compute_x(d));
@@ -133,6 +137,7 @@ static bool is_of_type(const DecodeState *d, uint32_t type)
     return kind == type || kind == SM_BOOL || (kind == DEFERRED && (op == SMVM_set || op == SMVM_and || op == SMVM_or));
 }
 
+// Defers X = op X, or X = X op y.
 void smvm_defer_operation(DecodeState *d, uint8_t op, DecodedValue y)
 {
     bool opposite = d->x.kind == DEFERRED && d->deferred.op == SMVM_neg && op == SMVM_add;  // y + -a is y - a

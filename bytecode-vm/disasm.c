@@ -223,6 +223,7 @@ static void print_sections(DisasmOutput *o, SmvmBytes image)
     }
 }
 
+// Disassembles an image that the verifier accepts.
 void smvm_disasm(SmvmBytes image, SmvmWrite write, void *context)
 {
     SmvmMachine m;
@@ -243,6 +244,7 @@ void smvm_disasm(SmvmBytes image, SmvmWrite write, void *context)
         print_machine(&o, i);
 }
 
+// Returns the sentence of a rule; "" if there is no such rule.
 const char *smvm_rule_text(uint8_t rule)
 {
     switch (rule) {

@@ -18,6 +18,7 @@ void smvm_print(DisasmOutput *o, const char *s)
     o->column = n > 0 && s[n - 1] == '\n' ? 0 : o->column + (uint32_t)n;
 }
 
+// Prints at least one space, and more up to this column.
 void smvm_print_padding(DisasmOutput *o, uint32_t column)
 {
     do
@@ -101,6 +102,7 @@ static bool print_short_decimal(DisasmOutput *o, SmF64 x)
     return false;
 }
 
+// Prints a number as a decimal if a short one is exact, else like %a of C99.
 void smvm_print_f64(DisasmOutput *o, SmF64 x)
 {
     uint64_t bits = sm_bits(x), fraction = bits & 0xfffffffffffffu;

@@ -127,6 +127,7 @@ static SmResult step_other_vector(SmvmDecoded *d, void *sv, const void *const *l
     return SM_OK;
 }
 
+// Like smvm_step, with the same results, on the decoded code.
 SmResult smvm_step_decoded(SmvmDecoded *d, void *sv)
 {
 #if SMVM_COMPUTED_GOTO
@@ -160,6 +161,7 @@ SmResult smvm_step_decoded(SmvmDecoded *d, void *sv)
     FINISH
 }
 
+// Returns the address of the code of each FastOp, or NULL if the code contains its number instead.
 const void *const *smvm_fast_labels(void)
 {
     SmvmDecoded none;

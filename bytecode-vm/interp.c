@@ -61,6 +61,7 @@ void smvm_add_sample(SmVm *vm, SmvmAt w)
     sm_roll_sample_cell(smvm_windows_of(vm)[w], smvm_window_size(entry), smvm_window_kind(entry), vm->y);
 }
 
+// Returns a statistic of window w.
 SmF64 smvm_compute_statistic(SmVm *vm, uint8_t stat, SmvmAt w)
 {
     const uint32_t entry = smvm_window(vm->image, vm->tables.windows, w);

@@ -10,6 +10,7 @@
 
 // ---- the image ----
 
+// Returns the little-endian number of at most 4 bytes at `at`.
 uint32_t smvm_uint(SmvmBytes image, SmvmAt at, uint8_t bytes)
 {
     uint32_t v = 0;
@@ -19,6 +20,7 @@ uint32_t smvm_uint(SmvmBytes image, SmvmAt at, uint8_t bytes)
     return v;
 }
 
+// Reads the bits of a number of `bytes` bytes into memory, in the byte order of this computer.
 void smvm_read_bits(SmvmBytes image, SmvmAt at, void *to, uint8_t bytes)
 {
     uint8_t *p = (uint8_t *)to;
@@ -31,6 +33,7 @@ SMVM_NOINLINE static SmvmAt clamp_offset(uint32_t v) { return v > SMVM_NOWHERE ?
 
 SmvmAt smvm_read_offset(SmvmBytes image, SmvmAt at, uint8_t bytes) { return clamp_offset(smvm_uint(image, at, bytes)); }
 
+// Returns the offset of the next `bytes` bytes and moves past them; 0: fewer are left.
 SmvmAt smvm_skip(SmvmReader *r, uint8_t bytes)
 {
     const SmvmAt at = r->at;
@@ -125,6 +128,7 @@ void smvm_read_section(SmvmBytes image, uint8_t index, SmvmSection *s)
     memset(&s->kind, 0, sizeof s->kind);
 }
 
+// Sets r to the first section of this id, in its known version.  Returns false if there is none.
 bool smvm_find_section(SmvmBytes image, uint8_t id, SmvmReader *r)
 {
     SmvmSection s;
@@ -195,6 +199,7 @@ static uint8_t read_machine(SmvmMachine *m)
            && skip_table(&r, &m->f32s_at, m->f32s, 4) && skip_table(&r, &m->f64s_at, m->f64s, 8) && r.at == r.end ? 0 : SMVM_R_RECORD;
 }
 
+// Reads the machine that runs at vm again, except for its INIT, DEBUG and SAFE sections.
 void smvm_reread_machine(const SmVm *vm, SmvmMachine *m)
 {
     m->image = vm->image;
@@ -221,6 +226,7 @@ static void find_machine_sections(uint8_t number, SmvmMachine *m)
     }
 }
 
+// Reads the properties of machine `number` into *m.  Returns 0, or the rule that its MACHINE section breaks; SMVM_R_GROUP: no such machine.
 uint8_t smvm_read_machine(SmvmBytes image, uint8_t number, SmvmMachine *m)
 {
     memset(m, 0, sizeof *m);
@@ -229,11 +235,13 @@ uint8_t smvm_read_machine(SmvmBytes image, uint8_t number, SmvmMachine *m)
     return m->machine_at == 0 ? SMVM_R_GROUP : read_machine(m);
 }
 
+// Reads machine `number`, counted from 0.  Returns false if the image has no such machine.
 bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m)
 {
     return number <= UINT8_MAX && smvm_read_machine(image, (uint8_t)number, m) != SMVM_R_GROUP;
 }
 
+// Whether state `state` (1 to m->states) is marked @safe.  True for every state of a machine that marks none.
 bool smvm_state_is_safe(const SmvmMachine *m, uint32_t state)
 {
     const SmvmAt bit = (SmvmAt)(state - 1);
@@ -251,6 +259,7 @@ SmvmLocation smvm_location(SmvmBytes image, SmvmAt at)
     return p;
 }
 
+// Returns where output number `output`, counted from 0, is stored.
 SmvmLocation smvm_output(const SmvmMachine *m, uint32_t output)
 {
     return smvm_location(m->image, (SmvmAt)(m->outputs_at + SMVM_LOCATION_BYTES * (SmvmAt)output));
@@ -280,6 +289,7 @@ static SmvmAt windows_start(const SmvmMachine *m)
     return (SmvmAt)(round_up_8(sizeof(SmVm)) + round_up_8((SmvmAt)(m->windows * sizeof(uint64_t *))));
 }
 
+// Returns the bytes of memory that smvm_init needs for m.
 SmvmAt smvm_ram_size(const SmvmMachine *m)
 {
     SmvmAt n = windows_start(m);
@@ -303,6 +313,7 @@ SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m)
 typedef char load_tables_are_part_of_a_machine[offsetof(SmvmMachine, width) - offsetof(SmvmMachine, windows_at) == offsetof(SmvmTables, width) &&
                                                offsetof(SmvmMachine, locals) - offsetof(SmvmMachine, windows_at) == offsetof(SmvmTables, more) ? 1 : -1];
 
+// Extracts the tables of m that a step needs, for the memory at vm.
 void smvm_tables(const SmvmMachine *m, const SmVm *vm, SmvmTables *t)
 {
     memcpy(t, (const uint8_t *)m + offsetof(SmvmMachine, windows_at), offsetof(SmvmTables, width));
@@ -347,6 +358,7 @@ static bool is_aligned(const void *p)
     return (uintptr_t)p % offsetof(struct Strict, at) == 0;
 }
 
+// Starts a machine without an access to the state vector; smvm_write_state, or smvm_swap_continue, stores S later.
 SmResult smvm_prepare(void *memory, uint32_t size, const SmvmMachine *m, const SmvmVector *sv, uint32_t state)
 {
     SmVm *vm = memory;
@@ -387,10 +399,13 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const Smvm
 // ---- reading its state ----
 
 uint32_t smvm_state(const SmVm *vm) { return vm->state; }
+
+// Returns T: the time since the first step of the state (language.md 6).
 uint64_t smvm_time(const SmVm *vm) { return vm->next - vm->start; }
 bool smvm_stored_state(const SmVm *vm) { return vm->entered; }
 void *smvm_locals(SmVm *vm) { return (uint8_t *)vm + vm->local; }
 
+// Whether the last step stored this output, 0 to m.outputs - 1.
 bool smvm_stored(const SmVm *vm, uint32_t output)
 {
     const uint8_t *bits = vm->stored;
@@ -412,6 +427,7 @@ bool smvm_stored(const SmVm *vm, uint32_t output)
 
 typedef char load_shape_bits_are_in_the_order_of_operands[SMVM_SHAPE_L == 1 << SMVM_OPERAND_L >> 1 && SMVM_SHAPE_J == 1 << SMVM_OPERAND_J >> 1 ? 1 : -1];
 
+// Returns the SMVM_SHAPE_ bits of an opcode; 0: there is no such opcode.
 uint32_t smvm_shape(uint8_t opcode)
 {
     const uint16_t packed = smvm_packed_shape(opcode);

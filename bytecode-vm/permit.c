@@ -32,6 +32,7 @@ void smvm_permit_code(uint32_t number, uint32_t length, const uint8_t *key, uint
     smvm_mac_end(&m, key, code);
 }
 
+// Copies the permit of an image that the verifier accepts.  Returns false if it has none.
 bool smvm_permit_read(SmvmBytes image, uint8_t *permit)
 {
     SmvmReader r, auth;
@@ -46,6 +47,7 @@ bool smvm_permit_read(SmvmBytes image, uint8_t *permit)
     return true;
 }
 
+// Whether the body of a BEGIN, of n bytes and at least SMVM_PERMIT_AT, permits to stop the image that runs: SM_OK, or SM_E_UNSIGNED.
 SmResult smvm_permit_check(const uint8_t *begin, uint8_t n, uint32_t newest, const uint8_t *key)
 {
     const uint8_t *permit = begin + SMVM_PERMIT_AT;

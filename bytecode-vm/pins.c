@@ -23,6 +23,7 @@ static bool read_count(SmvmPins *p, SmvmAt most, SmvmAt *n)
     return there;
 }
 
+// Sets p before the first pin of an image.  Returns false if the image has no pins.
 bool smvm_pins(SmvmBytes image, SmvmPins *p)
 {
     SmvmAt at;
@@ -93,6 +94,7 @@ static bool read_safe_or_hold(SmvmPins *p, SmvmPin *pin)
     return true;
 }
 
+// Reads the next pin, in the order of the .io file.  Returns false at the end.
 bool smvm_next_pin(SmvmPins *p, SmvmPin *pin)
 {
     SmvmAt at;
@@ -164,6 +166,7 @@ static uint8_t check_pins(SmvmPins *p, SmvmAt *at)
     return p->in.at == p->in.end ? 0 : SMVM_R_IO;
 }
 
+// Returns 0, or the rule that the IO section breaks, and sets *at to the offset of the error (pins.c).
 SMVM_NOINLINE uint8_t smvm_check_pins(SmvmBytes image, SmvmAt *at)
 {
     SmvmPins p;

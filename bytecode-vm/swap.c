@@ -210,11 +210,13 @@ static uint32_t plan_bytes(uint32_t names, uint32_t states)
     return (uint32_t)(sizeof(SmvmSwap) + names * sizeof(SwapName) + states * sizeof(uint32_t));
 }
 
+// Returns the bytes of memory for a plan.
 uint32_t smvm_swap_size(const SmvmMachine *from, const SmvmMachine *to)
 {
     return plan_bytes(collect_names(from, NULL) + collect_names(to, NULL), from->states);
 }
 
+// Compares two machines by the names of their states, locals and samples.  The result is in memory that the caller owns.
 SmResult smvm_swap_plan(SmvmSwap *plan, uint32_t size, const SmvmMachine *from, const SmvmMachine *to)
 {
     struct Strict { char c; uint64_t at; };
@@ -244,11 +246,13 @@ SmResult smvm_swap_plan(SmvmSwap *plan, uint32_t size, const SmvmMachine *from, 
     return SM_OK;
 }
 
+// Returns the number that state `state` of `from` has in `to`; 0: `to` has no state of this name, or `from` has no such state.
 uint32_t smvm_swap_state(const SmvmSwap *plan, uint32_t state)
 {
     return state < 1 || state > plan->from.states ? 0 : state_map(plan)[state - 1];
 }
 
+// Reads item i of the list: states, locals and samples of `to`, then those that only `from` has.  Returns false at the end.
 bool smvm_swap_item(const SmvmSwap *plan, uint32_t i, SmvmSwapItem *item)
 {
     const SwapName *n = names_of(plan) + i;
@@ -289,6 +293,7 @@ static void copy_window(const SmvmSwap *plan, const SmVm *from, uint32_t source,
 
 static bool runs_find_machine(const SmVm *vm, const SmvmMachine *m) { return vm->image == m->image && vm->machine == m->machine_at; }
 
+// Lets `to` continue where `from` is, with the state, T, locals and samples that both have by name.
 SmResult smvm_swap_continue(const SmvmSwap *plan, const SmVm *from, SmVm *to, void *sv)
 {
     const uint32_t state = smvm_swap_state(plan, from->state);
@@ -313,4 +318,5 @@ SmResult smvm_swap_continue(const SmvmSwap *plan, const SmVm *from, SmVm *to, vo
     return SM_OK;
 }
 
+// Stores the number of the machine's state in S, as smvm_init does: for a machine that smvm_prepare started.
 void smvm_write_state(const SmVm *vm, const SmvmMachine *m, void *sv) { sm_cell_store(SM_U32, (uint8_t *)sv + m->s, vm->state); }

@@ -429,6 +429,7 @@ static uint8_t check_machines(Verifier *c, SmvmVerdict *v)
     return 0;
 }
 
+// Returns the number of instructions in the longest step; 0 if the VM is compiled without this count (SMVM_LONGEST).
 uint32_t smvm_longest_step(const SmvmMachine *m)
 {
     Verifier c;
@@ -452,6 +453,7 @@ static uint8_t check_image(Verifier *c, uint32_t size, SmvmVerdict *v)
     return check_machines(c, v);
 }
 
+// Checks an image within the first `size` bytes; it may be shorter than that.  Returns v->rule, 0 if no rule is broken.
 uint8_t smvm_verify(SmvmBytes image, uint32_t size, SmvmVerdict *v)
 {
     Verifier c;

@@ -45,6 +45,7 @@ static SmResult claim_pins(const SmvmRunner *r, uint16_t *left, SmvmPins *p)
     return SM_OK;
 }
 
+// Whether an image that smvm_verify has accepted fits the board; if not, the result is the reason.
 SmResult smvm_runner_fits(const SmvmRunner *r, SmvmBytes image)
 {
     SmvmMachine m;
@@ -186,6 +187,7 @@ static void transfer_pins(SmvmRunner *r, bool outputs)
 
 // ---- the application ----
 
+// Sets all machines to their initial states and opens all pins, outputs at their safe values.  Returns the first error.
 SmResult smvm_runner_open(SmvmRunner *r, SmvmBytes image)
 {
     SmResult result = smvm_runner_fits(r, image);
@@ -201,6 +203,7 @@ SmResult smvm_runner_open(SmvmRunner *r, SmvmBytes image)
     return result;
 }
 
+// Reads the input pins, steps each machine and writes the output pins.  g points to the time of the step, a U64.
 void smvm_runner_step(SmvmRunner *r, const void *g)
 {
     transfer_pins(r, false);
@@ -211,6 +214,7 @@ void smvm_runner_step(SmvmRunner *r, const void *g)
     transfer_pins(r, true);
 }
 
+// Sets outputs to their safe values, closes the pins and stops all machines.
 void smvm_runner_stop(SmvmRunner *r)
 {
     close_pins(r);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bytecode-vm/target/io.h"
 
+// Converts one pin from smvm_next_pin.
 SMVM_NOINLINE void smvm_target_pin(const SmvmPin *p, SmIoPin *row)
 {
     row->kind = p->kind;
@@ -14,6 +15,7 @@ SMVM_NOINLINE void smvm_target_pin(const SmvmPin *p, SmIoPin *row)
     row->safe = sm_bits(p->safe);
 }
 
+// Fills `row` and *n with the pins of a verified image, in the order of the .io file; *n is 0 if it has none.
 SmResult smvm_target_pins(SmvmBytes image, const SmStateVec *sv, SmIoPin *row, uint16_t room, uint16_t *n)
 {
     SmvmPins all;

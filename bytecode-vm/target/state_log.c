@@ -38,6 +38,7 @@ static void find_latest_record(StateLog *l)
         }
 }
 
+// Opens the log of an image in a slot of this size, after the newest record that it contains.
 void smvm_state_log_open(StateLog *l, SmvmBytes image, SmvmAt slot_size)
 {
     const SmvmAt length = smvm_read_offset(image, SMVM_LENGTH_AT, 3), room = length > slot_size ? 0 : (SmvmAt)((slot_size - length) / LINK_TRANSITION);
@@ -53,6 +54,7 @@ void smvm_state_log_open(StateLog *l, SmvmBytes image, SmvmAt slot_size)
 
 static void count_lost(StateLog *l, uint32_t lost) { l->lost = lost >= (uint8_t)(LINK_LOST_MAX - l->lost) ? LINK_LOST_MAX : (uint8_t)(l->lost + lost); }
 
+// Begins a record, if the event is a transition.  `lost`: how many events before it were lost.
 void smvm_state_log_add(StateLog *l, const SmEvent *e, uint32_t lost)
 {
     LinkTransition t;
@@ -76,6 +78,7 @@ void smvm_state_log_add(StateLog *l, const SmEvent *e, uint32_t lost)
     l->written = 0;
 }
 
+// Stores the next byte to write in *byte, and its offset from the start of the image in *at.  Returns false if the log is idle.
 bool smvm_state_log_next(const StateLog *l, SmvmAt *at, uint8_t *byte)
 {
     if (smvm_state_log_is_idle(l))
@@ -93,6 +96,7 @@ void smvm_state_log_advance(StateLog *l)
     l->next = index_after(l, l->next);
 }
 
+// Lets the log store one more transition; at most STATE_LOG_CREDIT.
 void smvm_state_log_add_credit(StateLog *l)
 {
     if (l->credit < STATE_LOG_CREDIT)

@@ -16,6 +16,7 @@ typedef char store_choice_is_a_record[sizeof(StoreChoice) == STORE_RECORD ? 1 : 
 SMVM_NOINLINE static uint32_t load32(const uint8_t *at) { return sm_link_load(at, 4); }
 SMVM_NOINLINE static void store32(uint8_t *at, uint32_t value) { sm_link_store(at, value, 4); }
 
+// Reads an offset or length of three bytes.  Returns false if it exceeds every image on this target.
 bool smvm_load_offset(const uint8_t *field, SmvmAt *at)
 {
     *at = (SmvmAt)sm_link_load(field, sizeof *at < 3 ? 2 : 3);
@@ -121,6 +122,7 @@ static SmResult check_memory(Store *s)
     return lay_out_slots(s);
 }
 
+// Opens a store and reads its selector.  Without a valid record, as in a new chip, the built-in image is chosen.
 SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan)
 {
     SmResult r;
@@ -189,6 +191,7 @@ uint8_t smvm_store_flags(const Store *s, uint8_t slot)
     return slot == s->choice.previous && s->plan.slots > 1 ? STORE_FALLBACK : s->choice.ended;         // `ended` is nonzero only if there is no previous image
 }
 
+// Returns the milliseconds between steps of a slot's image; 0: none was set.
 uint16_t smvm_store_period(const Store *s, uint8_t slot)
 {
     const uint8_t *period = slot == s->choice.active ? s->choice.period : slot == s->choice.previous ? s->choice.period_previous : NULL;
@@ -245,6 +248,7 @@ static bool try_start_active(Store *s)
     return write_choice(s) == SM_OK;
 }
 
+// Decides which image to run; call it once per start.  A trial's count is decremented on the medium before this returns.
 SmResult smvm_store_boot(Store *s, uint8_t *slot)
 {
     SmResult r = SM_OK;
@@ -259,6 +263,7 @@ SmResult smvm_store_boot(Store *s, uint8_t *slot)
     return r;
 }
 
+// Reports that the caller cannot run the image that smvm_store_boot returned, for example because one of its pins is in use.
 SmResult smvm_store_skip_image(Store *s, uint8_t *slot)
 {
     SmResult r = SM_OK;
@@ -270,6 +275,7 @@ SmResult smvm_store_skip_image(Store *s, uint8_t *slot)
     return r;
 }
 
+// Reports that the running image has run for a while: its start counts in full.
 SmResult smvm_store_count_start(Store *s)
 {
     if (s->choice.tries % STORE_START == 0)
@@ -278,6 +284,7 @@ SmResult smvm_store_count_start(Store *s)
     return write_choice(s);
 }
 
+// Reports that the caller has stopped the image in the slot and runs the built-in one.
 void smvm_store_run_built_in(Store *s) { s->running = STORE_BUILT_IN; }
 
 // ---- an update ----
@@ -296,6 +303,7 @@ static bool find_target(const Store *s, uint8_t *target)
     return false;
 }
 
+// Whether an update can begin once a slot is free (with one slot: after smvm_store_run_built_in).
 SmResult smvm_store_may_begin(const Store *s, SmvmAt length)
 {
     return length < SMVM_HEADER ? SM_E_ARGUMENT : length > s->slot_size ? SM_E_SPACE : is_on_trial(s) ? SM_E_BUSY : SM_OK;
@@ -308,6 +316,7 @@ SMVM_NOINLINE static SmResult forget_previous(Store *s)
     return write_choice(s);
 }
 
+// Begins an update; `session` is the host's number for it, not 0.
 SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t checksum)
 {
     SmResult r;
@@ -370,6 +379,8 @@ static bool is_valid_chunk(const Store *s, SmvmAt at, uint8_t n)
 
 static bool is_current_session(const Store *s, uint16_t session) { return session != 0 && session == s->session; }
 
+// Writes n bytes at offset `at`: s->next, or less to repeat bytes written before.  `at` must be a multiple of s->write, and n too except at
+// the end.
 SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *bytes, uint8_t n)
 {
     const bool again = at < s->next;
@@ -403,6 +414,7 @@ static SmResult check_authenticity(const Store *s)
     return smvm_store_has_key(s) && number <= load32(s->choice.newest) ? SM_E_REPLAY : SM_OK;
 }
 
+// Reads the image back and verifies it in place.  SM_E_DEVICE: it differs from what was sent; *why: why the verifier rejects it.
 SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
 {
     SmResult r;
@@ -420,6 +432,7 @@ SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
     return r;
 }
 
+// Chooses the image that was sent.  From the next start on it is on trial, with `period` milliseconds between steps.
 SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period)
 {
     StoreChoice *const c = &s->choice;
@@ -443,6 +456,7 @@ SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period)
 
 // ---- after an update ----
 
+// Confirms the running image, which has this checksum.
 SmResult smvm_store_confirm(Store *s, uint32_t checksum)
 {
     StoreChoice *const c = &s->choice;
@@ -487,6 +501,7 @@ static SmResult remove_image(Store *s, uint8_t slot)
     return r == SM_OK ? destroy_image(s, slot) : r;
 }
 
+// From the next start on, the image with this checksum does not run; the previous or the built-in one does.
 SmResult smvm_store_erase(Store *s, uint32_t checksum)
 {
     SmResult r = SM_E_MISSING;
