@@ -39,6 +39,7 @@ void arena_free(Arena *a)
     a->next = a->end = a->zeroed_end = NULL;
 }
 
+// Frees every object, but keeps the newest chunk for later allocations.
 void arena_reset(Arena *a)
 {
     ArenaChunk *newest = a->chunk;
@@ -60,6 +61,7 @@ static void *alloc_within(void *parent, void *old, size_t size)
     return size ? arena_alloc_unzeroed(parent, size) : NULL;
 }
 
+// Initialises an arena whose chunks are memory of `parent`, so that freeing the parent frees it.
 void arena_init_within(Arena *a, Arena *parent)
 {
     arena_init(a, alloc_within, parent, parent->oom);
@@ -84,6 +86,7 @@ static void add_chunk(Arena *a, size_t wanted)
     a->zeroed_end = a->next;
 }
 
+// Allocates and frees one byte, so that a host whose allocator returns NULL ends a long computation that allocates nothing.
 void arena_check_host(const Arena *a)
 {
     void *byte = a->alloc(a->context, NULL, 1);
@@ -117,6 +120,7 @@ static char *bump_unzeroed(Arena *a, size_t size)
     return p;
 }
 
+// Allocates when the zeroed memory of the newest chunk is too short: the slow path of arena_alloc.
 void *arena_alloc_more(Arena *a, size_t size)
 {
     char *p = bump_unzeroed(a, size);
@@ -154,6 +158,7 @@ void *arena_copy(Arena *a, const void *from, size_t size)
     return alloc_copy(a, from, size, size);
 }
 
+// Allocates a zeroed array.  Jumps to *oom if its size overflows.
 void *arena_array(Arena *a, size_t count, size_t size)
 {
     if (size != 0 && count > SIZE_MAX / size)
@@ -161,6 +166,7 @@ void *arena_array(Arena *a, size_t count, size_t size)
     return arena_alloc(a, count * size);
 }
 
+// Returns a longer block with the contents of `old`: a copy, or `old` itself, extended, if it was the last allocation.
 void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size)
 {
     if (old && (char *)old + (old_size + ALIGN - 1) / ALIGN * ALIGN == a->next && new_size >= old_size) {

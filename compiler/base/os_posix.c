@@ -91,6 +91,8 @@ static bool read_all(int fd, size_t most, char **text, size_t *len, const char *
     return false;
 }
 
+// Reads a whole file or, for "-", standard input, of at most `most` bytes.  The caller frees *text with os_alloc; after false, *why is the
+// reason.
 bool os_read_file(const char *path, size_t most, char **text, size_t *len, const char **why)
 {
     bool ok;
@@ -111,6 +113,7 @@ bool os_read_file(const char *path, size_t most, char **text, size_t *len, const
     return ok;
 }
 
+// Reads up to n bytes from the start of a regular file.  *len is their number, 0 if there is no such file.
 bool os_read_head(const char *path, char *into, size_t n, size_t *len)
 {
     struct stat st;
@@ -352,6 +355,7 @@ bool os_stream_close(OsStream *s, bool keep, const char **why)
 
 // ---- folders and environment ----
 
+// Whether both name the same existing regular file; "-" is not a file.
 bool os_same_file(const char *a, const char *b)
 {
     struct stat x, y;
@@ -361,6 +365,7 @@ bool os_same_file(const char *a, const char *b)
     return S_ISREG(x.st_mode) && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
 }
 
+// Whether the path is a regular file with several hard links.
 bool os_has_other_names(const char *path)
 {
     struct stat st;
@@ -413,6 +418,7 @@ static int parse_descriptor(const char *folder, const char *name)
     return atoi(name);
 }
 
+// Returns the file descriptor of this process that a path names, as /dev/stdout, /dev/fd/1 or a link to one; else -1.
 int os_find_descriptor(const char *path)
 {
     char *at = strdup(path);
@@ -431,6 +437,7 @@ int os_find_descriptor(const char *path)
     return fd;
 }
 
+// Returns the path with symbolic links resolved, allocated on the heap.  The file need not exist.  NULL if its folder does not exist.
 char *os_real_path(const char *path)
 {
     char *at = strdup(path), *real = NULL;
@@ -462,6 +469,7 @@ bool os_is_folder(const char *path)
     return stat(path, &st) == 0 && S_ISDIR(st.st_mode);
 }
 
+// Creates the folder, but not its parents.  True if it already exists.
 bool os_make_folder(const char *path, const char **why)
 {
     int error;
@@ -482,6 +490,7 @@ static int compare_names(const void *a, const void *b)
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
+// Lists the names in a folder, sorted, without . and ..; *names and its strings are one heap allocation.
 bool os_list_folder(const char *path, char ***names, size_t *n, const char **why)
 {
     struct dirent *entry;
@@ -552,6 +561,7 @@ bool os_write_private(const char *path, const void *bytes, size_t n, const char 
     return ok;
 }
 
+// Whether only its owner can read the file, or the file does not exist.
 bool os_is_private(const char *path)
 {
     struct stat s;

@@ -30,6 +30,7 @@ static bool set_reason(int error, const char **why)
 
 // ---- folders ----
 
+// Creates a folder that only this user can access, and stores its path in `path` (n bytes).  Only one may exist at a time.
 bool os_temp_folder(char *path, size_t n, const char **why)
 {
     const char *base = getenv("TMPDIR");
@@ -136,6 +137,7 @@ static int spawn_group(pid_t *pid, const char *const *argv, const posix_spawn_fi
     return error;
 }
 
+// Runs the program argv[0] (searched in PATH) with the NULL-terminated list argv, and waits for its end.
 bool os_run_program(const char *const *argv, const char *output, int *exit_code, const char **why)
 {
     posix_spawn_file_actions_t actions;
@@ -202,6 +204,7 @@ bool os_partner_start(OsPartner *p, const char *const *argv, const char **why)
     return true;
 }
 
+// Writes all n bytes to the partner's standard input.
 bool os_partner_write(OsPartner *p, const void *bytes, size_t n, const char **why)
 {
     for (const char *at = bytes; n > 0;) {
@@ -214,6 +217,7 @@ bool os_partner_write(OsPartner *p, const void *bytes, size_t n, const char **wh
     return true;
 }
 
+// Waits for exactly n bytes from the partner's standard output.
 bool os_partner_read(OsPartner *p, void *bytes, size_t n, const char **why)
 {
     for (char *at = bytes; n > 0;) {
@@ -230,6 +234,7 @@ bool os_partner_read(OsPartner *p, void *bytes, size_t n, const char **why)
     return true;
 }
 
+// Closes the partner's input and waits for the partner's end.
 void os_partner_end(OsPartner *p)
 {
     close(p->fd);

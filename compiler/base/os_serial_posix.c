@@ -88,6 +88,7 @@ bool os_serial_open(const char *path, unsigned long bits_per_second, int *fd, co
     return false;
 }
 
+// Sends all n bytes.  Returns false if the line accepted no byte for 5 s, or the device is disconnected.
 bool os_serial_send(int fd, const uint8_t *bytes, size_t n)
 {
     while (n > 0) {
@@ -103,6 +104,7 @@ bool os_serial_send(int fd, const uint8_t *bytes, size_t n)
     return true;
 }
 
+// Waits up to `wait` milliseconds.  Returns the number of bytes received, 0 if none, -1 if the device is disconnected.
 int os_serial_receive(int fd, uint8_t *bytes, size_t room, uint32_t wait)
 {
     struct pollfd p = {fd, POLLIN, 0};
@@ -117,6 +119,7 @@ int os_serial_receive(int fd, uint8_t *bytes, size_t room, uint32_t wait)
 
 void os_serial_close(int fd) { close(fd); }
 
+// Returns the milliseconds since an arbitrary time, modulo 2^32.
 uint32_t os_milliseconds(void)
 {
     struct timespec t;
@@ -125,6 +128,7 @@ uint32_t os_milliseconds(void)
     return (uint32_t)((uint64_t)t.tv_sec * 1000 + (uint64_t)t.tv_nsec / 1000000);
 }
 
+// Returns a number that is unlikely to be the same in the next run of the command.
 uint16_t os_run_nonce(void)
 {
     struct timespec t;

@@ -17,8 +17,11 @@ static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGQUIT, SIGXCPU
 enum { NUMBERS = sizeof numbers / sizeof *numbers };
 static struct sigaction before[NUMBERS];              // the handlers that os_signals_begin replaced
 
+// Registers the file that a signal removes, as number `number`; NULL: none.
 void os_set_unfinished(int number, char *path) { unfinished[number] = path; }
 char *os_unfinished_path(int number) { return unfinished[number]; }
+
+// Returns the number of the delayed signal, or 0.
 int os_signal_waiting(void) { return waiting; }
 
 void os_remove_unfinished(void)
@@ -28,6 +31,7 @@ void os_remove_unfinished(void)
             unlink(unfinished[i]);
 }
 
+// Returns the number of the i-th handled signal, from 0; 0 after the last one.
 int os_signal_at(int i) { return i < NUMBERS ? numbers[i] : 0; }
 
 // Ends the process by the default action of the signal, so that the parent process sees which signal it was.

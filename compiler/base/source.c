@@ -13,6 +13,7 @@ static uint32_t count_lines(const char *text, size_t len)
     return lines;
 }
 
+// Wraps `text` without copying it, and finds its lines.  `name` and `text` must outlive the result; len <= SOURCE_MAX.
 Source *source_new(Arena *arena, const char *name, const char *text, size_t len)
 {
     Source *s = ARENA_NEW(arena, Source);
@@ -45,6 +46,7 @@ LineCol source_position(const Source *s, uint32_t at)
     return (LineCol){low + 1, at - s->line[low] + 1};
 }
 
+// Returns the text of a line, counted from 1, without its LF or CR LF; *len is its length.
 const char *source_line(const Source *s, uint32_t line, uint32_t *len)
 {
     uint32_t start = s->line[line - 1];
@@ -56,6 +58,7 @@ const char *source_line(const Source *s, uint32_t line, uint32_t *len)
     return s->text + start;
 }
 
+// Returns the range from the start of a to the end of b.
 Span span_join(Span a, Span b)
 {
     a.len = b.at + b.len - a.at;

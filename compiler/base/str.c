@@ -5,6 +5,7 @@
 
 #include "compiler/base/vec.h"
 
+// Makes room for another item of a vector that is full: doubles its capacity.
 void vec_reserve(Arena *a, void **items, uint32_t *cap, size_t item_size)
 {
     const uint32_t wanted = *cap ? *cap * 2 : 4;
@@ -57,6 +58,7 @@ static size_t find_slot(const StrPool *p, const char *text, size_t len, uint32_t
     return at;
 }
 
+// Returns the interned string of this text; NULL if the text has not been interned.
 Str str_find(const StrPool *p, const char *text, size_t len)
 {
     return p->cap ? p->slot[find_slot(p, text, len, hash_bytes(text, len))] : NULL;
@@ -92,11 +94,13 @@ Str str_c(StrPool *p, const char *text)
     return str_intern(p, text, strlen(text));
 }
 
+// Records that a source declares an element or a variable `name`.
 void str_declare(StrPool *p, Str name)
 {
     find_or_add_string(p, name->text, name->len)->declared = true;
 }
 
+// Sets StrData.mark, for fast tests whether a string is in a small set.
 void str_mark(StrPool *p, const char *text, uint8_t mark)
 {
     find_or_add_string(p, text, strlen(text))->mark = mark;
@@ -108,6 +112,7 @@ static size_t smallest(size_t a, size_t b, size_t c)
     return m < c ? m : c;
 }
 
+// Returns the edit distance from a to b, at most `limit`: insertions, deletions, replacements and swaps of adjacent characters.
 size_t str_distance(const char *a, const char *b, size_t limit)
 {
     enum { LONGEST = 64 };                                  // the distance of longer strings is not computed: it counts as `limit`
@@ -145,6 +150,7 @@ static size_t find_map_slot(const Map *m, Str key)
     return at;
 }
 
+// Returns the value of a key; NULL if the map lacks the key.
 void *map_find(const Map *m, Str key)
 {
     return m->cap ? m->value[find_map_slot(m, key)] : NULL;
@@ -165,6 +171,7 @@ static void grow_map(Map *m)
     *m = bigger;
 }
 
+// Sets the value of a key, in place of an existing value.
 void map_put(Map *m, Str key, void *value)
 {
     size_t at;
@@ -177,6 +184,7 @@ void map_put(Map *m, Str key, void *value)
     m->value[at] = value;
 }
 
+// Returns the word nearest to `word`; NULL if none is near.
 const char *str_nearest(const char *word, const char *const *among, size_t n)
 {
     size_t limit = strlen(word) / 3 + 2;

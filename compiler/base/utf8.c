@@ -21,6 +21,8 @@ size_t utf8_decode(const char *s, size_t n, uint32_t *code)
     return len;
 }
 
+// Whether a character is invisible or can disturb the text around it on a screen: control characters, invisible characters, and those that
+// change the writing direction.
 bool utf8_is_hidden(uint32_t code)
 {
     static const struct { uint32_t first, last; } hidden[] = {
