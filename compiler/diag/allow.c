@@ -9,6 +9,7 @@
 #include "compiler/base/str.h"
 #include "compiler/diag/diag.h"
 
+// Adds an @allow.  It is reported as unused if no warning needs it.
 void diag_allow(Diags *d, const char *flag, const char *reason, Span span, Span covers)
 {
     const DiagAllow a = {flag, reason, span, covers, false, false};
@@ -16,6 +17,7 @@ void diag_allow(Diags *d, const char *flag, const char *reason, Span span, Span 
     vec_push(d->arena, &d->allow, a);
 }
 
+// Adds an @allow that is never reported as unused, because another machine may need it.
 void diag_allow_shared(Diags *d, const char *flag, const char *reason, Span span, Span covers)
 {
     const DiagAllow a = {flag, reason, span, covers, true, false};
@@ -207,6 +209,7 @@ static void report_unused(Diags *d, bool about_itself)
     }
 }
 
+// Moves the warnings that are allowed from the list into `allowed`.
 void diags_apply_allows(Diags *d)
 {
     uint32_t kept = 0;

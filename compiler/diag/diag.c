@@ -21,6 +21,7 @@ typedef struct DiagPosition {
     Diag *diag;               // NULL: the report was not stored in the list
 } DiagPosition;
 
+// Removes all reports; every @allow still covers later reports.
 void diags_clear(Diags *d)
 {
     const Diags reported = *d;
@@ -137,6 +138,8 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
     return x;
 }
 
+// Adds a diagnostic; its arguments, each a `const char *`, replace the {} of the message.  The caller can add notes, a label and edits to
+// the result.
 Diag *diag_report(Diags *d, DiagCode code, Span span, ...)
 {
     va_list args;
@@ -158,6 +161,7 @@ static void add_note(Diags *d, Diag *to, Span span, unsigned step, DiagCode text
     vec_push(d->arena, &to->notes, note);
 }
 
+// Adds a note; `text` is a DIAG_NOTE_TEXT row, its arguments follow.
 void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...)
 {
     va_list args;
@@ -167,6 +171,7 @@ void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...)
     va_end(args);
 }
 
+// Adds a note that is the next numbered step of the path that leads to the finding.
 void diag_note_step(Diags *d, Diag *to, Span span, DiagCode text, ...)
 {
     unsigned step = 1;
@@ -179,6 +184,7 @@ void diag_note_step(Diags *d, Diag *to, Span span, DiagCode text, ...)
     va_end(args);
 }
 
+// Sets the text printed after the caret; `text` is a DIAG_NOTE_TEXT row.
 void diag_label(Diags *d, Diag *to, DiagCode text, ...)
 {
     va_list args;
@@ -190,6 +196,7 @@ void diag_label(Diags *d, Diag *to, DiagCode text, ...)
     va_end(args);
 }
 
+// Returns the text of a DIAG_NOTE_TEXT row with its arguments, to be an argument of another message.
 const char *diag_text(Diags *d, DiagCode text, ...)
 {
     const char *out;
@@ -201,6 +208,7 @@ const char *diag_text(Diags *d, DiagCode text, ...)
     return out;
 }
 
+// Adds the declaration of a variable that the diagnostic names, for example as one of its outputs.
 void diag_note_declaration(Diags *d, Diag *to, DiagSubject subject, Span declaration)
 {
     const DiagAbout about = {declaration, subject};
@@ -213,6 +221,7 @@ void diag_note_declaration(Diags *d, Diag *to, DiagSubject subject, Span declara
         vec_push(d->arena, &x->about, about);
 }
 
+// Proposes an edit that is certainly what the user meant: replaces `span` by a copy of `text`.
 void diag_edit(Diags *d, Diag *to, Span span, const char *text)
 {
     DiagEdit edit = {span, NULL};
@@ -256,6 +265,7 @@ static void merge_runs(const Diags *d, Diag **to, Diag **a, size_t na, Diag **b,
 
 static size_t min_size(size_t n, size_t limit) { return n < limit ? n : limit; }
 
+// Sorts the diagnostics by file, in the order of Diags.files, then by position; stable.
 void diags_sort(Diags *d)
 {
     size_t n = d->list.n;
@@ -301,6 +311,7 @@ const DiagFlag *diag_find_flag(const char *name)
     return NULL;
 }
 
+// Returns the row whose id, or warning name, is `id`; case does not matter.  NULL if there is none.
 const DiagInfo *diag_find(const char *id)
 {
     for (int i = 0; i < DIAG_COUNT; i++) {
@@ -311,6 +322,7 @@ const DiagInfo *diag_find(const char *id)
     return NULL;
 }
 
+// Returns what follows the message in text output: "E0204"; for a warning also its name: "W0503 unreachable-state".
 const char *diag_code_and_name(const Diag *d, Arena *arena)
 {
     const DiagInfo *row = &diag_info[d->code];

@@ -73,6 +73,7 @@ static int compare_items(const void *a, const void *b)
     return (x->print > y->print) - (x->print < y->print);
 }
 
+// Returns a fingerprint for each of d->list, then of d->allowed.
 const DiagFingerprint *diags_fingerprints(const Diags *d, Arena *arena)
 {
     size_t n = d->list.n + d->allowed.n;

@@ -64,6 +64,8 @@ static void refuse_overlaps(const EditChanges *all, bool *refused)
     }
 }
 
+// Appends the text of src with the proposed edits applied.  Edits that touch each other are skipped.  Returns the number of diagnostics
+// fixed.
 size_t diags_apply_edits(const Diags *d, const Source *src, Buf *out)
 {
     EditChanges all = collect_changes(d, src);

@@ -11,6 +11,7 @@ static const char *const chapters[] = {
 
 static size_t chapter_of(const DiagInfo *row) { return (size_t)(row->id[1] - '0') * 10 + (size_t)(row->id[2] - '0'); }
 
+// Appends the message, with "..." for each argument.
 void diag_put_title(const DiagInfo *row, Buf *out)
 {
     const char *message = row->message;
@@ -48,6 +49,7 @@ static void put_group(Buf *out, DiagGroup group)
     buf_char(out, '\n');
 }
 
+// Appends a warning's name, what it finds, and how to switch it: the text before the pages of its codes.
 void diag_put_flag(Buf *out, const DiagFlag *flag)
 {
     const char *name = flag->name;

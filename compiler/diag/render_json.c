@@ -28,6 +28,7 @@ static void put_span(Buf *out, Span span)
                (unsigned long)from.col, (unsigned long)to.line, (unsigned long)to.col);
 }
 
+// Appends a message without a code, such as that a file cannot be read.
 void diag_plain_json(const char *severity, const char *message, Buf *out)
 {
     const Span nowhere = {NULL, 0, 0};

@@ -45,6 +45,7 @@ static size_t put_character(Buf *out, const char *s, size_t n, size_t *width)
     return len ? len : 1;
 }
 
+// Appends text of a source in a form that is safe on a terminal; returns the number of columns.
 size_t diag_put_printable(Buf *out, const char *s, size_t n)
 {
     size_t columns = 0, width, len;
@@ -215,6 +216,7 @@ static void put_counts(Buf *out, size_t errors, size_t warnings, const char *mor
         buf_char(out, '\n');
 }
 
+// Renders the list for the user. "1 error, 2 warnings" follows if there are any.
 void diags_render_text(const Diags *d, const DiagStyle *style, Buf *out)
 {
     size_t shown[2] = {0, 0};                 // how many errors, how many warnings were shown

@@ -53,6 +53,7 @@ static const char *nearest_warning(Arena *arena, const char *name)
     return str_nearest(name, names, n);
 }
 
+// Returns what is wrong with the words: "no warning is called 'x'; did you mean 'y'?"; NULL if they are correct.
 const char *diag_selection_error(Arena *arena, const DiagSelection *w)
 {
     for (size_t i = 0; i < w->n; i++) {
@@ -101,6 +102,7 @@ static FlagChoice select_diag(const DiagSelection *w, const Diag *d)
     return select_flag(w, diag_info[d->code].flag ? diag_find_flag(diag_info[d->code].flag) : NULL);
 }
 
+// Returns the groups with at least one enabled warning: a set of 1u << DiagGroup.
 unsigned diag_selection_groups(const DiagSelection *w)
 {
     unsigned wanted = 0;
@@ -111,6 +113,7 @@ unsigned diag_selection_groups(const DiagSelection *w)
     return wanted;
 }
 
+// Drops disabled warnings and turns those that -Werror names into errors.  To be called after diags_apply_allows.
 void diags_select(Diags *d, const DiagSelection *w)
 {
     uint32_t kept = 0, allowed = 0;
