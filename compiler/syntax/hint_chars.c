@@ -103,6 +103,7 @@ static void report_code_point(Lexer *l, uint32_t at, uint32_t len, uint32_t code
     diag_edit(l->diags, d, lexer_span(l, at, len), ascii);
 }
 
+// Reports the character at `at`, which is not ASCII; returns its length.
 uint32_t hint_report_non_ascii(Lexer *l, uint32_t at)
 {
     uint32_t code = 0;
@@ -222,6 +223,7 @@ static HintResult read_lookalike(Lexer *l, Token *t, uint32_t code)
     return HINT_READ;
 }
 
+// Reports the letters of other alphabets in a name, as in größe, which begin at `end`; returns the end of the name.
 uint32_t hint_skip_foreign_letters(Lexer *l, uint32_t end)
 {
     while ((unsigned char)lexer_byte(l, end) >= 0x80 && skip_foreign_letter(l, end))   // one report for the word
@@ -229,6 +231,7 @@ uint32_t hint_skip_foreign_letters(Lexer *l, uint32_t end)
     return end;
 }
 
+// Reports text that cannot begin a token, and reads past it or returns what the user meant.  Never returns HINT_NONE.
 HintResult hint_read_stray_text(Lexer *l, Token *t)
 {
     unsigned char c = (unsigned char)l->src->text[l->at];

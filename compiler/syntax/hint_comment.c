@@ -99,6 +99,7 @@ static bool contains_guard_body(const Lexer *l)
     return compares && !hint_ends_line(l, p);
 }
 
+// Reads // or /* as the comment of another language, reports it, and skips to where that comment ends.
 HintResult hint_read_slashes(Lexer *l, Token *t)
 {
     uint32_t at = l->at, p = at + t->len;

@@ -144,6 +144,7 @@ static bool is_colon_before_assignment(const Parser *p)
     return text[at] == '=' && text[at + 1] != '=' && text[at + 1] != '>';
 }
 
+// Reports the = or =! at `sign` in a condition, and suggests == or !=. `left`: its left operand, or NULL.
 void hint_report_assign_in_guard(Parser *p, const AstExpr *left, Span sign)
 {
     const char *text = p->lex.src->text;
@@ -163,6 +164,7 @@ void hint_report_assign_in_guard(Parser *p, const AstExpr *left, Span sign)
         diag_edit(p->diags, d, sign, "==");
 }
 
+// Whether the current `and` joins two statements, as in x = 1 and then -> Idle.
 bool hint_is_and_then(const Parser *p)
 {
     const char *s = p->lex.src->text + p->ahead.at + p->ahead.len;

@@ -280,6 +280,7 @@ static void propose_braces(Diags *diags, Diag *d, const HintLine *l, const Prior
               format_in(diags->arena, "%s}%s", outer, last ? "" : " "));
 }
 
+// Labels d with what to do about the statement that follows, on its line, the one that ends before `at`.
 uint32_t hint_label_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at, HintSeparator separator)
 {
     const HintLine l = find_line(src, at);
@@ -313,6 +314,7 @@ uint32_t hint_label_shared_line(Diags *diags, Diag *d, const Source *src, uint32
     return s.clear ? (s.trailing ? s.trailing : s.end) : l.end;
 }
 
+// Whether more statements follow the statement at `at`: after a ';' on its line, or on a line below with more indentation.
 bool hint_is_first_of_several(const Source *src, uint32_t at)
 {
     const HintLine l = find_line(src, at);
@@ -366,6 +368,7 @@ static bool ends_block(const HintLine *l, const HintLine *guard, uint32_t colon)
            !memchr(guard->text + guard->from, ':', colon - guard->from);
 }
 
+// Proposes braces around the lines below a condition's colon, if they are indented more, so that they are probably its statements.
 uint32_t hint_brace_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon)
 {
     const HintLine guard = find_line(src, colon);

@@ -120,6 +120,7 @@ static void report_header_name(Lexer *l, uint32_t end, Str name)
 
 // ---- all of them ----
 
+// Reports a token of this kind that is well formed only up to `end`: 5psi, größe, [two words].  Returns the end of the malformed token.
 uint32_t hint_report_malformed_token(Lexer *l, const Token *t, TokenKind kind, uint32_t end)
 {
     if (kind == TOK_NUMBER)

@@ -185,6 +185,8 @@ static void report_foreign_spelling(Lexer *l, Token *t, const char *spelling, co
                         native, needs_space && lexer_is_word(lexer_byte(l, t->at + t->len)) ? " " : ""));
 }
 
+// Reports the operator t, which this language does not have. `native` is the equivalent of this language; if it is NULL, `label` explains
+// what to write instead.
 void hint_report_operator(Lexer *l, Token *t, const char *spelling, const char *native, const char *label)
 {
     if (native && is_bit_operator(l, t)) {

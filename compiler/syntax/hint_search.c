@@ -36,6 +36,8 @@ static bool is_token_in(uint64_t set, const Token *t)
     return (set >> t->kind & 1u) && !((set & FIRST) && !t->first) && !((set & SAME_LINE) && t->first);
 }
 
+// Reports the general diagnostic of the context, such as "expected a value", once for each case.  Returns it, so that the caller can add to
+// it.
 Diag *hint_report_general(HintCase *c)
 {
     Parser *p = c->p;
@@ -79,6 +81,7 @@ void hint_init_index(HintIndex *index)
     }
 }
 
+// Reports the likeliest cause if the grammar does not allow the next tokens, or if another language gives them another meaning.
 HintResult hint_explain(Parser *p, HintContext context, AstExpr *e)
 {
     HintCase c = {p, context, e, NULL};
@@ -105,6 +108,7 @@ HintResult hint_explain(Parser *p, HintContext context, AstExpr *e)
 
 // ---- tokens ----
 
+// Whether t is a name that equals `lower`; case does not matter.
 bool hint_is_word(const Token *t, const char *lower)
 {
     const char *a;
@@ -117,8 +121,11 @@ bool hint_is_word(const Token *t, const char *lower)
     return !*a && !*lower;
 }
 bool hint_begins_value(const Token *t) { return is_token_in(OPERAND, t); }
+
+// Whether no space is between the tokens.
 bool hint_are_adjacent(const Token *a, const Token *b) { return a->at + a->len == b->at; }
 
+// Whether the word is entry, step or exit.
 bool hint_is_label(const char *s)
 {
     return strcmp(s, "entry") == 0 || strcmp(s, "step") == 0 || strcmp(s, "exit") == 0;
@@ -126,6 +133,7 @@ bool hint_is_label(const char *s)
 
 // ---- lines ----
 
+// Whether the current line is a guard: it contains a : or a { after the current token, or the next line begins with a {.
 bool hint_line_is_guard(const Parser *p)
 {
     const Source *s = p->lex.src;
@@ -148,6 +156,7 @@ bool hint_line_is_guard(const Parser *p)
     return false;
 }
 
+// Labels d with what to do about two statements on one line, of which the first ends before `at`.  Returns false if none ends there.
 bool hint_label_line_sharing(Parser *p, Diag *d, uint32_t at)
 {
     const uint32_t until = hint_label_shared_line(p->diags, d, p->lex.src, at, HINT_OTHER);

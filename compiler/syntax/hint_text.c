@@ -89,16 +89,19 @@ uint32_t hint_skip_spaces(const Lexer *l, uint32_t p)
     return p;
 }
 
+// Whether a line end, a comment or the end of the source is at p.
 bool hint_ends_line(const Lexer *l, uint32_t p)
 {
     return p == l->src->len || l->src->text[p] == '\n' || l->src->text[p] == '#';
 }
 
+// Whether the word appeared earlier in the sources, so that it may be declared.
 bool hint_knows_word(const Lexer *l, uint32_t from, uint32_t end)
 {
     return str_find(l->strings, l->src->text + from, end - from) != NULL;
 }
 
+// Whether the word is an element or a variable that is declared before this position; true for T.
 bool hint_is_declared(const Lexer *l, uint32_t from, uint32_t end)
 {
     Str word = str_find(l->strings, l->src->text + from, end - from);
@@ -106,6 +109,7 @@ bool hint_is_declared(const Lexer *l, uint32_t from, uint32_t end)
     return word && (word->declared || strcmp(word->text, "T") == 0);
 }
 
+// Returns the end of the identifier at p; p if there is none or it is a reserved word.
 uint32_t hint_skip_name(const Lexer *l, uint32_t p)
 {
     uint32_t end = lexer_skip_word(l, p);
@@ -116,6 +120,7 @@ uint32_t hint_skip_name(const Lexer *l, uint32_t p)
     return lex_find_reserved(str_intern(l->strings, l->src->text + p, end - p), &reserved) ? p : end;
 }
 
+// Whether prose begins at p: two words in a row. `size AND` and `size then` are no prose if `size` is declared.
 bool hint_is_prose(const Lexer *l, uint32_t p)
 {
     uint32_t end = hint_skip_name(l, p), next = hint_skip_spaces(l, end);
@@ -124,6 +129,7 @@ bool hint_is_prose(const Lexer *l, uint32_t p)
            !(hint_is_declared(l, p, end) && hint_is_operator_word(l->src->text, next));
 }
 
+// Whether the last token ends a value. `first`: whether the next token is the first on its line; then the result is false.
 bool hint_follows_value(const Lexer *l, bool first)
 {
     return !first && (l->last == TOK_NAME || l->last == TOK_NUMBER || l->last == TOK_RPAREN || l->last == TOK_TRUE ||
@@ -315,6 +321,7 @@ HintResult hint_read_choice(Lexer *l, Token *t)
     return HINT_SKIPPED;
 }
 
+// Skips the rest of c ? a : b or IF(c, a, b), up to the end of the line.
 void hint_skip_choice(Lexer *l)
 {
     while (l->at < l->src->len && !strchr("\n#}", l->src->text[l->at] ? l->src->text[l->at] : 'x'))

@@ -27,6 +27,7 @@ static const char *format_decimal(Arena *arena, uint64_t digits, int exponent)
     return format_in(arena, "0.%.*s%s", -exponent - n, "000000000000000", text);
 }
 
+// Converts the time `number` `unit` to a literal in milliseconds; returns NULL if `unit` is not a unit of time or the literal is too long.
 const char *hint_to_milliseconds(Arena *arena, const char *number, const char *unit)
 {
     uint64_t digits;
@@ -46,6 +47,7 @@ bool hint_is_time_unit(const char *unit)
     return false;
 }
 
+// Labels d with what to write instead of the literal `number` followed by `unit`.
 void hint_label_unit(Diags *diags, Diag *d, const char *number, const char *unit)
 {
     const char *time = hint_to_milliseconds(diags->arena, number, unit);

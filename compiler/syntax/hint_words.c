@@ -30,6 +30,7 @@ static uint32_t skip_words(const char *text, uint32_t p, const char *words)
     return lexer_is_word(text[p]) ? 0 : p;
 }
 
+// Returns the longest operator in words that begins at `at`, and its end in *end; NULL if there is none.
 const HintPhrase *hint_find_phrase(const char *text, uint32_t at, uint32_t *end)
 {
     for (size_t i = 0; i < sizeof phrases / sizeof *phrases; i++)
@@ -38,6 +39,7 @@ const HintPhrase *hint_find_phrase(const char *text, uint32_t at, uint32_t *end)
     return NULL;
 }
 
+// Whether the word at `at` continues or ends a condition: and, or, then, do, is, gt and others; case does not matter.
 bool hint_is_operator_word(const char *text, uint32_t at)
 {
     uint32_t end;
@@ -68,6 +70,7 @@ static uint32_t skip_number(const char *text, uint32_t p)
     return p;
 }
 
+// Returns the end of the operand at `at`; `at` if there is none.
 uint32_t hint_skip_operand(const char *text, uint32_t at)
 {
     uint32_t p = skip_spaces(text, at), end;
@@ -104,6 +107,7 @@ static bool adds_another_value(const char *text, uint32_t p)
     return lexer_is_word(text[value]) && ends_condition(text, skip_number(text, value));
 }
 
+// Whether the text after a comparison operator, which begins at `at`, has more than one meaning: not 5, 5 or 6, between 3 and 5.
 bool hint_is_doubtful_comparison(const char *text, uint32_t at)
 {
     const uint32_t p = skip_spaces(text, at), negated = text[p] == '!' ? p + 1 : skip_words(text, p, "not");
@@ -136,6 +140,7 @@ static uint32_t find_open_paren(const char *text, uint32_t at)
     return at;
 }
 
+// Whether the '=' at `at`, inside parentheses, can mean an assignment or a named argument: (x = p) > 3, roll_avg(p, n = 5).
 bool hint_stores_in_parens(const char *text, uint32_t at)
 {
     const uint32_t open = find_open_paren(text, at), close = skip_parens(text, open);
@@ -153,6 +158,7 @@ bool hint_stores_in_parens(const char *text, uint32_t at)
     return text[end] && strchr("<>=!+-*/%^", text[end]);
 }
 
+// Whether a `not` before `at` negates only the operand at `at` in every language: no comparison or calculation follows the operand.
 bool hint_is_negated_alone(const char *text, uint32_t at)
 {
     const uint32_t end = hint_skip_operand(text, at);

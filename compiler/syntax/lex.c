@@ -39,6 +39,7 @@ static const Punctuator punctuators[] = {
 #undef PUNCTUATOR
 };
 
+// Returns how a diagnostic names tokens of this kind: "+", "if", "name".
 const char *lex_token_name(TokenKind kind)
 {
     static const char *const name[] = {
@@ -67,6 +68,7 @@ bool lex_is_identifier(const char *s, size_t n)
     return n > 0 && !lex_is_digit(s[0]);
 }
 
+// Returns the end of the letters, digits and _ at p.
 uint32_t lexer_skip_word(const Lexer *l, uint32_t p)
 {
     const char *text = l->src->text;                               // terminated by a NUL
@@ -76,6 +78,7 @@ uint32_t lexer_skip_word(const Lexer *l, uint32_t p)
     return p;
 }
 
+// Returns a part of the source, cut to a readable length.
 const char *lexer_text(const Lexer *l, uint32_t at, uint32_t end)
 {
     const uint32_t most = 40;
@@ -86,6 +89,7 @@ const char *lexer_text(const Lexer *l, uint32_t at, uint32_t end)
 
 // ---- spaces and comments ----
 
+// Consumes the line end.
 void lexer_end_line(Lexer *l)
 {
     l->parens = 0;
@@ -170,6 +174,7 @@ static uint32_t skip_decimal(const Lexer *l, uint32_t p)
     return lex_is_digit(lexer_byte(l, e)) ? skip_digits(l, e, lex_is_digit) : p;
 }
 
+// Whether 0x is at p.
 bool lexer_is_hex_prefix(const Lexer *l, uint32_t p)
 {
     return lexer_byte(l, p) == '0' && (lexer_byte(l, p + 1) | 0x20) == 'x';
@@ -379,6 +384,7 @@ void lex_next(Lexer *l, Token *t)
     l->allow = next_allow_state(l, t);
 }
 
+// Continues at `at`, the start of a line.
 void lex_skip_to(Lexer *l, uint32_t at)
 {
     l->at = l->line_start = at;

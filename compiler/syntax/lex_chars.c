@@ -6,6 +6,7 @@
 #include "compiler/base/utf8.h"
 #include "compiler/syntax/lexer.h"
 
+// Returns true when first called for the current line, so that only the first wrong character of a line is reported.
 bool lexer_mark_line_reported(Lexer *l)
 {
     bool first = l->reported_line != l->line_start + 1;
@@ -36,6 +37,7 @@ void lexer_report_control(Lexer *l, uint32_t at)
         diag_label(l->diags, d, DIAG_label_carriage_return);
 }
 
+// Reports a byte that is not UTF-8; returns 1.
 uint32_t lexer_report_not_utf8(Lexer *l, uint32_t at)
 {
     if (lexer_mark_line_reported(l))
@@ -61,6 +63,7 @@ static uint32_t check_comment_character(Lexer *l, uint32_t at)
     return (uint32_t)len;
 }
 
+// Reports characters that a comment must not contain.
 void lexer_check_comment(Lexer *l, uint32_t at, uint32_t end)
 {
     for (; at < end; at++)
@@ -90,6 +93,7 @@ static const char *find_binary_format(const Source *s)
     return controls > 4 && controls > n / 10 ? "binary data" : NULL;
 }
 
+// Returns false after reporting that the source is not text.
 bool lexer_check_is_text(Lexer *l)
 {
     const char *format = find_binary_format(l->src);

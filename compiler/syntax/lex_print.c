@@ -3,6 +3,7 @@
 #include "compiler/syntax/lex.h"
 #include "compiler/syntax/parse.h"
 
+// Prints the tokens of a source, one per line, comments included: --emit=tokens.
 void lex_print(StrPool *strings, Diags *diags, const Source *src, FileKind kind, Buf *out)
 {
     Lexer l;

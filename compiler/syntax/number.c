@@ -261,6 +261,7 @@ static bool convert_hexadecimal(const char *s, const char *end, SmF64 *value)
     return q == 0 || round_to_f64(q, e, more, value);
 }
 
+// Computes the F64 nearest to a well-formed literal, which can contain `_` (language.md 1.12 to 1.15, 1.17); ties round to even.
 bool number_to_f64(const char *text, size_t len, SmF64 *value)
 {
     if (len > 2 && (text[1] == 'x' || text[1] == 'X'))
@@ -283,6 +284,7 @@ static bool read_hexadecimal(const char *s, const char *end, uint64_t *digits)
     return true;
 }
 
+// Splits a literal exactly into digits * 10^exponent, where digits has no trailing zeros.  Returns false if it has more than 18 digits.
 bool number_to_decimal(const char *text, size_t len, uint64_t *digits, int *exponent)
 {
     enum { MOST = 18 };

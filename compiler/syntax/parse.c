@@ -14,6 +14,7 @@ void parser_advance(Parser *p)
         lex_next(&p->lex, &p->ahead);
 }
 
+// Ends parsing: every further token is TOK_END, and nothing is reported.
 void parser_stop(Parser *p)
 {
     Token end = {TOK_END, true, p->tok.at, 0, NULL, SM_TYPE_COUNT, 0};
@@ -24,10 +25,14 @@ void parser_stop(Parser *p)
 
 Span parser_span(const Parser *p, const Token *t) { return (Span){p->lex.src, t->at, t->len}; }
 Span parser_token_span(const Parser *p) { return parser_span(p, &p->tok); }
+
+// Returns the empty position directly after the last token.
 Span parser_gap_span(const Parser *p) { return (Span){p->lex.src, p->last.at + p->last.len, 0}; }
 
+// Returns the position of the next token, or the end of the line before it.
 Span parser_missing_span(const Parser *p) { return p->tok.first ? parser_gap_span(p) : parser_token_span(p); }
 
+// Returns the range from `at` to the end of the last token.
 Span parser_span_since(const Parser *p, uint32_t at)
 {
     uint32_t end = p->last.at + p->last.len;
@@ -35,6 +40,7 @@ Span parser_span_since(const Parser *p, uint32_t at)
     return (Span){p->lex.src, at, end > at ? end - at : 0};
 }
 
+// Whether the next token is }, a label, a header or the end.
 bool parser_at_end_of_block(const Parser *p)
 {
     TokenKind k = p->tok.kind;
@@ -42,6 +48,7 @@ bool parser_at_end_of_block(const Parser *p)
     return k == TOK_RBRACE || k == TOK_LABEL || k == TOK_HEADER || k == TOK_END;
 }
 
+// Whether the next token begins a line or ends the block, or the last one is }.
 bool parser_at_end_of_statement(const Parser *p)
 {
     return p->tok.first || parser_at_end_of_block(p) || p->last.kind == TOK_RBRACE;
@@ -53,6 +60,7 @@ void parser_skip_line(Parser *p)
         parser_advance(p);
 }
 
+// Skips to the next line that begins with a header, without reading tokens.
 void parser_skip_section(Parser *p)
 {
     const Source *src = p->lex.src;
@@ -86,6 +94,7 @@ static Diag *report_unless_failed(Parser *p, DiagCode code, Span span, va_list a
     return d;
 }
 
+// Like diag_report, but does nothing while p->failed is set.
 Diag *parser_report(Parser *p, DiagCode code, Span span, ...)
 {
     va_list args;
@@ -97,6 +106,7 @@ Diag *parser_report(Parser *p, DiagCode code, Span span, ...)
     return d;
 }
 
+// Reports like parser_report, and sets p->failed.
 Diag *parser_fail(Parser *p, DiagCode code, Span span, ...)
 {
     va_list args;
@@ -109,6 +119,7 @@ Diag *parser_fail(Parser *p, DiagCode code, Span span, ...)
     return d;
 }
 
+// Returns the source text, cut to a readable length.
 const char *parser_text(const Parser *p, Span span)
 {
     enum { MOST = 60 };
@@ -120,6 +131,7 @@ const char *parser_text(const Parser *p, Span span)
     return format_in(p->arena, "%.*s%s", (int)len, s, len < span.len ? "..." : "");
 }
 
+// Describes a token for a diagnostic: "'>='", "the end of the line", "the section [Idle]".
 const char *parser_describe(const Parser *p, const Token *t)
 {
     const char *text = parser_text(p, parser_span(p, t));
@@ -134,11 +146,14 @@ const char *parser_describe(const Parser *p, const Token *t)
     }
 }
 
+// Describes the next token, or the end of the line before it, for a diagnostic.
 const char *parser_describe_found(const Parser *p)
 {
     return p->tok.first && p->tok.kind != TOK_END ? "the end of the line" : parser_describe(p, &p->tok);
 }
 
+// Labels d, which reports that the current annotation is unknown, with the most similar of the n annotations in `here`, which are allowed at
+// this position.
 void parser_label_annotations(Parser *p, Diag *d, const char *const *here, size_t n)
 {
     const char *word = p->tok.text->text, *near = str_nearest(word, here, n), *list = "";
@@ -248,6 +263,7 @@ static void parse_state(Parser *p, AstSection *s)
         parse_labelled(p, s);
 }
 
+// Passes the parsed items to the visitor, and frees them.
 void parser_visit_items(Parser *p)
 {
     for (size_t i = 0; i < p->visited->n; i++)
@@ -412,6 +428,7 @@ static void parse_section(Parser *p, AstFile *f)
 
 // ---- a file ----
 
+// Finds the kind of a file from its name; returns false if the name has no known ending.
 bool file_kind(const char *path, FileKind *kind)
 {
     static const char *const ending[] = {".sv", ".sm", ".ss", ".io", ".app"};         // ending[FileKind]
@@ -477,11 +494,13 @@ static AstFile *parse_visited(Arena *arena, StrPool *strings, Diags *diags, cons
     return f;
 }
 
+// Parses a source.  Always returns a tree, with error nodes where the source has errors, which are in `diags`.
 AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind)
 {
     return parse_visited(arena, strings, diags, src, kind, NULL);
 }
 
+// Parses a script.  The sections of the returned tree have no items, because `v` has received them.
 AstFile *parse_script(Arena *arena, StrPool *strings, Diags *diags, const Source *src, const ScriptVisitor *v)
 {
     return parse_visited(arena, strings, diags, src, FILE_SS, v);

@@ -130,6 +130,7 @@ static void parse_annotation_name(Parser *p, AstAnnotation *a)
     parser_fail(p, DIAG_annotation_without_name, parser_missing_span(p), rows[a->kind].spelling, parser_describe_found(p));
 }
 
+// Parses a number with or without a sign; false: there is none.
 bool parse_signed_number(Parser *p, AstNumber *into)
 {
     uint32_t at = p->tok.at;
@@ -306,6 +307,7 @@ static void parse_annotation(Parser *p, const Annotated *o)
         vec_push(p->arena, o->all, a);
 }
 
+// Parses all annotations that follow; `owner` is the name of the annotated declaration, state or pin's element.
 void parse_annotations(Parser *p, AstAnnotationTarget target, Str owner, Span owner_span, AstAnnotations *into)
 {
     Annotated o = {target, owner, owner_span, into};

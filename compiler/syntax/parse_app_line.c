@@ -26,6 +26,7 @@ const char *app_option_name(AstAppOptionKind kind) { return options[kind]; }
 const char *app_task_word(AstAppTaskKind kind) { return tasks[kind]; }
 const char *app_annotation_name(AstAppAnnotationKind kind) { return annotations[kind]; }
 
+// Returns the option that the task requires; AST_APP_OPTION_COUNT if it requires none.
 AstAppOptionKind app_find_required_option(AstAppTaskKind kind)
 {
     static const AstAppOptionKind needs[] = {
@@ -47,18 +48,21 @@ static int find_word(const Parser *p, const char *const *words, int n)
     return i;
 }
 
+// Whether the next word begins a line of [options]; sets *kind to its option.
 bool app_match_option(const Parser *p, AstAppOptionKind *kind)
 {
     *kind = (AstAppOptionKind)find_word(p, options, AST_APP_OPTION_COUNT);
     return *kind < AST_APP_OPTION_COUNT;
 }
 
+// Whether the next word begins a task of a rate group; sets *kind to its kind.
 bool app_match_task(const Parser *p, AstAppTaskKind *kind)
 {
     *kind = (AstAppTaskKind)find_word(p, tasks, AST_APP_TASK_COUNT);
     return *kind < AST_APP_TASK_COUNT;
 }
 
+// Whether the next tokens begin a rate, with `every` or `at`.
 bool app_is_at_rate(const Parser *p)
 {
     static const char *const words[] = {"every", "at"};
@@ -77,6 +81,7 @@ static bool begins_entry(const Parser *p)
 
 // ---- parts of a line ----
 
+// Reports that the source lacks `expected` at the next token, and shows `example`, a correct line.
 void app_report_expected(Parser *p, const char *expected, const char *example)
 {
     if (p->tok.kind == TOK_ERROR)
@@ -270,6 +275,7 @@ static void parse_annotation(Parser *p, AppAnnotationTarget target, const char *
     vec_push(p->arena, into, a);
 }
 
+// Parses every @allow that follows an option, which begins at `from`.
 void app_parse_allows(Parser *p, uint32_t from, AstApp *app)
 {
     while (!p->failed && parser_is_allow(&p->tok)) {
@@ -281,6 +287,7 @@ void app_parse_allows(Parser *p, uint32_t from, AstApp *app)
     }
 }
 
+// Parses all annotations that follow; `owner` is the name of the annotated line.
 void app_parse_annotations(Parser *p, AppAnnotationTarget target, const char *owner, uint32_t from, AstAppAnnotations *into, AstApp *app)
 {
     for (app_parse_allows(p, from, app); !p->failed && p->tok.kind == TOK_ANNOTATION; app_parse_allows(p, from, app))

@@ -102,6 +102,7 @@ static AstExpr *parse_paren(Parser *p)
     return check_depth(p, e, e->a);
 }
 
+// Returns how a function's arguments are written: "(x, n)".
 const char *ast_function_usage(const SmBuiltinInfo *fn)
 {
     static const char *const usage[] = {"()", "(x)", "(a, b)", "(x, lo, hi)"};
@@ -280,6 +281,7 @@ static AstExpr *parse_level(Parser *p, int least)
     return e;
 }
 
+// Parses an expression from the next token on, on this line or a later one.
 AstExpr *parse_expr(Parser *p, bool is_guard)
 {
     AstExpr *e;
@@ -291,6 +293,7 @@ AstExpr *parse_expr(Parser *p, bool is_guard)
     return e;
 }
 
+// Parses an expression that must begin on this line.
 AstExpr *parse_value_of(Parser *p, bool is_guard)
 {
     p->parens = 0;

@@ -68,6 +68,7 @@ static void report_allow_of_nothing(Parser *p, const AstStmts *list)
 
 enum { ITEMS_AT_ONCE = 256 };         // how many items of a script are parsed before the visitor receives them
 
+// Parses statements up to }, a label, a header or the end.
 void parse_block(Parser *p, AstStmts *into)
 {
     bool lost_body = p->lost_body;
