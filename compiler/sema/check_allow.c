@@ -54,6 +54,7 @@ void add_decl_allows(Sema *s, const AstDecl *decl)
             register_allow(s, make_allow(&decl->annotations.at[i], decl_span(decl)));
 }
 
+// Registers the annotations of an element in the .sv for the position where a machine lists the element.
 void add_listed_allows(Sema *s, const Element *e, const AstDecl *listed)
 {
     for (uint32_t i = 0; i < e->allows; i++) {
@@ -66,6 +67,7 @@ void add_listed_allows(Sema *s, const Element *e, const AstDecl *listed)
 
 // ---- states and statements ----
 
+// Registers the annotations after the header of a state.  `end` is the end of its section.
 void add_state_allows(Sema *s, const AstSection *section, uint32_t end)
 {
     for (size_t i = 0; i < section->annotations.n; i++)

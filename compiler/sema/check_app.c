@@ -45,6 +45,7 @@ static const AstAppOption *find_option(const AstApp *ast, AstAppOptionKind kind)
     return NULL;
 }
 
+// Lists the files that an application names.
 void app_list_files(Arena *arena, const AstFile *f, AppFiles *out)
 {
     const AstAppOption *sv = find_option(f->app, AST_APP_state_vector), *io = find_option(f->app, AST_APP_io);
@@ -87,6 +88,7 @@ static void check_files(AppCheck *k)
 
 // ---- elements ----
 
+// Returns the element of this name; NULL after a report, or without one if the state vector has errors.
 const Element *app_find_element(AppCheck *k, const AstWord *name)
 {
     const Element *e = k->sv ? map_find(&k->sv->by_name, name->text) : NULL;
@@ -102,6 +104,7 @@ const Element *app_find_element(AppCheck *k, const AstWord *name)
     return NULL;
 }
 
+// Reports `name` as a duplicate if `seen` contains it; otherwise adds it.  `what` is the kind of thing that it names.
 void app_check_unique(AppCheck *k, Map *seen, const AstWord *name, const char *what)
 {
     const Span *first = map_find(seen, name->text);
@@ -446,6 +449,7 @@ static void report_unused_pins(AppCheck *k, bool output, AstAppTaskKind task, As
                   k->pins->pin.at[i].span, output ? DIAG_note_output_here : DIAG_note_input_here);
 }
 
+// Builds an application from its tree.  `sv`, `pins` and a machine's program are NULL if that file has errors, which are already reported.
 App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMap *pins, const AppFiles *files)
 {
     enum { GUESSES = 30 };        // unknown names that get a suggestion: more than the reports that are shown

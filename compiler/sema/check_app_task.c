@@ -6,6 +6,7 @@
 
 // ---- names ----
 
+// Whether runtime-c may use the name, because it begins with one of its prefixes.
 bool app_is_reserved_name(const char *name)
 {
     static const char *const taken[] = {"sm", "pal", "smvm"};

@@ -65,6 +65,8 @@ const AppRange app_ranges[APP_RANGES] = {
 #undef APP_RANGE
 };
 
+// Converts the amount to a whole number.  If it is not in the range, reports that, sets *value to the range's least value, and returns
+// false.
 bool app_check_amount(AppCheck *k, const AstAmount *a, AppRangeId range, uint64_t *value)
 {
     const AppRange *r = &app_ranges[range];

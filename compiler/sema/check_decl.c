@@ -101,6 +101,7 @@ static void check_range_limit(const CheckContext *c, const AstAnnotation *a, SmF
                     const_text(c->arena, stored));
 }
 
+// Returns the @range among the annotations of an element; NULL if there is none or it is invalid, which is reported.
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type)
 {
     Range *r = NULL;
@@ -310,6 +311,7 @@ static void find_g_and_s(Declarations *k)
 
 // ---- entry points ----
 
+// Checks the [state_vector] and [local] sections of a machine, and builds its variables.
 void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside)
 {
     Declarations k;

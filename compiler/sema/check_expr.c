@@ -126,6 +126,7 @@ static void record_operator(Sema *s, SmOperator op)
         s->building->operators |= 1u << op;
 }
 
+// Returns a part of the source for a diagnostic: on one line, shortened to a readable length.
 const char *sema_quote_source(Sema *s, Span span)
 {
     enum { LONGEST = 60 };
@@ -419,6 +420,7 @@ static Expr *check_call(Sema *s, const AstExpr *e)
     return NULL;
 }
 
+// Checks an expression and returns its typed form; NULL after an error, which is reported.
 Expr *check_expr(Sema *s, const AstExpr *e)
 {
     switch (e->kind) {
@@ -437,6 +439,7 @@ Expr *check_expr(Sema *s, const AstExpr *e)
 
 // ---- after all expressions ----
 
+// Warns of windows whose size depends on a local that the machine assigns.
 void check_size_uses(Sema *s)
 {
     for (size_t i = 0; i < s->size_use.n; i++) {

@@ -73,6 +73,8 @@ static StateVec *new_own_state_vector(CheckContext *c, Program *p)
     return sv;
 }
 
+// Builds the typed program of a machine; NULL if there were errors.  `sv` may be NULL: the machine's own [state_vector] section is then the
+// whole vector.
 Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const Map *written_outside)
 {
     size_t errors = c->diags->errors_seen;

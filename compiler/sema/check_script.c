@@ -252,6 +252,7 @@ Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)
     return end_check(&k);
 }
 
+// Parses and checks a script without syntax errors.  Only some of its items are in memory at a time.
 Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const Source *ss, const Program *program)
 {
     const AstFile none = {.kind = FILE_SS, .src = ss};
@@ -263,6 +264,7 @@ Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const So
     return end_check(&k);
 }
 
+// Returns how much G advances per step in the script; 0 if the script has no valid delta_t.
 uint64_t script_delta_t(const AstFile *ss)
 {
     uint64_t found = 0;
@@ -283,6 +285,7 @@ void script_add_names_of_item(const AstStmt *item, Map *names)
             map_put(names, body->at[n]->name, (void *)body->at[n]->name);
 }
 
+// Adds the names that the script assigns to `names`; each is key and value. `names` is then the parameter written_outside of check_machine.
 void script_add_written_names(const AstFile *ss, Map *names)
 {
     for (size_t i = 0; i < ss->sections.n; i++)

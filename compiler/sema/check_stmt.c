@@ -91,6 +91,7 @@ static void warn_of_read_only_local(Sema *s, const Var *v, const AstStmt *in)
     diag_note_declaration(s->diags, d, DIAG_CONSTANT, v->span);
 }
 
+// Checks an assignment and returns its typed form; NULL after an error, which is reported.
 Stmt *check_assignment(Sema *s, const AstStmt *in)
 {
     Var *v = scope_find_variable(s, in->name);

@@ -75,6 +75,7 @@ static bool is_intended(const AstStmts *in, const AstStmt *above, const AstStmt 
     return false;
 }
 
+// Warns of an unconditional transition to an @abort state that the layout makes look conditional (check_unguarded.c).
 void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *section, AstLabel label)
 {
     const AstStmts *in = &section->block[label].stmts;

@@ -11,6 +11,7 @@
 
 // ---- visit, compare ----
 
+// Calls f(x, context) for e and all its subexpressions, operands before the expression that owns them.
 void expr_walk(Expr *e, void (*f)(Expr *e, void *context), void *context)
 {
     for (uint32_t i = 0; i < e->n; i++)
@@ -34,6 +35,7 @@ static bool is_same_node(const Expr *a, const Expr *b, const uint32_t *window_of
     return false;
 }
 
+// Whether two expressions apply the same operators to the same numbers, variables and statistics.
 bool expr_equal(const Expr *a, const Expr *b, const uint32_t *window_of)
 {
     if (!is_same_node(a, b, window_of))
@@ -108,6 +110,7 @@ static SmF64 eval_call(const Expr *e, const SmF64 *value)
     return sm_from_i32(0);                                  // not reached: a roll call is an EX_ROLL, not an EX_CALL
 }
 
+// Returns the value of an expression for the given values of variables (by Var.index); NULL: for their initial values.
 SmF64 expr_eval(const Expr *e, const SmF64 *value)
 {
     SmF64 x;
@@ -123,8 +126,10 @@ SmF64 expr_eval(const Expr *e, const SmF64 *value)
     return sm_from_i32(0);
 }
 
+// Returns the value of a constant expression.  If e reads a local that is not constant, uses its initial value.
 SmF64 expr_constant_value(const Expr *e) { return expr_eval(e, NULL); }
 
+// Whether the value of e never changes: it contains only numbers, constant locals, operators and pure functions.
 bool expr_is_constant(const Expr *e)
 {
     if (e->kind == EX_ROLL || (e->kind == EX_VAR && !e->var->is_constant))
@@ -249,6 +254,7 @@ static void name_expr(const Namer *n, const Expr *e)
     }
 }
 
+// Appends the canonical name of what a window samples, as in `roll(tankPressure + 1, 10)` (swapping.md 12.11).
 void expr_name_window(Arena *arena, const Windows *all, const Window *w, size_t most, Buf *out)
 {
     const Namer n = {arena, all, most, out};
@@ -256,6 +262,7 @@ void expr_name_window(Arena *arena, const Windows *all, const Window *w, size_t 
     name_window(&n, "roll", w);
 }
 
+// Formats a value for messages, with the fewest digits from which the same number can be read back, but at least 6.
 const char *const_text(Arena *arena, SmF64 x)
 {
     enum { FEW = 6, ENOUGH = 17 };             // decimal digits; 17 digits distinguish any two F64

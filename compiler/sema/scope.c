@@ -40,6 +40,7 @@ void guess_consider(Guess *g, Str candidate)
     g->limit = distance;
 }
 
+// Adds the label "did you mean …?" to d, if a near word was found.
 void guess_add_label(Diags *diags, Diag *d, const Guess *g)
 {
     if (g->best)
@@ -96,11 +97,13 @@ Var *scope_find_variable(const Sema *s, Str name)
     return map_find(&s->p->by_name, name);
 }
 
+// Whether the name was declared twice, so that its meaning is uncertain.
 bool scope_is_doubtful(const Sema *s, Str name)
 {
     return map_find(&s->doubtful, name) != NULL;
 }
 
+// Adds a note that points at the declaration of a name of the machine.
 void scope_note_declared(Sema *s, Diag *d, Str name)
 {
     const Span *span = map_find(&s->declared_at, name);
@@ -182,6 +185,7 @@ static bool has_foreign_letter(Str name)
     return false;
 }
 
+// Reports a name that scope_find_variable does not find; once per name.
 void scope_report_unknown(Sema *s, Str name, Span span)
 {
     const Element *unlisted = s->sv ? map_find(&s->sv->by_name, name) : NULL;
@@ -209,6 +213,7 @@ void scope_report_unknown(Sema *s, Str name, Span span)
 
 // ---- states ----
 
+// Returns the state, or NULL after reporting the name; once per name.
 State *scope_find_state(Sema *s, Str name, Span span)
 {
     State *state = map_find(&s->p->state_by_name, name);
