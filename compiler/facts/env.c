@@ -5,6 +5,7 @@
 
 enum { BITS = ENV_BITS, CHILDREN = ENV_CHILDREN };
 
+// Whether v is a local that only the machine itself writes.
 bool env_is_private(const IrVar *v) { return v->space == IR_LOCAL && !v->outside; }
 
 // With more variables than this, environments have so many nodes that looking up an equal node is faster than storing and joining copies.
@@ -50,6 +51,7 @@ static uint32_t place_of(const EnvShape *s, uint32_t var) { return s->place ? s-
 // Returns which child of a node on this level contains the place.
 static unsigned child_index(uint32_t place, unsigned level) { return place >> (level * BITS) & (CHILDREN - 1u); }
 
+// Returns the stored fact about the variable; NULL if it is known only by its type.
 const Fact *env_find(const EnvShape *s, const Env *e, uint32_t var)
 {
     const uint32_t place = place_of(s, var);
@@ -186,6 +188,7 @@ static const Env *join_sides(const EnvShape *s, const Env *a, const Env *b, unsi
     return join_nodes(s, (EnvJoin){a, b, widen, 0, s->side[side].levels - 1u, side, NULL});
 }
 
+// Returns the join: the facts that are true on both of two paths with the facts a and b.
 const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLimits *widen)
 {
     Env both = {{{NULL}}};
@@ -199,6 +202,7 @@ const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLim
     return both.child[0].env || both.child[1].env ? new_node(s, &both) : NULL;
 }
 
+// Returns an environment with the facts of e for private variables, and the facts of `shared` for all other variables.
 const Env *env_replace_shared(const EnvShape *s, const Env *e, const Env *shared)
 {
     static const Env empty;
@@ -229,6 +233,7 @@ static const Env *node_of_facts(const EnvShape *s, const Fact *const *fact, uint
     return any ? new_node(s, &e) : NULL;
 }
 
+// Returns the environment with the facts *fact[v] for the variables below n; NULL: only the type is known.
 const Env *env_of_facts(const EnvShape *s, const Fact *const *fact, uint32_t n)
 {
     return node_of_facts(s, fact, n, 0, s->side[1].levels - 1);

@@ -130,6 +130,7 @@ static EnvJoin *join_slot(const EnvTable *t, const EnvJoin *j)
     return &t->join[hash & (t->joins - 1)];
 }
 
+// Looks up the join that j describes.  If it is stored, sets j->joined and returns true.
 bool env_table_find_join(const EnvTable *t, EnvJoin *j)
 {
     const EnvJoin *known = t->joins ? join_slot(t, j) : NULL;

@@ -59,6 +59,7 @@ static Fact any_fact(void) { return make_fact(-infinity(), infinity(), false, tr
 #define BOUNDS_SM_KIND_BOOL(bytes) 0, 1, true, true, false, false
 #define BOUNDS_SM_KIND_FLOAT(bytes) -HUGE_VAL, HUGE_VAL, false, bytes == 4, false, true
 
+// Returns the fact of every value that a load of this type can produce; never NaN.
 Fact fact_of_type(SmType type)
 {
     switch (type) {                                  // not a table: in tcc HUGE_VAL is not a constant expression
@@ -71,6 +72,7 @@ Fact fact_of_type(SmType type)
     return any_fact();
 }
 
+// Returns the fact of exactly the number that these bits encode in this type.
 Fact fact_of_cell(SmType type, uint64_t bits)
 {
     const SmF64 x = ir_number(type, bits);
@@ -206,6 +208,7 @@ static Fact fact_of_min_or_max(SmF64 (*op)(SmF64, SmF64), Fact a, Fact b)
 
 // ---- conversions ----
 
+// Returns the fact about a value with the fact a, converted to type `to`.
 Fact fact_convert(Fact a, SmType to)
 {
     Fact r;
@@ -320,6 +323,7 @@ static Fact fact_of_operation(const IrIns *i, Fact a, Fact b)
     return r;
 }
 
+// Returns the fact about the result of instruction i if its operands have the facts *a and *b.
 Fact fact_of_result(const IrIns *i, const Fact *a, const Fact *b, SmType type_of_a)
 {
     switch (ir_op_info[i->op].types) {
@@ -347,6 +351,7 @@ static Fact fact_of_average(Fact a)
     return make_fact(a.lo - error, a.hi + error, false, false, true);
 }
 
+// Returns the fact about a statistic of a rolling window whose samples have the fact `sample`.
 Fact fact_of_stat(SmStat stat, Fact sample)
 {
     const bool infinite = has_infinity(sample);
@@ -362,6 +367,7 @@ Fact fact_of_stat(SmStat stat, Fact sample)
 
 // ---- the lattice ----
 
+// Returns what is known about a value for which a or b is true.
 Fact fact_join(Fact a, Fact b)
 {
     Fact r = is_empty(a) ? b : a;
@@ -377,6 +383,7 @@ Fact fact_join(Fact a, Fact b)
     return r;
 }
 
+// Returns what is known about a value for which a and b are true; a if they contradict.
 Fact fact_meet(Fact a, Fact b)
 {
     Fact r = {a.lo > b.lo ? a.lo : b.lo, a.hi < b.hi ? a.hi : b.hi, a.whole || b.whole, a.f32 || b.f32, a.nan && b.nan,
@@ -407,6 +414,8 @@ static size_t count_limits_below(const FactLimits *limits, double x)
     return below;
 }
 
+// Widens a fact that has grown from `before` to `now`: each bound that grew moves outward to the next limit, or to the type's bound if there
+// is no limit beyond it.
 Fact fact_widen(Fact before, Fact now, SmType type, const FactLimits *limits)
 {
     const Fact t = fact_of_type(type);
@@ -424,14 +433,17 @@ Fact fact_widen(Fact before, Fact now, SmType type, const FactLimits *limits)
 
 // ---- queries ----
 
+// Whether a is exactly one number, which *x receives; +0 and -0 count as two.
 bool fact_is_number(Fact a, double *x)
 {
     *x = a.lo == 0 ? 0 : a.lo;
     return a.lo == a.hi && !a.nan && !a.minus_zero;
 }
 
+// Whether a is always a number within these bounds.
 bool fact_within(Fact a, double lo, double hi) { return !a.nan && !is_empty(a) && a.lo >= lo && a.hi <= hi; }
 
+// Whether a is always a number in the type's range: conversion never saturates.
 bool fact_fits(Fact a, SmType type)
 {
     const Fact t = fact_of_type(type);
@@ -440,11 +452,13 @@ bool fact_fits(Fact a, SmType type)
     return fact_within(a, t.lo, t.hi) && (sm_type_info[type].bytes < 8 || type == SM_F64 || a.hi < t.hi);
 }
 
+// Returns the smallest number above x that is whole if a is whole.
 double fact_next_above(Fact a, double x)
 {
     return a.whole && sm_abs(x) < FACT_EXACT ? sm_floor(x) + 1 : next_up(x);
 }
 
+// Returns the largest number below x that is whole if a is whole.
 double fact_next_below(Fact a, double x)
 {
     return a.whole && sm_abs(x) < FACT_EXACT ? sm_ceil(x) - 1 : -next_up(-x);

@@ -553,6 +553,7 @@ static void reuse_tables(FlowWalk *w)
     w->begin = fm->block_begin;
 }
 
+// Computes the facts of all temporaries and blocks of f, which begins with the facts `begin`.  `ends` may be NULL.
 FactFlow facts_flow(FactMachine *fm, const IrFn *f, const Env *begin, const FactEnds *ends)
 {
     FlowWalk w = {.fm = fm, .f = f, .ends = ends, .start = begin};

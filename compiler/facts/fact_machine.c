@@ -277,11 +277,13 @@ static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool any_start,
 
 FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return find_facts(arena, m, true, NULL, NULL); }
 
+// Computes the facts of a machine that is only ever started in its first state, as analyses assume.  `observer` may be NULL.
 FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m, const FactObserver *observer)
 {
     return find_facts(arena, m, false, NULL, observer);
 }
 
+// Like facts_from_first_state, but assumes that the elements satisfy `assumed` whenever a step begins.
 FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed)
 {
     return find_facts(arena, m, false, assumed, NULL);
@@ -298,6 +300,7 @@ const Env *facts_at_begin(const FactMachine *fm, size_t state, int block)
     return block == BLOCK_ENTRY ? env_set(&fm->shape, env, m->t, fm->zero) : env;
 }
 
+// Makes later calls of facts_of_function allocate from `arena`.
 void facts_set_arena(FactMachine *fm, Arena *arena)
 {
     fm->shape.arena = arena;
@@ -306,6 +309,9 @@ void facts_set_arena(FactMachine *fm, Arena *arena)
     fm->temps = fm->blocks = 0;       // allocate new tables in the new arena
 }
 
+// Whether the facts allow a path to this function.
 bool facts_may_reach(const FactMachine *fm, size_t state, int block) { return fm->begin[state][block].found; }
 const Env *facts_at_begin_of_sample(const FactMachine *fm) { return fm->constants; }
+
+// Returns the fact that is true of all samples of the window.
 Fact facts_of_window(const FactMachine *fm, uint32_t window) { return fm->window[window]; }
