@@ -78,6 +78,8 @@ static void visit_transitions_into(BoundSearch *b, const State *to)
     }
 }
 
+// Finds the states from which every path leads to an @abort state, and the most steps that it takes; ABORT_NOT_BOUNDED if the machine may
+// wait on the path.
 AbortBound abort_find_bound(Analysis *a)
 {
     const size_t n = a->p->state.n;
@@ -156,4 +158,5 @@ AbortMatrix abort_build_matrix(Trials *t)
     return x;
 }
 
+// Returns the state after s on the longest path.
 const State *abort_next_state(const AbortMatrix *x, const State *s) { return x->row[state_index(s)].next; }

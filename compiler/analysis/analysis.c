@@ -18,6 +18,7 @@ Comparison comparison_at(const Expr *e, uint32_t i)
     return (Comparison){e->arg[i], e->arg[i + 1], e->kind == EX_CHAIN ? expr_ops(e)[i] : e->op};
 }
 
+// Returns the operator that is true exactly if `op` is false, when no operand is NaN.
 SmOperator comparison_negated(SmOperator op)
 {
     switch ((int)op) {
@@ -30,6 +31,7 @@ SmOperator comparison_negated(SmOperator op)
     }
 }
 
+// Returns the operator for exchanged operands: > for <.
 SmOperator comparison_swapped(SmOperator op)
 {
     switch ((int)op) {
@@ -41,6 +43,7 @@ SmOperator comparison_swapped(SmOperator op)
     }
 }
 
+// Returns the possible results of `a op b`, as the fact of a bool.
 Fact fact_of_comparison(SmOperator op, Fact a, Fact b)
 {
     const IrIns i = {.op = ir_op_of_operator(op), .type = SM_BOOL};
@@ -60,6 +63,7 @@ static void each_stmt_in(const Stmts *stmts, void (*f)(const Stmt *stmt, void *c
     }
 }
 
+// Calls f for every statement of a machine.
 void each_stmt(const Program *p, void (*f)(const Stmt *stmt, void *context), void *context)
 {
     for (size_t i = 0; i < p->state.n; i++)

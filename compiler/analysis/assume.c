@@ -12,6 +12,7 @@ Fact fact_of_range(SmF64 lo, SmF64 hi)
     return f;
 }
 
+// Returns env with v limited to f (converted to v's type; never NaN).
 const Env *assume_fact(const Analysis *a, const Env *env, const Var *v, Fact f)
 {
     const uint32_t var = a->m->var_of[v->index];
@@ -57,6 +58,7 @@ bool assume_guard(const Analysis *a, const Env **env, const Expr *guard, bool ho
     return true;
 }
 
+// Returns the possible values of an expression if the facts env are true; for a condition, as the fact of a bool.
 Fact fact_of_expr(const Analysis *a, const Env *env, const Expr *e)
 {
     const IrFn *f;
@@ -71,6 +73,7 @@ Fact fact_of_expr(const Analysis *a, const Env *env, const Expr *e)
 
 // ---- sensors ----
 
+// Returns a copy of *a whose facts assume that every sensor always stays in its @range.
 Analysis assume_ranges(const Analysis *a)
 {
     Analysis out = *a;

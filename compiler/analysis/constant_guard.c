@@ -10,6 +10,7 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
+// Adds an entry to ReachWalk.dead.  Returns 1 + its index.
 uint32_t add_dead_code(ReachWalk *k, DeadCause cause, const Stmt *stmt, const Stmt *earlier, Diag *finding)
 {
     const DeadCode d = {cause, stmt, earlier, finding, false};
@@ -133,6 +134,7 @@ static DiagCode code_of_never_true(const ReachWalk *k, const Stmt *s)
     return is_compound(s->value) && is_decided_alone(k, s->value, false) ? DIAG_guard_contradiction : DIAG_guard_never;
 }
 
+// Reports a guard that is never true.
 void report_never_true(ReachWalk *k, const DeadCode *d)
 {
     const Expr *g = d->stmt->value;
@@ -146,6 +148,7 @@ void report_never_true(ReachWalk *k, const DeadCode *d)
         diag_note(k->a->diags, finding, d->earlier->span, DIAG_note_guard_before);
 }
 
+// Adds a note about a guard that is never true to the finding `to`.
 void note_never_true(ReachWalk *k, Diag *to, const DeadCode *d)
 {
     const char *reason = code_of_never_true(k, d->stmt) == DIAG_guard_never ? facts_text(k, d->stmt) : "its parts exclude each other";

@@ -6,6 +6,7 @@
 
 #include "compiler/analysis/reach.h"
 
+// Whether every path through these statements ends in a transition, whatever the guards evaluate to (dead_code.c).
 bool always_leaves(const Stmts *stmts)
 {
     for (size_t i = 0; i < stmts->n; i++) {
@@ -18,6 +19,7 @@ bool always_leaves(const Stmts *stmts)
     return false;
 }
 
+// Whether some path through these statements ends in a transition.
 bool has_transition(const Stmts *stmts)
 {
     for (size_t i = 0; i < stmts->n; i++) {

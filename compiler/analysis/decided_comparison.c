@@ -7,6 +7,7 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
+// Returns the possible values of an expression by types alone.
 Fact fact_of_types(const Analysis *a, const Expr *e)
 {
     return fact_of_expr(a, facts_at_begin_of_sample(a->facts), e);

@@ -6,6 +6,7 @@
 #include "compiler/analysis/assume.h"
 #include "compiler/analysis/guards_imply.h"
 
+// Whether no variable of e has been assigned since s was evaluated.
 bool is_unchanged(const ReachWalk *k, const Stmt *s, const Expr *e)
 {
     if (e->kind == EX_VAR && k->written[e->var->index] > k->order[s->number])
@@ -33,6 +34,7 @@ static void add_guard(const ReachWalk *k, EarlierGuards *b, const Stmt *s, bool 
         b->at[b->n++] = add;
 }
 
+// Returns the earlier guards of a guard that is evaluated inside `branch`, at the current position of the walk.
 EarlierGuards earlier_guards_of(const ReachWalk *k, const Branch *branch)
 {
     EarlierGuards b = {.n = 0};
@@ -50,6 +52,7 @@ EarlierGuards earlier_guards_of(const ReachWalk *k, const Branch *branch)
     return b;
 }
 
+// Whether the guard of b is the same expression as `guard`, and is false on every path to the current position.
 bool is_same_guard(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
 {
     return b->holds && expr_equal(guard, b->stmt->value, k->a->m->window_of);
@@ -118,6 +121,8 @@ static bool reads_marked_var(const ReachWalk *k, const Expr *e)
     return false;
 }
 
+// For a guard that is always true at its position: whether it describes exactly the cases that earlier guards leave, as `p <= 10: -> B`
+// after `p > 10: -> A`.
 bool covers_remaining_cases(ReachWalk *k, const Expr *guard, const EarlierGuards *b)
 {
     bool any = false;

@@ -249,6 +249,7 @@ static bool is_never_true(ImplySearch *k, const Expr *e)
 
 // ---- queries ----
 
+// Whether y is true whenever x is, as long as no variable of y is assigned between their evaluations.  False means "not proved".
 bool guard_implies(const Analysis *a, const Expr *x, const Expr *y)
 {
     ImplySearch k = {a->m->window_of, PAIRS_MAX};
@@ -256,6 +257,7 @@ bool guard_implies(const Analysis *a, const Expr *x, const Expr *y)
     return expr_implies(&k, x, y);
 }
 
+// Whether x and y are never true together.  False means "not proved".
 bool guard_excludes(const Analysis *a, const Expr *x, const Expr *y)
 {
     ImplySearch k = {a->m->window_of, PAIRS_MAX};

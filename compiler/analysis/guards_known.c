@@ -227,6 +227,7 @@ static bool operands_exclude_zero(const Analysis *a, const KnownGuard *known, co
     return d->op == SM_OP_DIV && guards_exclude_zero(a, known, d->arg[0]);
 }
 
+// Whether the types of the variables in d, and the known guards, prove that d is not 0.
 bool guards_exclude_zero(const Analysis *a, const KnownGuard *known, const Expr *d)
 {
     const Fact f = fact_of_types(a, d);

@@ -196,6 +196,7 @@ InputDeps input_deps_of_expr(const InputDepsTable *s, const Expr *e)
     return out;
 }
 
+// Returns the innermost of `when` and its outer conditions whose own guard depends on the sensor; NULL if none does.
 const Condition *input_deps_find_condition(const InputDepsTable *s, const Condition *when, const Var *sensor)
 {
     for (; when; when = when->outer) {
@@ -219,6 +220,7 @@ static bool reads_sensor_itself(const InputDepsTable *s, const Expr *e, const Va
     return itself;
 }
 
+// If e depends on the sensor only through locals, returns an assignment to such a local; otherwise NULL.
 const Stmt *input_deps_find_indirect_store(const InputDepsTable *s, const Expr *e, const Var *sensor)
 {
     const Stmt *store = NULL;

@@ -230,6 +230,7 @@ Liveness *liveness_of(Analysis *a)
     return l;
 }
 
+// Calls f for each store whose value is never read.
 void each_dead_store(Liveness *l, void (*f)(Analysis *a, const DeadStore *dead, void *context), void *context)
 {
     l->report = f;

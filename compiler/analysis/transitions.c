@@ -64,6 +64,7 @@ Transitions transitions_of(Arena *arena, const Program *p)
     return out.list;
 }
 
+// Returns for each state (from 0) the index of its first transition in `all`, where the transitions of a state are adjacent.
 size_t *transitions_by_state(Arena *arena, const Program *p, const Transitions *all)
 {
     size_t *first = ARENA_ARRAY(arena, size_t, p->state.n + 1), t = 0;
@@ -78,6 +79,7 @@ size_t *transitions_by_state(Arena *arena, const Program *p, const Transitions *
 
 // ---- text of expressions and conditions ----
 
+// Returns the source of an expression on one line, without comments.
 const char *source_text(Arena *arena, Span span)
 {
     Buf out;
@@ -109,6 +111,7 @@ static void write_condition(Arena *arena, Buf *out, const Condition *c, bool alo
     buf_printf(out, "%s%s%s%s", c->holds ? "" : "not ", parentheses ? "(" : "", source_text(arena, g->span), parentheses ? ")" : "");
 }
 
+// Returns a condition and its outer conditions as text, outermost first: "pressure > 800 and not (valveOpen)"; "" for NULL.
 const char *condition_text(Arena *arena, const Condition *when)
 {
     const Condition *shown[CONDITIONS_SHOWN];
@@ -128,6 +131,7 @@ const char *condition_text(Arena *arena, const Condition *when)
     return buf_text(&out);
 }
 
+// Like condition_text, but "else" replaces conditions that must be false, and at most `most` (1 to CONDITIONS_SHOWN) are shown.
 const char *condition_brief(Arena *arena, const Condition *when, size_t most)
 {
     const Condition *shown[CONDITIONS_SHOWN];

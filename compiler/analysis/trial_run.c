@@ -22,12 +22,14 @@ void *trial_copy_situation(const Trials *t, void *to, const void *from)
     return memcpy(to, from, t->run->size);
 }
 
+// Stores the inputs in the variables of a situation, converted to the types of the variables.
 void trial_store_inputs(const Trials *t, double *vars, const double *in)
 {
     for (uint32_t i = 0; i < t->inputs; i++)
         vars[t->input[i].var] = ir_convert(t->input[i].v->type, in[i]);
 }
 
+// Runs one step with the inputs `in`; G is dt later than in the last step.
 void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace *trace)
 {
     const IrSituation *s = situation;
@@ -69,6 +71,7 @@ static double steps_to_next_wait(const Trials *t, const void *situation)
     return n;
 }
 
+// Returns how many steps can follow before a timer reaches a limit, whatever else changes; TRIAL_MANY: no limit is ahead.
 uint32_t trial_steps_to_timer(const Trials *t, const void *situation)
 {
     const double n = steps_to_next_wait(t, situation);
@@ -76,6 +79,7 @@ uint32_t trial_steps_to_timer(const Trials *t, const void *situation)
     return n >= endless ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
 }
 
+// Returns how many steps that change the variables like the last step can follow before a timer or a counter reaches a limit.
 uint32_t trial_steps_to_event(const Trials *t, const double *before, const void *situation)
 {
     const double *var = trial_vars(t, situation);
@@ -93,6 +97,7 @@ uint32_t trial_steps_to_event(const Trials *t, const double *before, const void 
     return n >= endless ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
 }
 
+// Advances time and counters by `steps` steps that change the variables like the last step (see trial_steps_to_event).
 void trial_skip_steps(const Trials *t, const double *before, void *situation, uint32_t steps)
 {
     IrSituation *s = situation;
@@ -106,6 +111,8 @@ void trial_skip_steps(const Trials *t, const double *before, void *situation, ui
             var[v] = ir_convert(m->var.at[v].type, var[v] + n * (var[v] - before[v]));
 }
 
+// Runs with constant inputs: steps until a transition, or until only timers and counters change, at most 40; then, without a transition,
+// skips the steps that remain before the next timer or counter reaches its limit.
 bool trial_advance_to_event(Trials *t, void *situation, const double *in, IrTrace *trace)
 {
     uint32_t n = 0;
@@ -121,6 +128,7 @@ bool trial_advance_to_event(Trials *t, void *situation, const double *in, IrTrac
     return n != TRIAL_MANY;
 }
 
+// Whether a timer or a rising counter has moved closer to a limit since the variables were `before`, so that it may reach the limit later.
 bool trial_approaches_limit(const Trials *t, const double *before, const void *situation)
 {
     const double *var = trial_vars(t, situation);
@@ -136,6 +144,7 @@ bool trial_approaches_limit(const Trials *t, const double *before, const void *s
     return false;
 }
 
+// Whether two situations are in the same state, with equal values in all variables that the machine writes, except G, S and T.
 bool trial_is_same_situation(const Trials *t, const void *a, const void *b)
 {
     const double *x = trial_vars(t, a);
@@ -152,6 +161,7 @@ bool trial_is_same_situation(const Trials *t, const void *a, const void *b)
 
 // ---- choosing ----
 
+// Returns a pseudo-random number from 0 to n - 1; 0 if n is 0.
 uint32_t trial_random_below(Trials *t, uint32_t n)
 {
     t->random = t->random * 6364136223846793005u + 1442695040888963407u;
@@ -169,8 +179,10 @@ void trial_set_group(const Trials *t, double *in, uint32_t input, double reading
             in[i] = reading;
 }
 
+// Returns the nearest reading within the @range, if there is one.
 double trial_clamp_reading(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
 
+// Adds noise to sensors: at most the fraction `most` of their scale, equal for all sensors of a group.
 void trial_add_noise(Trials *t, double *in, double most)
 {
     for (uint32_t g = 0; g < t->inputs && most > 0; g++) {
@@ -190,6 +202,7 @@ void trial_unify_groups(const Trials *t, double *in)
             in[i] = in[t->input[i].group];
 }
 
+// Returns one of i's readings: within its @range unless `unhealthy`.
 double trial_pick_reading(Trials *t, const TrialInput *i, bool unhealthy)
 {
     double x = i->reading[trial_random_below(t, i->readings)];
@@ -199,6 +212,7 @@ double trial_pick_reading(Trials *t, const TrialInput *i, bool unhealthy)
     return x;
 }
 
+// Draws readings for the inputs that the state depends on (all inputs if s is NULL).
 void trial_draw_inputs(Trials *t, double *in, const TrialState *s, bool commands, bool unhealthy)
 {
     for (uint32_t i = 0; i < t->inputs; i++) {
@@ -216,6 +230,7 @@ void trial_draw_inputs(Trials *t, double *in, const TrialState *s, bool commands
     }
 }
 
+// Draws readings, unhealthy ones too, for the sensors that the state depends on, and for bools that are not marked @command.
 void trial_draw_inputs_freely(Trials *t, double *in, const TrialState *s)
 {
     trial_draw_inputs(t, in, s, false, true);
@@ -236,6 +251,7 @@ static void set_held_inputs(void *context, double *vars, uint32_t sample)
     trial_store_inputs(h->t, vars, h->in);
 }
 
+// Fills every window with samples of these inputs.
 void trial_fill_windows(Trials *t, void *situation, const double *in)
 {
     void *before = trial_copy_situation(t, t->scratch, situation);
@@ -267,6 +283,8 @@ static bool find_lasting_inputs(Trials *t, const TrialEntry *e, void *situation,
     return same;
 }
 
+// Copies the situation of an entry, and sets `in` to the inputs that led to it, or to other readings if the machine would leave the state
+// with those inputs.
 void trial_begin_at_entry(Trials *t, const TrialEntry *e, void *situation, double *in)
 {
     bool lasts_with_commands;
@@ -297,6 +315,7 @@ static const Var *find_differing_var(const Trials *t, const Expr *e, const doubl
     return found;
 }
 
+// Returns a variable that the machine writes, that one of these conditions reads, and that differs between two situations; or NULL.
 const Var *trial_find_difference(const Trials *t, const Condition *when, const void *a, const void *b)
 {
     const Var *found = NULL;
