@@ -5,6 +5,7 @@
 
 #include <string.h>
 
+// Starts a function with one empty block, which becomes the current one.
 void build_begin_function(Builder *b)
 {
     if (!b->f)
@@ -196,6 +197,7 @@ static void build_vars(Builder *b)
     b->m->t = b->var[p->t->index];
 }
 
+// Builds the unoptimised IR of a machine.
 IrMachine *ir_build(Arena *arena, const Program *p)
 {
     IrMachine *m = ARENA_NEW(arena, IrMachine);
@@ -215,6 +217,7 @@ IrMachine *ir_build(Arena *arena, const Program *p)
     return m;
 }
 
+// Builds a function that evaluates a condition.  Control reaches block 1 if the condition is true, else block 2.
 IrFn *ir_build_guard(Arena *arena, const IrMachine *m, const Expr *guard)
 {
     Builder b = {arena, m->program, NULL, (uint32_t *)m->var_of, (uint32_t *)m->window_of, 0, NULL, 0};

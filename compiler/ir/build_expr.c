@@ -7,6 +7,7 @@
 #include "compiler/ir/build.h"
 #include "stdlib/convert.h"
 
+// Appends an instruction to the current block.
 IrRef build_emit(Builder *b, const IrIns *ins)
 {
     vec_push(b->arena, &b->f->ins, *ins);
@@ -45,6 +46,7 @@ IrRef build_as_bool(Builder *b, const Expr *e)
     return build_conversion(b, build_value(b, e), SM_BOOL, e->span);
 }
 
+// Appends the evaluation of an expression, and the conversion to `type` that a store to a variable of this type requires.
 IrRef build_for_store(Builder *b, const Expr *e, SmType type)
 {
     IrRef value = build_value(b, e);

@@ -53,6 +53,7 @@ static SharedWindow *find_shared_window(const Builder *b, SharedWindow *table, s
     return &table[at];
 }
 
+// Determines which roll calls share a window, and builds the sample function.
 void build_windows(Builder *b)
 {
     const Windows *list = &b->p->window;

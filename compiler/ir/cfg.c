@@ -3,6 +3,7 @@
 // once, in ascending or descending order.
 #include "compiler/ir/ir.h"
 
+// Returns for each block whether it is reachable from the first block.
 bool *ir_find_reachable(Arena *arena, const IrFn *f)
 {
     bool *reached = ARENA_ARRAY(arena, bool, f->blk.n);
@@ -18,6 +19,7 @@ bool *ir_find_reachable(Arena *arena, const IrFn *f)
     return reached;
 }
 
+// Returns for each block the number of edges into it from reachable blocks.
 uint32_t *ir_count_edges(Arena *arena, const IrFn *f)
 {
     uint32_t *n = ARENA_ARRAY(arena, uint32_t, f->blk.n);
@@ -47,6 +49,7 @@ static IrBlkRef common_postdominator(const IrBlkRef *post, IrBlkRef x, IrBlkRef 
     return x;
 }
 
+// Returns for each block its immediate postdominator: the nearest block on every path from it to the function's end; IR_NONE is the end.
 IrBlkRef *ir_find_postdominators(Arena *arena, const IrFn *f)
 {
     IrBlkRef *post = ARENA_ARRAY(arena, IrBlkRef, f->blk.n);

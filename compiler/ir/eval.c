@@ -5,6 +5,7 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
+// Returns the number that a cell (the bits of a value of this type) represents.  An F64 cell can be NaN, although a load would read it as 0.
 SmF64 ir_number(SmType type, uint64_t cell) { return type == SM_F64 ? sm_from_bits(cell) : sm_cell_to_f64(type, cell); }
 
 // A NaN of type F32 becomes 0: users of an F32 operation read only its F32 conversion, which is 0 for a NaN.
@@ -15,6 +16,7 @@ uint64_t ir_cell(SmType type, SmF64 x)
     return sm_cell_from_f64(type, x);
 }
 
+// Returns x converted to `type` (language.md 2): saturated, truncated if the type is an integer; NaN becomes 0.
 SmF64 ir_convert(SmType type, SmF64 x)
 {
     if (type == SM_F64)
@@ -24,6 +26,7 @@ SmF64 ir_convert(SmType type, SmF64 x)
     return sm_cell_to_f64(type, sm_cell_from_f64(type, x));
 }
 
+// Returns the number that an operation on `a` and `b` produces.
 SmF64 ir_eval(IrOp op, SmType type, SmF64 a, SmF64 b)
 {
     switch (op) {

@@ -11,6 +11,7 @@ const IrOpInfo ir_op_info[IR_OP_COUNT] = {
 #undef IR_OP
 };
 
+// Whether a SAME operation may work on this type.
 bool ir_op_allows_type(IrOp op, SmType type)
 {
     unsigned narrow = ir_op_info[op].narrow;
@@ -18,6 +19,7 @@ bool ir_op_allows_type(IrOp op, SmType type)
     return type == SM_F64 || (type == SM_F32 && narrow & IR_N_F32) || ((type == SM_I32 || type == SM_I64) && narrow & IR_N_INT);
 }
 
+// Returns the operation of an operator; IR_OP_COUNT for unary plus, which has none.
 IrOp ir_op_of_operator(SmOperator op)
 {
     switch (op) {
@@ -41,6 +43,7 @@ IrOp ir_op_of_operator(SmOperator op)
     return IR_OP_COUNT;
 }
 
+// Appends an instruction to a block.
 IrRef ir_emit(Arena *arena, IrFn *f, IrBlkRef b, IrIns ins)
 {
     IrRef i = (IrRef)f->ins.n;
@@ -50,6 +53,7 @@ IrRef ir_emit(Arena *arena, IrFn *f, IrBlkRef b, IrIns ins)
     return i;
 }
 
+// Appends an empty block to f, and returns its number.
 IrBlkRef ir_add_block(Arena *arena, IrFn *f)
 {
     IrBlk b = {.jump = {.kind = IR_RET, .cond = IR_NONE, .then = IR_NONE, .otherwise = IR_NONE}};
@@ -76,6 +80,7 @@ static IrFn *copy_function(Arena *arena, const IrFn *f)
     return copy;
 }
 
+// Returns a copy of m whose functions can be changed.  Everything else is shared with m.
 IrMachine *ir_copy(Arena *arena, const IrMachine *m)
 {
     IrMachine *copy = ARENA_NEW(arena, IrMachine);
@@ -92,6 +97,7 @@ IrMachine *ir_copy(Arena *arena, const IrMachine *m)
     return copy;
 }
 
+// Returns for each instruction the number of operands and jumps that use its result.
 uint32_t *ir_count_uses(Arena *arena, const IrFn *f)
 {
     uint32_t *uses = ARENA_ARRAY(arena, uint32_t, f->ins.n);

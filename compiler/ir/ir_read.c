@@ -408,6 +408,7 @@ static bool check_complete(IrReader *r)
     return true;
 }
 
+// Parses the output of ir_print.  On a syntax error returns NULL and sets *error to a message ("line 7: …").
 IrMachine *ir_read(Arena *arena, StrPool *strings, const char *text, size_t len, const char **error)
 {
     IrReader r;

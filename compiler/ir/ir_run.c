@@ -75,6 +75,7 @@ static void lay_out_situation(Arena *arena, IrRun *r)
     }
 }
 
+// Prepares a machine for running.
 IrRun *ir_run_new(Arena *arena, const IrMachine *m)
 {
     IrRun *r = ARENA_NEW(arena, IrRun);
@@ -93,10 +94,12 @@ IrRun *ir_run_new(Arena *arena, const IrMachine *m)
 
 // ---- a situation ----
 
+// Returns the values of all variables, indexed by IR variable.
 double *ir_run_vars(const IrRun *r, void *situation) { return (double *)(void *)((char *)situation + r->vars); }
 
 static uint32_t *writers_of(const IrRun *r, void *situation) { return (uint32_t *)(void *)((char *)situation + r->writers); }
 
+// Returns for each IR variable the Stmt.number of the last assignment to it; 0: none was executed.
 const uint32_t *ir_run_writers(const IrRun *r, const void *situation)
 {
     return (const uint32_t *)(const void *)((const char *)situation + r->writers);
@@ -107,6 +110,7 @@ static uint64_t *window_of(const IrRun *r, void *situation, uint32_t w)
     return (uint64_t *)(void *)((char *)situation + r->window_at[w]);
 }
 
+// Initialises a situation: elements 0, locals at their initial values, windows empty, no step has run.
 void ir_run_start(const IrRun *r, void *situation, uint32_t state)
 {
     IrSituation *s = situation;
@@ -174,6 +178,7 @@ static uint32_t run_function(IrRun *r, const IrRunFn *f, void *situation, IrTrac
     }
 }
 
+// Runs one step.  Returns false and leaves the situation unchanged if G forbids the step (language.md 6.3).
 bool ir_run_step(IrRun *r, void *situation, IrTrace *trace)
 {
     IrSituation *s = situation;
@@ -207,6 +212,7 @@ bool ir_run_step(IrRun *r, void *situation, IrTrace *trace)
     return true;
 }
 
+// Samples every window n times.  `inputs` may be NULL; it is called before each sample to set the inputs.
 void ir_run_fill_windows(IrRun *r, void *situation, uint32_t n, void (*inputs)(void *context, double *vars, uint32_t sample), void *context)
 {
     for (uint32_t k = 0; r->sample && k < n; k++) {

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+// Sets the error if there is none yet; always returns false.
 bool scan_fail(IrScan *s, const char *format, ...)
 {
     va_list args;
@@ -34,12 +35,14 @@ static void skip_space_and_comment(IrScan *s)
             s->at++;
 }
 
+// Whether only whitespace and a comment are left on the line.
 bool scan_at_line_end(IrScan *s)
 {
     skip_space_and_comment(s);
     return s->at == s->end || *s->at == '\n';
 }
 
+// Skips to the next nonempty line; false at the end of the input.
 bool scan_next_line(IrScan *s)
 {
     while (scan_at_line_end(s) && s->at < s->end) {
@@ -54,6 +57,7 @@ static bool is_word_char(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '%' || c == '-' || c == '.';
 }
 
+// Reads the next word; NULL if none: the error says `expected`.
 Str scan_word(IrScan *s, const char *expected)
 {
     const char *start;
@@ -74,6 +78,7 @@ bool scan_word_is(Str w, const char *text)
     return w && strcmp(w->text, text) == 0;
 }
 
+// Consumes c if it is next, and returns whether it was; no error.
 bool scan_match_char(IrScan *s, char c)
 {
     skip_space_and_comment(s);
@@ -83,11 +88,13 @@ bool scan_match_char(IrScan *s, char c)
     return true;
 }
 
+// Consumes c; an error if c is not next.
 bool scan_expect_char(IrScan *s, char c)
 {
     return scan_match_char(s, c) || scan_fail(s, "expected '%c'", c);
 }
 
+// Consumes the word if it is next, and returns whether it was; no error.
 bool scan_match_word(IrScan *s, const char *text)
 {
     size_t n = strlen(text);
@@ -114,6 +121,7 @@ static int hex_digit(char c)
     return -1;
 }
 
+// Reads a text in quotes.  Returns false after an error.
 bool scan_quoted(IrScan *s, Str *out)
 {
     Buf b;
@@ -137,6 +145,7 @@ bool scan_quoted(IrScan *s, Str *out)
 
 // ---- numbers ----
 
+// Parses a number, decimal, or after 0x hexadecimal.  Returns false, without an error, if the text is none.
 bool scan_try_parse_number(const char *text, uint64_t *out)
 {
     uint64_t base = 10, v = 0;
@@ -157,6 +166,7 @@ bool scan_try_parse_number(const char *text, uint64_t *out)
     return true;
 }
 
+// Reads a number; `what` names it in the error.
 bool scan_number(IrScan *s, const char *what, uint32_t *out)
 {
     Str w = scan_word(s, what);
@@ -170,6 +180,7 @@ bool scan_number(IrScan *s, const char *what, uint32_t *out)
     return true;
 }
 
+// Reads a letter and a number: b7, w7.
 bool scan_lettered_number(IrScan *s, char letter, const char *what, uint32_t *out)
 {
     Str w = scan_word(s, what);
@@ -221,6 +232,7 @@ static bool convert_whole_number(SmType type, bool negative, uint64_t magnitude,
     return false;
 }
 
+// Reads a whole number that fits the type, or a cell in hexadecimal.
 bool scan_value(IrScan *s, SmType type, uint64_t *cell)
 {
     Str w = scan_word(s, "a value");

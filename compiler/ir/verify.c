@@ -361,6 +361,7 @@ static bool check_states(IrChecker *c)
     return ok;
 }
 
+// Checks every invariant of the IR.  Returns NULL, or the first violation as a sentence.
 const char *ir_verify(Arena *arena, const IrMachine *m)
 {
     IrChecker c;
