@@ -123,6 +123,7 @@ static void rewrite_cvt(const Identity *d, IrIns *i)
         i->a = from->a;                                       // whether a number is zero does not depend on its sign
 }
 
+// Replaces i with a cheaper operation that has the same result, if there is one.
 void identity_rewrite_cheaper(const Identity *d, IrIns *i)
 {
     switch (i->op) {

@@ -54,6 +54,7 @@ static bool visit_for_dse(const IrFn *f, IrRef ref, Facts *facts)
     return true;
 }
 
+// Dead code elimination: removes the instructions whose results no code uses.
 void pass_dce(Arena *arena, IrFn *f, Facts *facts)
 {
     (void)arena;
@@ -61,6 +62,7 @@ void pass_dce(Arena *arena, IrFn *f, Facts *facts)
         filter_block(f, &f->blk.at[b], facts, visit_for_dce);
 }
 
+// Dead store elimination: removes the stores whose values no code reads.
 void pass_dse(Arena *arena, IrFn *f, Facts *facts)
 {
     (void)arena;

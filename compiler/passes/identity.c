@@ -21,6 +21,7 @@ static bool is_float(SmType type) { return type == SM_F64 || type == SM_F32; }
 
 bool identity_is_integer(SmType type) { return !is_float(type) && type != SM_BOOL; }
 
+// Whether ref is a constant, of any type, with this value.
 bool identity_is_const(const Identity *d, IrRef ref, SmF64 number)
 {
     const IrIns *i = identity_at(d, ref);

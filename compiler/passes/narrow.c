@@ -17,6 +17,7 @@
 #include "compiler/passes/pass.h"
 #include "stdlib/convert.h"
 
+// Appends a new instruction to n->out.
 IrRef narrow_emit(Narrow *n, IrIns i)
 {
     vec_push(n->arena, &n->f->ins, i);
@@ -39,6 +40,7 @@ IrRef narrow_const(Narrow *n, SmType type, double x, Span span)
     return narrow_emit(n, i);
 }
 
+// Whether r is a constant number, not NaN; sets *x.
 bool narrow_is_const(const Narrow *n, IrRef r, double *x)
 {
     const IrIns *i = narrow_ins(n, r);
@@ -85,6 +87,7 @@ static void mark_operand_zero_signs(Narrow *n, IrRef ref)
 
 // ---- integers ----
 
+// Whether r's number exists as an integer (or bool).
 bool narrow_has_integer(const Narrow *n, IrRef r)
 {
     const Fact f = n->fact[r];
@@ -97,11 +100,13 @@ bool narrow_has_integer(const Narrow *n, IrRef r)
 
 static bool fits_i32(const Narrow *n, IrRef r) { return r == IR_NONE || fact_within(n->fact[r], INT32_MIN, INT32_MAX); }
 
+// Returns I32 if r, a and b fit (IR_NONE is ignored), else I64.
 SmType narrow_common_integer(const Narrow *n, IrRef r, IrRef a, IrRef b)
 {
     return fits_i32(n, r) && fits_i32(n, a) && fits_i32(n, b) ? SM_I32 : SM_I64;
 }
 
+// Returns r's number as I32 or I64; `type` must be able to represent it.
 IrRef narrow_get_integer(Narrow *n, IrRef r, SmType type)
 {
     IrRef *made = type == SM_I32 ? &n->as_i32[r] : &n->as_i64[r];

@@ -60,6 +60,7 @@ static const PassInfo *find_pass(const char *name, size_t n)
     return NULL;
 }
 
+// Returns the pass of this name; NULL if there is none.
 const PassInfo *pass_find(const char *name)
 {
     return find_pass(name, strlen(name));
@@ -69,6 +70,7 @@ const PassInfo *pass_find(const char *name)
 
 void notes_begin_block(VarNotes *n) { n->block++; }
 
+// Returns the current block's note about a variable; an empty one (IR_NONE, false) if there is none yet.
 VarNote *find_variable_note(VarNotes *n, uint32_t var)
 {
     VarNote *note = &n->at[var];
@@ -192,6 +194,7 @@ static void prepare_facts(PassRunner *r)
     }
 }
 
+// Runs the optimiser.  Returns NULL, or an error as a sentence.
 const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o)
 {
     PassRunner r = {arena, m, o, NULL, {NULL, 0}, NULL};
