@@ -29,6 +29,7 @@ static uint8_t *write_varint_before(uint8_t *end, uint32_t v)
     return end;
 }
 
+// Appends a number in one to four bytes (docs/bytecode.md).
 void bc_write_varint(Buf *out, uint32_t v)
 {
     uint8_t bytes[VARINT_BYTES_MAX], *const end = bytes + sizeof bytes, *const from = write_varint_before(end, v);
@@ -72,8 +73,10 @@ static uint32_t offset_of(const BcMachine *m, uint32_t var)      // the variable
     return (v->space == IR_ELEMENT ? v->offset : v->space == IR_LOCAL ? m->local_at[var] : 0) >> SMVM_TYPE_SHIFT(v->type);
 }
 
+// Packs an offset and a type into a location, three bytes of an image.
 uint32_t bc_pack_offset(uint32_t offset, uint32_t type) { return (offset & 0xffff) | type << 16 | (offset >> 16 & 0xf) << 20; }
 
+// Returns the location of a variable; UINT32_MAX if its offset is too large for the format.
 uint32_t bc_pack_location(const BcMachine *m, uint32_t var)
 {
     const uint32_t at = offset_of(m, var);
@@ -81,6 +84,7 @@ uint32_t bc_pack_location(const BcMachine *m, uint32_t var)
     return at < SMVM_LOCATION_OFFSETS ? bc_pack_offset(at, (uint32_t)m->ir->var.at[var].type) : UINT32_MAX;
 }
 
+// Assigns offsets to locals and slots.  Returns NULL, or the name of the quantity that exceeds a limit of the image format.
 const char *bc_lay_out_locals(Arena *arena, BcMachine *m)
 {
     if (m->ir->var.n > SMVM_IMAGE_MAX || m->operand.n > SMVM_IMAGE_MAX)
@@ -173,6 +177,7 @@ static uint8_t *write_instruction(uint8_t *end, const BcMachine *m, const BcFn *
     }
 }
 
+// Appends the function's bytes; sets *ok to false when it is too long.
 void bc_assemble(Arena *arena, const BcMachine *m, BcFn *f, Buf *out, bool *ok)
 {
     enum { MOST = 1 + 3 * VARINT_BYTES_MAX };                    // the longest instruction, in bytes

@@ -40,6 +40,7 @@ static void drop_use(BcSelect *s, IrRef r)
 
 static void compute_into_x(BcSelect *s, IrRef r);
 
+// Loads or computes r into X and counts one use.
 void bc_bring_to_x(BcSelect *s, IrRef r)
 {
     r = bc_skip_exact_cvts(s, r);
@@ -91,6 +92,7 @@ static void ensure_loadable(BcSelect *s, IrRef b, IrRef a)
         bc_save_x(s);
 }
 
+// Loads or computes a into X and b into Y.  If `may_swap` and fewer instructions result, exchanges them and returns true.
 bool bc_load_operands(BcSelect *s, IrRef a, IrRef b, bool may_swap, bool keep)
 {
     bool swapped;
@@ -198,6 +200,7 @@ static uint8_t opcode_of(IrOp op)
     return of[op];
 }
 
+// Returns the outcomes for which comparison `op` is true, as a set of bits SMVM_LESS, SMVM_EQUAL, …
 uint32_t bc_relation_of(IrOp op)
 {
     switch (op) {
@@ -211,6 +214,7 @@ uint32_t bc_relation_of(IrOp op)
     }
 }
 
+// Returns the set of outcomes with X and Y exchanged: LESS becomes GREATER.
 uint32_t bc_swapped_relation(uint32_t relation)
 {
     return (relation & (SMVM_EQUAL | SMVM_UNORDERED)) | (relation & SMVM_LESS ? (uint32_t)SMVM_GREATER : 0) | (relation & SMVM_GREATER ? (uint32_t)SMVM_LESS : 0);

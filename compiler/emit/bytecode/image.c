@@ -344,6 +344,7 @@ static bool verify_image(ImageWriter *w, IrMachine *const *m, const Buf *out)
     return false;
 }
 
+// Builds one image of n machines and of pins (io may be NULL).  Returns false, and reports it, if they exceed the limits of the format.
 bool emit_image(Arena *arena, Diags *diags, IrMachine *const *m, size_t n, const IoMap *io, bool debug, Buf *out)
 {
     ImageWriter w;

@@ -43,6 +43,7 @@ uint32_t bc_type_of(const BcSelect *s, BcRef r) { return s->m->operand.at[r].typ
 
 // ---- numbers ----
 
+// Sets *n to x if x is a whole number that an instruction can encode.  Returns false if not.
 bool bc_try_whole(SmF64 x, int32_t *n)
 {
     if (!sm_le(sm_from_i32(-(int32_t)SMVM_VARINT_END), x) || !sm_lt(x, sm_from_i32((int32_t)SMVM_VARINT_END)))
@@ -51,6 +52,7 @@ bool bc_try_whole(SmF64 x, int32_t *n)
     return sm_bits(sm_from_i32(*n)) == sm_bits(x);               // a whole number and not -0
 }
 
+// Whether an F32 constant represents x exactly; true for NaN.
 bool bc_is_f32(SmF64 x) { return sm_is_nan(x) || sm_bits(sm_from_f32(sm_round_f32(x))) == sm_bits(x); }
 
 static void add_to_const_table(BcSelect *s, BcOperand *o)          // adds it to the F32s or F64s, unless instructions can encode it
@@ -129,6 +131,7 @@ BcRef bc_slot_alloc(BcSelect *s, uint32_t pool)
     return r;
 }
 
+// Returns a slot to its pool; other operands are ignored.
 void bc_slot_free(BcSelect *s, BcRef r)
 {
     const BcOperand *o = &s->m->operand.at[r];

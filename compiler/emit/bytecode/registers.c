@@ -24,6 +24,7 @@ static void remove_source(BcRegister *h, BcRef o)
             h->from[i] = BC_NONE;
 }
 
+// Forgets the contents of X and Y.
 void bc_forget_registers(BcSelect *s) { s->x = s->y = empty_register(); }
 
 // ---- instructions ----
@@ -51,6 +52,7 @@ static uint32_t slot_pool_of(const BcSelect *s, IrRef r)
     return i->type != SM_F64 || i->op == IR_cvt ? (uint32_t)i->type : (uint32_t)BC_RAW;
 }
 
+// Removes a conversion of X to `type` before a store to this type, which converts too.
 void bc_drop_cvt(BcSelect *s, uint32_t type)
 {
     const size_t n = s->out->ins.n;
@@ -72,12 +74,14 @@ static void save_to_slot(BcSelect *s, bool is_needed)                // is_neede
     bc_store_x(s, v->slot, is_needed);
 }
 
+// Saves X to a slot if its value is needed later; call before X changes and before Y is loaded.
 void bc_save_x(BcSelect *s)
 {
     if (is_x_unsaved(s))
         save_to_slot(s, true);
 }
 
+// Loads operand o into X; emits nothing if X contains its value already.
 void bc_load_x(BcSelect *s, BcRef o)
 {
     if (bc_register_has(&s->x, o))
@@ -98,12 +102,14 @@ void bc_load_y(BcSelect *s, BcRef o)
     s->y.from[0] = o;
 }
 
+// Emits an instruction whose result replaces X.
 void bc_emit_changing_x(BcSelect *s, uint8_t op, uint32_t n)
 {
     bc_emit(s, op)->n = n;
     s->x = empty_register();
 }
 
+// Records that X contains r; saves the value recorded before if it is still needed.
 void bc_record_x(BcSelect *s, IrRef r)
 {
     if (s->x.value == r)
@@ -120,6 +126,7 @@ static void assign_output_number(BcSelect *s, BcOperand *o)
     o->output = (uint32_t)s->m->output.n;
 }
 
+// Stores X in d.  same: a load of d then returns exactly what X contains.
 void bc_store_x(BcSelect *s, BcRef d, bool same)
 {
     bc_emit(s, SMVM_st_local)->operand_ref = d;

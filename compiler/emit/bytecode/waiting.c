@@ -37,6 +37,7 @@ bool bc_is_within(SmType a, SmType b)
     return x->kind == y->kind ? x->bytes <= y->bytes : x->kind == SM_KIND_UNSIGNED && x->bytes < y->bytes;
 }
 
+// Whether type `type` can represent every value of r.
 bool bc_is_exact(const BcSelect *s, IrRef r, SmType type)
 {
     return !may_change_when_stored(s, r) && bc_is_within(bc_ins(s, r)->type, type) && !(bc_is_float(type) && s->value[r].minus_zero);
@@ -54,6 +55,7 @@ IrRef bc_follow_exact_cvts(const BcSelect *s, IrRef r)
     return r;
 }
 
+// Returns r without conversions that do not affect whether it is true.
 IrRef bc_skip_truth_cvts(const BcSelect *s, IrRef r)
 {
     while (bc_is_waiting_cvt(s, r) && (bc_ins(s, r)->type == SM_BOOL || is_exact_cvt(s, bc_ins(s, r))))
@@ -68,6 +70,7 @@ static bool store_performs_cvt(SmType to, SmType type)
     return to == type || to == SM_F64 || (!bc_is_float(to) && type != SM_BOOL && to != SM_BOOL && bc_is_within(type, to));
 }
 
+// Returns r without conversions that a store to that type performs anyway.
 IrRef bc_skip_store_cvts(const BcSelect *s, IrRef r, SmType type)
 {
     const IrIns *i = bc_ins(s, r);
@@ -202,6 +205,7 @@ static bool set_chain_depth(BcSelect *s, IrRef r)
     return s->value[r].depth > DEEPEST;
 }
 
+// Fills in BcValue for each instruction of a block.
 void bc_analyse_block(BcSelect *s, uint32_t block)
 {
     const IrBlk *b = &s->f->blk.at[block];
