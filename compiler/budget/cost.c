@@ -229,6 +229,7 @@ static void fill_in_bytes(ImageReader *r, Cost *out)
     out->own = out->ram - out->locals - out->windows;
 }
 
+// Computes the cost of machine `number`, counted from 0, of an image that the verifier has accepted.
 void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, CostUnit unit, Cost *out)
 {
     ImageReader r;
@@ -256,6 +257,8 @@ void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, CostUn
     fill_in_bytes(&r, out);
 }
 
+// Iterates over the entries of a state's path that have a source line, the most expensive first: returns the first one if `before` is NULL,
+// else the one after it.
 const CostLine *cost_next_most_expensive(const StateCost *s, const CostLine *before)
 {
     const CostLine *most = NULL;

@@ -24,6 +24,7 @@ static const uint16_t window_cycles[CYCLES_WINDOW_ROWS][2 * CYCLES_SAMPLE_KINDS]
 #undef CYCLES_STACK
 };
 
+// Returns the bytes of stack that a step uses, the largest measured value.
 uint32_t cycles_stack_bytes(void)
 {
     return 0
@@ -102,6 +103,7 @@ static CyclesReg reg_of_unary(uint8_t op, const CyclesReg *x)
 // Opcodes that load Y differ by this bit from those that load X.  The low four bits of loads and stores are a type (opcodes.def).
 enum { OPCODE_LOADS_Y = SMVM_ldy_local - SMVM_ldx_local, OPCODE_TYPE = 0xf };
 
+// Prepares c for the first instruction.  Returns the cost, in cycles, of a step besides the functions that it runs.
 uint32_t cycles_begin(Cycles *c, CyclesChip chip, const SmvmMachine *m)
 {
     c->chip = chip;
@@ -197,6 +199,7 @@ static uint32_t cycles_of_opcode(Cycles *c, uint8_t op, const uint32_t *number)
     }
 }
 
+// Returns the cycles of the next instruction in the order of the image, and updates the registers.  `number`: its operands.
 uint32_t cycles_of_ins(Cycles *c, uint8_t op, const uint32_t number[2], unsigned numbers)
 {
     const bool compares = op >= SMVM_jxn && op < SMVM_jt;          // jxn: the size of its first number selects its row
