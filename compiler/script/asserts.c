@@ -17,6 +17,8 @@ typedef struct Operands {
     size_t n;
 } Operands;
 
+// Whether a message that shows the n expressions of `shown` with their values can show e too: its source is on one line of at most `most`
+// bytes, and differs from theirs.
 bool run_can_show(const Expr *const *shown, size_t n, const Expr *e, size_t most)
 {
     const Span s = e->span;
@@ -31,6 +33,7 @@ bool run_can_show(const Expr *const *shown, size_t n, const Expr *e, size_t most
     return true;
 }
 
+// Appends the value of e in the format of diagnostics.
 void run_append_value(ScriptRun *r, const Expr *e, Buf *out)
 {
     if (e->kind == EX_VAR)
@@ -65,6 +68,7 @@ static void add_operands(Operands *o, const Expr *e, bool is_compared)
     o->shown[o->n++] = e;
 }
 
+// Reports the assert that failed, with the values of its operands and the history of the run.
 void assert_report_failure(ScriptRun *r)
 {
     const Expr *assert = r->failed;
@@ -81,6 +85,7 @@ void assert_report_failure(ScriptRun *r)
 
 // ---- evaluating ----
 
+// Evaluates the asserts noted in this step, in order.
 void assert_check_step(ScriptRun *r)
 {
     for (size_t i = 0; i < r->noted.n && !r->ended; i++) {

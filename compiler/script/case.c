@@ -58,6 +58,7 @@ void case_list_sources(Session *s, const TestFile *f, CaseSources *out)
 
 // ---- the case ----
 
+// Whether the tests of the command (tests/golden) or of the IR (tests/ir) run the case, and smc test does not.
 bool case_is_for_other_runner(const TestFile *f)
 {
     return testfile_part(f, "stdout") || testfile_part(f, "stderr") || testfile_part(f, "exit") || testfile_part(f, "ir");
@@ -95,6 +96,7 @@ static const char *find_unknown_key(Arena *arena, const TestFile *f)
     return NULL;
 }
 
+// Initialises c for f, whose text has been parsed, and reads its header `warn`.
 const char *case_init(SmtCase *c, Session *s, const TestFile *f)
 {
     const char *words = testfile_header(f, "warn"), *wrong;
@@ -167,6 +169,7 @@ static void add_to_trace(void *context, const ScriptStep *step)
     script_trace_exact(&t->text, step, t->order, t->n);
 }
 
+// Runs the scripts in lock step on the engines and compares outcomes, report and trace.
 bool case_run_scripts(SmtCase *c, Engine **engine, size_t engines, uint64_t max_steps)
 {
     const TestFile *f = c->f;
@@ -227,6 +230,7 @@ static void add_unexpected(Buf *why, const Diag *d)
     buf_printf(why, " [%s]\n", diag_code_and_name(d, why->arena));
 }
 
+// Compares the diagnostics with those that the case announces.
 void case_check_diagnostics(SmtCase *c)
 {
     const TestFile *f = c->f;

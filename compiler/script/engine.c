@@ -7,6 +7,7 @@
 #include "compiler/base/buf.h"
 #include "compiler/script/script.h"
 
+// Allocates the result of an engine that runs p.
 void engine_step_init(EngineStep *s, Arena *arena, const Program *p)
 {
     s->status = ENGINE_OK;
@@ -40,6 +41,7 @@ static void append_value(Buf *b, const Engine *e, SmType type, uint64_t cell)
     buf_printf(b, " (bits 0x%0*" PRIx64 ")", sm_type_info[type].bytes * 2, cell);
 }
 
+// Returns NULL if two engines gave bit-identical results; otherwise a sentence in `arena` that names the first difference.
 const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a, const Engine *b, const EngineStep *of_b)
 {
     const Program *p = a->program;

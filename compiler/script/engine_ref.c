@@ -115,6 +115,7 @@ static EngineStatus ref_init(Engine *e, uint32_t state, EngineStep *out)
     return fill_result(r, ENGINE_OK, out);
 }
 
+// Returns the transition that the last step of the reference interpreter took; NULL if none.
 const Stmt *engine_ref_transition(const Engine *e) { return ((const RefEngine *)e->self)->transition; }
 
 static void ref_close(Engine *e) { (void)e; }         // all its memory belongs to the arena

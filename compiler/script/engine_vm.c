@@ -205,6 +205,7 @@ static const char *load_image(VmEngine *v, Arena *arena, const uint8_t *image, s
     return result == SM_OK ? NULL : sm_result_text(result);
 }
 
+// Opens the VM, with an image in which p is machine number `machine`.
 Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error)
 {
     VmEngine *v = ARENA_NEW(arena, VmEngine);

@@ -51,6 +51,7 @@ static double eval_call(const Expr *e, const uint64_t *cell, const RefWindows *w
     return ref_pure(e->fn, arg);
 }
 
+// Evaluates e with cell[i] as the cell of variable i.  w: the rolling windows of the machine or script that e belongs to.
 double ref_eval(const Expr *e, const uint64_t *cell, const RefWindows *w)
 {
     switch (e->kind) {

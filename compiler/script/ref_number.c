@@ -11,7 +11,10 @@ static bool is_nan(double x) { return x != x; }
 static bool is_infinite(double x) { return x > DBL_MAX || x < -DBL_MAX; }
 static double make_nan(void) { double inf = DBL_MAX * 2; return inf - inf; }
 
+// Whether a condition with this value is true: not zero and not NaN.
 bool ref_true(double x) { return x != 0 && !is_nan(x); }
+
+// Whether x is below zero or -0; false for NaN.
 bool ref_negative(double x) { return x < 0 || (x == 0 && 1 / x < 0); }
 
 // ---- cells to doubles ----
@@ -42,6 +45,7 @@ static double read_f64(uint64_t cell)
     return d;
 }
 
+// Returns the value of a cell as an F64; a stored NaN reads as 0.
 double ref_read(SmType type, uint64_t cell)
 {
     const SmTypeInfo *info = &sm_type_info[type];
@@ -118,6 +122,7 @@ static uint64_t to_f64(double x)
     return bits;
 }
 
+// Returns the cell of a variable of `type` after x is stored in it.
 uint64_t ref_convert(SmType type, double x)
 {
     const SmTypeInfo *info = &sm_type_info[type];
@@ -231,6 +236,7 @@ static double ref_clamp(double x, double lo, double hi) { return ref_min(ref_max
 #define CALL_2(f) f(arg[0], arg[1])
 #define CALL_3(f) f(arg[0], arg[1], arg[2])
 
+// Returns the result of a builtin that depends on its arguments alone.
 double ref_pure(SmBuiltin fn, const double *arg)
 {
     switch (fn) {

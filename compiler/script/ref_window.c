@@ -27,6 +27,7 @@ void ref_windows_clear(RefWindows *w)
         w->at[i].next = w->at[i].filled = 0;
 }
 
+// Stores a sample in every window, in index order.
 void ref_windows_sample(RefWindows *w, const uint64_t *cell)
 {
     for (size_t i = 0; i < w->n; i++) {

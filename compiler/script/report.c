@@ -126,6 +126,8 @@ static void append_cell(Buf *out, SmType type, uint64_t cell, void (*append_floa
 }
 
 void format_cell_rounded(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, append_fixed); }
+
+// Appends the value of a cell with the fewest digits that read back as the same double.
 void format_cell_shortest(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, format_number_shortest); }
 // Floats in hexadecimal, as C99 %a; all other values in decimal.
 void format_cell_exact(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, append_hex); }
@@ -148,6 +150,7 @@ static void sort_by_name(const Var **v, size_t n)             // shellsort: the 
         }
 }
 
+// Returns the variables in the order of reports and traces; allocated in `arena`.
 const Var **report_order(Arena *arena, const Program *p)
 {
     const Var **order = ARENA_ARRAY(arena, const Var *, p->var.n);
@@ -163,6 +166,7 @@ static void append_count(Buf *out, const char *before, uint64_t n, const char *w
     buf_printf(out, "%s%" PRIu64 " %s%s%s\n", before, n, what, n == 1 ? "" : "s", after);
 }
 
+// Appends the report of a run: the number of steps and of passed asserts, then the final value of each variable.
 void script_report(const ScriptResult *r, const Program *p, Buf *out)
 {
     const Var **order = report_order(out->arena, p);

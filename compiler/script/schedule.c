@@ -156,6 +156,7 @@ static void sort_group(Group *g)
     }
 }
 
+// Prepares the schedule of a script.  `cell`: the initial values by variable; only those of constant locals are used.
 Schedule *schedule_new(Arena *arena, const Script *s, const uint64_t *cell)
 {
     Schedule *h = ARENA_NEW(arena, Schedule);
@@ -196,6 +197,7 @@ static bool is_sorted(const DueItems *due)
     return true;
 }
 
+// Replaces `due` by the items of [all_states] and of the state's section whose guards can be true, in source order.
 void schedule_find_due(const Schedule *h, const State *state, const uint64_t *cell, DueItems *due)
 {
     const Group *const group[] = {&h->all_states, h->of_state[state->number - 1]};

@@ -206,6 +206,7 @@ static void allocate_run(ScriptRun *r)
     init_ran(r);
 }
 
+// Returns the first item with a @stop; NULL only in a script with errors.
 const ScriptItem *script_first_stop(const Script *s)
 {
     for (size_t i = 0; i < s->section.n; i++)
@@ -227,6 +228,7 @@ static void report_time_over(ScriptRun *r)
     history_add(r, diag_report(r->diags, DIAG_script_time_over, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->result.steps)));
 }
 
+// Runs the script from its first step until it ends.
 void run_to_the_end(ScriptRun *r)
 {
     allocate_run(r);
@@ -239,6 +241,7 @@ void run_to_the_end(ScriptRun *r)
         run_finish(r, SCRIPT_ENDLESS);
 }
 
+// Runs the engines in lock step on one script.
 ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **engine, size_t engines, const ScriptOptions *o)
 {
     ScriptRun r = {.arena = arena, .diags = diags, .s = s, .p = s->program, .engine = engine, .engines = engines, .o = o};

@@ -62,6 +62,7 @@ void script_trace_row(Buf *out, const char *script, const ScriptStep *step, cons
     buf_char(out, '\n');
 }
 
+// Appends a line `STEP NAME VALUE` for each variable of `order`.
 void script_trace_exact(Buf *out, const ScriptStep *step, const Var *const *order, size_t n)
 {
     for (size_t i = 0; i < n; i++) {

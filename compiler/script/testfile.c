@@ -71,6 +71,7 @@ static bool is_part_line(TestLine l)
     return l.n > 6 && memcmp(l.at, "-- ", 3) == 0 && memcmp(l.at + l.n - 3, " --", 3) == 0;
 }
 
+// Returns the part of this name; NULL if the file has none.
 const TestPart *testfile_part(const TestFile *f, const char *name)
 {
     for (size_t i = 0; i < f->part.n; i++)
@@ -244,6 +245,7 @@ static void interpret_header_keys(TestReader *r)
 
 // ---- the file ----
 
+// Parses text, which is not copied.  Everything is allocated in the arena.
 TestFile *testfile_parse(Arena *arena, const char *name, const char *text, size_t n)
 {
     TestFile *f = ARENA_NEW(arena, TestFile);
@@ -266,6 +268,7 @@ TestFile *testfile_parse(Arena *arena, const char *name, const char *text, size_
     return f;
 }
 
+// Returns the value of the first header with this key; NULL if there is none.
 const char *testfile_header(const TestFile *f, const char *key)
 {
     for (size_t i = 0; i < f->header.n; i++)
@@ -291,6 +294,7 @@ bool testfile_is_source(const TestPart *p)
     return false;
 }
 
+// Whether a header's value, a list of words, contains this word.
 bool testfile_has_word(const char *list, const char *word)
 {
     size_t n = strlen(word);
