@@ -2,6 +2,7 @@
 // Finds comments by lines of the source.
 #include "compiler/report/comment.h"
 
+// Finds the start of a line's comment; false: it has none.
 bool comment_find_start(const char *line, uint32_t len, uint32_t *at)
 {
     bool quoted = false;              // position i is inside the quoted reason of an @allow
@@ -42,6 +43,7 @@ static const char *comment_of_line(Arena *arena, const Source *src, uint32_t num
     return buf_text_or_null(&out);
 }
 
+// Returns the comment after the code on the first line of `span`; NULL if there is none.
 const char *comment_after(Arena *arena, Span span)
 {
     return span.src ? comment_of_line(arena, span.src, source_position(span.src, span.at).line) : NULL;
@@ -86,6 +88,7 @@ static bool has_no_code(const char *line, uint32_t len)
     return i == len || line[i] == '#';
 }
 
+// Returns the start of the line of the `else` whose first statement is `first`; `first` itself if it is on that line.
 Span comment_else_line(Span first)
 {
     uint32_t line, len;
@@ -167,6 +170,7 @@ const char *comment_of_file(Arena *arena, const Source *src)
     return comment_of_lines(arena, src, 1, to);
 }
 
+// Returns the comment at the variable's declaration in the machine, otherwise the one in the state vector; NULL if there is none.
 const char *comment_of_variable(Arena *arena, const Var *v)
 {
     const char *comment = comment_after(arena, v->span);

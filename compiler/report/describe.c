@@ -8,13 +8,16 @@
 
 // ---- helpers ----
 
+// Returns what separates item i of n from the one before, in a sentence: "", ", " or " and ".
 const char *describe_separator(size_t i, size_t n) { return i == 0 ? "" : i + 1 < n ? ", " : " and "; }
 
+// Returns a count and its noun: "1 state", "2 states".
 const char *describe_count(Arena *arena, uint64_t n, const char *one, const char *many)
 {
     return format_in(arena, "%llu %s", (unsigned long long)n, n == 1 ? one : many);
 }
 
+// Returns a window in words: "the average of `pressure` over the last 10 steps".
 const char *describe_window(Arena *arena, const Window *w)
 {
     static const char *const name[SM_STAT_COUNT] = {"the average", "the median", "the smallest", "the largest", "the range"};

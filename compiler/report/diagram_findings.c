@@ -99,6 +99,7 @@ static FindingRanges find_state_ranges(Diagram *d)
     return out;
 }
 
+// Returns the width beside its label that the marks of its guards need; 0: none.
 int32_t diagram_mark_width(const DiagramEdge *e)
 {
     for (size_t g = 0; g < e->guard.n; g++)

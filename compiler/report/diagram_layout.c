@@ -211,6 +211,7 @@ static void build_link_lists(Layout *l)
     l->next = next;
 }
 
+// Sorts `above` and `below` by the current order.
 void layout_sort_links(Layout *l)
 {
     for (size_t i = 0; i < l->item.n; i++)
@@ -223,6 +224,7 @@ void layout_sort_links(Layout *l)
 
 // ---- the whole layout ----
 
+// Runs all stages: fills in the boxes and paths of the diagram.
 void layout_diagram(Diagram *d)
 {
     Layout *l = ARENA_NEW(d->a->arena, Layout);

@@ -134,6 +134,7 @@ uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n)
     return d->o->counts ? d->o->counts->state[n->state->number - 1] : 0;
 }
 
+// Returns what was counted in words: "taken 3 times".
 const char *diagram_count_text(const Diagram *d, const char *done, uint64_t count)
 {
     return count == 0 ? format_in(d->a->arena, "never %s", done)
@@ -162,6 +163,7 @@ static void add_count(const Diagram *d, DiagramEdge *e)
 
 enum { NAME_W = 220 };
 
+// Builds the diagram of the machine of `a`, without positions.
 Diagram *diagram_build(const Analysis *a, const DiagramOptions *o)
 {
     Diagram *d = ARENA_NEW(a->arena, Diagram);

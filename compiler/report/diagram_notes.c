@@ -42,6 +42,7 @@ static void add_dotted_legend(const Diagram *d, DiagramNotes *n)
         add_note(d, n, 0, "Dotted: not covered by any script.");
 }
 
+// Numbers the marks of a diagram that has been laid out, state by state.
 void diagram_number_notes(Diagram *d, DiagramNotes *out)
 {
     uint32_t marks = 0;

@@ -300,6 +300,7 @@ static void turn_loops_into_stubs(Diagram *d)
     }
 }
 
+// Sets `rank` and DiagramEdge.up; edges across many ranks become stubs.
 void layout_assign_ranks(Layout *l)
 {
     EdgesByEnd out, in;

@@ -400,6 +400,7 @@ void diagram_write_svg(const Analysis *a, const DiagramOptions *o, Buf *out)
     write_picture(&drawn, 0, drawn.size.h, out);
 }
 
+// Appends the picture in slices from top to bottom, each a picture of its own and at most `most` pixels high.
 void diagram_write_slices(const Analysis *a, const DiagramOptions *o, int32_t most, Buf *out)
 {
     DrawnDiagram drawn;

@@ -61,6 +61,7 @@ static size_t count_fitting_bytes(const char *text, size_t n, int32_t size, bool
 
 static const char ellipsis[] = "\xe2\x80\xa6";    // …
 
+// Returns the text, or the longest start of it that fits with "…".
 const char *diagram_text_truncate(Arena *arena, const char *text, int32_t size, bool bold, int32_t w)
 {
     const size_t n = strlen(text), fits = count_fitting_bytes(text, n, size, bold, w);
@@ -141,6 +142,7 @@ static void add_line(Arena *arena, DiagramLines *out, const char *text, int32_t 
     vec_push(arena, out, line);
 }
 
+// Wraps a text to at most `lines` lines, none wider than w.
 DiagramLines diagram_text_wrap(Arena *arena, const char *text, int32_t size, int32_t w, size_t lines)
 {
     const size_t n = strlen(text);
@@ -159,6 +161,7 @@ DiagramLines diagram_text_wrap(Arena *arena, const char *text, int32_t size, int
     return out;
 }
 
+// Whether the last line ends with "…".
 bool diagram_text_is_truncated(const DiagramLines *lines)
 {
     const char *last = lines->at[lines->n - 1].text;

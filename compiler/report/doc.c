@@ -20,6 +20,7 @@ static DocPart *add_part(Doc *d, DocKind kind)
     return &s->part.at[s->part.n - 1];
 }
 
+// Adds a heading.  The result is valid until the next part is added.
 DocPart *doc_add_heading(Doc *d, const char *id, const char *text)
 {
     DocPart *p = add_part(d, DOC_HEADING);
@@ -31,6 +32,7 @@ DocPart *doc_add_heading(Doc *d, const char *id, const char *text)
 
 void doc_add_paragraph(Doc *d, const char *text) { add_part(d, DOC_PARAGRAPH)->text = text; }
 
+// Adds a paragraph without markup.
 void doc_add_plain(Doc *d, const char *text)
 {
     DocPart *p = add_part(d, DOC_PARAGRAPH);
@@ -39,12 +41,14 @@ void doc_add_plain(Doc *d, const char *text)
     p->plain = true;
 }
 
+// Adds a quotation; nothing for NULL and "".
 void doc_add_quote(Doc *d, const char *plain)
 {
     if (plain && *plain)
         add_part(d, DOC_QUOTE)->text = plain;
 }
 
+// Adds lines that are shown as they are; nothing for "".
 void doc_add_lines(Doc *d, const char *plain)
 {
     if (*plain)
@@ -62,6 +66,7 @@ void doc_add_excerpt(Doc *d, Span span, const char *label)
     p->text = label;
 }
 
+// Adds a figure.  The result is valid until the next part is added.
 DocPart *doc_add_figure(Doc *d, const char *svg, const char *caption)
 {
     DocPart *p = add_part(d, DOC_FIGURE);
@@ -96,6 +101,7 @@ DocList *doc_add_list(Doc *d, const char *key, const char *label)
     return l;
 }
 
+// Returns, by column, whether some row has content in the column.
 bool *doc_columns_used(const DocTable *t)
 {
     bool *used = ARENA_ARRAY(t->arena, bool, t->columns);
@@ -108,6 +114,7 @@ bool *doc_columns_used(const DocTable *t)
     return used;
 }
 
+// Returns the text with `Name` for ^Name^, for formats without links.
 const char *doc_replace_links(Arena *arena, const char *text)
 {
     Buf b;
@@ -142,4 +149,5 @@ void doc_add_list_line(DocList *l, unsigned depth, uint32_t line, const char *te
     vec_push(l->arena, &l->line, one);
 }
 
+// Sets DocLine.comment of the last line.
 void doc_set_line_comment(DocList *l, const char *plain) { l->line.at[l->line.n - 1].comment = plain; }

@@ -126,6 +126,7 @@ static void read_kinds(LogCursor *c, LogDescription *d)
     }
 }
 
+// Parses the contents of a description whose checksum is right.
 bool log_parse_description(Arena *arena, const uint8_t *bytes, uint32_t n, LogDescription *d)
 {
     LogCursor c = {arena, bytes, n, n < LOG_IDENTITY};
@@ -146,6 +147,7 @@ bool log_parse_description(Arena *arena, const uint8_t *bytes, uint32_t n, LogDe
     return !c.wrong && c.left == 0;
 }
 
+// Parses the contents of a block of names.
 bool log_parse_names(Arena *arena, const uint8_t *bytes, uint32_t n, LogImage *image)
 {
     LogCursor c = {arena, bytes, n, false};

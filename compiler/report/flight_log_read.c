@@ -247,6 +247,7 @@ static void read_blocks(LogReader *r)
     r->log->unread = r->n - pos;
 }
 
+// Reads a log.  `bytes` must outlive the result.
 Log *log_read(Arena *arena, const uint8_t *bytes, uint32_t n)
 {
     LogReader r;
@@ -275,6 +276,7 @@ LogEvent log_read_event(const LogItem *item, uint32_t i)
 LogGap log_read_gap(const LogItem *item) { return (LogGap){log_get32(item->at), log_get32(item->at + 4)}; }
 uint64_t log_read_time(const LogItem *record) { return log_get64(record->at); }
 
+// Returns the value of an element in a record, as a bit cell of its type (stdlib/convert.h).
 uint64_t log_read_cell(const LogItem *record, const LogElement *e)
 {
     const uint8_t *at = record->at + 8 + e->at;
@@ -331,6 +333,7 @@ static uint32_t first_image(const LogSession *s, uint16_t machine)
     return s->swap.at[i].from;
 }
 
+// Returns the machine of event STATE, with the names of the image that ran then.
 const LogMachine *log_machine_of_event(Arena *arena, const LogSession *s, const LogEvent *e)
 {
     const LogMachine *m = log_machine_by_number(s->d, e->source);
@@ -356,6 +359,7 @@ const char *log_kind_name(const LogDescription *d, uint8_t kind)
     return NULL;
 }
 
+// Returns the name of a state, or "state 7" if it has none.
 const char *log_state_name(Arena *arena, const LogMachine *m, uint32_t state)
 {
     if (m && state >= 1 && state <= m->state.n && m->state.name[state - 1][0])

@@ -11,6 +11,7 @@
 
 // ---- shared ----
 
+// Writes nanoseconds as seconds, exactly: "12.05".
 void flight_write_time(Buf *out, uint64_t ns)
 {
     unsigned long fraction = (unsigned long)(ns % 1000000000u);
@@ -89,6 +90,7 @@ static void write_trial_end(const Flight *f, const LogDescription *d, const LogE
     buf_printf(out, "%s: image %08lx %s", machine_name(f, d, e->source), (unsigned long)e->b, ends[e->a < 4 ? e->a : 0]);
 }
 
+// Writes an event in words, as in "mission: Coast -> Recovery" and "task engine fails: it is in use".
 void flight_write_event(const Flight *f, const LogSession *s, const LogEvent *e, Buf *out)
 {
     const LogDescription *d = s->d;
@@ -142,6 +144,7 @@ static void write_events(const Flight *f, const LogSession *s, Buf *out)
 
 // ---- values ----
 
+// Returns the value of a logged cell.
 double flight_value(SmType type, uint64_t cell)
 {
     unsigned char memory[8] = {0};

@@ -157,6 +157,7 @@ static DocFigure choose_figure(DiagramSize s)
     return s.h * LEGIBLE <= PAPER_H * 100 ? FIGURE_DIAGRAM : FIGURE_TALL;
 }
 
+// Adds the state diagram.
 void report_add_diagram(Report *r, Doc *d, const Diags *findings, const DiagramCounts *counts, const char *caption)
 {
     DiagramSize size;

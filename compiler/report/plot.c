@@ -12,6 +12,7 @@
 
 // ---- helpers ----
 
+// Writes 123 as 12.3.
 void plot_write_tenths(Buf *out, long x)
 {
     buf_printf(out, "%s%ld", x < 0 ? "-" : "", (x < 0 ? -x : x) / 10);
@@ -19,6 +20,7 @@ void plot_write_tenths(Buf *out, long x)
         buf_printf(out, ".%ld", (x < 0 ? -x : x) % 10);
 }
 
+// Returns the x where a step, or a fraction of one, begins.
 long plot_x_of_step(const Trace *t, double step)
 {
     return PLOT_LEFT + (long)((double)(PLOT_RIGHT - PLOT_LEFT) * (step / (double)t->steps));
@@ -51,6 +53,7 @@ void plot_draw_rect(Plot *p, const char *class_name, long x, long y, long wide, 
     buf_str(p->out, "/>\n");
 }
 
+// Writes text of a class; `anchor` aligns its start, middle or end at x.
 void plot_draw_text(Plot *p, const char *class_name, const char *anchor, long x, long y, const char *text)
 {
     buf_printf(p->out, "<text class=\"%s\" text-anchor=\"%s\"", class_name, anchor);
@@ -61,6 +64,7 @@ void plot_draw_text(Plot *p, const char *class_name, const char *anchor, long x,
     buf_str(p->out, "</text>\n");
 }
 
+// Returns a round step size of which about `about` multiples are between lo and hi; 0 if there is none.
 double plot_round_step(double lo, double hi, int about)
 {
     const double wanted = (hi - lo) / about;
@@ -75,6 +79,7 @@ double plot_round_step(double lo, double hi, int about)
     return step / 5 >= wanted ? step / 5 : step / 2 >= wanted ? step / 2 : step;
 }
 
+// Returns x as text with at most five digits, unless it is a whole number below 10^7.
 const char *plot_label(Arena *arena, double x)
 {
     char digits[40];
@@ -330,6 +335,7 @@ static void draw_time_axis(Plot *p)
     plot_draw_text(p, "dim", "start", PLOT_LEFT, p->bottom + 310, describe_axis(p));
 }
 
+// Draws everything inside the <svg> tag; returns the height of the drawing.
 long plot_draw_body(Arena *arena, const Trace *t, Buf *out)
 {
     Plot p = {out, t, PLOT_BAND + PLOT_GAP, 0};
@@ -344,6 +350,7 @@ long plot_draw_body(Arena *arena, const Trace *t, Buf *out)
     return plot_draw_legend(&p, p.bottom + 420);
 }
 
+// Plots the states of a run over time, and below them each series that changes.
 const char *plot_draw_run(Arena *arena, const Trace *t)
 {
     Buf body, out;

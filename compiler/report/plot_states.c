@@ -13,6 +13,7 @@ const char plot_defs[] =
     "<pattern id=\"hatch3\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 0L6 6\"/></pattern>\n"
     "</defs>";
 
+// Returns an invisible drawing that plots refer to; a page includes it once.
 const char *plot_patterns(Arena *arena)
 {
     return format_in(arena, "<svg class=\"plot\" aria-hidden=\"true\" style=\"position:absolute;width:0;height:0\">%s</svg>\n", plot_defs);
@@ -67,6 +68,7 @@ static void draw_band(Plot *p, size_t i)
     draw_name(p, v->state, from, wide);
 }
 
+// Draws the states as bands at the top, and as tints behind the rows.
 void plot_draw_bands(Plot *p)
 {
     for (size_t i = 0; i < p->t->visit.n; i++)

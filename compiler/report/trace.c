@@ -17,6 +17,7 @@ double trace_cell_value(SmType type, uint64_t cell)
     return x;
 }
 
+// Returns number of buckets in use.
 size_t trace_buckets(const Trace *t) { return (size_t)((t->steps + t->per - 1) / t->per); }
 
 void trace_init(Trace *t, Arena *arena, const Program *p, const Transitions *transition)
@@ -155,6 +156,7 @@ static void traced_close(Engine *e)
     inner->close(inner);
 }
 
+// Returns an engine that passes every call to `inner` and records every step in t.
 Engine *trace_wrap_engine(Trace *t, Engine *inner)
 {
     TraceEngine *e = ARENA_NEW(t->arena, TraceEngine);

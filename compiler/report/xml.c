@@ -26,6 +26,7 @@ static void write_character(Buf *out, const char *text, size_t len, uint32_t cod
         buf_put(out, text, len);
 }
 
+// Writes the text with special characters escaped, also for attribute values.
 void xml_write(Buf *out, const char *text, size_t n)
 {
     while (n > 0) {
