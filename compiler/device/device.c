@@ -85,6 +85,7 @@ bool device_read_image_info(LinkHost *h, uint8_t slot, DeviceImage *image)
     return true;
 }
 
+// Finds the running image: that of a slot, or else the built-in one.
 bool device_find_running_image(LinkHost *h, const DeviceInfo *info, DeviceImage *image)
 {
     for (uint8_t slot = 0; slot < info->slots; slot++) {
@@ -111,7 +112,10 @@ static bool find_image(LinkHost *h, const DeviceInfo *info, bool (*is)(const Dev
     return false;
 }
 
+// Finds the image on trial, whether it already runs or will run from the next start on.  False with SM_OK if no image is on trial.
 bool device_find_trial_image(LinkHost *h, const DeviceInfo *info, DeviceImage *image) { return find_image(h, info, is_on_trial, image); }
+
+// Finds the image whose trial has ended.  False with SM_OK if there is none.
 bool device_find_ended_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image) { return find_image(h, info, has_ended_trial, image); }
 
 // Sends a request whose body is the checksum of an image: CONFIRM or ERASE.  Returns whether the board answered SM_OK.
@@ -126,6 +130,7 @@ static bool send_request_for_checksum(LinkHost *h, LinkMessage message, uint32_t
 bool device_confirm_image(LinkHost *h, uint32_t checksum) { return send_request_for_checksum(h, LINK_CONFIRM, checksum); }
 bool device_erase_image(LinkHost *h, uint32_t checksum) { return send_request_for_checksum(h, LINK_ERASE, checksum); }
 
+// Finds the pin of the board's chip for a pin of an image (SmvmPhysicalPin).
 bool device_find_chip_pin(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *chip_pin)
 {
     uint8_t body[3] = {kind, 0, 0};
@@ -137,6 +142,7 @@ bool device_find_chip_pin(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *c
     return true;
 }
 
+// Whether the host can use the board's protocol version and sizes.
 bool device_is_usable(const DeviceInfo *i)
 {
     return i->protocol == LINK_PROTOCOL && i->block > 0 && i->body <= LINK_BODY_MAX && i->block + 5u <= i->body && i->slots >= 1 && i->slots <= 2;
@@ -253,6 +259,7 @@ static void sort_transitions(LinkTransition *t, size_t n)
         }
 }
 
+// Reads the transitions that the board has stored in the slot of this image, the oldest first; *n: their number.
 bool device_read_transitions(LinkHost *h, const DeviceInfo *info, const DeviceImage *image, LinkTransition *out, size_t *n)
 {
     uint8_t bytes[LINK_TRANSITIONS * LINK_TRANSITION];
@@ -343,6 +350,8 @@ static DeviceStep send_image_with_retries(LinkHost *h, const DeviceInfo *info, U
     return step;
 }
 
+// Updates the board: sends the image, chooses it, restarts the board and checks that it runs.  Returns DEVICE_DONE, else the step that
+// failed.
 DeviceStep device_update(LinkHost *h, DeviceInfo *info, Update *u)
 {
     bool chosen, runs;

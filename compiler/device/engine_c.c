@@ -95,6 +95,7 @@ static const char *no_compiler_message(Arena *arena, const char *compiler)
     return format_in(arena, "cannot run the C compiler %s (the variable CC names another)", compiler);
 }
 
+// Whether the compiler can be run; if not, *why is a sentence in arena.
 bool engine_c_present(Arena *arena, const char **why)
 {
     CommandWords argv = {0};
@@ -312,6 +313,7 @@ Engine *engine_c_batch_engine(EngineCBatch *b, size_t i) { return &b->at[i].engi
 
 void engine_c_batch_close(EngineCBatch *b) { os_partner_end(&b->partner); }
 
+// Opens an engine that runs emitted C.  `soft`: with numbers in software.  NULL if it cannot be built; *error is then a sentence.
 Engine *engine_c_open(Arena *arena, const Program *p, const IrMachine *m, bool soft, const char **error)
 {
     EngineCBatch *b = engine_c_batch_open(arena, &p, &m, 1, soft, error);

@@ -8,6 +8,7 @@
 
 const char *const engine_name[ENGINE_KINDS] = {"ref", "vm", "vm-soft", "c", "c-soft"};
 
+// Returns the set of engines with these comma-separated names; "all" means all but c-soft; 0: a name is unknown.
 unsigned engines_named(const char *name)
 {
     unsigned which = 0;
@@ -27,6 +28,7 @@ unsigned engines_named(const char *name)
     }
 }
 
+// Returns the set of engines in a header's list, as `on ref vm c`; other words are ignored.
 unsigned engines_in_list(const char *list)
 {
     unsigned which = 0;
@@ -57,6 +59,7 @@ static Engine *open_engine(EngineKind kind, Session *s, const Program *p, int op
     return NULL;
 }
 
+// Opens the engines of `which`.  After a failure returns false, and the set contains the engines opened before.
 bool engines_open(EngineSet *set, Session *s, const Program *p, unsigned which, int opt_level)
 {
     for (unsigned i = 0; i < ENGINE_KINDS; i++) {

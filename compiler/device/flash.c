@@ -106,6 +106,7 @@ static FlashRefusal check_pins(LinkHost *h, const FlashImage *image, FlashCheck 
     return FLASH_ACCEPTED;
 }
 
+// Decides whether `image` can be sent.  The signature of an image that already runs or is on trial is not checked, because it is not sent.
 FlashRefusal flash_check(Arena *arena, LinkHost *h, const DeviceInfo *info, const FlashImage *image, FlashCheck *c)
 {
     FlashRefusal refusal;

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+// Initialises h for a line.  `sequence`: the number before that of the first request.
 void link_host_init(LinkHost *h, const SerialLine *line, uint32_t wait, unsigned tries, uint8_t sequence)
 {
     memset(h, 0, sizeof *h);
@@ -48,6 +49,8 @@ static bool wait_for_answer(LinkHost *h, LinkMessage message)
     return false;
 }
 
+// Sends a request with a body of n bytes.  True: it was answered, with h->result and h->body.  False: no answer within all tries, or the
+// line is closed.
 bool link_request(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n)
 {
     uint8_t frame[LINK_ROOM(LINK_BODY_MAX) + 1] = {0};           // begins with a zero, which ends noise before the frame

@@ -81,6 +81,8 @@ static uint32_t image_crc(const uint8_t *image, uint32_t length)
     return sm_crc32_end(crc);
 }
 
+// Signs an image that the verifier accepts.  `out` must have room for `length` plus SIGN_ROOM bytes.  Returns the length of the signed
+// image.
 uint32_t image_sign(const uint8_t *image, uint32_t length, const uint8_t *key, uint32_t number, uint8_t *out)
 {
     if ((length = add_sections(image, length, out)) == 0)
@@ -93,6 +95,7 @@ uint32_t image_sign(const uint8_t *image, uint32_t length, const uint8_t *key, u
     return length;
 }
 
+// Returns the number for a time in seconds since 1970; 0 if the time is outside the range, because the clock is wrong.
 uint32_t sign_number_at(int64_t time)
 {
     const int64_t start_of_2020 = 1577836800, number = time - start_of_2020;
