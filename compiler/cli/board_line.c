@@ -46,6 +46,8 @@ static const struct { SmResult result; const char *text; } refusals[] = {
     {SM_E_UNSUPPORTED, "the board does not know this request"},
 };
 
+// Prints why the last request failed, as a message after `what`.  Returns EXIT_PROBLEM if the board refused, EXIT_ENVIRONMENT if it did not
+// answer.
 int board_report_failure(BoardLine *b, const char *what)
 {
     const char *why = sm_result_text(b->host.result);
@@ -61,6 +63,7 @@ int board_report_failure(BoardLine *b, const char *what)
     return EXIT_PROBLEM;
 }
 
+// Returns why a trial ended (DeviceEnd), as a clause of a sentence.
 const char *board_trial_end_text(uint8_t end)
 {
     return end == DEVICE_STARTS_USED    ? "it was not confirmed within its starts"
@@ -126,6 +129,7 @@ static int query_board(Cli *c, BoardLine *b, const char *port, unsigned long spe
     return EXIT_PROBLEM;
 }
 
+// Opens --port and queries the board.  Returns EXIT_OK, or the exit code after a message.
 int board_open(Cli *c, BoardLine *b)
 {
     const char *port = c->value[OPT_PORT], *why;

@@ -20,6 +20,7 @@ static const char *advice_for_rule(uint8_t rule)
     }
 }
 
+// Reads an image and runs the device's own verifier on it.  Returns EXIT_OK, or the exit code after a message.
 int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v)
 {
     uint32_t length;

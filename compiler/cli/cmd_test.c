@@ -7,6 +7,7 @@
 
 enum { FOLDER_DEPTH_MAX = 40 };       // nesting of folders: a link can form a cycle
 
+// Returns the name of a case's suite in the results: the folder of its file.
 const char *test_suite_name(Arena *arena, const char *path)
 {
     const char *slash = strrchr(path, '/');

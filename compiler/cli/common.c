@@ -39,6 +39,7 @@ static void put_plain_message(MessageFormat format, const char *severity, const 
         diag_plain_json(severity, text, out);
 }
 
+// Adds a message to the file that --message-file names, and does not print it.
 void cli_record_message(Cli *c, const char *severity, const char *text)
 {
     const PlainMessage message = {severity, text};
@@ -95,6 +96,8 @@ void cli_print_note(Cli *c, const char *format, ...)
     va_end(args);
 }
 
+// Returns a name for use in a message, with control characters as \x0a; no file with such a name is ever opened. cli_usage_error calls this
+// itself.
 const char *cli_printable_name(Arena *a, const char *name)
 {
     Buf out;
@@ -136,6 +139,7 @@ static int write_files(Cli *c, const OsOutput *out, size_t n)
     return EXIT_ENVIRONMENT;
 }
 
+// Writes outputs, after outputs_check.  Returns EXIT_OK, or the exit code after a message: then no file has been replaced.
 int cli_write_outputs(Cli *c, const OsOutput *out, size_t n)
 {
     const int code = outputs_check(c, out, n);
@@ -143,6 +147,7 @@ int cli_write_outputs(Cli *c, const OsOutput *out, size_t n)
     return code == EXIT_OK ? write_files(c, out, n) : code;
 }
 
+// Writes an edited file over its input, without outputs_check.
 int cli_write_edited(Cli *c, const OsOutput *out)
 {
     const bool has_other_names = os_has_other_names(out->path);
@@ -153,6 +158,7 @@ int cli_write_edited(Cli *c, const OsOutput *out)
     return code;
 }
 
+// Prints to standard output (1) or error (2); false after a message.
 bool cli_print(Cli *c, int fd, const Buf *text)
 {
     const char *why;
@@ -199,6 +205,7 @@ static void record_diagnostics(Cli *c)
         append_diagnostics(d, file_format(c), &plain, &c->message_file);
 }
 
+// Prints the session's diagnostics to standard error, as -W… selects them, and empties the list.  Returns the exit code that they require.
 int cli_print_diagnostics(Cli *c)
 {
     Diags *d = &c->session.diags;
@@ -227,6 +234,7 @@ static int write_message_file(Cli *c, const Buf *document)
     return cli_write_outputs(c, &file, 1);
 }
 
+// Prints a SARIF document, and writes the file that --message-file names.
 int cli_finish(Cli *c, int code)
 {
     const bool prints_sarif = console_format(c) == MESSAGE_SARIF, writes_file = c->given[OPT_MESSAGE_FILE];
@@ -250,6 +258,7 @@ bool has_suffix(const char *path, const char *suffix)
     return n >= m && strcmp(path + n - m, suffix) == 0;
 }
 
+// Whether the value of an option is "-", which is standard output.
 bool cli_is_standard_output(const Cli *c, OptionId id) { return c->given[id] && strcmp(c->value[id], "-") == 0; }
 
 // ---- formats ----
@@ -302,6 +311,7 @@ static bool report_flooded_terminal(Cli *c, const CliFormat *format)
     return true;
 }
 
+// Stores the index of the format that --format names, or else the suffix of the -o name.  Returns false after a message.
 bool cli_choose_format(Cli *c, const CliFormat *format, size_t formats, size_t *found)
 {
     *found = 0;
@@ -317,6 +327,7 @@ bool cli_choose_format(Cli *c, const CliFormat *format, size_t formats, size_t *
 
 // ---- names ----
 
+// Returns a file's name without folders and ending: "tank" for "dir/tank.sm", "stdin" for "-".
 const char *path_stem(Cli *c, const char *path)
 {
     const char *slash = strrchr(path, '/'), *start = slash ? slash + 1 : path, *dot = strrchr(start, '.');

@@ -6,6 +6,7 @@
 
 bool deps_wanted(const Cli *c) { return c->given[OPT_DEPS] || c->given[OPT_DEPS_FILE]; }
 
+// Checks that the file of the rule has a name, from -MF or from the output.
 bool deps_check_name(Cli *c, const OsOutput *output)
 {
     if (c->given[OPT_DEPS_FILE] || strcmp(output->path, "-") != 0)
@@ -25,6 +26,7 @@ static void write_make_name(Buf *out, const char *name)
     }
 }
 
+// Adds the rule after the *n outputs, where n > 0; the array has room for one more.
 void deps_add_rule(Cli *c, OsOutput *o, size_t *n, DepInputs in)
 {
     Buf *out = ARENA_NEW(&c->session.arena, Buf);

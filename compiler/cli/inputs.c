@@ -21,6 +21,7 @@ static Source *open_source(Cli *c, const char *path, const char *name, const cha
     return source_new(&c->session.arena, name, copy, len);
 }
 
+// Reads a source; NULL after a message (exit with EXIT_ENVIRONMENT).
 Source *cli_read_source(Cli *c, const char *path)
 {
     const char *why;
@@ -52,6 +53,7 @@ static void load_app(Cli *c, CompileInput *in)
     }
 }
 
+// Reads every file that the command line names, and those of --sv and --io.
 int cli_read_inputs(Cli *c, CompileInput *in)
 {
     memset(in, 0, sizeof *in);
@@ -71,6 +73,7 @@ int cli_read_inputs(Cli *c, CompileInput *in)
     return EXIT_OK;
 }
 
+// Checks that the names of all files have the suffix of a source ("-" is accepted if `standard_input`); false after a message.
 bool cli_check_sources(Cli *c, bool standard_input)
 {
     FileKind kind;
@@ -100,6 +103,7 @@ static bool read_number_option(Cli *c, OptionId id, const char *spelling, uint32
     return false;
 }
 
+// Reads -O, --step, the limits, -W and --soft.  false after a message: one of them is not a number.
 bool cli_compile_options(Cli *c, CompileOptions *o)
 {
     uint32_t step;

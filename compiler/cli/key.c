@@ -10,6 +10,7 @@ static const char digit[] = "0123456789abcdef";
 
 static bool is_hex_digit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 
+// Whether a file with these bytes is a key: 32 hexadecimal digits and line ends.
 bool key_is_file(const char *text, size_t n)
 {
     size_t i = 0;
@@ -29,6 +30,7 @@ static uint8_t digit_value(char c)
     return (uint8_t)(c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10);
 }
 
+// Reads the key that --key names.  Returns EXIT_OK, or the exit code after a message.  Warns of a file that other users can read.
 int key_load(Cli *c, uint8_t key[SMVM_KEY])
 {
     const char *const path = c->value[OPT_KEY];
@@ -47,6 +49,7 @@ int key_load(Cli *c, uint8_t key[SMVM_KEY])
     return EXIT_OK;
 }
 
+// Checks that an image is signed with the loaded key; if not, prints the reason followed by `then` and returns false.
 bool key_check_signature(Cli *c, const Source *image, const uint8_t *key, const char *then)
 {
     const uint32_t mark = smvm_auth_mark(key);

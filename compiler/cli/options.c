@@ -137,6 +137,7 @@ static bool check_values(Cli *c)
     return true;
 }
 
+// Parses argv after the subcommand into the fields of c. false: a message has been printed, exit with EXIT_USAGE.
 bool options_parse(Cli *c, int argc, char **argv)
 {
     bool ended = false;

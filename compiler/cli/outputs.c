@@ -474,6 +474,7 @@ static bool is_same_output(Cli *c, const char *a, const char *b)
     return !os_is_special(a) && (os_same_file(a, b) || strcmp(real_path(c, a), real_path(c, b)) == 0);
 }
 
+// Whether all outputs can be written.
 int outputs_check(Cli *c, const OsOutput *out, size_t n)
 {
     const char *messages = c->given[OPT_MESSAGE_FILE] ? c->value[OPT_MESSAGE_FILE] : NULL;        // written when the command ends
@@ -500,6 +501,7 @@ static const char *output_named(Cli *c, OptionId id)
     return c->value[id];
 }
 
+// Makes the checks of outputs_check for the outputs that options name, before any input is read.
 int outputs_check_options(Cli *c)
 {
     static const struct { OptionId id; const char *spelling; } option[] = {

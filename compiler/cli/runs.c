@@ -7,6 +7,7 @@
 
 enum { STEPS_MOST = 1000000 };        // a script that runs longer is ended; the default limit of smc test
 
+// Checks that the arguments are one machine and scripts.  Returns EXIT_OK, or the exit code after a message.
 int runs_check_arguments(Cli *c)
 {
     size_t machines = 0;
@@ -24,6 +25,7 @@ int runs_check_arguments(Cli *c)
     return EXIT_OK;
 }
 
+// Returns the machine among the compiled sources.
 const CompiledSource *runs_find_machine(const CompileInput *in, const Compiled *made)
 {
     size_t i = 0;
@@ -35,6 +37,7 @@ const CompiledSource *runs_find_machine(const CompileInput *in, const Compiled *
 
 // ---- on the VM ----
 
+// Runs the scripts of `in` into r->run, on an image with names of p: the machine of r->analysis, compiled for scripts.
 int runs_execute(Cli *c, Report *r, const Program *p, const CompileInput *in)
 {
     const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true};

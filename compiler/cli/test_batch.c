@@ -72,6 +72,7 @@ static void test_batch(TestRun *t, const char *const *path, size_t n)
     arena_free(&b.arena);
 }
 
+// Runs n .smt files, and adds a result for each.
 void test_run_cases(TestRun *t, const char *const *path, size_t n)
 {
     for (size_t i = 0; i < n; i += BATCH)

@@ -87,6 +87,7 @@ TestCase *test_case_open(TestRun *t, const char *path)
     return c;
 }
 
+// Returns whether the case has to run on emitted C of this kind; if so, stores its program and its IR.
 bool test_case_find_c(const TestCase *c, EngineKind kind, const Program **p, const IrMachine **ir)
 {
     *p = c->smt.p;
@@ -112,6 +113,8 @@ static int run_scripts(TestCase *c, Engine *const *emitted)
     return case_run_scripts(&c->smt, c->engines.at, c->engines.n, c->t->max_steps) ? EXIT_OK : EXIT_INTERNAL;
 }
 
+// Runs the case and frees it. `emitted`, which the caller closes: the engines of emitted C, by kind; where one is NULL, the case opens its
+// own engine.
 TestResult test_case_close(TestCase *c, Engine *const *emitted)
 {
     const double begin = os_seconds();

@@ -138,12 +138,14 @@ void test_trace_step(void *context, const ScriptStep *step)
 
 void test_trace_script(TestTrace *t, const char *path) { t->script = path; }
 
+// Reports a script without a trace; t may be NULL.
 void test_trace_left_out(TestTrace *t, const char *path)
 {
     if (t)
         cli_print_note(t->c, TEXT_not_in_trace, path);
 }
 
+// Opens the file that --trace names; *trace is NULL without --trace.  Returns EXIT_OK, or the exit code after a message.
 int test_trace_open(TestRun *run, const Program *p, TestTrace **trace)
 {
     Cli *c = run->c;
@@ -171,6 +173,7 @@ int test_trace_open(TestRun *run, const Program *p, TestTrace **trace)
     return EXIT_OK;
 }
 
+// Closes the trace, which can be NULL.  The file appears if a script ran.
 int test_trace_close(TestTrace *t)
 {
     const char *why;
