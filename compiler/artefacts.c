@@ -84,6 +84,7 @@ static void emit_c_for_source(Compilation *c, size_t i)
         emit_c_io(&c->s->arena, of->pins, &c->in->at[i].c, header, code);
 }
 
+// Emits the outputs that o->emit requests.
 void artefacts_emit(Compilation *c)
 {
     Buf *text = NULL;

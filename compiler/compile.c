@@ -172,6 +172,7 @@ static void compile_app(Compilation *c)
         artefacts_emit_app(c, a);
 }
 
+// Parses an application, and lists the files that it names in out->files.  The caller then reads each of them.
 void compile_open_app(Session *s, const Source *app, CompileApp *out)
 {
     out->tree = parse_file(&s->arena, &s->strings, &s->diags, app, FILE_APP);
@@ -192,6 +193,7 @@ static bool finish_diagnostics(Session *s, const CompileOptions *o)
     return s->diags.errors == 0;
 }
 
+// Compiles everything that `o` requests.  s->diags then has the diagnostics, sorted, without the allowed and the disabled ones.
 bool compile_sources(Session *s, const CompileInput *in, const CompileOptions *o, Compiled *out)
 {
     Compilation c = {s, in, o, out, ARENA_ARRAY(&s->arena, const Program *, in->n), 0};
@@ -211,6 +213,8 @@ bool compile_sources(Session *s, const CompileInput *in, const CompileOptions *o
     return finish_diagnostics(s, o);
 }
 
+// Adds the artefacts of o->emit to those of an earlier compile_sources of the same input, which found no error; other options must be as
+// they were then.
 bool compile_emit(Session *s, const CompileInput *in, const CompileOptions *o, Compiled *out)
 {
     Compilation c = {s, in, o, out, NULL, 0};

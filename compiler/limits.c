@@ -79,6 +79,7 @@ static void check_step(const LimitCheck *x, const Cost *cost, DiagCode code, uin
 
 // ---- all ----
 
+// Reports by how much a machine exceeds the limits.  `image` contains only this machine, compiled from p as it will fly, and line numbers.
 void limits_check(Arena *arena, Diags *d, const Program *p, const uint8_t *image, const CompileLimits *l)
 {
     const LimitCheck x = {arena, d, p};
@@ -93,6 +94,7 @@ void limits_check(Arena *arena, Diags *d, const Program *p, const uint8_t *image
     check_step(&x, &cost, DIAG_limit_cycles, l->cycles);
 }
 
+// Reports that the limits cannot be judged for a machine, because an application compiles it to C.
 void limits_report_c(Diags *d, const Program *p)
 {
     diag_report(d, DIAG_limit_of_c, span_of_window(p, NULL), p->name->text);

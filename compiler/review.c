@@ -5,6 +5,7 @@
 
 #include "compiler/version.h"
 
+// Begins a review without runs.
 void review_begin(Session *s, const Program *flown, Report *r)
 {
     memset(r, 0, sizeof *r);
@@ -13,6 +14,8 @@ void review_begin(Session *s, const Program *flown, Report *r)
     analysis_begin(&r->analysis, r->arena, &s->diags, flown);
 }
 
+// Adds the costs of a machine as it flies: compiled with the option `measure`, with its image as `smc build` writes it, without names but
+// with pins.  `step_given`: the user chose s->step; otherwise it is the delta_t of the scripts.
 void review_add_costs(Session *s, const CompiledSource *m, const Buf *image, bool step_given, Report *r)
 {
     r->step_given = step_given;
@@ -24,6 +27,8 @@ void review_add_costs(Session *s, const CompiledSource *m, const Buf *image, boo
     r->image_size = image->n;
 }
 
+// Runs the script `src` on the engines in lock step and records what the first one does in *run.  `p` is the machine as its scripts run it.
+// `script`: the compiled script; NULL: it is compiled now, and if it has errors, run->script is NULL and nothing has run.
 void review_run_script(Session *s, const Report *r, const Program *p, const Source *src, const Script *script, Engine **engine, size_t engines,
                        const ScriptOptions *o, ReportRun *run)
 {

@@ -12,6 +12,7 @@
 #include "compiler/passes/pass.h"
 #include "compiler/syntax/parse.h"
 
+// Prepares a session.  If `alloc` returns NULL, a call of the session jumps to *oom; the caller then calls session_free.
 void session_init(Session *s, SmcAllocFn alloc, void *context, jmp_buf *oom)
 {
     memset(s, 0, sizeof *s);
@@ -65,6 +66,7 @@ StateVec *session_state_vector(Session *s, const Source *sv)
     return s->diags.errors_seen > errors ? NULL : out;
 }
 
+// Returns the pins of `io`; NULL if it or the state vector has errors.
 IoMap *session_io(Session *s, const Source *io, const Source *sv)
 {
     size_t errors = s->diags.errors_seen;
@@ -180,6 +182,7 @@ static void analyse_app(Session *s, const App *a)
         analyse_shared_pins(&s->arena, &s->diags, a->pins, p[i]);
 }
 
+// Compiles an application and everything that it names, analyses included.  NULL if there were errors.
 App *session_app(Session *s, const AstFile *app, AppFiles *files)
 {
     size_t errors = s->diags.errors_seen;
@@ -248,6 +251,7 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
     return s->diags.errors_seen > errors ? NULL : out;
 }
 
+// Adds the names of the locals and elements that a script writes to `written`, and returns its delta_t; 0 if it has none, or errors.
 uint64_t session_script_writes(Session *s, const Source *ss, Map *written)
 {
     Map names = {&s->tree, NULL, NULL, 0, 0};
@@ -261,6 +265,7 @@ uint64_t session_script_writes(Session *s, const Source *ss, Map *written)
     return delta_t;
 }
 
+// Reports warnings for a machine without errors.  Leaves the IR that it builds in s->built.
 void session_analyse(Session *s, const Program *p)
 {
     s->diags.analysed |= s->warnings;
@@ -309,6 +314,7 @@ static IrMachine *reuse_or_build_ir(Session *s, const Program *p)
     return m;
 }
 
+// Returns the optimised IR, by passes over s->built if that is of p.
 IrMachine *session_ir(Session *s, const Program *p, int opt_level)
 {
     IrMachine *m = reuse_or_build_ir(s, p);
@@ -325,11 +331,13 @@ IrMachine *session_ir(Session *s, const Program *p, int opt_level)
 
 // ---- IR to executable form ----
 
+// Emits an image with n machines, which share one state vector.  Returns false after reporting what exceeds the format.
 bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions *o, Buf *out)
 {
     return emit_image(&s->arena, &s->diags, m, n, o->io, o->debug, out);
 }
 
+// Opens the VM, or the VM with soft numbers, on an image built for this engine.  NULL if it cannot be opened; *error is then a sentence.
 Engine *session_open_vm(Session *s, const Program *p, int opt_level, bool soft, const char **error)
 {
     IrMachine *m = session_ir(s, p, opt_level);
