@@ -619,6 +619,7 @@ static void write_code_includes(const AppEmitter *e)
         buf_str(e->out, "#include \"stdlib/convert.h\"\n");
 }
 
+// Emits the application.  `image`: by machine, the bytecode image of a machine with @bytecode, otherwise NULL.
 void emit_c_app(Arena *arena, const App *app, const Buf *const *image, Buf *header, Buf *code)
 {
     AppEmitter e;

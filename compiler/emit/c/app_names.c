@@ -138,6 +138,7 @@ static void claim_machines(CNameClaims *k)
     }
 }
 
+// Checks that no two things in the emitted C of an application have the same name.  Reports each clash; returns false if there is one.
 bool emit_c_check_app_names(Arena *arena, Diags *diags, const App *app)
 {
     static const char *const pins[] = {"_inputs", "_outputs"};

@@ -52,6 +52,7 @@ static size_t find_line_break(const char *text, size_t len, size_t width)
     return best;
 }
 
+// Appends the statement in fn->line to fn->body, on several lines if it is long, and empties fn->line.
 void c_end_line(CFn *fn)
 {
     const char *text = buf_text(&fn->line);
@@ -417,6 +418,7 @@ static bool needs_line_after_declarations(const CFn *fn, const Buf *copies)
     return (copies->n || fn->declarations.n) && strncmp(buf_text(&fn->body), "    const ", 10) != 0;
 }
 
+// Writes the function as a static C function.
 CSignature c_write_function(CUnit *u, const CFunction *what, Buf *out)
 {
     CFn *fn = prepare_function(u, what->f, what->begin);

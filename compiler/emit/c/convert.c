@@ -7,6 +7,7 @@
 static unsigned bit_width(SmType t) { return sm_type_info[t].bytes * 8u; }
 static bool is_signed(SmType t) { return sm_type_info[t].kind == SM_KIND_SIGNED; }
 
+// Whether r is a conversion of an integer to an integer type that can represent all its values, and is written as a subexpression.
 bool c_is_widening(const CFn *fn, IrRef r)
 {
     const IrIns *i = c_ins(fn, r);
@@ -15,6 +16,7 @@ bool c_is_widening(const CFn *fn, IrRef r)
            ir_is_integer(c_ins(fn, i->a)->type) && ir_integer_contains(i->type, c_ins(fn, i->a)->type);
 }
 
+// Writes the value where C converts it implicitly to the temporary's type: in an assignment or an argument.
 void c_write_assigned(CFn *fn, IrRef r)
 {
     while (c_is_widening(fn, r))
@@ -74,6 +76,7 @@ static void write_cast(CFn *fn, SmType to, IrRef r, int prec)
     c_close_parens(fn, opened);
 }
 
+// Writes the value, whatever its type, as a double.
 void c_write_double(CFn *fn, IrRef r, int prec)
 {
     const IrIns *i = c_ins(fn, r);
@@ -101,6 +104,7 @@ static void write_call_on_double(CFn *fn, const char *helper, IrRef r)
     c_write(fn, ")");
 }
 
+// Writes `r != 0`, or `r == 0` if negated, for a number r that is never NaN.
 void c_write_nonzero_test(CFn *fn, IrRef r, bool negated, int prec)
 {
     const SmType type = c_ins(fn, r)->type;
@@ -295,6 +299,7 @@ static void write_to_bool(CFn *fn, IrRef r, int prec)
         c_write_nonzero_test(fn, r, false, prec);
 }
 
+// Writes the conversion i of the language: a NaN becomes 0, and integers saturate.
 void c_write_conversion(CFn *fn, const IrIns *i, int prec)
 {
     const SmType from = c_ins(fn, i->a)->type, to = i->type;

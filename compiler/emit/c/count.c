@@ -90,6 +90,7 @@ static void write_increment(CFn *fn, const CCounter *c, bool up)
     }
 }
 
+// If the store increments its own variable by one and numbers are soft, writes a call of sm_soft_increment and returns true.
 bool soft_try_write_count(CFn *fn, const IrIns *store)
 {
     const IrIns *i = c_ins(fn, store->a);
@@ -117,6 +118,8 @@ static const char *counter_helper(CFn *fn, const CCounter *c, SmType to)
     return c->condition == IR_NONE ? "sm_count_up" : "sm_count_up_if";
 }
 
+// If r is a counter plus or minus a whole number, as an F64 that is about to be converted to the 64-bit integer type `to`, writes the
+// converted sum as a call of a count helper and returns true.
 bool c_try_write_count(CFn *fn, IrRef r, SmType to)
 {
     CCounter c;

@@ -4,6 +4,7 @@
 
 #include "compiler/emit/c/unit.h"
 
+// Returns the C type of a value of `type`.
 const char *c_type_of(const CUnit *u, SmType type)
 {
     switch (type) {
@@ -111,6 +112,7 @@ void c_write_vector_struct(const CUnit *u, Buf *out)
                n->sv_type);
 }
 
+// Writes the check of the struct's size, for the source file: foreign function interfaces read the header, and most cannot evaluate it.
 void c_write_vector_check(const CUnit *u, Buf *out)
 {
     buf_printf(out, "// Does not compile if the compiler inserts padding into the state vector or has types of other sizes.\n"
@@ -144,6 +146,7 @@ static void write_state_enum(const CUnit *u, Buf *out)
                (unsigned)states);
 }
 
+// Whether variable v is S or an element that the machine may assign.
 bool c_is_output(const IrMachine *m, size_t v)
 {
     return m->var.at[v].space == IR_ELEMENT && (m->var.at[v].writable || v == m->s);

@@ -224,6 +224,9 @@ static CUnit *write_machine_code(Arena *arena, const IrMachine *m, size_t i, boo
     return u;
 }
 
+// Emits several machines, each the result of passes_for_c, and a main as one translation unit: a driver program that runs them on commands
+// from its standard input.  compiler/device/engine_c.c compiles and drives it.  track_stores has one flag for each machine.  `soft` is as
+// above; the soft library is part of the unit.
 void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_stores, size_t n, bool soft, Buf *code)
 {
     uint32_t *helper = ARENA_ARRAY(arena, uint32_t, helper_count());

@@ -6,6 +6,7 @@
 
 #include "compiler/emit/c/fn.h"
 
+// Returns what is wrong with a prefix, as a sentence for the user, or NULL if it is valid.
 const char *emit_c_prefix_error(const char *prefix)
 {
     for (const char *p = prefix; *p; p++)
@@ -78,6 +79,7 @@ static const char *choose_prefix(Arena *a, const char *wanted, const char *name)
     return wanted ? c_identifier(a, wanted, strlen(wanted)) : c_identifier(a, name, strlen(name));
 }
 
+// Initialises a unit for m.  `prefix` is a C identifier.
 void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const char *sv_prefix)
 {
     memset(u, 0, sizeof *u);
@@ -102,6 +104,7 @@ void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const
     u->self_test = true;
 }
 
+// Chooses soft numbers (soft.c) or doubles.
 void unit_set_soft(CUnit *u, bool soft)
 {
     u->soft = soft;
@@ -189,6 +192,7 @@ static void write_code(CUnit *u, const char *source, const char *header, Buf *ou
     c_write_self_test(out);
 }
 
+// Emits one machine, the result of passes_for_c (passes/pass.h).  `o` may be NULL.
 void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code)
 {
     const char *source = source_file_name(arena, o, m->name->text, "sm");
@@ -223,11 +227,13 @@ static void init_vector_unit(CUnit *u, Arena *arena, const StateVec *sv, const c
     names_assign_elements(arena, &u->names, &u->sv);
 }
 
+// Initialises `u` for a state vector without a machine and assigns its names, including sv_type and the members.
 void c_init_vector_names(Arena *arena, const StateVec *sv, CUnit *u)
 {
     init_vector_unit(u, arena, sv, choose_prefix(arena, NULL, sv->name->text));
 }
 
+// Emits a state vector alone: the struct that the headers of its machines also declare.
 void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code)
 {
     const char *source = source_file_name(arena, o, sv->name->text, "sv");

@@ -132,6 +132,7 @@ static void write_code(const IoUnit *u, const char *header, Buf *out)
     write_pin_table(u, true, out);
 }
 
+// Emits the pins of a .io as tables for runtime-c/io.h.
 void emit_c_io(Arena *arena, const IoMap *io, const EmitCOptions *o, Buf *header, Buf *code)
 {
     IoUnit u = {arena, io, choose_prefix(arena, o ? o->prefix : NULL, io->name), choose_prefix(arena, NULL, io->sv->name), NULL};

@@ -10,6 +10,7 @@
 
 static const IrVar *get_var(const CFn *fn, uint32_t v) { return &fn->u->m->var.at[v]; }
 
+// Writes `(` if an expression of precedence `own` needs it where `wanted` is required.  The result is the argument of c_close_parens.
 bool c_open_parens(CFn *fn, int own, int wanted)
 {
     if (own < wanted)
@@ -77,6 +78,7 @@ static void write_builtin(CFn *fn, const IrIns *i)
 
 // ---- variables ----
 
+// Writes a variable of the machine: `m->x` for a local, `sv->x` for an element.
 void c_write_member(CFn *fn, uint32_t v)
 {
     const bool element = get_var(fn, v)->space == IR_ELEMENT;
@@ -106,6 +108,7 @@ static bool may_clash(const CNames *n, const char *name)
            (has_prefix(name, n->prefix) && name[prefix] == '_') || (has_prefix(name, n->macro) && name[macro] == '_');
 }
 
+// Returns a name for the C variable that holds a copy of the machine's variable `var`: the variable's own name if that cannot clash.
 const char *c_copy_name(CFn *fn, uint32_t v)
 {
     const char *name = fn->u->names.var[v];
@@ -113,6 +116,7 @@ const char *c_copy_name(CFn *fn, uint32_t v)
     return may_clash(&fn->u->names, name) ? format_in(fn->u->arena, "e%u_%s", (unsigned)v, name) : name;
 }
 
+// Writes T: `sv->g - m->start_`.
 void c_write_time(CFn *fn)
 {
     c_write_member(fn, fn->u->m->g);
@@ -128,6 +132,7 @@ static bool has_copy(const CFn *fn, const IrIns *i)
     return fn->var[i->var].stamp == fn->stamp && fn->var[i->var].copy;
 }
 
+// Writes the value of r, the load of a float element, as type `as`: SM_F32 or SM_F64.
 void c_write_float_load(CFn *fn, IrRef r, SmType as)
 {
     const IrIns *i = c_ins(fn, r);
@@ -178,6 +183,7 @@ static void write_load(CFn *fn, IrRef r, int prec)
 
 // ---- constants ----
 
+// Writes the literal, and the name of the constant as a comment.
 void c_write_constant(CFn *fn, IrRef r, SmType type, uint64_t bits)
 {
     const char *name = remark_constant_name(fn->u, c_ins(fn, r)->span);
@@ -259,6 +265,7 @@ static void write_literal(CFn *fn, IrRef r, uint64_t bits, int prec)
     c_close_parens(fn, opened);
 }
 
+// Writes the value of temporary r to fn->line, in parentheses if the precedence of the expression is below `prec`.
 void c_write_value(CFn *fn, IrRef r, int prec)
 {
     const IrIns *i = c_ins(fn, r);
@@ -294,6 +301,7 @@ void c_write_value(CFn *fn, IrRef r, int prec)
     }
 }
 
+// Writes the bool r, or its negation, as a condition of C: any expression that is nonzero if it is true.
 void c_write_condition(CFn *fn, IrRef r, bool negated, int prec)
 {
     const IrIns *i = c_ins(fn, r);

@@ -33,6 +33,7 @@ static void add_to_dominator_tree(CDominators *t, uint32_t x, uint32_t parent)
     t->shortcut[x] = t->depth[parent] - t->depth[s] == t->depth[s] - t->depth[ss] ? ss : parent;
 }
 
+// Whether block a dominates block b.
 bool flow_dominates(const CFlow *w, uint32_t a, uint32_t b) { return nearest_common_dominator(&w->dominators, a, b) == a; }
 
 static bool has_effect(const IrFn *f, const IrBlk *b)
@@ -130,6 +131,7 @@ static void find_blocks_that_fall_out(Arena *arena, CFlow *w, const CDominators 
     }
 }
 
+// Computes fn->flow, the nesting of the blocks in C.
 void flow_build(CFn *fn)
 {
     Arena *a = fn->u->arena;

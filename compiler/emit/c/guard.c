@@ -60,6 +60,8 @@ static const char soft_guards[] =
     "#pragma clang diagnostic ignored \"-Wtautological-compare\"   // conditions are as their author wrote them\n"
     "#endif\n";
 
+// Writes the includes, and the #error checks and pragmas against compilers and flags that change the meaning of arithmetic.  `name` begins
+// the name of the type that checks the size of constants.
 void c_write_compiler_checks(Buf *out, const char *name, bool soft)
 {
     buf_str(out, includes);

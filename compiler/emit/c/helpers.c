@@ -17,6 +17,7 @@ static int find_helper(const char *name)
     return -1;
 }
 
+// Counts a use of the snippet `name` of stdlib, so that it is emitted; returns `name`.
 const char *helper_require(CUnit *u, const char *name)
 {
     const int i = find_helper(name);
@@ -26,6 +27,7 @@ const char *helper_require(CUnit *u, const char *name)
     return name;
 }
 
+// Writes the snippet that defines type `name`.
 void helper_write_type(CUnit *u, const char *name, Buf *out)
 {
     const int i = find_helper(name);

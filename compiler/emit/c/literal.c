@@ -36,6 +36,7 @@ static void write_normalized(Buf *out, char *text)
     buf_str(out, e);
 }
 
+// Writes a finite number with the fewest decimal digits that convert back to it.
 void literal_write_finite(Buf *out, double x)
 {
     char text[40];
@@ -116,6 +117,7 @@ static void write_unsigned(Buf *out, uint64_t v)
     buf_printf(out, v > UINT32_MAX ? "UINT64_C(%llu)" : v > INT32_MAX ? "%lluu" : "%llu", (unsigned long long)v);
 }
 
+// Writes a constant as a C literal of its type.  `bits` is the constant's bit pattern, zero-extended.
 void literal_write(CUnit *u, Buf *out, SmType type, uint64_t bits)
 {
     switch (type) {

@@ -18,6 +18,7 @@ static Fact fact_in_block(const FactFlow *flow, size_t b, IrRef r, SmType type)
     return flow->reached[b] ? flow->of[r] : any;
 }
 
+// Computes CIns.fact of every instruction from the facts `begin` at the start of the function.
 void lower_find_facts(CFn *fn, const Env *begin)
 {
     const IrFn *f = fn->f;
@@ -357,6 +358,7 @@ static void choose_forms_of_block(CFn *fn, uint32_t b)
     }
 }
 
+// Chooses CIns.form of every instruction, the float loads that need no check, and the copies.
 void lower_choose_forms(CFn *fn)
 {
     const uint32_t end = fn->flow.n - 1;

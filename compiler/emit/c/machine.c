@@ -71,6 +71,7 @@ static CStateBlocks *write_blocks(CUnit *u, Buf *out)
     return s;
 }
 
+// Returns the C type for a state's number or 0: the shortest that can represent all if numbers are soft.
 const char *c_state_type(const CUnit *u)
 {
     return !u->soft || u->m->state.n > UINT16_MAX ? "uint32_t" : u->m->state.n > UINT8_MAX ? "uint16_t" : "uint8_t";
@@ -348,6 +349,7 @@ static void write_queries(const CUnit *u, Buf *out)
     buf_printf(out, "uint32_t %s_sv_size(void)\n{\n    return (uint32_t)sizeof(%s);\n}\n", n->prefix, n->sv_type);
 }
 
+// Writes the functions of all blocks, then init, step, state, T and state_name.
 void c_write_machine(CUnit *u, Buf *out)
 {
     CSignature sample = { 0 };

@@ -21,6 +21,7 @@ static bool has_suffix(const char *name, const char *end)
     return n >= e && strcmp(name + n - e, end) == 0;
 }
 
+// Whether a member or variable of that name may fail to compile as C99 or C++11 with common headers.
 bool c_is_reserved(const char *name)
 {
     static const char *const own[] = { "_H_INCLUDED", "_SV_LAYOUT", "_slot_", "_sorted_" };   // reserved for the emitted headers
@@ -38,6 +39,7 @@ static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c 
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }
 static char to_upper(char c) { return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c; }
 
+// Whether a name is sm, smvm or pal, or begins with one of these and an underscore.
 bool c_has_reserved_prefix(const char *name)
 {
     static const char *const our[] = {"sm", "smvm", "pal"};
@@ -50,6 +52,7 @@ bool c_has_reserved_prefix(const char *name)
     return false;
 }
 
+// Turns any text into a C identifier: `my-tank.v2` becomes my_tank_v2, `sm` becomes m_sm.
 const char *c_identifier(Arena *arena, const char *text, size_t len)
 {
     Buf b;
@@ -70,6 +73,7 @@ const char *c_identifier(Arena *arena, const char *text, size_t len)
     return c_has_reserved_prefix(buf_text(&b)) ? format_in(arena, "m_%s", buf_text(&b)) : buf_text(&b);
 }
 
+// Returns the name of a type for a prefix: MyTankV2 for my_tank_v2.
 const char *c_type_name(Arena *arena, const char *prefix)
 {
     Buf b;
@@ -83,6 +87,7 @@ const char *c_type_name(Arena *arena, const char *prefix)
     return buf_text(&b);
 }
 
+// Returns the prefix of macros for a prefix: MY_TANK_V2 for my_tank_v2.
 const char *c_macro_name(Arena *arena, const char *prefix)
 {
     Buf b;
@@ -164,8 +169,10 @@ static void reserve_padding_names(NameSet *s, const CVector *sv)
     }
 }
 
+// Returns the name of the member for the padding bytes at an offset.
 const char *c_padding_name(Arena *arena, uint32_t at) { return format_in(arena, "pad_at_%u_", (unsigned)at); }
 
+// Assigns the members of the elements of `sv`.  names->sv_type must be set.
 void names_assign_elements(Arena *arena, CNames *names, CVector *sv)
 {
     const char **name = ARENA_ARRAY(arena, const char *, sv->n), **member = ARENA_ARRAY(arena, const char *, sv->n);
@@ -344,6 +351,7 @@ static void assign_state_names(CUnit *u)
             u->names.state[i] = take_free_name(&s, c_identifier(u->arena, name[i], strlen(name[i])));
 }
 
+// Returns the name of the struct of a machine whose functions begin with `prefix`.
 const char *c_machine_type(Arena *arena, const char *prefix, const char *sv_type)
 {
     const char *type = c_type_name(arena, prefix);
@@ -351,6 +359,7 @@ const char *c_machine_type(Arena *arena, const char *prefix, const char *sv_type
     return strcmp(type, sv_type) == 0 ? format_in(arena, "%sMachine", type) : type;
 }
 
+// Assigns all names of the unit's machine and state vector.  names.sv_type must be set.
 void names_init(CUnit *u, const char *prefix)
 {
     CNames *n = &u->names;

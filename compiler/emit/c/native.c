@@ -246,6 +246,7 @@ static void write_with_native_syntax(CUnit *u, const char *from, const char *to,
     }
 }
 
+// Writes the source of a stdlib snippet.
 void native_write(CUnit *u, const char *text, Buf *out)
 {
     if (u->soft)

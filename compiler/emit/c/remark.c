@@ -26,6 +26,7 @@ static const char *trim_remark(Arena *a, const char *text, size_t n)
     return can_be_in_comment(text, n) ? format_in(a, "%.*s", (int)n, text) : "";
 }
 
+// Returns the source comment at the end of the line of `s`; "" if there is none or it cannot be copied into a C comment.
 const char *remark_of_line(Arena *a, Span s)
 {
     const char *line, *hash;
@@ -55,6 +56,7 @@ static void collect_constants(CUnit *u)
             map_put(&u->constants, str_intern(&u->constant_names, p->var.at[i]->name->text, p->var.at[i]->name->len), p->var.at[i]);
 }
 
+// Returns the name of the constant local whose name is the source at `s`; "" if `s` is not such a name.
 const char *remark_constant_name(CUnit *u, Span s)
 {
     Str name;
@@ -83,6 +85,7 @@ static void record_statistic_calls(CUnit *u, const IrFn *f, const char **call)
             record_statistic_call(u, &f->ins.at[f->blk.at[b].ins.at[i]], call);
 }
 
+// Returns, by window, the source of the first call that reads it; NULL where unknown.
 const char **remark_window_calls(CUnit *u)
 {
     const IrMachine *m = u->m;

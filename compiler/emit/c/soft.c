@@ -8,6 +8,7 @@
 #include "soft_text.h"
 #include "stdlib/convert.h"
 
+// Whether t is a float type and its values are SmF64 in emitted C.
 bool c_is_soft(const CFn *fn, SmType t) { return fn->u->soft && sm_type_info[t].kind == SM_KIND_FLOAT; }
 
 // ---- conversions ----
@@ -31,6 +32,7 @@ static void write_arithmetic_call(CFn *fn, const IrIns *i)
     c_write(fn, ")");
 }
 
+// Writes an integer or F32 that is not a constant as an SmF64.
 void soft_write_to_f64(CFn *fn, IrRef r)
 {
     c_write(fn, to_f64_helper[c_ins(fn, r)->type]);
@@ -39,6 +41,7 @@ void soft_write_to_f64(CFn *fn, IrRef r)
     c_write(fn, ")");
 }
 
+// Writes a float that is in range as an integer, or any number as an F32.
 void soft_write_cast(CFn *fn, SmType to, IrRef r)
 {
     c_write(fn, to == SM_F32 ? "sm_round_f32(" : truncation_helper[to]);
@@ -48,6 +51,7 @@ void soft_write_cast(CFn *fn, SmType to, IrRef r)
 
 // ---- arithmetic ----
 
+// Writes the add, sub, mul or div of two floats.
 void soft_write_binary(CFn *fn, const IrIns *i)
 {
     c_write(fn, i->type == SM_F32 ? "sm_round_f32(" : "");
@@ -171,6 +175,8 @@ static bool can_compare_integer_bytes(const CFn *fn, const ByteCompare *l)
            fn->ins[l->load].form == C_SUBEXPRESSION;
 }
 
+// If i compares a variable with a constant and some bytes of the variable decide the result, writes a call that reads only those and returns
+// true.
 bool soft_try_write_byte_compare(CFn *fn, const IrIns *i, bool negated)
 {
     ByteCompare l;
@@ -186,6 +192,7 @@ bool soft_try_write_byte_compare(CFn *fn, const IrIns *i, bool negated)
     return true;
 }
 
+// Writes `r != 0`, or `r == 0` if negated, for a float r that is never NaN.
 void soft_write_nonzero_test(CFn *fn, IrRef r, bool negated)
 {
     c_write(fn, negated ? "!sm_to_bool(" : "sm_to_bool(");
@@ -201,6 +208,7 @@ static void write_lines(const char *const *line, Buf *out)
         buf_str(out, *line);
 }
 
+// Writes the declarations and functions of soft numbers, to be part of the same translation unit.
 void c_write_soft_library(Buf *out)
 {
     buf_str(out, "#define SM_F64_SOFT 1\n");

@@ -36,6 +36,7 @@ static void write_window_sizes(const CUnit *u, bool small, Buf *out)
             buf_printf(out, "#define %s_WORDS_%s %u\n", u->names.macro, u->window[w], small ? small_window_words(u, w) : window_words(u, w));
 }
 
+// Writes a macro for the size of each window whose size depends on SM_ROLL_SMALL.
 void c_write_window_sizes(const CUnit *u, Buf *out)
 {
     Buf small;
@@ -49,6 +50,7 @@ void c_write_window_sizes(const CUnit *u, Buf *out)
     buf_str(out, "#endif\n\n");
 }
 
+// Returns the declarator of the window's member: its name and its size in words, as in `altitude_last_9[12]`.
 const char *c_window_declaration(const CUnit *u, size_t w)
 {
     if (window_words(u, w) == small_window_words(u, w))
@@ -56,6 +58,7 @@ const char *c_window_declaration(const CUnit *u, size_t w)
     return format_in(u->arena, "%s[%s_WORDS_%s]", u->window[w], u->names.macro, u->window[w]);
 }
 
+// Whether window w is the first of its size.
 bool c_begins_ring(const CUnit *u, size_t w)
 {
     for (size_t i = 0; i < w; i++)
@@ -64,6 +67,7 @@ bool c_begins_ring(const CUnit *u, size_t w)
     return true;
 }
 
+// Writes the statements of init that empty all windows.
 void c_write_empty_windows(const CUnit *u, Buf *out)
 {
     for (size_t w = 0; w < u->m->window.n; w++) {
@@ -84,6 +88,7 @@ void c_write_ring_steps(CUnit *u, Buf *out)
     }
 }
 
+// Whether the function that adds sample i to its rolling window reads a NaN as 0, so that the caller need not check for it.
 bool c_window_reads_nan_as_zero(const CFn *fn, const IrIns *i)
 {
     const uint32_t type = roll_kind(get_window(fn->u, i->var)) & SM_ROLL_TYPE;
@@ -139,6 +144,7 @@ static void begin_roll_call(CUnit *u, const char *name, size_t w, Buf *out)
     write_kind(get_window(u, w), out);
 }
 
+// Writes the statement that adds a sample to a rolling window.
 void c_write_sample(CFn *fn, const IrIns *i)
 {
     const IrWindow *w = get_window(fn->u, i->var);
@@ -160,6 +166,7 @@ void c_write_sample(CFn *fn, const IrIns *i)
 
 static const char *const stat_name[SM_STAT_COUNT] = { "avg", "median", "min", "max", "range" };
 
+// Writes the call that reads a statistic of a rolling window.
 void c_write_statistic_call(CFn *fn, const IrIns *i)
 {
     CUnit *u = fn->u;
@@ -177,6 +184,7 @@ static void write_statistic_function(CUnit *u, size_t w, int stat, Buf *out)
     buf_printf(out, ", %s(&m->%s));\n}\n\n", helper_require(u, "sm_roll_count"), u->ring[w]);
 }
 
+// Writes a function for each statistic that window_stats_read lists.
 void c_write_statistic_functions(CUnit *u, Buf *out)
 {
     bool any = false;
