@@ -220,7 +220,7 @@ static void visit_block(Cse *c, IrBlk *blk)
         blk->jump.cond = replace_use(c, blk->jump.cond);
 }
 
-// Common subexpression elimination: replaces an operation by an earlier one with the same operands.
+// The pass `cse`: computes a value once per block, and removes stores of the value that is already stored.
 void pass_cse(Arena *arena, IrFn *f, Facts *facts)
 {
     size_t n = f->ins.n, longest = 0;

@@ -54,7 +54,7 @@ static bool visit_for_dse(const IrFn *f, IrRef ref, Facts *facts)
     return true;
 }
 
-// Dead code elimination: removes the instructions whose results no code uses.
+// The pass `dce`: removes operations whose results are not used.
 void pass_dce(Arena *arena, IrFn *f, Facts *facts)
 {
     (void)arena;
@@ -62,7 +62,7 @@ void pass_dce(Arena *arena, IrFn *f, Facts *facts)
         filter_block(f, &f->blk.at[b], facts, visit_for_dce);
 }
 
-// Dead store elimination: removes the stores whose values no code reads.
+// The pass `dse`: removes stores that the same block overwrites before they are read.
 void pass_dse(Arena *arena, IrFn *f, Facts *facts)
 {
     (void)arena;

@@ -48,6 +48,7 @@ static void remove_unused_locals(Arena *arena, IrMachine *m)
             renumber_variables(m->state.at[s].block[k], number);
 }
 
+// The pass `empty`: removes functions that do nothing and hidden locals that are not used.
 void pass_empty(Arena *arena, IrMachine *m, FactMachine *values)
 {
     (void)values;

@@ -40,6 +40,7 @@ static void fold_instruction(const IrFn *f, IrIns *i)
         replace_by_const(i, ir_cell(i->type, ir_eval(i->op, i->type, const_number(f, i->a), const_number(f, i->b))));
 }
 
+// The pass `fold`: computes operations on numbers that are known.
 void pass_fold(Arena *arena, IrFn *f, Facts *facts)
 {
     (void)arena;

@@ -156,6 +156,7 @@ static void visit_instruction(Identity *d, IrRef ref)
     d->never_nan[ref] = !is_float(i->type) || is_never_nan(d, i);
 }
 
+// The pass `identity`: removes operations whose result is an operand unchanged, such as a conversion there and back.
 void pass_identity(Arena *arena, IrFn *f, Facts *facts)
 {
     Identity d = {f, ARENA_ARRAY(arena, IrRef, f->ins.n), ARENA_ARRAY(arena, bool, f->ins.n)};

@@ -188,6 +188,7 @@ static void move_bool_stores(IfConvert *c, IrBlkRef b, const Arm *then, const Ar
     }
 }
 
+// Moves the stores of an arm that count by one to the end of block b.
 static void move_count_stores(IfConvert *c, IrBlkRef b, const Arm *arm)
 {
     for (unsigned i = 0; i < arm->n; i++)
@@ -213,6 +214,7 @@ static void convert_branch(IfConvert *c, IrBlkRef b, const Arm *then, const Arm 
     j->cond = j->otherwise = IR_NONE;
 }
 
+// The pass `if_convert`: replaces conditionals that only choose a boolean, or count by one, with code without a branch.
 void pass_if_convert(Arena *arena, IrFn *f, Facts *facts)
 {
     IfConvert c = {arena, facts->m, f, ir_count_edges(arena, f), !facts->soft};

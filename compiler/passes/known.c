@@ -84,6 +84,7 @@ static void rewrite_function(Arena *arena, FactMachine *fm, IrFn *f, const Env *
     }
 }
 
+// The pass `known`: replaces what can only be one number by facts on every path, and removes what changes nothing.
 void pass_known(Arena *arena, IrMachine *m, FactMachine *values)
 {
     pass_on_each_function(arena, m, values, rewrite_function);

@@ -107,6 +107,7 @@ static bool has_removable_access(const LocalsPass *l)
     return false;
 }
 
+// The pass `locals`: turns locals that are never written into constants, and hidden locals of one block into temporaries.
 void pass_locals(Arena *arena, IrMachine *m, FactMachine *values)
 {
     LocalsPass l = {m, ARENA_ARRAY(arena, LocalUse, m->var.n), 0, NULL};

@@ -310,6 +310,7 @@ static SmType narrowest_window_type(Fact sample)
     return sample.f32 ? SM_F32 : SM_F64;
 }
 
+// The pass `narrow`: moves arithmetic from F64 to narrower types where the result is the same bit for bit.
 void pass_narrow(Arena *arena, IrMachine *m, FactMachine *values)
 {
     for (uint32_t w = 0; w < m->window.n; w++)

@@ -81,6 +81,7 @@ static void remove_unreachable_blocks(Arena *arena, IrFn *f, const uint32_t *pre
     }
 }
 
+// The pass `simplify_cfg`: decides branches on known conditions, removes unreachable blocks, and joins blocks.
 void pass_simplify_cfg(Arena *arena, IrFn *f, Facts *facts)
 {
     uint32_t *predecessors;

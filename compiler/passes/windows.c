@@ -87,6 +87,7 @@ static void remove_unused_windows(Arena *arena, IrMachine *m, const uint32_t *wa
         m->sample = NULL;
 }
 
+// The pass `windows`: removes unused windows and statistics, and stores samples in their own type.
 void pass_windows(Arena *arena, IrMachine *m, FactMachine *values)
 {
     uint32_t *wanted = ARENA_ARRAY(arena, uint32_t, m->window.n);
