@@ -30,8 +30,10 @@ static SmvmName read_debug_name(const SmvmMachine *m, uint32_t at)
     return smvm_read_varint(m->image, &n.at, debug_end(m), &n.size) && n.size <= (SmvmAt)(debug_end(m) - n.at) ? n : none;
 }
 
+// Returns the name of the machine or of its source: `which` is SMVM_NAME_MACHINE or SMVM_NAME_SOURCE.
 SmvmName smvm_name(const SmvmMachine *m, uint32_t which) { return read_debug_name(m, 3 * which); }
 
+// Returns the name of a state (1 to m->states); size 0: it has none.
 SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state) { return read_debug_name(m, 3 * (SMVM_DEBUG_NUMBERS + state - 1)); }
 
 // Copies the name of a state to `to`, at most size - 1 characters and a 0.  Returns the length of the name; 0 if the image has no names.

@@ -249,6 +249,7 @@ bool smvm_state_is_safe(const SmvmMachine *m, uint32_t state)
     return m->safe_at == 0 || (smvm_u8(m->image, (SmvmAt)(m->safe_at + (bit >> 3))) >> (bit & 7) & 1) != 0;
 }
 
+// Reads the location at `at`, whose type number is not checked.
 SmvmLocation smvm_location(SmvmBytes image, SmvmAt at)
 {
     const uint8_t high = smvm_u8(image, (SmvmAt)(at + 2));
@@ -398,11 +399,16 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const Smvm
 
 // ---- reading its state ----
 
+// Returns the state that the next step runs.
 uint32_t smvm_state(const SmVm *vm) { return vm->state; }
 
 // Returns T: the time since the first step of the state (language.md 6).
 uint64_t smvm_time(const SmVm *vm) { return vm->next - vm->start; }
+
+// Whether the last step stored S.
 bool smvm_stored_state(const SmVm *vm) { return vm->entered; }
+
+// Returns the locals, at the offsets that the code and the debug section use.
 void *smvm_locals(SmVm *vm) { return (uint8_t *)vm + vm->local; }
 
 // Whether the last step stored this output, 0 to m.outputs - 1.

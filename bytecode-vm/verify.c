@@ -399,6 +399,7 @@ static uint8_t check_code(Verifier *c)
 
 // ---- the whole image ----
 
+// Checks one machine of the image: its tables, then its code.  Returns 0, or the rule that is broken.
 static uint8_t check_machine(Verifier *c)
 {
     uint8_t rule;

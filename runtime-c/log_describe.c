@@ -13,6 +13,7 @@ typedef struct DescriptionSink {
     uint32_t crc;
 } DescriptionSink;
 
+// Appends a byte to the description.  Stores it only if it is in the part that the caller requested; the CRC covers every byte.
 static void put_byte(DescriptionSink *s, uint8_t byte)
 {
     if (s->at >= s->from && s->at - s->from < s->room)

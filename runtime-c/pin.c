@@ -43,6 +43,7 @@ int32_t sm_pin_to_raw(const SmIoPin *p, SmF64 x)
 
 // ---- one pin ----
 
+// Sets a pin: to millionths for an analog pin, to 0 or 1 for a digital one.
 SmResult sm_pin_write_raw(const SmIoPin *p, uint8_t handle, int32_t v)
 {
     const PalDio dio = {handle};
@@ -51,7 +52,7 @@ SmResult sm_pin_write_raw(const SmIoPin *p, uint8_t handle, int32_t v)
     return is_digital(p) ? pal_dio_write(dio, (v != 0) != is_inverted(p)) : pal_aio_write(aio, v);
 }
 
-// Reads the value of a pin: in millionths, or 0 or 1 for a digital pin, where an inverted one is 1 if its level is low.
+// Reads a pin: in millionths for an analog pin, 0 or 1 for a digital one.
 SmResult sm_pin_read_raw(const SmIoPin *p, uint8_t handle, int32_t *v)
 {
     const PalDio dio = {handle};
@@ -68,6 +69,7 @@ SmResult sm_pin_read_raw(const SmIoPin *p, uint8_t handle, int32_t *v)
 
 SmResult sm_pin_write(const SmIoPin *p, uint8_t handle, SmF64 x) { return sm_pin_write_raw(p, handle, sm_pin_to_raw(p, x)); }
 
+// Reads a pin as the value of its element.
 SmResult sm_pin_read(const SmIoPin *p, uint8_t handle, SmF64 *x)
 {
     int32_t v = 0;

@@ -27,6 +27,7 @@ SmResult sm_read_region(SmStateVec *sv, const SmRegion *r, void *bytes)
     return SM_OK;
 }
 
+// Copies bytes in the memory layout into a region, r->size of them, in one critical section.
 SmResult sm_write_region(SmStateVec *sv, const SmRegion *r, const void *bytes)
 {
     uint8_t *at = region_address(sv, r);

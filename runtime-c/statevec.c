@@ -7,6 +7,7 @@
 
 struct alignment { char c; uint64_t aligned; };
 
+// Opens the lock of a guarded vector.  Changes no element.
 SmResult sm_statevec_init(SmStateVec *sv)
 {
     if (!sv || !sv->layout || !sv->at)

@@ -116,6 +116,7 @@ static SmSwapReason store_changes(SmSwaps *s, const SmSwapChange *change, uint16
     return SM_SWAP_NOT_REFUSED;
 }
 
+// Begins a swap of n machines.  SM_E_BUSY: another one is in progress, or the application has not started.
 SmResult sm_swap_begin(SmSwaps *s, const SmSwapChange *change, uint16_t n)
 {
     SmResult r = s && change && n > 0 ? enter_from_outside(s) : SM_E_ARGUMENT;
@@ -143,6 +144,7 @@ SmResult sm_swap_begin(SmSwaps *s, const SmSwapChange *change, uint16_t n)
     return SM_OK;
 }
 
+// Reads the status of the last swap.  SM_E_BUSY: the application has not started.
 SmResult sm_swap_status(SmSwaps *s, SmSwapStatus *status)
 {
     SmResult r = s && status ? enter_from_outside(s) : SM_E_ARGUMENT;
@@ -154,6 +156,7 @@ SmResult sm_swap_status(SmSwaps *s, SmSwapStatus *status)
     return SM_OK;
 }
 
+// Ends the trial: the new machines stay.  SM_E_ARGUMENT: no machine is on trial.
 SmResult sm_swap_confirm(SmSwaps *s)
 {
     SmResult r = s ? enter_from_outside(s) : SM_E_ARGUMENT;
@@ -170,6 +173,7 @@ SmResult sm_swap_confirm(SmSwaps *s)
     return r;
 }
 
+// Returns the sentence of a reason; "" for an unknown one.
 const char *sm_swap_reason_text(SmSwapReason reason)
 {
     switch (reason) {

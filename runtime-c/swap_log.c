@@ -26,6 +26,7 @@ static void append_bytes(NamesBlock *b)
     b->n = 0;
 }
 
+// Appends a byte to the block of names.
 static void put_byte(NamesBlock *b, uint8_t byte)
 {
     b->crc = sm_crc32_byte(b->crc, byte);

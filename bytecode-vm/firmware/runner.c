@@ -71,6 +71,7 @@ SmResult smvm_runner_fits(const SmvmRunner *r, SmvmBytes image)
 
 // ---- machines ----
 
+// Starts a machine at offset `at` of r->memory, in its initial state.
 static SmResult start_machine(SmvmRunner *r, uint8_t number, const SmvmMachine *m, uint16_t at)
 {
     const SmvmVector v = {r->memory, m->sv_size, m->layout};

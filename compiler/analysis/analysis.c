@@ -140,6 +140,7 @@ static void begin_on_ir(Analysis *a, Arena *arena, Diags *diags, const IrMachine
     a->transition = transitions_of(arena, p);
 }
 
+// Fills in *a for a machine: builds its IR, computes its facts and lists its transitions.
 void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p)
 {
     begin_on_ir(a, arena, diags, ir_build(arena, p));

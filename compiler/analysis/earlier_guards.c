@@ -85,11 +85,13 @@ static const EarlierGuard *find_guard(const ReachWalk *k, const Expr *guard, con
     return NULL;
 }
 
+// Returns an earlier guard that has its excluded outcome whenever `guard` is true, judged by the expressions alone; or NULL.
 const EarlierGuard *find_excluding_guard(const ReachWalk *k, const Expr *guard, const EarlierGuards *b)
 {
     return find_guard(k, guard, b, is_excluded_syntactically);
 }
 
+// Returns an earlier guard that explains why `guard` is never true: the same guard, or one that excludes it by expression or facts; or NULL.
 const EarlierGuard *find_explaining_guard(const ReachWalk *k, const Expr *guard, const EarlierGuards *b)
 {
     const EarlierGuard *found = find_guard(k, guard, b, is_same_guard);

@@ -72,6 +72,7 @@ static Order order_of(const Expr *small, const Expr *large, bool or_equal)
     return o;
 }
 
+// Returns the order of the two operands that c states if it is true: a <= b, or a < b.
 static Order order_of_relation(const Comparison *c)
 {
     const bool less = c->op == SM_OP_LT || c->op == SM_OP_LE;
@@ -265,6 +266,7 @@ bool guard_excludes(const Analysis *a, const Expr *x, const Expr *y)
     return expr_excludes(&k, x, y);
 }
 
+// Whether x is never true (`a > b and a < b`), whatever its variables contain.  False means "not proved".
 bool guard_is_never_true(const Analysis *a, const Expr *x)
 {
     ImplySearch k = {a->m->window_of, PAIRS_MAX};
@@ -272,6 +274,7 @@ bool guard_is_never_true(const Analysis *a, const Expr *x)
     return is_never_true(&k, x);
 }
 
+// Whether x is always true (`x <= x`), whatever its variables contain.  False means "not proved".
 bool guard_is_always_true(const Analysis *a, const Expr *x)
 {
     ImplySearch k = {a->m->window_of, PAIRS_MAX};

@@ -22,6 +22,7 @@ static bool is_only_read(const InputDepsTable *s, const Var *v)
     return v->kind == VAR_ELEMENT && !v->written && v != s->a->p->g && v != s->a->p->s;
 }
 
+// Whether v is a numeric element that the machine only reads, and not a command, G or S.
 bool is_sensor(const InputDepsTable *s, const Var *v) { return is_only_read(s, v) && v->type != SM_BOOL && !s->command[v->index]; }
 
 typedef struct UseCount { uint32_t *reads, *equalities; } UseCount;     // by Var.index: all reads; those in == or != with a constant
@@ -60,6 +61,7 @@ static void find_commands(InputDepsTable *s)
 
 // ---- sets ----
 
+// Whether the inputs include this sensor.
 bool input_deps_include(const InputDeps *l, const Var *sensor)
 {
     for (uint32_t i = 0; i < l->n; i++)
@@ -173,6 +175,7 @@ static void propagate_deps(InputDepsTable *s)
 
 // ---- queries ----
 
+// Returns the inputs on which `when` and its outer conditions depend.
 InputDeps input_deps_of_condition(const InputDepsTable *s, const Condition *when)
 {
     const InputDeps none = {.n = 0};
@@ -188,6 +191,7 @@ static void merge_deps_of_expr(const InputDepsTable *s, const Expr *e, InputDeps
         merge_deps(out, &s->deps[e->var->index]);
 }
 
+// Returns the inputs on which the value of e depends.
 InputDeps input_deps_of_expr(const InputDepsTable *s, const Expr *e)
 {
     InputDeps out = {.n = 0};

@@ -33,6 +33,7 @@ static void walk_stmts(StmtWalk *w, const Stmts *stmts, const Condition *when)
     }
 }
 
+// Calls f for every statement in file order.
 void each_stmt_location(Arena *arena, const Program *p, void (*f)(const StmtLocation *at, void *context), void *context)
 {
     StmtWalk walk = {arena, {NULL, NULL, BLOCK_ENTRY, NULL}, f, context};
@@ -56,6 +57,7 @@ static void add_transition(const StmtLocation *at, void *context)
         vec_push(out->arena, &out->list, t);
 }
 
+// Returns all transitions in file order.  `when` does not include the condition that no earlier transition of the block was taken.
 Transitions transitions_of(Arena *arena, const Program *p)
 {
     TransitionList out = {arena, {NULL, 0, 0}};

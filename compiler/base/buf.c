@@ -81,6 +81,7 @@ const char *format_in(Arena *arena, const char *format, ...)
 
 const char *buf_text(const Buf *b) { return b->at ? b->at : ""; }
 
+// Appends the low `bytes` bytes of v, the lowest first.
 static void put_little_endian(Buf *b, uint64_t v, int bytes)
 {
     for (int i = 0; i < bytes; i++)

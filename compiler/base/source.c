@@ -30,6 +30,7 @@ Source *source_new(Arena *arena, const char *name, const char *text, size_t len)
     return s;
 }
 
+// Returns line and column, each from 1, of the byte at `at`.
 LineCol source_position(const Source *s, uint32_t at)
 {
     uint32_t low = 0, high = s->lines;      // invariant: line[low] <= at < line[high]

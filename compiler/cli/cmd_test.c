@@ -97,6 +97,7 @@ static void report_absent(TestRun *t)
             cli_print_note(t->c, TEXT_engine_left_out, engine_name[i], t->why_absent);
 }
 
+// Writes the results in every requested form.  Returns EXIT_OK, or the exit code after a message.
 static int write_results(TestRun *t, bool summary)
 {
     OsOutput junit = {t->c->value[OPT_JUNIT], NULL, 0};

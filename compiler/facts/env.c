@@ -64,6 +64,7 @@ const Fact *env_find(const EnvShape *s, const Env *e, uint32_t var)
     return e ? e->child[child_index(place, 0)].fact : NULL;
 }
 
+// Returns the fact about the variable: the stored one, or else that of its type.
 Fact env_get(const EnvShape *s, const Env *e, uint32_t var)
 {
     const Fact *fact = env_find(s, e, var);
@@ -99,6 +100,7 @@ static const Env *set_below(const EnvShape *s, const Env *e, uint32_t place, con
     return new_node(s, &n);
 }
 
+// Returns e with another fact about the variable; e itself does not change.
 const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact)
 {
     static const Env empty;
@@ -256,6 +258,7 @@ static void each_difference_below(const Env *from, const Env *to, uint32_t first
     }
 }
 
+// Calls `visit` for each variable about which `to` has another fact than `from`.
 void env_each_difference(const EnvShape *s, const Env *from, const Env *to, EnvVisitFn *visit, void *context)
 {
     each_difference_below(from, to, 0, s->side[1].levels - 1, visit, context);

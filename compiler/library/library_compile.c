@@ -7,6 +7,7 @@
 
 // ---- results ----
 
+// Returns what was compiled from a source, or NULL if it is not an input, was not compiled, or there is no such source.
 CompiledSource *library_compiled(const SmcSession *s, uint32_t source)
 {
     const LibraryResults *of = &s->of;
@@ -14,6 +15,7 @@ CompiledSource *library_compiled(const SmcSession *s, uint32_t source)
     return of->is_compiled && source < of->sources && of->input[source] ? &of->made.of[of->input[source] - 1] : NULL;
 }
 
+// Returns the number of the only machine; UINT32_MAX if there is not exactly one.
 uint32_t library_only_machine(const SmcSession *s)
 {
     uint32_t found = UINT32_MAX, n = 0;
@@ -84,6 +86,8 @@ static void add_shown(SmcSession *s, const Diags *from, Diags *shown)
     shown->warnings += one.warnings;
 }
 
+// Rebuilds of.shown from the diagnostics of smc_compile, of the last smc_emit, and of all runs: those of `script` are in *run if that is not
+// NULL.
 void library_update_shown(SmcSession *s, const Diags *emitted, uint32_t script, const Diags *run)
 {
     const Diags *compiled = s->has_layer ? &s->below.diags : &s->compiler.diags;
@@ -207,6 +211,7 @@ static void set_options(SmcSession *s, CompileOptions *o, CompileEmit emit)
     o->soft = s->option[SMC_OPTION_SOFT] != 0;
 }
 
+// Copies the words that select warnings, so that they last as long as the results of this compilation.
 static void copy_selection(SmcSession *s)
 {
     DiagSelection *of = &s->of.selection;
@@ -250,6 +255,7 @@ static const AppFile *app_file(const SmcSession *s, uint32_t file)
     return app && file < app->files.n ? &app->files.at[file] : NULL;
 }
 
+// Returns how many files the compiled application names.
 uint32_t smc_app_file_count(const SmcSession *s)
 {
     return library_is_open(s) && s->of.is_compiled && s->of.in.app ? (uint32_t)s->of.in.app->files.n : 0;

@@ -19,6 +19,7 @@ typedef char block_keeps_alignment[sizeof(Block) == BLOCK_ALIGN ? 1 : -1];
 static uint64_t block_size(const Block *b) { return b->size & ~(uint64_t)IN_USE; }
 static Block *block_of(void *content) { return (Block *)content - 1; }
 
+// Initialises memory of the program, or an account of malloc.
 void library_memory_init(LibraryMemory *m, void *area, uint64_t size)
 {
     memset(m, 0, sizeof *m);
@@ -143,6 +144,7 @@ static void *allocate(LibraryMemory *m, uint64_t size)
     return b + 1;
 }
 
+// Works like realloc; size 0 frees `old`.  Blocks are aligned to 16 bytes.  NULL: out of memory.
 void *library_memory_alloc(LibraryMemory *m, void *old, uint64_t size)
 {
     void *content = NULL;

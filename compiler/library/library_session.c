@@ -94,6 +94,7 @@ void library_release(SmcSession *s, void *memory)
         library_memory_alloc(&s->memory, memory, 0);
 }
 
+// Returns a copy of `size` bytes and a NUL, which library_release frees.
 char *library_copy(SmcSession *s, const void *bytes, uint64_t size)
 {
     char *copy = size < UINT64_MAX ? library_alloc(s, size + 1) : NULL;
@@ -140,6 +141,7 @@ static void recover(SmcSession *s)
         library_drop_results(s);
 }
 
+// Begins a layer: s->compiler allocates in a new arena, for what one call computes from the results of smc_compile.
 void library_begin_layer(SmcSession *s)
 {
     Session *c = &s->compiler;

@@ -278,6 +278,7 @@ static bool add_machine_sections(ImageWriter *w, const IrMachine *ir, bool debug
     return true;
 }
 
+// Returns the CRC of the whole image without its own field for the CRC.
 static uint32_t crc_of(const Buf *image)
 {
     uint32_t crc = SM_CRC32_START;

@@ -139,6 +139,7 @@ SimStream *sim_stream_waiting(uint8_t listening)
     return oldest;
 }
 
+// Sends bytes to an end, as many as fit.  Returns their number.
 size_t sim_stream_send(SimStream *s, int end, const void *bytes, size_t n)
 {
     size_t room = SIM_STREAM_ROOM - s->n[end], taken = n < room ? n : room;
@@ -148,6 +149,7 @@ size_t sim_stream_send(SimStream *s, int end, const void *bytes, size_t n)
     return taken;
 }
 
+// Receives bytes that have arrived at an end.  Returns their number.
 size_t sim_stream_receive(SimStream *s, int end, void *bytes, size_t room)
 {
     size_t n = s->n[end] < room ? s->n[end] : room;

@@ -59,16 +59,19 @@ static uint8_t find_line(const char *name)
     return strcmp(name, "serial0") == 0 ? 0 : strcmp(name, "serial1") == 0 ? 1 : LINES;
 }
 
+// Sends bytes to the program, from the remote end of the line.
 void sim_serial_send(const char *name, const void *bytes, size_t n)
 {
     enqueue(&lines[find_line(name)].in, bytes, n);
 }
 
+// Receives what the program has sent, at the remote end of the line.  Returns the number of bytes.
 size_t sim_serial_receive(const char *name, void *bytes, size_t room)
 {
     return dequeue(&lines[find_line(name)].out, bytes, room);
 }
 
+// Unplugs the line from the computer, or plugs it in again.
 void sim_serial_plug(const char *name, bool in)
 {
     lines[find_line(name)].unplugged = !in;
