@@ -34,6 +34,7 @@ static uint32_t *state_map(const SmvmSwap *plan) { return (uint32_t *)(void *)((
 
 // ---- the names of a machine ----
 
+// Returns a hash of a name, which decides most comparisons of names.
 static uint32_t hash_name(SmvmBytes image, SmvmName n)
 {
     uint32_t h = UINT32_C(0x811c9dc5);
@@ -205,6 +206,7 @@ static uint32_t select_removed(SwapName *from, uint32_t count)
 
 // ---- the plan ----
 
+// Returns the bytes of a plan with this many names, of both machines together, and states of `from`.
 static uint32_t plan_bytes(uint32_t names, uint32_t states)
 {
     return (uint32_t)(sizeof(SmvmSwap) + names * sizeof(SwapName) + states * sizeof(uint32_t));

@@ -80,6 +80,7 @@ typedef struct Verifier {
 
 // ---- the container ----
 
+// Checks the head of the image and its section table.  Like all check functions here, returns 0, or the rule that is broken.
 static uint8_t check_header(Verifier *c, uint32_t size)
 {
     const SmvmBytes image = c->in.image;
@@ -333,6 +334,7 @@ enum { READS = SMVM_SHAPE_X >> 8, WRITES = SMVM_SHAPE_GX >> 8, CLOBBERS_Y = (int
 typedef char verify_register_bits_match_packed_shapes[READS == HAS_X << 4 && READS << 1 == SMVM_SHAPE_Y >> 8 && WRITES == HAS_X << 6 &&
                                                  (int)(SMVM_SHAPE_GY >> 8) == HAS_Y << 6 ? 1 : -1];
 
+// Checks an instruction with its operands, and follows its effect on X and Y.  Returns 0, or the rule that is broken.
 static uint8_t check_instruction(Verifier *c, uint8_t op)
 {
     const uint16_t shape = smvm_packed_shape(op);
@@ -353,6 +355,7 @@ static uint8_t check_instruction(Verifier *c, uint8_t op)
     return op == SMVM_end ? check_all_sampled(c) : 0;
 }
 
+// Checks the instructions of one function.  Returns 0, or the rule that is broken.
 static uint8_t check_function(Verifier *c)
 {
     uint8_t rule;
@@ -444,6 +447,7 @@ uint32_t smvm_longest_step(const SmvmMachine *m)
     return longest_step(&c.longest);
 }
 
+// Checks the whole image.  Returns 0, or the rule that is broken.
 static uint8_t check_image(Verifier *c, uint32_t size, SmvmVerdict *v)
 {
     uint8_t rule;

@@ -16,6 +16,7 @@ static uint32_t slot_size(const SmKeep *k) { return SM_KEEP_SIZE(packed_size(k))
 // Half 1 or 2 of the buffer.  Each has room for one slot.
 static uint8_t *buffer_half(const SmKeep *k, uint8_t n) { return k->buffer + (n - 1u) * slot_size(k); }
 
+// Returns the CRC of a slot without the CRC's own field.
 static uint32_t slot_crc(const SmKeep *k, const uint8_t *slot)
 {
     return sm_crc32_end(log_crc_update(log_crc_update(SM_CRC32_START, slot, SLOT_CHECKSUM), slot + SM_KEEP_HEAD, packed_size(k)));
@@ -267,6 +268,7 @@ static void end_write(SmKeep *k, SmResult r)
     sm_handover_unlock(k->lock);
 }
 
+// Writes the head of a slot: its number, the layout of the vector, the length of the contents and the CRC.
 static void fill_head(const SmKeep *k, uint8_t *slot, uint32_t number)
 {
     log_put32(slot, number);
@@ -283,6 +285,7 @@ static SmResult erase_slot(const SmKeep *k, uint32_t at)
     return r == SM_OK && info.erase != 0 ? pal_nvm_erase(k->nvm, at, k->slot) : r;
 }
 
+// Writes a slot to the medium, in the place of number % 2, which it erases first.
 static SmResult write_slot(const SmKeep *k, uint8_t *slot, uint32_t number)
 {
     const uint32_t at = number % 2 * k->slot;

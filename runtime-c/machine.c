@@ -53,6 +53,7 @@ static SmResult read_restored_state(const SmMachine *m, uint32_t *state)
     return SM_OK;
 }
 
+// Chooses the state to start in: that of the restored state vector, if there is one, or else the initial one.
 static SmResult choose_first_state(const SmMachine *m, uint32_t *state)
 {
     SmResult r = SM_OK;

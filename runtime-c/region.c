@@ -77,6 +77,7 @@ static void store_wire(uint8_t *out, uint64_t cell, uint8_t n)
     }
 }
 
+// Returns the number of n bytes in its wire form, little-endian.
 static uint64_t load_wire(const uint8_t *in, uint8_t n)
 {
     uint64_t cell = 0;

@@ -209,6 +209,7 @@ bool sm_run_wants_threads(const SmApp *app)
     return !app->one_thread && (app->executors > 1 || app->writing);
 }
 
+// Returns the highest priority of an executor.
 static uint8_t highest_priority(const SmApp *app)
 {
     uint8_t p = 0;

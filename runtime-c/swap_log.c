@@ -41,6 +41,7 @@ static void put_bytes(NamesBlock *b, const uint8_t *bytes, uint32_t n)
         put_byte(b, *bytes++);
 }
 
+// Returns the length of a name, at most UINT16_MAX.
 static uint16_t name_length(const char *name)
 {
     uint16_t n = 0;

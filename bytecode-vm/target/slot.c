@@ -185,6 +185,7 @@ static void hand_over_to_slot(const void *from, void *to, uint8_t mode, const Sm
         smvm_write_state(t->target.vm, &t->m, m->sv->at);
 }
 
+// Returns the first state marked @safe; the last state if no earlier one is.
 static uint32_t first_safe_state(const SmvmMachine *m)
 {
     uint32_t state = 1;

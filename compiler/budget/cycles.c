@@ -124,6 +124,7 @@ static uint32_t cycles_of_window(const Cycles *c, uint32_t window, CyclesWindow 
     return cycles_of_window_row(has_median ? sorted : plain, (uint8_t)(kind & SM_ROLL_TYPE), entry & SMVM_WINDOW_SIZE_MASK);
 }
 
+// Returns the cycles of reading a statistic of a window.
 static uint32_t cycles_of_statistic(const Cycles *c, uint32_t stat, uint32_t window)
 {
     switch (stat) {
@@ -134,6 +135,7 @@ static uint32_t cycles_of_statistic(const Cycles *c, uint32_t stat, uint32_t win
     }
 }
 
+// Returns the cycles of a load.  `number`: its operands.
 static uint32_t cycles_of_load(Cycles *c, uint8_t op, const uint32_t *number)
 {
     CyclesReg *to = op & OPCODE_LOADS_Y ? &c->y : &c->x;
@@ -152,6 +154,7 @@ static uint32_t cycles_of_load(Cycles *c, uint8_t op, const uint32_t *number)
 
 static uint32_t cycles_of_store(Cycles *c, uint8_t type) { return row_cost(c, (CyclesRow)(CYCLES_store_I8 + type), c->x.whole); }
 
+// Returns the cycles of an operation on the registers.
 static uint32_t cycles_of_operation(Cycles *c, uint8_t op)
 {
     const bool is_binary = op < SMVM_neg;              // from there on, opcodes have the operand X alone
@@ -161,6 +164,7 @@ static uint32_t cycles_of_operation(Cycles *c, uint8_t op)
     return row_cost(c, (CyclesRow)(CYCLES_add + op - SMVM_add), is_logic ? whole_before : c->x.whole);
 }
 
+// Returns the cycles of a jump that is taken.  `number`: its operands.
 static uint32_t cycles_of_jump(const Cycles *c, uint8_t op, const uint32_t *number)
 {
     if (op == SMVM_jmp || op == SMVM_jf || op == SMVM_jt)

@@ -39,6 +39,7 @@ static bool is_to_folder(const Cli *c)
     return c->given[OPT_OUTPUT] && (has_suffix(c->value[OPT_OUTPUT], "/") || os_is_folder(c->value[OPT_OUTPUT]));
 }
 
+// Returns the path of a file in the folder that -o names.
 static const char *path_in_folder(Cli *c, const char *name)
 {
     const char *folder = c->value[OPT_OUTPUT];
@@ -46,6 +47,7 @@ static const char *path_in_folder(Cli *c, const char *name)
     return format_in(&c->session.arena, "%s%s%s", folder, *folder && !has_suffix(folder, "/") ? "/" : "", name);
 }
 
+// Returns the path of an output: that of -o, or a file in its folder; without -o, the input's stem with this suffix.
 static const char *output_path(Cli *c, const char *input, const char *suffix)
 {
     const char *name = format_in(&c->session.arena, "%s%s", path_stem(c, input), suffix);

@@ -27,8 +27,8 @@ static int report_refused_pin(Cli *c, const char *name, const SmvmPin *p, const 
     return EXIT_PROBLEM;
 }
 
-// Reports that the board refuses every update now: it is armed, or a machine is not in a safe state. If that machine is on trial and never reaches a safe
-// state, restarts end its trial.
+// Reports that the board refuses every update now: it is armed, or a machine is not in a safe state. If that machine is on trial and never
+// reaches a safe state, restarts end its trial.
 static int report_no_update_now(BoardLine *b)
 {
     DeviceImage now;

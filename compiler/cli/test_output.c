@@ -7,7 +7,8 @@
 
 // ---- messages ----
 
-static size_t first_line(const char *text)
+// Returns the length of the first line of the text.
+static size_t first_line_length(const char *text)
 {
     const char *lf = strchr(text, '\n');
 
@@ -48,7 +49,7 @@ static void write_failed_scripts(const TestRun *t, Buf *out)
         const TestResult *r = &t->result.at[i];
         const char *why = line_of_failure(r->message);
         if (r->status == TEST_FAILED && !has_suffix(r->path, ".smt"))
-            buf_printf(out, "failed: %.*s\n", (int)first_line(why), why);
+            buf_printf(out, "failed: %.*s\n", (int)first_line_length(why), why);
     }
 }
 
@@ -156,9 +157,9 @@ static void write_testcase(Buf *out, const TestResult *r)
         return;
     }
     buf_printf(out, ">\n      <%s", element);
-    write_attribute(out, "message", why, first_line(why));
+    write_attribute(out, "message", why, first_line_length(why));
     if (r->status != TEST_SKIPPED)
-        write_type(out, why, first_line(why));
+        write_type(out, why, first_line_length(why));
     buf_char(out, '>');
     write_xml(out, r->message, strlen(r->message), false);
     buf_printf(out, "</%s>\n    </testcase>\n", element);
@@ -243,7 +244,7 @@ static void write_tap_name(Buf *out, const char *s)
 static void write_tap_lines(Buf *out, const char *text)
 {
     while (*text) {
-        size_t n = first_line(text);
+        size_t n = first_line_length(text);
         buf_str(out, "# ");
         buf_put(out, text, n);
         buf_char(out, '\n');
@@ -260,7 +261,7 @@ void test_write_tap(const TestRun *t, Buf *out)
         buf_printf(out, "%s %lu - ", r->status == TEST_FAILED || r->status == TEST_BROKEN ? "not ok" : "ok", (unsigned long)i + 1);
         write_tap_name(out, r->path);
         if (r->status == TEST_SKIPPED)
-            buf_printf(out, " # SKIP %.*s", (int)first_line(r->message), r->message);
+            buf_printf(out, " # SKIP %.*s", (int)first_line_length(r->message), r->message);
         buf_char(out, '\n');
         if (r->status == TEST_FAILED || r->status == TEST_BROKEN)
             write_tap_lines(out, r->message);

@@ -140,6 +140,7 @@ static uint32_t utf16_column(const Source *src, LineCol at)
     return units + 1;
 }
 
+// Returns the session's number of a source; -1 if it is none of the session.
 static int64_t number_of_source(const SmcSession *s, const Source *src)
 {
     for (uint32_t i = 0; i < s->of.sources; i++)

@@ -78,6 +78,7 @@ static int compare_names(const void *a, const void *b)
     return strcmp(((const LibraryVariable *)a)->name, ((const LibraryVariable *)b)->name);
 }
 
+// Returns the number, from 1, of the output at an offset in the state vector; 0 if there is none.
 static uint32_t output_at(const SmvmMachine *m, uint32_t offset)
 {
     for (uint32_t i = 0; i < m->outputs; i++)
@@ -97,6 +98,7 @@ static const char *copy_name(const LibraryMachine *m, SmvmName n, char **at)
     return copy;
 }
 
+// Returns the bytes that the names of all states and variables need, with their NULs.
 static uint64_t bytes_of_names(const SmvmMachine *m)
 {
     uint64_t bytes = 1;

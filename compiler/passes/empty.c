@@ -5,6 +5,7 @@
 
 static bool accesses_variable(const IrIns *i) { return i->op == IR_load || i->op == IR_store; }
 
+// Marks the variables that a function loads or stores.
 static void mark_accessed(const IrFn *f, bool *accessed)
 {
     for (size_t b = 0; f && b < f->blk.n; b++)

@@ -142,6 +142,7 @@ static const char *verify_machine(PassRunner *r, const char *when)
     return wrong ? format_in(r->arena, "%s: %s", when, wrong) : NULL;
 }
 
+// Runs one pass.  Returns NULL, or what `verify` found wrong with the result, as a sentence.
 static const char *run_pass(PassRunner *r, const PassInfo *pass)
 {
     const size_t functions = 1 + r->m->state.n * BLOCK_COUNT;
@@ -166,6 +167,7 @@ static const char *run_pass(PassRunner *r, const PassInfo *pass)
     return verify_machine(r, pass->name);
 }
 
+// Runs the passes of a list of names.  Returns NULL, or an error as a sentence.
 static const char *run_listed_passes(PassRunner *r, const char *list)
 {
     const char *wrong = NULL;

@@ -4,6 +4,7 @@
 // samples are all of a type narrower than F64 stores them in that type.  Needs no facts; invalidates use counts and values.
 #include "compiler/passes/pass.h"
 
+// Adds the statistics that a function reads to `wanted`, by window a set of 1 << SmStat.
 static void collect_read_stats(const IrFn *f, uint32_t *wanted)
 {
     for (size_t b = 0; f && b < f->blk.n; b++)

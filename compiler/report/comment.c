@@ -128,6 +128,7 @@ static void join_paragraph(Buf *out, size_t before, bool indented)
     buf_put(out, line.at, line.n);
 }
 
+// Returns the comment on the lines from `from` to `to`; NULL if there is none.
 static const char *comment_of_lines(Arena *arena, const Source *src, uint32_t from, uint32_t to)
 {
     Buf out;

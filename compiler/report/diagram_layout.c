@@ -79,6 +79,7 @@ static uint32_t choose_layer(Band *band, int32_t room)
 
 // ---- items ----
 
+// Adds an item to a layer and returns its number.  `ref`: the node or edge that it stands for.
 static uint32_t add_item(Layout *l, ItemKind kind, uint32_t ref, uint32_t layer)
 {
     LayoutItem i = {kind, ref, layer, 0, BEND_SIDE, BEND_SIDE, 0, 0};

@@ -154,6 +154,7 @@ static void swap_neighbours(Layout *l)
 
 // ---- the best order ----
 
+// Stores the position of each item in its layer in `pos`, by item.
 static void save_order(const Layout *l, uint32_t *pos)
 {
     for (size_t i = 0; i < l->item.n; i++)

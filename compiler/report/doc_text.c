@@ -116,6 +116,7 @@ static void end_row(Buf *out)
     buf_char(out, '\n');
 }
 
+// Returns the widths of the columns, in characters, and stores the text of each cell in `text`.
 static size_t *measure_columns(const DocTable *t, const char **text)
 {
     size_t *wide = ARENA_ARRAY(t->arena, size_t, t->columns);

@@ -54,6 +54,7 @@ static void add_steps_cell(const Report *r, DocTable *t, uint32_t steps)
     doc_add_plain_cell(t, steps == 0 ? "" : steps == ABORT_NOT_BOUNDED ? "unbounded" : format_in(r->arena, "%lu", (unsigned long)steps));
 }
 
+// Returns the inputs that the path depends on, as text.
 static const char *reads_text(const Report *r, const AbortPath *w)
 {
     Buf b;

@@ -73,6 +73,7 @@ static const DocColumn element_columns[] = {{"name", "Element"},
                                             {"read", "Read in"},
                                             {"written", "Written in"}};
 
+// Returns what the variable is to the machine, in a word: input, output, constant, and so on.
 static const char *role_text(const Program *p, const Var *v)
 {
     if (v == p->g)

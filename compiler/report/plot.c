@@ -128,6 +128,7 @@ static PlotRow measure_row(const Trace *t, const TraceSeries *s, long top)
     return r;
 }
 
+// Returns the y at which a value is drawn in its row.
 static long y_of_value(const PlotRow *r, double x)
 {
     const double share = (x / 2 - r->lo / 2) / (r->hi / 2 - r->lo / 2);       // halved, because the difference could overflow

@@ -88,6 +88,7 @@ static uint64_t to_signed(double x, unsigned bits)
     return half + (half - (uint64_t)-x);              // 2^bits - magnitude
 }
 
+// Converts x to an unsigned integer of this many bits: truncated, and saturated; NaN becomes 0.
 static uint64_t to_unsigned(double x, unsigned bits)
 {
     if (is_nan(x) || x <= 0)

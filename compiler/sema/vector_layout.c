@@ -10,6 +10,7 @@ static uint32_t align_up(uint32_t offset, uint32_t to)
     return (offset + to - 1) / to * to;
 }
 
+// Continues a CRC with a text, without its NUL.
 static uint32_t crc_text(uint32_t crc, const char *text)
 {
     for (; *text; text++)

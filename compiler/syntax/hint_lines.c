@@ -24,6 +24,7 @@ static uint32_t skip_spaces(const HintLine *l, uint32_t p)
     return p;
 }
 
+// Returns the end of the letters, digits and _ at p.
 static uint32_t skip_word(const HintLine *l, uint32_t p)
 {
     while (p < l->end && lexer_is_word(l->text[p]))

@@ -63,6 +63,7 @@ static void big_multiply_power_of_ten(Big *b, long power)
         big_multiply_add(b, 10, 0);
 }
 
+// Returns the number of bits of b without leading zeros.
 static long big_count_bits(const Big *b)
 {
     long bits = b->n * 32L;
@@ -147,6 +148,7 @@ static void add_digit(Decimal *d, char c)
         d->more = d->more || c != '0';
 }
 
+// Returns the value of the exponent in the text from s to `end`, saturated: an exponent can have any number of digits.
 static int64_t read_exponent(const char *s, const char *end)
 {
     bool negative = *s == '-';

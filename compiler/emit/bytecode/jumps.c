@@ -282,6 +282,7 @@ static void mark_blocks_laid_out_last(BcSelect *s, const bool *kept, bool *laid_
     }
 }
 
+// Returns the kept blocks in the order in which they are emitted; *n is their number.
 static IrBlkRef *order_blocks(BcSelect *s, const bool *kept, uint32_t *n)
 {
     IrBlkRef *order = ARENA_ARRAY(s->arena, IrBlkRef, s->f->blk.n + 1);

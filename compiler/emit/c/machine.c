@@ -37,6 +37,7 @@ static const char *source_location(const CUnit *u, Span s)
     return format_in(u->arena, ", %s:%u", file_base_name(s.src->name), (unsigned)source_position(s.src, s.at).line);
 }
 
+// Returns the comment line before the function of a state's block.
 static const char *block_comment(const CUnit *u, size_t state, BlockKind k)
 {
     const Program *p = u->m->program;

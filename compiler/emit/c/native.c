@@ -55,6 +55,7 @@ static bool is_word(char c)
     return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
+// Returns the length of the identifier or number at p.
 static size_t word_length(const char *p)
 {
     size_t n = 0;
@@ -226,6 +227,7 @@ static const char *write_word_or_call(CUnit *u, const char *p, char before, Buf 
     return p + n;
 }
 
+// Copies the comment at p, and returns where it ends.
 static const char *write_comment(const char *p, Buf *out)
 {
     const size_t n = strcspn(p, "\n");

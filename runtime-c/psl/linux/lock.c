@@ -46,11 +46,13 @@ static uint32_t thread_id(void)
     return own_id ? own_id : request_thread_id();
 }
 
+// Returns the thread id in the word of a lock; 0: no thread holds it.
 static uint32_t read_holder(uint32_t *word)
 {
     return __atomic_load_n(word, __ATOMIC_ACQUIRE) & FUTEX_TID_MASK;
 }
 
+// Takes the lock if it is free.  Returns whether it was.
 static bool try_acquire(uint32_t *word)
 {
     uint32_t unheld = 0;

@@ -36,6 +36,7 @@ static NvmEntry entries[PAL_NVMS];
 
 // ---- descriptors ----
 
+// Reads n bytes at offset `at`.  Returns 0 or an errno.
 static int read_all(int fd, uint8_t *to, size_t n, uint32_t at)
 {
     while (n > 0) {
@@ -52,6 +53,7 @@ static int read_all(int fd, uint8_t *to, size_t n, uint32_t at)
     return 0;
 }
 
+// Writes n bytes.  Returns 0 or an errno.
 static int write_all(int fd, const uint8_t *from, size_t n)
 {
     while (n > 0) {

@@ -29,6 +29,7 @@ static void stop_device(void)
     device = -1;
 }
 
+// Sets the period in nanoseconds, rounded up to whole seconds; *actual is what the device accepted.
 static SmResult set_period(uint64_t period, uint64_t *actual)
 {
     int seconds = (int)((period + PAL_SECOND - 1) / PAL_SECOND), wanted = seconds;

@@ -27,6 +27,7 @@ void sim_aio_reset(void)
     memset(used, 0, sizeof used);
 }
 
+// Limits x to what the simulated channels can measure, and truncates it to their resolution.
 static int32_t round_to_step(int32_t x)
 {
     return (x < -LIMIT ? -LIMIT : x > LIMIT ? LIMIT : x) / STEP * STEP;

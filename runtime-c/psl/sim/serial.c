@@ -31,6 +31,7 @@ void sim_serial_reset(void)
 
 // ---- queues ----
 
+// Adds up to n bytes to the end of the queue, as many as fit.  Returns their number.
 static size_t enqueue(SerialQueue *q, const void *bytes, size_t n)
 {
     if (n > ROOM - q->n)
