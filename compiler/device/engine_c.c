@@ -105,7 +105,7 @@ bool engine_c_present(Arena *arena, const char **why)
         return true;
     vec_push(arena, &argv, "--version");
     vec_push(arena, &argv, NULL);
-    if (!os_run_program(argv.at, "/dev/null", &exit_code, &reason))
+    if (!os_run_program(argv.at, "/dev/null", NULL, &exit_code, &reason))
         *why = format_in(arena, "%s: %s", no_compiler_message(arena, argv.at[0]), reason);
     else if (exit_code != 0)
         *why = format_in(arena, "%s: '%s --version' ended with exit code %d", no_compiler_message(arena, argv.at[0]), compiler_command(), exit_code);
@@ -136,7 +136,7 @@ static bool build_in_folder(BuildFolder *w, const Buf *code, OsPartner *partner)
     vec_push(w->arena, &argv, program);
     vec_push(w->arena, &argv, source);
     vec_push(w->arena, &argv, NULL);
-    if (!os_run_program(argv.at, log, &exit_code, &why))
+    if (!os_run_program(argv.at, log, w->folder, &exit_code, &why))
         return set_error(w, no_compiler_message(w->arena, argv.at[0]), why);
     if (exit_code != 0)
         return set_error(w, format_in(w->arena, "the C compiler %s does not accept the emitted C", argv.at[0]), read_compiler_output(w->arena, log, exit_code));
