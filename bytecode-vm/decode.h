@@ -11,7 +11,7 @@ enum { DEFERRED = FAST_SOURCE_COUNT };                // DecodedValue.kind of X 
 
 // What the decoder knows about the contents of register X or Y of the bytecode.
 typedef struct DecodedValue {
-    uint8_t kind;             // SmType or FAST_RAW: a value of that type in memory; FAST_C: the constant c; FAST_A: the value is in F; DEFERRED
+    uint8_t kind;             // SmType or FAST_RAW: a value of that type in memory; FAST_C: the constant c; FAST_IN_F: the value is in F; DEFERRED
     enum { A_LOCAL, AN_ELEMENT, THE_TIME } is;        // a value in memory: what it is the value of
     uint32_t offset;          // a value in memory: offset of the local or element, in bytes
     SmF64 c;                  // FAST_C: the constant
@@ -50,7 +50,7 @@ typedef struct StoreTarget {
 // ---- values ----
 
 static inline bool is_memory(const DecodedValue *v) { return v->kind <= FAST_RAW; }
-static inline bool is_in_f(const DecodedValue *v) { return v->kind == FAST_A; }
+static inline bool is_in_f(const DecodedValue *v) { return v->kind == FAST_IN_F; }
 static inline bool is_constant(const DecodedValue *v) { return v->kind == FAST_C; }
 static inline bool is_integer(const DecodedValue *v) { return v->kind <= SM_U64; }  // integer types have the numbers up to SM_U64
 static inline bool is_zero(const DecodedValue *v) { return is_constant(v) && sm_eq(v->c, sm_from_i32(0)); }
@@ -96,7 +96,7 @@ unsigned smvm_possible_relations(unsigned m, const DecodedValue *x, const Decode
 unsigned smvm_add_unordered(unsigned m, const DecodedValue *x, const DecodedValue *y);
 
 DecodedValue *smvm_compute_x(DecodeState *d);         // emits the deferred operation of X, if it has one; returns X, no longer DEFERRED
-void smvm_load_x(DecodeState *d);                     // emits code that loads X into F
+void smvm_move_x_to_f(DecodeState *d);                     // emits code that loads X into F
 void smvm_defer_operation(DecodeState *d, uint8_t op, DecodedValue y);  // defers X = op X, or X = X op y
 
 // ---- windows (decode_window.c), stores (decode_store.c), jumps (decode_jump.c) ----

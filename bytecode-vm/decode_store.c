@@ -88,7 +88,7 @@ static bool try_emit_operation_to(DecodeState *d, const StoreTarget *to)
     f = family[is_constant(&y)][op - SMVM_add];
     emit_store_op(d, (FastOp)f[0], (FastOp)f[1], to->to.kind - (unsigned)SM_F32, to);
     smvm_emit_operand(d, &y);
-    d->x.kind = FAST_A;
+    d->x.kind = FAST_IN_F;
     return true;
 }
 
@@ -104,7 +104,7 @@ static void emit_store(DecodeState *d, const StoreTarget *to)
         emit_store_op(d, FAST_MOV_I8_OP, FAST_MOVN_I8_OP, d->x.kind, to);
         smvm_emit_operand(d, &d->x);
     } else {
-        smvm_load_x(d);
+        smvm_move_x_to_f(d);
         emit_store_op(d, FAST_ST_I8_OP, FAST_STN_I8_OP, to->to.kind, to);
     }
 }

@@ -71,7 +71,7 @@ void smvm_decode_sample(DecodeState *d)
     const bool memory = is_memory(x) && x->kind == (w.kind & SM_ROLL_TYPE) && sample_op(&w, true) != FAST_SAMPLE_OP;
 
     if (!memory)
-        smvm_load_x(d);
+        smvm_move_x_to_f(d);
     smvm_emit_op(d, sample_op(&w, memory));
     emit_window(d, &w);
     if (memory)
@@ -103,6 +103,6 @@ bool smvm_try_emit_statistic_to(DecodeState *d, const StoreTarget *to)
     smvm_emit_operand(d, &to->to);
     emit_window(d, &w);
     smvm_emit_integer(d, d->deferred.n);
-    d->x.kind = FAST_A;
+    d->x.kind = FAST_IN_F;
     return true;
 }

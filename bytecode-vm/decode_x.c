@@ -109,7 +109,7 @@ static void emit_deferred(DecodeState *d)
     } else {
         emit_unary(d, l->op, &l->a);
     }
-    d->x.kind = FAST_A;
+    d->x.kind = FAST_IN_F;
 }
 
 DecodedValue *smvm_compute_x(DecodeState *d)
@@ -119,10 +119,10 @@ DecodedValue *smvm_compute_x(DecodeState *d)
     return &d->x;
 }
 
-void smvm_load_x(DecodeState *d)
+void smvm_move_x_to_f(DecodeState *d)
 {
     smvm_emit_load(d, smvm_compute_x(d));
-    d->x.kind = FAST_A;
+    d->x.kind = FAST_IN_F;
 }
 
 // Whether a conversion of X to this type changes nothing: X was read from a variable of the type, or is 0 or 1, which all types can represent.

@@ -8,14 +8,14 @@
 
 // Lists of operand types; each applies the macro M to every type of the list.  FAST_TYPES: the types of values in memory, in the order of
 // their numbers (SmType).  FAST_KINDS: also RAW, an F64 stored as it is.  FAST_SOURCES: also C, a constant in the code.  FAST_INTS: an
-// int64_t can represent all their values except the upper half of U64.  DecodedValue.kind has one more, FAST_A: the value is in F.
+// int64_t can represent all their values except the upper half of U64.  DecodedValue.kind has one more, FAST_IN_F: the value is in F.
 #define FAST_TYPES(M) SMVM_EACH_TYPE(M)
 #define FAST_KINDS(M) SMVM_EACH_KIND(M)
 #define FAST_SOURCES(M) FAST_KINDS(M) M(C)
 #define FAST_FLOATS(M) M(F32) M(F64)
 #define FAST_INTS(M) M(I8) M(I16) M(I32) M(I64) M(U8) M(U16) M(U32) M(U64)
 
-enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
+enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_IN_F, FAST_SOURCE_COUNT };
 
 // The families: name and code of the instruction for a type K.  ip[1], ip[2], … are its operands; NEXT(n) goes to the next instruction, n
 // words on; GO_IF jumps to ip[1]; NOTE and get_K etc. are in fast.c.

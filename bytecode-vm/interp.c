@@ -18,8 +18,8 @@ SmF64 smvm_load_flash(uint8_t type, const void *at);
 SmF64 smvm_load_eeprom(uint8_t type, const void *at);
 void smvm_store_flash(SmF64 x, uint8_t type, void *at);
 void smvm_store_eeprom(SmF64 x, uint8_t type, void *at);
-void smvm_do_sample(SmVm *vm, SmvmAt w);
-SmF64 smvm_do_stat(SmVm *vm, uint8_t stat, SmvmAt w);
+void smvm_add_sample(SmVm *vm, SmvmAt w);
+SmF64 smvm_compute_statistic(SmVm *vm, uint8_t stat, SmvmAt w);
 
 #define SMVM_CHECK_OFFSET(member, at) typedef char smvm_offset_is_##at[offsetof(SmVm, member) == (at) ? 1 : -1]
 SMVM_CHECK_OFFSET(image, VM_IMAGE);
@@ -54,14 +54,14 @@ void smvm_store(SmF64 x, uint8_t type, void *at) { smvm_store_eeprom(x, type, at
 #endif
 
 // Adds a sample to window w.  The assembly has stored it in vm->y, converted to the window's type.
-void smvm_do_sample(SmVm *vm, SmvmAt w)
+void smvm_add_sample(SmVm *vm, SmvmAt w)
 {
     const uint32_t entry = smvm_window(vm->image, vm->tables.windows, w);
 
     sm_roll_sample_cell(smvm_windows_of(vm)[w], smvm_window_size(entry), smvm_window_kind(entry), vm->y);
 }
 
-SmF64 smvm_do_stat(SmVm *vm, uint8_t stat, SmvmAt w)
+SmF64 smvm_compute_statistic(SmVm *vm, uint8_t stat, SmvmAt w)
 {
     const uint32_t entry = smvm_window(vm->image, vm->tables.windows, w);
 

@@ -722,7 +722,7 @@ constant:                                 ; sets X or Y to an F32 or F64 constan
 	mov r22, r16
 	movw r20, r18
 	movw r24, r28
-	xcall smvm_do_stat
+	xcall smvm_compute_statistic
 	pop r31
 	pop r30
 	rjmp given_x
@@ -966,7 +966,7 @@ sample:
 	pop r23
 	pop r22
 	movw r24, r28
-	xcall smvm_do_sample
+	xcall smvm_add_sample
 	pop r31
 	pop r30
 	rjmp next

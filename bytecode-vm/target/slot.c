@@ -174,7 +174,7 @@ static SmSwapReason check_slots(const void *from, const void *to, uint8_t mode)
     return mode == SM_SWAP_CONTINUE && smvm_swap_state(t->plan, state) == 0 ? SM_SWAP_NO_GONE : SM_SWAP_NOT_REFUSED;
 }
 
-static void exchange_slots(const void *from, void *to, uint8_t mode, const SmMachine *m)
+static void hand_over_to_slot(const void *from, void *to, uint8_t mode, const SmMachine *m)
 {
     const SmvmSlot *f = from;
     SmvmSlot *t = to;
@@ -217,7 +217,7 @@ static bool is_slot_aborting(const void *slot)
 static uint32_t slot_identity(const void *slot) { return ((const SmvmSlot *)slot)->identity; }
 
 const SmSwapType smvm_slot_type = {
-    init_slot, sizeof parts / sizeof *parts, prepare_slot, check_slots, exchange_slots, give_back_slot, is_slot_aborting, slot_identity,
+    init_slot, sizeof parts / sizeof *parts, prepare_slot, check_slots, hand_over_to_slot, give_back_slot, is_slot_aborting, slot_identity,
 };
 
 bool smvm_slot_item(const SmvmSlot *slot, uint32_t i, SmvmSwapItem *item) { return slot->plan && smvm_swap_item(slot->plan, i, item); }

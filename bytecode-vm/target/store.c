@@ -368,14 +368,14 @@ static bool is_valid_chunk(const Store *s, SmvmAt at, uint8_t n)
            (at == s->next || n <= s->next - at);
 }
 
-static bool is_session(const Store *s, uint16_t session) { return session != 0 && session == s->session; }
+static bool is_current_session(const Store *s, uint16_t session) { return session != 0 && session == s->session; }
 
 SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *bytes, uint8_t n)
 {
     const bool again = at < s->next;
     bool there;
 
-    if (!is_session(s, session))
+    if (!is_current_session(s, session))
         return SM_E_HANDLE;
     if (at > s->next || !is_valid_chunk(s, at, n))
         return SM_E_ARGUMENT;
@@ -409,7 +409,7 @@ SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
 
     why->rule = 0;
     why->at = 0;
-    if (!is_session(s, session))
+    if (!is_current_session(s, session))
         return SM_E_HANDLE;
     if (s->next != s->length)
         return SM_E_ARGUMENT;
@@ -424,7 +424,7 @@ SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period)
 {
     StoreChoice *const c = &s->choice;
 
-    if (!is_session(s, session) || !s->is_accepted)
+    if (!is_current_session(s, session) || !s->is_accepted)
         return SM_E_HANDLE;
     if (c->active != s->target || memcmp(c->checksum, s->checksum, 4) != 0) {
         c->previous = c->active;

@@ -61,7 +61,7 @@ int board_report_failure(BoardLine *b, const char *what)
     return EXIT_PROBLEM;
 }
 
-const char *board_trial_end(uint8_t end)
+const char *board_trial_end_text(uint8_t end)
 {
     return end == DEVICE_STARTS_USED    ? "it was not confirmed within its starts"
            : end == DEVICE_NOT_RUNNABLE ? "the board cannot run it, as with two pins that are the same"
@@ -93,7 +93,7 @@ void board_describe(Buf *out, const DeviceImage *i)
         else if (i->state == DEVICE_WHOLE && i->slot != DEVICE_BUILT_IN)
             buf_str(out, i->runs ? ", until the next start" : i->before ? ", runs again if the chosen one does not" : ", not chosen");
         if (i->end != DEVICE_NOT_ENDED)
-            buf_printf(out, ", its trial ended: %s", board_trial_end(i->end));
+            buf_printf(out, ", its trial ended: %s", board_trial_end_text(i->end));
     }
     buf_str(out, "\n");
 }

@@ -23,7 +23,7 @@ void board_close(BoardLine *b);
 int board_report_failure(BoardLine *b, const char *what);
 
 // Returns why a trial ended (DeviceEnd), as a clause of a sentence.
-const char *board_trial_end(uint8_t end);
+const char *board_trial_end_text(uint8_t end);
 
 // Describes an image, as in "slot 1: 443 bytes, checksum 2f0a11c4, identity 0011223344556677, runs, on trial (2 starts left)".
 void board_describe(Buf *out, const DeviceImage *image);

@@ -67,7 +67,7 @@ static void report_ended_trial(BoardLine *b)
     DeviceImage image;
 
     if (device_find_ended_trial(&b->host, &b->info, &image))
-        cli_print_error(b->c, TEXT_trial_ended, (unsigned long)image.checksum, board_trial_end(image.end));
+        cli_print_error(b->c, TEXT_trial_ended, (unsigned long)image.checksum, board_trial_end_text(image.end));
 }
 
 static int confirm_image(BoardLine *b, Buf *out)
@@ -90,7 +90,7 @@ static int confirm_image(BoardLine *b, Buf *out)
         board_describe(out, &image);
         return EXIT_PROBLEM;
     }
-    if (!device_request_by_checksum(&b->host, LINK_CONFIRM, image.checksum) || !device_read_image_info(&b->host, image.slot, &image))
+    if (!device_confirm_image(&b->host, image.checksum) || !device_read_image_info(&b->host, image.slot, &image))
         return board_report_failure(b, "it was not confirmed");
     board_describe(out, &image);
     return EXIT_OK;
@@ -109,7 +109,7 @@ static int erase_image(BoardLine *b, Buf *out)
             was_in_slot = true;
             runs = runs || image.runs;
         }
-    if (device_request_by_checksum(&b->host, LINK_ERASE, checksum) || (was_in_slot && b->host.answered && b->host.result == SM_E_MISSING)) {
+    if (device_erase_image(&b->host, checksum) || (was_in_slot && b->host.answered && b->host.result == SM_E_MISSING)) {
         // SM_E_MISSING: the first answer was lost, and the request that followed found nothing more to erase.
         code = list_images(b, out);
         if (runs)                        // the board does not stop it: it may be holding a valve, and only the user knows when to stop that

@@ -179,7 +179,7 @@ static int send_image(BoardLine *b, const FlashImage *image, const DeviceImage *
     u.context = &p;
     if ((step = device_update(&b->host, &b->info, &u)) != DEVICE_DONE)
         return report_failure(b, &u, before, step);
-    if (b->c->given[OPT_CONFIRM] && !device_request_by_checksum(&b->host, LINK_CONFIRM, u.checksum))
+    if (b->c->given[OPT_CONFIRM] && !device_confirm_image(&b->host, u.checksum))
         return board_report_failure(b, "it runs, but was not confirmed");
     return report_success(b, &u, before);
 }

@@ -54,7 +54,7 @@ int cmd_graph(Cli *c)
     g.findings = &found;
     if ((code = cli_print_diagnostics(c)) != EXIT_OK)
         return code;
-    m = runs_machine(&in, &made);
+    m = runs_find_machine(&in, &made);
     review_begin(&c->session, m->program, &r);
     if ((code = runs_execute(c, &r, m->scripted, &in)) != EXIT_OK) {
         cli_print_diagnostics(c);

@@ -37,9 +37,9 @@ int cmd_report(Cli *c)
         cli_print_diagnostics(c);
         return EXIT_PROBLEM;
     }
-    review_begin(&c->session, runs_machine(&in, &made)->program, &r);
-    review_add_costs(&c->session, runs_machine(&in, &made), made.artefact.at[0].bytes, o.step != 0, &r);
-    if ((code = runs_execute(c, &r, runs_machine(&in, &made)->scripted, &in)) != EXIT_OK) {
+    review_begin(&c->session, runs_find_machine(&in, &made)->program, &r);
+    review_add_costs(&c->session, runs_find_machine(&in, &made), made.artefact.at[0].bytes, o.step != 0, &r);
+    if ((code = runs_execute(c, &r, runs_find_machine(&in, &made)->scripted, &in)) != EXIT_OK) {
         cli_print_diagnostics(c);
         return code;
     }

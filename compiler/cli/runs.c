@@ -24,7 +24,7 @@ int runs_check_arguments(Cli *c)
     return EXIT_OK;
 }
 
-const CompiledSource *runs_machine(const CompileInput *in, const Compiled *made)
+const CompiledSource *runs_find_machine(const CompileInput *in, const Compiled *made)
 {
     size_t i = 0;
 

@@ -43,7 +43,7 @@ bool test_stdout_is_for_program(const Cli *c);                                  
 int test_result_fd(const Cli *c);                                   // cmd_test.c
 // Whether an argument is a script. Standard input ("-") is one if the call names a machine; otherwise it is the machine.
 bool test_is_script(const Cli *c, const char *path);               // cmd_test.c
-const char *test_folder(Arena *arena, const char *path);           // cmd_test.c: the suite of a case
+const char *test_suite_name(Arena *arena, const char *path);           // cmd_test.c: the suite of a case
 
 // Runs every script of the call on the machine `path` and adds a result for each.  EXIT_OK, or the exit code after a message;
 // EXIT_USAGE: nothing has been run.

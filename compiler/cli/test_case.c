@@ -74,7 +74,7 @@ TestCase *test_case_open(TestRun *t, const char *path)
 
     c->t = t;
     c->result.path = path;
-    c->result.suite = test_folder(t->arena, path);
+    c->result.suite = test_suite_name(t->arena, path);
     if (!os_read_file(path, SOURCE_MAX, &c->text, &n, &why)) {
         set_result(c, TEST_BROKEN, format_in(t->arena, "cannot read '%s': %s", cli_printable_name(t->arena, path), why), EXIT_ENVIRONMENT);
     } else if (setjmp(c->oom) == 0) {

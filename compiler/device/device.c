@@ -115,13 +115,16 @@ bool device_find_trial_image(LinkHost *h, const DeviceInfo *info, DeviceImage *i
 bool device_find_ended_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image) { return find_image(h, info, has_ended_trial, image); }
 
 // Sends a request whose body is the checksum of an image: CONFIRM or ERASE.  Returns whether the board answered SM_OK.
-bool device_request_by_checksum(LinkHost *h, LinkMessage message, uint32_t checksum)
+static bool send_request_for_checksum(LinkHost *h, LinkMessage message, uint32_t checksum)
 {
     uint8_t body[4];
 
     sm_link_store(body, checksum, 4);
     return send_request(h, message, body, sizeof body, 0);
 }
+
+bool device_confirm_image(LinkHost *h, uint32_t checksum) { return send_request_for_checksum(h, LINK_CONFIRM, checksum); }
+bool device_erase_image(LinkHost *h, uint32_t checksum) { return send_request_for_checksum(h, LINK_ERASE, checksum); }
 
 bool device_find_chip_pin(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *chip_pin)
 {

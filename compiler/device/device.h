@@ -52,7 +52,10 @@ bool device_is_usable(const DeviceInfo *info);
 bool device_read_image_info(LinkHost *h, uint8_t slot, DeviceImage *image);
 // Finds the running image: that of a slot, or else the built-in one.
 bool device_find_running_image(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
-bool device_request_by_checksum(LinkHost *h, LinkMessage message, uint32_t checksum);  // sends CONFIRM or ERASE
+// Ends the trial of the running image, which has this checksum: the board keeps it (smvm_store_confirm).
+bool device_confirm_image(LinkHost *h, uint32_t checksum);
+// From the board's next start on, the image with this checksum does not run (smvm_store_erase).
+bool device_erase_image(LinkHost *h, uint32_t checksum);
 // Finds the image on trial, whether it already runs or will run from the next start on.  False with SM_OK if no image is on trial.
 bool device_find_trial_image(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
 // Finds the image whose trial has ended.  False with SM_OK if there is none.

@@ -491,8 +491,14 @@ SmcResult smc_machine_set(SmcSession *s, SmcMachine m, uint32_t variable, double
     return r;
 }
 
-static SmcResult check_value(const SmcSession *s, const void *value, SmType type, uint32_t size)
+// Stores where the value of a variable is, if `value`, of `size` bytes, can be a copy of it: SMC_E_SIZE if its type has another size.
+static SmcResult find_value_to_copy(const SmcSession *s, SmcMachine m, uint32_t variable, const void *value, uint32_t size, uint8_t **at)
 {
+    SmType type;
+    const SmcResult r = find_value(s, m, variable, &type, at);
+
+    if (r != SMC_OK)
+        return r;
     if (!value)
         return library_fail(s, SMC_E_ARGUMENT, NULL);
     return size == sm_type_info[type].bytes ? SMC_OK : library_fail(s, SMC_E_SIZE, NULL);
@@ -500,22 +506,20 @@ static SmcResult check_value(const SmcSession *s, const void *value, SmType type
 
 SmcResult smc_machine_read(const SmcSession *s, SmcMachine m, uint32_t variable, void *value, uint32_t size)
 {
-    SmType type;
     uint8_t *at;
-    SmcResult r = find_value(s, m, variable, &type, &at);
+    const SmcResult r = find_value_to_copy(s, m, variable, value, size, &at);
 
-    if (r == SMC_OK && (r = check_value(s, value, type, size)) == SMC_OK)
+    if (r == SMC_OK)
         memcpy(value, at, size);
     return r;
 }
 
 SmcResult smc_machine_write(SmcSession *s, SmcMachine m, uint32_t variable, const void *value, uint32_t size)
 {
-    SmType type;
     uint8_t *at;
-    SmcResult r = find_value(s, m, variable, &type, &at);
+    const SmcResult r = find_value_to_copy(s, m, variable, value, size, &at);
 
-    if (r == SMC_OK && (r = check_value(s, value, type, size)) == SMC_OK)
+    if (r == SMC_OK)
         memcpy(at, value, size);
     return r;
 }

@@ -131,7 +131,7 @@ static bool is_expensive(const IrIns *i) { return i->op == IR_stat || i->op == I
 
 static void visit_load(Cse *c, IrRef ref)
 {
-    VarNote *note = note_on_variable(c->facts->notes, ins_at(c, ref)->var);
+    VarNote *note = find_variable_note(c->facts->notes, ins_at(c, ref)->var);
 
     if (note->ref == IR_NONE)
         note->ref = ref;
@@ -148,7 +148,7 @@ static void visit_load(Cse *c, IrRef ref)
 // Updates what is known about the variable.  Returns false if the store can be dropped.
 static bool visit_store(Cse *c, const IrIns *i)
 {
-    VarNote *note = note_on_variable(c->facts->notes, i->var);
+    VarNote *note = find_variable_note(c->facts->notes, i->var);
     const IrVar *v = &c->facts->m->var.at[i->var];
     bool known = v->space == IR_ELEMENT ? note->stored : !v->outside;
 

@@ -43,14 +43,14 @@ static bool visit_for_dse(const IrFn *f, IrRef ref, Facts *facts)
     const IrIns *i = &f->ins.at[ref];
 
     if (i->op == IR_load && facts->uses[ref] > 0)
-        note_on_variable(facts->notes, i->var)->stored = false;
+        find_variable_note(facts->notes, i->var)->stored = false;
     if (i->op != IR_store)
         return true;
-    if (note_on_variable(facts->notes, i->var)->stored) {
+    if (find_variable_note(facts->notes, i->var)->stored) {
         facts->uses[i->a]--;
         return false;
     }
-    note_on_variable(facts->notes, i->var)->stored = true;
+    find_variable_note(facts->notes, i->var)->stored = true;
     return true;
 }
 

@@ -69,7 +69,7 @@ const PassInfo *pass_find(const char *name)
 
 void notes_begin_block(VarNotes *n) { n->block++; }
 
-VarNote *note_on_variable(VarNotes *n, uint32_t var)
+VarNote *find_variable_note(VarNotes *n, uint32_t var)
 {
     VarNote *note = &n->at[var];
 

@@ -311,8 +311,8 @@ const LogMachine *log_machine_by_number(const LogDescription *d, uint16_t number
     return NULL;
 }
 
-// Returns the last swap of the event's machine before the event; NULL if it was not swapped before.  A swap is at the end of a tick: of the same tick, it is
-// after a transition and before a start.
+// Returns the last swap of the event's machine before the event; NULL if it was not swapped before.  A swap is at the end of a tick, so of the
+// events of that tick it follows the transitions and precedes the start of the new machine.
 static const LogSwap *swap_before(const LogSession *s, const LogEvent *e)
 {
     for (size_t i = s->swap.n; i-- > 0;)

@@ -125,10 +125,10 @@ static void append_cell(Buf *out, SmType type, uint64_t cell, void (*append_floa
     }
 }
 
-void format_cell(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, append_fixed); }
+void format_cell_rounded(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, append_fixed); }
 void format_cell_shortest(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, format_number_shortest); }
 // Floats in hexadecimal, as C99 %a; all other values in decimal.
-void format_cell_hex(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, append_hex); }
+void format_cell_exact(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, append_hex); }
 
 // ---- the report ----
 
@@ -172,7 +172,7 @@ void script_report(const ScriptResult *r, const Program *p, Buf *out)
     buf_str(out, "final state vector:\n");
     for (size_t i = 0; i < p->var.n; i++) {
         buf_printf(out, "  %s = ", order[i]->report_name->text);
-        format_cell(out, order[i]->type, r->cell[order[i]->index]);
+        format_cell_rounded(out, order[i]->type, r->cell[order[i]->index]);
         buf_char(out, '\n');
     }
 }

@@ -48,8 +48,8 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
 // Appends the report of a run: the number of steps and of passed asserts, then the final value of each variable.
 void script_report(const ScriptResult *r, const Program *p, Buf *out);
 // Append a cell (the bits of a value in its type): rounded, as in the report; and with floats in hexadecimal, as in an exact trace.
-void format_cell(Buf *out, SmType type, uint64_t cell);
-void format_cell_hex(Buf *out, SmType type, uint64_t cell);
+void format_cell_rounded(Buf *out, SmType type, uint64_t cell);
+void format_cell_exact(Buf *out, SmType type, uint64_t cell);
 // Append a value with the fewest digits that read back as the same double.
 void format_cell_shortest(Buf *out, SmType type, uint64_t cell);
 void format_number_shortest(Buf *out, double x);

@@ -66,7 +66,7 @@ void script_trace_exact(Buf *out, const ScriptStep *step, const Var *const *orde
 {
     for (size_t i = 0; i < n; i++) {
         buf_printf(out, "%" PRIu64 " %s ", step->number, order[i]->report_name->text);
-        format_cell_hex(out, order[i]->type, step->cell[order[i]->index]);
+        format_cell_exact(out, order[i]->type, step->cell[order[i]->index]);
         buf_char(out, '\n');
     }
 }

@@ -187,6 +187,15 @@ static void check_armed(AppCheck *k, const AstAppOption *o)
                   e->span, DIAG_note_declared_here, e->name->text);
 }
 
+// Returns the amount of an option, whose range ends below 2^32; the range's least value after a report.
+static uint32_t check_small_amount(AppCheck *k, const AstAppOption *o, AppRangeId range)
+{
+    uint64_t n;
+
+    app_check_amount(k, &o->amount, range, &n);
+    return (uint32_t)n;
+}
+
 static void check_options(AppCheck *k)
 {
     k->app->events = 64;
@@ -194,7 +203,6 @@ static void check_options(AppCheck *k)
     k->app->swap_limit = 10000;
     for (size_t i = 0; i < k->ast->options.n; i++) {
         const AstAppOption *o = &k->ast->options.at[i];
-        uint64_t n = 0;
 
         switch (o->kind) {
         case AST_APP_state_vector: case AST_APP_OPTION_COUNT:
@@ -210,12 +218,10 @@ static void check_options(AppCheck *k)
             app_check_amount(k, &o->amount, APP_RANGE_watchdog, &k->app->watchdog);
             break;
         case AST_APP_events:
-            app_check_amount(k, &o->amount, APP_RANGE_events, &n);
-            k->app->events = (uint32_t)n;
+            k->app->events = check_small_amount(k, o, APP_RANGE_events);
             break;
         case AST_APP_log:
-            app_check_amount(k, &o->amount, APP_RANGE_log_memory, &n);
-            k->app->log_room = (uint32_t)n;
+            k->app->log_room = check_small_amount(k, o, APP_RANGE_log_memory);
             k->app->log = o->file.text;
             check_platform_name(k, &o->file);
             check_log_room(k, o);
@@ -225,16 +231,13 @@ static void check_options(AppCheck *k)
             check_platform_name(k, &o->file);
             break;
         case AST_APP_swap:
-            app_check_amount(k, &o->amount, APP_RANGE_swap_memory, &n);
-            k->app->swap_room = (uint32_t)(n + 7) / 8 * 8;
+            k->app->swap_room = (check_small_amount(k, o, APP_RANGE_swap_memory) + 7) / 8 * 8;
             break;
         case AST_APP_swap_trial:
-            app_check_amount(k, &o->amount, APP_RANGE_swap_trial, &n);
-            k->app->swap_trial = (uint32_t)n;
+            k->app->swap_trial = check_small_amount(k, o, APP_RANGE_swap_trial);
             break;
         case AST_APP_swap_limit:
-            app_check_amount(k, &o->amount, APP_RANGE_swap_limit, &n);
-            k->app->swap_limit = (uint32_t)n;
+            k->app->swap_limit = check_small_amount(k, o, APP_RANGE_swap_limit);
             break;
         case AST_APP_armed:
             check_armed(k, o);

@@ -123,10 +123,10 @@ static void pins(void)
     CHECK(!reads(5, PAL_DIO_PULL_UP));
     sim_wire(6, 7);
     CHECK(pal_dio_open(&pin, 6, PAL_DIO_OUTPUT, false) == SM_OK);
-    CHECK(sim_edges(6) == 0);                             // low from the start: no pulse
+    CHECK(sim_count_pin_changes(6) == 0);                             // low from the start: no pulse
     for (int i = 0; i < 3; i++)
         CHECK(pal_dio_write(pin, true) == SM_OK);
-    CHECK(sim_edges(6) == 1 && sim_edges(7) == 1 && sim_pin(7));
+    CHECK(sim_count_pin_changes(6) == 1 && sim_count_pin_changes(7) == 1 && sim_pin(7));
     CHECK(pal_dio_close(pin) == SM_OK && sim_pin(6));     // close changes nothing
 }
 

@@ -149,7 +149,7 @@ static void test_safe(void)
 {
     renew(true);
     CHECK(sm_outputs_init(out) == SM_OK && is_safe());            // before the first step
-    CHECK(sim_edges(20) == 1 && sim_edges(22) == 0);              // without a pulse
+    CHECK(sim_count_pin_changes(20) == 1 && sim_count_pin_changes(22) == 0);              // without a pulse
     pins_sv.heater = 1;
     pins_sv.vent = 1;
     CHECK(step_out() == SM_OK && !is_safe());

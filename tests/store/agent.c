@@ -162,7 +162,7 @@ static void prepare(Pair *p, const char *memory, uint8_t slots)
 
     pair(p, memory, slots);
     CHECK(update(p, &old_image, &u) == DEVICE_DONE && runs(&p->board, &old_image));
-    CHECK(device_request_by_checksum(&p->host, LINK_CONFIRM, old_image.checksum));
+    CHECK(device_confirm_image(&p->host, old_image.checksum));
 }
 
 // A good line again.
@@ -192,7 +192,7 @@ static void check_recovery(Pair *p)
     Update u;
 
     CHECK(update(p, &new_image, &u) == DEVICE_DONE && runs(&p->board, &new_image));
-    CHECK(device_request_by_checksum(&p->host, LINK_CONFIRM, new_image.checksum));
+    CHECK(device_confirm_image(&p->host, new_image.checksum));
     for (int i = 0; i < STORE_TRIES * STORE_START + 1; i++)
         CHECK(board_start(&p->board) && runs(&p->board, &new_image));
 }
@@ -240,8 +240,8 @@ static void armed_board_refuses_update(const char *memory, uint8_t slots)
         p.board.may = reasons[i];
         CHECK(device_query_info(&p.host, &info) && info.may == reasons[i]);
         CHECK(update(&p, &new_image, &u) == DEVICE_BEGIN && p.host.answered && p.host.result == reasons[i]);
-        CHECK(!device_request_by_checksum(&p.host, LINK_ERASE, old_image.checksum) && p.host.result == reasons[i]);
-        CHECK(!device_request_by_checksum(&p.host, LINK_CONFIRM, old_image.checksum) && p.host.result == reasons[i]);
+        CHECK(!device_erase_image(&p.host, old_image.checksum) && p.host.result == reasons[i]);
+        CHECK(!device_confirm_image(&p.host, old_image.checksum) && p.host.result == reasons[i]);
         CHECK(!device_restart(&p.host, &info) && p.host.answered && p.host.result == reasons[i]);
         CHECK(device_find_running_image(&p.host, &info, &image) && image.checksum == old_image.checksum);
         CHECK(memcmp(kept, sim_nvm(memory), sizeof kept) == 0 && p.board.left == 0);
@@ -336,7 +336,7 @@ static void previous_image_is_known_by_checksum(void)
     Pair p;
 
     prepare(&p, "eeprom", 2);
-    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && device_request_by_checksum(&p.host, LINK_CONFIRM, new_image.checksum));
+    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && device_confirm_image(&p.host, new_image.checksum));
     CHECK(device_read_image_info(&p.host, 0, &image) && image.checksum == old_image.checksum && image.before);
     CHECK(image_send(&p.board.store, &new_image) == SM_OK);
     CHECK(device_read_image_info(&p.host, 0, &image) && image.checksum == new_image.checksum && !image.before && !image.chosen);
@@ -367,7 +367,7 @@ static void refused_update_does_not_stop_a_trial(void)
     CHECK(update(&p, &new_image, &u) == DEVICE_DONE && p.board.left == 1);
     CHECK(update(&p, &old_image, &u) == DEVICE_BEGIN && p.host.result == SM_E_BUSY);
     CHECK(p.board.left == 1 && runs(&p.board, &new_image));
-    CHECK(device_request_by_checksum(&p.host, LINK_CONFIRM, new_image.checksum));
+    CHECK(device_confirm_image(&p.host, new_image.checksum));
 }
 
 static void images_are_listed_and_erased(void)
@@ -388,11 +388,11 @@ static void images_are_listed_and_erased(void)
     CHECK(device_read_image_info(&p.host, DEVICE_BUILT_IN, &image) && image.state == DEVICE_EMPTY && !image.runs);
     CHECK(!device_read_image_info(&p.host, 2, &image) && p.host.result == SM_E_MISSING);
     CHECK(update(&p, &new_image, &u) == DEVICE_DONE && u.was_running);
-    CHECK(!device_request_by_checksum(&p.host, LINK_CONFIRM, old_image.checksum) && p.host.result == SM_E_ARGUMENT);
-    CHECK(!device_request_by_checksum(&p.host, LINK_ERASE, 1) && p.host.result == SM_E_MISSING);
-    CHECK(device_request_by_checksum(&p.host, LINK_ERASE, new_image.checksum) && device_restart(&p.host, &info));
+    CHECK(!device_confirm_image(&p.host, old_image.checksum) && p.host.result == SM_E_ARGUMENT);
+    CHECK(!device_erase_image(&p.host, 1) && p.host.result == SM_E_MISSING);
+    CHECK(device_erase_image(&p.host, new_image.checksum) && device_restart(&p.host, &info));
     CHECK(runs(&p.board, &old_image) && device_find_running_image(&p.host, &info, &image) && image.checksum == old_image.checksum);
-    CHECK(device_request_by_checksum(&p.host, LINK_ERASE, old_image.checksum) && device_restart(&p.host, &info));
+    CHECK(device_erase_image(&p.host, old_image.checksum) && device_restart(&p.host, &info));
     CHECK(device_find_running_image(&p.host, &info, &image) && image.slot == DEVICE_BUILT_IN);
 }
 
@@ -448,7 +448,7 @@ static void update_resumes_after_restart(void)
         p.wire.taken = 0;
         p.wire.restart = at;
         CHECK(update(&p, image, &u) == DEVICE_DONE && runs(&p.board, image));
-        CHECK(device_request_by_checksum(&p.host, LINK_CONFIRM, image->checksum));
+        CHECK(device_confirm_image(&p.host, image->checksum));
     }
 }
 

@@ -116,7 +116,7 @@ bool soft_compares_bytes(const CFn *fn, const IrIns *i, IrRef x)
 
 // Writes the address of the value that l compares: that of the C variable of its temporary, or of the member that it loads.  An F32 is written as
 // its value.
-static void write_address(CFn *fn, const ByteCompare *l)
+static void write_address_of_compared(CFn *fn, const ByteCompare *l)
 {
     const IrRef r = fn->ins[l->operand].variable ? l->operand : l->load;
 
@@ -140,7 +140,7 @@ static void write_float_compare(CFn *fn, const ByteCompare *l, bool negated)
     const char *name = remark_constant_name(fn->u, c_ins(fn, l->constant)->span);
 
     buf_printf(&fn->line, "%s%s%s(", negated == out ? "!" : "", strict == out ? "sm_soft_beyond" : "sm_soft_reaches", is_f32 ? "_f32" : "");
-    write_address(fn, l);
+    write_address_of_compared(fn, l);
     buf_printf(&fn->line, ", 0x%08lXu /* ", (unsigned long)((n & 0x7FFFFFFFu) | (negative ? 0x80000000u : 0)));
     literal_write_finite(&fn->line, x);
     buf_printf(&fn->line, "%s%s */)", *name ? ", " : "", name);

@@ -37,7 +37,7 @@ bool sim_pin(uint16_t pin)
 }
 
 // Returns how often the level has changed, in either direction, since sim_reset.
-uint32_t sim_edges(uint16_t pin)
+uint32_t sim_count_pin_changes(uint16_t pin)
 {
     return pins[pin].edges;
 }

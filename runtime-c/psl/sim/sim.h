@@ -71,9 +71,9 @@ void sim_drive(uint16_t pin, bool level);
 void sim_wire(uint16_t from, uint16_t to);
 void sim_wire_analog(uint16_t from, uint16_t to);
 
-// sim_pin returns the level at a pin, as on an oscilloscope; sim_edges, how often it has changed since sim_reset.
+// sim_pin returns the level at a pin, as on an oscilloscope; sim_count_pin_changes, how often it has changed since sim_reset.
 bool sim_pin(uint16_t pin);
-uint32_t sim_edges(uint16_t pin);
+uint32_t sim_count_pin_changes(uint16_t pin);
 
 // Sets the value that a channel measures; reads the value of an output.
 void sim_set_analog(uint16_t channel, int32_t millionths);
