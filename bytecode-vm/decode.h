@@ -96,7 +96,7 @@ unsigned smvm_possible_relations(unsigned m, const DecodedValue *x, const Decode
 unsigned smvm_add_unordered(unsigned m, const DecodedValue *x, const DecodedValue *y);
 
 DecodedValue *smvm_compute_x(DecodeState *d);         // emits the deferred operation of X, if it has one; returns X, no longer DEFERRED
-void smvm_move_x_to_f(DecodeState *d);                     // emits code that loads X into F
+void smvm_move_x_to_f(DecodeState *d);                // emits code that loads X into F
 void smvm_defer_operation(DecodeState *d, uint8_t op, DecodedValue y);  // defers X = op X, or X = X op y
 
 // ---- windows (decode_window.c), stores (decode_store.c), jumps (decode_jump.c) ----

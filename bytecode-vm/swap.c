@@ -293,7 +293,7 @@ static void copy_window(const SmvmSwap *plan, const SmVm *from, uint32_t source,
         refill_window(old, smvm_window_kind(old_entry), window, smvm_window_kind(entry), n);
 }
 
-static bool runs_find_machine(const SmVm *vm, const SmvmMachine *m) { return vm->image == m->image && vm->machine == m->machine_at; }
+static bool is_of_machine(const SmVm *vm, const SmvmMachine *m) { return vm->image == m->image && vm->machine == m->machine_at; }
 
 // Lets `to` continue where `from` is, with the state, T, locals and samples that both have by name.
 SmResult smvm_swap_continue(const SmvmSwap *plan, const SmVm *from, SmVm *to, void *sv)
@@ -301,7 +301,7 @@ SmResult smvm_swap_continue(const SmvmSwap *plan, const SmVm *from, SmVm *to, vo
     const uint32_t state = smvm_swap_state(plan, from->state);
     const SwapName *name = names_of(plan);
 
-    if (state == 0 || !runs_find_machine(from, &plan->from) || !runs_find_machine(to, &plan->to))
+    if (state == 0 || !is_of_machine(from, &plan->from) || !is_of_machine(to, &plan->to))
         return SM_E_ARGUMENT;
     to->state = (SmvmAt)state;
     to->start = from->start;

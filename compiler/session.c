@@ -3,7 +3,6 @@
 // what its stage relies on.
 #include "compiler/session.h"
 
-#include <assert.h>
 #include <string.h>
 
 #include "compiler/analysis/analysis.h"
@@ -314,6 +313,26 @@ static IrMachine *reuse_or_build_ir(Session *s, const Program *p)
     return m;
 }
 
+// Leaves the compiler, because a pass has broken a machine: no wrong program may be emitted.
+static void leave_because_of_bug(Session *s, const char *wrong)
+{
+    s->bug = format_in(&s->arena, "smc has a bug; please report it: a pass has broken the machine (%s)", wrong);
+    longjmp(*s->arena.oom, 1);
+}
+
+// Returns a sentence that begins with the name of the pass that broke a machine: runs the passes again, with a check after each of them.
+// `wrong`: what was wrong after the last pass.
+static const char *name_broken_pass(Session *s, const Program *p, int opt_level, const char *wrong)
+{
+    const PassOptions o = {opt_level, NULL, true, false, NULL, NULL};
+    IrMachine *m = ir_build(&s->arena, p);
+    const char *named;
+
+    mark_locals(m, s->locals);
+    named = passes_run(&s->arena, m, &o);
+    return named ? named : format_in(&s->arena, "after the last pass: %s", wrong);
+}
+
 // Returns the optimised IR, by passes over s->built if that is of p.
 IrMachine *session_ir(Session *s, const Program *p, int opt_level)
 {
@@ -324,8 +343,8 @@ IrMachine *session_ir(Session *s, const Program *p, int opt_level)
     mark_locals(m, s->locals);
     print_requested_stage(s, "build", m);
     wrong = passes_run(&s->arena, m, &o);
-    assert(!wrong && !ir_verify(&s->arena, m));
-    (void)wrong;
+    if (wrong || (wrong = ir_verify(&s->arena, m)) != NULL)
+        leave_because_of_bug(s, name_broken_pass(s, p, opt_level, wrong));
     return m;
 }
 
@@ -355,6 +374,10 @@ Engine *session_open_vm(Session *s, const Program *p, int opt_level, bool soft, 
 void session_emit_c(Session *s, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code)
 {
     const PassOptions p = {0, NULL, s->check_passes, o && o->soft, print_after_pass, s};
+    const char *wrong;
+    const IrMachine *prepared = passes_for_c(&s->arena, m, &p, &wrong);
 
-    emit_c_machine(&s->arena, passes_for_c(&s->arena, m, &p), o, header, code);
+    if (!prepared)
+        leave_because_of_bug(s, wrong);
+    emit_c_machine(&s->arena, prepared, o, header, code);
 }

@@ -32,9 +32,11 @@ typedef struct Session {
     uint64_t step;                // how much G advances from step to step, for session_analyse; 0: unknown
     IrMachine *built;             // the machine that session_analyse analysed last, for session_ir; or NULL
     SessionLocals locals;         // session_ir marks locals as hidden or written from outside accordingly
+    const char *bug;              // a sentence in `arena` if a pass has broken a machine, with the name of the pass; else NULL
 } Session;
 
 // `alloc` with `context` provides all memory.  If it returns NULL, the session calls longjmp(*oom, 1); the caller then calls session_free.
+// The session also does so if it finds that a pass has broken a machine, which is a bug of smc: `bug` is then a sentence, and otherwise NULL.
 void session_init(Session *s, SmcAllocFn alloc, void *context, jmp_buf *oom);
 void session_free(Session *s);
 

@@ -162,11 +162,12 @@ swap-campaign: $(B)/swap/random $(B)/swap/hostile
 .PHONY: swap-campaign
 
 # tests/library: libsmc by its public header.  `make library-campaign N=100000 SEED=1` makes random calls under sanitizers.
-LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api memory refuse threads random command)
+LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api broken memory refuse threads random command)
 $(LIBRARY_TESTS): $(B)/library/%: $(B)/obj/tests/library/%.o $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBRARY_WRAP) -pthread
 $(B)/library/refuse: LIBRARY_WRAP = -Wl,--wrap=malloc
+$(B)/library/broken: LIBRARY_WRAP = -Wl,--wrap=pass_dce,--wrap=pass_if_convert
 $(LIBRARY_TESTS:$(B)/%=$(B)/obj/tests/%.o): override CFLAGS := $(CFLAGS:-O2=-O1)
 LIBRARY_FILES = $(B)/lib/libsmc.a $(B)/lib/$(SONAME)
 
@@ -673,6 +674,7 @@ $(call test, clauses-memory,       quick, $(B)/clauses/memory $(B)/clauses/probe
 $(call test, library-api,          quick, $(B)/library/api, $(B)/library/api)
 $(call test, library-locale,       quick, $(B)/library/api, sh tests/library/locale.sh $(B)/library/api)
 $(call test, library-refuse,       quick, $(B)/library/refuse, $(B)/library/refuse)
+$(call test, library-broken,       quick, $(B)/library/broken, $(B)/library/broken)
 $(call test, library-memory,       quick, $(B)/library/memory, $(B)/library/memory)
 $(call test, library-threads,      quick, $(B)/library/threads, $(B)/library/threads)
 $(call test, library-random,       quick, $(B)/library/random, $(B)/library/random 1 500)

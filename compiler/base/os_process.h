@@ -14,9 +14,9 @@ bool os_temp_folder(char *path, size_t n, const char **why);
 void os_remove_folder(const char *path);
 
 // Runs the program argv[0] (searched in PATH) with the NULL-terminated list argv, and waits for its end.  Its output goes to the file
-// `output`.  *exit_code is 128 + the signal's number if a signal ended the program.  The program runs in its own process group.  A signal
-// that ends this process ends that whole group first.
-bool os_run_program(const char *const *argv, const char *output, int *exit_code, const char **why);
+// `output`, its temporary files to the folder `temp` (TMPDIR); NULL: to that of this process.  *exit_code is 128 + the signal's number if a
+// signal ended the program.  The program runs in its own process group.  A signal that ends this process ends that whole group first.
+bool os_run_program(const char *const *argv, const char *output, const char *temp, int *exit_code, const char **why);
 
 // A partner: a child process whose standard input and output are connected to this process.  After a partner has died, the next write or
 // read fails; no signal is raised.

@@ -3,6 +3,7 @@
 #define _XOPEN_SOURCE 700
 
 #include "compiler/base/os_process.h"
+#include "compiler/base/os.h"
 #include "compiler/base/os_signal.h"
 
 #include <dirent.h>
@@ -13,6 +14,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -76,22 +80,39 @@ static int wait_for_exit(pid_t pid)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-// Ends a process group whose leader is a child of this process: first with the signal that this process received, after a second with
-// SIGKILL.
-static void terminate_group(pid_t leader)
+static void sleep_10_ms(void)
 {
     const struct timespec pause = {0, 10 * 1000 * 1000};
+
+    nanosleep(&pause, NULL);
+}
+
+// Waits up to a second for the processes of a group that are children of this process.
+static void wait_for_group(pid_t leader)
+{
     pid_t ended = 0;
 
-    kill(-leader, os_signal_waiting());
-    for (int i = 0; i < 100 && ended == 0; i++) {
-        ended = waitpid(leader, NULL, WNOHANG);
+    for (int i = 0; i < 100 && ended >= 0; i++) {
+        do
+            ended = waitpid(-leader, NULL, WNOHANG);
+        while (ended > 0);
         if (ended == 0)
-            nanosleep(&pause, NULL);
+            sleep_10_ms();
     }
+}
+
+// Ends a process group whose leader is a child of this process: first with the signal that this process received, after a second with
+// SIGKILL.  Where the system can make this process the parent of orphans (Linux), every process of the group has then ended, so none of
+// them can create a file in the temporary folder any more.
+static void terminate_group(pid_t leader)
+{
+#ifdef PR_SET_CHILD_SUBREAPER
+    prctl(PR_SET_CHILD_SUBREAPER, 1L, 0L, 0L, 0L);
+#endif
+    kill(-leader, os_signal_waiting());
+    wait_for_group(leader);
     kill(-leader, SIGKILL);
-    if (ended == 0)
-        wait_for_exit(leader);
+    wait_for_group(leader);
 }
 
 static void ignore_signal(int number) { (void)number; }
@@ -122,8 +143,32 @@ static bool wait_or_signal(pid_t pid, int *exit_code)
     return ended != 0;
 }
 
+// Returns the environment of this process, with TMPDIR set to `folder`: one block that the caller frees (os_alloc).  NULL: out of memory.
+static char **environment_with_tmpdir(const char *folder)
+{
+    static const char name[] = "TMPDIR=";
+    const size_t name_n = sizeof name - 1, folder_n = strlen(folder) + 1;
+    size_t n = 0, kept = 0;
+    char **list, *variable;
+
+    while (environ[n])
+        n++;
+    list = os_alloc(NULL, NULL, (n + 2) * sizeof *list + name_n + folder_n);
+    if (!list)
+        return NULL;
+    variable = (char *)(list + n + 2);
+    memcpy(variable, name, name_n);
+    memcpy(variable + name_n, folder, folder_n);
+    for (size_t i = 0; i < n; i++)
+        if (strncmp(environ[i], name, name_n) != 0)
+            list[kept++] = environ[i];
+    list[kept++] = variable;
+    list[kept] = NULL;
+    return list;
+}
+
 // Starts the process in its own process group, for terminate_group. Returns 0 or an errno.
-static int spawn_group(pid_t *pid, const char *const *argv, const posix_spawn_file_actions_t *actions)
+static int spawn_group(pid_t *pid, const char *const *argv, const posix_spawn_file_actions_t *actions, char **environment)
 {
     posix_spawnattr_t attributes;
     int error = posix_spawnattr_init(&attributes);
@@ -132,20 +177,23 @@ static int spawn_group(pid_t *pid, const char *const *argv, const posix_spawn_fi
         return error;
     error = posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     if (!error)
-        error = posix_spawnp(pid, argv[0], actions, &attributes, (char *const *)argv, environ);
+        error = posix_spawnp(pid, argv[0], actions, &attributes, (char *const *)argv, environment);
     posix_spawnattr_destroy(&attributes);
     return error;
 }
 
 // Runs the program argv[0] (searched in PATH) with the NULL-terminated list argv, and waits for its end.
-bool os_run_program(const char *const *argv, const char *output, int *exit_code, const char **why)
+bool os_run_program(const char *const *argv, const char *output, const char *temp, int *exit_code, const char **why)
 {
+    char **const own = temp ? environment_with_tmpdir(temp) : NULL;
     posix_spawn_file_actions_t actions;
     pid_t pid;
-    int error = posix_spawn_file_actions_init(&actions);
+    int error = temp && !own ? ENOMEM : posix_spawn_file_actions_init(&actions);
 
-    if (error)
+    if (error) {
+        os_alloc(NULL, own, 0);
         return set_reason(error, why);
+    }
     os_signals_delay();
     error = posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
     if (!error)
@@ -153,8 +201,9 @@ bool os_run_program(const char *const *argv, const char *output, int *exit_code,
     if (!error)
         error = posix_spawn_file_actions_adddup2(&actions, 1, 2);
     if (!error)
-        error = spawn_group(&pid, argv, &actions);
+        error = spawn_group(&pid, argv, &actions, own ? own : environ);
     posix_spawn_file_actions_destroy(&actions);
+    os_alloc(NULL, own, 0);
     if (error) {
         set_reason(error, why);
     } else if (!wait_or_signal(pid, exit_code)) {

@@ -103,9 +103,10 @@ int main(int argc, char **argv)
     int code;
 
     if (setjmp(oom) != 0) {
-        fputs("smc: out of memory\n", stderr);
+        fprintf(stderr, "smc: %s\n", cli.session.bug ? cli.session.bug : "out of memory");
+        code = cli.session.bug ? EXIT_INTERNAL : EXIT_ENVIRONMENT;
         session_free(&cli.session);
-        return EXIT_ENVIRONMENT;
+        return code;
     }
     session_init(&cli.session, os_alloc, NULL, &oom);
     code = dispatch_command(&cli, argc, argv);

@@ -26,7 +26,13 @@ static void set_result(TestCase *c, TestStatus status, const char *message, int 
     c->is_done = true;
 }
 
-static void set_out_of_memory(TestCase *c) { set_result(c, TEST_BROKEN, "out of memory", EXIT_ENVIRONMENT); }
+// Records why the compiler left a stage by longjmp.
+static void set_left(TestCase *c)
+{
+    const char *bug = c->s.bug ? format_in(c->t->arena, "%s", c->s.bug) : NULL;
+
+    set_result(c, TEST_BROKEN, bug ? bug : "out of memory", bug ? EXIT_INTERNAL : EXIT_ENVIRONMENT);
+}
 
 // Returns the engines that the case wants and the call requests, without those that are not available.
 static unsigned choose_engines(TestRun *t, const TestFile *f)
@@ -81,7 +87,7 @@ TestCase *test_case_open(TestRun *t, const char *path)
         session_init(&c->s, os_alloc, NULL, &c->oom);
         parse_and_compile(c, path, n);
     } else {
-        set_out_of_memory(c);
+        set_left(c);
     }
     c->result.seconds = os_seconds() - begin;
     return c;
@@ -127,7 +133,7 @@ TestResult test_case_close(TestCase *c, Engine *const *emitted)
         else
             set_result(c, TEST_PASSED, "", EXIT_OK);
     } else if (!c->is_done) {
-        set_out_of_memory(c);
+        set_left(c);
     }
     engines_close(&c->engines);
     session_free(&c->s);

@@ -106,7 +106,7 @@ bool engine_c_present(Arena *arena, const char **why)
         return true;
     vec_push(arena, &argv, "--version");
     vec_push(arena, &argv, NULL);
-    if (!os_run_program(argv.at, "/dev/null", &exit_code, &reason))
+    if (!os_run_program(argv.at, "/dev/null", NULL, &exit_code, &reason))
         *why = format_in(arena, "%s: %s", no_compiler_message(arena, argv.at[0]), reason);
     else if (exit_code != 0)
         *why = format_in(arena, "%s: '%s --version' ended with exit code %d", no_compiler_message(arena, argv.at[0]), compiler_command(), exit_code);
@@ -137,7 +137,7 @@ static bool build_in_folder(BuildFolder *w, const Buf *code, OsPartner *partner)
     vec_push(w->arena, &argv, program);
     vec_push(w->arena, &argv, source);
     vec_push(w->arena, &argv, NULL);
-    if (!os_run_program(argv.at, log, &exit_code, &why))
+    if (!os_run_program(argv.at, log, w->folder, &exit_code, &why))
         return set_error(w, no_compiler_message(w->arena, argv.at[0]), why);
     if (exit_code != 0)
         return set_error(w, format_in(w->arena, "the C compiler %s does not accept the emitted C", argv.at[0]), read_compiler_output(w->arena, log, exit_code));
@@ -263,18 +263,22 @@ static void c_close(Engine *engine) { engine_c_batch_close(((EngineC *)engine->s
 
 // ---- opening ----
 
-// Emits the program: both variants of each machine, one after the other, and the driver.
-static void emit_program(Arena *arena, const IrMachine *const *m, size_t n, bool soft, Buf *code)
+// Emits the program: both variants of each machine, one after the other, and the driver.  Returns NULL, or which pass has broken a machine.
+static const char *emit_program(Arena *arena, const IrMachine *const *m, size_t n, bool soft, Buf *code)
 {
     const IrMachine **variant = ARENA_ARRAY(arena, const IrMachine *, VARIANTS * n);
     bool *track_stores = ARENA_ARRAY(arena, bool, VARIANTS * n);
     const PassOptions o = {.soft = soft};
+    const char *wrong;
 
     for (size_t i = 0; i < VARIANTS * n; i++) {
-        variant[i] = i % VARIANTS == 0 ? passes_for_c(arena, m[i / VARIANTS], &o) : variant[i - 1];
+        variant[i] = i % VARIANTS == 0 ? passes_for_c(arena, m[i / VARIANTS], &o, &wrong) : variant[i - 1];
+        if (!variant[i])
+            return wrong;
         track_stores[i] = i % VARIANTS == 0;
     }
     emit_c_driver(arena, variant, track_stores, VARIANTS * n, soft, code);
+    return NULL;
 }
 
 EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const IrMachine *const *m, size_t n, bool soft, const char **error)
@@ -295,8 +299,7 @@ EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const I
         e->answer = arena_alloc(arena, VARIANTS * answer_size(p[i]));
     }
     buf_init(&code, arena);
-    emit_program(arena, m, n, soft, &code);
-    if (!build_and_start(arena, &code, &b->partner, error))
+    if ((*error = emit_program(arena, m, n, soft, &code)) != NULL || !build_and_start(arena, &code, &b->partner, error))
         return NULL;
     if (n == 0)
         return b;

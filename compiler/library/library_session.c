@@ -42,7 +42,8 @@ const char *smc_result_text(SmcResult result)
         {SMC_E_REFUSED, "refused: nothing has changed"},
         {SMC_E_FAILED, "the script did not pass"},
         {SMC_E_CANCELLED, "cancelled"},
-        {SMC_E_BUSY, "another call of this session has not returned"}};
+        {SMC_E_BUSY, "another call of this session has not returned"},
+        {SMC_E_INTERNAL, "smc has a bug; please report it"}};
 
     for (size_t i = 0; i < sizeof row / sizeof *row; i++)
         if (row[i].result == result)
@@ -178,6 +179,14 @@ void library_drop_layer(SmcSession *s)
     end_layer(s);
 }
 
+// Returns why a stage was left by longjmp.
+static SmcResult report_exit(SmcSession *s, bool can_cancel)
+{
+    if (s->has_compiler && s->compiler.bug)
+        return library_fail(s, SMC_E_INTERNAL, s->compiler.bug);
+    return library_fail(s, can_cancel && library_is_cancelled(s) ? SMC_E_CANCELLED : SMC_E_MEMORY, NULL);
+}
+
 static SmcResult guard(SmcSession *s, LibraryWork *work, void *argument, bool can_cancel)
 {
     void *own_locale;
@@ -188,8 +197,8 @@ static SmcResult guard(SmcSession *s, LibraryWork *work, void *argument, bool ca
     own_locale = library_locale_enter(s->locale);
     s->is_guarded = can_cancel;
     if (setjmp(s->oom) != 0) {
+        r = report_exit(s, can_cancel);
         recover(s);
-        r = library_fail(s, can_cancel && library_is_cancelled(s) ? SMC_E_CANCELLED : SMC_E_MEMORY, NULL);
     } else if (can_cancel && library_is_cancelled(s)) {
         r = library_fail(s, SMC_E_CANCELLED, NULL);
     } else {

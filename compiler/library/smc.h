@@ -13,8 +13,8 @@
 //         show(smc_diag_message(s, i));
 //     smc_close(s);
 //
-// The library opens no file, prints nothing, never exits and has no global state.  Numbers look the same in every locale.  (If the compiler
-// finds that one of its own passes has broken a program, which is a bug of smc, it calls abort rather than return a wrong program.)
+// The library opens no file, prints nothing, never exits and has no global state.  Numbers look the same in every locale.  If it
+// finds that one of its own passes has broken a program, which is a bug of smc, it returns SMC_E_INTERNAL rather than a wrong program.
 //
 // **Threads.**  Any number of threads can call it at once, each with sessions of its own.  Only smc_cancel may be called while another thread
 // uses the session.
@@ -73,7 +73,8 @@ enum SmcResultCode {
     SMC_E_REFUSED = -9,           // G did not advance, or a swap is not allowed here; nothing has changed
     SMC_E_FAILED = -10,           // a script ran and did not pass: smc_run_outcome
     SMC_E_CANCELLED = -11,        // smc_cancel ended the call
-    SMC_E_BUSY = -12              // another call of this session has not returned
+    SMC_E_BUSY = -12,             // another call of this session has not returned
+    SMC_E_INTERNAL = -13          // smc has a bug: smc_error_text names the pass.  The session is as after SMC_E_MEMORY
 };
 
 // The sentence of a result: "out of memory"; "unknown result" for an unknown number.  Static.

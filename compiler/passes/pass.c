@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the passes in their order.  Computes the facts that a pass needs if they are not valid, and verifies the IR after each pass.
-#include <assert.h>
 #include <string.h>
 
 #include "compiler/passes/pass.h"
@@ -212,19 +211,33 @@ const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o)
     return wrong;
 }
 
-// Computes the values (FACT_VALUES) before the passes run.  They stay true, because passes preserve the meaning of the machine.  Values
-// computed afterwards would be less precise, because if_convert removes the branches whose guards limit counters.
-IrMachine *passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o)
+// Runs the passes for C on a copy of m.  Returns NULL, or a sentence about what is wrong.
+static const char *run_passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o, IrMachine **out)
 {
-    static const PassOptions none = {0};
-    PassRunner r = {arena, ir_copy(arena, m), o ? o : &none, NULL, {NULL, 0}, NULL};
+    PassRunner r = {arena, ir_copy(arena, m), o, NULL, {NULL, 0}, NULL};
     const char *wrong = NULL;
 
     prepare_facts(&r);
     r.m->values = r.values = facts_of_machine(arena, r.m);
     for (size_t p = 0; !wrong && p < sizeof runs_for_c / sizeof runs_for_c[0]; p++)
         wrong = run_pass(&r, &pass_info[runs_for_c[p]]);
-    assert(!wrong && !ir_verify(arena, r.m));
-    (void)wrong;
-    return r.m;
+    *out = r.m;
+    return wrong ? wrong : ir_verify(arena, r.m);
+}
+
+// Computes the values (FACT_VALUES) before the passes run.  They stay true, because passes preserve the meaning of the machine.  Values
+// computed afterwards would be less precise, because if_convert removes the branches whose guards limit counters.
+// If the result is wrong, the passes run again, with a check after each of them, to name the pass.
+IrMachine *passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o, const char **wrong)
+{
+    static const PassOptions none = {0}, checked = {.verify = true};
+    IrMachine *out, *again;
+    const char *named;
+
+    *wrong = run_passes_for_c(arena, m, o ? o : &none, &out);
+    if (!*wrong)
+        return out;
+    named = run_passes_for_c(arena, m, &checked, &again);
+    *wrong = named ? named : *wrong;
+    return NULL;
 }

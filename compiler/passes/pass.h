@@ -82,8 +82,9 @@ typedef struct PassOptions {
 const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o);
 
 // Prepares a machine for the C emitter, after passes_run: returns a copy on which the passes marked RUN_FOR_C have run, with `values` set.
-// m is unchanged and can become an image.  `o` may be NULL; `level` and `only` are ignored.
-IrMachine *passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o);
+// m is unchanged and can become an image.  `o` may be NULL; `level` and `only` are ignored.  Returns NULL if a pass has broken the machine;
+// *wrong is then a sentence that begins with the name of the pass.
+IrMachine *passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o, const char **wrong);
 
 // Calls `pass` for each function of m, with the facts that are true when the function begins.
 typedef void PassValuesFn(Arena *arena, FactMachine *values, IrFn *f, const Env *begin);

@@ -91,7 +91,12 @@ static void emit(Talk *t, bool soft, const char *folder)
     const PassOptions o = {.verify = true, .soft = soft};
     Buf code;
     for (uint32_t i = 0; i < t->n; i++) {
-        m[i] = passes_for_c(t->arena, t->part[i].ir, &o);
+        const char *wrong;
+        m[i] = passes_for_c(t->arena, t->part[i].ir, &o, &wrong);
+        if (!m[i]) {
+            fprintf(stderr, "a pass for C broke the machine: %s\n", wrong);
+            abort();
+        }
         track[i] = t->part[i].tracks;
     }
     buf_init(&code, t->arena);
