@@ -109,14 +109,17 @@ void library_update_shown(SmcSession *s, const Diags *emitted, uint32_t script, 
 
 // ---- sources to inputs ----
 
-typedef struct KindCount { uint32_t of[SMC_KIND_APP + 1]; } KindCount;
+typedef struct KindCount { uint32_t of[SMC_KIND_APP + 1], all; } KindCount;
 
 static KindCount count_kinds(const SmcSession *s)
 {
-    KindCount n = {{0}};
+    KindCount n = {{0}, 0};
 
     for (uint32_t i = 0; i < s->sources; i++)
-        n.of[s->source[i].kind]++;
+        if (s->source[i].kind != KIND_REMOVED) {
+            n.of[s->source[i].kind]++;
+            n.all++;
+        }
     return n;
 }
 
@@ -126,7 +129,7 @@ static const char *find_misfit(const SmcSession *s)
     const KindCount n = count_kinds(s);
     const bool is_shared = n.of[SMC_KIND_SM] + n.of[SMC_KIND_IO] > 0;
 
-    if (s->sources == 0)
+    if (n.all == 0)
         return "there is no source to compile";
     if (n.of[SMC_KIND_APP] > 1)
         return "there are two applications; compile each in a session of its own";
@@ -157,9 +160,18 @@ static void supply_app_files(SmcSession *s, const Source *app)
         AppFile *file = &a->files.at[f];
         file->problem = "the session has no source of this name";
         for (uint32_t i = 0; i < s->sources && !file->wrong_kind; i++)
-            if (kind_of(s->source[i].kind) == file->kind && strcmp(s->source[i].name, file->name.text->text) == 0)
+            if (s->of.text[i] && kind_of(s->source[i].kind) == file->kind && strcmp(s->source[i].name, file->name.text->text) == 0)
                 file->src = s->of.text[i];
     }
+}
+
+static const Source *copy_source(Arena *arena, const LibrarySource *source, uint32_t number)
+{
+    char *text = arena_copy(arena, source->text, source->size + 1);
+    Source *copy = source_new(arena, arena_copy(arena, source->name, strlen(source->name) + 1), text, source->size);
+
+    copy->number = number;
+    return copy;
 }
 
 static void list_inputs(SmcSession *s)
@@ -177,8 +189,9 @@ static void list_inputs(SmcSession *s)
     of->in.at = ARENA_ARRAY(arena, CompileSource, s->sources);
     for (uint32_t i = 0; i < s->sources; i++) {
         const LibrarySource *source = &s->source[i];
-        char *copy = arena_copy(arena, source->text, source->size + 1);
-        of->text[i] = source_new(arena, arena_copy(arena, source->name, strlen(source->name) + 1), copy, source->size);
+        if (source->kind == KIND_REMOVED)
+            continue;
+        of->text[i] = copy_source(arena, source, i);
         if (has_app ? source->kind != SMC_KIND_APP : source->kind == SMC_KIND_SV && vector_is_shared) {
             if (!has_app)
                 of->in.vector = of->text[i];
@@ -232,6 +245,7 @@ static SmcResult compile(SmcSession *s, void *unused)
     copy_selection(s);
     set_options(s, &s->of.o, EMIT_NOTHING);
     compile_sources(&s->compiler, &s->of.in, &s->of.o, &s->of.made);
+    library_build_models(s);
     diags_init(&s->of.emitted, NULL);
     library_update_shown(s, &s->of.emitted, 0, NULL);
     s->of.errors = s->of.shown.errors;
