@@ -23,6 +23,7 @@ typedef struct LibrarySource {
     char *name, *text;            // text: `size` bytes and a NUL; both NULL if the number is free
     size_t size;
     uint32_t next_free;           // 1 + the next free number; 0: none
+    uint32_t machine;             // a script: 1 + the number of its machine; 0: the only one
 } LibrarySource;
 
 // One script's last run.
@@ -98,6 +99,13 @@ typedef struct LibraryImage {
     uint64_t size;
 } LibraryImage;
 
+// What runs the scripts of a machine.
+typedef struct LibraryBench {
+    Report *review;               // NULL: not begun.  Runs refer to its transitions
+    Engine *engine[ENGINE_COUNT]; // by bit of SMC_ENGINE_…; NULL: not opened
+    Arena engine_arena[ENGINE_COUNT], review_arena;
+} LibraryBench;
+
 // What the last smc_compile produced.  It is in the arenas of SmcSession.compiler, except for what has an arena here.  Zeroed when these are
 // freed.
 typedef struct LibraryResults {
@@ -107,15 +115,14 @@ typedef struct LibraryResults {
     uint32_t *input;              // 1 + its index in in.at; 0: it is no input of its own
     LibraryModel *model;
     LibraryRun *run;
-    Report *review;               // of the only machine; NULL: not begun.  Runs refer to its transitions
+    LibraryBench *bench;          // of the machine with this number, for its scripts
+    uint32_t *machine;            // of the script with this number; UINT32_MAX: it has none
     LibraryImage *image;          // of a machine, with names
     CompileInput in;
     CompileOptions o;
     DiagSelection selection;
     Compiled made;
     size_t errors;                // that smc_compile found, and warnings selected as errors
-    Engine *engine[ENGINE_COUNT]; // by bit of SMC_ENGINE_…; NULL: not opened
-    Arena engine_arena[ENGINE_COUNT], review_arena;
     Diags shown;                  // the diagnostics that the session shows, selected by the warnings: of smc_compile, smc_emit and runs
     Arena shown_arena, next_shown_arena;
     Arena page[PAGE_COUNT];
@@ -195,7 +202,7 @@ void library_drop_results(SmcSession *s);
 void library_update_shown(SmcSession *s, const Diags *emitted, uint32_t script, const Diags *run);
 // Returns what was compiled from a source, or NULL if it is not an input, was not compiled, or there is no such source.
 CompiledSource *library_compiled(const SmcSession *s, uint32_t source);
-// The number of the only machine; UINT32_MAX if there is not exactly one.
+// The number of the only machine that is compiled; UINT32_MAX if there is not exactly one.
 uint32_t library_only_machine(const SmcSession *s);
 const char *library_base_name(const char *path);
 

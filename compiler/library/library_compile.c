@@ -33,16 +33,23 @@ const char *library_base_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-// Frees what has an arena of its own.
+static void free_bench(LibraryBench *b)
+{
+    for (int i = 0; i < ENGINE_COUNT; i++) {
+        if (b->engine[i])
+            b->engine[i]->close(b->engine[i]);
+        arena_free(&b->engine_arena[i]);
+    }
+    arena_free(&b->review_arena);
+}
+
+// Frees what has an arena of its own, except for benches.
 static void free_arenas(LibraryResults *of)
 {
-    for (int i = 0; i < ENGINE_COUNT; i++)
-        arena_free(&of->engine_arena[i]);
     for (int i = 0; i < PAGE_COUNT; i++)
         arena_free(&of->page[i]);
     for (uint32_t i = 0; of->run && i < of->sources; i++)
         arena_free(&of->run[i].arena);
-    arena_free(&of->review_arena);
     arena_free(&of->output_arena);
     arena_free(&of->shown_arena);
     arena_free(&of->next_shown_arena);
@@ -50,9 +57,8 @@ static void free_arenas(LibraryResults *of)
 
 void library_drop_results(SmcSession *s)
 {
-    for (int i = 0; i < ENGINE_COUNT; i++)
-        if (s->of.engine[i])
-            s->of.engine[i]->close(s->of.engine[i]);
+    for (uint32_t i = 0; s->of.bench && i < s->of.sources; i++)
+        free_bench(&s->of.bench[i]);
     free_arenas(&s->of);
     for (uint32_t i = 0; s->of.image && i < s->of.sources; i++)
         library_release(s, s->of.image[i].bytes);
@@ -174,6 +180,24 @@ static const Source *copy_source(Arena *arena, const LibrarySource *source, uint
     return copy;
 }
 
+// Records the machine of each script: the one that it was assigned to, or the only one.
+static void assign_scripts(SmcSession *s, bool has_one_machine)
+{
+    LibraryResults *of = &s->of;
+    uint32_t only = UINT32_MAX;
+
+    for (uint32_t m = 0; has_one_machine && m < s->sources; m++)
+        if (s->source[m].kind == SMC_KIND_SM)
+            only = m;
+    for (uint32_t i = 0; i < s->sources; i++) {
+        of->machine[i] = s->source[i].machine - 1;            // UINT32_MAX: not assigned
+        if (of->machine[i] == UINT32_MAX)
+            of->machine[i] = only;
+        if (of->input[i] && s->source[i].machine > 0)
+            of->in.at[of->input[i] - 1].machine = of->input[s->source[i].machine - 1];
+    }
+}
+
 static void list_inputs(SmcSession *s)
 {
     const KindCount n = count_kinds(s);
@@ -186,6 +210,8 @@ static void list_inputs(SmcSession *s)
     of->input = ARENA_ARRAY(arena, uint32_t, s->sources);
     of->run = ARENA_ARRAY(arena, LibraryRun, s->sources);
     of->image = ARENA_ARRAY(arena, LibraryImage, s->sources);
+    of->bench = ARENA_ARRAY(arena, LibraryBench, s->sources);
+    of->machine = ARENA_ARRAY(arena, uint32_t, s->sources);
     of->in.at = ARENA_ARRAY(arena, CompileSource, s->sources);
     for (uint32_t i = 0; i < s->sources; i++) {
         const LibrarySource *source = &s->source[i];
@@ -202,6 +228,7 @@ static void list_inputs(SmcSession *s)
     }
     if (has_app)
         supply_app_files(s, of->in.at[0].text);
+    assign_scripts(s, n.of[SMC_KIND_SM] == 1);
 }
 
 // ---- compiling ----

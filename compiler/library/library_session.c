@@ -345,7 +345,7 @@ SmcResult smc_source_add(SmcSession *s, int32_t kind, const char *name, const ch
     if ((more = library_grow(s, s->source, s->sources, &s->sources_cap, sizeof *more)) == NULL)
         return library_fail(s, SMC_E_MEMORY, NULL);
     s->source = more;
-    new.next_free = 0;
+    new.next_free = new.machine = 0;
     new.kind = kind;
     new.size = (size_t)size;
     new.name = library_copy(s, name, strlen(name));
@@ -374,8 +374,23 @@ SmcResult smc_source_remove(SmcSession *s, uint32_t source)
     own = &s->source[source];
     library_release(s, own->name);
     library_release(s, own->text);
-    *own = (LibrarySource){KIND_REMOVED, NULL, NULL, 0, s->free_source};
+    *own = (LibrarySource){KIND_REMOVED, NULL, NULL, 0, s->free_source, 0};
     s->free_source = source + 1;
+    for (uint32_t i = 0; i < s->sources; i++)
+        if (s->source[i].machine == source + 1)
+            s->source[i].machine = 0;
+    return SMC_OK;
+}
+
+SmcResult smc_script_assign(SmcSession *s, uint32_t script, uint32_t machine)
+{
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (!has_source(s, script) || !has_source(s, machine))
+        return library_fail(s, SMC_E_INDEX, NULL);
+    if (s->source[script].kind != SMC_KIND_SS || s->source[machine].kind != SMC_KIND_SM)
+        return library_fail(s, SMC_E_ARGUMENT, "only a script can be assigned, and only to a machine");
+    s->source[script].machine = machine + 1;
     return SMC_OK;
 }
 

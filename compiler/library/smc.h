@@ -126,6 +126,9 @@ SmcResult smc_source_replace(SmcSession *s, uint32_t source, const char *text, u
 // Removes a source.  The others keep their numbers, and a later smc_source_add uses its number again.  What was compiled stays as it is until the
 // next smc_compile, as after smc_source_replace.  Machines stay open.
 SmcResult smc_source_remove(SmcSession *s, uint32_t source);
+// Makes a script one of this machine, from the next smc_compile on.  Where there is exactly one machine, each script is one of it without this call.
+// Removing the machine ends that.  SMC_E_ARGUMENT: `script` is not SMC_KIND_SS, or `machine` is not SMC_KIND_SM.
+SmcResult smc_script_assign(SmcSession *s, uint32_t script, uint32_t machine);
 // Removes all sources, and everything that was compiled from them.  Machines stay open.
 SmcResult smc_sources_clear(SmcSession *s);
 // One more than the largest number that a source has had since smc_open or smc_sources_clear.  smc_source_kind is -1 where one was removed.
@@ -172,7 +175,8 @@ const char *smc_explain(const char *code);
 // ---- compiling ----
 
 // Compiles all sources, in the order of their numbers: checks them, and searches for what the selected warnings find.  An application is compiled with the files that it names.
-// Without one, a state vector is that of every machine and of the pins, pins are checked against it, and scripts are those of the one machine.
+// Without one, a state vector is that of every machine and of the pins, pins are checked against it, and scripts are those of the one machine
+// or of the machine that smc_script_assign named.  Other scripts are only parsed.
 // SMC_E_SOURCE: there are errors, or warnings that are selected as errors.  What has none of its own is compiled nevertheless.
 // SMC_E_STATE: the sources do not fit together (two applications, two state vectors, or two .io files); smc_error_text has the reason.
 SmcResult smc_compile(SmcSession *s);
@@ -265,9 +269,10 @@ enum SmcOutcome {
     SMC_OUTCOME_DIFFERENT = 6     // two engines disagree
 };
 
-// Runs a script of the compiled machine for at most `max_steps` steps; 0: 1,000,000.  SMC_OK: it passed.  SMC_E_FAILED: it did not.  Its
+// Runs a script on its compiled machine for at most `max_steps` steps; 0: 1,000,000.  SMC_OK: it passed.  SMC_E_FAILED: it did not.  Its
 // diagnostics replace those of its last run.  A run with the same engines and limits as the last one is not repeated.
-// SMC_E_SOURCE: the script or the machine has errors.  SMC_E_STATE: nothing is compiled, or there is not exactly one machine.
+// SMC_E_SOURCE: the script or the machine has errors.  SMC_E_STATE: nothing is compiled, or the script has no machine
+// (smc_script_assign).
 SmcResult smc_run(SmcSession *s, uint32_t script, uint32_t engines, uint64_t max_steps);
 int32_t smc_run_outcome(const SmcSession *s, uint32_t script);
 uint64_t smc_run_steps(const SmcSession *s, uint32_t script);
@@ -286,7 +291,7 @@ enum SmcReport { SMC_REPORT_HTML = 0, SMC_REPORT_TEXT = 1, SMC_REPORT_JSON = 2 }
 SmcResult smc_diagram(SmcSession *s, uint32_t machine, int32_t form, const char **text, uint64_t *size);
 // Stores the page for a design review, as smc report writes it.  Scripts that have not run are run for it, and
 // have run even if it then fails.
-// SMC_E_STATE: the machine is not compiled, there are errors, or SMC_OPTION_REVIEW was not set when it was compiled.
+// SMC_E_STATE: the machine is not compiled, there are errors, there are several machines, or SMC_OPTION_REVIEW was not set when it was compiled.
 SmcResult smc_report(SmcSession *s, uint32_t machine, int32_t form, const char **text, uint64_t *size);
 
 // ---- the structure of a compiled machine ----

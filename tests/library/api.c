@@ -331,6 +331,32 @@ static void runs_scripts(void)
     smc_close(s);
 }
 
+// Two machines, each with a script of its own, and a script without a machine.
+static void runs_scripts_of_several_machines(void)
+{
+    SmcSession *s = open_session();
+    static const char other[] = "[state_vector]\nU64 G\nU32 S\nbool on\n[local]\nF64 most = 5 @read_only\n[Off]\n.step\n    on = G > most\n    G > 30: -> On\n[On]\n";
+    static const char writes[] = "[options]\ndelta_t 10\n[all_states]\nG == 0: most = 15\nG == 10: @assert not on\nG == 20 {\n    @assert on\n    @stop\n}\n";
+    const uint32_t first = add(s, SMC_KIND_SM, "tank.sm", tank), second = add(s, SMC_KIND_SM, "valve.sm", other);
+    const uint32_t good = add(s, SMC_KIND_SS, "good.ss", script), bad = add(s, SMC_KIND_SS, "bad.ss", failing), wrote = add(s, SMC_KIND_SS, "writes.ss", writes);
+    const char *text;
+    uint64_t size;
+
+    CHECK(smc_compile(s) == SMC_OK && smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_E_STATE && strstr(smc_error_text(s), "smc_script_assign") != NULL);
+    CHECK(smc_script_assign(s, good, first) == SMC_OK && smc_script_assign(s, bad, first) == SMC_OK && smc_script_assign(s, wrote, second) == SMC_OK);
+    CHECK(smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_E_STATE && smc_compile(s) == SMC_OK);
+    CHECK(smc_run(s, wrote, SMC_ENGINE_VM | SMC_ENGINE_REF, 0) == SMC_OK && smc_run_asserts(s, wrote) == 2);
+    CHECK(smc_run(s, good, SMC_ENGINE_VM | SMC_ENGINE_REF | SMC_ENGINE_VM_SOFT, 0) == SMC_OK && smc_run(s, bad, SMC_ENGINE_VM, 0) == SMC_E_FAILED);
+    CHECK(smc_diagram(s, first, SMC_DIAGRAM_SVG, &text, &size) == SMC_OK && smc_diagram(s, second, SMC_DIAGRAM_SVG, &text, &size) == SMC_OK);
+    CHECK(smc_report(s, first, SMC_REPORT_TEXT, &text, &size) == SMC_E_STATE);
+    CHECK(smc_script_assign(s, good, second) == SMC_OK && smc_compile(s) == SMC_E_SOURCE && smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_E_SOURCE);       // it has no `p`
+    CHECK(smc_script_assign(s, first, second) == SMC_E_ARGUMENT && smc_script_assign(s, good, bad) == SMC_E_ARGUMENT && smc_script_assign(s, 9, first) == SMC_E_INDEX);
+    CHECK(smc_script_assign(s, good, 9) == SMC_E_INDEX && smc_script_assign(NULL, good, first) == SMC_E_HANDLE);
+    CHECK(smc_source_remove(s, second) == SMC_OK && smc_source_remove(s, wrote) == SMC_OK && smc_compile(s) == SMC_OK && smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_OK);
+    CHECK(add(s, SMC_KIND_SM, "valve.sm", other) == wrote && smc_compile(s) == SMC_OK && smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_E_STATE && smc_run(s, bad, SMC_ENGINE_VM, 0) == SMC_E_FAILED);
+    smc_close(s);
+}
+
 static void cancels(void)
 {
     SmcSession *s = open_session();
@@ -616,6 +642,7 @@ int main(void)
     reports_errors_in_utf8();
     keeps_allowed_warnings();
     runs_scripts();
+    runs_scripts_of_several_machines();
     cancels();
     runs_machines();
     opens_images();

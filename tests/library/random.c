@@ -156,7 +156,7 @@ static void call_once(SmcSession *s, SmcMachine *machine)
     SmcMachine *m = &machine[draw(HANDLES)];
     static const char *const words[] = {"everything", "no-dead-code", "error", "flight", "nonsense", "error=output-left-on"};
 
-    switch (draw(23)) {
+    switch (draw(24)) {
     case 0: case 1: case 2: add_source(s); break;
     case 3: size = mutate(changed); smc_source_replace(s, source, changed, size); break;
     case 4: if (draw(5) == 0) smc_sources_clear(s); break;
@@ -173,6 +173,7 @@ static void call_once(SmcSession *s, SmcMachine *machine)
     case 16: smc_machine_open(s, source, m); break;
     case 17: open_changed_image(s, m); break;
     case 18: if (draw(3) == 0) smc_source_remove(s, source); break;
+    case 22: smc_script_assign(s, source, draw(6)); break;
     case 19: read_structure(s, source); break;
     case 20: compare_machines(s, *m, machine[draw(HANDLES)]); break;
     case 21: if (draw(4) == 0) smc_machine_close(s, *m); else read_diagnostics(s); break;
