@@ -28,24 +28,38 @@
 #include "compiler/artefacts.h"
 #include "compiler/syntax/parse.h"
 
-static size_t count_sources_of_kind(const CompileInput *in, FileKind kind)
+// Returns the index of the only machine; SIZE_MAX if there is not exactly one.
+static size_t find_only_machine(const CompileInput *in)
 {
-    size_t n = 0;
+    size_t found = SIZE_MAX, n = 0;
 
     for (size_t i = 0; i < in->n; i++)
-        n += in->at[i].kind == kind;
-    return n;
+        if (in->at[i].kind == FILE_SM) {
+            found = i;
+            n++;
+        }
+    return n == 1 ? found : SIZE_MAX;
 }
 
-// Adds the locals that the scripts write to `written`.  If the option `step` is 0 and all scripts have the same delta_t, the session's step
-// becomes that delta_t.  Errors in a script are reported when the script is compiled, not here.
-static void read_script_writes_and_step(Compilation *c, Map *written)
+// Returns the index of the machine that source i is a script of; SIZE_MAX: it is no script, or has no machine.
+static size_t machine_of_script(const Compilation *c, size_t i)
+{
+    const CompileSource *script = &c->in->at[i];
+
+    if (script->kind != FILE_SS)
+        return SIZE_MAX;
+    return script->machine ? script->machine - 1 : c->only_machine;
+}
+
+// Adds the locals that the scripts of machine m write to `written`.  If the option `step` is 0 and all of them have the same delta_t, the session's
+// step becomes that delta_t.  Errors in a script are reported when the script is compiled, not here.
+static void read_script_writes_and_step(Compilation *c, size_t m, Map *written)
 {
     uint64_t step = 0;
     bool agree = true;
 
     for (size_t i = 0; i < c->in->n; i++)
-        if (c->in->at[i].kind == FILE_SS) {
+        if (machine_of_script(c, i) == m) {
             const uint64_t delta_t = session_script_writes(c->s, c->in->at[i].text, written);
             agree = agree && delta_t > 0 && (step == 0 || delta_t == step);
             step = delta_t;
@@ -75,14 +89,12 @@ static void build_ir_and_measure(Compilation *c, CompiledSource *of)
 
 static void compile_machine(Compilation *c, size_t i)
 {
-    const bool has_scripts = count_sources_of_kind(c->in, FILE_SM) == 1 && count_sources_of_kind(c->in, FILE_SS) > 0;
     CompiledSource *of = &c->out->of[i];
     MachineInput m = {c->in->at[i].text, c->in->vector, NULL};
     Map written = {&c->s->arena, NULL, NULL, 0, 0};
 
     c->s->step = c->o->step;
-    if (has_scripts)
-        read_script_writes_and_step(c, &written);
+    read_script_writes_and_step(c, i, &written);
     if ((of->program = session_program(c->s, &m)) == NULL)
         return;
     c->program[c->programs++] = of->program;
@@ -94,16 +106,14 @@ static void compile_machine(Compilation *c, size_t i)
 
 static void compile_scripts(Compilation *c)
 {
-    const Program *p = NULL;
-
-    for (size_t i = 0; i < c->in->n && count_sources_of_kind(c->in, FILE_SM) == 1; i++)
-        if (c->in->at[i].kind == FILE_SM)
-            p = c->out->of[i].scripted;
-    for (size_t i = 0; i < c->in->n; i++)
-        if (c->in->at[i].kind == FILE_SS && p)
+    for (size_t i = 0; i < c->in->n; i++) {
+        const size_t m = machine_of_script(c, i);
+        const Program *p = m != SIZE_MAX ? c->out->of[m].scripted : NULL;
+        if (p)
             c->out->of[i].script = session_script(c->s, c->in->at[i].text, p);
         else if (c->in->at[i].kind == FILE_SS)
             session_parse(c->s, c->in->at[i].text, FILE_SS);
+    }
 }
 
 // Reports conflicts between all machines of this compilation over their shared state vector, and between each machine and the pins.
@@ -196,7 +206,7 @@ static bool finish_diagnostics(Session *s, const CompileOptions *o)
 // Compiles everything that `o` requests.  s->diags then has the diagnostics, sorted, without the allowed and the disabled ones.
 bool compile_sources(Session *s, const CompileInput *in, const CompileOptions *o, Compiled *out)
 {
-    Compilation c = {s, in, o, out, ARENA_ARRAY(&s->arena, const Program *, in->n), 0};
+    Compilation c = {s, in, o, out, ARENA_ARRAY(&s->arena, const Program *, in->n), 0, find_only_machine(in)};
 
     memset(out, 0, sizeof *out);
     out->of = ARENA_ARRAY(&s->arena, CompiledSource, in->n);
@@ -217,7 +227,7 @@ bool compile_sources(Session *s, const CompileInput *in, const CompileOptions *o
 // they were then.
 bool compile_emit(Session *s, const CompileInput *in, const CompileOptions *o, Compiled *out)
 {
-    Compilation c = {s, in, o, out, NULL, 0};
+    Compilation c = {s, in, o, out, NULL, 0, find_only_machine(in)};
 
     s->locals = locals_of_output(o);
     if (is_syntax_dump(o))

@@ -14,6 +14,7 @@ typedef struct CompileSource {
     FileKind kind;
     EmitCOptions c;               // options of this source's C, for EMIT_C and EMIT_ARRAY
     const char *array;            // only in the first source, for EMIT_ARRAY: the name of the array
+    size_t machine;               // a script: 1 + the index of its machine in CompileInput.at; 0: the only machine
 } CompileSource;
 
 // An application and the files that it names, from compile_open_app.
@@ -22,8 +23,8 @@ typedef struct CompileApp {
     AppFiles files;
 } CompileApp;
 
-// The sources of one call, in the order that the user named them.  If exactly one of them is a machine, the scripts among them are its
-// scripts.  Scripts of several machines are only parsed, and so are pins if `vector` is NULL and an application if `app` is NULL.
+// The sources of one call, in the order that the user named them.  A script is one of its CompileSource.machine, or of the only machine.  If it has
+// neither, it is only parsed, and so are pins if `vector` is NULL and an application if `app` is NULL.
 typedef struct CompileInput {
     CompileSource *at;
     size_t n;

@@ -741,6 +741,7 @@ $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh
 
 $(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
 $(call test, library-parity,       thorough, $(B)/library/command, sh tests/library/parity.sh $(B)/smc $(B)/library/command)
+$(call test, library-swapping,     thorough, $(B)/smc $(LIBRARY_FILES), sh tests/library/swapping.sh $(MAKE) $(B) '$(CC)' '$(CFLAGS)')
 $(call test, library-abi,          thorough, $(LIBRARY_FILES), sh tests/library/abi.sh $(B) '$(CC)')
 $(call test, swap-running,         thorough, $(B)/swap/running, $(B)/swap/running)
 $(call test, swap-threads,         thorough, $(B)/swap/threads, $(B)/swap/threads)

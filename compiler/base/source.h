@@ -14,6 +14,7 @@ typedef struct Source {
     uint32_t len;
     uint32_t *line;       // line[i]: offset of the first byte of line i + 1
     uint32_t lines;       // number of lines; at least 1
+    uint32_t number;      // the owner's number for it; initially 0
 } Source;
 
 // A range of a source.  Zeroed: no position (src is NULL).

@@ -8,7 +8,7 @@
 #include "compiler/library/smc.h"
 #include "compiler/review.h"
 
-enum { OPTION_COUNT = SMC_OPTION_TRACE + 1, ENGINE_COUNT = 3, ERROR_TEXT_MAX = 400 };
+enum { OPTION_COUNT = SMC_OPTION_TRACE + 1, ENGINE_COUNT = 3, ERROR_TEXT_MAX = 400, KIND_REMOVED = -1 };
 
 // Memory of a session: blocks from malloc, or from one area that the program provided (library_memory.c).
 typedef struct LibraryMemory {
@@ -19,9 +19,11 @@ typedef struct LibraryMemory {
 } LibraryMemory;
 
 typedef struct LibrarySource {
-    int32_t kind;
-    char *name, *text;            // text: `size` bytes and a NUL
+    int32_t kind;                 // KIND_REMOVED: the number is free
+    char *name, *text;            // text: `size` bytes and a NUL; both NULL if the number is free
     size_t size;
+    uint32_t next_free;           // 1 + the next free number; 0: none
+    uint32_t machine;             // a script: 1 + the number of its machine; 0: the only one
 } LibrarySource;
 
 // One script's last run.
@@ -53,13 +55,39 @@ typedef struct LibraryMachine {
     uint8_t *vector;
     LibraryVariable *variable;    // sorted by name
     uint32_t variables;
-    char *names;                  // the names of variables, then of states, each with a NUL
+    char *names;                  // the names of the machine, of variables and of states, each with a NUL
+    const char *name;             // "": the image has none
     const char **state_name;
     bool has_names;
 } LibraryMachine;
 
+// An item of the list that a comparison of two machines makes.
+typedef struct LibrarySwapItem {
+    int32_t kind, fate;           // SMC_SWAP_…
+    const char *name;             // in the same block of memory, after the items
+} LibrarySwapItem;
+
 // Texts of which a session stores the last one, each in an arena of its own.
 enum { PAGE_RENDERED, PAGE_EDITED, PAGE_DIAGRAM, PAGE_REPORT, PAGE_COUNT };
+
+// The structure of a compiled machine.
+typedef struct LibraryTransition {
+    uint32_t from, to;            // numbers of states, from 1
+    int32_t block;                // SMC_BLOCK_…
+    Span span;                    // the statement
+    const char *guard;
+} LibraryTransition;
+
+typedef struct LibraryUse { uint32_t state, variable, access; } LibraryUse;
+
+typedef struct LibraryModel {
+    const Program *p;             // NULL: the source is no machine, or has errors; then everything else is zero
+    const Var **variable;         // as smc.h numbers them
+    uint32_t variables, transitions;
+    LibraryTransition *transition;
+    bool *is_left;                // by number of a state, from 0: a transition leads to another state
+    VEC(LibraryUse) use;
+} LibraryModel;
 
 typedef struct LibraryOutput {
     const char *name;
@@ -71,23 +99,30 @@ typedef struct LibraryImage {
     uint64_t size;
 } LibraryImage;
 
+// What runs the scripts of a machine.
+typedef struct LibraryBench {
+    Report *review;               // NULL: not begun.  Runs refer to its transitions
+    Engine *engine[ENGINE_COUNT]; // by bit of SMC_ENGINE_…; NULL: not opened
+    Arena engine_arena[ENGINE_COUNT], review_arena;
+} LibraryBench;
+
 // What the last smc_compile produced.  It is in the arenas of SmcSession.compiler, except for what has an arena here.  Zeroed when these are
 // freed.
 typedef struct LibraryResults {
     bool is_compiled;
     uint32_t sources;             // how many there were; the arrays below are indexed by their numbers
-    const Source **text;
+    const Source **text;          // NULL: no source had this number
     uint32_t *input;              // 1 + its index in in.at; 0: it is no input of its own
+    LibraryModel *model;
     LibraryRun *run;
-    Report *review;               // of the only machine; NULL: not begun.  Runs refer to its transitions
+    LibraryBench *bench;          // of the machine with this number, for its scripts
+    uint32_t *machine;            // of the script with this number; UINT32_MAX: it has none
     LibraryImage *image;          // of a machine, with names
     CompileInput in;
     CompileOptions o;
     DiagSelection selection;
     Compiled made;
     size_t errors;                // that smc_compile found, and warnings selected as errors
-    Engine *engine[ENGINE_COUNT]; // by bit of SMC_ENGINE_…; NULL: not opened
-    Arena engine_arena[ENGINE_COUNT], review_arena;
     Diags shown;                  // the diagnostics that the session shows, selected by the warnings: of smc_compile, smc_emit and runs
     Arena shown_arena, next_shown_arena;
     Arena page[PAGE_COUNT];
@@ -111,6 +146,7 @@ struct SmcSession {
     bool has_compiler;
     LibrarySource *source;
     uint32_t sources, sources_cap;
+    uint32_t free_source;         // 1 + the number that was freed last; 0: none is free
     uint64_t option[OPTION_COUNT];
     char *prefix;                 // NULL: none
     char **word;                  // of smc_warning_select
@@ -120,6 +156,8 @@ struct SmcSession {
     LibraryMachine **machine;     // open machines, sorted by id
     uint32_t machines, machines_cap;
     uint32_t next_machine;
+    LibrarySwapItem *swap;        // of the last comparison; NULL: none
+    uint32_t swap_items;
     char error[ERROR_TEXT_MAX];
 };
 
@@ -164,12 +202,22 @@ void library_drop_results(SmcSession *s);
 void library_update_shown(SmcSession *s, const Diags *emitted, uint32_t script, const Diags *run);
 // Returns what was compiled from a source, or NULL if it is not an input, was not compiled, or there is no such source.
 CompiledSource *library_compiled(const SmcSession *s, uint32_t source);
-// The number of the only machine; UINT32_MAX if there is not exactly one.
+// The number of the only machine that is compiled; UINT32_MAX if there is not exactly one.
 uint32_t library_only_machine(const SmcSession *s);
 const char *library_base_name(const char *path);
+
+// ---- library_model.c ----
+
+// Lists the structure of every machine that has been compiled.
+void library_build_models(SmcSession *s);
 
 // ---- library_machine.c ----
 
 void library_close_machines(SmcSession *s);
+// Returns an open machine of an open session, or NULL; and the result for a machine that is not one.
+LibraryMachine *library_machine(const SmcSession *s, SmcMachine m);
+SmcResult library_no_machine(const SmcSession *s);
+// Starts a machine in a state.  SMC_E_INDEX: it has no such state.
+SmcResult library_start_machine(LibraryMachine *m, uint32_t state);
 
 #endif

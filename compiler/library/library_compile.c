@@ -35,16 +35,23 @@ const char *library_base_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-// Frees what has an arena of its own.
+static void free_bench(LibraryBench *b)
+{
+    for (int i = 0; i < ENGINE_COUNT; i++) {
+        if (b->engine[i])
+            b->engine[i]->close(b->engine[i]);
+        arena_free(&b->engine_arena[i]);
+    }
+    arena_free(&b->review_arena);
+}
+
+// Frees what has an arena of its own, except for benches.
 static void free_arenas(LibraryResults *of)
 {
-    for (int i = 0; i < ENGINE_COUNT; i++)
-        arena_free(&of->engine_arena[i]);
     for (int i = 0; i < PAGE_COUNT; i++)
         arena_free(&of->page[i]);
     for (uint32_t i = 0; of->run && i < of->sources; i++)
         arena_free(&of->run[i].arena);
-    arena_free(&of->review_arena);
     arena_free(&of->output_arena);
     arena_free(&of->shown_arena);
     arena_free(&of->next_shown_arena);
@@ -52,9 +59,8 @@ static void free_arenas(LibraryResults *of)
 
 void library_drop_results(SmcSession *s)
 {
-    for (int i = 0; i < ENGINE_COUNT; i++)
-        if (s->of.engine[i])
-            s->of.engine[i]->close(s->of.engine[i]);
+    for (uint32_t i = 0; s->of.bench && i < s->of.sources; i++)
+        free_bench(&s->of.bench[i]);
     free_arenas(&s->of);
     for (uint32_t i = 0; s->of.image && i < s->of.sources; i++)
         library_release(s, s->of.image[i].bytes);
@@ -113,14 +119,17 @@ void library_update_shown(SmcSession *s, const Diags *emitted, uint32_t script, 
 
 // ---- sources to inputs ----
 
-typedef struct KindCount { uint32_t of[SMC_KIND_APP + 1]; } KindCount;
+typedef struct KindCount { uint32_t of[SMC_KIND_APP + 1], all; } KindCount;
 
 static KindCount count_kinds(const SmcSession *s)
 {
-    KindCount n = {{0}};
+    KindCount n = {{0}, 0};
 
     for (uint32_t i = 0; i < s->sources; i++)
-        n.of[s->source[i].kind]++;
+        if (s->source[i].kind != KIND_REMOVED) {
+            n.of[s->source[i].kind]++;
+            n.all++;
+        }
     return n;
 }
 
@@ -130,7 +139,7 @@ static const char *find_misfit(const SmcSession *s)
     const KindCount n = count_kinds(s);
     const bool is_shared = n.of[SMC_KIND_SM] + n.of[SMC_KIND_IO] > 0;
 
-    if (s->sources == 0)
+    if (n.all == 0)
         return "there is no source to compile";
     if (n.of[SMC_KIND_APP] > 1)
         return "there are two applications; compile each in a session of its own";
@@ -161,8 +170,35 @@ static void supply_app_files(SmcSession *s, const Source *app)
         AppFile *file = &a->files.at[f];
         file->problem = "the session has no source of this name";
         for (uint32_t i = 0; i < s->sources && !file->wrong_kind; i++)
-            if (kind_of(s->source[i].kind) == file->kind && strcmp(s->source[i].name, file->name.text->text) == 0)
+            if (s->of.text[i] && kind_of(s->source[i].kind) == file->kind && strcmp(s->source[i].name, file->name.text->text) == 0)
                 file->src = s->of.text[i];
+    }
+}
+
+static const Source *copy_source(Arena *arena, const LibrarySource *source, uint32_t number)
+{
+    char *text = arena_copy(arena, source->text, source->size + 1);
+    Source *copy = source_new(arena, arena_copy(arena, source->name, strlen(source->name) + 1), text, source->size);
+
+    copy->number = number;
+    return copy;
+}
+
+// Records the machine of each script: the one that it was assigned to, or the only one.
+static void assign_scripts(SmcSession *s, bool has_one_machine)
+{
+    LibraryResults *of = &s->of;
+    uint32_t only = UINT32_MAX;
+
+    for (uint32_t m = 0; has_one_machine && m < s->sources; m++)
+        if (s->source[m].kind == SMC_KIND_SM)
+            only = m;
+    for (uint32_t i = 0; i < s->sources; i++) {
+        of->machine[i] = s->source[i].machine - 1;            // UINT32_MAX: not assigned
+        if (of->machine[i] == UINT32_MAX)
+            of->machine[i] = only;
+        if (of->input[i] && s->source[i].machine > 0)
+            of->in.at[of->input[i] - 1].machine = of->input[s->source[i].machine - 1];
     }
 }
 
@@ -178,11 +214,14 @@ static void list_inputs(SmcSession *s)
     of->input = ARENA_ARRAY(arena, uint32_t, s->sources);
     of->run = ARENA_ARRAY(arena, LibraryRun, s->sources);
     of->image = ARENA_ARRAY(arena, LibraryImage, s->sources);
+    of->bench = ARENA_ARRAY(arena, LibraryBench, s->sources);
+    of->machine = ARENA_ARRAY(arena, uint32_t, s->sources);
     of->in.at = ARENA_ARRAY(arena, CompileSource, s->sources);
     for (uint32_t i = 0; i < s->sources; i++) {
         const LibrarySource *source = &s->source[i];
-        char *copy = arena_copy(arena, source->text, source->size + 1);
-        of->text[i] = source_new(arena, arena_copy(arena, source->name, strlen(source->name) + 1), copy, source->size);
+        if (source->kind == KIND_REMOVED)
+            continue;
+        of->text[i] = copy_source(arena, source, i);
         if (has_app ? source->kind != SMC_KIND_APP : source->kind == SMC_KIND_SV && vector_is_shared) {
             if (!has_app)
                 of->in.vector = of->text[i];
@@ -193,6 +232,7 @@ static void list_inputs(SmcSession *s)
     }
     if (has_app)
         supply_app_files(s, of->in.at[0].text);
+    assign_scripts(s, n.of[SMC_KIND_SM] == 1);
 }
 
 // ---- compiling ----
@@ -237,6 +277,7 @@ static SmcResult compile(SmcSession *s, void *unused)
     copy_selection(s);
     set_options(s, &s->of.o, EMIT_NOTHING);
     compile_sources(&s->compiler, &s->of.in, &s->of.o, &s->of.made);
+    library_build_models(s);
     diags_init(&s->of.emitted, NULL);
     library_update_shown(s, &s->of.emitted, 0, NULL);
     s->of.errors = s->of.shown.errors;

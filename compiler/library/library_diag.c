@@ -143,10 +143,7 @@ static uint32_t utf16_column(const Source *src, LineCol at)
 // Returns the session's number of a source; -1 if it is none of the session.
 static int64_t number_of_source(const SmcSession *s, const Source *src)
 {
-    for (uint32_t i = 0; i < s->of.sources; i++)
-        if (s->of.text[i] == src)
-            return i;
-    return -1;
+    return src->number < s->of.sources && s->of.text[src->number] == src ? (int64_t)src->number : -1;
 }
 
 int64_t smc_diag_place(const SmcSession *s, uint32_t diag, int32_t part, uint32_t item, int32_t place, int32_t columns)
@@ -233,7 +230,7 @@ SmcResult smc_apply_edits(SmcSession *s, uint32_t source, const char **text, uin
         return library_fail(s, SMC_E_ARGUMENT, NULL);
     if (!s->of.is_compiled)
         return library_fail(s, SMC_E_STATE, NULL);
-    if (source >= s->of.sources)
+    if (source >= s->of.sources || !s->of.text[source])
         return library_fail(s, SMC_E_INDEX, NULL);
     if ((r = library_guard(s, apply_edits, &t)) != SMC_OK)
         return r;

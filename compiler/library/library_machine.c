@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "bytecode-vm/image.h"
-#include "bytecode-vm/swap.h"
 #include "compiler/library/library.h"
 #include "stdlib/convert.h"
 
@@ -28,8 +27,7 @@ static uint32_t position_of(const SmcSession *s, SmcMachine m)
     return from;
 }
 
-// Returns an open machine of an open session, or NULL.
-static LibraryMachine *machine_of(const SmcSession *s, SmcMachine m)
+LibraryMachine *library_machine(const SmcSession *s, SmcMachine m)
 {
     uint32_t at;
 
@@ -39,7 +37,7 @@ static LibraryMachine *machine_of(const SmcSession *s, SmcMachine m)
     return at < s->machines && s->machine[at]->id == m ? s->machine[at] : NULL;
 }
 
-static SmcResult no_machine(const SmcSession *s) { return library_is_open(s) ? library_fail(s, SMC_E_HANDLE, NULL) : SMC_E_HANDLE; }
+SmcResult library_no_machine(const SmcSession *s) { return library_is_open(s) ? library_fail(s, SMC_E_HANDLE, NULL) : SMC_E_HANDLE; }
 
 static void free_machine(SmcSession *s, LibraryMachine *m)
 {
@@ -101,7 +99,7 @@ static const char *copy_name(const LibraryMachine *m, SmvmName n, char **at)
 // Returns the bytes that the names of all states and variables need, with their NULs.
 static uint64_t bytes_of_names(const SmvmMachine *m)
 {
-    uint64_t bytes = 1;
+    uint64_t bytes = smvm_name(m, SMVM_NAME_MACHINE).size + UINT64_C(1);
     SmvmVariable is;
     SmvmLocation l;
 
@@ -124,6 +122,7 @@ static bool read_names(SmcSession *s, LibraryMachine *m)
     if (!m->names || !m->variable || !m->state_name)
         return false;
     at = m->names;
+    m->name = copy_name(m, smvm_name(&m->m, SMVM_NAME_MACHINE), &at);
     for (uint32_t i = 0; i < named; i++) {
         SmvmVariable is;
         SmvmLocation l;
@@ -145,7 +144,7 @@ static bool read_names(SmcSession *s, LibraryMachine *m)
 
 // ---- opening ----
 
-static SmcResult start(LibraryMachine *m, uint32_t state)
+SmcResult library_start_machine(LibraryMachine *m, uint32_t state)
 {
     const SmvmVector vector = {m->vector, m->m.sv_size, m->m.layout};
 
@@ -167,7 +166,7 @@ static SmcResult prepare(SmcSession *s, LibraryMachine *m, uint32_t number)
     m->decoded = library_alloc(s, smvm_decoded_size(&m->m));
     if (!m->vm || !m->vector || !m->decoded || !read_names(s, m))
         return library_fail(s, SMC_E_MEMORY, NULL);
-    start(m, 1);
+    library_start_machine(m, 1);
     if (smvm_decode(&m->decoded, m->decoded, smvm_decoded_size(&m->m), &m->m, m->vm, m->vector) != SM_OK)
         return library_fail(s, SMC_E_IMAGE, NULL);
     return SMC_OK;
@@ -195,6 +194,26 @@ static SmcResult open_machine(SmcSession *s, const void *image, uint64_t size, u
     }
     *id = m->id = (uint64_t)handle_tag(s) << 32 | ++s->next_machine;
     s->machine[s->machines++] = m;
+    return SMC_OK;
+}
+
+SmcResult smc_image_machine_count(SmcSession *s, const void *image, uint64_t size, uint32_t *count)
+{
+    SmvmVerdict why;
+    SmvmMachine m;
+    uint32_t n = 0;
+
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (!image || !count)
+        return library_fail(s, SMC_E_ARGUMENT, NULL);
+    if (size > SMVM_IMAGE_MAX)
+        return library_fail(s, SMC_E_SIZE, NULL);
+    if (smvm_verify(image, (uint32_t)size, &why) != 0)
+        return library_fail(s, SMC_E_IMAGE, smvm_rule_text(why.rule));
+    while (smvm_machine(image, n, &m))
+        n++;
+    *count = n;
     return SMC_OK;
 }
 
@@ -257,11 +276,11 @@ SmcResult smc_machine_open(SmcSession *s, uint32_t source, SmcMachine *m)
 
 SmcResult smc_machine_close(SmcSession *s, SmcMachine m)
 {
-    LibraryMachine *own = machine_of(s, m);
+    LibraryMachine *own = library_machine(s, m);
     uint32_t at;
 
     if (!own)
-        return no_machine(s);
+        return library_no_machine(s);
     at = position_of(s, m);
     memmove(s->machine + at, s->machine + at + 1, (s->machines - at - 1) * sizeof *s->machine);
     s->machines--;
@@ -273,22 +292,22 @@ SmcResult smc_machine_close(SmcSession *s, SmcMachine m)
 
 SmcResult smc_machine_start(SmcSession *s, SmcMachine m, uint32_t state)
 {
-    LibraryMachine *own = machine_of(s, m);
+    LibraryMachine *own = library_machine(s, m);
 
     if (!own)
-        return no_machine(s);
+        return library_no_machine(s);
     if (state < 1 || state > own->m.states)
         return library_fail(s, SMC_E_INDEX, "there is no state of this number");
-    return start(own, state);
+    return library_start_machine(own, state);
 }
 
 SmcResult smc_machine_step(SmcSession *s, SmcMachine m, uint64_t g)
 {
-    LibraryMachine *own = machine_of(s, m);
+    LibraryMachine *own = library_machine(s, m);
     uint64_t before;
 
     if (!own)
-        return no_machine(s);
+        return library_no_machine(s);
     before = sm_cell_load(SM_U64, own->vector + own->m.g);
     sm_cell_store(SM_U64, own->vector + own->m.g, g);
     if (smvm_step_decoded(own->decoded, own->vector) == SM_OK)
@@ -297,74 +316,39 @@ SmcResult smc_machine_step(SmcSession *s, SmcMachine m, uint64_t g)
     return library_fail(s, SMC_E_REFUSED, "G is not above that of the last step");
 }
 
-// Returns why a machine cannot be replaced, from the result of the plan and its state; NULL: neither prevents it.
-static const char *find_obstacle(const LibraryMachine *from, SmResult plan)
-{
-    if (plan == SM_E_LAYOUT)
-        return "the machines have state vectors of different layouts";
-    if (plan == SM_E_UNSUPPORTED)
-        return "an image has no names";
-    if (!smvm_state_allows_swap(&from->m, smvm_state(from->vm)))
-        return "the machine is in a state that is marked neither @swap nor @safe";
-    return NULL;
-}
-
-SmcResult smc_machine_continue(SmcSession *s, SmcMachine from, SmcMachine to)
-{
-    LibraryMachine *old = machine_of(s, from), *new = machine_of(s, to);
-    uint32_t size;
-    SmvmSwap *plan;
-    const char *obstacle;
-    SmResult planned;
-    SmcResult r = SMC_OK;
-
-    if (!old || !new)
-        return no_machine(s);
-    if (old == new)
-        return library_fail(s, SMC_E_ARGUMENT, "a machine cannot continue in itself");
-    size = smvm_swap_size(&old->m, &new->m);
-    if ((plan = library_alloc(s, size)) == NULL)
-        return library_fail(s, SMC_E_MEMORY, NULL);
-    planned = smvm_swap_plan(plan, size, &old->m, &new->m);
-    if ((obstacle = find_obstacle(old, planned)) == NULL && smvm_swap_state(plan, smvm_state(old->vm)) == 0)
-        obstacle = "the new machine has no state of the name of the current one";
-    if (obstacle) {
-        r = library_fail(s, SMC_E_REFUSED, obstacle);
-    } else {
-        start(new, 1);                            // as smvm_swap_continue requires: it has not stepped
-        memcpy(new->vector, old->vector, old->m.sv_size);
-        smvm_swap_continue(plan, old->vm, new->vm, new->vector);
-    }
-    library_release(s, plan);
-    return r;
-}
-
 // ---- states ----
+
+const char *smc_machine_name(const SmcSession *s, SmcMachine m)
+{
+    const LibraryMachine *own = library_machine(s, m);
+
+    return own ? own->name : "";
+}
 
 uint32_t smc_machine_state(const SmcSession *s, SmcMachine m)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     return own ? smvm_state(own->vm) : 0;
 }
 
 uint32_t smc_machine_state_count(const SmcSession *s, SmcMachine m)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     return own ? own->m.states : 0;
 }
 
 const char *smc_machine_state_name(const SmcSession *s, SmcMachine m, uint32_t state)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     return own && state >= 1 && state <= own->m.states ? own->state_name[state] : "";
 }
 
 uint32_t smc_machine_state_marks(const SmcSession *s, SmcMachine m, uint32_t state)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     if (!own || state < 1 || state > own->m.states)
         return 0;
@@ -374,7 +358,7 @@ uint32_t smc_machine_state_marks(const SmcSession *s, SmcMachine m, uint32_t sta
 
 uint64_t smc_machine_time(const SmcSession *s, SmcMachine m)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     return own ? smvm_time(own->vm) : 0;
 }
@@ -383,26 +367,26 @@ uint64_t smc_machine_time(const SmcSession *s, SmcMachine m)
 
 static const LibraryVariable *variable_of(const SmcSession *s, SmcMachine m, uint32_t variable)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     return own && variable < own->variables ? &own->variable[variable] : NULL;
 }
 
 uint32_t smc_machine_variable_count(const SmcSession *s, SmcMachine m)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     return own ? own->variables : 0;
 }
 
 SmcResult smc_machine_find(const SmcSession *s, SmcMachine m, const char *name, uint32_t *variable)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
     LibraryVariable key;
     const LibraryVariable *found;
 
     if (!own)
-        return no_machine(s);
+        return library_no_machine(s);
     if (!name || !variable)
         return library_fail(s, SMC_E_ARGUMENT, NULL);
     key.name = name;
@@ -443,7 +427,7 @@ uint32_t smc_machine_variable_offset(const SmcSession *s, SmcMachine m, uint32_t
 
 int32_t smc_machine_variable_stored(const SmcSession *s, SmcMachine m, uint32_t variable)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
     const LibraryVariable *v = variable_of(s, m, variable);
 
     if (!v || v->kind != SMC_VARIABLE_ELEMENT)
@@ -456,11 +440,11 @@ int32_t smc_machine_variable_stored(const SmcSession *s, SmcMachine m, uint32_t 
 // Stores where the value of a variable is.
 static SmcResult find_value(const SmcSession *s, SmcMachine m, uint32_t variable, SmType *type, uint8_t **at)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
     const LibraryVariable *v = variable_of(s, m, variable);
 
     if (!own)
-        return no_machine(s);
+        return library_no_machine(s);
     if (!v)
         return library_fail(s, SMC_E_INDEX, NULL);
     *type = v->type;
@@ -530,7 +514,7 @@ SmcResult smc_machine_write(SmcSession *s, SmcMachine m, uint32_t variable, cons
 
 uint64_t smc_machine_info(const SmcSession *s, SmcMachine m, int32_t what)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     if (!own)
         return 0;
@@ -547,7 +531,7 @@ uint64_t smc_machine_info(const SmcSession *s, SmcMachine m, int32_t what)
 
 void *smc_machine_vector(SmcSession *s, SmcMachine m)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     return own ? own->vector : NULL;
 }

@@ -8,18 +8,20 @@ enum { STEPS_DEFAULT = 1000000 };
 
 // ---- reviews ----
 
-// Returns the review that runs of the only machine refer to.  Not to be called in a layer.
-static const Report *review_of_runs(SmcSession *s)
+// Returns the review that runs of a machine refer to.  Not to be called in a layer.
+static const Report *review_of_runs(SmcSession *s, uint32_t machine)
 {
-    if (!s->of.review) {
+    LibraryBench *b = &s->of.bench[machine];
+
+    if (!b->review) {
         Report *r;
         library_begin_layer(s);
         r = ARENA_NEW(&s->compiler.arena, Report);
-        review_begin(&s->compiler, library_compiled(s, library_only_machine(s))->program, r);
-        library_keep_layer(s, &s->of.review_arena);
-        s->of.review = r;
+        review_begin(&s->compiler, library_compiled(s, machine)->program, r);
+        library_keep_layer(s, &b->review_arena);
+        b->review = r;
     }
-    return s->of.review;
+    return b->review;
 }
 
 // Begins a review of a compiled machine with the runs done so far, in the current layer.  Its findings are those of smc_compile.
@@ -28,8 +30,8 @@ static void begin_review(SmcSession *s, uint32_t machine, Report *r)
     s->compiler.diags = s->below.diags;
     review_begin(&s->compiler, library_compiled(s, machine)->program, r);
     r->run = ARENA_ARRAY(&s->compiler.arena, ReportRun, s->of.sources);
-    for (uint32_t i = 0; machine == library_only_machine(s) && i < s->of.sources; i++)
-        if (s->of.run[i].is_done)
+    for (uint32_t i = 0; i < s->of.sources; i++)
+        if (s->of.run[i].is_done && s->of.machine[i] == machine)
             r->run[r->runs++] = s->of.run[i].run;
 }
 
@@ -60,7 +62,7 @@ static void trace_step(void *context, const ScriptStep *step)
 static bool is_cancelled(void *context) { return library_is_cancelled(((Tracing *)context)->s); }
 
 // Opens the requested engines that are not open yet.  Returns how many `engine` has, or 0 after an error.
-static size_t open_engines(SmcSession *s, const Program *p, uint32_t engines, Engine *engine[ENGINE_COUNT])
+static size_t open_engines(SmcSession *s, LibraryBench *b, const Program *p, uint32_t engines, Engine *engine[ENGINE_COUNT])
 {
     const char *error = "";
     size_t n = 0;
@@ -68,7 +70,7 @@ static size_t open_engines(SmcSession *s, const Program *p, uint32_t engines, En
     for (int i = 0; i < ENGINE_COUNT; i++) {
         if (!(engines & 1u << i))
             continue;
-        if (!s->of.engine[i]) {
+        if (!b->engine[i]) {
             Engine *new;
             library_begin_layer(s);
             new = 1u << i == SMC_ENGINE_REF ? engine_ref_open(&s->compiler.arena, p)
@@ -78,10 +80,10 @@ static size_t open_engines(SmcSession *s, const Program *p, uint32_t engines, En
                 library_drop_layer(s);
                 return 0;
             }
-            library_keep_layer(s, &s->of.engine_arena[i]);
-            s->of.engine[i] = new;
+            library_keep_layer(s, &b->engine_arena[i]);
+            b->engine[i] = new;
         }
-        engine[n++] = s->of.engine[i];
+        engine[n++] = b->engine[i];
     }
     return n;
 }
@@ -93,8 +95,9 @@ static SmcResult result_of_outcome(const SmcSession *s, const LibraryRun *run)
 
 static SmcResult run_script(SmcSession *s, const RunRequest *q)
 {
-    const CompiledSource *m = library_compiled(s, library_only_machine(s)), *ss = library_compiled(s, q->script);
-    const Report *review = review_of_runs(s);
+    const uint32_t machine = s->of.machine[q->script];
+    const CompiledSource *m = library_compiled(s, machine), *ss = library_compiled(s, q->script);
+    const Report *review = review_of_runs(s, machine);
     const Source *src = s->of.text[q->script];
     Tracing t = {s, m->scripted, NULL, src->name, NULL};
     const ScriptOptions o = {.max_steps = q->max_steps, .after_step = trace_step, .is_cancelled = is_cancelled, .context = &t,
@@ -103,7 +106,7 @@ static SmcResult run_script(SmcSession *s, const RunRequest *q)
     size_t n;
     LibraryRun run = {.engines = q->engines, .max_steps = q->max_steps, .is_traced = s->option[SMC_OPTION_TRACE] != 0};
 
-    if ((n = open_engines(s, m->scripted, q->engines, engine)) == 0)
+    if ((n = open_engines(s, &s->of.bench[machine], m->scripted, q->engines, engine)) == 0)
         return SMC_E_SOURCE;
     library_begin_layer(s);
     buf_init(&run.report, &s->compiler.arena);
@@ -151,8 +154,8 @@ SmcResult smc_run(SmcSession *s, uint32_t script, uint32_t engines, uint64_t max
         return library_fail(s, SMC_E_STATE, NULL);
     if ((ss = library_compiled(s, script)) == NULL || s->of.in.at[s->of.input[script] - 1].kind != FILE_SS)
         return library_fail(s, SMC_E_INDEX, "there is no script of this number");
-    if ((m = library_compiled(s, library_only_machine(s))) == NULL)
-        return library_fail(s, SMC_E_STATE, "scripts run on the machine of the session, and it does not have exactly one");
+    if ((m = library_compiled(s, s->of.machine[script])) == NULL)
+        return library_fail(s, SMC_E_STATE, "there is not exactly one machine, and smc_script_assign has not named one");
     if (!m->scripted || !ss->script)
         return library_fail(s, SMC_E_SOURCE, NULL);
     return library_guard(s, run_if_needed, &q);

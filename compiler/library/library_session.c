@@ -266,7 +266,7 @@ static void free_sources(SmcSession *s)
     }
     library_release(s, s->source);
     s->source = NULL;
-    s->sources = s->sources_cap = 0;
+    s->sources = s->sources_cap = s->free_source = 0;
 }
 
 static void free_words(SmcSession *s)
@@ -288,6 +288,7 @@ SmcResult smc_close(SmcSession *s)
         return SMC_E_BUSY;
     library_drop_results(s);
     library_close_machines(s);
+    library_release(s, s->swap);
     free_sources(s);
     free_words(s);
     library_release(s, s->prefix);
@@ -318,6 +319,18 @@ static SmcResult check_text(const SmcSession *s, const char *text, uint64_t size
     return SMC_OK;
 }
 
+// Returns a free number for a source.  s->source has room for a new one.
+static uint32_t take_number(SmcSession *s)
+{
+    uint32_t number;
+
+    if (!s->free_source)
+        return s->sources++;
+    number = s->free_source - 1;
+    s->free_source = s->source[number].next_free;
+    return number;
+}
+
 SmcResult smc_source_add(SmcSession *s, int32_t kind, const char *name, const char *text, uint64_t size, uint32_t *source)
 {
     LibrarySource new, *more;
@@ -334,6 +347,7 @@ SmcResult smc_source_add(SmcSession *s, int32_t kind, const char *name, const ch
     if ((more = library_grow(s, s->source, s->sources, &s->sources_cap, sizeof *more)) == NULL)
         return library_fail(s, SMC_E_MEMORY, NULL);
     s->source = more;
+    new.next_free = new.machine = 0;
     new.kind = kind;
     new.size = (size_t)size;
     new.name = library_copy(s, name, strlen(name));
@@ -343,8 +357,42 @@ SmcResult smc_source_add(SmcSession *s, int32_t kind, const char *name, const ch
         library_release(s, new.text);
         return library_fail(s, SMC_E_MEMORY, NULL);
     }
-    s->source[s->sources] = new;
-    *source = s->sources++;
+    *source = take_number(s);
+    s->source[*source] = new;
+    return SMC_OK;
+}
+
+// Whether a source has this number.
+static bool has_source(const SmcSession *s, uint32_t source) { return source < s->sources && s->source[source].kind != KIND_REMOVED; }
+
+SmcResult smc_source_remove(SmcSession *s, uint32_t source)
+{
+    LibrarySource *own;
+
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (!has_source(s, source))
+        return library_fail(s, SMC_E_INDEX, NULL);
+    own = &s->source[source];
+    library_release(s, own->name);
+    library_release(s, own->text);
+    *own = (LibrarySource){KIND_REMOVED, NULL, NULL, 0, s->free_source, 0};
+    s->free_source = source + 1;
+    for (uint32_t i = 0; i < s->sources; i++)
+        if (s->source[i].machine == source + 1)
+            s->source[i].machine = 0;
+    return SMC_OK;
+}
+
+SmcResult smc_script_assign(SmcSession *s, uint32_t script, uint32_t machine)
+{
+    if (!library_is_open(s))
+        return SMC_E_HANDLE;
+    if (!has_source(s, script) || !has_source(s, machine))
+        return library_fail(s, SMC_E_INDEX, NULL);
+    if (s->source[script].kind != SMC_KIND_SS || s->source[machine].kind != SMC_KIND_SM)
+        return library_fail(s, SMC_E_ARGUMENT, "only a script can be assigned, and only to a machine");
+    s->source[script].machine = machine + 1;
     return SMC_OK;
 }
 
@@ -355,7 +403,7 @@ SmcResult smc_source_replace(SmcSession *s, uint32_t source, const char *text, u
 
     if (!library_is_open(s))
         return SMC_E_HANDLE;
-    if (source >= s->sources)
+    if (!has_source(s, source))
         return library_fail(s, SMC_E_INDEX, NULL);
     if ((r = check_text(s, text, size)) != SMC_OK)
         return r;
@@ -380,12 +428,12 @@ uint32_t smc_source_count(const SmcSession *s) { return library_is_open(s) ? s->
 
 const char *smc_source_name(const SmcSession *s, uint32_t source)
 {
-    return library_is_open(s) && source < s->sources ? s->source[source].name : "";
+    return library_is_open(s) && has_source(s, source) ? s->source[source].name : "";
 }
 
 int32_t smc_source_kind(const SmcSession *s, uint32_t source)
 {
-    return library_is_open(s) && source < s->sources ? s->source[source].kind : -1;
+    return library_is_open(s) && has_source(s, source) ? s->source[source].kind : -1;
 }
 
 // ---- options ----

@@ -17,7 +17,7 @@
 // finds that one of its own passes has broken a program, which is a bug of smc, it returns SMC_E_INTERNAL rather than a wrong program.
 //
 // **Threads.**  Any number of threads can call it at once, each with sessions of its own.  Only smc_cancel may be called while another thread
-// uses the session.
+// uses the session.  A call uses up to 1 MB of stack (x86-64; conditionals nested 2000 levels deep).
 //
 // **Stability.**  A program that is compiled with one version runs with every later one of the same SMC_API_VERSION.  Functions and constants are
 // only added.  Handle an unknown value of a list, such as a new kind of source, as "other".
@@ -37,6 +37,7 @@
 //
 //   - smc_render, smc_apply_edits and smc_diagram each store one text, which is also valid only until the next call of the same function;
 //   - smc_error_text: until the next call that does not return SMC_OK;
+//   - smc_swap_item_name: until the next smc_swap_compare or smc_machine_continue that returns SMC_OK, or smc_close;
 //   - texts and the state vector of a machine: until smc_machine_close, however often the session compiles, or smc_close.
 //
 // **Memory**: The session stores one result of each kind, so repeated calls do not use more and more memory.  A function that runs out of memory
@@ -114,15 +115,23 @@ enum SmcKind {    // a kind of source; later versions can have more
     SMC_KIND_APP = 4              // an application, .app; it comes with the files that it names
 };
 
-// Adds a source of `size` bytes, which are copied, and stores its number in *source: 0, 1, 2 …  Diagnostics show `name`, which can be a path.
+// Adds a source of `size` bytes, which are copied, and stores its number in *source: 0, 1, 2 …, or that of a removed source.  Diagnostics show `name`, which can be a path.
 // The file name in it, without folders and suffix, names what is generated.  An application finds its files by their names, written as in
 // the application.  `text` can be NULL if `size` is 0.
 // SMC_E_ARGUMENT: the name is empty, or contains a control character.  SMC_E_SIZE: the text is longer than 1 GB.
 SmcResult smc_source_add(SmcSession *s, int32_t kind, const char *name, const char *text, uint64_t size, uint32_t *source);
-// Replaces the text of a source.  What has been compiled stays as it is until the next smc_compile.
+// Replaces the text of a source, which keeps its number, its name and its place in the order of machines.  What was compiled stays as it is until
+// the next smc_compile: diagnostics with their places, outputs and runs are those of the compiled text, not of the new one.
 SmcResult smc_source_replace(SmcSession *s, uint32_t source, const char *text, uint64_t size);
+// Removes a source.  The others keep their numbers, and a later smc_source_add uses its number again.  What was compiled stays as it is until the
+// next smc_compile, as after smc_source_replace.  Machines stay open.
+SmcResult smc_source_remove(SmcSession *s, uint32_t source);
+// Makes a script one of this machine, from the next smc_compile on.  Where there is exactly one machine, each script is one of it without this call.
+// Removing the machine ends that.  SMC_E_ARGUMENT: `script` is not SMC_KIND_SS, or `machine` is not SMC_KIND_SM.
+SmcResult smc_script_assign(SmcSession *s, uint32_t script, uint32_t machine);
 // Removes all sources, and everything that was compiled from them.  Machines stay open.
 SmcResult smc_sources_clear(SmcSession *s);
+// One more than the largest number that a source has had since smc_open or smc_sources_clear.  smc_source_kind is -1 where one was removed.
 uint32_t smc_source_count(const SmcSession *s);
 const char *smc_source_name(const SmcSession *s, uint32_t source);
 int32_t smc_source_kind(const SmcSession *s, uint32_t source);       // -1: there is no such source
@@ -165,8 +174,9 @@ const char *smc_explain(const char *code);
 
 // ---- compiling ----
 
-// Compiles all sources: checks them, and searches for what the selected warnings find.  An application is compiled with the files that it names.
-// Without one, a state vector is that of every machine and of the pins, pins are checked against it, and scripts are those of the one machine.
+// Compiles all sources, in the order of their numbers: checks them, and searches for what the selected warnings find.  An application is compiled with the files that it names.
+// Without one, a state vector is that of every machine and of the pins, pins are checked against it, and scripts are those of the one machine
+// or of the machine that smc_script_assign named.  Other scripts are only parsed.
 // SMC_E_SOURCE: there are errors, or warnings that are selected as errors.  What has none of its own is compiled nevertheless.
 // SMC_E_STATE: the sources do not fit together (two applications, two state vectors, or two .io files); smc_error_text has the reason.
 SmcResult smc_compile(SmcSession *s);
@@ -259,9 +269,10 @@ enum SmcOutcome {
     SMC_OUTCOME_DIFFERENT = 6     // two engines disagree
 };
 
-// Runs a script of the compiled machine for at most `max_steps` steps; 0: 1,000,000.  SMC_OK: it passed.  SMC_E_FAILED: it did not.  Its
+// Runs a script on its compiled machine for at most `max_steps` steps; 0: 1,000,000.  SMC_OK: it passed.  SMC_E_FAILED: it did not.  Its
 // diagnostics replace those of its last run.  A run with the same engines and limits as the last one is not repeated.
-// SMC_E_SOURCE: the script or the machine has errors.  SMC_E_STATE: nothing is compiled, or there is not exactly one machine.
+// SMC_E_SOURCE: the script or the machine has errors.  SMC_E_STATE: nothing is compiled, or the script has no machine
+// (smc_script_assign).
 SmcResult smc_run(SmcSession *s, uint32_t script, uint32_t engines, uint64_t max_steps);
 int32_t smc_run_outcome(const SmcSession *s, uint32_t script);
 uint64_t smc_run_steps(const SmcSession *s, uint32_t script);
@@ -280,8 +291,43 @@ enum SmcReport { SMC_REPORT_HTML = 0, SMC_REPORT_TEXT = 1, SMC_REPORT_JSON = 2 }
 SmcResult smc_diagram(SmcSession *s, uint32_t machine, int32_t form, const char **text, uint64_t *size);
 // Stores the page for a design review, as smc report writes it.  Scripts that have not run are run for it, and
 // have run even if it then fails.
-// SMC_E_STATE: the machine is not compiled, there are errors, or SMC_OPTION_REVIEW was not set when it was compiled.
+// SMC_E_STATE: the machine is not compiled, there are errors, there are several machines, or SMC_OPTION_REVIEW was not set when it was compiled.
 SmcResult smc_report(SmcSession *s, uint32_t machine, int32_t form, const char **text, uint64_t *size);
+
+// ---- the structure of a compiled machine ----
+//
+// What the last smc_compile found in a source that is a machine, also one of an application.  A source that is none, or has errors, has no states,
+// transitions, variables or uses.  States have the numbers that S has, from 1; transitions are in the order of the source.  Lines count from 1.
+
+enum SmcBlock { SMC_BLOCK_ENTRY = 0, SMC_BLOCK_STEP = 1, SMC_BLOCK_EXIT = 2 };
+enum SmcAccess { SMC_ACCESS_READ = 1, SMC_ACCESS_WRITE = 2 };
+
+uint32_t smc_model_state_count(const SmcSession *s, uint32_t machine);
+const char *smc_model_state_name(const SmcSession *s, uint32_t machine, uint32_t state);
+uint32_t smc_model_state_marks(const SmcSession *s, uint32_t machine, uint32_t state);     // a sum of SMC_MARK_…
+uint32_t smc_model_state_line(const SmcSession *s, uint32_t machine, uint32_t state);      // of its header; 0: there is no such state
+
+uint32_t smc_model_transition_count(const SmcSession *s, uint32_t machine);
+uint32_t smc_model_transition_from(const SmcSession *s, uint32_t machine, uint32_t transition);      // 0: there is no such transition
+uint32_t smc_model_transition_to(const SmcSession *s, uint32_t machine, uint32_t transition);        // 0: there is no such transition
+int32_t smc_model_transition_block(const SmcSession *s, uint32_t machine, uint32_t transition);      // SMC_BLOCK_…; -1: no such transition
+uint32_t smc_model_transition_line(const SmcSession *s, uint32_t machine, uint32_t transition);      // 0: there is no such transition
+// The conditions around it, as diagrams show them: "pressure > 800 and not (valveOpen)"; "" if there is none.  At most the four innermost.
+const char *smc_model_transition_guard(const SmcSession *s, uint32_t machine, uint32_t transition);
+
+// The variables, without T.  A machine that smc_machine_open starts has the same ones with the same numbers, except for constants, which follow.
+uint32_t smc_model_variable_count(const SmcSession *s, uint32_t machine);
+const char *smc_model_variable_name(const SmcSession *s, uint32_t machine, uint32_t variable);
+int32_t smc_model_variable_type(const SmcSession *s, uint32_t machine, uint32_t variable);           // SMC_TYPE_…; -1: no such variable
+int32_t smc_model_variable_kind(const SmcSession *s, uint32_t machine, uint32_t variable);           // SMC_VARIABLE_…; -1: no such variable
+uint32_t smc_model_variable_line(const SmcSession *s, uint32_t machine, uint32_t variable);          // 0: there is no such variable
+
+// Which state reads or writes which variable: one item for each pair, sorted by state, then by variable.  What a window samples is read by the
+// states that read the window.
+uint32_t smc_model_use_count(const SmcSession *s, uint32_t machine);
+uint32_t smc_model_use_state(const SmcSession *s, uint32_t machine, uint32_t use);         // 0: there is no such item
+int64_t smc_model_use_variable(const SmcSession *s, uint32_t machine, uint32_t use);       // -1: there is no such item
+uint32_t smc_model_use_access(const SmcSession *s, uint32_t machine, uint32_t use);        // a sum of SMC_ACCESS_…; 0: no such item
 
 // ---- machines ----
 //
@@ -293,7 +339,10 @@ typedef uint64_t SmcMachine;      // 0 is never a machine; no number is used twi
 SmcResult smc_machine_open(SmcSession *s, uint32_t source, SmcMachine *m);
 // Starts machine `number`, counted from 0, of an image, which is verified and copied.  Its variables have names only if the image has
 // (SMC_OPTION_NAMES, smc build -g).  SMC_E_IMAGE: the verifier refuses it.  SMC_E_INDEX: it has no such machine.
+// SMC_E_SIZE: it is longer than any image can be.
 SmcResult smc_machine_open_image(SmcSession *s, const void *image, uint64_t size, uint32_t number, SmcMachine *m);
+// Stores how many machines an image has; at least 1.  SMC_E_IMAGE: the verifier refuses it.  SMC_E_SIZE: it is longer than any image can be.
+SmcResult smc_image_machine_count(SmcSession *s, const void *image, uint64_t size, uint32_t *count);
 SmcResult smc_machine_close(SmcSession *s, SmcMachine m);
 
 // Starts the machine again in state `state`, 1 to smc_machine_state_count: the state vector is zero, locals have their initial values, windows
@@ -301,15 +350,13 @@ SmcResult smc_machine_close(SmcSession *s, SmcMachine m);
 SmcResult smc_machine_start(SmcSession *s, SmcMachine m, uint32_t state);
 // Sets G to `g` and runs a step.  SMC_E_REFUSED: g is not above that of the last step.
 SmcResult smc_machine_step(SmcSession *s, SmcMachine m, uint64_t g);
-// Lets `to` continue where `from` is (docs/swapping.md): `to` receives the state vector, and the state, T, locals and samples that both have by
-// name.  `from` does not change.  Both need names.  SMC_E_REFUSED: the layouts differ, an image has no names, `from` is in a state that is
-// marked neither @swap nor @safe, or `to` has no state of that name; smc_error_text has the reason.
-SmcResult smc_machine_continue(SmcSession *s, SmcMachine from, SmcMachine to);
-
+// The name of the machine, which is that of its file without the suffix; "" if its image has no names.
+const char *smc_machine_name(const SmcSession *s, SmcMachine m);
 uint32_t smc_machine_state(const SmcSession *s, SmcMachine m);            // the state that the next step runs, from 1
 uint32_t smc_machine_state_count(const SmcSession *s, SmcMachine m);
 const char *smc_machine_state_name(const SmcSession *s, SmcMachine m, uint32_t state);
-enum SmcMark { SMC_MARK_SAFE = 1, SMC_MARK_ABORT = 2, SMC_MARK_SWAP = 4 };        // SWAP: the state is marked @swap or @safe
+// SWAP: the state is marked @swap or @safe.  FINAL: no transition leads to another state; only smc_model_state_marks returns it.
+enum SmcMark { SMC_MARK_SAFE = 1, SMC_MARK_ABORT = 2, SMC_MARK_SWAP = 4, SMC_MARK_FINAL = 8 };
 uint32_t smc_machine_state_marks(const SmcSession *s, SmcMachine m, uint32_t state);       // a sum of these; without names no ABORT
 uint64_t smc_machine_time(const SmcSession *s, SmcMachine m);             // T
 
@@ -317,7 +364,8 @@ enum SmcType {    // types, with the numbers that images use
     SMC_TYPE_I8 = 0, SMC_TYPE_I16 = 1, SMC_TYPE_I32 = 2, SMC_TYPE_I64 = 3, SMC_TYPE_U8 = 4, SMC_TYPE_U16 = 5, SMC_TYPE_U32 = 6, SMC_TYPE_U64 = 7,
     SMC_TYPE_F32 = 8, SMC_TYPE_F64 = 9, SMC_TYPE_BOOL = 10
 };
-enum SmcVariableKind { SMC_VARIABLE_ELEMENT = 0, SMC_VARIABLE_LOCAL = 1 };
+// CONSTANT: a local that never changes, only in smc_model_variable_kind.
+enum SmcVariableKind { SMC_VARIABLE_ELEMENT = 0, SMC_VARIABLE_LOCAL = 1, SMC_VARIABLE_CONSTANT = 2 };
 
 // The elements that the machine lists, by their names in the state vector, and its locals that are not constants.  Sorted by name.
 uint32_t smc_machine_variable_count(const SmcSession *s, SmcMachine m);
@@ -348,6 +396,33 @@ enum SmcInfo {
 uint64_t smc_machine_info(const SmcSession *s, SmcMachine m, int32_t what);
 // The state vector: SMC_INFO_VECTOR bytes, which the program can read and write between two calls.  NULL: there is no such machine.
 void *smc_machine_vector(SmcSession *s, SmcMachine m);
+
+// ---- swaps: one machine continues where another one is (docs/swapping.md) ----
+
+// Lets `to` continue where `from` is: `to` receives the state vector, and the state, T, locals and samples that both have by name.  `from` does
+// not change.  Both need names.  Stores the same list as smc_swap_compare.
+// SMC_E_REFUSED: the layouts differ, an image has no names, `from` is in a state that is marked neither @swap nor @safe, or `to` has no state of
+// that name; smc_error_text has the reason.  SMC_E_ARGUMENT: they are the same machine.
+SmcResult smc_machine_continue(SmcSession *s, SmcMachine from, SmcMachine to);
+// Lists what `to` would keep of `from`, whatever state that is in, in place of the last list.  Changes neither.  Errors as smc_machine_continue.
+SmcResult smc_swap_compare(SmcSession *s, SmcMachine from, SmcMachine to);
+
+enum SmcSwapKind { SMC_SWAP_STATE = 0, SMC_SWAP_LOCAL = 1, SMC_SWAP_WINDOW = 2 };
+enum SmcSwapFate {
+    SMC_SWAP_KEPT = 0,            // both machines have it
+    SMC_SWAP_ADDED = 1,           // only `to` has it: a local begins at its initial value, a window empty
+    SMC_SWAP_REMOVED = 2,         // only `from` has it.  While `from` is in a removed state, `to` cannot continue
+    SMC_SWAP_CHANGED = 3          // both have it, with different types: it begins as if only `to` had it
+};
+
+// The list of the last smc_swap_compare or smc_machine_continue that returned SMC_OK: states, locals and windows of `to`, then those that only
+// `from` has.  Elements of the state vector are not listed, because all are kept.  It stays when the machines are closed.
+uint32_t smc_swap_item_count(const SmcSession *s);
+int32_t smc_swap_item_kind(const SmcSession *s, uint32_t item);           // -1: there is no such item
+int32_t smc_swap_item_fate(const SmcSession *s, uint32_t item);           // -1: there is no such item
+const char *smc_swap_item_name(const SmcSession *s, uint32_t item);       // "Hold", "count", "roll(tankPressure + 1, 10)"
+// What a fate means, as a sentence; "" for an unknown fate.  Static.
+const char *smc_swap_fate_text(int32_t fate);
 
 #ifdef SMC_LIBRARY
 #pragma GCC visibility pop

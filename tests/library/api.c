@@ -104,6 +104,94 @@ static void compiles_an_application(void)
     smc_close(s);
 }
 
+// ---- the structure of machines ----
+
+static uint32_t find_model_variable(const SmcSession *s, uint32_t sm, const char *name)
+{
+    for (uint32_t v = 0; v < smc_model_variable_count(s, sm); v++)
+        if (is_text(smc_model_variable_name(s, sm, v), name))
+            return v;
+    CHECK(!"the variable exists");
+    return 0;
+}
+
+// How a state accesses a variable: a sum of SMC_ACCESS_….
+static uint32_t access_of(const SmcSession *s, uint32_t sm, uint32_t state, const char *name)
+{
+    const uint32_t variable = find_model_variable(s, sm, name);
+
+    for (uint32_t u = 0; u < smc_model_use_count(s, sm); u++)
+        if (smc_model_use_state(s, sm, u) == state && smc_model_use_variable(s, sm, u) == variable)
+            return smc_model_use_access(s, sm, u);
+    return 0;
+}
+
+static void has_structure(void)
+{
+    SmcSession *s = open_session();
+    static const char text[] = "[state_vector]\nU64 time @alias G\nU32 S\nF64 p\nbool v\n[local]\nF64 limit = 9 @read_only\nU8 n = 0\n[Fill] @safe\n.step\n"
+                               "    n = n + 1\n    if p > limit or n > 5 {\n        T > 2: -> Stop\n    }\n    v = roll_max(p, 3) > 1\n    time > 99: -> Fill\n[Stop] @abort\n.entry\n    v = false\n"
+                               "    p < 0: -> Stop\n";
+    const uint32_t sm = add(s, SMC_KIND_SM, "tank.sm", text);
+
+    CHECK(smc_model_state_count(s, sm) == 0 && smc_compile(s) == SMC_OK && smc_model_state_count(s, sm) == 2);
+    CHECK(is_text(smc_model_state_name(s, sm, 2), "Stop") && smc_model_state_line(s, sm, 1) == 9 && smc_model_state_line(s, sm, 2) == 17);
+    CHECK(smc_model_state_marks(s, sm, 1) == (SMC_MARK_SAFE | SMC_MARK_SWAP) && smc_model_state_marks(s, sm, 2) == (SMC_MARK_ABORT | SMC_MARK_FINAL));
+    CHECK(smc_model_transition_count(s, sm) == 3 && smc_model_transition_from(s, sm, 0) == 1 && smc_model_transition_to(s, sm, 0) == 2);
+    CHECK(is_text(smc_model_transition_guard(s, sm, 0), "(p > limit or n > 5) and T > 2") && smc_model_transition_line(s, sm, 0) == 13);
+    CHECK(is_text(smc_model_transition_guard(s, sm, 1), "time > 99") && smc_model_transition_to(s, sm, 1) == 1 && smc_model_transition_block(s, sm, 1) == SMC_BLOCK_STEP);
+    CHECK(smc_model_transition_block(s, sm, 2) == SMC_BLOCK_ENTRY && smc_model_transition_from(s, sm, 2) == 2);
+    CHECK(smc_model_variable_count(s, sm) == 6 && find_model_variable(s, sm, "limit") == 5 && smc_model_variable_kind(s, sm, 5) == SMC_VARIABLE_CONSTANT);
+    CHECK(smc_model_variable_line(s, sm, 5) == 7 && smc_model_variable_type(s, sm, find_model_variable(s, sm, "time")) == SMC_TYPE_U64);
+    CHECK(access_of(s, sm, 1, "p") == SMC_ACCESS_READ && access_of(s, sm, 1, "n") == (SMC_ACCESS_READ | SMC_ACCESS_WRITE) && access_of(s, sm, 1, "v") == SMC_ACCESS_WRITE);
+    CHECK(access_of(s, sm, 2, "v") == SMC_ACCESS_WRITE && access_of(s, sm, 2, "p") == SMC_ACCESS_READ && access_of(s, sm, 2, "n") == 0 && smc_model_use_count(s, sm) == 7);
+    for (uint32_t u = 1; u < smc_model_use_count(s, sm); u++)
+        CHECK(smc_model_use_state(s, sm, u - 1) < smc_model_use_state(s, sm, u) || smc_model_use_variable(s, sm, u - 1) < smc_model_use_variable(s, sm, u));
+    CHECK(smc_model_state_count(s, 1) == 0 && smc_model_state_count(NULL, sm) == 0 && is_text(smc_model_state_name(s, sm, 0), "") && is_text(smc_model_state_name(s, sm, 3), ""));
+    CHECK(smc_model_state_marks(s, sm, 3) == 0 && smc_model_state_line(s, sm, 3) == 0 && smc_model_transition_from(s, sm, 3) == 0 && smc_model_transition_to(s, sm, 3) == 0);
+    CHECK(smc_model_transition_block(s, sm, 3) == -1 && smc_model_transition_line(s, sm, 3) == 0 && is_text(smc_model_transition_guard(s, sm, 3), ""));
+    CHECK(is_text(smc_model_variable_name(s, sm, 6), "") && smc_model_variable_type(s, sm, 6) == -1 && smc_model_variable_kind(s, sm, 6) == -1 && smc_model_variable_line(s, sm, 6) == 0);
+    CHECK(smc_model_use_state(s, sm, 7) == 0 && smc_model_use_variable(s, sm, 7) == -1 && smc_model_use_access(s, sm, 7) == 0);
+    CHECK(smc_source_replace(s, sm, "[", 1) == SMC_OK && smc_model_state_count(s, sm) == 2 && smc_compile(s) == SMC_E_SOURCE && smc_model_state_count(s, sm) == 0);
+    smc_close(s);
+}
+
+// The machines of an application have a structure, too.
+static void has_structure_in_an_application(void)
+{
+    SmcSession *s = open_session();
+    static const char app[] = "[options]\nstate_vector \"bus.sv\"\ntime G 1 ms\n[main]\nevery 10 ms:\n    machine valve \"valve.sm\"\n";
+    const uint32_t of = add(s, SMC_KIND_APP, "rocket.app", app);
+    const uint32_t sm = add(s, SMC_KIND_SM, "valve.sm", "[state_vector]\nU64 G\nU32 S\nbool open\n[Idle]\n.step\n    open = G > 5\n");
+
+    add(s, SMC_KIND_SV, "bus.sv", "[Bus]\nU64 G\nU32 S\nbool open\n");
+    CHECK(smc_compile(s) == SMC_OK && smc_model_state_count(s, of) == 0 && smc_model_state_count(s, sm) == 1 && smc_model_variable_count(s, sm) == 3);
+    smc_close(s);
+}
+
+// ---- sources that come and go ----
+
+static void removes_sources(void)
+{
+    SmcSession *s = open_session();
+    const uint32_t broken = add(s, SMC_KIND_SM, "broken.sm", "["), sm = add(s, SMC_KIND_SM, "tank.sm", tank), ss = add(s, SMC_KIND_SS, "a.ss", script);
+    const char *text;
+    uint64_t size;
+    uint32_t fixed;
+
+    CHECK(smc_compile(s) == SMC_E_SOURCE && smc_source_remove(s, broken) == SMC_OK && smc_source_remove(s, broken) == SMC_E_INDEX);
+    CHECK(smc_source_count(s) == 3 && smc_source_kind(s, broken) == -1 && is_text(smc_source_name(s, broken), "") && is_text(smc_source_name(s, sm), "tank.sm"));
+    CHECK(smc_source_replace(s, broken, "", 0) == SMC_E_INDEX && smc_source_remove(s, 3) == SMC_E_INDEX && smc_source_remove(NULL, 0) == SMC_E_HANDLE);
+    CHECK(smc_diag_count(s) > 0 && smc_diag_place(s, 0, SMC_PART_DIAG, 0, SMC_PLACE_SOURCE, 0) == broken && smc_apply_edits(s, broken, &text, &size, &fixed) == SMC_OK);
+    CHECK(smc_compile(s) == SMC_OK && smc_run(s, ss, SMC_ENGINE_VM, 0) == SMC_OK && smc_apply_edits(s, broken, &text, &size, &fixed) == SMC_E_INDEX);
+    CHECK(smc_source_remove(s, ss) == SMC_OK && smc_run_outcome(s, ss) == SMC_OUTCOME_PASSED);
+    CHECK(add(s, SMC_KIND_SS, "b.ss", failing) == ss && add(s, SMC_KIND_SV, "bus.sv", "") == broken && smc_source_remove(s, broken) == SMC_OK);
+    CHECK(smc_compile(s) == SMC_OK && smc_run(s, ss, SMC_ENGINE_VM, 0) == SMC_E_FAILED);
+    CHECK(smc_source_remove(s, sm) == SMC_OK && smc_source_remove(s, ss) == SMC_OK && smc_compile(s) == SMC_E_STATE && smc_source_count(s) == 3);
+    CHECK(smc_sources_clear(s) == SMC_OK && smc_source_count(s) == 0 && add(s, SMC_KIND_SM, "a.sm", tank) == 0);
+    smc_close(s);
+}
+
 // ---- diagnostics ----
 
 static void has_diagnostics(void)
@@ -243,6 +331,32 @@ static void runs_scripts(void)
     smc_close(s);
 }
 
+// Two machines, each with a script of its own, and a script without a machine.
+static void runs_scripts_of_several_machines(void)
+{
+    SmcSession *s = open_session();
+    static const char other[] = "[state_vector]\nU64 G\nU32 S\nbool on\n[local]\nF64 most = 5 @read_only\n[Off]\n.step\n    on = G > most\n    G > 30: -> On\n[On]\n";
+    static const char writes[] = "[options]\ndelta_t 10\n[all_states]\nG == 0: most = 15\nG == 10: @assert not on\nG == 20 {\n    @assert on\n    @stop\n}\n";
+    const uint32_t first = add(s, SMC_KIND_SM, "tank.sm", tank), second = add(s, SMC_KIND_SM, "valve.sm", other);
+    const uint32_t good = add(s, SMC_KIND_SS, "good.ss", script), bad = add(s, SMC_KIND_SS, "bad.ss", failing), wrote = add(s, SMC_KIND_SS, "writes.ss", writes);
+    const char *text;
+    uint64_t size;
+
+    CHECK(smc_compile(s) == SMC_OK && smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_E_STATE && strstr(smc_error_text(s), "smc_script_assign") != NULL);
+    CHECK(smc_script_assign(s, good, first) == SMC_OK && smc_script_assign(s, bad, first) == SMC_OK && smc_script_assign(s, wrote, second) == SMC_OK);
+    CHECK(smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_E_STATE && smc_compile(s) == SMC_OK);
+    CHECK(smc_run(s, wrote, SMC_ENGINE_VM | SMC_ENGINE_REF, 0) == SMC_OK && smc_run_asserts(s, wrote) == 2);
+    CHECK(smc_run(s, good, SMC_ENGINE_VM | SMC_ENGINE_REF | SMC_ENGINE_VM_SOFT, 0) == SMC_OK && smc_run(s, bad, SMC_ENGINE_VM, 0) == SMC_E_FAILED);
+    CHECK(smc_diagram(s, first, SMC_DIAGRAM_SVG, &text, &size) == SMC_OK && smc_diagram(s, second, SMC_DIAGRAM_SVG, &text, &size) == SMC_OK);
+    CHECK(smc_report(s, first, SMC_REPORT_TEXT, &text, &size) == SMC_E_STATE);
+    CHECK(smc_script_assign(s, good, second) == SMC_OK && smc_compile(s) == SMC_E_SOURCE && smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_E_SOURCE);       // it has no `p`
+    CHECK(smc_script_assign(s, first, second) == SMC_E_ARGUMENT && smc_script_assign(s, good, bad) == SMC_E_ARGUMENT && smc_script_assign(s, 9, first) == SMC_E_INDEX);
+    CHECK(smc_script_assign(s, good, 9) == SMC_E_INDEX && smc_script_assign(NULL, good, first) == SMC_E_HANDLE);
+    CHECK(smc_source_remove(s, second) == SMC_OK && smc_source_remove(s, wrote) == SMC_OK && smc_compile(s) == SMC_OK && smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_OK);
+    CHECK(add(s, SMC_KIND_SM, "valve.sm", other) == wrote && smc_compile(s) == SMC_OK && smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_E_STATE && smc_run(s, bad, SMC_ENGINE_VM, 0) == SMC_E_FAILED);
+    smc_close(s);
+}
+
 static void cancels(void)
 {
     SmcSession *s = open_session();
@@ -342,6 +456,71 @@ static void opens_images(void)
     free(image);
     smc_close(s);
     smc_close(second);
+}
+
+// An image with two machines.
+static void opens_each_machine(void)
+{
+    SmcSession *s = open_session();
+    static const char second[] = "[state_vector]\nU64 G\nU32 S\nbool v\n[Only]\n.step\n    v = G > 5\n", vector[] = "[Bus]\nU64 G\nU32 S\nF32 p @range 0 1000\nbool valve\nI16 small\nbool v\n";
+    const void *bytes;
+    uint64_t size;
+    uint32_t count = 0;
+    SmcMachine m = 0;
+
+    add(s, SMC_KIND_SM, "dir/first.sm", tank);
+    add(s, SMC_KIND_SM, "second.sm", second);
+    add(s, SMC_KIND_SV, "bus.sv", vector);
+    CHECK(smc_option_set(s, SMC_OPTION_NAMES, 1) == SMC_OK && smc_compile(s) == SMC_OK && smc_emit(s, SMC_EMIT_IMAGE) == SMC_OK);
+    CHECK(smc_output(s, 0, &bytes, &size) == SMC_OK && smc_image_machine_count(s, bytes, size, &count) == SMC_OK && count == 2);
+    CHECK(smc_machine_open_image(s, bytes, size, 0, &m) == SMC_OK && is_text(smc_machine_name(s, m), "first") && smc_machine_state_count(s, m) == 2);
+    CHECK(smc_machine_open_image(s, bytes, size, 1, &m) == SMC_OK && is_text(smc_machine_name(s, m), "second") && is_text(smc_machine_state_name(s, m, 1), "Only"));
+    CHECK(smc_machine_open_image(s, bytes, size, 2, &m) == SMC_E_INDEX && smc_machine_open_image(s, bytes, size, 256, &m) == SMC_E_INDEX);
+    CHECK(smc_image_machine_count(s, bytes, size - 1, &count) == SMC_E_IMAGE && smc_image_machine_count(s, NULL, size, &count) == SMC_E_ARGUMENT && count == 2);
+    CHECK(smc_image_machine_count(s, bytes, size, NULL) == SMC_E_ARGUMENT && smc_image_machine_count(s, bytes, UINT64_MAX, &count) == SMC_E_SIZE);
+    CHECK(smc_image_machine_count(NULL, bytes, size, &count) == SMC_E_HANDLE && smc_image_machine_count(s, "", 0, &count) == SMC_E_IMAGE && is_text(smc_machine_name(s, 0), ""));
+    CHECK(smc_option_set(s, SMC_OPTION_NAMES, 0) == SMC_OK && smc_compile(s) == SMC_OK && smc_emit(s, SMC_EMIT_IMAGE) == SMC_OK && smc_output(s, 0, &bytes, &size) == SMC_OK);
+    CHECK(smc_machine_open_image(s, bytes, size, 1, &m) == SMC_OK && is_text(smc_machine_name(s, m), ""));
+    smc_close(s);
+}
+
+// Whether the list has an item of this kind and name, with this fate.
+static bool has_item(const SmcSession *s, int32_t kind, const char *name, int32_t fate)
+{
+    for (uint32_t i = 0; i < smc_swap_item_count(s); i++)
+        if (smc_swap_item_kind(s, i) == kind && is_text(smc_swap_item_name(s, i), name))
+            return smc_swap_item_fate(s, i) == fate;
+    return false;
+}
+
+static void lists_what_a_swap_keeps(void)
+{
+    SmcSession *s = open_session();
+    static const char older[] = "[state_vector]\nU64 G\nU32 S\nF64 p\nbool v\n[local]\nU8 n = 0\nF64 old = 1\nI16 k = 2\n[A] @safe\n.step\n    n = n + 1\n    old = old + k\n"
+                                "    k = k + 1\n    v = roll_avg(p, 4) > 1 or roll_max(p, 7) > old\n    n > 9: -> Gone\n[Gone]\n";
+    static const char newer[] = "[state_vector]\nU64 G\nU32 S\nF64 p\nbool v\n[local]\nU8 n = 5\nF64 k = 2\nU32 more = 0\n[First]\n[A] @safe\n.step\n    n = n + 2\n    k = k + 1\n"
+                                "    more = more + k\n    v = roll_max(p, 4) > more or roll_avg(p, 9) > n\n";
+    const uint32_t a = add(s, SMC_KIND_SM, "a.sm", older), b = add(s, SMC_KIND_SM, "b.sm", newer);
+    SmcMachine from = 0, to = 0, third = 0;
+
+    CHECK(smc_option_set(s, SMC_OPTION_WARNINGS, 0) == SMC_OK && smc_compile(s) == SMC_OK && smc_machine_open(s, a, &third) == SMC_OK);
+    add(s, SMC_KIND_SV, "bus.sv", "[Bus]\nU64 G\nU32 S\nF64 p\nbool v\n");
+    CHECK(smc_compile(s) == SMC_OK && smc_machine_open(s, a, &from) == SMC_OK && smc_machine_open(s, b, &to) == SMC_OK && smc_swap_item_count(s) == 0 && smc_swap_item_kind(s, 0) == -1);
+    CHECK(smc_swap_compare(s, from, to) == SMC_OK && smc_swap_item_count(s) == 10);
+    CHECK(has_item(s, SMC_SWAP_STATE, "A", SMC_SWAP_KEPT) && has_item(s, SMC_SWAP_STATE, "First", SMC_SWAP_ADDED) && has_item(s, SMC_SWAP_STATE, "Gone", SMC_SWAP_REMOVED));
+    CHECK(has_item(s, SMC_SWAP_LOCAL, "n", SMC_SWAP_KEPT) && has_item(s, SMC_SWAP_LOCAL, "k", SMC_SWAP_CHANGED) && has_item(s, SMC_SWAP_LOCAL, "more", SMC_SWAP_ADDED));
+    CHECK(has_item(s, SMC_SWAP_LOCAL, "old", SMC_SWAP_REMOVED) && has_item(s, SMC_SWAP_WINDOW, "roll(p, 4)", SMC_SWAP_KEPT));
+    CHECK(has_item(s, SMC_SWAP_WINDOW, "roll(p, 9)", SMC_SWAP_ADDED) && has_item(s, SMC_SWAP_WINDOW, "roll(p, 7)", SMC_SWAP_REMOVED));
+    CHECK(smc_swap_item_kind(s, 10) == -1 && smc_swap_item_fate(s, 10) == -1 && is_text(smc_swap_item_name(s, 10), ""));
+    CHECK(smc_swap_compare(s, from, third) == SMC_E_REFUSED && strstr(smc_error_text(s), "layouts") != NULL && smc_swap_item_count(s) == 10);
+    CHECK(smc_swap_compare(s, from, from) == SMC_E_ARGUMENT && smc_swap_compare(s, 0, to) == SMC_E_HANDLE && smc_swap_compare(NULL, from, to) == SMC_E_HANDLE);
+    CHECK(smc_machine_step(s, from, 1) == SMC_OK && smc_swap_compare(s, to, from) == SMC_OK && has_item(s, SMC_SWAP_STATE, "First", SMC_SWAP_REMOVED));
+    CHECK(smc_machine_continue(s, from, to) == SMC_OK && has_item(s, SMC_SWAP_STATE, "First", SMC_SWAP_ADDED) && get(s, to, "n") == 1 && get(s, to, "k") == 2);
+    CHECK(smc_machine_close(s, from) == SMC_OK && smc_machine_close(s, to) == SMC_OK && has_item(s, SMC_SWAP_LOCAL, "old", SMC_SWAP_REMOVED));
+    for (int32_t fate = SMC_SWAP_KEPT; fate <= SMC_SWAP_CHANGED; fate++)
+        CHECK(smc_swap_fate_text(fate)[0] != '\0');
+    CHECK(is_text(smc_swap_fate_text(-1), "") && is_text(smc_swap_fate_text(4), "") && smc_swap_item_count(NULL) == 0);
+    smc_close(s);
 }
 
 static void continues(void)
@@ -453,6 +632,9 @@ int main(void)
     compiles();
     compiles_together();
     compiles_an_application();
+    has_structure();
+    has_structure_in_an_application();
+    removes_sources();
     has_diagnostics();
     applies_edits();
     counts_utf16_columns();
@@ -460,9 +642,12 @@ int main(void)
     reports_errors_in_utf8();
     keeps_allowed_warnings();
     runs_scripts();
+    runs_scripts_of_several_machines();
     cancels();
     runs_machines();
     opens_images();
+    opens_each_machine();
+    lists_what_a_swap_keeps();
     continues();
     refuses_closed_sessions();
     refuses_null();

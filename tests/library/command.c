@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Some of smc's commands by libsmc's public header alone; tests/library/parity.sh compares their output with that of smc.
-//     command image|c|report|graph|check|run FILE…        writes to standard output; outputs of `c` follow each other
+//     command image|c|report|graph|check|run|structure FILE…        writes to standard output; outputs of `c` follow each other
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -56,6 +56,41 @@ static int run_all(SmcSession *s)
     return failed;
 }
 
+// Whether the machine of source 0 has, when it is opened, the states and variables of its structure, with the same numbers.
+static int has_equal_machine(SmcSession *s)
+{
+    SmcMachine m;
+    uint32_t states = smc_model_state_count(s, 0), variables;
+
+    if (smc_machine_open(s, 0, &m) != SMC_OK || states == 0 || states != smc_machine_state_count(s, m))
+        return 0;
+    for (uint32_t i = 1; i <= states; i++)
+        if (strcmp(smc_model_state_name(s, 0, i), smc_machine_state_name(s, m, i)) != 0 ||
+            (smc_model_state_marks(s, 0, i) & ~(uint32_t)SMC_MARK_FINAL) != smc_machine_state_marks(s, m, i))
+            return 0;
+    variables = smc_machine_variable_count(s, m);
+    for (uint32_t i = 0; i < variables; i++)
+        if (strcmp(smc_model_variable_name(s, 0, i), smc_machine_variable_name(s, m, i)) != 0 ||
+            smc_model_variable_type(s, 0, i) != smc_machine_variable_type(s, m, i) || smc_model_variable_kind(s, 0, i) != smc_machine_variable_kind(s, m, i))
+            return 0;
+    for (uint32_t i = variables; i < smc_model_variable_count(s, 0); i++)
+        if (smc_model_variable_kind(s, 0, i) != SMC_VARIABLE_CONSTANT)
+            return 0;
+    return variables > 0;
+}
+
+// One line for each transition.
+static int write_structure(SmcSession *s)
+{
+    static const char *const block[] = {".entry", ".step", ".exit"};
+
+    for (uint32_t t = 0; t < smc_model_transition_count(s, 0); t++)
+        printf("%u %s %s %s %u %s\n", (unsigned)t + 1, smc_model_state_name(s, 0, smc_model_transition_from(s, 0, t)),
+               smc_model_state_name(s, 0, smc_model_transition_to(s, 0, t)), block[smc_model_transition_block(s, 0, t)],
+               (unsigned)smc_model_transition_line(s, 0, t), smc_model_transition_guard(s, 0, t));
+    return !has_equal_machine(s);
+}
+
 int main(int argc, char **argv)
 {
     SmcSession *s;
@@ -82,6 +117,8 @@ int main(int argc, char **argv)
         r = smc_diagram(s, 0, SMC_DIAGRAM_SVG, &text, &size);
     else if (strcmp(what, "run") == 0)
         failed = run_all(s);
+    else if (strcmp(what, "structure") == 0)
+        failed = write_structure(s);
     else if ((r = smc_emit(s, strcmp(what, "image") == 0 ? SMC_EMIT_IMAGE : SMC_EMIT_C)) == SMC_OK)
         write_outputs(s);
     fwrite(text, 1, (size_t)size, stdout);

@@ -25,6 +25,10 @@ for machine in examples/*/*.sm tests/app/*.sm; do
     "$smc" graph -w "$machine" -o "$dir/smc" --format=svg --force 2>/dev/null
     "$smc" graph "$machine" -o "$dir/smc" --format=svg --force 2>/dev/null
     check "diagram of $machine" equal graph "$machine"
+    "$smc" report "$machine" -o "$dir/report" --format=json --force 2>/dev/null
+    sed -n 's/.*{"number": \([0-9]*\), "from": "\([^"]*\)", "to": "\([^"]*\)", "when": "\([^"]*\)", "block": "\([^"]*\)", "line": \([0-9]*\),.*/\1 \2 \3 \5 \6 \4/p' "$dir/report" >"$dir/smc"
+    check "structure of $machine" equal structure "$machine"
+    check "which an opened machine has" "$command" structure "$machine"
     for script in $scripts; do
         "$smc" test "$machine" "$script" >"$dir/smc" 2>/dev/null
         check "run of $script" equal run "$machine" "$script"

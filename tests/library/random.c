@@ -25,7 +25,7 @@ static const char *const text_of[] = {
     "[options]\ndelta_t 1\n[all_states]\nG == 5: p = 7\nG == 9 {\n    @assert not v\n    @stop\n}\n",
     "[options]\ndelta_t 1\n[A]\np > 5: @assert false\nG > 50: @stop\n",
     "[digital]\no 8 v\n",
-    "[options]\nstate_vector \"0.sv\"\ntime_unit 1 ms\n[executor main]\nevery 10 ms {\n    machine m \"1.sm\"\n}\n",
+    "[options]\nstate_vector \"0.sv\"\ntime G 1 ms\n[main]\nevery 10 ms:\n    machine m \"1.sm\"\n",
     "if x then y = 1 else ->", ""};
 enum { TEXTS = sizeof text_of / sizeof *text_of };
 
@@ -83,13 +83,17 @@ static void open_changed_image(SmcSession *s, SmcMachine *m)
     const void *bytes;
     uint64_t size;
     unsigned char *copy;
+    uint32_t count;
 
     if (smc_output(s, draw(2), &bytes, &size) != SMC_OK || (copy = malloc((size_t)size + 1)) == NULL)
         return;
     memcpy(copy, bytes, (size_t)size);
     for (uint32_t i = draw(3); i > 0 && size > 0; i--)
         copy[draw((uint32_t)size)] ^= (unsigned char)(1u << draw(8));
-    smc_machine_open_image(s, copy, draw(10) ? size : draw((uint32_t)size + 1), draw(3), m);
+    size = draw(10) ? size : draw((uint32_t)size + 1);
+    if (smc_image_machine_count(s, copy, size, &count) == SMC_OK)
+        CHECK(count <= 256 && (count == 0 || smc_machine_open_image(s, copy, size, draw(count), m) != SMC_E_INDEX));
+    smc_machine_open_image(s, copy, size, draw(3), m);
     free(copy);
 }
 
@@ -115,6 +119,34 @@ static void use_machine(SmcSession *s, SmcMachine m, SmcMachine other)
     }
 }
 
+// Everything that the session says about the structure of a source, one number beyond each end.
+static void read_structure(const SmcSession *s, uint32_t sm)
+{
+    const uint32_t states = smc_model_state_count(s, sm), variables = smc_model_variable_count(s, sm);
+
+    CHECK(smc_model_state_marks(s, sm, 0) == 0 && smc_model_state_line(s, sm, states + 1) == 0);
+    for (uint32_t i = 0; i <= states + 1; i++)
+        CHECK((smc_model_state_name(s, sm, i)[0] != '\0') == (i >= 1 && i <= states) && smc_model_state_marks(s, sm, i) < 16);
+    for (uint32_t i = 0; i < smc_model_transition_count(s, sm); i++)
+        CHECK(smc_model_transition_from(s, sm, i) - 1 < states && smc_model_transition_to(s, sm, i) - 1 < states && smc_model_transition_line(s, sm, i) > 0 &&
+              smc_model_transition_block(s, sm, i) >= 0 && strlen(smc_model_transition_guard(s, sm, i)) < 100000);
+    for (uint32_t i = 0; i < variables; i++)
+        CHECK(smc_model_variable_name(s, sm, i)[0] != '\0' && smc_model_variable_type(s, sm, i) >= 0 && smc_model_variable_kind(s, sm, i) >= 0 &&
+              smc_model_variable_line(s, sm, i) > 0);
+    for (uint32_t i = 0; i < smc_model_use_count(s, sm); i++)
+        CHECK(smc_model_use_state(s, sm, i) - 1 < states && smc_model_use_variable(s, sm, i) >= 0 && smc_model_use_variable(s, sm, i) < variables &&
+              smc_model_use_access(s, sm, i) - 1 < 3);
+}
+
+static void compare_machines(SmcSession *s, SmcMachine from, SmcMachine to)
+{
+    if (smc_swap_compare(s, from, to) == SMC_OK && draw(2))
+        smc_machine_close(s, draw(2) ? from : to);
+    for (uint32_t i = 0; i < smc_swap_item_count(s); i++)
+        CHECK(strlen(smc_swap_item_name(s, i)) > 0 && smc_swap_item_kind(s, i) >= 0 && smc_swap_fate_text(smc_swap_item_fate(s, i))[0] != '\0');
+    CHECK(smc_swap_item_kind(s, smc_swap_item_count(s)) == -1);
+}
+
 static void call_once(SmcSession *s, SmcMachine *machine)
 {
     const char *text;
@@ -124,7 +156,7 @@ static void call_once(SmcSession *s, SmcMachine *machine)
     SmcMachine *m = &machine[draw(HANDLES)];
     static const char *const words[] = {"everything", "no-dead-code", "error", "flight", "nonsense", "error=output-left-on"};
 
-    switch (draw(20)) {
+    switch (draw(24)) {
     case 0: case 1: case 2: add_source(s); break;
     case 3: size = mutate(changed); smc_source_replace(s, source, changed, size); break;
     case 4: if (draw(5) == 0) smc_sources_clear(s); break;
@@ -140,10 +172,14 @@ static void call_once(SmcSession *s, SmcMachine *machine)
     case 15: smc_apply_edits(s, source, &text, &size, &n); break;
     case 16: smc_machine_open(s, source, m); break;
     case 17: open_changed_image(s, m); break;
-    case 18: if (draw(4) == 0) smc_machine_close(s, *m); else read_diagnostics(s); break;
+    case 18: if (draw(3) == 0) smc_source_remove(s, source); break;
+    case 22: smc_script_assign(s, source, draw(6)); break;
+    case 19: read_structure(s, source); break;
+    case 20: compare_machines(s, *m, machine[draw(HANDLES)]); break;
+    case 21: if (draw(4) == 0) smc_machine_close(s, *m); else read_diagnostics(s); break;
     default: use_machine(s, *m, machine[draw(HANDLES)]); break;
     }
-    CHECK(strlen(smc_error_text(s)) < 1000 && strlen(smc_run_report(s, source)) < 1000000 && strlen(smc_run_trace(s, source)) < 10000000);
+    CHECK(strlen(smc_error_text(s)) < 1000 && strlen(smc_machine_name(s, *m)) < 100000 && strlen(smc_run_report(s, source)) < 1000000 && strlen(smc_run_trace(s, source)) < 10000000);
 }
 
 static void run_sequence(uint64_t seed)

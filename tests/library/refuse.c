@@ -93,10 +93,52 @@ static SmcResult call_open_and_close(SmcSession *s)
     return r;
 }
 
+static unsigned char *image;       // of the machine
+static uint64_t image_size;
+
+static SmcResult call_open_image(SmcSession *s)
+{
+    SmcMachine m = 0;
+    const SmcResult r = smc_machine_open_image(s, image, image_size, 0, &m);
+
+    CHECK(r == SMC_OK ? smc_machine_close(s, m) == SMC_OK : m == 0);
+    return r;
+}
+
+// Opens two machines, and closes them after a call.
+static SmcResult with_two_machines(SmcSession *s, SmcResult (*call)(SmcSession *s, SmcMachine from, SmcMachine to))
+{
+    SmcMachine from = 0, to = 0;
+    SmcResult r = smc_machine_open(s, sm, &from);
+
+    if (r == SMC_OK)
+        r = smc_machine_open(s, sm, &to);
+    if (r == SMC_OK)
+        r = call(s, from, to);
+    CHECK(from == 0 || smc_machine_close(s, from) == SMC_OK);
+    CHECK(to == 0 || smc_machine_close(s, to) == SMC_OK);
+    return r;
+}
+
+static SmcResult call_compare(SmcSession *s) { return with_two_machines(s, smc_swap_compare); }
+static SmcResult call_continue(SmcSession *s) { return with_two_machines(s, smc_machine_continue); }
+
+static SmcResult call_add_and_remove(SmcSession *s)
+{
+    uint32_t source = 0;
+    const SmcResult r = smc_source_add(s, SMC_KIND_SS, "other.ss", script, strlen(script), &source);
+
+    if (r == SMC_OK)
+        CHECK(source == 2 && smc_source_remove(s, source) == SMC_OK);
+    return r;
+}
+
 static const struct { const char *name; Call *call; SmcResult result; } calls[] = {
     {"add", call_add, SMC_OK}, {"replace", call_replace, SMC_OK}, {"select", call_select, SMC_OK}, {"prefix", call_prefix, SMC_OK},
     {"emit", call_emit, SMC_OK}, {"emit the tree", call_emit_ast, SMC_OK}, {"run", call_run, SMC_E_FAILED}, {"render", call_render, SMC_OK},
-    {"edit", call_edit, SMC_OK}, {"draw", call_draw, SMC_OK}, {"report", call_report, SMC_OK}, {"open", call_open_and_close, SMC_OK}};
+    {"edit", call_edit, SMC_OK}, {"draw", call_draw, SMC_OK}, {"report", call_report, SMC_OK}, {"open", call_open_and_close, SMC_OK},
+    {"open an image", call_open_image, SMC_OK}, {"compare", call_compare, SMC_OK}, {"continue", call_continue, SMC_OK},
+    {"add and remove", call_add_and_remove, SMC_OK}};
 enum { CALLS = sizeof calls / sizeof *calls };
 
 // ---- what a session shows ----
@@ -119,7 +161,7 @@ static Shown read_session(const SmcSession *s)
 {
     Shown to = {NULL, 0};
     const uint64_t number[] = {smc_source_count(s), smc_diag_count(s), smc_diag_allowed_count(s), smc_output_count(s), smc_run_steps(s, ss),
-                               (uint64_t)smc_run_outcome(s, ss), smc_run_asserts(s, ss)};
+                               (uint64_t)smc_run_outcome(s, ss), smc_run_asserts(s, ss), smc_model_use_count(s, sm), smc_swap_item_count(s)};
 
     append(&to, number, sizeof number);
     for (uint32_t i = 0; i < smc_diag_count(s); i++) {
@@ -136,6 +178,10 @@ static Shown read_session(const SmcSession *s)
         append(&to, bytes, (size_t)size);
     }
     append_text(&to, smc_run_report(s, ss));
+    for (uint32_t t = 0; t < smc_model_transition_count(s, sm); t++)
+        append_text(&to, smc_model_transition_guard(s, sm, t));
+    for (uint32_t i = 0; i < smc_swap_item_count(s); i++)
+        append_text(&to, smc_swap_item_name(s, i));
     return to;
 }
 
@@ -152,6 +198,16 @@ static SmcSession *open_compiled(void)
     CHECK(smc_source_add(s, SMC_KIND_SS, "a.ss", script, strlen(script), &ss) == SMC_OK);
     CHECK(smc_option_set(s, SMC_OPTION_REVIEW, 1) == SMC_OK && smc_compile(s) == SMC_OK && smc_diag_count(s) > 0);
     return s;
+}
+
+static void emit_image(void)
+{
+    SmcSession *s = open_compiled();
+    const void *bytes = NULL;
+
+    CHECK(smc_emit(s, SMC_EMIT_IMAGE) == SMC_OK && smc_output(s, 0, &bytes, &image_size) == SMC_OK && (image = malloc((size_t)image_size)) != NULL);
+    memcpy(image, bytes, (size_t)image_size);
+    CHECK(smc_close(s) == SMC_OK);
 }
 
 // Refuses the allocations of one call one after the other, until none is left.  Returns how many there were.
@@ -274,6 +330,7 @@ static void adds_many_sources(void)
 
 int main(void)
 {
+    emit_image();
     for (int i = 0; i < CALLS; i++)
         refuses(i);
     refuses_compiling();
@@ -281,5 +338,6 @@ int main(void)
     uses_bounded_memory();
     allocates_often();
     adds_many_sources();
+    free(image);
     return test_end("refuse");
 }
