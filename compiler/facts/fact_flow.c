@@ -266,12 +266,14 @@ static void visit_ins(FlowWalk *w, IrRef r, uint32_t at)
 
 // ---- facts from a branch ----
 
-// Whether temporary r has a home (FactHome) that still contains r's value: no later store in this block has changed it.
+// Whether temporary r has a home (FactHome) that still contains r's value: no later store in this block has changed it.  A home that is not
+// needed from this block on is no home: set_if_needed may have left out its last store, so the environment can have the fact before that.
 static bool has_home(const FlowWalk *w, IrRef r)
 {
     const FactHome h = w->home[r];
 
-    return h.var != IR_NONE && (w->fm->epoch[h.var] != w->epoch || w->fm->stored[h.var] <= h.at);
+    return h.var != IR_NONE && is_needed_from(w, slot_of(w, h.var), w->block)
+        && (w->fm->epoch[h.var] != w->epoch || w->fm->stored[h.var] <= h.at);
 }
 
 // Converts bounds of an F64 that was converted from a value of this type to bounds of that value.  For a 64-bit integer, a bound is kept
