@@ -80,7 +80,7 @@ typedef struct LibraryResults {
     uint32_t *input;              // 1 + its index in in.at; 0: it is no input of its own
     LibraryRun *run;
     Report *review;               // of the only machine; NULL: not begun.  Runs refer to its transitions
-    LibraryImage *image;          // of a machine, with names
+    LibraryImage *image;          // by source: the image of its machine, with names
     CompileInput in;
     CompileOptions o;
     DiagSelection selection;
