@@ -513,6 +513,7 @@ static void store_effect(FlowWalk *w, FactEffect *effect)
     w->effect[w->block] = *effect;
 }
 
+// Computes the facts of block b: visits its instructions, or repeats the effect of the last visit if the block loads the same facts.
 static void visit_block(FlowWalk *w, IrBlkRef b)
 {
     FactEffect effect = {0};

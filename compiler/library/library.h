@@ -117,7 +117,7 @@ typedef struct LibraryResults {
     LibraryRun *run;
     LibraryBench *bench;          // of the machine with this number, for its scripts
     uint32_t *machine;            // of the script with this number; UINT32_MAX: it has none
-    LibraryImage *image;          // of a machine, with names
+    LibraryImage *image;          // by source: the image of its machine, with names
     CompileInput in;
     CompileOptions o;
     DiagSelection selection;

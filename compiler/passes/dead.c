@@ -9,6 +9,7 @@
 // stay, the function subtracts one from the use counts of its operands.
 typedef bool VisitFn(const IrFn *f, IrRef ref, Facts *facts);
 
+// Removes the instructions of a block for which `visit` returns false.
 static void filter_block(const IrFn *f, IrBlk *blk, Facts *facts, VisitFn *visit)
 {
     uint32_t kept = blk->ins.n, n = 0;

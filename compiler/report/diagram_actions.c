@@ -24,6 +24,7 @@ static void add_action(Diagram *d, DiagramNode *n, const char *block, const char
     vec_push(d->a->arena, &n->action, action);
 }
 
+// Adds an assignment to the actions of its state, unless it belongs to a transition or does not set an element.
 static void add_assignment(const StmtLocation *at, void *context)
 {
     static const char *const block_name[BLOCK_COUNT] = {"entry", "step", "exit"};

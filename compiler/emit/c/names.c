@@ -229,6 +229,7 @@ static const char **assign_function_names(NameSet *s, const char *prefix, const 
     return out;
 }
 
+// Assigns the names of what the flight runtime needs for a state vector: access functions, enumerators of elements and regions.
 void names_assign_runtime(Arena *arena, const CNames *names, const StateVec *sv, CVectorNames *out)
 {
     const char **element = ARENA_ARRAY(arena, const char *, sv->element.n), **region = ARENA_ARRAY(arena, const char *, sv->region.n);
