@@ -85,7 +85,8 @@ static const EarlierGuard *find_guard(const ReachWalk *k, const Expr *guard, con
     return NULL;
 }
 
-// Returns an earlier guard that has its excluded outcome whenever `guard` is true, judged by the expressions alone; or NULL.
+// Returns an earlier guard whose outcome on every path to here contradicts `guard`, so that `guard` is never true; NULL if there is none.
+// Only compares the two expressions.
 const EarlierGuard *find_excluding_guard(const ReachWalk *k, const Expr *guard, const EarlierGuards *b)
 {
     return find_guard(k, guard, b, is_excluded_syntactically);

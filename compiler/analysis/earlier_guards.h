@@ -26,7 +26,7 @@ bool is_unchanged(const ReachWalk *k, const Stmt *s, const Expr *e);
 
 // Whether the guard of b is the same expression as `guard`, and is false on every path to the current position.
 bool is_same_guard(const ReachWalk *k, const Expr *guard, const EarlierGuard *b);
-// Both return an earlier guard that has its excluded outcome whenever `guard` is true, so that `guard` is never true; or NULL.
+// Both return an earlier guard whose outcome on every path to here contradicts `guard`, so that `guard` is never true; or NULL.
 // find_excluding_guard only compares the two expressions, find_explaining_guard also uses facts.
 const EarlierGuard *find_excluding_guard(const ReachWalk *k, const Expr *guard, const EarlierGuards *b);
 const EarlierGuard *find_explaining_guard(const ReachWalk *k, const Expr *guard, const EarlierGuards *b);

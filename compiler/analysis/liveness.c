@@ -12,7 +12,7 @@ typedef VEC(uint32_t) StateNumbers;
 // instructions are neither.
 typedef struct Access {
     uint32_t var;
-    uint32_t at;                  // index in its block's list
+    uint32_t at;                  // index in the list of the block's instructions
     IrBlkRef blk;
     bool store;
 } Access;

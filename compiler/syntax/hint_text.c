@@ -136,7 +136,7 @@ bool hint_follows_value(const Lexer *l, bool first)
                       l->last == TOK_FALSE || l->last == TOK_ERROR);
 }
 
-// ---- lines ----
+// ---- whole lines in the syntax of other languages ----
 
 // Reads `state Hold:` and `def hold():`, at the start of a line, as the header [Hold].
 HintResult hint_read_state(Lexer *l, Token *t)
