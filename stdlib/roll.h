@@ -8,8 +8,8 @@
 //     y = sm_roll_stat(w, n, kind, SM_STAT_MEDIAN);
 //
 // A statistic of an empty window is 0.  A sample is passed as an int64_t: an integer as it is, an F32 or F64 as its bits (sm_roll_of_f32,
-// sm_roll_of_f64), with NaN replaced by 0.  A window stores the key of each sample: an integer whose order is that of the samples' values,
-// with -0 below 0.  Samples of I64 and U64 are stored as F64.
+// sm_roll_of_f64), with NaN replaced by 0.  A window stores the key of each sample.  Where keys are compared, they are integers whose order is
+// that of the samples' values, with -0 below 0; otherwise a key is the sample itself.  Samples of I64 and U64 are stored as F64.
 //
 // The first word of w is the ring: the number of samples, and the slot of the next one.  The functions that sm_roll_sample and sm_roll_stat call
 // receive w + 1, which is the window without its ring.  Emitted C calls these, with n and kind as constants: sm_roll_advance; sm_roll_push or one
@@ -102,6 +102,16 @@ enum {
 #define SM_ROLL_UNROLL
 #endif
 #endif
+// snippet: SM_ROLL_BY_VALUE
+// 1: a window of F32 or F64 without a median stores its samples as they are, and compares them as numbers.  For processors whose registers hold
+// such numbers, where that costs less than comparing keys.  Must be the same for all files that are compiled together.
+#ifndef SM_ROLL_BY_VALUE
+#if !SM_ROLL_SMALL && (defined(__SSE2__) || defined(_M_X64) || defined(__aarch64__) || defined(_M_ARM64))
+#define SM_ROLL_BY_VALUE 1
+#else
+#define SM_ROLL_BY_VALUE 0
+#endif
+#endif
 // snippet: SM_ROLL_AT_ONCE
 // The number of samples that one iteration adds or compares: 4 or 1.
 #if !defined(SM_ROLL_AT_ONCE)
@@ -133,14 +143,31 @@ static inline int64_t sm_roll_of_f64(SmF64 x)
     memcpy(&bits, &x, sizeof bits);
     return sm_is_nan(x) ? 0 : bits;
 }
-// snippet: sm_roll_key
-// Converts a sample to its key, or a key to its sample.  Keys have the order of the numbers, with -0 below 0.  In a window without a statistic
-// that compares samples (SM_ROLL_ORDER), the key is the sample itself.
-SM_ROLL_INLINE SmRollKey sm_roll_key(uint32_t kind, SmRollKey sample)
+// snippet: sm_roll_ordered
+// Converts a sample to an integer, or that integer to its sample.  These integers have the order of the numbers, with -0 below 0.
+SM_ROLL_INLINE SmRollKey sm_roll_ordered(uint32_t kind, SmRollKey sample)
 {
-    if ((kind & SM_ROLL_TYPE) < SM_ROLL_F32 || sample >= 0 || (!SM_ROLL_SMALL && (kind & SM_ROLL_ORDER) == 0))
+    if ((kind & SM_ROLL_TYPE) < SM_ROLL_F32 || sample >= 0)
         return sample;
     return (SmRollKey)(sample ^ ((kind & SM_ROLL_TYPE) == SM_ROLL_F32 ? 0x7FFFFFFF : 0x7FFFFFFFFFFFFFFF));
+}
+// snippet: sm_roll_stores_order
+// Whether a window stores its samples as the integers of sm_roll_ordered.  Otherwise it stores their bits.
+SM_ROLL_INLINE bool sm_roll_stores_order(uint32_t kind)
+{
+    return SM_ROLL_SMALL || (kind & (SM_ROLL_BY_VALUE ? (uint32_t)SM_ROLL_MEDIAN : (uint32_t)SM_ROLL_ORDER)) != 0;
+}
+// snippet: sm_roll_key
+// Converts a sample to its key, which is what the window stores, or a key to its sample.
+SM_ROLL_INLINE SmRollKey sm_roll_key(uint32_t kind, SmRollKey sample)
+{
+    return sm_roll_stores_order(kind) ? sm_roll_ordered(kind, sample) : sample;
+}
+// snippet: sm_roll_order_of_key
+// Converts a key to the integer of sm_roll_ordered, or that integer to its key.
+SM_ROLL_INLINE SmRollKey sm_roll_order_of_key(uint32_t kind, SmRollKey key)
+{
+    return sm_roll_stores_order(kind) ? key : sm_roll_ordered(kind, key);
 }
 // snippet: sm_roll_value
 // Converts a key to its number.
@@ -438,7 +465,7 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t 
     const unsigned partials = sm_roll_node_partials(n, kind);
     const uint32_t i = at.slot, count = at.count < n ? at.count + 1u : n;
     const bool paired = (i ^ 1u) < count;
-    const SmRollKey key = sm_roll_slot_key(w, n, kind, (SmRollSize)i), other = sm_roll_slot_key(w, n, kind, (SmRollSize)(i ^ (uint32_t)paired));
+    SmRollKey key = sm_roll_slot_key(w, n, kind, (SmRollSize)i), other = sm_roll_slot_key(w, n, kind, (SmRollSize)(i ^ (uint32_t)paired));
     uint64_t *node = w + sm_roll_nodes_at(n, kind), *all = w + (sm_roll_partials(n, kind) & 1u);
     SmF64 sum = sm_roll_value(kind, key);
     if ((partials & 2u) != 0) {
@@ -446,6 +473,8 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t 
         *all++ = sm_bits(sm_roll_update_sums(node, n, i, count, sum));
         node += sm_roll_tree_words(n);
     }
+    key = sm_roll_order_of_key(kind, key);
+    other = sm_roll_order_of_key(kind, other);
     if ((partials & 4u) != 0) {
         *all++ = (uint64_t)sm_roll_update_smallest(node, n, i, count, key < other ? key : other);
         node += sm_roll_tree_words(n);
@@ -515,6 +544,62 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_avg(const uint64_t *w, uint32_t n, uint32
 // snippet: sm_roll_extreme_of_two
 // The smaller key, or the larger if `up`.
 SM_ROLL_INLINE SmRollKey sm_roll_extreme_of_two(bool up, SmRollKey a, SmRollKey b) { return (up ? a > b : a < b) ? a : b; }
+// snippet: sm_roll_extreme_f32
+// The smallest number, or the largest if `up`.  If that is 0, its sign can be wrong.  A comparison in this form is one instruction on x86.
+SM_ROLL_INLINE float sm_roll_load_f32(const unsigned char *at) { float x; memcpy(&x, at, sizeof x); return x; }
+SM_ROLL_INLINE float sm_roll_extreme_of_f32(bool up, float a, float b) { return (up ? b < a : a < b) ? a : b; }
+SM_ROLL_INLINE float sm_roll_extreme_f32(const unsigned char *at, SmRollSize left, bool up)
+{
+    float end = sm_roll_load_f32(at), a, b;
+    for (; SM_ROLL_AT_ONCE == 4u && left >= 4; left = (SmRollSize)(left - 4u), at += 16) {
+        a = sm_roll_extreme_of_f32(up, sm_roll_load_f32(at), sm_roll_load_f32(at + 4));
+        b = sm_roll_extreme_of_f32(up, sm_roll_load_f32(at + 8), sm_roll_load_f32(at + 12));
+        end = sm_roll_extreme_of_f32(up, end, sm_roll_extreme_of_f32(up, a, b));
+    }
+    for (; left > 0; left--, at += 4)
+        end = sm_roll_extreme_of_f32(up, end, sm_roll_load_f32(at));
+    return end;
+}
+// snippet: sm_roll_extreme_f64
+// The same for F64.
+SM_ROLL_INLINE SmF64 sm_roll_load_f64(const unsigned char *at) { SmF64 x; memcpy(&x, at, sizeof x); return x; }
+SM_ROLL_INLINE SmF64 sm_roll_extreme_of_f64(bool up, SmF64 a, SmF64 b) { return (up ? sm_lt(b, a) : sm_lt(a, b)) ? a : b; }
+SM_ROLL_INLINE SmF64 sm_roll_extreme_f64(const unsigned char *at, SmRollSize left, bool up)
+{
+    SmF64 end = sm_roll_load_f64(at), a, b;
+    for (; SM_ROLL_AT_ONCE == 4u && left >= 4; left = (SmRollSize)(left - 4u), at += 32) {
+        a = sm_roll_extreme_of_f64(up, sm_roll_load_f64(at), sm_roll_load_f64(at + 8));
+        b = sm_roll_extreme_of_f64(up, sm_roll_load_f64(at + 16), sm_roll_load_f64(at + 24));
+        end = sm_roll_extreme_of_f64(up, end, sm_roll_extreme_of_f64(up, a, b));
+    }
+    for (; left > 0; left--, at += 8)
+        end = sm_roll_extreme_of_f64(up, end, sm_roll_load_f64(at));
+    return end;
+}
+// snippet: sm_roll_compares_numbers
+// Whether the smallest and largest of a window are found by comparing its samples as numbers.
+SM_ROLL_INLINE bool sm_roll_compares_numbers(uint32_t n, uint32_t kind)
+{
+    const bool real = (kind & SM_ROLL_TYPE) == SM_ROLL_F32 || (kind & SM_ROLL_TYPE) == SM_ROLL_F64;
+    return real && !sm_roll_stores_order(kind) && sm_roll_partials(n, kind) < 4;
+}
+// snippet: sm_roll_extreme_number
+// The smallest sample, or the largest if `up`, by comparing numbers.  If that is 0, its sign can be wrong.
+SM_ROLL_INLINE SmF64 sm_roll_extreme_number(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, bool up)
+{
+    const unsigned char *const at = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
+    return (kind & SM_ROLL_TYPE) == SM_ROLL_F32 ? sm_from_f32(sm_roll_extreme_f32(at, count, up)) : sm_roll_extreme_f64(at, count, up);
+}
+// snippet: sm_roll_extreme_zero
+// The smallest, or the largest if `up`, of samples of which it is a zero: -0 if any is -0, or 0 if any is 0.
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_extreme_zero(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, bool up)
+{
+    const SmRollKey minus = (kind & SM_ROLL_TYPE) == SM_ROLL_F32 ? (SmRollKey)INT32_MIN : (SmRollKey)INT64_MIN, sought = up ? 0 : minus;
+    SmRollSize i = 0;
+    while (i < count && sm_roll_slot_key(w, n, kind, i) != sought)
+        i++;
+    return sm_from_bits(up == (i < count) ? 0 : 0x8000000000000000u);
+}
 // snippet: sm_roll_extreme_key
 // The smallest key of all, or the largest if `up`.
 SM_ROLL_INLINE SmRollKey sm_roll_extreme_key(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, bool up)
@@ -565,9 +650,13 @@ SM_ROLL_INLINE SmF64 sm_roll_extreme(const uint64_t *w, uint32_t n, uint32_t kin
         return sm_from_i32(0);
     if ((kind & SM_ROLL_MEDIAN) != 0)
         return sm_roll_value_of_rank(w, n, kind, up ? count - 1u : 0);
+    if (sm_roll_compares_numbers(n, kind)) {
+        const SmF64 x = sm_roll_extreme_number(w, n, kind, count, up);
+        return sm_eq(x, sm_from_bits(0)) ? sm_roll_extreme_zero(w, n, kind, count, up) : x;
+    }
     if (partials < 4)
         return sm_roll_value(kind, sm_roll_extreme_key(w, n, kind, count, up));
-    return sm_roll_value(kind, (SmRollKey)(up ? ~w[sm_roll_partial_words(partials) - 1u] : w[sm_roll_partial_words(partials & 3u)]));
+    return sm_roll_value(kind, sm_roll_order_of_key(kind, (SmRollKey)(up ? ~w[sm_roll_partial_words(partials) - 1u] : w[sm_roll_partial_words(partials & 3u)])));
 }
 // snippet: sm_roll_min
 SM_ROLL_INLINE SmF64 sm_roll_min(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count) { return sm_roll_extreme(w, n, kind, count, false); }
@@ -577,7 +666,14 @@ SM_ROLL_INLINE SmF64 sm_roll_max(const uint64_t *w, uint32_t n, uint32_t kind, S
 // The largest minus the smallest sample; 0 if they are equal, even if infinite.
 SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_range(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
 {
-    const SmF64 lo = sm_roll_min(w, n, kind, count), hi = sm_roll_max(w, n, kind, count);
+    SmF64 lo, hi;
+    if (count != 0 && sm_roll_compares_numbers(n, kind)) {      // the sign of a zero among them does not change the result
+        lo = sm_roll_extreme_number(w, n, kind, count, false);
+        hi = sm_roll_extreme_number(w, n, kind, count, true);
+    } else {
+        lo = sm_roll_min(w, n, kind, count);
+        hi = sm_roll_max(w, n, kind, count);
+    }
     return sm_eq(lo, hi) ? sm_from_i32(0) : sm_sub(hi, lo);
 }
 // snippet: end

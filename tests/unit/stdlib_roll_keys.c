@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
+// stdlib_roll.c as on processors that compare integers faster than numbers: all windows that compare samples store them as ordered integers.
+#define SM_ROLL_BY_VALUE 0
+#include "tests/unit/stdlib_roll.c"
