@@ -32,6 +32,17 @@ void smvm_permit_code(uint32_t number, uint32_t length, const uint8_t *key, uint
     smvm_mac_end(&m, key, code);
 }
 
+void smvm_confirm_code(uint32_t number, uint32_t checksum, const uint8_t *key, uint8_t *code)
+{
+    SmvmMac m;
+
+    smvm_mac_begin(&m, key);
+    smvm_mac_byte(&m, 'C');
+    add_number(&m, number, 4);
+    add_number(&m, checksum, 4);
+    smvm_mac_end(&m, key, code);
+}
+
 // Copies the permit of an image that the verifier accepts.  Returns false if it has none.
 bool smvm_permit_read(SmvmBytes image, uint8_t *permit)
 {

@@ -129,8 +129,11 @@ static SmResult fill_vector(SmApp *app)
 
     if (app->set && app->sv)
         app->set(app->sv->at);
-    r = note_failure(app, app->writing ? app->writing->restore(app) : SM_OK, SM_TEXT("the saved state vector"), NULL);
-    app->failed_file = r != SM_OK && app->keep ? app->keep->memory : NULL;
+    r = app->writing ? app->writing->restore(app) : SM_OK;
+    if (r != SM_OK && !app->failed_part) {                // a service that does not open has recorded itself
+        app->failed_part = SM_TEXT("the saved state vector");
+        app->failed_file = app->keep ? app->keep->memory : NULL;
+    }
     return r;
 }
 

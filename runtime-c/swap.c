@@ -173,6 +173,29 @@ SmResult sm_swap_confirm(SmSwaps *s)
     return r;
 }
 
+SmResult sm_swap_machine(SmSwaps *s, uint16_t machine, SmSwapMachineState *out)
+{
+    SmResult r = s && out ? enter_from_outside(s) : SM_E_ARGUMENT;
+    const SmSwappable *w;
+    bool is_new;
+
+    if (r != SM_OK)
+        return r;
+    if (machine < s->machines) {
+        w = &s->machine[machine];
+        is_new = s->status.phase == SM_SWAP_TRIAL || s->status.phase == SM_SWAP_CONFIRMED;
+        out->identity = w->type->identity(running_slot(w));
+        out->state = w->state;
+        out->slot = running_slot(w);
+        out->newest = !w->concerned ? NULL : is_new ? running_slot(w) : other_slot(w);
+        out->is_on_trial = w->concerned && s->status.phase == SM_SWAP_TRIAL;
+    } else {
+        r = SM_E_MISSING;
+    }
+    sm_handover_unlock(s->lock);
+    return r;
+}
+
 // Returns the sentence of a reason; "" for an unknown one.
 const char *sm_swap_reason_text(SmSwapReason reason)
 {
@@ -230,7 +253,13 @@ bool sm_swaps_prepare(SmSwaps *s)
 
 static SmSwaps *swaps_of(const SmApp *app) { return (SmSwaps *)(uintptr_t)app->writing; }
 
-SmResult sm_swaps_restore(SmApp *app) { return swaps_of(app)->next ? swaps_of(app)->next->restore(app) : SM_OK; }
+SmResult sm_swaps_restore(SmApp *app)
+{
+    SmSwaps *const s = swaps_of(app);
+    const SmResult r = s->service ? s->service->open(s->service, app) : SM_OK;
+
+    return r != SM_OK || !s->next ? r : s->next->restore(app);
+}
 
 // Whether the log is in the middle of a description, which has the names of the machines and must not change until it is written.
 static bool is_log_describing(const SmLog *log) { return log && log->description_done < log->description_size; }
@@ -255,12 +284,18 @@ void sm_swaps_write(SmApp *app, uint64_t budget)
         log_names(s, app->log);
     if (s->next)
         s->next->write(app, budget);
+    if (s->service)
+        s->service->serve(s->service, budget);
 }
 
 void sm_swaps_close(SmApp *app, const SmTick *last)
 {
-    if (swaps_of(app)->next)
-        swaps_of(app)->next->close(app, last);
+    SmSwaps *const s = swaps_of(app);
+
+    if (s->service)
+        s->service->close(s->service);
+    if (s->next)
+        s->next->close(app, last);
 }
 
 // ---- the exchange ----
@@ -428,6 +463,16 @@ static bool runs_concerned(const SmSwapGate *g)
     return false;
 }
 
+// Publishes the states of the executor's machines to sm_swap_machine, which another thread calls.
+static void publish_states(const SmSwapGate *g)
+{
+    const SmSwaps *s = g->swaps;
+
+    for (uint16_t i = 0; i < s->machines; i++)
+        if (&s->gate[s->machine[i].executor] == g)
+            s->machine[i].state = s->machine[i].machine->last_state;
+}
+
 SmResult sm_swap_gate_leave(void *gate, const SmTick *tick)
 {
     SmSwapGate *g = gate;
@@ -443,6 +488,7 @@ SmResult sm_swap_gate_leave(void *gate, const SmTick *tick)
         check_trial(s);
     if (s->status.phase == SM_SWAP_TRIAL && s->status.end != 0 && runs_concerned(g))
         try_return(s, tick->time);
+    publish_states(g);
     emit_due_events(s, tick->time);
     sm_handover_unlock(s->lock);
     return SM_OK;

@@ -28,6 +28,7 @@
 #define SM_SWAP_H
 
 #include "runtime-c/app.h"
+#include "runtime-c/swap_phases.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -39,20 +40,6 @@ typedef enum SmSwapReason {
 #include "runtime-c/swaps.def"
 #undef SM_SWAP
 } SmSwapReason;
-
-typedef enum SmSwapMode {
-    SM_SWAP_RESTART = 1,      // the new machine starts, in a state that the swap names or in its first
-    SM_SWAP_CONTINUE = 2      // the new machine continues in the state of the same name
-} SmSwapMode;
-
-typedef enum SmSwapPhase {
-    SM_SWAP_IDLE,             // no swap has begun yet
-    SM_SWAP_PREPARING, SM_SWAP_WAITING, SM_SWAP_TRIAL,            // a swap is in progress: another one cannot begin
-    SM_SWAP_CONFIRMED, SM_SWAP_RETURNED, SM_SWAP_REFUSED          // it has ended
-} SmSwapPhase;
-
-// How a trial ends: a of event TRIAL.
-typedef enum SmSwapEnd { SM_SWAP_WAS_CONFIRMED = 1, SM_SWAP_TOOK_TOO_LONG = 2, SM_SWAP_ABORTED = 3 } SmSwapEnd;
 
 // One machine of a swap.  What it points to must stay unchanged while the swap is PREPARING.
 typedef struct SmSwapChange {
@@ -105,6 +92,7 @@ typedef struct SmSwappable {
     SmSwapChange change;
     uint32_t steps;           // number of steps since the exchange
     bool was_aborting;        // at the last check, its state was marked @abort
+    uint32_t state;           // the state that its next step runs, as of the end of the last tick of its executor
     SmMachine logged;         // for SmLog.machine: has the names of the image that ran when the last preparation began
     const void *unnamed;      // the slot whose names are not in the log yet; or NULL
 } SmSwappable;
@@ -115,10 +103,27 @@ typedef struct SmSwapGate {
     bool is_in_tick;          // belongs to the runtime
 } SmSwapGate;
 
+// Serves requests from outside the program (bytecode-vm/target/swap_link.h).  All functions are called by the thread that writes the log.
+typedef struct SmSwapService {
+    SmResult (*open)(struct SmSwapService *self, SmApp *app);    // before init of the tasks.  A failure prevents the start
+    void (*serve)(struct SmSwapService *self, uint64_t budget);   // handles what has arrived, for at most `budget` nanoseconds
+    void (*close)(struct SmSwapService *self);
+} SmSwapService;
+
+// What a host can ask about a machine.
+typedef struct SmSwapMachineState {
+    uint32_t identity;        // checksum of its image
+    uint32_t state;           // number of its state
+    const void *slot;         // the slot that runs; its image stays valid until the next call of sm_swaps_prepare
+    const void *newest;       // the slot that the last swap has prepared; NULL: the last swap does not concern the machine
+    bool is_on_trial;
+} SmSwapMachineState;
+
 // `writing` is the first field, because SmApp.writing points to it.
 typedef struct SmSwaps {
     SmWriting writing;        // SM_SWAP_WRITING
     const SmWriting *next;    // &sm_writing if the application has a log or saves its state vector; else NULL
+    SmSwapService *service;   // serves requests from outside; or NULL
     SmSwappable *machine;
     uint16_t machines;
     SmSwapGate *gate;         // by executor
@@ -152,6 +157,10 @@ SmResult sm_swap_status(SmSwaps *s, SmSwapStatus *status);
 
 // Ends the trial: the new machines stay.  SM_E_ARGUMENT: no machine is on trial.
 SmResult sm_swap_confirm(SmSwaps *s);
+
+// Reads what is known of a machine: an index into SmSwaps.machine.  Only for the thread that prepares.  SM_E_BUSY: the application has not
+// started.  SM_E_MISSING: there is no such machine.
+SmResult sm_swap_machine(SmSwaps *s, uint16_t machine, SmSwapMachineState *out);
 
 // Returns the sentence of a reason; "" for an unknown one.
 const char *sm_swap_reason_text(SmSwapReason reason);

@@ -146,6 +146,16 @@ $(B)/swap/running: $(patsubst %,$(B)/obj/tests/swap/%.o,running stage machine) $
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
+# Hosts that reach it over the link: every request cut off, lost and repeated, and hostile ones.
+$(B)/swap/link: $(patsubst %,$(B)/obj/tests/swap/%.o,link stage machine) $(B)/obj/compiler/device/app_host.o $(B)/obj/compiler/device/link_host.o $(B)/runtime/sim.a $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+
+# The same with processes, and `smc swap` itself.
+$(B)/swap/reach: $(patsubst %,$(B)/obj/tests/swap/%.o,reach stage machine) $(patsubst %,$(B)/obj/compiler/device/%.o,app_host link_host) $(B)/obj/compiler/base/os_serial_posix.o $(B)/runtime/linux.a $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -pthread -lrt
+
 # The same with threads, on Linux, and once more under the thread sanitizer.
 # `make swap-lateness SECONDS=5` measures whether swaps make ticks late on this computer.
 $(B)/swap/threads $(B)/swap/lateness: $(B)/swap/%: $(B)/obj/tests/swap/%.o $(patsubst %,$(B)/obj/tests/swap/%.o,stage machine) $(B)/runtime/linux.a $(B)/libsmc.a
@@ -744,6 +754,8 @@ $(call test, library-parity,       thorough, $(B)/library/command, sh tests/libr
 $(call test, library-swapping,     thorough, $(B)/smc $(LIBRARY_FILES), sh tests/library/swapping.sh $(MAKE) $(B) '$(CC)' '$(CFLAGS)')
 $(call test, library-abi,          thorough, $(LIBRARY_FILES), sh tests/library/abi.sh $(B) '$(CC)')
 $(call test, swap-running,         thorough, $(B)/swap/running, $(B)/swap/running)
+$(call test, swap-link,            thorough, $(B)/swap/link, $(B)/swap/link)
+$(call test, swap-reach,           thorough, $(B)/swap/reach $(B)/smc, $(B)/swap/reach $(B)/smc)
 $(call test, swap-threads,         thorough, $(B)/swap/threads, $(B)/swap/threads)
 $(call test, swap-tsan,            thorough, $(B)/swap/threads_tsan, if test -x $(B)/swap/threads_tsan; then $(B)/swap/threads_tsan; else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)

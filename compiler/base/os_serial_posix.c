@@ -9,9 +9,16 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
 #include <termios.h>
 #include <time.h>
 #include <unistd.h>
@@ -88,11 +95,106 @@ bool os_serial_open(const char *path, unsigned long bits_per_second, int *fd, co
     return false;
 }
 
+// Waits until the connection is established.
+static bool finish_connect(int fd, const char **why)
+{
+    struct pollfd p = {fd, POLLOUT, 0};
+    int error = 0;
+    socklen_t n = sizeof error;
+
+    if (errno == EINPROGRESS && poll(&p, 1, 5000) == 0) {
+        *why = "no answer";
+        return false;
+    }
+    if (errno == EINPROGRESS)
+        (void)getsockopt(fd, SOL_SOCKET, SO_ERROR, &error, &n);
+    else
+        error = errno;
+    *why = error != 0 ? strerror(error) : NULL;
+    return error == 0;
+}
+
+// Connects a new socket to the address.
+static bool connect_socket(int family, const struct sockaddr *to, socklen_t n, int *fd, const char **why)
+{
+    const int on = 1;
+
+    if ((*fd = socket(family, SOCK_STREAM, 0)) < 0) {
+        *why = strerror(errno);
+        return false;
+    }
+    fcntl(*fd, F_SETFD, FD_CLOEXEC);
+    fcntl(*fd, F_SETFL, O_NONBLOCK);
+    if (family != AF_UNIX)
+        setsockopt(*fd, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+    if (connect(*fd, to, n) == 0 || finish_connect(*fd, why))
+        return true;
+    close(*fd);
+    return false;
+}
+
+bool os_socket_open(const char *path, int *fd, const char **why)
+{
+    struct sockaddr_un a;
+
+    memset(&a, 0, sizeof a);
+    a.sun_family = AF_UNIX;
+    if (strlen(path) >= sizeof a.sun_path) {
+        *why = "the path is too long";
+        return false;
+    }
+    memcpy(a.sun_path, path, strlen(path));
+    return connect_socket(AF_UNIX, (const struct sockaddr *)&a, sizeof a, fd, why);
+}
+
+bool os_tcp_open(const char *address, int *fd, const char **why)
+{
+    const char *port = strrchr(address, ':');
+    struct addrinfo hints, *all = NULL;
+    char host[256];
+    int error;
+    bool open = false;
+
+    *why = "it is no HOST:PORT with a port from 1 to 65535";
+    if (!port || strspn(port + 1, "0123456789") != strlen(port + 1) || strtoul(port + 1, NULL, 10) - 1 > 65534 || (size_t)(port - address) >= sizeof host)
+        return false;
+    memcpy(host, address, (size_t)(port - address));
+    host[port - address] = '\0';
+    memset(&hints, 0, sizeof hints);
+    hints.ai_family = AF_INET;
+    hints.ai_socktype = SOCK_STREAM;
+    if ((error = getaddrinfo(host[0] ? host : "127.0.0.1", port + 1, &hints, &all)) != 0) {
+        *why = gai_strerror(error);
+        return false;
+    }
+    for (const struct addrinfo *a = all; a && !open; a = a->ai_next)
+        open = connect_socket(a->ai_family, a->ai_addr, a->ai_addrlen, fd, why);
+    freeaddrinfo(all);
+    return open;
+}
+
+bool os_line_open(const char *where, unsigned long bits_per_second, int *fd, const char **why)
+{
+    struct stat s;
+
+    if (stat(where, &s) != 0)
+        return strchr(where, ':') && !strchr(where, '/') ? os_tcp_open(where, fd, why) : os_serial_open(where, bits_per_second, fd, why);
+    return S_ISSOCK(s.st_mode) ? os_socket_open(where, fd, why) : os_serial_open(where, bits_per_second, fd, why);
+}
+
+// Like write.  A socket whose other end is closed raises no signal.
+static ssize_t put_bytes(int fd, const uint8_t *bytes, size_t n)
+{
+    const ssize_t put = send(fd, bytes, n, MSG_NOSIGNAL);
+
+    return put < 0 && errno == ENOTSOCK ? write(fd, bytes, n) : put;
+}
+
 // Sends all n bytes.  Returns false if the line accepted no byte for 5 s, or the device is disconnected.
 bool os_serial_send(int fd, const uint8_t *bytes, size_t n)
 {
     while (n > 0) {
-        const ssize_t put = write(fd, bytes, n);
+        const ssize_t put = put_bytes(fd, bytes, n);
         struct pollfd p = {fd, POLLOUT, 0};
         if (put > 0) {
             bytes += put;

@@ -116,10 +116,22 @@ static bool read_speed(Cli *c, unsigned long *speed)
     return *end == '\0' && word[0] >= '0' && word[0] <= '9';
 }
 
+// Checks that an application has answered whose protocol the host knows.
+static int check_application(Cli *c, BoardLine *b, const char *where)
+{
+    b->is_application = true;
+    if (b->app.protocol == LINK_PROTOCOL)
+        return EXIT_OK;
+    cli_print_error(c, TEXT_link_version, where, (unsigned)b->app.protocol, (unsigned)LINK_PROTOCOL);
+    return EXIT_PROBLEM;
+}
+
 // Asks the board for its properties. Returns EXIT_OK, or the exit code after a message.
 static int query_board(Cli *c, BoardLine *b, const char *port, unsigned long speed)
 {
     if (!device_query_info(&b->host, &b->info)) {
+        if (b->host.answered && b->host.result == SM_E_UNSUPPORTED && application_query(&b->host, &b->app))
+            return check_application(c, b, port);
         cli_print_error(c, b->host.answered ? TEXT_not_a_board : TEXT_no_answer, port, speed);
         return EXIT_ENVIRONMENT;
     }
@@ -129,27 +141,54 @@ static int query_board(Cli *c, BoardLine *b, const char *port, unsigned long spe
     return EXIT_PROBLEM;
 }
 
-// Opens --port and queries the board.  Returns EXIT_OK, or the exit code after a message.
-int board_open(Cli *c, BoardLine *b)
+// Opens the line, and sends nothing.
+static int open_line(Cli *c, BoardLine *b, const char *where, unsigned long *speed)
 {
-    const char *port = c->value[OPT_PORT], *why;
-    unsigned long speed;
-    int code;
+    const char *why;
 
-    if (!c->given[OPT_PORT])
-        return cli_usage_error(c, TEXT_port_required, c->command->name);
-    if (!read_speed(c, &speed))
+    if (!read_speed(c, speed))
         return cli_usage_error(c, TEXT_speed_number, c->value[OPT_SPEED]);
     memset(b, 0, sizeof *b);
     b->c = c;
-    if (!os_serial_open(port, speed, &b->fd, &why))
-        return cli_print_error(c, TEXT_cannot_open, port, why), EXIT_ENVIRONMENT;
+    if (!os_line_open(where, *speed, &b->fd, &why))
+        return cli_print_error(c, TEXT_cannot_open, where, why), EXIT_ENVIRONMENT;
     b->line.context = b;
     b->line.send = line_send;
     b->line.receive = line_receive;
     b->line.now = line_now;
     link_host_init(&b->host, &b->line, WAIT_MS, TRIES, (uint8_t)os_run_nonce());
-    if ((code = query_board(c, b, port, speed)) != EXIT_OK)
+    return EXIT_OK;
+}
+
+// Opens --port and queries the board.  Returns EXIT_OK, or the exit code after a message.
+int board_open(Cli *c, BoardLine *b)
+{
+    unsigned long speed;
+    int code;
+
+    if (!c->given[OPT_PORT])
+        return cli_usage_error(c, TEXT_port_required, c->command->name);
+    if ((code = open_line(c, b, c->value[OPT_PORT], &speed)) != EXIT_OK)
+        return code;
+    if ((code = query_board(c, b, c->value[OPT_PORT], speed)) != EXIT_OK)
+        board_close(b);
+    return code;
+}
+
+int application_open(Cli *c, BoardLine *b, const char *where)
+{
+    unsigned long speed;
+    int code = open_line(c, b, where, &speed);
+
+    if (code != EXIT_OK)
+        return code;
+    if (application_query(&b->host, &b->app)) {
+        code = check_application(c, b, where);
+    } else {
+        cli_print_error(c, b->host.answered ? TEXT_not_an_application : TEXT_application_silent, where);
+        code = b->host.answered ? EXIT_PROBLEM : EXIT_ENVIRONMENT;
+    }
+    if (code != EXIT_OK)
         board_close(b);
     return code;
 }

@@ -4,6 +4,7 @@
 #define SMC_BOARD_LINE_H
 
 #include "compiler/cli/cli.h"
+#include "compiler/device/app_host.h"
 #include "compiler/device/device.h"
 
 typedef struct BoardLine {
@@ -11,11 +12,15 @@ typedef struct BoardLine {
     int fd;
     SerialLine line;
     LinkHost host;
-    DeviceInfo info;
+    DeviceInfo info;          // of a board
+    bool is_application;      // an application is at the other end, and no board
+    ApplicationInfo app;
 } BoardLine;
 
-// Opens --port and queries the board. EXIT_OK, or the exit code after a message.
+// Opens --port and queries what is there: a board, or an application. EXIT_OK, or the exit code after a message.
 int board_open(Cli *c, BoardLine *b);
+// Opens `where`, and queries the application that must be there.
+int application_open(Cli *c, BoardLine *b, const char *where);
 void board_close(BoardLine *b);
 
 // Prints why the last request failed, as a message after `what`. Returns EXIT_PROBLEM if the board refused, EXIT_ENVIRONMENT if there was

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compiler/cli/board_line.h"
+#include "compiler/cli/app_view.h"
 
 // ---- info and list ----
 
@@ -126,6 +126,7 @@ static int erase_image(BoardLine *b, Buf *out)
 
 static const struct { uint8_t kind; const char *name, *source, *a, *b; } kinds[] = {
 #define SM_EVENT(name, number, source, a, b, text) {number, #name, source, a, b},
+#define SM_EVENT_OF_SWAP SM_EVENT
 #include "runtime-c/events.def"
 #undef SM_EVENT
 };
@@ -190,7 +191,7 @@ static int show_log(BoardLine *b, Buf *out)
     uint8_t body[4] = {0};
     size_t events, shown = 0;
 
-    if (!show_stored_transitions(b, out))
+    if (!b->is_application && !show_stored_transitions(b, out))
         return board_report_failure(b, "reading the stored log");
     do {
         if (!link_request(&b->host, LINK_EVENTS, body, sizeof body) || b->host.result != SM_OK || b->host.n < EVENT_HEAD)
@@ -208,8 +209,10 @@ static int show_log(BoardLine *b, Buf *out)
 
 // ---- all of them ----
 
-static const struct { const char *name; int (*run)(BoardLine *b, Buf *out); } actions[] = {
-    {"info", show_info}, {"list", list_images}, {"confirm", confirm_image}, {"erase", erase_image}, {"log", show_log}};
+// `run`: of a board; `of_application`: of an application.
+static const struct { const char *name; int (*run)(BoardLine *b, Buf *out), (*of_application)(BoardLine *b, Buf *out); } actions[] = {
+    {"info", show_info, app_show_info}, {"list", list_images, app_list_machines}, {"confirm", confirm_image, app_confirm_swap},
+    {"erase", erase_image, app_refuse_erase}, {"log", show_log, show_log}};
 enum { ACTIONS = sizeof actions / sizeof *actions };
 
 static int run_action(Cli *c, size_t action)
@@ -221,7 +224,7 @@ static int run_action(Cli *c, size_t action)
     if (code != EXIT_OK)
         return code;
     buf_init(&out, &c->session.arena);
-    code = actions[action].run(&b, &out);
+    code = (b.is_application ? actions[action].of_application : actions[action].run)(&b, &out);
     board_close(&b);
     return cli_print(c, 1, &out) || code != EXIT_OK ? code : EXIT_ENVIRONMENT;
 }

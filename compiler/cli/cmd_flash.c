@@ -255,6 +255,11 @@ int cmd_flash(Cli *c)
         return EXIT_PROBLEM;
     if ((code = board_open(c, &b)) != EXIT_OK)
         return code;
+    if (b.is_application) {
+        cli_print_error(c, TEXT_flash_application, c->value[OPT_PORT], c->file[0], c->value[OPT_PORT]);
+        board_close(&b);
+        return EXIT_PROBLEM;
+    }
     image = (FlashImage){(const uint8_t *)file->text, (uint32_t)file->len, v.longest, period};
     code = flash_image(&b, file->name, &image);
     board_close(&b);

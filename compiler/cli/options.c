@@ -13,7 +13,8 @@ static const OptionInfo option_info[OPT_COUNT] = {
 #undef OPTION
 };
 
-static bool has_joined_value(const OptionInfo *o) { return o->value && o->value[0] == '='; }
+static bool has_joined_value(const OptionInfo *o) { return o->value && (o->value[0] == '=' || o->value[0] == '?'); }
+static bool has_optional_value(const OptionInfo *o) { return o->value && o->value[0] == '?'; }
 
 // Two subcommands with one letter would accept each other's options. These constants make that an error of the C compiler.
 enum {
@@ -77,13 +78,13 @@ static bool store_option(Cli *c, OptionId id, const char *arg, const char *value
         return cli_usage_error(c, TEXT_option_of_other, o->spelling, c->command->name), false;
     if (!o->value && value)
         return cli_usage_error(c, TEXT_option_no_value, o->spelling), false;
-    if (o->value && !value) {
+    if (o->value && !value && !has_optional_value(o)) {
         if (has_joined_value(o) || !next)
             return cli_usage_error(c, TEXT_option_needs_value, arg, o->value + has_joined_value(o)), false;
         value = next;
         *took_next = true;
     }
-    if (o->value && *value == '\0')
+    if (o->value && value && *value == '\0')
         return cli_usage_error(c, TEXT_option_empty, o->spelling, o->value + has_joined_value(o)), false;
     c->given[id] = true;
     c->value[id] = value;
@@ -172,8 +173,9 @@ void options_write_help(const Command *command, Buf *out)
         char left[64];
         if (!option_applies(o, command))
             continue;
-        snprintf(left, sizeof left, "%s%s%s", o->spelling, !o->value || has_joined_value(o) ? "" : o->spelling[1] == '-' ? "=" : " ",
-                 o->value ? o->value + has_joined_value(o) : "");
+        snprintf(left, sizeof left, "%s%s%s%s", o->spelling,
+                 has_optional_value(o) ? "[=" : !o->value || has_joined_value(o) ? "" : o->spelling[1] == '-' ? "=" : " ",
+                 o->value ? o->value + has_joined_value(o) : "", has_optional_value(o) ? "]" : "");
         buf_printf(out, "  %-24s %s\n", left, o->sentence);
     }
 }

@@ -30,6 +30,8 @@ Str app_file_stem(AppCheck *k, Str path);  // the file's stem: "rocket" of pins/
 // Reports `name` as a duplicate if `seen` contains it; otherwise adds it.  `what` is the kind of thing that it names.
 void app_check_unique(AppCheck *k, Map *seen, const AstWord *name, const char *what);
 
+const AstAppOption *app_find_option(const AstApp *ast, AstAppOptionKind kind);        // NULL if it is absent
+
 // ---- check_app_names.c ----
 
 void check_app_products(AppCheck *k);
@@ -56,7 +58,14 @@ extern const AppRange app_ranges[APP_RANGES];
 // Converts the amount to a whole number.  If it is not in the range, reports that, sets *value to the range's least value, and returns
 // false.
 bool app_check_amount(AppCheck *k, const AstAmount *a, AppRangeId range, uint64_t *value);
+// Reports a file name whose length is outside the range: the platform opens the file (PAL_NAME in runtime-c/pal/config.h).
+void check_app_name_length(AppCheck *k, const AstWord *file, const AppRange *r);
 void check_app_rates(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);
+
+// ---- check_app_swap.c ----
+
+void check_app_swap_at(AppCheck *k, const AstAppOption *o);     // for each of swap_at, swap_speed and swap_key
+void check_app_swap_place(AppCheck *k);                         // after all options: what they require of each other
 
 // ---- check_app_task.c ----
 

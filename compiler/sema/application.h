@@ -51,6 +51,18 @@ typedef struct AppExecutor {
 
 typedef struct AppStart { const Element *element; uint64_t cell; } AppStart;      // the value, as a bit cell of the element's type (convert.h)
 
+// Where a running application is reached (config.md 10.25).
+typedef enum AppPlace { APP_NOWHERE, APP_AT_PATH, APP_AT_ADDRESS, APP_AT_LINE } AppPlace;
+
+typedef struct AppSwapAt {
+    AppPlace place;
+    Str name;                 // as written
+    uint8_t ip[4];            // APP_AT_ADDRESS
+    uint16_t port;
+    uint32_t speed;           // bits per second of a line
+    Str key;                  // the file of its key; or NULL
+} AppSwapAt;
+
 typedef struct App {
     Str name;                 // the file's stem: "rocket" of rocket.app
     const Source *src;
@@ -66,6 +78,7 @@ typedef struct App {
     uint32_t swap_room;       // bytes of each of the two slots of a machine that can be swapped
     uint32_t swap_trial;      // how many steps a machine is on trial
     uint32_t swap_limit;      // the most instructions of its step, for each millisecond of its period
+    AppSwapAt swap_at;
     const Element *armed;     // while it is true, swaps are refused; or NULL
     VEC(AppStart) start;
     VEC(AppExecutor *) executor;

@@ -37,7 +37,7 @@ static size_t count_tasks(const AstApp *ast)
     return n;
 }
 
-static const AstAppOption *find_option(const AstApp *ast, AstAppOptionKind kind)
+const AstAppOption *app_find_option(const AstApp *ast, AstAppOptionKind kind)
 {
     for (size_t i = 0; i < ast->options.n; i++)
         if (ast->options.at[i].kind == kind)
@@ -48,7 +48,7 @@ static const AstAppOption *find_option(const AstApp *ast, AstAppOptionKind kind)
 // Lists the files that an application names.
 void app_list_files(Arena *arena, const AstFile *f, AppFiles *out)
 {
-    const AstAppOption *sv = find_option(f->app, AST_APP_state_vector), *io = find_option(f->app, AST_APP_io);
+    const AstAppOption *sv = app_find_option(f->app, AST_APP_state_vector), *io = app_find_option(f->app, AST_APP_io);
     FileListing l;
 
     memset(&l, 0, sizeof l);
@@ -169,11 +169,8 @@ static void check_log_room(AppCheck *k, const AstAppOption *o)
                     diag_text(k->c->diags, DIAG_part_least_log, format_in(k->c->arena, "%lu", (unsigned long)least)));
 }
 
-// Reports a file name that is too long for the platform, which opens the file (PAL_NAME in runtime-c/pal/config.h).
-static void check_platform_name(AppCheck *k, const AstWord *file)
+void check_app_name_length(AppCheck *k, const AstWord *file, const AppRange *r)
 {
-    const AppRange *r = &app_ranges[APP_RANGE_name_length];
-
     if (file->text->len < r->least || file->text->len > r->most)
         diag_report(k->c->diags, DIAG_app_range, file->span, r->what, r->limits);
 }
@@ -226,12 +223,12 @@ static void check_options(AppCheck *k)
         case AST_APP_log:
             k->app->log_room = check_small_amount(k, o, APP_RANGE_log_memory);
             k->app->log = o->file.text;
-            check_platform_name(k, &o->file);
+            check_app_name_length(k, &o->file, &app_ranges[APP_RANGE_name_length]);
             check_log_room(k, o);
             break;
         case AST_APP_keep:
             k->app->keep = o->file.text;
-            check_platform_name(k, &o->file);
+            check_app_name_length(k, &o->file, &app_ranges[APP_RANGE_name_length]);
             break;
         case AST_APP_swap:
             k->app->swap_room = (check_small_amount(k, o, APP_RANGE_swap_memory) + 7) / 8 * 8;
@@ -242,12 +239,16 @@ static void check_options(AppCheck *k)
         case AST_APP_swap_limit:
             k->app->swap_limit = check_small_amount(k, o, APP_RANGE_swap_limit);
             break;
+        case AST_APP_swap_at: case AST_APP_swap_speed: case AST_APP_swap_key:
+            check_app_swap_at(k, o);
+            break;
         case AST_APP_armed:
             check_armed(k, o);
             break;
         }
     }
-    if (!find_option(k->ast, AST_APP_state_vector) && !k->ast->lost)
+    check_app_swap_place(k);
+    if (!app_find_option(k->ast, AST_APP_state_vector) && !k->ast->lost)
         diag_report(k->c->diags, DIAG_app_missing, options_span(k), diag_text(k->c->diags, DIAG_part_no_state_vector));
 }
 
@@ -393,7 +394,7 @@ static void check_executors(AppCheck *k)
     if (n > MOST)
         diag_report(k->c->diags, DIAG_app_too_many, k->ast->executors.at[MOST]->header, "executors", "254");
     if (n > 1 && k->sv && !k->sv->lock) {
-        const AstWord *file = &find_option(k->ast, AST_APP_state_vector)->file;
+        const AstWord *file = &app_find_option(k->ast, AST_APP_state_vector)->file;
         Diag *d = diag_report(k->c->diags, DIAG_app_no_lock, k->ast->executors.at[1]->header,
                               format_in(k->c->arena, "%lu", (unsigned long)n), k->sv->name->text);
         diag_label(k->c->diags, d, DIAG_label_write_lock, file->text->text);
@@ -427,7 +428,7 @@ static void report_unused_options(AppCheck *k)
         {AST_APP_keep, AST_TASK_keep, AST_TASK_keep, DIAG_part_no_task}};
 
     for (size_t i = 0; i < sizeof uses / sizeof *uses; i++) {
-        const AstAppOption *o = find_option(k->ast, uses[i].option);
+        const AstAppOption *o = app_find_option(k->ast, uses[i].option);
         if (o && !k->service[uses[i].a].src && !k->service[uses[i].b].src && !k->ast->lost)
             diag_report(k->c->diags, DIAG_app_option_unused, o->name_span, app_option_name(o->kind),
                         diag_text(k->c->diags, uses[i].missing, app_option_name(o->kind)));
@@ -437,7 +438,7 @@ static void report_unused_options(AppCheck *k)
 // Reports outputs (or inputs, if `output` is false) among the pins if their task does not exist but the task of the other direction does.
 static void report_unused_pins(AppCheck *k, bool output, AstAppTaskKind task, AstAppTaskKind other)
 {
-    const AstAppOption *o = find_option(k->ast, AST_APP_io);
+    const AstAppOption *o = app_find_option(k->ast, AST_APP_io);
     size_t i = 0;
 
     if (!o || !k->pins || k->ast->lost || k->service[task].src || !k->service[other].src)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sockets over IPv4: datagrams (UDP) for telemetry, where only the newest value matters; streams (TCP) for commands, where every
-// byte matters.  One thread may send on a socket while another receives.  (Rules for all of these headers: pal.h.)
+// byte matters.  Streams also exist between programs of one computer, by the path of a file.  One thread may send on a socket while
+// another receives.  (Rules for all of these headers: pal.h.)
 //
 // A datagram arrives whole or not at all.  It may arrive twice, or after a later one.  A sender that must detect this numbers its
 // datagrams.  A stream does not preserve message boundaries: two sends may arrive as one receive, or as three.
@@ -21,6 +22,8 @@ typedef struct PalAddress {
 } PalAddress;
 
 #define PAL_DATAGRAM_MAX 1472 // bytes that fit into one Ethernet frame; platforms need not support more
+
+#define PAL_SOCKET_PATH 107   // most characters of a path
 
 // ---- datagrams ----
 
@@ -45,7 +48,18 @@ SmResult pal_socket_receive_from(PalSocket socket, PalAddress *from, void *bytes
 // Listens for streams at the address `local`.  Results as for pal_socket_udp.
 SmResult pal_socket_listen(PalSocket *socket, const PalAddress *local);
 
-// Accepts the next incoming stream.  If `peer` is not NULL, it receives the peer's address.  The caller must close the new socket
+// Listens for streams of programs on the same computer, at a path of its file system.  Only the user of the program can connect: the file
+// has mode 0600.  A socket that a program has left there is replaced, if it no longer runs.  pal_socket_close removes the file.  Two
+// programs that call this with the same path at the same instant may both succeed, and then only one of them is reached.
+//     SM_E_BUSY          a program listens there
+//     SM_E_FOREIGN       there is a file that is not a socket
+//     SM_E_MISSING       the folder does not exist
+//     SM_E_DENIED        no permission
+//     SM_E_ARGUMENT      the path is empty, or has more than PAL_SOCKET_PATH characters
+//     SM_E_FULL          the table has no free entry
+SmResult pal_socket_listen_local(PalSocket *socket, const char *path);
+
+// Accepts the next incoming stream.  If `peer` is not NULL, it receives the peer's address, or zeros from a path.  The caller must close the new socket
 // separately.  A stream that broke before it could be accepted is skipped.
 //     SM_E_TIMEOUT       no peer connected
 //     SM_E_FULL          the table has no free entry; the peer stays in the queue
@@ -68,7 +82,7 @@ SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *
 
 // ---- all ----
 
-// Stores the local address of the socket in *local, with the port that the platform chose.
+// Stores the local address of the socket in *local, with the port that the platform chose.  SM_E_UNSUPPORTED: it has a path.
 SmResult pal_socket_local_address(PalSocket socket, PalAddress *local);
 
 // Closes the socket.  The peer of a stream still receives bytes sent earlier, if the network delivers them.

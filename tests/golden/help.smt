@@ -27,8 +27,10 @@ Usage:
       show what a flight log holds, in words, as a table or as a plot
   smc flash IMAGE --port=PORT [--confirm]
       put an image on a running board, over a serial line
+  smc swap FILE...|NAME=FILE... --to=WHERE --restart[=STATE]|--continue
+      replace machines of an application that runs, without stopping it
   smc device info|list|confirm|erase|log --port=PORT
-      ask a board what it runs and what happened; keep or erase its images
+      ask a board or an application what it runs and what happened; keep or erase its images
   smc fix FILE... [--sv V.sv]
       make the edits that the findings of check propose with certainty
   smc explain CODE...

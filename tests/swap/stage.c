@@ -150,6 +150,19 @@ void stage_set_up(const StagePlan *plan)
                         .writing = &stage.swaps.writing};
 }
 
+void stage_reach(SmSwapPlace place, const char *name, const char *key_file)
+{
+    static uint8_t buffer[SM_SWAP_ROOM(2, STAGE_ROOM)];
+    static SmSwapChange changes[2];
+
+    memset(buffer, 0xa5, sizeof buffer);
+    stage.link = (SmSwapLink){.service = SM_SWAP_LINK_SERVICE, .swaps = &stage.swaps, .place = place, .name = name, .address = {{127, 0, 0, 1}, 4711},
+                              .speed = 115200, .key_file = key_file, .numbers = key_file != NULL ? "eeprom" : NULL, .machine = machine,
+                              .machines = stage.swaps.machines, .change = changes, .buffer = buffer, .room = sizeof buffer,
+                              .app_name = "stage", .events = &stage.events};
+    stage.swaps.service = &stage.link.service;
+}
+
 void stage_begin(const StagePlan *plan)
 {
     stage_set_up(plan);

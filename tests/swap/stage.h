@@ -3,7 +3,7 @@
 #ifndef SM_SWAP_STAGE_H
 #define SM_SWAP_STAGE_H
 
-#include "bytecode-vm/target/slot.h"
+#include "bytecode-vm/target/swap_link.h"
 #include "tests/swap/machine.h"
 
 // The state vector: elements, and their offsets.
@@ -25,6 +25,7 @@ typedef struct Stage {
     uint32_t calls[STAGE_WORKERS];        // of each other task
     SmEvents events;
     SmApp app;
+    SmSwapLink link;          // set up by stage_reach
 } Stage;
 
 extern Stage stage;
@@ -44,6 +45,9 @@ typedef struct StagePlan {
 void stage_begin(const StagePlan *plan);
 // The same without initialising the tasks, for sm_app_run.
 void stage_set_up(const StagePlan *plan);
+
+// Sets up stage.link, with room for a swap of both machines.  `key_file`, with its numbers in "eeprom": NULL if there is no key.  Opens nothing.
+void stage_reach(SmSwapPlace place, const char *name, const char *key_file);
 
 void stage_tick(unsigned executor);       // runs the next tick of an executor
 // Ticks the first executor, with a part of the preparation between two ticks, until the swap is not PREPARING or WAITING any more.

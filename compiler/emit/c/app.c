@@ -223,6 +223,24 @@ static void write_machines(const AppEmitter *e)
 
 // ---- swaps ----
 
+// Returns the text escaped for a C string literal.
+static const char *escape_string(const AppEmitter *e, Str text)
+{
+    Buf b;
+
+    buf_init(&b, e->arena);
+    for (size_t i = 0; i < text->len; i++) {
+        unsigned char c = (unsigned char)text->text[i];
+        if (c == '"' || c == '\\' || c == '?')
+            buf_printf(&b, "\\%c", c);
+        else if (c < 0x20 || c >= 0x7f)
+            buf_printf(&b, "\\%03o", c);
+        else
+            buf_char(&b, (char)c);
+    }
+    return buf_text(&b);
+}
+
 static bool has_task(const AppEmitter *e, AstAppTaskKind kind)
 {
     for (size_t i = 0; i < e->app->task.n; i++)
@@ -237,6 +255,15 @@ static unsigned swappable_index(const App *app, const AppMachine *m)
     unsigned n = 0;
 
     for (size_t i = 0; app->machine.at[i] != m; i++)
+        n += app->machine.at[i]->swap;
+    return n;
+}
+
+static unsigned swappable_count(const App *app)
+{
+    unsigned n = 0;
+
+    for (size_t i = 0; i < app->machine.n; i++)
         n += app->machine.at[i]->swap;
     return n;
 }
@@ -272,6 +299,35 @@ static void write_gates(const AppEmitter *e, unsigned gates)
     buf_str(e->out, "};\n");
 }
 
+static bool is_reached(const AppEmitter *e) { return has_swaps(e->app) && e->app->swap_at.place != APP_NOWHERE; }
+
+// Returns the size of the buffer for a swap of all machines at once: SM_SWAP_ROOM.  The link can send at most 2^24 - 1 bytes.
+static unsigned swap_buffer_size(const AppEmitter *e, unsigned swappables)
+{
+    const uint64_t names = 6 + 2 * 64, size = 2 + swappables * (e->app->swap_room + names) + 20;
+
+    return size < 0xffffff ? (unsigned)size : 0xffffff;
+}
+
+// Writes the SmSwapLink that serves requests from outside (bytecode-vm/target/swap_link.h), with its buffer for one swap.
+static void write_swap_link(const AppEmitter *e, unsigned swappables)
+{
+    static const char *const place[] = {"", "SM_SWAP_AT_PATH", "SM_SWAP_AT_ADDRESS", "SM_SWAP_AT_LINE"};
+    const AppSwapAt *at = &e->app->swap_at;
+
+    buf_printf(e->out, "\nstatic uint8_t swapBuffer[%u];        // for a swap that a host sends\n", swap_buffer_size(e, swappables));
+    buf_printf(e->out, "static SmSwapChange swapChanges[%u];\nstatic SmSwapLink swapLink = {\n    .service = SM_SWAP_LINK_SERVICE, "
+                       ".swaps = &%s_swaps, .place = %s, .name = \"%s\",\n", swappables, e->prefix, place[at->place], escape_string(e, at->name));
+    if (at->place == APP_AT_ADDRESS)
+        buf_printf(e->out, "    .address = {{%u, %u, %u, %u}, %u},\n", at->ip[0], at->ip[1], at->ip[2], at->ip[3], at->port);
+    if (at->place == APP_AT_LINE)
+        buf_printf(e->out, "    .speed = %u,\n", (unsigned)at->speed);
+    if (at->key)
+        buf_printf(e->out, "    .key_file = \"%s\", .numbers = \"%s.used\",\n", escape_string(e, at->key), escape_string(e, at->key));
+    buf_printf(e->out, "    .machine = machines, .machines = %u, .change = swapChanges, .buffer = swapBuffer, .room = sizeof swapBuffer\n};\n",
+               (unsigned)e->app->machine.n);
+}
+
 // Writes the tables of runtime-c/swap.h.
 static void write_swaps(const AppEmitter *e)
 {
@@ -285,12 +341,16 @@ static void write_swaps(const AppEmitter *e)
             write_swappables_of(e, e->app->executor.at[x], gates++);
     buf_str(e->out, "};\n");
     write_gates(e, gates);
+    if (is_reached(e))
+        write_swap_link(e, swappable_count(e->app));
     buf_printf(e->out, "\nSmSwaps %s_swaps = {\n    .writing = SM_SWAP_WRITING, .next = %s, .machine = swappables, "
                        ".machines = sizeof swappables / sizeof *swappables,\n    .gate = gates, .gates = %u, .trial = %u, "
                        ".sv = &%s_vector, .events = &events", e->prefix,
                has_task(e, AST_TASK_keep) || has_task(e, AST_TASK_log) ? "&sm_writing" : "NULL", gates, (unsigned)e->app->swap_trial, e->sv);
     if (e->app->armed)
         buf_printf(e->out, ", .armed = %s", element_address(e, e->app->armed));
+    if (is_reached(e))
+        buf_str(e->out, ", .service = &swapLink.service");
     buf_str(e->out, "\n};\n");
 }
 
@@ -304,24 +364,6 @@ static unsigned packed_size(const StateVec *sv)
     for (size_t i = 0; i < sv->region.n; i++)
         size += sv->region.at[i]->packed_size;
     return size;
-}
-
-// Returns the text escaped for a C string literal.
-static const char *escape_string(const AppEmitter *e, Str text)
-{
-    Buf b;
-
-    buf_init(&b, e->arena);
-    for (size_t i = 0; i < text->len; i++) {
-        unsigned char c = (unsigned char)text->text[i];
-        if (c == '"' || c == '\\' || c == '?')
-            buf_printf(&b, "\\%c", c);
-        else if (c < 0x20 || c >= 0x7f)
-            buf_printf(&b, "\\%03o", c);
-        else
-            buf_char(&b, (char)c);
-    }
-    return buf_text(&b);
 }
 
 // Writes the names of all tasks or executors, and `more` if it is not NULL.
@@ -614,7 +656,7 @@ static void write_code_includes(const AppEmitter *e)
             buf_printf(e->out, "#include \"%s.h\"\n", e->app->machine.at[i]->program->name->text);
     }
     if (bytecode)
-        buf_printf(e->out, "#include \"bytecode-vm/target/%s.h\"\n", has_swaps(e->app) ? "slot" : "machine");
+        buf_printf(e->out, "#include \"bytecode-vm/target/%s.h\"\n", is_reached(e) ? "swap_link" : has_swaps(e->app) ? "slot" : "machine");
     if (e->app->start.n)
         buf_str(e->out, "#include \"stdlib/convert.h\"\n");
 }

@@ -8,6 +8,8 @@
 #include <poll.h>
 #include <string.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include "runtime-c/pal/socket.h"
@@ -164,6 +166,80 @@ SmResult pal_socket_udp(PalSocket *s, const PalAddress *local) { return open_bou
 // With SO_REUSEADDR, the port of a program that has just ended is immediately available again.
 SmResult pal_socket_listen(PalSocket *s, const PalAddress *local) { return open_bound(s, local, LISTENING, SO_REUSEADDR); }
 
+// ---- paths ----
+
+// Whether a program listens at the path.  If its queue is full, connect fails with EAGAIN.
+static bool is_listening_at(const struct sockaddr_un *a)
+{
+    const int fd = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    const bool refused = fd >= 0 && connect(fd, (const struct sockaddr *)a, sizeof *a) != 0 && errno == ECONNREFUSED;
+
+    if (fd >= 0)
+        close(fd);
+    return !refused;
+}
+
+// Removes a socket at which no program listens any more.  Any other file stays.
+static SmResult remove_stale_socket(const struct sockaddr_un *a)
+{
+    struct stat s;
+
+    if (lstat(a->sun_path, &s) != 0)
+        return errno == ENOENT ? SM_OK : psl_result_of_errno(errno);
+    if (!S_ISSOCK(s.st_mode))
+        return SM_E_FOREIGN;
+    if (is_listening_at(a))
+        return SM_E_BUSY;
+    return unlink(a->sun_path) == 0 || errno == ENOENT ? SM_OK : psl_result_of_errno(errno);
+}
+
+// The mode is set before the path exists, so that no other user can ever connect: the file gets the mode of the unbound socket (unix(7)).
+static SmResult listen_at_path(int fd, const struct sockaddr_un *a)
+{
+    SmResult r = remove_stale_socket(a);
+
+    if (r != SM_OK)
+        return r;
+    if (fchmod(fd, S_IRUSR | S_IWUSR) != 0 || bind(fd, (const struct sockaddr *)a, sizeof *a) != 0)
+        return psl_result_of_errno(errno);
+    if (listen(fd, PAL_SOCKETS) == 0)
+        return SM_OK;
+    r = psl_result_of_errno(errno);
+    unlink(a->sun_path);
+    return r;
+}
+
+SmResult pal_socket_listen_local(PalSocket *s, const char *path)
+{
+    struct sockaddr_un a;
+    uint8_t id;
+    int fd;
+
+    if (!s || !path || *path == '\0' || strlen(path) > PAL_SOCKET_PATH)
+        return SM_E_ARGUMENT;
+    id = allocate_entry();
+    if (id == 0)
+        return SM_E_FULL;
+    memset(&a, 0, sizeof a);
+    a.sun_family = AF_UNIX;
+    memcpy(a.sun_path, path, strlen(path));
+    fd = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    return finish_open(s, id, fd, LISTENING, fd < 0 ? psl_result_of_errno(errno) : listen_at_path(fd, &a));
+}
+
+// If the socket listens at a path, removes the file.
+static void remove_path(int fd)
+{
+    struct sockaddr_un a;
+    socklen_t n = sizeof a;
+
+    memset(&a, 0, sizeof a);
+    if (getsockname(fd, (struct sockaddr *)&a, &n) == 0 && a.sun_family == AF_UNIX && a.sun_path[0] != '\0')
+        unlink(a.sun_path);
+}
+
+// ---- connections ----
+
 // Waits until the pending connection is established.
 static SmResult wait_until_connected(int fd, uint64_t deadline)
 {
@@ -204,7 +280,7 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
     return finish_open(stream, id, fd, STREAM, r);
 }
 
-// Ignores a peer whose connection broke before it was accepted, and waits for the next one.
+// Ignores a peer whose connection broke before it was accepted, and waits for the next one.  A stream from a path has no TCP_NODELAY.
 static SmResult accept_one(int listening, int *fd, struct sockaddr_in *a, uint64_t deadline)
 {
     for (;;) {
@@ -212,7 +288,7 @@ static SmResult accept_one(int listening, int *fd, struct sockaddr_in *a, uint64
 
         *fd = accept4(listening, (struct sockaddr *)a, &n, SOCK_NONBLOCK | SOCK_CLOEXEC);
         if (*fd >= 0)
-            return set_option(*fd, IPPROTO_TCP, TCP_NODELAY);
+            return a->sin_family == AF_INET ? set_option(*fd, IPPROTO_TCP, TCP_NODELAY) : SM_OK;
         if (errno == EAGAIN || is_network_error(errno)) {
             SmResult r = psl_wait_for_events(listening, POLLIN, deadline);
 
@@ -243,7 +319,7 @@ SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *p
     r = accept_one(from, &fd, &a, deadline);
     r = finish_open(stream, id, fd, STREAM, r);
     if (r == SM_OK && peer)
-        *peer = from_sockaddr(&a);
+        *peer = a.sin_family == AF_INET ? from_sockaddr(&a) : (PalAddress){{0, 0, 0, 0}, 0};
     return r;
 }
 
@@ -380,6 +456,8 @@ SmResult pal_socket_local_address(PalSocket s, PalAddress *local)
         return SM_E_HANDLE;
     if (getsockname(entries[s.id - 1].fd, (struct sockaddr *)&a, &n) != 0)
         return psl_result_of_errno(errno);
+    if (a.sin_family != AF_INET)
+        return SM_E_UNSUPPORTED;
     *local = from_sockaddr(&a);
     return SM_OK;
 }
@@ -390,6 +468,8 @@ SmResult pal_socket_close(PalSocket s)
 
     psl_lock_tables();
     if (psl_table_is_used(used, PAL_SOCKETS, s.id)) {
+        if (entries[s.id - 1].kind == LISTENING)
+            remove_path(entries[s.id - 1].fd);
         close(entries[s.id - 1].fd);
         used[s.id - 1] = false;
         r = SM_OK;

@@ -26,6 +26,12 @@ SmResult pal_socket_listen(PalSocket *socket, const PalAddress *local)
     return SM_E_UNSUPPORTED;
 }
 
+SmResult pal_socket_listen_local(PalSocket *socket, const char *path)
+{
+    (void)socket, (void)path;
+    return SM_E_UNSUPPORTED;
+}
+
 SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *peer, uint64_t timeout)
 {
     (void)listening, (void)stream, (void)peer, (void)timeout;

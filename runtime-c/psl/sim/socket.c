@@ -117,6 +117,12 @@ SmResult pal_socket_listen(PalSocket *s, const PalAddress *local)
     return r == SM_OK ? open_socket(s, LISTENING, local) : r;
 }
 
+// The simulated computer has no paths.
+SmResult pal_socket_listen_local(PalSocket *s, const char *path)
+{
+    return s && path && *path != '\0' && strlen(path) <= PAL_SOCKET_PATH ? SM_E_UNSUPPORTED : SM_E_ARGUMENT;
+}
+
 // Returns the handle number of the socket that listens at the address; 0 if there is none.
 static uint8_t find_listening(const PalAddress *to)
 {

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// An application at the other end of a link (docs/swapping.md 12.35 to 12.50): lists its machines and sends a swap.  Prints nothing.
+#ifndef SMC_APP_HOST_H
+#define SMC_APP_HOST_H
+
+#include "bytecode-vm/auth.h"
+#include "compiler/base/arena.h"
+#include "compiler/base/buf.h"
+#include "compiler/device/link_host.h"
+#include "runtime-c/swap_phases.h"
+
+enum { APPLICATION_NAME = 128 };      // bytes of a name with its zero byte; a longer one is cut off
+
+typedef struct ApplicationInfo {
+    uint8_t protocol, body, block;    // `block`: payload bytes of DATA
+    uint16_t machines;
+    uint32_t room;            // most bytes of a swap
+    bool requires_signature;
+    uint32_t mark;            // of its key
+    uint32_t newest;          // the highest number that was used
+    char name[APPLICATION_NAME];
+} ApplicationInfo;
+
+typedef struct ApplicationMachine {
+    bool can_swap, is_on_trial;
+    uint32_t checksum;        // of its image
+    uint8_t identity[8];
+    uint32_t state;
+    char name[APPLICATION_NAME], state_name[APPLICATION_NAME];
+} ApplicationMachine;
+
+typedef struct ApplicationSwap {
+    uint32_t checksum;        // of the last swap; 0: the application itself has begun it
+    uint8_t phase, reason, end;       // SmSwapPhase, SmSwapReason, SmSwapEnd
+    uint16_t machine;         // the machine that was refused; 0xffff: none of the application
+    uint32_t number;          // of a signed swap
+} ApplicationSwap;
+
+typedef struct ApplicationItem {
+    uint8_t kind, fate;       // SmvmSwapKind, SmvmSwapFate of bytecode-vm/swap.h
+    char name[LINK_BODY_MAX];
+} ApplicationItem;
+
+// The following functions return false if the application did not answer (h->answered is false) or refused (h->result is the reason).
+bool application_query(LinkHost *h, ApplicationInfo *info);
+bool application_read_machine(LinkHost *h, uint16_t machine, ApplicationMachine *out);
+bool application_read_swap(LinkHost *h, ApplicationSwap *out);
+// False with SM_E_MISSING after the last item.
+bool application_read_item(LinkHost *h, uint16_t machine, uint32_t item, ApplicationItem *out);
+// `key` may be NULL.
+bool application_confirm(LinkHost *h, const ApplicationSwap *swap, const uint8_t *key);
+
+// ---- a swap ----
+
+typedef struct ApplicationChange {
+    const char *machine;
+    uint8_t mode;             // SmSwapMode
+    const char *state;        // or NULL
+    const uint8_t *image;
+    uint32_t size;
+} ApplicationChange;
+
+// Returns the sentence of a reason for a refusal (runtime-c/swaps.def).
+const char *application_reason_text(uint8_t reason);
+
+// Returns the checksum of a swap, by which the application identifies it.
+uint32_t application_swap_checksum(const Buf *swap);
+
+// Appends the bytes of a swap (bytecode-vm/target/swap_link.h), signed if `key` is not NULL.  At most 255 changes with names of at most
+// 63 characters.
+void application_write_swap(const ApplicationChange *change, size_t n, const uint8_t *key, uint32_t number, Buf *out);
+
+typedef enum ApplicationStep { APPLICATION_DONE, APPLICATION_BEGIN, APPLICATION_DATA, APPLICATION_END } ApplicationStep;
+
+// Sends a swap and lets the application begin it.  `session`: not 0, and different for each swap.  Returns the step that failed; then the
+// swap has not begun, except if the step is APPLICATION_END and there was no answer.
+ApplicationStep application_send_swap(LinkHost *h, const ApplicationInfo *info, const Buf *swap, const uint8_t *key, uint32_t number,
+                                      uint16_t session);
+
+#endif

@@ -1,0 +1,565 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hosts that reach an application over the link: clauses 12.35 to 12.47 of docs/swapping.md.  The host of smc talks to the application through
+// a line that loses, repeats and cuts off what the test wants.  Every tick of the application must step the machine.
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/device/app_host.h"
+#include "runtime-c/pal/clock.h"
+#include "runtime-c/psl/sim/sim.h"
+#include "tests/swap/stage.h"
+#include "tests/test.h"
+
+#define COUNT(by) A "[local]\nU32 n = 0\n[A] @swap\n.step\nn = n + " #by "\nout = n\n"
+#define COUNT_B(by) B "[local]\nU32 n = 0\n[A] @swap\n.step\nn = n + " #by "\nmore = n\n"
+
+static SwapMachine one, ten, b_one, b_ten;
+static const char right_key[] = "00112233445566778899aabbccddeeff", wrong_key[] = "ff112233445566778899aabbccddeeff";
+
+// ---- a line ----
+
+typedef struct Wire {
+    uint32_t sent;            // bytes that the host has sent
+    uint32_t cut;             // the line is gone after so many; UINT32_MAX: never
+    uint32_t frames;          // frames that have arrived, and answers to them
+    uint32_t lose, lose_answer, repeat;   // the number of the frame to lose, the answer to lose, the frame to deliver twice; UINT32_MAX: none
+    LinkReceiver in;
+    uint8_t received[LINK_ROOM(LINK_BODY_MAX)];
+    uint8_t answers[8 * LINK_ROOM(LINK_BODY_MAX)];
+    size_t first, end;        // of `answers`: those that the host has not read yet
+    uint32_t steps;           // ticks of the application
+} Wire;
+
+static Wire wire;
+
+// The application goes on: a tick, and a part of a preparation.
+static void run_application(void)
+{
+    (void)sm_swaps_prepare(&stage.swaps);
+    stage_tick(0);
+    wire.steps++;
+}
+
+static void deliver_frame(bool answers)
+{
+    uint8_t answer[LINK_ROOM(LINK_BODY_MAX)];
+    const uint16_t n = sm_swap_link_answer(&stage.link, wire.in.buffer, wire.in.n, answer);
+
+    CHECK(n <= sizeof answer);
+    if (answers && wire.end + n <= sizeof wire.answers) {
+        memcpy(wire.answers + wire.end, answer, n);
+        wire.end += n;
+    }
+    run_application();
+}
+
+static bool wire_send(void *context, const uint8_t *bytes, size_t n)
+{
+    (void)context;
+    for (size_t i = 0; i < n; i++) {
+        if (wire.sent == wire.cut)
+            return false;
+        wire.sent++;
+        if (sm_link_receive(&wire.in, bytes[i])) {
+            const uint32_t number = wire.frames++;
+            if (number == wire.lose)
+                continue;
+            deliver_frame(number != wire.lose_answer);
+            if (number == wire.repeat)
+                deliver_frame(true);
+        }
+    }
+    return true;
+}
+
+static int wire_receive(void *context, uint8_t *bytes, size_t room, uint32_t wait)
+{
+    (void)context, (void)room;
+    if (wire.first == wire.end) {
+        wire.first = wire.end = 0;
+        for (uint32_t i = 0; i < (wait < 5 ? wait : 5); i++)
+            run_application();
+        (void)pal_clock_sleep_until(pal_clock_now() + (uint64_t)wait * PAL_MILLISECOND);
+        return 0;
+    }
+    bytes[0] = wire.answers[wire.first++];
+    return 1;
+}
+
+static uint32_t wire_now(void *context)
+{
+    (void)context;
+    return (uint32_t)(pal_clock_now() / PAL_MILLISECOND);
+}
+
+static const SerialLine line = {NULL, wire_send, wire_receive, wire_now};
+
+static void connect_host(LinkHost *h)
+{
+    memset(&wire, 0, sizeof wire);
+    wire.cut = wire.lose = wire.lose_answer = wire.repeat = UINT32_MAX;
+    sm_link_receiver_init(&wire.in, wire.received, sizeof wire.received);
+    link_host_init(h, &line, 20, 4, 7);
+}
+
+// ---- an application ----
+
+static void begin_with(const SwapMachine *b, const char *key_file)
+{
+    const StagePlan plan = {.a = &one, .b = b, .room = STAGE_ROOM, .trial = 100000};
+
+    stage_begin(&plan);
+    stage_reach(SM_SWAP_AT_ADDRESS, "", key_file);
+    if (key_file != NULL)
+        CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_OK);
+    run_application();
+}
+
+static void begin(LinkHost *h)
+{
+    sim_reset();
+    connect_host(h);
+    begin_with(NULL, NULL);
+    wire.steps = 1;
+}
+
+static void make_swap(Buf *out, Arena *arena, const SwapMachine *a, const SwapMachine *b, uint8_t mode, const uint8_t *key, uint32_t number)
+{
+    const ApplicationChange change[] = {{"a", mode, NULL, a->image, a->image_size}, {"b", mode, NULL, b ? b->image : NULL, b ? b->image_size : 0}};
+
+    buf_init(out, arena);
+    application_write_swap(change, b ? 2 : 1, key, number, out);
+}
+
+static ApplicationStep send(LinkHost *h, const Buf *swap, const uint8_t *key, uint32_t number, uint16_t session)
+{
+    ApplicationInfo info;
+
+    return application_query(h, &info) ? application_send_swap(h, &info, swap, key, number, session) : APPLICATION_BEGIN;
+}
+
+// Checks that `one` has stepped at every tick: its count is the number of steps.
+static bool has_one_stepped(void) { return stage_number(AT_OUT) == wire.steps; }
+
+// ---- a swap ----
+
+static void test_swap(Arena *arena)
+{
+    LinkHost h;
+    ApplicationInfo info;
+    ApplicationMachine m;
+    ApplicationSwap s;
+    ApplicationItem item;
+    Buf swap;
+
+    // clause 12.35: no compiler, only an image; clause 12.38
+    begin(&h);
+    CHECK(application_query(&h, &info) && info.protocol == LINK_PROTOCOL && info.machines == 1 && !info.requires_signature);
+    CHECK(strcmp(info.name, "stage") == 0 && info.room == SM_SWAP_ROOM(2, STAGE_ROOM));
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
+    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_DONE && has_one_stepped());
+    stage_settle();
+    // clause 12.42
+    CHECK(application_read_swap(&h, &s) && s.phase == SM_SWAP_TRIAL && s.machine == UINT16_MAX && s.checksum != 0);
+    CHECK(application_read_machine(&h, 0, &m) && m.can_swap && m.is_on_trial && m.checksum == stage_identity(&ten));
+    CHECK(strcmp(m.name, "a") == 0 && strcmp(m.state_name, "A") == 0 && m.state == 1);
+    CHECK(!application_read_machine(&h, 1, &m) && h.result == SM_E_MISSING);
+    CHECK(application_read_item(&h, 0, 0, &item) && item.kind == SMVM_SWAP_STATE && item.fate == SMVM_SWAP_KEPT && strcmp(item.name, "A") == 0);
+    CHECK(application_read_item(&h, 0, 1, &item) && item.kind == SMVM_SWAP_LOCAL && strcmp(item.name, "n") == 0);
+    CHECK(!application_read_item(&h, 0, 2, &item) && h.result == SM_E_MISSING);
+    // clause 12.40: a trial; clause 12.41
+    CHECK(send(&h, &swap, NULL, 0, 6) == APPLICATION_BEGIN && h.result == SM_E_BUSY);
+    s.checksum++;
+    CHECK(!application_confirm(&h, &s, NULL) && h.result == SM_E_HANDLE && stage_phase() == SM_SWAP_TRIAL);
+    s.checksum--;
+    CHECK(application_confirm(&h, &s, NULL) && stage_phase() == SM_SWAP_CONFIRMED);
+    CHECK(application_confirm(&h, &s, NULL));              // clause 12.39
+    run_application();
+    // a swap to the same image
+    CHECK(send(&h, &swap, NULL, 0, 7) == APPLICATION_DONE);
+    stage_settle();
+    CHECK(stage_phase() == SM_SWAP_TRIAL && stage_events(SM_EVENT_SWAP, NULL) == 2);
+    // a swap that the application itself has begun
+    CHECK(sm_swap_confirm(&stage.swaps) == SM_OK);
+    run_application();
+    CHECK(stage_swap("a", &one, SM_SWAP_CONTINUE, NULL) == SM_OK);
+    stage_settle();
+    CHECK(application_read_swap(&h, &s) && s.checksum == 0 && s.phase == SM_SWAP_TRIAL && !application_confirm(&h, &s, NULL) && h.result == SM_E_HANDLE);
+}
+
+static void test_refusals(Arena *arena)
+{
+    LinkHost h;
+    ApplicationSwap s;
+    Buf swap;
+
+    begin(&h);
+    make_swap(&swap, arena, &ten, &b_ten, SM_SWAP_CONTINUE, NULL, 0);
+    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_END && h.result == SM_E_ARGUMENT);        // more machines than there are
+    make_swap(&swap, arena, &ten, NULL, 3, NULL, 0);
+    CHECK(send(&h, &swap, NULL, 0, 6) == APPLICATION_DONE && application_read_swap(&h, &s));
+    CHECK(s.phase == SM_SWAP_REFUSED && s.reason == SM_SWAP_NO_MODE && s.machine == 0);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
+    stage_arm(true);
+    CHECK(send(&h, &swap, NULL, 0, 7) == APPLICATION_DONE);
+    stage_settle();
+    CHECK(application_read_swap(&h, &s) && s.phase == SM_SWAP_REFUSED && s.reason == SM_SWAP_NO_ARMED);
+    // both machines, or none
+    sim_reset();
+    connect_host(&h);
+    begin_with(&b_one, NULL);
+    make_swap(&swap, arena, &ten, &b_ten, SM_SWAP_CONTINUE, NULL, 0);
+    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
+    stage_settle();
+    CHECK(stage_phase() == SM_SWAP_TRIAL && stage_events(SM_EVENT_SWAP, NULL) == 2);
+}
+
+// ---- faults of the line ----
+
+// clause 12.38: the line is cut off after each byte.  The old machine steps at every tick, unless END has arrived.
+static void test_cuts(Arena *arena)
+{
+    LinkHost h;
+    Buf swap;
+    uint32_t all, begun = 0;
+
+    begin(&h);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
+    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
+    all = wire.sent;
+    CHECK(all > swap.n);
+    for (uint32_t cut = 0; cut < all; cut++) {
+        begin(&h);
+        wire.cut = cut;
+        CHECK(send(&h, &swap, NULL, 0, 5) != APPLICATION_DONE && h.gone);
+        for (int i = 0; i < 10; i++)
+            run_application();
+        begun += stage_phase() != SM_SWAP_IDLE;
+        CHECK(stage_phase() == SM_SWAP_IDLE && has_one_stepped() && stage_events(SM_EVENT_SWAP, NULL) == 0);
+    }
+    CHECK(begun == 0 && all > 250);
+}
+
+// clause 12.39: each frame is lost, each answer is lost, each frame arrives twice.  One swap follows.
+static void test_lost_and_repeated(Arena *arena)
+{
+    LinkHost h;
+    Buf swap;
+    uint32_t frames;
+
+    begin(&h);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
+    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
+    frames = wire.frames;
+    CHECK(frames >= 5);
+    for (uint32_t i = 0; i < 3 * frames; i++) {
+        begin(&h);
+        *(i % 3 == 0 ? &wire.lose : i % 3 == 1 ? &wire.lose_answer : &wire.repeat) = i / 3;
+        CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
+        stage_settle();
+        CHECK(stage_phase() == SM_SWAP_TRIAL && stage_events(SM_EVENT_SWAP, NULL) == 1 && stage_status().number == 1);
+    }
+}
+
+// clause 12.37: a second host
+static void test_two_hosts(Arena *arena)
+{
+    LinkHost h;
+    Buf swap;
+    const uint32_t sessions[] = {5, 6};
+    uint8_t body[9];
+
+    begin(&h);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
+    sm_link_store(body, sessions[1], 2);
+    sm_link_store(body + 2, (uint32_t)swap.n, 3);
+    sm_link_store(body + 5, 1, 4);
+    CHECK(link_request(&h, LINK_BEGIN, body, sizeof body) && h.result == SM_OK);
+    CHECK(send(&h, &swap, NULL, 0, (uint16_t)sessions[0]) == APPLICATION_BEGIN && h.result == SM_E_BUSY);
+    (void)pal_clock_sleep_until(pal_clock_now() + 4 * (uint64_t)PAL_SECOND);
+    CHECK(send(&h, &swap, NULL, 0, (uint16_t)sessions[0]) == APPLICATION_DONE);
+    CHECK(link_request(&h, LINK_END, body, 2) && h.result == SM_E_HANDLE);
+    // a damaged swap: the checksum is another one
+    begin(&h);
+    body[0] = 9;
+    CHECK(link_request(&h, LINK_BEGIN, body, sizeof body) && h.result == SM_OK);
+    for (uint32_t at = 0; at < swap.n; at += 100) {
+        const uint32_t n = swap.n - at < 100 ? (uint32_t)swap.n - at : 100;
+        uint8_t data[105] = {9};
+        sm_link_store(data + 2, at, 3);
+        memcpy(data + 5, swap.at + at, n);
+        CHECK(link_request(&h, LINK_DATA, data, 5 + n) && h.result == SM_OK);
+    }
+    CHECK(link_request(&h, LINK_END, body, 2) && h.result == SM_E_IMAGE && stage_phase() == SM_SWAP_IDLE);
+}
+
+// ---- keys ----
+
+static void read_key(const char *digits, uint8_t *key)
+{
+    for (int i = 0; i < 16; i++) {
+        const char two[] = {digits[2 * i], digits[2 * i + 1], '\0'};
+        key[i] = (uint8_t)strtoul(two, NULL, 16);
+    }
+}
+
+static void begin_with_key(LinkHost *h, bool fresh)
+{
+    if (fresh) {
+        sim_reset();
+        memcpy(sim_nvm("flash"), right_key, 32);
+    }
+    connect_host(h);
+    begin_with(NULL, "flash");
+}
+
+static void end_with_key(void) { sm_swap_link_close(&stage.link.service); }
+
+static void test_keys(Arena *arena)
+{
+    uint8_t key[16], wrong[16];
+    LinkHost h;
+    ApplicationSwap s;
+    Buf swap, plain;
+
+    read_key(right_key, key);
+    read_key(wrong_key, wrong);
+    begin_with_key(&h, true);
+    // clause 12.46: no permit, another key, and a swap that was changed after the permit
+    make_swap(&plain, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
+    CHECK(send(&h, &plain, NULL, 0, 5) == APPLICATION_BEGIN && h.result == SM_E_UNSIGNED);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, wrong, 1);
+    CHECK(send(&h, &swap, wrong, 1, 5) == APPLICATION_BEGIN && h.result == SM_E_UNSIGNED);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 3);
+    for (size_t i = 0; i < swap.n; i += 13) {
+        swap.at[i] ^= 1;
+        CHECK(send(&h, &swap, key, 3, (uint16_t)(6 + i)) == APPLICATION_END && h.result == SM_E_UNSIGNED);
+        swap.at[i] ^= 1;
+    }
+    CHECK(stage_phase() == SM_SWAP_IDLE && stage.link.newest == 0);
+    CHECK(send(&h, &swap, key, 3, 6) == APPLICATION_DONE && stage.link.newest == 3);
+    stage_settle();
+    CHECK(application_read_swap(&h, &s) && s.phase == SM_SWAP_TRIAL && s.number == 3);
+    // clause 12.46: CONFIRM
+    CHECK(!application_confirm(&h, &s, NULL) && h.result == SM_E_UNSIGNED && !application_confirm(&h, &s, wrong) && h.result == SM_E_UNSIGNED);
+    CHECK(application_confirm(&h, &s, key) && stage_phase() == SM_SWAP_CONFIRMED);
+    run_application();
+    // clause 12.47: the same swap again, an older one, and both after a restart
+    CHECK(send(&h, &swap, key, 3, 8) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
+    end_with_key();
+    begin_with_key(&h, false);
+    CHECK(stage.link.newest == 3);
+    CHECK(send(&h, &swap, key, 3, 9) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 2);
+    CHECK(send(&h, &swap, key, 2, 10) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
+    // a permit with a higher number for a swap with a lower one
+    CHECK(send(&h, &swap, key, 4, 11) == APPLICATION_END && h.result == SM_E_REPLAY && stage_phase() == SM_SWAP_IDLE);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 4);
+    CHECK(send(&h, &swap, key, 4, 12) == APPLICATION_DONE && stage.link.newest == 4);
+    end_with_key();
+    // no key in the file
+    sim_nvm("flash")[31] = 'g';
+    CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_ARGUMENT && stage.app.failed_file == stage.link.key_file);
+}
+
+// clause 12.47: the power is cut after each byte of the number.  Afterwards the highest number is the one before or the new one.
+static void test_power_cuts(Arena *arena)
+{
+    uint8_t key[16];
+    uint32_t stored = 0;
+    LinkHost h;
+    Buf swap;
+
+    read_key(right_key, key);
+    for (uint32_t bytes = 0; bytes <= 8; bytes++) {
+        begin_with_key(&h, true);
+        for (uint32_t number = 1; number <= 3; number++) {
+            make_swap(&swap, arena, &ten, NULL, 3, key, number);       // refused for its mode: the next one can follow
+            if (number == 3)
+                sim_cut_power(0, bytes);
+            CHECK((send(&h, &swap, key, number, (uint16_t)(5 + number)) == APPLICATION_DONE) == (number < 3));
+            run_application();
+        }
+        CHECK(stage_status().number == 2);
+        sim_power_on();
+        CHECK(pal_socket_close(stage.link.listening) == SM_OK);
+        begin_with_key(&h, false);
+        CHECK(stage.link.newest == 2 || stage.link.newest == 3);
+        stored += stage.link.newest == 3;
+        end_with_key();
+    }
+    CHECK(stored > 0);
+}
+
+// ---- hostile hosts ----
+
+static uint32_t seed = 1;
+
+static uint32_t next_random(uint32_t below)
+{
+    seed = seed * 1664525u + 1013904223u;
+    return (seed >> 8) % below;
+}
+
+// Returns a frame of a known message with a random body, or with fields that lie about lengths.
+static uint16_t random_request(uint8_t *request, const Buf *swap)
+{
+    static const uint8_t messages[] = {LINK_APP, LINK_MACHINE, LINK_SWAP, LINK_KEPT, LINK_BEGIN, LINK_DATA, LINK_END, LINK_CONFIRM, LINK_EVENTS, LINK_READ};
+    uint16_t n = (uint16_t)(LINK_HEAD + next_random(LINK_BODY_MAX + 1));
+
+    for (uint16_t i = 0; i < n; i++)
+        request[i] = (uint8_t)next_random(256);
+    request[1] = next_random(20) ? messages[next_random(sizeof messages)] : (uint8_t)next_random(256);
+    if (next_random(3) == 0)
+        return n;
+    sm_link_store(request + 2, 1 + next_random(2), 2);
+    if (request[1] == LINK_BEGIN) {
+        sm_link_store(request + 4, (uint32_t)swap->n, 3);
+        sm_link_store(request + 7, sm_link_crc((const uint8_t *)swap->at, (uint16_t)swap->n), 4);
+    } else if (request[1] == LINK_DATA) {
+        const uint32_t at = next_random(3) ? stage.link.received : next_random((uint32_t)swap->n);
+        const uint32_t size = swap->n - at < LINK_BODY_MAX - 5 ? (uint32_t)swap->n - at : LINK_BODY_MAX - 5;
+        sm_link_store(request + 4, at, 3);
+        memcpy(request + 7, swap->at + at, size);
+        n = (uint16_t)(LINK_HEAD + 5 + size);
+    }
+    return n;
+}
+
+// Damages a swap: a bit, or the end.  Its checksum is that of the damaged bytes, so that its form is read.
+static void damage(Buf *swap)
+{
+    if (next_random(2))
+        swap->at[next_random((uint32_t)swap->n)] ^= (char)(1u << next_random(8));
+    if (next_random(4) == 0)
+        swap->at[next_random(swap->n < 40 ? (uint32_t)swap->n : 40)] = (char)next_random(256);
+    if (next_random(3) == 0)
+        swap->n = 1 + next_random((uint32_t)swap->n);
+}
+
+// clause 12.36: whatever arrives, every tick steps the machine, and the memory around the buffer stays as it was
+static void test_hostile(Arena *arena, unsigned rounds)
+{
+    unsigned answered = 0, begun = 0, exchanged = 0;
+    LinkHost h;
+    Buf good;
+
+    make_swap(&good, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
+    begin(&h);
+    for (unsigned i = 0; i < rounds; i++) {
+        uint8_t request[LINK_HEAD + LINK_BODY_MAX], answer[LINK_ROOM(LINK_BODY_MAX)];
+        Buf bad;
+        const double before = stage_number(AT_OUT);
+        if (next_random(50) == 0) {                        // a whole transfer of damaged bytes
+            buf_init(&bad, arena);
+            buf_put(&bad, good.at, good.n);
+            if (next_random(4))
+                damage(&bad);
+            begun += send(&h, &bad, NULL, 0, (uint16_t)(10 + i % 1000)) == APPLICATION_DONE;
+            wire.first = wire.end = 0;
+            continue;
+        }
+        answered += sm_swap_link_answer(&stage.link, request, random_request(request, &good), answer) > 0;
+        run_application();
+        CHECK(stage_number(AT_OUT) == before + 1 || stage_number(AT_OUT) == before + 10);
+        if (stage_phase() == SM_SWAP_TRIAL) {
+            exchanged++;
+            CHECK(sm_swap_confirm(&stage.swaps) == SM_OK);
+        }
+        (void)pal_clock_sleep_until(pal_clock_now() + next_random(2) * 1000 * (uint64_t)PAL_MILLISECOND);
+    }
+    CHECK(answered > rounds / 2 && begun > 0 && exchanged > 0);
+    (void)pal_clock_sleep_until(pal_clock_now() + 4 * (uint64_t)PAL_SECOND);
+    for (int i = 0; i < 20; i++)
+        run_application();
+    CHECK(stage_phase() != SM_SWAP_TRIAL || sm_swap_confirm(&stage.swaps) == SM_OK);
+    run_application();
+    CHECK(send(&h, &good, NULL, 0, 3) == APPLICATION_DONE);        // and a host with a whole swap succeeds
+    stage_settle();
+    CHECK(stage_phase() == SM_SWAP_TRIAL);
+}
+
+// ---- connections ----
+
+static void serve(void) { sm_swap_link_serve(&stage.link.service, PAL_MILLISECOND); }
+
+static PalSocket connect_stream(void)
+{
+    const PalAddress at = {{127, 0, 0, 1}, 4711};
+    PalSocket s = {0};
+
+    CHECK(pal_socket_connect(&s, &at, 0) == SM_OK);
+    return s;
+}
+
+// Sends a request for the properties, and whether it is answered when the application serves its hosts.
+static bool ask(PalSocket s)
+{
+    uint8_t frame[LINK_ROOM(0)] = {0, 3, LINK_APP}, answer[64];
+    const uint16_t n = sm_link_encode(frame, LINK_HEAD);
+    size_t done;
+
+    CHECK(pal_socket_send(s, frame, n, &done, 0) == SM_OK);
+    serve();
+    return pal_socket_receive(s, answer, sizeof answer, &done, 0) == SM_OK && done > 0 && answer[done - 1] == 0;
+}
+
+// clause 12.37: four connections, a fifth waits, silent ones are closed
+static void test_connections(void)
+{
+    PalSocket s[5];
+    LinkHost h;
+    uint8_t byte = 'x';
+    size_t done;
+
+    begin(&h);
+    CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_OK);
+    for (int i = 0; i < 4; i++) {
+        s[i] = connect_stream();
+        CHECK(ask(s[i]));
+    }
+    s[4] = connect_stream();
+    CHECK(!ask(s[4]));
+    CHECK(ask(s[0]));
+    for (int i = 0; i < 11; i++) {                         // a slow sender: a byte at a time, and never a frame
+        (void)pal_clock_sleep_until(pal_clock_now() + PAL_SECOND);
+        CHECK(pal_socket_send(s[1], &byte, 1, &done, 0) == SM_OK || i == 10);
+        (void)ask(s[0]);
+    }
+    CHECK(pal_socket_receive(s[1], &byte, 1, &done, 0) == SM_E_CLOSED && pal_socket_receive(s[2], &byte, 1, &done, 0) == SM_E_CLOSED);
+    CHECK(ask(s[0]));
+    serve();
+    CHECK(pal_socket_receive(s[4], &byte, 1, &done, 0) == SM_OK);        // the fifth was answered
+    // clause 12.43: a host that disappears
+    CHECK(pal_socket_close(s[0]) == SM_OK && pal_socket_close(s[4]) == SM_OK);
+    serve();
+    for (int i = 0; i < SM_SWAP_CLIENTS; i++)
+        CHECK(!stage.link.client[i].is_open || i > 1);
+    sm_swap_link_close(&stage.link.service);
+}
+
+int main(int argc, char **argv)
+{
+    const unsigned rounds = argc > 1 ? (unsigned)strtoul(argv[1], NULL, 10) : 4000;
+    Arena *arena;
+
+    machine_compile(&one, COUNT(1), STAGE_SV, 2, true);
+    machine_compile(&ten, COUNT(10), STAGE_SV, 2, true);
+    machine_compile(&b_one, COUNT_B(1), STAGE_SV, 2, true);
+    machine_compile(&b_ten, COUNT_B(10), STAGE_SV, 2, true);
+    arena = &one.session.arena;
+    test_swap(arena);
+    test_refusals(arena);
+    test_cuts(arena);
+    test_lost_and_repeated(arena);
+    test_two_hosts(arena);
+    test_keys(arena);
+    test_power_cuts(arena);
+    test_hostile(arena, rounds);
+    test_connections();
+    machine_free(&one);
+    machine_free(&ten);
+    machine_free(&b_one);
+    machine_free(&b_ten);
+    return test_end("swap/link");
+}
