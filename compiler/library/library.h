@@ -171,5 +171,8 @@ const char *library_base_name(const char *path);
 // ---- library_machine.c ----
 
 void library_close_machines(SmcSession *s);
+// Returns an open machine of an open session, or NULL; and the result for a machine that is not one.
+LibraryMachine *library_machine(const SmcSession *s, SmcMachine m);
+SmcResult library_no_machine(const SmcSession *s);
 
 #endif

@@ -28,8 +28,7 @@ static uint32_t position_of(const SmcSession *s, SmcMachine m)
     return from;
 }
 
-// Returns an open machine of an open session, or NULL.
-static LibraryMachine *machine_of(const SmcSession *s, SmcMachine m)
+LibraryMachine *library_machine(const SmcSession *s, SmcMachine m)
 {
     uint32_t at;
 
@@ -39,7 +38,7 @@ static LibraryMachine *machine_of(const SmcSession *s, SmcMachine m)
     return at < s->machines && s->machine[at]->id == m ? s->machine[at] : NULL;
 }
 
-static SmcResult no_machine(const SmcSession *s) { return library_is_open(s) ? library_fail(s, SMC_E_HANDLE, NULL) : SMC_E_HANDLE; }
+SmcResult library_no_machine(const SmcSession *s) { return library_is_open(s) ? library_fail(s, SMC_E_HANDLE, NULL) : SMC_E_HANDLE; }
 
 static void free_machine(SmcSession *s, LibraryMachine *m)
 {
@@ -255,11 +254,11 @@ SmcResult smc_machine_open(SmcSession *s, uint32_t source, SmcMachine *m)
 
 SmcResult smc_machine_close(SmcSession *s, SmcMachine m)
 {
-    LibraryMachine *own = machine_of(s, m);
+    LibraryMachine *own = library_machine(s, m);
     uint32_t at;
 
     if (!own)
-        return no_machine(s);
+        return library_no_machine(s);
     at = position_of(s, m);
     memmove(s->machine + at, s->machine + at + 1, (s->machines - at - 1) * sizeof *s->machine);
     s->machines--;
@@ -271,10 +270,10 @@ SmcResult smc_machine_close(SmcSession *s, SmcMachine m)
 
 SmcResult smc_machine_start(SmcSession *s, SmcMachine m, uint32_t state)
 {
-    LibraryMachine *own = machine_of(s, m);
+    LibraryMachine *own = library_machine(s, m);
 
     if (!own)
-        return no_machine(s);
+        return library_no_machine(s);
     if (state < 1 || state > own->m.states)
         return library_fail(s, SMC_E_INDEX, "there is no state of this number");
     return start(own, state);
@@ -282,11 +281,11 @@ SmcResult smc_machine_start(SmcSession *s, SmcMachine m, uint32_t state)
 
 SmcResult smc_machine_step(SmcSession *s, SmcMachine m, uint64_t g)
 {
-    LibraryMachine *own = machine_of(s, m);
+    LibraryMachine *own = library_machine(s, m);
     uint64_t before;
 
     if (!own)
-        return no_machine(s);
+        return library_no_machine(s);
     before = sm_cell_load(SM_U64, own->vector + own->m.g);
     sm_cell_store(SM_U64, own->vector + own->m.g, g);
     if (smvm_step_decoded(own->decoded, own->vector) == SM_OK)
@@ -309,7 +308,7 @@ static const char *find_obstacle(const LibraryMachine *from, SmResult plan)
 
 SmcResult smc_machine_continue(SmcSession *s, SmcMachine from, SmcMachine to)
 {
-    LibraryMachine *old = machine_of(s, from), *new = machine_of(s, to);
+    LibraryMachine *old = library_machine(s, from), *new = library_machine(s, to);
     uint32_t size;
     SmvmSwap *plan;
     const char *obstacle;
@@ -317,7 +316,7 @@ SmcResult smc_machine_continue(SmcSession *s, SmcMachine from, SmcMachine to)
     SmcResult r = SMC_OK;
 
     if (!old || !new)
-        return no_machine(s);
+        return library_no_machine(s);
     if (old == new)
         return library_fail(s, SMC_E_ARGUMENT, "a machine cannot continue in itself");
     size = smvm_swap_size(&old->m, &new->m);
@@ -341,28 +340,28 @@ SmcResult smc_machine_continue(SmcSession *s, SmcMachine from, SmcMachine to)
 
 uint32_t smc_machine_state(const SmcSession *s, SmcMachine m)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     return own ? smvm_state(own->vm) : 0;
 }
 
 uint32_t smc_machine_state_count(const SmcSession *s, SmcMachine m)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     return own ? own->m.states : 0;
 }
 
 const char *smc_machine_state_name(const SmcSession *s, SmcMachine m, uint32_t state)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     return own && state >= 1 && state <= own->m.states ? own->state_name[state] : "";
 }
 
 uint32_t smc_machine_state_marks(const SmcSession *s, SmcMachine m, uint32_t state)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     if (!own || state < 1 || state > own->m.states)
         return 0;
@@ -372,7 +371,7 @@ uint32_t smc_machine_state_marks(const SmcSession *s, SmcMachine m, uint32_t sta
 
 uint64_t smc_machine_time(const SmcSession *s, SmcMachine m)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     return own ? smvm_time(own->vm) : 0;
 }
@@ -381,26 +380,26 @@ uint64_t smc_machine_time(const SmcSession *s, SmcMachine m)
 
 static const LibraryVariable *variable_of(const SmcSession *s, SmcMachine m, uint32_t variable)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     return own && variable < own->variables ? &own->variable[variable] : NULL;
 }
 
 uint32_t smc_machine_variable_count(const SmcSession *s, SmcMachine m)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     return own ? own->variables : 0;
 }
 
 SmcResult smc_machine_find(const SmcSession *s, SmcMachine m, const char *name, uint32_t *variable)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
     LibraryVariable key;
     const LibraryVariable *found;
 
     if (!own)
-        return no_machine(s);
+        return library_no_machine(s);
     if (!name || !variable)
         return library_fail(s, SMC_E_ARGUMENT, NULL);
     key.name = name;
@@ -441,7 +440,7 @@ uint32_t smc_machine_variable_offset(const SmcSession *s, SmcMachine m, uint32_t
 
 int32_t smc_machine_variable_stored(const SmcSession *s, SmcMachine m, uint32_t variable)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
     const LibraryVariable *v = variable_of(s, m, variable);
 
     if (!v || v->kind != SMC_VARIABLE_ELEMENT)
@@ -454,11 +453,11 @@ int32_t smc_machine_variable_stored(const SmcSession *s, SmcMachine m, uint32_t 
 // Stores where the value of a variable is.
 static SmcResult find_value(const SmcSession *s, SmcMachine m, uint32_t variable, SmType *type, uint8_t **at)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
     const LibraryVariable *v = variable_of(s, m, variable);
 
     if (!own)
-        return no_machine(s);
+        return library_no_machine(s);
     if (!v)
         return library_fail(s, SMC_E_INDEX, NULL);
     *type = v->type;
@@ -524,7 +523,7 @@ SmcResult smc_machine_write(SmcSession *s, SmcMachine m, uint32_t variable, cons
 
 uint64_t smc_machine_info(const SmcSession *s, SmcMachine m, int32_t what)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     if (!own)
         return 0;
@@ -541,7 +540,7 @@ uint64_t smc_machine_info(const SmcSession *s, SmcMachine m, int32_t what)
 
 void *smc_machine_vector(SmcSession *s, SmcMachine m)
 {
-    const LibraryMachine *own = machine_of(s, m);
+    const LibraryMachine *own = library_machine(s, m);
 
     return own ? own->vector : NULL;
 }
