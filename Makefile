@@ -181,6 +181,25 @@ install: all $(B)/libsmvm.a $(B)/lib/libsmc.a $(B)/lib/$(SONAME)
 	@for f in $(INSTALLED_HEADERS); do cp $$f "$(DEST)/include/smc/$$f" || exit 1; done
 	@for f in $(INSTALLED_RUNTIME); do mkdir -p "$(DEST)/share/smc/$$(dirname $$f)" && cp $$f "$(DEST)/share/smc/$$f" || exit 1; done
 
+# ---- Python ----
+
+# `make wheel`: the package of python/ for any Python 3 of this platform, in WHEEL.  PIP_FLAGS: more options of pip.
+PYTHON ?= python3
+WHEEL  ?= $(B)/wheel
+wheel:
+	B='$(B)' $(PYTHON) -m pip wheel -q --disable-pip-version-check --no-deps $(PIP_FLAGS) -w '$(WHEEL)' ./python
+
+# Runs a program with the package of this tree.
+RUN_PYTHON = SMC_LIBRARY='$(abspath $(B)/lib/$(SONAME))' PYTHONPATH=python PYTHONDONTWRITEBYTECODE=1 $(PYTHON)
+bench-python: $(B)/lib/$(SONAME)
+	@$(RUN_PYTHON) tests/python/speed.py
+
+# `make rocketpy FLIGHTS=100`: examples/rocketpy.  Needs numpy, cffi, matplotlib and rocketpy.
+FLIGHTS ?= 100
+rocketpy: $(B)/lib/$(SONAME)
+	$(RUN_PYTHON) examples/rocketpy/fly.py --flights $(FLIGHTS) --cc '$(CC)' -o $(B)/rocketpy
+.PHONY: wheel bench-python rocketpy
+
 uninstall:
 	rm -f "$(DEST)/bin/smc" "$(DEST)/lib/libsmvm.a" "$(DEST)/lib/pkgconfig/smvm.pc" \
 	    "$(DEST)/lib/libsmc.a" "$(DEST)/lib/libsmc.so" "$(DEST)/lib/$(SONAME)" "$(DEST)/lib/pkgconfig/smc.pc" "$(DEST)/include/smc.h"
@@ -207,6 +226,7 @@ help:
 	@echo 'make sizes           measures what the parts take on boards: flash, RAM, stack, cycles'
 	@echo 'make emulate MCU=atmega328p  runs an emulated Uno (atmega2560: Mega) with the firmware, for smc flash and smc device; needs libsimavr'
 	@echo 'make arduino         makes the Arduino library, $(ARDUINO) and smc.zip beside it'
+	@echo 'make wheel           makes the Python package, $(WHEEL)/smc-….whl; bench-python: its speed; rocketpy: flies examples/rocketpy FLIGHTS=100 times'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR if that is set; uninstall removes it'
 	@echo 'make clean           removes $(B)'
 

@@ -798,6 +798,7 @@ $(call test, +tcc,                 targets, $(B)/golden, sh tests/targets/tcc.sh
 $(call test, +sizes,               targets,, sh tests/bench/sizes.sh $(B) '$(CC)' '$(MAKE)')
 $(call test, +install,             targets,, sh tests/install/run.sh $(MAKE) $(B) '$(CC)')
 $(call test, +library-programs,    targets,, sh tests/library/programs.sh $(MAKE) $(B) '$(CC)')
+$(call test, +python,              targets,, sh tests/python/run.sh $(MAKE) $(B) '$(CC)')
 $(call test, emitc,                targets,, sh tests/emitc/run.sh $(B)/smc)
 $(call test, emulated,             targets,, sh tests/avr/emulated.sh '$(MAKE)' $(B) '$(CC)')
 $(call test, avr,                  targets, $(B)/diff/difftest, sh tests/avr/run.sh $(B) '$(CC)')

@@ -385,6 +385,21 @@ SmcResult smc_machine_set(SmcSession *s, SmcMachine m, uint32_t variable, double
 SmcResult smc_machine_read(const SmcSession *s, SmcMachine m, uint32_t variable, void *value, uint32_t size);
 SmcResult smc_machine_write(SmcSession *s, SmcMachine m, uint32_t variable, const void *value, uint32_t size);
 
+// Runs `rows` steps on columns: arrays with one value for each step.  Step i, from 0:
+//
+//   1. stores in variable input[k] the value from[k][i], like smc_machine_set, for k from 0 to inputs - 1;
+//   2. sets G to g[i] and runs a step;
+//   3. copies variable output[k] to to[k][i], like smc_machine_get, for k from 0 to outputs - 1, and the state to states[i], like
+//      smc_machine_state.  `states` can be NULL.
+//
+// A column has room for `rows` values.  A column of outputs can be the same array as one of inputs.  *done is set to the number of steps that have
+// run; the rows from there on are not written.  A machine that has run is in the same state as one that has been stepped, and continues from there.
+// SMC_E_REFUSED: g[*done] is not above G of the last step.  SMC_E_CANCELLED: smc_cancel ended the run.  In both cases, the steps before are complete.
+// SMC_E_ARGUMENT: a needed pointer or a column is NULL, or G is an input.  SMC_E_INDEX: there is no variable of one of the numbers.
+// SMC_E_SIZE: no array can have so many rows.  SMC_E_MEMORY: a run needs 16 bytes for each column.  With these four, *done is 0 and no step has run.
+SmcResult smc_machine_run(SmcSession *s, SmcMachine m, uint64_t rows, const uint64_t *g, uint32_t inputs, const uint32_t *input,
+                          const double *const *from, uint32_t outputs, const uint32_t *output, double *const *to, uint32_t *states, uint64_t *done);
+
 enum SmcInfo {
     SMC_INFO_VECTOR = 0,          // bytes of the state vector
     SMC_INFO_LAYOUT = 1,          // the hash of its layout: machines run only on a vector of the same hash

@@ -15,6 +15,7 @@ code)     find stdlib compiler bytecode-vm runtime-c arduino tests examples -nam
               -o -name '*.cpp' -o -name '*.mk'
           echo Makefile ;;
 text)     find stdlib compiler bytecode-vm runtime-c arduino tests examples conformance docs editors -type f 2>/dev/null
+          find python -name build -prune -o -name '*.py' -print -o -name '*.md' -print -o -name '*.toml' -print
           ls README.md CONTRIBUTING.md Makefile ;;
 sources)  find stdlib compiler bytecode-vm runtime-c arduino tests -name '*.[chS]' -o -name '*.def' ;;
 product)  find stdlib compiler bytecode-vm runtime-c -name '*.[ch]' -o -name '*.def' ;;

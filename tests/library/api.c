@@ -427,6 +427,80 @@ static void runs_machines(void)
     smc_close(s);
 }
 
+// A run on columns does what as many steps do.
+static void runs_columns(void)
+{
+    enum { ROWS = 3000 };
+    static uint64_t g[ROWS];
+    static double p[ROWS], valve[ROWS], small[ROWS], level[ROWS], s_of[ROWS];
+    static uint32_t states[ROWS];
+    SmcSession *s = open_session();
+    const uint32_t sm = add(s, SMC_KIND_SM, "tank.sm", tank);
+    SmcMachine m = 0, other = 0;
+    uint64_t done = 9;
+
+    CHECK(smc_compile(s) == SMC_OK && smc_machine_open(s, sm, &m) == SMC_OK && smc_machine_open(s, sm, &other) == SMC_OK);
+    for (int i = 0; i < ROWS; i++) {
+        g[i] = (uint64_t)i * 10;
+        p[i] = i == 2500 ? 901 : i % 7 == 3 ? i % 800 + 0.3 : 690 + i % 20;
+    }
+    {
+        const uint32_t input[] = {find(s, m, "p")}, output[] = {find(s, m, "valve"), find(s, m, "small"), find(s, m, "level"), find(s, m, "S")};
+        const double *const from[] = {p};
+        double *const to[] = {valve, small, level, s_of};
+        CHECK(smc_machine_run(s, m, ROWS, g, 1, input, from, 4, output, to, states, &done) == SMC_OK && done == ROWS);
+        for (int i = 0; i < ROWS; i++) {
+            smc_machine_set(s, other, input[0], p[i]);
+            CHECK(smc_machine_step(s, other, g[i]) == SMC_OK && smc_machine_state(s, other) == states[i] && get(s, other, "valve") == valve[i]);
+            CHECK(get(s, other, "small") == small[i] && get(s, other, "level") == level[i] && get(s, other, "S") == s_of[i]);
+        }
+        CHECK(states[2499] == 1 && s_of[2500] == 1 && states[2500] == 2 && s_of[2501] == 2 && small[100] == 32767);
+    }
+    CHECK(smc_machine_run(s, m, 0, NULL, 0, NULL, NULL, 0, NULL, NULL, NULL, &done) == SMC_OK && done == 0);
+    CHECK(smc_machine_step(s, m, g[ROWS - 1]) == SMC_E_REFUSED && smc_machine_step(s, m, g[ROWS - 1] + 1) == SMC_OK);
+    smc_close(s);
+}
+
+// What a run on columns refuses, and what it leaves as it was.
+static void refuses_columns(void)
+{
+    SmcSession *s = open_session();
+    const uint32_t sm = add(s, SMC_KIND_SM, "tank.sm", tank);
+    uint64_t g[] = {10, 20, 20, 30}, late[] = {50, UINT64_MAX, 60, 70}, done = 9;
+    const double p[] = {1, 2, 3, 4};
+    double n[4] = {-1, -1, -1, -1};
+    const double *const from[] = {p}, *const no_from[] = {NULL};
+    double *const to[] = {n}, *const no_to[] = {NULL};
+    uint32_t input, output, time;
+    const uint32_t none = 7;
+    SmcMachine m = 0;
+
+    CHECK(smc_compile(s) == SMC_OK && smc_machine_open(s, sm, &m) == SMC_OK);
+    input = find(s, m, "p");
+    output = find(s, m, "n");
+    time = find(s, m, "G");
+    CHECK(smc_machine_run(s, m, 4, g, 1, &input, from, 1, &output, to, NULL, NULL) == SMC_E_ARGUMENT);
+    CHECK(smc_machine_run(s, m, 4, NULL, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_ARGUMENT && done == 0);
+    CHECK(smc_machine_run(s, m, 4, g, 1, NULL, from, 1, &output, to, NULL, &done) == SMC_E_ARGUMENT);
+    CHECK(smc_machine_run(s, m, 4, g, 1, &input, NULL, 1, &output, to, NULL, &done) == SMC_E_ARGUMENT);
+    CHECK(smc_machine_run(s, m, 4, g, 1, &input, from, 1, NULL, to, NULL, &done) == SMC_E_ARGUMENT);
+    CHECK(smc_machine_run(s, m, 4, g, 1, &input, from, 1, &output, NULL, NULL, &done) == SMC_E_ARGUMENT);
+    CHECK(smc_machine_run(s, m, 4, g, 1, &input, no_from, 1, &output, to, NULL, &done) == SMC_E_ARGUMENT);
+    CHECK(smc_machine_run(s, m, 4, g, 1, &input, from, 1, &output, no_to, NULL, &done) == SMC_E_ARGUMENT);
+    CHECK(smc_machine_run(s, m, 4, g, 1, &time, from, 1, &output, to, NULL, &done) == SMC_E_ARGUMENT && strstr(smc_error_text(s), "G cannot") != NULL);
+    CHECK(smc_machine_run(s, m, 4, g, 1, &none, from, 1, &output, to, NULL, &done) == SMC_E_INDEX);
+    CHECK(smc_machine_run(s, m, 4, g, 1, &input, from, 1, &none, to, NULL, &done) == SMC_E_INDEX);
+    CHECK(smc_machine_run(s, m, UINT64_MAX, g, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_SIZE);
+    CHECK(smc_machine_run(s, 5, 4, g, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_HANDLE);
+    CHECK(smc_machine_run(NULL, m, 4, g, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_HANDLE);
+    CHECK(smc_cancel(s, 1) == SMC_OK && smc_machine_run(s, m, 4, g, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_CANCELLED && done == 0);
+    CHECK(n[0] == -1 && get(s, m, "n") == 3 && get(s, m, "p") == 0);       // no step has run
+    CHECK(smc_machine_run(s, m, 4, g, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_REFUSED && done == 2);
+    CHECK(n[0] == 4 && n[1] == 5 && n[2] == -1 && get(s, m, "p") == 2 && get(s, m, "G") == 20);
+    CHECK(smc_machine_run(s, m, 4, late, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_REFUSED && done == 1);      // the largest G has no step
+    smc_close(s);
+}
+
 static void opens_images(void)
 {
     SmcSession *s = open_session(), *second = open_session();
@@ -645,6 +719,8 @@ int main(void)
     runs_scripts_of_several_machines();
     cancels();
     runs_machines();
+    runs_columns();
+    refuses_columns();
     opens_images();
     opens_each_machine();
     lists_what_a_swap_keeps();

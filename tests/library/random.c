@@ -97,13 +97,39 @@ static void open_changed_image(SmcSession *s, SmcMachine *m)
     free(copy);
 }
 
+static void run_columns(SmcSession *s, SmcMachine m)
+{
+    enum { ROWS = 40, COLUMNS = 3 };
+    uint64_t g[ROWS], done = 99;
+    double in[COLUMNS][ROWS], out[COLUMNS][ROWS];
+    const double *from[COLUMNS];
+    double *to[COLUMNS];
+    uint32_t variable[2][COLUMNS], states[ROWS];
+    const uint32_t rows = draw(ROWS + 1), inputs = draw(COLUMNS + 1), outputs = draw(COLUMNS + 1);
+    SmcResult r;
+
+    for (uint32_t i = 0; i < ROWS; i++)
+        g[i] = draw(30) ? smc_machine_time(s, m) + 2000 + i : UINT64_MAX - draw(40);
+    for (uint32_t k = 0; k < COLUMNS; k++) {
+        for (uint32_t i = 0; i < ROWS; i++)
+            in[k][i] = draw(9) ? (double)draw(2000) - 1000 : nan_value();
+        variable[0][k] = draw(6);
+        variable[1][k] = draw(7);
+        from[k] = draw(20) ? in[k] : NULL;
+        to[k] = draw(20) ? draw(4) ? out[k] : in[k] : NULL;
+    }
+    r = smc_machine_run(s, m, draw(40) ? rows : UINT64_MAX, draw(20) ? g : NULL, inputs, draw(20) ? variable[0] : NULL, from, outputs, variable[1],
+                        draw(20) ? to : NULL, draw(2) ? states : NULL, draw(20) ? &done : NULL);
+    CHECK(done == 99 || (r == SMC_OK ? done == rows : done <= rows));
+}
+
 static void use_machine(SmcSession *s, SmcMachine m, SmcMachine other)
 {
     const uint32_t i = draw(10);
     double x = draw(3) ? (double)draw(2000) - 1000 : nan_value();
     unsigned char bytes[8];
 
-    switch (draw(12)) {
+    switch (draw(13)) {
     case 0: smc_machine_step(s, m, draw(4) ? smc_machine_time(s, m) + draw(1000) : UINT64_MAX - draw(2)); break;
     case 1: smc_machine_start(s, m, draw(4)); break;
     case 2: smc_machine_set(s, m, i, x); break;
@@ -116,6 +142,7 @@ static void use_machine(SmcSession *s, SmcMachine m, SmcMachine other)
     case 9: smc_machine_info(s, m, (int32_t)draw(8) - 1); break;
     case 10: if (smc_machine_vector(s, m)) memset(smc_machine_vector(s, m), (int)draw(256), (size_t)smc_machine_info(s, m, SMC_INFO_VECTOR)); break;
     case 11: smc_machine_state_marks(s, m, draw(4)); break;
+    case 12: run_columns(s, m); break;
     }
 }
 

@@ -133,12 +133,30 @@ static SmcResult call_add_and_remove(SmcSession *s)
     return r;
 }
 
+static SmcResult call_run_columns(SmcSession *s)
+{
+    static const uint64_t g[] = {1, 2};
+    static const double p[] = {7, 8};
+    static const double *const from[] = {p};
+    SmcMachine m = 0;
+    uint32_t input;
+    uint64_t done = 9;
+    SmcResult r = smc_machine_open(s, sm, &m);
+
+    if (r != SMC_OK)
+        return r;
+    CHECK(smc_machine_find(s, m, "p", &input) == SMC_OK);
+    r = smc_machine_run(s, m, 2, g, 1, &input, from, 0, NULL, NULL, NULL, &done);
+    CHECK(done == (r == SMC_OK ? 2 : 0) && smc_machine_close(s, m) == SMC_OK);
+    return r;
+}
+
 static const struct { const char *name; Call *call; SmcResult result; } calls[] = {
     {"add", call_add, SMC_OK}, {"replace", call_replace, SMC_OK}, {"select", call_select, SMC_OK}, {"prefix", call_prefix, SMC_OK},
     {"emit", call_emit, SMC_OK}, {"emit the tree", call_emit_ast, SMC_OK}, {"run", call_run, SMC_E_FAILED}, {"render", call_render, SMC_OK},
     {"edit", call_edit, SMC_OK}, {"draw", call_draw, SMC_OK}, {"report", call_report, SMC_OK}, {"open", call_open_and_close, SMC_OK},
     {"open an image", call_open_image, SMC_OK}, {"compare", call_compare, SMC_OK}, {"continue", call_continue, SMC_OK},
-    {"add and remove", call_add_and_remove, SMC_OK}};
+    {"add and remove", call_add_and_remove, SMC_OK}, {"run columns", call_run_columns, SMC_OK}};
 enum { CALLS = sizeof calls / sizeof *calls };
 
 // ---- what a session shows ----
