@@ -73,8 +73,10 @@ static void emit_image(Compilation *c)
 static void emit_c_for_source(Compilation *c, size_t i)
 {
     const CompiledSource *of = &c->out->of[i];
-    const bool is_pins = c->in->at[i].kind == FILE_IO;
-    Buf *code = add_artefact(c, i, NULL, is_pins ? "_io.c" : ".c"), *header = add_artefact(c, i, NULL, is_pins ? "_io.h" : ".h");
+    const FileKind kind = c->in->at[i].kind;
+    const char *end = kind == FILE_IO ? "_io" : kind == FILE_NET ? "_net" : "";
+    Buf *code = add_artefact(c, i, NULL, format_in(&c->s->arena, "%s.c", end));
+    Buf *header = add_artefact(c, i, NULL, format_in(&c->s->arena, "%s.h", end));
 
     if (of->ir)
         session_emit_c(c->s, of->ir, &c->in->at[i].c, header, code);
@@ -82,6 +84,8 @@ static void emit_c_for_source(Compilation *c, size_t i)
         emit_c_state_vector(&c->s->arena, of->vector, &c->in->at[i].c, header, code);
     else if (of->pins)
         emit_c_io(&c->s->arena, of->pins, &c->in->at[i].c, header, code);
+    else if (of->net)
+        emit_c_net(&c->s->arena, of->net, &c->in->at[i].c, header, code);
 }
 
 // Emits the outputs that o->emit requests.
@@ -153,10 +157,16 @@ void artefacts_emit_app(Compilation *c, const App *a)
             code = add_app_file(c, stem, ".c"), header = add_app_file(c, stem, ".h");
             session_emit_c(c->s, session_ir(c->s, p, c->o->opt_level), &e, header, code);
         }
-    if (!a->pins)
-        return;
-    stem = format_in(&c->s->arena, "%s_io", a->io_name->text);
-    e = app_c_options(c, stem, a->io_name->text, ".io");
-    code = add_app_file(c, stem, ".c"), header = add_app_file(c, stem, ".h");
-    emit_c_io(&c->s->arena, a->pins, &e, header, code);
+    if (a->pins) {
+        stem = format_in(&c->s->arena, "%s_io", a->io_name->text);
+        e = app_c_options(c, stem, a->io_name->text, ".io");
+        code = add_app_file(c, stem, ".c"), header = add_app_file(c, stem, ".h");
+        emit_c_io(&c->s->arena, a->pins, &e, header, code);
+    }
+    if (a->net) {
+        stem = format_in(&c->s->arena, "%s_net", a->net_name->text);
+        e = app_c_options(c, stem, a->net_name->text, ".net");
+        code = add_app_file(c, stem, ".c"), header = add_app_file(c, stem, ".h");
+        emit_c_net(&c->s->arena, a->net, &e, header, code);
+    }
 }

@@ -9,6 +9,7 @@
 //                                        │                                          └──▶ image with lines ── costs ── limits ──▶ findings
 //                                        └── checked again if scripts write its locals ──▶ Program for scripts
 //    .ss ── parse ── AST ── check with that Program ──▶ Script
+//    .net ─ parse ── AST ── check ──▶ Network, for the C of the messages and their dictionary
 //    .app ─ parse ── AST ── check ──▶ App, with the IoMap of its pins, a StateVec for all and a Program for each machine, as above;
 //                                     ── analyse ──▶ findings; all its C is emitted together
 //    findings ── @allow ── -W ── sort ──▶ diagnostics of the caller
@@ -139,7 +140,9 @@ static void compile_files(Compilation *c)
             of->vector = session_state_vector(c->s, src->text);
         else if (src->kind == FILE_IO && c->in->vector)
             of->pins = session_io(c->s, src->text, c->in->vector);
-        else if (src->kind == FILE_IO || src->kind == FILE_APP)
+        else if (src->kind == FILE_NET && c->in->vector)
+            of->net = session_net(c->s, src->text, c->in->vector);
+        else if (src->kind == FILE_IO || src->kind == FILE_NET || src->kind == FILE_APP)
             session_parse(c->s, src->text, src->kind);
     }
     if (!c->o->scripts_later)

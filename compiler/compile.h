@@ -24,11 +24,11 @@ typedef struct CompileApp {
 } CompileApp;
 
 // The sources of one call, in the order that the user named them.  A script is one of its CompileSource.machine, or of the only machine.  If it has
-// neither, it is only parsed, and so are pins if `vector` is NULL and an application if `app` is NULL.
+// neither, it is only parsed, and so are pins and messages if `vector` is NULL and an application if `app` is NULL.
 typedef struct CompileInput {
     CompileSource *at;
     size_t n;
-    const Source *vector;         // the state vector of every machine and of all pins; or NULL
+    const Source *vector;         // the state vector of every machine, of all pins and messages; or NULL
     const Source *pins;           // the pins that the image contains; or NULL
     CompileApp *app;              // the application if at[0] is one, which is then the only source; or NULL
 } CompileInput;
@@ -64,6 +64,7 @@ typedef struct CompiledSource {
     const uint8_t *measured;      // an image of this machine alone, with lines, for cost_of_machine
     StateVec *vector;
     IoMap *pins;
+    Network *net;
     Script *script;
 } CompiledSource;
 

@@ -78,6 +78,18 @@ IoMap *session_io(Session *s, const Source *io, const Source *sv)
     return s->diags.errors_seen > errors ? NULL : out;
 }
 
+Network *session_net(Session *s, const Source *net, const Source *sv)
+{
+    size_t errors = s->diags.errors_seen;
+    CheckContext c = make_check_context(s);
+    StateVec *vector = session_state_vector(s, sv);
+    AstFile *f = parse(s, net, FILE_NET);
+    Network *out = vector ? check_net(&c, f, vector) : NULL;
+
+    arena_free(&s->tree);
+    return s->diags.errors_seen > errors ? NULL : out;
+}
+
 Program *session_program(Session *s, const MachineInput *in)
 {
     size_t errors = s->diags.errors_seen;
@@ -186,16 +198,18 @@ App *session_app(Session *s, const AstFile *app, AppFiles *files)
 {
     size_t errors = s->diags.errors_seen;
     CheckContext c = make_check_context(s);
-    const Source *vector = find_source(files, FILE_SV), *pins = find_source(files, FILE_IO);
+    const Source *vector = find_source(files, FILE_SV), *pins = find_source(files, FILE_IO), *messages = find_source(files, FILE_NET);
     StateVec *sv = vector ? session_state_vector(s, vector) : NULL;
     AstFile *io = pins ? parse(s, pins, FILE_IO) : NULL;
     IoMap *map = io && sv ? check_io(&c, io, sv) : NULL;
+    AstFile *net = messages ? parse(s, messages, FILE_NET) : NULL;
+    Network *network = net && sv ? check_net(&c, net, sv) : NULL;
     App *a;
 
     for (size_t i = 0; i < files->n; i++)
         if (files->at[i].kind == FILE_SM && files->at[i].src)
             files->at[i].program = app_program(s, files->at[i].src, sv);
-    a = check_app(&c, app, sv, map, files);
+    a = check_app(&c, app, sv, map, network, files);
     if (!a || s->diags.errors_seen > errors)
         return NULL;
     emit_c_check_app_names(&s->arena, &s->diags, a);

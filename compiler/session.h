@@ -52,6 +52,9 @@ typedef struct MachineInput {
 // Each of these functions returns NULL if there were errors, which are then in s->diags.
 AstFile *session_parse(Session *s, const Source *src, FileKind kind);
 StateVec *session_state_vector(Session *s, const Source *sv);
+// The messages of `net`; also returns NULL if the state vector has errors.
+Network *session_net(Session *s, const Source *net, const Source *sv);
+
 // The pins of `io`; also returns NULL if the state vector has errors.
 IoMap *session_io(Session *s, const Source *io, const Source *sv);
 Program *session_program(Session *s, const MachineInput *in);

@@ -460,10 +460,11 @@ psl-qemu:
 .PHONY: psl-qemu
 
 # tests/runtime: one program per file.  NAME_linux.c runs on Linux, with threads, and again under the thread sanitizer; the others run in
-# the simulation.  Of the folder's files, V.sv is compiled to "V.h", V.io to "V_io.h", and M.sm to "M.h", with the vector RUNTIME_SV_M.
+# the simulation.  Of the folder's files, V.sv is compiled to "V.h", V.io to "V_io.h", V.net to "V_net.h", and M.sm to "M.h", with the vector RUNTIME_SV_M.
 RUNTIME_SRC   = $(wildcard runtime-c/*.c) $(filter-out %/store.c %/agent.c %/state_log.c,$(wildcard bytecode-vm/target/*.c)) $(VM) $(STDLIB)
 RUNTIME_MADE  = $(patsubst tests/runtime/%,$(B)/runtime/made/%.c,$(basename $(wildcard tests/runtime/*.sv tests/runtime/*.sm))) \
-                $(patsubst tests/runtime/%.io,$(B)/runtime/made/%_io.c,$(wildcard tests/runtime/*.io))
+                $(patsubst tests/runtime/%.io,$(B)/runtime/made/%_io.c,$(wildcard tests/runtime/*.io)) \
+                $(patsubst tests/runtime/%.net,$(B)/runtime/made/%_net.c,$(wildcard tests/runtime/*.net))
 RUNTIME_TESTS = $(patsubst tests/runtime/%.c,$(B)/runtime/%,$(wildcard tests/runtime/*.c))
 RUNTIME_TSAN  = $(patsubst %_linux,%_tsan,$(filter %_linux,$(RUNTIME_TESTS)))
 RUNTIME_C     = $(STRICT_C) -I$(B)/runtime/made $(WARN)
@@ -487,6 +488,9 @@ $(B)/runtime/made/%.c: tests/runtime/%.sv $(B)/smc
 	@mkdir -p $(@D)
 	$(call say,SMC)$(B)/smc build --emit=c --runtime -w -o $@ $<
 $(B)/runtime/made/%_io.c: tests/runtime/%.io tests/runtime/%.sv $(B)/smc
+	@mkdir -p $(@D)
+	$(call say,SMC)$(B)/smc build --emit=c --sv tests/runtime/$*.sv -o $@ $<
+$(B)/runtime/made/%_net.c: tests/runtime/%.net tests/runtime/%.sv $(B)/smc
 	@mkdir -p $(@D)
 	$(call say,SMC)$(B)/smc build --emit=c --sv tests/runtime/$*.sv -o $@ $<
 $(B)/runtime/made/%.c: tests/runtime/%.sm $(B)/smc

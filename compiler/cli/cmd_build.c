@@ -235,9 +235,9 @@ static int check_arguments(Cli *c, CompileEmit emit)
         if (kind != first)
             return cli_usage_error(c, TEXT_build_mixed, c->file[0], c->file[i]);
     }
-    if (first == FILE_IO && !c->given[OPT_SV])
+    if ((first == FILE_IO || first == FILE_NET) && !c->given[OPT_SV])
         return cli_usage_error(c, TEXT_pins_need_vector, c->file[0]);
-    if (first == FILE_IO && emit != EMIT_C)
+    if ((first == FILE_IO || first == FILE_NET) && emit != EMIT_C)
         return cli_usage_error(c, TEXT_pins_need_c);
     if (c->given[OPT_IO] && (first != FILE_SM || !is_image(emit) || !c->given[OPT_SV]))
         return cli_usage_error(c, TEXT_io_needs_image, c->value[OPT_IO]);
@@ -303,7 +303,7 @@ int cmd_build(Cli *c)
     o.emit = in.app ? EMIT_C : emit;
     o.names = (in.app || c->given[OPT_DEBUG]) && !c->given[OPT_STRIP];      // a log requires the names of an application
     for (size_t i = 0; i < in.n; i++)
-        in.at[i].c = make_c_options(c, c->file[i], emit == EMIT_C ? c_path(c, c->file[i], in.at[i].kind == FILE_IO ? "_io.h" : ".h")
+        in.at[i].c = make_c_options(c, c->file[i], emit == EMIT_C ? c_path(c, c->file[i], in.at[i].kind == FILE_IO ? "_io.h" : in.at[i].kind == FILE_NET ? "_net.h" : ".h")
                                                              : output_path(c, c->file[i], "_image.h"));
     in.at[0].array = path_stem(c, c->file[0]);
     ok = compile_sources(&c->session, &in, &o, &made);

@@ -4,7 +4,7 @@
 
 static int check_arguments(Cli *c)
 {
-    size_t of[FILE_APP + 1] = {0};        // by FileKind: number of files of this kind
+    size_t of[FILE_KINDS] = {0};        // by FileKind: number of files of this kind
     const char *pins = NULL;
     FileKind kind;
 
@@ -16,7 +16,7 @@ static int check_arguments(Cli *c)
         kind = FILE_SM;
         file_kind(c->file[i], &kind);
         of[kind]++;
-        pins = kind == FILE_IO ? c->file[i] : pins;
+        pins = kind == FILE_IO || kind == FILE_NET ? c->file[i] : pins;
     }
     if (of[FILE_APP] && c->files > 1)
         return cli_usage_error(c, TEXT_app_checked_alone);

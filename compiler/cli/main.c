@@ -33,7 +33,7 @@ static const Command *find_command(Cli *c, const char *name)
             return &commands[i];
     }
     near = str_nearest(name, names, COMMANDS);
-    if (has_suffix(name, ".sm") || has_suffix(name, ".sv") || has_suffix(name, ".io") || has_suffix(name, ".app"))
+    if (has_suffix(name, ".sm") || has_suffix(name, ".sv") || has_suffix(name, ".io") || has_suffix(name, ".net") || has_suffix(name, ".app"))
         cli_usage_error(c, TEXT_command_first, name);
     else if (near)
         cli_usage_error(c, TEXT_unknown_command_near, name, near);

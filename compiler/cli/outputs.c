@@ -387,7 +387,7 @@ static bool is_written_by_smc(const Head *h)
 
 bool outputs_is_source_name(const char *name, size_t n)
 {
-    static const char *const suffix[] = {".sm", ".ss", ".sv", ".io", ".app", ".smt", ".rq"};
+    static const char *const suffix[] = {".sm", ".ss", ".sv", ".io", ".net", ".app", ".smt", ".rq"};
 
     for (size_t i = 0; i < sizeof suffix / sizeof *suffix; i++) {
         const size_t m = strlen(suffix[i]);

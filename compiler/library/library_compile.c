@@ -119,7 +119,7 @@ void library_update_shown(SmcSession *s, const Diags *emitted, uint32_t script, 
 
 // ---- sources to inputs ----
 
-typedef struct KindCount { uint32_t of[SMC_KIND_APP + 1], all; } KindCount;
+typedef struct KindCount { uint32_t of[SMC_KIND_NET + 1], all; } KindCount;
 
 static KindCount count_kinds(const SmcSession *s)
 {
@@ -137,7 +137,7 @@ static KindCount count_kinds(const SmcSession *s)
 static const char *find_misfit(const SmcSession *s)
 {
     const KindCount n = count_kinds(s);
-    const bool is_shared = n.of[SMC_KIND_SM] + n.of[SMC_KIND_IO] > 0;
+    const bool is_shared = n.of[SMC_KIND_SM] + n.of[SMC_KIND_IO] + n.of[SMC_KIND_NET] > 0;
 
     if (n.all == 0)
         return "there is no source to compile";
@@ -146,7 +146,7 @@ static const char *find_misfit(const SmcSession *s)
     if (n.of[SMC_KIND_APP] == 1)
         return NULL;
     if (is_shared && n.of[SMC_KIND_SV] > 1)
-        return "there are two state vectors; machines and pins have one";
+        return "there are two state vectors; machines, pins and messages have one";
     if (n.of[SMC_KIND_IO] > 1)
         return "there are two .io files; an image has one";
     return NULL;
@@ -154,7 +154,7 @@ static const char *find_misfit(const SmcSession *s)
 
 static FileKind kind_of(int32_t source)
 {
-    static const FileKind kind[] = {FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP};      // by SMC_KIND_…
+    static const FileKind kind[] = {FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP, FILE_NET};      // by SMC_KIND_…
 
     return kind[source];
 }
@@ -205,7 +205,7 @@ static void assign_scripts(SmcSession *s, bool has_one_machine)
 static void list_inputs(SmcSession *s)
 {
     const KindCount n = count_kinds(s);
-    const bool has_app = n.of[SMC_KIND_APP] > 0, vector_is_shared = n.of[SMC_KIND_SM] + n.of[SMC_KIND_IO] > 0;
+    const bool has_app = n.of[SMC_KIND_APP] > 0, vector_is_shared = n.of[SMC_KIND_SM] + n.of[SMC_KIND_IO] + n.of[SMC_KIND_NET] > 0;
     LibraryResults *of = &s->of;
     Arena *arena = &s->compiler.arena;
 
@@ -313,7 +313,7 @@ int32_t smc_app_file_kind(const SmcSession *s, uint32_t file)
 {
     const AppFile *f = app_file(s, file);
 
-    for (int32_t kind = SMC_KIND_SV; f && kind <= SMC_KIND_APP; kind++)
+    for (int32_t kind = SMC_KIND_SV; f && kind <= SMC_KIND_NET; kind++)
         if (kind_of(kind) == f->kind)
             return kind;
     return -1;
@@ -332,7 +332,7 @@ static void set_c_options(SmcSession *s, CompileSource *in, CompileEmit emit)
 {
     memset(&in->c, 0, sizeof in->c);
     in->c.prefix = s->prefix;
-    in->c.header = format_in(&s->compiler.arena, "%s%s", stem_of(s, in->text), emit == EMIT_ARRAY ? "_image.h" : in->kind == FILE_IO ? "_io.h" : ".h");
+    in->c.header = format_in(&s->compiler.arena, "%s%s", stem_of(s, in->text), emit == EMIT_ARRAY ? "_image.h" : in->kind == FILE_IO ? "_io.h" : in->kind == FILE_NET ? "_net.h" : ".h");
     in->c.source = library_base_name(in->text->name);
     in->c.track_stores = s->option[SMC_OPTION_TRACK] != 0;
     in->c.soft = s->option[SMC_OPTION_SOFT] != 0;

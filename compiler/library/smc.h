@@ -112,7 +112,8 @@ enum SmcKind {    // a kind of source; later versions can have more
     SMC_KIND_SM = 1,              // a machine, .sm
     SMC_KIND_SS = 2,              // a state script, .ss
     SMC_KIND_IO = 3,              // pins, .io
-    SMC_KIND_APP = 4              // an application, .app; it comes with the files that it names
+    SMC_KIND_APP = 4,             // an application, .app; it comes with the files that it names
+    SMC_KIND_NET = 5              // messages, .net
 };
 
 // Adds a source of `size` bytes, which are copied, and stores its number in *source: 0, 1, 2 …, or that of a removed source.  Diagnostics show `name`, which can be a path.

@@ -32,7 +32,8 @@ static void supply_app_files(Session *s, const TestFile *f, CaseSources *out)
 void case_list_sources(Session *s, const TestFile *f, CaseSources *out)
 {
     const bool has_app = case_has_part_of_kind(f, ".app");
-    const bool vector_is_shared = case_has_part_of_kind(f, ".sm") || case_has_part_of_kind(f, ".io");
+    const bool vector_is_shared = case_has_part_of_kind(f, ".sm") || case_has_part_of_kind(f, ".io") ||
+                                  case_has_part_of_kind(f, ".net");
 
     memset(out, 0, sizeof *out);
     out->src = ARENA_ARRAY(&s->arena, Source *, f->part.n);
@@ -68,11 +69,14 @@ bool case_is_for_other_runner(const TestFile *f)
 static const char *find_wrong_parts(const TestFile *f)
 {
     const size_t machines = count_parts(f, ".sm"), scripts = count_parts(f, ".ss"), vectors = count_parts(f, ".sv"), pins = count_parts(f, ".io");
+    const size_t nets = count_parts(f, ".net");
 
     if (case_has_part_of_kind(f, ".app"))
         return count_parts(f, ".app") > 1 || scripts ? "a case has at most one .app, and no script beside it" : NULL;
-    if (machines > 1 || vectors > 1 || pins > 1)
-        return "a case has at most one .sm, one .sv and one .io";
+    if (machines > 1 || vectors > 1 || pins > 1 || nets > 1)
+        return "a case has at most one .sm, one .sv, one .io and one .net";
+    if (nets && !vectors)
+        return "messages need a state vector, as -- app.sv --";
     if (pins && !vectors)
         return "pins need a state vector, as -- app.sv --";
     if (machines + vectors == 0)

@@ -13,6 +13,7 @@ typedef struct AppCheck {
     const AppFiles *files;
     const StateVec *sv;           // NULL if it has errors; then elements are not looked up
     const IoMap *pins;            // NULL if there are none, or they have errors
+    const Network *net;           // likewise
     unsigned guesses;             // how many more unknown names may be compared with all known ones
     Map file_index;               // a machine's file name as written, to 1 + its index in files->at
     Map machine_file;             // a machine's file name as written, to the Span of its first use
@@ -36,6 +37,10 @@ const AstAppOption *app_find_option(const AstApp *ast, AstAppOptionKind kind);  
 
 void check_app_products(AppCheck *k);
 void check_app_platform_files(AppCheck *k);     // the files that the log and keep tasks write
+
+// ---- check_app_net.c ----
+
+void check_app_net(AppCheck *k);                // the messages, together with the tasks and the other writers of elements
 
 // ---- check_app_time.c ----
 

@@ -5,6 +5,7 @@
 #define SMC_APPLICATION_H
 
 #include "compiler/sema/iomap.h"
+#include "compiler/sema/network.h"
 #include "compiler/sema/program.h"
 #include "compiler/syntax/ast_app.h"
 
@@ -74,6 +75,8 @@ typedef struct App {
     Str io, log, keep;        // file names as written; NULL if absent
     Str io_name;              // the stem of io: "rocket" of pins/rocket.io
     const IoMap *pins;        // the pins of io, or NULL
+    Str net_name;             // the stem of the .net; NULL if there is none
+    const Network *net;       // the messages of net, or NULL
     uint32_t log_room;        // capacity in bytes
     uint32_t swap_room;       // bytes of each of the two slots of a machine that can be swapped
     uint32_t swap_trial;      // how many steps a machine is on trial
@@ -86,7 +89,7 @@ typedef struct App {
     VEC(AppMachine *) machine;
 } App;
 
-// AppFiles lists each file that an application names once: the state vector first, then the pins, then machines in file order.
+// AppFiles lists each file that an application names once: the state vector first, then the pins, the messages, then machines in file order.
 typedef struct AppFile {
     FileKind kind;
     AstWord name;             // the file's name as written at its first use

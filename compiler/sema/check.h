@@ -6,6 +6,7 @@
 #include "compiler/diag/diag.h"
 #include "compiler/sema/application.h"
 #include "compiler/sema/iomap.h"
+#include "compiler/sema/network.h"
 #include "compiler/sema/program.h"
 #include "compiler/syntax/ast.h"
 
@@ -30,10 +31,13 @@ Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const So
 // Binds pins to elements of `sv`.
 IoMap *check_io(CheckContext *c, const AstFile *io, const StateVec *sv);
 
+// Binds the messages of a .net to elements of `sv`.
+Network *check_net(CheckContext *c, const AstFile *net, const StateVec *sv);
+
 // Lists the files that an application names.  The caller opens them before check_app.
 void app_list_files(Arena *arena, const AstFile *app, AppFiles *out);
-// `sv`, `pins` and a machine's program are NULL if that file has errors, which are already reported.  Everything else is still checked.
-App *check_app(CheckContext *c, const AstFile *app, const StateVec *sv, const IoMap *pins, const AppFiles *files);
+// `sv`, `pins`, `net` and a machine's program are NULL if that file has errors, which are already reported.  Everything else is still checked.
+App *check_app(CheckContext *c, const AstFile *app, const StateVec *sv, const IoMap *pins, const Network *net, const AppFiles *files);
 
 // Adds the names that the script assigns to `names`; each is key and value. `names` is then the parameter written_outside of check_machine.
 void script_add_written_names(const AstFile *ss, Map *names);

@@ -9,9 +9,9 @@
 
 // ---- files ----
 
-static const char *const suffix[] = {[FILE_SV] = ".sv", [FILE_SM] = ".sm", [FILE_IO] = ".io"};
+static const char *const suffix[] = {[FILE_SV] = ".sv", [FILE_SM] = ".sm", [FILE_IO] = ".io", [FILE_NET] = ".net"};
 
-typedef struct FileListing { AppFiles *out; Map seen[FILE_APP]; } FileListing;
+typedef struct FileListing { AppFiles *out; Map seen[FILE_KINDS]; } FileListing;
 
 static void add_file(FileListing *l, FileKind kind, const AstWord *name)
 {
@@ -49,6 +49,7 @@ const AstAppOption *app_find_option(const AstApp *ast, AstAppOptionKind kind)
 void app_list_files(Arena *arena, const AstFile *f, AppFiles *out)
 {
     const AstAppOption *sv = app_find_option(f->app, AST_APP_state_vector), *io = app_find_option(f->app, AST_APP_io);
+    const AstAppOption *net = app_find_option(f->app, AST_APP_net);
     FileListing l;
 
     memset(&l, 0, sizeof l);
@@ -56,11 +57,13 @@ void app_list_files(Arena *arena, const AstFile *f, AppFiles *out)
     for (size_t i = 0; i < sizeof l.seen / sizeof *l.seen; i++)
         l.seen[i].arena = arena;
     out->n = 0;
-    out->at = ARENA_ARRAY(arena, AppFile, count_tasks(f->app) + 2);
+    out->at = ARENA_ARRAY(arena, AppFile, count_tasks(f->app) + 3);
     if (sv)
         add_file(&l, FILE_SV, &sv->file);
     if (io)
         add_file(&l, FILE_IO, &io->file);
+    if (net)
+        add_file(&l, FILE_NET, &net->file);
     for (size_t e = 0; e < f->app->executors.n; e++) {
         const AstAppExecutor *executor = f->app->executors.at[e];
         for (size_t r = 0; r < executor->rates.n; r++)
@@ -73,7 +76,7 @@ void app_list_files(Arena *arena, const AstFile *f, AppFiles *out)
 // Reports files that cannot be read, and completes file_index.
 static void check_files(AppCheck *k)
 {
-    static const char *const what[] = {[FILE_SV] = "state vector", [FILE_SM] = "machine", [FILE_IO] = "file of pins"};
+    static const char *const what[] = {[FILE_SV] = "state vector", [FILE_SM] = "machine", [FILE_IO] = "file of pins", [FILE_NET] = "file of messages"};
 
     for (size_t i = 0; i < k->files->n; i++) {
         const AppFile *f = &k->files->at[i];
@@ -213,6 +216,9 @@ static void check_options(AppCheck *k)
             break;
         case AST_APP_time:
             check_time_option(k, o);
+            break;
+        case AST_APP_net:
+            k->app->net_name = app_file_stem(k, o->file.text);
             break;
         case AST_APP_watchdog:
             app_check_amount(k, &o->amount, APP_RANGE_watchdog, &k->app->watchdog);
@@ -424,6 +430,7 @@ static void report_unused_options(AppCheck *k)
 {
     static const struct { AstAppOptionKind option; AstAppTaskKind a, b; DiagCode missing; } uses[] = {
         {AST_APP_io, AST_TASK_inputs, AST_TASK_outputs, DIAG_part_no_pin_task},
+        {AST_APP_net, AST_TASK_receive, AST_TASK_send, DIAG_part_no_net_task},
         {AST_APP_log, AST_TASK_log, AST_TASK_log, DIAG_part_no_task},
         {AST_APP_keep, AST_TASK_keep, AST_TASK_keep, DIAG_part_no_task}};
 
@@ -451,7 +458,7 @@ static void report_unused_pins(AppCheck *k, bool output, AstAppTaskKind task, As
 }
 
 // Builds an application from its tree.  `sv`, `pins` and a machine's program are NULL if that file has errors, which are already reported.
-App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMap *pins, const AppFiles *files)
+App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMap *pins, const Network *net, const AppFiles *files)
 {
     enum { GUESSES = 30 };        // unknown names that get a suggestion: more than the reports that are shown
     size_t errors = c->diags->errors_seen;
@@ -463,6 +470,7 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     k.files = files;
     k.sv = sv;
     k.pins = pins;
+    k.net = net;
     k.guesses = GUESSES;
     k.file_index.arena = k.machine_file.arena = k.task.arena = k.executor.arena = k.statistic.arena = k.start.arena = c->arena;
     k.app = ARENA_NEW(c->arena, App);
@@ -470,6 +478,7 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     k.app->src = f->src;
     k.app->sv = sv;
     k.app->pins = pins;
+    k.app->net = net;
     for (size_t i = 0; i < f->app->allows.n; i++) {
         const AstAppAllow *a = &f->app->allows.at[i];
         diag_allow(c->diags, a->is->name->text, a->is->reason->text, a->is->span, a->covers);
@@ -483,6 +492,8 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     report_unused_swap_options(&k);
     report_unused_pins(&k, false, AST_TASK_inputs, AST_TASK_outputs);
     report_unused_pins(&k, true, AST_TASK_outputs, AST_TASK_inputs);
+    if (net)
+        check_app_net(&k);
     check_app_platform_files(&k);
     return c->diags->errors_seen > errors || !sv || f->app->lost ? NULL : k.app;
 }

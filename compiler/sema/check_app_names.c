@@ -92,8 +92,8 @@ static Map files_emitted_as_c(AppCheck *k)
 // Reports generated files with equal names, and names that runtime-c reserves.
 void check_app_products(AppCheck *k)
 {
-    static const char *const end[] = {[FILE_SV] = "", [FILE_SM] = "", [FILE_IO] = "_io"};
-    static const char *const what[] = {[FILE_SV] = "the state vector", [FILE_SM] = "a machine", [FILE_IO] = "the pins"};
+    static const char *const end[] = {[FILE_SV] = "", [FILE_SM] = "", [FILE_IO] = "_io", [FILE_NET] = "_net"};
+    static const char *const what[] = {[FILE_SV] = "the state vector", [FILE_SM] = "a machine", [FILE_IO] = "the pins", [FILE_NET] = "the messages"};
     Map seen = {k->c->arena, NULL, NULL, 0, 0}, to_c = files_emitted_as_c(k);
 
     check_stem(k, k->app->name->text, (Span){k->app->src, 0, 0});
@@ -131,7 +131,7 @@ static void check_file_differs(AppCheck *k, const AstAppOption *o, const AstWord
 // Reports a log or keep file that is also the other of the two, or a source: the running application would overwrite that file.
 void check_app_platform_files(AppCheck *k)
 {
-    static const char *const what[] = {[FILE_SV] = "the state vector's", [FILE_SM] = "a machine's", [FILE_IO] = "that of the pins"};
+    static const char *const what[] = {[FILE_SV] = "the state vector's", [FILE_SM] = "a machine's", [FILE_IO] = "that of the pins", [FILE_NET] = "that of the messages"};
     const AstAppOption *first = NULL;
 
     for (size_t i = 0; i < k->ast->options.n; i++) {

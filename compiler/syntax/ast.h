@@ -174,7 +174,7 @@ typedef struct AstSection {
     bool all_states;          // SCRIPT_STATE: it is [all_states]
 } AstSection;
 
-typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP } FileKind;     // docs/config.md defines .io and .app
+typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP, FILE_NET, FILE_KINDS } FileKind;     // docs/config.md defines .io, .app and .net
 
 // Finds the kind of a file from its name; returns false if the name has no known ending.
 bool file_kind(const char *path, FileKind *kind);
@@ -184,6 +184,7 @@ typedef struct AstFile {
     const Source *src;
     VEC(AstSection *) sections;       // in file order
     struct AstApp *app;               // the tree of a .app, which has no AstSection (ast_app.h); else NULL
+    struct AstNet *net;               // the tree of a .net, which has no AstSection (ast_net.h); else NULL
 } AstFile;
 
 const char *ast_function_usage(const SmBuiltinInfo *fn);    // how a function's arguments are written: "(x, n)"

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compiler/syntax/ast_app.h"
+#include "compiler/syntax/ast_net.h"
 
 static void print_stmts(Buf *out, const AstStmts *s, unsigned depth);
 
@@ -212,4 +213,6 @@ void ast_print(const AstFile *f, Buf *out)
         print_section(out, f->sections.at[i]);
     if (f->app)
         ast_print_app(f->app, out);
+    if (f->net)
+        ast_print_net(f->net, out);
 }

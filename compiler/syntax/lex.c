@@ -195,6 +195,24 @@ static void lex_number(Lexer *l, Token *t)
         lexer_finish_token(l, t, TOK_NUMBER, end);
 }
 
+// Reads an address of a .net, such as 10.0.0.2 or 10.0.0.2:5000. Returns false if the digits here do not begin one: an address has at least
+// two dots with a digit after each. The checker reports an address with wrong numbers.
+static bool lex_address(Lexer *l, Token *t)
+{
+    uint32_t end = l->at, dots = 0;
+
+    if (!l->addresses)
+        return false;
+    while (lex_is_digit(lexer_byte(l, end)) ||
+           ((lexer_byte(l, end) == '.' || (lexer_byte(l, end) == ':' && dots > 1)) && lex_is_digit(lexer_byte(l, end + 1))))
+        dots += lexer_byte(l, end++) == '.';
+    if (dots < 2 || lexer_is_word(lexer_byte(l, end)))
+        return false;
+    t->text = str_intern(l->strings, l->src->text + l->at, end - l->at);
+    lexer_finish_token(l, t, TOK_ADDRESS, end);
+    return true;
+}
+
 bool lex_is_header_name(const char *s, size_t n)
 {
     for (size_t i = 0; i < n; i++)
@@ -331,9 +349,10 @@ static bool lex_try_token(Lexer *l, Token *t)
         return foreign == HINT_READ;
     if (lex_is_letter(c))
         lexer_read_word(l, t);
-    else if (lex_is_digit(c) || (c == '.' && lex_is_digit(lexer_byte(l, l->at + 1))))
-        lex_number(l, t);
-    else if (c == '[')
+    else if (lex_is_digit(c) || (c == '.' && lex_is_digit(lexer_byte(l, l->at + 1)))) {
+        if (!lex_address(l, t))
+            lex_number(l, t);
+    } else if (c == '[')
         lex_header(l, t);
     else if (c == '.')
         lex_prefixed(l, t, TOK_LABEL);

@@ -23,7 +23,7 @@ typedef struct Token {
     TokenKind kind;
     bool first;               // the first token on its line
     uint32_t at, len;         // offset and length in the source
-    Str text;                 // NAME, TYPE, words: as written; HEADER, LABEL, ANNOTATION: the name without its punctuation; TEXT: without quotes
+    Str text;                 // NAME, TYPE, words: as written; ADDRESS: with its port; HEADER, LABEL, ANNOTATION: the name without its punctuation; TEXT: without quotes
     SmType type;              // TYPE: which type it names
     SmF64 number;             // NUMBER: its value
 } Token;
@@ -66,7 +66,8 @@ typedef struct Lexer {
     uint32_t reported_line;   // 1 + line_start of the last line in which a wrong character was reported
     bool first;               // the next token is the first on its line
     bool keep_comments;       // lex_next returns comments as tokens
-    bool config;              // a .io or .app: file names are quoted, and units follow numbers
+    bool config;              // a .io, .app or .net: file names are quoted, and units follow numbers
+    bool addresses;           // a .net: four numbers with dots are an address
     TokenKind last;           // kind of the last token returned
     LexAllow allow;           // the current position relative to an @allow( )
 

@@ -11,7 +11,8 @@ void lex_print(StrPool *strings, Diags *diags, const Source *src, FileKind kind,
 
     lex_init(&l, strings, diags, src);
     l.keep_comments = true;
-    l.config = kind == FILE_IO || kind == FILE_APP;
+    l.config = kind == FILE_IO || kind == FILE_APP || kind == FILE_NET;
+    l.addresses = kind == FILE_NET;
     do {
         LineCol at;
         lex_next(&l, &t);

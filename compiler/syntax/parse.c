@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses a file: its sections, and the labels and blocks of a state.
 #include "compiler/syntax/ast_app.h"
+#include "compiler/syntax/ast_net.h"
 #include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
 
@@ -313,7 +314,7 @@ static AstSectionKind find_section_kind(FileKind file, const AstSection *s)
             return is_section_named(s, "local") ? AST_LOCAL : AST_STATE_VECTOR;
         return is_section_named(s, "options") || is_section_named(s, "all_states") ? AST_IGNORED : AST_STATE;
     case FILE_IO: return is_section_named(s, "analog") || is_section_named(s, "digital") ? AST_PINS : AST_IGNORED;
-    case FILE_SS: case FILE_APP: break;
+    case FILE_SS: case FILE_APP: case FILE_NET: case FILE_KINDS: break;
     }
     if (is_section_named(s, "options"))
         return AST_OPTIONS;
@@ -431,7 +432,7 @@ static void parse_section(Parser *p, AstFile *f)
 // Finds the kind of a file from its name; returns false if the name has no known ending.
 bool file_kind(const char *path, FileKind *kind)
 {
-    static const char *const ending[] = {".sv", ".sm", ".ss", ".io", ".app"};         // ending[FileKind]
+    static const char *const ending[] = {".sv", ".sm", ".ss", ".io", ".app", ".net"};         // ending[FileKind]
     const size_t n = strlen(path);
 
     for (size_t i = 0; i < sizeof ending / sizeof *ending; i++) {
@@ -453,7 +454,8 @@ static void init_parser(Parser *p, Arena *arena, StrPool *strings, Diags *diags,
     p->kind = kind;
     lex_init(&p->lex, strings, diags, src);
     hint_init_index(&p->hints);
-    p->lex.config = kind == FILE_IO || kind == FILE_APP;
+    p->lex.config = kind == FILE_IO || kind == FILE_APP || kind == FILE_NET;
+    p->lex.addresses = kind == FILE_NET;
     lex_next(&p->lex, &p->tok);
     lex_next(&p->lex, &p->ahead);
 }
@@ -464,7 +466,8 @@ static const char *const first_section[] = {
     [FILE_SM] = "a machine begins with [state_vector]",
     [FILE_SS] = "options belong in [options], tests in a section with the name of a state, as [Idle]",
     [FILE_IO] = "pins belong in [analog] and [digital]",
-    [FILE_APP] = "options belong in [options], tasks in a section with the name of an executor"
+    [FILE_APP] = "options belong in [options], tasks in a section with the name of an executor",
+    [FILE_NET] = ""                                                    // has no sections
 };
 
 static AstFile *parse_visited(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind, const ScriptVisitor *v)
@@ -478,6 +481,11 @@ static AstFile *parse_visited(Arena *arena, StrPool *strings, Diags *diags, cons
     if (kind == FILE_APP)
         f->app = ARENA_NEW(arena, AstApp);
     init_parser(&p, arena, strings, diags, src, kind);
+    if (kind == FILE_NET) {
+        f->net = ARENA_NEW(arena, AstNet);
+        parse_net(&p, f->net);
+        return f;
+    }
     p.visitor = v;
     if (p.tok.kind != TOK_HEADER && p.tok.kind != TOK_END) {
         if (p.tok.kind != TOK_ERROR)

@@ -138,6 +138,8 @@ static const struct { bool named, file; AppAnnotationTarget target; const char *
 #define APP_ON_machine APP_ON_MACHINE
 #define APP_ON_inputs  APP_ON_INPUTS
 #define APP_ON_outputs APP_ON_OUTPUTS
+#define APP_ON_receive APP_ON_INPUTS
+#define APP_ON_send    APP_ON_SERVICE
 #define APP_ON_log     APP_ON_SERVICE
 #define APP_ON_keep    APP_ON_SERVICE
 #define APP_TASK(word, named, file, option, example) {named, file, APP_ON_##word, example},

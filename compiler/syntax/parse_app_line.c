@@ -241,7 +241,7 @@ static bool parse_annotation_arguments(Parser *p, AstAppAnnotation *a)
 
 static void parse_annotation(Parser *p, AppAnnotationTarget target, const char *owner, AstAppAnnotations *into)
 {
-    static const char *const places[] = {"an executor", "a task", "a machine", "'outputs'", "'log' and 'keep'", "'inputs'"};
+    static const char *const places[] = {"an executor", "a task", "a machine", "'outputs'", "'log', 'keep' and 'send'", "'inputs' and 'receive'"};
     AstAppAnnotation a = {0};
     int row = 0;
 

@@ -84,6 +84,7 @@ const AstAnnotation *parse_allow(Parser *p);            // an @allow before a st
 void parser_report_annotation_before_decl(Parser *p);                 // reports an annotation where a declaration should begin
 void parser_report_annotation_in_block(Parser *p);                    // reports an annotation where a statement should begin
 void parse_app_section(Parser *p, struct AstApp *app);  // the next token is the section's header
+void parse_net(Parser *p, struct AstNet *net);          // the whole file
 void parser_skip_section(Parser *p);                           // skips to the next line that begins with a header, without reading tokens
 void parser_skip_line(Parser *p);                              // skips to the next line, header or the end of the file
 

@@ -7,7 +7,7 @@ state_vector "rocket.sv"
 every 10 ms:
     task a @priority 3        #! E1024 '@priority' is not allowed after a task
     task b @mod mode          #! E0360 @mode
-    log @safe                 #! E1024 'log' and 'keep'
+    log @safe                 #! E1024 'log', 'keep' and 'send'
     inputs @mode mode         #! E1024 'inputs'
     machine m "m.sm" @safe    #! E1024 '@safe' is not allowed after a machine
     outputs @init             #! E1024 'outputs'

@@ -31,6 +31,12 @@ typedef struct PalAddress {
 // SM_E_MISSING: the computer does not have this address.  SM_E_DENIED: no permission.  SM_E_FULL: the table has no free entry.
 SmResult pal_socket_udp(PalSocket *socket, const PalAddress *local);
 
+// Makes a UDP socket use multicast on the network interface with the address `interface`; {0, 0, 0, 0} lets the platform choose.  If `group`
+// is not NULL, the socket receives what is sent to that group, 224.0.0.0 to 239.255.255.255; open it with the group as local address.
+// Datagrams that it sends to a group leave by that interface.  SM_E_MISSING: there is no such interface.  SM_E_ARGUMENT: not a group, or
+// the socket is a stream.
+SmResult pal_socket_multicast(PalSocket socket, const uint8_t *group, const uint8_t *interface);
+
 // Sends n bytes, 0 to PAL_DATAGRAM_MAX, as one datagram.  Never waits.  SM_OK does not mean that the datagram arrives.
 //     SM_E_BUSY          the network cannot accept more now; the datagram is lost
 //     SM_E_UNREACHABLE   there is no route to the address

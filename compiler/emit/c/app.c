@@ -19,6 +19,7 @@ typedef struct AppEmitter {
     const char *prefix;           // begins names of the application: `rocket` in rocket_app
     const char *sv;               // begins names of the state vector: `rocket` in rocket_vector
     const char *io;               // begins names of the pin file: `rocket` in rocket_inputs
+    const char *net;              // begins names of the messages: `rocket` in rocket_receive
     CUnit vector;                 // the names of the state vector's members
     CVectorNames names;           // the names of the elements' enumerators
     const Buf *const *image;      // by machine; NULL if the machine is emitted as C
@@ -37,6 +38,8 @@ static void init_emitter(AppEmitter *e, Arena *arena, const App *app, Buf *out)
     e->sv = make_identifier(arena, app->sv->name->text);
     if (app->io)
         e->io = make_identifier(arena, app->io_name->text);
+    if (app->net)
+        e->net = make_identifier(arena, app->net_name->text);
     c_init_vector_names(arena, app->sv, &e->vector);
     names_assign_runtime(arena, &e->vector.names, app->sv, &e->names);
 }
@@ -472,6 +475,12 @@ static void write_task_functions(const AppEmitter *e, const AppTask *t)
         buf_printf(e->out, ".init = sm_outputs_init, .step = sm_outputs_step, .safe = sm_outputs_safe, .context = &%s_outputs",
                    e->io);
         break;
+    case AST_TASK_receive:
+        buf_printf(e->out, ".init = sm_receive_init, .step = sm_receive_step, .context = &%s_receive", e->net);
+        break;
+    case AST_TASK_send:
+        buf_printf(e->out, ".init = sm_send_init, .step = sm_send_step, .context = &%s_send", e->net);
+        break;
     case AST_TASK_log:
         buf_str(e->out, ".init = sm_log_init, .step = sm_log_step, .context = &flightLog");
         break;
@@ -650,6 +659,8 @@ static void write_code_includes(const AppEmitter *e)
     buf_printf(e->out, "#include \"%s_app.h\"\n\n", e->app->name->text);
     if (e->app->io)
         buf_printf(e->out, "#include \"%s_io.h\"\n", e->app->io_name->text);
+    if (e->app->net)
+        buf_printf(e->out, "#include \"%s_net.h\"\n", e->app->net_name->text);
     for (size_t i = 0; i < e->app->machine.n; i++) {
         bytecode = bytecode || e->app->machine.at[i]->bytecode;
         if (!e->app->machine.at[i]->bytecode)

@@ -141,7 +141,7 @@ static void claim_machines(CNameClaims *k)
 // Checks that no two things in the emitted C of an application have the same name.  Reports each clash; returns false if there is one.
 bool emit_c_check_app_names(Arena *arena, Diags *diags, const App *app)
 {
-    static const char *const pins[] = {"_inputs", "_outputs"};
+    static const char *const pins[] = {"_inputs", "_outputs"}, *const messages[] = {"_receive", "_send"};
     CNameClaims k;
     const CNameOwner *application;
     const char *name = app->name->text;
@@ -156,6 +156,9 @@ bool emit_c_check_app_names(Arena *arena, Diags *diags, const App *app)
     if (app->pins)
         CLAIM_NAMES(&k, c_identifier(arena, app->io_name->text, app->io_name->len), pins,
                   new_owner(&k, (Span){app->pins->src, 0, 0}, "the pins"));
+    if (app->net)
+        CLAIM_NAMES(&k, c_identifier(arena, app->net_name->text, app->net_name->len), messages,
+                  new_owner(&k, (Span){app->net->src, 0, 0}, "the messages"));
     application = new_owner(&k, (Span){app->src, 0, 0}, "the application");
     claim_name(&k, format_in(arena, "%s_app", c_identifier(arena, name, strlen(name))), application);
     for (size_t i = 0; i < app->machine.n; i++)

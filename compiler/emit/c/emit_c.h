@@ -7,6 +7,7 @@
 #include "compiler/base/buf.h"
 #include "compiler/ir/ir.h"
 #include "compiler/sema/iomap.h"
+#include "compiler/sema/network.h"
 #include "compiler/sema/program.h"
 
 typedef struct EmitCOptions {
@@ -32,6 +33,9 @@ void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o
 
 // Emits the pins of a .io as tables for runtime-c/io.h.
 void emit_c_io(Arena *arena, const IoMap *io, const EmitCOptions *o, Buf *header, Buf *code);
+
+// Emits the messages of a .net as tables for runtime-c/net.h.
+void emit_c_net(Arena *arena, const Network *net, const EmitCOptions *o, Buf *header, Buf *code);
 
 // Emits an image as an array NAME_image in a header; on AVR it stays in flash.  emit_c_bytes writes only its bytes, as an initialiser.
 void emit_c_image(Arena *arena, const char *name, const Buf *image, const EmitCOptions *o, Buf *out);

@@ -133,6 +133,8 @@ static SmResult set_option(int fd, int level, int option)
     return setsockopt(fd, level, option, &on, sizeof on) == 0 ? SM_OK : psl_result_of_errno(errno);
 }
 
+static bool is_group(const uint8_t *ip) { return ip[0] >= 224 && ip[0] <= 239; }
+
 static SmResult bind_to(int fd, const PalAddress *local)
 {
     struct sockaddr_in a = to_sockaddr(local);
@@ -154,6 +156,8 @@ static SmResult open_bound(PalSocket *s, const PalAddress *local, SocketKind kin
         return SM_E_FULL;
     fd = new_socket(kind == DATAGRAMS ? SOCK_DGRAM : SOCK_STREAM);
     r = fd < 0 ? psl_result_of_errno(errno) : set_option(fd, SOL_SOCKET, option);
+    if (r == SM_OK && kind == DATAGRAMS && is_group(local->ip))       // several programs of a computer may receive a group
+        r = set_option(fd, SOL_SOCKET, SO_REUSEADDR);
     if (r == SM_OK)
         r = bind_to(fd, local);
     if (r == SM_OK && kind == LISTENING && listen(fd, PAL_SOCKETS) != 0)
@@ -162,6 +166,26 @@ static SmResult open_bound(PalSocket *s, const PalAddress *local, SocketKind kin
 }
 
 SmResult pal_socket_udp(PalSocket *s, const PalAddress *local) { return open_bound(s, local, DATAGRAMS, SO_BROADCAST); }
+
+SmResult pal_socket_multicast(PalSocket s, const uint8_t *group, const uint8_t *interface)
+{
+    struct ip_mreq joined;
+    SmResult r;
+    int fd;
+
+    if (!interface || (group && !is_group(group)))
+        return SM_E_ARGUMENT;
+    r = find_socket(s, DATAGRAMS, &fd);
+    if (r != SM_OK)
+        return r;
+    memcpy(&joined.imr_interface, interface, 4);
+    if (group)
+        memcpy(&joined.imr_multiaddr, group, 4);
+    if (setsockopt(fd, IPPROTO_IP, IP_MULTICAST_IF, &joined.imr_interface, sizeof joined.imr_interface) != 0 ||
+        (group && setsockopt(fd, IPPROTO_IP, IP_ADD_MEMBERSHIP, &joined, sizeof joined) != 0))
+        return psl_result_of_errno(errno);
+    return SM_OK;
+}
 
 // With SO_REUSEADDR, the port of a program that has just ended is immediately available again.
 SmResult pal_socket_listen(PalSocket *s, const PalAddress *local) { return open_bound(s, local, LISTENING, SO_REUSEADDR); }

@@ -8,6 +8,12 @@ SmResult pal_socket_udp(PalSocket *socket, const PalAddress *local)
     return SM_E_UNSUPPORTED;
 }
 
+SmResult pal_socket_multicast(PalSocket socket, const uint8_t *group, const uint8_t *interface)
+{
+    (void)socket, (void)group, (void)interface;
+    return SM_E_UNSUPPORTED;
+}
+
 SmResult pal_socket_send_to(PalSocket socket, const PalAddress *to, const void *bytes, size_t n)
 {
     (void)socket, (void)to, (void)bytes, (void)n;

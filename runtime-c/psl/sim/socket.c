@@ -34,6 +34,8 @@ static bool is_any_address(const PalAddress *a)
     return (a->ip[0] | a->ip[1] | a->ip[2] | a->ip[3]) == 0;
 }
 
+static bool is_group(const PalAddress *a) { return a->ip[0] >= 224 && a->ip[0] <= 239; }
+
 static bool is_port_taken(const PalAddress *a, SimSocketKind kind)
 {
     for (uint8_t i = 0; i < PAL_SOCKETS; i++)
@@ -46,7 +48,7 @@ static bool is_port_taken(const PalAddress *a, SimSocketKind kind)
 // Checks that the address is one of this computer and its port is free.  Chooses a free port for port 0.
 static SmResult choose_port(PalAddress *a, SimSocketKind kind)
 {
-    if (!is_any_address(a) && a->ip[0] != 127 && a->ip[0] != 10)
+    if (!is_any_address(a) && a->ip[0] != 127 && a->ip[0] != 10 && !(is_group(a) && kind == DATAGRAMS))
         return SM_E_MISSING;
     if (a->port != 0)
         return is_port_taken(a, kind) ? SM_E_BUSY : SM_OK;
@@ -204,6 +206,21 @@ SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *p
 }
 
 // ---- datagrams ----
+
+SmResult pal_socket_multicast(PalSocket s, const uint8_t *group, const uint8_t *interface)
+{
+    SimSocket *e;
+    SmResult r;
+
+    if (!interface || (group && (group[0] < 224 || group[0] > 239)))
+        return SM_E_ARGUMENT;
+    r = find_socket(s, DATAGRAMS, &e);
+    if (r == SM_OK)
+        r = sim_begin_call(SIM_socket_multicast);
+    if (r == SM_OK && (interface[0] | interface[1] | interface[2] | interface[3]) != 0 && interface[0] != 127 && interface[0] != 10)
+        r = SM_E_MISSING;
+    return r;
+}
 
 SmResult pal_socket_send_to(PalSocket s, const PalAddress *to, const void *bytes, size_t n)
 {

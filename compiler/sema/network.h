@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// The typed .net (config.md 11): which messages are sent and received, and what they contain.  The checker's output for a tree without
+// errors.  The emitters read it; no code changes it after the check.
+#ifndef SMC_NETWORK_H
+#define SMC_NETWORK_H
+
+#include "compiler/sema/program.h"
+
+// The bytes around the elements of a message (docs/config.md 11.14), and the most bytes of a message.
+enum { NET_HEADER = 16, NET_CODE = 16, NET_CRC = 4, NET_MOST = 1472 };
+
+typedef enum NetCount {
+#define SM_NET_COUNT(name, word, text) NET_COUNT_##name,
+#include "stdlib/net_counts.def"
+#undef SM_NET_COUNT
+    NET_COUNTS
+} NetCount;
+
+extern const char *const net_count_words[NET_COUNTS];     // the word of each after @count
+extern const char *const net_count_texts[NET_COUNTS];
+
+// What becomes of an element while no message comes; ordered as SmNetSilent of runtime-c/net.h.
+typedef enum NetSilent { NET_HOLD, NET_UNKNOWN, NET_DEFAULT, NET_SAFE } NetSilent;
+
+typedef struct NetField {
+    const Element *element;
+    NetSilent silent;
+    uint64_t cell;            // DEFAULT, SAFE: the value, as a bit cell of the element's type (convert.h)
+    Span span;
+} NetField;
+
+typedef struct NetStatistic { NetCount count; const Element *element; } NetStatistic;
+
+typedef enum NetLink { NET_UDP, NET_TCP_CLIENT, NET_TCP_SERVER } NetLink;      // ordered as SmNetLink
+
+typedef struct NetChannel {
+    bool is_send;
+    Str name;
+    Span span, where;         // positions of its name and its address
+    NetLink link;
+    uint8_t ip[4];            // the address: of the peer, or the local one (0.0.0.0: any), or the multicast group
+    uint16_t port;
+    uint8_t interface[4];     // 0.0.0.0: the system chooses
+    uint64_t period, timeout; // nanoseconds; timeout 0: none
+    Str key;                  // or NULL
+    const Element *run;       // or NULL
+    const Element *age;       // or NULL
+    VEC(NetField) field;
+    VEC(NetStatistic) statistic;
+    uint32_t hash;            // of the message's name and its elements' names, types and order
+    uint32_t size;            // bytes of the whole message
+} NetChannel;
+
+typedef struct Network {
+    Str name;                 // the file's stem
+    const Source *src;
+    const StateVec *sv;
+    VEC(NetChannel *) channel;        // in file order
+} Network;
+
+static inline bool net_is_multicast(const uint8_t *ip) { return ip[0] >= 224 && ip[0] <= 239; }
+const char *net_address_text(Arena *arena, const NetChannel *c);      // "239.1.2.3:5000"
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The syntax tree of a network configuration (.net) as written: endpoints and channels (docs/config.md 11). net.def lists the annotations.
+// Lines with syntax errors have been reported and are missing in the tree.
+#ifndef SMC_AST_NET_H
+#define SMC_AST_NET_H
+
+#include "compiler/syntax/ast_app.h"
+#include "compiler/syntax/lex.h"
+
+typedef enum AstNetAnnotationKind {
+#define NET_ANNOTATION(name, takes, send, receive, part, example) AST_NET_##name,
+#include "compiler/syntax/net.def"
+    AST_NET_ANNOTATION_COUNT
+} AstNetAnnotationKind;
+
+typedef struct AstNetAnnotation {
+    AstNetAnnotationKind kind;
+    Span span;                // including its @ and its arguments
+    AstWord word;             // an element, an address, a key; of @count the word that says what is counted
+    AstWord element;          // the element of @count
+    AstAmount amount;         // the time of @timeout
+    AstNumber value;          // of @default and @safe
+    bool is_truth;            // `value` was written as true or false
+} AstNetAnnotation;
+
+typedef VEC(AstNetAnnotation) AstNetAnnotations;
+
+// An element or a whole region between the braces.
+typedef struct AstNetPart {
+    bool is_region;           // written as [Region]
+    AstWord name;
+    AstNetAnnotations annotations;
+} AstNetPart;
+
+typedef enum AstNetSide { AST_NET_ON, AST_NET_TO, AST_NET_FROM } AstNetSide;
+
+typedef struct AstNetChannel {
+    bool is_send;
+    AstWord name;
+    AstAmount period;         // of a send
+    AstNetSide side;          // the word before the address
+    Span side_span;
+    bool is_tcp;
+    AstWord where;            // the port, the address with its port, or the name of an endpoint, as written
+    TokenKind where_kind;     // TOK_NUMBER, TOK_ADDRESS or TOK_NAME
+    AstNetAnnotations annotations;
+    VEC(AstNetPart) parts;
+    Span braces;              // the opening brace
+} AstNetChannel;
+
+typedef struct AstNetEndpoint { AstWord name, address; } AstNetEndpoint;
+
+typedef struct AstNet {
+    VEC(AstNetEndpoint) endpoints;
+    VEC(AstNetChannel) channels;
+    bool lost;                // lines may be missing, because errors were reported
+} AstNet;
+
+const char *ast_net_annotation_name(AstNetAnnotationKind kind);
+const AstNetAnnotation *ast_net_find(const AstNetAnnotations *all, AstNetAnnotationKind kind);      // NULL if it is absent
+void ast_print_net(const AstNet *net, Buf *out);
+
+#endif

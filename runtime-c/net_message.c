@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// The wire form of messages (net.h).  Every loop is bounded by the table of the message, never by a received byte.
+#include <string.h>
+
+#include "runtime-c/net.h"
+#include "stdlib/convert.h"
+#include "stdlib/crc32.h"
+
+enum { MAGIC_LOW = 0x53, MAGIC_HIGH = 0x4D, VERSION = 1 };
+
+// ---- bytes ----
+
+static void put(uint8_t *at, uint64_t x, unsigned n)
+{
+    for (unsigned i = 0; i < n; i++)
+        at[i] = (uint8_t)(x >> 8 * i);
+}
+
+static uint64_t get(const uint8_t *at, unsigned n)
+{
+    uint64_t x = 0;
+
+    for (unsigned i = n; i > 0; i--)
+        x = x << 8 | at[i - 1];
+    return x;
+}
+
+// ---- values ----
+
+// The bits of infinity in a type; 0 if the type has none.
+static uint64_t infinity_of(SmType type) { return type == SM_F64 ? 0x7FF0000000000000u : type == SM_F32 ? 0x7F800000u : 0; }
+
+// Whether the bits are those of an infinity or a NaN.
+static bool is_not_finite(SmType type, uint64_t bits) { return infinity_of(type) != 0 && (bits & infinity_of(type)) == infinity_of(type); }
+
+// Returns the bits that are sent for an element.
+static uint64_t sendable(SmType type, uint64_t bits)
+{
+    const uint64_t sign = type == SM_F64 ? (uint64_t)1 << 63 : (uint64_t)1 << 31;
+
+    if (type == SM_BOOL)
+        return bits != 0;
+    if (!is_not_finite(type, bits))
+        return bits;
+    return bits & ~(infinity_of(type) | sign) ? 0 : bits - 1;          // the largest finite number precedes the infinity
+}
+
+// Converts bytes of the wire to the bits of a cell: signed integers are extended as sm_cell_load does.
+static uint64_t cell_of(SmType type, const uint8_t *at)
+{
+    uint8_t native[8];
+    const uint64_t x = get(at, sm_type_bytes[type]);
+    const uint8_t n8 = (uint8_t)x;
+    const uint16_t n16 = (uint16_t)x;
+    const uint32_t n32 = (uint32_t)x;
+
+    switch (sm_type_bytes[type]) {
+    case 1:  memcpy(native, &n8, sizeof n8); break;
+    case 2:  memcpy(native, &n16, sizeof n16); break;
+    case 4:  memcpy(native, &n32, sizeof n32); break;
+    default: memcpy(native, &x, sizeof x); break;
+    }
+    return sm_cell_load(type, native);
+}
+
+// Returns the cause for which a value is refused; SM_NET_accepted if it is not.
+static SmNetCount check_value(const SmNetField *f, const uint8_t *at)
+{
+    const SmType type = (SmType)f->type;
+    SmF64 x;
+
+    if (type == SM_BOOL)
+        return at[0] > 1 ? SM_NET_nan : SM_NET_accepted;
+    if (is_not_finite(type, get(at, sm_type_bytes[type])))
+        return SM_NET_nan;
+    x = sm_cell_to_f64(type, cell_of(type, at));
+    return sm_le(sm_from_bits(f->least), x) && sm_le(x, sm_from_bits(f->most)) ? SM_NET_accepted : SM_NET_range;
+}
+
+// ---- messages ----
+
+static size_t end_of_values(const SmNetMessage *m) { return (size_t)m->size - SM_NET_CRC - (m->key ? SM_NET_CODE : 0); }
+
+void sm_net_encode(const SmNetMessage *m, const uint64_t *value, SmNetStamp stamp, uint8_t *bytes)
+{
+    uint8_t *at = bytes + SM_NET_HEADER;
+    const size_t end = end_of_values(m), crc = (size_t)m->size - SM_NET_CRC;
+
+    bytes[0] = MAGIC_LOW;
+    bytes[1] = MAGIC_HIGH;
+    bytes[2] = VERSION;
+    bytes[3] = m->key != NULL;
+    put(bytes + 4, m->hash, 4);
+    put(bytes + 8, stamp.run, 4);
+    put(bytes + 12, stamp.number, 4);
+    for (uint16_t i = 0; i < m->fields; i++) {
+        const SmType type = (SmType)m->field[i].type;
+        put(at, sendable(type, value[i]), sm_type_bytes[type]);
+        at += sm_type_bytes[type];
+    }
+    if (m->key)
+        m->seal(bytes, end, m->key, bytes + end);
+    put(bytes + crc, sm_crc32(bytes, crc), 4);
+}
+
+// Whether the code of a sealed message is correct.  The time does not depend on which bytes are wrong.
+static bool is_sealed(const SmNetMessage *m, const uint8_t *bytes)
+{
+    const size_t end = end_of_values(m);
+    uint8_t code[SM_NET_CODE], differs = 0;
+
+    m->seal(bytes, end, m->key, code);
+    for (unsigned i = 0; i < SM_NET_CODE; i++)
+        differs |= code[i] ^ bytes[end + i];
+    return differs == 0;
+}
+
+// Returns the cause for which the bytes around the values are refused.
+static SmNetCount check_frame(const SmNetMessage *m, const uint8_t *bytes, size_t n)
+{
+    const size_t crc = (size_t)m->size - SM_NET_CRC;
+
+    if (n != m->size)
+        return n < m->size ? SM_NET_short_ : SM_NET_long_;
+    if (bytes[0] != MAGIC_LOW || bytes[1] != MAGIC_HIGH || bytes[2] != VERSION || bytes[3] > 1 ||
+        get(bytes + crc, 4) != sm_crc32(bytes, crc))
+        return SM_NET_damaged;
+    if (get(bytes + 4, 4) != m->hash)
+        return SM_NET_hash;
+    if (bytes[3] != (m->key != NULL) || (m->key && !is_sealed(m, bytes)))
+        return SM_NET_key;
+    return SM_NET_accepted;
+}
+
+SmNetCount sm_net_check(const SmNetMessage *m, const uint8_t *bytes, size_t n, SmNetStamp *stamp)
+{
+    SmNetCount cause = check_frame(m, bytes, n);
+    const uint8_t *at = bytes + SM_NET_HEADER;
+
+    for (uint16_t i = 0; i < m->fields && cause == SM_NET_accepted; i++) {
+        cause = check_value(&m->field[i], at);
+        at += sm_type_bytes[m->field[i].type];
+    }
+    if (cause != SM_NET_accepted)
+        return cause;
+    stamp->run = (uint32_t)get(bytes + 8, 4);
+    stamp->number = (uint32_t)get(bytes + 12, 4);
+    return SM_NET_accepted;
+}
+
+void sm_net_values(const SmNetMessage *m, const uint8_t *bytes, uint64_t *value)
+{
+    const uint8_t *at = bytes + SM_NET_HEADER;
+
+    for (uint16_t i = 0; i < m->fields; i++) {
+        value[i] = cell_of((SmType)m->field[i].type, at);
+        at += sm_type_bytes[m->field[i].type];
+    }
+}
+
+// ---- the order of messages ----
+
+static SmNetCount begin_run(SmNetOrder *o, SmNetStamp stamp)
+{
+    o->any = true;
+    o->last = stamp;
+    o->seen = 1;
+    return SM_NET_accepted;
+}
+
+SmNetCount sm_net_order(SmNetOrder *o, SmNetStamp stamp, bool sealed, bool silent)
+{
+    const uint32_t ahead = stamp.number - o->last.number, behind = o->last.number - stamp.number;
+
+    if (!o->any)
+        return sealed && stamp.run < o->last.run ? SM_NET_late : begin_run(o, stamp);
+    if (stamp.run != o->last.run)
+        return (sealed ? stamp.run > o->last.run : silent) ? begin_run(o, stamp) : SM_NET_late;
+    if (ahead != 0 && ahead < 0x80000000u) {
+        o->seen = ahead < 64 ? o->seen << ahead | 1 : 1;
+        o->last = stamp;
+        return SM_NET_accepted;
+    }
+    return behind < 64 && (o->seen >> behind & 1) ? SM_NET_repeated : SM_NET_late;
+}
