@@ -116,7 +116,8 @@ enum SmcKind {    // a kind of source; later versions can have more
     SMC_KIND_NET = 5              // messages, .net
 };
 
-// Adds a source of `size` bytes, which are copied, and stores its number in *source: 0, 1, 2 …, or that of a removed source.  Diagnostics show `name`, which can be a path.
+// Adds a source of `size` bytes, which are copied, and stores its number in *source: 0, 1, 2 …, or that of a removed source.  Diagnostics show
+// `name`, which can be a path.
 // The file name in it, without folders and suffix, names what is generated.  An application finds its files by their names, written as in
 // the application.  `text` can be NULL if `size` is 0.
 // SMC_E_ARGUMENT: the name is empty, or contains a control character.  SMC_E_SIZE: the text is longer than 1 GB.
@@ -175,7 +176,8 @@ const char *smc_explain(const char *code);
 
 // ---- compiling ----
 
-// Compiles all sources, in the order of their numbers: checks them, and searches for what the selected warnings find.  An application is compiled with the files that it names.
+// Compiles all sources, in the order of their numbers: checks them, and searches for what the selected warnings find.  An application is
+// compiled with the files that it names.
 // Without one, a state vector is that of every machine and of the pins, pins are checked against it, and scripts are those of the one machine
 // or of the machine that smc_script_assign named.  Other scripts are only parsed.
 // SMC_E_SOURCE: there are errors, or warnings that are selected as errors.  What has none of its own is compiled nevertheless.

@@ -111,7 +111,7 @@ static uint32_t find_model_variable(const SmcSession *s, uint32_t sm, const char
     for (uint32_t v = 0; v < smc_model_variable_count(s, sm); v++)
         if (is_text(smc_model_variable_name(s, sm, v), name))
             return v;
-    CHECK(!"the variable exists");
+    CHECK(false);                 // the variable does not exist
     return 0;
 }
 
