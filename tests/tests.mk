@@ -460,7 +460,7 @@ psl-qemu:
 
 # tests/runtime: one program per file.  NAME_linux.c runs on Linux, with threads, and again under the thread sanitizer; the others run in
 # the simulation.  Of the folder's files, V.sv is compiled to "V.h", V.io to "V_io.h", and M.sm to "M.h", with the vector RUNTIME_SV_M.
-RUNTIME_SRC   = $(wildcard runtime-c/*.c) $(filter-out %/store.c %/agent.c %/state_log.c,$(wildcard bytecode-vm/target/*.c)) $(VM) $(STDLIB)
+RUNTIME_SRC   = $(wildcard runtime-c/*.c) $(filter-out %/store.c %/agent.c %/state_log.c,$(wildcard bytecode-vm/target/*.c)) $(VM) $(LINK) $(STDLIB)
 RUNTIME_MADE  = $(patsubst tests/runtime/%,$(B)/runtime/made/%.c,$(basename $(wildcard tests/runtime/*.sv tests/runtime/*.sm))) \
                 $(patsubst tests/runtime/%.io,$(B)/runtime/made/%_io.c,$(wildcard tests/runtime/*.io))
 RUNTIME_TESTS = $(patsubst tests/runtime/%.c,$(B)/runtime/%,$(wildcard tests/runtime/*.c))
