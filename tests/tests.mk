@@ -162,6 +162,11 @@ $(B)/swap/threads $(B)/swap/lateness: $(B)/swap/%: $(B)/obj/tests/swap/%.o $(pat
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -pthread -lrt
 
+# `make swap-times` prints how long the preparation and the exchange of a machine of 300 lines take.
+swap-times: $(B)/swap/reach $(B)/smc
+	$(B)/swap/reach $(B)/smc --measure
+.PHONY: swap-times
+
 swap-lateness: $(B)/swap/lateness
 	$(B)/swap/lateness $(or $(SECONDS),5)
 .PHONY: swap-lateness
