@@ -2,6 +2,7 @@
 # Rules for projects that build state machines, or whole applications:  include smc.mk
 #   tank.smb from tank.sm: bytecode.      tank.c and tank.h from tank.sm: C99.      app_io.c and app_io.h from app.io: C99 for runtime-c.
 #   make flash-tank PORT=/dev/ttyACM0: tank.smb onto a board; it is on trial until `smc device confirm`.  make flash: of the one machine here.
+#   make swap-tank TO=stand.sock MODE=continue: tank.sm replaces the machine `tank` of an application that runs.  MODE=restart: it starts again.
 # Set before the include: SMC_SV to the application's state vector (app.sv) if there is one, SMC_IO to the pins of its images (app.io),
 # SMCFLAGS to further options, SMC to where the command is if not in PATH.
 #   rocket from rocket.app: a program.  Set before the include
@@ -48,6 +49,11 @@ flash-%: %.smb
 	$(if $(SMC_LOST),$(error there is no $(SMC_LOST), as SMC_SV or SMC_IO says))
 	$(SMC_WANT)
 	$(SMC) flash $< --port=$(or $(PORT),$(error PORT=/dev/ttyACM0 says where the board is))
+# The command compiles it, with names.  Of the options it takes those for warnings and the optimiser.
+swap-%: %.sm $(SMC_SV)
+	$(SMC_WANT)
+	$(SMC) swap $< $(filter -w -W% -O%,$(SMCFLAGS)) $(if $(SMC_SV),--sv=$(SMC_SV)) --to=$(or $(TO),$(error TO=stand.sock says where the application listens)) \
+	    --$(or $(MODE),$(error MODE=continue or MODE=restart says how the machine goes on))
 SMC_MACHINES = $(basename $(wildcard *.sm))
 flash: $(if $(word 2,$(SMC_MACHINES)),,$(SMC_MACHINES:%=flash-%))
 	$(if $(filter 1,$(words $(SMC_MACHINES))),@:,$(error make flash-NAME says which machine; here are: $(SMC_MACHINES)))

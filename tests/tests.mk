@@ -162,6 +162,11 @@ $(B)/swap/threads $(B)/swap/lateness: $(B)/swap/%: $(B)/obj/tests/swap/%.o $(pat
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -pthread -lrt
 
+# `make swap-times` prints how long the preparation and the exchange of a machine of 300 lines take.
+swap-times: $(B)/swap/reach $(B)/smc
+	$(B)/swap/reach $(B)/smc --measure
+.PHONY: swap-times
+
 swap-lateness: $(B)/swap/lateness
 	$(B)/swap/lateness $(or $(SECONDS),5)
 .PHONY: swap-lateness
@@ -461,7 +466,7 @@ psl-qemu:
 
 # tests/runtime: one program per file.  NAME_linux.c runs on Linux, with threads, and again under the thread sanitizer; the others run in
 # the simulation.  Of the folder's files, V.sv is compiled to "V.h", V.io to "V_io.h", V.net to "V_net.h", and M.sm to "M.h", with the vector RUNTIME_SV_M.
-RUNTIME_SRC   = $(wildcard runtime-c/*.c) $(filter-out %/store.c %/agent.c %/state_log.c,$(wildcard bytecode-vm/target/*.c)) $(VM) $(STDLIB)
+RUNTIME_SRC   = $(wildcard runtime-c/*.c) $(filter-out %/store.c %/agent.c %/state_log.c,$(wildcard bytecode-vm/target/*.c)) $(VM) $(LINK) $(STDLIB)
 RUNTIME_MADE  = $(patsubst tests/runtime/%,$(B)/runtime/made/%.c,$(basename $(wildcard tests/runtime/*.sv tests/runtime/*.sm))) \
                 $(patsubst tests/runtime/%.io,$(B)/runtime/made/%_io.c,$(wildcard tests/runtime/*.io)) \
                 $(patsubst tests/runtime/%.net,$(B)/runtime/made/%_net.c,$(wildcard tests/runtime/*.net))

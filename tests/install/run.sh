@@ -146,6 +146,35 @@ check "an application with swaps builds with smc.mk" sh -c "$make -s image.h CC=
 check "and swaps its machine" sh -c "./bench | cmp - expected.txt"
 check "with its log, on a desk" sh -c "$make -s CC='$cc' CFLAGS='-O1 -I.' SMC_PLATFORM=desk && ./bench | cmp - expected.txt && '$inst/bin/smc' log bench.log | grep -q 'confirmed'"
 
+# The application while it runs, reached with the installed command: `count` counts by hundreds from now on.
+cat >stand.app <<EOF
+[options]
+state_vector "bench.sv"
+time         time 1 ms
+swap         8 KB
+swap_trial   100000
+swap_at      "stand.sock"
+[flight]
+every 10 ms:
+    machine count "count.sm" @bytecode @swap
+EOF
+sed 's/ = bench$/ = stand/; /SOURCES/d; /^all:/d; s/ = sim/ = linux/' Makefile >stand.mk
+mkdir new && sed 's/n + 1$/n + 3/' count.sm >new/count.sm
+reaches()
+{
+    $make -s -f stand.mk stand CC="$cc" CFLAGS=-O1 || return 1
+    ./stand & stand=$!
+    tries=0
+    while ! test -S stand.sock && test $tries -lt 50; do sleep 0.1; tries=$((tries + 1)); done
+    cp new/count.sm count.sm
+    $make -s -f stand.mk swap-count TO=stand.sock MODE=continue >swapped && "$inst/bin/smc" device confirm --port=stand.sock >confirmed
+    code=$?
+    kill $stand && wait $stand 2>/dev/null
+    test $code = 0 && grep -q 'kept     state Up' swapped && grep -q 'was confirmed' confirmed
+}
+check "an application that runs gets another machine by make swap-NAME" reaches
+check "which asks how the machine goes on" sh -c "$make -n -f stand.mk swap-count TO=stand.sock 2>&1 | grep -q 'MODE=continue or MODE=restart'"
+
 # One program, other settings: each time it is the one that was asked for.
 cd "$dir/app" || exit 1
 programs()

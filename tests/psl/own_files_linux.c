@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files on Linux: non-volatile memory and logs after a power failure at any time and on a full disk.
+// Files on Linux: non-volatile memory and logs after a power failure at any time and on a full disk; sockets at a path.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <stdio.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include "runtime-c/pal/log.h"
 #include "runtime-c/pal/nvm.h"
 #include "runtime-c/pal/serial.h"
+#include "runtime-c/pal/socket.h"
 #include "tests/psl/own_faults_linux.h"
 #include "tests/psl/suite.h"
 
@@ -229,11 +232,66 @@ static void no_log(void)
     CHECK(unlink("pipe") == 0 && unlink("link") == 0 && unlink(LOG_NAME) == 0 && unlink("new.log") == 0);
 }
 
+// ---- sockets at a path ----
+
+// Whether two programs can exchange a byte by the path.
+static bool is_reached(PalSocket listening, const char *path)
+{
+    struct sockaddr_un a;
+    PalSocket stream = {0};
+    PalAddress peer = {{1, 2, 3, 4}, 5};
+    const int fd = socket(AF_UNIX, SOCK_STREAM, 0);
+    char byte = 'x';
+    size_t n = 0;
+    bool reached;
+
+    memset(&a, 0, sizeof a);
+    a.sun_family = AF_UNIX;
+    snprintf(a.sun_path, sizeof a.sun_path, "%s", path);
+    reached = connect(fd, (struct sockaddr *)&a, sizeof a) == 0 && pal_socket_accept(listening, &stream, &peer, PAL_SECOND) == SM_OK &&
+              write(fd, &byte, 1) == 1 && pal_socket_receive(stream, &byte, 1, &n, PAL_SECOND) == SM_OK && n == 1 &&
+              pal_socket_send(stream, &byte, 1, &n, PAL_SECOND) == SM_OK && read(fd, &byte, 1) == 1 && peer.port == 0 && peer.ip[0] == 0;
+    close(fd);
+    CHECK(stream.id == 0 || pal_socket_close(stream) == SM_OK);
+    return reached;
+}
+
+static void local_sockets(void)
+{
+    PalSocket s = {0}, other = {0};
+    PalAddress address;
+    char longest[PAL_SOCKET_PATH + 2];
+    struct stat file;
+
+    memset(longest, 's', sizeof longest - 1);
+    longest[sizeof longest - 1] = '\0';
+    CHECK(pal_socket_listen_local(NULL, "path") == SM_E_ARGUMENT && pal_socket_listen_local(&s, NULL) == SM_E_ARGUMENT);
+    CHECK(pal_socket_listen_local(&s, "") == SM_E_ARGUMENT && pal_socket_listen_local(&s, longest) == SM_E_ARGUMENT);
+    CHECK(pal_socket_listen_local(&s, "nowhere/path") == SM_E_MISSING && s.id == 0);
+    longest[PAL_SOCKET_PATH] = '\0';
+    CHECK(pal_socket_listen_local(&s, longest) == SM_OK && is_reached(s, longest) && pal_socket_close(s) == SM_OK);
+    // only its user, and one program
+    CHECK(pal_socket_listen_local(&s, "path") == SM_OK && is_reached(s, "path"));
+    CHECK(stat("path", &file) == 0 && S_ISSOCK(file.st_mode) && (file.st_mode & 0777) == 0600);
+    CHECK(pal_socket_listen_local(&other, "path") == SM_E_BUSY && other.id == 0);
+    CHECK(pal_socket_accept(s, &other, NULL, PAL_SECOND) == SM_OK && pal_socket_close(other) == SM_OK);      // the attempt
+    CHECK(pal_socket_local_address(s, &address) == SM_E_UNSUPPORTED && is_reached(s, "path"));
+    CHECK(pal_socket_close(s) == SM_OK && stat("path", &file) != 0);
+    // a socket whose program has ended
+    CHECK(pal_socket_listen_local(&s, "path") == SM_OK && link("path", "left") == 0 && pal_socket_close(s) == SM_OK);
+    CHECK(pal_socket_listen_local(&s, "left") == SM_OK && is_reached(s, "left") && pal_socket_close(s) == SM_OK);
+    // other files stay
+    CHECK(mkdir("folder", 0700) == 0 && symlink("gone", "link") == 0);
+    CHECK(pal_socket_listen_local(&s, "folder") == SM_E_FOREIGN && pal_socket_listen_local(&s, "link") == SM_E_FOREIGN);
+    CHECK(rmdir("folder") == 0 && unlink("link") == 0);
+}
+
 Tally own_files_linux(void)
 {
     nvm();
     log_order();
     log_full();
     no_log();
+    local_sockets();
     return TALLY();
 }

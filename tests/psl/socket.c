@@ -18,6 +18,7 @@ static void without(void)
 
     CHECK(pal_socket_udp(&s, &here) == SM_E_UNSUPPORTED && pal_socket_udp(NULL, NULL) == SM_E_UNSUPPORTED);
     CHECK(pal_socket_listen(&s, &here) == SM_E_UNSUPPORTED);
+    CHECK(pal_socket_listen_local(&s, "path") == SM_E_UNSUPPORTED);
     CHECK(pal_socket_accept(s, &s, NULL, 0) == SM_E_UNSUPPORTED);
     CHECK(pal_socket_connect(&s, &here, 0) == SM_E_UNSUPPORTED);
     CHECK(pal_socket_send_to(s, &here, &x, 1) == SM_E_UNSUPPORTED);

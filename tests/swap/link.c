@@ -27,6 +27,8 @@ typedef struct Wire {
     uint8_t received[LINK_ROOM(LINK_BODY_MAX)];
     uint8_t answers[8 * LINK_ROOM(LINK_BODY_MAX)];
     size_t first, end;        // of `answers`: those that the host has not read yet
+    uint32_t refuse;          // at this frame the application itself begins a swap that is refused; 0: at none
+    uint32_t ends_busy;       // how often END was answered with SM_E_BUSY
     uint32_t steps;           // ticks of the application
 } Wire;
 
@@ -43,8 +45,12 @@ static void run_application(void)
 static void deliver_frame(bool answers)
 {
     uint8_t answer[LINK_ROOM(LINK_BODY_MAX)];
-    const uint16_t n = sm_swap_link_answer(&stage.link, wire.in.buffer, wire.in.n, answer);
+    uint16_t n;
 
+    if (wire.refuse != 0 && wire.frames == wire.refuse)
+        CHECK(stage_swap("a", &ten, (SmSwapMode)3, NULL) == SM_OK);
+    n = sm_swap_link_answer(&stage.link, wire.in.buffer, wire.in.n, answer);
+    wire.ends_busy += n > 0 && wire.in.buffer[1] == LINK_END && stage.link.transfer == SM_SWAP_RECEIVING;
     CHECK(n <= sizeof answer);
     if (answers && wire.end + n <= sizeof wire.answers) {
         memcpy(wire.answers + wire.end, answer, n);
@@ -214,6 +220,96 @@ static void test_refusals(Arena *arena)
     CHECK(stage_phase() == SM_SWAP_TRIAL && stage_events(SM_EVENT_SWAP, NULL) == 2);
 }
 
+// ---- the form of a transfer ----
+
+static bool request_begin(LinkHost *h, uint32_t length, uint32_t checksum, uint16_t session)
+{
+    uint8_t body[9];
+
+    sm_link_store(body, session, 2);
+    sm_link_store(body + 2, length, 3);
+    sm_link_store(body + 5, checksum, 4);
+    return link_request(h, LINK_BEGIN, body, sizeof body) && h->result == SM_OK;
+}
+
+static bool request_data(LinkHost *h, uint32_t at, const char *bytes, uint32_t n, uint16_t session)
+{
+    uint8_t body[LINK_BODY_MAX];
+
+    sm_link_store(body, session, 2);
+    sm_link_store(body + 2, at, 3);
+    memcpy(body + 5, bytes, n);
+    return link_request(h, LINK_DATA, body, 5 + n) && h->result == SM_OK;
+}
+
+static SmResult request_end(LinkHost *h, uint16_t session)
+{
+    uint8_t body[2];
+
+    sm_link_store(body, session, 2);
+    return link_request(h, LINK_END, body, sizeof body) ? h->result : SM_E_TIMEOUT;
+}
+
+// clause 12.38: lies about positions and lengths
+static void test_lies(Arena *arena)
+{
+    LinkHost h;
+    Buf swap;
+    uint32_t checksum;
+
+    begin(&h);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
+    checksum = application_swap_checksum(&swap);
+    CHECK(!request_begin(&h, stage.link.room + 1, checksum, 5) && h.result == SM_E_SPACE);
+    CHECK(!request_begin(&h, 0, checksum, 5) && h.result == SM_E_ARGUMENT && !request_begin(&h, 1, checksum, 0) && h.result == SM_E_ARGUMENT);
+    CHECK(request_begin(&h, 100, checksum, 5));
+    CHECK(!request_data(&h, 1, swap.at, 50, 5) && h.result == SM_E_ARGUMENT && sm_link_load(h.body, 3) == 0);
+    CHECK(request_data(&h, 0, swap.at, 50, 5) && sm_link_load(h.body, 3) == 50);
+    CHECK(request_data(&h, 10, swap.at + 10, 40, 5) && !request_data(&h, 10, swap.at + 11, 40, 5) && !request_data(&h, 10, swap.at + 10, 41, 5));
+    CHECK(!request_data(&h, 50, swap.at + 50, 51, 5) && !request_data(&h, 101, swap.at, 1, 5) && stage.link.received == 50);
+    CHECK(stage.link.buffer[50] == 0xa5 && request_end(&h, 5) == SM_E_ARGUMENT && request_end(&h, 6) == SM_E_HANDLE);
+    CHECK(request_data(&h, 50, swap.at + 50, 50, 5) && request_end(&h, 5) == SM_E_IMAGE && stage.link.buffer[100] == 0xa5);
+    CHECK(request_end(&h, 5) == SM_E_HANDLE && stage_phase() == SM_SWAP_IDLE);
+    // an END before the last byte, where the memory has the rest from an earlier transfer
+    memcpy(stage.link.buffer, swap.at, swap.n);
+    CHECK(request_begin(&h, (uint32_t)swap.n, checksum, 7) && request_data(&h, 0, swap.at, 50, 7) && request_end(&h, 7) == SM_E_ARGUMENT);
+}
+
+// Sends bytes as a swap.  Returns the result of END.
+static SmResult send_bytes(LinkHost *h, const char *bytes, size_t n)
+{
+    Buf swap;
+
+    buf_init(&swap, &one.session.arena);
+    buf_put(&swap, bytes, n);
+    return send(h, &swap, NULL, 0, 5) == APPLICATION_DONE ? SM_OK : h->result;
+}
+
+// clause 12.38: every beginning of a swap, one byte more, and names without their zero or with two
+static void test_forms(Arena *arena)
+{
+    LinkHost h;
+    Buf swap;
+
+    begin(&h);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
+    buf_char(&swap, 'x');
+    for (size_t n = 1; n <= swap.n; n++)
+        CHECK(n == swap.n - 1 || send_bytes(&h, swap.at, n) == SM_E_ARGUMENT);
+    swap.n--;
+    // version, number of changes, mode, length of the name, name, zero, length of the state
+    CHECK(swap.at[3] == 2 && swap.at[4] == 'a' && swap.at[5] == '\0' && swap.at[6] == 0);
+    swap.at[5] = 'b';
+    CHECK(send_bytes(&h, swap.at, swap.n) == SM_E_ARGUMENT);
+    swap.at[5] = swap.at[4] = '\0';
+    CHECK(send_bytes(&h, swap.at, swap.n) == SM_E_ARGUMENT);
+    swap.at[4] = 'a';
+    swap.at[0] = 2;
+    CHECK(send_bytes(&h, swap.at, swap.n) == SM_E_ARGUMENT && stage_status().number == 0);
+    swap.at[0] = 1;
+    CHECK(send_bytes(&h, swap.at, swap.n) == SM_OK);
+}
+
 // ---- faults of the line ----
 
 // clause 12.38: the line is cut off after each byte.  The old machine steps at every tick, unless END has arrived.
@@ -318,6 +414,7 @@ static void end_with_key(void) { sm_swap_link_close(&stage.link.service); }
 static void test_keys(Arena *arena)
 {
     uint8_t key[16], wrong[16];
+    uint32_t frames;
     LinkHost h;
     ApplicationSwap s;
     Buf swap, plain;
@@ -356,6 +453,18 @@ static void test_keys(Arena *arena)
     CHECK(send(&h, &swap, key, 4, 11) == APPLICATION_END && h.result == SM_E_REPLAY && stage_phase() == SM_SWAP_IDLE);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 4);
     CHECK(send(&h, &swap, key, 4, 12) == APPLICATION_DONE && stage.link.newest == 4);
+    // clause 12.39: an END that arrives while the refusal of another swap is not yet in the events is repeated
+    end_with_key();
+    begin_with_key(&h, true);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 1);
+    CHECK(send(&h, &swap, key, 1, 5) == APPLICATION_DONE);
+    frames = wire.frames;                                  // the last of them is END
+    end_with_key();
+    begin_with_key(&h, true);
+    wire.refuse = frames;
+    CHECK(send(&h, &swap, key, 1, 5) == APPLICATION_DONE && wire.ends_busy == 1 && stage.link.newest == 1);
+    stage_settle();
+    CHECK(stage_phase() == SM_SWAP_TRIAL);
     end_with_key();
     // no key in the file
     sim_nvm("flash")[31] = 'g';
@@ -550,6 +659,8 @@ int main(int argc, char **argv)
     arena = &one.session.arena;
     test_swap(arena);
     test_refusals(arena);
+    test_lies(arena);
+    test_forms(arena);
     test_cuts(arena);
     test_lost_and_repeated(arena);
     test_two_hosts(arena);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hosts and an application as processes: over a socket, TCP and a serial line, with SIGKILL for either at every stage, and `smc swap` itself.
 // Clauses 12.43 to 12.50 of docs/swapping.md.  The application counts in the element `out`; it stops when the test closes a pipe.
-//     reach SMC [FOLDER]
+//     reach SMC               tests
+//     reach SMC --measure     prints how long a swap takes on this computer
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -347,11 +348,76 @@ static void test_command(void)
     end(app);
 }
 
+// ---- times ----
+
+enum { SWAPS_MEASURED = 101, STATES = 60 };
+
+static int compare_times(const void *a, const void *b)
+{
+    const uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
+
+    return (x > y) - (x < y);
+}
+
+static void print_median(const char *what, uint64_t *ns)
+{
+    qsort(ns, SWAPS_MEASURED, sizeof *ns, compare_times);
+    printf("  %-40s %8.1f us, at most %8.1f us\n", what, (double)ns[SWAPS_MEASURED / 2] / 1000, (double)ns[SWAPS_MEASURED - 1] / 1000);
+}
+
+// Writes a machine of 300 lines and more: STATES states of five lines, locals and windows.
+static char *long_machine(void)
+{
+    static char text[STATES * 160 + 1024];
+    size_t n = (size_t)snprintf(text, sizeof text, "%s[local]\nF64 n = 0\n", A);
+
+    for (int i = 0; i < STATES; i++)
+        n += (size_t)snprintf(text + n, sizeof text - n, "[S%d] @swap\n.step\n    n = n + roll_avg(p + %d, 8)\n    out = n * %d\n    p > %d: -> S%d\n", i, i % 4, i,
+                              1000 + i, (i + 1) % STATES);
+    return text;
+}
+
+// Prints what was measured here and now: a swap of a machine of 300 lines for itself, in one thread.
+static void measure(void)
+{
+    static SwapMachine m;
+    uint64_t prepare[SWAPS_MEASURED], with[SWAPS_MEASURED], without[SWAPS_MEASURED], t;
+    const StagePlan plan = {.a = &m, .room = STAGE_ROOM, .trial = 1000000};
+
+    machine_compile(&m, long_machine(), STAGE_SV, 2, true);
+    stage_begin(&plan);
+    for (int i = 0; i < SWAPS_MEASURED; i++) {
+        stage_tick(0);
+        (void)pal_clock_sleep_until(sm_executor_due(&stage.executor[0]));
+        t = pal_clock_now();
+        sm_executor_tick(&stage.executor[0]);
+        without[i] = pal_clock_now() - t;
+        CHECK(stage_swap("a", &m, SM_SWAP_CONTINUE, NULL) == SM_OK);
+        t = pal_clock_now();
+        while (sm_swaps_prepare(&stage.swaps)) {}
+        prepare[i] = pal_clock_now() - t;
+        (void)pal_clock_sleep_until(sm_executor_due(&stage.executor[0]));
+        t = pal_clock_now();
+        sm_executor_tick(&stage.executor[0]);
+        with[i] = pal_clock_now() - t;
+        CHECK(stage_phase() == SM_SWAP_TRIAL && sm_swap_confirm(&stage.swaps) == SM_OK);
+    }
+    printf("swap of a machine with %d states, an image of %u bytes; median and most of %d:\n", STATES, (unsigned)m.image_size, SWAPS_MEASURED);
+    print_median("preparation", prepare);
+    print_median("a tick with the exchange", with);
+    print_median("a tick without", without);
+    machine_free(&m);
+}
+
 int main(int argc, char **argv)
 {
     const char *base = getenv("TMPDIR");
     char folder[200], *full;
 
+    if (argc > 2 && strcmp(argv[2], "--measure") == 0) {
+        measure();
+        return test_end("swap/reach");
+    }
     snprintf(folder, sizeof folder, "%s/smc-reach.XXXXXX", base && strlen(base) < 150 ? base : P_tmpdir);
     if (argc < 2 || (full = realpath(argv[1], NULL)) == NULL || mkdtemp(folder) == NULL || chdir(folder) != 0)
         return 1;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Swaps between threads, on Linux: two executors with a machine each, the thread that prepares, and one that asks.  A step that is
+// Swaps between threads, on Linux: two executors with a machine each, the thread that prepares, one that asks, and a host.  A step that is
 // lost or runs twice shows in the sum that a machine computes.  Runs for SECONDS, also under the thread sanitizer.
 #define _POSIX_C_SOURCE 200809L
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/shared.h"
@@ -63,6 +64,40 @@ static void *ask(void *argument)
     return NULL;
 }
 
+// ---- a host ----
+
+static unsigned answers;
+
+// Sends a request with a body of 6 bytes, and waits for the zero that ends its answer.
+static bool request(PalSocket s, LinkMessage message, uint32_t item)
+{
+    uint8_t frame[LINK_ROOM(6)] = {0, 1, (uint8_t)message, (uint8_t)(item & 1)}, byte = 1;
+    size_t n;
+
+    sm_link_store(frame + 5, item / 2 % 4, 4);
+    if (pal_socket_send(s, frame, sm_link_encode(frame, LINK_HEAD + 6), &n, PAL_SECOND) != SM_OK)
+        return false;
+    while (byte != 0)
+        if (pal_socket_receive(s, &byte, 1, &n, PAL_SECOND) != SM_OK)
+            return false;
+    return true;
+}
+
+// The thread of a host, which asks what runs, what was kept and what happened, while machines are swapped.
+static void *query(void *argument)
+{
+    static const LinkMessage messages[] = {LINK_APP, LINK_MACHINE, LINK_SWAP, LINK_KEPT, LINK_EVENTS, LINK_BEGIN};
+    PalSocket s;
+
+    (void)argument;
+    while (!sm_shared_read(&ended) && pal_socket_connect(&s, &stage.link.address, PAL_SECOND) != SM_OK)
+        (void)pal_clock_sleep_until(pal_clock_now() + PAL_MILLISECOND);
+    for (uint32_t i = 0; !sm_shared_read(&ended); i++)
+        answers += request(s, messages[i % 6], i / 6);
+    (void)pal_socket_close(s);
+    return NULL;
+}
+
 static uint64_t run_time;
 
 static void act(const SmTick *tick)
@@ -75,7 +110,7 @@ int main(int argc, char **argv)
 {
     const StagePlan plan = {.a = &machine[0][0], .b = &machine[1][0], .room = STAGE_ROOM, .trial = 30, .two_executors = true, .guarded = true,
                             .period = {200 * PAL_MICROSECOND, 300 * PAL_MICROSECOND}, .act = act};
-    pthread_t thread;
+    pthread_t thread, host;
 
     run_time = (argc > 1 ? strtoul(argv[1], NULL, 10) : 3) * (uint64_t)PAL_SECOND;
     machine_compile(&machine[0][0], COUNT(A, "out", 1), STAGE_SV, 2, true);
@@ -83,11 +118,15 @@ int main(int argc, char **argv)
     machine_compile(&machine[1][0], COUNT(B, "more", 1), STAGE_SV, 2, true);
     machine_compile(&machine[1][1], COUNT(B, "more", 1000), STAGE_SV, 2, true);
     stage_set_up(&plan);
-    CHECK(pthread_create(&thread, NULL, ask, NULL) == 0);
+    stage_reach(SM_SWAP_AT_ADDRESS, "", NULL);
+    stage.link.address.port = (uint16_t)(40000 + getpid() % 20000);
+    CHECK(pthread_create(&thread, NULL, ask, NULL) == 0 && pthread_create(&host, NULL, query, NULL) == 0);
     CHECK(sm_app_run(&stage.app) == SM_OK);
     sm_shared_write(&ended, 1);
-    CHECK(pthread_join(thread, NULL) == 0);
-    fprintf(stderr, "%u swaps confirmed, %u returned, %u refused, %u of both machines\n", confirmed, returned, refused, both);
+    CHECK(pthread_join(thread, NULL) == 0 && pthread_join(host, NULL) == 0);
+    fprintf(stderr, "%u swaps confirmed, %u returned, %u refused, %u of both machines; %u answers to a host\n", confirmed, returned, refused, both,
+            answers);
+    CHECK(answers > 100);
     CHECK(confirmed > 10 && returned > 10 && both > 5 && refused == 0);
     for (int i = 0; i < 2; i++) {
         // Each tick was one step, of one of the images, which added 1 or 1000.  A step is refused where the other executor was ahead.
