@@ -4,6 +4,7 @@
 B       ?= build
 CC      ?= cc
 AR      ?= ar
+BUILD_CC ?= $(CC)
 DEFAULT_CFLAGS = -O2
 CFLAGS  ?= $(DEFAULT_CFLAGS)
 DEPFLAGS ?= $(if $(findstring tcc,$(CC)),-MD,-MMD -MP)
@@ -24,7 +25,10 @@ LINK     = $(wildcard runtime-c/link/*.c)
 EMIT_C   = $(filter-out %/embed_tool.c,$(wildcard compiler/emit/c/*.c))
 LIBSMC   = $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c)) $(wildcard compiler/diag/*.c compiler/syntax/*.c compiler/sema/*.c compiler/ir/*.c \
              compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c compiler/budget/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/report/*.c compiler/script/*.c compiler/library/*.c compiler/*.c) $(STDLIB) $(VM) $(LINK)
-COMMAND  = $(wildcard compiler/base/os_*.c compiler/device/*.c compiler/cli/*.c)
+# The files of the system that smc is built for: os_posix.c and os_*_posix.c, or os_windows.c and os_*_windows.c.
+SYSTEM   = $(if $(findstring mingw,$(CC)),windows,posix)
+OS_FILES = $(wildcard compiler/base/os_$(SYSTEM).c compiler/base/os_*_$(SYSTEM).c)
+COMMAND  = $(OS_FILES) $(wildcard compiler/device/*.c compiler/cli/*.c)
 
 # `make V=1` shows the commands themselves, `make -s` nothing.
 say = $(if $(V)$(findstring s,$(firstword -$(MAKEFLAGS))),,@echo '  $(1)  $(patsubst $(B)/%,%,$@)';)
@@ -58,14 +62,14 @@ $(B)/libsmc.a: $(LIBSMC:%.c=$(B)/obj/%.o) $(VM_SOFT)
 	@rm -f $@
 	$(call say,AR)$(AR) rcs $@ $^
 
-$(B)/smc: $(COMMAND:%.c=$(B)/obj/%.o) $(B)/libsmc.a
+$(B)/smc $(B)/smc.exe: $(COMMAND:%.c=$(B)/obj/%.o) $(B)/libsmc.a
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
 # The texts of the stdlib functions that emitted C quotes.
 EMBEDDED = stdlib/f64.h stdlib/convert.h stdlib/math.h stdlib/roll.h
 $(B)/embed_tool: compiler/emit/c/embed_tool.c
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) -std=c99 -pedantic -Wall -Wextra $< -o $@
+	$(call say,CC)$(BUILD_CC) -std=c99 -pedantic -Wall -Wextra $< -o $@
 
 $(B)/gen/stdlib_text.h: $(B)/embed_tool $(EMBEDDED)
 	@mkdir -p $(@D)
@@ -205,6 +209,31 @@ uninstall:
 	    "$(DEST)/lib/libsmc.a" "$(DEST)/lib/libsmc.so" "$(DEST)/lib/$(SONAME)" "$(DEST)/lib/pkgconfig/smc.pc" "$(DEST)/include/smc.h"
 	rm -rf "$(DEST)/share/smc" "$(DEST)/include/smc"
 
+# ---- Windows ----
+
+# `make windows`: smc.exe and smc.dll for Windows, in $(B)/windows-x86_64 and $(B)/windows-i686, by MinGW-w64.  windows-x86_64 or
+# windows-i686 makes one of them.  WINDOWS_CFLAGS is added for both.
+# 32-bit x86: SSE2, because x87 registers would change results; and callers such as LabVIEW align the stack to 4 bytes only.
+WINDOWS_x86_64 =
+WINDOWS_i686   = -msse2 -mfpmath=sse -mstackrealign
+WINDOWS_FILES  = smc.exe smc.dll
+WINDOWS_LD     = -s -static-libgcc -Wl,--stack,8388608
+windows: windows-x86_64 windows-i686
+windows-x86_64 windows-i686: windows-%:
+	@command -v $*-w64-mingw32-gcc >/dev/null || { echo "there is no $*-w64-mingw32-gcc; on Debian or Ubuntu: apt-get install gcc-mingw-w64-$(subst _,-,$*)" >&2; exit 1; }
+	@$(MAKE) --no-print-directory B='$(B)/$@' CC=$*-w64-mingw32-gcc AR=$*-w64-mingw32-ar BUILD_CC='$(BUILD_CC)' LIB_FLAGS=-DSMC_LIBRARY \
+	    CFLAGS='$(CFLAGS) $(WINDOWS_$*)' LDFLAGS='$(LDFLAGS) $(WINDOWS_LD)' $(WINDOWS_FILES:%='$(B)/$@/%')
+.PHONY: windows windows-x86_64 windows-i686
+
+# smc.dll exports what smc.h and labview.h declare, undecorated also on 32-bit x86, and depends on KERNEL32 and msvcrt alone.  smc.def lists
+# the names for linkers that need an import library of their own.
+DLL_HEADERS = compiler/library/smc.h compiler/labview/labview.h
+$(B)/smc.def: $(DLL_HEADERS)
+	@mkdir -p $(@D)
+	$(call say,GEN)(echo EXPORTS; sed -n 's/^[a-zA-Z].*[ *]\(smc[a-z]*_[a-z0-9_]*\)(.*/\1/p' $(DLL_HEADERS)) >$@.new && mv $@.new $@
+$(B)/smc.dll: $(LIB_OBJECTS) $(B)/obj/compiler/labview/labview.o $(B)/smc.def
+	$(call say,LD)$(CC) $(CFLAGS) -shared $(LDFLAGS) -Wl,--exclude-all-symbols -Wl,--out-implib,$(B)/libsmc.dll.a -o $@ $^
+
 help:
 	@echo 'make                 builds $(B)/smc'
 	@echo 'make quick           runs the tests of the developer loop, in about 15 seconds'
@@ -227,6 +256,7 @@ help:
 	@echo 'make emulate MCU=atmega328p  runs an emulated Uno (atmega2560: Mega) with the firmware, for smc flash and smc device; needs libsimavr'
 	@echo 'make arduino         makes the Arduino library, $(ARDUINO) and smc.zip beside it'
 	@echo 'make wheel           makes the Python package, $(WHEEL)/smc-….whl; bench-python: its speed; rocketpy: flies examples/rocketpy FLIGHTS=100 times'
+	@echo 'make windows         smc.exe and smc.dll for Windows, 64 and 32 bits, by MinGW-w64; windows-x86_64, windows-i686: one of them'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR if that is set; uninstall removes it'
 	@echo 'make clean           removes $(B)'
 

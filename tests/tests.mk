@@ -211,7 +211,7 @@ $(B)/cost: $(COST_SRC) tests/cost/config.h $(filter-out %/main.o,$(DIFF_OBJ)) $(
 	$(call say,CC)$(CC) $(STRICT_C) $(COST_FLAGS) $(WARN) $(CFLAGS) $(COST_SRC) -o $@ $(filter %/gen.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o %/subject.o,$(DIFF_OBJ)) $(B)/libsmc.a
 
 # tests/emitc
-ENGINE_C_OBJ = $(patsubst %.c,$(B)/obj/%.o,compiler/device/engine_c.c $(wildcard compiler/base/os_*.c))
+ENGINE_C_OBJ = $(patsubst %.c,$(B)/obj/%.o,compiler/device/engine_c.c $(OS_FILES))
 $(B)/emitc/flow $(B)/emitc/typed: $(B)/emitc/%: tests/emitc/%.c $(ENGINE_C_OBJ) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -o $@ $^
@@ -242,7 +242,7 @@ FUZZ_SEEDS_ir = tests/ir/samples
 # tests/bench: time per step, size of code, growth of compile time.  `make bench W=mission`: one workload.
 WORKLOADS    = tank mission arith bigwindow seq40 big200 intcount f32filter vote decide ledger redlines
 W           ?= $(WORKLOADS)
-$(B)/bench/scale $(B)/bench/compile: $(B)/bench/%: $(B)/obj/tests/bench/%.o $(B)/obj/tests/bench/shapes.o $(patsubst %.c,$(B)/obj/%.o,$(wildcard compiler/base/os_*.c)) $(B)/libsmc.a
+$(B)/bench/scale $(B)/bench/compile: $(B)/bench/%: $(B)/obj/tests/bench/%.o $(B)/obj/tests/bench/shapes.o $(patsubst %.c,$(B)/obj/%.o,$(OS_FILES)) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
@@ -326,7 +326,7 @@ $(B)/fault/shim.so: tests/fault/shim.c
 	-$(call say,CC)$(CC) -std=c99 -O1 -Wall -Wextra -shared -fPIC $< -o $@ -ldl || rm -f $@
 
 # tests/host
-HOST_OBJ     = $(patsubst %.c,$(B)/obj/%.o,$(wildcard compiler/base/os_*.c))
+HOST_OBJ     = $(patsubst %.c,$(B)/obj/%.o,$(OS_FILES))
 HOST_FOLDER  = rm -rf $(B)/host/$(1).made && mkdir -p $(B)/host/$(1).made &&
 $(B)/host/files: HOST_WRAP = -Wl,--wrap=fsync,--wrap=rename,--wrap=fchmod
 $(B)/host/files $(B)/host/signals $(B)/host/folders: $(B)/host/%: tests/host/%.c $(HOST_OBJ)
@@ -635,7 +635,7 @@ bench-machine: $(BENCH_MACHINE) $(FLIGHTS)/flight.smb
 .PHONY: bench-machine
 
 # tests/clauses
-HOST         = $(wildcard compiler/base/os_*.c compiler/device/*.c)
+HOST         = $(OS_FILES) $(wildcard compiler/device/*.c)
 CLAUSE_TESTS = $(B)/clauses/steps $(B)/clauses/memory $(B)/clauses/regions
 $(B)/clauses/probe.c: tests/clauses/probe.sm tests/clauses/probe.sv $(B)/smc
 	@mkdir -p $(@D)
@@ -817,6 +817,16 @@ $(call test, arduino,              targets, arduino, CC='$(CC)' sh tests/arduino
 $(call test, app-targets,          targets, $(RUNTIME_MADE), sh tests/targets/app.sh $(B) '$(CC)')
 $(call test, runtime-targets,      targets,, CC='$(CC)' sh tests/runtime/targets.sh $(B)/smc)
 $(call test, models,               targets,, sh tests/check/models.sh $(STRICT_C) $(WARN))
+# tests/windows: smc.exe and smc.dll under Wine.  `make windows-campaign` runs the same as 32-bit programs, which needs a Wine that has them.
+WINDOWS_RUN = '$(MAKE)' '$(B)' '$(CC)'
+$(call test, +windows-same,        targets,, sh tests/windows/same.sh $(WINDOWS_RUN) x86_64)
+$(call test, +windows-golden,      targets, $(B)/golden, sh tests/windows/golden.sh $(WINDOWS_RUN) x86_64)
+$(call test, +windows-files,       targets,, sh tests/windows/files.sh $(WINDOWS_RUN) x86_64)
+$(call test, +windows-serial,      targets, $(B)/device/board, sh tests/windows/serial.sh $(WINDOWS_RUN) x86_64)
+$(call test, +windows-labview,     targets,, sh tests/windows/labview.sh $(WINDOWS_RUN) x86_64)
+windows-campaign: all windows-i686 $(B)/golden $(B)/device/board
+	@for t in same golden files serial labview; do sh tests/windows/$$t.sh $(WINDOWS_RUN) i686 || exit 1; done
+.PHONY: windows-campaign
 $(call test, bench,                targets, $(B)/bench/steps $(B)/bench/compile $(B)/bench/scale, $(B)/bench/steps $(B)/bench check)
 $(call test, bench-report,         targets,, sh tests/check/bench_report.sh)
 

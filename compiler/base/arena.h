@@ -27,7 +27,12 @@ void arena_reset(Arena *a);                      // frees every object, but keep
 // Initialises an arena whose chunks are memory of `parent`, so that freeing the parent frees it.  For objects that arena_reset frees often.
 void arena_init_within(Arena *a, Arena *parent);
 
-enum { ARENA_ALIGN = 8 };                         // alignment of every allocation: enough for the numbers and pointers of the compiler
+// Alignment of every allocation: enough for the numbers and pointers of the compiler.  On 64-bit Windows setjmp stores registers of 16 bytes.
+#ifdef _WIN64
+enum { ARENA_ALIGN = 16 };
+#else
+enum { ARENA_ALIGN = 8 };
+#endif
 void *arena_alloc_more(Arena *a, size_t size);   // the slow path of arena_alloc, when the zeroed memory is too short
 
 // Returns zeroed memory, aligned to ARENA_ALIGN.  Never returns NULL; size 0 is allowed.

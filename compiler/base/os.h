@@ -12,6 +12,12 @@
 // An SmcAllocFn that allocates on the heap.  `context` is not used.
 void *os_alloc(void *context, void *old, size_t size);
 
+// Called first in main.  On Windows it replaces the arguments by their UTF-8, sets the console to UTF-8, and the standard streams to bytes
+// as they are.
+void os_start(int *argc, char ***argv);
+
+extern const char os_null_device[];                // reads as an empty file, and drops what is written
+
 bool os_is_name(const char *name);                 // whether the name contains no control character
 
 // Reads a whole file or, for "-", standard input.  *text is allocated on the heap (os_alloc) and ends with a NUL that *len does not
@@ -59,6 +65,7 @@ bool os_is_private(const char *path);              // whether only its owner can
 
 double os_seconds(void);                           // returns the time of a monotonic clock, in seconds
 bool os_is_terminal(int fd);
+bool os_shows_colors(int fd);                      // whether it is a terminal that understands ANSI escape sequences
 const char *os_getenv(const char *name);           // returns the value of a variable; NULL if unset or empty
 
 #endif

@@ -33,6 +33,10 @@ void *os_alloc(void *context, void *old, size_t size)
     return realloc(old, size);
 }
 
+const char os_null_device[] = "/dev/null";
+
+void os_start(int *argc, char ***argv) { (void)argc, (void)argv; }
+
 static bool set_reason(const char **why)
 {
     *why = strerror(errno);
@@ -578,6 +582,12 @@ double os_seconds(void)
 }
 
 bool os_is_terminal(int fd) { return isatty(fd) == 1; }
+
+bool os_shows_colors(int fd)
+{
+    const char *term = os_getenv("TERM");
+    return os_is_terminal(fd) && !(term && strcmp(term, "dumb") == 0);
+}
 
 const char *os_getenv(const char *name)
 {

@@ -2,6 +2,7 @@
 // smc build: compiles machines to bytecode (a file or a C array), to C, or to the text of a stage.
 #include <string.h>
 
+#include "compiler/base/path.h"
 #include "compiler/cli/cli.h"
 #include "compiler/cli/deps.h"
 #include "compiler/passes/pass.h"
@@ -25,18 +26,12 @@ static bool find_emit(Cli *c, CompileEmit *emit)
     return false;
 }
 
-static const char *base_name(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
 // ---- names of outputs ----
 
-// Whether -o names a folder, which receives every output under its default name. A missing one is created if the name ends in '/'.
+// Whether -o names a folder, which receives every output under its default name. A missing one is created if the name ends in a separator.
 static bool is_to_folder(const Cli *c)
 {
-    return c->given[OPT_OUTPUT] && (has_suffix(c->value[OPT_OUTPUT], "/") || os_is_folder(c->value[OPT_OUTPUT]));
+    return c->given[OPT_OUTPUT] && (path_ends_in_separator(c->value[OPT_OUTPUT]) || os_is_folder(c->value[OPT_OUTPUT]));
 }
 
 // Returns the path of a file in the folder that -o names.
@@ -44,7 +39,7 @@ static const char *path_in_folder(Cli *c, const char *name)
 {
     const char *folder = c->value[OPT_OUTPUT];
 
-    return format_in(&c->session.arena, "%s%s%s", folder, *folder && !has_suffix(folder, "/") ? "/" : "", name);
+    return format_in(&c->session.arena, "%s%s%s", folder, *folder && !path_ends_in_separator(folder) ? "/" : "", name);
 }
 
 // Returns the path of an output: that of -o, or a file in its folder; without -o, the input's stem with this suffix.
@@ -73,11 +68,11 @@ static EmitCOptions make_c_options(Cli *c, const char *input, const char *header
 
     memset(&e, 0, sizeof e);
     e.prefix = c->given[OPT_PREFIX] ? c->value[OPT_PREFIX] : NULL;
-    e.header = base_name(header);
+    e.header = path_file_name(header);
     e.track_stores = c->given[OPT_TRACK];
     e.soft = c->given[OPT_SOFT];
     e.runtime = c->given[OPT_RUNTIME];
-    e.source = strcmp(input, "-") == 0 ? "stdin" : base_name(input);
+    e.source = strcmp(input, "-") == 0 ? "stdin" : path_file_name(input);
     return e;
 }
 
@@ -115,7 +110,7 @@ static void add_soft_library(Cli *c, const char *code, Outputs *o)
         buf_init(&text[i], &c->session.arena);
     emit_c_soft_library(&text[0], &text[1], &text[2]);
     for (size_t i = 0; i < 3; i++) {
-        const char *path = format_in(&c->session.arena, "%.*s%s", (int)(base_name(code) - code), code, name[i]);
+        const char *path = format_in(&c->session.arena, "%.*s%s", (int)(path_file_name(code) - code), code, name[i]);
         size_t k = 0;
         while (k < o->n && strcmp(o->at[k].path, path) != 0)
             k++;
@@ -252,7 +247,7 @@ static int check_arguments(Cli *c, CompileEmit emit)
         return EXIT_USAGE;
     for (size_t i = 0; i < c->files && emit == EMIT_C; i++) {
         const char *path = output_path(c, c->file[i], ".c");
-        if (strpbrk(base_name(path), "\"\\"))           // #include "…" could not name its header
+        if (strpbrk(path_file_name(path), "\"\\"))           // #include "…" could not name its header
             return cli_usage_error(c, TEXT_c_not_includable, path);
     }
     if (emit == EMIT_C && c->files > 1 && c->given[OPT_OUTPUT] && !is_to_folder(c))

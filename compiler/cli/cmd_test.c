@@ -2,6 +2,7 @@
 // smc test: runs state scripts on a machine, .smt cases, and the cases of folders.
 #include <string.h>
 
+#include "compiler/base/path.h"
 #include "compiler/cli/test.h"
 #include "compiler/device/engine_c.h"
 
@@ -10,9 +11,9 @@ enum { FOLDER_DEPTH_MAX = 40 };       // nesting of folders: a link can form a c
 // Returns the name of a case's suite in the results: the folder of its file.
 const char *test_suite_name(Arena *arena, const char *path)
 {
-    const char *slash = strrchr(path, '/');
+    const char *name = path_file_name(path);
 
-    return slash ? format_in(arena, "%.*s", (int)(slash - path), path) : ".";
+    return name > path ? format_in(arena, "%.*s", (int)(name - path - path_is_separator(name[-1])), path) : ".";
 }
 
 static void add_error(TestRun *t, const char *path, const char *message, int code)
@@ -46,7 +47,7 @@ static void collect_cases(TestRun *t, const char *path, int depth)
         return;
     }
     for (size_t i = 0; i < n; i++) {
-        const char *inner = format_in(t->arena, "%s%s%s", path, has_suffix(path, "/") ? "" : "/", names[i]);
+        const char *inner = format_in(t->arena, "%s%s%s", path, path_ends_in_separator(path) ? "" : "/", names[i]);
         if (names[i][0] != '.' && (has_suffix(inner, ".smt") || os_is_folder(inner)))
             collect_cases(t, inner, depth + 1);
     }

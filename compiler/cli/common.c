@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Functions for every subcommand: messages, writing outputs, reporting diagnostics.
+#include "compiler/base/path.h"
 #include "compiler/cli/cli.h"
 #include "compiler/version.h"
 
@@ -172,7 +173,7 @@ bool cli_print(Cli *c, int fd, const Buf *text)
 
 static bool wants_color(const Cli *c)
 {
-    const char *when = c->given[OPT_COLOR] ? c->value[OPT_COLOR] : "auto", *term = os_getenv("TERM"), *force;
+    const char *when = c->given[OPT_COLOR] ? c->value[OPT_COLOR] : "auto", *force;
 
     if (strcmp(when, "auto") != 0)
         return strcmp(when, "always") == 0;
@@ -180,7 +181,7 @@ static bool wants_color(const Cli *c)
         return false;
     if ((force = os_getenv("CLICOLOR_FORCE")) != NULL && strcmp(force, "0") != 0)
         return true;
-    return os_is_terminal(2) && !(term && strcmp(term, "dumb") == 0);
+    return os_shows_colors(2);
 }
 
 static void append_diagnostics(const Diags *d, MessageFormat format, const DiagStyle *style, Buf *out)
@@ -330,7 +331,7 @@ bool cli_choose_format(Cli *c, const CliFormat *format, size_t formats, size_t *
 // Returns a file's name without folders and ending: "tank" for "dir/tank.sm", "stdin" for "-".
 const char *path_stem(Cli *c, const char *path)
 {
-    const char *slash = strrchr(path, '/'), *start = slash ? slash + 1 : path, *dot = strrchr(start, '.');
+    const char *start = path_file_name(path), *dot = strrchr(start, '.');
 
     if (strcmp(path, "-") == 0 || strcmp(path, "<stdin>") == 0)
         return "stdin";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // -MD, -MF, -MT, -MP: the dependencies of an output, as a make rule.
+#include "compiler/base/path.h"
 #include "compiler/cli/deps.h"
 
 #include <string.h>
@@ -30,7 +31,7 @@ static void write_make_name(Buf *out, const char *name)
 void deps_add_rule(Cli *c, OsOutput *o, size_t *n, DepInputs in)
 {
     Buf *out = ARENA_NEW(&c->session.arena, Buf);
-    const char *path = o[0].path, *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    const char *path = o[0].path, *name = path_file_name(path), *dot = strrchr(name, '.');
     const size_t stem = dot && dot != name ? (size_t)(dot - path) : strlen(path);
 
     buf_init(out, &c->session.arena);

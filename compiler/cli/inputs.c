@@ -2,6 +2,7 @@
 // Reads the inputs of compile_sources(): the sources that the arguments name, and the options.
 #include <string.h>
 
+#include "compiler/base/path.h"
 #include "compiler/cli/cli.h"
 #include "compiler/syntax/parse.h"
 
@@ -36,14 +37,15 @@ Source *cli_read_source(Cli *c, const char *path)
 // application is checked.
 static void load_app(Cli *c, CompileInput *in)
 {
-    const char *app = in->at[0].text->name, *slash = strrchr(app, '/');
+    const char *app = in->at[0].text->name;
+    const int folder = (int)(path_file_name(app) - app);           // the length of the folder's path, with its separator
 
     in->app = ARENA_NEW(&c->session.arena, CompileApp);
     compile_open_app(&c->session, in->at[0].text, in->app);
     for (size_t i = 0; i < in->app->files.n; i++) {
         AppFile *f = &in->app->files.at[i];
         const char *name = f->name.text->text;
-        const char *path = name[0] == '/' || !slash ? name : format_in(&c->session.arena, "%.*s%s", (int)(slash + 1 - app), app, name);
+        const char *path = path_is_absolute(name) || folder == 0 ? name : format_in(&c->session.arena, "%.*s%s", folder, app, name);
         if (f->wrong_kind)
             continue;
         if (strcmp(path, "-") == 0 || strlen(name) != f->name.text->len)

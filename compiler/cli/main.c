@@ -102,6 +102,7 @@ int main(int argc, char **argv)
     jmp_buf oom;
     int code;
 
+    os_start(&argc, &argv);
     if (setjmp(oom) != 0) {
         fprintf(stderr, "smc: %s\n", cli.session.bug ? cli.session.bug : "out of memory");
         code = cli.session.bug ? EXIT_INTERNAL : EXIT_ENVIRONMENT;

@@ -2,6 +2,7 @@
 // Writes the results of smc test after all tests: for people, as JUnit XML and in the Test Anything Protocol.
 #include <string.h>
 
+#include "compiler/base/path.h"
 #include "compiler/base/utf8.h"
 #include "compiler/cli/test.h"
 
@@ -131,10 +132,10 @@ static void write_classname(Buf *out, Arena *arena, const char *suite)
 
     buf_init(&name, arena);
     for (size_t i = 0; i < end; i++)
-        if (suite[i] == '.' && (name.n == 0 || suite[i - 1] == '/') && (suite[i + 1] == '/' || i + 1 == end))
+        if (suite[i] == '.' && (name.n == 0 || path_is_separator(suite[i - 1])) && (path_is_separator(suite[i + 1]) || i + 1 == end))
             i++;                                          // "./"
         else
-            buf_char(&name, suite[i] == '/' ? '.' : suite[i]);
+            buf_char(&name, path_is_separator(suite[i]) ? '.' : suite[i]);
     if (name.n == 0)
         buf_str(&name, "cases");
     if (strcmp(suite, "-") == 0)
@@ -146,7 +147,7 @@ static void write_testcase(Buf *out, const TestResult *r)
 {
     static const char *const elements[] = {NULL, "failure", "error", "skipped"};          // by TestStatus
     const char *element = elements[r->status], *why = line_of_failure(r->message);
-    const char *slash = is_case(r->path) ? strrchr(r->path, '/') : NULL, *name = slash ? slash + 1 : r->path;
+    const char *name = is_case(r->path) ? path_file_name(r->path) : r->path;
 
     buf_str(out, "    <testcase");
     write_attribute(out, "name", name, strlen(name));

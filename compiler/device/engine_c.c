@@ -106,7 +106,7 @@ bool engine_c_present(Arena *arena, const char **why)
         return true;
     vec_push(arena, &argv, "--version");
     vec_push(arena, &argv, NULL);
-    if (!os_run_program(argv.at, "/dev/null", NULL, &exit_code, &reason))
+    if (!os_run_program(argv.at, os_null_device, NULL, &exit_code, &reason))
         *why = format_in(arena, "%s: %s", no_compiler_message(arena, argv.at[0]), reason);
     else if (exit_code != 0)
         *why = format_in(arena, "%s: '%s --version' ended with exit code %d", no_compiler_message(arena, argv.at[0]), compiler_command(), exit_code);

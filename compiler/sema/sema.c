@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Starts the check of a machine or script: sets up the scopes and the known functions.
+#include "compiler/base/path.h"
 #include "compiler/sema/sema.h"
 
 #include <string.h>
@@ -25,11 +26,7 @@ void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Pr
 
 Str sema_file_stem(StrPool *strings, const Source *src)
 {
-    const char *name = src->name, *end;
+    const char *name = path_portable_name(src->name), *end = strrchr(name, '.');
 
-    for (const char *c = name; *c; c++)
-        if (*c == '/' || *c == '\\')
-            name = c + 1;
-    end = strrchr(name, '.');
     return str_intern(strings, name, end && end != name ? (size_t)(end - name) : strlen(name));
 }

@@ -23,6 +23,11 @@ compiles() {
 
 for header in $(find stdlib bytecode-vm compiler runtime-c -name '*.h' 2>/dev/null | sort); do
     source=alone.c
+    case $header in
+    */os_windows.h) command -v x86_64-w64-mingw32-gcc >/dev/null 2>&1 || continue
+        compiles "$header" x86_64-w64-mingw32-gcc -std=c99 -pedantic -Wall -Wextra -Werror "$@"
+        continue ;;
+    esac
     compiles "$header" $CC -std=c99 -pedantic -Wall -Wextra -Werror "$@"
     case $header in
     compiler/*) continue ;;

@@ -10,9 +10,9 @@ passed=0 failed=0
 object=$(mktemp "${TMPDIR:-/tmp}/smc-models.XXXXXX") || exit 1          # tcc would replace /dev/null
 trap 'rm -f "$object"' EXIT
 count() { if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi; }
-for source in $(find compiler stdlib bytecode-vm runtime-c -name '*.c' | sort | grep -v '/os_[a-z_]*_*posix.c$\|/firmware/\|/psl/\(linux\|avr\|desk\)/'); do
+for source in $(find compiler stdlib bytecode-vm runtime-c -name '*.c' | sort | grep -v '/os_[a-z_]*posix.c$\|/firmware/\|/psl/\(linux\|avr\|desk\)/'); do
     count $cc "$@" -Werror -fsyntax-only "$source"
-    count tcc "$@" -w -c "$source" -o "$object"
+    case $source in */os_*windows.c) ;; *) count tcc "$@" -w -c "$source" -o "$object" ;; esac      # tcc has no headers of Windows here
 done
 [ $passed -gt 600 ] || { failed=$((failed + 1)); echo "only $passed sources"; }
 echo "models: $passed passed, $failed failed"

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "bytecode-vm/image.h"
+#include "compiler/base/path.h"
 #include "compiler/emit/bytecode/bytecode.h"
 
 // ---- lines ----
@@ -79,16 +80,6 @@ static uint64_t *sorted_variables(Arena *arena, const BcMachine *m)  // keys; th
 
 // ---- names ----
 
-static const char *base_name(const char *path)
-{
-    const char *name = path;
-
-    for (; *path; path++)
-        if (*path == '/' || *path == '\\')
-            name = path + 1;
-    return name;
-}
-
 // Writes the length and the name.  A 0 byte follows, not counted in the length, so that a name can be read in place as a C string.
 static void write_name(Buf *b, const char *text, size_t len)
 {
@@ -164,7 +155,7 @@ static void write_samples(BcNames *n, const BcMachine *m, const Buf *name)
 void bc_write_debug(Arena *arena, const BcMachine *m, Buf *out)
 {
     const Program *p = m->ir->program;
-    const char *source = p && p->src ? base_name(p->src->name) : "";
+    const char *source = p && p->src ? path_portable_name(p->src->name) : "";
     const IrMachine *ir = m->ir;
     uint32_t samples;
     const Buf *sample = find_sample_names(arena, m, &samples);

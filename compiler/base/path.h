@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Paths as text: separators of folders.  '/' separates folders on every system, '\' also does on Windows.
+#ifndef SMC_PATH_H
+#define SMC_PATH_H
+
+#include <stdbool.h>
+
+static inline bool path_is_separator(char c)
+{
+#ifdef _WIN32
+    return c == '/' || c == '\\';
+#else
+    return c == '/';
+#endif
+}
+
+// Returns the name of the file in a path: what follows its last separator, or the path itself.  On Windows a drive, as in C:tank.sm, is
+// not part of the name.
+const char *path_file_name(const char *path);
+// The same with both separators on every system, for names that go into images and generated code: they do not depend on the system.
+const char *path_portable_name(const char *path);
+bool path_is_absolute(const char *path);
+bool path_ends_in_separator(const char *path);
+
+#endif
