@@ -118,7 +118,7 @@ done
 [ ! -s "$failures" ] || cat "$failures"
 if [ "$skipped" -ne 0 ]; then
     echo "skipped tests need tools that are not here; on Debian or Ubuntu: apt-get install clang tcc g++ lua5.4 luajit chromium graphviz librsvg2-bin"
-    echo "  python3-jsonschema python3-yaml; and: make sarif-schema"
+    echo "  python3-jsonschema python3-yaml wine wine64 gcc-mingw-w64-x86-64 gcc-mingw-w64-i686; and: make sarif-schema"
     echo "$passed passed, $failed failed, $skipped skipped"
     [ "${STRICT:-0}" = 1 ] && exit 1
 else

@@ -819,6 +819,8 @@ $(call test, runtime-targets,      targets,, CC='$(CC)' sh tests/runtime/targets
 $(call test, models,               targets,, sh tests/check/models.sh $(STRICT_C) $(WARN))
 # tests/windows: smc.exe and smc.dll under Wine.  `make windows-campaign` runs the same as 32-bit programs, which needs a Wine that has them.
 WINDOWS_RUN = '$(MAKE)' '$(B)' '$(CC)'
+$(call test, +windows-x86-64,      targets,, sh tests/windows/exports.sh $(WINDOWS_RUN) x86_64)
+$(call test, +windows-x86-32,      targets,, sh tests/windows/exports.sh $(WINDOWS_RUN) i686)
 $(call test, +windows-same,        targets,, sh tests/windows/same.sh $(WINDOWS_RUN) x86_64)
 $(call test, +windows-golden,      targets, $(B)/golden, sh tests/windows/golden.sh $(WINDOWS_RUN) x86_64)
 $(call test, +windows-files,       targets,, sh tests/windows/files.sh $(WINDOWS_RUN) x86_64)

@@ -329,8 +329,10 @@ static bool write_all(HANDLE file, const void *bytes, size_t n, const char **why
     return true;
 }
 
+// Other messages go to stderr by stdio, which the C runtime buffers where stderr is a file or a pipe: they come first.
 bool os_print(int fd, const void *bytes, size_t n, const char **why)
 {
+    fflush(stderr);
     return write_all(standard_stream(fd), bytes, n, why);
 }
 

@@ -6,4 +6,4 @@ rm -rf "$relay" && mkdir -p "$relay/bin" || exit 1
 sh tests/windows/cc.sh "$machine-w64-mingw32-gcc" "$relay" &
 relay_process=$!
 trap 'kill $relay_process 2>/dev/null' EXIT
-export RELAY="$relay" WINEPATH="Z:$(echo "$relay/bin" | tr / '\\\\')"
+export RELAY="$relay" TMPDIR="$folder/tmp" WINEPATH="Z:$(echo "$relay/bin" | tr / '\\\\')"

@@ -9,7 +9,7 @@ for tool in "$machine-w64-mingw32-gcc" wine; do
         exit 0
     fi
 done
-$make -s B="$build" BUILD_CC="$cc" "windows-$machine" >/dev/null || { echo "make windows-$machine failed: 0 passed, 1 failed"; exit 1; }
+$make -s B="$build" BUILD_CC="$cc" CFLAGS='-O2 -Werror' "windows-$machine" >/dev/null || { echo "make windows-$machine failed: 0 passed, 1 failed"; exit 1; }
 files=$(cd "$build/windows-$machine" && pwd)
 folder=$(cd "$build" && pwd)/windows-test-$machine
 mkdir -p "$folder/tmp"
