@@ -313,6 +313,22 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_insert_stepwise(unsigned char *sorted, SmR
         sm_roll_store(sorted, i, kind, sm_roll_load(sorted, (SmRollSize)(i + 1u), kind));
     sm_roll_store(sorted, i, kind, key);
 }
+// snippet: end
+#ifndef SM_ROLL_LATE_ORDER
+#define SM_ROLL_LATE_ORDER 0    // outside emitted C: files that share a window can be compiled with different options
+#endif
+// snippet: SM_ROLL_LATE_ORDER
+// 1: three samples are put in order when their median is read, which takes less time than storing them in order, but more code.
+#ifndef SM_ROLL_LATE_ORDER
+#if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !SM_ROLL_SMALL
+#define SM_ROLL_LATE_ORDER 1
+#else
+#define SM_ROLL_LATE_ORDER 0
+#endif
+#endif
+// snippet: sm_roll_is_ordered
+// Whether a window with a median stores its samples in order.
+SM_ROLL_INLINE bool sm_roll_is_ordered(uint32_t n) { return !SM_ROLL_LATE_ORDER || n != 3; }
 // snippet: sm_roll_push_sorted
 // Adds a sample to a short window that also stores its samples in order.  One pass without branches inserts the new one and removes the oldest.
 SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, SmRollAt at, SmRollKey sample)
@@ -323,6 +339,8 @@ SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, 
     const bool full = at.count == n;
     SmRollSize i;
     sm_roll_push_key(w, n, kind, at, key);
+    if (!sm_roll_is_ordered(n))
+        return;
     if (SM_ROLL_SMALL || !full) {
         sm_roll_insert_stepwise(sorted, at.count, full, kind, old, key);
     } else {
@@ -617,11 +635,25 @@ SM_ROLL_INLINE SmRollKey sm_roll_extreme_key(const uint64_t *w, uint32_t n, uint
         end = sm_roll_extreme_of_two(up, end, sm_roll_load(at, 0, kind));
     return end;
 }
+// snippet: sm_roll_rank_of_three
+// The key of a rank in a window of three slots, of which `count` are used.
+SM_ROLL_INLINE SmRollKey sm_roll_rank_of_three(const uint64_t *w, uint32_t kind, SmRollSize count, SmRollSize rank)
+{
+    const SmRollKey a = sm_roll_slot_key(w, 3, kind, 0), b = sm_roll_slot_key(w, 3, kind, 1), c = sm_roll_slot_key(w, 3, kind, 2);
+    const SmRollKey lo = a < b ? a : b, hi = a < b ? b : a, mid = hi < c ? hi : c;
+    if (count == 1)
+        return a;
+    if (count == 2)
+        return rank == 0 ? lo : hi;
+    return rank == 1 ? (lo < mid ? mid : lo) : rank == 0 ? (lo < c ? lo : c) : (hi < c ? c : hi);
+}
 // snippet: sm_roll_value_of_rank
 // The value of the ordered sample of a rank.
-SM_ROLL_INLINE SmF64 sm_roll_value_of_rank(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize rank)
+SM_ROLL_INLINE SmF64 sm_roll_value_of_rank(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, SmRollSize rank)
 {
     const unsigned char *const sorted = (const unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);
+    if (!sm_roll_is_ordered(n))
+        return sm_roll_value(kind, sm_roll_rank_of_three(w, kind, count, rank));
     return sm_roll_value(kind, sm_roll_load(sorted, sm_roll_index_of_rank(sorted, n, kind, rank), kind));
 }
 // snippet: sm_roll_median
@@ -630,10 +662,12 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uin
     SmF64 a, b, d;
     if (count == 0)
         return sm_from_i32(0);
-    a = sm_roll_value_of_rank(w, n, kind, (count - 1u) / 2u);
+    if (!sm_roll_is_ordered(n) && count >= 3)
+        return sm_roll_value_of_rank(w, n, kind, 3, 1);
+    a = sm_roll_value_of_rank(w, n, kind, count, (count - 1u) / 2u);
     if (count % 2 != 0)
         return a;
-    b = sm_roll_value_of_rank(w, n, kind, count / 2u);
+    b = sm_roll_value_of_rank(w, n, kind, count, count / 2u);
     if (sm_eq(a, b))
         return a;
     d = sm_sub(b, a);
@@ -649,7 +683,7 @@ SM_ROLL_INLINE SmF64 sm_roll_extreme(const uint64_t *w, uint32_t n, uint32_t kin
     if (count == 0)
         return sm_from_i32(0);
     if ((kind & SM_ROLL_MEDIAN) != 0)
-        return sm_roll_value_of_rank(w, n, kind, up ? count - 1u : 0);
+        return sm_roll_value_of_rank(w, n, kind, count, up ? count - 1u : 0);
     if (sm_roll_compares_numbers(n, kind)) {
         const SmF64 x = sm_roll_extreme_number(w, n, kind, count, up);
         return sm_eq(x, sm_from_bits(0)) ? sm_roll_extreme_zero(w, n, kind, count, up) : x;
@@ -736,7 +770,7 @@ SM_ROLL_INLINE void sm_roll_add_sample(uint64_t *w, uint32_t n, uint32_t kind, i
     else
 #endif
     {
-        if ((kind & SM_ROLL_MEDIAN) != 0)
+        if ((kind & SM_ROLL_MEDIAN) != 0 && sm_roll_is_ordered(n))
             sm_roll_insert_sorted(w, n, kind, at, sm_roll_key(kind, sample));
         sm_roll_push(w, n, kind, at, sample);
     }
