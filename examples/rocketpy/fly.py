@@ -142,6 +142,8 @@ def build_rocket(random: np.random.Generator, computer: Computer) -> Rocket:
 def judge(drogue_delay: float, main_altitude: float, landing_speed: float) -> str:
     if landing_speed > 9:
         return "crash"
+    if drogue_delay < -0.5:
+        return "drogue early"
     if not drogue_delay < 2:
         return "drogue late"
     if main_altitude > 300:
@@ -220,14 +222,14 @@ def count_differences(log: Log, machine: smc.Machine, emitted: EmittedC) -> int:
 
 
 def write_table(results: list[Result], file) -> None:
-    outcomes = ("as planned", "drogue late", "main high", "main low", "crash")
-    print(f"{'altimeter':10}{'flights':>8}" + "".join(f"{o:>13}" for o in outcomes) + f"{'drogue late by':>17}{'its speed':>12}{'main at':>14}{'landing':>14}", file=file)
+    outcomes = ("as planned", "drogue early", "drogue late", "main high", "main low", "crash")
+    print(f"{'altimeter':10}{'flights':>8}" + "".join(f"{o:>14}" for o in outcomes) + f"{'drogue late by':>17}{'its speed':>12}{'main at':>14}{'landing':>14}", file=file)
     for failure in FAILURES:
         own = [r for r in results if r.failure == failure]
         if not own:
             continue
         column = lambda name: np.array([getattr(r, name) for r in own])  # noqa: E731
-        counts = "".join(f"{sum(r.outcome == o for r in own):>13}" for o in outcomes)
+        counts = "".join(f"{sum(r.outcome == o for r in own):>14}" for o in outcomes)
         main = column("main_altitude")
         main_range = f"{np.nanmin(main):.0f} to {np.nanmax(main):.0f} m" if np.isfinite(main).any() else "never"
         print(
