@@ -63,7 +63,7 @@ $(B)/libsmc.a: $(LIBSMC:%.c=$(B)/obj/%.o) $(VM_SOFT)
 	$(call say,AR)$(AR) rcs $@ $^
 
 $(B)/smc $(B)/smc.exe: $(COMMAND:%.c=$(B)/obj/%.o) $(B)/libsmc.a
-	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(if $(filter %.exe,$@),-lws2_32)
 
 # The texts of the stdlib functions that emitted C quotes.
 EMBEDDED = stdlib/f64.h stdlib/convert.h stdlib/math.h stdlib/roll.h

@@ -731,7 +731,7 @@ $(call test, check-imports,        quick, $(IMPORTS), sh tests/check/imports.sh 
 # thorough: the rest of what needs cc and make only.
 
 $(call test, findings-seeded,      thorough,, sh tests/findings/seeded.sh $(B)/smc)
-$(call test, examples,             thorough,, sh tests/check/examples.sh $(B)/smc $(patsubst %/,%,$(wildcard examples/*/)))
+$(call test, examples,             thorough,, sh tests/check/examples.sh $(B)/smc $(patsubst %/,%,$(sort $(dir $(wildcard examples/*/*.sm)))))
 $(call test, findings,             thorough,, sh tests/findings/run.sh $(B)/smc)
 # Emitted C at -O1, as smc test builds it; -O0 builds faster.
 LEVELS ?= 0 1 2
