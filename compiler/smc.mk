@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Rules for projects that build state machines, or whole applications:  include smc.mk
-#   tank.smb from tank.sm: bytecode.      tank.c and tank.h from tank.sm: C99.      app_io.c and app_io.h from app.io: C99 for runtime-c.
+#   tank.smb from tank.sm: bytecode.      tank.c and tank.h from tank.sm: C99.      app_io.c and app_io.h from app.io: C99 for runtime-c;
+#   app_net.c and app_net.h from app.net likewise.
 #   make flash-tank PORT=/dev/ttyACM0: tank.smb onto a board; it is on trial until `smc device confirm`.  make flash: of the one machine here.
 #   make swap-tank TO=stand.sock MODE=continue: tank.sm replaces the machine `tank` of an application that runs.  MODE=restart: it starts again.
 # Set before the include: SMC_SV to the application's state vector (app.sv) if there is one, SMC_IO to the pins of its images (app.io),
@@ -38,6 +39,10 @@ SMC_SET  := $(wildcard $(firstword $(MAKEFILE_LIST)))
 	$(SMC_WANT)
 	$(SMC) build $< $(SMC_ARGS) --emit=c -o $*_io.c -MD -MP -MF $*.io.d
 
+%_net.c %_net.h: %.net $(SMC_SV) $(SMC_SET)
+	$(SMC_WANT)
+	$(SMC) build $< $(SMC_ARGS) --emit=c -o $*_net.c -MD -MP -MF $*.net.d
+
 # For make, a rule whose file is not there is none: this one is taken then.  Nor is an image sent that was made before.
 SMC_LOST = $(strip $(foreach f,$(SMC_SV) $(SMC_IO),$(if $(wildcard $f),,$f)))
 %.smb: %.sm
@@ -59,13 +64,14 @@ flash: $(if $(word 2,$(SMC_MACHINES)),,$(SMC_MACHINES:%=flash-%))
 	$(if $(filter 1,$(words $(SMC_MACHINES))),@:,$(error make flash-NAME says which machine; here are: $(SMC_MACHINES)))
 
 # Of machines here and in folders within folders.
-SMC_DEPS := $(foreach d,. */. */*/.,$(patsubst ./%,%,$(subst /./,/,$(wildcard $d/*.smb.d $d/*.sm.d $d/*.io.d))))
+SMC_DEPS := $(foreach d,. */. */*/.,$(patsubst ./%,%,$(subst /./,/,$(wildcard $d/*.smb.d $d/*.sm.d $d/*.io.d $d/*.net.d))))
 -include $(SMC_DEPS)
 
 # Each list of dependencies was written with what it is of.
 SMC_WASTE = $(SMC_DEPS) $(patsubst %.smb.d,%.smb,$(filter %.smb.d,$(SMC_DEPS))) \
             $(foreach d,$(patsubst %.sm.d,%,$(filter %.sm.d,$(SMC_DEPS))),$d.c $d.h) \
-            $(foreach d,$(patsubst %.io.d,%,$(filter %.io.d,$(SMC_DEPS))),$d_io.c $d_io.h)
+            $(foreach d,$(patsubst %.io.d,%,$(filter %.io.d,$(SMC_DEPS))),$d_io.c $d_io.h) \
+            $(foreach d,$(patsubst %.net.d,%,$(filter %.net.d,$(SMC_DEPS))),$d_net.c $d_net.h)
 .PHONY: smc-clean smc-changed flash
 smc-clean:
 	rm -f $(SMC_WASTE)

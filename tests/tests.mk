@@ -133,6 +133,21 @@ $(B)/diff/difftest: $(DIFF_OBJ) $(B)/libsmc.a $(B)/runtime/sim.a
 diff: $(B)/diff/difftest
 	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign --resume
 
+# tests/net: random and mutated packets for the messages of tests/runtime/link.net.  `make net-campaign NET_SECONDS=3600 SEED=1` sends them for
+# that long, under the sanitizers.
+NET_SECONDS ?= 3600
+NET_HOSTILE  = $(STRICT_C) -I$(B)/runtime/made $(WARN) tests/net/hostile.c
+$(B)/net/hostile: tests/net/hostile.c $(B)/runtime/sim.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(NET_HOSTILE) $(CFLAGS) $(DEPFLAGS) $(B)/runtime/sim.a -o $@
+$(B)/net/hostile_san: tests/net/hostile.c $(B)/runtime/sim.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(NET_HOSTILE) -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined $(RUNTIME_SRC_sim) \
+	    $(filter %/link.c %/link_net.c,$(RUNTIME_MADE)) -lm -o $@
+net-campaign: $(B)/net/hostile_san
+	$(B)/net/hostile_san $(SEED) 1 $(NET_SECONDS)
+.PHONY: net-campaign
+
 # tests/swap: machines that are replaced while they run.  `make swap-campaign N=100000 SEED=1` swaps random pairs.
 SWAP_OBJ = $(B)/obj/tests/swap/machine.o $(B)/obj/tests/swap/reference.o
 $(B)/swap/clauses $(B)/swap/hostile: $(B)/swap/%: $(B)/obj/tests/swap/%.o $(SWAP_OBJ) $(B)/libsmc.a
@@ -752,6 +767,8 @@ $(call test, analysis-effort,      thorough,, sh tests/analysis/effort.sh $(B)/s
 $(call test, report,               thorough,, sh tests/report/run.sh $(B)/smc $(B)/report)
 $(call test, log,                  thorough, $(B)/runtime/log, sh tests/log/run.sh $(B)/smc $(B)/runtime/log $(B)/log)
 $(call test, app,                  thorough, $(B)/runtime/sim.a $(B)/runtime/desk.a, sh tests/app/run.sh $(B)/smc $(B)/runtime/sim.a '$(CC)' $(B)/runtime/desk.a)
+$(call test, net,                  thorough, $(B)/runtime/linux.a, sh tests/net/run.sh $(B)/smc $(B)/runtime/linux.a '$(CC)')
+$(call test, net-hostile,          thorough, $(B)/net/hostile, $(B)/net/hostile 1 100000)
 $(call test, cost,                 thorough, $(B)/cost, $(B)/cost)
 $(call test, emitc-flow,           thorough, $(B)/emitc/flow, $(B)/emitc/flow 100)
 $(call test, emitc-typed,          thorough, $(B)/emitc/typed, $(B)/emitc/typed 100)

@@ -144,7 +144,8 @@ static const char *file_text(FileKind kind)
     static const char machine[] = "[state_vector]\nU64 time @alias G\nU32 state @alias S\nF64 x\n[Idle]\n.step\n    T > 5: -> Run\n"
                                   "[Run]\n.step\n    x = roll_avg(x, 5)\n";
 
-    return kind == FILE_SV ? vector : kind == FILE_SM ? machine : "[analog]\ni 0 x\n[digital]\no 0 b @safe true\n";
+    return kind == FILE_SV ? vector : kind == FILE_SM ? machine : kind == FILE_NET ? "send a every 1 s to 10.0.0.2:1 { x }\nreceive b on 2 { b }\n"
+                                     : "[analog]\ni 0 x\n[digital]\no 0 b @safe true\n";
 }
 
 static void emit_app(Session *s, const App *a)
@@ -185,6 +186,20 @@ static void try_app(Session *s, const Source *src)
         emit_app(s, a);
 }
 
+static void try_net(Session *s, const Source *src)
+{
+    const Network *net = session_net(s, src, source_new(&s->arena, "wired.sv", wired, sizeof wired - 1));
+    Buf header, code;
+
+    FUZZ_CHECK((net != NULL) == (s->diags.errors == 0));
+    if (!net)
+        return;
+    buf_init(&header, &s->arena);
+    buf_init(&code, &s->arena);
+    emit_c_net(&s->arena, net, NULL, &header, &code);
+    FUZZ_CHECK(strlen(buf_text(&header)) == header.n && strlen(buf_text(&code)) == code.n);
+}
+
 unsigned long fuzz_reached;           // texts without a mistake
 const unsigned fuzz_floor = 2;
 
@@ -198,6 +213,8 @@ static void try_check(Session *s, const Source *src, FileKind kind)
         try_app(s, src);
     } else if (kind == FILE_SM) {
         session_program(s, &machine);
+    } else if (kind == FILE_NET) {
+        try_net(s, src);
     } else if (kind == FILE_IO) {
         session_io(s, src, source_new(&s->arena, "wired.sv", wired, sizeof wired - 1));
     } else {
@@ -215,6 +232,7 @@ static FileKind kind_of(char letter)
     case 's': return FILE_SS;
     case 'p': return FILE_IO;
     case 'a': return FILE_APP;
+    case 'n': return FILE_NET;
     }
     return FILE_SM;
 }

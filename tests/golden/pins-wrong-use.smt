@@ -19,11 +19,11 @@ pins digital
   o 0 open @safe true
   o 1 open @allow(two-writers, "why")
 -- stderr --
-smc: pins are built with their state vector, as in 'smc build a.io --sv app.sv --emit=c'
+smc: pins and messages are built with their state vector, as in 'smc build a.io --sv app.sv --emit=c'
 Try 'smc build --help'.
-smc: pins alone can only become C; add --emit=c
+smc: pins and messages alone can only become C; add --emit=c
 Try 'smc build --help'.
-smc: pins are checked with their state vector, as in 'smc check a.io --sv app.sv'
+smc: pins and messages are checked with their state vector, as in 'smc check a.io --sv app.sv'
 Try 'smc check --help'.
 smc: a command precedes the file, as in 'smc check a.io'
 Try 'smc --help'.

@@ -70,6 +70,13 @@ sees_pins()
         "$make" -s -f pins.mk valve.smb && sleep 1 && sed -i.old '/SMC_IO/d' pins.mk && stale -f pins.mk valve.smb
 }
 check "so are the pins of an image, and where both are named" sees_pins
+sees_messages()
+{
+    printf '[A]\nU32 x\n' >far.sv && printf 'receive a on 5001 { x }\n' >far.net && sed 's/tank/far/' pins.mk >net.mk &&
+        "$make" -s -f net.mk far_net.c && test -f far_net.h && sleep 1 && touch far.sv && stale -f net.mk far_net.c &&
+        "$make" -s -f net.mk smc-clean && test ! -f far_net.c && rm -f far.sv far.net net.mk
+}
+check "messages become C, again if their state vector changes" sees_messages
 check "make flash-NAME sends" sh -c "$make -n -f pins.mk flash-valve PORT=there | grep -q 'smc flash valve.smb --port=there'"
 check "missing pins are reported, not left out" sh -c "$make -f pins.mk SMC_IO=lost.io flash-valve PORT=there 2>&1 | grep -q 'there is no lost.io'"
 check "make flash asks which" sh -c "$make -n -f pins.mk flash PORT=there 2>&1 | grep -q 'flash-NAME says which machine'"

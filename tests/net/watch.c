@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The receiver: checks in every step that the elements are of one message, that messages do not go back, and that silence has its values.
+// Prints a line each time it becomes silent or hears again, and at the end what was counted.  Ends when standard input does.
+#include <fcntl.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include "receiver_app.h"
+
+static uint32_t newest, wrong;
+static bool was_silent = true;
+
+static void check_values(bool silent)
+{
+    const uint32_t n = link_n();
+
+    wrong += link_square() != (uint64_t)n * n;
+    wrong += n < newest && !was_silent;
+    if (silent && link_accepted())
+        wrong += link_half() != -1 || !link_odd();
+    else if (!silent)
+        wrong += link_half() != n / 2.0 || link_odd() != (n & 1);
+    newest = n;
+}
+
+SmResult watch_step(const SmTick *tick)
+{
+    const bool silent = link_age() > 300;
+    char byte;
+    ssize_t n;
+
+    if (tick->number == 0)
+        fcntl(0, F_SETFL, O_NONBLOCK);
+    check_values(silent);
+    if (silent != was_silent)
+        printf("%s\n", silent ? "silent" : "hears");
+    fflush(stdout);
+    was_silent = silent;
+    n = read(0, &byte, 1);
+    if (n == 1 && byte == '?')
+        printf("accepted %u refused %u damaged %u repeated %u late %u short %u long %u wrong %u ticks %lu\n", link_accepted(),
+               link_refused(), link_damaged(), link_repeated(), link_late(), link_shorts(), link_longs(), wrong,
+               (unsigned long)tick->number);
+    if (n == 0)
+        sm_app_stop(&receiver_app);
+    return SM_OK;
+}
