@@ -119,7 +119,7 @@ $(SMC_OUT)/$(SMC_APP).mk: $(SMC_APP).app $(SMC_STAMP)
 	$(SMC) build $< $(SMCFLAGS) -o $(SMC_OUT) -MD -MP -MF $@.d
 	@sed -n '1s/\(.*\): .*/SMC_MADE = \1/p' $@.d >$@.new
 	@sed '1s|.*: |$@: |' $@.d >>$@.new
-	@if grep -q bytecode-vm $(filter %_app.c %_net.c,$(wildcard $(SMC_OUT)/*.c)); then echo 'SMC_IMAGES = yes' >>$@.new; fi
+	@if cat $(SMC_OUT)/$(SMC_APP)_app.c $(SMC_OUT)/*_net.c 2>/dev/null | grep -q bytecode-vm; then echo 'SMC_IMAGES = yes' >>$@.new; fi
 	@for f in $(SMC_MADE); do grep -qwF $$f $@.new || rm -f $$f; done
 	@mv $@.new $@
 $(SMC_MADE): | $(SMC_OUT)/$(SMC_APP).mk

@@ -42,7 +42,7 @@ static bool is_row_valid(const SmNet *net, const SmNetChannel *c)
     const SmNetMessage *m = &c->message;
     size_t size = SM_NET_HEADER + SM_NET_CRC + (m->key ? SM_NET_CODE : 0);
 
-    if (!m->field || !c->value || !c->bytes || (m->key && (!m->seal || !c->run)) || c->link > SM_NET_TCP_SERVER)
+    if (!m->field || !c->value || !c->bytes || (m->key && (!m->seal || !c->run)))
         return false;
     for (uint16_t i = 0; i < m->fields; i++) {
         if (!is_inside(net, m->field[i].offset, m->field[i].type))
@@ -75,8 +75,6 @@ static SmResult open_channel(SmNet *net, SmNetChannel *c, bool sends)
 {
     if (!is_row_valid(net, c) || (sends && c->period == 0))
         return SM_E_ARGUMENT;
-    if (c->link != SM_NET_UDP)
-        return SM_E_UNSUPPORTED;
     return open_udp(c, sends);
 }
 

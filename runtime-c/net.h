@@ -94,8 +94,6 @@ SmNetCount sm_net_order(SmNetOrder *o, SmNetStamp stamp, bool sealed, bool silen
 
 // ---- the tasks ----
 
-typedef enum SmNetLink { SM_NET_UDP, SM_NET_TCP_CLIENT, SM_NET_TCP_SERVER } SmNetLink;
-
 typedef struct SmNetPlace {       // an element that the runtime writes or reads
     uint32_t offset;
     uint8_t type;             // SmType
@@ -105,8 +103,7 @@ typedef struct SmNetPlace {       // an element that the runtime writes or reads
 typedef struct SmNetChannel {
     const char *name;
     SmNetMessage message;
-    uint8_t link;             // SmNetLink
-    PalAddress address;       // UDP and TCP servers that receive: the local address or the group; else that of the peer
+    PalAddress address;       // of a message that is received: the local address or the group; else that of the receiver
     uint8_t interface[4];     // address of the network interface for multicast; 0.0.0.0: the platform chooses
     uint64_t period, timeout; // nanoseconds; period: only of messages that are sent; timeout 0: none
     const SmNetPlace *statistic, *age, *run;      // run: of type U32; NULL if absent
@@ -115,13 +112,12 @@ typedef struct SmNetChannel {
     uint8_t *bytes;           // message.size bytes
     // The fields below belong to the runtime; initially all zero.
     uint32_t count[SM_NET_COUNTS];    // modulo 2^32; other threads read them with sm_shared_read (shared.h)
-    PalSocket socket, peer;   // peer: the stream of a TCP channel, 0 if it is not connected
+    PalSocket socket;
     SmNetOrder order;
     SmNetStamp next;          // of the next message that is sent
     uint64_t accepted_at, slot;       // tick times: of the last accepted message; the last period in which a message was sent
-    uint16_t filled;          // bytes of `bytes` that a stream has filled or sent
     bool fresh;               // `value` has a message that is not stored yet
-    bool open, sent_any, waits;
+    bool open, sent_any;
 } SmNetChannel;
 
 typedef struct SmNet {

@@ -6,6 +6,9 @@
 #include "stdlib/convert.h"
 #include "stdlib/crc32.h"
 
+#define LOWEST  0xFFF0000000000000u       // the bits of minus and plus infinity
+#define HIGHEST 0x7FF0000000000000u
+
 enum { MAGIC_LOW = 0x53, MAGIC_HIGH = 0x4D, VERSION = 1 };
 
 // ---- bytes ----
@@ -73,6 +76,8 @@ static SmNetCount check_value(const SmNetField *f, const uint8_t *at)
         return at[0] > 1 ? SM_NET_nan : SM_NET_accepted;
     if (is_not_finite(type, get(at, sm_type_bytes[type])))
         return SM_NET_nan;
+    if (f->least == LOWEST && f->most == HIGHEST)             // no @range: every finite number is accepted
+        return SM_NET_accepted;
     x = sm_cell_to_f64(type, cell_of(type, at));
     return sm_le(sm_from_bits(f->least), x) && sm_le(x, sm_from_bits(f->most)) ? SM_NET_accepted : SM_NET_range;
 }

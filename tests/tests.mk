@@ -144,6 +144,9 @@ $(B)/net/hostile_san: tests/net/hostile.c $(B)/runtime/sim.a
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(NET_HOSTILE) -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined $(RUNTIME_SRC_sim) \
 	    $(filter %/link.c %/link_net.c,$(RUNTIME_MADE)) -lm -o $@
+$(B)/net/packets: tests/net/packets.c $(B)/runtime/sim.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) -I$(B)/runtime/made $(WARN) tests/net/packets.c $(CFLAGS) $(DEPFLAGS) $(B)/runtime/sim.a -o $@
 net-campaign: $(B)/net/hostile_san
 	$(B)/net/hostile_san $(SEED) 1 $(NET_SECONDS)
 .PHONY: net-campaign
@@ -768,6 +771,7 @@ $(call test, report,               thorough,, sh tests/report/run.sh $(B)/smc $(
 $(call test, log,                  thorough, $(B)/runtime/log, sh tests/log/run.sh $(B)/smc $(B)/runtime/log $(B)/log)
 $(call test, app,                  thorough, $(B)/runtime/sim.a $(B)/runtime/desk.a, sh tests/app/run.sh $(B)/smc $(B)/runtime/sim.a '$(CC)' $(B)/runtime/desk.a)
 $(call test, net,                  thorough, $(B)/runtime/linux.a, sh tests/net/run.sh $(B)/smc $(B)/runtime/linux.a '$(CC)')
+$(call test, net-dictionary,       thorough, $(B)/net/packets, sh tests/net/dictionary.sh $(B)/smc $(B)/net/packets '$(CC)')
 $(call test, net-hostile,          thorough, $(B)/net/hostile, $(B)/net/hostile 1 100000)
 $(call test, cost,                 thorough, $(B)/cost, $(B)/cost)
 $(call test, emitc-flow,           thorough, $(B)/emitc/flow, $(B)/emitc/flow 100)

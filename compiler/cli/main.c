@@ -8,6 +8,7 @@
 
 static const Command commands[] = {
 #define COMMAND(name, letter, synopsis, sentence) {#name, #letter, synopsis, sentence, cmd_##name},
+#define COMMAND_AS(name, spelling, letter, synopsis, sentence) {spelling, #letter, synopsis, sentence, cmd_##name},
 #include "compiler/cli/commands.def"
 #undef COMMAND
 };

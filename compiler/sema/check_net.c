@@ -119,30 +119,28 @@ static void report_unknown_endpoint(NetCheck *k, const AstWord *word)
         diag_label(k->d, d, DIAG_label_did_you_mean, near);
 }
 
-// Sets the link and the address of a channel (config.md 11.4 to 11.6).
+// Sets the address of a channel (config.md 11.4).
 static void check_where(NetCheck *k, const AstNetChannel *in, NetChannel *out)
 {
     const AstWord *word = &in->where;
     const AstNetEndpoint *e = in->where_kind == TOK_NAME ? map_find(&k->endpoint, word->text) : NULL;
     bool local = in->side == AST_NET_ON, good;
 
-    out->link = !in->is_tcp ? NET_UDP : local ? NET_TCP_SERVER : NET_TCP_CLIENT;
     out->where = word->span;
     if (in->where_kind == TOK_NAME && !e) {
         report_unknown_endpoint(k, word);
         return;
     }
-    if ((in->is_send && in->side == AST_NET_FROM) || (!in->is_send && in->side == AST_NET_TO) || (!in->is_tcp && local == in->is_send)) {
+    if (in->is_tcp)
+        diag_report(k->d, DIAG_net_tcp, word->span, in->name.text->text);
+    else if (in->side != (in->is_send ? AST_NET_TO : AST_NET_ON))
         diag_report(k->d, DIAG_net_side, in->side_span, in->is_send ? "send" : "receive", source_text(k, in->side_span),
-                    diag_text(k->d, in->is_send ? in->is_tcp ? DIAG_part_send_tcp : DIAG_part_send_udp
-                                   : in->is_tcp ? DIAG_part_receive_tcp : DIAG_part_receive_udp));
+                    diag_text(k->d, in->is_send ? DIAG_part_send_udp : DIAG_part_receive_udp));
+    if (in->is_tcp || in->side != (in->is_send ? AST_NET_TO : AST_NET_ON))
         return;
-    }
     good = check_address(k, e ? &e->address : word, out->ip, &out->port);
     if (good && !local && (out->ip[0] | out->ip[1] | out->ip[2] | out->ip[3]) == 0)
         diag_report(k->d, DIAG_net_address, word->span, source_text(k, word->span), diag_text(k->d, DIAG_part_address_port));
-    if (good && in->is_tcp && net_is_multicast(out->ip))
-        diag_report(k->d, DIAG_net_tcp_group, word->span, source_text(k, word->span));
 }
 
 // ---- writers ----
@@ -382,11 +380,7 @@ static bool is_any(const uint8_t *ip) { return (ip[0] | ip[1] | ip[2] | ip[3]) =
 // Whether both channels would receive the same messages, or both send to the same receiver (config.md 11.12).
 static bool are_ambiguous(const NetChannel *a, const NetChannel *b)
 {
-    if ((a->link == NET_UDP) != (b->link == NET_UDP) || a->port != b->port)
-        return false;
-    if (a->link == NET_TCP_SERVER || b->link == NET_TCP_SERVER)
-        return a->link == b->link;                // one stream cannot belong to both
-    if (a->is_send != b->is_send)
+    if (a->is_send != b->is_send || a->port != b->port)
         return false;
     return memcmp(a->ip, b->ip, 4) == 0 || (!a->is_send && (is_any(a->ip) || is_any(b->ip)));
 }
@@ -394,11 +388,7 @@ static bool are_ambiguous(const NetChannel *a, const NetChannel *b)
 // Whether a message that `s` sends reaches `r`, a channel of the same computer (config.md 11.13).
 static bool returns(const NetChannel *s, const NetChannel *r)
 {
-    if (!s->is_send || r->is_send || s->port != r->port || (s->link == NET_UDP) != (r->link == NET_UDP))
-        return false;
-    if (s->link == r->link && s->link != NET_UDP)
-        return false;
-    return (s->link == NET_TCP_SERVER ? r->ip : s->ip)[0] == 127 || memcmp(s->ip, r->ip, 4) == 0;
+    return s->is_send && !r->is_send && s->port == r->port && (s->ip[0] == 127 || memcmp(s->ip, r->ip, 4) == 0);
 }
 
 static void check_pairs(NetCheck *k)

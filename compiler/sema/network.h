@@ -31,13 +31,10 @@ typedef struct NetField {
 
 typedef struct NetStatistic { NetCount count; const Element *element; } NetStatistic;
 
-typedef enum NetLink { NET_UDP, NET_TCP_CLIENT, NET_TCP_SERVER } NetLink;      // ordered as SmNetLink
-
 typedef struct NetChannel {
     bool is_send;
     Str name;
     Span span, where;         // positions of its name and its address
-    NetLink link;
     uint8_t ip[4];            // the address: of the peer, or the local one (0.0.0.0: any), or the multicast group
     uint16_t port;
     uint8_t interface[4];     // 0.0.0.0: the system chooses

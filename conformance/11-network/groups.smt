@@ -12,6 +12,5 @@ U32  age
 U32  bad
 U16  other
 -- app.net --
-send a every 10 ms to tcp 239.1.2.3:5000 { throttle }   #! E1204 '239.1.2.3:5000' is a multicast group
 receive b on 239.1.2.4:5001 @interface 10.0.0.7:5 { small }   #! E1201 is not an address:
 receive c on 239.1.2.5:5001 @interface 10.0.0.7 { bad }

@@ -23,7 +23,7 @@ compiler) find compiler -name '*.c' ;;
 documents) sh "$0" text | grep '[.]md$' ;;
 cases)    find conformance tests -name '*.smt' ;;
 evidence) find conformance tests -name '*.smt'
-          ls tests/clauses/*.c tests/runtime/*.c tests/swap/*.c ;;
+          ls tests/clauses/*.c tests/net/*.c tests/runtime/*.c tests/swap/*.c ;;
 *)        echo "files.sh: unknown kind '$1'" >&2
           exit 2 ;;
 esac | sort

@@ -31,6 +31,8 @@ Usage:
       replace machines of an application that runs, without stopping it
   smc device info|list|confirm|erase|log --port=PORT
       ask a board or an application what it runs and what happened; keep or erase its images
+  smc emit-dictionary X.net --sv V.sv [--format=FORMAT] [-o OUT]
+      write the bytes of every message as JSON, a C header, a Python module or XTCE, for programs on other computers
   smc fix FILE... [--sv V.sv]
       make the edits that the findings of check propose with certainty
   smc explain CODE...

@@ -68,7 +68,7 @@ static uint8_t bytes1[41];
 
 static SmNetChannel receiveChannel[1] = {
     {.name = "commands", .message = {0xcb07f230u, 41, 2, field1, groundKey, smvm_seal},
-     .link = SM_NET_UDP, .address = {{239, 1, 2, 3}, 5001}, .interface = {10, 0, 0, 7},
+     .address = {{239, 1, 2, 3}, 5001}, .interface = {10, 0, 0, 7},
      .period = 0u, .timeout = 500000000u, .statistic = statistic1, .statistics = 1, .age = &age1, .run = &run1,
      .value = value1, .bytes = bytes1},
 };
@@ -85,7 +85,7 @@ static uint8_t bytes0[29];
 
 static SmNetChannel sendChannel[1] = {
     {.name = "telemetry", .message = {0x418957c2u, 29, 2, field0, 0, 0},
-     .link = SM_NET_UDP, .address = {{10, 0, 0, 2}, 5000}, .interface = {0, 0, 0, 0},
+     .address = {{10, 0, 0, 2}, 5000}, .interface = {0, 0, 0, 0},
      .period = 100000000u, .timeout = 0u,
      .value = value0, .bytes = bytes0},
 };

@@ -11,11 +11,11 @@ args build a.net --emit=tokens
 bool open
 -- a.net --
 endpoint ground 10.0.0.2:5000
-receive a on tcp ground @timeout 10 ms { [Valves] @hold }
+receive a on ground @timeout 10 ms { [Valves] @hold }
 -- stdout --
 # Syntax tree of a.net, printed by smc
 endpoint ground 10.0.0.2:5000
-receive a on tcp ground @timeout 10 ms
+receive a on udp ground @timeout 10 ms
   [Valves] @hold
 # Tokens of a.net, printed by smc
 1:1	name	endpoint
@@ -24,15 +24,14 @@ receive a on tcp ground @timeout 10 ms
 2:1	name	receive
 2:9	name	a
 2:11	name	on
-2:14	name	tcp
-2:18	name	ground
-2:25	annotation	@timeout
-2:34	number	10
-2:37	name	ms
-2:40	{	{
-2:42	header	[Valves]
-2:51	annotation	@hold
-2:57	}	}
+2:14	name	ground
+2:21	annotation	@timeout
+2:30	number	10
+2:33	name	ms
+2:36	{	{
+2:38	header	[Valves]
+2:47	annotation	@hold
+2:53	}	}
 3:1	end	
 -- stderr --
 smc: pins and messages are built with their state vector, as in 'smc build a.net --sv app.sv --emit=c'

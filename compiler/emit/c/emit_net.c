@@ -140,16 +140,13 @@ static void write_channel_tables(const NetUnit *u, const NetChannel *c, unsigned
 
 static void write_channel_row(const NetChannel *c, unsigned n, Buf *out)
 {
-    static const char *const link[] = {"SM_NET_UDP", "SM_NET_TCP_CLIENT", "SM_NET_TCP_SERVER"};      // by NetLink
-
     buf_printf(out, "    {.name = \"%s\", .message = {0x%08lxu, %lu, %lu, field%u, ", c->name->text, (unsigned long)c->hash,
                (unsigned long)c->size, (unsigned long)c->field.n, n);
     if (c->key)
         buf_printf(out, "%s, smvm_seal},\n", c->key->text);
     else
         buf_str(out, "0, 0},\n");
-    buf_printf(out, "     .link = %s, .address = {{%u, %u, %u, %u}, %u}, .interface = {%u, %u, %u, %u},\n", link[c->link], c->ip[0], c->ip[1],
-               c->ip[2], c->ip[3], (unsigned)c->port, c->interface[0], c->interface[1], c->interface[2], c->interface[3]);
+    buf_printf(out, "     .address = {{%u, %u, %u, %u}, %u}, .interface = {%u, %u, %u, %u},\n", c->ip[0], c->ip[1], c->ip[2], c->ip[3], (unsigned)c->port, c->interface[0], c->interface[1], c->interface[2], c->interface[3]);
     buf_printf(out, "     .period = %lluu, .timeout = %lluu,", (unsigned long long)c->period, (unsigned long long)c->timeout);
     if (c->statistic.n)
         buf_printf(out, " .statistic = statistic%u, .statistics = %lu,", n, (unsigned long)c->statistic.n);

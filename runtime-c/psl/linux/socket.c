@@ -368,7 +368,7 @@ SmResult pal_socket_send_to(PalSocket s, const PalAddress *to, const void *bytes
 }
 
 // Waits until the socket is ready and receives.  On failure returns -1 and sets *r.  A network error ends a stream.  For
-// datagrams it is ignored, because it concerns an earlier one.
+// datagrams it is ignored, because it concerns an earlier one.  A deadline of 0 saves the system call that would wait.
 static ssize_t receive_message(int fd, SocketKind kind, struct msghdr *m, uint64_t deadline, SmResult *r)
 {
     for (;;) {
@@ -376,7 +376,9 @@ static ssize_t receive_message(int fd, SocketKind kind, struct msghdr *m, uint64
 
         if (got >= 0)
             return got;
-        if (errno == EAGAIN || (kind == DATAGRAMS && is_network_error(errno)))
+        if (errno == EAGAIN && deadline == 0)
+            *r = SM_E_TIMEOUT;
+        else if (errno == EAGAIN || (kind == DATAGRAMS && is_network_error(errno)))
             *r = psl_wait_for_events(fd, POLLIN, deadline);
         else if (errno != EINTR)
             *r = stream_result(errno);
@@ -387,7 +389,7 @@ static ssize_t receive_message(int fd, SocketKind kind, struct msghdr *m, uint64
 
 SmResult pal_socket_receive_from(PalSocket s, PalAddress *from, void *bytes, size_t room, size_t *n, uint64_t timeout)
 {
-    uint64_t deadline = pal_clock_now() + timeout;
+    const uint64_t deadline = timeout ? pal_clock_now() + timeout : 0;
     struct sockaddr_in a;
     struct iovec part = {bytes, room};
     struct msghdr m;
