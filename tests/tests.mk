@@ -529,7 +529,9 @@ $$(B)/runtime/$(1).a: $$(RUNTIME_SRC_$(1):%.c=$$(B)/obj/%.o) $$(RUNTIME_MADE:%.c
 	$$(call say,AR)$$(AR) rcs $$@ $$^
 endef
 $(foreach platform,linux sim desk,$(eval $(call runtime_platform,$(platform))))
-RUNTIME_TSAN_SRC = $(RUNTIME_SRC_linux) $(RUNTIME_MADE)
+# A program that links link_net.c defines its key, so only the tests of messages do, from an archive.
+RUNTIME_LINKED = $(filter-out %/link_net.c,$(RUNTIME_MADE))
+RUNTIME_TSAN_SRC = $(RUNTIME_SRC_linux) $(RUNTIME_LINKED)
 RUNTIME_TSAN_OBJ = $(patsubst $(B)/%.c,$(B)/tsan/%.o,$(filter $(B)/%,$(RUNTIME_TSAN_SRC))) $(patsubst %.c,$(B)/tsan/%.o,$(filter-out $(B)/%,$(RUNTIME_TSAN_SRC)))
 $(B)/tsan/runtime/made/%.o: $(B)/runtime/made/%.c | $(B)/has_tsan $(RUNTIME_MADE)
 	@mkdir -p $(@D)
@@ -583,7 +585,7 @@ $(B)/targets/units-%: $(TARGETS_UNIT) $(TARGETS_CONF) $(B)/libsmc.a $(B)/gen/emb
 
 # Tests of runtime-c without threads, on targets with an operating system.  Their aim is the wire forms on a big-endian processor.
 TARGETS_RUNTIME = statevec region event executor task keep machine
-$(B)/targets/runtime-%: $(RUNTIME_SRC_sim) $(RUNTIME_MADE) $(TARGETS_RUNTIME:%=tests/runtime/%.c) | $(B)/runtime/made/images.h
+$(B)/targets/runtime-%: $(RUNTIME_SRC_sim) $(RUNTIME_LINKED) $(TARGETS_RUNTIME:%=tests/runtime/%.c) | $(B)/runtime/made/images.h
 	@mkdir -p $@.tests
 	$(call say,CC)for f in $(filter-out tests/%,$^); do \
 	    sh tests/targets/cc.sh $* $(RUNTIME_C) -O0 -c $$f -o $@.tests/$$(echo $$f | tr / _).o || exit 1; \
