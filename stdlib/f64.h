@@ -6,8 +6,8 @@
 // All functions are exact IEEE: round to nearest even, no trap, no errno.  The sign and payload of a NaN carry no meaning.
 //
 // Emitted C contains the source of the functions that it uses, as snippets (compiler/emit/c/embed_tool.c).  A line `// snippet: NAME` begins the
-// snippet NAME, which ends at the next such line; `// snippet: end` begins none.  `// snippet: NAME double` marks a snippet that exists only
-// where SmF64 is a `double`.  Comments inside a snippet appear in emitted C, so write them for its readers.
+// snippet NAME, which ends at the next such line; `// snippet: end` begins none.  After some names it says that the snippet
+// exists only where SmF64 is a `double`.  Comments inside a snippet appear in emitted C, so write them for its readers.
 #ifndef SM_F64_H
 #define SM_F64_H
 
@@ -52,39 +52,39 @@
 #if SM_F64_SOFT
 #include "stdlib/f64_soft.h"
 #else
-// snippet: SmF64 double
+// snippet: SmF64 (only where SmF64 is a double)
 #ifndef SM_F64_TYPE
 #define SM_F64_TYPE
 typedef double SmF64;   // IEEE binary64
 #endif
-// snippet: sm_bits double
+// snippet: sm_bits (only where SmF64 is a double)
 static inline uint64_t sm_bits(SmF64 x) { uint64_t u; memcpy(&u, &x, sizeof u); return u; }
-// snippet: sm_from_bits double
+// snippet: sm_from_bits (only where SmF64 is a double)
 static inline SmF64 sm_from_bits(uint64_t u) { SmF64 x; memcpy(&x, &u, sizeof x); return x; }
-// snippet: sm_add double
+// snippet: sm_add (only where SmF64 is a double)
 static inline SmF64 sm_add(SmF64 a, SmF64 b) { return a + b; }
-// snippet: sm_sub double
+// snippet: sm_sub (only where SmF64 is a double)
 static inline SmF64 sm_sub(SmF64 a, SmF64 b) { return a - b; }
-// snippet: sm_mul double
+// snippet: sm_mul (only where SmF64 is a double)
 static inline SmF64 sm_mul(SmF64 a, SmF64 b) { return a * b; }
-// snippet: sm_div double
+// snippet: sm_div (only where SmF64 is a double)
 static inline SmF64 sm_div(SmF64 a, SmF64 b) { return a / b; }
-// snippet: sm_neg double
+// snippet: sm_neg (only where SmF64 is a double)
 // Flips the sign bit, also of zero and NaN.
 static inline SmF64 sm_neg(SmF64 a) { return sm_from_bits(sm_bits(a) ^ 0x8000000000000000u); }
-// snippet: sm_lt double
+// snippet: sm_lt (only where SmF64 is a double)
 static inline bool sm_lt(SmF64 a, SmF64 b) { return a < b; }    // false if either is NaN
-// snippet: sm_le double
+// snippet: sm_le (only where SmF64 is a double)
 static inline bool sm_le(SmF64 a, SmF64 b) { return a <= b; }   // false if either is NaN
-// snippet: sm_eq double
+// snippet: sm_eq (only where SmF64 is a double)
 static inline bool sm_eq(SmF64 a, SmF64 b) { return a == b; }   // false if either is NaN
-// snippet: sm_is_nan double
+// snippet: sm_is_nan (only where SmF64 is a double)
 static inline bool sm_is_nan(SmF64 a) { return a != a; }
-// snippet: sm_from_i32 double
+// snippet: sm_from_i32 (only where SmF64 is a double)
 static inline SmF64 sm_from_i32(int32_t v) { return (SmF64)v; }
-// snippet: sm_from_u32 double
+// snippet: sm_from_u32 (only where SmF64 is a double)
 static inline SmF64 sm_from_u32(uint32_t v) { return (SmF64)v; }
-// snippet: sm_from_i64 double
+// snippet: sm_from_i64 (only where SmF64 is a double)
 // Rounds above 2^53.  32-bit x86 converts 64 bits in an x87 register, where compilers can leave more bits than a double has.
 // Therefore the two halves are converted, which is exact, and their sum is rounded once, like every sum.
 static inline SmF64 sm_from_i64(int64_t v)
@@ -95,7 +95,7 @@ static inline SmF64 sm_from_i64(int64_t v)
     return (SmF64)v;
 #endif
 }
-// snippet: sm_from_u64 double
+// snippet: sm_from_u64 (only where SmF64 is a double)
 // Rounds above 2^53.  On 32-bit x86 the two halves are converted, and their sum is rounded once, as in sm_from_i64.
 static inline SmF64 sm_from_u64(uint64_t v)
 {
@@ -105,17 +105,17 @@ static inline SmF64 sm_from_u64(uint64_t v)
     return (SmF64)v;
 #endif
 }
-// snippet: sm_from_f32 double
+// snippet: sm_from_f32 (only where SmF64 is a double)
 static inline SmF64 sm_from_f32(float v) { return (SmF64)v; }       // exact
-// snippet: sm_truncate_i32 double
+// snippet: sm_truncate_i32 (only where SmF64 is a double)
 static inline int32_t sm_truncate_i32(SmF64 x) { return (int32_t)x; }    // toward zero; the result must be in range
-// snippet: sm_truncate_u32 double
+// snippet: sm_truncate_u32 (only where SmF64 is a double)
 static inline uint32_t sm_truncate_u32(SmF64 x) { return (uint32_t)x; }  // toward zero; the result must be in range
-// snippet: sm_truncate_i64 double
+// snippet: sm_truncate_i64 (only where SmF64 is a double)
 static inline int64_t sm_truncate_i64(SmF64 x) { return (int64_t)x; }    // toward zero; the result must be in range
-// snippet: sm_truncate_u64 double
+// snippet: sm_truncate_u64 (only where SmF64 is a double)
 static inline uint64_t sm_truncate_u64(SmF64 x) { return (uint64_t)x; }  // toward zero; the result must be in range
-// snippet: sm_round_f32 double
+// snippet: sm_round_f32 (only where SmF64 is a double)
 static inline float sm_round_f32(SmF64 x) { return (float)x; }      // to nearest even, overflow to infinity
 // snippet: end
 #endif

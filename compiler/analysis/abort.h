@@ -43,7 +43,7 @@ typedef struct AbortRow {
     const State *state;
     AbortVerdict verdict;
     VEC(AbortPath) path;          // in file order
-    uint32_t steps;               // the highest AbortPath.steps of the bounded paths; 0: no path is bounded
+    uint32_t steps;               // the highest AbortPath.steps of the paths that take a bounded number of steps; 0: there is none
     const Var *single;            // if this sensor sticks at `stuck`, which can be a healthy reading, no path remains; or NULL
     SmF64 stuck;
     const Var *blind;             // if this sensor reads `blind_at`, no path remains; or NULL

@@ -36,7 +36,7 @@ enum {
     ENTRIES_TRIED = 6,            // how many situations at the entry of a state are tried
     OTHERS_FIRST = 12,            // how many readings of the other sensors a failure is first tried with
     OTHERS = 32,                  // random readings of the other sensors with which an effect must be confirmed
-    OTHERS_OF_ONE = 12,           // tried before OTHERS: readings of one other sensor at a time
+    OTHERS_OF_ONE = 12,           // tried before OTHERS: so many readings of each other sensor, while the rest keep theirs
     QUIET_LEAST = 4,              // for a report, the healthy machine must be quiet with at least so many of these readings
     ADVANCES_MAX = 200            // how often both machines advance to the next event after a sensor has failed
 };

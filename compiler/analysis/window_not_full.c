@@ -196,6 +196,7 @@ typedef struct RollSearch {
 
 static void find_roll(Expr *e, void *context);
 
+// Continues the search in the value that `s` stores, if it is a store to f->stored.
 static void find_roll_in_store(const Stmt *s, void *context)
 {
     RollSearch *f = context;
@@ -204,6 +205,7 @@ static void find_roll_in_store(const Stmt *s, void *context)
         expr_walk(s->value, find_roll, f);
 }
 
+// Stores `e` in f->roll if it is a statistic of the window.  In a variable, searches what is stored to it.
 static void find_roll(Expr *e, void *context)
 {
     RollSearch *f = context;

@@ -3,7 +3,7 @@
 // of a function or type that the C emitter copies.
 //
 // In a header, the comment `// snippet: NAME` marks the beginning of snippet NAME, which ends at the next such comment; `// snippet: end` begins no snippet.
-// `// snippet: NAME double` marks a snippet that exists only where SmF64 is a double.  A snippet depends on those whose names it contains outside
+// `// snippet: NAME (only where SmF64 is a double)` marks a snippet that exists only there.  A snippet depends on those whose names it contains outside
 // comments.  It may only depend on earlier ones, so the emitter can write them in table order.
 //
 // `-lines NAME FILE…` writes whole files as an array of lines instead, without SPDX lines and includes of stdlib files.
@@ -46,7 +46,7 @@ static void begin_snippet(const char *name)
         exit_with_error("too many snippets", name);
     if (sscanf(name, "%39s", s->name) != 1)
         exit_with_error("a snippet has no name", name);
-    s->native = strstr(name, " double\n") != NULL;
+    s->native = strstr(name, " (only where SmF64 is a double)\n") != NULL;
     snippets++;
 }
 
