@@ -16,7 +16,7 @@ check "make windows-$machine" $make -s B="$build" BUILD_CC="$cc" CFLAGS='-O2 -We
 
 needs() { $dump "$files/$1" | sed -n 's/.*DLL Name: //p' | tr 'A-Z' 'a-z' | sort | tr '\n' ' '; }
 check "the DLL needs KERNEL32 and msvcrt alone" test "$(needs smc.dll)" = 'kernel32.dll msvcrt.dll '
-check "the command needs what every Windows has" test "$(needs smc.exe)" = 'advapi32.dll kernel32.dll msvcrt.dll shell32.dll '
+check "the command needs what every Windows has" test "$(needs smc.exe)" = 'advapi32.dll kernel32.dll msvcrt.dll shell32.dll ws2_32.dll '
 $dump "$files/smc.dll" | awk '/\[Ordinal\/Name Pointer\] Table/ { inside = 1; next } /^$/ { inside = 0 } inside { print $NF }' | sort >"$dir/exports"
 cat compiler/library/smc.h compiler/labview/labview.h | grep -v '^ *//' | grep -o 'smc[lv]*_[a-z0-9_]*(' | tr -d '(' | sort -u >"$dir/declared"
 check "it exports what the headers declare, undecorated" cmp "$dir/declared" "$dir/exports"
