@@ -102,9 +102,13 @@ enum {
 #define SM_ROLL_UNROLL
 #endif
 #endif
+// snippet: end
+#ifndef SM_ROLL_BY_VALUE
+#define SM_ROLL_BY_VALUE 0      // outside emitted C, the smaller code
+#endif
 // snippet: SM_ROLL_BY_VALUE
 // 1: a window of F32 or F64 without a median stores its samples as they are, and compares them as numbers.  For processors whose registers hold
-// such numbers, where that costs less than comparing keys.  Must be the same for all files that are compiled together.
+// such numbers, where that costs less than comparing keys.
 #ifndef SM_ROLL_BY_VALUE
 #if !SM_ROLL_SMALL && (defined(__SSE2__) || defined(_M_X64) || defined(__aarch64__) || defined(_M_ARM64))
 #define SM_ROLL_BY_VALUE 1
@@ -167,7 +171,7 @@ SM_ROLL_INLINE SmRollKey sm_roll_key(uint32_t kind, SmRollKey sample)
 // Converts a key to the integer of sm_roll_ordered, or that integer to its key.
 SM_ROLL_INLINE SmRollKey sm_roll_order_of_key(uint32_t kind, SmRollKey key)
 {
-    return sm_roll_stores_order(kind) ? key : sm_roll_ordered(kind, key);
+    return !SM_ROLL_BY_VALUE || sm_roll_stores_order(kind) ? key : sm_roll_ordered(kind, key);
 }
 // snippet: sm_roll_value
 // Converts a key to its number.
@@ -599,7 +603,7 @@ SM_ROLL_INLINE SmF64 sm_roll_extreme_f64(const unsigned char *at, SmRollSize lef
 SM_ROLL_INLINE bool sm_roll_compares_numbers(uint32_t n, uint32_t kind)
 {
     const bool real = (kind & SM_ROLL_TYPE) == SM_ROLL_F32 || (kind & SM_ROLL_TYPE) == SM_ROLL_F64;
-    return real && !sm_roll_stores_order(kind) && sm_roll_partials(n, kind) < 4;
+    return SM_ROLL_BY_VALUE && real && !sm_roll_stores_order(kind) && sm_roll_partials(n, kind) < 4;
 }
 // snippet: sm_roll_extreme_number
 // The smallest sample, or the largest if `up`, by comparing numbers.  If that is 0, its sign can be wrong.

@@ -55,7 +55,8 @@ class Run(Mapping[str, Column]):
     @property
     def states(self) -> Column:
         """The name of the state after each step."""
-        return np.array(self.state_names)[self.state.astype(np.intp) - 1] if self.rows else np.array([], dtype=str)
+        names: Column = np.array(self.state_names) if self.rows else np.array([], dtype=str)
+        return np.take(names, self.state.astype(np.intp) - 1)
 
     def transitions(self) -> list[Transition]:
         """The transitions to another state after the first step, in their order."""

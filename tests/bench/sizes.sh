@@ -62,11 +62,12 @@ parts()     # TARGET
     part "$1" auth bytecode-vm/auth.c
 }
 
-# The runtime, and what an application that swaps machines links in addition.
+# The runtime, and what an application with messages, and one that swaps machines, links in addition.
 SWAP_PARTS="runtime-c/swap.c runtime-c/swap_log.c bytecode-vm/swap.c bytecode-vm/debug.c bytecode-vm/target/slot.c"
 runtime_parts()     # TARGET
 {
-    part "$1" runtime $(ls runtime-c/*.c | grep -v '/swap')
+    part "$1" runtime $(ls runtime-c/*.c | grep -v '/swap\|/net')
+    part "$1" net runtime-c/net.c runtime-c/net_message.c
     part "$1" swap $SWAP_PARTS
 }
 

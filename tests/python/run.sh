@@ -1,10 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # The Python package: its tests, its types, and its installation into an environment of its own.      run.sh MAKE B CC
-# PYTHON: the interpreter, python3 unless set.
+# PYTHON: the interpreter.  Unless it is set, python3, or that of the system if python3 has not all packages that the tests use.
 make=$1 build=$2 cc=$3
 . tests/checks.sh
+has_packages() { "$1" -c 'import cffi, numpy, pytest, pandas, matplotlib' 2>/dev/null; }
 python=${PYTHON:-python3}
+[ -n "${PYTHON:-}" ] || has_packages python3 || ! has_packages /usr/bin/python3 || python=/usr/bin/python3
 root=$(pwd)
 case $build in /*) library=$build/lib/libsmc.so.1 ;; *) library=$root/$build/lib/libsmc.so.1 ;; esac
 dir=$(mktemp -d) || exit 1

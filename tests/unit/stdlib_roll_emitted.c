@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+// stdlib_roll.c as in emitted C: windows without a median compare samples as numbers, and three samples are put in order when they are read.
+#define SM_ROLL_BY_VALUE 1
+#define SM_ROLL_LATE_ORDER 1
+#include "tests/unit/stdlib_roll.c"
