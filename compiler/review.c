@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/review.h"
 
+#include "compiler/base/path.h"
 #include <string.h>
 
 #include "compiler/version.h"
@@ -35,7 +36,7 @@ void review_run_script(Session *s, const Report *r, const Program *p, const Sour
     const Diags of_machine = s->diags;
     Engine **all = ARENA_ARRAY(&s->arena, Engine *, engines);
 
-    run->name = report_base_name(src->name);
+    run->name = path_portable_name(src->name);
     trace_init(&run->trace, &s->arena, p, &r->analysis.transition);
     diags_clear(&s->diags);
     if ((run->script = script ? script : session_script(s, src, p)) != NULL) {

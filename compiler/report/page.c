@@ -2,6 +2,7 @@
 // The order of a report, and helpers that its sections share.
 #include "compiler/report/page.h"
 
+#include "compiler/base/path.h"
 #include "compiler/report/page_text.h"
 // Returns the line in the source, from 1; 0 if there is none.
 uint32_t report_line_of(Span span) { return span.src ? source_position(span.src, span.at).line : 0; }
@@ -24,16 +25,6 @@ const char *report_format_cell(Arena *arena, SmType type, uint64_t cell)
     return buf_text(&b);
 }
 
-const char *report_base_name(const char *path)
-{
-    const char *name = path;
-
-    for (; *path; path++)
-        if (*path == '/' || *path == '\\')
-            name = path + 1;
-    return name;
-}
-
 static void report_add_source(Report *r, Doc *d)
 {
     const StateVec *sv = r->analysis.p->sv;
@@ -41,7 +32,7 @@ static void report_add_source(Report *r, Doc *d)
     doc_add_section(d, "source", "Source");
     doc_add_source(d, r->analysis.p->src);
     if (!sv->from_machine && sv->element.n) {
-        doc_add_heading(d, NULL, format_in(r->arena, "State vector `%s`", report_base_name(sv->element.at[0]->span.src->name)));
+        doc_add_heading(d, NULL, format_in(r->arena, "State vector `%s`", path_portable_name(sv->element.at[0]->span.src->name)));
         doc_add_paragraph(d, TEXT_STATE_VECTOR);
     }
 }
@@ -53,7 +44,7 @@ Doc *report_build(Report *r)
 
     d->arena = r->arena;
     d->title = p->name->text;
-    d->subtitle = format_in(r->arena, "Design review of the state machine in %s", report_base_name(p->src->name));
+    d->subtitle = format_in(r->arena, "Design review of the state machine in %s", path_portable_name(p->src->name));
     d->maker = r->maker;
     report_add_overview(r, d);
     report_add_states(r, d);

@@ -74,6 +74,5 @@ const char *report_board_name(const Report *r);       // "On an Arduino Uno": th
 const char *report_board_time(const Report *r);       // time of the longest step on that board: "about 300 cycles, 0.02 ms, in Fill"
 const char *report_format_number(Arena *arena, double x);
 const char *report_format_cell(Arena *arena, SmType type, uint64_t cell);
-const char *report_base_name(const char *path);
 
 #endif

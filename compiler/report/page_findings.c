@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The findings of the analyses: all groups of warnings, even if disabled elsewhere, and those that an @allow covers, with its reason.
 #include "compiler/report/page.h"
+#include "compiler/base/path.h"
 #include "compiler/report/page_text.h"
 
 FindingCount report_count_findings(const Report *r)
@@ -25,7 +26,7 @@ static const char *position_text(const Report *r, Span span)
     if (!span.src)
         return "";
     at = source_position(span.src, span.at);
-    return format_in(r->arena, "%s:%lu:%lu", report_base_name(span.src->name), (unsigned long)at.line, (unsigned long)at.col);
+    return format_in(r->arena, "%s:%lu:%lu", path_portable_name(span.src->name), (unsigned long)at.line, (unsigned long)at.col);
 }
 
 static void add_finding(const Report *r, Doc *d, const Diag *diag, size_t number)

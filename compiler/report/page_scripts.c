@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The results of the scripts, what they visited, and a plot of each.
 #include "compiler/report/comment.h"
+#include "compiler/base/path.h"
 #include "compiler/report/diagram.h"
 #include "compiler/report/describe.h"
 #include "compiler/report/page.h"
@@ -267,7 +268,7 @@ static void add_history(const Report *r, Doc *d, const Diag *failure)
     for (size_t i = 0; i < failure->notes.n; i++) {
         const DiagNote *note = &failure->notes.at[i];
         if (note->span.src)
-            buf_printf(&lines, "%s:%lu: ", report_base_name(note->span.src->name),
+            buf_printf(&lines, "%s:%lu: ", path_portable_name(note->span.src->name),
                        (unsigned long)source_position(note->span.src, note->span.at).line);
         buf_printf(&lines, "%s\n", note->text);
     }
