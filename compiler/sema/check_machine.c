@@ -93,6 +93,7 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     add_states(&s, p, sm);
     check_declarations(&s, p, sm, p->sv, written_outside);
     check_states(&s, p, sm);
+    check_unused_definitions(&s, &p->define);
     check_size_uses(&s);
     p->stmts = s.stmts;
     if (c->diags->errors_seen > errors)

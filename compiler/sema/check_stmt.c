@@ -100,7 +100,9 @@ Stmt *check_assignment(Sema *s, const AstStmt *in)
 
     if (report_state_assignment(s, v, in))
         return NULL;
-    if (!v)
+    if (!v && map_find(&s->defines, in->name))
+        scope_note_declared(s, diag_report(s->diags, DIAG_write_definition, in->name_span, in->name->text), in->name);
+    else if (!v)
         scope_report_unknown(s, in->name, in->name_span);
     else
         good = check_writable(s, v, in->name, in->name_span);

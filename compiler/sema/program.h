@@ -97,6 +97,22 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     Span span;                // position of its name in the list or declaration
 } Var;
 
+// ---- definitions ----
+
+struct AstExpr;
+
+// A line of [define]: a name for an expression. A use is an Expr of its own, so only the checker and reports read this.
+typedef struct Define {
+    Str name;
+    struct AstExpr *value;
+    uint32_t number;          // its place among the definitions of the file; those of a script follow those of its machine
+    uint32_t size;            // operations and values of its expression, with those of the definitions that it uses
+    bool used;                // another part of its file uses it
+    Span span;                // position of its name in [define]
+} Define;
+
+typedef VEC(Define *) Defines;
+
 // ---- expressions: every value is an F64 ----
 
 typedef enum ExprKind {
@@ -183,6 +199,7 @@ typedef struct Program {
     bool large_numbers;       // the program contains a literal of 2^53 or more
     uint32_t stmts;           // statements in all blocks: the largest Stmt.number
     Windows window;
+    Defines define;
     VEC(Allow) allow;         // also those of the .sv, which cover the position where the machine lists the element
     Map by_name;              // name or alias to Var
     Map state_by_name;

@@ -45,6 +45,10 @@ typedef struct Sema {
     Map declared_at;          // name or alias to the Span of its declaration
     unsigned guesses;         // how many more unknown names may be compared with all known ones
 
+    Map defines;              // name to Define: those that the text can use
+    const Define *inside;     // the definition whose use is being checked; NULL: none
+    uint32_t expanded;        // how many operations and values the uses of definitions have so far
+    uint32_t depth;           // the depth of the current expression below the root of its statement
     ExprContext at;
     const Var *local;         // EXPR_IN_INITIAL: the local whose initial value is being checked
     Str size_of;              // EXPR_IN_SIZE: the roll function whose size argument is being checked
@@ -107,6 +111,14 @@ void check_size_uses(Sema *s);
 bool has_annotation(const AstAnnotations *all, AstAnnotationKind kind);
 // Returns the @range among the annotations of an element; NULL if there is none or it is invalid, which is reported.
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type);
+
+// ---- define.c: definitions ----
+
+// Adds the definitions of one section to those that the following text can use, and to `into`.
+void declare_definitions(Sema *s, const AstSection *section, Defines *into);
+void add_definitions_of_machine(Sema *s);              // makes the definitions of the machine usable in a script
+Expr *expand_definition(Sema *s, Define *d, const AstExpr *use);      // builds the expression of a definition that `use` names
+void check_unused_definitions(Sema *s, const Defines *all);
 
 // ---- check_time.c: the unit of time ----
 

@@ -124,6 +124,13 @@ typedef struct AstDecl {
     AstAnnotations annotations;
 } AstDecl;
 
+// A line of [define]: name = value.
+typedef struct AstDefinition {
+    Str name;
+    Span name_span;
+    AstExpr *value;
+} AstDefinition;
+
 // An entry of [options]: `lock`, `delta_t 10 ms`, `init_state Idle`.
 typedef struct AstOption {
     Str name;
@@ -153,6 +160,7 @@ typedef struct AstBlock {
 typedef enum AstSectionKind {
     AST_STATE_VECTOR,         // [state_vector] of a machine: decls
     AST_LOCAL,                // [local]: decls
+    AST_DEFINE,               // [define] of a machine or script: definitions
     AST_OPTIONS,              // [options] of .sv, .sm and .ss: options
     AST_REGION,               // [Region] of a .sv: decls
     AST_STATE,                // a state of a machine: blocks
@@ -168,6 +176,7 @@ typedef struct AstSection {
     Span header;              // including the brackets
     AstAnnotations annotations;   // STATE: the annotations after its header
     VEC(AstDecl) decls;
+    VEC(AstDefinition) definitions;
     VEC(AstOption) options;
     VEC(AstPin) pins;
     bool digital;             // PINS: the section is [digital]

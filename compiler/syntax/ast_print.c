@@ -184,9 +184,20 @@ static void print_pin(Buf *out, const AstPin *p)
     buf_char(out, '\n');
 }
 
+static void print_definition(Buf *out, const AstDefinition *d)
+{
+    buf_str(out, "  ");
+    print_name(out, d->name);
+    buf_str(out, " = ");
+    print_expr(out, d->value);
+    buf_char(out, '\n');
+}
+
 static void print_section(Buf *out, const AstSection *s)
 {
-    static const char *const kind[] = {"state_vector", "local", "options", "region", "state", "script", "pins", "ignored"};
+    static const char *const kind[] = {
+        [AST_STATE_VECTOR] = "state_vector", [AST_LOCAL] = "local", [AST_DEFINE] = "define", [AST_OPTIONS] = "options", [AST_REGION] = "region",
+        [AST_STATE] = "state", [AST_SCRIPT_STATE] = "script", [AST_PINS] = "pins", [AST_IGNORED] = "ignored"};
     static const char *const label[AST_LABEL_COUNT] = {".entry", ".step", ".exit"};
 
     buf_printf(out, "%s ", kind[s->kind]);
@@ -195,6 +206,8 @@ static void print_section(Buf *out, const AstSection *s)
     buf_char(out, '\n');
     for (size_t i = 0; i < s->decls.n; i++)
         print_decl(out, &s->decls.at[i]);
+    for (size_t i = 0; i < s->definitions.n; i++)
+        print_definition(out, &s->definitions.at[i]);
     for (size_t i = 0; i < s->options.n; i++)
         print_option(out, &s->options.at[i]);
     for (size_t i = 0; i < s->pins.n; i++)

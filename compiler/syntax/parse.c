@@ -338,6 +338,17 @@ static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
 
 // ---- misnamed sections ----
 
+// Decides whether [define] contains definitions (language.md 5.61). If it does not begin with one in a script, or is empty or begins with a
+// label or an annotation in a machine, it belongs to a state of that name.
+static void find_define_kind(Parser *p, AstSection *s)
+{
+    const bool begins_definition = p->tok.kind == TOK_NAME && p->ahead.kind == TOK_ASSIGN;
+    const bool is_state = p->tok.kind == TOK_LABEL || p->tok.kind == TOK_ANNOTATION || p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END;
+
+    if (is_section_named(s, "define") && ((s->kind == AST_STATE && !is_state) || (s->kind == AST_SCRIPT_STATE && begins_definition)))
+        s->kind = AST_DEFINE;
+}
+
 // Corrects the kind of a section whose first line shows that its name is misspelt, and reports the name. A "state" that begins with a
 // declaration is [state_vector] or [local]; a section of a script that begins with an option is [options].
 static void correct_section_kind(Parser *p, AstSection *s)
@@ -398,10 +409,14 @@ static void parse_section(Parser *p, AstFile *f)
     check_repeated(p, f, s);
     vec_push(p->arena, &f->sections, s);
     parser_advance(p);
+    find_define_kind(p, s);
     correct_section_kind(p, s);
     switch (s->kind) {
     case AST_STATE_VECTOR: case AST_LOCAL: case AST_REGION:
         parse_decls(p, s);
+        break;
+    case AST_DEFINE:
+        parse_definitions(p, s);
         break;
     case AST_OPTIONS:
         parse_options(p, s);
