@@ -16,7 +16,7 @@ Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
     Expr *e = arena_alloc(s->arena, sizeof *e + args * sizeof *e->arg + ops);
 
     e->kind = kind;
-    e->span = span;
+    e->span = sema_span(s, span);
     e->n = args & 0xffffff;              // AST_DEPTH_MAX bounds it
     e->arg = (Expr **)(void *)(e + 1);
     return e;
@@ -506,7 +506,7 @@ static Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *
     out->arg[0] = w.sample = check_expr(s, call->args->at[0]);     // gives roll calls in the sample lower indices
     w.size = check_window_size(s, call, fn);
     w.stat = out->stat = fn->stat;
-    w.span = call->span;
+    w.span = out->span;
     if (!w.sample || !w.size)
         return NULL;
     out->window = (uint32_t)s->windows->n;

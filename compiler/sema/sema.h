@@ -49,6 +49,8 @@ typedef struct Sema {
     const Define *inside;     // the definition whose use is being checked; NULL: none
     uint32_t expanded;        // how many operations and values the uses of definitions have so far
     uint32_t depth;           // the depth of the current expression below the root of its statement
+    AllStates *all_states;    // the section whose statements are being checked; NULL: none
+    const Source *copy;       // the source of their positions; NULL: that of the file
     ExprContext at;
     const Var *local;         // EXPR_IN_INITIAL: the local whose initial value is being checked
     Str size_of;              // EXPR_IN_SIZE: the roll function whose size argument is being checked
@@ -111,6 +113,18 @@ void check_size_uses(Sema *s);
 bool has_annotation(const AstAnnotations *all, AstAnnotationKind kind);
 // Returns the @range among the annotations of an element; NULL if there is none or it is invalid, which is reported.
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type);
+
+// Returns the position of a typed node: in the copy of the source for a state, while statements of [all_states] are checked.
+Span sema_span(const Sema *s, Span written);
+
+// ---- check_all_states.c: [all_states] of a machine ----
+
+void find_all_states(Sema *s, Program *p, const AstFile *sm);         // call it when all states are known
+void add_all_states(Sema *s, Program *p, State *state);               // call it before the statements of the state's own .step are checked
+// Reports a transition of [all_states] to a state in which the section runs.
+void check_target_is_excepted(Sema *s, const AstStmt *in, const State *to);
+// Warns of sections that do not run in the step in which .entry of a state makes a transition.
+void warn_of_skipped_all_states(Sema *s, const Program *p);
 
 // ---- define.c: definitions ----
 
