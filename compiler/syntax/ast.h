@@ -23,6 +23,7 @@ typedef enum AstExprKind {
     AST_UNARY,        // op a
     AST_BINARY,       // a op b; a chain a < b <= c is stored as (a < b) <= c, without AST_PAREN
     AST_PAREN,        // ( a )
+    AST_STEPS,        // a steps, as an argument: a count of steps
     AST_CALL          // name ( args )
 } AstExprKind;
 
@@ -38,7 +39,7 @@ struct AstExpr {
     TimeUnit unit;            // NUMBER: the unit after it; then op_at and op_len are the number alone
     SmF64 number;             // NUMBER: its value, without the unit
     Str name;                 // NAME, CALL: the name
-    AstExpr *a, *b;           // UNARY, PAREN: the operand a; BINARY: both operands
+    AstExpr *a, *b;           // UNARY, PAREN, STEPS: the operand a; BINARY: both operands
     AstArgs *args;            // CALL: the arguments
 };
 

@@ -50,6 +50,10 @@ static void print_expr(Buf *out, const AstExpr *e)
         print_expr(out, e->a);
         buf_char(out, ')');
         break;
+    case AST_STEPS:
+        print_expr(out, e->a);
+        buf_str(out, " steps");
+        break;
     case AST_CALL:
         print_name(out, e->name);
         buf_char(out, '(');
