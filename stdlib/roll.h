@@ -24,6 +24,7 @@
 //                  longer                   log2 n additions                     constant         n F64: sums of 2, 4, 8, … slots
 //     smallest, largest: n <= SM_ROLL_SCAN  constant                             n comparisons    none
 //                  longer                   log2 n comparisons                   constant         n words each, of 2, 4, 8, … slots
+//     oldest, newest                        constant                             constant         none
 //     median:      n <= SM_ROLL_SHORT       n comparisons, no branch             constant         n samples, in order
 //                  longer                   2 log2 n comparisons, moving 2 SM_   constant         n samples, in order, and
 //                                           ROLL_BLOCK samples and 1 a block                      2 bytes a block
@@ -80,7 +81,8 @@ enum {
     SM_ROLL_I8 = 0, SM_ROLL_I16 = 1, SM_ROLL_I32 = 2, SM_ROLL_U8 = 4, SM_ROLL_U16 = 5, SM_ROLL_U32 = 6,
     SM_ROLL_F32 = 8, SM_ROLL_F64 = 9, SM_ROLL_BOOL = 10, SM_ROLL_TYPE = 15,
     SM_ROLL_AVG = 16, SM_ROLL_MEDIAN = 32, SM_ROLL_MIN = 64, SM_ROLL_MAX = 128, SM_ROLL_RANGE = 256,
-    SM_ROLL_ORDER = 480        // the statistics that compare samples: all but the average
+    SM_ROLL_OLDEST = 512, SM_ROLL_NEWEST = 1024,
+    SM_ROLL_ORDER = 480        // the statistics that compare samples
 };
 // SM_ROLL_SHORT: the longest window whose average is summed up when it is read, and which is sorted by one pass over all samples.
 // SM_ROLL_SCAN: the longest window whose smallest and largest are found by visiting all samples.
@@ -714,6 +716,22 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_range(const uint64_t *w, uint32_t n, uint
     }
     return sm_eq(lo, hi) ? sm_from_i32(0) : sm_sub(hi, lo);
 }
+// snippet: sm_roll_oldest_slot
+// The slot of the oldest sample; slot 0 of an empty window.
+SM_ROLL_INLINE SmRollSize sm_roll_oldest_slot(const uint64_t *ring, uint32_t n) { return sm_roll_count(ring) < n ? 0 : sm_roll_next(ring); }
+// snippet: sm_roll_newest_slot
+// The slot of the newest sample; slot n - 1 of an empty window.
+SM_ROLL_INLINE SmRollSize sm_roll_newest_slot(const uint64_t *ring, uint32_t n) { return (SmRollSize)((sm_roll_next(ring) != 0 ? sm_roll_next(ring) : n) - 1u); }
+// snippet: sm_roll_oldest
+SM_ROLL_INLINE SmF64 sm_roll_oldest(const uint64_t *w, uint32_t n, uint32_t kind, const uint64_t *ring)
+{
+    return sm_roll_value(kind, sm_roll_slot_key(w, n, kind, sm_roll_oldest_slot(ring, n)));
+}
+// snippet: sm_roll_newest
+SM_ROLL_INLINE SmF64 sm_roll_newest(const uint64_t *w, uint32_t n, uint32_t kind, const uint64_t *ring)
+{
+    return sm_roll_value(kind, sm_roll_slot_key(w, n, kind, sm_roll_newest_slot(ring, n)));
+}
 // snippet: end
 
 #ifndef SM_ROLL_NONE
@@ -830,7 +848,10 @@ static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, S
     SmRollSmall s;
     sm_roll_small_init(&s, w, (size_t)n, (uint16_t)kind);
     s.count += s.count == 0;                         // an empty window: its slots contain 0
-    sm_roll_small_stat(&s, stat, x);
+    if (stat == SM_STAT_OLDEST || stat == SM_STAT_NEWEST)
+        sm_roll_small_value(&s, x, sm_roll_small_at(&s, s.slot, stat == SM_STAT_OLDEST ? sm_roll_oldest_slot(w, n) : sm_roll_newest_slot(w, n)));
+    else
+        sm_roll_small_stat(&s, stat, x);
     return x[0];
 }
 #else
@@ -857,13 +878,16 @@ static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 
 // Reads one of the statistics that the window supports.
 SM_ROLL_INLINE SmF64 sm_roll_read_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
-    const SmRollSize count = sm_roll_count(w++);
+    const uint64_t *const ring = w++;
+    const SmRollSize count = sm_roll_count(ring);
     switch (stat) {
     case SM_STAT_AVG: return sm_roll_avg(w, n, kind, count);
     case SM_STAT_MEDIAN: return sm_roll_median(w, n, kind, count);
     case SM_STAT_MIN: return sm_roll_min(w, n, kind, count);
     case SM_STAT_MAX: return sm_roll_max(w, n, kind, count);
     case SM_STAT_RANGE: return sm_roll_range(w, n, kind, count);
+    case SM_STAT_OLDEST: return sm_roll_oldest(w, n, kind, ring);
+    case SM_STAT_NEWEST: return sm_roll_newest(w, n, kind, ring);
     case SM_STAT_COUNT: break;
     }
     return sm_from_i32(0);

@@ -51,17 +51,22 @@ typedef struct SmOpInfo {
 
 extern const SmOpInfo sm_op_info[SM_OP_COUNT];         // indexed by SmOperator
 
-// The statistics of a rolling window.
-typedef enum SmStat { SM_STAT_AVG, SM_STAT_MEDIAN, SM_STAT_MIN, SM_STAT_MAX, SM_STAT_RANGE, SM_STAT_COUNT } SmStat;
+// The statistics of a rolling window.  Programs read the oldest and the newest sample only by prev, rising, falling and rate.
+typedef enum SmStat {
+    SM_STAT_AVG, SM_STAT_MEDIAN, SM_STAT_MIN, SM_STAT_MAX, SM_STAT_RANGE, SM_STAT_OLDEST, SM_STAT_NEWEST,
+    SM_STAT_COUNT
+} SmStat;
 
 typedef enum SmBuiltin {
 #define SM_PURE(name, arguments, sentence) SM_FN_##name,
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_FN_##name,
 #define SM_ROLL(name, stat, sentence) SM_FN_##name,
+#define SM_SAMPLED(name, arguments, sentence) SM_FN_##name,
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
 #undef SM_ROLL
+#undef SM_SAMPLED
     SM_FN_COUNT
 } SmBuiltin;
 
@@ -70,6 +75,7 @@ typedef struct SmBuiltinInfo {
     const char *sentence;   // describes the result, for messages and docs
     uint8_t arguments;      // how many it has; a roll function has 2
     bool is_roll;
+    bool is_sampled;        // prev and similar
     SmStat stat;            // for a roll function: the statistic that it returns
 } SmBuiltinInfo;
 

@@ -360,7 +360,7 @@ Fact fact_of_stat(SmStat stat, Fact sample)
     case SM_STAT_AVG: return fact_of_average(sample);
     case SM_STAT_MEDIAN: return make_fact(sample.lo, sample.hi, false, infinite, true);      // perhaps the mean of two samples
     case SM_STAT_RANGE: return make_fact(0, infinite ? infinity() : sample.hi - sample.lo, sample.whole, infinite, false);
-    case SM_STAT_MIN: case SM_STAT_MAX: case SM_STAT_COUNT: break;
+    case SM_STAT_MIN: case SM_STAT_MAX: case SM_STAT_OLDEST: case SM_STAT_NEWEST: case SM_STAT_COUNT: break;
     }
     return sample;
 }

@@ -126,6 +126,8 @@ double ref_statistic(const RefWindows *w, uint32_t window, SmStat stat)
     case SM_STAT_MIN: return find_extreme(x, r->filled, false);
     case SM_STAT_MAX: return find_extreme(x, r->filled, true);
     case SM_STAT_RANGE: return range_of(x, r->filled);
+    case SM_STAT_OLDEST: return r->slot[r->filled < r->what->size ? 0 : r->next];
+    case SM_STAT_NEWEST: return r->slot[(r->next == 0 ? r->what->size : r->next) - 1];
     case SM_STAT_COUNT: break;
     }
     return 0;

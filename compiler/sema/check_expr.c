@@ -497,27 +497,74 @@ static uint32_t check_window_size(Sema *s, const AstExpr *call, const SmBuiltinI
     return 0;
 }
 
-static Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
-{
-    Window w = {0};
-    Expr *out;
+// ---- functions that remember their argument ----
 
+// Builds a statistic of a window of `size` samples.
+static Expr *new_statistic(Sema *s, const AstExpr *call, Expr *sample, uint32_t size, SmStat stat)
+{
+    Expr *e = expr_new(s, EX_ROLL, call->span, 1);
+    const Window w = {sample, size, stat, e->span};
+
+    e->arg[0] = sample;
+    e->stat = stat;
+    e->window = (uint32_t)s->windows->n;
+    vec_push(s->arena, s->windows, w);
+    return e;
+}
+
+// Reports a function that samples its argument where it is not allowed. Returns whether it is allowed.
+static bool check_samples_allowed(Sema *s, const AstExpr *call)
+{
     s->varies = true;
     if (s->at == EXPR_IN_INITIAL)
         diag_report(s->diags, DIAG_initial_value_rolls, ast_op_span(call), s->local->name->text, call->name->text);
     else if (s->at == EXPR_IN_SIZE)
         diag_report(s->diags, DIAG_window_size_rolls, ast_op_span(call), s->size_of->text, call->name->text);
-    if (s->at != EXPR_IN_STEP)
+    return s->at == EXPR_IN_STEP;
+}
+
+static Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
+{
+    Expr *sample;
+    uint32_t size;
+
+    if (!check_samples_allowed(s, call))
         return NULL;
-    out = expr_new(s, EX_ROLL, call->span, 1);
-    out->arg[0] = w.sample = check_expr(s, call->args->at[0]);     // gives roll calls in the sample lower indices
-    w.size = check_window_size(s, call, fn);
-    w.stat = out->stat = fn->stat;
-    w.span = out->span;
-    if (!w.sample || !w.size)
+    sample = check_expr(s, call->args->at[0]);                 // gives roll calls in the sample lower indices
+    size = check_window_size(s, call, fn);
+    return sample && size ? new_statistic(s, call, sample, size, fn->stat) : NULL;
+}
+
+// ---- functions that remember their argument ----
+
+static Expr *new_not(Sema *s, const AstExpr *call, Expr *x)
+{
+    Expr *e = expr_new(s, EX_UNARY, call->span, 1);
+
+    record_operator(s, SM_OP_NOT);
+    e->op = SM_OP_NOT;
+    e->arg[0] = x;
+    return e;
+}
+
+// Builds prev(x), rising(c) or falling(c): the oldest, and the newest, of the last two samples. In the first step both are the same sample.
+static Expr *check_sampled_call(Sema *s, const AstExpr *call, SmBuiltin fn)
+{
+    Expr *x, *old, *new, *out;
+
+    if (!check_samples_allowed(s, call) || !(x = check_expr(s, call->args->at[0])))
         return NULL;
-    out->window = (uint32_t)s->windows->n;
-    vec_push(s->arena, s->windows, w);
+    if (fn != SM_FN_prev)
+        x = new_not(s, call, new_not(s, call, x));             // 1 or 0
+    old = new_statistic(s, call, x, 2, SM_STAT_OLDEST);
+    if (fn == SM_FN_prev)
+        return old;
+    new = new_statistic(s, call, x, 2, SM_STAT_NEWEST);
+    record_operator(s, SM_OP_AND);
+    out = expr_new(s, EX_BINARY, call->span, 2);
+    out->op = SM_OP_AND;
+    out->arg[0] = fn == SM_FN_rising ? new : new_not(s, call, new);
+    out->arg[1] = fn == SM_FN_rising ? new_not(s, call, old) : old;
     return out;
 }
 
@@ -530,6 +577,8 @@ static Expr *check_call(Sema *s, const AstExpr *e)
     if (fn && e->args->n == fn->arguments) {
         if (fn->is_roll)
             return check_roll_call(s, e, fn);
+        if (fn->is_sampled)
+            return check_sampled_call(s, e, (SmBuiltin)(fn - sm_builtin_info));
         out = expr_new(s, EX_CALL, e->span, fn->arguments);
         out->fn = (SmBuiltin)(fn - sm_builtin_info);
         return check_args(s, e->args->at, fn->arguments, out->arg) ? out : NULL;

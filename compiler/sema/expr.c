@@ -101,10 +101,12 @@ static SmF64 eval_call(const Expr *e, const SmF64 *value)
 #define SM_PURE(name, arguments, sentence) case SM_FN_##name: return CALL_##arguments(sm_##name, v);
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
+#define SM_SAMPLED(name, arguments, sentence) case SM_FN_##name:
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
 #undef SM_ROLL
+#undef SM_SAMPLED
     case SM_FN_COUNT: break;
     }
     return sm_from_i32(0);                                  // not reached: a roll call is an EX_ROLL, not an EX_CALL
@@ -152,20 +154,26 @@ static const char *const builtin_name[SM_FN_COUNT] = {
 #define SM_PURE(name, arguments, sentence) [SM_FN_##name] = #name,
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
 #define SM_ROLL(name, stat, sentence) SM_PURE(name, 2, sentence)
+#define SM_SAMPLED(name, arguments, sentence) SM_PURE(name, arguments, sentence)
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
 #undef SM_ROLL
+#undef SM_SAMPLED
 };
 
 static const char *const statistic_name[SM_STAT_COUNT] = {
+    [SM_STAT_OLDEST] = "oldest",
+    [SM_STAT_NEWEST] = "newest",
 #define SM_PURE(name, arguments, sentence)
 #define SM_COMPOSED(name, arguments, steps, sentence)
 #define SM_ROLL(name, stat, sentence) [SM_STAT_##stat] = #name,
+#define SM_SAMPLED(name, arguments, sentence)
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
 #undef SM_ROLL
+#undef SM_SAMPLED
 };
 
 // Appends names to `out`.  Stops soon after `most` characters, so that nested calls do not take quadratic time.

@@ -128,7 +128,7 @@ static void random_machine(Build *b)
     b->locals = LOCALS;
     b->windows = b->f32s = b->f64s = 1;
     b->outputs = b->states = b->width = b->s = 2;
-    b->window[0] = WINDOW(5, 31);
+    b->window[0] = WINDOW(5, 127);
     b->f32[0] = 0xff800000u;
     b->f64[0] = 0x7ff8000000000000u;
     b->output[0] = PLACE(F64, 16);
@@ -277,7 +277,7 @@ static void too_much_for_the_target(void)
     random_machine(&b);
     b.window[0] = WINDOW(0x2000 + 1, 1);              // 65544 bytes: a sum of 16 bits would come to 8
     CHECK(verdict(&b) == SMVM_R_RAM);
-    b.window[0] = WINDOW(100000, 31);
+    b.window[0] = WINDOW(100000, 127);
     CHECK(verdict(&b) == SMVM_R_RAM);
     b.window[0] = WINDOW(100001, 31);
     CHECK(verdict(&b) == SMVM_R_WINDOW);

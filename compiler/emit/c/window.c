@@ -17,7 +17,7 @@ static void write_kind(const IrWindow *w, Buf *out)
 #include "stdlib/types.def"
 #undef SM_TYPE
     };
-    static const char *const stat[SM_STAT_COUNT] = { "AVG", "MEDIAN", "MIN", "MAX", "RANGE" };
+    static const char *const stat[SM_STAT_COUNT] = { "AVG", "MEDIAN", "MIN", "MAX", "RANGE", "OLDEST", "NEWEST" };
 
     buf_printf(out, "SM_ROLL_%s", type[roll_kind(w) & SM_ROLL_TYPE]);
     for (int s = 0; s < SM_STAT_COUNT; s++)
@@ -164,7 +164,7 @@ void c_write_sample(CFn *fn, const IrIns *i)
 
 // ---- statistics: one function for each, called wherever it is read ----
 
-static const char *const stat_name[SM_STAT_COUNT] = { "avg", "median", "min", "max", "range" };
+static const char *const stat_name[SM_STAT_COUNT] = { "avg", "median", "min", "max", "range", "oldest", "newest" };
 
 // Writes the call that reads a statistic of a rolling window.
 void c_write_statistic_call(CFn *fn, const IrIns *i)
@@ -181,7 +181,10 @@ static void write_statistic_function(CUnit *u, size_t w, int stat, Buf *out)
     buf_printf(out, "static %s %s_%s_%s(const %s *m)\n{\n    return ", c_type_of(u, SM_F64), u->names.prefix, u->window[w],
                stat_name[stat], u->names.type);
     begin_roll_call(u, format_in(u->arena, "sm_roll_%s", stat_name[stat]), w, out);
-    buf_printf(out, ", %s(&m->%s));\n}\n\n", helper_require(u, "sm_roll_count"), u->ring[w]);
+    if (stat == SM_STAT_OLDEST || stat == SM_STAT_NEWEST)
+        buf_printf(out, ", &m->%s);\n}\n\n", u->ring[w]);
+    else
+        buf_printf(out, ", %s(&m->%s));\n}\n\n", helper_require(u, "sm_roll_count"), u->ring[w]);
 }
 
 // Writes a function for each statistic that window_stats_read lists.
