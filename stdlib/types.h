@@ -51,11 +51,19 @@ typedef struct SmOpInfo {
 
 extern const SmOpInfo sm_op_info[SM_OP_COUNT];         // indexed by SmOperator
 
-// The statistics of a rolling window.  Programs read the oldest and the newest sample only by prev, rising, falling and rate.
+// The statistics of a rolling window.  Programs read those after the range only by prev, rising, falling, held and rate.
 typedef enum SmStat {
-    SM_STAT_AVG, SM_STAT_MEDIAN, SM_STAT_MIN, SM_STAT_MAX, SM_STAT_RANGE, SM_STAT_OLDEST, SM_STAT_NEWEST,
+    SM_STAT_AVG, SM_STAT_MEDIAN, SM_STAT_MIN, SM_STAT_MAX, SM_STAT_RANGE,
+    SM_STAT_OLDEST, SM_STAT_NEWEST,       // samples
+    SM_STAT_CHANGE,                       // the newest minus the oldest sample; 0 while there is one
+    SM_STAT_ELAPSED,                      // of a window of times: the newest minus the oldest
+    SM_STAT_RUN_STEPS, SM_STAT_RUN_TIME,  // of a run of true samples: how many, at most the size; the time from the first to the newest
     SM_STAT_COUNT
 } SmStat;
+
+// The statistics of windows that store times (stdlib/roll.h), as a set of 1 << SmStat.
+#define SM_STATS_OF_TIMES (1u << SM_STAT_ELAPSED | 1u << SM_STAT_RUN_STEPS | 1u << SM_STAT_RUN_TIME)
+#define SM_STATS_OF_RUNS (1u << SM_STAT_RUN_STEPS | 1u << SM_STAT_RUN_TIME)
 
 typedef enum SmBuiltin {
 #define SM_PURE(name, arguments, sentence) SM_FN_##name,

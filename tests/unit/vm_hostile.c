@@ -70,7 +70,7 @@ static void put_instruction(Build *b)
 static void put_line(Build *b)
 {
     if (below(8) == 0)
-        code(b, SMVM_stat, 2, below(SM_STAT_COUNT), 0);
+        code(b, SMVM_stat, 2, below(SM_STAT_ELAPSED), 0);
     else
         put_load(b, 0);
     for (unsigned n = below(4); n > 0; n--) {
@@ -128,7 +128,7 @@ static void random_machine(Build *b)
     b->locals = LOCALS;
     b->windows = b->f32s = b->f64s = 1;
     b->outputs = b->states = b->width = b->s = 2;
-    b->window[0] = WINDOW(5, 127);
+    b->window[0] = WINDOW(5, 255);
     b->f32[0] = 0xff800000u;
     b->f64[0] = 0x7ff8000000000000u;
     b->output[0] = PLACE(F64, 16);
@@ -277,7 +277,7 @@ static void too_much_for_the_target(void)
     random_machine(&b);
     b.window[0] = WINDOW(0x2000 + 1, 1);              // 65544 bytes: a sum of 16 bits would come to 8
     CHECK(verdict(&b) == SMVM_R_RAM);
-    b.window[0] = WINDOW(100000, 127);
+    b.window[0] = WINDOW(100000, 255);
     CHECK(verdict(&b) == SMVM_R_RAM);
     b.window[0] = WINDOW(100001, 31);
     CHECK(verdict(&b) == SMVM_R_WINDOW);
