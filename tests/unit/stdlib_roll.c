@@ -8,7 +8,7 @@
 #include "tests/test.h"
 #include "tests/unit/random.h"
 
-enum { HISTORY = 310000, STATS = 31, EMITTED = 10000 };
+enum { HISTORY = 310000, STATS = (1 << SM_STAT_ELAPSED) - 1, EMITTED = 10000 };
 
 static double history[HISTORY];          // as the window is to hold them
 
@@ -71,6 +71,9 @@ static double model_median(uint32_t count)
 static void model_stats(double *stat, uint32_t steps, uint32_t n)
 {
     const uint32_t count = model_fill(steps, n);
+    stat[SM_STAT_OLDEST] = history[steps - count];
+    stat[SM_STAT_NEWEST] = history[steps - 1];
+    stat[SM_STAT_CHANGE] = count < 2 ? 0 : history[steps - 1] - history[steps - count];
     model_sort(n);
     stat[SM_STAT_AVG] = model_avg(count, n);
     stat[SM_STAT_MEDIAN] = model_median(count);
@@ -126,6 +129,9 @@ static double emitted_stat(uint32_t n, uint32_t kind, int s)
     case SM_STAT_MEDIAN: return sm_roll_median(emitted + 1, n, kind, sm_roll_count(emitted));
     case SM_STAT_MIN: return sm_roll_min(emitted + 1, n, kind, sm_roll_count(emitted));
     case SM_STAT_MAX: return sm_roll_max(emitted + 1, n, kind, sm_roll_count(emitted));
+    case SM_STAT_OLDEST: return sm_roll_oldest(emitted + 1, n, kind, emitted);
+    case SM_STAT_NEWEST: return sm_roll_newest(emitted + 1, n, kind, emitted);
+    case SM_STAT_CHANGE: return sm_roll_change(emitted + 1, n, kind, emitted);
     default: return sm_roll_range(emitted + 1, n, kind, sm_roll_count(emitted));
     }
 }
@@ -133,7 +139,7 @@ static double emitted_stat(uint32_t n, uint32_t kind, int s)
 static void check_emitted(uint32_t n, uint32_t kind, const double *stat)
 {
     CHECK(memcmp(emitted, memory, sm_roll_words(n, kind) * sizeof *memory) == 0);
-    for (int s = 0; s < SM_STAT_COUNT; s++)
+    for (int s = 0; s < SM_STAT_ELAPSED; s++)
         if ((kind >> 4 >> s & 1u) != 0)
             CHECK(same(emitted_stat(n, kind, s), stat[s]));
 }
@@ -158,9 +164,9 @@ static void clear(uint32_t words)
 
 static void check_stats(uint32_t n, uint32_t kind, uint32_t steps)
 {
-    double stat[SM_STAT_COUNT];
+    double stat[SM_STAT_ELAPSED];
     model_stats(stat, steps, n);
-    for (int s = 0; s < SM_STAT_COUNT; s++)
+    for (int s = 0; s < SM_STAT_ELAPSED; s++)
         if ((kind >> 4 >> s & 1u) != 0)
             CHECK(same(sm_roll_stat(memory, n, kind, (SmStat)s), stat[s]));
 #if SM_ROLL_SMALL
@@ -240,7 +246,7 @@ static void test_empty(void)
         for (uint32_t stats = 0; stats <= STATS; stats++) {
             const uint32_t kind = sm_roll_kind(types[t], stats);
             memset(memory, 0, sm_roll_words(5, kind) * sizeof *memory);
-            for (int stat = 0; stat < SM_STAT_COUNT; stat++)
+            for (int stat = 0; stat < SM_STAT_ELAPSED; stat++)
                 if ((stats >> stat & 1u) != 0)
                     CHECK(sm_bits(sm_roll_stat(memory, 5, kind, (SmStat)stat)) == 0);
         }
@@ -280,12 +286,65 @@ static void test_no_trace(void)
     for (int k = 0; k < 8; k++)
         for (int i = 0; i < 2; i++)
             sm_roll_push(w[i] + 1, 8, kind, sm_roll_advance(w[i], 8), sm_roll_of_f64(0.1 * k));
-    for (int stat = 0; stat < SM_STAT_COUNT; stat++)
+    for (int stat = 0; stat < SM_STAT_ELAPSED; stat++)
         CHECK(same(sm_roll_stat(w[0], 8, kind, (SmStat)stat), sm_roll_stat(w[1], 8, kind, (SmStat)stat)));
+}
+
+// ---- windows of times ----
+
+enum { EVENTS = 400 };
+
+// Compares a window of times and a run of n with a list of all events.
+static void check_times(uint32_t n, uint64_t most_step, uint64_t start)
+{
+    const uint32_t times_kind = sm_roll_kind(SM_U64, 1u << SM_STAT_ELAPSED), run_kind = sm_roll_kind(SM_U64, SM_STATS_OF_RUNS);
+    uint64_t times[1 + 20] = { 0 }, run[4] = { 0 }, pushed[EVENTS], g = start, first = 0;
+    uint32_t count = 0, length = 0;
+
+    run[3] = 12345;
+    CHECK(sm_roll_words(n, times_kind) == 1 + n && sm_roll_words(n, run_kind) == 3);
+    for (int k = 0; k < EVENTS && g < UINT64_MAX - most_step - 1; k++) {
+        const uint64_t event = random_u64() % 12 == 0 ? random_u64() : random_u64() % 8 == 0 ? 0 : random_u64() % 9 == 0 ? 2 : 1;
+        g += 1 + random_u64() % most_step;
+        sm_roll_sample_event(times, n, times_kind, event, g);
+        sm_roll_sample_event(run, n, run_kind, event, g);
+        if (event != 0)
+            pushed[count++] = g;
+        if (event == 0 || event > 1)
+            length = 0;
+        if (event != 0 && length++ == 0)
+            first = g;
+        const uint64_t oldest = count == 0 ? 0 : pushed[count > n ? count - n : 0];
+        CHECK(sm_roll_stat(times, n, times_kind, SM_STAT_ELAPSED) == (count == 0 ? 0.0 : (double)(pushed[count - 1] - oldest)));
+        CHECK(sm_roll_stat(run, n, run_kind, SM_STAT_RUN_STEPS) == (double)(length < n ? length : n));
+        CHECK(sm_roll_stat(run, n, run_kind, SM_STAT_RUN_TIME) == (length == 0 ? 0.0 : (double)(g - first)));
+    }
+    CHECK(run[3] == 12345);
+}
+
+static void test_times(void)
+{
+    for (uint32_t n = 1; n <= 20; n++) {
+        check_times(n, 3, 0);
+        check_times(n, 1000000, UINT64_MAX - 100000000);
+        check_times(n, UINT64_C(1) << 55, 5);
+    }
+}
+
+static void test_kinds_of_times(void)
+{
+    CHECK(sm_roll_is_kind(SM_ROLL_TIMES | SM_ROLL_ELAPSED) && sm_roll_is_kind(SM_ROLL_TIMES | SM_ROLL_RUN_STEPS) &&
+          sm_roll_is_kind(SM_ROLL_TIMES | SM_ROLL_RUN_TIME | SM_ROLL_RUN_STEPS));
+    CHECK(!sm_roll_is_kind(SM_ROLL_TIMES) && !sm_roll_is_kind(SM_ROLL_TIMES | SM_ROLL_AVG) &&
+          !sm_roll_is_kind(SM_ROLL_TIMES | SM_ROLL_ELAPSED | SM_ROLL_RUN_TIME) && !sm_roll_is_kind(SM_ROLL_TIMES | SM_ROLL_ELAPSED | SM_ROLL_OLDEST));
+    CHECK(!sm_roll_is_kind(SM_ROLL_F64 | SM_ROLL_ELAPSED) && !sm_roll_is_kind(SM_ROLL_U8 | SM_ROLL_RUN_STEPS) &&
+          !sm_roll_is_kind(SM_ROLL_F32 | SM_ROLL_AVG | SM_ROLL_RUN_TIME));
 }
 
 int main(void)
 {
+    test_times();
+    test_kinds_of_times();
     test_small_windows();
     test_layouts();
     test_larger_windows();

@@ -389,7 +389,7 @@ static void short_machine(void)                       // a MACHINE section of 0 
 
 static void tables(void)
 {
-    static const uint32_t good_window[] = {WINDOW(1, 4), WINDOW(100000, 7), WINDOW(5, 31), WINDOW(2, 6), WINDOW(2, 96), WINDOW_OF(SM_I8, 5, 255), WINDOW_OF(SM_U64, 5, 256), WINDOW_OF(SM_U64, 500, 1536),
+    static const uint32_t good_window[] = {WINDOW(1, 4), WINDOW(100000, 7), WINDOW(5, 31), WINDOW(2, 6), WINDOW(2, 96), WINDOW_OF(SM_I8, 5, 255),
                                            WINDOW_OF(SM_F32, 5, 1), WINDOW_OF(SM_BOOL, 3, 4)};
     static const uint32_t bad_window[] = {WINDOW(0, 1), WINDOW(100001, 1), WINDOW(131071, 1), WINDOW(5, 256), WINDOW(5, 512), WINDOW(5, 1024), WINDOW_OF(SM_U64, 5, 257), WINDOW_OF(SM_U64, 5, 768), WINDOW_OF(SM_U64, 5, 128), 0, 0xffffff,
                                           UINT32_MAX, WINDOW_OF(SM_I64, 5, 1), WINDOW_OF(SM_U64, 5, 1), WINDOW_OF(11, 5, 1), WINDOW_OF(15, 5, 1)};
