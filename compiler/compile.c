@@ -159,12 +159,9 @@ static void compile_files(Compilation *c)
 // A machine that becomes C is an error.
 static void check_app_limits(Compilation *c, const App *a)
 {
-    CompiledSource of;
-
-    memset(&of, 0, sizeof of);
     c->s->locals = artefacts_image_locals(c->o);
     for (size_t i = 0; i < a->machine.n; i++) {
-        of.program = a->machine.at[i]->program;
+        CompiledSource of = {.program = a->machine.at[i]->program};
         if (a->machine.at[i]->bytecode)
             build_ir_and_measure(c, &of);
         else
