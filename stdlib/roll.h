@@ -782,6 +782,8 @@ SM_ROLL_INLINE void sm_roll_add_sample(uint64_t *w, uint32_t n, uint32_t kind, i
         sm_roll_combine(w, n, kind, at);
 }
 
+// sm_roll_sample converts a number to the window's type, as a store does, and adds it as a sample.  sm_roll_sample_cell adds a sample that
+// the cell contains in the window's type, and overwrites the cell.  sm_roll_stat reads one of the statistics that the window supports.
 #if SM_ROLL_NONE
 static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { (void)w; (void)n; (void)kind; (void)x; }
 static inline void sm_roll_sample_cell(uint64_t *w, uint32_t n, uint32_t kind, unsigned char *cell) { (void)w; (void)n; (void)kind; (void)cell; }
@@ -804,7 +806,6 @@ SM_ROLL_NOINLINE void sm_roll_small_init(SmRollSmall *s, const uint64_t *w, size
     s->next = (size_t)sm_roll_next(w);
 }
 
-// Adds a sample that is already stored in the window's type.  Overwrites the cell.
 static inline void sm_roll_sample_cell(uint64_t *w, uint32_t n, uint32_t kind, unsigned char *cell)
 {
     SmRollSmall s;
@@ -815,7 +816,6 @@ static inline void sm_roll_sample_cell(uint64_t *w, uint32_t n, uint32_t kind, u
     sm_roll_set_next(w, (uint32_t)(s.next + 1 < s.n ? s.next + 1 : 0));
 }
 
-// Converts a number to the window's type, as a store does, and adds it as a sample.
 static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x)
 {
     unsigned char cell[8];
@@ -823,7 +823,6 @@ static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 
     sm_roll_sample_cell(w, n, kind, cell);
 }
 
-// Reads one of the statistics that the window supports.
 static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
     SmF64 x[SM_ROLL_WAITING];

@@ -69,7 +69,7 @@ static void check_snapshot(Kind kind)
     CHECK(step(0) == SM_OK && stand_sv.sum == 4 && stand_sv.torn == 0);
 }
 
-// Of the copy no byte is written outside of what the machine uses.
+// The machine writes no byte of the copy outside the range that it accesses.
 static void check_copy(Kind kind)
 {
     const uint8_t *copy = (const uint8_t *)stage.copy;

@@ -248,8 +248,8 @@ static void armed_board_refuses_update(const char *memory, uint8_t slots)
     }
 }
 
-// The board can be armed during an update.
-static void arming_stops_an_update(void)
+// A board that is armed during an update refuses its requests.  After disarming, the update continues.
+static void arming_pauses_an_update(void)
 {
     uint8_t body[9], data[5 + 8];
     Pair p;
@@ -872,7 +872,7 @@ int main(int argc, char **argv)
     running_image_is_not_read_back("eeprom");
     running_image_is_not_read_back("flash");
     older_boards_report_less();
-    arming_stops_an_update();
+    arming_pauses_an_update();
     too_large_image_is_refused();
     refused_image_is_not_chosen();
     unusable_image_is_skipped("eeprom");

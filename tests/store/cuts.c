@@ -129,7 +129,8 @@ static uint32_t writes_of_an_update(const char *memory, uint8_t slots)
     return sim_count(SIM_nvm_write) + sim_count(SIM_nvm_erase) - before;
 }
 
-static void memory_after(const char *memory, uint8_t slots, uint32_t call, uint32_t byte, uint8_t *bytes)
+// Returns in `bytes` the memory after an update in which the power fails in write or erase number `call`, after `byte` bytes.
+static void memory_after_cut(const char *memory, uint8_t slots, uint32_t call, uint32_t byte, uint8_t *bytes)
 {
     Device d;
 
@@ -146,9 +147,9 @@ static void list_cuts(const char *memory, uint8_t slots, Cuts *cuts)
 
     cuts->n = 0;
     for (uint32_t call = 0; call < calls; call++) {
-        memory_after(memory, slots, call, SIM_NVM_SIZE, done);
+        memory_after_cut(memory, slots, call, SIM_NVM_SIZE, done);
         for (uint32_t byte = 0;; byte++) {
-            memory_after(memory, slots, call, byte, now);
+            memory_after_cut(memory, slots, call, byte, now);
             cuts->at[cuts->n][0] = call;
             cuts->at[cuts->n++][1] = byte;
             if (memcmp(now, done, sizeof now) == 0 || cuts->n == 2048)

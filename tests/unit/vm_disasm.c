@@ -107,8 +107,8 @@ static const char *text_of(const Build *b, const Names *names)
     return text;
 }
 
-// They are found where they are in order, by what the thing is, its type and its place.
-static void names_of(void)
+// The disassembler finds names by binary search, so the table must be sorted by kind, type and offset.
+static void test_variable_names(void)
 {
     const Names all = {6, {{SMVM_IS_LOCAL, PLACE(I16, 2)}, {SMVM_IS_LOCAL, PLACE(F64, 8)}, {SMVM_IS_ELEMENT, PLACE(U32, 8)},
                             {SMVM_IS_ELEMENT, PLACE(U64, 0)}, {SMVM_IS_ELEMENT, PLACE(F64, 16)}, {SMVM_IS_TIME, 0}}, 3};
@@ -226,7 +226,7 @@ static void every_opcode(void)
 int main(void)
 {
     long_name();
-    names_of();
+    test_variable_names();
     copied_name();
     every_opcode();
     return test_end("vm_disasm");

@@ -407,8 +407,8 @@ static void deep_condition(void)
     arena_free(&w.arena);
 }
 
-// Conversions in the middle of an expression, to all types at once, beside locals of all types: no two share memory.
-static void slots(void)
+// An expression converts a number to all types at once, beside locals of all types: no two of them share memory.
+static void test_slots_do_not_overlap(void)
 {
     static const double expected[SM_TYPE_COUNT] = {-3, -3, -3, -3, 0, 0, 0, 0, -3.5, -3.5, 1};
     double sum = 0;
@@ -492,8 +492,8 @@ static void varints(void)
     arena_free(&w.arena);
 }
 
-// Whole numbers are in the code, others once in a table of their kind.
-static void constants(void)
+// Whole constants are encoded in the code; every other value is stored once, in the table of its type.
+static void test_constants_are_stored_once(void)
 {
     Buf text;
     Work w;
@@ -589,10 +589,10 @@ int main(void)
     deep(true);
     deep(false);
     deep_condition();
-    slots();
+    test_slots_do_not_overlap();
     long_code();
     varints();
-    constants();
+    test_constants_are_stored_once();
     limits();
     return test_end("vm_select");
 }

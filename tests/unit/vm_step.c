@@ -73,7 +73,8 @@ static void steps(void)
     CHECK(step(&t, 0, 0, 0) == 45);
 }
 
-static void refused(void)
+// A refused step writes neither the vector nor the memory of the VM.
+static void test_refused_step_changes_nothing(void)
 {
     Machine t;
     SmVm *vm = (SmVm *)t.memory;
@@ -237,7 +238,7 @@ static void starting(void)
 int main(void)
 {
     steps();
-    refused();
+    test_refused_step_changes_nothing();
     second_step();
     windows();
     narrow_windows();
