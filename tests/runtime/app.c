@@ -112,8 +112,8 @@ static void test_stopped_at_once(void)
     CHECK(sm_app_run(&app) == SM_OK && strcmp(calls, "01") == 0);
 }
 
-// It is refused with this text, and no task's step has run, nor is the watchdog running.
-static bool refused(const char *text)
+// Whether the start is refused with this text, no task's step has run, and the watchdog does not run.
+static bool is_start_refused(const char *text)
 {
     uint64_t actual;
     const bool said = sm_app_main(&app) == 1 && strcmp(sim_console(), text) == 0;
@@ -127,46 +127,46 @@ static void test_refused(void)
 {
     prepare_app(2);
     app.executors = 0;
-    CHECK(refused("crew: the application does not start: it has no executor\n"));
+    CHECK(is_start_refused("crew: the application does not start: it has no executor\n"));
     prepare_app(2);
     crew_vector.guarded = false;
-    CHECK(refused("crew: the state vector does not start: several threads use it, so its .sv must say `lock`\n"));
+    CHECK(is_start_refused("crew: the state vector does not start: several threads use it, so its .sv must say `lock`\n"));
     prepare_app(2);
     events.guarded = false;
-    CHECK(refused("crew: the event ring does not start: several threads use it, so it must be guarded\n"));
+    CHECK(is_start_refused("crew: the event ring does not start: several threads use it, so it must be guarded\n"));
     prepare_app(2);
     events.room = 3;
-    CHECK(refused("crew: the event ring does not start: an argument is out of its range\n"));
+    CHECK(is_start_refused("crew: the event ring does not start: an argument is out of its range\n"));
     prepare_app(2);
     executor[1].period = 0;
-    CHECK(refused("crew: executor 'two' does not start: invalid configuration\n"));
+    CHECK(is_start_refused("crew: executor 'two' does not start: invalid configuration\n"));
     prepare_app(2);
     part[1].gives = SM_E_BUSY;
-    CHECK(refused("crew: task 'b' does not start: it is in use\n"));
+    CHECK(is_start_refused("crew: task 'b' does not start: it is in use\n"));
     prepare_app(2);
     task[1].init = sm_inputs_init;
     task[1].context = &pins;
     app.inputs = &pins;
-    CHECK(refused("crew: task 'b' does not start: pin 10203: there is no such device, file or address\n"));
+    CHECK(is_start_refused("crew: task 'b' does not start: pin 10203: there is no such device, file or address\n"));
     prepare_app(2);                              // a row that is no pin is not named as one
     task[1].init = sm_inputs_init;
     task[1].context = &no_pins;
     app.inputs = &no_pins;
-    CHECK(refused("crew: task 'b' does not start: an argument is out of its range\n"));
+    CHECK(is_start_refused("crew: task 'b' does not start: an argument is out of its range\n"));
     prepare_app(2);
     app.watchdog = 3600 * S;
-    CHECK(refused("crew: the watchdog does not start: an argument is out of its range\n"));
+    CHECK(is_start_refused("crew: the watchdog does not start: an argument is out of its range\n"));
     prepare_app(2);
     app.watchdog = S;
     sim_fail(SIM_watchdog_start, 0, SM_E_MISSING);
-    CHECK(refused("crew: the watchdog does not start: there is no such device, file or address\n"));
+    CHECK(is_start_refused("crew: the watchdog does not start: there is no such device, file or address\n"));
     prepare_app(2);
     sim_break(SIM_lock_take, 0, SM_E_TIMEOUT);
-    CHECK(refused("crew: executor 'one' does not start: timeout\n"));
+    CHECK(is_start_refused("crew: executor 'one' does not start: timeout\n"));
     sim_break(SIM_lock_take, 0, SM_OK);
     prepare_app(2);
     sim_fail(SIM_clock_sleep_until, 0, SM_E_DEVICE);
-    CHECK(refused("crew: the clock does not start: it has stopped\n"));
+    CHECK(is_start_refused("crew: the clock does not start: it has stopped\n"));
 }
 
 static void test_no_lock_left(void)
@@ -179,7 +179,7 @@ static void test_no_lock_left(void)
     CHECK(strcmp(sim_console(), "crew: the state vector does not start: its table is full\n") == 0 && called == 0);
 }
 
-// In one thread nothing needs to be guarded.
+// An application in one thread needs neither locks nor a guarded event ring.
 static void test_one_thread(void)
 {
     prepare_app(2);
@@ -278,7 +278,7 @@ static void stop_now(void)
     sm_app_stop(&app);
 }
 
-// Even in an hour's sleep it is noticed.
+// A stop during a sleep of an hour is noticed at once.
 static void test_stop(void)
 {
     prepare_app(1);
@@ -287,7 +287,7 @@ static void test_stop(void)
     CHECK(sm_app_run(&app) == SM_OK && strcmp(calls, "0A") == 0 && pal_clock_now() <= S + 1500 * S + 100 * MS);
 }
 
-// At the end every task with @safe is safed once, in order, except disabled ones.
+// At the end the safe function of every enabled task with @safe is called once, in order.
 static void test_rest(void)
 {
     prepare_app(4);
@@ -301,7 +301,7 @@ static void test_rest(void)
     CHECK(task[0].safings == 1 && task[1].safings == 0 && task[3].safings == 1 && ticks[5].number == 1);
 }
 
-// A sleep that fails is no reason to run early.
+// A tick does not run early because a sleep failed.
 static void test_sleep_fails(void)
 {
     prepare_app(1);
@@ -334,7 +334,7 @@ static void test_fed(void)
     CHECK(sim_count(SIM_watchdog_feed) < 4500 && pal_watchdog_feed() == SM_E_HANDLE);
 }
 
-// Fed while it waits, too, and although a call of it fails now and then.
+// The watchdog is also fed while the application waits, and although feeding fails now and then.
 static void test_fed_alone(void)
 {
     prepare_app(1);
@@ -344,7 +344,7 @@ static void test_fed_alone(void)
     CHECK(sm_app_run(&app) == SM_OK && !sim_watchdog_fired() && executor[0].ticks == 49);
 }
 
-static bool bite(uint64_t stuck)
+static bool run_long_tick(uint64_t stuck)
 {
     prepare_app(2);
     app.watchdog = 50 * MS;
@@ -354,11 +354,11 @@ static bool bite(uint64_t stuck)
     return sim_watchdog_fired();
 }
 
-// The watchdog fires if a tick takes longer than its timeout, counted from its last feeding: up to a quarter earlier.
+// The watchdog fires if a tick takes longer than its timeout, counted from the last feeding: up to a quarter earlier.
 static void test_bites(void)
 {
-    CHECK(!bite(37 * MS));
-    CHECK(bite(51 * MS));
+    CHECK(!run_long_tick(37 * MS));
+    CHECK(run_long_tick(51 * MS));
 }
 
 static void test_cannot_be_fed(void)
