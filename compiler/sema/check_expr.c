@@ -16,7 +16,7 @@ Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
     Expr *e = arena_alloc(s->arena, sizeof *e + args * sizeof *e->arg + ops);
 
     e->kind = kind;
-    e->span = span;
+    e->span = sema_span(s, span);
     e->n = args & 0xffffff;              // AST_DEPTH_MAX bounds it
     e->arg = (Expr **)(void *)(e + 1);
     return e;
@@ -467,7 +467,7 @@ static void report_argument_count(Sema *s, const AstExpr *e, const SmBuiltinInfo
 
 // Calls of roll functions (language.md 7) have two arguments: the sampled expression, and a size that is known at compile time.
 
-// Returns the size of a roll call's window, or 0 after a report.
+// Returns how many steps a roll call's window has, or 0 after a report.
 static uint32_t check_window_size(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
 {
     const AstExpr *n = call->args->at[1];
@@ -476,11 +476,18 @@ static uint32_t check_window_size(Sema *s, const AstExpr *call, const SmBuiltinI
 
     s->at = EXPR_IN_SIZE;
     s->size_of = call->name;
-    value = check_expr(s, n);
+    value = check_expr(s, n->kind == AST_STEPS ? n->a : n);
     s->at = EXPR_IN_STEP;
     if (!value)
         return 0;
     x = expr_constant_value(value);
+    if (value->kind == EX_NUMBER && value->unit != TIME_NONE) {
+        if (!check_window_time(s, n, fn->name, x, &x))
+            return 0;
+    } else if (expr_contains_time(value)) {
+        diag_report(s->diags, DIAG_window_size_of_time, n->span, fn->name);
+        return 0;
+    }
     if (!sm_eq(sm_trunc(x), x))
         diag_report(s->diags, DIAG_window_size_not_whole, n->span, fn->name, const_text(s->arena, x));
     else if (sm_lt(x, sm_from_i32(1)) || sm_lt(sm_from_u32(SM_WINDOW_MAX), x))
@@ -506,7 +513,7 @@ static Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *
     out->arg[0] = w.sample = check_expr(s, call->args->at[0]);     // gives roll calls in the sample lower indices
     w.size = check_window_size(s, call, fn);
     w.stat = out->stat = fn->stat;
-    w.span = call->span;
+    w.span = out->span;
     if (!w.sample || !w.size)
         return NULL;
     out->window = (uint32_t)s->windows->n;
@@ -550,6 +557,9 @@ static Expr *check_kind(Sema *s, const AstExpr *e)
         warn_of_leading_not(s, e);
         return is_relation(e) && is_relation(e->a) ? check_chain(s, e) : check_binary(s, e);
     case AST_PAREN:  return check_expr(s, e->a);
+    case AST_STEPS:
+        diag_report(s->diags, DIAG_steps_misplaced, e->span, sema_quote_source(s, e->a->span));
+        return NULL;
     case AST_CALL:   return check_call(s, e);
     }
     return NULL;

@@ -44,6 +44,7 @@ static void check_option(ScriptCheck *k, const AstOption *o)
         if (k->script->delta_t == 0 && o->number)                                     // otherwise the parser has reported it
             diag_report(k->s.diags, DIAG_step_value, o->value_span, "delta_t");
         check_declared_step(k, o);
+        k->s.step = k->script->delta_t;
     } else if (o->name == k->init_state) {
         State *state = o->word ? scope_find_state(&k->s, o->word, o->value_span) : NULL;
         if (state)
@@ -224,6 +225,7 @@ static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, cons
     k->has_delta_t = program->step > 0;
     sema_init(&k->s, c, find_hidden_names(c, ss), program, &k->script->window);
     k->s.in_script = true;
+    k->s.step = program->step;
     add_definitions_of_machine(&k->s);
     k->delta_t = str_c(c->strings, "delta_t");
     k->init_state = str_c(c->strings, "init_state");

@@ -125,7 +125,7 @@ Expr *expand_definition(Sema *s, Define *d, const AstExpr *use)
     out = check_expr(s, d->value);
     s->inside = outer;
     if (out)
-        out->span = use->span;
+        out->span = sema_span(s, use->span);
     return out;
 }
 

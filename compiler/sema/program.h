@@ -184,6 +184,17 @@ struct State {
     bool allows_swap;         // @swap: the machine may be replaced here while it runs
 };
 
+struct AstSection;
+
+// A section [all_states]: its statements are the first of .step of each state that it does not except.
+typedef struct AllStates {
+    const struct AstSection *section;     // only for the checker
+    Span span;                // the whole section
+    bool *excepted;           // by State.number: whether it does not run there
+    bool *proposed;           // by State.number: an edit that excepts the state has been proposed
+    uint32_t copies;          // for how many states its statements have been checked
+} AllStates;
+
 typedef struct Program {
     Str name;                 // the file's stem: "tank" of dir/tank.sm
     const Source *src;
@@ -200,6 +211,7 @@ typedef struct Program {
     uint32_t stmts;           // statements in all blocks: the largest Stmt.number
     Windows window;
     Defines define;
+    VEC(AllStates *) all_states;      // in file order
     VEC(Allow) allow;         // also those of the .sv, which cover the position where the machine lists the element
     Map by_name;              // name or alias to Var
     Map state_by_name;

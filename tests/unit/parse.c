@@ -170,7 +170,7 @@ static void test_wrong_lists(void)
           "E0380 E0382 E0384 E0330 E0304 E0386 E0380");
     wrong(FILE_SS, "[A]\na { @stop\nx = 1\ny = 1 }\nelse: x = 1\n-> A\n", "E0385 E0381 E0383");
     wrong(FILE_SM, "some text\n'quoted' && more;\n[A]\n", "E0301");
-    wrong(FILE_SM, "[A\n[B c]\n[1]\n[if]\n[options]\n[all_states]\nits\n", "E0119 E0120 E0305 E0306 E0303");
+    wrong(FILE_SM, "[A\n[B c]\n[1]\n[if]\n[options]\n[all_states]\nits\n", "E0119 E0120 E0305 E0306 E0310");
 }
 
 // ---- edits ----
