@@ -75,7 +75,7 @@ static SmResult step_and_log(uint64_t k, uint32_t salt)
 {
     const SmTick tick = {k * TICK, k};
 
-    fill(k, salt);
+    fill_vector(k, salt);
     return sm_log_step(&flight, &tick);
 }
 
@@ -93,7 +93,7 @@ static void add_event(uint8_t kind, uint16_t source, uint32_t a, uint32_t b, uin
 static void begin_log(void)
 {
     sim_reset();
-    new_log(NAME);
+    reset_log(NAME);
     CHECK(sm_log_init(&flight) == SM_OK);
 }
 
@@ -136,12 +136,12 @@ static void test_refused(void)
     begin_log();
     CHECK(sm_log_init(&flight) == SM_E_BUSY);
     CHECK(sm_log_close(&flight) == SM_OK);
-    new_log(NAME);
+    reset_log(NAME);
     flight.room = SM_LOG_LEAST(wide_layout.whole.packed) - 1;
     CHECK(sm_log_init(&flight) == SM_E_MEMORY);
     flight.room++;
     CHECK(sm_log_init(&flight) == SM_OK && sm_log_close(&flight) == SM_OK);
-    new_log("no/such");
+    reset_log("no/such");
     CHECK(sm_log_init(&flight) == SM_E_MISSING);
     flight.names = NULL;
     CHECK(sm_log_init(&flight) == SM_E_ARGUMENT && sm_log_init(NULL) == SM_E_ARGUMENT);
@@ -166,7 +166,7 @@ static void test_foreign(void)
 
     for (size_t i = 0; i < sizeof size / sizeof *size; i++) {
         put_file(other[i], size[i]);
-        new_log(NAME);
+        reset_log(NAME);
         CHECK(sm_log_init(&flight) == SM_E_FOREIGN && flight.out.id == 0);
         bytes = sim_log(NAME, &n);
         CHECK(n == size[i] && memcmp(bytes, other[i], n) == 0);
@@ -186,15 +186,15 @@ static void test_damaged_beginning(void)
         bytes[i] ^= 0xff;
         put_file(bytes, sizeof bytes);
         bytes[i] ^= 0xff;
-        new_log(NAME);
+        reset_log(NAME);
         CHECK(sm_log_init(&flight) == SM_OK && sm_log_close(&flight) == SM_OK);
         put_file(bytes, i);
-        new_log(NAME);
+        reset_log(NAME);
         CHECK(sm_log_init(&flight) == SM_OK && sm_log_close(&flight) == SM_OK);
     }
     memset(bytes, 0, sizeof bytes);
     put_file(bytes, sizeof bytes);
-    new_log(NAME);
+    reset_log(NAME);
     CHECK(sm_log_init(&flight) == SM_OK && sm_log_close(&flight) == SM_OK);
 }
 
@@ -355,7 +355,7 @@ static void test_pieces(void)
     begin_log();
     CHECK(sm_log_close(&flight) == SM_OK);
     sim_reset();
-    new_log(NAME);
+    reset_log(NAME);
     flight.buffer = large;
     flight.room = sizeof large;
     CHECK(sm_log_init(&flight) == SM_OK);
@@ -400,7 +400,7 @@ static void test_full_ring(void)
         begin_log();
         CHECK(sm_log_close(&flight) == SM_OK);
         sim_reset();
-        new_log(NAME);
+        reset_log(NAME);
         flight.room = room;
         CHECK(sm_log_init(&flight) == SM_OK);
         taken = 0;
@@ -433,7 +433,7 @@ static void test_sync(void)
 
 static void write_flight(uint64_t from, uint64_t to, uint32_t salt)
 {
-    new_log(NAME);
+    reset_log(NAME);
     CHECK(sm_log_init(&flight) == SM_OK);
     for (uint64_t k = from; k < to; k++) {
         CHECK(step_and_log(k, salt) == SM_OK);
@@ -601,7 +601,7 @@ static void test_repeated(void)
     take_copy(&n);
     CHECK(n > 500000 && n < SM_LOG_AGAIN);                // not yet
     sim_reset();
-    new_log(NAME);
+    reset_log(NAME);
     CHECK(sm_log_init(&flight) == SM_OK);
     for (uint64_t k = 0; k < 9000; k++) {
         if (k == 10)
@@ -752,7 +752,7 @@ static int make_sample(const char *path)
     add_event(99, 7, 8, 9, 90 * TICK);
     fly_and_restart(0, 400);
     CHECK(sm_log_close(&flight) == SM_OK);
-    new_log(NAME);
+    reset_log(NAME);
     CHECK(sm_log_init(&flight) == SM_OK);
     add_event(SM_EVENT_START, 0, 1, 1, 0);
     fly_and_restart(0, 3);
