@@ -871,6 +871,8 @@ static inline SmF64 sm_roll_stat_of_times(const uint64_t *w, uint32_t n, SmStat 
     return stat == SM_STAT_ELAPSED ? sm_roll_elapsed(w + 1, n, w) : stat == SM_STAT_RUN_STEPS ? sm_roll_run_steps(w) : sm_roll_run_time(w + 1, w);
 }
 
+// sm_roll_sample converts a number to the window's type, as a store does, and adds it as a sample.  sm_roll_sample_cell adds a sample that
+// the cell contains in the window's type, and overwrites the cell.  sm_roll_stat reads one of the statistics that the window supports.
 #if SM_ROLL_NONE
 static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { (void)w; (void)n; (void)kind; (void)x; }
 static inline void sm_roll_sample_cell(uint64_t *w, uint32_t n, uint32_t kind, unsigned char *cell) { (void)w; (void)n; (void)kind; (void)cell; }
@@ -893,7 +895,6 @@ SM_ROLL_NOINLINE void sm_roll_small_init(SmRollSmall *s, const uint64_t *w, size
     s->next = (size_t)sm_roll_next(w);
 }
 
-// Adds a sample that is already stored in the window's type.  Overwrites the cell.
 static inline void sm_roll_sample_cell(uint64_t *w, uint32_t n, uint32_t kind, unsigned char *cell)
 {
     SmRollSmall s;
@@ -904,7 +905,6 @@ static inline void sm_roll_sample_cell(uint64_t *w, uint32_t n, uint32_t kind, u
     sm_roll_set_next(w, (uint32_t)(s.next + 1 < s.n ? s.next + 1 : 0));
 }
 
-// Converts a number to the window's type, as a store does, and adds it as a sample.
 static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x)
 {
     unsigned char cell[8];
@@ -912,7 +912,6 @@ static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 
     sm_roll_sample_cell(w, n, kind, cell);
 }
 
-// Reads one of the statistics that the window supports.
 static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
     SmF64 x[SM_ROLL_WAITING];

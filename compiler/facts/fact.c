@@ -258,7 +258,7 @@ static Fact fact_of_comparison_ins(const IrIns *i, Fact a, Fact b, SmType type)
 {
     const bool nan = a.nan || b.nan;
 
-    if (is_empty(a) || is_empty(b))
+    if (is_empty(a) || is_empty(b))                       // an operand without numbers can only be NaN
         return i->op == IR_ne ? fact_of_bool(false, true) : fact_of_bool(true, false);
     if (may_be_rounded(a, type) || may_be_rounded(b, type))
         return fact_of_bool(true, true);

@@ -19,7 +19,7 @@ static uint64_t next_random(void)                     // xorshift
     return random_state ^= random_state << 17;
 }
 
-// Bits anywhere, near a power of two, or a small number with a fraction of eighths.
+// Returns random bits, a number near a power of two, or a small number in eighths.
 static double random_number(void)
 {
     uint64_t r = next_random();

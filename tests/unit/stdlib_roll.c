@@ -21,7 +21,7 @@ typedef struct Slot { bool full; double x; } Slot;
 static Slot slot[SM_WINDOW_MAX];
 static double sorted[SM_WINDOW_MAX];
 
-// The samples of the last n of `steps` steps, each in its slot.
+// Fills the model with the samples of the last n of `steps` steps, each in its slot.
 static uint32_t model_fill(uint32_t steps, uint32_t n)
 {
     const uint32_t first = steps > n ? steps - n : 0;
@@ -110,7 +110,7 @@ static double any_sample(int mood, uint32_t k)
     }
 }
 
-// The value of an element of the type after x was stored to it.
+// Returns the value of an element of the type after a store of x.
 static double stored_value(uint32_t kind, double x)
 {
     return sm_cell_to_f64((SmType)(kind & SM_ROLL_TYPE), sm_cell_from_f64((SmType)(kind & SM_ROLL_TYPE), x));
@@ -175,7 +175,7 @@ static void check_stats(uint32_t n, uint32_t kind, uint32_t steps)
 #endif
 }
 
-// Runs steps, and checks after each of the first `often`, then after every `seldom`.
+// Runs steps, and compares after each of the first `often` steps, then after every `seldom` steps.
 static void check_window(uint32_t n, uint32_t kind, int mood, uint32_t steps, uint32_t often, uint32_t seldom)
 {
     const uint32_t words = sm_roll_words(n, kind);
@@ -225,7 +225,7 @@ static void test_larger_windows(void)
             }
 }
 
-// Longer than one block, and as long as can be.
+// Windows longer than one block, up to the longest.
 static void test_long_windows(void)
 {
     static const uint32_t size[] = { 2047, 2048, 2049, 4096, 4097, 5000, 6144, 6145 };
@@ -259,8 +259,8 @@ static void test_kinds(void)
     CHECK(sm_roll_kind(SM_I8, 4) == (SM_ROLL_I8 | SM_ROLL_MIN) && sm_roll_kind(SM_BOOL, 24) == (SM_ROLL_BOOL | SM_ROLL_MAX | SM_ROLL_RANGE));
 }
 
-// In a narrow type a window is that much smaller.
-static void test_memory(void)
+// A window of a narrow type needs less memory in proportion.
+static void test_window_sizes_in_memory(void)
 {
     const bool small = SM_ROLL_SMALL;
     CHECK(sm_roll_words(11, SM_ROLL_F64 | SM_ROLL_MEDIAN) == 1 + 2 * 11);
@@ -275,8 +275,8 @@ static void test_memory(void)
     CHECK(sm_roll_words(100000, SM_ROLL_I32 | SM_ROLL_MEDIAN) == 1 + 100000 + (small ? 0 : 13));
 }
 
-// What has left leaves no trace: the same last n samples give the same bits as long as they sit in the same slots.
-static void test_no_trace(void)
+// Samples that have left the window have no effect: the same last n samples in the same slots give the same bits.
+static void test_old_samples_leave_no_trace(void)
 {
     const uint32_t kind = sm_roll_kind(SM_F64, STATS);
     uint64_t w[2][64] = { { 0 }, { 0 } };
@@ -351,7 +351,7 @@ int main(void)
     test_long_windows();
     test_empty();
     test_kinds();
-    test_memory();
-    test_no_trace();
+    test_window_sizes_in_memory();
+    test_old_samples_leave_no_trace();
     return test_end("stdlib_roll");
 }
