@@ -66,7 +66,7 @@ $(B)/smc $(B)/smc.exe: $(COMMAND:%.c=$(B)/obj/%.o) $(B)/libsmc.a
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(if $(filter %.exe,$@),-lws2_32)
 
 # The texts of the stdlib functions that emitted C quotes.
-EMBEDDED = stdlib/f64.h stdlib/convert.h stdlib/math.h stdlib/roll.h
+EMBEDDED = stdlib/f64.h stdlib/convert.h stdlib/math.h stdlib/roll.h stdlib/flash.h stdlib/elementary.h
 $(B)/embed_tool: compiler/emit/c/embed_tool.c
 	@mkdir -p $(@D)
 	$(call say,CC)$(BUILD_CC) -std=c99 -pedantic -Wall -Wextra $< -o $@
@@ -92,7 +92,7 @@ MCU         ?= atmega2560
 F_CPU       ?= 16000000
 AVR_CC      ?= avr-gcc
 FIRMWARE_OUT = $(B)/firmware
-FIRMWARE_SRC = $(addprefix bytecode-vm/,firmware/firmware.c firmware/runner.c target/store.c target/agent.c target/state_log.c target/io.c auth.c permit.c pins.c load.c verify.c interp.c interp_avr_eeprom.S) \
+FIRMWARE_SRC = $(addprefix bytecode-vm/,firmware/firmware.c firmware/runner.c target/store.c target/agent.c target/state_log.c target/io.c auth.c permit.c pins.c load.c verify.c interp.c function.c interp_avr_eeprom.S) \
                runtime-c/link/link.c runtime-c/link/transition.c runtime-c/pin.c runtime-c/event.c $(wildcard runtime-c/psl/avr/*.c stdlib/soft_*.c stdlib/soft_*.S)
 # What makes avr-gcc 5.4 make the least of it, together 3 % less than -Os, -mcall-prologues, -mrelax and -flto alone.
 FIRMWARE_SMALL = -Os -mcall-prologues -mrelax -mstrict-X -flto -flto-partition=one -fira-algorithm=priority -fshort-enums -fno-ipa-sra -fno-tree-dominator-opts \

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The elementary functions: exp, log, log10, pow, sin, cos, tan, asin, acos, atan, atan2, hypot.
+// The elementary functions (language.md 3.30 to 3.37): exp, log, log10, pow, sin, cos, tan, asin, acos, atan, atan2, hypot.
 //
 // Each is one fixed sequence of binary64 operations, each rounded, and of operations on integers: no fused multiply-add, no libm.  So a result has
 // the same bits on every target.  No function calls itself, and every loop has a constant number of iterations.
-// Their errors are below 1 ulp (tests/elementary/precision.c).
+// docs/elementary.md specifies the sequences step by step.  Errors are below 1 ulp (tests/elementary/precision.c).
 //
 // A number that needs more than 53 bits is a pair, an unevaluated sum hi + lo with |lo| far below |hi|.  Products are exact where
 // both factors have at most 26 significant bits; sm_head makes such factors.  tests/elementary/coefficients.py computes all constants.
@@ -95,7 +95,7 @@ static const uint64_t sm_exp_table[12] SM_FLASH = {
 };
 // snippet: sm_exp_pair
 // e^(x.hi + x.lo), for |x.hi| up to 746.
-static SmF64 sm_exp_pair(SmPair x)
+static inline SmF64 sm_exp_pair(SmPair x)
 {
     const SmF64 turns = sm_mul(x.hi, sm_from_bits(0x3FF71547652B82FEu));                      // x / ln 2
     const SmF64 half = sm_from_bits((sm_bits(x.hi) & 0x8000000000000000u) | 0x3FE0000000000000u);
@@ -109,7 +109,7 @@ static SmF64 sm_exp_pair(SmPair x)
     return sm_scale(sm_scale(y, k / 2), k - k / 2);                                           // twice: 2^k need not be a normal number
 }
 // snippet: sm_exp
-static SmF64 sm_exp(SmF64 x)
+static inline SmF64 sm_exp(SmF64 x)
 {
     SmPair pair;
     if (sm_is_nan(x))
@@ -130,7 +130,7 @@ static const uint64_t sm_log_table[8] SM_FLASH = {
 };
 // snippet: sm_log_mantissa
 // For a finite x above 0: the pair is ln m and *e the exponent, where x = m * 2^e and m is from sqrt(1/2) to sqrt(2).
-static SmPair sm_log_mantissa(SmF64 x, SmF64 *e)
+static inline SmPair sm_log_mantissa(SmF64 x, SmF64 *e)
 {
     const uint64_t root_half = 0x3FE6A09E667F3BCDu;
     int subnormal = 0, exponent;
@@ -169,7 +169,7 @@ static SmPair sm_log_mantissa(SmF64 x, SmF64 *e)
 }
 // snippet: sm_log_special
 // Whether the logarithm of x is simple: NaN below 0, -infinity of 0, x itself for infinity and NaN.  *y is it.
-static bool sm_log_special(SmF64 x, SmF64 *y)
+static inline bool sm_log_special(SmF64 x, SmF64 *y)
 {
     if (sm_lt(sm_from_i32(0), x) && sm_bits(x) != 0x7FF0000000000000u)
         return false;
@@ -178,7 +178,7 @@ static bool sm_log_special(SmF64 x, SmF64 *y)
 }
 // snippet: sm_log_pair
 // ln x of a finite x above 0; the relative error is below 2^-63.
-static SmPair sm_log_pair(SmF64 x)
+static inline SmPair sm_log_pair(SmF64 x)
 {
     SmF64 e;
     const SmPair l = sm_log_mantissa(x, &e);
@@ -187,7 +187,7 @@ static SmPair sm_log_pair(SmF64 x)
     return sum;
 }
 // snippet: sm_log
-static SmF64 sm_log(SmF64 x)
+static inline SmF64 sm_log(SmF64 x)
 {
     SmPair l;
     if (sm_log_special(x, &x))
@@ -196,7 +196,7 @@ static SmF64 sm_log(SmF64 x)
     return sm_add(l.hi, l.lo);
 }
 // snippet: sm_log10
-static SmF64 sm_log10(SmF64 x)
+static inline SmF64 sm_log10(SmF64 x)
 {
     SmF64 e;
     SmPair l, factor;
@@ -212,7 +212,7 @@ static SmF64 sm_log10(SmF64 x)
 }
 // snippet: sm_pow_positive
 // x^y for a finite x above 0 and a finite y.
-static SmF64 sm_pow_positive(SmF64 x, SmF64 y)
+static inline SmF64 sm_pow_positive(SmF64 x, SmF64 y)
 {
     const SmPair l = sm_log_pair(x);
     const SmPair log = sm_join(l.hi, l.lo);
@@ -227,9 +227,9 @@ static SmF64 sm_pow_positive(SmF64 x, SmF64 y)
     return sm_exp_pair(sm_join(product.hi, product.lo));
 }
 // snippet: sm_is_whole
-static bool sm_is_whole(SmF64 x) { return sm_eq(sm_trunc(x), x); }
+static inline bool sm_is_whole(SmF64 x) { return sm_eq(sm_trunc(x), x); }
 // snippet: sm_pow
-static SmF64 sm_pow(SmF64 x, SmF64 y)
+static inline SmF64 sm_pow(SmF64 x, SmF64 y)
 {
     const SmF64 size = sm_abs(x), zero = sm_from_i32(0), one = sm_from_i32(1), infinity = sm_from_bits(0x7FF0000000000000u);
     const bool odd = sm_is_whole(y) && !sm_is_whole(sm_mul(y, sm_from_bits(0x3FE0000000000000u)));
@@ -257,7 +257,7 @@ static const uint32_t sm_turn_table[39] SM_FLASH = {
 // snippet: sm_turn_fraction
 // For |x| from 0.78 on: the bits of |x| * 2 / pi modulo 4, of which the first two are the whole part, in six words, the lowest first.  The error
 // is below 2^-137.
-static void sm_turn_fraction(SmF64 x, uint32_t product[6])
+static inline void sm_turn_fraction(SmF64 x, uint32_t product[6])
 {
     const uint64_t mantissa = (sm_bits(x) & 0x000FFFFFFFFFFFFFu) | 0x0010000000000000u;
     const unsigned exponent = (unsigned)(sm_bits(x) >> 52) & 0x7FFu;
@@ -285,7 +285,7 @@ static void sm_turn_fraction(SmF64 x, uint32_t product[6])
 }
 // snippet: sm_reduce
 // *r = x - k * pi/2 for the whole number k that is nearest to x * 2/pi, and returns k modulo 4.  x is finite.
-static unsigned sm_reduce(SmF64 x, SmPair *r)
+static inline unsigned sm_reduce(SmF64 x, SmPair *r)
 {
     uint32_t w[6], flip;
     unsigned k, i, top = 5;
@@ -297,7 +297,7 @@ static unsigned sm_reduce(SmF64 x, SmPair *r)
         return 0;
     }
     sm_turn_fraction(x, w);
-    k = w[5] >> 30;
+    k = (unsigned)(w[5] >> 30);
     flip = (w[5] & 0x20000000u) != 0 ? 0xFFFFFFFFu : 0;                                       // nearer to k + 1, from below
     for (i = 5; i > 0; i--)
         w[i] = (w[i] << 2 | w[i - 1] >> 30) ^ flip;
@@ -333,7 +333,7 @@ static const uint64_t sm_cos_table[6] SM_FLASH = {
 };
 // snippet: sm_sin_pair
 // sin r; hi is r.hi.
-static SmPair sm_sin_pair(SmPair r)
+static inline SmPair sm_sin_pair(SmPair r)
 {
     const SmF64 z = sm_mul(r.hi, r.hi);
     const SmF64 cosine = sm_sub(sm_from_i32(1), sm_mul(z, sm_from_bits(0x3FE0000000000000u)));
@@ -342,7 +342,7 @@ static SmPair sm_sin_pair(SmPair r)
 }
 // snippet: sm_cos_pair
 // cos r
-static SmPair sm_cos_pair(SmPair r)
+static inline SmPair sm_cos_pair(SmPair r)
 {
     const SmPair square = sm_square(r.hi);
     const SmF64 half = sm_from_bits(0x3FE0000000000000u), z = sm_add(square.hi, square.lo);
@@ -353,7 +353,7 @@ static SmPair sm_cos_pair(SmPair r)
 }
 // snippet: sm_sin_of_turn
 // sin(r + k * pi/2)
-static SmF64 sm_sin_of_turn(SmPair r, unsigned k)
+static inline SmF64 sm_sin_of_turn(SmPair r, unsigned k)
 {
     const SmPair s = (k & 1u) != 0 ? sm_cos_pair(r) : sm_sin_pair(r);
     const SmF64 y = sm_add(s.hi, s.lo);
@@ -361,12 +361,12 @@ static SmF64 sm_sin_of_turn(SmPair r, unsigned k)
 }
 // snippet: sm_is_small
 // Whether |x| is below 2^-27, where sin x, tan x, asin x and atan x are x.
-static bool sm_is_small(SmF64 x) { return sm_lt(sm_abs(x), sm_from_bits(0x3E40000000000000u)); }
+static inline bool sm_is_small(SmF64 x) { return sm_lt(sm_abs(x), sm_from_bits(0x3E40000000000000u)); }
 // snippet: sm_is_endless
 // Whether x is an infinity or NaN.
-static bool sm_is_endless(SmF64 x) { return (sm_bits(x) & 0x7FF0000000000000u) == 0x7FF0000000000000u; }
+static inline bool sm_is_endless(SmF64 x) { return (sm_bits(x) & 0x7FF0000000000000u) == 0x7FF0000000000000u; }
 // snippet: sm_sin
-static SmF64 sm_sin(SmF64 x)
+static inline SmF64 sm_sin(SmF64 x)
 {
     SmPair r;
     unsigned k;
@@ -376,7 +376,7 @@ static SmF64 sm_sin(SmF64 x)
     return sm_sin_of_turn(r, k);
 }
 // snippet: sm_cos
-static SmF64 sm_cos(SmF64 x)
+static inline SmF64 sm_cos(SmF64 x)
 {
     SmPair r;
     unsigned k;
@@ -386,7 +386,7 @@ static SmF64 sm_cos(SmF64 x)
     return sm_sin_of_turn(r, k + 1u);
 }
 // snippet: sm_tan
-static SmF64 sm_tan(SmF64 x)
+static inline SmF64 sm_tan(SmF64 x)
 {
     SmPair r, s, c;
     unsigned k;
@@ -416,7 +416,7 @@ static const uint64_t sm_arc_table[8] SM_FLASH = {
 // snippet: sm_angle
 // The angle of the point (x, y), from 0 to pi.  y is at least 0, x above 0 and y + x neither overflow nor underflow; if `left`, x is the distance to
 // the left of the origin.
-static SmF64 sm_angle(SmPair y, SmPair x, bool left)
+static inline SmF64 sm_angle(SmPair y, SmPair x, bool left)
 {
     const bool steep = sm_lt(x.hi, y.hi), minus = steep != left;
     const SmPair a = steep ? x : y, b = steep ? y : x;
@@ -428,7 +428,7 @@ static SmF64 sm_angle(SmPair y, SmPair x, bool left)
         i = sm_lt(a.hi, sm_mul(b.hi, sm_from_bits(0x3FD8000000000000u))) ? 1u                 // 3/8
             : sm_lt(a.hi, sm_mul(b.hi, sm_from_bits(0x3FE7000000000000u))) ? 2u : 3u;         // 23/32
     if (i > 0)
-        c = sm_from_bits(0x3FC0000000000000u + ((uint64_t)i << 52));
+        c = sm_scale(sm_from_bits(0x3FC0000000000000u), (int)i);
     t.hi = sm_sub(a.hi, sm_mul(c, b.hi));                                                     // exact
     t.lo = sm_sub(a.lo, sm_mul(c, b.lo));
     d = sm_join(b.hi, sm_mul(c, a.hi));
@@ -457,9 +457,9 @@ static SmF64 sm_angle(SmPair y, SmPair x, bool left)
 }
 // snippet: sm_with_sign
 // y, which is at least 0, with the sign of x.
-static SmF64 sm_with_sign(SmF64 y, SmF64 x) { return sm_from_bits(sm_bits(y) | (sm_bits(x) & 0x8000000000000000u)); }
+static inline SmF64 sm_with_sign(SmF64 y, SmF64 x) { return sm_from_bits(sm_bits(y) | (sm_bits(x) & 0x8000000000000000u)); }
 // snippet: sm_atan
-static SmF64 sm_atan(SmF64 x)
+static inline SmF64 sm_atan(SmF64 x)
 {
     SmPair y, one;
     if (sm_is_nan(x) || sm_is_small(x))
@@ -472,7 +472,7 @@ static SmF64 sm_atan(SmF64 x)
     return sm_with_sign(sm_angle(y, one, false), x);
 }
 // snippet: sm_atan2
-static SmF64 sm_atan2(SmF64 y, SmF64 x)
+static inline SmF64 sm_atan2(SmF64 y, SmF64 x)
 {
     const SmF64 tiny = sm_from_bits(0x3BF0000000000000u), zero = sm_from_i32(0);              // 2^-64
     const bool left = (sm_bits(x) & 0x8000000000000000u) != 0;
@@ -486,8 +486,10 @@ static SmF64 sm_atan2(SmF64 y, SmF64 x)
     if (sm_is_endless(x) || sm_is_endless(y)) {
         a.hi = sm_from_i32(sm_is_endless(y));
         b.hi = sm_from_i32(sm_is_endless(x));
-    } else if (sm_eq(a.hi, b.hi))                                                             // also both 0
-        b.hi = sm_from_i32(1), a.hi = sm_eq(a.hi, zero) ? zero : b.hi;
+    } else if (sm_eq(a.hi, b.hi)) {
+        a.hi = sm_from_i32(sm_lt(zero, a.hi));
+        b.hi = sm_from_i32(1);
+    }
     if (sm_lt(sm_from_bits(0x5F30000000000000u), sm_max(a.hi, b.hi)))                         // 2^500
         n = -600;
     if (sm_lt(sm_max(a.hi, b.hi), sm_from_bits(0x26F0000000000000u)))                         // 2^-400
@@ -503,7 +505,7 @@ static SmF64 sm_atan2(SmF64 y, SmF64 x)
 // snippet: sm_root_pair
 // The square root of x as a pair; x is 0 or from 2^-900 to 2^1002.  Three steps of Newton's method find y = 1 / sqrt(x) to 2^-34; the rest of
 // sqrt(x) - x y follows from the square of x y.
-static SmPair sm_root_pair(SmPair x)
+static inline SmPair sm_root_pair(SmPair x)
 {
     const SmF64 half = sm_from_bits(0x3FE0000000000000u), half_x = sm_mul(x.hi, half);
     SmF64 y = sm_from_bits(0x5FE6EB0000000000u - (sm_bits(x.hi) >> 1)), rest;
@@ -519,7 +521,7 @@ static SmPair sm_root_pair(SmPair x)
 }
 // snippet: sm_leg
 // sqrt(1 - x^2), for x from 0 to 1.
-static SmPair sm_leg(SmF64 x)
+static inline SmPair sm_leg(SmF64 x)
 {
     const SmF64 one = sm_from_i32(1);
     const SmPair sum = sm_join(one, x), difference = sm_join(one, sm_neg(x));
@@ -531,7 +533,7 @@ static SmPair sm_leg(SmF64 x)
     return sm_root_pair(sm_join(u.hi, u.lo));
 }
 // snippet: sm_asin
-static SmF64 sm_asin(SmF64 x)
+static inline SmF64 sm_asin(SmF64 x)
 {
     SmPair y;
     if (sm_lt(sm_from_i32(1), sm_abs(x)))
@@ -543,7 +545,7 @@ static SmF64 sm_asin(SmF64 x)
     return sm_with_sign(sm_angle(y, sm_leg(y.hi), false), x);
 }
 // snippet: sm_acos
-static SmF64 sm_acos(SmF64 x)
+static inline SmF64 sm_acos(SmF64 x)
 {
     SmPair size;
     if (sm_is_nan(x) || sm_lt(sm_from_i32(1), sm_abs(x)))
@@ -553,7 +555,7 @@ static SmF64 sm_acos(SmF64 x)
     return sm_angle(sm_leg(size.hi), size, sm_lt(x, size.lo));
 }
 // snippet: sm_hypot
-static SmF64 sm_hypot(SmF64 x, SmF64 y)
+static inline SmF64 sm_hypot(SmF64 x, SmF64 y)
 {
     const SmF64 infinity = sm_from_bits(0x7FF0000000000000u);
     const SmF64 a = sm_abs(x), b = sm_abs(y);

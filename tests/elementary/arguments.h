@@ -17,7 +17,7 @@ typedef enum Function {
 
 static inline double of_bits(uint64_t u) { double x; memcpy(&x, &u, sizeof x); return x; }
 
-static inline uint64_t next_random(uint64_t *state)
+static inline uint64_t next_u64(uint64_t *state)
 {
     uint64_t z = *state += 0x9E3779B97F4A7C15u;
 
@@ -26,8 +26,8 @@ static inline uint64_t next_random(uint64_t *state)
     return z ^ z >> 31;
 }
 
-static inline double random_in(uint64_t *state, double lo, double hi) { return lo + (hi - lo) * ((double)(next_random(state) >> 11) * 0x1p-53); }
-static inline double random_sign(uint64_t *state, double x) { return next_random(state) & 1 ? -x : x; }
+static inline double random_in(uint64_t *state, double lo, double hi) { return lo + (hi - lo) * ((double)(next_u64(state) >> 11) * 0x1p-53); }
+static inline double random_sign(uint64_t *state, double x) { return next_u64(state) & 1 ? -x : x; }
 
 // A number whose logarithm is uniform, of either sign.
 static inline double random_log(uint64_t *state, double lo, double hi) { return random_sign(state, exp2(random_in(state, lo, hi))); }
@@ -38,7 +38,7 @@ static inline double random_finite(uint64_t *state)
     double x;
 
     do
-        x = of_bits(next_random(state));
+        x = of_bits(next_u64(state));
     while (!(fabs(x) <= 1.7976931348623157e308));
     return x;
 }

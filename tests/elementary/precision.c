@@ -70,11 +70,11 @@ static void judge(Worst *w, Function f, double x, double y)
 static void judge_binades(Worst *w, Function f, int arguments, uint64_t *state)
 {
     for (unsigned sign_exponent = 0; sign_exponent < 4096; sign_exponent++) {
-        const double x = of_bits((uint64_t)sign_exponent << 52 | next_random(state) >> 12);
+        const double x = of_bits((uint64_t)sign_exponent << 52 | next_u64(state) >> 12);
         if (!(fabs(x) <= 1.7976931348623157e308))
             continue;
         for (int i = 0; i < (arguments == 1 ? 8 : 64); i++)
-            judge(w, f, of_bits((uint64_t)sign_exponent << 52 | next_random(state) >> 12), arguments == 1 ? 0 : random_finite(state));
+            judge(w, f, of_bits((uint64_t)sign_exponent << 52 | next_u64(state) >> 12), arguments == 1 ? 0 : random_finite(state));
     }
 }
 
