@@ -301,8 +301,11 @@ static void too_large_image_is_not_sent(void)
         restart_board();
         CHECK(quiet("device", "info", NULL) == 0 && says("at most 2 machines, without rolling windows"));
         CHECK(quiet("flash", image, NULL) == 1 && says("has rolling windows (roll_...), and this board's firmware is built without them; nothing was sent"));
+        CHECK(build("[A] .step\n    x = atan2(x, 2) + cos(x)\n", 1, image) && quiet("flash", image, NULL) == 1);
+        CHECK(says("calls cos(), and this board's firmware is built without it: that of a Mega has all functions") && says("nothing was sent"));
         CHECK(remove(plain) == 0);
         restart_board();
+        CHECK(quiet("flash", image, "--period=100") == 0 && quiet("device", "confirm", NULL) == 0);
     }
     CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
 }
