@@ -128,14 +128,32 @@ static const uint64_t sm_log_table[8] SM_FLASH = {
     0x3FD999999999999Au, 0x3FD2492492492523u, 0x3FCC71C71C6EA423u, 0x3FC745D177AE0E90u,
     0x3FC3B1395B5F08CDu, 0x3FC1118CD53AF741u, 0x3FBDF7BBEC160C99u, 0x3FBE038702FA10FCu,
 };
+// snippet: sm_series
+// s (a + z (c + w)), with a relative error below 2^-63 if w is small.  s.hi must have at most 26 significant bits, and z.hi at most 52.
+static inline SmPair sm_series(SmPair s, SmPair z, SmF64 a, SmPair c, SmF64 w)
+{
+    const SmF64 head = sm_head(z.hi);
+    SmPair p, q, product;
+    // c + w in two parts, the first with 26 bits; z times it
+    p.hi = sm_head(sm_add(c.hi, w));
+    p.lo = sm_add(sm_sub(c.hi, p.hi), sm_add(c.lo, w));
+    z.lo = sm_add(sm_mul(head, p.lo), sm_mul(sm_add(sm_sub(z.hi, head), z.lo), sm_add(p.hi, p.lo)));
+    z.hi = sm_mul(head, p.hi);
+    // a + that in two parts, the first with 26 bits; s times it
+    q.hi = sm_head(sm_add(a, z.hi));
+    q.lo = sm_add(sm_add(sm_sub(a, q.hi), z.hi), z.lo);
+    product.hi = sm_mul(s.hi, q.hi);
+    product.lo = sm_add(sm_mul(s.hi, q.lo), sm_mul(s.lo, sm_add(q.hi, q.lo)));
+    return product;
+}
 // snippet: sm_log_mantissa
 // For a finite x above 0: the pair is ln m and *e the exponent, where x = m * 2^e and m is from sqrt(1/2) to sqrt(2).
 static inline SmPair sm_log_mantissa(SmF64 x, SmF64 *e)
 {
     const uint64_t root_half = 0x3FE6A09E667F3BCDu;
     int subnormal = 0, exponent;
-    SmF64 m, w, third_hi, third_lo;
-    SmPair f, t, s, z, q, l;
+    SmF64 m, w;
+    SmPair f, t, s, z, third;
     if (sm_bits(x) < 0x0010000000000000u) {
         x = sm_scale(x, 54);
         subnormal = 54;
@@ -153,19 +171,9 @@ static inline SmPair sm_log_mantissa(SmF64 x, SmF64 *e)
     z.lo = sm_mul(s.lo, sm_add(sm_add(s.hi, s.hi), s.lo));
     x = sm_add(z.hi, z.lo);
     w = sm_mul(x, sm_polynomial(sm_log_table, 8, x));
-    // 2/3 + w in two parts, the first with 26 bits
-    third_hi = sm_head(sm_add(sm_from_bits(0x3FE5555555555555u), w));
-    third_lo = sm_add(sm_sub(sm_from_bits(0x3FE5555555555555u), third_hi), sm_add(sm_from_bits(0x3C85555555555555u), w));
-    // z times it
-    m = sm_head(z.hi);
-    z.lo = sm_add(sm_mul(m, third_lo), sm_mul(sm_add(sm_sub(z.hi, m), z.lo), sm_add(third_hi, third_lo)));
-    z.hi = sm_mul(m, third_hi);
-    // 2 + that in two parts, the first with 26 bits; times s
-    q.hi = sm_head(sm_add(sm_from_i32(2), z.hi));
-    q.lo = sm_add(sm_add(sm_sub(sm_from_i32(2), q.hi), z.hi), z.lo);
-    l.hi = sm_mul(s.hi, q.hi);
-    l.lo = sm_add(sm_mul(s.hi, q.lo), sm_mul(s.lo, sm_add(q.hi, q.lo)));
-    return l;
+    third.hi = sm_from_bits(0x3FE5555555555555u);
+    third.lo = sm_from_bits(0x3C85555555555555u);
+    return sm_series(s, z, sm_from_i32(2), third, w);
 }
 // snippet: sm_log_special
 // Whether the logarithm of x is simple: NaN below 0, -infinity of 0, x itself for infinity and NaN.  *y is it.
@@ -325,6 +333,12 @@ static const uint64_t sm_sin_table[8] SM_FLASH = {
     0xBFC5555555555555u, 0x3F81111111111111u, 0xBF2A01A01A01A019u, 0x3EC71DE3A556C2C9u,
     0xBE5AE64567E732E7u, 0x3DE61245FB516B06u, 0xBD6AE7C53DEED862u, 0x3CE9242C4CC3855Eu,
 };
+// snippet: sm_tan_table
+// ((sin r / r - 1) / z + 1/6) / z
+static const uint64_t sm_tan_table[6] SM_FLASH = {
+    0x3F81111111111111u, 0xBF2A01A01A019ED6u, 0x3EC71DE3A550CC07u, 0xBE5AE64553439E50u,
+    0x3DE61225B4F8DA28u, 0xBD6AB9408A23CA6Au,
+};
 // snippet: sm_cos_table
 // (cos r - 1 + z / 2) / z^2
 static const uint64_t sm_cos_table[6] SM_FLASH = {
@@ -385,6 +399,21 @@ static inline SmF64 sm_cos(SmF64 x)
     k = sm_reduce(x, &r);
     return sm_sin_of_turn(r, k + 1u);
 }
+// snippet: sm_sin_series
+// sin r for a quotient: its relative error is below 2^-62.
+static inline SmPair sm_sin_series(SmPair r)
+{
+    SmPair s, z, sixth;
+    SmF64 v;
+    s.hi = sm_head(r.hi);
+    s.lo = sm_add(sm_sub(r.hi, s.hi), r.lo);
+    z.hi = sm_mul(s.hi, s.hi);                                                                // exact
+    z.lo = sm_mul(s.lo, sm_add(sm_add(s.hi, s.hi), s.lo));
+    v = sm_add(z.hi, z.lo);
+    sixth.hi = sm_from_bits(0xBFC5555555555555u);                                           // -1/6
+    sixth.lo = sm_from_bits(0xBC65555555555555u);
+    return sm_series(s, z, sm_from_i32(1), sixth, sm_mul(v, sm_polynomial(sm_tan_table, 6, v)));
+}
 // snippet: sm_tan
 static inline SmF64 sm_tan(SmF64 x)
 {
@@ -393,7 +422,7 @@ static inline SmF64 sm_tan(SmF64 x)
     if (sm_is_endless(x) || sm_is_small(x))
         return sm_is_endless(x) ? sm_from_bits(0x7FF8000000000000u) : x;
     k = sm_reduce(x, &r);
-    s = sm_sin_pair(r);
+    s = sm_sin_series(r);
     c = sm_cos_pair(r);
     s = sm_join(s.hi, s.lo);
     c = sm_join(c.hi, c.lo);

@@ -148,13 +148,24 @@ static const double log_c[8] = {
     0x1.3b1395b5f08cdp-3, 0x1.1118cd53af741p-3, 0x1.df7bbec160c99p-4, 0x1.e038702fa10fcp-4
 };
 
+// s (base + z (first + second + w)), docs/elementary.md, Pairs.
+static Sum series(Sum s, double z, double z_rest, double base, double first, double second, double w)
+{
+    const double p = first_bits(first + w), p_rest = (first - p) + (second + w), head = first_bits(z);
+    const double zp = head * p, zp_rest = head * p_rest + ((z - head) + z_rest) * (p + p_rest);
+    const double q = first_bits(base + zp), q_rest = ((base - q) + zp) + zp_rest;
+    const Sum result = {s.big * q, s.big * q_rest + s.small * (q + q_rest)};
+
+    return result;
+}
+
 // Returns ln m, where x = m 2^e with m from sqrt(1/2), rounded up, to sqrt 2; sets *e.
 static Sum log_of_mantissa(double x, double *e)
 {
     int exponent = exponent_of(x);
     double m = exponent < -1022 ? x * two_to(600) * two_to(-exponent - 600) : exponent == 1023 ? x / 2 * two_to(-1022) : x * two_to(-exponent);
-    double z, w, head, p, p_rest, zp, zp_rest;
-    Sum s, numerator, denominator, q, log;
+    double z, w, z_rest;
+    Sum s, numerator, denominator;
 
     if (m >= 2 * 0x1.6a09e667f3bcdp-1) {
         m /= 2;
@@ -167,18 +178,9 @@ static Sum log_of_mantissa(double x, double *e)
     denominator.small = m - (denominator.big - 1);
     s = quotient(numerator, denominator);
     z = s.big * s.big;
-    zp_rest = s.small * ((s.big + s.big) + s.small);
-    w = (z + zp_rest) * polynomial(log_c, 8, z + zp_rest);
-    p = first_bits(0x1.5555555555555p-1 + w);
-    p_rest = (0x1.5555555555555p-1 - p) + (0x1.5555555555555p-55 + w);
-    head = first_bits(z);
-    zp_rest = head * p_rest + ((z - head) + zp_rest) * (p + p_rest);
-    zp = head * p;
-    q.big = first_bits(2 + zp);
-    q.small = ((2 - q.big) + zp) + zp_rest;
-    log.big = s.big * q.big;
-    log.small = s.big * q.small + s.small * (q.big + q.small);
-    return log;
+    z_rest = s.small * ((s.big + s.big) + s.small);
+    w = (z + z_rest) * polynomial(log_c, 8, z + z_rest);
+    return series(s, z, z_rest, 2, 0x1.5555555555555p-1, 0x1.5555555555555p-55, w);
 }
 
 // Whether log x needs no computation; *y is then its value.
@@ -345,6 +347,20 @@ static const double cos_c[6] = {
     0x1.1eeb6902cbf33p-29, -0x1.907db3eeba61fp-37
 };
 
+static const double tan_c[6] = {
+    0x1.1111111111111p-7, -0x1.a01a01a019ed6p-13, 0x1.71de3a550cc07p-19, -0x1.ae64553439e50p-26,
+    0x1.61225b4f8da28p-33, -0x1.ab9408a23ca6ap-41
+};
+
+static Sum sin_series(Sum r)
+{
+    const double first = first_bits(r.big);
+    const Sum s = {first, (r.big - first) + r.small};
+    const double z = s.big * s.big, z_rest = s.small * ((s.big + s.big) + s.small), v = z + z_rest;
+
+    return series(s, z, z_rest, 1, -0x1.5555555555555p-3, -0x1.5555555555555p-57, v * polynomial(tan_c, 6, v));
+}
+
 static Sum sin_sum(Sum r)
 {
     const double z = r.big * r.big;
@@ -406,7 +422,7 @@ double ref_tan(double x)
     if (is_tiny(x))
         return x;
     k = reduce(x, &r);
-    s = sin_sum(r);
+    s = sin_series(r);
     c = cos_sum(r);
     s = sum_of(s.big, s.small);
     c = sum_of(c.big, c.small);

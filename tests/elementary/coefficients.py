@@ -92,6 +92,7 @@ def tables():
     poly("sm_log_table", lambda z: (2 * mp.atanh(root(z)) / root(z) - 2 - z * 2 / 3) / z ** 2,
          0, middle ** 2 * (1 + mpf(2) ** -20), 8)
     poly("sm_sin_table", lambda z: (mp.sin(root(z)) / root(z) - 1) / z, 0, quarter ** 2, 8)
+    poly("sm_tan_table", lambda z: ((mp.sin(root(z)) / root(z) - 1) / z + mpf(1) / 6) / z, 0, quarter ** 2, 6)
     poly("sm_cos_table", lambda z: (mp.cos(root(z)) - 1 + z / 2) / z ** 2, 0, quarter ** 2, 6)
     poly("sm_atan_table", lambda z: (mp.atan(root(z)) / root(z) - 1) / z, 0, mpf("0.164") ** 2, 8)
     t["sm_arc_table"] = []
@@ -110,6 +111,8 @@ def tables():
     pair("1/ln10", 1 / mp.log(10), 26)
     pair("pi/2", pi2, 26)
     pair("2/3", mpf(2) / 3, 53)
+    sixth = value(bits(-mpf(1) / 6))
+    t["-1/6"] = [bits(sixth), bits(-mpf(1) / 6 - sixth)]
     t["1/ln2"] = [bits(1 / ln2)]
     t["1/ln10 rounded"] = [bits(1 / mp.log(10))]
     t["pi/2 rounded"] = [bits(pi2), bits(pi2 - value(bits(pi2)))]
