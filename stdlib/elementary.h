@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The elementary functions (language.md 3.30 to 3.37): exp, log, log10, pow, sin, cos, tan, asin, acos, atan, atan2, hypot.
+// The elementary functions (language.md 3.34 to 3.41): exp, log, log10, pow, sin, cos, tan, asin, acos, atan, atan2, hypot.
 //
 // Each is one fixed sequence of binary64 operations, each rounded, and of operations on integers: no fused multiply-add, no libm.  So a result has
 // the same bits on every target.  No function calls itself, and every loop has a constant number of iterations.

@@ -1,4 +1,4 @@
-spec 3.34  asin, acos and atan return angles.
+spec 3.38  asin, acos and atan return angles.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 3.35  atan2 is the angle of a point, from -pi to pi.
+spec 3.39  atan2 is the angle of a point, from -pi to pi.
 
 -- app.sm --
 [state_vector]

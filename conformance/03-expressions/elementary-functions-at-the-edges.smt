@@ -1,4 +1,4 @@
-spec 3.30, 3.31, 3.32, 3.33, 3.34, 3.35, 3.36, 3.37  Zeros, infinities and NaN, as in Annex F of the C standard.
+spec 3.34, 3.35, 3.36, 3.37, 3.38, 3.39, 3.40, 3.41  Zeros, infinities and NaN, as in Annex F of the C standard.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 3.30  exp is e to the power x, infinity where that is too large, 0 of negative infinity.
+spec 3.34  exp is e to the power x, infinity where that is too large, 0 of negative infinity.
 
 -- app.sm --
 [state_vector]

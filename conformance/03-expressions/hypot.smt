@@ -1,4 +1,4 @@
-spec 3.36  hypot is the length of a vector, without overflow on the way.
+spec 3.40  hypot is the length of a vector, without overflow on the way.
 
 -- app.sm --
 [state_vector]

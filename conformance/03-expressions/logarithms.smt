@@ -1,4 +1,4 @@
-spec 3.31  log and log10 of positive numbers.
+spec 3.35  log and log10 of positive numbers.
 
 -- app.sm --
 [state_vector]

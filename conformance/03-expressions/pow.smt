@@ -1,4 +1,4 @@
-spec 3.32  pow of positive and negative numbers.
+spec 3.36  pow of positive and negative numbers.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 3.33  sin, cos and tan of angles in radians, also of large ones.
+spec 3.37  sin, cos and tan of angles in radians, also of large ones.
 
 -- app.sm --
 [state_vector]
