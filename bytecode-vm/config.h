@@ -97,7 +97,7 @@
 #endif
 
 // The elementary functions that the VM has: bit n is set for the function with number n (stdlib/elementary.def).  The verifier refuses an image
-// that calls another.  A call needs up to 300 bytes of stack on AVR, all functions about 10 KB of flash (docs/evidence/avr.md).
+// that calls another.  On AVR a call needs up to 309 bytes of stack, and all functions 26 KB of flash (docs/evidence/speed.md).
 #ifndef SMVM_FUNCTIONS
 #define SMVM_FUNCTIONS UINT32_MAX
 #endif

@@ -534,12 +534,15 @@ static const char *const window_name[] = {
 // For windows: they contain too many operands to try all.
 static uint32_t with_room(uint32_t cycles) { return cycles + (cycles + 31) / 32; }
 
+// The row that is made of a measurement: with room for functions, too.
+static uint32_t row_of(unsigned row, uint32_t cycles) { return row >= CYCLES_exp ? with_room(cycles) : cycles; }
+
 static void print_rows(const Seen *flash, const Seen *eeprom)
 {
     printf("CYCLES_STACK(%u, %u)\n", larger(flash->stack, eeprom->stack), larger(flash->call_stack, eeprom->call_stack));
     for (unsigned r = 0; r < CYCLES_ROWS; r++)
-        printf("CYCLES_ROW(%s,%*s%6u,%6u,%6u,%6u)\n", row_name[r], (int)(12 - strlen(row_name[r])), "", flash->row[r][WHOLE], flash->row[r][ANY],
-               eeprom->row[r][WHOLE], eeprom->row[r][ANY]);
+        printf("CYCLES_ROW(%s,%*s%6u,%6u,%6u,%6u)\n", row_name[r], (int)(12 - strlen(row_name[r])), "", row_of(r, flash->row[r][WHOLE]),
+               row_of(r, flash->row[r][ANY]), row_of(r, eeprom->row[r][WHOLE]), row_of(r, eeprom->row[r][ANY]));
     for (unsigned r = 0; r < CYCLES_WINDOW_ROWS; r++) {
         printf("CYCLES_WINDOW(%s,%*s", window_name[r], (int)(15 - strlen(window_name[r])), "");
         for (unsigned key = 0; key < CYCLES_SAMPLE_KINDS; key++)
