@@ -66,7 +66,7 @@ $(B)/smc $(B)/smc.exe: $(COMMAND:%.c=$(B)/obj/%.o) $(B)/libsmc.a
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(if $(filter %.exe,$@),-lws2_32)
 
 # The texts of the stdlib functions that emitted C quotes.
-EMBEDDED = stdlib/f64.h stdlib/convert.h stdlib/math.h stdlib/roll.h
+EMBEDDED = stdlib/f64.h stdlib/convert.h stdlib/math.h stdlib/roll.h stdlib/flash.h stdlib/elementary.h
 $(B)/embed_tool: compiler/emit/c/embed_tool.c
 	@mkdir -p $(@D)
 	$(call say,CC)$(BUILD_CC) -std=c99 -pedantic -Wall -Wextra $< -o $@
@@ -92,11 +92,11 @@ MCU         ?= atmega2560
 F_CPU       ?= 16000000
 AVR_CC      ?= avr-gcc
 FIRMWARE_OUT = $(B)/firmware
-FIRMWARE_SRC = $(addprefix bytecode-vm/,firmware/firmware.c firmware/runner.c target/store.c target/agent.c target/state_log.c target/io.c auth.c permit.c pins.c load.c verify.c interp.c interp_avr_eeprom.S) \
+FIRMWARE_SRC = $(addprefix bytecode-vm/,firmware/firmware.c firmware/runner.c target/store.c target/agent.c target/state_log.c target/io.c auth.c permit.c pins.c load.c verify.c interp.c function.c interp_avr_eeprom.S) \
                runtime-c/link/link.c runtime-c/link/transition.c runtime-c/pin.c runtime-c/event.c $(wildcard runtime-c/psl/avr/*.c stdlib/soft_*.c stdlib/soft_*.S)
 # What makes avr-gcc 5.4 make the least of it, together 3 % less than -Os, -mcall-prologues, -mrelax and -flto alone.
 FIRMWARE_SMALL = -Os -mcall-prologues -mrelax -mstrict-X -flto -flto-partition=one -fira-algorithm=priority -fshort-enums -fno-ipa-sra -fno-tree-dominator-opts \
-               -finline-limit=6 -fno-move-loop-invariants -fno-gcse -fno-tree-tail-merge -fno-tree-pta
+               -finline-limit=6 -fno-jump-tables -fno-move-loop-invariants -fno-gcse -fno-tree-tail-merge -fno-tree-pta
 FIRMWARE_C   = $(AVR_CC) -mmcu=$(MCU) -DF_CPU=$(F_CPU)UL $(FIRMWARE_SMALL) -std=c99 $(filter-out -pedantic,$(WARN)) -Wno-maybe-uninitialized -I. -I$(FIRMWARE_OUT) \
                -ffunction-sections -fdata-sections -Wl,--gc-sections $(foreach v,SMVM_CONFIG SM_CONFIG,-D$(v)='"bytecode-vm/firmware/config.h"') $(if $(ARM_PIN),-DFIRMWARE_ARM_PIN=$(ARM_PIN)) $(if $(KEY),-DFIRMWARE_KEY)
 firmware: $(B)/smc

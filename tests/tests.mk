@@ -364,6 +364,26 @@ f64-f32: $(B)/soft/run
 	$(B)/soft/run f32
 .PHONY: f64-campaign f64-f32
 
+# tests/elementary: the elementary functions.  `make elementary-campaign N=1000000` measures their errors against libquadmath, in every
+# binade and for N random arguments each, and compares the bits of native and soft numbers for as many.
+# `make elementary-constants` computes every coefficient again (needs python3 with mpmath).
+$(B)/elementary/native.o: OWN_FLAGS += -DSUBJECT=bits_native
+$(B)/elementary/soft.o: OWN_FLAGS += -DSM_F64_SOFT=1 -DSUBJECT=bits_soft
+$(B)/elementary/native.o $(B)/elementary/soft.o: tests/elementary/subject.c
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(OWN_FLAGS) $(DEPFLAGS) -c $< -o $@
+$(B)/elementary/bits: $(B)/obj/tests/elementary/bits.o $(B)/elementary/native.o $(B)/elementary/soft.o $(B)/libsmc.a
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+$(B)/elementary/precision: tests/elementary/precision.c $(wildcard tests/elementary/*.h tests/elementary/*.def) stdlib/elementary.h
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) -std=gnu11 $(CFLAGS) $< -o $@ -lquadmath -lm
+elementary-campaign: $(B)/elementary/precision $(B)/elementary/bits
+	$(B)/elementary/precision $(or $(N),1000000) $(or $(SEED),1)
+	$(B)/elementary/bits $(or $(N),1000000) $(or $(SEED),1)
+elementary-constants:
+	python3 tests/elementary/coefficients.py --check
+.PHONY: elementary-campaign elementary-constants
+
 # tests/avr, on an emulated ATmega328P.  `make avr-operands N=100000 SEED=2`: the test `avr` with N random operands for each operation.
 avr-operands: all $(B)/diff/difftest
 	sh tests/avr/run.sh $(B) '$(CC)' $(N) $(SEED) 300
@@ -786,6 +806,7 @@ $(call test, cost,                 thorough, $(B)/cost, $(B)/cost)
 $(call test, emitc-flow,           thorough, $(B)/emitc/flow, $(B)/emitc/flow 100)
 $(call test, emitc-typed,          thorough, $(B)/emitc/typed, $(B)/emitc/typed 100)
 $(call test, soft,                 thorough, $(B)/soft/run, $(B)/soft/run)
+$(call test, elementary-bits,      thorough, $(B)/elementary/bits, $(B)/elementary/bits)
 $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh $(VM_SOFT))
 
 $(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)

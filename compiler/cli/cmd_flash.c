@@ -67,6 +67,9 @@ static int report_refusal(BoardLine *b, const char *name, FlashRefusal refusal, 
     case FLASH_HAS_WINDOWS:
         cli_print_error(c, TEXT_no_windows, name);
         break;
+    case FLASH_CALLS_FUNCTION:
+        cli_print_error(c, TEXT_no_function, name, f->function);
+        break;
     case FLASH_TOO_MANY_MACHINES:
         cli_print_error(c, TEXT_too_many_machines, name, (unsigned long)n->machines, (unsigned)i->machines);
         break;

@@ -54,6 +54,7 @@ typedef struct IrOpInfo {             // a row of ops.def
 
 extern const IrOpInfo ir_op_info[IR_OP_COUNT];
 
+bool ir_is_elementary(IrOp op);                   // whether it is a function of stdlib/elementary.def
 bool ir_op_allows_type(IrOp op, SmType type);     // whether a SAME operation may work on this type
 IrOp ir_op_of_operator(SmOperator op);            // the operation of an operator; IR_OP_COUNT for unary plus, which has none
 

@@ -7,6 +7,7 @@
 
 #include "compiler/base/buf.h"
 #include "stdlib/convert.h"
+#include "stdlib/elementary.h"
 #include "stdlib/math.h"
 
 // ---- visit, compare ----

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A board to talk to without hardware: VM, store and agent as a program, on a terminal device and a file as non-volatile memory.
 // It can be killed at any time and started again.
-//   board LINE MEMORY        while there is a file MEMORY.armed, it is armed; the key in MEMORY.key is its own; MEMORY.plain: it reports a VM without windows
+//   board LINE MEMORY        while there is a file MEMORY.armed, it is armed; the key in MEMORY.key is its own; MEMORY.plain: it reports a VM without windows and elementary functions
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -148,6 +148,7 @@ static bool start_board(PalNvm nvm, uint8_t *frame)
         smvm_store_boot(&store, &slot) != SM_OK)
         return false;
     board.windows = access(plain_path, F_OK) != 0;
+    board.functions = board.windows ? SMVM_FUNCTIONS : 0;
     smvm_agent_init(&agent, &store, &board, &events, frame, BODY);
     report_events(SM_EVENT_START, 0, 0);
     machine.state = 0;

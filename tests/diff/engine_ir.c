@@ -6,6 +6,7 @@
 
 #include "compiler/facts/facts.h"
 #include "stdlib/convert.h"
+#include "stdlib/elementary.h"
 #include "stdlib/math.h"
 
 typedef struct Samples {
@@ -87,6 +88,11 @@ static double f64_result(IrOp op, double a, double b)
     case IR_sign: return sm_sign(a);
     case IR_min: return sm_min(a, b);
     case IR_max: return sm_max(a, b);
+#define SM_ELEMENTARY(name, arguments, number) case IR_##name: return CALL_##arguments(name);
+#define CALL_1(name) sm_##name(a)
+#define CALL_2(name) sm_##name(a, b)
+#include "stdlib/elementary.def"
+#undef SM_ELEMENTARY
     }
     return 0;
 }

@@ -381,6 +381,7 @@ static void test_images_are_listed_and_erased(void)
     CHECK(update_image(&p, &new_image, &u) == DEVICE_DONE && !u.was_running);
     CHECK(device_query_info(&p.host, &info) && info.protocol == LINK_PROTOCOL && info.slots == 2);
     CHECK(info.ram == 1000 && info.block % 8 == 0);
+    CHECK(info.functions == 0x70001 && !info.requires_signature);
     CHECK(info.reports_limits && info.windows && info.machines == 3 && info.ram_digital == 10 && info.ram_analog == 26 && info.period == 300 && info.cycles == 14400);
     CHECK(device_read_image_info(&p.host, 0, &image) && image.state == DEVICE_WHOLE && image.checksum == old_image.checksum && !image.runs);
     CHECK(device_read_image_info(&p.host, 1, &image) && image.state == DEVICE_TRIAL && image.runs && image.chosen);
@@ -823,7 +824,7 @@ static uint32_t canned_now(void *context) { return ((const Canned *)context)->no
 // answer has left in the buffer.
 static void test_older_boards_report_less(void)
 {
-    static const uint8_t all[31] = {1, 200, 128, 2, 0, 4, 0, 0, 2, 0, 9, 0, 0, 0, 0, 1, 5, 0, 0, 0, 0x83, 10, 26, 20, 0, 0x40, 0x1f, 4, 3, 2, 1};
+    static const uint8_t all[35] = {1, 200, 128, 2, 0, 4, 0, 0, 2, 0, 9, 0, 0, 0, 0, 1, 5, 0, 0, 0, 0x83, 10, 26, 20, 0, 0x40, 0x1f, 4, 3, 2, 1, 7, 0, 3, 0};
     static const uint8_t none[31] = {0};
     Canned c;
     SerialLine line = {&c, canned_send, canned_receive, canned_now};
@@ -844,6 +845,7 @@ static void test_older_boards_report_less(void)
         CHECK(device_query_info(&host, &info) == (n >= 15) && (n >= 15 || host.result == SM_E_UNSUPPORTED));
         CHECK(n < 15 || (info.requires_signature == (n >= 20) && info.newest == (n >= 20 ? 5 : 0)));
         CHECK(n < 15 || (info.reports_limits == (n >= 27) && info.windows == (n >= 27) && info.machines == (n >= 27 ? 3 : 0)));
+        CHECK(n < 15 || info.functions == (n >= 35 ? 0x30007 : 0));
         CHECK(n < 15 || (info.period == (n >= 27 ? 20 : 0) && info.reports_mark == (n >= 31) && info.mark == (n >= 31 ? 0x01020304 : 0)));
     }
     memcpy(c.body, none, c.n = 20);

@@ -77,6 +77,7 @@ static bool board_start(Board *b)
         b->board.ram = 1000;
         b->board.machines = 3;
         b->board.windows = true;
+        b->board.functions = 0x70001;
         b->board.ram_digital = 10;
         b->board.ram_analog = 26;
         b->board.period = 300;

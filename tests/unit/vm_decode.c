@@ -192,6 +192,17 @@ static void test_operations_decode_alike(Case *c)
                 code(&c->b, op, 0);
                 put_observations(c);
             }
+        for (unsigned n = 0; n < 9; n++) {
+            make_room(c);
+            put_x(c, x);
+            code(&c->b, SMVM_fn, 1, n);
+            put_seen(c);
+        }
+        for (unsigned y = 0; y < 3 * SOURCES; y++) {
+            put_operands(c, x, y % SOURCES);
+            code(&c->b, SMVM_fn, 1, SMVM_FN_OF_TWO + y / SOURCES);
+            put_seen(c);
+        }
         for (unsigned i = 0; i < 3 * SM_TYPE_COUNT; i++) {        // stored as it is
             make_room(c);
             put_x(c, x);
@@ -362,12 +373,13 @@ static void put_random_store(Nonsense *n)
 
 static void put_random_operation(Nonsense *n)
 {
-    switch (random_below(n, n->y ? 8 : 5)) {
+    switch (random_below(n, n->y ? 9 : 6)) {
     case 0: code(&n->c->b, SMVM_neg + random_below(n, 8), 0); break;
     case 1: case 2: code(&n->c->b, SMVM_addi, 1, random_below(n, 200)); break;
     case 3: code(&n->c->b, SMVM_subi, 1, random_below(n, 200)); break;
     case 4: code(&n->c->b, SMVM_cvt, 1, random_below(n, SM_TYPE_COUNT)); break;
-    case 5: code(&n->c->b, SMVM_set, 1, 1 + random_below(n, ALL - 1)); break;
+    case 5: code(&n->c->b, SMVM_fn, 1, random_below(n, 9)); n->y = false; break;
+    case 6: code(&n->c->b, SMVM_set, 1, 1 + random_below(n, ALL - 1)); break;
     default: code(&n->c->b, SMVM_add + random_below(n, 8), 0); break;
     }
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "stdlib/convert.h"
+#include "stdlib/elementary.h"
 #include "tests/unit/vm_machine.h"
 
 static double compute_of_two(unsigned op, double x, double y)
@@ -55,6 +56,29 @@ static void test_operations_compute(void)
     CHECK(compute_of_two(SMVM_max, 1, 2) == 2 && same(compute_of_two(SMVM_max, -0.0, 0.0), 0.0));
     CHECK(compute_of_two(SMVM_and, 2, 3) == 1 && compute_of_two(SMVM_and, 2, 0) == 0 && compute_of_two(SMVM_and, 0, 2) == 0);
     CHECK(compute_of_two(SMVM_or, 0, 3) == 1 && compute_of_two(SMVM_or, 3, 0) == 1 && compute_of_two(SMVM_or, 0, 0) == 0);
+}
+
+// Every elementary function, and after it the values that both registers can still have.
+static double compute_function(uint8_t op, unsigned n, double x, double y)
+{
+    Build b;
+
+    begin(&b);
+    load_x(&b);
+    load_y(&b);
+    code(&b, op, 1, n);
+    return given(&b, x, y);
+}
+
+static void test_functions_compute(void)
+{
+#define ONE(name) CHECK(same(compute_function(SMVM_fn, SMVM_FN_##name, 0.7, 3), sm_##name(0.7)) && same(compute_function(SMVM_fn, SMVM_FN_##name, 0.9, 3), sm_##name(0.9)));
+#define TWO(name) CHECK(same(compute_function(SMVM_fn, SMVM_FN_##name, 0.7, -3), sm_##name(0.7, -3)) && same(compute_function(SMVM_fn, SMVM_FN_##name, -2, 5), sm_##name(-2, 5)));
+#define CHECK_1(name) ONE(name)
+#define CHECK_2(name) TWO(name)
+#define SM_ELEMENTARY(name, arguments, number) CHECK_##arguments(name)
+#include "stdlib/elementary.def"
+#undef SM_ELEMENTARY
 }
 
 static void test_relations_compare(void)
@@ -340,6 +364,7 @@ static void test_jump_not_taken_keeps_registers(void)
 int main(void)
 {
     test_operations_compute();
+    test_functions_compute();
     test_relations_compare();
     test_nan_in_operations();
     test_loads_read();

@@ -121,6 +121,10 @@ static void test_loads_and_constants_become_operands(void)
     expect("%0 = load F64 a\n %1 = cvt bool %0\n %2 = not %1\n store bool p, %2\n ret\n}", "ldx a; ldy 0; set not x <> y; out p; end");
     expect("%0 = load F64 a\n %1 = load F64 b\n %2 = gt F64 %0, %1\n store bool p, %2\n ret\n}", "ldx a; ldy b; set x > y; out p; end");
     expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "ldx a; sqrt; out b; end");
+    expect("%0 = load F64 a\n %1 = sin F64 %0\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "ldx a; fn sin; out b; end");
+    // an elementary function leaves nothing in Y: b is loaded again
+    expect("%0 = load F64 a\n %1 = load F64 b\n %2 = pow F64 %0, %1\n %3 = add F64 %2, %1\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
+           "ldx a; ldy b; fn pow; ldy b; add; out b; end");
     expect("%0 = load U64 T\n %1 = cvt F64 %0\n %2 = const F64 -0\n %3 = div F64 %1, %2\n %4 = cvt F32 %3\n store F32 f, %4\n ret\n}",
            "ldx T; ldy -0; div; out f; end");
 }

@@ -677,7 +677,11 @@ static void test_operands_out_of_range_are_refused(void)
     }
     for (unsigned m = 0; m < 20; m++)
         WITH_BOTH(SMVM_set, 1, m, 0, OK + (m < 1 || m > 14 ? SMVM_R_OPERAND : 0));
+    for (unsigned n = 0; n < 40; n++) {
+        WITH_BOTH(SMVM_fn, 1, n, 0, OK + (n > 8 && (n < 16 || n > 18) ? SMVM_R_FUNCTION : 0));
+    }
     for (unsigned i = 0; i < 4; i++) {
+        WITH_BOTH(SMVM_fn, 1, far[i], 0, OK + SMVM_R_FUNCTION);
         WITH_BOTH(SMVM_out, 1, far[i], 0, OPERAND);
         WITH_BOTH(SMVM_cvt, 1, far[i], 0, OPERAND);
         WITH_BOTH(SMVM_set, 1, far[i], 0, OPERAND);
@@ -813,6 +817,11 @@ static void test_registers_without_value_are_refused(void)
     THEN(code(&b, SMVM_ldy_plus, 1, 1); code(&b, SMVM_neg, 0), REGISTER);
     THEN(put_load_input(&b); code(&b, SMVM_add, 0), REGISTER);
     THEN(load_both_registers(&b); code(&b, SMVM_add, 0); code(&b, SMVM_mul, 0), OK);
+    THEN(code(&b, SMVM_fn, 1, SMVM_FN_exp), REGISTER);
+    THEN(code(&b, SMVM_ldx_plus, 1, 1); code(&b, SMVM_fn, 1, SMVM_FN_exp), OK);
+    THEN(code(&b, SMVM_ldx_plus, 1, 1); code(&b, SMVM_fn, 1, SMVM_FN_pow), REGISTER);
+    THEN(load_both_registers(&b); code(&b, SMVM_fn, 1, SMVM_FN_pow), OK);
+    THEN(load_both_registers(&b); code(&b, SMVM_fn, 1, SMVM_FN_exp); code(&b, SMVM_add, 0), REGISTER);
     THEN(load_both_registers(&b); code(&b, SMVM_set, 1, 1); code(&b, SMVM_add, 0), OK);
     THEN(load_both_registers(&b); code(&b, SMVM_addi, 1, 1); code(&b, SMVM_cvt, 1, 0); code(&b, SMVM_neg, 0); code(&b, SMVM_or, 0), OK);
     THEN(load_both_registers(&b); put_load_input(&b); code(&b, SMVM_add, 0), REGISTER);                                    // Y is forgotten
