@@ -255,11 +255,9 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
     size_t errors = s->diags.errors_seen;
     CheckContext c = make_check_context(s);
     Map unused = {&s->tree, NULL, NULL, 0, 0};
-    const bool good = parse_silently(s, ss, &unused) != NULL;
-    Script *out;
+    const AstFile *outline = parse_silently(s, ss, &unused);
+    Script *out = outline ? check_script_source(&c, &s->tree, &s->work, outline, p) : check_script(&c, parse(s, ss, FILE_SS), p);
 
-    arena_free(&s->tree);
-    out = good ? check_script_source(&c, &s->tree, &s->work, ss, p) : check_script(&c, parse(s, ss, FILE_SS), p);
     arena_free(&s->tree);
     return s->diags.errors_seen > errors ? NULL : out;
 }

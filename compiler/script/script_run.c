@@ -17,13 +17,14 @@ void run_finish(ScriptRun *r, ScriptOutcome outcome)
 
 // ---- before the step ----
 
-// Sets a variable for this step: for the guards of the script, and for every engine.
+// Sets a variable for this step: for the guards of the script, and for every engine.  No engine knows the script's own variables.
 static void write_input(ScriptRun *r, const Var *v, uint64_t cell)
 {
     EngineWrite w = {v->index, cell};
 
     r->cell[v->index] = cell;
-    vec_push(r->arena, &r->write, w);
+    if (!v->of_script)
+        vec_push(r->arena, &r->write, w);
 }
 
 // Sets G, T and S to their values in the next step, because guards and inputs may read them.
@@ -115,6 +116,8 @@ static void init_engines(ScriptRun *r)
         r->answer[i].status = r->engine[i]->init(r->engine[i], r->s->init_state->number, &r->answer[i]);
     check_answers(r);
     memcpy(r->cell, r->answer[0].cell, r->p->var.n * sizeof *r->cell);
+    for (size_t i = 0; i < r->s->local.n; i++)
+        r->cell[r->s->local.at[i]->index] = r->s->local.at[i]->init;
 }
 
 static void step_engines(ScriptRun *r)
@@ -199,7 +202,7 @@ static void allocate_run(ScriptRun *r)
     r->answer = ARENA_ARRAY(r->arena, EngineStep, r->engines);
     for (size_t i = 0; i < r->engines; i++)
         engine_step_init(&r->answer[i], r->arena, r->p);
-    r->cell = ARENA_ARRAY(r->arena, uint64_t, r->p->var.n);
+    r->cell = ARENA_ARRAY(r->arena, uint64_t, r->p->var.n + r->s->local.n);
     ref_windows_init(&r->windows, r->arena, &r->s->window);
     r->evaluated = arena_alloc(r->arena, t.asserts);
     r->was_true = arena_alloc(r->arena, t.items);

@@ -219,6 +219,7 @@ static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, cons
     k->delta_t = str_c(c->strings, "delta_t");
     k->init_state = str_c(c->strings, "init_state");
     k->section.arena = c->arena;
+    check_script_locals(&k->s, k->script, ss);
 }
 
 // Reports what the script as a whole lacks.  Returns the script, or NULL if there were errors.
@@ -252,15 +253,14 @@ Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)
     return end_check(&k);
 }
 
-// Parses and checks a script without syntax errors.  Only some of its items are in memory at a time.
-Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const Source *ss, const Program *program)
+// Checks a script without syntax errors.  Only some of its items are in memory at a time.
+Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const AstFile *outline, const Program *program)
 {
-    const AstFile none = {.kind = FILE_SS, .src = ss};
     ScriptCheck k;
     const ScriptVisitor v = {check_section, check_item, &k, items};
 
-    begin_check(&k, c, &none, program);
-    parse_script(tree, c->strings, c->diags, ss, &v);
+    begin_check(&k, c, outline, program);
+    parse_script(tree, c->strings, c->diags, outline->src, &v);
     return end_check(&k);
 }
 

@@ -81,7 +81,7 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     Str alias;                // or NULL
     Str report_name;          // its name in reports: name or alias, whichever comes first in ASCII
     SmType type;
-    uint32_t index;           // its index in Program.var
+    uint32_t index;           // its index in Program.var; of a script's variable: Program.var.n plus its index in Script.local
     Element *element;         // ELEMENT: its element
     const Range *range;       // ELEMENT: from the machine, or else from the .sv; or NULL
     bool read_only;           // the machine cannot assign the variable; true for G, S and T
@@ -93,6 +93,7 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     bool written;             // the machine contains an assignment to it
     bool read;                // the machine reads it
     bool sizes;               // LOCAL: the size of a window depends on it
+    bool of_script;           // LOCAL: a script declares it, not the machine; no engine knows it
     Span span;                // position of its name in the list or declaration
 } Var;
 
@@ -206,6 +207,7 @@ typedef struct Script {
     uint64_t delta_t;
     Span delta_t_span;        // position of the value of delta_t in [options]
     State *init_state;
+    VEC(Var *) local;         // the variables of [local], in file order
     VEC(ScriptSection) section;       // in file order
     Windows window;           // of the roll calls in all sections of the script
 } Script;

@@ -58,7 +58,8 @@ typedef enum AstAnnotationKind {
 typedef enum AstAnnotationTarget {
     AST_ON_ELEMENT,           // an element that a machine lists in [state_vector]
     AST_ON_SV_ELEMENT,        // a declaration of an element in a .sv
-    AST_ON_LOCAL,             // a declaration of a local
+    AST_ON_LOCAL,             // a declaration of a local in a machine
+    AST_ON_SCRIPT_LOCAL,      // a declaration of a local in a script
     AST_ON_STATE,             // the header of a state
     AST_ON_ANALOG_INPUT, AST_ON_ANALOG_OUTPUT, AST_ON_DIGITAL_INPUT, AST_ON_DIGITAL_OUTPUT,       // a pin in a .io
     AST_ANNOTATION_TARGETS
@@ -150,7 +151,7 @@ typedef struct AstBlock {
 
 typedef enum AstSectionKind {
     AST_STATE_VECTOR,         // [state_vector] of a machine: decls
-    AST_LOCAL,                // [local]: decls
+    AST_LOCAL,                // [local] of .sm and .ss: decls
     AST_OPTIONS,              // [options] of .sv and .ss: options
     AST_REGION,               // [Region] of a .sv: decls
     AST_STATE,                // a state of a machine: blocks

@@ -318,13 +318,17 @@ static AstSectionKind find_section_kind(FileKind file, const AstSection *s)
     }
     if (is_section_named(s, "options"))
         return AST_OPTIONS;
-    return is_section_named(s, "state_vector") || is_section_named(s, "local") ? AST_IGNORED : AST_SCRIPT_STATE;
+    if (is_section_named(s, "local"))
+        return AST_LOCAL;
+    return is_section_named(s, "state_vector") ? AST_IGNORED : AST_SCRIPT_STATE;
 }
 
 // Reports section s if f already contains a section of this kind and a file can have only one.
 static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
 {
-    if (s->kind != AST_STATE_VECTOR && s->kind != AST_LOCAL && s->kind != AST_PINS && (s->kind != AST_OPTIONS || f->kind == FILE_SS))
+    const bool is_single = s->kind == AST_STATE_VECTOR || s->kind == AST_PINS || ((s->kind == AST_LOCAL || s->kind == AST_OPTIONS) && f->kind != FILE_SS);
+
+    if (!is_single)
         return;
     for (size_t i = 0; i < f->sections.n; i++)
         if (f->sections.at[i]->kind == s->kind && f->sections.at[i]->digital == s->digital) {
@@ -336,18 +340,27 @@ static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
 
 // ---- misnamed sections ----
 
+// Whether the line at the next token declares a variable with an initial value.
+static bool at_local(const Parser *p)
+{
+    const char *line = p->lex.src->text + p->tok.at;                 // terminated by a NUL
+
+    return p->tok.kind == TOK_TYPE && p->ahead.kind == TOK_NAME && line[strcspn(line, "=\n#")] == '=';
+}
+
 // Corrects the kind of a section whose first line shows that its name is misspelt, and reports the name. A "state" that begins with a
-// declaration is [state_vector] or [local]; a section of a script that begins with an option is [options].
+// declaration is [state_vector] or [local]; a section of a script that begins with an option is [options], or [local] with a declaration.
 static void correct_section_kind(Parser *p, AstSection *s)
 {
     static const char *const names[] = {[AST_STATE_VECTOR] = "state_vector", [AST_LOCAL] = "local", [AST_OPTIONS] = "options"};
     AstSectionKind kind = s->kind;
     Diag *d;
 
-    if (kind == AST_STATE && p->tok.kind == TOK_TYPE && p->ahead.kind == TOK_NAME) {
-        const char *line = p->lex.src->text + p->tok.at;             // terminated by a NUL
-        kind = line[strcspn(line, "=\n#")] == '=' ? AST_LOCAL : AST_STATE_VECTOR;     // locals have initial values
-    } else if (kind == AST_SCRIPT_STATE && p->tok.kind == TOK_NAME && !p->ahead.first &&
+    if (kind == AST_STATE && p->tok.kind == TOK_TYPE && p->ahead.kind == TOK_NAME)
+        kind = at_local(p) ? AST_LOCAL : AST_STATE_VECTOR;
+    else if (kind == AST_SCRIPT_STATE && at_local(p))
+        kind = AST_LOCAL;
+    else if (kind == AST_SCRIPT_STATE && p->tok.kind == TOK_NAME && !p->ahead.first &&
              (p->ahead.kind == TOK_NUMBER || p->ahead.kind == TOK_NAME) &&
              (strcmp(p->tok.text->text, "delta_t") == 0 || strcmp(p->tok.text->text, "init_state") == 0))
         kind = AST_OPTIONS;

@@ -114,7 +114,7 @@ static void report_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
 static void parse_decl(Parser *p, AstSection *s)
 {
     const AstAnnotationTarget target = s->kind == AST_REGION  ? AST_ON_SV_ELEMENT
-                                       : s->kind == AST_LOCAL ? AST_ON_LOCAL
+                                       : s->kind == AST_LOCAL ? (p->kind == FILE_SS ? AST_ON_SCRIPT_LOCAL : AST_ON_LOCAL)
                                                               : AST_ON_ELEMENT;
     AstDecl d = {0};
 
