@@ -17,7 +17,7 @@ Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
 
     e->kind = kind;
     e->span = span;
-    e->n = args;
+    e->n = args & 0xffffff;              // AST_DEPTH_MAX bounds it
     e->arg = (Expr **)(void *)(e + 1);
     return e;
 }
@@ -101,7 +101,8 @@ static Expr *check_number(Sema *s, const AstExpr *e)
 {
     Expr *out = expr_new(s, EX_NUMBER, e->span, 0);
 
-    out->number = e->number;
+    out->number = e->unit ? check_time_literal(s, e) : e->number;
+    out->unit = e->unit;
     if (s->building && e->number >= 9007199254740992.0)          // 2^53
         s->building->large_numbers = true;
     return out;
@@ -214,6 +215,19 @@ static void warn_of_negated_number(Sema *s, const AstExpr *e)
         diag_label(s->diags, d, DIAG_label_did_you_mean, format_in(s->arena, "%s != %s", sema_quote_source(s, e->a->span), sema_quote_source(s, number->span)));
 }
 
+// Warns of time literals that a comparison or a product of a and b probably misuses.
+static void warn_of_times(Sema *s, SmOperator op, const AstExpr *a, const AstExpr *b)
+{
+    const SmOpClass class = sm_op_info[op].op_class;
+
+    if (class == SM_CLASS_RELATION || class == SM_CLASS_EQUALITY) {
+        warn_of_time_fraction(s, a, b);
+        warn_of_time_fraction(s, b, a);
+    }
+    warn_of_time_factor(s, op, a);
+    warn_of_time_factor(s, op, b);
+}
+
 static Expr *check_binary(Sema *s, const AstExpr *e)
 {
     Expr *out = expr_new(s, EX_BINARY, e->span, 2);
@@ -223,6 +237,7 @@ static Expr *check_binary(Sema *s, const AstExpr *e)
         warn_of_number_as_condition(s, e, operands[k]);
     if (operator_class(e) == SM_CLASS_EQUALITY)
         warn_of_negated_number(s, e);
+    warn_of_times(s, e->op, e->a, e->b);
     record_operator(s, e->op);
     out->op = e->op;
     return check_args(s, operands, 2, out->arg) ? out : NULL;
@@ -245,6 +260,7 @@ static Expr *check_chain(Sema *s, const AstExpr *e)
         operand[0] = e->a;
         expr_ops(out)[i - 1] = e->op;
         record_operator(s, e->op);
+        warn_of_times(s, e->op, is_relation(e->a) ? e->a->b : e->a, e->b);
     }
     s->searched_left = operand[0];
     return check_args(s, operand, n, out->arg) ? out : NULL;

@@ -89,6 +89,7 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     s.sv = sv;
     s.building = p;
     p->sv = sv ? sv : new_own_state_vector(c, p);
+    check_time_options(&s, p, sm);
     add_states(&s, p, sm);
     check_declarations(&s, p, sm, p->sv, written_outside);
     check_states(&s, p, sm);

@@ -12,6 +12,7 @@
 #include "compiler/base/source.h"
 #include "compiler/base/str.h"
 #include "compiler/base/vec.h"
+#include "compiler/syntax/time_unit.h"
 #include "stdlib/types.h"
 
 // ---- the state vector ----
@@ -114,7 +115,8 @@ struct Expr {                 // "CALL:" marks a field that only EX_CALL has.  B
     SmOperator op : 8;        // UNARY, BINARY: the operator
     SmBuiltin fn : 8;         // CALL: the function
     SmStat stat : 8;          // ROLL: the statistic
-    uint32_t n;               // number of arguments
+    uint32_t n : 24;          // number of arguments
+    TimeUnit unit : 8;        // NUMBER: the unit that it is written with
     Span span;
     SmF64 number;
     Var *var;
@@ -174,6 +176,10 @@ typedef struct Program {
     VEC(Var *) var;           // listed elements in order, then locals in order, then T
     Var *g, *s, *t;
     VEC(State *) state;       // at[0] is number 1, the initial state
+    TimeUnit time_unit;       // in which G counts: us, ms or s
+    bool uses_time_unit;      // what the machine does depends on time_unit: it has a time literal, or a step
+    uint64_t step;            // how much G advances in a step; 0: not declared
+    Span step_span;           // position of the value of step in [options]
     uint32_t operators;       // 1u << SmOperator for each operator in the program; lets analyses without work return early
     bool large_numbers;       // the program contains a literal of 2^53 or more
     uint32_t stmts;           // statements in all blocks: the largest Stmt.number

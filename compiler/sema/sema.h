@@ -114,6 +114,21 @@ bool has_annotation(const AstAnnotations *all, AstAnnotationKind kind);
 // Returns the @range among the annotations of an element; NULL if there is none or it is invalid, which is reported.
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type);
 
+// ---- check_time.c: the unit of time ----
+
+// Sets the machine's unit and step of time from its [options].
+void check_time_options(Sema *s, Program *p, const AstFile *sm);
+// Returns the value of an option such as `delta_t 20 ms`, a whole number from 1 to 2^63, in the unit `unit`; 0 for anything else.
+uint64_t option_step(const AstOption *o, TimeUnit unit);
+// Returns the value of a literal that has a unit, in the unit of the machine.
+SmF64 check_time_literal(Sema *s, const AstExpr *e);
+// Warns if `time` is T or G and `literal`, with which it is compared, is no whole number of units.
+void warn_of_time_fraction(Sema *s, const AstExpr *time, const AstExpr *literal);
+// Warns if `literal`, an operand of op, is a time and op is * or /.
+void warn_of_time_factor(Sema *s, SmOperator op, const AstExpr *literal);
+// Reports a machine that needs another unit or step of time than the application has. `unit`, `period`: in nanoseconds; 0: unknown.
+void check_app_machine_time(const CheckContext *c, const Program *p, Span named, uint64_t unit, uint64_t period);
+
 // ---- check_allow.c: these functions register @allow annotations with the part of the source that they cover ----
 
 // Register the annotations of a declaration, in a .sv and in a machine.

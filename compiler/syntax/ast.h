@@ -11,13 +11,14 @@
 #include "compiler/base/source.h"
 #include "compiler/base/str.h"
 #include "compiler/base/vec.h"
+#include "compiler/syntax/time_unit.h"
 #include "stdlib/types.h"
 
 // ---- expressions ----
 
 typedef enum AstExprKind {
     AST_ERROR,        // text with an error, which is already reported
-    AST_NUMBER,       // 5 0x1F true false
+    AST_NUMBER,       // 5 0x1F true false; a time: 1.5 s
     AST_NAME,         // tankPressure
     AST_UNARY,        // op a
     AST_BINARY,       // a op b; a chain a < b <= c is stored as (a < b) <= c, without AST_PAREN
@@ -34,7 +35,8 @@ struct AstExpr {
     bool alone;               // a name or call where a statement is expected; the checker reports it (E0327)
     Span span;                // the whole expression
     uint32_t op_at, op_len;   // offset and length of the operator (UNARY, BINARY) or the name (CALL)
-    SmF64 number;             // NUMBER: its value
+    TimeUnit unit;            // NUMBER: the unit after it; then op_at and op_len are the number alone
+    SmF64 number;             // NUMBER: its value, without the unit
     Str name;                 // NAME, CALL: the name
     AstExpr *a, *b;           // UNARY, PAREN: the operand a; BINARY: both operands
     AstArgs *args;            // CALL: the arguments
@@ -123,12 +125,12 @@ typedef struct AstDecl {
     AstAnnotations annotations;
 } AstDecl;
 
-// An entry of [options]: `lock`, `delta_t 10`, `init_state Idle`.
+// An entry of [options]: `lock`, `delta_t 10 ms`, `init_state Idle`.
 typedef struct AstOption {
     Str name;
     Span name_span;
-    AstExpr *number;          // delta_t: the literal of its value
-    Str word;                 // init_state: the name of the state
+    AstExpr *number;          // delta_t, step: the literal of its value
+    Str word;                 // init_state: the name of the state; time_unit: the unit
     Span value_span;
 } AstOption;
 
@@ -152,7 +154,7 @@ typedef struct AstBlock {
 typedef enum AstSectionKind {
     AST_STATE_VECTOR,         // [state_vector] of a machine: decls
     AST_LOCAL,                // [local] of .sm and .ss: decls
-    AST_OPTIONS,              // [options] of .sv and .ss: options
+    AST_OPTIONS,              // [options] of .sv, .sm and .ss: options
     AST_REGION,               // [Region] of a .sv: decls
     AST_STATE,                // a state of a machine: blocks
     AST_SCRIPT_STATE,         // a state's section in a script, or [all_states]: items

@@ -312,7 +312,9 @@ static AstSectionKind find_section_kind(FileKind file, const AstSection *s)
     case FILE_SM:
         if (is_section_named(s, "state_vector") || is_section_named(s, "local"))
             return is_section_named(s, "local") ? AST_LOCAL : AST_STATE_VECTOR;
-        return is_section_named(s, "options") || is_section_named(s, "all_states") ? AST_IGNORED : AST_STATE;
+        if (is_section_named(s, "options"))
+            return AST_OPTIONS;
+        return is_section_named(s, "all_states") ? AST_IGNORED : AST_STATE;
     case FILE_IO: return is_section_named(s, "analog") || is_section_named(s, "digital") ? AST_PINS : AST_IGNORED;
     case FILE_SS: case FILE_APP: case FILE_NET: case FILE_KINDS: break;
     }

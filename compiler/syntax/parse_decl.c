@@ -151,19 +151,24 @@ void parse_decls(Parser *p, AstSection *s)
 
 // ---- options ----
 
-typedef enum OptionTakes { TAKES_NOTHING, TAKES_NUMBER, TAKES_NAME } OptionTakes;
+typedef enum OptionTakes { TAKES_NOTHING, TAKES_TIME, TAKES_UNIT, TAKES_NAME } OptionTakes;
 
-static const struct { const char *name; OptionTakes takes; bool in_sv, in_ss; } options[] = {
-#define OPTION(name, takes, in_sv, in_ss) {#name, TAKES_##takes, in_sv, in_ss},
+// in: by FileKind, whether a file of this kind can have the option.
+static const struct { const char *name; OptionTakes takes; bool in[FILE_KINDS]; } options[] = {
+#define OPTION(name, takes, in_sv, in_sm, in_ss) {#name, TAKES_##takes, {[FILE_SV] = in_sv, [FILE_SM] = in_sm, [FILE_SS] = in_ss}},
 #include "compiler/syntax/options.def"
 #undef OPTION
 };
 
 static const char *const option_words[] = {
-#define OPTION(name, takes, in_sv, in_ss) #name,
+#define OPTION(name, takes, in_sv, in_sm, in_ss) #name,
 #include "compiler/syntax/options.def"
 #undef OPTION
 };
+
+// What is expected after an option, for a diagnostic, by OptionTakes.
+static const char *const expected_value[] = {
+    [TAKES_NOTHING] = "no value", [TAKES_TIME] = "a number without a sign", [TAKES_UNIT] = "us, ms or s", [TAKES_NAME] = "the name of a state"};
 
 enum { OPTION_COUNT = sizeof option_words / sizeof *option_words };
 
@@ -171,17 +176,14 @@ enum { OPTION_COUNT = sizeof option_words / sizeof *option_words };
 static bool parse_option_argument(Parser *p, AstOption *o, OptionTakes takes)
 {
     o->value_span = parser_token_span(p);
-    if (takes == TAKES_NUMBER && p->tok.kind == TOK_NUMBER) {
-        o->number = ARENA_NEW(p->arena, AstExpr);
-        o->number->kind = AST_NUMBER;
-        o->number->depth = 1;
-        o->number->number = p->tok.number;
-        o->number->span = o->value_span;
-    } else if (takes == TAKES_NAME && p->tok.kind == TOK_NAME) {
-        o->word = p->tok.text;
-    } else {
-        return false;
+    if (takes == TAKES_TIME && p->tok.kind == TOK_NUMBER) {
+        o->number = parse_number(p);
+        o->value_span = o->number->span;
+        return true;
     }
+    if (p->tok.kind != TOK_NAME || takes == TAKES_TIME || (takes == TAKES_UNIT && !time_unit_counts(time_unit_find(p->tok.text->text))))
+        return false;
+    o->word = p->tok.text;
     parser_advance(p);
     return true;
 }
@@ -189,7 +191,7 @@ static bool parse_option_argument(Parser *p, AstOption *o, OptionTakes takes)
 static void parse_option_value(Parser *p, AstOption *o, OptionTakes takes)
 {
     if (takes == TAKES_NOTHING && p->tok.kind == TOK_ASSIGN && !p->tok.first) {
-        parser_fail(p, DIAG_option_value, parser_token_span(p), o->name->text, "no value", parser_describe_found(p));
+        parser_fail(p, DIAG_option_value, parser_token_span(p), o->name->text, expected_value[takes], parser_describe_found(p));
         return;
     }
     if (p->tok.kind == TOK_ASSIGN || p->tok.kind == TOK_COLON) {
@@ -201,8 +203,19 @@ static void parse_option_value(Parser *p, AstOption *o, OptionTakes takes)
         return;
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    parser_fail(p, DIAG_option_value, parser_missing_span(p), o->name->text,
-                takes == TAKES_NUMBER ? "a number without a sign" : "the name of a state", parser_describe_found(p));
+    parser_fail(p, DIAG_option_value, parser_missing_span(p), o->name->text, expected_value[takes], parser_describe_found(p));
+}
+
+// Reports an option that belongs to a file of another kind.
+static void report_wrong_file(Parser *p, const AstOption *o, const bool in[FILE_KINDS])
+{
+    static const struct { const char *what, *ending; } files[] = {
+        [FILE_SV] = {"state vector", "sv"}, [FILE_SM] = {"state machine", "sm"}, [FILE_SS] = {"state script", "ss"}};
+    FileKind owner = FILE_SV;
+
+    while (!in[owner])
+        owner++;
+    parser_report(p, DIAG_option_wrong_file, o->name_span, o->name->text, files[owner].what, files[owner].ending);
 }
 
 static void parse_option(Parser *p, AstSection *s)
@@ -224,9 +237,8 @@ static void parse_option(Parser *p, AstSection *s)
         parser_advance(p);
         return;
     }
-    if (!(p->kind == FILE_SV ? options[i].in_sv : options[i].in_ss))
-        parser_report(p, DIAG_option_wrong_file, o.name_span, o.name->text, options[i].in_sv ? "state vector" : "state script",
-                      options[i].in_sv ? "sv" : "ss");
+    if (!options[i].in[p->kind])
+        report_wrong_file(p, &o, options[i].in);
     parser_advance(p);
     parse_option_value(p, &o, options[i].takes);
     if (!p->failed)
