@@ -12,6 +12,7 @@ typedef struct MachineTest {
     EngineSet engines;
     const Source **ss;        // by argument: the scripts, each read once; NULL: not a script, or unreadable
     const char **problem;     // by argument: why a script cannot be read
+    bool *is_part;            // by argument: another script includes it, so it does not run by itself
     Buf report;               // report of the last script
     TestTrace *trace;         // the trace that --trace requests; or NULL
 } MachineTest;
@@ -32,7 +33,7 @@ static void add_errors(MachineTest *m, const char *message, int code)
     Cli *c = m->t->c;
 
     for (size_t i = 0; i < c->files; i++)
-        if (test_is_script(c, c->file[i])) {
+        if (test_is_script(c, c->file[i]) && !m->is_part[i]) {
             add_result(m, result_name(c->file[i]), TEST_BROKEN, message, code);
             m->begin = os_seconds();          // the time spent so far counts only for the first script
         }
@@ -141,6 +142,9 @@ static int compile_machine(MachineTest *m, const char *path)
         return code;
     o.scripts_later = true;
     compile_sources(&m->t->c->session, &in, &o, &made);
+    for (size_t i = 0; i < m->t->c->files; i++)
+        for (size_t k = 0; k < in.n; k++)
+            m->is_part[i] |= made.of[k].is_included && in.at[k].text == m->ss[i];
     m->p = made.of[0].scripted;
     return m->p ? EXIT_OK : EXIT_PROBLEM;
 }
@@ -188,7 +192,7 @@ static int test_scripts(MachineTest *m)
     if (code == EXIT_ENVIRONMENT)
         add_errors(m, c->last_error, code);
     for (size_t i = 0; i < c->files && code == EXIT_OK; i++)
-        if (test_is_script(c, c->file[i])) {
+        if (test_is_script(c, c->file[i]) && !m->is_part[i]) {
             test_script(m, i);
             code = print_report(m, result_name(c->file[i]));
         }
@@ -203,6 +207,7 @@ int test_run_machine(TestRun *t, const char *path)
     int code, compiled, reported;
 
     buf_init(&m.report, t->arena);
+    m.is_part = ARENA_ARRAY(t->arena, bool, t->c->files);
     compiled = compile_machine(&m, path);
     reported = report_diagnostics(t, &message);
     code = compiled == EXIT_OK ? reported : compiled;

@@ -148,7 +148,7 @@ static void report_all_unevaluated(const ScriptRun *r)
         for (size_t j = 0; j < section->item.n; j++) {
             const ScriptItem *item = section->item.at[j];
             add_unevaluated(r, item, &u);
-            if (u.n && r->ran[i])
+            if (u.n && run_last_of_section(r, section))
                 diag_label(r->diags, report_unevaluated(r, &u), r->was_true[item->number] ? DIAG_label_stopped_before : DIAG_label_never_true);
         }
         if (u.n)

@@ -62,10 +62,7 @@ static void note_asserts(ScriptRun *r, const ScriptItem *item)
 // Executes the items whose section and guard match: writes their inputs, and notes their asserts.
 static void run_sections(ScriptRun *r)
 {
-    uint64_t *ran = r->ran_of_state[r->state->number - 1];
-
-    if (ran)
-        *ran = r->result.steps + 1;
+    r->ran[r->state->number - 1] = r->result.steps + 1;
     schedule_find_due(r->schedule, r->state, r->cell, &r->due);
     for (size_t i = 0; i < r->due.n; i++) {
         const ScriptItem *item = r->due.at[i];
@@ -182,19 +179,6 @@ static ScriptTotals count_script_items(const Script *s)
     return t;
 }
 
-// Allocates `ran` and `ran_of_state`.  No state has two sections: a script with errors does not run.
-static void init_ran(ScriptRun *r)
-{
-    r->ran = ARENA_ARRAY(r->arena, uint64_t, r->s->section.n);
-    r->ran_of_state = ARENA_ARRAY(r->arena, uint64_t *, r->p->state.n);
-    for (size_t i = 0; i < r->s->section.n; i++) {
-        const State *state = r->s->section.at[i].state;
-        r->ran[i] = !state;
-        if (state)
-            r->ran_of_state[state->number - 1] = &r->ran[i];
-    }
-}
-
 static void allocate_run(ScriptRun *r)
 {
     ScriptTotals t = count_script_items(r->s);
@@ -206,7 +190,12 @@ static void allocate_run(ScriptRun *r)
     ref_windows_init(&r->windows, r->arena, &r->s->window);
     r->evaluated = arena_alloc(r->arena, t.asserts);
     r->was_true = arena_alloc(r->arena, t.items);
-    init_ran(r);
+    r->ran = ARENA_ARRAY(r->arena, uint64_t, r->p->state.n);
+}
+
+uint64_t run_last_of_section(const ScriptRun *r, const ScriptSection *section)
+{
+    return section->state ? r->ran[section->state->number - 1] : 1;
 }
 
 // Returns the first item with a @stop; NULL only in a script with errors.

@@ -32,8 +32,7 @@ typedef struct ScriptRun {
     VEC(NotedAssert) noted;   // the asserts that this step has noted, in source order
     uint8_t *evaluated;       // by number of the assert: it was evaluated at least once
     uint8_t *was_true;        // by number of the conditional: its guard was true at least once
-    uint64_t *ran;            // by section: the last step in which it ran, 0: none; of [all_states], which runs in each step: 1
-    uint64_t **ran_of_state;  // by State.number - 1: the entry of `ran` for the state's section, or NULL
+    uint64_t *ran;            // by State.number - 1: the last step that ran the state, 0: none
     const Expr *failed;       // the assert that failed, or NULL
     const ScriptItem *failed_item;
     ScriptResult result;
@@ -44,6 +43,8 @@ typedef struct ScriptRun {
 void run_finish(ScriptRun *r, ScriptOutcome outcome);
 // Returns the first item with a @stop; NULL only in a script with errors.
 const ScriptItem *script_first_stop(const Script *s);
+// Returns the last step in which a section ran, 0: none; of [all_states], which runs in each step: 1.
+uint64_t run_last_of_section(const ScriptRun *r, const ScriptSection *section);
 // Runs the script from its first step until it ends.  Reports errors of engines and differences between them.
 void run_to_the_end(ScriptRun *r);
 

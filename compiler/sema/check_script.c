@@ -16,7 +16,7 @@ typedef struct ScriptCheck {
     bool has_delta_t, has_stop;
     uint32_t items, asserts;      // how many items and asserts have been checked
     size_t errors;                // Diags.errors_seen when this check began
-    Map section;                  // state name to the Span of its section
+    Map section;                  // state name to the Span of its section in the current file
 } ScriptCheck;
 
 // ---- options ----
@@ -206,8 +206,13 @@ static void check_guard_times(ScriptCheck *k)
 
 // ---- entry points ----
 
-static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, const Program *program)
+static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *const *file, size_t n, const Program *program)
 {
+    const AstFile *ss = file[n - 1];
+    HiddenNames *hidden = find_hidden_names(c, ss);
+
+    for (size_t i = 0; i + 1 < n; i++)
+        add_hidden_names(c, file[i], hidden);
     memset(k, 0, sizeof *k);
     k->errors = c->diags->errors_seen;
     k->script = ARENA_NEW(c->arena, Script);
@@ -217,12 +222,11 @@ static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, cons
     k->script->delta_t = program->step;
     k->script->delta_t_span = program->step_span;
     k->has_delta_t = program->step > 0;
-    sema_init(&k->s, c, find_hidden_names(c, ss), program, &k->script->window);
+    sema_init(&k->s, c, hidden, program, &k->script->window);
     k->s.in_script = true;
     k->delta_t = str_c(c->strings, "delta_t");
     k->init_state = str_c(c->strings, "init_state");
-    k->section.arena = c->arena;
-    check_script_locals(&k->s, k->script, ss);
+    check_script_locals(&k->s, k->script, file, n);
 }
 
 // Reports what the script as a whole lacks.  Returns the script, or NULL if there were errors.
@@ -242,28 +246,36 @@ static Script *end_check(ScriptCheck *k)
     return diags->errors_seen > k->errors ? NULL : k->script;
 }
 
-Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)
+static void begin_file(ScriptCheck *k) { k->section = (Map){k->s.arena, NULL, NULL, 0, 0}; }
+
+Script *check_script(CheckContext *c, const AstFile *const *file, size_t n, const Program *program)
 {
     ScriptCheck k;
 
-    begin_check(&k, c, ss, program);
-    for (size_t i = 0; i < ss->sections.n; i++) {
-        const AstSection *section = ss->sections.at[i];
-        check_section(&k, section);
-        for (size_t n = 0; n < section->items.n; n++)
-            check_item(&k, section->items.at[n]);
+    begin_check(&k, c, file, n, program);
+    for (size_t i = 0; i < n; i++) {
+        begin_file(&k);
+        for (size_t s = 0; s < file[i]->sections.n; s++) {
+            const AstSection *section = file[i]->sections.at[s];
+            check_section(&k, section);
+            for (size_t m = 0; m < section->items.n; m++)
+                check_item(&k, section->items.at[m]);
+        }
     }
     return end_check(&k);
 }
 
 // Checks a script without syntax errors.  Only some of its items are in memory at a time.
-Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const AstFile *outline, const Program *program)
+Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const AstFile *const *outline, size_t n, const Program *program)
 {
     ScriptCheck k;
     const ScriptVisitor v = {check_section, check_item, &k, items};
 
-    begin_check(&k, c, outline, program);
-    parse_script(tree, c->strings, c->diags, outline->src, &v);
+    begin_check(&k, c, outline, n, program);
+    for (size_t i = 0; i < n; i++) {
+        begin_file(&k);
+        parse_script(tree, c->strings, c->diags, outline[i]->src, &v);
+    }
     return end_check(&k);
 }
 

@@ -27,14 +27,14 @@ static void note_first(Sema *s, Diag *d, Str name)
         diag_note(s->diags, d, state->span, DIAG_note_declared_here, name->text);
 }
 
-static void declare_local(Sema *s, Script *script, const AstDecl *decl)
+static void declare_local(Sema *s, Script *script, size_t n, const AstDecl *decl)
 {
     Var *v = sema_new_var(s, VAR_LOCAL, decl);
     const char *meaning = find_meaning(s, v->name);
 
     v->of_script = true;
     v->is_constant = v->read_only;
-    v->index = (uint32_t)(s->p->var.n + script->local.n);
+    v->index = (uint32_t)(s->p->var.n + n);
     vec_push(s->arena, &script->local, v);
     if (s->p->t->name == v->name)
         diag_report(s->diags, DIAG_time_declared, v->span);
@@ -44,9 +44,9 @@ static void declare_local(Sema *s, Script *script, const AstDecl *decl)
         map_put(&s->script_local, v->name, v);
 }
 
-// Computes the initial values.  `local` is declared by `decl`.
-static void compute_value(Sema *s, Var *local, const AstDecl *decl)
+static void compute_value(Sema *s, Script *script, size_t n, const AstDecl *decl)
 {
+    Var *local = script->local.at[n];
     Expr *e;
 
     s->local = local;
@@ -57,17 +57,23 @@ static void compute_value(Sema *s, Var *local, const AstDecl *decl)
         local->init = sm_cell_from_f64(local->type, expr_constant_value(e));
 }
 
-void check_script_locals(Sema *s, Script *script, const AstFile *ss)
+// Calls f for each declaration, with its number.
+static void each_local(const AstFile *const *file, size_t files, void (*f)(Sema *s, Script *script, size_t n, const AstDecl *decl), Sema *s,
+                       Script *script)
 {
     size_t n = 0;
 
-    for (size_t i = 0; i < ss->sections.n; i++)
-        for (size_t k = 0; k < ss->sections.at[i]->decls.n; k++)
-            declare_local(s, script, &ss->sections.at[i]->decls.at[k]);
+    for (size_t i = 0; i < files; i++)
+        for (size_t k = 0; k < file[i]->sections.n; k++)
+            for (size_t d = 0; d < file[i]->sections.at[k]->decls.n; d++)
+                f(s, script, n++, &file[i]->sections.at[k]->decls.at[d]);
+}
+
+void check_script_locals(Sema *s, Script *script, const AstFile *const *file, size_t files)
+{
+    each_local(file, files, declare_local, s, script);
     s->no_value = ARENA_ARRAY(s->arena, bool, s->p->var.n + script->local.n);
     s->at = EXPR_IN_INITIAL;
-    for (size_t i = 0; i < ss->sections.n; i++)
-        for (size_t k = 0; k < ss->sections.at[i]->decls.n; k++)
-            compute_value(s, script->local.at[n++], &ss->sections.at[i]->decls.at[k]);
+    each_local(file, files, compute_value, s, script);
     s->at = EXPR_IN_STEP;
 }

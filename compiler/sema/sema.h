@@ -24,6 +24,7 @@ typedef struct HiddenNames {
 } HiddenNames;
 
 HiddenNames *find_hidden_names(const CheckContext *c, const AstFile *f);
+void add_hidden_names(const CheckContext *c, const AstFile *f, HiddenNames *to);
 
 // One machine or script being checked.
 typedef struct Sema {
@@ -95,8 +96,9 @@ Str suggest_state(Diags *diags, Diag *d, unsigned *guesses, const Program *p, St
 
 // Returns a new variable for a declaration, without index, element and initial value.
 Var *sema_new_var(Sema *s, VarKind kind, const AstDecl *decl);
-// Declares the variables of every [local] section of a script in script->local, and computes their initial values (check_script_local.c).
-void check_script_locals(Sema *s, Script *script, const AstFile *ss);
+// Declares the variables of every [local] section of a script's files in script->local, and computes their initial values
+// (check_script_local.c).
+void check_script_locals(Sema *s, Script *script, const AstFile *const *file, size_t files);
 
 // Checks the [state_vector] and [local] sections of a machine, and builds its variables.
 void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside);

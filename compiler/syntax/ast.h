@@ -182,9 +182,13 @@ typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP, FILE_NET, 
 // Finds the kind of a file from its name; returns false if the name has no known ending.
 bool file_kind(const char *path, FileKind *kind);
 
+// A line `include "plant.ss"` of a script.
+typedef struct AstInclude { Str name; Span span; } AstInclude;      // span: the name with its quotes
+
 typedef struct AstFile {
     FileKind kind;
     const Source *src;
+    VEC(AstInclude) includes; // of a script
     VEC(AstSection *) sections;       // in file order
     struct AstApp *app;               // the tree of a .app, which has no AstSection (ast_app.h); else NULL
     struct AstNet *net;               // the tree of a .net, which has no AstSection (ast_net.h); else NULL

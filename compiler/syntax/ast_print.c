@@ -209,6 +209,11 @@ static void print_section(Buf *out, const AstSection *s)
 
 void ast_print(const AstFile *f, Buf *out)
 {
+    for (size_t i = 0; i < f->includes.n; i++) {
+        buf_str(out, "include ");
+        print_source(out, f->includes.at[i].span);
+        buf_char(out, '\n');
+    }
     for (size_t i = 0; i < f->sections.n; i++)
         print_section(out, f->sections.at[i]);
     if (f->app)

@@ -270,7 +270,7 @@ static void lex_prefixed(Lexer *l, Token *t, TokenKind kind)
     lexer_finish_token(l, t, end == l->at + 1 ? TOK_ERROR : kind, end);
 }
 
-// Reads text in quotes: the reason of an @allow, or a file name. It can contain the characters that a comment can contain. Returns false if
+// Reads text in quotes: the reason of an @allow, a file name, or the text of an item of a script. It can contain the characters that a comment can contain. Returns false if
 // the position allows no text, or the text does not end on its line.
 static bool lex_text(Lexer *l, Token *t)
 {
@@ -278,7 +278,7 @@ static bool lex_text(Lexer *l, Token *t)
     const uint32_t from = l->at + 1;
     uint32_t end = from;
 
-    if (s[l->at] != '"' || (l->allow == LEX_NO_ALLOW && !l->config))
+    if (s[l->at] != '"' || (l->allow == LEX_NO_ALLOW && !l->config && !l->texts))
         return false;
     while (end < l->src->len && s[end] != '"' && s[end] != '\n')
         end++;
@@ -378,6 +378,12 @@ static LexAllow next_allow_state(const Lexer *l, const Token *t)
            t->kind == TOK_END ? LEX_NO_ALLOW : l->allow;
 }
 
+// Whether quoted text can follow token t of a script on its line.
+static bool precedes_text(const Token *t)
+{
+    return t->kind == TOK_NAME && t->first && strcmp(t->text->text, "include") == 0;
+}
+
 void lex_next(Lexer *l, Token *t)
 {
     do {
@@ -398,6 +404,8 @@ void lex_next(Lexer *l, Token *t)
         t->first = true;
     l->stores = (l->stores && !t->first) || t->kind == TOK_ASSIGN;
     l->annotated = (l->annotated && !t->first) || t->kind == TOK_ANNOTATION;
+    if (l->script)
+        l->texts = (l->texts && !t->first) || precedes_text(t);
     l->first = false;
     l->last = t->kind;
     l->allow = next_allow_state(l, t);

@@ -55,6 +55,18 @@ bool parser_at_end_of_statement(const Parser *p)
     return p->tok.first || parser_at_end_of_block(p) || p->last.kind == TOK_RBRACE;
 }
 
+// Whether the next tokens are `include` and a text.  Only in a script is there a text after this word.
+bool parser_at_include(const Parser *p)
+{
+    return p->tok.kind == TOK_NAME && p->ahead.kind == TOK_TEXT && !p->ahead.first && strcmp(p->tok.text->text, "include") == 0;
+}
+
+void parser_report_late_include(Parser *p)
+{
+    parser_fail(p, DIAG_include_late, parser_token_span(p));
+    parser_advance(p);
+}
+
 void parser_skip_line(Parser *p)
 {
     while (!p->tok.first && p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END)
@@ -442,6 +454,23 @@ static void parse_section(Parser *p, AstFile *f)
         p->visitor->section(p->visitor->context, s);
 }
 
+// ---- includes ----
+
+// Parses the lines `include "plant.ss"` at the start of a script.
+static void parse_includes(Parser *p, AstFile *f)
+{
+    while (parser_at_include(p)) {
+        p->failed = false;
+        parser_advance(p);
+        vec_push(p->arena, &f->includes, ((AstInclude){p->tok.text, parser_token_span(p)}));
+        parser_advance(p);
+        if (!p->tok.first)
+            hint_explain(p, HINT_AT_END, NULL);
+        parser_skip_line(p);
+    }
+    p->failed = false;
+}
+
 // ---- a file ----
 
 // Finds the kind of a file from its name; returns false if the name has no known ending.
@@ -471,6 +500,7 @@ static void init_parser(Parser *p, Arena *arena, StrPool *strings, Diags *diags,
     hint_init_index(&p->hints);
     p->lex.config = kind == FILE_IO || kind == FILE_APP || kind == FILE_NET;
     p->lex.addresses = kind == FILE_NET;
+    p->lex.script = kind == FILE_SS;
     lex_next(&p->lex, &p->tok);
     lex_next(&p->lex, &p->ahead);
 }
@@ -502,6 +532,8 @@ static AstFile *parse_visited(Arena *arena, StrPool *strings, Diags *diags, cons
         return f;
     }
     p.visitor = v;
+    if (kind == FILE_SS)
+        parse_includes(&p, f);
     if (p.tok.kind != TOK_HEADER && p.tok.kind != TOK_END) {
         if (p.tok.kind != TOK_ERROR)
             diag_label(diags, parser_report(&p, DIAG_text_before_section, parser_token_span(&p)), DIAG_label_text, first_section[kind]);
@@ -521,6 +553,19 @@ static AstFile *parse_visited(Arena *arena, StrPool *strings, Diags *diags, cons
 AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind)
 {
     return parse_visited(arena, strings, diags, src, kind, NULL);
+}
+
+// Parses only the includes of a script.
+AstFile *parse_script_includes(Arena *arena, StrPool *strings, Diags *diags, const Source *src)
+{
+    AstFile *f = ARENA_NEW(arena, AstFile);
+    Parser p;
+
+    f->kind = FILE_SS;
+    f->src = src;
+    init_parser(&p, arena, strings, diags, src, FILE_SS);
+    parse_includes(&p, f);
+    return f;
 }
 
 // Parses a script.  The sections of the returned tree have no items, because `v` has received them.

@@ -142,7 +142,10 @@ void parse_decls(Parser *p, AstSection *s)
 {
     while (p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END) {
         p->failed = false;
-        parse_decl(p, s);
+        if (parser_at_include(p))
+            parser_report_late_include(p);
+        else
+            parse_decl(p, s);
         if (p->failed)
             parser_skip_line(p);
     }
@@ -249,7 +252,9 @@ void parse_options(Parser *p, AstSection *s)
 {
     while (p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END) {
         p->failed = false;
-        if (p->tok.kind == TOK_NAME) {
+        if (parser_at_include(p)) {
+            parser_report_late_include(p);
+        } else if (p->tok.kind == TOK_NAME) {
             parse_option(p, s);
         } else {
             if (p->tok.kind == TOK_ERROR)

@@ -433,6 +433,8 @@ static void parse_statement(Parser *p, AstStmts *into)
     }
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
+    else if (parser_at_include(p))
+        parser_report_late_include(p);
     else if (hint_explain(p, HINT_AT_STATEMENT, NULL) == HINT_SKIPPED)
         return;
     else if (p->tok.kind == TOK_NAME && is_assignment_operator(p->ahead.kind) && !p->ahead.first)
