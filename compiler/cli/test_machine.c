@@ -13,7 +13,8 @@ typedef struct MachineTest {
     const Source **ss;        // by argument: the scripts, each read once; NULL: not a script, or unreadable
     const char **problem;     // by argument: why a script cannot be read
     bool *is_part;            // by argument: another script includes it, so it does not run by itself
-    Buf report;               // report of the last script
+    Buf report;               // report of the last script: what it printed, and then the final values
+    size_t printed;           // the length of the first of these parts
     TestTrace *trace;         // the trace that --trace requests; or NULL
 } MachineTest;
 
@@ -22,7 +23,7 @@ static const char *result_name(const char *path) { return strcmp(path, "-") == 0
 
 static void add_result(MachineTest *m, const char *path, TestStatus status, const char *message, int code)
 {
-    TestResult r = {path, m->path, status, message, code, os_seconds() - m->begin};
+    TestResult r = {path, m->path, status, message, code, os_seconds() - m->begin, "", ""};
 
     vec_push(m->t->arena, &m->t->result, r);
 }
@@ -65,6 +66,28 @@ static int exit_code_of(ScriptOutcome o)
     return EXIT_INTERNAL;
 }
 
+// Returns the requirements that the script has tested, each once, in order: "R7 R8"; "" if there is none.
+static const char *list_requirements(Arena *arena, const Script *s, const ScriptResult *r)
+{
+    Map seen = {arena, NULL, NULL, 0, 0};
+    Buf out;
+
+    buf_init(&out, arena);
+    for (size_t i = 0; i < s->section.n; i++)
+        for (size_t k = 0; k < s->section.at[i].item.n; k++) {
+            const ScriptItem *item = s->section.at[i].item.at[k];
+            for (size_t n = 0; n < item->asserts.n; n++) {
+                const ScriptAssert *a = &item->asserts.at[n];
+                const Str name = a->remark ? a->remark->requirement : NULL;
+                if (!name || map_find(&seen, name) || (a->kind != SCRIPT_FAIL && !r->evaluated[item->first_assert + n]))
+                    continue;
+                map_put(&seen, name, (void *)name);
+                buf_printf(&out, "%s%s", out.n ? " " : "", name->text);
+            }
+        }
+    return buf_text(&out);
+}
+
 static void run_script(MachineTest *m, const char *path, const Script *s)
 {
     TestRun *t = m->t;
@@ -77,11 +100,15 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
         test_trace_script(m->trace, path);
     r = script_run(t->arena, &t->c->session.diags, s, m->engines.at, m->engines.n, &o);
     code = exit_code_of(r.outcome);
+    buf_str(&m->report, r.printed);
+    m->printed = m->report.n;
     script_report(&r, m->p, &m->report);
     reported = report_diagnostics(t, &message);
     if (code == EXIT_OK)
         code = reported;
     add_result(m, path, code == EXIT_OK ? TEST_PASSED : code == EXIT_PROBLEM ? TEST_FAILED : TEST_BROKEN, message, code);
+    m->t->result.at[m->t->result.n - 1].printed = r.printed;
+    m->t->result.at[m->t->result.n - 1].requirements = list_requirements(t->arena, s, &r);
 }
 
 static void test_script(MachineTest *m, size_t argument)
@@ -91,7 +118,7 @@ static void test_script(MachineTest *m, size_t argument)
     const char *message;
     Script *s;
 
-    m->report.n = 0;
+    m->report.n = m->printed = 0;
     m->begin = os_seconds();
     if (!src) {
         test_trace_left_out(m->trace, path);
@@ -172,14 +199,15 @@ static int print_report(MachineTest *m, const char *path)
 {
     Cli *c = m->t->c;
     const TestResult *last = &m->t->result.at[m->t->result.n - 1];
+    const bool has_values = c->given[OPT_VERBOSE] || (is_lone_script(c) && last->status == TEST_PASSED);
+    const size_t shown = has_values ? m->report.n : m->printed;
     Buf out;
 
     buf_init(&out, m->t->arena);
     if (!is_lone_script(c))
         buf_printf(&out, "%s:\n", path);
-    buf_put(&out, buf_text(&m->report), m->report.n);
-    if (test_stdout_is_for_program(c) || m->report.n == 0 ||
-        (!c->given[OPT_VERBOSE] && !(is_lone_script(c) && last->status == TEST_PASSED)))
+    buf_put(&out, buf_text(&m->report), shown);
+    if (test_stdout_is_for_program(c) || shown == 0)
         return EXIT_OK;
     return cli_print(c, test_result_fd(c), &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }

@@ -189,6 +189,8 @@ static void allocate_run(ScriptRun *r)
     r->cell = ARENA_ARRAY(r->arena, uint64_t, r->p->var.n + r->s->local.n);
     ref_windows_init(&r->windows, r->arena, &r->s->window);
     r->evaluated = arena_alloc(r->arena, t.asserts);
+    r->is_pending = arena_alloc(r->arena, t.asserts);
+    buf_init(&r->printed, r->arena);
     r->was_true = arena_alloc(r->arena, t.items);
     r->ran = ARENA_ARRAY(r->arena, uint64_t, r->p->state.n);
 }
@@ -225,12 +227,15 @@ void run_to_the_end(ScriptRun *r)
 {
     allocate_run(r);
     r->result.cell = r->cell;
+    r->result.evaluated = r->evaluated;
+    r->result.undecided = r->is_pending;
     init_engines(r);
     r->schedule = schedule_new(r->arena, r->s, r->cell);
     while (!r->ended && r->result.steps < r->o->max_steps)
         run_step(r);
     if (!r->ended)
         run_finish(r, SCRIPT_ENDLESS);
+    r->result.printed = assert_finish_printing(r);
 }
 
 // Runs the engines in lock step on one script.

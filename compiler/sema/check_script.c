@@ -52,6 +52,56 @@ static void check_option(ScriptCheck *k, const AstOption *o)
 
 // ---- conditionals ----
 
+static bool is_assert(const AstStmt *s)
+{
+    return s->kind == AST_ASSERT || s->kind == AST_FAIL || s->kind == AST_EXPECT || s->kind == AST_PRINT;
+}
+
+// Returns the time after `within`, in units of G; 0 after a report.
+static uint64_t check_within(ScriptCheck *k, const AstExpr *in)
+{
+    Expr *e = check_expr(&k->s, in);
+    SmF64 x = sm_from_i32(0);
+
+    if (!e)
+        return 0;
+    if (expr_is_constant(e))
+        x = expr_constant_value(e);
+    if (!expr_is_constant(e) || !sm_le(sm_from_i32(0), x))
+        diag_report(k->s.diags, DIAG_within_value, in->span);
+    return sm_to_u64(x);
+}
+
+// Checks what follows an item's condition.  Returns NULL if nothing does.
+static const ScriptRemark *check_remark(ScriptCheck *k, const AstStmt *in)
+{
+    const AstRemark *from = in->remark;
+    ScriptRemark *r;
+
+    if (!from)
+        return NULL;
+    r = ARENA_NEW(k->s.arena, ScriptRemark);
+    r->span = in->span;
+    r->text = from->text;
+    r->requirement = from->requirement;
+    if (from->within)
+        r->within = check_within(k, from->within);
+    for (size_t i = 0; i < from->values.n; i++)
+        vec_push(k->s.arena, &r->printed, check_expr(&k->s, from->values.at[i]));
+    return r;
+}
+
+static void add_assert(ScriptCheck *k, ScriptItem *item, const AstStmt *in)
+{
+    static const ScriptAssertKind kind[] = {
+        [AST_ASSERT] = SCRIPT_ASSERT, [AST_FAIL] = SCRIPT_FAIL, [AST_EXPECT] = SCRIPT_EXPECT, [AST_PRINT] = SCRIPT_PRINT};
+    ScriptAssert a = {kind[in->kind], in->value ? check_expr(&k->s, in->value) : NULL, NULL};
+
+    a.remark = check_remark(k, in);
+    if (a.condition || !in->value)
+        vec_push(k->s.arena, &item->asserts, a);
+}
+
 // Allocates an item whose lists have exactly the capacity that they need, because a script can have a million items.
 static ScriptItem *new_item(ScriptCheck *k, const AstStmts *body)
 {
@@ -59,10 +109,10 @@ static ScriptItem *new_item(ScriptCheck *k, const AstStmts *body)
 
     for (size_t i = 0; i < body->n; i++) {
         item->inputs.cap += body->at[i]->kind == AST_ASSIGN;
-        item->asserts.cap += body->at[i]->kind == AST_ASSERT;
+        item->asserts.cap += is_assert(body->at[i]);
     }
     item->inputs.at = ARENA_ARRAY(k->s.arena, Stmt *, item->inputs.cap);
-    item->asserts.at = ARENA_ARRAY(k->s.arena, Expr *, item->asserts.cap);
+    item->asserts.at = ARENA_ARRAY(k->s.arena, ScriptAssert, item->asserts.cap);
     return item;
 }
 
@@ -78,16 +128,14 @@ static void check_conditional(ScriptCheck *k, ScriptSection *section, const AstS
     for (size_t i = 0; i < in->arms->then.n; i++) {
         const AstStmt *stmt = in->arms->then.at[i];
         Stmt *input;
-        Expr *condition;
 
         switch (stmt->kind) {
         case AST_ASSIGN:
             if ((input = check_assignment(&k->s, stmt)) != NULL)
                 vec_push(k->s.arena, &item->inputs, input);
             break;
-        case AST_ASSERT:
-            if ((condition = check_expr(&k->s, stmt->value)) != NULL)
-                vec_push(k->s.arena, &item->asserts, condition);
+        case AST_ASSERT: case AST_FAIL: case AST_EXPECT: case AST_PRINT:
+            add_assert(k, item, stmt);
             break;
         case AST_STOP:
             item->stop = k->has_stop = true;

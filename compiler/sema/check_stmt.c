@@ -179,7 +179,7 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
         case AST_ASSIGN:     stmt = check_assignment(s, in->at[i]); break;
         case AST_TRANSITION: stmt = check_transition(s, in->at[i]); break;
         case AST_IF:         stmt = check_if(s, in->at[i]); break;
-        case AST_ASSERT: case AST_STOP: case AST_STMT_ERROR: break;       // the parser has reported them
+        case AST_ASSERT: case AST_FAIL: case AST_EXPECT: case AST_PRINT: case AST_STOP: case AST_STMT_ERROR: break;       // the parser has reported them
         }
         if (stmt)
             vec_push(s->arena, out, stmt);

@@ -191,13 +191,34 @@ typedef struct Program {
 
 // ---- the script ----
 
+typedef enum ScriptAssertKind {
+    SCRIPT_ASSERT,            // @assert: the condition is true after the step
+    SCRIPT_FAIL,              // @fail: the guard is never true
+    SCRIPT_EXPECT,            // @expect: the condition becomes true in time
+    SCRIPT_PRINT              // @print: shows values, and tests nothing
+} ScriptAssertKind;
+
+// What an assert says besides its condition.
+typedef struct ScriptRemark {
+    Span span;                // the whole item
+    Str text, requirement;    // NULL: none
+    uint64_t within;          // EXPECT: in units of G
+    VEC(Expr *) printed;      // PRINT
+} ScriptRemark;
+
+typedef struct ScriptAssert {
+    ScriptAssertKind kind;
+    Expr *condition;          // FAIL and PRINT: NULL
+    const ScriptRemark *remark;       // ASSERT: NULL if it has neither text nor requirement
+} ScriptAssert;
+
 typedef struct ScriptItem {   // one conditional
     Expr *guard;
     uint32_t number;          // 0, 1, 2 … in file order, over the whole script
     uint32_t first_assert;    // number of asserts in the items before it
     Span span;
     Stmts inputs;             // ST_ASSIGN, executed at once when the guard is true
-    VEC(Expr *) asserts;      // evaluated after the step, in order
+    VEC(ScriptAssert) asserts;        // evaluated after the step, in order
     bool stop;                // the item's body ends with @stop
     Span stop_span;
 } ScriptItem;

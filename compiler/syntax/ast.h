@@ -91,6 +91,9 @@ typedef enum AstStmtKind {
     AST_ALLOWED,      // @allow(name, "reason"), for the next statement
     AST_IF,           // [if] value: … or { … }, else …
     AST_ASSERT,       // @assert value     (scripts)
+    AST_FAIL,         // @fail "text"      (scripts)
+    AST_EXPECT,       // @expect value within time     (scripts)
+    AST_PRINT,        // @print value, …   (scripts)
     AST_STOP          // @stop             (scripts)
 } AstStmtKind;
 
@@ -103,6 +106,13 @@ typedef struct AstArms {      // the branches of a conditional
     bool braces, else_braces; // whether the body is in { } rather than after a colon
     bool has_else;
 } AstArms;
+// What follows an @assert, @fail, @expect or @print.
+typedef struct AstRemark {
+    Str text, requirement;    // NULL: none
+    AstExpr *within;          // EXPECT: the time after `within`
+    VEC(AstExpr *) values;    // PRINT: what it prints
+} AstRemark;
+
 struct AstStmt {
     AstStmtKind kind;
     bool flawed;              // an error in it has been reported
@@ -110,7 +120,8 @@ struct AstStmt {
     Str name;                 // ASSIGN: the assigned variable; TRANSITION: the target state
     Span name_span;
     const AstAnnotation *allow;       // ALLOWED: the @allow
-    AstExpr *value;           // ASSIGN, ASSERT: the expression; IF: the guard
+    AstExpr *value;           // ASSIGN, ASSERT, EXPECT: the expression; IF: the guard
+    const AstRemark *remark;  // ASSERT: or NULL if nothing follows; FAIL, EXPECT, PRINT
     AstArms *arms;            // IF: its branches
 };
 

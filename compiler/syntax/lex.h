@@ -68,8 +68,8 @@ typedef struct Lexer {
     bool keep_comments;       // lex_next returns comments as tokens
     bool config;              // a .io, .app or .net: file names are quoted, and units follow numbers
     bool addresses;           // a .net: four numbers with dots are an address
-    bool script;              // a .ss: quoted text can follow `include`
-    bool texts;               // in a script: quoted text can follow on this line
+    bool script;              // a .ss: quoted text can follow `include`, @assert, @fail, @expect and @print
+    bool texts;               // in a script: quoted text can follow in this statement
     TokenKind last;           // kind of the last token returned
     LexAllow allow;           // the current position relative to an @allow( )
 

@@ -358,8 +358,8 @@ const AstAnnotation *parse_allow(Parser *p)
 
 void parser_report_annotation_in_block(Parser *p)
 {
-    static const char *const script_words[] = {"assert", "stop"};
-    const char *word = p->tok.text->text, *near = str_nearest(word, script_words, 2);
+    static const char *const script_words[] = {"assert", "stop", "fail", "expect", "print"};
+    const char *word = p->tok.text->text, *near = str_nearest(word, script_words, sizeof script_words / sizeof *script_words);
     Diag *d = parser_fail(p, DIAG_annotation_here, parser_token_span(p), word);
 
     if (is_for_states_only(find_annotation_row(p->tok.text, AST_ON_STATE)))
