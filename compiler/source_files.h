@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of a script: those that it includes, and itself (language.md 8.26 to 8.29).
+// The files of a script: those that it includes, and itself (language.md 8.27 to 8.30).
 #ifndef SMC_SOURCE_FILES_H
 #define SMC_SOURCE_FILES_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// [local] of a script: its variables (language.md 8.22 to 8.25).
+// [local] of a script: its variables (language.md 8.23 to 8.26).
 #include "compiler/sema/sema.h"
 
 #include "stdlib/convert.h"
@@ -9,6 +9,8 @@ static const char *find_meaning(const Sema *s, Str name)
 {
     const Var *v = scope_find_variable(s, name);
 
+    if (!v && map_find(&s->defines, name))
+        return "a definition of the machine";
     if (!v)
         return map_find(&s->p->state_by_name, name) ? "a state of the machine" : NULL;
     if (v->of_script)
@@ -21,7 +23,7 @@ static void note_first(Sema *s, Diag *d, Str name)
 {
     const State *state = map_find(&s->p->state_by_name, name);
 
-    if (scope_find_variable(s, name))
+    if (scope_find_variable(s, name) || map_find(&s->defines, name))
         scope_note_declared(s, d, name);
     else if (state)
         diag_note(s->diags, d, state->span, DIAG_note_declared_here, name->text);

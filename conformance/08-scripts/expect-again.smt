@@ -1,4 +1,4 @@
-spec 8.34  An expect begins again after it has passed.
+spec 8.35  An expect begins again after it has passed.
 expect fail
 on   ref vm c
 

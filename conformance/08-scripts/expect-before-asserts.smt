@@ -1,4 +1,4 @@
-spec 8.34  Undecided expects are judged before what the step has noted, in the order in which they began.
+spec 8.35  Undecided expects are judged before what the step has noted, in the order in which they began.
 expect fail
 on   ref vm c
 

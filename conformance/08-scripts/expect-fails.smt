@@ -1,4 +1,4 @@
-spec 8.32  An expect fails after the last step that could have met it.
+spec 8.33  An expect fails after the last step that could have met it.
 expect fail
 on   ref vm c
 

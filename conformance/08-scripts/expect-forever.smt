@@ -1,4 +1,4 @@
-spec 8.32  A time beyond 64 bits never ends.
+spec 8.33  A time beyond 64 bits never ends.
 expect fail
 steps 100
 on   ref vm c

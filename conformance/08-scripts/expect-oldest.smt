@@ -1,4 +1,4 @@
-spec 8.34  The guard of an undecided expect has no effect on it: the oldest one counts.
+spec 8.35  The guard of an undecided expect has no effect on it: the oldest one counts.
 expect fail
 on   ref vm c
 

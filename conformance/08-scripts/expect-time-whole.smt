@@ -1,4 +1,4 @@
-spec 8.33  The fraction of the time is dropped.
+spec 8.34  The fraction of the time is dropped.
 expect fail
 on   ref vm c
 

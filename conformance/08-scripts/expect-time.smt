@@ -1,4 +1,4 @@
-spec 8.33  The time of an expect is a constant of at least 0, whose fraction is dropped.
+spec 8.34  The time of an expect is a constant of at least 0, whose fraction is dropped.
 
 -- app.sm --
 [state_vector]

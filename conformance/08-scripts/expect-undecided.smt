@@ -1,4 +1,4 @@
-spec 8.34  An expect that is undecided when the script stops has failed.
+spec 8.35  An expect that is undecided when the script stops has failed.
 expect fail
 on   ref vm c
 

@@ -1,4 +1,4 @@
-spec 8.32, 8.34  An expect passes at any step in its time, its own and the last included, and in any state.
+spec 8.33, 8.35  An expect passes at any step in its time, its own and the last included, and in any state.
 on   ref vm c
 
 -- app.sm --

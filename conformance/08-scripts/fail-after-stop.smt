@@ -1,4 +1,4 @@
-spec 8.31  A @fail that is noted after @stop is not judged.
+spec 8.32  A @fail that is noted after @stop is not judged.
 on   ref vm c
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.31  @fail ends the script as failed after the step, with its text and requirement.
+spec 8.32  @fail ends the script as failed after the step, with its text and requirement.
 expect fail
 on   ref vm c
 

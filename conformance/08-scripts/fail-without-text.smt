@@ -1,4 +1,4 @@
-spec 8.31  @fail needs a text.
+spec 8.32  @fail needs a text.
 
 -- app.sm --
 [state_vector]
@@ -17,5 +17,5 @@ bool open
 [options]
 delta_t 10
 [all_states]
-G == 0: @fail             #! E0395
+G == 0: @fail             #! E0346
 G == 10: @stop

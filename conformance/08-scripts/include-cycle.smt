@@ -1,4 +1,4 @@
-spec 8.28  Files that include each other are an error that names the chain.
+spec 8.29  Files that include each other are an error that names the chain.
 expect error
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.26  Includes precede the first section.
+spec 8.27  Includes precede the first section.
 
 -- app.sm --
 [state_vector]
@@ -12,10 +12,10 @@ F64 x
 
 -- app.ss --
 [options]
-include "b.ss"         #! E0392
+include "b.ss"         #! E0343
 delta_t 1
 [local]
-include "b.ss"         #! E0392
+include "b.ss"         #! E0343
 [all_states]
-include "b.ss"         #! E0392
+include "b.ss"         #! E0343
 true: @stop

@@ -1,4 +1,4 @@
-spec 8.26  A file that does not exist, or is no script, cannot be included.
+spec 8.27  A file that does not exist, or is no script, cannot be included.
 
 -- app.sm --
 [state_vector]

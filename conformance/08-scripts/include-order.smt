@@ -1,4 +1,4 @@
-spec 8.27  A file that is included twice counts once, at its first place, and its sections come before those of the files that include it.
+spec 8.28  A file that is included twice counts once, at its first place, and its sections come before those of the files that include it.
 on   ref vm c
 
 -- app.sm --

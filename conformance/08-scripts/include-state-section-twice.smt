@@ -1,4 +1,4 @@
-spec 8.4, 8.29  A state has one section in each file.
+spec 8.4, 8.30  A state has one section in each file.
 
 -- app.sm --
 [state_vector]

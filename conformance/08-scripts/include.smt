@@ -1,4 +1,4 @@
-spec 8.26, 8.27, 8.29  Included files are part of the script: their sections come first, and variables are known in all files.
+spec 8.27, 8.28, 8.30  Included files are part of the script: their sections come first, and variables are known in all files.
 on   ref vm c
 
 -- app.sm --

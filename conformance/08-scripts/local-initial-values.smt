@@ -1,4 +1,4 @@
-spec 8.22  Initial values are computed before the run: from numbers, locals of the machine, and variables declared above.
+spec 8.23  Initial values are computed before the run: from numbers, locals of the machine, and variables declared above.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.25  A variable of the script keeps its value through steps and transitions, and a machine does not see it.
+spec 8.26  A variable of the script keeps its value through steps and transitions, and a machine does not see it.
 on   ref vm c
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.23  A name of the machine, and a name of the script, cannot be declared in [local].
+spec 8.24  A name of the machine, and a name of the script, cannot be declared in [local].
 
 -- app.sm --
 [state_vector]

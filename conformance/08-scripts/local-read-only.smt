@@ -1,4 +1,4 @@
-spec 8.24  A script cannot assign its own @read_only variable, and its variables have no other annotation.
+spec 8.25  A script cannot assign its own @read_only variable, and its variables have no other annotation.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.22  Each run of a script begins with the initial values of its variables.
+spec 8.23  Each run of a script begins with the initial values of its variables.
 on   ref vm c
 
 -- app.sm --

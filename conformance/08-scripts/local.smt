@@ -1,4 +1,4 @@
-spec 8.22, 8.25  A script declares variables of every type, in any number of sections, which inputs assign and everything reads.
+spec 8.23, 8.26  A script declares variables of every type, in any number of sections, which inputs assign and everything reads.
 on   ref vm c
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 1.9, 8.26  'include' is a name where no text follows.
+spec 1.9, 8.27  'include' is a name where no text follows.
 on   ref vm c
 
 -- app.sm --

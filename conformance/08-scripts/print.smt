@@ -1,4 +1,4 @@
-spec 8.35  A print shows values and tests nothing.
+spec 8.36  A print shows values and tests nothing.
 on   ref vm c
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.30  Texts and requirements follow asserts, expects, fails and prints, in any order.
+spec 8.31  Texts and requirements follow asserts, expects, fails and prints, in any order.
 on   ref vm c
 
 -- app.sm --

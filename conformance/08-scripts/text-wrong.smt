@@ -1,4 +1,4 @@
-spec 8.30  A text and a requirement appear at most once, in quotes and as a name; a print has no requirement.
+spec 8.31  A text and a requirement appear at most once, in quotes and as a name; a print has no requirement.
 
 -- app.sm --
 [state_vector]
@@ -17,10 +17,10 @@ bool open
 [options]
 delta_t 10
 [all_states]
-G == 0: @assert open "a" "b"          #! E0397 text
-G == 0: @assert open @req R1 @req R2  #! E0397 requirement
-G == 0: @assert open @req "R1"        #! E0396
-G == 0: @print x @req R1              #! E0399
-G == 0: @assert open, "late"          #! E0398
-G == 0: @expect open "late"           #! E0394
+G == 0: @assert open "a" "b"          #! E0348 text
+G == 0: @assert open @req R1 @req R2  #! E0348 requirement
+G == 0: @assert open @req "R1"        #! E0347
+G == 0: @print x @req R1              #! E0366
+G == 0: @assert open, "late"          #! E0349
+G == 0: @expect open "late"           #! E0345
 G == 10: @stop

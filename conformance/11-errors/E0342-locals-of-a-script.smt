@@ -1,4 +1,4 @@
-spec 8.22  A misspelt [local] of a script is reported with the right name.
+spec 8.23  A misspelt [local] of a script is reported with the right name.
 
 -- app.sm --
 [state_vector]

@@ -38,7 +38,7 @@ a.ss [passed]
   a.ss:9  never at 30 < 40  R9           not reached
 
   step 3 (G = 20), the level & more: p + 1 = 8.5, open = true
-  step 3 (G = 20): S = 1
+  step 3 (G = 20): S = Idle, number 1
 
   Step  G  State entered  Duration
      1  0  Idle           until the end

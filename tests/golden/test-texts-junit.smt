@@ -43,7 +43,7 @@ note: the machine has been in state 'Idle' from the start
 1 error
 </failure>
       <system-out>step 3 (G = 20), the level &#38; more: p + 1 = 8.5, open = true
-step 3 (G = 20): S = 1
+step 3 (G = 20): S = Idle, number 1
 </system-out>
     </testcase>
   </testsuite>

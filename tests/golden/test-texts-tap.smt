@@ -27,4 +27,4 @@ TAP version 13
 ok 1 - a.ss
 # requirements: R7 R9
 # step 3 (G = 20), the level & more: p + 1 = 8.5, open = true
-# step 3 (G = 20): S = 1
+# step 3 (G = 20): S = Idle, number 1

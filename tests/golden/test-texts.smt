@@ -23,7 +23,7 @@ G == 30: @fail "never at 30 < 40" @req R9
 G == 40: @stop
 -- stdout --
 step 3 (G = 20), the level & more: p + 1 = 8.5, open = true
-step 3 (G = 20): S = 1
+step 3 (G = 20): S = Idle, number 1
 -- stderr --
 a.ss:9:10: error: reached '@fail' in step 4 (G = 30, state Idle): never at 30 < 40 (R9) [E0755]
     9 | G == 30: @fail "never at 30 < 40" @req R9

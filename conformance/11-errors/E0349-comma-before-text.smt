@@ -1,4 +1,4 @@
-spec 8.30  The text of an item follows its condition directly, without a comma.
+spec 8.31  The text of an item follows its condition directly, without a comma.
 
 -- app.sm --
 [state_vector]
@@ -12,5 +12,5 @@ bool open
 [options]
 delta_t 10
 [all_states]
-G == 0: @assert open, "late"          #! E0398
+G == 0: @assert open, "late"          #! E0349
 G == 10: @stop
