@@ -19,7 +19,7 @@ bool open
 [options]
 delta_t 10
 [all_states]
-G == 0: x = 7
-G == 10: x = 0
-x == 0 or x == 7: @expect open within 20     #! E0756 expected within 20 after G = 10
+G == 10: x = 7
+G == 20: x = 0
+x == 0: @expect open within 20     #! E0756 expected within 20 after G = 20
 G == 90: @stop

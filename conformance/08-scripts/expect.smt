@@ -18,7 +18,7 @@ bool open
 [options]
 delta_t 10
 [Hold]
-G == 0: @expect not open within 0 ms
+G == 0: @expect T == 0 within 0 ms
 G == 10: @expect open within 30 "at 40"
 G == 40: x = 7
 G == 60: x = 100
