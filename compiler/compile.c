@@ -37,6 +37,7 @@
 
 #include "compiler/analysis/analysis.h"
 #include "compiler/artefacts.h"
+#include "compiler/source_files.h"
 #include "compiler/syntax/parse.h"
 
 // Returns the index of the only machine; SIZE_MAX if there is not exactly one.
@@ -52,12 +53,25 @@ static size_t find_only_machine(const CompileInput *in)
     return n == 1 ? found : SIZE_MAX;
 }
 
+// Marks the scripts that other scripts of the call include.
+static void mark_included_scripts(Compilation *c)
+{
+    for (size_t i = 0; i < c->in->n; i++) {
+        ScriptFiles files = {NULL, 1};
+        if (c->in->at[i].kind == FILE_SS && !c->out->of[i].is_included)       // of files that include each other, the first is a script
+            files = session_script_files(c->s, c->in->at[i].text, true);
+        for (size_t k = 0; k + 1 < files.n; k++)
+            for (size_t n = 0; n < c->in->n; n++)
+                c->out->of[n].is_included |= c->in->at[n].text == files.at[k];
+    }
+}
+
 // Returns the index of the machine that source i is a script of; SIZE_MAX: it is no script, or has no machine.
 static size_t machine_of_script(const Compilation *c, size_t i)
 {
     const CompileSource *script = &c->in->at[i];
 
-    if (script->kind != FILE_SS)
+    if (script->kind != FILE_SS || c->out->of[i].is_included)
         return SIZE_MAX;
     return script->machine ? script->machine - 1 : c->only_machine;
 }
@@ -123,7 +137,7 @@ static void compile_scripts(Compilation *c)
         const Program *p = m != SIZE_MAX ? c->out->of[m].scripted : NULL;
         if (p)
             c->out->of[i].script = session_script(c->s, c->in->at[i].text, p);
-        else if (c->in->at[i].kind == FILE_SS)
+        else if (c->in->at[i].kind == FILE_SS && !c->out->of[i].is_included)
             session_parse(c->s, c->in->at[i].text, FILE_SS);
     }
 }
@@ -142,6 +156,7 @@ static void analyse_all_machines(Compilation *c)
 
 static void compile_files(Compilation *c)
 {
+    mark_included_scripts(c);
     for (size_t i = 0; i < c->in->n; i++) {
         const CompileSource *src = &c->in->at[i];
         CompiledSource *of = &c->out->of[i];

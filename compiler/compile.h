@@ -66,6 +66,7 @@ typedef struct CompiledSource {
     IoMap *pins;
     Network *net;
     Script *script;
+    bool is_included;             // another script of the call includes this one, which is not a script by itself
 } CompiledSource;
 
 // A file to write.

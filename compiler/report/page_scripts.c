@@ -224,6 +224,43 @@ static void add_not_covered(Report *r, Doc *d)
 
 // ---- one script ----
 
+static const DocColumn assert_columns[] = {{"line", "Line"}, {"text", "Text"}, {"requirement", "Requirement"}, {"result", "Result"}};
+
+static const char *assert_result(const ReportRun *run, const ScriptAssert *a, uint32_t number)
+{
+    if (run->result.failed == a)
+        return "failed";
+    if (a->kind == SCRIPT_FAIL)
+        return "not reached";
+    if (run->result.undecided[number])
+        return "undecided";
+    return run->result.evaluated[number] ? "met" : "never evaluated";
+}
+
+// Adds a table of the asserts that have a text or a requirement.
+static void add_named_asserts(const Report *r, Doc *d, const ReportRun *run)
+{
+    DocTable *t = NULL;
+
+    for (size_t i = 0; i < run->script->section.n; i++)
+        for (size_t k = 0; k < run->script->section.at[i].item.n; k++) {
+            const ScriptItem *item = run->script->section.at[i].item.at[k];
+            for (uint32_t n = 0; n < item->asserts.n; n++) {
+                const ScriptAssert *a = &item->asserts.at[n];
+                const ScriptRemark *m = a->remark;
+                if (!m || a->kind == SCRIPT_PRINT || (!m->text && !m->requirement))
+                    continue;
+                if (!t)
+                    t = DOC_ADD_TABLE(d, format_in(r->arena, "asserts.%s", run->name), assert_columns);
+                doc_add_plain_cell(t, format_in(r->arena, "%s:%lu", path_portable_name(m->span.src->name),
+                                                (unsigned long)source_position(m->span.src, m->span.at).line));
+                doc_add_plain_cell(t, m->text ? m->text->text : "");
+                doc_add_plain_cell(t, m->requirement ? m->requirement->text : "");
+                doc_add_plain_cell(t, assert_result(run, a, item->first_assert + n));
+            }
+        }
+}
+
 static void add_visits(const Report *r, Doc *d, const ReportRun *run)
 {
     enum { SHOWN = 20 };
@@ -292,6 +329,9 @@ static void add_run(const Report *r, Doc *d, const ReportRun *run, size_t number
     }
     if (!run->script || run->trace.steps == 0)
         return;
+    add_named_asserts(r, d, run);
+    if (*run->result.printed)
+        doc_add_lines(d, run->result.printed);
     add_plot(r, d, run);
     add_visits(r, d, run);
 }

@@ -82,7 +82,7 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     Str alias;                // or NULL
     Str report_name;          // its name in reports: name or alias, whichever comes first in ASCII
     SmType type;
-    uint32_t index;           // its index in Program.var
+    uint32_t index;           // its index in Program.var; of a script's variable: Program.var.n plus its index in Script.local
     Element *element;         // ELEMENT: its element
     const Range *range;       // ELEMENT: from the machine, or else from the .sv; or NULL
     bool read_only;           // the machine cannot assign the variable; true for G, S and T
@@ -94,6 +94,7 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     bool written;             // the machine contains an assignment to it
     bool read;                // the machine reads it
     bool sizes;               // LOCAL: the size of a window depends on it
+    bool of_script;           // LOCAL: a script declares it, not the machine; no engine knows it
     Span span;                // position of its name in the list or declaration
 } Var;
 
@@ -222,13 +223,34 @@ typedef struct Program {
 
 // ---- the script ----
 
+typedef enum ScriptAssertKind {
+    SCRIPT_ASSERT,            // @assert: the condition is true after the step
+    SCRIPT_FAIL,              // @fail: the guard is never true
+    SCRIPT_EXPECT,            // @expect: the condition becomes true in time
+    SCRIPT_PRINT              // @print: shows values, and tests nothing
+} ScriptAssertKind;
+
+// What an assert says besides its condition.
+typedef struct ScriptRemark {
+    Span span;                // the whole item
+    Str text, requirement;    // NULL: none
+    uint64_t within;          // EXPECT: in units of G
+    VEC(Expr *) printed;      // PRINT
+} ScriptRemark;
+
+typedef struct ScriptAssert {
+    ScriptAssertKind kind;
+    Expr *condition;          // FAIL and PRINT: NULL
+    const ScriptRemark *remark;       // ASSERT: NULL if it has neither text nor requirement
+} ScriptAssert;
+
 typedef struct ScriptItem {   // one conditional
     Expr *guard;
     uint32_t number;          // 0, 1, 2 … in file order, over the whole script
     uint32_t first_assert;    // number of asserts in the items before it
     Span span;
     Stmts inputs;             // ST_ASSIGN, executed at once when the guard is true
-    VEC(Expr *) asserts;      // evaluated after the step, in order
+    VEC(ScriptAssert) asserts;        // evaluated after the step, in order
     bool stop;                // the item's body ends with @stop
     Span stop_span;
 } ScriptItem;
@@ -244,6 +266,7 @@ typedef struct Script {
     uint64_t delta_t;
     Span delta_t_span;        // position of the value of delta_t in [options]
     State *init_state;
+    VEC(Var *) local;         // the variables of [local], in file order
     VEC(ScriptSection) section;       // in file order
     Windows window;           // of the roll calls in all sections of the script
 } Script;

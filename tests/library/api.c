@@ -701,6 +701,23 @@ static void test_locale_has_no_effect(void)
     free(c_code);
 }
 
+// A script finds the scripts that it includes among the sources, by paths relative to its own.
+static void test_including_scripts(void)
+{
+    static const char plant[] = "include \"../common.ss\"\n[local]\nF64 height = 2 * start\n[all_states]\ntrue: height = height + 1\n";
+    static const char flight[] = "include \"lib/plant.ss\"\n[all_states]\nG == 20: @assert height == 23 @req R1\nG == 20: @stop\n";
+    SmcSession *s = open_session();
+    const uint32_t sm = add(s, SMC_KIND_SM, "dir/tank.sm", tank), part = add(s, SMC_KIND_SS, "dir/lib/plant.ss", plant);
+    const uint32_t common = add(s, SMC_KIND_SS, "dir/common.ss", "[options]\ndelta_t 10\n[local]\nF64 start = 10\n");
+    const uint32_t ss = add(s, SMC_KIND_SS, "dir/flight.ss", flight);
+
+    CHECK(smc_compile(s) == SMC_OK && smc_run(s, ss, SMC_ENGINE_VM | SMC_ENGINE_REF, 0) == SMC_OK && smc_run_asserts(s, ss) == 1);
+    CHECK(smc_run(s, part, SMC_ENGINE_VM, 0) == SMC_E_INDEX && strstr(smc_error_text(s), "another script includes") != NULL);
+    CHECK(smc_run(s, common, SMC_ENGINE_VM, 0) == SMC_E_INDEX);
+    CHECK(smc_source_remove(s, common) == SMC_OK && smc_compile(s) == SMC_E_SOURCE && smc_diag_count(s) > 0);
+    CHECK(smc_source_kind(s, sm) == SMC_KIND_SM && smc_close(s) == SMC_OK);
+}
+
 int main(void)
 {
     test_compiling();
@@ -716,6 +733,7 @@ int main(void)
     test_errors_are_utf8();
     test_allowed_warnings_are_kept();
     test_running_scripts();
+    test_including_scripts();
     test_running_scripts_of_several_machines();
     test_cancelling();
     test_running_machines();
