@@ -5,6 +5,7 @@
 
 #include <string.h>
 
+#include "runtime-c/net_stream.h"
 #include "runtime-c/pal/clock.h"
 #include "stdlib/convert.h"
 
@@ -73,16 +74,24 @@ static SmResult open_udp(SmNetChannel *c, bool sends)
 
 static SmResult open_channel(SmNet *net, SmNetChannel *c, bool sends)
 {
-    if (!is_row_valid(net, c) || (sends && c->period == 0))
+    if (!is_row_valid(net, c) || sends != (c->period != 0))
         return SM_E_ARGUMENT;
-    return open_udp(c, sends);
+    return c->transport == SM_NET_UDP ? open_udp(c, sends) : sm_stream_open(c);
+}
+
+static void close_channel(SmNetChannel *c)
+{
+    if (c->transport == SM_NET_UDP)
+        pal_socket_close(c->socket);
+    else
+        sm_stream_close(c);
 }
 
 void sm_net_close(SmNet *net)
 {
     for (uint8_t i = 0; i < net->channels; i++) {
         if (net->channel[i].open)
-            pal_socket_close(net->channel[i].socket);
+            close_channel(&net->channel[i]);
         net->channel[i].open = false;
     }
 }
@@ -129,22 +138,28 @@ static bool is_silent(const SmNetChannel *c, uint64_t now)
     return now - c->accepted_at > (c->timeout ? c->timeout : restart);
 }
 
-// Checks the bytes of one packet, and counts it.
-static void accept_packet(SmNetChannel *c, size_t n, uint64_t now)
+static void count_received(SmNetChannel *c, SmNetCount cause)
+{
+    add(&c->count[cause]);
+    if (cause != SM_NET_accepted)
+        add(&c->count[SM_NET_refused]);
+}
+
+// Checks the n bytes of one message, and counts it.
+static SmNetCount accept_message(SmNetChannel *c, const uint8_t *bytes, size_t n, uint64_t now)
 {
     SmNetStamp stamp;
-    SmNetCount cause = sm_net_check(&c->message, c->bytes, n, &stamp);
+    SmNetCount cause = sm_net_check(&c->message, bytes, n, &stamp);
 
     if (cause == SM_NET_accepted)
         cause = sm_net_order(&c->order, stamp, c->message.key != NULL, is_silent(c, now));
-    add(&c->count[cause]);
-    if (cause != SM_NET_accepted) {
-        add(&c->count[SM_NET_refused]);
-        return;
+    count_received(c, cause);
+    if (cause == SM_NET_accepted) {
+        sm_net_values(&c->message, bytes, c->value);
+        c->accepted_at = now;
+        c->fresh = true;
     }
-    sm_net_values(&c->message, c->bytes, c->value);
-    c->accepted_at = now;
-    c->fresh = true;
+    return cause;
 }
 
 // Reads the packets that have arrived, at most SM_NET_BURST.
@@ -157,9 +172,33 @@ static SmResult receive_packets(SmNetChannel *c, uint64_t now)
             return SM_OK;
         if (r != SM_OK && r != SM_E_SIZE)
             return r;
-        accept_packet(c, r == SM_E_SIZE ? (size_t)c->message.size + 1 : n, now);
+        accept_message(c, c->bytes, r == SM_E_SIZE ? (size_t)c->message.size + 1 : n, now);
     }
     return SM_OK;
+}
+
+// Reads the messages that have arrived on one connection, at most SM_NET_BURST.
+static void receive_messages(SmNetChannel *c, SmNetPeer *p, uint64_t now)
+{
+    SmNetCount cause;
+
+    for (int i = 0; i < SM_NET_BURST && sm_stream_receive(c, p, &cause, now); i++)
+        if (cause == SM_NET_accepted)
+            sm_stream_judged(c, p, accept_message(c, p->bytes, c->message.size, now), now);
+        else
+            count_received(c, cause);
+}
+
+static SmResult receive_channel(SmNetChannel *c, uint64_t now)
+{
+    SmResult r;
+
+    if (c->transport == SM_NET_UDP)
+        return receive_packets(c, now);
+    r = sm_stream_update(c, now);
+    for (uint8_t i = 0; i < c->peers; i++)
+        receive_messages(c, &c->peer[i], now);
+    return r;
 }
 
 // Stores the values that have arrived, or those for a channel that is silent (config.md 11.9).
@@ -223,7 +262,7 @@ SmResult sm_receive_step(void *context, const SmTick *tick)
     SmResult result = SM_OK, r;
 
     for (uint8_t i = 0; i < net->channels; i++) {
-        r = receive_packets(&net->channel[i], tick->time);
+        r = receive_channel(&net->channel[i], tick->time);
         if (r != SM_OK)
             net->failed = i;
         result = first_error(result, r);
@@ -262,6 +301,10 @@ static SmResult send_message(SmNetChannel *c, uint64_t now)
     c->next.number++;
     c->slot = now / c->period;
     c->sent_any = true;
+    if (c->transport != SM_NET_UDP) {
+        sm_stream_send(c, now);
+        return SM_OK;
+    }
     r = pal_socket_send_to(c->socket, &c->address, c->bytes, c->message.size);
     add(&c->count[r == SM_OK ? SM_NET_sent : SM_NET_lost]);
     return r;
@@ -283,9 +326,10 @@ SmResult sm_send_step(void *context, const SmTick *tick)
     if (result != SM_OK)
         return result;
     for (uint8_t i = 0; i < net->channels; i++) {
-        if (!is_due(&net->channel[i], tick->time))
-            continue;
-        r = send_message(&net->channel[i], tick->time);
+        SmNetChannel *c = &net->channel[i];
+        r = c->transport == SM_NET_UDP ? SM_OK : sm_stream_update(c, tick->time);
+        if (is_due(c, tick->time))
+            r = first_error(r, send_message(c, tick->time));
         if (r != SM_OK)
             net->failed = i;
         result = first_error(result, r);

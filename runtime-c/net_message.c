@@ -120,18 +120,26 @@ static bool is_sealed(const SmNetMessage *m, const uint8_t *bytes)
     return differs == 0;
 }
 
+SmNetCount sm_net_check_header(const SmNetMessage *m, const uint8_t *bytes)
+{
+    if (bytes[0] != MAGIC_LOW || bytes[1] != MAGIC_HIGH || bytes[2] != VERSION || bytes[3] > 1)
+        return SM_NET_damaged;
+    return get(bytes + 4, 4) == m->hash ? SM_NET_accepted : SM_NET_hash;
+}
+
 // Returns the cause for which the bytes around the values are refused.
 static SmNetCount check_frame(const SmNetMessage *m, const uint8_t *bytes, size_t n)
 {
     const size_t crc = (size_t)m->size - SM_NET_CRC;
+    SmNetCount cause;
 
     if (n != m->size)
         return n < m->size ? SM_NET_short_ : SM_NET_long_;
-    if (bytes[0] != MAGIC_LOW || bytes[1] != MAGIC_HIGH || bytes[2] != VERSION || bytes[3] > 1 ||
-        get(bytes + crc, 4) != sm_crc32(bytes, crc))
+    cause = sm_net_check_header(m, bytes);
+    if (cause == SM_NET_damaged || get(bytes + crc, 4) != sm_crc32(bytes, crc))
         return SM_NET_damaged;
-    if (get(bytes + 4, 4) != m->hash)
-        return SM_NET_hash;
+    if (cause != SM_NET_accepted)
+        return cause;
     if (bytes[3] != (m->key != NULL) || (m->key && !is_sealed(m, bytes)))
         return SM_NET_key;
     return SM_NET_accepted;
