@@ -773,6 +773,8 @@ $(call test, report,               thorough,, sh tests/report/run.sh $(B)/smc $(
 $(call test, log,                  thorough, $(B)/runtime/log, sh tests/log/run.sh $(B)/smc $(B)/runtime/log $(B)/log)
 $(call test, app,                  thorough, $(B)/runtime/sim.a $(B)/runtime/desk.a, sh tests/app/run.sh $(B)/smc $(B)/runtime/sim.a '$(CC)' $(B)/runtime/desk.a)
 $(call test, net,                  thorough, $(B)/runtime/linux.a, sh tests/net/run.sh $(B)/smc $(B)/runtime/linux.a '$(CC)')
+$(call test, net-stream,           thorough, $(B)/runtime/linux.a, sh tests/net/stream.sh $(B)/smc $(B)/runtime/linux.a '$(CC)')
+$(call test, net-multicast,        thorough, $(B)/runtime/linux.a, sh tests/net/multicast.sh $(B)/smc $(B)/runtime/linux.a '$(CC)')
 $(call test, net-dictionary,       thorough, $(B)/net/packets, sh tests/net/dictionary.sh $(B)/smc $(B)/net/packets '$(CC)')
 $(call test, net-hostile,          thorough, $(B)/net/hostile, $(B)/net/hostile 1 100000)
 $(call test, net-hostile-stream,   thorough, $(B)/net/hostile_stream, $(B)/net/hostile_stream 1 2000)

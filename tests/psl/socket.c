@@ -353,10 +353,10 @@ static void connects_without_waiting(void)
     CHECK(try_connection(&near, &a) == SM_E_UNREACHABLE);                 // no socket listens any more
 }
 
-// No address answers here (192.0.2.0/24 is reserved for documents), or the computer has no route to it.  Neither call waits.
+// No address answers here (198.51.100.0/24 is reserved for documents), or the computer has no route to it.  Neither call waits.
 static void connects_to_no_computer(void)
 {
-    const PalAddress nowhere = {{192, 0, 2, 1}, 9};
+    const PalAddress nowhere = {{198, 51, 100, 1}, 9};
     const uint64_t before = pal_clock_now();
     PalSocket s = {0};
     uint8_t x = 0;
@@ -435,7 +435,7 @@ static bool joins(PalSocket *s, const PalAddress *group)
 static void multicast(void)
 {
     const PalAddress group = {{239, 77, 3, 9}, 47113}, other = {{239, 77, 3, 10}, 47113};
-    const uint8_t elsewhere[4] = {192, 0, 2, 1}, no_group[4] = {10, 0, 0, 1};
+    const uint8_t elsewhere[4] = {198, 51, 100, 1}, no_group[4] = {10, 0, 0, 1};
     PalSocket first = {0}, second = {0}, from = udp();
     Pair p = connected();
     uint8_t in[8];
