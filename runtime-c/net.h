@@ -105,13 +105,15 @@ SmNetCount sm_net_order(SmNetOrder *o, SmNetStamp stamp, bool sealed, bool silen
 
 // ---- the tasks ----
 
-typedef struct SmNetPlace {       // an element that the runtime writes or reads
+typedef struct SmNetPlace {       // an element of an integer type that the runtime writes or reads
     uint32_t offset;
     uint8_t type;             // SmType
     uint8_t count;            // SmNetCount; only in SmNetChannel.statistic
 } SmNetPlace;
 
-typedef enum SmNetTransport { SM_NET_UDP, SM_NET_TCP_CLIENT, SM_NET_TCP_SERVER } SmNetTransport;
+// The functions of messages over TCP (net_stream.c).  Channels name them, so that a program without TCP does not link them.
+typedef struct SmNetStream SmNetStream;
+extern const SmNetStream sm_net_tcp;
 
 // A connection over TCP.
 typedef struct SmNetPeer {
@@ -126,8 +128,9 @@ typedef struct SmNetPeer {
 typedef struct SmNetChannel {
     const char *name;
     SmNetMessage message;
-    uint8_t transport;        // SmNetTransport
-    uint8_t peers;            // rows of `peer`: 0 for UDP, 1 for a client, 1 or more for a server
+    const SmNetStream *stream;        // &sm_net_tcp; NULL for UDP, and then the next three are zero, too
+    bool is_server;           // waits for connections, instead of making one
+    uint8_t peers;            // rows of `peer`: 1 for a client, 1 or more for a server
     SmNetPeer *peer;
     PalAddress address;       // UDP: of the receiver, or the local address or group of a receiver; client: of the server; server: local
     uint8_t interface[4];     // address of the network interface for multicast; 0.0.0.0: the platform chooses
@@ -141,9 +144,10 @@ typedef struct SmNetChannel {
     PalSocket socket;
     SmNetOrder order;
     SmNetStamp next;          // of the next message that is sent
-    uint64_t accepted_at, slot;       // tick times: of the last accepted message; the last period in which a message was sent
+    uint64_t accepted_at, slot;       // tick times: of the last accepted message; the last period
     bool fresh;               // `value` has a message that is not stored yet
     bool open, sent_any;
+    bool due;                 // a message is sent in this step
     uint64_t retry, pause;    // of a client: the tick time at which it connects again, and how long it has waited for it
 } SmNetChannel;
 

@@ -9,7 +9,6 @@ enum { FREE, CONNECTING, OPEN };          // SmNetPeer.state
 #define PATIENCE ((uint64_t)5 * PAL_SECOND)       // after which a sender gives up a peer that acknowledges nothing
 enum { MESSAGES_WAITING = 4 };            // messages that the platform stores for a peer that does not receive, about
 
-static bool is_server(const SmNetChannel *c) { return c->transport == SM_NET_TCP_SERVER; }
 static bool is_sender(const SmNetChannel *c) { return c->period != 0; }
 static bool is_local_failure(SmResult r) { return r != SM_OK && r != SM_E_TIMEOUT && r != SM_E_UNREACHABLE && r != SM_E_CLOSED; }
 static void add(SmNetChannel *c, SmNetCount what) { c->count[what]++; }
@@ -133,10 +132,10 @@ static bool has_peers(const SmNetChannel *c)
     for (uint8_t i = 0; i < c->peers; i++)
         if (!c->peer || !c->peer[i].bytes)
             return false;
-    return c->peers >= 1 && (is_server(c) || c->peers == 1);
+    return c->peers >= 1 && (c->is_server || c->peers == 1);
 }
 
-SmResult sm_stream_open(SmNetChannel *c)
+static SmResult open_stream(SmNetChannel *c)
 {
     if (!has_peers(c))
         return SM_E_ARGUMENT;
@@ -145,52 +144,16 @@ SmResult sm_stream_open(SmNetChannel *c)
         c->peer[i].n = c->peer[i].sent = 0;
     }
     c->retry = c->pause = 0;
-    return is_server(c) ? pal_socket_listen(&c->socket, &c->address) : update_client(c, 0);
+    return c->is_server ? pal_socket_listen(&c->socket, &c->address) : update_client(c, 0);
 }
 
-void sm_stream_close(SmNetChannel *c)
+static void close_stream(SmNetChannel *c)
 {
     for (uint8_t i = 0; i < c->peers; i++)
         if (c->peer[i].state != FREE)
             end(c, &c->peer[i], 0);
-    if (is_server(c))
+    if (c->is_server)
         pal_socket_close(c->socket);
-}
-
-// ---- receiving ----
-
-bool sm_stream_receive(SmNetChannel *c, SmNetPeer *p, SmNetCount *cause, uint64_t now)
-{
-    size_t got = 0;
-    SmResult r;
-
-    if (p->state != OPEN)
-        return false;
-    r = pal_socket_receive(p->socket, p->bytes + p->n, (size_t)(c->message.size - p->n), &got, 0);
-    if (r == SM_E_TIMEOUT)
-        return false;
-    if (r != SM_OK) {
-        const bool inside = p->n > 0;
-        *cause = SM_NET_short_;
-        end(c, p, now);
-        return inside;
-    }
-    p->n = (uint16_t)(p->n + got);
-    *cause = p->n < SM_NET_HEADER ? SM_NET_accepted : sm_net_check_header(&c->message, p->bytes);
-    if (*cause != SM_NET_accepted)
-        end(c, p, now);
-    else if (p->n < c->message.size)
-        return false;
-    p->n = 0;
-    return true;
-}
-
-void sm_stream_judged(SmNetChannel *c, SmNetPeer *p, SmNetCount cause, uint64_t now)
-{
-    if (cause == SM_NET_accepted)
-        p->used = now;
-    else if (cause == SM_NET_damaged || cause == SM_NET_key)
-        end(c, p, now);
 }
 
 // ---- sending ----
@@ -238,7 +201,7 @@ static void send_to_peer(SmNetChannel *c, SmNetPeer *p, uint64_t now)
     add(c, SM_NET_lost);
 }
 
-void sm_stream_send(SmNetChannel *c, uint64_t now)
+static void send_to_peers(SmNetChannel *c, uint64_t now)
 {
     bool any = false;
 
@@ -253,9 +216,57 @@ void sm_stream_send(SmNetChannel *c, uint64_t now)
     }
 }
 
+// ---- receiving ----
+
+// Counts a message that is refused before it is whole, and closes the connection.
+static void refuse(SmNetChannel *c, SmNetPeer *p, SmNetCount cause, uint64_t now)
+{
+    add(c, cause);
+    add(c, SM_NET_refused);
+    end(c, p, now);
+}
+
+// Checks a whole message.  Damage and a wrong key are only explained by another sender or by boundaries that are lost.
+static void accept_message(SmNetChannel *c, SmNetPeer *p, uint64_t now)
+{
+    const SmNetCount cause = sm_net_accept(c, p->bytes, c->message.size, now);
+
+    p->n = 0;
+    if (cause == SM_NET_accepted)
+        p->used = now;
+    else if (cause == SM_NET_damaged || cause == SM_NET_key)
+        end(c, p, now);
+}
+
+// Receives bytes of a connection once.  Returns whether they completed a message.
+static bool receive_once(SmNetChannel *c, SmNetPeer *p, uint64_t now)
+{
+    SmNetCount cause = SM_NET_accepted;
+    size_t got = 0;
+    const SmResult r = pal_socket_receive(p->socket, p->bytes + p->n, (size_t)(c->message.size - p->n), &got, 0);
+
+    if (r == SM_E_TIMEOUT)
+        return false;
+    if (r != SM_OK) {
+        if (p->n > 0)
+            refuse(c, p, SM_NET_short_, now);
+        else
+            end(c, p, now);
+        return false;
+    }
+    p->n = (uint16_t)(p->n + got);
+    if (p->n >= SM_NET_HEADER)
+        cause = sm_net_check_header(&c->message, p->bytes);
+    if (cause != SM_NET_accepted)
+        refuse(c, p, cause, now);
+    else if (p->n == c->message.size)
+        accept_message(c, p, now);
+    return p->state == OPEN && p->n == 0;
+}
+
 // ---- every step ----
 
-SmResult sm_stream_update(SmNetChannel *c, uint64_t now)
+static SmResult update_stream(SmNetChannel *c, uint64_t now)
 {
     for (uint8_t i = 0; i < c->peers; i++) {
         SmNetPeer *p = &c->peer[i];
@@ -264,5 +275,26 @@ SmResult sm_stream_update(SmNetChannel *c, uint64_t now)
         else if (p->state == OPEN && c->timeout && now - p->used > patience_of(c))
             end(c, p, now);
     }
-    return is_server(c) ? update_server(c, now) : update_client(c, now);
+    return c->is_server ? update_server(c, now) : update_client(c, now);
 }
+
+static SmResult receive_stream(SmNetChannel *c, uint64_t now)
+{
+    const SmResult r = update_stream(c, now);
+
+    for (uint8_t i = 0; i < c->peers; i++)
+        for (int k = 0; k < SM_NET_BURST && c->peer[i].state == OPEN && receive_once(c, &c->peer[i], now); k++)
+            ;
+    return r;
+}
+
+static SmResult send_stream(SmNetChannel *c, uint64_t now)
+{
+    const SmResult r = update_stream(c, now);
+
+    if (c->due)
+        send_to_peers(c, now);
+    return r;
+}
+
+const SmNetStream sm_net_tcp = {open_stream, close_stream, receive_stream, send_stream};

@@ -31,7 +31,6 @@ typedef struct NetField {
 
 typedef struct NetStatistic { NetCount count; const Element *element; } NetStatistic;
 
-// Ordered as SmNetTransport of runtime-c/net.h.
 typedef enum NetTransport { NET_UDP, NET_TCP_CLIENT, NET_TCP_SERVER } NetTransport;
 
 typedef struct NetChannel {
