@@ -20,4 +20,6 @@ send e every 10 ms on tcp 10.0.0.7:5001 { throttle }       #! E1211 both listen 
 send f every 10 ms to tcp 127.0.0.1:5002 { throttle }      #! E1212 where this computer itself receives 'g'
 receive g on tcp 5002 { age }
 receive h from tcp 10.0.0.7:5003 { other }
+receive j from tcp 127.0.0.1:5004 { valveOpen }
+send k every 10 ms on tcp 5004 { throttle }                #! E1212
 send i every 10 ms on tcp 10.0.0.7:5003 { throttle }       #! E1212
