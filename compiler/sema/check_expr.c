@@ -16,7 +16,7 @@ Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
     Expr *e = arena_alloc(s->arena, sizeof *e + args * sizeof *e->arg + ops);
 
     e->kind = kind;
-    e->span = span;
+    e->span = sema_span(s, span);
     e->n = args & 0xffffff;              // AST_DEPTH_MAX bounds it
     e->arg = (Expr **)(void *)(e + 1);
     return e;
@@ -77,8 +77,11 @@ static bool check_use_in_size(Sema *s, Var *v, const AstExpr *e)
 static Expr *check_name(Sema *s, const AstExpr *e)
 {
     Var *v = scope_find_variable(s, e->name);
+    Define *define;
     Expr *out;
 
+    if (!v && (define = map_find(&s->defines, e->name)) != NULL)
+        return expand_definition(s, define, e);
     if (!v) {
         scope_report_unknown(s, e->name, e->span);
         return NULL;
@@ -228,17 +231,117 @@ static void warn_of_times(Sema *s, SmOperator op, const AstExpr *a, const AstExp
     warn_of_time_factor(s, op, b);
 }
 
+// ---- states by name ----
+
+static const AstExpr *without_parens(const AstExpr *e)
+{
+    while (e->kind == AST_PAREN)
+        e = e->a;
+    return e;
+}
+
+// Whether e is S, by any of its names.
+static bool is_state_element(const Sema *s, const AstExpr *e)
+{
+    e = without_parens(e);
+    return e->kind == AST_NAME && s->p->s && scope_find_variable(s, e->name) == s->p->s;
+}
+
+// Returns the name in e if it can only be the name of a state. Warns of a name that is also that of a variable, as which it is read.
+static const AstExpr *name_of_state(Sema *s, const AstExpr *e)
+{
+    const State *state;
+    Diag *d;
+
+    e = without_parens(e);
+    state = e->kind == AST_NAME ? map_find(&s->p->state_by_name, e->name) : NULL;
+    if (e->kind != AST_NAME || (!scope_find_variable(s, e->name) && !map_find(&s->defines, e->name)))
+        return state ? e : NULL;
+    if (state) {
+        d = diag_report(s->diags, DIAG_state_or_variable, e->span, e->name->text);
+        scope_note_declared(s, d, e->name);
+        diag_note(s->diags, d, state->span, DIAG_note_state_declared, state->name->text);
+    }
+    return NULL;
+}
+
+// Builds `S == Run` or `S != Run`, where the number of the state is the value of its name. Returns NULL if e is no such comparison.
+static Expr *check_state_comparison(Sema *s, const AstExpr *e)
+{
+    const bool first = is_state_element(s, e->a);
+    const AstExpr *name;
+    Expr *out, *number;
+
+    if (operator_class(e) != SM_CLASS_EQUALITY || (!first && !is_state_element(s, e->b)) || !(name = name_of_state(s, first ? e->b : e->a)))
+        return NULL;
+    record_operator(s, e->op);
+    s->knows_a_name = true;
+    out = expr_new(s, EX_BINARY, e->span, 2);
+    out->op = e->op;
+    number = expr_new(s, EX_NUMBER, name->span, 0);
+    number->number = sm_from_u32(((const State *)map_find(&s->p->state_by_name, name->name))->number);
+    out->arg[first] = number;
+    out->arg[!first] = check_expr(s, first ? e->a : e->b);
+    return out->arg[!first] ? out : NULL;
+}
+
+// Returns S, as it is written in the comparison; NULL if neither side is S.
+static const AstExpr *state_element_in(const Sema *s, const AstExpr *comparison)
+{
+    if (!comparison)
+        return NULL;
+    return is_state_element(s, comparison->a) ? comparison->a : is_state_element(s, comparison->b) ? comparison->b : NULL;
+}
+
+// Reports B in `S == A or B`, where it has no value: the user means `S == A or S == B`.
+static void report_state_as_condition(Sema *s, const AstExpr *e)
+{
+    const AstExpr *before = operator_class(e) == SM_CLASS_LOGIC ? comparison_before(e->a) : NULL;
+    const AstExpr *element = state_element_in(s, before), *name = element ? name_of_state(s, e->b) : NULL;
+    const char *start;
+    Diag *d;
+
+    if (!name)
+        return;
+    start = format_in(s->arena, "%s %s ", sema_quote_source(s, element->span), sm_op_info[before->op].spelling);
+    d = diag_report(s->diags, DIAG_unknown_element, name->span, name->name->text);
+    diag_label(s->diags, d, DIAG_label_write, format_in(s->arena, "%s%s", start, name->name->text));
+    diag_edit(s->diags, d, (Span){name->span.src, name->span.at, 0}, start);
+}
+
+// Reports A in `not S == A`, where it has no value, because `not` applies to S alone: the user means `S != A`.
+static void report_negated_state(Sema *s, const AstExpr *e)
+{
+    const bool is_negated = operator_class(e) == SM_CLASS_EQUALITY && e->a->kind == AST_UNARY && e->a->op == SM_OP_NOT &&
+                            is_state_element(s, e->a->a);
+    const AstExpr *name = is_negated ? name_of_state(s, e->b) : NULL;
+    const char *text;
+    Diag *d;
+
+    if (!name)
+        return;
+    text = format_in(s->arena, "%s %s %s", sema_quote_source(s, e->a->a->span), e->op == SM_OP_EQ ? "!=" : "==", name->name->text);
+    d = diag_report(s->diags, DIAG_unknown_element, name->span, name->name->text);
+    diag_label(s->diags, d, DIAG_label_write, text);
+    diag_edit(s->diags, d, e->span, text);
+}
+
 static Expr *check_binary(Sema *s, const AstExpr *e)
 {
-    Expr *out = expr_new(s, EX_BINARY, e->span, 2);
     AstExpr *operands[2] = {e->a, e->b};
+    Expr *out = check_state_comparison(s, e);
 
+    if (out)
+        return out;
+    report_state_as_condition(s, e);
+    report_negated_state(s, e);
     for (int k = 0; k < 2 && operator_class(e) == SM_CLASS_LOGIC; k++)
         warn_of_number_as_condition(s, e, operands[k]);
     if (operator_class(e) == SM_CLASS_EQUALITY)
         warn_of_negated_number(s, e);
     warn_of_times(s, e->op, e->a, e->b);
     record_operator(s, e->op);
+    out = expr_new(s, EX_BINARY, e->span, 2);
     out->op = e->op;
     return check_args(s, operands, 2, out->arg) ? out : NULL;
 }
@@ -364,51 +467,203 @@ static void report_argument_count(Sema *s, const AstExpr *e, const SmBuiltinInfo
 
 // Calls of roll functions (language.md 7) have two arguments: the sampled expression, and a size that is known at compile time.
 
-// Returns the size of a roll call's window, or 0 after a report.
-static uint32_t check_window_size(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
+// What the second argument of a call means.
+typedef enum Duration { DURATION_INVALID, DURATION_STEPS, DURATION_NUMBER, DURATION_TIME } Duration;
+
+// Reads the size of a window, or the time of held: sets *value to the number, or the time in units of G. Returns DURATION_INVALID after a report.
+static Duration read_duration(Sema *s, const AstExpr *call, SmF64 *value)
 {
     const AstExpr *n = call->args->at[1];
-    Expr *value;
-    SmF64 x;
+    const bool steps = n->kind == AST_STEPS;
+    Expr *e;
 
     s->at = EXPR_IN_SIZE;
     s->size_of = call->name;
-    value = check_expr(s, n);
+    e = check_expr(s, steps ? n->a : n);
     s->at = EXPR_IN_STEP;
-    if (!value)
-        return 0;
-    x = expr_constant_value(value);
+    if (!e)
+        return DURATION_INVALID;
+    *value = expr_constant_value(e);
+    if (e->kind == EX_NUMBER && e->unit != TIME_NONE && !steps)
+        return DURATION_TIME;
+    if (!expr_contains_time(e))
+        return steps ? DURATION_STEPS : DURATION_NUMBER;
+    diag_report(s->diags, DIAG_window_size_of_time, n->span, call->name->text);
+    return DURATION_INVALID;
+}
+
+// Returns the number of steps as an integer; 0 after reporting that it is not a whole number from 1 to SM_WINDOW_MAX.
+static uint32_t check_step_count(Sema *s, const AstExpr *call, SmF64 x)
+{
+    const Span span = call->args->at[1]->span;
+
     if (!sm_eq(sm_trunc(x), x))
-        diag_report(s->diags, DIAG_window_size_not_whole, n->span, fn->name, const_text(s->arena, x));
+        diag_report(s->diags, DIAG_window_size_not_whole, span, call->name->text, const_text(s->arena, x));
     else if (sm_lt(x, sm_from_i32(1)) || sm_lt(sm_from_u32(SM_WINDOW_MAX), x))
-        diag_report(s->diags, DIAG_window_size_range, n->span, fn->name, const_text(s->arena, x));
+        diag_report(s->diags, DIAG_window_size_range, span, call->name->text, const_text(s->arena, x));
     else
         return sm_to_u32(x);
     return 0;
 }
 
-static Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
+// Returns how many steps the window of a roll call or a rate has, or 0 after a report.
+static uint32_t check_window_size(Sema *s, const AstExpr *call)
 {
-    Window w = {0};
-    Expr *out;
+    SmF64 x;
+    const Duration d = read_duration(s, call, &x);
 
+    if (d == DURATION_INVALID || (d == DURATION_TIME && !check_window_time(s, call->args->at[1], call->name->text, x, &x)))
+        return 0;
+    return check_step_count(s, call, x);
+}
+
+// Checks the time or the number of steps of held. Sets *limit to it, or to 0 after a report.
+static Duration check_held_duration(Sema *s, const AstExpr *call, SmF64 *limit)
+{
+    const Duration d = read_duration(s, call, limit);
+    const Span span = call->args->at[1]->span;
+    const char *number = sema_quote_source(s, span);
+
+    if (d == DURATION_STEPS) {
+        *limit = sm_from_u32(check_step_count(s, call, *limit));
+        return d;
+    }
+    if (d == DURATION_TIME && sm_eq(sm_trunc(*limit), *limit) && sm_le(sm_from_i32(1), *limit) && sm_le(*limit, sm_from_u64(UINT64_C(1) << 53)))
+        return d;
+    if (d == DURATION_TIME)
+        diag_report(s->diags, DIAG_held_time, span, number, time_unit_name(s->p->time_unit));
+    else if (d == DURATION_NUMBER)
+        diag_label(s->diags, diag_report(s->diags, DIAG_held_number, span), DIAG_label_held, number, number);
+    *limit = sm_from_i32(0);
+    return d;
+}
+
+// Builds a statistic of a window of `size` samples.
+static Expr *new_statistic(Sema *s, const AstExpr *call, Expr *sample, uint32_t size, SmStat stat)
+{
+    Expr *e = expr_new(s, EX_ROLL, call->span, 1);
+    const Window w = {.sample = sample, .size = size, .stat = stat, .time = s->p->g, .span = e->span};
+
+    e->arg[0] = sample;
+    e->stat = stat;
+    e->window = (uint32_t)s->windows->n;
+    vec_push(s->arena, s->windows, w);
+    return e;
+}
+
+// Reports a function that samples its argument where it is not allowed. Returns whether it is allowed.
+static bool check_samples_allowed(Sema *s, const AstExpr *call)
+{
     s->varies = true;
     if (s->at == EXPR_IN_INITIAL)
         diag_report(s->diags, DIAG_initial_value_rolls, ast_op_span(call), s->local->name->text, call->name->text);
     else if (s->at == EXPR_IN_SIZE)
         diag_report(s->diags, DIAG_window_size_rolls, ast_op_span(call), s->size_of->text, call->name->text);
-    if (s->at != EXPR_IN_STEP)
+    return s->at == EXPR_IN_STEP;
+}
+
+static Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
+{
+    Expr *sample;
+    uint32_t size;
+
+    if (!check_samples_allowed(s, call))
         return NULL;
-    out = expr_new(s, EX_ROLL, call->span, 1);
-    out->arg[0] = w.sample = check_expr(s, call->args->at[0]);     // gives roll calls in the sample lower indices
-    w.size = check_window_size(s, call, fn);
-    w.stat = out->stat = fn->stat;
-    w.span = call->span;
-    if (!w.sample || !w.size)
+    sample = check_expr(s, call->args->at[0]);                 // gives roll calls in the sample lower indices
+    size = check_window_size(s, call);
+    return sample && size ? new_statistic(s, call, sample, size, fn->stat) : NULL;
+}
+
+// ---- functions that remember their argument ----
+
+static Expr *new_not(Sema *s, const AstExpr *call, Expr *x)
+{
+    Expr *e = expr_new(s, EX_UNARY, call->span, 1);
+
+    record_operator(s, SM_OP_NOT);
+    e->op = SM_OP_NOT;
+    e->arg[0] = x;
+    return e;
+}
+
+static Expr *new_number(Sema *s, const AstExpr *call, SmF64 number)
+{
+    Expr *e = expr_new(s, EX_NUMBER, call->span, 0);
+
+    e->number = number;
+    return e;
+}
+
+static Expr *new_operation(Sema *s, const AstExpr *call, SmOperator op, Expr *a, Expr *b)
+{
+    Expr *e = expr_new(s, EX_BINARY, call->span, 2);
+
+    record_operator(s, op);
+    e->op = op;
+    e->arg[0] = a;
+    e->arg[1] = b;
+    return e;
+}
+
+// Builds held(c, t) and held(c, n steps): the time, or the number of steps, of the run of true samples of c.
+static Expr *check_held(Sema *s, const AstExpr *call)
+{
+    Expr *c = check_expr(s, call->args->at[0]), *run;
+    SmF64 limit;
+    const bool in_steps = check_held_duration(s, call, &limit) == DURATION_STEPS;
+    const uint64_t gap = s->p->step <= UINT64_MAX / 2 ? 2 * s->p->step : 0;
+
+    if (!c || sm_eq(limit, sm_from_i32(0)))
         return NULL;
-    out->window = (uint32_t)s->windows->n;
-    vec_push(s->arena, s->windows, w);
-    return out;
+    if (gap)
+        new_statistic(s, call, new_number(s, call, sm_from_i32(1)), 2, SM_STAT_ELAPSED);
+    run = new_statistic(s, call, new_not(s, call, new_not(s, call, c)), in_steps ? sm_to_u32(limit) : 1, in_steps ? SM_STAT_RUN_STEPS : SM_STAT_RUN_TIME);
+    s->windows->at[run->window].gap = gap;
+    s->windows->at[run->window].clock = run->window - (gap > 0);
+    return new_operation(s, call, SM_OP_GE, run, new_number(s, call, limit));
+}
+
+// Builds rate(x, n): the change of x in the last n steps, divided by the time from the first to the last of them in seconds. While there is one
+// sample, the change is 0, and a time of one unit avoids a division by zero.
+static Expr *check_rate(Sema *s, const AstExpr *call)
+{
+    static const int units_a_second[TIME_UNITS] = {[TIME_US] = 1000000, [TIME_MS] = 1000, [TIME_S] = 1};
+    Expr *x = check_expr(s, call->args->at[0]), *elapsed;
+    const uint32_t n = check_window_size(s, call);
+
+    if (x && n == 1)
+        diag_report(s->diags, DIAG_rate_of_one, call->args->at[1]->span);
+    if (!x || n < 2)
+        return NULL;
+    if (s->building)
+        s->building->uses_time_unit = true;
+    elapsed = expr_new(s, EX_CALL, call->span, 2);
+    elapsed->fn = SM_FN_max;
+    elapsed->arg[0] = new_statistic(s, call, new_number(s, call, sm_from_i32(1)), n, SM_STAT_ELAPSED);
+    elapsed->arg[1] = new_number(s, call, sm_from_i32(1));
+    return new_operation(s, call, SM_OP_DIV, new_statistic(s, call, x, n, SM_STAT_CHANGE),
+                         new_operation(s, call, SM_OP_DIV, elapsed, new_number(s, call, sm_from_i32(units_a_second[s->p->time_unit]))));
+}
+
+// Builds prev(x), rising(c) or falling(c): the oldest, and the newest, of the last two samples. In the first step both are the same sample.
+static Expr *check_sampled_call(Sema *s, const AstExpr *call, SmBuiltin fn)
+{
+    Expr *x, *old, *new;
+
+    if (!check_samples_allowed(s, call))
+        return NULL;
+    if (fn == SM_FN_held || fn == SM_FN_rate)
+        return fn == SM_FN_held ? check_held(s, call) : check_rate(s, call);
+    if (!(x = check_expr(s, call->args->at[0])))
+        return NULL;
+    if (fn != SM_FN_prev)
+        x = new_not(s, call, new_not(s, call, x));             // 1 or 0
+    old = new_statistic(s, call, x, 2, SM_STAT_OLDEST);
+    if (fn == SM_FN_prev)
+        return old;
+    new = new_statistic(s, call, x, 2, SM_STAT_NEWEST);
+    return fn == SM_FN_rising ? new_operation(s, call, SM_OP_AND, new, new_not(s, call, old))
+                              : new_operation(s, call, SM_OP_AND, new_not(s, call, new), old);
 }
 
 static Expr *check_call(Sema *s, const AstExpr *e)
@@ -420,6 +675,8 @@ static Expr *check_call(Sema *s, const AstExpr *e)
     if (fn && e->args->n == fn->arguments) {
         if (fn->is_roll)
             return check_roll_call(s, e, fn);
+        if (fn->is_sampled)
+            return check_sampled_call(s, e, (SmBuiltin)(fn - sm_builtin_info));
         out = expr_new(s, EX_CALL, e->span, fn->arguments);
         out->fn = (SmBuiltin)(fn - sm_builtin_info);
         return check_args(s, e->args->at, fn->arguments, out->arg) ? out : NULL;
@@ -436,8 +693,7 @@ static Expr *check_call(Sema *s, const AstExpr *e)
     return NULL;
 }
 
-// Checks an expression and returns its typed form; NULL after an error, which is reported.
-Expr *check_expr(Sema *s, const AstExpr *e)
+static Expr *check_kind(Sema *s, const AstExpr *e)
 {
     switch (e->kind) {
     case AST_ERROR:  return NULL;
@@ -448,9 +704,23 @@ Expr *check_expr(Sema *s, const AstExpr *e)
         warn_of_leading_not(s, e);
         return is_relation(e) && is_relation(e->a) ? check_chain(s, e) : check_binary(s, e);
     case AST_PAREN:  return check_expr(s, e->a);
+    case AST_STEPS:
+        diag_report(s->diags, DIAG_steps_misplaced, e->span, sema_quote_source(s, e->a->span));
+        return NULL;
     case AST_CALL:   return check_call(s, e);
     }
     return NULL;
+}
+
+// Checks an expression and returns its typed form; NULL after an error, which is reported.
+Expr *check_expr(Sema *s, const AstExpr *e)
+{
+    Expr *out;
+
+    s->depth++;
+    out = check_kind(s, e);
+    s->depth--;
+    return out;
 }
 
 // ---- after all expressions ----

@@ -12,6 +12,7 @@
 typedef struct ScriptCheck {
     Sema s;
     Script *script;
+    Defines define;
     Str delta_t, init_state;      // the names of the options
     bool has_delta_t, has_stop;
     uint32_t items, asserts;      // how many items and asserts have been checked
@@ -43,6 +44,7 @@ static void check_option(ScriptCheck *k, const AstOption *o)
         if (k->script->delta_t == 0 && o->number)                                     // otherwise the parser has reported it
             diag_report(k->s.diags, DIAG_step_value, o->value_span, "delta_t");
         check_declared_step(k, o);
+        k->s.step = k->script->delta_t;
     } else if (o->name == k->init_state) {
         State *state = o->word ? scope_find_state(&k->s, o->word, o->value_span) : NULL;
         if (state)
@@ -148,6 +150,10 @@ static void check_section(void *context, const AstSection *in)
 
     if (in->kind == AST_SCRIPT_STATE)
         open_section(k, in);
+    if (in->kind == AST_DEFINE && map_find(&k->s.p->state_by_name, in->name))
+        diag_report(k->s.diags, DIAG_script_unguarded, in->definitions.n ? in->definitions.at[0].name_span : in->header);
+    else if (in->kind == AST_DEFINE)
+        declare_definitions(&k->s, in, &k->define);
     for (size_t o = 0; in->kind == AST_OPTIONS && o < in->options.n; o++)
         check_option(k, &in->options.at[o]);
 }
@@ -219,6 +225,8 @@ static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, cons
     k->has_delta_t = program->step > 0;
     sema_init(&k->s, c, find_hidden_names(c, ss), program, &k->script->window);
     k->s.in_script = true;
+    k->s.step = program->step;
+    add_definitions_of_machine(&k->s);
     k->delta_t = str_c(c->strings, "delta_t");
     k->init_state = str_c(c->strings, "init_state");
     k->section.arena = c->arena;
@@ -230,6 +238,7 @@ static Script *end_check(ScriptCheck *k)
     Diags *diags = k->s.diags;
     const Span start = {k->script->src, 0, 0};
 
+    check_unused_definitions(&k->s, &k->define);
     if (!k->has_delta_t && !k->s.lost->any)
         diag_report(diags, DIAG_no_delta_t, start);
     if (!k->has_stop && !k->s.lost->any)

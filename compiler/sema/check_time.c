@@ -82,6 +82,47 @@ uint64_t script_delta_t(const AstFile *ss, TimeUnit unit)
     return found;
 }
 
+// ---- windows in time ----
+
+bool expr_contains_time(const Expr *e)
+{
+    if (e->kind == EX_NUMBER)
+        return e->unit != TIME_NONE;
+    if (e->kind == EX_VAR)
+        return e->var->kind == VAR_LOCAL && e->var->init_value && expr_contains_time(e->var->init_value);
+    for (uint32_t i = 0; i < e->n; i++)
+        if (expr_contains_time(e->arg[i]))
+            return true;
+    return false;
+}
+
+// Formats a number of units of G as a time, as in `40 ms`.
+static const char *format_time(Sema *s, SmF64 units)
+{
+    return format_in(s->arena, "%s %s", const_text(s->arena, units), time_unit_name(s->p->time_unit));
+}
+
+// Computes how many samples a window of the last `time` units of G has.
+bool check_window_time(Sema *s, const AstExpr *size, const char *name, SmF64 time, SmF64 *samples)
+{
+    const SmF64 step = sm_from_u64(s->step), steps = sm_div(time, step), below = sm_mul(sm_floor(steps), step);
+    Diag *d;
+
+    if (s->step == 0) {
+        d = diag_report(s->diags, DIAG_window_without_step, size->span, name);
+        if (!s->in_script)
+            diag_label(s->diags, d, DIAG_label_declare_step);
+        return false;
+    }
+    if (!is_whole(time) || (sm_le(time, sm_from_u64(UINT64_C(1) << 53)) && sm_to_u64(time) % s->step != 0)) {
+        d = diag_report(s->diags, DIAG_window_time_fraction, size->span, name, sema_quote_source(s, size->span), format_time(s, step));
+        diag_label(s->diags, d, DIAG_label_multiples, format_time(s, below), format_time(s, sm_add(below, step)));
+        return false;
+    }
+    *samples = sm_add(steps, sm_from_i32(1));
+    return true;
+}
+
 // ---- the options of a machine ----
 
 // Returns the last option with this name in the [options] of a machine; NULL if there is none. Reports an option that is given twice.
@@ -111,6 +152,7 @@ void check_time_options(Sema *s, Program *p, const AstFile *sm)
         return;
     p->step = option_step(step, p->time_unit);
     p->step_span = step->value_span;
+    s->step = p->step;
     p->uses_time_unit = true;
     if (p->step == 0)
         diag_report(s->diags, DIAG_step_value, step->value_span, "step");

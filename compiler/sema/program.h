@@ -97,6 +97,22 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     Span span;                // position of its name in the list or declaration
 } Var;
 
+// ---- definitions ----
+
+struct AstExpr;
+
+// A line of [define]: a name for an expression. A use is an Expr of its own, so only the checker and reports read this.
+typedef struct Define {
+    Str name;
+    struct AstExpr *value;
+    uint32_t number;          // its place among the definitions of the file; those of a script follow those of its machine
+    uint32_t size;            // operations and values of its expression, with those of the definitions that it uses
+    bool used;                // another part of its file uses it
+    Span span;                // position of its name in [define]
+} Define;
+
+typedef VEC(Define *) Defines;
+
 // ---- expressions: every value is an F64 ----
 
 typedef enum ExprKind {
@@ -127,9 +143,12 @@ static inline SmOperator *expr_ops(const Expr *e) { return (SmOperator *)(void *
 
 // The window of one roll call in the source.  Every call has its own Window; the IR builder merges equal windows.
 typedef struct Window {
-    Expr *sample;             // the sampled expression
+    Expr *sample;             // the sampled expression; of a window of times: an event that is 0 or not
     uint32_t size;            // n: 1 … SM_WINDOW_MAX
     SmStat stat;
+    const Var *time;          // of a window of times (SM_STATS_OF_TIMES): G
+    uint64_t gap;             // of a run: it begins again if G has advanced by more than this since the last step; 0: never
+    uint32_t clock;           // of a run with a gap: the window, with SM_STAT_ELAPSED, of the times of the last two steps
     Span span;
 } Window;
 
@@ -168,6 +187,17 @@ struct State {
     bool allows_swap;         // @swap: the machine may be replaced here while it runs
 };
 
+struct AstSection;
+
+// A section [all_states]: its statements are the first of .step of each state that it does not except.
+typedef struct AllStates {
+    const struct AstSection *section;     // only for the checker
+    Span span;                // the whole section
+    bool *excepted;           // by State.number: whether it does not run there
+    bool *proposed;           // by State.number: an edit that excepts the state has been proposed
+    uint32_t copies;          // for how many states its statements have been checked
+} AllStates;
+
 typedef struct Program {
     Str name;                 // the file's stem: "tank" of dir/tank.sm
     const Source *src;
@@ -183,6 +213,8 @@ typedef struct Program {
     bool large_numbers;       // the program contains a literal of 2^53 or more
     uint32_t stmts;           // statements in all blocks: the largest Stmt.number
     Windows window;
+    Defines define;
+    VEC(AllStates *) all_states;      // in file order
     VEC(Allow) allow;         // also those of the .sv, which cover the position where the machine lists the element
     Map by_name;              // name or alias to Var
     Map state_by_name;

@@ -149,6 +149,57 @@ void parse_decls(Parser *p, AstSection *s)
     p->failed = false;
 }
 
+// ---- definitions ----
+
+// Reports text that begins no definition. A declaration becomes one without its type; its name is then the current token.
+static bool recover_definition(Parser *p)
+{
+    Diag *d;
+
+    if (p->tok.kind == TOK_ERROR)
+        p->failed = true;
+    d = parser_report(p, DIAG_expected_definition, parser_token_span(p), parser_describe(p, &p->tok));
+    p->failed = p->failed || p->tok.kind != TOK_TYPE || p->ahead.kind != TOK_NAME;
+    if (!p->failed) {
+        diag_label(p->diags, d, DIAG_label_definition_without_type);
+        diag_edit(p->diags, d, (Span){p->lex.src, p->tok.at, p->ahead.at - p->tok.at}, "");
+    }
+    parser_advance(p);
+    return !p->failed;
+}
+
+static void parse_definition(Parser *p, AstSection *s)
+{
+    AstDefinition d = {0};
+
+    if (p->tok.kind != TOK_NAME && !recover_definition(p))
+        return;
+    d.name = p->tok.text;
+    d.name_span = parser_token_span(p);
+    str_declare(p->strings, d.name);
+    parser_advance(p);
+    if (p->tok.kind != TOK_ASSIGN || p->tok.first) {
+        parser_fail(p, DIAG_definition_without_value, parser_missing_span(p), d.name->text, parser_describe_found(p));
+        return;
+    }
+    parser_advance(p);
+    d.value = parse_value_of(p, false);
+    if (!p->failed && !p->tok.first && p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END)
+        hint_explain(p, HINT_AT_END, NULL);
+    vec_push(p->arena, &s->definitions, d);
+}
+
+void parse_definitions(Parser *p, AstSection *s)
+{
+    while (p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END) {
+        p->failed = false;
+        parse_definition(p, s);
+        if (p->failed)
+            parser_skip_line(p);
+    }
+    p->failed = false;
+}
+
 // ---- options ----
 
 typedef enum OptionTakes { TAKES_NOTHING, TAKES_TIME, TAKES_UNIT, TAKES_NAME } OptionTakes;

@@ -128,6 +128,22 @@ const char *ast_function_usage(const SmBuiltinInfo *fn)
     return fn->is_roll ? "(x, n)" : usage[fn->arguments];
 }
 
+// Parses the word `steps` after an argument that is a number or a name, as in roll_avg(x, 5 steps).
+static AstExpr *parse_steps(Parser *p, AstExpr *a)
+{
+    const bool is_count = (a->kind == AST_NUMBER && a->unit == TIME_NONE) || a->kind == AST_NAME;
+    AstExpr *e;
+
+    if (p->failed || !is_count || p->tok.kind != TOK_NAME || strcmp(p->tok.text->text, "steps") != 0 ||
+        (p->ahead.kind != TOK_RPAREN && p->ahead.kind != TOK_COMMA))
+        return a;
+    e = new_expr(p, AST_STEPS, a->span);
+    e->a = a;
+    parser_advance(p);
+    e->span = parser_span_since(p, a->span.at);
+    return check_depth(p, e, a);
+}
+
 static AstExpr *parse_call(Parser *p)
 {
     AstExpr *e = new_expr(p, AST_CALL, parser_token_span(p));
@@ -141,7 +157,7 @@ static AstExpr *parse_call(Parser *p)
     parser_advance(p);
     p->parens++;
     while (p->tok.kind != TOK_RPAREN) {                // if there are no arguments, the checker reports how many are required
-        AstExpr *a = parse_level(p, 1);
+        AstExpr *a = parse_steps(p, parse_level(p, 1));
         vec_push(p->arena, e->args, a);
         if (a->depth >= e->depth)
             e->depth = a->depth + 1;
