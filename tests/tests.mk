@@ -133,22 +133,22 @@ $(B)/diff/difftest: $(DIFF_OBJ) $(B)/libsmc.a $(B)/runtime/sim.a
 diff: $(B)/diff/difftest
 	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign --resume
 
-# tests/net: random and mutated packets for the messages of tests/runtime/link.net.  `make net-campaign NET_SECONDS=3600 SEED=1` sends them for
-# that long, under the sanitizers.
+# tests/net: random and mutated packets for the messages of tests/runtime/link.net (UDP), and hostile peers for those of stream.net (TCP).
+# `make net-campaign NET_SECONDS=3600 SEED=1` plays each for half of that time, under the sanitizers.
 NET_SECONDS ?= 3600
-NET_HOSTILE  = $(STRICT_C) -I$(B)/runtime/made $(WARN) tests/net/hostile.c
-$(B)/net/hostile: tests/net/hostile.c $(B)/runtime/sim.a
+NET_HOSTILE  = $(STRICT_C) -I$(B)/runtime/made $(WARN)
+$(B)/net/hostile $(B)/net/hostile_stream $(B)/net/packets: $(B)/net/%: tests/net/%.c $(B)/runtime/sim.a
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(NET_HOSTILE) $(CFLAGS) $(DEPFLAGS) $(B)/runtime/sim.a -o $@
-$(B)/net/hostile_san: tests/net/hostile.c $(B)/runtime/sim.a
+	$(call say,CC)$(CC) $(NET_HOSTILE) $< $(CFLAGS) $(DEPFLAGS) $(B)/runtime/sim.a -o $@
+$(B)/net/hostile_san: NET_VECTOR = link
+$(B)/net/hostile_stream_san: NET_VECTOR = stream
+$(B)/net/hostile_san $(B)/net/hostile_stream_san: $(B)/net/%_san: tests/net/%.c tests/net/oracle.h $(B)/runtime/sim.a
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(NET_HOSTILE) -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined $(RUNTIME_SRC_sim) \
-	    $(filter %/link.c %/link_net.c,$(RUNTIME_MADE)) -lm -o $@
-$(B)/net/packets: tests/net/packets.c $(B)/runtime/sim.a
-	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) -I$(B)/runtime/made $(WARN) tests/net/packets.c $(CFLAGS) $(DEPFLAGS) $(B)/runtime/sim.a -o $@
-net-campaign: $(B)/net/hostile_san
-	$(B)/net/hostile_san $(SEED) 1 $(NET_SECONDS)
+	$(call say,CC)$(CC) $(NET_HOSTILE) $< -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined $(RUNTIME_SRC_sim) \
+	    $(filter %/$(NET_VECTOR).c %/$(NET_VECTOR)_net.c,$(RUNTIME_MADE)) -lm -o $@
+net-campaign: $(B)/net/hostile_san $(B)/net/hostile_stream_san
+	$(B)/net/hostile_san $(SEED) 1 $$(($(NET_SECONDS) / 2))
+	$(B)/net/hostile_stream_san $(SEED) 1 $$(($(NET_SECONDS) / 2))
 .PHONY: net-campaign
 
 # tests/swap: machines that are replaced while they run.  `make swap-campaign N=100000 SEED=1` swaps random pairs.
@@ -556,8 +556,8 @@ $$(B)/runtime/$(1).a: $$(RUNTIME_SRC_$(1):%.c=$$(B)/obj/%.o) $$(RUNTIME_MADE:%.c
 	$$(call say,AR)$$(AR) rcs $$@ $$^
 endef
 $(foreach platform,linux sim desk,$(eval $(call runtime_platform,$(platform))))
-# A program that links link_net.c defines its key, so only the tests of messages do, from an archive.
-RUNTIME_LINKED = $(filter-out %/link_net.c,$(RUNTIME_MADE))
+# A program that links link_net.c or stream_net.c defines its key, so only the tests of messages do, from an archive.
+RUNTIME_LINKED = $(filter-out %/link_net.c %/stream_net.c,$(RUNTIME_MADE))
 RUNTIME_TSAN_SRC = $(RUNTIME_SRC_linux) $(RUNTIME_LINKED)
 RUNTIME_TSAN_OBJ = $(patsubst $(B)/%.c,$(B)/tsan/%.o,$(filter $(B)/%,$(RUNTIME_TSAN_SRC))) $(patsubst %.c,$(B)/tsan/%.o,$(filter-out $(B)/%,$(RUNTIME_TSAN_SRC)))
 $(B)/tsan/runtime/made/%.o: $(B)/runtime/made/%.c | $(B)/has_tsan $(RUNTIME_MADE)
@@ -652,7 +652,10 @@ lateness: $(B)/runtime/lateness
 bench-runtime: $(RUNTIME_MADE)
 	sh tests/bench/runtime.sh $(B) '$(CC)'
 	sh tests/bench/ticks.sh $(B) '$(CC)'
-.PHONY: bench-runtime
+# What 10 messages in 1 ms cost, beside the system calls of the same traffic.
+bench-net: $(B)/smc
+	@sh tests/bench/net.sh $(B) '$(CC)' $(B)/smc
+.PHONY: bench-runtime bench-net
 
 # tests/runtime/flights: the example machines as tasks, in the flights of their scripts.
 FLIGHTS        = $(B)/runtime/flights
@@ -800,8 +803,11 @@ $(call test, report,               thorough,, sh tests/report/run.sh $(B)/smc $(
 $(call test, log,                  thorough, $(B)/runtime/log, sh tests/log/run.sh $(B)/smc $(B)/runtime/log $(B)/log)
 $(call test, app,                  thorough, $(B)/runtime/sim.a $(B)/runtime/desk.a, sh tests/app/run.sh $(B)/smc $(B)/runtime/sim.a '$(CC)' $(B)/runtime/desk.a)
 $(call test, net,                  thorough, $(B)/runtime/linux.a, sh tests/net/run.sh $(B)/smc $(B)/runtime/linux.a '$(CC)')
+$(call test, net-stream,           thorough, $(B)/runtime/linux.a, sh tests/net/stream.sh $(B)/smc $(B)/runtime/linux.a '$(CC)')
+$(call test, net-multicast,        thorough, $(B)/runtime/linux.a, sh tests/net/multicast.sh $(B)/smc $(B)/runtime/linux.a '$(CC)')
 $(call test, net-dictionary,       thorough, $(B)/net/packets, sh tests/net/dictionary.sh $(B)/smc $(B)/net/packets '$(CC)')
 $(call test, net-hostile,          thorough, $(B)/net/hostile, $(B)/net/hostile 1 100000)
+$(call test, net-hostile-stream,   thorough, $(B)/net/hostile_stream, $(B)/net/hostile_stream 1 2000)
 $(call test, cost,                 thorough, $(B)/cost, $(B)/cost)
 $(call test, emitc-flow,           thorough, $(B)/emitc/flow, $(B)/emitc/flow 100)
 $(call test, emitc-typed,          thorough, $(B)/emitc/typed, $(B)/emitc/typed 100)

@@ -34,6 +34,7 @@ int cmd_report(Cli *c)
     CompileInput in;
     CompileOptions o;
     Compiled made;
+    const Network *net;
     Report r;
     Buf out;
     int code;
@@ -46,6 +47,8 @@ int cmd_report(Cli *c)
         return cli_usage_error(c, TEXT_io_needs_vector);
     if (deps_wanted(c) && !deps_check_name(c, &file[0]))
         return EXIT_USAGE;
+    if (c->given[OPT_NET] && !c->given[OPT_SV])
+        return cli_usage_error(c, TEXT_net_needs_vector);
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
     o.emit = EMIT_BYTECODE;
@@ -56,7 +59,13 @@ int cmd_report(Cli *c)
         cli_print_diagnostics(c);
         return EXIT_PROBLEM;
     }
+    net = in.messages ? session_net(&c->session, in.messages, in.vector) : NULL;
+    if (in.messages && !net) {
+        cli_print_diagnostics(c);
+        return EXIT_PROBLEM;
+    }
     review_begin(&c->session, runs_find_machine(&in, &made)->program, &r);
+    r.net = net;
     review_add_costs(&c->session, runs_find_machine(&in, &made), made.artefact.at[0].bytes, o.step != 0, &r);
     if ((code = runs_execute(c, &r, &in, &made)) != EXIT_OK) {
         cli_print_diagnostics(c);

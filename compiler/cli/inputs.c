@@ -74,7 +74,7 @@ static void load_app(Cli *c, CompileInput *in)
     }
 }
 
-// Reads every file that the command line names, and those of --sv and --io.
+// Reads every file that the command line names, and those of --sv, --io and --net.
 int cli_read_inputs(Cli *c, CompileInput *in)
 {
     memset(in, 0, sizeof *in);
@@ -87,6 +87,7 @@ int cli_read_inputs(Cli *c, CompileInput *in)
             return EXIT_ENVIRONMENT;
     }
     if ((c->given[OPT_SV] && (in->vector = cli_read_source(c, c->value[OPT_SV])) == NULL) ||
+        (c->given[OPT_NET] && (in->messages = cli_read_source(c, c->value[OPT_NET])) == NULL) ||
         (c->given[OPT_IO] && (in->pins = cli_read_source(c, c->value[OPT_IO])) == NULL))
         return EXIT_ENVIRONMENT;
     if (in->n == 1 && in->at[0].kind == FILE_APP)

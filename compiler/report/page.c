@@ -50,6 +50,7 @@ Doc *report_build(Report *r)
     report_add_states(r, d);
     report_add_transitions(r, d);
     report_add_variables(r, d);
+    report_add_messages(r, d);
     report_add_findings(r, d);
     report_add_abort_matrix(r, d);
     report_add_costs(r, d);

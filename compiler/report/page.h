@@ -10,6 +10,7 @@
 #include "compiler/report/doc.h"
 #include "compiler/report/trace.h"
 #include "compiler/script/script.h"
+#include "compiler/sema/network.h"
 
 // One script's run.
 typedef struct ReportRun {
@@ -31,6 +32,7 @@ typedef struct Report {
     ReportRun *run;
     size_t runs;
     const char *maker;            // program and version: "smc 0.1"
+    const Network *net;           // the messages of the application; or NULL
 } Report;
 
 Doc *report_build(Report *r);
@@ -41,6 +43,7 @@ void report_add_overview(Report *r, Doc *d);
 void report_add_states(Report *r, Doc *d);
 void report_add_transitions(Report *r, Doc *d);
 void report_add_variables(Report *r, Doc *d);
+void report_add_messages(Report *r, Doc *d);           // nothing if r->net is NULL
 void report_add_findings(Report *r, Doc *d);
 void report_add_abort_matrix(Report *r, Doc *d);
 void report_add_costs(Report *r, Doc *d);

@@ -26,6 +26,12 @@
     "Every window takes a sample at the start of every step, in every state. Until it is full, its statistic covers the samples " \
     "taken so far."
 
+// ---- messages ----
+
+#define TEXT_MESSAGES \
+    "What the application exchanges with other computers. A message is stored whole or not at all. Bytes are those on the wire, without " \
+    "the headers of UDP or TCP."
+
 // ---- findings ----
 
 #define TEXT_FINDINGS_OPEN "Findings of all groups of warnings. `smc explain` with a name or code prints what a finding means and what to do."

@@ -11,7 +11,7 @@ Usage:
       report everything that can be found without running
   smc test M.sm SCRIPT.ss... [--sv V.sv] [--engine=ENGINE]
       run state scripts, .smt cases and folders of them
-  smc report M.sm [SCRIPT.ss...] [--sv V.sv] [-o FILE.html]
+  smc report M.sm [SCRIPT.ss...] [--sv V.sv] [--net X.net] [-o FILE.html]
       write one page about a machine for a design review
   smc graph M.sm [SCRIPT.ss...] [--sv V.sv] [--format=FORMAT] [-o OUT]
       draw the state diagram, and where scripts have been in it, as SVG, for Graphviz or for Mermaid
