@@ -137,6 +137,23 @@ static void lengthens(void)
     size_on_disk(1000);
 }
 
+// Reading by name needs no permission to write, and creates, extends and locks nothing.
+static void loads(void)
+{
+    PalNvm memory = {0};
+    uint8_t x[11] = {0};
+    FILE *f = fopen("key", "w");
+
+    CHECK(f != NULL && fputs("0123456789", f) >= 0 && fclose(f) == 0 && chmod("key", 0400) == 0);
+    CHECK(pal_nvm_load("key", x, 10) == SM_OK && memcmp(x, "0123456789", 10) == 0);
+    CHECK(pal_nvm_load("key", x, 11) == SM_E_SPACE);
+    CHECK(symlink("key", "link") == 0 && pal_nvm_load("link", x, 1) == SM_OK);
+    CHECK(pal_nvm_load("absent", x, 1) == SM_E_MISSING && access("absent", F_OK) != 0 && access("absent.new", F_OK) != 0);
+    CHECK(pal_nvm_load(".", x, 1) == SM_E_UNSUPPORTED && mkfifo("pipe", 0600) == 0 && pal_nvm_load("pipe", x, 1) == SM_E_UNSUPPORTED);
+    CHECK(chmod("key", 0600) == 0 && pal_nvm_open(&memory, "key", 1) == SM_OK && pal_nvm_load("key", x, 1) == SM_OK && pal_nvm_close(memory) == SM_OK);
+    CHECK(unlink("key") == 0 && unlink("link") == 0 && unlink("pipe") == 0);
+}
+
 static void no_file(void)
 {
     PalNvm memory = {0};
@@ -166,6 +183,7 @@ static void nvm(void)
     full_disk();
     lengthens();
     no_file();
+    loads();
     no_line();
     unlink(memory_name);
 }
