@@ -14,6 +14,9 @@ typedef enum SmSwapPhase {
     SM_SWAP_CONFIRMED, SM_SWAP_RETURNED, SM_SWAP_REFUSED          // it has ended
 } SmSwapPhase;
 
+// Whether a swap is in progress.
+#define SM_SWAP_IS_IN_PROGRESS(phase) ((phase) == SM_SWAP_PREPARING || (phase) == SM_SWAP_WAITING || (phase) == SM_SWAP_TRIAL)
+
 // How a trial ends: a of event TRIAL.
 typedef enum SmSwapEnd { SM_SWAP_WAS_CONFIRMED = 1, SM_SWAP_TOOK_TOO_LONG = 2, SM_SWAP_ABORTED = 3 } SmSwapEnd;
 

@@ -160,7 +160,7 @@ $(B)/swap/clauses $(B)/swap/hostile $(B)/swap/random:
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
 # Swaps in an application that runs, in the simulation.
-$(B)/swap/running: $(patsubst %,$(B)/obj/tests/swap/%.o,running stage machine) $(B)/runtime/sim.a $(B)/libsmc.a
+$(B)/swap/running $(B)/swap/storing: $(B)/swap/%: $(B)/obj/tests/swap/%.o $(patsubst %,$(B)/obj/tests/swap/%.o,stage machine) $(B)/runtime/sim.a $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
@@ -173,6 +173,11 @@ $(B)/swap/link: $(patsubst %,$(B)/obj/tests/swap/%.o,link stage machine) $(B)/ob
 $(B)/swap/reach: $(patsubst %,$(B)/obj/tests/swap/%.o,reach stage machine) $(patsubst %,$(B)/obj/compiler/device/%.o,app_host link_host) $(B)/obj/compiler/base/os_serial_posix.o $(B)/runtime/linux.a $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -pthread -lrt
+
+# An application that stores swaps is killed at each call that writes, and each of them fails.
+$(B)/swap/killed: $(patsubst %,$(B)/obj/tests/swap/%.o,killed stage machine) $(B)/runtime/linux.a $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(patsubst %,-Wl$(,)--wrap=%,write fsync rename ftruncate) -pthread -lrt
 
 # The same with threads, on Linux, and once more under the thread sanitizer.
 # `make swap-lateness SECONDS=5` measures whether swaps make ticks late on this computer.
@@ -786,8 +791,10 @@ $(call test, library-parity,       thorough, $(B)/library/command, sh tests/libr
 $(call test, library-swapping,     thorough, $(B)/smc $(LIBRARY_FILES), sh tests/library/swapping.sh $(MAKE) $(B) '$(CC)' '$(CFLAGS)')
 $(call test, library-abi,          thorough, $(LIBRARY_FILES), sh tests/library/abi.sh $(B) '$(CC)')
 $(call test, swap-running,         thorough, $(B)/swap/running, $(B)/swap/running)
+$(call test, swap-storing,         thorough, $(B)/swap/storing, $(B)/swap/storing)
 $(call test, swap-link,            thorough, $(B)/swap/link, $(B)/swap/link)
 $(call test, swap-reach,           thorough, $(B)/swap/reach $(B)/smc, $(B)/swap/reach $(B)/smc)
+$(call test, swap-killed,          thorough, $(B)/swap/killed, $(B)/swap/killed)
 $(call test, swap-threads,         thorough, $(B)/swap/threads, $(B)/swap/threads)
 $(call test, swap-tsan,            thorough, $(B)/swap/threads_tsan, if test -x $(B)/swap/threads_tsan; then $(B)/swap/threads_tsan; else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)

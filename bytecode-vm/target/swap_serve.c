@@ -171,6 +171,7 @@ SmResult sm_swap_link_open(SmSwapService *service, SmApp *app)
         app->reason = failed == l->key_file && r == SM_E_ARGUMENT ? SM_TEXT("it has no key; 'smc key' makes one") : NULL;
     }
     l->app_name = app->name;
+    l->app = app;
     l->events = app->events;
     return r;
 }
