@@ -546,6 +546,14 @@ $(B)/tsan/%.o: %.c | $(B)/has_tsan
 	$(call say,CC)$(TSAN) $(DEPFLAGS) -c $< -o $@
 $(B)/runtime/%_linux: tests/runtime/%_linux.c $(B)/runtime/linux.a
 	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/linux.a $(RUNTIME_LIBS) -pthread -lrt
+# Hosts of an application whose machines are swapped.  `make swap-fuzz N=100000 SEED=1` changes the seeds at random, under sanitizers.
+SWAP_FUZZ_SRC = $(sort $(filter-out $(LIBSMC),tests/swap/stage.c tests/swap/machine.c compiler/device/app_host.c compiler/device/link_host.c $(RUNTIME_SRC_sim)))
+$(B)/fuzz/swap $(B)/fuzz-cov/swap: $(SWAP_FUZZ_SRC)
+swap-fuzz:
+	$(MAKE) -s B=$(B)/san CFLAGS='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=undefined' $(B)/san/fuzz/swap
+	$(B)/san/fuzz/swap -n $(N) -s $(SEED) tests/fuzz/seeds/swap/*
+.PHONY: swap-fuzz
+
 $(B)/runtime/%: tests/runtime/%.c $(B)/runtime/sim.a
 	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/sim.a $(RUNTIME_LIBS)
 $(B)/runtime/threads: RUNTIME_LIBS = -pthread
@@ -807,6 +815,7 @@ $(call test, fuzz-frontend,        thorough, $(B)/fuzz/frontend, $(B)/fuzz/front
 $(call test, fuzz-ir,              thorough, $(B)/fuzz/ir, $(B)/fuzz/ir -n 2000 tests/ir/samples/*.ir)
 $(call test, fuzz-log,             thorough, $(B)/fuzz/log $(B)/corpus/log/flight.log, $(B)/fuzz/log -n 1000 $(B)/corpus/log/flight.log)
 $(call test, fuzz-image,           thorough, $(B)/fuzz/image $(B)/corpus/image, $(B)/fuzz/image -n 20000 $(B)/corpus/image/*.smb)
+$(call test, fuzz-swap,            thorough, $(B)/fuzz/swap, $(B)/fuzz/swap -n 5000 tests/fuzz/seeds/swap/*)
 $(call test, fuzz-link,            thorough, $(B)/fuzz/link $(LINK_SEEDS), $(B)/fuzz/link -n 20000 $(LINK_SEEDS))
 
 $(call test, fault-memory,         thorough, $(B)/fault/memory, $(B)/fault/memory $(FAULT_CASES))
