@@ -416,6 +416,15 @@ static void test_stored(Arena *arena)
     CHECK(application_read_machine(&h, 0, &m) && m.is_built_in && m.is_on_trial && m.checksum == stage_identity(&one));
     CHECK(application_read_swap(&h, &s) && application_confirm(&h, &s, NULL));
     sm_swap_link_close(&stage.link.service);
+    // a storage that does not open: the place is free again
+    sim_reset();
+    memset(sim_nvm("eeprom"), 'x', 64);
+    for (int i = 0; i < 2; i++) {
+        stage_set_up(&plan);
+        stage_reach(SM_SWAP_AT_ADDRESS, "", NULL);
+        stage_store("eeprom", 400, NULL);
+        CHECK(stage_start() == SM_E_FOREIGN && stage.app.failed_file == stage.store.memory);
+    }
 }
 
 // clause 12.37: a second host
@@ -512,6 +521,19 @@ static void test_keys(Arena *arena)
     CHECK(send(&h, &swap, key, 3, 9) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 2);
     CHECK(send(&h, &swap, key, 2, 10) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
+    // a permit with a higher number, for a swap that is not signed; also after a swap whose number has been used
+    make_swap(&swap, arena, &ten, NULL, 3, key, 4);
+    CHECK(send(&h, &swap, key, 4, 20) == APPLICATION_DONE && stage.link.newest == 4);
+    run_application();
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, wrong, 5);
+    CHECK(send(&h, &swap, key, 5, 21) == APPLICATION_END && h.result == SM_E_UNSIGNED && stage.link.newest == 4);
+    end_with_key();
+    begin_with_key(&h, true);
+    make_swap(&swap, arena, &ten, NULL, 3, key, 3);
+    CHECK(send(&h, &swap, key, 3, 22) == APPLICATION_DONE && stage.link.newest == 3);
+    end_with_key();
+    begin_with_key(&h, false);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 2);
     // a permit with a higher number for a swap with a lower one
     CHECK(send(&h, &swap, key, 4, 11) == APPLICATION_END && h.result == SM_E_REPLAY && stage_phase() == SM_SWAP_IDLE);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 4);
@@ -533,6 +555,10 @@ static void test_keys(Arena *arena)
     sim_nvm("flash")[31] = 'g';
     CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_ARGUMENT && stage.app.failed_file == stage.link.key_file);
     CHECK(stage.app.reason != NULL);
+    // no memory for the numbers
+    memcpy(sim_nvm("flash"), right_key, 32);
+    stage.link.numbers = "absent";
+    CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_MISSING && stage.app.failed_file == stage.link.numbers);
     // no file
     stage.link.key_file = "absent";
     CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_MISSING && stage.app.failed_file == stage.link.key_file && stage.app.reason == NULL);
