@@ -34,13 +34,6 @@
 extern "C" {
 #endif
 
-typedef enum SmSwapReason {
-    SM_SWAP_NOT_REFUSED = 0,
-#define SM_SWAP(name, number, text) SM_SWAP_NO_##name = number,
-#include "runtime-c/swaps.def"
-#undef SM_SWAP
-} SmSwapReason;
-
 // One machine of a swap.  What it points to must stay unchanged while the swap is PREPARING.
 typedef struct SmSwapChange {
     const char *machine;      // its name in the application

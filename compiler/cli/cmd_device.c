@@ -136,7 +136,7 @@ enum { EVENT = 19, EVENT_HEAD = 8 };      // bytes of an event, and before the f
 // Writes a field of an event by its name in events.def: checksums in hexadecimal, reasons and results with their sentence.
 static void write_field(Buf *out, const char *name, unsigned long value)
 {
-    if (*name == '\0')
+    if (*name == '\0' || (strcmp(name, "reason") == 0 && value == 0))
         return;
     if (strcmp(name, "image") == 0 || strcmp(name, "old image") == 0 || strcmp(name, "swap") == 0)
         buf_printf(out, ", %s %08lx", name, value);

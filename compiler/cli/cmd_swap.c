@@ -220,6 +220,8 @@ static int report_refused(BoardLine *b, const ApplicationSwap *s)
         cli_print_error(b->c, TEXT_swap_refused_machine, m.name, application_reason_text(s->reason));
     else
         cli_print_error(b->c, TEXT_swap_refused, application_reason_text(s->reason));
+    if (s->reason == SM_SWAP_NO_LAYOUT && !b->c->given[OPT_SV])
+        cli_print_error(b->c, TEXT_swap_vector);
     return EXIT_PROBLEM;
 }
 

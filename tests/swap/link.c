@@ -558,10 +558,10 @@ static void test_keys(Arena *arena)
     // no memory for the numbers
     memcpy(sim_nvm("flash"), right_key, 32);
     stage.link.numbers = "absent";
-    CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_MISSING && stage.app.failed_file == stage.link.numbers);
+    CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_MISSING && stage.app.failed_file == stage.link.numbers && stage.app.reason == NULL);
     // no file
     stage.link.key_file = "absent";
-    CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_MISSING && stage.app.failed_file == stage.link.key_file && stage.app.reason == NULL);
+    CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_MISSING && stage.app.failed_file == stage.link.key_file && stage.app.reason != NULL);
 }
 
 // clause 12.47: the power is cut after each byte of the number.  Afterwards the highest number is the one before or the new one.

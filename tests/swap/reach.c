@@ -352,7 +352,7 @@ static void test_command(void)
     CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock --restart=A --wait") == 1 && printed("it was not confirmed in time"));
     CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock --restart=Nowhere") == 1 && printed("no state of the name"));
     CHECK(command("swap other.sm -w --to=stand.sock --continue") == 1 && printed("those that can be swapped are: a"));
-    CHECK(command("swap a=other.sm -w --to=stand.sock --continue") == 1 && printed("compiled for another state vector"));
+    CHECK(command("swap a=other.sm -w --to=stand.sock --continue") == 1 && printed("compiled for another state vector") && printed("--sv=stand.sv"));
     CHECK(command("build a.sm --sv stage.sv -w -g -o new.smb") == 0);
     CHECK(command("swap a=new.smb --to=stand.sock --continue") == 0 && printed("on trial"));
     CHECK(command("swap a=new.smb --to=stand.sock --continue") == 1 && printed("another swap is in progress"));
