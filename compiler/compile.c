@@ -52,21 +52,22 @@ static size_t machine_of_script(const Compilation *c, size_t i)
     return script->machine ? script->machine - 1 : c->only_machine;
 }
 
-// Adds the locals that the scripts of machine m write to `written`.  If the option `step` is 0 and all of them have the same delta_t, the session's
-// step becomes that delta_t.  Errors in a script are reported when the script is compiled, not here.
-static void read_script_writes_and_step(Compilation *c, size_t m, Map *written)
+// Adds the locals that the scripts of machine m, which has the program p, write to `written`.  If the option `step` is 0, the session's step
+// becomes the step that the machine declares, or else the delta_t of its scripts if all of them have the same.  Errors in a script are
+// reported when the script is compiled, not here.
+static void read_script_writes_and_step(Compilation *c, size_t m, const Program *p, Map *written)
 {
-    uint64_t step = 0;
+    uint64_t step = p->step;
     bool agree = true;
 
     for (size_t i = 0; i < c->in->n; i++)
         if (machine_of_script(c, i) == m) {
-            const uint64_t delta_t = session_script_writes(c->s, c->in->at[i].text, written);
+            const uint64_t delta_t = session_script_writes(c->s, c->in->at[i].text, p->time_unit, written);
             agree = agree && delta_t > 0 && (step == 0 || delta_t == step);
             step = delta_t;
         }
-    if (c->o->step == 0 && agree)
-        c->s->step = step;
+    if (c->o->step == 0)
+        c->s->step = p->step ? p->step : agree ? step : 0;
 }
 
 // Optimises a machine.  If its costs are needed, also builds an image with line numbers, and checks the limits on that image.
@@ -95,9 +96,9 @@ static void compile_machine(Compilation *c, size_t i)
     Map written = {&c->s->arena, NULL, NULL, 0, 0};
 
     c->s->step = c->o->step;
-    read_script_writes_and_step(c, i, &written);
     if ((of->program = session_program(c->s, &m)) == NULL)
         return;
+    read_script_writes_and_step(c, i, of->program, &written);
     c->program[c->programs++] = of->program;
     session_analyse(c->s, of->program);
     build_ir_and_measure(c, of);

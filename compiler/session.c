@@ -264,12 +264,13 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
     return s->diags.errors_seen > errors ? NULL : out;
 }
 
-// Adds the names of the locals and elements that a script writes to `written`, and returns its delta_t; 0 if it has none, or errors.
-uint64_t session_script_writes(Session *s, const Source *ss, Map *written)
+// Adds the names of the locals and elements that a script writes to `written`, and returns its delta_t in the unit `unit`; 0 if it has
+// none, or errors.
+uint64_t session_script_writes(Session *s, const Source *ss, TimeUnit unit, Map *written)
 {
     Map names = {&s->tree, NULL, NULL, 0, 0};
     const AstFile *f = parse_silently(s, ss, &names);
-    const uint64_t delta_t = f ? script_delta_t(f) : 0;
+    const uint64_t delta_t = f ? script_delta_t(f, unit) : 0;
 
     for (size_t i = 0; f && i < names.cap; i++)
         if (names.key[i])

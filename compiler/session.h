@@ -65,8 +65,9 @@ const Program *session_program_for_scripts(Session *s, const MachineInput *in, c
 // Compiles an application and everything that it names, analyses included. app_list_files of its tree lists the required files; the caller
 // supplies their contents. Returns NULL if any of them had errors.
 App *session_app(Session *s, const AstFile *app, AppFiles *files);
-// Adds the names of the locals and elements that a script writes to `written`, and returns its delta_t; 0 if it has none, or errors.
-uint64_t session_script_writes(Session *s, const Source *ss, Map *written);
+// Adds the names of the locals and elements that a script writes to `written`, and returns its delta_t in the unit `unit`; 0 if it has
+// none, or errors.
+uint64_t session_script_writes(Session *s, const Source *ss, TimeUnit unit, Map *written);
 // Checks a script for the machine p.
 Script *session_script(Session *s, const Source *ss, const Program *p);
 // Reports warnings for a machine without errors. Leaves the IR that it builds in s->built.

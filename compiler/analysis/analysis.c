@@ -153,6 +153,7 @@ void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine
 #include "compiler/analysis/analyses.def"
 #undef ANALYSIS
     };
+    const size_t first = diags->list.n;
     Analysis a;
 
     begin_on_ir(&a, arena, diags, m);
@@ -165,4 +166,6 @@ void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine
             all[i].run(&a);
             arena_free(scratch);
         }
+    complete_all_states_findings(&a, first);
+    arena_free(scratch);
 }

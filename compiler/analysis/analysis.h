@@ -83,6 +83,8 @@ Fact fact_of_comparison(SmOperator op, Fact a, Fact b);
 // Whether every path through these statements ends in a transition, whatever the guards evaluate to (dead_code.c).
 bool always_leaves(const Stmts *stmts);
 
+// Completes the findings from diags->list.at[first] on that are about statements of [all_states] (all_states.c).
+void complete_all_states_findings(Analysis *a, size_t first);
 // Calls f for every statement of a machine.  A conditional comes before the statements inside it.
 void each_stmt(const Program *p, void (*f)(const Stmt *stmt, void *context), void *context);
 

@@ -56,14 +56,13 @@ static void check_limit(TimeChecks *k, const Expr *whole, const Expr *time, SmOp
     SmF64 x;
     Diag *d;
 
-    if (op == SM_OP_EQ || op == SM_OP_NE || time->kind != EX_VAR || time->var != k->a->p->t || !expr_is_constant(other) ||
+    if (op == SM_OP_EQ || op == SM_OP_NE || other->unit != TIME_NONE || time->kind != EX_VAR || time->var != k->a->p->t || !expr_is_constant(other) ||
         !is_unlikely_limit(k, x = expr_constant_value(other), first_step))
         return;
     reason = sm_eq(x, sm_floor(x)) ? format_in(k->a->arena, "advances by %llu in each step", (unsigned long long)k->a->step)
                                    : "is a whole number";
     d = diag_report(k->a->diags, DIAG_short_time, whole->span, const_text(k->a->arena, x), reason);
-    if (k->a->p->g)
-        diag_label(k->a->diags, d, DIAG_label_seconds, const_text(k->a->arena, sm_mul(x, sm_from_i32(1000))), k->a->p->g->name->text);
+    diag_label(k->a->diags, d, DIAG_label_seconds, const_text(k->a->arena, x));
 }
 
 static void check_expr(Expr *e, void *context)

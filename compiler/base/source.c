@@ -31,6 +31,15 @@ Source *source_new(Arena *arena, const char *name, const char *text, size_t len)
 }
 
 // Returns line and column, each from 1, of the byte at `at`.
+Source *source_copy_for_state(Arena *arena, const Source *s, const char *state)
+{
+    Source *copy = arena_copy(arena, s, sizeof *s);
+
+    copy->written = s;
+    copy->state = state;
+    return copy;
+}
+
 LineCol source_position(const Source *s, uint32_t at)
 {
     uint32_t low = 0, high = s->lines;      // invariant: line[low] <= at < line[high]

@@ -15,6 +15,11 @@ typedef struct Source {
     uint32_t *line;       // line[i]: offset of the first byte of line i + 1
     uint32_t lines;       // number of lines; at least 1
     uint32_t number;      // the owner's number for it; initially 0
+
+    // A copy of a source whose statements belong to several states ([all_states] of a machine), one for each of these states. Positions in it
+    // tell which state they belong to. Diagnostics replace it by the source itself.
+    const struct Source *written; // the source itself; NULL: this is one
+    const char *state;            // the name of the state
 } Source;
 
 // A range of a source.  Zeroed: no position (src is NULL).
@@ -29,6 +34,7 @@ enum { SOURCE_MAX = 0x40000000 };   // the longest source in bytes: the sum of t
 
 // Wraps `text` without copying it, and finds its lines.  `name` and `text` must outlive the result; len <= SOURCE_MAX.
 Source *source_new(Arena *arena, const char *name, const char *text, size_t len);
+Source *source_copy_for_state(Arena *arena, const Source *s, const char *state);      // see Source.written
 LineCol source_position(const Source *s, uint32_t at);
 // Returns the text of a line, counted from 1, without its LF or CR LF; *len is its length.
 const char *source_line(const Source *s, uint32_t line, uint32_t *len);

@@ -107,16 +107,34 @@ static const Source *find_listed_file(const Diags *d, const Source *src)
     return src;
 }
 
+// Records that x is true for a state. The reports for one state follow each other.
+static void add_state(Diags *d, Diag *x, const char *state)
+{
+    if (x->states.n == 0 || strcmp(x->states.at[x->states.n - 1], state) != 0)
+        vec_push(d->arena, &x->states, state);
+}
+
+// Replaces the copy of a source by the source itself.
+static Span written_source(Span span)
+{
+    if (span.src && span.src->written)
+        span.src = span.src->written;
+    return span;
+}
+
 Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
 {
     const bool is_error = diag_info[code].severity == DIAG_ERROR;
+    const char *state = span.src ? span.src->state : NULL;
     size_t *count = is_error ? &d->errors : &d->warnings, file = d->files.n;
     Diag *x;
 
     d->errors_seen += is_error;
-    span.src = find_listed_file(d, span.src);
+    span.src = find_listed_file(d, written_source(span).src);
     if (d->muted || !record_position(d, code, span) || ++*count > DIAG_KEPT_MAX) {
         d->first = span.src && d->position_cap ? find_position(d, span.src, span.at, code)->diag : NULL;
+        if (d->first && state)
+            add_state(d, d->first, state);
         if (!d->dropped) {                    // all dropped reports share one Diag, so that many of them need no memory
             d->dropped = ARENA_NEW(d->arena, Diag);
             d->dropped->text = "";
@@ -130,6 +148,8 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
     x->severity = diag_info[code].severity;
     x->span = span;
     x->text = fill_arguments(d->arena, diag_info[code].message, args);
+    if (state)
+        add_state(d, x, state);
     while (file > 0 && d->files.at[file - 1] != span.src)
         file--;
     if (file == 0)
@@ -153,7 +173,7 @@ Diag *diag_report(Diags *d, DiagCode code, Span span, ...)
 
 static void add_note(Diags *d, Diag *to, Span span, unsigned step, DiagCode text, va_list args)
 {
-    DiagNote note = {span, NULL, step};
+    DiagNote note = {written_source(span), NULL, step};
 
     if (to == d->dropped)
         return;
@@ -211,7 +231,7 @@ const char *diag_text(Diags *d, DiagCode text, ...)
 // Adds the declaration of a variable that the diagnostic names, for example as one of its outputs.
 void diag_note_declaration(Diags *d, Diag *to, DiagSubject subject, Span declaration)
 {
-    const DiagAbout about = {declaration, subject};
+    const DiagAbout about = {written_source(declaration), subject};
     Diag *x = to == d->dropped ? d->first : to;
 
     for (size_t i = 0; x && i < x->about.n; i++)
@@ -224,12 +244,19 @@ void diag_note_declaration(Diags *d, Diag *to, DiagSubject subject, Span declara
 // Proposes an edit that is certainly what the user meant: replaces `span` by a copy of `text`.
 void diag_edit(Diags *d, Diag *to, Span span, const char *text)
 {
-    DiagEdit edit = {span, NULL};
+    DiagEdit edit = {written_source(span), NULL};
 
     if (to == d->dropped)
         return;
     edit.text = arena_copy(d->arena, text, strlen(text) + 1);
     vec_push(d->arena, &to->edits, edit);
+}
+
+void diags_remove_warning(Diags *d, size_t i)
+{
+    memmove(d->list.at + i, d->list.at + i + 1, (d->list.n - i - 1) * sizeof *d->list.at);
+    d->list.n--;
+    d->warnings--;
 }
 
 // ---- order ----

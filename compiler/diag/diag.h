@@ -82,6 +82,7 @@ typedef struct Diag {
     const char *label;                    // printed after the caret, as "did you mean 'valveOpen'?"; or NULL
     VEC(DiagNote) notes;
     VEC(DiagEdit) edits;                  // all edits together are one proposed fix
+    VEC(const char *) states;             // the states for which it was reported, where its statement belongs to several (Source.written)
     VEC(DiagAbout) about;                 // declarations where an @allow can cover this finding
     bool allow_checked;                   // an earlier call of diags_apply_allows has examined it
     const char *allowed;                  // the reason of the @allow that covers it; else NULL
@@ -126,6 +127,9 @@ const char *diag_text(Diags *d, DiagCode text, ...);
 void diag_note_declaration(Diags *d, Diag *to, DiagSubject subject, Span declaration);
 // Proposes an edit that is certainly what the user meant: replaces `span` by a copy of `text`.
 void diag_edit(Diags *d, Diag *to, Span span, const char *text);
+
+// Removes the diagnostic at list.at[i], a warning.
+void diags_remove_warning(Diags *d, size_t i);
 
 // Adds an @allow. A shared one is never reported as unused, because another machine may need it.
 void diag_allow(Diags *d, const char *flag, const char *reason, Span span, Span covers);

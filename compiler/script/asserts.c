@@ -36,7 +36,11 @@ bool run_can_show(const Expr *const *shown, size_t n, const Expr *e, size_t most
 // Appends the value of e in the format of diagnostics.
 void run_append_value(ScriptRun *r, const Expr *e, Buf *out)
 {
-    if (e->kind == EX_VAR)
+    const Program *p = r->s->program;
+
+    if (e->kind == EX_VAR && e->var == p->s && r->cell[e->var->index] - 1 < p->state.n)
+        buf_printf(out, "%s, number %lu", p->state.at[r->cell[e->var->index] - 1]->name->text, (unsigned long)r->cell[e->var->index]);
+    else if (e->kind == EX_VAR)
         format_cell_shortest(out, e->var->type, r->cell[e->var->index]);
     else
         format_number_shortest(out, ref_eval(e, r->cell, &r->windows));

@@ -16,8 +16,8 @@ Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
     Expr *e = arena_alloc(s->arena, sizeof *e + args * sizeof *e->arg + ops);
 
     e->kind = kind;
-    e->span = span;
-    e->n = args;
+    e->span = sema_span(s, span);
+    e->n = args & 0xffffff;              // AST_DEPTH_MAX bounds it
     e->arg = (Expr **)(void *)(e + 1);
     return e;
 }
@@ -77,8 +77,11 @@ static bool check_use_in_size(Sema *s, Var *v, const AstExpr *e)
 static Expr *check_name(Sema *s, const AstExpr *e)
 {
     Var *v = scope_find_variable(s, e->name);
+    Define *define;
     Expr *out;
 
+    if (!v && (define = map_find(&s->defines, e->name)) != NULL)
+        return expand_definition(s, define, e);
     if (!v) {
         scope_report_unknown(s, e->name, e->span);
         return NULL;
@@ -101,7 +104,8 @@ static Expr *check_number(Sema *s, const AstExpr *e)
 {
     Expr *out = expr_new(s, EX_NUMBER, e->span, 0);
 
-    out->number = e->number;
+    out->number = e->unit ? check_time_literal(s, e) : e->number;
+    out->unit = e->unit;
     if (s->building && e->number >= 9007199254740992.0)          // 2^53
         s->building->large_numbers = true;
     return out;
@@ -214,16 +218,130 @@ static void warn_of_negated_number(Sema *s, const AstExpr *e)
         diag_label(s->diags, d, DIAG_label_did_you_mean, format_in(s->arena, "%s != %s", sema_quote_source(s, e->a->span), sema_quote_source(s, number->span)));
 }
 
+// Warns of time literals that a comparison or a product of a and b probably misuses.
+static void warn_of_times(Sema *s, SmOperator op, const AstExpr *a, const AstExpr *b)
+{
+    const SmOpClass class = sm_op_info[op].op_class;
+
+    if (class == SM_CLASS_RELATION || class == SM_CLASS_EQUALITY) {
+        warn_of_time_fraction(s, a, b);
+        warn_of_time_fraction(s, b, a);
+    }
+    warn_of_time_factor(s, op, a);
+    warn_of_time_factor(s, op, b);
+}
+
+// ---- states by name ----
+
+static const AstExpr *without_parens(const AstExpr *e)
+{
+    while (e->kind == AST_PAREN)
+        e = e->a;
+    return e;
+}
+
+// Whether e is S, by any of its names.
+static bool is_state_element(const Sema *s, const AstExpr *e)
+{
+    e = without_parens(e);
+    return e->kind == AST_NAME && s->p->s && scope_find_variable(s, e->name) == s->p->s;
+}
+
+// Returns the name in e if it can only be the name of a state. Warns of a name that is also that of a variable, as which it is read.
+static const AstExpr *name_of_state(Sema *s, const AstExpr *e)
+{
+    const State *state;
+    Diag *d;
+
+    e = without_parens(e);
+    state = e->kind == AST_NAME ? map_find(&s->p->state_by_name, e->name) : NULL;
+    if (e->kind != AST_NAME || (!scope_find_variable(s, e->name) && !map_find(&s->defines, e->name)))
+        return state ? e : NULL;
+    if (state) {
+        d = diag_report(s->diags, DIAG_state_or_variable, e->span, e->name->text);
+        scope_note_declared(s, d, e->name);
+        diag_note(s->diags, d, state->span, DIAG_note_state_declared, state->name->text);
+    }
+    return NULL;
+}
+
+// Builds `S == Run` or `S != Run`, where the number of the state is the value of its name. Returns NULL if e is no such comparison.
+static Expr *check_state_comparison(Sema *s, const AstExpr *e)
+{
+    const bool first = is_state_element(s, e->a);
+    const AstExpr *name;
+    Expr *out, *number;
+
+    if (operator_class(e) != SM_CLASS_EQUALITY || (!first && !is_state_element(s, e->b)) || !(name = name_of_state(s, first ? e->b : e->a)))
+        return NULL;
+    record_operator(s, e->op);
+    s->knows_a_name = true;
+    out = expr_new(s, EX_BINARY, e->span, 2);
+    out->op = e->op;
+    number = expr_new(s, EX_NUMBER, name->span, 0);
+    number->number = sm_from_u32(((const State *)map_find(&s->p->state_by_name, name->name))->number);
+    out->arg[first] = number;
+    out->arg[!first] = check_expr(s, first ? e->a : e->b);
+    return out->arg[!first] ? out : NULL;
+}
+
+// Returns S, as it is written in the comparison; NULL if neither side is S.
+static const AstExpr *state_element_in(const Sema *s, const AstExpr *comparison)
+{
+    if (!comparison)
+        return NULL;
+    return is_state_element(s, comparison->a) ? comparison->a : is_state_element(s, comparison->b) ? comparison->b : NULL;
+}
+
+// Reports B in `S == A or B`, where it has no value: the user means `S == A or S == B`.
+static void report_state_as_condition(Sema *s, const AstExpr *e)
+{
+    const AstExpr *before = operator_class(e) == SM_CLASS_LOGIC ? comparison_before(e->a) : NULL;
+    const AstExpr *element = state_element_in(s, before), *name = element ? name_of_state(s, e->b) : NULL;
+    const char *start;
+    Diag *d;
+
+    if (!name)
+        return;
+    start = format_in(s->arena, "%s %s ", sema_quote_source(s, element->span), sm_op_info[before->op].spelling);
+    d = diag_report(s->diags, DIAG_unknown_element, name->span, name->name->text);
+    diag_label(s->diags, d, DIAG_label_write, format_in(s->arena, "%s%s", start, name->name->text));
+    diag_edit(s->diags, d, (Span){name->span.src, name->span.at, 0}, start);
+}
+
+// Reports A in `not S == A`, where it has no value, because `not` applies to S alone: the user means `S != A`.
+static void report_negated_state(Sema *s, const AstExpr *e)
+{
+    const bool is_negated = operator_class(e) == SM_CLASS_EQUALITY && e->a->kind == AST_UNARY && e->a->op == SM_OP_NOT &&
+                            is_state_element(s, e->a->a);
+    const AstExpr *name = is_negated ? name_of_state(s, e->b) : NULL;
+    const char *text;
+    Diag *d;
+
+    if (!name)
+        return;
+    text = format_in(s->arena, "%s %s %s", sema_quote_source(s, e->a->a->span), e->op == SM_OP_EQ ? "!=" : "==", name->name->text);
+    d = diag_report(s->diags, DIAG_unknown_element, name->span, name->name->text);
+    diag_label(s->diags, d, DIAG_label_write, text);
+    diag_edit(s->diags, d, e->span, text);
+}
+
 static Expr *check_binary(Sema *s, const AstExpr *e)
 {
-    Expr *out = expr_new(s, EX_BINARY, e->span, 2);
     AstExpr *operands[2] = {e->a, e->b};
+    Expr *out = check_state_comparison(s, e);
 
+    if (out)
+        return out;
+    report_state_as_condition(s, e);
+    report_negated_state(s, e);
     for (int k = 0; k < 2 && operator_class(e) == SM_CLASS_LOGIC; k++)
         warn_of_number_as_condition(s, e, operands[k]);
     if (operator_class(e) == SM_CLASS_EQUALITY)
         warn_of_negated_number(s, e);
+    warn_of_times(s, e->op, e->a, e->b);
     record_operator(s, e->op);
+    out = expr_new(s, EX_BINARY, e->span, 2);
     out->op = e->op;
     return check_args(s, operands, 2, out->arg) ? out : NULL;
 }
@@ -245,6 +363,7 @@ static Expr *check_chain(Sema *s, const AstExpr *e)
         operand[0] = e->a;
         expr_ops(out)[i - 1] = e->op;
         record_operator(s, e->op);
+        warn_of_times(s, e->op, is_relation(e->a) ? e->a->b : e->a, e->b);
     }
     s->searched_left = operand[0];
     return check_args(s, operand, n, out->arg) ? out : NULL;
@@ -348,7 +467,7 @@ static void report_argument_count(Sema *s, const AstExpr *e, const SmBuiltinInfo
 
 // Calls of roll functions (language.md 7) have two arguments: the sampled expression, and a size that is known at compile time.
 
-// Returns the size of a roll call's window, or 0 after a report.
+// Returns how many steps a roll call's window has, or 0 after a report.
 static uint32_t check_window_size(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
 {
     const AstExpr *n = call->args->at[1];
@@ -357,11 +476,18 @@ static uint32_t check_window_size(Sema *s, const AstExpr *call, const SmBuiltinI
 
     s->at = EXPR_IN_SIZE;
     s->size_of = call->name;
-    value = check_expr(s, n);
+    value = check_expr(s, n->kind == AST_STEPS ? n->a : n);
     s->at = EXPR_IN_STEP;
     if (!value)
         return 0;
     x = expr_constant_value(value);
+    if (value->kind == EX_NUMBER && value->unit != TIME_NONE) {
+        if (!check_window_time(s, n, fn->name, x, &x))
+            return 0;
+    } else if (expr_contains_time(value)) {
+        diag_report(s->diags, DIAG_window_size_of_time, n->span, fn->name);
+        return 0;
+    }
     if (!sm_eq(sm_trunc(x), x))
         diag_report(s->diags, DIAG_window_size_not_whole, n->span, fn->name, const_text(s->arena, x));
     else if (sm_lt(x, sm_from_i32(1)) || sm_lt(sm_from_u32(SM_WINDOW_MAX), x))
@@ -387,7 +513,7 @@ static Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *
     out->arg[0] = w.sample = check_expr(s, call->args->at[0]);     // gives roll calls in the sample lower indices
     w.size = check_window_size(s, call, fn);
     w.stat = out->stat = fn->stat;
-    w.span = call->span;
+    w.span = out->span;
     if (!w.sample || !w.size)
         return NULL;
     out->window = (uint32_t)s->windows->n;
@@ -420,8 +546,7 @@ static Expr *check_call(Sema *s, const AstExpr *e)
     return NULL;
 }
 
-// Checks an expression and returns its typed form; NULL after an error, which is reported.
-Expr *check_expr(Sema *s, const AstExpr *e)
+static Expr *check_kind(Sema *s, const AstExpr *e)
 {
     switch (e->kind) {
     case AST_ERROR:  return NULL;
@@ -432,9 +557,23 @@ Expr *check_expr(Sema *s, const AstExpr *e)
         warn_of_leading_not(s, e);
         return is_relation(e) && is_relation(e->a) ? check_chain(s, e) : check_binary(s, e);
     case AST_PAREN:  return check_expr(s, e->a);
+    case AST_STEPS:
+        diag_report(s->diags, DIAG_steps_misplaced, e->span, sema_quote_source(s, e->a->span));
+        return NULL;
     case AST_CALL:   return check_call(s, e);
     }
     return NULL;
+}
+
+// Checks an expression and returns its typed form; NULL after an error, which is reported.
+Expr *check_expr(Sema *s, const AstExpr *e)
+{
+    Expr *out;
+
+    s->depth++;
+    out = check_kind(s, e);
+    s->depth--;
+    return out;
 }
 
 // ---- after all expressions ----

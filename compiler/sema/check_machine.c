@@ -47,9 +47,11 @@ static void check_states(Sema *s, Program *p, const AstFile *sm)
         if (section->kind != AST_STATE)
             continue;
         state = p->state.at[n++];
+        add_all_states(s, p, state);
         for (int label = 0; label < AST_LABEL_COUNT; label++) {
             s->block = block_of[label];
-            state->block_span[s->block] = section->block[label].label;
+            if (section->block[label].present)
+                state->block_span[s->block] = section->block[label].label;
             check_stmts(s, &section->block[label].stmts, &state->block[s->block]);
             warn_of_unguarded_abort(s, state, section, (AstLabel)label);
         }
@@ -89,9 +91,13 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     s.sv = sv;
     s.building = p;
     p->sv = sv ? sv : new_own_state_vector(c, p);
+    check_time_options(&s, p, sm);
     add_states(&s, p, sm);
     check_declarations(&s, p, sm, p->sv, written_outside);
+    find_all_states(&s, p, sm);
     check_states(&s, p, sm);
+    warn_of_skipped_all_states(&s, p);
+    check_unused_definitions(&s, &p->define);
     check_size_uses(&s);
     p->stmts = s.stmts;
     if (c->diags->errors_seen > errors)

@@ -12,6 +12,7 @@
 typedef struct ScriptCheck {
     Sema s;
     Script *script;
+    Defines define;
     Str delta_t, init_state;      // the names of the options
     bool has_delta_t, has_stop;
     uint32_t items, asserts;      // how many items and asserts have been checked
@@ -21,18 +22,17 @@ typedef struct ScriptCheck {
 
 // ---- options ----
 
-// Returns the value of delta_t: a whole number without a sign, from 1 to 2^63.  Returns 0 for anything else.
-static uint64_t delta_t_value(const AstOption *o)
+// Reports a delta_t that differs from the step that the machine declares.
+static void check_declared_step(ScriptCheck *k, const AstOption *o)
 {
-    const SmF64 highest = sm_from_u64(0x8000000000000000u);
-    SmF64 x;
+    const Program *p = k->s.p;
+    Diag *d;
 
-    if (!o->number || o->number->kind != AST_NUMBER)
-        return 0;
-    x = o->number->number;
-    if (!sm_eq(sm_trunc(x), x) || sm_lt(x, sm_from_i32(1)) || sm_lt(highest, x))
-        return 0;
-    return sm_to_u64(x);
+    if (p->step == 0 || k->script->delta_t == 0 || k->script->delta_t == p->step)
+        return;
+    d = diag_report(k->s.diags, DIAG_delta_t_differs, o->value_span, format_in(k->s.arena, "%llu", (unsigned long long)k->script->delta_t),
+                    format_in(k->s.arena, "%llu", (unsigned long long)p->step));
+    diag_note(k->s.diags, d, p->step_span, DIAG_note_declared_here, "step");
 }
 
 static void check_option(ScriptCheck *k, const AstOption *o)
@@ -40,9 +40,11 @@ static void check_option(ScriptCheck *k, const AstOption *o)
     if (o->name == k->delta_t) {
         k->has_delta_t = true;
         k->script->delta_t_span = o->value_span;
-        k->script->delta_t = delta_t_value(o);
-        if (k->script->delta_t == 0 && o->number && o->number->kind == AST_NUMBER)    // otherwise the parser has reported it
-            diag_report(k->s.diags, DIAG_delta_t_value, o->value_span);
+        k->script->delta_t = option_step(o, k->s.p->time_unit);
+        if (k->script->delta_t == 0 && o->number)                                     // otherwise the parser has reported it
+            diag_report(k->s.diags, DIAG_step_value, o->value_span, "delta_t");
+        check_declared_step(k, o);
+        k->s.step = k->script->delta_t;
     } else if (o->name == k->init_state) {
         State *state = o->word ? scope_find_state(&k->s, o->word, o->value_span) : NULL;
         if (state)
@@ -148,6 +150,10 @@ static void check_section(void *context, const AstSection *in)
 
     if (in->kind == AST_SCRIPT_STATE)
         open_section(k, in);
+    if (in->kind == AST_DEFINE && map_find(&k->s.p->state_by_name, in->name))
+        diag_report(k->s.diags, DIAG_script_unguarded, in->definitions.n ? in->definitions.at[0].name_span : in->header);
+    else if (in->kind == AST_DEFINE)
+        declare_definitions(&k->s, in, &k->define);
     for (size_t o = 0; in->kind == AST_OPTIONS && o < in->options.n; o++)
         check_option(k, &in->options.at[o]);
 }
@@ -214,8 +220,13 @@ static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, cons
     k->script->src = ss->src;
     k->script->program = program;
     k->script->init_state = program->state.at[0];
+    k->script->delta_t = program->step;
+    k->script->delta_t_span = program->step_span;
+    k->has_delta_t = program->step > 0;
     sema_init(&k->s, c, find_hidden_names(c, ss), program, &k->script->window);
     k->s.in_script = true;
+    k->s.step = program->step;
+    add_definitions_of_machine(&k->s);
     k->delta_t = str_c(c->strings, "delta_t");
     k->init_state = str_c(c->strings, "init_state");
     k->section.arena = c->arena;
@@ -227,6 +238,7 @@ static Script *end_check(ScriptCheck *k)
     Diags *diags = k->s.diags;
     const Span start = {k->script->src, 0, 0};
 
+    check_unused_definitions(&k->s, &k->define);
     if (!k->has_delta_t && !k->s.lost->any)
         diag_report(diags, DIAG_no_delta_t, start);
     if (!k->has_stop && !k->s.lost->any)
@@ -262,18 +274,6 @@ Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const So
     begin_check(&k, c, &none, program);
     parse_script(tree, c->strings, c->diags, ss, &v);
     return end_check(&k);
-}
-
-// Returns how much G advances per step in the script; 0 if the script has no valid delta_t.
-uint64_t script_delta_t(const AstFile *ss)
-{
-    uint64_t found = 0;
-
-    for (size_t i = 0; i < ss->sections.n; i++)
-        for (size_t o = 0; ss->sections.at[i]->kind == AST_OPTIONS && o < ss->sections.at[i]->options.n; o++)
-            if (strcmp(ss->sections.at[i]->options.at[o].name->text, "delta_t") == 0)
-                found = delta_t_value(&ss->sections.at[i]->options.at[o]);
-    return found;
 }
 
 void script_add_names_of_item(const AstStmt *item, Map *names)

@@ -10,7 +10,7 @@ static Stmt *stmt_new(Sema *s, StmtKind kind, const AstStmt *in)
 
     out->kind = kind;
     out->number = ++s->stmts;
-    out->span = in->span;
+    out->span = sema_span(s, in->span);
     return out;
 }
 
@@ -100,7 +100,9 @@ Stmt *check_assignment(Sema *s, const AstStmt *in)
 
     if (report_state_assignment(s, v, in))
         return NULL;
-    if (!v)
+    if (!v && map_find(&s->defines, in->name))
+        scope_note_declared(s, diag_report(s->diags, DIAG_write_definition, in->name_span, in->name->text), in->name);
+    else if (!v)
         scope_report_unknown(s, in->name, in->name_span);
     else
         good = check_writable(s, v, in->name, in->name_span);
@@ -128,7 +130,10 @@ static Stmt *check_transition(Sema *s, const AstStmt *in)
         diag_report(s->diags, DIAG_transition_in_exit, in->span);
         return NULL;
     }
-    return out->target ? out : NULL;
+    if (!out->target)
+        return NULL;
+    check_target_is_excepted(s, in, out->target);
+    return out;
 }
 
 // ---- conditionals ----
@@ -169,6 +174,7 @@ static void warn_of_unreachable_statement(Sema *s, const AstStmt *transition, co
 
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
 {
+    const bool is_repeated = s->all_states && s->all_states->copies > 0;           // they have been checked for another state
     const AstStmt *before = NULL;
     bool is_warned = false;
 
@@ -183,7 +189,7 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
         }
         if (stmt)
             vec_push(s->arena, out, stmt);
-        for (size_t k = i; s->building && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )       // the @allow lines directly before it
+        for (size_t k = i; s->building && !is_repeated && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )       // the @allow lines directly before it
             add_stmt_allow(s, in->at[k]->allow, in->at[i]);
         if (before && before->kind == AST_TRANSITION && !before->flawed && !is_warned) {
             warn_of_unreachable_statement(s, before, in->at[i]);

@@ -12,6 +12,7 @@
 #include "compiler/base/source.h"
 #include "compiler/base/str.h"
 #include "compiler/base/vec.h"
+#include "compiler/syntax/time_unit.h"
 #include "stdlib/types.h"
 
 // ---- the state vector ----
@@ -96,6 +97,22 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     Span span;                // position of its name in the list or declaration
 } Var;
 
+// ---- definitions ----
+
+struct AstExpr;
+
+// A line of [define]: a name for an expression. A use is an Expr of its own, so only the checker and reports read this.
+typedef struct Define {
+    Str name;
+    struct AstExpr *value;
+    uint32_t number;          // its place among the definitions of the file; those of a script follow those of its machine
+    uint32_t size;            // operations and values of its expression, with those of the definitions that it uses
+    bool used;                // another part of its file uses it
+    Span span;                // position of its name in [define]
+} Define;
+
+typedef VEC(Define *) Defines;
+
 // ---- expressions: every value is an F64 ----
 
 typedef enum ExprKind {
@@ -113,7 +130,8 @@ struct Expr {                 // "CALL:" marks a field that only EX_CALL has.  B
     SmOperator op : 8;        // UNARY, BINARY: the operator
     SmBuiltin fn : 8;         // CALL: the function
     SmStat stat : 8;          // ROLL: the statistic
-    uint32_t n;               // number of arguments
+    uint32_t n : 24;          // number of arguments
+    TimeUnit unit : 8;        // NUMBER: the unit that it is written with
     Span span;
     SmF64 number;
     Var *var;
@@ -166,6 +184,17 @@ struct State {
     bool allows_swap;         // @swap: the machine may be replaced here while it runs
 };
 
+struct AstSection;
+
+// A section [all_states]: its statements are the first of .step of each state that it does not except.
+typedef struct AllStates {
+    const struct AstSection *section;     // only for the checker
+    Span span;                // the whole section
+    bool *excepted;           // by State.number: whether it does not run there
+    bool *proposed;           // by State.number: an edit that excepts the state has been proposed
+    uint32_t copies;          // for how many states its statements have been checked
+} AllStates;
+
 typedef struct Program {
     Str name;                 // the file's stem: "tank" of dir/tank.sm
     const Source *src;
@@ -173,10 +202,16 @@ typedef struct Program {
     VEC(Var *) var;           // listed elements in order, then locals in order, then T
     Var *g, *s, *t;
     VEC(State *) state;       // at[0] is number 1, the initial state
+    TimeUnit time_unit;       // in which G counts: us, ms or s
+    bool uses_time_unit;      // what the machine does depends on time_unit: it has a time literal, or a step
+    uint64_t step;            // how much G advances in a step; 0: not declared
+    Span step_span;           // position of the value of step in [options]
     uint32_t operators;       // 1u << SmOperator for each operator in the program; lets analyses without work return early
     bool large_numbers;       // the program contains a literal of 2^53 or more
     uint32_t stmts;           // statements in all blocks: the largest Stmt.number
     Windows window;
+    Defines define;
+    VEC(AllStates *) all_states;      // in file order
     VEC(Allow) allow;         // also those of the .sv, which cover the position where the machine lists the element
     Map by_name;              // name or alias to Var
     Map state_by_name;

@@ -108,7 +108,10 @@ void scope_note_declared(Sema *s, Diag *d, Str name)
 {
     const Span *span = map_find(&s->declared_at, name);
     const Var *v = scope_find_variable(s, name);
+    const Define *define = map_find(&s->defines, name);
 
+    if (!span && !v && define)
+        span = &define->span;
     if (span)
         diag_note(s->diags, d, *span, DIAG_note_declared_here, name->text);
     else if (v && v->span.src)
@@ -163,6 +166,9 @@ static void suggest_variable(Sema *s, Diag *d, Str name)
         if (s->p->var.at[i]->alias)
             guess_consider(&g, s->p->var.at[i]->alias);
     }
+    for (size_t i = 0; i < s->defines.cap; i++)
+        if (s->defines.key[i])
+            guess_consider(&g, s->defines.key[i]);
     guess_add_label(s->diags, d, &g);
     if (g.best)
         scope_note_declared(s, d, g.best);
@@ -205,8 +211,8 @@ void scope_report_unknown(Sema *s, Str name, Span span)
         diag_label(s->diags, d, DIAG_label_list_it, sm_type_info[unlisted->type].spelling, unlisted->name->text);
         diag_note(s->diags, d, unlisted->span, DIAG_note_declared_here, unlisted->name->text);
     } else if (state) {
-        diag_label(s->diags, d, DIAG_label_is_a_state, state->name->text, state->name->text,
-                   format_in(s->arena, "%u", (unsigned)state->number));
+        diag_label(s->diags, d, DIAG_label_is_a_state, state->name->text, state->name->text, s->p->s ? s->p->s->report_name->text : "S",
+                   state->name->text);
     } else if (!suggest_spelling(s, d, name) && use_up_guess(&s->guesses))
         suggest_variable(s, d, name);
 }
@@ -250,7 +256,7 @@ void scope_report_unknown_function(Sema *s, Str name, Span span)
 
     if (!add_reported_name(&s->unknown_function, name))
         return;
-    if (scope_find_variable(s, name)) {
+    if (scope_find_variable(s, name) || map_find(&s->defines, name)) {
         d = diag_report(s->diags, DIAG_not_a_function, span, name->text);
         scope_note_declared(s, d, name);
         return;

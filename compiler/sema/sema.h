@@ -45,6 +45,13 @@ typedef struct Sema {
     Map declared_at;          // name or alias to the Span of its declaration
     unsigned guesses;         // how many more unknown names may be compared with all known ones
 
+    Map defines;              // name to Define: those that the text can use
+    const Define *inside;     // the definition whose use is being checked; NULL: none
+    uint32_t expanded;        // how many operations and values the uses of definitions have so far
+    uint32_t depth;           // the depth of the current expression below the root of its statement
+    AllStates *all_states;    // the section whose statements are being checked; NULL: none
+    const Source *copy;       // the source of their positions; NULL: that of the file
+    uint64_t step;            // how much G advances in a step; 0: unknown
     ExprContext at;
     const Var *local;         // EXPR_IN_INITIAL: the local whose initial value is being checked
     Str size_of;              // EXPR_IN_SIZE: the roll function whose size argument is being checked
@@ -107,6 +114,46 @@ void check_size_uses(Sema *s);
 bool has_annotation(const AstAnnotations *all, AstAnnotationKind kind);
 // Returns the @range among the annotations of an element; NULL if there is none or it is invalid, which is reported.
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type);
+
+// Returns the position of a typed node: in the copy of the source for a state, while statements of [all_states] are checked.
+Span sema_span(const Sema *s, Span written);
+
+// ---- check_all_states.c: [all_states] of a machine ----
+
+void find_all_states(Sema *s, Program *p, const AstFile *sm);         // call it when all states are known
+void add_all_states(Sema *s, Program *p, State *state);               // call it before the statements of the state's own .step are checked
+// Reports a transition of [all_states] to a state in which the section runs.
+void check_target_is_excepted(Sema *s, const AstStmt *in, const State *to);
+// Warns of sections that do not run in the step in which .entry of a state makes a transition.
+void warn_of_skipped_all_states(Sema *s, const Program *p);
+
+// ---- define.c: definitions ----
+
+// Adds the definitions of one section to those that the following text can use, and to `into`.
+void declare_definitions(Sema *s, const AstSection *section, Defines *into);
+void add_definitions_of_machine(Sema *s);              // makes the definitions of the machine usable in a script
+Expr *expand_definition(Sema *s, Define *d, const AstExpr *use);      // builds the expression of a definition that `use` names
+void check_unused_definitions(Sema *s, const Defines *all);
+
+// ---- check_time.c: the unit of time ----
+
+// Sets the machine's unit and step of time from its [options].
+void check_time_options(Sema *s, Program *p, const AstFile *sm);
+// Returns the value of an option such as `delta_t 20 ms`, a whole number from 1 to 2^63, in the unit `unit`; 0 for anything else.
+uint64_t option_step(const AstOption *o, TimeUnit unit);
+// Returns the value of a literal that has a unit, in the unit of the machine.
+SmF64 check_time_literal(Sema *s, const AstExpr *e);
+// Computes how many samples a window of the last `time` units of G has: time / step + 1. `size`: the argument of the function `name`. Returns
+// false after a report: the step is unknown, or the time is not a multiple of it.
+bool check_window_time(Sema *s, const AstExpr *size, const char *name, SmF64 time, SmF64 *samples);
+// Whether e contains a time literal, also in the initial values of its locals.
+bool expr_contains_time(const Expr *e);
+// Warns if `time` is T or G and `literal`, with which it is compared, is no whole number of units.
+void warn_of_time_fraction(Sema *s, const AstExpr *time, const AstExpr *literal);
+// Warns if `literal`, an operand of op, is a time and op is * or /.
+void warn_of_time_factor(Sema *s, SmOperator op, const AstExpr *literal);
+// Reports a machine that needs another unit or step of time than the application has. `unit`, `period`: in nanoseconds; 0: unknown.
+void check_app_machine_time(const CheckContext *c, const Program *p, Span named, uint64_t unit, uint64_t period);
 
 // ---- check_allow.c: these functions register @allow annotations with the part of the source that they cover ----
 

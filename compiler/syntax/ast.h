@@ -11,17 +11,19 @@
 #include "compiler/base/source.h"
 #include "compiler/base/str.h"
 #include "compiler/base/vec.h"
+#include "compiler/syntax/time_unit.h"
 #include "stdlib/types.h"
 
 // ---- expressions ----
 
 typedef enum AstExprKind {
     AST_ERROR,        // text with an error, which is already reported
-    AST_NUMBER,       // 5 0x1F true false
+    AST_NUMBER,       // 5 0x1F true false; a time: 1.5 s
     AST_NAME,         // tankPressure
     AST_UNARY,        // op a
     AST_BINARY,       // a op b; a chain a < b <= c is stored as (a < b) <= c, without AST_PAREN
     AST_PAREN,        // ( a )
+    AST_STEPS,        // a steps, as an argument: a count of steps
     AST_CALL          // name ( args )
 } AstExprKind;
 
@@ -34,9 +36,10 @@ struct AstExpr {
     bool alone;               // a name or call where a statement is expected; the checker reports it (E0327)
     Span span;                // the whole expression
     uint32_t op_at, op_len;   // offset and length of the operator (UNARY, BINARY) or the name (CALL)
-    SmF64 number;             // NUMBER: its value
+    TimeUnit unit;            // NUMBER: the unit after it; then op_at and op_len are the number alone
+    SmF64 number;             // NUMBER: its value, without the unit
     Str name;                 // NAME, CALL: the name
-    AstExpr *a, *b;           // UNARY, PAREN: the operand a; BINARY: both operands
+    AstExpr *a, *b;           // UNARY, PAREN, STEPS: the operand a; BINARY: both operands
     AstArgs *args;            // CALL: the arguments
 };
 
@@ -60,6 +63,7 @@ typedef enum AstAnnotationTarget {
     AST_ON_SV_ELEMENT,        // a declaration of an element in a .sv
     AST_ON_LOCAL,             // a declaration of a local
     AST_ON_STATE,             // the header of a state
+    AST_ON_ALL_STATES,        // the header [all_states] of a machine
     AST_ON_ANALOG_INPUT, AST_ON_ANALOG_OUTPUT, AST_ON_DIGITAL_INPUT, AST_ON_DIGITAL_OUTPUT,       // a pin in a .io
     AST_ANNOTATION_TARGETS
 } AstAnnotationTarget;
@@ -70,6 +74,8 @@ typedef struct AstNumber { SmF64 value; Span span; } AstNumber;
 typedef struct AstAnnotation {
     AstAnnotationKind kind;
     Span span;                // including its @ and its arguments
+    VEC(Str) names;           // EXCEPT: the names of states
+    VEC(Span) names_span;     // and their positions
     Str name;                 // ALIAS: the other name; ALLOW: the name of the warning, as after -W
     Span name_span;
     Str reason;               // ALLOW: the reason
@@ -122,12 +128,19 @@ typedef struct AstDecl {
     AstAnnotations annotations;
 } AstDecl;
 
-// An entry of [options]: `lock`, `delta_t 10`, `init_state Idle`.
+// A line of [define]: name = value.
+typedef struct AstDefinition {
+    Str name;
+    Span name_span;
+    AstExpr *value;
+} AstDefinition;
+
+// An entry of [options]: `lock`, `delta_t 10 ms`, `init_state Idle`.
 typedef struct AstOption {
     Str name;
     Span name_span;
-    AstExpr *number;          // delta_t: the literal of its value
-    Str word;                 // init_state: the name of the state
+    AstExpr *number;          // delta_t, step: the literal of its value
+    Str word;                 // init_state: the name of the state; time_unit: the unit
     Span value_span;
 } AstOption;
 
@@ -151,9 +164,11 @@ typedef struct AstBlock {
 typedef enum AstSectionKind {
     AST_STATE_VECTOR,         // [state_vector] of a machine: decls
     AST_LOCAL,                // [local]: decls
-    AST_OPTIONS,              // [options] of .sv and .ss: options
+    AST_DEFINE,               // [define] of a machine or script: definitions
+    AST_OPTIONS,              // [options] of .sv, .sm and .ss: options
     AST_REGION,               // [Region] of a .sv: decls
     AST_STATE,                // a state of a machine: blocks
+    AST_ALL_STATES,           // [all_states] of a machine: the block .step
     AST_SCRIPT_STATE,         // a state's section in a script, or [all_states]: items
     AST_PINS,                 // [analog] and [digital] of a .io: pins
     AST_IGNORED               // a section that this kind of file cannot have; already reported
@@ -166,6 +181,7 @@ typedef struct AstSection {
     Span header;              // including the brackets
     AstAnnotations annotations;   // STATE: the annotations after its header
     VEC(AstDecl) decls;
+    VEC(AstDefinition) definitions;
     VEC(AstOption) options;
     VEC(AstPin) pins;
     bool digital;             // PINS: the section is [digital]

@@ -50,6 +50,10 @@ static void print_expr(Buf *out, const AstExpr *e)
         print_expr(out, e->a);
         buf_char(out, ')');
         break;
+    case AST_STEPS:
+        print_expr(out, e->a);
+        buf_str(out, " steps");
+        break;
     case AST_CALL:
         print_name(out, e->name);
         buf_char(out, '(');
@@ -83,6 +87,11 @@ static void print_annotation(Buf *out, const AstAnnotation *a)
     } else if (a->lo.span.src) {
         buf_char(out, ' ');
         print_source(out, a->lo.span);
+    } else if (a->kind == AST_EXCEPT) {
+        for (size_t i = 0; i < a->names.n; i++) {
+            buf_char(out, ' ');
+            print_name(out, a->names.at[i]);
+        }
     } else if (a->name) {
         buf_char(out, ' ');
         print_name(out, a->name);
@@ -184,9 +193,20 @@ static void print_pin(Buf *out, const AstPin *p)
     buf_char(out, '\n');
 }
 
+static void print_definition(Buf *out, const AstDefinition *d)
+{
+    buf_str(out, "  ");
+    print_name(out, d->name);
+    buf_str(out, " = ");
+    print_expr(out, d->value);
+    buf_char(out, '\n');
+}
+
 static void print_section(Buf *out, const AstSection *s)
 {
-    static const char *const kind[] = {"state_vector", "local", "options", "region", "state", "script", "pins", "ignored"};
+    static const char *const kind[] = {
+        [AST_STATE_VECTOR] = "state_vector", [AST_LOCAL] = "local", [AST_DEFINE] = "define", [AST_OPTIONS] = "options", [AST_REGION] = "region",
+        [AST_STATE] = "state", [AST_ALL_STATES] = "all", [AST_SCRIPT_STATE] = "script", [AST_PINS] = "pins", [AST_IGNORED] = "ignored"};
     static const char *const label[AST_LABEL_COUNT] = {".entry", ".step", ".exit"};
 
     buf_printf(out, "%s ", kind[s->kind]);
@@ -195,6 +215,8 @@ static void print_section(Buf *out, const AstSection *s)
     buf_char(out, '\n');
     for (size_t i = 0; i < s->decls.n; i++)
         print_decl(out, &s->decls.at[i]);
+    for (size_t i = 0; i < s->definitions.n; i++)
+        print_definition(out, &s->definitions.at[i]);
     for (size_t i = 0; i < s->options.n; i++)
         print_option(out, &s->options.at[i]);
     for (size_t i = 0; i < s->pins.n; i++)

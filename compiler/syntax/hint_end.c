@@ -68,7 +68,10 @@ HintResult hint_report_stray_paren(HintCase *c)
 // Reports a unit after a number, as in x = 5 ms.
 HintResult hint_report_unit(HintCase *c)
 {
-    hint_label_unit(c->p->diags, hint_report_general(c), parser_text(c->p, parser_span(c->p, &c->p->last)), c->p->tok.text->text);
+    const Parser *p = c->p;
+    const Span number = parser_span(p, &p->last), unit = parser_token_span(p);
+
+    hint_label_unit(p->diags, hint_report_general(c), parser_text(p, number), p->tok.text->text, span_join(number, unit));
     return HINT_READ;
 }
 

@@ -34,7 +34,7 @@ static void report_number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t s
              !hint_is_time_unit(lexer_text(l, end, stop)))
         diag_label(l->diags, d, DIAG_label_multiply, lexer_text(l, at, end), lexer_text(l, end, stop));
     else if (!lexer_is_hex_prefix(l, at))
-        hint_label_unit(l->diags, d, lexer_text(l, at, end), lexer_text(l, end, stop));
+        hint_label_unit(l->diags, d, lexer_text(l, at, end), lexer_text(l, end, stop), lexer_span(l, at, stop - at));
 }
 
 // Reports a malformed number such as 5psi, 1__0, 0x, 1e or 1.2.3, which is well formed up to `end`. Returns the end of the whole word.

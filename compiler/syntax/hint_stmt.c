@@ -93,7 +93,7 @@ HintResult hint_report_unit_in_guard(HintCase *c)
 
     if (!(p->lex.src->text[p->tok.at] & 0x80))         // 5° is already reported
         hint_label_unit(p->diags, parser_report(p, DIAG_expected_end, parser_token_span(p), parser_describe(p, &p->tok)),
-                  parser_text(p, parser_span(p, &p->last)), p->tok.text->text);
+                        parser_text(p, parser_span(p, &p->last)), p->tok.text->text, span_join(parser_span(p, &p->last), parser_token_span(p)));
     p->failed = true;
     return HINT_SKIPPED;
 }
@@ -374,17 +374,15 @@ HintResult hint_report_foreign_decl(HintCase *c)
 // and sleep takes seconds.
 static const char *format_wait(const Parser *p)
 {
-    static const char general[] = "put what follows in braces, under a limit to the time in the state: T >= 100 { ... }";
+    static const char general[] = "put what follows in braces, under a limit to the time in the state: T >= 100 ms { ... }";
     uint32_t at = p->ahead.at + (p->ahead.kind == TOK_LPAREN);
-    const char *number = p->ahead.first ? "" : read_word_at(p, &at), *unit = "if 'G' counts milliseconds";
+    const char *number = p->ahead.first ? "" : read_word_at(p, &at), *unit = hint_is_word(&p->tok, "delay") ? " ms" : "";
 
     if (!lex_is_digit(*number))
         return general;
     if (hint_is_word(&p->tok, "sleep"))
-        number = hint_to_milliseconds(p->arena, number, "s");
-    else if (!hint_is_word(&p->tok, "delay"))
-        unit = "in the unit of 'G'";
-    return number ? format_in(p->arena, "put what follows in braces: T >= %s { ... }, %s", number, unit) : general;
+        unit = " s";
+    return format_in(p->arena, "put what follows in braces: T >= %s%s { ... }", number, unit);
 }
 
 // Skips the parentheses of for (...; ...; ...), because the loop is already reported.

@@ -130,11 +130,12 @@ static uint64_t big_divide(Big *top, Big *bottom)
 
 enum {
     DIGITS_MAX = 800,         // digits stored. The midpoint between two adjacent F64 has at most 767 digits; further digits only break ties
+    FACTOR_DIGITS = 2,        // digits of the largest factor of number_to_scaled_f64
     LARGEST = 310, SMALLEST = -330    // above this Decimal.point every value is too large; below it every value is 0
 };
 
 typedef struct Decimal {
-    char digit[DIGITS_MAX + 1];   // '0' … '9', the first not '0'; value: 0.d d d… * 10^point
+    char digit[DIGITS_MAX + 1 + FACTOR_DIGITS];   // '0' … '9', the first not '0'; value: 0.d d d… * 10^point
     int n;
     int64_t point;
     bool more;                // a nonzero digit after the stored digits was left out
@@ -222,17 +223,31 @@ static bool convert_by_division(const Decimal *d, SmF64 *value)
 }
 
 // Returns false if the value is too large for an F64.
-static bool convert_decimal(const char *text, size_t len, SmF64 *value)
+static bool convert_decimal(const Decimal *d, SmF64 *value)
 {
-    Decimal d;
-
-    read_decimal(&d, text, text + len);
     *value = sm_from_bits(0);
-    if (d.n == 0 || d.point < SMALLEST)
+    if (d->n == 0 || d->point < SMALLEST)
         return true;
-    if (d.point > LARGEST)
+    if (d->point > LARGEST)
         return false;
-    return convert_exactly(&d, value) || convert_by_division(&d, value);
+    return convert_exactly(d, value) || convert_by_division(d, value);
+}
+
+// Multiplies d, which is not 0, by a factor of at most FACTOR_DIGITS digits.
+static void multiply_decimal(Decimal *d, unsigned factor)
+{
+    unsigned carry = 0;
+
+    for (int i = d->n - 1; i >= 0; i--) {
+        carry += (unsigned)(d->digit[i] - '0') * factor;
+        d->digit[i] = (char)('0' + carry % 10);
+        carry /= 10;
+    }
+    for (; carry; carry /= 10) {
+        memmove(d->digit + 1, d->digit, (size_t)d->n++);
+        d->digit[0] = (char)('0' + carry % 10);
+        d->point++;
+    }
 }
 
 // ---- hexadecimal ----
@@ -266,9 +281,25 @@ static bool convert_hexadecimal(const char *s, const char *end, SmF64 *value)
 // Computes the F64 nearest to a well-formed literal, which can contain `_` (language.md 1.12 to 1.15, 1.17); ties round to even.
 bool number_to_f64(const char *text, size_t len, SmF64 *value)
 {
+    Decimal d;
+
     if (len > 2 && (text[1] == 'x' || text[1] == 'X'))
         return convert_hexadecimal(text + 2, text + len, value);
-    return convert_decimal(text, len, value);
+    read_decimal(&d, text, text + len);
+    return convert_decimal(&d, value);
+}
+
+// Computes the F64 nearest to a decimal literal times factor * 10^exponent: the exact product is rounded once. factor: 1 to 99. Returns
+// false if the result is too large.
+bool number_to_scaled_f64(const char *text, size_t len, unsigned factor, int exponent, SmF64 *value)
+{
+    Decimal d;
+
+    read_decimal(&d, text, text + len);
+    if (d.n && factor > 1)
+        multiply_decimal(&d, factor);
+    d.point += exponent;
+    return convert_decimal(&d, value);
 }
 
 // ---- literals as decimal digits ----

@@ -13,6 +13,10 @@
 // false if the literal is too large. Too small a literal produces a subnormal number or 0.
 bool number_to_f64(const char *text, size_t len, SmF64 *value);
 
+// Computes the F64 nearest to a decimal literal times factor * 10^exponent: the exact product is rounded once. factor: 1 to 99. Returns
+// false if the result is too large.
+bool number_to_scaled_f64(const char *text, size_t len, unsigned factor, int exponent, SmF64 *value);
+
 // Splits a literal exactly into digits * 10^exponent, where digits has no trailing zeros. Returns false if it has more than 18 digits.
 bool number_to_decimal(const char *text, size_t len, uint64_t *digits, int *exponent);
 

@@ -251,10 +251,10 @@ static void parse_unlabelled(Parser *p, AstSection *s)
         diag_label(p->diags, d, DIAG_label_constants);
 }
 
-// Parses the annotations and blocks of a state. Annotations after the header can continue on further lines.
+// Parses the annotations and blocks of a state, or of [all_states]. Annotations after the header can continue on further lines.
 static void parse_state(Parser *p, AstSection *s)
 {
-    parse_annotations(p, AST_ON_STATE, s->name, s->name_span, &s->annotations);
+    parse_annotations(p, s->kind == AST_STATE ? AST_ON_STATE : AST_ON_ALL_STATES, s->name, s->name_span, &s->annotations);
     if (p->failed)
         parser_skip_line(p);
     p->failed = false;
@@ -312,7 +312,9 @@ static AstSectionKind find_section_kind(FileKind file, const AstSection *s)
     case FILE_SM:
         if (is_section_named(s, "state_vector") || is_section_named(s, "local"))
             return is_section_named(s, "local") ? AST_LOCAL : AST_STATE_VECTOR;
-        return is_section_named(s, "options") || is_section_named(s, "all_states") ? AST_IGNORED : AST_STATE;
+        if (is_section_named(s, "options"))
+            return AST_OPTIONS;
+        return is_section_named(s, "all_states") ? AST_ALL_STATES : AST_STATE;
     case FILE_IO: return is_section_named(s, "analog") || is_section_named(s, "digital") ? AST_PINS : AST_IGNORED;
     case FILE_SS: case FILE_APP: case FILE_NET: case FILE_KINDS: break;
     }
@@ -335,6 +337,17 @@ static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
 }
 
 // ---- misnamed sections ----
+
+// Decides whether [define] contains definitions (language.md 5.61). If it does not begin with one in a script, or is empty or begins with a
+// label or an annotation in a machine, it belongs to a state of that name.
+static void find_define_kind(Parser *p, AstSection *s)
+{
+    const bool begins_definition = p->tok.kind == TOK_NAME && p->ahead.kind == TOK_ASSIGN;
+    const bool is_state = p->tok.kind == TOK_LABEL || p->tok.kind == TOK_ANNOTATION || p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END;
+
+    if (is_section_named(s, "define") && ((s->kind == AST_STATE && !is_state) || (s->kind == AST_SCRIPT_STATE && begins_definition)))
+        s->kind = AST_DEFINE;
+}
 
 // Corrects the kind of a section whose first line shows that its name is misspelt, and reports the name. A "state" that begins with a
 // declaration is [state_vector] or [local]; a section of a script that begins with an option is [options].
@@ -396,10 +409,14 @@ static void parse_section(Parser *p, AstFile *f)
     check_repeated(p, f, s);
     vec_push(p->arena, &f->sections, s);
     parser_advance(p);
+    find_define_kind(p, s);
     correct_section_kind(p, s);
     switch (s->kind) {
     case AST_STATE_VECTOR: case AST_LOCAL: case AST_REGION:
         parse_decls(p, s);
+        break;
+    case AST_DEFINE:
+        parse_definitions(p, s);
         break;
     case AST_OPTIONS:
         parse_options(p, s);
@@ -407,6 +424,12 @@ static void parse_section(Parser *p, AstFile *f)
     case AST_STATE:
         check_state_name(p, s);
         parse_state(p, s);
+        break;
+    case AST_ALL_STATES:
+        parse_state(p, s);
+        for (int i = 0; i < AST_LABEL_COUNT; i++)
+            if (s->block[i].present && i != AST_STEP)
+                parser_report(p, DIAG_all_states_label, s->block[i].label, labels[i]);
         break;
     case AST_SCRIPT_STATE:
         check_state_name(p, s);
@@ -419,7 +442,7 @@ static void parse_section(Parser *p, AstFile *f)
         if (f->kind == FILE_IO)
             parser_report_pin_section(p, s);
         else
-            parser_report(p, f->kind == FILE_SM ? DIAG_section_not_in_machine : DIAG_section_not_in_script, s->header, s->name->text);
+            parser_report(p, DIAG_section_not_in_script, s->header, s->name->text);
         parser_skip_section(p);
         break;
     }

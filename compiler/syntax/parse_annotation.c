@@ -3,11 +3,11 @@
 // and what it takes. The checker handles their effects.
 #include "compiler/syntax/parser.h"
 
-typedef enum Arguments { TAKES_NOTHING, TAKES_NAME, TAKES_NUMBER, TAKES_NUMBERS, TAKES_VALUE, TAKES_FINDING } Arguments;
+typedef enum Arguments { TAKES_NOTHING, TAKES_NAME, TAKES_NAMES, TAKES_NUMBER, TAKES_NUMBERS, TAKES_VALUE, TAKES_FINDING } Arguments;
 
 #define ON(target) (1u << AST_ON_##target)
 // The targets in machines and state vectors, and the targets in pin files. An annotation is unknown in a file that has none of its targets.
-#define ON_MACHINES (ON(ELEMENT) | ON(SV_ELEMENT) | ON(LOCAL) | ON(STATE))
+#define ON_MACHINES (ON(ELEMENT) | ON(SV_ELEMENT) | ON(LOCAL) | ON(STATE) | ON(ALL_STATES))
 #define ON_PINS (ON(ANALOG_INPUT) | ON(ANALOG_OUTPUT) | ON(DIGITAL_INPUT) | ON(DIGITAL_OUTPUT))
 
 static const struct { const char *spelling; Arguments takes; unsigned where; } rows[] = {
@@ -88,7 +88,9 @@ static bool check_annotation_target(Parser *p, const Annotated *o, const AstAnno
             if (may_follow_target((int)a->kind, k))
                 list = list ? format_in(p->arena, "%s or %s", list, get_pin_name(k)) : get_pin_name(k);
         diag_label(p->diags, d, DIAG_label_of_pins, list);
-    } else if (is_for_states_only((int)a->kind))
+    } else if (a->kind == AST_EXCEPT || o->target == AST_ON_ALL_STATES)
+        parser_report(p, DIAG_annotation_of_all_states, a->span, word, a->kind == AST_EXCEPT ? "only" : "not");
+    else if (is_for_states_only((int)a->kind))
         diag_label(p->diags, parser_report(p, DIAG_annotation_of_states, a->span, word), DIAG_label_after_header, word);
     else if (o->target == AST_ON_STATE)
         parser_report(p, DIAG_annotation_on_state, a->span, word);
@@ -128,6 +130,21 @@ static void parse_annotation_name(Parser *p, AstAnnotation *a)
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
     parser_fail(p, DIAG_annotation_without_name, parser_missing_span(p), rows[a->kind].spelling, parser_describe_found(p));
+}
+
+// Parses the names after an annotation, on its line.
+static void parse_annotation_names(Parser *p, AstAnnotation *a)
+{
+    if (p->tok.kind != TOK_NAME || p->tok.first) {
+        if (p->tok.kind == TOK_ERROR)
+            p->failed = true;
+        parser_fail(p, DIAG_annotation_without_name, parser_missing_span(p), rows[a->kind].spelling, parser_describe_found(p));
+        return;
+    }
+    for (; p->tok.kind == TOK_NAME && !p->tok.first; parser_advance(p)) {
+        vec_push(p->arena, &a->names, p->tok.text);
+        vec_push(p->arena, &a->names_span, parser_token_span(p));
+    }
 }
 
 // Parses a number with or without a sign; false: there is none.
@@ -265,6 +282,7 @@ static void parse_annotation_arguments(Parser *p, AstAnnotation *a)
     switch (rows[a->kind].takes) {
     case TAKES_NOTHING: break;
     case TAKES_NAME:    parse_annotation_name(p, a); break;
+    case TAKES_NAMES:   parse_annotation_names(p, a); break;
     case TAKES_NUMBER:  parse_annotation_value(p, a, false); break;
     case TAKES_NUMBERS:
         parse_bound(p, &a->lo, "lowest");

@@ -149,21 +149,77 @@ void parse_decls(Parser *p, AstSection *s)
     p->failed = false;
 }
 
+// ---- definitions ----
+
+// Reports text that begins no definition. A declaration becomes one without its type; its name is then the current token.
+static bool recover_definition(Parser *p)
+{
+    Diag *d;
+
+    if (p->tok.kind == TOK_ERROR)
+        p->failed = true;
+    d = parser_report(p, DIAG_expected_definition, parser_token_span(p), parser_describe(p, &p->tok));
+    p->failed = p->failed || p->tok.kind != TOK_TYPE || p->ahead.kind != TOK_NAME;
+    if (!p->failed) {
+        diag_label(p->diags, d, DIAG_label_definition_without_type);
+        diag_edit(p->diags, d, (Span){p->lex.src, p->tok.at, p->ahead.at - p->tok.at}, "");
+    }
+    parser_advance(p);
+    return !p->failed;
+}
+
+static void parse_definition(Parser *p, AstSection *s)
+{
+    AstDefinition d = {0};
+
+    if (p->tok.kind != TOK_NAME && !recover_definition(p))
+        return;
+    d.name = p->tok.text;
+    d.name_span = parser_token_span(p);
+    str_declare(p->strings, d.name);
+    parser_advance(p);
+    if (p->tok.kind != TOK_ASSIGN || p->tok.first) {
+        parser_fail(p, DIAG_definition_without_value, parser_missing_span(p), d.name->text, parser_describe_found(p));
+        return;
+    }
+    parser_advance(p);
+    d.value = parse_value_of(p, false);
+    if (!p->failed && !p->tok.first && p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END)
+        hint_explain(p, HINT_AT_END, NULL);
+    vec_push(p->arena, &s->definitions, d);
+}
+
+void parse_definitions(Parser *p, AstSection *s)
+{
+    while (p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END) {
+        p->failed = false;
+        parse_definition(p, s);
+        if (p->failed)
+            parser_skip_line(p);
+    }
+    p->failed = false;
+}
+
 // ---- options ----
 
-typedef enum OptionTakes { TAKES_NOTHING, TAKES_NUMBER, TAKES_NAME } OptionTakes;
+typedef enum OptionTakes { TAKES_NOTHING, TAKES_TIME, TAKES_UNIT, TAKES_NAME } OptionTakes;
 
-static const struct { const char *name; OptionTakes takes; bool in_sv, in_ss; } options[] = {
-#define OPTION(name, takes, in_sv, in_ss) {#name, TAKES_##takes, in_sv, in_ss},
+// in: by FileKind, whether a file of this kind can have the option.
+static const struct { const char *name; OptionTakes takes; bool in[FILE_KINDS]; } options[] = {
+#define OPTION(name, takes, in_sv, in_sm, in_ss) {#name, TAKES_##takes, {[FILE_SV] = in_sv, [FILE_SM] = in_sm, [FILE_SS] = in_ss}},
 #include "compiler/syntax/options.def"
 #undef OPTION
 };
 
 static const char *const option_words[] = {
-#define OPTION(name, takes, in_sv, in_ss) #name,
+#define OPTION(name, takes, in_sv, in_sm, in_ss) #name,
 #include "compiler/syntax/options.def"
 #undef OPTION
 };
+
+// What is expected after an option, for a diagnostic, by OptionTakes.
+static const char *const expected_value[] = {
+    [TAKES_NOTHING] = "no value", [TAKES_TIME] = "a number without a sign", [TAKES_UNIT] = "us, ms or s", [TAKES_NAME] = "the name of a state"};
 
 enum { OPTION_COUNT = sizeof option_words / sizeof *option_words };
 
@@ -171,17 +227,14 @@ enum { OPTION_COUNT = sizeof option_words / sizeof *option_words };
 static bool parse_option_argument(Parser *p, AstOption *o, OptionTakes takes)
 {
     o->value_span = parser_token_span(p);
-    if (takes == TAKES_NUMBER && p->tok.kind == TOK_NUMBER) {
-        o->number = ARENA_NEW(p->arena, AstExpr);
-        o->number->kind = AST_NUMBER;
-        o->number->depth = 1;
-        o->number->number = p->tok.number;
-        o->number->span = o->value_span;
-    } else if (takes == TAKES_NAME && p->tok.kind == TOK_NAME) {
-        o->word = p->tok.text;
-    } else {
-        return false;
+    if (takes == TAKES_TIME && p->tok.kind == TOK_NUMBER) {
+        o->number = parse_number(p);
+        o->value_span = o->number->span;
+        return true;
     }
+    if (p->tok.kind != TOK_NAME || takes == TAKES_TIME || (takes == TAKES_UNIT && !time_unit_counts(time_unit_find(p->tok.text->text))))
+        return false;
+    o->word = p->tok.text;
     parser_advance(p);
     return true;
 }
@@ -189,7 +242,7 @@ static bool parse_option_argument(Parser *p, AstOption *o, OptionTakes takes)
 static void parse_option_value(Parser *p, AstOption *o, OptionTakes takes)
 {
     if (takes == TAKES_NOTHING && p->tok.kind == TOK_ASSIGN && !p->tok.first) {
-        parser_fail(p, DIAG_option_value, parser_token_span(p), o->name->text, "no value", parser_describe_found(p));
+        parser_fail(p, DIAG_option_value, parser_token_span(p), o->name->text, expected_value[takes], parser_describe_found(p));
         return;
     }
     if (p->tok.kind == TOK_ASSIGN || p->tok.kind == TOK_COLON) {
@@ -201,8 +254,19 @@ static void parse_option_value(Parser *p, AstOption *o, OptionTakes takes)
         return;
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    parser_fail(p, DIAG_option_value, parser_missing_span(p), o->name->text,
-                takes == TAKES_NUMBER ? "a number without a sign" : "the name of a state", parser_describe_found(p));
+    parser_fail(p, DIAG_option_value, parser_missing_span(p), o->name->text, expected_value[takes], parser_describe_found(p));
+}
+
+// Reports an option that belongs to a file of another kind.
+static void report_wrong_file(Parser *p, const AstOption *o, const bool in[FILE_KINDS])
+{
+    static const struct { const char *what, *ending; } files[] = {
+        [FILE_SV] = {"state vector", "sv"}, [FILE_SM] = {"state machine", "sm"}, [FILE_SS] = {"state script", "ss"}};
+    FileKind owner = FILE_SV;
+
+    while (!in[owner])
+        owner++;
+    parser_report(p, DIAG_option_wrong_file, o->name_span, o->name->text, files[owner].what, files[owner].ending);
 }
 
 static void parse_option(Parser *p, AstSection *s)
@@ -224,9 +288,8 @@ static void parse_option(Parser *p, AstSection *s)
         parser_advance(p);
         return;
     }
-    if (!(p->kind == FILE_SV ? options[i].in_sv : options[i].in_ss))
-        parser_report(p, DIAG_option_wrong_file, o.name_span, o.name->text, options[i].in_sv ? "state vector" : "state script",
-                      options[i].in_sv ? "sv" : "ss");
+    if (!options[i].in[p->kind])
+        report_wrong_file(p, &o, options[i].in);
     parser_advance(p);
     parse_option_value(p, &o, options[i].takes);
     if (!p->failed)

@@ -59,12 +59,30 @@ static bool is_at_line_end(const Parser *p) { return p->tok.first && p->parens =
 
 // ---- values ----
 
-static AstExpr *parse_number(Parser *p)
+// Returns the unit of time that follows the last token, a number; TIME_NONE if none does (language.md 1.36). The lexer has reported a unit
+// without a blank before it.
+static TimeUnit find_unit(const Parser *p)
+{
+    const char *number = p->lex.src->text + p->last.at;
+
+    if (p->tok.kind != TOK_NAME || p->tok.first || (p->ahead.kind == TOK_LPAREN && !p->ahead.first) || number[1] == 'x' || number[1] == 'X')
+        return TIME_NONE;
+    return time_unit_find(p->tok.text->text);
+}
+
+// Parses a number, and the unit of time after it if there is one.
+AstExpr *parse_number(Parser *p)
 {
     AstExpr *e = new_expr(p, AST_NUMBER, parser_token_span(p));
+    const bool is_word = p->tok.kind != TOK_NUMBER;
 
-    e->number = p->tok.kind == TOK_NUMBER ? p->tok.number : sm_from_u32(p->tok.kind == TOK_TRUE);
+    set_operator_span(e, e->span);
+    e->number = is_word ? sm_from_u32(p->tok.kind == TOK_TRUE) : p->tok.number;
     parser_advance(p);
+    if (is_word || (e->unit = find_unit(p)) == TIME_NONE)
+        return e;
+    parser_advance(p);
+    e->span = parser_span_since(p, e->span.at);
     return e;
 }
 
@@ -110,6 +128,22 @@ const char *ast_function_usage(const SmBuiltinInfo *fn)
     return fn->is_roll ? "(x, n)" : usage[fn->arguments];
 }
 
+// Parses the word `steps` after an argument that is a number or a name, as in roll_avg(x, 5 steps).
+static AstExpr *parse_steps(Parser *p, AstExpr *a)
+{
+    const bool is_count = (a->kind == AST_NUMBER && a->unit == TIME_NONE) || a->kind == AST_NAME;
+    AstExpr *e;
+
+    if (p->failed || !is_count || p->tok.kind != TOK_NAME || strcmp(p->tok.text->text, "steps") != 0 ||
+        (p->ahead.kind != TOK_RPAREN && p->ahead.kind != TOK_COMMA))
+        return a;
+    e = new_expr(p, AST_STEPS, a->span);
+    e->a = a;
+    parser_advance(p);
+    e->span = parser_span_since(p, a->span.at);
+    return check_depth(p, e, a);
+}
+
 static AstExpr *parse_call(Parser *p)
 {
     AstExpr *e = new_expr(p, AST_CALL, parser_token_span(p));
@@ -123,7 +157,7 @@ static AstExpr *parse_call(Parser *p)
     parser_advance(p);
     p->parens++;
     while (p->tok.kind != TOK_RPAREN) {                // if there are no arguments, the checker reports how many are required
-        AstExpr *a = parse_level(p, 1);
+        AstExpr *a = parse_steps(p, parse_level(p, 1));
         vec_push(p->arena, e->args, a);
         if (a->depth >= e->depth)
             e->depth = a->depth + 1;

@@ -69,10 +69,12 @@ void parser_label_annotations(Parser *p, Diag *d, const char *const *here, size_
 // ---- grammar ----
 
 AstExpr *parse_expr(Parser *p, bool is_guard);          // parses an expression from the next token on, on this line or a later one
+AstExpr *parse_number(Parser *p);                       // the next token is a number, true or false; a unit of time can follow
 AstExpr *parse_value_of(Parser *p, bool is_guard);      // parses an expression that must begin on this line
 void parse_block(Parser *p, AstStmts *into);            // parses statements up to }, a label, a header or the end
 void parser_visit_items(Parser *p);                     // passes the parsed items to the visitor, and frees them
 void parse_decls(Parser *p, AstSection *s);
+void parse_definitions(Parser *p, AstSection *s);
 void parse_options(Parser *p, AstSection *s);
 // Parses all annotations that follow; `owner` is the name of the annotated declaration, state or pin's element.
 void parse_annotations(Parser *p, AstAnnotationTarget target, Str owner, Span owner_span, AstAnnotations *into);

@@ -9,7 +9,7 @@ swap_store "rocket.images"
 keep "rocket.state"
 [flight]
 every 10 ms:
-    machine mission "mission.sm" @bytecode @swap @resume      #! E1057
+    machine mission "mission.sm" @bytecode @swap @resume      #! E1059
     keep
 -- rocket.sv --
 [A]

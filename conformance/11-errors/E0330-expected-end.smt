@@ -11,5 +11,5 @@ F64 p
     p > 1 { x = 1 } x = 2
     x = 1 x = 2         #! E0330 'x'
     x = p = 3           #! E0330 to compare
-    x = 5 ms            #! E0330 units
-    x = 5 ms: x = 1     #! E0330 units
+    x = 5 bar           #! E0330 units
+    x = 5 bar: x = 1    #! E0330 units

@@ -11,7 +11,7 @@ F64 p
     x = p
 -- app.ss --
 [options]
-delta_t 10 ms       #! E0371 units
+delta_t 10 seconds  #! E0371 did you mean '10 s'?
 init_stat Hold      #! E0371 did you mean 'init_state'?
 [all_states]
 G == 100: @stop

@@ -15,6 +15,6 @@ F64 count = 1
 [Abort]
 -- app.ss --
 [options]
-delta_t 5 ms               #! E0371
+delta_t 5 bar              #! E0371
 [all_states]
 G == 5 : : @stop           #! E0341

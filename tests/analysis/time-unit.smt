@@ -11,10 +11,10 @@ F64 limit = 1.5 @read_only
 [Hold]
 .step
     T > 0.5: x = 1            #! W0420 'T' is compared with 0.5, and is a whole number
-    2.5 <= T: x = 2           #! W0420 write 2500 if seconds are meant and 'time' counts milliseconds
+    2.5 <= T: x = 2           #! W0420 write 2.5 s if seconds are meant
     0.5 < T < 3.5: x = 3      #! W0420 0.5
     T > limit: x = 4          #! W0420 1.5
-    p > 3 and T >= 1.5: x = 5 #! W0420 1500
+    p > 3 and T >= 1.5: x = 5 #! W0420 write 1.5 s
     T > 2: x = 6
     T > 0: x = 7
     T >= 1: x = 8

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Definitions, the lines of [define] (language.md 5.61 to 5.66). A use of a definition is checked as its expression would be at that place, so
+// a definition that is valid in a step can be an error in an initial value.
+#include "compiler/sema/sema.h"
+
+enum { EXPANDED_MAX = 100000 };       // the most nodes that the uses of definitions in a file can have together
+
+// ---- declarations ----
+
+// Copies the expression, because a script can use a definition after the tree of its machine is freed.
+static AstExpr *copy_tree(Arena *arena, const AstExpr *e)
+{
+    AstExpr *out = arena_copy(arena, e, sizeof *e);
+
+    out->a = e->a ? copy_tree(arena, e->a) : NULL;
+    out->b = e->b ? copy_tree(arena, e->b) : NULL;
+    if (!e->args)
+        return out;
+    out->args = ARENA_NEW(arena, AstArgs);
+    for (size_t i = 0; i < e->args->n; i++)
+        vec_push(arena, out->args, copy_tree(arena, e->args->at[i]));
+    return out;
+}
+
+// Returns how many operations and values the expression has once its definitions are expanded; more than EXPANDED_MAX counts as that and 1.
+static uint32_t expanded_size(const Sema *s, const AstExpr *e)
+{
+    const Define *d = e->kind == AST_NAME ? map_find(&s->defines, e->name) : NULL;
+    uint32_t n = d ? d->size : 1;
+
+    if (e->a)
+        n += expanded_size(s, e->a);
+    if (e->b)
+        n += expanded_size(s, e->b);
+    for (size_t i = 0; e->args && i < e->args->n && n <= EXPANDED_MAX; i++)
+        n += expanded_size(s, e->args->at[i]);
+    return n <= EXPANDED_MAX ? n : EXPANDED_MAX + 1;
+}
+
+// Reports a name that already has a meaning. Returns whether the definition can have the name.
+static bool check_name_is_free(Sema *s, const AstDefinition *in)
+{
+    const Define *first = map_find(&s->defines, in->name);
+    const Var *v = scope_find_variable(s, in->name);
+    Diag *d;
+
+    if (!first && !v)
+        return true;
+    if (v == s->p->t && v)
+        diag_report(s->diags, DIAG_time_declared, in->name_span);
+    else if (first)
+        diag_note(s->diags, diag_report(s->diags, DIAG_name_taken, in->name_span, in->name->text, "a definition"), first->span,
+                  DIAG_note_declared_here, in->name->text);
+    else {
+        d = diag_report(s->diags, DIAG_name_taken, in->name_span, in->name->text, v->kind == VAR_LOCAL ? "a local" : "an element");
+        scope_note_declared(s, d, in->name);
+    }
+    return false;
+}
+
+// Adds the definitions of one section to those that the following text can use.
+void declare_definitions(Sema *s, const AstSection *section, Defines *into)
+{
+    for (size_t i = 0; i < section->definitions.n; i++) {
+        const AstDefinition *in = &section->definitions.at[i];
+        Define *d;
+
+        if (!check_name_is_free(s, in))
+            continue;
+        d = ARENA_NEW(s->arena, Define);
+        d->name = in->name;
+        d->span = in->name_span;
+        d->value = copy_tree(s->arena, in->value);
+        d->number = (uint32_t)s->defines.n;
+        d->size = expanded_size(s, d->value);
+        map_put(&s->defines, d->name, d);
+        vec_push(s->arena, into, d);
+    }
+}
+
+// Makes the definitions of the machine usable in a script.
+void add_definitions_of_machine(Sema *s)
+{
+    for (size_t i = 0; i < s->p->define.n; i++)
+        map_put(&s->defines, s->p->define.at[i]->name, s->p->define.at[i]);
+}
+
+// ---- uses ----
+
+// Returns whether the definition can be used here, and reports the use if not: only later definitions can use a definition, and the whole
+// expression has to stay within the limits.
+static bool check_use(Sema *s, const Define *d, const AstExpr *use)
+{
+    if (s->inside && d->number >= s->inside->number) {
+        if (d == s->inside)
+            diag_report(s->diags, DIAG_definition_of_itself, use->span, d->name->text);
+        else
+            diag_note(s->diags, diag_report(s->diags, DIAG_definition_later, use->span, s->inside->name->text, d->name->text), d->span,
+                      DIAG_note_declared_here, d->name->text);
+        return false;
+    }
+    if (!s->inside && (s->expanded += d->size) > EXPANDED_MAX) {
+        diag_report(s->diags, DIAG_definitions_too_large, d->span, d->name->text);
+        s->expanded = EXPANDED_MAX;
+        return false;
+    }
+    if (s->depth + d->value->depth <= AST_DEPTH_MAX)
+        return true;
+    diag_report(s->diags, DIAG_expression_too_deep, use->span, format_in(s->arena, "%d", AST_DEPTH_MAX));
+    return false;
+}
+
+// Builds the expression of a definition that `use` names. The root has the span of the use, because messages quote what the user wrote there.
+Expr *expand_definition(Sema *s, Define *d, const AstExpr *use)
+{
+    const Define *outer = s->inside;
+    Expr *out;
+
+    if (!s->in_script || d->number >= s->p->define.n)         // a script does not change its machine
+        d->used = true;
+    s->knows_a_name = true;
+    if (!check_use(s, d, use))
+        return NULL;
+    s->inside = d;
+    out = check_expr(s, d->value);
+    s->inside = outer;
+    if (out)
+        out->span = sema_span(s, use->span);
+    return out;
+}
+
+// Checks the definitions that nothing uses: reports their errors, and warns of them. Their windows belong to no machine.
+void check_unused_definitions(Sema *s, const Defines *all)
+{
+    Windows none = {0}, *used = s->windows;
+
+    s->windows = &none;
+    for (size_t i = 0; i < all->n; i++) {
+        Define *d = all->at[i];
+        if (d->used)
+            continue;
+        if (d->value->kind != AST_ERROR)
+            diag_report(s->diags, DIAG_unused_definition, d->span, d->name->text);
+        s->inside = d;
+        if (d->size <= EXPANDED_MAX)
+            check_expr(s, d->value);
+        s->inside = NULL;
+    }
+    s->windows = used;
+}

@@ -1,0 +1,14 @@
+spec 5.58  A step is a whole number of units from 1 to 2^63.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+
+[options]
+step 1500 us           #! E0702
+
+[Run]
+.step
+    x = 1

@@ -1,0 +1,27 @@
+spec 5.60  A machine's step is the period of its task.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+time time 1 ms
+[flight]
+every 10 ms:
+    machine mission "mission.sm"
+-- rocket.sv --
+[A]
+U64  time
+U32  missionState
+F64  altitude
+-- mission.sm --
+[state_vector]
+U64  time          @alias G
+U32  missionState  @alias S
+F64  altitude      @read_only
+[options]
+step 10000 us
+
+[Boost]
+.step
+    altitude > 100: -> Coast
+
+[Coast]
