@@ -20,7 +20,7 @@ const char *describe_count(Arena *arena, uint64_t n, const char *one, const char
 // Returns a window in words: "the average of `pressure` over the last 10 steps".
 const char *describe_window(Arena *arena, const Window *w)
 {
-    static const char *const name[SM_STAT_COUNT] = {"the average", "the median", "the smallest", "the largest", "the range"};
+    static const char *const name[SM_STAT_COUNT] = {"the average", "the median", "the smallest", "the largest", "the range", "the oldest", "the newest", "the change", "the time", "the run", "the time"};
 
     return format_in(arena, "%s of `%s` over the last %s", name[w->stat], source_text(arena, w->sample->span),
                      w->size == 1 ? "step" : format_in(arena, "%lu steps", (unsigned long)w->size));

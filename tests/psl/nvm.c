@@ -35,7 +35,7 @@ static PalNvmInfo info_of(PalNvm memory)
     return info;
 }
 
-// The smallest piece that can be erased and written: 1 to 64 bytes on every bench.
+// Returns the size of the smallest piece that can be erased and written: 1 to 64 bytes on every bench.
 static uint32_t piece_of(const PalNvmInfo *info)
 {
     return info->erase > info->write ? info->erase : info->write;
@@ -64,7 +64,7 @@ static bool holds(PalNvm memory, uint32_t at, uint8_t value, uint32_t n)
     return memcmp(bytes, expected, n) == 0;
 }
 
-static void sizes(PalNvm memory)
+static void test_sizes(PalNvm memory)
 {
     PalNvmInfo i = info_of(memory);
 
@@ -74,7 +74,7 @@ static void sizes(PalNvm memory)
     CHECK(piece_of(&i) <= 64 && i.size >= 4 * piece_of(&i));
 }
 
-static void stores(PalNvm memory)
+static void test_stores(PalNvm memory)
 {
     PalNvmInfo i = info_of(memory);
     uint32_t n = piece_of(&i), last = i.size - n;
@@ -111,7 +111,7 @@ static void many_bytes(PalNvm memory)
 }
 
 // By its name, also while it is open; what is missing is not created.
-static void loaded(PalNvm memory)
+static void test_loading(PalNvm memory)
 {
     char longest[PAL_NAME + 1];
     uint8_t x[2] = {0, 0};
@@ -129,7 +129,7 @@ static void loaded(PalNvm memory)
     CHECK(pal_nvm_load("not-there", x, 1) == SM_E_MISSING);
 }
 
-static void outside(PalNvm memory)
+static void test_accesses_outside(PalNvm memory)
 {
     PalNvmInfo i = info_of(memory);
     uint8_t bytes[64] = {0};
@@ -153,8 +153,8 @@ static void outside(PalNvm memory)
         CHECK(pal_nvm_erase(memory, 1, i.erase) == SM_E_ARGUMENT && pal_nvm_erase(memory, 0, 1) == SM_E_ARGUMENT);
 }
 
-// What was written is there when it is opened again.
-static void stays(void)
+// What was written is there when the memory is opened again.
+static void test_content_stays(void)
 {
     PalNvm memory = opened();
     PalNvmInfo i = info_of(memory);
@@ -223,13 +223,13 @@ Tally contract_nvm(void)
     bad_arguments();
     bad_handles();
     memory = opened();
-    sizes(memory);
-    stores(memory);
+    test_sizes(memory);
+    test_stores(memory);
     many_bytes(memory);
-    loaded(memory);
-    outside(memory);
+    test_loading(memory);
+    test_accesses_outside(memory);
     CHECK(pal_nvm_close(memory) == SM_OK);
-    stays();
+    test_content_stays();
     one_at_a_time();
     return TALLY();
 }
