@@ -160,7 +160,7 @@ $(B)/swap/clauses $(B)/swap/hostile $(B)/swap/random:
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
 # Swaps in an application that runs, in the simulation.
-$(B)/swap/running: $(patsubst %,$(B)/obj/tests/swap/%.o,running stage machine) $(B)/runtime/sim.a $(B)/libsmc.a
+$(B)/swap/running $(B)/swap/storing: $(B)/swap/%: $(B)/obj/tests/swap/%.o $(patsubst %,$(B)/obj/tests/swap/%.o,stage machine) $(B)/runtime/sim.a $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
@@ -173,6 +173,11 @@ $(B)/swap/link: $(patsubst %,$(B)/obj/tests/swap/%.o,link stage machine) $(B)/ob
 $(B)/swap/reach: $(patsubst %,$(B)/obj/tests/swap/%.o,reach stage machine) $(patsubst %,$(B)/obj/compiler/device/%.o,app_host link_host) $(B)/obj/compiler/base/os_serial_posix.o $(B)/runtime/linux.a $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -pthread -lrt
+
+# An application that stores swaps is killed at each call that writes, and each of them fails.
+$(B)/swap/killed: $(patsubst %,$(B)/obj/tests/swap/%.o,killed stage machine) $(B)/runtime/linux.a $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(patsubst %,-Wl$(,)--wrap=%,write fsync rename ftruncate) -pthread -lrt
 
 # The same with threads, on Linux, and once more under the thread sanitizer.
 # `make swap-lateness SECONDS=5` measures whether swaps make ticks late on this computer.
@@ -568,6 +573,14 @@ $(B)/tsan/%.o: %.c | $(B)/has_tsan
 	$(call say,CC)$(TSAN) $(DEPFLAGS) -c $< -o $@
 $(B)/runtime/%_linux: tests/runtime/%_linux.c $(B)/runtime/linux.a
 	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/linux.a $(RUNTIME_LIBS) -pthread -lrt
+# Hosts of an application whose machines are swapped.  `make swap-fuzz N=100000 SEED=1` changes the seeds at random, under sanitizers.
+SWAP_FUZZ_SRC = $(sort $(filter-out $(LIBSMC),tests/swap/stage.c tests/swap/machine.c compiler/device/app_host.c compiler/device/link_host.c $(RUNTIME_SRC_sim)))
+$(B)/fuzz/swap $(B)/fuzz-cov/swap: $(SWAP_FUZZ_SRC)
+swap-fuzz:
+	$(MAKE) -s B=$(B)/san CFLAGS='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=undefined' $(B)/san/fuzz/swap
+	$(B)/san/fuzz/swap -n $(N) -s $(SEED) tests/fuzz/seeds/swap/*
+.PHONY: swap-fuzz
+
 $(B)/runtime/%: tests/runtime/%.c $(B)/runtime/sim.a
 	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/sim.a $(RUNTIME_LIBS)
 $(B)/runtime/threads: RUNTIME_LIBS = -pthread
@@ -820,8 +833,10 @@ $(call test, library-parity,       thorough, $(B)/library/command, sh tests/libr
 $(call test, library-swapping,     thorough, $(B)/smc $(LIBRARY_FILES), sh tests/library/swapping.sh $(MAKE) $(B) '$(CC)' '$(CFLAGS)')
 $(call test, library-abi,          thorough, $(LIBRARY_FILES), sh tests/library/abi.sh $(B) '$(CC)')
 $(call test, swap-running,         thorough, $(B)/swap/running, $(B)/swap/running)
+$(call test, swap-storing,         thorough, $(B)/swap/storing, $(B)/swap/storing)
 $(call test, swap-link,            thorough, $(B)/swap/link, $(B)/swap/link)
 $(call test, swap-reach,           thorough, $(B)/swap/reach $(B)/smc, $(B)/swap/reach $(B)/smc)
+$(call test, swap-killed,          thorough, $(B)/swap/killed, $(B)/swap/killed)
 $(call test, swap-threads,         thorough, $(B)/swap/threads, $(B)/swap/threads)
 $(call test, swap-tsan,            thorough, $(B)/swap/threads_tsan, if test -x $(B)/swap/threads_tsan; then $(B)/swap/threads_tsan; else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
@@ -834,6 +849,7 @@ $(call test, fuzz-frontend,        thorough, $(B)/fuzz/frontend, $(B)/fuzz/front
 $(call test, fuzz-ir,              thorough, $(B)/fuzz/ir, $(B)/fuzz/ir -n 2000 tests/ir/samples/*.ir)
 $(call test, fuzz-log,             thorough, $(B)/fuzz/log $(B)/corpus/log/flight.log, $(B)/fuzz/log -n 1000 $(B)/corpus/log/flight.log)
 $(call test, fuzz-image,           thorough, $(B)/fuzz/image $(B)/corpus/image, $(B)/fuzz/image -n 20000 $(B)/corpus/image/*.smb)
+$(call test, fuzz-swap,            thorough, $(B)/fuzz/swap, $(B)/fuzz/swap -n 5000 tests/fuzz/seeds/swap/*)
 $(call test, fuzz-link,            thorough, $(B)/fuzz/link $(LINK_SEEDS), $(B)/fuzz/link -n 20000 $(LINK_SEEDS))
 
 $(call test, fault-memory,         thorough, $(B)/fault/memory, $(B)/fault/memory $(FAULT_CASES))

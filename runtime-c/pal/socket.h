@@ -55,8 +55,8 @@ SmResult pal_socket_receive_from(PalSocket socket, PalAddress *from, void *bytes
 SmResult pal_socket_listen(PalSocket *socket, const PalAddress *local);
 
 // Listens for streams of programs on the same computer, at a path of its file system.  Only the user of the program can connect: the file
-// has mode 0600.  A socket that a program has left there is replaced, if it no longer runs.  pal_socket_close removes the file.  Two
-// programs that call this with the same path at the same instant may both succeed, and then only one of them is reached.
+// has mode 0600.  A socket that a program has left there is replaced, if it no longer runs.  pal_socket_close removes the file.  Of
+// several programs that call this with the same path at the same instant, one succeeds; the others wait for at most a few seconds.
 //     SM_E_BUSY          a program listens there, and has received a stream that is closed at once
 //     SM_E_FOREIGN       there is a file that is not a socket
 //     SM_E_MISSING       the folder does not exist

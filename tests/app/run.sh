@@ -71,6 +71,23 @@ for vector in plain guarded; do
     fi
 done
 
+# With swap_store, the machine of the confirmed swap runs after a restart.
+mkdir "$dir/swap-stored" && cd "$dir/swap-stored" && cp "$here"/swap/* . || exit 1
+sed -i.old 's/^armed .*/swap_store "bench.images"\n&/' bench.app
+swaps_stored()
+{
+    mkdir out
+    "$smc" build bench.app -Werror -o out 2>log && cp "$dir/swap-plain/out/image.h" out/ &&
+        $cc -std=c99 -O1 $warn -I"$root" -Iout -o run_desk out/*.c tasks.c "$desk" -pthread 2>>log && ./run_desk >trace 2>>log && diff expected.txt trace >>log &&
+        ./run_desk >again 2>>log && "$smc" log bench.log >>log && grep -q 'count started with the stored image' log && grep -q 'count: starts in Before' log
+}
+if swaps_stored; then
+    good
+else
+    bad "a machine that is stored"
+    head -20 log
+fi
+
 # Other compilers take the sources without a word, C++ the header.
 for other in gcc clang clang-19; do
     if command -v $other >/dev/null 2>&1; then

@@ -27,7 +27,7 @@ Usage:
       show what a flight log holds, in words, as a table or as a plot
   smc flash IMAGE --port=PORT [--confirm]
       put an image on a running board, over a serial line
-  smc swap FILE...|NAME=FILE... --to=WHERE --restart[=STATE]|--continue
+  smc swap FILE...|NAME=FILE...|NAME=built-in... --to=WHERE --restart[=STATE]|--continue
       replace machines of an application that runs, without stopping it
   smc device info|list|confirm|erase|log --port=PORT
       ask a board or an application what it runs and what happened; keep or erase its images

@@ -11,6 +11,7 @@ static void without(void)
 
     CHECK(pal_nvm_open(&memory, "nvm", 1) == SM_E_UNSUPPORTED && memory.id == 0);
     CHECK(pal_nvm_open(NULL, NULL, 0) == SM_E_UNSUPPORTED);
+    CHECK(pal_nvm_load("nvm", &x, 1) == SM_E_UNSUPPORTED && pal_nvm_load(NULL, NULL, 0) == SM_E_UNSUPPORTED);
     CHECK(pal_nvm_info(memory, &info) == SM_E_UNSUPPORTED);
     CHECK(pal_nvm_read(memory, 0, &x, 1) == SM_E_UNSUPPORTED);
     CHECK(pal_nvm_write(memory, 0, &x, 1) == SM_E_UNSUPPORTED);
@@ -107,6 +108,25 @@ static void many_bytes(PalNvm memory)
         put(memory, 0, 0x33, n);
         CHECK(holds(memory, 0, 0x33, n));
     }
+}
+
+// By its name, also while it is open; what is missing is not created.
+static void test_loading(PalNvm memory)
+{
+    char longest[PAL_NAME + 1];
+    uint8_t x[2] = {0, 0};
+    PalNvmInfo i = info_of(memory);
+    const uint32_t n = 2 * piece_of(&i);
+
+    clear(memory, 0, n);
+    put(memory, 0, 0x3c, n);
+    CHECK(pal_nvm_load(bench.nvm_name, x, 2) == SM_OK && x[0] == 0x3c && x[1] == 0x3c);
+    memset(longest, 'x', PAL_NAME);
+    longest[PAL_NAME] = '\0';
+    CHECK(pal_nvm_load(NULL, x, 1) == SM_E_ARGUMENT && pal_nvm_load(bench.nvm_name, NULL, 1) == SM_E_ARGUMENT);
+    CHECK(pal_nvm_load(bench.nvm_name, x, 0) == SM_E_ARGUMENT && pal_nvm_load("", x, 1) == SM_E_ARGUMENT && pal_nvm_load(longest, x, 1) == SM_E_ARGUMENT);
+    CHECK(pal_nvm_load(bench.nvm_missing, x, 1) == SM_E_MISSING && pal_nvm_load("not-there", x, 1) == SM_E_MISSING);
+    CHECK(pal_nvm_load("not-there", x, 1) == SM_E_MISSING);
 }
 
 static void test_accesses_outside(PalNvm memory)
@@ -206,6 +226,7 @@ Tally contract_nvm(void)
     test_sizes(memory);
     test_stores(memory);
     many_bytes(memory);
+    test_loading(memory);
     test_accesses_outside(memory);
     CHECK(pal_nvm_close(memory) == SM_OK);
     test_content_stays();

@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "runtime-c/pal/log.h"
@@ -136,6 +137,23 @@ static void test_file_is_lengthened(void)
     size_on_disk(1000);
 }
 
+// Reading by name needs no permission to write, and creates, extends and locks nothing.
+static void loads(void)
+{
+    PalNvm memory = {0};
+    uint8_t x[11] = {0};
+    FILE *f = fopen("key", "w");
+
+    CHECK(f != NULL && fputs("0123456789", f) >= 0 && fclose(f) == 0 && chmod("key", 0400) == 0);
+    CHECK(pal_nvm_load("key", x, 10) == SM_OK && memcmp(x, "0123456789", 10) == 0);
+    CHECK(pal_nvm_load("key", x, 11) == SM_E_SPACE);
+    CHECK(symlink("key", "link") == 0 && pal_nvm_load("link", x, 1) == SM_OK);
+    CHECK(pal_nvm_load("absent", x, 1) == SM_E_MISSING && access("absent", F_OK) != 0 && access("absent.new", F_OK) != 0);
+    CHECK(pal_nvm_load(".", x, 1) == SM_E_UNSUPPORTED && mkfifo("pipe", 0600) == 0 && pal_nvm_load("pipe", x, 1) == SM_E_UNSUPPORTED);
+    CHECK(chmod("key", 0600) == 0 && pal_nvm_open(&memory, "key", 1) == SM_OK && pal_nvm_load("key", x, 1) == SM_OK && pal_nvm_close(memory) == SM_OK);
+    CHECK(unlink("key") == 0 && unlink("link") == 0 && unlink("pipe") == 0);
+}
+
 static void no_file(void)
 {
     PalNvm memory = {0};
@@ -165,6 +183,7 @@ static void test_nvm(void)
     test_full_disk();
     test_file_is_lengthened();
     no_file();
+    loads();
     no_line();
     unlink(memory_name);
 }
@@ -256,6 +275,51 @@ static bool is_reached(PalSocket listening, const char *path)
     return reached;
 }
 
+enum { STARTS = 12 };
+
+// STARTS programs listen at one path as soon as they can read a byte of `start`, and close it when they can read another.  Exactly one succeeds.
+static void one_of_many(int round)
+{
+    int start[2], done[2], end[2], succeeded = 0;
+    PalSocket s = {0}, c = {0};
+    char results[STARTS];
+    struct stat file;
+
+    if (round % 2)
+        CHECK(pal_socket_listen_local(&s, "left") == SM_OK && link("left", "many") == 0 && pal_socket_close(s) == SM_OK);
+    CHECK(pipe(start) == 0 && pipe(done) == 0 && pipe(end) == 0);
+    for (int i = 0; i < STARTS; i++)
+        if (fork() == 0) {
+            char byte = 0;
+            SmResult r;
+            if (read(start[0], &byte, 1) != 1)
+                _exit(1);
+            pause_calls((unsigned)(round + 1) * (unsigned)(i + 1) * 7 % 1000);
+            r = pal_socket_listen_local(&s, "many");
+            pause_calls(0);
+            byte = r == SM_OK ? 1 : r == SM_E_BUSY ? 2 : 3;
+            if (write(done[1], &byte, 1) != 1 || read(end[0], &byte, 1) != 1)
+                _exit(1);
+            while (r == SM_OK && pal_socket_accept(s, &c, NULL, 0) == SM_OK)
+                (void)pal_socket_close(c);
+            _exit(r == SM_OK && pal_socket_close(s) != SM_OK);
+        }
+    CHECK(write(start[1], results, STARTS) == STARTS);
+    for (int i = 0; i < STARTS; i++) {
+        CHECK(read(done[0], &results[i], 1) == 1 && (results[i] == 1 || results[i] == 2));
+        succeeded += results[i] == 1;
+    }
+    CHECK(succeeded == 1);
+    CHECK(write(end[1], results, STARTS) == STARTS);
+    for (int i = 0; i < STARTS; i++) {
+        int status;
+        CHECK(wait(&status) > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    }
+    CHECK(stat("many", &file) != 0);
+    for (int i = 0; i < 2; i++)
+        (void)close(start[i]), (void)close(done[i]), (void)close(end[i]);
+}
+
 static void local_sockets(void)
 {
     PalSocket s = {0}, other = {0};
@@ -280,6 +344,9 @@ static void local_sockets(void)
     // a socket whose program has ended
     CHECK(pal_socket_listen_local(&s, "path") == SM_OK && link("path", "left") == 0 && pal_socket_close(s) == SM_OK);
     CHECK(pal_socket_listen_local(&s, "left") == SM_OK && is_reached(s, "left") && pal_socket_close(s) == SM_OK);
+    // many programs at the same instant, at a path with a socket that one of them has left: one listens
+    for (int round = 0; round < 20; round++)
+        one_of_many(round);
     // other files stay
     CHECK(mkdir("folder", 0700) == 0 && symlink("gone", "link") == 0);
     CHECK(pal_socket_listen_local(&s, "folder") == SM_E_FOREIGN && pal_socket_listen_local(&s, "link") == SM_E_FOREIGN);

@@ -114,7 +114,7 @@ static void begin_two(bool two_executors, bool guarded)
 
 static SmResult swap_two(const SwapMachine *a, const SwapMachine *b)
 {
-    const SmSwapChange change[] = {{"b", b->image, b->image_size, SM_SWAP_CONTINUE, NULL}, {"a", a->image, a->image_size, SM_SWAP_CONTINUE, NULL}};
+    const SmSwapChange change[] = {{"b", b->image, b->image_size, SM_SWAP_CONTINUE, NULL, false}, {"a", a->image, a->image_size, SM_SWAP_CONTINUE, NULL, false}};
 
     return sm_swap_begin(&stage.swaps, change, 2);
 }
@@ -294,14 +294,14 @@ static void test_refusals(void)
     ticks(2);
     check_refused(SM_SWAP_NO_MACHINE);
     begin(&one);
-    const SmSwapChange twice[] = {{"a", ten.image, ten.image_size, SM_SWAP_CONTINUE, NULL}, {"a", ten.image, ten.image_size, SM_SWAP_CONTINUE, NULL}};
+    const SmSwapChange twice[] = {{"a", ten.image, ten.image_size, SM_SWAP_CONTINUE, NULL, false}, {"a", ten.image, ten.image_size, SM_SWAP_CONTINUE, NULL, false}};
     CHECK(sm_swap_begin(&stage.swaps, twice, 2) == SM_OK);
     ticks(1);
     check_refused(SM_SWAP_NO_TWICE);
     CHECK(sm_swap_begin(&stage.swaps, twice, 0) == SM_E_ARGUMENT && sm_swap_begin(&stage.swaps, NULL, 1) == SM_E_ARGUMENT);
     const SwapMachine several = two_in_one();
     check_refusal(&several, SM_SWAP_CONTINUE, NULL, SM_SWAP_NO_SEVERAL);
-    const SmSwapChange none = {"a", NULL, 0, SM_SWAP_CONTINUE, NULL};
+    const SmSwapChange none = {"a", NULL, 0, SM_SWAP_CONTINUE, NULL, false};
     begin(&one);
     CHECK(sm_swap_begin(&stage.swaps, &none, 1) == SM_OK);
     stage_settle();
@@ -455,7 +455,7 @@ static void test_every_point(void)
             check_refused(SM_SWAP_NO_MEMORY);
     }
     for (uint32_t at = 0; at < ten.image_size; at++, points += 2) {
-        SmSwapChange change = {"a", image, at, SM_SWAP_CONTINUE, NULL};
+        SmSwapChange change = {"a", image, at, SM_SWAP_CONTINUE, NULL, false};
         memcpy(image, ten.image, ten.image_size);
         begin(&one);
         ticks(2);

@@ -7,6 +7,7 @@
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -192,6 +193,8 @@ SmResult pal_socket_listen(PalSocket *s, const PalAddress *local) { return open_
 
 // ---- paths ----
 
+enum { LOCK_TRIES = 2000, LOCK_PAUSE = 1000 };   // LOCK_PAUSE: microseconds
+
 // Whether a program listens at the path.  If its queue is full, connect fails with EAGAIN.
 static bool is_listening_at(const struct sockaddr_un *a)
 {
@@ -217,8 +220,27 @@ static SmResult remove_stale_socket(const struct sockaddr_un *a)
     return unlink(a->sun_path) == 0 || errno == ENOENT ? SM_OK : psl_result_of_errno(errno);
 }
 
+// Opens and locks the folder of a path, so that no other program replaces a socket in it.  Returns -1 and an errno if that is not possible.
+// The lock is held for a few calls, so it is free after a short wait.
+static int lock_folder(const char *path)
+{
+    const int fd = psl_open_folder(path);
+    int error = 0;
+
+    for (int tries = 0; fd >= 0 && flock(fd, LOCK_EX | LOCK_NB) != 0; tries++) {
+        error = errno == EWOULDBLOCK ? EBUSY : errno;
+        if ((error != EBUSY && error != EINTR) || tries == LOCK_TRIES) {
+            close(fd);
+            errno = error;
+            return -1;
+        }
+        (void)usleep(LOCK_PAUSE);
+    }
+    return fd;
+}
+
 // The mode is set before the path exists, so that no other user can ever connect: the file gets the mode of the unbound socket (unix(7)).
-static SmResult listen_at_path(int fd, const struct sockaddr_un *a)
+static SmResult bind_to_path(int fd, const struct sockaddr_un *a)
 {
     SmResult r = remove_stale_socket(a);
 
@@ -230,6 +252,19 @@ static SmResult listen_at_path(int fd, const struct sockaddr_un *a)
         return SM_OK;
     r = psl_result_of_errno(errno);
     unlink(a->sun_path);
+    return r;
+}
+
+// Of several programs that find a stale socket, the first one that locks the folder replaces it, and the others find that it listens.
+static SmResult listen_at_path(int fd, const struct sockaddr_un *a)
+{
+    const int folder = lock_folder(a->sun_path);
+    SmResult r;
+
+    if (folder < 0)
+        return psl_result_of_errno(errno);
+    r = bind_to_path(fd, a);
+    close(folder);
     return r;
 }
 
