@@ -67,41 +67,12 @@ static FindingRanges find_transition_ranges(Diagram *d)
     return out;
 }
 
-// Returns where the last of the statements ends in the source, or `end` if that is later.
-static uint32_t end_of_statements(const Stmts *stmts, uint32_t end)
-{
-    for (size_t i = 0; i < stmts->n; i++) {
-        const Stmt *s = stmts->at[i];
-        if (s->span.at + s->span.len > end)
-            end = s->span.at + s->span.len;
-        end = end_of_statements(&s->otherwise, end_of_statements(&s->then, end));
-    }
-    return end;
-}
-
-// Returns the range of a state's own part of the source: from its header to its last statement.
-static Span range_of_state(const State *state)
-{
-    Span span = state->span;
-    uint32_t end = span.at + span.len;
-
-    for (int b = 0; b < BLOCK_COUNT; b++) {
-        const Span label = state->block_span[b];
-        const Stmts own = written_own_stmts(state, b);
-        if (label.src && !label.src->written && label.at + label.len > end)
-            end = label.at + label.len;
-        end = end_of_statements(&own, end);
-    }
-    span.len = end - span.at;
-    return span;
-}
-
 static FindingRanges find_node_ranges(Diagram *d)
 {
     FindingRanges out = {NULL, 0, 0};
 
     for (size_t n = 0; n < d->nodes; n++)
-        add_range(d->a->arena, &out, d->node[n].state ? range_of_state(d->node[n].state) : d->node[n].all->span, &d->node[n].finding);
+        add_range(d->a->arena, &out, d->node[n].state ? written_state_range(d->node[n].state) : d->node[n].all->span, &d->node[n].finding);
     sort_ranges(&out);
     return out;
 }

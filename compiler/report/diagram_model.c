@@ -34,14 +34,13 @@ static bool is_edge_possible(const Diagram *d, const DiagramEdge *e)
 static void find_reached_states(Diagram *d)
 {
     const Transitions *all = &d->a->transition;
-    const size_t *first = transitions_by_state(d->a->arena, d->a->p, all);
     Worklist waiting = worklist_new(d->a->arena, d->states);
 
     d->node[0].reached = true;
     worklist_add(&waiting, 0);
     while (waiting.n > 0) {
         const size_t s = worklist_next(&waiting);
-        for (size_t t = first[s]; t < first[s + 1]; t++) {
+        for (size_t t = d->first_of[s]; t < d->first_of[s + 1]; t++) {
             DiagramNode *to = &d->node[all->at[t].to->number - 1];
             if (to->reached || !is_possible(d, &all->at[t]))
                 continue;
@@ -226,6 +225,23 @@ static void count_edges(Diagram *d)
 
 uint64_t diagram_times_taken(const DiagramEdge *e) { return e->taken + e->shared; }
 
+// The count of a pair of states is that of the first transition from one to the other.
+uint64_t diagram_times_taken_in(const Diagram *d, const DiagramEdge *e, const State *from)
+{
+    const Transitions *all = &d->a->transition;
+    const Transition *copy = NULL;
+    uint64_t sum = 0;
+
+    for (size_t k = 0; k < e->guard.at[0].transition->copy.n && !copy; k++)
+        if (e->guard.at[0].transition->copy.at[k]->from == from)
+            copy = e->guard.at[0].transition->copy.at[k];
+    if (!copy || !d->o->counts)
+        return 0;
+    for (size_t i = d->first_of[from->number - 1]; i < d->first_of[from->number]; i++)
+        sum += all->at[i].to == copy->to ? d->o->counts->transition[i] : 0;
+    return sum;
+}
+
 uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n)
 {
     uint64_t sum = 0;
@@ -283,7 +299,7 @@ static void add_nodes(Diagram *d)
         DiagramNode *n = &d->node[i];
         n->state = i < d->states ? p->state.at[i] : NULL;
         n->all = i < d->states ? NULL : p->all_states.at[i - d->states];
-        n->title = n->state ? n->state->name->text : written_section_name(d->a->arena, p, n->all);
+        n->title = n->state ? n->state->name->text : written_section_name(d->a->arena, p, n->all, "");
         n->name = diagram_text_truncate(d->a->arena, n->title, NAME_SIZE, true, n->state ? NAME_W : SECTION_NAME_W);
         n->name_w = diagram_text_width(n->name, NAME_SIZE, true);
     }
@@ -313,6 +329,7 @@ Diagram *diagram_build(const Analysis *a, const DiagramOptions *o)
     d->a = a;
     d->o = o;
     add_nodes(d);
+    d->first_of = transitions_by_state(a->arena, a->p, &a->transition);
     diagram_add_actions(d);
     add_edges(d);
     remove_empty_sections(d);

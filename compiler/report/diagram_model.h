@@ -76,6 +76,7 @@ typedef struct Diagram {
     const DiagramOptions *o;
     DiagramNode *node;            // states by State.number - 1, then sections [all_states]
     VEC(DiagramEdge) edge;        // by source node, then in file order
+    const size_t *first_of;       // transitions_by_state: the transitions of state s are first_of[s] … first_of[s + 1] - 1
     size_t nodes, states;         // number of all nodes, and of those that are states
     int32_t w, h;                 // size of the whole diagram
     VEC(int32_t) cut;             // each y where a horizontal line meets only edges, in ascending order
@@ -108,6 +109,7 @@ const char *diagram_text_truncate(Arena *arena, const char *text, int32_t size, 
 // ---- how often runs took the transitions of an edge and entered a state; 0 if DiagramOptions.counts is NULL ----
 
 uint64_t diagram_times_taken(const DiagramEdge *e);       // at most
+uint64_t diagram_times_taken_in(const Diagram *d, const DiagramEdge *e, const State *from);    // the part of it in one state; at most
 uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n);       // of [all_states]: the sum over the states where it runs
 const char *diagram_count_text(const Diagram *d, const char *done, uint64_t count);  // "taken 3 times"
 const char *diagram_times_taken_text(const Diagram *d, const DiagramEdge *e);     // "taken 2 to 5 times" if other edges share the count

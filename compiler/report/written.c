@@ -29,7 +29,7 @@ const AllStates *written_section(const Program *p, Span span)
     return i < p->all_states.n ? p->all_states.at[i] : NULL;
 }
 
-const char *written_section_name(Arena *arena, const Program *p, const AllStates *all)
+const char *written_section_name(Arena *arena, const Program *p, const AllStates *all, const char *mark)
 {
     size_t excepted = 0, n = 0;
     Buf name;
@@ -40,7 +40,7 @@ const char *written_section_name(Arena *arena, const Program *p, const AllStates
     buf_str(&name, excepted ? "all states except " : "all states");
     for (size_t s = 1; s <= p->state.n; s++)
         if (all->excepted[s]) {
-            buf_printf(&name, "%s%s", describe_separator(n, excepted), p->state.at[s - 1]->name->text);
+            buf_printf(&name, "%s%s%s%s", describe_separator(n, excepted), mark, p->state.at[s - 1]->name->text, mark);
             n++;
         }
     return buf_text(&name);
@@ -69,6 +69,8 @@ Stmts written_section_stmts(const Program *p, const AllStates *all)
     return part;
 }
 
+// ---- states ----
+
 Stmts written_own_stmts(const State *s, BlockKind block)
 {
     Stmts own = s->block[block];
@@ -76,6 +78,34 @@ Stmts written_own_stmts(const State *s, BlockKind block)
     while (own.n > 0 && own.at[0]->span.src->written)
         own.at++, own.n--;
     return own;
+}
+
+// Returns where the last of the statements ends in the source, or `end` if that is later.
+static uint32_t end_of_statements(const Stmts *stmts, uint32_t end)
+{
+    for (size_t i = 0; i < stmts->n; i++) {
+        const Stmt *s = stmts->at[i];
+        if (s->span.at + s->span.len > end)
+            end = s->span.at + s->span.len;
+        end = end_of_statements(&s->otherwise, end_of_statements(&s->then, end));
+    }
+    return end;
+}
+
+Span written_state_range(const State *s)
+{
+    Span span = s->span;
+    uint32_t end = span.at + span.len;
+
+    for (int b = 0; b < BLOCK_COUNT; b++) {
+        const Span label = s->block_span[b];
+        const Stmts own = written_own_stmts(s, b);
+        if (label.src && !label.src->written && label.at + label.len > end)
+            end = label.at + label.len;
+        end = end_of_statements(&own, end);
+    }
+    span.len = end - span.at;
+    return span;
 }
 
 // ---- transitions ----

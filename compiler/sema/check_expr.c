@@ -467,8 +467,8 @@ static void report_argument_count(Sema *s, const AstExpr *e, const SmBuiltinInfo
 
 // Calls of roll functions (language.md 7) have two arguments: the sampled expression, and a size that is known at compile time.
 
-// Returns how many steps a roll call's window has, or 0 after a report.
-static uint32_t check_window_size(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
+// Returns how many steps a roll call's window has, or 0 after a report.  Stores in *in_time whether the size is written as a time.
+static uint32_t check_window_size(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn, bool *in_time)
 {
     const AstExpr *n = call->args->at[1];
     Expr *value;
@@ -481,7 +481,8 @@ static uint32_t check_window_size(Sema *s, const AstExpr *call, const SmBuiltinI
     if (!value)
         return 0;
     x = expr_constant_value(value);
-    if (value->kind == EX_NUMBER && value->unit != TIME_NONE) {
+    *in_time = value->kind == EX_NUMBER && value->unit != TIME_NONE;
+    if (*in_time) {
         if (!check_window_time(s, n, fn->name, x, &x))
             return 0;
     } else if (expr_contains_time(value)) {
@@ -511,7 +512,7 @@ static Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *
         return NULL;
     out = expr_new(s, EX_ROLL, call->span, 1);
     out->arg[0] = w.sample = check_expr(s, call->args->at[0]);     // gives roll calls in the sample lower indices
-    w.size = check_window_size(s, call, fn);
+    w.size = check_window_size(s, call, fn, &w.in_time);
     w.stat = out->stat = fn->stat;
     w.span = out->span;
     if (!w.sample || !w.size)

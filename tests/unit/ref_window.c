@@ -26,7 +26,7 @@ typedef struct Fixture { Windows list; RefWindows windows; Expr sample; Var var;
 
 static void set_up(Fixture *f, uint32_t size)
 {
-    Window w = {&f->sample, size, SM_STAT_AVG, {NULL, 0, 0}};
+    Window w = {&f->sample, size, SM_STAT_AVG, {NULL, 0, 0}, false};
 
     *f = (Fixture){.var = {.kind = VAR_ELEMENT, .type = SM_F64}};
     f->sample.kind = EX_VAR;
