@@ -126,7 +126,7 @@ static const char *edge_remark(const Report *r, const Diagram *d, const DiagramE
     if (e->guard.n > 1)
         buf_printf(&out, "%s%lu transitions, counted together", out.n ? "; " : "", (unsigned long)e->guard.n);
     if (e->shared)
-        buf_printf(&out, "%sat most; at least %llu: the others may be of another row", out.n ? "; " : "", (unsigned long long)e->taken);
+        buf_printf(&out, "%sat least %llu, the others may belong to another row", out.n ? "; " : "", (unsigned long long)e->taken);
     return buf_text(&out);
 }
 

@@ -285,6 +285,24 @@ static Expr *check_state_comparison(Sema *s, const AstExpr *e)
     return out->arg[!first] ? out : NULL;
 }
 
+// Warns of `S == 3`, and proposes the name of the state with that number, unless the name means something else there.
+static void warn_of_state_number(Sema *s, const AstExpr *e)
+{
+    const AstExpr *number = is_state_element(s, e->a) ? without_parens(e->b) : is_state_element(s, e->b) ? without_parens(e->a) : NULL;
+    const State *state;
+    Diag *d;
+
+    if (!number || number->kind != AST_NUMBER || number->unit != TIME_NONE || !sm_eq(sm_trunc(number->number), number->number) ||
+        sm_lt(number->number, sm_from_i32(1)) || sm_lt(sm_from_u32((uint32_t)s->p->state.n), number->number))
+        return;
+    state = s->p->state.at[sm_to_u32(number->number) - 1];
+    if (scope_find_variable(s, state->name) || map_find(&s->defines, state->name) || map_find(&s->p->state_by_name, state->name) != state)
+        return;
+    d = diag_report(s->diags, DIAG_state_number, number->span, sema_quote_source(s, number->span), state->name->text);
+    diag_label(s->diags, d, DIAG_label_write, state->name->text);
+    diag_edit(s->diags, d, number->span, state->name->text);
+}
+
 // Returns S, as it is written in the comparison; NULL if neither side is S.
 static const AstExpr *state_element_in(const Sema *s, const AstExpr *comparison)
 {
@@ -337,8 +355,10 @@ static Expr *check_binary(Sema *s, const AstExpr *e)
     report_negated_state(s, e);
     for (int k = 0; k < 2 && operator_class(e) == SM_CLASS_LOGIC; k++)
         warn_of_number_as_condition(s, e, operands[k]);
-    if (operator_class(e) == SM_CLASS_EQUALITY)
+    if (operator_class(e) == SM_CLASS_EQUALITY) {
         warn_of_negated_number(s, e);
+        warn_of_state_number(s, e);
+    }
     warn_of_times(s, e->op, e->a, e->b);
     record_operator(s, e->op);
     out = expr_new(s, EX_BINARY, e->span, 2);
