@@ -166,9 +166,9 @@ Costs
 Transitions taken by the scripts
   From                     To     Times  Remark
   Idle                     Fill       1
-  Fill                     Abort      1  at most; at least 0: the others may be of another row
+  Fill                     Abort      1  at least 0, the others may belong to another row
   Fill                     Done       0  never taken
-  all states except Abort  Abort      2  in Idle and Fill; 2 transitions, counted together; at most; at least 1: the others may be of another row
+  all states except Abort  Abort      2  in Idle and Fill; 2 transitions, counted together; at least 1, the others may belong to another row
 
 Not covered by the scripts
 No script visits `Done`. No script takes a transition from `Fill` to `Done`.
