@@ -234,6 +234,22 @@ $(B)/smc.def: $(DLL_HEADERS)
 $(B)/smc.dll: $(LIB_OBJECTS) $(B)/obj/compiler/labview/labview.o $(B)/smc.def
 	$(call say,LD)$(CC) $(CFLAGS) -shared $(LDFLAGS) -Wl,--exclude-all-symbols -Wl,--out-implib,$(B)/libsmc.dll.a -o $@ $^
 
+# ---- NI sbRIO ----
+
+# `make sbrio`: the runtime, and the test stand as an example, for NI Linux Real-Time, in SBRIO (docs/sbrio.md).
+#   CROSS    the prefix of a cross compiler, such as arm-nilrt-linux-gnueabi-, with SYSROOT where it needs one; without: CC, for x86-64
+#   NIFPGA   the folder of NiFpga.c, NiFpga.h and NiFpga_Teststand.h, which NI's generator writes; without: the stand-in of the tests
+CROSS   ?=
+SYSROOT ?=
+NIFPGA  ?= tests/sbrio
+SBRIO   ?= $(B)/sbrio
+sbrio: $(B)/smc
+	@mkdir -p '$(SBRIO)' && rm -f '$(SBRIO)'/NiFpga*
+	@cp -p examples/sbrio/* $(addprefix examples/teststand/,teststand.app teststand.io teststand.sv monitor.sm stand.sm) '$(NIFPGA)'/NiFpga* '$(SBRIO)'
+	@env -u MAKEFLAGS -u MAKELEVEL $(MAKE) -s --no-print-directory -C '$(SBRIO)' SMC='$(abspath $(B)/smc)' SMC_MK='$(abspath compiler/smc.mk)' CFLAGS='$(CFLAGS)' \
+	    $(if $(CROSS),CROSS='$(CROSS)' SYSROOT='$(SYSROOT)',CC='$(CC)') $(if $(filter command,$(word 1,$(origin PSL_WATCHDOG))),PSL_WATCHDOG='$(PSL_WATCHDOG)')
+.PHONY: sbrio
+
 help:
 	@echo 'make                 builds $(B)/smc'
 	@echo 'make quick           runs the tests of the developer loop, in about 15 seconds'
@@ -257,6 +273,7 @@ help:
 	@echo 'make arduino         makes the Arduino library, $(ARDUINO) and smc.zip beside it'
 	@echo 'make wheel           makes the Python package, $(WHEEL)/smc-….whl; bench-python: its speed; rocketpy: flies examples/rocketpy FLIGHTS=100 times'
 	@echo 'make windows         smc.exe and smc.dll for Windows, 64 and 32 bits, by MinGW-w64; windows-x86_64, windows-i686: one of them'
+	@echo 'make sbrio           the runtime and the test stand for NI Linux Real-Time, in $(SBRIO); CROSS=arm-linux-gnueabi-: for ARM; NIFPGA=FOLDER: with the files of NI'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR if that is set; uninstall removes it'
 	@echo 'make clean           removes $(B)'
 

@@ -237,7 +237,8 @@ uint32_t smvm_shape(uint8_t opcode);                  // returns the SMVM_SHAPE_
 uint8_t smvm_check_pins(SmvmBytes image, SmvmAt *at);
 
 // Windows, for every interpreter (interp.c): the code of stdlib/roll.h is long, so only one copy is compiled.
-void smvm_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x);
+// smvm_sample: adds x to a window of the machine at vm, which runs a step; for a window of times, x is its event.
+void smvm_sample(const SmVm *vm, uint64_t *w, uint32_t n, uint32_t kind, SmF64 x);
 SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat);
 
 // Element access for code outside the interpreter: sm_load and sm_store without a second copy of their code (interp.c).

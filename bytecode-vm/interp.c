@@ -58,7 +58,12 @@ void smvm_add_sample(SmVm *vm, SmvmAt w)
 {
     const uint32_t entry = smvm_window(vm->image, vm->tables.windows, w);
 
-    sm_roll_sample_cell(smvm_windows_of(vm)[w], smvm_window_size(entry), smvm_window_kind(entry), vm->y);
+    const uint16_t kind = smvm_window_kind(entry);
+
+    if ((kind & SM_ROLL_TYPE) == SM_ROLL_TIMES)
+        sm_roll_sample_event(smvm_windows_of(vm)[w], smvm_window_size(entry), kind, sm_cell_load(SM_U64, vm->y), vm->next - 1);
+    else
+        sm_roll_sample_cell(smvm_windows_of(vm)[w], smvm_window_size(entry), kind, vm->y);
 }
 
 // Returns a statistic of window w.
@@ -206,14 +211,20 @@ void smvm_store(SmF64 x, uint8_t type, void *at) { number_store_real(x, type, (u
 
 // ---- windows ----
 
-void smvm_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { sm_roll_sample(w, n, kind, x); }
+void smvm_sample(const SmVm *vm, uint64_t *w, uint32_t n, uint32_t kind, SmF64 x)
+{
+    if ((kind & SM_ROLL_TYPE) == SM_ROLL_TIMES)
+        sm_roll_sample_event(w, n, kind, sm_to_u64(x), vm->next - 1);
+    else
+        sm_roll_sample(w, n, kind, x);
+}
 SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat) { return sm_roll_stat(w, n, kind, stat); }
 
 SMVM_NOINLINE static void push_sample(const Interpreter *r, SmvmAt w, const Number *x)
 {
     const uint32_t entry = (uint32_t)read_entry(r, r->t->windows, w, SMVM_WINDOW_ENTRY);
 
-    smvm_sample(smvm_windows_of(r->vm)[w], smvm_window_size(entry), smvm_window_kind(entry), number_f64(x));
+    smvm_sample(r->vm, smvm_windows_of(r->vm)[w], smvm_window_size(entry), smvm_window_kind(entry), number_f64(x));
 }
 
 SMVM_NOINLINE static void read_statistic(const Interpreter *r, uint8_t stat, SmvmAt w, Number *x)

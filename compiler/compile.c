@@ -1,25 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 // The compiler: every stage from source text to findings and artefacts.  Read compile_sources() at the end first.
 //
-//    .sv ── parse ── AST ── check ──▶ StateVec; again for each machine that is bound to it, and for the pins
+//    .sv ── parse ── AST ── check ──▶ StateVec; parsed again for each .sm, .io and .net that is bound to it
 //    .io ── parse ── AST ── check ──▶ IoMap, for the image, the C of the pins, and findings about pins
 //    .sm ── parse ── AST ── check ──▶ Program ── build ──▶ IR ──┬── analyse ──▶ findings
 //                                        │                      └── passes ──▶ IR ──┬──▶ image (emit/bytecode)
 //                                        │                                          ├── passes for C ──▶ C (emit/c)
 //                                        │                                          └──▶ image with lines ── costs ── limits ──▶ findings
-//                                        └── checked again if scripts write its locals ──▶ Program for scripts
-//    .ss ── parse ── AST ── check with that Program ──▶ Script
+//                                        └── parsed and checked again if scripts write its locals ──▶ Program for scripts
+//    .ss ── parse without messages ──▶ the locals that it writes and its delta_t, for the stages above
+//        ── parse ── AST ── check with the Program for scripts ──▶ Script
 //    .net ─ parse ── AST ── check ──▶ Network, for the C of the messages and their dictionary
 //    .app ─ parse ── AST ── check ──▶ App, with the IoMap of its pins, a StateVec for all and a Program for each machine, as above;
-//                                     ── analyse ──▶ findings; all its C is emitted together
+//                                     ── analyse ──▶ findings; C: X_app.c with the tasks and the images, and a file for each
+//                                     vector, map of pins and machine in C
 //    findings ── @allow ── -W ── sort ──▶ diagnostics of the caller
+//    tokens, AST or IR ──▶ dump (--emit=tokens, ast or ir)
 //
-// Machines pass their stages one after the other; then findings about all of them together.  Images and C are emitted last, and only if
-// there is no error.  The caller runs scripts on engines (script/), writes reports (report/), and writes files if compile_sources()
-// returned true: -Werror turns findings into errors after images and C have been emitted.
+// Machines pass their stages one after the other; then findings about all of them together.  Images, C and IR are emitted last, and only if
+// there is no error.  A dump of tokens or the AST skips the stages after it.  All of these are artefacts (Compiled.artefact).  A tree is
+// freed when it has been checked, so a source that is needed again is parsed again.  The optimised IR of a machine is stored in
+// Compiled.of.  That of an application's machines is not: the limits and the emission each build it.
+//
+// Values that a variable can have are computed from the IR (facts/): analyses, passes and emit/c use them.
+//
+// The caller runs scripts on engines (script/), writes reports (report/), and writes the artefacts if compile_sources() returned true:
+// -Werror turns findings into errors after they have been emitted.  The engines do not run the artefacts: session_open_vm() builds its own
+// IR and image from the Program.
 //
 // Each stage is a function of its folder, and the header of that folder states what the stage relies on.  A function of session.h that
-// reported an error returns NULL.  Stages that do not depend on its result still run, so that one call reports as many errors as possible.
+// parses or checks returns NULL after errors.  Stages that do not depend on its result still run, so that one call reports as many errors as possible.
 // Parsing always produces a tree, with error nodes, so that checking finds further errors.
 #include "compiler/compile.h"
 
@@ -159,12 +169,9 @@ static void compile_files(Compilation *c)
 // A machine that becomes C is an error.
 static void check_app_limits(Compilation *c, const App *a)
 {
-    CompiledSource of;
-
-    memset(&of, 0, sizeof of);
     c->s->locals = artefacts_image_locals(c->o);
     for (size_t i = 0; i < a->machine.n; i++) {
-        of.program = a->machine.at[i]->program;
+        CompiledSource of = {.program = a->machine.at[i]->program};
         if (a->machine.at[i]->bytecode)
             build_ir_and_measure(c, &of);
         else

@@ -49,7 +49,7 @@ typedef struct MachineInput {
     const Map *written_outside;   // the locals that code outside the machine writes (check_machine); or NULL
 } MachineInput;
 
-// Each of these functions returns NULL if there were errors, which are then in s->diags.
+// Functions that parse or check return NULL after errors, which are then in s->diags.
 AstFile *session_parse(Session *s, const Source *src, FileKind kind);
 StateVec *session_state_vector(Session *s, const Source *sv);
 // The messages of `net`; also returns NULL if the state vector has errors.

@@ -390,19 +390,26 @@ PSL_SUITE       = $(filter-out tests/psl/bench_% tests/psl/own_% tests/psl/qemu_
 PSL_WATCHDOG    = watchdog_process
 PSL_FLAGS_linux = -DPSL_LINUX_IIO='"iio"'
 PSL_OBJ_linux   = psl/linux
-$(B)/psl/linux/%.o: %.c
-	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(PSL_FLAGS_linux) $(DEPFLAGS) -c $< -o $@
+# On sbRIO, tests/sbrio has a stand-in for the library and FPGA of NI.
+PSL_FLAGS_sbrio = -Itests/sbrio -Itests/psl
+PSL_OBJ_sbrio   = psl/sbrio
+PSL_TEST_sbrio  = tests/sbrio/NiFpga.c
+define psl_objects
+$$(B)/psl/$(1)/%.o: %.c
+	@mkdir -p $$(@D)
+	$$(call say,CC)$$(CC) $$(STRICT_C) $$(WARN) $$(CFLAGS) $$(PSL_FLAGS_$(1)) $$(DEPFLAGS) -c $$< -o $$@
+endef
+$(foreach platform,linux sbrio,$(eval $(call psl_objects,$(platform))))
 PSL_WRAP_linux  = $(patsubst %,-Wl$(,)--wrap=%,write fsync fdatasync rename unlink syscall timer_settime ppoll accept4 recvmsg connect)
 define psl_test
 include runtime-c/psl/$(1)/psl.mk
-PSL_SRC_$(1)  := $$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) stdlib/result.c runtime-c/io.c runtime-c/pin.c runtime-c/statevec.c
+PSL_SRC_$(1)  := $$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) $$(PSL_TEST_$(1)) stdlib/result.c runtime-c/io.c runtime-c/pin.c runtime-c/statevec.c
 PSL_LIBS_$(1) := $$(PSL_LIBS)
 $$(B)/psl/$(1)/suite: $$(PSL_SRC_$(1):%.c=$$(B)/$(or $(PSL_OBJ_$(1)),obj)/%.o)
 	@mkdir -p $$(@D)
 	$$(call say,LD)$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ $$(PSL_WRAP_$(1)) $$(PSL_LIBS_$(1))
 endef
-$(foreach platform,linux sim desk none,$(eval $(call psl_test,$(platform))))
+$(foreach platform,linux sbrio sim desk none,$(eval $(call psl_test,$(platform))))
 
 # Tests with threads run a second time under the thread sanitizer.  has_tsan is empty if the compiler lacks it.
 TSAN = test ! -s $(B)/has_tsan || $(CC) $(STRICT_C) -O1 -g -fsanitize=thread
@@ -809,8 +816,9 @@ $(call test, host-files,           thorough, $(B)/host/files, $(call HOST_FOLDER
 $(call test, host-signals,         thorough, $(B)/host/signals, $(call HOST_FOLDER,signals) $(B)/host/signals $(abspath $(B))/smc $(abspath examples)/tank/tank.sm $(abspath examples)/tank/tank.ss $(abspath $(B))/host/signals.made)
 $(call test, host-names,           thorough, $(B)/flight/flight.log, sh tests/host/names.sh $(B)/smc $(B)/host/names.made $(B)/flight/flight.log)
 
-$(foreach p,linux sim desk none,$(call test,psl-$(p),thorough,$(B)/psl/$(p)/suite,$(B)/psl/$(p)/suite))
+$(foreach p,linux sbrio sim desk none,$(call test,psl-$(p),thorough,$(B)/psl/$(p)/suite,$(B)/psl/$(p)/suite))
 NEEDS_thorough += $(B)/psl/linux/runtime-c/psl/linux/watchdog.o
+$(call test, +sbrio,               thorough,, sh tests/sbrio/run.sh '$(MAKE)' $(B) '$(CC)')
 # A program under the thread sanitizer is not there if the compiler lacks it.
 $(call test, psl-tsan,             thorough, $(B)/psl/tsan, if test -x $(B)/psl/tsan; then $(B)/psl/tsan; else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi)
 $(foreach t,$(RUNTIME_TESTS),$(call test,runtime-$(notdir $(t)),thorough,$(t),$(t)))
@@ -839,6 +847,7 @@ $(call test, avr-c,                targets, $(B)/diff/difftest $(B)/targets/case
 $(call test, arduino,              targets, arduino, CC='$(CC)' sh tests/arduino/run.sh $(B) $(ARDUINO) '$(VERSION)')
 $(call test, app-targets,          targets, $(RUNTIME_MADE), sh tests/targets/app.sh $(B) '$(CC)')
 $(call test, runtime-targets,      targets,, CC='$(CC)' sh tests/runtime/targets.sh $(B)/smc)
+$(call test, +sbrio-arm,           targets,, sh tests/sbrio/run.sh '$(MAKE)' $(B) '$(CC)' arm)
 $(call test, models,               targets,, sh tests/check/models.sh $(STRICT_C) $(WARN))
 # tests/windows: smc.exe and smc.dll under Wine.  `make windows-campaign` runs the same as 32-bit programs, which needs a Wine that has them.
 WINDOWS_RUN = '$(MAKE)' '$(B)' '$(CC)'

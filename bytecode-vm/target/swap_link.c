@@ -345,7 +345,7 @@ static SmResult use_number(SmSwapLink *l)
     SmvmMac m;
     SmResult r;
 
-    if (l->is_number_used)                                // END has arrived before, and the swap could not begin yet
+    if (l->is_number_used)                                // the host repeated END because the swap could not begin at the first
         return SM_OK;
     smvm_mac_begin(&m, l->key);
     for (uint32_t i = 0; i < end; i++)

@@ -224,7 +224,7 @@ static void fill_in_bytes(ImageReader *r, Cost *out)
         window->type = (SmType)(kind & SM_ROLL_TYPE);
         window->bytes = 8 * sm_roll_words(window->size, kind);
         out->windows += window->bytes;
-        out->windows_small += 8 + (kind & SM_ROLL_MEDIAN ? 2 : 1) * sm_roll_row_bytes(window->size, kind);
+        out->windows_small += 8 + (kind & SM_ROLL_MEDIAN ? 2 : 1) * sm_roll_row_bytes(sm_roll_slots(window->size, kind), kind);
     }
     out->own = out->ram - out->locals - out->windows;
 }

@@ -124,10 +124,17 @@ static uint32_t cycles_of_window(const Cycles *c, uint32_t window, CyclesWindow 
     return cycles_of_window_row(has_median ? sorted : plain, (uint8_t)(kind & SM_ROLL_TYPE), entry & SMVM_WINDOW_SIZE_MASK);
 }
 
+static bool stores_times(const Cycles *c, uint32_t window)
+{
+    return (smvm_window(c->m->image, c->m->windows_at, (SmvmAt)window) >> SMVM_WINDOW_SIZE_BITS & SM_ROLL_TYPE) == SM_ROLL_TIMES;
+}
+
 // Returns the cycles of reading a statistic of a window.
 static uint32_t cycles_of_statistic(const Cycles *c, uint32_t stat, uint32_t window)
 {
     switch (stat) {
+    case SM_STAT_ELAPSED: case SM_STAT_RUN_STEPS: case SM_STAT_RUN_TIME: return row_cost(c, CYCLES_times, true);
+    case SM_STAT_OLDEST: case SM_STAT_NEWEST: case SM_STAT_CHANGE: return row_cost(c, CYCLES_change, true);
     case SM_STAT_AVG: return cycles_of_window(c, window, CYCLES_avg, CYCLES_avg);
     case SM_STAT_MEDIAN: return cycles_of_window(c, window, CYCLES_median, CYCLES_median);
     case SM_STAT_RANGE: return cycles_of_window(c, window, CYCLES_range, CYCLES_range_sorted);
@@ -198,7 +205,7 @@ static uint32_t cycles_of_opcode(Cycles *c, uint8_t op, const uint32_t *number)
              + cycles_of_store(c, (uint8_t)smvm_output(c->m, (SmvmAt)number[0]).type);
     case SMVM_goto: return row_cost(c, CYCLES_end, true) + row_cost(c, CYCLES_goto, true);
     case SMVM_end: return row_cost(c, CYCLES_end, true);
-    case SMVM_sample: return cycles_of_window(c, number[0], CYCLES_sample, CYCLES_sample_sorted);
+    case SMVM_sample: return stores_times(c, number[0]) ? row_cost(c, CYCLES_event, true) : cycles_of_window(c, number[0], CYCLES_sample, CYCLES_sample_sorted);
     default: return op >= SMVM_st_local ? cycles_of_store(c, op & OPCODE_TYPE) : cycles_of_load(c, op, number);
     }
 }

@@ -13,6 +13,7 @@
 
 // ---- why the image is not sent ----
 
+// Reports a pin that the board does not have; with `other`, two pins that the board cannot use together.
 static int report_refused_pin(Cli *c, const char *name, const SmvmPin *p, const SmvmPin *other)
 {
     Buf out;

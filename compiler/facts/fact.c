@@ -258,7 +258,7 @@ static Fact fact_of_comparison_ins(const IrIns *i, Fact a, Fact b, SmType type)
 {
     const bool nan = a.nan || b.nan;
 
-    if (is_empty(a) || is_empty(b))
+    if (is_empty(a) || is_empty(b))                       // an operand without numbers can only be NaN
         return i->op == IR_ne ? fact_of_bool(false, true) : fact_of_bool(true, false);
     if (may_be_rounded(a, type) || may_be_rounded(b, type))
         return fact_of_bool(true, true);
@@ -354,13 +354,17 @@ static Fact fact_of_average(Fact a)
 // Returns the fact about a statistic of a rolling window whose samples have the fact `sample`.
 Fact fact_of_stat(SmStat stat, Fact sample)
 {
+    const IrIns difference = {.op = IR_sub, .type = SM_F64};
     const bool infinite = has_infinity(sample);
 
     switch (stat) {
     case SM_STAT_AVG: return fact_of_average(sample);
     case SM_STAT_MEDIAN: return make_fact(sample.lo, sample.hi, false, infinite, true);      // perhaps the mean of two samples
     case SM_STAT_RANGE: return make_fact(0, infinite ? infinity() : sample.hi - sample.lo, sample.whole, infinite, false);
-    case SM_STAT_MIN: case SM_STAT_MAX: case SM_STAT_COUNT: break;
+    case SM_STAT_CHANGE: return fact_of_result(&difference, &sample, &sample, SM_F64);
+    case SM_STAT_ELAPSED: case SM_STAT_RUN_TIME: return make_fact(0, 18446744073709551616.0, true, false, false);
+    case SM_STAT_RUN_STEPS: return make_fact(0, SM_WINDOW_MAX, true, false, false);
+    case SM_STAT_MIN: case SM_STAT_MAX: case SM_STAT_OLDEST: case SM_STAT_NEWEST: case SM_STAT_COUNT: break;
     }
     return sample;
 }

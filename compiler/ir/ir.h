@@ -131,6 +131,9 @@ typedef struct IrWindow {
     const Window *first;              // set by ir_build: the first call of the program that has this window; else NULL
 } IrWindow;
 
+// Whether a window stores times: its samples are events (stdlib/roll.h), and its type is U64.
+static inline bool ir_stores_times(const IrWindow *w) { return (w->stats & SM_STATS_OF_TIMES) != 0; }
+
 typedef struct IrState {
     Str name;
     bool is_safe;                     // the state is marked @safe

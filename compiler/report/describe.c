@@ -45,7 +45,7 @@ static const char *describe_window_size(Arena *arena, const Program *p, const Wi
 // Returns a window in words.
 const char *describe_window(Arena *arena, const Program *p, const Window *w)
 {
-    static const char *const name[SM_STAT_COUNT] = {"the average", "the median", "the smallest", "the largest", "the range"};
+    static const char *const name[SM_STAT_COUNT] = {"the average", "the median", "the smallest", "the largest", "the range", "the oldest", "the newest", "the change", "the time", "the run", "the time"};
 
     return format_in(arena, "%s of `%s` over the last %s", name[w->stat], source_text(arena, w->sample->span), describe_window_size(arena, p, w));
 }

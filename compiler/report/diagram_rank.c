@@ -95,7 +95,7 @@ static void break_cycles(Layout *l)
 
 // ---- ranks ----
 
-// These return the upper and the lower end of an edge.
+// The upper and the lower end of an edge.
 static uint32_t upper_end(const DiagramEdge *e) { return e->up ? e->to : e->from; }
 static uint32_t lower_end(const DiagramEdge *e) { return e->up ? e->from : e->to; }
 

@@ -24,7 +24,7 @@ static const char *outcome_text(const ReportRun *run)
     case SCRIPT_PASSED: return "passed";
     case SCRIPT_FAILED: return "failed: an assert was false";
     case SCRIPT_ENDLESS: return "failed: did not stop";
-    case SCRIPT_TIME_OVER: return "failed: G would overflow";
+    case SCRIPT_TIME_OVERFLOW: return "failed: G would overflow";
     case SCRIPT_CANCELLED: return "cancelled";
     case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: return "failed: error in the engine";
     }

@@ -156,7 +156,7 @@ static const char *outcome_text(ScriptOutcome o)
     case SCRIPT_PASSED: return "passed";
     case SCRIPT_FAILED: return "failed";
     case SCRIPT_ENDLESS: return "did not reach @stop";
-    case SCRIPT_TIME_OVER: return "ran out of time";
+    case SCRIPT_TIME_OVERFLOW: return "ran out of time";
     case SCRIPT_BROKEN: return "could not be run";
     case SCRIPT_CANCELLED: return "was cancelled";
     case SCRIPT_DIFFERENT: return "gave different values on different engines";
@@ -195,7 +195,7 @@ bool case_run_scripts(SmtCase *c, Engine **engine, size_t engines, uint64_t max_
         buf_init(&trace.text, arena);
         r = script_run(arena, &c->s->diags, c->script[i], engine, engines, &o);
         if (must_pass ? r.outcome != SCRIPT_PASSED
-                      : r.outcome != SCRIPT_FAILED && r.outcome != SCRIPT_ENDLESS && r.outcome != SCRIPT_TIME_OVER)
+                      : r.outcome != SCRIPT_FAILED && r.outcome != SCRIPT_ENDLESS && r.outcome != SCRIPT_TIME_OVERFLOW)
             buf_printf(&c->why, "%s should %s, but %s\n", f->part.at[i].name, must_pass ? "pass" : "fail", outcome_text(r.outcome));
         works &= r.outcome != SCRIPT_BROKEN;
         script_report(&r, c->p, &report);

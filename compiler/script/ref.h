@@ -23,7 +23,10 @@ double ref_pure(SmBuiltin fn, const double *arg);     // the result of a builtin
 // A rolling window: the samples of an expression in the last steps.
 typedef struct RefWindow {
     const Window *what;       // its definition in the program
-    double *slot;             // what->size samples, a ring buffer
+    double *slot;             // what->size samples, a ring buffer; NULL: it stores times
+    uint64_t *time;           // of a window of times: what->size times, a ring buffer; of a run: the first
+    uint64_t last;            // of a run: the time of the last sample
+    bool ran;                 // of a run: there has been a sample
     uint32_t next;            // index of the next sample
     uint32_t filled;          // slots 0 … filled - 1 contain samples
 } RefWindow;

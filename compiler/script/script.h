@@ -12,7 +12,7 @@ typedef enum ScriptOutcome {
     SCRIPT_PASSED,
     SCRIPT_FAILED,            // an assert was false
     SCRIPT_ENDLESS,           // no @stop was reached within max_steps
-    SCRIPT_TIME_OVER,         // G cannot advance any further
+    SCRIPT_TIME_OVERFLOW,         // G cannot advance any further
     SCRIPT_CANCELLED,         // ScriptOptions.is_cancelled returned true
     SCRIPT_BROKEN,            // an engine failed
     SCRIPT_DIFFERENT          // two engines disagree

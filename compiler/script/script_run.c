@@ -138,7 +138,7 @@ static void call_after_step(ScriptRun *r)
 static void advance_time(ScriptRun *r)
 {
     if (r->g >= UINT64_MAX - r->s->delta_t) {         // G would overflow, or reach 2^64-1
-        run_finish(r, SCRIPT_TIME_OVER);
+        run_finish(r, SCRIPT_TIME_OVERFLOW);
         return;
     }
     r->g += r->s->delta_t;
@@ -223,7 +223,7 @@ static void report_endless(ScriptRun *r)
     history_add(r, diag_report(r->diags, DIAG_script_endless, stop ? stop->stop_span : start_of_script(r), format_in(r->arena, "%" PRIu64, r->o->max_steps)));
 }
 
-static void report_time_over(ScriptRun *r)
+static void report_time_overflow(ScriptRun *r)
 {
     history_add(r, diag_report(r->diags, DIAG_script_time_over, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->result.steps)));
 }
@@ -250,7 +250,7 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
     switch (r.result.outcome) {
     case SCRIPT_FAILED: assert_report_failure(&r); break;
     case SCRIPT_ENDLESS: report_endless(&r); break;
-    case SCRIPT_TIME_OVER: report_time_over(&r); break;
+    case SCRIPT_TIME_OVERFLOW: report_time_overflow(&r); break;
     case SCRIPT_PASSED: case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: break;
     case SCRIPT_CANCELLED: return r.result;
     }

@@ -154,9 +154,12 @@ static inline SmOperator *expr_ops(const Expr *e) { return (SmOperator *)(void *
 
 // The window of one roll call in the source.  Every call has its own Window; the IR builder merges equal windows.
 typedef struct Window {
-    Expr *sample;             // the sampled expression
+    Expr *sample;             // the sampled expression; of a window of times: an event that is 0 or not
     uint32_t size;            // n: 1 … SM_WINDOW_MAX
     SmStat stat;
+    const Var *time;          // of a window of times (SM_STATS_OF_TIMES): G
+    uint64_t gap;             // of a run: it begins again if G has advanced by more than this since the last step; 0: never
+    uint32_t clock;           // of a run with a gap: the window, with SM_STAT_ELAPSED, of the times of the last two steps
     Span span;
     bool in_time;             // the call has a time instead of n: (size - 1) * Program.step
 } Window;

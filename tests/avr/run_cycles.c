@@ -394,7 +394,7 @@ static uint32_t window_cycles(Probe *p, SmType type, unsigned n, CyclesWindow ro
     static const unsigned stat[][2] = {{0, 0}, {0, 0}, {SM_STAT_AVG, SM_STAT_AVG}, {SM_STAT_MIN, SM_STAT_MAX}, {SM_STAT_RANGE, SM_STAT_RANGE},
                                        {SM_STAT_MIN, SM_STAT_MAX}, {SM_STAT_RANGE, SM_STAT_RANGE}, {SM_STAT_MEDIAN, SM_STAT_MEDIAN}};
     const bool sorted = row == CYCLES_sample_sorted || row >= CYCLES_extreme_sorted, samples = row <= CYCLES_sample_sorted;
-    const unsigned all = (1u << SM_STAT_COUNT) - 1, stats = sorted ? all : all & ~(1u << SM_STAT_MEDIAN);
+    const unsigned all = (1u << SM_STAT_OLDEST) - 1, stats = sorted ? all : all & ~(1u << SM_STAT_MEDIAN);
     uint32_t most = 0;
 
     for (unsigned which = 0; which < (samples ? 1u : 2u); which++) {

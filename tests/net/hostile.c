@@ -60,7 +60,8 @@ typedef struct Oracle {
 static bool is_finite_f32(uint64_t bits) { return (bits & 0x7F800000u) != 0x7F800000u; }
 static bool is_finite_f64(uint64_t bits) { return (bits & 0x7FF0000000000000u) != 0x7FF0000000000000u; }
 
-static bool has_numbers(const Oracle *o, const uint8_t *at)
+// Whether each value of the payload is one that its type allows: 0 or 1, and no NaN or infinity.  The sealed message has one BOOL only.
+static bool has_valid_values(const Oracle *o, const uint8_t *at)
 {
     return at[16] <= 1 && (o->sealed || (is_finite_f32(get(at + 17, 4)) && is_finite_f64(get(at + 23, 8))));
 }
@@ -101,7 +102,7 @@ static SmNetCount judge(Oracle *o, const uint8_t *at, size_t n, uint64_t now)
         return SM_NET_hash;
     if (o->sealed ? !has_code(at) : at[3] != 0)
         return SM_NET_key;
-    if (!has_numbers(o, at))
+    if (!has_valid_values(o, at))
         return SM_NET_nan;
     return judge_order(o, (uint32_t)get(at + 8, 4), (uint32_t)get(at + 12, 4), now);
 }

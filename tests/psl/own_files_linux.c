@@ -21,7 +21,7 @@
 
 static char memory_name[64];
 
-static PalNvm reopened(void)
+static PalNvm reopen(void)
 {
     PalNvm memory = {0};
 
@@ -29,7 +29,7 @@ static PalNvm reopened(void)
     return memory;
 }
 
-static void fill(PalNvm memory, uint8_t value)
+static void fill_memory(PalNvm memory, uint8_t value)
 {
     uint8_t bytes[SIZE];
 
@@ -37,7 +37,7 @@ static void fill(PalNvm memory, uint8_t value)
     CHECK(pal_nvm_write(memory, 0, bytes, SIZE) == SM_OK);
 }
 
-// The value of all bytes, or -1 if they are not the same.
+// Returns the value of all bytes; -1 if they differ.
 static int value_of(PalNvm memory)
 {
     uint8_t bytes[SIZE];
@@ -50,34 +50,34 @@ static int value_of(PalNvm memory)
     return bytes[0];
 }
 
-// The new file is on the medium before it gets the name, and the name before the call returns.
-static void in_this_order(void)
+// A new file is on the medium before it gets its name, and the name is there before the call returns.
+static void test_order_of_calls(void)
 {
-    PalNvm memory = reopened();
+    PalNvm memory = reopen();
 
     fault(-1, 0, false);
-    fill(memory, 3);
+    fill_memory(memory, 3);
     no_fault();
     CHECK(strcmp(calls(), "wwwfrf") == 0);
     CHECK(pal_nvm_close(memory) == SM_OK);
 }
 
-// Cuts the power before each call in turn; when it is back, all is old or all is new.
-static void cut_anywhere(void)
+// Cuts the power before each call in turn.  Afterwards the content is the old or the new one.
+static void test_power_cuts(void)
 {
     const uint8_t bytes[SIZE] = {0};
     bool done = false, was_old = false, was_new = false;
 
     for (int calls = 0; calls < 20 && !done; calls++) {
-        PalNvm memory = reopened();
+        PalNvm memory = reopen();
         int value;
 
-        fill(memory, 1);
+        fill_memory(memory, 1);
         fault(calls, EIO, true);
         done = pal_nvm_write(memory, 0, bytes, SIZE) == SM_OK;
         no_fault();
         CHECK(pal_nvm_close(memory) == SM_OK);
-        memory = reopened();
+        memory = reopen();
         value = value_of(memory);
         CHECK(value == (done ? 0 : 1) || value == 0);
         was_old = was_old || value == 1;
@@ -87,15 +87,15 @@ static void cut_anywhere(void)
     CHECK(done && was_old && was_new);
 }
 
-// A write that fails leaves the memory usable and nothing lying about.
-static void full_disk(void)
+// A failed write leaves the memory usable, and no temporary file.
+static void test_full_disk(void)
 {
-    PalNvm memory = reopened();
+    PalNvm memory = reopen();
     const uint8_t bytes[SIZE] = {0};
     char name[80];
 
     snprintf(name, sizeof name, "%s.new", memory_name);
-    fill(memory, 1);
+    fill_memory(memory, 1);
     for (int left = 0; left < 3; left++) {
         fault(left, ENOSPC, false);
         CHECK(pal_nvm_write(memory, 0, bytes, SIZE) == SM_E_SPACE);
@@ -104,7 +104,7 @@ static void full_disk(void)
         CHECK(value_of(memory) == 1);
         CHECK(access(name, F_OK) != 0);
     }
-    fill(memory, 2);
+    fill_memory(memory, 2);
     CHECK(value_of(memory) == 2);
     CHECK(pal_nvm_close(memory) == SM_OK);
 }
@@ -116,7 +116,7 @@ static void size_on_disk(off_t expected)
     CHECK(stat(memory_name, &s) == 0 && s.st_size == expected);
 }
 
-static void lengthens(void)
+static void test_file_is_lengthened(void)
 {
     PalNvm memory = {0};
     uint8_t x = 5, two[2] = {0, 0};
@@ -157,13 +157,13 @@ static void no_line(void)
     CHECK(pal_serial_open(&line, memory_name, 9600) == SM_E_UNSUPPORTED && line.id == 0);
 }
 
-static void nvm(void)
+static void test_nvm(void)
 {
     snprintf(memory_name, sizeof memory_name, "%s.own", bench.nvm_name);
-    in_this_order();
-    cut_anywhere();
-    full_disk();
-    lengthens();
+    test_order_of_calls();
+    test_power_cuts();
+    test_full_disk();
+    test_file_is_lengthened();
     no_file();
     no_line();
     unlink(memory_name);
@@ -181,8 +181,8 @@ static PalLogFile log_opened(void)
     return file;
 }
 
-// A new file's name is on the medium when open returns; bytes go on from where they stopped; only sync waits.
-static void log_order(void)
+// A new file's name is on the medium when open returns.  Writing continues where it stopped.  Only sync waits.
+static void test_log_order(void)
 {
     PalLogFile file;
 
@@ -288,8 +288,8 @@ static void local_sockets(void)
 
 Tally own_files_linux(void)
 {
-    nvm();
-    log_order();
+    test_nvm();
+    test_log_order();
     log_full();
     no_log();
     local_sockets();

@@ -116,7 +116,7 @@ static void datagrams_do_not(PalSocket a, PalSocket b)
     CHECK(pal_socket_accept(a, &b, NULL, 0) == SM_E_ARGUMENT);
 }
 
-static void datagrams(void)
+static void test_datagrams(void)
 {
     const PalAddress elsewhere = {{192, 0, 2, 1}, 0};     // never anybody's: RFC 5737
     PalSocket a = udp(), b = udp(), c = {0};
@@ -219,8 +219,8 @@ static void peer_goes(void)
     CHECK(pal_socket_close(p.listening) == SM_OK);
 }
 
-// The peer reads nothing: send gives up in time, returns how much it sent, and none of that is lost.
-static void peer_is_slow(void)
+// The peer reads nothing: send returns at its timeout, with the number of bytes that it sent, and none of these is lost.
+static void test_slow_peer(void)
 {
     static uint8_t bytes[8192], in[8192];
     Pair p = connected();
@@ -248,7 +248,7 @@ typedef struct Reader {
     bool same_bytes;
 } Reader;
 
-// Receives in small pieces until the peer closes.
+// Receives in small pieces until the peer closes the connection.
 static void read_all(void *of)
 {
     Reader *r = of;
@@ -260,8 +260,8 @@ static void read_all(void *of)
             r->same_bytes = r->same_bytes && in[i] == r->came % 251;
 }
 
-// More than the buffers can contain: one call of send transfers it in parts, while another thread reads.
-static void peer_reads(void)
+// More bytes than the buffers can contain: one call of send transfers them in parts, while another thread reads.
+static void test_peer_that_reads(void)
 {
     static uint8_t bytes[251 * 16000];
     const PalThreadPlan plan = {NULL, 0, 0};
@@ -357,12 +357,12 @@ Tally contract_socket(void)
         return TALLY();
     }
     bad_handles();
-    datagrams();
+    test_datagrams();
     streams_arrive();
     peer_goes();
-    peer_is_slow();
+    test_slow_peer();
     if (bench.threads == HAS)
-        peer_reads();
+        test_peer_that_reads();
     no_listener();
     bad_stream_arguments();
     table_is_full();

@@ -49,7 +49,7 @@ static SmResult board_leave(void *context, const uint8_t *begin, uint8_t n)
     return SM_OK;
 }
 
-// It has pins 1 to 3, and they are what they are called.
+// The board has pins 1 to 3, with the numbers 1 to 3.
 static uint8_t board_pin(uint16_t number, uint8_t kind)
 {
     return kind == 2 && number >= 1 && number <= 3 ? (uint8_t)number : SMVM_NO_PIN;
@@ -63,7 +63,7 @@ static bool board_opens(Board *b)
     return true;
 }
 
-// Power on: the content of RAM is lost.
+// Switches the power on: the content of RAM is lost.
 static bool board_start(Board *b)
 {
     sim_power_on();
@@ -88,7 +88,7 @@ static bool board_start(Board *b)
     return b->up;
 }
 
-// A new board with an empty memory.
+// Resets to a new board with an empty memory.
 static bool board_new(Board *b, const char *memory, uint8_t slots)
 {
     memset(b, 0, sizeof *b);

@@ -35,7 +35,7 @@ static void begin(const SwapMachine *a)
     reset_and_begin(&plan);
 }
 
-// Swaps a for `to` and runs until the swap has been exchanged or refused.  Returns the reason.
+// Swaps machine `a` for `to`, and runs until the machines are exchanged or the swap is refused.  Returns the reason.
 static SmSwapReason swap(const SwapMachine *to, SmSwapMode mode, const char *state)
 {
     CHECK(stage_swap("a", to, mode, state) == SM_OK);
@@ -152,7 +152,7 @@ static void test_two_machines(void)
     machine_free(&gone);
 }
 
-// A step whose stores could not be written to the guarded vector yet has not ended: the exchange waits for it.
+// The exchange waits while a step's stores have not yet reached the guarded vector.
 static void test_stores_due(void)
 {
     unsigned due = 0;

@@ -19,7 +19,7 @@ static uint64_t next_random(void)                     // xorshift
     return random_state ^= random_state << 17;
 }
 
-// Bits anywhere, near a power of two, or a small number with a fraction of eighths.
+// Returns random bits, a number near a power of two, or a small number in eighths.
 static double random_number(void)
 {
     uint64_t r = next_random();
@@ -92,10 +92,12 @@ static void compare_with_stdlib(void)
 #define SM_PURE(name, arguments, sentence) CHECK(same(ref_pure(SM_FN_##name, a), CALL_##arguments(sm_##name)));
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
 #define SM_ROLL(name, stat, sentence)
+#define SM_SAMPLED(name, arguments, sentence)
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
 #undef SM_ROLL
+#undef SM_SAMPLED
 }
 
 int main(void)

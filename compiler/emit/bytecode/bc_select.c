@@ -304,7 +304,7 @@ static void compute_into_x(BcSelect *s, IrRef r)
 // ---- instructions ----
 
 // Whether all later users of r, which is in X, can read it from the variable that the store `at` writes.
-static bool can_be_read_from(const BcSelect *s, IrRef r, const BcValue *at)
+static bool users_can_read_variable(const BcSelect *s, IrRef r, const BcValue *at)
 {
     const BcValue *v = &s->value[r];
 
@@ -319,7 +319,7 @@ static void select_store(BcSelect *s, const IrIns *i, const BcValue *at)
 
     bc_bring_to_x(s, r);
     emit_zero_normalization(s, r, i->type);
-    if (same && can_be_read_from(s, r, at)) {
+    if (same && users_can_read_variable(s, r, at)) {
         s->value[r].slot = d;
         bc_drop_cvt(s, (uint32_t)i->type);
         same = s->x.value == r;
