@@ -390,7 +390,7 @@ static void check_findings(void)
 static const char sections[] = "[state_vector]\nU64 G\nU32 S\nF64 pressure\nbool stop\nbool beacon\n"
                                "[Idle]\n.step\n    pressure > 5: -> Run\n"
                                "[Run]\n.step\n    pressure > 9: -> Abort\n    pressure < 2: -> Idle\n"
-                               "[Abort]\n[Lost]\n.step\n    pressure > 7: -> Abort\n"
+                               "[Abort]\n[Lost]\n.step\n    pressure > 7: -> Abort\n[define]\nnone = 1\n"
                                "[all_states] @except Abort\n.step\n    beacon = true\n    stop: -> Abort\n"
                                "[all_states]\n.step\n    pressure = pressure\n";
 
@@ -448,6 +448,7 @@ static void check_section_findings(void)
     diag_report(&found, DIAG_unreachable_state, set->span, "section");
     diag_report(&found, DIAG_unreachable_state, stop->span, "transition");
     diag_report(&found, DIAG_unreachable_state, p->state.at[2]->span, "Abort");
+    diag_report(&found, DIAG_unused_definition, p->define.at[0]->span, "none");       // between a state and a section: not shown
     d = diagram_build(&a, &o);
     CHECK(d->node[4].finding.n == 1 && d->edge.at[d->node[4].first_edge].guard.at[0].finding.n == 1 && d->node[2].finding.n == 1);
     CHECK(d->node[0].finding.n == 0 && d->node[1].finding.n == 0 && d->node[3].finding.n == 0);
