@@ -301,7 +301,11 @@ SmcResult smc_report(SmcSession *s, uint32_t machine, int32_t form, const char *
 // ---- the structure of a compiled machine ----
 //
 // What the last smc_compile found in a source that is a machine, also one of an application.  A source that is none, or has errors, has no states,
-// transitions, variables or uses.  States have the numbers that S has, from 1; transitions are in the order of the source.  Lines count from 1.
+// transitions, variables or uses.  States have the numbers that S has, from 1; transitions are in the order of the states, and of the statements
+// that a state runs.  Lines count from 1.
+//
+// A statement of [all_states] belongs to every state where the section runs: a transition there is one from each of these states, all with the
+// same line.  A definition is no item: a state that uses it reads what its expression reads.
 
 enum SmcBlock { SMC_BLOCK_ENTRY = 0, SMC_BLOCK_STEP = 1, SMC_BLOCK_EXIT = 2 };
 enum SmcAccess { SMC_ACCESS_READ = 1, SMC_ACCESS_WRITE = 2 };

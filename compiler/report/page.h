@@ -40,6 +40,7 @@ Doc *report_build(Report *r);
 // ---- the sections, one file each ----
 
 void report_add_overview(Report *r, Doc *d);
+void report_add_all_states(Report *r, Doc *d);
 void report_add_states(Report *r, Doc *d);
 void report_add_transitions(Report *r, Doc *d);
 void report_add_variables(Report *r, Doc *d);
@@ -53,11 +54,12 @@ void report_add_scripts(Report *r, Doc *d);
 typedef struct FindingCount { size_t open, allowed; } FindingCount;
 FindingCount report_count_findings(const Report *r);
 
-// The part of the machine that the scripts have executed.  A pair is a state and the target of one or more of its transitions.
+// The part of the machine that the scripts have executed, by edges of its diagram (diagram_model.h).
 typedef struct Coverage {
-    size_t states_covered, states, pairs_covered, pairs;
-    size_t pairs_shared;          // covered pairs with several transitions: it is unknown which of these were taken
-    size_t transitions_most, transitions;     // of `transitions`, at least pairs_covered and at most transitions_most were taken
+    size_t states_covered, states;
+    size_t edges_unused;          // edges that no script has taken
+    bool shared;                  // for some edge it is unknown which of its transitions were taken, or whether it was taken at all
+    size_t transitions_least, transitions_most, transitions;      // of `transitions`, at least and at most so many were taken
 } Coverage;
 Coverage report_measure_coverage(const Report *r);
 DiagramCounts report_sum_counts(const Report *r);  // how often the scripts visited states and took transitions, summed over all scripts

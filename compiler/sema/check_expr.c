@@ -285,6 +285,24 @@ static Expr *check_state_comparison(Sema *s, const AstExpr *e)
     return out->arg[!first] ? out : NULL;
 }
 
+// Warns of `S == 3`, and proposes the name of the state with that number, unless the name means something else there.
+static void warn_of_state_number(Sema *s, const AstExpr *e)
+{
+    const AstExpr *number = is_state_element(s, e->a) ? without_parens(e->b) : is_state_element(s, e->b) ? without_parens(e->a) : NULL;
+    const State *state;
+    Diag *d;
+
+    if (!number || number->kind != AST_NUMBER || number->unit != TIME_NONE || !sm_eq(sm_trunc(number->number), number->number) ||
+        sm_lt(number->number, sm_from_i32(1)) || sm_lt(sm_from_u32((uint32_t)s->p->state.n), number->number))
+        return;
+    state = s->p->state.at[sm_to_u32(number->number) - 1];
+    if (scope_find_variable(s, state->name) || map_find(&s->defines, state->name) || map_find(&s->p->state_by_name, state->name) != state)
+        return;
+    d = diag_report(s->diags, DIAG_state_number, number->span, sema_quote_source(s, number->span), state->name->text);
+    diag_label(s->diags, d, DIAG_label_write, state->name->text);
+    diag_edit(s->diags, d, number->span, state->name->text);
+}
+
 // Returns S, as it is written in the comparison; NULL if neither side is S.
 static const AstExpr *state_element_in(const Sema *s, const AstExpr *comparison)
 {
@@ -337,8 +355,10 @@ static Expr *check_binary(Sema *s, const AstExpr *e)
     report_negated_state(s, e);
     for (int k = 0; k < 2 && operator_class(e) == SM_CLASS_LOGIC; k++)
         warn_of_number_as_condition(s, e, operands[k]);
-    if (operator_class(e) == SM_CLASS_EQUALITY)
+    if (operator_class(e) == SM_CLASS_EQUALITY) {
         warn_of_negated_number(s, e);
+        warn_of_state_number(s, e);
+    }
     warn_of_times(s, e->op, e->a, e->b);
     record_operator(s, e->op);
     out = expr_new(s, EX_BINARY, e->span, 2);
@@ -507,12 +527,13 @@ static uint32_t check_step_count(Sema *s, const AstExpr *call, SmF64 x)
 }
 
 // Returns how many steps the window of a roll call or a rate has, or 0 after a report.
-static uint32_t check_window_size(Sema *s, const AstExpr *call)
+static uint32_t check_window_size(Sema *s, const AstExpr *call, bool *in_time)
 {
     SmF64 x;
     const Duration d = read_duration(s, call, &x);
 
-    if (d == DURATION_INVALID || (d == DURATION_TIME && !check_window_time(s, call->args->at[1], call->name->text, x, &x)))
+    *in_time = d == DURATION_TIME;
+    if (d == DURATION_INVALID || (*in_time && !check_window_time(s, call->args->at[1], call->name->text, x, &x)))
         return 0;
     return check_step_count(s, call, x);
 }
@@ -564,14 +585,19 @@ static bool check_samples_allowed(Sema *s, const AstExpr *call)
 
 static Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
 {
-    Expr *sample;
+    Expr *sample, *out;
     uint32_t size;
+    bool in_time;
 
     if (!check_samples_allowed(s, call))
         return NULL;
     sample = check_expr(s, call->args->at[0]);                 // gives roll calls in the sample lower indices
-    size = check_window_size(s, call);
-    return sample && size ? new_statistic(s, call, sample, size, fn->stat) : NULL;
+    size = check_window_size(s, call, &in_time);
+    if (!sample || !size)
+        return NULL;
+    out = new_statistic(s, call, sample, size, fn->stat);
+    s->windows->at[out->window].in_time = in_time;
+    return out;
 }
 
 // ---- functions that remember their argument ----
@@ -629,7 +655,8 @@ static Expr *check_rate(Sema *s, const AstExpr *call)
 {
     static const int units_a_second[TIME_UNITS] = {[TIME_US] = 1000000, [TIME_MS] = 1000, [TIME_S] = 1};
     Expr *x = check_expr(s, call->args->at[0]), *elapsed;
-    const uint32_t n = check_window_size(s, call);
+    bool in_time;
+    const uint32_t n = check_window_size(s, call, &in_time);
 
     if (x && n == 1)
         diag_report(s->diags, DIAG_rate_of_one, call->args->at[1]->span);

@@ -102,15 +102,26 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
 
 struct AstExpr;
 
+typedef struct Define Define;
+
+// A use of a definition in its own file.
+typedef struct DefineUse {
+    Span span;
+    const Define *inside;     // the definition whose expression contains the use; NULL: none
+} DefineUse;
+
 // A line of [define]: a name for an expression. A use is an Expr of its own, so only the checker and reports read this.
-typedef struct Define {
+struct Define {
     Str name;
     struct AstExpr *value;
+    Span value_span;          // the expression
     uint32_t number;          // its place among the definitions of the file; those of a script follow those of its machine
     uint32_t size;            // operations and values of its expression, with those of the definitions that it uses
     bool used;                // another part of its file uses it
+    bool expanded;            // its expression has been checked, so the uses in it are listed
+    VEC(DefineUse) use;       // in the order of the check; a use in [all_states] once for each copy
     Span span;                // position of its name in [define]
-} Define;
+};
 
 typedef VEC(Define *) Defines;
 
@@ -151,6 +162,7 @@ typedef struct Window {
     uint64_t gap;             // of a run: it begins again if G has advanced by more than this since the last step; 0: never
     uint32_t clock;           // of a run with a gap: the window, with SM_STAT_ELAPSED, of the times of the last two steps
     Span span;
+    bool in_time;             // the call has a time instead of n: (size - 1) * Program.step
 } Window;
 
 typedef VEC(Window) Windows;  // a roll call inside another one comes first, so sample windows in index order

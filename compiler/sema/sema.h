@@ -48,7 +48,7 @@ typedef struct Sema {
     unsigned guesses;         // how many more unknown names may be compared with all known ones
 
     Map defines;              // name to Define: those that the text can use
-    const Define *inside;     // the definition whose use is being checked; NULL: none
+    Define *inside;           // the definition whose use is being checked; NULL: none
     uint32_t expanded;        // how many operations and values the uses of definitions have so far
     uint32_t depth;           // the depth of the current expression below the root of its statement
     AllStates *all_states;    // the section whose statements are being checked; NULL: none

@@ -30,7 +30,7 @@ true {
 true: @assert T <= 2090
 
 [all_states]
-2700 < G < 4600: @assert S == 5 and oxidizerValve and fuelValve
+2700 < G < 4600: @assert S == Burn and oxidizerValve and fuelValve
 
 [Abort]
 true: @assert abortReason == 4 and not oxidizerValve and not fuelValve and purgeValve

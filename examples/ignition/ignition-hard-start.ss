@@ -5,7 +5,7 @@ delta_t 10
 
 [all_states]
 G == 1000: fire = true
-true: @assert S != 5
+true: @assert S != Burn
 
 [Ignite]
 T == 100: igniterLit = true

@@ -13,7 +13,7 @@ T < 2000: @assert igniter and abortReason == 0
 
 [Abort]
 true: @assert abortReason == 2 and not igniter and purgeValve
-G == 9990: @assert S == 7              # as long as the key is held
+G == 9990: @assert S == Abort              # as long as the key is held
 
 [Idle]
 G > 10000: @assert not purgeValve and abortReason == 2

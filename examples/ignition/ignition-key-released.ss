@@ -14,9 +14,9 @@ G == 22000: fire = false
 G == 30000: fire = true
 G == 33000: fire = false
 
-G ==  1490: @assert S == 2
-G == 11290: @assert S == 3
-G == 32990: @assert S == 5
+G ==  1490: @assert S == Purge
+G == 11290: @assert S == Ignite
+G == 32990: @assert S == Burn
 
 [Ignite]
 G < 21700: igniterLit = false
@@ -43,18 +43,18 @@ true {
     pressureC = 0
 }
 true: @assert abortReason == 1 and not igniter and not oxidizerValve and not fuelValve
-T < 5000: @assert S == 7 and purgeValve
+T < 5000: @assert S == Abort and purgeValve
 true: @assert T <= 5000
 
 [Idle]
 true: @assert not igniter and not oxidizerValve and not fuelValve and not purgeValve
 
 [all_states]
-G ==  1520: @assert S == 7
-G == 11320: @assert S == 7
-G == 22010: @assert S == 7
-G == 33010: @assert S == 7
+G ==  1520: @assert S == Abort
+G == 11320: @assert S == Abort
+G == 22010: @assert S == Abort
+G == 33010: @assert S == Abort
 G == 40000 {
-    @assert S == 1
+    @assert S == Idle
     @stop
 }

@@ -9,5 +9,5 @@ true {
     pressureC = 3
 }
 G == 1000: fire = true
-true: @assert S == 1 and not igniter and not oxidizerValve and not fuelValve and not purgeValve
+true: @assert S == Idle and not igniter and not oxidizerValve and not fuelValve and not purgeValve
 G == 10000: @stop

@@ -30,7 +30,7 @@ T >= 1500 {
 true: @assert T <= 1510
 
 [all_states]
-2700 < G < 4100: @assert S == 5 and fuelValve
+2700 < G < 4100: @assert S == Burn and fuelValve
 
 [Abort]
 true: @assert abortReason == 5 and not oxidizerValve and not fuelValve and purgeValve

@@ -44,10 +44,10 @@ T == 2000 {
     pressureB = 35
     pressureC = 35
 }
-T < 4000: @assert S == 5 and oxidizerValve and fuelValve
+T < 4000: @assert S == Burn and oxidizerValve and fuelValve
 
 [all_states]
-2700 < G < 6500: @assert S == 5
+2700 < G < 6500: @assert S == Burn
 
 [Shutdown]
 T == 200 {

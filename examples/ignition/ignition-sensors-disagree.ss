@@ -37,7 +37,7 @@ T >= 2000 {
 true: @assert T <= 2090
 
 [all_states]
-2700 < G < 4600: @assert S == 5 and fuelValve
+2700 < G < 4600: @assert S == Burn and fuelValve
 
 [Abort]
 true: @assert abortReason == 6 and not oxidizerValve and not fuelValve and purgeValve

@@ -6,10 +6,10 @@ delta_t 10
 [all_states]
 G == 1000: fire = true
 G == 12000: fire = false
-G == 500: @assert S == 1
+G == 500: @assert S == Idle
 true: @assert abortReason == 0
 # Fuel never flows without oxidizer, but for the 100 ms at the end; nitrogen never flows into a burning chamber.
-fuelValve and S != 6: @assert oxidizerValve
+fuelValve and S != Shutdown: @assert oxidizerValve
 oxidizerValve: @assert not purgeValve
 
 [Idle]
@@ -30,7 +30,7 @@ true: pressureB = max(0, T - 100) / 5 + 0.2
 true: pressureC = max(0, T - 100) / 5 - 0.2
 T < 60: @assert oxidizerValve and not fuelValve and igniter
 T == 60: @assert oxidizerValve and fuelValve and igniter
-T < 140: @assert S == 4
+T < 140: @assert S == Start
 true: @assert T <= 150
 
 [Burn]
@@ -54,12 +54,12 @@ T < 100: @assert fuelValve and not purgeValve
 T >= 100: @assert not fuelValve and purgeValve
 
 [all_states]
-G ==  1900: @assert S == 2
-G ==  2500: @assert S == 3
-G ==  6500: @assert S == 5
-G ==  8000: @assert S == 6
-G == 11990: @assert S == 6
+G ==  1900: @assert S == Purge
+G ==  2500: @assert S == Ignite
+G ==  6500: @assert S == Burn
+G ==  8000: @assert S == Shutdown
+G == 11990: @assert S == Shutdown
 G == 12100 {
-    @assert S == 1
+    @assert S == Idle
     @stop
 }

@@ -10,5 +10,5 @@ true {
     velocity = 160 + 12 * (floor(G / 2000) * 2000 + 1000 > G)
 }
 true: brakePosition = brakePosition + clamp(brakeOrder - brakePosition, -0.012, 0.012)
-true: @assert S != 3
+true: @assert S != Jammed
 G == 20000: @stop

@@ -11,11 +11,11 @@ true {
     brakePosition = brakeOrder
 }
 G >= 1000: velocity = 0
-G < 3000: @assert S == 1 and brakeOrder == 0
+G < 3000: @assert S == Retracted and brakeOrder == 0
 3000 <= G < 5000: velocity = 200
-G == 4000: @assert S == 2 and brakeOrder == 1
+G == 4000: @assert S == Braking and brakeOrder == 1
 G == 5000: @assert brakeOrder == 0
 G == 6000 {
-    @assert S == 1 and brakeOrder == 0
+    @assert S == Retracted and brakeOrder == 0
     @stop
 }

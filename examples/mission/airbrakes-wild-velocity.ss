@@ -15,10 +15,10 @@ G == 1010: velocity = 0
 G >= 3000: velocity = 230
 G == 4000: velocity = 250
 true: brakePosition = brakeOrder
-G < 3000: @assert S == 1 and brakeOrder == 0
-G == 3030: @assert S == 2 and brakeOrder == 1
-G == 4000: @assert S == 2 and brakeOrder == 0
+G < 3000: @assert S == Retracted and brakeOrder == 0
+G == 3030: @assert S == Braking and brakeOrder == 1
+G == 4000: @assert S == Braking and brakeOrder == 0
 G == 4010 {
-    @assert S == 1
+    @assert S == Retracted
     @stop
 }

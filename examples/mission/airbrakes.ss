@@ -11,7 +11,7 @@ true: velocity = 280 - 20 * G / 1000
 true: altitude = 300 + 270 * G / 1000 - 9.9 * G * G / 1000000
 # The drive follows its order, at full speed in half a second.
 true: brakePosition = brakePosition + clamp(brakeOrder - brakePosition, -0.02, 0.02)
-true: @assert 0 <= brakeOrder <= 1 and S != 3
+true: @assert 0 <= brakeOrder <= 1 and S != Jammed
 
 # 240 m/s are left behind after two seconds.
 [Retracted]
@@ -26,9 +26,9 @@ mayBrake and 2200 < altitude + velocity * velocity / 19.62 < 2300: @assert brake
 true: @assert G <= 14010
 
 [all_states]
-G == 1900: @assert S == 1
-G == 5000: @assert S == 2
+G == 1900: @assert S == Retracted
+G == 5000: @assert S == Braking
 G == 14100 {
-    @assert S == 1
+    @assert S == Retracted
     @stop
 }

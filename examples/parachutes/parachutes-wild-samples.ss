@@ -26,10 +26,10 @@ T == 0: @assert 235 < roll_avg(altitude, 25) < 255
 
 # These stand here and not in the section of a state: a machine that has left the state would not meet them there.
 [all_states]
-G < 1000: @assert S == 1
-2000 < G < 15000: @assert S == 2 and not drogueCharge
-17000 < G < 52000: @assert S == 3 and not mainCharge
+G < 1000: @assert S == Pad
+2000 < G < 15000: @assert S == Ascent and not drogueCharge
+17000 < G < 52000: @assert S == Drogue and not mainCharge
 G == 56000 {
-    @assert S == 4
+    @assert S == Main
     @stop
 }

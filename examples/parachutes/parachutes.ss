@@ -34,11 +34,11 @@ T >= 1000: @assert not mainCharge and not drogueCharge
 true: @assert altitude == 60 and beacon and not mainCharge
 
 [all_states]
-G == 500: @assert S == 1
-G == 8000: @assert S == 2
-G == 30000: @assert S == 3
-G == 70000: @assert S == 4
+G == 500: @assert S == Pad
+G == 8000: @assert S == Ascent
+G == 30000: @assert S == Drogue
+G == 70000: @assert S == Main
 G == 110000 {
-    @assert S == 5
+    @assert S == Landed
     @stop
 }

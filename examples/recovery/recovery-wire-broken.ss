@@ -7,9 +7,9 @@ delta_t 10
 [all_states]
 G < 4000: altitude = max(0, 200 - 4.905 * (G / 1000 - 7.4) * (G / 1000 - 7.4))
 G >= 4000: altitude = -50
-G == 4000: @assert S == 2
+G == 4000: @assert S == Ascent
 G < 12000: @assert not drogueCharge
-true: @assert not mainCharge or S == 4
+true: @assert not mainCharge or S == Main
 
 [Drogue]
 T == 0: @assert 13000 < G < 13500

@@ -29,6 +29,6 @@ true: @assert not mainCharge and not drogueCharge
 
 [all_states]
 G == 40000 {
-    @assert S == 5 and altitude == 0
+    @assert S == Descent and altitude == 0
     @stop
 }

@@ -28,8 +28,8 @@ G == 9000: chamberPressureB = 45             # one wild sample in the burn
 G == 15000: key = false
 true {
     @assert abortReason == 0 and not ventValve
-    @assert not fuelValve or oxidizerValve or S == 6
-    @assert not chillValve or S == 2
+    @assert not fuelValve or oxidizerValve or S == Shutdown
+    @assert not chillValve or S == Chill
 }
 
 [Idle]
@@ -53,9 +53,9 @@ T == 0: @assert not oxidizerValve and fuelValve
 T >= 100: @assert not fuelValve and purgeValve
 
 [all_states]
-G == 9500: @assert S == 5
-G == 14000: @assert S == 6
+G == 9500: @assert S == Burn
+G == 14000: @assert S == Shutdown
 G == 16000 {
-    @assert S == 1 and not purgeValve
+    @assert S == Idle and not purgeValve
     @stop
 }

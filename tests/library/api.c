@@ -156,6 +156,31 @@ static void test_structure(void)
     smc_close(s);
 }
 
+// A transition of [all_states] leads from each state where the section runs, all with its line; a definition counts as what it reads.
+static void test_structure_of_all_states(void)
+{
+    SmcSession *s = open_session();
+    static const char text[] = "[state_vector]\nU64 G\nU32 S\nF64 p\nbool v\n[define]\nhigh = p > 9\n"
+                               "[all_states] @except Stop\n.step\n    high: -> Stop\n    v = true\n"
+                               "[Idle]\n.step\n    G > 5: -> Run\n[Run]\n[Stop] @abort\n";
+    const uint32_t sm = add(s, SMC_KIND_SM, "tank.sm", text);
+
+    CHECK(smc_compile(s) == SMC_OK && smc_model_state_count(s, sm) == 3 && smc_model_transition_count(s, sm) == 3);
+    for (uint32_t t = 0; t < 3; t++) {
+        const bool copy = t != 1;
+        CHECK(smc_model_transition_from(s, sm, t) == 1 + t / 2 && smc_model_transition_to(s, sm, t) == (copy ? 3u : 2u));
+        CHECK(smc_model_transition_line(s, sm, t) == (copy ? 10u : 14u) && is_text(smc_model_transition_guard(s, sm, t), copy ? "high" : "G > 5"));
+        CHECK(smc_model_transition_block(s, sm, t) == SMC_BLOCK_STEP);
+    }
+    CHECK(smc_model_state_marks(s, sm, 1) == 0 && smc_model_state_marks(s, sm, 2) == 0 && smc_model_state_marks(s, sm, 3) == (SMC_MARK_ABORT | SMC_MARK_FINAL));
+    for (uint32_t state = 1; state <= 3; state++) {
+        CHECK(access_of(s, sm, state, "p") == (state < 3 ? SMC_ACCESS_READ : 0) && access_of(s, sm, state, "v") == (state < 3 ? SMC_ACCESS_WRITE : 0));
+        CHECK(smc_model_state_line(s, sm, state) == (state == 1 ? 12u : state == 2 ? 15u : 16u));
+    }
+    CHECK(smc_model_variable_count(s, sm) == 4);
+    smc_close(s);
+}
+
 // The machines of an application have a structure, too.
 static void test_structure_of_an_application(void)
 {
@@ -724,6 +749,7 @@ int main(void)
     test_compiling_together();
     test_compiling_an_application();
     test_structure();
+    test_structure_of_all_states();
     test_structure_of_an_application();
     test_removing_sources();
     test_diagnostics();

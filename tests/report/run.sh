@@ -55,6 +55,7 @@ page four-scripts 0 "$examples/mission/mission.sm" "--sv=$examples/mission/rocke
 page airbrakes 0 "$examples/mission/airbrakes.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/airbrakes*.ss
 page hostile 1 "$here/hostile.sm" "$here/hostile.ss" "$here/failing.ss"
 page twostage 0 "$root/tests/graph/machines/twostage.sm"
+page all_states 0 "$root/tests/graph/machines/all_states.sm"
 page alone 0 "$examples/tank/tank.sm"
 
 # The messages of an application.
