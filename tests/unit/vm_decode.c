@@ -196,12 +196,12 @@ static void test_operations_decode_alike(Case *c)
             make_room(c);
             put_x(c, x);
             code(&c->b, SMVM_fn, 1, n);
-            put_seen(c);
+            put_observations(c);
         }
         for (unsigned y = 0; y < 3 * SOURCES; y++) {
             put_operands(c, x, y % SOURCES);
             code(&c->b, SMVM_fn, 1, SMVM_FN_OF_TWO + y / SOURCES);
-            put_seen(c);
+            put_observations(c);
         }
         for (unsigned i = 0; i < 3 * SM_TYPE_COUNT; i++) {        // stored as it is
             make_room(c);
