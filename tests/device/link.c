@@ -301,11 +301,11 @@ static void test_too_large_image_is_not_sent(void)
         restart_board();
         CHECK(run_on_good_line("device", "info", NULL) == 0 && output_contains("at most 2 machines, without rolling windows"));
         CHECK(run_on_good_line("flash", image, NULL) == 1 && output_contains("has rolling windows (roll_...), and this board's firmware is built without them; nothing was sent"));
-        CHECK(build("[A] .step\n    x = atan2(x, 2) + cos(x)\n", 1, image) && run_on_good_line("flash", image, NULL) == 1);
+        CHECK(build_image("[A] .step\n    x = atan2(x, 2) + cos(x)\n", 1, image) && run_on_good_line("flash", image, NULL) == 1);
         CHECK(output_contains("calls cos(), and this board's firmware is built without it: that of a Mega has all functions") && output_contains("nothing was sent"));
         CHECK(remove(plain) == 0);
         restart_board();
-        CHECK(quiet("flash", image, "--period=100") == 0 && quiet("device", "confirm", NULL) == 0);
+        CHECK(run_on_good_line("flash", image, "--period=100") == 0 && run_on_good_line("device", "confirm", NULL) == 0);
     }
     CHECK(run_on_good_line("flash", images[1], "--confirm") == 0 && is_listed(images[1], ", runs, confirmed"));
 }

@@ -169,6 +169,8 @@ static void put_every(Build *b, unsigned f)
             code(b, op, shape & SMVM_SHAPE_N ? 2 : 1, shape & SMVM_SHAPE_N ? far[(op + f) % 3] : 0, 0);
         else if (shape & SMVM_SHAPE_K)
             code(b, op, 2, f % 5, 0);
+        else if (op == SMVM_fn)
+            code(b, op, 1, f % 5);
         else if (shape & SMVM_SHAPE_E)
             code(b, op, 1, 32u >> smvm_type_shift(op & 0xf));
         else if (shape & SMVM_SHAPE_FOLLOWS)
