@@ -173,6 +173,8 @@ static void check_windows(Analysis *a, const NeededParts *all)
 
     for (size_t i = 0; i < a->p->window.n; i++) {
         const Span span = a->p->window.at[i].span;
+        if (a->p->window.at[i].stat == SM_STAT_ELAPSED)            // part of held or rate, whose own window is reported
+            continue;
         if (!all->window[i])
             diag_report(a->diags, DIAG_unused_window, span, "nothing depends on what it feeds");
         else if (!executed.window[i])

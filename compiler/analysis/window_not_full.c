@@ -15,6 +15,7 @@
 enum {
     ENTRIES_TRIED = 8,            // how many situations at the entry of a state are tried
     DRAWS_MAX = 500,              // inputs tried from each situation, for each window
+    STATS_OF_SAMPLES = (1 << SM_STAT_OLDEST) - 1,
     STEPS_FOLLOWED = 60           // steps, not counting skipped ones, that are run after windows are full
 };
 static const uint64_t work_max = 30000000;          // the most IR instructions that this check executes
@@ -269,6 +270,8 @@ static void try_entry(WindowTrial *w, const TrialState *s, const TrialEntry *e)
         uint32_t *least;
         double reading;
         w->window = n % windows;
+        if (!(t->run->m->window.at[w->window].stats & STATS_OF_SAMPLES))       // prev, held and similar have no size to fill
+            continue;
         memcpy(w->in, e->in, t->inputs * sizeof *w->in);
         trial_draw_inputs(t, w->in, s, true, false);
         w->same = trial_random_below(t, 2);

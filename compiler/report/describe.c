@@ -42,12 +42,29 @@ static const char *describe_window_size(Arena *arena, const Program *p, const Wi
     return w->size == 1 ? "step" : format_in(arena, "%lu steps", (unsigned long)w->size);
 }
 
+// Returns what a window samples, as it is written.  The checker adds two `not` to a condition, which have the position of the call.
+static const char *describe_sample(Arena *arena, const Window *w)
+{
+    const Expr *e = w->sample;
+
+    while (e->kind == EX_UNARY && e->op == SM_OP_NOT && e->span.at == w->span.at)
+        e = e->arg[0];
+    return source_text(arena, e->span);
+}
+
 // Returns a window in words.
 const char *describe_window(Arena *arena, const Program *p, const Window *w)
 {
-    static const char *const name[SM_STAT_COUNT] = {"the average", "the median", "the smallest", "the largest", "the range", "the oldest", "the newest", "the change", "the time", "the run", "the time"};
+    static const char *const name[] = {"the average", "the median", "the smallest", "the largest", "the range"};
+    const char *sample = describe_sample(arena, w), *size = describe_window_size(arena, p, w);
 
-    return format_in(arena, "%s of `%s` over the last %s", name[w->stat], source_text(arena, w->sample->span), describe_window_size(arena, p, w));
+    switch (w->stat) {
+    case SM_STAT_OLDEST: case SM_STAT_NEWEST: return format_in(arena, "`%s` in this step and in the one before", sample);
+    case SM_STAT_CHANGE: return format_in(arena, "the change of `%s` over the last %s, per second", sample, size);
+    case SM_STAT_RUN_STEPS: return format_in(arena, "whether `%s` was true in the last %s", sample, size);
+    case SM_STAT_RUN_TIME: return format_in(arena, "how long `%s` has been true", sample);
+    default: return format_in(arena, "%s of `%s` over the last %s", name[w->stat], sample, size);
+    }
 }
 
 static uint32_t line_of(Span span) { return source_position(span.src, span.at).line; }
