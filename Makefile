@@ -66,7 +66,7 @@ $(B)/smc $(B)/smc.exe: $(COMMAND:%.c=$(B)/obj/%.o) $(B)/libsmc.a
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(if $(filter %.exe,$@),-lws2_32)
 
 # The texts of the stdlib functions that emitted C quotes.
-EMBEDDED = stdlib/f64.h stdlib/convert.h stdlib/math.h stdlib/roll.h
+EMBEDDED = stdlib/f64.h stdlib/convert.h stdlib/math.h stdlib/roll.h stdlib/flash.h stdlib/elementary.h
 $(B)/embed_tool: compiler/emit/c/embed_tool.c
 	@mkdir -p $(@D)
 	$(call say,CC)$(BUILD_CC) -std=c99 -pedantic -Wall -Wextra $< -o $@
@@ -92,11 +92,11 @@ MCU         ?= atmega2560
 F_CPU       ?= 16000000
 AVR_CC      ?= avr-gcc
 FIRMWARE_OUT = $(B)/firmware
-FIRMWARE_SRC = $(addprefix bytecode-vm/,firmware/firmware.c firmware/runner.c target/store.c target/agent.c target/state_log.c target/io.c auth.c permit.c pins.c load.c verify.c interp.c interp_avr_eeprom.S) \
+FIRMWARE_SRC = $(addprefix bytecode-vm/,firmware/firmware.c firmware/runner.c target/store.c target/agent.c target/state_log.c target/io.c auth.c permit.c pins.c load.c verify.c interp.c function.c interp_avr_eeprom.S) \
                runtime-c/link/link.c runtime-c/link/transition.c runtime-c/pin.c runtime-c/event.c $(wildcard runtime-c/psl/avr/*.c stdlib/soft_*.c stdlib/soft_*.S)
 # What makes avr-gcc 5.4 make the least of it, together 3 % less than -Os, -mcall-prologues, -mrelax and -flto alone.
 FIRMWARE_SMALL = -Os -mcall-prologues -mrelax -mstrict-X -flto -flto-partition=one -fira-algorithm=priority -fshort-enums -fno-ipa-sra -fno-tree-dominator-opts \
-               -finline-limit=6 -fno-move-loop-invariants -fno-gcse -fno-tree-tail-merge -fno-tree-pta
+               -finline-limit=6 -fno-jump-tables -fno-move-loop-invariants -fno-gcse -fno-tree-tail-merge -fno-tree-pta
 FIRMWARE_C   = $(AVR_CC) -mmcu=$(MCU) -DF_CPU=$(F_CPU)UL $(FIRMWARE_SMALL) -std=c99 $(filter-out -pedantic,$(WARN)) -Wno-maybe-uninitialized -I. -I$(FIRMWARE_OUT) \
                -ffunction-sections -fdata-sections -Wl,--gc-sections $(foreach v,SMVM_CONFIG SM_CONFIG,-D$(v)='"bytecode-vm/firmware/config.h"') $(if $(ARM_PIN),-DFIRMWARE_ARM_PIN=$(ARM_PIN)) $(if $(KEY),-DFIRMWARE_KEY)
 firmware: $(B)/smc
@@ -234,6 +234,22 @@ $(B)/smc.def: $(DLL_HEADERS)
 $(B)/smc.dll: $(LIB_OBJECTS) $(B)/obj/compiler/labview/labview.o $(B)/smc.def
 	$(call say,LD)$(CC) $(CFLAGS) -shared $(LDFLAGS) -Wl,--exclude-all-symbols -Wl,--out-implib,$(B)/libsmc.dll.a -o $@ $^
 
+# ---- NI sbRIO ----
+
+# `make sbrio`: the runtime, and the test stand as an example, for NI Linux Real-Time, in SBRIO (docs/sbrio.md).
+#   CROSS    the prefix of a cross compiler, such as arm-nilrt-linux-gnueabi-, with SYSROOT where it needs one; without: CC, for x86-64
+#   NIFPGA   the folder of NiFpga.c, NiFpga.h and NiFpga_Teststand.h, which NI's generator writes; without: the stand-in of the tests
+CROSS   ?=
+SYSROOT ?=
+NIFPGA  ?= tests/sbrio
+SBRIO   ?= $(B)/sbrio
+sbrio: $(B)/smc
+	@mkdir -p '$(SBRIO)' && rm -f '$(SBRIO)'/NiFpga*
+	@cp -p examples/sbrio/* $(addprefix examples/teststand/,teststand.app teststand.io teststand.sv monitor.sm stand.sm) '$(NIFPGA)'/NiFpga* '$(SBRIO)'
+	@env -u MAKEFLAGS -u MAKELEVEL $(MAKE) -s --no-print-directory -C '$(SBRIO)' SMC='$(abspath $(B)/smc)' SMC_MK='$(abspath compiler/smc.mk)' CFLAGS='$(CFLAGS)' \
+	    $(if $(CROSS),CROSS='$(CROSS)' SYSROOT='$(SYSROOT)',CC='$(CC)') $(if $(filter command,$(word 1,$(origin PSL_WATCHDOG))),PSL_WATCHDOG='$(PSL_WATCHDOG)')
+.PHONY: sbrio
+
 help:
 	@echo 'make                 builds $(B)/smc'
 	@echo 'make quick           runs the tests of the developer loop, in about 15 seconds'
@@ -257,6 +273,7 @@ help:
 	@echo 'make arduino         makes the Arduino library, $(ARDUINO) and smc.zip beside it'
 	@echo 'make wheel           makes the Python package, $(WHEEL)/smc-….whl; bench-python: its speed; rocketpy: flies examples/rocketpy FLIGHTS=100 times'
 	@echo 'make windows         smc.exe and smc.dll for Windows, 64 and 32 bits, by MinGW-w64; windows-x86_64, windows-i686: one of them'
+	@echo 'make sbrio           the runtime and the test stand for NI Linux Real-Time, in $(SBRIO); CROSS=arm-linux-gnueabi-: for ARM; NIFPGA=FOLDER: with the files of NI'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR if that is set; uninstall removes it'
 	@echo 'make clean           removes $(B)'
 

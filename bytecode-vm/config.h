@@ -96,6 +96,12 @@
 #endif
 #endif
 
+// The elementary functions that the VM has: bit n is set for the function with number n (stdlib/elementary.def).  The verifier refuses an image
+// that calls another.  On AVR a call needs up to 309 bytes of stack, and all functions 26 KB of flash (docs/evidence/speed.md).
+#ifndef SMVM_FUNCTIONS
+#define SMVM_FUNCTIONS UINT32_MAX
+#endif
+
 // 1: the store (target/store.h) supports only memory that can be written byte by byte and again without erasing, such as EEPROM.
 // 0: it asks the memory for these properties at run time.
 #ifndef SMVM_STORE_BYTES

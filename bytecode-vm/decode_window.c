@@ -42,7 +42,7 @@ static unsigned find_specialized_use(const DecodedWindow *w, unsigned *type)
         return w->n <= SM_ROLL_SHORT || (w->kind & SM_ROLL_TYPE) < SM_ROLL_F32 ? FOR_AVG : FOR_NONE;
     if (stats == SM_ROLL_MEDIAN)
         return w->n <= SM_ROLL_SHORT ? FOR_MEDIAN : FOR_NONE;
-    return (stats & (SM_ROLL_MEDIAN | SM_ROLL_AVG)) == 0 && w->n <= SM_ROLL_SCAN ? FOR_EXTREMES : FOR_NONE;
+    return (stats & SM_ROLL_ORDER) != 0 && (stats & (SM_ROLL_MEDIAN | SM_ROLL_AVG)) == 0 && w->n <= SM_ROLL_SCAN ? FOR_EXTREMES : FOR_NONE;
 }
 
 static unsigned sample_op(const DecodedWindow *w, bool memory)

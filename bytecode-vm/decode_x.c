@@ -106,6 +106,13 @@ static void emit_deferred(DecodeState *d)
     } else if (l->op == SMVM_cvt) {
         smvm_emit_load(d, &l->a);
         smvm_emit_op(d, (unsigned)FAST_CVT_I8_OP + l->n);
+    } else if (l->op == SMVM_fn) {
+        smvm_emit_load(d, &l->a);
+        if (l->n < SMVM_FN_OF_TWO)
+            smvm_emit_op(d, FAST_FN_OP);
+        else
+            smvm_emit_operation_on_f(d, FAST_FN2_I8_OP, &l->b);
+        smvm_emit_integer(d, l->n);
     } else if (l->op < SMVM_neg) {
         emit_binary(d, l->op, l->a, l->b);
     } else {

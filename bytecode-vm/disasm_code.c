@@ -72,9 +72,20 @@ static void print_jump(DisasmOutput *o, uint8_t op, uint32_t target)
 
 static void print_statistic(DisasmOutput *o, uint32_t k)
 {
-    static const char *const stat[] = {"average", "median", "smallest", "largest", "range"};
+    static const char *const stat[] = {"average", "median", "smallest", "largest", "range", "oldest", "newest", "change", "elapsed", "run-steps", "run-time"};
 
     smvm_print(o, stat[k % SM_STAT_COUNT]);
+}
+
+static void print_function(DisasmOutput *o, uint32_t n)
+{
+    static const char *const name[SMVM_FN_MAX] = {
+#define SM_ELEMENTARY(name, arguments, number) [number] = #name,
+#include "stdlib/elementary.def"
+#undef SM_ELEMENTARY
+    };
+
+    smvm_print(o, name[n % SMVM_FN_MAX]);
 }
 
 // Prints one operand.  `letter` is its bit in the shape, SMVM_SHAPE_L and so on; v is its value, for a jump the offset of the target.
@@ -83,7 +94,12 @@ static void print_operand(DisasmOutput *o, uint8_t op, uint32_t letter, uint32_t
     switch (letter) {
     case SMVM_SHAPE_L: print_variable_of(o, op, SMVM_IS_LOCAL, v); break;
     case SMVM_SHAPE_E: print_variable_of(o, op, SMVM_IS_ELEMENT, v); break;
-    case SMVM_SHAPE_N: print_whole_number(o, op, v); break;
+    case SMVM_SHAPE_N:
+        if (op == SMVM_fn)
+            print_function(o, v);
+        else
+            print_whole_number(o, op, v);
+        break;
     case SMVM_SHAPE_F: smvm_print_f64(o, sm_from_f32(sm_f32_from_bits(smvm_uint(o->m->image, o->m->f32s_at + 4 * v, 4)))); break;
     case SMVM_SHAPE_D: smvm_print_f64(o, sm_from_bits(smvm_cell(o->m->image, o->m->f64s_at + 8 * v, 8))); break;
     case SMVM_SHAPE_O: print_output(o, v); break;

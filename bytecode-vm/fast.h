@@ -34,6 +34,7 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_IN_F, FAST_SOURCE_COUNT };
 #define FAST_GT(K) FAST(GT_##K, F = sm_from_bool(sm_lt(get_##K(ip + 1, F), F)); NEXT(2);)
 #define FAST_GE(K) FAST(GE_##K, F = sm_from_bool(sm_le(get_##K(ip + 1, F), F)); NEXT(2);)
 #define FAST_REL(K) FAST(REL_##K, F = sm_from_bool(is_related((unsigned)ip[2].u, F, get_##K(ip + 1, F))); NEXT(3);)
+#define FAST_FN2(K) FAST(FN2_##K, F = smvm_call((uint8_t)ip[2].u, F, get_##K(ip + 1, F)); NEXT(3);)
 #define FAST_AND(K) FAST(AND_##K, F = sm_from_bool(sm_to_bool(F) && sm_to_bool(get_##K(ip + 1, F))); NEXT(2);)
 #define FAST_OR(K) FAST(OR_##K, F = sm_from_bool(sm_to_bool(F) || sm_to_bool(get_##K(ip + 1, F))); NEXT(2);)
 #define FAST_CVT(K) FAST(CVT_##K, F = convert_##K(F); NEXT(1);)

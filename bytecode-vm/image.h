@@ -55,6 +55,15 @@ enum {
     SMVM_KIND_RAW = SMVM_RAW
 };
 
+// The elementary functions: SMVM_exp and so on is their opcode, SMVM_FN_exp and so on their number, its operand.  From SMVM_FN_OF_TWO on they
+// also read Y.
+enum {
+#define SM_ELEMENTARY(name, arguments, number) SMVM_##name = SMVM_fn, SMVM_FN_##name = (number),
+#include "stdlib/elementary.def"
+#undef SM_ELEMENTARY
+    SMVM_FN_OF_TWO = 16, SMVM_FN_MAX = 32
+};
+
 // Relations of X to the other operand.  The low bits of jxy and jxn, and the operand of set, are a sum of them.
 enum { SMVM_LESS = 1, SMVM_EQUAL = 2, SMVM_GREATER = 4, SMVM_UNORDERED = 8, SMVM_ANY_RELATION = 15 };
 
@@ -237,7 +246,11 @@ uint32_t smvm_shape(uint8_t opcode);                  // returns the SMVM_SHAPE_
 uint8_t smvm_check_pins(SmvmBytes image, SmvmAt *at);
 
 // Windows, for every interpreter (interp.c): the code of stdlib/roll.h is long, so only one copy is compiled.
-void smvm_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x);
+// Returns the value of elementary function n of x, or of x and y (function.c).
+SmF64 smvm_call(uint8_t n, SmF64 x, SmF64 y);
+
+// smvm_sample: adds x to a window of the machine at vm, which runs a step; for a window of times, x is its event.
+void smvm_sample(const SmVm *vm, uint64_t *w, uint32_t n, uint32_t kind, SmF64 x);
 SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat);
 
 // Element access for code outside the interpreter: sm_load and sm_store without a second copy of their code (interp.c).

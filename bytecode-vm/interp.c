@@ -20,6 +20,7 @@ void smvm_store_flash(SmF64 x, uint8_t type, void *at);
 void smvm_store_eeprom(SmF64 x, uint8_t type, void *at);
 void smvm_add_sample(SmVm *vm, SmvmAt w);
 SmF64 smvm_compute_statistic(SmVm *vm, uint8_t stat, SmvmAt w);
+uint64_t smvm_call_function(uint64_t x, uint16_t n, const SmVm *vm);
 
 #define SMVM_CHECK_OFFSET(member, at) typedef char smvm_offset_is_##at[offsetof(SmVm, member) == (at) ? 1 : -1]
 SMVM_CHECK_OFFSET(image, VM_IMAGE);
@@ -58,7 +59,21 @@ void smvm_add_sample(SmVm *vm, SmvmAt w)
 {
     const uint32_t entry = smvm_window(vm->image, vm->tables.windows, w);
 
-    sm_roll_sample_cell(smvm_windows_of(vm)[w], smvm_window_size(entry), smvm_window_kind(entry), vm->y);
+    const uint16_t kind = smvm_window_kind(entry);
+
+    if ((kind & SM_ROLL_TYPE) == SM_ROLL_TIMES)
+        sm_roll_sample_event(smvm_windows_of(vm)[w], smvm_window_size(entry), kind, sm_cell_load(SM_U64, vm->y), vm->next - 1);
+    else
+        sm_roll_sample_cell(smvm_windows_of(vm)[w], smvm_window_size(entry), kind, vm->y);
+}
+
+// Calls function n.  The assembly has stored Y in vm->y as an F64 if the function reads it.
+uint64_t smvm_call_function(uint64_t x, uint16_t n, const SmVm *vm)
+{
+    SmF64 y;
+
+    memcpy(&y, vm->y, sizeof y);
+    return sm_bits(smvm_call((uint8_t)n, sm_from_bits(x), y));
 }
 
 // Returns a statistic of window w.
@@ -206,14 +221,20 @@ void smvm_store(SmF64 x, uint8_t type, void *at) { number_store_real(x, type, (u
 
 // ---- windows ----
 
-void smvm_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { sm_roll_sample(w, n, kind, x); }
+void smvm_sample(const SmVm *vm, uint64_t *w, uint32_t n, uint32_t kind, SmF64 x)
+{
+    if ((kind & SM_ROLL_TYPE) == SM_ROLL_TIMES)
+        sm_roll_sample_event(w, n, kind, sm_to_u64(x), vm->next - 1);
+    else
+        sm_roll_sample(w, n, kind, x);
+}
 SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat) { return sm_roll_stat(w, n, kind, stat); }
 
 SMVM_NOINLINE static void push_sample(const Interpreter *r, SmvmAt w, const Number *x)
 {
     const uint32_t entry = (uint32_t)read_entry(r, r->t->windows, w, SMVM_WINDOW_ENTRY);
 
-    smvm_sample(smvm_windows_of(r->vm)[w], smvm_window_size(entry), smvm_window_kind(entry), number_f64(x));
+    smvm_sample(r->vm, smvm_windows_of(r->vm)[w], smvm_window_size(entry), smvm_window_kind(entry), number_f64(x));
 }
 
 SMVM_NOINLINE static void read_statistic(const Interpreter *r, uint8_t stat, SmvmAt w, Number *x)
@@ -427,7 +448,7 @@ SMVM_NOINLINE static void load_register(Interpreter *r, uint8_t op, uint32_t n)
         number_load(op & 0x20 ? &r->y : &r->x, type, operand_address(op & 0x10 ? r->sv : r->locals, type, (SmvmAt)n));
 }
 
-// Runs st_local, out, set, cvt or sample.
+// Runs st_local, out, set, cvt, fn or sample.
 SMVM_NOINLINE static void run_store_or_convert(Interpreter *r, uint8_t op, uint32_t n)
 {
     const uint8_t type = op & 0xf;
@@ -436,6 +457,7 @@ SMVM_NOINLINE static void run_store_or_convert(Interpreter *r, uint8_t op, uint3
     case SMVM_out: store_output(r, (SmvmAt)n, &r->x); break;
     case SMVM_set: number_set_integer(&r->x, is_x_related_to_y(r, (uint8_t)n)); break;
     case SMVM_cvt: convert_as_local(&r->x, (uint8_t)n); break;
+    case SMVM_fn: number_set_real(&r->x, smvm_call((uint8_t)n, number_f64(&r->x), number_f64(&r->y))); break;
     case SMVM_sample: push_sample(r, (SmvmAt)n, &r->x); break;
     default: number_store(&r->x, type, operand_address(r->locals, type, (SmvmAt)n));
     }

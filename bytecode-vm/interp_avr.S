@@ -666,10 +666,30 @@ number_32:
 1:	sbrs r16, 1
 	rjmp 3f
 	sbrc r16, 5
-	rjmp set
+	rjmp set_or_fn
 	clr r20
 	clr r21
 	rjmp plus
+set_or_fn:
+	sbrs r16, 0
+	rjmp set
+; Calls function r18 of X, or from 16 on of X and Y.
+	mov r16, r18
+	cpi r16, 16
+	brlo 2f
+	rcall y_to_a
+	rcall a_to_y
+2:	rcall x_to_f64
+	.irp r, 14, 15, 17, 30, 31
+	push r\r
+	.endr
+	movw r14, r28
+	clr r17
+	xcall smvm_call_function
+	.irp r, 31, 30, 17, 15, 14
+	pop r\r
+	.endr
+	rjmp given_x
 set:
 	mov r16, r18
 	rcall relate

@@ -272,13 +272,15 @@ bool smvm_swap_item(const SmvmSwap *plan, uint32_t i, SmvmSwapItem *item)
 
 // Fills an empty window with the samples of one of the same size and another kind.  Each sample must get into the slot that it has there
 // (swapping.md 12.13), so all slots are added in their order, and then those before the next slot once more.
-static void refill_window(const uint64_t *from, uint32_t from_kind, uint64_t *to, uint32_t to_kind, uint32_t n)
+static void refill_window(const uint64_t *from, uint32_t from_kind, const SmVm *vm, uint64_t *to, uint32_t to_kind, uint32_t n)
 {
     const uint32_t count = sm_roll_count(from), next = sm_roll_next(from), more = count < n ? 0 : next;
 
     memset(to, 0, sm_roll_bytes(n, to_kind));
+    if ((from_kind & SM_ROLL_TYPE) == SM_ROLL_TIMES || (to_kind & SM_ROLL_TYPE) == SM_ROLL_TIMES)
+        return;                                        // only an equal kind has the same contents
     for (uint32_t i = 0; i < count + more; i++)
-        smvm_sample(to, n, to_kind, sm_roll_value(from_kind, sm_roll_slot_key(from + 1, n, from_kind, (SmRollSize)(i < count ? i : i - count))));
+        smvm_sample(vm, to, n, to_kind, sm_roll_value(from_kind, sm_roll_slot_key(from + 1, n, from_kind, (SmRollSize)(i < count ? i : i - count))));
 }
 
 static void copy_window(const SmvmSwap *plan, const SmVm *from, uint32_t source, SmVm *to, uint32_t w)
@@ -290,7 +292,7 @@ static void copy_window(const SmvmSwap *plan, const SmVm *from, uint32_t source,
     if (old_entry == entry)
         memcpy(window, old, sm_roll_bytes(n, smvm_window_kind(entry)));
     else
-        refill_window(old, smvm_window_kind(old_entry), window, smvm_window_kind(entry), n);
+        refill_window(old, smvm_window_kind(old_entry), to, window, smvm_window_kind(entry), n);
 }
 
 static bool is_of_machine(const SmVm *vm, const SmvmMachine *m) { return vm->image == m->image && vm->machine == m->machine_at; }

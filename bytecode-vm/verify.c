@@ -281,6 +281,26 @@ static const struct OperandLimit { uint8_t below, from, rule; } limits[] SM_FLAS
     {FIELD(windows), 0, SMVM_R_WINDOW_USED}, {CONSTANT | SM_TYPE_COUNT, 0, SMVM_R_OPERAND}, {CONSTANT | RELATION_SETS, 1, SMVM_R_OPERAND},
 };
 
+// Checks the number, just read, of the function that `fn` calls.
+static uint8_t check_call(const Verifier *c)
+{
+    static const uint32_t known SM_FLASH = SMVM_FUNCTIONS & (0
+#define SM_ELEMENTARY(name, arguments, number) | UINT32_C(1) << (number)
+#include "stdlib/elementary.def"
+#undef SM_ELEMENTARY
+        );
+    uint32_t set;
+
+    sm_flash_read(&set, &known, sizeof set);
+    return c->in.n < SMVM_FN_MAX && (set >> c->in.n & 1) != 0 ? 0 : SMVM_R_FUNCTION;
+}
+
+// Whether the instruction, whose operands are next, also reads Y: the call of a function of two arguments.
+static bool is_call_of_two(const Verifier *c, uint8_t op)
+{
+    return op == SMVM_fn && c->in.at < c->in.end && smvm_u8(c->in.image, c->in.at) >= SMVM_FN_OF_TWO;
+}
+
 // Reads and checks one operand; `what` is SMVM_OPERAND_L to SMVM_OPERAND_J.
 SMVM_NOINLINE static uint8_t check_operand(Verifier *c, uint8_t op, uint8_t what)
 {
@@ -294,7 +314,7 @@ SMVM_NOINLINE static uint8_t check_operand(Verifier *c, uint8_t op, uint8_t what
         return SMVM_R_TRUNCATED;
     }
     if (what == SMVM_OPERAND_N)
-        return 0;
+        return op != SMVM_fn ? 0 : check_call(c);
     if (what == SMVM_OPERAND_J)
         return check_jump(c);
     sm_flash_read(&l, &limits[what], sizeof l);
@@ -343,6 +363,8 @@ static uint8_t check_instruction(Verifier *c, uint8_t op)
     if (shape == 0)
         return SMVM_R_OPCODE;
     if (((uint8_t)shape >> 4 & (HAS_X | HAS_Y) & ~c->defined) != 0)
+        return SMVM_R_REGISTER;
+    if (is_call_of_two(c, op) && (c->defined & HAS_Y) == 0)
         return SMVM_R_REGISTER;
     if (shape & CLOBBERS_Y)
         c->defined &= HAS_X;

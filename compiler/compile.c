@@ -1,25 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 // The compiler: every stage from source text to findings and artefacts.  Read compile_sources() at the end first.
 //
-//    .sv ── parse ── AST ── check ──▶ StateVec; again for each machine that is bound to it, and for the pins
+//    .sv ── parse ── AST ── check ──▶ StateVec; parsed again for each .sm, .io and .net that is bound to it
 //    .io ── parse ── AST ── check ──▶ IoMap, for the image, the C of the pins, and findings about pins
 //    .sm ── parse ── AST ── check ──▶ Program ── build ──▶ IR ──┬── analyse ──▶ findings
 //                                        │                      └── passes ──▶ IR ──┬──▶ image (emit/bytecode)
 //                                        │                                          ├── passes for C ──▶ C (emit/c)
 //                                        │                                          └──▶ image with lines ── costs ── limits ──▶ findings
-//                                        └── checked again if scripts write its locals ──▶ Program for scripts
-//    .ss ── parse ── AST ── check with that Program ──▶ Script
+//                                        └── parsed and checked again if scripts write its locals ──▶ Program for scripts
+//    .ss ── parse without messages ──▶ the locals that it writes and its delta_t, for the stages above
+//        ── parse ── AST ── check with the Program for scripts ──▶ Script
 //    .net ─ parse ── AST ── check ──▶ Network, for the C of the messages and their dictionary
 //    .app ─ parse ── AST ── check ──▶ App, with the IoMap of its pins, a StateVec for all and a Program for each machine, as above;
-//                                     ── analyse ──▶ findings; all its C is emitted together
+//                                     ── analyse ──▶ findings; C: X_app.c with the tasks and the images, and a file for each
+//                                     vector, map of pins and machine in C
 //    findings ── @allow ── -W ── sort ──▶ diagnostics of the caller
+//    tokens, AST or IR ──▶ dump (--emit=tokens, ast or ir)
 //
-// Machines pass their stages one after the other; then findings about all of them together.  Images and C are emitted last, and only if
-// there is no error.  The caller runs scripts on engines (script/), writes reports (report/), and writes files if compile_sources()
-// returned true: -Werror turns findings into errors after images and C have been emitted.
+// Machines pass their stages one after the other; then findings about all of them together.  Images, C and IR are emitted last, and only if
+// there is no error.  A dump of tokens or the AST skips the stages after it.  All of these are artefacts (Compiled.artefact).  A tree is
+// freed when it has been checked, so a source that is needed again is parsed again.  The optimised IR of a machine is stored in
+// Compiled.of.  That of an application's machines is not: the limits and the emission each build it.
+//
+// Values that a variable can have are computed from the IR (facts/): analyses, passes and emit/c use them.
+//
+// The caller runs scripts on engines (script/), writes reports (report/), and writes the artefacts if compile_sources() returned true:
+// -Werror turns findings into errors after they have been emitted.  The engines do not run the artefacts: session_open_vm() builds its own
+// IR and image from the Program.
 //
 // Each stage is a function of its folder, and the header of that folder states what the stage relies on.  A function of session.h that
-// reported an error returns NULL.  Stages that do not depend on its result still run, so that one call reports as many errors as possible.
+// parses or checks returns NULL after errors.  Stages that do not depend on its result still run, so that one call reports as many errors as possible.
 // Parsing always produces a tree, with error nodes, so that checking finds further errors.
 #include "compiler/compile.h"
 
@@ -27,6 +37,7 @@
 
 #include "compiler/analysis/analysis.h"
 #include "compiler/artefacts.h"
+#include "compiler/source_files.h"
 #include "compiler/syntax/parse.h"
 
 // Returns the index of the only machine; SIZE_MAX if there is not exactly one.
@@ -42,12 +53,25 @@ static size_t find_only_machine(const CompileInput *in)
     return n == 1 ? found : SIZE_MAX;
 }
 
+// Marks the scripts that other scripts of the call include.
+static void mark_included_scripts(Compilation *c)
+{
+    for (size_t i = 0; i < c->in->n; i++) {
+        ScriptFiles files = {NULL, 1};
+        if (c->in->at[i].kind == FILE_SS && !c->out->of[i].is_included)       // of files that include each other, the first is a script
+            files = session_script_files(c->s, c->in->at[i].text, true);
+        for (size_t k = 0; k + 1 < files.n; k++)
+            for (size_t n = 0; n < c->in->n; n++)
+                c->out->of[n].is_included |= c->in->at[n].text == files.at[k];
+    }
+}
+
 // Returns the index of the machine that source i is a script of; SIZE_MAX: it is no script, or has no machine.
 static size_t machine_of_script(const Compilation *c, size_t i)
 {
     const CompileSource *script = &c->in->at[i];
 
-    if (script->kind != FILE_SS)
+    if (script->kind != FILE_SS || c->out->of[i].is_included)
         return SIZE_MAX;
     return script->machine ? script->machine - 1 : c->only_machine;
 }
@@ -113,7 +137,7 @@ static void compile_scripts(Compilation *c)
         const Program *p = m != SIZE_MAX ? c->out->of[m].scripted : NULL;
         if (p)
             c->out->of[i].script = session_script(c->s, c->in->at[i].text, p);
-        else if (c->in->at[i].kind == FILE_SS)
+        else if (c->in->at[i].kind == FILE_SS && !c->out->of[i].is_included)
             session_parse(c->s, c->in->at[i].text, FILE_SS);
     }
 }
@@ -132,6 +156,7 @@ static void analyse_all_machines(Compilation *c)
 
 static void compile_files(Compilation *c)
 {
+    mark_included_scripts(c);
     for (size_t i = 0; i < c->in->n; i++) {
         const CompileSource *src = &c->in->at[i];
         CompiledSource *of = &c->out->of[i];
@@ -159,12 +184,9 @@ static void compile_files(Compilation *c)
 // A machine that becomes C is an error.
 static void check_app_limits(Compilation *c, const App *a)
 {
-    CompiledSource of;
-
-    memset(&of, 0, sizeof of);
     c->s->locals = artefacts_image_locals(c->o);
     for (size_t i = 0; i < a->machine.n; i++) {
-        of.program = a->machine.at[i]->program;
+        CompiledSource of = {.program = a->machine.at[i]->program};
         if (a->machine.at[i]->bytecode)
             build_ir_and_measure(c, &of);
         else

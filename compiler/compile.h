@@ -30,6 +30,7 @@ typedef struct CompileInput {
     size_t n;
     const Source *vector;         // the state vector of every machine, of all pins and messages; or NULL
     const Source *pins;           // the pins that the image contains; or NULL
+    const Source *messages;       // messages that a report lists, and that nothing else reads; or NULL
     CompileApp *app;              // the application if at[0] is one, which is then the only source; or NULL
 } CompileInput;
 
@@ -66,6 +67,7 @@ typedef struct CompiledSource {
     IoMap *pins;
     Network *net;
     Script *script;
+    bool is_included;             // another script of the call includes this one, which is not a script by itself
 } CompiledSource;
 
 // A file to write.

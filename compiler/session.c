@@ -9,6 +9,7 @@
 #include "compiler/emit/bytecode/bytecode.h"
 #include "compiler/emit/c/app.h"
 #include "compiler/passes/pass.h"
+#include "compiler/source_files.h"
 #include "compiler/syntax/parse.h"
 
 // Prepares a session.  If `alloc` returns NULL, a call of the session jumps to *oom; the caller then calls session_free.
@@ -248,35 +249,58 @@ static const AstFile *parse_silently(Session *s, const Source *ss, Map *written)
     return good ? f : NULL;
 }
 
+// Parses all files of a script with their errors, so that the checker has their whole trees.
+static void parse_whole(Session *s, const ScriptFiles *files, const AstFile **tree)
+{
+    for (size_t i = 0; i < files->n; i++)
+        tree[i] = parse(s, files->at[i], FILE_SS);
+}
+
 // A script without syntax errors is checked item by item, which needs little memory.  For a script with syntax errors, builds the whole tree
-// first: the checker does not report names whose declarations an error may have hidden.
+// first: the checker does not report names whose declarations an error may have hidden.  If an included file is missing, nothing is checked.
 Script *session_script(Session *s, const Source *ss, const Program *p)
 {
     size_t errors = s->diags.errors_seen;
     CheckContext c = make_check_context(s);
     Map unused = {&s->tree, NULL, NULL, 0, 0};
-    const bool good = parse_silently(s, ss, &unused) != NULL;
-    Script *out;
+    const ScriptFiles files = session_script_files(s, ss, false);
+    const bool is_whole = s->diags.errors_seen == errors;
+    const AstFile **tree = ARENA_ARRAY(&s->tree, const AstFile *, files.n);
+    bool good = is_whole;
+    Script *out = NULL;
 
-    arena_free(&s->tree);
-    out = good ? check_script_source(&c, &s->tree, &s->work, ss, p) : check_script(&c, parse(s, ss, FILE_SS), p);
+    for (size_t i = 0; i < files.n && good; i++)
+        good = (tree[i] = parse_silently(s, files.at[i], &unused)) != NULL;
+    if (!good)
+        parse_whole(s, &files, tree);
+    if (good)
+        out = check_script_source(&c, &s->tree, &s->work, tree, files.n, p);
+    else if (is_whole)
+        out = check_script(&c, tree, files.n, p);
     arena_free(&s->tree);
     return s->diags.errors_seen > errors ? NULL : out;
 }
 
-// Adds the names of the locals and elements that a script writes to `written`, and returns its delta_t in the unit `unit`; 0 if it has
-// none, or errors.
+// Adds the names of the locals and elements that a script, with the files that it includes, writes to `written`, and returns its delta_t in
+// the unit `unit`; 0 if it has none, or errors.
 uint64_t session_script_writes(Session *s, const Source *ss, TimeUnit unit, Map *written)
 {
     Map names = {&s->tree, NULL, NULL, 0, 0};
-    const AstFile *f = parse_silently(s, ss, &names);
-    const uint64_t delta_t = f ? script_delta_t(f, unit) : 0;
+    const ScriptFiles files = session_script_files(s, ss, true);
+    uint64_t delta_t = 0;
+    bool good = true;
 
-    for (size_t i = 0; f && i < names.cap; i++)
+    for (size_t i = 0; i < files.n && good; i++) {
+        const AstFile *f = parse_silently(s, files.at[i], &names);
+        const uint64_t of_file = f ? script_delta_t(f, unit) : 0;
+        good = f != NULL;
+        delta_t = of_file ? of_file : delta_t;
+    }
+    for (size_t i = 0; good && i < names.cap; i++)
         if (names.key[i])
             map_put(written, names.key[i], names.value[i]);
     arena_free(&s->tree);
-    return delta_t;
+    return good ? delta_t : 0;
 }
 
 // Reports warnings for a machine without errors.  Leaves the IR that it builds in s->built.

@@ -18,6 +18,14 @@ typedef enum SessionLocals {
     LOCALS_SWAPPED            // reads and writes them: an image with names, because a swap copies locals by name (swapping.md 12)
 } SessionLocals;
 
+// Finds the files that scripts include.
+typedef struct SourceFinder {
+    // Returns the source that `from` includes as `name`, a path that is relative to the folder of `from`; the same pointer for the same file.
+    // Returns NULL and sets *problem to a phrase if there is none.  The source lives as long as the session.  NULL: no file can be included.
+    const Source *(*find)(void *context, const Source *from, const char *name, const char **problem);
+    void *context;
+} SourceFinder;
+
 // One compilation.  All its results live in its arena.
 typedef struct Session {
     Arena arena;
@@ -32,6 +40,7 @@ typedef struct Session {
     uint64_t step;                // how much G advances from step to step, for session_analyse; 0: unknown
     IrMachine *built;             // the machine that session_analyse analysed last, for session_ir; or NULL
     SessionLocals locals;         // session_ir marks locals as hidden or written from outside accordingly
+    SourceFinder finder;          // initially without a function
     const char *bug;              // a sentence in `arena` if a pass has broken a machine, with the name of the pass; else NULL
 } Session;
 
@@ -49,7 +58,7 @@ typedef struct MachineInput {
     const Map *written_outside;   // the locals that code outside the machine writes (check_machine); or NULL
 } MachineInput;
 
-// Each of these functions returns NULL if there were errors, which are then in s->diags.
+// Functions that parse or check return NULL after errors, which are then in s->diags.
 AstFile *session_parse(Session *s, const Source *src, FileKind kind);
 StateVec *session_state_vector(Session *s, const Source *sv);
 // The messages of `net`; also returns NULL if the state vector has errors.
@@ -65,7 +74,7 @@ const Program *session_program_for_scripts(Session *s, const MachineInput *in, c
 // Compiles an application and everything that it names, analyses included. app_list_files of its tree lists the required files; the caller
 // supplies their contents. Returns NULL if any of them had errors.
 App *session_app(Session *s, const AstFile *app, AppFiles *files);
-// Adds the names of the locals and elements that a script writes to `written`, and returns its delta_t in the unit `unit`; 0 if it has
+// Adds the names of the locals and elements that a script, with the files that it includes, writes to `written`, and returns its delta_t in the unit `unit`; 0 if it has
 // none, or errors.
 uint64_t session_script_writes(Session *s, const Source *ss, TimeUnit unit, Map *written);
 // Checks a script for the machine p.

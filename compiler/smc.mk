@@ -10,6 +10,7 @@
 #     SMC_APP       rocket
 #     SMC_SOURCES   what you wrote: navigation.c engine.cpp; .c, .cc and .cpp
 #     SMC_PLATFORM  desk: simulated time, real files; begin with it.  linux (default): the real one.  sim: nothing real, for tests
+#                   sbrio: NI Linux Real-Time, pins in the FPGA (docs/sbrio.md)
 #     SMC_OUT       the folder for what is made: made
 #   make smc-clean removes what these rules made; your own `clean:` may ask for it.
 

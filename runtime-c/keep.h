@@ -43,6 +43,7 @@ typedef struct SmKeep {
 SmResult sm_keep_restore(SmKeep *keep);
 // Compatible with SmTaskStep.  Takes a snapshot and replaces one that still waits to be written.  If the previous write to the
 // medium failed, returns the error of that write after taking the snapshot, so that it is the task's fault until a write succeeds.
+//     SM_E_TIMEOUT   a lock was not free in time, that of the vector or of the snapshots; no snapshot was taken, the next step tries again
 SmResult sm_keep_step(void *keep, const SmTick *tick);
 // Writes the waiting snapshot, if there is one, and waits for the medium.  Call it from one thread only; any thread will do.
 // After an error the snapshot waits again, unless a later one does, and the previous slot stays valid.

@@ -5,20 +5,26 @@
 
 #include <string.h>
 
+#include "runtime-c/net_stream.h"
 #include "runtime-c/pal/clock.h"
 #include "stdlib/convert.h"
 
 static bool is_group(const uint8_t *ip) { return ip[0] >= 224 && ip[0] <= 239; }
-static SmResult first_error(SmResult before, SmResult now) { return before == SM_OK ? now : before; }
 static void add(uint32_t *count) { (*count)++; }
 
 // ---- the state vector ----
 
+static bool is_signed(uint8_t type) { return type <= SM_I64; }
+
 static uint8_t *address_of(const SmNet *net, uint32_t offset) { return (uint8_t *)net->sv->at + offset; }
 
+// Stores a count in an element of an integer type, up to the largest value of the type.
 static void store_count(const SmNet *net, const SmNetPlace *p, uint32_t count)
 {
-    sm_cell_store((SmType)p->type, address_of(net, p->offset), sm_cell_from_f64((SmType)p->type, sm_from_u32(count)));
+    const unsigned bits = 8u * sm_type_bytes[p->type] - is_signed(p->type);
+    const uint32_t most = bits < 32 ? (1u << bits) - 1 : UINT32_MAX;
+
+    sm_cell_store((SmType)p->type, address_of(net, p->offset), count < most ? count : most);
 }
 
 // Returns the bits of an element without a valid value: NaN if the type has one, else 0.
@@ -73,16 +79,24 @@ static SmResult open_udp(SmNetChannel *c, bool sends)
 
 static SmResult open_channel(SmNet *net, SmNetChannel *c, bool sends)
 {
-    if (!is_row_valid(net, c) || (sends && c->period == 0))
+    if (!is_row_valid(net, c) || sends != (c->period != 0))
         return SM_E_ARGUMENT;
-    return open_udp(c, sends);
+    return c->stream ? c->stream->open(c) : open_udp(c, sends);
+}
+
+static void close_channel(SmNetChannel *c)
+{
+    if (c->stream)
+        c->stream->close(c);
+    else
+        pal_socket_close(c->socket);
 }
 
 void sm_net_close(SmNet *net)
 {
     for (uint8_t i = 0; i < net->channels; i++) {
         if (net->channel[i].open)
-            pal_socket_close(net->channel[i].socket);
+            close_channel(&net->channel[i]);
         net->channel[i].open = false;
     }
 }
@@ -120,6 +134,23 @@ static SmResult read_runs(SmNet *net)
     return SM_OK;
 }
 
+// ---- every step ----
+
+// Serves all channels, even if one fails.  Returns the error of the first one that failed.
+static SmResult serve_channels(SmNet *net, uint64_t now, SmResult (*serve)(SmNetChannel *c, uint64_t now))
+{
+    SmResult result = SM_OK;
+
+    for (uint8_t i = 0; i < net->channels; i++) {
+        const SmResult r = serve(&net->channel[i], now);
+        if (r != SM_OK)
+            net->failed = i;
+        if (result == SM_OK)
+            result = r;
+    }
+    return result;
+}
+
 // ---- receiving ----
 
 static bool is_silent(const SmNetChannel *c, uint64_t now)
@@ -129,22 +160,22 @@ static bool is_silent(const SmNetChannel *c, uint64_t now)
     return now - c->accepted_at > (c->timeout ? c->timeout : restart);
 }
 
-// Checks the bytes of one packet, and counts it.
-static void accept_packet(SmNetChannel *c, size_t n, uint64_t now)
+SmNetCount sm_net_accept(SmNetChannel *c, const uint8_t *bytes, size_t n, uint64_t now)
 {
     SmNetStamp stamp;
-    SmNetCount cause = sm_net_check(&c->message, c->bytes, n, &stamp);
+    SmNetCount cause = sm_net_check(&c->message, bytes, n, &stamp);
 
     if (cause == SM_NET_accepted)
         cause = sm_net_order(&c->order, stamp, c->message.key != NULL, is_silent(c, now));
     add(&c->count[cause]);
     if (cause != SM_NET_accepted) {
         add(&c->count[SM_NET_refused]);
-        return;
+        return cause;
     }
-    sm_net_values(&c->message, c->bytes, c->value);
+    sm_net_values(&c->message, bytes, c->value);
     c->accepted_at = now;
     c->fresh = true;
+    return cause;
 }
 
 // Reads the packets that have arrived, at most SM_NET_BURST.
@@ -157,7 +188,7 @@ static SmResult receive_packets(SmNetChannel *c, uint64_t now)
             return SM_OK;
         if (r != SM_OK && r != SM_E_SIZE)
             return r;
-        accept_packet(c, r == SM_E_SIZE ? (size_t)c->message.size + 1 : n, now);
+        sm_net_accept(c, c->bytes, r == SM_E_SIZE ? (size_t)c->message.size + 1 : n, now);
     }
     return SM_OK;
 }
@@ -217,25 +248,27 @@ SmResult sm_receive_init(void *context)
     return r == SM_OK ? store_received(net, 0) : r;
 }
 
+static SmResult receive_channel(SmNetChannel *c, uint64_t now) { return c->stream ? c->stream->receive(c, now) : receive_packets(c, now); }
+
 SmResult sm_receive_step(void *context, const SmTick *tick)
 {
     SmNet *net = (SmNet *)context;
-    SmResult result = SM_OK, r;
+    const SmResult result = serve_channels(net, tick->time, receive_channel), stored = store_received(net, tick->time);
 
-    for (uint8_t i = 0; i < net->channels; i++) {
-        r = receive_packets(&net->channel[i], tick->time);
-        if (r != SM_OK)
-            net->failed = i;
-        result = first_error(result, r);
-    }
-    r = store_received(net, tick->time);
-    return r != SM_OK ? r : result;
+    return stored != SM_OK ? stored : result;
 }
 
 // ---- sending ----
 
-// Whether a message of this channel is due: the first in each of its periods.
-static bool is_due(const SmNetChannel *c, uint64_t now) { return !c->sent_any || now / c->period != c->slot; }
+// Decides whether a message of this channel is due: the first in each of its periods.
+static void update_due(SmNetChannel *c, uint64_t now)
+{
+    const uint64_t slot = now / c->period;
+
+    c->due = !c->sent_any || slot != c->slot;
+    c->slot = slot;
+    c->sent_any = true;
+}
 
 // Loads the values of all messages that are due, and stores the counts.
 static SmResult load_due(SmNet *net, uint64_t now)
@@ -246,7 +279,8 @@ static SmResult load_due(SmNet *net, uint64_t now)
         return r;
     for (uint8_t i = 0; i < net->channels; i++) {
         SmNetChannel *c = &net->channel[i];
-        for (uint16_t k = 0; k < c->message.fields && is_due(c, now); k++)
+        update_due(c, now);
+        for (uint16_t k = 0; k < c->message.fields && c->due; k++)
             c->value[k] = sm_cell_load((SmType)c->message.field[k].type, address_of(net, c->message.field[k].offset));
         store_statistics(net, c, now);
     }
@@ -254,17 +288,23 @@ static SmResult load_due(SmNet *net, uint64_t now)
     return SM_OK;
 }
 
-static SmResult send_message(SmNetChannel *c, uint64_t now)
+static SmResult send_message(SmNetChannel *c)
 {
-    SmResult r;
+    const SmResult r = pal_socket_send_to(c->socket, &c->address, c->bytes, c->message.size);
 
-    sm_net_encode(&c->message, c->value, c->next, c->bytes);
-    c->next.number++;
-    c->slot = now / c->period;
-    c->sent_any = true;
-    r = pal_socket_send_to(c->socket, &c->address, c->bytes, c->message.size);
     add(&c->count[r == SM_OK ? SM_NET_sent : SM_NET_lost]);
     return r;
+}
+
+static SmResult send_channel(SmNetChannel *c, uint64_t now)
+{
+    if (c->due) {
+        sm_net_encode(&c->message, c->value, c->next, c->bytes);
+        c->next.number++;
+    }
+    if (c->stream)
+        return c->stream->send(c, now);
+    return c->due ? send_message(c) : SM_OK;
 }
 
 SmResult sm_send_init(void *context)
@@ -278,17 +318,7 @@ SmResult sm_send_init(void *context)
 SmResult sm_send_step(void *context, const SmTick *tick)
 {
     SmNet *net = (SmNet *)context;
-    SmResult result = load_due(net, tick->time), r;
+    const SmResult r = load_due(net, tick->time);
 
-    if (result != SM_OK)
-        return result;
-    for (uint8_t i = 0; i < net->channels; i++) {
-        if (!is_due(&net->channel[i], tick->time))
-            continue;
-        r = send_message(&net->channel[i], tick->time);
-        if (r != SM_OK)
-            net->failed = i;
-        result = first_error(result, r);
-    }
-    return result;
+    return r == SM_OK ? serve_channels(net, tick->time, send_channel) : r;
 }

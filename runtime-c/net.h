@@ -21,6 +21,11 @@
 // A message that is refused changes no element, is counted under its cause, and does not refresh the age.  All elements that a step
 // receives are stored in one critical section; no socket is accessed while the lock is held.  A step accepts or refuses at most
 // SM_NET_BURST packets for each channel, so a flood delays no step; what is left waits in the platform's buffer or is lost there.
+//
+// Over TCP, a connection carries messages of one channel in one direction, one after the other without gaps.  A receiver closes a connection
+// whose bytes are not messages of its channel, and counts why.  A client connects again after a pause that doubles from SM_NET_RETRY_LEAST
+// to SM_NET_RETRY_MOST.  Connecting, accepting, sending and receiving never wait: a message that a peer does not receive in time is dropped
+// and counted.  A message that has arrived in part changes nothing; only a whole one is checked and stored.
 #ifndef SM_NET_H
 #define SM_NET_H
 
@@ -34,8 +39,11 @@ extern "C" {
 enum {
     SM_NET_HEADER = 16, SM_NET_CODE = 16, SM_NET_CRC = 4,     // bytes of the parts of a message
     SM_NET_KEY = 16,                                          // bytes of a key
-    SM_NET_BURST = 8                                          // packets that one step reads from one channel, at most
+    SM_NET_BURST = 8                                          // packets that one step reads from one channel or connection, at most
 };
+
+#define SM_NET_RETRY_LEAST ((uint64_t)100 * PAL_MILLISECOND)  // pauses before a client connects again
+#define SM_NET_RETRY_MOST  ((uint64_t)2 * PAL_SECOND)         // also how long it waits for the answer
 
 typedef enum SmNetCount {
 #define SM_NET_COUNT(name, word, text) SM_NET_##name,
@@ -77,6 +85,9 @@ void sm_net_encode(const SmNetMessage *m, const uint64_t *value, SmNetStamp stam
 // Takes time in proportion to m->size, and reads no byte if n differs from it.
 SmNetCount sm_net_check(const SmNetMessage *m, const uint8_t *bytes, size_t n, SmNetStamp *stamp);
 
+// Checks the first SM_NET_HEADER bytes of a message: SM_NET_accepted, SM_NET_damaged or SM_NET_hash.
+SmNetCount sm_net_check_header(const SmNetMessage *m, const uint8_t *bytes);
+
 // Reads the bits of each element from bytes that sm_net_check has accepted.
 void sm_net_values(const SmNetMessage *m, const uint8_t *bytes, uint64_t *value);
 
@@ -94,16 +105,34 @@ SmNetCount sm_net_order(SmNetOrder *o, SmNetStamp stamp, bool sealed, bool silen
 
 // ---- the tasks ----
 
-typedef struct SmNetPlace {       // an element that the runtime writes or reads
+typedef struct SmNetPlace {       // an element of an integer type that the runtime writes or reads
     uint32_t offset;
     uint8_t type;             // SmType
     uint8_t count;            // SmNetCount; only in SmNetChannel.statistic
 } SmNetPlace;
 
+// The functions of messages over TCP (net_stream.c).  Channels name them, so that a program without TCP does not link them.
+typedef struct SmNetStream SmNetStream;
+extern const SmNetStream sm_net_tcp;
+
+// A connection over TCP.
+typedef struct SmNetPeer {
+    uint8_t *bytes;           // message.size bytes: of a message that has been received or sent in part
+    // The fields below belong to the runtime; initially all zero.
+    PalSocket socket;
+    uint8_t state;
+    uint16_t n, sent;         // bytes of `bytes`; how many of them have been sent
+    uint64_t since, used;     // tick times: of the connection, or of the attempt; of the last message, or of the connection
+} SmNetPeer;
+
 typedef struct SmNetChannel {
     const char *name;
     SmNetMessage message;
-    PalAddress address;       // of a message that is received: the local address or the group; else that of the receiver
+    const SmNetStream *stream;        // &sm_net_tcp; NULL for UDP, and then the next three are zero, too
+    bool is_server;           // waits for connections, instead of making one
+    uint8_t peers;            // rows of `peer`: 1 for a client, 1 or more for a server
+    SmNetPeer *peer;
+    PalAddress address;       // UDP: of the receiver, or the local address or group of a receiver; client: of the server; server: local
     uint8_t interface[4];     // address of the network interface for multicast; 0.0.0.0: the platform chooses
     uint64_t period, timeout; // nanoseconds; period: only of messages that are sent; timeout 0: none
     const SmNetPlace *statistic, *age, *run;      // run: of type U32; NULL if absent
@@ -115,9 +144,11 @@ typedef struct SmNetChannel {
     PalSocket socket;
     SmNetOrder order;
     SmNetStamp next;          // of the next message that is sent
-    uint64_t accepted_at, slot;       // tick times: of the last accepted message; the last period in which a message was sent
+    uint64_t accepted_at, slot;       // tick times: of the last accepted message; the last period
     bool fresh;               // `value` has a message that is not stored yet
     bool open, sent_any;
+    bool due;                 // a message is sent in this step
+    uint64_t retry, pause;    // of a client: the tick time at which it connects again, and how long it has waited for it
 } SmNetChannel;
 
 typedef struct SmNet {
@@ -135,7 +166,8 @@ typedef struct SmNet {
 SmResult sm_receive_init(void *net);
 SmResult sm_send_init(void *net);
 
-// Never wait.  Return SM_OK, or the error of the first channel that failed; the other ones are still served.  SM_E_TIMEOUT: the lock of the
+// Never wait.  Return SM_OK, or the error of the first channel that failed; the other ones are still served.  A peer that is not connected,
+// or does not receive, is no failure: it is counted.  SM_E_TIMEOUT: the lock of the
 // state vector timed out: no element was changed, and what has arrived is stored in the next step.
 SmResult sm_receive_step(void *net, const SmTick *tick);
 SmResult sm_send_step(void *net, const SmTick *tick);

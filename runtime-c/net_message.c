@@ -13,19 +13,36 @@ enum { MAGIC_LOW = 0x53, MAGIC_HIGH = 0x4D, VERSION = 1 };
 
 // ---- bytes ----
 
-static void put(uint8_t *at, uint64_t x, unsigned n)
+// Compilers for little-endian processors make one load or store of each of these two, which they do not of a loop over n.
+static inline void put32(uint8_t *at, uint32_t x)
 {
-    for (unsigned i = 0; i < n; i++)
-        at[i] = (uint8_t)(x >> 8 * i);
+    at[0] = (uint8_t)x;
+    at[1] = (uint8_t)(x >> 8);
+    at[2] = (uint8_t)(x >> 16);
+    at[3] = (uint8_t)(x >> 24);
 }
 
+static inline uint32_t get32(const uint8_t *at) { return at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24; }
+
+// Writes the lowest n bytes of x: 1, 2, 4 or 8.
+static void put(uint8_t *at, uint64_t x, unsigned n)
+{
+    if (n < 4) {
+        at[0] = (uint8_t)x;
+        at[n - 1] = (uint8_t)(x >> 8 * (n - 1));
+        return;
+    }
+    put32(at, (uint32_t)x);
+    if (n > 4)
+        put32(at + 4, (uint32_t)(x >> 32));
+}
+
+// Reads n bytes: 1, 2, 4 or 8.
 static uint64_t get(const uint8_t *at, unsigned n)
 {
-    uint64_t x = 0;
-
-    for (unsigned i = n; i > 0; i--)
-        x = x << 8 | at[i - 1];
-    return x;
+    if (n < 4)
+        return n == 1 ? at[0] : (uint64_t)(at[0] | (uint32_t)at[1] << 8);
+    return n == 4 ? get32(at) : get32(at) | (uint64_t)get32(at + 4) << 32;
 }
 
 // ---- values ----
@@ -48,37 +65,20 @@ static uint64_t sendable(SmType type, uint64_t bits)
     return bits & ~(infinity_of(type) | sign) ? 0 : bits - 1;          // the largest finite number precedes the infinity
 }
 
-// Converts bytes of the wire to the bits of a cell: signed integers are extended as sm_cell_load does.
-static uint64_t cell_of(SmType type, const uint8_t *at)
-{
-    uint8_t native[8];
-    const uint64_t x = get(at, sm_type_bytes[type]);
-    const uint8_t n8 = (uint8_t)x;
-    const uint16_t n16 = (uint16_t)x;
-    const uint32_t n32 = (uint32_t)x;
-
-    switch (sm_type_bytes[type]) {
-    case 1:  memcpy(native, &n8, sizeof n8); break;
-    case 2:  memcpy(native, &n16, sizeof n16); break;
-    case 4:  memcpy(native, &n32, sizeof n32); break;
-    default: memcpy(native, &x, sizeof x); break;
-    }
-    return sm_cell_load(type, native);
-}
-
 // Returns the cause for which a value is refused; SM_NET_accepted if it is not.
 static SmNetCount check_value(const SmNetField *f, const uint8_t *at)
 {
     const SmType type = (SmType)f->type;
+    const uint64_t bits = get(at, sm_type_bytes[type]);
     SmF64 x;
 
     if (type == SM_BOOL)
-        return at[0] > 1 ? SM_NET_nan : SM_NET_accepted;
-    if (is_not_finite(type, get(at, sm_type_bytes[type])))
+        return bits > 1 ? SM_NET_nan : SM_NET_accepted;
+    if (is_not_finite(type, bits))
         return SM_NET_nan;
     if (f->least == LOWEST && f->most == HIGHEST)             // no @range: every finite number is accepted
         return SM_NET_accepted;
-    x = sm_cell_to_f64(type, cell_of(type, at));
+    x = sm_cell_to_f64(type, bits);
     return sm_le(sm_from_bits(f->least), x) && sm_le(x, sm_from_bits(f->most)) ? SM_NET_accepted : SM_NET_range;
 }
 
@@ -95,9 +95,9 @@ void sm_net_encode(const SmNetMessage *m, const uint64_t *value, SmNetStamp stam
     bytes[1] = MAGIC_HIGH;
     bytes[2] = VERSION;
     bytes[3] = m->key != NULL;
-    put(bytes + 4, m->hash, 4);
-    put(bytes + 8, stamp.run, 4);
-    put(bytes + 12, stamp.number, 4);
+    put32(bytes + 4, m->hash);
+    put32(bytes + 8, stamp.run);
+    put32(bytes + 12, stamp.number);
     for (uint16_t i = 0; i < m->fields; i++) {
         const SmType type = (SmType)m->field[i].type;
         put(at, sendable(type, value[i]), sm_type_bytes[type]);
@@ -105,7 +105,7 @@ void sm_net_encode(const SmNetMessage *m, const uint64_t *value, SmNetStamp stam
     }
     if (m->key)
         m->seal(bytes, end, m->key, bytes + end);
-    put(bytes + crc, sm_crc32(bytes, crc), 4);
+    put32(bytes + crc, sm_crc32(bytes, crc));
 }
 
 // Whether the code of a sealed message is correct.  The time does not depend on which bytes are wrong.
@@ -120,18 +120,26 @@ static bool is_sealed(const SmNetMessage *m, const uint8_t *bytes)
     return differs == 0;
 }
 
+SmNetCount sm_net_check_header(const SmNetMessage *m, const uint8_t *bytes)
+{
+    if (bytes[0] != MAGIC_LOW || bytes[1] != MAGIC_HIGH || bytes[2] != VERSION || bytes[3] > 1)
+        return SM_NET_damaged;
+    return get32(bytes + 4) == m->hash ? SM_NET_accepted : SM_NET_hash;
+}
+
 // Returns the cause for which the bytes around the values are refused.
 static SmNetCount check_frame(const SmNetMessage *m, const uint8_t *bytes, size_t n)
 {
     const size_t crc = (size_t)m->size - SM_NET_CRC;
+    SmNetCount cause;
 
     if (n != m->size)
         return n < m->size ? SM_NET_short_ : SM_NET_long_;
-    if (bytes[0] != MAGIC_LOW || bytes[1] != MAGIC_HIGH || bytes[2] != VERSION || bytes[3] > 1 ||
-        get(bytes + crc, 4) != sm_crc32(bytes, crc))
+    cause = sm_net_check_header(m, bytes);
+    if (cause == SM_NET_damaged || get32(bytes + crc) != sm_crc32(bytes, crc))
         return SM_NET_damaged;
-    if (get(bytes + 4, 4) != m->hash)
-        return SM_NET_hash;
+    if (cause != SM_NET_accepted)
+        return cause;
     if (bytes[3] != (m->key != NULL) || (m->key && !is_sealed(m, bytes)))
         return SM_NET_key;
     return SM_NET_accepted;
@@ -148,8 +156,8 @@ SmNetCount sm_net_check(const SmNetMessage *m, const uint8_t *bytes, size_t n, S
     }
     if (cause != SM_NET_accepted)
         return cause;
-    stamp->run = (uint32_t)get(bytes + 8, 4);
-    stamp->number = (uint32_t)get(bytes + 12, 4);
+    stamp->run = get32(bytes + 8);
+    stamp->number = get32(bytes + 12);
     return SM_NET_accepted;
 }
 
@@ -158,8 +166,9 @@ void sm_net_values(const SmNetMessage *m, const uint8_t *bytes, uint64_t *value)
     const uint8_t *at = bytes + SM_NET_HEADER;
 
     for (uint16_t i = 0; i < m->fields; i++) {
-        value[i] = cell_of((SmType)m->field[i].type, at);
-        at += sm_type_bytes[m->field[i].type];
+        const unsigned n = sm_type_bytes[m->field[i].type];
+        value[i] = get(at, n);
+        at += n;
     }
 }
 

@@ -42,8 +42,8 @@ SmResult sm_write_region(SmStateVec *sv, const SmRegion *r, const void *bytes)
 
 // ---- wire form ----
 
-// Copies elements to their positions in wire form, still in memory byte order.  Adjacent elements are copied together, so that the
-// lock is held only for the time of copying.
+// Copies elements to their positions in wire form, still in memory byte order.  The caller converts the byte order after it has
+// released the lock.  Adjacent elements are copied together, to hold the lock as briefly as possible.
 static void copy_packed(const SmStateVec *sv, const SmRegion *r, uint8_t *out)
 {
     const SmElement *e = &sv->layout->element[r->first], *end = e + r->count;

@@ -37,7 +37,7 @@ static bool is_same_name(const char *a, const char *b)
     return *a == *b;
 }
 
-static SmSwappable *find_machine(const SmSwaps *s, const char *name)
+SmSwappable *sm_swap_find_machine(const SmSwaps *s, const char *name)
 {
     for (uint16_t i = 0; name && i < s->machines; i++)
         if (is_same_name(s->machine[i].machine->name, name))
@@ -54,11 +54,6 @@ static void emit_event(const SmSwaps *s, const SmSwappable *w, SmEventKind kind,
 }
 
 // ---- phases ----
-
-static bool is_in_progress(const SmSwaps *s)
-{
-    return s->status.phase == SM_SWAP_PREPARING || s->status.phase == SM_SWAP_WAITING || s->status.phase == SM_SWAP_TRIAL;
-}
 
 static void refuse(SmSwaps *s, SmSwapReason why, uint16_t machine)
 {
@@ -77,8 +72,8 @@ static void end_trial(SmSwaps *s, SmSwapPhase phase)
 // Emits what has ended since the last tick.
 static void emit_due_events(SmSwaps *s, uint64_t time)
 {
-    if (s->refusal_due && s->status.reason != SM_SWAP_NO_MACHINE) {
-        const SmSwappable *w = &s->machine[s->status.machine];
+    if (s->refusal_due && sm_swap_refused_machine(s, &s->status)) {
+        const SmSwappable *w = sm_swap_refused_machine(s, &s->status);
         const bool was_read = s->status.reason != SM_SWAP_NO_TWICE && s->status.reason != SM_SWAP_NO_MODE;
         emit_event(s, w, SM_EVENT_SWAP_REFUSED, time, s->status.reason, was_read ? w->type->identity(other_slot(w)) : 0);
     }
@@ -88,7 +83,12 @@ static void emit_due_events(SmSwaps *s, uint64_t time)
             emit_event(s, w, SM_EVENT_TRIAL, time, s->status.end,
                        w->type->identity(s->status.phase == SM_SWAP_CONFIRMED ? running_slot(w) : other_slot(w)));
     }
-    s->refusal_due = s->end_due = false;
+    if (s->failure_due) {
+        SmEvent e = {time, 0, 0, 0, SM_EVENT_NOT_STORED};
+        e.a = (uint32_t)-s->status.stored;
+        sm_event(s->events, &e);
+    }
+    s->refusal_due = s->end_due = s->failure_due = false;
 }
 
 // ---- begin ----
@@ -102,7 +102,7 @@ static SmSwapReason store_changes(SmSwaps *s, const SmSwapChange *change, uint16
     for (uint16_t i = 0; i < s->machines; i++)
         s->machine[i].concerned = false;
     for (uint16_t i = 0; i < n; i++) {
-        SmSwappable *w = find_machine(s, change[i].machine);
+        SmSwappable *w = sm_swap_find_machine(s, change[i].machine);
         *failed = w ? (uint16_t)(w - s->machine) : i;
         if (!w)
             return SM_SWAP_NO_MACHINE;
@@ -125,13 +125,14 @@ SmResult sm_swap_begin(SmSwaps *s, const SmSwapChange *change, uint16_t n)
 
     if (r != SM_OK)
         return r;
-    if (is_in_progress(s) || s->refusal_due || s->end_due) {      // the events of the last one are emitted at the end of this tick
+    if (SM_SWAP_IS_IN_PROGRESS(s->status.phase) || s->refusal_due || s->end_due) {      // the events of the last one are emitted at the end of this tick
         sm_handover_unlock(s->lock);
         return SM_E_BUSY;
     }
     s->status.number++;
     s->status.reason = SM_SWAP_NOT_REFUSED;
     s->status.end = 0;
+    s->status.stored = SM_OK;
     why = store_changes(s, change, n, &failed);
     if (why != SM_SWAP_NOT_REFUSED) {
         refuse(s, why, failed);
@@ -156,6 +157,12 @@ SmResult sm_swap_status(SmSwaps *s, SmSwapStatus *status)
     return SM_OK;
 }
 
+static void keep_new(SmSwaps *s)
+{
+    s->status.end = SM_SWAP_WAS_CONFIRMED;
+    end_trial(s, SM_SWAP_CONFIRMED);
+}
+
 // Ends the trial: the new machines stay.  SM_E_ARGUMENT: no machine is on trial.
 SmResult sm_swap_confirm(SmSwaps *s)
 {
@@ -165,10 +172,36 @@ SmResult sm_swap_confirm(SmSwaps *s)
         return r;
     if (s->status.phase != SM_SWAP_TRIAL || s->status.end != 0) {
         r = SM_E_ARGUMENT;
+    } else if (s->storage) {
+        s->confirming = true;
     } else {
-        s->status.end = SM_SWAP_WAS_CONFIRMED;
-        end_trial(s, SM_SWAP_CONFIRMED);
+        keep_new(s);
     }
+    sm_handover_unlock(s->lock);
+    return r;
+}
+
+// Stores a confirmed swap.  No machine is exchanged or prepared meanwhile, so the running slots do not change.
+SmResult sm_swaps_save(SmSwaps *s)
+{
+    bool is_due;
+    SmResult r;
+
+    if (!s->storage || sm_handover_lock(s->lock) != SM_OK)
+        return SM_OK;
+    is_due = s->confirming;
+    sm_handover_unlock(s->lock);
+    if (!is_due)
+        return SM_OK;
+    r = s->storage->save(s->storage, s);
+    if (sm_handover_lock(s->lock) != SM_OK)
+        return SM_E_TIMEOUT;
+    s->confirming = false;
+    s->status.stored = r;
+    if (r == SM_OK)
+        keep_new(s);
+    else
+        s->failure_due = true;
     sm_handover_unlock(s->lock);
     return r;
 }
@@ -189,11 +222,20 @@ SmResult sm_swap_machine(SmSwaps *s, uint16_t machine, SmSwapMachineState *out)
         out->slot = running_slot(w);
         out->newest = !w->concerned ? NULL : is_new ? running_slot(w) : other_slot(w);
         out->is_on_trial = w->concerned && s->status.phase == SM_SWAP_TRIAL;
+        out->is_built_in = out->identity == w->built_in;
+        out->is_stored = out->identity == w->stored;
     } else {
         r = SM_E_MISSING;
     }
     sm_handover_unlock(s->lock);
     return r;
+}
+
+const SmSwappable *sm_swap_refused_machine(const SmSwaps *s, const SmSwapStatus *status)
+{
+    const bool has_machine = status->phase == SM_SWAP_REFUSED && status->reason != SM_SWAP_NO_MACHINE && status->machine < s->machines;
+
+    return has_machine ? &s->machine[status->machine] : NULL;
 }
 
 // Returns the sentence of a reason; "" for an unknown one.
@@ -256,9 +298,16 @@ static SmSwaps *swaps_of(const SmApp *app) { return (SmSwaps *)(uintptr_t)app->w
 SmResult sm_swaps_restore(SmApp *app)
 {
     SmSwaps *const s = swaps_of(app);
-    const SmResult r = s->service ? s->service->open(s->service, app) : SM_OK;
+    const SmResult opened = s->service ? s->service->open(s->service, app) : SM_OK;
+    SmResult r = opened;
 
-    return r != SM_OK || !s->next ? r : s->next->restore(app);
+    if (r == SM_OK && s->storage)
+        r = s->storage->open(s->storage, s, app);         // after the service, which reads the key
+    if (r == SM_OK && s->next)
+        r = s->next->restore(app);
+    if (r != SM_OK && opened == SM_OK && s->service)
+        s->service->close(s->service);
+    return r;
 }
 
 // Whether the log is in the middle of a description, which has the names of the machines and must not change until it is written.
@@ -282,6 +331,7 @@ void sm_swaps_write(SmApp *app, uint64_t budget)
     while (!is_log_describing(app->log) && sm_swaps_prepare(s) && pal_clock_now() - start < budget) {}
     if (app->log)
         log_names(s, app->log);
+    (void)sm_swaps_save(s);
     if (s->next)
         s->next->write(app, budget);
     if (s->service)
@@ -294,6 +344,10 @@ void sm_swaps_close(SmApp *app, const SmTick *last)
 
     if (s->service)
         s->service->close(s->service);
+    if (s->storage) {
+        (void)sm_swaps_save(s);
+        s->storage->close(s->storage);
+    }
     if (s->next)
         s->next->close(app, last);
 }
@@ -414,8 +468,10 @@ SmResult sm_swappable_init(void *swappable)
     SmResult r = sm_machine_init(w->machine);
 
     w->logged = *w->machine;
-    if (r == SM_OK)
-        w->type->init(w->slot[0]);
+    if (r == SM_OK) {
+        w->type->init(w->slot[0], w->slot[1]);
+        w->built_in = w->type->identity(w->slot[0]);
+    }
     return r;
 }
 
@@ -484,7 +540,7 @@ SmResult sm_swap_gate_leave(void *gate, const SmTick *tick)
     g->is_in_tick = false;
     if (s->status.phase == SM_SWAP_WAITING && runs_concerned(g))
         try_exchange(s, tick->time);
-    if (s->status.phase == SM_SWAP_TRIAL)
+    if (s->status.phase == SM_SWAP_TRIAL && !s->confirming)
         check_trial(s);
     if (s->status.phase == SM_SWAP_TRIAL && s->status.end != 0 && runs_concerned(g))
         try_return(s, tick->time);

@@ -20,7 +20,7 @@
 // WAITING     At the end of a tick, if all executors of the concerned machines are between two ticks, the executor checks the remaining
 //             conditions.  If all are met it exchanges all machines, which takes a pointer and a copy of what each machine keeps.
 // TRIAL       The old machines are still in memory.  They return if a machine on trial has stepped `trial` times without a confirmation,
-//             or has entered a state marked @abort.
+//             or has entered a state marked @abort.  With a storage, a confirmed swap is stored before the trial ends.
 //
 // The application has two slots of memory for each machine that can be swapped.  Nothing is allocated.  The machine in one slot runs, the
 // other slot receives the next one.  smc generates all tables from a .app with @swap (docs/config.md 10.21).
@@ -34,13 +34,6 @@
 extern "C" {
 #endif
 
-typedef enum SmSwapReason {
-    SM_SWAP_NOT_REFUSED = 0,
-#define SM_SWAP(name, number, text) SM_SWAP_NO_##name = number,
-#include "runtime-c/swaps.def"
-#undef SM_SWAP
-} SmSwapReason;
-
 // One machine of a swap.  What it points to must stay unchanged while the swap is PREPARING.
 typedef struct SmSwapChange {
     const char *machine;      // its name in the application
@@ -48,6 +41,7 @@ typedef struct SmSwapChange {
     uint32_t size;            // bytes
     uint8_t mode;             // SmSwapMode; there is no default
     const char *state;        // to restart: the name of the first state; NULL: the first of the machine
+    bool built_in;            // the image with which the application was built; `image` and `size` are not used
 } SmSwapChange;
 
 typedef struct SmSwapStatus {
@@ -56,6 +50,7 @@ typedef struct SmSwapStatus {
     uint16_t machine;         // REFUSED: which machine, an index into SmSwaps.machine.  SM_SWAP_NO_MACHINE: an index into the changes
     SmSwapEnd end;            // CONFIRMED and RETURNED: how the trial ended
     uint32_t number;          // how many swaps have begun, modulo 2^32
+    SmResult stored;          // TRIAL: the last result of storing a confirmed swap.  After a failure the trial goes on
 } SmSwapStatus;
 
 // ---- the tables of an application ----
@@ -63,8 +58,8 @@ typedef struct SmSwapStatus {
 // What is specific to the kind of a machine: bytecode-vm/target/slot.h for images.  `slot`, `from` and `to` are memory for one machine each;
 // `m` is the machine that runs in one of them.
 typedef struct SmSwapType {
-    // Reads the machine that runs at the start.
-    void (*init)(void *slot);
+    // Reads the machine with which the application was built, in `slot`.
+    void (*init)(void *slot, void *other);
     // Runs part `part` of the preparation of the machine in `to`, which does not run.  Called for parts 0 to parts - 1 in order.
     uint8_t parts;
     SmSwapReason (*prepare)(void *to, const void *from, const SmSwapChange *change, const SmMachine *m, uint8_t part);
@@ -93,6 +88,8 @@ typedef struct SmSwappable {
     uint32_t steps;           // number of steps since the exchange
     bool was_aborting;        // at the last check, its state was marked @abort
     uint32_t state;           // the state that its next step runs, as of the end of the last tick of its executor
+    uint32_t built_in;        // checksum of the image with which the application was built
+    uint32_t stored;          // checksum of its image in the storage; 0: none
     SmMachine logged;         // for SmLog.machine: has the names of the image that ran when the last preparation began
     const void *unnamed;      // the slot whose names are not in the log yet; or NULL
 } SmSwappable;
@@ -110,6 +107,17 @@ typedef struct SmSwapService {
     void (*close)(struct SmSwapService *self);
 } SmSwapService;
 
+// Stores the images of confirmed swaps, so that they run again after a restart (bytecode-vm/target/swap_store.h).  The thread that writes the
+// log calls all functions.
+typedef struct SmSwapStorage {
+    // Before init of the tasks: lets each machine with a stored image start with it.  A failure prevents the start.
+    SmResult (*open)(struct SmSwapStorage *self, struct SmSwaps *s, SmApp *app);
+    // Stores the images that run now, all of them or none.  SM_OK: they are stored permanently.  Any other result: the next start finds what
+    // was stored before.
+    SmResult (*save)(struct SmSwapStorage *self, struct SmSwaps *s);
+    void (*close)(struct SmSwapStorage *self);
+} SmSwapStorage;
+
 // What a host can ask about a machine.
 typedef struct SmSwapMachineState {
     uint32_t identity;        // checksum of its image
@@ -117,6 +125,8 @@ typedef struct SmSwapMachineState {
     const void *slot;         // the slot that runs; its image stays valid until the next call of sm_swaps_prepare
     const void *newest;       // the slot that the last swap has prepared; NULL: the last swap does not concern the machine
     bool is_on_trial;
+    bool is_built_in;         // its image is the one with which the application was built
+    bool is_stored;           // its image is stored, and runs again after a restart
 } SmSwapMachineState;
 
 // `writing` is the first field, because SmApp.writing points to it.
@@ -124,6 +134,7 @@ typedef struct SmSwaps {
     SmWriting writing;        // SM_SWAP_WRITING
     const SmWriting *next;    // &sm_writing if the application has a log or saves its state vector; else NULL
     SmSwapService *service;   // serves requests from outside; or NULL
+    SmSwapStorage *storage;   // stores confirmed images; NULL: after a restart, the machines with which the application was built run
     SmSwappable *machine;
     uint16_t machines;
     SmSwapGate *gate;         // by executor
@@ -138,6 +149,8 @@ typedef struct SmSwaps {
     SmSwapStatus status;
     bool refusal_due;         // the refusal is not yet in the events
     bool end_due;             // the confirmation is not yet in the events
+    bool confirming;          // TRIAL: confirmed, and not yet stored.  The trial does not end meanwhile
+    bool failure_due;         // the failure to store is not yet in the events
     uint16_t at;              // PREPARING: the machine that is being prepared
     uint8_t part;             // PREPARING: the next part of its preparation
     uint32_t tries;           // WAITING: how many ticks have ended in which an executor was inside another one
@@ -155,12 +168,19 @@ SmResult sm_swap_begin(SmSwaps *s, const SmSwapChange *change, uint16_t n);
 // Reads the status of the last swap.  SM_E_BUSY: the application has not started.
 SmResult sm_swap_status(SmSwaps *s, SmSwapStatus *status);
 
-// Ends the trial: the new machines stay.  SM_E_ARGUMENT: no machine is on trial.
+// Ends the trial: the new machines stay.  With a storage, the phase is CONFIRMED when they are stored; if that fails, the trial goes on.
+// SM_E_ARGUMENT: no machine is on trial.
 SmResult sm_swap_confirm(SmSwaps *s);
 
 // Reads what is known of a machine: an index into SmSwaps.machine.  Only for the thread that prepares.  SM_E_BUSY: the application has not
 // started.  SM_E_MISSING: there is no such machine.
 SmResult sm_swap_machine(SmSwaps *s, uint16_t machine, SmSwapMachineState *out);
+
+// Returns the machine of this name; NULL if there is none that can be swapped.
+SmSwappable *sm_swap_find_machine(const SmSwaps *s, const char *name);
+
+// Returns the machine that was refused; NULL if no swap was, or if the application has no such machine.
+const SmSwappable *sm_swap_refused_machine(const SmSwaps *s, const SmSwapStatus *status);
 
 // Returns the sentence of a reason; "" for an unknown one.
 const char *sm_swap_reason_text(SmSwapReason reason);
@@ -183,6 +203,10 @@ void sm_swaps_close(struct SmApp *app, const SmTick *last);
 
 // Runs the next part of a preparation.  Returns false if there was none.  Only one thread may call it.
 bool sm_swaps_prepare(SmSwaps *s);
+
+// Stores a swap that sm_swap_confirm has confirmed, if there is one, and ends its trial.  Returns the result of storing.  Only the thread
+// that prepares may call it.
+SmResult sm_swaps_save(SmSwaps *s);
 
 #ifdef __cplusplus
 }

@@ -14,8 +14,19 @@ typedef enum SmSwapPhase {
     SM_SWAP_CONFIRMED, SM_SWAP_RETURNED, SM_SWAP_REFUSED          // it has ended
 } SmSwapPhase;
 
+// Whether a swap is in progress.
+#define SM_SWAP_IS_IN_PROGRESS(phase) ((phase) == SM_SWAP_PREPARING || (phase) == SM_SWAP_WAITING || (phase) == SM_SWAP_TRIAL)
+
 // How a trial ends: a of event TRIAL.
 typedef enum SmSwapEnd { SM_SWAP_WAS_CONFIRMED = 1, SM_SWAP_TOOK_TOO_LONG = 2, SM_SWAP_ABORTED = 3 } SmSwapEnd;
+
+// Why a swap is refused, or why a stored image does not run.
+typedef enum SmSwapReason {
+    SM_SWAP_NOT_REFUSED = 0,
+#define SM_SWAP(name, number, text) SM_SWAP_NO_##name = number,
+#include "runtime-c/swaps.def"
+#undef SM_SWAP
+} SmSwapReason;
 
 #define SM_SWAP_VERSION 1u             // the first byte of a swap (bytecode-vm/target/swap_link.h)
 #define SM_SWAP_NAME    64u            // most bytes of a name in a swap, with its zero byte

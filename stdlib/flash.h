@@ -9,16 +9,23 @@
 #ifndef SM_FLASH_H
 #define SM_FLASH_H
 
+#include <string.h>
+
+// snippet: SM_FLASH
 #ifdef __AVR__
 #include <avr/pgmspace.h>
-#define SM_FLASH PROGMEM
+#define SM_FLASH PROGMEM                                          // in flash: AVR copies other constants into RAM
 #define sm_flash_read(to, from, n) memcpy_P((to), (from), (n))
+#else
+#define SM_FLASH
+#define sm_flash_read(to, from, n) memcpy((to), (from), (n))
+#endif
+// snippet: end
+
+#ifdef __AVR__
 #define SM_TEXT(text) (__extension__({static const char text_[] PROGMEM = text; (const char *)text_;}))
 #define sm_text_byte(at) ((char)pgm_read_byte(at))
 #else
-#include <string.h>
-#define SM_FLASH
-#define sm_flash_read(to, from, n) memcpy((to), (from), (n))
 #define SM_TEXT(text) (text)
 #define sm_text_byte(at) (*(at))
 #endif

@@ -68,7 +68,7 @@ static inline SmF64 sm_sqrt(SmF64 x)
         }
         rest <<= 1;
     }
-    // root has one bit more than fits, which rounds it to nearest: a square root is never half-way between two numbers.
+    // root has one extra bit, so adding 1 and shifting rounds to nearest: no root is halfway between two F64 values.
     return sm_from_bits((((root + 1) >> 1) & 0x000FFFFFFFFFFFFFu) | (uint64_t)(exponent / 2) << 52);
 }
 // snippet: sm_sign

@@ -11,6 +11,12 @@
 // sm_roll_of_f64), with NaN replaced by 0.  A window stores the key of each sample.  Where keys are compared, they are integers whose order is
 // that of the samples' values, with -0 below 0; otherwise a key is the sample itself.  Samples of I64 and U64 are stored as F64.
 //
+// A window of the type SM_ROLL_TIMES stores times.  Its sample is an event, 0, 1 or 2, at the current time (sm_roll_sample_event):
+//
+//     SM_ROLL_ELAPSED          the last n times of events other than 0
+//     SM_ROLL_RUN_STEPS, …_TIME a run: 0 ends it, 1 extends it or begins one, 2 begins a new one.  Two words, the times of the first and the
+//                              newest event of the run; the number of samples in the ring is that of its events, at most n
+//
 // The first word of w is the ring: the number of samples, and the slot of the next one.  The functions that sm_roll_sample and sm_roll_stat call
 // receive w + 1, which is the window without its ring.  Emitted C calls these, with n and kind as constants: sm_roll_advance; sm_roll_push or one
 // of its variants; then sm_roll_combine, if the window stores partial results; and sm_roll_avg and similar.  There, windows of one size share a
@@ -24,6 +30,7 @@
 //                  longer                   log2 n additions                     constant         n F64: sums of 2, 4, 8, … slots
 //     smallest, largest: n <= SM_ROLL_SCAN  constant                             n comparisons    none
 //                  longer                   log2 n comparisons                   constant         n words each, of 2, 4, 8, … slots
+//     oldest, newest                        constant                             constant         none
 //     median:      n <= SM_ROLL_SHORT       n comparisons, no branch             constant         n samples, in order
 //                  longer                   2 log2 n comparisons, moving 2 SM_   constant         n samples, in order, and
 //                                           ROLL_BLOCK samples and 1 a block                      2 bytes a block
@@ -80,7 +87,10 @@ enum {
     SM_ROLL_I8 = 0, SM_ROLL_I16 = 1, SM_ROLL_I32 = 2, SM_ROLL_U8 = 4, SM_ROLL_U16 = 5, SM_ROLL_U32 = 6,
     SM_ROLL_F32 = 8, SM_ROLL_F64 = 9, SM_ROLL_BOOL = 10, SM_ROLL_TYPE = 15,
     SM_ROLL_AVG = 16, SM_ROLL_MEDIAN = 32, SM_ROLL_MIN = 64, SM_ROLL_MAX = 128, SM_ROLL_RANGE = 256,
-    SM_ROLL_ORDER = 480        // the statistics that compare samples: all but the average
+    SM_ROLL_OLDEST = 512, SM_ROLL_NEWEST = 1024, SM_ROLL_CHANGE = 2048,
+    SM_ROLL_TIMES = 7,         // a window of times or a run, with its own statistics:
+    SM_ROLL_ELAPSED = 4096, SM_ROLL_RUN_STEPS = 8192, SM_ROLL_RUN_TIME = 16384,
+    SM_ROLL_ORDER = 480        // the statistics that compare samples
 };
 // SM_ROLL_SHORT: the longest window whose average is summed up when it is read, and which is sorted by one pass over all samples.
 // SM_ROLL_SCAN: the longest window whose smallest and largest are found by visiting all samples.
@@ -714,6 +724,59 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_range(const uint64_t *w, uint32_t n, uint
     }
     return sm_eq(lo, hi) ? sm_from_i32(0) : sm_sub(hi, lo);
 }
+// snippet: sm_roll_oldest_slot
+// The slot of the oldest sample; slot 0 of an empty window.
+SM_ROLL_INLINE SmRollSize sm_roll_oldest_slot(const uint64_t *ring, uint32_t n) { return sm_roll_count(ring) < n ? 0 : sm_roll_next(ring); }
+// snippet: sm_roll_newest_slot
+// The slot of the newest sample; slot n - 1 of an empty window.
+SM_ROLL_INLINE SmRollSize sm_roll_newest_slot(const uint64_t *ring, uint32_t n) { return (SmRollSize)((sm_roll_next(ring) != 0 ? sm_roll_next(ring) : n) - 1u); }
+// snippet: sm_roll_oldest
+SM_ROLL_INLINE SmF64 sm_roll_oldest(const uint64_t *w, uint32_t n, uint32_t kind, const uint64_t *ring)
+{
+    return sm_roll_value(kind, sm_roll_slot_key(w, n, kind, sm_roll_oldest_slot(ring, n)));
+}
+// snippet: sm_roll_newest
+SM_ROLL_INLINE SmF64 sm_roll_newest(const uint64_t *w, uint32_t n, uint32_t kind, const uint64_t *ring)
+{
+    return sm_roll_value(kind, sm_roll_slot_key(w, n, kind, sm_roll_newest_slot(ring, n)));
+}
+// snippet: sm_roll_change
+SM_ROLL_INLINE SmF64 sm_roll_change(const uint64_t *w, uint32_t n, uint32_t kind, const uint64_t *ring)
+{
+    return sm_roll_count(ring) < 2 ? sm_from_i32(0) : sm_sub(sm_roll_newest(w, n, kind, ring), sm_roll_oldest(w, n, kind, ring));
+}
+// snippet: sm_roll_push_time
+// Adds a time to a window of n times, unless the event is 0.
+SM_ROLL_INLINE void sm_roll_push_time(uint64_t *w, uint32_t n, uint64_t *ring, uint32_t event, uint64_t now)
+{
+    if (event != 0)
+        w[sm_roll_advance(ring, n).slot] = now;
+}
+// snippet: sm_roll_elapsed
+SM_ROLL_INLINE SmF64 sm_roll_elapsed(const uint64_t *w, uint32_t n, const uint64_t *ring)
+{
+    return sm_roll_count(ring) == 0 ? sm_from_i32(0) : sm_from_u64(w[sm_roll_newest_slot(ring, n)] - w[sm_roll_oldest_slot(ring, n)]);
+}
+// snippet: sm_roll_run_length
+// The number of events of a run, at most its size; 0: it has ended.
+SM_ROLL_INLINE uint32_t sm_roll_run_length(const uint64_t *ring) { uint32_t v; memcpy(&v, ring, 4); return v; }
+// snippet: sm_roll_run_steps
+SM_ROLL_INLINE SmF64 sm_roll_run_steps(const uint64_t *ring) { return sm_from_u32(sm_roll_run_length(ring)); }
+// snippet: sm_roll_run_time
+SM_ROLL_INLINE SmF64 sm_roll_run_time(const uint64_t *w, const uint64_t *ring)
+{
+    return sm_roll_run_length(ring) == 0 ? sm_from_i32(0) : sm_from_u64(w[1] - w[0]);
+}
+// snippet: sm_roll_extend_run
+// Adds an event to a run: 0 ends it, 1 extends it or begins one, 2 begins a new one.
+SM_ROLL_INLINE void sm_roll_extend_run(uint64_t *w, uint32_t n, uint64_t *ring, uint32_t event, uint64_t now)
+{
+    const uint32_t length = event == 1 ? sm_roll_run_length(ring) : 0;
+    if (length == 0)
+        w[0] = now;
+    w[1] = now;
+    sm_roll_set_count(ring, event == 0 ? 0 : length < n ? length + 1 : n);
+}
 // snippet: end
 
 #ifndef SM_ROLL_NONE
@@ -725,20 +788,30 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_range(const uint64_t *w, uint32_t n, uint
 // The kind of a window over samples of a type; stats has the bit 1u << SmStat for each statistic that will be read.
 static inline uint32_t sm_roll_kind(SmType type, uint32_t stats)
 {
+    if ((stats & SM_STATS_OF_TIMES) != 0)
+        return SM_ROLL_TIMES | stats << 4;
     return (type == SM_I64 || type == SM_U64 ? (uint32_t)SM_ROLL_F64 : (uint32_t)type) | stats << 4;
 }
 
 // Whether a kind is valid: statistics that exist, and a type that windows store (bits 0 to 2, 4 to 6 and 8 to 10 of 0x777).
 static inline bool sm_roll_is_kind(uint32_t kind)
 {
-    return !SM_ROLL_NONE && kind >> 4 >> SM_STAT_COUNT == 0 && (0x777u >> (kind & SM_ROLL_TYPE) & 1u) != 0;
+    const uint32_t stats = kind >> 4;
+    if (SM_ROLL_NONE || stats >> SM_STAT_COUNT != 0)
+        return false;
+    if ((kind & SM_ROLL_TYPE) == SM_ROLL_TIMES)
+        return stats == 1u << SM_STAT_ELAPSED || (stats != 0 && (stats & ~SM_STATS_OF_RUNS) == 0);
+    return (stats & SM_STATS_OF_TIMES) == 0 && (0x777u >> (kind & SM_ROLL_TYPE) & 1u) != 0;
 }
+
+// The number of slots of a window: a run has two, whatever its size.
+static inline uint32_t sm_roll_slots(uint32_t n, uint32_t kind) { return (kind & (SM_ROLL_RUN_STEPS | SM_ROLL_RUN_TIME)) != 0 ? 2 : n; }
 
 // The number of words of memory that a window needs, and the ring that precedes it.  n is at most SM_WINDOW_MAX.
 static inline uint32_t sm_roll_words(uint32_t n, uint32_t kind)
 {
     const unsigned partials = sm_roll_node_partials(n, kind);
-    uint32_t words = sm_roll_nodes_at(n, kind);
+    uint32_t words = sm_roll_nodes_at(sm_roll_slots(n, kind), kind);
     if (partials == 0)
         return words + 1;
     words += (sm_roll_partial_words(partials) - 1) * sm_roll_tree_words(n);
@@ -751,7 +824,7 @@ static inline uint32_t sm_roll_words(uint32_t n, uint32_t kind)
 static inline uint32_t sm_roll_bytes(uint32_t n, uint32_t kind)
 {
     if (SM_ROLL_SMALL)
-        return 8 + (sm_roll_row_bytes(n, kind) << ((kind & SM_ROLL_MEDIAN) != 0));
+        return 8 + (sm_roll_row_bytes(sm_roll_slots(n, kind), kind) << ((kind & SM_ROLL_MEDIAN) != 0));
     return 8 * sm_roll_words(n, kind);
 }
 
@@ -782,6 +855,24 @@ SM_ROLL_INLINE void sm_roll_add_sample(uint64_t *w, uint32_t n, uint32_t kind, i
         sm_roll_combine(w, n, kind, at);
 }
 
+// Adds an event at the time `now` to a window of times: 0, 1, or 2 for any greater number.
+static inline void sm_roll_sample_event(uint64_t *w, uint32_t n, uint32_t kind, uint64_t number, uint64_t now)
+{
+    const uint32_t event = number < 2 ? (uint32_t)number : 2;
+    if ((kind & SM_ROLL_ELAPSED) != 0)
+        sm_roll_push_time(w + 1, n, w, event, now);
+    else
+        sm_roll_extend_run(w + 1, n, w, event, now);
+}
+
+// Reads a statistic of a window of times.
+static inline SmF64 sm_roll_stat_of_times(const uint64_t *w, uint32_t n, SmStat stat)
+{
+    return stat == SM_STAT_ELAPSED ? sm_roll_elapsed(w + 1, n, w) : stat == SM_STAT_RUN_STEPS ? sm_roll_run_steps(w) : sm_roll_run_time(w + 1, w);
+}
+
+// sm_roll_sample converts a number to the window's type, as a store does, and adds it as a sample.  sm_roll_sample_cell adds a sample that
+// the cell contains in the window's type, and overwrites the cell.  sm_roll_stat reads one of the statistics that the window supports.
 #if SM_ROLL_NONE
 static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { (void)w; (void)n; (void)kind; (void)x; }
 static inline void sm_roll_sample_cell(uint64_t *w, uint32_t n, uint32_t kind, unsigned char *cell) { (void)w; (void)n; (void)kind; (void)cell; }
@@ -804,7 +895,6 @@ SM_ROLL_NOINLINE void sm_roll_small_init(SmRollSmall *s, const uint64_t *w, size
     s->next = (size_t)sm_roll_next(w);
 }
 
-// Adds a sample that is already stored in the window's type.  Overwrites the cell.
 static inline void sm_roll_sample_cell(uint64_t *w, uint32_t n, uint32_t kind, unsigned char *cell)
 {
     SmRollSmall s;
@@ -815,7 +905,6 @@ static inline void sm_roll_sample_cell(uint64_t *w, uint32_t n, uint32_t kind, u
     sm_roll_set_next(w, (uint32_t)(s.next + 1 < s.n ? s.next + 1 : 0));
 }
 
-// Converts a number to the window's type, as a store does, and adds it as a sample.
 static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x)
 {
     unsigned char cell[8];
@@ -823,14 +912,26 @@ static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 
     sm_roll_sample_cell(w, n, kind, cell);
 }
 
-// Reads one of the statistics that the window supports.
 static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
     SmF64 x[SM_ROLL_WAITING];
     SmRollSmall s;
+    if ((kind & SM_ROLL_TYPE) == SM_ROLL_TIMES)
+        return sm_roll_stat_of_times(w, n, stat);
     sm_roll_small_init(&s, w, (size_t)n, (uint16_t)kind);
     s.count += s.count == 0;                         // an empty window: its slots contain 0
-    sm_roll_small_stat(&s, stat, x);
+    if (stat < SM_STAT_OLDEST) {
+        sm_roll_small_stat(&s, stat, x);
+        return x[0];
+    }
+    sm_roll_small_value(&s, x, sm_roll_small_at(&s, s.slot, sm_roll_newest_slot(w, n)));
+    sm_roll_small_value(&s, x + 1, sm_roll_small_at(&s, s.slot, sm_roll_oldest_slot(w, n)));
+    if (stat == SM_STAT_OLDEST)
+        return x[1];
+    if (stat == SM_STAT_CHANGE && s.count < 2)
+        return sm_from_i32(0);
+    if (stat == SM_STAT_CHANGE)
+        sm_roll_calculate(x, '-', x + 1);
     return x[0];
 }
 #else
@@ -857,13 +958,18 @@ static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 
 // Reads one of the statistics that the window supports.
 SM_ROLL_INLINE SmF64 sm_roll_read_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
-    const SmRollSize count = sm_roll_count(w++);
+    const uint64_t *const ring = w++;
+    const SmRollSize count = sm_roll_count(ring);
     switch (stat) {
     case SM_STAT_AVG: return sm_roll_avg(w, n, kind, count);
     case SM_STAT_MEDIAN: return sm_roll_median(w, n, kind, count);
     case SM_STAT_MIN: return sm_roll_min(w, n, kind, count);
     case SM_STAT_MAX: return sm_roll_max(w, n, kind, count);
     case SM_STAT_RANGE: return sm_roll_range(w, n, kind, count);
+    case SM_STAT_OLDEST: return sm_roll_oldest(w, n, kind, ring);
+    case SM_STAT_NEWEST: return sm_roll_newest(w, n, kind, ring);
+    case SM_STAT_CHANGE: return sm_roll_change(w, n, kind, ring);
+    case SM_STAT_ELAPSED: case SM_STAT_RUN_STEPS: case SM_STAT_RUN_TIME: break;
     case SM_STAT_COUNT: break;
     }
     return sm_from_i32(0);
@@ -873,10 +979,11 @@ SM_ROLL_INLINE SmF64 sm_roll_read_stat(const uint64_t *w, uint32_t n, uint32_t k
 static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
 #ifdef __OPTIMIZE_SIZE__
-    return sm_roll_read_stat(w, n, kind, stat);
+    return (kind & SM_ROLL_TYPE) == SM_ROLL_TIMES ? sm_roll_stat_of_times(w, n, stat) : sm_roll_read_stat(w, n, kind, stat);
 #else
     const uint32_t stats = kind & ~(uint32_t)SM_ROLL_TYPE;
     switch (kind & SM_ROLL_TYPE) {
+    case SM_ROLL_TIMES: return sm_roll_stat_of_times(w, n, stat);
     case SM_ROLL_I8: return sm_roll_read_stat(w, n, stats | SM_ROLL_I8, stat);
     case SM_ROLL_I16: return sm_roll_read_stat(w, n, stats | SM_ROLL_I16, stat);
     case SM_ROLL_I32: return sm_roll_read_stat(w, n, stats | SM_ROLL_I32, stat);

@@ -37,6 +37,7 @@ static inline bool sm_soft_beyond_f32(float x, uint32_t n)
     u ^= n & 0x80000000u;
     return u > (n & 0x7FFFFFFFu) && u <= 0x7F800000u;
 }
+// Whether x is n or further from 0 on the same side; false for NaN.  n is not zero.
 static inline bool sm_soft_reaches_f32(float x, uint32_t n)
 {
     uint32_t u;

@@ -5,6 +5,7 @@
 //   f64.h      SmF64, the only number type, and its arithmetic
 //   convert.h  between F64 and the other types, saturating
 //   math.h     the builtins that depend only on their arguments
+//   elementary.h  those of them that are rounded, such as exp and sin
 //   roll.h     rolling windows
 //   crc32.h    the checksum of images and links
 //   result.h   the status of a call
@@ -13,6 +14,7 @@
 
 #include "stdlib/convert.h"
 #include "stdlib/crc32.h"
+#include "stdlib/elementary.h"
 #include "stdlib/f64.h"
 #include "stdlib/math.h"
 #include "stdlib/result.h"

@@ -51,17 +51,30 @@ typedef struct SmOpInfo {
 
 extern const SmOpInfo sm_op_info[SM_OP_COUNT];         // indexed by SmOperator
 
-// The statistics of a rolling window.
-typedef enum SmStat { SM_STAT_AVG, SM_STAT_MEDIAN, SM_STAT_MIN, SM_STAT_MAX, SM_STAT_RANGE, SM_STAT_COUNT } SmStat;
+// The statistics of a rolling window.  Programs read those after the range only by prev, rising, falling, held and rate.
+typedef enum SmStat {
+    SM_STAT_AVG, SM_STAT_MEDIAN, SM_STAT_MIN, SM_STAT_MAX, SM_STAT_RANGE,
+    SM_STAT_OLDEST, SM_STAT_NEWEST,       // samples
+    SM_STAT_CHANGE,                       // the newest minus the oldest sample; 0 while there is one
+    SM_STAT_ELAPSED,                      // of a window of times: the newest minus the oldest
+    SM_STAT_RUN_STEPS, SM_STAT_RUN_TIME,  // of a run of true samples: how many, at most the size; the time from the first to the newest
+    SM_STAT_COUNT
+} SmStat;
+
+// The statistics of windows that store times (stdlib/roll.h), as a set of 1 << SmStat.
+#define SM_STATS_OF_TIMES (1u << SM_STAT_ELAPSED | 1u << SM_STAT_RUN_STEPS | 1u << SM_STAT_RUN_TIME)
+#define SM_STATS_OF_RUNS (1u << SM_STAT_RUN_STEPS | 1u << SM_STAT_RUN_TIME)
 
 typedef enum SmBuiltin {
 #define SM_PURE(name, arguments, sentence) SM_FN_##name,
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_FN_##name,
 #define SM_ROLL(name, stat, sentence) SM_FN_##name,
+#define SM_SAMPLED(name, arguments, sentence) SM_FN_##name,
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
 #undef SM_ROLL
+#undef SM_SAMPLED
     SM_FN_COUNT
 } SmBuiltin;
 
@@ -70,6 +83,7 @@ typedef struct SmBuiltinInfo {
     const char *sentence;   // describes the result, for messages and docs
     uint8_t arguments;      // how many it has; a roll function has 2
     bool is_roll;
+    bool is_sampled;        // prev and similar
     SmStat stat;            // for a roll function: the statistic that it returns
 } SmBuiltinInfo;
 

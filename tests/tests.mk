@@ -133,22 +133,22 @@ $(B)/diff/difftest: $(DIFF_OBJ) $(B)/libsmc.a $(B)/runtime/sim.a
 diff: $(B)/diff/difftest
 	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign --resume
 
-# tests/net: random and mutated packets for the messages of tests/runtime/link.net.  `make net-campaign NET_SECONDS=3600 SEED=1` sends them for
-# that long, under the sanitizers.
+# tests/net: random and mutated packets for the messages of tests/runtime/link.net (UDP), and hostile peers for those of stream.net (TCP).
+# `make net-campaign NET_SECONDS=3600 SEED=1` plays each for half of that time, under the sanitizers.
 NET_SECONDS ?= 3600
-NET_HOSTILE  = $(STRICT_C) -I$(B)/runtime/made $(WARN) tests/net/hostile.c
-$(B)/net/hostile: tests/net/hostile.c $(B)/runtime/sim.a
+NET_HOSTILE  = $(STRICT_C) -I$(B)/runtime/made $(WARN)
+$(B)/net/hostile $(B)/net/hostile_stream $(B)/net/packets: $(B)/net/%: tests/net/%.c $(B)/runtime/sim.a
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(NET_HOSTILE) $(CFLAGS) $(DEPFLAGS) $(B)/runtime/sim.a -o $@
-$(B)/net/hostile_san: tests/net/hostile.c $(B)/runtime/sim.a
+	$(call say,CC)$(CC) $(NET_HOSTILE) $< $(CFLAGS) $(DEPFLAGS) $(B)/runtime/sim.a -o $@
+$(B)/net/hostile_san: NET_VECTOR = link
+$(B)/net/hostile_stream_san: NET_VECTOR = stream
+$(B)/net/hostile_san $(B)/net/hostile_stream_san: $(B)/net/%_san: tests/net/%.c tests/net/oracle.h $(B)/runtime/sim.a
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(NET_HOSTILE) -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined $(RUNTIME_SRC_sim) \
-	    $(filter %/link.c %/link_net.c,$(RUNTIME_MADE)) -lm -o $@
-$(B)/net/packets: tests/net/packets.c $(B)/runtime/sim.a
-	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) -I$(B)/runtime/made $(WARN) tests/net/packets.c $(CFLAGS) $(DEPFLAGS) $(B)/runtime/sim.a -o $@
-net-campaign: $(B)/net/hostile_san
-	$(B)/net/hostile_san $(SEED) 1 $(NET_SECONDS)
+	$(call say,CC)$(CC) $(NET_HOSTILE) $< -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined $(RUNTIME_SRC_sim) \
+	    $(filter %/$(NET_VECTOR).c %/$(NET_VECTOR)_net.c,$(RUNTIME_MADE)) -lm -o $@
+net-campaign: $(B)/net/hostile_san $(B)/net/hostile_stream_san
+	$(B)/net/hostile_san $(SEED) 1 $$(($(NET_SECONDS) / 2))
+	$(B)/net/hostile_stream_san $(SEED) 1 $$(($(NET_SECONDS) / 2))
 .PHONY: net-campaign
 
 # tests/swap: machines that are replaced while they run.  `make swap-campaign N=100000 SEED=1` swaps random pairs.
@@ -160,7 +160,7 @@ $(B)/swap/clauses $(B)/swap/hostile $(B)/swap/random:
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
 # Swaps in an application that runs, in the simulation.
-$(B)/swap/running: $(patsubst %,$(B)/obj/tests/swap/%.o,running stage machine) $(B)/runtime/sim.a $(B)/libsmc.a
+$(B)/swap/running $(B)/swap/storing: $(B)/swap/%: $(B)/obj/tests/swap/%.o $(patsubst %,$(B)/obj/tests/swap/%.o,stage machine) $(B)/runtime/sim.a $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
@@ -173,6 +173,11 @@ $(B)/swap/link: $(patsubst %,$(B)/obj/tests/swap/%.o,link stage machine) $(B)/ob
 $(B)/swap/reach: $(patsubst %,$(B)/obj/tests/swap/%.o,reach stage machine) $(patsubst %,$(B)/obj/compiler/device/%.o,app_host link_host) $(B)/obj/compiler/base/os_serial_posix.o $(B)/runtime/linux.a $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -pthread -lrt
+
+# An application that stores swaps is killed at each call that writes, and each of them fails.
+$(B)/swap/killed: $(patsubst %,$(B)/obj/tests/swap/%.o,killed stage machine) $(B)/runtime/linux.a $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(patsubst %,-Wl$(,)--wrap=%,write fsync rename ftruncate) -pthread -lrt
 
 # The same with threads, on Linux, and once more under the thread sanitizer.
 # `make swap-lateness SECONDS=5` measures whether swaps make ticks late on this computer.
@@ -364,6 +369,26 @@ f64-f32: $(B)/soft/run
 	$(B)/soft/run f32
 .PHONY: f64-campaign f64-f32
 
+# tests/elementary: the elementary functions.  `make elementary-campaign N=1000000` measures their errors against libquadmath, in every
+# binade and for N random arguments each, and compares the bits of native and soft numbers for as many.
+# `make elementary-constants` computes every coefficient again (needs python3 with mpmath).
+$(B)/elementary/native.o: OWN_FLAGS += -DSUBJECT=bits_native
+$(B)/elementary/soft.o: OWN_FLAGS += -DSM_F64_SOFT=1 -DSUBJECT=bits_soft
+$(B)/elementary/native.o $(B)/elementary/soft.o: tests/elementary/subject.c
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(OWN_FLAGS) $(DEPFLAGS) -c $< -o $@
+$(B)/elementary/bits: $(B)/obj/tests/elementary/bits.o $(B)/elementary/native.o $(B)/elementary/soft.o $(B)/libsmc.a
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+$(B)/elementary/precision: tests/elementary/precision.c $(wildcard tests/elementary/*.h tests/elementary/*.def) stdlib/elementary.h
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) -std=gnu11 $(CFLAGS) $< -o $@ -lquadmath -lm
+elementary-campaign: $(B)/elementary/precision $(B)/elementary/bits
+	$(B)/elementary/precision $(or $(N),1000000) $(or $(SEED),1)
+	$(B)/elementary/bits $(or $(N),1000000) $(or $(SEED),1)
+elementary-constants:
+	python3 tests/elementary/coefficients.py --check
+.PHONY: elementary-campaign elementary-constants
+
 # tests/avr, on an emulated ATmega328P.  `make avr-operands N=100000 SEED=2`: the test `avr` with N random operands for each operation.
 avr-operands: all $(B)/diff/difftest
 	sh tests/avr/run.sh $(B) '$(CC)' $(N) $(SEED) 300
@@ -390,19 +415,26 @@ PSL_SUITE       = $(filter-out tests/psl/bench_% tests/psl/own_% tests/psl/qemu_
 PSL_WATCHDOG    = watchdog_process
 PSL_FLAGS_linux = -DPSL_LINUX_IIO='"iio"'
 PSL_OBJ_linux   = psl/linux
-$(B)/psl/linux/%.o: %.c
-	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(PSL_FLAGS_linux) $(DEPFLAGS) -c $< -o $@
+# On sbRIO, tests/sbrio has a stand-in for the library and FPGA of NI.
+PSL_FLAGS_sbrio = -Itests/sbrio -Itests/psl
+PSL_OBJ_sbrio   = psl/sbrio
+PSL_TEST_sbrio  = tests/sbrio/NiFpga.c
+define psl_objects
+$$(B)/psl/$(1)/%.o: %.c
+	@mkdir -p $$(@D)
+	$$(call say,CC)$$(CC) $$(STRICT_C) $$(WARN) $$(CFLAGS) $$(PSL_FLAGS_$(1)) $$(DEPFLAGS) -c $$< -o $$@
+endef
+$(foreach platform,linux sbrio,$(eval $(call psl_objects,$(platform))))
 PSL_WRAP_linux  = $(patsubst %,-Wl$(,)--wrap=%,write fsync fdatasync rename unlink syscall timer_settime ppoll accept4 recvmsg connect)
 define psl_test
 include runtime-c/psl/$(1)/psl.mk
-PSL_SRC_$(1)  := $$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) stdlib/result.c runtime-c/io.c runtime-c/pin.c runtime-c/statevec.c
+PSL_SRC_$(1)  := $$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) $$(PSL_TEST_$(1)) stdlib/result.c runtime-c/io.c runtime-c/pin.c runtime-c/statevec.c
 PSL_LIBS_$(1) := $$(PSL_LIBS)
 $$(B)/psl/$(1)/suite: $$(PSL_SRC_$(1):%.c=$$(B)/$(or $(PSL_OBJ_$(1)),obj)/%.o)
 	@mkdir -p $$(@D)
 	$$(call say,LD)$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ $$(PSL_WRAP_$(1)) $$(PSL_LIBS_$(1))
 endef
-$(foreach platform,linux sim desk none,$(eval $(call psl_test,$(platform))))
+$(foreach platform,linux sbrio sim desk none,$(eval $(call psl_test,$(platform))))
 
 # Tests with threads run a second time under the thread sanitizer.  has_tsan is empty if the compiler lacks it.
 TSAN = test ! -s $(B)/has_tsan || $(CC) $(STRICT_C) -O1 -g -fsanitize=thread
@@ -529,8 +561,8 @@ $$(B)/runtime/$(1).a: $$(RUNTIME_SRC_$(1):%.c=$$(B)/obj/%.o) $$(RUNTIME_MADE:%.c
 	$$(call say,AR)$$(AR) rcs $$@ $$^
 endef
 $(foreach platform,linux sim desk,$(eval $(call runtime_platform,$(platform))))
-# A program that links link_net.c defines its key, so only the tests of messages do, from an archive.
-RUNTIME_LINKED = $(filter-out %/link_net.c,$(RUNTIME_MADE))
+# A program that links link_net.c or stream_net.c defines its key, so only the tests of messages do, from an archive.
+RUNTIME_LINKED = $(filter-out %/link_net.c %/stream_net.c,$(RUNTIME_MADE))
 RUNTIME_TSAN_SRC = $(RUNTIME_SRC_linux) $(RUNTIME_LINKED)
 RUNTIME_TSAN_OBJ = $(patsubst $(B)/%.c,$(B)/tsan/%.o,$(filter $(B)/%,$(RUNTIME_TSAN_SRC))) $(patsubst %.c,$(B)/tsan/%.o,$(filter-out $(B)/%,$(RUNTIME_TSAN_SRC)))
 $(B)/tsan/runtime/made/%.o: $(B)/runtime/made/%.c | $(B)/has_tsan $(RUNTIME_MADE)
@@ -541,6 +573,14 @@ $(B)/tsan/%.o: %.c | $(B)/has_tsan
 	$(call say,CC)$(TSAN) $(DEPFLAGS) -c $< -o $@
 $(B)/runtime/%_linux: tests/runtime/%_linux.c $(B)/runtime/linux.a
 	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/linux.a $(RUNTIME_LIBS) -pthread -lrt
+# Hosts of an application whose machines are swapped.  `make swap-fuzz N=100000 SEED=1` changes the seeds at random, under sanitizers.
+SWAP_FUZZ_SRC = $(sort $(filter-out $(LIBSMC),tests/swap/stage.c tests/swap/machine.c compiler/device/app_host.c compiler/device/link_host.c $(RUNTIME_SRC_sim)))
+$(B)/fuzz/swap $(B)/fuzz-cov/swap: $(SWAP_FUZZ_SRC)
+swap-fuzz:
+	$(MAKE) -s B=$(B)/san CFLAGS='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=undefined' $(B)/san/fuzz/swap
+	$(B)/san/fuzz/swap -n $(N) -s $(SEED) tests/fuzz/seeds/swap/*
+.PHONY: swap-fuzz
+
 $(B)/runtime/%: tests/runtime/%.c $(B)/runtime/sim.a
 	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/sim.a $(RUNTIME_LIBS)
 $(B)/runtime/threads: RUNTIME_LIBS = -pthread
@@ -625,7 +665,10 @@ lateness: $(B)/runtime/lateness
 bench-runtime: $(RUNTIME_MADE)
 	sh tests/bench/runtime.sh $(B) '$(CC)'
 	sh tests/bench/ticks.sh $(B) '$(CC)'
-.PHONY: bench-runtime
+# What 10 messages in 1 ms cost, beside the system calls of the same traffic.
+bench-net: $(B)/smc
+	@sh tests/bench/net.sh $(B) '$(CC)' $(B)/smc
+.PHONY: bench-runtime bench-net
 
 # tests/runtime/flights: the example machines as tasks, in the flights of their scripts.
 FLIGHTS        = $(B)/runtime/flights
@@ -773,12 +816,16 @@ $(call test, report,               thorough,, sh tests/report/run.sh $(B)/smc $(
 $(call test, log,                  thorough, $(B)/runtime/log, sh tests/log/run.sh $(B)/smc $(B)/runtime/log $(B)/log)
 $(call test, app,                  thorough, $(B)/runtime/sim.a $(B)/runtime/desk.a, sh tests/app/run.sh $(B)/smc $(B)/runtime/sim.a '$(CC)' $(B)/runtime/desk.a)
 $(call test, net,                  thorough, $(B)/runtime/linux.a, sh tests/net/run.sh $(B)/smc $(B)/runtime/linux.a '$(CC)')
+$(call test, net-stream,           thorough, $(B)/runtime/linux.a, sh tests/net/stream.sh $(B)/smc $(B)/runtime/linux.a '$(CC)')
+$(call test, net-multicast,        thorough, $(B)/runtime/linux.a, sh tests/net/multicast.sh $(B)/smc $(B)/runtime/linux.a '$(CC)')
 $(call test, net-dictionary,       thorough, $(B)/net/packets, sh tests/net/dictionary.sh $(B)/smc $(B)/net/packets '$(CC)')
 $(call test, net-hostile,          thorough, $(B)/net/hostile, $(B)/net/hostile 1 100000)
+$(call test, net-hostile-stream,   thorough, $(B)/net/hostile_stream, $(B)/net/hostile_stream 1 2000)
 $(call test, cost,                 thorough, $(B)/cost, $(B)/cost)
 $(call test, emitc-flow,           thorough, $(B)/emitc/flow, $(B)/emitc/flow 100)
 $(call test, emitc-typed,          thorough, $(B)/emitc/typed, $(B)/emitc/typed 100)
 $(call test, soft,                 thorough, $(B)/soft/run, $(B)/soft/run)
+$(call test, elementary-bits,      thorough, $(B)/elementary/bits, $(B)/elementary/bits)
 $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh $(VM_SOFT))
 
 $(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
@@ -786,8 +833,10 @@ $(call test, library-parity,       thorough, $(B)/library/command, sh tests/libr
 $(call test, library-swapping,     thorough, $(B)/smc $(LIBRARY_FILES), sh tests/library/swapping.sh $(MAKE) $(B) '$(CC)' '$(CFLAGS)')
 $(call test, library-abi,          thorough, $(LIBRARY_FILES), sh tests/library/abi.sh $(B) '$(CC)')
 $(call test, swap-running,         thorough, $(B)/swap/running, $(B)/swap/running)
+$(call test, swap-storing,         thorough, $(B)/swap/storing, $(B)/swap/storing)
 $(call test, swap-link,            thorough, $(B)/swap/link, $(B)/swap/link)
 $(call test, swap-reach,           thorough, $(B)/swap/reach $(B)/smc, $(B)/swap/reach $(B)/smc)
+$(call test, swap-killed,          thorough, $(B)/swap/killed, $(B)/swap/killed)
 $(call test, swap-threads,         thorough, $(B)/swap/threads, $(B)/swap/threads)
 $(call test, swap-tsan,            thorough, $(B)/swap/threads_tsan, if test -x $(B)/swap/threads_tsan; then $(B)/swap/threads_tsan; else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
@@ -800,6 +849,7 @@ $(call test, fuzz-frontend,        thorough, $(B)/fuzz/frontend, $(B)/fuzz/front
 $(call test, fuzz-ir,              thorough, $(B)/fuzz/ir, $(B)/fuzz/ir -n 2000 tests/ir/samples/*.ir)
 $(call test, fuzz-log,             thorough, $(B)/fuzz/log $(B)/corpus/log/flight.log, $(B)/fuzz/log -n 1000 $(B)/corpus/log/flight.log)
 $(call test, fuzz-image,           thorough, $(B)/fuzz/image $(B)/corpus/image, $(B)/fuzz/image -n 20000 $(B)/corpus/image/*.smb)
+$(call test, fuzz-swap,            thorough, $(B)/fuzz/swap, $(B)/fuzz/swap -n 5000 tests/fuzz/seeds/swap/*)
 $(call test, fuzz-link,            thorough, $(B)/fuzz/link $(LINK_SEEDS), $(B)/fuzz/link -n 20000 $(LINK_SEEDS))
 
 $(call test, fault-memory,         thorough, $(B)/fault/memory, $(B)/fault/memory $(FAULT_CASES))
@@ -809,8 +859,9 @@ $(call test, host-files,           thorough, $(B)/host/files, $(call HOST_FOLDER
 $(call test, host-signals,         thorough, $(B)/host/signals, $(call HOST_FOLDER,signals) $(B)/host/signals $(abspath $(B))/smc $(abspath examples)/tank/tank.sm $(abspath examples)/tank/tank.ss $(abspath $(B))/host/signals.made)
 $(call test, host-names,           thorough, $(B)/flight/flight.log, sh tests/host/names.sh $(B)/smc $(B)/host/names.made $(B)/flight/flight.log)
 
-$(foreach p,linux sim desk none,$(call test,psl-$(p),thorough,$(B)/psl/$(p)/suite,$(B)/psl/$(p)/suite))
+$(foreach p,linux sbrio sim desk none,$(call test,psl-$(p),thorough,$(B)/psl/$(p)/suite,$(B)/psl/$(p)/suite))
 NEEDS_thorough += $(B)/psl/linux/runtime-c/psl/linux/watchdog.o
+$(call test, +sbrio,               thorough,, sh tests/sbrio/run.sh '$(MAKE)' $(B) '$(CC)')
 # A program under the thread sanitizer is not there if the compiler lacks it.
 $(call test, psl-tsan,             thorough, $(B)/psl/tsan, if test -x $(B)/psl/tsan; then $(B)/psl/tsan; else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi)
 $(foreach t,$(RUNTIME_TESTS),$(call test,runtime-$(notdir $(t)),thorough,$(t),$(t)))
@@ -839,6 +890,7 @@ $(call test, avr-c,                targets, $(B)/diff/difftest $(B)/targets/case
 $(call test, arduino,              targets, arduino, CC='$(CC)' sh tests/arduino/run.sh $(B) $(ARDUINO) '$(VERSION)')
 $(call test, app-targets,          targets, $(RUNTIME_MADE), sh tests/targets/app.sh $(B) '$(CC)')
 $(call test, runtime-targets,      targets,, CC='$(CC)' sh tests/runtime/targets.sh $(B)/smc)
+$(call test, +sbrio-arm,           targets,, sh tests/sbrio/run.sh '$(MAKE)' $(B) '$(CC)' arm)
 $(call test, models,               targets,, sh tests/check/models.sh $(STRICT_C) $(WARN))
 # tests/windows: smc.exe and smc.dll under Wine.  `make windows-campaign` runs the same as 32-bit programs, which needs a Wine that has them.
 WINDOWS_RUN = '$(MAKE)' '$(B)' '$(CC)'

@@ -44,6 +44,9 @@ static inline uint8_t smvm_firmware_byte(uint16_t at)
 #define AVR_SERIAL_RING 128
 #define SM_ROLL_WAITING 12
 #else
+#ifndef SMVM_FUNCTIONS
+#define SMVM_FUNCTIONS UINT32_C(0)                    // no room for elementary functions, in flash or on the stack
+#endif
 #define FIRMWARE_STORE 1024
 #define FIRMWARE_SLOTS 1
 #define FIRMWARE_MEMORY 1024

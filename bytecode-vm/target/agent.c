@@ -58,8 +58,8 @@ static SmResult answer_hello(Agent *a)
     put_u8(a, board->ram_analog);
     put_uint(a, board->period, 2);
     put_uint(a, board->cycles, 2);
-    if (smvm_store_has_key(a->store))
-        put_uint(a, board->mark, 4);
+    put_uint(a, smvm_store_has_key(a->store) ? board->mark : 0, 4);
+    put_uint(a, board->functions, 4);
     return SM_OK;
 }
 

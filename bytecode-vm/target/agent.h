@@ -26,6 +26,7 @@ typedef struct AgentBoard {
     uint32_t longest_step;    // limit on the instructions of a step; 0: none
     uint8_t machines;         // the most machines that an image may have; 0: any number
     bool windows;             // whether machines may have windows
+    uint32_t functions;       // the elementary functions that machines can call (SMVM_FUNCTIONS)
     uint8_t ram_digital, ram_analog;      // bytes of `ram` that each digital pin takes, and each analog pin
     uint16_t period;          // milliseconds between steps of an image that was sent without a period
     uint16_t cycles;          // limit on the cycles of a step on an ATmega, for each millisecond of its period; 0: none

@@ -10,13 +10,15 @@ static bool has_names(const SmvmSlot *s) { return s->m.debug_size > 0; }
 
 static uint32_t read_identity(const SmvmTarget *t) { return smvm_uint(t->image, SMVM_CRC_AT, 4); }
 
-static void init_slot(void *slot)
+static void init_slot(void *slot, void *other)
 {
-    SmvmSlot *s = slot;
+    SmvmSlot *s = slot, *o = other;
 
     smvm_machine(s->target.image, s->target.machine, &s->m);
     s->identity = read_identity(&s->target);
     s->plan = s->back = NULL;
+    s->built_in = o->built_in = s->target.image;
+    s->built_in_size = o->built_in_size = s->target.size;
 }
 
 // ---- preparation ----
@@ -43,6 +45,12 @@ static SmSwapReason copy_image(SmvmSlot *to, const SmvmSlot *from, const SmSwapC
     to->identity = to->used = 0;
     to->plan = to->back = NULL;
     to->target.vm = NULL;
+    to->target.machine = 0;
+    if (change->built_in) {
+        to->target.image = to->built_in;
+        to->target.size = to->built_in_size;
+        return SM_SWAP_NOT_REFUSED;
+    }
     if (!change->image)
         return SM_SWAP_NO_IMAGE;
     image = allocate(to, change->size);
@@ -51,7 +59,6 @@ static SmSwapReason copy_image(SmvmSlot *to, const SmvmSlot *from, const SmSwapC
     memcpy(image, change->image, change->size);
     to->target.image = SMVM_IMAGE(image);
     to->target.size = change->size;
-    to->target.machine = 0;
     return SM_SWAP_NOT_REFUSED;
 }
 
@@ -156,10 +163,27 @@ static SmSwapReason plan_return(SmvmSlot *to, const SmvmSlot *from, const SmSwap
 }
 
 static PreparePart *const parts[] = {copy_image, verify_image, find_first_state, start_in_slot, decode_in_slot, plan_exchange, plan_return};
+enum { PARTS = sizeof parts / sizeof *parts, PARTS_WITHOUT_PLANS = PARTS - 2 };
 
 static SmSwapReason prepare_slot(void *to, const void *from, const SmSwapChange *change, const SmMachine *m, uint8_t part)
 {
     return parts[part](to, from, change, m);
+}
+
+// Nothing is exchanged, so the plans are not needed, and an image that has been exchanged once fits again.
+SmSwapReason smvm_slot_load(SmvmSlot *to, const SmvmSlot *from, const SmSwapChange *image, const SmMachine *m)
+{
+    SmSwapChange c = *image;
+    SmSwapReason why = SM_SWAP_NOT_REFUSED;
+
+    for (uint8_t part = 0; part < PARTS_WITHOUT_PLANS && why == SM_SWAP_NOT_REFUSED; part++) {
+        why = parts[part](to, from, &c, m);
+        if (why == SM_SWAP_NO_STATE) {
+            c.state = NULL;
+            why = parts[part](to, from, &c, m);
+        }
+    }
+    return why;
 }
 
 // ---- exchange and return ----
@@ -218,7 +242,7 @@ static bool is_slot_aborting(const void *slot)
 static uint32_t slot_identity(const void *slot) { return ((const SmvmSlot *)slot)->identity; }
 
 const SmSwapType smvm_slot_type = {
-    init_slot, sizeof parts / sizeof *parts, prepare_slot, check_slots, hand_over_to_slot, give_back_slot, is_slot_aborting, slot_identity,
+    init_slot, PARTS, prepare_slot, check_slots, hand_over_to_slot, give_back_slot, is_slot_aborting, slot_identity,
 };
 
 bool smvm_slot_item(const SmvmSlot *slot, uint32_t i, SmvmSwapItem *item) { return slot->plan && smvm_swap_item(slot->plan, i, item); }

@@ -33,11 +33,18 @@ typedef struct SmvmSlot {
     uint32_t identity;        // checksum of the image; 0: the slot has no image
     uint32_t used;            // bytes of `memory` that are in use
     uint32_t first;           // number of the state in which the machine starts
+    SmvmBytes built_in;       // the image with which the application was built
+    uint32_t built_in_size;
     SmvmSwap *plan, *back;    // what this slot takes over from the other one, and the other one from this; NULL: nothing
 } SmvmSlot;
 
 // For SmSwappable.type; its slots are SmvmSlots.
 extern const SmSwapType smvm_slot_type;
+
+// Puts an image into slot `to`, which does not run, before the application starts with it.  `from` is the slot with the built-in image.  All
+// conditions of a swap that do not depend on the running machine apply.  If the image has no state of the name image->state, it starts in its
+// first state.  On success the machine in `to` can be initialised (SmMachineType.init) in state to->first.
+SmSwapReason smvm_slot_load(SmvmSlot *to, const SmvmSlot *from, const SmSwapChange *image, const SmMachine *m);
 
 // Item i of what the machine in the slot took over from the other slot.  Valid from phase WAITING until the next swap begins.  Returns false at
 // the end of the list, which is empty after a restart.

@@ -92,7 +92,7 @@ static SmResult answer_machine(LinkExchange *x)
     if (r != SM_OK && r != SM_E_MISSING)
         return r;
     if (r == SM_OK) {
-        put_uint(x, 1u | (state.is_on_trial ? 2u : 0u), 1);
+        put_uint(x, LINK_SWAPPABLE | (state.is_on_trial ? LINK_ON_TRIAL : 0) | (state.is_built_in ? LINK_BUILT_IN : 0) | (state.is_stored ? LINK_STORED : 0), 1);
         put_uint(x, state.identity, 4);
         put_identity(x, state.slot);
         put_uint(x, state.state, 4);
@@ -120,9 +120,9 @@ static SmResult read_status(const SmSwapLink *l, SmSwapStatus *s, bool *is_mine)
 // Returns the index among all machines of the machine that was refused; 0xffff if the application has no such machine.
 static uint16_t refused_machine(const SmSwapLink *l, const SmSwapStatus *s)
 {
-    if (s->phase != SM_SWAP_REFUSED || s->reason == SM_SWAP_NO_MACHINE || s->machine >= l->swaps->machines)
-        return UINT16_MAX;
-    return (uint16_t)(l->swaps->machine[s->machine].machine - l->machine);
+    const SmSwappable *w = sm_swap_refused_machine(l->swaps, s);
+
+    return w ? (uint16_t)(w->machine - l->machine) : UINT16_MAX;
 }
 
 static SmResult answer_swap(LinkExchange *x)
@@ -204,7 +204,7 @@ static SmResult check_no_swap(const SmSwapLink *l)
 
     if (r != SM_OK)
         return r;
-    return s.phase == SM_SWAP_PREPARING || s.phase == SM_SWAP_WAITING || s.phase == SM_SWAP_TRIAL ? SM_E_BUSY : SM_OK;
+    return SM_SWAP_IS_IN_PROGRESS(s.phase) ? SM_E_BUSY : SM_OK;
 }
 
 static SmResult answer_begin(LinkExchange *x)
@@ -311,6 +311,7 @@ static bool read_change(SwapReader *r, SmSwapChange *c)
     c->mode = *mode;
     c->size = size ? sm_link_load(size, 3) : 0;
     c->image = size ? next_bytes(r, c->size) : NULL;
+    c->built_in = c->size == 0;
     return c->image != NULL;
 }
 
@@ -345,7 +346,7 @@ static SmResult use_number(SmSwapLink *l)
     SmvmMac m;
     SmResult r;
 
-    if (l->is_number_used)                                // END has arrived before, and the swap could not begin yet
+    if (l->is_number_used)                                // the host repeated END because the swap could not begin at the first
         return SM_OK;
     smvm_mac_begin(&m, l->key);
     for (uint32_t i = 0; i < end; i++)
@@ -420,6 +421,7 @@ static SmResult answer_confirm(LinkExchange *x)
     SmSwapStatus s;
     bool is_mine;
     const SmResult r = read_status(x->link, &s, &is_mine);
+    SmResult confirmed;
 
     if (r != SM_OK)
         return r;
@@ -427,22 +429,78 @@ static SmResult answer_confirm(LinkExchange *x)
         return SM_E_HANDLE;
     if (!may_confirm(x))
         return SM_E_UNSIGNED;
-    return s.phase == SM_SWAP_CONFIRMED ? SM_OK : sm_swap_confirm(x->link->swaps);
+    if (s.phase == SM_SWAP_CONFIRMED)
+        return SM_OK;
+    confirmed = sm_swap_confirm(x->link->swaps);
+    if (confirmed == SM_OK && sm_swaps_save(x->link->swaps) != SM_OK)
+        return SM_E_DEVICE;
+    return confirmed;
+}
+
+// ---- refusals ----
+
+// Returns the checksum of the swap that a request names; 0 if it names none.
+static uint32_t named_checksum(const LinkExchange *x, uint8_t message)
+{
+    const SmSwapLink *l = x->link;
+
+    if (message == LINK_BEGIN)
+        return sm_link_load(x->body + 5, 4);
+    if (message == LINK_CONFIRM)
+        return sm_link_load(x->body, 4);
+    return is_current(l, x->body) ? l->checksum : 0;
+}
+
+// Logs that a request of a swap was refused.  A host that repeats its request, or that sends many, cannot fill the ring of events.
+static void log_refusal(LinkExchange *x, uint8_t message, SmResult r)
+{
+    SmSwapLink *l = x->link;
+    const uint64_t now = pal_clock_now();
+    const uint32_t bit = UINT32_C(1) << (-r & 31);
+    SmEvent e = {l->app ? now - l->app->start : 0, (uint32_t)-r, 0, 0, SM_EVENT_HOST_REFUSED};
+
+    if (now - l->refused_since >= PAL_SECOND) {
+        l->refused = 0;
+        l->refused_since = now;
+    }
+    if ((l->refused & bit) != 0)
+        return;
+    l->refused |= bit;
+    e.b = named_checksum(x, message);
+    sm_event(l->events, &e);
 }
 
 // ---- dispatch ----
 
-static const struct { uint8_t message, min_body; SmResult (*run)(LinkExchange *x); } handlers[] = {
-    {LINK_APP, 0, answer_app},           {LINK_MACHINE, 2, answer_machine}, {LINK_SWAP, 0, answer_swap}, {LINK_KEPT, 6, answer_kept},
-    {LINK_BEGIN, SMVM_PERMIT_AT, answer_begin}, {LINK_DATA, DATA_HEAD + 1, answer_data}, {LINK_END, 2, answer_end},
-    {LINK_CONFIRM, 4, answer_confirm},   {LINK_EVENTS, 4, answer_events},
+static const struct { uint8_t message, min_body; SmResult (*run)(LinkExchange *x); bool is_logged; } handlers[] = {
+    {LINK_APP, 0, answer_app, false},
+    {LINK_MACHINE, 2, answer_machine, false},
+    {LINK_SWAP, 0, answer_swap, false},
+    {LINK_KEPT, 6, answer_kept, false},
+    {LINK_BEGIN, SMVM_PERMIT_AT, answer_begin, true},
+    {LINK_DATA, DATA_HEAD + 1, answer_data, false},
+    {LINK_END, 2, answer_end, true},
+    {LINK_CONFIRM, 4, answer_confirm, true},
+    {LINK_EVENTS, 4, answer_events, false},
 };
+
+static SmResult run_row(LinkExchange *x, size_t row)
+{
+    SmResult r;
+
+    if (x->n < handlers[row].min_body)
+        return SM_E_ARGUMENT;
+    r = handlers[row].run(x);
+    if (r != SM_OK && handlers[row].is_logged)
+        log_refusal(x, handlers[row].message, r);
+    return r;
+}
 
 static SmResult run_handler(LinkExchange *x, uint8_t message)
 {
     for (size_t i = 0; i < sizeof handlers / sizeof *handlers; i++)
         if (handlers[i].message == message)
-            return x->n < handlers[i].min_body ? SM_E_ARGUMENT : handlers[i].run(x);
+            return run_row(x, i);
     return SM_E_UNSUPPORTED;
 }
 

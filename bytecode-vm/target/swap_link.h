@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reaches an application from outside while it runs: serves the frames of the link (runtime-c/link/link.def) on a socket of this computer, a
-// TCP port or a serial line, so that `smc swap` can replace machines and `smc device` can list them (docs/swapping.md 12.35 to 12.50).
+// TCP port or a serial line, so that `smc swap` can replace machines and `smc device` can list them (docs/swapping.md 12.35 to 12.54).
 //
 //     static uint8_t buffer[SM_SWAP_ROOM(2, 16384)];
 //     static SmSwapChange changes[2];
@@ -16,7 +16,7 @@
 //
 //     u8 1: the version; u8 number of changes; for each of them:
 //         u8 mode (SmSwapMode), u8 n, n bytes: the machine's name; u8 n, n bytes: to restart, the name of the state, or n = 0 for the first;
-//         u24 length of the image, the image
+//         u24 length of the image, the image; length 0: the image with which the application was built
 //     with a key also: u32 number, 16 bytes of code (bytecode-vm/auth.h) over all bytes before it
 //
 // It is sent with BEGIN, DATA and END, and begins when END has checked all of it.
@@ -72,7 +72,10 @@ typedef struct SmSwapLink {
     uint32_t room;            // bytes of it
     // The fields below belong to the module; initially all zero.
     const char *app_name;
+    const SmApp *app;
     SmEvents *events;
+    uint32_t refused;         // bit r: a refusal with result -r is in the events since `refused_since`
+    uint64_t refused_since;   // PAL clock time
     PalSocket listening;
     PalSerial line;
     uint64_t retry;           // PAL clock time at which a line that has failed is opened again

@@ -26,14 +26,9 @@ static uint32_t check_of(const uint8_t *record) { return sm_crc32(record, 4) ^ M
 static SmResult read_key(SmSwapLink *l)
 {
     uint8_t digits[DIGITS];
-    PalNvm file;
-    SmResult r = pal_nvm_open(&file, l->key_file, DIGITS);
+    const SmResult r = pal_nvm_load(l->key_file, digits, DIGITS);
 
-    if (r != SM_OK)
-        return r;
-    r = pal_nvm_read(file, 0, digits, DIGITS);
-    (void)pal_nvm_close(file);
-    return r == SM_OK ? decode_key(digits, l->key) : r;
+    return r == SM_OK ? decode_key(digits, l->key) : r == SM_E_SPACE ? SM_E_ARGUMENT : r;
 }
 
 static SmResult read_numbers(SmSwapLink *l)

@@ -7,7 +7,8 @@
 #include "bytecode-vm/target/swap_link.h"
 
 // Reads the key and the highest number.  *failed: the file that the result concerns.
-// SM_E_ARGUMENT: the file of the key has no key.  Otherwise the results of pal_nvm_open and pal_nvm_read.
+// SM_E_ARGUMENT: the file of the key has no key.  SM_E_MISSING: there is no such file; nothing is created.  Otherwise the results of
+// pal_nvm_load, pal_nvm_open and pal_nvm_read.
 SmResult sm_swap_open_numbers(SmSwapLink *link, const char **failed);
 
 // Stores a number that is above link->newest, and makes it link->newest.

@@ -153,6 +153,12 @@ static SmResult open_place(SmSwapLink *l)
     }
 }
 
+// Returns why the file of a key cannot be used; NULL: the text of r says it.
+static const char *key_problem(SmResult r)
+{
+    return r == SM_E_ARGUMENT ? SM_TEXT("it has no key; 'smc key' makes one") : r == SM_E_MISSING ? SM_TEXT("there is no such file; 'smc key' makes one") : NULL;
+}
+
 SmResult sm_swap_link_open(SmSwapService *service, SmApp *app)
 {
     SmSwapLink *l = link_of(service);
@@ -168,9 +174,10 @@ SmResult sm_swap_link_open(SmSwapService *service, SmApp *app)
     if (r != SM_OK) {
         app->failed_part = SM_TEXT("the link for swaps");
         app->failed_file = failed;
-        app->reason = failed == l->key_file && r == SM_E_ARGUMENT ? SM_TEXT("it has no key; 'smc key' makes one") : NULL;
+        app->reason = failed == l->key_file ? key_problem(r) : NULL;
     }
     l->app_name = app->name;
+    l->app = app;
     l->events = app->events;
     return r;
 }

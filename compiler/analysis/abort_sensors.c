@@ -22,7 +22,7 @@ typedef struct AbortTrials {
     const InputDepsTable *deps;
     void *at;                     // the current situation
     double *in;                   // the inputs of the next step
-    bool commands;                // the trial may give any command
+    bool commands;                // trials also draw command inputs; false: these keep their values
     const SensorFailure *failed;  // the failed sensor, or NULL
     bool left_at_once;            // some trial left the state within two steps, and did not abort
     bool left;                    // some trial left the state later, but before windows were full, and did not abort

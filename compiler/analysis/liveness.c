@@ -87,7 +87,7 @@ static void merge_live_after_jump(const Liveness *l, uint64_t *set, const IrJump
 
 // Computes the variables that are live at the start of each block of the function.  If l->report is set, reports stores to variables that
 // are not live.
-static void visit_function(Liveness *l, const IrFn *f)
+static void compute_live_variables(Liveness *l, const IrFn *f)
 {
     const Accesses *all = &l->access[l->block][l->state];
     size_t n = all->n;
@@ -126,7 +126,7 @@ static bool update_live_at_begin(Liveness *l, BlockKind block)
 
     l->block = block;
     if (f) {
-        visit_function(l, f);
+        compute_live_variables(l, f);
     } else {
         memcpy(l->live, begin, size);
         merge_live_after_return(l, l->live);

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "compiler/base/buf.h"
+
 // Returns the length of the drive that a path begins with, as C: on Windows; 0 without one.
 static size_t drive_length(const char *path)
 {
@@ -36,6 +38,46 @@ const char *path_portable_name(const char *path)
 }
 
 bool path_is_absolute(const char *path) { return path_is_separator(path[0]) || drive_length(path) > 0; }
+
+const char *path_beside(Arena *arena, const char *from, const char *name)
+{
+    const int folder = (int)(path_file_name(from) - from);           // the length of the folder's path, with its separator
+
+    return path_is_absolute(name) || folder == 0 ? name : format_in(arena, "%.*s%s", folder, from, name);
+}
+
+// Returns the length of `path` without the folder that it ends with; `n` if it ends with none that a `..` can cancel.
+static size_t length_of_parent(const char *path, size_t n)
+{
+    size_t at = n > 0 ? n - 1 : 0;                                    // path[n - 1] is the separator
+
+    while (at > 0 && !path_is_separator(path[at - 1]))
+        at--;
+    return n < 2 || (n - at == 3 && path[at] == '.' && path[at + 1] == '.') ? n : at;
+}
+
+const char *path_simplify(Arena *arena, const char *path)
+{
+    char *out = arena_alloc(arena, strlen(path) + 1);
+    size_t n = 0;
+
+    while (*path) {
+        size_t len = 0;
+        while (path[len] && !path_is_separator(path[len]))
+            len++;
+        if (len == 2 && path[0] == '.' && path[1] == '.' && length_of_parent(out, n) != n) {
+            n = length_of_parent(out, n);
+        } else if (!(len == 1 && path[0] == '.')) {
+            memcpy(out + n, path, len);
+            n += len;
+            if (path[len])
+                out[n++] = '/';
+        }
+        path += len + (path[len] != '\0');
+    }
+    out[n] = '\0';
+    return out;
+}
 
 bool path_ends_in_separator(const char *path)
 {

@@ -5,6 +5,8 @@
 
 #include <stdbool.h>
 
+#include "compiler/base/arena.h"
+
 static inline bool path_is_separator(char c)
 {
 #ifdef _WIN32
@@ -20,6 +22,10 @@ const char *path_file_name(const char *path);
 // The same with both separators on every system, for names that go into images and generated code: they do not depend on the system.
 const char *path_portable_name(const char *path);
 bool path_is_absolute(const char *path);
+// Returns the path of the file that `from` names as `name`: relative to the folder of `from`, unless it is absolute.
+const char *path_beside(Arena *arena, const char *from, const char *name);
+// Returns the path without `.` and `FOLDER/..`, for comparing names of files that need not exist.
+const char *path_simplify(Arena *arena, const char *path);
 bool path_ends_in_separator(const char *path);
 
 #endif

@@ -38,6 +38,7 @@ typedef struct ImageReader {
     SmvmLines lines;              // the first row of the line table that begins after the instruction being read
     bool more;                    // `lines` is valid: the table has such a row
     uint32_t line;                // source line of the instruction being read
+    uint32_t functions;           // the elementary functions that the instructions call, as in Cost
 } ImageReader;
 
 static uint32_t larger(uint32_t a, uint32_t b) { return a > b ? a : b; }
@@ -61,6 +62,8 @@ static uint32_t read_ins(ImageReader *r, uint32_t at, uint32_t end, ImageIns *ou
     while (next < end && n < 2 && smvm_u8(r->m.image, next) < SMVM_OP_FIRST)
         smvm_read_varint(r->m.image, &next, (SmvmAt)end, &number[n++]);
     *out = (ImageIns){at, op, 0, r->line, r->unit == COST_INSTRUCTIONS ? 1 : cycles_of_ins(&r->cycles, op, number, n), {0, 0}};
+    if (op == SMVM_fn)
+        r->functions |= UINT32_C(1) << number[0];
     if (jumps)                                        // the last number is the jump distance
         out->to = next + number[n - 1];
     return next;
@@ -224,7 +227,7 @@ static void fill_in_bytes(ImageReader *r, Cost *out)
         window->type = (SmType)(kind & SM_ROLL_TYPE);
         window->bytes = 8 * sm_roll_words(window->size, kind);
         out->windows += window->bytes;
-        out->windows_small += 8 + (kind & SM_ROLL_MEDIAN ? 2 : 1) * sm_roll_row_bytes(window->size, kind);
+        out->windows_small += 8 + (kind & SM_ROLL_MEDIAN ? 2 : 1) * sm_roll_row_bytes(sm_roll_slots(window->size, kind), kind);
     }
     out->own = out->ram - out->locals - out->windows;
 }
@@ -254,6 +257,7 @@ void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, CostUn
             out->worst_state = s + 1;
         }
     }
+    out->functions = r.functions;
     fill_in_bytes(&r, out);
 }
 

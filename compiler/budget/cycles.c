@@ -5,10 +5,10 @@
 
 #include "bytecode-vm/smvm.h"
 
-static const uint16_t row_cycles[CYCLES_ROWS][4] = {
+static const uint32_t row_cycles[CYCLES_ROWS][4] = {
 #define CYCLES_ROW(name, ...) {__VA_ARGS__},
 #define CYCLES_WINDOW(name, ...)
-#define CYCLES_STACK(bytes)
+#define CYCLES_STACK(bytes, with_calls)
 #include "compiler/budget/avr_cycles.def"
 #undef CYCLES_ROW
 #undef CYCLES_WINDOW
@@ -17,20 +17,20 @@ static const uint16_t row_cycles[CYCLES_ROWS][4] = {
 static const uint16_t window_cycles[CYCLES_WINDOW_ROWS][2 * CYCLES_SAMPLE_KINDS] = {
 #define CYCLES_ROW(name, ...)
 #define CYCLES_WINDOW(name, ...) {__VA_ARGS__},
-#define CYCLES_STACK(bytes)
+#define CYCLES_STACK(bytes, with_calls)
 #include "compiler/budget/avr_cycles.def"
 #undef CYCLES_ROW
 #undef CYCLES_WINDOW
 #undef CYCLES_STACK
 };
 
-// Returns the bytes of stack that a step uses, the largest measured value.
-uint32_t cycles_stack_bytes(void)
+// Returns the bytes of stack that a step uses, the largest measured value; `calls`: it calls elementary functions.
+uint32_t cycles_stack_bytes(bool calls)
 {
     return 0
 #define CYCLES_ROW(name, ...)
 #define CYCLES_WINDOW(name, ...)
-#define CYCLES_STACK(bytes) + (bytes)
+#define CYCLES_STACK(bytes, with_calls) + (calls ? (with_calls) : (bytes))
 #include "compiler/budget/avr_cycles.def"
 #undef CYCLES_ROW
 #undef CYCLES_WINDOW
@@ -124,10 +124,17 @@ static uint32_t cycles_of_window(const Cycles *c, uint32_t window, CyclesWindow 
     return cycles_of_window_row(has_median ? sorted : plain, (uint8_t)(kind & SM_ROLL_TYPE), entry & SMVM_WINDOW_SIZE_MASK);
 }
 
+static bool stores_times(const Cycles *c, uint32_t window)
+{
+    return (smvm_window(c->m->image, c->m->windows_at, (SmvmAt)window) >> SMVM_WINDOW_SIZE_BITS & SM_ROLL_TYPE) == SM_ROLL_TIMES;
+}
+
 // Returns the cycles of reading a statistic of a window.
 static uint32_t cycles_of_statistic(const Cycles *c, uint32_t stat, uint32_t window)
 {
     switch (stat) {
+    case SM_STAT_ELAPSED: case SM_STAT_RUN_STEPS: case SM_STAT_RUN_TIME: return row_cost(c, CYCLES_times, true);
+    case SM_STAT_OLDEST: case SM_STAT_NEWEST: case SM_STAT_CHANGE: return row_cost(c, CYCLES_change, true);
     case SM_STAT_AVG: return cycles_of_window(c, window, CYCLES_avg, CYCLES_avg);
     case SM_STAT_MEDIAN: return cycles_of_window(c, window, CYCLES_median, CYCLES_median);
     case SM_STAT_RANGE: return cycles_of_window(c, window, CYCLES_range, CYCLES_range_sorted);
@@ -176,6 +183,17 @@ static uint32_t cycles_of_jump(const Cycles *c, uint8_t op, const uint32_t *numb
     return row_cost(c, number[0] >= SMVM_VARINT_MID ? CYCLES_jxn_4 : number[0] >= SMVM_VARINT_1 ? CYCLES_jxn_2 : CYCLES_jxn, c->x.whole);
 }
 
+static CyclesRow row_of_function(uint32_t n)
+{
+    static const uint8_t row[SMVM_FN_MAX] = {
+#define SM_ELEMENTARY(name, arguments, number) [number] = CYCLES_##name,
+#include "stdlib/elementary.def"
+#undef SM_ELEMENTARY
+    };
+
+    return (CyclesRow)row[n % SMVM_FN_MAX];
+}
+
 // Returns the cost of an instruction, without that of decoding long numbers.
 static uint32_t cycles_of_opcode(Cycles *c, uint8_t op, const uint32_t *number)
 {
@@ -191,6 +209,7 @@ static uint32_t cycles_of_opcode(Cycles *c, uint8_t op, const uint32_t *number)
     case SMVM_addi: case SMVM_subi:
         c->x = reg_of_binary(op == SMVM_addi ? SMVM_add : SMVM_sub, &c->x, &constant);
         return row_cost(c, CYCLES_addi, c->x.whole);
+    case SMVM_fn: c->x = c->y = any_value; return row_cost(c, row_of_function(number[0]), false);
     case SMVM_cvt: cycles = row_cost(c, CYCLES_cvt, c->x.whole); c->x = reg_of_type((uint8_t)number[0]); return cycles;
     case SMVM_set: cycles = row_cost(c, CYCLES_set, c->x.whole && c->y.whole); c->x = reg_of_whole(false, 1); return cycles;
     case SMVM_out:
@@ -198,7 +217,7 @@ static uint32_t cycles_of_opcode(Cycles *c, uint8_t op, const uint32_t *number)
              + cycles_of_store(c, (uint8_t)smvm_output(c->m, (SmvmAt)number[0]).type);
     case SMVM_goto: return row_cost(c, CYCLES_end, true) + row_cost(c, CYCLES_goto, true);
     case SMVM_end: return row_cost(c, CYCLES_end, true);
-    case SMVM_sample: return cycles_of_window(c, number[0], CYCLES_sample, CYCLES_sample_sorted);
+    case SMVM_sample: return stores_times(c, number[0]) ? row_cost(c, CYCLES_event, true) : cycles_of_window(c, number[0], CYCLES_sample, CYCLES_sample_sorted);
     default: return op >= SMVM_st_local ? cycles_of_store(c, op & OPCODE_TYPE) : cycles_of_load(c, op, number);
     }
 }

@@ -13,7 +13,7 @@
 typedef enum CyclesRow {
 #define CYCLES_ROW(name, ...) CYCLES_##name,
 #define CYCLES_WINDOW(name, ...)
-#define CYCLES_STACK(bytes)
+#define CYCLES_STACK(bytes, with_calls)
 #include "compiler/budget/avr_cycles.def"
 #undef CYCLES_ROW
 #undef CYCLES_WINDOW
@@ -24,7 +24,7 @@ typedef enum CyclesRow {
 typedef enum CyclesWindow {
 #define CYCLES_ROW(name, ...)
 #define CYCLES_WINDOW(name, ...) CYCLES_##name,
-#define CYCLES_STACK(bytes)
+#define CYCLES_STACK(bytes, with_calls)
 #include "compiler/budget/avr_cycles.def"
 #undef CYCLES_ROW
 #undef CYCLES_WINDOW
@@ -49,7 +49,8 @@ typedef struct Cycles {
     CyclesReg x, y;           // X and Y after the last instruction
 } Cycles;
 
-uint32_t cycles_stack_bytes(void);              // bytes of stack below a step, the largest measured value
+// Returns the bytes of stack below a step, the largest measured value.  `calls`: it calls elementary functions.
+uint32_t cycles_stack_bytes(bool calls);
 // Returns the cycles in a row of CYCLES_ROW; `whole`: the registers contain whole numbers.
 uint32_t cycles_in_row(CyclesChip chip, CyclesRow row, bool whole);
 // Returns the cycles in a row of CYCLES_WINDOW, for a window of this sample type and size.

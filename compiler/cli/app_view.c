@@ -15,7 +15,7 @@ static const struct { SmResult result; const char *text; } refusals[] = {
     {SM_E_UNSIGNED, "it is not signed with the key of the application"},
     {SM_E_REPLAY, "its number was used before; send it again"},
     {SM_E_UNSUPPORTED, "the application does not know this request"},
-    {SM_E_DEVICE, "the application cannot store the number of the swap"},
+    {SM_E_DEVICE, "the application cannot store it: the medium of its 'swap_key' or 'swap_store' fails"},
 };
 
 int app_report_failure(BoardLine *b, const char *what)
@@ -65,7 +65,8 @@ static void describe_machine(Buf *out, const ApplicationMachine *m)
     buf_printf(out, "checksum %08lx, identity ", (unsigned long)m->checksum);
     for (size_t k = sizeof m->identity; k-- > 0;)          // most significant byte first, as disasm and report write it
         buf_printf(out, "%02x", m->identity[k]);
-    buf_printf(out, ", state %lu%s%s%s\n", (unsigned long)m->state, *m->state_name ? " " : "", m->state_name, m->is_on_trial ? ", on trial" : "");
+    buf_printf(out, ", state %lu%s%s%s%s\n", (unsigned long)m->state, *m->state_name ? " " : "", m->state_name,
+               m->is_built_in ? ", built in" : m->is_stored ? ", stored" : m->is_on_trial ? "" : ", not stored", m->is_on_trial ? ", on trial" : "");
 }
 
 static int describe_last_swap(BoardLine *b, Buf *out)
@@ -139,7 +140,7 @@ int app_confirm_swap(BoardLine *b, Buf *out)
         return code;
     if (!application_confirm(&b->host, &s, key))
         return app_report_failure(b, "it was not confirmed");
-    return describe_last_swap(b, out);
+    return app_list_machines(b, out);
 }
 
 int app_refuse_erase(BoardLine *b, Buf *out)

@@ -44,6 +44,8 @@ struct Cli {
     size_t files;
     bool given[OPT_COUNT];
     const char *value[OPT_COUNT];         // the values of options that take one; the last one wins
+    VEC(const Source *) scripts;          // the scripts that have been read, and those that they include
+    VEC(const Source *) included;         // those of them that no argument names
     DiagSelection warn;
     Diags reported;                       // what cli_print_diagnostics has printed so far, for a SARIF document
     PlainMessages plain;                  // the other messages printed so far, for the same document

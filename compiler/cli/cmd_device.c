@@ -133,6 +133,21 @@ static const struct { uint8_t kind; const char *name, *source, *a, *b; } kinds[]
 
 enum { EVENT = 19, EVENT_HEAD = 8 };      // bytes of an event, and before the first one, in the answer to LINK_EVENTS
 
+// Writes a field of an event by its name in events.def: checksums in hexadecimal, reasons and results with their sentence.
+static void write_field(Buf *out, const char *name, unsigned long value)
+{
+    if (*name == '\0' || (strcmp(name, "reason") == 0 && value == 0))
+        return;
+    if (strcmp(name, "image") == 0 || strcmp(name, "old image") == 0 || strcmp(name, "swap") == 0)
+        buf_printf(out, ", %s %08lx", name, value);
+    else if (strcmp(name, "reason") == 0 && value > 0 && value < 256)
+        buf_printf(out, ", %s %lu: %s", name, value, application_reason_text((uint8_t)value));
+    else if (strcmp(name, "result") == 0 && value > 0 && value < 128)
+        buf_printf(out, ", %s %lu: %s", name, value, sm_result_text((SmResult)-(int)value));
+    else
+        buf_printf(out, ", %s %lu", name, value);
+}
+
 static void write_event(Buf *out, const uint8_t *e)
 {
     const double seconds = ((double)sm_link_load(e + 4, 4) * 4294967296.0 + (double)sm_link_load(e, 4)) * 1e-9;
@@ -142,10 +157,8 @@ static void write_event(Buf *out, const uint8_t *e)
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (kinds[i].kind == e[8]) {
             buf_printf(out, "%s of %s %lu", kinds[i].name, kinds[i].source, source);
-            if (*kinds[i].a)
-                buf_printf(out, ", %s %lu", kinds[i].a, a);
-            if (*kinds[i].b)
-                buf_printf(out, ", %s %lu", kinds[i].b, b);
+            write_field(out, kinds[i].a, a);
+            write_field(out, kinds[i].b, b);
             buf_str(out, "\n");
             return;
         }

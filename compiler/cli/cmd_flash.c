@@ -13,6 +13,7 @@
 
 // ---- why the image is not sent ----
 
+// Reports a pin that the board does not have; with `other`, two pins that the board cannot use together.
 static int report_refused_pin(Cli *c, const char *name, const SmvmPin *p, const SmvmPin *other)
 {
     Buf out;
@@ -65,6 +66,9 @@ static int report_refusal(BoardLine *b, const char *name, FlashRefusal refusal, 
         break;
     case FLASH_HAS_WINDOWS:
         cli_print_error(c, TEXT_no_windows, name);
+        break;
+    case FLASH_CALLS_FUNCTION:
+        cli_print_error(c, TEXT_no_function, name, f->function);
         break;
     case FLASH_TOO_MANY_MACHINES:
         cli_print_error(c, TEXT_too_many_machines, name, (unsigned long)n->machines, (unsigned)i->machines);

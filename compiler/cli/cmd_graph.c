@@ -56,7 +56,7 @@ int cmd_graph(Cli *c)
         return code;
     m = runs_find_machine(&in, &made);
     review_begin(&c->session, m->program, &r);
-    if ((code = runs_execute(c, &r, m->scripted, &in)) != EXIT_OK) {
+    if ((code = runs_execute(c, &r, &in, &made)) != EXIT_OK) {
         cli_print_diagnostics(c);
         return code;
     }

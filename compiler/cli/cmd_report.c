@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc report: one page about a machine for a design review. Findings are those of `smc check` with the same files. Costs are
 // those of the image that `smc build` makes. The scripts run on the VM, on an image with names.
+#include "compiler/cli/deps.h"
 #include "compiler/cli/runs.h"
 
 typedef void WriteReport(const Doc *d, Buf *out);
@@ -9,14 +10,31 @@ static const CliFormat formats[] = {
     {"html", {".html", ".htm", NULL}, "a browser"}, {"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
+// Lists the files that the report depends on.
+static DepInputs list_inputs(Cli *c)
+{
+    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + c->included.n + 2), 0};
+
+    for (size_t i = 0; i < c->files; i++)
+        all.at[all.n++] = c->file[i];
+    for (size_t i = 0; i < c->included.n; i++)
+        all.at[all.n++] = c->included.at[i]->name;
+    if (c->given[OPT_SV])
+        all.at[all.n++] = c->value[OPT_SV];
+    if (c->given[OPT_IO])
+        all.at[all.n++] = c->value[OPT_IO];
+    return all;
+}
+
 int cmd_report(Cli *c)
 {
     static WriteReport *const writer[FORMATS] = {doc_write_html, doc_write_text, doc_write_json};
-    OsOutput file = {c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0};
-    size_t format;
+    OsOutput file[2] = {{c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0}};
+    size_t format, files = 1;
     CompileInput in;
     CompileOptions o;
     Compiled made;
+    const Network *net;
     Report r;
     Buf out;
     int code;
@@ -27,6 +45,10 @@ int cmd_report(Cli *c)
         return EXIT_USAGE;
     if (c->given[OPT_IO] && !c->given[OPT_SV])
         return cli_usage_error(c, TEXT_io_needs_vector);
+    if (deps_wanted(c) && !deps_check_name(c, &file[0]))
+        return EXIT_USAGE;
+    if (c->given[OPT_NET] && !c->given[OPT_SV])
+        return cli_usage_error(c, TEXT_net_needs_vector);
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
     o.emit = EMIT_BYTECODE;
@@ -37,17 +59,25 @@ int cmd_report(Cli *c)
         cli_print_diagnostics(c);
         return EXIT_PROBLEM;
     }
+    net = in.messages ? session_net(&c->session, in.messages, in.vector) : NULL;
+    if (in.messages && !net) {
+        cli_print_diagnostics(c);
+        return EXIT_PROBLEM;
+    }
     review_begin(&c->session, runs_find_machine(&in, &made)->program, &r);
+    r.net = net;
     review_add_costs(&c->session, runs_find_machine(&in, &made), made.artefact.at[0].bytes, o.step != 0, &r);
-    if ((code = runs_execute(c, &r, runs_find_machine(&in, &made)->scripted, &in)) != EXIT_OK) {
+    if ((code = runs_execute(c, &r, &in, &made)) != EXIT_OK) {
         cli_print_diagnostics(c);
         return code;
     }
     buf_init(&out, &c->session.arena);
     writer[format](report_build(&r), &out);
-    file.bytes = buf_text(&out);
-    file.n = out.n;
-    if ((code = cli_write_outputs(c, &file, 1)) != EXIT_OK)
+    file[0].bytes = buf_text(&out);
+    file[0].n = out.n;
+    if (deps_wanted(c))
+        deps_add_rule(c, file, &files, list_inputs(c));
+    if ((code = cli_write_outputs(c, file, files)) != EXIT_OK)
         return code;
     for (size_t i = 0; i < r.runs; i++)
         if (!r.run[i].script || r.run[i].result.outcome != SCRIPT_PASSED) {

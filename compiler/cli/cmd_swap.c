@@ -3,13 +3,13 @@
 #include <string.h>
 #include <time.h>
 
-#include "bytecode-vm/image.h"
 #include "bytecode-vm/swap.h"
 #include "compiler/base/os_serial.h"
 #include "compiler/cli/app_view.h"
 #include "compiler/device/sign.h"
 
 enum { MOST_MACHINES = 255, POLL_MS = 20 };
+static const char built_in[] = "built-in";            // instead of a file: the machine with which the application was built
 
 typedef VEC(ApplicationChange) Changes;
 
@@ -95,6 +95,15 @@ static int load_image(Cli *c, const char *path, ApplicationChange *out)
     return EXIT_OK;
 }
 
+static int load_change(Cli *c, const char *file, bool is_named, const Source *vector, ApplicationChange *out)
+{
+    if (is_named && strcmp(file, built_in) == 0)
+        return EXIT_OK;
+    if (has_suffix(file, ".sm"))
+        return compile_machine(c, file, vector, out);
+    return has_suffix(file, ".smb") ? load_image(c, file, out) : cli_usage_error(c, TEXT_swap_file, file);
+}
+
 // Reads or compiles every file that the command line names.
 static int load_changes(Cli *c, Changes *all)
 {
@@ -107,9 +116,7 @@ static int load_changes(Cli *c, Changes *all)
         change.machine = split_name(c, c->file[i], &file);
         change.mode = c->given[OPT_CONTINUE] ? SM_SWAP_CONTINUE : SM_SWAP_RESTART;
         change.state = c->given[OPT_RESTART] ? c->value[OPT_RESTART] : NULL;
-        if (!has_suffix(file, ".sm") && !has_suffix(file, ".smb"))
-            return cli_usage_error(c, TEXT_swap_file, file);
-        code = has_suffix(file, ".sm") ? compile_machine(c, file, vector, &change) : load_image(c, file, &change);
+        code = load_change(c, file, file != c->file[i], vector, &change);
         vec_push(&c->session.arena, all, change);
     }
     return code == EXIT_OK ? check_names(c, all) : code;
@@ -189,9 +196,13 @@ static bool describe_kept(BoardLine *b, uint16_t number, Buf *out)
 // Describes all machines after the exchange.
 static int describe_exchange(BoardLine *b, const Changes *all, const Target *t, Buf *out)
 {
+    ApplicationMachine now;
+
     for (size_t i = 0; i < all->n; i++) {
-        buf_printf(out, "%s: image %08lx replaces %08lx, and %s%s%s\n", all->at[i].machine, (unsigned long)smvm_uint(all->at[i].image, SMVM_CRC_AT, 4),
-                   (unsigned long)t->machine[i].checksum, all->at[i].mode == SM_SWAP_CONTINUE ? "continues" : "restarts",
+        if (!application_read_machine(&b->host, t->number[i], &now))
+            return app_report_failure(b, "asking for the machines");
+        buf_printf(out, "%s: %s %08lx replaces %08lx, and %s%s%s\n", all->at[i].machine, all->at[i].size ? "image" : "the built-in image",
+                   (unsigned long)now.checksum, (unsigned long)t->machine[i].checksum, all->at[i].mode == SM_SWAP_CONTINUE ? "continues" : "restarts",
                    all->at[i].state ? " in " : "", all->at[i].state ? all->at[i].state : "");
         if (all->at[i].mode == SM_SWAP_CONTINUE && !describe_kept(b, t->number[i], out))
             return app_report_failure(b, "asking what is kept");
@@ -209,6 +220,8 @@ static int report_refused(BoardLine *b, const ApplicationSwap *s)
         cli_print_error(b->c, TEXT_swap_refused_machine, m.name, application_reason_text(s->reason));
     else
         cli_print_error(b->c, TEXT_swap_refused, application_reason_text(s->reason));
+    if (s->reason == SM_SWAP_NO_LAYOUT && !b->c->given[OPT_SV])
+        cli_print_error(b->c, TEXT_swap_vector);
     return EXIT_PROBLEM;
 }
 
@@ -233,8 +246,24 @@ static int wait_for_phase(BoardLine *b, uint32_t checksum, SmSwapPhase from, SmS
     }
 }
 
+// Reports whether all machines of a confirmed swap run again after a restart.
+static int describe_confirmed(BoardLine *b, const Changes *all, const Target *t, Buf *out)
+{
+    bool is_stored = true;
+
+    for (size_t i = 0; i < all->n; i++) {
+        ApplicationMachine now;
+        if (!application_read_machine(&b->host, t->number[i], &now))
+            return app_report_failure(b, "asking for the machines");
+        is_stored = is_stored && (now.is_built_in || now.is_stored);
+    }
+    buf_str(out, is_stored ? "confirmed; it also runs after a restart of the application\n"
+                           : "confirmed until the application ends: its .app has no 'swap_store', so after a restart the built-in machine runs\n");
+    return EXIT_OK;
+}
+
 // Reports how the trial goes on or has ended.
-static int finish_trial(BoardLine *b, const uint8_t *key, ApplicationSwap *s, Buf *out)
+static int finish_trial(BoardLine *b, const Changes *all, const Target *t, const uint8_t *key, ApplicationSwap *s, Buf *out)
 {
     int code = EXIT_OK;
 
@@ -248,10 +277,9 @@ static int finish_trial(BoardLine *b, const uint8_t *key, ApplicationSwap *s, Bu
         cli_print_error(b->c, TEXT_swap_returned, app_trial_end(s->end));
         return EXIT_PROBLEM;
     }
-    if (s->phase == SM_SWAP_TRIAL)
-        buf_printf(out, "on trial: 'smc device confirm --port=%s' keeps it; without that, the old machines return\n", b->c->value[OPT_TO]);
-    else
-        buf_str(out, "confirmed\n");
+    if (s->phase != SM_SWAP_TRIAL)
+        return describe_confirmed(b, all, t, out);
+    buf_printf(out, "on trial: 'smc device confirm --port=%s' keeps it; without that, the old machines return\n", b->c->value[OPT_TO]);
     return EXIT_OK;
 }
 
@@ -269,7 +297,7 @@ static int follow_swap(BoardLine *b, const Changes *all, const Target *t, uint32
     buf_init(&out, &b->c->session.arena);
     code = describe_exchange(b, all, t, &out);
     if (code == EXIT_OK)
-        code = finish_trial(b, key, &s, &out);
+        code = finish_trial(b, all, t, key, &s, &out);
     return cli_print(b->c, 1, &out) || code != EXIT_OK ? code : EXIT_ENVIRONMENT;
 }
 

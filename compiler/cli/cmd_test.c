@@ -18,7 +18,7 @@ const char *test_suite_name(Arena *arena, const char *path)
 
 static void add_error(TestRun *t, const char *path, const char *message, int code)
 {
-    TestResult r = {path, test_suite_name(t->arena, path), TEST_BROKEN, message, code, 0};
+    TestResult r = {path, test_suite_name(t->arena, path), TEST_BROKEN, message, code, 0, "", ""};
 
     vec_push(t->arena, &t->result, r);
 }

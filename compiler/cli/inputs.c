@@ -22,6 +22,23 @@ static Source *open_source(Cli *c, const char *path, const char *name, const cha
     return source_new(&c->session.arena, name, copy, len);
 }
 
+// Finds a file that a script includes: reads it, unless the command has read it before under any name.
+static const Source *find_included(void *context, const Source *from, const char *name, const char **why)
+{
+    Cli *c = context;
+    const char *path = path_beside(&c->session.arena, from->name, name);
+    const Source *src;
+
+    for (size_t i = 0; i < c->scripts.n; i++)
+        if (os_same_file(c->scripts.at[i]->name, path))
+            return c->scripts.at[i];
+    if ((src = open_source(c, path, path, why)) == NULL)
+        return NULL;
+    vec_push(&c->session.arena, &c->scripts, src);
+    vec_push(&c->session.arena, &c->included, src);
+    return src;
+}
+
 // Reads a source; NULL after a message (exit with EXIT_ENVIRONMENT).
 Source *cli_read_source(Cli *c, const char *path)
 {
@@ -30,6 +47,9 @@ Source *cli_read_source(Cli *c, const char *path)
 
     if (!src)
         cli_print_error(c, TEXT_cannot_read, cli_printable_name(&c->session.arena, path), why);
+    else if (has_suffix(path, ".ss"))
+        vec_push(&c->session.arena, &c->scripts, src);
+    c->session.finder = (SourceFinder){find_included, c};
     return src;
 }
 
@@ -38,14 +58,13 @@ Source *cli_read_source(Cli *c, const char *path)
 static void load_app(Cli *c, CompileInput *in)
 {
     const char *app = in->at[0].text->name;
-    const int folder = (int)(path_file_name(app) - app);           // the length of the folder's path, with its separator
 
     in->app = ARENA_NEW(&c->session.arena, CompileApp);
     compile_open_app(&c->session, in->at[0].text, in->app);
     for (size_t i = 0; i < in->app->files.n; i++) {
         AppFile *f = &in->app->files.at[i];
         const char *name = f->name.text->text;
-        const char *path = path_is_absolute(name) || folder == 0 ? name : format_in(&c->session.arena, "%.*s%s", folder, app, name);
+        const char *path = path_beside(&c->session.arena, app, name);
         if (f->wrong_kind)
             continue;
         if (strcmp(path, "-") == 0 || strlen(name) != f->name.text->len)
@@ -55,7 +74,7 @@ static void load_app(Cli *c, CompileInput *in)
     }
 }
 
-// Reads every file that the command line names, and those of --sv and --io.
+// Reads every file that the command line names, and those of --sv, --io and --net.
 int cli_read_inputs(Cli *c, CompileInput *in)
 {
     memset(in, 0, sizeof *in);
@@ -68,6 +87,7 @@ int cli_read_inputs(Cli *c, CompileInput *in)
             return EXIT_ENVIRONMENT;
     }
     if ((c->given[OPT_SV] && (in->vector = cli_read_source(c, c->value[OPT_SV])) == NULL) ||
+        (c->given[OPT_NET] && (in->messages = cli_read_source(c, c->value[OPT_NET])) == NULL) ||
         (c->given[OPT_IO] && (in->pins = cli_read_source(c, c->value[OPT_IO])) == NULL))
         return EXIT_ENVIRONMENT;
     if (in->n == 1 && in->at[0].kind == FILE_APP)

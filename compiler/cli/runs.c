@@ -37,9 +37,10 @@ const CompiledSource *runs_find_machine(const CompileInput *in, const Compiled *
 
 // ---- on the VM ----
 
-// Runs the scripts of `in` into r->run, on an image with names of p: the machine of r->analysis, compiled for scripts.
-int runs_execute(Cli *c, Report *r, const Program *p, const CompileInput *in)
+// Runs the scripts of `in` into r->run, on an image with names of the machine compiled for scripts.
+int runs_execute(Cli *c, Report *r, const CompileInput *in, const Compiled *made)
 {
+    const Program *p = runs_find_machine(in, made)->scripted;
     const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true};
     EngineSet engines = {{NULL}, 0, NULL};
 
@@ -51,7 +52,7 @@ int runs_execute(Cli *c, Report *r, const Program *p, const CompileInput *in)
     }
     r->run = ARENA_ARRAY(&c->session.arena, ReportRun, in->n);
     for (size_t i = 0; i < in->n; i++)
-        if (in->at[i].kind == FILE_SS)
+        if (in->at[i].kind == FILE_SS && !made->of[i].is_included)
             review_run_script(&c->session, r, p, in->at[i].text, NULL, engines.at, engines.n, &o, &r->run[r->runs++]);
     engines_close(&engines);
     return EXIT_OK;

@@ -11,6 +11,6 @@ int runs_check_arguments(Cli *c);
 // Returns the machine among the compiled sources.
 const CompiledSource *runs_find_machine(const CompileInput *in, const Compiled *made);
 // Runs the scripts of `in` into r->run, on an image with names of p: the machine of r->analysis, compiled for scripts.
-int runs_execute(Cli *c, Report *r, const Program *p, const CompileInput *in);
+int runs_execute(Cli *c, Report *r, const CompileInput *in, const Compiled *made);
 
 #endif

@@ -22,6 +22,8 @@ typedef struct TestResult {
     const char *message;      // why it did not pass, one or more lines; "" if it passed
     int code;                 // the exit code of the command that this result requires
     double seconds;           // duration of the test
+    const char *printed;      // the lines that the script has printed; "" or NULL: none
+    const char *requirements; // the requirements that it has tested, with spaces between them; "" or NULL: none
 } TestResult;
 
 typedef struct TestRun {      // one call of smc test

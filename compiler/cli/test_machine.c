@@ -12,7 +12,9 @@ typedef struct MachineTest {
     EngineSet engines;
     const Source **ss;        // by argument: the scripts, each read once; NULL: not a script, or unreadable
     const char **problem;     // by argument: why a script cannot be read
-    Buf report;               // report of the last script
+    bool *is_part;            // by argument: another script includes it, so it does not run by itself
+    Buf report;               // report of the last script: what it printed, and then the final values
+    size_t printed;           // the length of the first of these parts
     TestTrace *trace;         // the trace that --trace requests; or NULL
 } MachineTest;
 
@@ -21,7 +23,7 @@ static const char *result_name(const char *path) { return strcmp(path, "-") == 0
 
 static void add_result(MachineTest *m, const char *path, TestStatus status, const char *message, int code)
 {
-    TestResult r = {path, m->path, status, message, code, os_seconds() - m->begin};
+    TestResult r = {path, m->path, status, message, code, os_seconds() - m->begin, "", ""};
 
     vec_push(m->t->arena, &m->t->result, r);
 }
@@ -32,7 +34,7 @@ static void add_errors(MachineTest *m, const char *message, int code)
     Cli *c = m->t->c;
 
     for (size_t i = 0; i < c->files; i++)
-        if (test_is_script(c, c->file[i])) {
+        if (test_is_script(c, c->file[i]) && !m->is_part[i]) {
             add_result(m, result_name(c->file[i]), TEST_BROKEN, message, code);
             m->begin = os_seconds();          // the time spent so far counts only for the first script
         }
@@ -58,10 +60,32 @@ static int exit_code_of(ScriptOutcome o)
 {
     switch (o) {
     case SCRIPT_PASSED: return EXIT_OK;
-    case SCRIPT_FAILED: case SCRIPT_ENDLESS: case SCRIPT_TIME_OVER: return EXIT_PROBLEM;
+    case SCRIPT_FAILED: case SCRIPT_ENDLESS: case SCRIPT_TIME_OVERFLOW: return EXIT_PROBLEM;
     case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: case SCRIPT_CANCELLED: return EXIT_INTERNAL;      // this command cancels no run
     }
     return EXIT_INTERNAL;
+}
+
+// Returns the requirements that the script has tested, each once, in order: "R7 R8"; "" if there is none.
+static const char *list_requirements(Arena *arena, const Script *s, const ScriptResult *r)
+{
+    Map seen = {arena, NULL, NULL, 0, 0};
+    Buf out;
+
+    buf_init(&out, arena);
+    for (size_t i = 0; i < s->section.n; i++)
+        for (size_t k = 0; k < s->section.at[i].item.n; k++) {
+            const ScriptItem *item = s->section.at[i].item.at[k];
+            for (size_t n = 0; n < item->asserts.n; n++) {
+                const ScriptAssert *a = &item->asserts.at[n];
+                const Str name = a->remark ? a->remark->requirement : NULL;
+                if (!name || map_find(&seen, name) || (a->kind != SCRIPT_FAIL && !r->evaluated[item->first_assert + n]))
+                    continue;
+                map_put(&seen, name, (void *)name);
+                buf_printf(&out, "%s%s", out.n ? " " : "", name->text);
+            }
+        }
+    return buf_text(&out);
 }
 
 static void run_script(MachineTest *m, const char *path, const Script *s)
@@ -76,11 +100,15 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
         test_trace_script(m->trace, path);
     r = script_run(t->arena, &t->c->session.diags, s, m->engines.at, m->engines.n, &o);
     code = exit_code_of(r.outcome);
+    buf_str(&m->report, r.printed);
+    m->printed = m->report.n;
     script_report(&r, m->p, &m->report);
     reported = report_diagnostics(t, &message);
     if (code == EXIT_OK)
         code = reported;
     add_result(m, path, code == EXIT_OK ? TEST_PASSED : code == EXIT_PROBLEM ? TEST_FAILED : TEST_BROKEN, message, code);
+    m->t->result.at[m->t->result.n - 1].printed = r.printed;
+    m->t->result.at[m->t->result.n - 1].requirements = list_requirements(t->arena, s, &r);
 }
 
 static void test_script(MachineTest *m, size_t argument)
@@ -90,7 +118,7 @@ static void test_script(MachineTest *m, size_t argument)
     const char *message;
     Script *s;
 
-    m->report.n = 0;
+    m->report.n = m->printed = 0;
     m->begin = os_seconds();
     if (!src) {
         test_trace_left_out(m->trace, path);
@@ -141,6 +169,9 @@ static int compile_machine(MachineTest *m, const char *path)
         return code;
     o.scripts_later = true;
     compile_sources(&m->t->c->session, &in, &o, &made);
+    for (size_t i = 0; i < m->t->c->files; i++)
+        for (size_t k = 0; k < in.n; k++)
+            m->is_part[i] |= made.of[k].is_included && in.at[k].text == m->ss[i];
     m->p = made.of[0].scripted;
     return m->p ? EXIT_OK : EXIT_PROBLEM;
 }
@@ -168,14 +199,15 @@ static int print_report(MachineTest *m, const char *path)
 {
     Cli *c = m->t->c;
     const TestResult *last = &m->t->result.at[m->t->result.n - 1];
+    const bool has_values = c->given[OPT_VERBOSE] || (is_lone_script(c) && last->status == TEST_PASSED);
+    const size_t shown = has_values ? m->report.n : m->printed;
     Buf out;
 
     buf_init(&out, m->t->arena);
     if (!is_lone_script(c))
         buf_printf(&out, "%s:\n", path);
-    buf_put(&out, buf_text(&m->report), m->report.n);
-    if (test_stdout_is_for_program(c) || m->report.n == 0 ||
-        (!c->given[OPT_VERBOSE] && !(is_lone_script(c) && last->status == TEST_PASSED)))
+    buf_put(&out, buf_text(&m->report), shown);
+    if (test_stdout_is_for_program(c) || shown == 0)
         return EXIT_OK;
     return cli_print(c, test_result_fd(c), &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }
@@ -188,7 +220,7 @@ static int test_scripts(MachineTest *m)
     if (code == EXIT_ENVIRONMENT)
         add_errors(m, c->last_error, code);
     for (size_t i = 0; i < c->files && code == EXIT_OK; i++)
-        if (test_is_script(c, c->file[i])) {
+        if (test_is_script(c, c->file[i]) && !m->is_part[i]) {
             test_script(m, i);
             code = print_report(m, result_name(c->file[i]));
         }
@@ -203,6 +235,7 @@ int test_run_machine(TestRun *t, const char *path)
     int code, compiled, reported;
 
     buf_init(&m.report, t->arena);
+    m.is_part = ARENA_ARRAY(t->arena, bool, t->c->files);
     compiled = compile_machine(&m, path);
     reported = report_diagnostics(t, &message);
     code = compiled == EXIT_OK ? reported : compiled;

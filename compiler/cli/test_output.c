@@ -143,27 +143,61 @@ static void write_classname(Buf *out, Arena *arena, const char *suite)
     write_attribute(out, "classname", buf_text(&name), name.n);
 }
 
+static bool is_given(const char *text) { return text && *text; }
+
+// Writes the requirements that a script has tested, as properties.
+static void write_requirements(Buf *out, const char *list)
+{
+    if (!is_given(list))
+        return;
+    buf_str(out, "      <properties>\n");
+    while (*list) {
+        const size_t n = strcspn(list, " ");
+        buf_str(out, "        <property name=\"requirement\"");
+        write_attribute(out, "value", list, n);
+        buf_str(out, "/>\n");
+        list += n + (list[n] == ' ');
+    }
+    buf_str(out, "      </properties>\n");
+}
+
+static void write_problem(Buf *out, const TestResult *r, const char *element)
+{
+    const char *why = line_of_failure(r->message);
+
+    buf_printf(out, "      <%s", element);
+    write_attribute(out, "message", why, first_line_length(why));
+    if (r->status != TEST_SKIPPED)
+        write_type(out, why, first_line_length(why));
+    buf_char(out, '>');
+    write_xml(out, r->message, strlen(r->message), false);
+    buf_printf(out, "</%s>\n", element);
+}
+
 static void write_testcase(Buf *out, const TestResult *r)
 {
     static const char *const elements[] = {NULL, "failure", "error", "skipped"};          // by TestStatus
-    const char *element = elements[r->status], *why = line_of_failure(r->message);
+    const char *element = elements[r->status];
     const char *name = is_case(r->path) ? path_file_name(r->path) : r->path;
 
     buf_str(out, "    <testcase");
     write_attribute(out, "name", name, strlen(name));
     write_classname(out, out->arena, r->suite);
     write_time(out, r->seconds);
-    if (!element) {
+    if (!element && !is_given(r->printed) && !is_given(r->requirements)) {
         buf_str(out, "/>\n");
         return;
     }
-    buf_printf(out, ">\n      <%s", element);
-    write_attribute(out, "message", why, first_line_length(why));
-    if (r->status != TEST_SKIPPED)
-        write_type(out, why, first_line_length(why));
-    buf_char(out, '>');
-    write_xml(out, r->message, strlen(r->message), false);
-    buf_printf(out, "</%s>\n    </testcase>\n", element);
+    buf_str(out, ">\n");
+    write_requirements(out, r->requirements);
+    if (element)
+        write_problem(out, r, element);
+    if (is_given(r->printed)) {
+        buf_str(out, "      <system-out>");
+        write_xml(out, r->printed, strlen(r->printed), false);
+        buf_str(out, "</system-out>\n");
+    }
+    buf_str(out, "    </testcase>\n");
 }
 
 typedef struct TestTotals { size_t by_status[TEST_SKIPPED + 1], tests; double seconds; } TestTotals;
@@ -266,5 +300,9 @@ void test_write_tap(const TestRun *t, Buf *out)
         buf_char(out, '\n');
         if (r->status == TEST_FAILED || r->status == TEST_BROKEN)
             write_tap_lines(out, r->message);
+        if (is_given(r->requirements))
+            buf_printf(out, "# requirements: %s\n", r->requirements);
+        if (is_given(r->printed))
+            write_tap_lines(out, r->printed);
     }
 }

@@ -63,8 +63,10 @@ bool application_read_machine(LinkHost *h, uint16_t machine, ApplicationMachine 
         h->result = SM_E_SIZE;
         return false;
     }
-    out->can_swap = (b[0] & 1) != 0;
-    out->is_on_trial = (b[0] & 2) != 0;
+    out->can_swap = (b[0] & LINK_SWAPPABLE) != 0;
+    out->is_on_trial = (b[0] & LINK_ON_TRIAL) != 0;
+    out->is_built_in = (b[0] & LINK_BUILT_IN) != 0;
+    out->is_stored = (b[0] & LINK_STORED) != 0;
     out->checksum = sm_link_load(b + 1, 4);
     memcpy(out->identity, b + 5, sizeof out->identity);
     out->state = sm_link_load(b + 13, 4);

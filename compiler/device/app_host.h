@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An application at the other end of a link (docs/swapping.md 12.35 to 12.50): lists its machines and sends a swap.  Prints nothing.
+// An application at the other end of a link (docs/swapping.md 12.35 to 12.54): lists its machines and sends a swap.  Prints nothing.
 #ifndef SMC_APP_HOST_H
 #define SMC_APP_HOST_H
 
@@ -23,6 +23,8 @@ typedef struct ApplicationInfo {
 
 typedef struct ApplicationMachine {
     bool can_swap, is_on_trial;
+    bool is_built_in;         // it runs the image with which the application was built
+    bool is_stored;           // its image runs again after a restart of the application
     uint32_t checksum;        // of its image
     uint8_t identity[8];
     uint32_t state;
@@ -57,7 +59,7 @@ typedef struct ApplicationChange {
     uint8_t mode;             // SmSwapMode
     const char *state;        // or NULL
     const uint8_t *image;
-    uint32_t size;
+    uint32_t size;            // 0: the image with which the application was built
 } ApplicationChange;
 
 // Returns the sentence of a reason for a refusal (runtime-c/swaps.def).

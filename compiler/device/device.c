@@ -6,6 +6,7 @@
 enum {
     // Lengths of the answer to HELLO: the least, and with each of the parts that newer firmware appends (docs/link.md).
     HELLO_BYTES = 15, HELLO_SIGNED = HELLO_BYTES + 5, HELLO_LIMITS = HELLO_SIGNED + 7, HELLO_MARK = HELLO_LIMITS + 4,
+    HELLO_FUNCTIONS = HELLO_MARK + 4,
     IMAGE_BYTES = 18,         // least length of the answer to IMAGE
     BEGIN_HEAD = 9,           // bytes before the permit in BEGIN
     DATA_HEAD = 5,            // bytes before the data in DATA: session, offset
@@ -60,6 +61,7 @@ bool device_query_info(LinkHost *h, DeviceInfo *info)
     if (info->reports_limits)
         read_limits(b + HELLO_SIGNED, info);
     info->reports_mark = h->n >= HELLO_MARK;
+    info->functions = h->n >= HELLO_FUNCTIONS ? sm_link_load(b + HELLO_MARK, 4) : 0;
     info->mark = info->reports_mark ? sm_link_load(b + HELLO_LIMITS, 4) : 0;
     return true;
 }

@@ -22,6 +22,7 @@ typedef struct DeviceInfo {
     uint32_t mark;
     bool reports_limits;      // the firmware reports its limits; the following fields are valid only then
     bool windows;             // the firmware supports rolling windows
+    uint32_t functions;       // the elementary functions that it has: bit n for number n (stdlib/elementary.def); 0 of older firmware
     uint8_t machines;         // the most machines in an image; 0: any number
     uint8_t ram_digital, ram_analog;      // bytes of `ram` that each digital and each analog pin takes
     uint16_t period;          // default number of milliseconds between steps

@@ -13,7 +13,7 @@ enum { DIGITAL_CYCLES = 400, INPUT_CYCLES = 5000, OUTPUT_CYCLES = 5000 };
 
 static ImageNeeds find_image_needs(Arena *arena, const DeviceInfo *info, const FlashImage *image)
 {
-    ImageNeeds n = {0, image->longest, 0, 0, 0};
+    ImageNeeds n = {0, image->longest, 0, 0, 0, 0};
     SmvmMachine m;
     SmvmPins all;
     SmvmPin p;
@@ -22,6 +22,7 @@ static ImageNeeds find_image_needs(Arena *arena, const DeviceInfo *info, const F
     for (uint32_t i = 0; smvm_machine(image->bytes, i, &m); i++) {
         cost_of_machine(arena, image->bytes, i, COST_CYCLES_EEPROM, &cost);
         n.cycles += cost.worst;
+        n.functions |= cost.functions;
         n.windows += m.windows;
         n.machines++;
         n.ram += i == 0 ? m.sv_size : 0;              // the machines of an image share one state vector
@@ -35,7 +36,16 @@ static ImageNeeds find_image_needs(Arena *arena, const DeviceInfo *info, const F
     return n;
 }
 
-static FlashRefusal check_limits(const DeviceInfo *i, const FlashImage *image, const FlashCheck *c)
+// Returns the name of the first elementary function in a set, which is not empty.
+static const char *name_of_first(uint32_t functions)
+{
+#define SM_ELEMENTARY(name, arguments, number) if ((functions >> number & 1) != 0) return #name;
+#include "stdlib/elementary.def"
+#undef SM_ELEMENTARY
+    return "a function";
+}
+
+static FlashRefusal check_limits(const DeviceInfo *i, const FlashImage *image, FlashCheck *c)
 {
     const ImageNeeds *n = &c->needs;
 
@@ -47,6 +57,10 @@ static FlashRefusal check_limits(const DeviceInfo *i, const FlashImage *image, c
         return FLASH_STEP_TOO_LONG;
     if (i->reports_limits && !i->windows && n->windows > 0)
         return FLASH_HAS_WINDOWS;
+    if ((n->functions & ~i->functions) != 0) {
+        c->function = name_of_first(n->functions & ~i->functions);
+        return FLASH_CALLS_FUNCTION;
+    }
     if (i->machines != 0 && n->machines > i->machines)
         return FLASH_TOO_MANY_MACHINES;
     if (i->cycles != 0 && n->cycles > c->period * i->cycles)

@@ -18,13 +18,14 @@ typedef struct FlashImage {
 
 // What an image requires on any computer.  `ram`: bytes for the state vector, its machines and pins, without the VM's own structures, whose
 // size differs between computers.  `cycles`: of its longest steps, estimated for an ATmega.
-typedef struct ImageNeeds { uint32_t ram, longest, machines, windows, cycles; } ImageNeeds;
+// `functions`: those of stdlib/elementary.def that it calls, bit n for number n.
+typedef struct ImageNeeds { uint32_t ram, longest, machines, windows, cycles, functions; } ImageNeeds;
 
 typedef enum FlashRefusal {
     FLASH_ACCEPTED,
     FLASH_LINK_FAILED,        // the request for FlashCheck.asking failed; the reason is in the LinkHost
     // The board has too little for the image:
-    FLASH_TOO_LARGE, FLASH_RAM_TOO_SMALL, FLASH_STEP_TOO_LONG, FLASH_HAS_WINDOWS, FLASH_TOO_MANY_MACHINES, FLASH_STEP_TOO_SLOW,
+    FLASH_TOO_LARGE, FLASH_RAM_TOO_SMALL, FLASH_STEP_TOO_LONG, FLASH_HAS_WINDOWS, FLASH_CALLS_FUNCTION, FLASH_TOO_MANY_MACHINES, FLASH_STEP_TOO_SLOW,
     // A board of this kind would refuse or ignore a pin:
     FLASH_PIN_ABSENT, FLASH_PINS_CLASH,
     // The board accepts this image, or any image, only later or never:
@@ -39,6 +40,7 @@ typedef struct FlashCheck {
     DeviceImage running;      // the image that runs on the board
     bool runs_already;        // the running image is the one to send, with the same period
     DeviceImage trial;        // FLASH_OTHER_ON_TRIAL: the image on trial
+    const char *function;     // FLASH_CALLS_FUNCTION: the name of the first elementary function that the board lacks
     SmvmAuth code;            // FLASH_OTHER_KEY, FLASH_OLD_NUMBER: the mark and number of the image
     SmvmPin pin, other;       // FLASH_PIN_ABSENT: the pin; FLASH_PINS_CLASH: two that are one pin of the board
 } FlashCheck;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/facts/fact.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "compiler/ir/eval.h"
 #include "stdlib/convert.h"
+#include "stdlib/elementary.h"
 #include "stdlib/math.h"
 
 // ---- helpers for numbers ----
@@ -198,6 +200,63 @@ static Fact fact_of_sqrt(Fact a)
     return make_fact(a.lo > 0 ? sm_sqrt(a.lo) : 0, sm_sqrt(a.hi), false, a.nan || a.lo < 0, a.minus_zero);
 }
 
+// ---- elementary functions ----
+
+// Returns y, moved toward `to` by more than the errors of two results.  An error is below 1 ulp, which is at most two neighbours, and
+// results are not proved to be monotonic.
+static double move_bound(double y, double to)
+{
+    const double finite = sm_max(sm_min(y, DBL_MAX), -DBL_MAX), error = sm_max(sm_abs(finite) * 0x1p-50, 0x1p-1070);
+
+    return to < finite ? finite - error : finite + error;
+}
+
+// Returns the fact about a function that increases on the numbers from `from` to `to`, and whose results are from `least` to `most`.  It is
+// NaN of any other number.
+static Fact fact_of_increasing(SmF64 (*f)(SmF64), Fact a, double from, double to, double least, double most)
+{
+    const double lo = sm_max(a.lo, from), hi = sm_min(a.hi, to);
+    const bool nan = a.nan || a.lo < from || a.hi > to;
+
+    if (lo > hi)
+        return fact_without_number(true);
+    return make_fact(sm_max(move_bound(f(lo), -infinity()), least), sm_min(move_bound(f(hi), infinity()), most), false, nan, a.minus_zero);
+}
+
+static Fact fact_of_acos(Fact a)
+{
+    const Fact r = fact_of_increasing(sm_asin, a, -1, 1, -2, 2);
+
+    return is_empty(r) ? r : make_fact(0, 0x1.921fb54442d18p+1, false, r.nan, false);
+}
+
+// The result of pow is negative only for negative x, and a number for every x that is not.
+static Fact fact_of_pow(Fact x, Fact y)
+{
+    const bool negative = can_be_negative(x);
+
+    return make_fact(negative ? -infinity() : 0, infinity(), false, x.nan || y.nan || x.lo < 0, negative);
+}
+
+static Fact fact_of_elementary(IrOp op, Fact a, Fact b)
+{
+    const double pi = 0x1.921fb54442d18p+1;
+
+    switch ((int)op) {
+    case IR_exp: return fact_of_increasing(sm_exp, a, -infinity(), infinity(), 0, infinity());
+    case IR_log: return fact_of_increasing(sm_log, a, 0, infinity(), -infinity(), infinity());
+    case IR_log10: return fact_of_increasing(sm_log10, a, 0, infinity(), -infinity(), infinity());
+    case IR_sin: case IR_cos: return make_fact(-1, 1, false, a.nan || has_infinity(a), true);
+    case IR_tan: return make_fact(-infinity(), infinity(), false, a.nan || has_infinity(a), true);
+    case IR_asin: return fact_of_increasing(sm_asin, a, -1, 1, -pi / 2, pi / 2);
+    case IR_acos: return fact_of_acos(a);
+    case IR_atan: return fact_of_increasing(sm_atan, a, -infinity(), infinity(), -pi / 2, pi / 2);
+    case IR_pow: return fact_of_pow(a, b);
+    case IR_atan2: return make_fact(-pi, pi, false, a.nan || b.nan, true);
+    default: return make_fact(0, infinity(), false, a.nan || b.nan, false);
+    }
+}
+
 static Fact fact_of_min_or_max(SmF64 (*op)(SmF64, SmF64), Fact a, Fact b)
 {
     Fact r = make_fact(op(a.lo, b.lo), op(a.hi, b.hi), a.whole && b.whole, a.nan || b.nan, a.minus_zero || b.minus_zero);
@@ -258,7 +317,7 @@ static Fact fact_of_comparison_ins(const IrIns *i, Fact a, Fact b, SmType type)
 {
     const bool nan = a.nan || b.nan;
 
-    if (is_empty(a) || is_empty(b))
+    if (is_empty(a) || is_empty(b))                       // an operand without numbers can only be NaN
         return i->op == IR_ne ? fact_of_bool(false, true) : fact_of_bool(true, false);
     if (may_be_rounded(a, type) || may_be_rounded(b, type))
         return fact_of_bool(true, true);
@@ -301,7 +360,7 @@ static Fact fact_of_arithmetic(const IrIns *i, Fact a, Fact b)
     case IR_min: return fact_of_min_or_max(sm_min, a, b);
     case IR_max: return fact_of_min_or_max(sm_max, a, b);
     }
-    return any_fact();
+    return ir_is_elementary(i->op) ? fact_of_elementary(i->op, a, b) : any_fact();
 }
 
 // Returns the fact about the result of an arithmetic operation.  An operation narrowed to an integer or F32 (passes/narrow.c) has the
@@ -312,7 +371,10 @@ static Fact fact_of_operation(const IrIns *i, Fact a, Fact b)
     Fact r;
     bool nan;
 
-    if (is_empty(a) || (two && is_empty(b)))
+    if (i->op == IR_pow || i->op == IR_hypot) {       // which can be a number where an operand is NaN
+        if (is_empty(a) || is_empty(b))
+            return any_fact();
+    } else if (is_empty(a) || (two && is_empty(b)))
         return fact_without_number(true);
     r = fact_of_arithmetic(i, a, b);
     nan = r.nan;
@@ -354,13 +416,17 @@ static Fact fact_of_average(Fact a)
 // Returns the fact about a statistic of a rolling window whose samples have the fact `sample`.
 Fact fact_of_stat(SmStat stat, Fact sample)
 {
+    const IrIns difference = {.op = IR_sub, .type = SM_F64};
     const bool infinite = has_infinity(sample);
 
     switch (stat) {
     case SM_STAT_AVG: return fact_of_average(sample);
     case SM_STAT_MEDIAN: return make_fact(sample.lo, sample.hi, false, infinite, true);      // perhaps the mean of two samples
     case SM_STAT_RANGE: return make_fact(0, infinite ? infinity() : sample.hi - sample.lo, sample.whole, infinite, false);
-    case SM_STAT_MIN: case SM_STAT_MAX: case SM_STAT_COUNT: break;
+    case SM_STAT_CHANGE: return fact_of_result(&difference, &sample, &sample, SM_F64);
+    case SM_STAT_ELAPSED: case SM_STAT_RUN_TIME: return make_fact(0, 18446744073709551616.0, true, false, false);
+    case SM_STAT_RUN_STEPS: return make_fact(0, SM_WINDOW_MAX, true, false, false);
+    case SM_STAT_MIN: case SM_STAT_MAX: case SM_STAT_OLDEST: case SM_STAT_NEWEST: case SM_STAT_COUNT: break;
     }
     return sample;
 }

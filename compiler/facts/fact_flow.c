@@ -225,7 +225,8 @@ static void set_if_needed(FlowWalk *w, const Env **env, uint32_t slot, Fact fact
         vec_push(w->fm->shape.arena, &w->fm->update, ((FactUpdate){slot, fact}));
 }
 
-// Returns what is known about a variable that the current block loads.
+// Returns what is known about a variable that the current block loads.  With w->effect, also records the load and the known values, unless
+// the block has stored to the variable before.
 static Fact load_fact(FlowWalk *w, uint32_t var)
 {
     const uint32_t slot = slot_of(w, var);

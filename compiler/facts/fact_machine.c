@@ -120,7 +120,7 @@ static void visit_end(void *context, const IrJump *end, const Env *env)
 
 // Computes the facts in one function of the current state.  Merges the facts at each of its ends into those at the beginning of every
 // function that can run next (visit_end).
-static void visit_function(FactIteration *v, int block)
+static void compute_function_facts(FactIteration *v, int block)
 {
     static const IrJump nothing = {.kind = IR_RET, .cond = IR_NONE};
     FactFn *fn = v->fm->has_variable_locals ? &v->fn[v->state][block] : NULL;       // else few functions are visited twice
@@ -154,7 +154,7 @@ static void narrow_facts(FactIteration *v, const Env *initial)
     for (v->state = 0; v->state < v->fm->m->state.n; v->state++)
         for (int block = 0; block < BLOCK_COUNT; block++)
             if (v->fm->begin[v->state][block].found)
-                visit_function(v, block);
+                compute_function_facts(v, block);
     v->fm->begin = v->to;
 }
 
@@ -240,7 +240,7 @@ static void iterate_to_fixed_point(FactMachine *fm, bool any_start, const FactOb
         v.state = worklist_next(&v.queue);
         for (int block = 0; block < BLOCK_COUNT; block++)
             if (fm->begin[v.state][block].dirty)
-                visit_function(&v, block);
+                compute_function_facts(&v, block);
     }
     if (v.widened)
         narrow_facts(&v, initial);

@@ -116,12 +116,14 @@ static IrRef build_call(Builder *b, const Expr *e)
 #define SM_COMPOSED(name, arguments, steps, sentence) \
     case SM_FN_##name: steps break;
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
+#define SM_SAMPLED(name, arguments, sentence) case SM_FN_##name:
 #include "stdlib/builtins.def"
 #undef STEP1
 #undef STEP2
 #undef SM_PURE
 #undef SM_COMPOSED
 #undef SM_ROLL
+#undef SM_SAMPLED
     case SM_FN_COUNT: break;                          // not reached; a roll call is an EX_ROLL
     }
     return v[n - 1];

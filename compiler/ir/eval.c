@@ -3,6 +3,7 @@
 
 #include "compiler/ir/comparison.h"
 #include "stdlib/convert.h"
+#include "stdlib/elementary.h"
 #include "stdlib/math.h"
 
 // Returns the number that a cell (the bits of a value of this type) represents.  An F64 cell can be NaN, although a load would read it as 0.

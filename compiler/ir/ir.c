@@ -11,6 +11,17 @@ const IrOpInfo ir_op_info[IR_OP_COUNT] = {
 #undef IR_OP
 };
 
+bool ir_is_elementary(IrOp op)
+{
+    switch ((int)op) {
+#define SM_ELEMENTARY(name, arguments, number) case IR_##name:
+#include "stdlib/elementary.def"
+#undef SM_ELEMENTARY
+        return true;
+    }
+    return false;
+}
+
 // Whether a SAME operation may work on this type.
 bool ir_op_allows_type(IrOp op, SmType type)
 {

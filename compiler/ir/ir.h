@@ -54,6 +54,7 @@ typedef struct IrOpInfo {             // a row of ops.def
 
 extern const IrOpInfo ir_op_info[IR_OP_COUNT];
 
+bool ir_is_elementary(IrOp op);                   // whether it is a function of stdlib/elementary.def
 bool ir_op_allows_type(IrOp op, SmType type);     // whether a SAME operation may work on this type
 IrOp ir_op_of_operator(SmOperator op);            // the operation of an operator; IR_OP_COUNT for unary plus, which has none
 
@@ -130,6 +131,9 @@ typedef struct IrWindow {
     uint32_t stats;                   // the statistics that are read: 1u << SmStat for each
     const Window *first;              // set by ir_build: the first call of the program that has this window; else NULL
 } IrWindow;
+
+// Whether a window stores times: its samples are events (stdlib/roll.h), and its type is U64.
+static inline bool ir_stores_times(const IrWindow *w) { return (w->stats & SM_STATS_OF_TIMES) != 0; }
 
 typedef struct IrState {
     Str name;

@@ -155,7 +155,11 @@ static uint32_t run_function(IrRun *r, const IrRunFn *f, void *situation, IrTrac
                                             r->window_kind[op->var], op->stat);
                 break;
             case IR_sample:
-                sm_roll_sample(window_of(r, situation, op->var), r->m->window.at[op->var].size, r->window_kind[op->var],
+                if (ir_stores_times(&r->m->window.at[op->var]))
+                    sm_roll_sample_event(window_of(r, situation, op->var), r->m->window.at[op->var].size, r->window_kind[op->var],
+                                         sm_to_u64(temp[op->a]), sm_to_u64(var[r->m->g]));
+                else
+                    sm_roll_sample(window_of(r, situation, op->var), r->m->window.at[op->var].size, r->window_kind[op->var],
                                temp[op->a]);
                 break;
             case IR_const: temp[op->to] = op->number; break;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "compiler/ir/ir.h"
+#include "stdlib/roll.h"
 #include "compiler/ir/text.h"
 
 typedef struct IrChecker {
@@ -172,6 +173,8 @@ static bool check_windows(IrChecker *c)
             return report_violation(c, "the size of window w%lu is not 1 to %lu", (unsigned long)w, (unsigned long)SM_WINDOW_MAX);
         if (window->stats >> SM_STAT_COUNT != 0)
             return report_violation(c, "window w%lu has an unknown statistic", (unsigned long)w);
+        if (ir_stores_times(window) && (window->type != SM_U64 || !sm_roll_is_kind(sm_roll_kind(SM_U64, window->stats))))
+            return report_violation(c, "window w%lu stores times and has another type or statistic", (unsigned long)w);
     }
     return (c->m->window.n == 0) == (c->m->sample == NULL)
         || report_violation(c, "a sample function requires windows, and windows require one");

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compiler/base/path.h"
 #include "compiler/library/library.h"
 
 // ---- results ----
@@ -175,6 +176,20 @@ static void supply_app_files(SmcSession *s, const Source *app)
     }
 }
 
+// Finds the source that a script includes by its name, relative to the folder in the name of the script.
+static const Source *find_included(void *context, const Source *from, const char *name, const char **problem)
+{
+    SmcSession *s = context;
+    Arena *arena = &s->compiler.arena;
+    const char *path = path_simplify(arena, path_beside(arena, from->name, name));
+
+    *problem = format_in(arena, "the session has no source '%s'", path);
+    for (uint32_t i = 0; i < s->of.sources; i++)
+        if (s->of.text[i] && s->source[i].kind == SMC_KIND_SS && strcmp(path_simplify(arena, s->of.text[i]->name), path) == 0)
+            return s->of.text[i];
+    return NULL;
+}
+
 static const Source *copy_source(Arena *arena, const LibrarySource *source, uint32_t number)
 {
     char *text = arena_copy(arena, source->text, source->size + 1);
@@ -272,6 +287,7 @@ static SmcResult compile(SmcSession *s, void *unused)
     if (misfit)
         return library_fail(s, SMC_E_STATE, misfit);
     session_init(&s->compiler, library_compiler_alloc, s, &s->oom);
+    s->compiler.finder = (SourceFinder){find_included, s};
     s->has_compiler = true;
     list_inputs(s);
     copy_selection(s);

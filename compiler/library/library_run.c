@@ -154,6 +154,8 @@ SmcResult smc_run(SmcSession *s, uint32_t script, uint32_t engines, uint64_t max
         return library_fail(s, SMC_E_STATE, NULL);
     if ((ss = library_compiled(s, script)) == NULL || s->of.in.at[s->of.input[script] - 1].kind != FILE_SS)
         return library_fail(s, SMC_E_INDEX, "there is no script of this number");
+    if (ss->is_included)
+        return library_fail(s, SMC_E_INDEX, "another script includes this one, so it is not a script by itself");
     if ((m = library_compiled(s, s->of.machine[script])) == NULL)
         return library_fail(s, SMC_E_STATE, "there is not exactly one machine, and smc_script_assign has not named one");
     if (!m->scripted || !ss->script)
@@ -178,7 +180,7 @@ int32_t smc_run_outcome(const SmcSession *s, uint32_t script)
     case SCRIPT_PASSED: return SMC_OUTCOME_PASSED;
     case SCRIPT_FAILED: return SMC_OUTCOME_FAILED;
     case SCRIPT_ENDLESS: return SMC_OUTCOME_ENDLESS;
-    case SCRIPT_TIME_OVER: return SMC_OUTCOME_TIME_OVER;
+    case SCRIPT_TIME_OVERFLOW: return SMC_OUTCOME_TIME_OVER;
     case SCRIPT_BROKEN: return SMC_OUTCOME_BROKEN;
     case SCRIPT_DIFFERENT: return SMC_OUTCOME_DIFFERENT;
     case SCRIPT_CANCELLED: break;

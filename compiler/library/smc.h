@@ -119,7 +119,8 @@ enum SmcKind {    // a kind of source; later versions can have more
 // Adds a source of `size` bytes, which are copied, and stores its number in *source: 0, 1, 2 …, or that of a removed source.  Diagnostics show
 // `name`, which can be a path.
 // The file name in it, without folders and suffix, names what is generated.  An application finds its files by their names, written as in
-// the application.  `text` can be NULL if `size` is 0.
+// the application.  A script finds the scripts that it includes by their names, which are paths relative to the folder in its own name.  A
+// script that another one includes does not run by itself.  `text` can be NULL if `size` is 0.
 // SMC_E_ARGUMENT: the name is empty, or contains a control character.  SMC_E_SIZE: the text is longer than 1 GB.
 SmcResult smc_source_add(SmcSession *s, int32_t kind, const char *name, const char *text, uint64_t size, uint32_t *source);
 // Replaces the text of a source, which keeps its number, its name and its place in the order of machines.  What was compiled stays as it is until
@@ -275,7 +276,7 @@ enum SmcOutcome {
 // Runs a script on its compiled machine for at most `max_steps` steps; 0: 1,000,000.  SMC_OK: it passed.  SMC_E_FAILED: it did not.  Its
 // diagnostics replace those of its last run.  A run with the same engines and limits as the last one is not repeated.
 // SMC_E_SOURCE: the script or the machine has errors.  SMC_E_STATE: nothing is compiled, or the script has no machine
-// (smc_script_assign).
+// (smc_script_assign).  SMC_E_INDEX: there is no script of this number, or another script includes it.
 SmcResult smc_run(SmcSession *s, uint32_t script, uint32_t engines, uint64_t max_steps);
 int32_t smc_run_outcome(const SmcSession *s, uint32_t script);
 uint64_t smc_run_steps(const SmcSession *s, uint32_t script);
@@ -300,7 +301,11 @@ SmcResult smc_report(SmcSession *s, uint32_t machine, int32_t form, const char *
 // ---- the structure of a compiled machine ----
 //
 // What the last smc_compile found in a source that is a machine, also one of an application.  A source that is none, or has errors, has no states,
-// transitions, variables or uses.  States have the numbers that S has, from 1; transitions are in the order of the source.  Lines count from 1.
+// transitions, variables or uses.  States have the numbers that S has, from 1; transitions are in the order of the states, and of the statements
+// that a state runs.  Lines count from 1.
+//
+// A statement of [all_states] belongs to every state where the section runs: a transition there is one from each of these states, all with the
+// same line.  A definition is no item: a state that uses it reads what its expression reads.
 
 enum SmcBlock { SMC_BLOCK_ENTRY = 0, SMC_BLOCK_STEP = 1, SMC_BLOCK_EXIT = 2 };
 enum SmcAccess { SMC_ACCESS_READ = 1, SMC_ACCESS_WRITE = 2 };

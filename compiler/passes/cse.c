@@ -125,7 +125,7 @@ static bool is_free(const Cse *c, const IrIns *i)
     return i->op == IR_cvt && i->type == SM_F64 && ins_at(c, i->a)->type != SM_F64;
 }
 
-static bool is_expensive(const IrIns *i) { return i->op == IR_stat || i->op == IR_sqrt; }
+static bool is_expensive(const IrIns *i) { return i->op == IR_stat || i->op == IR_sqrt || ir_is_elementary(i->op); }
 
 // ---- the walk ----
 

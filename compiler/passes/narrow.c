@@ -314,6 +314,7 @@ static SmType narrowest_window_type(Fact sample)
 void pass_narrow(Arena *arena, IrMachine *m, FactMachine *values)
 {
     for (uint32_t w = 0; w < m->window.n; w++)
-        m->window.at[w].type = narrowest_window_type(facts_of_window(values, w));
+        if (!ir_stores_times(&m->window.at[w]))
+            m->window.at[w].type = narrowest_window_type(facts_of_window(values, w));
     pass_on_each_function(arena, m, values, narrow_function);
 }

@@ -24,6 +24,8 @@ static void choose_window_type(IrMachine *m, IrFn *f, IrIns *sample)
     const IrIns *x = &f->ins.at[sample->a];
     IrWindow *w = &m->window.at[sample->var];
 
+    if (ir_stores_times(w))
+        return;
     if (x->op == IR_cvt && x->type == SM_F64 && is_window_type(f->ins.at[x->a].type))
         sample->a = x->a;
     if (w->type == SM_F64 && is_window_type(f->ins.at[sample->a].type))

@@ -17,13 +17,37 @@ const char *describe_count(Arena *arena, uint64_t n, const char *one, const char
     return format_in(arena, "%llu %s", (unsigned long long)n, n == 1 ? one : many);
 }
 
-// Returns a window in words: "the average of `pressure` over the last 10 steps".
-const char *describe_window(Arena *arena, const Window *w)
+const char *describe_time(Arena *arena, const Program *p, uint64_t units)
 {
-    static const char *const name[SM_STAT_COUNT] = {"the average", "the median", "the smallest", "the largest", "the range"};
+    TimeUnit unit = p->time_unit;
+    uint64_t per = 1, fraction;               // units of G in one `unit`; what is left of `units`
+    int digits = 0;                           // of the fraction, after the decimal point
 
-    return format_in(arena, "%s of `%s` over the last %s", name[w->stat], source_text(arena, w->sample->span),
-                     w->size == 1 ? "step" : format_in(arena, "%lu steps", (unsigned long)w->size));
+    for (; unit < TIME_S && units >= per * 1000; unit++) {
+        per *= 1000;
+        digits += 3;
+    }
+    for (fraction = units % per; digits > 0 && fraction % 10 == 0; digits--)
+        fraction /= 10;
+    if (digits == 0)
+        return format_in(arena, "%llu %s", (unsigned long long)(units / per), time_unit_name(unit));
+    return format_in(arena, "%llu.%0*llu %s", (unsigned long long)(units / per), digits, (unsigned long long)fraction, time_unit_name(unit));
+}
+
+// Returns how far back a window reaches: "step", "10 steps", "2 s, 101 samples".
+static const char *describe_window_size(Arena *arena, const Program *p, const Window *w)
+{
+    if (w->in_time)
+        return format_in(arena, "%s, %s", describe_time(arena, p, (w->size - 1) * p->step), describe_count(arena, w->size, "sample", "samples"));
+    return w->size == 1 ? "step" : format_in(arena, "%lu steps", (unsigned long)w->size);
+}
+
+// Returns a window in words.
+const char *describe_window(Arena *arena, const Program *p, const Window *w)
+{
+    static const char *const name[SM_STAT_COUNT] = {"the average", "the median", "the smallest", "the largest", "the range", "the oldest", "the newest", "the change", "the time", "the run", "the time"};
+
+    return format_in(arena, "%s of `%s` over the last %s", name[w->stat], source_text(arena, w->sample->span), describe_window_size(arena, p, w));
 }
 
 static uint32_t line_of(Span span) { return source_position(span.src, span.at).line; }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a state does, as lines in its box: the assignments to elements of the state vector.  Two kinds of assignments are not shown: those to
+// What a state or a section [all_states] does, as lines in its box: the assignments to elements of the state vector.  Two kinds of assignments are not shown: those to
 // locals, and those in the same branch as a transition, which happen when the state is left.
 #include "compiler/report/diagram_model.h"
 
-typedef struct ActionSearch { Diagram *d; uint32_t *hidden; } ActionSearch;     // hidden: by state, how many actions it has beyond ACTIONS
+typedef struct ActionSearch { Diagram *d; uint32_t *hidden; } ActionSearch;     // hidden: by node, how many actions it has beyond ACTIONS
 
 // Whether a transition follows in the same branch, so that the assignment belongs to the transition.
 static bool belongs_to_transition(const Condition *when)
@@ -24,20 +24,38 @@ static void add_action(Diagram *d, DiagramNode *n, const char *block, const char
     vec_push(d->a->arena, &n->action, action);
 }
 
-// Adds an assignment to the actions of its state, unless it belongs to a transition or does not set an element.
+// Returns the node where a statement is shown.  NULL: the statement is a copy of one that is shown at a section [all_states].
+static DiagramNode *node_of_stmt(Diagram *d, const StmtLocation *at)
+{
+    const AllStates *all = written_section(d->a->p, at->stmt->span);
+    size_t n = d->states;
+
+    if (!all)
+        return &d->node[at->state->number - 1];
+    if (at->state != written_first_state(d->a->p, all))
+        return NULL;
+    while (d->node[n].all != all)
+        n++;
+    return &d->node[n];
+}
+
+// Adds an assignment to the actions of its node, unless it belongs to a transition or does not set an element.
 static void add_assignment(const StmtLocation *at, void *context)
 {
     static const char *const block_name[BLOCK_COUNT] = {"entry", "step", "exit"};
     ActionSearch *search = context;
     Diagram *d = search->d;
-    DiagramNode *n = &d->node[at->state->number - 1];
+    DiagramNode *n;
     const Stmt *s = at->stmt;
     const char *text;
 
     if (s->kind != ST_ASSIGN || s->var->kind != VAR_ELEMENT || belongs_to_transition(at->when))
         return;
+    n = node_of_stmt(d, at);
+    if (!n)
+        return;
     if (n->action.n == ACTIONS) {
-        search->hidden[at->state->number - 1]++;
+        search->hidden[n - d->node]++;
         return;
     }
     text = format_in(d->a->arena, "%s = %s", s->var->name->text, source_text(d->a->arena, s->value->span));
@@ -51,7 +69,7 @@ void diagram_add_actions(Diagram *d)
     ActionSearch search = {d, ARENA_ARRAY(d->a->arena, uint32_t, d->nodes)};
 
     each_stmt_location(d->a->arena, d->a->p, add_assignment, &search);
-    for (size_t s = 0; s < d->nodes; s++)
-        if (search.hidden[s] > 0)
-            add_action(d, &d->node[s], "", format_in(d->a->arena, "\xe2\x80\xa6 and %lu more", (unsigned long)search.hidden[s]));
+    for (size_t n = 0; n < d->nodes; n++)
+        if (search.hidden[n] > 0)
+            add_action(d, &d->node[n], "", format_in(d->a->arena, "\xe2\x80\xa6 and %lu more", (unsigned long)search.hidden[n]));
 }

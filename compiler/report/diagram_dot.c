@@ -36,22 +36,29 @@ static const char *line_style(const Diagram *d, bool possible, uint64_t count, c
     return style ? format_in(d->a->arena, "%s%s", before, style) : "";
 }
 
-// ---- states ----
+// ---- states and sections [all_states] ----
+
+// No state is called "/all1".
+static const char *node_id(const Diagram *d, const DiagramNode *n)
+{
+    return n->state ? n->title : format_in(d->a->arena, "/all%lu", (unsigned long)(n - d->node) - d->states + 1);
+}
 
 static const char *shape_attributes(const DiagramNode *n)
 {
-    return n->state->is_abort ? "shape=octagon, color=\"#b5320f\", fillcolor=\"#fdeae4\"" :
+    return !n->state          ? "shape=box3d" :
+           n->state->is_abort ? "shape=octagon, color=\"#b5320f\", fillcolor=\"#fdeae4\"" :
            n->state->is_safe  ? "color=\"#0c7268\", fillcolor=\"#e3f3f1\"" : "";
 }
 
 static void write_node(Buf *out, const Diagram *d, const DiagramNode *n)
 {
-    const char *style = n->state->is_abort ? "filled" : "filled,rounded";
+    const char *style = !n->state || n->state->is_abort ? "filled" : "filled,rounded";
 
-    buf_printf(out, "    \"%s\" [label=\"%s", n->state->name->text, n->state->name->text);
+    buf_printf(out, "    \"%s\" [label=\"%s", node_id(d, n), n->title);
     for (size_t i = 0; i < n->finding.n; i++)
         buf_printf(out, "\\n(%s)", diag_info[n->finding.at[i]->code].id);
-    if (d->o->counts)
+    if (d->o->counts && n->state)
         buf_printf(out, "\\n%s", diagram_count_text(d, "entered", diagram_times_entered(d, n)));
     for (size_t i = 0; i < n->action.n; i++) {
         buf_printf(out, "%s%s ", i ? "\\l" : "\\n", n->action.at[i].block_name);
@@ -59,7 +66,7 @@ static void write_node(Buf *out, const Diagram *d, const DiagramNode *n)
     }
     buf_str(out, n->action.n ? "\\l" : "");
     buf_printf(out, "\", style=\"%s%s\"%s%s%s", style, line_style(d, n->reached, diagram_times_entered(d, n), ","),
-               *shape_attributes(n) ? ", " : "", shape_attributes(n), n->state->is_safe ? ", peripheries=2" : "");
+               *shape_attributes(n) ? ", " : "", shape_attributes(n), n->state && n->state->is_safe ? ", peripheries=2" : "");
     write_findings(out, &n->finding);
     buf_str(out, "];\n");
 }
@@ -78,12 +85,12 @@ static void write_guard(Buf *out, const DiagramGuard *g)
 
 static void write_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
-    buf_printf(out, "    \"%s\" -> \"%s\" [label=\"", d->node[e->from].state->name->text, d->node[e->to].state->name->text);
+    buf_printf(out, "    \"%s\" -> \"%s\" [label=\"", node_id(d, &d->node[e->from]), node_id(d, &d->node[e->to]));
     for (size_t g = 0; g < e->guard.n; g++) {
         buf_str(out, g ? "\\nor\\n" : "");
         write_guard(out, &e->guard.at[g]);
     }
-    buf_printf(out, "\"%s", line_style(d, e->possible, diagram_times_taken(d, e), ", style="));
+    buf_printf(out, "\"%s", line_style(d, e->possible, diagram_times_taken(e), ", style="));
     for (size_t g = 0; g < e->guard.n; g++)
         if (e->guard.at[g].finding.n > 0) {
             write_findings(out, &e->guard.at[g].finding);
@@ -101,7 +108,7 @@ void diagram_write_dot(const Analysis *a, const DiagramOptions *o, Buf *out)
     buf_str(out, "\" { // drawn by smc\n    graph [fontname=\"Helvetica\"];\n");
     buf_str(out, "    node [shape=box, fontname=\"Helvetica\", color=\"#46566b\", fillcolor=\"#eef3f9\"];\n");
     buf_str(out, "    edge [fontname=\"Helvetica\", fontsize=10, color=\"#6a7787\"];\n");
-    buf_printf(out, "    \"/start\" [shape=point, width=0.15];\n    \"/start\" -> \"%s\";\n", d->node[0].state->name->text);
+    buf_printf(out, "    \"/start\" [shape=point, width=0.15];\n    \"/start\" -> \"%s\";\n", d->node[0].title);
     for (size_t n = 0; n < d->nodes; n++)
         write_node(out, d, &d->node[n]);
     for (size_t e = 0; e < d->edge.n; e++)

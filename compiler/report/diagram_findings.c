@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Findings on a diagram.  A finding that points at a transition or its guard belongs to that transition.  Otherwise it belongs to the state
+// Findings on a diagram.  A finding that points at a transition or its guard belongs to that transition.  Otherwise it belongs to the node
 // whose section it points into.  A finding elsewhere is not shown.
 #include <stdlib.h>
 
@@ -45,7 +45,7 @@ static const FindingRange *find_range(const FindingRanges *p, uint32_t at)
     return low > 0 && at < p->at[low - 1].end ? &p->at[low - 1] : NULL;
 }
 
-// ---- source ranges of states and transitions ----
+// ---- source ranges of nodes and transitions ----
 
 // Returns the ranges of each transition and of its innermost guard.  A guard of several transitions belongs to the first of them.
 static FindingRanges find_transition_ranges(Diagram *d)
@@ -56,8 +56,9 @@ static FindingRanges find_transition_ranges(Diagram *d)
     for (size_t e = 0; e < d->edge.n; e++)
         for (size_t g = 0; g < d->edge.at[e].guard.n; g++) {
             DiagramGuard *guard = &d->edge.at[e].guard.at[g];
-            const Condition *when = guard->transition->when;
-            add_range(d->a->arena, &out, guard->transition->stmt->span, &guard->finding);
+            const Transition *t = guard->transition->copy.at[0];
+            const Condition *when = t->when;
+            add_range(d->a->arena, &out, t->stmt->span, &guard->finding);
             if (when && when->stmt != last)
                 add_range(d->a->arena, &out, when->stmt->span, &guard->finding);
             last = when ? when->stmt : NULL;
@@ -66,35 +67,12 @@ static FindingRanges find_transition_ranges(Diagram *d)
     return out;
 }
 
-// Returns where the last of the statements ends in the source, or `end` if that is later.
-static uint32_t end_of_statements(const Stmts *stmts, uint32_t end)
-{
-    for (size_t i = 0; i < stmts->n; i++) {
-        const Stmt *s = stmts->at[i];
-        if (s->span.at + s->span.len > end)
-            end = s->span.at + s->span.len;
-        end = end_of_statements(&s->otherwise, end_of_statements(&s->then, end));
-    }
-    return end;
-}
-
-static FindingRanges find_state_ranges(Diagram *d)
+static FindingRanges find_node_ranges(Diagram *d)
 {
     FindingRanges out = {NULL, 0, 0};
 
-    for (size_t s = 0; s < d->nodes; s++) {
-        const State *state = d->node[s].state;
-        Span span = state->span;
-        uint32_t end = span.at + span.len;
-        for (int b = 0; b < BLOCK_COUNT; b++) {
-            const Span label = state->block_span[b];
-            if (label.src && label.at + label.len > end)
-                end = label.at + label.len;
-            end = end_of_statements(&state->block[b], end);
-        }
-        span.len = end - span.at;
-        add_range(d->a->arena, &out, span, &d->node[s].finding);
-    }
+    for (size_t n = 0; n < d->nodes; n++)
+        add_range(d->a->arena, &out, d->node[n].state ? written_state_range(d->node[n].state) : d->node[n].all->span, &d->node[n].finding);
     sort_ranges(&out);
     return out;
 }
@@ -110,7 +88,7 @@ int32_t diagram_mark_width(const DiagramEdge *e)
 
 void diagram_attach_findings(Diagram *d, const Diags *findings)
 {
-    const FindingRanges transitions = find_transition_ranges(d), states = find_state_ranges(d);
+    const FindingRanges transitions = find_transition_ranges(d), nodes = find_node_ranges(d);
 
     for (size_t i = 0; i < findings->list.n; i++) {
         const Diag *diag = findings->list.at[i];
@@ -119,7 +97,7 @@ void diagram_attach_findings(Diagram *d, const Diags *findings)
             continue;
         at = find_range(&transitions, diag->span.at);
         if (!at)
-            at = find_range(&states, diag->span.at);
+            at = find_range(&nodes, diag->span.at);
         if (at)
             vec_push(d->a->arena, at->finding, diag);
     }

@@ -71,6 +71,7 @@ typedef struct Layout {
 void layout_diagram(Diagram *d);
 
 enum { NAME_H = 34, ACTION_SIDE = 13, ACTION_BOTTOM = 8 };   // in a state's box: height of the name; space beside and below the actions
+enum { STACK = 3 };               // distance of each of the two boxes behind that of [all_states], to the right and upwards
 
 // ---- the stages ----
 

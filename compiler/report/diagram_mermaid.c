@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A diagram for Mermaid (stateDiagram-v2), which GitHub, GitLab and many wikis draw.  States are named by number there, because a machine
+// A diagram for Mermaid (stateDiagram-v2), which GitHub, GitLab and many wikis draw.  Nodes are named by number there, because a machine
 // can have a state called `end` or `state`.
 #include <string.h>
 
@@ -31,20 +31,24 @@ static void write_escaped(Buf *out, const char *text)
     }
 }
 
-static void write_findings(Buf *out, const DiagramFindings *f, uint32_t state)
+static void write_findings(Buf *out, const DiagramFindings *f, unsigned long node)
 {
     for (size_t i = 0; i < f->n; i++) {
-        buf_printf(out, "    note right of s%lu : %s ", (unsigned long)state, diag_info[f->at[i]->code].id);
+        buf_printf(out, "    note right of s%lu : %s ", node, diag_info[f->at[i]->code].id);
         write_escaped(out, f->at[i]->text);
         buf_char(out, '\n');
     }
 }
 
+static unsigned long node_number(const Diagram *d, const DiagramNode *n) { return (unsigned long)(n - d->node + 1); }
+
 static void write_node_class(Buf *out, const Diagram *d, const DiagramNode *n)
 {
-    const unsigned long s = n->state->number;
+    const unsigned long s = node_number(d, n);
 
-    if (n->state->is_abort)
+    if (!n->state)
+        buf_printf(out, "    class s%lu all\n", s);
+    else if (n->state->is_abort)
         buf_printf(out, "    class s%lu abort\n", s);
     else if (n->state->is_safe)
         buf_printf(out, "    class s%lu safe\n", s);
@@ -52,13 +56,13 @@ static void write_node_class(Buf *out, const Diagram *d, const DiagramNode *n)
         buf_printf(out, "    class s%lu never\n", s);
     if (d->o->counts && diagram_times_entered(d, n) == 0)
         buf_printf(out, "    class s%lu unrun\n", s);
-    write_findings(out, &n->finding, n->state->number);
+    write_findings(out, &n->finding, s);
 }
 
-static void write_actions(Buf *out, const DiagramNode *n)
+static void write_actions(Buf *out, const Diagram *d, const DiagramNode *n)
 {
     for (size_t i = 0; i < n->action.n; i++) {
-        buf_printf(out, "    s%lu : %s ", (unsigned long)n->state->number, n->action.at[i].block_name);
+        buf_printf(out, "    s%lu : %s ", node_number(d, n), n->action.at[i].block_name);
         write_escaped(out, n->action.at[i].text);
         buf_char(out, '\n');
     }
@@ -83,12 +87,13 @@ void diagram_write_mermaid(const Analysis *a, const DiagramOptions *o, Buf *out)
     buf_str(out, "stateDiagram-v2\n    %% drawn by smc\n"
                  "    classDef abort fill:#fdeae4,stroke:#b5320f,stroke-width:3px,color:#1c2430\n"
                  "    classDef safe fill:#e3f3f1,stroke:#0c7268,stroke-width:3px,color:#1c2430\n"
+                 "    classDef all fill:#fff,stroke:#46566b,stroke-width:4px,color:#1c2430,font-style:italic\n"
                  "    classDef never stroke-dasharray:5\n"
                  "    classDef unrun stroke-dasharray:1\n");
     for (size_t n = 0; n < d->nodes; n++)
-        buf_printf(out, "    state \"%s\" as s%lu\n", d->node[n].state->name->text, (unsigned long)n + 1);
+        buf_printf(out, "    state \"%s\" as s%lu\n", d->node[n].title, (unsigned long)n + 1);
     for (size_t n = 0; n < d->nodes; n++)
-        write_actions(out, &d->node[n]);
+        write_actions(out, d, &d->node[n]);
     buf_str(out, "    [*] --> s1\n");
     for (size_t e = 0; e < d->edge.n; e++)
         for (size_t g = 0; g < d->edge.at[e].guard.n; g++)

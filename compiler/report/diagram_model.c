@@ -6,25 +6,52 @@
 
 // ---- reachability ----
 
+static bool is_possible(const Diagram *d, const Transition *t)
+{
+    return d->a->stmt[t->stmt->number].reached && d->node[t->from->number - 1].reached;
+}
+
+// Whether the section runs in a state that some run reaches.
+static bool is_section_reached(const Diagram *d, const AllStates *all)
+{
+    for (size_t s = 0; s < d->states; s++)
+        if (!all->excepted[s + 1] && d->node[s].reached)
+            return true;
+    return false;
+}
+
+// Whether some run can take one of the edge's transitions in one of its states.
+static bool is_edge_possible(const Diagram *d, const DiagramEdge *e)
+{
+    for (size_t g = 0; g < e->guard.n; g++)
+        for (size_t k = 0; k < e->guard.at[g].transition->copy.n; k++)
+            if (is_possible(d, e->guard.at[g].transition->copy.at[k]))
+                return true;
+    return false;
+}
+
 // A state is reachable if it is the first, or if a possible transition leads to it from a reachable state.
 static void find_reached_states(Diagram *d)
 {
-    Worklist waiting = worklist_new(d->a->arena, d->nodes);
+    const Transitions *all = &d->a->transition;
+    Worklist waiting = worklist_new(d->a->arena, d->states);
 
     d->node[0].reached = true;
     worklist_add(&waiting, 0);
     while (waiting.n > 0) {
-        const DiagramNode *n = &d->node[worklist_next(&waiting)];
-        for (uint32_t e = n->first_edge; e < n->first_edge + n->edges; e++) {
-            const DiagramEdge *edge = &d->edge.at[e];
-            if (!edge->possible || d->node[edge->to].reached)
+        const size_t s = worklist_next(&waiting);
+        for (size_t t = d->first_of[s]; t < d->first_of[s + 1]; t++) {
+            DiagramNode *to = &d->node[all->at[t].to->number - 1];
+            if (to->reached || !is_possible(d, &all->at[t]))
                 continue;
-            d->node[edge->to].reached = true;
-            worklist_add(&waiting, edge->to);
+            to->reached = true;
+            worklist_add(&waiting, to->state->number - 1);
         }
     }
+    for (size_t n = d->states; n < d->nodes; n++)
+        d->node[n].reached = is_section_reached(d, d->node[n].all);
     for (size_t e = 0; e < d->edge.n; e++)
-        d->edge.at[e].possible = d->edge.at[e].possible && d->node[d->edge.at[e].from].reached;
+        d->edge.at[e].possible = is_edge_possible(d, &d->edge.at[e]);
 }
 
 // ---- guards ----
@@ -34,7 +61,8 @@ static const char *unguarded_text(const Analysis *a, const Transition *t)
 {
     const Transition *before = t->number > 0 ? &a->transition.at[t->number - 1] : NULL;
 
-    return before && before->from == t->from && before->block == t->block ? "otherwise" : "always";
+    return before && before->from == t->from && before->block == t->block &&
+           written_section(a->p, before->stmt->span) == written_section(a->p, t->stmt->span) ? "otherwise" : "always";
 }
 
 // Returns the whole guard as text if `most` is 0, otherwise condition_brief(…, most): only its innermost conditions.
@@ -66,11 +94,13 @@ static DiagramLines fit_guard(const Analysis *a, const Transition *t)
     return diagram_text_is_truncated(&line) ? wrap_guard(a, t, CONDITIONS_SHOWN) : line;
 }
 
-static void add_guard(const Analysis *a, DiagramEdge *e, const Transition *t)
+static void add_guard(const Analysis *a, DiagramEdge *e, const WrittenTransition *w)
 {
-    const DiagramGuard g = {t, guard_text(a, t, 0), fit_guard(a, t), a->stmt[t->stmt->number].reached, {NULL, 0, 0}, 0};
+    const Transition *t = w->copy.at[0];
+    DiagramGuard g = {w, guard_text(a, t, 0), fit_guard(a, t), false, {NULL, 0, 0}, 0};
 
-    e->possible = e->possible || g.possible;
+    for (size_t k = 0; k < w->copy.n; k++)
+        g.possible = g.possible || a->stmt[w->copy.at[k]->stmt->number].reached;
     vec_push(a->arena, &e->guard, g);
 }
 
@@ -88,11 +118,11 @@ static void size_label(DiagramEdge *e)
 
 // ---- edges ----
 
-// Returns the edge of a transition, and adds it if the diagram lacks it.  last[s] is 1 + the index of the edge from the current state to
-// state s.  A number not above the current state's first edge is left over from an earlier state: there is no such edge yet.
-static DiagramEdge *find_or_add_edge(Diagram *d, size_t *last, const Transition *t)
+// Returns the edge of a transition of node `from`, and adds it if the diagram lacks it.  last[s] is 1 + the index of the edge from the current
+// node to state s.  A number not above the current node's first edge is left over from an earlier node: there is no such edge yet.
+static DiagramEdge *find_or_add_edge(Diagram *d, size_t *last, uint32_t from, const WrittenTransition *t)
 {
-    const uint32_t from = t->from->number - 1, to = t->to->number - 1;
+    const uint32_t to = t->copy.at[0]->to->number - 1;
 
     if (last[to] <= d->node[from].first_edge) {
         DiagramEdge e = {0};
@@ -106,32 +136,123 @@ static DiagramEdge *find_or_add_edge(Diagram *d, size_t *last, const Transition 
     return &d->edge.at[last[to] - 1];
 }
 
-// Combines transitions into edges.  Transitions are sorted by source state.
+static bool is_of_node(const WrittenTransition *t, const DiagramNode *n)
+{
+    return t->all == n->all && (t->all || t->copy.at[0]->from == n->state);
+}
+
+// Combines transitions into edges.  Written transitions have the order of the nodes.
 static void add_edges(Diagram *d)
 {
+    const WrittenTransitions written = written_transitions(d->a->arena, d->a->p, &d->a->transition);
     size_t *last = ARENA_ARRAY(d->a->arena, size_t, d->nodes), next = 0;
 
-    for (size_t s = 0; s < d->nodes; s++) {
-        d->node[s].first_edge = (uint32_t)d->edge.n;
-        for (; next < d->a->transition.n && d->a->transition.at[next].from == d->node[s].state; next++)
-            add_guard(d->a, find_or_add_edge(d, last, &d->a->transition.at[next]), &d->a->transition.at[next]);
+    for (uint32_t n = 0; n < d->nodes; n++) {
+        d->node[n].first_edge = (uint32_t)d->edge.n;
+        for (; next < written.n && is_of_node(&written.at[next], &d->node[n]); next++)
+            add_guard(d->a, find_or_add_edge(d, last, n, &written.at[next]), &written.at[next]);
     }
 }
 
 // ---- counts ----
 
-uint64_t diagram_times_taken(const Diagram *d, const DiagramEdge *e)
+// A run shows that the machine went from one state to another, not by which transition.  So counts are by pair of states, and several
+// edges share one if a state has a transition of its own to where [all_states] also leads.
+typedef struct PairCount {
+    uint32_t from, to;            // State.number
+    uint32_t edge;                // the first edge that has the pair
+    bool shared;                  // another edge has it too
+    uint64_t taken;
+} PairCount;
+
+typedef struct PairCounts {
+    VEC(PairCount) list;          // by `from`, in any order of `to`
+    uint32_t *of;                 // by Transition.number: its pair
+} PairCounts;
+
+static const uint32_t *edges_of_transitions(const Diagram *d)
 {
+    uint32_t *of = ARENA_ARRAY(d->a->arena, uint32_t, d->a->transition.n);
+
+    for (uint32_t e = 0; e < d->edge.n; e++)
+        for (size_t g = 0; g < d->edge.at[e].guard.n; g++) {
+            const WrittenTransition *t = d->edge.at[e].guard.at[g].transition;
+            for (size_t k = 0; k < t->copy.n; k++)
+                of[t->copy.at[k]->number] = e;
+        }
+    return of;
+}
+
+// Transitions are sorted by their states, so last[to] is 1 + the index of the newest pair that ends at `to`.
+static PairCounts count_pairs(const Diagram *d, const uint32_t *edge)
+{
+    const Transitions *all = &d->a->transition;
+    PairCounts p = {{NULL, 0, 0}, ARENA_ARRAY(d->a->arena, uint32_t, all->n)};
+    uint32_t *last = ARENA_ARRAY(d->a->arena, uint32_t, d->states + 1u);
+
+    for (size_t i = 0; i < all->n; i++) {
+        const Transition *t = &all->at[i];
+        const PairCount pair = {t->from->number, t->to->number, edge[i], false, 0};
+        PairCount *at;
+        if (last[pair.to] == 0 || p.list.at[last[pair.to] - 1].from != pair.from) {
+            vec_push(d->a->arena, &p.list, pair);
+            last[pair.to] = p.list.n;
+        }
+        p.of[i] = last[pair.to] - 1;
+        at = &p.list.at[p.of[i]];
+        at->shared = at->shared || at->edge != edge[i];
+        at->taken += d->o->counts->transition[i];
+    }
+    return p;
+}
+
+// Sets the counts of all edges.  Each edge counts a pair once, however many of its transitions have it.
+static void count_edges(Diagram *d)
+{
+    const uint32_t *edge = edges_of_transitions(d);
+    const PairCounts p = count_pairs(d, edge);
+    uint32_t *counted = ARENA_ARRAY(d->a->arena, uint32_t, d->edge.n + 1u);       // by edge: 1 + the pair that it counted last
+
+    for (size_t i = 0; i < d->a->transition.n; i++) {
+        const PairCount *pair = &p.list.at[p.of[i]];
+        DiagramEdge *e = &d->edge.at[edge[i]];
+        if (counted[edge[i]] == p.of[i] + 1)
+            continue;
+        counted[edge[i]] = p.of[i] + 1;
+        *(pair->shared ? &e->shared : &e->taken) += pair->taken;
+    }
+}
+
+uint64_t diagram_times_taken(const DiagramEdge *e) { return e->taken + e->shared; }
+
+// The count of a pair of states is that of the first transition from one to the other.
+uint64_t diagram_times_taken_in(const Diagram *d, const DiagramEdge *e, const State *from)
+{
+    const Transitions *all = &d->a->transition;
+    const Transition *copy = NULL;
     uint64_t sum = 0;
 
-    for (size_t g = 0; d->o->counts && g < e->guard.n; g++)
-        sum += d->o->counts->transition[e->guard.at[g].transition->number];
+    for (size_t k = 0; k < e->guard.at[0].transition->copy.n && !copy; k++)
+        if (e->guard.at[0].transition->copy.at[k]->from == from)
+            copy = e->guard.at[0].transition->copy.at[k];
+    if (!copy || !d->o->counts)
+        return 0;
+    for (size_t i = d->first_of[from->number - 1]; i < d->first_of[from->number]; i++)
+        sum += all->at[i].to == copy->to ? d->o->counts->transition[i] : 0;
     return sum;
 }
 
 uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n)
 {
-    return d->o->counts ? d->o->counts->state[n->state->number - 1] : 0;
+    uint64_t sum = 0;
+
+    if (!d->o->counts)
+        return 0;
+    if (n->state)
+        return d->o->counts->state[n->state->number - 1];
+    for (size_t s = 0; s < d->states; s++)
+        sum += n->all->excepted[s + 1] ? 0 : d->o->counts->state[s];
+    return sum;
 }
 
 // Returns what was counted in words: "taken 3 times".
@@ -145,7 +266,10 @@ const char *diagram_count_text(const Diagram *d, const char *done, uint64_t coun
 // If several transitions lead from one state to another, a run does not record which it took.
 const char *diagram_times_taken_text(const Diagram *d, const DiagramEdge *e)
 {
-    const char *text = diagram_count_text(d, "taken", diagram_times_taken(d, e));
+    const unsigned long long least = e->taken, most = diagram_times_taken(e);
+    const char *text = e->shared == 0 ? diagram_count_text(d, "taken", most)
+                     : least == 0     ? format_in(d->a->arena, most == 1 ? "taken at most once" : "taken at most %llu times", most)
+                                      : format_in(d->a->arena, "taken %llu to %llu times", least, most);
 
     return e->guard.n > 1 ? format_in(d->a->arena, "together: %s", text) : text;
 }
@@ -161,7 +285,41 @@ static void add_count(const Diagram *d, DiagramEdge *e)
 
 // ---- the whole diagram ----
 
-enum { NAME_W = 220 };
+enum { NAME_W = 220, SECTION_NAME_W = 320 };       // maximum width of the name of a state, and of a section [all_states]
+
+// Adds a node for each state and each section [all_states].
+static void add_nodes(Diagram *d)
+{
+    const Program *p = d->a->p;
+
+    d->states = p->state.n;
+    d->nodes = d->states + p->all_states.n;
+    d->node = ARENA_ARRAY(d->a->arena, DiagramNode, d->nodes);
+    for (size_t i = 0; i < d->nodes; i++) {
+        DiagramNode *n = &d->node[i];
+        n->state = i < d->states ? p->state.at[i] : NULL;
+        n->all = i < d->states ? NULL : p->all_states.at[i - d->states];
+        n->title = n->state ? n->state->name->text : written_section_name(d->a->arena, p, n->all, "");
+        n->name = diagram_text_truncate(d->a->arena, n->title, NAME_SIZE, true, n->state ? NAME_W : SECTION_NAME_W);
+        n->name_w = diagram_text_width(n->name, NAME_SIZE, true);
+    }
+}
+
+// Removes the nodes of sections that have nothing to show: no transitions and no actions.
+static void remove_empty_sections(Diagram *d)
+{
+    size_t kept = d->states;
+
+    for (size_t n = d->states; n < d->nodes; n++) {
+        const DiagramNode *from = &d->node[n];
+        if (from->edges == 0 && from->action.n == 0)
+            continue;
+        for (uint32_t e = from->first_edge; e < from->first_edge + from->edges; e++)
+            d->edge.at[e].from = (uint32_t)kept;
+        d->node[kept++] = *from;
+    }
+    d->nodes = kept;
+}
 
 // Builds the diagram of the machine of `a`, without positions.
 Diagram *diagram_build(const Analysis *a, const DiagramOptions *o)
@@ -170,17 +328,14 @@ Diagram *diagram_build(const Analysis *a, const DiagramOptions *o)
 
     d->a = a;
     d->o = o;
-    d->nodes = a->p->state.n;
-    d->node = ARENA_ARRAY(a->arena, DiagramNode, d->nodes);
-    for (size_t s = 0; s < d->nodes; s++) {
-        DiagramNode *n = &d->node[s];
-        n->state = a->p->state.at[s];
-        n->name = diagram_text_truncate(a->arena, n->state->name->text, NAME_SIZE, true, NAME_W);
-        n->name_w = diagram_text_width(n->name, NAME_SIZE, true);
-    }
+    add_nodes(d);
+    d->first_of = transitions_by_state(a->arena, a->p, &a->transition);
     diagram_add_actions(d);
     add_edges(d);
+    remove_empty_sections(d);
     find_reached_states(d);
+    if (o->counts)
+        count_edges(d);
     for (size_t e = 0; e < d->edge.n; e++) {
         if (o->counts)
             add_count(d, &d->edge.at[e]);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The content of a state diagram: states, and one edge between two states for all transitions from one to the other. diagram_model.c builds it
-// from a machine, diagram_layout.h places everything, diagram_svg.c draws it.  Lengths are in pixels, y grows downwards.
+// The content of a state diagram: nodes, and one edge between two nodes for all transitions from one to the other.  A node is a state, or a
+// section [all_states]: its transitions are drawn once, as they are written.  diagram_model.c builds the content from a machine,
+// diagram_layout.h places everything, diagram_svg.c draws it.  Lengths are in pixels, y grows downwards.
 #ifndef SMC_DIAGRAM_MODEL_H
 #define SMC_DIAGRAM_MODEL_H
 
 #include "compiler/report/diagram.h"
+#include "compiler/report/written.h"
 
 typedef struct Point { int32_t x, y; } Point;
 typedef struct Box { int32_t x, y, w, h; } Box;           // x, y: its upper left corner
@@ -16,7 +18,7 @@ typedef VEC(const Diag *) DiagramFindings;
 
 // The condition of one transition.
 typedef struct DiagramGuard {
-    const Transition *transition;
+    const WrittenTransition *transition;
     const char *text;             // the condition as text, complete; never empty
     DiagramLines line;            // the text as shown: wrapped, at most GUARD_LINES, truncated with "…"
     bool possible;                // some run can take the transition
@@ -36,6 +38,7 @@ typedef struct DiagramEdge {
     VEC(DiagramGuard) guard;      // in file order, at least one
     EdgeForm form;
     bool possible;                // some run can take one of its transitions
+    uint64_t taken, shared;       // how often runs took it: at least `taken` times, at most taken + shared times
     bool up;                      // EDGE_LINE: `to` is above `from`
     Box label;                    // box of all guards, stacked
     Box name;                     // EDGE_STUB: box with the name of the target state
@@ -51,7 +54,9 @@ typedef struct DiagramAction {
 } DiagramAction;
 
 typedef struct DiagramNode {
-    const State *state;
+    const State *state;           // NULL: the node is a section [all_states]
+    const AllStates *all;         // the section; NULL: the node is a state
+    const char *title;            // the name of the state; "all states except Abort"
     const char *name;             // as shown: truncated with "…" if it is very long
     int32_t name_w;
     VEC(DiagramAction) action;    // in file order, at most ACTIONS and a line that counts the others
@@ -69,9 +74,10 @@ typedef struct DiagramNode {
 typedef struct Diagram {
     const Analysis *a;
     const DiagramOptions *o;
-    DiagramNode *node;            // by State.number - 1
-    VEC(DiagramEdge) edge;        // by source state, then in file order
-    size_t nodes;
+    DiagramNode *node;            // states by State.number - 1, then sections [all_states]
+    VEC(DiagramEdge) edge;        // by source node, then in file order
+    const size_t *first_of;       // transitions_by_state: the transitions of state s are first_of[s] … first_of[s + 1] - 1
+    size_t nodes, states;         // number of all nodes, and of those that are states
     int32_t w, h;                 // size of the whole diagram
     VEC(int32_t) cut;             // each y where a horizontal line meets only edges, in ascending order
     uint64_t crossings;           // number of pairs of edges that cross
@@ -102,10 +108,11 @@ const char *diagram_text_truncate(Arena *arena, const char *text, int32_t size, 
 
 // ---- how often runs took the transitions of an edge and entered a state; 0 if DiagramOptions.counts is NULL ----
 
-uint64_t diagram_times_taken(const Diagram *d, const DiagramEdge *e);
-uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n);
+uint64_t diagram_times_taken(const DiagramEdge *e);       // at most
+uint64_t diagram_times_taken_in(const Diagram *d, const DiagramEdge *e, const State *from);    // the part of it in one state; at most
+uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n);       // of [all_states]: the sum over the states where it runs
 const char *diagram_count_text(const Diagram *d, const char *done, uint64_t count);  // "taken 3 times"
-const char *diagram_times_taken_text(const Diagram *d, const DiagramEdge *e);
+const char *diagram_times_taken_text(const Diagram *d, const DiagramEdge *e);     // "taken 2 to 5 times" if other edges share the count
 
 // ---- diagram_actions.c: the lines in the boxes of states ----
 

@@ -37,7 +37,7 @@ static void add_dotted_legend(const Diagram *d, DiagramNotes *n)
     for (size_t s = 0; d->o->counts && s < d->nodes; s++)
         unrun = unrun || diagram_times_entered(d, &d->node[s]) == 0;
     for (size_t e = 0; d->o->counts && e < d->edge.n; e++)
-        unrun = unrun || diagram_times_taken(d, &d->edge.at[e]) == 0;
+        unrun = unrun || diagram_times_taken(&d->edge.at[e]) == 0;
     if (unrun)
         add_note(d, n, 0, "Dotted: not covered by any script.");
 }

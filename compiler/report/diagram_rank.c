@@ -20,18 +20,28 @@ static void turn_into_stub(Diagram *d, uint32_t edge)
     vec_push(d->a->arena, &d->node[e->to].stub_in, edge);
 }
 
-// Turns all edges to a state with many predecessors (a hub) into stubs: short arrows to the state's name instead of lines.
-void layout_stub_hubs(Diagram *d)
+static bool is_section_edge(const Diagram *d, const DiagramEdge *e) { return e->from >= d->states; }
+
+// Turns edges to a state with many predecessors of one kind (a hub) into stubs: short arrows to the state's name instead of lines.  States
+// and sections [all_states] are the two kinds, so one section has a line to the state that it goes to, however many states do as well.
+static void stub_hubs_of(Diagram *d, bool sections)
 {
     uint32_t *in = ARENA_ARRAY(d->a->arena, uint32_t, d->nodes);
 
     for (size_t e = 0; e < d->edge.n; e++)
-        in[d->edge.at[e].to] += d->edge.at[e].form == EDGE_LINE;
+        in[d->edge.at[e].to] += d->edge.at[e].form == EDGE_LINE && is_section_edge(d, &d->edge.at[e]) == sections;
     for (uint32_t e = 0; e < d->edge.n; e++) {
         const uint32_t to = d->edge.at[e].to;
-        if (d->edge.at[e].form == EDGE_LINE && in[to] >= (d->node[to].state->is_abort ? HUB_ABORT : HUB))
+        if (d->edge.at[e].form == EDGE_LINE && is_section_edge(d, &d->edge.at[e]) == sections &&
+            in[to] >= (d->node[to].state->is_abort ? HUB_ABORT : HUB))
             turn_into_stub(d, e);
     }
+}
+
+void layout_stub_hubs(Diagram *d)
+{
+    stub_hubs_of(d, false);
+    stub_hubs_of(d, true);
 }
 
 // ---- cycles ----
@@ -85,7 +95,7 @@ static void break_cycles(Layout *l)
 
 // ---- ranks ----
 
-// These return the upper and the lower end of an edge.
+// The upper and the lower end of an edge.
 static uint32_t upper_end(const DiagramEdge *e) { return e->up ? e->to : e->from; }
 static uint32_t lower_end(const DiagramEdge *e) { return e->up ? e->from : e->to; }
 
@@ -151,11 +161,21 @@ static uint32_t rank_above_successors(const Layout *l, const EdgesByEnd *out, ui
     return rank == UINT32_MAX ? l->rank[v] : rank;
 }
 
+// Returns how many of a state's predecessors are states.  A section [all_states] moves with the state that it goes to.
+static uint32_t count_incoming_states(const Layout *l, const EdgesByEnd *in, uint32_t v)
+{
+    uint32_t n = 0;
+
+    for (uint32_t k = in->first[v]; k < in->first[v + 1]; k++)
+        n += !is_section_edge(l->d, &l->d->edge.at[in->edge[k]]);
+    return n;
+}
+
 // Moves each node with more outgoing than incoming edges as far down as possible: that makes edges shorter in total.
 static void move_nodes_down(Layout *l, const EdgesByEnd *out, const EdgesByEnd *in, const uint32_t *order)
 {
     for (size_t i = l->d->nodes; i-- > 0;) {
-        const uint32_t v = order[i], outs = out->first[v + 1] - out->first[v], ins = in->first[v + 1] - in->first[v];
+        const uint32_t v = order[i], outs = out->first[v + 1] - out->first[v], ins = count_incoming_states(l, in, v);
         if (v != 0 && outs > ins)
             l->rank[v] = rank_above_successors(l, out, v);
     }
@@ -269,15 +289,34 @@ static void find_spine(Layout *l, const EdgesByEnd *out, const uint32_t *order)
 
 // ---- stubs ----
 
+// Returns the number of states from which the stubs to a state come.  `seen`: by state, 1 + the last node for which it was counted.
+static size_t count_origins(const Diagram *d, uint32_t node, uint32_t *seen)
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < d->node[node].stub_in.n; i++) {
+        const uint32_t from = d->edge.at[d->node[node].stub_in.at[i]].from;
+        const bool *excepted = from < d->states ? NULL : d->node[from].all->excepted;
+        for (uint32_t s = excepted ? 0 : from; s < (excepted ? d->states : from + 1); s++)
+            if (seen[s] != node + 1 && !(excepted && excepted[s + 1])) {
+                seen[s] = node + 1;
+                count++;
+            }
+    }
+    return count;
+}
+
 // Sets the text beside each state to which stubs lead: where they come from. A stub is an edge drawn as a short arrow beside its source.
 static void set_origin_texts(Diagram *d)
 {
-    for (size_t i = 0; i < d->nodes; i++) {
+    uint32_t *seen = ARENA_ARRAY(d->a->arena, uint32_t, d->states);
+
+    for (uint32_t i = 0; i < d->nodes; i++) {
         DiagramNode *n = &d->node[i];
         if (n->stub_in.n == 1)
             n->from = format_in(d->a->arena, "from %s", d->node[d->edge.at[n->stub_in.at[0]].from].name);
         else if (n->stub_in.n > 1)
-            n->from = format_in(d->a->arena, "from %lu states", (unsigned long)n->stub_in.n);
+            n->from = format_in(d->a->arena, "from %lu states", (unsigned long)count_origins(d, i, seen));
         if (n->from)
             n->from_w = diagram_text_width(n->from, GUARD_SIZE, false);
     }

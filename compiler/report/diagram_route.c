@@ -61,7 +61,13 @@ void layout_size_node(Diagram *d, uint32_t node, uint32_t lines, LayoutItem *out
     n->box.w = node_width(n, lines);
     n->box.h = NAME_H + (n->action.n ? (int32_t)n->action.n * GUARD_LINE + ACTION_BOTTOM : 0);
     out->left = out->right = n->box.w / 2;
-    out->h = r.h > n->box.h ? r.h : n->box.h;
+    out->h = n->box.h;
+    if (n->all) {
+        out->right += 2 * STACK;
+        out->h += 4 * STACK;                  // the box is in the middle of the height
+    }
+    if (r.h > out->h)
+        out->h = r.h;
     if (r.h > 0)
         out->right += STUB_AT + r.name_w + STUB_TEXT + r.label_w;
     if (n->from)

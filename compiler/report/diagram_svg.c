@@ -32,6 +32,7 @@ static const DiagramColour colours[] = {
 static const char common_style[] =
     ".smc-graph text{font-family:Helvetica,Arial,sans-serif;font-size:11px}\n"
     ".smc-graph .g-name{font-size:13px;font-weight:bold;text-anchor:middle}\n"
+    ".smc-graph .g-all .g-name{font-style:italic}\n"
     ".smc-graph .g-to{font-weight:bold;text-anchor:middle}\n"
     ".smc-graph .g-mid{text-anchor:middle}\n"
     ".smc-graph .g-end{text-anchor:end}\n"
@@ -117,7 +118,20 @@ static const char *css_class_of_count(const Diagram *d, uint64_t count) { return
 
 static const char *box_class(const DiagramNode *n)
 {
-    return n->state->is_abort ? "g-box g-abort" : n->state->is_safe ? "g-box g-safe" : "g-box g-state";
+    return !n->state ? "g-box g-state" : n->state->is_abort ? "g-box g-abort" : n->state->is_safe ? "g-box g-safe" : "g-box g-state";
+}
+
+static void write_rectangle(Buf *out, const char *class, Box b, long corner)
+{
+    buf_printf(out, "<rect class=\"%s\" x=\"%ld\" y=\"%ld\" width=\"%ld\" height=\"%ld\" rx=\"%ld\"/>", class, (long)b.x, (long)b.y,
+               (long)b.w, (long)b.h, corner);
+}
+
+// Draws the outline of a section [all_states]: a stack of sharp-cornered boxes, because it stands for several states.
+static void write_stack(Buf *out, Box b)
+{
+    for (int32_t behind = 2; behind >= 0; behind--)
+        write_rectangle(out, "g-box g-state", (Box){b.x + behind * STACK, b.y - behind * STACK, b.w, b.h}, 0);
 }
 
 // Draws the outline of a state: cut corners for @abort, round ends for @safe, rounded corners for others.  `in`: inset from the box.
@@ -130,21 +144,27 @@ static void write_outline(Buf *out, const char *class, const DiagramNode *n, Box
         buf_printf(out, "<path class=\"%s\" d=\"M%ld %ldh%ldl%ld %ldv%ldl-%ld %ldh-%ldl-%ld -%ldv-%ldz\"/>", class, x + cut, y,
                    w - 2 * cut, cut, cut, h - 2 * cut, cut, cut, w - 2 * cut, cut, cut, h - 2 * cut);
     else
-        buf_printf(out, "<rect class=\"%s\" x=\"%ld\" y=\"%ld\" width=\"%ld\" height=\"%ld\" rx=\"%ld\"/>", class, x, y, w, h,
-                   n->state->is_safe ? name_h / 2 : name_h / 5);
+        write_rectangle(out, class, (Box){b.x + in, b.y + in, b.w - 2 * in, b.h - 2 * in}, n->state->is_safe ? name_h / 2 : name_h / 5);
+}
+
+static void write_section_title(Buf *out, const DiagramNode *n)
+{
+    buf_str(out, "<title>[all_states]: ");
+    xml_write_str(out, n->title);
+    buf_printf(out, "%s</title>", n->reached ? "" : ", unreachable");
 }
 
 static void write_state_title(Buf *out, const Diagram *d, const DiagramNode *n)
 {
     buf_str(out, "<title>");
-    xml_write_str(out, n->state->name->text);
+    xml_write_str(out, n->title);
     buf_printf(out, "%s%s%s%s%s", n->state->number == 1 ? ", initial state" : "", n->state->is_abort ? ", @abort" : "",
                n->state->is_safe ? ", @safe" : "", n->state->allows_swap ? ", @swap" : "", n->reached ? "" : ", unreachable");
     if (d->o->counts)
         buf_printf(out, "\n%s", diagram_count_text(d, "entered", diagram_times_entered(d, n)));
     for (size_t i = 0; i < n->stub_in.n; i++) {
         buf_str(out, i ? ", " : "\nreached from ");
-        xml_write_str(out, d->node[d->edge.at[n->stub_in.at[i]].from].state->name->text);
+        xml_write_str(out, d->node[d->edge.at[n->stub_in.at[i]].from].title);
     }
     buf_str(out, "</title>");
 }
@@ -185,6 +205,19 @@ static void write_state(Buf *out, const Diagram *d, const DiagramNode *n)
     buf_str(out, "</g>\n");
 }
 
+static void write_section(Buf *out, const Diagram *d, const DiagramNode *n)
+{
+    const Box b = n->box;
+
+    buf_printf(out, "<g class=\"g-node g-all%s%s\">", n->reached ? "" : " g-never", css_class_of_count(d, diagram_times_entered(d, n)));
+    write_section_title(out, n);
+    write_stack(out, b);
+    write_text(out, "g-name", b.x + b.w / 2, b.y + NAME_H / 2 + 5, n->name);
+    write_actions(out, n);
+    write_mark(out, &n->finding, n->mark, b.x + b.w - 2, b.y);
+    buf_str(out, "</g>\n");
+}
+
 static void write_start_arrow(Buf *out, const DiagramNode *n)
 {
     const Point tip = {n->box.x + n->box.w / 2, n->box.y};
@@ -201,9 +234,9 @@ static void write_start_arrow(Buf *out, const DiagramNode *n)
 static void write_edge_title(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
     buf_str(out, "<title>");
-    xml_write_str(out, d->node[e->from].state->name->text);
+    xml_write_str(out, d->node[e->from].title);
     buf_str(out, " to ");
-    xml_write_str(out, d->node[e->to].state->name->text);
+    xml_write_str(out, d->node[e->to].title);
     for (size_t g = 0; g < e->guard.n; g++) {
         buf_str(out, g ? "\nor: " : ": ");
         xml_write_str(out, e->guard.at[g].text);
@@ -327,8 +360,8 @@ static void write_line_width(Buf *out, uint64_t count)
 
 static void write_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
-    buf_printf(out, "<g class=\"g-edge%s%s\"", e->possible ? "" : " g-never", css_class_of_count(d, diagram_times_taken(d, e)));
-    write_line_width(out, diagram_times_taken(d, e));
+    buf_printf(out, "<g class=\"g-edge%s%s\"", e->possible ? "" : " g-never", css_class_of_count(d, diagram_times_taken(e)));
+    write_line_width(out, diagram_times_taken(e));
     buf_str(out, ">");
     write_edge_title(out, d, e);
     if (e->form == EDGE_LINE)
@@ -345,12 +378,15 @@ static void write_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
 
 static void write_description(Buf *out, const Diagram *d)
 {
+    unsigned long transitions = 0;
+
+    for (size_t e = 0; e < d->edge.n; e++)
+        transitions += d->edge.at[e].guard.n;
     buf_str(out, "<title>State diagram of ");
     xml_write_str(out, d->a->p->name->text);
-    buf_printf(out, "</title>\n<desc>%lu %s, %lu %s. The initial state is ", (unsigned long)d->nodes,
-               d->nodes == 1 ? "state" : "states",
-               (unsigned long)d->a->transition.n, d->a->transition.n == 1 ? "transition" : "transitions");
-    xml_write_str(out, d->node[0].state->name->text);
+    buf_printf(out, "</title>\n<desc>%lu %s, %lu %s. The initial state is ", (unsigned long)d->states,
+               d->states == 1 ? "state" : "states", transitions, transitions == 1 ? "transition" : "transitions");
+    xml_write_str(out, d->node[0].title);
     buf_str(out, ".</desc>\n");
 }
 
@@ -375,7 +411,7 @@ static void draw_diagram(const Analysis *a, const DiagramOptions *o, DrawnDiagra
     for (size_t e = 0; e < d->edge.n; e++)
         write_edge(&out->elements, d, &d->edge.at[e]);
     for (size_t n = 0; n < d->nodes; n++)
-        write_state(&out->elements, d, &d->node[n]);
+        (d->node[n].state ? write_state : write_section)(&out->elements, d, &d->node[n]);
     diagram_write_notes(&notes, &out->elements);
 }
 

@@ -33,6 +33,10 @@ static bool is_signed(SmType t) { return t == SM_I8 || t == SM_I16 || t == SM_I3
 // A number that every language reads back exactly.
 static const char *number_text(const Buf *out, SmF64 x) { return const_text(out->arena, x); }
 
+static const char *link_of(const NetChannel *c) { return net_is_tcp(c) ? "tcp" : "udp"; }
+// The side that waits for the other one, which has the address.
+static const char *listener_of(const NetChannel *c) { return net_listens(c) == c->is_send ? "sender" : "receiver"; }
+
 // ---- JSON ----
 
 static void write_json_field(const NetChannel *c, size_t i, Buf *out)
@@ -50,8 +54,8 @@ static void write_json_field(const NetChannel *c, size_t i, Buf *out)
 
 static void write_json_message(const NetChannel *c, Buf *out)
 {
-    buf_printf(out, "\n  {\"name\":\"%s\",\"direction\":\"%s\",\"link\":\"udp\",\"address\":\"%u.%u.%u.%u\",\"port\":%u,", c->name->text,
-               c->is_send ? "send" : "receive", c->ip[0], c->ip[1], c->ip[2], c->ip[3], (unsigned)c->port);
+    buf_printf(out, "\n  {\"name\":\"%s\",\"direction\":\"%s\",\"link\":\"%s\",\"listens\":\"%s\",\"address\":\"%u.%u.%u.%u\",\"port\":%u,", c->name->text,
+               c->is_send ? "send" : "receive", link_of(c), listener_of(c), c->ip[0], c->ip[1], c->ip[2], c->ip[3], (unsigned)c->port);
     buf_printf(out, "\"period_ns\":%llu,\"timeout_ns\":%llu,", (unsigned long long)c->period, (unsigned long long)c->timeout);
     buf_printf(out, "\"hash\":%lu,\"bytes\":%lu,\"sealed\":%s,\"fields\":[", (unsigned long)c->hash, (unsigned long)c->size,
                c->key ? "true" : "false");
@@ -99,11 +103,23 @@ static const char *c_type(SmType t)
     return t == SM_F64 ? "double" : names[t];
 }
 
+// Says how a message travels, and on which side of a connection a receiver or sender of the dictionary is.
+static void write_c_link(const NetChannel *c, const char *type, Buf *out)
+{
+    if (net_is_tcp(c))
+        buf_printf(out, "// Over TCP: messages follow each other without gaps.  Receive and decode %s_BYTES bytes at a time, and close the\n"
+                        "// connection if they are refused as damaged or for their hash.  The %s listens at %s_PORT.\n", type, listener_of(c), type);
+    else
+        buf_str(out, "// Over UDP: each packet is one message.\n");
+}
+
 static void write_c_struct(const NetChannel *c, const char *type, Buf *out)
 {
-    buf_printf(out, "\n// ---- %s: %lu bytes%s ----\n\nenum { %s_BYTES = %lu, %s_PORT = %u };\n#define %s_HASH 0x%08lxu\n\n", c->name->text,
-               (unsigned long)c->size, c->key ? ", sealed with a key: only the owner of the key can verify or send it" : "", type,
-               (unsigned long)c->size, type, (unsigned)c->port, type, (unsigned long)c->hash);
+    buf_printf(out, "\n// ---- %s: %lu bytes%s ----\n\n", c->name->text, (unsigned long)c->size,
+               c->key ? ", sealed with a key: only the owner of the key can verify or send it" : "");
+    write_c_link(c, type, out);
+    buf_printf(out, "enum { %s_BYTES = %lu, %s_PORT = %u, %s_TCP = %d };\n#define %s_HASH 0x%08lxu\n\n", type, (unsigned long)c->size, type,
+               (unsigned)c->port, type, net_is_tcp(c), type, (unsigned long)c->hash);
     buf_printf(out, "typedef struct %s {\n    uint32_t run, number;\n", type);
     for (size_t i = 0; i < c->field.n; i++) {
         const NetField *f = &c->field.at[i];
@@ -211,8 +227,9 @@ static void write_python_message(const NetChannel *c, Buf *out)
     static const char letters[] = "bhiqBHIQfdB";          // by SmType
     bool first = true;
 
-    buf_printf(out, "    '%s': {\n        'direction': '%s', 'address': '%u.%u.%u.%u', 'port': %u,\n        'hash': 0x%08lx, 'bytes': %lu, 'sealed': %d,\n"
-                    "        'format': '<", c->name->text, c->is_send ? "send" : "receive", c->ip[0], c->ip[1], c->ip[2], c->ip[3],
+    buf_printf(out, "    '%s': {\n        'direction': '%s', 'link': '%s', 'listens': '%s', 'address': '%u.%u.%u.%u', 'port': %u,\n"
+                    "        'hash': 0x%08lx, 'bytes': %lu, 'sealed': %d,\n        'format': '<", c->name->text,
+               c->is_send ? "send" : "receive", link_of(c), listener_of(c), c->ip[0], c->ip[1], c->ip[2], c->ip[3],
                (unsigned)c->port, (unsigned long)c->hash, (unsigned long)c->size, c->key != NULL);
     for (size_t i = 0; i < c->field.n; i++)
         buf_char(out, letters[c->field.at[i].element->type]);
@@ -273,7 +290,11 @@ enum { XTCE_HEADER = sizeof xtce_header / sizeof *xtce_header };
 
 static void write_xtce_container(const NetChannel *c, Buf *out)
 {
-    buf_printf(out, "      <SequenceContainer name=\"%s\">\n        <EntryList>\n", c->name->text);
+    buf_printf(out, "      <SequenceContainer name=\"%s\">\n        <AncillaryDataSet>\n", c->name->text);
+    buf_printf(out, "          <AncillaryData name=\"link\">%s</AncillaryData>\n          <AncillaryData name=\"listens\">%s</AncillaryData>\n",
+               link_of(c), listener_of(c));
+    buf_printf(out, "          <AncillaryData name=\"address\">%u.%u.%u.%u:%u</AncillaryData>\n        </AncillaryDataSet>\n        <EntryList>\n",
+               c->ip[0], c->ip[1], c->ip[2], c->ip[3], (unsigned)c->port);
     for (size_t i = 0; i < c->field.n; i++)
         buf_printf(out, "          <ParameterRefEntry parameterRef=\"%s_%s\"/>\n", c->name->text, c->field.at[i].element->name->text);
     if (c->key)

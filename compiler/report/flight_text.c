@@ -66,12 +66,15 @@ static void write_state_change(const Flight *f, const LogSession *s, const LogEv
         buf_printf(out, "%s -> %s", log_state_name(f->arena, m, e->a), log_state_name(f->arena, m, e->b));
 }
 
+// Returns the sentence of result -a.
+static const char *result_text(uint32_t a) { return a <= 0x7FFFFFFF ? sm_result_text((SmResult)-(int32_t)a) : "?"; }
+
 static void write_fault(const Flight *f, const char *task, const LogEvent *e, Buf *out)
 {
     if (e->a == 0)
         buf_printf(out, "%s recovered after %s", task, describe_count(f->arena, e->b, "failure", "failures"));
     else
-        buf_printf(out, "%s failed: %s", task, e->a <= 0x7FFFFFFF ? sm_result_text((SmResult)-(int32_t)e->a) : "?");
+        buf_printf(out, "%s failed: %s", task, result_text(e->a));
 }
 
 // Writes an event of a kind that this version does not know.
@@ -119,6 +122,16 @@ void flight_write_event(const Flight *f, const LogSession *s, const LogEvent *e,
     case LOG_EVENT_TRIAL: write_trial_end(f, d, e, out); break;
     case LOG_EVENT_SWAP_REFUSED:
         buf_printf(out, "%s was not replaced: %s", machine_name(f, d, e->source), log_swap_refusal(e->a));
+        break;
+    case LOG_EVENT_STORED:
+        if (e->b == 0)
+            buf_printf(out, "%s started with the stored image %08lx", machine_name(f, d, e->source), (unsigned long)e->a);
+        else
+            buf_printf(out, "%s did not start with the stored image: %s", machine_name(f, d, e->source), log_swap_refusal(e->b));
+        break;
+    case LOG_EVENT_NOT_STORED: buf_printf(out, "a confirmed swap could not be stored, so its trial goes on: %s", result_text(e->a)); break;
+    case LOG_EVENT_HOST_REFUSED:
+        buf_printf(out, "a request of a host was refused: %s (swap %08lx)", result_text(e->a), (unsigned long)e->b);
         break;
     case LOG_EVENT_STOP: buf_str(out, "the application was stopped"); break;
     default: write_unknown_event(d, e, out); break;

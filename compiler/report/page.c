@@ -47,9 +47,11 @@ Doc *report_build(Report *r)
     d->subtitle = format_in(r->arena, "Design review of the state machine in %s", path_portable_name(p->src->name));
     d->maker = r->maker;
     report_add_overview(r, d);
+    report_add_all_states(r, d);
     report_add_states(r, d);
     report_add_transitions(r, d);
     report_add_variables(r, d);
+    report_add_messages(r, d);
     report_add_findings(r, d);
     report_add_abort_matrix(r, d);
     report_add_costs(r, d);

@@ -10,6 +10,7 @@
 #include "compiler/report/doc.h"
 #include "compiler/report/trace.h"
 #include "compiler/script/script.h"
+#include "compiler/sema/network.h"
 
 // One script's run.
 typedef struct ReportRun {
@@ -31,6 +32,7 @@ typedef struct Report {
     ReportRun *run;
     size_t runs;
     const char *maker;            // program and version: "smc 0.1"
+    const Network *net;           // the messages of the application; or NULL
 } Report;
 
 Doc *report_build(Report *r);
@@ -38,9 +40,11 @@ Doc *report_build(Report *r);
 // ---- the sections, one file each ----
 
 void report_add_overview(Report *r, Doc *d);
+void report_add_all_states(Report *r, Doc *d);
 void report_add_states(Report *r, Doc *d);
 void report_add_transitions(Report *r, Doc *d);
 void report_add_variables(Report *r, Doc *d);
+void report_add_messages(Report *r, Doc *d);           // nothing if r->net is NULL
 void report_add_findings(Report *r, Doc *d);
 void report_add_abort_matrix(Report *r, Doc *d);
 void report_add_costs(Report *r, Doc *d);
@@ -50,11 +54,12 @@ void report_add_scripts(Report *r, Doc *d);
 typedef struct FindingCount { size_t open, allowed; } FindingCount;
 FindingCount report_count_findings(const Report *r);
 
-// The part of the machine that the scripts have executed.  A pair is a state and the target of one or more of its transitions.
+// The part of the machine that the scripts have executed, by edges of its diagram (diagram_model.h).
 typedef struct Coverage {
-    size_t states_covered, states, pairs_covered, pairs;
-    size_t pairs_shared;          // covered pairs with several transitions: it is unknown which of these were taken
-    size_t transitions_most, transitions;     // of `transitions`, at least pairs_covered and at most transitions_most were taken
+    size_t states_covered, states;
+    size_t edges_unused;          // edges that no script has taken
+    bool shared;                  // for some edge it is unknown which of its transitions were taken, or whether it was taken at all
+    size_t transitions_least, transitions_most, transitions;      // of `transitions`, at least and at most so many were taken
 } Coverage;
 Coverage report_measure_coverage(const Report *r);
 DiagramCounts report_sum_counts(const Report *r);  // how often the scripts visited states and took transitions, summed over all scripts

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A table of the states: whether the machine can abort from each, by which guards, after how many steps, and on which inputs this depends
 // (analysis/abort.h).
+#include <string.h>
+
 #include "compiler/analysis/abort.h"
+#include "compiler/report/describe.h"
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"
+#include "compiler/report/written.h"
 
 static const DocColumn abort_columns[] = {
     {"state", "State"}, {"verdict", "Can it abort?"}, {"alone", "Without a command?"}, {"steps", "Worst-case steps"},
@@ -51,7 +55,12 @@ static const char *dependence_text(const Report *r, const AbortRow *row)
 
 static void add_steps_cell(const Report *r, DocTable *t, uint32_t steps)
 {
-    doc_add_plain_cell(t, steps == 0 ? "" : steps == ABORT_NOT_BOUNDED ? "unbounded" : format_in(r->arena, "%lu", (unsigned long)steps));
+    const Program *p = r->analysis.p;
+    const char *text = steps == 0 ? "" : steps == ABORT_NOT_BOUNDED ? "unbounded" : format_in(r->arena, "%lu", (unsigned long)steps);
+
+    if (p->step > 0 && p->step <= UINT32_MAX && steps > 0 && steps != ABORT_NOT_BOUNDED)
+        text = format_in(r->arena, "%s (%s)", text, describe_time(r->arena, p, p->step * steps));
+    doc_add_plain_cell(t, text);
 }
 
 // Returns the inputs that the path depends on, as text.
@@ -79,27 +88,79 @@ static bool has_unbounded(const AbortMatrix *x)
     return false;
 }
 
+// ---- the table of transitions ----
+
+// A row: a transition with the same values in one state, or in several where [all_states] runs.
+typedef struct PathRow { const AbortPath *path; const char *reads; VEC(const char *) state; } PathRow;
+typedef VEC(PathRow) PathRows;
+
+// Returns whether the row is about the same transition of [all_states] as the path, with the same values.
+static bool is_same_row(const PathRow *row, const AbortPath *path, const char *reads)
+{
+    const Span a = row->path->first->stmt->span, b = path->first->stmt->span;
+
+    return a.src->written && b.src->written && a.at == b.at && row->path->possible == path->possible && row->path->steps == path->steps &&
+           strcmp(row->reads, reads) == 0;
+}
+
+static PathRows path_rows(const Report *r, const AbortMatrix *x)
+{
+    PathRows rows = {NULL, 0, 0};
+
+    for (size_t i = 0; i < x->n; i++)
+        for (size_t w = 0; w < x->row[i].path.n; w++) {
+            const AbortPath *path = &x->row[i].path.at[w];
+            PathRow row = {path, path->possible ? reads_text(r, path) : "can never be taken", {NULL, 0, 0}};
+            size_t k = path->first->stmt->span.src->written ? 0 : rows.n;         // only rows about [all_states] have several states
+            while (k < rows.n && !is_same_row(&rows.at[k], path, row.reads))
+                k++;
+            if (k == rows.n)
+                vec_push(r->arena, &rows, row);
+            vec_push(r->arena, &rows.at[k].state, x->row[i].state->name->text);
+        }
+    return rows;
+}
+
+// Adds the states of a row: the name of the section if the row is about all states where it runs.
+static void add_states_cell(const Report *r, DocTable *t, const PathRow *row)
+{
+    const Program *p = r->analysis.p;
+    const AllStates *all = written_section(p, row->path->first->stmt->span);
+    size_t runs = 0;
+    Buf names;
+
+    for (size_t s = 1; all && s <= p->state.n; s++)
+        runs += !all->excepted[s];
+    buf_init(&names, r->arena);
+    for (size_t i = 0; i < row->state.n; i++)
+        buf_printf(&names, "%s%s", i ? ", " : "", row->state.at[i]);
+    if (row->state.n == 1)
+        doc_add_state_cell(t, row->state.at[0]);
+    else
+        doc_add_plain_cell(t, row->state.n == runs ? written_section_name(r->arena, p, all, "") : buf_text(&names));
+}
+
 static void add_transitions(const Report *r, Doc *d, const AbortMatrix *x)
 {
+    const PathRows rows = path_rows(r, x);
     DocTable *t;
 
     doc_add_heading(d, "abort-transitions", "Transitions that lead to an abort state");
     if (has_unbounded(x))
         doc_add_paragraph(d, TEXT_ABORT_UNBOUNDED);
     t = DOC_ADD_TABLE(d, "transitions", transition_columns);
-    for (size_t i = 0; i < x->n; i++)
-        for (size_t w = 0; w < x->row[i].path.n; w++) {
-            const AbortPath *path = &x->row[i].path.at[w];
-            doc_add_state_cell(t, x->row[i].state->name->text);
-            doc_add_state_cell(t, path->first->to->name->text);
-            if (*path->guard)
-                doc_add_code_cell(t, path->guard);
-            else
-                doc_add_plain_cell(t, "always");
-            doc_add_text_cell(t, path->possible ? reads_text(r, path) : "can never be taken");
-            add_steps_cell(r, t, path->steps);
-            doc_add_line_cell(t, report_line_of(path->first->stmt->span));
-        }
+    for (size_t i = 0; i < rows.n; i++) {
+        const AbortPath *path = rows.at[i].path;
+        add_states_cell(r, t, &rows.at[i]);
+        doc_add_state_cell(t, path->first->to->name->text);
+        if (*path->guard)
+            doc_add_code_cell(t, path->guard);
+        else
+            doc_add_plain_cell(t, "always");
+        doc_add_text_cell(t, rows.at[i].reads);
+        add_steps_cell(r, t, path->steps);
+        doc_add_line_cell(t, report_line_of(path->first->stmt->span));
+    }
 }
 
 void report_add_abort_matrix(Report *r, Doc *d)

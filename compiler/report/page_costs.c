@@ -140,7 +140,7 @@ static void add_board(const Report *r, Doc *d)
         doc_add_plain_cell(t, "Longest step, image in flash");
         doc_add_plain_cell(t, longest_step_time(r, &r->flash));
         doc_add_plain_cell(t, "Stack of a step, largest measured");
-        doc_add_plain_cell(t, format_in(r->arena, "%lu bytes", (unsigned long)cycles_stack_bytes()));
+        doc_add_plain_cell(t, format_in(r->arena, "%lu bytes", (unsigned long)cycles_stack_bytes(r->eeprom.functions != 0)));
     }
     doc_add_plain_cell(t, "RAM of state vector, locals and windows");
     doc_add_plain_cell(t, format_in(r->arena, "%lu bytes of at most %lu", (unsigned long)board_ram(r), (unsigned long)limits->ram));

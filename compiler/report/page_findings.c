@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The findings of the analyses: all groups of warnings, even if disabled elsewhere, and those that an @allow covers, with its reason.
+#include "compiler/report/describe.h"
 #include "compiler/report/page.h"
 #include "compiler/base/path.h"
 #include "compiler/report/page_text.h"
@@ -81,6 +82,8 @@ static const char *step_text(const Report *r)
 
     if (r->analysis.step == 0)
         return r->runs > 1 ? TEXT_STEP_DIFFERS : TEXT_STEP_UNKNOWN;
+    if (!r->step_given && r->analysis.p->step)
+        return format_in(r->arena, TEXT_STEP_DECLARED, describe_time(r->arena, r->analysis.p, r->analysis.step));
     return format_in(r->arena, r->step_given ? TEXT_STEP_GIVEN : TEXT_STEP_OF_SCRIPTS, step);
 }
 

@@ -5,6 +5,7 @@
 #include "compiler/report/describe.h"
 #include "compiler/report/diagram.h"
 #include "compiler/report/page.h"
+#include "compiler/report/written.h"
 
 static const DocColumn fact_columns[] = {{"name", "Name"}, {"value", "Value"}};
 
@@ -32,9 +33,9 @@ static const char *scripts_text(const Report *r)
 // Returns how many transitions were taken.  It is a range if several lead from one state to another: a run does not show which it took.
 static const char *transitions_covered_text(const Report *r, Coverage c)
 {
-    if (c.pairs_covered == c.transitions_most)
-        return format_in(r->arena, "%lu of %lu", (unsigned long)c.pairs_covered, (unsigned long)c.transitions);
-    return format_in(r->arena, "%lu to %lu of %lu", (unsigned long)c.pairs_covered, (unsigned long)c.transitions_most,
+    if (c.transitions_least == c.transitions_most)
+        return format_in(r->arena, "%lu of %lu", (unsigned long)c.transitions_least, (unsigned long)c.transitions);
+    return format_in(r->arena, "%lu to %lu of %lu", (unsigned long)c.transitions_least, (unsigned long)c.transitions_most,
                      (unsigned long)c.transitions);
 }
 
@@ -61,7 +62,11 @@ static void add_facts(const Report *r, Doc *d)
 
     t->facts = true;
     add_fact(t, "States", format_in(r->arena, "%lu", (unsigned long)p->state.n));
-    add_fact(t, "Transitions", format_in(r->arena, "%lu", (unsigned long)r->analysis.transition.n));
+    add_fact(t, "Transitions", format_in(r->arena, "%lu", (unsigned long)written_transitions(r->arena, p, &r->analysis.transition).n));
+    if (p->step)
+        add_fact(t, "Step", describe_time(r->arena, p, p->step));
+    if (p->uses_time_unit || p->time_unit != TIME_MS)
+        add_fact(t, "Unit of time", time_unit_name(p->time_unit));
     add_fact(t, "Findings", findings_text(r));
     add_fact(t, "Scripts", scripts_text(r));
     if (r->runs) {

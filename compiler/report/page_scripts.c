@@ -2,7 +2,7 @@
 // The results of the scripts, what they visited, and a plot of each.
 #include "compiler/report/comment.h"
 #include "compiler/base/path.h"
-#include "compiler/report/diagram.h"
+#include "compiler/report/diagram_model.h"
 #include "compiler/report/describe.h"
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"
@@ -24,7 +24,7 @@ static const char *outcome_text(const ReportRun *run)
     case SCRIPT_PASSED: return "passed";
     case SCRIPT_FAILED: return "failed: an assert was false";
     case SCRIPT_ENDLESS: return "failed: did not stop";
-    case SCRIPT_TIME_OVER: return "failed: G would overflow";
+    case SCRIPT_TIME_OVERFLOW: return "failed: G would overflow";
     case SCRIPT_CANCELLED: return "cancelled";
     case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: return "failed: error in the engine";
     }
@@ -54,23 +54,6 @@ static void add_runs(const Report *r, Doc *d)
 
 static const DocColumn transition_columns[] = {{"from", "From"}, {"to", "To"}, {"times", "Times"}, {"note", "Remark"}};
 
-// Returns whether transition i is the first from its state to its target, and stores the number of such transitions in *same.
-static bool match_first_of_pair(const Transitions *t, size_t i, size_t *same)
-{
-    size_t first = i, last = i;
-
-    while (first > 0 && t->at[first - 1].from == t->at[i].from)
-        first--;
-    while (last < t->n && t->at[last].from == t->at[i].from)
-        last++;
-    for (; first < i; first++)
-        if (t->at[first].to == t->at[i].to)
-            return false;
-    for (; i < last; i++)
-        *same += t->at[i].to == t->at[first].to;
-    return true;
-}
-
 static void add_states_covered(const Report *r, Doc *d)
 {
     const Program *p = r->analysis.p;
@@ -96,35 +79,77 @@ static void add_states_covered(const Report *r, Doc *d)
     }
 }
 
-// Adds a table: by pair of states, how often the scripts went from one to the other.  A run does not record which of several transitions it
-// took.
+// The edges of the diagram with the counts of all scripts: a run does not record which of an edge's transitions it took.
+static const Diagram *build_counted_diagram(const Report *r)
+{
+    DiagramCounts *counts = ARENA_NEW(r->arena, DiagramCounts);
+    DiagramOptions *o = ARENA_NEW(r->arena, DiagramOptions);
+
+    *counts = report_sum_counts(r);
+    o->counts = counts;
+    return diagram_build(&r->analysis, o);
+}
+
+static void add_origin_cell(const Report *r, DocTable *t, const DiagramNode *from)
+{
+    if (from->state)
+        doc_add_state_cell(t, from->title);
+    else
+        doc_add_plain_cell(t, written_section_name(r->arena, r->analysis.p, from->all, ""));
+}
+
+// Returns the states from which the scripts took an edge of a section [all_states]: "in Run and Hold".
+static const char *states_taken_text(const Report *r, const Diagram *d, const DiagramEdge *e)
+{
+    VEC(const char *) name = {NULL, 0, 0};
+    Buf out;
+
+    buf_init(&out, r->arena);
+    for (size_t s = 0; s < d->states; s++)
+        if (diagram_times_taken_in(d, e, d->node[s].state) > 0)
+            vec_push(r->arena, &name, d->node[s].title);
+    for (size_t i = 0; i < name.n; i++)
+        buf_printf(&out, "%s%s", i ? describe_separator(i, name.n) : "in ", name.at[i]);
+    return buf_text(&out);
+}
+
+// Returns the remark on an edge: never taken, counted together, from which states.
+static const char *edge_remark(const Report *r, const Diagram *d, const DiagramEdge *e)
+{
+    Buf out;
+
+    if (diagram_times_taken(e) == 0)
+        return "never taken";
+    buf_init(&out, r->arena);
+    if (!d->node[e->from].state)
+        buf_str(&out, states_taken_text(r, d, e));
+    if (e->guard.n > 1)
+        buf_printf(&out, "%s%lu transitions, counted together", out.n ? "; " : "", (unsigned long)e->guard.n);
+    if (e->shared)
+        buf_printf(&out, "%sat least %llu, the others may belong to another row", out.n ? "; " : "", (unsigned long long)e->taken);
+    return buf_text(&out);
+}
+
+// Adds a table: by edge, how often the scripts took it.
 static void add_transitions_covered(const Report *r, Doc *d)
 {
-    const Transitions *t = &r->analysis.transition;
+    const Diagram *diagram = build_counted_diagram(r);
     DocTable *table;
 
-    if (t->n == 0)
+    if (diagram->edge.n == 0)
         return;
     doc_add_heading(d, "transitions-covered", "Transitions taken by the scripts");
     table = DOC_ADD_TABLE(d, "transitions", transition_columns);
-    for (size_t i = 0; i < t->n; i++) {
-        uint64_t taken = 0;
-        size_t same = 0;
-        if (!match_first_of_pair(t, i, &same))
-            continue;
-        for (size_t k = 0; k < r->runs; k++)
-            taken += r->run[k].trace.taken[i];
-        doc_add_state_cell(table, t->at[i].from->name->text);
-        doc_add_state_cell(table, t->at[i].to->name->text);
-        doc_add_number_cell(table, taken);
-        doc_add_plain_cell(table, taken == 0 ? "never taken"
-                          : same > 1 ? format_in(r->arena, "%lu transitions, counted together", (unsigned long)same)
-                                     : "");
+    for (size_t i = 0; i < diagram->edge.n; i++) {
+        const DiagramEdge *e = &diagram->edge.at[i];
+        add_origin_cell(r, table, &diagram->node[e->from]);
+        doc_add_state_cell(table, diagram->node[e->to].title);
+        doc_add_number_cell(table, diagram_times_taken(e));
+        doc_add_plain_cell(table, edge_remark(r, diagram, e));
     }
 }
 
-// Returns counts by transition.  The diagram draws one arrow from a state to another, so the count of several transitions is stored at the
-// first.
+// Returns counts by transition.  A run shows a move from a state to another, so the count of several transitions is stored at the first.
 DiagramCounts report_sum_counts(const Report *r)
 {
     const size_t states = r->analysis.p->state.n, transitions = r->analysis.transition.n;
@@ -141,69 +166,82 @@ DiagramCounts report_sum_counts(const Report *r)
 
 Coverage report_measure_coverage(const Report *r)
 {
-    const DiagramCounts counts = report_sum_counts(r);
-    const Transitions *t = &r->analysis.transition;
-    Coverage c = {0, r->analysis.p->state.n, 0, 0, 0, 0, t->n};
+    const Diagram *d = build_counted_diagram(r);
+    Coverage c = {0, d->states, 0, false, 0, 0, 0};
 
-    for (size_t s = 0; s < c.states; s++)
-        c.states_covered += counts.state[s] > 0;
-    for (size_t i = 0; i < t->n; i++) {
-        size_t same = 0;
-        if (!match_first_of_pair(t, i, &same))
-            continue;
-        c.pairs++;
-        c.pairs_covered += counts.transition[i] > 0;
-        c.transitions_most += counts.transition[i] > 0 ? same : 0;
-        c.pairs_shared += counts.transition[i] > 0 && same > 1;
+    for (size_t n = 0; n < d->states; n++)
+        c.states_covered += diagram_times_entered(d, &d->node[n]) > 0;
+    for (size_t i = 0; i < d->edge.n; i++) {
+        const DiagramEdge *e = &d->edge.at[i];
+        const bool taken = diagram_times_taken(e) > 0;
+        c.edges_unused += !taken;
+        c.shared = c.shared || (taken && (e->guard.n > 1 || e->shared > 0));
+        c.transitions_least += e->taken > 0;
+        c.transitions_most += taken ? e->guard.n : 0;
+        c.transitions += e->guard.n;
     }
     return c;
+}
+
+static const char *origin_in_markup(const Report *r, const DiagramNode *from)
+{
+    return from->state ? format_in(r->arena, "^%s^", from->title) : written_section_name(r->arena, r->analysis.p, from->all, "^");
+}
+
+// Appends the lines of the transitions whose count an edge includes: its own, and for a state those of [all_states] to the same target.
+static void write_lines_of_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
+{
+    const Transitions *t = &d->a->transition;
+    const DiagramNode *from = &d->node[e->from];
+    const State *to = d->node[e->to].state;
+    size_t n = 0;
+
+    for (size_t g = 0; from->all && g < e->guard.n; g++)
+        buf_printf(out, "%s %lu", n++ ? "," : "", (unsigned long)report_line_of(e->guard.at[g].transition->copy.at[0]->stmt->span));
+    for (size_t k = 0; from->state && k < t->n; k++)
+        if (t->at[k].from == from->state && t->at[k].to == to)
+            buf_printf(out, "%s %lu", n++ ? "," : "", (unsigned long)report_line_of(t->at[k].stmt->span));
 }
 
 // Names transitions whose count is shared: a run does not record which of them it took.  If none was taken, all are known to be unused.
 static void add_shared_transitions(const Report *r, Doc *d)
 {
-    const DiagramCounts counts = report_sum_counts(r);
-    const Transitions *t = &r->analysis.transition;
+    const Diagram *diagram = build_counted_diagram(r);
     Buf out;
 
     buf_init(&out, r->arena);
-    for (size_t i = 0; i < t->n; i++) {
-        size_t same = 0;
-        if (counts.transition[i] == 0 || !match_first_of_pair(t, i, &same) || same < 2)
+    for (size_t i = 0; i < diagram->edge.n; i++) {
+        const DiagramEdge *e = &diagram->edge.at[i];
+        const DiagramNode *from = &diagram->node[e->from];
+        if (diagram_times_taken(e) == 0 || (e->guard.n == 1 && (e->shared == 0 || from->all)))
             continue;
-        buf_printf(&out, "%s from ^%s^ to ^%s^ (lines", out.n ? "," : "", t->at[i].from->name->text, t->at[i].to->name->text);
-        for (size_t k = i; k < t->n && t->at[k].from == t->at[i].from; k++)
-            if (t->at[k].to == t->at[i].to)
-                buf_printf(&out, "%s %lu", k == i ? "" : ",", (unsigned long)source_position(t->at[k].stmt->span.src, t->at[k].stmt->span.at).line);
+        buf_printf(&out, "%s from %s to ^%s^ (lines", out.n ? "," : "", origin_in_markup(r, from), diagram->node[e->to].title);
+        write_lines_of_edge(&out, diagram, e);
         buf_char(&out, ')');
     }
     if (out.n)
         doc_add_paragraph(d, format_in(r->arena, TEXT_SHARED, buf_text(&out)));
 }
 
-// Names the states that no script has visited, and the pairs of states between which no transition was taken, each pair once.
-static void add_uncovered(const Report *r, Doc *d, const DiagramCounts *counts)
+// Names the states that no script has visited, and the edges that no script has taken.
+static void add_uncovered(const Report *r, Doc *d, const Diagram *diagram)
 {
-    const Program *p = r->analysis.p;
-    const Transitions *t = &r->analysis.transition;
-    VEC(const char *) state = {NULL, 0, 0}, pair = {NULL, 0, 0};
+    VEC(const char *) state = {NULL, 0, 0}, edge = {NULL, 0, 0};
     Buf b;
 
-    for (size_t i = 0; i < p->state.n; i++)
-        if (counts->state[i] == 0)
-            vec_push(r->arena, &state, p->state.at[i]->name->text);
-    for (size_t i = 0; i < t->n; i++) {
-        bool covered = false;
-        for (size_t k = 0; k < t->n && !covered; k++)
-            covered = t->at[k].from == t->at[i].from && t->at[k].to == t->at[i].to && (counts->transition[k] > 0 || k < i);
-        if (!covered)
-            vec_push(r->arena, &pair, format_in(r->arena, "from ^%s^ to ^%s^", t->at[i].from->name->text, t->at[i].to->name->text));
+    for (size_t n = 0; n < diagram->states; n++)
+        if (diagram_times_entered(diagram, &diagram->node[n]) == 0)
+            vec_push(r->arena, &state, diagram->node[n].title);
+    for (size_t i = 0; i < diagram->edge.n; i++) {
+        const DiagramEdge *e = &diagram->edge.at[i];
+        if (diagram_times_taken(e) == 0)
+            vec_push(r->arena, &edge, format_in(r->arena, "from %s to ^%s^", origin_in_markup(r, &diagram->node[e->from]), diagram->node[e->to].title));
     }
     buf_init(&b, r->arena);
     for (size_t i = 0; i < state.n; i++)
         buf_printf(&b, "%s%s^%s^%s", i ? "" : "No script visits ", describe_separator(i, state.n), state.at[i], i + 1 < state.n ? "" : ". ");
-    for (size_t i = 0; i < pair.n; i++)
-        buf_printf(&b, "%s%s%s%s", i ? "" : "No script takes a transition ", describe_separator(i, pair.n), pair.at[i], i + 1 < pair.n ? "" : ".");
+    for (size_t i = 0; i < edge.n; i++)
+        buf_printf(&b, "%s%s%s%s", i ? "" : "No script takes a transition ", describe_separator(i, edge.n), edge.at[i], i + 1 < edge.n ? "" : ".");
     doc_add_paragraph(d, buf_text(&b));
 }
 
@@ -213,16 +251,53 @@ static void add_not_covered(Report *r, Doc *d)
     const DiagramCounts counts = report_sum_counts(r);
 
     doc_add_heading(d, "not-covered", "Not covered by the scripts");
-    if (c.states_covered == c.states && c.pairs_covered == c.pairs)
-        doc_add_paragraph(d, c.pairs_shared ? TEXT_COVERED_ALL_EDGES : TEXT_COVERED_ALL);
+    if (c.states_covered == c.states && c.edges_unused == 0)
+        doc_add_paragraph(d, c.shared ? TEXT_COVERED_ALL_EDGES : TEXT_COVERED_ALL);
     else {
-        add_uncovered(r, d, &counts);
+        add_uncovered(r, d, build_counted_diagram(r));
         report_add_diagram(r, d, NULL, &counts, "Dotted: states that no script has visited, and transitions that none has taken.");
     }
     add_shared_transitions(r, d);
 }
 
 // ---- one script ----
+
+static const DocColumn assert_columns[] = {{"line", "Line"}, {"text", "Text"}, {"requirement", "Requirement"}, {"result", "Result"}};
+
+static const char *assert_result(const ReportRun *run, const ScriptAssert *a, uint32_t number)
+{
+    if (run->result.failed == a)
+        return "failed";
+    if (a->kind == SCRIPT_FAIL)
+        return "not reached";
+    if (run->result.undecided[number])
+        return "undecided";
+    return run->result.evaluated[number] ? "met" : "never evaluated";
+}
+
+// Adds a table of the asserts that have a text or a requirement.
+static void add_named_asserts(const Report *r, Doc *d, const ReportRun *run)
+{
+    DocTable *t = NULL;
+
+    for (size_t i = 0; i < run->script->section.n; i++)
+        for (size_t k = 0; k < run->script->section.at[i].item.n; k++) {
+            const ScriptItem *item = run->script->section.at[i].item.at[k];
+            for (uint32_t n = 0; n < item->asserts.n; n++) {
+                const ScriptAssert *a = &item->asserts.at[n];
+                const ScriptRemark *m = a->remark;
+                if (!m || a->kind == SCRIPT_PRINT || (!m->text && !m->requirement))
+                    continue;
+                if (!t)
+                    t = DOC_ADD_TABLE(d, format_in(r->arena, "asserts.%s", run->name), assert_columns);
+                doc_add_plain_cell(t, format_in(r->arena, "%s:%lu", path_portable_name(m->span.src->name),
+                                                (unsigned long)source_position(m->span.src, m->span.at).line));
+                doc_add_plain_cell(t, m->text ? m->text->text : "");
+                doc_add_plain_cell(t, m->requirement ? m->requirement->text : "");
+                doc_add_plain_cell(t, assert_result(run, a, item->first_assert + n));
+            }
+        }
+}
 
 static void add_visits(const Report *r, Doc *d, const ReportRun *run)
 {
@@ -292,6 +367,9 @@ static void add_run(const Report *r, Doc *d, const ReportRun *run, size_t number
     }
     if (!run->script || run->trace.steps == 0)
         return;
+    add_named_asserts(r, d, run);
+    if (*run->result.printed)
+        doc_add_lines(d, run->result.printed);
     add_plot(r, d, run);
     add_visits(r, d, run);
 }

@@ -11,20 +11,37 @@
     "it enters the state. The first transition whose condition is true is taken, and the statements after it are skipped. The next " \
     "step runs the state to which the transition leads. `T` is the time since the machine entered the state, `G` is the time."
 #define TEXT_STATE_EMPTY "This state has no statements: the machine does nothing and stays."
+#define TEXT_STATE_EMPTY_OF_ITS_OWN "This state has no statements of its own."
+
+// ---- in all states ----
+
+#define TEXT_ALL_STATES \
+    "These statements belong to several states. In each step they run before the statements of the state's own `.step`, in the order of " \
+    "the file. A transition ends the step."
 
 // ---- transitions ----
 
 #define TEXT_TRANSITIONS \
     "In the order of the file, which is their priority: if several can be taken in one step, the machine takes the first of them."
+#define TEXT_TRANSITIONS_OF_ALL \
+    "If several can be taken in one step, the machine takes the first of them: those in `.entry`, then those of all states, then those " \
+    "in the state's own `.step`, each in the order of the file."
 #define TEXT_TRANSITIONS_NONE "The machine has no transitions: it stays in its first state."
 
 // ---- inputs, outputs and parameters ----
 
+#define TEXT_DEFINITIONS "Names for expressions. A use of the name means the expression, computed where it is used."
 #define TEXT_PARAMETERS "Named values that the machine never changes."
 #define TEXT_LOCALS "Variables of the machine. They keep their values from step to step and from state to state."
 #define TEXT_WINDOWS \
     "Every window takes a sample at the start of every step, in every state. Until it is full, its statistic covers the samples " \
     "taken so far."
+
+// ---- messages ----
+
+#define TEXT_MESSAGES \
+    "What the application exchanges with other computers. A message is stored whole or not at all. Bytes are those on the wire, without " \
+    "the headers of UDP or TCP."
 
 // ---- findings ----
 
@@ -35,6 +52,7 @@
 #define TEXT_STEP_DIFFERS \
     "The time per step is unknown, because the scripts do not all have the same `delta_t`. With `--step` the analyses find more."
 #define TEXT_STEP_GIVEN "Time advances by %lu per step, the value of `--step`."               // time per step
+#define TEXT_STEP_DECLARED "Time advances by %s per step, as the machine declares."          // "20 ms"
 #define TEXT_STEP_OF_SCRIPTS "Time advances by %lu per step, the `delta_t` of the scripts."   // time per step
 #define TEXT_FINDING_FIXABLE "`smc fix` can make the edit."
 

@@ -1,27 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the machine reads, writes and stores: elements, parameters, other locals, windows; with the comments of its author.
+// What the machine reads, writes and stores: elements, parameters, other locals, definitions, windows; with the comments of its author.
+#include <string.h>
+
 #include "compiler/report/comment.h"
 #include "compiler/report/describe.h"
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"
+#include "compiler/report/written.h"
 
 // ---- uses of variables by state ----
 
-// The names of the states that read and write a variable; and the last state added to each, so that none is added twice.
-typedef struct VarUse { const State *last_read, *last_written; Buf readers, writers; } VarUse;
+// The names of the states and sections [all_states] that read and write a variable; and the last name added to each, so that none is added
+// twice.
+typedef struct VarUse { const char *last_read, *last_written; Buf readers, writers; } VarUse;
 
 typedef struct VarUses {
     Arena *arena;
     VarUse *of;                   // by Var.index: where the variable is used
-    const State *state;
+    const char *place;            // the state or section whose statements are being recorded
 } VarUses;
 
-static void add_state_name(Buf *list, const State **last, const State *s)
+static void add_place(Buf *list, const char **last, const char *place)
 {
-    if (*last == s)
+    if (*last == place)
         return;
-    buf_printf(list, "%s%s", list->n ? ", " : "", s->name->text);
-    *last = s;
+    buf_printf(list, "%s%s", list->n ? ", " : "", place);
+    *last = place;
 }
 
 static void record_read(Expr *e, void *context)
@@ -29,7 +33,7 @@ static void record_read(Expr *e, void *context)
     VarUses *u = context;
 
     if (e->kind == EX_VAR)
-        add_state_name(&u->of[e->var->index].readers, &u->of[e->var->index].last_read, u->state);
+        add_place(&u->of[e->var->index].readers, &u->of[e->var->index].last_read, u->place);
 }
 
 // Records the variables that statements read and write.  Recursion is bounded by the nesting of conditionals, AST_DEPTH_MAX.
@@ -40,7 +44,7 @@ static void record_statements(VarUses *u, const Stmts *stmts)
         if (s->value)
             expr_walk(s->value, record_read, u);
         if (s->kind == ST_ASSIGN)
-            add_state_name(&u->of[s->var->index].writers, &u->of[s->var->index].last_written, u->state);
+            add_place(&u->of[s->var->index].writers, &u->of[s->var->index].last_written, u->place);
         record_statements(u, &s->then);
         record_statements(u, &s->otherwise);
     }
@@ -57,9 +61,15 @@ static VarUse *find_variable_uses(const Report *r)
     }
     for (size_t s = 0; s < p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++) {
-            u.state = p->state.at[s];
-            record_statements(&u, &u.state->block[b]);
+            const Stmts own = written_own_stmts(p->state.at[s], b);
+            u.place = p->state.at[s]->name->text;
+            record_statements(&u, &own);
         }
+    for (size_t i = 0; i < p->all_states.n; i++) {
+        const Stmts stmts = written_section_stmts(p, p->all_states.at[i]);
+        u.place = written_section_name(r->arena, p, p->all_states.at[i], "");
+        record_statements(&u, &stmts);
+    }
     return u.of;
 }
 
@@ -193,13 +203,84 @@ static void add_locals(const Report *r, Doc *d, VarUse *use)
     }
 }
 
+// ---- definitions ----
+
+static const DocColumn define_columns[] = {
+    {"name", "Definition"}, {"meaning", "Expression"}, {"comment", "Comment"}, {"used", "Used in"}, {"line", "Line"}};
+
+// Returns the state whose own part of the source contains the position; NULL: it is elsewhere.  States have the order of the file.
+static const State *state_at(const Program *p, Span at)
+{
+    const State *state = NULL;
+    Span range;
+
+    for (size_t s = 0; s < p->state.n && p->state.at[s]->span.at <= at.at; s++)
+        state = p->state.at[s];
+    if (!state)
+        return NULL;
+    range = written_state_range(state);
+    return at.at < range.at + range.len ? state : NULL;
+}
+
+// Returns the name of the part of the machine that contains a use.
+static const char *place_of_use(const Report *r, const DefineUse *use)
+{
+    const Program *p = r->analysis.p;
+    const AllStates *all = written_section(p, use->span);
+    const State *state = all ? NULL : state_at(p, use->span);
+
+    return use->inside ? use->inside->name->text : all ? written_section_name(r->arena, p, all, "") : state ? state->name->text : "initial values";
+}
+
+// Returns where a definition is used: other definitions, states and sections [all_states], each once.
+static const char *uses_text(const Report *r, const Define *d)
+{
+    VEC(const char *) place = {NULL, 0, 0};
+    Buf out;
+
+    buf_init(&out, r->arena);
+    for (size_t i = 0; i < d->use.n; i++) {
+        const char *name = place_of_use(r, &d->use.at[i]);
+        bool listed = false;
+        for (size_t k = 0; k < place.n && !listed; k++)
+            listed = strcmp(place.at[k], name) == 0;
+        if (listed)
+            continue;
+        buf_printf(&out, "%s%s", place.n ? ", " : "", name);
+        vec_push(r->arena, &place, name);
+    }
+    return buf_text(&out);
+}
+
+static void add_definitions(const Report *r, Doc *d)
+{
+    const Defines *all = &r->analysis.p->define;
+    DocTable *t;
+
+    if (all->n == 0)
+        return;
+    doc_add_heading(d, "definitions", "Definitions");
+    doc_add_paragraph(d, TEXT_DEFINITIONS);
+    t = DOC_ADD_TABLE(d, "definitions", define_columns);
+    for (size_t i = 0; i < all->n; i++) {
+        const Define *def = all->at[i];
+        doc_add_code_cell(t, def->name->text);
+        doc_add_code_cell(t, source_text(r->arena, def->value_span));
+        doc_add_plain_cell(t, comment_around(r->arena, (Span){def->span.src, def->span.at, def->value_span.at + def->value_span.len - def->span.at}));
+        doc_add_plain_cell(t, uses_text(r, def));
+        doc_add_line_cell(t, report_line_of(def->span));
+    }
+}
+
 // ---- windows ----
 
 static const DocColumn window_columns[] = {{"call", "Call"}, {"meaning", "Meaning"}, {"steps", "Steps"}, {"line", "Line"}};
 
+// Lists each call once: those in [all_states] and in definitions have a window for each copy and use.
 static void add_windows(const Report *r, Doc *d)
 {
     const Windows *w = &r->analysis.p->window;
+    bool *listed = ARENA_ARRAY(r->arena, bool, r->analysis.p->src->len + 1u);     // by position in the source
     DocTable *t;
 
     if (w->n == 0)
@@ -208,8 +289,11 @@ static void add_windows(const Report *r, Doc *d)
     doc_add_paragraph(d, TEXT_WINDOWS);
     t = DOC_ADD_TABLE(d, "windows", window_columns);
     for (size_t i = 0; i < w->n; i++) {
+        if (listed[w->at[i].span.at])
+            continue;
+        listed[w->at[i].span.at] = true;
         doc_add_code_cell(t, source_text(r->arena, w->at[i].span));
-        doc_add_text_cell(t, describe_window(r->arena, &w->at[i]));
+        doc_add_text_cell(t, describe_window(r->arena, r->analysis.p, &w->at[i]));
         doc_add_number_cell(t, w->at[i].size);
         doc_add_line_cell(t, report_line_of(w->at[i].span));
     }
@@ -223,5 +307,6 @@ void report_add_variables(Report *r, Doc *d)
     add_elements(r, d, use);
     add_parameters(r, d, use);
     add_locals(r, d, use);
+    add_definitions(r, d);
     add_windows(r, d);
 }

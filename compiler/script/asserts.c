@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates asserts and @stop after a step, and reports a false assert with the values of its operands.
+// Evaluates @assert, @fail, @expect, @print and @stop after a step (language.md 8.18 to 8.20, 8.31 to 8.36), and reports one that is not met
+// with the values of its operands.
 #include "compiler/script/script_run.h"
 
 #include <inttypes.h>
@@ -72,61 +73,194 @@ static void add_operands(Operands *o, const Expr *e, bool is_compared)
     o->shown[o->n++] = e;
 }
 
+// ---- reporting ----
+
+// Returns the text and the requirement of an assert for the end of a message: ": the valve opens (R7)"; "" if it has neither.
+static const char *remark_text(const ScriptRun *r, const ScriptAssert *a)
+{
+    const Str text = a->remark ? a->remark->text : NULL, requirement = a->remark ? a->remark->requirement : NULL;
+
+    return format_in(r->arena, "%s%s%s%s%s", text ? ": " : "", text ? text->text : "", requirement ? " (" : "",
+                     requirement ? requirement->text : "", requirement ? ")" : "");
+}
+
+static const char *number_text(const ScriptRun *r, uint64_t n) { return format_in(r->arena, "%" PRIu64, n); }
+
+static Diag *report_failed(const ScriptRun *r, const ScriptAssert *a)
+{
+    const char *step = number_text(r, r->result.steps), *g = number_text(r, r->g), *state = r->state->name->text, *remark = remark_text(r, a);
+
+    if (a->kind == SCRIPT_FAIL)
+        return diag_report(r->diags, DIAG_fail_reached, a->remark->span, step, g, state, remark);
+    if (a->kind == SCRIPT_EXPECT)
+        return diag_report(r->diags, DIAG_expect_failed, a->condition->span, number_text(r, a->remark->within), number_text(r, r->failed_since), step, g,
+                           state, remark);
+    return diag_report(r->diags, DIAG_assert_failed, a->condition->span, step, g, state, remark);
+}
+
 // Reports the assert that failed, with the values of its operands and the history of the run.
 void assert_report_failure(ScriptRun *r)
 {
-    const Expr *assert = r->failed;
     Operands o = {.r = r};
-    Diag *d = diag_report(r->diags, DIAG_assert_failed, assert->span, format_in(r->arena, "%" PRIu64, r->result.steps),
-                          format_in(r->arena, "%" PRIu64, r->g), r->state->name->text);
+    Diag *d = report_failed(r, r->result.failed);
 
     buf_init(&o.text, r->arena);
-    add_operands(&o, assert, false);
+    add_operands(&o, r->failed, false);
     if (o.n)
         diag_label(r->diags, d, DIAG_label_operands, buf_text(&o.text));
     history_add(r, d);
 }
 
+// ---- @print ----
+
+enum { PRINTED_MOST = 1000 };         // lines of a run
+
+static void print_values(ScriptRun *r, const ScriptAssert *a)
+{
+    const ScriptRemark *p = a->remark;
+
+    if (r->prints++ >= PRINTED_MOST)
+        return;
+    buf_printf(&r->printed, "step %" PRIu64 " (G = %" PRIu64 ")%s%s: ", r->result.steps, r->g, p->text ? ", " : "", p->text ? p->text->text : "");
+    for (size_t i = 0; i < p->printed.n; i++) {
+        const Span s = p->printed.at[i]->span;
+        buf_str(&r->printed, i ? ", " : "");
+        buf_put(&r->printed, s.src->text + s.at, s.len);
+        buf_str(&r->printed, " = ");
+        run_append_value(r, p->printed.at[i], &r->printed);
+    }
+    buf_char(&r->printed, '\n');
+}
+
+const char *assert_finish_printing(ScriptRun *r)
+{
+    if (r->prints > PRINTED_MOST)
+        buf_printf(&r->printed, "and %" PRIu64 " more lines\n", r->prints - PRINTED_MOST);
+    return buf_text(&r->printed);
+}
+
 // ---- evaluating ----
 
-// Evaluates the asserts noted in this step, in order.
+static void fail(ScriptRun *r, const ScriptItem *item, const ScriptAssert *a)
+{
+    r->failed = a->condition ? a->condition : item->guard;
+    r->failed_item = item;
+    r->result.failed = a;
+    run_finish(r, SCRIPT_FAILED);
+}
+
+static bool is_true(const ScriptRun *r, const ScriptAssert *a) { return ref_true(ref_eval(a->condition, r->cell, &r->windows)); }
+
+static void fail_pending(ScriptRun *r, const PendingExpect *e)
+{
+    r->failed_since = e->since;
+    fail(r, e->item, &e->item->asserts.at[e->assert]);
+}
+
+// Whether no later step can meet an @expect: the next one is after its time.
+static bool is_expired(const ScriptRun *r, const PendingExpect *e)
+{
+    const uint64_t passed = r->g - e->since, within = e->item->asserts.at[e->assert].remark->within;
+
+    return passed >= within || within - passed < r->s->delta_t;
+}
+
+// Evaluates a pending @expect.  Returns whether it stays pending.
+static bool check_pending(ScriptRun *r, const PendingExpect *e)
+{
+    const ScriptAssert *a = &e->item->asserts.at[e->assert];
+
+    if (is_true(r, a)) {
+        r->result.asserts_passed++;
+        r->is_pending[e->item->first_assert + e->assert] = 0;
+        return false;
+    }
+    if (is_expired(r, e))
+        fail_pending(r, e);
+    return true;
+}
+
+// Evaluates the @expects that earlier steps began, in the order in which they began.
+static void check_all_pending(ScriptRun *r)
+{
+    size_t left = 0;
+
+    for (size_t i = 0; i < r->pending.n; i++) {
+        const PendingExpect e = r->pending.at[i];
+        if (r->ended || check_pending(r, &e))
+            r->pending.at[left++] = e;
+    }
+    r->pending.n = (uint32_t)left;
+}
+
+// Begins an @expect whose guard was true, unless it is pending.
+static void begin_expect(ScriptRun *r, const NotedAssert *note)
+{
+    const PendingExpect e = {note->item, note->assert, r->g};
+    uint8_t *is_pending = &r->is_pending[note->item->first_assert + note->assert];
+
+    if (*is_pending || !check_pending(r, &e))
+        return;
+    *is_pending = 1;
+    vec_push(r->arena, &r->pending, e);
+}
+
+static void evaluate(ScriptRun *r, const NotedAssert *note)
+{
+    const ScriptAssert *a = &note->item->asserts.at[note->assert];
+
+    r->evaluated[note->item->first_assert + note->assert] = 1;
+    switch (a->kind) {
+    case SCRIPT_ASSERT:
+        if (is_true(r, a))
+            r->result.asserts_passed++;
+        else
+            fail(r, note->item, a);
+        break;
+    case SCRIPT_FAIL:   fail(r, note->item, a); break;
+    case SCRIPT_EXPECT: begin_expect(r, note); break;
+    case SCRIPT_PRINT:  print_values(r, a); break;
+    }
+}
+
+// Ends the run at a @stop.  It has failed if an @expect is still pending.
+static void stop(ScriptRun *r)
+{
+    if (r->pending.n)
+        fail_pending(r, &r->pending.at[0]);
+    else
+        run_finish(r, SCRIPT_PASSED);
+}
+
+// Evaluates the pending @expects, and then the asserts noted in this step, in order.
 void assert_check_step(ScriptRun *r)
 {
-    for (size_t i = 0; i < r->noted.n && !r->ended; i++) {
-        const NotedAssert *note = &r->noted.at[i];
-
-        if (note->assert == note->item->asserts.n) {
-            run_finish(r, SCRIPT_PASSED);
-            continue;
-        }
-        r->evaluated[note->item->first_assert + note->assert] = 1;
-        if (ref_true(ref_eval(note->item->asserts.at[note->assert], r->cell, &r->windows))) {
-            r->result.asserts_passed++;
-        } else {
-            r->failed = note->item->asserts.at[note->assert];
-            r->failed_item = note->item;
-            run_finish(r, SCRIPT_FAILED);
-        }
-    }
+    check_all_pending(r);
+    for (size_t i = 0; i < r->noted.n && !r->ended; i++)
+        if (r->noted.at[i].assert == r->noted.at[i].item->asserts.n)
+            stop(r);
+        else
+            evaluate(r, &r->noted.at[i]);
 }
 
 // ---- asserts never evaluated ----
 
-// Whether the assert is `@assert false`.  It states that its guard is never true, so the author intends that no step evaluates it.
-static bool is_assert_false(const ScriptRun *r, const Expr *assert)
+// Whether the author intends that no step evaluates the assert: an @fail, or `@assert false`, which states that its guard is never true.
+// An @print tests nothing.
+static bool may_stay_unevaluated(const ScriptRun *r, const ScriptAssert *a)
 {
-    return expr_is_constant(assert) && !ref_true(ref_eval(assert, r->cell, &r->windows));
+    return !a->condition || (a->kind == SCRIPT_ASSERT && expr_is_constant(a->condition) && !is_true(r, a));
 }
 
 // Asserts that were not evaluated for the same reason.  They share one warning, at the first of them.
-typedef struct Unevaluated { const Expr *first; size_t n; } Unevaluated;
+typedef struct Unevaluated { const ScriptAssert *first; size_t n; } Unevaluated;
 
 // Counts the asserts of an item that were not evaluated.
 static void add_unevaluated(const ScriptRun *r, const ScriptItem *item, Unevaluated *u)
 {
     for (size_t k = 0; k < item->asserts.n; k++) {
-        const Expr *assert = item->asserts.at[k];
-        if (r->evaluated[item->first_assert + k] || is_assert_false(r, assert))
+        const ScriptAssert *assert = &item->asserts.at[k];
+        if (r->evaluated[item->first_assert + k] || may_stay_unevaluated(r, assert))
             continue;
         u->first = u->n ? u->first : assert;
         u->n++;
@@ -136,7 +270,7 @@ static void add_unevaluated(const ScriptRun *r, const ScriptItem *item, Unevalua
 // Warns about the asserts in *u, and empties it.
 static Diag *report_unevaluated(const ScriptRun *r, Unevaluated *u)
 {
-    Diag *d = diag_report(r->diags, DIAG_assert_never_evaluated, u->first->span);
+    Diag *d = diag_report(r->diags, DIAG_assert_never_evaluated, u->first->condition->span);
 
     if (u->n > 1)
         diag_note(r->diags, d, (Span){0}, DIAG_note_unevaluated_too, format_in(r->arena, "%lu", (unsigned long)u->n));
@@ -152,7 +286,7 @@ static void report_all_unevaluated(const ScriptRun *r)
         for (size_t j = 0; j < section->item.n; j++) {
             const ScriptItem *item = section->item.at[j];
             add_unevaluated(r, item, &u);
-            if (u.n && r->ran[i])
+            if (u.n && run_last_of_section(r, section))
                 diag_label(r->diags, report_unevaluated(r, &u), r->was_true[item->number] ? DIAG_label_stopped_before : DIAG_label_never_true);
         }
         if (u.n)
@@ -160,11 +294,20 @@ static void report_all_unevaluated(const ScriptRun *r)
     }
 }
 
+static bool item_tests(const ScriptItem *item)
+{
+    for (size_t i = 0; i < item->asserts.n; i++)
+        if (item->asserts.at[i].kind != SCRIPT_PRINT)
+            return true;
+    return false;
+}
+
+// Whether anything in the script can fail.
 static bool has_assert(const Script *s)
 {
     for (size_t i = 0; i < s->section.n; i++)
         for (size_t j = 0; j < s->section.at[i].item.n; j++)
-            if (s->section.at[i].item.at[j]->asserts.n)
+            if (item_tests(s->section.at[i].item.at[j]))
                 return true;
     return false;
 }

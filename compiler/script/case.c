@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "compiler/base/path.h"
+
 // ---- the parts as sources ----
 
 static size_t count_parts(const TestFile *f, const char *suffix)
@@ -29,6 +31,19 @@ static void supply_app_files(Session *s, const TestFile *f, CaseSources *out)
     }
 }
 
+// Finds the part of a case that a script includes.
+static const Source *find_included(void *context, const Source *from, const char *name, const char **problem)
+{
+    const CaseSources *c = context;
+    const char *path = path_simplify(c->arena, path_beside(c->arena, from->name, name));
+
+    *problem = "the case has no such part";
+    for (size_t i = 0; i < c->parts; i++)
+        if (c->src[i] && strcmp(path_simplify(c->arena, c->src[i]->name), path) == 0)
+            return c->src[i];
+    return NULL;
+}
+
 void case_list_sources(Session *s, const TestFile *f, CaseSources *out)
 {
     const bool has_app = case_has_part_of_kind(f, ".app");
@@ -36,6 +51,9 @@ void case_list_sources(Session *s, const TestFile *f, CaseSources *out)
                                   case_has_part_of_kind(f, ".net");
 
     memset(out, 0, sizeof *out);
+    s->finder = (SourceFinder){find_included, out};
+    out->arena = &s->arena;
+    out->parts = f->part.n;
     out->src = ARENA_ARRAY(&s->arena, Source *, f->part.n);
     out->input = ARENA_ARRAY(&s->arena, size_t, f->part.n);
     out->in.at = ARENA_ARRAY(&s->arena, CompileSource, f->part.n);
@@ -156,7 +174,7 @@ static const char *outcome_text(ScriptOutcome o)
     case SCRIPT_PASSED: return "passed";
     case SCRIPT_FAILED: return "failed";
     case SCRIPT_ENDLESS: return "did not reach @stop";
-    case SCRIPT_TIME_OVER: return "ran out of time";
+    case SCRIPT_TIME_OVERFLOW: return "ran out of time";
     case SCRIPT_BROKEN: return "could not be run";
     case SCRIPT_CANCELLED: return "was cancelled";
     case SCRIPT_DIFFERENT: return "gave different values on different engines";
@@ -195,7 +213,7 @@ bool case_run_scripts(SmtCase *c, Engine **engine, size_t engines, uint64_t max_
         buf_init(&trace.text, arena);
         r = script_run(arena, &c->s->diags, c->script[i], engine, engines, &o);
         if (must_pass ? r.outcome != SCRIPT_PASSED
-                      : r.outcome != SCRIPT_FAILED && r.outcome != SCRIPT_ENDLESS && r.outcome != SCRIPT_TIME_OVER)
+                      : r.outcome != SCRIPT_FAILED && r.outcome != SCRIPT_ENDLESS && r.outcome != SCRIPT_TIME_OVERFLOW)
             buf_printf(&c->why, "%s should %s, but %s\n", f->part.at[i].name, must_pass ? "pass" : "fail", outcome_text(r.outcome));
         works &= r.outcome != SCRIPT_BROKEN;
         script_report(&r, c->p, &report);

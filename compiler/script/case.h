@@ -10,13 +10,15 @@
 // ---- the parts as sources ----
 
 typedef struct CaseSources {
+    Arena *arena;
+    size_t parts;
     Source **src;             // by part; NULL: the part is not a source
     size_t *input;            // by part that is a source of the call: its index in in.at
     CompileInput in;
 } CaseSources;
 
 // Makes the parts the sources of a compilation. If one of them is an application, the others are the files that it names; otherwise a state
-// vector beside a machine or pins is theirs.
+// vector beside a machine or pins is theirs.  The session finds the files that scripts include among the parts, so *out must last as long as s.
 void case_list_sources(Session *s, const TestFile *f, CaseSources *out);
 bool case_has_part_of_kind(const TestFile *f, const char *suffix);
 

@@ -203,16 +203,17 @@ static void add_stop_notes(const ScriptRun *r, Diag *d)
         const ScriptSection *section = &r->s->section.at[i];
         for (size_t j = 0; j < section->item.n && shown < STOPS; j++) {
             const Span stop = section->item.at[j]->stop_span;
+            const uint64_t last = run_last_of_section(r, section);
             if (!section->item.at[j]->stop)
                 continue;
             shown++;
             if (!section->state)
                 diag_note(r->diags, d, stop, DIAG_note_stop_never_true);
-            else if (r->ran[i] == 0)
+            else if (last == 0)
                 diag_note(r->diags, d, stop, DIAG_note_stop_never_run, section->state->name->text);
             else
-                diag_note(r->diags, d, stop, DIAG_note_stop_last_run, section->state->name->text, count_text(r->arena, r->ran[i]),
-                          count_text(r->arena, (r->ran[i] - 1) * r->s->delta_t));
+                diag_note(r->diags, d, stop, DIAG_note_stop_last_run, section->state->name->text, count_text(r->arena, last),
+                          count_text(r->arena, (last - 1) * r->s->delta_t));
         }
     }
 }

@@ -18,12 +18,29 @@ bool ref_true(double x);                              // whether a condition wit
 bool ref_negative(double x);                          // whether x is below zero or -0; false for NaN
 double ref_pure(SmBuiltin fn, const double *arg);     // the result of a builtin that depends on its arguments alone
 
+// The elementary functions (ref_elementary.c).
+double ref_exp(double x);
+double ref_log(double x);
+double ref_log10(double x);
+double ref_pow(double x, double y);
+double ref_sin(double x);
+double ref_cos(double x);
+double ref_tan(double x);
+double ref_asin(double x);
+double ref_acos(double x);
+double ref_atan(double x);
+double ref_atan2(double y, double x);
+double ref_hypot(double x, double y);
+
 // ---- ref_window.c: language.md 7 ----
 
 // A rolling window: the samples of an expression in the last steps.
 typedef struct RefWindow {
     const Window *what;       // its definition in the program
-    double *slot;             // what->size samples, a ring buffer
+    double *slot;             // what->size samples, a ring buffer; NULL: it stores times
+    uint64_t *time;           // of a window of times: what->size times, a ring buffer; of a run: the first
+    uint64_t last;            // of a run: the time of the last sample
+    bool ran;                 // of a run: there has been a sample
     uint32_t next;            // index of the next sample
     uint32_t filled;          // slots 0 … filled - 1 contain samples
 } RefWindow;

@@ -244,10 +244,12 @@ double ref_pure(SmBuiltin fn, const double *arg)
 #define SM_PURE(name, arguments, sentence) case SM_FN_##name: return CALL_##arguments(ref_##name);
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
+#define SM_SAMPLED(name, arguments, sentence) case SM_FN_##name:
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
 #undef SM_ROLL
+#undef SM_SAMPLED
     case SM_FN_COUNT: break;                          // a rolling statistic is not pure: it is an EX_ROLL, never a call
     }
     return make_nan();

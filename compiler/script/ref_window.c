@@ -13,8 +13,10 @@ void ref_windows_init(RefWindows *w, Arena *arena, const Windows *list)
     w->n = list->n;
     w->at = ARENA_ARRAY(arena, RefWindow, list->n);
     for (size_t i = 0; i < list->n; i++) {
+        const bool is_run = 1u << list->at[i].stat & SM_STATS_OF_RUNS, has_times = 1u << list->at[i].stat & SM_STATS_OF_TIMES;
         w->at[i].what = &list->at[i];
-        w->at[i].slot = ARENA_ARRAY(arena, double, list->at[i].size);
+        w->at[i].slot = has_times ? NULL : ARENA_ARRAY(arena, double, list->at[i].size);
+        w->at[i].time = has_times ? ARENA_ARRAY(arena, uint64_t, is_run ? 1 : list->at[i].size) : NULL;
         if (longest < list->at[i].size)
             longest = list->at[i].size;
     }
@@ -24,7 +26,22 @@ void ref_windows_init(RefWindows *w, Arena *arena, const Windows *list)
 void ref_windows_clear(RefWindows *w)
 {
     for (size_t i = 0; i < w->n; i++)
-        w->at[i].next = w->at[i].filled = 0;
+        w->at[i].next = w->at[i].filled = 0, w->at[i].ran = false;
+}
+
+// Adds a sample to a run of true samples: r->filled is their number, at most the size.
+static void extend_run(RefWindow *r, bool is_true, uint64_t g)
+{
+    const bool gap = r->what->gap && r->ran && g - r->last > r->what->gap;
+
+    if (!is_true || gap)
+        r->filled = 0;
+    if (is_true && r->filled == 0)
+        r->time[0] = g;
+    if (is_true && r->filled < r->what->size)
+        r->filled++;
+    r->last = g;
+    r->ran = true;
 }
 
 // Stores a sample in every window, in index order.
@@ -34,7 +51,14 @@ void ref_windows_sample(RefWindows *w, const uint64_t *cell)
         RefWindow *r = &w->at[i];
         double x = ref_eval(r->what->sample, cell, w);
 
-        r->slot[r->next] = x != x ? 0 : x;            // NaN is stored as 0
+        if (1u << r->what->stat & SM_STATS_OF_RUNS) {
+            extend_run(r, ref_true(x), cell[r->what->time->index]);
+            continue;
+        }
+        if (r->time)
+            r->time[r->next] = cell[r->what->time->index];
+        else
+            r->slot[r->next] = x != x ? 0 : x;        // NaN is stored as 0
         r->next = r->next + 1 == r->what->size ? 0 : r->next + 1;
         if (r->filled < r->what->size)
             r->filled++;
@@ -115,17 +139,25 @@ static double range_of(const double *x, uint32_t n)
 double ref_statistic(const RefWindows *w, uint32_t window, SmStat stat)
 {
     const RefWindow *r = &w->at[window];
+    const uint32_t oldest = r->filled < r->what->size ? 0 : r->next, newest = (r->next == 0 ? r->what->size : r->next) - 1;
     double *x = w->scratch;
 
     if (r->filled == 0)
-        return 0;                                     // no step has run yet, so no expression reads this result
-    memcpy(x, r->slot, r->filled * sizeof *x);
+        return 0;                                     // a run that has ended; otherwise no step has run yet, so no expression reads this result
+    if (r->slot)
+        memcpy(x, r->slot, r->filled * sizeof *x);
     switch (stat) {
     case SM_STAT_AVG: return pairwise_average(x, r->filled);
     case SM_STAT_MEDIAN: return median_of(x, r->filled);
     case SM_STAT_MIN: return find_extreme(x, r->filled, false);
     case SM_STAT_MAX: return find_extreme(x, r->filled, true);
     case SM_STAT_RANGE: return range_of(x, r->filled);
+    case SM_STAT_OLDEST: return r->slot[oldest];
+    case SM_STAT_CHANGE: return r->filled < 2 ? 0 : r->slot[newest] - r->slot[oldest];
+    case SM_STAT_ELAPSED: return ref_read(SM_U64, r->time[newest] - r->time[oldest]);
+    case SM_STAT_RUN_STEPS: return r->filled;
+    case SM_STAT_RUN_TIME: return ref_read(SM_U64, r->last - r->time[0]);
+    case SM_STAT_NEWEST: return r->slot[newest];
     case SM_STAT_COUNT: break;
     }
     return 0;

@@ -156,6 +156,18 @@ static void sort_group(Group *g)
     }
 }
 
+// Returns the group of a section's state.  Each file of the script can have a section for it.
+static Group *find_group(Schedule *h, const ScriptSection *section)
+{
+    Group **g = &h->of_state[section->state->number - 1];
+
+    if (!*g) {
+        *g = ARENA_NEW(h->arena, Group);
+        reserve_items(h, *g, section->item.n);
+    }
+    return *g;
+}
+
 // Prepares the schedule of a script.  `cell`: the initial values by variable; only those of constant locals are used.
 Schedule *schedule_new(Arena *arena, const Script *s, const uint64_t *cell)
 {
@@ -168,16 +180,13 @@ Schedule *schedule_new(Arena *arena, const Script *s, const uint64_t *cell)
     reserve_items(h, &h->all_states, count_items_of_all_states(s));
     for (size_t i = 0; i < s->section.n; i++) {
         const ScriptSection *section = &s->section.at[i];
-        Group *g = section->state ? ARENA_NEW(arena, Group) : &h->all_states;
-        if (section->state)
-            reserve_items(h, g, section->item.n);
+        Group *g = section->state ? find_group(h, section) : &h->all_states;
         for (size_t k = 0; k < section->item.n; k++)
             add_item(h, g, section->item.at[k], cell);
-        if (!section->state)
-            continue;
-        sort_group(g);
-        h->of_state[section->state->number - 1] = g;
     }
+    for (size_t i = 0; i < s->program->state.n; i++)
+        if (h->of_state[i])
+            sort_group(h->of_state[i]);
     sort_group(&h->all_states);
     return h;
 }

@@ -12,7 +12,7 @@ typedef enum ScriptOutcome {
     SCRIPT_PASSED,
     SCRIPT_FAILED,            // an assert was false
     SCRIPT_ENDLESS,           // no @stop was reached within max_steps
-    SCRIPT_TIME_OVER,         // G cannot advance any further
+    SCRIPT_TIME_OVERFLOW,         // G cannot advance any further
     SCRIPT_CANCELLED,         // ScriptOptions.is_cancelled returned true
     SCRIPT_BROKEN,            // an engine failed
     SCRIPT_DIFFERENT          // two engines disagree
@@ -38,6 +38,10 @@ typedef struct ScriptResult {
     uint64_t steps;
     uint64_t asserts_passed;
     uint64_t *cell;           // the final values, by variable
+    const char *printed;      // what @print has shown: lines; "" if nothing
+    const uint8_t *evaluated; // by number of the assert, in the order of the script: it was evaluated at least once
+    const uint8_t *undecided; // by number of the assert: it is an @expect that was neither met nor failed when the run ended
+    const ScriptAssert *failed;       // SCRIPT_FAILED: the assert that was not met
     const char *difference;   // SCRIPT_DIFFERENT, SCRIPT_BROKEN: description and location
 } ScriptResult;
 

@@ -17,13 +17,14 @@ void run_finish(ScriptRun *r, ScriptOutcome outcome)
 
 // ---- before the step ----
 
-// Sets a variable for this step: for the guards of the script, and for every engine.
+// Sets a variable for this step: for the guards of the script, and for every engine.  No engine knows the script's own variables.
 static void write_input(ScriptRun *r, const Var *v, uint64_t cell)
 {
     EngineWrite w = {v->index, cell};
 
     r->cell[v->index] = cell;
-    vec_push(r->arena, &r->write, w);
+    if (!v->of_script)
+        vec_push(r->arena, &r->write, w);
 }
 
 // Sets G, T and S to their values in the next step, because guards and inputs may read them.
@@ -61,10 +62,7 @@ static void note_asserts(ScriptRun *r, const ScriptItem *item)
 // Executes the items whose section and guard match: writes their inputs, and notes their asserts.
 static void run_sections(ScriptRun *r)
 {
-    uint64_t *ran = r->ran_of_state[r->state->number - 1];
-
-    if (ran)
-        *ran = r->result.steps + 1;
+    r->ran[r->state->number - 1] = r->result.steps + 1;
     schedule_find_due(r->schedule, r->state, r->cell, &r->due);
     for (size_t i = 0; i < r->due.n; i++) {
         const ScriptItem *item = r->due.at[i];
@@ -115,6 +113,8 @@ static void init_engines(ScriptRun *r)
         r->answer[i].status = r->engine[i]->init(r->engine[i], r->s->init_state->number, &r->answer[i]);
     check_answers(r);
     memcpy(r->cell, r->answer[0].cell, r->p->var.n * sizeof *r->cell);
+    for (size_t i = 0; i < r->s->local.n; i++)
+        r->cell[r->s->local.at[i]->index] = r->s->local.at[i]->init;
 }
 
 static void step_engines(ScriptRun *r)
@@ -138,7 +138,7 @@ static void call_after_step(ScriptRun *r)
 static void advance_time(ScriptRun *r)
 {
     if (r->g >= UINT64_MAX - r->s->delta_t) {         // G would overflow, or reach 2^64-1
-        run_finish(r, SCRIPT_TIME_OVER);
+        run_finish(r, SCRIPT_TIME_OVERFLOW);
         return;
     }
     r->g += r->s->delta_t;
@@ -179,19 +179,6 @@ static ScriptTotals count_script_items(const Script *s)
     return t;
 }
 
-// Allocates `ran` and `ran_of_state`.  No state has two sections: a script with errors does not run.
-static void init_ran(ScriptRun *r)
-{
-    r->ran = ARENA_ARRAY(r->arena, uint64_t, r->s->section.n);
-    r->ran_of_state = ARENA_ARRAY(r->arena, uint64_t *, r->p->state.n);
-    for (size_t i = 0; i < r->s->section.n; i++) {
-        const State *state = r->s->section.at[i].state;
-        r->ran[i] = !state;
-        if (state)
-            r->ran_of_state[state->number - 1] = &r->ran[i];
-    }
-}
-
 static void allocate_run(ScriptRun *r)
 {
     ScriptTotals t = count_script_items(r->s);
@@ -199,11 +186,18 @@ static void allocate_run(ScriptRun *r)
     r->answer = ARENA_ARRAY(r->arena, EngineStep, r->engines);
     for (size_t i = 0; i < r->engines; i++)
         engine_step_init(&r->answer[i], r->arena, r->p);
-    r->cell = ARENA_ARRAY(r->arena, uint64_t, r->p->var.n);
+    r->cell = ARENA_ARRAY(r->arena, uint64_t, r->p->var.n + r->s->local.n);
     ref_windows_init(&r->windows, r->arena, &r->s->window);
     r->evaluated = arena_alloc(r->arena, t.asserts);
+    r->is_pending = arena_alloc(r->arena, t.asserts);
+    buf_init(&r->printed, r->arena);
     r->was_true = arena_alloc(r->arena, t.items);
-    init_ran(r);
+    r->ran = ARENA_ARRAY(r->arena, uint64_t, r->p->state.n);
+}
+
+uint64_t run_last_of_section(const ScriptRun *r, const ScriptSection *section)
+{
+    return section->state ? r->ran[section->state->number - 1] : 1;
 }
 
 // Returns the first item with a @stop; NULL only in a script with errors.
@@ -223,7 +217,7 @@ static void report_endless(ScriptRun *r)
     history_add(r, diag_report(r->diags, DIAG_script_endless, stop ? stop->stop_span : start_of_script(r), format_in(r->arena, "%" PRIu64, r->o->max_steps)));
 }
 
-static void report_time_over(ScriptRun *r)
+static void report_time_overflow(ScriptRun *r)
 {
     history_add(r, diag_report(r->diags, DIAG_script_time_over, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->result.steps)));
 }
@@ -233,12 +227,15 @@ void run_to_the_end(ScriptRun *r)
 {
     allocate_run(r);
     r->result.cell = r->cell;
+    r->result.evaluated = r->evaluated;
+    r->result.undecided = r->is_pending;
     init_engines(r);
     r->schedule = schedule_new(r->arena, r->s, r->cell);
     while (!r->ended && r->result.steps < r->o->max_steps)
         run_step(r);
     if (!r->ended)
         run_finish(r, SCRIPT_ENDLESS);
+    r->result.printed = assert_finish_printing(r);
 }
 
 // Runs the engines in lock step on one script.
@@ -250,7 +247,7 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
     switch (r.result.outcome) {
     case SCRIPT_FAILED: assert_report_failure(&r); break;
     case SCRIPT_ENDLESS: report_endless(&r); break;
-    case SCRIPT_TIME_OVER: report_time_over(&r); break;
+    case SCRIPT_TIME_OVERFLOW: report_time_overflow(&r); break;
     case SCRIPT_PASSED: case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: break;
     case SCRIPT_CANCELLED: return r.result;
     }

@@ -13,6 +13,13 @@ typedef struct NotedAssert {
     size_t assert;            // index into item->asserts; asserts.n means the item's @stop
 } NotedAssert;
 
+// An @expect whose condition has not been true since its guard was.
+typedef struct PendingExpect {
+    const ScriptItem *item;
+    size_t assert;            // index into item->asserts
+    uint64_t since;           // G of the step in which its guard was true
+} PendingExpect;
+
 typedef struct ScriptRun {
     Arena *arena;
     Diags *diags;
@@ -22,7 +29,7 @@ typedef struct ScriptRun {
     EngineStep *answer;       // by engine: the result of its last step
     size_t engines;           // number of engines
     const ScriptOptions *o;
-    uint64_t *cell;           // the values that the script sees, by variable
+    uint64_t *cell;           // the values that the script sees, by variable: those of the machine, then those of the script
     RefWindows windows;       // the rolling windows of the script itself, not those of the machine
     uint64_t g, start;        // G of this step; G of the first step of its state
     const State *state;       // the state that this step runs
@@ -30,12 +37,16 @@ typedef struct ScriptRun {
     DueItems due;             // the items of this step whose guards can be true
     VEC(EngineWrite) write;   // the inputs that this step writes before the machine runs
     VEC(NotedAssert) noted;   // the asserts that this step has noted, in source order
+    VEC(PendingExpect) pending;       // in the order in which they began; at most one for each @expect
+    uint8_t *is_pending;      // by number of the assert
+    Buf printed;              // the lines of @print, at most PRINTED_MOST
+    uint64_t prints;          // how many lines there would be without a limit
     uint8_t *evaluated;       // by number of the assert: it was evaluated at least once
     uint8_t *was_true;        // by number of the conditional: its guard was true at least once
-    uint64_t *ran;            // by section: the last step in which it ran, 0: none; of [all_states], which runs in each step: 1
-    uint64_t **ran_of_state;  // by State.number - 1: the entry of `ran` for the state's section, or NULL
-    const Expr *failed;       // the assert that failed, or NULL
+    uint64_t *ran;            // by State.number - 1: the last step that ran the state, 0: none
+    const Expr *failed;       // the condition that failed, or the guard of an @fail; or NULL
     const ScriptItem *failed_item;
+    uint64_t failed_since;    // of an @expect: G of the step in which it began
     ScriptResult result;
     bool ended;               // then result.outcome is the reason
 } ScriptRun;
@@ -44,6 +55,8 @@ typedef struct ScriptRun {
 void run_finish(ScriptRun *r, ScriptOutcome outcome);
 // Returns the first item with a @stop; NULL only in a script with errors.
 const ScriptItem *script_first_stop(const Script *s);
+// Returns the last step in which a section ran, 0: none; of [all_states], which runs in each step: 1.
+uint64_t run_last_of_section(const ScriptRun *r, const ScriptSection *section);
 // Runs the script from its first step until it ends.  Reports errors of engines and differences between them.
 void run_to_the_end(ScriptRun *r);
 
@@ -51,6 +64,8 @@ void run_to_the_end(ScriptRun *r);
 
 // Evaluates the asserts noted in this step, in order.  Ends the run if an assert fails or at @stop.
 void assert_check_step(ScriptRun *r);
+// Returns the lines of @print.
+const char *assert_finish_printing(ScriptRun *r);
 // Reports the assert that failed, with the values of its operands and the history of the run.
 void assert_report_failure(ScriptRun *r);
 // Warns about asserts that no step evaluated, and about a script without asserts.

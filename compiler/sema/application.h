@@ -82,6 +82,7 @@ typedef struct App {
     uint32_t swap_trial;      // how many steps a machine is on trial
     uint32_t swap_limit;      // the most instructions of its step, for each millisecond of its period
     AppSwapAt swap_at;
+    Str swap_store;           // the file with the images of confirmed swaps; or NULL
     const Element *armed;     // while it is true, swaps are refused; or NULL
     VEC(AppStart) start;
     VEC(AppExecutor *) executor;

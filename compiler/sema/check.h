@@ -23,10 +23,12 @@ StateVec *check_state_vector(CheckContext *c, const AstFile *sv);
 // NULL if there are none.
 Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const Map *written_outside);
 
-Script *check_script(CheckContext *c, const AstFile *ss, const Program *program);
-// Parses and checks a script without syntax errors.  Only some of its items are in memory at a time: they are in `items`, the rest of the
-// syntax tree is in `tree`.  The caller frees both arenas.
-Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const Source *ss, const Program *program);
+// Checks a script of n files: those that it includes in the order of their sections, and the script itself as the last.
+Script *check_script(CheckContext *c, const AstFile *const *file, size_t n, const Program *program);
+// The same for files without syntax errors whose items are not in memory.  `outline`: the trees of parse_script, without items.  Parses
+// each source again, with only some of its items in memory at a time: they are in `items`, the rest of the syntax tree is in `tree`.  The
+// caller frees both arenas.
+Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const AstFile *const *outline, size_t n, const Program *program);
 
 // Binds pins to elements of `sv`.
 IoMap *check_io(CheckContext *c, const AstFile *io, const StateVec *sv);

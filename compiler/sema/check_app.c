@@ -248,6 +248,10 @@ static void check_options(AppCheck *k)
         case AST_APP_swap_at: case AST_APP_swap_speed: case AST_APP_swap_key:
             check_app_swap_at(k, o);
             break;
+        case AST_APP_swap_store:
+            k->app->swap_store = o->file.text;
+            check_app_name_length(k, &o->file, &app_ranges[APP_RANGE_name_length]);
+            break;
         case AST_APP_armed:
             check_armed(k, o);
             break;

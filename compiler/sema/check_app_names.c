@@ -128,20 +128,27 @@ static void check_file_differs(AppCheck *k, const AstAppOption *o, const AstWord
                   other->span, DIAG_note_named_here);
 }
 
-// Reports a log or keep file that is also the other of the two, or a source: the running application would overwrite that file.
+// Whether the running application writes the file of an option.
+static bool is_written(AstAppOptionKind kind) { return kind == AST_APP_log || kind == AST_APP_keep || kind == AST_APP_swap_store; }
+
+// Whether an option names another file of the running application.
+static bool is_file(AstAppOptionKind kind) { return is_written(kind) || kind == AST_APP_swap_key || kind == AST_APP_swap_at; }
+
+// Reports a file that the running application writes, and that is also one of another option or a source.
 void check_app_platform_files(AppCheck *k)
 {
     static const char *const what[] = {[FILE_SV] = "the state vector's", [FILE_SM] = "a machine's", [FILE_IO] = "that of the pins", [FILE_NET] = "that of the messages"};
-    const AstAppOption *first = NULL;
 
     for (size_t i = 0; i < k->ast->options.n; i++) {
         const AstAppOption *o = &k->ast->options.at[i];
-        if (o->kind != AST_APP_log && o->kind != AST_APP_keep)
+        if (!is_written(o->kind))
             continue;
         for (size_t f = 0; f < k->files->n; f++)
             check_file_differs(k, o, &k->files->at[f].name, what[k->files->at[f].kind]);
-        if (first)
-            check_file_differs(k, o, &first->file, first->kind == AST_APP_log ? "the log's" : "that of 'keep'");
-        first = o;
+        for (size_t j = 0; j < k->ast->options.n; j++) {
+            const AstAppOption *other = &k->ast->options.at[j];
+            if (is_file(other->kind) && (j < i || (j > i && !is_written(other->kind))))
+                check_file_differs(k, o, &other->file, other->kind == AST_APP_log ? "the log's" : format_in(k->c->arena, "that of '%s'", app_option_name(other->kind)));
+        }
     }
 }

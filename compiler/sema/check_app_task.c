@@ -104,6 +104,8 @@ static void check_swap(AppCheck *k, const AstAppTask *in, const AppMachine *m)
         a++;
     if (!m->bytecode)
         diag_report(k->c->diags, DIAG_swap_without_bytecode, a->span);
+    if (m->resume)
+        diag_report(k->c->diags, DIAG_swap_with_resume, a->span);
     if (k->app->swap_room == 0 && !k->ast->lost)
         diag_report(k->c->diags, DIAG_app_missing, a->span, diag_text(k->c->diags, DIAG_part_no_swap_memory, m->name->text));
     if (m->program && !has_swap_state(m->program))

@@ -61,16 +61,17 @@ bool has_annotation(const AstAnnotations *all, AstAnnotationKind kind)
     return false;
 }
 
-static Var *new_var(Declarations *k, VarKind kind, const AstDecl *decl)
+// Returns a new variable for a declaration, without index, element and initial value.
+Var *sema_new_var(Sema *s, VarKind kind, const AstDecl *decl)
 {
-    Var *v = ARENA_NEW(k->s->arena, Var);
+    Var *v = ARENA_NEW(s->arena, Var);
 
     v->kind = kind;
     v->name = v->report_name = decl->name;
     v->type = is_known_type(decl->type) ? decl->type : SM_F64;
     v->span = decl->name_span;
     if (!is_known_type(decl->type))
-        map_put(&k->s->doubtful, decl->name, (void *)decl->name);
+        map_put(&s->doubtful, decl->name, (void *)decl->name);
     v->read_only = has_annotation(&decl->annotations, AST_READ_ONLY);
     return v;
 }
@@ -196,7 +197,7 @@ static Element *add_element(Declarations *k, const AstDecl *decl)
 
 static void declare_element(Declarations *k, const AstDecl *decl)
 {
-    Var *v = new_var(k, VAR_ELEMENT, decl);
+    Var *v = sema_new_var(k->s, VAR_ELEMENT, decl);
 
     v->element = k->sv->from_machine ? add_element(k, decl) : find_element(k, decl);
     declare_name(k, v, v->name, v->span);
@@ -226,7 +227,7 @@ static void warn_of_local_like_element(Declarations *k, const Var *v)
 
 static void declare_local(Declarations *k, const AstDecl *decl)
 {
-    LocalDecl l = {new_var(k, VAR_LOCAL, decl), decl};
+    LocalDecl l = {sema_new_var(k->s, VAR_LOCAL, decl), decl};
 
     l.var->outside = k->written_outside && map_find(k->written_outside, decl->name);
     l.var->is_constant = l.var->read_only && !l.var->outside;

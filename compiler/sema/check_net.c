@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks a network configuration (config.md 11) and builds a Network: addresses are valid, elements exist, no element has two writers, no
-// two channels can be confused, no message returns to its sender, and every message fits into a datagram.
+// two channels can be confused, no message returns to its sender, and every message fits into a datagram.  Over TCP, a channel is a client
+// or a server.
 #include "compiler/sema/app_check.h"
 #include "compiler/sema/network.h"
 #include "compiler/syntax/ast_net.h"
@@ -38,6 +39,16 @@ typedef struct NetCheck {
 const char *net_address_text(Arena *arena, const NetChannel *c)
 {
     return format_in(arena, "%u.%u.%u.%u:%u", c->ip[0], c->ip[1], c->ip[2], c->ip[3], (unsigned)c->port);
+}
+
+// A UDP channel and a client have one socket.  A server has one that listens, one for each peer, and one for a peer that replaces another.
+uint32_t net_sockets(const Network *net)
+{
+    uint32_t n = 0;
+
+    for (size_t i = 0; i < net->channel.n; i++)
+        n += net->channel.at[i]->transport == NET_TCP_SERVER ? net->channel.at[i]->peers + 2 : 1;
+    return n;
 }
 
 static const char *source_text(const NetCheck *k, Span s)
@@ -119,28 +130,40 @@ static void report_unknown_endpoint(NetCheck *k, const AstWord *word)
         diag_label(k->d, d, DIAG_label_did_you_mean, near);
 }
 
-// Sets the address of a channel (config.md 11.4).
+// Whether the word before the address fits.  TCP allows both sides, because either computer can be the server (config.md 11.4, 11.21).
+static bool check_side(NetCheck *k, const AstNetChannel *in)
+{
+    const AstNetSide other = in->is_send ? AST_NET_FROM : AST_NET_TO, of_udp = in->is_send ? AST_NET_TO : AST_NET_ON;
+
+    if (in->is_tcp ? in->side != other : in->side == of_udp)
+        return true;
+    diag_report(k->d, DIAG_net_side, in->side_span, in->is_send ? "send" : "receive", source_text(k, in->side_span),
+                diag_text(k->d, in->is_tcp ? in->is_send ? DIAG_part_send_tcp : DIAG_part_receive_tcp
+                                           : in->is_send ? DIAG_part_send_udp : DIAG_part_receive_udp));
+    return false;
+}
+
+// Sets the address of a channel (config.md 11.4, 11.21).
 static void check_where(NetCheck *k, const AstNetChannel *in, NetChannel *out)
 {
     const AstWord *word = &in->where;
     const AstNetEndpoint *e = in->where_kind == TOK_NAME ? map_find(&k->endpoint, word->text) : NULL;
     bool local = in->side == AST_NET_ON, good;
 
+    out->transport = !in->is_tcp ? NET_UDP : local ? NET_TCP_SERVER : NET_TCP_CLIENT;
+    out->peers = in->is_tcp;
     out->where = word->span;
     if (in->where_kind == TOK_NAME && !e) {
         report_unknown_endpoint(k, word);
         return;
     }
-    if (in->is_tcp)
-        diag_report(k->d, DIAG_net_tcp, word->span, in->name.text->text);
-    else if (in->side != (in->is_send ? AST_NET_TO : AST_NET_ON))
-        diag_report(k->d, DIAG_net_side, in->side_span, in->is_send ? "send" : "receive", source_text(k, in->side_span),
-                    diag_text(k->d, in->is_send ? DIAG_part_send_udp : DIAG_part_receive_udp));
-    if (in->is_tcp || in->side != (in->is_send ? AST_NET_TO : AST_NET_ON))
+    if (!check_side(k, in))
         return;
     good = check_address(k, e ? &e->address : word, out->ip, &out->port);
     if (good && !local && (out->ip[0] | out->ip[1] | out->ip[2] | out->ip[3]) == 0)
         diag_report(k->d, DIAG_net_address, word->span, source_text(k, word->span), diag_text(k->d, DIAG_part_address_port));
+    if (good && in->is_tcp && net_is_multicast(out->ip))
+        diag_report(k->d, DIAG_net_tcp, word->span, in->name.text->text, "a multicast group");
 }
 
 // ---- writers ----
@@ -173,10 +196,16 @@ static const Element *check_integer(NetCheck *k, const AstWord *word, const char
     return NULL;
 }
 
-// Whether a channel of this direction can count this.
-static bool can_count(bool is_send, NetCount count)
+// Whether a channel can count this.
+static bool can_count(const NetChannel *c, NetCount count)
 {
-    return is_send == (count == NET_COUNT_sent || count == NET_COUNT_lost);
+    switch (count) {
+    case NET_COUNT_sent: case NET_COUNT_lost:            return c->is_send;
+    case NET_COUNT_full: case NET_COUNT_unconnected:     return c->is_send && net_is_tcp(c);
+    case NET_COUNT_connected: case NET_COUNT_broken:     return net_is_tcp(c);
+    case NET_COUNT_long_:                                return !c->is_send && !net_is_tcp(c);      // a stream has no lengths
+    default:                                             return !c->is_send;
+    }
 }
 
 static void check_count(NetCheck *k, const AstNetAnnotation *a, NetChannel *out)
@@ -188,7 +217,7 @@ static void check_count(NetCheck *k, const AstNetAnnotation *a, NetChannel *out)
     bool found = false;
 
     for (int i = 0; i < NET_COUNTS; i++) {
-        if (!can_count(out->is_send, (NetCount)i))
+        if (!can_count(out, (NetCount)i))
             continue;
         words[n++] = net_count_words[i];
         list = format_in(k->c->arena, "%s%s%s", list, *list ? ", " : "", net_count_words[i]);
@@ -230,6 +259,18 @@ static void check_run(NetCheck *k, const AstNetAnnotation *a, NetChannel *out)
         add_writer(k, e, a->word.span, format_in(k->c->arena, "'@run' of '%s'", out->name->text));
 }
 
+// Checks @peers, the number of connections of a server (config.md 11.21).
+static void check_peers(NetCheck *k, const AstNetChannel *in, const AstNetAnnotation *a, NetChannel *out)
+{
+    uint64_t n = 1;
+
+    app_check_amount(&k->a, &a->amount, APP_RANGE_peers, &n);
+    if (!in->is_tcp || in->side != AST_NET_ON)
+        diag_report(k->d, DIAG_net_peers, a->span, out->name->text);
+    else
+        out->peers = (uint32_t)n;
+}
+
 static void check_channel_annotations(NetCheck *k, const AstNetChannel *in, NetChannel *out)
 {
     const AstNetAnnotation *key = ast_net_find(&in->annotations, AST_NET_key), *run = ast_net_find(&in->annotations, AST_NET_run);
@@ -250,6 +291,11 @@ static void check_channel_annotations(NetCheck *k, const AstNetChannel *in, NetC
             break;
         case AST_NET_interface:
             check_address(k, &a->word, out->interface, NULL);
+            if (in->is_tcp)
+                diag_report(k->d, DIAG_net_tcp, a->span, out->name->text, "'@interface', which is for multicast groups");
+            break;
+        case AST_NET_peers:
+            check_peers(k, in, a, out);
             break;
         case AST_NET_key:
             out->key = a->word.text;
@@ -377,18 +423,31 @@ static void finish_message(NetCheck *k, const AstNetChannel *in, NetChannel *out
 
 static bool is_any(const uint8_t *ip) { return (ip[0] | ip[1] | ip[2] | ip[3]) == 0; }
 
-// Whether both channels would receive the same messages, or both send to the same receiver (config.md 11.12).
+// Whether both channels would receive the same messages, or both send to the same receiver (config.md 11.12).  Over TCP, whether both
+// would serve the same peers, or both connect to the same server.  Ports of UDP and TCP are different ones.
 static bool are_ambiguous(const NetChannel *a, const NetChannel *b)
 {
-    if (a->is_send != b->is_send || a->port != b->port)
+    if (net_is_tcp(a) != net_is_tcp(b) || net_listens(a) != net_listens(b) || a->port != b->port)
         return false;
-    return memcmp(a->ip, b->ip, 4) == 0 || (!a->is_send && (is_any(a->ip) || is_any(b->ip)));
+    return memcmp(a->ip, b->ip, 4) == 0 || (net_listens(a) && (is_any(a->ip) || is_any(b->ip)));
 }
 
-// Whether a message that `s` sends reaches `r`, a channel of the same computer (config.md 11.13).
+// What two ambiguous channels both do.
+static const char *activity_of(const NetChannel *c)
+{
+    static const char *const words[2][2] = {{"send to", "receive on"}, {"connect to", "listen on"}};
+
+    return words[net_is_tcp(c)][net_listens(c)];
+}
+
+// Whether a message that `s` sends reaches `r`, a channel of the same computer (config.md 11.13).  The address is that of the side which
+// does not listen; a group has the same one on both sides.
 static bool returns(const NetChannel *s, const NetChannel *r)
 {
-    return s->is_send && !r->is_send && s->port == r->port && (s->ip[0] == 127 || memcmp(s->ip, r->ip, 4) == 0);
+    const uint8_t *ip = net_listens(s) ? r->ip : s->ip;
+
+    return s->is_send && !r->is_send && net_is_tcp(s) == net_is_tcp(r) && net_listens(s) != net_listens(r) && s->port == r->port &&
+           (ip[0] == 127 || memcmp(s->ip, r->ip, 4) == 0);
 }
 
 static void check_pairs(NetCheck *k)
@@ -401,7 +460,7 @@ static void check_pairs(NetCheck *k)
                 continue;
             if (j < i && are_ambiguous(c[i], c[j]))
                 diag_note(k->d, diag_report(k->d, DIAG_net_ambiguous, c[i]->where, c[j]->name->text, c[i]->name->text,
-                                            c[i]->is_send ? "send to" : "receive on", net_address_text(k->c->arena, c[i])),
+                                            activity_of(c[i]), net_address_text(k->c->arena, c[i])),
                           c[j]->where, DIAG_note_first_here);
             if (returns(c[i], c[j]))
                 diag_note(k->d, diag_report(k->d, DIAG_net_cycle, c[i]->where, c[i]->name->text, net_address_text(k->c->arena, c[i]),
@@ -459,7 +518,7 @@ Network *check_net(CheckContext *c, const AstFile *f, const StateVec *sv)
     check_pairs(&k);
     if (f->net->channels.n == 0 && !f->net->lost)
         diag_report(c->diags, DIAG_net_no_channel, (Span){f->src, 0, 0});
-    if (f->net->channels.n > MOST)
-        diag_report(c->diags, DIAG_app_too_many, f->net->channels.at[MOST].name.span, "channels", "250");
+    if (net_sockets(k.net) > MOST)
+        diag_report(c->diags, DIAG_app_too_many, f->net->channels.at[f->net->channels.n - 1].name.span, "sockets", "250");
     return c->diags->errors_seen > errors ? NULL : k.net;
 }

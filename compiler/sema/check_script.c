@@ -17,7 +17,7 @@ typedef struct ScriptCheck {
     bool has_delta_t, has_stop;
     uint32_t items, asserts;      // how many items and asserts have been checked
     size_t errors;                // Diags.errors_seen when this check began
-    Map section;                  // state name to the Span of its section
+    Map section;                  // state name to the Span of its section in the current file
 } ScriptCheck;
 
 // ---- options ----
@@ -54,6 +54,56 @@ static void check_option(ScriptCheck *k, const AstOption *o)
 
 // ---- conditionals ----
 
+static bool is_assert(const AstStmt *s)
+{
+    return s->kind == AST_ASSERT || s->kind == AST_FAIL || s->kind == AST_EXPECT || s->kind == AST_PRINT;
+}
+
+// Returns the time after `within`, in units of G; 0 after a report.
+static uint64_t check_within(ScriptCheck *k, const AstExpr *in)
+{
+    Expr *e = check_expr(&k->s, in);
+    SmF64 x = sm_from_i32(0);
+
+    if (!e)
+        return 0;
+    if (expr_is_constant(e))
+        x = expr_constant_value(e);
+    if (!expr_is_constant(e) || !sm_le(sm_from_i32(0), x))
+        diag_report(k->s.diags, DIAG_within_value, in->span);
+    return sm_to_u64(x);
+}
+
+// Checks what follows an item's condition.  Returns NULL if nothing does.
+static const ScriptRemark *check_remark(ScriptCheck *k, const AstStmt *in)
+{
+    const AstRemark *from = in->remark;
+    ScriptRemark *r;
+
+    if (!from)
+        return NULL;
+    r = ARENA_NEW(k->s.arena, ScriptRemark);
+    r->span = in->span;
+    r->text = from->text;
+    r->requirement = from->requirement;
+    if (from->within)
+        r->within = check_within(k, from->within);
+    for (size_t i = 0; i < from->values.n; i++)
+        vec_push(k->s.arena, &r->printed, check_expr(&k->s, from->values.at[i]));
+    return r;
+}
+
+static void add_assert(ScriptCheck *k, ScriptItem *item, const AstStmt *in)
+{
+    static const ScriptAssertKind kind[] = {
+        [AST_ASSERT] = SCRIPT_ASSERT, [AST_FAIL] = SCRIPT_FAIL, [AST_EXPECT] = SCRIPT_EXPECT, [AST_PRINT] = SCRIPT_PRINT};
+    ScriptAssert a = {kind[in->kind], in->value ? check_expr(&k->s, in->value) : NULL, NULL};
+
+    a.remark = check_remark(k, in);
+    if (a.condition || !in->value)
+        vec_push(k->s.arena, &item->asserts, a);
+}
+
 // Allocates an item whose lists have exactly the capacity that they need, because a script can have a million items.
 static ScriptItem *new_item(ScriptCheck *k, const AstStmts *body)
 {
@@ -61,10 +111,10 @@ static ScriptItem *new_item(ScriptCheck *k, const AstStmts *body)
 
     for (size_t i = 0; i < body->n; i++) {
         item->inputs.cap += body->at[i]->kind == AST_ASSIGN;
-        item->asserts.cap += body->at[i]->kind == AST_ASSERT;
+        item->asserts.cap += is_assert(body->at[i]);
     }
     item->inputs.at = ARENA_ARRAY(k->s.arena, Stmt *, item->inputs.cap);
-    item->asserts.at = ARENA_ARRAY(k->s.arena, Expr *, item->asserts.cap);
+    item->asserts.at = ARENA_ARRAY(k->s.arena, ScriptAssert, item->asserts.cap);
     return item;
 }
 
@@ -80,16 +130,14 @@ static void check_conditional(ScriptCheck *k, ScriptSection *section, const AstS
     for (size_t i = 0; i < in->arms->then.n; i++) {
         const AstStmt *stmt = in->arms->then.at[i];
         Stmt *input;
-        Expr *condition;
 
         switch (stmt->kind) {
         case AST_ASSIGN:
             if ((input = check_assignment(&k->s, stmt)) != NULL)
                 vec_push(k->s.arena, &item->inputs, input);
             break;
-        case AST_ASSERT:
-            if ((condition = check_expr(&k->s, stmt->value)) != NULL)
-                vec_push(k->s.arena, &item->asserts, condition);
+        case AST_ASSERT: case AST_FAIL: case AST_EXPECT: case AST_PRINT:
+            add_assert(k, item, stmt);
             break;
         case AST_STOP:
             item->stop = k->has_stop = true;
@@ -212,8 +260,13 @@ static void check_guard_times(ScriptCheck *k)
 
 // ---- entry points ----
 
-static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, const Program *program)
+static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *const *file, size_t n, const Program *program)
 {
+    const AstFile *ss = file[n - 1];
+    HiddenNames *hidden = find_hidden_names(c, ss);
+
+    for (size_t i = 0; i + 1 < n; i++)
+        add_hidden_names(c, file[i], hidden);
     memset(k, 0, sizeof *k);
     k->errors = c->diags->errors_seen;
     k->script = ARENA_NEW(c->arena, Script);
@@ -223,13 +276,13 @@ static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, cons
     k->script->delta_t = program->step;
     k->script->delta_t_span = program->step_span;
     k->has_delta_t = program->step > 0;
-    sema_init(&k->s, c, find_hidden_names(c, ss), program, &k->script->window);
+    sema_init(&k->s, c, hidden, program, &k->script->window);
     k->s.in_script = true;
     k->s.step = program->step;
     add_definitions_of_machine(&k->s);
     k->delta_t = str_c(c->strings, "delta_t");
     k->init_state = str_c(c->strings, "init_state");
-    k->section.arena = c->arena;
+    check_script_locals(&k->s, k->script, file, n);
 }
 
 // Reports what the script as a whole lacks.  Returns the script, or NULL if there were errors.
@@ -250,29 +303,36 @@ static Script *end_check(ScriptCheck *k)
     return diags->errors_seen > k->errors ? NULL : k->script;
 }
 
-Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)
+static void begin_file(ScriptCheck *k) { k->section = (Map){k->s.arena, NULL, NULL, 0, 0}; }
+
+Script *check_script(CheckContext *c, const AstFile *const *file, size_t n, const Program *program)
 {
     ScriptCheck k;
 
-    begin_check(&k, c, ss, program);
-    for (size_t i = 0; i < ss->sections.n; i++) {
-        const AstSection *section = ss->sections.at[i];
-        check_section(&k, section);
-        for (size_t n = 0; n < section->items.n; n++)
-            check_item(&k, section->items.at[n]);
+    begin_check(&k, c, file, n, program);
+    for (size_t i = 0; i < n; i++) {
+        begin_file(&k);
+        for (size_t s = 0; s < file[i]->sections.n; s++) {
+            const AstSection *section = file[i]->sections.at[s];
+            check_section(&k, section);
+            for (size_t m = 0; m < section->items.n; m++)
+                check_item(&k, section->items.at[m]);
+        }
     }
     return end_check(&k);
 }
 
-// Parses and checks a script without syntax errors.  Only some of its items are in memory at a time.
-Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const Source *ss, const Program *program)
+// Checks a script without syntax errors.  Only some of its items are in memory at a time.
+Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const AstFile *const *outline, size_t n, const Program *program)
 {
-    const AstFile none = {.kind = FILE_SS, .src = ss};
     ScriptCheck k;
     const ScriptVisitor v = {check_section, check_item, &k, items};
 
-    begin_check(&k, c, &none, program);
-    parse_script(tree, c->strings, c->diags, ss, &v);
+    begin_check(&k, c, outline, n, program);
+    for (size_t i = 0; i < n; i++) {
+        begin_file(&k);
+        parse_script(tree, c->strings, c->diags, outline[i]->src, &v);
+    }
     return end_check(&k);
 }
 

@@ -26,10 +26,10 @@ static void check_value(Sema *s, const AstStmt *in, Stmt *out)
 // ---- assignments ----
 
 // Returns whether a statement can assign v, and reports the assignment if not.  G, S and T can never be assigned.  Other variables marked
-// @read_only can only be assigned by a script.
+// @read_only can only be assigned by a script, unless they are its own.
 static bool check_writable(Sema *s, const Var *v, Str name, Span span)
 {
-    bool never_assigned = v == s->p->g || v == s->p->s || v == s->p->t;
+    bool never_assigned = v == s->p->g || v == s->p->s || v == s->p->t || v->of_script;
     Diag *d;
 
     if (scope_is_doubtful(s, name))
@@ -185,7 +185,7 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
         case AST_ASSIGN:     stmt = check_assignment(s, in->at[i]); break;
         case AST_TRANSITION: stmt = check_transition(s, in->at[i]); break;
         case AST_IF:         stmt = check_if(s, in->at[i]); break;
-        case AST_ASSERT: case AST_STOP: case AST_STMT_ERROR: break;       // the parser has reported them
+        case AST_ASSERT: case AST_FAIL: case AST_EXPECT: case AST_PRINT: case AST_STOP: case AST_STMT_ERROR: break;       // the parser has reported them
         }
         if (stmt)
             vec_push(s->arena, out, stmt);

@@ -71,6 +71,7 @@ void declare_definitions(Sema *s, const AstSection *section, Defines *into)
         d->name = in->name;
         d->span = in->name_span;
         d->value = copy_tree(s->arena, in->value);
+        d->value_span = in->value->span;
         d->number = (uint32_t)s->defines.n;
         d->size = expanded_size(s, d->value);
         map_put(&s->defines, d->name, d);
@@ -110,20 +111,32 @@ static bool check_use(Sema *s, const Define *d, const AstExpr *use)
     return false;
 }
 
+// Lists a use for reports.  An expression that contains it can be expanded many times, and the use is listed once.
+static void add_use(Sema *s, Define *d, const AstExpr *use)
+{
+    const DefineUse here = {sema_span(s, use->span), s->inside};
+
+    if (!s->inside || !s->inside->expanded)
+        vec_push(s->arena, &d->use, here);
+    d->used = true;
+}
+
 // Builds the expression of a definition that `use` names. The root has the span of the use, because messages quote what the user wrote there.
 Expr *expand_definition(Sema *s, Define *d, const AstExpr *use)
 {
-    const Define *outer = s->inside;
+    const bool own = !s->in_script || d->number >= s->p->define.n;    // a script does not change its machine
+    Define *outer = s->inside;
     Expr *out;
 
-    if (!s->in_script || d->number >= s->p->define.n)         // a script does not change its machine
-        d->used = true;
+    if (own)
+        add_use(s, d, use);
     s->knows_a_name = true;
     if (!check_use(s, d, use))
         return NULL;
     s->inside = d;
     out = check_expr(s, d->value);
     s->inside = outer;
+    d->expanded = d->expanded || own;
     if (out)
         out->span = sema_span(s, use->span);
     return out;

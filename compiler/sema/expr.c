@@ -7,6 +7,7 @@
 
 #include "compiler/base/buf.h"
 #include "stdlib/convert.h"
+#include "stdlib/elementary.h"
 #include "stdlib/math.h"
 
 // ---- visit, compare ----
@@ -101,10 +102,12 @@ static SmF64 eval_call(const Expr *e, const SmF64 *value)
 #define SM_PURE(name, arguments, sentence) case SM_FN_##name: return CALL_##arguments(sm_##name, v);
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
+#define SM_SAMPLED(name, arguments, sentence) case SM_FN_##name:
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
 #undef SM_ROLL
+#undef SM_SAMPLED
     case SM_FN_COUNT: break;
     }
     return sm_from_i32(0);                                  // not reached: a roll call is an EX_ROLL, not an EX_CALL
@@ -121,7 +124,7 @@ SmF64 expr_eval(const Expr *e, const SmF64 *value)
     case EX_BINARY: return eval_binary(e->op, expr_eval(e->arg[0], value), expr_eval(e->arg[1], value));
     case EX_CHAIN:  return eval_chain(e, value);
     case EX_CALL:   return eval_call(e, value);
-    case EX_ROLL:   return value && e->stat != SM_STAT_RANGE ? expr_eval(e->arg[0], value) : sm_from_i32(0);    // all samples are equal
+    case EX_ROLL:   return value && e->stat != SM_STAT_RANGE && e->stat < SM_STAT_CHANGE ? expr_eval(e->arg[0], value) : sm_from_i32(0);    // all samples are equal
     }
     return sm_from_i32(0);
 }
@@ -152,20 +155,30 @@ static const char *const builtin_name[SM_FN_COUNT] = {
 #define SM_PURE(name, arguments, sentence) [SM_FN_##name] = #name,
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
 #define SM_ROLL(name, stat, sentence) SM_PURE(name, 2, sentence)
+#define SM_SAMPLED(name, arguments, sentence) SM_PURE(name, arguments, sentence)
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
 #undef SM_ROLL
+#undef SM_SAMPLED
 };
 
 static const char *const statistic_name[SM_STAT_COUNT] = {
+    [SM_STAT_OLDEST] = "oldest",
+    [SM_STAT_NEWEST] = "newest",
+    [SM_STAT_CHANGE] = "change",
+    [SM_STAT_ELAPSED] = "elapsed",
+    [SM_STAT_RUN_STEPS] = "run_steps",
+    [SM_STAT_RUN_TIME] = "run_time",
 #define SM_PURE(name, arguments, sentence)
 #define SM_COMPOSED(name, arguments, steps, sentence)
 #define SM_ROLL(name, stat, sentence) [SM_STAT_##stat] = #name,
+#define SM_SAMPLED(name, arguments, sentence)
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
 #undef SM_ROLL
+#undef SM_SAMPLED
 };
 
 // Appends names to `out`.  Stops soon after `most` characters, so that nested calls do not take quadratic time.
@@ -259,7 +272,7 @@ void expr_name_window(Arena *arena, const Windows *all, const Window *w, size_t 
 {
     const Namer n = {arena, all, most, out};
 
-    name_window(&n, "roll", w);
+    name_window(&n, 1u << w->stat & SM_STATS_OF_RUNS ? "run" : 1u << w->stat & SM_STATS_OF_TIMES ? "times" : "roll", w);
 }
 
 // Formats a value for messages, with the fewest digits from which the same number can be read back, but at least 6.

@@ -115,12 +115,10 @@ static void add_names_hidden_by(HiddenWords *k, const Diag *d)
     }
 }
 
-HiddenNames *find_hidden_names(const CheckContext *c, const AstFile *f)
+void add_hidden_names(const CheckContext *c, const AstFile *f, HiddenNames *l)
 {
-    HiddenNames *l = ARENA_NEW(c->arena, HiddenNames);
     HiddenWords k = {l, c->strings, f, 0};
 
-    l->word.arena = c->arena;
     for (size_t i = 0; i < c->diags->list.n; i++) {
         const Diag *e = c->diags->list.at[i];
         if (e->severity == DIAG_ERROR && e->span.src == f->src) {
@@ -128,5 +126,13 @@ HiddenNames *find_hidden_names(const CheckContext *c, const AstFile *f)
             add_names_hidden_by(&k, e);
         }
     }
+}
+
+HiddenNames *find_hidden_names(const CheckContext *c, const AstFile *f)
+{
+    HiddenNames *l = ARENA_NEW(c->arena, HiddenNames);
+
+    l->word.arena = c->arena;
+    add_hidden_names(c, f, l);
     return l;
 }

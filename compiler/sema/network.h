@@ -31,11 +31,15 @@ typedef struct NetField {
 
 typedef struct NetStatistic { NetCount count; const Element *element; } NetStatistic;
 
+typedef enum NetTransport { NET_UDP, NET_TCP_CLIENT, NET_TCP_SERVER } NetTransport;
+
 typedef struct NetChannel {
     bool is_send;
+    NetTransport transport;
+    uint32_t peers;           // connections at once: 0 for UDP, 1 for a client
     Str name;
     Span span, where;         // positions of its name and its address
-    uint8_t ip[4];            // the address: of the peer, or the local one (0.0.0.0: any), or the multicast group
+    uint8_t ip[4];            // UDP: of the receiver, or the local one (0.0.0.0: any), or a group; client: of the server; server: local
     uint16_t port;
     uint8_t interface[4];     // 0.0.0.0: the system chooses
     uint64_t period, timeout; // nanoseconds; timeout 0: none
@@ -55,6 +59,10 @@ typedef struct Network {
     VEC(NetChannel *) channel;        // in file order
 } Network;
 
+static inline bool net_is_tcp(const NetChannel *c) { return c->transport != NET_UDP; }
+// Whether this computer waits for the other one: it receives by UDP, or is a server.
+static inline bool net_listens(const NetChannel *c) { return net_is_tcp(c) ? c->transport == NET_TCP_SERVER : !c->is_send; }
+uint32_t net_sockets(const Network *net);     // sockets that all channels need at once, at most
 static inline bool net_is_multicast(const uint8_t *ip) { return ip[0] >= 224 && ip[0] <= 239; }
 const char *net_address_text(Arena *arena, const NetChannel *c);      // "239.1.2.3:5000"
 

@@ -82,7 +82,7 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     Str alias;                // or NULL
     Str report_name;          // its name in reports: name or alias, whichever comes first in ASCII
     SmType type;
-    uint32_t index;           // its index in Program.var
+    uint32_t index;           // its index in Program.var; of a script's variable: Program.var.n plus its index in Script.local
     Element *element;         // ELEMENT: its element
     const Range *range;       // ELEMENT: from the machine, or else from the .sv; or NULL
     bool read_only;           // the machine cannot assign the variable; true for G, S and T
@@ -94,6 +94,7 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     bool written;             // the machine contains an assignment to it
     bool read;                // the machine reads it
     bool sizes;               // LOCAL: the size of a window depends on it
+    bool of_script;           // LOCAL: a script declares it, not the machine; no engine knows it
     Span span;                // position of its name in the list or declaration
 } Var;
 
@@ -101,15 +102,26 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
 
 struct AstExpr;
 
+typedef struct Define Define;
+
+// A use of a definition in its own file.
+typedef struct DefineUse {
+    Span span;
+    const Define *inside;     // the definition whose expression contains the use; NULL: none
+} DefineUse;
+
 // A line of [define]: a name for an expression. A use is an Expr of its own, so only the checker and reports read this.
-typedef struct Define {
+struct Define {
     Str name;
     struct AstExpr *value;
+    Span value_span;          // the expression
     uint32_t number;          // its place among the definitions of the file; those of a script follow those of its machine
     uint32_t size;            // operations and values of its expression, with those of the definitions that it uses
     bool used;                // another part of its file uses it
+    bool expanded;            // its expression has been checked, so the uses in it are listed
+    VEC(DefineUse) use;       // in the order of the check; a use in [all_states] once for each copy
     Span span;                // position of its name in [define]
-} Define;
+};
 
 typedef VEC(Define *) Defines;
 
@@ -143,10 +155,14 @@ static inline SmOperator *expr_ops(const Expr *e) { return (SmOperator *)(void *
 
 // The window of one roll call in the source.  Every call has its own Window; the IR builder merges equal windows.
 typedef struct Window {
-    Expr *sample;             // the sampled expression
+    Expr *sample;             // the sampled expression; of a window of times: an event that is 0 or not
     uint32_t size;            // n: 1 … SM_WINDOW_MAX
     SmStat stat;
+    const Var *time;          // of a window of times (SM_STATS_OF_TIMES): G
+    uint64_t gap;             // of a run: it begins again if G has advanced by more than this since the last step; 0: never
+    uint32_t clock;           // of a run with a gap: the window, with SM_STAT_ELAPSED, of the times of the last two steps
     Span span;
+    bool in_time;             // the call has a time instead of n: (size - 1) * Program.step
 } Window;
 
 typedef VEC(Window) Windows;  // a roll call inside another one comes first, so sample windows in index order
@@ -219,13 +235,34 @@ typedef struct Program {
 
 // ---- the script ----
 
+typedef enum ScriptAssertKind {
+    SCRIPT_ASSERT,            // @assert: the condition is true after the step
+    SCRIPT_FAIL,              // @fail: the guard is never true
+    SCRIPT_EXPECT,            // @expect: the condition becomes true in time
+    SCRIPT_PRINT              // @print: shows values, and tests nothing
+} ScriptAssertKind;
+
+// What an assert says besides its condition.
+typedef struct ScriptRemark {
+    Span span;                // the whole item
+    Str text, requirement;    // NULL: none
+    uint64_t within;          // EXPECT: in units of G
+    VEC(Expr *) printed;      // PRINT
+} ScriptRemark;
+
+typedef struct ScriptAssert {
+    ScriptAssertKind kind;
+    Expr *condition;          // FAIL and PRINT: NULL
+    const ScriptRemark *remark;       // ASSERT: NULL if it has neither text nor requirement
+} ScriptAssert;
+
 typedef struct ScriptItem {   // one conditional
     Expr *guard;
     uint32_t number;          // 0, 1, 2 … in file order, over the whole script
     uint32_t first_assert;    // number of asserts in the items before it
     Span span;
     Stmts inputs;             // ST_ASSIGN, executed at once when the guard is true
-    VEC(Expr *) asserts;      // evaluated after the step, in order
+    VEC(ScriptAssert) asserts;        // evaluated after the step, in order
     bool stop;                // the item's body ends with @stop
     Span stop_span;
 } ScriptItem;
@@ -241,6 +278,7 @@ typedef struct Script {
     uint64_t delta_t;
     Span delta_t_span;        // position of the value of delta_t in [options]
     State *init_state;
+    VEC(Var *) local;         // the variables of [local], in file order
     VEC(ScriptSection) section;       // in file order
     Windows window;           // of the roll calls in all sections of the script
 } Script;

@@ -94,7 +94,9 @@ static bool add_reported_name(Map *reported, Str name)
 
 Var *scope_find_variable(const Sema *s, Str name)
 {
-    return map_find(&s->p->by_name, name);
+    Var *v = map_find(&s->p->by_name, name);
+
+    return v || !s->in_script ? v : map_find(&s->script_local, name);
 }
 
 // Whether the name was declared twice, so that its meaning is uncertain.
@@ -161,6 +163,9 @@ static void suggest_variable(Sema *s, Diag *d, Str name)
 {
     Guess g = guess_init(name);
 
+    for (size_t i = 0; s->in_script && i < s->script_local.cap; i++)
+        if (s->script_local.key[i])
+            guess_consider(&g, s->script_local.key[i]);
     for (size_t i = 0; i < s->p->var.n; i++) {
         guess_consider(&g, s->p->var.at[i]->name);
         if (s->p->var.at[i]->alias)

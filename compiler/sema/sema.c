@@ -19,7 +19,7 @@ void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Pr
     s->guesses = GUESSES;
     s->functions.arena = s->arena;
     s->unknown_name.arena = s->unknown_state.arena = s->unknown_function.arena = s->arena;
-    s->defines.arena = s->remarked.arena = s->doubtful.arena = s->declared_at.arena = s->arena;
+    s->script_local.arena = s->defines.arena = s->remarked.arena = s->doubtful.arena = s->declared_at.arena = s->arena;
     for (int i = 0; i < SM_FN_COUNT; i++)
         map_put(&s->functions, str_c(s->strings, sm_builtin_info[i].name), (void *)&sm_builtin_info[i]);
 }

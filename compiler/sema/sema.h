@@ -24,6 +24,7 @@ typedef struct HiddenNames {
 } HiddenNames;
 
 HiddenNames *find_hidden_names(const CheckContext *c, const AstFile *f);
+void add_hidden_names(const CheckContext *c, const AstFile *f, HiddenNames *to);
 
 // One machine or script being checked.
 typedef struct Sema {
@@ -34,6 +35,7 @@ typedef struct Sema {
     StateVec *sv;             // machine with a .sv: the elements that it can list; else NULL
     Windows *windows;         // destination of roll calls: the machine's list or the script's
     bool in_script;
+    Map script_local;         // in a script: the name of a variable in its [local] to Var
     Diag *unknown;            // in a script: the first report of a name that the machine does not have
     bool knows_a_name;        // in a script: at least one name in it, other than G, S and T, exists in the machine
     const HiddenNames *lost;
@@ -46,7 +48,7 @@ typedef struct Sema {
     unsigned guesses;         // how many more unknown names may be compared with all known ones
 
     Map defines;              // name to Define: those that the text can use
-    const Define *inside;     // the definition whose use is being checked; NULL: none
+    Define *inside;           // the definition whose use is being checked; NULL: none
     uint32_t expanded;        // how many operations and values the uses of definitions have so far
     uint32_t depth;           // the depth of the current expression below the root of its statement
     AllStates *all_states;    // the section whose statements are being checked; NULL: none
@@ -98,6 +100,12 @@ Str suggest_element(Diags *diags, Diag *d, unsigned *guesses, const StateVec *sv
 Str suggest_state(Diags *diags, Diag *d, unsigned *guesses, const Program *p, Str name);
 
 // ---- the parts of the checker ----
+
+// Returns a new variable for a declaration, without index, element and initial value.
+Var *sema_new_var(Sema *s, VarKind kind, const AstDecl *decl);
+// Declares the variables of every [local] section of a script's files in script->local, and computes their initial values
+// (check_script_local.c).
+void check_script_locals(Sema *s, Script *script, const AstFile *const *file, size_t files);
 
 // Checks the [state_vector] and [local] sections of a machine, and builds its variables.
 void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside);

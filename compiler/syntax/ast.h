@@ -61,7 +61,8 @@ typedef enum AstAnnotationKind {
 typedef enum AstAnnotationTarget {
     AST_ON_ELEMENT,           // an element that a machine lists in [state_vector]
     AST_ON_SV_ELEMENT,        // a declaration of an element in a .sv
-    AST_ON_LOCAL,             // a declaration of a local
+    AST_ON_LOCAL,             // a declaration of a local in a machine
+    AST_ON_SCRIPT_LOCAL,      // a declaration of a local in a script
     AST_ON_STATE,             // the header of a state
     AST_ON_ALL_STATES,        // the header [all_states] of a machine
     AST_ON_ANALOG_INPUT, AST_ON_ANALOG_OUTPUT, AST_ON_DIGITAL_INPUT, AST_ON_DIGITAL_OUTPUT,       // a pin in a .io
@@ -94,6 +95,9 @@ typedef enum AstStmtKind {
     AST_ALLOWED,      // @allow(name, "reason"), for the next statement
     AST_IF,           // [if] value: … or { … }, else …
     AST_ASSERT,       // @assert value     (scripts)
+    AST_FAIL,         // @fail "text"      (scripts)
+    AST_EXPECT,       // @expect value within time     (scripts)
+    AST_PRINT,        // @print value, …   (scripts)
     AST_STOP          // @stop             (scripts)
 } AstStmtKind;
 
@@ -106,6 +110,13 @@ typedef struct AstArms {      // the branches of a conditional
     bool braces, else_braces; // whether the body is in { } rather than after a colon
     bool has_else;
 } AstArms;
+// What follows an @assert, @fail, @expect or @print.
+typedef struct AstRemark {
+    Str text, requirement;    // NULL: none
+    AstExpr *within;          // EXPECT: the time after `within`
+    VEC(AstExpr *) values;    // PRINT: what it prints
+} AstRemark;
+
 struct AstStmt {
     AstStmtKind kind;
     bool flawed;              // an error in it has been reported
@@ -113,7 +124,8 @@ struct AstStmt {
     Str name;                 // ASSIGN: the assigned variable; TRANSITION: the target state
     Span name_span;
     const AstAnnotation *allow;       // ALLOWED: the @allow
-    AstExpr *value;           // ASSIGN, ASSERT: the expression; IF: the guard
+    AstExpr *value;           // ASSIGN, ASSERT, EXPECT: the expression; IF: the guard
+    const AstRemark *remark;  // ASSERT: or NULL if nothing follows; FAIL, EXPECT, PRINT
     AstArms *arms;            // IF: its branches
 };
 
@@ -163,7 +175,7 @@ typedef struct AstBlock {
 
 typedef enum AstSectionKind {
     AST_STATE_VECTOR,         // [state_vector] of a machine: decls
-    AST_LOCAL,                // [local]: decls
+    AST_LOCAL,                // [local] of .sm and .ss: decls
     AST_DEFINE,               // [define] of a machine or script: definitions
     AST_OPTIONS,              // [options] of .sv, .sm and .ss: options
     AST_REGION,               // [Region] of a .sv: decls
@@ -195,9 +207,13 @@ typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP, FILE_NET, 
 // Finds the kind of a file from its name; returns false if the name has no known ending.
 bool file_kind(const char *path, FileKind *kind);
 
+// A line `include "plant.ss"` of a script.
+typedef struct AstInclude { Str name; Span span; } AstInclude;      // span: the name with its quotes
+
 typedef struct AstFile {
     FileKind kind;
     const Source *src;
+    VEC(AstInclude) includes; // of a script
     VEC(AstSection *) sections;       // in file order
     struct AstApp *app;               // the tree of a .app, which has no AstSection (ast_app.h); else NULL
     struct AstNet *net;               // the tree of a .net, which has no AstSection (ast_net.h); else NULL

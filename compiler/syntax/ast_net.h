@@ -18,7 +18,7 @@ typedef struct AstNetAnnotation {
     Span span;                // including its @ and its arguments
     AstWord word;             // an element, an address, a key; of @count the word that says what is counted
     AstWord element;          // the element of @count
-    AstAmount amount;         // the time of @timeout
+    AstAmount amount;         // the time of @timeout, the number of @peers
     AstNumber value;          // of @default and @safe
     bool is_truth;            // `value` was written as true or false
 } AstNetAnnotation;

@@ -108,6 +108,32 @@ static void print_annotations(Buf *out, const AstAnnotations *all)
 
 // ---- statements ----
 
+// Prints the text and the requirement of an item of a script; r can be NULL.
+static void print_remark(Buf *out, const AstRemark *r)
+{
+    if (r && r->text)
+        buf_printf(out, " \"%s\"", r->text->text);
+    if (r && r->requirement)
+        buf_printf(out, " @req %s", r->requirement->text);
+}
+
+// Prints an @fail, @expect or @print.
+static void print_item(Buf *out, const AstStmt *s)
+{
+    buf_str(out, s->kind == AST_FAIL ? "@fail" : s->kind == AST_EXPECT ? "@expect " : "@print ");
+    if (s->value)
+        print_expr(out, s->value);
+    if (s->kind == AST_EXPECT && s->remark->within) {
+        buf_str(out, " within ");
+        print_expr(out, s->remark->within);
+    }
+    for (size_t i = 0; i < s->remark->values.n; i++) {
+        buf_str(out, i ? ", " : "");
+        print_expr(out, s->remark->values.at[i]);
+    }
+    print_remark(out, s->remark);
+}
+
 static void print_stmt(Buf *out, const AstStmt *s, unsigned depth)
 {
     print_line_start(out, depth);
@@ -144,10 +170,15 @@ static void print_stmt(Buf *out, const AstStmt *s, unsigned depth)
     case AST_ASSERT:
         buf_str(out, "@assert ");
         print_expr(out, s->value);
+        print_remark(out, s->remark);
         buf_char(out, '\n');
         break;
     case AST_STOP:
         buf_str(out, "@stop\n");
+        break;
+    case AST_FAIL: case AST_EXPECT: case AST_PRINT:
+        print_item(out, s);
+        buf_char(out, '\n');
         break;
     }
 }
@@ -231,6 +262,11 @@ static void print_section(Buf *out, const AstSection *s)
 
 void ast_print(const AstFile *f, Buf *out)
 {
+    for (size_t i = 0; i < f->includes.n; i++) {
+        buf_str(out, "include ");
+        print_source(out, f->includes.at[i].span);
+        buf_char(out, '\n');
+    }
     for (size_t i = 0; i < f->sections.n; i++)
         print_section(out, f->sections.at[i]);
     if (f->app)

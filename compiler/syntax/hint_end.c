@@ -137,8 +137,8 @@ HintResult hint_skip_const(HintCase *c)
     return HINT_READ;
 }
 
-// Reports and skips a unit in brackets, as in F32 pressure [bar] @read_only. The bracket does not begin a section.
-HintResult hint_skip_bracketed_unit(HintCase *c)
+// Reports a unit in brackets, as in F32 pressure [bar] @read_only, and skips it. The bracket does not begin a section.
+HintResult hint_report_bracketed_unit(HintCase *c)
 {
     Parser *p = c->p;
 

@@ -182,11 +182,46 @@ static bool is_file_name(const Lexer *l, uint32_t p)
     return end > p && hint_ends_line(l, hint_skip_spaces(l, end));
 }
 
+// Whether a text in quotes is at p: "plant.ss".
+static bool is_text(const Lexer *l, uint32_t p)
+{
+    const char *s = l->src->text + p, *end = *s == '"' ? memchr(s + 1, '"', l->src->len - p - 1) : NULL;
+
+    return end && !memchr(s, '\n', (size_t)(end - s));
+}
+
+static bool is_path_character(char c) { return lexer_is_word(c) || c == '.' || c == '/' || c == '-'; }
+
+// Reports a line of a script such as `include plant.ss`, <plant.ss> or `import "plant.ss"`, and skips it.
+static HintResult read_script_include(Lexer *l, const Token *t)
+{
+    const uint32_t start = hint_skip_spaces(l, t->at + t->len);
+    const char open = lexer_byte(l, start);
+    const bool is_enclosed = open == '"' || open == '\'' || open == '<';
+    uint32_t from = start + is_enclosed, end = from;
+    Diag *d;
+
+    while (is_path_character(lexer_byte(l, end)))
+        end++;
+    if (end == from || (!is_enclosed && (!memchr(l->src->text + from, '.', end - from) || !hint_ends_line(l, hint_skip_spaces(l, end)))))
+        return HINT_NONE;
+    d = diag_report(l->diags, DIAG_include_form, lexer_span(l, t->at, t->len));
+    diag_label(l->diags, d, DIAG_label_write, format_in(l->diags->arena, "include \"%.*s\"", (int)(end - from), l->src->text + from));
+    lexer_skip_comment(l);
+    return HINT_SKIPPED;
+}
+
 // Reports and skips a line such as `include "common.sm"` or `import common`.
 HintResult hint_read_include(Lexer *l, Token *t)
 {
+    static const char word[] = "include";
     Diag *d;
 
+    if (l->script && t->len == sizeof word - 1 && memcmp(l->src->text + t->at, word, t->len) == 0 &&
+        is_text(l, hint_skip_spaces(l, t->at + t->len)))
+        return HINT_NONE;
+    if (l->script)
+        return read_script_include(l, t);
     if (l->config || !is_file_name(l, hint_skip_spaces(l, t->at + t->len)))
         return HINT_NONE;
     d = diag_report(l->diags, DIAG_foreign_word, lexer_span(l, t->at, t->len), lexer_text(l, t->at, t->at + t->len));

@@ -270,7 +270,17 @@ static void lex_prefixed(Lexer *l, Token *t, TokenKind kind)
     lexer_finish_token(l, t, end == l->at + 1 ? TOK_ERROR : kind, end);
 }
 
-// Reads text in quotes: the reason of an @allow, or a file name. It can contain the characters that a comment can contain. Returns false if
+// Whether quoted text here can be that of an item of a script: it follows a complete value, or the word of the item.
+static bool may_be_remark(const Lexer *l)
+{
+    const TokenKind last = l->last;
+
+    return l->texts && l->open_parens == 0 &&
+           (last == TOK_NAME || last == TOK_NUMBER || last == TOK_RPAREN || last == TOK_TRUE || last == TOK_FALSE || last == TOK_ANNOTATION ||
+            last == TOK_COMMA || last == TOK_TEXT);
+}
+
+// Reads text in quotes: the reason of an @allow, a file name, or the text of an item of a script. It can contain the characters that a comment can contain. Returns false if
 // the position allows no text, or the text does not end on its line.
 static bool lex_text(Lexer *l, Token *t)
 {
@@ -278,7 +288,7 @@ static bool lex_text(Lexer *l, Token *t)
     const uint32_t from = l->at + 1;
     uint32_t end = from;
 
-    if (s[l->at] != '"' || (l->allow == LEX_NO_ALLOW && !l->config))
+    if (s[l->at] != '"' || (l->allow == LEX_NO_ALLOW && !l->config && !may_be_remark(l)))
         return false;
     while (end < l->src->len && s[end] != '"' && s[end] != '\n')
         end++;
@@ -378,8 +388,21 @@ static LexAllow next_allow_state(const Lexer *l, const Token *t)
            t->kind == TOK_END ? LEX_NO_ALLOW : l->allow;
 }
 
+// Whether quoted text can follow token t of a script in its statement.
+static bool precedes_text(const Token *t)
+{
+    static const char *const items[] = {"assert", "fail", "expect", "print"};
+
+    for (size_t i = 0; t->kind == TOK_ANNOTATION && i < sizeof items / sizeof *items; i++)
+        if (strcmp(t->text->text, items[i]) == 0)
+            return true;
+    return t->kind == TOK_NAME && t->first && strcmp(t->text->text, "include") == 0;
+}
+
 void lex_next(Lexer *l, Token *t)
 {
+    const bool is_enclosed = l->open_parens > 0;               // a line end is a space here
+
     do {
         skip_spaces(l);
         memset(t, 0, sizeof *t);
@@ -398,6 +421,8 @@ void lex_next(Lexer *l, Token *t)
         t->first = true;
     l->stores = (l->stores && !t->first) || t->kind == TOK_ASSIGN;
     l->annotated = (l->annotated && !t->first) || t->kind == TOK_ANNOTATION;
+    if (l->script)
+        l->texts = (l->texts && (!t->first || is_enclosed)) || precedes_text(t);
     l->first = false;
     l->last = t->kind;
     l->allow = next_allow_state(l, t);

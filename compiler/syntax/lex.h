@@ -28,7 +28,7 @@ typedef struct Token {
     SmF64 number;             // NUMBER: its value
 } Token;
 
-// Quoted text is a token only inside an @allow( ), and wherever Lexer.config is set.
+// Quoted text is a token only inside an @allow( ), where Lexer.texts is set, and everywhere where Lexer.config is.
 typedef enum LexAllow {
     LEX_NO_ALLOW,
     LEX_ALLOW,                // after its name: until the end of the line
@@ -68,6 +68,8 @@ typedef struct Lexer {
     bool keep_comments;       // lex_next returns comments as tokens
     bool config;              // a .io, .app or .net: file names are quoted, and units follow numbers
     bool addresses;           // a .net: four numbers with dots are an address
+    bool script;              // a .ss: quoted text can follow `include`, @assert, @fail, @expect and @print
+    bool texts;               // in a script: quoted text can follow in this statement
     TokenKind last;           // kind of the last token returned
     LexAllow allow;           // the current position relative to an @allow( )
 

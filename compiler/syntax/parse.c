@@ -55,6 +55,18 @@ bool parser_at_end_of_statement(const Parser *p)
     return p->tok.first || parser_at_end_of_block(p) || p->last.kind == TOK_RBRACE;
 }
 
+// Whether the next tokens are `include` and a text.  Only in a script is there a text after this word.
+bool parser_at_include(const Parser *p)
+{
+    return p->tok.kind == TOK_NAME && p->ahead.kind == TOK_TEXT && !p->ahead.first && strcmp(p->tok.text->text, "include") == 0;
+}
+
+void parser_report_late_include(Parser *p)
+{
+    parser_fail(p, DIAG_include_late, parser_token_span(p));
+    parser_advance(p);
+}
+
 void parser_skip_line(Parser *p)
 {
     while (!p->tok.first && p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END)
@@ -320,13 +332,17 @@ static AstSectionKind find_section_kind(FileKind file, const AstSection *s)
     }
     if (is_section_named(s, "options"))
         return AST_OPTIONS;
-    return is_section_named(s, "state_vector") || is_section_named(s, "local") ? AST_IGNORED : AST_SCRIPT_STATE;
+    if (is_section_named(s, "local"))
+        return AST_LOCAL;
+    return is_section_named(s, "state_vector") ? AST_IGNORED : AST_SCRIPT_STATE;
 }
 
 // Reports section s if f already contains a section of this kind and a file can have only one.
 static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
 {
-    if (s->kind != AST_STATE_VECTOR && s->kind != AST_LOCAL && s->kind != AST_PINS && (s->kind != AST_OPTIONS || f->kind == FILE_SS))
+    const bool is_single = s->kind == AST_STATE_VECTOR || s->kind == AST_PINS || ((s->kind == AST_LOCAL || s->kind == AST_OPTIONS) && f->kind != FILE_SS);
+
+    if (!is_single)
         return;
     for (size_t i = 0; i < f->sections.n; i++)
         if (f->sections.at[i]->kind == s->kind && f->sections.at[i]->digital == s->digital) {
@@ -349,18 +365,27 @@ static void find_define_kind(Parser *p, AstSection *s)
         s->kind = AST_DEFINE;
 }
 
+// Whether the line at the next token declares a variable with an initial value.
+static bool at_local(const Parser *p)
+{
+    const char *line = p->lex.src->text + p->tok.at;                 // terminated by a NUL
+
+    return p->tok.kind == TOK_TYPE && p->ahead.kind == TOK_NAME && line[strcspn(line, "=\n#")] == '=';
+}
+
 // Corrects the kind of a section whose first line shows that its name is misspelt, and reports the name. A "state" that begins with a
-// declaration is [state_vector] or [local]; a section of a script that begins with an option is [options].
+// declaration is [state_vector] or [local]; a section of a script that begins with an option is [options], or [local] with a declaration.
 static void correct_section_kind(Parser *p, AstSection *s)
 {
     static const char *const names[] = {[AST_STATE_VECTOR] = "state_vector", [AST_LOCAL] = "local", [AST_OPTIONS] = "options"};
     AstSectionKind kind = s->kind;
     Diag *d;
 
-    if (kind == AST_STATE && p->tok.kind == TOK_TYPE && p->ahead.kind == TOK_NAME) {
-        const char *line = p->lex.src->text + p->tok.at;             // terminated by a NUL
-        kind = line[strcspn(line, "=\n#")] == '=' ? AST_LOCAL : AST_STATE_VECTOR;     // locals have initial values
-    } else if (kind == AST_SCRIPT_STATE && p->tok.kind == TOK_NAME && !p->ahead.first &&
+    if (kind == AST_STATE && p->tok.kind == TOK_TYPE && p->ahead.kind == TOK_NAME)
+        kind = at_local(p) ? AST_LOCAL : AST_STATE_VECTOR;
+    else if (kind == AST_SCRIPT_STATE && at_local(p))
+        kind = AST_LOCAL;
+    else if (kind == AST_SCRIPT_STATE && p->tok.kind == TOK_NAME && !p->ahead.first &&
              (p->ahead.kind == TOK_NUMBER || p->ahead.kind == TOK_NAME) &&
              (strcmp(p->tok.text->text, "delta_t") == 0 || strcmp(p->tok.text->text, "init_state") == 0))
         kind = AST_OPTIONS;
@@ -450,6 +475,23 @@ static void parse_section(Parser *p, AstFile *f)
         p->visitor->section(p->visitor->context, s);
 }
 
+// ---- includes ----
+
+// Parses the lines `include "plant.ss"` at the start of a script.
+static void parse_includes(Parser *p, AstFile *f)
+{
+    while (parser_at_include(p)) {
+        p->failed = false;
+        parser_advance(p);
+        vec_push(p->arena, &f->includes, ((AstInclude){p->tok.text, parser_token_span(p)}));
+        parser_advance(p);
+        if (!p->tok.first)
+            hint_explain(p, HINT_AT_END, NULL);
+        parser_skip_line(p);
+    }
+    p->failed = false;
+}
+
 // ---- a file ----
 
 // Finds the kind of a file from its name; returns false if the name has no known ending.
@@ -479,6 +521,7 @@ static void init_parser(Parser *p, Arena *arena, StrPool *strings, Diags *diags,
     hint_init_index(&p->hints);
     p->lex.config = kind == FILE_IO || kind == FILE_APP || kind == FILE_NET;
     p->lex.addresses = kind == FILE_NET;
+    p->lex.script = kind == FILE_SS;
     lex_next(&p->lex, &p->tok);
     lex_next(&p->lex, &p->ahead);
 }
@@ -510,6 +553,8 @@ static AstFile *parse_visited(Arena *arena, StrPool *strings, Diags *diags, cons
         return f;
     }
     p.visitor = v;
+    if (kind == FILE_SS)
+        parse_includes(&p, f);
     if (p.tok.kind != TOK_HEADER && p.tok.kind != TOK_END) {
         if (p.tok.kind != TOK_ERROR)
             diag_label(diags, parser_report(&p, DIAG_text_before_section, parser_token_span(&p)), DIAG_label_text, first_section[kind]);
@@ -529,6 +574,19 @@ static AstFile *parse_visited(Arena *arena, StrPool *strings, Diags *diags, cons
 AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind)
 {
     return parse_visited(arena, strings, diags, src, kind, NULL);
+}
+
+// Parses only the includes of a script.
+AstFile *parse_script_includes(Arena *arena, StrPool *strings, Diags *diags, const Source *src)
+{
+    AstFile *f = ARENA_NEW(arena, AstFile);
+    Parser p;
+
+    f->kind = FILE_SS;
+    f->src = src;
+    init_parser(&p, arena, strings, diags, src, FILE_SS);
+    parse_includes(&p, f);
+    return f;
 }
 
 // Parses a script.  The sections of the returned tree have no items, because `v` has received them.

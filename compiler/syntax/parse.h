@@ -24,6 +24,9 @@ typedef struct ScriptVisitor {
 // Parses a script. The sections of the returned tree have no items, because `v` has received them.
 AstFile *parse_script(Arena *arena, StrPool *strings, Diags *diags, const Source *src, const ScriptVisitor *v);
 
+// Parses only the includes at the start of a script. The returned tree has no sections.
+AstFile *parse_script_includes(Arena *arena, StrPool *strings, Diags *diags, const Source *src);
+
 // Prints the tokens of a source, one per line, comments included: --emit=tokens.
 void lex_print(StrPool *strings, Diags *diags, const Source *src, FileKind kind, Buf *out);
 

@@ -97,7 +97,8 @@ static bool check_annotation_target(Parser *p, const Annotated *o, const AstAnno
     else if (o->target == AST_ON_SV_ELEMENT)
         parser_report(p, DIAG_annotation_in_sv, a->span, word);
     else
-        parser_report(p, DIAG_annotation_on_local, a->span, word);
+        parser_report(p, DIAG_annotation_on_local, a->span, word,
+                      a->kind == AST_ALLOW ? "machines and state vectors" : "elements of the state vector");
     return false;
 }
 
@@ -294,6 +295,13 @@ static void parse_annotation_arguments(Parser *p, AstAnnotation *a)
     }
 }
 
+// Skips (name, "reason") of an @allow that is not allowed: parse_finding stops at the first error.
+static void skip_finding(Parser *p)
+{
+    while (!p->tok.first && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_TYPE && p->tok.kind != TOK_HEADER)
+        parser_advance(p);
+}
+
 // ---- all of them ----
 
 static void parse_annotation(Parser *p, const Annotated *o)
@@ -312,7 +320,10 @@ static void parse_annotation(Parser *p, const Annotated *o)
     parser_advance(p);
     first = first && !p->tok.first;
     p->failed = !allowed;                     // silences errors in the arguments of an annotation that is not allowed
-    parse_annotation_arguments(p, &a);
+    if (!allowed && rows[row].takes == TAKES_FINDING)
+        skip_finding(p);
+    else
+        parse_annotation_arguments(p, &a);
     p->failed = p->failed && allowed;
     a.span = parser_span_since(p, a.span.at);
     if (p->failed)
@@ -365,8 +376,8 @@ const AstAnnotation *parse_allow(Parser *p)
 
 void parser_report_annotation_in_block(Parser *p)
 {
-    static const char *const script_words[] = {"assert", "stop"};
-    const char *word = p->tok.text->text, *near = str_nearest(word, script_words, 2);
+    static const char *const script_words[] = {"assert", "stop", "fail", "expect", "print"};
+    const char *word = p->tok.text->text, *near = str_nearest(word, script_words, sizeof script_words / sizeof *script_words);
     Diag *d = parser_fail(p, DIAG_annotation_here, parser_token_span(p), word);
 
     if (is_for_states_only(find_annotation_row(p->tok.text, AST_ON_STATE)))

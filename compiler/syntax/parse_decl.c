@@ -114,7 +114,7 @@ static void report_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
 static void parse_decl(Parser *p, AstSection *s)
 {
     const AstAnnotationTarget target = s->kind == AST_REGION  ? AST_ON_SV_ELEMENT
-                                       : s->kind == AST_LOCAL ? AST_ON_LOCAL
+                                       : s->kind == AST_LOCAL ? (p->kind == FILE_SS ? AST_ON_SCRIPT_LOCAL : AST_ON_LOCAL)
                                                               : AST_ON_ELEMENT;
     AstDecl d = {0};
 
@@ -142,7 +142,10 @@ void parse_decls(Parser *p, AstSection *s)
 {
     while (p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END) {
         p->failed = false;
-        parse_decl(p, s);
+        if (parser_at_include(p))
+            parser_report_late_include(p);
+        else
+            parse_decl(p, s);
         if (p->failed)
             parser_skip_line(p);
     }
@@ -300,7 +303,9 @@ void parse_options(Parser *p, AstSection *s)
 {
     while (p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END) {
         p->failed = false;
-        if (p->tok.kind == TOK_NAME) {
+        if (parser_at_include(p)) {
+            parser_report_late_include(p);
+        } else if (p->tok.kind == TOK_NAME) {
             parse_option(p, s);
         } else {
             if (p->tok.kind == TOK_ERROR)

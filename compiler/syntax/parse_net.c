@@ -8,7 +8,7 @@
 #define RECEIVE_EXAMPLE "receive commands on 5001 @timeout 500 ms { valveOpen @safe false }"
 #define ENDPOINT_EXAMPLE "endpoint ground 10.0.0.2:5000"
 
-typedef enum NetArguments { TAKES_NOTHING, TAKES_ELEMENT, TAKES_TIME, TAKES_ADDRESS, TAKES_KEY, TAKES_COUNT, TAKES_VALUE } NetArguments;
+typedef enum NetArguments { TAKES_NOTHING, TAKES_ELEMENT, TAKES_TIME, TAKES_NUMBER, TAKES_ADDRESS, TAKES_KEY, TAKES_COUNT, TAKES_VALUE } NetArguments;
 typedef enum NetTarget { NET_ON_SEND, NET_ON_RECEIVE, NET_ON_PART, NET_ON_SENT_PART, NET_TARGETS } NetTarget;
 
 static const struct { const char *name; NetArguments takes; bool on[NET_TARGETS]; const char *example; } rows[] = {
@@ -80,6 +80,7 @@ static bool parse_arguments(Parser *p, AstNetAnnotation *a)
     case TAKES_ELEMENT: return app_parse_name(p, &a->word, "the name of an element", example);
     case TAKES_KEY:     return app_parse_name(p, &a->word, "the name of a key", example);
     case TAKES_TIME:    return app_parse_amount(p, &a->amount, APP_TIME, example);
+    case TAKES_NUMBER:  return app_parse_amount(p, &a->amount, APP_NUMBER, example);
     case TAKES_ADDRESS: return parse_address(p, &a->word, "an address without a port", example);
     case TAKES_VALUE:   return parse_value(p, a);
     case TAKES_COUNT:

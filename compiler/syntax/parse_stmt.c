@@ -202,23 +202,129 @@ static void parse_transition(Parser *p, AstStmts *into)
     parser_fail(p, DIAG_transition_without_state, parser_missing_span(p), parser_describe_found(p));
 }
 
+// ---- items of scripts ----
+
+typedef struct ItemWord { const char *word; AstStmtKind kind; } ItemWord;
+
+static const ItemWord item_words[] = {
+    {"assert", AST_ASSERT}, {"stop", AST_STOP}, {"fail", AST_FAIL}, {"expect", AST_EXPECT}, {"print", AST_PRINT}};
+
+// Returns the item of a script that an annotation begins; NULL: none.
+static const ItemWord *find_item_word(Str word)
+{
+    for (size_t i = 0; i < sizeof item_words / sizeof *item_words; i++)
+        if (strcmp(item_words[i].word, word->text) == 0)
+            return &item_words[i];
+    return NULL;
+}
+
+static bool at_requirement(const Parser *p) { return p->tok.kind == TOK_ANNOTATION && strcmp(p->tok.text->text, "req") == 0; }
+
+// Parses `@req R7`.
+static void parse_requirement(Parser *p, AstRemark *r)
+{
+    Span at = parser_token_span(p);
+
+    parser_advance(p);
+    if (p->tok.first || p->tok.kind != TOK_NAME) {
+        parser_fail(p, DIAG_requirement_name, parser_missing_span(p), parser_describe_found(p));
+        return;
+    }
+    if (r->requirement)
+        parser_report(p, DIAG_remark_twice, at, "requirement");
+    r->requirement = p->tok.text;
+    parser_advance(p);
+}
+
+// Reports a comma between an item and its text, as in other languages.
+static void skip_comma_before_text(Parser *p)
+{
+    Diag *d;
+
+    if (p->tok.kind != TOK_COMMA || p->tok.first || p->ahead.kind != TOK_TEXT)
+        return;
+    d = parser_report(p, DIAG_comma_before_text, parser_token_span(p));
+    diag_edit(p->diags, d, parser_token_span(p), "");
+    parser_advance(p);
+}
+
+// Parses the text and the requirement of an item: `"the valve opens" @req R7`.
+static void parse_remark(Parser *p, AstRemark *r)
+{
+    skip_comma_before_text(p);
+    while (!p->failed && !p->tok.first && (p->tok.kind == TOK_TEXT || at_requirement(p))) {
+        if (p->tok.kind == TOK_ANNOTATION) {
+            parse_requirement(p, r);
+            continue;
+        }
+        if (r->text)
+            parser_report(p, DIAG_remark_twice, parser_token_span(p), "text");
+        r->text = p->tok.text;
+        parser_advance(p);
+    }
+}
+
+// Parses `within 500 ms`.
+static void parse_within(Parser *p, AstRemark *r)
+{
+    if (p->failed)
+        return;
+    if (p->tok.first || p->tok.kind != TOK_NAME || strcmp(p->tok.text->text, "within") != 0) {
+        parser_fail(p, DIAG_expect_without_time, parser_missing_span(p), parser_describe_found(p));
+        return;
+    }
+    parser_advance(p);
+    r->within = parse_value_of(p, false);
+}
+
+// Parses the values of an @print.
+static void parse_printed(Parser *p, AstRemark *r)
+{
+    AstExpr *value = parse_value_of(p, false);
+
+    vec_push(p->arena, &r->values, value);
+    while (!p->failed && p->tok.kind == TOK_COMMA && !p->tok.first && p->ahead.kind != TOK_TEXT) {
+        parser_advance(p);
+        value = parse_value_of(p, false);
+        vec_push(p->arena, &r->values, value);
+    }
+}
+
+static void parse_item(Parser *p, AstStmtKind kind, AstStmts *into)
+{
+    AstStmt *s = add_stmt(p, kind, into);
+    AstRemark r = {0};
+
+    parser_advance(p);
+    if (kind == AST_ASSERT || kind == AST_EXPECT)
+        s->value = parse_value_of(p, true);
+    if (kind == AST_EXPECT)
+        parse_within(p, &r);
+    if (kind == AST_PRINT)
+        parse_printed(p, &r);
+    if (kind != AST_STOP)
+        parse_remark(p, &r);
+    if (kind == AST_FAIL && !r.text)
+        parser_fail(p, DIAG_fail_without_text, parser_missing_span(p), parser_describe_found(p));
+    if (kind == AST_PRINT && r.requirement)
+        parser_report(p, DIAG_requirement_of_print, s->span);
+    if (r.text || r.requirement || (kind != AST_ASSERT && kind != AST_STOP))
+        s->remark = arena_copy(p->arena, &r, sizeof r);
+    s->span = parser_span_since(p, s->span.at);
+    report_if_unguarded(p, s);
+}
+
 static void parse_annotated(Parser *p, AstStmts *into)
 {
-    bool is_assert = strcmp(p->tok.text->text, "assert") == 0;
-    AstStmt *s;
+    const ItemWord *item = find_item_word(p->tok.text);
 
-    if (!is_assert && strcmp(p->tok.text->text, "stop") != 0) {
+    if (!item) {
         parser_report_annotation_in_block(p);
         return;
     }
     if (!in_script(p))
         parser_report(p, DIAG_script_only, parser_token_span(p), p->tok.text->text);
-    s = add_stmt(p, is_assert ? AST_ASSERT : AST_STOP, into);
-    parser_advance(p);
-    if (is_assert)
-        s->value = parse_value_of(p, true);
-    s->span = parser_span_since(p, s->span.at);
-    report_if_unguarded(p, s);
+    parse_item(p, item->kind, into);
 }
 
 // ---- @allow ----
@@ -433,6 +539,8 @@ static void parse_statement(Parser *p, AstStmts *into)
     }
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
+    else if (parser_at_include(p))
+        parser_report_late_include(p);
     else if (hint_explain(p, HINT_AT_STATEMENT, NULL) == HINT_SKIPPED)
         return;
     else if (p->tok.kind == TOK_NAME && is_assignment_operator(p->ahead.kind) && !p->ahead.first)

@@ -82,6 +82,8 @@ void parse_annotations(Parser *p, AstAnnotationTarget target, Str owner, Span ow
 bool parse_signed_number(Parser *p, AstNumber *into);   // parses a number with or without a sign; false: there is none
 void parse_pins(Parser *p, AstSection *s);
 void parser_report_pin_section(Parser *p, const AstSection *s);
+bool parser_at_include(const Parser *p);                // whether the next tokens are `include` and a text
+void parser_report_late_include(Parser *p);             // reports one that is in a section
 bool parser_is_allow(const Token *t);
 const AstAnnotation *parse_allow(Parser *p);            // an @allow before a statement; NULL if it reported an error
 void parser_report_annotation_before_decl(Parser *p);                 // reports an annotation where a declaration should begin

@@ -26,5 +26,5 @@ F64 c = 7 @read_only
 delta_t 1
 
 [all_states]
-G == 0: @expect x == 1   #! E0340
+G == 0: @demand x == 1   #! E0340
 G == 3: @stop

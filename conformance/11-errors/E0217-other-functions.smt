@@ -8,13 +8,13 @@ F64 p @read_only
 F64 x
 [Idle]
 .step
-    x = sin(p)                      #! E0217 outside the machine
-    x = sinh(p) + tan(p)            #! E0217 outside the machine #! E0217 outside the machine
+    x = sinh(p)                     #! E0217 outside the machine
+    x = cosh(p) + tanh(p)           #! E0217 outside the machine #! E0217 outside the machine
     x = random()                    #! E0217 outside the machine
-    x = exp(p)                      #! E0217 outside the machine
+    x = ln(p) + log2(p)             #! E0217 write log(x) #! E0217 write log(x) / log(2)
     x = sqr(p)                      #! E0217 multiply
     x = average(p, 5)               #! E0217 write roll_avg(x, n)
     x = constrain(p, 0, 1)          #! E0217 write clamp(x, lo, hi)
-    x = hypot(p, p)                 #! E0217 write sqrt(x * x + y * y)
+    x = power(p, 2)                 #! E0217 write pow(x, y)
     x = flor(p)                     #! E0217 did you mean 'floor'?
     x = 2 * PI                      #! E0204 F64 pi = 3.141592653589793 @read_only

@@ -17,7 +17,7 @@ F64 count = 1
 [options]
 delta_t 10
 [all_states]
-sin(x) > 1: x = 1             #! E0217
+sinh(x) > 1: x = 1            #! E0217
 G == 0: x = abs(1, 2)         #! E0401
 G == 1: x = roll_avg(x, y)    #! E0402
 G == 2: x = roll_avg(x, 2.5)  #! E0404

@@ -13,5 +13,5 @@ F64 k = lenght(2)             #! E0217 'lenght'
     x = absolut(1) + foor(2)  #! E0217 'absolut' #! E0217 did you mean 'floor'?
     x = sqroot(x) + foor(y) + k   #! E0204 'y'
     x = AND(x > 1, k)         #! E0217 write a and b
-    x = pow(x, 2)             #! E0217 multiply
+    x = square(x)             #! E0217 multiply
     x = Mod(x, 2)             #! E0217 remainder

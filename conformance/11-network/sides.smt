@@ -17,4 +17,3 @@ send b every 10 ms from 10.0.0.2:1 { throttle }  #! E1203 'to' and an address
 receive c from 10.0.0.2:5002 { small }      #! E1203 write 'on' and a port
 receive d to 10.0.0.2:5003 { bad }          #! E1203
 receive e 5003 { other }                    #! E1020 expected 'on' or 'from'
-send f every 10 ms to tcp 10.0.0.2:1 { throttle }   #! E1204 'f' cannot use TCP

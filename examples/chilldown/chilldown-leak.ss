@@ -9,7 +9,7 @@ G == 0 {
     lineTemp     = 290
     linePressure = 1
 }
-true: @assert pulses <= 60 and S != 4
+true: @assert pulses <= 60 and S != Flow
 
 [Abort]
 true: @assert pulses == 60 and not sensorFailed and not chillValve

@@ -10,8 +10,8 @@ true {
     lineTemp     = 96
 }
 T > 4000: lineTemp = 94 + 3 * (floor(G / 4000) * 4000 == G)      # never for five seconds on end
-G < 121000: @assert not lineReady and S != 6
-true: @assert S != 5
+G < 121000: @assert not lineReady and S != Abort
+true: @assert S != Ready
 
 [Flow]
 T == 120000: @assert chillValve

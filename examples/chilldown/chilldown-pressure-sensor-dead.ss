@@ -19,10 +19,10 @@ T >= 100: @assert not chillValve
 true: @assert G < 5000 or G >= 5000 and not chillValve and bleedValve and not sensorFailed
 
 [all_states]
-G == 5000: @assert S == 6
-G == 20000: @assert S == 6
+G == 5000: @assert S == Abort
+G == 20000: @assert S == Abort
 G == 20000: linePressure = 1
 G == 20100 {
-    @assert S == 1
+    @assert S == Warm
     @stop
 }

@@ -43,10 +43,10 @@ T == 4000: @assert not lineReady
 T < 15000: linePressure = 5
 T == 10000: chill = false
 T > 10000: chill = false
-T < 15000: @assert S == 6
+T < 15000: @assert S == Abort
 true: @assert T <= 15000 and not chillValve and not lineReady and bleedValve
 
 [all_states]
-G == 10000: @assert S == 6
-G == 30000: @assert S == 6
+G == 10000: @assert S == Abort
+G == 30000: @assert S == Abort
 G == 140000: @stop

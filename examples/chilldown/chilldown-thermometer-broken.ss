@@ -45,7 +45,7 @@ true: @assert T <= 10000
 G > 1000: @assert not sensorFailed and not chillValve and bleedValve
 
 [all_states]
-G == 10000: @assert S == 6
-G == 21000: @assert S == 6
-G == 68000: @assert S == 5 or S == 4
+G == 10000: @assert S == Abort
+G == 21000: @assert S == Abort
+G == 68000: @assert S == Ready or S == Flow
 G == 78000: @stop

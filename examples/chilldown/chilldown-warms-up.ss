@@ -33,5 +33,5 @@ T < 9000: @assert lineReady
 true: @assert T <= 9100
 
 [all_states]
-G == 20000: @assert S == 4
+G == 20000: @assert S == Flow
 G == 30000: @stop

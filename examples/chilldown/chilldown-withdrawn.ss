@@ -8,7 +8,7 @@ delta_t 50
 G == 0: lineTemp = 290
 T >= 500 and not chill: chill = true
 true: linePressure = 2
-true: @assert not lineReady and S != 6
+true: @assert not lineReady and S != Abort
 
 [Soak]
 G < 10000 and T == 1000: chill = false

@@ -15,7 +15,7 @@ chillValve: lineTemp = max(91, lineTemp - 0.4)
 not chillValve: lineTemp = lineTemp + 0.005
 chillValve: linePressure = min(6, linePressure + 0.8)
 not chillValve: linePressure = max(1, linePressure - 0.2)
-true: @assert bleedValve and not sensorFailed and (S == 5 or not lineReady)
+true: @assert bleedValve and not sensorFailed and (S == Ready or not lineReady)
 
 [Warm]
 true: @assert not chillValve and not lineReady
@@ -43,10 +43,10 @@ T > 0 and chill: @assert lineReady and 90 < lineTemp < 98.5
 T > 1000 and lineTemp < 94: @assert not chillValve
 
 [all_states]
-G ==   900: @assert S == 1
-G == 40000: @assert S == 2 or S == 3
-G == 400000: @assert S == 5
+G ==   900: @assert S == Warm
+G == 40000: @assert S == Pulse or S == Soak
+G == 400000: @assert S == Ready
 G == 500100 {
-    @assert S == 1 and not chillValve and not lineReady
+    @assert S == Warm and not chillValve and not lineReady
     @stop
 }

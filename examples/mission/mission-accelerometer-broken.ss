@@ -13,11 +13,11 @@ true {
 
 [Powered]
 true: @assert T <= 4510 and not mayBrake
-T == 4500: @assert S == 2
+T == 4500: @assert S == Powered
 
 [Coast]
 true: @assert T <= 22010
-T == 22000: @assert S == 3 and not deployParachutes and mayBrake
+T == 22000: @assert S == Coast and not deployParachutes and mayBrake
 
 [Descent]
 true: @assert deployParachutes and not mayBrake

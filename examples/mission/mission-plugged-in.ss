@@ -6,5 +6,5 @@ delta_t 10
 [all_states]
 G == 0: umbilical = true
 true: acceleration = 60
-true: @assert S == 1 and not mayBrake and not deployParachutes
+true: @assert S == Pad and not mayBrake and not deployParachutes
 G == 60000: @stop

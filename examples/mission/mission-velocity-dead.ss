@@ -15,7 +15,7 @@ delta_t 10
     altitude     = max(40, 320 + 160 * (G / 1000 - 6) - 5.3 * (G / 1000 - 6) * (G / 1000 - 6))
 }
 G >= 8000: velocity = 0
-G == 8000: @assert S == 3
+G == 8000: @assert S == Coast
 G < 21000: @assert not deployParachutes
 G == 21500 {
     @assert deployParachutes

@@ -18,7 +18,7 @@ true: @assert not mayBrake
 
 [Coast]
 T == 0: @assert 2000 < G < 2150
-velocity > 0: @assert S == 3 and not deployParachutes
+velocity > 0: @assert S == Coast and not deployParachutes
 
 [Descent]
 T == 0: @assert G < 6250 and altitude > 110

@@ -29,7 +29,7 @@ G >= 21000 {
     altitude     = max(40, altitude - 0.2)   # a hill, 40 m above the pad
     acceleration = 9.8
 }
-true: @assert (S == 3 or not mayBrake) and (S == 4 or not deployParachutes)
+true: @assert (S == Coast or not mayBrake) and (S == Descent or not deployParachutes)
 
 [Pad]
 true: @assert G <= 2100
@@ -50,10 +50,10 @@ T == 0: @assert deployParachutes and not mayBrake and 21000 < G < 21150
 true: @assert altitude == 40 and not deployParachutes
 
 [all_states]
-G == 3600: @assert S == 2
-G == 10000: @assert S == 3
-G == 60000: @assert S == 4
+G == 3600: @assert S == Powered
+G == 10000: @assert S == Coast
+G == 60000: @assert S == Descent
 G == 110000 {
-    @assert S == 5
+    @assert S == Landed
     @stop
 }

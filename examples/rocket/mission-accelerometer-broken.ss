@@ -9,9 +9,9 @@ G == 0: tankPressure = 40
     velocity = 50
     altitude = altitude + 0.5
 }
-true: @assert S != 6
-G == 5000: @assert S == 2
+true: @assert S != Scrub
+G == 5000: @assert S == Powered
 G == 8000 {
-    @assert S == 3
+    @assert S == Coast
     @stop
 }

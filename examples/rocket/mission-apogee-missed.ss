@@ -6,9 +6,9 @@ init_state Coast
 
 [all_states]
 true: velocity = 40
-G == 11900: @assert S == 3 and parachuteMode == 0
+G == 11900: @assert S == Coast and parachuteMode == 0
 G == 12050 {
-    @assert S == 4
+    @assert S == Recovery
     @assert parachuteMode == 2
     @stop
 }

@@ -8,6 +8,6 @@ G == 0: tankPressure = 40
 G > 1000: tankPressure = max(0, 40 - (G - 1000) / 100)
 G == 1000: tankPressure = 10            # one wild sample
 true: @assert engineMode == 1 and parachuteMode == 1 and not flying
-G == 1500: @assert S == 1
-G == 1700: @assert S == 6
+G == 1500: @assert S == Countdown
+G == 1700: @assert S == Scrub
 G == 20000: @stop

@@ -12,14 +12,14 @@ G == 0 {
 3000 <= G < 6000: acceleration = 36
 G >= 6000: acceleration = 0
 G == 3500: @assert engineMode == 2
-G == 7400: @assert S == 2
+G == 7400: @assert S == Powered
 G == 7550 {
-    @assert S == 3
+    @assert S == Coast
     @assert engineMode == 1 and parachuteMode == 1
 }
-G == 11400: @assert S == 3
+G == 11400: @assert S == Coast
 G == 11600 {
-    @assert S == 4
+    @assert S == Recovery
     @assert parachuteMode == 2
     @stop
 }

@@ -11,10 +11,10 @@ G == 0 {
 true: @assert parachuteMode == 1
 G == 4000: @assert engineMode == 2
 G == 4050 {
-    @assert S == 6
+    @assert S == Scrub
     @assert engineMode == 1 and not flying
 }
 G == 20000 {
-    @assert S == 6
+    @assert S == Scrub
     @stop
 }

@@ -28,8 +28,8 @@ G >= 14000 {
 G == 10000: velocity = -300             # the navigation jumps, for three steps
 10000 < G <= 10020: velocity = -300
 true {
-    @assert engineMode == 1 or S == 2
-    @assert parachuteMode == 1 or S == 4
+    @assert engineMode == 1 or S == Powered
+    @assert parachuteMode == 1 or S == Recovery
     @assert engineMode > 0 and parachuteMode > 0
 }
 
@@ -50,10 +50,10 @@ T == 0: @assert parachuteMode == 2 and 14000 < G < 14100
 true: @assert altitude == 0 and parachuteMode == 1 and engineMode == 1
 
 [all_states]
-G == 5000: @assert S == 2
-G == 10500: @assert S == 3
-G == 20000: @assert S == 4
+G == 5000: @assert S == Powered
+G == 10500: @assert S == Coast
+G == 20000: @assert S == Recovery
 G == 80000 {
-    @assert S == 5
+    @assert S == Landed
     @stop
 }

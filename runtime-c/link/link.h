@@ -26,6 +26,11 @@ extern "C" {
 #define LINK_ROOM(body) (LINK_HEAD + (body) + LINK_TAIL + 2u)
 #define LINK_ANSWER   0x80u
 #define LINK_TRIAL_END 8u     // IMAGE: factor of the two bits with the end of a trial (store.h)
+// Flags of MACHINE.
+#define LINK_SWAPPABLE 1u     // the machine can be swapped
+#define LINK_ON_TRIAL  2u
+#define LINK_BUILT_IN  4u     // it runs the image with which the application was built
+#define LINK_STORED    8u     // its image is stored, and runs again after a restart
 #define LINK_WINDOWS  0x80u   // HELLO: flag in the byte with the number of machines: they may have windows
 
 typedef enum LinkMessage {

@@ -40,6 +40,15 @@ typedef struct PalNvmInfo {
 //     SM_E_FULL          the table has no free entry
 SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size);
 
+// Reads the first n bytes of a memory by its name, also while it is open.  Creates, changes and locks nothing, and needs no permission to write:
+// for settings that another program makes.
+//     SM_E_MISSING       no such memory
+//     SM_E_SPACE         it has fewer than n bytes
+//     SM_E_DENIED        no permission to read
+//     SM_E_UNSUPPORTED   the name is not a memory (a folder, a device)
+//     SM_E_ARGUMENT      n is 0; or the name is empty, or not shorter than PAL_NAME
+SmResult pal_nvm_load(const char *name, void *bytes, uint32_t n);
+
 SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info);
 
 // Reads n bytes at address `at`.  SM_E_ARGUMENT: the range exceeds the memory.

@@ -55,8 +55,8 @@ SmResult pal_socket_receive_from(PalSocket socket, PalAddress *from, void *bytes
 SmResult pal_socket_listen(PalSocket *socket, const PalAddress *local);
 
 // Listens for streams of programs on the same computer, at a path of its file system.  Only the user of the program can connect: the file
-// has mode 0600.  A socket that a program has left there is replaced, if it no longer runs.  pal_socket_close removes the file.  Two
-// programs that call this with the same path at the same instant may both succeed, and then only one of them is reached.
+// has mode 0600.  A socket that a program has left there is replaced, if it no longer runs.  pal_socket_close removes the file.  Of
+// several programs that call this with the same path at the same instant, one succeeds; the others wait for at most a few seconds.
 //     SM_E_BUSY          a program listens there, and has received a stream that is closed at once
 //     SM_E_FOREIGN       there is a file that is not a socket
 //     SM_E_MISSING       the folder does not exist
@@ -75,6 +75,25 @@ SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *p
 // Connects to a listening socket.  SM_E_UNREACHABLE: no socket listens there, or there is no route.  SM_E_TIMEOUT: no answer.
 // SM_E_FULL: the table has no free entry.
 SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t timeout);
+
+// Begins to connect to a listening socket, and does not wait.  SM_OK: the caller owns a socket that is connecting; until
+// pal_socket_connected returns SM_OK, it can only be asked and closed.  A failure may be reported here or by pal_socket_connected:
+// SM_E_UNREACHABLE: no socket listens there, or there is no route.  SM_E_FULL: the table has no free entry.
+SmResult pal_socket_connect_start(PalSocket *stream, const PalAddress *to);
+
+// Returns what has become of pal_socket_connect_start, and does not wait.  After any result but SM_OK and SM_E_TIMEOUT, the caller closes
+// the socket.
+//     SM_OK              connected: it is a stream.  So is every stream from pal_socket_connect and pal_socket_accept
+//     SM_E_TIMEOUT       not yet; the platform gives up after minutes, so a caller that cannot wait so long closes the socket
+//     SM_E_UNREACHABLE   no socket listens there, or there is no route
+//     SM_E_ARGUMENT      not a stream
+SmResult pal_socket_connected(PalSocket stream);
+
+// Bounds what a stream stores for a peer that does not receive.  The platform accepts no more than about `room` bytes that the peer's
+// computer has not acknowledged; platforms round up, Linux to a few kilobytes.  If bytes are not acknowledged for `patience` nanoseconds,
+// 1 ms to PAL_TIMEOUT_MAX, the stream breaks, where the platform can notice that.  `room` is from 1 byte to 1 MiB.  SM_E_ARGUMENT: not a stream, or a number is
+// out of range.
+SmResult pal_socket_limit(PalSocket stream, size_t room, uint64_t patience);
 
 // Sends n bytes on a stream.  SM_OK: the platform has accepted all bytes, which does not mean that they arrived.  SM_E_TIMEOUT:
 // only the first *sent bytes were accepted.  SM_E_CLOSED: the peer has disconnected.  SM_E_ARGUMENT: not a stream. *sent is always

@@ -21,7 +21,7 @@ U8   shown
     T > 3000: -> Release
 .exit
     valve = false
-[Release]                   #! W0904 'Release' drives an output and has no transition to an @abort state
+[Release]                   #! W0904 'Release' drives an output and has no path to an @abort state
 .entry
     clamps = true
 .step

@@ -71,6 +71,23 @@ for vector in plain guarded; do
     fi
 done
 
+# With swap_store, the machine of the confirmed swap runs after a restart.
+mkdir "$dir/swap-stored" && cd "$dir/swap-stored" && cp "$here"/swap/* . || exit 1
+sed -i.old 's/^armed .*/swap_store "bench.images"\n&/' bench.app
+swaps_stored()
+{
+    mkdir out
+    "$smc" build bench.app -Werror -o out 2>log && cp "$dir/swap-plain/out/image.h" out/ &&
+        $cc -std=c99 -O1 $warn -I"$root" -Iout -o run_desk out/*.c tasks.c "$desk" -pthread 2>>log && ./run_desk >trace 2>>log && diff expected.txt trace >>log &&
+        ./run_desk >again 2>>log && "$smc" log bench.log >>log && grep -q 'count started with the stored image' log && grep -q 'count: starts in Before' log
+}
+if swaps_stored; then
+    good
+else
+    bad "a machine that is stored"
+    head -20 log
+fi
+
 # Other compilers take the sources without a word, C++ the header.
 for other in gcc clang clang-19; do
     if command -v $other >/dev/null 2>&1; then
@@ -97,16 +114,18 @@ fi
 
 # ---- the output ----
 
-# refuses NAME CODE TEXT: the build ends with CODE, prints TEXT, writes nothing.
+# refuses NAME CODE TEXT [OPTION…]: the build ends with CODE, prints TEXT, writes nothing.
 refuses()
 {
+    name=$1 expected=$2 text=$3
+    shift 3
     rm -rf out && mkdir out
-    "$smc" build probe.app -o out >log 2>&1
+    "$smc" build probe.app -o out "$@" >log 2>&1
     code=$?
-    if test $code = "$2" && grep -q -- "$3" log && test -z "$(ls out)"; then
+    if test $code = "$expected" && grep -q -- "$text" log && test -z "$(ls out)"; then
         good
     else
-        bad "$1: exit $code, where $2 was expected, and '$3'"
+        bad "$name: exit $code, where $expected was expected, and '$text'"
         head -5 log
     fi
 }
@@ -176,6 +195,14 @@ awk 'BEGIN { printf "[analog]\n"; for (i = 0; i < 65536; i++) printf "o %d mode\
 refuses "65,536 pins" 1 E1045
 awk 'BEGIN { printf "[options]\nstate_vector \"probe.sv\"\n[flight]\nevery 1 ms:\n"; for (i = 0; i < 20000; i++) printf "task t%d @mode mod%d\n", i, i }' >probe.app
 refuses "20,000 unknown elements" 1 "20000 errors"
+# The costs of the first machine, whose longest step is in its third state, are not checked again for a machine without an image.
+printf '[options]\nstate_vector "probe.sv"\ntime time 1 ms\n[flight]\nevery 1 ms:\nmachine a "a.sm" @bytecode\nmachine b "b.sm" @bytecode\n' >probe.app
+printf '[A]\nU64 time\nU32 s\nU32 t\nF64 x\nF64 y\n' >probe.sv
+printf '[state_vector]\nU64 time @alias G\nU32 s @alias S\nF64 x\n[A] @safe\n.step\nx > 1: -> B\n[B]\n.step\nx > 2: -> C\n[C]\n.step\nx = x / 3 * x / 7\n' >a.sm
+awk 'BEGIN { printf "[state_vector]\nU64 time @alias G\nU32 t @alias S\nF64 x\nF64 y\n[A] @safe\n.step\n"
+             for (i = 0; i < 2750; i++) printf "y = y + roll_avg(x, %d)\n", 100000 - i }' >b.sm
+refuses "a limit, and windows of 2 GB" 1 "machine 'b' needs too much memory.*E0853" -w --max-step=2
+cp "$here/probe.app" "$here/probe.sv" .
 awk 'BEGIN { for (i = 0; i < 100000; i++) printf "(" }' | cat "$here/probe.app" - >probe.app; refuses "parentheses" 1 "E1023"
 { cat "$here/probe.app"; printf '[more]\nevery 1 s:\ntask a @mode '; awk 'BEGIN { for (i = 0; i < 100000; i++) printf "x" }'; } >probe.app; refuses "a long name" 1 "E0"
 

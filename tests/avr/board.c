@@ -81,7 +81,7 @@ static avr_cycle_count_t written(struct avr_t *a, avr_cycle_count_t when, void *
     return 0;
 }
 
-// Behind simavr's own, which is done with it at once.
+// Called after simavr's own handler, which completes every write at once.
 static void on_eecr(struct avr_t *a, avr_io_addr_t address, uint8_t value, void *param)
 {
     static bool armed;
@@ -145,7 +145,7 @@ bool board_pin(unsigned pin)          // driven high
     return s.ddr >> (place(pin)[1] - '0') & s.port >> (place(pin)[1] - '0') & 1;
 }
 
-// Stronger than the chip's own resistor.  (Of each port one pin at a time.)
+// Drives a pin more strongly than the chip's own resistor.  (One pin of each port at a time.)
 void board_set_pin(unsigned pin, bool level)
 {
     const unsigned bit = 1u << (place(pin)[1] - '0');
@@ -237,8 +237,8 @@ static uint64_t wall(void)            // µs
     return (uint64_t)t.tv_sec * 1000000u + (uint64_t)t.tv_nsec / 1000u;
 }
 
-// While it sleeps this computer may, too, if it is ahead of its time.
-static void nap(avr_t *a, avr_cycle_count_t cycles)
+// While the chip sleeps, this process sleeps too, if the simulation is ahead of real time.
+static void sleep_if_ahead(avr_t *a, avr_cycle_count_t cycles)
 {
     static uint64_t start;
     const uint64_t here = avr_cycles_to_usec(a, a->cycle + cycles);
@@ -251,7 +251,7 @@ static void nap(avr_t *a, avr_cycle_count_t cycles)
         poll(&p, queued == 0, (int)((here - (now - start) * speed) / speed / 1000) + 1);
 }
 
-// The firmware marks the begin and the end of a step.
+// Called by the firmware at the beginning and the end of a step.
 static void on_step(struct avr_t *a, avr_io_addr_t address, uint8_t value, void *param)
 {
     a->data[address] = value;
@@ -310,7 +310,7 @@ static bool start(const char *elf, const char *mcu)
     avr_load_firmware(avr, &firmware);
     paint(&firmware);
     avr->vcc = avr->avcc = avr->aref = millivolts;
-    avr->sleep = nap;
+    avr->sleep = sleep_if_ahead;
     avr_ioctl(avr, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
     avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUTPUT), on_sent, NULL);
     avr_register_io_write(avr, EECR, on_eecr, NULL);

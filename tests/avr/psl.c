@@ -39,7 +39,7 @@ static bool is_connected(uint8_t i) { return (*pwm[i].control & pwm[i].connect) 
 static bool drives(uint8_t i) { return (pwm[i].port[-1] & pwm[i].mask) != 0; }
 static bool is_high(uint8_t i) { return (*pwm[i].port & pwm[i].mask) != 0; }
 
-// Closing leaves the value of an output, here half of the supply: it is the safe value.
+// Closing keeps the value of an output, here half of the supply, because that is the safe value.
 static void leave_analog(uint8_t i)
 {
     PalAio channel = {0};
@@ -49,8 +49,8 @@ static void leave_analog(uint8_t i)
     CHECK(pal_aio_close(channel) == SM_OK && is_connected(i) && drives(i));
 }
 
-// A pin that was an analog output becomes a digital pin: its level is that of the port alone, and the other analog outputs keep theirs.
-static void analog_to_digital(uint8_t i, PalDioMode mode, bool level)
+// An analog output becomes a digital pin: its level is that of the port alone, and the other analog outputs keep theirs.
+static void check_analog_to_digital(uint8_t i, PalDioMode mode, bool level)
 {
     const bool output = mode == PAL_DIO_OUTPUT;
     PalDio pin = {0};
@@ -68,8 +68,8 @@ static void analog_to_digital(uint8_t i, PalDioMode mode, bool level)
     CHECK(pal_dio_close(pin) == SM_OK);
 }
 
-// A pin that was a digital output, or an input with a pull-up resistor, becomes an analog input: it neither drives nor pulls.
-static void digital_to_analog(uint8_t channel, PalDioMode mode)
+// A digital output, or an input with a pull-up resistor, becomes an analog input: it neither drives nor pulls.
+static void check_digital_to_analog(uint8_t channel, PalDioMode mode)
 {
     const uint8_t mask = (uint8_t)(1 << channel);
     PalDio pin = {0};
@@ -82,8 +82,8 @@ static void digital_to_analog(uint8_t channel, PalDioMode mode)
     CHECK(pal_aio_close(input) == SM_OK);
 }
 
-// *sent is filled in whatever the result.
-static void sending(void)
+// *sent is set whatever the result.
+static void check_sending(void)
 {
     const PalSerial none = {0};
     PalSerial line = {0};
@@ -100,11 +100,11 @@ static void sending(void)
     CHECK(pal_serial_close(line) == SM_OK);
 }
 
-// The clock counts in true milliseconds, whatever the chip's frequency is.
+// Sleeps while the computer counts cycles: the clock counts true milliseconds at every frequency of the chip.
 static void sleep_on_clock(void) { (void)pal_clock_sleep_until(pal_clock_now() + PSL_SLEEP * (uint64_t)PAL_MILLISECOND); }
 
 // The supply is 5 V at 16 MHz, 3.3 V at 8 MHz.
-static void analog_range(void)
+static void check_analog_range(void)
 {
     PalAio channel = {0};
     PalAioInfo info = {0};
@@ -118,17 +118,17 @@ static void analog_range(void)
 static void run_checks(void)
 {
     for (uint8_t i = 0; i < PWMS; i++) {
-        analog_to_digital(i, PAL_DIO_INPUT, false);
-        analog_to_digital(i, PAL_DIO_PULL_UP, false);
-        analog_to_digital(i, PAL_DIO_OUTPUT, false);
-        analog_to_digital(i, PAL_DIO_OUTPUT, true);
+        check_analog_to_digital(i, PAL_DIO_INPUT, false);
+        check_analog_to_digital(i, PAL_DIO_PULL_UP, false);
+        check_analog_to_digital(i, PAL_DIO_OUTPUT, false);
+        check_analog_to_digital(i, PAL_DIO_OUTPUT, true);
     }
     for (uint8_t channel = 0; channel < 6; channel++) {
-        digital_to_analog(channel, PAL_DIO_OUTPUT);
-        digital_to_analog(channel, PAL_DIO_PULL_UP);
+        check_digital_to_analog(channel, PAL_DIO_OUTPUT);
+        check_digital_to_analog(channel, PAL_DIO_PULL_UP);
     }
-    analog_range();
-    sending();
+    check_analog_range();
+    check_sending();
 }
 
 int main(void)

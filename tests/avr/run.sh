@@ -25,7 +25,7 @@ count() {
 avr() {
     name=$1
     shift
-    "$AVR_CC" -mmcu=atmega328p -Os -std=c99 -Wall -Wextra -Wconversion -Wshadow -Werror -ffunction-sections -fdata-sections -Wl,--gc-sections \
+    "$AVR_CC" -mmcu=${AVR_MCU:-atmega328p} -Os -std=c99 -Wall -Wextra -Wconversion -Wshadow -Werror -ffunction-sections -fdata-sections -Wl,--gc-sections \
         -I. "$@" -o "$B/$name.elf"
 }
 
@@ -55,11 +55,13 @@ size=$(avr-nm -S --radix=d "$B/auth.elf" | awk '$4 ~ /^(smvm_auth|smvm_mac)_/ ||
 echo "code of images: $size bytes of flash"
 count test "$size" -le 1400
 # The VM: examples and random programs, in lock step with the VM here.
-VM="tests/avr/vm.c bytecode-vm/load.c bytecode-vm/pins.c bytecode-vm/verify.c bytecode-vm/interp.c bytecode-vm/interp_avr.S bytecode-vm/interp_avr_eeprom.S $SOFT"
+VM="tests/avr/vm.c bytecode-vm/load.c bytecode-vm/pins.c bytecode-vm/verify.c bytecode-vm/interp.c bytecode-vm/function.c bytecode-vm/interp_avr.S bytecode-vm/interp_avr_eeprom.S $SOFT"
 vm() { name=$1; shift; avr "$name" "$@" $VM || exit 1; }
+# An ATmega1284P has room for all elementary functions, and otherwise runs as an ATmega328P does.
+export AVR_MCU=atmega1284p
 vm vm -DVM_CELLS
 vm vm_portable -DVM_CELLS -DSMVM_PORTABLE
-vm vm_eeprom -DVM_CELLS -DSMVM_CONFIG='"bytecode-vm/firmware/config.h"'
+vm vm_eeprom -DVM_CELLS -DSMVM_FUNCTIONS=UINT32_MAX -DSMVM_CONFIG='"bytecode-vm/firmware/config.h"'
 $CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_vm.c "$1/libsmc.a" -o "$B/run_vm" -lsimavr -lelf -lm || exit 1
 rm -rf "$B/images" "$B/program"
 mkdir -p "$B/images"
@@ -76,9 +78,10 @@ while [ $program -lt $((SEED + PROGRAMS)) ]; do
     program=$((program + 1))
 done
 size_of() { avr-size "$B/$1.elf" | awk 'NR == 2 { print $1 - 1024 }'; }          # without the room for an image
-vm vm_none -DVM_CELLS -DSM_ROLL_NONE=1
-echo "VM and verifier with soft binary64: $(size_of vm) bytes of flash, $(size_of vm_none) without windows"
-count test $(($(size_of vm) - $(size_of vm_none))) -ge 1900
+vm vm_plain -DVM_CELLS -DSMVM_FUNCTIONS=0u
+vm vm_none -DVM_CELLS -DSMVM_FUNCTIONS=0u -DSM_ROLL_NONE=1
+echo "VM and verifier with soft binary64: $(size_of vm_plain) bytes of flash, $(size_of vm_none) without windows, $(size_of vm) with all elementary functions"
+count test $(($(size_of vm_plain) - $(size_of vm_none))) -ge 1900
 sed 's/F64  tankPressure/I16  tankPressure/' tests/avr/tank.sv >"$B/tank.sv"
 sed 's/^F64 *tankPressure/I16 tankPressure/' examples/tank/tank.sm >"$B/tank_i16.sm"
 "$1/smc" build -w "$B/tank_i16.sm" --sv "$B/tank.sv" -o "$B/tank_i16.smb" || exit 1
@@ -113,6 +116,7 @@ for kind in vm_large vm_large_portable; do
     WIDE=1 count "$B/run_vm" "$B/$kind.elf" 500 0 0 "$B/outputs.smb" "$B/states.smb" "$B/tank.smb"
 done
 WIDE=1 count "$B/run_vm" "$B/vm_eeprom.elf" 500 0 0 "$B/outputs.smb" "$B/tank.smb"
+unset AVR_MCU
 # The generic firmware's runner, with all kinds of pins; and the cycles of a step of the tank with its own.
 avr pins -flto -DF_CPU=16000000UL -DSMVM_CONFIG='"bytecode-vm/firmware/config.h"' -DSM_CONFIG='"bytecode-vm/firmware/config.h"' -DSM_ROLL_NONE=1 tests/avr/pins.c \
     bytecode-vm/firmware/runner.c bytecode-vm/target/io.c runtime-c/pin.c runtime-c/psl/avr/*.c ${VM#tests/avr/vm.c} || exit 1

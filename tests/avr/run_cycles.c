@@ -31,7 +31,7 @@ typedef struct Probe {
     uint32_t most;
 } Probe;
 
-typedef struct Seen { uint32_t stack, row[CYCLES_ROWS][2], window[CYCLES_WINDOW_ROWS][CYCLES_SAMPLE_KINDS][2]; } Seen;
+typedef struct Seen { uint32_t stack, call_stack, row[CYCLES_ROWS][2], window[CYCLES_WINDOW_ROWS][CYCLES_SAMPLE_KINDS][2]; } Seen;
 
 static uint64_t next(Probe *p)
 {
@@ -110,10 +110,21 @@ static uint64_t in_run(const Case *c, unsigned i)
     return sm_bits(c->run == CANCELLING && i % 2 != 0 ? sm_neg(x) : x);
 }
 
+// A number from -limit to limit with all 53 bits.
+static uint64_t usual(Probe *p, int32_t limit)
+{
+    return sm_bits(sm_mul(sm_div(sm_from_i64((int64_t)next(p)), sm_from_bits(0x43E0000000000000u)), sm_from_i32(limit)));
+}
+
 static void write_operands(Probe *p, const Case *c, unsigned i)
 {
     uint64_t x = real(p), y = next(p) % 4 == 0 ? x ^ (next(p) % 3 << 63) ^ next(p) % 4 : real(p), t = next(p) % 2 ? real(p) : next(p);
 
+    if (c->op == SMVM_fn && i % 4 != 0) {             // where the function has to compute
+        x = usual(p, c->number[0] == SMVM_FN_asin || c->number[0] == SMVM_FN_acos ? 1 : i % 4 == 1 ? 3 : 700);
+        y = usual(p, 100);
+        x = i % 8 == 1 ? x : x & 0x7FFFFFFFFFFFFFFFu;
+    }
     write(p, SM_F64, AT_X, c->run == ANYTHING ? x : in_run(c, i));
     write(p, SM_F64, AT_Y, y);
     write(p, SM_I32, AT_X_WHOLE, (uint32_t)whole(p, c->small, c->op));
@@ -330,6 +341,19 @@ static void measure_others(Probe *p, Seen *seen)
         measure_op(p, seen, (CyclesRow)(CYCLES_add + op - SMVM_add), op, 0, 0, 0);
 }
 
+// The calls of elementary functions, whose rows are in the order of stdlib/elementary.def.
+static void measure_calls(Probe *p, Seen *seen)
+{
+    static const unsigned number[] = {
+#define SM_ELEMENTARY(name, arguments, number) number,
+#include "stdlib/elementary.def"
+#undef SM_ELEMENTARY
+    };
+
+    for (unsigned i = 0; i < sizeof number / sizeof *number; i++)
+        measure_op(p, seen, (CyclesRow)(CYCLES_exp + i), SMVM_fn, 1, number[i], 0);
+}
+
 // A number of two bytes or of four instead of one.
 static void measure_varints(Probe *p, Seen *seen)
 {
@@ -394,7 +418,7 @@ static uint32_t window_cycles(Probe *p, SmType type, unsigned n, CyclesWindow ro
     static const unsigned stat[][2] = {{0, 0}, {0, 0}, {SM_STAT_AVG, SM_STAT_AVG}, {SM_STAT_MIN, SM_STAT_MAX}, {SM_STAT_RANGE, SM_STAT_RANGE},
                                        {SM_STAT_MIN, SM_STAT_MAX}, {SM_STAT_RANGE, SM_STAT_RANGE}, {SM_STAT_MEDIAN, SM_STAT_MEDIAN}};
     const bool sorted = row == CYCLES_sample_sorted || row >= CYCLES_extreme_sorted, samples = row <= CYCLES_sample_sorted;
-    const unsigned all = (1u << SM_STAT_COUNT) - 1, stats = sorted ? all : all & ~(1u << SM_STAT_MEDIAN);
+    const unsigned all = (1u << SM_STAT_OLDEST) - 1, stats = sorted ? all : all & ~(1u << SM_STAT_MEDIAN);
     uint32_t most = 0;
 
     for (unsigned which = 0; which < (samples ? 1u : 2u); which++) {
@@ -470,6 +494,8 @@ static void open_chip(Probe *p, const char *elf, unsigned operands, uint64_t see
 
 static void measure_all(Probe *p, Seen *seen)
 {
+    const unsigned operands = p->operands;
+
     memset(seen, 0, sizeof *seen);
     measure_step(p, seen);
     measure_types(p, seen);
@@ -481,12 +507,15 @@ static void measure_all(Probe *p, Seen *seen)
     p->operands = 30 + p->operands / 20;               // until the largest is full for a while
     measure_windows(p, seen);
     seen->stack = sim_deepest(&p->sim, p->box->free);
+    p->operands = operands;
+    measure_calls(p, seen);
+    seen->call_stack = sim_deepest(&p->sim, p->box->free);
 }
 
 static const char *const row_name[] = {
 #define CYCLES_ROW(name, ...) #name,
 #define CYCLES_WINDOW(name, ...)
-#define CYCLES_STACK(bytes)
+#define CYCLES_STACK(bytes, with_calls)
 #include "compiler/budget/avr_cycles.def"
 #undef CYCLES_ROW
 #undef CYCLES_WINDOW
@@ -495,7 +524,7 @@ static const char *const row_name[] = {
 static const char *const window_name[] = {
 #define CYCLES_ROW(name, ...)
 #define CYCLES_WINDOW(name, ...) #name,
-#define CYCLES_STACK(bytes)
+#define CYCLES_STACK(bytes, with_calls)
 #include "compiler/budget/avr_cycles.def"
 #undef CYCLES_ROW
 #undef CYCLES_WINDOW
@@ -505,12 +534,15 @@ static const char *const window_name[] = {
 // For windows: they contain too many operands to try all.
 static uint32_t with_room(uint32_t cycles) { return cycles + (cycles + 31) / 32; }
 
+// The row that is made of a measurement: with room for functions, too.
+static uint32_t row_of(unsigned row, uint32_t cycles) { return row >= CYCLES_exp ? with_room(cycles) : cycles; }
+
 static void print_rows(const Seen *flash, const Seen *eeprom)
 {
-    printf("CYCLES_STACK(%u)\n", larger(flash->stack, eeprom->stack));
+    printf("CYCLES_STACK(%u, %u)\n", larger(flash->stack, eeprom->stack), larger(flash->call_stack, eeprom->call_stack));
     for (unsigned r = 0; r < CYCLES_ROWS; r++)
-        printf("CYCLES_ROW(%s,%*s%6u,%6u,%6u,%6u)\n", row_name[r], (int)(12 - strlen(row_name[r])), "", flash->row[r][WHOLE], flash->row[r][ANY],
-               eeprom->row[r][WHOLE], eeprom->row[r][ANY]);
+        printf("CYCLES_ROW(%s,%*s%6u,%6u,%6u,%6u)\n", row_name[r], (int)(12 - strlen(row_name[r])), "", row_of(r, flash->row[r][WHOLE]),
+               row_of(r, flash->row[r][ANY]), row_of(r, eeprom->row[r][WHOLE]), row_of(r, eeprom->row[r][ANY]));
     for (unsigned r = 0; r < CYCLES_WINDOW_ROWS; r++) {
         printf("CYCLES_WINDOW(%s,%*s", window_name[r], (int)(15 - strlen(window_name[r])), "");
         for (unsigned key = 0; key < CYCLES_SAMPLE_KINDS; key++)
@@ -531,8 +563,10 @@ static void hold(const char *name, uint32_t seen, uint32_t row)
 
 static void check_rows(const Seen *s, CyclesChip chip)
 {
-    if (s->stack > cycles_stack_bytes())
-        hold("stack", s->stack, cycles_stack_bytes());
+    if (s->stack > cycles_stack_bytes(false))
+        hold("stack", s->stack, cycles_stack_bytes(false));
+    if (s->call_stack > cycles_stack_bytes(true))
+        hold("stack of calls", s->call_stack, cycles_stack_bytes(true));
     for (unsigned r = 0; r < CYCLES_ROWS; r++)
         for (int kind = WHOLE; kind <= ANY; kind++)
             hold(row_name[r], s->row[r][kind], cycles_in_row(chip, (CyclesRow)r, kind == WHOLE));

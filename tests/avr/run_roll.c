@@ -91,7 +91,7 @@ static bool check_window(Pair *p, SmType type, uint32_t n, uint32_t stats, int m
     for (uint32_t k = 0; k < 2 * n + 3; k++) {
         if (!sample(p, mood))
             return false;
-        for (int s = 0; s < SM_STAT_COUNT; s++)
+        for (int s = 0; s < SM_STAT_ELAPSED; s++)
             if ((stats >> s & 1u) != 0 && (k < 3 || k + 4 > n) && !check_stat(p, s))
                 return false;
     }
@@ -123,7 +123,7 @@ static double stat_cycles(Pair *p, int s)
 static void print_cycles(Pair *p, SmType type, const char *name, uint32_t n)
 {
     printf("%-4s n = %2u: %6.0f", name, n, sample_cycles(p, type, n, ALL & ~(1u << SM_STAT_MEDIAN)));
-    for (int s = 0; s < SM_STAT_COUNT; s++)
+    for (int s = 0; s < SM_STAT_ELAPSED; s++)
         if (s != SM_STAT_MEDIAN)
             printf(" %7.0f", stat_cycles(p, s));
     printf(" %9.0f", sample_cycles(p, type, n, 1u << SM_STAT_MEDIAN));

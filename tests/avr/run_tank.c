@@ -30,8 +30,8 @@ static uint64_t next(uint64_t *state)
     return *state * 0x2545F4914F6CDD1Du;
 }
 
-// A pressure that wanders about the valve's threshold, 725 to 824, and seldom goes beyond.
-static double pressure(uint64_t *state) { return next(state) % 500 == 0 ? 1000 : 725 + (double)(next(state) % 990) / 10; }
+// Returns a pressure near the valve's threshold, 725 to 824, and seldom one beyond.
+static double random_pressure(uint64_t *state) { return next(state) % 500 == 0 ? 1000 : 725 + (double)(next(state) % 990) / 10; }
 
 static bool step(Bench *b, uint8_t which, uint64_t time, double p)
 {
@@ -61,7 +61,7 @@ static bool run(Bench *b)
     uint64_t state = 88172645463325252u, time = 0;
 
     for (int i = 0; i < STEPS; i++) {
-        const double p = pressure(&state);
+        const double p = random_pressure(&state);
         time += next(&state) % 50 != 0 ? DELTA : 0;                // else a stale one
         b->box->begins = i % RESTART == 0;
         if (!step(b, TANK_EMITTED, time, p))

@@ -144,7 +144,7 @@ static bool step(Pair *p, uint64_t g)
     return true;
 }
 
-// G of step i: where anything goes, beyond 32 bits, and so is T at last.
+// Returns G of step i.  With any inputs it is beyond 32 bits, and T finally is as well.
 static uint64_t time_of(Pair *p, unsigned long i)
 {
     if (p->hi != 0)
@@ -191,8 +191,8 @@ static void put(uint8_t *at, uint32_t v, unsigned bytes)
         at[i] = (uint8_t)(v >> 8 * i);
 }
 
-// Entries of three bytes in the table of functions of an image of one machine, where the compiler makes them so beyond 64 KB of code.
-static size_t widen(uint8_t *image, size_t n)
+// Makes the entries of the function table three bytes wide, as the compiler does for more than 64 KB of code, in an image of one machine.
+static size_t widen_function_table(uint8_t *image, size_t n)
 {
     enum { WIDE = 3, NUMBERS_BEFORE = 7 };
     SmvmMachine m;
@@ -237,7 +237,7 @@ static void test(Pair *p, const char *path, unsigned long steps)
     if (f != NULL)
         fclose(f);
     if (getenv("WIDE"))
-        n = widen(image, n);
+        n = widen_function_table(image, n);
     if (smvm_verify(image, (uint32_t)n, &why) != 0 || n > p->box->image_size || !smvm_machine(image, 0, &p->m) || p->m.sv_size > p->box->sv_size
         || smvm_ram_size(&p->m) > sizeof p->memory) {
         skipped++;
@@ -261,7 +261,7 @@ static void test(Pair *p, const char *path, unsigned long steps)
     }
 }
 
-// What pins do beside the VM: elements of all types are written and read as here.
+// Reads and writes elements of all types, as the code of pins does.
 static void test_cells(Pair *p)
 {
     p->state = 88172645463325252u;

@@ -33,6 +33,9 @@ static void say_errors(struct avr_t *avr, const int level, const char *format, v
         vfprintf(stderr, format, args);
 }
 
+// The chip of the programs that open an ELF file: an ATmega328P, or the one that AVR_MCU names.
+static const char *chip(void) { return getenv("AVR_MCU") != NULL ? getenv("AVR_MCU") : "atmega328p"; }
+
 static avr_t *make(Sim *s, const char *mcu)
 {
     avr_t *avr;
@@ -63,7 +66,7 @@ bool sim_open(Sim *s, const char *elf) { return sim_open_at(s, elf, HERTZ); }
 bool sim_open_at(Sim *s, const char *elf, uint32_t hertz)
 {
     elf_firmware_t firmware = {0};
-    avr_t *avr = make(s, "atmega328p");
+    avr_t *avr = make(s, chip());
 
     if (avr == NULL || elf_read_firmware(elf, &firmware) != 0) {
         fprintf(stderr, "%s: cannot be run\n", elf);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An ATmega328P in simavr, whose firmware reports its progress in GPIOR0 (mailbox.h).  Cycles are counted exactly.
+// An ATmega328P in simavr, or the chip that the variable AVR_MCU names, whose firmware reports its progress in GPIOR0 (mailbox.h).  Cycles are counted exactly.
 #ifndef AVR_SIM_H
 #define AVR_SIM_H
 

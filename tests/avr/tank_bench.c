@@ -13,14 +13,14 @@ static TankBox box;
 static void step(void)
 {
     if (box.what == TANK_HAND)
-        box.result = hand_step(&hand, &sv[TANK_HAND]);
+        box.result = tank_by_hand_step(&hand, &sv[TANK_HAND]);
     else
         box.result = tank_step(&tank, &sv[TANK_EMITTED]) == TANK_OK;
 }
 
 static void begin(void)
 {
-    hand_init(&hand, &sv[TANK_HAND], box.begins);
+    tank_by_hand_init(&hand, &sv[TANK_HAND], box.begins);
     tank_init(&tank, &sv[TANK_EMITTED], box.begins);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/avr/tank_hand.h"
 
-void hand_init(Hand *h, TankSv *sv, uint8_t state)
+void tank_by_hand_init(Hand *h, TankSv *sv, uint8_t state)
 {
     h->state = state;
     h->first = true;
@@ -36,7 +36,7 @@ static uint8_t vent(Hand *h, TankSv *sv)
     return h->counter > 1000 && sv->time - h->start > 4000 ? TANK_STATE_Idle : 0;
 }
 
-bool hand_step(Hand *h, TankSv *sv)
+bool tank_by_hand_step(Hand *h, TankSv *sv)
 {
     uint8_t next = 0;
 

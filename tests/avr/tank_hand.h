@@ -12,7 +12,7 @@ typedef struct Hand {
     bool stepped;             // `last` is the time of a step
 } Hand;
 
-void hand_init(Hand *h, TankSv *sv, uint8_t state);
-bool hand_step(Hand *h, TankSv *sv);      // false: time has not advanced, or has ended; nothing has changed
+void tank_by_hand_init(Hand *h, TankSv *sv, uint8_t state);
+bool tank_by_hand_step(Hand *h, TankSv *sv);      // false: time has not advanced, or has ended; nothing has changed
 
 #endif

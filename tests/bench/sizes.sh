@@ -68,6 +68,7 @@ runtime_parts()     # TARGET
 {
     part "$1" runtime $(ls runtime-c/*.c | grep -v '/swap\|/net')
     part "$1" net runtime-c/net.c runtime-c/net_message.c
+    part "$1" net-tcp runtime-c/net_stream.c
     part "$1" swap $SWAP_PARTS
 }
 

@@ -21,7 +21,7 @@ static const struct { unsigned size; size_t at; bool begins_region; } place[PLAC
 static size_t round_up(size_t n, size_t to) { return (n + to - 1) / to * to; }
 
 // clause 4.7, clause 4.8, clause 4.9, clause 4.10, clause 4.11: the rule defines the offsets, whatever the compiler's own layout.
-static void places(void)
+static void check_offsets(void)
 {
     size_t at = 0;
 
@@ -35,7 +35,7 @@ static void places(void)
 }
 
 // The values after a step, at offsets that `places` has checked; `first` is the byte of a bool.
-static void expect(const ProbeSv *sv, uint8_t first)
+static void expect_values(const ProbeSv *sv, uint8_t first)
 {
     bool truth = first != 0;
 
@@ -62,7 +62,7 @@ static void no_byte_between(const ProbeSv *sv)
 static const uint8_t truths[] = {0, 1, 2, 0x80, 0xff};
 
 // clause 4.13: any byte but zero is true.
-static void in_emitted_c(void)
+static void check_emitted_c(void)
 {
     for (size_t i = 0; i < sizeof truths; i++) {
         ProbeSv sv;
@@ -71,12 +71,12 @@ static void in_emitted_c(void)
         CHECK(probe_init(&m, &sv, 1) == PROBE_OK);
         sv.first = truths[i];
         CHECK(probe_step(&m, &sv) == PROBE_OK);
-        expect(&sv, truths[i]);
+        expect_values(&sv, truths[i]);
         no_byte_between(&sv);
     }
 }
 
-static void in_vm(const uint8_t *image, uint32_t size)
+static void check_vm(const uint8_t *image, uint32_t size)
 {
     SmvmVerdict why;
     SmvmMachine m;
@@ -91,7 +91,7 @@ static void in_vm(const uint8_t *image, uint32_t size)
         CHECK(smvm_init(memory, smvm_ram_size(&m), &m, &vector, 1) == SM_OK);
         sv.first = truths[i];
         CHECK(smvm_step(memory, &sv) == SM_OK);
-        expect(&sv, truths[i]);
+        expect_values(&sv, truths[i]);
         no_byte_between(&sv);
         free(memory);
     }
@@ -103,11 +103,11 @@ int main(int argc, char **argv)
     FILE *f = argc == 2 ? fopen(argv[1], "rb") : NULL;
     size_t size = f ? fread(image, 1, sizeof image, f) : 0;
 
-    places();
-    in_emitted_c();
+    check_offsets();
+    check_emitted_c();
     CHECK(size > 0);
     if (size > 0)
-        in_vm(image, (uint32_t)size);
+        check_vm(image, (uint32_t)size);
     if (f)
         fclose(f);
     return test_end("clauses: memory");

@@ -109,7 +109,7 @@ static EngineStatus step(Rig *r, uint64_t g, const char *name, uint64_t value)
 static EngineStatus step_x(Rig *r, uint64_t g, double x) { return step(r, g, "x", bits_of(x)); }
 
 // clause 6.1, clause 6.2: starting stores the state's number and makes T 0; no step has run.
-static void starting(Rig *r)
+static void test_start(Rig *r)
 {
     CHECK(r->e->init(r->e, 2, &r->out) == ENGINE_OK);
     CHECK(cell(r, "mode") == 2 && cell(r, "T") == 0 && cell(r, "n") == 5 && r->out.next_state == 2);
@@ -118,8 +118,8 @@ static void starting(Rig *r)
     CHECK(cell(r, "mode") == 1 && r->out.next_state == 1);
 }
 
-// What a refused step must not change, and does when it runs.
-static void expect(const Rig *r, uint64_t t, uint64_t n, double high, double entries)
+// Checks the values that a refused step must not change, and that a step changes.
+static void expect_values(const Rig *r, uint64_t t, uint64_t n, double high, double entries)
 {
     CHECK(cell(r, "T") == t);
     CHECK(cell(r, "n") == n);
@@ -127,34 +127,34 @@ static void expect(const Rig *r, uint64_t t, uint64_t n, double high, double ent
     CHECK(number(r, "entries") == entries);
 }
 
-// clause 6.3: a step whose time has not advanced is refused and leaves no trace, in windows neither.
-static void refusing(Rig *r)
+// clause 6.3: a step whose time has not advanced is refused and changes nothing, not even windows.
+static void test_step_without_progress_is_refused(Rig *r)
 {
     const uint64_t last = UINT64_MAX;
 
     CHECK(step_x(r, last, 50) == ENGINE_REFUSED);             // not even as the first step
-    expect(r, 0, 5, 0, 0);
+    expect_values(r, 0, 5, 0, 0);
     CHECK(step_x(r, 0, 1) == ENGINE_OK);                      // 0 is a time like any other
-    expect(r, 0, 6, 1, 1);
+    expect_values(r, 0, 6, 1, 1);
     CHECK(step_x(r, 0, 60) == ENGINE_REFUSED);
     CHECK(step_x(r, last, 60) == ENGINE_REFUSED);             // and does not count as a step that ran
-    expect(r, 0, 6, 1, 1);
+    expect_values(r, 0, 6, 1, 1);
     CHECK(step_x(r, 10, 2) == ENGINE_OK);
-    expect(r, 10, 7, 2, 1);
+    expect_values(r, 10, 7, 2, 1);
     CHECK(step_x(r, 10, 70) == ENGINE_REFUSED);
     CHECK(step_x(r, 9, 70) == ENGINE_REFUSED);
     CHECK(step_x(r, 10, 70) == ENGINE_REFUSED);               // 9 was refused: 10 is still the last
-    expect(r, 10, 7, 2, 1);
+    expect_values(r, 10, 7, 2, 1);
     CHECK(step_x(r, 11, 1) == ENGINE_OK);
-    expect(r, 11, 8, 2, 1);
+    expect_values(r, 11, 8, 2, 1);
     CHECK(step_x(r, last - 1, 1) == ENGINE_OK);
-    expect(r, last - 1, 9, 2, 1);
+    expect_values(r, last - 1, 9, 2, 1);
     CHECK(step_x(r, last, 1) == ENGINE_REFUSED);
-    expect(r, last - 1, 9, 2, 1);
+    expect_values(r, last - 1, 9, 2, 1);
 }
 
 // clause 6.3, clause 6.5: a refused step before a state's first step does not affect it.
-static void refusing_before_a_first_step(Rig *r)
+static void test_refusal_before_a_first_step(Rig *r)
 {
     CHECK(step_x(r, 100, 5) == ENGINE_OK);
     CHECK(r->out.next_state == 2 && cell(r, "mode") == 1);
@@ -168,8 +168,8 @@ static void refusing_before_a_first_step(Rig *r)
     CHECK(cell(r, "T") == 20);
 }
 
-// clause 6.16: an element counts as stored when an assignment to it ran, whether or not that changed it; S at a first step.
-static void telling(Rig *r)
+// clause 6.16: an element counts as stored when an assignment to it ran, whether or not its value changed; S at a first step.
+static void test_stored_elements_are_reported(Rig *r)
 {
     CHECK(step_x(r, 0, 1) == ENGINE_OK);
     CHECK(stored(r, "mode") && stored(r, "y") && stored(r, "high") && stored(r, "same") && stored(r, "entries"));
@@ -182,7 +182,7 @@ static void telling(Rig *r)
 }
 
 // clause 6.17: a number stored in S from outside is read unchanged, and has no effect on the state.
-static void not_steering(Rig *r)
+static void test_stored_S_does_not_change_the_state(Rig *r)
 {
     CHECK(step_x(r, 0, 1) == ENGINE_OK);
     CHECK(step(r, 1, "mode", 2) == ENGINE_OK);
@@ -192,8 +192,8 @@ static void not_steering(Rig *r)
     CHECK(cell(r, "mode") == 2 && number(r, "seen") == 2);    // a first step stores it again
 }
 
-// clause 2.5: a NaN of whatever sign and inner bits that other code has stored reads as +0, also where a window samples.
-static void reading_nan(Rig *r)
+// clause 2.5: a NaN of any sign and payload that other code has stored reads as +0, also where a window samples.
+static void test_nan_reads_as_zero(Rig *r)
 {
     static const uint64_t nan64[] = {0x7ff8000000000000, 0xfff8000000000000, 0x7ff0000000000001, 0xffffffffffffffff};
     static const uint64_t nan32[] = {0x7fc00000, 0xffc00000, 0x7f800001, 0xffffffff};
@@ -232,7 +232,9 @@ static void run(const char *name, void (*part)(Rig *r))
 
 int main(void)
 {
-    static void (*const parts[])(Rig *r) = {starting, refusing, refusing_before_a_first_step, telling, not_steering, reading_nan};
+    static void (*const parts[])(Rig *r) = {
+        test_start, test_step_without_progress_is_refused, test_refusal_before_a_first_step, test_stored_elements_are_reported,
+        test_stored_S_does_not_change_the_state, test_nan_reads_as_zero};
 
     for (size_t e = 0; e < sizeof names / sizeof *names; e++)
         for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)

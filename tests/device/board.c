@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A board to talk to without hardware: VM, store and agent as a program, on a terminal device and a file as non-volatile memory.
 // It can be killed at any time and started again.
-//   board LINE MEMORY        while there is a file MEMORY.armed, it is armed; the key in MEMORY.key is its own; MEMORY.plain: it reports a VM without windows
+//   board LINE MEMORY        while there is a file MEMORY.armed, it is armed; the key in MEMORY.key is its own; MEMORY.plain: it reports a VM without windows and elementary functions
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -29,7 +29,7 @@ static Agent agent;
 static char armed_path[256], key_path[256], plain_path[256];
 static uint8_t key[SMVM_KEY];
 
-static void report(uint8_t kind, uint32_t a, uint32_t b)
+static void report_events(uint8_t kind, uint32_t a, uint32_t b)
 {
     SmEvent e;
 
@@ -43,7 +43,7 @@ static void report(uint8_t kind, uint32_t a, uint32_t b)
 
 // ---- the machine ----
 
-static SmResult fits(void *context, SmvmBytes image)
+static SmResult image_fits(void *context, SmvmBytes image)
 {
     SmvmMachine m;
 
@@ -58,7 +58,7 @@ static void machine_start(SmvmBytes image)
     SmvmVector v = {machine.vector, 0, 0};
 
     memset(&machine, 0, sizeof machine);
-    if (fits(NULL, image) != SM_OK || !smvm_machine(image, 0, &machine.m))
+    if (image_fits(NULL, image) != SM_OK || !smvm_machine(image, 0, &machine.m))
         return;
     v.size = machine.m.sv_size;
     v.layout = machine.m.layout;
@@ -66,7 +66,7 @@ static void machine_start(SmvmBytes image)
         return;
     machine.time = (uint64_t *)(void *)((char *)machine.vector + machine.m.g);
     machine.state = 1;
-    report(SM_EVENT_STATE, 0, 1);
+    report_events(SM_EVENT_STATE, 0, 1);
 }
 
 static void machine_step(void)
@@ -79,7 +79,7 @@ static void machine_step(void)
         (void)smvm_store_count_start(&store);
     smvm_step(vm, machine.vector);
     if (smvm_state(vm) != machine.state)
-        report(SM_EVENT_STATE, machine.state, smvm_state(vm));
+        report_events(SM_EVENT_STATE, machine.state, smvm_state(vm));
     machine.state = smvm_state(vm);
 }
 
@@ -102,7 +102,7 @@ static SmResult leave_slot(void *context, const uint8_t *begin, uint8_t n)
 
 static bool reload_memory(void) { return pal_nvm_read(store.nvm, 0, shadow, MEMORY) == SM_OK; }
 
-// Of a Mega: digital pins and the analog ones among them, PWM on any.
+// The pins of a Mega: digital pins, the analog ones among them, PWM on any.
 static uint8_t physical_pin(uint16_t number, uint8_t kind)
 {
     const uint16_t place = (kind & 3) == 0 ? (uint16_t)(54 + number) : number;
@@ -111,7 +111,7 @@ static uint8_t physical_pin(uint16_t number, uint8_t kind)
 }
 
 static AgentBoard board = {.ram = RAM, .longest_step = 100000, .machines = 2, .ram_digital = 10, .ram_analog = 26, .period = PERIOD / 1000000, .cycles = 14400, .physical_pin = physical_pin,
-                           .may_update = may_update, .fits = fits, .leave_slot = leave_slot, .built_in = shadow};
+                           .may_update = may_update, .fits = image_fits, .leave_slot = leave_slot, .built_in = shadow};
 
 static bool has_key(void)
 {
@@ -127,7 +127,7 @@ static bool has_key(void)
 
 static bool is_authentic(SmvmBytes image, uint32_t *number) { return smvm_auth_check(image, key, number); }
 
-static bool opens(PalNvm nvm, const StorePlan *plan)
+static bool open_store(PalNvm nvm, const StorePlan *plan)
 {
     if (smvm_store_open(&store, nvm, plan) != SM_OK)
         return false;
@@ -136,7 +136,7 @@ static bool opens(PalNvm nvm, const StorePlan *plan)
     return true;
 }
 
-static bool start(PalNvm nvm, uint8_t *frame)
+static bool start_board(PalNvm nvm, uint8_t *frame)
 {
     StorePlan plan = {MEMORY, SLOTS, {shadow + 2 * STORE_RECORD, shadow + 2 * STORE_RECORD + (MEMORY - 2 * STORE_RECORD) / SLOTS}};
     uint8_t slot;
@@ -144,19 +144,20 @@ static bool start(PalNvm nvm, uint8_t *frame)
     store.nvm = nvm;
     events.at = storage;
     events.room = EVENTS;
-    if (!reload_memory() || sm_events_init(&events) != SM_OK || !opens(nvm, &plan) ||
+    if (!reload_memory() || sm_events_init(&events) != SM_OK || !open_store(nvm, &plan) ||
         smvm_store_boot(&store, &slot) != SM_OK)
         return false;
     board.windows = access(plain_path, F_OK) != 0;
+    board.functions = board.windows ? SMVM_FUNCTIONS : 0;
     smvm_agent_init(&agent, &store, &board, &events, frame, BODY);
-    report(SM_EVENT_START, 0, 0);
+    report_events(SM_EVENT_START, 0, 0);
     machine.state = 0;
     if (slot != STORE_BUILT_IN)
         machine_start(plan.image[slot]);
     return true;
 }
 
-static bool serve(PalSerial line, uint8_t byte)
+static bool serve_requests(PalSerial line, uint8_t byte)
 {
     const uint16_t n = smvm_agent_receive(&agent, byte);
     size_t sent;
@@ -175,14 +176,14 @@ int main(int argc, char **argv)
     if (argc != 3 || snprintf(armed_path, sizeof armed_path, "%s.armed", argv[2]) < 0 ||
         snprintf(key_path, sizeof key_path, "%s.key", argv[2]) < 0 || snprintf(plain_path, sizeof plain_path, "%s.plain", argv[2]) < 0)
         return 2;
-    if (pal_serial_open(&line, argv[1], 115200) != SM_OK || pal_nvm_open(&nvm, argv[2], MEMORY) != SM_OK || !start(nvm, frame))
+    if (pal_serial_open(&line, argv[1], 115200) != SM_OK || pal_nvm_open(&nvm, argv[2], MEMORY) != SM_OK || !start_board(nvm, frame))
         return 3;
     for (;;) {
         const SmResult r = pal_serial_receive(line, &byte, 1, &n, PERIOD);
-        if (r == SM_OK ? !serve(line, byte) : r != SM_E_TIMEOUT)
+        if (r == SM_OK ? !serve_requests(line, byte) : r != SM_E_TIMEOUT)
             return 3;
         machine_step();
-        if (agent.restart && !start(nvm, frame))
+        if (agent.restart && !start_board(nvm, frame))
             return 3;
     }
 }

@@ -38,7 +38,7 @@ static pid_t board_pid;
 static bool one_slot;                  // the board's own image may run, too
 static uint64_t random_state = 88172645463325252u;
 
-static unsigned below(unsigned n)
+static unsigned random_below(unsigned n)
 {
     random_state ^= random_state << 13;
     random_state ^= random_state >> 7;
@@ -96,16 +96,16 @@ static void kill_board(void)
 
 // ---- the line ----
 
-static long carry(int from, int to, const Trouble *t)
+static long carry_bytes(int from, int to, const Trouble *t)
 {
     unsigned char bytes[256], out[256];
     const ssize_t got = read(from, bytes, sizeof bytes);
     size_t n = 0;
 
     for (ssize_t i = 0; i < got; i++) {
-        const unsigned bad = t->bad ? below(t->bad * 2) : 2;
+        const unsigned bad = t->bad ? random_below(t->bad * 2) : 2;
         if (bad != 0)
-            out[n++] = bad == 1 ? (unsigned char)(bytes[i] ^ (1u << below(8))) : bytes[i];
+            out[n++] = bad == 1 ? (unsigned char)(bytes[i] ^ (1u << random_below(8))) : bytes[i];
     }
     return n > 0 && write(to, out, n) != (ssize_t)n ? 0 : got > 0 ? got : 0;
 }
@@ -120,8 +120,8 @@ static void read_output(void)
         fclose(f);
 }
 
-// Runs smc with these arguments and the port; returns its exit code, or 128 + the signal that ended it.
-static int run(const Trouble *t, const char *a, const char *b, const char *c)
+// Runs smc with these arguments and the port.  Returns its exit code, or 128 + the signal that ended it.
+static int run_smc(const Trouble *t, const char *a, const char *b, const char *c)
 {
     char port[160];
     const char *const argv[ARGS] = {smc, a, b, port, c, NULL};
@@ -137,11 +137,11 @@ static int run(const Trouble *t, const char *a, const char *b, const char *c)
     while (waitpid(pid, &status, WNOHANG) == 0) {
         const long before = carried;
         if (poll(p, 2, 5) > 0) {
-            carried += p[0].revents & POLLIN ? carry(at_board.master, at_smc.master, t) : 0;
-            carried += p[1].revents & POLLIN ? carry(at_smc.master, at_board.master, t) : 0;
+            carried += p[0].revents & POLLIN ? carry_bytes(at_board.master, at_smc.master, t) : 0;
+            carried += p[1].revents & POLLIN ? carry_bytes(at_smc.master, at_board.master, t) : 0;
         }
         if (t->kill_smc && before < t->kill_smc && carried >= t->kill_smc)
-            kill(pid, below(2) ? SIGKILL : SIGINT);
+            kill(pid, random_below(2) ? SIGKILL : SIGINT);
         if (t->kill_board && before < t->kill_board && carried >= t->kill_board) {
             kill_board();
             if (!t->for_good)
@@ -153,8 +153,8 @@ static int run(const Trouble *t, const char *a, const char *b, const char *c)
 }
 
 static const Trouble none;
-static int quiet(const char *a, const char *b, const char *c) { return run(&none, a, b, c); }
-static bool says(const char *text) { return strstr(said, text) != NULL; }
+static int run_on_good_line(const char *a, const char *b, const char *c) { return run_smc(&none, a, b, c); }
+static bool output_contains(const char *text) { return strstr(said, text) != NULL; }
 
 // ---- tests ----
 
@@ -171,7 +171,7 @@ static void checksum_of(const char *path, char text[9])
 }
 
 // Whether the line of the list with this checksum contains the text.
-static bool listed(const char *path, const char *what)
+static bool is_listed(const char *path, const char *what)
 {
     char checksum[9];
     const char *line, *end, *found;
@@ -183,26 +183,26 @@ static bool listed(const char *path, const char *what)
     return found && found < end;
 }
 
-static void image_is_sent_and_stored(void)
+static void test_image_is_sent_and_stored(void)
 {
-    CHECK(quiet("device", "list", NULL) == 0 && says("slot 0: no image") && says("built in: "));
-    CHECK(quiet("device", "confirm", NULL) == 1 && says("nothing to confirm"));
-    CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("nothing was sent"));
-    CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)") && says("without that, the previous image runs again"));
-    CHECK(quiet("device", "info", NULL) == 0 && says("no update may begin: image ") && says(" is on trial; 'smc device confirm' keeps it"));
-    CHECK(quiet("flash", images[0], "--period=7") == 1 && says("nothing was sent: image "));
-    CHECK(quiet("flash", images[0], "--dry-run") == 0 && says(" runs already; nothing was sent"));
-    CHECK(quiet("flash", images[1], NULL) == 1 && says("on trial; 'smc device confirm' keeps it, 'smc device erase "));
-    CHECK(quiet("flash", images[1], "--dry-run") == 1 && says("nothing was sent: ") && says("on trial; 'smc device confirm' keeps it, 'smc device erase "));
-    CHECK(quiet("device", "confirm", NULL) == 0 && listed(images[0], ", confirmed"));
-    CHECK(quiet("device", "confirm", NULL) == 1 && says("no image is on trial") && listed(images[0], ", runs, confirmed"));
-    CHECK(quiet("flash", images[0], NULL) == 0 && says("it runs already"));
-    CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
-    CHECK(quiet("device", "info", NULL) == 0 && says("2 slots of ") && says("an update may begin"));
-    CHECK(quiet("device", "log", NULL) == 0 && says("START of app 0") && says("STATE of machine 0, from 0, to 1"));
+    CHECK(run_on_good_line("device", "list", NULL) == 0 && output_contains("slot 0: no image") && output_contains("built in: "));
+    CHECK(run_on_good_line("device", "confirm", NULL) == 1 && output_contains("nothing to confirm"));
+    CHECK(run_on_good_line("flash", images[0], "--dry-run") == 0 && output_contains("nothing was sent"));
+    CHECK(run_on_good_line("flash", images[0], NULL) == 0 && output_contains("on trial (2 starts left)") && output_contains("without that, the previous image runs again"));
+    CHECK(run_on_good_line("device", "info", NULL) == 0 && output_contains("no update may begin: image ") && output_contains(" is on trial; 'smc device confirm' keeps it"));
+    CHECK(run_on_good_line("flash", images[0], "--period=7") == 1 && output_contains("nothing was sent: image "));
+    CHECK(run_on_good_line("flash", images[0], "--dry-run") == 0 && output_contains(" runs already; nothing was sent"));
+    CHECK(run_on_good_line("flash", images[1], NULL) == 1 && output_contains("on trial; 'smc device confirm' keeps it, 'smc device erase "));
+    CHECK(run_on_good_line("flash", images[1], "--dry-run") == 1 && output_contains("nothing was sent: ") && output_contains("on trial; 'smc device confirm' keeps it, 'smc device erase "));
+    CHECK(run_on_good_line("device", "confirm", NULL) == 0 && is_listed(images[0], ", confirmed"));
+    CHECK(run_on_good_line("device", "confirm", NULL) == 1 && output_contains("no image is on trial") && is_listed(images[0], ", runs, confirmed"));
+    CHECK(run_on_good_line("flash", images[0], NULL) == 0 && output_contains("it runs already"));
+    CHECK(run_on_good_line("flash", images[1], "--confirm") == 0 && is_listed(images[1], ", runs, confirmed"));
+    CHECK(run_on_good_line("device", "info", NULL) == 0 && output_contains("2 slots of ") && output_contains("an update may begin"));
+    CHECK(run_on_good_line("device", "log", NULL) == 0 && output_contains("START of app 0") && output_contains("STATE of machine 0, from 0, to 1"));
 }
 
-static void armed_board_is_left_alone(void)
+static void test_armed_board_refuses(void)
 {
     char path[PATH + 8];
     FILE *f;
@@ -210,14 +210,14 @@ static void armed_board_is_left_alone(void)
     snprintf(path, sizeof path, "%s.armed", memory);
     f = fopen(path, "w");
     CHECK(f && fclose(f) == 0);
-    CHECK(quiet("flash", images[0], NULL) == 1 && says("nothing was sent: the board is armed; disarm it first"));
-    CHECK(quiet("device", "confirm", NULL) == 1 && says("the board is armed"));
-    CHECK(quiet("device", "info", NULL) == 0 && says("no update may begin: it is armed"));
-    CHECK(remove(path) == 0 && quiet("device", "list", NULL) == 0 && listed(images[1], ", runs"));
+    CHECK(run_on_good_line("flash", images[0], NULL) == 1 && output_contains("nothing was sent: the board is armed; disarm it first"));
+    CHECK(run_on_good_line("device", "confirm", NULL) == 1 && output_contains("the board is armed"));
+    CHECK(run_on_good_line("device", "info", NULL) == 0 && output_contains("no update may begin: it is armed"));
+    CHECK(remove(path) == 0 && run_on_good_line("device", "list", NULL) == 0 && is_listed(images[1], ", runs"));
 }
 
-// smc without a board.
-static int alone_with(const char *const *argv)
+// Runs smc without a board.
+static int run_without_board_argv(const char *const *argv)
 {
     int status;
     const pid_t pid = start(argv, output);
@@ -227,11 +227,11 @@ static int alone_with(const char *const *argv)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
-static int alone(const char *a, const char *b, const char *c, const char *d)
+static int run_without_board(const char *a, const char *b, const char *c, const char *d)
 {
     const char *const argv[ARGS] = {smc, a, b, c, d, NULL};
 
-    return alone_with(argv);
+    return run_without_board_argv(argv);
 }
 
 static void restart_board(void)
@@ -252,13 +252,13 @@ static int restarts_until(const char *image, const char *text, long ms)
         restart_board();
         nanosleep(&pause, NULL);
         n++;
-    } while (quiet("device", "list", NULL) == 0 && !listed(image, text) && n <= STARTS_MOST);
+    } while (run_on_good_line("device", "list", NULL) == 0 && !is_listed(image, text) && n <= STARTS_MOST);
     return n;
 }
 
 // Builds an image of n machines with these states.
 enum { MACHINES = 5 };
-static bool build(const char *states, int machines, char *image)
+static bool build_image(const char *states, int machines, char *image)
 {
     static char source[MACHINES][PATH + 16];
     char out[PATH + 16];
@@ -276,11 +276,11 @@ static bool build(const char *states, int machines, char *image)
         if (fclose(f) != 0)
             return false;
     }
-    return alone_with(argv) == 0;
+    return run_without_board_argv(argv) == 0;
 }
 
-// What firmware is made without, and what a board has no time for, is not sent.
-static void too_large_image_is_not_sent(void)
+// An image that needs a feature that the firmware lacks, or more time than the board has, is not sent.
+static void test_too_large_image_is_not_sent(void)
 {
     static const char roots[] = "[A] .step\n    x = sqrt(sqrt(sqrt(sqrt(sqrt(x + 1) / 3 + 1) / 3 + 1) / 3 + 1) / 3 + 1)\n";
     char image[PATH + 16], plain[PATH + 8], proposed[32] = "";
@@ -288,27 +288,30 @@ static void too_large_image_is_not_sent(void)
     FILE *f;
 
     snprintf(plain, sizeof plain, "%s.plain", memory);
-    CHECK(quiet("device", "info", NULL) == 0 && says(" machines, with rolling windows, a step every 10 ms, of up to 14400 cycles in each of them"));
-    CHECK(build(roots, 1, image) && quiet("flash", image, "--dry-run") == 0);
-    CHECK(quiet("flash", image, "--period=1") == 1 && says(" cycles; in 1 ms the board has 14400 cycles for it; --period=") && says("nothing was sent"));
+    CHECK(run_on_good_line("device", "info", NULL) == 0 && output_contains(" machines, with rolling windows, a step every 10 ms, of up to 14400 cycles in each of them"));
+    CHECK(build_image(roots, 1, image) && run_on_good_line("flash", image, "--dry-run") == 0);
+    CHECK(run_on_good_line("flash", image, "--period=1") == 1 && output_contains(" cycles; in 1 ms the board has 14400 cycles for it; --period=") && output_contains("nothing was sent"));
     if ((at = strstr(said, "--period=")) != NULL)
         snprintf(proposed, sizeof proposed, "%.*s", (int)strcspn(at, " "), at);
-    CHECK(strcmp(proposed, "--period=1") != 0 && quiet("flash", image, proposed) == 0 && quiet("device", "confirm", NULL) == 0);
-    CHECK(build("[A]", MACHINES, image) && quiet("flash", image, NULL) == 1 && says(" has 5 machines, the board runs ") && says("nothing was sent"));
+    CHECK(strcmp(proposed, "--period=1") != 0 && run_on_good_line("flash", image, proposed) == 0 && run_on_good_line("device", "confirm", NULL) == 0);
+    CHECK(build_image("[A]", MACHINES, image) && run_on_good_line("flash", image, NULL) == 1 && output_contains(" has 5 machines, the board runs ") && output_contains("nothing was sent"));
     if (!getenv("NO_KEY")) {           // a board that does what files tell it
-        CHECK(build("[A] .step\n    x = roll_avg(x, 3)\n", 1, image) && quiet("flash", image, "--dry-run") == 0);
+        CHECK(build_image("[A] .step\n    x = roll_avg(x, 3)\n", 1, image) && run_on_good_line("flash", image, "--dry-run") == 0);
         CHECK((f = fopen(plain, "w")) != NULL && fclose(f) == 0);
         restart_board();
-        CHECK(quiet("device", "info", NULL) == 0 && says("at most 2 machines, without rolling windows"));
-        CHECK(quiet("flash", image, NULL) == 1 && says("has rolling windows (roll_...), and this board's firmware is built without them; nothing was sent"));
+        CHECK(run_on_good_line("device", "info", NULL) == 0 && output_contains("at most 2 machines, without rolling windows"));
+        CHECK(run_on_good_line("flash", image, NULL) == 1 && output_contains("has rolling windows (roll_...), and this board's firmware is built without them; nothing was sent"));
+        CHECK(build("[A] .step\n    x = atan2(x, 2) + cos(x)\n", 1, image) && run_on_good_line("flash", image, NULL) == 1);
+        CHECK(output_contains("calls cos(), and this board's firmware is built without it: that of a Mega has all functions") && output_contains("nothing was sent"));
         CHECK(remove(plain) == 0);
         restart_board();
+        CHECK(quiet("flash", image, "--period=100") == 0 && quiet("device", "confirm", NULL) == 0);
     }
-    CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
+    CHECK(run_on_good_line("flash", images[1], "--confirm") == 0 && is_listed(images[1], ", runs, confirmed"));
 }
 
-// Makes an image of a machine that has two numbers and two truths at these pins.
-static bool build_with(const char *pins, char *image)
+// Builds the image of a machine that has two numbers and two bools at these pins.
+static bool build_image_of_pins(const char *pins, char *image)
 {
     static const char *const suffix[] = {"sv", "io", "sm"};
     const char *const text[] = {"[M]\nU64 t\nU32 s\nF64 x\nF64 y\nbool down\nbool up\n", pins,
@@ -326,11 +329,11 @@ static bool build_with(const char *pins, char *image)
     snprintf(out, sizeof out, "-o%s", image);
     snprintf(sv, sizeof sv, "--sv=%s", path[0]);
     snprintf(io, sizeof io, "--io=%s", path[1]);
-    return alone_with(argv) == 0;
+    return run_without_board_argv(argv) == 0;
 }
 
-// As docs/boards.md has the pins of a Mega.
-static void pins_are_asked_about(void)
+// The pins of a Mega, as in docs/boards.md.
+static void test_pins_are_checked(void)
 {
     static const struct { const char *pins, *said; } wrong[] = {
         {"[digital]\no 70 down\n", " uses digital output 70, which this board does not have"},
@@ -343,75 +346,75 @@ static void pins_are_asked_about(void)
     char image[PATH + 16];
 
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        CHECK(build_with(wrong[i].pins, image));
-        CHECK(quiet("flash", image, i % 2 ? "--dry-run" : NULL) == 1 && says(wrong[i].said) && says("; nothing was sent\n"));
+        CHECK(build_image_of_pins(wrong[i].pins, image));
+        CHECK(run_on_good_line("flash", image, i % 2 ? "--dry-run" : NULL) == 1 && output_contains(wrong[i].said) && output_contains("; nothing was sent\n"));
     }
-    CHECK(build_with("[analog]\ni 0 x\no 9 y\n\n[digital]\ni 55 down\no 10 up\n", image));
-    CHECK(quiet("flash", image, "--dry-run") == 0 && !says("warning"));
-    CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("smc: warning: ") && says("names no pins: on this board it reads nothing and switches nothing"));
+    CHECK(build_image_of_pins("[analog]\ni 0 x\no 9 y\n\n[digital]\ni 55 down\no 10 up\n", image));
+    CHECK(run_on_good_line("flash", image, "--dry-run") == 0 && !output_contains("warning"));
+    CHECK(run_on_good_line("flash", images[0], "--dry-run") == 0 && output_contains("smc: warning: ") && output_contains("names no pins: on this board it reads nothing and switches nothing"));
 }
 
 // language.md 5.46: a board refuses updates in a state without @safe, if its machine has a state with @safe.
-static void machine_in_unsafe_state_is_left_alone(void)
+static void test_machine_in_unsafe_state_refuses(void)
 {
     char aloft[PATH + 16];
 
-    CHECK(build("[Aloft] .step\n    down: -> Down\n\n[Down] @safe", 1, aloft) && quiet("flash", aloft, NULL) == 0 && listed(aloft, ", runs, on trial"));
-    CHECK(says("warning: machine 1 of ") && says(" starts in a state that is not marked @safe"));
-    CHECK(quiet("device", "info", NULL) == 0 && says("no update may begin: a machine is in a state that is not marked @safe"));
-    CHECK(quiet("flash", images[0], NULL) == 1 && says("nothing was sent: a machine is in a state that is not marked @safe; bring it into one that is"));
-    CHECK(says("or let its trial end: it has 2 more starts"));
-    CHECK(quiet("device", "confirm", NULL) == 1 && says("it was not confirmed: a machine is in a state that is not marked @safe"));
+    CHECK(build_image("[Aloft] .step\n    down: -> Down\n\n[Down] @safe", 1, aloft) && run_on_good_line("flash", aloft, NULL) == 0 && is_listed(aloft, ", runs, on trial"));
+    CHECK(output_contains("warning: machine 1 of ") && output_contains(" starts in a state that is not marked @safe"));
+    CHECK(run_on_good_line("device", "info", NULL) == 0 && output_contains("no update may begin: a machine is in a state that is not marked @safe"));
+    CHECK(run_on_good_line("flash", images[0], NULL) == 1 && output_contains("nothing was sent: a machine is in a state that is not marked @safe; bring it into one that is"));
+    CHECK(output_contains("or let its trial end: it has 2 more starts"));
+    CHECK(run_on_good_line("device", "confirm", NULL) == 1 && output_contains("it was not confirmed: a machine is in a state that is not marked @safe"));
     CHECK(restarts_until(images[1], ", runs, confirmed", 0) <= STARTS_MOST);         // its trial ends
-    CHECK(build("[Aloft] @safe .step\n    down: -> Down\n\n[Down] @safe", 1, aloft) && quiet("flash", aloft, "--confirm") == 0 && !says("starts in a state") && listed(aloft, ", runs, confirmed"));
-    CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
+    CHECK(build_image("[Aloft] @safe .step\n    down: -> Down\n\n[Down] @safe", 1, aloft) && run_on_good_line("flash", aloft, "--confirm") == 0 && !output_contains("starts in a state") && is_listed(aloft, ", runs, confirmed"));
+    CHECK(run_on_good_line("flash", images[1], "--confirm") == 0 && is_listed(images[1], ", runs, confirmed"));
 }
 
 // A trial without a confirmation ends after its starts, and the board reports that.  A start counts in full if the image has run for a
 // while (10 s; the board that is a program: 0.2 s).
-static void a_trial_ends(bool is_program)
+static void test_trial_ends(bool is_program)
 {
     int starts;
 
-    CHECK(quiet("flash", images[0], "--period=20ms") == 0 && listed(images[0], ", every 20 ms, on trial"));
+    CHECK(run_on_good_line("flash", images[0], "--period=20ms") == 0 && is_listed(images[0], ", every 20 ms, on trial"));
     starts = restarts_until(images[1], ", runs, confirmed", 0);
     CHECK(starts >= 3 && starts <= STARTS_MOST);
-    CHECK(listed(images[0], ", not chosen, its trial ended: it was not confirmed within its starts"));
-    CHECK(quiet("device", "confirm", NULL) == 1 && says("no image is on trial") && says("smc: the trial of image "));
-    CHECK(says(" has ended: it was not confirmed within its starts; 'smc flash' sends it again"));
-    CHECK(quiet("flash", images[0], NULL) == 0 && !says("trial ended") && quiet("device", "list", NULL) == 0 && !says("trial ended"));
+    CHECK(is_listed(images[0], ", not chosen, its trial ended: it was not confirmed within its starts"));
+    CHECK(run_on_good_line("device", "confirm", NULL) == 1 && output_contains("no image is on trial") && output_contains("smc: the trial of image "));
+    CHECK(output_contains(" has ended: it was not confirmed within its starts; 'smc flash' sends it again"));
+    CHECK(run_on_good_line("flash", images[0], NULL) == 0 && !output_contains("trial ended") && run_on_good_line("device", "list", NULL) == 0 && !output_contains("trial ended"));
     CHECK(restarts_until(images[1], ", runs, confirmed", is_program ? 400 : 0) <= (is_program ? 3 : STARTS_MOST));
 }
 
-// An Arduino restarts when DTR goes on.  So the command leaves it on.
-static void line_stays_on(void)
+// An Arduino restarts when DTR is switched on, so the command leaves it on.
+static void test_line_stays_on(void)
 {
     struct termios t;
 
     CHECK(tcgetattr(at_smc.slave, &t) == 0);
     t.c_cflag |= HUPCL;
-    CHECK(tcsetattr(at_smc.slave, TCSANOW, &t) == 0 && quiet("device", "list", NULL) == 0);
+    CHECK(tcsetattr(at_smc.slave, TCSANOW, &t) == 0 && run_on_good_line("device", "list", NULL) == 0);
     CHECK(tcgetattr(at_smc.slave, &t) == 0 && (t.c_cflag & HUPCL) == 0);
 }
 
-static void an_image_is_erased(void)
+static void test_image_is_erased(void)
 {
     char path[9];
 
     checksum_of(images[0], path);
-    CHECK(quiet("device", "erase", "12345678") == 1 && says("no slot contains an image with the checksum 12345678"));
-    CHECK(quiet("device", "erase", path) == 0 && !listed(images[0], "bytes") && listed(images[1], ", runs"));
-    CHECK(quiet("device", "erase", "x") == 2);
-    CHECK(quiet("flash", images[0], NULL) == 0 && quiet("device", "list", NULL) == 0 && listed(images[1], ", runs again if the chosen one does not"));
-    CHECK(quiet("device", "erase", path) == 0 && listed(images[0], ", runs, until the next start"));
-    CHECK(says("is erased, but it runs until the next start of the board") && !says("trial ended"));
-    CHECK(quiet("device", "confirm", NULL) == 1 && says("the image that runs is no longer selected, because it was erased"));
+    CHECK(run_on_good_line("device", "erase", "12345678") == 1 && output_contains("no slot contains an image with the checksum 12345678"));
+    CHECK(run_on_good_line("device", "erase", path) == 0 && !is_listed(images[0], "bytes") && is_listed(images[1], ", runs"));
+    CHECK(run_on_good_line("device", "erase", "x") == 2);
+    CHECK(run_on_good_line("flash", images[0], NULL) == 0 && run_on_good_line("device", "list", NULL) == 0 && is_listed(images[1], ", runs again if the chosen one does not"));
+    CHECK(run_on_good_line("device", "erase", path) == 0 && is_listed(images[0], ", runs, until the next start"));
+    CHECK(output_contains("is erased, but it runs until the next start of the board") && !output_contains("trial ended"));
+    CHECK(run_on_good_line("device", "confirm", NULL) == 1 && output_contains("the image that runs is no longer selected, because it was erased"));
     restart_board();
-    CHECK(quiet("device", "list", NULL) == 0 && listed(images[1], ", runs, confirmed") && listed(images[0], ", not chosen"));
+    CHECK(run_on_good_line("device", "list", NULL) == 0 && is_listed(images[1], ", runs, confirmed") && is_listed(images[0], ", not chosen"));
 }
 
-// Its code, with which it ends, becomes a wrong one, and its checksum (all bytes but those at 4 to 7) right.
-static bool forge(const char *path, size_t from_end)
+// Changes the code at the end of an image, and corrects its checksum (of all bytes except 4 to 7).
+static bool forge_image(const char *path, size_t from_end)
 {
     unsigned char bytes[TEXT];
     uint32_t crc = SM_CRC32_START;
@@ -430,8 +433,8 @@ static bool forge(const char *path, size_t from_end)
     return fwrite(bytes, 1, n, f) == n && fclose(f) == 0;
 }
 
-// With a key: the confirmed image is not signed and does not run any more; signed images are accepted, in the order of their numbers.
-static void a_board_with_a_key(void)
+// With a key: the confirmed image is not signed and does not run any more.  Signed images are accepted in the order of their numbers.
+static void test_board_with_a_key(void)
 {
     char key[PATH + 8], with[PATH + 16], out[PATH], to[PATH + 8];
 
@@ -441,92 +444,92 @@ static void a_board_with_a_key(void)
     strcpy(strrchr(out, '/') + 1, "signed.smb");
     snprintf(to, sizeof to, "-o%s", out);
     remove(key);
-    CHECK(alone("key", key, NULL, NULL) == 0 && alone("key", key, NULL, NULL) == 3);
+    CHECK(run_without_board("key", key, NULL, NULL) == 0 && run_without_board("key", key, NULL, NULL) == 3);
     restart_board();
-    CHECK(quiet("device", "list", NULL) == 0 && says("built in: no image; nothing runs"));
-    CHECK(quiet("flash", images[0], NULL) == 1 && says("the board accepts signed images only: 'smc sign ") && says("nothing was sent"));
-    CHECK(alone("sign", images[0], with, to) == 0 && !says("warning") && chmod(key, 0640) == 0);
-    CHECK(alone("sign", out, with, "--number=7") == 0 && says("smc: warning: other users can read '"));
-    CHECK(chmod(key, 0600) == 0 && quiet("flash", out, "--confirm") == 0 && listed(out, ", runs, confirmed"));
-    CHECK(quiet("device", "info", NULL) == 0 && says("takes signed images only, with key ") && says(", with numbers above 7"));
-    CHECK(quiet("flash", out, NULL) == 0 && says("it runs already"));
-    CHECK(quiet("flash", out, "--period=20") == 1 && says("has number 7, but the board has confirmed number 7"));
-    CHECK(alone("sign", images[1], with, to) == 0 && alone("sign", out, with, "--number=7") == 0);
-    CHECK(quiet("flash", out, NULL) == 1 && says("has number 7, but the board has confirmed number 7") && says("nothing was sent"));
-    CHECK(alone("sign", out, with, NULL) == 0 && quiet("flash", out, "--confirm") == 0 && listed(out, ", runs, confirmed"));
-    CHECK(alone("sign", images[0], with, to) == 0 && alone("sign", out, with, "--number=4000000000") == 0 && forge(out, 1));
-    CHECK(quiet("flash", out, with) == 1 && says(" was changed after it was signed with the key '") && says("nothing was sent"));
-    CHECK(quiet("flash", out, NULL) == 1 && says("the image was not accepted: the board accepts only images that are signed with its key"));
-    CHECK(says("the board keeps the image that it ran before"));
+    CHECK(run_on_good_line("device", "list", NULL) == 0 && output_contains("built in: no image; nothing runs"));
+    CHECK(run_on_good_line("flash", images[0], NULL) == 1 && output_contains("the board accepts signed images only: 'smc sign ") && output_contains("nothing was sent"));
+    CHECK(run_without_board("sign", images[0], with, to) == 0 && !output_contains("warning") && chmod(key, 0640) == 0);
+    CHECK(run_without_board("sign", out, with, "--number=7") == 0 && output_contains("smc: warning: other users can read '"));
+    CHECK(chmod(key, 0600) == 0 && run_on_good_line("flash", out, "--confirm") == 0 && is_listed(out, ", runs, confirmed"));
+    CHECK(run_on_good_line("device", "info", NULL) == 0 && output_contains("takes signed images only, with key ") && output_contains(", with numbers above 7"));
+    CHECK(run_on_good_line("flash", out, NULL) == 0 && output_contains("it runs already"));
+    CHECK(run_on_good_line("flash", out, "--period=20") == 1 && output_contains("has number 7, but the board has confirmed number 7"));
+    CHECK(run_without_board("sign", images[1], with, to) == 0 && run_without_board("sign", out, with, "--number=7") == 0);
+    CHECK(run_on_good_line("flash", out, NULL) == 1 && output_contains("has number 7, but the board has confirmed number 7") && output_contains("nothing was sent"));
+    CHECK(run_without_board("sign", out, with, NULL) == 0 && run_on_good_line("flash", out, "--confirm") == 0 && is_listed(out, ", runs, confirmed"));
+    CHECK(run_without_board("sign", images[0], with, to) == 0 && run_without_board("sign", out, with, "--number=4000000000") == 0 && forge_image(out, 1));
+    CHECK(run_on_good_line("flash", out, with) == 1 && output_contains(" was changed after it was signed with the key '") && output_contains("nothing was sent"));
+    CHECK(run_on_good_line("flash", out, NULL) == 1 && output_contains("the image was not accepted: the board accepts only images that are signed with its key"));
+    CHECK(output_contains("the board keeps the image that it ran before"));
     remove(key);
-    CHECK(alone("key", key, NULL, NULL) == 0 && alone("sign", images[0], with, to) == 0);      // another one than the board's
-    CHECK(alone("sign", out, with, "--number=4000000000") == 0);
-    CHECK(quiet("flash", out, with) == 1 && says(" is signed with key ") && says("but the board accepts only images signed with key ") && says("nothing was sent"));
-    CHECK(quiet("flash", images[1], with) == 1 && says(" is not signed; nothing was sent"));
+    CHECK(run_without_board("key", key, NULL, NULL) == 0 && run_without_board("sign", images[0], with, to) == 0);      // another one than the board's
+    CHECK(run_without_board("sign", out, with, "--number=4000000000") == 0);
+    CHECK(run_on_good_line("flash", out, with) == 1 && output_contains(" is signed with key ") && output_contains("but the board accepts only images signed with key ") && output_contains("nothing was sent"));
+    CHECK(run_on_good_line("flash", images[1], with) == 1 && output_contains(" is not signed; nothing was sent"));
     CHECK(remove(key) == 0 && remove(out) == 0);
     restart_board();
-    CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
+    CHECK(run_on_good_line("flash", images[1], "--confirm") == 0 && is_listed(images[1], ", runs, confirmed"));
 }
 
-static void no_board_answers(void)
+static void test_no_board_answers(void)
 {
     const Trouble gone = {0, 300, 0, true};
 
-    CHECK(run(&gone, "flash", images[0], NULL) == 3 && says(": the board no longer answers"));
-    CHECK(says("the board keeps the image that it ran before"));
-    CHECK(quiet("device", "info", NULL) == 3 && says("no answer from '"));
+    CHECK(run_smc(&gone, "flash", images[0], NULL) == 3 && output_contains(": the board no longer answers"));
+    CHECK(output_contains("the board keeps the image that it ran before"));
+    CHECK(run_on_good_line("device", "info", NULL) == 3 && output_contains("no answer from '"));
     start_board();
-    CHECK(quiet("device", "list", NULL) == 0 && listed(images[1], ", runs, confirmed"));
+    CHECK(run_on_good_line("device", "list", NULL) == 0 && is_listed(images[1], ", runs, confirmed"));
 }
 
-// In trouble the update succeeds or not; then, without it, it does.
-static void an_update_in_trouble(int target)
+// Over a bad line the update succeeds or fails.  Then, over a good line, it succeeds.
+static void test_update_over_a_bad_line(int target)
 {
     Trouble t = {0, 0, 0, false};
     int code;
 
-    switch (below(4)) {
-    case 0: t.bad = 300 + below(2000); break;
-    case 1: t.kill_board = 1 + (long)below(2200); break;
-    case 2: t.kill_smc = 1 + (long)below(2200); break;
-    default: t.bad = 1000; t.kill_board = 1 + (long)below(2200);
+    switch (random_below(4)) {
+    case 0: t.bad = 300 + random_below(2000); break;
+    case 1: t.kill_board = 1 + (long)random_below(2200); break;
+    case 2: t.kill_smc = 1 + (long)random_below(2200); break;
+    default: t.bad = 1000; t.kill_board = 1 + (long)random_below(2200);
     }
-    code = run(&t, "flash", images[target], NULL);
+    code = run_smc(&t, "flash", images[target], NULL);
     CHECK(code == 0 || code == 1 || code == 3 || code == 128 + SIGINT || code == 128 + SIGKILL);
-    CHECK(quiet("device", "list", NULL) == 0 && (listed(images[0], ", runs") || listed(images[1], ", runs") || (one_slot && says(", runs"))));
-    CHECK(code != 0 || listed(images[target], ", runs"));
-    if (listed(images[1 - target], "on trial"))
-        CHECK(quiet("device", "confirm", NULL) == 0);
-    CHECK(quiet("flash", images[target], "--confirm") == 0 && listed(images[target], ", runs, confirmed"));
+    CHECK(run_on_good_line("device", "list", NULL) == 0 && (is_listed(images[0], ", runs") || is_listed(images[1], ", runs") || (one_slot && output_contains(", runs"))));
+    CHECK(code != 0 || is_listed(images[target], ", runs"));
+    if (is_listed(images[1 - target], "on trial"))
+        CHECK(run_on_good_line("device", "confirm", NULL) == 0);
+    CHECK(run_on_good_line("flash", images[target], "--confirm") == 0 && is_listed(images[target], ", runs, confirmed"));
 }
 
-static void one_slot_is_enough(void)
+static void test_one_slot(void)
 {
-    CHECK(quiet("device", "list", NULL) == 0 && says("slot 0: no image") && says(", runs"));
-    line_stays_on();
-    CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)"));
-    CHECK(quiet("flash", images[1], NULL) == 1 && says("on trial; 'smc device confirm' keeps it, 'smc device erase "));
-    CHECK(restarts_until(images[0], "trial ended", 0) <= STARTS_MOST && listed(images[0], ", not chosen, its trial ended: it was not confirmed within its starts"));
-    CHECK(quiet("device", "confirm", NULL) == 1 && says("nothing to confirm") && says("smc: the trial of image "));
-    CHECK(quiet("flash", images[0], "--confirm") == 0 && quiet("flash", images[1], "--confirm") == 0);
-    CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("smc: warning: the board has one slot: image "));
-    CHECK(says("would be sent to the board; nothing was sent") && !says("error"));
-    CHECK(quiet("device", "info", NULL) == 0 && says("1 slot of ") && listed(images[1], ", runs, confirmed"));
+    CHECK(run_on_good_line("device", "list", NULL) == 0 && output_contains("slot 0: no image") && output_contains(", runs"));
+    test_line_stays_on();
+    CHECK(run_on_good_line("flash", images[0], NULL) == 0 && output_contains("on trial (2 starts left)"));
+    CHECK(run_on_good_line("flash", images[1], NULL) == 1 && output_contains("on trial; 'smc device confirm' keeps it, 'smc device erase "));
+    CHECK(restarts_until(images[0], "trial ended", 0) <= STARTS_MOST && is_listed(images[0], ", not chosen, its trial ended: it was not confirmed within its starts"));
+    CHECK(run_on_good_line("device", "confirm", NULL) == 1 && output_contains("nothing to confirm") && output_contains("smc: the trial of image "));
+    CHECK(run_on_good_line("flash", images[0], "--confirm") == 0 && run_on_good_line("flash", images[1], "--confirm") == 0);
+    CHECK(run_on_good_line("flash", images[0], "--dry-run") == 0 && output_contains("smc: warning: the board has one slot: image "));
+    CHECK(output_contains("would be sent to the board; nothing was sent") && !output_contains("error"));
+    CHECK(run_on_good_line("device", "info", NULL) == 0 && output_contains("1 slot of ") && is_listed(images[1], ", runs, confirmed"));
 }
 
-static void two_slots(void)
+static void test_two_slots(void)
 {
-    image_is_sent_and_stored();
-    armed_board_is_left_alone();
-    machine_in_unsafe_state_is_left_alone();
-    too_large_image_is_not_sent();
-    pins_are_asked_about();
-    line_stays_on();
-    a_trial_ends(!getenv("NO_KEY"));
-    an_image_is_erased();
-    no_board_answers();
+    test_image_is_sent_and_stored();
+    test_armed_board_refuses();
+    test_machine_in_unsafe_state_refuses();
+    test_too_large_image_is_not_sent();
+    test_pins_are_checked();
+    test_line_stays_on();
+    test_trial_ends(!getenv("NO_KEY"));
+    test_image_is_erased();
+    test_no_board_answers();
     if (!getenv("NO_KEY"))             // a board that has its key from a file
-        a_board_with_a_key();
+        test_board_with_a_key();
 }
 
 int main(int argc, char **argv)
@@ -534,7 +537,7 @@ int main(int argc, char **argv)
     const int runs = argc > 6 ? atoi(argv[6]) : 8;
 
     if (argc >= 3 && argc <= 4 && strcmp(argv[1], "forge") == 0)
-        return !forge(argv[2], argc == 4 ? strtoul(argv[3], NULL, 10) : 1);
+        return !forge_image(argv[2], argc == 4 ? strtoul(argv[3], NULL, 10) : 1);
     if (argc < 6)
         return fprintf(stderr, "link SMC BOARD FOLDER OLD.smb NEW.smb [RUNS [SEED]]\n"), 2;
     one_slot = getenv("SLOTS") != NULL;
@@ -552,11 +555,11 @@ int main(int argc, char **argv)
         return printf("device: 0 passed, 0 failed, 1 skipped: no terminals here\n"), 0;
     start_board();
     if (one_slot)
-        one_slot_is_enough();
+        test_one_slot();
     else
-        two_slots();
+        test_two_slots();
     for (int i = 0; i < runs; i++)
-        an_update_in_trouble(i % 2);
+        test_update_over_a_bad_line(i % 2);
     kill_board();
     return test_end("device");
 }

@@ -6,6 +6,7 @@
 
 #include "compiler/facts/facts.h"
 #include "stdlib/convert.h"
+#include "stdlib/elementary.h"
 #include "stdlib/math.h"
 
 typedef struct Samples {
@@ -87,6 +88,11 @@ static double f64_result(IrOp op, double a, double b)
     case IR_sign: return sm_sign(a);
     case IR_min: return sm_min(a, b);
     case IR_max: return sm_max(a, b);
+#define SM_ELEMENTARY(name, arguments, number) case IR_##name: return CALL_##arguments(name);
+#define CALL_1(name) sm_##name(a)
+#define CALL_2(name) sm_##name(a, b)
+#include "stdlib/elementary.def"
+#undef SM_ELEMENTARY
     }
     return 0;
 }
@@ -198,6 +204,10 @@ static double statistic(const Samples *w, SmStat stat)
 {
     double *x = w->work, a, b, d;
 
+    if (stat >= SM_STAT_OLDEST) {
+        a = w->slot[w->count < w->n ? 0 : w->next], b = w->slot[(w->next + w->n - 1) % w->n];
+        return stat == SM_STAT_OLDEST ? a : stat == SM_STAT_NEWEST ? b : w->count < 2 ? 0 : sm_sub(b, a);
+    }
     memcpy(x, w->slot, w->count * sizeof *x);
     if (stat == SM_STAT_AVG)
         return sm_div(pairs(x, w->count), sm_from_u32(w->count));

@@ -8,6 +8,7 @@
 
 #include "compiler/device/engine_c.h"
 #include "stdlib/convert.h"
+#include "stdlib/elementary.h"
 #include "stdlib/math.h"
 #include "tests/test.h"
 
@@ -209,6 +210,11 @@ static SmF64 operate(IrOp op, SmF64 a, SmF64 b)
     case IR_sign: return sm_sign(a);
     case IR_min: return sm_min(a, b);
     case IR_max: return sm_max(a, b);
+#define SM_ELEMENTARY(name, arguments, number) case IR_##name: return CALL_##arguments(name);
+#define CALL_1(name) sm_##name(a)
+#define CALL_2(name) sm_##name(a, b)
+#include "stdlib/elementary.def"
+#undef SM_ELEMENTARY
     case IR_eq: return sm_eq(a, b);
     case IR_ne: return !sm_eq(a, b);
     case IR_lt: return sm_lt(a, b);

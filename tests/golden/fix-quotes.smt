@@ -44,7 +44,7 @@ app.ss:2:
 app.ss:5:
   - G == 0: @assert p > 5, "too low"
   - G == 10: @assert p > 5 “too low”
-  + G == 0: @assert p > 5  # too low
+  + G == 0: @assert p > 5 "too low"
   + G == 10: @assert p > 5  # too low
 app.ss: 4 fixed
 -- stderr --

@@ -35,6 +35,7 @@ bool valve
 <style>
 .smc-graph text{font-family:Helvetica,Arial,sans-serif;font-size:11px}
 .smc-graph .g-name{font-size:13px;font-weight:bold;text-anchor:middle}
+.smc-graph .g-all .g-name{font-style:italic}
 .smc-graph .g-to{font-weight:bold;text-anchor:middle}
 .smc-graph .g-mid{text-anchor:middle}
 .smc-graph .g-end{text-anchor:end}

@@ -11,7 +11,7 @@ Usage:
       report everything that can be found without running
   smc test M.sm SCRIPT.ss... [--sv V.sv] [--engine=ENGINE]
       run state scripts, .smt cases and folders of them
-  smc report M.sm [SCRIPT.ss...] [--sv V.sv] [-o FILE.html]
+  smc report M.sm [SCRIPT.ss...] [--sv V.sv] [--net X.net] [-o FILE.html]
       write one page about a machine for a design review
   smc graph M.sm [SCRIPT.ss...] [--sv V.sv] [--format=FORMAT] [-o OUT]
       draw the state diagram, and where scripts have been in it, as SVG, for Graphviz or for Mermaid
@@ -27,7 +27,7 @@ Usage:
       show what a flight log holds, in words, as a table or as a plot
   smc flash IMAGE --port=PORT [--confirm]
       put an image on a running board, over a serial line
-  smc swap FILE...|NAME=FILE... --to=WHERE --restart[=STATE]|--continue
+  smc swap FILE...|NAME=FILE...|NAME=built-in... --to=WHERE --restart[=STATE]|--continue
       replace machines of an application that runs, without stopping it
   smc device info|list|confirm|erase|log --port=PORT
       ask a board or an application what it runs and what happened; keep or erase its images

@@ -38,7 +38,7 @@ bool open
 -- file graph.sarif --
 {"$schema":"https://json.schemastore.org/sarif-2.1.0.json","version":"2.1.0","runs":[{
 "tool":{"driver":{"name":"smc","version":"[..]","rules":[
-{"id":"E0750","name":"assert_failed","shortDescription":{"text":"assert failed after step ... (G = ..., state ...)"},"fullDescription":{"text":"[..]"},"help":{"text":"[..]","markdown":"[..]"},"defaultConfiguration":{"enabled":true,"level":"error"}}]}},
+{"id":"E0750","name":"assert_failed","shortDescription":{"text":"assert failed after step ... (G = ..., state ...)..."},"fullDescription":{"text":"[..]"},"help":{"text":"[..]","markdown":"[..]"},"defaultConfiguration":{"enabled":true,"level":"error"}}]}},
 "columnKind":"unicodeCodePoints",
 "results":[
 {"ruleId":"E0750","ruleIndex":0,"level":"error","message":{"text":"assert failed after step 3 (G = 20, state Idle) (open = false)"},"locations":[{"physicalLocation":{"artifactLocation":{"uri":"a.ss"},"region":{"startLine":5,"startColumn":13,"endLine":5,"endColumn":17}}}],"relatedLocations":[{"message":{"text":"the last steps, and the values after each:\u000astep   G  state   open\u000a   1   0  Idle   false\u000a   2  10  Idle   false\u000a   3  20  Idle   false"}},{"message":{"text":"the machine has been in state 'Idle' from the start"}}],"partialFingerprints":{"primaryLocationLineHash":"3cfb2d9a251ba18d:1"}}]}]}

@@ -48,7 +48,7 @@ extern const uint8_t groundKey[SM_NET_KEY];        // you define it
 #endif
 
 #if PAL_SOCKETS < 2
-#error "each message needs a socket: compile everything with -DPAL_SOCKETS=2 or more"
+#error "the messages need 2 sockets: compile everything with -DPAL_SOCKETS=2 or more"
 #endif
 
 // Of a field: offset in the state vector, type, what becomes of it while no message comes, the bits of that value, its range.

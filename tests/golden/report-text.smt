@@ -49,7 +49,7 @@ delta_t 100
 [all_states]
 valve: level = level + 1
 G == 20000 {
-    @assert S == 3
+    @assert S == Done
     @stop
 }
 -- stdout --

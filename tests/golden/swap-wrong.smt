@@ -30,7 +30,7 @@ U64 G
 [A]
 U64 G
 -- stdout --
-Usage: smc swap FILE...|NAME=FILE... --to=WHERE --restart[=STATE]|--continue
+Usage: smc swap FILE...|NAME=FILE...|NAME=built-in... --to=WHERE --restart[=STATE]|--continue
   replace machines of an application that runs, without stopping it
 
 Options:
@@ -58,7 +58,7 @@ smc: swap requires --continue or --restart: with --continue a new machine contin
 Try 'smc swap --help'.
 smc: --continue and --restart exclude each other
 Try 'smc swap --help'.
-smc: 'a.sv' is not a machine: swap accepts .sm and .smb files, as in 'smc swap tank.sm' or 'smc swap tank=other.smb'
+smc: 'a.sv' is not a machine: swap accepts .sm and .smb files, as in 'smc swap tank.sm' or 'smc swap tank=other.smb', and 'tank=built-in'
 Try 'smc swap --help'.
 smc: 'a' is named twice: a swap replaces each machine once
 Try 'smc swap --help'.

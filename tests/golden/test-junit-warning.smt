@@ -58,7 +58,7 @@ a.sm:4:5: warning: element 'x' is never used [W0203 unused-element]
     4 | F64 x
       |     ^
 1 warning
-good.ss:4:10: warning: the script has no @assert: it tests only that @stop is reached [W0751 script-without-assert]
+good.ss:4:10: warning: the script has no @assert, @expect or @fail: it tests only that @stop is reached [W0751 script-without-assert]
     4 | G == 30: @stop
       |          ^~~~~
 1 warning

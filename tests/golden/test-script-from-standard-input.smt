@@ -73,7 +73,7 @@ note: the step, and the values after it:
          1  0  Idle   true
 note: the machine has been in state 'Idle' from the start
 1 error
-good.ss:4:15: warning: the script has no @assert: it tests only that @stop is reached [W0751 script-without-assert]
+good.ss:4:15: warning: the script has no @assert, @expect or @fail: it tests only that @stop is reached [W0751 script-without-assert]
     4 | open == true: @stop
       |               ^~~~~
 1 warning

@@ -64,7 +64,10 @@ static Things things_of(const Diagram *d)
     for (size_t n = 0; n < d->nodes; n++) {
         const DiagramNode *node = &d->node[n];
         const Box from = {node->box.x - 28 - node->from_w, node->box.y, node->from_w, node->box.h};
-        add_thing(&t, node->box, node->name, NULL);
+        if (node->all)
+            add_thing(&t, (Box){node->box.x, node->box.y - 2 * STACK, node->box.w + 2 * STACK, node->box.h + 2 * STACK}, node->name, NULL);
+        else
+            add_thing(&t, node->box, node->name, NULL);
         if (node->from)
             add_thing(&t, from, node->from, NULL);
     }
@@ -154,13 +157,14 @@ static void check_ends(const Diagram *d)
         }
 }
 
-// Every transition is drawn once.
+// Every transition is drawn once: as a guard of an edge, which has all copies of a transition of [all_states].
 static void check_complete(const Diagram *d)
 {
     size_t guards = 0;
 
     for (size_t e = 0; e < d->edge.n; e++) {
-        guards += d->edge.at[e].guard.n;
+        for (size_t g = 0; g < d->edge.at[e].guard.n; g++)
+            guards += d->edge.at[e].guard.at[g].transition->copy.n;
         CHECK((d->edge.at[e].form == EDGE_LINE) == (d->edge.at[e].path.n > 0));
     }
     CHECK(guards == d->a->transition.n);
@@ -381,6 +385,75 @@ static void check_findings(void)
     CHECK(strstr(svg, "guard&#39; is") && strstr(svg, "transition&#39; is") && !strstr(svg, "nowhere"));
 }
 
+// ---- [all_states] ----
+
+static const char sections[] = "[state_vector]\nU64 G\nU32 S\nF64 pressure\nbool stop\nbool beacon\n"
+                               "[Idle]\n.step\n    pressure > 5: -> Run\n"
+                               "[Run]\n.step\n    pressure > 9: -> Abort\n    pressure < 2: -> Idle\n"
+                               "[Abort]\n[Lost]\n.step\n    pressure > 7: -> Abort\n[define]\nnone = 1\n"
+                               "[all_states] @except Abort\n.step\n    beacon = true\n    stop: -> Abort\n"
+                               "[all_states]\n.step\n    pressure = pressure\n";
+
+// A section with its transitions and assignments is drawn once, apart from the states.
+static void check_sections(void)
+{
+    const DiagramOptions none = {NULL, NULL, NULL};
+    Program *p = compile("sections.sm", sections, strlen(sections));
+    Analysis a = analysed(p);
+    const Diagram *d = diagram_build(&a, &none);
+    const DiagramNode *first = &d->node[4];
+
+    CHECK(d->states == 4 && d->nodes == 6 && first->all == p->all_states.at[0] && !first->state);
+    CHECK(strcmp(first->title, "all states except Abort") == 0 && strcmp(d->node[5].title, "all states") == 0);
+    CHECK(first->edges == 1 && first->action.n == 1 && first->reached);
+    CHECK(d->edge.at[first->first_edge].guard.at[0].transition->copy.n == 3 && d->edge.at[first->first_edge].possible);
+    CHECK(d->node[0].edges == 1 && d->node[0].action.n == 0 && d->node[5].edges == 0 && !d->node[3].reached && d->node[2].reached);
+    CHECK(strstr(drawn(&a, &none), "4 states, 5 transitions."));
+}
+
+// The count of a pair of states that two edges have belongs to either of them.  From Run and from Lost two transitions lead to Abort.
+static void check_section_counts(void)
+{
+    const uint64_t states[] = {3, 3, 3, 0};
+    uint64_t taken[8] = {0};
+    const DiagramCounts counts = {states, taken};
+    const DiagramOptions o = {NULL, &counts, NULL};
+    Program *p = compile("sections.sm", sections, strlen(sections));
+    Analysis a = analysed(p);
+    const char *svg;
+
+    CHECK(a.transition.n == 7);
+    taken[0] = 1;                     // Idle to Abort
+    taken[1] = 4;                     // Idle to Run
+    taken[2] = 2;                     // Run to Abort
+    svg = drawn(&a, &o);
+    CHECK(strstr(svg, "all states except Abort to Abort: stop\ntaken 1 to 3 times<"));
+    CHECK(strstr(svg, "Run to Abort: pressure &gt; 9\ntaken at most 2 times<"));
+    CHECK(strstr(svg, "Idle to Run: pressure &gt; 5\ntaken 4 times<"));
+    CHECK(strstr(svg, "Lost to Abort: pressure &gt; 7\nnever taken<") || strstr(svg, "Lost to Abort: pressure &gt; 7 (never)\nnever taken<"));
+    CHECK(!strstr(svg, "all states except Abort\nentered"));
+}
+
+// A finding in a section belongs to the section, wherever in the file it is, and not to the states that have a copy.
+static void check_section_findings(void)
+{
+    Diags found;
+    const DiagramOptions o = {&found, NULL, NULL};
+    Program *p = compile("sections.sm", sections, strlen(sections));
+    Analysis a = analysed(p);
+    const Stmt *set = p->state.at[0]->block[BLOCK_STEP].at[0], *stop = a.transition.at[0].stmt;
+    const Diagram *d;
+
+    diags_init(&found, &session.arena);
+    diag_report(&found, DIAG_unreachable_state, set->span, "section");
+    diag_report(&found, DIAG_unreachable_state, stop->span, "transition");
+    diag_report(&found, DIAG_unreachable_state, p->state.at[2]->span, "Abort");
+    diag_report(&found, DIAG_unused_definition, p->define.at[0]->span, "none");       // between a state and a section: not shown
+    d = diagram_build(&a, &o);
+    CHECK(d->node[4].finding.n == 1 && d->edge.at[d->node[4].first_edge].guard.at[0].finding.n == 1 && d->node[2].finding.n == 1);
+    CHECK(d->node[0].finding.n == 0 && d->node[1].finding.n == 0 && d->node[3].finding.n == 0);
+}
+
 // A file may have any name.
 static void check_name(void)
 {
@@ -478,6 +551,9 @@ int main(int argc, char **argv)
     check_actions();
     check_spine();
     check_counts();
+    check_sections();
+    check_section_counts();
+    check_section_findings();
     check_findings();
     check_name();
     check_random();

@@ -12,6 +12,7 @@ NR == 1 { good = $0 == "stateDiagram-v2"; next }
 NR == 2 { good = good && $0 == "    %% drawn by smc"; next }
 /^    classDef [a-z]+ [a-z:#0-9,-]+$/ { classes[$2] = 1; next }
 /^    state "[A-Za-z_][A-Za-z0-9_]*" as s[0-9]+$/ { states[$4] = 1; next }
+/^    state "all states( except [A-Za-z0-9_, ]+)?" as s[0-9]+$/ { states[$NF] = 1; next }
 /^    \[\*\] --> s1$/ && known($3) { next }
 /^    s[0-9]+ : ./ && known($1) && plain(after(" : ")) { next }
 /^    s[0-9]+ --> s[0-9]+ : ./ && known($1) && known($3) && plain(after(" : ")) { next }

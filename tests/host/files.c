@@ -121,7 +121,7 @@ static void whole_or_not_at_all(void)
     CHECK(!os_write_files(two, 2, &failed, &why) && strcmp(failed, "no/such/b") == 0 && holds("a", "OLD") && entries(".") == before);
 }
 
-static void modes(void)
+static void test_modes(void)
 {
     static const mode_t mode[] = {0600, 0640, 0644, 0755};
 
@@ -159,13 +159,13 @@ static void symbolic_links(void)
 }
 
 // As os.h defines: the other name keeps the old content.
-static void hard_links(void)
+static void test_hard_links(void)
 {
     CHECK(put("one", "old") && link("one", "two") == 0 && put("one", "new"));
     CHECK(holds("one", "new") && holds("two", "old"));
 }
 
-static void names(void)
+static void test_names(void)
 {
     static const char *const bad[] = {"a\nb", "a\tb", "\x1b[31m", "a\x7f", "far/\r", "a\nb/c"};
     const char *why;
@@ -187,9 +187,9 @@ int main(int argc, char **argv)
     if (argc != 2 || chdir(argv[1]) != 0)
         return 2;
     whole_or_not_at_all();
-    modes();
+    test_modes();
     symbolic_links();
-    hard_links();
-    names();
+    test_hard_links();
+    test_names();
     return test_end("host-files");
 }

@@ -62,7 +62,7 @@ static void test_lengths(void)
     free(text);
 }
 
-// Several outputs: if one cannot be written, none is replaced and nothing is left behind.
+// Several outputs: if one cannot be written, none is replaced, and no temporary file remains.
 static void test_all_or_none(void)
 {
     const OsOutput out[] = {{"first", "new", 3}, {"folder", "new", 3}, {"third", "new", 3}};
@@ -98,7 +98,7 @@ static void (*handler_of(int number))(int)
 
 static void own_handler(int number) { (void)number; }
 
-// A signal that the caller ignores, as under nohup, stays ignored; the others are as they were once all is written.
+// A signal that the caller ignores, as under nohup, stays ignored.  The handling of the others is as before once all is written.
 static void test_signals(void)
 {
     OsStream s;
@@ -146,7 +146,7 @@ static void test_make_folder(void)
     CHECK(seteuid(user) == 0 && unlink("lost") == 0 && rmdir("new") == 0);
 }
 
-// A key is never written over, and is its owner's alone.
+// A key is never overwritten, and only its owner can read it.
 static void test_private(void)
 {
     struct stat st;

@@ -31,7 +31,7 @@ static void sleep_ms(long ms)
     nanosleep(&t, NULL);
 }
 
-// The command in a process group of its own, as a shell would start it.  `output` is its standard output.
+// Starts the command in a process group of its own, as a shell does.  `output` is its standard output.
 static pid_t start_with(const char *engine, int output)
 {
     const struct rlimit none = {0, 0};
@@ -98,7 +98,7 @@ static bool read_ids(long *a, long *b)
     return ok;
 }
 
-// Its parent can notice its end with a delay.
+// Whether the process has ended.  Its parent can notice that late.
 static bool has_ended(long pid)
 {
     for (int i = 0; i < 200; i++, sleep_ms(10))
@@ -147,8 +147,8 @@ static bool is_whole(void)
     return read_trace(now, sizeof now) == whole_n && memcmp(now, whole, whole_n) == 0;
 }
 
-// At any time: with the real compiler, after a number of milliseconds.  The command can have finished by then, or have written its trace.
-static void at_any_time(int number, long ms)
+// Signals arrive after a number of milliseconds, with the real compiler.  The command can have finished by then, or have written its trace.
+static void test_signal_at_any_time(int number, long ms)
 {
     const pid_t pid = start("cc");
     int code;
@@ -162,8 +162,8 @@ static void at_any_time(int number, long ms)
     remove("made/trace.csv");
 }
 
-// As of `smc test ... | true`: the report is written while the trace is unfinished.
-static void into_a_closed_pipe(void)
+// As in `smc test ...  piped to true`: the report is written while the trace is unfinished.
+static void test_closed_pipe(void)
 {
     static const char *const engines[] = {"--engine=vm", "--engine=c"};
     int end[2];
@@ -189,11 +189,11 @@ int main(int argc, char **argv)
     setenv("TMPDIR", tmp, 1);
     make_slow_compiler();
     undisturbed();
-    into_a_closed_pipe();
+    test_closed_pipe();
     for (size_t i = 0; i < NUMBERS; i++) {
         during_the_compiler(numbers[i]);
         for (long ms = 1; ms < 400 && i < AT_ANY_TIME; ms += 23)
-            at_any_time(numbers[i], ms);
+            test_signal_at_any_time(numbers[i], ms);
     }
     return test_end("host-signals");
 }

@@ -131,6 +131,16 @@ sleep 1
 echo nonsense >>probe.app
 check "a broken application stops make" stops '^probe.app:.*error' CC="$cc" CFLAGS=-O1
 check "on Linux it links too" sh -c "sed /nonsense/d probe.app >new && mv new probe.app && $make -s CC='$cc' CFLAGS=-O1 SMC_PLATFORM=linux SMC_OUT=real"
+
+# The test stand for an NI sbRIO, with the Makefile of the examples and the stand-in for NI's library, away from this tree.
+mkdir "$dir/sbrio"
+cp "$root"/examples/sbrio/* "$root"/examples/teststand/teststand.* "$root"/examples/teststand/monitor.sm "$root"/examples/teststand/stand.sm "$root"/tests/sbrio/NiFpga* "$dir/sbrio"
+for_sbrio()
+{
+    cd "$dir/sbrio" && $make -s SMC_MK="$inst/share/smc/smc.mk" SMC="$inst/bin/smc" CC="$cc" CFLAGS=-O1 PSL_WATCHDOG=watchdog_process &&
+        STANDIN_CALLS=200 ./teststand && "$inst/bin/smc" log teststand.log | grep -q 'the application was stopped'
+}
+check "an application for an NI sbRIO builds, runs and ends" for_sbrio
 cd "$dir/project" || exit 1
 
 # An application that swaps one of its machines: the image comes from smc.mk, too.
@@ -213,7 +223,7 @@ else
     skipped=$((skipped + 1))
 fi
 refused() { ! "$make" -s CC="$cc" "$1" >log 2>&1 && grep -qF "$2" log && rm log; }
-check "an unknown platform is reported" refused SMC_PLATFORM=bord 'SMC_PLATFORM = bord: there is none of that name; there are avr desk linux none sim'
+check "an unknown platform is reported" refused SMC_PLATFORM=bord 'SMC_PLATFORM = bord: there is none of that name; there are avr desk linux none sbrio sim'
 check "an application in a folder too" refused SMC_APP=sub/probe 'Run make where probe.app is'
 check "and a source of another kind" refused SMC_SOURCES='tasks.c own.rs' 'own.rs ends in none of .c, .cc and .cpp'
 echo nonsense >>probe.app

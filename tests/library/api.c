@@ -35,7 +35,7 @@ static uint32_t add(SmcSession *s, int32_t kind, const char *name, const char *t
 
 // ---- compiling ----
 
-static void compiles(void)
+static void test_compiling(void)
 {
     SmcSession *s = open_session();
     const uint32_t sm = add(s, SMC_KIND_SM, "dir/tank.sm", tank);
@@ -60,7 +60,7 @@ static void compiles(void)
     CHECK(smc_close(s) == SMC_OK);
 }
 
-static void compiles_together(void)
+static void test_compiling_together(void)
 {
     SmcSession *s = open_session();
     static const char vector[] = "[Tank]\nU64 G\nU32 S\nbool open\n", pins[] = "[digital]\no 8 open\n";
@@ -86,7 +86,7 @@ static void compiles_together(void)
     smc_close(s);
 }
 
-static void compiles_an_application(void)
+static void test_compiling_an_application(void)
 {
     SmcSession *s = open_session();
     static const char app[] = "[options]\nstate_vector \"bus.sv\"\ntime_unit 1 ms\n[executor main]\nevery 10 ms {\n    machine valve \"valve.sm\"\n}\n";
@@ -115,7 +115,7 @@ static uint32_t find_model_variable(const SmcSession *s, uint32_t sm, const char
     return 0;
 }
 
-// How a state accesses a variable: a sum of SMC_ACCESS_….
+// Returns how a state accesses a variable: a sum of SMC_ACCESS_….
 static uint32_t access_of(const SmcSession *s, uint32_t sm, uint32_t state, const char *name)
 {
     const uint32_t variable = find_model_variable(s, sm, name);
@@ -126,7 +126,7 @@ static uint32_t access_of(const SmcSession *s, uint32_t sm, uint32_t state, cons
     return 0;
 }
 
-static void has_structure(void)
+static void test_structure(void)
 {
     SmcSession *s = open_session();
     static const char text[] = "[state_vector]\nU64 time @alias G\nU32 S\nF64 p\nbool v\n[local]\nF64 limit = 9 @read_only\nU8 n = 0\n[Fill] @safe\n.step\n"
@@ -156,8 +156,33 @@ static void has_structure(void)
     smc_close(s);
 }
 
+// A transition of [all_states] leads from each state where the section runs, all with its line; a definition counts as what it reads.
+static void test_structure_of_all_states(void)
+{
+    SmcSession *s = open_session();
+    static const char text[] = "[state_vector]\nU64 G\nU32 S\nF64 p\nbool v\n[define]\nhigh = p > 9\n"
+                               "[all_states] @except Stop\n.step\n    high: -> Stop\n    v = true\n"
+                               "[Idle]\n.step\n    G > 5: -> Run\n[Run]\n[Stop] @abort\n";
+    const uint32_t sm = add(s, SMC_KIND_SM, "tank.sm", text);
+
+    CHECK(smc_compile(s) == SMC_OK && smc_model_state_count(s, sm) == 3 && smc_model_transition_count(s, sm) == 3);
+    for (uint32_t t = 0; t < 3; t++) {
+        const bool copy = t != 1;
+        CHECK(smc_model_transition_from(s, sm, t) == 1 + t / 2 && smc_model_transition_to(s, sm, t) == (copy ? 3u : 2u));
+        CHECK(smc_model_transition_line(s, sm, t) == (copy ? 10u : 14u) && is_text(smc_model_transition_guard(s, sm, t), copy ? "high" : "G > 5"));
+        CHECK(smc_model_transition_block(s, sm, t) == SMC_BLOCK_STEP);
+    }
+    CHECK(smc_model_state_marks(s, sm, 1) == 0 && smc_model_state_marks(s, sm, 2) == 0 && smc_model_state_marks(s, sm, 3) == (SMC_MARK_ABORT | SMC_MARK_FINAL));
+    for (uint32_t state = 1; state <= 3; state++) {
+        CHECK(access_of(s, sm, state, "p") == (state < 3 ? SMC_ACCESS_READ : 0) && access_of(s, sm, state, "v") == (state < 3 ? SMC_ACCESS_WRITE : 0));
+        CHECK(smc_model_state_line(s, sm, state) == (state == 1 ? 12u : state == 2 ? 15u : 16u));
+    }
+    CHECK(smc_model_variable_count(s, sm) == 4);
+    smc_close(s);
+}
+
 // The machines of an application have a structure, too.
-static void has_structure_in_an_application(void)
+static void test_structure_of_an_application(void)
 {
     SmcSession *s = open_session();
     static const char app[] = "[options]\nstate_vector \"bus.sv\"\ntime G 1 ms\n[main]\nevery 10 ms:\n    machine valve \"valve.sm\"\n";
@@ -171,7 +196,7 @@ static void has_structure_in_an_application(void)
 
 // ---- sources that come and go ----
 
-static void removes_sources(void)
+static void test_removing_sources(void)
 {
     SmcSession *s = open_session();
     const uint32_t broken = add(s, SMC_KIND_SM, "broken.sm", "["), sm = add(s, SMC_KIND_SM, "tank.sm", tank), ss = add(s, SMC_KIND_SS, "a.ss", script);
@@ -194,7 +219,7 @@ static void removes_sources(void)
 
 // ---- diagnostics ----
 
-static void has_diagnostics(void)
+static void test_diagnostics(void)
 {
     SmcSession *s = open_session();
     static const char text[] = "[state_vector]\nU64 G\nU32 S\nbool valveOpen\n[A]\n.step\n    # \xc3\xa4\xf0\x9f\x9a\x80\n    valve0pen = true   # \xf0\x9f\x9a\x80\n";
@@ -222,7 +247,7 @@ static void has_diagnostics(void)
     smc_close(s);
 }
 
-static void applies_edits(void)
+static void test_applying_edits(void)
 {
     SmcSession *s = open_session();
     static const char text[] = "[state_vector]\nU64 G\nU32 S\nbool v\n[A]\n.step\n    G > 5 && v: v = false\n";
@@ -237,7 +262,7 @@ static void applies_edits(void)
     smc_close(s);
 }
 
-static void counts_utf16_columns(void)
+static void test_utf16_columns(void)
 {
     SmcSession *s = open_session();
     static const char text[] = "[state_vector]\nU64 G\nU32 S\nbool v\n[A] @allow(dead-code, \"\xf0\x9f\x9a\x80\xc3\xa4\xff\") @wrong\n";
@@ -257,7 +282,7 @@ static void counts_utf16_columns(void)
     smc_close(s);
 }
 
-static void selects_warnings(void)
+static void test_selecting_warnings(void)
 {
     SmcSession *s = open_session();
     static const char text[] = "[state_vector]\nU64 G\nU32 S\nbool v @allow(never-written, \"a driver\")\nbool w\n[A]\n.step\n    w = v\n[B]\n";
@@ -273,8 +298,8 @@ static void selects_warnings(void)
     smc_close(s);
 }
 
-// The text of an error is UTF-8, also if the argument is not, or is longer than the text can be.
-static void reports_errors_in_utf8(void)
+// The text of an error is UTF-8, even if the argument is not, or is longer than the text can be.
+static void test_errors_are_utf8(void)
 {
     SmcSession *s = open_session();
     char word[700] = "";
@@ -287,7 +312,7 @@ static void reports_errors_in_utf8(void)
     smc_close(s);
 }
 
-static void keeps_allowed_warnings(void)
+static void test_allowed_warnings_are_kept(void)
 {
     SmcSession *s = open_session();
     static const char text[] = "[state_vector]\nU64 G\nU32 S\nbool w\n[A]\n.step\n    w = true\n[B] @allow(unreachable-state, \"later\")\n";
@@ -300,7 +325,7 @@ static void keeps_allowed_warnings(void)
 
 // ---- scripts, diagrams, reports ----
 
-static void runs_scripts(void)
+static void test_running_scripts(void)
 {
     SmcSession *s = open_session();
     const uint32_t sm = add(s, SMC_KIND_SM, "tank.sm", tank), good = add(s, SMC_KIND_SS, "good.ss", script), bad = add(s, SMC_KIND_SS, "bad.ss", failing);
@@ -332,7 +357,7 @@ static void runs_scripts(void)
 }
 
 // Two machines, each with a script of its own, and a script without a machine.
-static void runs_scripts_of_several_machines(void)
+static void test_running_scripts_of_several_machines(void)
 {
     SmcSession *s = open_session();
     static const char other[] = "[state_vector]\nU64 G\nU32 S\nbool on\n[local]\nF64 most = 5 @read_only\n[Off]\n.step\n    on = G > most\n    G > 30: -> On\n[On]\n";
@@ -357,7 +382,7 @@ static void runs_scripts_of_several_machines(void)
     smc_close(s);
 }
 
-static void cancels(void)
+static void test_cancelling(void)
 {
     SmcSession *s = open_session();
     const uint32_t sm = add(s, SMC_KIND_SM, "tank.sm", tank), ss = add(s, SMC_KIND_SS, "good.ss", script);
@@ -373,7 +398,7 @@ static void cancels(void)
 
 // ---- machines ----
 
-static uint32_t find(SmcSession *s, SmcMachine m, const char *name)
+static uint32_t find_element(SmcSession *s, SmcMachine m, const char *name)
 {
     uint32_t at = 999;
 
@@ -381,15 +406,15 @@ static uint32_t find(SmcSession *s, SmcMachine m, const char *name)
     return at;
 }
 
-static double get(SmcSession *s, SmcMachine m, const char *name)
+static double get_number(SmcSession *s, SmcMachine m, const char *name)
 {
     double x = -1;
 
-    CHECK(smc_machine_get(s, m, find(s, m, name), &x) == SMC_OK);
+    CHECK(smc_machine_get(s, m, find_element(s, m, name), &x) == SMC_OK);
     return x;
 }
 
-static void runs_machines(void)
+static void test_running_machines(void)
 {
     SmcSession *s = open_session();
     const uint32_t sm = add(s, SMC_KIND_SM, "tank.sm", tank);
@@ -404,21 +429,21 @@ static void runs_machines(void)
     CHECK(smc_machine_state_marks(s, m, 1) == (SMC_MARK_SAFE | SMC_MARK_SWAP) && smc_machine_state_marks(s, m, 2) == SMC_MARK_ABORT);
     CHECK(smc_machine_state_marks(s, m, 3) == 0 && is_text(smc_machine_state_name(s, m, 0), "") && is_text(smc_machine_state_name(s, m, 3), ""));
     CHECK(smc_machine_variable_count(s, m) == 7);                  // G S p valve small n level; limit is a constant
-    CHECK(smc_machine_variable_type(s, m, find(s, m, "n")) == SMC_TYPE_U8 && smc_machine_variable_kind(s, m, find(s, m, "n")) == SMC_VARIABLE_LOCAL);
-    CHECK(smc_machine_variable_type(s, m, find(s, m, "p")) == SMC_TYPE_F32 && smc_machine_variable_offset(s, m, find(s, m, "S")) == 8);
-    CHECK(smc_machine_set(s, m, find(s, m, "p"), 750) == SMC_OK && smc_machine_step(s, m, 10) == SMC_OK);
-    CHECK(get(s, m, "valve") == 1 && get(s, m, "n") == 4 && get(s, m, "level") == 1.75 && get(s, m, "small") == 4000 && get(s, m, "S") == 1 && get(s, m, "G") == 10);
-    CHECK(smc_machine_variable_stored(s, m, find(s, m, "valve")) == 1 && smc_machine_variable_stored(s, m, find(s, m, "S")) == 1 && smc_machine_variable_stored(s, m, find(s, m, "p")) == 0);
-    CHECK(smc_machine_step(s, m, 10) == SMC_E_REFUSED && get(s, m, "n") == 4 && smc_machine_step(s, m, 30) == SMC_OK && smc_machine_time(s, m) == 20);
-    CHECK(smc_machine_read(s, m, find(s, m, "small"), &small, sizeof small) == SMC_OK && small == 5000);
-    CHECK(smc_machine_read(s, m, find(s, m, "small"), &small, 4) == SMC_E_SIZE && smc_machine_write(s, m, find(s, m, "small"), &small, 1) == SMC_E_SIZE);
+    CHECK(smc_machine_variable_type(s, m, find_element(s, m, "n")) == SMC_TYPE_U8 && smc_machine_variable_kind(s, m, find_element(s, m, "n")) == SMC_VARIABLE_LOCAL);
+    CHECK(smc_machine_variable_type(s, m, find_element(s, m, "p")) == SMC_TYPE_F32 && smc_machine_variable_offset(s, m, find_element(s, m, "S")) == 8);
+    CHECK(smc_machine_set(s, m, find_element(s, m, "p"), 750) == SMC_OK && smc_machine_step(s, m, 10) == SMC_OK);
+    CHECK(get_number(s, m, "valve") == 1 && get_number(s, m, "n") == 4 && get_number(s, m, "level") == 1.75 && get_number(s, m, "small") == 4000 && get_number(s, m, "S") == 1 && get_number(s, m, "G") == 10);
+    CHECK(smc_machine_variable_stored(s, m, find_element(s, m, "valve")) == 1 && smc_machine_variable_stored(s, m, find_element(s, m, "S")) == 1 && smc_machine_variable_stored(s, m, find_element(s, m, "p")) == 0);
+    CHECK(smc_machine_step(s, m, 10) == SMC_E_REFUSED && get_number(s, m, "n") == 4 && smc_machine_step(s, m, 30) == SMC_OK && smc_machine_time(s, m) == 20);
+    CHECK(smc_machine_read(s, m, find_element(s, m, "small"), &small, sizeof small) == SMC_OK && small == 5000);
+    CHECK(smc_machine_read(s, m, find_element(s, m, "small"), &small, 4) == SMC_E_SIZE && smc_machine_write(s, m, find_element(s, m, "small"), &small, 1) == SMC_E_SIZE);
     small = -7;
-    CHECK(smc_machine_write(s, m, find(s, m, "small"), &small, sizeof small) == SMC_OK && get(s, m, "small") == -7);
-    CHECK(smc_machine_set(s, m, find(s, m, "small"), 1e9) == SMC_OK && get(s, m, "small") == 32767);
-    CHECK(smc_machine_set(s, m, find(s, m, "n"), 200) == SMC_OK && smc_machine_set(s, m, find(s, m, "p"), 950) == SMC_OK && smc_machine_step(s, m, 40) == SMC_OK);
-    CHECK(get(s, m, "n") == 201 && smc_machine_state(s, m) == 2 && get(s, m, "S") == 1);
-    CHECK(smc_machine_start(s, m, 3) == SMC_E_INDEX && smc_machine_start(s, m, 2) == SMC_OK && get(s, m, "S") == 2 && get(s, m, "n") == 3 && get(s, m, "p") == 0);
-    CHECK(get(s, other, "n") == 3 && smc_machine_info(s, m, SMC_INFO_VECTOR) == 24 && smc_machine_info(s, m, SMC_INFO_LONGEST_STEP) > 3);
+    CHECK(smc_machine_write(s, m, find_element(s, m, "small"), &small, sizeof small) == SMC_OK && get_number(s, m, "small") == -7);
+    CHECK(smc_machine_set(s, m, find_element(s, m, "small"), 1e9) == SMC_OK && get_number(s, m, "small") == 32767);
+    CHECK(smc_machine_set(s, m, find_element(s, m, "n"), 200) == SMC_OK && smc_machine_set(s, m, find_element(s, m, "p"), 950) == SMC_OK && smc_machine_step(s, m, 40) == SMC_OK);
+    CHECK(get_number(s, m, "n") == 201 && smc_machine_state(s, m) == 2 && get_number(s, m, "S") == 1);
+    CHECK(smc_machine_start(s, m, 3) == SMC_E_INDEX && smc_machine_start(s, m, 2) == SMC_OK && get_number(s, m, "S") == 2 && get_number(s, m, "n") == 3 && get_number(s, m, "p") == 0);
+    CHECK(get_number(s, other, "n") == 3 && smc_machine_info(s, m, SMC_INFO_VECTOR) == 24 && smc_machine_info(s, m, SMC_INFO_LONGEST_STEP) > 3);
     CHECK(smc_machine_info(s, m, SMC_INFO_IMAGE) > 100 && smc_machine_info(s, m, 99) == 0 && smc_machine_vector(s, m) != NULL);
     CHECK(smc_machine_info(s, m, SMC_INFO_LAYOUT) == smc_machine_info(s, other, SMC_INFO_LAYOUT));
     CHECK(smc_machine_find(s, m, "nothing", &at) == SMC_E_INDEX && smc_machine_get(s, m, 7, &x) == SMC_E_INDEX && smc_machine_variable_type(s, m, 7) == -1);
@@ -427,8 +452,8 @@ static void runs_machines(void)
     smc_close(s);
 }
 
-// A run on columns does what as many steps do.
-static void runs_columns(void)
+// A run on columns does what the same number of steps does.
+static void test_running_columns(void)
 {
     enum { ROWS = 3000 };
     static uint64_t g[ROWS];
@@ -445,14 +470,14 @@ static void runs_columns(void)
         p[i] = i == 2500 ? 901 : i % 7 == 3 ? i % 800 + 0.3 : 690 + i % 20;
     }
     {
-        const uint32_t input[] = {find(s, m, "p")}, output[] = {find(s, m, "valve"), find(s, m, "small"), find(s, m, "level"), find(s, m, "S")};
+        const uint32_t input[] = {find_element(s, m, "p")}, output[] = {find_element(s, m, "valve"), find_element(s, m, "small"), find_element(s, m, "level"), find_element(s, m, "S")};
         const double *const from[] = {p};
         double *const to[] = {valve, small, level, s_of};
         CHECK(smc_machine_run(s, m, ROWS, g, 1, input, from, 4, output, to, states, &done) == SMC_OK && done == ROWS);
         for (int i = 0; i < ROWS; i++) {
             smc_machine_set(s, other, input[0], p[i]);
-            CHECK(smc_machine_step(s, other, g[i]) == SMC_OK && smc_machine_state(s, other) == states[i] && get(s, other, "valve") == valve[i]);
-            CHECK(get(s, other, "small") == small[i] && get(s, other, "level") == level[i] && get(s, other, "S") == s_of[i]);
+            CHECK(smc_machine_step(s, other, g[i]) == SMC_OK && smc_machine_state(s, other) == states[i] && get_number(s, other, "valve") == valve[i]);
+            CHECK(get_number(s, other, "small") == small[i] && get_number(s, other, "level") == level[i] && get_number(s, other, "S") == s_of[i]);
         }
         CHECK(states[2499] == 1 && s_of[2500] == 1 && states[2500] == 2 && s_of[2501] == 2 && small[100] == 32767);
     }
@@ -461,8 +486,8 @@ static void runs_columns(void)
     smc_close(s);
 }
 
-// What a run on columns refuses, and what it leaves as it was.
-static void refuses_columns(void)
+// A refused run on columns changes nothing.
+static void test_wrong_columns_are_refused(void)
 {
     SmcSession *s = open_session();
     const uint32_t sm = add(s, SMC_KIND_SM, "tank.sm", tank);
@@ -476,9 +501,9 @@ static void refuses_columns(void)
     SmcMachine m = 0;
 
     CHECK(smc_compile(s) == SMC_OK && smc_machine_open(s, sm, &m) == SMC_OK);
-    input = find(s, m, "p");
-    output = find(s, m, "n");
-    time = find(s, m, "G");
+    input = find_element(s, m, "p");
+    output = find_element(s, m, "n");
+    time = find_element(s, m, "G");
     CHECK(smc_machine_run(s, m, 4, g, 1, &input, from, 1, &output, to, NULL, NULL) == SMC_E_ARGUMENT);
     CHECK(smc_machine_run(s, m, 4, NULL, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_ARGUMENT && done == 0);
     CHECK(smc_machine_run(s, m, 4, g, 1, NULL, from, 1, &output, to, NULL, &done) == SMC_E_ARGUMENT);
@@ -494,14 +519,14 @@ static void refuses_columns(void)
     CHECK(smc_machine_run(s, 5, 4, g, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_HANDLE);
     CHECK(smc_machine_run(NULL, m, 4, g, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_HANDLE);
     CHECK(smc_cancel(s, 1) == SMC_OK && smc_machine_run(s, m, 4, g, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_CANCELLED && done == 0);
-    CHECK(n[0] == -1 && get(s, m, "n") == 3 && get(s, m, "p") == 0);       // no step has run
+    CHECK(n[0] == -1 && get_number(s, m, "n") == 3 && get_number(s, m, "p") == 0);       // no step has run
     CHECK(smc_machine_run(s, m, 4, g, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_REFUSED && done == 2);
-    CHECK(n[0] == 4 && n[1] == 5 && n[2] == -1 && get(s, m, "p") == 2 && get(s, m, "G") == 20);
+    CHECK(n[0] == 4 && n[1] == 5 && n[2] == -1 && get_number(s, m, "p") == 2 && get_number(s, m, "G") == 20);
     CHECK(smc_machine_run(s, m, 4, late, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_REFUSED && done == 1);      // the largest G has no step
     smc_close(s);
 }
 
-static void opens_images(void)
+static void test_opening_images(void)
 {
     SmcSession *s = open_session(), *second = open_session();
     const void *bytes;
@@ -533,7 +558,7 @@ static void opens_images(void)
 }
 
 // An image with two machines.
-static void opens_each_machine(void)
+static void test_opening_each_machine(void)
 {
     SmcSession *s = open_session();
     static const char second[] = "[state_vector]\nU64 G\nU32 S\nbool v\n[Only]\n.step\n    v = G > 5\n", vector[] = "[Bus]\nU64 G\nU32 S\nF32 p @range 0 1000\nbool valve\nI16 small\nbool v\n";
@@ -567,7 +592,7 @@ static bool has_item(const SmcSession *s, int32_t kind, const char *name, int32_
     return false;
 }
 
-static void lists_what_a_swap_keeps(void)
+static void test_swap_items_are_listed(void)
 {
     SmcSession *s = open_session();
     static const char older[] = "[state_vector]\nU64 G\nU32 S\nF64 p\nbool v\n[local]\nU8 n = 0\nF64 old = 1\nI16 k = 2\n[A] @safe\n.step\n    n = n + 1\n    old = old + k\n"
@@ -589,7 +614,7 @@ static void lists_what_a_swap_keeps(void)
     CHECK(smc_swap_compare(s, from, third) == SMC_E_REFUSED && strstr(smc_error_text(s), "layouts") != NULL && smc_swap_item_count(s) == 10);
     CHECK(smc_swap_compare(s, from, from) == SMC_E_ARGUMENT && smc_swap_compare(s, 0, to) == SMC_E_HANDLE && smc_swap_compare(NULL, from, to) == SMC_E_HANDLE);
     CHECK(smc_machine_step(s, from, 1) == SMC_OK && smc_swap_compare(s, to, from) == SMC_OK && has_item(s, SMC_SWAP_STATE, "First", SMC_SWAP_REMOVED));
-    CHECK(smc_machine_continue(s, from, to) == SMC_OK && has_item(s, SMC_SWAP_STATE, "First", SMC_SWAP_ADDED) && get(s, to, "n") == 1 && get(s, to, "k") == 2);
+    CHECK(smc_machine_continue(s, from, to) == SMC_OK && has_item(s, SMC_SWAP_STATE, "First", SMC_SWAP_ADDED) && get_number(s, to, "n") == 1 && get_number(s, to, "k") == 2);
     CHECK(smc_machine_close(s, from) == SMC_OK && smc_machine_close(s, to) == SMC_OK && has_item(s, SMC_SWAP_LOCAL, "old", SMC_SWAP_REMOVED));
     for (int32_t fate = SMC_SWAP_KEPT; fate <= SMC_SWAP_CHANGED; fate++)
         CHECK(smc_swap_fate_text(fate)[0] != '\0');
@@ -597,7 +622,7 @@ static void lists_what_a_swap_keeps(void)
     smc_close(s);
 }
 
-static void continues(void)
+static void test_continuing(void)
 {
     SmcSession *s = open_session();
     static const char newer[] = "[state_vector]\nU64 G\nU32 S\nF32 p\nbool valve\nI16 small\n[local]\nU8 n = 9\n[First]\n[Fill] @safe\n.step\n    n = n + 2\n    small = n\n    valve = p > 1\n";
@@ -612,15 +637,15 @@ static void continues(void)
     CHECK(smc_machine_step(s, old, 10) == SMC_OK && smc_machine_step(s, old, 20) == SMC_OK);
     CHECK(smc_machine_continue(s, old, other) == SMC_E_REFUSED && strstr(smc_error_text(s), "layouts") != NULL);
     CHECK(smc_machine_continue(s, old, old) == SMC_E_ARGUMENT && smc_machine_continue(s, old, 5) == SMC_E_HANDLE);
-    CHECK(smc_machine_continue(s, old, new) == SMC_OK && smc_machine_state(s, new) == 2 && get(s, new, "n") == 5 && smc_machine_time(s, new) == 10);
-    CHECK(smc_machine_step(s, new, 20) == SMC_E_REFUSED && smc_machine_step(s, new, 30) == SMC_OK && get(s, new, "n") == 7 && get(s, old, "n") == 5);
-    CHECK(smc_machine_set(s, old, find(s, old, "p"), 950) == SMC_OK && smc_machine_step(s, old, 30) == SMC_OK && smc_machine_continue(s, old, new) == SMC_E_REFUSED);
+    CHECK(smc_machine_continue(s, old, new) == SMC_OK && smc_machine_state(s, new) == 2 && get_number(s, new, "n") == 5 && smc_machine_time(s, new) == 10);
+    CHECK(smc_machine_step(s, new, 20) == SMC_E_REFUSED && smc_machine_step(s, new, 30) == SMC_OK && get_number(s, new, "n") == 7 && get_number(s, old, "n") == 5);
+    CHECK(smc_machine_set(s, old, find_element(s, old, "p"), 950) == SMC_OK && smc_machine_step(s, old, 30) == SMC_OK && smc_machine_continue(s, old, new) == SMC_E_REFUSED);
     smc_close(s);
 }
 
 // ---- bad arguments ----
 
-static void refuses_closed_sessions(void)
+static void test_closed_sessions_are_refused(void)
 {
     static uint64_t area[100000];
     SmcSession *s = NULL;
@@ -636,7 +661,7 @@ static void refuses_closed_sessions(void)
     CHECK(smc_diag_count(s) == 0 && is_text(smc_error_text(s), "") && smc_cancel(s, 1) == SMC_E_HANDLE && smc_memory_used(s) == 0);
 }
 
-static void refuses_null(void)
+static void test_null_is_refused(void)
 {
     SmcSession *s = open_session();
     const void *bytes;
@@ -670,8 +695,8 @@ static void refuses_null(void)
 
 // ---- locales ----
 
-// Numbers look the same where the decimal separator of the program is a comma.
-static void is_independent_of_the_locale(void)
+// Numbers are written and read with a point even if the locale of the program has a decimal comma.
+static void test_locale_has_no_effect(void)
 {
     static const char text[] = "[state_vector]\nU64 G\nU32 S\nF64 p\nF64 q\n[A]\n.step\n    q = p * 1.5 + 0.1\n    p > 2.5: -> A\n";
     char *c_code = NULL;
@@ -701,32 +726,51 @@ static void is_independent_of_the_locale(void)
     free(c_code);
 }
 
+// A script finds the scripts that it includes among the sources, by paths relative to its own.
+static void test_including_scripts(void)
+{
+    static const char plant[] = "include \"../common.ss\"\n[local]\nF64 height = 2 * start\n[all_states]\ntrue: height = height + 1\n";
+    static const char flight[] = "include \"lib/plant.ss\"\n[all_states]\nG == 20: @assert height == 23 @req R1\nG == 20: @stop\n";
+    SmcSession *s = open_session();
+    const uint32_t sm = add(s, SMC_KIND_SM, "dir/tank.sm", tank), part = add(s, SMC_KIND_SS, "dir/lib/plant.ss", plant);
+    const uint32_t common = add(s, SMC_KIND_SS, "dir/common.ss", "[options]\ndelta_t 10\n[local]\nF64 start = 10\n");
+    const uint32_t ss = add(s, SMC_KIND_SS, "dir/flight.ss", flight);
+
+    CHECK(smc_compile(s) == SMC_OK && smc_run(s, ss, SMC_ENGINE_VM | SMC_ENGINE_REF, 0) == SMC_OK && smc_run_asserts(s, ss) == 1);
+    CHECK(smc_run(s, part, SMC_ENGINE_VM, 0) == SMC_E_INDEX && strstr(smc_error_text(s), "another script includes") != NULL);
+    CHECK(smc_run(s, common, SMC_ENGINE_VM, 0) == SMC_E_INDEX);
+    CHECK(smc_source_remove(s, common) == SMC_OK && smc_compile(s) == SMC_E_SOURCE && smc_diag_count(s) > 0);
+    CHECK(smc_source_kind(s, sm) == SMC_KIND_SM && smc_close(s) == SMC_OK);
+}
+
 int main(void)
 {
-    compiles();
-    compiles_together();
-    compiles_an_application();
-    has_structure();
-    has_structure_in_an_application();
-    removes_sources();
-    has_diagnostics();
-    applies_edits();
-    counts_utf16_columns();
-    selects_warnings();
-    reports_errors_in_utf8();
-    keeps_allowed_warnings();
-    runs_scripts();
-    runs_scripts_of_several_machines();
-    cancels();
-    runs_machines();
-    runs_columns();
-    refuses_columns();
-    opens_images();
-    opens_each_machine();
-    lists_what_a_swap_keeps();
-    continues();
-    refuses_closed_sessions();
-    refuses_null();
-    is_independent_of_the_locale();
+    test_compiling();
+    test_compiling_together();
+    test_compiling_an_application();
+    test_structure();
+    test_structure_of_all_states();
+    test_structure_of_an_application();
+    test_removing_sources();
+    test_diagnostics();
+    test_applying_edits();
+    test_utf16_columns();
+    test_selecting_warnings();
+    test_errors_are_utf8();
+    test_allowed_warnings_are_kept();
+    test_running_scripts();
+    test_including_scripts();
+    test_running_scripts_of_several_machines();
+    test_cancelling();
+    test_running_machines();
+    test_running_columns();
+    test_wrong_columns_are_refused();
+    test_opening_images();
+    test_opening_each_machine();
+    test_swap_items_are_listed();
+    test_continuing();
+    test_closed_sessions_are_refused();
+    test_null_is_refused();
+    test_locale_has_no_effect();
     return test_end("api");
 }

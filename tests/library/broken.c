@@ -79,8 +79,8 @@ static SmcResult call_report(SmcSession *s)
     return smc_report(s, sm, SMC_REPORT_TEXT, &text, &size);
 }
 
-// Breaks the machine in one call; afterwards the same call works, in the same session and without compiling again.
-static void recovers(Call *call)
+// Breaks the machine in one call.  Afterwards the same call works, in the same session and without compiling again.
+static void test_recovery(Call *call)
 {
     SmcSession *s = open_session();
     uint64_t used;
@@ -126,7 +126,7 @@ int main(void)
     static Call *const calls[] = {call_compile, call_emit, call_run, call_open, call_report};
 
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
-        recovers(calls[i]);
+        test_recovery(calls[i]);
     closes_after_a_bug();
     recovers_in_c();
     return test_end("broken");

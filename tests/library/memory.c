@@ -14,46 +14,46 @@ static const char script[] = "[options]\ndelta_t 1\n[all_states]\nG == 5: p = 7\
 
 static size_t refused;
 
-// Counts a call, which may only fail for lack of memory or because an earlier one did.
-static bool worked(SmcResult r)
+// Whether a call succeeded.  It can fail only for lack of memory, or because an earlier call did.
+static bool is_ok(SmcResult r)
 {
     CHECK(r == SMC_OK || r == SMC_E_MEMORY || r == SMC_E_STATE || r == SMC_E_HANDLE || r == SMC_E_INDEX);
     refused += r == SMC_E_MEMORY;
     return r == SMC_OK;
 }
 
-// Returns whether everything worked.
-static bool use(SmcSession *s)
+// Returns whether every call worked.
+static bool use_library(SmcSession *s)
 {
     uint32_t sv, sm, ss;
     const char *text;
     const void *bytes;
     uint64_t size;
     SmcMachine m = 0, second = 0;
-    bool all = worked(smc_source_add(s, SMC_KIND_SV, "bus.sv", vector, strlen(vector), &sv));
+    bool all = is_ok(smc_source_add(s, SMC_KIND_SV, "bus.sv", vector, strlen(vector), &sv));
 
-    all = worked(smc_source_add(s, SMC_KIND_SM, "a.sm", machine, strlen(machine), &sm)) && all;
-    all = worked(smc_source_add(s, SMC_KIND_SS, "a.ss", script, strlen(script), &ss)) && all;
+    all = is_ok(smc_source_add(s, SMC_KIND_SM, "a.sm", machine, strlen(machine), &sm)) && all;
+    all = is_ok(smc_source_add(s, SMC_KIND_SS, "a.ss", script, strlen(script), &ss)) && all;
     if (!all)
         return false;
-    all = worked(smc_warning_select(s, "everything"));
-    all = worked(smc_option_set(s, SMC_OPTION_REVIEW, 1)) && all;
-    all = worked(smc_option_set(s, SMC_OPTION_TRACE, 1)) && all;
-    all = worked(smc_compile(s)) && all;
-    all = worked(smc_machine_open(s, sm, &m)) && all;
-    all = worked(smc_machine_open(s, sm, &second)) && all;
+    all = is_ok(smc_warning_select(s, "everything"));
+    all = is_ok(smc_option_set(s, SMC_OPTION_REVIEW, 1)) && all;
+    all = is_ok(smc_option_set(s, SMC_OPTION_TRACE, 1)) && all;
+    all = is_ok(smc_compile(s)) && all;
+    all = is_ok(smc_machine_open(s, sm, &m)) && all;
+    all = is_ok(smc_machine_open(s, sm, &second)) && all;
     if (m)
         CHECK(smc_machine_step(s, m, 1) == SMC_OK && smc_machine_step(s, m, 2) == SMC_OK);
     if (m && second)
-        worked(smc_machine_continue(s, m, second));
-    all = worked(smc_emit(s, SMC_EMIT_IMAGE)) && all;
+        is_ok(smc_machine_continue(s, m, second));
+    all = is_ok(smc_emit(s, SMC_EMIT_IMAGE)) && all;
     if (smc_output_count(s) == 1)
         CHECK(smc_output(s, 0, &bytes, &size) == SMC_OK && size > 100);
-    all = worked(smc_emit(s, SMC_EMIT_C)) && all;
-    all = worked(smc_run(s, ss, SMC_ENGINE_VM | SMC_ENGINE_REF, 0)) && all;
-    all = worked(smc_diagram(s, sm, SMC_DIAGRAM_SVG, &text, &size)) && all;
-    all = worked(smc_report(s, sm, SMC_REPORT_HTML, &text, &size)) && all;
-    all = worked(smc_render(s, SMC_RENDER_SARIF, &text, &size)) && all;
+    all = is_ok(smc_emit(s, SMC_EMIT_C)) && all;
+    all = is_ok(smc_run(s, ss, SMC_ENGINE_VM | SMC_ENGINE_REF, 0)) && all;
+    all = is_ok(smc_diagram(s, sm, SMC_DIAGRAM_SVG, &text, &size)) && all;
+    all = is_ok(smc_report(s, sm, SMC_REPORT_HTML, &text, &size)) && all;
+    all = is_ok(smc_render(s, SMC_RENDER_SARIF, &text, &size)) && all;
     if (m)
         CHECK(smc_machine_step(s, m, 3) == SMC_OK && smc_machine_close(s, m) == SMC_OK);
     return all;
@@ -69,11 +69,11 @@ static bool try_size(void *area, uint64_t size)
     CHECK(r == SMC_OK || r == SMC_E_MEMORY);
     if (r != SMC_OK)
         return false;
-    all = use(s);
+    all = use_library(s);
     CHECK(smc_memory_peak(s) <= size);
     CHECK(smc_sources_clear(s) == SMC_OK);
     if (all) {                    // again, in the memory that the first time has returned
-        CHECK(use(s));
+        CHECK(use_library(s));
         CHECK(smc_memory_peak(s) <= size);
     }
     CHECK(smc_close(s) == SMC_OK);

@@ -12,7 +12,7 @@ enum { CALLS = 60, HANDLES = 6 };
 
 static uint64_t state;
 
-static uint32_t draw(uint32_t n)
+static uint32_t random_below(uint32_t n)
 {
     state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
     return (uint32_t)(((state >> 33) * n) >> 31);
@@ -36,17 +36,17 @@ static double nan_value(void)
     return zero / zero;
 }
 
-// A text with a few bytes changed, removed or repeated; in `text`, which has room for 2000 bytes.
+// Copies a text with a few bytes changed, removed or repeated into `text`, which has room for 2000 bytes.
 static size_t mutate(char *text)
 {
-    const char *from = text_of[draw(TEXTS)];
+    const char *from = text_of[random_below(TEXTS)];
     size_t n = strlen(from);
 
     memcpy(text, from, n);
-    for (uint32_t i = draw(4); i > 0 && n > 0 && draw(2); i--) {
-        const size_t at = draw((uint32_t)n), length = draw(20);
-        if (draw(2))
-            text[at] = (char)draw(256);
+    for (uint32_t i = random_below(4); i > 0 && n > 0 && random_below(2); i--) {
+        const size_t at = random_below((uint32_t)n), length = random_below(20);
+        if (random_below(2))
+            text[at] = (char)random_below(256);
         else if (at + length <= n) {
             memmove(text + at, text + at + length, n - at - length);
             n -= length;
@@ -58,11 +58,11 @@ static size_t mutate(char *text)
 static void add_source(SmcSession *s)
 {
     static const char *const names[] = {"0.sv", "1.sm", "dir/2.sm", "3.ss", "4.ss", "5.io", "6.app", "a\nb", ""};
-    const uint32_t i = draw(sizeof names / sizeof *names);
+    const uint32_t i = random_below(sizeof names / sizeof *names);
     char text[2000];
     uint32_t source;
 
-    smc_source_add(s, draw(8) ? (int32_t)(i == 0 ? 0 : i < 3 ? 1 : i < 5 ? 2 : i == 5 ? 3 : 4) : (int32_t)draw(8) - 1, names[i], text, mutate(text), &source);
+    smc_source_add(s, random_below(8) ? (int32_t)(i == 0 ? 0 : i < 3 ? 1 : i < 5 ? 2 : i == 5 ? 3 : 4) : (int32_t)random_below(8) - 1, names[i], text, mutate(text), &source);
 }
 
 static void read_diagnostics(const SmcSession *s)
@@ -70,7 +70,7 @@ static void read_diagnostics(const SmcSession *s)
     for (uint32_t i = 0; i < smc_diag_count(s) + smc_diag_allowed_count(s) + 1; i++) {
         CHECK(strlen(smc_diag_message(s, i)) + strlen(smc_diag_label(s, i)) + strlen(smc_diag_code(s, i)) < 100000);
         for (int32_t place = -1; place < 8; place++)
-            CHECK(smc_diag_place(s, i, (int32_t)draw(4), draw(3), place, (int32_t)draw(3)) >= -1);
+            CHECK(smc_diag_place(s, i, (int32_t)random_below(4), random_below(3), place, (int32_t)random_below(3)) >= -1);
         for (uint32_t k = 0; k <= smc_diag_note_count(s, i); k++)
             CHECK(strlen(smc_diag_note(s, i, k)) < 100000 && smc_diag_note_step(s, i, k) < 10000);
         for (uint32_t k = 0; k <= smc_diag_edit_count(s, i); k++)
@@ -85,15 +85,15 @@ static void open_changed_image(SmcSession *s, SmcMachine *m)
     unsigned char *copy;
     uint32_t count;
 
-    if (smc_output(s, draw(2), &bytes, &size) != SMC_OK || (copy = malloc((size_t)size + 1)) == NULL)
+    if (smc_output(s, random_below(2), &bytes, &size) != SMC_OK || (copy = malloc((size_t)size + 1)) == NULL)
         return;
     memcpy(copy, bytes, (size_t)size);
-    for (uint32_t i = draw(3); i > 0 && size > 0; i--)
-        copy[draw((uint32_t)size)] ^= (unsigned char)(1u << draw(8));
-    size = draw(10) ? size : draw((uint32_t)size + 1);
+    for (uint32_t i = random_below(3); i > 0 && size > 0; i--)
+        copy[random_below((uint32_t)size)] ^= (unsigned char)(1u << random_below(8));
+    size = random_below(10) ? size : random_below((uint32_t)size + 1);
     if (smc_image_machine_count(s, copy, size, &count) == SMC_OK)
-        CHECK(count <= 256 && (count == 0 || smc_machine_open_image(s, copy, size, draw(count), m) != SMC_E_INDEX));
-    smc_machine_open_image(s, copy, size, draw(3), m);
+        CHECK(count <= 256 && (count == 0 || smc_machine_open_image(s, copy, size, random_below(count), m) != SMC_E_INDEX));
+    smc_machine_open_image(s, copy, size, random_below(3), m);
     free(copy);
 }
 
@@ -105,48 +105,48 @@ static void run_columns(SmcSession *s, SmcMachine m)
     const double *from[COLUMNS];
     double *to[COLUMNS];
     uint32_t variable[2][COLUMNS], states[ROWS];
-    const uint32_t rows = draw(ROWS + 1), inputs = draw(COLUMNS + 1), outputs = draw(COLUMNS + 1);
+    const uint32_t rows = random_below(ROWS + 1), inputs = random_below(COLUMNS + 1), outputs = random_below(COLUMNS + 1);
     SmcResult r;
 
     for (uint32_t i = 0; i < ROWS; i++)
-        g[i] = draw(30) ? smc_machine_time(s, m) + 2000 + i : UINT64_MAX - draw(40);
+        g[i] = random_below(30) ? smc_machine_time(s, m) + 2000 + i : UINT64_MAX - random_below(40);
     for (uint32_t k = 0; k < COLUMNS; k++) {
         for (uint32_t i = 0; i < ROWS; i++)
-            in[k][i] = draw(9) ? (double)draw(2000) - 1000 : nan_value();
-        variable[0][k] = draw(6);
-        variable[1][k] = draw(7);
-        from[k] = draw(20) ? in[k] : NULL;
-        to[k] = draw(20) ? draw(4) ? out[k] : in[k] : NULL;
+            in[k][i] = random_below(9) ? (double)random_below(2000) - 1000 : nan_value();
+        variable[0][k] = random_below(6);
+        variable[1][k] = random_below(7);
+        from[k] = random_below(20) ? in[k] : NULL;
+        to[k] = random_below(20) ? random_below(4) ? out[k] : in[k] : NULL;
     }
-    r = smc_machine_run(s, m, draw(40) ? rows : UINT64_MAX, draw(20) ? g : NULL, inputs, draw(20) ? variable[0] : NULL, from, outputs, variable[1],
-                        draw(20) ? to : NULL, draw(2) ? states : NULL, draw(20) ? &done : NULL);
+    r = smc_machine_run(s, m, random_below(40) ? rows : UINT64_MAX, random_below(20) ? g : NULL, inputs, random_below(20) ? variable[0] : NULL, from, outputs, variable[1],
+                        random_below(20) ? to : NULL, random_below(2) ? states : NULL, random_below(20) ? &done : NULL);
     CHECK(done == 99 || (r == SMC_OK ? done == rows : done <= rows));
 }
 
 static void use_machine(SmcSession *s, SmcMachine m, SmcMachine other)
 {
-    const uint32_t i = draw(10);
-    double x = draw(3) ? (double)draw(2000) - 1000 : nan_value();
+    const uint32_t i = random_below(10);
+    double x = random_below(3) ? (double)random_below(2000) - 1000 : nan_value();
     unsigned char bytes[8];
 
-    switch (draw(13)) {
-    case 0: smc_machine_step(s, m, draw(4) ? smc_machine_time(s, m) + draw(1000) : UINT64_MAX - draw(2)); break;
-    case 1: smc_machine_start(s, m, draw(4)); break;
+    switch (random_below(13)) {
+    case 0: smc_machine_step(s, m, random_below(4) ? smc_machine_time(s, m) + random_below(1000) : UINT64_MAX - random_below(2)); break;
+    case 1: smc_machine_start(s, m, random_below(4)); break;
     case 2: smc_machine_set(s, m, i, x); break;
     case 3: smc_machine_get(s, m, i, &x); break;
-    case 4: smc_machine_read(s, m, i, bytes, draw(10)); break;
-    case 5: memset(bytes, (int)draw(256), sizeof bytes); smc_machine_write(s, m, i, bytes, draw(9)); break;
+    case 4: smc_machine_read(s, m, i, bytes, random_below(10)); break;
+    case 5: memset(bytes, (int)random_below(256), sizeof bytes); smc_machine_write(s, m, i, bytes, random_below(9)); break;
     case 6: smc_machine_continue(s, m, other); break;
     case 7: CHECK(smc_machine_variable_type(s, m, i) >= -1 && smc_machine_variable_kind(s, m, i) >= -1 && smc_machine_variable_stored(s, m, i) >= 0); break;
-    case 8: CHECK(strlen(smc_machine_variable_name(s, m, i)) < 3000 && strlen(smc_machine_state_name(s, m, draw(4))) < 3000); break;
-    case 9: smc_machine_info(s, m, (int32_t)draw(8) - 1); break;
-    case 10: if (smc_machine_vector(s, m)) memset(smc_machine_vector(s, m), (int)draw(256), (size_t)smc_machine_info(s, m, SMC_INFO_VECTOR)); break;
-    case 11: smc_machine_state_marks(s, m, draw(4)); break;
+    case 8: CHECK(strlen(smc_machine_variable_name(s, m, i)) < 3000 && strlen(smc_machine_state_name(s, m, random_below(4))) < 3000); break;
+    case 9: smc_machine_info(s, m, (int32_t)random_below(8) - 1); break;
+    case 10: if (smc_machine_vector(s, m)) memset(smc_machine_vector(s, m), (int)random_below(256), (size_t)smc_machine_info(s, m, SMC_INFO_VECTOR)); break;
+    case 11: smc_machine_state_marks(s, m, random_below(4)); break;
     case 12: run_columns(s, m); break;
     }
 }
 
-// Everything that the session says about the structure of a source, one number beyond each end.
+// Reads everything that the session reports about the structure of a source, and one index beyond each end.
 static void read_structure(const SmcSession *s, uint32_t sm)
 {
     const uint32_t states = smc_model_state_count(s, sm), variables = smc_model_variable_count(s, sm);
@@ -167,8 +167,8 @@ static void read_structure(const SmcSession *s, uint32_t sm)
 
 static void compare_machines(SmcSession *s, SmcMachine from, SmcMachine to)
 {
-    if (smc_swap_compare(s, from, to) == SMC_OK && draw(2))
-        smc_machine_close(s, draw(2) ? from : to);
+    if (smc_swap_compare(s, from, to) == SMC_OK && random_below(2))
+        smc_machine_close(s, random_below(2) ? from : to);
     for (uint32_t i = 0; i < smc_swap_item_count(s); i++)
         CHECK(strlen(smc_swap_item_name(s, i)) > 0 && smc_swap_item_kind(s, i) >= 0 && smc_swap_fate_text(smc_swap_item_fate(s, i))[0] != '\0');
     CHECK(smc_swap_item_kind(s, smc_swap_item_count(s)) == -1);
@@ -178,33 +178,33 @@ static void call_once(SmcSession *s, SmcMachine *machine)
 {
     const char *text;
     uint64_t size;
-    uint32_t n, source = draw(6);
+    uint32_t n, source = random_below(6);
     char changed[2000];
-    SmcMachine *m = &machine[draw(HANDLES)];
+    SmcMachine *m = &machine[random_below(HANDLES)];
     static const char *const words[] = {"everything", "no-dead-code", "error", "flight", "nonsense", "error=output-left-on"};
 
-    switch (draw(24)) {
+    switch (random_below(24)) {
     case 0: case 1: case 2: add_source(s); break;
     case 3: size = mutate(changed); smc_source_replace(s, source, changed, size); break;
-    case 4: if (draw(5) == 0) smc_sources_clear(s); break;
-    case 5: smc_option_set(s, (int32_t)draw(14) - 1, draw(3)); break;
-    case 6: smc_warning_select(s, words[draw(6)]); break;
-    case 7: if (draw(4) == 0) smc_cancel(s, (int32_t)draw(3)); break;
+    case 4: if (random_below(5) == 0) smc_sources_clear(s); break;
+    case 5: smc_option_set(s, (int32_t)random_below(14) - 1, random_below(3)); break;
+    case 6: smc_warning_select(s, words[random_below(6)]); break;
+    case 7: if (random_below(4) == 0) smc_cancel(s, (int32_t)random_below(3)); break;
     case 8: case 9: smc_compile(s); break;
-    case 10: smc_emit(s, (int32_t)draw(8)); break;
-    case 11: smc_run(s, source, draw(9), draw(200)); break;
-    case 12: smc_diagram(s, source, (int32_t)draw(4), &text, &size); break;
-    case 13: smc_report(s, source, (int32_t)draw(4), &text, &size); break;
-    case 14: smc_render(s, (int32_t)draw(5), &text, &size); break;
+    case 10: smc_emit(s, (int32_t)random_below(8)); break;
+    case 11: smc_run(s, source, random_below(9), random_below(200)); break;
+    case 12: smc_diagram(s, source, (int32_t)random_below(4), &text, &size); break;
+    case 13: smc_report(s, source, (int32_t)random_below(4), &text, &size); break;
+    case 14: smc_render(s, (int32_t)random_below(5), &text, &size); break;
     case 15: smc_apply_edits(s, source, &text, &size, &n); break;
     case 16: smc_machine_open(s, source, m); break;
     case 17: open_changed_image(s, m); break;
-    case 18: if (draw(3) == 0) smc_source_remove(s, source); break;
-    case 22: smc_script_assign(s, source, draw(6)); break;
+    case 18: if (random_below(3) == 0) smc_source_remove(s, source); break;
+    case 22: smc_script_assign(s, source, random_below(6)); break;
     case 19: read_structure(s, source); break;
-    case 20: compare_machines(s, *m, machine[draw(HANDLES)]); break;
-    case 21: if (draw(4) == 0) smc_machine_close(s, *m); else read_diagnostics(s); break;
-    default: use_machine(s, *m, machine[draw(HANDLES)]); break;
+    case 20: compare_machines(s, *m, machine[random_below(HANDLES)]); break;
+    case 21: if (random_below(4) == 0) smc_machine_close(s, *m); else read_diagnostics(s); break;
+    default: use_machine(s, *m, machine[random_below(HANDLES)]); break;
     }
     CHECK(strlen(smc_error_text(s)) < 1000 && strlen(smc_machine_name(s, *m)) < 100000 && strlen(smc_run_report(s, source)) < 1000000 && strlen(smc_run_trace(s, source)) < 10000000);
 }
@@ -217,8 +217,8 @@ static void run_sequence(uint64_t seed)
     void *area;
 
     state = seed * UINT64_C(0x9e3779b97f4a7c15) + 1;
-    size = draw(3) == 0 ? 10000 + draw(600000) : 4000000;
-    area = draw(2) ? malloc((size_t)size) : NULL;
+    size = random_below(3) == 0 ? 10000 + random_below(600000) : 4000000;
+    area = random_below(2) ? malloc((size_t)size) : NULL;
     if (smc_open(area, size, &s) == SMC_OK) {
         for (int i = 0; i < CALLS; i++)
             call_once(s, machine);

@@ -228,7 +228,7 @@ static void emit_image(void)
     CHECK(smc_close(s) == SMC_OK);
 }
 
-// Refuses the allocations of one call one after the other, until none is left.  Returns how many there were.
+// Refuses each allocation of one call in turn, until the call allocates no more.  Returns the number of allocations.
 static long refuse_each(SmcSession *s, Call *call, SmcResult expected)
 {
     for (long k = 1; k < 100000; k++) {
@@ -253,7 +253,7 @@ static long refuse_each(SmcSession *s, Call *call, SmcResult expected)
 }
 
 // In a new session, and in one in which the call and an emission have been made before.
-static void refuses(int i)
+static void test_refused_allocations(int i)
 {
     SmcSession *s = open_compiled();
 
@@ -266,7 +266,7 @@ static void refuses(int i)
     CHECK(smc_close(s) == SMC_OK);
 }
 
-static void refuses_compiling(void)
+static void test_refused_while_compiling(void)
 {
     SmcSession *s = open_compiled();
     SmcResult r = SMC_E_MEMORY;
@@ -280,7 +280,7 @@ static void refuses_compiling(void)
     CHECK(smc_close(s) == SMC_OK);
 }
 
-static void refuses_opening(void)
+static void test_refused_while_opening(void)
 {
     SmcSession *s = NULL;
 
@@ -304,7 +304,7 @@ static void use_everything(SmcSession *s, int round)
     CHECK(smc_warning_select(s, "nonsense") == SMC_E_ARGUMENT && smc_warnings_reset(s) == SMC_OK);
 }
 
-static void uses_bounded_memory(void)
+static void test_memory_is_bounded(void)
 {
     SmcSession *s = open_compiled();
     uint64_t peak = 0;
@@ -318,8 +318,8 @@ static void uses_bounded_memory(void)
     CHECK(smc_close(s) == SMC_OK);
 }
 
-// smc_cancel is seen when memory is allocated, so no part of a long search may pass without an allocation.
-static void allocates_often(void)
+// smc_cancel is noticed at an allocation, so every long search must allocate.
+static void test_cancel_is_noticed(void)
 {
     SmcSession *s = open_compiled();
     clock_t start;
@@ -332,7 +332,7 @@ static void allocates_often(void)
     CHECK(smc_close(s) == SMC_OK);
 }
 
-static void adds_many_sources(void)
+static void test_many_sources(void)
 {
     enum { SOURCES = 2000 };
     SmcSession *s = NULL;
@@ -350,12 +350,12 @@ int main(void)
 {
     emit_image();
     for (int i = 0; i < CALLS; i++)
-        refuses(i);
-    refuses_compiling();
-    refuses_opening();
-    uses_bounded_memory();
-    allocates_often();
-    adds_many_sources();
+        test_refused_allocations(i);
+    test_refused_while_compiling();
+    test_refused_while_opening();
+    test_memory_is_bounded();
+    test_cancel_is_noticed();
+    test_many_sources();
     free(image);
     return test_end("refuse");
 }

@@ -53,7 +53,7 @@ static void *cancel(void *session)
     return NULL;
 }
 
-static void cancels_a_run(void)
+static void test_cancelling_a_run(void)
 {
     SmcSession *s;
     uint32_t sm, ss;
@@ -86,6 +86,6 @@ int main(void)
     }
     for (int i = 0; i < THREADS; i++)
         free(expected[i].text);
-    cancels_a_run();
+    test_cancelling_a_run();
     return test_end("threads");
 }

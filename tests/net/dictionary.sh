@@ -12,7 +12,7 @@ case $packets in /*) ;; *) packets=$root/$packets ;; esac
 # is WHAT EXPECTED FOUND: a test.
 is() { if test "$2" = "$3"; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "dictionary: $1: expected '$2', found '$3'"; fi; }
 
-cp "$root"/tests/runtime/link.* "$root"/tests/net/far.* "$dir" && cd "$dir" || exit 1
+cp "$root"/tests/runtime/link.* "$root"/tests/runtime/stream.* "$root"/tests/net/far.* "$dir" && cd "$dir" || exit 1
 for form in json h py xml; do
     "$smc" emit-dictionary link.net --sv link.sv -o link.$form
     is "the form .$form" 0 $?
@@ -23,6 +23,12 @@ for strict in "-std=c99" "-std=c11 -O2"; do
     $cc $strict -Wall -Wextra -Wconversion -Wshadow -Wno-unused-function -pedantic -Werror far.c -o far
     is "the C header compiles with $strict" 0 $?
 done
+"$smc" emit-dictionary stream.net --sv stream.sv -o stream.json && "$smc" emit-dictionary stream.net --sv stream.sv -o stream.xml
+is "who listens, in JSON" "tcp receiver tcp sender tcp receiver tcp sender" \
+    "$(sed -n 's/.*"link":"\([a-z]*\)","listens":"\([a-z]*\)".*/\1 \2/p' stream.json | tr '\n' ' ' | sed 's/ $//')"
+is "who listens, in XTCE" "tcp receiver 10.0.0.1:6001 tcp sender 0.0.0.0:6002 tcp receiver 127.0.0.1:6003 tcp sender 10.0.0.1:6004" \
+    "$(sed -n 's/.*<AncillaryData name="[a-z]*">\(.*\)<.AncillaryData>/\1/p' stream.xml | tr '\n' ' ' | sed 's/ $//')"
+is "by UDP, the receiver listens" "3" "$(grep -c '"link":"udp","listens":"receiver"' link.json)"
 sent=$("$packets" </dev/null | head -1)
 is "C" "cause 0: 12.75 -2.5 1 -3 -5000000000 65535
 damaged 1, short 1" "$(echo "$sent" | ./far 2>command)"

@@ -11,6 +11,7 @@
 #include "bytecode-vm/target/seal.h"
 #include "runtime-c/psl/sim/sim.h"
 #include "stdlib/crc32.h"
+#include "tests/net/oracle.h"
 #include "tests/test.h"
 
 const uint8_t linkKey[SM_NET_KEY] = {9, 8, 7, 6, 5, 4, 3, 2, 1};
@@ -18,49 +19,15 @@ const uint8_t linkKey[SM_NET_KEY] = {9, 8, 7, 6, 5, 4, 3, 2, 1};
 enum { COMMANDS = 43, SEALED = 37, ROOM = 1472 };
 
 static const PalAddress to_commands = {{127, 0, 0, 1}, 5001}, to_sealed = {{239, 1, 2, 3}, 5002};
-static uint64_t state;
 static PalSocket other;
 static uint64_t accepted_by_oracle, refused_by_oracle[SM_NET_COUNTS];
 
-static uint64_t next_random(void)
-{
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    return state;
-}
-
-static size_t below(size_t n) { return (size_t)(next_random() % n); }
-
-static void put(uint8_t *at, uint64_t x, unsigned n)
-{
-    for (unsigned i = 0; i < n; i++)
-        at[i] = (uint8_t)(x >> 8 * i);
-}
-
-static uint64_t get(const uint8_t *at, unsigned n)
-{
-    uint64_t x = 0;
-
-    for (unsigned i = n; i-- > 0;)
-        x = x << 8 | at[i];
-    return x;
-}
-
 // ---- the oracle ----
 
-typedef struct Oracle {
-    size_t size;
-    uint32_t hash;
-    bool sealed, any;
-    uint32_t run, number;
-    uint64_t seen, accepted_at;
-} Oracle;
-
-static bool is_finite_f32(uint64_t bits) { return (bits & 0x7F800000u) != 0x7F800000u; }
 static bool is_finite_f64(uint64_t bits) { return (bits & 0x7FF0000000000000u) != 0x7FF0000000000000u; }
 
-static bool has_numbers(const Oracle *o, const uint8_t *at)
+// Whether each value of the payload is one that its type allows: 0 or 1, and no NaN or infinity.  The sealed message has one BOOL only.
+static bool has_valid_values(const Oracle *o, const uint8_t *at)
 {
     return at[16] <= 1 && (o->sealed || (is_finite_f32(get(at + 17, 4)) && is_finite_f64(get(at + 23, 8))));
 }
@@ -73,24 +40,6 @@ static bool has_code(const uint8_t *at)
     return at[3] == 1 && memcmp(code, at + 17, sizeof code) == 0;
 }
 
-static SmNetCount judge_order(Oracle *o, uint32_t run, uint32_t number, uint64_t now)
-{
-    const uint64_t limit = o->sealed ? 1000000000u : 100000000u;
-    const bool silent = now - o->accepted_at > limit;
-    const int64_t ahead = (int32_t)(number - o->number);
-
-    if (o->any && run == o->run && ahead <= 0)
-        return ahead > -64 && (o->seen >> -ahead & 1) ? SM_NET_repeated : SM_NET_late;
-    if ((!o->any && o->sealed && run < o->run) || (o->any && run != o->run && (o->sealed ? run < o->run : !silent)))
-        return SM_NET_late;
-    o->seen = o->any && run == o->run && ahead < 64 ? o->seen << ahead | 1 : 1;
-    o->any = true;
-    o->run = run;
-    o->number = number;
-    o->accepted_at = now;
-    return SM_NET_accepted;
-}
-
 static SmNetCount judge(Oracle *o, const uint8_t *at, size_t n, uint64_t now)
 {
     if (n != o->size)
@@ -101,7 +50,7 @@ static SmNetCount judge(Oracle *o, const uint8_t *at, size_t n, uint64_t now)
         return SM_NET_hash;
     if (o->sealed ? !has_code(at) : at[3] != 0)
         return SM_NET_key;
-    if (!has_numbers(o, at))
+    if (!has_valid_values(o, at))
         return SM_NET_nan;
     return judge_order(o, (uint32_t)get(at + 8, 4), (uint32_t)get(at + 12, 4), now);
 }
@@ -206,7 +155,8 @@ int main(int n, char **argument)
     const unsigned long packets = n > 2 ? strtoul(argument[2], NULL, 10) : 20000;
     const time_t end = n > 3 ? time(NULL) + strtol(argument[3], NULL, 10) : 0;
     SmNetChannel *channel = link_receive.channel;
-    Oracle oracle[2] = {{COMMANDS, channel[0].message.hash, false, false, 0, 0, 0, 0}, {SEALED, channel[1].message.hash, true, false, 3, 0, 0, 0}};
+    Oracle oracle[2] = {{COMMANDS, channel[0].message.hash, false, false, 0, 0, 0, 0, 100000000u},
+                        {SEALED, channel[1].message.hash, true, false, 3, 0, 0, 0, 1000000000u}};
     uint64_t now = 0, played = 0;
 
     state = n > 1 ? strtoull(argument[1], NULL, 10) * 2654435769u + 1 : 1;

@@ -13,3 +13,6 @@ U32  late
 U32  shorts
 U32  longs
 U32  sent
+U32  hashes
+U32  connected
+U32  broken

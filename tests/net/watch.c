@@ -38,9 +38,9 @@ SmResult watch_step(const SmTick *tick)
     was_silent = silent;
     n = read(0, &byte, 1);
     if (n == 1 && byte == '?')
-        printf("accepted %u refused %u damaged %u repeated %u late %u short %u long %u wrong %u ticks %lu\n", link_accepted(),
-               link_refused(), link_damaged(), link_repeated(), link_late(), link_shorts(), link_longs(), wrong,
-               (unsigned long)tick->number);
+        printf("accepted %u refused %u damaged %u repeated %u late %u short %u long %u hash %u connected %u broken %u wrong %u ticks %lu\n",
+               link_accepted(), link_refused(), link_damaged(), link_repeated(), link_late(), link_shorts(), link_longs(), link_hashes(),
+               link_connected(), link_broken(), wrong, (unsigned long)tick->number);
     if (n == 0)
         sm_app_stop(&receiver_app);
     return SM_OK;

@@ -3,42 +3,9 @@
 // with PSL_LINUX_IIO="iio").  What leaves files works in a folder of its own.  Digital pins are tried where there is a
 // /dev/gpiochip0 whose lines can be used: PSL_PINS=1 enables them.
 #define _GNU_SOURCE
-#include <fcntl.h>
-#include <stdlib.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include "tests/psl/suite.h"
-
-static char folder[256], line[64];
-static int far_end;
-
-static void far_send(const void *bytes, size_t n)
-{
-    CHECK(write(far_end, bytes, n) == (ssize_t)n);
-}
-
-static size_t far_receive(void *bytes, size_t room)
-{
-    ssize_t got = read(far_end, bytes, room);
-
-    return got > 0 ? (size_t)got : 0;
-}
-
-static void far_unplug(void)
-{
-    close(far_end);
-}
-
-static size_t log_read(void *bytes, size_t room)
-{
-    FILE *f = fopen("flight.log", "rb");
-    size_t n = f ? fread(bytes, 1, room, f) : 0;
-
-    if (f)
-        fclose(f);
-    return n;
-}
+#include "tests/psl/bench_host.h"
 
 Bench bench = {
     .name = "linux", .clock = HAS, .console = HAS, .threads = HAS, .locks = HAS, .sockets = HAS,
@@ -81,12 +48,7 @@ static void remove_channels(void)
 
 void bench_begin(void)
 {
-    const char *base = getenv("TMPDIR");
-
-    snprintf(folder, sizeof folder, "%s/smc-psl.XXXXXX", base ? base : P_tmpdir);
-    CHECK(mkdtemp(folder) != NULL && chdir(folder) == 0);
-    far_end = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
-    CHECK(far_end >= 0 && grantpt(far_end) == 0 && unlockpt(far_end) == 0 && ptsname_r(far_end, line, sizeof line) == 0);
+    host_begin();
     put_channels();
     if (getenv("PSL_PINS"))
         bench.dio = HAS;
@@ -94,9 +56,7 @@ void bench_begin(void)
 
 Tally bench_end(void)
 {
-    unlink("nvm");
-    unlink("flight.log");
     remove_channels();
-    CHECK(chdir("/") == 0 && rmdir(folder) == 0);         // fails if a test left a file
+    host_end();
     return TALLY();
 }

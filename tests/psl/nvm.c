@@ -11,6 +11,7 @@ static void without(void)
 
     CHECK(pal_nvm_open(&memory, "nvm", 1) == SM_E_UNSUPPORTED && memory.id == 0);
     CHECK(pal_nvm_open(NULL, NULL, 0) == SM_E_UNSUPPORTED);
+    CHECK(pal_nvm_load("nvm", &x, 1) == SM_E_UNSUPPORTED && pal_nvm_load(NULL, NULL, 0) == SM_E_UNSUPPORTED);
     CHECK(pal_nvm_info(memory, &info) == SM_E_UNSUPPORTED);
     CHECK(pal_nvm_read(memory, 0, &x, 1) == SM_E_UNSUPPORTED);
     CHECK(pal_nvm_write(memory, 0, &x, 1) == SM_E_UNSUPPORTED);
@@ -34,7 +35,7 @@ static PalNvmInfo info_of(PalNvm memory)
     return info;
 }
 
-// The smallest piece that can be erased and written: 1 to 64 bytes on every bench.
+// Returns the size of the smallest piece that can be erased and written: 1 to 64 bytes on every bench.
 static uint32_t piece_of(const PalNvmInfo *info)
 {
     return info->erase > info->write ? info->erase : info->write;
@@ -63,7 +64,7 @@ static bool holds(PalNvm memory, uint32_t at, uint8_t value, uint32_t n)
     return memcmp(bytes, expected, n) == 0;
 }
 
-static void sizes(PalNvm memory)
+static void test_sizes(PalNvm memory)
 {
     PalNvmInfo i = info_of(memory);
 
@@ -73,7 +74,7 @@ static void sizes(PalNvm memory)
     CHECK(piece_of(&i) <= 64 && i.size >= 4 * piece_of(&i));
 }
 
-static void stores(PalNvm memory)
+static void test_stores(PalNvm memory)
 {
     PalNvmInfo i = info_of(memory);
     uint32_t n = piece_of(&i), last = i.size - n;
@@ -109,7 +110,26 @@ static void many_bytes(PalNvm memory)
     }
 }
 
-static void outside(PalNvm memory)
+// By its name, also while it is open; what is missing is not created.
+static void test_loading(PalNvm memory)
+{
+    char longest[PAL_NAME + 1];
+    uint8_t x[2] = {0, 0};
+    PalNvmInfo i = info_of(memory);
+    const uint32_t n = 2 * piece_of(&i);
+
+    clear(memory, 0, n);
+    put(memory, 0, 0x3c, n);
+    CHECK(pal_nvm_load(bench.nvm_name, x, 2) == SM_OK && x[0] == 0x3c && x[1] == 0x3c);
+    memset(longest, 'x', PAL_NAME);
+    longest[PAL_NAME] = '\0';
+    CHECK(pal_nvm_load(NULL, x, 1) == SM_E_ARGUMENT && pal_nvm_load(bench.nvm_name, NULL, 1) == SM_E_ARGUMENT);
+    CHECK(pal_nvm_load(bench.nvm_name, x, 0) == SM_E_ARGUMENT && pal_nvm_load("", x, 1) == SM_E_ARGUMENT && pal_nvm_load(longest, x, 1) == SM_E_ARGUMENT);
+    CHECK(pal_nvm_load(bench.nvm_missing, x, 1) == SM_E_MISSING && pal_nvm_load("not-there", x, 1) == SM_E_MISSING);
+    CHECK(pal_nvm_load("not-there", x, 1) == SM_E_MISSING);
+}
+
+static void test_accesses_outside(PalNvm memory)
 {
     PalNvmInfo i = info_of(memory);
     uint8_t bytes[64] = {0};
@@ -133,8 +153,8 @@ static void outside(PalNvm memory)
         CHECK(pal_nvm_erase(memory, 1, i.erase) == SM_E_ARGUMENT && pal_nvm_erase(memory, 0, 1) == SM_E_ARGUMENT);
 }
 
-// What was written is there when it is opened again.
-static void stays(void)
+// What was written is there when the memory is opened again.
+static void test_content_stays(void)
 {
     PalNvm memory = opened();
     PalNvmInfo i = info_of(memory);
@@ -203,12 +223,13 @@ Tally contract_nvm(void)
     bad_arguments();
     bad_handles();
     memory = opened();
-    sizes(memory);
-    stores(memory);
+    test_sizes(memory);
+    test_stores(memory);
     many_bytes(memory);
-    outside(memory);
+    test_loading(memory);
+    test_accesses_outside(memory);
     CHECK(pal_nvm_close(memory) == SM_OK);
-    stays();
+    test_content_stays();
     one_at_a_time();
     return TALLY();
 }

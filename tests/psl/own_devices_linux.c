@@ -19,7 +19,7 @@
 
 // ---- the console ----
 
-// As read, but for all of n: a terminal may hand over what was written in pieces.
+// Reads n bytes, in as many pieces as the terminal returns them.
 static bool read_all(int fd, char *to, size_t n)
 {
     ssize_t got = 1;
@@ -30,7 +30,7 @@ static bool read_all(int fd, char *to, size_t n)
 }
 
 // With `near` as standard output: written bytes arrive at `far`, and a missing reader there does not block.
-static void console_on(int near, int far)
+static void test_console_on(int near, int far)
 {
     static char text[997], in[997];
     int saved = dup(STDOUT_FILENO);
@@ -50,15 +50,15 @@ static void console_on(int near, int far)
     CHECK(close(saved) == 0 && close(near) == 0 && close(far) == 0);
 }
 
-static void console(void)
+static void test_console(void)
 {
     int ends[2], terminal = posix_openpt(O_RDWR | O_NOCTTY);
     char name[64];
 
     CHECK(pipe(ends) == 0);
-    console_on(ends[1], ends[0]);
+    test_console_on(ends[1], ends[0]);
     CHECK(grantpt(terminal) == 0 && unlockpt(terminal) == 0 && ptsname_r(terminal, name, sizeof name) == 0);
-    console_on(open(name, O_RDWR | O_NOCTTY), terminal);
+    test_console_on(open(name, O_RDWR | O_NOCTTY), terminal);
 }
 
 // ---- analog ----
@@ -73,8 +73,8 @@ static void put_value(const char *kind, const char *text)
     CHECK(f != NULL && fputs(text, f) >= 0 && fclose(f) == 0);
 }
 
-// What channel 3007 measures with these files: raw value, offset and scale, NULL for one that is not there.
-static int32_t measured(const char *raw, const char *offset, const char *scale)
+// Returns what channel 3007 measures with these files: raw value, offset and scale; NULL: the file is missing.
+static int32_t measure_channel(const char *raw, const char *offset, const char *scale)
 {
     PalAio channel = {0};
     int32_t x = -1;
@@ -91,17 +91,17 @@ static int32_t measured(const char *raw, const char *offset, const char *scale)
     return x;
 }
 
-static void aio(void)
+static void test_aio(void)
 {
     CHECK(mkdir("iio/iio:device3", 0700) == 0);
-    CHECK(measured("12\n", NULL, NULL) == 12000);         // millionths; the kernel has thousandths
-    CHECK(measured("2048\n", NULL, "1.220703125\n") == 2500000);
-    CHECK(measured("-4\n", NULL, "0.001\n") == -4);
-    CHECK(measured("100\n", "-40.5\n", "2\n") == 119000);
-    CHECK(measured("99999999\n", "0\n", "1\n") == INT32_MAX);
-    CHECK(measured("-99999999\n", "0\n", "1\n") == INT32_MIN);
-    CHECK(measured("", "0\n", "1\n") == -2);
-    CHECK(measured("nothing\n", "0\n", "1\n") == -2);
+    CHECK(measure_channel("12\n", NULL, NULL) == 12000);         // millionths; the kernel has thousandths
+    CHECK(measure_channel("2048\n", NULL, "1.220703125\n") == 2500000);
+    CHECK(measure_channel("-4\n", NULL, "0.001\n") == -4);
+    CHECK(measure_channel("100\n", "-40.5\n", "2\n") == 119000);
+    CHECK(measure_channel("99999999\n", "0\n", "1\n") == INT32_MAX);
+    CHECK(measure_channel("-99999999\n", "0\n", "1\n") == INT32_MIN);
+    CHECK(measure_channel("", "0\n", "1\n") == -2);
+    CHECK(measure_channel("nothing\n", "0\n", "1\n") == -2);
     unlink("iio/iio:device3/in_current7_raw");
     unlink("iio/iio:device3/in_current_offset");
     unlink("iio/iio:device3/in_current7_scale");
@@ -125,8 +125,8 @@ static void child(uint64_t period)
     _exit(0);
 }
 
-// The signal that ended a program with such a watchdog, or 0.
-static int end_of(uint64_t period)
+// Returns the signal that ended a program with such a watchdog, or 0.
+static int watchdog_signal_of(uint64_t period)
 {
     int status = 0;
     pid_t pid;
@@ -140,7 +140,7 @@ static int end_of(uint64_t period)
 }
 
 // The start and each feeding set the timer again.
-static void feeding(void)
+static void test_feeding(void)
 {
     uint64_t actual;
 
@@ -154,17 +154,17 @@ static void feeding(void)
     CHECK(pal_watchdog_stop() == SM_OK);
 }
 
-static void watchdog(void)
+static void test_watchdog(void)
 {
-    feeding();
-    CHECK(end_of(100 * MS) == SIGKILL);
-    CHECK(end_of(PAL_TIMEOUT_MAX) == 0);
+    test_feeding();
+    CHECK(watchdog_signal_of(100 * MS) == SIGKILL);
+    CHECK(watchdog_signal_of(PAL_TIMEOUT_MAX) == 0);
 }
 
 Tally own_devices_linux(void)
 {
-    console();
-    aio();
-    watchdog();
+    test_console();
+    test_aio();
+    test_watchdog();
     return TALLY();
 }

@@ -43,7 +43,8 @@ static struct {
     int error;                // what the next one fails with
     bool for_good;            // and all after it: the power is off
     char log[64];             // a letter for each call
-} faults = {false, -1, 0, false, ""};
+    unsigned pause;           // microseconds before and after each unlink and connect
+} faults = {false, -1, 0, false, "", 0};
 
 static bool fails(char letter)
 {
@@ -75,7 +76,22 @@ ssize_t __wrap_write(int fd, const void *from, size_t n)
 int __wrap_fsync(int fd) { return fails('f') ? -1 : __real_fsync(fd); }
 int __wrap_fdatasync(int fd) { return fails('d') ? -1 : __real_fdatasync(fd); }
 int __wrap_rename(const char *from, const char *to) { return fails('r') ? -1 : __real_rename(from, to); }
-int __wrap_unlink(const char *path) { return fails('u') ? -1 : __real_unlink(path); }
+
+static int paused(int result)
+{
+    const int error = errno;
+
+    if (faults.pause > 0)
+        (void)usleep(faults.pause);
+    errno = error;
+    return result;
+}
+
+int __wrap_unlink(const char *path)
+{
+    (void)paused(0);
+    return fails('u') ? -1 : paused(__real_unlink(path));
+}
 
 long __wrap_syscall(long number, ...)
 {
@@ -105,7 +121,14 @@ int __wrap_ppoll(struct pollfd *fds, nfds_t n, const struct timespec *timeout, c
 
 int __wrap_accept4(int fd, struct sockaddr *a, socklen_t *n, int flags) { return fails('a') ? -1 : __real_accept4(fd, a, n, flags); }
 ssize_t __wrap_recvmsg(int fd, struct msghdr *m, int flags) { return fails('m') ? -1 : __real_recvmsg(fd, m, flags); }
-int __wrap_connect(int fd, const struct sockaddr *a, socklen_t n) { return fails('c') ? -1 : __real_connect(fd, a, n); }
+
+int __wrap_connect(int fd, const struct sockaddr *a, socklen_t n)
+{
+    (void)paused(0);
+    return fails('c') ? -1 : paused(__real_connect(fd, a, n));
+}
+
+void pause_calls(unsigned microseconds) { faults.pause = microseconds; }
 
 void fault(int left, int error, bool for_good)
 {

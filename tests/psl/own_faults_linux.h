@@ -10,6 +10,9 @@
 void fault(int left, int error, bool for_good);
 void no_fault(void);
 
+// From now on each unlink and connect waits before and after the call, so that other programs get in between.  0: no longer.
+void pause_calls(unsigned microseconds);
+
 // The calls since then, a letter each: w write, f fsync, d fdatasync, r rename, u unlink, l waiting for a lock, t setting a timer, p ppoll,
 // a accept4, m recvmsg, c connect.
 const char *calls(void);

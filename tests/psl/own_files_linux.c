@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "runtime-c/pal/log.h"
@@ -21,7 +22,7 @@
 
 static char memory_name[64];
 
-static PalNvm reopened(void)
+static PalNvm reopen(void)
 {
     PalNvm memory = {0};
 
@@ -29,7 +30,7 @@ static PalNvm reopened(void)
     return memory;
 }
 
-static void fill(PalNvm memory, uint8_t value)
+static void fill_memory(PalNvm memory, uint8_t value)
 {
     uint8_t bytes[SIZE];
 
@@ -37,7 +38,7 @@ static void fill(PalNvm memory, uint8_t value)
     CHECK(pal_nvm_write(memory, 0, bytes, SIZE) == SM_OK);
 }
 
-// The value of all bytes, or -1 if they are not the same.
+// Returns the value of all bytes; -1 if they differ.
 static int value_of(PalNvm memory)
 {
     uint8_t bytes[SIZE];
@@ -50,34 +51,34 @@ static int value_of(PalNvm memory)
     return bytes[0];
 }
 
-// The new file is on the medium before it gets the name, and the name before the call returns.
-static void in_this_order(void)
+// A new file is on the medium before it gets its name, and the name is there before the call returns.
+static void test_order_of_calls(void)
 {
-    PalNvm memory = reopened();
+    PalNvm memory = reopen();
 
     fault(-1, 0, false);
-    fill(memory, 3);
+    fill_memory(memory, 3);
     no_fault();
     CHECK(strcmp(calls(), "wwwfrf") == 0);
     CHECK(pal_nvm_close(memory) == SM_OK);
 }
 
-// Cuts the power before each call in turn; when it is back, all is old or all is new.
-static void cut_anywhere(void)
+// Cuts the power before each call in turn.  Afterwards the content is the old or the new one.
+static void test_power_cuts(void)
 {
     const uint8_t bytes[SIZE] = {0};
     bool done = false, was_old = false, was_new = false;
 
     for (int calls = 0; calls < 20 && !done; calls++) {
-        PalNvm memory = reopened();
+        PalNvm memory = reopen();
         int value;
 
-        fill(memory, 1);
+        fill_memory(memory, 1);
         fault(calls, EIO, true);
         done = pal_nvm_write(memory, 0, bytes, SIZE) == SM_OK;
         no_fault();
         CHECK(pal_nvm_close(memory) == SM_OK);
-        memory = reopened();
+        memory = reopen();
         value = value_of(memory);
         CHECK(value == (done ? 0 : 1) || value == 0);
         was_old = was_old || value == 1;
@@ -87,15 +88,15 @@ static void cut_anywhere(void)
     CHECK(done && was_old && was_new);
 }
 
-// A write that fails leaves the memory usable and nothing lying about.
-static void full_disk(void)
+// A failed write leaves the memory usable, and no temporary file.
+static void test_full_disk(void)
 {
-    PalNvm memory = reopened();
+    PalNvm memory = reopen();
     const uint8_t bytes[SIZE] = {0};
     char name[80];
 
     snprintf(name, sizeof name, "%s.new", memory_name);
-    fill(memory, 1);
+    fill_memory(memory, 1);
     for (int left = 0; left < 3; left++) {
         fault(left, ENOSPC, false);
         CHECK(pal_nvm_write(memory, 0, bytes, SIZE) == SM_E_SPACE);
@@ -104,7 +105,7 @@ static void full_disk(void)
         CHECK(value_of(memory) == 1);
         CHECK(access(name, F_OK) != 0);
     }
-    fill(memory, 2);
+    fill_memory(memory, 2);
     CHECK(value_of(memory) == 2);
     CHECK(pal_nvm_close(memory) == SM_OK);
 }
@@ -116,7 +117,7 @@ static void size_on_disk(off_t expected)
     CHECK(stat(memory_name, &s) == 0 && s.st_size == expected);
 }
 
-static void lengthens(void)
+static void test_file_is_lengthened(void)
 {
     PalNvm memory = {0};
     uint8_t x = 5, two[2] = {0, 0};
@@ -134,6 +135,23 @@ static void lengthens(void)
     CHECK(pal_nvm_read(memory, 999, two, 1) == SM_OK);
     CHECK(pal_nvm_close(memory) == SM_OK);
     size_on_disk(1000);
+}
+
+// Reading by name needs no permission to write, and creates, extends and locks nothing.
+static void loads(void)
+{
+    PalNvm memory = {0};
+    uint8_t x[11] = {0};
+    FILE *f = fopen("key", "w");
+
+    CHECK(f != NULL && fputs("0123456789", f) >= 0 && fclose(f) == 0 && chmod("key", 0400) == 0);
+    CHECK(pal_nvm_load("key", x, 10) == SM_OK && memcmp(x, "0123456789", 10) == 0);
+    CHECK(pal_nvm_load("key", x, 11) == SM_E_SPACE);
+    CHECK(symlink("key", "link") == 0 && pal_nvm_load("link", x, 1) == SM_OK);
+    CHECK(pal_nvm_load("absent", x, 1) == SM_E_MISSING && access("absent", F_OK) != 0 && access("absent.new", F_OK) != 0);
+    CHECK(pal_nvm_load(".", x, 1) == SM_E_UNSUPPORTED && mkfifo("pipe", 0600) == 0 && pal_nvm_load("pipe", x, 1) == SM_E_UNSUPPORTED);
+    CHECK(chmod("key", 0600) == 0 && pal_nvm_open(&memory, "key", 1) == SM_OK && pal_nvm_load("key", x, 1) == SM_OK && pal_nvm_close(memory) == SM_OK);
+    CHECK(unlink("key") == 0 && unlink("link") == 0 && unlink("pipe") == 0);
 }
 
 static void no_file(void)
@@ -157,14 +175,15 @@ static void no_line(void)
     CHECK(pal_serial_open(&line, memory_name, 9600) == SM_E_UNSUPPORTED && line.id == 0);
 }
 
-static void nvm(void)
+static void test_nvm(void)
 {
     snprintf(memory_name, sizeof memory_name, "%s.own", bench.nvm_name);
-    in_this_order();
-    cut_anywhere();
-    full_disk();
-    lengthens();
+    test_order_of_calls();
+    test_power_cuts();
+    test_full_disk();
+    test_file_is_lengthened();
     no_file();
+    loads();
     no_line();
     unlink(memory_name);
 }
@@ -181,8 +200,8 @@ static PalLogFile log_opened(void)
     return file;
 }
 
-// A new file's name is on the medium when open returns; bytes go on from where they stopped; only sync waits.
-static void log_order(void)
+// A new file's name is on the medium when open returns.  Writing continues where it stopped.  Only sync waits.
+static void test_log_order(void)
 {
     PalLogFile file;
 
@@ -256,6 +275,51 @@ static bool is_reached(PalSocket listening, const char *path)
     return reached;
 }
 
+enum { STARTS = 12 };
+
+// STARTS programs listen at one path as soon as they can read a byte of `start`, and close it when they can read another.  Exactly one succeeds.
+static void one_of_many(int round)
+{
+    int start[2], done[2], end[2], succeeded = 0;
+    PalSocket s = {0}, c = {0};
+    char results[STARTS];
+    struct stat file;
+
+    if (round % 2)
+        CHECK(pal_socket_listen_local(&s, "left") == SM_OK && link("left", "many") == 0 && pal_socket_close(s) == SM_OK);
+    CHECK(pipe(start) == 0 && pipe(done) == 0 && pipe(end) == 0);
+    for (int i = 0; i < STARTS; i++)
+        if (fork() == 0) {
+            char byte = 0;
+            SmResult r;
+            if (read(start[0], &byte, 1) != 1)
+                _exit(1);
+            pause_calls((unsigned)(round + 1) * (unsigned)(i + 1) * 7 % 1000);
+            r = pal_socket_listen_local(&s, "many");
+            pause_calls(0);
+            byte = r == SM_OK ? 1 : r == SM_E_BUSY ? 2 : 3;
+            if (write(done[1], &byte, 1) != 1 || read(end[0], &byte, 1) != 1)
+                _exit(1);
+            while (r == SM_OK && pal_socket_accept(s, &c, NULL, 0) == SM_OK)
+                (void)pal_socket_close(c);
+            _exit(r == SM_OK && pal_socket_close(s) != SM_OK);
+        }
+    CHECK(write(start[1], results, STARTS) == STARTS);
+    for (int i = 0; i < STARTS; i++) {
+        CHECK(read(done[0], &results[i], 1) == 1 && (results[i] == 1 || results[i] == 2));
+        succeeded += results[i] == 1;
+    }
+    CHECK(succeeded == 1);
+    CHECK(write(end[1], results, STARTS) == STARTS);
+    for (int i = 0; i < STARTS; i++) {
+        int status;
+        CHECK(wait(&status) > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    }
+    CHECK(stat("many", &file) != 0);
+    for (int i = 0; i < 2; i++)
+        (void)close(start[i]), (void)close(done[i]), (void)close(end[i]);
+}
+
 static void local_sockets(void)
 {
     PalSocket s = {0}, other = {0};
@@ -280,6 +344,9 @@ static void local_sockets(void)
     // a socket whose program has ended
     CHECK(pal_socket_listen_local(&s, "path") == SM_OK && link("path", "left") == 0 && pal_socket_close(s) == SM_OK);
     CHECK(pal_socket_listen_local(&s, "left") == SM_OK && is_reached(s, "left") && pal_socket_close(s) == SM_OK);
+    // many programs at the same instant, at a path with a socket that one of them has left: one listens
+    for (int round = 0; round < 20; round++)
+        one_of_many(round);
     // other files stay
     CHECK(mkdir("folder", 0700) == 0 && symlink("gone", "link") == 0);
     CHECK(pal_socket_listen_local(&s, "folder") == SM_E_FOREIGN && pal_socket_listen_local(&s, "link") == SM_E_FOREIGN);
@@ -288,8 +355,8 @@ static void local_sockets(void)
 
 Tally own_files_linux(void)
 {
-    nvm();
-    log_order();
+    test_nvm();
+    test_log_order();
     log_full();
     no_log();
     local_sockets();

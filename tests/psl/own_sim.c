@@ -34,17 +34,17 @@ static void time_moves_by_hand(void)
 static uint64_t world_at[8];
 static unsigned world_calls;
 
-static void world(void)
+static void step_world(void)
 {
     world_at[world_calls++ % COUNT(world_at)] = pal_clock_now();
 }
 
 // The simulated world keeps its own period, no matter which call advances time and how far.
-static void world_goes_on(void)
+static void test_world_keeps_its_period(void)
 {
     sim_reset();
     world_calls = 0;
-    sim_every(10, world);
+    sim_every(10, step_world);
     sim_advance(9);
     CHECK(world_calls == 0);
     sim_advance(1);
@@ -53,10 +53,10 @@ static void world_goes_on(void)
     CHECK(world_calls == 3 && world_at[1] == PAL_SECOND + 20 && world_at[2] == PAL_SECOND + 30);
     sim_delay(SIM_console_write, 5);
     CHECK(pal_console_write("x", 1) == SM_OK && world_calls == 4 && world_at[3] == PAL_SECOND + 40);
-    sim_every(0, world);
+    sim_every(0, step_world);
     sim_advance(100);
     CHECK(world_calls == 4);
-    sim_every(10, world);
+    sim_every(10, step_world);
     sim_reset();
     sim_advance(100);
     CHECK(world_calls == 4);
@@ -74,7 +74,7 @@ static void console_is_full(void)
     CHECK(r == SM_E_BUSY && sim_count(SIM_console_write) == 41);
 }
 
-static void faults(void)
+static void test_faults(void)
 {
     PalDio pin = {0};
     PalLock lock = {0};
@@ -111,7 +111,7 @@ static bool reads(uint16_t number, PalDioMode mode)
     return level;
 }
 
-static void pins(void)
+static void test_pins(void)
 {
     PalDio pin = {0};
 
@@ -130,7 +130,7 @@ static void pins(void)
     CHECK(pal_dio_close(pin) == SM_OK && sim_pin(6));     // close changes nothing
 }
 
-static void channels(void)
+static void test_channels(void)
 {
     PalAio in = {0};
     int32_t x = 7;
@@ -155,7 +155,7 @@ static PalSocket socket_at(uint16_t port)
     return s;
 }
 
-// One datagram for each letter.
+// Sends one datagram for each letter.
 static void send_letters(PalSocket s, const char *letters)
 {
     const PalAddress to = {{10, 0, 0, 1}, 2000};
@@ -164,8 +164,8 @@ static void send_letters(PalSocket s, const char *letters)
         CHECK(pal_socket_send_to(s, &to, letters, 1) == SM_OK);
 }
 
-// What arrives within the timeout, in order.
-static const char *received(PalSocket s, uint64_t timeout)
+// Returns what arrives within the timeout, in order.
+static const char *receive_letters(PalSocket s, uint64_t timeout)
 {
     static char text[32];
     size_t n = 0, got;
@@ -176,8 +176,8 @@ static const char *received(PalSocket s, uint64_t timeout)
     return text;
 }
 
-// A message sent later over a faster network arrives first; a waiting thread is woken when it arrives.
-static void overtaking(PalSocket a, PalSocket b)
+// A message that is sent later over a faster network arrives first.  A waiting thread is woken when it arrives.
+static void test_overtaking(PalSocket a, PalSocket b)
 {
     const SimNetwork slow = {10 * MS, 0, 0, 0}, fast = {MS, 0, 0, 0};
     uint64_t before = pal_clock_now();
@@ -194,7 +194,7 @@ static void overtaking(PalSocket a, PalSocket b)
     CHECK(pal_clock_now() == before + 10 * MS);
 }
 
-static void datagrams(void)
+static void test_datagrams(void)
 {
     const SimNetwork lossy = {0, 3, 0, 0}, doubling = {0, 0, 2, 0}, swapping = {0, 0, 0, 2}, slow = {10 * MS, 0, 0, 0};
     PalSocket a, b;
@@ -203,21 +203,21 @@ static void datagrams(void)
     a = socket_at(1000);
     b = socket_at(2000);
     send_letters(a, "abcd");
-    CHECK(strcmp(received(b, 0), "abcd") == 0);
+    CHECK(strcmp(receive_letters(b, 0), "abcd") == 0);
     sim_network(lossy);
     send_letters(a, "abcdef");
-    CHECK(strcmp(received(b, 0), "abde") == 0);
+    CHECK(strcmp(receive_letters(b, 0), "abde") == 0);
     sim_network(doubling);
     send_letters(a, "abcd");
-    CHECK(strcmp(received(b, 0), "abbcdd") == 0);
+    CHECK(strcmp(receive_letters(b, 0), "abbcdd") == 0);
     sim_network(swapping);
     send_letters(a, "abcdef");
-    CHECK(strcmp(received(b, 0), "acbedf") == 0);         // the last has nothing to come after
+    CHECK(strcmp(receive_letters(b, 0), "acbedf") == 0);         // the last has nothing to come after
     sim_network(slow);
     send_letters(a, "ab");
-    CHECK(strcmp(received(b, 9 * MS), "") == 0);
-    CHECK(strcmp(received(b, MS), "ab") == 0);
-    overtaking(a, b);
+    CHECK(strcmp(receive_letters(b, 9 * MS), "") == 0);
+    CHECK(strcmp(receive_letters(b, MS), "ab") == 0);
+    test_overtaking(a, b);
 }
 
 // ---- waits that the world ends ----
@@ -343,8 +343,8 @@ static void waits_for_a_stream(void)
 
 // ---- non-volatile memory ----
 
-// A write of eight bytes over 'o's, with a power failure after n bytes: the content afterwards.
-static const char *after_cut(uint32_t bytes)
+// Writes eight bytes over 'o's, and cuts the power after n bytes.  Returns the content.
+static const char *content_after_cut(uint32_t bytes)
 {
     static char text[11];
     PalNvm memory = {0}, other = {0};
@@ -367,13 +367,13 @@ static const char *after_cut(uint32_t bytes)
 
 static void torn_writes(void)
 {
-    CHECK(strcmp(after_cut(0), "o\xa5" "ooooooo" "e") == 0);
-    CHECK(strcmp(after_cut(3), "onnn\xa5" "oooo" "e") == 0);
-    CHECK(strcmp(after_cut(8), "onnnnnnnn" "e") == 0);    // all is done, and yet the call failed
+    CHECK(strcmp(content_after_cut(0), "o\xa5" "ooooooo" "e") == 0);
+    CHECK(strcmp(content_after_cut(3), "onnn\xa5" "oooo" "e") == 0);
+    CHECK(strcmp(content_after_cut(8), "onnnnnnnn" "e") == 0);    // all is done, and yet the call failed
 }
 
 // Operations that the flash allows and refuses.
-static void flash(void)
+static void test_flash(void)
 {
     PalNvm memory = {0};
     PalNvmInfo info;
@@ -397,8 +397,8 @@ static void flash(void)
     CHECK(pal_nvm_open(&memory, "flash", SIM_NVM_SIZE + 1) == SM_E_SPACE);
 }
 
-// A log after a cut in its second append.
-static void torn_log(void)
+// A log after a power cut in its second append.
+static void test_torn_log(void)
 {
     PalLogFile file = {0}, more = {0}, third = {0};
     const uint8_t *bytes;
@@ -446,18 +446,18 @@ static void bites(void)
 Tally own_sim(void)
 {
     time_moves_by_hand();
-    world_goes_on();
+    test_world_keeps_its_period();
     console_is_full();
-    faults();
-    pins();
-    channels();
-    datagrams();
+    test_faults();
+    test_pins();
+    test_channels();
+    test_datagrams();
     waits_for_a_line();
     waits_for_a_datagram();
     waits_for_a_stream();
     torn_writes();
-    torn_log();
-    flash();
+    test_torn_log();
+    test_flash();
     bites();
     return TALLY();
 }

@@ -29,8 +29,8 @@ static void on_alarm(int number)
     (void)number;
 }
 
-// Signals come all the time: sleeps and waits are as long as ever.
-static void signals(void)
+// Signals arrive all the time: sleeps and waits last as long as without them.
+static void test_signals(void)
 {
     const struct itimerval often = {{0, 1000}, {0, 1000}}, never = {{0, 0}, {0, 0}};
     const PalAddress here = {{127, 0, 0, 1}, 0};
@@ -49,8 +49,8 @@ static void signals(void)
     CHECK(pal_socket_close(s) == SM_OK);
 }
 
-// Who waits leaves the processor to others: the system is asked once, or again after a signal, and not all the time.
-static void waiting_is_free(void)
+// A waiting thread calls the kernel once, and again after a signal, but does not poll.
+static void test_waiting_uses_no_processor(void)
 {
     const PalAddress here = {{127, 0, 0, 1}, 0};
     PalSocket s = {0};
@@ -87,8 +87,8 @@ static bool is_blocked(int number)
     return pthread_sigmask(SIG_BLOCK, NULL, &mask) != 0 || sigismember(&mask, number) != 0;
 }
 
-// Whether a write without a reader, to the console, and writes beyond the size limit of files, to a log and a memory, return their
-// results and leave nothing of a signal behind.
+// Whether failing writes return their results and leave no signal pending: to the console without a reader, and to a log and a memory at
+// the size limit of files.
 static bool writes_fail(void)
 {
     const uint8_t bytes[64] = {0};
@@ -104,8 +104,8 @@ static bool writes_fail(void)
     return ok && handled == 0;
 }
 
-// 0 if the writes fail as they should and the program's handling of both signals, `before`, is unchanged.
-static int with_handling(void (*before)(int), bool blocked)
+// Returns 0 if the writes fail as they must, and the program's handling of both signals, `before`, is unchanged.
+static int check_with_handling(void (*before)(int), bool blocked)
 {
     const int numbers[] = {SIGPIPE, SIGXFSZ};
     sigset_t both;
@@ -126,7 +126,7 @@ static int with_handling(void (*before)(int), bool blocked)
 }
 
 // A signal that was pending before a failing write stays pending.
-static int with_pending(void)
+static int check_with_pending(void)
 {
     sigset_t one;
     int ends[2], wrong = 0;
@@ -139,8 +139,8 @@ static int with_pending(void)
     return wrong | (is_pending(SIGPIPE) ? 0 : 4);
 }
 
-// A write that fails does not end the program, and changes nothing about its signals.
-static void failing_writes(void)
+// A failing write does not end the program, and does not change its signal handling.
+static void test_failing_writes(void)
 {
     void (*const before[])(int) = {SIG_DFL, SIG_IGN, on_signal};
 
@@ -151,7 +151,7 @@ static void failing_writes(void)
         fflush(NULL);
         pid = fork();
         if (pid == 0)
-            _exit(i == 2 * COUNT(before) ? with_pending() : with_handling(before[i / 2], i % 2 != 0));
+            _exit(i == 2 * COUNT(before) ? check_with_pending() : check_with_handling(before[i / 2], i % 2 != 0));
         CHECK(pid > 0 && waitpid(pid, &status, 0) == pid && status == 0);
         unlink("limited");
         unlink("small");
@@ -164,8 +164,9 @@ static void failing_writes(void)
 static const int of_network[] = {ENETDOWN, EPROTO, ENOPROTOOPT, EHOSTDOWN, ENONET, EHOSTUNREACH, EOPNOTSUPP, ENETUNREACH, ETIMEDOUT,
                                  ECONNABORTED, ECONNRESET, ECONNREFUSED};
 
-// A listening socket goes on to the next peer, and a datagram socket to the next datagram; at once if there is one already.
-static void passing_errors(void)
+// After a temporary error, a listening socket continues with the next peer and a datagram socket with the next datagram, at once if there
+// is one.
+static void test_temporary_errors(void)
 {
     const PalAddress here = {{127, 0, 0, 1}, 0};
     PalSocket listening = {0}, s = {0}, stream = {0}, peer = {0};
@@ -202,8 +203,8 @@ static void passing_errors(void)
     CHECK(pal_socket_close(listening) == SM_OK && pal_socket_close(s) == SM_OK);
 }
 
-// A connection that cannot be made: SM_E_TIMEOUT if there is no answer, SM_E_UNREACHABLE for all other reports of the network.
-static void failing_connects(void)
+// A connection that cannot be made returns SM_E_TIMEOUT if there is no answer, and SM_E_UNREACHABLE for all other reports of the network.
+static void test_failing_connects(void)
 {
     const PalAddress to = {{127, 0, 0, 1}, 9};
     PalSocket stream = {0};
@@ -225,7 +226,7 @@ static void hold(void *lock)
     pal_lock_give(*(PalLock *)lock);
 }
 
-// Whatever the first answer of the kernel, the wait for a lock lasts until the timeout by our own clock.
+// Whatever the kernel's first answer, the wait for a lock lasts until the timeout by the monotonic clock.
 static void is_waited_for(int answer)
 {
     const PalThreadPlan plan = {NULL, 0, 0};
@@ -243,7 +244,7 @@ static void is_waited_for(int answer)
     CHECK(pal_lock_close(lock) == SM_OK);
 }
 
-// The timeout ends the wait for a lock that stays held, whatever the kernel returned last.
+// The timeout ends the wait for a lock that stays locked, whatever the kernel's last answer.
 static void is_waited_for_in_vain(int answer)
 {
     const PalThreadPlan plan = {NULL, 0, 0};
@@ -262,8 +263,8 @@ static void is_waited_for_in_vain(int answer)
     CHECK(pal_lock_close(lock) == SM_OK);
 }
 
-// 0 if the child of a fork, which is another thread, does not have its parent's locks but can take those that are free.
-static int locks_of_a_child(PalLock parents, PalLock free_one)
+// Returns 0 if the child of a fork, which is another thread, does not have its parent's locks but can take free ones.
+static int check_locks_of_a_child(PalLock parents, PalLock free_one)
 {
     if (pal_lock_take(parents, 0) != SM_E_TIMEOUT || pal_lock_give(parents) != SM_E_BUSY)
         return 1;
@@ -282,7 +283,7 @@ static void locks_and_forks(void)
     fflush(NULL);
     pid = fork();
     if (pid == 0)
-        _exit(locks_of_a_child(locks[0], locks[1]));
+        _exit(check_locks_of_a_child(locks[0], locks[1]));
     CHECK(pid > 0 && waitpid(pid, &status, 0) == pid && status == 0);
     CHECK(pal_lock_give(locks[0]) == SM_OK);
     for (size_t i = 0; i < COUNT(locks); i++)
@@ -307,8 +308,8 @@ static void nothing(void *argument)
     (void)argument;
 }
 
-// 0 if everything is correct for a user without the right to a real-time priority.
-static int without_rights(void)
+// Returns 0 if everything is correct for a user without the right to a real-time priority.
+static int check_without_rights(void)
 {
     const struct rlimit none = {0, 0};
     const PalThreadPlan plan = {NULL, 10, 0};
@@ -321,7 +322,7 @@ static int without_rights(void)
     return pal_thread_is_realtime(thread) || pal_thread_join(thread, PAL_SECOND) != SM_OK ? 3 : 0;
 }
 
-static void priorities(void)
+static void test_priorities(void)
 {
     int status = 0;
     pid_t pid;
@@ -331,7 +332,7 @@ static void priorities(void)
     fflush(NULL);
     pid = fork();
     if (pid == 0)
-        _exit(without_rights());
+        _exit(check_without_rights());
     CHECK(pid > 0 && waitpid(pid, &status, 0) == pid && status == 0);
 }
 
@@ -383,8 +384,8 @@ static void high(void *of)
     pal_lock_give(v->lock);
 }
 
-// With the highest priority of all, so that the order of the beginning is ours.
-static void invert(Inversion *v)
+// Runs with the highest priority, so that this thread decides the order in which the others begin.
+static void invert_priorities(Inversion *v)
 {
     const PalThreadPlan plans[] = {{"low", 1, 0}, {"high", 10, 0}, {"middle", 5, 0}};
     PalThreadMain *const mains[] = {low, high, middle};
@@ -399,7 +400,7 @@ static void invert(Inversion *v)
         CHECK(pal_thread_join(threads[i], 10 * (uint64_t)PAL_SECOND) == SM_OK);
 }
 
-static void inheritance(void)
+static void test_priority_inheritance(void)
 {
     Inversion v = {{0}, false, false, false};
     cpu_set_t all, one;
@@ -410,7 +411,7 @@ static void inheritance(void)
     CPU_SET(0, &one);
     CHECK(pal_lock_open(&v.lock) == SM_OK);
     CHECK(sched_getaffinity(0, sizeof all, &all) == 0 && sched_setaffinity(0, sizeof one, &one) == 0);
-    invert(&v);
+    invert_priorities(&v);
     CHECK(sched_setaffinity(0, sizeof all, &all) == 0);
     CHECK(pal_thread_set_priority(0) == SM_OK);
     CHECK(!v.high_waited_for_middle);
@@ -419,13 +420,13 @@ static void inheritance(void)
 
 Tally own_threads_linux(void)
 {
-    signals();
-    failing_writes();
-    waiting_is_free();
-    passing_errors();
-    failing_connects();
+    test_signals();
+    test_failing_writes();
+    test_waiting_uses_no_processor();
+    test_temporary_errors();
+    test_failing_connects();
     waiting_for_a_lock();
-    priorities();
-    inheritance();
+    test_priorities();
+    test_priority_inheritance();
     return TALLY();
 }

@@ -67,8 +67,8 @@ static PalSerial opened(void)
     return line;
 }
 
-// Receives exactly n bytes, in however many pieces they come.
-static bool gains(PalSerial line, uint8_t *bytes, size_t n)
+// Whether exactly n bytes are received, in any number of pieces.
+static bool receives(PalSerial line, uint8_t *bytes, size_t n)
 {
     size_t all = 0, got = 0;
 
@@ -90,8 +90,8 @@ static bool far_gains(uint8_t *bytes, size_t n)
     return all == n;
 }
 
-// Every byte unchanged, in both directions: a terminal would change some and act on others.
-static void all_bytes(PalSerial line)
+// Every byte arrives unchanged in both directions.  A terminal would change some bytes and act on others.
+static void test_all_bytes(PalSerial line)
 {
     uint8_t out[256], in[256] = {0};
     size_t n = 0;
@@ -100,7 +100,7 @@ static void all_bytes(PalSerial line)
         out[i] = (uint8_t)i;
     for (size_t i = 0; i < sizeof out; i += 64) {          // 64 is what a platform keeps at least
         bench.far_send(out + i, 64);
-        CHECK(gains(line, in + i, 64));
+        CHECK(receives(line, in + i, 64));
     }
     CHECK(memcmp(in, out, sizeof in) == 0);
     CHECK(pal_serial_send(line, out, sizeof out, &n, SOON) == SM_OK && n == sizeof out);
@@ -109,7 +109,7 @@ static void all_bytes(PalSerial line)
     CHECK(bench.far_receive(in, 1) == 0);                 // and no echo
 }
 
-static void timeouts(PalSerial line)
+static void test_timeouts(PalSerial line)
 {
     uint8_t x[10];
     uint64_t before = pal_clock_now();
@@ -119,11 +119,11 @@ static void timeouts(PalSerial line)
     CHECK(pal_serial_receive(line, x, sizeof x, &n, 5 * MS) == SM_E_TIMEOUT && n == 7);
     CHECK(pal_clock_now() - before >= 5 * MS);
     bench.far_send("ab", 2);                              // less than there is room for comes at once
-    CHECK(gains(line, x, 2) && memcmp(x, "ab", 2) == 0);
+    CHECK(receives(line, x, 2) && memcmp(x, "ab", 2) == 0);
 }
 
-// No reader receives the bytes: send gives up in time and returns how many it sent.
-static void no_reader(PalSerial line)
+// Nothing reads the bytes: send returns at its timeout, with the number of bytes that it sent.
+static void test_no_reader(PalSerial line)
 {
     uint8_t bytes[256] = {0};
     uint64_t before = pal_clock_now();
@@ -141,7 +141,7 @@ static void no_reader(PalSerial line)
     CHECK(came == went);
 }
 
-static void unplugged(PalSerial line)
+static void test_unplugged(PalSerial line)
 {
     uint8_t x;
     size_t n;
@@ -163,13 +163,13 @@ Tally contract_serial(void)
     }
     bad_arguments();
     line = opened();
-    all_bytes(line);
-    timeouts(line);
-    no_reader(line);
+    test_all_bytes(line);
+    test_timeouts(line);
+    test_no_reader(line);
     CHECK(pal_serial_close(line) == SM_OK);
     bench.far_send("old", 3);
     line = opened();
-    timeouts(line);                                       // earlier input is dropped
-    unplugged(line);
+    test_timeouts(line);                                       // earlier input is dropped
+    test_unplugged(line);
     return TALLY();
 }

@@ -21,6 +21,8 @@ static void without(void)
     CHECK(pal_socket_listen_local(&s, "path") == SM_E_UNSUPPORTED);
     CHECK(pal_socket_accept(s, &s, NULL, 0) == SM_E_UNSUPPORTED);
     CHECK(pal_socket_connect(&s, &here, 0) == SM_E_UNSUPPORTED);
+    CHECK(pal_socket_connect_start(&s, &here) == SM_E_UNSUPPORTED && pal_socket_connected(s) == SM_E_UNSUPPORTED);
+    CHECK(pal_socket_limit(s, 1, MS) == SM_E_UNSUPPORTED && pal_socket_multicast(s, NULL, here.ip) == SM_E_UNSUPPORTED);
     CHECK(pal_socket_send_to(s, &here, &x, 1) == SM_E_UNSUPPORTED);
     CHECK(pal_socket_receive_from(s, &a, &x, 1, &n, 0) == SM_E_UNSUPPORTED);
     CHECK(pal_socket_send(s, &x, 1, &n, 0) == SM_E_UNSUPPORTED && n == 0);
@@ -55,6 +57,8 @@ static void bad_handles(void)
         size_t n = 7;
 
         CHECK(pal_socket_accept(s, &t, NULL, 0) == SM_E_HANDLE);
+        CHECK(pal_socket_connected(s) == SM_E_HANDLE && pal_socket_limit(s, 1, MS) == SM_E_HANDLE);
+        CHECK(pal_socket_multicast(s, NULL, here.ip) == SM_E_HANDLE);
         CHECK(pal_socket_send_to(s, &here, &x, 1) == SM_E_HANDLE);
         CHECK(pal_socket_receive_from(s, &a, &x, 1, &n, 0) == SM_E_HANDLE && n == 7);
         CHECK(pal_socket_send(s, &x, 1, &n, 0) == SM_E_HANDLE && n == 0);
@@ -116,7 +120,7 @@ static void datagrams_do_not(PalSocket a, PalSocket b)
     CHECK(pal_socket_accept(a, &b, NULL, 0) == SM_E_ARGUMENT);
 }
 
-static void datagrams(void)
+static void test_datagrams(void)
 {
     const PalAddress elsewhere = {{192, 0, 2, 1}, 0};     // never anybody's: RFC 5737
     PalSocket a = udp(), b = udp(), c = {0};
@@ -219,8 +223,8 @@ static void peer_goes(void)
     CHECK(pal_socket_close(p.listening) == SM_OK);
 }
 
-// The peer reads nothing: send gives up in time, returns how much it sent, and none of that is lost.
-static void peer_is_slow(void)
+// The peer reads nothing: send returns at its timeout, with the number of bytes that it sent, and none of these is lost.
+static void test_slow_peer(void)
 {
     static uint8_t bytes[8192], in[8192];
     Pair p = connected();
@@ -248,7 +252,7 @@ typedef struct Reader {
     bool same_bytes;
 } Reader;
 
-// Receives in small pieces until the peer closes.
+// Receives in small pieces until the peer closes the connection.
 static void read_all(void *of)
 {
     Reader *r = of;
@@ -260,8 +264,8 @@ static void read_all(void *of)
             r->same_bytes = r->same_bytes && in[i] == r->came % 251;
 }
 
-// More than the buffers can contain: one call of send transfers it in parts, while another thread reads.
-static void peer_reads(void)
+// More bytes than the buffers can contain: one call of send transfers them in parts, while another thread reads.
+static void test_peer_that_reads(void)
 {
     static uint8_t bytes[251 * 16000];
     const PalThreadPlan plan = {NULL, 0, 0};
@@ -305,6 +309,93 @@ static void no_listener(void)
     CHECK(t.id == 0);
 }
 
+// ---- connecting without a wait ----
+
+static SmResult await_connection(PalSocket s)
+{
+    const uint64_t end = pal_clock_now() + SOON;
+    SmResult r = pal_socket_connected(s);
+
+    while (r == SM_E_TIMEOUT && pal_clock_now() < end) {
+        CHECK(pal_clock_sleep_until(pal_clock_now() + MS) == SM_OK);
+        r = pal_socket_connected(s);
+    }
+    return r;
+}
+
+// Returns what becomes of a connection to this address, which the call or a later question may report.
+static SmResult try_connection(PalSocket *s, const PalAddress *to)
+{
+    SmResult r = pal_socket_connect_start(s, to);
+
+    if (r != SM_OK)
+        return r;
+    r = await_connection(*s);
+    if (r != SM_OK)
+        CHECK(pal_socket_close(*s) == SM_OK);
+    return r;
+}
+
+static void connects_without_waiting(void)
+{
+    PalSocket listening = {0}, near = {0}, far = {0};
+    PalAddress a;
+
+    CHECK(pal_socket_listen(&listening, &here) == SM_OK);
+    a = own(listening);
+    CHECK(try_connection(&near, &a) == SM_OK && pal_socket_connected(near) == SM_OK);
+    CHECK(pal_socket_accept(listening, &far, NULL, SOON) == SM_OK && pal_socket_connected(far) == SM_OK);
+    CHECK(sends(near, "hello", 5) && gains(far, "hello", 5) && sends(far, "you", 3) && gains(near, "you", 3));
+    CHECK(pal_socket_connected(listening) == SM_E_ARGUMENT);
+    CHECK(pal_socket_connect_start(NULL, &a) == SM_E_ARGUMENT && pal_socket_connect_start(&far, NULL) == SM_E_ARGUMENT);
+    CHECK(pal_socket_close(far) == SM_OK && pal_socket_close(near) == SM_OK && pal_socket_close(listening) == SM_OK);
+    near.id = 0;
+    CHECK(try_connection(&near, &a) == SM_E_UNREACHABLE);                 // no socket listens any more
+}
+
+// No address answers here (198.51.100.0/24 is reserved for documents), or the computer has no route to it.  Neither call waits.
+static void connects_to_no_computer(void)
+{
+    const PalAddress nowhere = {{198, 51, 100, 1}, 9};
+    const uint64_t before = pal_clock_now();
+    PalSocket s = {0};
+    uint8_t x = 0;
+    size_t n = 7;
+    SmResult r = pal_socket_connect_start(&s, &nowhere);
+
+    if (r == SM_OK) {
+        r = pal_socket_connected(s);
+        if (r == SM_E_TIMEOUT) {                  // while it is connecting, it is no stream
+            CHECK(pal_socket_send(s, &x, 1, &n, 0) == SM_E_ARGUMENT && n == 0 && pal_socket_receive(s, &x, 1, &n, 0) == SM_E_ARGUMENT);
+            CHECK(pal_socket_limit(s, 1, MS) == SM_E_ARGUMENT);
+        }
+        CHECK(pal_socket_close(s) == SM_OK && pal_socket_close(s) == SM_E_HANDLE);
+    }
+    CHECK(r != SM_E_ARGUMENT && pal_clock_now() - before < PAL_SECOND);
+}
+
+// With a limit, a peer that does not receive fills its stream after a few messages, and nothing that was accepted is lost.
+static void limits(void)
+{
+    static uint8_t bytes[1000];
+    Pair p = connected();
+    size_t all = 0, n = 0, came = 0;
+    SmResult r = SM_OK;
+
+    CHECK(pal_socket_limit(p.listening, 1, MS) == SM_E_ARGUMENT && pal_socket_limit(p.near, 0, MS) == SM_E_ARGUMENT);
+    CHECK(pal_socket_limit(p.near, 1, 0) == SM_E_ARGUMENT && pal_socket_limit(p.near, 1, PAL_TIMEOUT_MAX + 1) == SM_E_ARGUMENT);
+    CHECK(pal_socket_limit(p.near, (1u << 20) + 1, MS) == SM_E_ARGUMENT && pal_socket_limit(p.near, 4000, PAL_TIMEOUT_MAX) == SM_OK);
+    for (int i = 0; i < 100000 && r == SM_OK; i++) {
+        r = pal_socket_send(p.near, bytes, sizeof bytes, &n, 0);
+        all += n;
+    }
+    CHECK(r == SM_E_TIMEOUT && n < sizeof bytes);
+    while (came < all && pal_socket_receive(p.far, bytes, sizeof bytes, &n, SOON) == SM_OK)
+        came += n;
+    CHECK(came == all);
+    close_all(p);
+}
+
 static void bad_stream_arguments(void)
 {
     Pair p = connected();
@@ -326,6 +417,44 @@ static void bad_stream_arguments(void)
     close_all(p);
 }
 
+// ---- multicast ----
+
+// Opens the receiver of a group.  Skips the test with false if the computer has no interface for it.
+static bool joins(PalSocket *s, const PalAddress *group)
+{
+    SmResult r;
+
+    CHECK(pal_socket_udp(s, group) == SM_OK);
+    r = pal_socket_multicast(*s, group->ip, here.ip);
+    CHECK(r == SM_OK || r == SM_E_MISSING);
+    if (r != SM_OK)
+        CHECK(pal_socket_close(*s) == SM_OK);
+    return r == SM_OK;
+}
+
+static void multicast(void)
+{
+    const PalAddress group = {{239, 77, 3, 9}, 47113}, other = {{239, 77, 3, 10}, 47113};
+    const uint8_t elsewhere[4] = {198, 51, 100, 1}, no_group[4] = {10, 0, 0, 1};
+    PalSocket first = {0}, second = {0}, from = udp();
+    Pair p = connected();
+    uint8_t in[8];
+    size_t n = 7;
+
+    CHECK(pal_socket_multicast(from, NULL, NULL) == SM_E_ARGUMENT && pal_socket_multicast(from, no_group, here.ip) == SM_E_ARGUMENT);
+    CHECK(pal_socket_multicast(p.near, NULL, here.ip) == SM_E_ARGUMENT && pal_socket_multicast(p.listening, NULL, here.ip) == SM_E_ARGUMENT);
+    CHECK(pal_socket_multicast(from, NULL, elsewhere) == SM_E_MISSING && pal_socket_multicast(from, NULL, here.ip) == SM_OK);
+    if (joins(&first, &group)) {
+        CHECK(joins(&second, &other));
+        CHECK(pal_socket_send_to(from, &group, "group", 5) == SM_OK);
+        CHECK(pal_socket_receive_from(first, NULL, in, sizeof in, &n, SOON) == SM_OK && n == 5 && memcmp(in, "group", 5) == 0);
+        CHECK(pal_socket_receive_from(second, NULL, in, sizeof in, &n, 5 * MS) == SM_E_TIMEOUT);        // of another group
+        CHECK(pal_socket_close(first) == SM_OK && pal_socket_close(second) == SM_OK);
+    }
+    CHECK(pal_socket_close(from) == SM_OK);
+    close_all(p);
+}
+
 // ---- the table ----
 
 static void table_is_full(void)
@@ -340,7 +469,7 @@ static void table_is_full(void)
         all[i] = udp();
     CHECK(pal_socket_udp(&more, &here) == SM_E_FULL);
     CHECK(pal_socket_listen(&more, &here) == SM_E_FULL);
-    CHECK(pal_socket_connect(&more, &a, 0) == SM_E_FULL);
+    CHECK(pal_socket_connect(&more, &a, 0) == SM_E_FULL && pal_socket_connect_start(&more, &a) == SM_E_FULL);
     CHECK(pal_socket_accept(all[0], &more, NULL, SOON) == SM_E_FULL);
     CHECK(more.id == 0);
     CHECK(pal_socket_close(all[2]) == SM_OK);
@@ -357,13 +486,17 @@ Tally contract_socket(void)
         return TALLY();
     }
     bad_handles();
-    datagrams();
+    test_datagrams();
     streams_arrive();
     peer_goes();
-    peer_is_slow();
+    test_slow_peer();
     if (bench.threads == HAS)
-        peer_reads();
+        test_peer_that_reads();
     no_listener();
+    connects_without_waiting();
+    connects_to_no_computer();
+    limits();
+    multicast();
     bad_stream_arguments();
     table_is_full();
     return TALLY();

@@ -37,6 +37,7 @@ Tally own_files_linux(void);
 Tally own_threads_linux(void);
 Tally own_devices_linux(void);
 Tally own_sim(void);
+Tally own_sbrio(void);
 
 // Whether a platform has a feature: it works; it returns SM_E_UNSUPPORTED; it would work, but nothing is connected (SM_E_MISSING).
 typedef enum Has { HAS_NONE, HAS, HAS_NOTHING_THERE } Has;

@@ -55,7 +55,28 @@ page four-scripts 0 "$examples/mission/mission.sm" "--sv=$examples/mission/rocke
 page airbrakes 0 "$examples/mission/airbrakes.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/airbrakes*.ss
 page hostile 1 "$here/hostile.sm" "$here/hostile.ss" "$here/failing.ss"
 page twostage 0 "$root/tests/graph/machines/twostage.sm"
+page all_states 0 "$root/tests/graph/machines/all_states.sm"
 page alone 0 "$examples/tank/tank.sm"
+
+# The messages of an application.
+cat >"$out/rocket.net" <<'END'
+send telemetry every 20 ms on tcp 5000 @peers 2 { [Sensors] }
+send beacon every 500 us to 239.1.2.3:5001 { altitude }
+receive clock from tcp 10.0.0.9:5002 @timeout 1 s { umbilical @safe true velocity @default -1.5 acceleration @hold brakeOrder }
+END
+expect "report with messages" "$smc" report "$examples/mission/mission.sm" "--sv=$examples/mission/rocket.sv" "--net=$out/rocket.net" -o "$out/messages.html"
+expect "wellformed messages" awk -f "$here/wellformed.awk" "$out/messages.html"
+expect "messages as text" "$smc" report "$examples/mission/mission.sm" "--sv=$examples/mission/rocket.sv" "--net=$out/rocket.net" -o "$out/messages.txt"
+for line in "telemetry  sent       TCP, listens on port 5000 for 2  20  *33  umbilical, acceleration, velocity, altitude" \
+    "beacon     sent       UDP, to 239.1.2.3:5001  *0.5  *24  altitude" "clock      received   TCP, connects to 10.0.0.9:5002  *1000  *33" \
+    "umbilical     clock        true, also before the first one" "velocity      clock        -1.5" "acceleration  clock        keeps its value" \
+    "brakeOrder    clock        NaN, which reads as 0"; do
+    expect "a line of the messages" grep -q "$line" "$out/messages.txt"
+done
+expect "no messages without --net" ends_with 1 grep -q '>Messages<' "$out/mission.html"
+expect "--net without --sv" ends_with 2 "$smc" report "$examples/mission/mission.sm" "--net=$out/rocket.net"
+echo 'send beacon every 1 s to 10.0.0.2:1 { nowhere }' >"$out/wrong.net"
+expect "messages with an error" ends_with 1 "$smc" report "$examples/mission/mission.sm" "--sv=$examples/mission/rocket.sv" "--net=$out/wrong.net"
 
 # A diagram that is readable on part of a page is marked as low, others are not.
 expect "a low diagram" grep -q '<figure class="diagram low">' "$out/chilldown.html"

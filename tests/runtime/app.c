@@ -37,7 +37,7 @@ static void set(void *sv)
     note('s', NULL);
 }
 
-static void start_one(int i, uint64_t period)
+static void prepare_executor(int i, uint64_t period)
 {
     static const char *const name[] = {"one", "two", "three", "four"}, *const work[] = {"a", "b", "c", "d"};
     const Part p = {(char)('A' + i), 0, SM_OK};
@@ -52,17 +52,17 @@ static void start_one(int i, uint64_t period)
     executor[i] = e;
 }
 
-// Executors of 10, 20, 30 and 1000 ms with a task each, A to D, of which n are used.
-static void start(uint16_t n)
+// Prepares four executors of 10, 20, 30 and 1000 ms with one task each, A to D; the application has the first n.
+static void prepare_app(uint16_t n)
 {
     const SmApp fresh = {.name = "crew", .sv = &crew_vector, .events = &events, .executor = all, .executors = n};
 
     parts_reset();
     events.guarded = true;
-    start_one(0, 10 * MS);
-    start_one(1, 20 * MS);
-    start_one(2, 30 * MS);
-    start_one(3, 1000 * MS);
+    prepare_executor(0, 10 * MS);
+    prepare_executor(1, 20 * MS);
+    prepare_executor(2, 30 * MS);
+    prepare_executor(3, 1000 * MS);
     app = fresh;
     most = 50;
 }
@@ -80,7 +80,7 @@ static unsigned count(char letter)
 
 static void test_start(void)
 {
-    start(3);
+    prepare_app(3);
     app.set = set;
     most = 9;
     CHECK(sm_app_main(&app) == 0 && strcmp(calls, "s012ABCAA") == 0 && crew_sv.third == 42);
@@ -93,7 +93,7 @@ static void test_bitten_before(void)
 {
     uint64_t actual;
 
-    start(1);
+    prepare_app(1);
     CHECK(pal_watchdog_start(MS, &actual) == SM_OK);
     sim_advance(S);
     CHECK(pal_watchdog_stop() == SM_OK && sm_app_run(&app) == SM_OK && is_event(SM_EVENT_START, 0, 0, 1));
@@ -107,13 +107,13 @@ static SmResult stop_at_init(void *context)
 
 static void test_stopped_at_once(void)
 {
-    start(2);
+    prepare_app(2);
     task[0].init = stop_at_init;
     CHECK(sm_app_run(&app) == SM_OK && strcmp(calls, "01") == 0);
 }
 
-// It is refused with this text, and no task's step has run, nor is the watchdog running.
-static bool refused(const char *text)
+// Whether the start is refused with this text, no task's step has run, and the watchdog does not run.
+static bool is_start_refused(const char *text)
 {
     uint64_t actual;
     const bool said = sm_app_main(&app) == 1 && strcmp(sim_console(), text) == 0;
@@ -125,64 +125,64 @@ static bool refused(const char *text)
 
 static void test_refused(void)
 {
-    start(2);
+    prepare_app(2);
     app.executors = 0;
-    CHECK(refused("crew: the application does not start: it has no executor\n"));
-    start(2);
+    CHECK(is_start_refused("crew: the application does not start: it has no executor\n"));
+    prepare_app(2);
     crew_vector.guarded = false;
-    CHECK(refused("crew: the state vector does not start: several threads use it, so its .sv must say `lock`\n"));
-    start(2);
+    CHECK(is_start_refused("crew: the state vector does not start: several threads use it, so its .sv must say `lock`\n"));
+    prepare_app(2);
     events.guarded = false;
-    CHECK(refused("crew: the event ring does not start: several threads use it, so it must be guarded\n"));
-    start(2);
+    CHECK(is_start_refused("crew: the event ring does not start: several threads use it, so it must be guarded\n"));
+    prepare_app(2);
     events.room = 3;
-    CHECK(refused("crew: the event ring does not start: an argument is out of its range\n"));
-    start(2);
+    CHECK(is_start_refused("crew: the event ring does not start: an argument is out of its range\n"));
+    prepare_app(2);
     executor[1].period = 0;
-    CHECK(refused("crew: executor 'two' does not start: invalid configuration\n"));
-    start(2);
+    CHECK(is_start_refused("crew: executor 'two' does not start: invalid configuration\n"));
+    prepare_app(2);
     part[1].gives = SM_E_BUSY;
-    CHECK(refused("crew: task 'b' does not start: it is in use\n"));
-    start(2);
+    CHECK(is_start_refused("crew: task 'b' does not start: it is in use\n"));
+    prepare_app(2);
     task[1].init = sm_inputs_init;
     task[1].context = &pins;
     app.inputs = &pins;
-    CHECK(refused("crew: task 'b' does not start: pin 10203: there is no such device, file or address\n"));
-    start(2);                              // a row that is no pin is not named as one
+    CHECK(is_start_refused("crew: task 'b' does not start: pin 10203: there is no such device, file or address\n"));
+    prepare_app(2);                              // a row that is no pin is not named as one
     task[1].init = sm_inputs_init;
     task[1].context = &no_pins;
     app.inputs = &no_pins;
-    CHECK(refused("crew: task 'b' does not start: an argument is out of its range\n"));
-    start(2);
+    CHECK(is_start_refused("crew: task 'b' does not start: an argument is out of its range\n"));
+    prepare_app(2);
     app.watchdog = 3600 * S;
-    CHECK(refused("crew: the watchdog does not start: an argument is out of its range\n"));
-    start(2);
+    CHECK(is_start_refused("crew: the watchdog does not start: an argument is out of its range\n"));
+    prepare_app(2);
     app.watchdog = S;
     sim_fail(SIM_watchdog_start, 0, SM_E_MISSING);
-    CHECK(refused("crew: the watchdog does not start: there is no such device, file or address\n"));
-    start(2);
+    CHECK(is_start_refused("crew: the watchdog does not start: there is no such device, file or address\n"));
+    prepare_app(2);
     sim_break(SIM_lock_take, 0, SM_E_TIMEOUT);
-    CHECK(refused("crew: executor 'one' does not start: timeout\n"));
+    CHECK(is_start_refused("crew: executor 'one' does not start: timeout\n"));
     sim_break(SIM_lock_take, 0, SM_OK);
-    start(2);
+    prepare_app(2);
     sim_fail(SIM_clock_sleep_until, 0, SM_E_DEVICE);
-    CHECK(refused("crew: the clock does not start: it has stopped\n"));
+    CHECK(is_start_refused("crew: the clock does not start: it has stopped\n"));
 }
 
 static void test_no_lock_left(void)
 {
     PalLock lock;
 
-    start(1);
+    prepare_app(1);
     while (pal_lock_open(&lock) == SM_OK) {}
     CHECK(sm_app_main(&app) == 1);
     CHECK(strcmp(sim_console(), "crew: the state vector does not start: its table is full\n") == 0 && called == 0);
 }
 
-// In one thread nothing needs to be guarded.
+// An application in one thread needs neither locks nor a guarded event ring.
 static void test_one_thread(void)
 {
-    start(2);
+    prepare_app(2);
     crew_vector.guarded = events.guarded = false;
     app.one_thread = true;
     CHECK(sm_app_run(&app) == SM_OK && called == most && sim_count(SIM_lock_take) == 0);
@@ -192,7 +192,7 @@ static void test_one_thread(void)
 
 static void test_order(void)
 {
-    start(3);
+    prepare_app(3);
     most = 3 + 25;
     CHECK(sm_app_run(&app) == SM_OK);
     CHECK(strcmp(calls, "012" "ABC" "A" "AB" "AC" "AB" "A" "ABC" "A" "AB" "AC" "AB" "A" "ABC") == 0);
@@ -205,7 +205,7 @@ static void test_rates(void)
     static SmRate groups[4];
     const uint32_t every[4] = {1, 2, 10, 100};
 
-    start(2);
+    prepare_app(2);
     task[4] = task[3];
     for (int i = 0; i < 4; i++) {
         const SmRate r = {every[i], 1, group[i]};
@@ -232,7 +232,7 @@ static void test_same_in_every_run(void)
     static SmTick ticks_before[CALLS];
 
     for (int i = 0; i < 2; i++) {
-        start(4);
+        prepare_app(4);
         part[0].takes = 7 * MS;
         part[1].takes = 13 * MS;
         part[2].takes = 3 * MS;
@@ -247,7 +247,7 @@ static void test_same_in_every_run(void)
 // A task that is always late delays the others by at most a tick.
 static void test_fair(void)
 {
-    start(2);
+    prepare_app(2);
     executor[0].period = 1000;
     executor[0].overrun = SM_CATCH_UP;
     executor[0].most = UINT32_MAX;
@@ -261,7 +261,7 @@ static void test_fair(void)
 
 static void test_all_late(void)
 {
-    start(3);
+    prepare_app(3);
     for (int i = 0; i < 3; i++) {
         part[i].takes = 50 * MS;
         executor[i].overrun = SM_CATCH_UP;
@@ -278,19 +278,19 @@ static void stop_now(void)
     sm_app_stop(&app);
 }
 
-// Even in an hour's sleep it is noticed.
+// A stop during a sleep of an hour is noticed at once.
 static void test_stop(void)
 {
-    start(1);
+    prepare_app(1);
     executor[0].period = 3600 * S;
     sim_every(1500 * S, stop_now);
     CHECK(sm_app_run(&app) == SM_OK && strcmp(calls, "0A") == 0 && pal_clock_now() <= S + 1500 * S + 100 * MS);
 }
 
-// At the end every task with @safe is safed once, in order, except disabled ones.
+// At the end the safe function of every enabled task with @safe is called once, in order.
 static void test_rest(void)
 {
-    start(4);
+    prepare_app(4);
     most = 1;
     task[0].safe = task[1].safe = task[3].safe = part_safe;
     task[1].mode = CREW(first);
@@ -301,10 +301,10 @@ static void test_rest(void)
     CHECK(task[0].safings == 1 && task[1].safings == 0 && task[3].safings == 1 && ticks[5].number == 1);
 }
 
-// A sleep that fails is no reason to run early.
+// A tick does not run early because a sleep failed.
 static void test_sleep_fails(void)
 {
-    start(1);
+    prepare_app(1);
     sim_break(SIM_clock_sleep_until, 3, SM_E_DEVICE);
     sim_delay(SIM_clock_sleep_until, 100000);
     most = 21;
@@ -314,10 +314,10 @@ static void test_sleep_fails(void)
 
 static void test_oversleep(void)
 {
-    start(1);
+    prepare_app(1);
     sim_oversleep(3 * MS);
     CHECK(sm_app_run(&app) == SM_OK && executor[0].late_max == 3 * MS && executor[0].skipped == 0);
-    start(1);
+    prepare_app(1);
     sim_oversleep(12 * MS);
     CHECK(sm_app_run(&app) == SM_OK && executor[0].overruns > 20 && executor[0].ticks + executor[0].skipped == executor[0].next);
 }
@@ -326,7 +326,7 @@ static void test_oversleep(void)
 
 static void test_fed(void)
 {
-    start(2);
+    prepare_app(2);
     app.watchdog = 50 * MS;
     executor[1].period = 10 * S;                           // waits for longer than the watchdog does: it is not stuck
     most = 5000;
@@ -334,19 +334,19 @@ static void test_fed(void)
     CHECK(sim_count(SIM_watchdog_feed) < 4500 && pal_watchdog_feed() == SM_E_HANDLE);
 }
 
-// Fed while it waits, too, and although a call of it fails now and then.
+// The watchdog is also fed while the application waits, and although feeding fails now and then.
 static void test_fed_alone(void)
 {
-    start(1);
+    prepare_app(1);
     app.watchdog = 50 * MS;
     executor[0].period = 10 * S;
     sim_fail(SIM_watchdog_feed, 20, SM_E_DEVICE);
     CHECK(sm_app_run(&app) == SM_OK && !sim_watchdog_fired() && executor[0].ticks == 49);
 }
 
-static bool bite(uint64_t stuck)
+static bool run_long_tick(uint64_t stuck)
 {
-    start(2);
+    prepare_app(2);
     app.watchdog = 50 * MS;
     part[1].takes = stuck;
     most = 4;
@@ -354,16 +354,16 @@ static bool bite(uint64_t stuck)
     return sim_watchdog_fired();
 }
 
-// The watchdog fires if a tick takes longer than its timeout, counted from its last feeding: up to a quarter earlier.
+// The watchdog fires if a tick takes longer than its timeout, counted from the last feeding: up to a quarter earlier.
 static void test_bites(void)
 {
-    CHECK(!bite(37 * MS));
-    CHECK(bite(51 * MS));
+    CHECK(!run_long_tick(37 * MS));
+    CHECK(run_long_tick(51 * MS));
 }
 
 static void test_cannot_be_fed(void)
 {
-    start(1);
+    prepare_app(1);
     app.watchdog = 50 * MS;
     sim_break(SIM_watchdog_feed, 5, SM_E_DEVICE);
     CHECK(sm_app_run(&app) == SM_OK && sim_watchdog_fired());

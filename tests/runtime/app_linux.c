@@ -57,7 +57,7 @@ static SmResult step(void *context, const SmTick *tick)
     return SM_OK;
 }
 
-static void start_one(int i, uint64_t period)
+static void prepare_executor(int i, uint64_t period)
 {
     const Seen fresh = {.in_order = true};
     const SmTask t = {.name = "task", .step = step, .context = &seen[i], .mode = CREW(first), .number = (uint16_t)i};
@@ -73,8 +73,8 @@ static void start_one(int i, uint64_t period)
     all[i] = &executor[i];
 }
 
-// n executors of 1 ms, 2 ms, 3 ms …
-static void start(uint16_t n)
+// Prepares n executors of 1 ms, 2 ms, 3 ms …
+static void prepare_app(uint16_t n)
 {
     const SmApp fresh = {.name = "crew", .sv = &crew_vector, .events = &events, .executor = all, .executors = n};
     const SmEvents ring = {storage, 64, true, {0}, 0, 0};
@@ -85,11 +85,11 @@ static void start(uint16_t n)
     events = ring;
     app = fresh;
     for (int i = 0; i < n; i++)
-        start_one(i, (uint64_t)(i + 1) * MS);
+        prepare_executor(i, (uint64_t)(i + 1) * MS);
 }
 
-// Runs it, and releases its locks, whose number is limited.
-static SmResult run(void)
+// Runs the application and then releases its locks, because their number is limited.
+static SmResult run_app(void)
 {
     const SmResult r = sm_app_run(&app);
 
@@ -100,19 +100,19 @@ static SmResult run(void)
     return r;
 }
 
-static bool adds_up(int i)
+static bool counts_agree(int i)
 {
     const SmExecutor *const e = &executor[i];
 
     return e->ticks + e->skipped == e->next && e->ticks == seen[i].calls && seen[i].in_order && task[i].steps == (uint32_t)e->ticks;
 }
 
-static bool all_add_up(void)
+static bool all_counts_agree(void)
 {
     bool good = true;
 
     for (int i = 0; i < app.executors; i++)
-        good = good && adds_up(i);
+        good = good && counts_agree(i);
     return good;
 }
 
@@ -120,9 +120,9 @@ static bool all_add_up(void)
 
 static void test_stop_by_task(void)
 {
-    start(3);
+    prepare_app(3);
     seen[2].stop_at = 30;
-    CHECK(run() == SM_OK && all_add_up());
+    CHECK(run_app() == SM_OK && all_counts_agree());
     CHECK(seen[2].last >= 30 && executor[0].next >= 45 && executor[1].next >= 22);
     CHECK(!pthread_equal(seen[0].thread, seen[1].thread) && !pthread_equal(seen[0].thread, pthread_self()));
     CHECK(crew_sv.number > 0 && crew_vector.faults == 0 && executor[0].start == executor[2].start);
@@ -145,29 +145,29 @@ static void *stop_later(void *of)
     return NULL;
 }
 
-// From a thread of the user, at any time, also before the first tick.
+// Another thread stops the application at a random time, also before the first tick.
 static void test_stop_at_random(void)
 {
     for (int i = 0; i < 30; i++) {
         uint64_t after = random_number(i % 4 == 0 ? 1000000 : 12000000);
         pthread_t stopper;
 
-        start((uint16_t)(1 + random_number(5)));
+        prepare_app((uint16_t)(1 + random_number(5)));
         CHECK(pthread_create(&stopper, NULL, stop_later, &after) == 0);
-        CHECK(run() == SM_OK && all_add_up());
+        CHECK(run_app() == SM_OK && all_counts_agree());
         CHECK(pthread_join(stopper, NULL) == 0);
     }
 }
 
-// Even before tick 0 is due, which is a little after the start: time does not begin before 0.
+// A stop before tick 0 is due.  Tick 0 is due a little after the start, because time does not begin before 0.
 static void test_stop_at_once(void)
 {
     uint32_t cursor = 0;
     SmEvent told[3];
 
-    start(2);
+    prepare_app(2);
     sm_app_stop(&app);
-    CHECK(run() == SM_OK && seen[0].calls == 0);
+    CHECK(run_app() == SM_OK && seen[0].calls == 0);
     events.guarded = false;                                // its lock is closed
     CHECK(sm_events_read(&events, &cursor, told, 3, NULL) == 2 && told[1].kind == SM_EVENT_STOP && told[1].time < PAL_SECOND);
 }
@@ -181,54 +181,54 @@ static void on_alarm(int signal)                       // again and again, until
 
 static void test_stop_by_signal(void)
 {
-    start(2);
+    prepare_app(2);
     signal(SIGALRM, on_alarm);
     ualarm(20000, 20000);
-    CHECK(run() == SM_OK && all_add_up() && executor[0].next > 0);
+    CHECK(run_app() == SM_OK && all_counts_agree() && executor[0].next > 0);
     ualarm(0, 0);
 }
 
-// An hour's sleep is cut short.
+// A stop ends a sleep of an hour.
 static void test_stop_asleep(void)
 {
     const uint64_t began = pal_clock_now();
 
-    start(2);
-    start_one(1, 3600 * (uint64_t)PAL_SECOND);
+    prepare_app(2);
+    prepare_executor(1, 3600 * (uint64_t)PAL_SECOND);
     seen[0].stop_at = 50;
-    CHECK(run() == SM_OK && all_add_up() && seen[1].calls == 1 && pal_clock_now() - began < 5 * (uint64_t)PAL_SECOND);
+    CHECK(run_app() == SM_OK && all_counts_agree() && seen[1].calls == 1 && pal_clock_now() - began < 5 * (uint64_t)PAL_SECOND);
 }
 
 // ---- one executor, one thread ----
 
 static void test_alone(void)
 {
-    start(1);
+    prepare_app(1);
     crew_vector.guarded = events.guarded = false;
     seen[0].stop_at = 30;
-    CHECK(run() == SM_OK && all_add_up() && pthread_equal(seen[0].thread, pthread_self()));
+    CHECK(run_app() == SM_OK && all_counts_agree() && pthread_equal(seen[0].thread, pthread_self()));
 }
 
 static void test_one_thread(void)
 {
-    start(3);
+    prepare_app(3);
     app.one_thread = true;
     crew_vector.guarded = events.guarded = false;
     seen[2].stop_at = 20;
-    CHECK(run() == SM_OK && all_add_up() && pthread_equal(seen[1].thread, pthread_self()));
+    CHECK(run_app() == SM_OK && all_counts_agree() && pthread_equal(seen[1].thread, pthread_self()));
 }
 
-// Ticks of a microsecond, which no thread can keep, in one thread and in several.
+// Ticks of a microsecond, which no thread can meet, in one thread and in several.
 static void test_too_fast(void)
 {
     for (int i = 0; i < 4; i++) {
-        start(2);
+        prepare_app(2);
         app.one_thread = i % 2 == 0;
         executor[0].period = 1000;
         executor[0].overrun = i < 2 ? SM_SKIP : SM_CATCH_UP;
         executor[0].most = 100;
         seen[1].stop_at = 20;
-        CHECK(run() == SM_OK && adds_up(1) && executor[0].ticks + executor[0].skipped == executor[0].next && executor[0].ticks > 1);
+        CHECK(run_app() == SM_OK && counts_agree(1) && executor[0].ticks + executor[0].skipped == executor[0].next && executor[0].ticks > 1);
     }
 }
 
@@ -244,22 +244,22 @@ static void test_written(void)
                  snapshot = {.name = "keep", .step = sm_keep_step, .context = &keep};
 
     CHECK(mkdtemp(folder) != NULL && chdir(folder) == 0);
-    start(3);
+    prepare_app(3);
     task[1] = record;
     task[2] = snapshot;
     app.log = &log;
     app.keep = &keep;
     app.writing = &sm_writing;
     seen[0].stop_at = 100;
-    CHECK(run() == SM_OK && adds_up(0) && !pthread_equal(seen[0].thread, pthread_self()));
+    CHECK(run_app() == SM_OK && counts_agree(0) && !pthread_equal(seen[0].thread, pthread_self()));
     CHECK(log.cursor == events.next && log.written > 1000 && log.dropped == 0 && keep.written > 0 && keep.written + keep.replaced == keep.taken);
-    start(1);                                              // one executor that is not alone: still a thread of its own, no locks
+    prepare_app(1);                                              // one executor that is not alone: still a thread of its own, no locks
     crew_vector.guarded = events.guarded = false;
     app.keep = &keep;
     app.writing = &sm_writing;
     CHECK(pal_nvm_close(keep.nvm) == SM_OK);
     seen[0].stop_at = 10;
-    CHECK(run() == SM_OK && app.restored && crew_sv.number > 0 && !pthread_equal(seen[0].thread, pthread_self()));
+    CHECK(run_app() == SM_OK && app.restored && crew_sv.number > 0 && !pthread_equal(seen[0].thread, pthread_self()));
     CHECK(unlink("flight") == 0 && unlink("kept") == 0 && chdir("/") == 0 && rmdir(folder) == 0);
 }
 
@@ -267,19 +267,19 @@ static void test_written(void)
 
 static void test_refused(void)
 {
-    start(PAL_THREADS + 1);
-    CHECK(run() == SM_E_FULL && app.failed_executor == &executor[PAL_THREADS] && app.reason != NULL);
-    start(PAL_THREADS);
+    prepare_app(PAL_THREADS + 1);
+    CHECK(run_app() == SM_E_FULL && app.failed_executor == &executor[PAL_THREADS] && app.reason != NULL);
+    prepare_app(PAL_THREADS);
     app.watchdog = PAL_SECOND;
-    CHECK(run() == SM_E_FULL && app.failed_executor == NULL && app.failed_part != NULL);
+    CHECK(run_app() == SM_E_FULL && app.failed_executor == NULL && app.failed_part != NULL);
     for (int i = 0; i < PAL_THREADS; i++)
         CHECK(seen[i].calls == 0);
-    start(2);                                              // their threads have ended: there is room
+    prepare_app(2);                                              // their threads have ended: there is room
     app.watchdog = UINT64_MAX;
-    CHECK(run() == SM_E_ARGUMENT && seen[0].calls == 0);
-    start(2);
+    CHECK(run_app() == SM_E_ARGUMENT && seen[0].calls == 0);
+    prepare_app(2);
     crew_vector.guarded = false;
-    CHECK(run() == SM_E_ARGUMENT && seen[0].calls == 0);
+    CHECK(run_app() == SM_E_ARGUMENT && seen[0].calls == 0);
 }
 
 // ---- priorities ----
@@ -290,17 +290,17 @@ static void test_priorities(void)
     const bool permitted = sched_setscheduler(0, SCHED_FIFO, &fifo) == 0;
 
     sched_setscheduler(0, SCHED_OTHER, &plain);
-    start(3);
+    prepare_app(3);
     executor[1].priority = 20;
     executor[2].priority = 30;
     app.watchdog = 10 * (uint64_t)PAL_SECOND;
     seen[2].stop_at = 10;
-    CHECK(run() == SM_OK && all_add_up() && seen[0].policy == SCHED_OTHER);
+    CHECK(run_app() == SM_OK && all_counts_agree() && seen[0].policy == SCHED_OTHER);
     CHECK(!permitted || (seen[1].policy == SCHED_FIFO && seen[2].policy == SCHED_FIFO));
-    start(1);
+    prepare_app(1);
     executor[0].priority = 20;
     seen[0].stop_at = 10;
-    CHECK(run() == SM_OK && (!permitted || seen[0].policy == SCHED_FIFO) && sched_getscheduler(0) == SCHED_OTHER);
+    CHECK(run_app() == SM_OK && (!permitted || seen[0].policy == SCHED_FIFO) && sched_getscheduler(0) == SCHED_OTHER);
 }
 
 // ---- the watchdog: the one that kills the program ----
@@ -311,13 +311,13 @@ static int child(uint16_t n, int hang)
     const pid_t pid = fork();
 
     if (pid == 0) {
-        start(n);
+        prepare_app(n);
         app.watchdog = hang >= 0 ? 300 * MS : 2000 * MS;
         seen[0].stop_at = 1000;
         if (hang >= 0)
             seen[hang].hang = true;
-        run();
-        _exit(all_add_up() ? 0 : 1);
+        run_app();
+        _exit(all_counts_agree() ? 0 : 1);
     }
     CHECK(pid > 0 && waitpid(pid, &status, 0) == pid);
     return status;

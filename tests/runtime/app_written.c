@@ -32,8 +32,8 @@ static void set(void *sv)
     ((CrewSv *)sv)->number = 1000;
 }
 
-// A task and the log every 10 ms, the kept vector every 100 ms; 100 ticks.
-static void prepare(void)
+// Prepares a task and the log every 10 ms and the saved vector every 100 ms, for 100 ticks.
+static void prepare_app(void)
 {
     const SmLog l = {.file = "flight", .sv = &crew_vector, .names = &crew_names, .events = &events, .buffer = ring, .room = sizeof ring};
     const SmKeep k = {.memory = "eeprom", .sv = &crew_vector, .buffer = slots};
@@ -60,7 +60,7 @@ static void prepare(void)
 static void start(void)
 {
     parts_reset();
-    prepare();
+    prepare_app();
 }
 
 static size_t logged(void)
@@ -89,7 +89,7 @@ static void test_restored(void)
     sim_power_on();
     memset(&crew_sv, 0, sizeof crew_sv);
     parts_forget();
-    prepare();
+    prepare_app();
     most = 2;
     CHECK(sm_app_run(&app) == SM_OK && app.restored && crew_sv.third == 42 && crew_sv.number == 1091 + 2);
     CHECK(executor.base == 900 && crew_sv.time == 910 && is_event(SM_EVENT_START, 0, 1, 0));
@@ -106,7 +106,7 @@ static void test_unusable(void)
     sim_nvm(keeper.memory)[keeper.slot + SM_KEEP_HEAD] ^= 1;
     memset(&crew_sv, 0, sizeof crew_sv);
     parts_forget();
-    prepare();
+    prepare_app();
     most = 2;
     CHECK(sm_app_run(&app) == SM_OK && !app.restored && is_event(SM_EVENT_START, 0, 2, 0));
 }
@@ -125,7 +125,7 @@ static void test_refused(void)
     CHECK(sm_app_run(&app) == SM_E_ARGUMENT && called == 0);
 }
 
-// Nothing but a log, and its task is missing: nothing is written, nothing else happens.
+// The application has only a log, and the task that writes it is missing: nothing is written.
 static void test_without_tasks(void)
 {
     start();
@@ -135,7 +135,7 @@ static void test_without_tasks(void)
     CHECK(sm_app_run(&app) == SM_OK && logged() == 0 && sim_count(SIM_nvm_open) == 0);
 }
 
-// An executor that is never in time leaves no gap in which to write: it is written all the same.
+// An executor that is always late leaves no time to write.  The log is written all the same.
 static void test_busy(void)
 {
     start();
@@ -146,7 +146,7 @@ static void test_busy(void)
     CHECK(record.dropped == 0 && keeper.written >= 9 && sim_log_synced("flight") == logged());
 }
 
-// A broken or slow medium delays nothing.
+// A broken or slow medium does not delay the tasks.
 static void test_broken(void)
 {
     start();

@@ -18,7 +18,7 @@ static void start(void)
     CHECK(sm_events_init(&events) == SM_OK && events.next == 0);
 }
 
-static void happen(uint32_t n)
+static void add_events(uint32_t n)
 {
     const SmEvent e = {1000u + n, n, ~n, (uint16_t)(n & 0xFFFFu), SM_EVENT_STATE};
 
@@ -40,7 +40,7 @@ static void test_in_order(void)
     start();
     CHECK(sm_events_read(&events, &cursor, out, ROOM, &lost) == 0 && cursor == 0 && lost == 0);
     for (uint32_t i = 0; i < 5; i++)
-        happen(i);
+        add_events(i);
     CHECK(sm_events_read(&events, &cursor, out, 3, &lost) == 3 && cursor == 3 && lost == 0);
     CHECK(is_event(&out[0], 0) && is_event(&out[2], 2));
     CHECK(sm_events_read(&events, &cursor, out, ROOM, NULL) == 2 && cursor == 5 && is_event(&out[1], 4));
@@ -54,7 +54,7 @@ static void test_full_to_the_brim(void)
 
     start();
     for (uint32_t i = 0; i < ROOM; i++)
-        happen(i);
+        add_events(i);
     CHECK(sm_events_read(&events, &cursor, out, ROOM + 1, &lost) == ROOM && lost == 0 && is_event(&out[0], 0) && is_event(&out[ROOM - 1], ROOM - 1));
 }
 
@@ -65,7 +65,7 @@ static void test_too_slow(void)
 
     start();
     for (uint32_t i = 0; i < ROOM + 3; i++)
-        happen(i);
+        add_events(i);
     CHECK(sm_events_read(&events, &cursor, out, 2, &lost) == 2 && lost == 3 && cursor == 5 && is_event(&out[0], 3) && is_event(&out[1], 4));
     CHECK(sm_events_read(&events, &cursor, out, ROOM, &lost) == 6 && lost == 0 && is_event(&out[5], ROOM + 2));
     CHECK(sm_events_read(&events, &late, out, ROOM, &lost) == ROOM && lost == 3 && is_event(&out[0], 3));        // each has its own
@@ -79,12 +79,12 @@ static void test_asking_for_none(void)
 
     start();
     for (uint32_t i = 0; i < ROOM + 1; i++)
-        happen(i);
+        add_events(i);
     CHECK(sm_events_read(&events, &cursor, NULL, 0, &lost) == 0 && lost == 1 && cursor == 1);
     CHECK(sm_events_read(&events, &cursor, out, 1, &lost) == 1 && lost == 0 && is_event(out, 1));
 }
 
-// Around 2^32 nothing is special.
+// The numbers of events continue after 2^32.
 static void test_wrap(void)
 {
     SmEvent out[ROOM];
@@ -93,7 +93,7 @@ static void test_wrap(void)
     start();
     events.next = 0xFFFFFFFAu;
     for (uint32_t i = 0; i < 10; i++)
-        happen(0xFFFFFFFAu + i);
+        add_events(0xFFFFFFFAu + i);
     CHECK(events.next == 4);
     CHECK(sm_events_read(&events, &cursor, out, ROOM, &lost) == ROOM && lost == 2 && cursor == 4);
     CHECK(is_event(&out[0], 0xFFFFFFFCu) && is_event(&out[3], 0xFFFFFFFFu) && is_event(&out[4], 0) && is_event(&out[7], 3));
@@ -108,7 +108,7 @@ static void test_any_cursor(void)
 
     start();
     for (uint32_t i = 0; i < 3 * ROOM; i++)
-        happen(i);
+        add_events(i);
     for (int bit = 0; bit < 32; bit++) {
         uint32_t cursor = 1u << bit, lost = 0, n = sm_events_read(&events, &cursor, out, ROOM, &lost);
         CHECK(n <= ROOM && cursor == events.next && (1u << bit) + lost + n == events.next);
@@ -122,9 +122,9 @@ static void test_no_lock(void)
     uint32_t cursor = 0, lost = 9;
 
     start();
-    happen(0);
+    add_events(0);
     sim_break(SIM_lock_take, 0, SM_E_TIMEOUT);
-    happen(1);
+    add_events(1);
     CHECK(events.faults == 1 && events.next == 1);
     CHECK(sm_events_read(&events, &cursor, out, ROOM, &lost) == 0 && lost == 0 && cursor == 0 && events.faults == 2);
     sim_break(SIM_lock_take, 0, SM_OK);
@@ -165,7 +165,7 @@ static void test_refused(void)
     sm_event(NULL, &out);
     sm_event(&events, NULL);
     CHECK(events.next == 0);
-    happen(0);
+    add_events(0);
     CHECK(sm_events_read(NULL, &cursor, &out, 1, &lost) == 0 && lost == 0);
     CHECK(sm_events_read(&events, NULL, &out, 1, &lost) == 0);
     CHECK(sm_events_read(&events, &cursor, NULL, 1, &lost) == 0 && cursor == 0);

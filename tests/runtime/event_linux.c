@@ -19,7 +19,7 @@ typedef struct Part {
 
 static uint64_t time_of(uint32_t n) { return n * 0x9E3779B97F4A7C15u; }
 
-static void happen(void *argument)
+static void add_events(void *argument)
 {
     const Part *part = (const Part *)argument;
 
@@ -29,8 +29,8 @@ static void happen(void *argument)
     }
 }
 
-// `from`: the number that must come at least, by source.
-static bool is_right(const SmEvent *e, uint32_t *from)
+// Whether an event is valid.  `from`: by source, the lowest number that it can have.
+static bool is_expected(const SmEvent *e, uint32_t *from)
 {
     const bool whole = e->source < WRITERS && e->kind == SM_EVENT_MODE && e->b == ~e->a && e->time == time_of(e->a);
 
@@ -40,7 +40,7 @@ static bool is_right(const SmEvent *e, uint32_t *from)
     return true;
 }
 
-static void drain(void *argument)
+static void read_all_events(void *argument)
 {
     Part *part = (Part *)argument;
     uint32_t cursor = 0, from[WRITERS] = {0};
@@ -51,7 +51,7 @@ static void drain(void *argument)
         part->lost += lost;
         part->taken += n;
         for (uint32_t i = 0; i < n; i++)
-            part->wrong += !is_right(&out[i], from);
+            part->wrong += !is_expected(&out[i], from);
         if (n == 0)
             pal_clock_sleep_until(pal_clock_now() + 20 * PAL_MICROSECOND);
     }
@@ -65,7 +65,7 @@ int main(void)
     CHECK(sm_events_init(&events) == SM_OK);
     for (uint16_t i = 0; i < WRITERS + READERS; i++) {
         part[i].source = i;
-        CHECK(pal_thread_create(&part[i].thread, &plan, i < WRITERS ? happen : drain, &part[i]) == SM_OK);
+        CHECK(pal_thread_create(&part[i].thread, &plan, i < WRITERS ? add_events : read_all_events, &part[i]) == SM_OK);
     }
     for (uint16_t i = 0; i < WRITERS + READERS; i++)
         CHECK(pal_thread_join(part[i].thread, LONG) == SM_OK);

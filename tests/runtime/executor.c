@@ -10,8 +10,8 @@ static SmTask *const a_and_b[] = {&task[0], &task[1]}, *const c[] = {&task[2]};
 static SmRate rates[2];
 static SmExecutor e;
 
-// Tasks A and B every tick of 10 ms, C every second one.
-static void start(void)
+// Tasks A and B run in every tick of 10 ms, C in every second tick.
+static void prepare_executor(void)
 {
     const SmRate plan[2] = {{1, 2, a_and_b}, {2, 1, c}};
     const SmExecutor fresh = {.name = "e", .period = 10 * MS, .rate = rates, .rates = 2, .sv = &crew_vector, .events = &events,
@@ -30,24 +30,24 @@ static void start(void)
     CHECK(sm_statevec_init(&crew_vector) == SM_OK && sm_events_init(&events) == SM_OK);
 }
 
-static void begin(void)
+static void start_executor(void)
 {
     CHECK(sm_executor_init(&e, NULL) == SM_OK);
     parts_forget();
     sm_executor_start(&e, pal_clock_now());
 }
 
-// As an application does: waits for the tick, then runs it.
-static void tick(void)
+// Waits for the tick and runs it, as an application does.
+static void run_tick(void)
 {
     pal_clock_sleep_until(sm_executor_due(&e));
     sm_executor_tick(&e);
 }
 
-static void ticks_until(uint64_t number)
+static void run_ticks_until(uint64_t number)
 {
     while (e.next < number)
-        tick();
+        run_tick();
 }
 
 // ---- the plan ----
@@ -57,11 +57,11 @@ static bool is_refused(void)
     const SmTask *failed = &task[0];
     const bool refused = sm_executor_init(&e, &failed) == SM_E_ARGUMENT && failed == NULL && called == 0;
 
-    start();
+    prepare_executor();
     return refused;
 }
 
-#define REFUSED(change) (start(), change, is_refused())
+#define REFUSED(change) (prepare_executor(), change, is_refused())
 
 static void test_plan(void)
 {
@@ -88,13 +88,13 @@ static void test_plan(void)
     CHECK(REFUSED(e.vitals.skipped = &foreign));
     CHECK(REFUSED(e.vitals.late = CREW(number)));
     CHECK(REFUSED(e.vitals.busy = CREW(number)));
-    start();
+    prepare_executor();
     e.sv = NULL;
     e.time = NULL;
     e.events = NULL;
     CHECK(sm_executor_init(&e, NULL) == SM_OK && strcmp(calls, "012") == 0);
-    begin();
-    tick();
+    start_executor();
+    run_tick();
     CHECK(strcmp(calls, "ABC") == 0);
 }
 
@@ -102,7 +102,7 @@ static void test_task_refuses(void)
 {
     const SmTask *failed = NULL;
 
-    start();
+    prepare_executor();
     part[1].gives = SM_E_MISSING;
     CHECK(sm_executor_init(&e, &failed) == SM_E_MISSING && failed == &task[1] && strcmp(calls, "01") == 0);
     CHECK(sm_executor_init(&e, NULL) == SM_E_MISSING);
@@ -115,9 +115,9 @@ static void test_task_refuses(void)
 
 static void test_order(void)
 {
-    start();
-    begin();
-    ticks_until(5);
+    prepare_executor();
+    start_executor();
+    run_ticks_until(5);
     CHECK(strcmp(calls, "ABCABABCABABC") == 0 && pal_clock_now() == S + 40 * MS);
     for (unsigned i = 0; i < called; i++)
         CHECK(ticks[i].time == ticks[i].number * 10 * MS);
@@ -127,24 +127,24 @@ static void test_order(void)
 // The duration of a tick does not move the ticks after it.
 static void test_absolute(void)
 {
-    start();
-    begin();
+    prepare_executor();
+    start_executor();
     part[0].takes = 9 * MS;
-    ticks_until(1000);
+    run_ticks_until(1000);
     CHECK(pal_clock_now() == S + 999 * 10 * MS + 9 * MS && e.overruns == 0 && e.busy == 9 * MS && e.late_max == 0);
 }
 
-// A little late is no overrun, and is caught up.
+// A tick that begins less than a period late is no overrun, and the delay does not accumulate.
 static void test_late(void)
 {
-    start();
-    begin();
+    prepare_executor();
+    start_executor();
     part[0].takes = 19 * MS;
-    tick();
+    run_tick();
     part[0].takes = 0;
-    tick();
+    run_tick();
     CHECK(e.late == 9 * MS && e.busy_max == 19 * MS && e.overruns == 0);
-    tick();
+    run_tick();
     CHECK(e.late == 0 && e.late_max == 9 * MS && e.next == 3 && pal_clock_now() == S + 20 * MS && is_no_event());
 }
 
@@ -152,15 +152,15 @@ static void test_late(void)
 
 static void test_skip(void)
 {
-    start();
-    begin();
+    prepare_executor();
+    start_executor();
     part[0].takes = 35 * MS;
-    tick();                                                // 0, until 35
+    run_tick();                                                // 0, until 35
     part[0].takes = 0;
-    tick();                                                // 1, due at 10: an overrun; 2 and 3 have been missed
+    run_tick();                                                // 1, due at 10: an overrun; 2 and 3 have been missed
     CHECK(e.next == 4 && e.overruns == 1 && e.skipped == 2 && e.late == 25 * MS && e.ticks == 2);
     CHECK(is_event(SM_EVENT_OVERRUN, 4, 2, 25000) && is_no_event());
-    tick();
+    run_tick();
     CHECK(pal_clock_now() == S + 40 * MS && e.late == 0 && crew_sv.time == 40);
     CHECK(strcmp(calls, "ABCABABC") == 0 && ticks[7].number == 4);
 }
@@ -168,20 +168,20 @@ static void test_skip(void)
 // A tick that is due exactly now has not been missed.
 static void test_skip_exactly(void)
 {
-    start();
-    begin();
+    prepare_executor();
+    start_executor();
     part[0].takes = 30 * MS;
-    tick();
+    run_tick();
     part[0].takes = 0;
-    tick();
+    run_tick();
     CHECK(e.next == 3 && e.skipped == 1 && sm_executor_due(&e) == pal_clock_now());
 }
 
-// A tick that begins late by its period and not less is an overrun.
+// A tick that begins exactly one period late is an overrun; a nanosecond earlier it is not.
 static void test_border(void)
 {
-    start();
-    begin();
+    prepare_executor();
+    start_executor();
     sim_advance(10 * MS - 1);
     sm_executor_tick(&e);
     CHECK(e.overruns == 0 && e.next == 1);
@@ -190,63 +190,63 @@ static void test_border(void)
     CHECK(e.overruns == 1 && e.next == 2 && e.skipped == 0);
 }
 
-// Groups count ticks: if theirs is left out they wait for the next.
+// Groups count ticks: a group whose tick was skipped waits for its next tick.
 static void test_group_left_out(void)
 {
-    start();
+    prepare_executor();
     rates[1].every = 5;
-    begin();
-    ticks_until(4);
+    start_executor();
+    run_ticks_until(4);
     sim_advance(29 * MS);                                  // 59: tick 4 begins 19 late, 5 is missed
-    ticks_until(11);
+    run_ticks_until(11);
     CHECK(strcmp(calls, "ABCABABABABABABABABABC") == 0 && e.skipped == 1);
 }
 
 static void test_catch_up(void)
 {
-    start();
+    prepare_executor();
     e.overrun = SM_CATCH_UP;
     e.most = 3;
-    begin();
+    start_executor();
     part[0].takes = 35 * MS;
-    tick();
+    run_tick();
     part[0].takes = 0;
     for (int i = 0; i < 3; i++)
-        tick();
+        run_tick();
     CHECK(pal_clock_now() == S + 35 * MS && e.next == 4 && e.skipped == 0 && e.overruns == 2 && e.late == 5 * MS);
-    tick();
+    run_tick();
     CHECK(e.late == 0 && strcmp(calls, "ABCABABCABABC") == 0);
 }
 
 static void test_catch_up_most(void)
 {
-    start();
+    prepare_executor();
     e.overrun = SM_CATCH_UP;
     e.most = 3;
-    begin();
+    start_executor();
     sim_advance(95 * MS);                                  // ticks 1 to 9 are behind: 1 to 6 are left out
-    tick();
+    run_tick();
     CHECK(e.next == 7 && e.skipped == 6);
-    tick();
-    tick();
-    tick();
+    run_tick();
+    run_tick();
+    run_tick();
     CHECK(e.next == 10 && e.skipped == 6 && pal_clock_now() == S + 95 * MS && is_event(SM_EVENT_OVERRUN, 4, 6, 95000) && is_no_event());
     e.most = 0;                                            // as SM_SKIP
     sim_advance(55 * MS);
-    tick();
+    run_tick();
     CHECK(e.next == 15 && e.skipped == 10);
 }
 
-// However late, the first tick runs, and no tick twice.
+// However late it is, the first tick runs, and no tick runs twice.
 static void test_first_late(void)
 {
-    start();
-    begin();
+    prepare_executor();
+    start_executor();
     sim_advance(3 * 3600 * S + 1);
-    tick();
+    run_tick();
     CHECK(strcmp(calls, "ABC") == 0 && ticks[0].number == 0 && e.next == 3 * 3600 * 100 + 1 && e.ticks + e.skipped == e.next);
     CHECK(is_event(SM_EVENT_OVERRUN, 4, 3 * 3600 * 100, UINT32_MAX));
-    tick();
+    run_tick();
     CHECK(e.late == 0 && crew_sv.time == (3 * 3600 * 100 + 1) * 10);
 }
 
@@ -256,10 +256,10 @@ static void test_overrun_event(void)
     SmEvent event;
     uint64_t told = 0, last = 0, n = 0;
 
-    start();
-    begin();
+    prepare_executor();
+    start_executor();
     part[0].takes = 35 * MS;
-    ticks_until(1000);
+    run_ticks_until(1000);
     while (sm_events_read(&events, &event_cursor, &event, 1, NULL) == 1) {
         CHECK(event.kind == SM_EVENT_OVERRUN && (n == 0 || event.time - last >= S));
         told += event.a;
@@ -275,13 +275,13 @@ static void test_overrun_event_each_second(void)
     SmEvent event;
     uint64_t n = 0;
 
-    start();
+    prepare_executor();
     e.period = 500 * MS;
     e.overrun = SM_CATCH_UP;
     e.most = UINT32_MAX;
-    begin();
+    start_executor();
     part[0].takes = S;                                     // from tick 1 on each is an overrun
-    ticks_until(10);
+    run_ticks_until(10);
     while (sm_events_read(&events, &event_cursor, &event, 1, NULL) == 1) {
         CHECK(event.kind == SM_EVENT_OVERRUN && event.time == n * S + 500 * MS);
         n++;
@@ -292,16 +292,16 @@ static void test_overrun_event_each_second(void)
 // A count that does not fit into one event is reported with the next one.
 static void test_count_beyond_one_event(void)
 {
-    start();
+    prepare_executor();
     e.period = 1000;
     e.unit = 1;
-    begin();
+    start_executor();
     sim_advance(3 * 3600 * S);                             // 10,800,000,000 ticks
-    tick();
+    run_tick();
     CHECK(is_event(SM_EVENT_OVERRUN, 4, UINT32_MAX, UINT32_MAX) && is_no_event());
-    ticks_until(e.next + 1000000);
+    run_ticks_until(e.next + 1000000);
     sim_advance(5000);
-    tick();
+    run_tick();
     CHECK(is_event(SM_EVENT_OVERRUN, 4, UINT32_MAX, 4));
 }
 
@@ -309,53 +309,53 @@ static void test_count_beyond_one_event(void)
 
 static void test_time(void)
 {
-    start();
+    prepare_executor();
     crew_sv.time = 500;
-    begin();
-    tick();
+    start_executor();
+    run_tick();
     CHECK(crew_sv.time == 500);
-    tick();
+    run_tick();
     CHECK(crew_sv.time == 510);
     crew_sv.time = 600;                                    // never backwards
-    tick();
+    run_tick();
     CHECK(crew_sv.time == 600);
-    ticks_until(12);
+    run_ticks_until(12);
     CHECK(crew_sv.time == 610);
 }
 
 static void test_time_uneven(void)
 {
-    start();
+    prepare_executor();
     e.unit = 3 * MS;
-    begin();
-    ticks_until(8);
+    start_executor();
+    run_ticks_until(8);
     CHECK(crew_sv.time == 70 / 3);
-    start();
+    prepare_executor();
     e.unit = 1;
-    begin();
-    ticks_until(8);
+    start_executor();
+    run_ticks_until(8);
     CHECK(crew_sv.time == 70 * MS);
 }
 
 static void test_time_ends(void)
 {
-    start();
+    prepare_executor();
     crew_sv.time = UINT64_MAX - 15;
-    begin();
-    ticks_until(2);
+    start_executor();
+    run_ticks_until(2);
     CHECK(crew_sv.time == UINT64_MAX - 5);
-    ticks_until(5);
+    run_ticks_until(5);
     CHECK(crew_sv.time == UINT64_MAX);
 }
 
-// Far beyond any mission: tick numbers and times that reach 2^64.
+// Tick numbers and times up to 2^64.
 static void test_far(void)
 {
-    start();
-    begin();
+    prepare_executor();
+    start_executor();
     e.next = (UINT64_MAX / e.period) - 1;
     e.start -= e.next * e.period;                          // due now
-    tick();
+    run_tick();
     CHECK(e.ticks == 1 && e.overruns == 0 && crew_sv.time == UINT64_MAX / e.period * 10 - 10);
     for (int i = 0; i < 5; i++) {                          // times wrap: G stays, and nothing is an overrun
         const uint64_t g = crew_sv.time;
@@ -369,9 +369,9 @@ static void test_far(void)
 
 static void test_far_clock(void)
 {
-    start();
+    prepare_executor();
     sim_advance(UINT64_MAX - pal_clock_now() - 25 * MS);
-    begin();
+    start_executor();
     for (int i = 0; i < 6; i++) {
         sm_executor_tick(&e);
         CHECK(e.late == 0);
@@ -381,9 +381,9 @@ static void test_far_clock(void)
     sim_advance(35 * MS);
     sm_executor_tick(&e);
     CHECK(e.late == 35 * MS && e.skipped == 3);
-    start();                                               // late across the end
+    prepare_executor();                                               // late across the end
     sim_advance(UINT64_MAX - pal_clock_now() - 5 * MS);
-    begin();
+    start_executor();
     sim_advance(35 * MS);
     sm_executor_tick(&e);
     CHECK(e.late == 35 * MS && e.skipped == 3 && e.overruns == 1);
@@ -395,19 +395,19 @@ static void test_vitals(void)
 {
     const SmVitals v = {CREW(v_u64), CREW(v_u8), CREW(v_i16), CREW(v_i8), CREW(v_u32)};
 
-    start();
+    prepare_executor();
     e.vitals = v;
-    begin();
+    start_executor();
     part[0].takes = 35 * MS + 999;
-    tick();
+    run_tick();
     CHECK(crew_sv.v_u64 == 1 && crew_sv.v_u8 == 0 && crew_sv.v_i8 == 0 && crew_sv.v_u32 == 35000);
     part[0].takes = 0;
-    tick();
+    run_tick();
     CHECK(crew_sv.v_u64 == 2 && crew_sv.v_u8 == 1 && crew_sv.v_i16 == 2 && crew_sv.v_i8 == INT8_MAX && crew_sv.v_u32 == 0);
     e.overruns = 1000;
     e.skipped = 100000;
     sim_advance(3600 * S * 2);
-    tick();
+    run_tick();
     CHECK(crew_sv.v_u8 == UINT8_MAX && crew_sv.v_i16 == INT16_MAX);
 }
 
@@ -415,29 +415,29 @@ static void test_vitals_of_all_types(void)
 {
     const SmVitals v = {CREW(v_i8), CREW(v_i32), CREW(v_i64), CREW(v_u16), CREW(v_i16)};
 
-    start();
+    prepare_executor();
     e.vitals = v;
-    begin();
+    start_executor();
     e.ticks = e.overruns = e.skipped = UINT64_MAX - 2;
     part[0].takes = 40 * MS;
     sim_advance(80 * MS);
-    tick();
+    run_tick();
     CHECK(crew_sv.v_i8 == INT8_MAX && crew_sv.v_i32 == INT32_MAX && crew_sv.v_u16 == UINT16_MAX && crew_sv.v_i16 == INT16_MAX);
     CHECK(crew_sv.v_i64 == 8);                             // it wrapped: 2^64 - 3 + 11
 }
 
-// A vector that cannot be entered: tasks run, G and vitals stay.
+// A vector whose lock is not available: tasks run, G and vitals do not change.
 static void test_locked_out(void)
 {
-    start();
+    prepare_executor();
     e.vitals.ticks = CREW(v_u64);
-    begin();
-    tick();
+    start_executor();
+    run_tick();
     sim_break(SIM_lock_take, 0, SM_E_TIMEOUT);
-    tick();
+    run_tick();
     CHECK(strcmp(calls, "ABCAB") == 0 && crew_sv.time == 0 && crew_sv.v_u64 == 1 && crew_vector.faults == 2);
     sim_break(SIM_lock_take, 0, SM_OK);
-    tick();
+    run_tick();
     CHECK(crew_sv.time == 20 && crew_sv.v_u64 == 3);
     crew_vector.faults = 0;
 }
@@ -448,14 +448,14 @@ static void test_locked_out_at_the_start(void)
 {
     const SmTask *failed = &task[0];
 
-    start();
+    prepare_executor();
     crew_sv.time = 5000;
     sim_break(SIM_lock_take, 0, SM_E_TIMEOUT);
     CHECK(sm_executor_init(&e, &failed) == SM_E_TIMEOUT && failed == NULL);
     sim_break(SIM_lock_take, 0, SM_OK);
-    begin();
-    tick();
-    tick();
+    start_executor();
+    run_tick();
+    run_tick();
     CHECK(crew_sv.time == 5010);
     crew_vector.faults = 0;
 }
@@ -463,13 +463,13 @@ static void test_locked_out_at_the_start(void)
 // One thread and a vector without `lock`: no lock is taken.
 static void test_no_locks(void)
 {
-    start();
+    prepare_executor();
     crew_vector.guarded = false;
     task[0].mode = CREW(first);
     crew_sv.first = SM_ENABLED;
     e.vitals.ticks = CREW(v_u64);
-    begin();
-    ticks_until(100);
+    start_executor();
+    run_ticks_until(100);
     CHECK(sim_count(SIM_lock_take) == 0 && crew_sv.v_u64 == 100);
 }
 

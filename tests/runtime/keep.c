@@ -15,8 +15,8 @@ static uint8_t buffer[2 * SM_KEEP_SIZE(PACKED_MOST)];
 static SmKeep keep;
 static const SmTick tick = {0, 0};
 
-// A program starts on memory `name`: the vector is 0, then the saved one is restored.
-static SmResult start(const char *name, SmStateVec *sv)
+// Starts a program on memory `name`: the vector is 0, then the saved one is restored.
+static SmResult start_program(const char *name, SmStateVec *sv)
 {
     (void)pal_lock_close(keep.lock);
     (void)pal_lock_close(sv->lock);
@@ -30,15 +30,15 @@ static SmResult start(const char *name, SmStateVec *sv)
     return sm_keep_restore(&keep);
 }
 
-// The same after a power failure.
-static SmResult restart(const char *name, SmStateVec *sv)
+// Starts the program again after a power failure.
+static SmResult restart_program(const char *name, SmStateVec *sv)
 {
     sim_power_on();
-    return start(name, sv);
+    return start_program(name, sv);
 }
 
-// A vector whose every element is computed from its number k.
-static void fill(uint32_t k)
+// Fills the vector with values that are computed from the number k.
+static void fill_vector(uint32_t k)
 {
     wide_sv.time = k;
     wide_sv.i64 = -(int64_t)k;
@@ -48,8 +48,8 @@ static void fill(uint32_t k)
     wide_sv.u16 = (uint16_t)k;
 }
 
-// Which it is; -1: a mixture.
-static int64_t number(void)
+// Returns the number k with which the vector was filled; -1: it is a mixture.
+static int64_t number_of_vector(void)
 {
     const uint64_t k = wide_sv.time;
 
@@ -57,9 +57,9 @@ static int64_t number(void)
             wide_sv.u16 == (uint16_t)k ? (int64_t)k : -1;
 }
 
-static SmResult store(uint32_t k)
+static SmResult store_vector(uint32_t k)
 {
-    fill(k);
+    fill_vector(k);
     CHECK(sm_keep_step(&keep, &tick) == SM_OK);
     return sm_keep_write(&keep);
 }
@@ -69,14 +69,14 @@ static const char *const memories[] = {"eeprom", "flash"};
 static void test_plain(const char *name)
 {
     sim_reset();
-    CHECK(start(name, &wide_vector) == SM_OK && !keep.restored);
+    CHECK(start_program(name, &wide_vector) == SM_OK && !keep.restored);
     CHECK(sm_keep_write(&keep) == SM_OK && sim_count(SIM_nvm_write) == 0);    // nothing waits
     for (uint32_t k = 1; k < 10; k++) {
-        CHECK(store(k) == SM_OK && keep.taken == k && keep.written == k && keep.replaced == 0);
-        CHECK(restart(name, &wide_vector) == SM_OK && keep.restored && number() == k);
+        CHECK(store_vector(k) == SM_OK && keep.taken == k && keep.written == k && keep.replaced == 0);
+        CHECK(restart_program(name, &wide_vector) == SM_OK && keep.restored && number_of_vector() == k);
         keep.taken = keep.written = k;
     }
-    CHECK(restart(name, &wide_vector) == SM_OK && number() == 9);     // reading changes nothing
+    CHECK(restart_program(name, &wide_vector) == SM_OK && number_of_vector() == 9);     // reading changes nothing
 }
 
 // ---- the power goes ----
@@ -86,29 +86,29 @@ static uint32_t store_until_cut(uint32_t from)
 {
     uint32_t k = from;
 
-    while (k < from + 10 && store(k) == SM_OK)
+    while (k < from + 10 && store_vector(k) == SM_OK)
         k++;
     return k - 1;
 }
 
 // The power fails in the n-th write or erase from now, after a number of bytes; and again after the restart.
-static void cut(const char *name, uint32_t after, uint32_t bytes, uint32_t again, uint32_t bytes_again)
+static void check_cut(const char *name, uint32_t after, uint32_t bytes, uint32_t again, uint32_t bytes_again)
 {
     uint32_t last;
 
     sim_reset();
-    CHECK(start(name, &wide_vector) == SM_OK);
-    CHECK(store(1) == SM_OK);
+    CHECK(start_program(name, &wide_vector) == SM_OK);
+    CHECK(store_vector(1) == SM_OK);
     sim_cut_power(after, bytes);
     last = store_until_cut(2);
-    CHECK(restart(name, &wide_vector) == SM_OK);
-    CHECK(keep.restored && (number() == last || number() == last + 1));
+    CHECK(restart_program(name, &wide_vector) == SM_OK);
+    CHECK(keep.restored && (number_of_vector() == last || number_of_vector() == last + 1));
     sim_cut_power(again, bytes_again);
-    last = (uint32_t)number();
+    last = (uint32_t)number_of_vector();
     last = store_until_cut(last + 1);
-    CHECK(restart(name, &wide_vector) == SM_OK);
-    CHECK(keep.restored && (number() == last || number() == last + 1));
-    CHECK(store(50) == SM_OK && restart(name, &wide_vector) == SM_OK && number() == 50);
+    CHECK(restart_program(name, &wide_vector) == SM_OK);
+    CHECK(keep.restored && (number_of_vector() == last || number_of_vector() == last + 1));
+    CHECK(store_vector(50) == SM_OK && restart_program(name, &wide_vector) == SM_OK && number_of_vector() == 50);
 }
 
 static void test_cuts(const char *name)
@@ -118,7 +118,7 @@ static void test_cuts(const char *name)
     for (uint32_t after = 0; after < 5; after++)
         for (uint32_t bytes = 0; bytes <= size; bytes++)
             for (uint32_t again = 0; again < 3; again++)
-                cut(name, after, bytes, again, (bytes * 7 + again) % (size + 1));
+                check_cut(name, after, bytes, again, (bytes * 7 + again) % (size + 1));
 }
 
 // Before the first snapshot is stored: it is complete or absent.
@@ -126,10 +126,10 @@ static void test_first_cut(const char *name)
 {
     for (uint32_t bytes = 0; bytes <= SM_KEEP_SIZE(wide_layout.whole.packed); bytes++) {
         sim_reset();
-        CHECK(start(name, &wide_vector) == SM_OK);
+        CHECK(start_program(name, &wide_vector) == SM_OK);
         sim_cut_power(0, bytes);
-        (void)store(1);
-        CHECK(restart(name, &wide_vector) == SM_OK && number() == (keep.restored ? 1 : 0));
+        (void)store_vector(1);
+        CHECK(restart_program(name, &wide_vector) == SM_OK && number_of_vector() == (keep.restored ? 1 : 0));
     }
 }
 
@@ -141,29 +141,29 @@ static void test_flips(const char *name)
     uint8_t *bytes;
 
     sim_reset();
-    CHECK(start(name, &wide_vector) == SM_OK && store(1) == SM_OK && store(2) == SM_OK && store(3) == SM_OK);
+    CHECK(start_program(name, &wide_vector) == SM_OK && store_vector(1) == SM_OK && store_vector(2) == SM_OK && store_vector(3) == SM_OK);
     bytes = sim_nvm(name);
     for (uint32_t bit = 0; bit < 8 * size; bit++) {
         const uint32_t slot = keep.slot;                  // the third went where the first had been: the number is odd
         bytes[slot + bit / 8] ^= (uint8_t)(1 << bit % 8);
-        CHECK(restart(name, &wide_vector) == SM_OK && keep.restored && number() == 2);
+        CHECK(restart_program(name, &wide_vector) == SM_OK && keep.restored && number_of_vector() == 2);
         bytes[bit / 8] ^= 1;
-        CHECK(restart(name, &wide_vector) == SM_OK && !keep.restored && number() == 0);
+        CHECK(restart_program(name, &wide_vector) == SM_OK && !keep.restored && number_of_vector() == 0);
         bytes[bit / 8] ^= 1;
         bytes[slot + bit / 8] ^= (uint8_t)(1 << bit % 8);
-        CHECK(restart(name, &wide_vector) == SM_OK && keep.restored && number() == 3);
+        CHECK(restart_program(name, &wide_vector) == SM_OK && keep.restored && number_of_vector() == 3);
     }
 }
 
-// The numbers go on over 2^32.
+// The numbers of the slots continue after 2^32.
 static void test_wrap(const char *name)
 {
     sim_reset();
-    CHECK(start(name, &wide_vector) == SM_OK);
+    CHECK(start_program(name, &wide_vector) == SM_OK);
     keep.number = UINT32_MAX - 3;
     for (uint32_t k = 1; k < 8; k++) {
-        CHECK(store(k) == SM_OK);
-        CHECK(restart(name, &wide_vector) == SM_OK && number() == k);
+        CHECK(store_vector(k) == SM_OK);
+        CHECK(restart_program(name, &wide_vector) == SM_OK && number_of_vector() == k);
     }
 }
 
@@ -175,19 +175,19 @@ static void test_layouts(void)
     SmStateVec as_other = wide_vector;
 
     sim_reset();
-    CHECK(start("eeprom", &many_vector) == SM_OK && sm_keep_step(&keep, &tick) == SM_OK && sm_keep_write(&keep) == SM_OK);
-    CHECK(restart("eeprom", &wide_vector) == SM_OK && !keep.restored && number() == 0);
-    CHECK(store(1) == SM_OK && restart("eeprom", &wide_vector) == SM_OK && number() == 1);
+    CHECK(start_program("eeprom", &many_vector) == SM_OK && sm_keep_step(&keep, &tick) == SM_OK && sm_keep_write(&keep) == SM_OK);
+    CHECK(restart_program("eeprom", &wide_vector) == SM_OK && !keep.restored && number_of_vector() == 0);
+    CHECK(store_vector(1) == SM_OK && restart_program("eeprom", &wide_vector) == SM_OK && number_of_vector() == 1);
     other.hash ^= 1;                                      // as long, and yet another
     as_other.layout = &other;
-    CHECK(restart("eeprom", &as_other) == SM_OK && !keep.restored && number() == 0);
-    CHECK(restart("eeprom", &wide_vector) == SM_OK && keep.restored && number() == 1);
+    CHECK(restart_program("eeprom", &as_other) == SM_OK && !keep.restored && number_of_vector() == 0);
+    CHECK(restart_program("eeprom", &wide_vector) == SM_OK && keep.restored && number_of_vector() == 1);
 }
 
 // ---- foreign content ----
 
-// A memory that begins like this and has the same content everywhere is not changed.
-static void refuses(const char *name, const char *begins)
+// Whether a memory that begins with these bytes and has the same content everywhere is refused and not changed.
+static void is_memory_refused(const char *name, const char *begins)
 {
     uint8_t before[1024];
     uint8_t *bytes = sim_nvm(name);
@@ -196,34 +196,34 @@ static void refuses(const char *name, const char *begins)
     memset(bytes, 'x', sizeof before);
     memcpy(bytes, begins, strlen(begins));
     memcpy(before, bytes, sizeof before);
-    CHECK(start(name, &wide_vector) == SM_E_FOREIGN && !keep.restored && keep.nvm.id == 0);
+    CHECK(start_program(name, &wide_vector) == SM_E_FOREIGN && !keep.restored && keep.nvm.id == 0);
     CHECK(memcmp(before, bytes, sizeof before) == 0 && sim_count(SIM_nvm_write) == 0 && sim_count(SIM_nvm_erase) == 0);
     sim_reset();
-    CHECK(start(name, &wide_vector) == SM_OK && !keep.unusable);
+    CHECK(start_program(name, &wide_vector) == SM_OK && !keep.unusable);
 }
 
-// An erase of the first slot that was cut leaves anything there; the other is blank, for it was erased before.
+// An interrupted erase leaves anything in the first slot.  The other slot is blank, because it was erased before.
 static void test_torn_erase(void)
 {
     sim_reset();
     memset(sim_nvm("flash"), 'x', 32);
-    CHECK(start("flash", &wide_vector) == SM_OK && !keep.restored && keep.unusable);
-    CHECK(store(1) == SM_OK && restart("flash", &wide_vector) == SM_OK && number() == 1);
+    CHECK(start_program("flash", &wide_vector) == SM_OK && !keep.restored && keep.unusable);
+    CHECK(store_vector(1) == SM_OK && restart_program("flash", &wide_vector) == SM_OK && number_of_vector() == 1);
 }
 
 // A saved vector that cannot be used: no error, but an event.
 static void test_unusable(const char *name)
 {
     sim_reset();
-    CHECK(start(name, &wide_vector) == SM_OK && !keep.unusable && store(1) == SM_OK && store(2) == SM_OK);
-    CHECK(restart(name, &wide_vector) == SM_OK && keep.restored && !keep.unusable);
+    CHECK(start_program(name, &wide_vector) == SM_OK && !keep.unusable && store_vector(1) == SM_OK && store_vector(2) == SM_OK);
+    CHECK(restart_program(name, &wide_vector) == SM_OK && keep.restored && !keep.unusable);
     sim_nvm(name)[SM_KEEP_HEAD] ^= 1;
     sim_nvm(name)[keep.slot + SM_KEEP_HEAD] ^= 1;
-    CHECK(restart(name, &wide_vector) == SM_OK && !keep.restored && keep.unusable);
+    CHECK(restart_program(name, &wide_vector) == SM_OK && !keep.restored && keep.unusable);
     sim_reset();
-    CHECK(start(name, &many_vector) == SM_OK && sm_keep_step(&keep, &tick) == SM_OK && sm_keep_write(&keep) == SM_OK);
+    CHECK(start_program(name, &many_vector) == SM_OK && sm_keep_step(&keep, &tick) == SM_OK && sm_keep_write(&keep) == SM_OK);
     CHECK(sm_keep_step(&keep, &tick) == SM_OK && sm_keep_write(&keep) == SM_OK);
-    CHECK(restart(name, &wide_vector) == SM_OK && !keep.restored && keep.unusable);
+    CHECK(restart_program(name, &wide_vector) == SM_OK && !keep.restored && keep.unusable);
 }
 
 // ---- memories that refuse ----
@@ -243,51 +243,51 @@ static void test_refused(void)
     CHECK(pal_nvm_close(keep.nvm) == SM_OK);
     large.whole.packed++;
     CHECK(sm_keep_restore(&keep) == SM_E_SPACE);
-    CHECK(start("tape", &wide_vector) == SM_E_MISSING);
+    CHECK(start_program("tape", &wide_vector) == SM_E_MISSING);
     sim_break(SIM_nvm_read, 0, SM_E_DEVICE);
-    CHECK(start("eeprom", &wide_vector) == SM_OK && !keep.restored);
+    CHECK(start_program("eeprom", &wide_vector) == SM_OK && !keep.restored);
     CHECK(sm_keep_restore(NULL) == SM_E_ARGUMENT);
     keep.buffer = NULL;
     CHECK(sm_keep_restore(&keep) == SM_E_ARGUMENT);
 }
 
-// What could not be written waits, until there is something newer.
+// A snapshot whose write failed waits until there is a newer one.
 static void test_failed_write(const char *name)
 {
     sim_reset();
-    CHECK(start(name, &wide_vector) == SM_OK && store(1) == SM_OK);
+    CHECK(start_program(name, &wide_vector) == SM_OK && store_vector(1) == SM_OK);
     sim_fail(SIM_nvm_write, 0, SM_E_DEVICE);
-    CHECK(store(2) == SM_E_DEVICE && keep.written == 1 && keep.replaced == 0);
+    CHECK(store_vector(2) == SM_E_DEVICE && keep.written == 1 && keep.replaced == 0);
     CHECK(sm_keep_write(&keep) == SM_OK && keep.written == 2);
-    CHECK(restart(name, &wide_vector) == SM_OK && number() == 2);
+    CHECK(restart_program(name, &wide_vector) == SM_OK && number_of_vector() == 2);
     sim_fail(SIM_nvm_write, 0, SM_E_DEVICE);
-    CHECK(store(3) == SM_E_DEVICE);
-    fill(4);
+    CHECK(store_vector(3) == SM_E_DEVICE);
+    fill_vector(4);
     CHECK(sm_keep_step(&keep, &tick) == SM_E_DEVICE && keep.replaced == 1);
-    fill(5);
+    fill_vector(5);
     CHECK(sm_keep_step(&keep, &tick) == SM_E_DEVICE && keep.replaced == 2);
     CHECK(sm_keep_write(&keep) == SM_OK && keep.taken == 3 && keep.written == 1);
-    CHECK(restart(name, &wide_vector) == SM_OK && number() == 5);
+    CHECK(restart_program(name, &wide_vector) == SM_OK && number_of_vector() == 5);
 }
 
-// The write after one that failed goes to the same slot: cut there, the one that was stored is still whole.
+// The write after a failed write uses the same slot.  If it is interrupted, the other slot is still valid.
 static void test_cut_after_failure(const char *name)
 {
     sim_reset();
-    CHECK(start(name, &wide_vector) == SM_OK && store(1) == SM_OK);
+    CHECK(start_program(name, &wide_vector) == SM_OK && store_vector(1) == SM_OK);
     sim_fail(SIM_nvm_write, 0, SM_E_DEVICE);
-    CHECK(store(2) == SM_E_DEVICE);
+    CHECK(store_vector(2) == SM_E_DEVICE);
     sim_cut_power(0, 20);
     CHECK(sm_keep_write(&keep) == SM_E_DEVICE);
-    CHECK(restart(name, &wide_vector) == SM_OK && keep.restored && number() == 1);
+    CHECK(restart_program(name, &wide_vector) == SM_OK && keep.restored && number_of_vector() == 1);
 }
 
 // A failed write to the medium is reported by the following steps, until a write succeeds.
 static void test_failures_are_reported(const char *name)
 {
     sim_reset();
-    CHECK(start(name, &wide_vector) == SM_OK && store(1) == SM_OK);
-    fill(2);
+    CHECK(start_program(name, &wide_vector) == SM_OK && store_vector(1) == SM_OK);
+    fill_vector(2);
     sim_fail(SIM_nvm_write, 0, SM_E_SPACE);
     CHECK(sm_keep_step(&keep, &tick) == SM_OK && sm_keep_write(&keep) == SM_E_SPACE);
     CHECK(sm_keep_step(&keep, &tick) == SM_E_SPACE && sm_keep_step(&keep, &tick) == SM_E_SPACE && keep.taken == 4);
@@ -298,35 +298,35 @@ static void test_failures_are_reported(const char *name)
 // touched.
 static uint32_t next_number;
 
-static void step_meanwhile(void)
+static void step_during_write(void)
 {
     if (next_number > 3)
         return;
-    fill(next_number++);
+    fill_vector(next_number++);
     CHECK(sm_keep_step(&keep, &tick) == SM_OK);
 }
 
 static void test_steps_meanwhile(const char *name)
 {
     sim_reset();
-    CHECK(start(name, &wide_vector) == SM_OK);
-    fill(1);
+    CHECK(start_program(name, &wide_vector) == SM_OK);
+    fill_vector(1);
     CHECK(sm_keep_step(&keep, &tick) == SM_OK);
     next_number = 2;
     sim_delay(SIM_nvm_write, 10 * PAL_MILLISECOND);
-    sim_every(3 * PAL_MILLISECOND, step_meanwhile);
+    sim_every(3 * PAL_MILLISECOND, step_during_write);
     CHECK(sm_keep_write(&keep) == SM_OK && next_number == 4 && keep.written == 1 && keep.replaced == 1 && keep.taken == 3);
     sim_every(0, NULL);
-    CHECK(restart(name, &wide_vector) == SM_OK && number() == 1);
+    CHECK(restart_program(name, &wide_vector) == SM_OK && number_of_vector() == 1);
     sim_reset();
-    CHECK(start(name, &wide_vector) == SM_OK);
-    fill(1);
+    CHECK(start_program(name, &wide_vector) == SM_OK);
+    fill_vector(1);
     CHECK(sm_keep_step(&keep, &tick) == SM_OK);
     next_number = 2;
     sim_delay(SIM_nvm_write, 10 * PAL_MILLISECOND);
-    sim_every(3 * PAL_MILLISECOND, step_meanwhile);
+    sim_every(3 * PAL_MILLISECOND, step_during_write);
     CHECK(sm_keep_write(&keep) == SM_OK && sm_keep_write(&keep) == SM_OK && keep.written == 2 && keep.replaced == 1 && sm_keep_write(&keep) == SM_OK);
-    CHECK(keep.written + keep.replaced == keep.taken && restart(name, &wide_vector) == SM_OK && number() == 3);
+    CHECK(keep.written + keep.replaced == keep.taken && restart_program(name, &wide_vector) == SM_OK && number_of_vector() == 3);
 }
 
 static void test_forget(const char *name)
@@ -335,14 +335,14 @@ static void test_forget(const char *name)
         for (uint32_t bytes = 0; bytes < 130; bytes += 13) {
             SmResult r;
             sim_reset();
-            CHECK(start(name, &wide_vector) == SM_OK && store(1) == SM_OK && store(2) == SM_OK);
-            fill(3);
+            CHECK(start_program(name, &wide_vector) == SM_OK && store_vector(1) == SM_OK && store_vector(2) == SM_OK);
+            fill_vector(3);
             CHECK(sm_keep_step(&keep, &tick) == SM_OK);
             sim_cut_power(after, bytes);
             r = sm_keep_forget(&keep);
             CHECK(r != SM_OK || (sm_keep_write(&keep) == SM_OK && keep.written == 2));
-            CHECK(restart(name, &wide_vector) == SM_OK && (keep.restored ? r != SM_OK && number() == 2 : number() == 0));
-            CHECK(store(7) == SM_OK && restart(name, &wide_vector) == SM_OK && number() == 7);
+            CHECK(restart_program(name, &wide_vector) == SM_OK && (keep.restored ? r != SM_OK && number_of_vector() == 2 : number_of_vector() == 0));
+            CHECK(store_vector(7) == SM_OK && restart_program(name, &wide_vector) == SM_OK && number_of_vector() == 7);
         }
 }
 
@@ -360,8 +360,8 @@ int main(void)
         test_steps_meanwhile(memories[i]);
         test_forget(memories[i]);
         test_unusable(memories[i]);
-        refuses(memories[i], "[regions]\nSensors\n");
-        refuses(memories[i], "");
+        is_memory_refused(memories[i], "[regions]\nSensors\n");
+        is_memory_refused(memories[i], "");
     }
     test_layouts();
     test_torn_erase();

@@ -34,7 +34,7 @@ static SmKeep keep;
 static void begin(void)
 {
     memset(&keep, 0, sizeof keep);
-    new_log("flight.log");
+    reset_log("flight.log");
     keep.memory = "kept";
     keep.sv = &wide_vector;
     keep.buffer = kept;
@@ -49,7 +49,7 @@ static void run_steps(void *argument)
 
         if (sm_enter(&wide_vector) != SM_OK)
             _exit(2);
-        fill(k, 9);
+        fill_vector(k, 9);
         sm_leave(&wide_vector);
         (void)sm_log_step(&flight, &tick);
         (void)sm_keep_step(&keep, &tick);

@@ -56,8 +56,8 @@ static bool is_true(const LogSession *s, const LogItem *r, uint32_t salt)
         log_read_cell(r, &e[WIDE_E_flag]) == (k % 3 == 0) && log_read_cell(r, &e[WIDE_E_u8]) == (uint8_t)(0xA5 + k);
 }
 
-// All records of a session are true and in order.
-static bool holds(const LogSession *s, uint32_t salt)
+// Whether all records of a session are true and in order.
+static bool records_are_true(const LogSession *s, uint32_t salt)
 {
     uint64_t last = 0, n = 0;
 
@@ -71,15 +71,15 @@ static bool holds(const LogSession *s, uint32_t salt)
     return n == s->records;
 }
 
-static SmResult step(uint64_t k, uint32_t salt)
+static SmResult step_and_log(uint64_t k, uint32_t salt)
 {
     const SmTick tick = {k * TICK, k};
 
-    fill(k, salt);
+    fill_vector(k, salt);
     return sm_log_step(&flight, &tick);
 }
 
-static void tell(uint8_t kind, uint16_t source, uint32_t a, uint32_t b, uint64_t time)
+static void add_event(uint8_t kind, uint16_t source, uint32_t a, uint32_t b, uint64_t time)
 {
     SmEvent e = {time, a, b, 0, 0};
 
@@ -90,10 +90,10 @@ static void tell(uint8_t kind, uint16_t source, uint32_t a, uint32_t b, uint64_t
 
 // ---- the plain case ----
 
-static void begin(void)
+static void begin_log(void)
 {
     sim_reset();
-    new_log(NAME);
+    reset_log(NAME);
     CHECK(sm_log_init(&flight) == SM_OK);
 }
 
@@ -114,17 +114,17 @@ static void test_plain(void)
     Log *log;
     LogEvent e;
 
-    begin();
-    tell(SM_EVENT_STATE, 3, 0, 1, 0);
+    begin_log();
+    add_event(SM_EVENT_STATE, 3, 0, 1, 0);
     for (uint64_t k = 0; k < 100; k++) {
-        CHECK(step(k, 7) == SM_OK);
+        CHECK(step_and_log(k, 7) == SM_OK);
         CHECK(!sm_log_drain(&flight, PAL_SECOND));
     }
     CHECK(sm_log_close(&flight) == SM_OK);
     log = read_all();
     CHECK(log->session.n == 1 && log->damaged == 0 && log->damaged_ranges == 0 && !log->newer);
     check_description(log->session.at[0]->d);
-    CHECK(log->session.at[0]->records == 100 && log->session.at[0]->events == 1 && holds(log->session.at[0], 7));
+    CHECK(log->session.at[0]->records == 100 && log->session.at[0]->events == 1 && records_are_true(log->session.at[0], 7));
     CHECK(log->session.at[0]->first == 0 && log->session.at[0]->last == 99 * TICK);
     CHECK(log->session.at[0]->item.at[0].kind == ITEM_EVENTS);
     e = log_read_event(&log->session.at[0]->item.at[0], 0);
@@ -133,15 +133,15 @@ static void test_plain(void)
 
 static void test_refused(void)
 {
-    begin();
+    begin_log();
     CHECK(sm_log_init(&flight) == SM_E_BUSY);
     CHECK(sm_log_close(&flight) == SM_OK);
-    new_log(NAME);
+    reset_log(NAME);
     flight.room = SM_LOG_LEAST(wide_layout.whole.packed) - 1;
     CHECK(sm_log_init(&flight) == SM_E_MEMORY);
     flight.room++;
     CHECK(sm_log_init(&flight) == SM_OK && sm_log_close(&flight) == SM_OK);
-    new_log("no/such");
+    reset_log("no/such");
     CHECK(sm_log_init(&flight) == SM_E_MISSING);
     flight.names = NULL;
     CHECK(sm_log_init(&flight) == SM_E_ARGUMENT && sm_log_init(NULL) == SM_E_ARGUMENT);
@@ -166,61 +166,61 @@ static void test_foreign(void)
 
     for (size_t i = 0; i < sizeof size / sizeof *size; i++) {
         put_file(other[i], size[i]);
-        new_log(NAME);
+        reset_log(NAME);
         CHECK(sm_log_init(&flight) == SM_E_FOREIGN && flight.out.id == 0);
         bytes = sim_log(NAME, &n);
         CHECK(n == size[i] && memcmp(bytes, other[i], n) == 0);
     }
 }
 
-// What was a log once, whatever one byte of it has become or the power has left of it.
+// A log of which one byte was changed, or of which the power left only a part.
 static void test_damaged_beginning(void)
 {
     uint8_t bytes[200];
     size_t n;
 
-    begin();
-    CHECK(step(0, 0) == SM_OK && sm_log_close(&flight) == SM_OK);
+    begin_log();
+    CHECK(step_and_log(0, 0) == SM_OK && sm_log_close(&flight) == SM_OK);
     memcpy(bytes, sim_log(NAME, &n), sizeof bytes);
     for (size_t i = 0; i < 40; i++) {
         bytes[i] ^= 0xff;
         put_file(bytes, sizeof bytes);
         bytes[i] ^= 0xff;
-        new_log(NAME);
+        reset_log(NAME);
         CHECK(sm_log_init(&flight) == SM_OK && sm_log_close(&flight) == SM_OK);
         put_file(bytes, i);
-        new_log(NAME);
+        reset_log(NAME);
         CHECK(sm_log_init(&flight) == SM_OK && sm_log_close(&flight) == SM_OK);
     }
     memset(bytes, 0, sizeof bytes);
     put_file(bytes, sizeof bytes);
-    new_log(NAME);
+    reset_log(NAME);
     CHECK(sm_log_init(&flight) == SM_OK && sm_log_close(&flight) == SM_OK);
 }
 
 // ---- a medium that is too slow, full, broken ----
 
-// Nothing is brought to the medium for some ticks: records are dropped and counted, and those that come back are true.
+// The medium accepts nothing for some ticks: records are dropped and counted, and the later records are true.
 static void test_too_slow(void)
 {
     uint32_t dropped = 0;
     Log *log;
 
-    begin();
+    begin_log();
     for (uint64_t k = 0; k < 1000; k++) {
-        const SmResult r = step(k, 1);
+        const SmResult r = step_and_log(k, 1);
         CHECK(r == SM_OK || r == SM_E_FULL);
         dropped += r != SM_OK;
         if (k % 50 > 30)
             sm_log_drain(&flight, PAL_SECOND);
     }
     sm_log_drain(&flight, PAL_SECOND);
-    CHECK(step(1000, 1) == SM_OK && sm_log_close(&flight) == SM_OK);
+    CHECK(step_and_log(1000, 1) == SM_OK && sm_log_close(&flight) == SM_OK);
     CHECK(dropped > 100 && dropped < 900 && flight.dropped == dropped);
     for (uint32_t i = 0; i < GUARD; i++)
         CHECK(ring[ROOM + i] == 0x77);
     log = read_all();
-    CHECK(log->session.n == 1 && log->damaged == 0 && holds(log->session.at[0], 1));
+    CHECK(log->session.n == 1 && log->damaged == 0 && records_are_true(log->session.at[0], 1));
     CHECK(log->session.at[0]->records == 1001 - dropped && log->session.at[0]->dropped == dropped);
 }
 
@@ -229,27 +229,27 @@ static void test_lost_events(void)
 {
     Log *log;
 
-    begin();
+    begin_log();
     for (uint32_t i = 0; i < 21; i++)
-        tell(SM_EVENT_MODE, 1, i, 2, i);
-    CHECK(step(0, 0) == SM_OK && sm_log_close(&flight) == SM_OK);
+        add_event(SM_EVENT_MODE, 1, i, 2, i);
+    CHECK(step_and_log(0, 0) == SM_OK && sm_log_close(&flight) == SM_OK);
     log = read_all();
     CHECK(log->session.at[0]->events == 16 && log->session.at[0]->lost == 5 && log->session.at[0]->records == 1);
     CHECK(log_read_event(&log->session.at[0]->item.at[0], 0).a == 5);
 }
 
-// Events that were read and could not be handed over are lost, and the log contains their number.
+// Events that were read but could not be handed over are lost, and the log contains their number.
 static void test_events_not_handed_over(void)
 {
     Log *log;
 
-    begin();
+    begin_log();
     for (uint32_t i = 0; i < 3; i++)
-        tell(SM_EVENT_MODE, 1, i, 2, i);
+        add_event(SM_EVENT_MODE, 1, i, 2, i);
     sim_fail(SIM_lock_take, 1, SM_E_TIMEOUT);             // the first is taken to find room
-    (void)step(0, 0);
+    (void)step_and_log(0, 0);
     CHECK(flight.lost == 3);
-    CHECK(step(1, 0) == SM_OK && sm_log_close(&flight) == SM_OK);
+    CHECK(step_and_log(1, 0) == SM_OK && sm_log_close(&flight) == SM_OK);
     log = read_all();
     CHECK(log->session.n == 1 && log->damaged == 0 && log->session.at[0]->events == 0 && log->session.at[0]->lost == 3);
 }
@@ -259,13 +259,13 @@ static void test_record_not_handed_over(void)
 {
     Log *log;
 
-    begin();
-    CHECK(step(0, 0) == SM_OK);
+    begin_log();
+    CHECK(step_and_log(0, 0) == SM_OK);
     sim_fail(SIM_lock_take, 3, SM_E_TIMEOUT);             // room for events, room for the record, the state vector's
-    CHECK(step(1, 0) == SM_E_TIMEOUT && flight.dropped == 1);
-    CHECK(step(2, 0) == SM_OK && sm_log_close(&flight) == SM_OK);
+    CHECK(step_and_log(1, 0) == SM_E_TIMEOUT && flight.dropped == 1);
+    CHECK(step_and_log(2, 0) == SM_OK && sm_log_close(&flight) == SM_OK);
     log = read_all();
-    CHECK(log->session.at[0]->records == 2 && log->session.at[0]->dropped == 1 && holds(log->session.at[0], 0));
+    CHECK(log->session.at[0]->records == 2 && log->session.at[0]->dropped == 1 && records_are_true(log->session.at[0], 0));
 }
 
 // A file that has become shorter than it was, and an append that is refused: no record of the ring counts as written, and everything in
@@ -275,20 +275,20 @@ static void test_shrunk(void)
     size_t n;
     Log *log;
 
-    begin();
+    begin_log();
     for (uint64_t k = 0; k < 10; k++) {
-        CHECK(step(k, 0) == SM_OK);
+        CHECK(step_and_log(k, 0) == SM_OK);
         sm_log_drain(&flight, PAL_SECOND);
     }
     sim_log(NAME, &n);
     sim_log_shrink(NAME, n - 100);
     for (uint64_t k = 10; k < 12; k++)
-        CHECK(step(k, 0) == SM_OK);
+        CHECK(step_and_log(k, 0) == SM_OK);
     sim_fail(SIM_log_append, 0, SM_E_DEVICE);
     CHECK(!sm_log_drain(&flight, PAL_SECOND) && flight.result == SM_E_DEVICE && flight.written == n);
     CHECK(sm_log_close(&flight) == SM_OK);
     log = read_all();
-    CHECK(log->session.n == 1 && log->damaged_ranges == 1 && holds(log->session.at[0], 0));
+    CHECK(log->session.n == 1 && log->damaged_ranges == 1 && records_are_true(log->session.at[0], 0));
     CHECK(log->session.at[0]->records >= 9 && log->session.at[0]->last == 11 * TICK);
 }
 
@@ -298,9 +298,9 @@ static void test_refusals(void)
     Log *log;
 
     for (uint32_t room = 0; room < 3000; room += 7) {
-        begin();
+        begin_log();
         for (uint64_t k = 0; k < 40; k++) {
-            (void)step(k, room);
+            (void)step_and_log(k, room);
             if (k == 20 && room % 2 == 0)
                 flight.described_at -= SM_LOG_AGAIN;      // the description is due while a part of a block waits
             if (k == 30)
@@ -312,7 +312,7 @@ static void test_refusals(void)
         }
         CHECK(sm_log_close(&flight) == SM_OK);
         log = read_all();
-        CHECK(log->session.n == 1 && log->damaged == 0 && holds(log->session.at[0], room));
+        CHECK(log->session.n == 1 && log->damaged == 0 && records_are_true(log->session.at[0], room));
         CHECK(log->session.at[0]->records + flight.dropped == 40);
     }
 }
@@ -321,25 +321,25 @@ static void test_full_for_good(void)
 {
     Log *log;
 
-    begin();
+    begin_log();
     sim_log_space(1500);
     for (uint64_t k = 0; k < 200; k++) {
-        (void)step(k, 2);
+        (void)step_and_log(k, 2);
         CHECK(!sm_log_drain(&flight, UINT64_MAX));        // and it does not go on for ever
     }
     CHECK(sm_log_close(&flight) == SM_E_SPACE);
     log = read_all();
-    CHECK(log->session.n == 1 && holds(log->session.at[0], 2) && log->damaged == log->torn);
+    CHECK(log->session.n == 1 && records_are_true(log->session.at[0], 2) && log->damaged == log->torn);
 }
 
 // ---- time ----
 
-// A piece at least, and not more than the budget allows.
+// A step writes at least one piece, and not more than the budget allows.
 static void test_budget(void)
 {
-    begin();
+    begin_log();
     sim_delay(SIM_log_append, PAL_MILLISECOND);
-    CHECK(step(0, 0) == SM_OK);
+    CHECK(step_and_log(0, 0) == SM_OK);
     CHECK(sm_log_drain(&flight, 0) && sim_count(SIM_log_append) == 1);
     CHECK(sm_log_drain(&flight, 3 * PAL_MILLISECOND) && sim_count(SIM_log_append) == 4);
     CHECK(!sm_log_drain(&flight, PAL_SECOND));
@@ -352,15 +352,15 @@ static void test_pieces(void)
     size_t before, after;
     Log *log;
 
-    begin();
+    begin_log();
     CHECK(sm_log_close(&flight) == SM_OK);
     sim_reset();
-    new_log(NAME);
+    reset_log(NAME);
     flight.buffer = large;
     flight.room = sizeof large;
     CHECK(sm_log_init(&flight) == SM_OK);
     for (uint64_t k = 0; k < 100; k++)
-        CHECK(step(k, 0) == SM_OK);
+        CHECK(step_and_log(k, 0) == SM_OK);
     CHECK(flight.head > 2 * SM_LOG_PIECE);
     sim_log(NAME, &before);
     while (sm_log_drain(&flight, 0)) {
@@ -370,7 +370,7 @@ static void test_pieces(void)
     }
     CHECK(sm_log_close(&flight) == SM_OK);
     log = read_all();
-    CHECK(log->session.at[0]->records == 100 && log->damaged == 0 && holds(log->session.at[0], 0));
+    CHECK(log->session.at[0]->records == 100 && log->damaged == 0 && records_are_true(log->session.at[0], 0));
 }
 
 // A sync that failed is tried again, also when nothing has been written since.
@@ -378,8 +378,8 @@ static void test_sync_again(void)
 {
     size_t n;
 
-    begin();
-    CHECK(step(0, 0) == SM_OK);
+    begin_log();
+    CHECK(step_and_log(0, 0) == SM_OK);
     sim_fail(SIM_log_sync, 0, SM_E_DEVICE);
     sim_advance(SM_LOG_SYNC);
     (void)sm_log_drain(&flight, PAL_SECOND);
@@ -397,30 +397,30 @@ static void test_full_ring(void)
     Log *log;
 
     for (uint32_t room = SM_LOG_LEAST(wide_layout.whole.packed); room < SM_LOG_LEAST(wide_layout.whole.packed) + record; room++) {
-        begin();
+        begin_log();
         CHECK(sm_log_close(&flight) == SM_OK);
         sim_reset();
-        new_log(NAME);
+        reset_log(NAME);
         flight.room = room;
         CHECK(sm_log_init(&flight) == SM_OK);
         taken = 0;
         for (uint64_t k = 0; k < 60; k++) {
-            taken += step(k, 0) == SM_OK;
+            taken += step_and_log(k, 0) == SM_OK;
             if (k % 7 == 5)
                 (void)sm_log_drain(&flight, 0);           // a piece: everything in the ring
         }
         CHECK(sm_log_close(&flight) == SM_OK);
         log = read_all();
-        CHECK(log->session.n == 1 && log->damaged == 0 && log->session.at[0]->records == taken && holds(log->session.at[0], 0));
+        CHECK(log->session.n == 1 && log->damaged == 0 && log->session.at[0]->records == taken && records_are_true(log->session.at[0], 0));
     }
 }
 
-// The medium is waited for once a second, and at the end.
+// The log waits for the medium once a second and at the end.
 static void test_sync(void)
 {
-    begin();
+    begin_log();
     for (uint64_t k = 0; k < 1000; k++) {
-        CHECK(step(k, 0) == SM_OK);
+        CHECK(step_and_log(k, 0) == SM_OK);
         sm_log_drain(&flight, PAL_SECOND);
         sim_advance(TICK);
     }
@@ -431,12 +431,12 @@ static void test_sync(void)
 
 // ---- sessions ----
 
-static void fly(uint64_t from, uint64_t to, uint32_t salt)
+static void write_flight(uint64_t from, uint64_t to, uint32_t salt)
 {
-    new_log(NAME);
+    reset_log(NAME);
     CHECK(sm_log_init(&flight) == SM_OK);
     for (uint64_t k = from; k < to; k++) {
-        CHECK(step(k, salt) == SM_OK);
+        CHECK(step_and_log(k, salt) == SM_OK);
         sm_log_drain(&flight, PAL_SECOND);
     }
     CHECK(sm_log_close(&flight) == SM_OK);
@@ -447,8 +447,8 @@ static void test_out_of_order(void)
 {
     Log *log;
 
-    begin();
-    CHECK(step(5, 0) == SM_OK && step(9, 0) == SM_OK && step(3, 0) == SM_OK && step(7, 0) == SM_OK);
+    begin_log();
+    CHECK(step_and_log(5, 0) == SM_OK && step_and_log(9, 0) == SM_OK && step_and_log(3, 0) == SM_OK && step_and_log(7, 0) == SM_OK);
     CHECK(sm_log_close(&flight) == SM_OK);
     log = read_all();
     CHECK(log->session.n == 1 && log->session.at[0]->records == 4);
@@ -461,11 +461,11 @@ static void test_sessions(void)
 
     sim_reset();
     for (uint32_t i = 0; i < 5; i++)
-        fly(0, 10 + i, i);
+        write_flight(0, 10 + i, i);
     log = read_all();
     CHECK(log->session.n == 5 && log->damaged == 0);
     for (uint32_t i = 0; i < 5 && i < log->session.n; i++)
-        CHECK(log->session.at[i]->records == 10 + i && holds(log->session.at[i], i));
+        CHECK(log->session.at[i]->records == 10 + i && records_are_true(log->session.at[i], i));
 }
 
 // ---- damage ----
@@ -491,8 +491,8 @@ static void take_copy(size_t *n)
     CHECK(at == *n);
 }
 
-// Records that lie outside of [from, to).
-static uint64_t whole_records(uint32_t from, uint32_t to)
+// Returns the number of whole records outside [from, to).
+static uint64_t count_records_outside(uint32_t from, uint32_t to)
 {
     uint64_t n = 0;
 
@@ -501,12 +501,12 @@ static uint64_t whole_records(uint32_t from, uint32_t to)
     return n;
 }
 
-static uint64_t all_records(const Log *log)
+static uint64_t count_all_records(const Log *log)
 {
     uint64_t n = 0;
 
     for (size_t i = 0; i < log->session.n; i++) {
-        CHECK(holds(log->session.at[i], (uint32_t)(log->session.at[i]->d->start ? 1 : 0)));
+        CHECK(records_are_true(log->session.at[i], (uint32_t)(log->session.at[i]->d->start ? 1 : 0)));
         n += log->session.at[i]->records;
     }
     return n;
@@ -515,12 +515,12 @@ static uint64_t all_records(const Log *log)
 static void make_two_sessions(size_t *n)
 {
     sim_reset();
-    fly(0, 30, 0);
-    fly(0, 30, 1);
+    write_flight(0, 30, 0);
+    write_flight(0, 30, 1);
     take_copy(n);
 }
 
-// Cut anywhere: all whole blocks before the cut are there.
+// The file is cut at every position: all whole blocks before the cut are read.
 static void test_cut(void)
 {
     size_t n;
@@ -528,7 +528,7 @@ static void test_cut(void)
     make_two_sessions(&n);
     for (uint32_t at = 0; at <= n; at++) {
         Log *log = read_bytes(copy, at);
-        CHECK(all_records(log) == whole_records(at, (uint32_t)n));
+        CHECK(count_all_records(log) == count_records_outside(at, (uint32_t)n));
         CHECK(log->damaged == log->torn && log->torn < 2000);
     }
 }
@@ -545,7 +545,7 @@ static void test_one_byte(void)
             copy[at] ^= flip;
             log = read_bytes(copy, n);
             if (at < block[32].at || at >= block[32].at + block[32].size || !log->damaged)
-                CHECK(all_records(log) == whole_records(at, at + 1) || log->session.n < 2);
+                CHECK(count_all_records(log) == count_records_outside(at, at + 1) || log->session.n < 2);
             CHECK(log->damaged_ranges == 1 && log->session.n >= 1);
             copy[at] ^= flip;
         }
@@ -553,13 +553,13 @@ static void test_one_byte(void)
 
 static uint32_t seed = 1;
 
-static uint32_t next(uint32_t below)
+static uint32_t next_block(uint32_t below)
 {
     seed = seed * 1664525u + 1013904223u;
     return (uint32_t)((uint64_t)seed * below >> 32);
 }
 
-// A stretch overwritten, taken out, or put in twice.
+// A part of the file is overwritten, removed or inserted twice.
 static void test_stretch(void)
 {
     static uint8_t changed[2 * sizeof copy];
@@ -567,12 +567,12 @@ static void test_stretch(void)
 
     make_two_sessions(&n);
     for (int i = 0; i < 2000; i++) {
-        const uint32_t at = block[0].size + next((uint32_t)n - block[0].size), size = next((uint32_t)n - at), kind = next(3);
+        const uint32_t at = block[0].size + next_block((uint32_t)n - block[0].size), size = next_block((uint32_t)n - at), kind = next_block(3);
         size_t m = n;
         memcpy(changed, copy, n);
         if (kind == 0) {
             for (uint32_t k = 0; k < size; k++)
-                changed[at + k] = (uint8_t)next(256);
+                changed[at + k] = (uint8_t)next_block(256);
         } else if (kind == 1) {
             memmove(changed + at, copy + at + size, n - at - size);
             m -= size;
@@ -583,30 +583,30 @@ static void test_stretch(void)
         {
             Log *log = read_bytes(changed, m);
             for (size_t s = 0; kind < 2 && s < log->session.n; s++)
-                CHECK(holds(log->session.at[s], log->session.at[s]->d->start ? 1 : 0));
+                CHECK(records_are_true(log->session.at[s], log->session.at[s]->d->start ? 1 : 0));
             if (kind < 2 && log->session.n == 2)
-                CHECK(log->session.at[0]->records + log->session.at[1]->records >= whole_records(at, at + size + (size == 0)) - (size == 0));
+                CHECK(log->session.at[0]->records + log->session.at[1]->records >= count_records_outside(at, at + size + (size == 0)) - (size == 0));
         }
     }
 }
 
-// The description is repeated, so that a damaged beginning costs its own bytes alone.
+// The description is repeated, so that a damaged beginning loses only its own bytes.
 static void test_repeated(void)
 {
     size_t n;
     Log *log;
 
     sim_reset();
-    fly(0, 8000, 0);
+    write_flight(0, 8000, 0);
     take_copy(&n);
     CHECK(n > 500000 && n < SM_LOG_AGAIN);                // not yet
     sim_reset();
-    new_log(NAME);
+    reset_log(NAME);
     CHECK(sm_log_init(&flight) == SM_OK);
     for (uint64_t k = 0; k < 9000; k++) {
         if (k == 10)
             flight.described_at -= SM_LOG_AGAIN;          // as if this many bytes had been written in between
-        CHECK(step(k, 0) == SM_OK);
+        CHECK(step_and_log(k, 0) == SM_OK);
         sm_log_drain(&flight, PAL_SECOND);
     }
     CHECK(sm_log_close(&flight) == SM_OK);
@@ -615,13 +615,13 @@ static void test_repeated(void)
     CHECK(log->session.n == 1 && log->damaged == 0 && log->session.at[0]->records == 9000);
     copy[100] ^= 1;
     log = read_bytes(copy, n);
-    CHECK(log->session.n == 1 && log->damaged_ranges == 1 && log->session.at[0]->records == 9000 && holds(log->session.at[0], 0));
+    CHECK(log->session.n == 1 && log->damaged_ranges == 1 && log->session.at[0]->records == 9000 && records_are_true(log->session.at[0], 0));
 }
 
 enum { BLOCKS = 300000, DESCRIPTIONS = 4000 };
 
-// A description, what may be blocks, and the other descriptions: of two sessions in turn or all of one.
-static void lay_out(uint8_t *at, const uint8_t *description, uint32_t size, bool in_turn)
+// Writes a description, blocks that may be damaged, and the other descriptions: of two sessions alternately, or all of one.
+static void write_layout(uint8_t *at, const uint8_t *description, uint32_t size, bool in_turn)
 {
     for (uint32_t i = 0; i < DESCRIPTIONS; i++, at += size) {
         memcpy(at, description, size);
@@ -641,7 +641,7 @@ static clock_t time_to_read(const uint8_t *description, uint32_t size, bool in_t
     CHECK(bytes != NULL);
     if (!bytes)
         return 0;
-    lay_out(bytes, description, size, in_turn);
+    write_layout(bytes, description, size, in_turn);
     began = clock();
     CHECK(read_bytes(bytes, n)->session.n == (in_turn ? DESCRIPTIONS : 1));
     began = clock() - began;
@@ -649,14 +649,14 @@ static clock_t time_to_read(const uint8_t *description, uint32_t size, bool in_t
     return began;
 }
 
-// A file made for it does not make reading slow.
+// A file with very many descriptions is not slow to read.
 static void test_many_descriptions(void)
 {
     size_t n;
     const uint8_t *bytes;
     clock_t in_turn;
 
-    begin();
+    begin_log();
     while (sm_log_drain(&flight, PAL_SECOND)) {}
     bytes = sim_log(NAME, &n);
     in_turn = time_to_read(bytes, (uint32_t)n, true);
@@ -670,18 +670,18 @@ static void test_power(void)
         for (uint32_t bytes = 0; bytes < 130; bytes += 1 + bytes / 4) {
             uint64_t written = 0;
             Log *log;
-            begin();
+            begin_log();
             sim_cut_power(appends, bytes);
             for (uint64_t k = 0; k < 45; k++) {
-                (void)step(k, 0);
+                (void)step_and_log(k, 0);
                 sm_log_drain(&flight, PAL_SECOND);
             }
             sim_power_on();
-            fly(0, 10, 1);
+            write_flight(0, 10, 1);
             log = read_all();
             CHECK(log->session.n >= 1);
             for (size_t s = 0; s < log->session.n; s++) {
-                CHECK(holds(log->session.at[s], log->session.at[s]->d->start ? 1 : 0));
+                CHECK(records_are_true(log->session.at[s], log->session.at[s]->d->start ? 1 : 0));
                 written = log->session.at[s]->records;
             }
             CHECK(written == 10);
@@ -690,8 +690,8 @@ static void test_power(void)
 
 // ---- a flight for manual inspection: `log FILE` writes it ----
 
-// Up and down in four seconds, with a gap in it; the second session is the restart after it.
-static void fly_up(uint64_t from, uint64_t to)
+// A flight of four seconds up and down with a gap in it.  The second session is the restart after the gap.
+static void fly_and_restart(uint64_t from, uint64_t to)
 {
     for (uint64_t k = from; k < to; k++) {
         const SmTick tick = {k * TICK, k};
@@ -703,7 +703,7 @@ static void fly_up(uint64_t from, uint64_t to)
         wide_sv.i16 = (int16_t)(k % 50) - 20;
         wide_sv.time = k;
         if (k == 200)
-            tell(SM_EVENT_STATE, 3, 1, 2, k * TICK);
+            add_event(SM_EVENT_STATE, 3, 1, 2, k * TICK);
         (void)sm_log_step(&flight, &tick);
         if (k < 290 || k > 320)
             sm_log_drain(&flight, PAL_SECOND);
@@ -719,21 +719,21 @@ static int write_sample(const char *path)
     return !f || fwrite(bytes, 1, n, f) != n || fclose(f) != 0 || test_failed != 0;
 }
 
-// One record a second, and states that begin in between, one of them shorter than that.
-static int make_rare(const char *path)
+// One record a second, with states that begin in between; one of the states is shorter than a second.
+static int make_rare_records(const char *path)
 {
-    begin();
-    tell(SM_EVENT_START, 0, 2, 0, 0);
-    tell(SM_EVENT_STATE, 3, 0, 1, 0);
-    tell(SM_EVENT_FAULT, 1, 0, 1, TICK);
-    tell(SM_EVENT_OVERRUN, 0, 1, 1500, TICK);
+    begin_log();
+    add_event(SM_EVENT_START, 0, 2, 0, 0);
+    add_event(SM_EVENT_STATE, 3, 0, 1, 0);
+    add_event(SM_EVENT_FAULT, 1, 0, 1, TICK);
+    add_event(SM_EVENT_OVERRUN, 0, 1, 1500, TICK);
     for (uint64_t k = 0; k < 10; k++) {
         if (k == 4) {
-            tell(SM_EVENT_STATE, 3, 1, 2, 302 * TICK);
-            tell(SM_EVENT_STATE, 3, 2, 1, 352 * TICK);
+            add_event(SM_EVENT_STATE, 3, 1, 2, 302 * TICK);
+            add_event(SM_EVENT_STATE, 3, 2, 1, 352 * TICK);
         }
         wide_sv.f32 = k == 3 || k == 4 ? NAN : (float)k;               // a sensor that fails, and comes back
-        CHECK(step(100 * k, 0) == SM_OK && !sm_log_drain(&flight, PAL_SECOND));
+        CHECK(step_and_log(100 * k, 0) == SM_OK && !sm_log_drain(&flight, PAL_SECOND));
     }
     CHECK(sm_log_close(&flight) == SM_OK);
     return write_sample(path);
@@ -741,23 +741,23 @@ static int make_rare(const char *path)
 
 static int make_sample(const char *path)
 {
-    begin();
-    tell(SM_EVENT_START, 0, 0, 0, 0);
-    tell(SM_EVENT_STATE, 3, 0, 1, 0);
-    tell(SM_EVENT_FAULT, 1, 17, 1, 50 * TICK);
-    tell(SM_EVENT_FAULT, 1, 0, 4, 54 * TICK);
-    tell(SM_EVENT_MODE, 1, 2, 1, 60 * TICK);
-    tell(SM_EVENT_OVERRUN, 0, 2, 1500, 70 * TICK);
-    tell(SM_EVENT_REFUSED, 3, 1, 0, 80 * TICK);
-    tell(99, 7, 8, 9, 90 * TICK);
-    fly_up(0, 400);
+    begin_log();
+    add_event(SM_EVENT_START, 0, 0, 0, 0);
+    add_event(SM_EVENT_STATE, 3, 0, 1, 0);
+    add_event(SM_EVENT_FAULT, 1, 17, 1, 50 * TICK);
+    add_event(SM_EVENT_FAULT, 1, 0, 4, 54 * TICK);
+    add_event(SM_EVENT_MODE, 1, 2, 1, 60 * TICK);
+    add_event(SM_EVENT_OVERRUN, 0, 2, 1500, 70 * TICK);
+    add_event(SM_EVENT_REFUSED, 3, 1, 0, 80 * TICK);
+    add_event(99, 7, 8, 9, 90 * TICK);
+    fly_and_restart(0, 400);
     CHECK(sm_log_close(&flight) == SM_OK);
-    new_log(NAME);
+    reset_log(NAME);
     CHECK(sm_log_init(&flight) == SM_OK);
-    tell(SM_EVENT_START, 0, 1, 1, 0);
-    fly_up(0, 3);
-    tell(SM_EVENT_STOP, 0, 0, 0, 3 * TICK);
-    fly_up(3, 4);
+    add_event(SM_EVENT_START, 0, 1, 1, 0);
+    fly_and_restart(0, 3);
+    add_event(SM_EVENT_STOP, 0, 0, 0, 3 * TICK);
+    fly_and_restart(3, 4);
     CHECK(sm_log_close(&flight) == SM_OK);
     return write_sample(path);
 }
@@ -765,7 +765,7 @@ static int make_sample(const char *path)
 int main(int argc, char **argv)
 {
     if (argc > 1)
-        return argc > 2 ? make_rare(argv[2]) : make_sample(argv[1]);
+        return argc > 2 ? make_rare_records(argv[2]) : make_sample(argv[1]);
     arena_init(&arena, heap, NULL, &oom);
     if (setjmp(oom))
         return 1;

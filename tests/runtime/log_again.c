@@ -12,10 +12,10 @@ int main(void)
     uint64_t before;
 
     sim_reset();
-    new_log("flight.log");
+    reset_log("flight.log");
     CHECK(sm_log_init(&flight) == SM_OK);
     for (; tick.number < 20; tick.number++, tick.time += TICK) {
-        fill(tick.number, 0);
+        fill_vector(tick.number, 0);
         CHECK(sm_log_step(&flight, &tick) == SM_OK && !sm_log_drain(&flight, PAL_SECOND) && flight.tail == flight.head);
     }
     before = flight.written;

@@ -28,7 +28,7 @@ static void run_steps(void *argument)
         const SmEvent e = {k * TICK, (uint32_t)k, 0, 1, SM_EVENT_MODE};
 
         trouble += sm_enter(&wide_vector) != SM_OK;
-        fill(k, 5);
+        fill_vector(k, 5);
         sm_leave(&wide_vector);
         if (k % 5 == 0)
             sm_event(&events, &e);
@@ -54,7 +54,7 @@ static void run_both(void)
     }
     CHECK(pal_thread_join(thread, 100 * (uint64_t)PAL_SECOND) == SM_OK && trouble == 0);
     (void)sm_log_drain(&flight, PAL_SECOND);
-    fill(STEPS, 5);
+    fill_vector(STEPS, 5);
     CHECK(sm_log_step(&flight, &end) == SM_OK && sm_log_close(&flight) == SM_OK);
     CHECK(sm_keep_write(&keep) == SM_OK && keep.taken == STEPS && keep.written + keep.replaced == STEPS);
     CHECK(pal_nvm_close(keep.nvm) == SM_OK);
@@ -157,7 +157,7 @@ static void test_foreign(void)
     CHECK(f && fread(now, 1, sizeof now, f) == strlen(text) && fclose(f) == 0 && strcmp(now, text) == 0);
     CHECK(unlink("kettle.sv") == 0);
     keep.memory = "kept";
-    new_log("flight.log");
+    reset_log("flight.log");
     events.guarded = true;
     CHECK(sm_events_init(&events) == SM_OK);
 }
@@ -166,7 +166,7 @@ int main(void)
 {
     snprintf(folder, sizeof folder, "%s/smc-log.XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : P_tmpdir);
     CHECK(mkdtemp(folder) != NULL && chdir(folder) == 0);
-    new_log("flight.log");
+    reset_log("flight.log");
     events.guarded = true;
     CHECK(sm_events_init(&events) == SM_OK);
     keep.memory = "kept";

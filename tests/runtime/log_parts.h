@@ -38,8 +38,8 @@ static SmEvents events;
 static uint8_t ring[ROOM + GUARD];
 static SmLog flight;
 
-// A log that nothing was written to, over a vector and events that are new.
-static void new_log(const char *name)
+// Resets the log, its vector and its events to an empty log.
+static void reset_log(const char *name)
 {
     (void)pal_lock_close(wide_vector.lock);               // what an earlier one left open
     (void)pal_lock_close(events.lock);
@@ -62,8 +62,8 @@ static void new_log(const char *name)
     flight.tasks = 2;
 }
 
-// The vector as it is at tick k of session `salt`.
-static void fill(uint64_t k, uint32_t salt)
+// Fills the vector as at tick k of session `salt`.
+static void fill_vector(uint64_t k, uint32_t salt)
 {
     wide_sv.time = k * TICK;
     wide_sv.state = (uint32_t)(k % 2 + 1);

@@ -6,7 +6,7 @@ enum { IDLE = 1, BUSY, HELD };
 
 // ---- starting ----
 
-static void start_touches_S_alone(Kind kind, bool guarded)
+static void test_start_writes_only_S(Kind kind, bool guarded)
 {
     StandSv before, after;
 
@@ -21,7 +21,7 @@ static void start_touches_S_alone(Kind kind, bool guarded)
     CHECK(memcmp(&before, &after, sizeof before) == 0);
 }
 
-static void starts_in_given_state(Kind kind, bool guarded)
+static void test_start_in_given_state(Kind kind, bool guarded)
 {
     set_stage(kind, guarded);
     stage.tick.time = 0;
@@ -30,8 +30,8 @@ static void starts_in_given_state(Kind kind, bool guarded)
     CHECK(happened(SM_EVENT_STATE, 0, HELD));
 }
 
-// S holds `kept`; the state that it starts in.
-static uint32_t state_after(Kind kind, bool guarded, bool resume, const bool *restored, uint32_t kept)
+// Starts a machine whose S contains `kept`.  Returns the state in which it starts.
+static uint32_t start_with_S(Kind kind, bool guarded, bool resume, const bool *restored, uint32_t kept)
 {
     set_stage(kind, guarded);
     stage.machine.initial = kept == HELD ? BUSY : HELD;
@@ -42,23 +42,23 @@ static uint32_t state_after(Kind kind, bool guarded, bool resume, const bool *re
     return sm_machine_state(&stage.machine);
 }
 
-static void resumes_only_what_was_restored(Kind kind, bool guarded)
+static void test_resume_needs_restored_S(Kind kind, bool guarded)
 {
     static const bool yes = true, no = false;
 
-    CHECK(state_after(kind, guarded, true, &yes, BUSY) == BUSY);
-    CHECK(state_after(kind, guarded, true, &yes, HELD) == HELD);           // the last one, too
-    CHECK(state_after(kind, guarded, true, &yes, IDLE) == IDLE);
-    CHECK(state_after(kind, guarded, true, &no, BUSY) == HELD);
-    CHECK(state_after(kind, guarded, true, NULL, BUSY) == HELD);
-    CHECK(state_after(kind, guarded, false, &yes, BUSY) == HELD);
-    CHECK(state_after(kind, guarded, true, &yes, 0) == HELD);
-    CHECK(state_after(kind, guarded, true, &yes, HELD + 1) == HELD);
-    CHECK(state_after(kind, guarded, true, &yes, UINT32_MAX) == HELD);
+    CHECK(start_with_S(kind, guarded, true, &yes, BUSY) == BUSY);
+    CHECK(start_with_S(kind, guarded, true, &yes, HELD) == HELD);           // the last one, too
+    CHECK(start_with_S(kind, guarded, true, &yes, IDLE) == IDLE);
+    CHECK(start_with_S(kind, guarded, true, &no, BUSY) == HELD);
+    CHECK(start_with_S(kind, guarded, true, NULL, BUSY) == HELD);
+    CHECK(start_with_S(kind, guarded, false, &yes, BUSY) == HELD);
+    CHECK(start_with_S(kind, guarded, true, &yes, 0) == HELD);
+    CHECK(start_with_S(kind, guarded, true, &yes, HELD + 1) == HELD);
+    CHECK(start_with_S(kind, guarded, true, &yes, UINT32_MAX) == HELD);
 }
 
-// What is started again has forgotten: locals, windows, refusals.
-static void starts_afresh(Kind kind, bool guarded)
+// A second start clears the locals, the windows and the count of refused steps.
+static void test_start_clears_memory(Kind kind, bool guarded)
 {
     start_stage(kind, guarded);
     stand_sv.pressure = 8;
@@ -75,7 +75,7 @@ static void starts_afresh(Kind kind, bool guarded)
 
 // ---- stepping ----
 
-static void steps(Kind kind, bool guarded)
+static void test_steps_write_outputs(Kind kind, bool guarded)
 {
     start_stage(kind, guarded);
     CHECK(step(1) == SM_OK && stand_sv.valve == 1 && stand_sv.fin == 0);
@@ -86,7 +86,7 @@ static void steps(Kind kind, bool guarded)
     CHECK(step(4) == SM_OK && stand_sv.fin == 0 && stand_sv.torn == 0);
 }
 
-static void transitions_emit_events(Kind kind, bool guarded)
+static void test_transitions_emit_events(Kind kind, bool guarded)
 {
     start_stage(kind, guarded);
     CHECK(step(0) == SM_OK && nothing_happened());
@@ -97,45 +97,45 @@ static void transitions_emit_events(Kind kind, bool guarded)
     CHECK(step(0) == SM_OK && nothing_happened());
 }
 
-static SmResult step_again(void) { return sm_machine_step(&stage.machine, &stage.tick); }
+static SmResult step_at_next_time(void) { return sm_machine_step(&stage.machine, &stage.tick); }
 
-static void time_that_does_not_advance(Kind kind, bool guarded)
+static void test_time_must_advance(Kind kind, bool guarded)
 {
     StandSv before;
 
     start_stage(kind, guarded);
     CHECK(step(1) == SM_OK);
     before = stand_sv;
-    CHECK(step_again() == SM_REFUSED && happened(SM_EVENT_REFUSED, 1, 0) && nothing_happened());
-    CHECK(step_again() == SM_REFUSED && nothing_happened() && stage.machine.refused == 2);
+    CHECK(step_at_next_time() == SM_REFUSED && happened(SM_EVENT_REFUSED, 1, 0) && nothing_happened());
+    CHECK(step_at_next_time() == SM_REFUSED && nothing_happened() && stage.machine.refused == 2);
     CHECK(memcmp(&before, &stand_sv, sizeof before) == 0);
     CHECK(step(1) == SM_OK && stand_sv.valve == 0 && nothing_happened());
     stand_sv.clock = 0;
-    CHECK(step_again() == SM_REFUSED && happened(SM_EVENT_REFUSED, 3, 0) && nothing_happened());
+    CHECK(step_at_next_time() == SM_REFUSED && happened(SM_EVENT_REFUSED, 3, 0) && nothing_happened());
     stand_sv.clock = UINT64_MAX;
-    CHECK(step_again() == SM_REFUSED && nothing_happened());
+    CHECK(step_at_next_time() == SM_REFUSED && nothing_happened());
 }
 
-// What others wrote over it since stays, where the refused step stores nothing.
-static void refused_writes_nothing(Kind kind, bool guarded)
+// A refused step leaves what other code wrote to the vector since.
+static void test_refused_step_writes_nothing(Kind kind, bool guarded)
 {
     start_stage(kind, guarded);
     CHECK(step(1) == SM_OK && stand_sv.valve == 1);
     stand_sv.valve = 0;
     stand_sv.testerState = 99;
-    CHECK(step_again() == SM_REFUSED && stand_sv.valve == 0 && stand_sv.testerState == 99);
+    CHECK(step_at_next_time() == SM_REFUSED && stand_sv.valve == 0 && stand_sv.testerState == 99);
 }
 
-static void needs_no_events(Kind kind, bool guarded)
+static void test_machine_without_event_ring(Kind kind, bool guarded)
 {
     set_stage(kind, guarded);
     stage.machine.events = NULL;
-    CHECK(sm_machine_init(&stage.machine) == SM_OK && step(2) == SM_OK && step_again() == SM_REFUSED);
+    CHECK(sm_machine_init(&stage.machine) == SM_OK && step(2) == SM_OK && step_at_next_time() == SM_REFUSED);
 }
 
 // ---- names ----
 
-static void states_have_names(Kind kind, bool guarded)
+static void test_states_have_names(Kind kind, bool guarded)
 {
     const SmMachine *m = &stage.machine;
 
@@ -144,7 +144,7 @@ static void states_have_names(Kind kind, bool guarded)
     CHECK(*sm_machine_state_name(m, 0) == '\0' && *sm_machine_state_name(m, HELD + 1) == '\0' && *sm_machine_state_name(m, UINT32_MAX) == '\0');
 }
 
-static void places_are_known(Kind kind, bool guarded)
+static void test_positions_of_elements(Kind kind, bool guarded)
 {
     const SmRange uses = (start_stage(kind, guarded), stage.machine.type->accessed(stage.machine.self));
     const SmRange number = stage.machine.type->state_number(stage.machine.self);
@@ -158,16 +158,16 @@ static void places_are_known(Kind kind, bool guarded)
 
 int main(void)
 {
-    for_all(start_touches_S_alone);
-    for_all(starts_in_given_state);
-    for_all(resumes_only_what_was_restored);
-    for_all(starts_afresh);
-    for_all(steps);
-    for_all(transitions_emit_events);
-    for_all(time_that_does_not_advance);
-    for_all(refused_writes_nothing);
-    for_all(needs_no_events);
-    for_all(states_have_names);
-    for_all(places_are_known);
+    for_all(test_start_writes_only_S);
+    for_all(test_start_in_given_state);
+    for_all(test_resume_needs_restored_S);
+    for_all(test_start_clears_memory);
+    for_all(test_steps_write_outputs);
+    for_all(test_transitions_emit_events);
+    for_all(test_time_must_advance);
+    for_all(test_refused_step_writes_nothing);
+    for_all(test_machine_without_event_ring);
+    for_all(test_states_have_names);
+    for_all(test_positions_of_elements);
     return test_end("machine");
 }

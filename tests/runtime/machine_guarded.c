@@ -8,7 +8,7 @@ static const SmMachineType *inner;
 static SmMachineType around;              // as `inner`, but others act before and after the step itself
 static void (*others)(void);
 
-static SmResult step_among_others(void *self, void *sv)
+static SmResult step_with_concurrent_write(void *self, void *sv)
 {
     SmResult r;
 
@@ -18,11 +18,11 @@ static SmResult step_among_others(void *self, void *sv)
     return r;
 }
 
-static void put_among_others(SmMachine *m, void (*act)(void))
+static void set_concurrent_write(SmMachine *m, void (*act)(void))
 {
     inner = m->type;
     around = *inner;
-    around.step = step_among_others;
+    around.step = step_with_concurrent_write;
     others = act;
     m->type = &around;
 }
@@ -44,7 +44,7 @@ static void check_stored_alone(Kind kind)
 
     start_stage(kind, true);
     memset(&theirs, 0x33, sizeof theirs);
-    put_among_others(&stage.machine, write_everything);
+    set_concurrent_write(&stage.machine, write_everything);
     expected = theirs;
     expected.testerState = 1;             // the first step of a state stores S
     expected.valve = 1;
@@ -55,7 +55,7 @@ static void check_stored_alone(Kind kind)
     CHECK(memcmp(&stand_sv, &expected, sizeof expected) == 0);
 }
 
-// Nothing that is written during a step is seen in it.
+// A step does not see what other code writes to the vector during the step.
 static void check_snapshot(Kind kind)
 {
     start_stage(kind, true);
@@ -64,12 +64,12 @@ static void check_snapshot(Kind kind)
     memset(&theirs, 0, sizeof theirs);
     theirs.left = 1;
     theirs.pressure = 100;
-    put_among_others(&stage.machine, write_everything);
+    set_concurrent_write(&stage.machine, write_everything);
     stand_sv.pressure = 4;
     CHECK(step(0) == SM_OK && stand_sv.sum == 4 && stand_sv.torn == 0);
 }
 
-// Of the copy no byte is written outside of what the machine uses.
+// The machine writes no byte of the copy outside the range that it accesses.
 static void check_copy(Kind kind)
 {
     const uint8_t *copy = (const uint8_t *)stage.copy;
@@ -86,7 +86,7 @@ static void check_copy(Kind kind)
 
 // ---- locks ----
 
-static void check_lock_before(Kind kind)
+static void check_refused_lock_at_begin(Kind kind)
 {
     StandSv before;
 
@@ -100,8 +100,8 @@ static void check_lock_before(Kind kind)
     CHECK(sm_machine_step(&stage.machine, &stage.tick) == SM_OK && happened(SM_EVENT_STATE, 1, 2));
 }
 
-// The step was run, and its stores come when they can, even if the next step is refused.
-static void check_lock_behind(Kind kind)
+// The step has run.  Its stores are written when the lock is free, even if the next step is refused.
+static void check_refused_lock_at_end(Kind kind)
 {
     start_stage(kind, true);
     sim_fail(SIM_lock_take, 1, SM_E_TIMEOUT);
@@ -115,7 +115,7 @@ static void check_lock_behind(Kind kind)
     CHECK(step(1) == SM_OK && stand_sv.testerState == 2 && stand_sv.level == 1000);
 }
 
-static void check_lock_at_start(Kind kind)
+static void check_refused_lock_at_start(Kind kind)
 {
     set_stage(kind, true);
     sim_fail(SIM_lock_take, 0, SM_E_TIMEOUT);
@@ -134,9 +134,9 @@ static uint64_t many_memory[64], many_copy[sizeof(ManySv) / 8];
 
 static ManySv many_theirs;
 
-static void write_many(void) { many_sv = many_theirs; }
+static void write_many_elements(void) { many_sv = many_theirs; }
 
-static void check_many(Kind kind)
+static void check_many_outputs(Kind kind)
 {
     SmvmTarget target = {.image = picker_image, .size = sizeof picker_image, .memory = many_memory, .memory_size = sizeof many_memory};
     SmMachine m = {.name = "picker", .type = &picker_machine, .self = &picker, .sv = &many_vector, .copy = many_copy};
@@ -150,7 +150,7 @@ static void check_many(Kind kind)
     sim_reset();
     memset(&many_sv, 0, sizeof many_sv);
     CHECK(sm_statevec_init(&many_vector) == SM_OK && sm_machine_init(&m) == SM_OK);
-    put_among_others(&m, write_many);
+    set_concurrent_write(&m, write_many_elements);
     for (uint8_t i = 0; i < 70; i++) {
         memset(&many_theirs, 0x11, sizeof many_theirs);
         many_sv.which = i;
@@ -169,11 +169,11 @@ int main(void)
         check_stored_alone((Kind)kind);
         check_snapshot((Kind)kind);
         check_copy((Kind)kind);
-        check_lock_before((Kind)kind);
-        check_lock_behind((Kind)kind);
-        check_lock_at_start((Kind)kind);
+        check_refused_lock_at_begin((Kind)kind);
+        check_refused_lock_at_end((Kind)kind);
+        check_refused_lock_at_start((Kind)kind);
     }
-    check_many(EMITTED);
-    check_many(IMAGE);
+    check_many_outputs(EMITTED);
+    check_many_outputs(IMAGE);
     return test_end("machine_guarded");
 }

@@ -5,8 +5,8 @@
 #include "plain_tester.h"
 #include "stdlib/crc32.h"
 
-// Refused with `expected`, without a written byte or an event; afterwards it does not step.
-static void refuses(SmResult expected)
+// The init returns `expected`, and writes no byte and no event.  Afterwards the machine does not step.
+static void expect_refused(SmResult expected)
 {
     StandSv before = stand_sv;
 
@@ -16,36 +16,36 @@ static void refuses(SmResult expected)
     CHECK(memcmp(&before, &stand_sv, sizeof before) == 0 && nothing_happened());
 }
 
-static void other_layout(Kind kind, bool guarded)
+static void test_other_layout_is_refused(Kind kind, bool guarded)
 {
     SmLayout layout = *stand_vector.layout;
 
     set_stage(kind, guarded);
     stage.vector.layout = &layout;
     layout.hash++;
-    refuses(SM_E_LAYOUT);
+    expect_refused(SM_E_LAYOUT);
     layout.hash--;
     layout.whole.size -= 8;
-    refuses(SM_E_LAYOUT);
+    expect_refused(SM_E_LAYOUT);
     layout.whole.size += 16;
-    refuses(SM_E_LAYOUT);
+    expect_refused(SM_E_LAYOUT);
     layout.whole.size -= 8;
     CHECK(sm_machine_init(&stage.machine) == SM_OK);
 }
 
-static void no_such_state(Kind kind, bool guarded)
+static void test_missing_state_is_refused(Kind kind, bool guarded)
 {
     set_stage(kind, guarded);
     stage.machine.initial = TESTER_STATES + 1;
-    refuses(SM_E_ARGUMENT);
+    expect_refused(SM_E_ARGUMENT);
     stage.machine.initial = UINT32_MAX;
-    refuses(SM_E_ARGUMENT);
+    expect_refused(SM_E_ARGUMENT);
     stage.machine.initial = TESTER_STATES;
     CHECK(sm_machine_init(&stage.machine) == SM_OK);
 }
 
-// What ran before an init that was refused runs no more.
-static void stops_when_refused(Kind kind, bool guarded)
+// After a refused init, the machine that ran before does not step.
+static void test_refused_init_stops_the_machine(Kind kind, bool guarded)
 {
     start_stage(kind, guarded);
     CHECK(step(1) == SM_OK);
@@ -54,31 +54,31 @@ static void stops_when_refused(Kind kind, bool guarded)
     CHECK(stage.machine.type->step(stage.machine.self, &stand_sv) == SM_E_ARGUMENT);
 }
 
-static void misaligned(Kind kind, bool guarded)
+static void test_misaligned_memory_is_refused(Kind kind, bool guarded)
 {
     static uint64_t room[sizeof(StandSv) / 8 + 1];
 
     set_stage(kind, guarded);
     stage.vector.at = (uint8_t *)room + 4;
-    refuses(SM_E_ALIGNMENT);
+    expect_refused(SM_E_ALIGNMENT);
     stage.vector.at = &stand_sv;
     if (!guarded)
         return;
     stage.machine.copy = (uint8_t *)room + 1;
-    refuses(SM_E_ALIGNMENT);
+    expect_refused(SM_E_ALIGNMENT);
     stage.machine.copy = NULL;
-    refuses(SM_E_ARGUMENT);
+    expect_refused(SM_E_ARGUMENT);
 }
 
-// Emitted without --track-stores: it runs in place; on a guarded vector the stores to write back would be unknown.
-static void untracked(void)
+// A machine emitted without --track-stores runs in place.  On a guarded vector it is refused, because the stores to write back are unknown.
+static void test_untracked_needs_unguarded_vector(void)
 {
     static PlainTester self;
 
     set_stage(EMITTED, true);
     stage.machine.type = &plain_tester_machine;
     stage.machine.self = &self;
-    refuses(SM_E_UNSUPPORTED);
+    expect_refused(SM_E_UNSUPPORTED);
     set_stage(EMITTED, false);
     stage.machine.type = &plain_tester_machine;
     stage.machine.self = &self;
@@ -87,7 +87,7 @@ static void untracked(void)
 
 // ---- images ----
 
-static void bad_image(Kind kind, bool guarded)
+static void test_bad_image_is_refused(Kind kind, bool guarded)
 {
     static uint8_t image[sizeof tester_image];
 
@@ -95,41 +95,41 @@ static void bad_image(Kind kind, bool guarded)
     set_stage(kind, guarded);
     stage.target.image = image;
     image[sizeof image / 2] ^= 1;
-    refuses(SM_E_IMAGE);
+    expect_refused(SM_E_IMAGE);
     CHECK(stage.target.why.rule == SMVM_R_CRC);
     image[sizeof image / 2] ^= 1;
     stage.target.size--;
-    refuses(SM_E_IMAGE);
+    expect_refused(SM_E_IMAGE);
     CHECK(stage.target.why.rule == SMVM_R_LENGTH);
     stage.target.size = 0;
-    refuses(SM_E_IMAGE);
+    expect_refused(SM_E_IMAGE);
     stage.target.size = sizeof image + 100;       // more memory than it needs is accepted
     stage.target.machine = 2;
-    refuses(SM_E_MISSING);
+    expect_refused(SM_E_MISSING);
     stage.target.machine = UINT32_MAX;
-    refuses(SM_E_MISSING);
+    expect_refused(SM_E_MISSING);
     stage.target.machine = 0;
     CHECK(sm_machine_init(&stage.machine) == SM_OK);
 }
 
-static void little_memory(Kind kind, bool guarded)
+static void test_little_memory_is_refused(Kind kind, bool guarded)
 {
     SmvmMachine m;
 
     smvm_machine(tester_image, 0, &m);
     set_stage(kind, guarded);
     stage.target.memory_size = smvm_ram_size(&m) - 1;
-    refuses(SM_E_MEMORY);
+    expect_refused(SM_E_MEMORY);
     stage.target.memory_size++;
     stage.target.memory = (uint8_t *)stage.memory + 4;
-    refuses(SM_E_ALIGNMENT);
+    expect_refused(SM_E_ALIGNMENT);
     stage.target.memory = stage.memory;
     if (kind == DECODED) {
         stage.target.decoded_size = smvm_decoded_size(&m) - 1;
-        refuses(SM_E_MEMORY);
+        expect_refused(SM_E_MEMORY);
         stage.target.decoded_size++;
         stage.target.decoded = (uint8_t *)stage.decoded + 4;
-        refuses(SM_E_ALIGNMENT);
+        expect_refused(SM_E_ALIGNMENT);
         stage.target.decoded = stage.decoded;
     }
     CHECK(sm_machine_init(&stage.machine) == SM_OK);
@@ -143,8 +143,8 @@ static void for_images(void (*test)(Kind kind, bool guarded))
     }
 }
 
-// The second machine of an image with two; and one without names.
-static void other_images(void)
+// The second machine of an image with two machines, and an image without names.
+static void test_second_machine_of_an_image(void)
 {
     set_stage(IMAGE, true);
     stage.target.image = pair_image;
@@ -158,8 +158,8 @@ static void other_images(void)
     CHECK(step(2) == SM_OK && sm_machine_state(&stage.machine) == 2);
 }
 
-// What was decoded is not run once it is started without.
-static void decoder_taken_away(void)
+// A machine that is started without a decoder does not run the code that was decoded before.
+static void test_start_without_decoder(void)
 {
     start_stage(DECODED, false);
     CHECK(step(1) == SM_OK);
@@ -168,7 +168,7 @@ static void decoder_taken_away(void)
     CHECK(sm_machine_init(&stage.machine) == SM_OK && step(1) == SM_OK && stand_sv.valve == 0);
 }
 
-static void memory_is_known(void)
+static void test_needed_memory_is_reported(void)
 {
     SmvmMachine m;
     uint32_t words = 0;
@@ -199,8 +199,8 @@ static void fix_crc(uint8_t *image, uint32_t size)
         image[SMVM_CRC_AT + i] = (uint8_t)(crc >> 8 * i);
 }
 
-// Each byte of the names changed to several others: every string that is read as a name begins and ends in the image.
-static void hostile_names(void)
+// Each byte of the names is changed to several others: each name that is read begins and ends in the image.
+static void test_changed_names_stay_in_the_image(void)
 {
     static uint8_t image[sizeof tester_image];
     const char *name;
@@ -223,8 +223,8 @@ static void hostile_names(void)
         }
 }
 
-// The first state's name in the last three bytes: of a length, ending in `last`.
-static const char *name_at_the_end(uint8_t length, uint8_t last)
+// The first state's name is in the last three bytes: its length, and a name that ends in `last`.
+static const char *check_name_at_the_end(uint8_t length, uint8_t last)
 {
     static uint8_t image[sizeof tester_image + 1];        // and a 0 behind it
     SmvmMachine m;
@@ -245,27 +245,27 @@ static const char *name_at_the_end(uint8_t length, uint8_t last)
     return sm_machine_state_name(&stage.machine, 1);
 }
 
-static void names_without_end(void)
+static void test_names_without_end(void)
 {
-    CHECK(strcmp(name_at_the_end(1, 0), "a") == 0);
-    CHECK(strcmp(name_at_the_end(1, 'b'), "") == 0);      // no 0 behind it
-    CHECK(strcmp(name_at_the_end(2, 'b'), "") == 0);      // the 0 would be behind the section
-    CHECK(strcmp(name_at_the_end(9, 'b'), "") == 0);
+    CHECK(strcmp(check_name_at_the_end(1, 0), "a") == 0);
+    CHECK(strcmp(check_name_at_the_end(1, 'b'), "") == 0);      // no 0 behind it
+    CHECK(strcmp(check_name_at_the_end(2, 'b'), "") == 0);      // the 0 would be behind the section
+    CHECK(strcmp(check_name_at_the_end(9, 'b'), "") == 0);
 }
 
 int main(void)
 {
-    for_all(other_layout);
-    for_all(no_such_state);
-    for_all(stops_when_refused);
-    for_all(misaligned);
-    untracked();
-    for_images(bad_image);
-    for_images(little_memory);
-    other_images();
-    decoder_taken_away();
-    memory_is_known();
-    hostile_names();
-    names_without_end();
+    for_all(test_other_layout_is_refused);
+    for_all(test_missing_state_is_refused);
+    for_all(test_refused_init_stops_the_machine);
+    for_all(test_misaligned_memory_is_refused);
+    test_untracked_needs_unguarded_vector();
+    for_images(test_bad_image_is_refused);
+    for_images(test_little_memory_is_refused);
+    test_second_machine_of_an_image();
+    test_start_without_decoder();
+    test_needed_memory_is_reported();
+    test_changed_names_stay_in_the_image();
+    test_names_without_end();
     return test_end("machine_refused");
 }

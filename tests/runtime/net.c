@@ -170,6 +170,19 @@ static void test_values(void)
     CHECK(link_sv.vent == 1 && link_sv.throttle == 1 && link_sv.trim == 1 && link_sv.target == 1 && link_sv.age == 0);
 }
 
+// A count and an age stop at the largest value of their elements' types.
+static void test_largest(void)
+{
+    Packet p;
+
+    start();
+    p = command(9, 0, 0, 1, 1, 1);
+    sends(&to_commands, &p);
+    CHECK(step_at(10) == SM_OK && link_sv.accepted == 1);
+    commands->count[SM_NET_accepted] = 300;
+    CHECK(step_at(70010) == SM_OK && link_sv.accepted == 255 && link_sv.age == 65535);
+}
+
 static void test_silent_from_the_start(void)
 {
     start();
@@ -409,6 +422,7 @@ static void test_lost(void)
 int main(void)
 {
     test_values();
+    test_largest();
     test_silent_from_the_start();
     test_refused();
     test_restart_of_the_sender();

@@ -15,7 +15,7 @@ enum { QUEUE = 4096 };
 static Image old_image, new_image;
 static uint64_t random_state;
 
-static uint32_t below(uint32_t n)
+static uint32_t random_below(uint32_t n)
 {
     random_state ^= random_state << 13;
     random_state ^= random_state >> 7;
@@ -51,31 +51,31 @@ static uint8_t take(Way *w)
     return byte;
 }
 
-static void noise(Way *w)
+static void send_noise(Way *w)
 {
-    for (uint32_t n = below(40); n > 0; n--) {
-        const uint8_t byte = (uint8_t)below(256);
+    for (uint32_t n = random_below(40); n > 0; n--) {
+        const uint8_t byte = (uint8_t)random_below(256);
         put(w, &byte, 1);
     }
 }
 
-// What becomes of a frame.
-static void carry(Way *w, const uint8_t *bytes, size_t n, uint32_t trouble)
+// Carries a frame over a line that can lose, damage or repeat it.
+static void carry_frame(Way *w, const uint8_t *bytes, size_t n, uint32_t trouble)
 {
     uint8_t copy[LINK_ROOM(LINK_BODY_MAX) + 1];
 
     memcpy(copy, bytes, n);
-    switch (trouble && below(trouble) == 0 ? 1 + below(7) : 0) {
+    switch (trouble && random_below(trouble) == 0 ? 1 + random_below(7) : 0) {
     case 1: break;                                             // lost
     case 2: put(w, copy, n); put(w, copy, n); break;           // twice
-    case 3: put(w, copy, below((uint32_t)n)); break;           // its end is lost
-    case 4: copy[below((uint32_t)n)] ^= (uint8_t)(1u << below(8)); put(w, copy, n); break;
-    case 5: noise(w); put(w, copy, n); noise(w); break;
+    case 3: put(w, copy, random_below((uint32_t)n)); break;           // its end is lost
+    case 4: copy[random_below((uint32_t)n)] ^= (uint8_t)(1u << random_below(8)); put(w, copy, n); break;
+    case 5: send_noise(w); put(w, copy, n); send_noise(w); break;
     case 6: memcpy(w->late, copy, n); w->lates = n; break;     // after the next one
-    case 7: put(w, copy + 1 + below((uint32_t)n - 1), 1); put(w, copy, n); break;
+    case 7: put(w, copy + 1 + random_below((uint32_t)n - 1), 1); put(w, copy, n); break;
     default:
         put(w, copy, n);
-        if (w->lates && below(2)) {
+        if (w->lates && random_below(2)) {
             put(w, w->late, w->lates);
             w->lates = 0;
         }
@@ -88,13 +88,13 @@ static void board_restarts(Wire *w)
     CHECK(board_start(w->board));
 }
 
-// The board works off what has come.
-static void pump(Wire *w)
+// The board processes the bytes that have arrived.
+static void run_board(Wire *w)
 {
     while (w->to_board.n > 0) {
         const uint16_t n = board_takes(w->board, take(&w->to_board));
         if (n > 0)
-            carry(&w->to_host, w->board->frame, n, w->trouble);
+            carry_frame(&w->to_host, w->board->frame, n, w->trouble);
         if (!w->board->up || ++w->taken == w->restart || w->board->agent.restart)
             board_restarts(w);
     }
@@ -104,7 +104,7 @@ static bool wire_send(void *context, const uint8_t *bytes, size_t n)
 {
     Wire *w = context;
 
-    carry(&w->to_board, bytes, n, w->trouble);
+    carry_frame(&w->to_board, bytes, n, w->trouble);
     return true;
 }
 
@@ -113,7 +113,7 @@ static int wire_receive(void *context, uint8_t *bytes, size_t room, uint32_t wai
     Wire *w = context;
     size_t n = 0;
 
-    pump(w);
+    run_board(w);
     while (n < room && w->to_host.n > 0)
         bytes[n++] = take(&w->to_host);
     w->now += n > 0 ? 0 : wait;
@@ -126,7 +126,7 @@ static uint32_t wire_now(void *context) { return ((const Wire *)context)->now; }
 
 typedef struct Pair { Board board; Wire wire; SerialLine line; LinkHost host; } Pair;
 
-static void pair(Pair *p, const char *memory, uint8_t slots)
+static void connect_pair(Pair *p, const char *memory, uint8_t slots)
 {
     memset(p, 0, sizeof *p);
     CHECK(board_new(&p->board, memory, slots));
@@ -135,10 +135,10 @@ static void pair(Pair *p, const char *memory, uint8_t slots)
     p->line.send = wire_send;
     p->line.receive = wire_receive;
     p->line.now = wire_now;
-    link_host_init(&p->host, &p->line, 100, 8, (uint8_t)below(256));
+    link_host_init(&p->host, &p->line, 100, 8, (uint8_t)random_below(256));
 }
 
-static DeviceStep update(Pair *p, const Image *image, Update *u)
+static DeviceStep update_image(Pair *p, const Image *image, Update *u)
 {
     DeviceInfo info;
 
@@ -146,27 +146,27 @@ static DeviceStep update(Pair *p, const Image *image, Update *u)
     u->bytes = image->bytes;
     u->length = image->length;
     u->checksum = image->checksum;
-    u->session = (uint16_t)(1 + below(65535));
+    u->session = (uint16_t)(1 + random_below(65535));
     return device_query_info(&p->host, &info) ? device_update(&p->host, &info, u) : DEVICE_FIND;
 }
 
-static bool runs(const Board *b, const Image *image)
+static bool is_running(const Board *b, const Image *image)
 {
     return b->slot != STORE_BUILT_IN && memcmp(b->store.plan.image[b->slot], image->bytes, image->length) == 0;
 }
 
-// The old image is confirmed and runs.
-static void prepare(Pair *p, const char *memory, uint8_t slots)
+// Prepares a pair whose old image is confirmed and runs.
+static void prepare_pair(Pair *p, const char *memory, uint8_t slots)
 {
     Update u;
 
-    pair(p, memory, slots);
-    CHECK(update(p, &old_image, &u) == DEVICE_DONE && runs(&p->board, &old_image));
+    connect_pair(p, memory, slots);
+    CHECK(update_image(p, &old_image, &u) == DEVICE_DONE && is_running(&p->board, &old_image));
     CHECK(device_confirm_image(&p->host, old_image.checksum));
 }
 
-// A good line again.
-static void repair(Pair *p)
+// Makes the line error-free again.
+static void repair_line(Pair *p)
 {
     memset(&p->wire.to_board, 0, sizeof p->wire.to_board);
     memset(&p->wire.to_host, 0, sizeof p->wire.to_host);
@@ -180,7 +180,7 @@ typedef struct Ends { unsigned succeeded, refused, silent; } Ends;
 
 static void check_soundness(Pair *p, DeviceStep step)
 {
-    const bool is_old = runs(&p->board, &old_image), is_new = runs(&p->board, &new_image);
+    const bool is_old = is_running(&p->board, &old_image), is_new = is_running(&p->board, &new_image);
 
     CHECK(is_old || is_new || p->board.slots == 1);
     CHECK(step != DEVICE_DONE || is_new);
@@ -191,33 +191,33 @@ static void check_recovery(Pair *p)
 {
     Update u;
 
-    CHECK(update(p, &new_image, &u) == DEVICE_DONE && runs(&p->board, &new_image));
+    CHECK(update_image(p, &new_image, &u) == DEVICE_DONE && is_running(&p->board, &new_image));
     CHECK(device_confirm_image(&p->host, new_image.checksum));
     for (int i = 0; i < STORE_TRIES * STORE_START + 1; i++)
-        CHECK(board_start(&p->board) && runs(&p->board, &new_image));
+        CHECK(board_start(&p->board) && is_running(&p->board, &new_image));
 }
 
-static void one_update_in_trouble(const char *memory, uint8_t slots, Ends *ends)
+static void update_in_trouble(const char *memory, uint8_t slots, Ends *ends)
 {
     DeviceStep step;
     Update u;
     Pair p;
 
-    prepare(&p, memory, slots);
-    p.wire.trouble = below(4) ? 2 + below(12) : 0;
-    p.wire.restart = below(3) ? 0 : p.wire.taken + 1 + below(1200);
-    if (below(3) == 0) {
-        const uint32_t after = below(24);
-        sim_cut_power(after, below(40));
+    prepare_pair(&p, memory, slots);
+    p.wire.trouble = random_below(4) ? 2 + random_below(12) : 0;
+    p.wire.restart = random_below(3) ? 0 : p.wire.taken + 1 + random_below(1200);
+    if (random_below(3) == 0) {
+        const uint32_t after = random_below(24);
+        sim_cut_power(after, random_below(40));
     }
-    if (below(16) == 0)
+    if (random_below(16) == 0)
         p.board.fits = SM_E_MEMORY;
-    step = update(&p, &new_image, &u);
+    step = update_image(&p, &new_image, &u);
     ends->succeeded += step == DEVICE_DONE;
     ends->refused += step != DEVICE_DONE && p.host.answered;
     ends->silent += step != DEVICE_DONE && !p.host.answered;
     check_soundness(&p, step);
-    repair(&p);
+    repair_line(&p);
     CHECK(board_start(&p.board));
     check_soundness(&p, step == DEVICE_DONE ? DEVICE_FIND : step);
     check_recovery(&p);
@@ -225,7 +225,7 @@ static void one_update_in_trouble(const char *memory, uint8_t slots, Ends *ends)
 
 // ---- a good line ----
 
-static void armed_board_refuses_update(const char *memory, uint8_t slots)
+static void test_armed_board_refuses_update(const char *memory, uint8_t slots)
 {
     static uint8_t kept[SIM_NVM_SIZE];
     static const SmResult reasons[] = {SM_E_ARMED, SM_E_UNSAFE};
@@ -235,11 +235,11 @@ static void armed_board_refuses_update(const char *memory, uint8_t slots)
     Pair p;
 
     for (size_t i = 0; i < 2; i++) {
-        prepare(&p, memory, slots);
+        prepare_pair(&p, memory, slots);
         memcpy(kept, sim_nvm(memory), sizeof kept);
         p.board.may = reasons[i];
         CHECK(device_query_info(&p.host, &info) && info.may == reasons[i]);
-        CHECK(update(&p, &new_image, &u) == DEVICE_BEGIN && p.host.answered && p.host.result == reasons[i]);
+        CHECK(update_image(&p, &new_image, &u) == DEVICE_BEGIN && p.host.answered && p.host.result == reasons[i]);
         CHECK(!device_erase_image(&p.host, old_image.checksum) && p.host.result == reasons[i]);
         CHECK(!device_confirm_image(&p.host, old_image.checksum) && p.host.result == reasons[i]);
         CHECK(!device_restart(&p.host, &info) && p.host.answered && p.host.result == reasons[i]);
@@ -248,13 +248,13 @@ static void armed_board_refuses_update(const char *memory, uint8_t slots)
     }
 }
 
-// The board can be armed during an update.
-static void arming_stops_an_update(void)
+// A board that is armed during an update refuses its requests.  After disarming, the update continues.
+static void test_arming_pauses_an_update(void)
 {
     uint8_t body[9], data[5 + 8];
     Pair p;
 
-    prepare(&p, "eeprom", 2);
+    prepare_pair(&p, "eeprom", 2);
     sm_link_store(body, 5, 2);
     sm_link_store(body + 2, new_image.length, 3);
     sm_link_store(body + 5, new_image.checksum, 4);
@@ -270,85 +270,85 @@ static void arming_stops_an_update(void)
     CHECK(link_request(&p.host, LINK_DATA, data, sizeof data) && p.host.result == SM_OK && sm_link_load(p.host.body, 3) == 8);
 }
 
-static void too_large_image_is_refused(void)
+static void test_too_large_image_is_refused(void)
 {
     Image damaged = new_image;
     uint8_t body[9] = {1};
     Update u;
     Pair p;
 
-    prepare(&p, "eeprom", 1);
+    prepare_pair(&p, "eeprom", 1);
     sm_link_store(body + 2, SIM_NVM_SIZE, 3);
     CHECK(link_request(&p.host, LINK_BEGIN, body, 9) && p.host.result == SM_E_SPACE && p.board.left == 0);
     damaged.bytes[damaged.length - 1] ^= 1;
     for (int i = 0; i < 2; i++)        // no more chosen than the first time
-        CHECK(update(&p, &damaged, &u) == DEVICE_END && p.host.result == SM_E_IMAGE && u.rule != 0);
-    prepare(&p, "eeprom", 2);
+        CHECK(update_image(&p, &damaged, &u) == DEVICE_END && p.host.result == SM_E_IMAGE && u.rule != 0);
+    prepare_pair(&p, "eeprom", 2);
     p.board.fits = SM_E_MEMORY;
-    CHECK(update(&p, &new_image, &u) == DEVICE_END && p.host.result == SM_E_MEMORY && u.rule == 0);
+    CHECK(update_image(&p, &new_image, &u) == DEVICE_END && p.host.result == SM_E_MEMORY && u.rule == 0);
     CHECK(link_request(&p.host, LINK_ACTIVATE, (const uint8_t[]){(uint8_t)u.session, (uint8_t)(u.session >> 8)}, 2) &&
           p.host.result == SM_E_HANDLE);
     p.board.fits = SM_OK;
     p.board.board.longest_step = 1;
-    CHECK(update(&p, &new_image, &u) == DEVICE_END && p.host.result == SM_E_SIZE);
-    CHECK(board_start(&p.board) && runs(&p.board, &old_image));
+    CHECK(update_image(&p, &new_image, &u) == DEVICE_END && p.host.result == SM_E_SIZE);
+    CHECK(board_start(&p.board) && is_running(&p.board, &old_image));
 }
 
-// With one slot, a refused image is in the place of the chosen one, but is not chosen.
-static void refused_image_is_not_chosen(void)
+// With one slot, a refused image has replaced the chosen one, but is not chosen itself.
+static void test_refused_image_is_not_chosen(void)
 {
     DeviceImage image;
     Update u;
     Pair p;
 
-    prepare(&p, "eeprom", 1);
+    prepare_pair(&p, "eeprom", 1);
     p.board.fits = SM_E_MEMORY;
     for (int i = 0; i < 2; i++) {
-        CHECK(update(&p, &new_image, &u) == DEVICE_END && p.host.result == SM_E_MEMORY);
+        CHECK(update_image(&p, &new_image, &u) == DEVICE_END && p.host.result == SM_E_MEMORY);
         CHECK(device_read_image_info(&p.host, 0, &image) && image.state == DEVICE_WHOLE && !image.chosen && !image.runs);
     }
     CHECK(board_start(&p.board) && p.board.slot == STORE_BUILT_IN);
 }
 
-// What cannot be run after all: on trial it is over, confirmed it stays chosen.
-static void unusable_image_is_skipped(const char *memory)
+// An image that cannot run after all: if it is on trial, the trial ends; if it is confirmed, it stays chosen.
+static void test_unusable_image_is_skipped(const char *memory)
 {
     DeviceImage image;
     Update u;
     Pair p;
 
-    prepare(&p, memory, 2);
-    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && runs(&p.board, &new_image));
+    prepare_pair(&p, memory, 2);
+    CHECK(update_image(&p, &new_image, &u) == DEVICE_DONE && is_running(&p.board, &new_image));
     CHECK(device_read_image_info(&p.host, 0, &image) && image.before && !image.chosen);
-    CHECK(smvm_store_skip_image(&p.board.store, &p.board.slot) == SM_OK && runs(&p.board, &old_image));
+    CHECK(smvm_store_skip_image(&p.board.store, &p.board.slot) == SM_OK && is_running(&p.board, &old_image));
     CHECK(device_read_image_info(&p.host, 1, &image) && image.end == DEVICE_NOT_RUNNABLE);
-    CHECK(board_start(&p.board) && runs(&p.board, &old_image));
+    CHECK(board_start(&p.board) && is_running(&p.board, &old_image));
     CHECK(smvm_store_skip_image(&p.board.store, &p.board.slot) == SM_OK && p.board.slot == STORE_BUILT_IN);
     CHECK(device_read_image_info(&p.host, 0, &image) && image.chosen && !image.runs);
-    CHECK(board_start(&p.board) && runs(&p.board, &old_image));
+    CHECK(board_start(&p.board) && is_running(&p.board, &old_image));
 }
 
-// What is written over is not what would run again.
-static void previous_image_is_known_by_checksum(void)
+// An image that has been overwritten is not reported as the image that would run again.
+static void test_previous_image_is_known_by_checksum(void)
 {
     DeviceImage image;
     Update u;
     Pair p;
 
-    prepare(&p, "eeprom", 2);
-    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && device_confirm_image(&p.host, new_image.checksum));
+    prepare_pair(&p, "eeprom", 2);
+    CHECK(update_image(&p, &new_image, &u) == DEVICE_DONE && device_confirm_image(&p.host, new_image.checksum));
     CHECK(device_read_image_info(&p.host, 0, &image) && image.checksum == old_image.checksum && image.before);
     CHECK(image_send(&p.board.store, &new_image) == SM_OK);
     CHECK(device_read_image_info(&p.host, 0, &image) && image.checksum == new_image.checksum && !image.before && !image.chosen);
     CHECK(device_read_image_info(&p.host, DEVICE_BUILT_IN, &image) && !image.before);
 }
 
-static void pins_have_places(void)
+static void test_pins_are_found(void)
 {
     uint8_t place;
     Pair p;
 
-    prepare(&p, "eeprom", 2);
+    prepare_pair(&p, "eeprom", 2);
     CHECK(device_find_chip_pin(&p.host, 2, 3, &place) && place == 3);
     CHECK(device_find_chip_pin(&p.host, 2, 4, &place) && place == SMVM_NO_PIN);
     CHECK(device_find_chip_pin(&p.host, 1, 3, &place) && place == SMVM_NO_PIN);
@@ -357,52 +357,53 @@ static void pins_have_places(void)
     CHECK(!device_find_chip_pin(&p.host, 2, 3, &place) && p.host.result == SM_E_UNSUPPORTED);
 }
 
-// With one slot, an image on trial keeps running: a BEGIN that is refused must not have stopped it.
-static void refused_update_does_not_stop_a_trial(void)
+// With one slot, an image on trial continues to run after a refused BEGIN.
+static void test_refused_update_does_not_stop_a_trial(void)
 {
     Update u;
     Pair p;
 
-    prepare(&p, "eeprom", 1);
-    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && p.board.left == 1);
-    CHECK(update(&p, &old_image, &u) == DEVICE_BEGIN && p.host.result == SM_E_BUSY);
-    CHECK(p.board.left == 1 && runs(&p.board, &new_image));
+    prepare_pair(&p, "eeprom", 1);
+    CHECK(update_image(&p, &new_image, &u) == DEVICE_DONE && p.board.left == 1);
+    CHECK(update_image(&p, &old_image, &u) == DEVICE_BEGIN && p.host.result == SM_E_BUSY);
+    CHECK(p.board.left == 1 && is_running(&p.board, &new_image));
     CHECK(device_confirm_image(&p.host, new_image.checksum));
 }
 
-static void images_are_listed_and_erased(void)
+static void test_images_are_listed_and_erased(void)
 {
     DeviceInfo info;
     DeviceImage image;
     Update u;
     Pair p;
 
-    prepare(&p, "flash", 2);
-    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && !u.was_running);
+    prepare_pair(&p, "flash", 2);
+    CHECK(update_image(&p, &new_image, &u) == DEVICE_DONE && !u.was_running);
     CHECK(device_query_info(&p.host, &info) && info.protocol == LINK_PROTOCOL && info.slots == 2);
     CHECK(info.ram == 1000 && info.block % 8 == 0);
+    CHECK(info.functions == 0x70001 && !info.requires_signature);
     CHECK(info.reports_limits && info.windows && info.machines == 3 && info.ram_digital == 10 && info.ram_analog == 26 && info.period == 300 && info.cycles == 14400);
     CHECK(device_read_image_info(&p.host, 0, &image) && image.state == DEVICE_WHOLE && image.checksum == old_image.checksum && !image.runs);
     CHECK(device_read_image_info(&p.host, 1, &image) && image.state == DEVICE_TRIAL && image.runs && image.chosen);
     CHECK(image.starts == STORE_TRIES - 1);
     CHECK(device_read_image_info(&p.host, DEVICE_BUILT_IN, &image) && image.state == DEVICE_EMPTY && !image.runs);
     CHECK(!device_read_image_info(&p.host, 2, &image) && p.host.result == SM_E_MISSING);
-    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && u.was_running);
+    CHECK(update_image(&p, &new_image, &u) == DEVICE_DONE && u.was_running);
     CHECK(!device_confirm_image(&p.host, old_image.checksum) && p.host.result == SM_E_ARGUMENT);
     CHECK(!device_erase_image(&p.host, 1) && p.host.result == SM_E_MISSING);
     CHECK(device_erase_image(&p.host, new_image.checksum) && device_restart(&p.host, &info));
-    CHECK(runs(&p.board, &old_image) && device_find_running_image(&p.host, &info, &image) && image.checksum == old_image.checksum);
+    CHECK(is_running(&p.board, &old_image) && device_find_running_image(&p.host, &info, &image) && image.checksum == old_image.checksum);
     CHECK(device_erase_image(&p.host, old_image.checksum) && device_restart(&p.host, &info));
     CHECK(device_find_running_image(&p.host, &info, &image) && image.slot == DEVICE_BUILT_IN);
 }
 
-static void invalid_request_is_rejected(void)
+static void test_invalid_request_is_rejected(void)
 {
     static const uint8_t far[5] = {0, 0xff, 0xff, 0xff, 10};
     uint8_t body[5] = {0, 0, 0, 0, BOARD_BODY};
     Pair p;
 
-    prepare(&p, "eeprom", 2);
+    prepare_pair(&p, "eeprom", 2);
     CHECK(link_request(&p.host, (LinkMessage)0x7e, NULL, 0) && p.host.result == SM_E_UNSUPPORTED);
     CHECK(link_request(&p.host, LINK_BEGIN, body, 3) && p.host.result == SM_E_ARGUMENT);
     CHECK(link_request(&p.host, LINK_READ, body, 5) && p.host.result == SM_E_ARGUMENT);
@@ -423,38 +424,38 @@ static void invalid_request_is_rejected(void)
     CHECK(!link_request(&p.host, (LinkMessage)0x81, NULL, 0));                                  // an answer is no request
 }
 
-// The first zero after noise ends the noise: that zero is not the request's.
-static void noise_before_a_request_does_not_spoil_it(void)
+// The first zero after noise ends the noise, not the request that follows.
+static void test_noise_before_a_request_is_skipped(void)
 {
     static const uint8_t rubbish[] = {40, 1, 2, 3};
     DeviceInfo info;
     Pair p;
 
-    prepare(&p, "eeprom", 2);
+    prepare_pair(&p, "eeprom", 2);
     p.host.tries = 1;
     put(&p.wire.to_board, rubbish, sizeof rubbish);
     CHECK(device_query_info(&p.host, &info));
 }
 
-// A board that restarts in the middle of an update has forgotten it; the host begins again.
-static void update_resumes_after_restart(void)
+// A board that restarts during an update has lost the session, and the host begins again.
+static void test_update_restarts_after_a_reset(void)
 {
     Update u;
     Pair p;
 
-    prepare(&p, "flash", 2);
+    prepare_pair(&p, "flash", 2);
     for (uint32_t at = 50; at < 800; at += 50) {
-        Image *image = runs(&p.board, &old_image) ? &new_image : &old_image;
+        Image *image = is_running(&p.board, &old_image) ? &new_image : &old_image;
         p.wire.taken = 0;
         p.wire.restart = at;
-        CHECK(update(&p, image, &u) == DEVICE_DONE && runs(&p.board, image));
+        CHECK(update_image(&p, image, &u) == DEVICE_DONE && is_running(&p.board, image));
         CHECK(device_confirm_image(&p.host, image->checksum));
     }
 }
 
 // ---- events ----
 
-static uint32_t drain(Pair *p, uint32_t *cursor, uint32_t *next)
+static uint32_t read_all_events(Pair *p, uint32_t *cursor, uint32_t *next)
 {
     uint8_t body[4];
     uint32_t events;
@@ -470,24 +471,24 @@ static uint32_t drain(Pair *p, uint32_t *cursor, uint32_t *next)
     return events;
 }
 
-// Over any line each event comes once and in order, or is counted as lost.
-static void events_come_once_and_in_order(void)
+// Over any line each event arrives once and in order, or is counted as lost.
+static void test_events_come_once_and_in_order(void)
 {
     uint32_t cursor = 0, next = 0, made = 0, came = 0;
     Pair p;
 
-    prepare(&p, "eeprom", 2);
+    prepare_pair(&p, "eeprom", 2);
     p.wire.trouble = 4;
     p.host.tries = 40;
     for (int round = 0; round < 200; round++) {
-        for (uint32_t n = below(12); n > 0; n--) {
+        for (uint32_t n = random_below(12); n > 0; n--) {
             SmEvent e = {0, 0, 0, 7, SM_EVENT_STATE};
             e.a = made++;
             sm_event(&p.board.events, &e);
         }
-        came += drain(&p, &cursor, &next);
+        came += read_all_events(&p, &cursor, &next);
     }
-    while (drain(&p, &cursor, &next) > 0)
+    while (read_all_events(&p, &cursor, &next) > 0)
         came++;
     CHECK(next == made && came > 100);
 }
@@ -496,7 +497,7 @@ static void events_come_once_and_in_order(void)
 // checksum not tell.  (These bits are the polynomial's.)
 static uint32_t spoiled;
 
-static SmResult spoil(void *context, SmvmBytes image)
+static SmResult damage_slot(void *context, SmvmBytes image)
 {
     static const uint8_t bits[] = {0x41, 0x06, 0x71, 0xdb, 0x01};
     const Board *b = context;
@@ -508,33 +509,34 @@ static SmResult spoil(void *context, SmvmBytes image)
     return SM_OK;
 }
 
-static void sent_image_is_read_back(const char *memory, uint8_t slots)
+static void test_sent_image_is_read_back(const char *memory, uint8_t slots)
 {
     DeviceImage image;
     Update u;
     Pair p;
 
     for (spoiled = SMVM_HEADER; spoiled + 5 <= new_image.length; spoiled += new_image.length - 5 - SMVM_HEADER) {
-        prepare(&p, memory, slots);
-        p.board.board.fits = spoil;
-        CHECK(update(&p, &new_image, &u) == DEVICE_READ && p.host.answered && p.host.result == SM_E_DEVICE);
-        CHECK(!runs(&p.board, &new_image));
+        prepare_pair(&p, memory, slots);
+        p.board.board.fits = damage_slot;
+        CHECK(update_image(&p, &new_image, &u) == DEVICE_READ && p.host.answered && p.host.result == SM_E_DEVICE);
+        CHECK(!is_running(&p.board, &new_image));
         p.board.board.fits = board_fits;
         CHECK(device_read_image_info(&p.host, slots == 2 ? 1 : 0, &image) && !image.chosen && !image.runs);
-        CHECK(board_start(&p.board) && (slots == 2 ? runs(&p.board, &old_image) : p.board.slot == STORE_BUILT_IN));
+        CHECK(board_start(&p.board) && (slots == 2 ? is_running(&p.board, &old_image) : p.board.slot == STORE_BUILT_IN));
     }
 }
 
-// The slot that runs is not what was sent, though it may hold the same image: here that runs, and comes once more for steps of another length.
-static void running_image_is_not_read_back(const char *memory)
+// The slot that runs was not sent in this update, though it can contain the same image.  Here it runs, and is sent again for another period
+// of a step.
+static void test_running_image_is_not_read_back(const char *memory)
 {
     DeviceInfo info;
     Update u;
     Pair p;
 
-    prepare(&p, memory, 2);
+    prepare_pair(&p, memory, 2);
     spoiled = SMVM_HEADER;
-    p.board.board.fits = spoil;
+    p.board.board.fits = damage_slot;
     memset(&u, 0, sizeof u);
     u.bytes = old_image.bytes;
     u.length = old_image.length;
@@ -549,8 +551,8 @@ static void running_image_is_not_read_back(const char *memory)
     CHECK(device_update(&p.host, &info, &u) == DEVICE_DONE && u.was_running);
 }
 
-// A request that is shorter than its message must be is refused, though what an earlier one left in the buffer would complete it.
-static void too_short_request_is_refused(void)
+// A request that is too short for its message is refused, even if bytes of an earlier request in the buffer would complete it.
+static void test_too_short_request_is_refused(void)
 {
     static const struct { LinkMessage message; uint8_t least; } all[] = {
         {LINK_IMAGE, 1}, {LINK_PIN, 3}, {LINK_BEGIN, 9}, {LINK_DATA, 6}, {LINK_END, 2}, {LINK_ACTIVATE, 2}, {LINK_CONFIRM, 4}, {LINK_ERASE, 4},
@@ -560,7 +562,7 @@ static void too_short_request_is_refused(void)
     Pair p;
 
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-        prepare(&p, "eeprom", 2);
+        prepare_pair(&p, "eeprom", 2);
         for (uint8_t n = 0; n < all[i].least; n++) {
             (void)link_request(&p.host, LINK_PIN, body, 9);
             CHECK(link_request(&p.host, all[i].message, body, n) && p.host.result == SM_E_ARGUMENT && p.host.n == 0);
@@ -570,12 +572,12 @@ static void too_short_request_is_refused(void)
 }
 
 // An answer is never longer than the board's largest body, however many events wait.
-static void events_fit_into_an_answer(void)
+static void test_events_fit_into_an_answer(void)
 {
     uint8_t cursor[4] = {0};
     Pair p;
 
-    pair(&p, "eeprom", 2);
+    connect_pair(&p, "eeprom", 2);
     for (uint32_t i = 0; i < 5; i++) {
         const SmEvent e = {i, i, 0, 7, SM_EVENT_STATE};
         sm_event(&p.board.events, &e);
@@ -611,7 +613,7 @@ static unsigned write_log(Logged *l, unsigned most)
     return n;
 }
 
-// A transition in second `g` from state `g` to the next, with all of its bytes or only some.
+// Logs a transition in second `g` from state `g` to the next; writes all bytes of its record, or only some.
 static unsigned log_transition(Logged *l, unsigned bytes, uint32_t lost)
 {
     SmEvent e;
@@ -643,8 +645,8 @@ static bool read_log(Logged *l, uint8_t slot)
     return device_query_info(&l->p.host, &info) && device_read_image_info(&l->p.host, slot, &image) && device_read_transitions(&l->p.host, &info, &image, l->read, &l->n);
 }
 
-// The log has n transitions, up to that of second `last`.
-static bool has_last(Logged *l, size_t n, uint32_t last)
+// Whether the log has n transitions, up to that of second `last`.
+static bool log_ends_at(Logged *l, size_t n, uint32_t last)
 {
     bool same = read_log(l, l->p.board.slot) && l->n == n;
 
@@ -660,35 +662,35 @@ static void prepare_log(Logged *l, const char *memory, uint8_t slots)
     uint32_t room;
 
     memset(l, 0, sizeof *l);
-    prepare(&l->p, memory, slots);
+    prepare_pair(&l->p, memory, slots);
     reopen_log(l);
     room = (l->p.board.store.slot_size - old_image.length) / LINK_TRANSITION;
     CHECK(l->log.records == (room < LINK_TRANSITIONS ? room : LINK_TRANSITIONS) && l->log.records >= STATE_LOG_LEAST);
     CHECK(read_log(l, l->p.board.slot) && l->n == 0);
 }
 
-static void log_survives_restarts(void)
+static void test_log_survives_restarts(void)
 {
     Logged l;
 
     for (uint8_t slots = 1; slots <= 2; slots++) {
         prepare_log(&l, "eeprom", slots);
         log_many(&l, 3);
-        CHECK(has_last(&l, 3, 3) && board_start(&l.p.board) && runs(&l.p.board, &old_image) && has_last(&l, 3, 3));
+        CHECK(log_ends_at(&l, 3, 3) && board_start(&l.p.board) && is_running(&l.p.board, &old_image) && log_ends_at(&l, 3, 3));
         reopen_log(&l);
         log_many(&l, 2);
-        CHECK(has_last(&l, 5, 5));
+        CHECK(log_ends_at(&l, 5, 5));
         for (int i = 0; i < 10; i++) {                 // around the ring, and numbers beyond 255
             log_many(&l, l.log.records - 1u);
-            CHECK(has_last(&l, l.log.records, l.g));
+            CHECK(log_ends_at(&l, l.log.records, l.g));
             reopen_log(&l);
         }
         CHECK(l.g > 256);
     }
 }
 
-// Power goes after any byte of a record: the one that it overwrites is lost, and no other.
-static void torn_record_is_skipped(void)
+// The power fails after each byte of a record: only the record that it overwrites is lost.
+static void test_torn_record_is_skipped(void)
 {
     Logged l;
 
@@ -698,15 +700,15 @@ static void torn_record_is_skipped(void)
         smvm_state_log_add_credit(&l.log);
         CHECK(log_transition(&l, bytes, 0) == bytes);
         l.g--;
-        CHECK(has_last(&l, l.log.records - (bytes > 0 ? 1u : 0u), l.g));
+        CHECK(log_ends_at(&l, l.log.records - (bytes > 0 ? 1u : 0u), l.g));
         reopen_log(&l);
         log_many(&l, 1);
-        CHECK(has_last(&l, l.log.records, l.g));
+        CHECK(log_ends_at(&l, l.log.records, l.g));
     }
 }
 
 // A machine that changes its state in every step does not wear out the memory.
-static void log_is_written_seldom(void)
+static void test_log_is_written_seldom(void)
 {
     Logged l;
 
@@ -721,8 +723,8 @@ static void log_is_written_seldom(void)
     CHECK(log_transition(&l, LINK_TRANSITION, 0) == LINK_TRANSITION && read_log(&l, l.p.board.slot) && l.read[l.n - 1].lost == LINK_LOST_MAX);
 }
 
-// It takes no room of a slot: an update uses all of it, and the log of the image that was there before is not that of the new one.
-static void log_yields_to_images(void)
+// The log reserves no room in a slot: an update can use the whole slot, and the log of the previous image there is not that of the new one.
+static void test_log_yields_to_images(void)
 {
     Image full = new_image;
     Update u;
@@ -730,21 +732,21 @@ static void log_yields_to_images(void)
 
     prepare_log(&l, "eeprom", 1);
     log_many(&l, 2u * l.log.records);
-    CHECK(update(&l.p, &new_image, &u) == DEVICE_DONE && runs(&l.p.board, &new_image) && read_log(&l, 0) && l.n == 0);
+    CHECK(update_image(&l.p, &new_image, &u) == DEVICE_DONE && is_running(&l.p.board, &new_image) && read_log(&l, 0) && l.n == 0);
     reopen_log(&l);
     log_many(&l, 1);
-    CHECK(has_last(&l, 1, l.g));
+    CHECK(log_ends_at(&l, 1, l.g));
     prepare_log(&l, "eeprom", 2);
     log_many(&l, 5);
-    CHECK(update(&l.p, &new_image, &u) == DEVICE_DONE && read_log(&l, 0) && l.n == 5 && read_log(&l, 1) && l.n == 0);
+    CHECK(update_image(&l.p, &new_image, &u) == DEVICE_DONE && read_log(&l, 0) && l.n == 5 && read_log(&l, 1) && l.n == 0);
     full.length = l.p.board.store.slot_size - STATE_LOG_LEAST * LINK_TRANSITION + 1;
     sm_link_store(full.bytes + SMVM_LENGTH_AT, full.length, 3);
     smvm_state_log_open(&l.log, full.bytes, l.p.board.store.slot_size);
     CHECK(l.log.records == 0 && log_transition(&l, LINK_TRANSITION, 0) == 0);
 }
 
-// Whatever is in the slot, neither end reads or writes elsewhere, and both end.
-static void any_bytes_are_a_log(void)
+// Whatever the slot contains, reading and writing the log ends and accesses nothing outside the slot.
+static void test_any_bytes_are_a_log(void)
 {
     DeviceImage image = {0};
     DeviceInfo info;
@@ -754,10 +756,10 @@ static void any_bytes_are_a_log(void)
     for (int round = 0; round < 300; round++) {
         uint8_t *const at = logged_image(&l) + old_image.length;
         for (uint32_t i = 0; i < l.p.board.store.slot_size - old_image.length; i++)
-            at[i] = (uint8_t)below(256);
-        for (uint32_t i = below(l.log.records + 1u); i > 0; i--) {         // records with any numbers
-            const LinkTransition t = {(uint8_t)below(256), (uint8_t)below(16), (uint8_t)below(16), 1, 2, below(1u << 31)};
-            sm_link_store_transition(at + below(l.log.records) * LINK_TRANSITION, &t, old_image.checksum);
+            at[i] = (uint8_t)random_below(256);
+        for (uint32_t i = random_below(l.log.records + 1u); i > 0; i--) {         // records with any numbers
+            const LinkTransition t = {(uint8_t)random_below(256), (uint8_t)random_below(16), (uint8_t)random_below(16), 1, 2, random_below(1u << 31)};
+            sm_link_store_transition(at + random_below(l.log.records) * LINK_TRANSITION, &t, old_image.checksum);
         }
         reopen_log(&l);
         CHECK(l.log.next < l.log.records && read_log(&l, l.p.board.slot) && l.n <= l.log.records);
@@ -771,7 +773,7 @@ static void any_bytes_are_a_log(void)
     for (int round = 0; round < 100; round++) {        // a slot without an image
         uint8_t bytes[IMAGE_ROOM];
         for (size_t i = 0; i < sizeof bytes; i++)
-            bytes[i] = (uint8_t)below(256);
+            bytes[i] = (uint8_t)random_below(256);
         smvm_state_log_open(&l.log, bytes, round % 2 ? IMAGE_ROOM : 0);
         CHECK(smvm_u24(bytes, SMVM_LENGTH_AT) + l.log.records * LINK_TRANSITION <= IMAGE_ROOM || l.log.records == 0);
     }
@@ -818,11 +820,11 @@ static int canned_receive(void *context, uint8_t *bytes, size_t room, uint32_t w
 
 static uint32_t canned_now(void *context) { return ((const Canned *)context)->now; }
 
-// HELLO has grown (link.def: "from the signatures on it may be cut").  Fields that a board omits are empty, whatever a longer answer before
-// has left in the buffer.
-static void older_boards_report_less(void)
+// HELLO has grown (link.def: "from the signatures on it may be cut").  Fields that a board omits are empty, whatever an earlier, longer
+// answer has left in the buffer.
+static void test_older_boards_report_less(void)
 {
-    static const uint8_t all[31] = {1, 200, 128, 2, 0, 4, 0, 0, 2, 0, 9, 0, 0, 0, 0, 1, 5, 0, 0, 0, 0x83, 10, 26, 20, 0, 0x40, 0x1f, 4, 3, 2, 1};
+    static const uint8_t all[35] = {1, 200, 128, 2, 0, 4, 0, 0, 2, 0, 9, 0, 0, 0, 0, 1, 5, 0, 0, 0, 0x83, 10, 26, 20, 0, 0x40, 0x1f, 4, 3, 2, 1, 7, 0, 3, 0};
     static const uint8_t none[31] = {0};
     Canned c;
     SerialLine line = {&c, canned_send, canned_receive, canned_now};
@@ -843,6 +845,7 @@ static void older_boards_report_less(void)
         CHECK(device_query_info(&host, &info) == (n >= 15) && (n >= 15 || host.result == SM_E_UNSUPPORTED));
         CHECK(n < 15 || (info.requires_signature == (n >= 20) && info.newest == (n >= 20 ? 5 : 0)));
         CHECK(n < 15 || (info.reports_limits == (n >= 27) && info.windows == (n >= 27) && info.machines == (n >= 27 ? 3 : 0)));
+        CHECK(n < 15 || info.functions == (n >= 35 ? 0x30007 : 0));
         CHECK(n < 15 || (info.period == (n >= 27 ? 20 : 0) && info.reports_mark == (n >= 31) && info.mark == (n >= 31 ? 0x01020304 : 0)));
     }
     memcpy(c.body, none, c.n = 20);
@@ -866,34 +869,34 @@ int main(int argc, char **argv)
     }
     random_state = UINT64_C(88172645463325252) * (argc > 4 ? strtoul(argv[4], NULL, 10) : 1);
     for (unsigned i = 0; i < 4; i++)
-        armed_board_refuses_update(memories[i % 2], (uint8_t)(1 + i / 2));
+        test_armed_board_refuses_update(memories[i % 2], (uint8_t)(1 + i / 2));
     for (unsigned i = 0; i < 4; i++)
-        sent_image_is_read_back(memories[i % 2], (uint8_t)(1 + i / 2));
-    running_image_is_not_read_back("eeprom");
-    running_image_is_not_read_back("flash");
-    older_boards_report_less();
-    arming_stops_an_update();
-    too_large_image_is_refused();
-    refused_image_is_not_chosen();
-    unusable_image_is_skipped("eeprom");
-    unusable_image_is_skipped("flash");
-    previous_image_is_known_by_checksum();
-    pins_have_places();
-    refused_update_does_not_stop_a_trial();
-    images_are_listed_and_erased();
-    invalid_request_is_rejected();
-    noise_before_a_request_does_not_spoil_it();
-    update_resumes_after_restart();
-    events_come_once_and_in_order();
-    events_fit_into_an_answer();
-    too_short_request_is_refused();
-    log_survives_restarts();
-    torn_record_is_skipped();
-    log_is_written_seldom();
-    log_yields_to_images();
-    any_bytes_are_a_log();
+        test_sent_image_is_read_back(memories[i % 2], (uint8_t)(1 + i / 2));
+    test_running_image_is_not_read_back("eeprom");
+    test_running_image_is_not_read_back("flash");
+    test_older_boards_report_less();
+    test_arming_pauses_an_update();
+    test_too_large_image_is_refused();
+    test_refused_image_is_not_chosen();
+    test_unusable_image_is_skipped("eeprom");
+    test_unusable_image_is_skipped("flash");
+    test_previous_image_is_known_by_checksum();
+    test_pins_are_found();
+    test_refused_update_does_not_stop_a_trial();
+    test_images_are_listed_and_erased();
+    test_invalid_request_is_rejected();
+    test_noise_before_a_request_is_skipped();
+    test_update_restarts_after_a_reset();
+    test_events_come_once_and_in_order();
+    test_events_fit_into_an_answer();
+    test_too_short_request_is_refused();
+    test_log_survives_restarts();
+    test_torn_record_is_skipped();
+    test_log_is_written_seldom();
+    test_log_yields_to_images();
+    test_any_bytes_are_a_log();
     for (unsigned long i = 0; i < number; i++)
-        one_update_in_trouble(memories[i % 2], (uint8_t)(1 + i / 2 % 2), &ends);
+        update_in_trouble(memories[i % 2], (uint8_t)(1 + i / 2 % 2), &ends);
     printf("%lu updates: %u succeeded, %u refused, %u without an answer\n", number, ends.succeeded, ends.refused, ends.silent);
     CHECK(number < 100 || (ends.succeeded > number / 8 && ends.refused > 0 && ends.silent > 0));
     return test_end("agent");

@@ -11,7 +11,7 @@
 static const uint8_t our_key[SMVM_KEY] = "not a good key.", other_key[SMVM_KEY] = "not a good kez.";
 static Image old_image, new_image;         // not signed
 
-static Image signed_with(const uint8_t *key, const Image *image, uint32_t number)
+static Image sign_image(const uint8_t *key, const Image *image, uint32_t number)
 {
     Image s;
 
@@ -44,9 +44,9 @@ static bool is_accepted(const Image *image, const uint8_t *key)
     return smvm_verify(image->bytes, image->length, &why) == 0 && smvm_auth_check(image->bytes, key, &number);
 }
 
-static void signing_leaves_the_rest(void)
+static void test_signing_preserves_the_content(void)
 {
-    Image s = signed_with(our_key, &new_image, 7), again;
+    Image s = sign_image(our_key, &new_image, 7), again;
     SmvmAuth auth;
     SmvmMachine a, b;
 
@@ -55,14 +55,14 @@ static void signing_leaves_the_rest(void)
     CHECK(!smvm_auth_read(new_image.bytes, &auth) && auth.number == 0 && auth.mark == 0 && !is_accepted(&new_image, our_key));
     CHECK(smvm_machine(new_image.bytes, 0, &a) && smvm_machine(s.bytes, 0, &b) && a.code_size == b.code_size);
     CHECK(memcmp(new_image.bytes + a.code_at, s.bytes + b.code_at, a.code_size) == 0);
-    again = signed_with(other_key, &s, 8);
+    again = sign_image(other_key, &s, 8);
     CHECK(again.length == s.length && is_accepted(&again, other_key) && !is_accepted(&again, our_key));
-    again = signed_with(our_key, &again, 7);
+    again = sign_image(our_key, &again, 7);
     CHECK(memcmp(again.bytes, s.bytes, s.length) == 0);
 }
 
-// "0: there is no room for another section": an image has 255 of them at most, and 2^24 - 1 bytes.
-static void signing_has_limits(void)
+// sign.h: "0: there is no room for another section".  An image has at most 255 sections and 2^24 - 1 bytes.
+static void test_signing_has_limits(void)
 {
     enum { MOST = 0xffffff, SECTIONS = SMVM_HEADER + 255 * SMVM_SECTION_ENTRY };
     uint8_t *image = calloc(2, MOST + SIGN_ROOM), *out = image + MOST + SIGN_ROOM;
@@ -80,10 +80,10 @@ static void signing_has_limits(void)
     free(image);
 }
 
-// Who changes an image can make its checksum right, but not its code.
-static void every_bit_is_guarded(void)
+// An attacker who changes the image can correct its checksum, but not its code.
+static void test_every_bit_is_authenticated(void)
 {
-    const Image s = signed_with(our_key, &new_image, 7);
+    const Image s = sign_image(our_key, &new_image, 7);
 
     for (uint32_t bit = 0; bit < 8 * s.length; bit++) {
         Image changed = s;
@@ -96,10 +96,10 @@ static void every_bit_is_guarded(void)
     }
 }
 
-// A code does not cover the bytes after it.
-static void the_code_ends_the_image(void)
+// The code does not cover bytes after the image.
+static void test_code_ends_the_image(void)
 {
-    Image s = signed_with(our_key, &new_image, 7);
+    Image s = sign_image(our_key, &new_image, 7);
     SmvmAuth auth;
     uint32_t number;
 
@@ -112,121 +112,121 @@ static void the_code_ends_the_image(void)
 
 // ---- a board ----
 
-static bool starts(Board *b) { return board_opens(b) && smvm_store_boot(&b->store, &b->slot) == SM_OK; }
+static bool start_board(Board *b) { return board_opens(b) && smvm_store_boot(&b->store, &b->slot) == SM_OK; }
 
-static bool restarts(Board *b)
+static bool restart_board(Board *b)
 {
     sim_power_on();
-    return starts(b);
+    return start_board(b);
 }
 
 static SmResult send_number(Board *b, uint32_t number)
 {
-    const Image s = signed_with(our_key, number % 2 ? &old_image : &new_image, number);
+    const Image s = sign_image(our_key, number % 2 ? &old_image : &new_image, number);
     return image_send(&b->store, &s);
 }
 
-static uint32_t newest(const Board *b) { return smvm_uint(b->store.choice.newest, 0, 4); }
+static uint32_t newest_number(const Board *b) { return smvm_uint(b->store.choice.newest, 0, 4); }
 
-// Chosen, started, and confirmed if `confirm`.
-static bool runs_number(Board *b, uint32_t number, bool confirm)
+// Sends, chooses and starts an image; also confirms it if `confirm`.
+static bool run_number(Board *b, uint32_t number, bool confirm)
 {
-    const Image s = signed_with(our_key, number % 2 ? &old_image : &new_image, number);
+    const Image s = sign_image(our_key, number % 2 ? &old_image : &new_image, number);
 
-    return image_send(&b->store, &s) == SM_OK && smvm_store_activate(&b->store, IMAGE_SESSION, 0) == SM_OK && restarts(b) && b->slot != STORE_BUILT_IN &&
+    return image_send(&b->store, &s) == SM_OK && smvm_store_activate(&b->store, IMAGE_SESSION, 0) == SM_OK && restart_board(b) && b->slot != STORE_BUILT_IN &&
            (!confirm || smvm_store_confirm(&b->store, s.checksum) == SM_OK);
 }
 
-static void board_with_key(Board *b, const char *memory, uint8_t slots)
+static void new_board_with_key(Board *b, const char *memory, uint8_t slots)
 {
     CHECK(board_new(b, memory, slots));
     b->is_authentic = is_ours;
     b->mark = smvm_auth_mark(our_key);
-    CHECK(restarts(b));
+    CHECK(restart_board(b));
 }
 
-static void unsigned_image_is_refused(uint8_t slots)
+static void test_unsigned_image_is_refused(uint8_t slots)
 {
-    const Image theirs = signed_with(other_key, &new_image, 7);
+    const Image theirs = sign_image(other_key, &new_image, 7);
     Board b;
 
-    board_with_key(&b, "eeprom", slots);
+    new_board_with_key(&b, "eeprom", slots);
     CHECK(image_send(&b.store, &new_image) == SM_E_UNSIGNED && smvm_store_activate(&b.store, IMAGE_SESSION, 0) == SM_E_HANDLE);
     CHECK(image_send(&b.store, &theirs) == SM_E_UNSIGNED && smvm_store_activate(&b.store, IMAGE_SESSION, 0) == SM_E_HANDLE);
-    CHECK(restarts(&b) && b.slot == STORE_BUILT_IN);
-    CHECK(runs_number(&b, 7, true) && newest(&b) == 7);
+    CHECK(restart_board(&b) && b.slot == STORE_BUILT_IN);
+    CHECK(run_number(&b, 7, true) && newest_number(&b) == 7);
     CHECK(image_send(&b.store, &theirs) == SM_E_UNSIGNED && smvm_store_activate(&b.store, IMAGE_SESSION, 0) == SM_E_HANDLE);
-    CHECK(restarts(&b) && (b.slot != STORE_BUILT_IN) == (slots == 2));
+    CHECK(restart_board(&b) && (b.slot != STORE_BUILT_IN) == (slots == 2));
 }
 
-static void no_number_is_reused(uint8_t slots)
+static void test_no_number_is_reused(uint8_t slots)
 {
     Board b;
 
-    board_with_key(&b, "flash", slots);
+    new_board_with_key(&b, "flash", slots);
     CHECK(send_number(&b, 0) == SM_E_REPLAY);
-    CHECK(runs_number(&b, 5, true) && newest(&b) == 5);
+    CHECK(run_number(&b, 5, true) && newest_number(&b) == 5);
     CHECK(send_number(&b, 4) == SM_E_REPLAY && smvm_store_activate(&b.store, IMAGE_SESSION, 0) == SM_E_HANDLE);
     CHECK(send_number(&b, 5) == SM_E_REPLAY);
-    CHECK(runs_number(&b, 9, false) && newest(&b) == 5);
+    CHECK(run_number(&b, 9, false) && newest_number(&b) == 5);
     for (int i = 0; i < STORE_TRIES * STORE_START; i++)
-        CHECK(restarts(&b));
-    CHECK(runs_number(&b, 6, true) && newest(&b) == 6);        // a trial without a confirmation does not count
-    CHECK(restarts(&b) && newest(&b) == 6 && send_number(&b, 6) == SM_E_REPLAY);
-    CHECK(runs_number(&b, 0xffffffff, true) && newest(&b) == 0xffffffff && send_number(&b, 7) == SM_E_REPLAY);
+        CHECK(restart_board(&b));
+    CHECK(run_number(&b, 6, true) && newest_number(&b) == 6);        // a trial without a confirmation does not count
+    CHECK(restart_board(&b) && newest_number(&b) == 6 && send_number(&b, 6) == SM_E_REPLAY);
+    CHECK(run_number(&b, 0xffffffff, true) && newest_number(&b) == 0xffffffff && send_number(&b, 7) == SM_E_REPLAY);
 }
 
-static const Image *numbered(uint32_t number)
+static const Image *sign_numbered(uint32_t number)
 {
     static Image s;
 
-    s = signed_with(our_key, number % 2 ? &old_image : &new_image, number);
+    s = sign_image(our_key, number % 2 ? &old_image : &new_image, number);
     return &s;
 }
 
 // A start does not fall back to an image that was overwritten and is sent again, but was not accepted.
-static void no_fallback_to_unaccepted_image(uint8_t slots)
+static void test_no_fallback_to_unaccepted_image(uint8_t slots)
 {
     Board b;
 
-    board_with_key(&b, "eeprom", slots);
-    CHECK(runs_number(&b, 1, true) && runs_number(&b, 2, true));
+    new_board_with_key(&b, "eeprom", slots);
+    CHECK(run_number(&b, 1, true) && run_number(&b, 2, true));
     if (slots == 2)
-        CHECK(image_send(&b.store, numbered(3)) == SM_OK);             // over number 1
+        CHECK(image_send(&b.store, sign_numbered(3)) == SM_OK);             // over number 1
     else
         smvm_store_run_built_in(&b.store);
-    CHECK(image_send(&b.store, numbered(1)) == SM_E_REPLAY);
+    CHECK(image_send(&b.store, sign_numbered(1)) == SM_E_REPLAY);
     if (slots == 2)
-        CHECK(smvm_store_erase(&b.store, numbered(2)->checksum) == SM_OK);
-    CHECK(restarts(&b) && b.slot == STORE_BUILT_IN);
+        CHECK(smvm_store_erase(&b.store, sign_numbered(2)->checksum) == SM_OK);
+    CHECK(restart_board(&b) && b.slot == STORE_BUILT_IN);
 }
 
-// Nor on a board without a key that has one slot.
-static void an_update_cut_off_is_not_confirmed(void)
+// A board without a key and with one slot does not confirm it either.
+static void test_interrupted_update_is_not_confirmed(void)
 {
     Board b;
 
-    CHECK(board_new(&b, "eeprom", 1) && runs_number(&b, 1, true) && runs_number(&b, 2, true));
+    CHECK(board_new(&b, "eeprom", 1) && run_number(&b, 1, true) && run_number(&b, 2, true));
     smvm_store_run_built_in(&b.store);
-    CHECK(image_send(&b.store, numbered(1)) == SM_OK && restarts(&b) && b.slot == STORE_BUILT_IN);
+    CHECK(image_send(&b.store, sign_numbered(1)) == SM_OK && restart_board(&b) && b.slot == STORE_BUILT_IN);
 }
 
-// A request that is refused has the board leave no slot.
-static void refused_begin_has_no_effect(void)
+// A refused request does not make the board leave a slot.
+static void test_refused_begin_has_no_effect(void)
 {
     uint8_t request[LINK_ROOM(9)] = {0, 1, LINK_BEGIN, 0, 0, 64, 0, 0, 1, 2, 3, 4};        // no session
     uint16_t length;
     Board b;
 
-    CHECK(board_new(&b, "eeprom", 1) && runs_number(&b, 1, true) && board_start(&b) && b.slot == 0);
+    CHECK(board_new(&b, "eeprom", 1) && run_number(&b, 1, true) && board_start(&b) && b.slot == 0);
     length = sm_link_encode(request, LINK_HEAD + 9);
     for (uint16_t i = 0; i < length; i++)
         (void)board_takes(&b, request[i]);
     CHECK(b.left == 0 && b.slot == 0);
 }
 
-// The result of a BEGIN for this image, with the first n bytes of a permit.
-static SmResult begin(Board *b, const Image *image, const uint8_t *permit, uint16_t n)
+// Returns the result of a BEGIN for this image, with the first n bytes of a permit.
+static SmResult request_begin(Board *b, const Image *image, const uint8_t *permit, uint16_t n)
 {
     uint8_t request[LINK_ROOM(SMVM_PERMIT_AT + SMVM_PERMIT)] = {0, 1, LINK_BEGIN, 77}, answer[LINK_ROOM(BOARD_BODY)];
     LinkReceiver r;
@@ -244,36 +244,36 @@ static SmResult begin(Board *b, const Image *image, const uint8_t *permit, uint1
     return r.is_complete ? (SmResult)(int8_t)answer[LINK_HEAD] : SM_E_TIMEOUT;
 }
 
-// With one slot, the image that runs is stopped only for an owner of the key: no request without a permit for a new number does it.
-static void machine_is_stopped_with_a_permit_only(void)
+// With one slot, a request stops the running image only if it has a permit for a new number.  Only an owner of the key can make a permit.
+static void test_stop_needs_a_permit(void)
 {
-    const Image s = signed_with(our_key, &old_image, 9), theirs = signed_with(other_key, &old_image, 9), used = signed_with(our_key, &old_image, 5);
+    const Image s = sign_image(our_key, &old_image, 9), theirs = sign_image(other_key, &old_image, 9), used = sign_image(our_key, &old_image, 5);
     uint8_t permit[SMVM_PERMIT], wrong[SMVM_PERMIT];
     Image longer = s;
     Board b;
 
-    board_with_key(&b, "eeprom", 1);
+    new_board_with_key(&b, "eeprom", 1);
     b.key = our_key;
-    CHECK(runs_number(&b, 5, true) && board_start(&b) && b.slot == 0 && smvm_permit_read(s.bytes, permit));
+    CHECK(run_number(&b, 5, true) && board_start(&b) && b.slot == 0 && smvm_permit_read(s.bytes, permit));
     longer.length++;
     for (uint16_t n = 0; n < SMVM_PERMIT; n++)
-        CHECK(begin(&b, &s, permit, n) == SM_E_UNSIGNED && b.left == 0);
+        CHECK(request_begin(&b, &s, permit, n) == SM_E_UNSIGNED && b.left == 0);
     for (unsigned bit = 0; bit < 8 * SMVM_PERMIT; bit++) {
         memcpy(wrong, permit, sizeof wrong);
         wrong[bit / 8] ^= (uint8_t)(1u << bit % 8);
-        CHECK(begin(&b, &s, wrong, SMVM_PERMIT) == SM_E_UNSIGNED && b.left == 0);
+        CHECK(request_begin(&b, &s, wrong, SMVM_PERMIT) == SM_E_UNSIGNED && b.left == 0);
     }
-    CHECK(begin(&b, &longer, permit, SMVM_PERMIT) == SM_E_UNSIGNED && b.left == 0);
-    CHECK(smvm_permit_read(theirs.bytes, wrong) && begin(&b, &s, wrong, SMVM_PERMIT) == SM_E_UNSIGNED && b.left == 0);
-    CHECK(smvm_permit_read(used.bytes, wrong) && begin(&b, &s, wrong, SMVM_PERMIT) == SM_E_REPLAY && b.left == 0 && b.slot == 0);
-    CHECK(begin(&b, &s, permit, SMVM_PERMIT) == SM_OK && b.left == 1 && b.slot == STORE_BUILT_IN);
-    CHECK(begin(&b, &s, permit, SMVM_PERMIT) == SM_OK && b.left == 1);           // the answer was lost
+    CHECK(request_begin(&b, &longer, permit, SMVM_PERMIT) == SM_E_UNSIGNED && b.left == 0);
+    CHECK(smvm_permit_read(theirs.bytes, wrong) && request_begin(&b, &s, wrong, SMVM_PERMIT) == SM_E_UNSIGNED && b.left == 0);
+    CHECK(smvm_permit_read(used.bytes, wrong) && request_begin(&b, &s, wrong, SMVM_PERMIT) == SM_E_REPLAY && b.left == 0 && b.slot == 0);
+    CHECK(request_begin(&b, &s, permit, SMVM_PERMIT) == SM_OK && b.left == 1 && b.slot == STORE_BUILT_IN);
+    CHECK(request_begin(&b, &s, permit, SMVM_PERMIT) == SM_OK && b.left == 1);           // the answer was lost
 }
 
 // An image that was signed by a version without permits gets one when it is signed again.
-static void signing_adds_a_permit(void)
+static void test_signing_adds_a_permit(void)
 {
-    const Image s = signed_with(our_key, &new_image, 7);
+    const Image s = sign_image(our_key, &new_image, 7);
     uint8_t permit[SMVM_PERMIT], code[SMVM_CODE];
     Image old = s, again;
 
@@ -284,39 +284,39 @@ static void signing_adds_a_permit(void)
     smvm_auth_code(old.bytes, old.length - SMVM_CODE, our_key, old.bytes + old.length - SMVM_CODE);
     put_crc(&old);
     CHECK(is_accepted(&old, our_key) && !smvm_permit_read(old.bytes, permit));
-    again = signed_with(our_key, &old, 8);
+    again = sign_image(our_key, &old, 8);
     CHECK(is_accepted(&again, our_key) && smvm_permit_read(again.bytes, permit) && again.length == old.length + SMVM_SECTION_ENTRY + SMVM_CODE);
 }
 
-// A checksum proves nothing: what was written without asking, its checksum chosen, does not run on a board with a key.
-static void injected_image_does_not_run(void)
+// A checksum proves nothing: an image that was written and chosen without a request does not run on a board with a key.
+static void test_injected_image_does_not_run(void)
 {
     Board b;
 
     CHECK(board_new(&b, "eeprom", 2) && image_send(&b.store, &new_image) == SM_OK && smvm_store_activate(&b.store, IMAGE_SESSION, 0) == SM_OK);
-    CHECK(restarts(&b) && b.slot == 0 && smvm_store_confirm(&b.store, new_image.checksum) == SM_OK);
+    CHECK(restart_board(&b) && b.slot == 0 && smvm_store_confirm(&b.store, new_image.checksum) == SM_OK);
     b.is_authentic = is_ours;
-    CHECK(restarts(&b) && b.slot == STORE_BUILT_IN);
+    CHECK(restart_board(&b) && b.slot == STORE_BUILT_IN);
 }
 
-// Without a key nothing is asked, and no number kept.
-static void board_without_key_accepts_all(void)
+// A board without a key checks no code and stores no number.
+static void test_board_without_key_accepts_all(void)
 {
     Board b;
 
-    CHECK(board_new(&b, "eeprom", 2) && runs_number(&b, 5, true) && newest(&b) == 0 && runs_number(&b, 4, true));
+    CHECK(board_new(&b, "eeprom", 2) && run_number(&b, 5, true) && newest_number(&b) == 0 && run_number(&b, 4, true));
 }
 
 // HELLO tells a host that the board has a key, so that it need not try other images.
-static void hello_reports_the_key(void)
+static void test_hello_reports_the_key(void)
 {
     uint8_t request[LINK_ROOM(0)] = {0, 1, LINK_HELLO}, answer[LINK_ROOM(BOARD_BODY)];
     LinkReceiver r;
     uint16_t n = 0, length;
     Board b;
 
-    board_with_key(&b, "eeprom", 2);
-    CHECK(runs_number(&b, 0x01020304, true) && board_start(&b));
+    new_board_with_key(&b, "eeprom", 2);
+    CHECK(run_number(&b, 0x01020304, true) && board_start(&b));
     length = sm_link_encode(request, LINK_HEAD);
     for (uint16_t i = 0; i < length; i++)
         n = board_takes(&b, request[i]);
@@ -330,20 +330,20 @@ static void hello_reports_the_key(void)
 
 // ---- cuts ----
 
-// The power goes in the middle of the record that confirms: the image is confirmed and its number known, or neither.
-static void confirming_is_cut(const char *memory)
+// The power fails while the record of the confirmation is written: the image is confirmed and its number stored, or neither.
+static void test_confirming_is_atomic(const char *memory)
 {
     for (uint32_t byte = 0; byte <= STORE_RECORD; byte++)
         for (uint32_t call = 0; call < 2; call++) {
-            const Image s = signed_with(our_key, &old_image, 9);
+            const Image s = sign_image(our_key, &old_image, 9);
             Board b;
-            board_with_key(&b, memory, 2);
-            CHECK(runs_number(&b, 6, true) && runs_number(&b, 9, false));
+            new_board_with_key(&b, memory, 2);
+            CHECK(run_number(&b, 6, true) && run_number(&b, 9, false));
             sim_cut_power(call, byte);
             smvm_store_confirm(&b.store, s.checksum);
-            CHECK(restarts(&b) && b.slot != STORE_BUILT_IN);
-            CHECK(newest(&b) == (b.store.choice.confirmed ? 9u : 6u));
-            CHECK(smvm_store_confirm(&b.store, s.checksum) == SM_OK && restarts(&b) && newest(&b) == 9);
+            CHECK(restart_board(&b) && b.slot != STORE_BUILT_IN);
+            CHECK(newest_number(&b) == (b.store.choice.confirmed ? 9u : 6u));
+            CHECK(smvm_store_confirm(&b.store, s.checksum) == SM_OK && restart_board(&b) && newest_number(&b) == 9);
             CHECK(send_number(&b, 8) == SM_E_REPLAY);
         }
 }
@@ -353,23 +353,23 @@ int main(int argc, char **argv)
     if (argc < 3 || !image_load(argv[1], &old_image) || !image_load(argv[2], &new_image) ||
         old_image.length + SIGN_ROOM > IMAGE_ROOM || new_image.length + SIGN_ROOM > IMAGE_ROOM)
         return fprintf(stderr, "auth OLD.smb NEW.smb\n"), 2;
-    signing_leaves_the_rest();
-    signing_has_limits();
-    every_bit_is_guarded();
-    the_code_ends_the_image();
+    test_signing_preserves_the_content();
+    test_signing_has_limits();
+    test_every_bit_is_authenticated();
+    test_code_ends_the_image();
     for (uint8_t slots = 1; slots <= 2; slots++) {
-        unsigned_image_is_refused(slots);
-        no_number_is_reused(slots);
-        no_fallback_to_unaccepted_image(slots);
+        test_unsigned_image_is_refused(slots);
+        test_no_number_is_reused(slots);
+        test_no_fallback_to_unaccepted_image(slots);
     }
-    injected_image_does_not_run();
-    board_without_key_accepts_all();
-    an_update_cut_off_is_not_confirmed();
-    refused_begin_has_no_effect();
-    signing_adds_a_permit();
-    machine_is_stopped_with_a_permit_only();
-    hello_reports_the_key();
-    confirming_is_cut("eeprom");
-    confirming_is_cut("flash");
+    test_injected_image_does_not_run();
+    test_board_without_key_accepts_all();
+    test_interrupted_update_is_not_confirmed();
+    test_refused_begin_has_no_effect();
+    test_signing_adds_a_permit();
+    test_stop_needs_a_permit();
+    test_hello_reports_the_key();
+    test_confirming_is_atomic("eeprom");
+    test_confirming_is_atomic("flash");
     return test_end("auth");
 }

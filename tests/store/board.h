@@ -49,7 +49,7 @@ static SmResult board_leave(void *context, const uint8_t *begin, uint8_t n)
     return SM_OK;
 }
 
-// It has pins 1 to 3, and they are what they are called.
+// The board has pins 1 to 3, with the numbers 1 to 3.
 static uint8_t board_pin(uint16_t number, uint8_t kind)
 {
     return kind == 2 && number >= 1 && number <= 3 ? (uint8_t)number : SMVM_NO_PIN;
@@ -63,7 +63,7 @@ static bool board_opens(Board *b)
     return true;
 }
 
-// Power on: the content of RAM is lost.
+// Switches the power on: the content of RAM is lost.
 static bool board_start(Board *b)
 {
     sim_power_on();
@@ -77,6 +77,7 @@ static bool board_start(Board *b)
         b->board.ram = 1000;
         b->board.machines = 3;
         b->board.windows = true;
+        b->board.functions = 0x70001;
         b->board.ram_digital = 10;
         b->board.ram_analog = 26;
         b->board.period = 300;
@@ -88,7 +89,7 @@ static bool board_start(Board *b)
     return b->up;
 }
 
-// A new board with an empty memory.
+// Resets to a new board with an empty memory.
 static bool board_new(Board *b, const char *memory, uint8_t slots)
 {
     memset(b, 0, sizeof *b);

@@ -23,16 +23,16 @@ static Image old_image, new_image;
 
 // ---- what happens to it ----
 
-static bool opens(Device *d) { return image_store(&d->store, d->memory, d->slots); }
+static bool open_store(Device *d) { return image_store(&d->store, d->memory, d->slots); }
 
-// A start: returns the running image.  The power can fail during the choice as well; then nothing runs yet.
-static Runs start(Device *d)
+// Starts the device and returns the running image.  The power can fail during the choice as well; then no image runs yet.
+static Runs start_device(Device *d)
 {
     const uint8_t *there;
     uint32_t checksum;
 
     sim_power_on();
-    if (!opens(d) || smvm_store_boot(&d->store, &d->slot) != SM_OK)
+    if (!open_store(d) || smvm_store_boot(&d->store, &d->slot) != SM_OK)
         return RUNS_NOTHING;
     if (d->slot == STORE_BUILT_IN)
         return RUNS_BUILT_IN;
@@ -45,74 +45,74 @@ static Runs start(Device *d)
     return checksum == new_image.checksum && memcmp(there, new_image.bytes, new_image.length) == 0 ? RUNS_NEW : RUNS_NOTHING;
 }
 
-static bool sends(Device *d, const Image *image) { return image_send(&d->store, image) == SM_OK; }
-static bool updates(Device *d, const Image *image) { return sends(d, image) && smvm_store_activate(&d->store, 7, 0) == SM_OK; }
+static bool send_image(Device *d, const Image *image) { return image_send(&d->store, image) == SM_OK; }
+static bool update_device(Device *d, const Image *image) { return send_image(d, image) && smvm_store_activate(&d->store, 7, 0) == SM_OK; }
 
 // How far an update came before the power went.
 typedef struct Progress { bool chosen, confirmed; } Progress;
 
-// The whole story: send, choose, start, confirm.  It ends where the power goes.
+// Sends, chooses, starts and confirms the new image.  Ends when the power fails.
 static Progress update_and_confirm(Device *d)
 {
     Progress p = {false, false};
 
-    if (!updates(d, &new_image))
+    if (!update_device(d, &new_image))
         return p;
     p.chosen = true;
     pal_nvm_close(d->store.nvm);
-    if (!opens(d) || smvm_store_boot(&d->store, &d->slot) != SM_OK)
+    if (!open_store(d) || smvm_store_boot(&d->store, &d->slot) != SM_OK)
         return p;
     p.confirmed = smvm_store_confirm(&d->store, new_image.checksum) == SM_OK;
     return p;
 }
 
-// A device on which the old image is confirmed, and runs.
-static void prepare(Device *d, const char *memory, uint8_t slots)
+// Prepares a device on which the old image is confirmed and runs.
+static void prepare_device(Device *d, const char *memory, uint8_t slots)
 {
     memset(d, 0, sizeof *d);
     d->memory = memory;
     d->slots = slots;
     sim_reset();
-    CHECK(opens(d) && updates(d, &old_image));
-    CHECK(start(d) == RUNS_OLD);
+    CHECK(open_store(d) && update_device(d, &old_image));
+    CHECK(start_device(d) == RUNS_OLD);
     CHECK(smvm_store_confirm(&d->store, old_image.checksum) == SM_OK);
 }
 
 // ---- cuts ----
 
-// Whether a device that comes back after a cut is as it must be.
-static bool is_sound(const Device *d, Runs runs, Progress p)
+// Whether a device runs what it must after a cut: the new image once it was chosen; else the old one or, with one slot, the built-in one.
+static bool runs_expected_image(const Device *d, Runs runs, Progress p)
 {
     if (p.chosen || runs == RUNS_NEW)
         return runs == RUNS_NEW;
     return runs == RUNS_OLD || (d->slots == 1 && runs == RUNS_BUILT_IN);
 }
 
-// With the update cut, then a start, then the same again with a second cut, then without: it always ends with the new image.
-static bool survives_both(const char *memory, uint8_t slots, const uint32_t first[2], const uint32_t second[2])
+// The update is cut, the device starts, the same update is cut again, and then it is not cut: the new image always runs at the end.
+static bool survives_two_cuts(const char *memory, uint8_t slots, const uint32_t first[2], const uint32_t second[2])
 {
     Device d;
     Progress p;
     Runs runs;
 
-    prepare(&d, memory, slots);
+    prepare_device(&d, memory, slots);
     sim_cut_power(first[0], first[1]);
     p = update_and_confirm(&d);
-    runs = start(&d);
-    if (!is_sound(&d, runs, p))
+    runs = start_device(&d);
+    if (!runs_expected_image(&d, runs, p))
         return false;
     if (runs == RUNS_NEW)
-        return smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && start(&d) == RUNS_NEW;
+        return smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && start_device(&d) == RUNS_NEW;
     if (second) {
         sim_cut_power(second[0], second[1]);
         p = update_and_confirm(&d);
-        runs = start(&d);
-        if (!is_sound(&d, runs, p))
+        runs = start_device(&d);
+        if (!runs_expected_image(&d, runs, p))
             return false;
     }
-    if (runs != RUNS_NEW && (!updates(&d, &new_image) || start(&d) != RUNS_NEW))
+    if (runs != RUNS_NEW && (!update_device(&d, &new_image) || start_device(&d) != RUNS_NEW))
         return false;
-    return smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && start(&d) == RUNS_NEW;
+    return smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && start_device(&d) == RUNS_NEW;
 }
 
 // Every place at which the power can go in an update: in which write or erase, and after how many of its bytes.
@@ -123,22 +123,24 @@ static uint32_t writes_of_an_update(const char *memory, uint8_t slots)
     uint32_t before;
     Device d;
 
-    prepare(&d, memory, slots);
+    prepare_device(&d, memory, slots);
     before = sim_count(SIM_nvm_write) + sim_count(SIM_nvm_erase);
     CHECK(update_and_confirm(&d).confirmed);
     return sim_count(SIM_nvm_write) + sim_count(SIM_nvm_erase) - before;
 }
 
-static void memory_after(const char *memory, uint8_t slots, uint32_t call, uint32_t byte, uint8_t *bytes)
+// Returns in `bytes` the memory after an update in which the power fails in write or erase number `call`, after `byte` bytes.
+static void memory_after_cut(const char *memory, uint8_t slots, uint32_t call, uint32_t byte, uint8_t *bytes)
 {
     Device d;
 
-    prepare(&d, memory, slots);
+    prepare_device(&d, memory, slots);
     sim_cut_power(call, byte);
     update_and_confirm(&d);
     memcpy(bytes, sim_nvm(memory), SIM_NVM_SIZE);
 }
 
+// Lists each write or erase of an update, and each number of bytes after which it can be cut.
 static void list_cuts(const char *memory, uint8_t slots, Cuts *cuts)
 {
     static uint8_t done[SIM_NVM_SIZE], now[SIM_NVM_SIZE];
@@ -146,9 +148,9 @@ static void list_cuts(const char *memory, uint8_t slots, Cuts *cuts)
 
     cuts->n = 0;
     for (uint32_t call = 0; call < calls; call++) {
-        memory_after(memory, slots, call, SIM_NVM_SIZE, done);
+        memory_after_cut(memory, slots, call, SIM_NVM_SIZE, done);
         for (uint32_t byte = 0;; byte++) {
-            memory_after(memory, slots, call, byte, now);
+            memory_after_cut(memory, slots, call, byte, now);
             cuts->at[cuts->n][0] = call;
             cuts->at[cuts->n++][1] = byte;
             if (memcmp(now, done, sizeof now) == 0 || cuts->n == 2048)
@@ -158,17 +160,17 @@ static void list_cuts(const char *memory, uint8_t slots, Cuts *cuts)
     CHECK(cuts->n < 2048);
 }
 
-static void try_cuts(const char *memory, uint8_t slots, bool all)
+static void test_cuts_of_an_update(const char *memory, uint8_t slots, bool all)
 {
     static Cuts cuts;
     uint32_t pairs = 0;
 
     list_cuts(memory, slots, &cuts);
     for (uint32_t i = 0; i < cuts.n; i++) {
-        CHECK(survives_both(memory, slots, cuts.at[i], NULL));
+        CHECK(survives_two_cuts(memory, slots, cuts.at[i], NULL));
         for (uint32_t k = 0; k < cuts.n; k++)
             if (all || (i % 13 == 0 && k % 5 == 0)) {
-                CHECK(survives_both(memory, slots, cuts.at[i], cuts.at[k]));
+                CHECK(survives_two_cuts(memory, slots, cuts.at[i], cuts.at[k]));
                 pairs++;
             }
     }
@@ -177,63 +179,64 @@ static void try_cuts(const char *memory, uint8_t slots, bool all)
 
 // ---- trials ----
 
-static void a_trial_that_is_not_confirmed_ends(void)
+static void test_unconfirmed_trial_ends(void)
 {
     Device d;
 
-    prepare(&d, "eeprom", 2);
-    CHECK(updates(&d, &new_image));
+    prepare_device(&d, "eeprom", 2);
+    CHECK(update_device(&d, &new_image));
     CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_E_ARGUMENT);       // it does not run yet
     for (int i = 0; i < STORE_TRIES; i++) {
-        CHECK(start(&d) == RUNS_NEW && smvm_store_count_start(&d.store) == SM_OK);
+        CHECK(start_device(&d) == RUNS_NEW && smvm_store_count_start(&d.store) == SM_OK);
         CHECK(smvm_store_begin(&d.store, 8, old_image.length, old_image.checksum) == SM_E_BUSY);
     }
-    CHECK(start(&d) == RUNS_OLD);
-    CHECK(start(&d) == RUNS_OLD && d.store.choice.confirmed);
+    CHECK(start_device(&d) == RUNS_OLD);
+    CHECK(start_device(&d) == RUNS_OLD && d.store.choice.confirmed);
 }
 
-// A host that restarts the board whenever it opens the line uses up little of a trial; an image that never runs for long still loses it.
-static void a_short_start_counts_less(void)
+// A host that restarts the board whenever it opens the line uses up little of a trial.  An image that never runs for long still loses the
+// trial.
+static void test_short_start_counts_less(void)
 {
     int starts = 0;
     Device d;
 
-    prepare(&d, "eeprom", 2);
-    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW && smvm_store_count_start(&d.store) == SM_OK);
+    prepare_device(&d, "eeprom", 2);
+    CHECK(update_device(&d, &new_image) && start_device(&d) == RUNS_NEW && smvm_store_count_start(&d.store) == SM_OK);
     CHECK(d.store.choice.tries == (STORE_TRIES - 1) * STORE_START);
-    for (; starts < 100 && start(&d) == RUNS_NEW; starts++)
+    for (; starts < 100 && start_device(&d) == RUNS_NEW; starts++)
         CHECK(smvm_store_flags(&d.store, 0) == STORE_FALLBACK);
     CHECK(starts == (STORE_TRIES - 1) * STORE_START && d.slot == 0);
     CHECK(smvm_store_flags(&d.store, 1) == STORE_STARTS_USED && smvm_store_flags(&d.store, 0) == 0);
-    CHECK(start(&d) == RUNS_OLD && smvm_store_flags(&d.store, 1) == STORE_STARTS_USED);
-    CHECK(updates(&d, &new_image) && smvm_store_flags(&d.store, 1) == 0 && smvm_store_flags(&d.store, 0) == STORE_FALLBACK);
+    CHECK(start_device(&d) == RUNS_OLD && smvm_store_flags(&d.store, 1) == STORE_STARTS_USED);
+    CHECK(update_device(&d, &new_image) && smvm_store_flags(&d.store, 1) == 0 && smvm_store_flags(&d.store, 0) == STORE_FALLBACK);
 }
 
-// It counts once, only on trial, and only while the image on trial is what runs.
-static void a_start_counts_once(void)
+// A start counts once, only on trial, and only while the image on trial runs.
+static void test_start_counts_once(void)
 {
     uint32_t number;
     Device d;
 
-    prepare(&d, "eeprom", 2);
-    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
+    prepare_device(&d, "eeprom", 2);
+    CHECK(update_device(&d, &new_image) && start_device(&d) == RUNS_NEW);
     number = sm_link_load(d.store.choice.number, 4);
     for (int i = 0; i < 3; i++)
         CHECK(smvm_store_count_start(&d.store) == SM_OK && sm_link_load(d.store.choice.number, 4) == number + 1);
-    CHECK(start(&d) == RUNS_NEW && smvm_store_confirm(&d.store, new_image.checksum) == SM_OK);
+    CHECK(start_device(&d) == RUNS_NEW && smvm_store_confirm(&d.store, new_image.checksum) == SM_OK);
     number = sm_link_load(d.store.choice.number, 4);
     CHECK(smvm_store_count_start(&d.store) == SM_OK && sm_link_load(d.store.choice.number, 4) == number);
-    CHECK(updates(&d, &old_image) && smvm_store_count_start(&d.store) == SM_OK);         // chosen, and not started yet
+    CHECK(update_device(&d, &old_image) && smvm_store_count_start(&d.store) == SM_OK);         // chosen, and not started yet
     CHECK(d.store.choice.tries == STORE_TRIES * STORE_START);
 }
 
-// A record that cannot be written leaves the choice as it is on the medium.
-static void a_choice_that_cannot_be_written_is_none(void)
+// If the record of a choice cannot be written, the earlier choice on the medium remains.
+static void test_failed_choice_changes_nothing(void)
 {
     Device d;
 
-    prepare(&d, "eeprom", 2);
-    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
+    prepare_device(&d, "eeprom", 2);
+    CHECK(update_device(&d, &new_image) && start_device(&d) == RUNS_NEW);
     sim_break(SIM_nvm_write, 0, SM_E_DEVICE);
     CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_E_DEVICE && !d.store.choice.confirmed);
     CHECK(smvm_store_count_start(&d.store) == SM_E_DEVICE && d.store.choice.tries == STORE_TRIES * STORE_START - 1);
@@ -241,57 +244,57 @@ static void a_choice_that_cannot_be_written_is_none(void)
     CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && d.store.choice.confirmed);
 }
 
-// A start that cannot be counted would be one of any number: the trial is not run.
-static void a_trial_that_cannot_be_counted_does_not_run(void)
+// If a start cannot be counted, the image on trial does not run, because the number of its starts would be unlimited.
+static void test_uncounted_trial_does_not_run(void)
 {
     Device d;
 
-    prepare(&d, "eeprom", 2);
-    CHECK(updates(&d, &new_image));
+    prepare_device(&d, "eeprom", 2);
+    CHECK(update_device(&d, &new_image));
     sim_break(SIM_nvm_write, 0, SM_E_DEVICE);
     sim_power_on();
-    CHECK(opens(&d) && smvm_store_boot(&d.store, &d.slot) == SM_E_DEVICE && d.slot == 0);
+    CHECK(open_store(&d) && smvm_store_boot(&d.store, &d.slot) == SM_E_DEVICE && d.slot == 0);
     sim_break(SIM_nvm_write, 0, SM_OK);
-    CHECK(start(&d) == RUNS_NEW);
+    CHECK(start_device(&d) == RUNS_NEW);
 }
 
-// One that cannot run is passed over at its start, and the power goes in that: it is on trial as before, or over.
-static void power_cut_while_a_trial_is_skipped(const char *memory)
+// An image on trial that cannot run is skipped at its start, and the power fails meanwhile: the trial continues, or it has ended.
+static void test_cut_while_a_trial_is_skipped(const char *memory)
 {
     Device d;
     Runs runs;
 
     for (uint32_t cut = 0; cut < 3 * (STORE_RECORD + 1); cut++) {
-        prepare(&d, memory, 2);
-        CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
+        prepare_device(&d, memory, 2);
+        CHECK(update_device(&d, &new_image) && start_device(&d) == RUNS_NEW);
         sim_cut_power(cut / (STORE_RECORD + 1), cut % (STORE_RECORD + 1));
         (void)smvm_store_skip_image(&d.store, &d.slot);
         CHECK(d.slot == 0);
-        runs = start(&d);
+        runs = start_device(&d);
         CHECK(runs == RUNS_OLD || runs == RUNS_NEW);
         if (runs == RUNS_NEW)
-            CHECK(smvm_store_skip_image(&d.store, &d.slot) == SM_OK && start(&d) == RUNS_OLD);
+            CHECK(smvm_store_skip_image(&d.store, &d.slot) == SM_OK && start_device(&d) == RUNS_OLD);
     }
 }
 
-static void an_erased_trial_gives_way(void)
+static void test_erased_trial_runs_the_previous_image(void)
 {
     Device d;
 
-    prepare(&d, "flash", 2);
-    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
+    prepare_device(&d, "flash", 2);
+    CHECK(update_device(&d, &new_image) && start_device(&d) == RUNS_NEW);
     CHECK(smvm_store_erase(&d.store, 1) == SM_E_MISSING);
     CHECK(smvm_store_erase(&d.store, new_image.checksum) == SM_OK);
     CHECK(memcmp(d.store.plan.image[d.slot], new_image.bytes, new_image.length) == 0);          // it still runs
     CHECK(smvm_store_begin(&d.store, 8, new_image.length, new_image.checksum) == SM_E_BUSY);   // one slot is chosen, the other runs
-    CHECK(start(&d) == RUNS_OLD);
+    CHECK(start_device(&d) == RUNS_OLD);
     CHECK(smvm_store_erase(&d.store, old_image.checksum) == SM_OK);
-    CHECK(start(&d) == RUNS_BUILT_IN);
-    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
+    CHECK(start_device(&d) == RUNS_BUILT_IN);
+    CHECK(update_device(&d, &new_image) && start_device(&d) == RUNS_NEW);
 }
 
-// Both slots hold the same image, and the memory fails at one call while it is erased: that is reported, whichever slot it hits.
-static void an_erasure_of_two_reports_what_fails(void)
+// Both slots contain the same image, and the memory fails at one call of the erasure.  This is reported for either slot.
+static void test_failed_erasure_is_reported(void)
 {
     static const SimCall calls[] = {SIM_nvm_write, SIM_nvm_erase};
 
@@ -301,8 +304,8 @@ static void an_erasure_of_two_reports_what_fails(void)
             Device d;
             uint32_t before;
             SmResult r;
-            prepare(&d, "flash", 2);
-            CHECK(updates(&d, &old_image) && start(&d) == RUNS_OLD && smvm_store_confirm(&d.store, old_image.checksum) == SM_OK);
+            prepare_device(&d, "flash", 2);
+            CHECK(update_device(&d, &old_image) && start_device(&d) == RUNS_OLD && smvm_store_confirm(&d.store, old_image.checksum) == SM_OK);
             CHECK(memcmp(d.store.plan.image[0], d.store.plan.image[1], old_image.length) == 0);
             before = sim_count(calls[k]);
             sim_fail(calls[k], n, SM_E_DEVICE);
@@ -313,21 +316,21 @@ static void an_erasure_of_two_reports_what_fails(void)
             }
             failures++;
             CHECK(r == SM_E_DEVICE);
-            CHECK(smvm_store_erase(&d.store, old_image.checksum) == SM_OK && start(&d) == RUNS_BUILT_IN);
+            CHECK(smvm_store_erase(&d.store, old_image.checksum) == SM_OK && start_device(&d) == RUNS_BUILT_IN);
         }
         CHECK(failures > 0);
     }
 }
 
-// A step that is repeated because its answer was lost does no harm; what does not belong to the update is refused.
-static void steps_may_be_repeated(void)
+// A step that is repeated because its answer was lost does no harm.  A step that does not belong to the update is refused.
+static void test_steps_can_be_repeated(void)
 {
     Device d;
     uint32_t writes;
     SmvmVerdict why;
 
-    prepare(&d, "eeprom", 2);
-    CHECK(sends(&d, &new_image));
+    prepare_device(&d, "eeprom", 2);
+    CHECK(send_image(&d, &new_image));
     writes = sim_count(SIM_nvm_write);
     CHECK(smvm_store_begin(&d.store, 7, new_image.length, new_image.checksum) == SM_OK);
     CHECK(smvm_store_write(&d.store, 7, 0, new_image.bytes, IMAGE_BLOCK) == SM_OK);
@@ -337,19 +340,19 @@ static void steps_may_be_repeated(void)
     CHECK(smvm_store_end(&d.store, 7, &why) == SM_OK && sim_count(SIM_nvm_write) == writes);
     CHECK(smvm_store_activate(&d.store, 7, 0) == SM_OK && smvm_store_activate(&d.store, 7, 0) == SM_OK);
     CHECK(sim_count(SIM_nvm_write) == writes + 1);
-    CHECK(start(&d) == RUNS_NEW);
+    CHECK(start_device(&d) == RUNS_NEW);
     CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && smvm_store_confirm(&d.store, new_image.checksum) == SM_OK);
     CHECK(smvm_store_activate(&d.store, 7, 0) == SM_E_HANDLE && smvm_store_end(&d.store, 7, &why) == SM_E_HANDLE);
 }
 
-// What lay in the memory before may be the very image that is to come: only what was sent in this session counts.
-static void old_content_does_not_count_as_sent(void)
+// The memory can already contain the image that is sent.  Only bytes that were sent in this session count.
+static void test_old_content_does_not_count_as_sent(void)
 {
     Device d;
     SmvmVerdict why;
 
-    prepare(&d, "eeprom", 2);
-    CHECK(sends(&d, &new_image));
+    prepare_device(&d, "eeprom", 2);
+    CHECK(send_image(&d, &new_image));
     CHECK(smvm_store_begin(&d.store, 8, new_image.length, new_image.checksum) == SM_OK);
     CHECK(smvm_store_activate(&d.store, 8, 0) == SM_E_HANDLE);
     CHECK(smvm_store_write(&d.store, 8, 0, new_image.bytes, IMAGE_BLOCK) == SM_OK);
@@ -357,75 +360,76 @@ static void old_content_does_not_count_as_sent(void)
     CHECK(smvm_store_end(&d.store, 8, &why) == SM_E_ARGUMENT && smvm_store_activate(&d.store, 8, 0) == SM_E_HANDLE);
 }
 
-// An image that is whole, but not the one that was announced.
-static void another_image_is_refused(void)
+// A valid image that is not the announced one is refused.
+static void test_unannounced_image_is_refused(void)
 {
     Image announced = new_image;
     Device d;
 
-    prepare(&d, "flash", 2);
+    prepare_device(&d, "flash", 2);
     announced.checksum ^= 1;
     CHECK(image_send(&d.store, &announced) == SM_E_DEVICE && smvm_store_activate(&d.store, 7, 0) == SM_E_HANDLE);
-    CHECK(start(&d) == RUNS_OLD);
+    CHECK(start_device(&d) == RUNS_OLD);
 }
 
-// After a failed write the content there is undefined.
-static void failed_write_ends_the_update(void)
+// After a failed write the content at its address is undefined.
+static void test_failed_write_ends_the_update(void)
 {
     Device d;
 
-    prepare(&d, "flash", 2);
+    prepare_device(&d, "flash", 2);
     CHECK(smvm_store_begin(&d.store, 7, new_image.length, new_image.checksum) == SM_OK);
     sim_fail(SIM_nvm_write, 0, SM_E_DEVICE);
     CHECK(smvm_store_write(&d.store, 7, 0, new_image.bytes, IMAGE_BLOCK) == SM_E_DEVICE);
     CHECK(smvm_store_write(&d.store, 7, 0, new_image.bytes, IMAGE_BLOCK) == SM_E_HANDLE);
-    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
+    CHECK(update_device(&d, &new_image) && start_device(&d) == RUNS_NEW);
 }
 
-// The answer to the choice was lost, and it comes again after the image was confirmed: it stays so, and what was before it is not forgotten.
-static void a_late_repetition_does_no_harm(void)
+// The answer to the choice was lost, and the host repeats the choice after the image was confirmed.  The image stays confirmed, and the
+// image before it stays known.
+static void test_late_repetition_does_no_harm(void)
 {
     Device d;
 
-    prepare(&d, "eeprom", 2);
-    CHECK(updates(&d, &new_image));
+    prepare_device(&d, "eeprom", 2);
+    CHECK(update_device(&d, &new_image));
     d.store.running = d.store.choice.active;
     CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && smvm_store_activate(&d.store, 7, 0) == SM_OK);
     CHECK(d.store.choice.confirmed && d.store.choice.previous != d.store.choice.active);
 }
 
-// A period comes and goes with its image; one slot: another period for the same image is a trial of its own.
-static void a_period_goes_with_its_image(void)
+// A period is stored with its image.  With one slot, another period for the same image is a trial of its own.
+static void test_period_belongs_to_its_image(void)
 {
     Device d;
 
     for (uint8_t slots = 1; slots <= 2; slots++) {
-        prepare(&d, "eeprom", slots);
-        CHECK(sends(&d, &new_image) && smvm_store_activate(&d.store, 7, 20) == SM_OK && start(&d) == RUNS_NEW);
+        prepare_device(&d, "eeprom", slots);
+        CHECK(send_image(&d, &new_image) && smvm_store_activate(&d.store, 7, 20) == SM_OK && start_device(&d) == RUNS_NEW);
         CHECK(smvm_store_period(&d.store, d.store.running) == 20 && smvm_store_confirm(&d.store, new_image.checksum) == SM_OK);
         smvm_store_run_built_in(&d.store);
-        CHECK(sends(&d, &new_image) && smvm_store_activate(&d.store, 7, 30) == SM_OK);
+        CHECK(send_image(&d, &new_image) && smvm_store_activate(&d.store, 7, 30) == SM_OK);
         for (int i = 0; i < STORE_TRIES * STORE_START; i++)
-            CHECK(start(&d) == RUNS_NEW && smvm_store_period(&d.store, d.store.running) == 30);
-        CHECK(start(&d) == (slots == 1 ? RUNS_BUILT_IN : RUNS_NEW));
+            CHECK(start_device(&d) == RUNS_NEW && smvm_store_period(&d.store, d.store.running) == 30);
+        CHECK(start_device(&d) == (slots == 1 ? RUNS_BUILT_IN : RUNS_NEW));
         CHECK(smvm_store_period(&d.store, d.store.running) == (slots == 1 ? 0 : 20));
     }
 }
 
-static void too_large_image_is_refused(void)
+static void test_too_large_image_is_refused(void)
 {
     Device d;
     StorePlan plan = {64, 2, {NULL, NULL}};
     Image damaged = new_image;
     Store s;
 
-    prepare(&d, "eeprom", 2);
+    prepare_device(&d, "eeprom", 2);
     CHECK(smvm_store_begin(&d.store, 9, d.store.slot_size + 1, 0) == SM_E_SPACE);
     CHECK(smvm_store_begin(&d.store, 9, 11, 0) == SM_E_ARGUMENT);         // an image begins with a header of 12 bytes
     CHECK(smvm_store_begin(&d.store, 0, 100, 0) == SM_E_ARGUMENT);
     damaged.bytes[damaged.length - 1] ^= 1;
-    CHECK(!sends(&d, &damaged) && smvm_store_activate(&d.store, 7, 0) == SM_E_HANDLE);
-    CHECK(start(&d) == RUNS_OLD);
+    CHECK(!send_image(&d, &damaged) && smvm_store_activate(&d.store, 7, 0) == SM_E_HANDLE);
+    CHECK(start_device(&d) == RUNS_OLD);
     CHECK(smvm_store_open(&s, d.store.nvm, &plan) == SM_E_SPACE);
     plan.slots = 3;
     CHECK(smvm_store_open(&s, d.store.nvm, &plan) == SM_E_ARGUMENT);
@@ -433,39 +437,39 @@ static void too_large_image_is_refused(void)
 
 // ---- memory that goes bad ----
 
-// Any bit of the memory flips while the power is off: an image that is whole runs, and never a damaged one.
-static void flipped_bits_are_noticed(const char *memory)
+// Each bit of the memory flips while the power is off.  A whole image runs, a damaged one never does.
+static void test_flipped_bits_are_noticed(const char *memory)
 {
     Device d;
     static uint8_t kept[SIM_NVM_SIZE];
     unsigned built_in = 0;
 
-    prepare(&d, memory, 2);
-    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW && smvm_store_confirm(&d.store, new_image.checksum) == SM_OK);
+    prepare_device(&d, memory, 2);
+    CHECK(update_device(&d, &new_image) && start_device(&d) == RUNS_NEW && smvm_store_confirm(&d.store, new_image.checksum) == SM_OK);
     memcpy(kept, sim_nvm(memory), sizeof kept);
     for (uint32_t bit = 0; bit < 8 * SIM_NVM_SIZE; bit++) {
         Runs runs;
         memcpy(sim_nvm(memory), kept, sizeof kept);
         sim_nvm(memory)[bit / 8] ^= (uint8_t)(1u << bit % 8);
-        runs = start(&d);
+        runs = start_device(&d);
         CHECK(runs == RUNS_NEW || runs == RUNS_OLD || runs == RUNS_BUILT_IN);
         built_in += runs == RUNS_BUILT_IN;
     }
     CHECK(built_in == 0);              // of two images and two records one was always whole
 }
 
-// One bit of the memory is stuck during the whole story: the update is refused, or it works.
-static void stuck_bits_are_noticed(void)
+// One bit of the memory is stuck during the update: the update is refused, or it works.
+static void test_stuck_bits_are_noticed(void)
 {
     for (uint32_t bit = 0; bit < 8 * SIM_NVM_SIZE; bit++)
         for (unsigned value = 0; value < 2; value++) {
             Device d;
             Runs runs;
             bool chosen;
-            prepare(&d, "eeprom", 2);
+            prepare_device(&d, "eeprom", 2);
             sim_stick("eeprom", bit / 8, (uint8_t)(1u << bit % 8), value ? 0xff : 0);
-            chosen = updates(&d, &new_image);
-            runs = start(&d);
+            chosen = update_device(&d, &new_image);
+            runs = start_device(&d);
             CHECK(runs == RUNS_NEW || runs == RUNS_OLD);
             CHECK(chosen || runs == RUNS_OLD || bit / 8 < 2 * STORE_RECORD);
         }
@@ -479,28 +483,28 @@ int main(int argc, char **argv)
         fprintf(stderr, "cuts OLD.smb NEW.smb [all]\n");
         return 2;
     }
-    a_trial_that_is_not_confirmed_ends();
-    a_short_start_counts_less();
-    a_start_counts_once();
-    a_choice_that_cannot_be_written_is_none();
-    a_trial_that_cannot_be_counted_does_not_run();
-    power_cut_while_a_trial_is_skipped("eeprom");
-    power_cut_while_a_trial_is_skipped("flash");
-    an_erased_trial_gives_way();
-    an_erasure_of_two_reports_what_fails();
-    a_late_repetition_does_no_harm();
-    steps_may_be_repeated();
-    failed_write_ends_the_update();
-    old_content_does_not_count_as_sent();
-    another_image_is_refused();
-    a_period_goes_with_its_image();
-    too_large_image_is_refused();
-    flipped_bits_are_noticed("eeprom");
-    flipped_bits_are_noticed("flash");
-    stuck_bits_are_noticed();
+    test_unconfirmed_trial_ends();
+    test_short_start_counts_less();
+    test_start_counts_once();
+    test_failed_choice_changes_nothing();
+    test_uncounted_trial_does_not_run();
+    test_cut_while_a_trial_is_skipped("eeprom");
+    test_cut_while_a_trial_is_skipped("flash");
+    test_erased_trial_runs_the_previous_image();
+    test_failed_erasure_is_reported();
+    test_late_repetition_does_no_harm();
+    test_steps_can_be_repeated();
+    test_failed_write_ends_the_update();
+    test_old_content_does_not_count_as_sent();
+    test_unannounced_image_is_refused();
+    test_period_belongs_to_its_image();
+    test_too_large_image_is_refused();
+    test_flipped_bits_are_noticed("eeprom");
+    test_flipped_bits_are_noticed("flash");
+    test_stuck_bits_are_noticed();
     for (uint8_t slots = 1; slots <= 2; slots++) {
-        try_cuts("eeprom", slots, all);
-        try_cuts("flash", slots, all);
+        test_cuts_of_an_update("eeprom", slots, all);
+        test_cuts_of_an_update("flash", slots, all);
     }
     return test_end("store");
 }

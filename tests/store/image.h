@@ -25,7 +25,7 @@ static inline bool image_load(const char *path, Image *image)
     return image->length > SMVM_HEADER && image->length < IMAGE_ROOM;
 }
 
-// A store over a memory: two records, then the slots.
+// A store in a memory: two records, then the slots.
 static inline bool image_store(Store *s, const char *memory, uint8_t slots)
 {
     StorePlan plan = {SIM_NVM_SIZE, slots, {NULL, NULL}};
@@ -42,7 +42,7 @@ static inline bool image_store(Store *s, const char *memory, uint8_t slots)
     return smvm_store_open(s, nvm, &plan) == SM_OK;
 }
 
-// Up to the verdict, in session IMAGE_SESSION.
+// Sends an image in session IMAGE_SESSION, up to the verdict.
 static inline SmResult image_send(Store *s, const Image *image)
 {
     SmvmVerdict why;

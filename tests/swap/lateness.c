@@ -19,7 +19,7 @@ static unsigned exchanged;
 static void act(const SmTick *tick)
 {
     const SwapMachine *a = &machine[0][exchanged & 1], *b = &machine[1][exchanged & 1];
-    const SmSwapChange change[] = {{"a", a->image, a->image_size, SM_SWAP_CONTINUE, NULL}, {"b", b->image, b->image_size, SM_SWAP_CONTINUE, NULL}};
+    const SmSwapChange change[] = {{"a", a->image, a->image_size, SM_SWAP_CONTINUE, NULL, false}, {"b", b->image, b->image_size, SM_SWAP_CONTINUE, NULL, false}};
 
     if (tick->time >= run_time)
         sm_app_stop(&stage.app);

@@ -357,6 +357,76 @@ static void test_lost_and_repeated(Arena *arena)
     }
 }
 
+// clause 12.34: refused requests are in the events, each result once a second, and not those of a repetition
+static void test_refused_requests(Arena *arena)
+{
+    LinkHost h;
+    ApplicationSwap s;
+    SmEvent e;
+    Buf swap;
+
+    begin(&h);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
+    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
+    stage_settle();
+    CHECK(stage_phase() == SM_SWAP_TRIAL && stage_events(SM_EVENT_HOST_REFUSED, NULL) == 0);
+    for (uint16_t session = 6; session < 20; session++)
+        CHECK(send(&h, &swap, NULL, 0, session) == APPLICATION_BEGIN && h.result == SM_E_BUSY);
+    CHECK(stage_events(SM_EVENT_HOST_REFUSED, &e) == 1 && e.a == (uint32_t)-SM_E_BUSY && e.b == application_swap_checksum(&swap) && e.source == 0);
+    CHECK(application_read_swap(&h, &s));
+    s.checksum ^= 1;
+    CHECK(!application_confirm(&h, &s, NULL) && h.result == SM_E_HANDLE);
+    CHECK(stage_events(SM_EVENT_HOST_REFUSED, &e) == 2 && e.a == (uint32_t)-SM_E_HANDLE && e.b == s.checksum);
+    (void)pal_clock_sleep_until(pal_clock_now() + PAL_SECOND);
+    CHECK(send(&h, &swap, NULL, 0, 20) == APPLICATION_BEGIN && h.result == SM_E_BUSY);
+    CHECK(stage_events(SM_EVENT_HOST_REFUSED, NULL) == 3);
+}
+
+// clauses 12.50, 12.51: CONFIRM is answered when the swap is stored, and refused if that fails; the way back is a swap without an image
+static void test_stored(Arena *arena)
+{
+    const ApplicationChange back = {"a", SM_SWAP_CONTINUE, NULL, NULL, 0};
+    const StagePlan plan = {.a = &one, .room = STAGE_ROOM, .trial = 100000};
+    ApplicationMachine m;
+    ApplicationSwap s;
+    LinkHost h;
+    Buf swap;
+
+    sim_reset();
+    connect_host(&h);
+    stage_set_up(&plan);
+    stage_reach(SM_SWAP_AT_ADDRESS, "", NULL);
+    stage_store("eeprom", 400, NULL);
+    CHECK(stage_start() == SM_OK);
+    run_application();
+    CHECK(application_read_machine(&h, 0, &m) && m.is_built_in && !m.is_stored);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
+    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
+    stage_settle();
+    CHECK(application_read_swap(&h, &s));
+    sim_fail(SIM_nvm_write, 1, SM_E_SPACE);
+    CHECK(!application_confirm(&h, &s, NULL) && h.result == SM_E_DEVICE && stage_phase() == SM_SWAP_TRIAL);
+    CHECK(application_confirm(&h, &s, NULL) && stage_phase() == SM_SWAP_CONFIRMED && application_confirm(&h, &s, NULL));
+    CHECK(application_read_machine(&h, 0, &m) && !m.is_built_in && m.is_stored && m.checksum == stage_identity(&ten));
+    run_application();
+    buf_init(&swap, arena);
+    application_write_swap(&back, 1, NULL, 0, &swap);
+    CHECK(send(&h, &swap, NULL, 0, 6) == APPLICATION_DONE);
+    stage_settle();
+    CHECK(application_read_machine(&h, 0, &m) && m.is_built_in && m.is_on_trial && m.checksum == stage_identity(&one));
+    CHECK(application_read_swap(&h, &s) && application_confirm(&h, &s, NULL));
+    sm_swap_link_close(&stage.link.service);
+    // a storage that does not open: the place is free again
+    sim_reset();
+    memset(sim_nvm("eeprom"), 'x', 64);
+    for (int i = 0; i < 2; i++) {
+        stage_set_up(&plan);
+        stage_reach(SM_SWAP_AT_ADDRESS, "", NULL);
+        stage_store("eeprom", 400, NULL);
+        CHECK(stage_start() == SM_E_FOREIGN && stage.app.failed_file == stage.store.memory);
+    }
+}
+
 // clause 12.37: a second host
 static void test_two_hosts(Arena *arena)
 {
@@ -417,6 +487,7 @@ static void test_keys(Arena *arena)
     uint32_t frames;
     LinkHost h;
     ApplicationSwap s;
+    SmEvent e;
     Buf swap, plain;
 
     read_key(right_key, key);
@@ -434,6 +505,7 @@ static void test_keys(Arena *arena)
         swap.at[i] ^= 1;
     }
     CHECK(stage_phase() == SM_SWAP_IDLE && stage.link.newest == 0);
+    CHECK(stage_events(SM_EVENT_HOST_REFUSED, &e) == 1 && e.a == (uint32_t)-SM_E_UNSIGNED && e.b == application_swap_checksum(&plain));
     CHECK(send(&h, &swap, key, 3, 6) == APPLICATION_DONE && stage.link.newest == 3);
     stage_settle();
     CHECK(application_read_swap(&h, &s) && s.phase == SM_SWAP_TRIAL && s.number == 3);
@@ -449,6 +521,19 @@ static void test_keys(Arena *arena)
     CHECK(send(&h, &swap, key, 3, 9) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 2);
     CHECK(send(&h, &swap, key, 2, 10) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
+    // a permit with a higher number, for a swap that is not signed; also after a swap whose number has been used
+    make_swap(&swap, arena, &ten, NULL, 3, key, 4);
+    CHECK(send(&h, &swap, key, 4, 20) == APPLICATION_DONE && stage.link.newest == 4);
+    run_application();
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, wrong, 5);
+    CHECK(send(&h, &swap, key, 5, 21) == APPLICATION_END && h.result == SM_E_UNSIGNED && stage.link.newest == 4);
+    end_with_key();
+    begin_with_key(&h, true);
+    make_swap(&swap, arena, &ten, NULL, 3, key, 3);
+    CHECK(send(&h, &swap, key, 3, 22) == APPLICATION_DONE && stage.link.newest == 3);
+    end_with_key();
+    begin_with_key(&h, false);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 2);
     // a permit with a higher number for a swap with a lower one
     CHECK(send(&h, &swap, key, 4, 11) == APPLICATION_END && h.result == SM_E_REPLAY && stage_phase() == SM_SWAP_IDLE);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 4);
@@ -469,6 +554,14 @@ static void test_keys(Arena *arena)
     // no key in the file
     sim_nvm("flash")[31] = 'g';
     CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_ARGUMENT && stage.app.failed_file == stage.link.key_file);
+    CHECK(stage.app.reason != NULL);
+    // no memory for the numbers
+    memcpy(sim_nvm("flash"), right_key, 32);
+    stage.link.numbers = "absent";
+    CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_MISSING && stage.app.failed_file == stage.link.numbers && stage.app.reason == NULL);
+    // no file
+    stage.link.key_file = "absent";
+    CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_MISSING && stage.app.failed_file == stage.link.key_file && stage.app.reason != NULL);
 }
 
 // clause 12.47: the power is cut after each byte of the number.  Afterwards the highest number is the one before or the new one.
@@ -663,6 +756,8 @@ int main(int argc, char **argv)
     test_forms(arena);
     test_cuts(arena);
     test_lost_and_repeated(arena);
+    test_refused_requests(arena);
+    test_stored(arena);
     test_two_hosts(arena);
     test_keys(arena);
     test_power_cuts(arena);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hosts and an application as processes: over a socket, TCP and a serial line, with SIGKILL for either at every stage, and `smc swap` itself.
-// Clauses 12.43 to 12.50 of docs/swapping.md.  The application counts in the element `out`; it stops when the test closes a pipe.
+// Clauses 12.43 to 12.54 of docs/swapping.md.  The application counts in the element `out`; it stops when the test closes a pipe.
 //     reach SMC               tests
 //     reach SMC --measure     prints how long a swap takes on this computer
 #define _GNU_SOURCE
@@ -26,6 +26,7 @@
 static SwapMachine one, ten;
 static const char *smc;
 static char socket_name[] = "stand.sock";
+static const char *storage;   // the file of the application's storage; NULL: none
 
 // ---- the application ----
 
@@ -39,6 +40,8 @@ static void run_application(SmSwapPlace place, const char *name, uint16_t port, 
     stage_reach(place, name, key);
     stage.link.numbers = key != NULL ? "numbers" : NULL;
     stage.link.address.port = port;
+    if (storage != NULL)
+        stage_store(storage, 4096, key != NULL ? stage.link.key : NULL);
     _exit(sm_app_run(&stage.app) == SM_OK ? 0 : 1);
 }
 
@@ -268,6 +271,34 @@ static void test_killed_application(void)
     }
 }
 
+// clauses 12.48, 12.49: the application is killed as soon as CONFIRM is answered, and starts with the new machine
+static void test_stored(void)
+{
+    const SwapMachine *const other[] = {&ten, &one};
+
+    storage = "stored";
+    for (int i = 0; i < 2; i++) {
+        ApplicationSwap s;
+        ApplicationMachine m;
+        Buf swap;
+        Host h;
+        pid_t app = start(SM_SWAP_AT_PATH, socket_name, 0, NULL);
+
+        make_swap(&swap, other[i]);
+        CHECK(connect_host(&h, socket_name) && running_checksum(&h) == stage_identity(i == 0 ? &one : &ten));
+        CHECK(application_send_swap(&h.link, &h.info, &swap, NULL, 0, 3) == APPLICATION_DONE && wait_for_phase(&h, SM_SWAP_WAITING) == SM_SWAP_TRIAL);
+        CHECK(application_read_swap(&h.link, &s) && application_confirm(&h.link, &s, NULL));
+        end(app);
+        close(h.fd);
+        app = start(SM_SWAP_AT_PATH, socket_name, 0, NULL);
+        CHECK(connect_host(&h, socket_name) && running_checksum(&h) == stage_identity(other[i]));
+        CHECK(application_read_machine(&h.link, 0, &m) && m.is_built_in == (i == 1) && m.is_stored == (i == 0));
+        close(h.fd);
+        end(app);
+    }
+    storage = NULL;
+}
+
 // ---- the command ----
 
 static int command(const char *arguments)
@@ -302,11 +333,12 @@ static void write_file(const char *name, const char *text)
     CHECK(f != NULL && fputs(text, f) >= 0 && fclose(f) == 0);
 }
 
-// clause 12.49, clause 12.50
+// clause 12.53, clause 12.54
 static void test_command(void)
 {
     pid_t app = start(SM_SWAP_AT_PATH, socket_name, 0, NULL);
     Host h;
+    int status;
 
     write_file("stage.sv", STAGE_SV);
     write_file("a.sm", COUNT(10));
@@ -316,11 +348,11 @@ static void test_command(void)
     close(h.fd);
     CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock") == 2 && printed("swap requires --continue or --restart"));
     CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock --continue --confirm") == 0);
-    CHECK(printed("kept     state A, local n") && printed("confirmed"));
+    CHECK(printed("kept     state A, local n") && printed("confirmed until the application ends") && printed("swap_store"));
     CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock --restart=A --wait") == 1 && printed("it was not confirmed in time"));
     CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock --restart=Nowhere") == 1 && printed("no state of the name"));
     CHECK(command("swap other.sm -w --to=stand.sock --continue") == 1 && printed("those that can be swapped are: a"));
-    CHECK(command("swap a=other.sm -w --to=stand.sock --continue") == 1 && printed("compiled for another state vector"));
+    CHECK(command("swap a=other.sm -w --to=stand.sock --continue") == 1 && printed("compiled for another state vector") && printed("--sv=stand.sv"));
     CHECK(command("build a.sm --sv stage.sv -w -g -o new.smb") == 0);
     CHECK(command("swap a=new.smb --to=stand.sock --continue") == 0 && printed("on trial"));
     CHECK(command("swap a=new.smb --to=stand.sock --continue") == 1 && printed("another swap is in progress"));
@@ -334,7 +366,30 @@ static void test_command(void)
     CHECK(command("swap a=waits.sm --sv stage.sv -w --to=stand.sock --restart --confirm") == 0);
     end(app);
     CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock --continue") == 3);
-    // clause 12.46, clause 12.47: with a key
+    // clause 12.51: with a storage, and back to the built-in machine
+    storage = "stored";
+    app = start(SM_SWAP_AT_PATH, socket_name, 0, NULL);
+    CHECK(connect_host(&h, socket_name));
+    close(h.fd);
+    CHECK(command("device info --port=stand.sock") == 0 && printed(", built in"));
+    CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock --continue --confirm") == 0 && printed("also runs after a restart"));
+    CHECK(command("device info --port=stand.sock") == 0 && printed(", stored"));
+    end(app);
+    app = start(SM_SWAP_AT_PATH, socket_name, 0, NULL);
+    CHECK(connect_host(&h, socket_name));
+    close(h.fd);
+    CHECK(command("device info --port=stand.sock") == 0 && printed(", stored"));
+    CHECK(command("device log --port=stand.sock") == 0 && printed("STORED of machine 0, image "));
+    CHECK(command("device erase 00112233 --port=stand.sock") == 1 && printed("smc swap NAME=built-in"));
+    CHECK(command("swap a=built-in --to=stand.sock --continue") == 0 && printed("the built-in image"));
+    CHECK(command("device confirm --port=stand.sock") == 0 && printed(", built in"));
+    end(app);
+    storage = NULL;
+    CHECK(command("swap built-in --to=stand.sock --continue") == 2 && printed("'built-in' is not a machine"));
+    // clause 12.46, clause 12.47: with a key; without its file the application does not start, and creates nothing
+    app = start(SM_SWAP_AT_PATH, socket_name, 0, "absent.key");
+    CHECK(waitpid(app, &status, 0) == app && WIFEXITED(status) && WEXITSTATUS(status) == 1);
+    CHECK(access("absent.key", F_OK) != 0 && access("numbers", F_OK) != 0);
     CHECK(command("key stand.key") == 0 && command("key other.key") == 0);
     app = start(SM_SWAP_AT_PATH, socket_name, 0, "stand.key");
     CHECK(connect_host(&h, socket_name) && h.info.requires_signature);
@@ -430,6 +485,7 @@ int main(int argc, char **argv)
     test_line();
     test_killed_host();
     test_killed_application();
+    test_stored();
     test_command();
     machine_free(&one);
     machine_free(&ten);

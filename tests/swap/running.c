@@ -35,7 +35,7 @@ static void begin(const SwapMachine *a)
     reset_and_begin(&plan);
 }
 
-// Swaps a for `to` and runs until the swap has been exchanged or refused.  Returns the reason.
+// Swaps machine `a` for `to`, and runs until the machines are exchanged or the swap is refused.  Returns the reason.
 static SmSwapReason swap(const SwapMachine *to, SmSwapMode mode, const char *state)
 {
     CHECK(stage_swap("a", to, mode, state) == SM_OK);
@@ -114,7 +114,7 @@ static void begin_two(bool two_executors, bool guarded)
 
 static SmResult swap_two(const SwapMachine *a, const SwapMachine *b)
 {
-    const SmSwapChange change[] = {{"b", b->image, b->image_size, SM_SWAP_CONTINUE, NULL}, {"a", a->image, a->image_size, SM_SWAP_CONTINUE, NULL}};
+    const SmSwapChange change[] = {{"b", b->image, b->image_size, SM_SWAP_CONTINUE, NULL, false}, {"a", a->image, a->image_size, SM_SWAP_CONTINUE, NULL, false}};
 
     return sm_swap_begin(&stage.swaps, change, 2);
 }
@@ -152,7 +152,7 @@ static void test_two_machines(void)
     machine_free(&gone);
 }
 
-// A step whose stores could not be written to the guarded vector yet has not ended: the exchange waits for it.
+// The exchange waits while a step's stores have not yet reached the guarded vector.
 static void test_stores_due(void)
 {
     unsigned due = 0;
@@ -294,14 +294,14 @@ static void test_refusals(void)
     ticks(2);
     check_refused(SM_SWAP_NO_MACHINE);
     begin(&one);
-    const SmSwapChange twice[] = {{"a", ten.image, ten.image_size, SM_SWAP_CONTINUE, NULL}, {"a", ten.image, ten.image_size, SM_SWAP_CONTINUE, NULL}};
+    const SmSwapChange twice[] = {{"a", ten.image, ten.image_size, SM_SWAP_CONTINUE, NULL, false}, {"a", ten.image, ten.image_size, SM_SWAP_CONTINUE, NULL, false}};
     CHECK(sm_swap_begin(&stage.swaps, twice, 2) == SM_OK);
     ticks(1);
     check_refused(SM_SWAP_NO_TWICE);
     CHECK(sm_swap_begin(&stage.swaps, twice, 0) == SM_E_ARGUMENT && sm_swap_begin(&stage.swaps, NULL, 1) == SM_E_ARGUMENT);
     const SwapMachine several = two_in_one();
     check_refusal(&several, SM_SWAP_CONTINUE, NULL, SM_SWAP_NO_SEVERAL);
-    const SmSwapChange none = {"a", NULL, 0, SM_SWAP_CONTINUE, NULL};
+    const SmSwapChange none = {"a", NULL, 0, SM_SWAP_CONTINUE, NULL, false};
     begin(&one);
     CHECK(sm_swap_begin(&stage.swaps, &none, 1) == SM_OK);
     stage_settle();
@@ -455,7 +455,7 @@ static void test_every_point(void)
             check_refused(SM_SWAP_NO_MEMORY);
     }
     for (uint32_t at = 0; at < ten.image_size; at++, points += 2) {
-        SmSwapChange change = {"a", image, at, SM_SWAP_CONTINUE, NULL};
+        SmSwapChange change = {"a", image, at, SM_SWAP_CONTINUE, NULL, false};
         memcpy(image, ten.image, ten.image_size);
         begin(&one);
         ticks(2);

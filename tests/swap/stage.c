@@ -163,16 +163,31 @@ void stage_reach(SmSwapPlace place, const char *name, const char *key_file)
     stage.swaps.service = &stage.link.service;
 }
 
-void stage_begin(const StagePlan *plan)
+void stage_store(const char *name, uint32_t image, const uint8_t *key)
 {
-    stage_set_up(plan);
+    stage.store = (SmSwapStore){.storage = SM_SWAP_STORE_STORAGE, .memory = name, .room = SM_SWAP_STORE_ROOM(stage.swaps.machines, image), .key = key};
+    stage.swaps.storage = &stage.store.storage;
+}
+
+SmResult stage_start(void)
+{
+    SmResult r;
+
     if (sm_statevec_init(&sv) != SM_OK || sm_events_init(&stage.events) != SM_OK)
         abort();
+    r = sm_swaps_restore(&stage.app);
     for (unsigned x = 0; x < stage.swaps.gates; x++) {
         if (sm_executor_init(&stage.executor[x], NULL) != SM_OK)
             abort();
         sm_executor_start(&stage.executor[x], pal_clock_now());
     }
+    return r;
+}
+
+void stage_begin(const StagePlan *plan)
+{
+    stage_set_up(plan);
+    (void)stage_start();
 }
 
 void stage_tick(unsigned executor)
@@ -221,7 +236,7 @@ void stage_arm(bool armed) { vector.byte[AT_ARMED] = armed; }
 
 SmResult stage_swap(const char *name, const SwapMachine *to, SmSwapMode mode, const char *state)
 {
-    const SmSwapChange change = {name, to->image, to->image_size, (uint8_t)mode, state};
+    const SmSwapChange change = {name, to->image, to->image_size, (uint8_t)mode, state, false};
 
     return sm_swap_begin(&stage.swaps, &change, 1);
 }

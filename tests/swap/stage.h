@@ -4,6 +4,7 @@
 #define SM_SWAP_STAGE_H
 
 #include "bytecode-vm/target/swap_link.h"
+#include "bytecode-vm/target/swap_store.h"
 #include "tests/swap/machine.h"
 
 // The state vector: elements, and their offsets.
@@ -26,6 +27,7 @@ typedef struct Stage {
     SmEvents events;
     SmApp app;
     SmSwapLink link;          // set up by stage_reach
+    SmSwapStore store;        // set up by stage_store
 } Stage;
 
 extern Stage stage;
@@ -48,6 +50,12 @@ void stage_set_up(const StagePlan *plan);
 
 // Sets up stage.link, with room for a swap of both machines.  `key_file`, with its numbers in "eeprom": NULL if there is no key.  Opens nothing.
 void stage_reach(SmSwapPlace place, const char *name, const char *key_file);
+
+// Sets up stage.store for images of up to `image` bytes.  `key` may be NULL.  Opens nothing.
+void stage_store(const char *name, uint32_t image, const uint8_t *key);
+
+// After stage_set_up: loads stored images, and initialises the tasks.  Returns the result of sm_swaps_restore.
+SmResult stage_start(void);
 
 void stage_tick(unsigned executor);       // runs the next tick of an executor
 // Ticks the first executor, with a part of the preparation between two ticks, until the swap is not PREPARING or WAITING any more.

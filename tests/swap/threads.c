@@ -35,7 +35,7 @@ static void begin(void)
 {
     const SwapMachine *a = other_image(0), *b = other_image(1);
     const uint8_t mode = (uint8_t)(draw() % 4 != 0 ? SM_SWAP_CONTINUE : SM_SWAP_RESTART);
-    const SmSwapChange change[] = {{"a", a->image, a->image_size, mode, NULL}, {"b", b->image, b->image_size, mode, NULL}};
+    const SmSwapChange change[] = {{"a", a->image, a->image_size, mode, NULL, false}, {"b", b->image, b->image_size, mode, NULL, false}};
     const unsigned first = (unsigned)(draw() & 1), n = draw() & 1 ? 2 : 1;
 
     if (sm_swap_begin(&stage.swaps, n == 2 ? change : &change[first], (uint16_t)n) == SM_OK)

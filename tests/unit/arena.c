@@ -10,8 +10,8 @@
 #include "compiler/base/vec.h"
 #include "tests/test.h"
 
-// Memory that is never zero by itself.
-static void *dirty(void *context, void *old, size_t size)
+// Allocates memory that is not zero.
+static void *alloc_dirty(void *context, void *old, size_t size)
 {
     void *p = NULL;
 
@@ -44,8 +44,8 @@ static void test_copies(Arena *a)
     }
 }
 
-// Memory that is not zeroed, and the bytes after it.
-static void test_room(Arena *a)
+// An allocation that is not zeroed, and the bytes after it.
+static void test_room_is_not_zeroed(Arena *a)
 {
     for (size_t n = 0; n < 5000; n = n * 2 + 1) {
         char *p = arena_alloc_unzeroed(a, n);
@@ -55,7 +55,7 @@ static void test_room(Arena *a)
     }
 }
 
-// Lists that share one piece of memory: each has room up to where the next begins, and grows elsewhere.
+// Several lists share one allocation.  Each has room up to the beginning of the next list, and moves when it grows beyond.
 static void test_lists_in_one_piece(Arena *a)
 {
     typedef VEC(uint32_t) List;
@@ -70,7 +70,7 @@ static void test_lists_in_one_piece(Arena *a)
 }
 
 // An allocation of 0 bytes from an empty arena has an address too.
-static void test_nothing(Arena *a)
+static void test_empty_allocation_has_an_address(Arena *a)
 {
     CHECK(arena_alloc(a, 0) != NULL);
     arena_free(a);
@@ -84,12 +84,12 @@ int main(void)
     jmp_buf oom;
     Arena a;
 
-    arena_init(&a, dirty, NULL, &oom);
+    arena_init(&a, alloc_dirty, NULL, &oom);
     if (setjmp(oom) != 0)
         return 3;
-    test_nothing(&a);
+    test_empty_allocation_has_an_address(&a);
     test_copies(&a);
-    test_room(&a);
+    test_room_is_not_zeroed(&a);
     test_lists_in_one_piece(&a);
     arena_free(&a);
     return test_end("arena");

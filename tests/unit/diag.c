@@ -43,7 +43,7 @@ static void check_text(const char *found, const char *expected)
     CHECK(strcmp(found, expected) == 0);
 }
 
-// The example of the command's manual.
+// The example in the manual of the command.
 static void test_example(void)
 {
     static const char text[] = "[state_vector]\nU64 G\nU32 S\n\nbool  valveOpen\n\n\n\n\n\n\n\n\n\n\n\n\n    valve0pe = true\n";
@@ -63,7 +63,7 @@ static void test_example(void)
     arena_free(&arena);
 }
 
-// A tab is a blank, invisible characters are spelled out; the caret stays below its character.
+// A tab is printed as a blank, and invisible characters by name.  The caret stays below its character.
 static void test_unprintable(void)
 {
     static const char text[] = "\ta\x01\t\xff \xc3\xa9 \xe2\x80\xae" "bad\tx\n";
@@ -123,7 +123,7 @@ static void test_same_file_twice(void)
     arena_free(&arena);
 }
 
-// Of a line of a megabyte the neighbourhood of the caret is shown.
+// Of a line of a megabyte, only the part around the caret is printed.
 static void test_long_line(void)
 {
     enum { N = 1000000, AT = 500000 };
@@ -237,7 +237,7 @@ static void test_json(void)
     arena_free(&arena);
 }
 
-// Steps are numbered among the notes, and are a flow of their own in SARIF.
+// Steps are numbered notes, and a code flow in SARIF.
 static void test_steps(void)
 {
     const PlainMessages none = {NULL, 0, 0};
@@ -322,7 +322,7 @@ static void test_fingerprints(void)
     arena_free(&arena);
 }
 
-// A diagnostic's edits are made together or, where another's have touched their places, not at all.
+// The edits of a diagnostic are applied together; none of them is applied if an earlier diagnostic has edited the same text.
 static void test_edits(void)
 {
     static const char text[] = "abcdefgh";

@@ -67,7 +67,7 @@ static void check_f32(Fixture *f, uint32_t bits)
         CHECK(sm_f32_bits(strtof(text, NULL)) == bits && text[strlen(text) - 1] == 'f' && strpbrk(text, ".e") != NULL);
 }
 
-static void floats(Fixture *f)
+static void test_floats_are_exact(Fixture *f)
 {
     uint64_t seed = 0x9E3779B97F4A7C15u;
 
@@ -84,7 +84,7 @@ static void floats(Fixture *f)
     CHECK(is(f, SM_F32, sm_f32_bits(0.1f), "0.1f") && is(f, SM_F32, sm_f32_bits(3), "3.0f"));
 }
 
-static void integers(Fixture *f)
+static void test_integers_have_their_type(Fixture *f)
 {
     CHECK(is(f, SM_I8, 0x80, "-128") && is(f, SM_I8, 0xff, "-1") && is(f, SM_U8, 255, "255"));
     CHECK(is(f, SM_I16, 0x8000, "-32768") && is(f, SM_U16, 65535, "65535"));
@@ -108,8 +108,8 @@ int main(void)
     f.u.arena = &f.arena;
     f.u.helper = ARENA_ARRAY(&f.arena, uint32_t, helper_count());
     buf_init(&f.out, &f.arena);
-    floats(&f);
-    integers(&f);
+    test_floats_are_exact(&f);
+    test_integers_have_their_type(&f);
     arena_free(&f.arena);
     return test_end("emitc_literal");
 }

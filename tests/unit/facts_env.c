@@ -32,8 +32,8 @@ static IrMachine *machine(Arena *arena)
     return m;
 }
 
-// Few different facts, so that subtrees are often equal.
-static Fact some_fact(void)
+// Returns one of a few facts, so that subtrees are often equal.
+static Fact random_fact(void)
 {
     return fact_of_cell(SM_I16, random_u64() >> 40 & 7);
 }
@@ -46,7 +46,7 @@ static bool is_same(const EnvShape *s, const Env *a, const EnvShape *t, const En
     return true;
 }
 
-// Does the same with both, until all are compared.
+// Builds two environments in the same way, and compares all their facts.
 static void test_same_facts(Arena *arena)
 {
     const IrMachine *m = machine(arena);
@@ -60,7 +60,7 @@ static void test_same_facts(Arena *arena)
         const unsigned i = random_u64() >> 40 & 31, k = random_u64() >> 40 & 31;
         if (n % 3) {
             const uint32_t v = (uint32_t)(random_u64() >> 40) % VARS;
-            const Fact f = some_fact();
+            const Fact f = random_fact();
             a[i] = env_set(&plain, a[k], v, f);
             b[i] = env_set(&unique, b[k], v, f);
         } else if (n % 2) {

@@ -29,7 +29,7 @@ static void append_block(File *f, LogKind kind, const uint8_t *payload, uint32_t
     append(f, check, sizeof check);
 }
 
-// One U32 element x; no machines, tasks, executors or names of events.
+// Appends a description with one U32 element x, without machines, tasks, executors or names of events.
 static void append_description(File *f)
 {
     uint8_t d[64] = {LOG_VERSION};
@@ -52,7 +52,7 @@ static void append_records(File *f, uint32_t n)
         append_block(f, LOG_RECORD, payload, sizeof payload);
 }
 
-// Heads of blocks that claim `length` bytes of the file each: their checksums are wrong.
+// Appends heads of blocks that each claim `length` bytes of the file, with wrong checksums.
 static void append_traps(File *f, LogKind kind, uint32_t length, uint32_t n)
 {
     uint8_t head[LOG_HEAD];
@@ -78,7 +78,7 @@ static void test_whole(Arena *arena, File *f)
     CHECK(log->session.at[0]->records == 2999 && log->damaged == RECORD - 5 && log->torn == RECORD - 5 && log->unread == 0);
 }
 
-// Traps for the second pass: blocks of events can have any multiple of their size.
+// Traps for the second pass of the reader: blocks of events can have any multiple of their size.
 static void test_traps_of_events(Arena *arena, File *f)
 {
     const Log *log;
@@ -96,7 +96,7 @@ static void test_traps_of_events(Arena *arena, File *f)
     CHECK(start + log->damaged + log->unread == f->n);
 }
 
-// Traps for the search of descriptions.  What precedes them is still read.
+// Traps for the search of descriptions.  The reader still reads what precedes them.
 static void test_traps_of_descriptions(Arena *arena, File *f)
 {
     const Log *log;

@@ -11,7 +11,7 @@ enum { BLOCKS_MOST = 12, FUNCTIONS = 20000 };
 
 static uint64_t state = 88172645463325252u;
 
-static uint32_t below(uint32_t n)
+static uint32_t random_below(uint32_t n)
 {
     state ^= state << 13;
     state ^= state >> 7;
@@ -32,17 +32,17 @@ static void random_jump(IrJump *j, uint32_t b, uint32_t n)
 {
     uint32_t behind = n - 1 - b;
 
-    j->kind = behind == 0 ? IR_RET : (IrJumpKind)(below(6) < 3 ? IR_BR : below(4) < 3 ? IR_JMP : below(2) ? IR_RET : IR_GOTO);
+    j->kind = behind == 0 ? IR_RET : (IrJumpKind)(random_below(6) < 3 ? IR_BR : random_below(4) < 3 ? IR_JMP : random_below(2) ? IR_RET : IR_GOTO);
     if (j->kind == IR_JMP || j->kind == IR_BR)
-        j->then = b + 1 + below(behind);
+        j->then = b + 1 + random_below(behind);
     if (j->kind == IR_BR)
-        j->otherwise = b + 1 + below(behind);
+        j->otherwise = b + 1 + random_below(behind);
 }
 
 static IrFn *random_function(Arena *a)
 {
     IrFn *f = ARENA_NEW(a, IrFn);
-    uint32_t n = 1 + below(BLOCKS_MOST);
+    uint32_t n = 1 + random_below(BLOCKS_MOST);
 
     for (uint32_t b = 0; b < n; b++) {
         ir_add_block(a, f);
@@ -51,7 +51,7 @@ static IrFn *random_function(Arena *a)
     return f;
 }
 
-// Whether `to` (IR_NONE: the end) can be reached from b without passing through `without`.
+// Whether a path from b reaches `to` (IR_NONE: the end) without passing through `without`.
 static bool leads_to(const IrFn *f, IrBlkRef b, IrBlkRef to, IrBlkRef without)
 {
     const IrJump *j = &f->blk.at[b].jump;
@@ -69,7 +69,7 @@ static bool leads_to(const IrFn *f, IrBlkRef b, IrBlkRef to, IrBlkRef without)
     return false;
 }
 
-// The nearest block behind b without which the end is out of reach: the one of the lowest number.
+// Returns the lowest-numbered block after b without which b cannot reach the end.
 static IrBlkRef plain_postdominator(const IrFn *f, IrBlkRef b)
 {
     for (IrBlkRef x = b + 1; x < f->blk.n; x++)

@@ -25,7 +25,7 @@ static const char *const variable[] = {"x", "y", "p", "G", "S", "T"};
 enum { SIZES = 40 };
 #define COUNT(list) (sizeof(list) / sizeof *(list))
 
-// One call with the sample e for each size; returns how many.
+// Puts one call with the sample e for each size.  Returns their number.
 static size_t put_calls(Buf *b, const char *e)
 {
     for (int size = 1; size <= SIZES; size++)

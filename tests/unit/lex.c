@@ -19,8 +19,8 @@ static const Source *start(const char *text, size_t len)
     return source_new(&arena, "a.sm", text, len);
 }
 
-// The tokens as "kind kind kind", a | before each that begins a line.
-static const char *kinds(const char *text, size_t len)
+// Returns the tokens as "kind kind kind", with a | before each token that begins a line.
+static const char *token_kinds(const char *text, size_t len)
 {
     const Source *src = start(text, len);
     Lexer l;
@@ -38,7 +38,7 @@ static const char *kinds(const char *text, size_t len)
 
 static void tokens(const char *text, const char *expected, size_t errors)
 {
-    const char *found = kinds(text, strlen(text));
+    const char *found = token_kinds(text, strlen(text));
 
     if (strcmp(found, expected) != 0 || diags.errors != errors)
         fprintf(stderr, "%s\n  found    %s, %lu errors\n  expected %s\n", text, found, (unsigned long)diags.errors, expected);
@@ -101,12 +101,12 @@ static void test_hints(void)
 
 static void test_characters(void)
 {
-    CHECK(strcmp(kinds("a\0b", 3), "|name name") == 0 && diags.errors == 1);
+    CHECK(strcmp(token_kinds("a\0b", 3), "|name name") == 0 && diags.errors == 1);
     arena_free(&arena);
     tokens("a\rb\nc\x7f#\x01\n", "|name name |name", 2);
     tokens("# \xff\n# \xc3\xa9\n# \xed\xa0\x80\n", "", 2);
     tokens("\xff\xfe" "a", "", 1);
-    CHECK(strcmp(kinds("\177ELF\2\1\1\0\0\0\0\0\0\0\0\0\3\0>\0", 20), "") == 0 && diags.errors == 1);
+    CHECK(strcmp(token_kinds("\177ELF\2\1\1\0\0\0\0\0\0\0\0\0\3\0>\0", 20), "") == 0 && diags.errors == 1);
     arena_free(&arena);
 }
 

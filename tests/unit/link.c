@@ -12,7 +12,7 @@ enum { BODY = LINK_BODY_MAX, ROOM = LINK_ROOM(BODY) };
 typedef struct Line { uint8_t bytes[ROOM]; uint16_t n, payload; uint8_t sent[ROOM]; } Line;
 
 // A frame of n payload bytes; kind 0: random, 1: all zero, 2: without a zero, 3: mostly zero
-static void make(Line *l, uint16_t n, unsigned kind)
+static void make_frame(Line *l, uint16_t n, unsigned kind)
 {
     l->payload = n;
     for (uint16_t i = 0; i < n; i++) {
@@ -23,7 +23,7 @@ static void make(Line *l, uint16_t n, unsigned kind)
     l->n = sm_link_encode(l->bytes, n);
 }
 
-static bool arrives(LinkReceiver *r, const Line *l)
+static bool frame_arrives(LinkReceiver *r, const Line *l)
 {
     bool whole = false;
 
@@ -32,7 +32,7 @@ static bool arrives(LinkReceiver *r, const Line *l)
     return whole && r->n == l->payload && memcmp(r->buffer, l->sent, l->payload) == 0;
 }
 
-static void what_is_sent_arrives(void)
+static void test_sent_frame_arrives(void)
 {
     uint8_t buffer[ROOM];
     LinkReceiver r;
@@ -41,9 +41,9 @@ static void what_is_sent_arrives(void)
     sm_link_receiver_init(&r, buffer, sizeof buffer);
     for (uint16_t n = LINK_HEAD; n <= LINK_HEAD + BODY; n++)
         for (unsigned kind = 0; kind < 4; kind++) {
-            make(&l, n, kind);
+            make_frame(&l, n, kind);
             CHECK(l.n == n + LINK_TAIL + 2 && memchr(l.bytes, 0, l.n) == l.bytes + l.n - 1);
-            CHECK(arrives(&r, &l));
+            CHECK(frame_arrives(&r, &l));
         }
 }
 
@@ -59,7 +59,7 @@ static void damage(Line *l)
     }
 }
 
-static void what_is_damaged_does_not(void)
+static void test_damaged_frame_is_dropped(void)
 {
     uint8_t buffer[ROOM];
     LinkReceiver r;
@@ -67,31 +67,31 @@ static void what_is_damaged_does_not(void)
 
     sm_link_receiver_init(&r, buffer, sizeof buffer);
     for (unsigned i = 0; i < 20000; i++) {
-        make(&good, (uint16_t)(LINK_HEAD + random_u64() % BODY), i % 4);
+        make_frame(&good, (uint16_t)(LINK_HEAD + random_u64() % BODY), i % 4);
         bad = good;
         damage(&bad);
         for (uint16_t k = 0; k < bad.n; k++)
             CHECK(!sm_link_receive(&r, bad.bytes[k]) || (r.n == bad.payload && memcmp(r.buffer, bad.sent, r.n) == 0));
         sm_link_receive(&r, 0);
-        CHECK(arrives(&r, &good));
+        CHECK(frame_arrives(&r, &good));
     }
 }
 
-static void what_is_too_long_is_dropped(void)
+static void test_too_long_frame_is_dropped(void)
 {
     uint8_t buffer[LINK_ROOM(16)];
     LinkReceiver r;
     Line l;
 
     sm_link_receiver_init(&r, buffer, LINK_HEAD + 16 + LINK_TAIL);
-    make(&l, LINK_HEAD + 17, 0);
-    CHECK(!arrives(&r, &l));
-    make(&l, LINK_HEAD + 16, 0);
-    CHECK(arrives(&r, &l));
+    make_frame(&l, LINK_HEAD + 17, 0);
+    CHECK(!frame_arrives(&r, &l));
+    make_frame(&l, LINK_HEAD + 16, 0);
+    CHECK(frame_arrives(&r, &l));
     for (unsigned i = 0; i < 100000; i++)
         CHECK(!sm_link_receive(&r, (uint8_t)(1 + random_u64() % 255)));
     sm_link_receive(&r, 0);
-    CHECK(arrives(&r, &l));
+    CHECK(frame_arrives(&r, &l));
     CHECK(!sm_link_receive(&r, 0) && !sm_link_receive(&r, 0));
 }
 
@@ -99,12 +99,12 @@ static void what_is_too_long_is_dropped(void)
 static void make_one_block(Line *l, uint16_t n)
 {
     do
-        make(l, n, 2);
+        make_frame(l, n, 2);
     while (memchr(l->bytes + 1, 0, l->n - 2u) || l->bytes[0] != l->n - 1);
 }
 
 // A block that ends before its time: bytes are missing, though the checksum of the others is right.
-static void what_is_cut_does_not_arrive(void)
+static void test_truncated_frame_is_dropped(void)
 {
     uint8_t buffer[ROOM];
     LinkReceiver r;
@@ -114,14 +114,14 @@ static void what_is_cut_does_not_arrive(void)
     for (unsigned more = 1; more < 100; more++) {
         make_one_block(&l, 20);
         l.bytes[0] = (uint8_t)(l.bytes[0] + more);
-        CHECK(!arrives(&r, &l));
+        CHECK(!frame_arrives(&r, &l));
         l.bytes[0] = (uint8_t)(l.bytes[0] - more);
-        CHECK(arrives(&r, &l));
+        CHECK(frame_arrives(&r, &l));
     }
 }
 
 // A frame longer than the buffer, which begins with what would be a whole one.
-static void what_begins_well_and_is_too_long_is_dropped(void)
+static void test_too_long_frame_with_good_beginning_is_dropped(void)
 {
     uint8_t buffer[LINK_HEAD + 16 + LINK_TAIL];
     LinkReceiver r;
@@ -134,13 +134,13 @@ static void what_begins_well_and_is_too_long_is_dropped(void)
         l.bytes[0] = (uint8_t)(l.bytes[0] + more);
         l.n = (uint16_t)(l.n + more);
         l.bytes[l.n - 1] = 0;
-        CHECK(!arrives(&r, &l));
-        make(&l, LINK_HEAD + 16, 0);
-        CHECK(arrives(&r, &l));
+        CHECK(!frame_arrives(&r, &l));
+        make_frame(&l, LINK_HEAD + 16, 0);
+        CHECK(frame_arrives(&r, &l));
     }
 }
 
-static void fields(void)
+static void test_fields_are_read_back(void)
 {
     uint8_t at[4];
 
@@ -149,7 +149,7 @@ static void fields(void)
 }
 
 // A record arrives as it was stored.  With any other bit, or for another image, it is not one.
-static void transitions(void)
+static void test_transitions_are_read_back(void)
 {
     static const LinkTransition t = {255, 15, LINK_LOST_MAX, 0x1234, 0xfedc, 0x89abcdef};
     uint8_t record[LINK_TRANSITION];
@@ -169,12 +169,12 @@ static void transitions(void)
 
 int main(void)
 {
-    what_is_sent_arrives();
-    what_is_damaged_does_not();
-    what_is_too_long_is_dropped();
-    what_is_cut_does_not_arrive();
-    what_begins_well_and_is_too_long_is_dropped();
-    fields();
-    transitions();
+    test_sent_frame_arrives();
+    test_damaged_frame_is_dropped();
+    test_too_long_frame_is_dropped();
+    test_truncated_frame_is_dropped();
+    test_too_long_frame_with_good_beginning_is_dropped();
+    test_fields_are_read_back();
+    test_transitions_are_read_back();
     return test_end("link");
 }

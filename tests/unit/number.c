@@ -55,8 +55,8 @@ static void test_hex(void)
     CHECK(bits_of("0xFF_FF") == bits_of("65535"));
 }
 
-// Half-way between two neighbours, written out in full, and a hair above.  (Where long double is no longer than double
-// these are the neighbours themselves.)
+// Exactly half-way between two neighbours, and a little above.  (If long double is no longer than double, these are the neighbours
+// themselves.)
 static void test_halves(void)
 {
     char text[1600];
@@ -106,7 +106,7 @@ static void test_round_trip(void)
     }
 }
 
-// Insignificant digits are dropped, but a flag tells whether any was not zero: zeros before them are not trailing zeros.
+// Insignificant digits are dropped, and a flag tells whether one of them was not zero: a zero followed by them is not a trailing zero.
 static void test_far_digits(void)
 {
     static char text[3000];
@@ -124,7 +124,7 @@ static void test_far_digits(void)
         }
 }
 
-// A megabyte of digits is read once.
+// A number of a million digits is read in linear time.
 static void test_long(void)
 {
     enum { N = 1000000 };

@@ -106,8 +106,8 @@ static void test_sections(void)
 
 // ---- mistakes ----
 
-// The ids of the errors in their order, "E0312 E0330".
-static const char *ids(void)
+// Returns the ids of the errors in their order, "E0312 E0330".
+static const char *error_ids(void)
 {
     Buf out;
 
@@ -121,15 +121,15 @@ static const char *ids(void)
 static void wrong(FileKind kind, const char *text, const char *expected)
 {
     parse(text, strlen(text), kind);
-    if (strcmp(ids(), expected) != 0) {
+    if (strcmp(error_ids(), expected) != 0) {
         fprintf(stderr, "---- expected %s, found\n", expected);
         show();
     }
-    CHECK(strcmp(ids(), expected) == 0);
+    CHECK(strcmp(error_ids(), expected) == 0);
     arena_free(&arena);
 }
 
-// Of statements in a block: each mistake is one message, and what follows is read as if nothing had been.
+// Mistakes in the statements of a block: each causes one message, and the statements after it are parsed normally.
 static void test_recovery(void)
 {
     static const struct { const char *text, *ids; } cases[] = {
@@ -163,11 +163,11 @@ static void test_wrong_lists(void)
     wrong(FILE_SM, "[local]\nF64 x\nF64 y =\nF64 z = 1 2\nF64 w = @read_only\nF64 v = (1\nF64 u = 3 @foo bar @alias q\n",
           "E0355 E0312 E0330 E0312 E0313 E0360 E0362");
     wrong(FILE_SV, "[options] lock = true\n[A]\nF64 tank.p\nF64 2nd\nF64 p-2\nF64 my name\nU8 a U8 b\n", "E0374 E0335 E0114 E0330 E0330");
-    wrong(FILE_SS, "[options]\ndelta_t 10ms\n[all_states]\na: @assert p > 5, \"low\"\na: x = 5x\n", "E0114 E0106 E0114");
+    wrong(FILE_SS, "[options]\ndelta_t 10ms\n[all_states]\na: @assert p > 5, \"low\"\na: x = 5x\n", "E0114 E0349 E0114");
     wrong(FILE_SV, "[A]\nF64 x @read_only\nF64 y @alias z\n.step\nx = 1\n", "E0363 E0363 E0307 E0352");
     wrong(FILE_SS, "[options]\ndelta_t = 5\ndelta_t -5\ndelta_t\ninit_state 3\nfoo bar\nlock\n5", "E0373 E0374 E0374 E0374 E0371 E0372 E0370");
     wrong(FILE_SS, "[all_states]\nx = 1\ny = 2\na: b: x = 1\na { }\na { @stop x = 1 }\n[local]\n x y z\n[B]\n.step\nx = 1\n",
-          "E0380 E0382 E0384 E0330 E0304 E0386 E0380");
+          "E0380 E0382 E0384 E0330 E0351 E0355 E0386 E0380");
     wrong(FILE_SS, "[A]\na { @stop\nx = 1\ny = 1 }\nelse: x = 1\n-> A\n", "E0385 E0381 E0383");
     wrong(FILE_SM, "some text\n'quoted' && more;\n[A]\n", "E0301");
     wrong(FILE_SM, "[A\n[B c]\n[1]\n[if]\n[options]\n[all_states]\nits\n", "E0119 E0120 E0305 E0306 E0310");
@@ -175,7 +175,7 @@ static void test_wrong_lists(void)
 
 // ---- edits ----
 
-// The text with the edits of a diagnostic made.
+// Returns the text after the edits of a diagnostic.
 static const char *edited(const Diag *d, const char *text)
 {
     static char out[512];
@@ -191,7 +191,7 @@ static const char *edited(const Diag *d, const char *text)
     return out;
 }
 
-// One edit after the other leads to a correct source.
+// Whether one edit after the other leads to a correct source.
 static void repaired(const char *before, const char *after)
 {
     char text[512], expected[512];
@@ -257,15 +257,15 @@ static void repeat(size_t n, const char *text)
         buf_str(&big, text);
 }
 
-// Parses `big`; the errors found, as ids.
-static const char *outcome(void)
+// Parses `big`.  Returns the ids of the errors.
+static const char *parse_big(void)
 {
     static char out[64];
     clock_t t = clock();
 
     parse(big.at, big.n, FILE_SM);
     CHECK(clock() - t < 5 * CLOCKS_PER_SEC);
-    snprintf(out, sizeof out, "%s", ids());
+    snprintf(out, sizeof out, "%s", error_ids());
     arena_free(&arena);
     return out;
 }
@@ -276,7 +276,7 @@ static void test_depth(void)
     repeat(1900, "(");
     repeat(1, "p");
     repeat(1900, ")");
-    CHECK(strcmp(outcome(), "") == 0);
+    CHECK(strcmp(parse_big(), "") == 0);
     begin("[A]\n.step\nx = ");
     repeat(100000, "(");
     repeat(1, "p");
@@ -287,21 +287,21 @@ static void test_depth(void)
     repeat(100000, " + 1");
     repeat(1, "\nz = f");
     repeat(100000, "(f");
-    CHECK(strcmp(outcome(), "E0332 E0332 E0332 E0332") == 0);
+    CHECK(strcmp(parse_big(), "E0332 E0332 E0332 E0332") == 0);
     begin("[A]\n.step\n");
     repeat(1999, "p {\n");
     repeat(1999, "}\n");
     repeat(1, "p: x = 1\n");
     repeat(1999, "else if p: x = 1\n");
-    CHECK(strcmp(outcome(), "") == 0);
+    CHECK(strcmp(parse_big(), "") == 0);
     begin("[A]\n.step\n");
     repeat(100000, "p: ");
     repeat(1, "x = 1\nx = *\n");
-    CHECK(strcmp(outcome(), "E0333") == 0);
+    CHECK(strcmp(parse_big(), "E0333") == 0);
     begin("[A]\n.step\n");
     repeat(1, "p: x = 1\n");
     repeat(100000, "else if p: x = 1\n");
-    CHECK(strcmp(outcome(), "E0333") == 0);
+    CHECK(strcmp(parse_big(), "E0333") == 0);
 }
 
 static void test_size(void)
@@ -309,19 +309,19 @@ static void test_size(void)
     begin("");
     for (int i = 0; i < 10000; i++)
         buf_printf(&big, "[S%d]\n.step\n    x = p * 2 + 1\n    x > 5: -> S1\n", i);
-    CHECK(strcmp(outcome(), "") == 0);
+    CHECK(strcmp(parse_big(), "") == 0);
     begin("[A]\n.step\n");
     repeat(100000, "    x = p * 2 + 1\n");
-    CHECK(strcmp(outcome(), "") == 0);
+    CHECK(strcmp(parse_big(), "") == 0);
     begin("[A]\n.step\nx = (p");
     for (int i = 0; i < 900; i++)
         repeat(1, "                                                                 \t+ (p                              ");
     repeat(901, ")");
-    CHECK(strcmp(outcome(), "") == 0);
+    CHECK(strcmp(parse_big(), "") == 0);
     begin("[local]\n");
     for (int i = 0; i < 16000; i++)
         buf_printf(&big, "F64 local_%d = %d.5e-7\n", i, i);
-    CHECK(strcmp(outcome(), "") == 0);
+    CHECK(strcmp(parse_big(), "") == 0);
     begin("[state_vector]\nF64 a ");
     repeat(100000, "@alias b ");
     parse(big.at, big.n, FILE_SM);
@@ -331,7 +331,7 @@ static void test_size(void)
 
 // ---- cut anywhere ----
 
-// A program that ends anywhere ends in a message or in a tree, and nothing else.
+// A program that is cut at any position causes messages or a tree.
 static void test_cut(void)
 {
     static const char text[] = "[state_vector]\nU64 t @alias G\nU32 S\n[local]\nF64 a = (1 + 2) * 3 @read_only\n[A]\n.entry\nif a > 5 {\n"

@@ -7,7 +7,9 @@
 #include <string.h>
 
 #include "stdlib/convert.h"
+#include "stdlib/elementary.h"
 #include "stdlib/math.h"
+#include "tests/elementary/arguments.h"
 #include "tests/test.h"
 
 static uint64_t random_state = 88172645463325252u;
@@ -19,7 +21,7 @@ static uint64_t next_random(void)                     // xorshift
     return random_state ^= random_state << 17;
 }
 
-// Bits anywhere, near a power of two, or a small number with a fraction of eighths.
+// Returns random bits, a number near a power of two, or a small number in eighths.
 static double random_number(void)
 {
     uint64_t r = next_random();
@@ -92,10 +94,27 @@ static void compare_with_stdlib(void)
 #define SM_PURE(name, arguments, sentence) CHECK(same(ref_pure(SM_FN_##name, a), CALL_##arguments(sm_##name)));
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
 #define SM_ROLL(name, stat, sentence)
+#define SM_SAMPLED(name, arguments, sentence)
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
 #undef SM_ROLL
+#undef SM_SAMPLED
+}
+
+// Arguments where the elementary functions are hard.
+static void compare_elementary(void)
+{
+    uint64_t state = 1;
+    double a[3] = {0, 0, 0};
+
+    for (unsigned i = 0; i < 40000; i++) {
+#define FN(name, arguments, stdlib, reference) \
+        pick_arguments(FN_##name, &state, i, FN_##name == FN_atan2 ? &a[1] : &a[0], FN_##name == FN_atan2 ? &a[0] : &a[1]); \
+        CHECK(same(ref_pure(SM_FN_##name, a), CALL_##arguments(sm_##name)));
+#include "tests/elementary/functions.def"
+#undef FN
+    }
 }
 
 int main(void)
@@ -105,5 +124,6 @@ int main(void)
     check_builtins();
     for (int i = 0; i < 100000; i++)
         compare_with_stdlib();
+    compare_elementary();
     return test_end("ref_number");
 }

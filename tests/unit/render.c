@@ -16,7 +16,7 @@ static void *heap(void *context, void *old, size_t size)
     return realloc(old, size);
 }
 
-// What is printed of a diagnostic at byte `at` of a source.
+// Returns what is printed for a diagnostic at byte `at` of a source.
 static const char *rendered(Arena *a, const char *text, size_t len, uint32_t at)
 {
     DiagStyle style = {false, 20};

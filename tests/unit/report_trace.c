@@ -30,7 +30,7 @@ static EngineStatus fake_init(Engine *e, uint32_t state, EngineStep *out)
     return out->status = ENGINE_OK;
 }
 
-// x is the number of the step, but once; A and B by turns, a thousand steps each; refuses step 7.
+// Sets x to the number of the step, except once.  A and B alternate, a thousand steps each.  Refuses step 7.
 static EngineStatus fake_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     Fake *f = e->self;

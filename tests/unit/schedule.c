@@ -77,7 +77,7 @@ static void write_script(Buf *b)
 
 static uint64_t cell_of(double x) { uint64_t u; memcpy(&u, &x, sizeof u); return u; }
 
-// Whether the due items are in source order, without repetition, and no guard of the others is true.
+// Whether the due items are in source order, occur once each, and no other item has a true guard.
 static bool misses_none(const Script *s, const State *state, const uint64_t *cell, const DueItems *due)
 {
     size_t next = 0;
@@ -142,7 +142,7 @@ static void check_random_script(void)
     session_free(&s);
 }
 
-// A script with a conditional for each step evaluates one in each.
+// A script with a conditional for each step: one conditional is evaluated in each step.
 static void check_one_a_step(void)
 {
     enum { STEPS = 1000 };

@@ -69,7 +69,7 @@ static void test_layout(void)
 
 // ---- constants ----
 
-// The value of an expression, as the initial value of an F64.
+// Returns the value of an expression, as the initial value of an F64.
 static SmF64 value_of(const char *expression)
 {
     Session s;
@@ -209,7 +209,7 @@ static void test_analyses(void)
 
 // ---- size ----
 
-// 10,000 states, 16,000 locals, 100,000 statements; and with `bad`, as many unknown names.
+// 10,000 states, 16,000 locals, 100,000 statements; with `bad`, as many unknown names.
 static void test_size(const char *bad, double most_seconds)
 {
     Session s;

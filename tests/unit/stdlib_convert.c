@@ -99,7 +99,7 @@ static void test_reading_rows(void)
 
 // ---- the second conversion ----
 
-// The whole part of |x|, at most 2^64 - 1; *over when it is more.
+// Returns the whole part of |x|, at most 2^64 - 1; sets *over if it is larger.
 static uint64_t whole_part(uint64_t bits, bool *over)
 {
     const int exponent = (int)(bits >> 52 & 0x7FF) - 1075;
@@ -200,7 +200,7 @@ static void test_random_reading(void)
     }
 }
 
-// One conversion feeds the next through a register, which must not hold more digits than a double.
+// The result of a conversion is converted again in a register.  It must not have more digits than a double.
 static void test_digits_of_wide_integers(void)
 {
     SmF64 (*const volatile from_i64)(int64_t) = sm_from_i64, (*const volatile from_u64)(uint64_t) = sm_from_u64;
@@ -213,8 +213,8 @@ static void test_digits_of_wide_integers(void)
     }
 }
 
-// Every type keeps its neighbours, at any alignment, and a value goes through memory as through a cell.
-static void test_memory(void)
+// A store of each type, at any alignment, leaves its neighbours unchanged; the loaded value is that of a cell.
+static void test_stores_keep_neighbours(void)
 {
     for (int i = 0; i < 200000; i++) {
         const SmType type = (SmType)(random_u64() % SM_TYPE_COUNT);
@@ -259,7 +259,7 @@ int main(void)
     test_random_storing();
     test_random_reading();
     test_digits_of_wide_integers();
-    test_memory();
+    test_stores_keep_neighbours();
     test_bool_bytes();
     test_values();
     return test_end("stdlib_convert");

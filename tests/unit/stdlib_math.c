@@ -82,8 +82,8 @@ static void test_against_libm(void)
     }
 }
 
-// Min and max must be the ends of a total order of all numbers: compares with an order computed from the bits.
-static int64_t order(SmF64 x)
+// Returns the position of x in a total order of all numbers, from its bits.  Min and max must agree with this order.
+static int64_t order_key(SmF64 x)
 {
     const uint64_t u = sm_bits(x);
     return u >> 63 != 0 ? -(int64_t)(u & 0x7FFFFFFFFFFFFFFFu) - 1 : (int64_t)u;
@@ -94,8 +94,8 @@ static void test_order(void)
     for (int i = 0; i < 1000000; i++) {
         const SmF64 a = sm_from_bits(random_f64_bits()), b = i % 5 == 0 ? sm_neg(a) : sm_from_bits(random_f64_bits());
         const bool nan = a != a || b != b;
-        CHECK(same(sm_min(a, b), nan ? NAN_ : order(a) < order(b) ? a : b));
-        CHECK(same(sm_max(a, b), nan ? NAN_ : order(a) < order(b) ? b : a));
+        CHECK(same(sm_min(a, b), nan ? NAN_ : order_key(a) < order_key(b) ? a : b));
+        CHECK(same(sm_max(a, b), nan ? NAN_ : order_key(a) < order_key(b) ? b : a));
         CHECK(same(sm_sign(a), a > 0 ? 1.0 : a < 0 ? -1.0 : a));
     }
 }

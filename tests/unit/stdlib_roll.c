@@ -8,7 +8,7 @@
 #include "tests/test.h"
 #include "tests/unit/random.h"
 
-enum { HISTORY = 310000, STATS = 31, EMITTED = 10000 };
+enum { HISTORY = 310000, STATS = (1 << SM_STAT_ELAPSED) - 1, EMITTED = 10000 };
 
 static double history[HISTORY];          // as the window is to hold them
 
@@ -21,7 +21,7 @@ typedef struct Slot { bool full; double x; } Slot;
 static Slot slot[SM_WINDOW_MAX];
 static double sorted[SM_WINDOW_MAX];
 
-// The samples of the last n of `steps` steps, each in its slot.
+// Fills the model with the samples of the last n of `steps` steps, each in its slot.
 static uint32_t model_fill(uint32_t steps, uint32_t n)
 {
     const uint32_t first = steps > n ? steps - n : 0;
@@ -71,6 +71,9 @@ static double model_median(uint32_t count)
 static void model_stats(double *stat, uint32_t steps, uint32_t n)
 {
     const uint32_t count = model_fill(steps, n);
+    stat[SM_STAT_OLDEST] = history[steps - count];
+    stat[SM_STAT_NEWEST] = history[steps - 1];
+    stat[SM_STAT_CHANGE] = count < 2 ? 0 : history[steps - 1] - history[steps - count];
     model_sort(n);
     stat[SM_STAT_AVG] = model_avg(count, n);
     stat[SM_STAT_MEDIAN] = model_median(count);
@@ -107,7 +110,7 @@ static double any_sample(int mood, uint32_t k)
     }
 }
 
-// The value of an element of the type after x was stored to it.
+// Returns the value of an element of the type after a store of x.
 static double stored_value(uint32_t kind, double x)
 {
     return sm_cell_to_f64((SmType)(kind & SM_ROLL_TYPE), sm_cell_from_f64((SmType)(kind & SM_ROLL_TYPE), x));
@@ -126,6 +129,9 @@ static double emitted_stat(uint32_t n, uint32_t kind, int s)
     case SM_STAT_MEDIAN: return sm_roll_median(emitted + 1, n, kind, sm_roll_count(emitted));
     case SM_STAT_MIN: return sm_roll_min(emitted + 1, n, kind, sm_roll_count(emitted));
     case SM_STAT_MAX: return sm_roll_max(emitted + 1, n, kind, sm_roll_count(emitted));
+    case SM_STAT_OLDEST: return sm_roll_oldest(emitted + 1, n, kind, emitted);
+    case SM_STAT_NEWEST: return sm_roll_newest(emitted + 1, n, kind, emitted);
+    case SM_STAT_CHANGE: return sm_roll_change(emitted + 1, n, kind, emitted);
     default: return sm_roll_range(emitted + 1, n, kind, sm_roll_count(emitted));
     }
 }
@@ -133,7 +139,7 @@ static double emitted_stat(uint32_t n, uint32_t kind, int s)
 static void check_emitted(uint32_t n, uint32_t kind, const double *stat)
 {
     CHECK(memcmp(emitted, memory, sm_roll_words(n, kind) * sizeof *memory) == 0);
-    for (int s = 0; s < SM_STAT_COUNT; s++)
+    for (int s = 0; s < SM_STAT_ELAPSED; s++)
         if ((kind >> 4 >> s & 1u) != 0)
             CHECK(same(emitted_stat(n, kind, s), stat[s]));
 }
@@ -158,9 +164,9 @@ static void clear(uint32_t words)
 
 static void check_stats(uint32_t n, uint32_t kind, uint32_t steps)
 {
-    double stat[SM_STAT_COUNT];
+    double stat[SM_STAT_ELAPSED];
     model_stats(stat, steps, n);
-    for (int s = 0; s < SM_STAT_COUNT; s++)
+    for (int s = 0; s < SM_STAT_ELAPSED; s++)
         if ((kind >> 4 >> s & 1u) != 0)
             CHECK(same(sm_roll_stat(memory, n, kind, (SmStat)s), stat[s]));
 #if SM_ROLL_SMALL
@@ -169,7 +175,7 @@ static void check_stats(uint32_t n, uint32_t kind, uint32_t steps)
 #endif
 }
 
-// Runs steps, and checks after each of the first `often`, then after every `seldom`.
+// Runs steps, and compares after each of the first `often` steps, then after every `seldom` steps.
 static void check_window(uint32_t n, uint32_t kind, int mood, uint32_t steps, uint32_t often, uint32_t seldom)
 {
     const uint32_t words = sm_roll_words(n, kind);
@@ -219,7 +225,7 @@ static void test_larger_windows(void)
             }
 }
 
-// Longer than one block, and as long as can be.
+// Windows longer than one block, up to the longest.
 static void test_long_windows(void)
 {
     static const uint32_t size[] = { 2047, 2048, 2049, 4096, 4097, 5000, 6144, 6145 };
@@ -240,7 +246,7 @@ static void test_empty(void)
         for (uint32_t stats = 0; stats <= STATS; stats++) {
             const uint32_t kind = sm_roll_kind(types[t], stats);
             memset(memory, 0, sm_roll_words(5, kind) * sizeof *memory);
-            for (int stat = 0; stat < SM_STAT_COUNT; stat++)
+            for (int stat = 0; stat < SM_STAT_ELAPSED; stat++)
                 if ((stats >> stat & 1u) != 0)
                     CHECK(sm_bits(sm_roll_stat(memory, 5, kind, (SmStat)stat)) == 0);
         }
@@ -253,8 +259,8 @@ static void test_kinds(void)
     CHECK(sm_roll_kind(SM_I8, 4) == (SM_ROLL_I8 | SM_ROLL_MIN) && sm_roll_kind(SM_BOOL, 24) == (SM_ROLL_BOOL | SM_ROLL_MAX | SM_ROLL_RANGE));
 }
 
-// In a narrow type a window is that much smaller.
-static void test_memory(void)
+// A window of a narrow type needs less memory in proportion.
+static void test_window_sizes_in_memory(void)
 {
     const bool small = SM_ROLL_SMALL;
     CHECK(sm_roll_words(11, SM_ROLL_F64 | SM_ROLL_MEDIAN) == 1 + 2 * 11);
@@ -269,8 +275,8 @@ static void test_memory(void)
     CHECK(sm_roll_words(100000, SM_ROLL_I32 | SM_ROLL_MEDIAN) == 1 + 100000 + (small ? 0 : 13));
 }
 
-// What has left leaves no trace: the same last n samples give the same bits as long as they sit in the same slots.
-static void test_no_trace(void)
+// Samples that have left the window have no effect: the same last n samples in the same slots give the same bits.
+static void test_old_samples_leave_no_trace(void)
 {
     const uint32_t kind = sm_roll_kind(SM_F64, STATS);
     uint64_t w[2][64] = { { 0 }, { 0 } };
@@ -280,19 +286,72 @@ static void test_no_trace(void)
     for (int k = 0; k < 8; k++)
         for (int i = 0; i < 2; i++)
             sm_roll_push(w[i] + 1, 8, kind, sm_roll_advance(w[i], 8), sm_roll_of_f64(0.1 * k));
-    for (int stat = 0; stat < SM_STAT_COUNT; stat++)
+    for (int stat = 0; stat < SM_STAT_ELAPSED; stat++)
         CHECK(same(sm_roll_stat(w[0], 8, kind, (SmStat)stat), sm_roll_stat(w[1], 8, kind, (SmStat)stat)));
+}
+
+// ---- windows of times ----
+
+enum { EVENTS = 400 };
+
+// Compares a window of times and a run of n with a list of all events.
+static void check_times(uint32_t n, uint64_t most_step, uint64_t start)
+{
+    const uint32_t times_kind = sm_roll_kind(SM_U64, 1u << SM_STAT_ELAPSED), run_kind = sm_roll_kind(SM_U64, SM_STATS_OF_RUNS);
+    uint64_t times[1 + 20] = { 0 }, run[4] = { 0 }, pushed[EVENTS], g = start, first = 0;
+    uint32_t count = 0, length = 0;
+
+    run[3] = 12345;
+    CHECK(sm_roll_words(n, times_kind) == 1 + n && sm_roll_words(n, run_kind) == 3);
+    for (int k = 0; k < EVENTS && g < UINT64_MAX - most_step - 1; k++) {
+        const uint64_t event = random_u64() % 12 == 0 ? random_u64() : random_u64() % 8 == 0 ? 0 : random_u64() % 9 == 0 ? 2 : 1;
+        g += 1 + random_u64() % most_step;
+        sm_roll_sample_event(times, n, times_kind, event, g);
+        sm_roll_sample_event(run, n, run_kind, event, g);
+        if (event != 0)
+            pushed[count++] = g;
+        if (event == 0 || event > 1)
+            length = 0;
+        if (event != 0 && length++ == 0)
+            first = g;
+        const uint64_t oldest = count == 0 ? 0 : pushed[count > n ? count - n : 0];
+        CHECK(sm_roll_stat(times, n, times_kind, SM_STAT_ELAPSED) == (count == 0 ? 0.0 : (double)(pushed[count - 1] - oldest)));
+        CHECK(sm_roll_stat(run, n, run_kind, SM_STAT_RUN_STEPS) == (double)(length < n ? length : n));
+        CHECK(sm_roll_stat(run, n, run_kind, SM_STAT_RUN_TIME) == (length == 0 ? 0.0 : (double)(g - first)));
+    }
+    CHECK(run[3] == 12345);
+}
+
+static void test_times(void)
+{
+    for (uint32_t n = 1; n <= 20; n++) {
+        check_times(n, 3, 0);
+        check_times(n, 1000000, UINT64_MAX - 100000000);
+        check_times(n, UINT64_C(1) << 55, 5);
+    }
+}
+
+static void test_kinds_of_times(void)
+{
+    CHECK(sm_roll_is_kind(SM_ROLL_TIMES | SM_ROLL_ELAPSED) && sm_roll_is_kind(SM_ROLL_TIMES | SM_ROLL_RUN_STEPS) &&
+          sm_roll_is_kind(SM_ROLL_TIMES | SM_ROLL_RUN_TIME | SM_ROLL_RUN_STEPS));
+    CHECK(!sm_roll_is_kind(SM_ROLL_TIMES) && !sm_roll_is_kind(SM_ROLL_TIMES | SM_ROLL_AVG) &&
+          !sm_roll_is_kind(SM_ROLL_TIMES | SM_ROLL_ELAPSED | SM_ROLL_RUN_TIME) && !sm_roll_is_kind(SM_ROLL_TIMES | SM_ROLL_ELAPSED | SM_ROLL_OLDEST));
+    CHECK(!sm_roll_is_kind(SM_ROLL_F64 | SM_ROLL_ELAPSED) && !sm_roll_is_kind(SM_ROLL_U8 | SM_ROLL_RUN_STEPS) &&
+          !sm_roll_is_kind(SM_ROLL_F32 | SM_ROLL_AVG | SM_ROLL_RUN_TIME));
 }
 
 int main(void)
 {
+    test_times();
+    test_kinds_of_times();
     test_small_windows();
     test_layouts();
     test_larger_windows();
     test_long_windows();
     test_empty();
     test_kinds();
-    test_memory();
-    test_no_trace();
+    test_window_sizes_in_memory();
+    test_old_samples_leave_no_trace();
     return test_end("stdlib_roll");
 }

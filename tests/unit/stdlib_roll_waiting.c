@@ -10,7 +10,7 @@ enum { SLOTS = 1 << (SM_ROLL_WAITING - 1) };
 static uint64_t memory[SLOTS + 2];
 static SmRollSmall window;
 
-// The room is exact, with something behind it that must stay.
+// The memory has exactly the needed size, and bytes that must not change follow it.
 static void check_average(uint32_t samples)
 {
     SmF64 x[SM_ROLL_WAITING + 1];

@@ -34,7 +34,7 @@ static void test_builtins(void)
         CHECK(sm_builtin_info[i].is_roll == (strncmp(sm_builtin_info[i].name, "roll_", 5) == 0));
         rolls += sm_builtin_info[i].is_roll;
     }
-    CHECK(rolls == SM_STAT_COUNT);
+    CHECK(rolls == SM_STAT_OLDEST);
     CHECK(sm_builtin_info[SM_FN_clamp].arguments == 3 && sm_builtin_info[SM_FN_roll_range].stat == SM_STAT_RANGE);
 }
 

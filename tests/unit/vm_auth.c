@@ -73,7 +73,7 @@ static const uint32_t vectors[64][4] = {
     { 0x2DD072E1, 0x42B89EFE, 0xFB26B615, 0x049AA451 },
 };
 
-static void bytes_of(const uint32_t *word, uint8_t *byte)
+static void load_bytes(const uint32_t *word, uint8_t *byte)
 {
     for (int i = 0; i < 16; i++)
         byte[i] = (uint8_t)(word[i / 4] >> 8 * (i % 4));
@@ -84,25 +84,25 @@ static void test_vectors(void)
     uint8_t key[SMVM_KEY], code[SMVM_CODE], wanted[SMVM_CODE];
     SmvmMac m;
 
-    bytes_of(key_words, key);
+    load_bytes(key_words, key);
     CHECK(smvm_auth_mark(key) == vectors[0][0]);
     for (unsigned n = 0; n < 64; n++) {
         smvm_mac_begin(&m, key);
         for (unsigned i = 0; i < n; i++)
             smvm_mac_byte(&m, (uint8_t)i);
         smvm_mac_end(&m, key, code);
-        bytes_of(vectors[n], wanted);
+        load_bytes(vectors[n], wanted);
         CHECK(memcmp(code, wanted, sizeof code) == 0);
     }
 }
 
-// A flipped bit of message, key or code changes about half of the bits of the code.
+// Flipping one bit of the message or the key changes about half of the bits of the code.
 static void test_every_bit_counts(void)
 {
     uint8_t message[40] = { 1, 2, 3 }, key[SMVM_KEY], code[SMVM_CODE], other[SMVM_CODE];
     unsigned differ;
 
-    bytes_of(key_words, key);
+    load_bytes(key_words, key);
     smvm_auth_code(message, sizeof message, key, code);
     for (unsigned bit = 0; bit < 8 * sizeof message + 8 * SMVM_KEY; bit++) {
         uint8_t *const at = bit < 8 * sizeof message ? &message[bit / 8] : &key[bit / 8 - sizeof message];

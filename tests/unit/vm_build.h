@@ -61,7 +61,7 @@ static inline void put_bytes(uint8_t **p, uint64_t v, unsigned n)
         *(*p)++ = (uint8_t)(v >> 8 * i);
 }
 
-// An instruction: opcode, how many numbers, and these.
+// Appends an instruction: its opcode, then the n numbers that follow as arguments.
 static inline void code(Build *b, unsigned op, int n, ...)
 {
     va_list numbers;
@@ -73,7 +73,7 @@ static inline void code(Build *b, unsigned op, int n, ...)
     va_end(numbers);
 }
 
-// One that loads or stores what has a type, at an offset in bytes: typed(b, SMVM_ldx_elem, SM_F64, 16).
+// Appends an instruction that loads or stores a value of a type at an offset in bytes: typed(b, SMVM_ldx_elem, SM_F64, 16).
 static inline void typed(Build *b, unsigned op, unsigned type, unsigned offset)
 {
     code(b, op + type, 1, offset >> (type == SMVM_RAW ? 3u : smvm_type_shift(type)));

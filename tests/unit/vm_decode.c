@@ -42,7 +42,7 @@ static void put_source(Build *b, unsigned k, unsigned to_y)      // ldx, or with
         code(b, number[k - FIRST_NUMBER].op + to_y, 1, (unsigned)number[k - FIRST_NUMBER].n);
 }
 
-// X as a source, or computed.
+// Loads X from a source, or computes it.
 static void put_x(Case *c, unsigned k)
 {
     if (k < SOURCES) {
@@ -106,7 +106,7 @@ static void run_case(Case *c)
     begin(c);
 }
 
-static unsigned result(Case *c, unsigned type)        // the next output, of this type
+static unsigned put_use_of_x(Case *c, unsigned type)        // the next output, of this type
 {
     c->b.output[c->b.outputs] = PLACE_OF(type, (RESULT_AT + 8 * c->b.outputs) >> smvm_type_shift(type));
     return c->b.outputs++;
@@ -118,32 +118,32 @@ static void make_room(Case *c)
         run_case(c);
 }
 
-// X goes to each kind of place in turn.  What is not an output is then seen as an F64, as true or not, and as equal to itself or not,
-// which a NaN is not.
-static void put_seen(Case *c)
+// Copies X to each kind of destination.  A destination that is not an output is then observed as an F64, as a condition, and compared with
+// itself, which detects a NaN.
+static void put_observations(Case *c)
 {
     unsigned kind = c->instructions++ % (2 * SM_TYPE_COUNT + 1), t = kind - SM_TYPE_COUNT, from = SMVM_ldx_local;
 
     if (kind < SM_TYPE_COUNT) {
-        code(&c->b, SMVM_out, 1, result(c, kind));
+        code(&c->b, SMVM_out, 1, put_use_of_x(c, kind));
         if (c->instructions % 3)                      // X again, or not
-            code(&c->b, SMVM_out, 1, result(c, SM_F64));
+            code(&c->b, SMVM_out, 1, put_use_of_x(c, SM_F64));
         return;
     }
     typed(&c->b, SMVM_st_local, t, OTHERS_AT + 8 * t);
     if (c->instructions % 3)
         typed(&c->b, from, t, OTHERS_AT + 8 * t);
-    code(&c->b, SMVM_out, 1, result(c, SM_F64));
+    code(&c->b, SMVM_out, 1, put_use_of_x(c, SM_F64));
     code(&c->b, SMVM_ldy_plus, 1, 0);
     code(&c->b, SMVM_set, 1, SMVM_LESS | SMVM_GREATER);
-    code(&c->b, SMVM_out, 1, result(c, SM_BOOL));
+    code(&c->b, SMVM_out, 1, put_use_of_x(c, SM_BOOL));
     typed(&c->b, from, t, OTHERS_AT + 8 * t);
     typed(&c->b, from + TO_Y, t, OTHERS_AT + 8 * t);
     code(&c->b, SMVM_set, 1, SMVM_EQUAL);
-    code(&c->b, SMVM_out, 1, result(c, SM_BOOL));
+    code(&c->b, SMVM_out, 1, put_use_of_x(c, SM_BOOL));
 }
 
-// X and, from SOURCES on again the first of them, Y.
+// Puts code that loads X and Y.  From SOURCES on, Y is the first of the sources again.
 static void put_operands(Case *c, unsigned x, unsigned y)
 {
     make_room(c);
@@ -151,10 +151,10 @@ static void put_operands(Case *c, unsigned x, unsigned y)
     put_source(&c->b, y % SOURCES, TO_Y);
 }
 
-// A jump over a store; X can be stored on the path that is not taken.
+// Puts a jump over a store.  X can be stored on the path that is not taken.
 static void put_jump(Case *c, unsigned op, int numbers, unsigned n)
 {
-    unsigned d = result(c, SM_U8), seen = result(c, SM_F64);
+    unsigned d = put_use_of_x(c, SM_U8), seen = put_use_of_x(c, SM_F64);
     const bool again = c->instructions++ % 3 == 0;
     const uint32_t skip = 1 + 1 + 1 + 1 + (again ? 2u : 0u);      // ldx 3; out d
 
@@ -167,10 +167,10 @@ static void put_jump(Case *c, unsigned op, int numbers, unsigned n)
     code(&c->b, SMVM_ldx_plus, 1, 3);
     code(&c->b, SMVM_out, 1, d);
     code(&c->b, SMVM_ldx_plus, 1, 5);                 // here
-    code(&c->b, SMVM_out, 1, result(c, SM_U8));
+    code(&c->b, SMVM_out, 1, put_use_of_x(c, SM_U8));
 }
 
-static void every_operation(Case *c)
+static void test_operations_decode_alike(Case *c)
 {
     for (unsigned x = 0; x < SOURCES + WAYS; x++) {
         for (unsigned op = SMVM_neg; op <= SMVM_sign; op++)
@@ -178,36 +178,47 @@ static void every_operation(Case *c)
                 make_room(c);
                 put_x(c, x);
                 code(&c->b, op, 0);
-                put_seen(c);
+                put_observations(c);
             }
         for (unsigned i = 0; i < 8 * SM_TYPE_COUNT; i++) {
             make_room(c);
             put_x(c, x);
             code(&c->b, i % 4 == 0 ? SMVM_addi : i % 4 == 1 ? SMVM_subi : SMVM_cvt, 1, i % 4 < 2 ? (unsigned)(SMVM_VARINT_END - 1) >> i % 32 : i / 8);
-            put_seen(c);
+            put_observations(c);
         }
         for (unsigned op = SMVM_add; op <= SMVM_or; op++)
             for (unsigned y = 0; y < SOURCES; y++) {
                 put_operands(c, x, y);
                 code(&c->b, op, 0);
-                put_seen(c);
+                put_observations(c);
             }
+        for (unsigned n = 0; n < 9; n++) {
+            make_room(c);
+            put_x(c, x);
+            code(&c->b, SMVM_fn, 1, n);
+            put_observations(c);
+        }
+        for (unsigned y = 0; y < 3 * SOURCES; y++) {
+            put_operands(c, x, y % SOURCES);
+            code(&c->b, SMVM_fn, 1, SMVM_FN_OF_TWO + y / SOURCES);
+            put_observations(c);
+        }
         for (unsigned i = 0; i < 3 * SM_TYPE_COUNT; i++) {        // stored as it is
             make_room(c);
             put_x(c, x);
-            put_seen(c);
+            put_observations(c);
         }
     }
 }
 
-static void every_relation(Case *c)
+static void test_relations_decode_alike(Case *c)
 {
     for (unsigned x = 0; x < SOURCES + WAYS; x++)
         for (unsigned m = 1; m < ALL; m++) {
             for (unsigned y = 0; y < SOURCES; y++) {
                 put_operands(c, x, y);
                 code(&c->b, SMVM_set, 1, m);
-                put_seen(c);
+                put_observations(c);
                 put_operands(c, x, y);
                 put_jump(c, SMVM_jxy + m - 1, 1, 0);
                 put_operands(c, x, y);                // the condition of the jump was computed
@@ -229,8 +240,8 @@ static void every_relation(Case *c)
             }
 }
 
-// Counting, `x = x + c`, in each type and from values at which the types end; the last X is used again.
-static void counting(Case *c)
+// `x = x + c` in each type, from values near the limits of the type.  The last X is used again.
+static void test_counters_decode_alike(Case *c)
 {
     static const uint8_t op[] = {SMVM_add, SMVM_sub, SMVM_addi, SMVM_subi};
 
@@ -246,18 +257,18 @@ static void counting(Case *c)
                     code(&c->b, op[i], i < 2 ? 0 : 1, k);
                     if (again)
                         typed(&c->b, SMVM_st_local, t, OTHERS_AT + 8 * t);
-                    code(&c->b, SMVM_out, 1, result(c, t));
+                    code(&c->b, SMVM_out, 1, put_use_of_x(c, t));
                     if (again)
-                        code(&c->b, SMVM_out, 1, result(c, SM_F64));
+                        code(&c->b, SMVM_out, 1, put_use_of_x(c, SM_F64));
                     put_source(&c->b, k, 0);
                     typed(&c->b, SMVM_ldy_local, t, 8 * t);
                     code(&c->b, op[i], i < 2 ? 0 : 1, k);
-                    code(&c->b, SMVM_out, 1, result(c, t));
+                    code(&c->b, SMVM_out, 1, put_use_of_x(c, t));
                 }
 }
 
-// What was computed, with all that can be Y, stored as F32 and F64.
-static void floats(Case *c)
+// Results with each possible Y, stored as F32 and as F64.
+static void test_float_stores_decode_alike(Case *c)
 {
     for (unsigned op = SMVM_add; op <= SMVM_div; op++)
         for (unsigned y = 0; y < SOURCES; y++)
@@ -266,18 +277,18 @@ static void floats(Case *c)
                 put_operands(c, SOURCES + i / 2 % 2 * 2, y);
                 code(&c->b, op, 0);
                 if (i < 4) {
-                    code(&c->b, SMVM_out, 1, result(c, type));
+                    code(&c->b, SMVM_out, 1, put_use_of_x(c, type));
                 } else {
                     typed(&c->b, SMVM_st_local, type, OTHERS_AT + 8 * type);
                     typed(&c->b, SMVM_ldy_local, type, OTHERS_AT + 8 * type);
                     code(&c->b, SMVM_set, 1, SMVM_EQUAL);
                 }
-                code(&c->b, SMVM_out, 1, result(c, SM_F64));     // X is unchanged
+                code(&c->b, SMVM_out, 1, put_use_of_x(c, SM_F64));     // X is unchanged
             }
 }
 
-// X is in a variable that is overwritten, and is used again.
-static void overwritten(Case *c)
+// X is loaded from a variable that is then overwritten, and X is used again.
+static void test_overwritten_x_decodes_alike(Case *c)
 {
     for (unsigned x = 0; x <= SM_TYPE_COUNT; x++)
         for (unsigned t = 0; t <= SM_TYPE_COUNT; t++)
@@ -289,10 +300,10 @@ static void overwritten(Case *c)
                 typed(&c->b, SMVM_st_local, SM_U64, OTHERS_AT + 8);
                 typed(&c->b, SMVM_ldx_local, x, OTHERS_AT + 8);
                 typed(&c->b, SMVM_st_local, t, at);
-                code(&c->b, SMVM_out, 1, result(c, SM_F64));
+                code(&c->b, SMVM_out, 1, put_use_of_x(c, SM_F64));
                 code(&c->b, SMVM_ldy_plus, 1, 1);
                 code(&c->b, SMVM_add, 0);
-                code(&c->b, SMVM_out, 1, result(c, SM_F64));
+                code(&c->b, SMVM_out, 1, put_use_of_x(c, SM_F64));
             }
 }
 
@@ -305,18 +316,18 @@ typedef struct Nonsense {
     bool x, y;                // whether it is known
 } Nonsense;
 
-static unsigned dice(Nonsense *n, unsigned sides) { return (unsigned)(hammer_random(&n->seed) >> 20) % sides; }
+static unsigned random_below(Nonsense *n, unsigned sides) { return (unsigned)(hammer_random(&n->seed) >> 20) % sides; }
 
-static unsigned any_place(Nonsense *n, unsigned type) { return (dice(n, 24) >> smvm_type_shift(type)) << smvm_type_shift(type); }
+static unsigned random_location(Nonsense *n, unsigned type) { return (random_below(n, 24) >> smvm_type_shift(type)) << smvm_type_shift(type); }
 
-static void some_load(Nonsense *n, unsigned to_y)
+static void put_random_load(Nonsense *n, unsigned to_y)
 {
-    unsigned type = dice(n, SM_TYPE_COUNT + 1);
+    unsigned type = random_below(n, SM_TYPE_COUNT + 1);
 
-    if (dice(n, 3) == 0)
-        put_source(&n->c->b, dice(n, SOURCES), to_y);
+    if (random_below(n, 3) == 0)
+        put_source(&n->c->b, random_below(n, SOURCES), to_y);
     else
-        typed(&n->c->b, SMVM_ldx_local + to_y, type, any_place(n, type));
+        typed(&n->c->b, SMVM_ldx_local + to_y, type, random_location(n, type));
     if (!to_y)
         n->x = true;
     n->y = to_y != 0;
@@ -328,51 +339,52 @@ static void here(Nonsense *n)                         // the jumps so far lead h
         uint32_t at = n->jump[--n->jumps];
         n->c->b.code[at] = (uint8_t)(n->c->b.size - at - 1);
     }
-    if (dice(n, 8) == 0) {
+    if (random_below(n, 8) == 0) {
         code(&n->c->b, SMVM_jmp, 1, 0);
         n->jump[n->jumps++] = n->c->b.size - 1;
     }
-    some_load(n, 0);
+    put_random_load(n, 0);
 }
 
-static void some_jump(Nonsense *n)
+static void put_random_jump(Nonsense *n)
 {
-    unsigned m = dice(n, ALL - 1);
+    unsigned m = random_below(n, ALL - 1);
     Build *b = &n->c->b;
 
-    switch (dice(n, n->y ? 4 : 3)) {
+    switch (random_below(n, n->y ? 4 : 3)) {
     case 0: code(b, SMVM_jt, 1, 0); break;
     case 1: code(b, SMVM_jf, 1, 0); break;
-    case 2: code(b, SMVM_jxn + m, 2, dice(n, 5), 0); break;
+    case 2: code(b, SMVM_jxn + m, 2, random_below(n, 5), 0); break;
     default: code(b, SMVM_jxy + m, 1, 0); break;
     }
     n->jump[n->jumps++] = b->size - 1;
 }
 
-static void some_store(Nonsense *n)
+static void put_random_store(Nonsense *n)
 {
-    unsigned type = dice(n, SM_TYPE_COUNT + 1);
+    unsigned type = random_below(n, SM_TYPE_COUNT + 1);
 
-    if (dice(n, 3) == 0 && n->c->b.outputs < RESULTS)
-        code(&n->c->b, SMVM_out, 1, result(n->c, dice(n, SM_TYPE_COUNT)));
+    if (random_below(n, 3) == 0 && n->c->b.outputs < RESULTS)
+        code(&n->c->b, SMVM_out, 1, put_use_of_x(n->c, random_below(n, SM_TYPE_COUNT)));
     else
-        typed(&n->c->b, SMVM_st_local, type, any_place(n, type));
+        typed(&n->c->b, SMVM_st_local, type, random_location(n, type));
     n->y = false;
 }
 
-static void some_operation(Nonsense *n)
+static void put_random_operation(Nonsense *n)
 {
-    switch (dice(n, n->y ? 8 : 5)) {
-    case 0: code(&n->c->b, SMVM_neg + dice(n, 8), 0); break;
-    case 1: case 2: code(&n->c->b, SMVM_addi, 1, dice(n, 200)); break;
-    case 3: code(&n->c->b, SMVM_subi, 1, dice(n, 200)); break;
-    case 4: code(&n->c->b, SMVM_cvt, 1, dice(n, SM_TYPE_COUNT)); break;
-    case 5: code(&n->c->b, SMVM_set, 1, 1 + dice(n, ALL - 1)); break;
-    default: code(&n->c->b, SMVM_add + dice(n, 8), 0); break;
+    switch (random_below(n, n->y ? 9 : 6)) {
+    case 0: code(&n->c->b, SMVM_neg + random_below(n, 8), 0); break;
+    case 1: case 2: code(&n->c->b, SMVM_addi, 1, random_below(n, 200)); break;
+    case 3: code(&n->c->b, SMVM_subi, 1, random_below(n, 200)); break;
+    case 4: code(&n->c->b, SMVM_cvt, 1, random_below(n, SM_TYPE_COUNT)); break;
+    case 5: code(&n->c->b, SMVM_fn, 1, random_below(n, 9)); n->y = false; break;
+    case 6: code(&n->c->b, SMVM_set, 1, 1 + random_below(n, ALL - 1)); break;
+    default: code(&n->c->b, SMVM_add + random_below(n, 8), 0); break;
     }
 }
 
-static void nonsense(Case *c, uint64_t seed)
+static void test_random_code_decodes_alike(Case *c, uint64_t seed)
 {
     Nonsense n = {c, seed * 0x9e3779b97f4a7c15u | 1, {0}, 0, false, false};
 
@@ -384,13 +396,13 @@ static void nonsense(Case *c, uint64_t seed)
             here(&n);
             far = c->b.size;
         }
-        switch (dice(&n, 8)) {
+        switch (random_below(&n, 8)) {
         case 0: here(&n); break;
-        case 1: some_load(&n, 0); break;
-        case 2: case 3: some_load(&n, TO_Y); break;
-        case 4: some_store(&n); break;
-        case 5: n.jumps < 7 ? some_jump(&n) : some_store(&n); break;
-        default: some_operation(&n); break;
+        case 1: put_random_load(&n, 0); break;
+        case 2: case 3: put_random_load(&n, TO_Y); break;
+        case 4: put_random_store(&n); break;
+        case 5: n.jumps < 7 ? put_random_jump(&n) : put_random_store(&n); break;
+        default: put_random_operation(&n); break;
         }
     }
     here(&n);
@@ -420,7 +432,7 @@ static void put_function(Case *c, unsigned f)
     code(&c->b, SMVM_end, 0);
 }
 
-static void states(Case *c)
+static void test_transitions_decode_alike(Case *c)
 {
     static uint8_t image[16384];
 
@@ -429,7 +441,7 @@ static void states(Case *c)
         c->b.size = c->b.ends = 0;
         c->b.states = 2;
         for (unsigned i = 0; i < 70; i++)
-            result(c, SM_F64);
+            put_use_of_x(c, SM_F64);
         if (present % 3)
             code(&c->b, SMVM_end, 0);
         end_function(&c->b);
@@ -447,7 +459,7 @@ static void states(Case *c)
 static void put_stat(Case *c, unsigned stat, unsigned type)      // stored; and a jump's condition, which tests a number or a variable in memory
 {
     code(&c->b, SMVM_stat, 2, stat, 0);
-    code(&c->b, SMVM_out, 1, result(c, type));
+    code(&c->b, SMVM_out, 1, put_use_of_x(c, type));
     for (unsigned m = 1; m < ALL; m += 6) {
         code(&c->b, SMVM_stat, 2, stat, 0);
         put_jump(c, SMVM_jxn + m - 1, 2, 2);
@@ -457,8 +469,8 @@ static void put_stat(Case *c, unsigned stat, unsigned type)      // stored; and 
     }
 }
 
-// One window of a type; its sample comes out of memory as that type or not, and its statistics go there.
-static void window_case(Case *c, unsigned type, unsigned n, unsigned stats, unsigned how)
+// Checks one window of a type.  Its sample is loaded with that type or another one, and its statistics are stored there.
+static void check_window(Case *c, unsigned type, unsigned n, unsigned stats, unsigned how)
 {
     static uint8_t image[16384];
 
@@ -468,12 +480,12 @@ static void window_case(Case *c, unsigned type, unsigned n, unsigned stats, unsi
     c->b.window[0] = WINDOW_OF(type == SM_I64 || type == SM_U64 ? SM_ROLL_F64 : type, n, stats);
     put_source(&c->b, how % 3 ? type : SM_F64, 0);
     code(&c->b, SMVM_sample, 1, 0);
-    code(&c->b, SMVM_out, 1, result(c, SM_F64));      // X is unchanged
+    code(&c->b, SMVM_out, 1, put_use_of_x(c, SM_F64));      // X is unchanged
     code(&c->b, SMVM_end, 0);
     end_function(&c->b);
     end_function(&c->b);
     while (how % 5 < 3 && (stats & (stats - 1)) == 0 && c->b.outputs < 63 + how % 5)      // it goes to one of the last that fit into a word, or the next
-        result(c, SM_F64);
+        put_use_of_x(c, SM_F64);
     for (unsigned s = 0; s < SM_STAT_COUNT; s++)
         if (stats >> s & 1)
             put_stat(c, s, how % 2 ? type : SM_F64);
@@ -483,16 +495,16 @@ static void window_case(Case *c, unsigned type, unsigned n, unsigned stats, unsi
     CHECK(hammer(image, build_image(&c->b, image), 3 * n + 40, how + 1) == 0);
 }
 
-static void windows(Case *c)
+static void test_windows_decode_alike(Case *c)
 {
     static const unsigned size[] = {11, 1, 40, 70};
 
     for (unsigned k = 0; k < SM_TYPE_COUNT * 31; k++)
-        window_case(c, k / 31, size[k % 4], k % 31 + 1, k);
+        check_window(c, k / 31, size[k % 4], k % 31 + 1, k);
 }
 
-// Every size that an instruction is made for, and those beside.
-static void short_windows(Case *c)
+// Each size that has its own instruction, and the sizes next to it.
+static void test_short_windows_decode_alike(Case *c)
 {
     static const uint8_t types[] = {SM_I16, SM_U16, SM_I32, SM_F32, SM_F64};
     static const uint8_t stats[] = {1u << SM_STAT_AVG, 1u << SM_STAT_MEDIAN, 1u << SM_STAT_MIN | 1u << SM_STAT_MAX, 1u << SM_STAT_RANGE};
@@ -500,12 +512,12 @@ static void short_windows(Case *c)
     for (unsigned n = 1; n <= SM_ROLL_SCAN + 1; n = n == SM_ROLL_SHORT + 1 ? SM_ROLL_SCAN - 1 : n + 1)
         for (unsigned t = 0; t < sizeof types; t++)
             for (unsigned s = 0; s < sizeof stats; s++)
-                window_case(c, types[t], n, stats[s], n * 7 + t + s);
+                check_window(c, types[t], n, stats[s], n * 7 + t + s);
 }
 
 // ---- memory, and another state vector ----
 
-static void memory(void)
+static void test_decoding_needs_aligned_memory(void)
 {
     static uint8_t image[16384];
     uint64_t sv[2][VECTOR / 8] = {{0}, {0}}, ram[300], decoded[20000];
@@ -519,8 +531,8 @@ static void memory(void)
     begin(&c);
     put_source(&c.b, SM_F64, 0);
     code(&c.b, SMVM_addi, 1, 7);
-    code(&c.b, SMVM_out, 1, result(&c, SM_F64));
-    result(&c, SM_F64);
+    code(&c.b, SMVM_out, 1, put_use_of_x(&c, SM_F64));
+    put_use_of_x(&c, SM_F64);
     code(&c.b, SMVM_end, 0);
     end_function(&c.b);
     end_function(&c.b);
@@ -546,17 +558,17 @@ int main(void)
     static Case c;
 
     begin(&c);
-    every_operation(&c);
-    every_relation(&c);
-    counting(&c);
-    floats(&c);
-    overwritten(&c);
+    test_operations_decode_alike(&c);
+    test_relations_decode_alike(&c);
+    test_counters_decode_alike(&c);
+    test_float_stores_decode_alike(&c);
+    test_overwritten_x_decodes_alike(&c);
     run_case(&c);
     for (unsigned i = 1; i <= 200; i++)
-        nonsense(&c, i);
-    states(&c);
-    windows(&c);
-    short_windows(&c);
-    memory();
+        test_random_code_decodes_alike(&c, i);
+    test_transitions_decode_alike(&c);
+    test_windows_decode_alike(&c);
+    test_short_windows_decode_alike(&c);
+    test_decoding_needs_aligned_memory();
     return test_end(DECODE_TEST);
 }

@@ -39,7 +39,7 @@ static uint32_t put_debug(const Build *b, const Names *names, uint8_t *p)
     return (uint32_t)(p - start) + names->size;
 }
 
-// An image with names that the verifier accepts.
+// Builds an image with names that the verifier accepts.
 static void put_image(const Build *b, const Names *names, uint8_t *image)
 {
     static const uint8_t id[] = {0x81, 0x82, 0x02};
@@ -74,7 +74,7 @@ static void end_functions(Build *b)
         end_function(b);
 }
 
-static void long_name(void)
+static void test_long_names_are_written(void)
 {
     const Names names = {3, {{SMVM_IS_LOCAL, PLACE(F64, 0)}, {SMVM_IS_ELEMENT, PLACE(F64, 16)}, {SMVM_IS_TIME, 0}}, NAME};
     static uint8_t image[NAME + 8 * MOVES];
@@ -96,7 +96,7 @@ static void long_name(void)
 
 static void write_text(void *context, const char *text, size_t length) { strncat((char *)context, text, length); }
 
-static const char *text_of(const Build *b, const Names *names)
+static const char *disassemble(const Build *b, const Names *names)
 {
     static char text[8000];
     static uint8_t image[4000];
@@ -107,8 +107,8 @@ static const char *text_of(const Build *b, const Names *names)
     return text;
 }
 
-// They are found where they are in order, by what the thing is, its type and its place.
-static void names_of(void)
+// The disassembler finds names by binary search, so the table must be sorted by kind, type and offset.
+static void test_variable_names(void)
 {
     const Names all = {6, {{SMVM_IS_LOCAL, PLACE(I16, 2)}, {SMVM_IS_LOCAL, PLACE(F64, 8)}, {SMVM_IS_ELEMENT, PLACE(U32, 8)},
                             {SMVM_IS_ELEMENT, PLACE(U64, 0)}, {SMVM_IS_ELEMENT, PLACE(F64, 16)}, {SMVM_IS_TIME, 0}}, 3};
@@ -126,17 +126,17 @@ static void names_of(void)
     typed(&b, SMVM_ldy_elem, SM_F64, 16);
     code(&b, SMVM_ldx_time, 0);
     end_functions(&b);
-    text = text_of(&b, &all);
+    text = disassemble(&b, &all);
     CHECK(strstr(text, "  ldx     xxx\n") && strstr(text, "  st      xxx\n") && strstr(text, "  st      local RAW@8\n"));
     CHECK(strstr(text, "  ldx     local I16@4\n") && strstr(text, "  ldy     xxx\n") && strstr(text, "ldx     xxx\n    11  end"));
     CHECK(strstr(text, "G               U64@0 xxx\n") && strstr(text, "S               U32@8 xxx\n"));
-    CHECK(strstr(text_of(&b, &wrong), "  ldx     T\n") && strstr(text_of(&b, &wrong), "  ldx     local I16@2\n"));
-    text = text_of(&b, &none);
+    CHECK(strstr(disassemble(&b, &wrong), "  ldx     T\n") && strstr(disassemble(&b, &wrong), "  ldx     local I16@2\n"));
+    text = disassemble(&b, &none);
     CHECK(strstr(text, "ldx     local I16@2\n") && strstr(text, "ldy     F64@16\n") && strstr(text, "ldx     T\n"));
 }
 
-// A state's name is copied as far as it fits; an image without names has none, and neither has a state that does not exist.
-static void copied_name(void)
+// A state's name is copied as far as it fits.  The copy is empty if the image has no names or the state does not exist.
+static void test_state_name_is_copied(void)
 {
     const Names names = {0, {{0, 0}}, 5};
     static uint8_t image[4000];
@@ -164,8 +164,8 @@ static void copied_name(void)
 
 typedef struct Line { const char *text; unsigned op; int numbers; unsigned n[2]; } Line;
 
-// X and Y are 1 and 2 before each.
-static void every_opcode(void)
+// X and Y are 1 and 2 before each instruction.
+static void test_every_opcode_is_written(void)
 {
     static const Line lines[] = {
         {"  ldx     local U8@3\n", SMVM_ldx_local + 4, 1, {3, 0}},
@@ -186,6 +186,9 @@ static void every_opcode(void)
         {"  ldy     F64@24\n", SMVM_ldy_elem + 9, 1, {3, 0}},
         {"  ldy     T\n", SMVM_ldy_time, 0, {0, 0}},
         {"  cvt     F32\n", SMVM_cvt, 1, {8, 0}},
+        {"  fn      exp\n", SMVM_fn, 1, {SMVM_FN_exp, 0}},
+        {"  fn      atan\n", SMVM_fn, 1, {SMVM_FN_atan, 0}},
+        {"  fn      hypot\n", SMVM_fn, 1, {SMVM_FN_hypot, 0}},
         {"  set     not x <= y\n", SMVM_set, 1, {12, 0}},
         {"  set     x <> y\n", SMVM_set, 1, {5, 0}},
         {"  st      local F32@4\n", SMVM_st_local + 8, 1, {1, 0}},
@@ -217,17 +220,17 @@ static void every_opcode(void)
         code(&b, SMVM_ldy_plus, 1, 2);
         code(&b, lines[i].op, lines[i].numbers, lines[i].n[0], lines[i].n[1]);
         end_functions(&b);
-        CHECK(strstr(text_of(&b, &none), lines[i].text));
-        if (!strstr(text_of(&b, &none), lines[i].text))
-            fprintf(stderr, "not there: %s%s", lines[i].text, text_of(&b, &none));
+        CHECK(strstr(disassemble(&b, &none), lines[i].text));
+        if (!strstr(disassemble(&b, &none), lines[i].text))
+            fprintf(stderr, "not there: %s%s", lines[i].text, disassemble(&b, &none));
     }
 }
 
 int main(void)
 {
-    long_name();
-    names_of();
-    copied_name();
-    every_opcode();
+    test_long_names_are_written();
+    test_variable_names();
+    test_state_name_is_copied();
+    test_every_opcode_is_written();
     return test_end("vm_disasm");
 }

@@ -14,7 +14,7 @@ bool cycle(SmVm *vm);
 
 static char page[100000];
 
-static bool says(const char *text)
+static bool page_contains(const char *text)
 {
     if (!strstr(page, text))
         fprintf(stderr, "docs/bytecode.md lacks: %s\n", text);
@@ -30,7 +30,7 @@ static void load_page(void)
         fclose(f);
 }
 
-// The letters of a shape as the page has them.
+// Writes the letters of an operand shape as the page has them.
 static void put_shape(char *out, uint32_t shape)
 {
     static const char letter[] = "LENFDOSKWTMJ";
@@ -44,24 +44,24 @@ static void put_shape(char *out, uint32_t shape)
         }
 }
 
-static void opcode(const char *name, unsigned first, unsigned last)
+static void check_opcode(const char *name, unsigned first, unsigned last)
 {
     char row[100], shape[40], number[20];
 
     put_shape(shape, smvm_shape((uint8_t)first));
     snprintf(number, sizeof number, first == last ? "0x%02x" : "0x%02x … 0x%02x", first, last);
     snprintf(row, sizeof row, "| %s | `%s` |%s%s |", number, name, *shape ? " " : "", shape);
-    CHECK(says(row));
+    CHECK(page_contains(row));
 }
 
-static void opcodes(void)
+static void test_opcodes_are_documented(void)
 {
-#define SMVM_OP(name, first, last, shape, meaning) opcode(#name, first, last);
+#define SMVM_OP(name, first, last, shape, meaning) check_opcode(#name, first, last);
 #include "bytecode-vm/opcodes.def"
 #undef SMVM_OP
 }
 
-// A rule's sentence begins with a capital and marks code otherwise in the page; compared without quotes and capitals.
+// Whether a rule's sentence is that of the page, which begins with a capital and marks code: compares without quotes and capitals.
 static bool same_words(const char *a, const char *b)
 {
     while (*a && *b) {
@@ -81,7 +81,7 @@ static bool same_words(const char *a, const char *b)
     return !*a;
 }
 
-static void rules(void)
+static void test_rules_are_documented(void)
 {
     const char *at, *list = strstr(page, "## The verifier");
     char row[20];
@@ -97,20 +97,20 @@ static void rules(void)
 #undef SMVM_RULE
 }
 
-static void sections(void)
+static void test_sections_are_documented(void)
 {
     char row[100];
 
 #define SMVM_SECTION(name, id, version, meaning)                                      \
     snprintf(row, sizeof row, "| 0x%02x | %d |", id, version);                        \
-    CHECK(says(row) && strstr(strstr(page, row), "| " #name " |"));
+    CHECK(page_contains(row) && strstr(strstr(page, row), "| " #name " |"));
 #include "bytecode-vm/image.def"
 #undef SMVM_SECTION
 }
 
 // ---- the example ----
 
-static void example(void)
+static void test_example_works(void)
 {
     static uint8_t image[1000];
     uint32_t n;
@@ -144,9 +144,9 @@ static void example(void)
 int main(void)
 {
     load_page();
-    opcodes();
-    rules();
-    sections();
-    example();
+    test_opcodes_are_documented();
+    test_rules_are_documented();
+    test_sections_are_documented();
+    test_example_works();
     return test_end("vm_docs");
 }

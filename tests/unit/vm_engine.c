@@ -23,7 +23,7 @@ static void *host(void *context, void *old, size_t size)
     return NULL;
 }
 
-static Program *program(Session *s, const char *text)
+static Program *compile_program(Session *s, const char *text)
 {
     MachineInput in;
 
@@ -32,7 +32,7 @@ static Program *program(Session *s, const char *text)
     return session_program(s, &in);
 }
 
-static Buf image(Session *s, const Program *p, bool debug)
+static Buf emit_image_of(Session *s, const Program *p, bool debug)
 {
     IrMachine *m = session_ir(s, p, 1);
     ImageOptions o = {debug, NULL};
@@ -43,10 +43,10 @@ static Buf image(Session *s, const Program *p, bool debug)
     return out;
 }
 
-// Outputs carry no path: the source is named without its folders.
-static void source_name(Session *s)
+// An image contains the name of the source without its folders.
+static void test_source_is_named_without_folders(Session *s)
 {
-    Buf b = image(s, program(s, counter), true);
+    Buf b = emit_image_of(s, compile_program(s, counter), true);
     SmvmMachine m;
     SmvmName n;
 
@@ -55,7 +55,7 @@ static void source_name(Session *s)
     CHECK(n.size == 4 && memcmp(b.at + n.at, "t.sm", 4) == 0);
 }
 
-static bool refuses(Session *s, const Program *p, Buf b, uint32_t machine, const char *words)
+static bool is_refused(Session *s, const Program *p, Buf b, uint32_t machine, const char *words)
 {
     const char *error = NULL;
     Engine *e = engine_vm_open(&s->arena, p, (const uint8_t *)b.at, b.n, machine, &error);
@@ -65,22 +65,22 @@ static bool refuses(Session *s, const Program *p, Buf b, uint32_t machine, const
     return !e && strstr(error, words);
 }
 
-static void opening(Session *s)
+static void test_wrong_images_are_refused(Session *s)
 {
-    Program *p = program(s, counter), *q = program(s, other), *r = program(s, one_state);
-    Buf b = image(s, p, true);
+    Program *p = compile_program(s, counter), *q = compile_program(s, other), *r = compile_program(s, one_state);
+    Buf b = emit_image_of(s, p, true);
 
-    CHECK(refuses(s, p, b, 1, "no machine number 1"));
-    CHECK(refuses(s, q, b, 0, "another state vector"));
-    CHECK(refuses(s, r, b, 0, "another machine"));
-    CHECK(refuses(s, p, image(s, p, false), 0, "no local named 'n'"));
+    CHECK(is_refused(s, p, b, 1, "no machine number 1"));
+    CHECK(is_refused(s, q, b, 0, "another state vector"));
+    CHECK(is_refused(s, r, b, 0, "another machine"));
+    CHECK(is_refused(s, p, emit_image_of(s, p, false), 0, "no local named 'n'"));
     b.at[b.n - 1] ^= 1;
-    CHECK(refuses(s, p, b, 0, "rule 4"));
+    CHECK(is_refused(s, p, b, 0, "rule 4"));
     b.n = 3;
-    CHECK(refuses(s, p, b, 0, "rule 3"));
+    CHECK(is_refused(s, p, b, 0, "rule 3"));
 }
 
-static uint32_t index_of(const Program *p, const char *name)
+static uint32_t find_element(const Program *p, const char *name)
 {
     for (uint32_t i = 0; i < p->var.n; i++)
         if (strcmp(p->var.at[i]->name->text, name) == 0)
@@ -88,13 +88,13 @@ static uint32_t index_of(const Program *p, const char *name)
     return 0;
 }
 
-static void running(Session *s)
+static void test_engine_runs(Session *s)
 {
-    Program *p = program(s, counter);
-    Buf b = image(s, p, true);
+    Program *p = compile_program(s, counter);
+    Buf b = emit_image_of(s, p, true);
     const char *error = NULL;
     Engine *e = engine_vm_open(&s->arena, p, (const uint8_t *)b.at, b.n, 0, &error);
-    uint32_t n = index_of(p, "n"), in = index_of(p, "in"), out = index_of(p, "out"), half = index_of(p, "half");
+    uint32_t n = find_element(p, "n"), in = find_element(p, "in"), out = find_element(p, "out"), half = find_element(p, "half");
     EngineStep a;
 
     CHECK(e != NULL);
@@ -119,9 +119,9 @@ int main(void)
     Session s;
 
     session_init(&s, host, NULL, &oom);
-    opening(&s);
-    source_name(&s);
-    running(&s);
+    test_wrong_images_are_refused(&s);
+    test_source_is_named_without_folders(&s);
+    test_engine_runs(&s);
     session_free(&s);
     return test_end("vm_engine");
 }

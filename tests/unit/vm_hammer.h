@@ -22,7 +22,7 @@ static inline uint64_t hammer_random(uint64_t *seed)
     return *seed;
 }
 
-// Words that are difficult for some code: infinities, NaNs, the ends of the integers.
+// Returns numbers that are difficult for some code: infinities, NaNs, the limits of the integers.
 static inline uint64_t hammer_word(uint64_t *seed)
 {
     static const uint64_t hard[] = {0, 1, UINT64_MAX, 0x7ff0000000000000, 0xfff0000000000000, 0x7ff0000000000001, 0x7ff8000000000000,
@@ -41,7 +41,7 @@ static inline void hammer_sink(void *context, const char *text, size_t length)
         *sum += (unsigned char)text[i];
 }
 
-// How many steps are affordable: long windows take long.
+// Returns how many steps are affordable: steps with long windows are slow.
 static inline uint32_t hammer_steps(const SmvmMachine *m, uint32_t steps)
 {
     uint64_t slots = 0;
@@ -79,7 +79,7 @@ static inline void hammer_close(Hammered *h)
     free(h->decoded);
 }
 
-// In place and decoded: whether everything that can be seen is the same.
+// Whether the machine in place and the decoded machine agree on everything that a caller can observe.
 static inline bool hammer_same(const SmvmMachine *m, const Hammered *a, const Hammered *b)
 {
     SmVm *x = (SmVm *)a->memory, *y = (SmVm *)b->memory;
@@ -117,7 +117,7 @@ static inline void hammer_machine(const SmvmMachine *m, uint32_t steps, uint64_t
     hammer_close(&fast);
 }
 
-// Lets `to` continue where `from` is, whatever their names, and runs it in place and decoded.
+// Swaps `from` for `to`, whatever their names, and runs `to` in place and decoded.
 static inline void hammer_swap(const SmvmMachine *from, const SmvmMachine *to, uint32_t steps, uint64_t *seed)
 {
     const uint32_t size = smvm_swap_size(from, to);
@@ -160,7 +160,7 @@ static inline void hammer_swap(const SmvmMachine *from, const SmvmMachine *to, u
     free(plan);
 }
 
-// The descriptions of the pins are usable: their elements are inside a vector of exactly that size.
+// Checks that the descriptions of the pins are usable: their elements are inside a vector of exactly that size.
 static inline void hammer_pins(const uint8_t *image)
 {
     SmvmPins all;
@@ -182,7 +182,7 @@ static inline void hammer_pins(const uint8_t *image)
     free(sv);
 }
 
-// Gives the rule that refused it, or 0.
+// Verifies an image and runs each of its machines.  Returns the rule by which the verifier refused it; 0 if it accepted.
 static inline uint8_t hammer(const uint8_t *image, uint32_t n, uint32_t steps, uint64_t seed)
 {
     SmvmVerdict v;

@@ -21,7 +21,7 @@ enum { LOCALS = 48, ELEMENTS = 8 * SV_WORDS };
 static uint64_t seed = 1;
 static uint32_t accepted, exact, most_opcodes;
 
-static uint32_t below(uint32_t n)
+static uint32_t random_below(uint32_t n)
 {
     seed ^= seed << 13;
     seed ^= seed >> 7;
@@ -31,53 +31,53 @@ static uint32_t below(uint32_t n)
 
 // ---- machines of random code ----
 
-// Any load to X (y: 0) or Y (y: 0x20).
+// Puts a random load to X (y: 0) or Y (y: 0x20).
 static void put_load(Build *b, unsigned y)
 {
-    const unsigned t = below(SM_TYPE_COUNT);
+    const unsigned t = random_below(SM_TYPE_COUNT);
 
-    switch (below(8)) {
-    case 0: code(b, SMVM_ldx_plus + y, 1, below(2) ? below(100) : below(0x1000c60)); break;
-    case 1: code(b, SMVM_ldx_minus + y, 1, below(2) ? below(100) : below(0x1000c60)); break;
+    switch (random_below(8)) {
+    case 0: code(b, SMVM_ldx_plus + y, 1, random_below(2) ? random_below(100) : random_below(0x1000c60)); break;
+    case 1: code(b, SMVM_ldx_minus + y, 1, random_below(2) ? random_below(100) : random_below(0x1000c60)); break;
     case 2: code(b, SMVM_ldx_f32 + y, 1, 0); break;
     case 3: code(b, SMVM_ldx_f64 + y, 1, 0); break;
     case 4: code(b, SMVM_ldx_time + y, 0); break;
-    case 5: code(b, SMVM_ldx_local + SMVM_RAW + y, 1, below(LOCALS / 8)); break;
-    case 6: code(b, SMVM_ldx_local + t + y, 1, below(LOCALS >> smvm_type_shift(t))); break;
-    default: code(b, SMVM_ldx_elem + t + y, 1, below(ELEMENTS >> smvm_type_shift(t)));
+    case 5: code(b, SMVM_ldx_local + SMVM_RAW + y, 1, random_below(LOCALS / 8)); break;
+    case 6: code(b, SMVM_ldx_local + t + y, 1, random_below(LOCALS >> smvm_type_shift(t))); break;
+    default: code(b, SMVM_ldx_elem + t + y, 1, random_below(ELEMENTS >> smvm_type_shift(t)));
     }
 }
 
-// One that reads X and Y, which hold numbers then.
+// Puts a random instruction that reads X and Y, which have numbers before it.
 static void put_instruction(Build *b)
 {
-    const unsigned t = below(SM_TYPE_COUNT + 1), op = below(16);
+    const unsigned t = random_below(SM_TYPE_COUNT + 1), op = random_below(16);
 
-    switch (below(9)) {
+    switch (random_below(9)) {
     case 0: code(b, SMVM_add + op, 0); break;
-    case 1: code(b, SMVM_set, 1, 1 + below(14)); break;
-    case 2: code(b, SMVM_cvt, 1, below(SM_TYPE_COUNT)); break;
-    case 3: code(b, SMVM_addi + below(2), 1, below(2) ? below(100) : below(0x1000c60)); break;
-    case 4: code(b, SMVM_st_local + t, 1, below(t == SMVM_RAW ? LOCALS / 8u : (unsigned)LOCALS >> smvm_type_shift(t))); break;
-    case 5: code(b, SMVM_out, 1, below(2)); break;
-    case 6: code(b, below(2) ? SMVM_jt : SMVM_jf, 1, 0); break;
-    case 7: code(b, SMVM_jxy + below(14), 1, 0); break;
-    default: code(b, SMVM_jxn + below(14), 2, below(2) ? below(100) : below(0x1000c60), 0);
+    case 1: code(b, SMVM_set, 1, 1 + random_below(14)); break;
+    case 2: code(b, SMVM_cvt, 1, random_below(SM_TYPE_COUNT)); break;
+    case 3: code(b, SMVM_addi + random_below(2), 1, random_below(2) ? random_below(100) : random_below(0x1000c60)); break;
+    case 4: code(b, SMVM_st_local + t, 1, random_below(t == SMVM_RAW ? LOCALS / 8u : (unsigned)LOCALS >> smvm_type_shift(t))); break;
+    case 5: code(b, SMVM_out, 1, random_below(2)); break;
+    case 6: code(b, random_below(2) ? SMVM_jt : SMVM_jf, 1, 0); break;
+    case 7: code(b, SMVM_jxy + random_below(14), 1, 0); break;
+    default: code(b, SMVM_jxn + random_below(14), 2, random_below(2) ? random_below(100) : random_below(0x1000c60), 0);
     }
 }
 
-// Loads, and their uses.
+// Puts loads and instructions that use them.
 static void put_line(Build *b)
 {
-    if (below(8) == 0)
-        code(b, SMVM_stat, 2, below(SM_STAT_COUNT), 0);
+    if (random_below(8) == 0)
+        code(b, SMVM_stat, 2, random_below(SM_STAT_ELAPSED), 0);
     else
         put_load(b, 0);
-    for (unsigned n = below(4); n > 0; n--) {
+    for (unsigned n = random_below(4); n > 0; n--) {
         put_load(b, 0x20);
         put_instruction(b);
     }
-    if (below(6) == 0)
+    if (random_below(6) == 0)
         code(b, SMVM_jmp, 1, 0);
 }
 
@@ -90,7 +90,7 @@ static bool is_target_of(const Build *b, uint32_t at)
     return op == SMVM_end || op == SMVM_goto || op == SMVM_jmp || (op >= 0x80 && op <= SMVM_stat);
 }
 
-// Each jump of the function from `start` on leads to some instruction behind it.
+// Lets each jump of the function that begins at `start` lead to some instruction after the jump.
 static void aim_jumps(Build *b, uint32_t start)
 {
     for (uint32_t at = start, next; at < b->size; at = next) {
@@ -99,7 +99,7 @@ static void aim_jumps(Build *b, uint32_t start)
             ;
         if (!is_jump(b->code[at]))
             continue;
-        for (to = next + below(b->size - next < 60 ? b->size - next : 60); to < b->size && !is_target_of(b, to); to++)
+        for (to = next + random_below(b->size - next < 60 ? b->size - next : 60); to < b->size && !is_target_of(b, to); to++)
             ;
         while (to >= b->size || !is_target_of(b, to))            // none behind: the last one there is
             to--;
@@ -112,23 +112,23 @@ static void put_function(Build *b, bool may_go)
 {
     const uint32_t start = b->size;
 
-    for (uint32_t n = below(12); n > 0; n--)
+    for (uint32_t n = random_below(12); n > 0; n--)
         put_line(b);
     code(b, SMVM_end, 0);
-    if (may_go && below(2))
-        code(b, SMVM_goto, 1, (unsigned)(1 + below(2)));
+    if (may_go && random_below(2))
+        code(b, SMVM_goto, 1, (unsigned)(1 + random_below(2)));
     aim_jumps(b, start);
     end_function(b);
 }
 
-static void random_machine(Build *b)
+static void make_random_machine(Build *b)
 {
     memset(b, 0, sizeof *b);
     b->sv_words = SV_WORDS;
     b->locals = LOCALS;
     b->windows = b->f32s = b->f64s = 1;
     b->outputs = b->states = b->width = b->s = 2;
-    b->window[0] = WINDOW(5, 31);
+    b->window[0] = WINDOW(5, 255);
     b->f32[0] = 0xff800000u;
     b->f64[0] = 0x7ff8000000000000u;
     b->output[0] = PLACE(F64, 16);
@@ -142,21 +142,21 @@ static void random_machine(Build *b)
 
 // ---- running accepted images ----
 
-static uint64_t word(void)
+static uint64_t random_word(void)
 {
     static const uint64_t hard[] = {0, UINT64_MAX, 0x7ff0000000000000u, 0x7ff0000000000001u, 0xffffffffffffff00u, 0x8000000000000000u, 1};
-    const uint32_t i = below(9);
+    const uint32_t i = random_below(9);
 
     return i < 7 ? hard[i] : seed;
 }
 
-// One step; elements other than outputs and S must not change.
-static void step(const SmvmMachine *m, SmVm *vm, uint64_t *sv, uint64_t g, uint32_t longest)
+// Runs one step.  Elements other than outputs and S must not change.
+static void run_checked_step(const SmvmMachine *m, SmVm *vm, uint64_t *sv, uint64_t g, uint32_t longest)
 {
     uint8_t before[8 * SV_WORDS], *bytes = (uint8_t *)sv, written[8 * SV_WORDS] = {0};
 
     for (uint32_t i = 0; i < SV_WORDS; i++)
-        sv[i] = word();
+        sv[i] = random_word();
     memcpy(bytes + m->g, &g, 8);
     memcpy(before, sv, sizeof before);
     memset(written + m->s, 1, 4);
@@ -184,16 +184,16 @@ static void run_image(uint32_t longest)
         return;
     v.layout = m.layout;
     memset(memory, 0xa5, sizeof memory);
-    CHECK(smvm_init(memory, size, &m, &v, 1 + below(m.states)) == SM_OK);
+    CHECK(smvm_init(memory, size, &m, &v, 1 + random_below(m.states)) == SM_OK);
     most_opcodes = 0;
     for (uint64_t g = 0; g < JUMPS; g++)
-        step(&m, (SmVm *)memory, sv, g, longest);
+        run_checked_step(&m, (SmVm *)memory, sv, g, longest);
     for (uint32_t i = size; i < sizeof memory; i++)
         CHECK(((uint8_t *)memory)[i] == 0xa5);
     exact += most_opcodes == longest;
 }
 
-static bool try(uint32_t n)
+static bool try_image(uint32_t n)
 {
     SmvmVerdict v;
 
@@ -206,22 +206,22 @@ static bool try(uint32_t n)
     return true;
 }
 
-static void random_images(void)
+static void test_random_images_are_safe(void)
 {
     for (unsigned k = 0; k < 600; k++) {
         Build b;
         uint32_t n, at;
-        random_machine(&b);
+        make_random_machine(&b);
         n = build_image(&b, small_flash + START);
-        CHECK(try(n));
+        CHECK(try_image(n));
         for (unsigned i = 0; i < 50; i++) {
             uint8_t old;
-            at = below(n);
+            at = random_below(n);
             old = small_flash[START + at];
-            small_flash[START + at] = (uint8_t)(below(3) ? old ^ 1u << below(8) : below(256));
+            small_flash[START + at] = (uint8_t)(random_below(3) ? old ^ 1u << random_below(8) : random_below(256));
             if (at < 8 || at > 10)
                 fix_crc(small_flash + START);
-            try(n);
+            try_image(n);
             small_flash[START + at] = old;
         }
     }
@@ -230,7 +230,7 @@ static void random_images(void)
 
 // ---- one by one ----
 
-static uint8_t verdict(const Build *b)
+static uint8_t verify_build(const Build *b)
 {
     SmvmVerdict v;
     const uint32_t n = build_image(b, small_flash + START);
@@ -240,58 +240,58 @@ static uint8_t verdict(const Build *b)
     return smvm_verify(START, n, &v);
 }
 
-// Writing the state's number must not set the clock of all machines.
-static void state_over_time(void)
+// A machine must not write its state's number over the clock of all machines.
+static void test_state_cannot_overwrite_time(void)
 {
     Build b;
 
     for (unsigned i = 0; i < 2; i++) {
-        random_machine(&b);
+        make_random_machine(&b);
         b.s = i;
-        CHECK(verdict(&b) == SMVM_R_PROTECTED);
+        CHECK(verify_build(&b) == SMVM_R_PROTECTED);
     }
     b.s = 14;
-    CHECK(verdict(&b) == 0);
+    CHECK(verify_build(&b) == 0);
 }
 
-static void too_much_for_the_target(void)
+static void test_image_too_large_for_the_target_is_refused(void)
 {
     Build b;
 
-    random_machine(&b);
+    make_random_machine(&b);
     b.sv_words = 0x8000 / 8;
-    CHECK(verdict(&b) == 0);
+    CHECK(verify_build(&b) == 0);
     b.sv_words++;
-    CHECK(verdict(&b) == SMVM_R_RAM);
+    CHECK(verify_build(&b) == SMVM_R_RAM);
     b.sv_words = b.to = 0x10000 / 8 + SV_WORDS;       // what would be SV_WORDS in 16 bits
-    CHECK(verdict(&b) == SMVM_R_RAM);
-    random_machine(&b);
+    CHECK(verify_build(&b) == SMVM_R_RAM);
+    make_random_machine(&b);
     b.locals = 0x10000 + LOCALS;
-    CHECK(verdict(&b) == SMVM_R_RAM);
-    random_machine(&b);
+    CHECK(verify_build(&b) == SMVM_R_RAM);
+    make_random_machine(&b);
     b.g = 0x10000 / 8;
-    CHECK(verdict(&b) == SMVM_R_RAM);
-    random_machine(&b);
+    CHECK(verify_build(&b) == SMVM_R_RAM);
+    make_random_machine(&b);
     b.output[0] = PLACE_OF(SM_F64, 0x10000 / 8 + 2);
-    CHECK(verdict(&b) == SMVM_R_OUTPUTS);
-    random_machine(&b);
+    CHECK(verify_build(&b) == SMVM_R_OUTPUTS);
+    make_random_machine(&b);
     b.window[0] = WINDOW(0x2000 + 1, 1);              // 65544 bytes: a sum of 16 bits would come to 8
-    CHECK(verdict(&b) == SMVM_R_RAM);
-    b.window[0] = WINDOW(100000, 31);
-    CHECK(verdict(&b) == SMVM_R_RAM);
+    CHECK(verify_build(&b) == SMVM_R_RAM);
+    b.window[0] = WINDOW(100000, 255);
+    CHECK(verify_build(&b) == SMVM_R_RAM);
     b.window[0] = WINDOW(100001, 31);
-    CHECK(verdict(&b) == SMVM_R_WINDOW);
+    CHECK(verify_build(&b) == SMVM_R_WINDOW);
 }
 
 // An optional section of an unknown version is skipped, wherever it is.
-static void later_debug(void)
+static void test_unknown_optional_section_is_skipped(void)
 {
     static const uint8_t id[] = {0x02, 0x81, 0x82};
     uint8_t *image = small_flash + START;
     SmvmVerdict v;
     Build b;
 
-    random_machine(&b);
+    make_random_machine(&b);
     small_image = START;
     small_end = START + build_sections(&b, 3, id, image);
     CHECK(smvm_verify(START, small_end - START, &v) == SMVM_R_GROUP);
@@ -302,9 +302,9 @@ static void later_debug(void)
 
 int main(void)
 {
-    random_images();
-    state_over_time();
-    too_much_for_the_target();
-    later_debug();
+    test_random_images_are_safe();
+    test_state_cannot_overwrite_time();
+    test_image_too_large_for_the_target_is_refused();
+    test_unknown_optional_section_is_skipped();
     return test_end("vm_hostile");
 }

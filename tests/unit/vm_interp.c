@@ -3,9 +3,10 @@
 #include <math.h>
 
 #include "stdlib/convert.h"
+#include "stdlib/elementary.h"
 #include "tests/unit/vm_machine.h"
 
-static double two(unsigned op, double x, double y)
+static double compute_of_two(unsigned op, double x, double y)
 {
     Build b;
 
@@ -16,7 +17,7 @@ static double two(unsigned op, double x, double y)
     return given(&b, x, y);
 }
 
-static double one(unsigned op, double x)
+static double compute_of_one(unsigned op, double x)
 {
     Build b;
 
@@ -26,7 +27,7 @@ static double one(unsigned op, double x)
     return given(&b, x, 0);
 }
 
-static double set(unsigned m, double x, double y)
+static double compute_relation(unsigned m, double x, double y)
 {
     Build b;
 
@@ -37,36 +38,59 @@ static double set(unsigned m, double x, double y)
     return given(&b, x, y);
 }
 
-static void operations(void)
+static void test_operations_compute(void)
 {
-    CHECK(one(SMVM_neg, 1.5) == -1.5 && same(one(SMVM_neg, 0.0), -0.0));
-    CHECK(one(SMVM_abs, -1.5) == 1.5);
-    CHECK(one(SMVM_floor, -1.5) == -2);
-    CHECK(one(SMVM_ceil, -1.5) == -1);
-    CHECK(one(SMVM_trunc, -1.7) == -1);
-    CHECK(one(SMVM_round, 2.5) == 3);
-    CHECK(one(SMVM_sqrt, 2) == sqrt(2));
-    CHECK(one(SMVM_sign, -3) == -1);
-    CHECK(two(SMVM_add, 0.1, 0.2) == 0.1 + 0.2);
-    CHECK(two(SMVM_sub, 1, 3) == -2);
-    CHECK(two(SMVM_mul, 3, 4) == 12);
-    CHECK(two(SMVM_div, 1, 0) == INFINITY);
-    CHECK(two(SMVM_min, 1, 2) == 1 && same(two(SMVM_min, 0.0, -0.0), -0.0));
-    CHECK(two(SMVM_max, 1, 2) == 2 && same(two(SMVM_max, -0.0, 0.0), 0.0));
-    CHECK(two(SMVM_and, 2, 3) == 1 && two(SMVM_and, 2, 0) == 0 && two(SMVM_and, 0, 2) == 0);
-    CHECK(two(SMVM_or, 0, 3) == 1 && two(SMVM_or, 3, 0) == 1 && two(SMVM_or, 0, 0) == 0);
+    CHECK(compute_of_one(SMVM_neg, 1.5) == -1.5 && same(compute_of_one(SMVM_neg, 0.0), -0.0));
+    CHECK(compute_of_one(SMVM_abs, -1.5) == 1.5);
+    CHECK(compute_of_one(SMVM_floor, -1.5) == -2);
+    CHECK(compute_of_one(SMVM_ceil, -1.5) == -1);
+    CHECK(compute_of_one(SMVM_trunc, -1.7) == -1);
+    CHECK(compute_of_one(SMVM_round, 2.5) == 3);
+    CHECK(compute_of_one(SMVM_sqrt, 2) == sqrt(2));
+    CHECK(compute_of_one(SMVM_sign, -3) == -1);
+    CHECK(compute_of_two(SMVM_add, 0.1, 0.2) == 0.1 + 0.2);
+    CHECK(compute_of_two(SMVM_sub, 1, 3) == -2);
+    CHECK(compute_of_two(SMVM_mul, 3, 4) == 12);
+    CHECK(compute_of_two(SMVM_div, 1, 0) == INFINITY);
+    CHECK(compute_of_two(SMVM_min, 1, 2) == 1 && same(compute_of_two(SMVM_min, 0.0, -0.0), -0.0));
+    CHECK(compute_of_two(SMVM_max, 1, 2) == 2 && same(compute_of_two(SMVM_max, -0.0, 0.0), 0.0));
+    CHECK(compute_of_two(SMVM_and, 2, 3) == 1 && compute_of_two(SMVM_and, 2, 0) == 0 && compute_of_two(SMVM_and, 0, 2) == 0);
+    CHECK(compute_of_two(SMVM_or, 0, 3) == 1 && compute_of_two(SMVM_or, 3, 0) == 1 && compute_of_two(SMVM_or, 0, 0) == 0);
 }
 
-static void relations(void)
+// Every elementary function, and after it the values that both registers can still have.
+static double compute_function(uint8_t op, unsigned n, double x, double y)
+{
+    Build b;
+
+    begin(&b);
+    load_x(&b);
+    load_y(&b);
+    code(&b, op, 1, n);
+    return given(&b, x, y);
+}
+
+static void test_functions_compute(void)
+{
+#define ONE(name) CHECK(same(compute_function(SMVM_fn, SMVM_FN_##name, 0.7, 3), sm_##name(0.7)) && same(compute_function(SMVM_fn, SMVM_FN_##name, 0.9, 3), sm_##name(0.9)));
+#define TWO(name) CHECK(same(compute_function(SMVM_fn, SMVM_FN_##name, 0.7, -3), sm_##name(0.7, -3)) && same(compute_function(SMVM_fn, SMVM_FN_##name, -2, 5), sm_##name(-2, 5)));
+#define CHECK_1(name) ONE(name)
+#define CHECK_2(name) TWO(name)
+#define SM_ELEMENTARY(name, arguments, number) CHECK_##arguments(name)
+#include "stdlib/elementary.def"
+#undef SM_ELEMENTARY
+}
+
+static void test_relations_compare(void)
 {
     for (unsigned m = 1; m < 15; m++) {
-        CHECK(set(m, 1, 2) == (m & 1) && set(m, 2, 2) == (m >> 1 & 1) && set(m, 3, 2) == (m >> 2 & 1));
-        CHECK(set(m, -0.0, 0) == (m >> 1 & 1) && set(m, INFINITY, 2) == (m >> 2 & 1) && set(m, -INFINITY, -1e308) == (m & 1));
+        CHECK(compute_relation(m, 1, 2) == (m & 1) && compute_relation(m, 2, 2) == (m >> 1 & 1) && compute_relation(m, 3, 2) == (m >> 2 & 1));
+        CHECK(compute_relation(m, -0.0, 0) == (m >> 1 & 1) && compute_relation(m, INFINITY, 2) == (m >> 2 & 1) && compute_relation(m, -INFINITY, -1e308) == (m & 1));
     }
 }
 
-// With 0/0, which X keeps, and 7.
-static double with_nan(unsigned op, int numbers, unsigned m)
+// Computes an operation with X a NaN (0/0) and Y 7.
+static double compute_with_nan(unsigned op, int numbers, unsigned m)
 {
     Build b;
 
@@ -79,15 +103,15 @@ static double with_nan(unsigned op, int numbers, unsigned m)
     return given(&b, 0, 0);
 }
 
-static void not_a_number(void)
+static void test_nan_in_operations(void)
 {
     Build b;
 
     for (unsigned m = 1; m < 15; m++)
-        CHECK(with_nan(SMVM_set, 1, m) == (m >> 3));
-    CHECK(with_nan(SMVM_and, 0, 0) == 0 && with_nan(SMVM_or, 0, 0) == 1);
-    CHECK(same(with_nan(SMVM_add, 0, 0), 0.0));       // stored as 0
-    CHECK(one(SMVM_abs, NAN) == 0 && set(2, NAN, 0) == 1);           // read as 0
+        CHECK(compute_with_nan(SMVM_set, 1, m) == (m >> 3));
+    CHECK(compute_with_nan(SMVM_and, 0, 0) == 0 && compute_with_nan(SMVM_or, 0, 0) == 1);
+    CHECK(same(compute_with_nan(SMVM_add, 0, 0), 0.0));       // stored as 0
+    CHECK(compute_of_one(SMVM_abs, NAN) == 0 && compute_relation(2, NAN, 0) == 1);           // read as 0
     begin(&b);
     code(&b, SMVM_ldx_f32, 1, 1);                     // a constant NaN stays one, and is not true
     code(&b, SMVM_ldy_plus, 1, 1);
@@ -107,8 +131,8 @@ static void not_a_number(void)
     CHECK(given(&b, 0, 0) == 1);
 }
 
-// The result of a load: in X, and the same in Y.
-static double value(unsigned op, int numbers, unsigned n, double in)
+// Returns the result of a load to X, after checking that Y gets the same.
+static double load_value(unsigned op, int numbers, unsigned n, double in)
 {
     double x, y;
     Build b;
@@ -125,18 +149,18 @@ static double value(unsigned op, int numbers, unsigned n, double in)
     return x;
 }
 
-static void loads(void)
+static void test_loads_read(void)
 {
     Build b;
     Machine t;
 
-    CHECK(value(SMVM_ldx_elem + SM_F64, 1, 4, 3.5) == 3.5 && value(SMVM_ldx_elem + SM_U64, 1, 0, 0) == 5);
-    CHECK(value(SMVM_ldx_elem + SM_U32, 1, 2, 0) == 1 && value(SMVM_ldx_time, 0, 0, 0) == 0);
-    CHECK(value(SMVM_ldx_plus, 1, 7, 0) == 7 && value(SMVM_ldx_minus, 1, 0, 0) == -1 && value(SMVM_ldx_minus, 1, 0x1000c5f, 0) == -0x1000c60);
-    CHECK(value(SMVM_ldx_f32, 1, 0, 0) == 0.25 && value(SMVM_ldx_f64, 1, 0, 0) == 0.1);
+    CHECK(load_value(SMVM_ldx_elem + SM_F64, 1, 4, 3.5) == 3.5 && load_value(SMVM_ldx_elem + SM_U64, 1, 0, 0) == 5);
+    CHECK(load_value(SMVM_ldx_elem + SM_U32, 1, 2, 0) == 1 && load_value(SMVM_ldx_time, 0, 0, 0) == 0);
+    CHECK(load_value(SMVM_ldx_plus, 1, 7, 0) == 7 && load_value(SMVM_ldx_minus, 1, 0, 0) == -1 && load_value(SMVM_ldx_minus, 1, 0x1000c5f, 0) == -0x1000c60);
+    CHECK(load_value(SMVM_ldx_f32, 1, 0, 0) == 0.25 && load_value(SMVM_ldx_f64, 1, 0, 0) == 0.1);
     for (unsigned i = 0; i < 7; i++) {
         static const uint32_t n[] = {95, 96, 97, 3167, 3168, 3169, 0x1000c5f};      // varints of one, two and four bytes
-        CHECK(value(SMVM_ldx_plus, 1, n[i], 0) == n[i] && value(SMVM_ldx_minus, 1, n[i], 0) == -1.0 - n[i]);
+        CHECK(load_value(SMVM_ldx_plus, 1, n[i], 0) == n[i] && load_value(SMVM_ldx_minus, 1, n[i], 0) == -1.0 - n[i]);
         begin(&b);
         load_x(&b);
         code(&b, SMVM_addi, 1, n[i]);
@@ -157,8 +181,8 @@ static void loads(void)
     CHECK(run(&t, &b, -0.5, 0) && *(uint8_t *)&t.sv[3] == 1 && smvm_stored((SmVm *)t.memory, 1) && !smvm_stored((SmVm *)t.memory, 0));
 }
 
-// Registers keep what they hold: X beside stores and a load of Y, Y beside operations.
-static void registers(void)
+// Stores and loads of Y keep X.  Operations keep Y.
+static void test_registers_keep_values(void)
 {
     Build b;
 
@@ -173,8 +197,8 @@ static void registers(void)
     CHECK(given(&b, 300.5, 2) == 602);
 }
 
-// Every type, as element and as local: a stored value can be read back, and no neighbour changes; cvt has the same result.
-static void types(void)
+// A value stored to an element or a local of each type can be read back, and no neighbour changes; cvt has the same result.
+static void test_types_store_and_load(void)
 {
     static const double expected[SM_TYPE_COUNT] = {-128, -300, -300, -300, 0, 0, 0, 0, -300.5, -300.5, 1};
 
@@ -201,8 +225,8 @@ static void types(void)
         }
 }
 
-// cvt of a type has the same result as a local of that type, for any X.
-static void conversions(void)
+// cvt to a type has the same result as a store to a local of that type, for any X.
+static void test_cvt_is_a_store(void)
 {
     static const double in[] = {-300.5, 300.5, 0.1, -0.0, 1e300, -1e300, 3, 5000000000, -1, 255, 256, 65535, 65536, 2147483647, 2147483648.0};
 
@@ -228,9 +252,9 @@ static void conversions(void)
         }
 }
 
-// Where a wrong index would fall on something else: ten outputs, two of each constant, G and S not at the start, a vector of which
-// only a part is named.
-static void wide(void)
+// A wrong index would select another thing: ten outputs, two of each constant, G and S not at the start, and a vector of which only a part
+// is named.
+static void test_indices_select_the_right_thing(void)
 {
     Machine t;
     SmVm *vm = (SmVm *)t.memory;
@@ -283,8 +307,8 @@ static void wide(void)
     CHECK(memcmp(smvm_locals(vm), (const uint8_t[]){0, 0, 0, 0, 0, 0, 1, 128}, 8) == 0);
 }
 
-// Whether a jump leads over `OUT = 7`; with X or Y as they are, or X a NaN.
-static bool jumps(unsigned op, int numbers, unsigned n, double x, double y, bool nan)
+// Whether a jump over `OUT = 7` is taken.  X and Y are the arguments; or X is a NaN.
+static bool jump_is_taken(unsigned op, int numbers, unsigned n, double x, double y, bool nan)
 {
     Machine t;
     Build b;
@@ -307,22 +331,22 @@ static bool jumps(unsigned op, int numbers, unsigned n, double x, double y, bool
     return f64_at(&t, 16) != 7;
 }
 
-static void jumping(void)
+static void test_jumps_are_taken(void)
 {
-    CHECK(jumps(SMVM_jmp, 1, 0, 0, 0, false));
-    CHECK(jumps(SMVM_jt, 1, 0, 1, 0, false) && !jumps(SMVM_jt, 1, 0, 0, 1, false) && !jumps(SMVM_jt, 1, 0, 0, 0, true));
-    CHECK(!jumps(SMVM_jf, 1, 0, 1, 0, false) && jumps(SMVM_jf, 1, 0, 0, 1, false) && jumps(SMVM_jf, 1, 0, 0, 0, true));
+    CHECK(jump_is_taken(SMVM_jmp, 1, 0, 0, 0, false));
+    CHECK(jump_is_taken(SMVM_jt, 1, 0, 1, 0, false) && !jump_is_taken(SMVM_jt, 1, 0, 0, 1, false) && !jump_is_taken(SMVM_jt, 1, 0, 0, 0, true));
+    CHECK(!jump_is_taken(SMVM_jf, 1, 0, 1, 0, false) && jump_is_taken(SMVM_jf, 1, 0, 0, 1, false) && jump_is_taken(SMVM_jf, 1, 0, 0, 0, true));
     for (unsigned m = 1; m < 15; m++)
         for (unsigned k = 0; k < 4; k++) {
             const double x = k == 0 ? 6.5 : k == 1 ? 7 : 7.5;
-            CHECK(jumps(SMVM_jxy - 1 + m, 1, 0, x, 7, k == 3) == (m >> k & 1));
-            CHECK(jumps(SMVM_jxn - 1 + m, 2, 7, x, 0, k == 3) == (m >> k & 1));
+            CHECK(jump_is_taken(SMVM_jxy - 1 + m, 1, 0, x, 7, k == 3) == (m >> k & 1));
+            CHECK(jump_is_taken(SMVM_jxn - 1 + m, 2, 7, x, 0, k == 3) == (m >> k & 1));
         }
-    CHECK(jumps(SMVM_jxn - 1 + SMVM_EQUAL, 2, 0x1000c5f, 0x1000c5f, 0, false));
+    CHECK(jump_is_taken(SMVM_jxn - 1 + SMVM_EQUAL, 2, 0x1000c5f, 0x1000c5f, 0, false));
 }
 
-// Code after a jump that is not taken finds both registers unchanged.
-static void chains(void)
+// After a jump that is not taken, both registers are unchanged.
+static void test_jump_not_taken_keeps_registers(void)
 {
     Machine t;
     Build b;
@@ -339,15 +363,16 @@ static void chains(void)
 
 int main(void)
 {
-    operations();
-    relations();
-    not_a_number();
-    loads();
-    registers();
-    types();
-    conversions();
-    jumping();
-    chains();
-    wide();
+    test_operations_compute();
+    test_functions_compute();
+    test_relations_compare();
+    test_nan_in_operations();
+    test_loads_read();
+    test_registers_keep_values();
+    test_types_store_and_load();
+    test_cvt_is_a_store();
+    test_jumps_are_taken();
+    test_jump_not_taken_keeps_registers();
+    test_indices_select_the_right_thing();
     return test_end("vm_interp");
 }

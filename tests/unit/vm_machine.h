@@ -75,7 +75,7 @@ static inline double f64_at(const Machine *t, unsigned offset)
 
 static inline void set_f64(Machine *t, unsigned offset, double x) { memcpy(t->sv + offset / 8, &x, sizeof x); }
 
-// S, which the images below have at 8 unless stated otherwise.
+// Returns the number at an offset of the vector.  The images below have S at 8 unless stated otherwise.
 static inline uint32_t state_at(const Machine *t, unsigned offset)
 {
     uint32_t s;

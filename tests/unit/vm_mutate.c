@@ -38,7 +38,7 @@ static bool is_signed(const uint8_t *image)
 static const uint8_t *whole;                          // the image that is changed
 static uint32_t length;
 
-static void try(const uint8_t *image, uint32_t n, uint64_t seed)
+static void try_mutant(const uint8_t *image, uint32_t n, uint64_t seed)
 {
     if (hammer(image, n, steps, seed) == 0) {
         accepted++;
@@ -47,7 +47,7 @@ static void try(const uint8_t *image, uint32_t n, uint64_t seed)
         refused++;
 }
 
-static void keep(const uint8_t *image, uint32_t n)
+static void keep_image(const uint8_t *image, uint32_t n)
 {
     static unsigned number;
     char path[300];
@@ -58,12 +58,12 @@ static void keep(const uint8_t *image, uint32_t n)
     CHECK(f && fwrite(image, 1, n, f) == n && fclose(f) == 0);
 }
 
-static void mutate(const uint8_t *image, uint32_t n)
+static void mutate_image(const uint8_t *image, uint32_t n)
 {
     uint8_t *copy = malloc(n);                        // exactly as long: a read beyond it is seen
 
     if (folder)
-        keep(image, n);
+        keep_image(image, n);
     whole = image;
     length = n;
     memcpy(copy, image, n);
@@ -74,14 +74,14 @@ static void mutate(const uint8_t *image, uint32_t n)
             copy[at] = (uint8_t)(image[at] + (values > 255 ? k : k < 9 ? 1u << (k - 1) : (uint32_t)(hammer_random(&seed) >> 16)));
             if (at < 8 || at > 10)                    // (not where a wrong length would make the checksum read beyond)
                 fix_crc(copy);
-            try(copy, n, seed);
+            try_mutant(copy, n, seed);
         }
         memcpy(copy, image, n);
     }
     free(copy);
 }
 
-static void cut(const uint8_t *image, uint32_t n)
+static void truncate_image(const uint8_t *image, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
         uint8_t *copy = malloc(i ? i : 1);
@@ -92,7 +92,7 @@ static void cut(const uint8_t *image, uint32_t n)
             copy[9] = (uint8_t)(i >> 8);
             copy[10] = (uint8_t)(i >> 16);
             fix_crc(copy);
-            try(copy, i, 1);
+            try_mutant(copy, i, 1);
         }
         free(copy);
     }
@@ -126,11 +126,11 @@ static void hammer_images_of(Arena *a, IrMachine *const *m, size_t n, bool debug
     diags_init(&diags, a);
     buf_init(&image, a);
     CHECK(emit_image(a, &diags, m, n, NULL, debug, &image));
-    mutate((const uint8_t *)image.at, (uint32_t)image.n);
-    cut((const uint8_t *)image.at, (uint32_t)image.n);
+    mutate_image((const uint8_t *)image.at, (uint32_t)image.n);
+    truncate_image((const uint8_t *)image.at, (uint32_t)image.n);
 }
 
-static void samples(void)
+static void hammer_samples(void)
 {
     IrMachine *m[SAMPLES];
     StrPool strings;
@@ -151,7 +151,7 @@ static void samples(void)
     arena_free(&a);
 }
 
-// An instruction of each opcode with operands of every length; in order, so that the registers hold numbers.
+// Puts an instruction of each opcode with operands of every length, ordered so that the registers have numbers.
 static void put_every(Build *b, unsigned f)
 {
     static const uint32_t far[] = {1, 97, 0xc61};
@@ -182,8 +182,8 @@ static void put_every(Build *b, unsigned f)
     }
 }
 
-// One that is called signed.smb is, with the key above.
-static void image_of(const char *path)
+// Hammers the image of a file.  It is signed with the key above if the name of the file contains "signed".
+static void hammer_file(const char *path)
 {
     static uint8_t image[4096];
     FILE *f = fopen(path, "rb");
@@ -193,11 +193,11 @@ static void image_of(const char *path)
     if (f)
         fclose(f);
     CHECK(is_signed(image) == (strstr(path, "signed") != NULL));
-    mutate(image, n);
-    cut(image, n);
+    mutate_image(image, n);
+    truncate_image(image, n);
 }
 
-static void every_opcode(void)
+static void hammer_every_opcode(void)
 {
     static uint8_t image[8192];
     Build b;
@@ -230,8 +230,8 @@ static void every_opcode(void)
         code(&b, f % 3 == 2 ? SMVM_end : SMVM_goto, f % 3 == 2 ? 0 : 1, 1 + f % 2);
         end_function(&b);
     }
-    mutate(image, build_image(&b, image));
-    cut(image, build_image(&b, image));
+    mutate_image(image, build_image(&b, image));
+    truncate_image(image, build_image(&b, image));
 }
 
 int main(int argc, char **argv)
@@ -242,10 +242,10 @@ int main(int argc, char **argv)
         values = (uint32_t)strtoul(argv[2], NULL, 10);
     if (argc > 3 && strcmp(argv[3], "-") != 0)
         folder = argv[3];
-    samples();
-    every_opcode();
+    hammer_samples();
+    hammer_every_opcode();
     for (int i = 4; i < argc; i++)
-        image_of(argv[i]);
+        hammer_file(argv[i]);
     CHECK(values < 24 || (accepted > 1000 && refused > accepted));
     fprintf(stderr, "%lu mutants refused, %lu ran\n", refused, accepted);
     return test_end("vm_mutate");

@@ -52,8 +52,8 @@ static void real(Pins *p, uint64_t bits) { put(p, PLACE_OF(SM_F64, 0), 3), put(p
 
 static uint8_t image[2000];
 
-// A machine that does nothing, behind the pins.
-static uint32_t image_of(const Pins *p, uint8_t pins_id, uint8_t version)
+// Builds an image of these pins and a machine that does nothing.
+static uint32_t put_pins_image(const Pins *p, uint8_t pins_id, uint8_t version)
 {
     const uint8_t id[] = {pins_id, 0x81, 0x82};
     uint32_t size[] = {p->n, 0, 0}, at = SECTION_AT;
@@ -74,19 +74,19 @@ static uint32_t image_of(const Pins *p, uint8_t pins_id, uint8_t version)
     return at + p->n + size[1];
 }
 
-static uint8_t verdict(const Pins *p)
+static uint8_t verify_pins(const Pins *p)
 {
     SmvmVerdict v;
 
-    return smvm_verify(image, image_of(p, 0x03, 2), &v);
+    return smvm_verify(image, put_pins_image(p, 0x03, 2), &v);
 }
 
-static uint8_t of_row(unsigned front, uint32_t element, uint32_t pin)
+static uint8_t verify_row(unsigned front, uint32_t element, uint32_t pin)
 {
     Pins p = begin(1);
 
     row(&p, front, element, pin);
-    return verdict(&p);
+    return verify_pins(&p);
 }
 
 // ---- accepted sections ----
@@ -118,7 +118,7 @@ static void test_reading(void)
     SmvmPins all;
     SmvmPin a;
 
-    CHECK(verdict(&p) == 0);
+    CHECK(verify_pins(&p) == 0);
     CHECK(smvm_pins(image, &all) && all.left == 6 && all.layout == LAYOUT && all.sv_size == VECTOR / 8);
     CHECK(smvm_next_pin(&all, &a) && a.kind == 0 && a.type == SM_F64 && a.offset == 16 && a.pin == 0 && a.flags == 0 && a.hold == 0);
     CHECK(sm_eq(a.scale, sm_from_i32(1)) && sm_eq(a.zero, sm_from_i32(0)) && sm_eq(a.safe, sm_from_i32(0)));
@@ -132,17 +132,17 @@ static void test_reading(void)
     CHECK(!smvm_next_pin(&all, &a));
 }
 
-// Another version, and none.
+// An image with pins of another version, and one without pins.
 static void test_absent(void)
 {
     Pins p = sample();
     SmvmVerdict v;
     SmvmPins all;
 
-    CHECK(smvm_verify(image, image_of(&p, 0x03, 3), &v) == 0 && !smvm_pins(image, &all));
-    CHECK(smvm_verify(image, image_of(&p, 0x7f, 1), &v) == 0 && !smvm_pins(image, &all));
+    CHECK(smvm_verify(image, put_pins_image(&p, 0x03, 3), &v) == 0 && !smvm_pins(image, &all));
+    CHECK(smvm_verify(image, put_pins_image(&p, 0x7f, 1), &v) == 0 && !smvm_pins(image, &all));
     p = begin(0);
-    CHECK(verdict(&p) == 0 && smvm_pins(image, &all) && all.left == 0);
+    CHECK(verify_pins(&p) == 0 && smvm_pins(image, &all) && all.left == 0);
 }
 
 // ---- refused sections ----
@@ -153,90 +153,90 @@ static void test_record(void)
 
     for (uint32_t n = 0; n < sample().n; n++) {       // cut anywhere
         p.n = n;
-        CHECK(verdict(&p) == SMVM_R_IO);
+        CHECK(verify_pins(&p) == SMVM_R_IO);
     }
     p = sample();
     put(&p, 0, 1);                                    // something behind the last
-    CHECK(verdict(&p) == SMVM_R_IO);
+    CHECK(verify_pins(&p) == SMVM_R_IO);
     p = sample();
     p.at[5] = 5;                                      // fewer than there are; more
-    CHECK(verdict(&p) == SMVM_R_IO);
+    CHECK(verify_pins(&p) == SMVM_R_IO);
     p.at[5] = 7;
-    CHECK(verdict(&p) == SMVM_R_IO);
+    CHECK(verify_pins(&p) == SMVM_R_IO);
     p.at[5] = 0x80;                                   // no number
-    CHECK(verdict(&p) == SMVM_R_IO);
+    CHECK(verify_pins(&p) == SMVM_R_IO);
 }
 
 static void test_rows(void)
 {
-    CHECK(of_row(0, PLACE(F64, 56), 65535) == 0);
-    CHECK(of_row(0, PLACE(F64, 64), 0) == SMVM_R_PIN);
-    CHECK(of_row(0, PLACE(U8, 63), 0) == 0 && of_row(0, PLACE(U8, 64), 0) == SMVM_R_PIN);
-    CHECK(of_row(0, PLACE_OF(9, 0xfffff), 0) == SMVM_R_PIN);
-    CHECK(of_row(0, PLACE(F64, 0), 65536) == SMVM_R_PIN);
-    CHECK(of_row(0, PLACE(F64, 0), 0x1000c5fu) == SMVM_R_PIN);
+    CHECK(verify_row(0, PLACE(F64, 56), 65535) == 0);
+    CHECK(verify_row(0, PLACE(F64, 64), 0) == SMVM_R_PIN);
+    CHECK(verify_row(0, PLACE(U8, 63), 0) == 0 && verify_row(0, PLACE(U8, 64), 0) == SMVM_R_PIN);
+    CHECK(verify_row(0, PLACE_OF(9, 0xfffff), 0) == SMVM_R_PIN);
+    CHECK(verify_row(0, PLACE(F64, 0), 65536) == SMVM_R_PIN);
+    CHECK(verify_row(0, PLACE(F64, 0), 0x1000c5fu) == SMVM_R_PIN);
     for (unsigned type = 10; type < 16; type++)       // analog and bool; no element at all
-        CHECK(of_row(0, PLACE_OF(type, 0), 0) == SMVM_R_PIN);
+        CHECK(verify_row(0, PLACE_OF(type, 0), 0) == SMVM_R_PIN);
     for (unsigned type = 0; type < 10; type++)
-        CHECK(of_row(2, PLACE_OF(type, 0), 0) == SMVM_R_PIN && of_row(1, PLACE_OF(type, 0), 0) == 0);
+        CHECK(verify_row(2, PLACE_OF(type, 0), 0) == SMVM_R_PIN && verify_row(1, PLACE_OF(type, 0), 0) == 0);
 }
 
 static void test_flags(void)
 {
     for (unsigned flags = 0; flags < 8; flags++) {
-        CHECK((of_row(2 | flags << 2, PLACE(BOOL, 0), 0) == 0) == (flags < 6));         // one resistor at most
-        CHECK((of_row(3 | flags << 2, PLACE(BOOL, 0), 0) == 0) == (flags < 2));         // an output has none
-        CHECK((of_row(0 | flags << 2, PLACE(F64, 0), 0) == 0) == (flags == 0));
-        CHECK((of_row(1 | flags << 2, PLACE(F64, 0), 0) == 0) == (flags == 0));
+        CHECK((verify_row(2 | flags << 2, PLACE(BOOL, 0), 0) == 0) == (flags < 6));         // one resistor at most
+        CHECK((verify_row(3 | flags << 2, PLACE(BOOL, 0), 0) == 0) == (flags < 2));         // an output has none
+        CHECK((verify_row(0 | flags << 2, PLACE(F64, 0), 0) == 0) == (flags == 0));
+        CHECK((verify_row(1 | flags << 2, PLACE(F64, 0), 0) == 0) == (flags == 0));
     }
 }
 
-static uint8_t of_scale(uint32_t entry, uint64_t bits, unsigned bytes)
+static uint8_t verify_scale(uint32_t entry, uint64_t bits, unsigned bytes)
 {
     Pins p = begin(1);
 
     row(&p, 0x20, PLACE(F64, 0), 0);
     put(&p, entry, 3);
     put(&p, bits, bytes);
-    return verdict(&p);
+    return verify_pins(&p);
 }
 
-static uint8_t of_real(unsigned front, uint64_t bits)
+static uint8_t verify_real(unsigned front, uint64_t bits)
 {
     Pins p = begin(1);
 
     row(&p, front, PLACE(F64, 0), 0);
     real(&p, bits);
-    return verdict(&p);
+    return verify_pins(&p);
 }
 
 static void test_numbers(void)
 {
-    CHECK(of_scale(WHOLE_OF(1), 0, 0) == 0);
-    CHECK(of_scale(WHOLE_OF(0), 0, 0) == SMVM_R_PIN_NUMBER);
-    CHECK(of_scale(PLACE_OF(SM_F32, 0), 0x3f800000u, 4) == 0);
-    CHECK(of_scale(PLACE_OF(SM_F32, 0), 0x80000000u, 4) == SMVM_R_PIN_NUMBER);
-    CHECK(of_scale(PLACE_OF(SM_F32, 0), 0x7f800000u, 4) == SMVM_R_PIN_NUMBER);
-    CHECK(of_scale(PLACE_OF(SM_F32, 1), 0x3f800000u, 4) == SMVM_R_IO);    // the rest is 0
-    CHECK(of_scale(PLACE_OF(SM_F64, 0x10000), 1, 8) == SMVM_R_IO);
+    CHECK(verify_scale(WHOLE_OF(1), 0, 0) == 0);
+    CHECK(verify_scale(WHOLE_OF(0), 0, 0) == SMVM_R_PIN_NUMBER);
+    CHECK(verify_scale(PLACE_OF(SM_F32, 0), 0x3f800000u, 4) == 0);
+    CHECK(verify_scale(PLACE_OF(SM_F32, 0), 0x80000000u, 4) == SMVM_R_PIN_NUMBER);
+    CHECK(verify_scale(PLACE_OF(SM_F32, 0), 0x7f800000u, 4) == SMVM_R_PIN_NUMBER);
+    CHECK(verify_scale(PLACE_OF(SM_F32, 1), 0x3f800000u, 4) == SMVM_R_IO);    // the rest is 0
+    CHECK(verify_scale(PLACE_OF(SM_F64, 0x10000), 1, 8) == SMVM_R_IO);
     for (unsigned type = 0; type < 15; type++)        // of no number
-        CHECK(type == SM_F32 || type == SM_F64 || of_scale(PLACE_OF(type, 0), 0, 0) == SMVM_R_IO);
-    CHECK(of_scale(WHOLE_OF(524287), 0, 0) == 0 && of_scale(WHOLE_OF(-524288), 0, 0) == 0);
+        CHECK(type == SM_F32 || type == SM_F64 || verify_scale(PLACE_OF(type, 0), 0, 0) == SMVM_R_IO);
+    CHECK(verify_scale(WHOLE_OF(524287), 0, 0) == 0 && verify_scale(WHOLE_OF(-524288), 0, 0) == 0);
     for (unsigned front = 0x20; front <= 0x81; front = front == 0x20 ? 0x40 : front == 0x40 ? 0x81 : 0x100) {
-        CHECK(of_real(front, 1) == 0);
-        CHECK(of_real(front, 0x7ff0000000000000u) == SMVM_R_PIN_NUMBER);
-        CHECK(of_real(front, 0xfff0000000000000u) == SMVM_R_PIN_NUMBER);
-        CHECK(of_real(front, 0x7ff8000000000000u) == SMVM_R_PIN_NUMBER);
+        CHECK(verify_real(front, 1) == 0);
+        CHECK(verify_real(front, 0x7ff0000000000000u) == SMVM_R_PIN_NUMBER);
+        CHECK(verify_real(front, 0xfff0000000000000u) == SMVM_R_PIN_NUMBER);
+        CHECK(verify_real(front, 0x7ff8000000000000u) == SMVM_R_PIN_NUMBER);
     }
 }
 
 // ---- hostile ----
 
-// Each byte of the section, each value: the section is refused, or the pins read from it are usable.
+// Sets each byte of the section to each value: the section is refused, or the pins read from it are usable.
 static void test_mutants(void)
 {
     const Pins p = sample();
-    uint32_t n = image_of(&p, 0x03, 2);
+    uint32_t n = put_pins_image(&p, 0x03, 2);
     uint8_t *copy = malloc(n);
 
     memcpy(copy, image, n);
@@ -252,7 +252,7 @@ static void test_mutants(void)
     free(copy);
 }
 
-// Sections of nothing but chance, which begin as they should.
+// Random sections with a valid beginning.
 static void test_random(void)
 {
     uint64_t seed = 7;
@@ -264,7 +264,7 @@ static void test_random(void)
         uint8_t *copy;
         for (uint64_t k = hammer_random(&seed) % 24; k > 0; k--)
             put(&p, hammer_random(&seed) >> 40, 1);
-        n = image_of(&p, 0x03, 2);
+        n = put_pins_image(&p, 0x03, 2);
         copy = malloc(n);
         memcpy(copy, image, n);
         accepted += hammer(copy, n, 1, 1) == 0;

@@ -53,7 +53,7 @@ static IrMachine *read(Work *w, const char *text)
     return m;
 }
 
-static void list(void *context, const char *text, size_t length) { buf_put(context, text, length); }
+static void print_instruction(void *context, const char *text, size_t length) { buf_put(context, text, length); }
 
 static bool compile(Work *w, const char *text)
 {
@@ -61,7 +61,7 @@ static bool compile(Work *w, const char *text)
 
     if (!m || !emit_image(&w->arena, &w->diags, &m, 1, NULL, true, &w->image))
         return false;
-    smvm_disasm((const uint8_t *)w->image.at, list, &w->listing);
+    smvm_disasm((const uint8_t *)w->image.at, print_instruction, &w->listing);
     smvm_machine((const uint8_t *)w->image.at, 0, &w->m);
     w->memory = arena_alloc(&w->arena, smvm_ram_size(&w->m));
     return smvm_init(w->memory, smvm_ram_size(&w->m), &w->m, &(SmvmVector){w->sv, sizeof w->sv, 1}, 1) == SM_OK;
@@ -74,7 +74,7 @@ static bool compile(Work *w, const char *text)
     "element bool p writable at 37\nelement bool q writable at 38\nelement I64 i writable at 40\nlocal U16 l writable = 3\ntime U64 T\n"
 #define STEP HEAD "state A\nstep {\nb0:\n"
 
-// The instructions of A.step without offsets, as "ldx a; out b; end".
+// Returns the instructions of A.step without offsets, as "ldx a; out b; end".
 static const char *instructions(Work *w)
 {
     const char *at = strstr(buf_text(&w->listing), "A.step:\n");
@@ -110,7 +110,7 @@ static void expect(const char *body, const char *expected) { expect_behind(STEP,
 
 // ---- selected instructions ----
 
-static void folds(void)
+static void test_loads_and_constants_become_operands(void)
 {
     expect("%0 = load F64 a\n store F64 b, %0\n ret\n}", "ldx a; out b; end");
     expect("%0 = load U8 n\n %1 = cvt F64 %0\n %2 = const F64 1\n %3 = add F64 %1, %2\n %4 = cvt U8 %3\n store U8 n, %4\n ret\n}",
@@ -121,11 +121,15 @@ static void folds(void)
     expect("%0 = load F64 a\n %1 = cvt bool %0\n %2 = not %1\n store bool p, %2\n ret\n}", "ldx a; ldy 0; set not x <> y; out p; end");
     expect("%0 = load F64 a\n %1 = load F64 b\n %2 = gt F64 %0, %1\n store bool p, %2\n ret\n}", "ldx a; ldy b; set x > y; out p; end");
     expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "ldx a; sqrt; out b; end");
+    expect("%0 = load F64 a\n %1 = sin F64 %0\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "ldx a; fn sin; out b; end");
+    // an elementary function leaves nothing in Y: b is loaded again
+    expect("%0 = load F64 a\n %1 = load F64 b\n %2 = pow F64 %0, %1\n %3 = add F64 %2, %1\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
+           "ldx a; ldy b; fn pow; ldy b; add; out b; end");
     expect("%0 = load U64 T\n %1 = cvt F64 %0\n %2 = const F64 -0\n %3 = div F64 %1, %2\n %4 = cvt F32 %3\n store F32 f, %4\n ret\n}",
            "ldx T; ldy -0; div; out f; end");
 }
 
-static void rounds(void)
+static void test_conversions_round(void)
 {
     // A conversion in the middle of an expression rounds.
     expect("%0 = load F64 a\n %1 = cvt F32 %0\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "ldx a; cvt F32; out b; end");
@@ -140,7 +144,7 @@ static void rounds(void)
     expect("%0 = load F64 a\n %1 = cvt F64 %0\n %2 = neg F64 %1\n %3 = cvt F64 %2\n store F64 b, %3\n ret\n}", "ldx a; neg; out b; end");
 }
 
-static void moments(void)
+static void test_loads_precede_later_stores(void)
 {
     // A load has the value at its time, although a store comes between it and its use.
     expect("%0 = load F64 a\n %1 = load F64 b\n store F64 a, %1\n store F64 b, %0\n ret\n}", "ldx a; st local RAW@0; ldx b; out a; ldx local RAW@0; out b; end");
@@ -159,7 +163,7 @@ static void moments(void)
            "ldx a; floor; st local RAW@0; ldx a; sqrt; ldy local RAW@0; add; st local RAW@0; ldx a; ceil; ldy local RAW@0; mul; out b; end");
 }
 
-static void conditions(void)
+static void test_conditions_become_jumps(void)
 {
     expect("%0 = load F64 a\n %1 = load F64 b\n %2 = lt F64 %0, %1\n %3 = load bool p\n %4 = or %2, %3\n %5 = not %4\n br %5, b1, b2\n"
            "b1:\n %6 = const bool 1\n store bool q, %6\n jmp b2\nb2:\n ret\n}",
@@ -180,8 +184,8 @@ static void conditions(void)
            "ldx p; jt 9; ldx 0; out q; end; ldx 1; out q; end");
 }
 
-// Narrowed operations need no other opcodes, and their results no slots of another kind.
-static void narrowed(void)
+// Narrowed operations need no other opcodes, and their results no other slots.
+static void test_narrowed_operations_use_the_same_opcodes(void)
 {
     expect("%0 = load U8 n\n %1 = cvt I32 %0\n %2 = const I32 1\n %3 = add I32 %1, %2\n %4 = cvt U8 %3\n store U8 n, %4\n ret\n}", "ldx n; addi 1; out n; end");
     expect("%0 = load U8 n\n %1 = cvt I64 %0\n %2 = cvt F64 %1\n %3 = cvt I16 %1\n %4 = cvt F64 %3\n %5 = sub F64 %2, %4\n store F64 b, %5\n ret\n}",
@@ -206,7 +210,7 @@ static void narrowed(void)
 
 // ---- what X and Y hold ----
 
-static void keeps(void)
+static void test_registers_are_reused(void)
 {
     // Guards on one variable load it once, whatever the blocks do that they lead to; those come last.
     expect("%0 = load F64 a\n %1 = const F64 5\n %2 = gt F64 %0, %1\n br %2, b1, b2\nb1:\n goto A\nb2:\n"
@@ -233,8 +237,8 @@ static void keeps(void)
     expect("%0 = const bool 0\n store bool p, %0\n store bool q, %0\n %1 = const U8 0\n store U8 n, %1\n ret\n}", "ldx 0; out p; out q; out n; end");
 }
 
-// A converted and stored value that is used again is read from its variable, as long as that contains it.
-static void homes(void)
+// A converted and stored value that is used again is read from its variable while the variable contains it.
+static void test_stored_values_are_read_from_their_variable(void)
 {
     const char *counts = "%0 = load U8 n\n %1 = cvt F64 %0\n %2 = const F64 1\n %3 = add F64 %1, %2\n %4 = cvt U8 %3\n store U8 n, %4\n";
     Work w;
@@ -247,8 +251,8 @@ static void homes(void)
     arena_free(&w.arena);
 }
 
-// A contrary is taken inside, where that costs nothing.
-static void contraries(void)
+// `not` is applied to the operands of `and` and `or` if that costs nothing.
+static void test_negation_moves_inward(void)
 {
     const char *chain = "%0 = load F64 a\n %1 = const F64 1\n %2 = ge F64 %0, %1\n %3 = const F64 9\n %4 = le F64 %0, %3\n %5 = and %2, %4\n";
     Work w;
@@ -262,7 +266,7 @@ static void contraries(void)
 }
 
 // A statistic is not computed again while X contains it.
-static void statistics(void)
+static void test_statistic_in_x_is_reused(void)
 {
     expect_behind(HEAD "window w0 F64 size 4 stats min max\nsample {\nb0:\n %0 = load F64 a\n sample w0, %0\n ret\n}\nstate A\nstep {\nb0:\n",
                   "%0 = stat min w0\n %1 = const F64 5\n %2 = gt F64 %0, %1\n br %2, b1, b2\nb1:\n goto A\nb2:\n"
@@ -271,8 +275,8 @@ static void statistics(void)
                   "stat smallest, w0; jxn x > 5, 25; jxn x < 1, 25; st local RAW@0; stat largest, w0; ldy local RAW@0; sub; out b; end; goto A");
 }
 
-// An integer that F64 may find to be -0 is made 0 where a float becomes of it; nothing else can tell, and most cannot be.
-static void zeros(void)
+// An integer result that is -0 in binary64 becomes 0 where it is converted to a float.  No other use can observe the sign of a zero.
+static void test_negative_zero_becomes_zero(void)
 {
     expect("%0 = load U8 n\n %1 = cvt I32 %0\n %2 = const I32 -3\n %3 = mul I32 %1, %2\n %4 = add I32 %3, %3\n %5 = cvt F64 %4\n store F64 b, %5\n ret\n}",
            "ldx n; ldy -3; mul; st local I32@0; ldy local I32@0; add; cvt I32; out b; end");
@@ -286,8 +290,8 @@ static void zeros(void)
            "ldx n; neg; ldy 5; set x < y; out p; end");
 }
 
-// Constants are operands of additions and jumps; the deeper side goes first, and the difference is turned where that saves a slot.
-static void sides(void)
+// Constants become operands of additions and jumps.  The deeper operand is computed first; a difference is reversed if that saves a slot.
+static void test_operands_are_ordered(void)
 {
     expect("%0 = load F64 a\n %1 = const F64 -3\n %2 = sub F64 %0, %1\n %3 = add F64 %1, %2\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
            "ldx a; addi 3; subi 3; out b; end");
@@ -314,8 +318,8 @@ static void run_step(Work *w, uint64_t g)
     CHECK(smvm_step((SmVm *)w->memory, w->sv) == SM_OK);
 }
 
-// Two bodies, one of them narrowed, do the same whatever they read.
-static void equal(const char *wide, const char *narrow)
+// Runs two step functions, one of them narrowed, on the same inputs: the results are equal.
+static void expect_equal_runs(const char *wide, const char *narrow)
 {
     uint64_t seed = 1;
     Work w[2];
@@ -337,22 +341,22 @@ static void equal(const char *wide, const char *narrow)
     arena_free(&w[1].arena);
 }
 
-static void runs_narrowed(void)
+static void test_narrowed_code_computes_the_same(void)
 {
-    equal("%0 = load U8 n\n %1 = cvt F64 %0\n %2 = const F64 -3\n %3 = mul F64 %1, %2\n %4 = add F64 %3, %1\n %5 = mul F64 %4, %4\n %6 = cvt I64 %5\n store I64 i, %6\n"
+    expect_equal_runs("%0 = load U8 n\n %1 = cvt F64 %0\n %2 = const F64 -3\n %3 = mul F64 %1, %2\n %4 = add F64 %3, %1\n %5 = mul F64 %4, %4\n %6 = cvt I64 %5\n store I64 i, %6\n"
           "%7 = sign F64 %3\n %8 = add F64 %7, %2\n %9 = cvt F64 %8\n store F64 b, %9\n ret\n}",
           "%0 = load U8 n\n %1 = cvt I32 %0\n %2 = const I32 -3\n %3 = mul I32 %1, %2\n %4 = add I32 %3, %1\n %5 = mul I32 %4, %4\n %6 = cvt I64 %5\n store I64 i, %6\n"
           "%7 = sign I32 %3\n %8 = add I32 %7, %2\n %9 = cvt F64 %8\n store F64 b, %9\n ret\n}");
-    equal("%0 = load F32 f\n %1 = cvt F64 %0\n %2 = load U8 n\n %3 = cvt F64 %2\n %4 = div F64 %1, %3\n %5 = cvt F32 %4\n store F32 f, %5\n ret\n}",
+    expect_equal_runs("%0 = load F32 f\n %1 = cvt F64 %0\n %2 = load U8 n\n %3 = cvt F64 %2\n %4 = div F64 %1, %3\n %5 = cvt F32 %4\n store F32 f, %5\n ret\n}",
           "%0 = load F32 f\n %2 = load U8 n\n %3 = cvt F32 %2\n %4 = div F32 %0, %3\n %5 = cvt F32 %4\n store F32 f, %5\n ret\n}");
-    equal("%0 = load F32 f\n %1 = cvt F64 %0\n %2 = mul F64 %1, %1\n %3 = cvt F32 %2\n %4 = cvt F64 %3\n %5 = sub F64 %4, %1\n %6 = cvt F32 %5\n store F32 f, %6\n ret\n}",
+    expect_equal_runs("%0 = load F32 f\n %1 = cvt F64 %0\n %2 = mul F64 %1, %1\n %3 = cvt F32 %2\n %4 = cvt F64 %3\n %5 = sub F64 %4, %1\n %6 = cvt F32 %5\n store F32 f, %6\n ret\n}",
           "%0 = load F32 f\n %2 = mul F32 %0, %0\n %3 = cvt F32 %2\n %5 = sub F32 %3, %0\n %6 = cvt F32 %5\n store F32 f, %6\n ret\n}");
-    equal("%0 = load I64 i\n %1 = cvt F64 %0\n %2 = const F64 1000\n %3 = ge F64 %1, %2\n store bool p, %3\n %4 = abs F64 %1\n %5 = min F64 %4, %2\n %6 = cvt U16 %5\n store U16 l, %6\n ret\n}",
+    expect_equal_runs("%0 = load I64 i\n %1 = cvt F64 %0\n %2 = const F64 1000\n %3 = ge F64 %1, %2\n store bool p, %3\n %4 = abs F64 %1\n %5 = min F64 %4, %2\n %6 = cvt U16 %5\n store U16 l, %6\n ret\n}",
           "%0 = load I64 i\n %2 = const I64 1000\n %3 = ge I64 %0, %2\n store bool p, %3\n %4 = abs I64 %0\n %5 = min I64 %4, %2\n %6 = cvt U16 %5\n store U16 l, %6\n ret\n}");
 }
 
 // 1 + 1/2 + 1/3 + …, one expression a thousand operations deep on the left, or on the right.
-static void deep(bool left)
+static void test_deep_expression_is_computed(bool left)
 {
     double expected = 0;
     Buf text;
@@ -380,8 +384,8 @@ static void deep(bool left)
     arena_free(&w.arena);
 }
 
-// ((p and q) and p) and …, deeper than operations wait for each other.
-static void deep_condition(void)
+// ((p and q) and p) and …, nested deeper than the code generator can postpone operations.
+static void test_deep_condition_is_computed(void)
 {
     Buf text;
     Work w;
@@ -407,8 +411,8 @@ static void deep_condition(void)
     arena_free(&w.arena);
 }
 
-// Conversions in the middle of an expression, to all types at once, beside locals of all types: no two share memory.
-static void slots(void)
+// An expression converts a number to all types at once, beside locals of all types: no two of them share memory.
+static void test_slots_do_not_overlap(void)
 {
     static const double expected[SM_TYPE_COUNT] = {-3, -3, -3, -3, 0, 0, 0, 0, -3.5, -3.5, 1};
     double sum = 0;
@@ -447,8 +451,8 @@ static void slots(void)
     arena_free(&w.arena);
 }
 
-// Code of more than 64 KB, in which a function begins that far behind the start.
-static void long_code(void)
+// Code of more than 64 KB, with a function that begins beyond 64 KB.
+static void test_long_code_runs(void)
 {
     Buf text;
     Work w;
@@ -473,8 +477,8 @@ static void long_code(void)
     arena_free(&w.arena);
 }
 
-// What is written is read back, in its one form.
-static void varints(void)
+// A varint that was written is read back, and has the shortest form.
+static void test_varints_are_read_back(void)
 {
     static const uint32_t at[] = {0, 95, 96, 97, 3167, 3168, 3169, 0x200c5f, 0x200c60, 0x123456, 0xfffff0, 0x1000c5f};
     Work w;
@@ -492,8 +496,8 @@ static void varints(void)
     arena_free(&w.arena);
 }
 
-// Whole numbers are in the code, others once in a table of their kind.
-static void constants(void)
+// Whole constants are encoded in the code; every other value is stored once, in the table of its type.
+static void test_constants_are_stored_once(void)
 {
     Buf text;
     Work w;
@@ -529,7 +533,7 @@ static bool refused_as(const char *text, DiagCode code, const char *words)
     return refused;
 }
 
-static void too_many_machines(void)
+static void test_too_many_machines_are_refused(void)
 {
     IrMachine *m[90];
     Work w;
@@ -545,7 +549,7 @@ static void too_many_machines(void)
     arena_free(&w.arena);
 }
 
-static void too_much_memory(void)
+static void test_too_much_memory_is_refused(void)
 {
     Buf text;
     Work w;
@@ -563,36 +567,36 @@ static void too_much_memory(void)
     arena_free(&w.arena);
 }
 
-static void limits(void)
+static void test_image_limits_are_reported(void)
 {
     CHECK(refused_as("machine \"t\"\nvector \"t\" size 1048584 hash 0x1\nelement U64 G at 0 is G\nelement U32 S at 8 is S\n"
                      "element bool far writable at 1048576\ntime U64 T\nstate A\nstep {\nb0:\n%0 = const bool 1\n store bool far, %0\n ret\n}",
                      DIAG_image_limit, "elements"));
-    too_many_machines();
-    too_much_memory();
+    test_too_many_machines_are_refused();
+    test_too_much_memory_is_refused();
 }
 
 int main(void)
 {
-    folds();
-    rounds();
-    moments();
-    conditions();
-    narrowed();
-    keeps();
-    homes();
-    contraries();
-    statistics();
-    zeros();
-    sides();
-    runs_narrowed();
-    deep(true);
-    deep(false);
-    deep_condition();
-    slots();
-    long_code();
-    varints();
-    constants();
-    limits();
+    test_loads_and_constants_become_operands();
+    test_conversions_round();
+    test_loads_precede_later_stores();
+    test_conditions_become_jumps();
+    test_narrowed_operations_use_the_same_opcodes();
+    test_registers_are_reused();
+    test_stored_values_are_read_from_their_variable();
+    test_negation_moves_inward();
+    test_statistic_in_x_is_reused();
+    test_negative_zero_becomes_zero();
+    test_operands_are_ordered();
+    test_narrowed_code_computes_the_same();
+    test_deep_expression_is_computed(true);
+    test_deep_expression_is_computed(false);
+    test_deep_condition_is_computed();
+    test_slots_do_not_overlap();
+    test_long_code_runs();
+    test_varints_are_read_back();
+    test_constants_are_stored_once();
+    test_image_limits_are_reported();
     return test_end("vm_select");
 }

@@ -6,7 +6,7 @@
 
 // ---- the step: two states whose functions write down that they ran ----
 
-// Each function does OUT = 10 * OUT + n; entry of 1 goes to 2 if X, step of 1 goes to 2 if Y; 2 goes to itself if Y.
+// Each function does OUT = 10 * OUT + n.  The entry of state 1 goes to 2 if X, its step goes to 2 if Y; state 2 goes to itself if Y.
 static void put_trace(Build *b, unsigned digit, unsigned condition, unsigned target)
 {
     typed(b, SMVM_ldx_elem, SM_F64, 16);
@@ -23,7 +23,7 @@ static void put_trace(Build *b, unsigned digit, unsigned condition, unsigned tar
     end_function(b);
 }
 
-static void two_states(Machine *t)
+static void start_two_states(Machine *t)
 {
     Build b;
 
@@ -49,12 +49,12 @@ static double step(Machine *t, uint64_t g, double x, double y)
     return f64_at(t, 16);
 }
 
-static void steps(void)
+static void test_steps_follow_transitions(void)
 {
     Machine t;
     SmVm *vm = (SmVm *)t.memory;
 
-    two_states(&t);
+    start_two_states(&t);
     CHECK(smvm_state(vm) == 1 && smvm_time(vm) == 0 && s_of(&t) == 1);
     set_s(&t, 99);
     CHECK(step(&t, 7, 0, 0) == 12);                   // entry, step
@@ -67,19 +67,20 @@ static void steps(void)
     CHECK(step(&t, 20, 0, 1) == 456 && smvm_time(vm) == 0 && s_of(&t) == 2);    // to itself: exit…
     CHECK(smvm_state(vm) == 2);
     CHECK(step(&t, 21, 0, 0) == 45 && smvm_time(vm) == 0);           // …and a first step again
-    two_states(&t);
+    start_two_states(&t);
     CHECK(step(&t, 0, 1, 1) == 13 && smvm_state(vm) == 2);           // entry goes: no step; G may be 0
     CHECK(init(&t, t.memory, sizeof t.memory, t.sv, 2) == SM_OK && s_of(&t) == 2);
     CHECK(step(&t, 0, 0, 0) == 45);
 }
 
-static void refused(void)
+// A refused step writes neither the vector nor the memory of the VM.
+static void test_refused_step_changes_nothing(void)
 {
     Machine t;
     SmVm *vm = (SmVm *)t.memory;
     uint64_t before[8], memory[200];
 
-    two_states(&t);
+    start_two_states(&t);
     step(&t, 7, 0, 0);
     for (unsigned i = 0; i < 3; i++) {
         t.sv[0] = ((const uint64_t[]){7, 6, UINT64_MAX})[i];
@@ -90,13 +91,13 @@ static void refused(void)
         CHECK(memcmp(before, t.sv, sizeof before) == 0 && memcmp(memory, t.memory, sizeof memory) == 0);
     }
     CHECK(step(&t, UINT64_MAX - 1, 0, 0) == 2 && smvm_time(vm) == UINT64_MAX - 8);
-    two_states(&t);
+    start_two_states(&t);
     t.sv[0] = UINT64_MAX;
     CHECK(smvm_step(vm, t.sv) == SM_REFUSED);
 }
 
-// A step that stores nothing leaves no trace of what the one before stored; a jump of two bytes' distance.
-static void second_step(void)
+// smvm_stored does not report a store of an earlier step.  The step ends by a jump over two bytes.
+static void test_stores_are_of_the_last_step(void)
 {
     Machine t;
     SmVm *vm = (SmVm *)t.memory;
@@ -121,13 +122,13 @@ static void second_step(void)
     CHECK(smvm_step(vm, t.sv) == SM_OK && !smvm_stored(vm, 0) && !smvm_stored(vm, 1) && f64_at(&t, 16) == 3);
 }
 
-// Samples 4, 1, 3, 2 through a window of three, and the statistic after each.
-static void windows(void)
+// Samples 4, 1, 3, 2 enter a window of three; the statistic is read after each.
+static void test_windows_compute_statistics(void)
 {
     static const double in[] = {4, 1, 3, 2};
-    static const double expected[SM_STAT_COUNT][4] = {{4, 2.5, 8.0 / 3, 2}, {4, 2.5, 3, 2}, {4, 1, 1, 1}, {4, 4, 4, 3}, {0, 3, 3, 2}};
+    static const double expected[][4] = {{4, 2.5, 8.0 / 3, 2}, {4, 2.5, 3, 2}, {4, 1, 1, 1}, {4, 4, 4, 3}, {0, 3, 3, 2}, {4, 4, 4, 1}, {4, 1, 3, 2}, {0, -3, -1, 1}};
 
-    for (unsigned s = 0; s < SM_STAT_COUNT; s++) {
+    for (unsigned s = 0; s < sizeof expected / sizeof *expected; s++) {
         Machine t;
         Build b;
         begin(&b);
@@ -152,8 +153,8 @@ static void windows(void)
     }
 }
 
-// A sample that is not of the window's type becomes what storing it leaves, here in the largest of windows of one sample.
-static void narrow_windows(void)
+// A sample is converted to the type of its window, as by a store.  The windows have one sample.
+static void test_samples_are_converted(void)
 {
     static const struct { SmType type; double in, out; } row[] = {
         {SM_I8, 300, 127}, {SM_I8, -2.9, -2}, {SM_U8, -1, 0}, {SM_I16, -1e9, -32768}, {SM_U16, 65535.5, 65535}, {SM_I32, 1e300, 2147483647},
@@ -186,9 +187,9 @@ static void narrow_windows(void)
 
 // ---- memory ----
 
-static uint32_t up8(size_t n) { return (uint32_t)((n + 7) / 8 * 8); }
+static uint32_t round_up_to_8(size_t n) { return (uint32_t)((n + 7) / 8 * 8); }
 
-static void memory_needed(void)
+static void test_ram_size_is_exact(void)
 {
     Machine t;
     Build b;
@@ -204,10 +205,10 @@ static void memory_needed(void)
     for (int i = 0; i < 4; i++)
         end_function(&b);
     CHECK(open_machine(&t, &b, 1));
-    CHECK(smvm_ram_size(&t.m) == up8(sizeof(SmVm)) + up8(2 * sizeof(uint64_t *)) + 8 * (1 + 3) + 8 * (1 + 2 * 5) + 16);
+    CHECK(smvm_ram_size(&t.m) == round_up_to_8(sizeof(SmVm)) + round_up_to_8(2 * sizeof(uint64_t *)) + 8 * (1 + 3) + 8 * (1 + 2 * 5) + 16);
 }
 
-static void starting(void)
+static void test_init_checks_memory(void)
 {
     Machine t;
     Build b;
@@ -236,12 +237,12 @@ static void starting(void)
 
 int main(void)
 {
-    steps();
-    refused();
-    second_step();
-    windows();
-    narrow_windows();
-    memory_needed();
-    starting();
+    test_steps_follow_transitions();
+    test_refused_step_changes_nothing();
+    test_stores_are_of_the_last_step();
+    test_windows_compute_statistics();
+    test_samples_are_converted();
+    test_ram_size_is_exact();
+    test_init_checks_memory();
     return test_end("vm_step");
 }

@@ -10,10 +10,10 @@
 enum { FLAG, VALUE };         // outputs: bool at 24, F64 at 16
 enum { IN = 32, COUNT = 2 };  // an element, F64; a local, U16
 
-static void in(Build *b) { typed(b, SMVM_ldx_elem, SM_F64, IN); }
+static void put_load_input(Build *b) { typed(b, SMVM_ldx_elem, SM_F64, IN); }
 
-// A machine with a bit of everything: two windows, the second over the first, two states.
-static void good(Build *b)
+// Puts a valid machine with one of each thing: two windows of which the second follows the first, and two states.
+static void put_good_machine(Build *b)
 {
     memset(b, 0, sizeof *b);
     b->sv_words = 5;
@@ -30,7 +30,7 @@ static void good(Build *b)
     b->f32s = b->f64s = 1;
     memcpy(b->init, (const uint8_t[]){1, 0, SM_U16, 7, 0}, 5);       // U16 at 2 = 7
     b->init_size = 5;
-    in(b);
+    put_load_input(b);
     code(b, SMVM_sample, 1, 0);
     code(b, SMVM_stat, 2, SM_STAT_AVG, 0);
     code(b, SMVM_sample, 1, 1);
@@ -84,18 +84,18 @@ static uint8_t verify(const Build *b, SmvmVerdict *v)
         CHECK(got_ == SMVM_R_##r);                                                          \
     } while (0)
 
-static Build whole(void)
+static Build build_good_machine(void)
 {
     Build b;
 
-    good(&b);
+    put_good_machine(&b);
     good_states(&b);
     return b;
 }
 
-static void accepts(void)
+static void test_good_machine_is_accepted(void)
 {
-    Build b = whole();
+    Build b = build_good_machine();
     SmvmVerdict v;
     SmvmMachine m;
     uint32_t n;
@@ -109,9 +109,9 @@ static void accepts(void)
 
 // ---- the container: the image's bytes are changed ----
 
-static uint8_t patched(uint32_t at, uint8_t value, bool crc)
+static uint8_t verify_patched(uint32_t at, uint8_t value, bool crc)
 {
-    Build b = whole();
+    Build b = build_good_machine();
     SmvmVerdict v;
     uint32_t n = build_image(&b, image);
 
@@ -121,9 +121,9 @@ static uint8_t patched(uint32_t at, uint8_t value, bool crc)
     return smvm_verify(image, n, &v);
 }
 
-static void truncated(void)
+static void test_truncated_image_is_refused(void)
 {
-    Build b = whole();
+    Build b = build_good_machine();
     uint32_t n = build_image(&b, image);
     SmvmVerdict v;
 
@@ -143,7 +143,7 @@ static void truncated(void)
     }
 }
 
-static void header_alone(void)
+static void test_image_without_machine_is_refused(void)
 {
     SmvmVerdict v;
     uint32_t n = put_header(image, 0, NULL, NULL);
@@ -152,10 +152,10 @@ static void header_alone(void)
 }
 
 // The verdict contains the position of the error.
-static void positions_are_reported(void)
+static void test_verdict_has_the_position(void)
 {
     enum { NUMBERS = 16 };
-    Build b = whole();
+    Build b = build_good_machine();
     uint32_t machine, code_at;
     SmvmVerdict v;
 
@@ -174,87 +174,87 @@ static void positions_are_reported(void)
     CHECK(smvm_verify(image, 500, &v) == SMVM_R_UNKNOWN && v.at == 28);
     b.window[1] = 0;
     CHECK(verify(&b, &v) == SMVM_R_WINDOW && v.at == machine + NUMBERS + 4);
-    b = whole();
+    b = build_good_machine();
     b.output[VALUE] = PLACE(F64, 40);
     CHECK(verify(&b, &v) == SMVM_R_OUTPUTS && v.at == machine + NUMBERS + 8 + 3 * VALUE);
-    b = whole();
+    b = build_good_machine();
     b.s = 0;
     CHECK(verify(&b, &v) == SMVM_R_PROTECTED && v.at == machine);
-    b = whole();
+    b = build_good_machine();
     b.end[3] = 0;
     CHECK(verify(&b, &v) == SMVM_R_FUNCTIONS && v.at == machine + NUMBERS + 8 + 6 + 3);
-    b = whole();
+    b = build_good_machine();
     b.size++;
     CHECK(verify(&b, &v) == SMVM_R_FUNCTIONS && v.at == machine + NUMBERS + 8 + 6 + 6);
-    b = whole();
+    b = build_good_machine();
     b.code[b.end[0] + 3] = 8;                         // the place that st_local stores to
     CHECK(verify(&b, &v) == SMVM_R_OPERAND && v.at == code_at + b.end[0] + 3 && v.machine == 0);
 }
 
-static void container(void)
+static void test_damaged_header_is_refused(void)
 {
-    CHECK(patched(0, 'S', true) == SMVM_R_MAGIC);
-    CHECK(patched(1, 'M', true) == SMVM_R_MAGIC);
-    CHECK(patched(2, 0, true) == SMVM_R_MAGIC);
-    CHECK(patched(3, 1, true) == SMVM_R_FORMAT);
-    CHECK(patched(3, 0, true) == SMVM_R_FORMAT);
-    header_alone();
-    positions_are_reported();
-    CHECK(patched(10, 1, false) == SMVM_R_LENGTH);
-    CHECK(patched(11, 255, false) == SMVM_R_LENGTH);
-    CHECK(patched(4, 0, false) == SMVM_R_CRC || patched(4, 1, false) == SMVM_R_CRC);
-    CHECK(patched(60, 0xee, false) == SMVM_R_CRC);
-    truncated();
+    CHECK(verify_patched(0, 'S', true) == SMVM_R_MAGIC);
+    CHECK(verify_patched(1, 'M', true) == SMVM_R_MAGIC);
+    CHECK(verify_patched(2, 0, true) == SMVM_R_MAGIC);
+    CHECK(verify_patched(3, 1, true) == SMVM_R_FORMAT);
+    CHECK(verify_patched(3, 0, true) == SMVM_R_FORMAT);
+    test_image_without_machine_is_refused();
+    test_verdict_has_the_position();
+    CHECK(verify_patched(10, 1, false) == SMVM_R_LENGTH);
+    CHECK(verify_patched(11, 255, false) == SMVM_R_LENGTH);
+    CHECK(verify_patched(4, 0, false) == SMVM_R_CRC || verify_patched(4, 1, false) == SMVM_R_CRC);
+    CHECK(verify_patched(60, 0xee, false) == SMVM_R_CRC);
+    test_truncated_image_is_refused();
 }
 
-static uint8_t arranged(unsigned n, const uint8_t *id)
+static uint8_t verify_sections(unsigned n, const uint8_t *id)
 {
-    Build b = whole();
+    Build b = build_good_machine();
     SmvmVerdict v;
 
     return smvm_verify(image, build_sections(&b, n, id, image), &v);
 }
 
-static void sections(void)
+static void test_wrong_section_table_is_refused(void)
 {
     enum { FIRST = 12, SECOND = 20, THIRD = 28, FOURTH = 36 };
 
-    CHECK(patched(FIRST + 2, 43, true) == SMVM_R_SECTION);           // in the section table
-    CHECK(patched(FIRST + 2, 0, true) == SMVM_R_SECTION);
-    CHECK(patched(SECOND + 2, 45, true) == SMVM_R_SECTION);          // over the end of the first
-    CHECK(patched(THIRD + 4, 0x80, true) == SMVM_R_SECTION);         // far behind the end
-    CHECK(patched(THIRD + 4, 0xff, true) == SMVM_R_SECTION);
-    CHECK(patched(FOURTH + 7, 0xff, true) == SMVM_R_SECTION);        // an end far behind the end
-    CHECK(patched(FOURTH + 5, 6, true) == SMVM_R_SECTION);
-    CHECK(patched(FIRST, 0xff, true) == SMVM_R_UNKNOWN);
-    CHECK(patched(FIRST, 0x84, true) == SMVM_R_UNKNOWN);
-    CHECK(patched(FIRST, 0x80, true) == SMVM_R_UNKNOWN);
-    CHECK(patched(FIRST + 1, 9, true) == 0);                         // one that can be skipped, whatever its version
-    CHECK(patched(SECOND + 1, 1, true) == SMVM_R_UNKNOWN);
-    CHECK(patched(THIRD + 1, 0, true) == SMVM_R_UNKNOWN);
-    CHECK(patched(FOURTH + 1, 3, true) == SMVM_R_UNKNOWN);
-    CHECK(patched(SECOND, 0x7e, true) == SMVM_R_GROUP);              // no MACHINE
-    CHECK(patched(THIRD, 0x7e, true) == SMVM_R_GROUP);               // no CODE
-    CHECK(patched(FIRST, 0x82, true) == SMVM_R_GROUP);               // CODE before MACHINE
-    CHECK(patched(FIRST, 0x83, true) == SMVM_R_GROUP);               // INIT before MACHINE
-    CHECK(patched(FIRST, 0x02, true) == SMVM_R_GROUP);               // DEBUG before MACHINE
-    CHECK(patched(FIRST, 0x81, true) == SMVM_R_GROUP);               // a MACHINE without CODE
-    CHECK(patched(FOURTH, 0x82, true) == SMVM_R_GROUP);              // two CODEs
-    CHECK(patched(FOURTH, 0x81, true) == SMVM_R_GROUP);              // the last MACHINE without CODE
-    CHECK(arranged(5, (const uint8_t[]){0x81, 0x82, 0x83, 0x02, 0x83}) == SMVM_R_GROUP);              // two INITs
-    CHECK(arranged(5, (const uint8_t[]){0x81, 0x83, 0x02, 0x01, 0x82}) == 0);
-    CHECK(arranged(5, (const uint8_t[]){0x81, 0x83, 0x82, 0x03, 0x82}) == SMVM_R_GROUP);
-    CHECK(arranged(4, (const uint8_t[]){0x81, 0x83, 0x82, 0x04}) == 0);
-    CHECK(arranged(3, (const uint8_t[]){0x05, 0x81, 0x82}) == SMVM_R_GROUP);                          // SAFE before MACHINE
-    CHECK(patched(11, 0, true) == SMVM_R_GROUP);                     // no section at all
+    CHECK(verify_patched(FIRST + 2, 43, true) == SMVM_R_SECTION);           // in the section table
+    CHECK(verify_patched(FIRST + 2, 0, true) == SMVM_R_SECTION);
+    CHECK(verify_patched(SECOND + 2, 45, true) == SMVM_R_SECTION);          // over the end of the first
+    CHECK(verify_patched(THIRD + 4, 0x80, true) == SMVM_R_SECTION);         // far behind the end
+    CHECK(verify_patched(THIRD + 4, 0xff, true) == SMVM_R_SECTION);
+    CHECK(verify_patched(FOURTH + 7, 0xff, true) == SMVM_R_SECTION);        // an end far behind the end
+    CHECK(verify_patched(FOURTH + 5, 6, true) == SMVM_R_SECTION);
+    CHECK(verify_patched(FIRST, 0xff, true) == SMVM_R_UNKNOWN);
+    CHECK(verify_patched(FIRST, 0x84, true) == SMVM_R_UNKNOWN);
+    CHECK(verify_patched(FIRST, 0x80, true) == SMVM_R_UNKNOWN);
+    CHECK(verify_patched(FIRST + 1, 9, true) == 0);                         // one that can be skipped, whatever its version
+    CHECK(verify_patched(SECOND + 1, 1, true) == SMVM_R_UNKNOWN);
+    CHECK(verify_patched(THIRD + 1, 0, true) == SMVM_R_UNKNOWN);
+    CHECK(verify_patched(FOURTH + 1, 3, true) == SMVM_R_UNKNOWN);
+    CHECK(verify_patched(SECOND, 0x7e, true) == SMVM_R_GROUP);              // no MACHINE
+    CHECK(verify_patched(THIRD, 0x7e, true) == SMVM_R_GROUP);               // no CODE
+    CHECK(verify_patched(FIRST, 0x82, true) == SMVM_R_GROUP);               // CODE before MACHINE
+    CHECK(verify_patched(FIRST, 0x83, true) == SMVM_R_GROUP);               // INIT before MACHINE
+    CHECK(verify_patched(FIRST, 0x02, true) == SMVM_R_GROUP);               // DEBUG before MACHINE
+    CHECK(verify_patched(FIRST, 0x81, true) == SMVM_R_GROUP);               // a MACHINE without CODE
+    CHECK(verify_patched(FOURTH, 0x82, true) == SMVM_R_GROUP);              // two CODEs
+    CHECK(verify_patched(FOURTH, 0x81, true) == SMVM_R_GROUP);              // the last MACHINE without CODE
+    CHECK(verify_sections(5, (const uint8_t[]){0x81, 0x82, 0x83, 0x02, 0x83}) == SMVM_R_GROUP);              // two INITs
+    CHECK(verify_sections(5, (const uint8_t[]){0x81, 0x83, 0x02, 0x01, 0x82}) == 0);
+    CHECK(verify_sections(5, (const uint8_t[]){0x81, 0x83, 0x82, 0x03, 0x82}) == SMVM_R_GROUP);
+    CHECK(verify_sections(4, (const uint8_t[]){0x81, 0x83, 0x82, 0x04}) == 0);
+    CHECK(verify_sections(3, (const uint8_t[]){0x05, 0x81, 0x82}) == SMVM_R_GROUP);                          // SAFE before MACHINE
+    CHECK(verify_patched(11, 0, true) == SMVM_R_GROUP);                     // no section at all
 }
 
 // ---- safe states ----
 
-static uint8_t marked(uint8_t section, uint32_t size, uint8_t first, uint8_t second)
+static uint8_t verify_marks(uint8_t section, uint32_t size, uint8_t first, uint8_t second)
 {
     const uint8_t id[] = {0x81, 0x82, section};
-    Build b = whole();
+    Build b = build_good_machine();
     SmvmVerdict v;
 
     b.safe_size = size;
@@ -263,25 +263,25 @@ static uint8_t marked(uint8_t section, uint32_t size, uint8_t first, uint8_t sec
     return smvm_verify(image, build_sections(&b, 3, id, image), &v);
 }
 
-static uint8_t safe(uint32_t size, uint8_t first, uint8_t second) { return marked(0x05, size, first, second); }
+static uint8_t verify_safe(uint32_t size, uint8_t first, uint8_t second) { return verify_marks(0x05, size, first, second); }
 
-static void swap_and_abort_states(void)               // of a machine of two states
+static void test_swap_and_abort_marks_are_checked(void)               // of a machine of two states
 {
-    Build b[2] = {whole(), whole()};
+    Build b[2] = {build_good_machine(), build_good_machine()};
     SmvmVerdict v;
     SmvmMachine m;
 
     for (uint8_t id = 0x07; id <= 0x08; id++) {
         for (unsigned bits = 0; bits < 256; bits++) {
-            CHECK(marked(id, 1, (uint8_t)bits, 0) == 0 && smvm_machine(image, 0, &m) && smvm_state_is_safe(&m, 1) && smvm_state_is_safe(&m, 2));
+            CHECK(verify_marks(id, 1, (uint8_t)bits, 0) == 0 && smvm_machine(image, 0, &m) && smvm_state_is_safe(&m, 1) && smvm_state_is_safe(&m, 2));
             CHECK(smvm_state_allows_swap(&m, 1) == (id == 0x07 && (bits & 1)) && smvm_state_allows_swap(&m, 2) == (id == 0x07 && (bits & 2)));
             CHECK(smvm_state_is_abort(&m, 1) == (id == 0x08 && (bits & 1)) && smvm_state_is_abort(&m, 2) == (id == 0x08 && (bits & 2)));
         }
-        CHECK(marked(id, 0, 0, 0) == 0 && smvm_machine(image, 0, &m) && !smvm_state_allows_swap(&m, 1) && !smvm_state_is_abort(&m, 1));
-        CHECK(arranged(3, (const uint8_t[]){id, 0x81, 0x82}) == 0);
+        CHECK(verify_marks(id, 0, 0, 0) == 0 && smvm_machine(image, 0, &m) && !smvm_state_allows_swap(&m, 1) && !smvm_state_is_abort(&m, 1));
+        CHECK(verify_sections(3, (const uint8_t[]){id, 0x81, 0x82}) == 0);
         CHECK(smvm_machine(image, 0, &m) && !smvm_state_allows_swap(&m, 1) && !smvm_state_is_abort(&m, 1));   // before MACHINE: of no machine
     }
-    CHECK(safe(1, 2, 0) == 0 && smvm_machine(image, 0, &m) && !smvm_state_allows_swap(&m, 1) && smvm_state_allows_swap(&m, 2));
+    CHECK(verify_safe(1, 2, 0) == 0 && smvm_machine(image, 0, &m) && !smvm_state_allows_swap(&m, 1) && smvm_state_allows_swap(&m, 2));
     b[1].safe_size = 1;
     b[1].safe[0] = 2;
     CHECK(smvm_verify(image, build_sections(b, 6, (const uint8_t[]){0x81, 0x82, 0x81, 0x82, 0x07, 0x08}, image), &v) == 0);
@@ -289,18 +289,18 @@ static void swap_and_abort_states(void)               // of a machine of two sta
     CHECK(smvm_machine(image, 1, &m) && !smvm_state_allows_swap(&m, 1) && smvm_state_allows_swap(&m, 2) && smvm_state_is_abort(&m, 2));
 }
 
-static void safe_states(void)                         // of a machine of two states
+static void test_safe_marks_are_checked(void)                         // of a machine of two states
 {
-    Build b[2] = {whole(), whole()};
+    Build b[2] = {build_good_machine(), build_good_machine()};
     SmvmVerdict v;
     SmvmMachine m;
 
     for (uint8_t bits = 1; bits < 4; bits++) {
-        CHECK(safe(1, bits, 0) == 0 && smvm_machine(image, 0, &m));
+        CHECK(verify_safe(1, bits, 0) == 0 && smvm_machine(image, 0, &m));
         CHECK(smvm_state_is_safe(&m, 1) == (bits & 1) && smvm_state_is_safe(&m, 2) == bits >> 1);
     }
-    CHECK(safe(1, 0, 0) == SMVM_R_SAFE && safe(0, 0, 0) == SMVM_R_SAFE && safe(2, 1, 0) == SMVM_R_SAFE);
-    CHECK(safe(1, 4, 0) == SMVM_R_SAFE && safe(1, 0x83, 0) == SMVM_R_SAFE && safe(2, 1, 1) == SMVM_R_SAFE);
+    CHECK(verify_safe(1, 0, 0) == SMVM_R_SAFE && verify_safe(0, 0, 0) == SMVM_R_SAFE && verify_safe(2, 1, 0) == SMVM_R_SAFE);
+    CHECK(verify_safe(1, 4, 0) == SMVM_R_SAFE && verify_safe(1, 0x83, 0) == SMVM_R_SAFE && verify_safe(2, 1, 1) == SMVM_R_SAFE);
     b[1].safe_size = 1;
     b[1].safe[0] = 2;
     CHECK(smvm_verify(image, build_sections(b, 5, (const uint8_t[]){0x81, 0x82, 0x81, 0x82, 0x05}, image), &v) == 0);
@@ -313,9 +313,9 @@ static void safe_states(void)                         // of a machine of two sta
     CHECK(smvm_verify(image, 500, &v) == 0 && smvm_machine(image, 0, &m) && smvm_state_is_safe(&m, 1));
 }
 
-static void nine_states(void)                         // two bytes
+static void test_marks_of_nine_states_need_two_bytes(void)                         // two bytes
 {
-    Build b = whole();
+    Build b = build_good_machine();
     SmvmMachine m;
     SmvmVerdict v;
 
@@ -337,9 +337,9 @@ static void nine_states(void)                         // two bytes
 
 // ---- the machine ----
 
-static void record(void)
+static void test_wrong_machine_record_is_refused(void)
 {
-    Build b = whole();
+    Build b = build_good_machine();
     SmvmVerdict v;
     uint32_t n = build_image(&b, image), at = section_at(image, 1);
 
@@ -387,31 +387,31 @@ static void short_machine(void)                       // a MACHINE section of 0 
     }
 }
 
-static void tables(void)
+static void test_wrong_tables_are_refused(void)
 {
-    static const uint32_t good_window[] = {WINDOW(1, 4), WINDOW(100000, 7), WINDOW(5, 31), WINDOW(2, 6), WINDOW_OF(SM_I8, 5, 31),
+    static const uint32_t good_window[] = {WINDOW(1, 4), WINDOW(100000, 7), WINDOW(5, 31), WINDOW(2, 6), WINDOW(2, 96), WINDOW_OF(SM_I8, 5, 255),
                                            WINDOW_OF(SM_F32, 5, 1), WINDOW_OF(SM_BOOL, 3, 4)};
-    static const uint32_t bad_window[] = {WINDOW(0, 1), WINDOW(100001, 1), WINDOW(131071, 1), WINDOW(5, 32), WINDOW(5, 64), 0, 0xffffff,
+    static const uint32_t bad_window[] = {WINDOW(0, 1), WINDOW(100001, 1), WINDOW(131071, 1), WINDOW(5, 256), WINDOW(5, 512), WINDOW(5, 1024), WINDOW_OF(SM_U64, 5, 257), WINDOW_OF(SM_U64, 5, 768), WINDOW_OF(SM_U64, 5, 128), 0, 0xffffff,
                                           UINT32_MAX, WINDOW_OF(SM_I64, 5, 1), WINDOW_OF(SM_U64, 5, 1), WINDOW_OF(11, 5, 1), WINDOW_OF(15, 5, 1)};
     Build b;
 
     for (unsigned i = 0; i < sizeof bad_window / sizeof *bad_window; i++) {
-        b = whole();
+        b = build_good_machine();
         b.window[1] = bad_window[i];
         REFUSED(&b, WINDOW);
-        b = whole();
+        b = build_good_machine();
         b.window[0] = bad_window[i];
         REFUSED(&b, WINDOW);
     }
     for (unsigned i = 0; i < sizeof good_window / sizeof *good_window; i++) {
         SmvmVerdict v;
-        b = whole();
+        b = build_good_machine();
         b.window[1] = good_window[i] | (uint32_t)SM_ROLL_MEDIAN << 17;
         CHECK(verify(&b, &v) == ((good_window[i] & SMVM_WINDOW_SIZE_MASK) < 1000 ? 0 : BEYOND(0)));
     }
 }
 
-static void spans(void)
+static void test_elements_outside_the_vector_are_refused(void)
 {
     static const struct { uint32_t from, to, g, s; uint8_t rule; } row[] = {
         {0, 5, 0, 2, 0}, {0, 6, 0, 2, SMVM_R_SPAN}, {0, 0x1000c5f, 0, 2, BEYOND(SMVM_R_SPAN)}, {6, 5, 0, 2, SMVM_R_SPAN}, {0x1000c5f, 5, 0, 2, BEYOND(SMVM_R_SPAN)},
@@ -423,7 +423,7 @@ static void spans(void)
 
     for (unsigned i = 0; i < sizeof row / sizeof *row; i++) {
         SmvmVerdict v;
-        Build b = whole();
+        Build b = build_good_machine();
         b.from = row[i].from;
         b.to = row[i].to;
         b.g = row[i].g;
@@ -434,7 +434,7 @@ static void spans(void)
     }
 }
 
-static void outputs(void)
+static void test_wrong_outputs_are_refused(void)
 {
     const uint32_t bad[] = {PLACE(F64, 40), PLACE(U8, 40), PLACE(U16, 40), PLACE(I32, 40), PLACE_OF(SM_F64, 0xfffff), PLACE_OF(SM_BOOL, 0xfffff),
                             PLACE_OF(SM_F64, 0x10002), PLACE_OF(11, 0), PLACE_OF(12, 0), PLACE_OF(15, 2)};
@@ -445,26 +445,26 @@ static void outputs(void)
 
     for (unsigned i = 0; i < sizeof bad / sizeof *bad; i++)
         for (unsigned k = 0; k < 2; k++) {
-            b = whole();
+            b = build_good_machine();
             b.output[k] = bad[i];
             REFUSED(&b, OUTPUTS);
         }
     for (unsigned i = 0; i < sizeof over / sizeof *over; i++) {
-        b = whole();
+        b = build_good_machine();
         b.output[VALUE] = over[i];
         REFUSED(&b, PROTECTED);
     }
     for (unsigned i = 0; i < sizeof fine / sizeof *fine; i++) {
-        b = whole();
+        b = build_good_machine();
         b.output[VALUE] = fine[i];
         CHECK(verify(&b, &v) == 0);
     }
-    b = whole();                                      // beside S on both sides
+    b = build_good_machine();                                      // beside S on both sides
     b.s = 3;
     b.output[FLAG] = PLACE(U32, 8);
     b.output[VALUE] = PLACE(U8, 16);
     CHECK(verify(&b, &v) == 0);
-    b = whole();                                      // before the part that is named
+    b = build_good_machine();                                      // before the part that is named
     b.from = 1;
     b.g = 1;
     b.s = 4;
@@ -473,7 +473,7 @@ static void outputs(void)
     REFUSED(&b, OUTPUTS);
 }
 
-static void memory(void)
+static void test_too_many_windows_are_refused(void)
 {
     static uint8_t big[12 + 16 + 64 + 4 * 1400];
     static const uint8_t id[] = {0x81, 0x82};
@@ -493,7 +493,7 @@ static void memory(void)
     CHECK(smvm_verify(big, n, &v) == SMVM_R_RAM);
 }
 
-static void initial_values(void)
+static void test_wrong_initial_values_are_refused(void)
 {
     const uint32_t bad[] = {PLACE(U16, 16), PLACE_OF(11, 0), PLACE_OF(15, 0), PLACE(U8, 16), PLACE(F64, 16), PLACE_OF(SM_U8, 0x10000), PLACE_OF(SM_F64, 0xfffff),
                             PLACE_OF(SM_I8, 0xfffff)};
@@ -501,14 +501,14 @@ static void initial_values(void)
 
     for (unsigned i = 0; i < 8; i++) {
         uint8_t *p;
-        b = whole();
+        b = build_good_machine();
         p = b.init;
         put_bytes(&p, bad[i], 3);
         put_bytes(&p, 0, 8);
         b.init_size = 11;
         REFUSED(&b, INIT);
     }
-    b = whole();
+    b = build_good_machine();
     for (b.init_size = 1; b.init_size < 5; b.init_size++)
         REFUSED(&b, INIT);
     memcpy(b.init + 5, b.init, 5);
@@ -517,14 +517,14 @@ static void initial_values(void)
     CHECK(verify(&b, &(SmvmVerdict){0}) == 0);
 }
 
-// The last places that there are, and those behind them.
-static void initial_values_at_the_end(void)
+// The last positions that exist are accepted, those after them are refused.
+static void test_initial_values_after_the_last_are_refused(void)
 {
     static const struct { uint8_t type, bytes; uint32_t good; } row[] = {{SM_F64, 8, 0}, {SM_U16, 2, 5}, {SM_I32, 4, 2}, {SM_BOOL, 1, 12}};
 
     for (unsigned i = 0; i < 4; i++)
         for (uint32_t more = 0; more < 2; more++) {
-            Build b = whole();
+            Build b = build_good_machine();
             uint8_t *p = b.init;
             SmvmVerdict v;
             b.locals = 13;
@@ -538,24 +538,24 @@ static void initial_values_at_the_end(void)
         }
 }
 
-// Of two machines either may be the broken one.
-static void two_machines(void)
+// Either of two machines can be the wrong one.
+static void test_verdict_names_the_machine(void)
 {
     static const uint8_t id[] = {0x81, 0x82, 0x02, 0x81, 0x82, 0x83, 0x02};
     SmvmVerdict v;
     Build b[2];
 
     for (uint32_t k = 0; k < 2; k++) {
-        b[0] = b[1] = whole();
+        b[0] = b[1] = build_good_machine();
         b[k].output[VALUE] = PLACE(F64, 40);
         CHECK(smvm_verify(image, build_sections(b, 7, id, image), &v) == SMVM_R_OUTPUTS && v.machine == k);
-        b[k] = whole();
+        b[k] = build_good_machine();
         b[k].states++;
         CHECK(smvm_verify(image, build_sections(b, 7, id, image), &v) == SMVM_R_RECORD && v.machine == k);
-        b[k] = whole();
+        b[k] = build_good_machine();
         b[k].code[b[k].size - 1] = 0xd0;
         CHECK(smvm_verify(image, build_sections(b, 7, id, image), &v) == SMVM_R_OPCODE && v.machine == k);
-        b[k] = whole();
+        b[k] = build_good_machine();
         memmove(b[k].code + b[k].end[0] + 4, b[k].code + b[k].end[0], b[k].size - b[k].end[0]);
         memcpy(b[k].code + b[k].end[0], (const uint8_t[]){SMVM_ldx_plus, 0, SMVM_ldy_plus, 1}, 4);
         b[k].size += 4;
@@ -567,34 +567,34 @@ static void two_machines(void)
 
 // ---- the code ----
 
-static void functions(void)
+static void test_wrong_function_ends_are_refused(void)
 {
-    Build b = whole();
+    Build b = build_good_machine();
 
     b.end[2]--;                                       // the last one but `end`
     REFUSED(&b, FALLS_OUT);
-    b = whole();
+    b = build_good_machine();
     b.end[2] -= 2;                                    // into the middle of an instruction
     REFUSED(&b, TRUNCATED);
-    b = whole();
+    b = build_good_machine();
     b.end[2] = b.end[1] - 1;                          // backwards
     REFUSED(&b, FUNCTIONS);
-    b = whole();
+    b = build_good_machine();
     b.end[6] = b.size + 1;                            // behind the code
     b.end[5] = b.size;
     REFUSED(&b, FUNCTIONS);
-    b = whole();
+    b = build_good_machine();
     b.end[6] = 255;
     REFUSED(&b, FUNCTIONS);
-    b = whole();
+    b = build_good_machine();
     b.size++;                                         // code that belongs to no function
     REFUSED(&b, FUNCTIONS);
 }
 
-// A state whose step function is the code put between these two.
+// Begins a state.  The instructions that the caller adds until close_step become its step function.
 static void open_step(Build *b)
 {
-    good(b);
+    put_good_machine(b);
     end_function(b);
 }
 
@@ -614,7 +614,7 @@ static void close_step(Build *b)
         REFUSED(&b, rule);              \
     } while (0)
 
-static void opcodes(void)
+static void test_unknown_opcodes_are_refused(void)
 {
     for (unsigned op = 0; op < 256; op++) {           // a single byte
         const uint32_t shape = smvm_shape((uint8_t)op);
@@ -633,13 +633,13 @@ static void opcodes(void)
 
 // The registers hold something, then op with these numbers, and `end`.
 #define WITH_BOTH(op, n, a, c, rule)                              \
-    STEP_REFUSED(in(&b); typed(&b, SMVM_ldy_elem, SM_F64, IN);    \
+    STEP_REFUSED(put_load_input(&b); typed(&b, SMVM_ldy_elem, SM_F64, IN);    \
                  code(&b, op, n, a, c); code(&b, SMVM_end, 0), rule)
 
-static void instructions(void)
+static void test_truncated_instructions_are_refused(void)
 {
     STEP_REFUSED(code(&b, SMVM_stat, 1, 0), TRUNCATED);
-    STEP_REFUSED(in(&b); code(&b, SMVM_jxn, 1, 0), TRUNCATED);
+    STEP_REFUSED(put_load_input(&b); code(&b, SMVM_jxn, 1, 0), TRUNCATED);
     STEP_REFUSED(code(&b, SMVM_ldx_plus, 1, 0x60); b.size--, TRUNCATED);         // a varint of two bytes without its second
     STEP_REFUSED(code(&b, SMVM_goto, 1, 0xc60); b.size--, TRUNCATED);
     STEP_REFUSED(code(&b, SMVM_ldx_plus, 1, 0x60); b.code[b.size - 1] = 0x80; code(&b, SMVM_end, 0), TRUNCATED);
@@ -648,8 +648,8 @@ static void instructions(void)
     STEP_REFUSED(code(&b, SMVM_jmp, 1, 0); b.code[b.size - 1] = SMVM_end; code(&b, SMVM_end, 0), TRUNCATED);
 }
 
-// Everything that is named, at its last place and behind it.
-static void operands(void)
+// Of each kind of operand, the last one that exists is accepted, and the next one is refused.
+static void test_operands_out_of_range_are_refused(void)
 {
     static const uint32_t far[] = {0x60, 0xc60, 0x10000, 0x1000c5f};
 
@@ -677,7 +677,11 @@ static void operands(void)
     }
     for (unsigned m = 0; m < 20; m++)
         WITH_BOTH(SMVM_set, 1, m, 0, OK + (m < 1 || m > 14 ? SMVM_R_OPERAND : 0));
+    for (unsigned n = 0; n < 40; n++) {
+        WITH_BOTH(SMVM_fn, 1, n, 0, OK + (n > 8 && (n < 16 || n > 18) ? SMVM_R_FUNCTION : 0));
+    }
     for (unsigned i = 0; i < 4; i++) {
+        WITH_BOTH(SMVM_fn, 1, far[i], 0, OK + SMVM_R_FUNCTION);
         WITH_BOTH(SMVM_out, 1, far[i], 0, OPERAND);
         WITH_BOTH(SMVM_cvt, 1, far[i], 0, OPERAND);
         WITH_BOTH(SMVM_set, 1, far[i], 0, OPERAND);
@@ -695,8 +699,8 @@ static void operands(void)
     WITH_BOTH(SMVM_ldy_f64, 1, 1, 0, OPERAND);
 }
 
-// Elements before and behind the part of the vector that the machine names.
-static void elements_of_a_part(void)
+// Elements before and after the part of the vector that the machine names.
+static void test_elements_outside_the_part_are_refused(void)
 {
     for (unsigned t = 0; t < SM_TYPE_COUNT; t++)
         for (unsigned k = 0; k < 4; k++) {
@@ -717,7 +721,7 @@ static void elements_of_a_part(void)
         }
 }
 
-static void window_use(void)
+static void test_statistics_that_a_window_lacks_are_refused(void)
 {
     static const struct { unsigned stat, window; uint8_t rule; } row[] = {
         {SM_STAT_AVG, 2, SMVM_R_WINDOW_USED}, {SM_STAT_AVG, 0x1000c5f, SMVM_R_WINDOW_USED}, {SM_STAT_AVG, 0x10000, SMVM_R_WINDOW_USED},
@@ -728,14 +732,14 @@ static void window_use(void)
 
     for (unsigned i = 0; i < sizeof row / sizeof *row; i++)
         STEP_REFUSED(code(&b, SMVM_stat, 2, row[i].stat, row[i].window); code(&b, SMVM_end, 0), OK + row[i].rule);
-    STEP_REFUSED(in(&b); code(&b, SMVM_sample, 1, 2); code(&b, SMVM_end, 0), WINDOW_USED);
-    STEP_REFUSED(in(&b); code(&b, SMVM_sample, 1, 0); code(&b, SMVM_end, 0), SAMPLE);           // outside the sample function
+    STEP_REFUSED(put_load_input(&b); code(&b, SMVM_sample, 1, 2); code(&b, SMVM_end, 0), WINDOW_USED);
+    STEP_REFUSED(put_load_input(&b); code(&b, SMVM_sample, 1, 0); code(&b, SMVM_end, 0), SAMPLE);           // outside the sample function
 }
 
 #define SAMPLE_REFUSED(statements, rule)          \
     do {                                          \
         Build b;                                  \
-        good(&b);                                 \
+        put_good_machine(&b);                                 \
         b.size = b.ends = 0;                      \
         statements;                               \
         end_function(&b);                         \
@@ -743,36 +747,36 @@ static void window_use(void)
         REFUSED(&b, rule);                        \
     } while (0)
 
-static void sample(Build *b, unsigned w)
+static void put_sample(Build *b, unsigned w)
 {
-    in(b);
+    put_load_input(b);
     code(b, SMVM_sample, 1, w);
 }
 
-static void average(Build *b) { code(b, SMVM_stat, 2, SM_STAT_AVG, 0); }
+static void put_average(Build *b) { code(b, SMVM_stat, 2, SM_STAT_AVG, 0); }
 
-static void sampling(void)
+static void test_each_window_is_sampled_once(void)
 {
     SAMPLE_REFUSED((void)b, SAMPLE);                                                            // no sample at all
-    SAMPLE_REFUSED(sample(&b, 0); code(&b, SMVM_end, 0), SAMPLE);                               // one is missing
-    SAMPLE_REFUSED(sample(&b, 1); sample(&b, 0); code(&b, SMVM_end, 0), SAMPLE);
-    SAMPLE_REFUSED(sample(&b, 0); sample(&b, 0); code(&b, SMVM_end, 0), SAMPLE);
-    SAMPLE_REFUSED(sample(&b, 0); sample(&b, 1); sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);
-    SAMPLE_REFUSED(average(&b); code(&b, SMVM_end, 0), SAMPLE);                                 // read before
-    SAMPLE_REFUSED(average(&b); sample(&b, 0); sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);
-    SAMPLE_REFUSED(in(&b); code(&b, SMVM_jt, 1, 2); code(&b, SMVM_sample, 1, 0); sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);      // passed over
-    SAMPLE_REFUSED(in(&b); code(&b, SMVM_jt, 1, 1); code(&b, SMVM_end, 0); sample(&b, 0); sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);     // over by then
-    SAMPLE_REFUSED(sample(&b, 0); sample(&b, 1); code(&b, SMVM_goto, 1, 1), GOTO);
+    SAMPLE_REFUSED(put_sample(&b, 0); code(&b, SMVM_end, 0), SAMPLE);                               // one is missing
+    SAMPLE_REFUSED(put_sample(&b, 1); put_sample(&b, 0); code(&b, SMVM_end, 0), SAMPLE);
+    SAMPLE_REFUSED(put_sample(&b, 0); put_sample(&b, 0); code(&b, SMVM_end, 0), SAMPLE);
+    SAMPLE_REFUSED(put_sample(&b, 0); put_sample(&b, 1); put_sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);
+    SAMPLE_REFUSED(put_average(&b); code(&b, SMVM_end, 0), SAMPLE);                                 // read before
+    SAMPLE_REFUSED(put_average(&b); put_sample(&b, 0); put_sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);
+    SAMPLE_REFUSED(put_load_input(&b); code(&b, SMVM_jt, 1, 2); code(&b, SMVM_sample, 1, 0); put_sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);      // passed over
+    SAMPLE_REFUSED(put_load_input(&b); code(&b, SMVM_jt, 1, 1); code(&b, SMVM_end, 0); put_sample(&b, 0); put_sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);     // over by then
+    SAMPLE_REFUSED(put_sample(&b, 0); put_sample(&b, 1); code(&b, SMVM_goto, 1, 1), GOTO);
 }
 
-static void transitions(void)
+static void test_wrong_transitions_are_refused(void)
 {
     STEP_REFUSED(code(&b, SMVM_goto, 1, 0), GOTO);
     STEP_REFUSED(code(&b, SMVM_goto, 1, 3), GOTO);
     STEP_REFUSED(code(&b, SMVM_goto, 1, 0x1000c5f), GOTO);
 }
 
-static void transition_in_exit(void)
+static void test_transition_in_exit_is_refused(void)
 {
     Build b;
 
@@ -784,77 +788,82 @@ static void transition_in_exit(void)
     REFUSED(&b, GOTO);
 }
 
-static void jumps(void)
+static void test_wrong_jumps_are_refused(void)
 {
-    STEP_REFUSED(in(&b); code(&b, SMVM_jt, 1, 1); code(&b, SMVM_end, 0), JUMP);                 // to the function's end
+    STEP_REFUSED(put_load_input(&b); code(&b, SMVM_jt, 1, 1); code(&b, SMVM_end, 0), JUMP);                 // to the function's end
     STEP_REFUSED(code(&b, SMVM_jmp, 1, 0), JUMP);
-    STEP_REFUSED(in(&b); code(&b, SMVM_jt, 1, 2); code(&b, SMVM_end, 0), JUMP);                 // into the next function
-    STEP_REFUSED(in(&b); code(&b, SMVM_jt, 1, 0x1000c5f); code(&b, SMVM_end, 0), JUMP);         // the largest that can be encoded
-    STEP_REFUSED(in(&b); code(&b, SMVM_jt, 1, 0x10000); code(&b, SMVM_end, 0), JUMP);
-    STEP_REFUSED(code(&b, SMVM_jmp, 1, 1); in(&b); code(&b, SMVM_end, 0), JUMP);                // into an instruction
+    STEP_REFUSED(put_load_input(&b); code(&b, SMVM_jt, 1, 2); code(&b, SMVM_end, 0), JUMP);                 // into the next function
+    STEP_REFUSED(put_load_input(&b); code(&b, SMVM_jt, 1, 0x1000c5f); code(&b, SMVM_end, 0), JUMP);         // the largest that can be encoded
+    STEP_REFUSED(put_load_input(&b); code(&b, SMVM_jt, 1, 0x10000); code(&b, SMVM_end, 0), JUMP);
+    STEP_REFUSED(code(&b, SMVM_jmp, 1, 1); put_load_input(&b); code(&b, SMVM_end, 0), JUMP);                // into an instruction
     STEP_REFUSED(code(&b, SMVM_jmp, 1, 2); code(&b, SMVM_stat, 2, 0, 0); code(&b, SMVM_end, 0), JUMP);
-    STEP_REFUSED(in(&b), FALLS_OUT);
-    STEP_REFUSED(code(&b, SMVM_end, 0); in(&b), FALLS_OUT);
-    STEP_REFUSED(in(&b); code(&b, SMVM_jt, 1, 0); code(&b, SMVM_ldx_time, 0), FALLS_OUT);
+    STEP_REFUSED(put_load_input(&b), FALLS_OUT);
+    STEP_REFUSED(code(&b, SMVM_end, 0); put_load_input(&b), FALLS_OUT);
+    STEP_REFUSED(put_load_input(&b); code(&b, SMVM_jt, 1, 0); code(&b, SMVM_ldx_time, 0), FALLS_OUT);
 }
 
-static void both(Build *b)
+static void load_both_registers(Build *b)
 {
-    in(b);
+    put_load_input(b);
     typed(b, SMVM_ldy_elem, SM_F64, IN);
 }
 
 #define THEN(statements, rule) STEP_REFUSED(statements; code(&b, SMVM_end, 0), rule)
 
-// What an instruction leaves in the registers.
-static void registers(void)
+// Each instruction leaves a value in X, in Y, in both or in neither.  Reading a register without a value is refused.
+static void test_registers_without_value_are_refused(void)
 {
     THEN(code(&b, SMVM_addi, 1, 1), REGISTER);                                                  // it has no value yet
     THEN(code(&b, SMVM_ldy_plus, 1, 1); code(&b, SMVM_neg, 0), REGISTER);
-    THEN(in(&b); code(&b, SMVM_add, 0), REGISTER);
-    THEN(both(&b); code(&b, SMVM_add, 0); code(&b, SMVM_mul, 0), OK);
-    THEN(both(&b); code(&b, SMVM_set, 1, 1); code(&b, SMVM_add, 0), OK);
-    THEN(both(&b); code(&b, SMVM_addi, 1, 1); code(&b, SMVM_cvt, 1, 0); code(&b, SMVM_neg, 0); code(&b, SMVM_or, 0), OK);
-    THEN(both(&b); in(&b); code(&b, SMVM_add, 0), REGISTER);                                    // Y is forgotten
-    THEN(both(&b); code(&b, SMVM_ldx_time, 0); code(&b, SMVM_add, 0), REGISTER);
-    THEN(both(&b); code(&b, SMVM_ldx_plus, 1, 0); code(&b, SMVM_add, 0), REGISTER);
-    THEN(both(&b); code(&b, SMVM_stat, 2, 0, 0); code(&b, SMVM_add, 0), REGISTER);
-    THEN(both(&b); typed(&b, SMVM_st_local, SM_I8, 0); code(&b, SMVM_add, 0), REGISTER);
-    THEN(both(&b); typed(&b, SMVM_st_local, SM_I8, 0); code(&b, SMVM_neg, 0), OK);              // and X kept
-    THEN(both(&b); code(&b, SMVM_out, 1, 0); code(&b, SMVM_add, 0), REGISTER);
-    THEN(both(&b); code(&b, SMVM_out, 1, 0); code(&b, SMVM_jt, 1, 0), OK);
-    THEN(both(&b); code(&b, SMVM_jmp, 1, 0); code(&b, SMVM_ldy_plus, 1, 0), REGISTER);          // (a jump to ldy)
-    THEN(both(&b); code(&b, SMVM_end, 0); code(&b, SMVM_neg, 0), REGISTER);                     // behind the end
-    THEN(both(&b); code(&b, SMVM_goto, 1, 1); code(&b, SMVM_neg, 0), REGISTER);
-    THEN(both(&b); code(&b, SMVM_jt, 1, 2); code(&b, SMVM_jmp, 1, 0); in(&b); code(&b, SMVM_add, 0), REGISTER);
-    SAMPLE_REFUSED(both(&b); code(&b, SMVM_sample, 1, 0); code(&b, SMVM_add, 0); code(&b, SMVM_sample, 1, 1); code(&b, SMVM_end, 0), REGISTER);
-    SAMPLE_REFUSED(both(&b); code(&b, SMVM_sample, 1, 0); code(&b, SMVM_neg, 0); code(&b, SMVM_sample, 1, 1); code(&b, SMVM_end, 0), OK);
+    THEN(put_load_input(&b); code(&b, SMVM_add, 0), REGISTER);
+    THEN(load_both_registers(&b); code(&b, SMVM_add, 0); code(&b, SMVM_mul, 0), OK);
+    THEN(code(&b, SMVM_fn, 1, SMVM_FN_exp), REGISTER);
+    THEN(code(&b, SMVM_ldx_plus, 1, 1); code(&b, SMVM_fn, 1, SMVM_FN_exp), OK);
+    THEN(code(&b, SMVM_ldx_plus, 1, 1); code(&b, SMVM_fn, 1, SMVM_FN_pow), REGISTER);
+    THEN(load_both_registers(&b); code(&b, SMVM_fn, 1, SMVM_FN_pow), OK);
+    THEN(load_both_registers(&b); code(&b, SMVM_fn, 1, SMVM_FN_exp); code(&b, SMVM_add, 0), REGISTER);
+    THEN(load_both_registers(&b); code(&b, SMVM_set, 1, 1); code(&b, SMVM_add, 0), OK);
+    THEN(load_both_registers(&b); code(&b, SMVM_addi, 1, 1); code(&b, SMVM_cvt, 1, 0); code(&b, SMVM_neg, 0); code(&b, SMVM_or, 0), OK);
+    THEN(load_both_registers(&b); put_load_input(&b); code(&b, SMVM_add, 0), REGISTER);                                    // Y is forgotten
+    THEN(load_both_registers(&b); code(&b, SMVM_ldx_time, 0); code(&b, SMVM_add, 0), REGISTER);
+    THEN(load_both_registers(&b); code(&b, SMVM_ldx_plus, 1, 0); code(&b, SMVM_add, 0), REGISTER);
+    THEN(load_both_registers(&b); code(&b, SMVM_stat, 2, 0, 0); code(&b, SMVM_add, 0), REGISTER);
+    THEN(load_both_registers(&b); typed(&b, SMVM_st_local, SM_I8, 0); code(&b, SMVM_add, 0), REGISTER);
+    THEN(load_both_registers(&b); typed(&b, SMVM_st_local, SM_I8, 0); code(&b, SMVM_neg, 0), OK);              // and X kept
+    THEN(load_both_registers(&b); code(&b, SMVM_out, 1, 0); code(&b, SMVM_add, 0), REGISTER);
+    THEN(load_both_registers(&b); code(&b, SMVM_out, 1, 0); code(&b, SMVM_jt, 1, 0), OK);
+    THEN(load_both_registers(&b); code(&b, SMVM_jmp, 1, 0); code(&b, SMVM_ldy_plus, 1, 0), REGISTER);          // (a jump to ldy)
+    THEN(load_both_registers(&b); code(&b, SMVM_end, 0); code(&b, SMVM_neg, 0), REGISTER);                     // behind the end
+    THEN(load_both_registers(&b); code(&b, SMVM_goto, 1, 1); code(&b, SMVM_neg, 0), REGISTER);
+    THEN(load_both_registers(&b); code(&b, SMVM_jt, 1, 2); code(&b, SMVM_jmp, 1, 0); put_load_input(&b); code(&b, SMVM_add, 0), REGISTER);
+    SAMPLE_REFUSED(load_both_registers(&b); code(&b, SMVM_sample, 1, 0); code(&b, SMVM_add, 0); code(&b, SMVM_sample, 1, 1); code(&b, SMVM_end, 0), REGISTER);
+    SAMPLE_REFUSED(load_both_registers(&b); code(&b, SMVM_sample, 1, 0); code(&b, SMVM_neg, 0); code(&b, SMVM_sample, 1, 1); code(&b, SMVM_end, 0), OK);
 }
 
-// Both registers keep their numbers behind a jump that is not taken, and may hold anything behind one that is.
-static void registers_and_jumps(void)
+// After a jump that is not taken, both registers have their numbers.  After a jump that is taken, they are unknown.
+static void test_jumps_preserve_registers(void)
 {
     for (unsigned op = 0x80; op < 0x100; op++) {      // a jump to each instruction
         const uint32_t shape = smvm_shape((uint8_t)op);
         const bool alone = (shape & SMVM_SHAPE_GX && !(shape & SMVM_SHAPE_X)) || op == SMVM_goto || op == SMVM_end || op == SMVM_jmp;
         if (shape == 0 || op == SMVM_sample)
             continue;
-        THEN(both(&b); code(&b, SMVM_jt, 1, 0); code(&b, op, shape & SMVM_SHAPE_K || (shape & SMVM_SHAPE_N && shape & SMVM_SHAPE_J) ? 2
+        THEN(load_both_registers(&b); code(&b, SMVM_jt, 1, 0); code(&b, op, shape & SMVM_SHAPE_K || (shape & SMVM_SHAPE_N && shape & SMVM_SHAPE_J) ? 2
              : shape & SMVM_SHAPE_FOLLOWS ? 1 : 0, op == SMVM_set || op == SMVM_goto ? 1 : op >= SMVM_ldx_elem && op < SMVM_stat ? 4 : 0, 0), OK + (alone ? 0 : SMVM_R_REGISTER));
     }
-    THEN(both(&b); code(&b, SMVM_jxy, 1, 1); code(&b, SMVM_add, 0), OK);
-    THEN(both(&b); code(&b, SMVM_jxn, 2, 5, 1); code(&b, SMVM_add, 0), OK);
-    THEN(both(&b); code(&b, SMVM_jf, 1, 1); code(&b, SMVM_add, 0), OK);
-    THEN(both(&b); code(&b, SMVM_jt, 1, 1); code(&b, SMVM_add, 0), OK);
+    THEN(load_both_registers(&b); code(&b, SMVM_jxy, 1, 1); code(&b, SMVM_add, 0), OK);
+    THEN(load_both_registers(&b); code(&b, SMVM_jxn, 2, 5, 1); code(&b, SMVM_add, 0), OK);
+    THEN(load_both_registers(&b); code(&b, SMVM_jf, 1, 1); code(&b, SMVM_add, 0), OK);
+    THEN(load_both_registers(&b); code(&b, SMVM_jt, 1, 1); code(&b, SMVM_add, 0), OK);
 }
 
-// Into another function.
-static void registers_end(void)
+// A register has no value at the start of the next function.
+static void test_registers_end_with_the_function(void)
 {
     Build b;
 
     open_step(&b);
-    in(&b);
+    put_load_input(&b);
     code(&b, SMVM_end, 0);
     end_function(&b);
     code(&b, SMVM_neg, 0);
@@ -866,7 +875,7 @@ static void registers_end(void)
 
 // ---- the longest step ----
 
-static uint32_t longest(Build *b)
+static uint32_t longest_step_of(Build *b)
 {
     SmvmVerdict v;
 
@@ -880,7 +889,7 @@ static uint32_t longest(Build *b)
     return v.longest - 5;                             // less the sample function
 }
 
-static void longest_steps(void)
+static void test_longest_step_is_exact(void)
 {
     Build b;
 
@@ -892,18 +901,18 @@ static void longest_steps(void)
     code(&b, SMVM_jmp, 1, 1);
     code(&b, SMVM_ldx_time, 0);
     code(&b, SMVM_end, 0);
-    CHECK(longest(&b) == 2 + 4 + 1 + 1);
+    CHECK(longest_step_of(&b) == 2 + 4 + 1 + 1);
     open_step(&b);                                    // unreachable code costs nothing
     code(&b, SMVM_jmp, 1, 3);
     for (unsigned i = 0; i < 3; i++)
         code(&b, SMVM_ldx_time, 0);
     code(&b, SMVM_end, 0);
-    CHECK(longest(&b) == 2);
+    CHECK(longest_step_of(&b) == 2);
 }
 
-// n conditions, each of which jumps to an `end` of its own behind 96 loads, the first to the last.  While the verifier can
-// follow all n, the longest path passes all conditions; beyond that limit it adds up everything.
-static void many_ways(void)
+// n conditions each jump to an `end` of their own after 96 loads, the first condition to the last `end`.  While the verifier can follow all
+// n jumps, the longest path passes all conditions.  Beyond that limit the verifier adds up everything.
+static void test_longest_step_of_many_jumps(void)
 {
     enum { LOADS = 96, MOST = SMVM_JOINS + 20 };
 
@@ -919,7 +928,7 @@ static void many_ways(void)
         for (unsigned i = 0; i <= n; i++)
             code(&b, SMVM_end, 0);
         b.width = 2;
-        counted = longest(&b);
+        counted = longest_step_of(&b);
         CHECK(n <= SMVM_JOINS ? counted == 1 + n + LOADS + 1 : counted == 1 + n + LOADS + n + 1);
     }
 }
@@ -931,7 +940,7 @@ typedef struct Random { uint8_t op; unsigned to; } Random;
 
 static uint64_t seed = 1;
 
-static unsigned below(unsigned n)
+static unsigned random_below(unsigned n)
 {
     seed ^= seed << 13;
     seed ^= seed >> 7;
@@ -939,32 +948,32 @@ static unsigned below(unsigned n)
     return (unsigned)(seed >> 20) % n;
 }
 
-// The longest path from instruction i that ends in `last`, or 0.
-static unsigned try_ways(const Random *r, unsigned i, uint8_t last)
+// Returns the length of the longest path from instruction i that ends in `last`; 0 if there is none.
+static unsigned measure_longest_path(const Random *r, unsigned i, uint8_t last)
 {
     unsigned next, jump;
 
     if (r[i].op == SMVM_end || r[i].op == SMVM_goto)
         return r[i].op == last;
     if (r[i].op == SMVM_ldx_time) {
-        next = try_ways(r, i + 1, last);
+        next = measure_longest_path(r, i + 1, last);
         return next ? next + 1 : 0;
     }
-    jump = try_ways(r, r[i].to, last);
-    next = r[i].op == SMVM_jmp ? 0 : try_ways(r, i + 1, last);
+    jump = measure_longest_path(r, r[i].to, last);
+    next = r[i].op == SMVM_jmp ? 0 : measure_longest_path(r, i + 1, last);
     next = next > jump ? next : jump;
     return next ? next + (r[i].op == SMVM_jt ? 2 : 1) : 0;
 }
 
-static unsigned random_function(Random *r, bool may_go)
+static unsigned make_random_function(Random *r, bool may_go)
 {
-    unsigned n = 1 + below(14);
+    unsigned n = 1 + random_below(14);
 
     for (unsigned i = 0; i < n; i++) {
-        unsigned k = below(10);
+        unsigned k = random_below(10);
         bool last = i + 1 == n;
-        r[i].op = last || k == 0 ? (may_go && below(2) ? SMVM_goto : SMVM_end) : k < 3 ? SMVM_jmp : k < 7 ? SMVM_jt : SMVM_ldx_time;
-        r[i].to = last ? 0 : i + 1 + below(n - i - 1);
+        r[i].op = last || k == 0 ? (may_go && random_below(2) ? SMVM_goto : SMVM_end) : k < 3 ? SMVM_jmp : k < 7 ? SMVM_jt : SMVM_ldx_time;
+        r[i].to = last ? 0 : i + 1 + random_below(n - i - 1);
     }
     return n;
 }
@@ -986,19 +995,19 @@ static void put_random(Build *b, const Random *r, unsigned n)
     end_function(b);
 }
 
-static void random_ways(void)
+static void test_longest_step_of_random_functions(void)
 {
     for (unsigned k = 0; k < 3000; k++) {
         unsigned ends[3], leaves[3], longest_max = 0;
         SmvmVerdict v;
         Build b;
-        good(&b);
+        put_good_machine(&b);
         for (unsigned f = 0; f < 3; f++) {
             Random r[15];
-            unsigned n = random_function(r, f < 2);
+            unsigned n = make_random_function(r, f < 2);
             put_random(&b, r, n);
-            ends[f] = try_ways(r, 0, SMVM_end);
-            leaves[f] = try_ways(r, 0, SMVM_goto);
+            ends[f] = measure_longest_path(r, 0, SMVM_end);
+            leaves[f] = measure_longest_path(r, 0, SMVM_goto);
         }
         if (leaves[0])                                                           // every path through a step
             longest_max = leaves[0] + ends[2];
@@ -1019,38 +1028,38 @@ static void random_ways(void)
 
 int main(void)
 {
-    accepts();
-    container();
-    sections();
-    safe_states();
-    swap_and_abort_states();
-    nine_states();
-    record();
+    test_good_machine_is_accepted();
+    test_damaged_header_is_refused();
+    test_wrong_section_table_is_refused();
+    test_safe_marks_are_checked();
+    test_swap_and_abort_marks_are_checked();
+    test_marks_of_nine_states_need_two_bytes();
+    test_wrong_machine_record_is_refused();
     short_machine();
-    tables();
-    spans();
-    outputs();
-    memory();
-    initial_values();
-    initial_values_at_the_end();
-    two_machines();
-    functions();
-    opcodes();
-    instructions();
-    operands();
-    elements_of_a_part();
-    window_use();
-    sampling();
-    transitions();
-    transition_in_exit();
-    jumps();
-    registers();
-    registers_and_jumps();
-    registers_end();
+    test_wrong_tables_are_refused();
+    test_elements_outside_the_vector_are_refused();
+    test_wrong_outputs_are_refused();
+    test_too_many_windows_are_refused();
+    test_wrong_initial_values_are_refused();
+    test_initial_values_after_the_last_are_refused();
+    test_verdict_names_the_machine();
+    test_wrong_function_ends_are_refused();
+    test_unknown_opcodes_are_refused();
+    test_truncated_instructions_are_refused();
+    test_operands_out_of_range_are_refused();
+    test_elements_outside_the_part_are_refused();
+    test_statistics_that_a_window_lacks_are_refused();
+    test_each_window_is_sampled_once();
+    test_wrong_transitions_are_refused();
+    test_transition_in_exit_is_refused();
+    test_wrong_jumps_are_refused();
+    test_registers_without_value_are_refused();
+    test_jumps_preserve_registers();
+    test_registers_end_with_the_function();
     if (SMVM_LONGEST) {
-        longest_steps();
-        many_ways();
-        random_ways();
+        test_longest_step_is_exact();
+        test_longest_step_of_many_jumps();
+        test_longest_step_of_random_functions();
     }
     return test_end("vm_verify");
 }

@@ -104,7 +104,7 @@ const char *bc_lay_out_locals(Arena *arena, BcMachine *m)
 // shortest encoding at once.  Each write_… function below writes one instruction in the bytes just before `end`, and returns a pointer to its
 // first byte.  `op` is SMVM_ldx_local, SMVM_ldy_local or SMVM_st_local: the first opcode of its group.
 
-// These write an instruction before `end`, from its last byte to its first, and return the address of its opcode.
+// The write_… functions write an instruction before `end`, from its last byte to its first, and return the address of its opcode.
 static uint8_t *write_number(uint8_t *end, uint32_t op, uint32_t n)
 {
     end = write_varint_before(end, n);

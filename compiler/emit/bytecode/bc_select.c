@@ -268,6 +268,20 @@ static void compute_cvt(BcSelect *s, const IrIns *i)
     bc_emit_changing_x(s, SMVM_cvt, (uint32_t)i->type);
 }
 
+// Emits an operation on X, or on X and Y, that computes X.
+static void emit_operation(BcSelect *s, IrOp op)
+{
+    static const uint8_t number_of[IR_OP_COUNT] = {
+#define SM_ELEMENTARY(name, arguments, number) [IR_##name] = (number),
+#include "stdlib/elementary.def"
+#undef SM_ELEMENTARY
+    };
+
+    bc_emit_changing_x(s, opcode_of(op), number_of[op]);
+    if (ir_is_elementary(op))
+        bc_forget_y(s);
+}
+
 // Computes an operation into X.
 static void compute_into_x(BcSelect *s, IrRef r)
 {
@@ -292,19 +306,19 @@ static void compute_into_x(BcSelect *s, IrRef r)
         bc_load_operands(s, bc_skip_truth_cvts(s, i->a), bc_skip_truth_cvts(s, i->b), true, true);
         bc_emit_changing_x(s, (i->op == IR_and) != inverted ? SMVM_and : SMVM_or, 0);
     } else if (ir_op_info[i->op].operands == 2) {
-        bc_load_operands(s, i->a, i->b, i->op != IR_div, true);
-        bc_emit_changing_x(s, opcode_of(i->op), 0);
+        bc_load_operands(s, i->a, i->b, ir_op_info[i->op].commutes, true);
+        emit_operation(s, i->op);
     } else {
         bc_bring_to_x(s, i->a);
         bc_save_x(s);
-        bc_emit_changing_x(s, opcode_of(i->op), 0);
+        emit_operation(s, i->op);
     }
 }
 
 // ---- instructions ----
 
 // Whether all later users of r, which is in X, can read it from the variable that the store `at` writes.
-static bool can_be_read_from(const BcSelect *s, IrRef r, const BcValue *at)
+static bool users_can_read_variable(const BcSelect *s, IrRef r, const BcValue *at)
 {
     const BcValue *v = &s->value[r];
 
@@ -319,7 +333,7 @@ static void select_store(BcSelect *s, const IrIns *i, const BcValue *at)
 
     bc_bring_to_x(s, r);
     emit_zero_normalization(s, r, i->type);
-    if (same && can_be_read_from(s, r, at)) {
+    if (same && users_can_read_variable(s, r, at)) {
         s->value[r].slot = d;
         bc_drop_cvt(s, (uint32_t)i->type);
         same = s->x.value == r;

@@ -103,6 +103,7 @@ void bc_forget_registers(BcSelect *s);                  // forgets the contents 
 void bc_load_x(BcSelect *s, BcRef o);                   // loads operand o into X; emits nothing if X contains its value already
 void bc_load_y(BcSelect *s, BcRef o);                   // the same for Y
 void bc_save_x(BcSelect *s);                            // saves X to a slot if its value is needed later; call before X changes and before Y is loaded
+void bc_forget_y(BcSelect *s);                                 // records that Y is undefined
 void bc_emit_changing_x(BcSelect *s, uint8_t op, uint32_t n);  // emits an instruction whose result replaces X
 void bc_record_x(BcSelect *s, IrRef r);                       // records that X contains r; saves the value recorded before if it is still needed
 void bc_drop_cvt(BcSelect *s, uint32_t type);           // removes a conversion of X to `type` before a store to this type, which converts too

@@ -109,6 +109,9 @@ void bc_emit_changing_x(BcSelect *s, uint8_t op, uint32_t n)
     s->x = empty_register();
 }
 
+// Records that Y is undefined.
+void bc_forget_y(BcSelect *s) { s->y = empty_register(); }
+
 // Records that X contains r; saves the value recorded before if it is still needed.
 void bc_record_x(BcSelect *s, IrRef r)
 {

@@ -302,6 +302,8 @@ static void write_gates(const AppEmitter *e, unsigned gates)
     buf_str(e->out, "};\n");
 }
 
+static bool has_storage(const AppEmitter *e) { return has_swaps(e->app) && e->app->swap_store; }
+
 static bool is_reached(const AppEmitter *e) { return has_swaps(e->app) && e->app->swap_at.place != APP_NOWHERE; }
 
 // Returns the size of the buffer for a swap of all machines at once: SM_SWAP_ROOM.  The link can send at most 2^24 - 1 bytes.
@@ -331,6 +333,21 @@ static void write_swap_link(const AppEmitter *e, unsigned swappables)
                (unsigned)e->app->machine.n);
 }
 
+// Returns the most bytes of the stored images of all machines: SM_SWAP_STORE_ROOM.  A memory contains two of them, and has at most 2^31 bytes.
+static unsigned storage_room(const AppEmitter *e, unsigned swappables)
+{
+    const uint64_t size = swappables * ((uint64_t)e->app->swap_room + 9 + 64);
+
+    return size < 0x3fffffff ? (unsigned)size : 0x3fffffff;
+}
+
+// Writes the SmSwapStore that stores the images of confirmed swaps (bytecode-vm/target/swap_store.h).
+static void write_storage(const AppEmitter *e, unsigned swappables)
+{
+    buf_printf(e->out, "\nstatic SmSwapStore swapStore = {\n    .storage = SM_SWAP_STORE_STORAGE, .memory = \"%s\", .room = %u%s\n};\n",
+               escape_string(e, e->app->swap_store), storage_room(e, swappables), is_reached(e) && e->app->swap_at.key ? ", .key = swapLink.key" : "");
+}
+
 // Writes the tables of runtime-c/swap.h.
 static void write_swaps(const AppEmitter *e)
 {
@@ -346,6 +363,8 @@ static void write_swaps(const AppEmitter *e)
     write_gates(e, gates);
     if (is_reached(e))
         write_swap_link(e, swappable_count(e->app));
+    if (has_storage(e))
+        write_storage(e, swappable_count(e->app));
     buf_printf(e->out, "\nSmSwaps %s_swaps = {\n    .writing = SM_SWAP_WRITING, .next = %s, .machine = swappables, "
                        ".machines = sizeof swappables / sizeof *swappables,\n    .gate = gates, .gates = %u, .trial = %u, "
                        ".sv = &%s_vector, .events = &events", e->prefix,
@@ -354,6 +373,8 @@ static void write_swaps(const AppEmitter *e)
         buf_printf(e->out, ", .armed = %s", element_address(e, e->app->armed));
     if (is_reached(e))
         buf_str(e->out, ", .service = &swapLink.service");
+    if (has_storage(e))
+        buf_str(e->out, ", .storage = &swapStore.storage");
     buf_str(e->out, "\n};\n");
 }
 
@@ -668,6 +689,8 @@ static void write_code_includes(const AppEmitter *e)
     }
     if (bytecode)
         buf_printf(e->out, "#include \"bytecode-vm/target/%s.h\"\n", is_reached(e) ? "swap_link" : has_swaps(e->app) ? "slot" : "machine");
+    if (has_storage(e))
+        buf_str(e->out, "#include \"bytecode-vm/target/swap_store.h\"\n");
     if (e->app->start.n)
         buf_str(e->out, "#include \"stdlib/convert.h\"\n");
 }

@@ -18,9 +18,9 @@ static void write_indent(CFn *fn) { buf_spaces(&fn->body, 4u * fn->indent); }
 // Whether `text` starts with a binary operator (not an assignment), `?` or `:`, followed by a space.
 static bool is_operator_at(const char *text)
 {
-    const bool comment = (text[0] == '/' && text[1] == '*') || (text[0] == '*' && text[1] == '/');
-
-    return strchr("&|+-*/<>=!?:", text[0]) && (text[1] == ' ' || (text[1] && text[2] == ' ')) && !(text[0] == '=' && text[1] == ' ') && !comment;
+    if (text[1] == ' ')
+        return strchr("&|+-*/<>?:", text[0]) != NULL;
+    return text[1] != '\0' && text[2] == ' ' && strchr(text[1] == '=' ? "<>=!" : text[1] == text[0] ? "&|<>" : "", text[0]) != NULL;
 }
 
 // Returns the cost of a line break before `text`: 0 after a comma, otherwise lower for operators that bind less tightly.

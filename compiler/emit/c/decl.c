@@ -174,10 +174,12 @@ static void write_window_member(const CUnit *u, size_t w, const char *call, Buf 
 {
     const IrWindow *win = &u->m->window.at[w];
 
-    if (c_begins_ring(u, w))
+    if (ir_stores_times(win))
+        write_member(out, "uint64_t", u->ring[w], "number of times, and the next slot");
+    else if (c_begins_ring(u, w))
         write_member(out, "uint64_t", u->ring[w], format_in(u->arena, "number of samples in the windows of %u, and the next slot", (unsigned)win->size));
     write_member(out, "uint64_t", c_window_declaration(u, w),
-               call ? call : format_in(u->arena, "samples of the last %u steps", (unsigned)win->size));
+               call ? call : ir_stores_times(win) ? "times" : format_in(u->arena, "samples of the last %u steps", (unsigned)win->size));
 }
 
 // Writes the members of the locals that blocks store, or of the others, below a comment.

@@ -14,7 +14,7 @@
 
 #define MARK "// snippet: "
 
-enum { SNIPPETS_MAX = 200, DEPS_MAX = 16, NAME_MAX_LEN = 40, TEXT_MAX = 4000, LINE_MAX_LEN = 400 };
+enum { SNIPPETS_MAX = 250, DEPS_MAX = 24, NAME_MAX_LEN = 40, TEXT_MAX = 4000, LINE_MAX_LEN = 400 };
 
 typedef struct Snippet {
     char name[NAME_MAX_LEN];

@@ -118,6 +118,18 @@ static void write_place(const char *table, const Element *e, Buf *out)
                    e->name->text);
 }
 
+// Writes the connections of a channel over TCP.
+static void write_peers(const NetChannel *c, unsigned n, Buf *out)
+{
+    if (c->peers == 0)
+        return;
+    buf_printf(out, "static uint8_t part%u[%lu][%lu];\nstatic SmNetPeer peer%u[%lu] = {\n", n, (unsigned long)c->peers, (unsigned long)c->size,
+               n, (unsigned long)c->peers);
+    for (uint32_t i = 0; i < c->peers; i++)
+        buf_printf(out, "    {.bytes = part%u[%lu]},\n", n, (unsigned long)i);
+    buf_str(out, "};\n");
+}
+
 // Writes the tables of one channel.  Their names end in the channel's number, because a message can have any name.
 static void write_channel_tables(const NetUnit *u, const NetChannel *c, unsigned n, Buf *out)
 {
@@ -136,6 +148,7 @@ static void write_channel_tables(const NetUnit *u, const NetChannel *c, unsigned
     write_place(format_in(u->arena, "age%u", n), c->age, out);
     write_place(format_in(u->arena, "run%u", n), c->run, out);
     buf_printf(out, "static uint64_t value%u[%lu];\nstatic uint8_t bytes%u[%lu];\n", n, (unsigned long)c->field.n, n, (unsigned long)c->size);
+    write_peers(c, n, out);
 }
 
 static void write_channel_row(const NetChannel *c, unsigned n, Buf *out)
@@ -146,6 +159,9 @@ static void write_channel_row(const NetChannel *c, unsigned n, Buf *out)
         buf_printf(out, "%s, smvm_seal},\n", c->key->text);
     else
         buf_str(out, "0, 0},\n");
+    if (c->peers)
+        buf_printf(out, "     .stream = &sm_net_tcp, .is_server = %s, .peers = %lu, .peer = peer%u,\n",
+                   c->transport == NET_TCP_SERVER ? "true" : "false", (unsigned long)c->peers, n);
     buf_printf(out, "     .address = {{%u, %u, %u, %u}, %u}, .interface = {%u, %u, %u, %u},\n", c->ip[0], c->ip[1], c->ip[2], c->ip[3], (unsigned)c->port, c->interface[0], c->interface[1], c->interface[2], c->interface[3]);
     buf_printf(out, "     .period = %lluu, .timeout = %lluu,", (unsigned long long)c->period, (unsigned long long)c->timeout);
     if (c->statistic.n)
@@ -178,6 +194,8 @@ static void write_direction(const NetUnit *u, bool is_send, Buf *out)
 
 static void write_code(const NetUnit *u, const char *header, Buf *out)
 {
+    const uint32_t sockets = net_sockets(u->net);
+
     write_title(u, out);
     buf_printf(out, "#include \"%s\"\n\n#include \"%s.h\"\n", header, u->net->sv->name->text);
     if (has_key(u->net))
@@ -185,8 +203,8 @@ static void write_code(const NetUnit *u, const char *header, Buf *out)
     // The tables have offsets of one layout, so the code must not compile with another state vector.
     buf_printf(out, "\n#if %s_SV_LAYOUT != 0x%08xu\n#error \"%s_net was generated from another state vector: build it again\"\n#endif\n\n",
                c_macro_name(u->arena, u->vector), u->net->sv->hash, u->prefix);
-    buf_printf(out, "#if PAL_SOCKETS < %lu\n#error \"each message needs a socket: compile everything with -DPAL_SOCKETS=%lu or more\"\n"
-                    "#endif\n\n", (unsigned long)u->net->channel.n, (unsigned long)u->net->channel.n);
+    buf_printf(out, "#if PAL_SOCKETS < %lu\n#error \"the messages need %lu sockets: compile everything with -DPAL_SOCKETS=%lu or more\"\n"
+                    "#endif\n\n", (unsigned long)sockets, (unsigned long)sockets, (unsigned long)sockets);
     buf_str(out, "// Of a field: offset in the state vector, type, what becomes of it while no message comes, the bits of that value, its range.\n");
     write_direction(u, false, out);
     write_direction(u, true, out);

@@ -295,9 +295,7 @@ static void assign_ring_names(CUnit *u, NameSet *s)
     u->ring = ARENA_ARRAY(u->arena, const char *, u->m->window.n);
     for (size_t w = 0; w < u->m->window.n; w++) {
         const unsigned long size = (unsigned long)u->m->window.at[w].size;
-        size_t first = 0;
-        while (u->m->window.at[first].size != size)
-            first++;
+        const size_t first = c_ring_owner(u, w);
         u->ring[w] = first < w ? u->ring[first] : take_free_name(s, format_in(u->arena, "ring%lu_", size));
     }
 }

@@ -124,10 +124,15 @@ static void write_with_native_syntax(CUnit *u, const char *from, const char *to,
 static bool try_write_from_bits(CUnit *u, SourceSlice t, Buf *out)
 {
     uint64_t bits;
+    char *end;
 
     if (t.n < 3 || t.at[0] != '0' || t.at[1] != 'x')
         return false;
-    bits = strtoull(t.at, NULL, 16);
+    bits = strtoull(t.at, &end, 16);
+    if (*end == 'u')
+        end++;
+    if (end != t.at + t.n)                            // only a part of the argument is a constant
+        return false;
     if (!sm_lt(sm_from_bits(bits & 0x7FFFFFFFFFFFFFFFu), sm_from_bits(0x7FF0000000000000u)))
         return false;
     literal_write(u, out, SM_F64, bits);

@@ -166,6 +166,7 @@ void c_write_soft_library(Buf *out);
 // Writes a macro for the size of each window whose size depends on SM_ROLL_SMALL.
 void c_write_window_sizes(const CUnit *u, Buf *out);
 // Whether window w is the first of its size.
+size_t c_ring_owner(const CUnit *u, size_t w);        // returns the first window that has the same ring
 bool c_begins_ring(const CUnit *u, size_t w);
 // Returns the declarator of the window's member: its name and its size in words, as in `altitude_last_9[12]`.
 const char *c_window_declaration(const CUnit *u, size_t w);

@@ -17,7 +17,7 @@ static void write_kind(const IrWindow *w, Buf *out)
 #include "stdlib/types.def"
 #undef SM_TYPE
     };
-    static const char *const stat[SM_STAT_COUNT] = { "AVG", "MEDIAN", "MIN", "MAX", "RANGE" };
+    static const char *const stat[SM_STAT_COUNT] = { "AVG", "MEDIAN", "MIN", "MAX", "RANGE", "OLDEST", "NEWEST", "CHANGE", "ELAPSED", "RUN_STEPS", "RUN_TIME" };
 
     buf_printf(out, "SM_ROLL_%s", type[roll_kind(w) & SM_ROLL_TYPE]);
     for (int s = 0; s < SM_STAT_COUNT; s++)
@@ -58,14 +58,19 @@ const char *c_window_declaration(const CUnit *u, size_t w)
     return format_in(u->arena, "%s[%s_WORDS_%s]", u->window[w], u->names.macro, u->window[w]);
 }
 
-// Whether window w is the first of its size.
-bool c_begins_ring(const CUnit *u, size_t w)
+// Returns the first window that has the same ring as window w: that of its size. A window of times has its own ring.
+size_t c_ring_owner(const CUnit *u, size_t w)
 {
-    for (size_t i = 0; i < w; i++)
-        if (get_window(u, i)->size == get_window(u, w)->size)
-            return false;
-    return true;
+    size_t i = 0;
+
+    if (ir_stores_times(get_window(u, w)))
+        return w;
+    while (get_window(u, i)->size != get_window(u, w)->size || ir_stores_times(get_window(u, i)))
+        i++;
+    return i;
 }
+
+bool c_begins_ring(const CUnit *u, size_t w) { return c_ring_owner(u, w) == w; }
 
 // Writes the statements of init that empty all windows.
 void c_write_empty_windows(const CUnit *u, Buf *out)
@@ -83,7 +88,7 @@ void c_write_ring_steps(CUnit *u, Buf *out)
 {
     for (size_t w = 0; w < u->m->window.n; w++) {
         const unsigned n = (unsigned)get_window(u, w)->size;
-        if (c_begins_ring(u, w))
+        if (c_begins_ring(u, w) && !ir_stores_times(get_window(u, w)))
             buf_printf(out, "    const SmRollAt sm_at_%u = %s(&m->%s, %u);\n", n, helper_require(u, "sm_roll_advance"), u->ring[w], n);
     }
 }
@@ -144,12 +149,30 @@ static void begin_roll_call(CUnit *u, const char *name, size_t w, Buf *out)
     write_kind(get_window(u, w), out);
 }
 
+// Writes the statement that adds an event to a window of times.
+static void write_event(CFn *fn, const IrIns *i)
+{
+    const IrWindow *w = get_window(fn->u, i->var);
+    const char *function = w->stats & 1u << SM_STAT_ELAPSED ? "sm_roll_push_time" : "sm_roll_extend_run";
+
+    buf_printf(&fn->line, "%s(m->%s, %u, &m->%s, ", helper_require(fn->u, function), fn->u->window[i->var], (unsigned)w->size, fn->u->ring[i->var]);
+    write_sample_key(fn, i->a, SM_U32);
+    buf_str(&fn->line, ", ");
+    c_write_member(fn, fn->u->m->g);
+    buf_str(&fn->line, ");");
+    c_end_line(fn);
+}
+
 // Writes the statement that adds a sample to a rolling window.
 void c_write_sample(CFn *fn, const IrIns *i)
 {
     const IrWindow *w = get_window(fn->u, i->var);
 
     fn->uses_m = fn->writes_m = true;
+    if (ir_stores_times(w)) {
+        write_event(fn, i);
+        return;
+    }
     begin_roll_call(fn->u, push_function(w), i->var, &fn->line);
     buf_printf(&fn->line, ", sm_at_%u, ", (unsigned)w->size);
     write_sample_key(fn, i->a, (SmType)(roll_kind(w) & SM_ROLL_TYPE));
@@ -164,7 +187,7 @@ void c_write_sample(CFn *fn, const IrIns *i)
 
 // ---- statistics: one function for each, called wherever it is read ----
 
-static const char *const stat_name[SM_STAT_COUNT] = { "avg", "median", "min", "max", "range" };
+static const char *const stat_name[SM_STAT_COUNT] = { "avg", "median", "min", "max", "range", "oldest", "newest", "change", "elapsed", "run_steps", "run_time" };
 
 // Writes the call that reads a statistic of a rolling window.
 void c_write_statistic_call(CFn *fn, const IrIns *i)
@@ -176,12 +199,31 @@ void c_write_statistic_call(CFn *fn, const IrIns *i)
     buf_printf(&fn->line, "%s_%s_%s(m)", u->names.prefix, u->window[i->var], stat_name[i->stat]);
 }
 
+// Writes `sm_roll_STAT(…)` for a statistic of a window of times.
+static void write_statistic_of_times(CUnit *u, size_t w, int stat, Buf *out)
+{
+    buf_printf(out, "%s(", helper_require(u, format_in(u->arena, "sm_roll_%s", stat_name[stat])));
+    if (stat != SM_STAT_RUN_STEPS)
+        buf_printf(out, "m->%s, ", u->window[w]);
+    if (stat == SM_STAT_ELAPSED)
+        buf_printf(out, "%u, ", (unsigned)get_window(u, w)->size);
+    buf_printf(out, "&m->%s)", u->ring[w]);
+}
+
 static void write_statistic_function(CUnit *u, size_t w, int stat, Buf *out)
 {
     buf_printf(out, "static %s %s_%s_%s(const %s *m)\n{\n    return ", c_type_of(u, SM_F64), u->names.prefix, u->window[w],
                stat_name[stat], u->names.type);
-    begin_roll_call(u, format_in(u->arena, "sm_roll_%s", stat_name[stat]), w, out);
-    buf_printf(out, ", %s(&m->%s));\n}\n\n", helper_require(u, "sm_roll_count"), u->ring[w]);
+    if (ir_stores_times(get_window(u, w))) {
+        write_statistic_of_times(u, w, stat, out);
+    } else {
+        begin_roll_call(u, format_in(u->arena, "sm_roll_%s", stat_name[stat]), w, out);
+        if (stat < SM_STAT_OLDEST)
+            buf_printf(out, ", %s(&m->%s))", helper_require(u, "sm_roll_count"), u->ring[w]);
+        else
+            buf_printf(out, ", &m->%s)", u->ring[w]);
+    }
+    buf_str(out, ";\n}\n\n");
 }
 
 // Writes a function for each statistic that window_stats_read lists.

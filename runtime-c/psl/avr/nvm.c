@@ -33,6 +33,21 @@ SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
     return SM_OK;
 }
 
+SmResult pal_nvm_load(const char *name, void *bytes, uint32_t n)
+{
+    uint8_t *to = bytes;
+
+    if (!name || !bytes || n == 0)
+        return SM_E_ARGUMENT;
+    if (strcmp(name, "eeprom") != 0)
+        return SM_E_MISSING;
+    if (n > SIZE)
+        return SM_E_SPACE;
+    for (uint16_t at = 0; at < (uint16_t)n; at++)
+        to[at] = avr_eeprom_read(at);
+    return SM_OK;
+}
+
 static bool is_open(PalNvm memory) { return is_opened && memory.id == 1; }
 
 SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info)

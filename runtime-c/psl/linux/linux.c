@@ -130,14 +130,19 @@ static void folder_of(char *to, const char *path)
         strcpy(to, ".");
 }
 
+int psl_open_folder(const char *path)
+{
+    char folder[PAL_NAME];
+
+    folder_of(folder, path);
+    return open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+}
+
 // Waits until the entries of the folder that contains `path` are on the medium (fsync).  Returns 0 or an errno.
 int psl_sync_folder(const char *path)
 {
-    char folder[PAL_NAME];
-    int fd, error = 0;
+    int fd = psl_open_folder(path), error = 0;
 
-    folder_of(folder, path);
-    fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (fd < 0)
         return errno;
     if (fsync(fd) != 0)

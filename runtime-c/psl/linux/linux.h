@@ -43,6 +43,9 @@ SmResult psl_wait_for_events(int fd, short events, uint64_t deadline);
 // regular file.
 ssize_t psl_write(int fd, const void *bytes, size_t n);
 
+// Opens the folder that contains `path`, for reading.  Returns a descriptor; -1 and an errno on failure.
+int psl_open_folder(const char *path);
+
 // Waits until the entries of the folder that contains `path` are on the medium (fsync).  Returns 0 or an errno.
 int psl_sync_folder(const char *path);
 

@@ -108,7 +108,7 @@ static int wait_with_realtime_clock(uint32_t *word, uint64_t left)
 }
 
 // Waits until the kernel passes the lock to the caller.  A holder whose thread has ended (ESRCH) never releases the lock,
-// which is a timeout.  EINTR remains if a signal interrupted the wait at the deadline.
+// which is a timeout.  If a signal interrupts the wait at the deadline, the error stays EINTR, which also means timeout.
 static SmResult wait_for_lock(uint32_t *word, uint64_t deadline)
 {
     const struct timespec end = psl_timespec(deadline);

@@ -24,7 +24,7 @@ static SmResult open_file(const char *name, int *fd)
 }
 
 // Checks that the file is regular, locks it, and makes sure that its directory entry is on the medium.
-static SmResult lock_file(int fd, const char *name)
+static SmResult check_and_lock_file(int fd, const char *name)
 {
     struct stat s;
 
@@ -45,7 +45,7 @@ static SmResult open_and_lock_file(uint8_t id, const char *name)
 
     if (r != SM_OK)
         return r;
-    r = lock_file(fd, name);
+    r = check_and_lock_file(fd, name);
     if (r != SM_OK)
         close(fd);
     descriptors[id - 1] = fd;

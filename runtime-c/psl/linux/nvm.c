@@ -203,6 +203,24 @@ SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
     return r;
 }
 
+// O_NONBLOCK: opening a pipe does not wait for its other end.
+SmResult pal_nvm_load(const char *name, void *bytes, uint32_t n)
+{
+    int64_t size;
+    SmResult r;
+    int fd;
+
+    if (!name || !bytes || n == 0 || name[0] == '\0' || strlen(name) >= PAL_NAME)
+        return SM_E_ARGUMENT;
+    fd = open(name, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (fd < 0)
+        return errno == ENXIO ? SM_E_UNSUPPORTED : psl_result_of_errno(errno);
+    size = file_size(fd);
+    r = size < 0 ? SM_E_UNSUPPORTED : size < (int64_t)n ? SM_E_SPACE : psl_result_of_errno(read_all(fd, bytes, n, 0));
+    close(fd);
+    return r;
+}
+
 // ---- using ----
 
 SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info)

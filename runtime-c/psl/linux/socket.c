@@ -7,6 +7,7 @@
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -15,7 +16,7 @@
 #include "runtime-c/pal/socket.h"
 #include "runtime-c/psl/linux/linux.h"
 
-typedef enum SocketKind { DATAGRAMS, LISTENING, STREAM } SocketKind;
+typedef enum SocketKind { DATAGRAMS, LISTENING, CONNECTING, STREAM } SocketKind;
 
 typedef struct SocketEntry {
     int fd;
@@ -192,6 +193,8 @@ SmResult pal_socket_listen(PalSocket *s, const PalAddress *local) { return open_
 
 // ---- paths ----
 
+enum { LOCK_TRIES = 2000, LOCK_PAUSE = 1000 };   // LOCK_PAUSE: microseconds
+
 // Whether a program listens at the path.  If its queue is full, connect fails with EAGAIN.
 static bool is_listening_at(const struct sockaddr_un *a)
 {
@@ -217,8 +220,27 @@ static SmResult remove_stale_socket(const struct sockaddr_un *a)
     return unlink(a->sun_path) == 0 || errno == ENOENT ? SM_OK : psl_result_of_errno(errno);
 }
 
+// Opens and locks the folder of a path, so that no other program replaces a socket in it.  Returns -1 and an errno if that is not possible.
+// The lock is held for a few calls, so it is free after a short wait.
+static int lock_folder(const char *path)
+{
+    const int fd = psl_open_folder(path);
+    int error = 0;
+
+    for (int tries = 0; fd >= 0 && flock(fd, LOCK_EX | LOCK_NB) != 0; tries++) {
+        error = errno == EWOULDBLOCK ? EBUSY : errno;
+        if ((error != EBUSY && error != EINTR) || tries == LOCK_TRIES) {
+            close(fd);
+            errno = error;
+            return -1;
+        }
+        (void)usleep(LOCK_PAUSE);
+    }
+    return fd;
+}
+
 // The mode is set before the path exists, so that no other user can ever connect: the file gets the mode of the unbound socket (unix(7)).
-static SmResult listen_at_path(int fd, const struct sockaddr_un *a)
+static SmResult bind_to_path(int fd, const struct sockaddr_un *a)
 {
     SmResult r = remove_stale_socket(a);
 
@@ -230,6 +252,19 @@ static SmResult listen_at_path(int fd, const struct sockaddr_un *a)
         return SM_OK;
     r = psl_result_of_errno(errno);
     unlink(a->sun_path);
+    return r;
+}
+
+// Of several programs that find a stale socket, the first one that locks the folder replaces it, and the others find that it listens.
+static SmResult listen_at_path(int fd, const struct sockaddr_un *a)
+{
+    const int folder = lock_folder(a->sun_path);
+    SmResult r;
+
+    if (folder < 0)
+        return psl_result_of_errno(errno);
+    r = bind_to_path(fd, a);
+    close(folder);
     return r;
 }
 
@@ -304,7 +339,60 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
     return finish_open(stream, id, fd, STREAM, r);
 }
 
+SmResult pal_socket_connect_start(PalSocket *stream, const PalAddress *to)
+{
+    uint8_t id;
+    SmResult r;
+    int fd;
+
+    if (!stream || !to)
+        return SM_E_ARGUMENT;
+    id = allocate_entry();
+    if (id == 0)
+        return SM_E_FULL;
+    fd = new_socket(SOCK_STREAM);
+    r = fd < 0 ? psl_result_of_errno(errno) : set_option(fd, IPPROTO_TCP, TCP_NODELAY);
+    if (r == SM_OK)
+        r = connect_to(fd, to, 0);
+    return r == SM_E_TIMEOUT ? finish_open(stream, id, fd, CONNECTING, SM_OK) : finish_open(stream, id, fd, STREAM, r);
+}
+
+// Only the connecting thread changes the kind of its entry, from CONNECTING to STREAM.
+SmResult pal_socket_connected(PalSocket stream)
+{
+    int fd;
+    SmResult r = find_socket(stream, STREAM, &fd);
+
+    if (r != SM_E_ARGUMENT)
+        return r;
+    r = find_socket(stream, CONNECTING, &fd);
+    if (r == SM_OK)
+        r = wait_until_connected(fd, 0);
+    if (r == SM_OK)
+        entries[stream.id - 1].kind = STREAM;
+    return r;
+}
+
+// The system doubles the room, for its own records, and raises it to its least.
+SmResult pal_socket_limit(PalSocket stream, size_t room, uint64_t patience)
+{
+    const unsigned milliseconds = (unsigned)(patience / PAL_MILLISECOND);
+    int fd, bytes = (int)room;
+    SmResult r;
+
+    if (room == 0 || room > 1u << 20 || milliseconds == 0 || patience > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    r = find_socket(stream, STREAM, &fd);
+    if (r != SM_OK)
+        return r;
+    if (setsockopt(fd, SOL_SOCKET, SO_SNDBUF, &bytes, sizeof bytes) != 0 ||
+        setsockopt(fd, IPPROTO_TCP, TCP_USER_TIMEOUT, &milliseconds, sizeof milliseconds) != 0)
+        return psl_result_of_errno(errno);
+    return SM_OK;
+}
+
 // Ignores a peer whose connection broke before it was accepted, and waits for the next one.  A stream from a path has no TCP_NODELAY.
+// A deadline of 0 saves the system call that would wait.
 static SmResult accept_one(int listening, int *fd, struct sockaddr_in *a, uint64_t deadline)
 {
     for (;;) {
@@ -313,6 +401,8 @@ static SmResult accept_one(int listening, int *fd, struct sockaddr_in *a, uint64
         *fd = accept4(listening, (struct sockaddr *)a, &n, SOCK_NONBLOCK | SOCK_CLOEXEC);
         if (*fd >= 0)
             return a->sin_family == AF_INET ? set_option(*fd, IPPROTO_TCP, TCP_NODELAY) : SM_OK;
+        if (errno == EAGAIN && deadline == 0)
+            return SM_E_TIMEOUT;
         if (errno == EAGAIN || is_network_error(errno)) {
             SmResult r = psl_wait_for_events(listening, POLLIN, deadline);
 
@@ -325,7 +415,7 @@ static SmResult accept_one(int listening, int *fd, struct sockaddr_in *a, uint64
 
 SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *peer, uint64_t timeout)
 {
-    uint64_t deadline = pal_clock_now() + timeout;
+    const uint64_t deadline = timeout ? pal_clock_now() + timeout : 0;
     struct sockaddr_in a;
     int fd, from;
     SmResult r;
@@ -446,7 +536,7 @@ SmResult pal_socket_send(PalSocket stream, const void *bytes, size_t n, size_t *
 
 SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *n, uint64_t timeout)
 {
-    uint64_t deadline = pal_clock_now() + timeout;
+    const uint64_t deadline = timeout ? pal_clock_now() + timeout : 0;
     struct iovec part = {bytes, room};
     struct msghdr m;
     SmResult r;

@@ -8,6 +8,12 @@ SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
     return SM_E_UNSUPPORTED;
 }
 
+SmResult pal_nvm_load(const char *name, void *bytes, uint32_t n)
+{
+    (void)name, (void)bytes, (void)n;
+    return SM_E_UNSUPPORTED;
+}
+
 SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info)
 {
     (void)memory, (void)info;

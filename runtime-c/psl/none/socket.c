@@ -50,6 +50,24 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
     return SM_E_UNSUPPORTED;
 }
 
+SmResult pal_socket_connect_start(PalSocket *stream, const PalAddress *to)
+{
+    (void)stream, (void)to;
+    return SM_E_UNSUPPORTED;
+}
+
+SmResult pal_socket_connected(PalSocket stream)
+{
+    (void)stream;
+    return SM_E_UNSUPPORTED;
+}
+
+SmResult pal_socket_limit(PalSocket stream, size_t room, uint64_t patience)
+{
+    (void)stream, (void)room, (void)patience;
+    return SM_E_UNSUPPORTED;
+}
+
 SmResult pal_socket_send(PalSocket stream, const void *bytes, size_t n, size_t *sent, uint64_t timeout)
 {
     (void)stream, (void)bytes, (void)n, (void)timeout;

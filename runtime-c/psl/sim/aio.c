@@ -28,7 +28,7 @@ void sim_aio_reset(void)
 }
 
 // Limits x to what the simulated channels can measure, and truncates it to their resolution.
-static int32_t round_to_step(int32_t x)
+static int32_t limit_and_truncate(int32_t x)
 {
     return (x < -LIMIT ? -LIMIT : x > LIMIT ? LIMIT : x) / STEP * STEP;
 }
@@ -36,7 +36,7 @@ static int32_t round_to_step(int32_t x)
 // Sets the value that an analog channel measures, in millionths.
 void sim_set_analog(uint16_t channel, int32_t millionths)
 {
-    channels[channel].value = round_to_step(millionths);
+    channels[channel].value = limit_and_truncate(millionths);
 }
 
 // Returns the value of an analog output, in millionths.

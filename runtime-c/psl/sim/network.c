@@ -108,11 +108,23 @@ SimDatagram *sim_datagram_next(const PalAddress *at)
 // ---- streams ----
 
 static SimStream streams[PAL_SOCKETS];
+static SimStreams faults;
 
 void sim_streams_reset(void)
 {
+    const SimStreams perfect = {0, 0, 0};
+
     memset(streams, 0, sizeof streams);
+    faults = perfect;
 }
+
+// Sets the faults of all streams from now on.
+void sim_streams(SimStreams s) { faults = s; }
+
+const SimStreams *sim_stream_faults(void) { return &faults; }
+
+// Limits n to the most bytes that a call transfers.
+static size_t limit_to(size_t n, uint32_t most) { return most != 0 && n > most ? most : n; }
 
 // Returns a new stream with end 0 open, or NULL if the table is full.
 SimStream *sim_stream_new(uint8_t listening)
@@ -123,6 +135,7 @@ SimStream *sim_stream_new(uint8_t listening)
             s->used = s->open[0] = true;
             s->listening = listening;
             s->order = order++;
+            s->room[0] = s->room[1] = SIM_STREAM_ROOM;
             return s;
         }
     return NULL;
@@ -142,7 +155,7 @@ SimStream *sim_stream_waiting(uint8_t listening)
 // Sends bytes to an end, as many as fit.  Returns their number.
 size_t sim_stream_send(SimStream *s, int end, const void *bytes, size_t n)
 {
-    size_t room = SIM_STREAM_ROOM - s->n[end], taken = n < room ? n : room;
+    const size_t room = s->n[end] < s->room[end] ? s->room[end] - s->n[end] : 0, taken = limit_to(n < room ? n : room, faults.send);
 
     memcpy(s->bytes[end] + s->n[end], bytes, taken);
     s->n[end] += taken;
@@ -152,7 +165,7 @@ size_t sim_stream_send(SimStream *s, int end, const void *bytes, size_t n)
 // Receives bytes that have arrived at an end.  Returns their number.
 size_t sim_stream_receive(SimStream *s, int end, void *bytes, size_t room)
 {
-    size_t n = s->n[end] < room ? s->n[end] : room;
+    const size_t n = limit_to(s->n[end] < room ? s->n[end] : room, faults.receive);
 
     memcpy(bytes, s->bytes[end], n);
     s->n[end] -= n;

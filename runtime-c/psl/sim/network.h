@@ -34,11 +34,12 @@ typedef struct SimStream {
     uint8_t listening;        // the listening socket that has not accepted it yet; 0: none
     uint64_t order;
     PalAddress address[2];
-    size_t n[2];              // bytes in transit to each end
+    size_t n[2], room[2];     // bytes in transit to each end, and the most that the sender may have there
     uint8_t bytes[2][SIM_STREAM_ROOM];
 } SimStream;
 
 void sim_streams_reset(void);
+const SimStreams *sim_stream_faults(void);
 
 // Returns a new stream with end 0 open, or NULL if the table is full.
 SimStream *sim_stream_new(uint8_t listening);

@@ -140,6 +140,22 @@ SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
     return SM_OK;
 }
 
+SmResult pal_nvm_load(const char *name, void *bytes, uint32_t n)
+{
+    SmResult r = SM_E_MISSING;
+    size_t i = 0;
+
+    if (!name || !bytes || n == 0 || name[0] == '\0' || strlen(name) >= PAL_NAME)
+        return SM_E_ARGUMENT;
+    while (i < MEDIA && strcmp(media[i].name, name) != 0)
+        i++;
+    if (i < MEDIA)
+        r = cut.off ? SM_E_DEVICE : n > SIM_NVM_SIZE ? SM_E_SPACE : sim_begin_call(SIM_nvm_load);
+    if (r == SM_OK)
+        memcpy(bytes, media[i].bytes, n);
+    return r;
+}
+
 SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info)
 {
     if (!info)

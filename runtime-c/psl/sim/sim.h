@@ -97,6 +97,14 @@ typedef struct SimNetwork {
 } SimNetwork;
 void sim_network(SimNetwork network);
 
+// Applies to all streams.  `connect`: nanoseconds until the answer to pal_socket_connect_start arrives.  `send`, `receive`: the most
+// bytes that one attempt to send or receive transfers; 0: no limit.  A connection that is refused: no socket listens.
+typedef struct SimStreams {
+    uint64_t connect;
+    uint32_t send, receive;
+} SimStreams;
+void sim_streams(SimStreams faults);
+
 // ---- non-volatile memory ----
 
 // The memories: "eeprom" (single bytes, no erase) and "flash" (writes of 8 bytes, erases of 32 bytes, to 0xff).

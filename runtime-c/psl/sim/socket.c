@@ -8,13 +8,15 @@
 
 #define FIRST_PORT 49152u
 
-typedef enum SimSocketKind { DATAGRAMS, LISTENING, STREAM } SimSocketKind;
+typedef enum SimSocketKind { DATAGRAMS, LISTENING, CONNECTING, STREAM } SimSocketKind;
 
 typedef struct SimSocket {
     SimSocketKind kind;
     PalAddress local;
     SimStream *stream;
     int end;                  // which end of `stream` this socket is
+    PalAddress to;            // CONNECTING: the address, and the time at which its answer arrives
+    uint64_t answer;
 } SimSocket;
 
 static bool used[PAL_SOCKETS];
@@ -134,31 +136,67 @@ static uint8_t find_listening(const PalAddress *to)
     return 0;
 }
 
-SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t timeout)
+// Gives the socket e a stream to the socket that listens at e->to.
+static SmResult establish(SimSocket *e)
 {
-    const PalAddress local = {{127, 0, 0, 1}, 0};
-    uint8_t listening;
+    const uint8_t listening = find_listening(&e->to);
     SimStream *s;
-    SmResult r;
 
-    if (!stream || !to || timeout > PAL_TIMEOUT_MAX)
-        return SM_E_ARGUMENT;
-    r = sim_begin_call(SIM_socket_connect);
-    if (r != SM_OK)
-        return r;
-    if (is_table_full())
-        return SM_E_FULL;
-    listening = find_listening(to);
     if (listening == 0)
         return SM_E_UNREACHABLE;
     s = sim_stream_new(listening);
     if (!s)
         return SM_E_FULL;
-    open_socket(stream, STREAM, &local);
-    entries[stream->id - 1].stream = s;
-    s->address[0] = entries[stream->id - 1].local;
-    s->address[1] = *to;
+    s->address[0] = e->local;
+    s->address[1] = e->to;
+    e->stream = s;
+    e->kind = STREAM;
     return SM_OK;
+}
+
+// Takes an entry for a socket that connects to `to`.
+static SmResult open_connecting(PalSocket *stream, const PalAddress *to)
+{
+    const PalAddress local = {{127, 0, 0, 1}, 0};
+    const SmResult r = open_socket(stream, CONNECTING, &local);
+
+    if (r == SM_OK)
+        entries[stream->id - 1].to = *to;
+    return r;
+}
+
+SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t timeout)
+{
+    PalSocket s = {0};
+    SmResult r;
+
+    if (!stream || !to || timeout > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    r = sim_begin_call(SIM_socket_connect);
+    if (r == SM_OK)
+        r = open_connecting(&s, to);
+    if (r != SM_OK)
+        return r;
+    r = establish(&entries[s.id - 1]);
+    if (r != SM_OK)
+        used[s.id - 1] = false;
+    else
+        *stream = s;
+    return r;
+}
+
+SmResult pal_socket_connect_start(PalSocket *stream, const PalAddress *to)
+{
+    SmResult r;
+
+    if (!stream || !to)
+        return SM_E_ARGUMENT;
+    r = sim_begin_call(SIM_socket_connect_start);
+    if (r == SM_OK)
+        r = open_connecting(stream, to);
+    if (r == SM_OK)
+        entries[stream->id - 1].answer = pal_clock_now() + sim_stream_faults()->connect;
+    return r;
 }
 
 // ---- checking handles ----
@@ -170,6 +208,37 @@ static SmResult find_socket(PalSocket s, SimSocketKind kind, SimSocket **e)
         return SM_E_HANDLE;
     *e = &entries[s.id - 1];
     return (*e)->kind == kind ? SM_OK : SM_E_ARGUMENT;
+}
+
+SmResult pal_socket_connected(PalSocket stream)
+{
+    SimSocket *e;
+    SmResult r = find_socket(stream, STREAM, &e);
+
+    if (r != SM_E_ARGUMENT)
+        return r;
+    r = find_socket(stream, CONNECTING, &e);
+    if (r == SM_OK)
+        r = sim_begin_call(SIM_socket_connected);
+    if (r != SM_OK)
+        return r;
+    return pal_clock_now() < e->answer ? SM_E_TIMEOUT : establish(e);
+}
+
+// The simulation does not notice that bytes are not acknowledged: a peer is open or closed.
+SmResult pal_socket_limit(PalSocket stream, size_t room, uint64_t patience)
+{
+    SimSocket *e;
+    SmResult r;
+
+    if (room == 0 || room > 1u << 20 || patience < PAL_MILLISECOND || patience > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    r = find_socket(stream, STREAM, &e);
+    if (r == SM_OK)
+        r = sim_begin_call(SIM_socket_limit);
+    if (r == SM_OK)
+        e->stream->room[!e->end] = room < SIM_STREAM_ROOM ? room : SIM_STREAM_ROOM;
+    return r;
 }
 
 SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *peer, uint64_t timeout)

@@ -7,7 +7,7 @@
 
 static void begin(const char *machine, SmSwapMode mode)
 {
-    const SmSwapChange change = {machine, image, sizeof image, (uint8_t)mode, NULL};
+    const SmSwapChange change = {machine, image, sizeof image, (uint8_t)mode, NULL, false};
 
     printf("begin: %d\n", (int)sm_swap_begin(&bench_swaps, &change, 1));
 }

@@ -1,0 +1,25 @@
+spec 7.30, 7.34  Numbers alone, fractions and impossible sizes are errors.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 p
+F64 a
+[options]
+step 20 ms
+[define]
+n = 20 ms + 1 ms
+[Run]
+.step
+    a = held(p > 1, 20)           #! E0414 write '20 steps', or a time such as '20 ms'
+    a = held(p > 1, 0.5 us)       #! E0415
+    a = held(p > 1, 0 s)          #! E0415
+    a = held(p > 1, 0 steps)      #! E0405
+    a = held(p > 1, 1.5 steps)    #! E0404
+    a = held(p > 1, 100001 steps) #! E0405
+    a = held(p > 1, n)            #! E0413
+    a = held(p > 1)               #! E0401
+    a = rate(p, 1)                #! E0416
+    a = rate(p, 0 ms)             #! E0416
+    a = rate(p, 30 ms)            #! E0412

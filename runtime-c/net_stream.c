@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+// The connections of messages over TCP (net_stream.h).
+#include "runtime-c/net_stream.h"
+
+#include <string.h>
+
+enum { FREE, CONNECTING, OPEN };          // SmNetPeer.state
+
+#define PATIENCE ((uint64_t)5 * PAL_SECOND)       // after which a sender gives up a peer that acknowledges nothing
+enum { MESSAGES_WAITING = 4 };            // messages that the platform stores for a peer that does not receive, about
+
+static bool is_sender(const SmNetChannel *c) { return c->period != 0; }
+static bool is_local_failure(SmResult r) { return r != SM_OK && r != SM_E_TIMEOUT && r != SM_E_UNREACHABLE && r != SM_E_CLOSED; }
+static void add(SmNetChannel *c, SmNetCount what) { c->count[what]++; }
+
+// ---- one connection ----
+
+static void begin(SmNetChannel *c, SmNetPeer *p, uint64_t now)
+{
+    p->state = OPEN;
+    p->since = p->used = now;
+    p->n = p->sent = 0;
+    add(c, SM_NET_connected);
+}
+
+// Closes a connection.  A client waits before it connects again: twice as long as the last time, up to SM_NET_RETRY_MOST.  After a
+// connection that existed for that long, it begins again with the shortest wait.
+static void end(SmNetChannel *c, SmNetPeer *p, uint64_t now)
+{
+    const bool lasted = p->state == OPEN && now - p->since >= SM_NET_RETRY_MOST;
+
+    if (p->state != FREE)
+        pal_socket_close(p->socket);
+    if (p->state == OPEN)
+        add(c, SM_NET_broken);
+    if (is_sender(c) && p->n > 0)             // a message that was sent in part
+        add(c, SM_NET_lost);
+    p->state = FREE;
+    p->n = p->sent = 0;
+    c->pause = lasted || c->pause == 0 ? SM_NET_RETRY_LEAST : c->pause < SM_NET_RETRY_MOST / 2 ? 2 * c->pause : SM_NET_RETRY_MOST;
+    c->retry = now + c->pause;
+}
+
+// How long a connection may be without a message: a receiver with a timeout ends it then, and a server may replace it.
+static uint64_t patience_of(const SmNetChannel *c) { return c->timeout > PAL_SECOND ? c->timeout : PAL_SECOND; }
+
+// ---- clients ----
+
+static SmResult begin_to_connect(SmNetChannel *c, uint64_t now)
+{
+    SmNetPeer *p = c->peer;
+    const SmResult r = pal_socket_connect_start(&p->socket, &c->address);
+
+    p->since = now;
+    if (r == SM_OK)
+        p->state = CONNECTING;
+    else
+        end(c, p, now);
+    return is_local_failure(r) ? r : SM_OK;
+}
+
+// Asks whether the connection exists now.  An attempt that takes too long is given up.
+static SmResult continue_to_connect(SmNetChannel *c, uint64_t now)
+{
+    SmNetPeer *p = c->peer;
+    SmResult r = pal_socket_connected(p->socket);
+
+    if (r == SM_OK && is_sender(c))
+        r = pal_socket_limit(p->socket, (size_t)MESSAGES_WAITING * c->message.size, PATIENCE);
+    if (r == SM_OK)
+        begin(c, p, now);
+    else if (r != SM_E_TIMEOUT || now - p->since >= SM_NET_RETRY_MOST)
+        end(c, p, now);
+    return is_local_failure(r) ? r : SM_OK;
+}
+
+static SmResult update_client(SmNetChannel *c, uint64_t now)
+{
+    SmResult r = SM_OK;
+
+    if (c->peer->state == FREE && now >= c->retry)
+        r = begin_to_connect(c, now);
+    if (r == SM_OK && c->peer->state == CONNECTING)
+        r = continue_to_connect(c, now);
+    return r;
+}
+
+// ---- servers ----
+
+// Returns a free place; else that of the peer that has been without a message for longest, if its time is over; else NULL.
+static SmNetPeer *find_place(SmNetChannel *c, uint64_t now)
+{
+    SmNetPeer *oldest = c->peer;
+
+    for (uint8_t i = 0; i < c->peers; i++) {
+        if (c->peer[i].state == FREE)
+            return &c->peer[i];
+        if (c->peer[i].used < oldest->used)
+            oldest = &c->peer[i];
+    }
+    return now - oldest->used > patience_of(c) ? oldest : NULL;
+}
+
+// Accepts at most one peer.  While there is no place, new peers wait in the platform's queue.
+static SmResult update_server(SmNetChannel *c, uint64_t now)
+{
+    SmNetPeer *place = find_place(c, now);
+    PalSocket stream = {0};
+    SmResult r;
+
+    if (!place)
+        return SM_OK;
+    r = pal_socket_accept(c->socket, &stream, NULL, 0);
+    if (r == SM_OK && is_sender(c)) {
+        r = pal_socket_limit(stream, (size_t)MESSAGES_WAITING * c->message.size, PATIENCE);
+        if (r != SM_OK)
+            pal_socket_close(stream);
+    }
+    if (r != SM_OK)
+        return is_local_failure(r) ? r : SM_OK;
+    if (place->state != FREE)
+        end(c, place, now);
+    place->socket = stream;
+    begin(c, place, now);
+    return SM_OK;
+}
+
+// ---- opening and closing ----
+
+static bool has_peers(const SmNetChannel *c)
+{
+    for (uint8_t i = 0; i < c->peers; i++)
+        if (!c->peer || !c->peer[i].bytes)
+            return false;
+    return c->peers >= 1 && (c->is_server || c->peers == 1);
+}
+
+static SmResult open_stream(SmNetChannel *c)
+{
+    if (!has_peers(c))
+        return SM_E_ARGUMENT;
+    for (uint8_t i = 0; i < c->peers; i++) {
+        c->peer[i].state = FREE;
+        c->peer[i].n = c->peer[i].sent = 0;
+    }
+    c->retry = c->pause = 0;
+    return c->is_server ? pal_socket_listen(&c->socket, &c->address) : update_client(c, 0);
+}
+
+static void close_stream(SmNetChannel *c)
+{
+    for (uint8_t i = 0; i < c->peers; i++)
+        if (c->peer[i].state != FREE)
+            end(c, &c->peer[i], 0);
+    if (c->is_server)
+        pal_socket_close(c->socket);
+}
+
+// ---- sending ----
+
+// Sends the rest of p->bytes.
+static void send_rest(SmNetChannel *c, SmNetPeer *p, uint64_t now)
+{
+    size_t sent = 0;
+    const SmResult r = pal_socket_send(p->socket, p->bytes + p->sent, (size_t)(p->n - p->sent), &sent, 0);
+
+    p->sent = (uint16_t)(p->sent + sent);
+    if (p->sent == p->n) {
+        p->n = p->sent = 0;
+        p->used = now;
+        add(c, SM_NET_sent);
+    }
+    if (r != SM_OK && r != SM_E_TIMEOUT)
+        end(c, p, now);
+}
+
+// Whether the peer is still there.  It has nothing to send: one that does is not a receiver of this channel.
+static bool is_present(SmNetChannel *c, SmNetPeer *p, uint64_t now)
+{
+    uint8_t byte;
+    size_t n;
+
+    if (p->state == OPEN && pal_socket_receive(p->socket, &byte, 1, &n, 0) != SM_E_TIMEOUT)
+        end(c, p, now);
+    return p->state == OPEN;
+}
+
+// A message that has been sent in part is completed before the next one.  If the platform does not accept the first byte of a message, the
+// message is dropped, so that the peer later receives a newer one.
+static void send_to_peer(SmNetChannel *c, SmNetPeer *p, uint64_t now)
+{
+    if (p->n == 0) {
+        memcpy(p->bytes, c->bytes, c->message.size);
+        p->n = c->message.size;
+        send_rest(c, p, now);
+        if (p->n == 0 || p->sent > 0)
+            return;
+        p->n = 0;
+    }
+    add(c, SM_NET_full);
+    add(c, SM_NET_lost);
+}
+
+static void send_to_peers(SmNetChannel *c, uint64_t now)
+{
+    bool any = false;
+
+    for (uint8_t i = 0; i < c->peers; i++)
+        if (is_present(c, &c->peer[i], now)) {
+            any = true;
+            send_to_peer(c, &c->peer[i], now);
+        }
+    if (!any) {
+        add(c, SM_NET_unconnected);
+        add(c, SM_NET_lost);
+    }
+}
+
+// ---- receiving ----
+
+// Counts a message that is refused before it is whole, and closes the connection.
+static void refuse(SmNetChannel *c, SmNetPeer *p, SmNetCount cause, uint64_t now)
+{
+    add(c, cause);
+    add(c, SM_NET_refused);
+    end(c, p, now);
+}
+
+// Checks a whole message.  Damage and a wrong key are only explained by another sender or by boundaries that are lost.
+static void accept_message(SmNetChannel *c, SmNetPeer *p, uint64_t now)
+{
+    const SmNetCount cause = sm_net_accept(c, p->bytes, c->message.size, now);
+
+    p->n = 0;
+    if (cause == SM_NET_accepted)
+        p->used = now;
+    else if (cause == SM_NET_damaged || cause == SM_NET_key)
+        end(c, p, now);
+}
+
+// Receives bytes of a connection once.  Returns whether they completed a message.
+static bool receive_once(SmNetChannel *c, SmNetPeer *p, uint64_t now)
+{
+    SmNetCount cause = SM_NET_accepted;
+    size_t got = 0;
+    const SmResult r = pal_socket_receive(p->socket, p->bytes + p->n, (size_t)(c->message.size - p->n), &got, 0);
+
+    if (r == SM_E_TIMEOUT)
+        return false;
+    if (r != SM_OK) {
+        if (p->n > 0)
+            refuse(c, p, SM_NET_short_, now);
+        else
+            end(c, p, now);
+        return false;
+    }
+    p->n = (uint16_t)(p->n + got);
+    if (p->n >= SM_NET_HEADER)
+        cause = sm_net_check_header(&c->message, p->bytes);
+    if (cause != SM_NET_accepted)
+        refuse(c, p, cause, now);
+    else if (p->n == c->message.size)
+        accept_message(c, p, now);
+    return p->state == OPEN && p->n == 0;
+}
+
+// ---- every step ----
+
+static SmResult update_stream(SmNetChannel *c, uint64_t now)
+{
+    for (uint8_t i = 0; i < c->peers; i++) {
+        SmNetPeer *p = &c->peer[i];
+        if (p->state == OPEN && is_sender(c) && p->n > 0)
+            send_rest(c, p, now);
+        else if (p->state == OPEN && c->timeout && now - p->used > patience_of(c))
+            end(c, p, now);
+    }
+    return c->is_server ? update_server(c, now) : update_client(c, now);
+}
+
+static SmResult receive_stream(SmNetChannel *c, uint64_t now)
+{
+    const SmResult r = update_stream(c, now);
+
+    for (uint8_t i = 0; i < c->peers; i++)
+        for (int k = 0; k < SM_NET_BURST && c->peer[i].state == OPEN && receive_once(c, &c->peer[i], now); k++)
+            ;
+    return r;
+}
+
+static SmResult send_stream(SmNetChannel *c, uint64_t now)
+{
+    const SmResult r = update_stream(c, now);
+
+    if (c->due)
+        send_to_peers(c, now);
+    return r;
+}
+
+const SmNetStream sm_net_tcp = {open_stream, close_stream, receive_stream, send_stream};

@@ -1,0 +1,50 @@
+# JUnit has the requirements as properties and the printed lines in system-out.
+args test --junit=r.xml a.sm a.ss >/dev/null 2>&1; cat r.xml
+
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+F64 p
+bool open
+[Idle]
+.step
+    open = p > 5
+-- a.ss --
+[options]
+delta_t 10
+[all_states]
+G == 10: p = 7.5
+G == 10: @expect open within 20 ms "the valve opens" @req R7
+G == 20: @print p + 1, open "the level & more"
+G == 20: @print S
+G == 30: @assert open @req R7
+G == 30: @fail "never at 30 < 40" @req R9
+G == 40: @stop
+-- stdout --
+<?xml version="1.0" encoding="UTF-8"?>
+<testsuites name="smc test" tests="1" failures="1" errors="0" time="[..]">
+  <testsuite name="a.sm" tests="1" failures="1" errors="0" skipped="0" time="[..]" file="a.sm">
+    <testcase name="a.ss" classname="a" time="[..]">
+      <properties>
+        <property name="requirement" value="R7"/>
+        <property name="requirement" value="R9"/>
+      </properties>
+      <failure message="a.ss:9:10: error: reached '@fail' in step 4 (G = 30, state Idle): never at 30 &#60; 40 (R9) [E0755]" type="E0755">a.ss:9:10: error: reached '@fail' in step 4 (G = 30, state Idle): never at 30 &#60; 40 (R9) [E0755]
+    9 | G == 30: @fail &#34;never at 30 &#60; 40&#34; @req R9
+      |          ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ G = 30
+note: the last steps, and the values after each:
+      step   G  state
+         1   0  Idle
+         2  10  Idle
+         3  20  Idle
+         4  30  Idle
+note: the machine has been in state 'Idle' from the start
+1 error
+</failure>
+      <system-out>step 3 (G = 20), the level &#38; more: p + 1 = 8.5, open = true
+step 3 (G = 20): S = Idle, number 1
+</system-out>
+    </testcase>
+  </testsuite>
+</testsuites>
