@@ -67,7 +67,7 @@ static int find_function(Str name)
 }
 
 // Reports a function without parentheses, as in `abs x`. The current token is x. This is an error even if an element is named `abs`, because
-// no operand can follow a name.
+// no operand can follow a name, but for the word `steps` (language.md 7.25).
 HintResult hint_report_missing_call(HintCase *c)
 {
     Parser *p = c->p;
@@ -78,7 +78,7 @@ HintResult hint_report_missing_call(HintCase *c)
     uint32_t end;
     Diag *d;
 
-    if (p->ahead.kind == TOK_ASSIGN || fn == SM_FN_COUNT || find_infix(p, &end) || hint_is_word(&p->tok, "then") ||
+    if (p->ahead.kind == TOK_ASSIGN || fn == SM_FN_COUNT || parser_is_steps(p) || find_infix(p, &end) || hint_is_word(&p->tok, "then") ||
         hint_is_word(&p->tok, "do") || hint_is_word(&p->tok, "between"))
         return HINT_NONE;
     d = parser_report(p, DIAG_function_without_call, name->span, name->name->text, name->name->text,

@@ -128,14 +128,19 @@ const char *ast_function_usage(const SmBuiltinInfo *fn)
     return fn->is_roll ? "(x, n)" : usage[fn->arguments];
 }
 
+// Whether the current token is the word `steps` that ends an argument.
+bool parser_is_steps(const Parser *p)
+{
+    return p->tok.kind == TOK_NAME && strcmp(p->tok.text->text, "steps") == 0 && (p->ahead.kind == TOK_RPAREN || p->ahead.kind == TOK_COMMA);
+}
+
 // Parses the word `steps` after an argument that is a number or a name, as in roll_avg(x, 5 steps).
 static AstExpr *parse_steps(Parser *p, AstExpr *a)
 {
     const bool is_count = (a->kind == AST_NUMBER && a->unit == TIME_NONE) || a->kind == AST_NAME;
     AstExpr *e;
 
-    if (p->failed || !is_count || p->tok.kind != TOK_NAME || strcmp(p->tok.text->text, "steps") != 0 ||
-        (p->ahead.kind != TOK_RPAREN && p->ahead.kind != TOK_COMMA))
+    if (p->failed || !is_count || !parser_is_steps(p))
         return a;
     e = new_expr(p, AST_STEPS, a->span);
     e->a = a;

@@ -51,6 +51,7 @@ Span parser_missing_span(const Parser *p);             // the next token, or the
 Span parser_span_since(const Parser *p, uint32_t at);        // the range from `at` to the end of the last token
 bool parser_at_end_of_statement(const Parser *p);       // whether the next token begins a line or ends the block, or the last one is }
 bool parser_at_end_of_block(const Parser *p);           // whether the next token is }, a label, a header or the end
+bool parser_is_steps(const Parser *p);                  // whether the next token is the word `steps` that ends an argument (language.md 7.25)
 
 // ---- diagnostics ----
 

@@ -1,13 +1,10 @@
 # Sensor A wakes up late: the engine must start by the other two. After two seconds the flame goes out: the pressure falls to 5 bar. A dip of 90 ms before that is no flame-out.
 
-[options]
-delta_t 10
-
 [all_states]
-G == 1000: fire = true
+G == 1 s: fire = true
 
 [Ignite]
-T == 100: igniterLit = true
+T == 100 ms: igniterLit = true
 
 [Start]
 true {
@@ -22,16 +19,16 @@ true {
     pressureB = 20
     pressureC = 20
 }
-1000 <= T < 1090 or T >= 2000 {
+1 s <= T < 1.09 s or T >= 2 s {
     pressureA = 5
     pressureB = 5
     pressureC = 5
 }
-true: @assert T <= 2090
+true: @assert T <= 2.09 s
 
 [all_states]
-2700 < G < 4600: @assert S == Burn and oxidizerValve and fuelValve
+2.7 s < G < 4.6 s: @assert S == Burn and oxidizerValve and fuelValve
 
 [Abort]
 true: @assert abortReason == 4 and not oxidizerValve and not fuelValve and purgeValve
-T == 100: @stop
+T == 100 ms: @stop

@@ -1,20 +1,17 @@
 # The igniter does not light: no propellant may flow.
 
-[options]
-delta_t 10
-
 [all_states]
-G == 1000: fire = true
+G == 1 s: fire = true
 true: @assert not oxidizerValve and not fuelValve
-G == 10000: fire = false
+G == 10 s: fire = false
 
 [Ignite]
-T < 2000: @assert igniter and abortReason == 0
+T < 2 s: @assert igniter and abortReason == 0
 
 [Abort]
 true: @assert abortReason == 2 and not igniter and purgeValve
-G == 9990: @assert S == Abort              # as long as the key is held
+G == 9.99 s: @assert S == Abort              # as long as the key is held
 
 [Idle]
-G > 10000: @assert not purgeValve and abortReason == 2
-G == 10020: @stop
+G > 10 s: @assert not purgeValve and abortReason == 2
+G == 10.02 s: @stop

@@ -1,13 +1,10 @@
 # The pressure rises above what is allowed, in the middle of the burn.
 
-[options]
-delta_t 10
-
 [all_states]
-G == 1000: fire = true
+G == 1 s: fire = true
 
 [Ignite]
-T == 100: igniterLit = true
+T == 100 ms: igniterLit = true
 
 [Start]
 true {
@@ -22,16 +19,16 @@ true {
     pressureB = 20
     pressureC = 20
 }
-T >= 1500 {
+T >= 1.5 s {
     pressureA = 30
     pressureB = 31
     pressureC = 29
 }
-true: @assert T <= 1510
+true: @assert T <= 1.51 s
 
 [all_states]
-2700 < G < 4100: @assert S == Burn and fuelValve
+2.7 s < G < 4.1 s: @assert S == Burn and fuelValve
 
 [Abort]
 true: @assert abortReason == 5 and not oxidizerValve and not fuelValve and purgeValve
-T == 100: @stop
+T == 100 ms: @stop

@@ -1,15 +1,12 @@
 # One of three pressure sensors fails, each in its own way and at a bad moment: the burn goes on as if nothing had been.
 
-[options]
-delta_t 10
-
 [all_states]
 G == 0: pressureA = 50
-G == 1000: fire = true
+G == 1 s: fire = true
 true: @assert abortReason == 0
 
 [Ignite]
-T == 100: igniterLit = true
+T == 100 ms: igniterLit = true
 
 # Sensor A says from the start that the chamber is full of pressure. Believed, it would end the ignition at once.
 [Start]
@@ -18,7 +15,7 @@ true {
     pressureB = max(0, T - 100) / 5
     pressureC = max(0, T - 100) / 5
 }
-T == 90 {                               # for one single step the other two see a spike too
+T == 90 ms {                               # for one single step the other two see a spike too
     pressureB = 35
     pressureC = 35
 }
@@ -30,27 +27,27 @@ true {
     pressureB = min(20, 8 + T / 20)
     pressureC = min(20, 8 + T / 20)
 }
-T >= 500 {
+T >= 500 ms {
     pressureA = 20
     pressureC = 0
 }
-T >= 2500 {
+T >= 2.5 s {
     pressureA = 0
     pressureC = 20
 }
 # For one single step all of them see a spike.
-T == 2000 {
+T == 2 s {
     pressureA = 35
     pressureB = 35
     pressureC = 35
 }
-T < 4000: @assert S == Burn and oxidizerValve and fuelValve
+T < 4 s: @assert S == Burn and oxidizerValve and fuelValve
 
 [all_states]
-2700 < G < 6500: @assert S == Burn
+2.7 s < G < 6.5 s: @assert S == Burn
 
 [Shutdown]
-T == 200 {
+T == 200 ms {
     @assert not oxidizerValve and not fuelValve
     @stop
 }

@@ -1,13 +1,10 @@
 # Two sensors fail, and no two of the three agree any more.
 
-[options]
-delta_t 10
-
 [all_states]
-G == 1000: fire = true
+G == 1 s: fire = true
 
 [Ignite]
-T == 100: igniterLit = true
+T == 100 ms: igniterLit = true
 
 [Start]
 true {
@@ -24,21 +21,21 @@ true {
     pressureB = 20
     pressureC = 20
 }
-1000 <= T < 1300: pressureA = 27
-1300 <= T < 1600: pressureB = 27
-1600 <= T < 1900: pressureC = 27
-T == 1200: pressureC = 13
-T == 1500: pressureA = 13
-T == 1800: pressureB = 13
-T >= 2000 {
+1 s <= T < 1.3 s: pressureA = 27
+1.3 s <= T < 1.6 s: pressureB = 27
+1.6 s <= T < 1.9 s: pressureC = 27
+T == 1.2 s: pressureC = 13
+T == 1.5 s: pressureA = 13
+T == 1.8 s: pressureB = 13
+T >= 2 s {
     pressureB = 27
     pressureC = 13
 }
-true: @assert T <= 2090
+true: @assert T <= 2.09 s
 
 [all_states]
-2700 < G < 4600: @assert S == Burn and fuelValve
+2.7 s < G < 4.6 s: @assert S == Burn and fuelValve
 
 [Abort]
 true: @assert abortReason == 6 and not oxidizerValve and not fuelValve and purgeValve
-T == 100: @stop
+T == 100 ms: @stop

@@ -1,14 +1,11 @@
 # The drive is slow and the order swings, but it follows: no reason to give up.
 
-[options]
-delta_t 10
-
 [all_states]
 true {
     mayBrake = true
     altitude = 1000
-    velocity = 160 + 12 * (floor(G / 2000) * 2000 + 1000 > G)
+    velocity = 160 + 12 * (floor(G / 2000) * 2000 + 1 s > G)
 }
 true: brakePosition = brakePosition + clamp(brakeOrder - brakePosition, -0.012, 0.012)
 true: @assert S != Jammed
-G == 20000: @stop
+G == 20 s: @stop

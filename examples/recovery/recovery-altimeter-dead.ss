@@ -1,20 +1,21 @@
 # The altimeter reads 0 from the fourth second on, while the rocket climbs at 30 m/s. That is no fall: the drogue would tear.
 # The drogue opens by its timer, and so does the main.
 
-[options]
-delta_t 10
+[define]
+t      = G / 1000 - 7.4             # s, from the highest point on
+flight = 200 - 4.905 * t * t
 
 [all_states]
-G < 4000: altitude = max(0, 200 - 4.905 * (G / 1000 - 7.4) * (G / 1000 - 7.4))
-G >= 4000: altitude = 0
-G == 4000: @assert S == Ascent
-G < 12000: @assert not drogueCharge
+G < 4 s: altitude = max(0, flight)
+G >= 4 s: altitude = 0
+G == 4 s: @assert S == Ascent
+G < 12 s: @assert not drogueCharge
 true: @assert not mainCharge or S == Main
 
 [Drogue]
-T == 0: @assert 13000 < G < 13500
-T < 9000: @assert not mainCharge
+T == 0: @assert 13 s < G < 13.5 s
+T < 9 s: @assert not mainCharge
 
 [Main]
-T == 0: @assert 22000 < G < 22600
-T == 1000: @stop
+T == 0: @assert 22 s < G < 22.6 s
+T == 1 s: @stop

@@ -1,19 +1,16 @@
 # The altimeter freezes on the way up: the drogue opens by the timer, and so does the main.
 
-[options]
-delta_t 10
-
 [Pad]
-G > 1000: altitude = 150
+G > 1 s: altitude = 150
 
 [Drogue]
-T == 0: @assert 13000 < G < 13300
-T >= 1000: @assert not drogueCharge
+T == 0: @assert 13 s < G < 13.3 s
+T >= 1 s: @assert not drogueCharge
 
 [Main]
-T == 0: @assert 22000 < G < 22200
-T < 1000: @assert mainCharge
-T >= 1000 {
+T == 0: @assert 22 s < G < 22.2 s
+T < 1 s: @assert mainCharge
+T >= 1 s {
     @assert not mainCharge
     @stop
 }

@@ -1,8 +1,5 @@
 # Sensors with realistic noise; one after the other breaks and is repaired.
 
-[options]
-delta_t 10
-
 [all_states]
 true {
     chamberPressureA = 1 + G / 1000000
@@ -11,55 +8,55 @@ true {
     lineTemperature  = 290 + G / 1000000
     flow             = G / 1000000
 }
-G < 3000: @assert sensorFault == 0
+G < 3 s: @assert sensorFault == 0
 
 # Nothing read, for two steps and then for three.
-3000 <= G <= 3010: chamberPressureA = 0
-3010 <= G < 3500: @assert sensorFault == 0
-3500 <= G < 4000: chamberPressureA = 0
-G == 3510: @assert sensorFault == 0
-G == 3520: @assert sensorFault == 1
-G == 4000: @assert sensorFault == 0
-4500 <= G < 5000: chamberPressureB = 70
-4520 <= G < 5000: @assert sensorFault == 1
-G == 5000: @assert sensorFault == 0
+3 s <= G <= 3.01 s: chamberPressureA = 0
+3.01 s <= G < 3.5 s: @assert sensorFault == 0
+3.5 s <= G < 4 s: chamberPressureA = 0
+G == 3.51 s: @assert sensorFault == 0
+G == 3.52 s: @assert sensorFault == 1
+G == 4 s: @assert sensorFault == 0
+4.5 s <= G < 5 s: chamberPressureB = 70
+4.52 s <= G < 5 s: @assert sensorFault == 1
+G == 5 s: @assert sensorFault == 0
 
 # Stuck: a second is 100 samples that are the same.
-5000 <= G < 7000: chamberPressureA = 1
-5000 <= G < 5990: @assert sensorFault == 0
-G == 5990: @assert sensorFault == 1
-G == 7000: @assert sensorFault == 0
-7000 <= G < 9000: chamberPressureB = 1
-G == 7980: @assert sensorFault == 0
-G == 7990: @assert sensorFault == 1
-9000 <= G < 11000: tankPressure = 40
-G == 9980: @assert sensorFault == 0
-G == 9990: @assert sensorFault == 2
-11000 <= G < 13000: lineTemperature = 290
-G == 11990: @assert sensorFault == 3
-13000 <= G < 15000: flow = 0
-G == 13980: @assert sensorFault == 0
-G == 13990: @assert sensorFault == 4
+5 s <= G < 7 s: chamberPressureA = 1
+5 s <= G < 5.99 s: @assert sensorFault == 0
+G == 5.99 s: @assert sensorFault == 1
+G == 7 s: @assert sensorFault == 0
+7 s <= G < 9 s: chamberPressureB = 1
+G == 7.98 s: @assert sensorFault == 0
+G == 7.99 s: @assert sensorFault == 1
+9 s <= G < 11 s: tankPressure = 40
+G == 9.98 s: @assert sensorFault == 0
+G == 9.99 s: @assert sensorFault == 2
+11 s <= G < 13 s: lineTemperature = 290
+G == 11.99 s: @assert sensorFault == 3
+13 s <= G < 15 s: flow = 0
+G == 13.98 s: @assert sensorFault == 0
+G == 13.99 s: @assert sensorFault == 4
 
 # Out of their ranges.
-16000 <= G < 16100: tankPressure = 0
-16020 <= G < 16100: @assert sensorFault == 2
-16500 <= G < 16600: lineTemperature = 0
-16520 <= G < 16600: @assert sensorFault == 3
-17000 <= G < 17100: flow = 2
-17020 <= G < 17100: @assert sensorFault == 4
-17100 <= G < 17200: @assert sensorFault == 0
+16 s <= G < 16.1 s: tankPressure = 0
+16.02 s <= G < 16.1 s: @assert sensorFault == 2
+16.5 s <= G < 16.6 s: lineTemperature = 0
+16.52 s <= G < 16.6 s: @assert sensorFault == 3
+17 s <= G < 17.1 s: flow = 2
+17.02 s <= G < 17.1 s: @assert sensorFault == 4
+17.1 s <= G < 17.2 s: @assert sensorFault == 0
 
 # The two in the chamber disagree: five steps.
-18000 <= G < 18100: chamberPressureA = 5 + G / 1000000
-G == 18030: @assert sensorFault == 0
-18040 <= G < 18100: @assert sensorFault == 5
+18 s <= G < 18.1 s: chamberPressureA = 5 + G / 1000000
+G == 18.03 s: @assert sensorFault == 0
+18.04 s <= G < 18.1 s: @assert sensorFault == 5
 
 # The computer is late: ten steps of a hundred are forgiven.
-19000 <= G < 19110: overruns = overruns + 1
-G == 19090: @assert sensorFault == 0
-19100 <= G < 19990: @assert sensorFault == 6
-G == 21000 {
+19 s <= G < 19.11 s: overruns = overruns + 1
+G == 19.09 s: @assert sensorFault == 0
+19.1 s <= G < 19.99 s: @assert sensorFault == 6
+G == 21 s {
     @assert sensorFault == 0
     @stop
 }

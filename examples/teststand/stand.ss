@@ -1,8 +1,5 @@
 # A firing as it should be: key at 3 s, cold at 7 s, a burn of four seconds, the key let go at 15 s.
 
-[options]
-delta_t 10
-
 [all_states]
 G == 0 {
     chamberPressureA = 1
@@ -10,10 +7,10 @@ G == 0 {
     tankPressure     = 40
     lineTemperature  = 293
 }
-G == 3000: key = true
-3000 <= G < 7000: lineTemperature = max(95, lineTemperature - 0.8)
-igniter and T > 200: flame = true
-fuelValve and T > 80 {
+G == 3 s: key = true
+3 s <= G < 7 s: lineTemperature = max(95, lineTemperature - 0.8)
+igniter and T > 200 ms: flame = true
+fuelValve and T > 80 ms {
     chamberPressureA = 20
     chamberPressureB = 20.3
 }
@@ -24,8 +21,8 @@ not fuelValve {
     chamberPressureB = 1
 }
 not fuelValve and not igniter: flame = false
-G == 9000: chamberPressureB = 45             # one wild sample in the burn
-G == 15000: key = false
+G == 9 s: chamberPressureB = 45             # one wild sample in the burn
+G == 15 s: key = false
 true {
     @assert abortReason == 0 and not ventValve
     @assert not fuelValve or oxidizerValve or S == Shutdown
@@ -33,29 +30,29 @@ true {
 }
 
 [Idle]
-true: @assert G <= 3000 or G > 14900
+true: @assert G <= 3 s or G > 14.9 s
 
 [Chill]
 true: @assert chillValve or lineTemperature == 95
 true: @assert not igniter and not oxidizerValve and not fuelValve
 
 [Ignite]
-T < 300: @assert igniter and not oxidizerValve and not fuelValve
+T < 300 ms: @assert igniter and not oxidizerValve and not fuelValve
 
 [Start]
 T == 0: @assert igniter and oxidizerValve and not fuelValve
 
 [Burn]
-T < 4000: @assert oxidizerValve and fuelValve and not igniter and not purgeValve
+T < 4 s: @assert oxidizerValve and fuelValve and not igniter and not purgeValve
 
 [Shutdown]
 T == 0: @assert not oxidizerValve and fuelValve
-T >= 100: @assert not fuelValve and purgeValve
+T >= 100 ms: @assert not fuelValve and purgeValve
 
 [all_states]
-G == 9500: @assert S == Burn
-G == 14000: @assert S == Shutdown
-G == 16000 {
+G == 9.5 s: @assert S == Burn
+G == 14 s: @assert S == Shutdown
+G == 16 s {
     @assert S == Idle and not purgeValve
     @stop
 }

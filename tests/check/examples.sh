@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Runs the examples as their reader would: examples.sh SMC FOLDER...  Each machine M.sm of a folder is checked for a flight, with the
-# step that its comment names ("Stepped every 10 ms"), and there must be no finding.  It is tested on every engine by its scripts
+# step of its options ("step 10 ms") or its comment ("Stepped every 10 ms"), and there must be no finding.  It is tested on every engine by its scripts
 # M.ss and M-*.ss; a state vector (.sv) in the folder is for all its machines.
 # A script that belongs to no machine is a failure, as is a machine without a script or without a step.
 # So that silence means something, machines that have @safe or @allow are checked again without them: most must draw a finding.
@@ -31,9 +31,9 @@ scripts_of() {
     done
 }
 
-# The option for the step that the comment of the machine $1 names.
+# The option for the step of the machine $1.
 step_of() {
-    sed -n 's/.*Stepped every \([0-9]*\) ms.*/--step=\1/p' "$1"
+    sed -n 's/.*Stepped every \([0-9]*\) ms.*/--step=\1/p; s/^step \([0-9]*\) ms$/--step=\1/p' "$1"
 }
 
 # Without its marks, the machine $1 with the step $2 draws a finding.
@@ -60,7 +60,7 @@ for folder; do
         seen=$((seen + $#))
         step=$(step_of "$machine")
         machines=$((machines + 1))
-        expect "a step in the comment of $machine" test -n "$step"
+        expect "a step of $machine" test -n "$step"
         quiet=1
         expect check "$smc" check ${sv:+"$sv"} "$machine" "$@"
         expect "check for a flight" "$smc" check -Wflight ${step:+"$step"} ${sv:+"$sv"} "$machine"

@@ -204,6 +204,10 @@ static double statistic(const Samples *w, SmStat stat)
 {
     double *x = w->work, a, b, d;
 
+    if (stat >= SM_STAT_OLDEST) {
+        a = w->slot[w->count < w->n ? 0 : w->next], b = w->slot[(w->next + w->n - 1) % w->n];
+        return stat == SM_STAT_OLDEST ? a : stat == SM_STAT_NEWEST ? b : w->count < 2 ? 0 : sm_sub(b, a);
+    }
     memcpy(x, w->slot, w->count * sizeof *x);
     if (stat == SM_STAT_AVG)
         return sm_div(pairs(x, w->count), sm_from_u32(w->count));

@@ -365,16 +365,14 @@ static GStmt *random_goto(Gen *g)
     return s;
 }
 
-static void random_stmts(Gen *g, GStmts *list, uint32_t n, uint32_t depth, bool may_leave);
-
 static GStmt *random_if(Gen *g, uint32_t depth, bool may_leave)
 {
     GStmt *s = new_stmt(g, G_IF);
     s->value = random_guard(g);
-    random_stmts(g, &s->then, rng_percent(&g->rng, 60) ? 1 : rng_below(&g->rng, 4), depth - 1, may_leave);
+    gen_random_stmts(g, &s->then, rng_percent(&g->rng, 60) ? 1 : rng_below(&g->rng, 4), depth - 1, may_leave);
     s->has_else = rng_percent(&g->rng, 40);
     if (s->has_else)
-        random_stmts(g, &s->otherwise, rng_percent(&g->rng, 60) ? 1 : rng_below(&g->rng, 3), depth - 1, may_leave);
+        gen_random_stmts(g, &s->otherwise, rng_percent(&g->rng, 60) ? 1 : rng_below(&g->rng, 3), depth - 1, may_leave);
     return s;
 }
 
@@ -416,7 +414,7 @@ static GStmt *next_assign(Gen *g, const GStmt *before)
     return s;
 }
 
-static void random_stmts(Gen *g, GStmts *list, uint32_t n, uint32_t depth, bool may_leave)
+void gen_random_stmts(Gen *g, GStmts *list, uint32_t n, uint32_t depth, bool may_leave)
 {
     for (uint32_t i = 0; i < n; i++) {
         GStmt *s = random_stmt(g, depth, may_leave);
@@ -436,13 +434,13 @@ void gen_random_state(Gen *g, GState *s)
     s->present[1] = rng_percent(&g->rng, 92);
     s->present[2] = rng_percent(&g->rng, 40);
     if (s->present[0])
-        random_stmts(g, &s->block[0], rng_below(&g->rng, 4), depth, rng_percent(&g->rng, 30));
+        gen_random_stmts(g, &s->block[0], rng_below(&g->rng, 4), depth, rng_percent(&g->rng, 30));
     if (s->present[1])
-        random_stmts(g, &s->block[1], 1 + rng_below(&g->rng, 7), depth, true);
+        gen_random_stmts(g, &s->block[1], 1 + rng_below(&g->rng, 7), depth, true);
     if (s->present[1] && rng_percent(&g->rng, 75))
         vec_push(g->arena, &s->block[1], leaving_if(g));
     if (s->present[2])
-        random_stmts(g, &s->block[2], rng_below(&g->rng, 4), depth, false);
+        gen_random_stmts(g, &s->block[2], rng_below(&g->rng, 4), depth, false);
 }
 
 // ---- declarations ----
@@ -588,5 +586,7 @@ Gen *gen_program(Arena *arena, uint64_t seed, uint32_t steps)
     g->first_state = rng_percent(&g->rng, 75) ? 0 : rng_below(&g->rng, states);
     g->states = states;
     gen_plan_time(g);
+    if (gen_seed_has_additions(seed))
+        gen_add(g);
     return g;
 }

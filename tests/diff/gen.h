@@ -41,17 +41,28 @@ typedef struct GVar {
     struct GExpr *init;       // local
 } GVar;
 
-typedef enum GExprKind { G_NUMBER, G_VAR, G_TIME, G_UNARY, G_BINARY, G_CHAIN, G_CALL, G_ROLL } GExprKind;
+typedef enum GExprKind {
+    G_NUMBER, G_VAR, G_TIME, G_UNARY, G_BINARY, G_CHAIN, G_CALL, G_ROLL,
+    // of the additions (gen_additions.c):
+    G_DEFINED,                // the name of a definition
+    G_STATE,                  // the name of a state, beside S
+    G_SPAN,                   // a time, such as 1.5 s
+    G_STEPS                   // n steps, as the size of a window
+} GExprKind;
 
 typedef struct GExpr GExpr;
 struct GExpr {
     GExprKind kind;
-    const char *text;         // NUMBER
+    const char *text;         // NUMBER; SPAN: as a number of units of G
+    const char *span;         // SPAN: with its unit
     GVar *var;                // VAR
     bool by_alias;            // VAR
     SmOperator op;            // UNARY, BINARY
     SmOperator ops[4];        // CHAIN
     SmBuiltin fn;             // CALL, ROLL: arg[1] is the size
+    struct GDef *def;         // DEFINED
+    struct GState *state;     // STATE
+    uint32_t samples;         // SPAN that is the size of a window: how many those are
     uint32_t n;
     GExpr *arg[5];
 };
@@ -77,6 +88,26 @@ typedef struct GState {
     bool removed;
 } GState;
 
+// A line of [define].
+typedef struct GDef {
+    const char *name, *old_name;
+    GExpr *value;
+    uint32_t size;            // of the expression, with its definitions expanded
+    bool constant;            // consists of numbers alone
+    bool is_size;             // of a window
+    bool removed;
+} GDef;
+
+// A section [all_states].
+typedef struct GRule {
+    GStmts block;
+    VEC(GState *) except;
+    uint32_t before;          // index of the state that it precedes in the file
+    bool removed;
+} GRule;
+
+typedef enum GUnit { UNIT_US, UNIT_MS, UNIT_S, UNIT_COUNT } GUnit;
+
 enum { GEN_RECENT = 8, GEN_REGIONS_MAX = 4, GEN_STEPS_MAX = 1000, GEN_VARS_MAX = 64 };
 
 typedef struct Gen {
@@ -93,6 +124,13 @@ typedef struct Gen {
     VEC(GVar *) sv_order;             // the elements as the .sv declares them
     VEC(GState *) state;
     VEC(const char *) used_name;
+    bool additions;                   // the fields to `by_hand` are used
+    VEC(GDef *) def;                  // in the order of the file
+    VEC(GRule *) rule;
+    GUnit unit;                       // of G
+    bool writes_unit;                 // also where it is the default
+    uint32_t step;                    // in units of G; 0: none
+    bool by_hand;                     // printed without additions, with the same meaning
     GExpr *last_roll;                 // for others that are nearly the same
     GExpr *last_guard;                // a variable, a relation and a number, likewise
     GExpr *recent[GEN_RECENT];        // to be repeated
@@ -109,6 +147,13 @@ typedef struct Gen {
 Gen *gen_program(Arena *arena, uint64_t seed, uint32_t steps);
 const char *gen_new_name(Gen *g);     // not used yet
 void gen_random_state(Gen *g, GState *s);     // fills its blocks
+void gen_random_stmts(Gen *g, GStmts *list, uint32_t n, uint32_t depth, bool may_leave);
+bool gen_seed_has_additions(uint64_t seed);
+// Sets the flag of each kind of expression that a program contains, and whether a window's size is a time.
+void gen_additions_used(const Gen *g, bool *used, bool *window_in_time);
+bool gen_additions_sample(const Gen *g);              // a definition or a rule contains a window
+uint32_t gen_samples_in_time(const GExpr *size);      // of a window; 0 if its size is no time
+void gen_add(Gen *g);                 // makes a program use what can also be written out by hand: gen_additions.c
 
 uint32_t gen_state_number(const Gen *g, uint32_t index);      // as the compiler will number it
 void gen_plan_time(Gen *g);           // fills `now`
@@ -140,7 +185,7 @@ const char *gen_number(Arena *arena, Rng *r, uint32_t mood);
 
 // ---- changes that must not change a trace ----
 
-typedef enum GChange { CHANGE_NAMES, CHANGE_LAYOUT, CHANGE_DEAD_STATE, CHANGE_COUNT } GChange;
+typedef enum GChange { CHANGE_NAMES, CHANGE_LAYOUT, CHANGE_DEAD_STATE, CHANGE_BY_HAND, CHANGE_COUNT } GChange;
 extern const char *const gen_change_name[CHANGE_COUNT];
 void gen_change(Gen *g, GChange what);
 void gen_change_back(Gen *g);         // undoes the last change

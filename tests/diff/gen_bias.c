@@ -19,7 +19,11 @@ static GExpr *number(Gen *g, uint32_t below)
     return e;
 }
 
-static bool compares(const GExpr *e) { return e->kind == G_BINARY && e->op >= SM_OP_EQ && e->op <= SM_OP_GE; }
+// Whether e is a relation that can be moved: only == and != can have the name of a state as an operand.
+static bool compares(const GExpr *e)
+{
+    return e->kind == G_BINARY && e->op >= SM_OP_EQ && e->op <= SM_OP_GE && e->arg[0]->kind != G_STATE && e->arg[1]->kind != G_STATE;
+}
 
 static GExpr *opposite(Gen *g, GExpr *e)
 {

@@ -123,6 +123,8 @@ static void print_chain(Printer *p, const GExpr *e)
     }
 }
 
+static void print_bare(Printer *p, const GExpr *e);
+
 static void print_call(Printer *p, const GExpr *e)
 {
     put(p, sm_builtin_info[e->fn].name);
@@ -135,10 +137,56 @@ static void print_call(Printer *p, const GExpr *e)
             put(p, ",");
             gap(p);
         }
-        print_expr(p, e->arg[i], 1);
+        const uint32_t samples = p->g->by_hand && e->kind == G_ROLL && i == 1 ? gen_samples_in_time(e->arg[1]) : 0;
+        if (samples != 0)
+            buf_printf(p->out, "%u", (unsigned)samples);
+        else if (e->arg[i]->kind == G_STEPS)
+            print_bare(p, e->arg[i]);        // never in parentheses
+        else
+            print_expr(p, e->arg[i], 1);
     }
     p->parens--;
     put(p, ")");
+}
+
+static void print_defined(Printer *p, const GDef *d)
+{
+    if (!p->g->by_hand) {
+        put(p, d->name);
+        return;
+    }
+    put(p, "(");
+    p->parens++;
+    print_expr(p, d->value, 1);
+    p->parens--;
+    put(p, ")");
+}
+
+// A state that was removed is replaced by the first that is left.
+static const GState *left_state(const Gen *g, const GState *s)
+{
+    for (size_t i = 0; s->removed && i < g->state.n; i++)
+        s = g->state.at[i]->removed ? s : g->state.at[i];
+    return s;
+}
+
+static void print_state_name(Printer *p, const GState *s)
+{
+    uint32_t i = 0;
+    s = left_state(p->g, s);
+    while (p->g->state.at[i] != s)
+        i++;
+    if (p->g->by_hand)
+        buf_printf(p->out, "%u", (unsigned)gen_state_number(p->g, i));
+    else
+        put(p, s->name);
+}
+
+static void print_steps(Printer *p, const GExpr *e)
+{
+    print_bare(p, e->arg[0]);
+    if (!p->g->by_hand)
+        put(p, chance(p, 10) ? "  steps" : " steps");
 }
 
 static void print_bare(Printer *p, const GExpr *e)
@@ -151,6 +199,10 @@ static void print_bare(Printer *p, const GExpr *e)
     case G_BINARY: print_binary(p, e); break;
     case G_CHAIN: print_chain(p, e); break;
     case G_CALL: case G_ROLL: print_call(p, e); break;
+    case G_DEFINED: print_defined(p, e->def); break;
+    case G_STATE: print_state_name(p, e->state); break;
+    case G_SPAN: put(p, p->g->by_hand ? e->text : e->span); break;
+    case G_STEPS: print_steps(p, e); break;
     }
 }
 
@@ -253,14 +305,6 @@ static void print_if(Printer *p, const GStmt *s)
         print_else(p, &s->otherwise);
 }
 
-// A state that was removed is replaced by the first that is left.
-static const char *target_name(const Gen *g, const GState *s)
-{
-    for (size_t i = 0; s->removed && i < g->state.n; i++)
-        s = g->state.at[i]->removed ? s : g->state.at[i];
-    return s->name;
-}
-
 static void print_stmt(Printer *p, const GStmt *s)
 {
     switch (s->kind) {
@@ -273,7 +317,7 @@ static void print_stmt(Printer *p, const GStmt *s)
         break;
     case G_GOTO:
         put(p, chance(p, 10) ? "->" : "-> ");
-        put(p, target_name(p->g, s->target));
+        put(p, left_state(p->g, s->target)->name);
         break;
     case G_IF:
         print_if(p, s);
@@ -283,22 +327,101 @@ static void print_stmt(Printer *p, const GStmt *s)
 
 // ---- sections ----
 
+static bool excepts(const GRule *r, const GState *s)
+{
+    bool found = false;
+    for (size_t i = 0; i < r->except.n && !found; i++)
+        found = r->except.at[i] == s;
+    return found;
+}
+
+// What runs in .step of a state by hand: the statements of the rules, then its own.
+static bool by_hand_step(Printer *p, const GState *s, GStmts *out)
+{
+    const Gen *g = p->g;
+    memset(out, 0, sizeof *out);
+    for (size_t i = 0; i < g->rule.n; i++)
+        for (size_t k = 0; k < g->rule.at[i]->block.n && !g->rule.at[i]->removed && !excepts(g->rule.at[i], s); k++)
+            vec_push(g->arena, out, g->rule.at[i]->block.at[k]);
+    for (size_t k = 0; k < s->block[1].n && s->present[1]; k++)
+        vec_push(g->arena, out, s->block[1].at[k]);
+    return out->n > 0 || s->present[1];
+}
+
+static void print_rule(Printer *p, const GRule *r)
+{
+    const char *before = " @except ";
+    put(p, "[all_states]");
+    for (size_t i = 0; i < r->except.n; i++)
+        if (!r->except.at[i]->removed) {
+            buf_printf(p->out, "%s%s", before, r->except.at[i]->name);
+            before = " ";
+        }
+    line_end(p);
+    put(p, ".step");
+    line_end(p);
+    print_stmts(p, &r->block);
+}
+
 static void print_state(Printer *p, const GState *s)
 {
     static const char *const label[] = { ".entry", ".step", ".exit" };
     const uint32_t turn = rng_below(&p->rng, 3);
+    GStmts step = s->block[1];
+    const bool has_step = p->g->by_hand ? by_hand_step(p, s, &step) : s->present[1];
     buf_printf(p->out, "[%s]", s->name);
     line_end(p);
     for (uint32_t i = 0; i < 3; i++) {
         const uint32_t b = (i + (chance(p, 100) ? turn : 0)) % 3;      // blocks are written in any order
-        if (!s->present[b])
+        if (b == 1 ? !has_step : !s->present[b])
             continue;
+        const GStmts *list = b == 1 ? &step : &s->block[b];
         put(p, label[b]);
-        if (s->block[b].n > 0 && chance(p, 5))
+        if (list->n > 0 && chance(p, 5))
             put(p, " ");
         else
             line_end(p);
-        print_stmts(p, &s->block[b]);
+        print_stmts(p, list);
+    }
+}
+
+static void print_options(Printer *p)
+{
+    static const char *const unit[UNIT_COUNT] = { "us", "ms", "s" };
+    const Gen *g = p->g;
+    if (g->step == 0 && g->unit == UNIT_MS && !g->writes_unit)
+        return;
+    put(p, "[options]");
+    line_end(p);
+    if (g->unit != UNIT_MS || g->writes_unit) {
+        buf_printf(p->out, "time_unit %s", unit[g->unit]);
+        line_end(p);
+    }
+    if (g->step != 0) {
+        buf_printf(p->out, g->writes_unit ? "step %u %s" : "step %u", (unsigned)g->step, unit[g->unit]);
+        line_end(p);
+    }
+}
+
+static void print_definitions(Printer *p)
+{
+    bool open = false;
+    for (size_t i = 0; i < p->g->def.n; i++) {
+        const GDef *d = p->g->def.at[i];
+        if (d->removed)
+            continue;
+        if (!open || chance(p, 15)) {
+            put(p, "[define]");
+            line_end(p);
+            open = true;
+        }
+        margin(p);
+        put(p, d->name);
+        gap(p);
+        put(p, "=");
+        gap(p);
+        print_expr(p, d->value, 1);
+        line_end(p);
     }
 }
 
@@ -341,6 +464,8 @@ void gen_print_sm(Gen *g, Buf *out)
 {
     Printer p;
     start(&p, g, out, 0);
+    if (!g->by_hand)
+        print_options(&p);
     put(&p, "[state_vector]");
     line_end(&p);
     bool local = false;
@@ -357,14 +482,21 @@ void gen_print_sm(Gen *g, Buf *out)
         (v->is_local ? print_local : print_element)(&p, v);
     }
     line_end(&p);
-    for (size_t i = 0; i < g->state.n; i++)
+    if (!g->by_hand)
+        print_definitions(&p);
+    for (size_t i = 0; i < g->state.n; i++) {
+        for (size_t r = 0; r < g->rule.n && !g->by_hand; r++)
+            if (g->rule.at[r]->before == i && !g->rule.at[r]->removed)
+                print_rule(&p, g->rule.at[r]);
         if (!g->state.at[i]->removed)
             print_state(&p, g->state.at[i]);
+    }
 }
 
 void gen_print_inits(Gen *g, Buf *out)
 {
     Printer p;
+    g->by_hand = true;
     start(&p, g, out, 2);
     put(&p, "[state_vector]\nU64 G\nU32 S\n[local]\n");
     for (size_t i = 0; i < g->var.n; i++)
@@ -377,6 +509,7 @@ void gen_print_inits(Gen *g, Buf *out)
             print_expr(&p, g->var.at[i]->init, 1);
             line_end(&p);
         }
+    g->by_hand = false;
 }
 
 void gen_print_sv(Gen *g, Buf *out)

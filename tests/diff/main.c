@@ -51,6 +51,7 @@ typedef struct Tally {
     uint64_t seed;                    // the program it works on
     uint64_t programs, steps, different, rejected, crashed;
     uint64_t transition, saturation, nan, infinity, full_window, refusal, refused, store, change, impossible, finding, no_room;
+    uint64_t additions, definition, rule, state_name, span, window_in_time, steps_window, by_hand;       // programs that use each; compared
 } Tally;
 
 // ---- one program ----
@@ -68,6 +69,19 @@ static void count(Tally *t, const Met *m)
     t->store += m->store;
     t->impossible += m->impossible;
     t->finding += m->finding;
+}
+
+static void count_additions(Tally *t, const Gen *g)
+{
+    bool used[G_STEPS + 1] = { false }, in_time = false;
+    gen_additions_used(g, used, &in_time);
+    t->additions += g->additions;
+    t->definition += used[G_DEFINED];
+    t->rule += g->rule.n > 0;
+    t->state_name += used[G_STATE];
+    t->span += used[G_SPAN];
+    t->steps_window += used[G_STEPS];
+    t->window_in_time += in_time;
 }
 
 static void report_failure(const Options *o, Gen *g, const RunOptions *how, RunResult r, Arena *arena)
@@ -113,6 +127,8 @@ static void run_seed(const Options *o, uint64_t seed, Tally *t)
     count(t, &r.met);
     t->steps += g->steps;
     t->change += how.change;
+    t->by_hand += how.change && how.what == CHANGE_BY_HAND;
+    count_additions(t, g);
     t->different += r.verdict == VERDICT_DIFFERENT;
     t->rejected += r.verdict == VERDICT_REJECTED;
     if (r.verdict != VERDICT_SAME && t->different + t->rejected <= 20)
@@ -312,6 +328,14 @@ static void add_up(Tally *sum, const Tally *t)
     sum->impossible += t->impossible;
     sum->finding += t->finding;
     sum->no_room += t->no_room;
+    sum->additions += t->additions;
+    sum->definition += t->definition;
+    sum->rule += t->rule;
+    sum->state_name += t->state_name;
+    sum->span += t->span;
+    sum->window_in_time += t->window_in_time;
+    sum->steps_window += t->steps_window;
+    sum->by_hand += t->by_hand;
 }
 
 // A share below its floor means that the generator has stopped looking there.  Few programs may stray.
@@ -337,6 +361,14 @@ static bool report_shares(const Options *o, const Tally *t)
     good &= share(o, t, "fill a window of 2 or more", t->full_window, 75);
     good &= share(o, t, "have a step refused", t->refusal, 95);
     good &= share(o, t, "were compared with a changed one", t->change, 20);
+    good &= share(o, t, "use additions to the language", t->additions, 40);
+    good &= share(o, t, "have definitions", t->definition, 30);
+    good &= share(o, t, "have rules for all states", t->rule, 15);
+    good &= share(o, t, "name a state beside S", t->state_name, 20);
+    good &= share(o, t, "have times", t->span, 30);
+    good &= share(o, t, "have windows in time", t->window_in_time, 12);
+    good &= share(o, t, "have windows in steps", t->steps_window, 10);
+    good &= share(o, t, "were compared with themselves by hand", t->by_hand, 8);
     return good;
 }
 

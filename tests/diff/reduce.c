@@ -75,14 +75,19 @@ static void reduce_expr(Reducer *r, GExpr **place)
         return;
     if (try_expr(r, place, simple_number(r, "0")) || try_expr(r, place, simple_number(r, "1")))
         return;
+    if (e->kind == G_DEFINED && try_expr(r, place, e->def->value)) {
+        reduce_expr(r, place);
+        return;
+    }
     const uint32_t n = e->kind == G_ROLL ? 1 : e->n;          // a window's size is no value
     for (uint32_t i = 0; i < n; i++)
-        if (try_expr(r, place, e->arg[i])) {
+        if (e->arg[i]->kind != G_STATE && try_expr(r, place, e->arg[i])) {
             reduce_expr(r, place);
             return;
         }
     for (uint32_t i = 0; i < n; i++)
-        reduce_expr(r, &e->arg[i]);
+        if (e->arg[i]->kind != G_STATE)
+            reduce_expr(r, &e->arg[i]);
     if (e->kind == G_ROLL)
         reduce_size(r, &e->arg[1]);
 }
@@ -146,6 +151,58 @@ static void reduce_stmts(Reducer *r, GStmts *list)
         }
 }
 
+// ---- additions ----
+
+static bool expr_uses(const GExpr *e, const GDef *d)
+{
+    bool found = e->kind == G_DEFINED && e->def == d;
+    for (uint32_t i = 0; i < e->n && !found; i++)
+        found = expr_uses(e->arg[i], d);
+    return found;
+}
+
+static bool stmts_use(const GStmts *list, const GDef *d)
+{
+    bool found = false;
+    for (size_t i = 0; i < list->n && !found; i++) {
+        const GStmt *s = list->at[i];
+        found = (s->value != NULL && expr_uses(s->value, d)) || stmts_use(&s->then, d) || stmts_use(&s->otherwise, d);
+    }
+    return found;
+}
+
+static bool is_used(const Gen *g, const GDef *d)
+{
+    bool found = false;
+    for (size_t i = 0; i < g->def.n; i++)
+        found |= !g->def.at[i]->removed && expr_uses(g->def.at[i]->value, d);
+    for (size_t i = 0; i < g->var.n; i++)
+        found |= g->var.at[i]->init != NULL && !g->var.at[i]->removed && expr_uses(g->var.at[i]->init, d);
+    for (size_t i = 0; i < g->rule.n; i++)
+        found |= !g->rule.at[i]->removed && stmts_use(&g->rule.at[i]->block, d);
+    for (size_t i = 0; i < g->state.n; i++)
+        for (int b = 0; b < 3 && !g->state.at[i]->removed; b++)
+            found |= stmts_use(&g->state.at[i]->block[b], d);
+    return found;
+}
+
+static void reduce_additions(Reducer *r)
+{
+    Gen *g = r->g;
+    for (size_t i = 0; i < g->rule.n; i++) {
+        try_bool(r, &g->rule.at[i]->removed, true);
+        if (!g->rule.at[i]->removed)
+            reduce_stmts(r, &g->rule.at[i]->block);
+    }
+    for (size_t i = g->def.n; i-- > 0; ) {
+        GDef *d = g->def.at[i];
+        if (!d->removed && !is_used(g, d))
+            try_bool(r, &d->removed, true);
+        if (!d->removed && !d->is_size)
+            reduce_expr(r, &d->value);
+    }
+}
+
 // ---- variables: what nothing names any more may go ----
 
 static bool expr_names(const GExpr *e, const GVar *v)
@@ -174,6 +231,12 @@ static bool is_named(const Gen *g, const GVar *v)
         for (int b = 0; b < 3; b++)
             if (!g->state.at[i]->removed && stmts_name(&g->state.at[i]->block[b], v))
                 return true;
+    for (size_t i = 0; i < g->rule.n; i++)
+        if (!g->rule.at[i]->removed && stmts_name(&g->rule.at[i]->block, v))
+            return true;
+    for (size_t i = 0; i < g->def.n; i++)
+        if (!g->def.at[i]->removed && expr_names(g->def.at[i]->value, v))
+            return true;
     for (size_t i = 0; i < g->var.n; i++)
         if (g->var.at[i]->init != NULL && !g->var.at[i]->removed && expr_names(g->var.at[i]->init, v))
             return true;
@@ -241,6 +304,7 @@ static void reduce_round(Reducer *r)
     for (size_t i = r->g->state.n; i-- > 0; )
         if (!r->g->state.at[i]->removed)
             reduce_state(r, r->g->state.at[i]);
+    reduce_additions(r);
     for (size_t i = r->g->var.n; i-- > 2; )
         if (!r->g->var.at[i]->removed)
             reduce_var(r, r->g->var.at[i]);

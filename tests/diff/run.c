@@ -219,12 +219,51 @@ static const char *check_inits(const Subject *plain, Gen *g, Arena *arena)
 
 // ---- the case ----
 
+// A program with additions is compared twice as often: as many times as others with a change of any kind, and as often with itself by hand.
 RunOptions run_options_of(uint64_t seed)
 {
-    const uint64_t r = rng_mix(seed, 9);
+    const uint64_t r = rng_mix(seed, 9), turn = r / 3 % 4;
+    const bool by_hand = turn == 2 && gen_seed_has_additions(seed);
     return (RunOptions){
-        .forms = (1u << FORM_COUNT) - 1, .change_form = (Form)(r % 3), .change = r / 3 % 4 == 0, .inits = r / 3 % 4 == 1, .what = (GChange)(r / 12 % CHANGE_COUNT),
+        .forms = (1u << FORM_COUNT) - 1, .change_form = (Form)(r % 3), .change = turn == 0 || by_hand, .inits = turn == 1,
+        .what = by_hand ? CHANGE_BY_HAND : (GChange)(r / 12 % CHANGE_BY_HAND),
     };
+}
+
+// ---- the same machine by hand ----
+
+// The bytes of a machine's sections MACHINE, CODE and INIT (docs/bytecode.md): all that it does, without names, lines and the hash of its text.
+static bool machine_bytes(Subject *s, Form form, Buf *out)
+{
+    const ImageOptions options = { .debug = false };
+    IrMachine *m = run_machine(s, s->program, form);
+    Buf image;
+    buf_init(&image, &s->session.arena);
+    buf_init(out, &s->session.arena);
+    if (m == NULL || !session_image(&s->session, &m, 1, &options, &image))
+        return false;
+    const uint8_t *b = (const uint8_t *)buf_text(&image);
+    for (unsigned i = 0; i < b[11]; i++) {
+        const uint8_t *row = b + 12 + 8 * i;
+        const uint32_t offset = row[2] | row[3] << 8 | (uint32_t)row[4] << 16, size = row[5] | row[6] << 8 | (uint32_t)row[7] << 16;
+        if (row[0] >= 0x81)
+            buf_put(out, (const char *)b + offset, size);
+    }
+    return true;
+}
+
+// Additions are notation only: they compile to the same code as the program written out by hand.
+// Windows of definitions and rules exist once, and have other numbers than those of their copies by hand: then only the size is the same, and
+// where the optimiser has merged the copies.
+static const char *compare_bytes(const Gen *g, Subject *plain, Subject *by_hand, Form form, Arena *arena)
+{
+    const bool exact = !gen_additions_sample(g);
+    Buf a, b;
+    if (!machine_bytes(plain, form, &a) || !machine_bytes(by_hand, form, &b))
+        return "no image";
+    if (exact ? a.n == b.n && memcmp(buf_text(&a), buf_text(&b), a.n) == 0 : a.n == b.n || form != FORM_O2)
+        return NULL;
+    return format_in(arena, "%s: %u bytes of image, by hand %u bytes or others", form_name[form], (unsigned)a.n, (unsigned)b.n);
 }
 
 static const char *open_lanes(Lanes *l, Subject *s, unsigned forms, const Subject *before)
@@ -237,15 +276,17 @@ static const char *open_lanes(Lanes *l, Subject *s, unsigned forms, const Subjec
     return error;
 }
 
-// The changed program; where the state vector is still the same, as second machine in an image with the first.
+// The changed program; where the state vector is still the same and the name another, as second machine in an image with the first.
 static const char *open_changed(Lanes *l, Subject *s, Subject *plain, Gen *g, const RunOptions *o, Arena *arena)
 {
     gen_change(g, o->what);
     const char *error = subject_compile(s, g, arena);
     gen_change_back(g);
+    if (error == NULL && o->what == CHANGE_BY_HAND)
+        error = compare_bytes(g, plain, s, o->change_form, arena);
     if (error != NULL)
         return error;
-    return open_lanes(l, s, 1u << o->change_form, g->with_sv && o->what != CHANGE_NAMES ? plain : NULL);
+    return open_lanes(l, s, 1u << o->change_form, g->with_sv && o->what != CHANGE_NAMES && o->what != CHANGE_BY_HAND ? plain : NULL);
 }
 
 static void close_all(Lanes *l, Subject *a, Subject *b)

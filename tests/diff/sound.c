@@ -292,9 +292,11 @@ static void prepare(Sound *r, Subject *s, const Gen *g, Arena *arena)
     r->no_state = ARENA_ARRAY(a, bool, p->state.n);
     r->no_block = arena_array(a, p->state.n, sizeof *r->no_block);
     analysis_begin(&r->a, a, &s->session.diags, p);
+    const size_t first = s->session.diags.list.n;
 #define ANALYSIS(name, group, sentence) if (is_run(#name, g)) analyse_##name(&r->a);
 #include "compiler/analysis/analyses.def"
 #undef ANALYSIS
+    complete_all_states_findings(&r->a, first);
     claim_all(r);
     take_findings(r, &s->session.diags);
     start(r);
