@@ -323,7 +323,7 @@ static void test_hello_reports_the_key(void)
     sm_link_receiver_init(&r, answer, sizeof answer);
     for (uint16_t i = 0; i + 1 < n; i++)
         sm_link_receive(&r, b.frame[i]);
-    CHECK(n > 0 && sm_link_receive(&r, b.frame[n - 1]) && r.n == LINK_HEAD + 1 + 31);
+    CHECK(n > 0 && sm_link_receive(&r, b.frame[n - 1]) && r.n == LINK_HEAD + 1 + 35);
     CHECK(answer[LINK_HEAD + 1 + 15] == 1 && sm_link_load(answer + LINK_HEAD + 1 + 16, 4) == 0x01020304);
     CHECK(sm_link_load(answer + LINK_HEAD + 1 + 27, 4) == smvm_auth_mark(our_key));
 }
