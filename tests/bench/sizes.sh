@@ -49,13 +49,14 @@ part()
     record "$target" "$name" ram "$2"
 }
 
-VM_PARTS="load pins verify interp"
+VM_PARTS="load pins verify interp"        # and function.c, which an Uno has not
 parts()     # TARGET
 {
     for p in $VM_PARTS; do
         part "$1" "vm/$p" "bytecode-vm/$p.c"
     done
     part "$1" vm $(for p in $VM_PARTS; do echo "bytecode-vm/$p.c"; done)
+    part "$1" vm/function bytecode-vm/function.c
     part "$1" link runtime-c/link/link.c
     part "$1" store bytecode-vm/target/store.c
     part "$1" agent bytecode-vm/target/agent.c
@@ -74,7 +75,7 @@ runtime_parts()     # TARGET
 
 # ---- an Uno's chip ----
 
-AVR_FLAGS="-mmcu=atmega328p -DF_CPU=16000000UL -Os -std=c99 -ffunction-sections -fdata-sections"
+AVR_FLAGS="-mmcu=atmega328p -DSMVM_FUNCTIONS=0u -DF_CPU=16000000UL -Os -std=c99 -ffunction-sections -fdata-sections"
 avr_program()   # NAME SOURCE-OR-OPTION…: build/NAME.elf
 {
     name=$1
@@ -86,7 +87,7 @@ avr_program()   # NAME SOURCE-OR-OPTION…: build/NAME.elf
 avr_vm()
 {
     $CC -std=gnu99 -ffp-contract=off -O1 -I. tests/avr/sim.c tests/avr/run_vm.c "$1/libsmc.a" -o "$build/run_vm" -lsimavr -lelf -lm || fail "run_vm"
-    avr_program vm tests/avr/vm.c $(for p in $VM_PARTS; do echo "$build/atmega328p/bytecode-vm_$p.c.o"; done) bytecode-vm/interp_avr.S stdlib/soft_arith.c stdlib/soft_convert.c stdlib/soft_avr.S
+    avr_program vm tests/avr/vm.c $(for p in $VM_PARTS function; do echo "$build/atmega328p/bytecode-vm_$p.c.o"; done) bytecode-vm/interp_avr.S stdlib/soft_arith.c stdlib/soft_convert.c stdlib/soft_avr.S
     set -- $(sections 1 "$build/vm.elf")
     record atmega328p vm+soft flash $(($1 - 1024))         # less the place of the image
     "$smc" build -w examples/tank/tank.sm -o "$build/tank.smb" || fail "tank.smb"
@@ -103,7 +104,7 @@ avr_pins()
     conf='"bytecode-vm/firmware/config.h"'
     $CC -std=gnu99 -ffp-contract=off -O1 -I. tests/avr/sim.c tests/avr/run_pins.c "$1/libsmc.a" -o "$build/run_pins" -lsimavr -lelf -lm || fail "run_pins"
     avr_program pins -flto -DSMVM_CONFIG="$conf" -DSM_CONFIG="$conf" -DSM_ROLL_NONE=1 tests/avr/pins.c bytecode-vm/firmware/runner.c bytecode-vm/target/io.c \
-        runtime-c/pin.c runtime-c/psl/avr/*.c $(for p in $VM_PARTS; do echo "bytecode-vm/$p.c"; done) bytecode-vm/interp_avr_eeprom.S stdlib/soft_arith.c stdlib/soft_convert.c stdlib/soft_avr.S
+        runtime-c/pin.c runtime-c/psl/avr/*.c $(for p in $VM_PARTS function; do echo "bytecode-vm/$p.c"; done) bytecode-vm/interp_avr_eeprom.S stdlib/soft_arith.c stdlib/soft_convert.c stdlib/soft_avr.S
     "$smc" build -w examples/tank/tank.sm --sv tests/avr/tank.sv --io tests/avr/tank.io -o "$build/pins.smb" || fail "pins.smb"
     "$build/run_pins" "$build/pins.elf" 500 "$build/pins.smb" >"$build/pins.txt" || fail "the tank with its pins"
     record atmega328p tank-pins cycles "$(sed -n 's/.* steps, \([0-9]*\) cycles.*/\1/p' "$build/pins.txt")"
