@@ -12,6 +12,20 @@ equal()
     "$command" "$@" >"$dir/library" 2>"$dir/errors"
     cmp "$dir/smc" "$dir/library"
 }
+# same_structure MACHINE: the transitions that `command structure` prints are those of $dir/smc.  The library has one of [all_states] for each
+# state, the report has it once, so of such machines only targets, blocks, lines and conditions are compared.
+same_structure()
+{
+    "$command" structure "$1" >"$dir/library" 2>"$dir/errors"
+    if grep -q '^\[all_states\]' "$1"; then
+        for f in smc library; do
+            sed 's/^[0-9]* [A-Za-z_0-9, ]* \([A-Za-z_0-9]* \.\{0,1\}[a-z]* [0-9]* \)/\1/' "$dir/$f" | sort -u >"$dir/$f.once"
+        done
+        [ -s "$dir/smc.once" ] && cmp "$dir/smc.once" "$dir/library.once"
+    else
+        cmp "$dir/smc" "$dir/library"
+    fi
+}
 for machine in examples/*/*.sm tests/app/*.sm; do
     scripts=$(ls "${machine%.sm}".ss 2>/dev/null)
     "$smc" build -w "$machine" -o "$dir/smc" --force 2>/dev/null || continue         # it needs a state vector
@@ -27,7 +41,7 @@ for machine in examples/*/*.sm tests/app/*.sm; do
     check "diagram of $machine" equal graph "$machine"
     "$smc" report "$machine" -o "$dir/report" --format=json --force 2>/dev/null
     sed -n 's/.*{"number": \([0-9]*\), "from": "\([^"]*\)", "to": "\([^"]*\)", "when": "\([^"]*\)", "block": "\([^"]*\)", "line": \([0-9]*\),.*/\1 \2 \3 \5 \6 \4/p' "$dir/report" >"$dir/smc"
-    check "structure of $machine" equal structure "$machine"
+    check "structure of $machine" same_structure "$machine"
     check "which an opened machine has" "$command" structure "$machine"
     for script in $scripts; do
         "$smc" test "$machine" "$script" >"$dir/smc" 2>/dev/null
