@@ -7,12 +7,12 @@
 
 static void read_excepted(Sema *s, const AstAnnotation *except, bool *excepted)
 {
-    for (size_t i = 0; i < except->names.n; i++) {
-        const State *state = scope_find_state(s, except->names.at[i], except->names_span.at[i]);
+    for (size_t i = 0; i < except->names->at.n; i++) {
+        const State *state = scope_find_state(s, except->names->at.at[i], except->names->span.at[i]);
         if (!state)
             continue;
         if (excepted[state->number])
-            diag_report(s->diags, DIAG_excepted_twice, except->names_span.at[i], state->name->text);
+            diag_report(s->diags, DIAG_excepted_twice, except->names->span.at[i], state->name->text);
         excepted[state->number] = true;
     }
 }
@@ -58,8 +58,8 @@ static const char *extended_except(Sema *s, const AstSection *section, const Sta
         const AstAnnotation *a = &section->annotations.at[i];
         if (a->kind != AST_EXCEPT)
             continue;
-        for (size_t k = 0; k < a->names.n; k++)
-            list = format_in(s->arena, "%s%s ", list, a->names.at[k]->text);
+        for (size_t k = 0; k < a->names->at.n; k++)
+            list = format_in(s->arena, "%s%s ", list, a->names->at.at[k]->text);
         *at = (Span){a->span.src, a->span.at + a->span.len, 0};
         *text = format_in(s->arena, " %s", state->name->text);
     }

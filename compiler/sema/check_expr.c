@@ -223,6 +223,8 @@ static void warn_of_times(Sema *s, SmOperator op, const AstExpr *a, const AstExp
 {
     const SmOpClass class = sm_op_info[op].op_class;
 
+    if (a->unit == TIME_NONE && b->unit == TIME_NONE)
+        return;
     if (class == SM_CLASS_RELATION || class == SM_CLASS_EQUALITY) {
         warn_of_time_fraction(s, a, b);
         warn_of_time_fraction(s, b, a);

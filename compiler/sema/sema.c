@@ -24,13 +24,6 @@ void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Pr
         map_put(&s->functions, str_c(s->strings, sm_builtin_info[i].name), (void *)&sm_builtin_info[i]);
 }
 
-Span sema_span(const Sema *s, Span written)
-{
-    if (s->copy)
-        written.src = s->copy;
-    return written;
-}
-
 Str sema_file_stem(StrPool *strings, const Source *src)
 {
     const char *name = path_portable_name(src->name), *end = strrchr(name, '.');

@@ -124,7 +124,12 @@ bool has_annotation(const AstAnnotations *all, AstAnnotationKind kind);
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type);
 
 // Returns the position of a typed node: in the copy of the source for a state, while statements of [all_states] are checked.
-Span sema_span(const Sema *s, Span written);
+static inline Span sema_span(const Sema *s, Span written)
+{
+    if (s->copy)
+        written.src = s->copy;
+    return written;
+}
 
 // ---- check_all_states.c: [all_states] of a machine ----
 

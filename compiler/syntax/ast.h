@@ -72,11 +72,12 @@ typedef enum AstAnnotationTarget {
 // A number with an optional sign, at a position where the grammar allows no expression.
 typedef struct AstNumber { SmF64 value; Span span; } AstNumber;
 
+typedef struct AstNames { VEC(Str) at; VEC(Span) span; } AstNames;       // names, and their positions
+
 typedef struct AstAnnotation {
     AstAnnotationKind kind;
     Span span;                // including its @ and its arguments
-    VEC(Str) names;           // EXCEPT: the names of states
-    VEC(Span) names_span;     // and their positions
+    AstNames *names;          // EXCEPT: the names of states
     Str name;                 // ALIAS: the other name; ALLOW: the name of the warning, as after -W
     Span name_span;
     Str reason;               // ALLOW: the reason

@@ -88,9 +88,9 @@ static void print_annotation(Buf *out, const AstAnnotation *a)
         buf_char(out, ' ');
         print_source(out, a->lo.span);
     } else if (a->kind == AST_EXCEPT) {
-        for (size_t i = 0; i < a->names.n; i++) {
+        for (size_t i = 0; i < a->names->at.n; i++) {
             buf_char(out, ' ');
-            print_name(out, a->names.at[i]);
+            print_name(out, a->names->at.at[i]);
         }
     } else if (a->name) {
         buf_char(out, ' ');

@@ -142,9 +142,10 @@ static void parse_annotation_names(Parser *p, AstAnnotation *a)
         parser_fail(p, DIAG_annotation_without_name, parser_missing_span(p), rows[a->kind].spelling, parser_describe_found(p));
         return;
     }
+    a->names = ARENA_NEW(p->arena, AstNames);
     for (; p->tok.kind == TOK_NAME && !p->tok.first; parser_advance(p)) {
-        vec_push(p->arena, &a->names, p->tok.text);
-        vec_push(p->arena, &a->names_span, parser_token_span(p));
+        vec_push(p->arena, &a->names->at, p->tok.text);
+        vec_push(p->arena, &a->names->span, parser_token_span(p));
     }
 }
 
