@@ -28,7 +28,7 @@ bool smvm_permit_read(SmvmBytes image, uint8_t *permit);
 SmResult smvm_permit_check(const uint8_t *begin, uint8_t n, uint32_t newest, const uint8_t *key);
 
 // The code with which a host confirms the swap of an application (bytecode-vm/target/swap_link.h): over 9 bytes, 'C', the number of the swap and
-// its checksum.  A swap has more than 9 bytes.
+// its checksum.  A swap has more than 9 bytes, so its code never confirms one.
 void smvm_confirm_code(uint32_t number, uint32_t checksum, const uint8_t *key, uint8_t *code);
 
 #ifdef __cplusplus

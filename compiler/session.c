@@ -330,7 +330,7 @@ static void print_after_pass(void *context, const PassInfo *pass, const IrMachin
     print_requested_stage(context, pass->name, m);
 }
 
-// Marks which locals code outside the machine observes and changes between steps.
+// Marks the locals that code outside the machine reads or writes between steps.
 static void mark_locals(IrMachine *m, SessionLocals locals)
 {
     for (size_t v = 0; v < m->var.n; v++) {

@@ -244,7 +244,8 @@ static SmResult create_executor_thread(SmApp *app, SmExecutor *e)
     return r;
 }
 
-// Creates the thread that feeds the watchdog.  Its priority is higher than that of all executors, because a busy executor is not stuck.
+// Creates the thread that feeds the watchdog.  Where possible, its priority is above that of every executor, so that a busy executor cannot
+// delay it.
 static SmResult create_watchdog_thread(SmApp *app)
 {
     PalThreadPlan plan = {"watchdog", 0, 0};

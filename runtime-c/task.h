@@ -50,7 +50,7 @@ typedef struct SmTask {
 SmResult sm_task_init(SmTask *t);
 
 // Runs the task once in the mode selected in sv.  Emits event MODE if the mode has changed (its value before the first tick is
-// SM_DISABLED).  Emits event FAULT at the first of several consecutive failures, and when they end.
+// SM_DISABLED).  Emits event FAULT when failures begin, even a single one, and at the next success.
 void sm_task_run(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick);
 
 // Called at the end of the application: calls `safe` once, unless the task is disabled.

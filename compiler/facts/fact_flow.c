@@ -267,8 +267,8 @@ static void visit_ins(FlowWalk *w, IrRef r, uint32_t at)
 
 // ---- facts from a branch ----
 
-// Whether temporary r has a home (FactHome) that still contains r's value: no later store in this block has changed it.  A home that is not
-// needed from this block on is no home: set_if_needed may have left out its last store, so the environment can have the fact before that.
+// Whether temporary r has a home (FactHome) that still contains r's value: no later store in this block has changed it.  If
+// neither this block nor later ones need the variable, its fact may be out of date, because set_if_needed left out a store; then r has no home.
 static bool has_home(const FlowWalk *w, IrRef r)
 {
     const FactHome h = w->home[r];
@@ -514,7 +514,7 @@ static void store_effect(FlowWalk *w, FactEffect *effect)
     w->effect[w->block] = *effect;
 }
 
-// Computes the facts of block b: visits its instructions, or repeats the effect of the last visit if the block loads the same facts.
+// Computes the facts of block b: visits its instructions, or repeats the effect of the last visit if the facts about the variables that it loads are unchanged.
 static void visit_block(FlowWalk *w, IrBlkRef b)
 {
     FactEffect effect = {0};

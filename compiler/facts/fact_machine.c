@@ -23,7 +23,7 @@ typedef struct FactIteration {
     FactFn (*fn)[BLOCK_COUNT];        // [state][function]
     Worklist queue;                   // the states to visit
     uint32_t state;                   // the state that is visited
-    int block;                        // the function of this state that is visited: BLOCK_ENTRY, …
+    int block;                        // which function of the state is visited: BLOCK_ENTRY, BLOCK_STEP or BLOCK_EXIT
     const FactObserver *observer;     // receives the flow of each visit, or NULL
     bool any_start;                   // the machine may be started in any state
     bool widened;                     // some bound was widened, so the last round may improve facts
@@ -158,8 +158,8 @@ static void narrow_facts(FactIteration *v, const Env *initial)
     v->fm->begin = v->to;
 }
 
-// Returns the facts that private locals have their initial values: all private locals if `writable_too`, else only those that no code
-// writes.
+// Returns the facts that the locals which only the machine writes have their initial values.  With `writable_too` false, leaves out those
+// that the machine stores to.
 static const Env *initial_values(const FactMachine *fm, bool writable_too)
 {
     const EnvShape *s = &fm->shape;

@@ -97,7 +97,7 @@ enum {
 // Builds the diagram of the machine of `a`, without positions.
 Diagram *diagram_build(const Analysis *a, const DiagramOptions *o);
 
-// ---- diagram_text.c: the width of a text, whatever sans-serif font the reader has ----
+// ---- diagram_text.c: the largest width of a text in the usual sans-serif fonts ----
 
 int32_t diagram_text_width(const char *text, int32_t size, bool bold);
 // Wraps a text to at most `lines` lines, none wider than w.  It prefers breaks before "and" and "or", and avoids breaks inside brackets.

@@ -54,6 +54,13 @@ void add_decl_allows(Sema *s, const AstDecl *decl)
             register_allow(s, make_allow(&decl->annotations.at[i], decl_span(decl)));
 }
 
+void add_definition_allows(Sema *s, const AstDefinition *in)
+{
+    for (size_t i = 0; s->building && i < in->annotations.n; i++)
+        if (in->annotations.at[i].kind == AST_ALLOW)
+            register_allow(s, make_allow(&in->annotations.at[i], span_join(in->name_span, in->annotations.at[i].span)));
+}
+
 // Registers the annotations of an element in the .sv for the position where a machine lists the element.
 void add_listed_allows(Sema *s, const Element *e, const AstDecl *listed)
 {

@@ -346,12 +346,25 @@ static void report_negated_state(Sema *s, const AstExpr *e)
     diag_edit(s->diags, d, e->span, text);
 }
 
+// Reports an unknown name beside S in a comparison as that of a state. Returns false if the name is known, or there is none.
+static bool report_unknown_state(Sema *s, const AstExpr *e)
+{
+    const bool is_equality = operator_class(e) == SM_CLASS_EQUALITY, first = is_equality && is_state_element(s, e->a);
+    const AstExpr *name = without_parens(first ? e->b : e->a);
+
+    if (!is_equality || (!first && !is_state_element(s, e->b)) || name->kind != AST_NAME || scope_find_variable(s, name->name) ||
+        map_find(&s->defines, name->name) || map_find(&s->lost->word, name->name))
+        return false;
+    scope_find_state(s, name->name, name->span);
+    return true;
+}
+
 static Expr *check_binary(Sema *s, const AstExpr *e)
 {
     AstExpr *operands[2] = {e->a, e->b};
     Expr *out = check_state_comparison(s, e);
 
-    if (out)
+    if (out || report_unknown_state(s, e))
         return out;
     report_state_as_condition(s, e);
     report_negated_state(s, e);

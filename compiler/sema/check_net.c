@@ -26,7 +26,7 @@ const char *const net_count_texts[NET_COUNTS] = {
 typedef struct NetWriter { const char *what; Span span; } NetWriter;
 
 typedef struct NetCheck {
-    AppCheck a;                   // for the checks of elements and amounts; only c, sv and guesses are set
+    AppCheck a;                   // the context for app_find_element and app_check_amount, which use only c, sv and guesses
     const CheckContext *c;
     Diags *d;
     const AstNet *ast;

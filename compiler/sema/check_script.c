@@ -124,6 +124,7 @@ static void check_conditional(ScriptCheck *k, ScriptSection *section, const AstS
 
     k->s.searched_left = NULL;                // a freed tree of an earlier item may have been at this address
     item->span = in->span;
+    warn_of_time_as_guard(&k->s, in->value);
     item->guard = check_expr(&k->s, in->value);
     item->number = k->items++;
     item->first_assert = k->asserts;

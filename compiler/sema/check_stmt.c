@@ -147,6 +147,7 @@ static Stmt *check_if(Sema *s, const AstStmt *in)
         diag_report(s->diags, DIAG_empty_braces, in->arms->body_span);
     if (in->arms->has_else && in->arms->else_braces && in->arms->otherwise.n == 0)
         diag_report(s->diags, DIAG_empty_braces, in->arms->else_body_span);
+    warn_of_time_as_guard(s, in->value);
     check_value(s, in, out);
     if (in->value->alone && s->diags->errors_seen == before)
         diag_label(s->diags, diag_report(s->diags, DIAG_no_effect, in->value->span), DIAG_label_statements);

@@ -57,6 +57,16 @@ void warn_of_time_factor(Sema *s, SmOperator op, const AstExpr *literal)
         diag_label(s->diags, d, DIAG_label_time_in_seconds, const_text(s->arena, value));
 }
 
+void warn_of_time_as_guard(Sema *s, const AstExpr *guard)
+{
+    const char *text = sema_quote_source(s, guard->span);
+    SmF64 value;
+
+    if (is_time_literal(guard) && literal_value(guard, s->p->time_unit, &value))
+        diag_label(s->diags, diag_report(s->diags, DIAG_number_as_condition, guard->span, text, sm_to_bool(value) ? "always" : "never"),
+                   DIAG_label_did_you_mean, format_in(s->arena, "%s %s", s->in_script ? "G ==" : "T >=", text));
+}
+
 // ---- the length of a step ----
 
 // Returns the value of the option, a whole number from 1 to 2^63, in the unit `unit`; 0 for anything else.

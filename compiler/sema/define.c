@@ -65,6 +65,7 @@ void declare_definitions(Sema *s, const AstSection *section, Defines *into)
         const AstDefinition *in = &section->definitions.at[i];
         Define *d;
 
+        add_definition_allows(s, in);
         if (!check_name_is_free(s, in))
             continue;
         d = ARENA_NEW(s->arena, Define);

@@ -163,6 +163,8 @@ bool check_window_time(Sema *s, const AstExpr *size, const char *name, SmF64 tim
 bool expr_contains_time(const Expr *e);
 // Warns if `time` is T or G and `literal`, with which it is compared, is no whole number of units.
 void warn_of_time_fraction(Sema *s, const AstExpr *time, const AstExpr *literal);
+// Warns of a guard that is only a time, as in `5 s: -> Next`.
+void warn_of_time_as_guard(Sema *s, const AstExpr *guard);
 // Warns if `literal`, an operand of op, is a time and op is * or /.
 void warn_of_time_factor(Sema *s, SmOperator op, const AstExpr *literal);
 // Reports a machine that needs another unit or step of time than the application has. `unit`, `period`: in nanoseconds; 0: unknown.
@@ -173,6 +175,7 @@ void check_app_machine_time(const CheckContext *c, const Program *p, Span named,
 // Register the annotations of a declaration, in a .sv and in a machine.
 void add_sv_allows(const CheckContext *c, StateVec *sv, const AstDecl *decl);
 void add_decl_allows(Sema *s, const AstDecl *decl);
+void add_definition_allows(Sema *s, const AstDefinition *in);
 // Registers the annotations after the header of a state.  `end` is the end of its section.
 void add_state_allows(Sema *s, const AstSection *section, uint32_t end);
 void add_stmt_allow(Sema *s, const AstAnnotation *a, const AstStmt *stmt);

@@ -65,6 +65,7 @@ typedef enum AstAnnotationTarget {
     AST_ON_SCRIPT_LOCAL,      // a declaration of a local in a script
     AST_ON_STATE,             // the header of a state
     AST_ON_ALL_STATES,        // the header [all_states] of a machine
+    AST_ON_DEFINITION,        // a line of [define]
     AST_ON_ANALOG_INPUT, AST_ON_ANALOG_OUTPUT, AST_ON_DIGITAL_INPUT, AST_ON_DIGITAL_OUTPUT,       // a pin in a .io
     AST_ANNOTATION_TARGETS
 } AstAnnotationTarget;
@@ -146,6 +147,7 @@ typedef struct AstDefinition {
     Str name;
     Span name_span;
     AstExpr *value;
+    AstAnnotations annotations;
 } AstDefinition;
 
 // An entry of [options]: `lock`, `delta_t 10 ms`, `init_state Idle`.

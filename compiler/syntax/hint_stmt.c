@@ -4,6 +4,7 @@
 #include "compiler/syntax/hint_rules.h"
 #include "compiler/syntax/hint_unit.h"
 #include "compiler/syntax/hint_words.h"
+#include "compiler/syntax/time_unit.h"
 
 // ---- the rest of the line ----
 
@@ -376,12 +377,15 @@ static const char *format_wait(const Parser *p)
 {
     static const char general[] = "put what follows in braces, under a limit to the time in the state: T >= 100 ms { ... }";
     uint32_t at = p->ahead.at + (p->ahead.kind == TOK_LPAREN);
-    const char *number = p->ahead.first ? "" : read_word_at(p, &at), *unit = hint_is_word(&p->tok, "delay") ? " ms" : "";
+    const char *number = p->ahead.first ? "" : read_word_at(p, &at), *unit = hint_is_word(&p->tok, "delay") ? " ms" : "", *word;
 
     if (!lex_is_digit(*number))
         return general;
     if (hint_is_word(&p->tok, "sleep"))
         unit = " s";
+    word = read_word_at(p, &at);
+    if (time_unit_find(word) != TIME_NONE)
+        unit = format_in(p->arena, " %s", word);
     return format_in(p->arena, "put what follows in braces: T >= %s%s { ... }", number, unit);
 }
 

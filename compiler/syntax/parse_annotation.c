@@ -7,7 +7,7 @@ typedef enum Arguments { TAKES_NOTHING, TAKES_NAME, TAKES_NAMES, TAKES_NUMBER, T
 
 #define ON(target) (1u << AST_ON_##target)
 // The targets in machines and state vectors, and the targets in pin files. An annotation is unknown in a file that has none of its targets.
-#define ON_MACHINES (ON(ELEMENT) | ON(SV_ELEMENT) | ON(LOCAL) | ON(STATE) | ON(ALL_STATES))
+#define ON_MACHINES (ON(ELEMENT) | ON(SV_ELEMENT) | ON(LOCAL) | ON(STATE) | ON(ALL_STATES) | ON(DEFINITION))
 #define ON_PINS (ON(ANALOG_INPUT) | ON(ANALOG_OUTPUT) | ON(DIGITAL_INPUT) | ON(DIGITAL_OUTPUT))
 
 static const struct { const char *spelling; Arguments takes; unsigned where; } rows[] = {
@@ -146,6 +146,10 @@ static void parse_annotation_names(Parser *p, AstAnnotation *a)
     for (; p->tok.kind == TOK_NAME && !p->tok.first; parser_advance(p)) {
         vec_push(p->arena, &a->names->at, p->tok.text);
         vec_push(p->arena, &a->names->span, parser_token_span(p));
+        if (p->ahead.kind == TOK_COMMA && !p->ahead.first) {
+            parser_advance(p);
+            diag_edit(p->diags, parser_report(p, DIAG_names_comma, parser_token_span(p), rows[a->kind].spelling), parser_token_span(p), "");
+        }
     }
 }
 

@@ -187,6 +187,8 @@ static void parse_definition(Parser *p, AstSection *s)
     }
     parser_advance(p);
     d.value = parse_value_of(p, false);
+    if (!p->tok.first)
+        parse_annotations(p, AST_ON_DEFINITION, d.name, d.name_span, &d.annotations);
     if (!p->failed && !p->tok.first && p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END)
         hint_explain(p, HINT_AT_END, NULL);
     vec_push(p->arena, &s->definitions, d);

@@ -125,7 +125,9 @@ const char *ast_function_usage(const SmBuiltinInfo *fn)
 {
     static const char *const usage[] = {"()", "(x)", "(a, b)", "(x, lo, hi)"};
 
-    return fn->is_roll ? "(x, n)" : usage[fn->arguments];
+    if (fn == &sm_builtin_info[SM_FN_held])
+        return "(c, 30 ms)";
+    return fn->is_roll || fn == &sm_builtin_info[SM_FN_rate] ? "(x, n)" : usage[fn->arguments];
 }
 
 // Whether the current token is the word `steps` that ends an argument.

@@ -11,7 +11,7 @@ F64 x
     x = Steady                      #! E0204 S == Steady tests for it
     S < Coast: x = 3                #! E0204 S == Coast
     x == Burn: x = 4                #! E0204 S == Burn
-    S == Burning: x = 5             #! E0204 unknown
+    S == Burning: x = 5             #! E0501 unknown state 'Burning'
 [Run]
 [Steady]
 [Coast]

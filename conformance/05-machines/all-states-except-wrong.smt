@@ -12,7 +12,7 @@ F64 x
 [all_states] @except Run Run       #! E0507 'Run'
 .step
     x = 1
-[all_states] @except Run Abort     #! E0506
+[all_states] @except Run Abort Safe #! E0506
 .step
     x = 1
 [all_states] @except               #! E0365
@@ -21,7 +21,11 @@ F64 x
 [all_states] @safe                 #! E0393 '@safe' is not allowed after [all_states]
 .step
     x = 1
+[all_states] @except Run, Abort    #! E0395
+.step
+    x = 1
 [Run] @except Abort                #! E0393 '@except' is only allowed after [all_states]
 .step
     x = 1
 [Abort]
+[Safe]

@@ -412,7 +412,39 @@ static void measure_step(Probe *p, Seen *seen)
 static const uint8_t key_type[CYCLES_SAMPLE_KINDS][3] = {{SM_U8, SM_I8, SM_BOOL}, {SM_U16, SM_I16, SM_I16}, {SM_U32, SM_I32, SM_I32}, {SM_U64, SM_I64, SM_I64},
                                                  {SM_F32, SM_F32, SM_F32}, {SM_F64, SM_F64, SM_F64}};
 
-// The maximum cycles of a sample or a statistic of a full window.
+// The maximum cycles of a sample of a full window of this kind, or of reading a statistic of it.
+static uint32_t window_use_cycles(Probe *p, SmType type, unsigned n, unsigned stats, bool samples, unsigned stat)
+{
+    Build b = blank();
+    uint32_t most = 0;
+
+    b.states = 2;
+    b.windows = 1;
+    b.window[0] = (uint32_t)n | sm_roll_kind(type, stats) << SMVM_WINDOW_SIZE_BITS;
+    for (unsigned s = 0; s < 2; s++) {
+        end_function(&b);
+        load_operands(&b, false, false);
+        if (!samples)
+            code(&b, SMVM_sample, 1, 0u);
+        typed(&b, SMVM_ldx_elem, SM_F64, AT_X);
+        if (s == 1 && samples)
+            code(&b, SMVM_sample, 1, 0u);
+        else if (s == 1)
+            code(&b, SMVM_stat, 2, stat, 0u);
+        code(&b, SMVM_end, 0);
+        end_function(&b);
+        end_function(&b);
+    }
+    put_image(p, &b);
+    for (Run run = ANYTHING; run < RUNS; run++) {
+        const Case c = {.outputs = 11, .run = run, .type = type};
+        run_operands(p, &c, 1, &most);
+        run_operands(p, &c, 2, &most);
+    }
+    return most;
+}
+
+// The maximum cycles of a row for windows of n samples of a type.
 static uint32_t window_cycles(Probe *p, SmType type, unsigned n, CyclesWindow row)
 {
     static const unsigned stat[][2] = {{0, 0}, {0, 0}, {SM_STAT_AVG, SM_STAT_AVG}, {SM_STAT_MIN, SM_STAT_MAX}, {SM_STAT_RANGE, SM_STAT_RANGE},
@@ -421,33 +453,29 @@ static uint32_t window_cycles(Probe *p, SmType type, unsigned n, CyclesWindow ro
     const unsigned all = (1u << SM_STAT_OLDEST) - 1, stats = sorted ? all : all & ~(1u << SM_STAT_MEDIAN);
     uint32_t most = 0;
 
-    for (unsigned which = 0; which < (samples ? 1u : 2u); which++) {
-        Build b = blank();
-        b.states = 2;
-        b.windows = 1;
-        b.window[0] = (uint32_t)n | sm_roll_kind(type, stats) << SMVM_WINDOW_SIZE_BITS;
-        for (unsigned s = 0; s < 2; s++) {
-            end_function(&b);
-            load_operands(&b, false, false);
-            if (!samples)
-                code(&b, SMVM_sample, 1, 0u);
-            typed(&b, SMVM_ldx_elem, SM_F64, AT_X);
-            if (s == 1 && samples)
-                code(&b, SMVM_sample, 1, 0u);
-            else if (s == 1)
-                code(&b, SMVM_stat, 2, stat[row][which], 0u);
-            code(&b, SMVM_end, 0);
-            end_function(&b);
-            end_function(&b);
-        }
-        put_image(p, &b);
-        for (Run run = ANYTHING; run < RUNS; run++) {
-            const Case c = {.outputs = 11, .run = run, .type = type};
-            run_operands(p, &c, 1, &most);
-            run_operands(p, &c, 2, &most);
-        }
-    }
+    for (unsigned which = 0; which < (samples ? 1u : 2u); which++)
+        raise(&most, window_use_cycles(p, type, n, stats, samples, stat[row][which]));
     return most;
+}
+
+static void raise_row(Seen *seen, CyclesRow row, uint32_t cycles)
+{
+    raise(&seen->row[row][WHOLE], cycles);
+    raise(&seen->row[row][ANY], cycles);
+}
+
+// The oldest and the newest sample and their difference, and windows of times: their cost does not depend on the size.
+static void measure_times(Probe *p, Seen *seen)
+{
+    enum { SIZE = 5, TIMES = 1 << SM_STAT_ELAPSED, ENDS = 1 << SM_STAT_OLDEST | 1 << SM_STAT_NEWEST | 1 << SM_STAT_CHANGE };
+
+    for (unsigned key = 0; key < CYCLES_SAMPLE_KINDS; key++)
+        for (unsigned stat = SM_STAT_OLDEST; stat <= SM_STAT_CHANGE; stat++)
+            raise_row(seen, CYCLES_change, window_use_cycles(p, (SmType)key_type[key][0], SIZE, ENDS, false, stat));
+    for (unsigned stat = SM_STAT_ELAPSED; stat <= SM_STAT_RUN_TIME; stat++)
+        raise_row(seen, CYCLES_times, window_use_cycles(p, SM_U64, SIZE, stat == SM_STAT_ELAPSED ? TIMES : SM_STATS_OF_RUNS, false, stat));
+    raise_row(seen, CYCLES_event, window_use_cycles(p, SM_U64, SIZE, TIMES, true, 0));
+    raise_row(seen, CYCLES_event, window_use_cycles(p, SM_U64, SIZE, SM_STATS_OF_RUNS, true, 0));
 }
 
 static uint32_t window_of_types(Probe *p, const uint8_t type[3], unsigned n, CyclesWindow row)
@@ -506,6 +534,7 @@ static void measure_all(Probe *p, Seen *seen)
     measure_varints(p, seen);
     p->operands = 30 + p->operands / 20;               // until the largest is full for a while
     measure_windows(p, seen);
+    measure_times(p, seen);
     seen->stack = sim_deepest(&p->sim, p->box->free);
     p->operands = operands;
     measure_calls(p, seen);
@@ -534,8 +563,8 @@ static const char *const window_name[] = {
 // For windows: they contain too many operands to try all.
 static uint32_t with_room(uint32_t cycles) { return cycles + (cycles + 31) / 32; }
 
-// The row that is made of a measurement: with room for functions, too.
-static uint32_t row_of(unsigned row, uint32_t cycles) { return row >= CYCLES_exp ? with_room(cycles) : cycles; }
+// The row for a measurement: with room for functions, and for samples and times.
+static uint32_t row_of(unsigned row, uint32_t cycles) { return row >= CYCLES_exp || row == CYCLES_change || row == CYCLES_times || row == CYCLES_event ? with_room(cycles) : cycles; }
 
 static void print_rows(const Seen *flash, const Seen *eeprom)
 {

@@ -30,7 +30,7 @@ typedef struct Bench {
     bool level[PINS];
 } Bench;
 
-static uint32_t below(Bench *b, uint32_t n)
+static uint32_t random_below(Bench *b, uint32_t n)
 {
     b->state ^= b->state << 13;
     b->state ^= b->state >> 7;
@@ -72,13 +72,13 @@ static int duty(Bench *b, uint32_t pin)
 static void set_inputs(Bench *b)
 {
     for (unsigned c = 0; c < 6; c++) {
-        b->raw[c] = (uint16_t)(below(b, 8) ? below(b, 1024) : below(b, 2) ? 0 : 1023);
+        b->raw[c] = (uint16_t)(random_below(b, 8) ? random_below(b, 1024) : random_below(b, 2) ? 0 : 1023);
         avr_raise_irq(avr_io_getirq(b->sim.avr, AVR_IOCTL_ADC_GETIRQ, (int)(ADC_IRQ_ADC0 + c)), (b->raw[c] * 5000u + 1022) / 1023);
     }
     for (unsigned i = 0; i < b->pins; i++)
         if (b->pin[i].kind == 2) {
             const uint32_t n = b->pin[i].pin;
-            b->level[i] = below(b, 2);
+            b->level[i] = random_below(b, 2);
             avr_raise_irq(avr_io_getirq(b->sim.avr, AVR_IOCTL_IOPORT_GETIRQ((unsigned)port_of(n)), (int)(IOPORT_IRQ_PIN0 + bit_of(n))), b->level[i]);
         }
 }

@@ -17,7 +17,7 @@ static const struct { SoftOp op; double most; } limit[] = {
     {SOFT_to_i32, 150}, {SOFT_from_i32, 110}, {SOFT_to_f32, 170}, {SOFT_from_f32, 90},
 };
 
-// On average over numbers as machines have them: of either sign, finite, between a millionth and a million.
+// Cycles of an operation.  The average is over typical numbers: F64 of either sign between a millionth and a million.
 typedef struct Count { uint64_t sum, n, most; } Count;
 
 static unsigned long wrong, done;

@@ -268,7 +268,7 @@ static const Reach everywhere = { NULL, false, true };
 
 static uint32_t random_depth(Gen *g) { return rng_percent(&g->rng, 3) ? 7 : rng_below(&g->rng, 5); }
 
-// A guard: most compare something, so that both sides get taken.
+// Returns a random guard.  Most are comparisons, so that both branches are taken.
 static GExpr *random_guard(Gen *g)
 {
     if (rng_percent(&g->rng, 30))

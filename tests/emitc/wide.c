@@ -5,7 +5,7 @@
 
 #include "wide.h"
 
-// 64-bit integers as a double has them; 2^64 becomes 2^64 - 1, as storing it in a U64 does.
+// Rounds v to 53 bits, as a conversion to double does.  A result of 2^64 saturates to 2^64 - 1.
 static uint64_t rounded(uint64_t v)
 {
     unsigned drop = 0;

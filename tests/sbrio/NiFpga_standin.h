@@ -42,7 +42,7 @@ typedef enum StandinCall { STANDIN_Initialize, STANDIN_Finalize, STANDIN_Open, S
 // status of the call; a negative one prevents it.
 NiFpga_Status standin_before(StandinCall call, StandinRegister *r);
 
-// Forgets everything, as after the start of the program and of the FPGA.
+// Closes the session and resets the registers of the VI.  Session numbers continue.
 void standin_reset(void);
 
 // Call number `n` from now on, counted from 0, returns this status.  A negative one prevents the call.

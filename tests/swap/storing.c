@@ -66,7 +66,7 @@ static void ticks(unsigned n)
         stage_tick(0);
 }
 
-// Swaps machine "a", and "b" if `b` is not NULL; NULL images are the built-in ones.  Returns whether they are on trial.
+// Swaps machine "a", and with `both` also "b".  A NULL pointer selects the built-in image.  Returns whether they are on trial.
 static bool swap(const SwapMachine *a, const SwapMachine *b, bool both)
 {
     const SmSwapChange change[] = {{"a", a ? a->image : NULL, a ? a->image_size : 0, SM_SWAP_RESTART, NULL, a == NULL},

@@ -222,7 +222,7 @@ static void test_wrong_section_table_is_refused(void)
     CHECK(verify_patched(FIRST + 2, 43, true) == SMVM_R_SECTION);           // in the section table
     CHECK(verify_patched(FIRST + 2, 0, true) == SMVM_R_SECTION);
     CHECK(verify_patched(SECOND + 2, 45, true) == SMVM_R_SECTION);          // over the end of the first
-    CHECK(verify_patched(THIRD + 4, 0x80, true) == SMVM_R_SECTION);         // far behind the end
+    CHECK(verify_patched(THIRD + 4, 0x80, true) == SMVM_R_SECTION);         // a section that ends far beyond the image
     CHECK(verify_patched(THIRD + 4, 0xff, true) == SMVM_R_SECTION);
     CHECK(verify_patched(FOURTH + 7, 0xff, true) == SMVM_R_SECTION);        // an end far behind the end
     CHECK(verify_patched(FOURTH + 5, 6, true) == SMVM_R_SECTION);

@@ -81,7 +81,7 @@ typedef struct ByteCompare {
 } ByteCompare;
 
 // If numbers are soft and i compares a variable with a constant by < <= > or >=, fills *l and returns true.
-static bool match_byte_compare(const CFn *fn, const IrIns *i, ByteCompare *l)
+static bool match_constant_compare(const CFn *fn, const IrIns *i, ByteCompare *l)
 {
     const bool swap = c_is_const(fn, i->a);
 
@@ -115,7 +115,7 @@ bool soft_compares_bytes(const CFn *fn, const IrIns *i, IrRef x)
 {
     ByteCompare l;
 
-    return match_byte_compare(fn, i, &l) && x == l.operand && !needs_lower_half(fn, &l);
+    return match_constant_compare(fn, i, &l) && x == l.operand && !needs_lower_half(fn, &l);
 }
 
 // Writes the address of the value that l compares: that of the C variable of its temporary, or of the member that it loads.  An F32 is written as
@@ -181,7 +181,7 @@ bool soft_try_write_byte_compare(CFn *fn, const IrIns *i, bool negated)
 {
     ByteCompare l;
 
-    if (!match_byte_compare(fn, i, &l))
+    if (!match_constant_compare(fn, i, &l))
         return false;
     if (can_compare_integer_bytes(fn, &l))
         write_integer_compare(fn, &l, c_ins(fn, l.constant)->bits, negated);
