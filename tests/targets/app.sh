@@ -7,7 +7,7 @@ dir=$B/targets/app
 . tests/checks.sh
 rm -rf "$dir"
 mkdir -p "$dir" || exit 1
-vm=$(for f in target/machine load verify interp pins debug; do echo bytecode-vm/$f.c; done)
+vm=$(for f in target/machine load verify interp function pins debug; do echo bytecode-vm/$f.c; done)
 app=$(echo $here/app/tasks.c runtime-c/*.c $vm stdlib/*.c)
 sim=$(echo runtime-c/psl/sim/*.c runtime-c/psl/none/thread.c)
 warn='-Wall -Wextra -Werror'
@@ -35,7 +35,7 @@ on_avr() {
     shift 3
     $CC -std=gnu99 -O1 -I. tests/avr/sim.c tests/avr/run_c.c -o "$dir/run_c" -lsimavr -lelf &&
         "${AVR_CC:-avr-gcc}" -mmcu=$chip -DF_CPU=16000000UL -Os "$@" -std=gnu99 $warn -DSM_NO_MAIN -ffunction-sections -fdata-sections -Wl,--gc-sections \
-            -I. -I"$out" "$out"/*.c $app $here/app/avr.c tests/avr/console.c bytecode-vm/interp_avr.S stdlib/*.S \
+            -I. -I"$out" -DSMVM_FUNCTIONS=0u "$out"/*.c $app $here/app/avr.c tests/avr/console.c bytecode-vm/interp_avr.S stdlib/*.S \
             $(ls runtime-c/psl/avr/*.c) $(for f in console thread socket log; do echo runtime-c/psl/none/$f.c; done) -o "$dir/$chip.elf" &&
         avr-size "$dir/$chip.elf" &&
         sh tests/avr/pack.sh "$dir/run_c" $chip "$dir/$chip.elf" "$dir/on-$chip" && "$dir/on-$chip" </dev/null >"$dir/$chip.trace" &&
