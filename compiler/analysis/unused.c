@@ -167,17 +167,26 @@ static void mark_vars_of_constants(const Program *p, bool *needed)
     }
 }
 
+// Reports windows without an effect.  A call in [all_states] or in a definition has a window for each state and each use: it is reported if
+// all of them are without effect.
 static void check_windows(Analysis *a, const NeededParts *all)
 {
     const NeededParts executed = find_needed_parts(a, false);
+    bool *is_live = ARENA_ARRAY(a->arena, bool, a->p->src->len + 1u), *is_needed = ARENA_ARRAY(a->arena, bool, a->p->src->len + 1u);   // by position
+
+    for (size_t i = 0; i < a->p->window.n; i++) {
+        const uint32_t at = a->p->window.at[i].span.at;
+        is_needed[at] = is_needed[at] || all->window[i];
+        is_live[at] = is_live[at] || (all->window[i] && executed.window[i]);
+    }
 
     for (size_t i = 0; i < a->p->window.n; i++) {
         const Span span = a->p->window.at[i].span;
         if (a->p->window.at[i].stat == SM_STAT_ELAPSED)            // part of held or rate, whose own window is reported
             continue;
-        if (!all->window[i])
+        if (!is_needed[span.at])
             diag_report(a->diags, DIAG_unused_window, span, "nothing depends on what it feeds");
-        else if (!executed.window[i])
+        else if (!is_live[span.at])
             diag_report(a->diags, DIAG_unused_window, span, "what uses it is never executed");
     }
 }

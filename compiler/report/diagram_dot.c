@@ -41,7 +41,7 @@ static const char *line_style(const Diagram *d, bool possible, uint64_t count, c
 // No state is called "/all1".
 static const char *node_id(const Diagram *d, const DiagramNode *n)
 {
-    return n->state ? n->title : format_in(d->a->arena, "/all%lu", (unsigned long)(n - d->node) - d->states + 1);
+    return n->state ? n->title : format_in(d->a->arena, "/all%lu", (unsigned long)((size_t)(n - d->node) - d->states + 1));
 }
 
 static const char *shape_attributes(const DiagramNode *n)

@@ -110,6 +110,8 @@ void warn_of_skipped_all_states(Sema *s, const Program *p)
 
 // ---- statements ----
 
+enum { COPIES_MAX = 100000 };         // the most statements that the sections can become in all states together
+
 // Adds the statements of all sections that run in the state to its .step, which is still empty.
 void add_all_states(Sema *s, Program *p, State *state)
 {
@@ -118,6 +120,11 @@ void add_all_states(Sema *s, Program *p, State *state)
         const AstBlock *step = &all->section->block[AST_STEP];
         if (all->excepted[state->number])
             continue;
+        if (s->copied > COPIES_MAX) {
+            diag_report(s->diags, DIAG_all_states_too_large, all->section->header);
+            return;
+        }
+        s->copied -= s->stmts;
         s->all_states = all;
         s->copy = source_copy_for_state(s->arena, p->src, state->name->text);
         s->block = BLOCK_STEP;
@@ -127,5 +134,6 @@ void add_all_states(Sema *s, Program *p, State *state)
             warn_of_unguarded_abort(s, state, all->section, AST_STEP);
         s->copy = NULL;
         s->all_states = NULL;
+        s->copied += s->stmts;
     }
 }

@@ -313,7 +313,8 @@ static const AstExpr *state_element_in(const Sema *s, const AstExpr *comparison)
     return is_state_element(s, comparison->a) ? comparison->a : is_state_element(s, comparison->b) ? comparison->b : NULL;
 }
 
-// Reports B in `S == A or B`, where it has no value: the user means `S == A or S == B`.
+// Reports B in `S == A or B`, where it has no value: the user means `S == A or S == B`. With another operator, or another left side, what the
+// user means is not certain.
 static void report_state_as_condition(Sema *s, const AstExpr *e)
 {
     const AstExpr *before = operator_class(e) == SM_CLASS_LOGIC ? comparison_before(e->a) : NULL;
@@ -321,7 +322,7 @@ static void report_state_as_condition(Sema *s, const AstExpr *e)
     const char *start;
     Diag *d;
 
-    if (!name)
+    if (!name || e->op != SM_OP_OR || before->op != SM_OP_EQ || before != e->a)
         return;
     start = format_in(s->arena, "%s %s ", sema_quote_source(s, element->span), sm_op_info[before->op].spelling);
     d = diag_report(s->diags, DIAG_unknown_element, name->span, name->name->text);

@@ -52,6 +52,7 @@ typedef struct Sema {
     uint32_t expanded;        // how many operations and values the uses of definitions have so far
     uint32_t depth;           // the depth of the current expression below the root of its statement
     AllStates *all_states;    // the section whose statements are being checked; NULL: none
+    uint32_t copied;          // how many statements they have become so far
     const Source *copy;       // the source of their positions; NULL: that of the file
     uint64_t step;            // how much G advances in a step; 0: unknown
     ExprContext at;
