@@ -139,7 +139,7 @@ static void add_blocks(const Report *r, Doc *d, const State *s)
     bool any = false;
 
     for (int b = 0; b < BLOCK_COUNT; b++) {
-        const Stmts own = written_own_stmts(s, b);
+        const Stmts own = written_own_stmts(s, (BlockKind)b);
         if (own.n == 0)
             continue;
         describe_block(doc_add_list(d, format_in(r->arena, "%s.%s", s->name->text, key[b]), label[b]), &own);

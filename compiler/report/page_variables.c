@@ -61,7 +61,7 @@ static VarUse *find_variable_uses(const Report *r)
     }
     for (size_t s = 0; s < p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++) {
-            const Stmts own = written_own_stmts(p->state.at[s], b);
+            const Stmts own = written_own_stmts(p->state.at[s], (BlockKind)b);
             u.place = p->state.at[s]->name->text;
             record_statements(&u, &own);
         }

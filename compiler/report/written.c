@@ -99,7 +99,7 @@ Span written_state_range(const State *s)
 
     for (int b = 0; b < BLOCK_COUNT; b++) {
         const Span label = s->block_span[b];
-        const Stmts own = written_own_stmts(s, b);
+        const Stmts own = written_own_stmts(s, (BlockKind)b);
         if (label.src && !label.src->written && label.at + label.len > end)
             end = label.at + label.len;
         end = end_of_statements(&own, end);

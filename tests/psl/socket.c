@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The promises of socket.h, over the loopback address 127.0.0.1.
+#include <stdlib.h>
+
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/socket.h"
 #include "runtime-c/pal/thread.h"
@@ -432,6 +434,7 @@ static bool joins(PalSocket *s, const PalAddress *group)
     return r == SM_OK;
 }
 
+// Not under an emulator of a processor that does not pass the options of multicast on to the system (NO_MULTICAST).
 static void multicast(void)
 {
     const PalAddress group = {{239, 77, 3, 9}, 47113}, other = {{239, 77, 3, 10}, 47113};
@@ -443,6 +446,11 @@ static void multicast(void)
 
     CHECK(pal_socket_multicast(from, NULL, NULL) == SM_E_ARGUMENT && pal_socket_multicast(from, no_group, here.ip) == SM_E_ARGUMENT);
     CHECK(pal_socket_multicast(p.near, NULL, here.ip) == SM_E_ARGUMENT && pal_socket_multicast(p.listening, NULL, here.ip) == SM_E_ARGUMENT);
+    if (getenv("NO_MULTICAST")) {
+        close_all(p);
+        CHECK(pal_socket_close(from) == SM_OK);
+        return;
+    }
     CHECK(pal_socket_multicast(from, NULL, elsewhere) == SM_E_MISSING && pal_socket_multicast(from, NULL, here.ip) == SM_OK);
     if (joins(&first, &group)) {
         CHECK(joins(&second, &other));
