@@ -247,6 +247,14 @@ SMVM_NOINLINE static void read_statistic(const Interpreter *r, uint8_t stat, Smv
 
 // ---- instructions ----
 
+// Y has no value where a function of one argument is called.
+SMVM_NOINLINE static SmF64 call_function(uint8_t n, const Number *x, const Number *y)
+{
+    const SmF64 a = number_f64(x);
+
+    return smvm_call(n, a, n >= SMVM_FN_OF_TWO ? number_f64(y) : a);
+}
+
 #if SMVM_SPECIALIZE
 SMVM_INLINE void load_f32(SmvmBytes at, Number *x) { number_set_real(x, sm_from_f32(sm_f32_from_bits(fetch_u32(at)))); }
 SMVM_INLINE void load_f64(SmvmBytes at, Number *x) { number_set_real(x, sm_from_bits(fetch_u64(at))); }
@@ -457,7 +465,7 @@ SMVM_NOINLINE static void run_store_or_convert(Interpreter *r, uint8_t op, uint3
     case SMVM_out: store_output(r, (SmvmAt)n, &r->x); break;
     case SMVM_set: number_set_integer(&r->x, is_x_related_to_y(r, (uint8_t)n)); break;
     case SMVM_cvt: convert_as_local(&r->x, (uint8_t)n); break;
-    case SMVM_fn: number_set_real(&r->x, smvm_call((uint8_t)n, number_f64(&r->x), number_f64(&r->y))); break;
+    case SMVM_fn: number_set_real(&r->x, call_function((uint8_t)n, &r->x, &r->y)); break;
     case SMVM_sample: push_sample(r, (SmvmAt)n, &r->x); break;
     default: number_store(&r->x, type, operand_address(r->locals, type, (SmvmAt)n));
     }
