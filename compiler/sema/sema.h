@@ -112,6 +112,10 @@ void check_script_locals(Sema *s, Script *script, const AstFile *const *file, si
 void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside);
 // check_expr and check_assignment return NULL after an error, which they have reported.
 Expr *check_expr(Sema *s, const AstExpr *e);
+// Calls that sample their first argument (check_sampled.c); NULL after an error, too.
+Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn);
+Expr *check_sampled_call(Sema *s, const AstExpr *call, SmBuiltin fn);
+void sema_record_operator(Sema *s, SmOperator op);     // records that the value being checked, and the machine, contain an operator
 Stmt *check_assignment(Sema *s, const AstStmt *in);
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out);
 // Warns of an unconditional transition to an @abort state that the layout makes look conditional (check_unguarded.c).

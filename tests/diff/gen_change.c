@@ -2,7 +2,7 @@
 // Changes to a program that must not change its behaviour.
 #include "tests/diff/gen.h"
 
-const char *const gen_change_name[CHANGE_COUNT] = { "other names", "another layout", "a state that nobody enters", "itself written out by hand" };
+const char *const gen_change_name[CHANGE_COUNT] = { "other names", "another layout", "a state that is never entered", "itself written out by hand" };
 
 static void rename_all(Gen *g)
 {
