@@ -41,7 +41,7 @@ run() {
     echo "$1" >&3
 }
 
-# Runs the commands that call make and that nobody has begun, unless another worker does.
+# Runs the commands that call make and have not begun, unless another worker is running them.
 run_makes() {
     mkdir "$work/make" 2>/dev/null || return 0
     m=0
