@@ -57,6 +57,17 @@ static Interval interval_of(const Expr *e, const Var *time, const uint64_t *cell
     return all;
 }
 
+// Returns an interval of the variable `time` outside which the item does not run: its guard is false, or one around it.
+static Interval interval_of_item(const ScriptItem *item, const Var *time, const uint64_t *cell)
+{
+    Interval all = interval_of(item->guard, time, cell);
+
+    for (; item->parent; item = item->parent)
+        if (!item->otherwise)
+            all = intersection(all, interval_of(item->parent->guard, time, cell));
+    return all;
+}
+
 // ---- the search for intervals that contain a time ----
 
 typedef struct Entry {
@@ -124,7 +135,7 @@ struct Schedule {
 // Adds an item to the entries by G or to those by T, whichever gives it the shorter interval.
 static void add_item(Schedule *h, Group *g, const ScriptItem *item, const uint64_t *cell)
 {
-    const Interval of_g = interval_of(item->guard, h->time[BY_G], cell), of_t = interval_of(item->guard, h->time[BY_T], cell);
+    const Interval of_g = interval_of_item(item, h->time[BY_G], cell), of_t = interval_of_item(item, h->time[BY_T], cell);
     const bool by_t = of_t.to - of_t.from < of_g.to - of_g.from;
     const Entry e = {item, by_t ? of_t : of_g, 0};
 

@@ -372,6 +372,8 @@ static Expr *check_binary(Sema *s, const AstExpr *e)
     for (int k = 0; k < 2 && operator_class(e) == SM_CLASS_LOGIC; k++)
         warn_of_number_as_condition(s, e, operands[k]);
     if (operator_class(e) == SM_CLASS_EQUALITY) {
+        if (s->in_script && report_compared_state_value(s, e))
+            return NULL;
         warn_of_negated_number(s, e);
         warn_of_state_number(s, e);
     }
@@ -543,6 +545,8 @@ static Expr *check_kind(Sema *s, const AstExpr *e)
         diag_report(s->diags, DIAG_steps_misplaced, e->span, sema_quote_source(s, e->a->span));
         return NULL;
     case AST_CALL:   return check_call(s, e);
+    case AST_STATE_NAME: return check_state_value(s, e);
+    case AST_WHEN:   return check_when(s, e);
     }
     return NULL;
 }
