@@ -162,6 +162,7 @@ static void run_step(ScriptRun *r)
 {
     r->write.n = 0;
     r->noted.n = 0;
+    r->random.step = r->result.steps + 1;
     update_time_and_state(r);
     ref_windows_sample(&r->windows, r->cell);
     run_sections(r);
@@ -202,6 +203,8 @@ static void allocate_run(ScriptRun *r)
         engine_step_init(&r->answer[i], r->arena, r->p);
     r->cell = ARENA_ARRAY(r->arena, uint64_t, r->p->var.n + r->s->local.n);
     ref_windows_init(&r->windows, r->arena, &r->s->window);
+    ref_random_init(&r->random, r->arena, &r->s->random, r->result.seed);
+    r->windows.random = &r->random;
     r->evaluated = arena_alloc(r->arena, t.asserts);
     r->is_pending = arena_alloc(r->arena, t.asserts);
     buf_init(&r->printed, r->arena);
@@ -239,6 +242,8 @@ static void report_time_overflow(ScriptRun *r)
 // Runs the script from its first step until it ends.
 void run_to_the_end(ScriptRun *r)
 {
+    r->result.is_random = r->s->random.n > 0;
+    r->result.seed = r->o->seed ? *r->o->seed : r->s->seed;
     allocate_run(r);
     r->result.cell = r->cell;
     r->result.evaluated = r->evaluated;

@@ -30,6 +30,7 @@ typedef struct ScriptRun {
     size_t engines;           // number of engines
     const ScriptOptions *o;
     uint64_t *cell;           // the values that the script sees, by variable: those of the machine, then those of the script
+    RefRandom random;         // the random numbers of the script
     RefWindows windows;       // the rolling windows of the script itself, not those of the machine
     uint64_t g, start;        // G of this step; G of the first step of its state
     const State *state;       // the state that this step runs

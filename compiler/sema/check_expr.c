@@ -509,6 +509,8 @@ static Expr *check_call(Sema *s, const AstExpr *e)
     bool readable = true;                         // false: an argument has a syntax error, so the number of arguments is uncertain
     Expr *out;
 
+    if (s->random && is_random_function(e->name))
+        return check_random_call(s, e);
     if (fn && e->args->n == fn->arguments) {
         if (fn->is_roll)
             return check_roll_call(s, e, fn);
@@ -520,7 +522,9 @@ static Expr *check_call(Sema *s, const AstExpr *e)
     }
     for (size_t i = 0; i < e->args->n; i++)
         readable = readable && e->args->at[i]->kind != AST_ERROR;
-    if (!fn)
+    if (!fn && is_random_function(e->name))
+        report_random_in_machine(s, e);
+    else if (!fn)
         scope_report_unknown_function(s, e->name, ast_op_span(e));
     else if (readable && (e->args->n < fn->arguments || !report_decimal_comma(s, e)))
         report_argument_count(s, e, fn);

@@ -13,7 +13,7 @@ typedef struct ScriptCheck {
     Sema s;
     Script *script;
     Defines define;
-    Str delta_t, init_state;      // the names of the options
+    Str delta_t, init_state, seed;        // the names of the options
     bool has_delta_t, has_stop;
     uint32_t items, asserts;      // how many items and asserts have been checked
     bool proposes_guards;         // CheckContext.proposes_guards
@@ -36,6 +36,16 @@ static void check_declared_step(ScriptCheck *k, const AstOption *o)
     diag_note(k->s.diags, d, p->step_span, DIAG_note_declared_here, "step");
 }
 
+static void check_seed(ScriptCheck *k, const AstOption *o)
+{
+    const AstExpr *n = o->number;
+
+    if (n->unit == TIME_NONE && is_reached_time(n->number, 1) && sm_le(n->number, sm_from_u64(SCRIPT_SEED_MAX)))
+        k->script->seed = sm_to_u64(n->number);
+    else
+        diag_report(k->s.diags, DIAG_seed_value, o->value_span);
+}
+
 static void check_option(ScriptCheck *k, const AstOption *o)
 {
     if (o->name == k->delta_t) {
@@ -50,6 +60,8 @@ static void check_option(ScriptCheck *k, const AstOption *o)
         State *state = o->word ? scope_find_state(&k->s, o->word, o->value_span) : NULL;
         if (state)
             k->script->init_state = state;
+    } else if (o->name == k->seed) {
+        check_seed(k, o);
     }
 }
 
@@ -116,7 +128,6 @@ static ScriptItem *add_item(ScriptCheck *k, Span span, const ScriptItem *parent,
     item->otherwise = otherwise;
     item->number = k->items++;
     item->first_assert = k->asserts;
-    k->script->is_nested |= parent != NULL;
     vec_push(k->s.arena, &section->item, item);
     return item;
 }
@@ -326,10 +337,12 @@ static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *const *f
     k->has_delta_t = program->step > 0;
     sema_init(&k->s, c, hidden, program, &k->script->window);
     k->s.in_script = true;
+    k->s.random = &k->script->random;
     k->proposes_guards = c->proposes_guards;
     k->s.step = program->step;
     add_definitions_of_machine(&k->s);
     k->delta_t = str_c(c->strings, "delta_t");
+    k->seed = str_c(c->strings, "seed");
     k->init_state = str_c(c->strings, "init_state");
     check_script_locals(&k->s, k->script, file, n);
 }
@@ -352,7 +365,11 @@ static Script *end_check(ScriptCheck *k)
     return diags->errors_seen > k->errors ? NULL : k->script;
 }
 
-static void begin_file(ScriptCheck *k) { k->section = (Map){k->s.arena, NULL, NULL, 0, 0}; }
+static void begin_file(ScriptCheck *k, const AstFile *ss)
+{
+    k->section = (Map){k->s.arena, NULL, NULL, 0, 0};
+    number_random_definitions(&k->s, ss);
+}
 
 Script *check_script(CheckContext *c, const AstFile *const *file, size_t n, const Program *program)
 {
@@ -360,7 +377,7 @@ Script *check_script(CheckContext *c, const AstFile *const *file, size_t n, cons
 
     begin_check(&k, c, file, n, program);
     for (size_t i = 0; i < n; i++) {
-        begin_file(&k);
+        begin_file(&k, file[i]);
         for (size_t s = 0; s < file[i]->sections.n; s++) {
             const AstSection *section = file[i]->sections.at[s];
             check_section(&k, section);
@@ -379,7 +396,7 @@ Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const As
 
     begin_check(&k, c, outline, n, program);
     for (size_t i = 0; i < n; i++) {
-        begin_file(&k);
+        begin_file(&k, outline[i]);
         parse_script(tree, c->strings, c->diags, outline[i]->src, &v);
     }
     return end_check(&k);

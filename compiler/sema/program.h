@@ -282,6 +282,17 @@ typedef struct ScriptSection {
     VEC(ScriptItem *) item;
 } ScriptSection;
 
+#define SCRIPT_SEED_MAX (UINT64_C(1) << 53)       // the largest seed: every number up to it is an F64
+
+// A call of random(a, b) or noise(a) in the text of a script.
+typedef struct ScriptRandom {
+    bool is_noise;
+    double a, b;
+    Span span;                // position of its name
+} ScriptRandom;
+
+typedef VEC(ScriptRandom) ScriptRandoms;
+
 typedef struct Script {
     const Source *src;
     const Program *program;
@@ -291,7 +302,8 @@ typedef struct Script {
     VEC(Var *) local;         // the variables of [local], in file order
     VEC(ScriptSection) section;       // in file order
     Windows window;           // of the roll calls in all sections of the script
-    bool is_nested;           // an item has a parent
+    ScriptRandoms random;     // by number of the call, from 0
+    uint64_t seed;            // of its random numbers
 } Script;
 
 // Whether two expressions apply the same operators to the same numbers, variables and statistics.  Equal expressions have the

@@ -160,7 +160,7 @@ typedef struct AstDefinition {
 typedef struct AstOption {
     Str name;
     Span name_span;
-    AstExpr *number;          // delta_t, step: the literal of its value
+    AstExpr *number;          // delta_t, step, seed: the literal of its value
     Str word;                 // init_state: the name of the state; time_unit: the unit
     Span value_span;
 } AstOption;
