@@ -166,18 +166,23 @@ static int find_bounds(const Sema *s, const AstExpr *e, Bound out[2])
     return is_global_time(s, e->a->b) && find_bound(s, e->a->op, e->a->a, e->a->b, &out[0]) && find_bound(s, e->op, e->a->b, e->b, &out[1]) ? 2 : 0;
 }
 
-// Returns a time as a script writes it: 5 s for 5000 where G counts milliseconds.
+// Returns a time as a script writes it: 5.25 s for 5250 where G counts milliseconds.
 static const char *format_when(Sema *s, const AstExpr *time)
 {
-    const uint64_t units = sm_to_u64(time_of_number(s, time)), second = s->p->time_unit == TIME_S ? 1 : s->p->time_unit == TIME_MS ? 1000 : 1000000;
+    static const char *const larger[TIME_UNITS] = {[TIME_US] = "ms", [TIME_MS] = "s"};
+    const uint64_t units = sm_to_u64(time_of_number(s, time)), whole = units / 1000;
+    unsigned part = (unsigned)(units % 1000);
+    int digits = 3;
 
     if (time->unit != TIME_NONE || units == 0)
         return sema_quote_source(s, time->span);
-    if (units % second == 0)
-        return format_in(s->arena, "%llu s", (unsigned long long)(units / second));
-    if (second > 1000 && units % 1000 == 0)
-        return format_in(s->arena, "%llu ms", (unsigned long long)(units / 1000));
-    return format_in(s->arena, "%llu %s", (unsigned long long)units, time_unit_name(s->p->time_unit));
+    if (whole == 0 || !larger[s->p->time_unit])
+        return format_in(s->arena, "%llu %s", (unsigned long long)units, time_unit_name(s->p->time_unit));
+    if (part == 0)
+        return format_in(s->arena, "%llu %s", (unsigned long long)whole, larger[s->p->time_unit]);
+    for (; part % 10 == 0; part /= 10)
+        digits--;
+    return format_in(s->arena, "%llu.%0*u %s", (unsigned long long)whole, digits, part, larger[s->p->time_unit]);
 }
 
 // Returns the guard by time that means the same as the bounds; NULL if there is none, or if no step is in it.
