@@ -237,6 +237,7 @@ bool compile_sources(Session *s, const CompileInput *in, const CompileOptions *o
     memset(out, 0, sizeof *out);
     out->of = ARENA_ARRAY(&s->arena, CompiledSource, in->n);
     s->warnings = o->skip_analyses ? 0 : o->warnings ? diag_selection_groups(o->warnings) : DIAG_GROUPS_ALL;
+    s->proposes_guards = o->warnings && diag_selection_enables(o->warnings, DIAG_guard_by_time);
     s->step = o->step;
     s->locals = locals_of_output(o);
     if (is_syntax_dump(o))

@@ -44,7 +44,7 @@ static AstFile *parse(Session *s, const Source *src, FileKind kind)
 
 static CheckContext make_check_context(Session *s)
 {
-    CheckContext c = {&s->arena, &s->strings, &s->diags};
+    CheckContext c = {&s->arena, &s->strings, &s->diags, s->proposes_guards};
     return c;
 }
 

@@ -18,7 +18,7 @@ const char *test_suite_name(Arena *arena, const char *path)
 
 static void add_error(TestRun *t, const char *path, const char *message, int code)
 {
-    TestResult r = {path, test_suite_name(t->arena, path), TEST_BROKEN, message, code, 0, "", ""};
+    TestResult r = {path, test_suite_name(t->arena, path), TEST_BROKEN, message, code, 0, "", "", ""};
 
     vec_push(t->arena, &t->result, r);
 }
@@ -220,16 +220,17 @@ static int check_trace(Cli *c, const Files *f)
     return EXIT_OK;
 }
 
-// Reads the value of --max-steps. Returns false if it is not a whole number from 1 on that 64 bits can hold.
-static bool read_steps(const char *text, uint64_t *steps)
+// Reads a whole number. Returns false if the text is anything else, or 64 bits cannot hold it.
+static bool read_whole(const char *text, uint64_t *n)
 {
-    *steps = 0;
-    for (; *text >= '0' && *text <= '9'; text++) {
-        if (*steps > (UINT64_MAX - 9) / 10)
+    const char *digit = text;
+
+    for (*n = 0; *digit >= '0' && *digit <= '9'; digit++) {
+        if (*n > (UINT64_MAX - 9) / 10)
             return false;
-        *steps = *steps * 10 + (uint64_t)(*text - '0');
+        *n = *n * 10 + (uint64_t)(*digit - '0');
     }
-    return *text == '\0' && *steps > 0;
+    return *digit == '\0' && digit > text;
 }
 
 static int read_options(TestRun *t)
@@ -238,8 +239,10 @@ static int read_options(TestRun *t)
     CompileOptions unused;
 
     t->max_steps = 1000000;
-    if (c->given[OPT_MAX_STEPS] && !read_steps(c->value[OPT_MAX_STEPS], &t->max_steps))
+    if (c->given[OPT_MAX_STEPS] && (!read_whole(c->value[OPT_MAX_STEPS], &t->max_steps) || t->max_steps == 0))
         return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
+    if (c->given[OPT_SEED] && (!read_whole(c->value[OPT_SEED], &t->seed) || t->seed > SCRIPT_SEED_MAX))
+        return cli_usage_error(c, TEXT_seed_value, c->value[OPT_SEED]);
     if (c->given[OPT_ENGINE] && (t->engines = engines_named(c->value[OPT_ENGINE])) == 0)
         return cli_usage_error(c, TEXT_engine_values, c->value[OPT_ENGINE]);
     return cli_compile_options(c, &unused) ? EXIT_OK : EXIT_USAGE;

@@ -23,6 +23,7 @@ typedef struct TestResult {
     int code;                 // the exit code of the command that this result requires
     double seconds;           // duration of the test
     const char *printed;      // the lines that the script has printed; "" or NULL: none
+    const char *seed;         // of its random numbers; "" or NULL: it has none
     const char *requirements; // the requirements that it has tested, with spaces between them; "" or NULL: none
 } TestResult;
 
@@ -35,6 +36,7 @@ typedef struct TestRun {      // one call of smc test
     bool c_was_tried, c_runs; // whether the C compiler runs, once it has been tried
     size_t left_out;          // runs on absent engines that were omitted from cases
     uint64_t max_steps;
+    uint64_t seed;            // the value of --seed
     VEC(const char *) path;   // .smt cases to run, in order
     VEC(TestResult) result;
 } TestRun;

@@ -23,7 +23,7 @@ static const char *result_name(const char *path) { return strcmp(path, "-") == 0
 
 static void add_result(MachineTest *m, const char *path, TestStatus status, const char *message, int code)
 {
-    TestResult r = {path, m->path, status, message, code, os_seconds() - m->begin, "", ""};
+    TestResult r = {path, m->path, status, message, code, os_seconds() - m->begin, "", "", ""};
 
     vec_push(m->t->arena, &m->t->result, r);
 }
@@ -91,7 +91,7 @@ static const char *list_requirements(Arena *arena, const Script *s, const Script
 static void run_script(MachineTest *m, const char *path, const Script *s)
 {
     TestRun *t = m->t;
-    ScriptOptions o = {.max_steps = t->max_steps, .after_step = m->trace ? test_trace_step : NULL, .context = m->trace};
+    ScriptOptions o = {.max_steps = t->max_steps, .seed = t->c->given[OPT_SEED] ? &t->seed : NULL, .after_step = m->trace ? test_trace_step : NULL, .context = m->trace};
     ScriptResult r;
     int code, reported;
     const char *message;
@@ -108,6 +108,7 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
         code = reported;
     add_result(m, path, code == EXIT_OK ? TEST_PASSED : code == EXIT_PROBLEM ? TEST_FAILED : TEST_BROKEN, message, code);
     m->t->result.at[m->t->result.n - 1].printed = r.printed;
+    m->t->result.at[m->t->result.n - 1].seed = r.is_random ? format_in(t->arena, "%llu", (unsigned long long)r.seed) : "";
     m->t->result.at[m->t->result.n - 1].requirements = list_requirements(t->arena, s, &r);
 }
 

@@ -145,17 +145,24 @@ static void write_classname(Buf *out, Arena *arena, const char *suite)
 
 static bool is_given(const char *text) { return text && *text; }
 
-// Writes the requirements that a script has tested, as properties.
-static void write_requirements(Buf *out, const char *list)
+static void write_property(Buf *out, const char *name, const char *value, size_t n)
 {
-    if (!is_given(list))
+    buf_printf(out, "        <property name=\"%s\"", name);
+    write_attribute(out, "value", value, n);
+    buf_str(out, "/>\n");
+}
+
+// Writes the seed of a script and the requirements that it has tested, as properties.
+static void write_properties(Buf *out, const char *seed, const char *list)
+{
+    if (!is_given(seed) && !is_given(list))
         return;
     buf_str(out, "      <properties>\n");
-    while (*list) {
+    if (is_given(seed))
+        write_property(out, "seed", seed, strlen(seed));
+    while (list && *list) {
         const size_t n = strcspn(list, " ");
-        buf_str(out, "        <property name=\"requirement\"");
-        write_attribute(out, "value", list, n);
-        buf_str(out, "/>\n");
+        write_property(out, "requirement", list, n);
         list += n + (list[n] == ' ');
     }
     buf_str(out, "      </properties>\n");
@@ -184,12 +191,12 @@ static void write_testcase(Buf *out, const TestResult *r)
     write_attribute(out, "name", name, strlen(name));
     write_classname(out, out->arena, r->suite);
     write_time(out, r->seconds);
-    if (!element && !is_given(r->printed) && !is_given(r->requirements)) {
+    if (!element && !is_given(r->printed) && !is_given(r->seed) && !is_given(r->requirements)) {
         buf_str(out, "/>\n");
         return;
     }
     buf_str(out, ">\n");
-    write_requirements(out, r->requirements);
+    write_properties(out, r->seed, r->requirements);
     if (element)
         write_problem(out, r, element);
     if (is_given(r->printed)) {
@@ -300,6 +307,8 @@ void test_write_tap(const TestRun *t, Buf *out)
         buf_char(out, '\n');
         if (r->status == TEST_FAILED || r->status == TEST_BROKEN)
             write_tap_lines(out, r->message);
+        if (is_given(r->seed))
+            buf_printf(out, "# seed: %s\n", r->seed);
         if (is_given(r->requirements))
             buf_printf(out, "# requirements: %s\n", r->requirements);
         if (is_given(r->printed))

@@ -149,6 +149,7 @@ static IrRef build_value(Builder *b, const Expr *e)
         stat.var = b->window[e->window];
         stat.stat = e->stat;
         return build_emit(b, &stat);
+    case EX_EVERY: case EX_RANDOM: break;                       // only scripts have them
     }
     return IR_NONE;
 }

@@ -367,6 +367,8 @@ static void add_run(const Report *r, Doc *d, const ReportRun *run, size_t number
     }
     if (!run->script || run->trace.steps == 0)
         return;
+    if (run->result.is_random)
+        doc_add_paragraph(d, format_in(r->arena, TEXT_SEED, (unsigned long long)run->result.seed));
     add_named_asserts(r, d, run);
     if (*run->result.printed)
         doc_add_lines(d, run->result.printed);

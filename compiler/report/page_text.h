@@ -56,6 +56,10 @@
 #define TEXT_STEP_OF_SCRIPTS "Time advances by %lu per step, the `delta_t` of the scripts."   // time per step
 #define TEXT_FINDING_FIXABLE "`smc fix` can make the edit."
 
+// ---- scripts ----
+
+#define TEXT_SEED "The random numbers have the seed %llu."
+
 // ---- abort matrix ----
 
 #define TEXT_ABORT \

@@ -287,7 +287,7 @@ static void report_all_unevaluated(const ScriptRun *r)
             const ScriptItem *item = section->item.at[j];
             add_unevaluated(r, item, &u);
             if (u.n && run_last_of_section(r, section))
-                diag_label(r->diags, report_unevaluated(r, &u), r->was_true[item->number] ? DIAG_label_stopped_before : DIAG_label_never_true);
+                diag_label(r->diags, report_unevaluated(r, &u), r->true_in[item->number] ? DIAG_label_stopped_before : DIAG_label_never_true);
         }
         if (u.n)
             diag_label(r->diags, report_unevaluated(r, &u), DIAG_label_never_in_state, section->state->name->text);

@@ -93,7 +93,7 @@ static bool is_replay_too_slow(const ScriptRun *r)
 static bool replay_run(History *h)
 {
     const ScriptRun *failed = h->failed;
-    const ScriptOptions o = {.max_steps = failed->result.steps, .after_step = record_after_step, .context = h, .is_compared = true};
+    const ScriptOptions o = {.max_steps = failed->result.steps, .seed = &failed->result.seed, .after_step = record_after_step, .context = h, .is_compared = true};
     Engine *ref = engine_ref_open(failed->arena, failed->p);
     Diags silent;
 
@@ -243,4 +243,6 @@ void history_add(ScriptRun *failed, Diag *d)
         add_step_table(h, d);
         add_transition_notes(h, d);
     }
+    if (failed->result.is_random)
+        diag_note(failed->diags, d, (Span){0}, DIAG_note_seed, count_text(failed->arena, failed->result.seed));
 }

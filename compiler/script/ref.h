@@ -45,9 +45,33 @@ typedef struct RefWindow {
     uint32_t filled;          // slots 0 … filled - 1 contain samples
 } RefWindow;
 
+// ---- ref_random.c: language.md 8.54 to 8.59 ----
+
+enum { REF_DRAWS = 12 };      // random numbers of 32 bits that a call draws in each step
+
+// The stream of one call.
+typedef struct RefStream {
+    uint64_t state;           // after the draws of `step`
+    uint64_t step;            // the last step that drew, from 1; 0: none
+    double value;             // in that step
+} RefStream;
+
+typedef struct RefRandom {
+    const ScriptRandom *call;
+    RefStream *stream;        // by number of the call
+    uint64_t seed;
+    uint64_t step;            // the current step, from 1
+} RefRandom;
+
+void ref_random_init(RefRandom *r, Arena *arena, const ScriptRandoms *calls, uint64_t seed);
+// Returns the value of a call in the current step, whenever it is evaluated.  Draws at the first evaluation, so a call that a step does not
+// evaluate costs nothing there.
+double ref_random_value(RefRandom *r, uint32_t call);
+
 typedef struct RefWindows {
     RefWindow *at;
     size_t n;
+    RefRandom *random;        // of a script; NULL: the owner has no random numbers
     double *scratch;          // room for the samples of the longest window
 } RefWindows;
 

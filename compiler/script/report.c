@@ -173,6 +173,8 @@ void script_report(const ScriptResult *r, const Program *p, Buf *out)
 
     append_count(out, "state script ran for ", r->steps, "step", "");
     append_count(out, "", r->asserts_passed, "assert", " passed");
+    if (r->is_random)
+        buf_printf(out, "seed %" PRIu64 "\n", r->seed);
     buf_str(out, "final state vector:\n");
     for (size_t i = 0; i < p->var.n; i++) {
         buf_printf(out, "  %s = ", order[i]->report_name->text);

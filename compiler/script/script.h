@@ -27,6 +27,7 @@ typedef struct ScriptStep {
 
 typedef struct ScriptOptions {
     uint64_t max_steps;
+    const uint64_t *seed;     // of the random numbers, at most SCRIPT_SEED_MAX; NULL: that of the script
     void (*after_step)(void *context, const ScriptStep *step);      // called after each step, before its asserts are evaluated; or NULL
     void *context;            // passed to both functions
     bool (*is_cancelled)(void *context);      // called after each step that does not end the run; or NULL
@@ -36,6 +37,8 @@ typedef struct ScriptOptions {
 typedef struct ScriptResult {
     ScriptOutcome outcome;
     uint64_t steps;
+    bool is_random;           // the script has random numbers, with `seed`
+    uint64_t seed;
     uint64_t asserts_passed;
     uint64_t *cell;           // the final values, by variable
     const char *printed;      // what @print has shown: lines; "" if nothing

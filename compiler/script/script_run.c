@@ -59,6 +59,20 @@ static void note_asserts(ScriptRun *r, const ScriptItem *item)
     }
 }
 
+// Whether the guard of an item was true when this step evaluated it.  A guard that the step did not evaluate is false.
+static bool is_taken(const ScriptRun *r, const ScriptItem *item) { return r->true_in[item->number] == r->result.steps + 1; }
+
+// Whether the conditionals around an item lead to it in this step.
+static bool is_reached(const ScriptRun *r, const ScriptItem *item)
+{
+    for (; item->parent; item = item->parent)
+        if (!item->otherwise)
+            return is_taken(r, item->parent);         // then the parent was reached, too
+        else if (is_taken(r, item->parent))
+            return false;
+    return true;
+}
+
 // Executes the items whose section and guard match: writes their inputs, and notes their asserts.
 static void run_sections(ScriptRun *r)
 {
@@ -66,8 +80,8 @@ static void run_sections(ScriptRun *r)
     schedule_find_due(r->schedule, r->state, r->cell, &r->due);
     for (size_t i = 0; i < r->due.n; i++) {
         const ScriptItem *item = r->due.at[i];
-        if (ref_true(ref_eval(item->guard, r->cell, &r->windows))) {
-            r->was_true[item->number] = 1;
+        if (is_reached(r, item) && ref_true(ref_eval(item->guard, r->cell, &r->windows))) {
+            r->true_in[item->number] = r->result.steps + 1;
             write_inputs_of_item(r, item);
             note_asserts(r, item);
         }
@@ -148,6 +162,7 @@ static void run_step(ScriptRun *r)
 {
     r->write.n = 0;
     r->noted.n = 0;
+    r->random.step = r->result.steps + 1;
     update_time_and_state(r);
     ref_windows_sample(&r->windows, r->cell);
     run_sections(r);
@@ -188,10 +203,12 @@ static void allocate_run(ScriptRun *r)
         engine_step_init(&r->answer[i], r->arena, r->p);
     r->cell = ARENA_ARRAY(r->arena, uint64_t, r->p->var.n + r->s->local.n);
     ref_windows_init(&r->windows, r->arena, &r->s->window);
+    ref_random_init(&r->random, r->arena, &r->s->random, r->result.seed);
+    r->windows.random = &r->random;
     r->evaluated = arena_alloc(r->arena, t.asserts);
     r->is_pending = arena_alloc(r->arena, t.asserts);
     buf_init(&r->printed, r->arena);
-    r->was_true = arena_alloc(r->arena, t.items);
+    r->true_in = ARENA_ARRAY(r->arena, uint64_t, t.items);
     r->ran = ARENA_ARRAY(r->arena, uint64_t, r->p->state.n);
 }
 
@@ -225,6 +242,8 @@ static void report_time_overflow(ScriptRun *r)
 // Runs the script from its first step until it ends.
 void run_to_the_end(ScriptRun *r)
 {
+    r->result.is_random = r->s->random.n > 0;
+    r->result.seed = r->o->seed ? *r->o->seed : r->s->seed;
     allocate_run(r);
     r->result.cell = r->cell;
     r->result.evaluated = r->evaluated;

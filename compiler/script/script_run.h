@@ -30,6 +30,7 @@ typedef struct ScriptRun {
     size_t engines;           // number of engines
     const ScriptOptions *o;
     uint64_t *cell;           // the values that the script sees, by variable: those of the machine, then those of the script
+    RefRandom random;         // the random numbers of the script
     RefWindows windows;       // the rolling windows of the script itself, not those of the machine
     uint64_t g, start;        // G of this step; G of the first step of its state
     const State *state;       // the state that this step runs
@@ -42,7 +43,7 @@ typedef struct ScriptRun {
     Buf printed;              // the lines of @print, at most PRINTED_MOST
     uint64_t prints;          // how many lines there would be without a limit
     uint8_t *evaluated;       // by number of the assert: it was evaluated at least once
-    uint8_t *was_true;        // by number of the conditional: its guard was true at least once
+    uint64_t *true_in;        // by number of the item: the last step in which its guard was true, 0: none
     uint64_t *ran;            // by State.number - 1: the last step that ran the state, 0: none
     const Expr *failed;       // the condition that failed, or the guard of an @fail; or NULL
     const ScriptItem *failed_item;

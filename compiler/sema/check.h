@@ -14,6 +14,7 @@ typedef struct CheckContext {
     Arena *arena;
     StrPool *strings;
     Diags *diags;
+    bool proposes_guards;     // reports comparisons with G in a script that a guard by time can replace
 } CheckContext;
 
 StateVec *check_state_vector(CheckContext *c, const AstFile *sv);

@@ -130,7 +130,7 @@ const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str n
 // from that in the .sv.
 static void set_range(Declarations *k, Var *v, const AstDecl *decl)
 {
-    const CheckContext c = {k->s->arena, k->s->strings, k->s->diags};
+    const CheckContext c = {.arena = k->s->arena, .strings = k->s->strings, .diags = k->s->diags};
     Diag *d;
 
     v->range = check_range(&c, &decl->annotations, v->name, v->type);

@@ -372,6 +372,8 @@ static Expr *check_binary(Sema *s, const AstExpr *e)
     for (int k = 0; k < 2 && operator_class(e) == SM_CLASS_LOGIC; k++)
         warn_of_number_as_condition(s, e, operands[k]);
     if (operator_class(e) == SM_CLASS_EQUALITY) {
+        if (s->in_script && report_compared_state_value(s, e))
+            return NULL;
         warn_of_negated_number(s, e);
         warn_of_state_number(s, e);
     }
@@ -507,6 +509,8 @@ static Expr *check_call(Sema *s, const AstExpr *e)
     bool readable = true;                         // false: an argument has a syntax error, so the number of arguments is uncertain
     Expr *out;
 
+    if (s->random && is_random_function(e->name))
+        return check_random_call(s, e);
     if (fn && e->args->n == fn->arguments) {
         if (fn->is_roll)
             return check_roll_call(s, e, fn);
@@ -518,7 +522,9 @@ static Expr *check_call(Sema *s, const AstExpr *e)
     }
     for (size_t i = 0; i < e->args->n; i++)
         readable = readable && e->args->at[i]->kind != AST_ERROR;
-    if (!fn)
+    if (!fn && is_random_function(e->name))
+        report_random_in_machine(s, e);
+    else if (!fn)
         scope_report_unknown_function(s, e->name, ast_op_span(e));
     else if (readable && (e->args->n < fn->arguments || !report_decimal_comma(s, e)))
         report_argument_count(s, e, fn);
@@ -543,6 +549,8 @@ static Expr *check_kind(Sema *s, const AstExpr *e)
         diag_report(s->diags, DIAG_steps_misplaced, e->span, sema_quote_source(s, e->a->span));
         return NULL;
     case AST_CALL:   return check_call(s, e);
+    case AST_STATE_NAME: return check_state_value(s, e);
+    case AST_WHEN:   return check_when(s, e);
     }
     return NULL;
 }

@@ -134,7 +134,10 @@ typedef enum ExprKind {
     EX_BINARY,                // arg[0] op arg[1]   (never part of a chain; each operand is evaluated once)
     EX_CHAIN,                 // arg[0] ops[0] arg[1] ops[1] arg[2] …: relations only; true if all of them are
     EX_CALL,                  // fn(arg …), a function without side effects
-    EX_ROLL                   // statistic `stat` of window `window`; arg[0] is the sampled expression
+    EX_ROLL,                  // statistic `stat` of window `window`; arg[0] is the sampled expression
+    // Only scripts have the following kinds, and no engine evaluates them.
+    EX_EVERY,                 // whether `var`, which is G, is a multiple of `number`
+    EX_RANDOM                 // the value of random call number `window` + 1 in this step
 } ExprKind;
 
 struct Expr {                 // "CALL:" marks a field that only EX_CALL has.  Bit fields save memory, because a program is mostly Exprs
@@ -256,8 +259,15 @@ typedef struct ScriptAssert {
     const ScriptRemark *remark;       // ASSERT: NULL if it has neither text nor requirement
 } ScriptAssert;
 
-typedef struct ScriptItem {   // one conditional
+typedef struct ScriptItem ScriptItem;
+
+// The items of one body, up to the first conditional in it.  Such a conditional is an item of its own; so is what follows it in the body, with
+// a guard that is always true.
+struct ScriptItem {
     Expr *guard;
+    const ScriptItem *parent; // the conditional around it; NULL: none
+    bool otherwise;           // it belongs to the `else` of the parent
+    bool by_time;             // the guard is one of check_when
     uint32_t number;          // 0, 1, 2 … in file order, over the whole script
     uint32_t first_assert;    // number of asserts in the items before it
     Span span;
@@ -265,12 +275,23 @@ typedef struct ScriptItem {   // one conditional
     VEC(ScriptAssert) asserts;        // evaluated after the step, in order
     bool stop;                // the item's body ends with @stop
     Span stop_span;
-} ScriptItem;
+};
 
 typedef struct ScriptSection {
     State *state;             // the state of the section; NULL for [all_states]
     VEC(ScriptItem *) item;
 } ScriptSection;
+
+#define SCRIPT_SEED_MAX (UINT64_C(1) << 53)       // the largest seed: every number up to it is an F64
+
+// A call of random(a, b) or noise(a) in the text of a script.
+typedef struct ScriptRandom {
+    bool is_noise;
+    double a, b;
+    Span span;                // position of its name
+} ScriptRandom;
+
+typedef VEC(ScriptRandom) ScriptRandoms;
 
 typedef struct Script {
     const Source *src;
@@ -281,6 +302,8 @@ typedef struct Script {
     VEC(Var *) local;         // the variables of [local], in file order
     VEC(ScriptSection) section;       // in file order
     Windows window;           // of the roll calls in all sections of the script
+    ScriptRandoms random;     // by number of the call, from 0
+    uint64_t seed;            // of its random numbers
 } Script;
 
 // Whether two expressions apply the same operators to the same numbers, variables and statistics.  Equal expressions have the

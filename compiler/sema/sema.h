@@ -67,6 +67,7 @@ typedef struct Sema {
     uint32_t operators;       // of the value that is being checked; becomes Stmt.operators
     bool varies;              // whether the value that is being checked varies; becomes Stmt.varies
     Program *building;        // the machine being built; NULL for a script
+    ScriptRandoms *random;    // of the script; NULL for a machine
 } Sema;
 
 void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Program *p, Windows *windows);
@@ -174,6 +175,26 @@ void warn_of_time_as_guard(Sema *s, const AstExpr *guard);
 void warn_of_time_factor(Sema *s, SmOperator op, const AstExpr *literal);
 // Reports a machine that needs another unit or step of time than the application has. `unit`, `period`: in nanoseconds; 0: unknown.
 void check_app_machine_time(const CheckContext *c, const Program *p, Span named, uint64_t unit, uint64_t period);
+
+// ---- check_script_when.c: guards by time of a script ----
+
+Expr *check_when(Sema *s, const AstExpr *e);               // at 5 s, from 1 s to 2 s, after 5 s, every 10 ms
+Expr *check_state_value(Sema *s, const AstExpr *e);        // state Burn
+// Reports `S == state Burn`, which compares twice. Returns false, and reports nothing, if e is another comparison.
+bool report_compared_state_value(Sema *s, const AstExpr *e);
+// Proposes a guard by time for a comparison with G, as in `G == 5000:`.
+void propose_when(Sema *s, const AstExpr *guard, uint64_t delta_t);
+// Reports a guard of check_when, with delta_t above 0, that no step has.
+void check_when_times(Sema *s, const Expr *guard, uint64_t delta_t);
+bool is_reached_time(SmF64 x, uint64_t delta_t);          // whether a clock that starts at 0 and advances by delta_t is ever equal to x
+
+// ---- check_random.c: random numbers of a script ----
+
+bool is_random_function(Str name);                         // whether it is random or noise
+// Numbers the calls in the definitions of a file. Call it before its other expressions are checked.
+void number_random_definitions(Sema *s, const AstFile *ss);
+Expr *check_random_call(Sema *s, const AstExpr *e);
+void report_random_in_machine(Sema *s, const AstExpr *e);
 
 // ---- check_allow.c: these functions register @allow annotations with the part of the source that they cover ----
 

@@ -24,8 +24,13 @@ typedef enum AstExprKind {
     AST_BINARY,       // a op b; a chain a < b <= c is stored as (a < b) <= c, without AST_PAREN
     AST_PAREN,        // ( a )
     AST_STEPS,        // a steps, as an argument: a count of steps
-    AST_CALL          // name ( args )
+    AST_CALL,         // name ( args )
+    AST_STATE_NAME,   // state name, in a script: whether the machine is in that state
+    AST_WHEN          // at a, from a to b, after a, every a: the whole guard of a conditional of a script
 } AstExprKind;
+
+// The word that begins a guard by time (language.md 8.45 to 8.50).
+typedef enum AstWhen { AST_AT, AST_FROM, AST_AFTER, AST_EVERY, AST_WHENS } AstWhen;
 
 typedef struct AstExpr AstExpr;
 typedef VEC(AstExpr *) AstArgs;
@@ -35,11 +40,12 @@ struct AstExpr {
     uint32_t depth;           // 1 + the depth of the deepest operand; at most AST_DEPTH_MAX, so that recursion over trees is bounded
     bool alone;               // a name or call where a statement is expected; the checker reports it (E0327)
     Span span;                // the whole expression
-    uint32_t op_at, op_len;   // offset and length of the operator (UNARY, BINARY) or the name (CALL)
+    uint32_t op_at, op_len;   // offset and length of the operator (UNARY, BINARY), the name (CALL, STATE_NAME) or the word (WHEN)
+    AstWhen when;             // WHEN: its word
     TimeUnit unit;            // NUMBER: the unit after it; then op_at and op_len are the number alone
     SmF64 number;             // NUMBER: its value, without the unit
-    Str name;                 // NAME, CALL: the name
-    AstExpr *a, *b;           // UNARY, PAREN, STEPS: the operand a; BINARY: both operands
+    Str name;                 // NAME, CALL: the name; STATE_NAME: that of the state
+    AstExpr *a, *b;           // UNARY, PAREN, STEPS: the operand a; BINARY: both operands; WHEN: the numbers, b only after `to`
     AstArgs *args;            // CALL: the arguments
 };
 
@@ -154,7 +160,7 @@ typedef struct AstDefinition {
 typedef struct AstOption {
     Str name;
     Span name_span;
-    AstExpr *number;          // delta_t, step: the literal of its value
+    AstExpr *number;          // delta_t, step, seed: the literal of its value
     Str word;                 // init_state: the name of the state; time_unit: the unit
     Span value_span;
 } AstOption;

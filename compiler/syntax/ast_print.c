@@ -50,6 +50,18 @@ static void print_expr(Buf *out, const AstExpr *e)
         print_expr(out, e->a);
         buf_char(out, ')');
         break;
+    case AST_STATE_NAME:
+        buf_str(out, "state ");
+        print_name(out, e->name);
+        break;
+    case AST_WHEN:
+        print_source(out, ast_op_span(e));
+        buf_char(out, ' ');
+        print_expr(out, e->a);
+        buf_str(out, e->b ? " to " : "");
+        if (e->b)
+            print_expr(out, e->b);
+        break;
     case AST_STEPS:
         print_expr(out, e->a);
         buf_str(out, " steps");

@@ -207,7 +207,7 @@ void parse_definitions(Parser *p, AstSection *s)
 
 // ---- options ----
 
-typedef enum OptionTakes { TAKES_NOTHING, TAKES_TIME, TAKES_UNIT, TAKES_NAME } OptionTakes;
+typedef enum OptionTakes { TAKES_NOTHING, TAKES_TIME, TAKES_UNIT, TAKES_COUNT, TAKES_NAME } OptionTakes;
 
 // in: by FileKind, whether a file of this kind can have the option.
 static const struct { const char *name; OptionTakes takes; bool in[FILE_KINDS]; } options[] = {
@@ -224,7 +224,8 @@ static const char *const option_words[] = {
 
 // What is expected after an option, for a diagnostic, by OptionTakes.
 static const char *const expected_value[] = {
-    [TAKES_NOTHING] = "no value", [TAKES_TIME] = "a number without a sign", [TAKES_UNIT] = "us, ms or s", [TAKES_NAME] = "the name of a state"};
+    [TAKES_NOTHING] = "no value", [TAKES_TIME] = "a number without a sign", [TAKES_UNIT] = "us, ms or s",
+    [TAKES_COUNT] = "a number without a sign", [TAKES_NAME] = "the name of a state"};
 
 enum { OPTION_COUNT = sizeof option_words / sizeof *option_words };
 
@@ -232,12 +233,12 @@ enum { OPTION_COUNT = sizeof option_words / sizeof *option_words };
 static bool parse_option_argument(Parser *p, AstOption *o, OptionTakes takes)
 {
     o->value_span = parser_token_span(p);
-    if (takes == TAKES_TIME && p->tok.kind == TOK_NUMBER) {
+    if ((takes == TAKES_TIME || takes == TAKES_COUNT) && p->tok.kind == TOK_NUMBER) {
         o->number = parse_number(p);
         o->value_span = o->number->span;
         return true;
     }
-    if (p->tok.kind != TOK_NAME || takes == TAKES_TIME || (takes == TAKES_UNIT && !time_unit_counts(time_unit_find(p->tok.text->text))))
+    if (p->tok.kind != TOK_NAME || takes == TAKES_TIME || takes == TAKES_COUNT || (takes == TAKES_UNIT && !time_unit_counts(time_unit_find(p->tok.text->text))))
         return false;
     o->word = p->tok.text;
     parser_advance(p);

@@ -3,7 +3,7 @@
 # Runs the examples as their reader would: examples.sh SMC FOLDER...  Each machine M.sm of a folder is checked for a flight, with the
 # step of its options ("step 10 ms") or its comment ("Stepped every 10 ms"), and there must be no finding.  It is tested on every engine by its scripts
 # M.ss and M-*.ss; a state vector (.sv) in the folder is for all its machines.
-# A script that belongs to no machine is a failure, as is a machine without a script or without a step.
+# A script that belongs to no machine, and that no other one includes, is a failure, as is a machine without a script or without a step.
 # So that silence means something, machines that have @safe or @allow are checked again without them: most must draw a finding.
 smc=$1
 shift
@@ -73,6 +73,9 @@ for folder; do
         for script; do
             expect test "$smc" test --engine=all -Werror ${sv:+"$sv"} "$machine" "$script"
         done
+    done
+    for script in "$folder"/*.ss; do
+        grep -q "^include \"${script##*/}\"" "$folder"/*.ss && seen=$((seen + 1))
     done
     # shellcheck disable=SC2012
     expect "a script of no machine in $folder" test "$(ls "$folder"/*.ss | wc -l)" -eq "$seen"

@@ -18,6 +18,7 @@ Options:
   --trace-format=FORMAT    csv (default), or exact: lines 'step element value' with every bit of every element
   -v                       print the final state vector of failed scripts too, and of each of several
   --max-steps=N            give up on a script after N steps (default 1000000)
+  --seed=N                 the seed of the scripts' random numbers, from 0 (default: that of each script, else 0)
   --junit=FILE             write the results as JUnit XML
   --tap                    print the results in the Test Anything Protocol
   --message-format=FORMAT  the form of messages: text (default), json, or sarif if the command reads sources
