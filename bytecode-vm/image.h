@@ -228,7 +228,7 @@ typedef struct SmvmParameterEntry {
 
 SmvmReader smvm_parameters(const SmvmMachine *m);     // a reader before the first entry
 bool smvm_read_parameter(SmvmReader *r, SmvmParameterEntry *p);
-static inline SmvmAt smvm_parameter_number(const SmvmParameterEntry *p, uint8_t which) { return (SmvmAt)(p->numbers + which * p->bytes); }
+static inline SmvmAt smvm_parameter_number(const SmvmParameterEntry *p, uint8_t which) { return (SmvmAt)(p->numbers + (unsigned)which * p->bytes); }
 
 static inline uint32_t smvm_window(SmvmBytes image, SmvmAt windows_at, SmvmAt w)     // reads entry w of the table of windows
 {
