@@ -108,7 +108,7 @@ Program *session_program(Session *s, const MachineInput *in)
 static bool declares_written_local(const Program *p, const Map *written)
 {
     for (size_t i = 0; written && i < p->var.n; i++)
-        if (p->var.at[i]->kind == VAR_LOCAL && map_find(written, p->var.at[i]->name))
+        if (p->var.at[i]->kind == VAR_LOCAL && !p->var.at[i]->parameter && map_find(written, p->var.at[i]->name))
             return true;
     return false;
 }
@@ -335,7 +335,7 @@ static void mark_locals(IrMachine *m, SessionLocals locals)
 {
     for (size_t v = 0; v < m->var.n; v++) {
         IrVar *var = &m->var.at[v];
-        if (var->space != IR_LOCAL)
+        if (var->space != IR_LOCAL || var->parameter)
             continue;
         var->outside = var->outside || locals == LOCALS_SWAPPED;
         var->hidden = locals == LOCALS_HIDDEN && !var->outside;

@@ -46,6 +46,7 @@ struct Cli {
     const char *value[OPT_COUNT];         // the values of options that take one; the last one wins
     VEC(const Source *) scripts;          // the scripts that have been read, and those that they include
     VEC(const Source *) included;         // those of them that no argument names
+    VEC(const char *) set;                // the values of --set, in order
     DiagSelection warn;
     Diags reported;                       // what cli_print_diagnostics has printed so far, for a SARIF document
     PlainMessages plain;                  // the other messages printed so far, for the same document

@@ -197,6 +197,8 @@ static int check_arguments(Cli *c, const Files *f)
         return cli_usage_error(c, TEXT_test_no_script, f->machine, f->machine);
     if (f->scripts && !f->machines)
         return cli_usage_error(c, TEXT_test_no_machine);
+    if (c->given[OPT_SET] && !f->machines)
+        return cli_usage_error(c, TEXT_set_of_case);
     for (size_t i = 0; i < sizeof other / sizeof *other && c->given[OPT_TAP]; i++)
         if (cli_is_standard_output(c, other[i].id))
             return cli_usage_error(c, TEXT_both_to_stdout, "--tap", other[i].spelling);

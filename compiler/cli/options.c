@@ -88,6 +88,8 @@ static bool store_option(Cli *c, OptionId id, const char *arg, const char *value
         return cli_usage_error(c, TEXT_option_empty, o->spelling, o->value + has_joined_value(o)), false;
     c->given[id] = true;
     c->value[id] = value;
+    if (id == OPT_SET)
+        vec_push(&c->session.arena, &c->set, value);
     if (id == OPT_WARN)
         c->warn.word[c->warn.n++] = value;
     if (id == OPT_NO_WARN)

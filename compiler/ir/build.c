@@ -183,7 +183,7 @@ static void build_vars(Builder *b)
     b->var = ARENA_ARRAY(b->arena, uint32_t, p->var.n);
     for (size_t k = 0; k < p->var.n; k++) {
         const Var *v = p->var.at[k];
-        IrVar out = {.space = space_of[v->kind], .name = v->name, .type = v->type, .init = v->init, .span = v->span};
+        IrVar out = {.space = space_of[v->kind], .name = v->name, .type = v->type, .init = v->init, .parameter = v->parameter, .span = v->span};
         out.writable = v->written;
         out.outside = v->outside;
         if (v->element)

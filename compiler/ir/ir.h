@@ -119,6 +119,7 @@ typedef struct IrVar {
     SmType type;
     uint32_t offset;                  // ELEMENT: bytes from the start of the state vector
     uint64_t init;                    // LOCAL: its initial value, as a bit cell
+    const Parameter *parameter;       // LOCAL: a parameter, which no function stores to; its value is init or any other in its range; or NULL
     bool writable;                    // some function of the machine stores to it
     bool outside;                     // LOCAL: code outside the machine, such as a script, writes it between steps
     bool hidden;                      // LOCAL: no code outside the machine reads it between steps

@@ -93,7 +93,8 @@ static bool is_replay_too_slow(const ScriptRun *r)
 static bool replay_run(History *h)
 {
     const ScriptRun *failed = h->failed;
-    const ScriptOptions o = {.max_steps = failed->result.steps, .seed = &failed->result.seed, .after_step = record_after_step, .context = h, .is_compared = true};
+    const ScriptOptions o = {.max_steps = failed->result.steps, .seed = &failed->result.seed, .after_step = record_after_step, .context = h,
+                             .is_compared = true, .setting = failed->o->setting, .settings = failed->o->settings};
     Engine *ref = engine_ref_open(failed->arena, failed->p);
     Diags silent;
 

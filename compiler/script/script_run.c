@@ -40,6 +40,15 @@ static void update_time_and_state(ScriptRun *r)
     r->cell[r->p->s->index] = last->next_state;
 }
 
+// Sets the parameters before the first step.  The caller's setting of a parameter replaces that of the script.
+static void write_settings(ScriptRun *r)
+{
+    for (size_t i = 0; i < r->s->setting.n; i++)
+        write_input(r, r->s->setting.at[i].parameter, r->s->setting.at[i].cell);
+    for (size_t i = 0; i < r->o->settings; i++)
+        write_input(r, r->o->setting[i].parameter, r->o->setting[i].cell);
+}
+
 static void write_inputs_of_item(ScriptRun *r, const ScriptItem *item)
 {
     for (size_t i = 0; i < item->inputs.n; i++) {
@@ -164,6 +173,8 @@ static void run_step(ScriptRun *r)
     r->noted.n = 0;
     r->random.step = r->result.steps + 1;
     update_time_and_state(r);
+    if (r->result.steps == 0)
+        write_settings(r);
     ref_windows_sample(&r->windows, r->cell);
     run_sections(r);
     step_engines(r);

@@ -229,8 +229,10 @@ static void declare_local(Declarations *k, const AstDecl *decl)
 {
     LocalDecl l = {sema_new_var(k->s, VAR_LOCAL, decl), decl};
 
-    l.var->outside = k->written_outside && map_find(k->written_outside, decl->name);
-    l.var->is_constant = l.var->read_only && !l.var->outside;
+    l.var->parameter = check_parameter(k->s, l.var, decl);
+    l.var->read_only |= l.var->parameter != NULL;
+    l.var->outside = !l.var->parameter && k->written_outside && map_find(k->written_outside, decl->name);
+    l.var->is_constant = l.var->read_only && !l.var->outside && !l.var->parameter;
     declare_name(k, l.var, l.var->name, l.var->span);
     add_decl_allows(k->s, decl);
     vec_push(k->s->arena, &k->local, l);
@@ -271,7 +273,9 @@ static void compute_initial_values(Declarations *k)
         e = value ? check_expr(s, value) : NULL;
         v->init_value = e;
         s->no_value[v->index] = !e;
-        if (e)
+        if (e && v->parameter)
+            check_default(s, v, expr_constant_value(e));
+        else if (e)
             v->init = sm_cell_from_f64(v->type, expr_constant_value(e));
     }
     s->at = EXPR_IN_STEP;

@@ -49,7 +49,10 @@ static bool check_use_in_initial(Sema *s, const Var *v, const AstExpr *e)
         d = diag_report(s->diags, DIAG_initial_value_of_itself, e->span, e->name->text);
     else if (v->index > s->local->index)
         d = diag_report(s->diags, DIAG_initial_value_later, e->span, s->local->name->text, e->name->text);
-    else
+    else if (v->parameter) {
+        report_parameter_in_initial(s, v, e);
+        return false;
+    } else
         return !s->no_value[v->index];
     if (v != s->local)
         scope_note_declared(s, d, e->name);
@@ -67,6 +70,10 @@ static bool check_use_in_size(Sema *s, Var *v, const AstExpr *e)
         d = diag_report(s->diags, DIAG_window_size_varies, e->span, s->size_of->text, e->name->text,
                         v->kind == VAR_TIME ? "the time in the state" : "an element");
         scope_note_declared(s, d, e->name);
+        return false;
+    }
+    if (v->parameter) {
+        report_parameter_in_size(s, v, e);
         return false;
     }
     v->sizes |= !s->in_script;

@@ -99,6 +99,7 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     warn_of_skipped_all_states(&s, p);
     check_unused_definitions(&s, &p->define);
     check_size_uses(&s);
+    propose_definitions(&s, sm);
     p->stmts = s.stmts;
     if (c->diags->errors_seen > errors)
         return NULL;

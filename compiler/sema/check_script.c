@@ -13,7 +13,7 @@ typedef struct ScriptCheck {
     Sema s;
     Script *script;
     Defines define;
-    Str delta_t, init_state, seed;        // the names of the options
+    Str delta_t, init_state, seed, set;   // the names of the options
     bool has_delta_t, has_stop;
     uint32_t items, asserts;      // how many items and asserts have been checked
     bool proposes_guards;         // CheckContext.proposes_guards
@@ -46,6 +46,38 @@ static void check_seed(ScriptCheck *k, const AstOption *o)
         diag_report(k->s.diags, DIAG_seed_value, o->value_span);
 }
 
+// Returns the setting of a variable in the script; NULL: none.
+static ScriptSetting *find_setting(const Script *s, const Var *v)
+{
+    for (size_t i = 0; i < s->setting.n; i++)
+        if (s->setting.at[i].parameter == v)
+            return &s->setting.at[i];
+    return NULL;
+}
+
+// Checks `set NAME VALUE`.
+static void check_setting(ScriptCheck *k, const AstOption *o)
+{
+    const CheckContext c = {.arena = k->s.arena, .strings = k->s.strings, .diags = k->s.diags};
+    ScriptSetting setting = {NULL, 0, o->word_span};
+    const ScriptSetting *earlier;
+    SmF64 x;
+
+    if (!o->word || !o->number)
+        return;
+    x = o->number->unit ? check_time_literal(&k->s, o->number) : o->number->number;
+    k->s.knows_a_name |= program_parameter(k->s.p, o->word) != NULL;
+    if (!report_parameter_refused(&c, k->s.p, o->word, program_parameter(k->s.p, o->word) ? o->value_span : o->word_span,
+                                  o->negative ? sm_neg(x) : x, &setting.cell))
+        return;
+    setting.parameter = program_parameter(k->s.p, o->word);
+    earlier = find_setting(k->script, setting.parameter);
+    if (earlier)
+        diag_note(k->s.diags, diag_report(k->s.diags, DIAG_parameter_set_twice, o->word_span, o->word->text), earlier->span, DIAG_note_first_here);
+    else
+        vec_push(k->s.arena, &k->script->setting, setting);
+}
+
 static void check_option(ScriptCheck *k, const AstOption *o)
 {
     if (o->name == k->delta_t) {
@@ -62,6 +94,8 @@ static void check_option(ScriptCheck *k, const AstOption *o)
             k->script->init_state = state;
     } else if (o->name == k->seed) {
         check_seed(k, o);
+    } else if (o->name == k->set) {
+        check_setting(k, o);
     }
 }
 
@@ -344,6 +378,7 @@ static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *const *f
     k->delta_t = str_c(c->strings, "delta_t");
     k->seed = str_c(c->strings, "seed");
     k->init_state = str_c(c->strings, "init_state");
+    k->set = str_c(c->strings, "set");
     check_script_locals(&k->s, k->script, file, n);
 }
 

@@ -34,6 +34,10 @@ static bool check_writable(Sema *s, const Var *v, Str name, Span span)
 
     if (scope_is_doubtful(s, name))
         return false;
+    if (v->parameter) {
+        report_parameter_assigned(s, v, name, span);
+        return false;
+    }
     if (!v->read_only || (s->in_script && !never_assigned))
         return true;
     if (v == s->p->t) {

@@ -13,6 +13,7 @@
 #include "compiler/base/str.h"
 #include "compiler/base/vec.h"
 #include "compiler/syntax/time_unit.h"
+#include "stdlib/parameter.h"
 #include "stdlib/types.h"
 
 // ---- the state vector ----
@@ -74,6 +75,13 @@ typedef enum VarKind {
     VAR_TIME                  // T
 } VarKind;
 
+// A parameter (language.md 5.77): a local whose value is set before the machine starts.
+typedef struct Parameter {
+    SmF64 lo, hi;             // its range: both ends are finite and exactly of its type; 0 and 1 of a bool
+    uint64_t standard;        // its default, as a bit cell of its type; Var.init is the current value
+    Span span;                // the annotation
+} Parameter;
+
 typedef struct Expr Expr;
 
 typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only this kind has
@@ -87,6 +95,7 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     const Range *range;       // ELEMENT: from the machine, or else from the .sv; or NULL
     bool read_only;           // the machine cannot assign the variable; true for G, S and T
     bool command;             // ELEMENT: marked @command, here or in the .sv
+    const Parameter *parameter;       // LOCAL: set if it is a parameter, which is also read-only and never constant; else NULL
     uint64_t init;            // LOCAL: its initial value, as a bit cell of its type (convert.h)
     Expr *init_value;         // LOCAL: the expression that init was computed from
     bool outside;             // LOCAL: code outside the machine (a state script) writes it between steps
@@ -293,18 +302,29 @@ typedef struct ScriptRandom {
 
 typedef VEC(ScriptRandom) ScriptRandoms;
 
+// A parameter that a script sets, or another caller for the run of a script.
+typedef struct ScriptSetting { const Var *parameter; uint64_t cell; Span span; } ScriptSetting;
+
 typedef struct Script {
     const Source *src;
     const Program *program;
     uint64_t delta_t;
     Span delta_t_span;        // position of the value of delta_t in [options]
     State *init_state;
+    VEC(ScriptSetting) setting;       // the parameters that the script sets
     VEC(Var *) local;         // the variables of [local], in file order
     VEC(ScriptSection) section;       // in file order
     Windows window;           // of the roll calls in all sections of the script
     ScriptRandoms random;     // by number of the call, from 0
     uint64_t seed;            // of its random numbers
 } Script;
+
+// ---- parameters ----
+
+const char *parameter_refusal_text(SmRefusal refusal);       // the words of stdlib/parameters.def
+const Var *program_parameter(const Program *p, Str name);    // returns the parameter of this name; NULL: none
+// Returns why a parameter cannot have the value x.  If it can, sets *cell to the value as a bit cell of its type.
+SmRefusal parameter_judge(const Var *parameter, SmF64 x, uint64_t *cell);
 
 // Whether two expressions apply the same operators to the same numbers, variables and statistics.  Equal expressions have the
 // same value if no assignment is executed between their evaluations. window_of maps a Window number to an id that is equal for

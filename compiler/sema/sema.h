@@ -15,6 +15,9 @@ typedef enum ExprContext {
 // A local that the size of a window depends on.
 typedef struct SizeUse { Var *local; Span span; } SizeUse;
 
+// A local whose initial value reads a parameter, which is reported.
+typedef struct DependentLocal { const Var *local; Diag *report; } DependentLocal;
+
 // What the parser's errors may have hidden in a file (lost.c).
 typedef struct HiddenNames {
     bool any;                 // the parser reported errors in the file
@@ -61,6 +64,7 @@ typedef struct Sema {
     const AstExpr *searched_left;     // the leftmost operand of this operand has already been examined for a `not`
     bool no_elements;         // the machine lists no elements; already reported
     bool *no_value;           // by Var.index: the local's initial value has an error
+    VEC(DependentLocal) dependent;    // the locals whose initial values read a parameter; propose_definitions reads it
     VEC(SizeUse) size_use;    // the locals that window sizes depend on so far; check_size_uses reads it
     BlockKind block;          // the block that contains the current statement
     uint32_t stmts;           // the number of statements so far
@@ -136,6 +140,20 @@ static inline Span sema_span(const Sema *s, Span written)
         written.src = s->copy;
     return written;
 }
+
+// ---- check_parameter.c: parameters ----
+
+// Returns what the annotations of a local make of it: a parameter whose default is not known yet, or NULL.  Reports a missing or invalid range.
+const Parameter *check_parameter(Sema *s, const Var *v, const AstDecl *decl);
+// Sets the default of parameter v, which is also its value until another one is set.  Reports a default that v cannot have.
+void check_default(Sema *s, Var *v, SmF64 x);
+// Reports an assignment to parameter v, in a machine or a script.
+void report_parameter_assigned(Sema *s, const Var *v, Str name, Span span);
+// Reports a parameter in the initial value of local s->local, or in the size of a window.
+void report_parameter_in_initial(Sema *s, const Var *v, const AstExpr *e);
+void report_parameter_in_size(Sema *s, const Var *v, const AstExpr *e);
+// Proposes a definition for each local whose initial value reads a parameter, if the machine never assigns the local.
+void propose_definitions(Sema *s, const AstFile *sm);
 
 // ---- check_all_states.c: [all_states] of a machine ----
 

@@ -156,12 +156,14 @@ typedef struct AstDefinition {
     AstAnnotations annotations;
 } AstDefinition;
 
-// An entry of [options]: `lock`, `delta_t 10 ms`, `init_state Idle`.
+// An entry of [options]: `lock`, `delta_t 10 ms`, `init_state Idle`, `set limit 40`.
 typedef struct AstOption {
     Str name;
     Span name_span;
-    AstExpr *number;          // delta_t, step, seed: the literal of its value
-    Str word;                 // init_state: the name of the state; time_unit: the unit
+    AstExpr *number;          // delta_t, step, seed, set: the literal of its value
+    bool negative;            // set: the value has a minus
+    Str word;                 // init_state: the name of the state; time_unit: the unit; set: the name of the parameter
+    Span word_span;           // set: the name
     Span value_span;
 } AstOption;
 

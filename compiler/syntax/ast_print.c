@@ -221,6 +221,8 @@ static void print_option(Buf *out, const AstOption *o)
     print_name(out, o->name);
     if (o->number || o->word) {
         buf_char(out, ' ');
+        if (o->number && o->word)
+            buf_printf(out, "%s ", o->word->text);
         print_source(out, o->value_span);
     }
     buf_char(out, '\n');

@@ -98,7 +98,10 @@ static bool check_annotation_target(Parser *p, const Annotated *o, const AstAnno
         parser_report(p, DIAG_annotation_in_sv, a->span, word);
     else
         parser_report(p, DIAG_annotation_on_local, a->span, word,
-                      a->kind == AST_ALLOW ? "machines and state vectors" : "elements of the state vector");
+                      a->kind == AST_ALLOW       ? "machines and state vectors"
+                      : a->kind == AST_PARAMETER ? "locals of a machine"
+                      : a->kind == AST_RANGE     ? "elements of the state vector and parameters"
+                                                 : "elements of the state vector");
     return false;
 }
 

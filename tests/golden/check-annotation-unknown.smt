@@ -39,7 +39,7 @@ a.sm:4:7: error: unknown annotation '@slot' [E0360]
       |       ^~~~~ allowed here: @read_only, @alias, @range, @command and @allow
 a.sm:6:11: error: unknown annotation '@const' [E0360]
     6 | F64 y = 0 @const
-      |           ^~~~~~ allowed here: @read_only and @allow
+      |           ^~~~~~ allowed here: @read_only, @range, @parameter and @allow
 a.sm:7:8: error: unknown annotation '@initial' [E0360]
     7 | [Idle] @initial
       |        ^~~~~~~~ allowed here: @allow, @abort, @safe and @swap

@@ -19,6 +19,8 @@ Usage:
       print the instructions of an image
   smc verify IMAGE
       run the device's own checks on an image
+  smc set IMAGE [NAME=VALUE... -o OUT]
+      list the parameters of an image, or set some of them
   smc sign IMAGE --key=FILE [--number=N] [-o OUT]
       put the code of a key and a number into an image, for boards that take no others
   smc key FILE
