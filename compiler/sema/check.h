@@ -8,6 +8,7 @@
 #include "compiler/sema/iomap.h"
 #include "compiler/sema/network.h"
 #include "compiler/sema/program.h"
+#include "compiler/sema/requirements.h"
 #include "compiler/syntax/ast.h"
 
 typedef struct CheckContext {
@@ -29,6 +30,12 @@ Script *check_script(CheckContext *c, const AstFile *const *file, size_t n, cons
 // each source again, with only some of its items in memory at a time: they are in `items`, the rest of the syntax tree is in `tree`.  The
 // caller frees both arenas.
 Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const AstFile *const *outline, size_t n, const Program *program);
+
+// Checks the requirements of n files of a machine (check_rq.c).
+Requirements *check_requirements(CheckContext *c, const AstFile *const *file, size_t n, const Program *p);
+// Warn of marks @req, in the machine and in a script, with ids that no requirement has.
+void check_requirement_marks(CheckContext *c, const Requirements *r);
+void check_requirements_of_script(CheckContext *c, const Requirements *r, const Script *script);
 
 // Binds pins to elements of `sv`.
 IoMap *check_io(CheckContext *c, const AstFile *io, const StateVec *sv);

@@ -31,7 +31,7 @@ static bool is_same_node(const Expr *a, const Expr *b, const uint32_t *window_of
     case EX_BINARY: return a->op == b->op;
     case EX_CHAIN: return memcmp(expr_ops(a), expr_ops(b), (a->n - 1) * sizeof(SmOperator)) == 0;
     case EX_CALL: return a->fn == b->fn;
-    case EX_ROLL: return a->stat == b->stat && window_of[a->window] == window_of[b->window];
+    case EX_ROLL: return a->stat == b->stat && (window_of ? window_of[a->window] == window_of[b->window] : a->window == b->window);
     }
     return false;
 }
