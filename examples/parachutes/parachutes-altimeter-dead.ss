@@ -8,4 +8,7 @@ G == 19 s: @assert S == Ascent and not drogueCharge
 G == 20 s: @assert S == Drogue and drogueCharge
 G == 22.4 s: @assert S == Drogue and not mainCharge
 G == 22.7 s: @assert S == Main and mainCharge
-G == 23 s: @stop
+G == 23.7 s {
+    @assert not mainCharge
+    @stop
+}
