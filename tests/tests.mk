@@ -199,6 +199,15 @@ swap-campaign: $(B)/swap/random $(B)/swap/hostile
 	$(B)/swap/hostile $(SEED) $(N)
 .PHONY: swap-campaign
 
+# tests/requirements: random requirements over the runs of random machines.  `make requirements-campaign N=100000 SEED=1`.
+$(B)/requirements/random: $(B)/obj/tests/requirements/random.o $(filter %/subject.o %/gen.o %/gen_additions.o %/gen_bias.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o,$(DIFF_OBJ)) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+requirements-campaign: $(B)/requirements/random
+	$(B)/requirements/random $(SEED) $(N)
+.PHONY: requirements-campaign
+
 # tests/library: libsmc by its public header.  `make library-campaign N=100000 SEED=1` makes random calls under sanitizers.
 LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api broken memory refuse threads random command)
 $(LIBRARY_TESTS): $(B)/library/%: $(B)/obj/tests/library/%.o $(B)/libsmc.a
@@ -839,6 +848,7 @@ $(call test, swap-reach,           thorough, $(B)/swap/reach $(B)/smc, $(B)/swap
 $(call test, swap-killed,          thorough, $(B)/swap/killed, $(B)/swap/killed)
 $(call test, swap-threads,         thorough, $(B)/swap/threads, $(B)/swap/threads)
 $(call test, swap-tsan,            thorough, $(B)/swap/threads_tsan, if test -x $(B)/swap/threads_tsan; then $(B)/swap/threads_tsan; else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi)
+$(call test, requirements-random,  thorough, $(B)/requirements/random, $(B)/requirements/random 1 2000)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
 $(call test, swap-hostile,         thorough, $(B)/swap/hostile, $(B)/swap/hostile 1 3000)
 $(call test, sound,                thorough, $(B)/diff/difftest, $(SOUND) --count=300 --jobs=2 --out=$(B)/diff/check-sound)
